@@ -1,0 +1,59 @@
+# SPDX-License-Identifier: MIT
+# How every target of the project is compiled, and where results go.
+
+set(warnings -Wall -Wextra -Wshadow -Wundef -Wvla -Wconversion -Wstrict-prototypes
+             -Wmissing-prototypes)
+
+# C11 without extensions, and the same bits everywhere: gcc and clang contract a * b + c into a fused
+# multiply-add wherever the target has one, -ffast-math may come from the environment, and on 32-bit
+# x86 floats would be computed in wider registers. These flags are target options, so they stand
+# after CMAKE_C_FLAGS and win.
+function(scarp_compile_rules target)
+  set_target_properties(${target} PROPERTIES
+    C_STANDARD 11
+    C_STANDARD_REQUIRED ON
+    C_EXTENSIONS OFF
+    C_VISIBILITY_PRESET hidden
+    RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bin
+    LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/lib
+    ARCHIVE_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/lib)
+  target_compile_options(${target} PRIVATE ${warnings} $<$<BOOL:${SCARP_WERROR}>:-Werror>)
+  if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(i.86|x86|x86_64|AMD64)$" AND CMAKE_SIZEOF_VOID_P EQUAL 4)
+    target_compile_options(${target} PRIVATE -msse2 -mfpmath=sse)
+  endif()
+  if(CMAKE_C_COMPILER_FRONTEND_VARIANT STREQUAL "MSVC")
+    target_compile_options(${target} PRIVATE /clang:-fno-fast-math /clang:-ffp-contract=off)
+  else()
+    target_compile_options(${target} PRIVATE -fno-fast-math -ffp-contract=off)
+  endif()
+endfunction()
+
+# What else a build of the library needs; also used for the copies that tests make of it.
+function(scarp_library_rules target)
+  target_include_directories(${target} PUBLIC
+    $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
+    $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  target_compile_features(${target} PUBLIC c_std_11)
+  find_library(SCARP_LIBM m)
+  mark_as_advanced(SCARP_LIBM)
+  if(SCARP_LIBM)
+    target_link_libraries(${target} PRIVATE m)
+  endif()
+  get_target_property(type ${target} TYPE)
+  if(NOT type STREQUAL "SHARED_LIBRARY")
+    return()
+  endif()
+  # While the major version is 0, every minor version may change the interface.
+  if(PROJECT_VERSION_MAJOR EQUAL 0)
+    set(abi 0.${PROJECT_VERSION_MINOR})
+  else()
+    set(abi ${PROJECT_VERSION_MAJOR})
+  endif()
+  set_target_properties(${target} PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${abi})
+  target_compile_definitions(${target} PRIVATE SCARP_BUILDING_SHARED INTERFACE SCARP_SHARED)
+  if(UNIX AND NOT APPLE)
+    set(map ${PROJECT_SOURCE_DIR}/cmake/scarp.map)
+    target_link_options(${target} PRIVATE -Wl,--version-script=${map})
+    set_property(TARGET ${target} APPEND PROPERTY LINK_DEPENDS ${map})
+  endif()
+endfunction()

@@ -1,0 +1,244 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * scarp: lattice noise and its exact derivatives for arrays of points.
+ * This file is the whole public interface, its contracts, and the only source of the version.
+ */
+#ifndef SCARP_H
+#define SCARP_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#define SCARP_VERSION_MAJOR 0
+#define SCARP_VERSION_MINOR 1
+#define SCARP_VERSION_PATCH 0
+
+#if defined(_WIN32) && defined(SCARP_BUILDING_SHARED)
+#define SCARP_API __declspec(dllexport)
+#elif defined(_WIN32) && defined(SCARP_SHARED)
+#define SCARP_API __declspec(dllimport)
+#elif defined(__GNUC__)
+#define SCARP_API __attribute__((visibility("default")))
+#else
+#define SCARP_API
+#endif
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/*
+ * What holds for every function here
+ *
+ * - Arguments are checked before anything is written. On an error the outputs are untouched.
+ * - The same call gives the same bits on every processor, instruction set, compiler and
+ *   optimisation level. Where a result is NaN, that it is NaN is promised, not its payload.
+ * - A point has one value: its position in the array, the length of the array, the other points
+ *   and the set of outputs asked for change nothing.
+ * - The caller's floating-point mode (flush to zero, denormals are zero, rounding direction,
+ *   unmasked exceptions) neither changes a result nor is changed.
+ * - Any thread may call any function at any time. Nothing is allocated, printed or read from the
+ *   environment, and errno is left alone.
+ */
+
+enum scarp_status {
+    SCARP_OK = 0,
+    SCARP_ERROR_NULL,       /* a pointer that the call needs is NULL */
+    SCARP_ERROR_ENUM,       /* an enumerator that does not exist */
+    SCARP_ERROR_PARAMETER,  /* a number that is not finite, or outside its documented interval */
+    SCARP_ERROR_SIZE,       /* a count so large that its arrays cannot exist in memory */
+    SCARP_ERROR_UNSUPPORTED /* a valid request that this call or this processor cannot serve */
+};
+
+/* The noise of one octave. Both are defined on the integer lattice, which repeats after 2^32
+   cells along each axis. */
+enum scarp_basis {
+    SCARP_GRADIENT, /* Perlin's gradient noise: 0 on every lattice point, a gradient drawn there.
+                       2D: 16 directions, 11.25 degrees + k * 22.5; 3D: the set of improved noise
+                       (Perlin 2002). */
+    SCARP_VALUE     /* value noise: a value drawn on every lattice point, uniform in [-1, 1) */
+};
+
+/* The blend between lattice points, for t in [0, 1] across a cell. */
+enum scarp_fade {
+    SCARP_QUINTIC, /* 6t^5 - 15t^4 + 10t^3: the Hessian is continuous */
+    SCARP_CUBIC    /* 3t^2 - 2t^3: the gradient is continuous, the Hessian jumps between cells */
+};
+
+/* How octaves are summed. */
+enum scarp_fractal {
+    SCARP_FBM /* fractional Brownian motion: the weighted sum, below */
+};
+
+/* Kernel sets, one of which serves all calls. */
+enum scarp_isa {
+    SCARP_ISA_NONE, /* in scarp_isa_select: the best one */
+    SCARP_ISA_SCALAR,
+    SCARP_ISA_SSE41,
+    SCARP_ISA_AVX2,
+    SCARP_ISA_AVX512,
+    SCARP_ISA_NEON
+};
+
+/*
+ * What to sample. All zero is valid: one octave of quintic gradient noise with seed 0, one lattice
+ * cell per unit of input. A zero in a numeric field means its default.
+ *
+ * With f_k = frequency * lacunarity^k and K = ceil(octaves) octaves, octave k looks at
+ *
+ *     p_k = J_k x + o_k,      J_k = f_k R^k,
+ *
+ * where x is the input, R the turn between octaves (the identity unless `rotate`), and o_k an
+ * offset in [0, 1)^n that is drawn from the seed, so that octaves do not line up at the origin.
+ * o_0 is 0. Each octave draws its own lattice from the seed and k. With n_k the basis at p_k:
+ *
+ *     fBm     value    = sum_k a_k n_k
+ *             gradient = sum_k a_k J_k^T grad n_k
+ *             Hessian  = sum_k a_k J_k^T (Hessian n_k) J_k
+ *
+ *     a_k = amplitude (1 - 2^-17) w_k / (w_0 + ... + w_(K-1)),   w_k = gain^k,
+ *
+ * but w_(K-1) is also multiplied by the fraction of `octaves` when it has one: octaves can be
+ * faded in without a pop. The 2^-17 is the head-room for rounding that lets the range be promised.
+ * R is (0.8 -0.6; 0.6 0.8) in 2D and (0 0.8 0.6; -0.8 0.36 -0.48; -0.6 -0.48 0.64) in 3D.
+ *
+ * Outputs are gradients and Hessians per unit of *input* (not per lattice cell).
+ */
+struct scarp_noise {
+    enum scarp_basis basis;
+    enum scarp_fade fade;
+    enum scarp_fractal fractal;
+    uint32_t rotate;  /* nonzero: turn the axes between octaves; hides the lattice's directions */
+    uint64_t seed;    /* all 64 bits count */
+    double frequency; /* lattice cells per unit of input. Default 1. Every f_k lies in
+                         [2^-48, 2^48]. */
+    float octaves;    /* in (0, 32]. Default 1. */
+    float lacunarity; /* frequency ratio between octaves, in [1/16, 16]. Default 2. */
+    float gain;       /* amplitude ratio between octaves, in [1/16, 16]. Default 0.5. */
+    float amplitude;  /* scales every output, in [-2^24, 2^24]. Default 1. */
+};
+
+/* Where results go: arrays of `count` floats. A NULL member is not computed. A call that asks for
+   no derivative does not pay for derivatives; one that asks for no second derivative does not pay
+   for second derivatives. */
+struct scarp_samples {
+    float *value;
+    float *dx, *dy, *dz;                      /* gradient, per unit of input */
+    float *dxx, *dxy, *dxz, *dyy, *dyz, *dzz; /* Hessian, per unit of input squared */
+};
+
+/*
+ * scarp_sample2 - sample noise at points of the plane
+ *
+ * For each i < count, out->value[i] is the noise at (x[i], y[i]), and out->dx[i], dy[i], dxx[i],
+ * dxy[i], dyy[i] are the exact partial derivatives of that value in closed form.
+ *
+ * Arrays: every array holds at least `count` elements; no alignment beyond that of the type is
+ * needed. An output may be the very same array as an input (in place); arrays must not overlap in
+ * any other way.
+ *
+ * Coordinates: positions are computed in float, so detail fades as |p_k| approaches 2^23 cells;
+ * use scarp_sample2_f64 for large worlds. Beyond that the noise remains defined: for |p_k| >= 2^31
+ * the cell is -2^31 along that axis and the fraction 0. Where a coordinate is NaN or infinite, or
+ * a position overflows to infinity, every output of that point is NaN; other points do not notice.
+ *
+ * Range: see scarp_range. With the defaults, [-1, 1].
+ *
+ * Returns SCARP_ERROR_NULL if count > 0 and `noise`, `out`, `x` or `y` is NULL; SCARP_ERROR_ENUM
+ * for an unknown basis, fade or fractal; SCARP_ERROR_PARAMETER for a number of `noise` outside its
+ * interval; SCARP_ERROR_SIZE if the arrays would exceed the address space;
+ * SCARP_ERROR_UNSUPPORTED if a derivative along z is asked for. A count of 0 is a success that
+ * looks at nothing.
+ */
+SCARP_API enum scarp_status scarp_sample2(const struct scarp_noise *noise, size_t count,
+                                          const float *x, const float *y,
+                                          const struct scarp_samples *out);
+
+/* scarp_sample3 - like scarp_sample2, but in space, with all ten outputs */
+SCARP_API enum scarp_status scarp_sample3(const struct scarp_noise *noise, size_t count,
+                                          const float *x, const float *y, const float *z,
+                                          const struct scarp_samples *out);
+
+/*
+ * scarp_sample2_f64 - like scarp_sample2, but with double coordinates
+ *
+ * Positions are computed in double and reduced to cell and fraction before anything is rounded to
+ * float, so detail does not fade far from the origin: at |p_k| = 2^40 cells the fraction still has
+ * 12 bits. Cells wrap modulo 2^32 up to |p_k| = 2^51; beyond, the low bits of the cell are lost
+ * but the result remains defined and the same everywhere. Outputs are floats and cannot be in
+ * place.
+ */
+SCARP_API enum scarp_status scarp_sample2_f64(const struct scarp_noise *noise, size_t count,
+                                              const double *x, const double *y,
+                                              const struct scarp_samples *out);
+
+/* scarp_sample3_f64 - like scarp_sample2_f64, but in space, with all ten outputs */
+SCARP_API enum scarp_status scarp_sample3_f64(const struct scarp_noise *noise, size_t count,
+                                              const double *x, const double *y, const double *z,
+                                              const struct scarp_samples *out);
+
+/*
+ * scarp_normals - unit normals of the surface z = height_scale * value, from the gradient
+ *
+ * For each i < count, (nx[i], ny[i], nz[i]) is (-s dx[i], -s dy[i], 1) divided by its length, with
+ * s = height_scale: x and y as in the input of the noise, z up. dx and dy are outputs of a sample
+ * call; s is in units of input per unit of value. Computed in double and rounded once: each
+ * component is within 1 unit in the last place of the exact one. Where an input is NaN or
+ * infinite, the normal is NaN in all components.
+ *
+ * Every array holds `count` floats. nx, ny and nz may each be NULL and are then skipped; an output
+ * may be the very same array as an input.
+ *
+ * Returns SCARP_ERROR_NULL if count > 0 and dx or dy is NULL; SCARP_ERROR_PARAMETER if
+ * height_scale is not finite; SCARP_ERROR_SIZE as scarp_sample2.
+ */
+SCARP_API enum scarp_status scarp_normals(size_t count, const float *dx, const float *dy,
+                                          float height_scale, float *nx, float *ny, float *nz);
+
+/*
+ * scarp_range - the interval that values never leave
+ *
+ * *lowest <= value <= *highest for every point, rounding included. `dimensions` is 2 or 3. fBm:
+ * -|amplitude| and |amplitude|. Use it to map heights to integers: all tiles then agree.
+ *
+ * Returns SCARP_ERROR_NULL if a pointer is NULL; SCARP_ERROR_ENUM and SCARP_ERROR_PARAMETER as
+ * scarp_sample2, the latter also for `dimensions`.
+ */
+SCARP_API enum scarp_status scarp_range(const struct scarp_noise *noise, int dimensions,
+                                        float *lowest, float *highest);
+
+/* scarp_status_text - what a status means: a sentence without a full stop, never NULL */
+SCARP_API const char *scarp_status_text(enum scarp_status status);
+
+/* scarp_version - the version of the library that runs, as "major.minor.patch" */
+SCARP_API const char *scarp_version(void);
+
+/*
+ * Instruction sets. The best kernel set that processor and operating system can run is chosen at
+ * the first call. Results do not depend on it; these calls exist for tests, comparisons and info.
+ */
+
+/* scarp_isa_active - the kernel set in use */
+SCARP_API enum scarp_isa scarp_isa_active(void);
+
+/* scarp_isa_supported - whether this build has the kernel set and this processor can run it.
+   0 for SCARP_ISA_NONE and for numbers that are no enumerator. */
+SCARP_API int scarp_isa_supported(enum scarp_isa isa);
+
+/*
+ * scarp_isa_select - use a kernel set from now on, in all threads
+ *
+ * SCARP_ISA_NONE returns to the best one. Calls under way finish with the set they began with.
+ * Returns SCARP_ERROR_ENUM for an unknown `isa`, SCARP_ERROR_UNSUPPORTED if it cannot run here; the
+ * choice is then unchanged.
+ */
+SCARP_API enum scarp_status scarp_isa_select(enum scarp_isa isa);
+
+/* scarp_isa_name - "scalar", "sse4.1", "avx2", "avx512", "neon"; "none" for anything else */
+SCARP_API const char *scarp_isa_name(enum scarp_isa isa);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

@@ -1,0 +1,62 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * One table per instruction set, one pointer to the table in use. The pointer is the only mutable
+ * global of the library. It is resolved at first use; every thread that resolves it finds the same
+ * table, so relaxed atomics suffice: the tables themselves are constants.
+ */
+#include "dispatch.h"
+
+#include <stdatomic.h>
+
+#include "cpu.h"
+
+/* Best first. */
+static const struct scarp_kernels *const tables[] = {
+#ifdef SCARP_X86
+    &scarp_kernels_avx512, &scarp_kernels_avx2, &scarp_kernels_sse41,
+#endif
+#ifdef SCARP_AARCH64
+    &scarp_kernels_neon,
+#endif
+    &scarp_kernels_scalar,
+};
+
+static _Atomic(const struct scarp_kernels *) active;
+
+static const struct scarp_kernels *best(void)
+{
+    const struct scarp_kernels *const *table = tables;
+    while (!scarp_cpu_has((*table)->isa)) { /* ends: scalar is last and always there */
+        table++;
+    }
+    return *table;
+}
+
+const struct scarp_kernels *scarp_dispatch_active(void)
+{
+    const struct scarp_kernels *table = atomic_load_explicit(&active, memory_order_relaxed);
+    if (table == NULL) {
+        /* Only an unresolved pointer is replaced: a selection made meanwhile stays. */
+        const struct scarp_kernels *const found = best();
+        if (atomic_compare_exchange_strong_explicit(&active, &table, found, memory_order_relaxed,
+                                                    memory_order_relaxed)) {
+            table = found;
+        }
+    }
+    return table;
+}
+
+const struct scarp_kernels *scarp_dispatch_find(enum scarp_isa isa)
+{
+    for (size_t i = 0; i < sizeof tables / sizeof tables[0]; i++) {
+        if (tables[i]->isa == isa) {
+            return scarp_cpu_has(isa) ? tables[i] : NULL;
+        }
+    }
+    return NULL;
+}
+
+void scarp_dispatch_use(const struct scarp_kernels *table)
+{
+    atomic_store_explicit(&active, table != NULL ? table : best(), memory_order_relaxed);
+}

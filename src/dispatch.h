@@ -1,0 +1,19 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Which kernel table serves the calls.
+ */
+#ifndef SCARP_DISPATCH_H
+#define SCARP_DISPATCH_H
+
+#include "kernels.h"
+
+/* The table in use; chosen at the first call, the same from any thread. */
+const struct scarp_kernels *scarp_dispatch_active(void);
+
+/* The table for `isa`, or NULL if this build lacks it or this processor cannot run it. */
+const struct scarp_kernels *scarp_dispatch_find(enum scarp_isa isa);
+
+/* Uses `table` from now on; NULL: the best one. */
+void scarp_dispatch_use(const struct scarp_kernels *table);
+
+#endif

@@ -1,0 +1,41 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The fades and their derivatives; the reference is scalar/fade.h. Included by the other files of
+ * src/kernel.
+ */
+#ifndef SCARP_KERNEL_FADE_H
+#define SCARP_KERNEL_FADE_H
+
+#include "../plan.h"
+
+/* s is t - 1, which the caller needs too. */
+struct fade {
+    vf s, u, du, ddu;
+};
+
+/* quintic: u = 6t^5 - 15t^4 + 10t^3   u' = 30 t^2 (t-1)^2   u'' = 60 t (t-1) (2t-1)
+ * cubic:   u = 3t^2 - 2t^3            u' = 6 t (1-t)        u'' = 6 - 12t             */
+VEC_INLINE struct fade fade(enum scarp_fade kind, vf t)
+{
+    const vf s = t - 1.0f;
+    const vf ts = t * s;
+    struct fade f;
+    f.s = s;
+    if (kind == SCARP_QUINTIC) {
+        f.u = t * t * t * (t * (t * 6.0f - 15.0f) + 10.0f);
+        f.du = 30.0f * (ts * ts);
+        f.ddu = 60.0f * ts * (t + s);
+    } else {
+        f.u = t * t * (3.0f - 2.0f * t);
+        f.du = -6.0f * ts;
+        f.ddu = 6.0f - 12.0f * t;
+    }
+    return f;
+}
+
+VEC_INLINE vf mix(vf a, vf b, vf u)
+{
+    return a + u * (b - a);
+}
+
+#endif

@@ -1,0 +1,149 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Gradient noise (Perlin 1985, 2002) with gradient and Hessian: see noise.h for the order of
+ * operations. Included by points.h; the reference is scalar/basis.h.
+ *
+ *     n(t) = sum over corners c of W_c(t) g_c . (t - c)
+ *
+ * with W the products of the fades. The derivatives interpolate the corner gradients too.
+ */
+#ifndef SCARP_KERNEL_GRADIENT_H
+#define SCARP_KERNEL_GRADIENT_H
+
+#include "noise.h"
+
+/* 16 directions, 11.25 degrees + k * 22.5: cosines and sines of 11.25, 33.75, 56.25 and 78.75. */
+#define COS_1 0.980785280f
+#define COS_3 0.831469612f
+#define COS_5 0.555570233f
+#define COS_7 0.195090322f
+
+static const struct lookup gradient2_x = LOOKUP_4(COS_1, COS_3, COS_5, COS_7, -1);
+static const struct lookup gradient2_y =
+    LOOKUP_8(COS_7, COS_5, COS_3, COS_1, -COS_7, -COS_5, -COS_3, -COS_1, 1);
+
+/* The 12 edges of a cube, four of them twice: the set of improved noise. Ordered so that turning x
+   and z around maps the first eight to the last: a table of 8 and two signs serve. */
+static const struct lookup gradient3_x = LOOKUP_8(1, 1, 0, 0, 1, 1, 1, 0, -1);
+static const struct lookup gradient3_y = LOOKUP_8(1, -1, 1, -1, 0, 0, 1, -1, 1);
+static const struct lookup gradient3_z = LOOKUP_8(0, 0, 1, 1, 1, -1, 0, 1, -1);
+
+/* Column at x: hx is its mixed lattice coordinate. */
+VEC_INLINE struct column gradient_column2(vu hx, struct axis hy, vf y, struct fade v, int order)
+{
+    const vu h0 = hash_join(hx, hy.h0);
+    const vu h1 = hash_join(hx, hy.h1);
+    const vf gx0 = vf_lookup(&gradient2_x, h0), gy0 = vf_lookup(&gradient2_y, h0);
+    const vf gx1 = vf_lookup(&gradient2_x, h1), gy1 = vf_lookup(&gradient2_y, h1);
+    const vf dgx = gx1 - gx0;
+    const vf dot0 = gy0 * y;
+    const vf dot1 = gy1 * v.s;
+    const vf ddot = dot1 - dot0;
+    struct column c;
+    c.value.a = gx0 + v.u * dgx;
+    c.value.b = dot0 + v.u * ddot;
+    if (order >= 1) {
+        const vf dgy = gy1 - gy0;
+        c.y.a = v.du * dgx;
+        c.y.b = (gy0 + v.u * dgy) + v.du * ddot;
+        if (order >= 2) {
+            c.yy.a = v.ddu * dgx;
+            c.yy.b = 2.0f * v.du * dgy + v.ddu * ddot;
+        }
+    }
+    return c;
+}
+
+/* The lattice edge along z at one x and y, interpolated over z. */
+struct edge {
+    struct line value; /* in x */
+    vf z, zz;          /* first and second z derivative of value.b */
+    vf gy, dgy;        /* y component of the gradient, and its z derivative */
+    vf dgx;            /* difference of the x components of the corners */
+};
+
+VEC_INLINE struct edge gradient_edge(vu h0, vu h1, vf y, vf z, struct fade w, int order)
+{
+    const vf gx0 = vf_lookup(&gradient3_x, h0), gx1 = vf_lookup(&gradient3_x, h1);
+    const vf gy0 = vf_lookup(&gradient3_y, h0), gy1 = vf_lookup(&gradient3_y, h1);
+    const vf gz0 = vf_lookup(&gradient3_z, h0), gz1 = vf_lookup(&gradient3_z, h1);
+    const vf dot0 = gy0 * y + gz0 * z;
+    const vf dot1 = gy1 * y + gz1 * w.s;
+    const vf ddot = dot1 - dot0;
+    struct edge e;
+    e.dgx = gx1 - gx0;
+    e.value.a = gx0 + w.u * e.dgx;
+    e.value.b = dot0 + w.u * ddot;
+    if (order >= 1) {
+        const vf dgy = gy1 - gy0;
+        const vf dgz = gz1 - gz0;
+        e.gy = gy0 + w.u * dgy;
+        e.z = (gz0 + w.u * dgz) + w.du * ddot;
+        if (order >= 2) {
+            e.dgy = w.du * dgy;
+            e.zz = 2.0f * w.du * dgz + w.ddu * ddot;
+        }
+    }
+    return e;
+}
+
+VEC_INLINE struct column gradient_column3(vu hx, struct corners_yz hyz, vf y, vf z, struct fade v,
+                                          struct fade w, int order)
+{
+    const struct edge e0 =
+        gradient_edge(hash_join(hx, hyz.h00), hash_join(hx, hyz.h01), y, z, w, order);
+    const struct edge e1 =
+        gradient_edge(hash_join(hx, hyz.h10), hash_join(hx, hyz.h11), v.s, z, w, order);
+    const vf da = e1.value.a - e0.value.a;
+    const vf db = e1.value.b - e0.value.b;
+    struct column c;
+    c.value.a = e0.value.a + v.u * da;
+    c.value.b = e0.value.b + v.u * db;
+    if (order >= 1) {
+        const vf dgy = e1.gy - e0.gy;
+        const vf dz = e1.z - e0.z;
+        const vf ddgx = e1.dgx - e0.dgx;
+        const vf dgx = e0.dgx + v.u * ddgx;
+        c.y.a = v.du * da;
+        c.y.b = (e0.gy + v.u * dgy) + v.du * db;
+        c.z.a = w.du * dgx;
+        c.z.b = e0.z + v.u * dz;
+        if (order >= 2) {
+            c.yy.a = v.ddu * da;
+            c.yy.b = 2.0f * v.du * dgy + v.ddu * db;
+            c.yz.a = v.du * (w.du * ddgx);
+            c.yz.b = mix(e0.dgy, e1.dgy, v.u) + v.du * dz;
+            c.zz.a = w.ddu * dgx;
+            c.zz.b = mix(e0.zz, e1.zz, v.u);
+        }
+    }
+    return c;
+}
+
+VEC_INLINE struct sample gradient2(const struct scarp_octave *o, const struct place *p,
+                                   enum scarp_fade kind, int order)
+{
+    const struct fade u = fade(kind, p->x);
+    const struct fade v = fade(kind, p->y);
+    const struct axis hx = hash_axis(p->cell_x, HASH_X, o->key[0]);
+    const struct axis hy = hash_axis(p->cell_y, HASH_Y, o->key[1]);
+    const struct column l = gradient_column2(hx.h0, hy, p->y, v, order);
+    const struct column r = gradient_column2(hx.h1, hy, p->y, v, order);
+    return join(&l, &r, p->x, u, 2, order);
+}
+
+VEC_INLINE struct sample gradient3(const struct scarp_octave *o, const struct place *p,
+                                   enum scarp_fade kind, int order)
+{
+    const struct fade u = fade(kind, p->x);
+    const struct fade v = fade(kind, p->y);
+    const struct fade w = fade(kind, p->z);
+    const struct axis hx = hash_axis(p->cell_x, HASH_X, o->key[0]);
+    const struct corners_yz hyz =
+        hash_yz(hash_axis(p->cell_y, HASH_Y, o->key[1]), hash_axis(p->cell_z, HASH_Z, o->key[2]));
+    const struct column l = gradient_column3(hx.h0, hyz, p->y, p->z, v, w, order);
+    const struct column r = gradient_column3(hx.h1, hyz, p->y, p->z, v, w, order);
+    return join(&l, &r, p->x, u, 3, order);
+}
+
+#endif

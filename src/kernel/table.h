@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Everything in src/kernel, and the table that offers it. Included once by each
+ * simd/kernels_<isa>.c, which defines beforehand
+ *
+ *     KERNELS      the name of the table
+ *     KERNELS_ISA  the instruction set
+ *
+ * and includes the vec_<isa>.h that gives the operations of simd/vec.h.
+ */
+#include "normals.h"
+#include "points.h"
+
+const struct scarp_kernels KERNELS = {
+    .isa = KERNELS_ISA,
+    .points2_f32 = points2_f32,
+    .points2_f64 = points2_f64,
+    .points3_f32 = points3_f32,
+    .points3_f64 = points3_f64,
+    .normals = normals,
+};
+
+#undef KERNELS
+#undef KERNELS_ISA

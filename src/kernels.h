@@ -1,0 +1,45 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The table that every instruction set fills in, and the tables there are. scarp.c calls through
+ * the active table; dispatch.c chooses it.
+ */
+#ifndef SCARP_KERNELS_H
+#define SCARP_KERNELS_H
+
+#include "plan.h"
+
+/* Evaluates `count` > 0 points. `position` holds one array per dimension, floats or doubles as the
+   table says; outputs in `out` above plan->order, and along z in 2D, are NULL. */
+typedef void scarp_points_fn(const struct scarp_plan *plan, size_t count,
+                             const void *const position[3], const struct scarp_samples *out);
+
+/* As scarp_normals, for `count` > 0. */
+typedef void scarp_normals_fn(size_t count, const float *dx, const float *dy, float height_scale,
+                              float *nx, float *ny, float *nz);
+
+struct scarp_kernels {
+    enum scarp_isa isa;
+    scarp_points_fn *points2_f32, *points2_f64;
+    scarp_points_fn *points3_f32, *points3_f64;
+    scarp_normals_fn *normals;
+};
+
+#if defined(__x86_64__) || defined(__i386__)
+#define SCARP_X86 1
+#endif
+#if defined(__aarch64__) && defined(__ARM_NEON) && defined(__BYTE_ORDER__) &&                      \
+    __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
+#define SCARP_AARCH64 1
+#endif
+
+extern const struct scarp_kernels scarp_kernels_scalar;
+#ifdef SCARP_X86
+extern const struct scarp_kernels scarp_kernels_sse41;
+extern const struct scarp_kernels scarp_kernels_avx2;
+extern const struct scarp_kernels scarp_kernels_avx512;
+#endif
+#ifdef SCARP_AARCH64
+extern const struct scarp_kernels scarp_kernels_neon;
+#endif
+
+#endif

@@ -1,0 +1,214 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * From the description of a noise to per-octave constants. All of it is double arithmetic in one
+ * fixed order, without libm, so that every platform computes the same constants.
+ */
+#include "plan.h"
+
+#include <float.h>
+
+#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
+#error "scarp promises the same bits everywhere: build it without -ffast-math"
+#endif
+#if FLT_EVAL_METHOD != 0
+#error "scarp needs float arithmetic in float: on 32-bit x86 build with -msse2 -mfpmath=sse"
+#endif
+
+/* Every f_k within these bounds, and |amplitude| <= 2^24, keep a_k f_k^2 times the largest second
+   derivative (below 2^6 for every basis, per cell squared) under 2^127: no output overflows. */
+#define FREQUENCY_MIN 0x1p-48
+#define FREQUENCY_MAX 0x1p48
+#define RATIO_MIN 0.0625
+#define RATIO_MAX 16.0
+#define AMPLITUDE_MAX 0x1p24
+
+/*
+ * The head-room for rounding. A computed basis exceeds its supremum by at most 2^-19 relative
+ * (some 20 operations, each 2^-24 of values below 2), and a sum of 32 octaves adds 32 roundings of
+ * 2^-24: together less than 2^-17.
+ */
+#define HEADROOM (1.0 - 0x1p-17)
+
+/*
+ * The suprema of |basis| as the kernels evaluate it, by [fade]. Gradient noise is
+ * sum_c W_c(t) g_c . (t - c) over the corners c of a cell, so its supremum is the maximum over t of
+ * sum_c W_c(t) max_g g . (t - c). tests/test_range.c proves the four numbers by branch and bound.
+ *   2D: 16 unit vectors; at t = (.5, .5266) and (.4667, .5), and their mirror images
+ *   3D: edge vectors (+-1, +-1, 0); at (.5185, .5, .3553) and (.5, .5236, .6756)
+ * Value noise is evaluated in units of 2^-23 of its lattice values, which lie in [-2^23, 2^23).
+ */
+static const double gradient2_supremum[] = {
+    [SCARP_QUINTIC] = 0.69535270367848662, [SCARP_CUBIC] = 0.69580995165323791};
+static const double gradient3_supremum[] = {
+    [SCARP_QUINTIC] = 1.0363538112118029, [SCARP_CUBIC] = 1.0449051896098760};
+static const double value_supremum = 0x1p23;
+
+/* The turn between octaves. The 2D turn is Quilez' (3-4-5 triangle), the 3D one has rational
+   entries too, so neither accumulates more error than the products of doubles. */
+static const double turn2[3][3] = {{0.8, -0.6, 0.0}, {0.6, 0.8, 0.0}, {0.0, 0.0, 1.0}};
+static const double turn3[3][3] = {{0.0, 0.8, 0.6}, {-0.8, 0.36, -0.48}, {-0.6, -0.48, 0.64}};
+
+struct parameters {
+    double frequency, octaves, lacunarity, gain, amplitude;
+};
+
+static double value_or(double value, double standard)
+{
+    return value == 0.0 ? standard : value;
+}
+
+static struct parameters parameters_of(const struct scarp_noise *noise)
+{
+    const struct parameters p = {
+        .frequency = value_or(noise->frequency, 1.0),
+        .octaves = value_or((double)noise->octaves, 1.0),
+        .lacunarity = value_or((double)noise->lacunarity, 2.0),
+        .gain = value_or((double)noise->gain, 0.5),
+        .amplitude = value_or((double)noise->amplitude, 1.0),
+    };
+    return p;
+}
+
+/* How many octaves the sum has: the fraction counts as one. `octaves` is in (0, 32]. */
+static int octave_count(double octaves)
+{
+    const int whole = (int)octaves;
+    return (double)whole < octaves ? whole + 1 : whole;
+}
+
+/* False for NaN. */
+static int within(double value, double lowest, double highest)
+{
+    return value >= lowest && value <= highest;
+}
+
+enum scarp_status scarp_plan_check(const struct scarp_noise *noise)
+{
+    /* Through unsigned: an enumeration may hold any number that a caller put there. */
+    if ((unsigned)noise->basis > SCARP_VALUE || (unsigned)noise->fade > SCARP_CUBIC ||
+        (unsigned)noise->fractal > SCARP_FBM) {
+        return SCARP_ERROR_ENUM;
+    }
+    const struct parameters p = parameters_of(noise);
+    if (!within(p.octaves, FLT_MIN, SCARP_MAX_OCTAVES) ||
+        !within(p.frequency, FREQUENCY_MIN, FREQUENCY_MAX) ||
+        !within(p.lacunarity, RATIO_MIN, RATIO_MAX) || !within(p.gain, RATIO_MIN, RATIO_MAX) ||
+        !within(p.amplitude, -AMPLITUDE_MAX, AMPLITUDE_MAX)) {
+        return SCARP_ERROR_PARAMETER;
+    }
+    /* f_k is monotone in k, so the last one decides. */
+    double frequency = p.frequency;
+    for (int k = 1; k < octave_count(p.octaves); k++) {
+        frequency *= p.lacunarity;
+    }
+    return within(frequency, FREQUENCY_MIN, FREQUENCY_MAX) ? SCARP_OK : SCARP_ERROR_PARAMETER;
+}
+
+/* The finaliser of splitmix64 (Steele, Lea and Flood 2014, with Stafford's mix 13): a bijection. */
+static uint64_t mix64(uint64_t z)
+{
+    z = (z ^ (z >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
+    z = (z ^ (z >> 27)) * UINT64_C(0x94d049bb133111eb);
+    return z ^ (z >> 31);
+}
+
+#define GOLDEN_GAMMA UINT64_C(0x9e3779b97f4a7c15) /* 2^64 / golden ratio, odd */
+
+/*
+ * Keys and offset of octave k. The seed is mixed before k comes in, so no seed's octaves are
+ * another seed's octaves shifted by one; the keys of x and y are a bijection of the seed, so no two
+ * seeds share an octave k.
+ */
+static void draw_octave(struct scarp_octave *octave, uint64_t seed, int k)
+{
+    const uint64_t stream = mix64(seed + GOLDEN_GAMMA) + 3 * (uint64_t)k * GOLDEN_GAMMA;
+    const uint64_t a = mix64(stream + GOLDEN_GAMMA);
+    const uint64_t b = mix64(stream + 2 * GOLDEN_GAMMA);
+    const uint64_t c = mix64(stream + 3 * GOLDEN_GAMMA);
+    octave->key[0] = (uint32_t)a;
+    octave->key[1] = (uint32_t)(a >> 32);
+    octave->key[2] = (uint32_t)b;
+    const uint32_t draws[3] = {(uint32_t)(b >> 40), (uint32_t)(c & 0xffffff), (uint32_t)(c >> 40)};
+    for (int i = 0; i < 3; i++) {
+        octave->offset64[i] = k == 0 ? 0.0 : (double)draws[i] * 0x1p-24;
+        octave->offset[i] = (float)octave->offset64[i];
+    }
+}
+
+/* jacobian = f turn^k, and what the kernels need of it. */
+static void set_axes(struct scarp_octave *octave, const double turn[3][3], double frequency,
+                     double amplitude)
+{
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            octave->jacobian64[i][j] = frequency * turn[i][j];
+            octave->jacobian[i][j] = (float)octave->jacobian64[i][j];
+            octave->gradient[i][j] = (float)(amplitude * octave->jacobian64[i][j]);
+        }
+    }
+}
+
+static void multiply(double product[3][3], const double a[3][3], const double b[3][3])
+{
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            product[i][j] = a[i][0] * b[0][j] + a[i][1] * b[1][j] + a[i][2] * b[2][j];
+        }
+    }
+}
+
+static void turn_axes(struct scarp_plan *plan, const double turn[3][3])
+{
+    double power[3][3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
+    for (int k = 0; k < plan->octaves; k++) {
+        struct scarp_octave *const octave = &plan->octave[k];
+        set_axes(octave, power, octave->frequency64, (double)octave->amplitude);
+        double next[3][3];
+        multiply(next, turn, power);
+        for (int i = 0; i < 3; i++) {
+            for (int j = 0; j < 3; j++) {
+                power[i][j] = next[i][j];
+            }
+        }
+    }
+}
+
+void scarp_plan_make(struct scarp_plan *plan, const struct scarp_noise *noise, int dimensions,
+                     int order)
+{
+    const struct parameters p = parameters_of(noise);
+    const int octaves = octave_count(p.octaves);
+    const double last_weight = p.octaves - (double)(octaves - 1);
+    const double supremum = noise->basis == SCARP_VALUE ? value_supremum
+                            : dimensions == 2           ? gradient2_supremum[noise->fade]
+                                                        : gradient3_supremum[noise->fade];
+    plan->basis = noise->basis;
+    plan->fade = noise->fade;
+    plan->order = order;
+    plan->rotate = noise->rotate != 0 && octaves > 1;
+    plan->octaves = octaves;
+
+    double weights[SCARP_MAX_OCTAVES];
+    double weight = 1.0, sum = 0.0;
+    for (int k = 0; k < octaves; k++) {
+        weights[k] = k == octaves - 1 ? weight * last_weight : weight;
+        sum += weights[k];
+        weight *= p.gain;
+    }
+    const double scale = p.amplitude * HEADROOM / (sum * supremum);
+    double frequency = p.frequency;
+    for (int k = 0; k < octaves; k++) {
+        struct scarp_octave *const octave = &plan->octave[k];
+        const double amplitude = scale * weights[k];
+        octave->amplitude = (float)amplitude;
+        octave->slope = (float)(amplitude * frequency);
+        octave->curvature = (float)(amplitude * frequency * frequency);
+        octave->frequency = (float)frequency;
+        octave->frequency64 = frequency;
+        draw_octave(octave, noise->seed, k);
+        frequency *= p.lacunarity;
+    }
+    if (plan->rotate) {
+        turn_axes(plan, dimensions == 2 ? turn2 : turn3);
+    }
+}

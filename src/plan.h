@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * A plan is a struct scarp_noise turned into per-octave constants, ready for a kernel of either
+ * kind (src/scalar, src/kernel). plan.c makes it; scarp.c puts it on the stack of each call.
+ */
+#ifndef SCARP_PLAN_H
+#define SCARP_PLAN_H
+
+#include "scarp.h"
+
+#define SCARP_MAX_OCTAVES 32
+
+struct scarp_octave {
+    uint32_t key[3];      /* of the lattice hash, per axis */
+    float amplitude;      /* of the basis as evaluated: a_k times the basis' scale */
+    float slope;          /* amplitude f_k: gradients, axes not turned */
+    float curvature;      /* amplitude f_k^2: Hessians, axes not turned */
+    float frequency;      /* f_k */
+    float offset[3];      /* o_k: multiples of 2^-24 in [0, 1), so exact in both precisions */
+    float jacobian[3][3]; /* J_k, axes turned: J_k[i][j] = d p_i / d x_j */
+    float gradient[3][3]; /* amplitude J_k */
+    double frequency64;   /* f_k, J_k and o_k again for double coordinates */
+    double jacobian64[3][3];
+    double offset64[3];
+};
+
+struct scarp_plan {
+    enum scarp_basis basis;
+    enum scarp_fade fade;
+    int order;   /* highest derivative asked for: 0, 1, 2 */
+    int rotate;  /* octaves 1 and up use jacobian and gradient, not frequency, slope, curvature */
+    int octaves; /* how many of the following are valid */
+    struct scarp_octave octave[SCARP_MAX_OCTAVES];
+};
+
+/* Whether `noise` is within the documented intervals. */
+enum scarp_status scarp_plan_check(const struct scarp_noise *noise);
+
+/* The plan of a checked `noise` in 2 or 3 dimensions. */
+void scarp_plan_make(struct scarp_plan *plan, const struct scarp_noise *noise, int dimensions,
+                     int order);
+
+#endif

@@ -1,0 +1,266 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Reference: gradient noise and value noise of one octave, with gradient and Hessian in units of
+ * cells. Included by points.c only.
+ *
+ * Both interpolate over z, then y, then x. What does not depend on x is reduced, on the lattice
+ * columns s = 0 and 1 at either side, to lines a_s (x - s) + b_s in the fraction x: one for the
+ * value (left and right), one for each derivative along y and z. Then
+ *
+ *     value  = left + u(x) (right - left)
+ *     d/dx   = a_0 + u (a_1 - a_0) + u' (right - left)
+ *     d2/dx2 = 2 u' (a_1 - a_0) + u'' (right - left)
+ *
+ * and the derivatives along y and z follow from their lines in the same way. For value noise the
+ * lines are constants (a = 0). These are the published closed forms (Quilez' k0..k7; the corner
+ * gradients interpolated too for gradient noise) in another order of operations; tests/oracle.c
+ * has them as published.
+ */
+#ifndef SCARP_SCALAR_BASIS_H
+#define SCARP_SCALAR_BASIS_H
+
+#include "fade.h"
+#include "lattice.h"
+
+/* A basis, or a sum of octaves, at one point. */
+struct sample {
+    float value, dx, dy, dz, dxx, dxy, dxz, dyy, dyz, dzz;
+};
+
+struct line {
+    float a, b;
+};
+
+/* What a lattice column contributes. In 2D the members with a z stay unset. */
+struct column {
+    struct line value, y, z, yy, yz, zz;
+};
+
+static inline float at(struct line line, float x)
+{
+    return line.a * x + line.b;
+}
+
+static inline struct line mix_lines(struct line p, struct line q, float u)
+{
+    const struct line line = {mix(p.a, q.a, u), mix(p.b, q.b, u)};
+    return line;
+}
+
+/* The value and its derivatives along x, from the lines of both columns. */
+static inline float across(struct line l, struct line r, float x, float u)
+{
+    return mix(at(l, x), at(r, x - 1.0f), u);
+}
+
+static inline float across_dx(struct line l, struct line r, float x, struct fade f)
+{
+    return mix(l.a, r.a, f.u) + f.du * (at(r, x - 1.0f) - at(l, x));
+}
+
+static inline float across_dxx(struct line l, struct line r, float x, struct fade f)
+{
+    return 2.0f * f.du * (r.a - l.a) + f.ddu * (at(r, x - 1.0f) - at(l, x));
+}
+
+static inline struct sample join(const struct column *l, const struct column *r, float x,
+                                 struct fade f, int dimensions, int order)
+{
+    struct sample s = {.value = across(l->value, r->value, x, f.u)};
+    if (order >= 1) {
+        s.dx = across_dx(l->value, r->value, x, f);
+        s.dy = across(l->y, r->y, x, f.u);
+        if (dimensions == 3) {
+            s.dz = across(l->z, r->z, x, f.u);
+        }
+    }
+    if (order >= 2) {
+        s.dxx = across_dxx(l->value, r->value, x, f);
+        s.dxy = across_dx(l->y, r->y, x, f);
+        s.dyy = across(l->yy, r->yy, x, f.u);
+        if (dimensions == 3) {
+            s.dxz = across_dx(l->z, r->z, x, f);
+            s.dyz = across(l->yz, r->yz, x, f.u);
+            s.dzz = across(l->zz, r->zz, x, f.u);
+        }
+    }
+    return s;
+}
+
+/* The 16 directions 11.25 degrees + k * 22.5: cosine and sine. Bit 3 of the index mirrors x. */
+#define COS_1 0.980785280f /* cos 11.25 */
+#define COS_3 0.831469612f /* cos 33.75 */
+#define COS_5 0.555570233f /* cos 56.25 */
+#define COS_7 0.195090322f /* cos 78.75 */
+
+static const float directions2[16][2] = {
+    {COS_1, COS_7},   {COS_3, COS_5},   {COS_5, COS_3},   {COS_7, COS_1},
+    {COS_1, -COS_7},  {COS_3, -COS_5},  {COS_5, -COS_3},  {COS_7, -COS_1},
+    {-COS_1, COS_7},  {-COS_3, COS_5},  {-COS_5, COS_3},  {-COS_7, COS_1},
+    {-COS_1, -COS_7}, {-COS_3, -COS_5}, {-COS_5, -COS_3}, {-COS_7, -COS_1},
+};
+
+/* The 12 edges of a cube, four of them twice: the set of improved noise (Perlin 2002). Bit 3 of the
+   index turns x and z around, which maps the set to itself. */
+static const float directions3[16][3] = {
+    {1, 1, 0},   {1, -1, 0}, {0, 1, 1},  {0, -1, 1},  {1, 0, 1},  {1, 0, -1},
+    {1, 1, 0},   {0, -1, 1}, {-1, 1, 0}, {-1, -1, 0}, {0, 1, -1}, {0, -1, -1},
+    {-1, 0, -1}, {-1, 0, 1}, {-1, 1, 0}, {0, -1, -1},
+};
+
+/* Column x of the cell: v is the fade along y. */
+static inline struct column gradient_column2(const uint32_t key[3], uint32_t x,
+                                             const struct place *p, struct fade v)
+{
+    const float *const g0 = directions2[hash2(key, x, p->cell[1]) >> 28];
+    const float *const g1 = directions2[hash2(key, x, p->cell[1] + 1) >> 28];
+    const float y = p->t[1];
+    const float dgx = g1[0] - g0[0];
+    const float dot0 = g0[1] * y;
+    const float dot1 = g1[1] * (y - 1.0f);
+    const float ddot = dot1 - dot0;
+    const struct column c = {
+        .value = {g0[0] + v.u * dgx, dot0 + v.u * ddot},
+        .y = {v.du * dgx, mix(g0[1], g1[1], v.u) + v.du * ddot},
+        .yy = {v.ddu * dgx, 2.0f * v.du * (g1[1] - g0[1]) + v.ddu * ddot},
+    };
+    return c;
+}
+
+/* The lattice edge along z at (x, y): interpolated over z, w being the fade along z. */
+struct edge {
+    struct line value; /* in x */
+    float z, zz;       /* first and second z derivative of value.b */
+    float gy, dgy;     /* y component of the gradient, and its z derivative */
+    float dgx;         /* difference of the x components of the corners */
+};
+
+static inline struct edge gradient_edge(const uint32_t key[3], uint32_t x, uint32_t y, uint32_t z,
+                                        float ty, float tz, struct fade w)
+{
+    const float *const g0 = directions3[hash3(key, x, y, z) >> 28];
+    const float *const g1 = directions3[hash3(key, x, y, z + 1) >> 28];
+    const float dgx = g1[0] - g0[0];
+    const float dgy = g1[1] - g0[1];
+    const float dgz = g1[2] - g0[2];
+    const float dot0 = g0[1] * ty + g0[2] * tz;
+    const float dot1 = g1[1] * ty + g1[2] * (tz - 1.0f);
+    const float ddot = dot1 - dot0;
+    const struct edge e = {
+        .value = {g0[0] + w.u * dgx, dot0 + w.u * ddot},
+        .z = (g0[2] + w.u * dgz) + w.du * ddot,
+        .zz = 2.0f * w.du * dgz + w.ddu * ddot,
+        .gy = g0[1] + w.u * dgy,
+        .dgy = w.du * dgy,
+        .dgx = dgx,
+    };
+    return e;
+}
+
+static inline struct column gradient_column3(const uint32_t key[3], uint32_t x,
+                                             const struct place *p, struct fade v, struct fade w)
+{
+    const float y = p->t[1], z = p->t[2];
+    const uint32_t *const cell = p->cell;
+    const struct edge e0 = gradient_edge(key, x, cell[1], cell[2], y, z, w);
+    const struct edge e1 = gradient_edge(key, x, cell[1] + 1, cell[2], y - 1.0f, z, w);
+    const float da = e1.value.a - e0.value.a;
+    const float db = e1.value.b - e0.value.b;
+    const float dgy = e1.gy - e0.gy;
+    const float dz = e1.z - e0.z;
+    const float ddgx = e1.dgx - e0.dgx;
+    const float dgx = e0.dgx + v.u * ddgx; /* interpolated over y */
+    const struct column c = {
+        .value = {e0.value.a + v.u * da, e0.value.b + v.u * db},
+        .y = {v.du * da, (e0.gy + v.u * dgy) + v.du * db},
+        .z = {w.du * dgx, e0.z + v.u * dz},
+        .yy = {v.ddu * da, 2.0f * v.du * dgy + v.ddu * db},
+        .yz = {v.du * (w.du * ddgx), mix(e0.dgy, e1.dgy, v.u) + v.du * dz},
+        .zz = {w.ddu * dgx, mix(e0.zz, e1.zz, v.u)},
+    };
+    return c;
+}
+
+static inline struct sample gradient2(const struct scarp_octave *o, const struct place *p,
+                                      enum scarp_fade kind, int order)
+{
+    const struct fade v = fade(kind, p->t[1]);
+    const struct column l = gradient_column2(o->key, p->cell[0], p, v);
+    const struct column r = gradient_column2(o->key, p->cell[0] + 1, p, v);
+    return join(&l, &r, p->t[0], fade(kind, p->t[0]), 2, order);
+}
+
+static inline struct sample gradient3(const struct scarp_octave *o, const struct place *p,
+                                      enum scarp_fade kind, int order)
+{
+    const struct fade v = fade(kind, p->t[1]);
+    const struct fade w = fade(kind, p->t[2]);
+    const struct column l = gradient_column3(o->key, p->cell[0], p, v, w);
+    const struct column r = gradient_column3(o->key, p->cell[0] + 1, p, v, w);
+    return join(&l, &r, p->t[0], fade(kind, p->t[0]), 3, order);
+}
+
+/* A lattice value, in units of 2^-23: the top 24 bits of the hash as a signed number. (gcc and
+   clang define >> of negative numbers as arithmetic.) */
+static inline float lattice_value(uint32_t hash)
+{
+    return (float)((int32_t)hash >> 8);
+}
+
+static inline struct column value_column2(const uint32_t key[3], uint32_t x, const struct place *p,
+                                          struct fade v)
+{
+    const float c0 = lattice_value(hash2(key, x, p->cell[1]));
+    const float c1 = lattice_value(hash2(key, x, p->cell[1] + 1));
+    const float d = c1 - c0;
+    const struct column c = {
+        .value = {0.0f, c0 + v.u * d}, .y = {0.0f, v.du * d}, .yy = {0.0f, v.ddu * d}};
+    return c;
+}
+
+static inline struct column value_column3(const uint32_t key[3], uint32_t x, const struct place *p,
+                                          struct fade v, struct fade w)
+{
+    const uint32_t y = p->cell[1], z = p->cell[2];
+    const float c00 = lattice_value(hash3(key, x, y, z));
+    const float c01 = lattice_value(hash3(key, x, y, z + 1));
+    const float c10 = lattice_value(hash3(key, x, y + 1, z));
+    const float c11 = lattice_value(hash3(key, x, y + 1, z + 1));
+    const float dz0 = c01 - c00;
+    const float dz1 = c11 - c10;
+    const float e0 = c00 + w.u * dz0;
+    const float e1 = c10 + w.u * dz1;
+    const float dy = e1 - e0;
+    const float ddz = dz1 - dz0;
+    const float dz = dz0 + v.u * ddz; /* interpolated over y */
+    const struct column c = {
+        .value = {0.0f, e0 + v.u * dy},
+        .y = {0.0f, v.du * dy},
+        .z = {0.0f, w.du * dz},
+        .yy = {0.0f, v.ddu * dy},
+        .yz = {0.0f, v.du * (w.du * ddz)},
+        .zz = {0.0f, w.ddu * dz},
+    };
+    return c;
+}
+
+static inline struct sample value2(const struct scarp_octave *o, const struct place *p,
+                                   enum scarp_fade kind, int order)
+{
+    const struct fade v = fade(kind, p->t[1]);
+    const struct column l = value_column2(o->key, p->cell[0], p, v);
+    const struct column r = value_column2(o->key, p->cell[0] + 1, p, v);
+    return join(&l, &r, p->t[0], fade(kind, p->t[0]), 2, order);
+}
+
+static inline struct sample value3(const struct scarp_octave *o, const struct place *p,
+                                   enum scarp_fade kind, int order)
+{
+    const struct fade v = fade(kind, p->t[1]);
+    const struct fade w = fade(kind, p->t[2]);
+    const struct column l = value_column3(o->key, p->cell[0], p, v, w);
+    const struct column r = value_column3(o->key, p->cell[0] + 1, p, v, w);
+    return join(&l, &r, p->t[0], fade(kind, p->t[0]), 3, order);
+}
+
+#endif

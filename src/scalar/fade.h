@@ -1,0 +1,38 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Reference: the fades and their derivatives. Included by the other files of src/scalar only.
+ */
+#ifndef SCARP_SCALAR_FADE_H
+#define SCARP_SCALAR_FADE_H
+
+#include "../plan.h"
+
+struct fade {
+    float u, du, ddu;
+};
+
+/* quintic: u = 6t^5 - 15t^4 + 10t^3   u' = 30 t^2 (t-1)^2   u'' = 60 t (t-1) (2t-1)
+ * cubic:   u = 3t^2 - 2t^3            u' = 6 t (1-t)        u'' = 6 - 12t             */
+static inline struct fade fade(enum scarp_fade kind, float t)
+{
+    const float s = t - 1.0f;
+    const float ts = t * s;
+    struct fade f;
+    if (kind == SCARP_QUINTIC) {
+        f.u = t * t * t * (t * (t * 6.0f - 15.0f) + 10.0f);
+        f.du = 30.0f * (ts * ts);
+        f.ddu = 60.0f * ts * (t + s);
+    } else {
+        f.u = t * t * (3.0f - 2.0f * t);
+        f.du = -6.0f * ts;
+        f.ddu = 6.0f - 12.0f * t;
+    }
+    return f;
+}
+
+static inline float mix(float a, float b, float u)
+{
+    return a + u * (b - a);
+}
+
+#endif

@@ -1,0 +1,78 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Reference: where a point lies on the lattice, and what the lattice draws at its corners.
+ * Included by the other files of src/scalar only; shares nothing with src/kernel.
+ */
+#ifndef SCARP_SCALAR_LATTICE_H
+#define SCARP_SCALAR_LATTICE_H
+
+#include <math.h>
+#include <string.h>
+
+#include "../plan.h"
+
+/* A point of one octave: the cell's lower corner, modulo 2^32, and the position inside, in [0, 1]
+   (rounding can reach 1; the noise is continuous there). */
+struct place {
+    uint32_t cell[3];
+    float t[3];
+};
+
+/* Float positions. Outside [-2^31, 2^31) the cell is -2^31 and the fraction p - p: 0, or NaN where
+   p is not finite. */
+static inline void split_f32(float p, uint32_t *cell, float *t)
+{
+    if (p >= -0x1p31f && p < 0x1p31f) {
+        int32_t floor = (int32_t)p;
+        floor -= (float)floor > p;
+        *cell = (uint32_t)floor;
+        *t = p - (float)floor;
+    } else {
+        *cell = 0x80000000u;
+        *t = p - p;
+    }
+}
+
+/* Double positions. The sum with 1.5 * 2^52 has the floor, modulo 2^32, in its low bits. */
+static inline void split_f64(double p, uint32_t *cell, float *t)
+{
+    const double lower = floor(p);
+    const double shifted = lower + 0x1.8p52;
+    uint64_t bits;
+    memcpy(&bits, &shifted, sizeof bits);
+    *cell = (uint32_t)bits;
+    *t = (float)(p - lower);
+}
+
+/*
+ * The lattice hash. Each axis is mixed by itself, because the corners of a cell share the results;
+ * the axes are then joined by exclusive or and a multiplication, whose top bits are used. In 3D a
+ * second multiplication comes between: without it the exclusive or of all 8 corners of a cell is 0
+ * before the multiplication, and that shows. The multipliers were found by search;
+ * tests/test_hash.c states what is asked of them.
+ */
+#define HASH_X 0x2bd2d699u
+#define HASH_Y 0x6184ecd3u
+#define HASH_Z 0xc2b2ae3du
+#define HASH_YZ 0x2c1b3c6du
+#define HASH_JOIN 0xa8508a35u
+#define HASH_SHIFT 14
+
+static inline uint32_t hash_axis(uint32_t i, uint32_t multiplier, uint32_t key)
+{
+    const uint32_t h = i * multiplier + key;
+    return h ^ (h >> HASH_SHIFT);
+}
+
+static inline uint32_t hash2(const uint32_t key[3], uint32_t x, uint32_t y)
+{
+    return (hash_axis(x, HASH_X, key[0]) ^ hash_axis(y, HASH_Y, key[1])) * HASH_JOIN;
+}
+
+static inline uint32_t hash3(const uint32_t key[3], uint32_t x, uint32_t y, uint32_t z)
+{
+    const uint32_t yz = (hash_axis(y, HASH_Y, key[1]) ^ hash_axis(z, HASH_Z, key[2])) * HASH_YZ;
+    return (hash_axis(x, HASH_X, key[0]) ^ yz) * HASH_JOIN;
+}
+
+#endif

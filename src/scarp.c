@@ -1,0 +1,216 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The public functions: check the arguments, make the plan, call the active kernel table.
+ */
+#include "scarp.h"
+
+#include "dispatch.h"
+#include "fpmode.h"
+#include "plan.h"
+
+#define NOINLINE __attribute__((noinline))
+#define TEXT(x) #x
+#define VERSION_TEXT(major, minor, patch) TEXT(major) "." TEXT(minor) "." TEXT(patch)
+
+/* The highest derivative that `out` asks for: 0, 1 or 2. */
+static int order_of(const struct scarp_samples *out)
+{
+    if (out->dxx || out->dxy || out->dxz || out->dyy || out->dyz || out->dzz) {
+        return 2;
+    }
+    return out->dx || out->dy || out->dz ? 1 : 0;
+}
+
+/*
+ * Checks the noise, makes the plan and runs the kernel. Out of line, so that none of its arithmetic
+ * (comparisons trap too) can be moved across the change of floating-point mode in `sample`.
+ */
+static NOINLINE enum scarp_status run(scarp_points_fn *points, const struct scarp_noise *noise,
+                                      int dimensions, size_t count, const void *const position[3],
+                                      const struct scarp_samples *out)
+{
+    const enum scarp_status status = scarp_plan_check(noise);
+    if (status != SCARP_OK) {
+        return status;
+    }
+    struct scarp_plan plan;
+    scarp_plan_make(&plan, noise, dimensions, order_of(out));
+    points(&plan, count, position, out);
+    return SCARP_OK;
+}
+
+/* The checks that all sample calls share, then the call. `bytes` is the size of a coordinate. */
+static enum scarp_status sample(scarp_points_fn *points, const struct scarp_noise *noise,
+                                int dimensions, size_t count, size_t bytes,
+                                const void *const position[3], const struct scarp_samples *out)
+{
+    if (noise == NULL || out == NULL) {
+        return SCARP_ERROR_NULL;
+    }
+    for (int i = 0; i < dimensions; i++) {
+        if (position[i] == NULL) {
+            return SCARP_ERROR_NULL;
+        }
+    }
+    if (count > PTRDIFF_MAX / bytes) {
+        return SCARP_ERROR_SIZE;
+    }
+    if (dimensions == 2 && (out->dz || out->dxz || out->dyz || out->dzz)) {
+        return SCARP_ERROR_UNSUPPORTED;
+    }
+    const struct fpmode caller = fpmode_enter();
+    const enum scarp_status status = run(points, noise, dimensions, count, position, out);
+    fpmode_leave(caller);
+    return status;
+}
+
+enum scarp_status scarp_sample2(const struct scarp_noise *noise, size_t count, const float *x,
+                                const float *y, const struct scarp_samples *out)
+{
+    const void *const position[3] = {x, y, NULL};
+    return count == 0 ? SCARP_OK
+                      : sample(scarp_dispatch_active()->points2_f32, noise, 2, count, sizeof *x,
+                               position, out);
+}
+
+enum scarp_status scarp_sample3(const struct scarp_noise *noise, size_t count, const float *x,
+                                const float *y, const float *z, const struct scarp_samples *out)
+{
+    const void *const position[3] = {x, y, z};
+    return count == 0 ? SCARP_OK
+                      : sample(scarp_dispatch_active()->points3_f32, noise, 3, count, sizeof *x,
+                               position, out);
+}
+
+enum scarp_status scarp_sample2_f64(const struct scarp_noise *noise, size_t count, const double *x,
+                                    const double *y, const struct scarp_samples *out)
+{
+    const void *const position[3] = {x, y, NULL};
+    return count == 0 ? SCARP_OK
+                      : sample(scarp_dispatch_active()->points2_f64, noise, 2, count, sizeof *x,
+                               position, out);
+}
+
+enum scarp_status scarp_sample3_f64(const struct scarp_noise *noise, size_t count, const double *x,
+                                    const double *y, const double *z,
+                                    const struct scarp_samples *out)
+{
+    const void *const position[3] = {x, y, z};
+    return count == 0 ? SCARP_OK
+                      : sample(scarp_dispatch_active()->points3_f64, noise, 3, count, sizeof *x,
+                               position, out);
+}
+
+/* By its bits: this file also runs in the caller's floating-point mode. */
+static int is_finite(float value)
+{
+    const union {
+        float value;
+        uint32_t bits;
+    } u = {value};
+    return (u.bits & 0x7f800000u) != 0x7f800000u;
+}
+
+enum scarp_status scarp_normals(size_t count, const float *dx, const float *dy, float height_scale,
+                                float *nx, float *ny, float *nz)
+{
+    if (count == 0) {
+        return SCARP_OK;
+    }
+    if (dx == NULL || dy == NULL) {
+        return SCARP_ERROR_NULL;
+    }
+    if (!is_finite(height_scale)) {
+        return SCARP_ERROR_PARAMETER;
+    }
+    if (count > PTRDIFF_MAX / sizeof *dx) {
+        return SCARP_ERROR_SIZE;
+    }
+    const struct fpmode caller = fpmode_enter();
+    scarp_dispatch_active()->normals(count, dx, dy, height_scale, nx, ny, nz);
+    fpmode_leave(caller);
+    return SCARP_OK;
+}
+
+static NOINLINE enum scarp_status range(const struct scarp_noise *noise, int dimensions,
+                                        float *lowest, float *highest)
+{
+    const enum scarp_status status = scarp_plan_check(noise);
+    if (status != SCARP_OK) {
+        return status;
+    }
+    if (dimensions != 2 && dimensions != 3) {
+        return SCARP_ERROR_PARAMETER;
+    }
+    const float amplitude = noise->amplitude == 0.0f ? 1.0f : noise->amplitude;
+    *highest = amplitude < 0.0f ? -amplitude : amplitude;
+    *lowest = -*highest;
+    return SCARP_OK;
+}
+
+enum scarp_status scarp_range(const struct scarp_noise *noise, int dimensions, float *lowest,
+                              float *highest)
+{
+    if (noise == NULL || lowest == NULL || highest == NULL) {
+        return SCARP_ERROR_NULL;
+    }
+    const struct fpmode caller = fpmode_enter();
+    const enum scarp_status status = range(noise, dimensions, lowest, highest);
+    fpmode_leave(caller);
+    return status;
+}
+
+const char *scarp_status_text(enum scarp_status status)
+{
+    switch (status) {
+    case SCARP_OK: return "success";
+    case SCARP_ERROR_NULL: return "a required pointer is NULL";
+    case SCARP_ERROR_ENUM: return "unknown basis, fade, fractal or instruction set";
+    case SCARP_ERROR_PARAMETER: return "a number is not finite or outside its interval";
+    case SCARP_ERROR_SIZE: return "the arrays would exceed the address space";
+    case SCARP_ERROR_UNSUPPORTED: return "this call or this processor cannot serve the request";
+    }
+    return "unknown status";
+}
+
+const char *scarp_version(void)
+{
+    return VERSION_TEXT(SCARP_VERSION_MAJOR, SCARP_VERSION_MINOR, SCARP_VERSION_PATCH);
+}
+
+enum scarp_isa scarp_isa_active(void)
+{
+    return scarp_dispatch_active()->isa;
+}
+
+int scarp_isa_supported(enum scarp_isa isa)
+{
+    return scarp_dispatch_find(isa) != NULL;
+}
+
+enum scarp_status scarp_isa_select(enum scarp_isa isa)
+{
+    if ((unsigned)isa > SCARP_ISA_NEON) {
+        return SCARP_ERROR_ENUM;
+    }
+    const struct scarp_kernels *const table =
+        isa == SCARP_ISA_NONE ? NULL : scarp_dispatch_find(isa);
+    if (isa != SCARP_ISA_NONE && table == NULL) {
+        return SCARP_ERROR_UNSUPPORTED;
+    }
+    scarp_dispatch_use(table);
+    return SCARP_OK;
+}
+
+const char *scarp_isa_name(enum scarp_isa isa)
+{
+    switch (isa) {
+    case SCARP_ISA_SCALAR: return "scalar";
+    case SCARP_ISA_SSE41: return "sse4.1";
+    case SCARP_ISA_AVX2: return "avx2";
+    case SCARP_ISA_AVX512: return "avx512";
+    case SCARP_ISA_NEON: return "neon";
+    case SCARP_ISA_NONE: break;
+    }
+    return "none";
+}

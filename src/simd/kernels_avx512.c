@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The kernels for AVX-512. The target pragma switches the instructions on for this file alone, so
+ * no compiler flag is needed; everything but the table is static, so none of this code leaks.
+ */
+#include "../kernels.h"
+
+#ifdef SCARP_X86
+
+#include <immintrin.h> /* before the region: its functions carry their own targets */
+
+#if defined(__clang__)
+#pragma clang attribute push(__attribute__((target("avx512f,avx512bw,avx512dq,avx512vl"))),        \
+                             apply_to = function)
+#else
+#pragma GCC push_options
+#pragma GCC target("avx512f,avx512bw,avx512dq,avx512vl")
+#endif
+
+#include "vec_avx512.h"
+
+#define KERNELS scarp_kernels_avx512
+#define KERNELS_ISA SCARP_ISA_AVX512
+#include "../kernel/table.h"
+
+#if defined(__clang__)
+#pragma clang attribute pop
+#else
+#pragma GCC pop_options
+#endif
+
+#else
+typedef int scarp_not_x86; /* ISO C wants a declaration in every file */
+#endif

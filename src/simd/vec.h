@@ -1,0 +1,38 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The contract of the vector operations that src/kernel is written in. Each vec_<isa>.h provides
+ * all of them; each kernels_<isa>.c includes one, then the kernels. Not included by anything: a
+ * page to read, kept beside the code that it describes.
+ *
+ * Types (gcc and clang vector extensions, so + - * << >> ^ & | work on them, lane by lane):
+ *   vf  VEC_LANES floats
+ *   vu  VEC_LANES unsigned 32-bit integers; + - * wrap, >> shifts in zeros
+ *   vi  VEC_LANES signed ones, for >> that shifts in copies of the sign, and for conversion
+ *   vd  VEC_LANES / 2 doubles: a vf's worth of doubles is a pair (low lanes, high lanes)
+ *
+ * Memory; addresses need no alignment beyond that of the element:
+ *   vf   vf_load(const float *p)            p[0 .. VEC_LANES)
+ *   void vf_store(float *p, vf v)           p[0 .. VEC_LANES)
+ *   vd   vd_load(const double *p)           p[0 .. VEC_LANES / 2)
+ *
+ * The same number in every lane:
+ *   vf vf_set(float)      vu vu_set(uint32_t)      vd vd_set(double)
+ *
+ * Rounding and conversion:
+ *   vf vf_floor(vf)       greatest integer not above; NaN and infinities as they are
+ *   vd vd_floor(vd)       the same
+ *   vu vu_from_vf(vf)     of an integral float in [-2^31, 2^31): its two's complement; of anything
+ *                         else 0x80000000 (of NaN: anything)
+ *   vf vf_from_vi(vi)     rounded to nearest
+ *   vf vf_from_vd(vd low, vd high)   rounded to nearest
+ *   vd vd_from_low(vf), vd vd_from_high(vf)   lanes below and from VEC_LANES / 2, exact
+ *   vu vu_low_bits(vd low, vd high)  bits 0..31 of each double's representation
+ *
+ * Arithmetic that operators cannot say; correctly rounded, as IEEE 754 asks:
+ *   vd vd_sqrt(vd)
+ *
+ * Tables:
+ *   vf vf_lookup(const struct lookup *table, vu hash)
+ *                         table->entry[hash >> 28] in each lane. What else `table` says are facts
+ *                         about its entries that make the lookup cheaper where tables are small.
+ */

@@ -1,0 +1,108 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The operations of vec.h on AVX2: 8 lanes. Included by kernels_avx2.c inside its target region.
+ */
+#ifndef SCARP_SIMD_VEC_AVX2_H
+#define SCARP_SIMD_VEC_AVX2_H
+
+#include <immintrin.h>
+#include <stdint.h>
+
+#include "lookup.h"
+
+#define VEC_LANES 8
+#define VEC_INLINE static inline __attribute__((always_inline))
+
+typedef float vf __attribute__((vector_size(32)));
+typedef uint32_t vu __attribute__((vector_size(32)));
+typedef int32_t vi __attribute__((vector_size(32)));
+typedef double vd __attribute__((vector_size(32)));
+
+VEC_INLINE vf vf_load(const float *p)
+{
+    return (vf)_mm256_loadu_ps(p);
+}
+
+VEC_INLINE void vf_store(float *p, vf v)
+{
+    _mm256_storeu_ps(p, (__m256)v);
+}
+
+VEC_INLINE vd vd_load(const double *p)
+{
+    return (vd)_mm256_loadu_pd(p);
+}
+
+VEC_INLINE vf vf_set(float a)
+{
+    return (vf)_mm256_set1_ps(a);
+}
+
+VEC_INLINE vu vu_set(uint32_t a)
+{
+    return (vu)_mm256_set1_epi32((int)a);
+}
+
+VEC_INLINE vd vd_set(double a)
+{
+    return (vd)_mm256_set1_pd(a);
+}
+
+VEC_INLINE vf vf_floor(vf a)
+{
+    return (vf)_mm256_floor_ps((__m256)a);
+}
+
+VEC_INLINE vd vd_floor(vd a)
+{
+    return (vd)_mm256_floor_pd((__m256d)a);
+}
+
+VEC_INLINE vu vu_from_vf(vf a)
+{
+    return (vu)_mm256_cvttps_epi32((__m256)a);
+}
+
+VEC_INLINE vf vf_from_vi(vi a)
+{
+    return (vf)_mm256_cvtepi32_ps((__m256i)a);
+}
+
+VEC_INLINE vf vf_from_vd(vd low, vd high)
+{
+    return (vf)_mm256_set_m128(_mm256_cvtpd_ps((__m256d)high), _mm256_cvtpd_ps((__m256d)low));
+}
+
+VEC_INLINE vd vd_from_low(vf a)
+{
+    return (vd)_mm256_cvtps_pd(_mm256_castps256_ps128((__m256)a));
+}
+
+VEC_INLINE vd vd_from_high(vf a)
+{
+    return (vd)_mm256_cvtps_pd(_mm256_extractf128_ps((__m256)a, 1));
+}
+
+VEC_INLINE vu vu_low_bits(vd low, vd high)
+{
+    /* even words of both, 128-bit lanes interleaved; then the lanes' halves into order */
+    const __m256 even = _mm256_shuffle_ps((__m256)low, (__m256)high, _MM_SHUFFLE(2, 0, 2, 0));
+    return (vu)_mm256_permute4x64_epi64((__m256i)even, _MM_SHUFFLE(3, 1, 2, 0));
+}
+
+VEC_INLINE vd vd_sqrt(vd a)
+{
+    return (vd)_mm256_sqrt_pd((__m256d)a);
+}
+
+/* Both permutes ignore the index bits above those they use. */
+VEC_INLINE vf vf_lookup(const struct lookup *table, vu hash)
+{
+    const __m256i index = (__m256i)(hash >> 28);
+    const vf magnitude = table->period == 4
+                             ? (vf)_mm256_permutevar_ps(_mm256_load_ps(table->entry), index)
+                             : (vf)_mm256_permutevar8x32_ps(_mm256_load_ps(table->entry), index);
+    return table->mirrored ? (vf)((vu)magnitude ^ (hash & 0x80000000u)) : magnitude;
+}
+
+#endif

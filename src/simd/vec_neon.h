@@ -1,0 +1,115 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The operations of vec.h on NEON (AArch64, little endian): 4 lanes. Included by kernels_neon.c.
+ */
+#ifndef SCARP_SIMD_VEC_NEON_H
+#define SCARP_SIMD_VEC_NEON_H
+
+#include <arm_neon.h>
+#include <stdint.h>
+
+#include "lookup.h"
+
+#define VEC_LANES 4
+#define VEC_INLINE static inline __attribute__((always_inline))
+
+typedef float vf __attribute__((vector_size(16)));
+typedef uint32_t vu __attribute__((vector_size(16)));
+typedef int32_t vi __attribute__((vector_size(16)));
+typedef double vd __attribute__((vector_size(16)));
+
+VEC_INLINE vf vf_load(const float *p)
+{
+    return (vf)vld1q_f32(p);
+}
+
+VEC_INLINE void vf_store(float *p, vf v)
+{
+    vst1q_f32(p, (float32x4_t)v);
+}
+
+VEC_INLINE vd vd_load(const double *p)
+{
+    return (vd)vld1q_f64(p);
+}
+
+VEC_INLINE vf vf_set(float a)
+{
+    return (vf)vdupq_n_f32(a);
+}
+
+VEC_INLINE vu vu_set(uint32_t a)
+{
+    return (vu)vdupq_n_u32(a);
+}
+
+VEC_INLINE vd vd_set(double a)
+{
+    return (vd)vdupq_n_f64(a);
+}
+
+VEC_INLINE vf vf_floor(vf a)
+{
+    return (vf)vrndmq_f32((float32x4_t)a);
+}
+
+VEC_INLINE vd vd_floor(vd a)
+{
+    return (vd)vrndmq_f64((float64x2_t)a);
+}
+
+/* The conversion saturates; above the range that is 0x7fffffff and must become 0x80000000. */
+VEC_INLINE vu vu_from_vf(vf a)
+{
+    const uint32x4_t above = vcgeq_f32((float32x4_t)a, vdupq_n_f32(0x1p31f));
+    const uint32x4_t saturated = vreinterpretq_u32_s32(vcvtq_s32_f32((float32x4_t)a));
+    return (vu)vbslq_u32(above, vdupq_n_u32(0x80000000u), saturated);
+}
+
+VEC_INLINE vf vf_from_vi(vi a)
+{
+    return (vf)vcvtq_f32_s32((int32x4_t)a);
+}
+
+VEC_INLINE vf vf_from_vd(vd low, vd high)
+{
+    return (vf)vcvt_high_f32_f64(vcvt_f32_f64((float64x2_t)low), (float64x2_t)high);
+}
+
+VEC_INLINE vd vd_from_low(vf a)
+{
+    return (vd)vcvt_f64_f32(vget_low_f32((float32x4_t)a));
+}
+
+VEC_INLINE vd vd_from_high(vf a)
+{
+    return (vd)vcvt_high_f64_f32((float32x4_t)a);
+}
+
+VEC_INLINE vu vu_low_bits(vd low, vd high)
+{
+    return (vu)vuzp1q_u32((uint32x4_t)low, (uint32x4_t)high);
+}
+
+VEC_INLINE vd vd_sqrt(vd a)
+{
+    return (vd)vsqrtq_f64((float64x2_t)a);
+}
+
+/* TBL reads whole bytes: 4 * index + (0 1 2 3) in the bytes of each lane. */
+VEC_INLINE vf vf_lookup(const struct lookup *table, vu hash)
+{
+    const vu index = (hash >> 28) & (table->period == 4 ? 3u : 7u);
+    const uint8x16_t bytes = (uint8x16_t)(index * 0x04040404u + 0x03020100u);
+    const uint8_t *const entry = (const uint8_t *)table->entry;
+    vf magnitude;
+    if (table->period == 4) {
+        magnitude = (vf)vqtbl1q_u8(vld1q_u8(entry), bytes);
+    } else {
+        const uint8x16x2_t both = {{vld1q_u8(entry), vld1q_u8(entry + 16)}};
+        magnitude = (vf)vqtbl2q_u8(both, bytes);
+    }
+    return table->mirrored ? (vf)((vu)magnitude ^ (hash & 0x80000000u)) : magnitude;
+}
+
+#endif

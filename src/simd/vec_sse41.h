@@ -1,0 +1,115 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The operations of vec.h on SSE4.1: 4 lanes. Included by kernels_sse41.c inside its target region.
+ */
+#ifndef SCARP_SIMD_VEC_SSE41_H
+#define SCARP_SIMD_VEC_SSE41_H
+
+#include <smmintrin.h>
+#include <stdint.h>
+
+#include "lookup.h"
+
+#define VEC_LANES 4
+#define VEC_INLINE static inline __attribute__((always_inline))
+
+typedef float vf __attribute__((vector_size(16)));
+typedef uint32_t vu __attribute__((vector_size(16)));
+typedef int32_t vi __attribute__((vector_size(16)));
+typedef double vd __attribute__((vector_size(16)));
+
+VEC_INLINE vf vf_load(const float *p)
+{
+    return (vf)_mm_loadu_ps(p);
+}
+
+VEC_INLINE void vf_store(float *p, vf v)
+{
+    _mm_storeu_ps(p, (__m128)v);
+}
+
+VEC_INLINE vd vd_load(const double *p)
+{
+    return (vd)_mm_loadu_pd(p);
+}
+
+VEC_INLINE vf vf_set(float a)
+{
+    return (vf)_mm_set1_ps(a);
+}
+
+VEC_INLINE vu vu_set(uint32_t a)
+{
+    return (vu)_mm_set1_epi32((int)a);
+}
+
+VEC_INLINE vd vd_set(double a)
+{
+    return (vd)_mm_set1_pd(a);
+}
+
+VEC_INLINE vf vf_floor(vf a)
+{
+    return (vf)_mm_floor_ps((__m128)a);
+}
+
+VEC_INLINE vd vd_floor(vd a)
+{
+    return (vd)_mm_floor_pd((__m128d)a);
+}
+
+VEC_INLINE vu vu_from_vf(vf a)
+{
+    return (vu)_mm_cvttps_epi32((__m128)a);
+}
+
+VEC_INLINE vf vf_from_vi(vi a)
+{
+    return (vf)_mm_cvtepi32_ps((__m128i)a);
+}
+
+VEC_INLINE vf vf_from_vd(vd low, vd high)
+{
+    return (vf)_mm_movelh_ps(_mm_cvtpd_ps((__m128d)low), _mm_cvtpd_ps((__m128d)high));
+}
+
+VEC_INLINE vd vd_from_low(vf a)
+{
+    return (vd)_mm_cvtps_pd((__m128)a);
+}
+
+VEC_INLINE vd vd_from_high(vf a)
+{
+    return (vd)_mm_cvtps_pd(_mm_movehl_ps((__m128)a, (__m128)a));
+}
+
+VEC_INLINE vu vu_low_bits(vd low, vd high)
+{
+    return (vu)_mm_shuffle_ps((__m128)low, (__m128)high, _MM_SHUFFLE(2, 0, 2, 0));
+}
+
+VEC_INLINE vd vd_sqrt(vd a)
+{
+    return (vd)_mm_sqrt_pd((__m128d)a);
+}
+
+/* Four floats per byte shuffle: bits 28 and 29 of the hash, as 4 * index + (0 1 2 3) in the bytes
+   of each lane, choose within a half of the table, bit 30 between the halves. The compiler shares
+   the selector between lookups of one hash. */
+VEC_INLINE vf vf_lookup(const struct lookup *table, vu hash)
+{
+    const __m128i top = _mm_setr_epi8(3, 3, 3, 3, 7, 7, 7, 7, 11, 11, 11, 11, 15, 15, 15, 15);
+    const __m128i quads = _mm_shuffle_epi8((__m128i)(hash >> 2), top); /* index in bits 2 and 3 */
+    const __m128i bytes =
+        _mm_or_si128(_mm_and_si128(quads, _mm_set1_epi8(0x0c)), _mm_set1_epi32(0x03020100));
+    const __m128i low = _mm_shuffle_epi8(_mm_castps_si128(_mm_load_ps(table->entry)), bytes);
+    vf magnitude = (vf)low;
+    if (table->period == 8) {
+        const __m128i high =
+            _mm_shuffle_epi8(_mm_castps_si128(_mm_load_ps(table->entry + 4)), bytes);
+        magnitude = (vf)_mm_blendv_ps((__m128)low, (__m128)high, (__m128)(hash << 1));
+    }
+    return table->mirrored ? (vf)((vu)magnitude ^ (hash & 0x80000000u)) : magnitude;
+}
+
+#endif

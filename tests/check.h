@@ -1,0 +1,116 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * What every test program shares: checks that count, random numbers from integers, and the choice
+ * of the instruction set under test. Header only; included by each tests/test_*.c.
+ *
+ * A test ends with `return check_done();`, which fails if anything failed or nothing was checked.
+ */
+#ifndef SCARP_TESTS_CHECK_H
+#define SCARP_TESTS_CHECK_H
+
+#include <math.h>
+#include <stdint.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "scarp.h"
+
+#define CHECK_SKIPPED 77 /* ctest's SKIP_RETURN_CODE */
+#define CHECK_SHOWN 20   /* failures printed one by one */
+
+static long check_count, check_failures;
+
+/* CHECK(condition, "printf format", ...): what failed, with the numbers that show it. */
+#define CHECK(condition, ...)                                                                      \
+    do {                                                                                           \
+        check_count++;                                                                             \
+        if (!(condition)) {                                                                        \
+            check_fail(__FILE__, __LINE__, #condition);                                            \
+            if (check_failures <= CHECK_SHOWN) {                                                   \
+                printf("    " __VA_ARGS__);                                                        \
+                printf("\n");                                                                      \
+            }                                                                                      \
+        }                                                                                          \
+    } while (0)
+
+static inline void check_fail(const char *file, int line, const char *condition)
+{
+    if (++check_failures <= CHECK_SHOWN) {
+        printf("%s:%d: failed: %s\n", file, line, condition);
+    }
+}
+
+static inline int check_done(void)
+{
+    printf("%ld checks, %ld failed\n", check_count, check_failures);
+    return check_count > 0 && check_failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+/* splitmix64 */
+static inline uint64_t check_random(uint64_t *state)
+{
+    uint64_t z = (*state += UINT64_C(0x9e3779b97f4a7c15));
+    z = (z ^ (z >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
+    z = (z ^ (z >> 27)) * UINT64_C(0x94d049bb133111eb);
+    return z ^ (z >> 31);
+}
+
+/* Uniform in [-span, span), span a power of two: an integer times a power of two, so exact on every
+   compiler. */
+static inline float check_random_float(uint64_t *state, float span)
+{
+    const int32_t i = (int32_t)(check_random(state) >> 40) - (1 << 23);
+    return (float)i * (span * 0x1p-23f);
+}
+
+static inline double check_random_double(uint64_t *state, double span)
+{
+    const int64_t i = (int64_t)(check_random(state) >> 11) - (INT64_C(1) << 52);
+    return (double)i * (span * 0x1p-52);
+}
+
+static inline enum scarp_isa check_isa_by_name(const char *name)
+{
+    for (int isa = SCARP_ISA_SCALAR; isa <= SCARP_ISA_NEON; isa++) {
+        if (strcmp(name, scarp_isa_name((enum scarp_isa)isa)) == 0) {
+            return (enum scarp_isa)isa;
+        }
+    }
+    printf("unknown instruction set %s\n", name);
+    exit(EXIT_FAILURE);
+}
+
+/* Whether SCARP_REQUIRE_ISAS, a comma-separated list in the environment, has `name`. */
+static inline int check_isa_required(const char *name)
+{
+    const char *list = getenv("SCARP_REQUIRE_ISAS");
+    const size_t length = strlen(name);
+    while (list != NULL && *list != '\0') {
+        if (strncmp(list, name, length) == 0 && (list[length] == ',' || list[length] == '\0')) {
+            return 1;
+        }
+        list = strchr(list, ',');
+        list = list != NULL ? list + 1 : NULL;
+    }
+    return 0;
+}
+
+/* Selects the instruction set `name`. Where it cannot run, the whole program ends: as skipped, or as
+   failed if SCARP_REQUIRE_ISAS names it. */
+static inline enum scarp_isa check_select_isa(const char *name)
+{
+    const enum scarp_isa isa = check_isa_by_name(name);
+    if (!scarp_isa_supported(isa)) {
+        const int required = check_isa_required(name);
+        printf("%s cannot run here: %s\n", name, required ? "FAILED (required)" : "skipped");
+        exit(required ? EXIT_FAILURE : CHECK_SKIPPED);
+    }
+    if (scarp_isa_select(isa) != SCARP_OK || scarp_isa_active() != isa) {
+        printf("%s: could not be selected\n", name);
+        exit(EXIT_FAILURE);
+    }
+    return isa;
+}
+
+#endif
