@@ -1,6 +1,10 @@
 # SPDX-License-Identifier: MIT
 # How every target of the project is compiled, and where results go.
 
+if(NOT WIN32 OR MINGW)
+  set(SCARP_LIBM m)
+endif()
+
 set(warnings -Wall -Wextra -Wshadow -Wundef -Wvla -Wconversion -Wstrict-prototypes
              -Wmissing-prototypes)
 
@@ -21,6 +25,10 @@ function(scarp_compile_rules target)
   if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(i.86|x86|x86_64|AMD64)$" AND CMAKE_SIZEOF_VOID_P EQUAL 4)
     target_compile_options(${target} PRIVATE -msse2 -mfpmath=sse)
   endif()
+  if(CMAKE_SYSTEM_PROCESSOR STREQUAL "s390x" AND CMAKE_C_COMPILER_ID STREQUAL "GNU")
+    # With -std=c11, gcc computes floats in double there (FLT_EVAL_METHOD is 1).
+    target_compile_options(${target} PRIVATE -fexcess-precision=fast)
+  endif()
   if(CMAKE_C_COMPILER_FRONTEND_VARIANT STREQUAL "MSVC")
     target_compile_options(${target} PRIVATE /clang:-fno-fast-math /clang:-ffp-contract=off)
   else()
@@ -34,11 +42,7 @@ function(scarp_library_rules target)
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/include>
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_compile_features(${target} PUBLIC c_std_11)
-  find_library(SCARP_LIBM m)
-  mark_as_advanced(SCARP_LIBM)
-  if(SCARP_LIBM)
-    target_link_libraries(${target} PRIVATE m)
-  endif()
+  target_link_libraries(${target} PRIVATE ${SCARP_LIBM})
   get_target_property(type ${target} TYPE)
   if(NOT type STREQUAL "SHARED_LIBRARY")
     return()

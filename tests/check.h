@@ -96,8 +96,8 @@ static inline int check_isa_required(const char *name)
     return 0;
 }
 
-/* Selects the instruction set `name`. Where it cannot run, the whole program ends: as skipped, or as
-   failed if SCARP_REQUIRE_ISAS names it. */
+/* Selects the instruction set `name`. Where it cannot run, the whole program ends: as skipped, or
+   as failed if SCARP_REQUIRE_ISAS names it. */
 static inline enum scarp_isa check_select_isa(const char *name)
 {
     const enum scarp_isa isa = check_isa_by_name(name);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Gradient noise (Perlin 1985, 2002) with gradient and Hessian: see noise.h for the order of
- * operations. Included by points.h; the reference is scalar/basis.h.
+ * operations. Included by octave.h; the reference is scalar/basis.h.
  *
  *     n(t) = sum over corners c of W_c(t) g_c . (t - c)
  *
@@ -18,21 +18,18 @@
 #define COS_5 0.555570233f
 #define COS_7 0.195090322f
 
-static const struct lookup gradient2_x = LOOKUP_4(COS_1, COS_3, COS_5, COS_7, -1);
-static const struct lookup gradient2_y =
-    LOOKUP_8(COS_7, COS_5, COS_3, COS_1, -COS_7, -COS_5, -COS_3, -COS_1, 1);
+static const struct lookup gradient2_x = LOOKUP_TABLE_QUAD_HIGH(COS_1, COS_3, COS_5, COS_7);
+static const struct lookup gradient2_y = LOOKUP_TABLE_QUAD_LOW(COS_7, COS_5, COS_3, COS_1);
 
 /* The 12 edges of a cube, four of them twice: the set of improved noise. Ordered so that turning x
    and z around maps the first eight to the last: a table of 8 and two signs serve. */
-static const struct lookup gradient3_x = LOOKUP_8(1, 1, 0, 0, 1, 1, 1, 0, -1);
-static const struct lookup gradient3_y = LOOKUP_8(1, -1, 1, -1, 0, 0, 1, -1, 1);
-static const struct lookup gradient3_z = LOOKUP_8(0, 0, 1, 1, 1, -1, 0, 1, -1);
+static const struct lookup gradient3_x = LOOKUP_TABLE_MIRROR(1, 1, 0, 0, 1, 1, 1, 0);
+static const struct lookup gradient3_y = LOOKUP_TABLE_EIGHT(1, -1, 1, -1, 0, 0, 1, -1);
+static const struct lookup gradient3_z = LOOKUP_TABLE_MIRROR(0, 0, 1, 1, 1, -1, 0, 1);
 
-/* Column at x: hx is its mixed lattice coordinate. */
-VEC_INLINE struct column gradient_column2(vu hx, struct axis hy, vf y, struct fade v, int order)
+/* A column from the hashes of its two corners. */
+VEC_INLINE struct column gradient_column2(vu h0, vu h1, vf y, struct fade v, int order)
 {
-    const vu h0 = hash_join(hx, hy.h0);
-    const vu h1 = hash_join(hx, hy.h1);
     const vf gx0 = vf_lookup(&gradient2_x, h0), gy0 = vf_lookup(&gradient2_y, h0);
     const vf gx1 = vf_lookup(&gradient2_x, h1), gy1 = vf_lookup(&gradient2_y, h1);
     const vf dgx = gx1 - gx0;
@@ -87,13 +84,11 @@ VEC_INLINE struct edge gradient_edge(vu h0, vu h1, vf y, vf z, struct fade w, in
     return e;
 }
 
-VEC_INLINE struct column gradient_column3(vu hx, struct corners_yz hyz, vf y, vf z, struct fade v,
+VEC_INLINE struct column gradient_column3(vu h00, vu h01, vu h10, vu h11, vf y, vf z, struct fade v,
                                           struct fade w, int order)
 {
-    const struct edge e0 =
-        gradient_edge(hash_join(hx, hyz.h00), hash_join(hx, hyz.h01), y, z, w, order);
-    const struct edge e1 =
-        gradient_edge(hash_join(hx, hyz.h10), hash_join(hx, hyz.h11), v.s, z, w, order);
+    const struct edge e0 = gradient_edge(h00, h01, y, z, w, order);
+    const struct edge e1 = gradient_edge(h10, h11, v.s, z, w, order);
     const vf da = e1.value.a - e0.value.a;
     const vf db = e1.value.b - e0.value.b;
     struct column c;
@@ -120,30 +115,33 @@ VEC_INLINE struct column gradient_column3(vu hx, struct corners_yz hyz, vf y, vf
     return c;
 }
 
-VEC_INLINE struct sample gradient2(const struct scarp_octave *o, const struct place *p,
-                                   enum scarp_fade kind, int order)
+VEC_INLINE struct sample gradient2(const struct lattice *lattice, size_t b, enum scarp_fade kind,
+                                   int order)
 {
-    const struct fade u = fade(kind, p->x);
-    const struct fade v = fade(kind, p->y);
-    const struct axis hx = hash_axis(p->cell_x, HASH_X, o->key[0]);
-    const struct axis hy = hash_axis(p->cell_y, HASH_Y, o->key[1]);
-    const struct column l = gradient_column2(hx.h0, hy, p->y, v, order);
-    const struct column r = gradient_column2(hx.h1, hy, p->y, v, order);
-    return join(&l, &r, p->x, u, 2, order);
+    const vf x = lattice->x[b], y = lattice->y[b];
+    const struct fade u = fade(kind, x);
+    const struct fade v = fade(kind, y);
+    const struct column l =
+        gradient_column2(lattice->hash[0][0][0][b], lattice->hash[0][1][0][b], y, v, order);
+    const struct column r =
+        gradient_column2(lattice->hash[1][0][0][b], lattice->hash[1][1][0][b], y, v, order);
+    return join(&l, &r, x, u, 2, order);
 }
 
-VEC_INLINE struct sample gradient3(const struct scarp_octave *o, const struct place *p,
-                                   enum scarp_fade kind, int order)
+VEC_INLINE struct sample gradient3(const struct lattice *lattice, size_t b, enum scarp_fade kind,
+                                   int order)
 {
-    const struct fade u = fade(kind, p->x);
-    const struct fade v = fade(kind, p->y);
-    const struct fade w = fade(kind, p->z);
-    const struct axis hx = hash_axis(p->cell_x, HASH_X, o->key[0]);
-    const struct corners_yz hyz =
-        hash_yz(hash_axis(p->cell_y, HASH_Y, o->key[1]), hash_axis(p->cell_z, HASH_Z, o->key[2]));
-    const struct column l = gradient_column3(hx.h0, hyz, p->y, p->z, v, w, order);
-    const struct column r = gradient_column3(hx.h1, hyz, p->y, p->z, v, w, order);
-    return join(&l, &r, p->x, u, 3, order);
+    const vf x = lattice->x[b], y = lattice->y[b], z = lattice->z[b];
+    const struct fade u = fade(kind, x);
+    const struct fade v = fade(kind, y);
+    const struct fade w = fade(kind, z);
+    const struct column l =
+        gradient_column3(lattice->hash[0][0][0][b], lattice->hash[0][0][1][b],
+                         lattice->hash[0][1][0][b], lattice->hash[0][1][1][b], y, z, v, w, order);
+    const struct column r =
+        gradient_column3(lattice->hash[1][0][0][b], lattice->hash[1][0][1][b],
+                         lattice->hash[1][1][0][b], lattice->hash[1][1][1][b], y, z, v, w, order);
+    return join(&l, &r, x, u, 3, order);
 }
 
 #endif

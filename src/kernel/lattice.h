@@ -1,109 +1,110 @@
 /* SPDX-License-Identifier: MIT
  *
- * Where points lie on the lattice of an octave, and the lattice hash. Written over the lane types
- * of simd/vec.h; included by the other files of src/kernel. The reference is scalar/lattice.h.
+ * First pass over a chunk of points (see points.h): where they lie on the lattice of an octave, and
+ * the hashes of the corners of their cells. Written over the lane types of simd/vec.h. The
+ * reference is scalar/lattice.h and `place_*` in scalar/fractal.h.
  */
 #ifndef SCARP_KERNEL_LATTICE_H
 #define SCARP_KERNEL_LATTICE_H
 
 #include "../plan.h"
 
-/* The coordinates of a block of VEC_LANES points: float, or double in pairs. */
-struct block {
-    vf x, y, z;
-    vd x0, x1, y0, y1, z0, z1;
+/* Points per chunk. Large enough that the cost of a pass is spread thin, small enough that what a
+   chunk needs (at most 11 rows of 1 KiB here, 10 of sums) stays in a first-level cache of 32 KiB.
+ */
+#define CHUNK_POINTS 256
+#define CHUNK_BLOCKS (CHUNK_POINTS / VEC_LANES)
+
+/* A chunk on the lattice of one octave: the position inside the cell, in [0, 1] (rounding can reach
+   1), and the hashes of the corners. In 2D z and every second hash are unused. */
+struct lattice {
+    vf x[CHUNK_BLOCKS], y[CHUNK_BLOCKS], z[CHUNK_BLOCKS];
+    vu hash[2][2][2][CHUNK_BLOCKS]; /* [x][y][z] */
 };
 
-/* A block on the lattice of one octave: the cell's lower corner modulo 2^32, and the position
-   inside, in [0, 1]. */
-struct place {
-    vu cell_x, cell_y, cell_z;
-    vf x, y, z;
+/* A row of coordinates, floats or doubles. */
+typedef void lattice_pass(struct lattice *lattice, const struct scarp_octave *octave, size_t blocks,
+                          const void *const position[3]);
+
+/* Lower corner of the cell modulo 2^32, and position inside, along one axis. */
+struct split {
+    vu cell;
+    vf t;
 };
 
-VEC_INLINE void split_f32(vf p, vu *cell, vf *t)
+VEC_INLINE struct split split_f32(vf p)
 {
     const vf lower = vf_floor(p);
-    *cell = vu_from_vf(lower);
-    *t = p - lower;
+    const struct split s = {vu_from_vf(lower), p - lower};
+    return s;
 }
 
 /* The sum with 1.5 * 2^52 has the floor, modulo 2^32, in its low bits. */
-VEC_INLINE void split_f64(vd p0, vd p1, vu *cell, vf *t)
+VEC_INLINE struct split split_f64(vd p0, vd p1)
 {
     const vd lower0 = vd_floor(p0);
     const vd lower1 = vd_floor(p1);
-    *cell = vu_low_bits(lower0 + 0x1.8p52, lower1 + 0x1.8p52);
-    *t = vf_from_vd(p0 - lower0, p1 - lower1);
+    const struct split s = {vu_low_bits(lower0 + 0x1.8p52, lower1 + 0x1.8p52),
+                            vf_from_vd(p0 - lower0, p1 - lower1)};
+    return s;
 }
 
-/* p = f x + o */
-VEC_INLINE struct place place_straight(const struct scarp_octave *o, const struct block *b,
-                                       int dimensions, int doubles)
+VEC_INLINE vf load_f32(const void *row, size_t block)
 {
-    struct place place;
+    return vf_load((const float *)row + block * VEC_LANES);
+}
+
+VEC_INLINE vd load_f64(const void *row, size_t block, int half)
+{
+    return vd_load((const double *)row + block * VEC_LANES + half * (VEC_LANES / 2));
+}
+
+/* How an octave's axes lie: p = f x (octave 0: adding its offset of 0 would cost 3 to 5 % of a
+   single octave), p = f x + o, p = J x + o. */
+enum axes { AXES_FIRST, AXES_STRAIGHT, AXES_TURNED, AXES_KINDS };
+
+/* Axis i of p = f x + o. */
+VEC_INLINE struct split straight(const struct scarp_octave *o, int i, const void *const position[3],
+                                 size_t block, int doubles, enum axes axes)
+{
     if (doubles) {
         const vd f = vd_set(o->frequency64);
-        const vd ox = vd_set(o->offset64[0]), oy = vd_set(o->offset64[1]);
-        split_f64(f * b->x0 + ox, f * b->x1 + ox, &place.cell_x, &place.x);
-        split_f64(f * b->y0 + oy, f * b->y1 + oy, &place.cell_y, &place.y);
-        if (dimensions == 3) {
-            const vd oz = vd_set(o->offset64[2]);
-            split_f64(f * b->z0 + oz, f * b->z1 + oz, &place.cell_z, &place.z);
-        }
-    } else {
-        const vf f = vf_set(o->frequency);
-        split_f32(f * b->x + vf_set(o->offset[0]), &place.cell_x, &place.x);
-        split_f32(f * b->y + vf_set(o->offset[1]), &place.cell_y, &place.y);
-        if (dimensions == 3) {
-            split_f32(f * b->z + vf_set(o->offset[2]), &place.cell_z, &place.z);
-        }
+        const vd offset = vd_set(o->offset64[i]);
+        const vd p0 = f * load_f64(position[i], block, 0);
+        const vd p1 = f * load_f64(position[i], block, 1);
+        return axes == AXES_FIRST ? split_f64(p0, p1) : split_f64(p0 + offset, p1 + offset);
     }
-    return place;
+    const vf p = vf_set(o->frequency) * load_f32(position[i], block);
+    return axes == AXES_FIRST ? split_f32(p) : split_f32(p + vf_set(o->offset[i]));
 }
 
-/* Row i of p = J x + o. */
-VEC_INLINE vf turned_f32(const struct scarp_octave *o, int i, const struct block *b, int dimensions)
-{
-    const float *const j = o->jacobian[i];
-    vf p = vf_set(j[0]) * b->x + vf_set(j[1]) * b->y;
-    if (dimensions == 3) {
-        p += vf_set(j[2]) * b->z;
-    }
-    return p + vf_set(o->offset[i]);
-}
-
-VEC_INLINE vd turned_f64(const struct scarp_octave *o, int i, vd x, vd y, vd z, int dimensions)
+/* Axis i of p = J x + o. */
+VEC_INLINE vd turned_f64(const struct scarp_octave *o, int i, const void *const position[3],
+                         size_t block, int half, int dimensions)
 {
     const double *const j = o->jacobian64[i];
-    vd p = vd_set(j[0]) * x + vd_set(j[1]) * y;
+    vd p = vd_set(j[0]) * load_f64(position[0], block, half) +
+           vd_set(j[1]) * load_f64(position[1], block, half);
     if (dimensions == 3) {
-        p += vd_set(j[2]) * z;
+        p += vd_set(j[2]) * load_f64(position[2], block, half);
     }
     return p + vd_set(o->offset64[i]);
 }
 
-VEC_INLINE void split_turned(const struct scarp_octave *o, int i, const struct block *b,
-                             int dimensions, int doubles, vu *cell, vf *t)
+VEC_INLINE struct split turned(const struct scarp_octave *o, int i, const void *const position[3],
+                               size_t block, int doubles, int dimensions)
 {
     if (doubles) {
-        split_f64(turned_f64(o, i, b->x0, b->y0, b->z0, dimensions),
-                  turned_f64(o, i, b->x1, b->y1, b->z1, dimensions), cell, t);
-    } else {
-        split_f32(turned_f32(o, i, b, dimensions), cell, t);
+        return split_f64(turned_f64(o, i, position, block, 0, dimensions),
+                         turned_f64(o, i, position, block, 1, dimensions));
     }
-}
-
-VEC_INLINE struct place place_turned(const struct scarp_octave *o, const struct block *b,
-                                     int dimensions, int doubles)
-{
-    struct place place;
-    split_turned(o, 0, b, dimensions, doubles, &place.cell_x, &place.x);
-    split_turned(o, 1, b, dimensions, doubles, &place.cell_y, &place.y);
+    const float *const j = o->jacobian[i];
+    vf p =
+        vf_set(j[0]) * load_f32(position[0], block) + vf_set(j[1]) * load_f32(position[1], block);
     if (dimensions == 3) {
-        split_turned(o, 2, b, dimensions, doubles, &place.cell_z, &place.z);
+        p += vf_set(j[2]) * load_f32(position[2], block);
     }
-    return place;
+    return split_f32(p + vf_set(o->offset[i]));
 }
 
 /*
@@ -113,8 +114,8 @@ VEC_INLINE struct place place_turned(const struct scarp_octave *o, const struct 
  */
 #define HASH_X 0x2bd2d699u
 #define HASH_Y 0x6184ecd3u
-#define HASH_Z 0xc2b2ae3du
-#define HASH_YZ 0x2c1b3c6du
+#define HASH_Z 0x80db8a39u
+#define HASH_YZ 0x4966636du
 #define HASH_JOIN 0xa8508a35u
 #define HASH_SHIFT 14
 
@@ -148,5 +149,76 @@ VEC_INLINE struct corners_yz hash_yz(struct axis y, struct axis z)
                                  (y.h1 ^ z.h1) * m};
     return c;
 }
+
+VEC_INLINE struct split split_axis(const struct scarp_octave *o, int i,
+                                   const void *const position[3], size_t block, int dimensions,
+                                   int doubles, enum axes axes)
+{
+    return axes == AXES_TURNED ? turned(o, i, position, block, doubles, dimensions)
+                               : straight(o, i, position, block, doubles, axes);
+}
+
+VEC_INLINE void lattice_run(struct lattice *lattice, const struct scarp_octave *octave,
+                            size_t blocks, const void *const position[3], int dimensions,
+                            int doubles, enum axes axes)
+{
+    const struct scarp_octave o = *octave; /* a copy: nothing that is stored can alias it */
+    for (size_t b = 0; b < blocks; b++) {
+        const struct split x = split_axis(&o, 0, position, b, dimensions, doubles, axes);
+        const struct split y = split_axis(&o, 1, position, b, dimensions, doubles, axes);
+        const struct axis hx = hash_axis(x.cell, HASH_X, o.key[0]);
+        const struct axis hy = hash_axis(y.cell, HASH_Y, o.key[1]);
+        lattice->x[b] = x.t;
+        lattice->y[b] = y.t;
+        if (dimensions == 2) {
+            lattice->hash[0][0][0][b] = hash_join(hx.h0, hy.h0);
+            lattice->hash[0][1][0][b] = hash_join(hx.h0, hy.h1);
+            lattice->hash[1][0][0][b] = hash_join(hx.h1, hy.h0);
+            lattice->hash[1][1][0][b] = hash_join(hx.h1, hy.h1);
+        } else {
+            const struct split z = split_axis(&o, 2, position, b, dimensions, doubles, axes);
+            const struct corners_yz yz = hash_yz(hy, hash_axis(z.cell, HASH_Z, o.key[2]));
+            lattice->z[b] = z.t;
+            lattice->hash[0][0][0][b] = hash_join(hx.h0, yz.h00);
+            lattice->hash[0][0][1][b] = hash_join(hx.h0, yz.h01);
+            lattice->hash[0][1][0][b] = hash_join(hx.h0, yz.h10);
+            lattice->hash[0][1][1][b] = hash_join(hx.h0, yz.h11);
+            lattice->hash[1][0][0][b] = hash_join(hx.h1, yz.h00);
+            lattice->hash[1][0][1][b] = hash_join(hx.h1, yz.h01);
+            lattice->hash[1][1][0][b] = hash_join(hx.h1, yz.h10);
+            lattice->hash[1][1][1][b] = hash_join(hx.h1, yz.h11);
+        }
+    }
+}
+
+#define LATTICE_PASS(name, dimensions, doubles, axes)                                              \
+    static void name(struct lattice *lattice, const struct scarp_octave *octave, size_t blocks,    \
+                     const void *const position[3])                                                \
+    {                                                                                              \
+        lattice_run(lattice, octave, blocks, position, dimensions, doubles, axes);                 \
+    }
+
+LATTICE_PASS(lattice2_f32_first, 2, 0, AXES_FIRST)
+LATTICE_PASS(lattice2_f32_straight, 2, 0, AXES_STRAIGHT)
+LATTICE_PASS(lattice2_f32_turned, 2, 0, AXES_TURNED)
+LATTICE_PASS(lattice2_f64_first, 2, 1, AXES_FIRST)
+LATTICE_PASS(lattice2_f64_straight, 2, 1, AXES_STRAIGHT)
+LATTICE_PASS(lattice2_f64_turned, 2, 1, AXES_TURNED)
+LATTICE_PASS(lattice3_f32_first, 3, 0, AXES_FIRST)
+LATTICE_PASS(lattice3_f32_straight, 3, 0, AXES_STRAIGHT)
+LATTICE_PASS(lattice3_f32_turned, 3, 0, AXES_TURNED)
+LATTICE_PASS(lattice3_f64_first, 3, 1, AXES_FIRST)
+LATTICE_PASS(lattice3_f64_straight, 3, 1, AXES_STRAIGHT)
+LATTICE_PASS(lattice3_f64_turned, 3, 1, AXES_TURNED)
+
+#undef LATTICE_PASS
+
+/* By [dimensions - 2][doubles][axes]. */
+static lattice_pass *const lattice_passes[2][2][AXES_KINDS] = {
+    {{lattice2_f32_first, lattice2_f32_straight, lattice2_f32_turned},
+     {lattice2_f64_first, lattice2_f64_straight, lattice2_f64_turned}},
+    {{lattice3_f32_first, lattice3_f32_straight, lattice3_f32_turned},
+     {lattice3_f64_first, lattice3_f64_straight, lattice3_f64_turned}},
+};
 
 #endif

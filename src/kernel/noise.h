@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * One octave of noise at a block of points: the results, and the interpolation over x that both
- * bases end with. Included by gradient.h, value.h and points.h; the reference is scalar/basis.h.
+ * bases end with. Included by gradient.h and value.h; the reference is scalar/basis.h.
  *
  * Both bases interpolate over z, then y, then x. What does not depend on x is reduced, on the
  * lattice columns s = 0 and 1 at either side, to lines a_s (x - s) + b_s in the fraction x, one for

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Value noise with gradient and Hessian: see noise.h for the order of operations. Included by
- * points.h; the reference is scalar/basis.h. All in units of 2^-23 of the lattice values; the
+ * octave.h; the reference is scalar/basis.h. All in units of 2^-23 of the lattice values; the
  * plan's amplitudes carry the factor.
  */
 #ifndef SCARP_KERNEL_VALUE_H
@@ -20,10 +20,10 @@ VEC_INLINE vf lattice_value(vu hash)
     return vf_from_vi((vi)hash >> 8);
 }
 
-VEC_INLINE struct value_column value_column2(vu hx, struct axis hy, struct fade v, int order)
+VEC_INLINE struct value_column value_column2(vu h0, vu h1, struct fade v, int order)
 {
-    const vf c0 = lattice_value(hash_join(hx, hy.h0));
-    const vf c1 = lattice_value(hash_join(hx, hy.h1));
+    const vf c0 = lattice_value(h0);
+    const vf c1 = lattice_value(h1);
     const vf d = c1 - c0;
     struct value_column c;
     c.value = c0 + v.u * d;
@@ -36,13 +36,13 @@ VEC_INLINE struct value_column value_column2(vu hx, struct axis hy, struct fade 
     return c;
 }
 
-VEC_INLINE struct value_column value_column3(vu hx, struct corners_yz hyz, struct fade v,
+VEC_INLINE struct value_column value_column3(vu h00, vu h01, vu h10, vu h11, struct fade v,
                                              struct fade w, int order)
 {
-    const vf c00 = lattice_value(hash_join(hx, hyz.h00));
-    const vf c01 = lattice_value(hash_join(hx, hyz.h01));
-    const vf c10 = lattice_value(hash_join(hx, hyz.h10));
-    const vf c11 = lattice_value(hash_join(hx, hyz.h11));
+    const vf c00 = lattice_value(h00);
+    const vf c01 = lattice_value(h01);
+    const vf c10 = lattice_value(h10);
+    const vf c11 = lattice_value(h11);
     const vf dz0 = c01 - c00;
     const vf dz1 = c11 - c10;
     const vf e0 = c00 + w.u * dz0;
@@ -92,29 +92,30 @@ VEC_INLINE struct sample value_join(const struct value_column *l, const struct v
     return s;
 }
 
-VEC_INLINE struct sample value2(const struct scarp_octave *o, const struct place *p,
-                                enum scarp_fade kind, int order)
+VEC_INLINE struct sample value2(const struct lattice *lattice, size_t b, enum scarp_fade kind,
+                                int order)
 {
-    const struct fade u = fade(kind, p->x);
-    const struct fade v = fade(kind, p->y);
-    const struct axis hx = hash_axis(p->cell_x, HASH_X, o->key[0]);
-    const struct axis hy = hash_axis(p->cell_y, HASH_Y, o->key[1]);
-    const struct value_column l = value_column2(hx.h0, hy, v, order);
-    const struct value_column r = value_column2(hx.h1, hy, v, order);
+    const struct fade u = fade(kind, lattice->x[b]);
+    const struct fade v = fade(kind, lattice->y[b]);
+    const struct value_column l =
+        value_column2(lattice->hash[0][0][0][b], lattice->hash[0][1][0][b], v, order);
+    const struct value_column r =
+        value_column2(lattice->hash[1][0][0][b], lattice->hash[1][1][0][b], v, order);
     return value_join(&l, &r, u, 2, order);
 }
 
-VEC_INLINE struct sample value3(const struct scarp_octave *o, const struct place *p,
-                                enum scarp_fade kind, int order)
+VEC_INLINE struct sample value3(const struct lattice *lattice, size_t b, enum scarp_fade kind,
+                                int order)
 {
-    const struct fade u = fade(kind, p->x);
-    const struct fade v = fade(kind, p->y);
-    const struct fade w = fade(kind, p->z);
-    const struct axis hx = hash_axis(p->cell_x, HASH_X, o->key[0]);
-    const struct corners_yz hyz =
-        hash_yz(hash_axis(p->cell_y, HASH_Y, o->key[1]), hash_axis(p->cell_z, HASH_Z, o->key[2]));
-    const struct value_column l = value_column3(hx.h0, hyz, v, w, order);
-    const struct value_column r = value_column3(hx.h1, hyz, v, w, order);
+    const struct fade u = fade(kind, lattice->x[b]);
+    const struct fade v = fade(kind, lattice->y[b]);
+    const struct fade w = fade(kind, lattice->z[b]);
+    const struct value_column l =
+        value_column3(lattice->hash[0][0][0][b], lattice->hash[0][0][1][b],
+                      lattice->hash[0][1][0][b], lattice->hash[0][1][1][b], v, w, order);
+    const struct value_column r =
+        value_column3(lattice->hash[1][0][0][b], lattice->hash[1][0][1][b],
+                      lattice->hash[1][1][0][b], lattice->hash[1][1][1][b], v, w, order);
     return value_join(&l, &r, u, 3, order);
 }
 

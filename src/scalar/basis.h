@@ -87,17 +87,18 @@ static inline struct sample join(const struct column *l, const struct column *r,
     return s;
 }
 
-/* The 16 directions 11.25 degrees + k * 22.5: cosine and sine. Bit 3 of the index mirrors x. */
+/* The 16 directions 11.25 degrees + k * 22.5: cosine and sine. Bit 3 of the index is the sign of x,
+   bit 0 that of y. */
 #define COS_1 0.980785280f /* cos 11.25 */
 #define COS_3 0.831469612f /* cos 33.75 */
 #define COS_5 0.555570233f /* cos 56.25 */
 #define COS_7 0.195090322f /* cos 78.75 */
 
 static const float directions2[16][2] = {
-    {COS_1, COS_7},   {COS_3, COS_5},   {COS_5, COS_3},   {COS_7, COS_1},
-    {COS_1, -COS_7},  {COS_3, -COS_5},  {COS_5, -COS_3},  {COS_7, -COS_1},
-    {-COS_1, COS_7},  {-COS_3, COS_5},  {-COS_5, COS_3},  {-COS_7, COS_1},
-    {-COS_1, -COS_7}, {-COS_3, -COS_5}, {-COS_5, -COS_3}, {-COS_7, -COS_1},
+    {COS_1, COS_7},  {COS_1, -COS_7},  {COS_3, COS_5},  {COS_3, -COS_5},
+    {COS_5, COS_3},  {COS_5, -COS_3},  {COS_7, COS_1},  {COS_7, -COS_1},
+    {-COS_1, COS_7}, {-COS_1, -COS_7}, {-COS_3, COS_5}, {-COS_3, -COS_5},
+    {-COS_5, COS_3}, {-COS_5, -COS_3}, {-COS_7, COS_1}, {-COS_7, -COS_1},
 };
 
 /* The 12 edges of a cube, four of them twice: the set of improved noise (Perlin 2002). Bit 3 of the

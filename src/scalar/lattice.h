@@ -53,8 +53,8 @@ static inline void split_f64(double p, uint32_t *cell, float *t)
  */
 #define HASH_X 0x2bd2d699u
 #define HASH_Y 0x6184ecd3u
-#define HASH_Z 0xc2b2ae3du
-#define HASH_YZ 0x2c1b3c6du
+#define HASH_Z 0x80db8a39u
+#define HASH_YZ 0x4966636du
 #define HASH_JOIN 0xa8508a35u
 #define HASH_SHIFT 14
 

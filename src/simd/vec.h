@@ -33,6 +33,6 @@
  *
  * Tables:
  *   vf vf_lookup(const struct lookup *table, vu hash)
- *                         table->entry[hash >> 28] in each lane. What else `table` says are facts
- *                         about its entries that make the lookup cheaper where tables are small.
+ *                         table->entry[hash >> 28] in each lane. table->kind and table->part state
+ *                         facts about the entries that make lookups cheaper where tables are small.
  */

@@ -95,14 +95,12 @@ VEC_INLINE vd vd_sqrt(vd a)
     return (vd)_mm256_sqrt_pd((__m256d)a);
 }
 
-/* Both permutes ignore the index bits above those they use. */
+/* The permute reads the low three bits of each index and ignores the others. */
 VEC_INLINE vf vf_lookup(const struct lookup *table, vu hash)
 {
-    const __m256i index = (__m256i)(hash >> 28);
-    const vf magnitude = table->period == 4
-                             ? (vf)_mm256_permutevar_ps(_mm256_load_ps(table->entry), index)
-                             : (vf)_mm256_permutevar8x32_ps(_mm256_load_ps(table->entry), index);
-    return table->mirrored ? (vf)((vu)magnitude ^ (hash & 0x80000000u)) : magnitude;
+    const vu index = table->kind == LOOKUP_QUAD_HIGH ? hash >> 29 : hash >> 28;
+    const vf part = (vf)_mm256_permutevar8x32_ps(_mm256_load_ps(table->part), (__m256i)index);
+    return table->kind == LOOKUP_MIRROR ? (vf)((vu)part ^ (hash & 0x80000000u)) : part;
 }
 
 #endif

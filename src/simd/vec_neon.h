@@ -99,17 +99,12 @@ VEC_INLINE vd vd_sqrt(vd a)
 /* TBL reads whole bytes: 4 * index + (0 1 2 3) in the bytes of each lane. */
 VEC_INLINE vf vf_lookup(const struct lookup *table, vu hash)
 {
-    const vu index = (hash >> 28) & (table->period == 4 ? 3u : 7u);
+    const vu index = table->kind == LOOKUP_QUAD_HIGH ? hash >> 29 : (hash >> 28) & 7u;
     const uint8x16_t bytes = (uint8x16_t)(index * 0x04040404u + 0x03020100u);
-    const uint8_t *const entry = (const uint8_t *)table->entry;
-    vf magnitude;
-    if (table->period == 4) {
-        magnitude = (vf)vqtbl1q_u8(vld1q_u8(entry), bytes);
-    } else {
-        const uint8x16x2_t both = {{vld1q_u8(entry), vld1q_u8(entry + 16)}};
-        magnitude = (vf)vqtbl2q_u8(both, bytes);
-    }
-    return table->mirrored ? (vf)((vu)magnitude ^ (hash & 0x80000000u)) : magnitude;
+    const uint8_t *const part = (const uint8_t *)table->part;
+    const uint8x16x2_t both = {{vld1q_u8(part), vld1q_u8(part + 16)}};
+    const vf chosen = (vf)vqtbl2q_u8(both, bytes);
+    return table->kind == LOOKUP_MIRROR ? (vf)((vu)chosen ^ (hash & 0x80000000u)) : chosen;
 }
 
 #endif

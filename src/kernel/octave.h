@@ -1,0 +1,128 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Second pass over a chunk of points (see points.h): one octave of noise from corner hashes and
+ * fractions, scaled and added to rows of sums. Included by points.h.
+ */
+#ifndef SCARP_KERNEL_OCTAVE_H
+#define SCARP_KERNEL_OCTAVE_H
+
+#include "gradient.h"
+#include "value.h"
+
+/* What the value, the gradient and the Hessian of the basis are multiplied by. */
+struct weights {
+    float amplitude, slope, curvature;
+};
+
+/* A row for every member of struct scarp_samples, in their order. */
+enum { VALUE, DX, DY, DZ, DXX, DXY, DXZ, DYY, DYZ, DZZ, ROWS };
+
+struct rows {
+    vf row[ROWS][CHUNK_BLOCKS];
+};
+
+/* to = from + weights * basis, for every row up to the order of the pass; `from` NULL stands for
+   zeros. The rows of `to` are all there, hold whole blocks, and may be those of `from`. */
+typedef void octave_pass(const struct lattice *lattice, size_t blocks, enum scarp_fade fade,
+                         const struct weights *weights, const struct rows *from,
+                         const struct scarp_samples *to);
+
+VEC_INLINE void add(float *to, const struct rows *from, int member, size_t b, vf term)
+{
+    const vf sum = from != NULL ? from->row[member][b] : vf_set(0.0f);
+    vf_store(to + b * VEC_LANES, sum + term);
+}
+
+VEC_INLINE struct sample basis_at(const struct lattice *lattice, size_t b, enum scarp_fade fade,
+                                  enum scarp_basis basis, int dimensions, int order)
+{
+    if (basis == SCARP_GRADIENT) {
+        return dimensions == 2 ? gradient2(lattice, b, fade, order)
+                               : gradient3(lattice, b, fade, order);
+    }
+    return dimensions == 2 ? value2(lattice, b, fade, order) : value3(lattice, b, fade, order);
+}
+
+VEC_INLINE void octave_run(const struct lattice *lattice, size_t blocks, enum scarp_fade fade,
+                           const struct weights *weights, const struct rows *from,
+                           const struct scarp_samples *to_rows, enum scarp_basis basis,
+                           int dimensions, int order)
+{
+    const vf amplitude = vf_set(weights->amplitude);
+    const vf slope = vf_set(weights->slope);
+    const vf curvature = vf_set(weights->curvature);
+    const struct scarp_samples to = *to_rows; /* a copy: nothing that is stored can alias it */
+    for (size_t b = 0; b < blocks; b++) {
+        const struct sample n = basis_at(lattice, b, fade, basis, dimensions, order);
+        add(to.value, from, VALUE, b, amplitude * n.value);
+        if (order >= 1) {
+            add(to.dx, from, DX, b, slope * n.dx);
+            add(to.dy, from, DY, b, slope * n.dy);
+            if (dimensions == 3) {
+                add(to.dz, from, DZ, b, slope * n.dz);
+            }
+        }
+        if (order >= 2) {
+            add(to.dxx, from, DXX, b, curvature * n.dxx);
+            add(to.dxy, from, DXY, b, curvature * n.dxy);
+            add(to.dyy, from, DYY, b, curvature * n.dyy);
+            if (dimensions == 3) {
+                add(to.dxz, from, DXZ, b, curvature * n.dxz);
+                add(to.dyz, from, DYZ, b, curvature * n.dyz);
+                add(to.dzz, from, DZZ, b, curvature * n.dzz);
+            }
+        }
+    }
+}
+
+VEC_INLINE void octave_with_fade(const struct lattice *lattice, size_t blocks, enum scarp_fade fade,
+                                 const struct weights *weights, const struct rows *from,
+                                 const struct scarp_samples *to, enum scarp_basis basis,
+                                 int dimensions, int order)
+{
+    if (from == NULL) {
+        octave_run(lattice, blocks, fade, weights, NULL, to, basis, dimensions, order);
+    } else {
+        octave_run(lattice, blocks, fade, weights, from, to, basis, dimensions, order);
+    }
+}
+
+/* What is the same for all points is decided outside the loop, which is there once for each case.
+ */
+#define OCTAVE_PASS(name, basis, dims, order)                                                      \
+    static void name(const struct lattice *lattice, size_t blocks, enum scarp_fade fade,           \
+                     const struct weights *weights, const struct rows *from,                       \
+                     const struct scarp_samples *to)                                               \
+    {                                                                                              \
+        if (fade == SCARP_QUINTIC) {                                                               \
+            octave_with_fade(lattice, blocks, SCARP_QUINTIC, weights, from, to, basis, dims,       \
+                             order);                                                               \
+        } else {                                                                                   \
+            octave_with_fade(lattice, blocks, SCARP_CUBIC, weights, from, to, basis, dims, order); \
+        }                                                                                          \
+    }
+
+OCTAVE_PASS(gradient2_order0, SCARP_GRADIENT, 2, 0)
+OCTAVE_PASS(gradient2_order1, SCARP_GRADIENT, 2, 1)
+OCTAVE_PASS(gradient2_order2, SCARP_GRADIENT, 2, 2)
+OCTAVE_PASS(gradient3_order0, SCARP_GRADIENT, 3, 0)
+OCTAVE_PASS(gradient3_order1, SCARP_GRADIENT, 3, 1)
+OCTAVE_PASS(gradient3_order2, SCARP_GRADIENT, 3, 2)
+OCTAVE_PASS(value2_order0, SCARP_VALUE, 2, 0)
+OCTAVE_PASS(value2_order1, SCARP_VALUE, 2, 1)
+OCTAVE_PASS(value2_order2, SCARP_VALUE, 2, 2)
+OCTAVE_PASS(value3_order0, SCARP_VALUE, 3, 0)
+OCTAVE_PASS(value3_order1, SCARP_VALUE, 3, 1)
+OCTAVE_PASS(value3_order2, SCARP_VALUE, 3, 2)
+
+#undef OCTAVE_PASS
+
+/* By [dimensions - 2][basis][order]. */
+static octave_pass *const octave_passes[2][2][3] = {
+    {{gradient2_order0, gradient2_order1, gradient2_order2},
+     {value2_order0, value2_order1, value2_order2}},
+    {{gradient3_order0, gradient3_order1, gradient3_order2},
+     {value3_order0, value3_order1, value3_order2}},
+};
+
+#endif

@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: MIT
+# Every kernel equals the scalar reference; and a kernel with a deliberate mistake does not.
+
+if(CMAKE_CROSSCOMPILING_EMULATOR)
+  set(bits_points 259) # emulators are two orders of magnitude slower
+else()
+  set(bits_points 40003)
+endif()
+
+scarp_test_program(test_bits)
+foreach(isa IN LISTS isas)
+  if(NOT isa STREQUAL scalar)
+    scarp_add_test(bits.${isa} bits test_bits ${isa} ${bits_points})
+  endif()
+endforeach()
+
+# tests/mutants: the library with one kernel file replaced by a copy that has a mistake of the kind
+# that has been made before. test_bits must see each.
+function(scarp_add_mutant isa mistake)
+  set(target test_bits_${isa}_${mistake})
+  set(sources ${internal_sources})
+  list(REMOVE_ITEM sources ${PROJECT_SOURCE_DIR}/src/simd/kernels_${isa}.c)
+  add_executable(${target} test_bits.c mutants/kernels_${isa}.c ${sources})
+  scarp_compile_rules(${target})
+  scarp_library_rules(${target})
+  string(TOUPPER MISTAKE_${mistake} definition)
+  target_compile_definitions(${target} PRIVATE ${definition})
+  scarp_add_test(bits.mutant.${isa}.${mistake} bits ${target} --must-differ ${isa} 259)
+endfunction()
+
+if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$")
+  set(mutant_isa avx2)
+elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "^(aarch64|arm64)$")
+  set(mutant_isa neon)
+endif()
+if(DEFINED mutant_isa)
+  foreach(mistake fma lane tail)
+    scarp_add_mutant(${mutant_isa} ${mistake})
+  endforeach()
+endif()
