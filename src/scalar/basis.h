@@ -36,34 +36,34 @@ struct column {
     struct line value, y, z, yy, yz, zz;
 };
 
-static inline float at(struct line line, float x)
+SCALAR_INLINE float at(struct line line, float x)
 {
     return line.a * x + line.b;
 }
 
-static inline struct line mix_lines(struct line p, struct line q, float u)
+SCALAR_INLINE struct line mix_lines(struct line p, struct line q, float u)
 {
     const struct line line = {mix(p.a, q.a, u), mix(p.b, q.b, u)};
     return line;
 }
 
 /* The value and its derivatives along x, from the lines of both columns. */
-static inline float across(struct line l, struct line r, float x, float u)
+SCALAR_INLINE float across(struct line l, struct line r, float x, float u)
 {
     return mix(at(l, x), at(r, x - 1.0f), u);
 }
 
-static inline float across_dx(struct line l, struct line r, float x, struct fade f)
+SCALAR_INLINE float across_dx(struct line l, struct line r, float x, struct fade f)
 {
     return mix(l.a, r.a, f.u) + f.du * (at(r, x - 1.0f) - at(l, x));
 }
 
-static inline float across_dxx(struct line l, struct line r, float x, struct fade f)
+SCALAR_INLINE float across_dxx(struct line l, struct line r, float x, struct fade f)
 {
     return 2.0f * f.du * (r.a - l.a) + f.ddu * (at(r, x - 1.0f) - at(l, x));
 }
 
-static inline struct sample join(const struct column *l, const struct column *r, float x,
+SCALAR_INLINE struct sample join(const struct column *l, const struct column *r, float x,
                                  struct fade f, int dimensions, int order)
 {
     struct sample s = {.value = across(l->value, r->value, x, f.u)};
@@ -110,7 +110,7 @@ static const float directions3[16][3] = {
 };
 
 /* Column x of the cell: v is the fade along y. */
-static inline struct column gradient_column2(const uint32_t key[3], uint32_t x,
+SCALAR_INLINE struct column gradient_column2(const uint32_t key[3], uint32_t x,
                                              const struct place *p, struct fade v)
 {
     const float *const g0 = directions2[hash2(key, x, p->cell[1]) >> 28];
@@ -136,7 +136,7 @@ struct edge {
     float dgx;         /* difference of the x components of the corners */
 };
 
-static inline struct edge gradient_edge(const uint32_t key[3], uint32_t x, uint32_t y, uint32_t z,
+SCALAR_INLINE struct edge gradient_edge(const uint32_t key[3], uint32_t x, uint32_t y, uint32_t z,
                                         float ty, float tz, struct fade w)
 {
     const float *const g0 = directions3[hash3(key, x, y, z) >> 28];
@@ -158,7 +158,7 @@ static inline struct edge gradient_edge(const uint32_t key[3], uint32_t x, uint3
     return e;
 }
 
-static inline struct column gradient_column3(const uint32_t key[3], uint32_t x,
+SCALAR_INLINE struct column gradient_column3(const uint32_t key[3], uint32_t x,
                                              const struct place *p, struct fade v, struct fade w)
 {
     const float y = p->t[1], z = p->t[2];
@@ -182,7 +182,7 @@ static inline struct column gradient_column3(const uint32_t key[3], uint32_t x,
     return c;
 }
 
-static inline struct sample gradient2(const struct scarp_octave *o, const struct place *p,
+SCALAR_INLINE struct sample gradient2(const struct scarp_octave *o, const struct place *p,
                                       enum scarp_fade kind, int order)
 {
     const struct fade v = fade(kind, p->t[1]);
@@ -191,7 +191,7 @@ static inline struct sample gradient2(const struct scarp_octave *o, const struct
     return join(&l, &r, p->t[0], fade(kind, p->t[0]), 2, order);
 }
 
-static inline struct sample gradient3(const struct scarp_octave *o, const struct place *p,
+SCALAR_INLINE struct sample gradient3(const struct scarp_octave *o, const struct place *p,
                                       enum scarp_fade kind, int order)
 {
     const struct fade v = fade(kind, p->t[1]);
@@ -203,12 +203,12 @@ static inline struct sample gradient3(const struct scarp_octave *o, const struct
 
 /* A lattice value, in units of 2^-23: the top 24 bits of the hash as a signed number. (gcc and
    clang define >> of negative numbers as arithmetic.) */
-static inline float lattice_value(uint32_t hash)
+SCALAR_INLINE float lattice_value(uint32_t hash)
 {
     return (float)((int32_t)hash >> 8);
 }
 
-static inline struct column value_column2(const uint32_t key[3], uint32_t x, const struct place *p,
+SCALAR_INLINE struct column value_column2(const uint32_t key[3], uint32_t x, const struct place *p,
                                           struct fade v)
 {
     const float c0 = lattice_value(hash2(key, x, p->cell[1]));
@@ -219,7 +219,7 @@ static inline struct column value_column2(const uint32_t key[3], uint32_t x, con
     return c;
 }
 
-static inline struct column value_column3(const uint32_t key[3], uint32_t x, const struct place *p,
+SCALAR_INLINE struct column value_column3(const uint32_t key[3], uint32_t x, const struct place *p,
                                           struct fade v, struct fade w)
 {
     const uint32_t y = p->cell[1], z = p->cell[2];
@@ -245,7 +245,7 @@ static inline struct column value_column3(const uint32_t key[3], uint32_t x, con
     return c;
 }
 
-static inline struct sample value2(const struct scarp_octave *o, const struct place *p,
+SCALAR_INLINE struct sample value2(const struct scarp_octave *o, const struct place *p,
                                    enum scarp_fade kind, int order)
 {
     const struct fade v = fade(kind, p->t[1]);
@@ -254,7 +254,7 @@ static inline struct sample value2(const struct scarp_octave *o, const struct pl
     return join(&l, &r, p->t[0], fade(kind, p->t[0]), 2, order);
 }
 
-static inline struct sample value3(const struct scarp_octave *o, const struct place *p,
+SCALAR_INLINE struct sample value3(const struct scarp_octave *o, const struct place *p,
                                    enum scarp_fade kind, int order)
 {
     const struct fade v = fade(kind, p->t[1]);

@@ -6,6 +6,7 @@
 #define SCARP_SCALAR_FADE_H
 
 #include "../plan.h"
+#include "inline.h"
 
 struct fade {
     float u, du, ddu;
@@ -13,7 +14,7 @@ struct fade {
 
 /* quintic: u = 6t^5 - 15t^4 + 10t^3   u' = 30 t^2 (t-1)^2   u'' = 60 t (t-1) (2t-1)
  * cubic:   u = 3t^2 - 2t^3            u' = 6 t (1-t)        u'' = 6 - 12t             */
-static inline struct fade fade(enum scarp_fade kind, float t)
+SCALAR_INLINE struct fade fade(enum scarp_fade kind, float t)
 {
     const float s = t - 1.0f;
     const float ts = t * s;
@@ -30,7 +31,7 @@ static inline struct fade fade(enum scarp_fade kind, float t)
     return f;
 }
 
-static inline float mix(float a, float b, float u)
+SCALAR_INLINE float mix(float a, float b, float u)
 {
     return a + u * (b - a);
 }

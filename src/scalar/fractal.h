@@ -8,7 +8,7 @@
 #include "basis.h"
 
 /* p_k = J_k x + o_k, split into cell and fraction. */
-static inline struct place place_f32(const struct scarp_octave *o, int turned, const float x[3],
+SCALAR_INLINE struct place place_f32(const struct scarp_octave *o, int turned, const float x[3],
                                      int dimensions)
 {
     struct place place;
@@ -23,7 +23,7 @@ static inline struct place place_f32(const struct scarp_octave *o, int turned, c
     return place;
 }
 
-static inline struct place place_f64(const struct scarp_octave *o, int turned, const double x[3],
+SCALAR_INLINE struct place place_f64(const struct scarp_octave *o, int turned, const double x[3],
                                      int dimensions)
 {
     struct place place;
@@ -38,7 +38,7 @@ static inline struct place place_f64(const struct scarp_octave *o, int turned, c
     return place;
 }
 
-static inline struct sample basis(const struct scarp_plan *plan, const struct scarp_octave *o,
+SCALAR_INLINE struct sample basis(const struct scarp_plan *plan, const struct scarp_octave *o,
                                   const struct place *place, int dimensions)
 {
     if (plan->basis == SCARP_GRADIENT) {
@@ -50,7 +50,7 @@ static inline struct sample basis(const struct scarp_plan *plan, const struct sc
 }
 
 /* Column j of a matrix, transposed, times the vector (x, y, z). */
-static inline float column_dot(const float m[3][3], int j, int dimensions, float x, float y,
+SCALAR_INLINE float column_dot(const float m[3][3], int j, int dimensions, float x, float y,
                                float z)
 {
     const float dot = m[0][j] * x + m[1][j] * y;
@@ -58,7 +58,7 @@ static inline float column_dot(const float m[3][3], int j, int dimensions, float
 }
 
 /* sum += a n with turned axes: the gradient gains (a J)^T g, the Hessian (a J)^T (H J). */
-static inline void add_turned(struct sample *sum, const struct scarp_octave *o,
+SCALAR_INLINE void add_turned(struct sample *sum, const struct scarp_octave *o,
                               const struct sample *n, int dimensions, int order)
 {
     if (order >= 1) {
@@ -85,7 +85,7 @@ static inline void add_turned(struct sample *sum, const struct scarp_octave *o,
 }
 
 /* sum += a n with J = f: the gradient gains a f g, the Hessian a f^2 H. */
-static inline void add_straight(struct sample *sum, const struct scarp_octave *o,
+SCALAR_INLINE void add_straight(struct sample *sum, const struct scarp_octave *o,
                                 const struct sample *n, int order)
 {
     if (order >= 1) {
@@ -103,7 +103,7 @@ static inline void add_straight(struct sample *sum, const struct scarp_octave *o
     }
 }
 
-static inline void add_octave(struct sample *sum, const struct scarp_plan *plan,
+SCALAR_INLINE void add_octave(struct sample *sum, const struct scarp_plan *plan,
                               const struct scarp_octave *o, int turned, const struct sample *n,
                               int dimensions)
 {

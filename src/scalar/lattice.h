@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "../plan.h"
+#include "inline.h"
 
 /* A point of one octave: the cell's lower corner, modulo 2^32, and the position inside, in [0, 1]
    (rounding can reach 1; the noise is continuous there). */
@@ -20,7 +21,7 @@ struct place {
 
 /* Float positions. Outside [-2^31, 2^31) the cell is -2^31 and the fraction p - p: 0, or NaN where
    p is not finite. */
-static inline void split_f32(float p, uint32_t *cell, float *t)
+SCALAR_INLINE void split_f32(float p, uint32_t *cell, float *t)
 {
     if (p >= -0x1p31f && p < 0x1p31f) {
         int32_t floor = (int32_t)p;
@@ -34,7 +35,7 @@ static inline void split_f32(float p, uint32_t *cell, float *t)
 }
 
 /* Double positions. The sum with 1.5 * 2^52 has the floor, modulo 2^32, in its low bits. */
-static inline void split_f64(double p, uint32_t *cell, float *t)
+SCALAR_INLINE void split_f64(double p, uint32_t *cell, float *t)
 {
     const double lower = floor(p);
     const double shifted = lower + 0x1.8p52;
@@ -58,18 +59,18 @@ static inline void split_f64(double p, uint32_t *cell, float *t)
 #define HASH_JOIN 0xa8508a35u
 #define HASH_SHIFT 14
 
-static inline uint32_t hash_axis(uint32_t i, uint32_t multiplier, uint32_t key)
+SCALAR_INLINE uint32_t hash_axis(uint32_t i, uint32_t multiplier, uint32_t key)
 {
     const uint32_t h = i * multiplier + key;
     return h ^ (h >> HASH_SHIFT);
 }
 
-static inline uint32_t hash2(const uint32_t key[3], uint32_t x, uint32_t y)
+SCALAR_INLINE uint32_t hash2(const uint32_t key[3], uint32_t x, uint32_t y)
 {
     return (hash_axis(x, HASH_X, key[0]) ^ hash_axis(y, HASH_Y, key[1])) * HASH_JOIN;
 }
 
-static inline uint32_t hash3(const uint32_t key[3], uint32_t x, uint32_t y, uint32_t z)
+SCALAR_INLINE uint32_t hash3(const uint32_t key[3], uint32_t x, uint32_t y, uint32_t z)
 {
     const uint32_t yz = (hash_axis(y, HASH_Y, key[1]) ^ hash_axis(z, HASH_Z, key[2])) * HASH_YZ;
     return (hash_axis(x, HASH_X, key[0]) ^ yz) * HASH_JOIN;

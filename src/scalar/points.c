@@ -22,7 +22,7 @@ static void store(const struct scarp_samples *out, size_t i, const struct sample
     }
 }
 
-static inline void points_f32(const struct scarp_plan *plan, size_t count,
+SCALAR_INLINE void points_f32(const struct scarp_plan *plan, size_t count,
                               const void *const position[3], const struct scarp_samples *out,
                               int dimensions)
 {
@@ -43,7 +43,7 @@ static inline void points_f32(const struct scarp_plan *plan, size_t count,
     }
 }
 
-static inline void points_f64(const struct scarp_plan *plan, size_t count,
+SCALAR_INLINE void points_f64(const struct scarp_plan *plan, size_t count,
                               const void *const position[3], const struct scarp_samples *out,
                               int dimensions)
 {
