@@ -112,7 +112,7 @@ static void points(const struct scarp_plan *plan, size_t count, const void *cons
     const size_t bytes = doubles ? sizeof(double) : sizeof(float);
     struct rows sums;
     const struct scarp_samples spare = samples_of(&sums);
-    static const struct scarp_samples none = {NULL};
+    static const struct scarp_samples none; /* all NULL */
     for (size_t first = 0; first < count; first += CHUNK_POINTS) {
         const size_t here = count - first < CHUNK_POINTS ? count - first : CHUNK_POINTS;
         const void *inputs[3] = {NULL, NULL, NULL};

@@ -51,12 +51,12 @@ VEC_INLINE vd vd_set(double a)
 
 VEC_INLINE vf vf_floor(vf a)
 {
-    return (vf)_mm512_roundscale_ps((__m512)a, _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC);
+    return (vf)_mm512_floor_ps((__m512)a);
 }
 
 VEC_INLINE vd vd_floor(vd a)
 {
-    return (vd)_mm512_roundscale_pd((__m512d)a, _MM_FROUND_TO_NEG_INF | _MM_FROUND_NO_EXC);
+    return (vd)_mm512_floor_pd((__m512d)a);
 }
 
 VEC_INLINE vu vu_from_vf(vf a)

@@ -1,0 +1,61 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * `scarp info`: which library runs, what it can run on, and what the program was built with.
+ */
+#include <stdio.h>
+#include <string.h>
+
+#include "cli.h"
+#include "image.h"
+#include "options.h"
+#include "scarp.h"
+
+#define TEXT(x) #x
+#define VERSION_TEXT(major, minor, patch) TEXT(major) "." TEXT(minor) "." TEXT(patch)
+
+static const struct option_table table = {
+    .command = "info",
+    .purpose = "Tells the version, the instruction sets and the picture formats.",
+};
+
+static void print_versions(void)
+{
+    static const char header[] =
+        VERSION_TEXT(SCARP_VERSION_MAJOR, SCARP_VERSION_MINOR, SCARP_VERSION_PATCH);
+    printf("scarp %s\n", scarp_version());
+    if (strcmp(header, scarp_version()) != 0) {
+        printf("warning: this program was built for scarp %s\n", header);
+    }
+}
+
+static void print_isas(void)
+{
+    printf("\n%-16s %-10s %s\n", "instruction set", "supported", "active");
+    for (int i = SCARP_ISA_SCALAR; i <= SCARP_ISA_NEON; i++) {
+        const enum scarp_isa isa = (enum scarp_isa)i;
+        printf("%-16s %-10s %s\n", scarp_isa_name(isa), scarp_isa_supported(isa) ? "yes" : "no",
+               scarp_isa_active() == isa ? "yes" : "no");
+    }
+}
+
+static void print_formats(void)
+{
+#ifdef SCARP_CLI_PNG
+    printf("\npictures: PNG, with libpng %s\n", image_png_version());
+#else
+    printf("\npictures: PGM and PPM (built without libpng)\n");
+#endif
+}
+
+int cli_info(int argc, char **argv)
+{
+    switch (options_parse(&table, argc, argv, NULL)) {
+    case OPTIONS_HELP: return CLI_SUCCESS;
+    case OPTIONS_BAD: return CLI_USAGE;
+    default: break;
+    }
+    print_versions();
+    print_isas();
+    print_formats();
+    return CLI_SUCCESS;
+}

@@ -1,0 +1,91 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The program scarp: finds the command and hands over.
+ */
+#include <errno.h>
+#include <stdarg.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "cli.h"
+#include "scarp.h"
+
+static const char usage[] =
+    "usage: scarp <command> [options]\n"
+    "\n"
+    "Lattice noise and its exact derivatives, sampled in bulk.\n"
+    "\n"
+    "  terrain    write a terrain: heights, normals and a hillshade, as pictures\n"
+    "  info       tell the version and the instruction sets that can run here\n"
+    "  help       print this, or with the name of a command what it takes\n"
+    "\n"
+    "scarp --version prints the version of the library.\n"
+    "Exit status: 0 done, 1 failed on the way, 2 bad command line (nothing was written).\n";
+
+static const struct {
+    const char *name;
+    int (*run)(int argc, char **argv);
+} commands[] = {{"terrain", cli_terrain}, {"info", cli_info}};
+
+void cli_error(const char *format, ...)
+{
+    char message[1024];
+    va_list arguments;
+    va_start(arguments, format);
+    vsnprintf(message, sizeof message, format, arguments);
+    va_end(arguments);
+    for (char *c = message; *c != '\0'; c++) {
+        if ((unsigned char)*c < 0x20 || *c == 0x7f) {
+            *c = '?';
+        }
+    }
+    fprintf(stderr, "scarp: %s\n", message);
+}
+
+static int run_command(const char *name, int argc, char **argv)
+{
+    for (size_t i = 0; i < sizeof commands / sizeof commands[0]; i++) {
+        if (strcmp(name, commands[i].name) == 0) {
+            return commands[i].run(argc, argv);
+        }
+    }
+    cli_error("%.60s: unknown %s; see: scarp --help", name, name[0] == '-' ? "option" : "command");
+    return CLI_USAGE;
+}
+
+static int is_help(const char *word)
+{
+    return strcmp(word, "help") == 0 || strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0;
+}
+
+static int run(int argc, char **argv)
+{
+    if (argc < 2) {
+        fputs(usage, stderr);
+        return CLI_USAGE;
+    }
+    if (is_help(argv[1])) {
+        if (argc > 2) {
+            char help[] = "--help";
+            return run_command(argv[2], 1, (char *[]){help, NULL});
+        }
+        fputs(usage, stdout);
+        return CLI_SUCCESS;
+    }
+    if (strcmp(argv[1], "--version") == 0) {
+        printf("scarp %s\n", scarp_version());
+        return CLI_SUCCESS;
+    }
+    return run_command(argv[1], argc - 2, argv + 2);
+}
+
+int main(int argc, char **argv)
+{
+    const int status = run(argc, argv);
+    /* What was printed may still fail to arrive, on a full disk for instance. */
+    if (fflush(stdout) != 0 || ferror(stdout)) {
+        cli_error("standard output: %s", strerror(errno));
+        return status == CLI_SUCCESS ? CLI_FAILURE : status;
+    }
+    return status;
+}

@@ -1,0 +1,71 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Command-line options from a table: one line per option states its name, its default, what is
+ * allowed and where the value goes. Parsing, messages and the help text are made from it, so they
+ * cannot disagree. Used by every command.
+ */
+#ifndef SCARP_CLI_OPTIONS_H
+#define SCARP_CLI_OPTIONS_H
+
+#include <stddef.h>
+
+struct option;
+
+enum option_result {
+    OPTION_VALID,
+    OPTION_INVALID,    /* the text "is not <allowed>" */
+    OPTION_UNAVAILABLE /* a valid value, but "cannot run here" */
+};
+
+/* Reads `text` into the field at `field`, as the option's row says. */
+typedef enum option_result option_parse_fn(const struct option *option, const char *text,
+                                           void *field);
+
+struct option {
+    const char *name;           /* with its dashes */
+    const char *argument;       /* what the help calls the value; NULL: a flag without value */
+    const char *standard;       /* the default, as it would be typed; NULL: leave the field alone */
+    const char *allowed;        /* completes the message "--name: 'text' is not ..." */
+    const char *help;           /* meaning and unit; may have several lines */
+    option_parse_fn *parse;     /* NULL for a flag, which sets an int to 1 */
+    size_t offset;              /* of the field in the structure that receives the values */
+    double lowest, highest;     /* the interval of numbers, bounds included */
+    const char *const *choices; /* of option_choice, ending in NULL */
+};
+
+struct option_table {
+    const char *command;
+    const char *purpose; /* the help: before the options */
+    const char *notes;   /* the help: after the options */
+    const struct option *options;
+    size_t count;
+};
+
+struct option_size {
+    size_t width, height;
+};
+
+struct option_point {
+    double x, y;
+};
+
+option_parse_fn option_choice; /* int: the index in `choices` */
+option_parse_fn option_double; /* double in [lowest, highest] */
+option_parse_fn option_float;  /* float in [lowest, highest]; the bounds are floats */
+option_parse_fn option_isa;    /* int: an enum scarp_isa that can run here */
+option_parse_fn option_point;  /* struct option_point, "X,Y", both in [lowest, highest] */
+option_parse_fn option_seed;   /* uint64_t */
+option_parse_fn option_size;   /* struct option_size, "WxH", both in [lowest, highest] */
+option_parse_fn option_stem;   /* const char *: the beginning of file names */
+
+enum options_outcome {
+    OPTIONS_RUN,
+    OPTIONS_HELP, /* the help was asked for and printed */
+    OPTIONS_BAD   /* one line on stderr told why */
+};
+
+/* Fills `values` with the defaults, then with what `argv` holds. */
+enum options_outcome options_parse(const struct option_table *table, int argc, char **argv,
+                                   void *values);
+
+#endif
