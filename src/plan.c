@@ -11,7 +11,7 @@
 #error "scarp promises the same bits everywhere: build it without -ffast-math"
 #endif
 #if FLT_EVAL_METHOD != 0
-#error "scarp needs float arithmetic in float: on 32-bit x86 build with -msse2 -mfpmath=sse"
+#error "scarp needs float arithmetic in float: 32-bit x86: -msse2 -mfpmath=sse; s390x with gcc: -fexcess-precision=fast"
 #endif
 
 /* Every f_k within these bounds, and |amplitude| <= 2^24, keep a_k f_k^2 times the largest second
@@ -23,9 +23,11 @@
 #define AMPLITUDE_MAX 0x1p24
 
 /*
- * The head-room for rounding. A computed basis exceeds its supremum by at most 2^-19 relative
- * (some 20 operations, each 2^-24 of values below 2), and a sum of 32 octaves adds 32 roundings of
- * 2^-24: together less than 2^-17.
+ * The head-room for rounding. With corner values in [-1, 1], one interpolation a + u (b - a) errs
+ * by at most 2 (2^-23 + 2^-24) (u exceeds 1 by up to 2^-23; the difference of two values of at most
+ * 2) plus two roundings of 2^-24: at most 5 * 2^-23 in all. Three of them nested, and a few
+ * roundings of the dot products and lines before, stay below 20 * 2^-23 = 2.4e-6; the sum of 32
+ * octaves adds at most 32 * 2^-24 = 1.9e-6. Together that is less than 2^-17 = 7.6e-6.
  */
 #define HEADROOM (1.0 - 0x1p-17)
 
@@ -90,7 +92,7 @@ enum scarp_status scarp_plan_check(const struct scarp_noise *noise)
         return SCARP_ERROR_ENUM;
     }
     const struct parameters p = parameters_of(noise);
-    if (!within(p.octaves, FLT_MIN, SCARP_MAX_OCTAVES) ||
+    if (!within(p.octaves, 0.0, SCARP_MAX_OCTAVES) ||
         !within(p.frequency, FREQUENCY_MIN, FREQUENCY_MAX) ||
         !within(p.lacunarity, RATIO_MIN, RATIO_MAX) || !within(p.gain, RATIO_MIN, RATIO_MAX) ||
         !within(p.amplitude, -AMPLITUDE_MAX, AMPLITUDE_MAX)) {

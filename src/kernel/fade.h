@@ -14,7 +14,8 @@ struct fade {
 };
 
 /* quintic: u = 6t^5 - 15t^4 + 10t^3   u' = 30 t^2 (t-1)^2   u'' = 60 t (t-1) (2t-1)
- * cubic:   u = 3t^2 - 2t^3            u' = 6 t (1-t)        u'' = 6 - 12t             */
+ * cubic:   u = 3t^2 - 2t^3            u' = 6 t (1-t)        u'' = 6 - 12t
+ * The quintic in a form where nothing cancels: see scalar/fade.h. */
 VEC_INLINE struct fade fade(enum scarp_fade kind, vf t)
 {
     const vf s = t - 1.0f;
@@ -22,7 +23,7 @@ VEC_INLINE struct fade fade(enum scarp_fade kind, vf t)
     struct fade f;
     f.s = s;
     if (kind == SCARP_QUINTIC) {
-        f.u = t * t * t * (t * (t * 6.0f - 15.0f) + 10.0f);
+        f.u = t * t * t * (s * (t * 6.0f - 9.0f) + 1.0f);
         f.du = 30.0f * (ts * ts);
         f.ddu = 60.0f * ts * (t + s);
     } else {

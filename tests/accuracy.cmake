@@ -1,0 +1,20 @@
+# SPDX-License-Identifier: MIT
+# The library against an independent oracle in double precision, and the oracle against published
+# values and differences.
+
+# Many points for the reference, fewer for each kernel that test_bits holds to it. Emulated
+# processors are about 100 times slower.
+set(accuracy_points_full 100000)
+set(accuracy_points 20000)
+if(CMAKE_CROSSCOMPILING_EMULATOR)
+  set(accuracy_points_full 5000)
+  set(accuracy_points 1000)
+endif()
+
+set(accuracy_oracle oracle.c oracle_basis.c)
+scarp_test_program(oracle_check SOURCES ${accuracy_oracle} oracle_perlin.c)
+scarp_add_test(accuracy.oracle accuracy oracle_check)
+
+scarp_test_program(test_accuracy SOURCES ${accuracy_oracle})
+scarp_add_test(accuracy.full accuracy test_accuracy ${accuracy_points_full} scalar)
+scarp_add_isa_tests(accuracy accuracy test_accuracy ${accuracy_points})

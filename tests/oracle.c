@@ -1,0 +1,257 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * What scarp defines, in double precision: the lattice and its hash, the octaves' keys, offsets,
+ * frequencies and axes, the normalisation, the positions, and the sum.
+ */
+#include "oracle.h"
+
+#include <math.h>
+
+/* The numbers that the definition of the lattice is made of. */
+static const uint32_t hash_axis_multiplier[3] = {0x2bd2d699, 0x6184ecd3, 0x80db8a39};
+static const uint32_t hash_yz_multiplier = 0x4966636d;
+static const uint32_t hash_join_multiplier = 0xa8508a35;
+static const int hash_shift = 14;
+
+/* Half of the 16 edges of improved noise; the other half has x and z turned around. */
+static const signed char edges[8][3] = {{1, 1, 0}, {1, -1, 0}, {0, 1, 1}, {0, -1, 1},
+                                        {1, 0, 1}, {1, 0, -1}, {1, 1, 0}, {0, -1, 1}};
+
+#define DEGREE (3.14159265358979323846 / 180.0)
+
+double oracle_gradient_supremum(int dimensions, enum scarp_fade fade)
+{
+    if (dimensions == 2) {
+        return fade == SCARP_QUINTIC ? 0.69535270367848662 : 0.69580995165323791;
+    }
+    return fade == SCARP_QUINTIC ? 1.0363538112118029 : 1.0449051896098760;
+}
+
+void oracle_gradient_vector(int dimensions, unsigned index, double vector[3])
+{
+    if (dimensions == 2) {
+        /* A direction of the first quadrant; bit 3 mirrors x, bit 0 mirrors y. */
+        const double angle = (11.25 + 22.5 * (double)(index >> 1 & 3)) * DEGREE;
+        vector[0] = index & 8 ? -cos(angle) : cos(angle);
+        vector[1] = index & 1 ? -sin(angle) : sin(angle);
+        vector[2] = 0.0;
+    } else {
+        const signed char *const edge = edges[index & 7];
+        const double turn = index & 8 ? -1.0 : 1.0;
+        vector[0] = turn * edge[0];
+        vector[1] = edge[1];
+        vector[2] = turn * edge[2];
+    }
+}
+
+/* An octave's lattice, as the oracle_draw functions get it. */
+struct lattice {
+    const uint32_t *key;
+    int dimensions;
+    const double (*gradient)[3];
+};
+
+static uint32_t hash(const struct lattice *lattice, const uint32_t point[3])
+{
+    uint32_t axis[3] = {0, 0, 0};
+    for (int i = 0; i < lattice->dimensions; i++) {
+        axis[i] = point[i] * hash_axis_multiplier[i] + lattice->key[i];
+        axis[i] ^= axis[i] >> hash_shift;
+    }
+    const uint32_t rest =
+        lattice->dimensions == 2 ? axis[1] : (axis[1] ^ axis[2]) * hash_yz_multiplier;
+    return (axis[0] ^ rest) * hash_join_multiplier;
+}
+
+static void draw_gradient(const void *opaque, const uint32_t point[3], double corner[3])
+{
+    const struct lattice *const lattice = opaque;
+    const double *const gradient = lattice->gradient[hash(lattice, point) >> 28];
+    corner[0] = gradient[0];
+    corner[1] = gradient[1];
+    corner[2] = gradient[2];
+}
+
+/* The top 24 bits as a signed number, in units of 2^-23. */
+static void draw_value(const void *opaque, const uint32_t point[3], double corner[3])
+{
+    const double top = (double)(hash(opaque, point) >> 8);
+    corner[0] = (top >= 0x1p23 ? top - 0x1p24 : top) * 0x1p-23;
+}
+
+double oracle_lattice_value(const struct oracle *oracle, int k, const uint32_t point[3])
+{
+    const struct lattice lattice = {.key = oracle->octave[k].key, .dimensions = oracle->dimensions};
+    double corner[3];
+    draw_value(&lattice, point, corner);
+    return corner[0];
+}
+
+/* The generator splitmix64: its next number. */
+static uint64_t next(uint64_t *state)
+{
+    *state += 0x9e3779b97f4a7c15;
+    uint64_t z = *state;
+    z ^= z >> 30;
+    z *= 0xbf58476d1ce4e5b9;
+    z ^= z >> 27;
+    z *= 0x94d049bb133111eb;
+    return z ^ z >> 31;
+}
+
+/* Octave k takes the numbers 3k, 3k + 1 and 3k + 2 of the generator that the first number of the
+   seed's own generator starts. */
+static void draw_octave(struct oracle_octave *octave, uint64_t seed, int k)
+{
+    uint64_t state = next(&seed);
+    for (int skipped = 0; skipped < 3 * k; skipped++) {
+        next(&state);
+    }
+    const uint64_t first = next(&state), second = next(&state), third = next(&state);
+    octave->key[0] = (uint32_t)first;
+    octave->key[1] = (uint32_t)(first >> 32);
+    octave->key[2] = (uint32_t)second;
+    octave->offset[0] = k == 0 ? 0.0 : ldexp((double)(second >> 40), -24);
+    octave->offset[1] = k == 0 ? 0.0 : ldexp((double)(third % (1 << 24)), -24);
+    octave->offset[2] = k == 0 ? 0.0 : ldexp((double)(third >> 40), -24);
+}
+
+/* axes = turn * axes, the turn between octaves as in scarp.h. */
+static void turn_axes(double axes[3][3], int dimensions)
+{
+    static const double plane[3][3] = {{0.8, -0.6, 0}, {0.6, 0.8, 0}, {0, 0, 1}};
+    static const double space[3][3] = {{0, 0.8, 0.6}, {-0.8, 0.36, -0.48}, {-0.6, -0.48, 0.64}};
+    const double(*const turn)[3] = dimensions == 2 ? plane : space;
+    for (int column = 0; column < 3; column++) {
+        const double x = axes[0][column], y = axes[1][column], z = axes[2][column];
+        for (int row = 0; row < 3; row++) {
+            axes[row][column] = turn[row][0] * x + turn[row][1] * y + turn[row][2] * z;
+        }
+    }
+}
+
+void oracle_make(struct oracle *oracle, const struct scarp_noise *noise, int dimensions)
+{
+    const double octaves = noise->octaves != 0.0f ? (double)noise->octaves : 1.0;
+    const double lacunarity = noise->lacunarity != 0.0f ? (double)noise->lacunarity : 2.0;
+    const double gain = noise->gain != 0.0f ? (double)noise->gain : 0.5;
+    const double amplitude = noise->amplitude != 0.0f ? (double)noise->amplitude : 1.0;
+    const double frequency = noise->frequency != 0.0 ? noise->frequency : 1.0;
+    oracle->basis = noise->basis;
+    oracle->fade = noise->fade;
+    oracle->dimensions = dimensions;
+    oracle->octaves = (int)ceil(octaves);
+    oracle->supremum =
+        noise->basis == SCARP_GRADIENT ? oracle_gradient_supremum(dimensions, noise->fade) : 1.0;
+    for (unsigned i = 0; i < 16; i++) {
+        oracle_gradient_vector(dimensions, i, oracle->gradient[i]);
+    }
+    double turns[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    double sum = 0.0;
+    for (int k = 0; k < oracle->octaves; k++) {
+        struct oracle_octave *const octave = &oracle->octave[k];
+        draw_octave(octave, noise->seed, k);
+        octave->frequency = k == 0 ? frequency : octave[-1].frequency * lacunarity;
+        octave->weight = pow(gain, k);
+        if (k == oracle->octaves - 1 && octaves != floor(octaves)) {
+            octave->weight *= octaves - floor(octaves);
+        }
+        sum += octave->weight;
+        for (int i = 0; i < 3; i++) {
+            for (int j = 0; j < 3; j++) {
+                octave->axes[i][j] = octave->frequency * turns[i][j];
+            }
+        }
+        if (noise->rotate != 0) {
+            turn_axes(turns, dimensions);
+        }
+    }
+    for (int k = 0; k < oracle->octaves; k++) {
+        oracle->octave[k].weight *= amplitude * (1.0 - 0x1p-17) / sum;
+    }
+}
+
+/* p_k = J_k x + o_k along axis i: cell and fraction. */
+static void place(const struct oracle_octave *octave, int dimensions, enum oracle_rounding rounding,
+                  const double x[3], int i, uint32_t *cell, double *t)
+{
+    double p, lower;
+    if (rounding == ORACLE_F32) {
+        float sum = (float)octave->axes[i][0] * (float)x[0];
+        for (int j = 1; j < dimensions; j++) {
+            sum += (float)octave->axes[i][j] * (float)x[j];
+        }
+        sum += (float)octave->offset[i];
+        p = (double)sum;
+        if (!(p >= -0x1p31 && p < 0x1p31)) {
+            *cell = 0x80000000;
+            *t = 0.0;
+            return;
+        }
+    } else {
+        p = octave->axes[i][0] * x[0];
+        for (int j = 1; j < dimensions; j++) {
+            p += octave->axes[i][j] * x[j];
+        }
+        p += octave->offset[i];
+    }
+    lower = floor(p);
+    *cell = (uint32_t)(int64_t)lower;
+    *t = rounding == ORACLE_EXACT ? p - lower : (double)(float)(p - lower);
+}
+
+/* sum += a n: the gradient gains a J^T g, the Hessian a J^T H J. */
+static void add_octave(struct oracle_sample *sum, double a, const double axes[3][3], int dimensions,
+                       const struct oracle_sample *n)
+{
+    sum->value += a * n->value;
+    for (int i = 0; i < dimensions; i++) {
+        for (int j = 0; j < dimensions; j++) {
+            sum->gradient[i] += a * axes[j][i] * n->gradient[j];
+            for (int l = 0; l < dimensions; l++) {
+                for (int m = 0; m < dimensions; m++) {
+                    sum->hessian[i][j] += a * axes[l][i] * n->hessian[l][m] * axes[m][j];
+                }
+            }
+        }
+    }
+}
+
+void oracle_evaluate(const struct oracle *oracle, enum oracle_rounding rounding, const double x[3],
+                     struct oracle_sample *sum)
+{
+    struct lattice lattice = {.dimensions = oracle->dimensions, .gradient = oracle->gradient};
+    *sum = (struct oracle_sample){.value = 0.0};
+    for (int k = 0; k < oracle->octaves; k++) {
+        const struct oracle_octave *const octave = &oracle->octave[k];
+        uint32_t cell[3] = {0, 0, 0};
+        double t[3] = {0.0, 0.0, 0.0};
+        for (int i = 0; i < oracle->dimensions; i++) {
+            place(octave, oracle->dimensions, rounding, x, i, &cell[i], &t[i]);
+        }
+        lattice.key = octave->key;
+        struct oracle_sample n;
+        if (oracle->basis == SCARP_GRADIENT) {
+            oracle_gradient_noise(draw_gradient, &lattice, oracle->dimensions, oracle->fade, cell,
+                                  t, &n);
+        } else {
+            oracle_value_noise(draw_value, &lattice, oracle->dimensions, oracle->fade, cell, t, &n);
+        }
+        add_octave(sum, octave->weight / oracle->supremum, octave->axes, oracle->dimensions, &n);
+    }
+}
+
+double oracle_clearance(const struct oracle *oracle, const double x[3])
+{
+    double clearance = 1.0;
+    for (int k = 0; k < oracle->octaves; k++) {
+        const struct oracle_octave *const octave = &oracle->octave[k];
+        for (int i = 0; i < oracle->dimensions; i++) {
+            uint32_t cell;
+            double t;
+            place(octave, oracle->dimensions, ORACLE_EXACT, x, i, &cell, &t);
+            clearance = fmin(clearance, fmin(t, 1.0 - t) / octave->frequency);
+        }
+    }
+    return clearance;
+}

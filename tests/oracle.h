@@ -1,0 +1,78 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The oracle: scarp's noise again, in double precision, from the published closed forms and the
+ * definition in scarp.h. It shares no code with src/. oracle.c has what scarp defines (lattice,
+ * octaves), oracle_basis.c the published formulas, oracle_perlin.c another lattice that the same
+ * formulas can be fed with. Included by the tests that compare with it.
+ */
+#ifndef SCARP_TESTS_ORACLE_H
+#define SCARP_TESTS_ORACLE_H
+
+#include "scarp.h"
+
+#define ORACLE_OCTAVES 32
+
+/* What is rounded to float before the double arithmetic begins. The position of a point decides
+   which function value is asked for; reproducing how the calls round it leaves the error of the
+   evaluation as the only difference. */
+enum oracle_rounding {
+    ORACLE_EXACT, /* nothing: p_k and its fraction are double */
+    ORACLE_F32,   /* as the float calls: J_k, o_k, every operation of p_k, and the fraction */
+    ORACLE_F64    /* as the _f64 calls: p_k is double, its fraction is rounded to float */
+};
+
+/* Value, gradient and Hessian. In 2D whatever has a z is 0. */
+struct oracle_sample {
+    double value, gradient[3], hessian[3][3];
+};
+
+struct oracle_octave {
+    uint32_t key[3];
+    double weight;     /* a_k, without the normalisation of the basis */
+    double frequency;  /* f_k */
+    double axes[3][3]; /* J_k */
+    double offset[3];  /* o_k */
+};
+
+struct oracle {
+    enum scarp_basis basis;
+    enum scarp_fade fade;
+    int dimensions, octaves;
+    double supremum;        /* of |basis|, which scarp divides by */
+    double gradient[16][3]; /* what the lattice draws from, by the top four bits of the hash */
+    struct oracle_octave octave[ORACLE_OCTAVES];
+};
+
+/* A drawn lattice: the gradient at an integer point, or in corner[0] the value. Coordinates are
+   modulo 2^32; in 2D point[2] is 0. */
+typedef void oracle_draw(const void *lattice, const uint32_t point[3], double corner[3]);
+
+/* The supremum of |gradient noise| by which scarp divides. test_range.c proves it. */
+double oracle_gradient_supremum(int dimensions, enum scarp_fade fade);
+
+/* Number `index` of the 16 gradients. */
+void oracle_gradient_vector(int dimensions, unsigned index, double vector[3]);
+
+/* The value that the lattice of octave k draws at an integer point, in [-1, 1). */
+double oracle_lattice_value(const struct oracle *oracle, int k, const uint32_t point[3]);
+
+void oracle_make(struct oracle *oracle, const struct scarp_noise *noise, int dimensions);
+
+void oracle_evaluate(const struct oracle *oracle, enum oracle_rounding rounding, const double x[3],
+                     struct oracle_sample *sum);
+
+/* How far x is from the nearest lattice plane of any octave, in units of input (at most). */
+double oracle_clearance(const struct oracle *oracle, const double x[3]);
+
+/* oracle_basis.c: one octave on a cell of a lattice, t being the position inside, in [0, 1]. */
+void oracle_value_noise(oracle_draw *draw, const void *lattice, int dimensions,
+                        enum scarp_fade fade, const uint32_t cell[3], const double t[3],
+                        struct oracle_sample *n);
+void oracle_gradient_noise(oracle_draw *draw, const void *lattice, int dimensions,
+                           enum scarp_fade fade, const uint32_t cell[3], const double t[3],
+                           struct oracle_sample *n);
+
+/* oracle_perlin.c: the lattice of improved noise (Perlin 2002). `lattice` is not used. */
+oracle_draw oracle_perlin_gradient;
+
+#endif

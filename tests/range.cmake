@@ -1,0 +1,11 @@
+# SPDX-License-Identifier: MIT
+# The guaranteed ranges: proofs of the suprema, and searches that try to leave the ranges. Emulated
+# processors are about 100 times slower.
+
+set(range_points 10000000)
+if(CMAKE_CROSSCOMPILING_EMULATOR)
+  set(range_points 50000)
+endif()
+
+scarp_test_program(test_range SOURCES oracle.c oracle_basis.c)
+scarp_add_test(range range test_range ${range_points})

@@ -1,0 +1,469 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The guaranteed ranges. First the suprema of gradient noise, by which the library divides
+ * (test_accuracy.c checks that it does): a proof by branch and bound. Then searches that try to
+ * leave the interval of scarp_range: maximisers, extreme lattice values, random points.
+ * Argument: the number of points per search.
+ */
+#include "check.h"
+#include "oracle.h"
+
+static const char *const fade_names[] = {"quintic", "cubic"};
+
+/*
+ * Gradient noise in a cell is n_G(t) = sum_c W_c(t) g_c . (t - c) over the corners c, G being the
+ * choice of their gradients. Each corner is free, so the supremum is that of
+ *     S(t) = max_G n_G(t) = sum_c W_c(t) max_g g . (t - c).
+ * The set of gradients is closed under a change of sign of each component. Hence -S is the infimum,
+ * and S is symmetric about the middle of the cell along each axis: t in [0, 1/2]^d is enough.
+ *
+ * On a box with centre m and half-size h, Taylor's theorem bounds every n_G:
+ *     n_G(t) <= n_G(m) + h sum_i |d_i n_G(m)| + K h^2 / 2,       K >= sum_ij |d_ij n_G|.
+ * The sum of absolute values is the largest sum_i s_i d_i n_G(m) over the 2^d choices of signs s;
+ * for given signs the expression is a sum of terms of one corner each, so the maximum over G is
+ * taken corner by corner, although there are 16^(2^d) choices.
+ *
+ * K: W_c is a product of fades u or 1 - u. With U and V the largest |u'| and |u''|, and over the
+ * corners of one axis sum |w'| = 2 |u'| and sum w = 1,
+ *     sum_c |d_i W_c| <= 2 U,   sum_c |d_ii W_c| <= 2 V,   sum_c |d_ij W_c| <= 4 U^2.
+ * With L the largest |g . (t - c)| and 1 >= every component of g, the product rule gives
+ *     |d_ii n| <= 2 V L + 4 U        |d_ij n| <= 4 U^2 L + 4 U.
+ * Roundings in double are below 1e-14 and of no account.
+ */
+struct proof {
+    int dimensions;
+    enum scarp_fade fade;
+    double gradient[16][3];
+    double curvature; /* K */
+    double limit;     /* what is to be proven an upper bound */
+    long boxes;
+    int depth; /* of the smallest box */
+};
+
+static double second_derivatives(int dimensions, enum scarp_fade fade)
+{
+    const double d = dimensions;
+    const double u = fade == SCARP_QUINTIC ? 15.0 / 8.0 : 3.0 / 2.0;       /* at t = 1/2 */
+    const double v = fade == SCARP_QUINTIC ? 10.0 / sqrt(3.0) : 6.0;       /* 1/2 +- sqrt(3)/6; 0 */
+    const double l = dimensions == 2 ? sqrt(2.0) /* unit vectors */ : 2.0; /* two components */
+    return d * (2.0 * v * l + 4.0 * u) + d * (d - 1.0) * (4.0 * u * u * l + 4.0 * u);
+}
+
+static void fade_at(enum scarp_fade fade, double t, double *u, double *du)
+{
+    *u =
+        fade == SCARP_QUINTIC ? t * t * t * (t * (t * 6.0 - 15.0) + 10.0) : t * t * (3.0 - 2.0 * t);
+    *du = fade == SCARP_QUINTIC ? 30.0 * t * t * (t - 1.0) * (t - 1.0) : 6.0 * t * (1.0 - t);
+}
+
+/* The largest n_G(m) + h sum_i |d_i n_G(m)| over all G; with h = 0 this is S(m). */
+static double first_order(const struct proof *proof, const double m[3], double h)
+{
+    const int d = proof->dimensions;
+    double weight[3][2], slope[3][2], sums[8] = {0.0};
+    for (int i = 0; i < d; i++) {
+        fade_at(proof->fade, m[i], &weight[i][1], &slope[i][1]);
+        weight[i][0] = 1.0 - weight[i][1];
+        slope[i][0] = -slope[i][1];
+    }
+    for (int corner = 0; corner < 1 << d; corner++) {
+        double w = 1.0, dw[3] = {1.0, 1.0, 1.0}, best[8];
+        for (int i = 0; i < d; i++) {
+            const int side = corner >> i & 1;
+            w *= weight[i][side];
+            for (int j = 0; j < d; j++) {
+                dw[j] *= i == j ? slope[i][side] : weight[i][side];
+            }
+        }
+        for (int k = 0; k < 16; k++) {
+            const double *const g = proof->gradient[k];
+            double dot = 0.0, along[3];
+            for (int i = 0; i < d; i++) {
+                dot += g[i] * (m[i] - (double)(corner >> i & 1));
+            }
+            for (int i = 0; i < d; i++) {
+                along[i] = h * (dw[i] * dot + w * g[i]);
+            }
+            for (int signs = 0; signs < 1 << d; signs++) {
+                double term = w * dot;
+                for (int i = 0; i < d; i++) {
+                    term += signs >> i & 1 ? along[i] : -along[i];
+                }
+                best[signs] = k == 0 || term > best[signs] ? term : best[signs];
+            }
+        }
+        for (int signs = 0; signs < 1 << d; signs++) {
+            sums[signs] += best[signs];
+        }
+    }
+    double largest = sums[0];
+    for (int signs = 1; signs < 1 << d; signs++) {
+        largest = fmax(largest, sums[signs]);
+    }
+    return largest;
+}
+
+/* Whether S <= limit on the box: by the bound, or because it holds on the 2^d parts. */
+static int bounded(struct proof *proof, const double m[3], double h, int depth)
+{
+    proof->boxes++;
+    proof->depth = depth > proof->depth ? depth : proof->depth;
+    if (first_order(proof, m, h) + 0.5 * proof->curvature * h * h <= proof->limit) {
+        return 1;
+    }
+    if (h < 1e-3 && first_order(proof, m, 0.0) > proof->limit) {
+        return 0; /* the claim is wrong */
+    }
+    if (h < 1e-10) {
+        return 0; /* the slack is too small for doubles */
+    }
+    for (int part = 0; part < 1 << proof->dimensions; part++) {
+        double centre[3] = {0.0, 0.0, 0.0};
+        for (int i = 0; i < proof->dimensions; i++) {
+            centre[i] = m[i] + (part >> i & 1 ? 0.5 : -0.5) * h;
+        }
+        if (!bounded(proof, centre, 0.5 * h, depth + 1)) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+/* Where S has its maximum, to the digits that src/plan.c states. */
+static const double *maximiser(int dimensions, enum scarp_fade fade)
+{
+    static const double at[2][2][3] = {{{0.5, 0.5266}, {0.4667, 0.5}},
+                                       {{0.5185, 0.5, 0.3553}, {0.5, 0.5236, 0.6756}}};
+    return at[dimensions - 2][fade];
+}
+
+/* The local maximum of S next to t, by pattern search: moves t there. */
+static double climb_supremum(const struct proof *proof, double t[3])
+{
+    double best = first_order(proof, t, 0.0);
+    for (double step = 0x1p-14; step > 0x1p-30;) {
+        int moved = 0;
+        for (int direction = 0; direction < 2 * proof->dimensions; direction++) {
+            double there[3] = {t[0], t[1], t[2]};
+            there[direction / 2] += direction % 2 == 0 ? step : -step;
+            const double value = first_order(proof, there, 0.0);
+            if (value > best) {
+                best = value;
+                memcpy(t, there, sizeof there);
+                moved = 1;
+            }
+        }
+        step *= moved ? 1.0 : 0.5;
+    }
+    return best;
+}
+
+/* Draws the gradients, and checks that they are closed under a change of sign of components. */
+static void draw_gradients(struct proof *proof)
+{
+    for (unsigned k = 0; k < 16; k++) {
+        oracle_gradient_vector(proof->dimensions, k, proof->gradient[k]);
+    }
+    for (int k = 0; k < 16 * proof->dimensions; k++) {
+        const double *const g = proof->gradient[k % 16];
+        const int axis = k / 16;
+        int found = 0;
+        for (int other = 0; other < 16; other++) {
+            double distance = 0.0;
+            for (int i = 0; i < proof->dimensions; i++) {
+                const double mirrored = i == axis ? -g[i] : g[i];
+                distance += fabs(proof->gradient[other][i] - mirrored);
+            }
+            found |= distance < 1e-15;
+        }
+        CHECK(found, "gradient %d has no mirror image along axis %d", k % 16, axis);
+    }
+}
+
+static void prove_supremum(int dimensions, enum scarp_fade fade, double slack)
+{
+    const double claimed = oracle_gradient_supremum(dimensions, fade);
+    struct proof proof = {.dimensions = dimensions,
+                          .fade = fade,
+                          .curvature = second_derivatives(dimensions, fade),
+                          .limit = claimed * (1.0 + slack)};
+    draw_gradients(&proof);
+    const double centre[3] = {0.25, 0.25, 0.25};
+    const int proven = bounded(&proof, centre, 0.25, 0);
+    double t[3];
+    const double *const stated = maximiser(dimensions, fade);
+    memcpy(t, stated, sizeof t);
+    const double reached = climb_supremum(&proof, t);
+    printf("supremum %dD %-7s %.16g: %s within %g by %ld boxes down to 2^-%d; reached within %.0e "
+           "at (%.6f, %.6f, %.6f)\n",
+           dimensions, fade_names[fade], claimed, proven ? "proven" : "NOT PROVEN", slack,
+           proof.boxes, proof.depth + 1, fabs(1.0 - reached / claimed), t[0], t[1], t[2]);
+    CHECK(proven, "%.17g (1 + %g) is not a bound", claimed, slack);
+    CHECK(reached >= claimed * (1.0 - 1e-13), "only %.17g is reached", reached);
+    for (int i = 0; i < dimensions; i++) {
+        CHECK(fabs(t[i] - stated[i]) <= 1e-4, "the maximum is at %.17g, not %g", t[i], stated[i]);
+    }
+}
+
+#define BLOCK 1000
+#define KEPT 24
+
+/* A search for extreme values of one noise. */
+struct search {
+    struct scarp_noise noise;
+    int dimensions;
+    float lowest, highest; /* from scarp_range */
+    long samples;
+    int kept;
+    struct {
+        float magnitude;
+        double x[3];
+    } best[KEPT]; /* unordered; the smallest magnitude is at `weakest` */
+    int weakest;
+};
+
+static double points[3][BLOCK];
+static float values[BLOCK];
+
+static struct search begin(const struct scarp_noise *noise, int dimensions)
+{
+    struct search search = {.noise = *noise, .dimensions = dimensions};
+    const float amplitude = noise->amplitude == 0.0f ? 1.0f : fabsf(noise->amplitude);
+    CHECK(scarp_range(noise, dimensions, &search.lowest, &search.highest) == SCARP_OK, "refused");
+    CHECK(search.lowest == -amplitude && search.highest == amplitude, "[%g, %g] for amplitude %g",
+          (double)search.lowest, (double)search.highest, (double)noise->amplitude);
+    return search;
+}
+
+static void keep(struct search *search, size_t i)
+{
+    const int slot = search->kept < KEPT ? search->kept++ : search->weakest;
+    search->best[slot].magnitude = fabsf(values[i]);
+    for (int axis = 0; axis < 3; axis++) {
+        search->best[slot].x[axis] = points[axis][i];
+    }
+    search->weakest = 0;
+    for (int k = 1; k < search->kept; k++) {
+        if (search->best[k].magnitude < search->best[search->weakest].magnitude) {
+            search->weakest = k;
+        }
+    }
+}
+
+/* Samples the first `count` points: all values must be within the range. Keeps the largest. */
+static void probe(struct search *search, size_t count)
+{
+    const struct scarp_samples out = {.value = values};
+    const enum scarp_status status =
+        search->dimensions == 2
+            ? scarp_sample2_f64(&search->noise, count, points[0], points[1], &out)
+            : scarp_sample3_f64(&search->noise, count, points[0], points[1], points[2], &out);
+    CHECK(status == SCARP_OK, "%s", scarp_status_text(status));
+    size_t outside = 0, last = 0;
+    for (size_t i = 0; i < count; i++) {
+        if (!(values[i] >= search->lowest && values[i] <= search->highest)) { /* or NaN */
+            outside++;
+            last = i;
+        }
+    }
+    CHECK(outside == 0, "%zu values outside: %.9g at (%.17g, %.17g, %.17g)", outside,
+          (double)values[last], points[0][last], points[1][last], points[2][last]);
+    search->samples += (long)count;
+}
+
+static void probe_and_keep(struct search *search, size_t count)
+{
+    probe(search, count);
+    for (size_t i = 0; i < count; i++) {
+        if (search->kept < KEPT || fabsf(values[i]) > search->best[search->weakest].magnitude) {
+            keep(search, i);
+        }
+    }
+}
+
+/* From each kept point to the local extreme, by pattern search. The largest magnitude found. */
+static float climb(struct search *search)
+{
+    float largest = 0.0f;
+    const size_t neighbours = 2 * (size_t)search->dimensions;
+    for (int k = 0; k < search->kept; k++) {
+        double *const x = search->best[k].x;
+        for (double step = 0x1p-6; step > 0x1p-24;) {
+            for (size_t i = 0; i < neighbours; i++) {
+                for (size_t axis = 0; axis < 3; axis++) {
+                    const double move = i % 2 == 0 ? step : -step;
+                    points[axis][i] = x[axis] + (axis == i / 2 ? move : 0.0);
+                }
+            }
+            probe(search, neighbours);
+            size_t best = 0;
+            for (size_t i = 1; i < neighbours; i++) {
+                best = fabsf(values[i]) > fabsf(values[best]) ? i : best;
+            }
+            if (fabsf(values[best]) > search->best[k].magnitude) {
+                search->best[k].magnitude = fabsf(values[best]);
+                x[best / 2] += best % 2 == 0 ? step : -step;
+            } else {
+                step *= 0.5;
+            }
+        }
+        largest = fmaxf(largest, search->best[k].magnitude);
+    }
+    return largest;
+}
+
+/* `reachable` is a fraction of the range that a search of this size is known to reach. */
+static void report(struct search *search, const char *name, double reachable)
+{
+    const float largest = climb(search);
+    const double fraction = (double)largest / (double)search->highest;
+    printf("%-44s %dD %-7s: |value| up to %.9f of the range, %ld samples\n", name,
+           search->dimensions, fade_names[search->noise.fade], fraction, search->samples);
+    CHECK(fraction >= reachable, "only %g of the range was reached, not %g", fraction, reachable);
+}
+
+/*
+ * Gradient noise at the maximiser of S and its images under the symmetries of the cell, in many
+ * cells: those whose corners happen to have (nearly) the gradients that maximise there are kept.
+ * In 2D one cell in 16^4 has the very pattern; in 3D one in some 12^8 per image, so that only a
+ * search of 10^8 samples is likely to meet it.
+ */
+static void search_maximisers(int dimensions, enum scarp_fade fade, long samples, double reachable)
+{
+    const double *const t = maximiser(dimensions, fade);
+    const struct scarp_noise noise = {.fade = fade, .seed = 2, .amplitude = -1.0f};
+    struct search search = begin(&noise, dimensions);
+    uint64_t random = 1;
+    while (search.samples < samples) {
+        for (size_t i = 0; i < BLOCK; i++) {
+            const uint64_t image = check_random(&random);
+            const int first = (int)((image >> 8) % (uint64_t)dimensions);
+            const int second =
+                dimensions == 2 ? 1 - first : (first + 1 + (int)(image >> 4 & 1)) % 3;
+            const int axes[3] = {first, second, 3 - first - second};
+            for (int k = 0; k < dimensions; k++) {
+                const double fraction = image >> k & 1 ? t[k] : 1.0 - t[k];
+                points[axes[k]][i] = floor(check_random_double(&random, 0x1p20)) + fraction;
+            }
+        }
+        probe_and_keep(&search, BLOCK);
+    }
+    report(&search, "gradient noise, maximisers", reachable);
+}
+
+/*
+ * Value noise between two neighbours with extreme lattice values: of the same sign, where the
+ * interpolation has no room left, and of opposite sign, where an error of the fade weighs most.
+ */
+static void search_edges(int dimensions, enum scarp_fade fade, long samples)
+{
+    const struct scarp_noise noise = {.basis = SCARP_VALUE, .fade = fade, .seed = 3};
+    struct search search = begin(&noise, dimensions);
+    double edge[2][3] = {{0.0}};
+    float extreme[2] = {0.0f, 0.0f};
+    uint64_t random = 1;
+    while (search.samples < samples) {
+        const double y = floor(check_random_double(&random, 0x1p30));
+        const double z = floor(check_random_double(&random, 0x1p30));
+        for (size_t i = 0; i < BLOCK; i++) {
+            points[0][i] = (double)i;
+            points[1][i] = y;
+            points[2][i] = z;
+        }
+        probe_and_keep(&search, BLOCK);
+        for (size_t i = 0; i + 1 < BLOCK; i++) {
+            const float weaker = fminf(fabsf(values[i]), fabsf(values[i + 1]));
+            const int opposite = (values[i] < 0.0f) != (values[i + 1] < 0.0f);
+            if (weaker > extreme[opposite]) {
+                extreme[opposite] = weaker;
+                for (int axis = 0; axis < 3; axis++) {
+                    edge[opposite][axis] = points[axis][i];
+                }
+            }
+        }
+    }
+    for (int opposite = 0; opposite < 2; opposite++) {
+        for (int block = 0; block < 100; block++) {
+            for (size_t i = 0; i < BLOCK; i++) {
+                /* Half of them within 2^-6 of the ends, beside the edge too. */
+                const double span = i % 2 == 0 ? 0x1p-6 : 1.0;
+                const double along = check_random_double(&random, span);
+                points[0][i] = edge[opposite][0] + (along < 0.0 ? 1.0 + along : along);
+                points[1][i] = edge[opposite][1] + check_random_double(&random, 0x1p-8);
+                points[2][i] = edge[opposite][2] + check_random_double(&random, 0x1p-8);
+            }
+            probe_and_keep(&search, BLOCK);
+        }
+    }
+    report(&search, "value noise, extreme edges", 0.999);
+}
+
+static void search_random(const char *name, const struct scarp_noise *noise, int dimensions,
+                          long samples, double reachable)
+{
+    struct search search = begin(noise, dimensions);
+    uint64_t random = 1;
+    while (search.samples < samples) {
+        for (size_t i = 0; i < BLOCK; i++) {
+            for (int axis = 0; axis < 3; axis++) {
+                points[axis][i] = check_random_double(&random, 0x1p12);
+            }
+        }
+        probe_and_keep(&search, BLOCK);
+    }
+    report(&search, name, reachable);
+}
+
+static void search_all_random(long samples)
+{
+    static const struct {
+        const char *name;
+        struct scarp_noise noise;
+        double reachable; /* at 50,000 samples, in 3D */
+    } cases[] = {
+        {"gradient, 1 octave", {.seed = 1}, 0.7},
+        {"value, 1 octave", {.seed = 1, .basis = SCARP_VALUE}, 0.9},
+        {"gradient, 8 octaves, negative", {.seed = 5, .octaves = 8, .amplitude = -3.7f}, 0.4},
+        {"value, 8 octaves",
+         {.seed = 5, .octaves = 8, .amplitude = 1e6f, .basis = SCARP_VALUE},
+         0.4},
+        {"gradient, 4.5 octaves, cubic, turned",
+         {.octaves = 4.5f, .gain = 0.0625f, .rotate = 1, .fade = SCARP_CUBIC},
+         0.6},
+        {"value, 32 octaves, slow, gain 1, turned",
+         {.octaves = 32, .lacunarity = 1.1f, .gain = 1.0f, .rotate = 1, .basis = SCARP_VALUE},
+         0.3},
+        {"value, a hundredth of an octave, cubic",
+         {.octaves = 0.01f, .amplitude = 0x1p-20f, .basis = SCARP_VALUE, .fade = SCARP_CUBIC},
+         0.9},
+    };
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        /* The first four are those that callers use; the others are slow or odd. */
+        const long n = i < 4 ? samples : samples / 10;
+        search_random(cases[i].name, &cases[i].noise, 2, n, cases[i].reachable);
+        search_random(cases[i].name, &cases[i].noise, 3, n, cases[i].reachable);
+    }
+}
+
+int main(int argc, char **argv)
+{
+    const long samples = argc > 1 ? strtol(argv[1], NULL, 10) : 0;
+    if (samples < BLOCK) {
+        printf("usage: %s SAMPLES (at least %d)\n", argv[0], BLOCK);
+        return EXIT_FAILURE;
+    }
+    /* Fewer than 10^6 samples are asked for on emulated processors: a coarser proof too. */
+    const int emulated = samples < 1000000;
+    for (int i = 0; i < 4; i++) {
+        const int dimensions = i < 2 ? 2 : 3;
+        const enum scarp_fade fade = i % 2 == 0 ? SCARP_QUINTIC : SCARP_CUBIC;
+        prove_supremum(dimensions, fade, emulated ? 1e-6 : 1e-12);
+        search_maximisers(dimensions, fade, dimensions == 2 ? samples : 10 * samples,
+                          dimensions == 3 ? 0.9
+                          : emulated      ? 0.98
+                                          : 0.9999);
+        search_edges(dimensions, fade, samples);
+    }
+    search_all_random(samples);
+    return check_done();
+}
