@@ -1,0 +1,40 @@
+# SPDX-License-Identifier: MIT
+# The promises of scarp.h that are not about the noise itself.
+
+scarp_test_program(test_api)
+scarp_add_isa_tests(api api test_api)
+
+set(special_stride 1)
+if(CMAKE_CROSSCOMPILING_EMULATOR)
+  set(special_stride 11) # emulators are two orders of magnitude slower
+endif()
+scarp_test_program(test_special)
+foreach(isa IN LISTS isas)
+  scarp_add_test(special.${isa} api test_special ${isa} ${special_stride})
+endforeach()
+
+scarp_test_program(test_fpmode)
+scarp_add_isa_tests(fpmode api test_fpmode)
+
+# The same program as a user with -ffast-math has it: denormals are flushed from the start on.
+if(NOT CMAKE_C_COMPILER_FRONTEND_VARIANT STREQUAL "MSVC")
+  add_executable(test_fpmode_fastmath test_fpmode.c)
+  scarp_compile_rules(test_fpmode_fastmath)
+  target_compile_options(test_fpmode_fastmath PRIVATE -ffast-math)
+  target_link_options(test_fpmode_fastmath PRIVATE -ffast-math)
+  target_link_libraries(test_fpmode_fastmath PRIVATE scarp)
+  scarp_add_isa_tests(fpmode_fastmath api test_fpmode_fastmath --started)
+endif()
+
+scarp_test_program(test_memory)
+scarp_add_isa_tests(memory api test_memory)
+
+set(THREADS_PREFER_PTHREAD_FLAG ON)
+find_package(Threads QUIET)
+if(CMAKE_USE_PTHREADS_INIT)
+  scarp_test_program(test_threads)
+  target_link_libraries(test_threads PRIVATE Threads::Threads)
+  scarp_add_test(threads threads test_threads)
+else()
+  message(STATUS "test_threads is left out: no pthreads found")
+endif()

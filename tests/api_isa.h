@@ -1,0 +1,59 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The choice of the instruction set through scarp.h. Part of tests/test_api.c.
+ */
+#ifndef SCARP_TESTS_API_ISA_H
+#define SCARP_TESTS_API_ISA_H
+
+#include <limits.h>
+
+#include "outputs.h"
+
+static inline void test_isa_names(void)
+{
+    static const char *const names[] = {"none", "scalar", "sse4.1", "avx2", "avx512", "neon"};
+    for (int i = 0; i <= SCARP_ISA_NEON; i++) {
+        CHECK(strcmp(scarp_isa_name((enum scarp_isa)i), names[i]) == 0, "%d is named %s", i,
+              scarp_isa_name((enum scarp_isa)i));
+    }
+    static const int unknown[] = {SCARP_ISA_NEON + 1, 1000, INT_MAX, -1, INT_MIN};
+    CHECK(scarp_isa_select(SCARP_ISA_SCALAR) == SCARP_OK, "scalar");
+    for (size_t i = 0; i < sizeof unknown / sizeof unknown[0]; i++) {
+        const enum scarp_isa isa = (enum scarp_isa)unknown[i];
+        CHECK(strcmp(scarp_isa_name(isa), "none") == 0, "%d", unknown[i]);
+        CHECK(!scarp_isa_supported(isa), "%d", unknown[i]);
+        CHECK(scarp_isa_select(isa) == SCARP_ERROR_ENUM, "%d", unknown[i]);
+        CHECK(scarp_isa_active() == SCARP_ISA_SCALAR, "%d changed the choice", unknown[i]);
+    }
+}
+
+/* Must run before anything has selected an instruction set. Leaves the best one selected. */
+static inline void test_isa(void)
+{
+    const enum scarp_isa first = scarp_isa_active();
+    int best = SCARP_ISA_SCALAR, refused = 0; /* of one processor's, a later one is a better one */
+    CHECK(!scarp_isa_supported(SCARP_ISA_NONE), "none is no instruction set");
+    CHECK(scarp_isa_supported(SCARP_ISA_SCALAR), "scalar runs everywhere");
+    for (int i = SCARP_ISA_SCALAR; i <= SCARP_ISA_NEON; i++) {
+        const enum scarp_isa isa = (enum scarp_isa)i;
+        CHECK(scarp_isa_select(SCARP_ISA_SCALAR) == SCARP_OK, "scalar");
+        const enum scarp_status status = scarp_isa_select(isa);
+        if (scarp_isa_supported(isa)) {
+            CHECK(status == SCARP_OK && scarp_isa_active() == isa, "%s", scarp_isa_name(isa));
+            best = i;
+        } else {
+            CHECK(status == SCARP_ERROR_UNSUPPORTED, "%s", scarp_isa_name(isa));
+            CHECK(scarp_isa_active() == SCARP_ISA_SCALAR, "%s changed the choice",
+                  scarp_isa_name(isa));
+            refused++;
+        }
+    }
+    CHECK(refused > 0, "no processor has both SSE and NEON");
+    CHECK((int)first == best, "%s was chosen, not %s", scarp_isa_name(first),
+          scarp_isa_name((enum scarp_isa)best));
+    test_isa_names();
+    CHECK(scarp_isa_select(SCARP_ISA_NONE) == SCARP_OK, "none");
+    CHECK((int)scarp_isa_active() == best, "none leads to %s", scarp_isa_name(scarp_isa_active()));
+}
+
+#endif

@@ -1,0 +1,53 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Memory between two pages that cannot be touched, for tests/test_memory.c. POSIX only; elsewhere
+ * GUARDED_EXISTS is 0. To be included first: it asks the system for more than C11.
+ */
+#ifndef SCARP_TESTS_GUARDED_H
+#define SCARP_TESTS_GUARDED_H
+
+#if !defined(_WIN32) && !defined(__wasm__)
+#define _DEFAULT_SOURCE /* MAP_ANONYMOUS */
+#define _DARWIN_C_SOURCE
+#include <sys/mman.h>
+#include <unistd.h>
+#define GUARDED_EXISTS 1
+#else
+#define GUARDED_EXISTS 0
+#endif
+
+#include <stdio.h>
+#include <stdlib.h>
+
+/* `size` usable bytes from `start` on: whole pages, with a guard page on either side. */
+struct guarded {
+    unsigned char *start;
+    size_t size;
+};
+
+#if GUARDED_EXISTS
+static inline struct guarded guarded_make(size_t bytes)
+{
+    const size_t page = (size_t)sysconf(_SC_PAGESIZE);
+    struct guarded g = {.size = (bytes + page - 1) / page * page};
+    unsigned char *const all =
+        mmap(NULL, g.size + 2 * page, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if ((void *)all == MAP_FAILED || mprotect(all, page, PROT_NONE) != 0 ||
+        mprotect(all + page + g.size, page, PROT_NONE) != 0) {
+        printf("cannot map memory\n");
+        exit(EXIT_FAILURE);
+    }
+    g.start = all + page;
+    return g;
+}
+
+static inline void guarded_protect(const struct guarded *g, int readonly)
+{
+    if (mprotect(g->start, g->size, readonly ? PROT_READ : PROT_READ | PROT_WRITE) != 0) {
+        printf("cannot protect memory\n");
+        exit(EXIT_FAILURE);
+    }
+}
+#endif
+
+#endif

@@ -1,0 +1,10 @@
+# SPDX-License-Identifier: MIT
+# The quality of the lattice hash and of the keys. Emulated processors are about 100 times slower.
+
+set(hash_bits 20)
+if(CMAKE_CROSSCOMPILING_EMULATOR)
+  set(hash_bits 14)
+endif()
+
+scarp_test_program(test_hash INTERNAL)
+scarp_add_test(hash hash test_hash ${hash_bits})

@@ -1,0 +1,233 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The caller's floating-point mode neither changes results nor is changed: flush to zero, denormals
+ * are zero, every rounding direction, unmasked exceptions. Built a second time with -ffast-math,
+ * which makes a program start with denormals flushed.
+ *
+ *     test_fpmode ISA             every mode that can be set here
+ *     test_fpmode --started ISA   only the mode that the program started with, which must flush
+ *                                 denormals
+ *
+ * Numbers are compared by their bits: the second build believes that NaN does not exist.
+ */
+#include "fpmode_set.h"
+#include "outputs.h"
+
+#define POINTS 203
+
+static float x32[3][POINTS];
+static double x64[3][POINTS];
+static const struct inputs in = {{x32[0], x32[1], x32[2]}, {x64[0], x64[1], x64[2]}};
+static struct outputs expected, got;
+
+/* Small powers of two and denormals, where flushing shows; ordinary numbers, where rounding shows;
+   numbers that raise every exception. All by their bits, whatever the mode is. */
+static void make_points(void)
+{
+    static const uint32_t odd[] = {0x7fc00000u, 0x7f800000u, 0xff800000u, 0x7f800001u,
+                                   0x7f7fffffu, 0xff7fffffu, 0x4f000000u, 0x00000001u};
+    uint64_t state = 1;
+    for (int i = 0; i < 3 * POINTS; i++) {
+        const uint64_t r = check_random(&state);
+        const uint32_t sign = (uint32_t)(r >> 63) << 31, fraction = (uint32_t)r & 0x7fffff;
+        const uint64_t fraction64 = r & UINT64_C(0xfffffffffffff);
+        /* exponents: 0 and 1 (denormal and next to it), up to 2^-20; then 2^-3 to 2^9 */
+        const uint32_t exponent = (uint32_t)(r >> 32) % 8 < 3 ? (uint32_t)(r >> 40) % 3
+                                  : (r >> 36 & 1) != 0        ? (uint32_t)(r >> 40) % 108
+                                                              : 124 + (uint32_t)(r >> 40) % 13;
+        uint32_t bits = sign | exponent << 23 | fraction;
+        const uint64_t wide = exponent < 3 ? exponent : exponent + 896;
+        uint64_t bits64 = (uint64_t)sign << 32 | wide << 52 | fraction64;
+        if (r >> 50 & 1 && i % 16 == 0) {
+            bits = odd[i / 16 % 8];
+            bits64 = (uint64_t)bits << 32;
+        }
+        memcpy(&x32[i % 3][i / 3], &bits, sizeof bits);
+        memcpy(&x64[i % 3][i / 3], &bits64, sizeof bits64);
+    }
+}
+
+#define NOISES 5
+
+/* Also one whose constants are denormal: the last octaves of value noise with a small gain. */
+static const struct scarp_noise noises[NOISES] = {
+    {.seed = 1},
+    {.seed = 2, .basis = SCARP_VALUE, .octaves = 32.0f, .lacunarity = 1.25f, .gain = 0.0625f},
+    {.seed = 3, .octaves = 4.5f, .rotate = 1, .frequency = 1.3},
+    {.seed = 4, .frequency = 0x1p-48, .amplitude = 0x1p-126f, .fade = SCARP_CUBIC},
+    {.seed = 5, .octaves = 3.0f, .frequency = 0x1p40, .basis = SCARP_VALUE, .rotate = 1},
+};
+
+/* All calls under `mode`. Nothing in this function computes with floating-point numbers, which
+   could trap; the outputs are looked at by the caller. */
+static __attribute__((noinline)) enum scarp_status
+call_in_mode(const struct mode *mode, const struct scarp_noise *noise, enum function f,
+             const struct outputs *o, struct mode_control *after)
+{
+    const struct scarp_samples out = outputs_subset(o, function_outputs(f));
+    const struct mode_control before = mode_enter(mode);
+    const enum scarp_status status = function_call(f, noise, POINTS, &in, &out);
+    *after = mode_leave(before);
+    return status;
+}
+
+static __attribute__((noinline)) enum scarp_status normals_in_mode(const struct mode *mode,
+                                                                   const float *height_scale,
+                                                                   const struct outputs *o,
+                                                                   struct mode_control *after)
+{
+    const float scale = *height_scale;
+    const struct mode_control before = mode_enter(mode);
+    const enum scarp_status status =
+        scarp_normals(POINTS, x32[0], x32[1], scale, o->array[0], o->array[1], o->array[2]);
+    *after = mode_leave(before);
+    return status;
+}
+
+/* The calls that do not sample. */
+static __attribute__((noinline)) enum scarp_status range_in_mode(const struct mode *mode,
+                                                                 const struct scarp_noise *noise,
+                                                                 float *lowest, float *highest,
+                                                                 struct mode_control *after)
+{
+    const struct mode_control before = mode_enter(mode);
+    enum scarp_status status = scarp_range(noise, 3, lowest, highest);
+    if (!scarp_isa_supported(scarp_isa_active()) || scarp_isa_select(scarp_isa_active())) {
+        status = SCARP_ERROR_UNSUPPORTED;
+    }
+    *after = mode_leave(before);
+    return status;
+}
+
+static void expect_control(const struct mode *mode, const struct mode_control *after,
+                           const char *what)
+{
+    CHECK(mode_is(mode, after), "%s, %s: the mode was changed to %#llx", mode->name, what,
+          (unsigned long long)after->word);
+}
+
+static void compare_outputs(const struct mode *mode, const char *what, unsigned mask)
+{
+    int member = 0;
+    size_t at = 0;
+    CHECK(outputs_equal(&expected, &got, mask, POINTS, &member, &at),
+          "%s, %s: %s[%zu] is %#x, in the default mode %#x", mode->name, what, output_names[member],
+          at, float_bits(got.array[member] + at), float_bits(expected.array[member] + at));
+}
+
+/* Results in `mode` against results in the default mode. */
+static void test_results(const struct mode *mode)
+{
+    struct mode_control after;
+    for (int n = 0; n < NOISES; n++) {
+        for (int i = 0; i < FUNCTIONS; i++) {
+            const enum function f = (enum function)i;
+            outputs_poison(&got);
+            const enum scarp_status a =
+                call_in_mode(&mode_default, &noises[n], f, &expected, &after);
+            const enum scarp_status b = call_in_mode(mode, &noises[n], f, &got, &after);
+            CHECK(a == SCARP_OK && b == SCARP_OK, "%s, %s", mode->name, function_names[f]);
+            expect_control(mode, &after, function_names[f]);
+            compare_outputs(mode, function_names[f], function_outputs(f));
+        }
+    }
+    static const uint32_t scales[] = {0x3f99999au, 0xff7fffffu, 0x00000001u, 0x0da24260u};
+    for (int i = 0; i < 4; i++) {
+        const float scale = float_of_bits(scales[i]);
+        const enum scarp_status a = normals_in_mode(&mode_default, &scale, &expected, &after);
+        const enum scarp_status b = normals_in_mode(mode, &scale, &got, &after);
+        CHECK(a == SCARP_OK && b == SCARP_OK, "%s, scarp_normals", mode->name);
+        expect_control(mode, &after, "scarp_normals");
+        compare_outputs(mode, "scarp_normals", 7);
+    }
+}
+
+/* Bad parameters are refused without a trap, denormal ones are not taken for zero. */
+static void test_errors(const struct mode *mode)
+{
+    struct mode_control after;
+    static const uint32_t bad[] = {0x7fc00000u, 0x7f800000u, 0xff800000u,
+                                   0x7f800001u, 0x7f7fffffu, 0x80000001u};
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
+        const float number = float_of_bits(bad[i]);
+        for (int field = 0; field < 4; field++) {
+            struct scarp_noise noise = {0};
+            float *const fields[4] = {&noise.octaves, &noise.lacunarity, &noise.gain,
+                                      &noise.amplitude};
+            memcpy(fields[field], &number, sizeof number);
+            const int valid = field == 3 && i == 5; /* a denormal amplitude is one */
+            float bounds[2];
+            const enum scarp_status sampled = call_in_mode(mode, &noise, SAMPLE3, &got, &after);
+            expect_control(mode, &after, "bad parameter");
+            const enum scarp_status ranged =
+                range_in_mode(mode, &noise, &bounds[0], &bounds[1], &after);
+            expect_control(mode, &after, "scarp_range");
+            CHECK(sampled == (valid ? SCARP_OK : SCARP_ERROR_PARAMETER) && ranged == sampled,
+                  "%s: field %d = %#x: %s, %s", mode->name, field, bad[i],
+                  scarp_status_text(sampled), scarp_status_text(ranged));
+        }
+        if (i < 4) {
+            const enum scarp_status status = normals_in_mode(mode, &number, &got, &after);
+            CHECK(status == SCARP_ERROR_PARAMETER, "%s: height_scale %#x", mode->name, bad[i]);
+            expect_control(mode, &after, "height_scale");
+        }
+    }
+    const uint64_t signalling = UINT64_C(0x7ff0000000000001), denormal = 1;
+    struct scarp_noise noise = {0};
+    memcpy(&noise.frequency, &signalling, sizeof signalling);
+    CHECK(call_in_mode(mode, &noise, SAMPLE2, &got, &after) == SCARP_ERROR_PARAMETER, "%s",
+          mode->name);
+    memcpy(&noise.frequency, &denormal, sizeof denormal);
+    CHECK(call_in_mode(mode, &noise, SAMPLE2, &got, &after) == SCARP_ERROR_PARAMETER,
+          "%s: a denormal frequency passed for 0", mode->name);
+}
+
+/* One number for everything sampled in `mode`; two builds of this program print the same. */
+static uint64_t hash_in_mode(const struct mode *mode)
+{
+    struct mode_control after;
+    uint64_t hash = FNV_BASIS;
+    for (int n = 0; n < NOISES; n++) {
+        for (int f = 0; f < FUNCTIONS; f++) {
+            call_in_mode(mode, &noises[n], (enum function)f, &got, &after);
+            hash = outputs_hash(hash, &got, function_outputs((enum function)f), POINTS);
+        }
+    }
+    return hash;
+}
+
+int main(int argc, char **argv)
+{
+    const int started = argc > 1 && strcmp(argv[1], "--started") == 0;
+    const struct mode start = mode_started();
+    check_select_isa(argc > 1 + started ? argv[1 + started] : "scalar");
+    expected = outputs_make(POINTS);
+    got = outputs_make(POINTS);
+    make_points();
+    if (started) {
+        if (!mode_flushes(&start)) {
+            printf("the program did not start with denormals flushed: skipped\n");
+            return CHECK_SKIPPED;
+        }
+        test_results(&start);
+        test_errors(&start);
+    }
+    int modes = 0;
+    for (int i = 0; !started && i < MODES; i++) {
+        if (mode_works(&modes_all[i])) {
+            test_results(&modes_all[i]);
+            test_errors(&modes_all[i]);
+            modes++;
+        } else {
+            printf("%s cannot be set here: left out\n", modes_all[i].name);
+        }
+    }
+    const uint64_t hash = hash_in_mode(&start);
+    printf("hash %016llx\n", (unsigned long long)hash);
+    CHECK(hash == hash_in_mode(&mode_default), "the starting mode changed results");
+    if (!started && modes == 0) {
+        printf("no mode can be set here: skipped\n");
+        return CHECK_SKIPPED;
+    }
+    return check_done();
+}

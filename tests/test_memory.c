@@ -1,0 +1,252 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * What calls do to memory: nothing beyond the arrays is read or written, whatever their length and
+ * alignment, and outputs may lie where inputs are. Also that position in an array and length of the
+ * array do not matter: every result must have the bits that one call for all points gives.
+ *
+ *     test_memory ISA
+ */
+#include "guarded.h"
+
+#include "outputs.h"
+
+#if GUARDED_EXISTS
+
+#define SHORT (4 * 16 + 3) /* up to here every count: four of the widest blocks and a tail */
+#define LONGEST 1031
+#define POINTS (LONGEST + 29)
+
+/* Then some that straddle whatever larger units the kernels work in. */
+static const size_t long_counts[] = {127, 128, 129, 255, 257, 513, LONGEST};
+#define COUNTS (SHORT + 1 + sizeof long_counts / sizeof long_counts[0])
+
+static float x32[3][POINTS];
+static double x64[3][POINTS];
+static const struct inputs in = {{x32[0], x32[1], x32[2]}, {x64[0], x64[1], x64[2]}};
+
+/* Arrays of a call, each between guard pages; inputs are read-only while calls run. */
+static struct guarded inputs[3], results[OUTPUTS];
+static struct outputs whole; /* results of one call for all points */
+
+enum place {
+    AT_START,  /* right behind the guard page */
+    AT_END,    /* right before the guard page */
+    UNALIGNED, /* in between: each array elsewhere */
+    PLACES
+};
+
+static size_t count_at(size_t i)
+{
+    return i <= SHORT ? i : long_counts[i - SHORT - 1];
+}
+
+static const char *const place_names[PLACES] = {"at the start", "at the end", "unaligned"};
+
+/* Where an array of `bytes` bytes of elements of `size` bytes begins. */
+static unsigned char *placed(const struct guarded *g, enum place place, size_t bytes, size_t size,
+                             size_t which)
+{
+    switch (place) {
+    case AT_START: return g->start;
+    case AT_END: return g->start + g->size - bytes;
+    default: return g->start + 1024 + which % 16 * size;
+    }
+}
+
+static int is_unchanged(const unsigned char *p, const unsigned char *end)
+{
+    return all_poison(p, (size_t)(end - p));
+}
+
+/* Only [array, array + bytes) was written. */
+static int only_array_written(const struct guarded *g, const unsigned char *array, size_t bytes)
+{
+    return is_unchanged(g->start, array) && is_unchanged(array + bytes, g->start + g->size);
+}
+
+/* `count` points from `first` on into the input pages. */
+static struct inputs place_inputs(enum function f, enum place place, size_t first, size_t count)
+{
+    struct inputs placed_inputs = {{NULL, NULL, NULL}, {NULL, NULL, NULL}};
+    const size_t size = function_doubles(f) ? sizeof(double) : sizeof(float);
+    for (int d = 0; d < function_dimensions(f); d++) {
+        guarded_protect(&inputs[d], 0);
+        unsigned char *const array =
+            placed(&inputs[d], place, count * size, size, 3 * (size_t)d + count);
+        if (function_doubles(f)) {
+            memcpy(array, x64[d] + first, count * size);
+            placed_inputs.d[d] = (const double *)(void *)array;
+        } else {
+            memcpy(array, x32[d] + first, count * size);
+            placed_inputs.f[d] = (const float *)(void *)array;
+        }
+        guarded_protect(&inputs[d], 1);
+    }
+    return placed_inputs;
+}
+
+/* One array, or NULL, for each output of `mask`. */
+static struct outputs place_outputs(enum place place, unsigned mask, size_t count)
+{
+    struct outputs o = {.capacity = count};
+    for (size_t m = 0; m < OUTPUTS; m++) {
+        if ((mask >> m & 1) != 0) {
+            memset(results[m].start, POISON, results[m].size);
+            o.array[m] = (float *)(void *)placed(&results[m], place, count * sizeof(float),
+                                                 sizeof(float), 5 * m + count);
+        }
+    }
+    return o;
+}
+
+static void check_outputs(const struct outputs *o, unsigned mask, const struct outputs *reference,
+                          size_t first, size_t count, enum place place, const char *what)
+{
+    for (int m = 0; m < OUTPUTS; m++) {
+        if ((mask >> m & 1) != 0) {
+            CHECK(only_array_written(&results[m], (const unsigned char *)o->array[m],
+                                     count * sizeof(float)),
+                  "%s, %zu points %s: wrote beyond %s", what, count, place_names[place],
+                  output_names[m]);
+            const size_t at = first_difference(o->array[m], reference->array[m] + first, count);
+            CHECK(at == count, "%s, %zu points %s from %zu on: %s[%zu] differs from one call's",
+                  what, count, place_names[place], first, output_names[m], at);
+        }
+    }
+}
+
+/* The outputs of the highest derivative `order`. */
+static unsigned outputs_of_order(enum function f, int order)
+{
+    static const unsigned up_to[3] = {0x001, 0x00f, 0x3ff};
+    return up_to[order] & function_outputs(f);
+}
+
+/* All counts in all places, for one kind of call. */
+static void test_counts(enum function f, const struct scarp_noise *noise, int order)
+{
+    const unsigned mask = outputs_of_order(f, order);
+    const struct scarp_samples all = outputs_subset(&whole, mask);
+    CHECK(function_call(f, noise, POINTS, &in, &all) == SCARP_OK, "%s", function_names[f]);
+    for (size_t c = 0; c < COUNTS; c++) {
+        const size_t count = count_at(c);
+        for (int p = 0; p < PLACES; p++) {
+            const enum place place = (enum place)p;
+            const size_t first = count * 7 % (POINTS - LONGEST);
+            const struct inputs points = place_inputs(f, place, first, count);
+            const struct outputs o = place_outputs(place, mask, count);
+            const struct scarp_samples out = outputs_subset(&o, mask);
+            CHECK(function_call(f, noise, count, &points, &out) == SCARP_OK, "%s",
+                  function_names[f]);
+            check_outputs(&o, mask, &whole, first, count, place, function_names[f]);
+        }
+    }
+}
+
+/* Outputs in the very arrays of the inputs, by turns: value, gradient or Hessian over x, y, z. */
+static void test_in_place(enum function f, const struct scarp_noise *noise)
+{
+    static const int over[][3] = {{0, 1, 2}, {1, 0, 4}, {4, 5, 7}, {7, 2, 0}, {2, 4, 1}};
+    const unsigned mask = function_outputs(f);
+    const struct scarp_samples all = outputs_subset(&whole, mask);
+    CHECK(function_call(f, noise, POINTS, &in, &all) == SCARP_OK, "%s", function_names[f]);
+    for (size_t c = 0; c < COUNTS; c++) {
+        const size_t count = count_at(c);
+        for (size_t way = 0; way < sizeof over / sizeof over[0]; way++) {
+            const enum place place = (enum place)(count % PLACES);
+            struct outputs o = place_outputs(place, mask, count);
+            struct inputs points = {{NULL, NULL, NULL}, {NULL, NULL, NULL}};
+            for (int d = 0; d < function_dimensions(f); d++) {
+                float *const shared = o.array[over[way][d]];
+                memcpy(shared, x32[d], count * sizeof(float));
+                points.f[d] = shared;
+            }
+            const struct scarp_samples out = outputs_subset(&o, mask);
+            CHECK(function_call(f, noise, count, &points, &out) == SCARP_OK, "%s",
+                  function_names[f]);
+            check_outputs(&o, mask, &whole, 0, count, place, "in place");
+        }
+    }
+}
+
+static void test_samples(void)
+{
+    for (int i = 0; i < FUNCTIONS * 2 * 3; i++) {
+        const enum function f = (enum function)(i % FUNCTIONS);
+        const int kind = i / FUNCTIONS / 2; /* one octave, several, several turned */
+        const struct scarp_noise noise = {.basis = (enum scarp_basis)(i / FUNCTIONS % 2),
+                                          .octaves = kind > 0 ? 2.5f : 1.0f,
+                                          .rotate = kind == 2,
+                                          .frequency = 0.37,
+                                          .seed = (uint64_t)i};
+        for (int order = 0; order <= 2; order++) {
+            test_counts(f, &noise, order);
+        }
+        if (!function_doubles(f)) {
+            test_in_place(f, &noise);
+        }
+    }
+}
+
+/* Normals of `count` points: three results, in arrays of their own or over dx and dy. */
+static void try_normals(size_t count, enum place place, int way)
+{
+    const size_t first = count * 7 % (POINTS - LONGEST);
+    const struct inputs points = place_inputs(SAMPLE2, place, first, count);
+    const struct outputs o = place_outputs(place, 7, count);
+    const float *dx = points.f[0], *dy = points.f[1];
+    if (way > 0) {
+        memcpy(o.array[way % 3], dx, count * sizeof(float));
+        memcpy(o.array[(way + 1) % 3], dy, count * sizeof(float));
+        dx = o.array[way % 3];
+        dy = o.array[(way + 1) % 3];
+    }
+    CHECK(scarp_normals(count, dx, dy, 0.7f, o.array[0], o.array[1], o.array[2]) == SCARP_OK, "%zu",
+          count);
+    check_outputs(&o, 7, &whole, first, count, place, "scarp_normals");
+}
+
+static void test_normals(void)
+{
+    CHECK(scarp_normals(POINTS, x32[0], x32[1], 0.7f, whole.array[0], whole.array[1],
+                        whole.array[2]) == SCARP_OK,
+          "all");
+    for (size_t c = 0; c < COUNTS; c++) {
+        const size_t count = count_at(c);
+        for (int p = 0; p < PLACES; p++) {
+            for (int way = 0; way <= 3; way++) {
+                try_normals(count, (enum place)p, way);
+            }
+        }
+    }
+}
+
+int main(int argc, char **argv)
+{
+    check_select_isa(argc > 1 ? argv[1] : "scalar");
+    uint64_t state = 1;
+    for (int i = 0; i < 3 * POINTS; i++) {
+        x32[i % 3][i / 3] = check_random_float(&state, 256.0f);
+        x64[i % 3][i / 3] = check_random_double(&state, 0x1p30);
+    }
+    for (int d = 0; d < 3; d++) {
+        inputs[d] = guarded_make(POINTS * sizeof(double) + 2048);
+    }
+    for (int m = 0; m < OUTPUTS; m++) {
+        results[m] = guarded_make(POINTS * sizeof(float) + 2048);
+    }
+    whole = outputs_make(POINTS);
+    test_samples();
+    test_normals();
+    return check_done();
+}
+
+#else
+
+int main(void)
+{
+    printf("no pages can be protected here: skipped\n");
+    return CHECK_SKIPPED;
+}
+
+#endif

@@ -1,0 +1,311 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Coordinates at the edges of their formats: NaN, infinities, signed zeros, denormals, the powers
+ * of two where floats lose their fraction and cells wrap, positions that overflow.
+ *
+ *     test_special ISA [STRIDE]    takes each STRIDE-th pair of numbers only; a prime above 5
+ */
+#include <float.h>
+
+#include "outputs.h"
+
+#define PICKS 8192 /* points: the square of SPECIALS_MAX at least */
+#define SPECIALS_MAX 90
+
+static float f32[3][PICKS];
+static double f64[3][PICKS];
+static const struct inputs in = {{f32[0], f32[1], f32[2]}, {f64[0], f64[1], f64[2]}};
+static struct outputs scalar, tested;
+static int points; /* of the PICKS that are in use */
+
+/* Sizes with their neighbours, then some without; each with both signs. */
+static const double edges[] = {1.0, 0x1p23, 0x1p24, 0x1p31, 0x1p32, 0x1p51, 0x1p52, 0x1p53, 0x1p62};
+static const double plain[] = {0.0, 0x1p-140, 0x1p-126, 0x1p-64,      0x1p-31, 0x1p-25, 0x1p-24,
+                               0.5, 1.5,      3.25,     0x1p22 + 0.5, 1e30,    0x1p126};
+
+static double next(double x, int doubles, double towards)
+{
+    return doubles ? nextafter(x, towards) : (double)nextafterf((float)x, (float)towards);
+}
+
+/* All special numbers of a format. Those of float are doubles that floats hold. */
+static int specials(double *list, int doubles)
+{
+    int n = 0;
+    for (size_t i = 0; i < sizeof edges / sizeof edges[0]; i++) {
+        list[n++] = edges[i];
+        list[n++] = next(edges[i], doubles, 0.0);
+        list[n++] = next(edges[i], doubles, (double)FLT_MAX);
+    }
+    for (size_t i = 0; i < sizeof plain / sizeof plain[0]; i++) {
+        list[n++] = plain[i];
+    }
+    list[n++] = doubles ? 0x1p-1074 : 0x1p-149;
+    list[n++] = doubles ? DBL_MAX : (double)FLT_MAX;
+    list[n++] = doubles ? 1e300 : 1e38;
+    list[n++] = (double)INFINITY;
+    list[n++] = (double)NAN;
+    for (int i = 0; i < n; i++) {
+        list[n + i] = -list[i];
+    }
+    return 2 * n;
+}
+
+/* All pairs in (x, y), anything in z. */
+static void make_points(int stride)
+{
+    double list[2][SPECIALS_MAX];
+    uint64_t state = 1;
+    const int n = specials(list[0], 0), m = specials(list[1], 1);
+    CHECK(n == m && n <= SPECIALS_MAX && n * n <= PICKS, "%d and %d numbers", n, m);
+    points = PICKS / stride;
+    for (int j = 0; j < points; j++) {
+        const int i = j * stride;
+        const int pick[3] = {i % n, i / n % n, (int)(check_random(&state) % (unsigned)n)};
+        for (int d = 0; d < 3; d++) {
+            f32[d][j] = (float)list[0][pick[d]];
+            f64[d][j] = list[1][pick[d]];
+        }
+    }
+}
+
+#define NOISES 28
+
+/* Noise `i` of NOISES: both bases and fades with every kind of frequency, octaves and axes. */
+static struct scarp_noise noise_make(int i)
+{
+    static const struct scarp_noise kinds[NOISES / 4] = {
+        {.octaves = 1.0f},
+        {.octaves = 1.0f, .frequency = 0x1p-48},
+        {.octaves = 3.5f, .frequency = 0.75},
+        {.octaves = 5.0f, .frequency = 0x1p40, .lacunarity = 3.0f},
+        {.octaves = 4.0f, .frequency = 1.5, .rotate = 1},
+        {.octaves = 3.0f, .frequency = 0x1p30, .rotate = 1},
+        {.octaves = 9.0f, .frequency = 1.0, .lacunarity = 16.0f, .amplitude = -100.0f},
+    };
+    struct scarp_noise noise = kinds[i / 4];
+    noise.basis = (enum scarp_basis)(i & 1);
+    noise.fade = (enum scarp_fade)(i >> 1 & 1);
+    noise.seed = (uint64_t)i;
+    return noise;
+}
+
+static void call(enum function f, const struct scarp_noise *noise, size_t count,
+                 const struct inputs *at, const struct outputs *o)
+{
+    const struct scarp_samples out = outputs_subset(o, function_outputs(f));
+    const enum scarp_status status = function_call(f, noise, count, at, &out);
+    CHECK(status == SCARP_OK, "%s: %s", function_names[f], scarp_status_text(status));
+}
+
+/* Whether all positions of point i are finite, or 0 to 1: -1 where turned axes hide the answer. */
+static int finite_positions(enum function f, const struct scarp_noise *noise, int i)
+{
+    int small = 1;
+    for (int d = 0; d < function_dimensions(f); d++) {
+        const double x = function_doubles(f) ? f64[d][i] : (double)f32[d][i];
+        double frequency = noise->frequency == 0.0 ? 1.0 : noise->frequency;
+        if (!isfinite(x)) {
+            return 0;
+        }
+        for (float k = 0.0f; k < noise->octaves; k += 1.0f) {
+            const float position = (float)frequency * f32[d][i];
+            if (!(function_doubles(f) ? isfinite(frequency * x) : isfinite(position))) {
+                small = noise->rotate != 0 ? -1 : 0;
+            }
+            frequency *= noise->lacunarity == 0.0f ? 2.0 : (double)noise->lacunarity;
+        }
+        if (noise->rotate != 0 && fabs(x) > (function_doubles(f) ? 1e280 : 1e18)) {
+            small = -1;
+        }
+        if (small == 0) {
+            return 0;
+        }
+    }
+    return small;
+}
+
+/* Every output of a point is NaN, or none is: as the header says which. */
+static void expect_nan_rule(enum function f, const struct scarp_noise *noise)
+{
+    for (int i = 0; i < points; i++) {
+        int expected = finite_positions(f, noise, i);
+        for (int m = 0; m < OUTPUTS; m++) {
+            const float *const got = tested.array[m] + i;
+            if ((function_outputs(f) >> m & 1) == 0) {
+                continue;
+            }
+            if (expected < 0) {
+                expected = !is_nan_bits(got); /* the others must agree */
+            }
+            CHECK(expected ? is_finite_bits(got) : is_nan_bits(got),
+                  "%s, frequency %a: %s at (%a, %a, %a) is %a", function_names[f], noise->frequency,
+                  output_names[m], function_doubles(f) ? f64[0][i] : (double)f32[0][i],
+                  function_doubles(f) ? f64[1][i] : (double)f32[1][i],
+                  function_doubles(f) ? f64[2][i] : (double)f32[2][i], (double)*got);
+        }
+    }
+}
+
+static void test_against_scalar(enum scarp_isa isa)
+{
+    for (int n = 0; n < NOISES; n++) {
+        const struct scarp_noise noise = noise_make(n);
+        for (int i = 0; i < FUNCTIONS; i++) {
+            const enum function f = (enum function)i;
+            int member = 0;
+            size_t at = 0;
+            scarp_isa_select(SCARP_ISA_SCALAR);
+            call(f, &noise, (size_t)points, &in, &scalar);
+            scarp_isa_select(isa);
+            call(f, &noise, (size_t)points, &in, &tested);
+            CHECK(
+                outputs_equal(&scalar, &tested, function_outputs(f), (size_t)points, &member, &at),
+                "%s, noise %d: %s[%zu] is %a, scalar has %a", function_names[f], n,
+                output_names[member], at, (double)tested.array[member][at],
+                (double)scalar.array[member][at]);
+            expect_nan_rule(f, &noise);
+        }
+    }
+}
+
+#define BLOCK 67 /* four blocks of 16 and a tail */
+
+/* A number that is not finite in any lane and axis changes no other point. */
+static void test_neighbours(void)
+{
+    static const double odd[] = {(double)NAN, (double)INFINITY, (double)-INFINITY, (double)FLT_MAX};
+    static float x32[3][BLOCK];
+    static double x64[3][BLOCK];
+    const struct inputs block = {{x32[0], x32[1], x32[2]}, {x64[0], x64[1], x64[2]}};
+    uint64_t state = 2;
+    for (int i = 0; i < 3 * BLOCK; i++) {
+        x32[i % 3][i / 3] = check_random_float(&state, 1024.0f);
+        x64[i % 3][i / 3] = check_random_double(&state, 0x1p20);
+    }
+    for (int i = 0; i < FUNCTIONS * NOISES; i += 3) {
+        const enum function f = (enum function)(i / NOISES);
+        const struct scarp_noise noise = noise_make(i % NOISES);
+        call(f, &noise, BLOCK, &block, &scalar);
+        for (int lane = 0; lane < BLOCK; lane++) {
+            const int d = (lane + i) % function_dimensions(f);
+            const float before32 = x32[d][lane];
+            const double before64 = x64[d][lane];
+            x32[d][lane] = (float)odd[(lane + i / 3) % 4];
+            x64[d][lane] = odd[(lane + i / 3) % 4];
+            call(f, &noise, BLOCK, &block, &tested);
+            x32[d][lane] = before32;
+            x64[d][lane] = before64;
+            for (int m = 0; m < OUTPUTS; m++) {
+                tested.array[m][lane] = scalar.array[m][lane];
+            }
+            int member = 0;
+            size_t at = 0;
+            CHECK(outputs_equal(&scalar, &tested, function_outputs(f), BLOCK, &member, &at),
+                  "%s, noise %d: point %d disturbed %s[%zu]", function_names[f], i % NOISES, lane,
+                  output_names[member], at);
+        }
+    }
+}
+
+/*
+ * With one octave of frequency 1 a float position is the coordinate itself, so float and double
+ * calls agree bit for bit; and from 2^31 on, the float call looks at cell -2^31, fraction 0.
+ */
+static void test_float_cells(void)
+{
+    static double same[3][PICKS];
+    const struct inputs in_cell = {{f32[0], f32[1], f32[2]}, {same[0], same[1], same[2]}};
+    int beyond = 0;
+    for (int d = 0; d < 3; d++) {
+        for (int i = 0; i < points; i++) {
+            const int outside = isfinite(f32[d][i]) && fabsf(f32[d][i]) >= 0x1p31f;
+            beyond += outside;
+            same[d][i] = outside ? -0x1p31 : (double)f32[d][i];
+        }
+    }
+    CHECK(beyond > points / 4, "only %d coordinates lie beyond 2^31", beyond);
+    for (int i = 0; i < 4; i++) {
+        const struct scarp_noise noise = noise_make(i);
+        for (int three = 0; three < 2; three++) {
+            const enum function f = three ? SAMPLE3 : SAMPLE2;
+            int member = 0;
+            size_t at = 0;
+            call(f, &noise, (size_t)points, &in_cell, &scalar);
+            call(three ? SAMPLE3_F64 : SAMPLE2_F64, &noise, (size_t)points, &in_cell, &tested);
+            CHECK(
+                outputs_equal(&scalar, &tested, function_outputs(f), (size_t)points, &member, &at),
+                "%s, noise %d: %s at (%a, %a, %a) is %a, in cell -2^31 %a", function_names[f], i,
+                output_names[member], (double)f32[0][at], (double)f32[1][at], (double)f32[2][at],
+                (double)scalar.array[member][at], (double)tested.array[member][at]);
+        }
+    }
+}
+
+#define FIELD 512
+
+/* How many of the outputs `value` change when `shift` is added along axis d. */
+static int changed_by(enum function f, const struct scarp_noise *noise, int d, double shift,
+                      double x[3][FIELD])
+{
+    static double moved[FIELD];
+    struct inputs field = {{NULL, NULL, NULL}, {x[0], x[1], x[2]}};
+    const unsigned mask = function_outputs(f);
+    call(f, noise, FIELD, &field, &scalar);
+    for (int i = 0; i < FIELD; i++) {
+        moved[i] = x[d][i] + shift;
+    }
+    field.d[d] = moved;
+    call(f, noise, FIELD, &field, &tested);
+    int changed = 0;
+    for (int i = 0; i < FIELD; i++) {
+        int differs = 0;
+        for (int m = 0; m < OUTPUTS; m++) {
+            differs |= (mask >> m & 1) != 0 &&
+                       float_bits(scalar.array[m] + i) != float_bits(tested.array[m] + i);
+        }
+        changed += differs;
+    }
+    return changed;
+}
+
+/* Cells wrap modulo 2^32, and at no smaller power of two. */
+static void test_period(void)
+{
+    static double x[3][FIELD];
+    uint64_t state = 3;
+    for (int i = 0; i < 3 * FIELD; i++) { /* sums with 2^33 and below stay exact */
+        x[i % 3][i / 3] = (double)check_random_float(&state, 4096.0f);
+    }
+    for (int i = 0; i < 2 * 2 * 3; i++) {
+        const enum function f = i < 6 ? SAMPLE2_F64 : SAMPLE3_F64;
+        const struct scarp_noise noise = {.basis = (enum scarp_basis)(i & 1), .seed = 7};
+        const int d = i / 2 % 3;
+        if (d >= function_dimensions(f)) {
+            continue;
+        }
+        const double periods[] = {0x1p32, -0x1p32, 0x1p33, -0x3p32};
+        for (int p = 0; p < 4; p++) {
+            CHECK(changed_by(f, &noise, d, periods[p], x) == 0, "%s: axis %d, shift %a changes",
+                  function_names[f], d, periods[p]);
+        }
+        for (int k = 8; k < 32; k++) {
+            const int changed = changed_by(f, &noise, d, ldexp(1.0, k), x);
+            CHECK(changed > FIELD * 3 / 4, "%s: axis %d, 2^%d changes only %d of %d points",
+                  function_names[f], d, k, changed, FIELD);
+        }
+    }
+}
+
+int main(int argc, char **argv)
+{
+    const enum scarp_isa isa = check_select_isa(argc > 1 ? argv[1] : "scalar");
+    make_points(argc > 2 ? atoi(argv[2]) : 1);
+    scalar = outputs_make(PICKS);
+    tested = outputs_make(PICKS);
+    test_against_scalar(isa);
+    test_neighbours();
+    test_float_cells();
+    test_period();
+    return check_done();
+}
