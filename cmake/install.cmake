@@ -1,1 +1,52 @@
 # SPDX-License-Identifier: MIT
+# Installs the header, the library, and what find_package(scarp) and pkg-config need. (The program
+# installs itself: src/cli.) Nothing installed names a directory of the build: the prefix may be
+# moved, unless the user chose absolute directories.
+
+include(CMakePackageConfigHelpers)
+
+install(TARGETS scarp EXPORT scarp
+  RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR}
+  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+install(FILES include/scarp.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+
+# find_package(scarp). While the major version is 0, every minor version may change the interface.
+if(PROJECT_VERSION_MAJOR EQUAL 0)
+  set(compatibility SameMinorVersion)
+else()
+  set(compatibility SameMajorVersion)
+endif()
+set(package_dir ${CMAKE_INSTALL_LIBDIR}/cmake/scarp)
+configure_package_config_file(cmake/scarpConfig.cmake.in scarpConfig.cmake
+  INSTALL_DESTINATION ${package_dir}
+  NO_SET_AND_CHECK_MACRO)
+write_basic_package_version_file(scarpConfigVersion.cmake COMPATIBILITY ${compatibility})
+install(EXPORT scarp NAMESPACE scarp:: FILE scarpTargets.cmake DESTINATION ${package_dir})
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/scarpConfig.cmake
+              ${CMAKE_CURRENT_BINARY_DIR}/scarpConfigVersion.cmake
+        DESTINATION ${package_dir})
+
+# pkg-config. The prefix is found from the place of scarp.pc itself; an absolute library directory
+# may lie anywhere, so there the prefix is the configured one.
+if(IS_ABSOLUTE "${CMAKE_INSTALL_LIBDIR}")
+  set(pc_prefix "${CMAKE_INSTALL_PREFIX}")
+  set(pc_libdir "${CMAKE_INSTALL_LIBDIR}")
+else()
+  file(RELATIVE_PATH up "/prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig" /prefix)
+  string(REGEX REPLACE "/$" "" up "${up}")
+  set(pc_prefix "\${pcfiledir}/${up}")
+  set(pc_libdir "\${prefix}/${CMAKE_INSTALL_LIBDIR}")
+endif()
+if(IS_ABSOLUTE "${CMAKE_INSTALL_INCLUDEDIR}")
+  set(pc_includedir "${CMAKE_INSTALL_INCLUDEDIR}")
+else()
+  set(pc_includedir "\${prefix}/${CMAKE_INSTALL_INCLUDEDIR}")
+endif()
+set(pc_libs_private)
+if(SCARP_LIBM)
+  set(pc_libs_private -lm)
+endif()
+configure_file(cmake/scarp.pc.in scarp.pc @ONLY)
+install(FILES ${CMAKE_CURRENT_BINARY_DIR}/scarp.pc
+        DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
