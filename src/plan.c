@@ -11,8 +11,7 @@
 #error "scarp promises the same bits everywhere: build it without -ffast-math"
 #endif
 #if FLT_EVAL_METHOD != 0
-#error                                                                                             \
-    "scarp needs float arithmetic in float: -msse2 -mfpmath=sse on 32-bit x86, -fexcess-precision=fast on s390x"
+#error "scarp needs FLT_EVAL_METHOD 0: x86 -msse2 -mfpmath=sse, s390x -fexcess-precision=fast"
 #endif
 
 /* Every f_k within these bounds, and |amplitude| <= 2^24, keep a_k f_k^2 times the largest second
