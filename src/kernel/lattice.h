@@ -9,11 +9,11 @@
 
 #include "../plan.h"
 
-/* Points per chunk. Large enough that the cost of a pass is spread thin, small enough that what a
-   chunk needs (at most 11 rows of 1 KiB here, 10 of sums) stays in a first-level cache of 32 KiB.
- */
-#define CHUNK_POINTS 256
-#define CHUNK_BLOCKS (CHUNK_POINTS / VEC_LANES)
+/* Blocks and points per chunk. Large enough that the cost of a pass is spread thin, small enough that
+   the rows of a chunk (at most 11 here and 10 of sums, of 2 KiB with AVX-512 and 1 KiB with AVX2) stay
+   in a first-level cache. */
+#define CHUNK_BLOCKS 32
+#define CHUNK_POINTS (CHUNK_BLOCKS * VEC_LANES)
 
 /* A chunk on the lattice of one octave: the position inside the cell, in [0, 1] (rounding can reach
    1), and the hashes of the corners. In 2D z and every second hash are unused. */
