@@ -13,9 +13,9 @@ static const uint32_t hash_yz_multiplier = 0x4966636d;
 static const uint32_t hash_join_multiplier = 0xa8508a35;
 static const int hash_shift = 14;
 
-/* Half of the 16 edges of improved noise; the other half has x and z turned around. */
-static const signed char edges[8][3] = {{1, 1, 0}, {1, -1, 0}, {0, 1, 1}, {0, -1, 1},
-                                        {1, 0, 1}, {1, 0, -1}, {1, 1, 0}, {0, -1, 1}};
+/* Half of the 16 edges, by bits 0 to 2 of the index; bit 3 turns x and y around. */
+static const signed char edges[8][3] = {{1, 0, 1}, {1, 0, -1}, {0, 1, 1},  {0, 1, -1},
+                                        {1, 1, 0}, {1, 1, 0},  {1, -1, 0}, {1, -1, 0}};
 
 #define DEGREE (3.14159265358979323846 / 180.0)
 
@@ -39,8 +39,8 @@ void oracle_gradient_vector(int dimensions, unsigned index, double vector[3])
         const signed char *const edge = edges[index & 7];
         const double turn = index & 8 ? -1.0 : 1.0;
         vector[0] = turn * edge[0];
-        vector[1] = edge[1];
-        vector[2] = turn * edge[2];
+        vector[1] = turn * edge[1];
+        vector[2] = edge[2];
     }
 }
 

@@ -18,14 +18,15 @@
 #define COS_5 0.555570233f
 #define COS_7 0.195090322f
 
-static const struct lookup gradient2_x = LOOKUP_TABLE_QUAD_HIGH(COS_1, COS_3, COS_5, COS_7);
-static const struct lookup gradient2_y = LOOKUP_TABLE_QUAD_LOW(COS_7, COS_5, COS_3, COS_1);
+static const struct lookup gradient2_x = LOOKUP_TABLE_HIGH(COS_1, COS_3, COS_5, COS_7);
+static const struct lookup gradient2_y = LOOKUP_TABLE_LOW(COS_7, COS_5, COS_3, COS_1);
 
-/* The 12 edges of a cube, four of them twice: the set of improved noise. Ordered so that turning x
-   and z around maps the first eight to the last: a table of 8 and two signs serve. */
-static const struct lookup gradient3_x = LOOKUP_TABLE_MIRROR(1, 1, 0, 0, 1, 1, 1, 0);
-static const struct lookup gradient3_y = LOOKUP_TABLE_EIGHT(1, -1, 1, -1, 0, 0, 1, -1);
-static const struct lookup gradient3_z = LOOKUP_TABLE_MIRROR(0, 0, 1, 1, 1, -1, 0, 1);
+/* The 12 edges of a cube, those in the x-y plane twice. Such that each component depends on three
+   neighbouring bits only: with Perlin's own choice, whose x and z change sign with a fourth bit, 3D
+   takes 11 % longer with AVX2. */
+static const struct lookup gradient3_x = LOOKUP_TABLE_HIGH(1, 0, 1, 1);
+static const struct lookup gradient3_y = LOOKUP_TABLE_HIGH(0, 1, 1, -1);
+static const struct lookup gradient3_z = LOOKUP_TABLE_LOW(1, 1, 0, 0);
 
 /* A column from the hashes of its two corners. */
 VEC_INLINE struct column gradient_column2(vu h0, vu h1, vf y, struct fade v, int order)

@@ -101,12 +101,13 @@ static const float directions2[16][2] = {
     {-COS_5, COS_3}, {-COS_5, -COS_3}, {-COS_7, COS_1}, {-COS_7, -COS_1},
 };
 
-/* The 12 edges of a cube, four of them twice: the set of improved noise (Perlin 2002). Bit 3 of the
-   index turns x and z around, which maps the set to itself. */
+/* The 12 edges of a cube, the directions of improved noise (Perlin 2002), to which 16 takes four
+   twice: here those in the x-y plane. x and y depend on the upper three bits of the index, z on the
+   lower three, so tables of 8 serve; Perlin's own choice of four needs two signs more. */
 static const float directions3[16][3] = {
-    {1, 1, 0},   {1, -1, 0}, {0, 1, 1},  {0, -1, 1},  {1, 0, 1},  {1, 0, -1},
-    {1, 1, 0},   {0, -1, 1}, {-1, 1, 0}, {-1, -1, 0}, {0, 1, -1}, {0, -1, -1},
-    {-1, 0, -1}, {-1, 0, 1}, {-1, 1, 0}, {0, -1, -1},
+    {1, 0, 1},   {1, 0, -1},  {0, 1, 1},  {0, 1, -1},  {1, 1, 0},  {1, 1, 0},
+    {1, -1, 0},  {1, -1, 0},  {-1, 0, 1}, {-1, 0, -1}, {0, -1, 1}, {0, -1, -1},
+    {-1, -1, 0}, {-1, -1, 0}, {-1, 1, 0}, {-1, 1, 0},
 };
 
 /* Column x of the cell: v is the fade along y. */

@@ -98,9 +98,8 @@ VEC_INLINE vd vd_sqrt(vd a)
 /* The permute reads the low three bits of each index and ignores the others. */
 VEC_INLINE vf vf_lookup(const struct lookup *table, vu hash)
 {
-    const vu index = table->kind == LOOKUP_QUAD_HIGH ? hash >> 29 : hash >> 28;
-    const vf part = (vf)_mm256_permutevar8x32_ps(_mm256_load_ps(table->part), (__m256i)index);
-    return table->kind == LOOKUP_MIRROR ? (vf)((vu)part ^ (hash & 0x80000000u)) : part;
+    const vu index = table->sign_low ? hash >> 28 : hash >> 29;
+    return (vf)_mm256_permutevar8x32_ps(_mm256_load_ps(table->eight), (__m256i)index);
 }
 
 #endif

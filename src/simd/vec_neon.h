@@ -99,12 +99,11 @@ VEC_INLINE vd vd_sqrt(vd a)
 /* TBL reads whole bytes: 4 * index + (0 1 2 3) in the bytes of each lane. */
 VEC_INLINE vf vf_lookup(const struct lookup *table, vu hash)
 {
-    const vu index = table->kind == LOOKUP_QUAD_HIGH ? hash >> 29 : (hash >> 28) & 7u;
+    const vu index = table->sign_low ? (hash >> 28) & 7u : hash >> 29;
     const uint8x16_t bytes = (uint8x16_t)(index * 0x04040404u + 0x03020100u);
-    const uint8_t *const part = (const uint8_t *)table->part;
-    const uint8x16x2_t both = {{vld1q_u8(part), vld1q_u8(part + 16)}};
-    const vf chosen = (vf)vqtbl2q_u8(both, bytes);
-    return table->kind == LOOKUP_MIRROR ? (vf)((vu)chosen ^ (hash & 0x80000000u)) : chosen;
+    const uint8_t *const eight = (const uint8_t *)table->eight;
+    const uint8x16x2_t both = {{vld1q_u8(eight), vld1q_u8(eight + 16)}};
+    return (vf)vqtbl2q_u8(both, bytes);
 }
 
 #endif

@@ -93,38 +93,16 @@ VEC_INLINE vd vd_sqrt(vd a)
     return (vd)_mm_sqrt_pd((__m128d)a);
 }
 
-/* In the bytes of each lane 4 * index + (0 1 2 3), for an index in bits 26 and 27. */
-VEC_INLINE __m128i quad_bytes(vu index)
-{
-    const __m128i top = _mm_setr_epi8(3, 3, 3, 3, 7, 7, 7, 7, 11, 11, 11, 11, 15, 15, 15, 15);
-    const __m128i quads = _mm_shuffle_epi8((__m128i)index, top);
-    return _mm_or_si128(_mm_and_si128(quads, _mm_set1_epi8(0x0c)), _mm_set1_epi32(0x03020100));
-}
-
-VEC_INLINE __m128i quad_shuffle(const float part[4], __m128i bytes)
-{
-    return _mm_shuffle_epi8(_mm_castps_si128(_mm_load_ps(part)), bytes);
-}
-
-/* Byte shuffles choose among four floats. The compiler shares the selector between lookups of one
-   hash. */
+/* A byte shuffle chooses among four floats: bits 29 and 30 of the hash, as 4 * index + (0 1 2 3) in
+   the bytes of each lane. The compiler shares that selector between the lookups of one hash. */
 VEC_INLINE vf vf_lookup(const struct lookup *table, vu hash)
 {
-    const __m128i sign = _mm_set1_epi32((int)0x80000000u);
-    if (table->kind == LOOKUP_QUAD_HIGH || table->kind == LOOKUP_QUAD_LOW) {
-        const int high = table->kind == LOOKUP_QUAD_HIGH;
-        const float *const p = table->part;
-        const __m128 magnitude =
-            high ? _mm_load_ps(p) : _mm_setr_ps(p[0], p[2], p[4], p[6]); /* a constant */
-        const __m128i chosen = _mm_shuffle_epi8(_mm_castps_si128(magnitude), quad_bytes(hash >> 3));
-        const __m128i signs = _mm_and_si128((__m128i)(high ? hash : hash << 3), sign);
-        return (vf)_mm_xor_si128(chosen, signs);
-    }
-    const __m128i bytes = quad_bytes(hash >> 2);
-    const __m128i low = quad_shuffle(table->part, bytes);
-    const __m128i high = quad_shuffle(table->part + 4, bytes);
-    const vf part = (vf)_mm_blendv_ps((__m128)low, (__m128)high, (__m128)(hash << 1));
-    return table->kind == LOOKUP_MIRROR ? (vf)((vu)part ^ (hash & 0x80000000u)) : part;
+    const __m128i top = _mm_setr_epi8(3, 3, 3, 3, 7, 7, 7, 7, 11, 11, 11, 11, 15, 15, 15, 15);
+    const __m128i quads = _mm_shuffle_epi8((__m128i)(hash >> 3), top); /* index in bits 2 and 3 */
+    const __m128i bytes =
+        _mm_or_si128(_mm_and_si128(quads, _mm_set1_epi8(0x0c)), _mm_set1_epi32(0x03020100));
+    const vu magnitude = (vu)_mm_shuffle_epi8(_mm_castps_si128(_mm_load_ps(table->quad)), bytes);
+    return (vf)(magnitude ^ ((table->sign_low ? hash << 3 : hash) & 0x80000000u));
 }
 
 #endif
