@@ -217,7 +217,7 @@ static inline void test_corners8(struct report *report, const struct hash *hash,
 
 static inline float value_of(uint32_t hash)
 {
-    return (float)((int32_t)hash >> 8) * 0x1p-23f;
+    return (float)(int32_t)hash * 0x1p-31f;
 }
 
 /* Mean and variance of lattice values, which are uniform in [-1, 1): 0 and 1/3. The squares have

@@ -72,11 +72,11 @@ static void draw_gradient(const void *opaque, const uint32_t point[3], double co
     corner[2] = gradient[2];
 }
 
-/* The top 24 bits as a signed number, in units of 2^-23. */
+/* The hash as a signed number, rounded to float, in units of 2^-31. */
 static void draw_value(const void *opaque, const uint32_t point[3], double corner[3])
 {
-    const double top = (double)(hash(opaque, point) >> 8);
-    corner[0] = (top >= 0x1p23 ? top - 0x1p24 : top) * 0x1p-23;
+    const double all = (double)hash(opaque, point);
+    corner[0] = (double)(float)(all >= 0x1p31 ? all - 0x1p32 : all) * 0x1p-31;
 }
 
 double oracle_lattice_value(const struct oracle *oracle, int k, const uint32_t point[3])

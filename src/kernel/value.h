@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Value noise with gradient and Hessian: see noise.h for the order of operations. Included by
- * octave.h; the reference is scalar/basis.h. All in units of 2^-23 of the lattice values; the
+ * octave.h; the reference is scalar/basis.h. All in units of 2^-31 of the lattice values; the
  * plan's amplitudes carry the factor.
  */
 #ifndef SCARP_KERNEL_VALUE_H
@@ -14,10 +14,11 @@ struct value_column {
     vf value, y, z, yy, yz, zz;
 };
 
-/* The top 24 bits of the hash as a signed number. */
+/* The hash as a signed number, rounded to float. (Taking its top 24 bits first, so that nothing
+   needs rounding, costs 7 to 10 % of value noise.) */
 VEC_INLINE vf lattice_value(vu hash)
 {
-    return vf_from_vi((vi)hash >> 8);
+    return vf_from_vi((vi)hash);
 }
 
 VEC_INLINE struct value_column value_column2(vu h0, vu h1, struct fade v, int order)

@@ -202,11 +202,10 @@ SCALAR_INLINE struct sample gradient3(const struct scarp_octave *o, const struct
     return join(&l, &r, p->t[0], fade(kind, p->t[0]), 3, order);
 }
 
-/* A lattice value, in units of 2^-23: the top 24 bits of the hash as a signed number. (gcc and
-   clang define >> of negative numbers as arithmetic.) */
+/* A lattice value, in units of 2^-31: the hash as a signed number, rounded to float. */
 SCALAR_INLINE float lattice_value(uint32_t hash)
 {
-    return (float)((int32_t)hash >> 8);
+    return (float)(int32_t)hash;
 }
 
 SCALAR_INLINE struct column value_column2(const uint32_t key[3], uint32_t x, const struct place *p,

@@ -7,7 +7,7 @@
  * Types (gcc and clang vector extensions, so + - * << >> ^ & | work on them, lane by lane):
  *   vf  VEC_LANES floats
  *   vu  VEC_LANES unsigned 32-bit integers; + - * wrap, >> shifts in zeros
- *   vi  VEC_LANES signed ones, for >> that shifts in copies of the sign, and for conversion
+ *   vi  VEC_LANES signed ones, for conversion
  *   vd  VEC_LANES / 2 doubles: a vf's worth of doubles is a pair (low lanes, high lanes)
  *
  * Memory; addresses need no alignment beyond that of the element:
