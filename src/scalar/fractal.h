@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Reference: how the octaves of a sum are placed and added. Included by points.c only.
+ * Reference: how the octaves of a sum are placed and added. Included by points.c only. `dimensions`
+ * and `order` are constants wherever these are inlined, so what is not asked for is not computed.
  */
 #ifndef SCARP_SCALAR_FRACTAL_H
 #define SCARP_SCALAR_FRACTAL_H
@@ -39,14 +40,14 @@ SCALAR_INLINE struct place place_f64(const struct scarp_octave *o, int turned, c
 }
 
 SCALAR_INLINE struct sample basis(const struct scarp_plan *plan, const struct scarp_octave *o,
-                                  const struct place *place, int dimensions)
+                                  const struct place *place, int dimensions, int order)
 {
     if (plan->basis == SCARP_GRADIENT) {
-        return dimensions == 2 ? gradient2(o, place, plan->fade, plan->order)
-                               : gradient3(o, place, plan->fade, plan->order);
+        return dimensions == 2 ? gradient2(o, place, plan->fade, order)
+                               : gradient3(o, place, plan->fade, order);
     }
-    return dimensions == 2 ? value2(o, place, plan->fade, plan->order)
-                           : value3(o, place, plan->fade, plan->order);
+    return dimensions == 2 ? value2(o, place, plan->fade, order)
+                           : value3(o, place, plan->fade, order);
 }
 
 /* Column j of a matrix, transposed, times the vector (x, y, z). */
@@ -103,15 +104,14 @@ SCALAR_INLINE void add_straight(struct sample *sum, const struct scarp_octave *o
     }
 }
 
-SCALAR_INLINE void add_octave(struct sample *sum, const struct scarp_plan *plan,
-                              const struct scarp_octave *o, int turned, const struct sample *n,
-                              int dimensions)
+SCALAR_INLINE void add_octave(struct sample *sum, const struct scarp_octave *o, int turned,
+                              const struct sample *n, int dimensions, int order)
 {
     sum->value += o->amplitude * n->value;
     if (turned) {
-        add_turned(sum, o, n, dimensions, plan->order);
+        add_turned(sum, o, n, dimensions, order);
     } else {
-        add_straight(sum, o, n, plan->order);
+        add_straight(sum, o, n, order);
     }
 }
 

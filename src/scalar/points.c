@@ -9,83 +9,93 @@
 #include "../kernels.h"
 #include "fractal.h"
 
-static void store(const struct scarp_samples *out, size_t i, const struct sample *s)
+SCALAR_INLINE void put(float *array, size_t i, float value)
 {
-    float *const arrays[] = {out->value, out->dx,  out->dy,  out->dz,  out->dxx,
-                             out->dxy,   out->dxz, out->dyy, out->dyz, out->dzz};
-    const float values[] = {s->value, s->dx,  s->dy,  s->dz,  s->dxx,
-                            s->dxy,   s->dxz, s->dyy, s->dyz, s->dzz};
-    for (size_t member = 0; member < sizeof arrays / sizeof arrays[0]; member++) {
-        if (arrays[member] != NULL) {
-            arrays[member][i] = values[member];
-        }
+    if (array != NULL) {
+        array[i] = value;
     }
 }
 
-SCALAR_INLINE void points_f32(const struct scarp_plan *plan, size_t count,
-                              const void *const position[3], const struct scarp_samples *out,
-                              int dimensions)
+SCALAR_INLINE void store(const struct scarp_samples *out, size_t i, const struct sample *s,
+                         int order)
+{
+    put(out->value, i, s->value);
+    if (order >= 1) {
+        put(out->dx, i, s->dx);
+        put(out->dy, i, s->dy);
+        put(out->dz, i, s->dz);
+    }
+    if (order >= 2) {
+        put(out->dxx, i, s->dxx);
+        put(out->dxy, i, s->dxy);
+        put(out->dxz, i, s->dxz);
+        put(out->dyy, i, s->dyy);
+        put(out->dyz, i, s->dyz);
+        put(out->dzz, i, s->dzz);
+    }
+}
+
+/* `dimensions`, `order` and `doubles` are constants where this is inlined. */
+SCALAR_INLINE void points_of(const struct scarp_plan *plan, size_t count,
+                             const void *const position[3], const struct scarp_samples *out,
+                             int dimensions, int order, int doubles)
 {
     for (size_t i = 0; i < count; i++) {
         float x[3];
+        double x64[3];
         for (int d = 0; d < dimensions; d++) {
-            x[d] = ((const float *)position[d])[i];
+            if (doubles) {
+                x64[d] = ((const double *)position[d])[i];
+            } else {
+                x[d] = ((const float *)position[d])[i];
+            }
         }
         struct sample sum = {0};
         for (int k = 0; k < plan->octaves; k++) {
             const struct scarp_octave *const o = &plan->octave[k];
             const int turned = plan->rotate && k > 0; /* octave 0 never is */
-            const struct place place = place_f32(o, turned, x, dimensions);
-            const struct sample n = basis(plan, o, &place, dimensions);
-            add_octave(&sum, plan, o, turned, &n, dimensions);
+            const struct place place = doubles ? place_f64(o, turned, x64, dimensions)
+                                               : place_f32(o, turned, x, dimensions);
+            const struct sample n = basis(plan, o, &place, dimensions, order);
+            add_octave(&sum, o, turned, &n, dimensions, order);
         }
-        store(out, i, &sum);
+        store(out, i, &sum, order);
     }
 }
 
-SCALAR_INLINE void points_f64(const struct scarp_plan *plan, size_t count,
-                              const void *const position[3], const struct scarp_samples *out,
-                              int dimensions)
+SCALAR_INLINE void points(const struct scarp_plan *plan, size_t count,
+                          const void *const position[3], const struct scarp_samples *out,
+                          int dimensions, int doubles)
 {
-    for (size_t i = 0; i < count; i++) {
-        double x[3];
-        for (int d = 0; d < dimensions; d++) {
-            x[d] = ((const double *)position[d])[i];
-        }
-        struct sample sum = {0};
-        for (int k = 0; k < plan->octaves; k++) {
-            const struct scarp_octave *const o = &plan->octave[k];
-            const int turned = plan->rotate && k > 0; /* octave 0 never is */
-            const struct place place = place_f64(o, turned, x, dimensions);
-            const struct sample n = basis(plan, o, &place, dimensions);
-            add_octave(&sum, plan, o, turned, &n, dimensions);
-        }
-        store(out, i, &sum);
+    switch (plan->order) {
+    case 0: points_of(plan, count, position, out, dimensions, 0, doubles); break;
+    case 1: points_of(plan, count, position, out, dimensions, 1, doubles); break;
+    default: points_of(plan, count, position, out, dimensions, 2, doubles); break;
     }
 }
 
 static void points2_f32(const struct scarp_plan *plan, size_t count, const void *const position[3],
                         const struct scarp_samples *out)
 {
-    points_f32(plan, count, position, out, 2);
+    points(plan, count, position, out, 2, 0);
 }
 
 static void points3_f32(const struct scarp_plan *plan, size_t count, const void *const position[3],
                         const struct scarp_samples *out)
 {
-    points_f32(plan, count, position, out, 3);
+    points(plan, count, position, out, 3, 0);
 }
 
 static void points2_f64(const struct scarp_plan *plan, size_t count, const void *const position[3],
                         const struct scarp_samples *out)
 {
-    points_f64(plan, count, position, out, 2);
+    points(plan, count, position, out, 2, 1);
 }
 
 static void points3_f64(const struct scarp_plan *plan, size_t count, const void *const position[3],
                         const struct scarp_samples *out)
 {
-    points_f64(plan, count, position, out, 3);
+    points(plan, count, position, out, 3, 1);
 }
 
 /* n = (-s dx, -s dy, 1) / length. The products of floats are exact in double and their squares do

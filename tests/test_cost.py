@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: MIT
+"""Instructions per point, counted with callgrind, against the figures committed in cost.txt.
+
+    test_cost.py PROGRAM COST_FILE SCRATCH_DIR COMPILER BUILD_TYPE FLAGS    check
+    test_cost.py --print PROGRAM COST_FILE SCRATCH_DIR                      the figures as they are
+
+Counts are exact for one compiler and one set of flags, so only builds like the one that the file was
+made with are checked; others are skipped, and say so.
+"""
+import os
+import re
+import shutil
+import subprocess
+import sys
+
+POINTS = 4096
+SLACK = 1.03
+SKIPPED = 77
+
+
+def instructions_per_point(program, words, scratch):
+    """Instructions that the public sample call executes for one point."""
+    out = os.path.join(scratch, "callgrind.out")
+    run = subprocess.run(["valgrind", "--tool=callgrind", "--callgrind-out-file=" + out,
+                          "--toggle-collect=scarp_sample*", program] + words,
+                         stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    if run.returncode == SKIPPED:
+        return None
+    collected = re.search(r"Collected : (\d+)", run.stderr)
+    if run.returncode != 0 or collected is None or int(collected.group(1)) == 0:
+        sys.exit("callgrind failed on " + " ".join(words) + ":\n" + run.stdout + run.stderr)
+    return int(collected.group(1)) / POINTS
+
+
+def read_costs(path):
+    """Lines `isa dimensions basis outputs octaves figure`; # begins a comment."""
+    with open(path, encoding="utf-8") as file:
+        for line in file:
+            words = line.split("#")[0].split()
+            if words:
+                yield words[:5], float(words[5])
+
+
+def skip(reason):
+    print("skipped:", reason)
+    sys.exit(SKIPPED)
+
+
+def main():
+    if sys.argv[1] == "--print":
+        program, costs, scratch = sys.argv[2:]
+        for words, _ in read_costs(costs):
+            print(*words, "%.2f" % instructions_per_point(program, words, scratch))
+        return
+    program, costs, scratch, compiler, build_type, flags = sys.argv[1:]
+    if shutil.which("valgrind") is None:
+        skip("valgrind is not installed")
+    if not compiler.startswith("GNU 12.") or build_type != "Release" or flags.strip():
+        skip("the figures are those of gcc 12, Release, without further flags; this is %s %s %s"
+             % (compiler, build_type, flags))
+    worse = counted = 0
+    for words, figure in read_costs(costs):
+        measured = instructions_per_point(program, words, scratch)
+        if measured is None:
+            print("%-36s skipped: cannot run here" % " ".join(words))
+            continue
+        counted += 1
+        verdict = "worse" if measured > figure * SLACK else "better" if measured < figure / SLACK else ""
+        worse += verdict == "worse"
+        print("%-36s %8.2f, committed %8.2f %s" % (" ".join(words), measured, figure, verdict))
+    if counted == 0:
+        sys.exit("nothing was counted")
+    if worse:
+        sys.exit("%d workloads take more instructions than committed" % worse)
+
+
+if __name__ == "__main__":
+    main()
