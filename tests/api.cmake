@@ -22,7 +22,7 @@ if(NOT CMAKE_C_COMPILER_FRONTEND_VARIANT STREQUAL "MSVC")
   scarp_compile_rules(test_fpmode_fastmath)
   target_compile_options(test_fpmode_fastmath PRIVATE -ffast-math)
   target_link_options(test_fpmode_fastmath PRIVATE -ffast-math)
-  target_link_libraries(test_fpmode_fastmath PRIVATE scarp)
+  target_link_libraries(test_fpmode_fastmath PRIVATE scarp ${SCARP_LIBM})
   scarp_add_isa_tests(fpmode_fastmath api test_fpmode_fastmath --started)
 endif()
 
