@@ -3,6 +3,8 @@
 
 if(CMAKE_CROSSCOMPILING_EMULATOR)
   set(bits_points 259) # emulators are two orders of magnitude slower
+elseif(CMAKE_C_FLAGS MATCHES "-fsanitize")
+  set(bits_points 2003)
 else()
   set(bits_points 40003)
 endif()

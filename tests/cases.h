@@ -95,6 +95,14 @@ static inline struct cases_points cases_make(enum cases_class class, size_t coun
     return points;
 }
 
+static inline void cases_free(struct cases_points *points)
+{
+    for (int axis = 0; axis < 3; axis++) {
+        free(points->f[axis]);
+        free(points->d[axis]);
+    }
+}
+
 /* One call: the noise, what is asked, and of which function. */
 struct cases_call {
     struct scarp_noise noise;

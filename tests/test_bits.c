@@ -79,7 +79,7 @@ static void compare(const struct cases_call *call, const struct arrays *arrays, 
 /* All settings on one class of points. Once whole, then in every short length at odd places. */
 static void compare_class(enum scarp_isa isa, enum cases_class class, size_t count)
 {
-    const struct cases_points points = cases_make(class, count);
+    struct cases_points points = cases_make(class, count);
     struct arrays arrays;
     make_arrays(&arrays, count);
     for (int index = 0; index < CASES_CALLS; index++) {
@@ -96,6 +96,11 @@ static void compare_class(enum scarp_isa isa, enum cases_class class, size_t cou
             compare(&call, &arrays, first, length);
         }
     }
+    for (int m = 0; m < CASES_OUTPUTS; m++) {
+        free(arrays.reference[m]);
+        free(arrays.tested[m]);
+    }
+    cases_free(&points);
 }
 
 int main(int argc, char **argv)

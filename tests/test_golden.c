@@ -78,12 +78,13 @@ static void visit(FILE *golden, int class, int call, uint64_t hash)
 static void visit_all(FILE *golden)
 {
     for (int class = 0; class < CASES_CLASSES; class ++) {
-        const struct cases_points points = cases_make((enum cases_class) class, POINTS);
+        struct cases_points points = cases_make((enum cases_class) class, POINTS);
         for (int index = 0; index < CASES_CALLS; index++) {
             const struct cases_call call = cases_call(index);
             visit(golden, class, index, hash_call(&call, &points));
         }
         visit(golden, class, CASES_CALLS, hash_normals(&points));
+        cases_free(&points);
     }
 }
 
@@ -101,5 +102,6 @@ int main(int argc, char **argv)
     }
     check_select_isa(argv[2]);
     visit_all(golden);
+    fclose(golden);
     return check_done();
 }
