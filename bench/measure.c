@@ -1,0 +1,99 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The timing of subjects. Each is calibrated first: how many iterations fill its slice, min_time /
+ * repeat. Then all subjects are timed in turn, and again, `repeat` times over (A B C A B C ...), so
+ * that a machine that slows down or is disturbed for a while does so to all alike. Every slice is
+ * preceded by a tenth of it that is not timed: it refills the caches, teaches the branch predictors
+ * and gives the processor time to change its clock for wide vectors.
+ */
+#include "measure.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+static double time_slice(const struct bench_subject *subject, unsigned long iterations)
+{
+    const double start = bench_seconds();
+    bench_subject_run(subject, iterations);
+    return bench_seconds() - start;
+}
+
+/* Doubles until a run is long enough to measure, then scales up; at least one iteration. */
+static unsigned long calibrate(const struct bench_subject *subject, double slice)
+{
+    const double trial = slice < 0.001 ? slice : 0.001;
+    unsigned long iterations = 1;
+    time_slice(subject, 1);
+    double elapsed = time_slice(subject, iterations);
+    while (elapsed < trial && iterations < (1ul << 30)) {
+        iterations *= 2;
+        elapsed = time_slice(subject, iterations);
+    }
+    const double scaled = (double)iterations * (slice / elapsed);
+    return scaled < 1 ? 1 : scaled > 1e9 ? 1000000000ul : (unsigned long)scaled;
+}
+
+static int compare_doubles(const void *a, const void *b)
+{
+    const double x = *(const double *)a, y = *(const double *)b;
+    return (x > y) - (x < y);
+}
+
+/* The q-quantile of sorted values, linear between neighbours */
+static double quantile(const double *sorted, int count, double q)
+{
+    const double at = q * (count - 1);
+    const int i = (int)at;
+    const int next = i + 1 < count ? i + 1 : i;
+    return sorted[i] + (at - i) * (sorted[next] - sorted[i]);
+}
+
+static void summarise(struct bench_subject *subject, int repeat)
+{
+    struct bench_row *const row = subject->row;
+    qsort(subject->samples, (size_t)repeat, sizeof *subject->samples, compare_doubles);
+    row->median = quantile(subject->samples, repeat, 0.5);
+    row->minimum = subject->samples[0];
+    row->spread =
+        (quantile(subject->samples, repeat, 0.75) - quantile(subject->samples, repeat, 0.25)) /
+        row->median;
+}
+
+static void show_progress(const struct bench_method *method, int pass, size_t i, size_t count)
+{
+    if (method->progress) {
+        fprintf(stderr, "\rpass %d of %d: %3.0f %%", pass, method->repeat,
+                (double)i * 100 / (double)count);
+        fflush(stderr);
+    }
+}
+
+static void hide_progress(const struct bench_method *method)
+{
+    if (method->progress) {
+        fprintf(stderr, "\r%30s\r", "");
+    }
+}
+
+void bench_measure(const struct bench_method *method, struct bench_subject *subjects, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        show_progress(method, 0, i, count);
+        subjects[i].iterations = calibrate(&subjects[i], method->min_time / method->repeat);
+    }
+    for (int pass = 0; pass < method->repeat; pass++) {
+        for (size_t i = 0; i < count; i++) {
+            const struct bench_subject *const subject = &subjects[i];
+            show_progress(method, pass + 1, i, count);
+            bench_subject_run(subject, subject->iterations / 10 + 1);
+            const double elapsed = time_slice(subject, subject->iterations);
+            subject->samples[pass] =
+                elapsed * 1e9 / (double)subject->iterations / (double)subject->work.points;
+        }
+    }
+    for (size_t i = 0; i < count; i++) {
+        summarise(&subjects[i], method->repeat);
+    }
+    hide_progress(method);
+}

@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * What a peer, another library measured beside scarp, has to offer. One file peer_<library>.c or
+ * .cpp each; which of them were found when this was built is known to peers.c.
+ */
+#ifndef SCARP_BENCH_PEER_H
+#define SCARP_BENCH_PEER_H
+
+#include "work.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+struct bench_peer {
+    const char *library;
+
+    /* Makes ready for the values of `work` (its basis, dimensions, octaves and layout count) with
+       the instruction set `isa`. NULL if the peer has nothing comparable, or cannot run it. A peer
+       that does not choose among instruction sets offers SCARP_ISA_SCALAR. */
+    void *(*open)(const struct bench_work *work, enum scarp_isa isa);
+    void (*close)(void *state);
+
+    /* The noise at (x[0][i], x[1][i], x[2][i]), for each i < count, into value[i] */
+    void (*points)(const void *state, size_t count, const float *const x[3], float *value);
+
+    /* The noise on the grid of the workload that the state was opened for. NULL: not offered. */
+    void (*grid)(const void *state, const struct bench_work *work, float *value);
+};
+
+/* The peer number `index`, counted from 0; NULL when there are no more */
+const struct bench_peer *bench_peer_get(size_t index);
+
+extern const struct bench_peer bench_peer_stb_perlin;
+extern const struct bench_peer bench_peer_libnoise;
+extern const struct bench_peer bench_peer_fastnoiselite;
+extern const struct bench_peer bench_peer_fastnoise2;
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

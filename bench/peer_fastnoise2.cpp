@@ -1,0 +1,98 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The peer FastNoise2: gradient noise with the quintic fade, value noise, and sums of them, for
+ * arrays of points and uniform grids, at each of its feature levels. Its build options decide
+ * whether it fuses multiplications into additions; the strict build is told apart by name.
+ */
+#include <FastNoise/FastNoise.h>
+
+#include "peer.h"
+
+namespace
+{
+
+struct State {
+    FastNoise::SmartNode<FastNoise::Generator> noise;
+    int dimensions;
+};
+
+const int seed = 7;
+
+FastSIMD::FeatureSet level(scarp_isa isa)
+{
+    switch (isa) {
+    case SCARP_ISA_SSE41: return FastSIMD::FeatureSet::SSE41;
+    case SCARP_ISA_AVX2: return FastSIMD::FeatureSet::AVX2;
+    case SCARP_ISA_AVX512: return FastSIMD::FeatureSet::AVX512;
+    case SCARP_ISA_NEON: return FastSIMD::FeatureSet::AARCH64;
+    default: return FastSIMD::FeatureSet::Invalid;
+    }
+}
+
+template <typename Node> FastNoise::SmartNode<FastNoise::Generator> basis(FastSIMD::FeatureSet set)
+{
+    auto node = FastNoise::New<Node>(set);
+    if (node) {
+        node->SetScale(1.0f);
+    }
+    return node;
+}
+
+void *open(const bench_work *work, scarp_isa isa)
+{
+    const FastSIMD::FeatureSet set = level(isa);
+    if (set == FastSIMD::FeatureSet::Invalid) {
+        return nullptr;
+    }
+    auto noise = work->basis == SCARP_GRADIENT ? basis<FastNoise::Perlin>(set)
+                                               : basis<FastNoise::Value>(set);
+    if (!noise || noise->GetActiveFeatureSet() != set) {
+        return nullptr;
+    }
+    if (work->octaves > 1) {
+        auto sum = FastNoise::New<FastNoise::FractalFBm>(set);
+        sum->SetSource(noise);
+        sum->SetOctaveCount(work->octaves);
+        noise = sum;
+    }
+    return new State{noise, work->dimensions};
+}
+
+void close(void *state)
+{
+    delete static_cast<State *>(state);
+}
+
+void points(const void *opaque, size_t count, const float *const x[3], float *value)
+{
+    const State *const state = static_cast<const State *>(opaque);
+    const int n = static_cast<int>(count);
+    if (state->dimensions == 2) {
+        state->noise->GenPositionArray2D(value, n, x[0], x[1], 0, 0, seed);
+    } else {
+        state->noise->GenPositionArray3D(value, n, x[0], x[1], x[2], 0, 0, 0, seed);
+    }
+}
+
+void grid(const void *opaque, const bench_work *work, float *value)
+{
+    const State *const state = static_cast<const State *>(opaque);
+    const int n[3] = {static_cast<int>(work->grid[0]), static_cast<int>(work->grid[1]),
+                      static_cast<int>(work->grid[2])};
+    const float step = work->step;
+    if (state->dimensions == 2) {
+        state->noise->GenUniformGrid2D(value, 0, 0, n[0], n[1], step, step, seed);
+    } else {
+        state->noise->GenUniformGrid3D(value, 0, 0, 0, n[0], n[1], n[2], step, step, step, seed);
+    }
+}
+
+#if defined(FASTSIMD_IS_RELAXED) && FASTSIMD_IS_RELAXED
+const char *const library = "FastNoise2";
+#else
+const char *const library = "FastNoise2-strict";
+#endif
+
+} // namespace
+
+extern "C" const bench_peer bench_peer_fastnoise2 = {library, open, close, points, grid};

@@ -1,0 +1,51 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The peer FastNoiseLite: gradient noise with the quintic fade, value noise with the cubic one, and
+ * sums of them, one point per call.
+ */
+#define FNL_IMPL
+#include "FastNoiseLite.h"
+
+#include <stdlib.h>
+
+#include "peer.h"
+
+struct fnl_peer_state {
+    fnl_state noise;
+    int dimensions;
+};
+
+static void *fnl_peer_open(const struct bench_work *work, enum scarp_isa isa)
+{
+    struct fnl_peer_state *const state =
+        isa == SCARP_ISA_SCALAR ? malloc(sizeof(struct fnl_peer_state)) : NULL;
+    if (state != NULL) {
+        state->dimensions = work->dimensions;
+        state->noise = fnlCreateState();
+        state->noise.frequency = 1.0f;
+        state->noise.noise_type =
+            work->basis == SCARP_GRADIENT ? FNL_NOISE_PERLIN : FNL_NOISE_VALUE;
+        state->noise.fractal_type = work->octaves > 1 ? FNL_FRACTAL_FBM : FNL_FRACTAL_NONE;
+        state->noise.octaves = work->octaves;
+    }
+    return state;
+}
+
+static void fnl_peer_points(const void *opaque, size_t count, const float *const x[3], float *value)
+{
+    const struct fnl_peer_state *const state = opaque;
+    /* A copy that no store can change: the compiler may keep its fields in registers. */
+    const fnl_state noise = state->noise;
+    if (state->dimensions == 2) {
+        for (size_t i = 0; i < count; i++) {
+            value[i] = fnlGetNoise2D(&noise, x[0][i], x[1][i]);
+        }
+    } else {
+        for (size_t i = 0; i < count; i++) {
+            value[i] = fnlGetNoise3D(&noise, x[0][i], x[1][i], x[2][i]);
+        }
+    }
+}
+
+const struct bench_peer bench_peer_fastnoiselite = {"FastNoiseLite", fnl_peer_open, free,
+                                                    fnl_peer_points, NULL};

@@ -1,0 +1,254 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * How each workload is run, by scarp and by its peers. All read the same points and write to the
+ * same arrays, on the thread that calls.
+ */
+#include "subject.h"
+
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "differences.h"
+
+/* What keeps the compiler from dropping work whose result nobody reads */
+static volatile uint32_t consumed;
+
+static uint64_t splitmix64(uint64_t *state)
+{
+    uint64_t z = (*state += UINT64_C(0x9e3779b97f4a7c15));
+    z = (z ^ (z >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
+    z = (z ^ (z >> 27)) * UINT64_C(0x94d049bb133111eb);
+    return z ^ (z >> 31);
+}
+
+/* Uniform in [0, 1), multiples of 2^-24 */
+static float uniform(uint64_t *state)
+{
+    return (float)(splitmix64(state) >> 40) * 0x1p-24f;
+}
+
+static void fill_points(const struct bench_arrays *arrays, size_t count)
+{
+    static const float row[3] = {0.0f, 0.37f, 0.71f};
+    uint64_t state = 1;
+    for (size_t i = 0; i < count; i++) {
+        for (int d = 0; d < 3; d++) {
+            const float random = uniform(&state);
+            arrays->points[BENCH_RANDOM][d][i] = random * 2000.0f - 1000.0f;
+            arrays->points[BENCH_SEQUENTIAL][d][i] = d == 0 ? (float)i * 0.01f : row[d];
+            arrays->points[BENCH_SAME_CELL][d][i] = random;
+            arrays->points_f64[d][i] = (double)random * 2000.0 - 1000.0;
+        }
+    }
+}
+
+/* Zeroed, so that its pages exist before anything is timed */
+static float *make_array(size_t count)
+{
+    float *const array = malloc(count * sizeof *array);
+    if (array != NULL) {
+        memset(array, 0, count * sizeof *array);
+    }
+    return array;
+}
+
+int bench_arrays_make(struct bench_arrays *arrays, size_t count)
+{
+    memset(arrays, 0, sizeof *arrays);
+    int complete = 1;
+    for (int d = 0; d < 3; d++) {
+        for (int pattern = 0; pattern < 3; pattern++) {
+            arrays->points[pattern][d] = make_array(count);
+            complete &= arrays->points[pattern][d] != NULL;
+        }
+        arrays->points_f64[d] = malloc(count * sizeof(double));
+        complete &= arrays->points_f64[d] != NULL;
+    }
+    for (int i = 0; i < 10; i++) {
+        arrays->outputs[i] = make_array(count);
+        complete &= arrays->outputs[i] != NULL;
+    }
+    if (complete) {
+        fill_points(arrays, count);
+    }
+    return complete;
+}
+
+void bench_arrays_free(struct bench_arrays *arrays)
+{
+    for (int d = 0; d < 3; d++) {
+        for (int pattern = 0; pattern < 3; pattern++) {
+            free(arrays->points[pattern][d]);
+        }
+        free(arrays->points_f64[d]);
+    }
+    for (int i = 0; i < 10; i++) {
+        free(arrays->outputs[i]);
+    }
+}
+
+/* The grid calls do not exist yet. */
+static int make_scarp(struct bench_subject *subject, const struct bench_work *work)
+{
+    subject->noise = (struct scarp_noise){.basis = work->basis,
+                                          .fade = work->fade,
+                                          .fractal = work->fractal,
+                                          .rotate = work->turned != 0,
+                                          .seed = 7,
+                                          .octaves = (float)work->octaves};
+    return work->layout != BENCH_GRID && scarp_isa_supported(subject->isa);
+}
+
+/* Peers do what all of them agree on; the gradient comes from differences where points can be
+   moved. */
+static int make_peer(struct bench_subject *subject, const struct bench_work *work)
+{
+    const struct bench_peer *const peer = subject->peer;
+    if (work->layout == BENCH_NORMALS || work->fade != SCARP_QUINTIC ||
+        work->fractal != SCARP_FBM || work->turned || work->f64) {
+        return 0;
+    }
+    if (work->layout == BENCH_GRID) {
+        if (peer->grid == NULL || work->output != BENCH_VALUE) {
+            return 0;
+        }
+    } else if (work->output != BENCH_VALUE && work->output != BENCH_PLUS_GRADIENT) {
+        return 0;
+    }
+    subject->state = peer->open(work, subject->isa);
+    return subject->state != NULL;
+}
+
+int bench_subject_make(struct bench_subject *subject, const struct bench_work *work,
+                       const struct bench_peer *peer, enum scarp_isa isa)
+{
+    *subject = (struct bench_subject){.work = *work, .peer = peer, .isa = isa};
+    return peer == NULL ? make_scarp(subject, work) : make_peer(subject, work);
+}
+
+void bench_subject_free(struct bench_subject *subject)
+{
+    if (subject->state != NULL) {
+        subject->peer->close(subject->state);
+    }
+}
+
+const char *bench_subject_note(const struct bench_subject *subject)
+{
+    const enum bench_output output = subject->work.output;
+    if (output == BENCH_FORWARD_DIFFERENCES) {
+        return "forward differences";
+    }
+    const int differences = output == BENCH_CENTRAL_DIFFERENCES ||
+                            (subject->peer != NULL && output == BENCH_PLUS_GRADIENT);
+    return differences ? "central differences" : "";
+}
+
+/* A bench_values_fn: scarp's values, for the differences */
+static void scarp_values(const void *state, size_t count, const float *const x[3], float *value)
+{
+    const struct bench_subject *const subject = state;
+    const struct scarp_samples out = {.value = value};
+    if (subject->work.dimensions == 2) {
+        scarp_sample2(&subject->noise, count, x[0], x[1], &out);
+    } else {
+        scarp_sample3(&subject->noise, count, x[0], x[1], x[2], &out);
+    }
+}
+
+/* The outputs that the workload asks for */
+static struct scarp_samples choose_outputs(const struct bench_subject *subject)
+{
+    float *const *const to = subject->arrays->outputs;
+    const int in_space = subject->work.dimensions == 3;
+    struct scarp_samples out = {.value = to[0]};
+    if (subject->work.output == BENCH_PLUS_GRADIENT || subject->work.output == BENCH_PLUS_HESSIAN) {
+        out.dx = to[1];
+        out.dy = to[2];
+        out.dz = in_space ? to[3] : NULL;
+    }
+    if (subject->work.output == BENCH_PLUS_HESSIAN) {
+        out.dxx = to[4];
+        out.dxy = to[5];
+        out.dxz = in_space ? to[6] : NULL;
+        out.dyy = to[7];
+        out.dyz = in_space ? to[8] : NULL;
+        out.dzz = in_space ? to[9] : NULL;
+    }
+    return out;
+}
+
+static enum scarp_status run_scarp(const struct bench_subject *subject)
+{
+    const struct bench_work *const work = &subject->work;
+    const struct scarp_noise *const noise = &subject->noise;
+    const struct scarp_samples out = choose_outputs(subject);
+    const size_t n = work->points;
+    float *const *const to = subject->arrays->outputs;
+    float *const *const x = subject->arrays->points[work->pattern];
+    double *const *const w = subject->arrays->points_f64;
+    if (work->layout == BENCH_NORMALS) {
+        return scarp_normals(n, x[0], x[1], 0x1p-10f, to[0], to[1], to[2]);
+    }
+    if (work->output >= BENCH_FORWARD_DIFFERENCES) {
+        const float *const from[3] = {x[0], x[1], x[2]};
+        bench_differences(work->output == BENCH_CENTRAL_DIFFERENCES, work->dimensions, scarp_values,
+                          subject, n, from, to[0], to + 1);
+        return SCARP_OK;
+    }
+    if (work->dimensions == 2) {
+        return work->f64 ? scarp_sample2_f64(noise, n, w[0], w[1], &out)
+                         : scarp_sample2(noise, n, x[0], x[1], &out);
+    }
+    return work->f64 ? scarp_sample3_f64(noise, n, w[0], w[1], w[2], &out)
+                     : scarp_sample3(noise, n, x[0], x[1], x[2], &out);
+}
+
+static void run_peer(const struct bench_subject *subject)
+{
+    const struct bench_work *const work = &subject->work;
+    float *const *const to = subject->arrays->outputs;
+    float *const *const x = subject->arrays->points[work->pattern];
+    const float *const from[3] = {x[0], x[1], x[2]};
+    if (work->layout == BENCH_GRID) {
+        subject->peer->grid(subject->state, work, to[0]);
+    } else if (work->output == BENCH_PLUS_GRADIENT) {
+        bench_differences(1, work->dimensions, subject->peer->points, subject->state, work->points,
+                          from, to[0], to + 1);
+    } else {
+        subject->peer->points(subject->state, work->points, from, to[0]);
+    }
+}
+
+static void consume(const struct bench_subject *subject)
+{
+    uint32_t sum = 0;
+    for (int i = 0; i < 10; i++) {
+        uint32_t first, last;
+        memcpy(&first, subject->arrays->outputs[i], sizeof first);
+        memcpy(&last, subject->arrays->outputs[i] + subject->work.points - 1, sizeof last);
+        sum += first ^ last;
+    }
+    consumed = sum;
+}
+
+enum scarp_status bench_subject_try(const struct bench_subject *subject)
+{
+    return subject->peer == NULL ? run_scarp(subject) : SCARP_OK;
+}
+
+void bench_subject_run(const struct bench_subject *subject, unsigned long iterations)
+{
+    if (subject->peer == NULL) {
+        scarp_isa_select(subject->isa);
+        for (unsigned long i = 0; i < iterations; i++) {
+            run_scarp(subject);
+        }
+    } else {
+        for (unsigned long i = 0; i < iterations; i++) {
+            run_peer(subject);
+        }
+    }
+    consume(subject);
+}

@@ -1,0 +1,52 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * A subject: one workload by one library with one instruction set, ready to be run and timed.
+ * Included by main.c and measure.c.
+ */
+#ifndef SCARP_BENCH_SUBJECT_H
+#define SCARP_BENCH_SUBJECT_H
+
+#include "bench.h"
+#include "peer.h"
+#include "work.h"
+
+/* Arrays for the largest workload, shared by all subjects */
+struct bench_arrays {
+    float *points[3][3];   /* by pattern, then axis */
+    double *points_f64[3]; /* random */
+    float *outputs[10];    /* in the order of struct scarp_samples */
+};
+
+struct bench_subject {
+    struct bench_work work;
+    const struct bench_peer *peer; /* NULL: scarp itself */
+    enum scarp_isa isa;
+    struct scarp_noise noise;
+    void *state; /* the peer's */
+    const struct bench_arrays *arrays;
+    unsigned long iterations; /* of one timed slice */
+    double *samples;          /* nanoseconds per point, one per repeat */
+    struct bench_row *row;    /* where the result goes */
+};
+
+/* Fills arrays of `count` elements. Returns 0 without memory; bench_arrays_free is needed anyway.
+ */
+int bench_arrays_make(struct bench_arrays *arrays, size_t count);
+void bench_arrays_free(struct bench_arrays *arrays);
+
+/* Whether scarp, or the peer, can do the workload with the instruction set; if so, *subject is
+   ready but for `arrays`, `samples` and `row`. */
+int bench_subject_make(struct bench_subject *subject, const struct bench_work *work,
+                       const struct bench_peer *peer, enum scarp_isa isa);
+void bench_subject_free(struct bench_subject *subject);
+
+/* How the gradient comes about, where not in closed form: "central differences"; otherwise "" */
+const char *bench_subject_note(const struct bench_subject *subject);
+
+/* Whether the call works at all; to be asked once, before anything is timed */
+enum scarp_status bench_subject_try(const struct bench_subject *subject);
+
+/* Runs the workload that many times. */
+void bench_subject_run(const struct bench_subject *subject, unsigned long iterations);
+
+#endif

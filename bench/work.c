@@ -1,0 +1,165 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The list of workloads. A row of the table is a product: every basis times every number of
+ * dimensions times every size times every output it names. Names are made from the same fields that
+ * the measurement reads, so they cannot disagree. A new fractal or layout is a new row.
+ */
+#include "work.h"
+
+#include <stdio.h>
+#include <string.h>
+
+#define COUNT_OF(array) (sizeof(array) / sizeof(array)[0])
+#define STANDARD_POINTS 65536
+
+enum {
+    GRADIENT = 1 << SCARP_GRADIENT,
+    VALUE = 1 << SCARP_VALUE,
+    BOTH_BASES = GRADIENT | VALUE,
+
+    ONLY_VALUE = 1 << BENCH_VALUE,
+    UP_TO_GRADIENT = ONLY_VALUE | 1 << BENCH_PLUS_GRADIENT,
+    UP_TO_HESSIAN = UP_TO_GRADIENT | 1 << BENCH_PLUS_HESSIAN,
+    DIFFERENCES = 1 << BENCH_FORWARD_DIFFERENCES | 1 << BENCH_CENTRAL_DIFFERENCES
+};
+
+struct product {
+    struct bench_work work; /* what all have in common; zero: the default */
+    unsigned bases, outputs;
+    const size_t *sizes; /* ends in 0; NULL: the standard */
+};
+
+static const size_t other_sizes[] = {16, 256, 4096, 1048576, 0};
+
+static const struct product products[] = {
+    {.bases = BOTH_BASES, .outputs = UP_TO_HESSIAN | DIFFERENCES},
+    {{.octaves = 8}, .bases = GRADIENT, .outputs = UP_TO_HESSIAN | DIFFERENCES},
+    {{.octaves = 8}, .bases = VALUE, .outputs = UP_TO_HESSIAN},
+    {{.octaves = 8, .turned = 1}, .bases = GRADIENT, .outputs = UP_TO_HESSIAN},
+    {{.fade = SCARP_CUBIC}, .bases = BOTH_BASES, .outputs = UP_TO_GRADIENT},
+    {{.f64 = 1}, .bases = GRADIENT, .outputs = UP_TO_HESSIAN},
+    {{.f64 = 1, .octaves = 8}, .bases = GRADIENT, .outputs = UP_TO_GRADIENT},
+    {{.pattern = BENCH_SEQUENTIAL}, .bases = GRADIENT, .outputs = UP_TO_GRADIENT},
+    {{.pattern = BENCH_SAME_CELL}, .bases = GRADIENT, .outputs = UP_TO_GRADIENT},
+    {.bases = GRADIENT, .outputs = UP_TO_GRADIENT, .sizes = other_sizes},
+    {{.layout = BENCH_GRID}, .bases = BOTH_BASES, .outputs = UP_TO_GRADIENT},
+    {{.layout = BENCH_GRID, .octaves = 8}, .bases = GRADIENT, .outputs = UP_TO_GRADIENT},
+    {{.layout = BENCH_NORMALS, .dimensions = 2}, .bases = GRADIENT, .outputs = ONLY_VALUE},
+};
+
+static const char *const layout_names[] = {"points", "grid", "normals"};
+static const char *const basis_names[] = {"gradient", "value"};
+static const char *const fade_names[] = {"", "/cubic"};
+static const char *const fractal_names[] = {"fbm"};
+static const char *const pattern_names[] = {"", "/sequential", "/same-cell"};
+static const char *const output_names[] = {"value", "+gradient", "+hessian", "forward-differences",
+                                           "central-differences"};
+
+static void write_name(struct bench_work *work)
+{
+    if (work->layout == BENCH_NORMALS) {
+        snprintf(work->name, sizeof work->name, "%s", layout_names[work->layout]);
+        return;
+    }
+    char fractal[16] = "", size[32] = "";
+    if (work->octaves > 1) {
+        snprintf(fractal, sizeof fractal, "/%s%d", fractal_names[work->fractal], work->octaves);
+    }
+    if (work->points != STANDARD_POINTS) {
+        snprintf(size, sizeof size, "/n=%zu", work->points);
+    }
+    snprintf(work->name, sizeof work->name, "%s%d/%s%s%s%s%s%s/%s%s", layout_names[work->layout],
+             work->dimensions, basis_names[work->basis], fade_names[work->fade], fractal,
+             work->turned ? "/turned" : "", work->f64 ? "/f64" : "", pattern_names[work->pattern],
+             output_names[work->output], size);
+}
+
+static void complete(struct bench_work *work)
+{
+    static const size_t grids[][3] = {{256, 256, 1}, {64, 32, 32}};
+    if (work->octaves == 0) {
+        work->octaves = 1;
+    }
+    if (work->layout == BENCH_GRID) {
+        memcpy(work->grid, grids[work->dimensions - 2], sizeof work->grid);
+        work->points = work->grid[0] * work->grid[1] * work->grid[2];
+    }
+    work->step = 0.01f;
+    write_name(work);
+}
+
+/* Like bench_work_get, among the workloads of one product. *index counts down past those that were
+   skipped. Innermost come the outputs, then sizes, dimensions and bases. */
+static int get_from_product(const struct product *product, size_t *index, struct bench_work *work)
+{
+    static const size_t standard_sizes[] = {STANDARD_POINTS, 0};
+    const size_t *const sizes = product->sizes != NULL ? product->sizes : standard_sizes;
+    const int fixed = product->work.dimensions;
+    *work = product->work;
+    for (unsigned basis = 0; basis < COUNT_OF(basis_names); basis++) {
+        for (int d = 2; d <= 3; d++) {
+            for (const size_t *size = sizes; *size != 0; size++) {
+                for (unsigned output = 0; output < COUNT_OF(output_names); output++) {
+                    if (!(product->bases >> basis & 1) || !(product->outputs >> output & 1) ||
+                        (fixed != 0 && fixed != d) || (*index)-- > 0) {
+                        continue;
+                    }
+                    work->basis = (enum scarp_basis)basis;
+                    work->dimensions = d;
+                    work->points = *size;
+                    work->output = (enum bench_output)output;
+                    complete(work);
+                    return 1;
+                }
+            }
+        }
+    }
+    return 0;
+}
+
+int bench_work_get(size_t index, struct bench_work *work)
+{
+    for (size_t i = 0; i < COUNT_OF(products); i++) {
+        if (get_from_product(&products[i], &index, work)) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+static int glob(const char *pattern, const char *text)
+{
+    for (; *pattern != '\0' && *pattern != '*'; pattern++, text++) {
+        if (*text == '\0' || (*pattern != '?' && *pattern != *text)) {
+            return 0;
+        }
+    }
+    if (*pattern == '\0') {
+        return *text == '\0';
+    }
+    while (!glob(pattern + 1, text)) {
+        if (*text++ == '\0') {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+static int is_name(const char *pattern)
+{
+    struct bench_work work;
+    for (size_t i = 0; bench_work_get(i, &work); i++) {
+        if (strcmp(pattern, work.name) == 0) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+int bench_work_matches(const char *pattern, const char *name)
+{
+    if (strpbrk(pattern, "*?") != NULL) {
+        return glob(pattern, name);
+    }
+    return is_name(pattern) ? strcmp(pattern, name) == 0 : strstr(name, pattern) != NULL;
+}

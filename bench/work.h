@@ -1,0 +1,61 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * A workload: what is computed, for which points. The list is in work.c. Included by everything
+ * that runs workloads, C++ peers among them.
+ */
+#ifndef SCARP_BENCH_WORK_H
+#define SCARP_BENCH_WORK_H
+
+#include <stddef.h>
+
+#include "scarp.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+enum bench_layout { BENCH_POINTS, BENCH_GRID, BENCH_NORMALS };
+
+enum bench_output {
+    BENCH_VALUE,
+    BENCH_PLUS_GRADIENT,       /* value and gradient */
+    BENCH_PLUS_HESSIAN,        /* value, gradient and Hessian */
+    BENCH_FORWARD_DIFFERENCES, /* value and gradient, from dimensions + 1 values */
+    BENCH_CENTRAL_DIFFERENCES  /* value and gradient, from 2 dimensions + 1 values */
+};
+
+enum bench_pattern {
+    BENCH_RANDOM,     /* uniform in [-1000, 1000) */
+    BENCH_SEQUENTIAL, /* along a row, 0.01 cells apart */
+    BENCH_SAME_CELL   /* uniform in [0, 1) */
+};
+
+struct bench_work {
+    char name[64]; /* made from the rest by work.c */
+    enum bench_layout layout;
+    enum bench_output output;
+    enum bench_pattern pattern;
+    enum scarp_basis basis;
+    enum scarp_fade fade;
+    enum scarp_fractal fractal;
+    int dimensions;
+    int octaves;
+    int turned; /* the axes turn between octaves */
+    int f64;    /* double coordinates */
+    size_t points;
+    size_t grid[3]; /* of BENCH_GRID: samples along each axis, x innermost */
+    float step;     /* of BENCH_GRID and BENCH_SEQUENTIAL: cells between samples */
+};
+
+/* The workload number `index`, counted from 0, into *work. Returns 0 when there are no more. */
+int bench_work_get(size_t index, struct bench_work *work);
+
+/* Whether `pattern` means the workload `name`: `*` is any text and `?` any character of a whole
+   name; a pattern without either is a name or, where no workload is called that, a part of one. */
+int bench_work_matches(const char *pattern, const char *name);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

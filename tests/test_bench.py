@@ -1,0 +1,399 @@
+# SPDX-License-Identifier: MIT
+"""The program scarp-bench, from outside.
+
+    test_bench.py GROUP PROGRAM...      one of the classes below
+
+PROGRAM may begin with an emulator. Nothing here depends on how fast anything is.
+"""
+import fnmatch
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+import xml.etree.ElementTree as ElementTree
+
+try:
+    import pty
+except ImportError:  # not a POSIX system
+    pty = None
+
+PROGRAM = []
+OPTIONS = ("work", "isa", "peers", "min-time", "repeat", "json", "svg", "markdown", "from", "list",
+           "quiet", "help")
+FLAGS = ("peers", "markdown", "list", "quiet", "help")
+ISAS = ["scalar", "sse4.1", "avx2", "avx512", "neon"]
+# The least that can be measured
+QUICK = ["--min-time", "0.001", "--repeat", "1"]
+ONE = [*QUICK, "--work", "points2/gradient/value"]
+SVG = "{http://www.w3.org/2000/svg}"
+
+
+def run(*arguments, cwd=None, **more):
+    more.setdefault("stdout", subprocess.PIPE)
+    more.setdefault("stderr", subprocess.PIPE)
+    return subprocess.run(PROGRAM + list(arguments), cwd=cwd, timeout=600, **more)
+
+
+def text_of(*arguments):
+    """Standard output of a run that must succeed in silence on stderr."""
+    result = run(*arguments)
+    assert result.returncode == 0 and result.stderr == b"", (arguments, result)
+    return result.stdout.decode()
+
+
+def report_of(*arguments):
+    return json.loads(text_of(*arguments, "--json", "-"))
+
+
+def names_of(*arguments):
+    return text_of("--list", *arguments).splitlines()
+
+
+def has_peers():
+    return run("--list", "--peers").returncode == 0
+
+
+class Case(unittest.TestCase):
+    def setUp(self):
+        directory = tempfile.TemporaryDirectory(prefix="scarp-bench-")
+        self.addCleanup(directory.cleanup)
+        self.directory = directory.name
+
+    def path(self, name):
+        return os.path.join(self.directory, name)
+
+    def files(self):
+        return sorted(os.listdir(self.directory))
+
+    def check_one_line(self, result, status, *words):
+        """One line on stderr with all the words, nothing on stdout."""
+        error = result.stderr.decode()
+        self.assertEqual(result.returncode, status, error)
+        self.assertEqual(result.stdout, b"")
+        self.assertRegex(error, r"\Ascarp-bench: [^\n]+\n\Z")
+        for word in words:
+            self.assertIn(word, error)
+
+
+class Selection(Case):
+    """Which workloads and instruction sets are chosen."""
+
+    def test_help(self):
+        text = text_of("--help")
+        for name in OPTIONS:
+            self.assertRegex(text, r"(?m)^  --%s\b" % name)
+        self.assertLessEqual(max(len(line) for line in text.splitlines()), 100)
+        self.assertEqual(text_of("-h"), text)
+
+    def test_list(self):
+        names = names_of()
+        self.assertEqual(len(names), len(set(names)))
+        for d in "23":
+            for basis in ("gradient", "value"):
+                for output in ("value", "+gradient", "+hessian", "forward-differences",
+                               "central-differences"):
+                    self.assertIn("points%s/%s/%s" % (d, basis, output), names)
+                self.assertIn("points%s/%s/fbm8/+hessian" % (d, basis), names)
+            for kind in ("fbm8/turned", "cubic", "f64", "sequential", "same-cell"):
+                self.assertIn("points%s/gradient/%s/+gradient" % (d, kind), names)
+            for points in (16, 256, 4096, 1048576):
+                self.assertIn("points%s/gradient/value/n=%d" % (d, points), names)
+        self.assertIn("normals", names)
+
+    def test_patterns(self):
+        names = names_of()
+        for pattern in ("points2/*", "points?/gradient/value", "*", "*fbm8*value", "*/n=16",
+                        "points?/*/+*", "*/*/*/*", "normal?"):
+            self.assertEqual(names_of("--work", pattern),
+                             [name for name in names if fnmatch.fnmatchcase(name, pattern)])
+        self.assertEqual(names_of("--work", "points2/gradient/value"), ["points2/gradient/value"])
+        self.assertEqual(names_of("--work=fbm8"), [name for name in names if "fbm8" in name])
+        self.assertEqual(names_of("--work", "normals,points3/value/value"),
+                         ["points3/value/value", "normals"])
+
+    def test_isas(self):
+        report = report_of(*ONE)
+        isas = report["isas"].split()
+        self.assertEqual(isas, [isa for isa in ISAS if isa in isas])
+        self.assertEqual(isas[0], "scalar")
+        self.assertEqual([row["isa"] for row in report["rows"]], isas)
+        for isa in isas:
+            self.assertEqual([row["isa"] for row in report_of(*ONE, "--isa", isa)["rows"]], [isa])
+        listed = report_of(*ONE, "--isa", isas[-1] + ",scalar")["rows"]
+        self.assertEqual({row["isa"] for row in listed}, {isas[-1], "scalar"})
+
+    def test_required_isas(self):
+        """A list that the environment gives must not be shortened in silence."""
+        isas = report_of(*ONE)["isas"].split()
+        for isa in filter(None, os.environ.get("SCARP_REQUIRE_ISAS", "").split(",")):
+            self.assertIn(isa, isas)
+
+
+class Results(Case):
+    """What is measured and how it is told."""
+
+    def check_rows(self, rows):
+        for row in rows:
+            with self.subTest(row=row):
+                self.assertTrue(1e-3 < row["ns_per_point"] < 1e7)
+                self.assertTrue(0 < row["fastest_ns_per_point"] <= row["ns_per_point"] * 1.00001)
+                self.assertAlmostEqual(row["mpoints_per_s"] * row["ns_per_point"] / 1000, 1, 4)
+                self.assertGreaterEqual(row["spread"], 0)
+                size = re.search(r"/n=(\d+)$", row["work"])
+                self.assertEqual(row["points"], int(size.group(1)) if size else 65536)
+
+    def test_json(self):
+        report = report_of(*ONE)
+        for key in ("version", "date", "cpu", "isas", "compiler", "flags"):
+            self.assertTrue(report[key].strip() or key == "flags", key)
+        self.assertRegex(report["version"], r"\A\d+\.\d+\.\d+\Z")
+        self.assertRegex(report["date"], r"\A\d{4}-\d\d-\d\dT\d\d:\d\d:\d\dZ\Z")
+        self.assertEqual((report["min_time"], report["repeat"]), (0.001, 1))
+        self.check_rows(report["rows"])
+        for row in report["rows"]:
+            self.assertEqual((row["library"], row["spread"]), ("scarp", 0))
+            self.assertNotIn("note", row)
+
+    @unittest.skipIf(sys.argv[3:], "emulated processors are about 100 times slower")
+    def test_every_workload(self):
+        best = report_of(*ONE)["isas"].split()[-1]
+        rows = report_of("--min-time", "0.000001", "--repeat", "1", "--isa", best)["rows"]
+        self.assertEqual([row["work"] for row in rows], names_of())
+        self.check_rows(rows)
+
+    def test_files(self):
+        text = text_of(*ONE, "--repeat", "3", "--json", self.path("a.json"), "--svg",
+                       self.path("a.svg"))
+        self.assertEqual(self.files(), ["a.json", "a.svg"])
+        with open(self.path("a.json")) as file:
+            report = json.load(file)
+        self.check_rows(report["rows"])
+        shown = re.findall(r"^points2/gradient/value +scarp +(\S+) +(\S+) +(\S+)", text, re.M)
+        self.assertEqual([row[0] for row in shown], report["isas"].split())
+        for (_, time, _), row in zip(shown, report["rows"]):
+            self.assertAlmostEqual(float(time), row["ns_per_point"], 2)
+
+    def test_differences(self):
+        stem = "points2/gradient/"
+        work = ",".join(stem + name for name in ("+gradient", "forward-differences",
+                                                 "central-differences"))
+        report = report_of(*QUICK, "--isa", "scalar", "--work", work, "--repeat", "3")
+        self.check_rows(report["rows"])
+        self.assertEqual([row.get("note") for row in report["rows"]],
+                         [None, "forward differences", "central differences"])
+        with open(self.path("a.json"), "w") as file:
+            json.dump(report, file)
+        ratios = dict(re.findall(r"^(\S+) +scarp +scalar +([\d.]+) times faster$",
+                                 text_of("--from", self.path("a.json")), re.M))
+        exact = report["rows"][0]["ns_per_point"]
+        self.assertEqual(len(ratios), 2)
+        for row in report["rows"][1:]:
+            self.assertAlmostEqual(float(ratios[row["work"]]), row["ns_per_point"] / exact, 1)
+
+    def test_markdown(self):
+        text = text_of(*QUICK, "--work", "points2/gradient/value,normals", "--markdown", "--json",
+                       self.path("a.json"))
+        with open(self.path("a.json")) as file:
+            report = json.load(file)
+        table = [[cell.strip() for cell in line.strip("|").split("|")]
+                 for line in text.splitlines() if line.startswith("|")]
+        isas = report["isas"].split()
+        self.assertEqual(table[0][1:], ["scarp " + isa for isa in isas])
+        self.assertEqual(table[1], ["---"] + ["---:"] * len(isas))
+        self.assertEqual([line[0] for line in table[2:]], ["points2/gradient/value", "normals"])
+        for line in table[2:]:
+            rates = [row["mpoints_per_s"] for row in report["rows"] if row["work"] == line[0]]
+            for cell, rate in zip(line[1:], rates, strict=True):
+                self.assertLess(abs(float(cell) - rate), 0.51)
+        for word in (report["cpu"], report["compiler"], report["version"]):
+            self.assertIn(word, text)
+
+    def write_report(self, name, rows, **header):
+        with open(self.path(name), "w") as file:
+            json.dump({"version": "1.2.3", "date": "2001-02-03T04:05:06Z", "cpu": "a <b> & \"c\"",
+                       "isas": "scalar avx2", "compiler": "cc", "flags": "-O2", "min_time": 1,
+                       "repeat": 5, **header, "rows": rows}, file, indent=1)
+
+    @staticmethod
+    def row(work, isa, rate, library="scarp", **more):
+        return {"work": work, "isa": isa, "library": library, "points": 65536,
+                "ns_per_point": 1000 / rate, "mpoints_per_s": rate,
+                "fastest_ns_per_point": 900 / rate, "spread": 0.25, **more}
+
+    def test_chart(self):
+        note = {"note": "central differences"}
+        self.write_report("a.json", [
+            self.row("points2/gradient/value", "scalar", 40), self.row("points2/gradient/value",
+                                                                       "avx2", 800),
+            self.row("points2/gradient/value", "avx2", 600, "other & <others>"),
+            self.row("points2/gradient/+gradient", "avx2", 500),
+            self.row("points2/gradient/central-differences", "avx2", 125, **note)])
+        text_of("--from", self.path("a.json"), "--svg", self.path("a.svg"))
+        root = ElementTree.parse(self.path("a.svg")).getroot()
+        self.assertEqual((root.tag, root.get("width")), (SVG + "svg", "900"))
+        texts = ["".join(text.itertext()) for text in root.iter(SVG + "text")]
+        for word in ("points2/gradient/value", "points2/gradient/+gradient", "scarp scalar",
+                     "other & <others> avx2", "800", "40.0", "600", "500", "125"):
+            self.assertIn(word, texts)
+        self.assertTrue(any("a <b> & \"c\", 2001-02-03" in text for text in texts))
+        bars = [float(bar.get("width")) for bar in root.iter(SVG + "rect")
+                if bar.get("height") == "13.0" and bar.get("fill") != "#fff"]
+        self.assertEqual(len(bars), 5)
+        for bar, part in zip(bars, (40 / 800, 1, 600 / 800, 1, 125 / 500)):
+            self.assertAlmostEqual(bar / bars[1], part, 2)
+        for rect in root.iter(SVG + "rect"):
+            if not rect.get("width").endswith("%"):
+                self.assertLessEqual(float(rect.get("x")) + float(rect.get("width")), 900)
+
+    def test_from(self):
+        """What is written can be read; of rows that two files have, the first counts."""
+        first = [self.row("w/value", "avx2", 100), self.row("w/value", "scalar", 10)]
+        second = [self.row("w/value", "avx2", 1), self.row("v/value", "avx2", 5, "peer", note="n")]
+        self.write_report("a.json", first)
+        self.write_report("b.json", second, cpu="another")
+        files = self.path("a.json") + "," + self.path("b.json")
+        report = report_of("--from", files)
+        self.assertEqual(report["rows"], first + second[1:])
+        self.assertEqual((report["cpu"], report["repeat"]), ("a <b> & \"c\"", 5))
+        self.assertEqual(report_of("--from", files, "--work", "v/*")["rows"], second[1:])
+        self.assertEqual(report_of("--from", files, "--isa", "scalar")["rows"], first[1:])
+
+    @unittest.skipUnless(pty, "needs POSIX")
+    def test_progress(self):
+        self.assertEqual(self.on_terminal(*ONE, "--quiet"), "")
+        shown = self.on_terminal(*ONE)
+        self.assertRegex(shown, r"\rpass 1 of 1: +0 %")
+        self.assertRegex(shown, r"\r {30}\r\Z")
+
+    def on_terminal(self, *arguments):
+        """What a terminal at stderr shows."""
+        master, slave = pty.openpty()
+        result = run(*arguments, stderr=slave)
+        os.close(slave)
+        self.assertEqual(result.returncode, 0)
+        shown = b""
+        try:
+            while part := os.read(master, 4096):
+                shown += part
+        except OSError:  # Linux: the terminal is gone
+            pass
+        os.close(master)
+        return shown.decode()
+
+    def test_peers(self):
+        if not has_peers():
+            self.check_one_line(run(*ONE, "--peers"), 2, "--peers")
+            self.skipTest("no peer was found")
+        work = "points3/gradient/value,points3/gradient/+gradient"
+        rows = report_of(*QUICK, "--work", work, "--peers")["rows"]
+        self.check_rows(rows)
+        self.assertGreater(len({row["library"] for row in rows}), 1)
+        for row in rows:
+            estimated = row["library"] != "scarp" and row["work"].endswith("+gradient")
+            self.assertEqual(row.get("note"), "central differences" if estimated else None)
+
+
+class Errors(Case):
+    """Command lines that ask for what is not possible: nothing may be done."""
+
+    def check(self, option, *arguments):
+        with self.subTest(arguments=arguments):
+            before = self.files()
+            self.check_one_line(run(*arguments, cwd=self.directory), 2, option)
+            self.assertEqual(self.files(), before)
+
+    def test_names(self):
+        for word in ("--bogus", "-w", "--wor", "--works", "--bogus=1", "-", "--", "stray"):
+            self.check(word.split("=")[0], word)
+            self.check(word.split("=")[0], *ONE, word)
+
+    def test_missing_values(self):
+        for name in OPTIONS:
+            if name not in FLAGS:
+                self.check("--" + name, "--" + name)
+                self.check("--" + name, "--" + name, "--quiet")
+                self.check("--" + name, "--" + name + "=")
+            elif name != "help":
+                self.check("--" + name, "--" + name + "=1")
+
+    def test_numbers(self):
+        for value in ("", "one", "1x", " 1", "1 ", "1,5", "nan", "inf", "-1", "0", "1e999", "3601"):
+            self.check("--min-time", *ONE, "--json", "x.json", "--min-time", value)
+        for value in ("", "0", "-1", "1.5", "1001", "1e2", "0x5", "99999999999999999999", " 5"):
+            self.check("--repeat", *ONE, "--json", "x.json", "--repeat=" + value)
+
+    def test_work(self):
+        for value in ("bogus", "points4/*", "", "points2/gradient/value,bogus", "?", "a\nb",
+                      "x" * 3000, "normals,", ",normals", "normals,,normals", ","):
+            self.check("--work", *QUICK, "--json", "x.json", "--work", value)
+            self.check("--work", "--list", "--work", value)
+
+    def test_isa(self):
+        for value in ("bogus", "AVX2", "scalar,", ",scalar", "scalar,bogus", "none", " scalar"):
+            self.check("--isa", *ONE, "--json", "x.json", "--isa", value)
+        here = report_of(*ONE)["isas"].split()
+        absent = [isa for isa in ISAS if isa not in here]
+        self.assertTrue(absent)
+        for isa in absent:
+            self.check("--isa", *ONE, "--json", "x.json", "--svg", "x.svg", "--isa", isa)
+            self.check("--isa", *ONE, "--isa", "scalar," + isa)
+
+    def test_files(self):
+        for option in ("--json", "--svg"):
+            for name in ("missing/x", ".", "missing\n/x"):
+                self.check(option, *ONE, option, name)
+        self.check("--svg", *ONE, "--json", "x.json", "--svg", "missing/x.svg")
+        self.check("--json", *ONE, "--json", "-", "--markdown")
+
+    def test_existing_file_survives(self):
+        with open(self.path("x.json"), "w") as file:
+            file.write("precious")
+        self.check("--isa", *ONE, "--json", "x.json", "--isa", "bogus")
+        self.check("--work", *QUICK, "--json", "x.json", "--work", "bogus")
+        self.check("--svg", *ONE, "--json", "x.json", "--svg", "missing/x.svg")
+        with open(self.path("x.json")) as file:
+            self.assertEqual(file.read(), "precious")
+
+    def test_from(self):
+        good = report_of(*ONE, "--isa", "scalar")
+        for name, text in (("empty", ""), ("text", "hello"), ("array", "[]"), ("object", "{}"),
+                           ("rows", "{\"rows\":[]}"), ("cut", json.dumps(good)[:-2]),
+                           ("more", json.dumps(good) + "x"),
+                           ("zero", json.dumps(good).replace('"ns_per_point": ',
+                                                             '"ns_per_point": -')),
+                           ("string", "{\"version\":\"" + "x" * 9999)):
+            with open(self.path(name), "w") as file:
+                file.write(text)
+            self.check("--from", "--from", name, "--json", "x.json")
+        with open(self.path("good"), "w") as file:
+            json.dump(good, file)
+        self.check("--from", "--from", "missing")
+        self.check("--from", "--from", "good", "--list")
+        self.check("--from", "--from", "good", "--peers")
+        self.check("--work", "--from", "good", "--work", "bogus", "--json", "x.json")
+
+    @unittest.skipUnless(os.path.exists("/dev/full"), "needs /dev/full")
+    def test_full_disk(self):
+        for option in ("--json", "--svg"):
+            result = run(*ONE, option, "/dev/full")
+            self.assertEqual(result.returncode, 1)
+            self.assertRegex(result.stderr.decode(), r"\Ascarp-bench: %s: [^\n]+\n\Z" % option)
+        with open("/dev/full", "w") as full:
+            result = run(*ONE, stdout=full)
+        self.assertEqual(result.returncode, 1)
+        self.assertRegex(result.stderr.decode(), r"\Ascarp-bench: standard output: [^\n]+\n\Z")
+
+
+def main():
+    if len(sys.argv) < 3:
+        sys.exit(__doc__)
+    PROGRAM.extend(sys.argv[2:])
+    tests = unittest.defaultTestLoader.loadTestsFromTestCase(globals()[sys.argv[1]])
+    result = unittest.TextTestRunner(stream=sys.stdout, verbosity=2).run(tests)
+    sys.exit(0 if result.wasSuccessful() and result.testsRun > len(result.skipped) else 1)
+
+
+main()
