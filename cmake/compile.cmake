@@ -33,6 +33,8 @@ function(scarp_compile_rules target)
     target_compile_options(${target} PRIVATE /clang:-fno-fast-math /clang:-ffp-contract=off)
   else()
     target_compile_options(${target} PRIVATE -fno-fast-math -ffp-contract=off)
+    # Linking with -ffast-math adds start-up code that flushes denormals in the whole process.
+    target_link_options(${target} PRIVATE -fno-fast-math)
   endif()
 endfunction()
 

@@ -36,9 +36,11 @@ extern "C" {
  * - A point has one value: its position in the array, the length of the array, the other points
  *   and the set of outputs asked for change nothing.
  * - The caller's floating-point mode (flush to zero, denormals are zero, rounding direction,
- *   unmasked exceptions) neither changes a result nor is changed.
+ *   unmasked exceptions) neither changes a result nor is changed. On processors other than x86 and
+ *   AArch64 that holds for the rounding direction; the others must be at their defaults there.
  * - Any thread may call any function at any time. Nothing is allocated, printed or read from the
- *   environment, and errno is left alone.
+ *   environment, and errno is left alone. A call takes up to 96 KiB of stack (AVX-512; 48 KiB with
+ *   AVX2, less with the others).
  */
 
 enum scarp_status {
@@ -90,7 +92,11 @@ enum scarp_isa {
  *
  * where x is the input, R the turn between octaves (the identity unless `rotate`), and o_k an
  * offset in [0, 1)^n that is drawn from the seed, so that octaves do not line up at the origin.
- * o_0 is 0. Each octave draws its own lattice from the seed and k. With n_k the basis at p_k:
+ * o_0 is 0. Seed and k also choose which part of the lattice's 2^32 cells per axis the octave sees;
+ * these parts are far apart, but it is one lattice. With n_k the basis at p_k, scaled so that |n_k|
+ * reaches 1 (raw gradient noise of unit vectors in 2D and of edges (1, 1, 0) in 3D is divided by
+ * its suprema: 0.6953527 and 1.0363538 with the quintic fade, 0.6958100 and 1.0449052 with the
+ * cubic one):
  *
  *     fBm     value    = sum_k a_k n_k
  *             gradient = sum_k a_k J_k^T grad n_k
@@ -99,8 +105,9 @@ enum scarp_isa {
  *     a_k = amplitude (1 - 2^-17) w_k / (w_0 + ... + w_(K-1)),   w_k = gain^k,
  *
  * but w_(K-1) is also multiplied by the fraction of `octaves` when it has one: octaves can be
- * faded in without a pop. The 2^-17 is the head-room for rounding that lets the range be promised.
- * R is (0.8 -0.6; 0.6 0.8) in 2D and (0 0.8 0.6; -0.8 0.36 -0.48; -0.6 -0.48 0.64) in 3D.
+ * faded in without a pop. (Below 1 it cancels: one octave is always whole.) The 2^-17 is the
+ * head-room for rounding that lets the range be promised. R is (0.8 -0.6; 0.6 0.8) in 2D and (0 0.8
+ * 0.6; -0.8 0.36 -0.48; -0.6 -0.48 0.64) in 3D.
  *
  * Outputs are gradients and Hessians per unit of *input* (not per lattice cell).
  */
@@ -111,14 +118,14 @@ struct scarp_noise {
     uint32_t rotate;  /* nonzero: turn the axes between octaves; hides the lattice's directions */
     uint64_t seed;    /* all 64 bits count */
     double frequency; /* lattice cells per unit of input. Default 1. Every f_k lies in
-                         [2^-48, 2^48]. */
+                         [2^-32, 2^48]. */
     float octaves;    /* in (0, 32]. Default 1. */
     float lacunarity; /* frequency ratio between octaves, in [1/16, 16]. Default 2. */
     float gain;       /* amplitude ratio between octaves, in [1/16, 16]. Default 0.5. */
-    float amplitude;  /* scales every output, in [-2^24, 2^24]. Default 1. */
+    float amplitude;  /* scales every output; its magnitude in [2^-24, 2^24]. Default 1. */
 };
 
-/* Where results go: arrays of `count` floats. A NULL member is not computed. A call that asks for
+/* Where results go: arrays of `count` floats. A NULL member is skipped. A call that asks for
    no derivative does not pay for derivatives; one that asks for no second derivative does not pay
    for second derivatives. */
 struct scarp_samples {
@@ -134,8 +141,8 @@ struct scarp_samples {
  * dxy[i], dyy[i] are the exact partial derivatives of that value in closed form.
  *
  * Arrays: every array holds at least `count` elements; no alignment beyond that of the type is
- * needed. An output may be the very same array as an input (in place); arrays must not overlap in
- * any other way.
+ * needed. An output may be the very same array as an input (in place); outputs must not overlap
+ * anything else.
  *
  * Coordinates: positions are computed in float, so detail fades as |p_k| approaches 2^23 cells;
  * use scarp_sample2_f64 for large worlds. Beyond that the noise remains defined: for |p_k| >= 2^31
@@ -189,8 +196,8 @@ SCARP_API enum scarp_status scarp_sample3_f64(const struct scarp_noise *noise, s
  * Every array holds `count` floats. nx, ny and nz may each be NULL and are then skipped; an output
  * may be the very same array as an input.
  *
- * Returns SCARP_ERROR_NULL if count > 0 and dx or dy is NULL; SCARP_ERROR_PARAMETER if
- * height_scale is not finite; SCARP_ERROR_SIZE as scarp_sample2.
+ * Returns SCARP_ERROR_NULL if dx or dy is NULL; SCARP_ERROR_PARAMETER if height_scale is not
+ * finite; SCARP_ERROR_SIZE as scarp_sample2. A count of 0 is a success that looks at nothing.
  */
 SCARP_API enum scarp_status scarp_normals(size_t count, const float *dx, const float *dy,
                                           float height_scale, float *nx, float *ny, float *nz);

@@ -12,8 +12,11 @@
 
 /* Best first. */
 static const struct scarp_kernels *const tables[] = {
+#ifdef SCARP_X86_AVX
+    &scarp_kernels_avx512, &scarp_kernels_avx2,
+#endif
 #ifdef SCARP_X86
-    &scarp_kernels_avx512, &scarp_kernels_avx2, &scarp_kernels_sse41,
+    &scarp_kernels_sse41,
 #endif
 #ifdef SCARP_AARCH64
     &scarp_kernels_neon,

@@ -70,7 +70,7 @@ struct fpmode {
     int rounding;
 };
 
-/* Standard C knows the rounding direction only; these targets have no other mode in use. */
+/* Standard C knows the rounding direction only. */
 static inline struct fpmode fpmode_enter(void)
 {
     const struct fpmode caller = {fegetround()};

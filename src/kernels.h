@@ -26,6 +26,11 @@ struct scarp_kernels {
 
 #if defined(__x86_64__) || defined(__i386__)
 #define SCARP_X86 1
+/* gcc for Windows spills 32- and 64-byte vectors to a stack that is aligned to 16 (GCC bug 54412).
+ */
+#if !defined(_WIN32) || defined(__clang__)
+#define SCARP_X86_AVX 1
+#endif
 #endif
 #if defined(__aarch64__) && defined(__ARM_NEON) && defined(__BYTE_ORDER__) &&                      \
     __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
@@ -35,6 +40,8 @@ struct scarp_kernels {
 extern const struct scarp_kernels scarp_kernels_scalar;
 #ifdef SCARP_X86
 extern const struct scarp_kernels scarp_kernels_sse41;
+#endif
+#ifdef SCARP_X86_AVX
 extern const struct scarp_kernels scarp_kernels_avx2;
 extern const struct scarp_kernels scarp_kernels_avx512;
 #endif

@@ -5,29 +5,23 @@
  */
 #include "plan.h"
 
-#include <float.h>
-
-#if defined(__FAST_MATH__) || (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
-#error "scarp promises the same bits everywhere: build it without -ffast-math"
-#endif
-#if FLT_EVAL_METHOD != 0
-#error "scarp needs FLT_EVAL_METHOD 0: x86 -msse2 -mfpmath=sse, s390x -fexcess-precision=fast"
-#endif
-
-/* Every f_k within these bounds, and |amplitude| <= 2^24, keep a_k f_k^2 times the largest second
-   derivative (below 2^6 for every basis, per cell squared) under 2^127: no output overflows. */
-#define FREQUENCY_MIN 0x1p-48
+/* Every f_k and the amplitude within these bounds keep a_k f_k^2 times the largest second
+   derivative (below 2^6 for every basis, per cell squared) under 2^127, so no output overflows; and
+   the constants of the octaves that matter stay normal floats, also in value noise, where they
+   carry 2^-31. */
+#define FREQUENCY_MIN 0x1p-32
 #define FREQUENCY_MAX 0x1p48
 #define RATIO_MIN 0.0625
 #define RATIO_MAX 16.0
+#define AMPLITUDE_MIN 0x1p-24
 #define AMPLITUDE_MAX 0x1p24
 
 /*
- * The head-room for rounding. With corner values in [-1, 1], one interpolation a + u (b - a) errs
- * by at most 2 (2^-23 + 2^-24) (u exceeds 1 by up to 2^-23; the difference of two values of at most
- * 2) plus two roundings of 2^-24: at most 5 * 2^-23 in all. Three of them nested, and a few
- * roundings of the dot products and lines before, stay below 20 * 2^-23 = 2.4e-6; the sum of 32
- * octaves adds at most 32 * 2^-24 = 1.9e-6. Together that is less than 2^-17 = 7.6e-6.
+ * The head-room for rounding. In units of the supremum, what is interpolated is at most 2 (a
+ * corner's dot product, in 3D) and differences at most 4. Three fades, each within 1.94e-7 of the
+ * exact one: at most 2.4e-6. Three levels of interpolation of three roundings each, and the dot
+ * products before: at most 2.4e-6. The sum of 32 octaves: 32 * 2^-24 = 1.9e-6. Together 6.7e-6,
+ * less than 2^-17 = 7.6e-6.
  */
 #define HEADROOM (1.0 - 0x1p-17)
 
@@ -95,7 +89,7 @@ enum scarp_status scarp_plan_check(const struct scarp_noise *noise)
     if (!within(p.octaves, 0.0, SCARP_MAX_OCTAVES) ||
         !within(p.frequency, FREQUENCY_MIN, FREQUENCY_MAX) ||
         !within(p.lacunarity, RATIO_MIN, RATIO_MAX) || !within(p.gain, RATIO_MIN, RATIO_MAX) ||
-        !within(p.amplitude, -AMPLITUDE_MAX, AMPLITUDE_MAX)) {
+        !within(p.amplitude < 0.0 ? -p.amplitude : p.amplitude, AMPLITUDE_MIN, AMPLITUDE_MAX)) {
         return SCARP_ERROR_PARAMETER;
     }
     /* f_k is monotone in k, so the last one decides. */
@@ -117,9 +111,9 @@ static uint64_t mix64(uint64_t z)
 #define GOLDEN_GAMMA UINT64_C(0x9e3779b97f4a7c15) /* 2^64 / golden ratio, odd */
 
 /*
- * Keys and offset of octave k. The seed is mixed before k comes in, so no seed's octaves are
- * another seed's octaves shifted by one; the keys of x and y are a bijection of the seed, so no two
- * seeds share an octave k.
+ * Keys and offset of octave k. The seed is mixed before k comes in, so seeds that people choose
+ * (neighbours, complements, powers of two) have no octaves in common; the keys of x and y are a
+ * bijection of the seed, so no two seeds share an octave k.
  */
 static void draw_octave(struct scarp_octave *octave, uint64_t seed, int k)
 {
@@ -159,12 +153,13 @@ static void multiply(double product[3][3], const double a[3][3], const double b[
     }
 }
 
-static void turn_axes(struct scarp_plan *plan, const double turn[3][3])
+static void turn_axes(struct scarp_plan *plan, const double turn[3][3],
+                      const double amplitude[SCARP_MAX_OCTAVES])
 {
     double power[3][3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
     for (int k = 0; k < plan->octaves; k++) {
         struct scarp_octave *const octave = &plan->octave[k];
-        set_axes(octave, power, octave->frequency64, (double)octave->amplitude);
+        set_axes(octave, power, octave->frequency64, amplitude[k]);
         double next[3][3];
         multiply(next, turn, power);
         for (int i = 0; i < 3; i++) {
@@ -201,16 +196,16 @@ void scarp_plan_make(struct scarp_plan *plan, const struct scarp_noise *noise, i
     double frequency = p.frequency;
     for (int k = 0; k < octaves; k++) {
         struct scarp_octave *const octave = &plan->octave[k];
-        const double amplitude = scale * weights[k];
-        octave->amplitude = (float)amplitude;
-        octave->slope = (float)(amplitude * frequency);
-        octave->curvature = (float)(amplitude * frequency * frequency);
+        weights[k] *= scale;
+        octave->amplitude = (float)weights[k];
+        octave->slope = (float)(weights[k] * frequency);
+        octave->curvature = (float)(weights[k] * frequency * frequency);
         octave->frequency = (float)frequency;
         octave->frequency64 = frequency;
         draw_octave(octave, noise->seed, k);
         frequency *= p.lacunarity;
     }
     if (plan->rotate) {
-        turn_axes(plan, dimensions == 2 ? turn2 : turn3);
+        turn_axes(plan, dimensions == 2 ? turn2 : turn3, weights);
     }
 }

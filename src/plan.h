@@ -6,7 +6,19 @@
 #ifndef SCARP_PLAN_H
 #define SCARP_PLAN_H
 
+#include <float.h>
+
 #include "scarp.h"
+
+/* Here because every file that computes includes this one. (clang defines none of the narrower
+   macros for the options that -ffast-math is made of, so not every mistake can be caught.) */
+#if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) ||     \
+    (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
+#error "scarp promises the same bits everywhere: build it without -ffast-math and its parts"
+#endif
+#if FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 16 /* 16: only _Float16 is evaluated as such */
+#error "scarp needs FLT_EVAL_METHOD 0: x86 -msse2 -mfpmath=sse, s390x -fexcess-precision=fast"
+#endif
 
 #define SCARP_MAX_OCTAVES 32
 

@@ -6,7 +6,7 @@
 # processors are about 100 times slower.
 set(accuracy_points_full 100000)
 set(accuracy_points 20000)
-if(CMAKE_CROSSCOMPILING_EMULATOR)
+if(NOT speed STREQUAL full)
   set(accuracy_points_full 5000)
   set(accuracy_points 1000)
 endif()

@@ -1,13 +1,10 @@
 # SPDX-License-Identifier: MIT
 # Every kernel equals the scalar reference; and a kernel with a deliberate mistake does not.
 
-if(CMAKE_CROSSCOMPILING_EMULATOR)
-  set(bits_points 259) # emulators are two orders of magnitude slower
-elseif(CMAKE_C_FLAGS MATCHES "-fsanitize")
-  set(bits_points 2003)
-else()
-  set(bits_points 40003)
-endif()
+set(bits_points_emulated 259)
+set(bits_points_slow 2003)
+set(bits_points_full 40003)
+set(bits_points ${bits_points_${speed}})
 
 scarp_test_program(test_bits)
 foreach(isa IN LISTS isas)

@@ -2,7 +2,7 @@
 # The quality of the lattice hash and of the keys. Emulated processors are about 100 times slower.
 
 set(hash_bits 20)
-if(CMAKE_CROSSCOMPILING_EMULATOR)
+if(NOT speed STREQUAL full)
   set(hash_bits 14)
 endif()
 

@@ -114,6 +114,10 @@ int main(int argc, char **argv)
     }
     const enum scarp_isa isa = check_select_isa(argv[1]);
     const size_t count = argc > 2 ? (size_t)strtoul(argv[2], NULL, 10) : 4099;
+    if (count <= 2 * SHORT_RUN) {
+        printf("POINTS must be above %d\n", 2 * SHORT_RUN);
+        return EXIT_FAILURE;
+    }
     for (int class = 0; class < CASES_CLASSES; class ++) {
         compare_class(isa, (enum cases_class) class, count);
     }

@@ -55,7 +55,7 @@ def main():
     program, costs, scratch, compiler, build_type, flags = sys.argv[1:]
     if shutil.which("valgrind") is None:
         skip("valgrind is not installed")
-    if not compiler.startswith("GNU 12.") or build_type != "Release" or flags.strip():
+    if not compiler.startswith("GNU 12.") or build_type != "Release" or flags.strip() != "flags:":
         skip("the figures are those of gcc 12, Release, without further flags; this is %s %s %s"
              % (compiler, build_type, flags))
     worse = counted = 0

@@ -76,7 +76,7 @@ static struct scarp_noise noise_make(int i)
 {
     static const struct scarp_noise kinds[NOISES / 4] = {
         {.octaves = 1.0f},
-        {.octaves = 1.0f, .frequency = 0x1p-48},
+        {.octaves = 1.0f, .frequency = 0x1p-32},
         {.octaves = 3.5f, .frequency = 0.75},
         {.octaves = 5.0f, .frequency = 0x1p40, .lacunarity = 3.0f},
         {.octaves = 4.0f, .frequency = 1.5, .rotate = 1},

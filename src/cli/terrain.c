@@ -105,11 +105,11 @@ static const struct option terrain_table[] = {
     {.name = "--frequency",
      .argument = "F",
      .standard = "0.0025",
-     .allowed = "a number from 2^-48 to 2^48",
-     .help = "lattice cells of the first octave per unit of x and y,\nfrom 2^-48 to 2^48",
+     .allowed = "a number from 2^-32 to 2^48",
+     .help = "lattice cells of the first octave per unit of x and y,\nfrom 2^-32 to 2^48",
      .parse = option_double,
      .offset = FIELD(frequency),
-     .lowest = 0x1p-48,
+     .lowest = 0x1p-32,
      .highest = 0x1p48},
     {.name = "--octaves",
      .argument = "F",
@@ -329,7 +329,7 @@ static bool prepare(struct render *render, const struct terrain_options *options
         scarp_range(&render->noise, 2, &render->lowest, &render->highest);
     if (status != SCARP_OK) {
         cli_error("--frequency, --lacunarity, --octaves: the frequency of the last octave is not "
-                  "from 2^-48 to 2^48");
+                  "from 2^-32 to 2^48");
     }
     return status == SCARP_OK;
 }

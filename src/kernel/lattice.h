@@ -9,9 +9,9 @@
 
 #include "../plan.h"
 
-/* Blocks and points per chunk. Large enough that the cost of a pass is spread thin, small enough that
-   the rows of a chunk (at most 11 here and 10 of sums, of 2 KiB with AVX-512 and 1 KiB with AVX2) stay
-   in a first-level cache. */
+/* Blocks and points per chunk. Large enough that the cost of a pass is spread thin; measured, 8 to
+   128 blocks are within 5 % of each other. One octave of value and gradient in 3D touches 11 rows
+   here and 4 of results: 30 KiB with AVX-512, 15 KiB with AVX2. */
 #define CHUNK_BLOCKS 32
 #define CHUNK_POINTS (CHUNK_BLOCKS * VEC_LANES)
 

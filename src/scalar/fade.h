@@ -18,7 +18,8 @@ struct fade {
  *
  * The quintic is evaluated as t^3 ((t-1) (6t-9) + 1), where nothing cancels. The usual
  * t^3 (t (6t-15) + 10) takes as many operations and errs by 1.1e-6, six times as much; this one
- * stays within 1.94e-7, below 1 + 2^-23, and is exact at 0 and 1. (Over all floats in [0, 1].)
+ * stays within 1.94e-7, never above 1 + 2^-23, and is exact at 0 and 1. (Over all floats in [0,
+ * 1].)
  */
 SCALAR_INLINE struct fade fade(enum scarp_fade kind, float t)
 {

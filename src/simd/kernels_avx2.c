@@ -5,7 +5,7 @@
  */
 #include "../kernels.h"
 
-#ifdef SCARP_X86
+#ifdef SCARP_X86_AVX
 
 #include <immintrin.h> /* before the region: its functions carry their own targets */
 
@@ -29,5 +29,5 @@
 #endif
 
 #else
-typedef int scarp_not_x86; /* ISO C wants a declaration in every file */
+typedef int scarp_no_avx; /* ISO C wants a declaration in every file */
 #endif

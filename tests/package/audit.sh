@@ -1,0 +1,86 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# Instructions: what the audit in audit.awk forbids is not in the library. First the audit must find
+# each of these things in objects that are made to have them.
+. ./common.sh
+[ -x "$objdump" ] || skip "no objdump"
+! sanitized || skip "sanitized code says nothing about the library"
+case $config in
+Debug) skip "code that is not optimised says nothing about the library" ;;
+esac
+case $processor in
+x86_64 | AMD64) control_flags=-mfma ;;
+aarch64 | riscv64 | s390x) control_flags= ;;
+*) skip "no rules for $processor" ;;
+esac
+# Flags for one machine, or for whole programs, move instructions across files: then only the rules
+# that hold for the whole library are checked.
+files=1
+case "$c_flags " in
+*-march=* | *-mavx* | *-msse4* | *-flto* | *-m32*) files=0 ;;
+esac
+
+disassemble()
+{
+    "$objdump" -d --no-show-raw-insn "$@"
+}
+
+audit()
+{
+    awk -v processor="$processor" -v files="$1" -f audit.awk
+}
+
+# control RULE OBJECT: the audit reports RULE
+control()
+{
+    if disassemble "$2" | audit 1 >"$dir/report" || ! grep -q "$1" "$dir/report"; then
+        cat "$dir/report"
+        fail "the audit does not report '$1'"
+    fi
+    echo "the audit finds: $(grep -c '' "$dir/report") x $1"
+}
+
+fresh audit
+kernel() # kernel SOURCE OBJECT FLAG...
+{
+    source=$1 object=$2
+    shift 2
+    "$c_compiler" -std=c11 -O2 -I"$source_dir/include" "$@" -c "$source_dir/src/$source" \
+        -o "$dir/$object"
+}
+# shellcheck disable=SC2086 # words
+kernel scalar/points.c points.c.o -ffp-contract=fast $control_flags
+control 'fused multiply-add' "$dir/points.c.o"
+case $processor in
+x86_64 | AMD64)
+    control 'AVX outside its kernels' "$dir/points.c.o"
+    kernel simd/kernels_avx512.c kernels_avx2.c.o -ffp-contract=off
+    control 'AVX-512 in the AVX2 kernels' "$dir/kernels_avx2.c.o"
+    cp "$dir/kernels_avx2.c.o" "$dir/points.c.o"
+    kernel simd/kernels_sse41.c plan.c.o -ffp-contract=off
+    control 'SSE4.1 outside its kernels' "$dir/plan.c.o"
+    echo '#include <xmmintrin.h>
+        __m128 f(__m128 x) { return _mm_rsqrt_ps(x); }' >"$dir/estimate.c"
+    ;;
+aarch64)
+    echo '#include <arm_neon.h>
+        float32x4_t f(float32x4_t x) { return vrsqrteq_f32(x); }' >"$dir/estimate.c"
+    ;;
+esac
+if [ -e "$dir/estimate.c" ]; then
+    "$c_compiler" -O2 -c "$dir/estimate.c" -o "$dir/estimate.o"
+    control 'estimate' "$dir/estimate.o"
+fi
+
+tr '\n' '\0' <"$objects" | xargs -0 "$objdump" -d --no-show-raw-insn >"$dir/objects.s"
+audit $files <"$dir/objects.s" || fail "in the objects"
+disassemble "$library" | audit 0 || fail "in the library"
+if [ $files = 1 ] && [ "$control_flags" ]; then
+    for width in kernels_avx2:ymm kernels_avx512:zmm; do
+        awk -v object="${width%:*}" -v name="%${width#*:}" '
+            /file format/ { here = index($0, object) }
+            here && index($0, name) { found = 1 }
+            END { exit !found }' "$dir/objects.s" ||
+            fail "no ${width#*:} register in ${width%:*}: is this the library?"
+    done
+fi

@@ -1,0 +1,47 @@
+#!/bin/sh
+# SPDX-License-Identifier: MIT
+# Symbols: the library exports what exports.txt lists and scarp.h declares, keeps to its prefix, and
+# asks for nothing but a few functions of libc and libm.
+. ./common.sh
+[ -x "$nm" ] || skip "no nm"
+[ -x "$objdump" ] || skip "no objdump"
+[ "$system" = Linux ] || skip "written for ELF"
+
+fresh symbols
+sed 's/#.*//; /^$/d' exports.txt | sort >"$dir/expected"
+
+# same WHAT: the list on stdin is the expected one
+same()
+{
+    sort >"$dir/found"
+    diff "$dir/expected" "$dir/found" || fail "$1 (>) differs from exports.txt (<)"
+}
+
+tr '\n' ' ' <"$source_dir/include/scarp.h" | sed 's/SCARP_API/\n&/g' |
+    sed -n 's/^SCARP_API [^(]*[ *]\(scarp_[a-z0-9_]*\)(.*/\1/p' | same "what scarp.h declares"
+if [ "$library_type" = SHARED_LIBRARY ]; then
+    "$nm" -D --defined-only "$library" | awk '{ print $3 }' | same "what the library exports"
+    # Every minor version may change the interface while the major version is 0.
+    case $version in
+    0.*) soname=libscarp.so.${version%.*} ;;
+    *) soname=libscarp.so.${version%%.*} ;;
+    esac
+    "$objdump" -p "$library" | grep -E "^ *SONAME +$soname\$" || fail "the SONAME is not $soname"
+fi
+
+# Names that compilers and sanitizers add: positions, stack protection, atomics, instrumentation.
+added='_GLOBAL_OFFSET_TABLE_|__x86\..*|__stack_chk_.*|__aarch64_.*|__gcov_.*'
+added="$added|__(odr_)?[atu]?[a-z]*san_.*|__sanitizer_.*|__odr_asan.*"
+needed='mem(cpy|set|move|cmp)|floorf?|sqrtf?|fe[gs]etround'
+
+# The objects, so that static and shared libraries are looked at in the same way.
+tr '\n' '\0' <"$objects" | xargs -0 "$nm" -g >"$dir/symbols"
+awk 'NF == 3 { print $3 }' "$dir/symbols" | sort -u >"$dir/defined"
+awk 'NF == 2 && $1 == "U" { print $2 }' "$dir/symbols" | sort -u >"$dir/undefined"
+grep -q scarp_sample2 "$dir/defined" || fail "nm found no symbols"
+if grep -Ev "^(scarp_.*|$added)\$" "$dir/defined"; then
+    fail "global symbols without the prefix scarp_"
+fi
+if grep -Ev "^(scarp_.*|$needed|$added)\$" "$dir/undefined"; then
+    fail "the library asks for more than it should"
+fi
