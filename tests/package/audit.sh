@@ -10,7 +10,8 @@ Debug) skip "code that is not optimised says nothing about the library" ;;
 esac
 case $processor in
 x86_64 | AMD64) control_flags=-mfma ;;
-aarch64 | riscv64 | s390x) control_flags= ;;
+aarch64 | riscv64) control_flags= ;;
+s390x) control_flags=-fexcess-precision=fast ;;
 *) skip "no rules for $processor" ;;
 esac
 # Flags for one machine, or for whole programs, move instructions across files: then only the rules
