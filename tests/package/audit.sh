@@ -76,7 +76,7 @@ fi
 tr '\n' '\0' <"$objects" | xargs -0 "$objdump" -d --no-show-raw-insn >"$dir/objects.s"
 audit $files <"$dir/objects.s" || fail "in the objects"
 disassemble "$library" | audit 0 || fail "in the library"
-if [ $files = 1 ] && [ "$control_flags" ]; then
+if [ $files = 1 ] && [ "$control_flags" = -mfma ]; then
     for width in kernels_avx2:ymm kernels_avx512:zmm; do
         awk -v object="${width%:*}" -v name="%${width#*:}" '
             /file format/ { here = index($0, object) }
