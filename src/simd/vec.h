@@ -33,6 +33,6 @@
  *
  * Tables:
  *   vf vf_lookup(const struct lookup *table, vu hash)
- *                         table->entry[hash >> 28] in each lane; struct lookup says what is known
- * of the entries, which makes lookups cheaper where tables are small
+ *                         table->entry[hash >> 28] in each lane; lookup.h tells what is known of
+ *                         the entries, which helps where tables are small
  */
