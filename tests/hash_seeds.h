@@ -139,16 +139,20 @@ static inline void sample_patch(uint64_t seed, enum scarp_basis kind,
                                 float values[OCTAVES][PATCH * PATCH])
 {
     const struct scarp_noise noise = {.basis = kind, .seed = seed, .octaves = OCTAVES};
-    struct scarp_plan plan;
-    scarp_plan_make(&plan, &noise, 2, 0);
-    const int octaves = plan.octaves;
-    plan.octaves = 1;
-    for (int k = 0; k < octaves; k++) {
+    struct scarp_plan all, plan;
+    scarp_plan_make(&all, &noise, 2, 0);
+    for (int k = 0; k < all.octaves; k++) {
         double x[PATCH * PATCH], y[PATCH * PATCH];
-        plan.octave[0] = plan.octave[k];
+        plan = all;
+        if (k > 0) {
+            /* The first octave of a plan has no offset: it stays, with the amplitude 0. */
+            plan.octave[0].amplitude = 0.0f;
+            plan.octave[1] = all.octave[k];
+        }
+        plan.octaves = k > 0 ? 2 : 1;
         for (int i = 0; i < PATCH * PATCH; i++) {
-            x[i] = (i % PATCH - PATCH / 2) * 0.375 / plan.octave[0].frequency64;
-            y[i] = (i / PATCH - PATCH / 2) * 0.375 / plan.octave[0].frequency64;
+            x[i] = (i % PATCH - PATCH / 2) * 0.375 / all.octave[k].frequency64;
+            y[i] = (i / PATCH - PATCH / 2) * 0.375 / all.octave[k].frequency64;
         }
         const void *const position[3] = {x, y, NULL};
         const struct scarp_samples out = {.value = values[k]};

@@ -8,10 +8,8 @@
 #include <math.h>
 
 /* The numbers that the definition of the lattice is made of. */
-static const uint32_t hash_axis_multiplier[3] = {0x2bd2d699, 0x6184ecd3, 0x80db8a39};
-static const uint32_t hash_yz_multiplier = 0x4966636d;
-static const uint32_t hash_join_multiplier = 0xa8508a35;
-static const int hash_shift = 14;
+static const uint32_t hash_axis_multiplier[3] = {0xf4bea973, 0xdcf4bb99, 0xf2a4d27b};
+static const int hash_shift = 15;
 
 /* Half of the 16 edges, by bits 0 to 2 of the index; bit 3 turns x and y around. */
 static const signed char edges[8][3] = {{1, 0, 1}, {1, 0, -1}, {0, 1, 1},  {0, 1, -1},
@@ -53,14 +51,12 @@ struct lattice {
 
 static uint32_t hash(const struct lattice *lattice, const uint32_t point[3])
 {
-    uint32_t axis[3] = {0, 0, 0};
+    uint32_t product = 1;
     for (int i = 0; i < lattice->dimensions; i++) {
-        axis[i] = point[i] * hash_axis_multiplier[i] + lattice->key[i];
-        axis[i] ^= axis[i] >> hash_shift;
+        const uint32_t axis = point[i] * hash_axis_multiplier[i] + lattice->key[i];
+        product *= axis ^ axis >> hash_shift;
     }
-    const uint32_t rest =
-        lattice->dimensions == 2 ? axis[1] : (axis[1] ^ axis[2]) * hash_yz_multiplier;
-    return (axis[0] ^ rest) * hash_join_multiplier;
+    return product;
 }
 
 static void draw_gradient(const void *opaque, const uint32_t point[3], double corner[3])

@@ -24,9 +24,9 @@ static const struct lookup gradient2_y = LOOKUP_TABLE_LOW(COS_7, COS_5, COS_3, C
 /* The 12 edges of a cube, those in the x-y plane twice. Such that each component depends on three
    neighbouring bits only: with Perlin's own choice, whose x and z change sign with a fourth bit, 3D
    takes 11 % longer with AVX2. */
-static const struct lookup gradient3_x = LOOKUP_TABLE_HIGH(1, 0, 1, 1);
-static const struct lookup gradient3_y = LOOKUP_TABLE_HIGH(0, 1, 1, -1);
-static const struct lookup gradient3_z = LOOKUP_TABLE_LOW(1, 1, 0, 0);
+static const struct lookup gradient3_x = LOOKUP_TABLE_HIGH(1.0f, 0.0f, 1.0f, 1.0f);
+static const struct lookup gradient3_y = LOOKUP_TABLE_HIGH(0.0f, 1.0f, 1.0f, -1.0f);
+static const struct lookup gradient3_z = LOOKUP_TABLE_LOW(1.0f, 1.0f, 0.0f, 0.0f);
 
 /* A column from the hashes of its two corners. */
 VEC_INLINE struct column gradient_column2(vu h0, vu h1, vf y, struct fade v, int order)

@@ -108,16 +108,14 @@ VEC_INLINE struct split turned(const struct scarp_octave *o, int i, const void *
 }
 
 /*
- * The lattice hash: every axis mixed by itself, the axes joined by exclusive or and multiplication.
- * In this order because the corners of a cell share the mixed axes (2 per axis) and, in 3D, the
- * joined y and z (4). Only the top bits are used. See scalar/lattice.h for why it is this one.
+ * The lattice hash: every axis mixed by itself, then their product. In this order because the
+ * corners of a cell share the mixed axes (2 per axis) and, in 3D, the products of y and z (4). Only
+ * the top bits are used. See scalar/lattice.h for why it is this one.
  */
-#define HASH_X 0x2bd2d699u
-#define HASH_Y 0x6184ecd3u
-#define HASH_Z 0x80db8a39u
-#define HASH_YZ 0x4966636du
-#define HASH_JOIN 0xa8508a35u
-#define HASH_SHIFT 14
+#define HASH_X 0xf4bea973u
+#define HASH_Y 0xdcf4bb99u
+#define HASH_Z 0xf2a4d27bu
+#define HASH_SHIFT 15
 
 /* Both lattice coordinates of a cell along one axis, mixed. */
 struct axis {
@@ -132,11 +130,6 @@ VEC_INLINE struct axis hash_axis(vu cell, uint32_t multiplier, uint32_t key)
     return axis;
 }
 
-VEC_INLINE vu hash_join(vu a, vu b)
-{
-    return (a ^ b) * vu_set(HASH_JOIN);
-}
-
 /* What the columns of a cell share of the 3D hash, by [y][z]. */
 struct corners_yz {
     vu h00, h01, h10, h11;
@@ -144,9 +137,7 @@ struct corners_yz {
 
 VEC_INLINE struct corners_yz hash_yz(struct axis y, struct axis z)
 {
-    const vu m = vu_set(HASH_YZ);
-    const struct corners_yz c = {(y.h0 ^ z.h0) * m, (y.h0 ^ z.h1) * m, (y.h1 ^ z.h0) * m,
-                                 (y.h1 ^ z.h1) * m};
+    const struct corners_yz c = {y.h0 * z.h0, y.h0 * z.h1, y.h1 * z.h0, y.h1 * z.h1};
     return c;
 }
 
@@ -171,22 +162,22 @@ VEC_INLINE void lattice_run(struct lattice *lattice, const struct scarp_octave *
         lattice->x[b] = x.t;
         lattice->y[b] = y.t;
         if (dimensions == 2) {
-            lattice->hash[0][0][0][b] = hash_join(hx.h0, hy.h0);
-            lattice->hash[0][1][0][b] = hash_join(hx.h0, hy.h1);
-            lattice->hash[1][0][0][b] = hash_join(hx.h1, hy.h0);
-            lattice->hash[1][1][0][b] = hash_join(hx.h1, hy.h1);
+            lattice->hash[0][0][0][b] = hx.h0 * hy.h0;
+            lattice->hash[0][1][0][b] = hx.h0 * hy.h1;
+            lattice->hash[1][0][0][b] = hx.h1 * hy.h0;
+            lattice->hash[1][1][0][b] = hx.h1 * hy.h1;
         } else {
             const struct split z = split_axis(&o, 2, position, b, dimensions, doubles, axes);
             const struct corners_yz yz = hash_yz(hy, hash_axis(z.cell, HASH_Z, o.key[2]));
             lattice->z[b] = z.t;
-            lattice->hash[0][0][0][b] = hash_join(hx.h0, yz.h00);
-            lattice->hash[0][0][1][b] = hash_join(hx.h0, yz.h01);
-            lattice->hash[0][1][0][b] = hash_join(hx.h0, yz.h10);
-            lattice->hash[0][1][1][b] = hash_join(hx.h0, yz.h11);
-            lattice->hash[1][0][0][b] = hash_join(hx.h1, yz.h00);
-            lattice->hash[1][0][1][b] = hash_join(hx.h1, yz.h01);
-            lattice->hash[1][1][0][b] = hash_join(hx.h1, yz.h10);
-            lattice->hash[1][1][1][b] = hash_join(hx.h1, yz.h11);
+            lattice->hash[0][0][0][b] = hx.h0 * yz.h00;
+            lattice->hash[0][0][1][b] = hx.h0 * yz.h01;
+            lattice->hash[0][1][0][b] = hx.h0 * yz.h10;
+            lattice->hash[0][1][1][b] = hx.h0 * yz.h11;
+            lattice->hash[1][0][0][b] = hx.h1 * yz.h00;
+            lattice->hash[1][0][1][b] = hx.h1 * yz.h01;
+            lattice->hash[1][1][0][b] = hx.h1 * yz.h10;
+            lattice->hash[1][1][1][b] = hx.h1 * yz.h11;
         }
     }
 }

@@ -12,9 +12,8 @@
  *     d2/dx2 = 2 u' (a_1 - a_0) + u'' (right - left)
  *
  * and likewise for the derivatives along y and z. Along a row of a grid the lines are constants of
- * the column, which is why x comes last. Value noise has a = 0 throughout, and spells it out by
- * leaving those terms away: they could only change the sign of a zero, which the sum of octaves
- * forgets (it begins with +0).
+ * the column, which is why x comes last. Value noise has a = 0 throughout; there the terms
+ * with a are left away.
  *
  * `order`, the highest derivative wanted, and `dimensions` are compile-time constants everywhere.
  */

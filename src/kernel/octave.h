@@ -29,8 +29,7 @@ typedef void octave_pass(const struct lattice *lattice, size_t blocks, enum scar
 
 VEC_INLINE void add(float *to, const struct rows *from, int member, size_t b, vf term)
 {
-    const vf sum = from != NULL ? from->row[member][b] : vf_set(0.0f);
-    vf_store(to + b * VEC_LANES, sum + term);
+    vf_store(to + b * VEC_LANES, from != NULL ? from->row[member][b] + term : term);
 }
 
 VEC_INLINE struct sample basis_at(const struct lattice *lattice, size_t b, enum scarp_fade fade,

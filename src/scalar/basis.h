@@ -12,9 +12,9 @@
  *     d2/dx2 = 2 u' (a_1 - a_0) + u'' (right - left)
  *
  * and the derivatives along y and z follow from their lines in the same way. For value noise the
- * lines are constants (a = 0). These are the published closed forms (Quilez' k0..k7; the corner
- * gradients interpolated too for gradient noise) in another order of operations; tests/oracle.c
- * has them as published.
+ * lines are constants (a = 0), and the terms with a are left away. These are the published closed
+ * forms (Quilez' k0..k7; the corner gradients interpolated too for gradient noise) in another order
+ * of operations; tests/oracle.c has them as published.
  */
 #ifndef SCARP_SCALAR_BASIS_H
 #define SCARP_SCALAR_BASIS_H
@@ -103,11 +103,12 @@ static const float directions2[16][2] = {
 
 /* The 12 edges of a cube, the directions of improved noise (Perlin 2002), to which 16 takes four
    twice: here those in the x-y plane. x and y depend on the upper three bits of the index, z on the
-   lower three, so tables of 8 serve; Perlin's own choice of four needs two signs more. */
+   lower three, so tables of 8 serve; Perlin's own choice of four needs two signs more. Zeros have
+   signs as the other numbers do, since the vector kernels set signs by themselves. */
 static const float directions3[16][3] = {
-    {1, 0, 1},   {1, 0, -1},  {0, 1, 1},  {0, 1, -1},  {1, 1, 0},  {1, 1, 0},
-    {1, -1, 0},  {1, -1, 0},  {-1, 0, 1}, {-1, 0, -1}, {0, -1, 1}, {0, -1, -1},
-    {-1, -1, 0}, {-1, -1, 0}, {-1, 1, 0}, {-1, 1, 0},
+    {1, 0, 1},   {1, 0, -1},      {0, 1, 1},      {0, 1, -1},      {1, 1, 0},      {1, 1, -0.0f},
+    {1, -1, 0},  {1, -1, -0.0f},  {-1, -0.0f, 1}, {-1, -0.0f, -1}, {-0.0f, -1, 1}, {-0.0f, -1, -1},
+    {-1, -1, 0}, {-1, -1, -0.0f}, {-1, 1, 0},     {-1, 1, -0.0f},
 };
 
 /* Column x of the cell: v is the fade along y. */
@@ -208,19 +209,23 @@ SCALAR_INLINE float lattice_value(uint32_t hash)
     return (float)(int32_t)hash;
 }
 
-SCALAR_INLINE struct column value_column2(const uint32_t key[3], uint32_t x, const struct place *p,
-                                          struct fade v)
+/* What a lattice column contributes to value noise: nothing of it depends on x. */
+struct value_column {
+    float value, y, z, yy, yz, zz;
+};
+
+SCALAR_INLINE struct value_column value_column2(const uint32_t key[3], uint32_t x,
+                                                const struct place *p, struct fade v)
 {
     const float c0 = lattice_value(hash2(key, x, p->cell[1]));
     const float c1 = lattice_value(hash2(key, x, p->cell[1] + 1));
     const float d = c1 - c0;
-    const struct column c = {
-        .value = {0.0f, c0 + v.u * d}, .y = {0.0f, v.du * d}, .yy = {0.0f, v.ddu * d}};
+    const struct value_column c = {.value = c0 + v.u * d, .y = v.du * d, .yy = v.ddu * d};
     return c;
 }
 
-SCALAR_INLINE struct column value_column3(const uint32_t key[3], uint32_t x, const struct place *p,
-                                          struct fade v, struct fade w)
+SCALAR_INLINE struct value_column value_column3(const uint32_t key[3], uint32_t x,
+                                                const struct place *p, struct fade v, struct fade w)
 {
     const uint32_t y = p->cell[1], z = p->cell[2];
     const float c00 = lattice_value(hash3(key, x, y, z));
@@ -234,24 +239,48 @@ SCALAR_INLINE struct column value_column3(const uint32_t key[3], uint32_t x, con
     const float dy = e1 - e0;
     const float ddz = dz1 - dz0;
     const float dz = dz0 + v.u * ddz; /* interpolated over y */
-    const struct column c = {
-        .value = {0.0f, e0 + v.u * dy},
-        .y = {0.0f, v.du * dy},
-        .z = {0.0f, w.du * dz},
-        .yy = {0.0f, v.ddu * dy},
-        .yz = {0.0f, v.du * (w.du * ddz)},
-        .zz = {0.0f, w.ddu * dz},
+    const struct value_column c = {
+        .value = e0 + v.u * dy,
+        .y = v.du * dy,
+        .z = w.du * dz,
+        .yy = v.ddu * dy,
+        .yz = v.du * (w.du * ddz),
+        .zz = w.ddu * dz,
     };
     return c;
+}
+
+SCALAR_INLINE struct sample value_join(const struct value_column *l, const struct value_column *r,
+                                       struct fade f, int dimensions, int order)
+{
+    struct sample s = {.value = mix(l->value, r->value, f.u)};
+    if (order >= 1) {
+        s.dx = f.du * (r->value - l->value);
+        s.dy = mix(l->y, r->y, f.u);
+        if (dimensions == 3) {
+            s.dz = mix(l->z, r->z, f.u);
+        }
+    }
+    if (order >= 2) {
+        s.dxx = f.ddu * (r->value - l->value);
+        s.dxy = f.du * (r->y - l->y);
+        s.dyy = mix(l->yy, r->yy, f.u);
+        if (dimensions == 3) {
+            s.dxz = f.du * (r->z - l->z);
+            s.dyz = mix(l->yz, r->yz, f.u);
+            s.dzz = mix(l->zz, r->zz, f.u);
+        }
+    }
+    return s;
 }
 
 SCALAR_INLINE struct sample value2(const struct scarp_octave *o, const struct place *p,
                                    enum scarp_fade kind, int order)
 {
     const struct fade v = fade(kind, p->t[1]);
-    const struct column l = value_column2(o->key, p->cell[0], p, v);
-    const struct column r = value_column2(o->key, p->cell[0] + 1, p, v);
-    return join(&l, &r, p->t[0], fade(kind, p->t[0]), 2, order);
+    const struct value_column l = value_column2(o->key, p->cell[0], p, v);
+    const struct value_column r = value_column2(o->key, p->cell[0] + 1, p, v);
+    return value_join(&l, &r, fade(kind, p->t[0]), 2, order);
 }
 
 SCALAR_INLINE struct sample value3(const struct scarp_octave *o, const struct place *p,
@@ -259,9 +288,9 @@ SCALAR_INLINE struct sample value3(const struct scarp_octave *o, const struct pl
 {
     const struct fade v = fade(kind, p->t[1]);
     const struct fade w = fade(kind, p->t[2]);
-    const struct column l = value_column3(o->key, p->cell[0], p, v, w);
-    const struct column r = value_column3(o->key, p->cell[0] + 1, p, v, w);
-    return join(&l, &r, p->t[0], fade(kind, p->t[0]), 3, order);
+    const struct value_column l = value_column3(o->key, p->cell[0], p, v, w);
+    const struct value_column r = value_column3(o->key, p->cell[0] + 1, p, v, w);
+    return value_join(&l, &r, fade(kind, p->t[0]), 3, order);
 }
 
 #endif

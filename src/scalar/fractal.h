@@ -8,46 +8,50 @@
 
 #include "basis.h"
 
-/* p_k = J_k x + o_k, split into cell and fraction. */
-SCALAR_INLINE struct place place_f32(const struct scarp_octave *o, int turned, const float x[3],
+/* How the axes of an octave lie: p = f x, p = f x + o, p = J x + o. */
+enum axes { AXES_FIRST, AXES_STRAIGHT, AXES_TURNED };
+
+/* p_k = J_k x + o_k, split into cell and fraction. (The offset of octave 0 is 0, and turns -0 into
+   0.) */
+SCALAR_INLINE struct place place_f32(const struct scarp_octave *o, enum axes axes, const float x[3],
                                      int dimensions)
 {
     struct place place;
     for (int i = 0; i < dimensions; i++) {
         const float *const j = o->jacobian[i];
-        float p = turned ? j[0] * x[0] + j[1] * x[1] : o->frequency * x[i];
-        if (turned && dimensions == 3) {
+        float p = axes == AXES_TURNED ? j[0] * x[0] + j[1] * x[1] : o->frequency * x[i];
+        if (axes == AXES_TURNED && dimensions == 3) {
             p += j[2] * x[2];
         }
-        split_f32(p + o->offset[i], &place.cell[i], &place.t[i]);
+        split_f32(p + (axes == AXES_FIRST ? 0.0f : o->offset[i]), &place.cell[i], &place.t[i]);
     }
     return place;
 }
 
-SCALAR_INLINE struct place place_f64(const struct scarp_octave *o, int turned, const double x[3],
-                                     int dimensions)
+SCALAR_INLINE struct place place_f64(const struct scarp_octave *o, enum axes axes,
+                                     const double x[3], int dimensions)
 {
     struct place place;
     for (int i = 0; i < dimensions; i++) {
         const double *const j = o->jacobian64[i];
-        double p = turned ? j[0] * x[0] + j[1] * x[1] : o->frequency64 * x[i];
-        if (turned && dimensions == 3) {
+        double p = axes == AXES_TURNED ? j[0] * x[0] + j[1] * x[1] : o->frequency64 * x[i];
+        if (axes == AXES_TURNED && dimensions == 3) {
             p += j[2] * x[2];
         }
-        split_f64(p + o->offset64[i], &place.cell[i], &place.t[i]);
+        split_f64(p + (axes == AXES_FIRST ? 0.0 : o->offset64[i]), &place.cell[i], &place.t[i]);
     }
     return place;
 }
 
-SCALAR_INLINE struct sample basis(const struct scarp_plan *plan, const struct scarp_octave *o,
-                                  const struct place *place, int dimensions, int order)
+SCALAR_INLINE struct sample noise(enum scarp_basis basis, enum scarp_fade fade,
+                                  const struct scarp_octave *o, const struct place *place,
+                                  int dimensions, int order)
 {
-    if (plan->basis == SCARP_GRADIENT) {
-        return dimensions == 2 ? gradient2(o, place, plan->fade, order)
-                               : gradient3(o, place, plan->fade, order);
+    if (basis == SCARP_GRADIENT) {
+        return dimensions == 2 ? gradient2(o, place, fade, order)
+                               : gradient3(o, place, fade, order);
     }
-    return dimensions == 2 ? value2(o, place, plan->fade, order)
-                           : value3(o, place, plan->fade, order);
+    return dimensions == 2 ? value2(o, place, fade, order) : value3(o, place, fade, order);
 }
 
 /* Column j of a matrix, transposed, times the vector (x, y, z). */
@@ -58,14 +62,18 @@ SCALAR_INLINE float column_dot(const float m[3][3], int j, int dimensions, float
     return dimensions == 3 ? dot + m[2][j] * z : dot;
 }
 
-/* sum += a n with turned axes: the gradient gains (a J)^T g, the Hessian (a J)^T (H J). */
-SCALAR_INLINE void add_turned(struct sample *sum, const struct scarp_octave *o,
-                              const struct sample *n, int dimensions, int order)
+/* a n with turned axes: the gradient is (a J)^T g, the Hessian (a J)^T (H J). */
+SCALAR_INLINE struct sample turned(const struct scarp_octave *o, const struct sample *n,
+                                   int dimensions, int order)
 {
+    const float(*const aj)[3] = o->gradient;
+    struct sample s = {.value = o->amplitude * n->value};
     if (order >= 1) {
-        sum->dx += column_dot(o->gradient, 0, dimensions, n->dx, n->dy, n->dz);
-        sum->dy += column_dot(o->gradient, 1, dimensions, n->dx, n->dy, n->dz);
-        sum->dz += dimensions == 3 ? column_dot(o->gradient, 2, 3, n->dx, n->dy, n->dz) : 0.0f;
+        s.dx = column_dot(aj, 0, dimensions, n->dx, n->dy, n->dz);
+        s.dy = column_dot(aj, 1, dimensions, n->dx, n->dy, n->dz);
+        if (dimensions == 3) {
+            s.dz = column_dot(aj, 2, 3, n->dx, n->dy, n->dz);
+        }
     }
     if (order >= 2) {
         float hj[3][3] = {{0}}; /* H J */
@@ -74,45 +82,79 @@ SCALAR_INLINE void add_turned(struct sample *sum, const struct scarp_octave *o,
             hj[1][j] = column_dot(o->jacobian, j, dimensions, n->dxy, n->dyy, n->dyz);
             hj[2][j] = column_dot(o->jacobian, j, dimensions, n->dxz, n->dyz, n->dzz);
         }
-        sum->dxx += column_dot(o->gradient, 0, dimensions, hj[0][0], hj[1][0], hj[2][0]);
-        sum->dxy += column_dot(o->gradient, 0, dimensions, hj[0][1], hj[1][1], hj[2][1]);
-        sum->dyy += column_dot(o->gradient, 1, dimensions, hj[0][1], hj[1][1], hj[2][1]);
+        s.dxx = column_dot(aj, 0, dimensions, hj[0][0], hj[1][0], hj[2][0]);
+        s.dxy = column_dot(aj, 0, dimensions, hj[0][1], hj[1][1], hj[2][1]);
+        s.dyy = column_dot(aj, 1, dimensions, hj[0][1], hj[1][1], hj[2][1]);
         if (dimensions == 3) {
-            sum->dxz += column_dot(o->gradient, 0, 3, hj[0][2], hj[1][2], hj[2][2]);
-            sum->dyz += column_dot(o->gradient, 1, 3, hj[0][2], hj[1][2], hj[2][2]);
-            sum->dzz += column_dot(o->gradient, 2, 3, hj[0][2], hj[1][2], hj[2][2]);
+            s.dxz = column_dot(aj, 0, 3, hj[0][2], hj[1][2], hj[2][2]);
+            s.dyz = column_dot(aj, 1, 3, hj[0][2], hj[1][2], hj[2][2]);
+            s.dzz = column_dot(aj, 2, 3, hj[0][2], hj[1][2], hj[2][2]);
         }
     }
+    return s;
 }
 
-/* sum += a n with J = f: the gradient gains a f g, the Hessian a f^2 H. */
-SCALAR_INLINE void add_straight(struct sample *sum, const struct scarp_octave *o,
-                                const struct sample *n, int order)
+/* a n with J = f: the gradient has the factor a f, the Hessian a f^2. */
+SCALAR_INLINE struct sample straight(const struct scarp_octave *o, const struct sample *n)
 {
-    if (order >= 1) {
-        sum->dx += o->slope * n->dx;
-        sum->dy += o->slope * n->dy;
-        sum->dz += o->slope * n->dz;
-    }
-    if (order >= 2) {
-        sum->dxx += o->curvature * n->dxx;
-        sum->dxy += o->curvature * n->dxy;
-        sum->dxz += o->curvature * n->dxz;
-        sum->dyy += o->curvature * n->dyy;
-        sum->dyz += o->curvature * n->dyz;
-        sum->dzz += o->curvature * n->dzz;
-    }
+    const struct sample s = {
+        .value = o->amplitude * n->value,
+        .dx = o->slope * n->dx,
+        .dy = o->slope * n->dy,
+        .dz = o->slope * n->dz,
+        .dxx = o->curvature * n->dxx,
+        .dxy = o->curvature * n->dxy,
+        .dxz = o->curvature * n->dxz,
+        .dyy = o->curvature * n->dyy,
+        .dyz = o->curvature * n->dyz,
+        .dzz = o->curvature * n->dzz,
+    };
+    return s;
 }
 
-SCALAR_INLINE void add_octave(struct sample *sum, const struct scarp_octave *o, int turned,
-                              const struct sample *n, int dimensions, int order)
+SCALAR_INLINE void add(struct sample *sum, const struct sample *s)
 {
-    sum->value += o->amplitude * n->value;
-    if (turned) {
-        add_turned(sum, o, n, dimensions, order);
-    } else {
-        add_straight(sum, o, n, order);
+    sum->value += s->value;
+    sum->dx += s->dx;
+    sum->dy += s->dy;
+    sum->dz += s->dz;
+    sum->dxx += s->dxx;
+    sum->dxy += s->dxy;
+    sum->dxz += s->dxz;
+    sum->dyy += s->dyy;
+    sum->dyz += s->dyz;
+    sum->dzz += s->dzz;
+}
+
+/* Float or double coordinates. */
+struct point {
+    float f32[3];
+    double f64[3];
+};
+
+/* Octave k, as it is added to the sum. */
+SCALAR_INLINE struct sample octave(const struct scarp_plan *plan, int k, enum axes axes,
+                                   const struct point *x, enum scarp_basis basis, int dimensions,
+                                   int order, int doubles)
+{
+    const struct scarp_octave *const o = &plan->octave[k];
+    const struct place place =
+        doubles ? place_f64(o, axes, x->f64, dimensions) : place_f32(o, axes, x->f32, dimensions);
+    const struct sample n = noise(basis, plan->fade, o, &place, dimensions, order);
+    return axes == AXES_TURNED ? turned(o, &n, dimensions, order) : straight(o, &n);
+}
+
+SCALAR_INLINE struct sample sum_of_octaves(const struct scarp_plan *plan, const struct point *x,
+                                           enum scarp_basis basis, int dimensions, int order,
+                                           int doubles)
+{
+    struct sample sum = octave(plan, 0, AXES_FIRST, x, basis, dimensions, order, doubles);
+    const enum axes axes = plan->rotate ? AXES_TURNED : AXES_STRAIGHT;
+    for (int k = 1; k < plan->octaves; k++) {
+        const struct sample n = octave(plan, k, axes, x, basis, dimensions, order, doubles);
+        add(&sum, &n);
     }
+    return sum;
 }
 
 #endif

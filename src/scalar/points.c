@@ -17,49 +17,55 @@ SCALAR_INLINE void put(float *array, size_t i, float value)
 }
 
 SCALAR_INLINE void store(const struct scarp_samples *out, size_t i, const struct sample *s,
-                         int order)
+                         int dimensions, int order)
 {
     put(out->value, i, s->value);
     if (order >= 1) {
         put(out->dx, i, s->dx);
         put(out->dy, i, s->dy);
-        put(out->dz, i, s->dz);
+        if (dimensions == 3) {
+            put(out->dz, i, s->dz);
+        }
     }
     if (order >= 2) {
         put(out->dxx, i, s->dxx);
         put(out->dxy, i, s->dxy);
-        put(out->dxz, i, s->dxz);
         put(out->dyy, i, s->dyy);
-        put(out->dyz, i, s->dyz);
-        put(out->dzz, i, s->dzz);
+        if (dimensions == 3) {
+            put(out->dxz, i, s->dxz);
+            put(out->dyz, i, s->dyz);
+            put(out->dzz, i, s->dzz);
+        }
     }
 }
 
-/* `dimensions`, `order` and `doubles` are constants where this is inlined. */
+/* Everything from `basis` on is a constant where this is inlined. */
 SCALAR_INLINE void points_of(const struct scarp_plan *plan, size_t count,
                              const void *const position[3], const struct scarp_samples *out,
-                             int dimensions, int order, int doubles)
+                             enum scarp_basis basis, int dimensions, int order, int doubles)
 {
     for (size_t i = 0; i < count; i++) {
-        float x[3];
-        double x64[3];
+        struct point x;
         for (int d = 0; d < dimensions; d++) {
             if (doubles) {
-                x64[d] = ((const double *)position[d])[i];
+                x.f64[d] = ((const double *)position[d])[i];
             } else {
-                x[d] = ((const float *)position[d])[i];
+                x.f32[d] = ((const float *)position[d])[i];
             }
         }
-        struct sample sum = {0};
-        for (int k = 0; k < plan->octaves; k++) {
-            const struct scarp_octave *const o = &plan->octave[k];
-            const int turned = plan->rotate && k > 0; /* octave 0 never is */
-            const struct place place = doubles ? place_f64(o, turned, x64, dimensions)
-                                               : place_f32(o, turned, x, dimensions);
-            const struct sample n = basis(plan, o, &place, dimensions, order);
-            add_octave(&sum, o, turned, &n, dimensions, order);
-        }
-        store(out, i, &sum, order);
+        const struct sample sum = sum_of_octaves(plan, &x, basis, dimensions, order, doubles);
+        store(out, i, &sum, dimensions, order);
+    }
+}
+
+SCALAR_INLINE void points_of_basis(const struct scarp_plan *plan, size_t count,
+                                   const void *const position[3], const struct scarp_samples *out,
+                                   enum scarp_basis basis, int dimensions, int doubles)
+{
+    switch (plan->order) {
+    case 0: points_of(plan, count, position, out, basis, dimensions, 0, doubles); break;
+    case 1: points_of(plan, count, position, out, basis, dimensions, 1, doubles); break;
+    default: points_of(plan, count, position, out, basis, dimensions, 2, doubles); break;
     }
 }
 
@@ -67,10 +73,10 @@ SCALAR_INLINE void points(const struct scarp_plan *plan, size_t count,
                           const void *const position[3], const struct scarp_samples *out,
                           int dimensions, int doubles)
 {
-    switch (plan->order) {
-    case 0: points_of(plan, count, position, out, dimensions, 0, doubles); break;
-    case 1: points_of(plan, count, position, out, dimensions, 1, doubles); break;
-    default: points_of(plan, count, position, out, dimensions, 2, doubles); break;
+    if (plan->basis == SCARP_GRADIENT) {
+        points_of_basis(plan, count, position, out, SCARP_GRADIENT, dimensions, doubles);
+    } else {
+        points_of_basis(plan, count, position, out, SCARP_VALUE, dimensions, doubles);
     }
 }
 
