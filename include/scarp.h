@@ -39,7 +39,7 @@ extern "C" {
  *   unmasked exceptions) neither changes a result nor is changed. On processors other than x86 and
  *   AArch64 that holds for the rounding direction; the others must be at their defaults there.
  * - Any thread may call any function at any time. Nothing is allocated, printed or read from the
- *   environment, and errno is left alone. A call takes up to 96 KiB of stack (AVX-512; 48 KiB with
+ *   environment, and errno is left alone. A call takes up to 112 KiB of stack (AVX-512; 56 KiB with
  *   AVX2, less with the others).
  */
 
@@ -69,7 +69,12 @@ enum scarp_fade {
 
 /* How octaves are summed. */
 enum scarp_fractal {
-    SCARP_FBM /* fractional Brownian motion: the weighted sum, below */
+    SCARP_FBM,        /* fractional Brownian motion: the weighted sum of octaves */
+    SCARP_TURBULENCE, /* the weighted sum of their magnitudes: billows with creases (Perlin 1985) */
+    SCARP_RIDGED,     /* ridged multifractal (Musgrave 1994): creases become ridges, and octaves
+                         are weighted by those before, so valleys are smooth */
+    SCARP_EROSION     /* fBm whose octaves are damped where the sum of slopes is steep (Quilez
+                         2008): ridges and eroded flanks. No Hessian. */
 };
 
 /* Kernel sets, one of which serves all calls. */
@@ -91,16 +96,11 @@ enum scarp_isa {
  *     p_k = J_k x + o_k,      J_k = f_k R^k,
  *
  * where x is the input, R the turn between octaves (the identity unless `rotate`), and o_k an
- * offset in [0, 1)^n that is drawn from the seed, so that octaves do not line up at the origin.
- * o_0 is 0. Seed and k also choose which part of the lattice's 2^32 cells per axis the octave sees;
- * these parts are far apart, but it is one lattice. With n_k the basis at p_k, scaled so that |n_k|
- * reaches 1 (raw gradient noise of unit vectors in 2D and of edges (1, 1, 0) in 3D is divided by
- * its suprema: 0.6953527 and 1.0363538 with the quintic fade, 0.6958100 and 1.0449052 with the
- * cubic one):
- *
- *     fBm     value    = sum_k a_k n_k
- *             gradient = sum_k a_k J_k^T grad n_k
- *             Hessian  = sum_k a_k J_k^T (Hessian n_k) J_k
+ * offset in [0, 1)^n, so that octaves do not line up at the origin; o_0 is 0. n_k, the octave's
+ * noise, is the basis at p_k, scaled so that |n_k| reaches 1 (raw gradient noise of unit vectors in
+ * 2D and of edges (1, 1, 0) in 3D is divided by its suprema: 0.6953527 and 1.0363538 with the
+ * quintic fade, 0.6958100 and 1.0449052 with the cubic one). g_k = grad n_k and H_k are its
+ * derivatives with respect to p_k; with respect to x they are G_k = J_k^T g_k and J_k^T H_k J_k.
  *
  *     a_k = amplitude (1 - 2^-17) w_k / (w_0 + ... + w_(K-1)),   w_k = gain^k,
  *
@@ -108,6 +108,30 @@ enum scarp_isa {
  * faded in without a pop. (Below 1 it cancels: one octave is always whole.) The 2^-17 is the
  * head-room for rounding that lets the range be promised. R is (0.8 -0.6; 0.6 0.8) in 2D and (0 0.8
  * 0.6; -0.8 0.36 -0.48; -0.6 -0.48 0.64) in 3D.
+ *
+ *     fBm         value = sum_k a_k n_k
+ *                 gradient = sum_k a_k G_k           Hessian = sum_k a_k J_k^T H_k J_k
+ *     turbulence  value = sum_k a_k |n_k|
+ *                 gradient = sum_k a_k sign(n_k) G_k, and likewise the Hessian; sign(0) = 0
+ *     ridged      value = sum_k a_k s_k,   s_k = v_k (1 - |n_k|)^2,   v_0 = 1,
+ *                 v_(k+1) = 2 s_k, but 1 where that is more.
+ *                 The derivatives are those of this expression, with sign(0) = 0, and those of
+ *                 v_(k+1) 0 where it is 1. (libnoise's RidgedMulti with the exponent 1 is this
+ *                 with gain = 1 / lacunarity, times 1.25, less 1, not normalised.)
+ *     erosion     value = sum_k a_k q_k n_k,   q_k = 1 / (1 + erosion d_k . d_k),
+ *                 d_k = g_0 + ... + g_k, each g in the axes and units of its own octave.
+ *                 gradient = sum_k a_k (q_k G_k - 2 erosion n_k q_k^2 D_k^T d_k),
+ *                 D_k = H_0 J_0 + ... + H_k J_k, which is the Jacobian of d_k
+ *
+ * Every gradient is that of the value returned. Those of turbulence and ridged, and their Hessians,
+ * hold almost everywhere: where some n_k is 0, or 2 s_k is 1, the surface has a crease.
+ *
+ * An octave is noise of its own: n_k at x is, but for rounding, single-octave noise of the seed
+ * s_k, frequency 1 and the same basis and fade at p_k, divided by 1 - 2^-17. With splitmix64(z) the
+ * generator of Steele, Lea and Flood (2014) started at z, s_0 is `seed`, and s_k number k of
+ * splitmix64(first number of splitmix64(seed)). o_k comes from the second and third number, b and
+ * c, of splitmix64(first number of splitmix64(s_k)): 2^-24 times the top 24 bits of b, the low 24
+ * bits of c, the top 24 bits of c.
  *
  * Outputs are gradients and Hessians per unit of *input* (not per lattice cell).
  */
@@ -123,6 +147,8 @@ struct scarp_noise {
     float lacunarity; /* frequency ratio between octaves, in [1/16, 16]. Default 2. */
     float gain;       /* amplitude ratio between octaves, in [1/16, 16]. Default 0.5. */
     float amplitude;  /* scales every output; its magnitude in [2^-24, 2^24]. Default 1. */
+    float erosion;    /* SCARP_EROSION: how strongly slopes damp octaves, in [2^-24, 2^24].
+                         Default 1. */
 };
 
 /* Where results go: arrays of `count` floats. A NULL member is skipped. A call that asks for
@@ -154,8 +180,8 @@ struct scarp_samples {
  * Returns SCARP_ERROR_NULL if count > 0 and `noise`, `out`, `x` or `y` is NULL; SCARP_ERROR_ENUM
  * for an unknown basis, fade or fractal; SCARP_ERROR_PARAMETER for a number of `noise` outside its
  * interval; SCARP_ERROR_SIZE if the arrays would exceed the address space;
- * SCARP_ERROR_UNSUPPORTED if a derivative along z is asked for. A count of 0 is a success that
- * looks at nothing.
+ * SCARP_ERROR_UNSUPPORTED if a derivative along z is asked for, or a second derivative of
+ * SCARP_EROSION. A count of 0 is a success that looks at nothing.
  */
 SCARP_API enum scarp_status scarp_sample2(const struct scarp_noise *noise, size_t count,
                                           const float *x, const float *y,
@@ -205,8 +231,9 @@ SCARP_API enum scarp_status scarp_normals(size_t count, const float *dx, const f
 /*
  * scarp_range - the interval that values never leave
  *
- * *lowest <= value <= *highest for every point, rounding included. `dimensions` is 2 or 3. fBm:
- * -|amplitude| and |amplitude|. Use it to map heights to integers: all tiles then agree.
+ * *lowest <= value <= *highest for every point, rounding included. `dimensions` is 2 or 3. fBm and
+ * erosion: -|amplitude| and |amplitude|. Turbulence and ridged: 0 and amplitude, in their order.
+ * Use it to map heights to integers: all tiles then agree.
  *
  * Returns SCARP_ERROR_NULL if a pointer is NULL; SCARP_ERROR_ENUM and SCARP_ERROR_PARAMETER as
  * scarp_sample2, the latter also for `dimensions`.

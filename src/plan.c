@@ -15,6 +15,8 @@
 #define RATIO_MAX 16.0
 #define AMPLITUDE_MIN 0x1p-24
 #define AMPLITUDE_MAX 0x1p24
+#define EROSION_MIN 0x1p-24
+#define EROSION_MAX 0x1p24
 
 /*
  * The head-room for rounding. In units of the supremum, what is interpolated is at most 2 (a
@@ -45,7 +47,7 @@ static const double turn2[3][3] = {{0.8, -0.6, 0.0}, {0.6, 0.8, 0.0}, {0.0, 0.0,
 static const double turn3[3][3] = {{0.0, 0.8, 0.6}, {-0.8, 0.36, -0.48}, {-0.6, -0.48, 0.64}};
 
 struct parameters {
-    double frequency, octaves, lacunarity, gain, amplitude;
+    double frequency, octaves, lacunarity, gain, amplitude, erosion;
 };
 
 static double value_or(double value, double standard)
@@ -61,6 +63,7 @@ static struct parameters parameters_of(const struct scarp_noise *noise)
         .lacunarity = value_or((double)noise->lacunarity, 2.0),
         .gain = value_or((double)noise->gain, 0.5),
         .amplitude = value_or((double)noise->amplitude, 1.0),
+        .erosion = value_or((double)noise->erosion, 1.0),
     };
     return p;
 }
@@ -82,10 +85,13 @@ enum scarp_status scarp_plan_check(const struct scarp_noise *noise)
 {
     /* Through unsigned: an enumeration may hold any number that a caller put there. */
     if ((unsigned)noise->basis > SCARP_VALUE || (unsigned)noise->fade > SCARP_CUBIC ||
-        (unsigned)noise->fractal > SCARP_FBM) {
+        (unsigned)noise->fractal > SCARP_EROSION) {
         return SCARP_ERROR_ENUM;
     }
     const struct parameters p = parameters_of(noise);
+    if (!within(p.erosion, EROSION_MIN, EROSION_MAX)) {
+        return SCARP_ERROR_PARAMETER;
+    }
     if (!within(p.octaves, 0.0, SCARP_MAX_OCTAVES) ||
         !within(p.frequency, FREQUENCY_MIN, FREQUENCY_MAX) ||
         !within(p.lacunarity, RATIO_MIN, RATIO_MAX) || !within(p.gain, RATIO_MIN, RATIO_MAX) ||
@@ -111,13 +117,20 @@ static uint64_t mix64(uint64_t z)
 #define GOLDEN_GAMMA UINT64_C(0x9e3779b97f4a7c15) /* 2^64 / golden ratio, odd */
 
 /*
- * Keys and offset of octave k. The seed is mixed before k comes in, so seeds that people choose
- * (neighbours, complements, powers of two) have no octaves in common; the keys of x and y are a
- * bijection of the seed, so no two seeds share an octave k.
+ * The seed of octave k, such that the octave by itself is single-octave noise of that seed. The
+ * seed is mixed before k comes in, so seeds that people choose (neighbours, complements, powers of
+ * two) have no octaves in common.
  */
+static uint64_t octave_seed(uint64_t seed, int k)
+{
+    return k == 0 ? seed : mix64(mix64(seed + GOLDEN_GAMMA) + (uint64_t)k * GOLDEN_GAMMA);
+}
+
+/* Keys and offset of octave k. The keys of x and y are a bijection of the seed, so no two seeds
+   share an octave k. */
 static void draw_octave(struct scarp_octave *octave, uint64_t seed, int k)
 {
-    const uint64_t stream = mix64(seed + GOLDEN_GAMMA) + 3 * (uint64_t)k * GOLDEN_GAMMA;
+    const uint64_t stream = mix64(octave_seed(seed, k) + GOLDEN_GAMMA);
     const uint64_t a = mix64(stream + GOLDEN_GAMMA);
     const uint64_t b = mix64(stream + 2 * GOLDEN_GAMMA);
     const uint64_t c = mix64(stream + 3 * GOLDEN_GAMMA);
@@ -181,6 +194,8 @@ void scarp_plan_make(struct scarp_plan *plan, const struct scarp_noise *noise, i
                                                         : gradient3_supremum[noise->fade];
     plan->basis = noise->basis;
     plan->fade = noise->fade;
+    plan->fractal = noise->fractal;
+    plan->erosion = (float)p.erosion;
     plan->order = order;
     plan->rotate = noise->rotate != 0 && octaves > 1;
     plan->octaves = octaves;
@@ -192,20 +207,22 @@ void scarp_plan_make(struct scarp_plan *plan, const struct scarp_noise *noise, i
         sum += weights[k];
         weight *= p.gain;
     }
-    const double scale = p.amplitude * HEADROOM / (sum * supremum);
+    const double scale = p.amplitude * HEADROOM / sum;
     double frequency = p.frequency;
+    double factors[SCARP_MAX_OCTAVES];
     for (int k = 0; k < octaves; k++) {
         struct scarp_octave *const octave = &plan->octave[k];
-        weights[k] *= scale;
-        octave->amplitude = (float)weights[k];
-        octave->slope = (float)(weights[k] * frequency);
-        octave->curvature = (float)(weights[k] * frequency * frequency);
+        octave->weight = (float)(weights[k] * scale);
+        factors[k] = noise->fractal == SCARP_FBM ? weights[k] * scale / supremum : 1.0 / supremum;
+        octave->amplitude = (float)factors[k];
+        octave->slope = (float)(factors[k] * frequency);
+        octave->curvature = (float)(factors[k] * frequency * frequency);
         octave->frequency = (float)frequency;
         octave->frequency64 = frequency;
         draw_octave(octave, noise->seed, k);
         frequency *= p.lacunarity;
     }
     if (plan->rotate) {
-        turn_axes(plan, dimensions == 2 ? turn2 : turn3, weights);
+        turn_axes(plan, dimensions == 2 ? turn2 : turn3, factors);
     }
 }

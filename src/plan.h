@@ -24,7 +24,8 @@
 
 struct scarp_octave {
     uint32_t key[3];      /* of the lattice hash, per axis */
-    float amplitude;      /* of the basis as evaluated: a_k times the basis' scale */
+    float weight;         /* a_k */
+    float amplitude;      /* of the basis as evaluated: its scale, in fBm times a_k */
     float slope;          /* amplitude f_k: gradients, axes not turned */
     float curvature;      /* amplitude f_k^2: Hessians, axes not turned */
     float frequency;      /* f_k */
@@ -39,6 +40,8 @@ struct scarp_octave {
 struct scarp_plan {
     enum scarp_basis basis;
     enum scarp_fade fade;
+    enum scarp_fractal fractal;
+    float erosion;
     int order;   /* highest derivative asked for: 0, 1, 2 */
     int rotate;  /* octaves 1 and up use jacobian and gradient, not frequency, slope, curvature */
     int octaves; /* how many of the following are valid */

@@ -33,8 +33,12 @@ static NOINLINE enum scarp_status run(scarp_points_fn *points, const struct scar
     if (status != SCARP_OK) {
         return status;
     }
+    const int order = order_of(out);
+    if (noise->fractal == SCARP_EROSION && order == 2) {
+        return SCARP_ERROR_UNSUPPORTED;
+    }
     struct scarp_plan plan;
-    scarp_plan_make(&plan, noise, dimensions, order_of(out));
+    scarp_plan_make(&plan, noise, dimensions, order);
     points(&plan, count, position, out);
     return SCARP_OK;
 }
@@ -132,6 +136,14 @@ enum scarp_status scarp_normals(size_t count, const float *dx, const float *dy, 
     return SCARP_OK;
 }
 
+/*
+ * Why values stay within: |n_k| <= 1 but for the rounding that HEADROOM in plan.c covers, and the
+ * factors that fractals multiply a_k n_k by lie in [0, 1] in float arithmetic too, since rounding
+ * is monotone and 1 is a float: |n_k| <= 1 (turbulence); (1 - |n_k|)^2 <= 1 and the weights, which
+ * end at 1 (ridged: |n_k| may exceed 1 by rounding, its square does no harm); 1 / (1 + erosion d.d)
+ * (erosion). Turbulence and ridged sum numbers of one sign. So every sum is at most the sum of the
+ * a_k, which is amplitude * HEADROOM. Single octaves show that the bounds are reached.
+ */
 static NOINLINE enum scarp_status range(const struct scarp_noise *noise, int dimensions,
                                         float *lowest, float *highest)
 {
@@ -143,8 +155,10 @@ static NOINLINE enum scarp_status range(const struct scarp_noise *noise, int dim
         return SCARP_ERROR_PARAMETER;
     }
     const float amplitude = noise->amplitude == 0.0f ? 1.0f : noise->amplitude;
-    *highest = amplitude < 0.0f ? -amplitude : amplitude;
-    *lowest = -*highest;
+    const float magnitude = amplitude < 0.0f ? -amplitude : amplitude;
+    const int one_sided = noise->fractal == SCARP_TURBULENCE || noise->fractal == SCARP_RIDGED;
+    *lowest = one_sided && amplitude > 0.0f ? 0.0f : -magnitude;
+    *highest = one_sided && amplitude < 0.0f ? 0.0f : magnitude;
     return SCARP_OK;
 }
 

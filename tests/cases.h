@@ -109,10 +109,22 @@ struct cases_call {
     int dimensions, order, doubles;
 };
 
-/* Every combination of dimensions, basis, fade, order, precision and turned axes. Turned axes come
-   with a fractional number of octaves, odd ratios and a high seed; straight ones alternate between
-   one octave and several. */
-#define CASES_CALLS (2 * 2 * 2 * 3 * 2 * 3)
+/* Every combination of dimensions, basis, fade, order and precision: of fBm with one octave, with
+   several, and with turned axes, which come with a fractional number of octaves, odd ratios and a
+   negative amplitude; of each other fractal with several octaves or turned axes by turns. Erosion
+   has no order 2; it has its order 1 twice. */
+#define CASES_KINDS 6
+#define CASES_CALLS (2 * 2 * 2 * 3 * 2 * CASES_KINDS)
+
+static inline void cases_turn(struct scarp_noise *noise)
+{
+    noise->rotate = 1;
+    noise->octaves = 4.25f;
+    noise->frequency = 1.25;
+    noise->lacunarity = 1.875f;
+    noise->gain = 0.625f;
+    noise->amplitude = -3.5f;
+}
 
 static inline struct cases_call cases_call(int index)
 {
@@ -125,16 +137,21 @@ static inline struct cases_call cases_call(int index)
     call.doubles = index / 24 % 2;
     const int kind = index / 48;
     call.noise.seed = (uint64_t)(unsigned)index * UINT64_C(0x123456789abcdef1);
-    if (kind == 1) {
+    if (kind == 2) {
+        cases_turn(&call.noise);
+    } else if (kind != 0) {
         call.noise.octaves = 5.0f;
         call.noise.frequency = 0.375;
-    } else if (kind == 2) {
-        call.noise.rotate = 1;
-        call.noise.octaves = 4.25f;
-        call.noise.frequency = 1.25;
-        call.noise.lacunarity = 1.875f;
-        call.noise.gain = 0.625f;
-        call.noise.amplitude = -3.5f;
+    }
+    if (kind > 2) {
+        call.noise.fractal = (enum scarp_fractal)(SCARP_TURBULENCE + kind - 3);
+        call.noise.erosion = 0.75f;
+        if ((index / 2 + index / 4 + index / 8 + kind) % 2 != 0) {
+            cases_turn(&call.noise);
+        }
+        if (call.noise.fractal == SCARP_EROSION && call.order == 2) {
+            call.order = 1;
+        }
     }
     return call;
 }

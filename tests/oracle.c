@@ -95,14 +95,17 @@ static uint64_t next(uint64_t *state)
     return z ^ z >> 31;
 }
 
-/* Octave k takes the numbers 3k, 3k + 1 and 3k + 2 of the generator that the first number of the
-   seed's own generator starts. */
+/* Octave 0 has the seed itself, octave k number k of the generator that the first number of the
+   seed's own generator starts; keys and offset are drawn likewise from the octave's seed. */
 static void draw_octave(struct oracle_octave *octave, uint64_t seed, int k)
 {
-    uint64_t state = next(&seed);
-    for (int skipped = 0; skipped < 3 * k; skipped++) {
-        next(&state);
+    if (k > 0) {
+        uint64_t seeds = next(&seed);
+        for (int i = 0; i < k; i++) {
+            seed = next(&seeds);
+        }
     }
+    uint64_t state = next(&seed);
     const uint64_t first = next(&state), second = next(&state), third = next(&state);
     octave->key[0] = (uint32_t)first;
     octave->key[1] = (uint32_t)(first >> 32);

@@ -211,7 +211,7 @@ static void test_enumerators(void)
         noise = (struct scarp_noise){.fade = (enum scarp_fade)unknown[i]};
         snprintf(what, sizeof what, "fade %d", unknown[i]);
         expect_refused(&noise, SCARP_ERROR_ENUM, what);
-        if (unknown[i] > SCARP_FBM || unknown[i] < 0) {
+        if (unknown[i] > SCARP_EROSION || unknown[i] < 0) {
             noise = (struct scarp_noise){.fractal = (enum scarp_fractal)unknown[i]};
             snprintf(what, sizeof what, "fractal %d", unknown[i]);
             expect_refused(&noise, SCARP_ERROR_ENUM, what);

@@ -32,6 +32,34 @@ VEC_INLINE void add(float *to, const struct rows *from, int member, size_t b, vf
     vf_store(to + b * VEC_LANES, from != NULL ? from->row[member][b] + term : term);
 }
 
+/* to = from + weights * s at a block of points. */
+VEC_INLINE void add_sample(const struct scarp_samples *to, const struct rows *from, size_t b,
+                           const struct sample *s, const struct weights *weights, int dimensions,
+                           int order)
+{
+    const vf amplitude = vf_set(weights->amplitude);
+    const vf slope = vf_set(weights->slope);
+    const vf curvature = vf_set(weights->curvature);
+    add(to->value, from, VALUE, b, amplitude * s->value);
+    if (order >= 1) {
+        add(to->dx, from, DX, b, slope * s->dx);
+        add(to->dy, from, DY, b, slope * s->dy);
+        if (dimensions == 3) {
+            add(to->dz, from, DZ, b, slope * s->dz);
+        }
+    }
+    if (order >= 2) {
+        add(to->dxx, from, DXX, b, curvature * s->dxx);
+        add(to->dxy, from, DXY, b, curvature * s->dxy);
+        add(to->dyy, from, DYY, b, curvature * s->dyy);
+        if (dimensions == 3) {
+            add(to->dxz, from, DXZ, b, curvature * s->dxz);
+            add(to->dyz, from, DYZ, b, curvature * s->dyz);
+            add(to->dzz, from, DZZ, b, curvature * s->dzz);
+        }
+    }
+}
+
 VEC_INLINE struct sample basis_at(const struct lattice *lattice, size_t b, enum scarp_fade fade,
                                   enum scarp_basis basis, int dimensions, int order)
 {
@@ -47,30 +75,11 @@ VEC_INLINE void octave_run(const struct lattice *lattice, size_t blocks, enum sc
                            const struct scarp_samples *to_rows, enum scarp_basis basis,
                            int dimensions, int order)
 {
-    const vf amplitude = vf_set(weights->amplitude);
-    const vf slope = vf_set(weights->slope);
-    const vf curvature = vf_set(weights->curvature);
-    const struct scarp_samples to = *to_rows; /* a copy: nothing that is stored can alias it */
+    const struct weights w = *weights; /* copies: nothing that is stored can alias them */
+    const struct scarp_samples to = *to_rows;
     for (size_t b = 0; b < blocks; b++) {
         const struct sample n = basis_at(lattice, b, fade, basis, dimensions, order);
-        add(to.value, from, VALUE, b, amplitude * n.value);
-        if (order >= 1) {
-            add(to.dx, from, DX, b, slope * n.dx);
-            add(to.dy, from, DY, b, slope * n.dy);
-            if (dimensions == 3) {
-                add(to.dz, from, DZ, b, slope * n.dz);
-            }
-        }
-        if (order >= 2) {
-            add(to.dxx, from, DXX, b, curvature * n.dxx);
-            add(to.dxy, from, DXY, b, curvature * n.dxy);
-            add(to.dyy, from, DYY, b, curvature * n.dyy);
-            if (dimensions == 3) {
-                add(to.dxz, from, DXZ, b, curvature * n.dxz);
-                add(to.dyz, from, DYZ, b, curvature * n.dyz);
-                add(to.dzz, from, DZZ, b, curvature * n.dzz);
-            }
-        }
+        add_sample(&to, from, b, &n, &w, dimensions, order);
     }
 }
 

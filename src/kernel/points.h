@@ -4,11 +4,12 @@
  *
  * Per chunk and octave there are two passes: positions to fractions and corner hashes (lattice.h),
  * and those to noise that is added to the sums (octave.h); a third one where axes are turned
- * (turn.h). One pass that did all would be a single chain of some 25 dependent operations per
- * block, and out-of-order windows hold only two or three blocks of it: two shorter chains overlap
- * better. Measured on Zen 5 with gcc 12 and AVX2, million points per second, gradient noise 2D and
- * 3D: one pass 870 and 400, two passes 1120 and 460. (A pass over two interleaved blocks in wider
- * vector types spills: gcc 12 takes such types apart through memory.)
+ * (turn.h), and one more for fractals other than fBm (shape.h). One pass that did all would be a
+ * single chain of some 25 dependent operations per block, and out-of-order windows hold only two or
+ * three blocks of it: two shorter chains overlap better. Measured on Zen 5 with gcc 12 and AVX2,
+ * million points per second, gradient noise 2D and 3D: one pass 870 and 400, two passes 1120 and
+ * 460. (A pass over two interleaved blocks in wider vector types spills: gcc 12 takes such types
+ * apart through memory.)
  */
 #ifndef SCARP_KERNEL_POINTS_H
 #define SCARP_KERNEL_POINTS_H
@@ -16,8 +17,7 @@
 #include <string.h>
 
 #include "../kernels.h"
-#include "octave.h"
-#include "turn.h"
+#include "shape.h"
 
 static struct scarp_samples samples_of(struct rows *rows)
 {
@@ -34,31 +34,93 @@ struct points_call {
     const struct scarp_plan *plan;
     int dimensions, doubles;
     octave_pass *octave;
+    turn_pass *turn;   /* NULL where no derivatives are to be turned */
+    shape_pass *shape; /* NULL for fBm */
 };
+
+static struct points_call call_of(const struct scarp_plan *plan, int dimensions, int doubles)
+{
+    const int erosion = plan->fractal == SCARP_EROSION;
+    struct points_call call = {.plan = plan, .dimensions = dimensions, .doubles = doubles};
+    call.octave = octave_passes[dimensions - 2][plan->basis][plan->order + erosion];
+    if (plan->rotate && plan->order > 0 && !erosion) {
+        call.turn = turn_passes[dimensions - 2][plan->order - 1];
+    }
+    if (plan->fractal != SCARP_FBM) {
+        call.shape = shape_passes[plan->fractal - 1][dimensions - 2][plan->order];
+    }
+    return call;
+}
+
+/* Where the passes of a chunk leave their results. */
+struct scratch {
+    union {
+        struct lattice lattice;
+        struct rows turned; /* after the pass that reads the lattice */
+    } first;
+    struct rows raw;
+    union state state;
+    struct rows sums;
+};
+
+/* to = from + an octave of fBm, from the lattice in `scratch`. */
+static void add_octave(const struct points_call *call, const struct scarp_octave *o, enum axes axes,
+                       size_t blocks, struct scratch *scratch, const struct rows *from,
+                       const struct scarp_samples *to)
+{
+    static const struct weights unit = {1.0f, 1.0f, 1.0f};
+    const struct weights weights = {o->amplitude, o->slope, o->curvature};
+    const enum scarp_fade fade = call->plan->fade;
+    if (axes == AXES_TURNED && call->turn != NULL) {
+        const struct scarp_samples raw = samples_of(&scratch->raw);
+        call->octave(&scratch->first.lattice, blocks, fade, &unit, NULL, &raw);
+        call->turn(o, blocks, &scratch->raw, from, to);
+    } else {
+        call->octave(&scratch->first.lattice, blocks, fade, &weights, from, to);
+    }
+}
+
+/* The same for the other fractals. */
+static void add_shaped(const struct points_call *call, const struct scarp_octave *o, enum axes axes,
+                       size_t blocks, struct scratch *scratch, const struct rows *from,
+                       const struct scarp_samples *to)
+{
+    const struct rows *n = &scratch->raw;
+    if (call->plan->fractal == SCARP_EROSION) {
+        const struct weights own = {o->amplitude, o->amplitude, o->amplitude};
+        const struct scarp_samples raw = samples_of(&scratch->raw);
+        call->octave(&scratch->first.lattice, blocks, call->plan->fade, &own, NULL, &raw);
+    } else {
+        const int turned = axes == AXES_TURNED && call->turn != NULL;
+        n = turned ? &scratch->first.turned : &scratch->raw;
+        const struct scarp_samples rows =
+            samples_of(turned ? &scratch->first.turned : &scratch->raw);
+        add_octave(call, o, axes, blocks, scratch, NULL, &rows);
+    }
+    call->shape(call->plan, o, axes, blocks, n, &scratch->state, from, to);
+}
 
 /* All octaves of a chunk of whole blocks. The last one writes to `out`, whose rows are all there.
  */
 static void chunk(const struct points_call *call, size_t blocks, const void *const position[3],
-                  struct rows *sums, const struct scarp_samples *out)
+                  struct scratch *scratch, const struct scarp_samples *out)
 {
-    static const struct weights unit = {1.0f, 1.0f, 1.0f};
     const struct scarp_plan *const plan = call->plan;
-    const struct scarp_samples sum_rows = samples_of(sums);
-    struct lattice lattice;
+    const struct scarp_samples sums = samples_of(&scratch->sums);
+    if (call->shape != NULL) {
+        state_begin(plan, &scratch->state, blocks);
+    }
     for (int k = 0; k < plan->octaves; k++) {
         const struct scarp_octave *const o = &plan->octave[k];
-        const struct weights weights = {o->amplitude, o->slope, o->curvature};
-        const struct rows *const from = k > 0 ? sums : NULL;
-        const struct scarp_samples *const to = k == plan->octaves - 1 ? out : &sum_rows;
+        const struct rows *const from = k > 0 ? &scratch->sums : NULL;
+        const struct scarp_samples *const to = k == plan->octaves - 1 ? out : &sums;
         const enum axes axes = k == 0 ? AXES_FIRST : plan->rotate ? AXES_TURNED : AXES_STRAIGHT;
-        lattice_passes[call->dimensions - 2][call->doubles][axes](&lattice, o, blocks, position);
-        if (axes == AXES_TURNED && plan->order > 0) {
-            struct rows raw;
-            const struct scarp_samples raw_rows = samples_of(&raw);
-            call->octave(&lattice, blocks, plan->fade, &unit, NULL, &raw_rows);
-            turn_passes[call->dimensions - 2][plan->order - 1](o, blocks, &raw, from, to);
+        lattice_passes[call->dimensions - 2][call->doubles][axes](&scratch->first.lattice, o,
+                                                                  blocks, position);
+        if (call->shape != NULL) {
+            add_shaped(call, o, axes, blocks, scratch, from, to);
         } else {
-            call->octave(&lattice, blocks, plan->fade, &weights, from, to);
+            add_octave(call, o, axes, blocks, scratch, from, to);
         }
     }
 }
@@ -80,7 +142,7 @@ static struct scarp_samples rows_from(const struct scarp_samples *out, size_t fi
 /* A chunk whose last block is incomplete: through padded copies, so that nothing beyond an array is
    touched. The padding is 0, which raises no floating-point exception. */
 static void chunk_padded(const struct points_call *call, size_t count,
-                         const void *const position[3], struct rows *sums,
+                         const void *const position[3], struct scratch *scratch,
                          const struct scarp_samples *out)
 {
     const size_t bytes = call->doubles ? sizeof(double) : sizeof(float);
@@ -93,13 +155,13 @@ static void chunk_padded(const struct points_call *call, size_t count,
         memset(copy + count * bytes, 0, (blocks * VEC_LANES - count) * bytes);
         inputs[d] = copy;
     }
-    const struct scarp_samples sum_rows = samples_of(sums);
-    chunk(call, blocks, inputs, sums, &sum_rows);
+    const struct scarp_samples sums = samples_of(&scratch->sums);
+    chunk(call, blocks, inputs, scratch, &sums);
     float *const arrays[ROWS] = {out->value, out->dx,  out->dy,  out->dz,  out->dxx,
                                  out->dxy,   out->dxz, out->dyy, out->dyz, out->dzz};
     for (int i = 0; i < ROWS; i++) {
         if (arrays[i] != NULL) {
-            memcpy(arrays[i], sums->row[i], count * sizeof(float));
+            memcpy(arrays[i], scratch->sums.row[i], count * sizeof(float));
         }
     }
 }
@@ -107,11 +169,10 @@ static void chunk_padded(const struct points_call *call, size_t count,
 static void points(const struct scarp_plan *plan, size_t count, const void *const position[3],
                    const struct scarp_samples *out, int dimensions, int doubles)
 {
-    const struct points_call call = {plan, dimensions, doubles,
-                                     octave_passes[dimensions - 2][plan->basis][plan->order]};
+    const struct points_call call = call_of(plan, dimensions, doubles);
     const size_t bytes = doubles ? sizeof(double) : sizeof(float);
-    struct rows sums;
-    const struct scarp_samples spare = samples_of(&sums);
+    struct scratch scratch;
+    const struct scarp_samples spare = samples_of(&scratch.sums);
     static const struct scarp_samples none; /* all NULL */
     for (size_t first = 0; first < count; first += CHUNK_POINTS) {
         const size_t here = count - first < CHUNK_POINTS ? count - first : CHUNK_POINTS;
@@ -121,10 +182,10 @@ static void points(const struct scarp_plan *plan, size_t count, const void *cons
         }
         if (here % VEC_LANES == 0) {
             const struct scarp_samples rows = rows_from(out, first, &spare);
-            chunk(&call, here / VEC_LANES, inputs, &sums, &rows);
+            chunk(&call, here / VEC_LANES, inputs, &scratch, &rows);
         } else {
             const struct scarp_samples rows = rows_from(out, first, &none);
-            chunk_padded(&call, here, inputs, &sums, &rows);
+            chunk_padded(&call, here, inputs, &scratch, &rows);
         }
     }
 }

@@ -6,42 +6,7 @@
 #ifndef SCARP_SCALAR_FRACTAL_H
 #define SCARP_SCALAR_FRACTAL_H
 
-#include "basis.h"
-
-/* How the axes of an octave lie: p = f x, p = f x + o, p = J x + o. */
-enum axes { AXES_FIRST, AXES_STRAIGHT, AXES_TURNED };
-
-/* p_k = J_k x + o_k, split into cell and fraction. (The offset of octave 0 is 0, and turns -0 into
-   0.) */
-SCALAR_INLINE struct place place_f32(const struct scarp_octave *o, enum axes axes, const float x[3],
-                                     int dimensions)
-{
-    struct place place;
-    for (int i = 0; i < dimensions; i++) {
-        const float *const j = o->jacobian[i];
-        float p = axes == AXES_TURNED ? j[0] * x[0] + j[1] * x[1] : o->frequency * x[i];
-        if (axes == AXES_TURNED && dimensions == 3) {
-            p += j[2] * x[2];
-        }
-        split_f32(p + (axes == AXES_FIRST ? 0.0f : o->offset[i]), &place.cell[i], &place.t[i]);
-    }
-    return place;
-}
-
-SCALAR_INLINE struct place place_f64(const struct scarp_octave *o, enum axes axes,
-                                     const double x[3], int dimensions)
-{
-    struct place place;
-    for (int i = 0; i < dimensions; i++) {
-        const double *const j = o->jacobian64[i];
-        double p = axes == AXES_TURNED ? j[0] * x[0] + j[1] * x[1] : o->frequency64 * x[i];
-        if (axes == AXES_TURNED && dimensions == 3) {
-            p += j[2] * x[2];
-        }
-        split_f64(p + (axes == AXES_FIRST ? 0.0 : o->offset64[i]), &place.cell[i], &place.t[i]);
-    }
-    return place;
-}
+#include "shape.h"
 
 SCALAR_INLINE struct sample noise(enum scarp_basis basis, enum scarp_fade fade,
                                   const struct scarp_octave *o, const struct place *place,
@@ -52,14 +17,6 @@ SCALAR_INLINE struct sample noise(enum scarp_basis basis, enum scarp_fade fade,
                                : gradient3(o, place, fade, order);
     }
     return dimensions == 2 ? value2(o, place, fade, order) : value3(o, place, fade, order);
-}
-
-/* Column j of a matrix, transposed, times the vector (x, y, z). */
-SCALAR_INLINE float column_dot(const float m[3][3], int j, int dimensions, float x, float y,
-                               float z)
-{
-    const float dot = m[0][j] * x + m[1][j] * y;
-    return dimensions == 3 ? dot + m[2][j] * z : dot;
 }
 
 /* a n with turned axes: the gradient is (a J)^T g, the Hessian (a J)^T (H J). */
@@ -94,22 +51,28 @@ SCALAR_INLINE struct sample turned(const struct scarp_octave *o, const struct sa
     return s;
 }
 
+SCALAR_INLINE struct sample scaled(const struct sample *n, float value, float gradient,
+                                   float hessian)
+{
+    const struct sample s = {
+        .value = value * n->value,
+        .dx = gradient * n->dx,
+        .dy = gradient * n->dy,
+        .dz = gradient * n->dz,
+        .dxx = hessian * n->dxx,
+        .dxy = hessian * n->dxy,
+        .dxz = hessian * n->dxz,
+        .dyy = hessian * n->dyy,
+        .dyz = hessian * n->dyz,
+        .dzz = hessian * n->dzz,
+    };
+    return s;
+}
+
 /* a n with J = f: the gradient has the factor a f, the Hessian a f^2. */
 SCALAR_INLINE struct sample straight(const struct scarp_octave *o, const struct sample *n)
 {
-    const struct sample s = {
-        .value = o->amplitude * n->value,
-        .dx = o->slope * n->dx,
-        .dy = o->slope * n->dy,
-        .dz = o->slope * n->dz,
-        .dxx = o->curvature * n->dxx,
-        .dxy = o->curvature * n->dxy,
-        .dxz = o->curvature * n->dxz,
-        .dyy = o->curvature * n->dyy,
-        .dyz = o->curvature * n->dyz,
-        .dzz = o->curvature * n->dzz,
-    };
-    return s;
+    return scaled(n, o->amplitude, o->slope, o->curvature);
 }
 
 SCALAR_INLINE void add(struct sample *sum, const struct sample *s)
@@ -132,27 +95,67 @@ struct point {
     double f64[3];
 };
 
-/* Octave k, as it is added to the sum. */
+SCALAR_INLINE struct place place(const struct scarp_octave *o, enum axes axes,
+                                 const struct point *x, int dimensions, int doubles)
+{
+    return doubles ? place_f64(o, axes, x->f64, dimensions)
+                   : place_f32(o, axes, x->f32, dimensions);
+}
+
+/* Octave k of fBm, as it is added to the sum. */
 SCALAR_INLINE struct sample octave(const struct scarp_plan *plan, int k, enum axes axes,
                                    const struct point *x, enum scarp_basis basis, int dimensions,
                                    int order, int doubles)
 {
     const struct scarp_octave *const o = &plan->octave[k];
-    const struct place place =
-        doubles ? place_f64(o, axes, x->f64, dimensions) : place_f32(o, axes, x->f32, dimensions);
-    const struct sample n = noise(basis, plan->fade, o, &place, dimensions, order);
+    const struct place p = place(o, axes, x, dimensions, doubles);
+    const struct sample n = noise(basis, plan->fade, o, &p, dimensions, order);
     return axes == AXES_TURNED ? turned(o, &n, dimensions, order) : straight(o, &n);
 }
 
-SCALAR_INLINE struct sample sum_of_octaves(const struct scarp_plan *plan, const struct point *x,
-                                           enum scarp_basis basis, int dimensions, int order,
-                                           int doubles)
+SCALAR_INLINE struct sample fbm(const struct scarp_plan *plan, const struct point *x,
+                                enum scarp_basis basis, int dimensions, int order, int doubles)
 {
     struct sample sum = octave(plan, 0, AXES_FIRST, x, basis, dimensions, order, doubles);
     const enum axes axes = plan->rotate ? AXES_TURNED : AXES_STRAIGHT;
     for (int k = 1; k < plan->octaves; k++) {
         const struct sample n = octave(plan, k, axes, x, basis, dimensions, order, doubles);
         add(&sum, &n);
+    }
+    return sum;
+}
+
+/* The other fractals. Their octaves are scaled by 1 over the supremum of the basis; a_k comes last.
+   All in one, and not inlined for each basis: fBm is what must be fast here. */
+SCALAR_INLINE struct sample shaped(const struct scarp_plan *plan, const struct point *x,
+                                   int dimensions, int order, int doubles)
+{
+    struct sample sum = {0};
+    struct sample weight = {.value = 1.0f};
+    struct slopes slopes = {{0}, {{0}}};
+    for (int k = 0; k < plan->octaves; k++) {
+        const struct scarp_octave *const o = &plan->octave[k];
+        const enum axes axes = k == 0 ? AXES_FIRST : plan->rotate ? AXES_TURNED : AXES_STRAIGHT;
+        const struct place p = place(o, axes, x, dimensions, doubles);
+        struct sample s;
+        if (plan->fractal == SCARP_EROSION) {
+            const struct sample n =
+                noise(plan->basis, plan->fade, o, &p, dimensions, order < 2 ? order + 1 : 2);
+            const struct sample unit = scaled(&n, o->amplitude, o->amplitude, o->amplitude);
+            s = erode(&slopes, plan->erosion, o, axes, &unit, dimensions, order);
+        } else {
+            const struct sample n = noise(plan->basis, plan->fade, o, &p, dimensions, order);
+            const struct sample unit = axes == AXES_TURNED && order > 0
+                                           ? turned(o, &n, dimensions, order)
+                                           : straight(o, &n);
+            s = plan->fractal == SCARP_RIDGED ? ridge(&weight, &unit) : magnitude(&unit);
+        }
+        s = scaled(&s, o->weight, o->weight, o->weight);
+        if (k == 0) {
+            sum = s;
+        } else {
+            add(&sum, &s);
+        }
     }
     return sum;
 }

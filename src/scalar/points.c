@@ -9,6 +9,8 @@
 #include "../kernels.h"
 #include "fractal.h"
 
+#define NOINLINE __attribute__((noinline))
+
 SCALAR_INLINE void put(float *array, size_t i, float value)
 {
     if (array != NULL) {
@@ -39,10 +41,11 @@ SCALAR_INLINE void store(const struct scarp_samples *out, size_t i, const struct
     }
 }
 
-/* Everything from `basis` on is a constant where this is inlined. */
+/* Everything from `fractal` on is a constant where this is inlined. */
 SCALAR_INLINE void points_of(const struct scarp_plan *plan, size_t count,
                              const void *const position[3], const struct scarp_samples *out,
-                             enum scarp_basis basis, int dimensions, int order, int doubles)
+                             enum scarp_fractal fractal, enum scarp_basis basis, int dimensions,
+                             int order, int doubles)
 {
     for (size_t i = 0; i < count; i++) {
         struct point x;
@@ -53,30 +56,51 @@ SCALAR_INLINE void points_of(const struct scarp_plan *plan, size_t count,
                 x.f32[d] = ((const float *)position[d])[i];
             }
         }
-        const struct sample sum = sum_of_octaves(plan, &x, basis, dimensions, order, doubles);
+        const struct sample sum = fractal == SCARP_FBM
+                                      ? fbm(plan, &x, basis, dimensions, order, doubles)
+                                      : shaped(plan, &x, dimensions, order, doubles);
         store(out, i, &sum, dimensions, order);
     }
 }
 
-SCALAR_INLINE void points_of_basis(const struct scarp_plan *plan, size_t count,
+/* `fractal` stands for all but SCARP_FBM if it is another. */
+SCALAR_INLINE void points_by_order(const struct scarp_plan *plan, size_t count,
                                    const void *const position[3], const struct scarp_samples *out,
-                                   enum scarp_basis basis, int dimensions, int doubles)
+                                   enum scarp_fractal fractal, enum scarp_basis basis,
+                                   int dimensions, int doubles)
 {
     switch (plan->order) {
-    case 0: points_of(plan, count, position, out, basis, dimensions, 0, doubles); break;
-    case 1: points_of(plan, count, position, out, basis, dimensions, 1, doubles); break;
-    default: points_of(plan, count, position, out, basis, dimensions, 2, doubles); break;
+    case 0: points_of(plan, count, position, out, fractal, basis, dimensions, 0, doubles); break;
+    case 1: points_of(plan, count, position, out, fractal, basis, dimensions, 1, doubles); break;
+    default: points_of(plan, count, position, out, fractal, basis, dimensions, 2, doubles); break;
     }
+}
+
+/* Out of line, so that it is there once for floats and doubles. */
+static NOINLINE void shaped_points2(const struct scarp_plan *plan, size_t count,
+                                    const void *const position[3], const struct scarp_samples *out,
+                                    int doubles)
+{
+    points_by_order(plan, count, position, out, SCARP_EROSION, plan->basis, 2, doubles);
+}
+
+static NOINLINE void shaped_points3(const struct scarp_plan *plan, size_t count,
+                                    const void *const position[3], const struct scarp_samples *out,
+                                    int doubles)
+{
+    points_by_order(plan, count, position, out, SCARP_EROSION, plan->basis, 3, doubles);
 }
 
 SCALAR_INLINE void points(const struct scarp_plan *plan, size_t count,
                           const void *const position[3], const struct scarp_samples *out,
                           int dimensions, int doubles)
 {
-    if (plan->basis == SCARP_GRADIENT) {
-        points_of_basis(plan, count, position, out, SCARP_GRADIENT, dimensions, doubles);
+    if (plan->fractal != SCARP_FBM) {
+        (dimensions == 2 ? shaped_points2 : shaped_points3)(plan, count, position, out, doubles);
+    } else if (plan->basis == SCARP_GRADIENT) {
+        points_by_order(plan, count, position, out, SCARP_FBM, SCARP_GRADIENT, dimensions, doubles);
     } else {
-        points_of_basis(plan, count, position, out, SCARP_VALUE, dimensions, doubles);
+        points_by_order(plan, count, position, out, SCARP_FBM, SCARP_VALUE, dimensions, doubles);
     }
 }
 

@@ -15,7 +15,8 @@ class Noise(ctypes.Structure):
         ("basis", ctypes.c_int), ("fade", ctypes.c_int), ("fractal", ctypes.c_int),
         ("rotate", ctypes.c_uint32), ("seed", ctypes.c_uint64), ("frequency", ctypes.c_double),
         ("octaves", ctypes.c_float), ("lacunarity", ctypes.c_float), ("gain", ctypes.c_float),
-        ("amplitude", ctypes.c_float), ("later", ctypes.c_byte * 64)]  # fields that may be added
+        ("amplitude", ctypes.c_float), ("erosion", ctypes.c_float),
+        ("later", ctypes.c_byte * 64)]  # fields that may be added
 
 
 FloatPointer = ctypes.POINTER(ctypes.c_float)
