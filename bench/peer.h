@@ -15,9 +15,9 @@ extern "C" {
 struct bench_peer {
     const char *library;
 
-    /* Makes ready for the values of `work` (its basis, dimensions, octaves and layout count) with
-       the instruction set `isa`. NULL if the peer has nothing comparable, or cannot run it. A peer
-       that does not choose among instruction sets offers SCARP_ISA_SCALAR. */
+    /* Makes ready for the values of `work` (its basis, dimensions, fractal, octaves and layout
+       count) with the instruction set `isa`. NULL if the peer has nothing comparable, or cannot run
+       it. A peer that does not choose among instruction sets offers SCARP_ISA_SCALAR. */
     void *(*open)(const struct bench_work *work, enum scarp_isa isa);
     void (*close)(void *state);
 

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
- * The peer FastNoise2: gradient noise with the quintic fade, value noise, and sums of them, for
- * arrays of points and uniform grids, at each of its feature levels. Its build options decide
- * whether it fuses multiplications into additions; the strict build is told apart by name.
+ * The peer FastNoise2: gradient noise with the quintic fade, value noise, and sums of them, ridged
+ * ones too, for arrays of points and uniform grids, at each of its feature levels. Its build
+ * options decide whether it fuses multiplications into additions; the strict build is told apart by
+ * name.
  */
 #include <FastNoise/FastNoise.h>
 
@@ -38,10 +39,22 @@ template <typename Node> FastNoise::SmartNode<FastNoise::Generator> basis(FastSI
     return node;
 }
 
+/* Its ridged sum has no Musgrave weights (as long as the weighted strength is 0, the default): it
+   adds 1 - 2 |n_k| where scarp adds v_k (1 - |n_k|)^2. Turbulence is its fBm of magnitudes. */
+template <typename Sum>
+FastNoise::SmartNode<FastNoise::Generator>
+sum(FastSIMD::FeatureSet set, FastNoise::SmartNodeArg<FastNoise::Generator> source, int octaves)
+{
+    auto node = FastNoise::New<Sum>(set);
+    node->SetSource(source);
+    node->SetOctaveCount(octaves);
+    return node;
+}
+
 void *open(const bench_work *work, scarp_isa isa)
 {
     const FastSIMD::FeatureSet set = level(isa);
-    if (set == FastSIMD::FeatureSet::Invalid) {
+    if (set == FastSIMD::FeatureSet::Invalid || work->fractal == SCARP_EROSION) {
         return nullptr;
     }
     auto noise = work->basis == SCARP_GRADIENT ? basis<FastNoise::Perlin>(set)
@@ -49,11 +62,15 @@ void *open(const bench_work *work, scarp_isa isa)
     if (!noise || noise->GetActiveFeatureSet() != set) {
         return nullptr;
     }
-    if (work->octaves > 1) {
-        auto sum = FastNoise::New<FastNoise::FractalFBm>(set);
-        sum->SetSource(noise);
-        sum->SetOctaveCount(work->octaves);
-        noise = sum;
+    if (work->fractal == SCARP_TURBULENCE) {
+        auto magnitude = FastNoise::New<FastNoise::Abs>(set);
+        magnitude->SetSource(noise);
+        noise = magnitude;
+    }
+    if (work->fractal == SCARP_RIDGED) {
+        noise = sum<FastNoise::FractalRidged>(set, noise, work->octaves);
+    } else if (work->octaves > 1) {
+        noise = sum<FastNoise::FractalFBm>(set, noise, work->octaves);
     }
     return new State{noise, work->dimensions};
 }

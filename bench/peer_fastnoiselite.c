@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * The peer FastNoiseLite: gradient noise with the quintic fade, value noise with the cubic one, and
- * sums of them, one point per call.
+ * sums of them, ridged ones too, one point per call.
  */
 #define FNL_IMPL
 #include "FastNoiseLite.h"
@@ -10,6 +10,16 @@
 
 #include "peer.h"
 
+/* Its ridged sum has no Musgrave weights (as long as `weighted_strength` is 0, the default): it
+   adds 1 - 2 |n_k| where scarp adds v_k (1 - |n_k|)^2. There is no turbulence or erosion. */
+static fnl_fractal_type fnl_peer_fractal(const struct bench_work *work)
+{
+    if (work->octaves == 1) {
+        return FNL_FRACTAL_NONE;
+    }
+    return work->fractal == SCARP_RIDGED ? FNL_FRACTAL_RIDGED : FNL_FRACTAL_FBM;
+}
+
 struct fnl_peer_state {
     fnl_state noise;
     int dimensions;
@@ -17,15 +27,17 @@ struct fnl_peer_state {
 
 static void *fnl_peer_open(const struct bench_work *work, enum scarp_isa isa)
 {
-    struct fnl_peer_state *const state =
-        isa == SCARP_ISA_SCALAR ? malloc(sizeof(struct fnl_peer_state)) : NULL;
+    if (isa != SCARP_ISA_SCALAR || (work->fractal != SCARP_FBM && work->fractal != SCARP_RIDGED)) {
+        return NULL;
+    }
+    struct fnl_peer_state *const state = malloc(sizeof *state);
     if (state != NULL) {
         state->dimensions = work->dimensions;
         state->noise = fnlCreateState();
         state->noise.frequency = 1.0f;
         state->noise.noise_type =
             work->basis == SCARP_GRADIENT ? FNL_NOISE_PERLIN : FNL_NOISE_VALUE;
-        state->noise.fractal_type = work->octaves > 1 ? FNL_FRACTAL_FBM : FNL_FRACTAL_NONE;
+        state->noise.fractal_type = fnl_peer_fractal(work);
         state->noise.octaves = work->octaves;
     }
     return state;

@@ -1,8 +1,11 @@
 /* SPDX-License-Identifier: MIT
  *
  * The peer libnoise: gradient noise in space with the quintic fade (its best quality) and value
- * noise, in double, one point per call; sums by its module Perlin.
+ * noise, in double, one point per call; sums by its modules Perlin, Billow (turbulence) and
+ * RidgedMulti.
  */
+#include <memory>
+
 #include <noise.h>
 
 #include "peer.h"
@@ -12,22 +15,36 @@ namespace
 
 struct State {
     bool value_noise;
-    bool sum;
-    noise::module::Perlin perlin;
+    std::unique_ptr<noise::module::Module> sum; /* null: a single octave */
 };
+
+template <typename Sum> std::unique_ptr<noise::module::Module> make_sum(int octaves)
+{
+    auto sum = std::make_unique<Sum>();
+    sum->SetOctaveCount(octaves);
+    sum->SetNoiseQuality(noise::QUALITY_BEST);
+    return sum;
+}
+
+/* Its ridged sum is Musgrave's, like scarp's (scarp.h has the constants between them); turbulence
+   is 2 |n| - 1 per octave. */
+std::unique_ptr<noise::module::Module> make_sum(const bench_work *work)
+{
+    switch (work->fractal) {
+    case SCARP_TURBULENCE: return make_sum<noise::module::Billow>(work->octaves);
+    case SCARP_RIDGED: return make_sum<noise::module::RidgedMulti>(work->octaves);
+    default: return make_sum<noise::module::Perlin>(work->octaves);
+    }
+}
 
 void *open(const bench_work *work, scarp_isa isa)
 {
     const bool value_noise = work->basis == SCARP_VALUE;
-    if (isa != SCARP_ISA_SCALAR || work->dimensions != 3 || (value_noise && work->octaves > 1)) {
+    if (isa != SCARP_ISA_SCALAR || work->dimensions != 3 || work->fractal == SCARP_EROSION ||
+        (value_noise && work->octaves > 1)) {
         return nullptr;
     }
-    State *const state = new State;
-    state->value_noise = value_noise;
-    state->sum = work->octaves > 1;
-    state->perlin.SetOctaveCount(work->octaves);
-    state->perlin.SetNoiseQuality(noise::QUALITY_BEST);
-    return state;
+    return new State{value_noise, work->octaves > 1 ? make_sum(work) : nullptr};
 }
 
 void close(void *state)
@@ -41,7 +58,7 @@ void points(const void *opaque, size_t count, const float *const x[3], float *va
     for (size_t i = 0; i < count; i++) {
         const double a = x[0][i], b = x[1][i], c = x[2][i];
         if (state->sum) {
-            value[i] = static_cast<float>(state->perlin.GetValue(a, b, c));
+            value[i] = static_cast<float>(state->sum->GetValue(a, b, c));
         } else if (state->value_noise) {
             value[i] =
                 static_cast<float>(noise::ValueCoherentNoise3D(a, b, c, 7, noise::QUALITY_BEST));

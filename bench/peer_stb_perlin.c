@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * The peer stb_perlin: gradient noise in space with the quintic fade, one point per call.
+ * The peer stb_perlin: gradient noise in space with the quintic fade, and sums of it, one point
+ * per call.
  */
 #define STB_PERLIN_IMPLEMENTATION
 #include "stb_perlin.h"
@@ -9,24 +10,42 @@
 
 #include "peer.h"
 
+struct stb_state {
+    enum scarp_fractal fractal;
+    int octaves;
+};
+
 static void *stb_open(const struct bench_work *work, enum scarp_isa isa)
 {
-    if (isa != SCARP_ISA_SCALAR || work->basis != SCARP_GRADIENT || work->dimensions != 3) {
+    if (isa != SCARP_ISA_SCALAR || work->basis != SCARP_GRADIENT || work->dimensions != 3 ||
+        work->fractal == SCARP_EROSION) {
         return NULL;
     }
-    int *const octaves = malloc(sizeof *octaves);
-    if (octaves != NULL) {
-        *octaves = work->octaves;
+    struct stb_state *const state = malloc(sizeof *state);
+    if (state != NULL) {
+        *state = (struct stb_state){work->fractal, work->octaves};
     }
-    return octaves;
+    return state;
 }
 
-static void stb_points(const void *state, size_t count, const float *const x[3], float *value)
+/* Its ridged sum weights an octave by (1 - |n|)^2 of the one before: neither doubled nor clamped,
+   and without what that one was weighted by. */
+static void stb_points(const void *opaque, size_t count, const float *const x[3], float *value)
 {
-    const int octaves = *(const int *)state;
+    const struct stb_state *const state = opaque;
+    const int octaves = state->octaves;
     if (octaves == 1) {
         for (size_t i = 0; i < count; i++) {
             value[i] = stb_perlin_noise3(x[0][i], x[1][i], x[2][i], 0, 0, 0);
+        }
+    } else if (state->fractal == SCARP_TURBULENCE) {
+        for (size_t i = 0; i < count; i++) {
+            value[i] = stb_perlin_turbulence_noise3(x[0][i], x[1][i], x[2][i], 2.0f, 0.5f, octaves);
+        }
+    } else if (state->fractal == SCARP_RIDGED) {
+        for (size_t i = 0; i < count; i++) {
+            value[i] =
+                stb_perlin_ridge_noise3(x[0][i], x[1][i], x[2][i], 2.0f, 0.5f, 1.0f, octaves);
         }
     } else {
         for (size_t i = 0; i < count; i++) {

@@ -100,13 +100,12 @@ static int make_scarp(struct bench_subject *subject, const struct bench_work *wo
     return work->layout != BENCH_GRID && scarp_isa_supported(subject->isa);
 }
 
-/* Peers do what all of them agree on; the gradient comes from differences where points can be
-   moved. */
+/* Peers do what all of them agree on, and those fractals that they know; the gradient comes from
+   differences where points can be moved. */
 static int make_peer(struct bench_subject *subject, const struct bench_work *work)
 {
     const struct bench_peer *const peer = subject->peer;
-    if (work->layout == BENCH_NORMALS || work->fade != SCARP_QUINTIC ||
-        work->fractal != SCARP_FBM || work->turned || work->f64) {
+    if (work->layout == BENCH_NORMALS || work->fade != SCARP_QUINTIC || work->turned || work->f64) {
         return 0;
     }
     if (work->layout == BENCH_GRID) {

@@ -18,7 +18,8 @@ enum {
     BOTH_BASES = GRADIENT | VALUE,
 
     ONLY_VALUE = 1 << BENCH_VALUE,
-    UP_TO_GRADIENT = ONLY_VALUE | 1 << BENCH_PLUS_GRADIENT,
+    ONLY_GRADIENT = 1 << BENCH_PLUS_GRADIENT,
+    UP_TO_GRADIENT = ONLY_VALUE | ONLY_GRADIENT,
     UP_TO_HESSIAN = UP_TO_GRADIENT | 1 << BENCH_PLUS_HESSIAN,
     DIFFERENCES = 1 << BENCH_FORWARD_DIFFERENCES | 1 << BENCH_CENTRAL_DIFFERENCES
 };
@@ -36,6 +37,15 @@ static const struct product products[] = {
     {{.octaves = 8}, .bases = GRADIENT, .outputs = UP_TO_HESSIAN | DIFFERENCES},
     {{.octaves = 8}, .bases = VALUE, .outputs = UP_TO_HESSIAN},
     {{.octaves = 8, .turned = 1}, .bases = GRADIENT, .outputs = UP_TO_HESSIAN},
+    {{.fractal = SCARP_TURBULENCE, .octaves = 8}, .bases = GRADIENT, .outputs = UP_TO_HESSIAN},
+    {{.fractal = SCARP_RIDGED, .octaves = 8}, .bases = GRADIENT, .outputs = UP_TO_HESSIAN},
+    {{.fractal = SCARP_EROSION, .octaves = 8},
+     .bases = GRADIENT,
+     .outputs = UP_TO_GRADIENT | DIFFERENCES},
+    /* As terrain is made: heights and slopes from one call */
+    {{.fractal = SCARP_EROSION, .octaves = 8, .turned = 1, .dimensions = 2},
+     .bases = BOTH_BASES,
+     .outputs = ONLY_GRADIENT},
     {{.fade = SCARP_CUBIC}, .bases = BOTH_BASES, .outputs = UP_TO_GRADIENT},
     {{.f64 = 1}, .bases = GRADIENT, .outputs = UP_TO_HESSIAN},
     {{.f64 = 1, .octaves = 8}, .bases = GRADIENT, .outputs = UP_TO_GRADIENT},
@@ -50,7 +60,7 @@ static const struct product products[] = {
 static const char *const layout_names[] = {"points", "grid", "normals"};
 static const char *const basis_names[] = {"gradient", "value"};
 static const char *const fade_names[] = {"", "/cubic"};
-static const char *const fractal_names[] = {"fbm"};
+static const char *const fractal_names[] = {"fbm", "turbulence", "ridged", "erosion"};
 static const char *const pattern_names[] = {"", "/sequential", "/same-cell"};
 static const char *const output_names[] = {"value", "+gradient", "+hessian", "forward-differences",
                                            "central-differences"};

@@ -101,6 +101,14 @@ class Selection(Case):
                 self.assertIn("points%s/gradient/%s/+gradient" % (d, kind), names)
             for points in (16, 256, 4096, 1048576):
                 self.assertIn("points%s/gradient/value/n=%d" % (d, points), names)
+            for output in ("value", "+gradient", "+hessian"):
+                for fractal in ("turbulence8", "ridged8"):
+                    self.assertIn("points%s/gradient/%s/%s" % (d, fractal, output), names)
+            for output in ("value", "+gradient", "forward-differences", "central-differences"):
+                self.assertIn("points%s/gradient/erosion8/%s" % (d, output), names)
+        for basis in ("gradient", "value"):
+            self.assertIn("points2/%s/erosion8/turned/+gradient" % basis, names)
+        self.assertFalse([name for name in names if "erosion" in name and "hessian" in name])
         self.assertIn("normals", names)
 
     def test_patterns(self):
@@ -163,6 +171,10 @@ class Results(Case):
         rows = report_of("--min-time", "0.000001", "--repeat", "1", "--isa", best)["rows"]
         self.assertEqual([row["work"] for row in rows], names_of())
         self.check_rows(rows)
+        for row in rows:
+            output = row["work"].split("/")[-1]
+            note = output.replace("-", " ") if output.endswith("-differences") else None
+            self.assertEqual((row["library"], row["isa"], row.get("note")), ("scarp", best, note))
 
     def test_files(self):
         text = text_of(*ONE, "--repeat", "3", "--json", self.path("a.json"), "--svg",
@@ -177,7 +189,14 @@ class Results(Case):
             self.assertAlmostEqual(float(time), row["ns_per_point"], 2)
 
     def test_differences(self):
-        stem = "points2/gradient/"
+        self.check_differences("points2/gradient/")
+
+    @unittest.skipIf(sys.argv[3:], "emulated processors are about 100 times slower")
+    def test_differences_of_erosion(self):
+        self.check_differences("points2/gradient/erosion8/")
+        self.check_differences("points3/gradient/erosion8/")
+
+    def check_differences(self, stem):
         work = ",".join(stem + name for name in ("+gradient", "forward-differences",
                                                  "central-differences"))
         report = report_of(*QUICK, "--isa", "scalar", "--work", work, "--repeat", "3")
@@ -294,6 +313,23 @@ class Results(Case):
         for row in rows:
             estimated = row["library"] != "scarp" and row["work"].endswith("+gradient")
             self.assertEqual(row.get("note"), "central differences" if estimated else None)
+
+    def test_peers_of_fractals(self):
+        if not has_peers():
+            self.skipTest("no peer was found")
+        works = ["points%s/gradient/%s8/value" % (d, fractal)
+                 for d in "23" for fractal in ("fbm", "turbulence", "ridged", "erosion")]
+        rows = report_of(*QUICK, "--work", ",".join(works), "--peers")["rows"]
+        self.check_rows(rows)
+        libraries = {work: {row["library"] for row in rows if row["work"] == work}
+                     for work in works}
+        self.assertEqual(libraries["points3/gradient/ridged8/value"],
+                         libraries["points3/gradient/fbm8/value"])
+        for d in "23":
+            stem = "points%s/gradient/" % d
+            self.assertEqual(libraries[stem + "erosion8/value"], {"scarp"})
+            self.assertEqual(libraries[stem + "turbulence8/value"],
+                             libraries[stem + "fbm8/value"] - {"FastNoiseLite"})
 
 
 class Errors(Case):
