@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * scarp_normals: errors, subsets, accuracy, and numbers that are not finite. Part of
- * tests/test_api.c.
+ * scarp_normals: errors, subsets, accuracy, the same bits everywhere, and numbers that are not
+ * finite. Part of tests/test_api.c.
  */
 #ifndef SCARP_TESTS_API_NORMALS_H
 #define SCARP_TESTS_API_NORMALS_H
@@ -107,6 +107,24 @@ static inline void test_normals_special(void)
     }
 }
 
+/* The bits are those of the scalar reference, whatever the instruction set that is under test. */
+static inline void test_normals_bits(struct normals *a, float scale)
+{
+    const enum scarp_isa isa = scarp_isa_active();
+    CHECK(scarp_normals(NORMALS, a->dx, a->dy, scale, a->n[0], a->n[1], a->n[2]) == SCARP_OK, "%a",
+          (double)scale);
+    CHECK(scarp_isa_select(SCARP_ISA_SCALAR) == SCARP_OK, "scalar cannot be selected");
+    CHECK(scarp_normals(NORMALS, a->dx, a->dy, scale, a->alone[0], a->alone[1], a->alone[2]) ==
+              SCARP_OK,
+          "%a, scalar", (double)scale);
+    CHECK(scarp_isa_select(isa) == SCARP_OK, "%s cannot be selected again", scarp_isa_name(isa));
+    for (int i = 0; i < 3; i++) {
+        const size_t where = first_difference(a->n[i], a->alone[i], NORMALS);
+        CHECK(where == NORMALS, "height_scale %a: component %d of normal %zu is not scalar's",
+              (double)scale, i, where);
+    }
+}
+
 static inline void test_normals(void)
 {
     static const float scales[] = {1.0f, -1.0f, 0.3f,     1000.0f,   0x1p-20f,
@@ -127,6 +145,7 @@ static inline void test_normals(void)
     test_normals_subsets(a);
     for (size_t i = 0; i < sizeof scales / sizeof scales[0]; i++) {
         test_normals_accuracy(a, scales[i]);
+        test_normals_bits(a, scales[i]);
     }
     test_normals_special();
     free(a);

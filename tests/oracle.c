@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * What scarp defines, in double precision: the lattice and its hash, the octaves' keys, offsets,
- * frequencies and axes, the normalisation, the positions, and the sum.
+ * frequencies and axes, the normalisation, and the positions.
  */
 #include "oracle.h"
 
@@ -138,6 +138,8 @@ void oracle_make(struct oracle *oracle, const struct scarp_noise *noise, int dim
     const double frequency = noise->frequency != 0.0 ? noise->frequency : 1.0;
     oracle->basis = noise->basis;
     oracle->fade = noise->fade;
+    oracle->fractal = noise->fractal;
+    oracle->erosion = noise->erosion != 0.0f ? (double)noise->erosion : 1.0;
     oracle->dimensions = dimensions;
     oracle->octaves = (int)ceil(octaves);
     oracle->supremum =
@@ -199,19 +201,28 @@ static void place(const struct oracle_octave *octave, int dimensions, enum oracl
     *t = rounding == ORACLE_EXACT ? p - lower : (double)(float)(p - lower);
 }
 
-/* sum += a n: the gradient gains a J^T g, the Hessian a J^T H J. */
-static void add_octave(struct oracle_sample *sum, double a, const double axes[3][3], int dimensions,
-                       const struct oracle_sample *n)
+void oracle_octave_at(const struct oracle *oracle, enum oracle_rounding rounding, int k,
+                      const double x[3], struct oracle_sample *n)
 {
-    sum->value += a * n->value;
-    for (int i = 0; i < dimensions; i++) {
-        for (int j = 0; j < dimensions; j++) {
-            sum->gradient[i] += a * axes[j][i] * n->gradient[j];
-            for (int l = 0; l < dimensions; l++) {
-                for (int m = 0; m < dimensions; m++) {
-                    sum->hessian[i][j] += a * axes[l][i] * n->hessian[l][m] * axes[m][j];
-                }
-            }
+    const struct oracle_octave *const octave = &oracle->octave[k];
+    const struct lattice lattice = {
+        .key = octave->key, .dimensions = oracle->dimensions, .gradient = oracle->gradient};
+    uint32_t cell[3] = {0, 0, 0};
+    double t[3] = {0.0, 0.0, 0.0};
+    for (int i = 0; i < oracle->dimensions; i++) {
+        place(octave, oracle->dimensions, rounding, x, i, &cell[i], &t[i]);
+    }
+    if (oracle->basis == SCARP_GRADIENT) {
+        oracle_gradient_noise(draw_gradient, &lattice, oracle->dimensions, oracle->fade, cell, t,
+                              n);
+    } else {
+        oracle_value_noise(draw_value, &lattice, oracle->dimensions, oracle->fade, cell, t, n);
+    }
+    n->value /= oracle->supremum;
+    for (int i = 0; i < oracle->dimensions; i++) {
+        n->gradient[i] /= oracle->supremum;
+        for (int j = 0; j < oracle->dimensions; j++) {
+            n->hessian[i][j] /= oracle->supremum;
         }
     }
 }
@@ -219,25 +230,8 @@ static void add_octave(struct oracle_sample *sum, double a, const double axes[3]
 void oracle_evaluate(const struct oracle *oracle, enum oracle_rounding rounding, const double x[3],
                      struct oracle_sample *sum)
 {
-    struct lattice lattice = {.dimensions = oracle->dimensions, .gradient = oracle->gradient};
-    *sum = (struct oracle_sample){.value = 0.0};
-    for (int k = 0; k < oracle->octaves; k++) {
-        const struct oracle_octave *const octave = &oracle->octave[k];
-        uint32_t cell[3] = {0, 0, 0};
-        double t[3] = {0.0, 0.0, 0.0};
-        for (int i = 0; i < oracle->dimensions; i++) {
-            place(octave, oracle->dimensions, rounding, x, i, &cell[i], &t[i]);
-        }
-        lattice.key = octave->key;
-        struct oracle_sample n;
-        if (oracle->basis == SCARP_GRADIENT) {
-            oracle_gradient_noise(draw_gradient, &lattice, oracle->dimensions, oracle->fade, cell,
-                                  t, &n);
-        } else {
-            oracle_value_noise(draw_value, &lattice, oracle->dimensions, oracle->fade, cell, t, &n);
-        }
-        add_octave(sum, octave->weight / oracle->supremum, octave->axes, oracle->dimensions, &n);
-    }
+    struct oracle_creases creases;
+    oracle_evaluate_creased(oracle, rounding, x, sum, &creases);
 }
 
 double oracle_clearance(const struct oracle *oracle, const double x[3])

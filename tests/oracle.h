@@ -2,8 +2,9 @@
  *
  * The oracle: scarp's noise again, in double precision, from the published closed forms and the
  * definition in scarp.h. It shares no code with src/. oracle.c has what scarp defines (lattice,
- * octaves), oracle_basis.c the published formulas, oracle_perlin.c another lattice that the same
- * formulas can be fed with. Included by the tests that compare with it.
+ * octaves), oracle_basis.c the published formulas of an octave, oracle_fractal.c the fractals,
+ * oracle_perlin.c another lattice that the same formulas can be fed with. Included by the tests
+ * that compare with it.
  */
 #ifndef SCARP_TESTS_ORACLE_H
 #define SCARP_TESTS_ORACLE_H
@@ -21,7 +22,7 @@ enum oracle_rounding {
     ORACLE_F64    /* as the _f64 calls: p_k is double, its fraction is rounded to float */
 };
 
-/* Value, gradient and Hessian. In 2D whatever has a z is 0. */
+/* Value, gradient and Hessian. In 2D whatever has a z is 0, and so is the Hessian of erosion. */
 struct oracle_sample {
     double value, gradient[3], hessian[3][3];
 };
@@ -37,6 +38,8 @@ struct oracle_octave {
 struct oracle {
     enum scarp_basis basis;
     enum scarp_fade fade;
+    enum scarp_fractal fractal;
+    double erosion;
     int dimensions, octaves;
     double supremum;        /* of |basis|, which scarp divides by */
     double gradient[16][3]; /* what the lattice draws from, by the top four bits of the hash */
@@ -60,6 +63,26 @@ void oracle_make(struct oracle *oracle, const struct scarp_noise *noise, int dim
 
 void oracle_evaluate(const struct oracle *oracle, enum oracle_rounding rounding, const double x[3],
                      struct oracle_sample *sum);
+
+/* Octave k at x, scaled so that |value| reaches 1; derivatives with respect to p_k. */
+void oracle_octave_at(const struct oracle *oracle, enum oracle_rounding rounding, int k,
+                      const double x[3], struct oracle_sample *n);
+
+/* Where the creases of turbulence and ridged are: n_k = 0, and for ridged 2 s_k = 1. */
+struct oracle_creases {
+    double clearance; /* the smallest |n_k|, and for ridged |2 s_k - 1|; HUGE_VAL without creases */
+    uint64_t side;    /* which side of each crease: bit k for n_k < 0, bit 32 + k for 2 s_k >= 1 */
+};
+
+/* oracle_fractal.c: like oracle_evaluate, but tells of the creases too. */
+void oracle_evaluate_creased(const struct oracle *oracle, enum oracle_rounding rounding,
+                             const double x[3], struct oracle_sample *sum,
+                             struct oracle_creases *creases);
+
+/* oracle_fractal.c: the gradient of erosion as others compute it, with the q_k taken as constants:
+   sum a_k q_k G_k. */
+void oracle_frozen_gradient(const struct oracle *oracle, enum oracle_rounding rounding,
+                            const double x[3], double gradient[3]);
 
 /* How far x is from the nearest lattice plane of any octave, in units of input (at most). */
 double oracle_clearance(const struct oracle *oracle, const double x[3]);

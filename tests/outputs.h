@@ -36,6 +36,12 @@ static inline unsigned function_outputs(enum function f)
     return function_dimensions(f) == 2 ? OUTPUTS_ALL2 : OUTPUTS_ALL3;
 }
 
+/* Those that it has for this noise: erosion has no second derivatives. */
+static inline unsigned outputs_of(const struct scarp_noise *noise, enum function f)
+{
+    return function_outputs(f) & (noise->fractal == SCARP_EROSION ? 0xfu : OUTPUTS_ALL3);
+}
+
 /* Coordinates in both precisions; a function takes its own. */
 struct inputs {
     const float *f[3];

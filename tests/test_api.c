@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * The promises of scarp.h about arguments: errors, defaults, subsets of outputs, seeds, texts.
- * Normals and the choice of instruction set are in api_normals.h and api_isa.h.
+ * The fractals, normals and the choice of instruction set are in api_fractal.h, api_normals.h and
+ * api_isa.h.
  *
  *     test_api ISA
  */
@@ -9,6 +10,7 @@
 #include <float.h>
 #include <limits.h>
 
+#include "api_fractal.h"
 #include "api_isa.h"
 #include "api_normals.h"
 
@@ -38,7 +40,7 @@ static void expect_refused(const struct scarp_noise *noise, enum scarp_status ex
 {
     outputs_poison(&one);
     for (int f = 0; f < FUNCTIONS; f++) {
-        const struct scarp_samples out = outputs_subset(&one, function_outputs((enum function)f));
+        const struct scarp_samples out = outputs_subset(&one, outputs_of(noise, (enum function)f));
         const enum scarp_status status = function_call((enum function)f, noise, POINTS, &in, &out);
         CHECK(status == expected, "%s, %s: %s", function_names[f], what, scarp_status_text(status));
         CHECK(function_call((enum function)f, noise, 0, &in, &out) == SCARP_OK,
@@ -57,7 +59,7 @@ static void expect_accepted(const struct scarp_noise *noise, const char *what)
 {
     for (int f = 0; f < FUNCTIONS; f++) {
         outputs_poison(&one);
-        const unsigned mask = function_outputs((enum function)f);
+        const unsigned mask = outputs_of(noise, (enum function)f);
         const struct scarp_samples out = outputs_subset(&one, mask);
         const enum scarp_status status = function_call((enum function)f, noise, POINTS, &in, &out);
         CHECK(status == SCARP_OK, "%s, %s: %s", function_names[f], what, scarp_status_text(status));
@@ -72,10 +74,10 @@ static void expect_accepted(const struct scarp_noise *noise, const char *what)
     CHECK(scarp_range(noise, 2, &lowest, &highest) == SCARP_OK, "scarp_range, %s", what);
 }
 
-enum field { FREQUENCY, OCTAVES, LACUNARITY, GAIN, AMPLITUDE, FIELDS };
+enum field { FREQUENCY, OCTAVES, LACUNARITY, GAIN, AMPLITUDE, EROSION, FIELDS };
 
-static const char *const field_names[FIELDS] = {"frequency", "octaves", "lacunarity", "gain",
-                                                "amplitude"};
+static const char *const field_names[FIELDS] = {"frequency", "octaves",   "lacunarity",
+                                                "gain",      "amplitude", "erosion"};
 
 static void set_field(struct scarp_noise *noise, enum field field, double value)
 {
@@ -84,20 +86,24 @@ static void set_field(struct scarp_noise *noise, enum field field, double value)
     case OCTAVES: noise->octaves = (float)value; break;
     case LACUNARITY: noise->lacunarity = (float)value; break;
     case GAIN: noise->gain = (float)value; break;
-    default: noise->amplitude = (float)value; break;
+    case AMPLITUDE: noise->amplitude = (float)value; break;
+    default: noise->erosion = (float)value; break;
     }
 }
 
+/* Whatever the fractal: `erosion` counts where it is not used, too. */
 static void try_field(enum field field, double value, enum scarp_status expected)
 {
-    struct scarp_noise noise = {0};
-    char what[64];
-    set_field(&noise, field, value);
-    snprintf(what, sizeof what, "%s = %a", field_names[field], value);
-    if (expected == SCARP_OK) {
-        expect_accepted(&noise, what);
-    } else {
-        expect_refused(&noise, expected, what);
+    for (int fractal = SCARP_FBM; fractal <= SCARP_EROSION; fractal++) {
+        struct scarp_noise noise = {.fractal = (enum scarp_fractal)fractal};
+        char what[64];
+        set_field(&noise, field, value);
+        snprintf(what, sizeof what, "fractal %d, %s = %a", fractal, field_names[field], value);
+        if (expected == SCARP_OK) {
+            expect_accepted(&noise, what);
+        } else {
+            expect_refused(&noise, expected, what);
+        }
     }
 }
 
@@ -111,11 +117,10 @@ static double beside(enum field field, double end, double middle, int outside)
 
 static void test_intervals(void)
 {
-    static const double intervals[FIELDS][2] = {[FREQUENCY] = {0x1p-32, 0x1p48},
-                                                [OCTAVES] = {(double)FLT_MIN, 32.0},
-                                                [LACUNARITY] = {0.0625, 16.0},
-                                                [GAIN] = {0.0625, 16.0},
-                                                [AMPLITUDE] = {-0x1p24, 0x1p24}};
+    static const double intervals[FIELDS][2] = {
+        [FREQUENCY] = {0x1p-32, 0x1p48}, [OCTAVES] = {(double)FLT_MIN, 32.0},
+        [LACUNARITY] = {0.0625, 16.0},   [GAIN] = {0.0625, 16.0},
+        [AMPLITUDE] = {-0x1p24, 0x1p24}, [EROSION] = {0x1p-24, 0x1p24}};
     try_field(AMPLITUDE, 0x1p-24, SCARP_OK);
     try_field(AMPLITUDE, -0x1p-24, SCARP_OK);
     try_field(AMPLITUDE, 0x1p-25, SCARP_ERROR_PARAMETER);
@@ -185,9 +190,11 @@ static void test_last_frequency(void)
 /* At the ends of all intervals together no output overflows. */
 static void test_extremes(void)
 {
-    for (int i = 0; i < 32; i++) {
+    for (int i = 0; i < 256; i++) {
         const struct scarp_noise noise = {.basis = (enum scarp_basis)(i & 1),
                                           .fade = (enum scarp_fade)(i >> 1 & 1),
+                                          .fractal = (enum scarp_fractal)(i >> 5 & 3),
+                                          .erosion = (i >> 7 & 1) != 0 ? 0x1p24f : 0x1p-24f,
                                           .rotate = (uint32_t)(i >> 2 & 1),
                                           .frequency = 0x1p48,
                                           .octaves = (i >> 3 & 1) != 0 ? 32.0f : 1.0f,
@@ -488,6 +495,7 @@ int main(int argc, char **argv)
     test_defaults();
     test_subsets();
     test_range();
+    test_fractals(&in, POINTS, &one, &two);
     test_seeds();
     test_texts();
     test_normals();

@@ -1,0 +1,153 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Turbulence, ridged and erosion as arguments: what erosion refuses, the default of its parameter,
+ * subsets of outputs, ranges. Part of tests/test_api.c.
+ */
+#ifndef SCARP_TESTS_API_FRACTAL_H
+#define SCARP_TESTS_API_FRACTAL_H
+
+#include "outputs.h"
+
+/* Points, and two sets of outputs for them. */
+struct fractal_test {
+    const struct inputs *in;
+    size_t points;
+    const struct outputs *one, *two;
+};
+
+/* Second derivatives of erosion, each one alone and beside all others, but not what it has. */
+static inline void test_fractal_unsupported(const struct fractal_test *t)
+{
+    const struct scarp_noise erosion = {.fractal = SCARP_EROSION, .octaves = 2.0f};
+    for (int i = 0; i < FUNCTIONS * OUTPUTS; i++) {
+        const enum function f = (enum function)(i / OUTPUTS);
+        const unsigned output = 1u << i % OUTPUTS, all = function_outputs(f);
+        if ((output & all) == 0) {
+            continue;
+        }
+        const int second = i % OUTPUTS >= 4;
+        const enum scarp_status expected = second ? SCARP_ERROR_UNSUPPORTED : SCARP_OK;
+        const struct scarp_samples alone = outputs_subset(t->one, output);
+        const struct scarp_samples more = outputs_subset(t->one, output | outputs_of(&erosion, f));
+        outputs_poison(t->one);
+        CHECK(function_call(f, &erosion, t->points, t->in, &alone) == expected, "%s: %s",
+              function_names[f], output_names[i % OUTPUTS]);
+        CHECK(outputs_untouched(t->one, second ? OUTPUTS_ALL3 : OUTPUTS_ALL3 & ~output),
+              "%s: %s: outputs were written", function_names[f], output_names[i % OUTPUTS]);
+        outputs_poison(t->one);
+        CHECK(function_call(f, &erosion, t->points, t->in, &more) == expected, "%s: %s and more",
+              function_names[f], output_names[i % OUTPUTS]);
+        CHECK(outputs_untouched(t->one, second ? OUTPUTS_ALL3 : OUTPUTS_ALL3 & ~all),
+              "%s: %s and more: outputs were written", function_names[f],
+              output_names[i % OUTPUTS]);
+        CHECK(function_call(f, &erosion, 0, t->in, &alone) == SCARP_OK, "count 0");
+    }
+}
+
+/* Whether two noises give the same bits in all outputs that both have. */
+static inline int fractal_same_bits(const struct fractal_test *t, const struct scarp_noise *a,
+                                    const struct scarp_noise *b)
+{
+    int same = 1, member;
+    size_t index;
+    for (int i = 0; i < FUNCTIONS; i++) {
+        const enum function f = (enum function)i;
+        const unsigned mask = outputs_of(a, f) & outputs_of(b, f);
+        const struct scarp_samples out_a = outputs_subset(t->one, mask);
+        const struct scarp_samples out_b = outputs_subset(t->two, mask);
+        CHECK(function_call(f, a, t->points, t->in, &out_a) == SCARP_OK, "%s", function_names[f]);
+        CHECK(function_call(f, b, t->points, t->in, &out_b) == SCARP_OK, "%s", function_names[f]);
+        same &= outputs_equal(t->one, t->two, mask, t->points, &member, &index);
+    }
+    return same;
+}
+
+/* The default of erosion is 1, for zeros of either sign; other fractals do not use it. */
+static inline void test_fractal_parameter(const struct fractal_test *t)
+{
+    for (int fractal = SCARP_FBM; fractal <= SCARP_EROSION; fractal++) {
+        const int used = fractal == SCARP_EROSION;
+        struct scarp_noise a = {.fractal = (enum scarp_fractal)fractal, .octaves = 3.0f}, b = a;
+        b.erosion = 1.0f;
+        CHECK(fractal_same_bits(t, &a, &b), "fractal %d: the default is not 1", fractal);
+        a.erosion = -0.0f;
+        CHECK(fractal_same_bits(t, &a, &b), "fractal %d: -0 is not the default", fractal);
+        a.erosion = 2.0f;
+        CHECK(fractal_same_bits(t, &a, &b) == !used, "fractal %d: erosion 2", fractal);
+        for (int other = SCARP_FBM; other < fractal; other++) {
+            b.fractal = (enum scarp_fractal)other;
+            CHECK(!fractal_same_bits(t, &a, &b), "fractals %d and %d are the same", fractal, other);
+        }
+    }
+}
+
+/* Any subset of outputs gives the bits that all of them together give, and writes nothing else. */
+static inline void test_fractal_subsets(const struct fractal_test *t)
+{
+    for (int i = 0; i < 12 * FUNCTIONS; i++) {
+        const enum function f = (enum function)(i % FUNCTIONS);
+        const struct scarp_noise noise = {.basis = (enum scarp_basis)(i / FUNCTIONS % 2),
+                                          .fractal =
+                                              (enum scarp_fractal)(1 + i / FUNCTIONS / 2 % 3),
+                                          .octaves = 3.25f,
+                                          .rotate = (uint32_t)(i / FUNCTIONS / 6),
+                                          .seed = 99};
+        const struct scarp_noise other = {.octaves = 2.0f, .seed = 98};
+        const unsigned all = outputs_of(&noise, f);
+        const struct scarp_samples together = outputs_subset(t->two, all);
+        CHECK(function_call(f, &noise, t->points, t->in, &together) == SCARP_OK, "all outputs");
+        for (unsigned mask = 0; mask <= all; mask++) {
+            if ((mask & ~all) != 0) {
+                continue;
+            }
+            int member = 0;
+            size_t index = 0;
+            const struct scarp_samples out = outputs_subset(t->one, mask);
+            /* Leftovers of the last call on the stack must not pass for results. */
+            const struct scarp_samples between = outputs_subset(t->one, function_outputs(f));
+            CHECK(function_call(f, &other, t->points, t->in, &between) == SCARP_OK, "another");
+            outputs_poison(t->one);
+            CHECK(function_call(f, &noise, t->points, t->in, &out) == SCARP_OK, "%#x", mask);
+            CHECK(outputs_equal(t->one, t->two, mask, t->points, &member, &index),
+                  "%s, fractal %d, subset %#x: %s[%zu] differs", function_names[f],
+                  (int)noise.fractal, mask, output_names[member], index);
+            CHECK(outputs_untouched(t->one, ~mask), "%s, fractal %d, subset %#x: others written",
+                  function_names[f], (int)noise.fractal, mask);
+        }
+    }
+}
+
+static inline void test_fractal_ranges(void)
+{
+    static const float amplitudes[] = {0.0f,  -0.0f,   1.0f,     -1.0f,    0.1f,
+                                       -3.5f, 0x1p24f, -0x1p24f, 0x1p-24f, -0x1p-24f};
+    for (size_t i = 0; i < 6 * (sizeof amplitudes / sizeof amplitudes[0]); i++) {
+        const enum scarp_fractal fractal = (enum scarp_fractal)(SCARP_TURBULENCE + i / 2 % 3);
+        const struct scarp_noise noise = {
+            .fractal = fractal, .amplitude = amplitudes[i / 6], .octaves = 3.0f};
+        const float a = amplitudes[i / 6] == 0.0f ? 1.0f : amplitudes[i / 6];
+        const int both = fractal == SCARP_EROSION;
+        float lowest = 7.0f, highest = -7.0f;
+        CHECK(scarp_range(&noise, 2 + (int)(i % 2), &lowest, &highest) == SCARP_OK, "range");
+        CHECK(lowest == (both       ? -fabsf(a)
+                         : a < 0.0f ? a
+                                    : 0.0f) &&
+                  highest == (both       ? fabsf(a)
+                              : a < 0.0f ? 0.0f
+                                         : a),
+              "fractal %d, amplitude %a: [%a, %a]", (int)fractal, (double)a, (double)lowest,
+              (double)highest);
+    }
+}
+
+static inline void test_fractals(const struct inputs *in, size_t points, const struct outputs *one,
+                                 const struct outputs *two)
+{
+    const struct fractal_test t = {in, points, one, two};
+    test_fractal_unsupported(&t);
+    test_fractal_parameter(&t);
+    test_fractal_subsets(&t);
+    test_fractal_ranges();
+}
+
+#endif

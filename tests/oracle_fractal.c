@@ -1,0 +1,157 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The fractals of scarp.h in double precision. Functions of the input are carried with their
+ * derivatives, as (value, gradient, Hessian), and the formulas are then those of the values: the
+ * rules for products and quotients of such triples do the rest. No derivative of a fractal is
+ * written down here.
+ */
+#include "oracle.h"
+
+#include <math.h>
+
+/* n of an octave as a function of the input: J^T g and J^T H J. */
+static struct oracle_sample pulled_back(const struct oracle *oracle, int k,
+                                        const struct oracle_sample *n)
+{
+    const int d = oracle->dimensions;
+    const double(*const axes)[3] = oracle->octave[k].axes;
+    struct oracle_sample f = {.value = n->value};
+    for (int i = 0; i < d; i++) {
+        for (int a = 0; a < d; a++) {
+            f.gradient[i] += axes[a][i] * n->gradient[a];
+            double row = 0.0; /* (H J)[a][i] */
+            for (int b = 0; b < d; b++) {
+                row += n->hessian[a][b] * axes[b][i];
+            }
+            for (int j = 0; j < d; j++) {
+                f.hessian[i][j] += axes[a][j] * row;
+            }
+        }
+    }
+    return f;
+}
+
+/* sum += a f */
+static void add(struct oracle_sample *sum, double a, const struct oracle_sample *f)
+{
+    sum->value += a * f->value;
+    for (int i = 0; i < 3; i++) {
+        sum->gradient[i] += a * f->gradient[i];
+        for (int j = 0; j < 3; j++) {
+            sum->hessian[i][j] += a * f->hessian[i][j];
+        }
+    }
+}
+
+static struct oracle_sample times(const struct oracle_sample *f, const struct oracle_sample *g)
+{
+    struct oracle_sample product = {.value = f->value * g->value};
+    for (int i = 0; i < 3; i++) {
+        product.gradient[i] = f->gradient[i] * g->value + f->value * g->gradient[i];
+        for (int j = 0; j < 3; j++) {
+            product.hessian[i][j] = f->hessian[i][j] * g->value + f->gradient[i] * g->gradient[j] +
+                                    f->gradient[j] * g->gradient[i] + f->value * g->hessian[i][j];
+        }
+    }
+    return product;
+}
+
+static struct oracle_sample magnitude(const struct oracle_sample *f)
+{
+    struct oracle_sample m = {.value = 0.0};
+    add(&m, f->value > 0.0 ? 1.0 : f->value < 0.0 ? -1.0 : 0.0, f);
+    return m;
+}
+
+/* Turbulence: sum a |n|. Returns |n|, and notes the crease. */
+static struct oracle_sample folded(const struct oracle *oracle, int k,
+                                   const struct oracle_sample *n, struct oracle_creases *creases)
+{
+    const struct oracle_sample f = pulled_back(oracle, k, n);
+    creases->clearance = fmin(creases->clearance, fabs(f.value));
+    creases->side |= (uint64_t)(f.value < 0.0) << k;
+    return magnitude(&f);
+}
+
+/* Ridged: s = v (1 - |n|)^2; then v = min(2 s, 1). */
+static struct oracle_sample ridge(const struct oracle *oracle, int k, const struct oracle_sample *n,
+                                  struct oracle_sample *weight, struct oracle_creases *creases)
+{
+    const struct oracle_sample m = folded(oracle, k, n, creases), one = {.value = 1.0};
+    struct oracle_sample r = one, twice = {.value = 0.0};
+    add(&r, -1.0, &m);
+    const struct oracle_sample squared = times(&r, &r), s = times(weight, &squared);
+    add(&twice, 2.0, &s);
+    const int full = twice.value >= 1.0;
+    if (k < oracle->octaves - 1) { /* nothing follows the last one */
+        creases->clearance = fmin(creases->clearance, fabs(twice.value - 1.0));
+        creases->side |= (uint64_t)full << (32 + k);
+    }
+    *weight = full ? one : twice;
+    return s;
+}
+
+/* Erosion: q n with q = 1 / (1 + erosion d.d). `slope` holds the components of d as functions of
+   the input: the gradient of g_i is row i of H J. Hessians would need third derivatives; what is
+   left in them here is not used. */
+static struct oracle_sample eroded(const struct oracle *oracle, int k,
+                                   const struct oracle_sample *n, struct oracle_sample slope[3],
+                                   int frozen)
+{
+    struct oracle_sample denominator = {.value = 1.0};
+    for (int i = 0; i < oracle->dimensions; i++) {
+        slope[i].value += n->gradient[i];
+        for (int j = 0; j < oracle->dimensions; j++) {
+            for (int b = 0; b < oracle->dimensions; b++) {
+                slope[i].gradient[j] += n->hessian[i][b] * oracle->octave[k].axes[b][j];
+            }
+        }
+        const struct oracle_sample square = times(&slope[i], &slope[i]);
+        add(&denominator, oracle->erosion, &square);
+    }
+    const struct oracle_sample f = pulled_back(oracle, k, n);
+    struct oracle_sample s = {.value = f.value / denominator.value};
+    for (int i = 0; i < 3; i++) { /* the quotient's rule */
+        const double change = frozen ? 0.0 : denominator.gradient[i];
+        s.gradient[i] = (f.gradient[i] - s.value * change) / denominator.value;
+    }
+    return s;
+}
+
+static void sum_octaves(const struct oracle *oracle, enum oracle_rounding rounding,
+                        const double x[3], int frozen, struct oracle_sample *sum,
+                        struct oracle_creases *creases)
+{
+    struct oracle_sample weight = {.value = 1.0}, slope[3] = {{.value = 0.0}};
+    *sum = (struct oracle_sample){.value = 0.0};
+    *creases = (struct oracle_creases){.clearance = HUGE_VAL};
+    for (int k = 0; k < oracle->octaves; k++) {
+        struct oracle_sample n, s;
+        oracle_octave_at(oracle, rounding, k, x, &n);
+        switch (oracle->fractal) {
+        case SCARP_TURBULENCE: s = folded(oracle, k, &n, creases); break;
+        case SCARP_RIDGED: s = ridge(oracle, k, &n, &weight, creases); break;
+        case SCARP_EROSION: s = eroded(oracle, k, &n, slope, frozen); break;
+        default: s = pulled_back(oracle, k, &n); break;
+        }
+        add(sum, oracle->octave[k].weight, &s);
+    }
+}
+
+void oracle_evaluate_creased(const struct oracle *oracle, enum oracle_rounding rounding,
+                             const double x[3], struct oracle_sample *sum,
+                             struct oracle_creases *creases)
+{
+    sum_octaves(oracle, rounding, x, 0, sum, creases);
+}
+
+void oracle_frozen_gradient(const struct oracle *oracle, enum oracle_rounding rounding,
+                            const double x[3], double gradient[3])
+{
+    struct oracle_sample sum;
+    struct oracle_creases creases;
+    sum_octaves(oracle, rounding, x, 1, &sum, &creases);
+    for (int i = 0; i < 3; i++) {
+        gradient[i] = sum.gradient[i];
+    }
+}

@@ -1,0 +1,221 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The guaranteed ranges of turbulence, ridged and erosion: searches that try to leave the interval
+ * of scarp_range on either side, random points first, then pattern searches from the lowest and
+ * highest ones and from places where the basis is known to have its supremum. Single octaves reach
+ * both ends. (test_range.c proves the suprema, and searches fBm.)
+ * Argument: the number of random points per case.
+ */
+#include "fractal.h"
+
+#define KEPT 8
+
+/* Gradient noise of seed 2 and frequency 1 reaches its supremum here, by [dimensions - 2][fade],
+   with the sign + and -: at the maximisers that test_range.c states, in cells whose corners have
+   the right gradients. Found by trying 10^7 cells in 2D and 8 * 10^8 in 3D. */
+static const double suprema[2][2][2][3] = {
+    {{{973.4734, 3322.5, 0.0}, {-102.5266, -843.5, 0.0}},
+     {{2068.5333, 3954.5, 0.0}, {-2313.5, -105.4667, 0.0}}},
+    {{{946699.6447, 293613.5185, -490771.5}, {704445.6447, 498412.5185, 260661.5}},
+     {{725573.6756, 975478.4764, 862656.5}, {-722004.5, 429233.5236, 819432.6756}}},
+};
+
+/* A search for the lowest [0] and highest [1] values of one noise. */
+struct search {
+    struct block *block;
+    struct scarp_noise noise;
+    int dimensions;
+    double bounds[2];
+    int kept[2];
+    struct {
+        double value, x[3];
+    } best[2][KEPT]; /* the best one first */
+};
+
+/* The header's words about ranges. */
+static void begin(struct search *search)
+{
+    const enum scarp_fractal fractal = search->noise.fractal;
+    const float a = search->noise.amplitude;
+    const int one_sided = fractal == SCARP_TURBULENCE || fractal == SCARP_RIDGED;
+    float lowest = NAN, highest = NAN;
+    const float expected[2] = {one_sided ? fminf(a, 0.0f) : -fabsf(a),
+                               one_sided ? fmaxf(a, 0.0f) : fabsf(a)};
+    CHECK(scarp_range(&search->noise, search->dimensions, &lowest, &highest) == SCARP_OK,
+          "refused");
+    CHECK(lowest == expected[0] && highest == expected[1], "%s, amplitude %g: [%g, %g]",
+          fractal_names[fractal], (double)a, (double)lowest, (double)highest);
+    search->bounds[0] = (double)lowest;
+    search->bounds[1] = (double)highest;
+}
+
+/* Whether a is beyond b on side 0 or 1. */
+static int beyond(int side, double a, double b)
+{
+    return side == 0 ? a < b : a > b;
+}
+
+static void keep(struct search *search, int side, double value, const double x[3])
+{
+    int slot = search->kept[side];
+    while (slot > 0 && beyond(side, value, search->best[side][slot - 1].value)) {
+        slot--;
+    }
+    if (slot == KEPT) {
+        return;
+    }
+    const int last = search->kept[side] < KEPT ? search->kept[side]++ : KEPT - 1;
+    memmove(&search->best[side][slot + 1], &search->best[side][slot],
+            (size_t)(last - slot) * sizeof search->best[side][0]);
+    search->best[side][slot].value = value;
+    memcpy(search->best[side][slot].x, x, sizeof search->best[side][slot].x);
+}
+
+/* Samples the first `count` points of the block: all values must be within the range. */
+static const float *probe(struct search *search, size_t count)
+{
+    struct block *const block = search->block;
+    const float *const values = block->out.array[0];
+    const struct scarp_samples out = {.value = block->out.array[0]};
+    const enum scarp_status status =
+        search->dimensions == 2
+            ? scarp_sample2_f64(&search->noise, count, block->d[0], block->d[1], &out)
+            : scarp_sample3_f64(&search->noise, count, block->d[0], block->d[1], block->d[2], &out);
+    CHECK(status == SCARP_OK, "%s", scarp_status_text(status));
+    size_t outside = 0, last = 0;
+    for (size_t i = 0; i < count; i++) {
+        const double value = (double)values[i];
+        if (!(value >= search->bounds[0] && value <= search->bounds[1])) { /* or NaN */
+            outside++;
+            last = i;
+        }
+    }
+    CHECK(outside == 0, "%zu values outside: %.9g at (%.17g, %.17g, %.17g)", outside,
+          (double)values[last], block->d[0][last], block->d[1][last], block->d[2][last]);
+    return values;
+}
+
+/* Every other point is on the lattice of octave 0, where value noise has its extremes. */
+static void search_random(struct search *search, long points)
+{
+    struct block *const block = search->block;
+    uint64_t random = 1;
+    for (long done = 0; done < points; done += BLOCK) {
+        for (size_t i = 0; i < BLOCK; i++) {
+            for (int axis = 0; axis < 3; axis++) {
+                const double x = check_random_double(&random, 0x1p12);
+                block->d[axis][i] = i % 2 == 0 ? floor(x) : x;
+            }
+        }
+        const float *const values = probe(search, BLOCK);
+        for (size_t i = 0; i < BLOCK; i++) {
+            double x[3];
+            block_point(block, i, x);
+            keep(search, 0, (double)values[i], x);
+            keep(search, 1, (double)values[i], x);
+        }
+    }
+}
+
+/* From x to a local extreme, by pattern search: as far as floats show a difference. */
+static double climb(struct search *search, int side, double value, double x[3])
+{
+    struct block *const block = search->block;
+    const size_t neighbours = 2 * (size_t)search->dimensions;
+    for (double step = 0x1p-4; step > 0x1p-26;) {
+        for (size_t i = 0; i < neighbours; i++) {
+            for (size_t axis = 0; axis < 3; axis++) {
+                const double move = i % 2 == 0 ? step : -step;
+                block->d[axis][i] = x[axis] + (axis == i / 2 ? move : 0.0);
+            }
+        }
+        const float *const values = probe(search, neighbours);
+        size_t best = 0;
+        for (size_t i = 1; i < neighbours; i++) {
+            best = beyond(side, (double)values[i], (double)values[best]) ? i : best;
+        }
+        if (beyond(side, (double)values[best], value)) {
+            value = (double)values[best];
+            x[best / 2] += best % 2 == 0 ? step : -step;
+        } else {
+            step *= 0.5;
+        }
+    }
+    return value;
+}
+
+/* The lowest and the highest value that can be found, as parts of the amplitude. */
+static void search_extremes(struct search *search, double reached[2])
+{
+    for (int side = 0; side < 2; side++) {
+        reached[side] = search->best[side][0].value;
+        for (int k = 0; k < search->kept[side] + 2; k++) {
+            double x[3], value;
+            if (k < search->kept[side]) {
+                memcpy(x, search->best[side][k].x, sizeof x);
+                value = search->best[side][k].value;
+            } else {
+                const int sign = k - search->kept[side];
+                memcpy(x, suprema[search->dimensions - 2][search->noise.fade][sign], sizeof x);
+                for (int axis = 0; axis < 3; axis++) {
+                    search->block->d[axis][0] = x[axis];
+                }
+                value = (double)probe(search, 1)[0];
+            }
+            value = climb(search, side, value, x);
+            reached[side] = beyond(side, value, reached[side]) ? value : reached[side];
+        }
+    }
+}
+
+/* `reachable` is the part of the range, between the extremes found, that is known to be reached. */
+static void check_case(struct block *block, const struct scarp_noise *noise, int dimensions,
+                       long points, double reachable)
+{
+    struct search search = {.block = block, .noise = *noise, .dimensions = dimensions};
+    double reached[2];
+    begin(&search);
+    search_random(&search, points);
+    search_extremes(&search, reached);
+    const double width = search.bounds[1] - search.bounds[0];
+    const double gap[2] = {(reached[0] - search.bounds[0]) / width,
+                           (search.bounds[1] - reached[1]) / width};
+    printf("%-10s %-8s %-7s %dD %4g octaves in [%g, %g]: gaps below %.1e, above %.1e of it\n",
+           fractal_names[noise->fractal], fractal_bases[noise->basis], fractal_fades[noise->fade],
+           dimensions, (double)noise->octaves, search.bounds[0], search.bounds[1], gap[0], gap[1]);
+    if (noise->octaves <= 1.0f) {
+        CHECK(gap[0] <= 1e-3 && gap[1] <= 1e-3, "an end is not reached: %g, %g", gap[0], gap[1]);
+    }
+    CHECK(1.0 - gap[0] - gap[1] >= reachable, "only %g of the range were reached",
+          1.0 - gap[0] - gap[1]);
+}
+
+int main(int argc, char **argv)
+{
+    static const struct {
+        struct scarp_noise noise;
+        double reachable; /* with 10^4 points */
+    } cases[] = {
+        {{.seed = 2, .octaves = 1.0f, .amplitude = 1.0f}, 0.998},
+        {{.seed = 2, .octaves = 1.0f, .amplitude = -3.7f}, 0.998},
+        {{.seed = 2, .octaves = 0.3f, .amplitude = 0x1p-20f, .erosion = 8.0f}, 0.998},
+        {{.seed = 2, .octaves = 5.0f, .amplitude = 1e6f}, 0.45},
+        {{.seed = 2, .octaves = 2.5f, .amplitude = -0.1f, .rotate = 1, .gain = 0.7f}, 0.5},
+        {{.seed = 2, .octaves = 12.0f, .amplitude = 1.0f, .gain = 1.5f, .lacunarity = 1.3f}, 0.28},
+    };
+    const long points = argc > 1 ? strtol(argv[1], NULL, 10) : 0;
+    if (points < BLOCK) {
+        printf("usage: %s POINTS (at least %d)\n", argv[0], BLOCK);
+        return EXIT_FAILURE;
+    }
+    struct block *const block = block_make();
+    for (size_t i = 0; i < 24 * (sizeof cases / sizeof cases[0]); i++) {
+        struct scarp_noise noise = cases[i / 24].noise;
+        noise.fractal = (enum scarp_fractal)(SCARP_TURBULENCE + i / 8 % 3);
+        noise.basis = (enum scarp_basis)(i / 4 % 2);
+        noise.fade = (enum scarp_fade)(i / 2 % 2);
+        check_case(block, &noise, 2 + (int)(i % 2), points, cases[i / 24].reachable);
+    }
+    block_free(block);
+    return check_done();
+}
