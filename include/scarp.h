@@ -211,6 +211,47 @@ SCARP_API enum scarp_status scarp_sample3_f64(const struct scarp_noise *noise, s
                                               const struct scarp_samples *out);
 
 /*
+ * A uniform grid: sample (i, j, k) lies at origin[d] + (double)(first[d] + index) * step[d] along
+ * each axis d, index being i, j or k, computed in double in this order. The 2D calls ignore the
+ * elements 2 and slice_stride.
+ */
+struct scarp_grid {
+    double origin[3], step[3]; /* finite; a step may be 0 or negative */
+    int64_t first[3];          /* every first + index lies in [-2^53, 2^53] */
+    size_t count[3];
+    size_t row_stride;   /* floats from one row to the next; 0: count[0], packed. At least that. */
+    size_t slice_stride; /* floats from one slice to the next; 0: count[1] rows. At least from the
+                            first float of a slice to its last. */
+};
+
+/*
+ * scarp_grid2 - sample noise on a uniform grid of the plane
+ *
+ * For each i < count[0] and j < count[1], element j * row_stride + i of each array in `out` is, to
+ * the bit, what scarp_sample2_f64 gives at the coordinates of sample (i, j). So a world is the same
+ * whatever tiles it is computed in: give tiles their `first`, and the same origin and step. Nothing
+ * between the rows is touched.
+ *
+ * Much faster than arrays of points where neighbouring samples share lattice cells, axes are not
+ * turned, and rows are longer than a few dozen samples.
+ *
+ * Returns SCARP_ERROR_NULL if `noise`, `grid` or `out` is NULL; SCARP_OK, having looked at nothing
+ * else, if a count is 0; SCARP_ERROR_PARAMETER for an origin or step that is not finite, an index
+ * outside its interval, and strides shorter than a row or a slice; SCARP_ERROR_SIZE if the arrays
+ * would exceed the address space; otherwise as scarp_sample2. Takes up to 144 KiB of stack with
+ * AVX-512, 80 KiB with AVX2, 48 KiB with the others.
+ */
+SCARP_API enum scarp_status scarp_grid2(const struct scarp_noise *noise,
+                                        const struct scarp_grid *grid,
+                                        const struct scarp_samples *out);
+
+/* scarp_grid3 - like scarp_grid2, but in space: element k * slice_stride + j * row_stride + i, as
+   scarp_sample3_f64, with all ten outputs */
+SCARP_API enum scarp_status scarp_grid3(const struct scarp_noise *noise,
+                                        const struct scarp_grid *grid,
+                                        const struct scarp_samples *out);
+
+/*
  * scarp_normals - unit normals of the surface z = height_scale * value, from the gradient
  *
  * For each i < count, (nx[i], ny[i], nz[i]) is (-s dx[i], -s dy[i], 1) divided by its length, with

@@ -13,6 +13,10 @@
 typedef void scarp_points_fn(const struct scarp_plan *plan, size_t count,
                              const void *const position[3], const struct scarp_samples *out);
 
+/* Evaluates a grid; no count is 0, and the strides are given. Otherwise as above. */
+typedef void scarp_grid_fn(const struct scarp_plan *plan, const struct scarp_grid *grid,
+                           const struct scarp_samples *out);
+
 /* As scarp_normals, for `count` > 0. */
 typedef void scarp_normals_fn(size_t count, const float *dx, const float *dy, float height_scale,
                               float *nx, float *ny, float *nz);
@@ -21,6 +25,7 @@ struct scarp_kernels {
     enum scarp_isa isa;
     scarp_points_fn *points2_f32, *points2_f64;
     scarp_points_fn *points3_f32, *points3_f64;
+    scarp_grid_fn *grid2, *grid3;
     scarp_normals_fn *normals;
 };
 

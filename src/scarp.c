@@ -12,6 +12,26 @@
 #define TEXT(x) #x
 #define VERSION_TEXT(major, minor, patch) TEXT(major) "." TEXT(minor) "." TEXT(patch)
 
+/* By its bits: this file also runs in the caller's floating-point mode. */
+static int is_finite(float value)
+{
+    const union {
+        float value;
+        uint32_t bits;
+    } u = {value};
+    return (u.bits & 0x7f800000u) != 0x7f800000u;
+}
+
+static int is_finite_f64(double value)
+{
+    const union {
+        double value;
+        uint64_t bits;
+    } u = {value};
+    const uint64_t exponent = UINT64_C(0x7ff0000000000000);
+    return (u.bits & exponent) != exponent;
+}
+
 /* The highest derivative that `out` asks for: 0, 1 or 2. */
 static int order_of(const struct scarp_samples *out)
 {
@@ -21,13 +41,15 @@ static int order_of(const struct scarp_samples *out)
     return out->dx || out->dy || out->dz ? 1 : 0;
 }
 
-/*
- * Checks the noise, makes the plan and runs the kernel. Out of line, so that none of its arithmetic
- * (comparisons trap too) can be moved across the change of floating-point mode in `sample`.
- */
-static NOINLINE enum scarp_status run(scarp_points_fn *points, const struct scarp_noise *noise,
-                                      int dimensions, size_t count, const void *const position[3],
-                                      const struct scarp_samples *out)
+/* Whether a call in 2D is asked for derivatives along z. */
+static int asks_for_z(int dimensions, const struct scarp_samples *out)
+{
+    return dimensions == 2 && (out->dz || out->dxz || out->dyz || out->dzz);
+}
+
+/* Checks the noise and makes the plan of a call. */
+static enum scarp_status plan_call(struct scarp_plan *plan, const struct scarp_noise *noise,
+                                   int dimensions, const struct scarp_samples *out)
 {
     const enum scarp_status status = scarp_plan_check(noise);
     if (status != SCARP_OK) {
@@ -37,10 +59,24 @@ static NOINLINE enum scarp_status run(scarp_points_fn *points, const struct scar
     if (noise->fractal == SCARP_EROSION && order == 2) {
         return SCARP_ERROR_UNSUPPORTED;
     }
-    struct scarp_plan plan;
-    scarp_plan_make(&plan, noise, dimensions, order);
-    points(&plan, count, position, out);
+    scarp_plan_make(plan, noise, dimensions, order);
     return SCARP_OK;
+}
+
+/*
+ * Makes the plan and runs the kernel. Out of line, so that none of its arithmetic (comparisons trap
+ * too) can be moved across the change of floating-point mode in `sample`.
+ */
+static NOINLINE enum scarp_status run(scarp_points_fn *points, const struct scarp_noise *noise,
+                                      int dimensions, size_t count, const void *const position[3],
+                                      const struct scarp_samples *out)
+{
+    struct scarp_plan plan;
+    const enum scarp_status status = plan_call(&plan, noise, dimensions, out);
+    if (status == SCARP_OK) {
+        points(&plan, count, position, out);
+    }
+    return status;
 }
 
 /* The checks that all sample calls share, then the call. `bytes` is the size of a coordinate. */
@@ -59,7 +95,7 @@ static enum scarp_status sample(scarp_points_fn *points, const struct scarp_nois
     if (count > PTRDIFF_MAX / bytes) {
         return SCARP_ERROR_SIZE;
     }
-    if (dimensions == 2 && (out->dz || out->dxz || out->dyz || out->dzz)) {
+    if (asks_for_z(dimensions, out)) {
         return SCARP_ERROR_UNSUPPORTED;
     }
     const struct fpmode caller = fpmode_enter();
@@ -105,14 +141,107 @@ enum scarp_status scarp_sample3_f64(const struct scarp_noise *noise, size_t coun
                                position, out);
 }
 
-/* By its bits: this file also runs in the caller's floating-point mode. */
-static int is_finite(float value)
+/* Largest magnitude of an index, so that it is exact in double. */
+#define INDEX_MAX (INT64_C(1) << 53)
+
+/* Whether origin, step and indices are within the documented intervals along an axis. */
+static int axis_valid(const struct scarp_grid *grid, int axis)
 {
-    const union {
-        float value;
-        uint32_t bits;
-    } u = {value};
-    return (u.bits & 0x7f800000u) != 0x7f800000u;
+    const int64_t first = grid->first[axis];
+    return is_finite_f64(grid->origin[axis]) && is_finite_f64(grid->step[axis]) &&
+           first >= -INDEX_MAX && first <= INDEX_MAX &&
+           grid->count[axis] - 1 <= (uint64_t)(INDEX_MAX - first);
+}
+
+/* n rows of `row` elements, `stride` apart: how many elements from the first to the last, or 0 if
+   more than an array can have. */
+static size_t extent(size_t n, size_t row, size_t stride)
+{
+    const size_t limit = PTRDIFF_MAX / sizeof(float);
+    return row > limit || (n > 1 && stride > (limit - row) / (n - 1)) ? 0 : (n - 1) * stride + row;
+}
+
+/* Fills in the strides of a grid without empty axes, and checks it. */
+static enum scarp_status grid_check(struct scarp_grid *grid, int dimensions)
+{
+    for (int axis = 0; axis < dimensions; axis++) {
+        if (!axis_valid(grid, axis)) {
+            return SCARP_ERROR_PARAMETER;
+        }
+    }
+    if (grid->row_stride == 0) {
+        grid->row_stride = grid->count[0];
+    }
+    const size_t slice = extent(grid->count[1], grid->count[0], grid->row_stride);
+    if (grid->row_stride < grid->count[0]) {
+        return SCARP_ERROR_PARAMETER;
+    }
+    if (slice == 0) {
+        return SCARP_ERROR_SIZE;
+    }
+    if (dimensions == 2) {
+        return SCARP_OK;
+    }
+    if (grid->slice_stride == 0) {
+        if (extent(grid->count[1] + 1, 0, grid->row_stride) == 0) {
+            return SCARP_ERROR_SIZE;
+        }
+        grid->slice_stride = grid->count[1] * grid->row_stride;
+    }
+    if (grid->slice_stride < slice) {
+        return SCARP_ERROR_PARAMETER;
+    }
+    return extent(grid->count[2], slice, grid->slice_stride) == 0 ? SCARP_ERROR_SIZE : SCARP_OK;
+}
+
+static NOINLINE enum scarp_status run_grid(scarp_grid_fn *kernel, const struct scarp_noise *noise,
+                                           int dimensions, const struct scarp_grid *grid,
+                                           const struct scarp_samples *out)
+{
+    struct scarp_plan plan;
+    const enum scarp_status status = plan_call(&plan, noise, dimensions, out);
+    if (status == SCARP_OK) {
+        kernel(&plan, grid, out);
+    }
+    return status;
+}
+
+static enum scarp_status sample_grid(scarp_grid_fn *kernel, const struct scarp_noise *noise,
+                                     int dimensions, const struct scarp_grid *described,
+                                     const struct scarp_samples *out)
+{
+    if (noise == NULL || described == NULL || out == NULL) {
+        return SCARP_ERROR_NULL;
+    }
+    struct scarp_grid grid = *described;
+    for (int axis = 0; axis < dimensions; axis++) {
+        if (grid.count[axis] == 0) {
+            return SCARP_OK;
+        }
+    }
+    const enum scarp_status status = grid_check(&grid, dimensions);
+    if (status != SCARP_OK) {
+        return status;
+    }
+    if (asks_for_z(dimensions, out)) {
+        return SCARP_ERROR_UNSUPPORTED;
+    }
+    const struct fpmode caller = fpmode_enter();
+    const enum scarp_status result = run_grid(kernel, noise, dimensions, &grid, out);
+    fpmode_leave(caller);
+    return result;
+}
+
+enum scarp_status scarp_grid2(const struct scarp_noise *noise, const struct scarp_grid *grid,
+                              const struct scarp_samples *out)
+{
+    return sample_grid(scarp_dispatch_active()->grid2, noise, 2, grid, out);
+}
+
+enum scarp_status scarp_grid3(const struct scarp_noise *noise, const struct scarp_grid *grid,
+                              const struct scarp_samples *out)
+{
+    return sample_grid(scarp_dispatch_active()->grid3, noise, 3, grid, out);
 }
 
 enum scarp_status scarp_normals(size_t count, const float *dx, const float *dy, float height_scale,

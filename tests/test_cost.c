@@ -2,8 +2,10 @@
  *
  * One sample call of a named workload, for test_cost.py to count its instructions with callgrind.
  *
- *     test_cost ISA DIMENSIONS BASIS OUTPUTS OCTAVES      BASIS gradient|value,
- *                                                         OUTPUTS value|gradient|hessian
+ *     test_cost ISA DIMENSIONS BASIS OUTPUTS FRACTAL OCTAVES
+ *
+ * BASIS is gradient or value, OUTPUTS value, gradient or hessian, FRACTAL fbm, turbulence, ridged
+ * or erosion.
  */
 #include "check.h"
 
@@ -11,18 +13,30 @@
 
 static float coordinates[3][POINTS], results[10][POINTS];
 
+/* A fractal that does not exist, which the sample call refuses, for an unknown name */
+static enum scarp_fractal find_fractal(const char *name)
+{
+    static const char *const names[] = {"fbm", "turbulence", "ridged", "erosion"};
+    int i = 0;
+    while (i < 4 && strcmp(names[i], name) != 0) {
+        i++;
+    }
+    return (enum scarp_fractal)i;
+}
+
 int main(int argc, char **argv)
 {
-    if (argc != 6) {
-        printf("usage: test_cost ISA DIMENSIONS BASIS OUTPUTS OCTAVES\n");
+    if (argc != 7) {
+        printf("usage: test_cost ISA DIMENSIONS BASIS OUTPUTS FRACTAL OCTAVES\n");
         return EXIT_FAILURE;
     }
     check_select_isa(argv[1]);
     const int dimensions = atoi(argv[2]);
     const struct scarp_noise noise = {
         .basis = strcmp(argv[3], "value") == 0 ? SCARP_VALUE : SCARP_GRADIENT,
+        .fractal = find_fractal(argv[5]),
         .seed = 1,
-        .octaves = (float)atoi(argv[5]),
+        .octaves = (float)atoi(argv[6]),
     };
     struct scarp_samples out = {.value = results[0]};
     if (strcmp(argv[4], "value") != 0) {

@@ -33,12 +33,12 @@ def instructions_per_point(program, words, scratch):
 
 
 def read_costs(path):
-    """Lines `isa dimensions basis outputs octaves figure`; # begins a comment."""
+    """Lines `isa dimensions basis outputs fractal octaves figure`; # begins a comment."""
     with open(path, encoding="utf-8") as file:
         for line in file:
             words = line.split("#")[0].split()
             if words:
-                yield words[:5], float(words[5])
+                yield words[:6], float(words[6])
 
 
 def skip(reason):
@@ -62,12 +62,12 @@ def main():
     for words, figure in read_costs(costs):
         measured = instructions_per_point(program, words, scratch)
         if measured is None:
-            print("%-36s skipped: cannot run here" % " ".join(words))
+            print("%-40s skipped: cannot run here" % " ".join(words))
             continue
         counted += 1
         verdict = "worse" if measured > figure * SLACK else "better" if measured < figure / SLACK else ""
         worse += verdict == "worse"
-        print("%-36s %8.2f, committed %8.2f %s" % (" ".join(words), measured, figure, verdict))
+        print("%-40s %8.2f, committed %8.2f %s" % (" ".join(words), measured, figure, verdict))
     if counted == 0:
         sys.exit("nothing was counted")
     if worse:

@@ -21,43 +21,52 @@ struct rows {
     vf row[ROWS][CHUNK_BLOCKS];
 };
 
-/* to = from + weights * basis, for every row up to the order of the pass; `from` NULL stands for
-   zeros. The rows of `to` are all there, hold whole blocks, and may be those of `from`. */
+/* to = from + weights * basis, for every row up to the order of the pass; where `from` is NULL, to =
+   weights * basis. The rows of `from` and `to` are all there, hold whole blocks, and may be the
+   same. */
 typedef void octave_pass(const struct lattice *lattice, size_t blocks, enum scarp_fade fade,
-                         const struct weights *weights, const struct rows *from,
+                         const struct weights *weights, const struct scarp_samples *from,
                          const struct scarp_samples *to);
 
-VEC_INLINE void add(float *to, const struct rows *from, int member, size_t b, vf term)
+/* `from` is not looked at if this is the first octave. */
+VEC_INLINE void add(float *to, int first, const float *from, size_t b, vf term)
 {
-    vf_store(to + b * VEC_LANES, from != NULL ? from->row[member][b] + term : term);
+    vf_store(to + b * VEC_LANES, first ? term : vf_load(from + b * VEC_LANES) + term);
 }
 
 /* to = from + weights * s at a block of points. */
-VEC_INLINE void add_sample(const struct scarp_samples *to, const struct rows *from, size_t b,
-                           const struct sample *s, const struct weights *weights, int dimensions,
-                           int order)
+VEC_INLINE void add_sample(const struct scarp_samples *to, int first,
+                           const struct scarp_samples *from, size_t b, const struct sample *s,
+                           const struct weights *weights, int dimensions, int order)
 {
     const vf amplitude = vf_set(weights->amplitude);
     const vf slope = vf_set(weights->slope);
     const vf curvature = vf_set(weights->curvature);
-    add(to->value, from, VALUE, b, amplitude * s->value);
+    add(to->value, first, from->value, b, amplitude * s->value);
     if (order >= 1) {
-        add(to->dx, from, DX, b, slope * s->dx);
-        add(to->dy, from, DY, b, slope * s->dy);
+        add(to->dx, first, from->dx, b, slope * s->dx);
+        add(to->dy, first, from->dy, b, slope * s->dy);
         if (dimensions == 3) {
-            add(to->dz, from, DZ, b, slope * s->dz);
+            add(to->dz, first, from->dz, b, slope * s->dz);
         }
     }
     if (order >= 2) {
-        add(to->dxx, from, DXX, b, curvature * s->dxx);
-        add(to->dxy, from, DXY, b, curvature * s->dxy);
-        add(to->dyy, from, DYY, b, curvature * s->dyy);
+        add(to->dxx, first, from->dxx, b, curvature * s->dxx);
+        add(to->dxy, first, from->dxy, b, curvature * s->dxy);
+        add(to->dyy, first, from->dyy, b, curvature * s->dyy);
         if (dimensions == 3) {
-            add(to->dxz, from, DXZ, b, curvature * s->dxz);
-            add(to->dyz, from, DYZ, b, curvature * s->dyz);
-            add(to->dzz, from, DZZ, b, curvature * s->dzz);
+            add(to->dxz, first, from->dxz, b, curvature * s->dxz);
+            add(to->dyz, first, from->dyz, b, curvature * s->dyz);
+            add(to->dzz, first, from->dzz, b, curvature * s->dzz);
         }
     }
+}
+
+/* A copy of the rows, which nothing that is stored can alias; of `from` NULL, of none. */
+VEC_INLINE struct scarp_samples rows_of(const struct scarp_samples *rows)
+{
+    static const struct scarp_samples none; /* all NULL */
+    return rows != NULL ? *rows : none;
 }
 
 VEC_INLINE struct sample basis_at(const struct lattice *lattice, size_t b, enum scarp_fade fade,
@@ -71,27 +80,28 @@ VEC_INLINE struct sample basis_at(const struct lattice *lattice, size_t b, enum 
 }
 
 VEC_INLINE void octave_run(const struct lattice *lattice, size_t blocks, enum scarp_fade fade,
-                           const struct weights *weights, const struct rows *from,
+                           const struct weights *weights, int first,
+                           const struct scarp_samples *from_rows,
                            const struct scarp_samples *to_rows, enum scarp_basis basis,
                            int dimensions, int order)
 {
-    const struct weights w = *weights; /* copies: nothing that is stored can alias them */
-    const struct scarp_samples to = *to_rows;
+    const struct weights w = *weights;
+    const struct scarp_samples from = rows_of(from_rows), to = *to_rows;
     for (size_t b = 0; b < blocks; b++) {
         const struct sample n = basis_at(lattice, b, fade, basis, dimensions, order);
-        add_sample(&to, from, b, &n, &w, dimensions, order);
+        add_sample(&to, first, &from, b, &n, &w, dimensions, order);
     }
 }
 
 VEC_INLINE void octave_with_fade(const struct lattice *lattice, size_t blocks, enum scarp_fade fade,
-                                 const struct weights *weights, const struct rows *from,
+                                 const struct weights *weights, const struct scarp_samples *from,
                                  const struct scarp_samples *to, enum scarp_basis basis,
                                  int dimensions, int order)
 {
     if (from == NULL) {
-        octave_run(lattice, blocks, fade, weights, NULL, to, basis, dimensions, order);
+        octave_run(lattice, blocks, fade, weights, 1, from, to, basis, dimensions, order);
     } else {
-        octave_run(lattice, blocks, fade, weights, from, to, basis, dimensions, order);
+        octave_run(lattice, blocks, fade, weights, 0, from, to, basis, dimensions, order);
     }
 }
 
@@ -99,7 +109,7 @@ VEC_INLINE void octave_with_fade(const struct lattice *lattice, size_t blocks, e
  */
 #define OCTAVE_PASS(name, basis, dims, order)                                                      \
     static void name(const struct lattice *lattice, size_t blocks, enum scarp_fade fade,           \
-                     const struct weights *weights, const struct rows *from,                       \
+                     const struct weights *weights, const struct scarp_samples *from,              \
                      const struct scarp_samples *to)                                               \
     {                                                                                              \
         if (fade == SCARP_QUINTIC) {                                                               \

@@ -22,7 +22,7 @@ union state {
    derivatives with respect to the input; for erosion those in the octave's own axes. */
 typedef void shape_pass(const struct scarp_plan *plan, const struct scarp_octave *octave,
                         enum axes axes, size_t blocks, const struct rows *n, union state *state,
-                        const struct rows *from, const struct scarp_samples *to);
+                        const struct scarp_samples *from, const struct scarp_samples *to);
 
 /* a where mask is all ones, b where it is 0. */
 VEC_INLINE vf either(vu mask, vf a, vf b)
@@ -74,14 +74,14 @@ VEC_INLINE struct sample magnitude(const struct rows *n, size_t b, int dimension
 }
 
 VEC_INLINE void turbulence_run(const struct scarp_octave *octave, size_t blocks,
-                               const struct rows *n, const struct rows *from,
+                               const struct rows *n, const struct scarp_samples *from_rows,
                                const struct scarp_samples *to_rows, int dimensions, int order)
 {
     const struct weights weights = {octave->weight, octave->weight, octave->weight};
-    const struct scarp_samples to = *to_rows;
+    const struct scarp_samples from = rows_of(from_rows), to = *to_rows;
     for (size_t b = 0; b < blocks; b++) {
         const struct sample m = magnitude(n, b, dimensions, order);
-        add_sample(&to, from, b, &m, &weights, dimensions, order);
+        add_sample(&to, from_rows == NULL, &from, b, &m, &weights, dimensions, order);
     }
 }
 
@@ -155,16 +155,16 @@ VEC_INLINE void ridge_weight(struct rows *weight, const struct sample *s, size_t
 }
 
 VEC_INLINE void ridged_run(const struct scarp_octave *octave, size_t blocks, const struct rows *n,
-                           union state *state, const struct rows *from,
+                           union state *state, const struct scarp_samples *from_rows,
                            const struct scarp_samples *to_rows, int dimensions, int order)
 {
     const struct weights weights = {octave->weight, octave->weight, octave->weight};
-    const struct scarp_samples to = *to_rows;
+    const struct scarp_samples from = rows_of(from_rows), to = *to_rows;
     for (size_t b = 0; b < blocks; b++) {
         const struct sample m = magnitude(n, b, dimensions, order);
         const struct sample s = ridge(&state->weight, &m, b, dimensions, order);
         ridge_weight(&state->weight, &s, b, dimensions, order);
-        add_sample(&to, from, b, &s, &weights, dimensions, order);
+        add_sample(&to, from_rows == NULL, &from, b, &s, &weights, dimensions, order);
     }
 }
 
@@ -210,11 +210,11 @@ VEC_INLINE vf erode_along(const struct scarp_octave *o, int turned, const struct
 
 VEC_INLINE void erosion_run(const struct scarp_plan *plan, const struct scarp_octave *octave,
                             int turned, size_t blocks, const struct rows *n, union state *state,
-                            const struct rows *from, const struct scarp_samples *to_rows,
-                            int dimensions, int order)
+                            const struct scarp_samples *from_rows,
+                            const struct scarp_samples *to_rows, int dimensions, int order)
 {
     const struct weights weights = {octave->weight, octave->weight, octave->weight};
-    const struct scarp_samples to = *to_rows;
+    const struct scarp_samples from = rows_of(from_rows), to = *to_rows;
     const vf erosion = vf_set(plan->erosion);
     const vf twice = vf_set(2.0f * plan->erosion);
     for (size_t b = 0; b < blocks; b++) {
@@ -244,7 +244,7 @@ VEC_INLINE void erosion_run(const struct scarp_plan *plan, const struct scarp_oc
                 s.dz = erode_along(octave, turned, n, b, state, &e, 2, dimensions);
             }
         }
-        add_sample(&to, from, b, &s, &weights, dimensions, order);
+        add_sample(&to, from_rows == NULL, &from, b, &s, &weights, dimensions, order);
     }
 }
 
@@ -274,7 +274,7 @@ static void state_begin(const struct scarp_plan *plan, union state *state, size_
 #define SHAPE_PASS(name, call)                                                                     \
     static void name(const struct scarp_plan *plan, const struct scarp_octave *octave,             \
                      enum axes axes, size_t blocks, const struct rows *n, union state *state,      \
-                     const struct rows *from, const struct scarp_samples *to)                      \
+                     const struct scarp_samples *from, const struct scarp_samples *to)             \
     {                                                                                              \
         (void)plan;                                                                                \
         (void)axes;                                                                                \

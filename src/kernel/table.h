@@ -8,6 +8,7 @@
  *
  * and includes the vec_<isa>.h that gives the operations of simd/vec.h.
  */
+#include "grid.h"
 #include "normals.h"
 #include "points.h"
 
@@ -17,6 +18,8 @@ const struct scarp_kernels KERNELS = {
     .points2_f64 = points2_f64,
     .points3_f32 = points3_f32,
     .points3_f64 = points3_f64,
+    .grid2 = grid2,
+    .grid3 = grid3,
     .normals = normals,
 };
 

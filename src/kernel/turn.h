@@ -13,7 +13,7 @@
 
 /* to = from + raw, the derivatives in `raw` turned. */
 typedef void turn_pass(const struct scarp_octave *octave, size_t blocks, const struct rows *raw,
-                       const struct rows *from, const struct scarp_samples *to);
+                       const struct scarp_samples *from, const struct scarp_samples *to);
 
 /* A vector in the octave's frame; z is unset in 2D. */
 struct vector {
@@ -49,31 +49,31 @@ VEC_INLINE struct vector hessian_times(const struct rows *raw, size_t b, const f
 }
 
 VEC_INLINE void turn_run(const struct scarp_octave *octave, size_t blocks, const struct rows *raw,
-                         const struct rows *from, const struct scarp_samples *to, int dimensions,
-                         int order)
+                         int first, const struct scarp_samples *from,
+                         const struct scarp_samples *to, int dimensions, int order)
 {
     const float(*const aj)[3] = octave->gradient;
     const float(*const jacobian)[3] = octave->jacobian;
     for (size_t b = 0; b < blocks; b++) {
-        add(to->value, from, VALUE, b, vf_set(octave->amplitude) * raw->row[VALUE][b]);
+        add(to->value, first, from->value, b, vf_set(octave->amplitude) * raw->row[VALUE][b]);
         struct vector g = {.x = raw->row[DX][b], .y = raw->row[DY][b]};
         if (dimensions == 3) {
             g.z = raw->row[DZ][b];
-            add(to->dz, from, DZ, b, column_dot(aj, 2, g, dimensions));
+            add(to->dz, first, from->dz, b, column_dot(aj, 2, g, dimensions));
         }
-        add(to->dx, from, DX, b, column_dot(aj, 0, g, dimensions));
-        add(to->dy, from, DY, b, column_dot(aj, 1, g, dimensions));
+        add(to->dx, first, from->dx, b, column_dot(aj, 0, g, dimensions));
+        add(to->dy, first, from->dy, b, column_dot(aj, 1, g, dimensions));
         if (order >= 2) {
             const struct vector hx = hessian_times(raw, b, jacobian, 0, dimensions);
             const struct vector hy = hessian_times(raw, b, jacobian, 1, dimensions);
-            add(to->dxx, from, DXX, b, column_dot(aj, 0, hx, dimensions));
-            add(to->dxy, from, DXY, b, column_dot(aj, 0, hy, dimensions));
-            add(to->dyy, from, DYY, b, column_dot(aj, 1, hy, dimensions));
+            add(to->dxx, first, from->dxx, b, column_dot(aj, 0, hx, dimensions));
+            add(to->dxy, first, from->dxy, b, column_dot(aj, 0, hy, dimensions));
+            add(to->dyy, first, from->dyy, b, column_dot(aj, 1, hy, dimensions));
             if (dimensions == 3) {
                 const struct vector hz = hessian_times(raw, b, jacobian, 2, dimensions);
-                add(to->dxz, from, DXZ, b, column_dot(aj, 0, hz, dimensions));
-                add(to->dyz, from, DYZ, b, column_dot(aj, 1, hz, dimensions));
-                add(to->dzz, from, DZZ, b, column_dot(aj, 2, hz, dimensions));
+                add(to->dxz, first, from->dxz, b, column_dot(aj, 0, hz, dimensions));
+                add(to->dyz, first, from->dyz, b, column_dot(aj, 1, hz, dimensions));
+                add(to->dzz, first, from->dzz, b, column_dot(aj, 2, hz, dimensions));
             }
         }
     }
@@ -81,9 +81,10 @@ VEC_INLINE void turn_run(const struct scarp_octave *octave, size_t blocks, const
 
 #define TURN_PASS(name, dimensions, order)                                                         \
     static void name(const struct scarp_octave *octave, size_t blocks, const struct rows *raw,     \
-                     const struct rows *from, const struct scarp_samples *to)                      \
+                     const struct scarp_samples *from, const struct scarp_samples *to)             \
     {                                                                                              \
-        turn_run(octave, blocks, raw, from, to, dimensions, order);                                \
+        const struct scarp_samples rows = rows_of(from);                                           \
+        turn_run(octave, blocks, raw, from == NULL, &rows, to, dimensions, order);                 \
     }
 
 TURN_PASS(turn2_order1, 2, 1)

@@ -128,6 +128,70 @@ static void points3_f64(const struct scarp_plan *plan, size_t count, const void 
     points(plan, count, position, out, 3, 1);
 }
 
+/* Samples made at a time: their coordinates are on the stack. */
+#define GRID_SAMPLES 64
+
+static double coordinate(const struct scarp_grid *grid, int axis, size_t index)
+{
+    return grid->origin[axis] + (double)(grid->first[axis] + (int64_t)index) * grid->step[axis];
+}
+
+static float *moved(float *array, size_t by)
+{
+    return array == NULL ? NULL : array + by;
+}
+
+static struct scarp_samples samples_from(const struct scarp_samples *out, size_t first)
+{
+    const struct scarp_samples rows = {
+        moved(out->value, first), moved(out->dx, first),  moved(out->dy, first),
+        moved(out->dz, first),    moved(out->dxx, first), moved(out->dxy, first),
+        moved(out->dxz, first),   moved(out->dyy, first), moved(out->dyz, first),
+        moved(out->dzz, first),
+    };
+    return rows;
+}
+
+/* Row j of slice k, whose outputs begin at `out`. */
+static void grid_row(const struct scarp_plan *plan, const struct scarp_grid *grid, size_t j,
+                     size_t k, const struct scarp_samples *out, int dimensions)
+{
+    double x[GRID_SAMPLES], y[GRID_SAMPLES], z[GRID_SAMPLES];
+    const void *const position[3] = {x, y, z};
+    for (size_t first = 0; first < grid->count[0]; first += GRID_SAMPLES) {
+        const size_t left = grid->count[0] - first;
+        const size_t count = left < GRID_SAMPLES ? left : GRID_SAMPLES;
+        for (size_t i = 0; i < count; i++) {
+            x[i] = coordinate(grid, 0, first + i);
+            y[i] = coordinate(grid, 1, j);
+            z[i] = dimensions == 3 ? coordinate(grid, 2, k) : 0.0;
+        }
+        const struct scarp_samples samples = samples_from(out, first);
+        (dimensions == 2 ? points2_f64 : points3_f64)(plan, count, position, &samples);
+    }
+}
+
+static void grid2(const struct scarp_plan *plan, const struct scarp_grid *grid,
+                  const struct scarp_samples *out)
+{
+    for (size_t j = 0; j < grid->count[1]; j++) {
+        const struct scarp_samples row = samples_from(out, j * grid->row_stride);
+        grid_row(plan, grid, j, 0, &row, 2);
+    }
+}
+
+static void grid3(const struct scarp_plan *plan, const struct scarp_grid *grid,
+                  const struct scarp_samples *out)
+{
+    for (size_t k = 0; k < grid->count[2]; k++) {
+        for (size_t j = 0; j < grid->count[1]; j++) {
+            const struct scarp_samples row =
+                samples_from(out, k * grid->slice_stride + j * grid->row_stride);
+            grid_row(plan, grid, j, k, &row, 3);
+        }
+    }
+}
+
 /* n = (-s dx, -s dy, 1) / length. The products of floats are exact in double and their squares do
    not overflow. 1 / length is length / length^2, so that infinite inputs give NaN. */
 static void normals(size_t count, const float *dx, const float *dy, float height_scale, float *nx,
@@ -157,5 +221,7 @@ const struct scarp_kernels scarp_kernels_scalar = {
     .points2_f64 = points2_f64,
     .points3_f32 = points3_f32,
     .points3_f64 = points3_f64,
+    .grid2 = grid2,
+    .grid3 = grid3,
     .normals = normals,
 };

@@ -13,6 +13,8 @@
  * Memory; addresses need no alignment beyond that of the element:
  *   vf   vf_load(const float *p)            p[0 .. VEC_LANES)
  *   void vf_store(float *p, vf v)           p[0 .. VEC_LANES)
+ *   void vu_store(uint32_t *p, vu v)        p[0 .. VEC_LANES)
+ *   vu   vu_load(const uint32_t *p)         p[0 .. VEC_LANES)
  *   vd   vd_load(const double *p)           p[0 .. VEC_LANES / 2)
  *
  * The same number in every lane:
@@ -35,4 +37,10 @@
  *   vf vf_lookup(const struct lookup *table, vu hash)
  *                         table->entry[hash >> 28] in each lane; lookup.h tells what is known of
  *                         the entries, which helps where tables are small
+ *
+ * Permutation:
+ *   vu vu_lanes(void)     0, 1, 2, ... VEC_LANES - 1
+ *   vu vf_index(vu lanes) what vf_permute wants for these lanes, each below VEC_LANES;
+ *                         VF_INDEX_NEXT added to it asks for the lanes on the right of them
+ *   vf vf_permute(vf a, vu index)   a[lane] in each lane
  */

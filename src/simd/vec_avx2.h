@@ -102,4 +102,32 @@ VEC_INLINE vf vf_lookup(const struct lookup *table, vu hash)
     return (vf)_mm256_permutevar8x32_ps(_mm256_load_ps(table->eight), (__m256i)index);
 }
 
+VEC_INLINE vu vu_load(const uint32_t *p)
+{
+    return (vu)_mm256_loadu_si256((const __m256i *)p);
+}
+
+VEC_INLINE void vu_store(uint32_t *p, vu v)
+{
+    _mm256_storeu_si256((__m256i *)p, (__m256i)v);
+}
+
+VEC_INLINE vu vu_lanes(void)
+{
+    const vu lanes = {0, 1, 2, 3, 4, 5, 6, 7};
+    return lanes;
+}
+
+VEC_INLINE vu vf_index(vu lanes)
+{
+    return lanes;
+}
+
+#define VF_INDEX_NEXT 1u
+
+VEC_INLINE vf vf_permute(vf run, vu index)
+{
+    return (vf)_mm256_permutevar8x32_ps((__m256)run, (__m256i)index);
+}
+
 #endif

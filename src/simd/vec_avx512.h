@@ -101,4 +101,32 @@ VEC_INLINE vf vf_lookup(const struct lookup *table, vu hash)
     return (vf)_mm512_permutexvar_ps((__m512i)(hash >> 28), _mm512_load_ps(table->entry));
 }
 
+VEC_INLINE vu vu_load(const uint32_t *p)
+{
+    return (vu)_mm512_loadu_si512(p);
+}
+
+VEC_INLINE void vu_store(uint32_t *p, vu v)
+{
+    _mm512_storeu_si512(p, (__m512i)v);
+}
+
+VEC_INLINE vu vu_lanes(void)
+{
+    const vu lanes = {0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15};
+    return lanes;
+}
+
+VEC_INLINE vu vf_index(vu lanes)
+{
+    return lanes;
+}
+
+#define VF_INDEX_NEXT 1u
+
+VEC_INLINE vf vf_permute(vf run, vu index)
+{
+    return (vf)_mm512_permutexvar_ps((__m512i)index, (__m512)run);
+}
+
 #endif

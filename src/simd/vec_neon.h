@@ -106,4 +106,33 @@ VEC_INLINE vf vf_lookup(const struct lookup *table, vu hash)
     return (vf)vqtbl2q_u8(both, bytes);
 }
 
+VEC_INLINE vu vu_load(const uint32_t *p)
+{
+    return (vu)vld1q_u32(p);
+}
+
+VEC_INLINE void vu_store(uint32_t *p, vu v)
+{
+    vst1q_u32(p, (uint32x4_t)v);
+}
+
+VEC_INLINE vu vu_lanes(void)
+{
+    const vu lanes = {0, 1, 2, 3};
+    return lanes;
+}
+
+/* The bytes of each lane: 4 * lane + (0 1 2 3). */
+VEC_INLINE vu vf_index(vu lanes)
+{
+    return lanes * 0x04040404u + 0x03020100u;
+}
+
+#define VF_INDEX_NEXT 0x04040404u
+
+VEC_INLINE vf vf_permute(vf run, vu index)
+{
+    return (vf)vqtbl1q_u8((uint8x16_t)run, (uint8x16_t)index);
+}
+
 #endif

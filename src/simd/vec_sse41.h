@@ -105,4 +105,33 @@ VEC_INLINE vf vf_lookup(const struct lookup *table, vu hash)
     return (vf)(magnitude ^ ((table->sign_low ? hash << 3 : hash) & 0x80000000u));
 }
 
+VEC_INLINE vu vu_load(const uint32_t *p)
+{
+    return (vu)_mm_loadu_si128((const __m128i *)p);
+}
+
+VEC_INLINE void vu_store(uint32_t *p, vu v)
+{
+    _mm_storeu_si128((__m128i *)p, (__m128i)v);
+}
+
+VEC_INLINE vu vu_lanes(void)
+{
+    const vu lanes = {0, 1, 2, 3};
+    return lanes;
+}
+
+/* The bytes of each lane: 4 * lane + (0 1 2 3). */
+VEC_INLINE vu vf_index(vu lanes)
+{
+    return lanes * 0x04040404u + 0x03020100u;
+}
+
+#define VF_INDEX_NEXT 0x04040404u
+
+VEC_INLINE vf vf_permute(vf run, vu index)
+{
+    return (vf)_mm_shuffle_epi8((__m128i)run, (__m128i)index);
+}
+
 #endif

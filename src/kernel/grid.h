@@ -1,0 +1,274 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Grids. Included by table.h.
+ *
+ * fBm with straight axes goes through tiles of GRID_ROWS rows of a chunk, octave by octave, each
+ * one added to the outputs themselves: what depends on x (columns.h) is prepared once for all rows.
+ * All other noise needs the passes of fractal.h, over chunks that are made of several short rows;
+ * octaves with turned axes are points there, with coordinates made on the fly.
+ */
+#ifndef SCARP_KERNEL_GRID_H
+#define SCARP_KERNEL_GRID_H
+
+#include "fractal.h"
+
+/* Blocks of a row, where a chunk is made of several. */
+#define PATCH_BLOCKS 8
+
+/* A call, as all parts of the grid see it. */
+struct grid_call {
+    const struct scarp_grid *grid;
+    struct passes passes;
+    struct scarp_samples out;
+    int tiles; /* whether it goes through tiles */
+};
+
+struct grid_scratch {
+    struct scratch chunk;
+    struct along_x x;
+    struct along_rows rows;
+    double position[3][CHUNK_POINTS];
+};
+
+/* Part of slice k: `rows` rows from row j, of `blocks` whole blocks from sample i. */
+struct part {
+    size_t i, j, k, rows, blocks;
+};
+
+static double coordinate(const struct scarp_grid *grid, int axis, size_t index)
+{
+    return grid->origin[axis] + (double)(grid->first[axis] + (int64_t)index) * grid->step[axis];
+}
+
+static double coordinate_z(const struct grid_call *call, size_t k)
+{
+    return call->passes.dimensions == 3 ? coordinate(call->grid, 2, k) : 0.0;
+}
+
+/* Where the outputs of row r of a part begin; for members that are not there, `spare`. */
+static struct scarp_samples part_row(const struct grid_call *call, const struct part *part,
+                                     size_t r, const struct scarp_samples *spare)
+{
+    const struct scarp_grid *const g = call->grid;
+    const size_t at = part->k * g->slice_stride + (part->j + r) * g->row_stride + part->i;
+    return rows_from(&call->out, at, spare);
+}
+
+static int basis_order(const struct scarp_plan *plan)
+{
+    return plan->order + (plan->fractal == SCARP_EROSION);
+}
+
+/* Prepares an octave along the rows of a part, for the columns or, if they are too wide, for
+   wide_lattice. `y` has the coordinates of the rows. */
+static void prepare_rows(const struct grid_call *call, struct grid_scratch *scratch,
+                         const struct part *part, int k, const double *y)
+{
+    const struct scarp_plan *const plan = call->passes.plan;
+    along_rows(&scratch->rows, &plan->octave[k], part->rows, y, coordinate_z(call, part->k),
+               plan->fade, call->passes.dimensions, axes_of(plan, k));
+    scratch->chunk.first.columns.x = &scratch->x;
+    scratch->chunk.first.columns.rows = &scratch->rows;
+}
+
+/* The lattice of row r of a part, from the hashes along x. */
+static void wide_lattice(struct lattice *lattice, const struct along_x *x,
+                         const struct along_rows *rows, size_t r, size_t blocks, int dimensions)
+{
+    const struct along_row row = row_of(rows, r, dimensions);
+    for (size_t b = 0; b < blocks; b++) {
+        const struct axis h = x->u.wide[b];
+        lattice->x[b] = x->t[b];
+        lattice->y[b] = row.y;
+        for (int y = 0; y < 2; y++) {
+            lattice->hash[0][y][0][b] = h.h0 * row.hash[y][0];
+            lattice->hash[1][y][0][b] = h.h1 * row.hash[y][0];
+            if (dimensions == 3) {
+                lattice->hash[0][y][1][b] = h.h0 * row.hash[y][1];
+                lattice->hash[1][y][1][b] = h.h1 * row.hash[y][1];
+            }
+        }
+        if (dimensions == 3) {
+            lattice->z[b] = row.z;
+        }
+    }
+}
+
+/* Octave k, on the rows of a tile whose outputs are `to`. */
+static void tile_octave(const struct grid_call *call, struct grid_scratch *scratch,
+                        const struct part *tile, int k, const struct scarp_samples *to)
+{
+    const struct passes *const passes = &call->passes;
+    const struct scarp_octave *const o = &passes->plan->octave[k];
+    const struct weights weights = {o->amplitude, o->slope, o->curvature};
+    if (scratch->x.narrow) {
+        passes->columns(&scratch->chunk.first.columns, tile->rows, tile->blocks, &weights, k == 0,
+                        to);
+        return;
+    }
+    struct lattice *const lattice = &scratch->chunk.first.lattice;
+    for (size_t r = 0; r < tile->rows; r++) {
+        wide_lattice(lattice, &scratch->x, &scratch->rows, r, tile->blocks, passes->dimensions);
+        passes->octave(lattice, tile->blocks, passes->plan->fade, &weights, k == 0 ? NULL : &to[r],
+                       &to[r]);
+    }
+}
+
+/* A tile of fBm with straight axes. What is prepared along x is good for the tile below too if
+   there is no other octave. */
+static void grid_tile(const struct grid_call *call, struct grid_scratch *scratch,
+                      const struct part *tile, const struct scarp_samples *to)
+{
+    const struct scarp_plan *const plan = call->passes.plan;
+    double y[GRID_ROWS];
+    for (size_t r = 0; r < GRID_ROWS; r++) {
+        y[r] = coordinate(call->grid, 1, tile->j + (r < tile->rows ? r : 0));
+    }
+    for (int k = 0; k < plan->octaves; k++) {
+        if (plan->octaves > 1 || tile->j == 0) {
+            along_x(&scratch->x, &plan->octave[k], tile->blocks, scratch->position[0], plan->fade,
+                    axes_of(plan, k), plan->order);
+        }
+        prepare_rows(call, scratch, tile, k, y);
+        tile_octave(call, scratch, tile, k, to);
+    }
+}
+
+/* The coordinates of a patch, row after row; `x` has those of its first row. */
+static void place_patch(const struct grid_call *call, struct grid_scratch *scratch,
+                        const struct part *patch, const double *x, const double *y)
+{
+    const size_t count = patch->blocks * VEC_LANES;
+    const double z = coordinate_z(call, patch->k);
+    for (size_t r = 0; r < patch->rows; r++) {
+        for (size_t n = 0; n < count; n++) {
+            scratch->position[0][r * count + n] = x[n];
+            scratch->position[1][r * count + n] = y[r];
+            scratch->position[2][r * count + n] = z;
+        }
+    }
+}
+
+/* A patch, rows times blocks of one chunk, of any noise: into the rows of sums. */
+static void grid_patch(const struct grid_call *call, struct grid_scratch *scratch,
+                       const struct part *patch, const double *x)
+{
+    const struct scarp_plan *const plan = call->passes.plan;
+    const void *const position[3] = {scratch->position[0], scratch->position[1],
+                                     scratch->position[2]};
+    const struct scarp_samples sums = samples_of(&scratch->chunk.sums);
+    double y[GRID_ROWS];
+    for (size_t r = 0; r < GRID_ROWS; r++) {
+        y[r] = coordinate(call->grid, 1, patch->j + (r < patch->rows ? r : 0));
+    }
+    place_patch(call, scratch, patch, x, y);
+    for (int k = 0; k < plan->octaves; k++) {
+        const enum axes axes = axes_of(plan, k);
+        const struct scarp_octave *const o = &plan->octave[k];
+        struct source source = {0};
+        if (axes != AXES_TURNED) {
+            along_x(&scratch->x, o, patch->blocks, x, plan->fade, axes, basis_order(plan));
+        }
+        if (axes != AXES_TURNED && scratch->x.narrow) {
+            prepare_rows(call, scratch, patch, k, y);
+            source.rows = patch->rows;
+        } else {
+            lattice_passes[call->passes.dimensions - 2][1][axes](
+                &scratch->chunk.first.lattice, o, patch->rows * patch->blocks, position);
+        }
+        add_any(&call->passes, k, axes, &source, patch->rows * patch->blocks, &scratch->chunk,
+                k > 0 ? &sums : NULL, &sums);
+    }
+}
+
+/* The first `count` samples of each row of a patch, to where they belong. */
+static void put_patch(const struct grid_call *call, const struct grid_scratch *scratch,
+                      const struct part *patch, size_t count)
+{
+    static const struct scarp_samples none; /* all NULL */
+    for (size_t r = 0; r < patch->rows; r++) {
+        const struct scarp_samples row = part_row(call, patch, r, &none);
+        copy_rows(&row, &scratch->chunk.sums, r * patch->blocks, count);
+    }
+}
+
+static size_t least(size_t a, size_t b)
+{
+    return a < b ? a : b;
+}
+
+/* All rows of a slice, `blocks` whole blocks from sample i, of which `count` samples are wanted. */
+static void grid_strip(const struct grid_call *call, struct grid_scratch *scratch, size_t i,
+                       size_t blocks, size_t count, size_t k)
+{
+    const struct scarp_samples spare = samples_of(&scratch->chunk.sums);
+    const int tiles = call->tiles && count == blocks * VEC_LANES;
+    const size_t rows_at_once = least(tiles ? GRID_ROWS : CHUNK_BLOCKS / blocks, GRID_ROWS);
+    double x[CHUNK_POINTS];
+    for (size_t n = 0; n < blocks * VEC_LANES; n++) {
+        x[n] = coordinate(call->grid, 0, i + least(n, count - 1));
+    }
+    memcpy(scratch->position[0], x, blocks * VEC_LANES * sizeof *x);
+    for (size_t j = 0; j < call->grid->count[1]; j += rows_at_once) {
+        const size_t rows = least(call->grid->count[1] - j, rows_at_once);
+        const struct part part = {i, j, k, rows, blocks};
+        if (!tiles) {
+            grid_patch(call, scratch, &part, x);
+            put_patch(call, scratch, &part, count);
+            continue;
+        }
+        struct scarp_samples to[GRID_ROWS];
+        for (size_t r = 0; r < rows; r++) {
+            to[r] = part_row(call, &part, r, &spare);
+        }
+        grid_tile(call, scratch, &part, to);
+    }
+}
+
+/* A slice in strips. A remainder that fills no block is computed once more with what is left of it,
+   to the same bits. */
+static void grid_slice(const struct grid_call *call, struct grid_scratch *scratch, size_t k)
+{
+    const size_t count = call->grid->count[0];
+    const size_t widest = call->tiles ? CHUNK_BLOCKS : PATCH_BLOCKS;
+    size_t i = 0;
+    if (count < VEC_LANES) {
+        grid_strip(call, scratch, 0, 1, count, k);
+        return;
+    }
+    while (i < count) {
+        const size_t left = count - i;
+        size_t blocks = least((left + VEC_LANES - 1) / VEC_LANES, widest);
+        if (blocks * VEC_LANES > count) {
+            blocks--; /* the remainder comes next */
+        }
+        const size_t from = least(i, count - blocks * VEC_LANES);
+        grid_strip(call, scratch, from, blocks, blocks * VEC_LANES, k);
+        i = from + blocks * VEC_LANES;
+    }
+}
+
+static void grid(const struct scarp_plan *plan, const struct scarp_grid *g,
+                 const struct scarp_samples *out, int dimensions)
+{
+    struct grid_scratch scratch;
+    struct grid_call call = {.grid = g, .passes = passes_of(plan, dimensions, 1), .out = *out};
+    call.tiles = plan->fractal == SCARP_FBM && !plan->rotate;
+    for (size_t k = 0; k < (dimensions == 3 ? g->count[2] : 1); k++) {
+        grid_slice(&call, &scratch, k);
+    }
+}
+
+static void grid2(const struct scarp_plan *plan, const struct scarp_grid *g,
+                  const struct scarp_samples *out)
+{
+    grid(plan, g, out, 2);
+}
+
+static void grid3(const struct scarp_plan *plan, const struct scarp_grid *g,
+                  const struct scarp_samples *out)
+{
+    grid(plan, g, out, 3);
+}
+
+#endif

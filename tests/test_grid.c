@@ -1,0 +1,384 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Grids: every sample has the bits of the point calls, whatever the tiling, strides, steps, origins
+ * and instruction set, and nothing between the rows is written. Usage: test_grid ISA [CASES].
+ */
+#include <math.h>
+
+#include "check.h"
+#include "outputs.h"
+
+#define ORDERS 3
+#define FLOATS_MAX (1 << 17)
+
+/* What a call is asked for. */
+struct grid_case {
+    struct scarp_noise noise;
+    struct scarp_grid grid;
+    int dimensions, order;
+    unsigned wanted; /* outputs, by bits */
+};
+
+static struct outputs got, expected;
+static double *coordinate[3];
+
+static uint64_t pick(uint64_t *state, uint64_t n)
+{
+    return check_random(state) % n;
+}
+
+static void random_noise(struct scarp_noise *noise, uint64_t *state)
+{
+    static const float octaves[] = {1.0f, 1.0f, 2.0f, 3.5f, 8.0f};
+    static const float lacunarity[] = {2.0f, 1.9375f, 0.5f, 3.0f};
+    memset(noise, 0, sizeof *noise);
+    noise->basis = (enum scarp_basis)pick(state, 2);
+    noise->fade = (enum scarp_fade)pick(state, 2);
+    noise->fractal = (enum scarp_fractal)(pick(state, 2) * pick(state, 4));
+    noise->rotate = pick(state, 4) == 0;
+    noise->seed = check_random(state);
+    noise->octaves = octaves[pick(state, 5)];
+    noise->lacunarity = lacunarity[pick(state, 4)];
+    noise->frequency = pick(state, 2) == 0 ? 1.0 : 0.37;
+}
+
+/* From well inside a cell to several cells per sample; all alike; backwards; too far for the
+   lattice. */
+static double random_step(uint64_t *state)
+{
+    static const double steps[] = {0.0, 0.01, 0.1, 0.3, 0.5, 0.97, 1.0,  1.7,
+                                   8.0, 1e-9, 1e6, 1.0, 0.3, 0.01, 1e16, 1e300};
+    const double step = steps[pick(state, 16)];
+    return pick(state, 3) == 0 ? -step : step;
+}
+
+static void random_axis(struct scarp_grid *grid, int axis, uint64_t *state)
+{
+    static const double origins[] = {0.0, -3.7, 1234.56789, 0x1p40, -0x1p31, 1e300};
+    static const int64_t firsts[] = {0, -5, 1000003, INT64_C(1) << 50, -(INT64_C(1) << 50) + 7};
+    grid->origin[axis] = origins[pick(state, 40) == 0 ? 5 : pick(state, 5)];
+    grid->step[axis] = random_step(state);
+    grid->first[axis] = firsts[pick(state, 5)];
+    if (fabs(grid->step[axis]) > 1.0 && pick(state, 4) != 0) {
+        grid->first[axis] = (int64_t)pick(state, 100) - 50;
+    }
+}
+
+static void random_case(struct grid_case *c, uint64_t *state)
+{
+    static const size_t lengths[] = {3, 17, 70, 300, 1100};
+    memset(c, 0, sizeof *c);
+    random_noise(&c->noise, state);
+    c->dimensions = 2 + (int)pick(state, 2);
+    c->order = (int)pick(state, ORDERS);
+    for (int axis = 0; axis < 3; axis++) {
+        random_axis(&c->grid, axis, state);
+    }
+    c->grid.count[0] = 1 + pick(state, lengths[pick(state, 5)]);
+    c->grid.count[1] = 1 + pick(state, c->grid.count[0] > 100 ? 5 : 37);
+    c->grid.count[2] = 1 + pick(state, 3);
+    if (pick(state, 2) == 0) {
+        c->grid.row_stride = c->grid.count[0] + pick(state, 9);
+        c->grid.slice_stride = c->grid.count[1] * c->grid.row_stride + pick(state, 50);
+    }
+    static const unsigned of_order[ORDERS] = {0x001u, 0x00fu, 0x3ffu};
+    if (c->noise.fractal == SCARP_EROSION && c->order == 2) {
+        c->order = 1;
+    }
+    c->wanted = of_order[c->order] & (c->dimensions == 2 ? OUTPUTS_ALL2 : OUTPUTS_ALL3);
+    if (pick(state, 3) == 0) {
+        c->wanted &= (unsigned)check_random(state);
+    }
+}
+
+static size_t row_stride(const struct scarp_grid *grid)
+{
+    return grid->row_stride != 0 ? grid->row_stride : grid->count[0];
+}
+
+static size_t slice_stride(const struct scarp_grid *grid)
+{
+    return grid->slice_stride != 0 ? grid->slice_stride : grid->count[1] * row_stride(grid);
+}
+
+static size_t floats_of(const struct grid_case *c)
+{
+    const size_t slices = c->dimensions == 3 ? c->grid.count[2] : 1;
+    return slices * (slice_stride(&c->grid) + row_stride(&c->grid)) +
+           c->grid.count[1] * row_stride(&c->grid);
+}
+
+static struct scarp_samples samples_at(const struct outputs *o, unsigned wanted, size_t at)
+{
+    float *a[OUTPUTS];
+    for (int m = 0; m < OUTPUTS; m++) {
+        a[m] = (wanted >> m & 1) != 0 ? o->array[m] + at : NULL;
+    }
+    const struct scarp_samples s = {a[0], a[1], a[2], a[3], a[4], a[5], a[6], a[7], a[8], a[9]};
+    return s;
+}
+
+static enum scarp_status run_grid(const struct grid_case *c, const struct scarp_grid *grid,
+                                  const struct scarp_samples *out)
+{
+    return c->dimensions == 2 ? scarp_grid2(&c->noise, grid, out)
+                              : scarp_grid3(&c->noise, grid, out);
+}
+
+/* The position of an index, as scarp.h has it. */
+static double at(const struct scarp_grid *grid, int axis, size_t index)
+{
+    return grid->origin[axis] + (double)(grid->first[axis] + (int64_t)index) * grid->step[axis];
+}
+
+/* Row by row with the point calls. */
+static void run_points(const struct grid_case *c)
+{
+    const struct scarp_grid *const g = &c->grid;
+    for (size_t k = 0; k < (c->dimensions == 3 ? g->count[2] : 1); k++) {
+        for (size_t j = 0; j < g->count[1]; j++) {
+            for (size_t i = 0; i < g->count[0]; i++) {
+                coordinate[0][i] = at(g, 0, i);
+                coordinate[1][i] = at(g, 1, j);
+                coordinate[2][i] = at(g, 2, k);
+            }
+            const struct scarp_samples row =
+                samples_at(&expected, c->wanted, k * slice_stride(g) + j * row_stride(g));
+            const enum scarp_status status =
+                c->dimensions == 2
+                    ? scarp_sample2_f64(&c->noise, g->count[0], coordinate[0], coordinate[1], &row)
+                    : scarp_sample3_f64(&c->noise, g->count[0], coordinate[0], coordinate[1],
+                                        coordinate[2], &row);
+            CHECK(status == SCARP_OK, "points: %s", scarp_status_text(status));
+        }
+    }
+}
+
+/* Bit for bit, NaNs alike, what lies between the rows included. */
+static int same(const struct outputs *a, const struct outputs *b, size_t floats, int *member,
+                size_t *where)
+{
+    for (*member = 0; *member < OUTPUTS; ++*member) {
+        const float *const p = a->array[*member], *const q = b->array[*member];
+        if (memcmp(p, q, floats * sizeof(float)) == 0) {
+            continue;
+        }
+        for (*where = 0; *where < floats; ++*where) {
+            const int nan = p[*where] != p[*where] && q[*where] != q[*where];
+            if (!nan && memcmp(p + *where, q + *where, sizeof(float)) != 0) {
+                return 0;
+            }
+        }
+    }
+    return 1;
+}
+
+static void describe(const struct grid_case *c, char *text, size_t size)
+{
+    snprintf(text, size,
+             "%dD basis %d fade %d fractal %d rotate %u octaves %g order %d, %zu x %zu x %zu, "
+             "steps %g %g %g, x from %g + %lld",
+             c->dimensions, (int)c->noise.basis, (int)c->noise.fade, (int)c->noise.fractal,
+             (unsigned)c->noise.rotate, (double)c->noise.octaves, c->order, c->grid.count[0],
+             c->grid.count[1], c->grid.count[2], c->grid.step[0], c->grid.step[1], c->grid.step[2],
+             c->grid.origin[0], (long long)c->grid.first[0]);
+}
+
+static void test_points(const struct grid_case *c)
+{
+    char text[256];
+    describe(c, text, sizeof text);
+    outputs_poison(&got);
+    outputs_poison(&expected);
+    const struct scarp_samples out = samples_at(&got, c->wanted, 0);
+    const enum scarp_status status = run_grid(c, &c->grid, &out);
+    CHECK(status == SCARP_OK, "%s: %s", text, scarp_status_text(status));
+    run_points(c);
+    int member;
+    size_t where;
+    CHECK(same(&got, &expected, got.capacity, &member, &where), "%s: %s differs at %zu: %a, not %a",
+          text, output_names[member], where, (double)got.array[member][where],
+          (double)expected.array[member][where]);
+}
+
+/* The grid of `c` in tiles of random size, each computed by itself: `expected` is left from
+   test_points. */
+static void test_tiles(const struct grid_case *c, uint64_t *state)
+{
+    const struct scarp_grid *const g = &c->grid;
+    const size_t slices = c->dimensions == 3 ? g->count[2] : 1;
+    size_t size[3];
+    for (int axis = 0; axis < 3; axis++) {
+        size[axis] = 1 + pick(state, g->count[axis]);
+    }
+    outputs_poison(&got);
+    for (size_t k = 0; k < slices; k += size[2]) {
+        for (size_t j = 0; j < g->count[1]; j += size[1]) {
+            for (size_t i = 0; i < g->count[0]; i += size[0]) {
+                const size_t begin[3] = {i, j, k};
+                struct scarp_grid tile = *g;
+                tile.row_stride = row_stride(g);
+                tile.slice_stride = slice_stride(g);
+                for (int axis = 0; axis < 3; axis++) {
+                    const size_t left = g->count[axis] - begin[axis];
+                    tile.first[axis] += (int64_t)begin[axis];
+                    tile.count[axis] = left < size[axis] ? left : size[axis];
+                }
+                const struct scarp_samples out =
+                    samples_at(&got, c->wanted, k * slice_stride(g) + j * row_stride(g) + i);
+                const enum scarp_status status = run_grid(c, &tile, &out);
+                CHECK(status == SCARP_OK, "tile: %s", scarp_status_text(status));
+            }
+        }
+    }
+    char text[256];
+    describe(c, text, sizeof text);
+    int member;
+    size_t where;
+    CHECK(same(&got, &expected, got.capacity, &member, &where),
+          "%s: tiles of %zu x %zu x %zu: %s differs at %zu", text, size[0], size[1], size[2],
+          output_names[member], where);
+}
+
+static void expect(enum scarp_status wanted, const struct grid_case *c, const char *what)
+{
+    outputs_poison(&got);
+    const struct scarp_samples out = samples_at(&got, c->wanted, 0);
+    const enum scarp_status status = run_grid(c, &c->grid, &out);
+    CHECK(status == wanted, "%dD, %s: %s", c->dimensions, what, scarp_status_text(status));
+    if (wanted != SCARP_OK) {
+        CHECK(outputs_untouched(&got, OUTPUTS_ALL3), "%dD, %s: written", c->dimensions, what);
+    }
+}
+
+static struct grid_case plain_case(int dimensions)
+{
+    const struct grid_case c = {
+        .grid = {.step = {0.1, 0.1, 0.1}, .count = {20, 3, 2}},
+        .dimensions = dimensions,
+        .wanted = 1,
+    };
+    return c;
+}
+
+static void test_numbers(int dimensions)
+{
+    static const double bad[] = {(double)INFINITY, -(double)INFINITY, (double)NAN};
+    for (int axis = 0; axis < 3; axis++) {
+        const enum scarp_status ignored = axis < dimensions ? SCARP_ERROR_PARAMETER : SCARP_OK;
+        for (int i = 0; i < 3; i++) {
+            struct grid_case c = plain_case(dimensions);
+            c.grid.origin[axis] = bad[i];
+            expect(ignored, &c, "origin");
+            c = plain_case(dimensions);
+            c.grid.step[axis] = bad[i];
+            expect(ignored, &c, "step");
+        }
+        const int64_t limit = INT64_C(1) << 53;
+        struct grid_case c = plain_case(dimensions);
+        c.grid.first[axis] = -limit;
+        expect(SCARP_OK, &c, "lowest index");
+        c.grid.first[axis] = limit + 1 - (int64_t)c.grid.count[axis];
+        expect(SCARP_OK, &c, "highest index");
+        c.grid.first[axis]++;
+        expect(ignored, &c, "index too high");
+        c.grid.first[axis] = -limit - 1;
+        expect(ignored, &c, "index too low");
+        c.grid.first[axis] = INT64_MAX;
+        expect(ignored, &c, "highest integer");
+    }
+}
+
+static void test_sizes(int dimensions)
+{
+    struct grid_case c = plain_case(dimensions);
+    c.grid.row_stride = 19;
+    expect(SCARP_ERROR_PARAMETER, &c, "row stride");
+    c = plain_case(dimensions);
+    c.grid.slice_stride = 59;
+    expect(dimensions == 3 ? SCARP_ERROR_PARAMETER : SCARP_OK, &c, "slice stride");
+    c.grid.slice_stride = 60;
+    c.grid.row_stride = 20;
+    expect(SCARP_OK, &c, "strides as packed");
+    for (int axis = 0; axis < 3; axis++) {
+        const int counts = axis < dimensions;
+        c = plain_case(dimensions);
+        c.grid.count[axis] = 0;
+        c.grid.origin[0] = (double)NAN;
+        expect(counts ? SCARP_OK : SCARP_ERROR_PARAMETER, &c, "nothing, not looked at");
+        CHECK(!counts || outputs_untouched(&got, OUTPUTS_ALL3), "an empty grid was written");
+        c = plain_case(dimensions);
+        c.grid.count[axis] = SIZE_MAX / 8;
+        expect(counts && sizeof(size_t) < 8 ? SCARP_ERROR_SIZE
+               : counts                     ? SCARP_ERROR_PARAMETER
+                                            : SCARP_OK,
+               &c, "more samples than indices");
+    }
+    if (sizeof(size_t) == 8) {
+        c = plain_case(dimensions);
+        c.grid.count[0] = (size_t)1 << 40;
+        c.grid.count[1] = (size_t)1 << 40;
+        expect(SCARP_ERROR_SIZE, &c, "count product");
+        c = plain_case(dimensions);
+        c.grid.row_stride = SIZE_MAX;
+        expect(SCARP_ERROR_SIZE, &c, "row stride beyond memory");
+        c = plain_case(3);
+        c.grid.slice_stride = SIZE_MAX / 2;
+        expect(SCARP_ERROR_SIZE, &c, "slice stride beyond memory");
+    }
+}
+
+static void test_refusals(int dimensions)
+{
+    struct grid_case c = plain_case(dimensions);
+    const struct scarp_samples out = samples_at(&got, 1, 0);
+    outputs_poison(&got);
+    CHECK(run_grid(&c, NULL, &out) == SCARP_ERROR_NULL, "grid NULL");
+    CHECK(run_grid(&c, &c.grid, NULL) == SCARP_ERROR_NULL, "out NULL");
+    CHECK((dimensions == 2 ? scarp_grid2 : scarp_grid3)(NULL, &c.grid, &out) == SCARP_ERROR_NULL,
+          "noise NULL");
+    c.noise.octaves = 33.0f;
+    expect(SCARP_ERROR_PARAMETER, &c, "octaves");
+    c = plain_case(dimensions);
+    c.noise.fractal = (enum scarp_fractal)4;
+    expect(SCARP_ERROR_ENUM, &c, "fractal");
+    c = plain_case(dimensions);
+    c.wanted = OUTPUTS_ALL3;
+    expect(dimensions == 2 ? SCARP_ERROR_UNSUPPORTED : SCARP_OK, &c, "derivatives along z");
+    c.wanted = OUTPUTS_ALL2;
+    c.noise.fractal = SCARP_EROSION;
+    expect(SCARP_ERROR_UNSUPPORTED, &c, "Hessian of erosion");
+    test_numbers(dimensions);
+    test_sizes(dimensions);
+}
+
+int main(int argc, char **argv)
+{
+    const int cases = argc > 2 ? atoi(argv[2]) : 2000;
+    check_select_isa(argc > 1 ? argv[1] : "scalar");
+    got = outputs_make(FLOATS_MAX);
+    expected = outputs_make(FLOATS_MAX);
+    for (int axis = 0; axis < 3; axis++) {
+        coordinate[axis] = check_allocate(FLOATS_MAX * sizeof(double));
+    }
+    got.capacity = expected.capacity = 4096;
+    test_refusals(2);
+    test_refusals(3);
+    uint64_t state = 20261121;
+    for (int i = 0; i < cases; i++) {
+        struct grid_case c;
+        random_case(&c, &state);
+        if (floats_of(&c) <= FLOATS_MAX) {
+            got.capacity = expected.capacity = floats_of(&c);
+            test_points(&c);
+            test_tiles(&c, &state);
+        }
+    }
+    got.capacity = expected.capacity = FLOATS_MAX;
+    outputs_free(&got);
+    outputs_free(&expected);
+    for (int axis = 0; axis < 3; axis++) {
+        free(coordinate[axis]);
+    }
+    return check_done();
+}
