@@ -82,6 +82,17 @@ static bool read_count(const struct option *option, const char *text, size_t *co
     return true;
 }
 
+enum option_result option_count(const struct option *option, const char *text, void *field)
+{
+    char *end;
+    size_t count;
+    if (!read_count(option, text, &count, &end) || *end != '\0') {
+        return OPTION_INVALID;
+    }
+    *(size_t *)field = count;
+    return OPTION_VALID;
+}
+
 enum option_result option_size(const struct option *option, const char *text, void *field)
 {
     char *end;

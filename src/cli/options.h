@@ -50,6 +50,7 @@ struct option_point {
 };
 
 option_parse_fn option_choice; /* int: the index in `choices` */
+option_parse_fn option_count;  /* size_t in [lowest, highest] */
 option_parse_fn option_double; /* double in [lowest, highest] */
 option_parse_fn option_float;  /* float in [lowest, highest]; the bounds are floats */
 option_parse_fn option_isa;    /* int: an enum scarp_isa that can run here */

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * From a noise to rows of picture samples: heights, normals, hillshade. Included by terrain.c.
+ * From a noise to rows of picture samples: heights, normals, hillshade, and normals from the
+ * gradient beside those from differences of heights. Included by terrain.c.
  *
  * Column c and row r of the pictures look at x = origin.x + c * step and
  * y = origin.y + (height - 1 - r) * step: x grows to the right and y upward, as on a map, and
@@ -23,12 +24,14 @@ struct render {
     double step;
     float height_scale;
     float lowest, highest; /* the range of the noise */
+    size_t compare; /* pixels per sample, across and down, in render_compare; 0: never called */
 
     /* Buffers for `rows` rows: */
     size_t rows;
     double *x, *y;
     float *value, *dx, *dy, *nx, *ny, *nz;
-    uint8_t *samples; /* one row of the widest picture */
+    float *differences_x, *differences_y, *differences_z; /* if `compare`: normals by differences */
+    uint8_t *samples;                                     /* one row of the widest picture */
 
     double sampling_seconds;
 };
@@ -45,6 +48,7 @@ typedef const uint8_t *render_row_fn(const struct render *render, size_t row);
 render_row_fn render_heights;   /* 16 bits, high byte first */
 render_row_fn render_normals;   /* 3 times 8 bits */
 render_row_fn render_hillshade; /* 8 bits */
+render_row_fn render_compare;   /* 3 times 8 bits, 2 * compare pixels per sample */
 
 double render_seconds(void); /* a clock */
 

@@ -28,16 +28,19 @@ struct terrain_options {
     struct option_point origin;
     uint64_t seed;
     double frequency, step;
-    float octaves, lacunarity, gain, height;
-    int basis, fade, rotate, isa, quiet;
+    float octaves, lacunarity, gain, erosion, height;
+    int basis, fade, fractal, rotate, isa, quiet;
+    size_t compare;
     const char *output;
 };
 
 /* In the order of the enumerators */
 static const char *const bases[] = {"gradient", "value", NULL};
 static const char *const fades[] = {"quintic", "cubic", NULL};
+static const char *const fractals[] = {"fbm", "turbulence", "ridged", "erosion", NULL};
 
 #define FIELD(name) offsetof(struct terrain_options, name)
+#define FRACTALS "fbm, turbulence, ridged or erosion"
 #define ISAS "scalar, sse4.1, avx2, avx512 or neon"
 
 /* The intervals of the noise are those of scarp.h. */
@@ -102,6 +105,23 @@ static const struct option terrain_table[] = {
      .parse = option_choice,
      .offset = FIELD(fade),
      .choices = fades},
+    {.name = "--fractal",
+     .argument = "NAME",
+     .standard = "fbm",
+     .allowed = FRACTALS,
+     .help = "how octaves are summed: " FRACTALS,
+     .parse = option_choice,
+     .offset = FIELD(fractal),
+     .choices = fractals},
+    {.name = "--erosion",
+     .argument = "F",
+     .standard = "1",
+     .allowed = "a number from 2^-24 to 2^24",
+     .help = "with --fractal erosion, how strongly slopes damp octaves,\nfrom 2^-24 to 2^24",
+     .parse = option_float,
+     .offset = FIELD(erosion),
+     .lowest = 0x1p-24,
+     .highest = 0x1p24},
     {.name = "--frequency",
      .argument = "F",
      .standard = "0.0025",
@@ -141,6 +161,14 @@ static const struct option terrain_table[] = {
     {.name = "--rotate",
      .help = "turn the axes between octaves: hides the lattice's directions",
      .offset = FIELD(rotate)},
+    {.name = "--compare",
+     .argument = "N",
+     .allowed = "an integer from 1 to 7",
+     .help = "also write STEM-compare, with N by N pixels per sample,\nfrom 1 to 7 [not written]",
+     .parse = option_count,
+     .offset = FIELD(compare),
+     .lowest = 1,
+     .highest = 7}, /* 2 * 7 * 65536 pixels across; libpng's limit is 1,000,000 */
     {.name = "--isa",
      .argument = "NAME",
      .allowed = ISAS,
@@ -163,11 +191,15 @@ static const struct option_table table = {
 #ifdef SCARP_CLI_PNG
                "  STEM-height.png     16-bit grey\n"
                "  STEM-normal.png     8-bit red, green, blue\n"
-               "  STEM-hillshade.png  8-bit grey",
+               "  STEM-hillshade.png  8-bit grey\n"
+               "and, with --compare,\n"
+               "  STEM-compare.png    8-bit red, green, blue",
 #else
                "  STEM-height.pgm     16-bit grey, high byte first\n"
                "  STEM-normal.ppm     8-bit red, green, blue\n"
-               "  STEM-hillshade.pgm  8-bit grey",
+               "  STEM-hillshade.pgm  8-bit grey\n"
+               "and, with --compare,\n"
+               "  STEM-compare.ppm    8-bit red, green, blue",
 #endif
     .notes =
         "Column c and row r of the pictures lie at x = X + c step and y = Y + (H - 1 - r) step:\n"
@@ -175,17 +207,20 @@ static const struct option_table table = {
         "origin X + W step,Y, the next one above X,Y + H step.\n"
         "\n"
         "height     round(65535 (value - lowest) / (highest - lowest)), with the interval that\n"
-        "           values of this noise never leave, [-1, 1], and not those that occur: tiles\n"
-        "           of one terrain fit together. value = 2 grey / 65535 - 1.\n"
+        "           values of this noise never leave, and not those that occur: tiles of one\n"
+        "           terrain fit together. It is [-1, 1], so value = 2 grey / 65535 - 1; with\n"
+        "           turbulence and ridged [0, 1], so value = grey / 65535.\n"
         "normal     floor(127.5 n + 128) of n = (-dx, -dy, 1) / length, with dx and dy the\n"
         "           slopes of height * value: red is east, green north, blue up (OpenGL).\n"
-        "hillshade  round(255 n.light), light from azimuth 315 (north-west), altitude 45.",
+        "hillshade  round(255 n.light), light from azimuth 315 (north-west), altitude 45.\n"
+        "compare    on the left the normals again, on the right normals of the same places with\n"
+        "           dx and dy by central differences of the 16-bit heights, two steps apart.",
     .options = terrain_table,
     .count = sizeof terrain_table / sizeof terrain_table[0],
 };
 
-/* The pictures, each with the function that makes its rows */
-#define PICTURES 3
+/* The pictures, each with the function that makes its rows; the last one only if asked for */
+#define PICTURES 4
 static const struct picture {
     const char *name;
     int channels, depth;
@@ -194,7 +229,13 @@ static const struct picture {
     {"height", 1, 16, render_heights},
     {"normal", 3, 8, render_normals},
     {"hillshade", 1, 8, render_hillshade},
+    {"compare", 3, 8, render_compare},
 };
+
+static int picture_count(size_t compare)
+{
+    return compare == 0 ? PICTURES - 1 : PICTURES;
+}
 
 static int file_error(const struct image *image, int status)
 {
@@ -205,12 +246,14 @@ static int file_error(const struct image *image, int status)
 
 static int open_pictures(struct image images[PICTURES], const struct terrain_options *options)
 {
-    for (int i = 0; i < PICTURES; i++) {
-        images[i] = (struct image){.name = pictures[i].name,
-                                   .width = options->size.width,
-                                   .height = options->size.height,
-                                   .channels = pictures[i].channels,
-                                   .depth = pictures[i].depth};
+    for (int i = 0; i < picture_count(options->compare); i++) {
+        const bool enlarged = pictures[i].row == render_compare;
+        images[i] =
+            (struct image){.name = pictures[i].name,
+                           .width = options->size.width * (enlarged ? 2 * options->compare : 1),
+                           .height = options->size.height * (enlarged ? options->compare : 1),
+                           .channels = pictures[i].channels,
+                           .depth = pictures[i].depth};
         errno = 0;
         if (!image_open(&images[i], options->output)) {
             return file_error(&images[i], CLI_USAGE);
@@ -220,15 +263,15 @@ static int open_pictures(struct image images[PICTURES], const struct terrain_opt
 }
 
 /* All files are completed before the first one takes its name: the disk may fill up until then. */
-static int close_pictures(struct image images[PICTURES])
+static int close_pictures(struct image images[PICTURES], int count)
 {
     errno = 0;
-    for (int i = 0; i < PICTURES; i++) {
+    for (int i = 0; i < count; i++) {
         if (!image_close(&images[i])) {
             return file_error(&images[i], CLI_FAILURE);
         }
     }
-    for (int i = 0; i < PICTURES; i++) {
+    for (int i = 0; i < count; i++) {
         if (!image_publish(&images[i])) {
             return file_error(&images[i], CLI_FAILURE);
         }
@@ -259,11 +302,15 @@ static void clear_progress(void)
 static const struct image *write_block(struct image images[PICTURES], const struct render *render,
                                        size_t rows)
 {
-    for (int i = 0; i < PICTURES; i++) {
+    for (int i = 0; i < picture_count(render->compare); i++) {
+        const size_t times = images[i].height / render->size.height;
         for (size_t r = 0; r < rows; r++) {
-            errno = 0;
-            if (!image_row(&images[i], pictures[i].row(render, r))) {
-                return &images[i];
+            const uint8_t *const samples = pictures[i].row(render, r);
+            for (size_t n = 0; n < times; n++) {
+                errno = 0;
+                if (!image_row(&images[i], samples)) {
+                    return &images[i];
+                }
             }
         }
     }
@@ -299,7 +346,7 @@ static int write_pictures(struct render *render, const struct terrain_options *o
         status = write_rows(images, render, !options->quiet && STDERR_IS_TERMINAL());
     }
     if (status == CLI_SUCCESS) {
-        status = close_pictures(images);
+        status = close_pictures(images, picture_count(options->compare));
     }
     for (int i = 0; i < PICTURES; i++) {
         image_discard(&images[i], status == CLI_SUCCESS);
@@ -313,16 +360,19 @@ static bool prepare(struct render *render, const struct terrain_options *options
     *render = (struct render){
         .noise = {.basis = (enum scarp_basis)options->basis,
                   .fade = (enum scarp_fade)options->fade,
+                  .fractal = (enum scarp_fractal)options->fractal,
                   .rotate = (uint32_t)options->rotate,
                   .seed = options->seed,
                   .frequency = options->frequency,
                   .octaves = options->octaves,
                   .lacunarity = options->lacunarity,
-                  .gain = options->gain},
+                  .gain = options->gain,
+                  .erosion = options->erosion},
         .size = options->size,
         .origin = options->origin,
         .step = options->step,
         .height_scale = options->height,
+        .compare = options->compare,
     };
     /* Each number was checked by itself; what is left is the frequency of the last octave. */
     const enum scarp_status status =

@@ -5,8 +5,8 @@
  * in a small table; each block of samples then reads its lines with permutes instead of hashing.
  * Included by fractal.h. Bits are those of the point passes, because the lines are.
  *
- * A block's lanes must lie in VEC_LANES - 1 neighbouring columns. Where steps are wider, a row goes
- * through the point passes, with its hashes made from the prepared ones of x (`wide`).
+ * A block's lanes must lie in VEC_LANES - 1 neighbouring columns. Where steps are wider, each lane
+ * has its own two columns (`wide`), and shares with the others of its row what depends on y and z.
  */
 #ifndef SCARP_KERNEL_COLUMNS_H
 #define SCARP_KERNEL_COLUMNS_H
@@ -112,17 +112,14 @@ VEC_INLINE void along_x_run(struct along_x *x, const struct scarp_octave *o, siz
         x->t[b] = s.t;
     }
     x->narrow = cells_in_order(o, position, blocks) && place_columns(x, blocks);
-    if (!x->narrow) {
-        for (size_t b = 0; b < blocks; b++) {
-            x->u.wide[b] = hash_axis(vu_load(x->cell + b * VEC_LANES), HASH_X, o->key[0]);
-        }
-        return;
-    }
-    for (size_t b = 0; b < x->column_blocks; b++) {
+    for (size_t b = 0; x->narrow && b < x->column_blocks; b++) {
         const vu column = vu_lanes() + vu_set(x->lowest + (uint32_t)(b * VEC_LANES));
         x->u.narrow.hash[b] = hash_axis(column, HASH_X, o->key[0]).h0;
     }
     for (size_t b = 0; b < blocks; b++) {
+        if (!x->narrow) {
+            x->u.wide[b] = hash_axis(vu_load(x->cell + b * VEC_LANES), HASH_X, o->key[0]);
+        }
         const struct fade u = fade(fade_kind, x->t[b]);
         x->fade[b].s = u.s;
         x->fade[b].u = u.u;
@@ -217,6 +214,23 @@ VEC_INLINE void put_line(struct columns *c, int i, size_t block, struct line lin
     c->b[i][block] = line.b;
 }
 
+/* The lines of the columns whose mixed coordinates are `h`, on a row. */
+VEC_INLINE struct column gradient_column(vu h, const struct along_row *r, int dimensions, int order)
+{
+    return dimensions == 2
+               ? gradient_column2(h * r->hash[0][0], h * r->hash[1][0], r->y, r->v, order)
+               : gradient_column3(h * r->hash[0][0], h * r->hash[0][1], h * r->hash[1][0],
+                                  h * r->hash[1][1], r->y, r->z, r->v, r->w, order);
+}
+
+VEC_INLINE struct value_column value_column(vu h, const struct along_row *r, int dimensions,
+                                            int order)
+{
+    return dimensions == 2 ? value_column2(h * r->hash[0][0], h * r->hash[1][0], r->v, order)
+                           : value_column3(h * r->hash[0][0], h * r->hash[0][1], h * r->hash[1][0],
+                                           h * r->hash[1][1], r->v, r->w, order);
+}
+
 /* Reduces the columns of row r to their lines, from block `at` of the tables. */
 VEC_INLINE void reduce_gradient(struct columns *columns, size_t row, size_t at, int dimensions,
                                 int order)
@@ -224,11 +238,7 @@ VEC_INLINE void reduce_gradient(struct columns *columns, size_t row, size_t at, 
     const struct along_x *const x = columns->x;
     const struct along_row r = row_of(columns->rows, row, dimensions);
     for (size_t i = 0; i < x->column_blocks; i++) {
-        const vu h = x->u.narrow.hash[i];
-        const struct column c =
-            dimensions == 2 ? gradient_column2(h * r.hash[0][0], h * r.hash[1][0], r.y, r.v, order)
-                            : gradient_column3(h * r.hash[0][0], h * r.hash[0][1], h * r.hash[1][0],
-                                               h * r.hash[1][1], r.y, r.z, r.v, r.w, order);
+        const struct column c = gradient_column(x->u.narrow.hash[i], &r, dimensions, order);
         put_line(columns, LINE_VALUE, at + i, c.value);
         if (order >= 1) {
             put_line(columns, LINE_Y, at + i, c.y);
@@ -252,11 +262,7 @@ VEC_INLINE void reduce_value(struct columns *columns, size_t row, size_t at, int
     const struct along_x *const x = columns->x;
     const struct along_row r = row_of(columns->rows, row, dimensions);
     for (size_t i = 0; i < x->column_blocks; i++) {
-        const vu h = x->u.narrow.hash[i];
-        const struct value_column c =
-            dimensions == 2 ? value_column2(h * r.hash[0][0], h * r.hash[1][0], r.v, order)
-                            : value_column3(h * r.hash[0][0], h * r.hash[0][1], h * r.hash[1][0],
-                                            h * r.hash[1][1], r.v, r.w, order);
+        const struct value_column c = value_column(x->u.narrow.hash[i], &r, dimensions, order);
         columns->b[LINE_VALUE][at + i] = c.value;
         if (order >= 1) {
             columns->b[LINE_Y][at + i] = c.y;
@@ -407,6 +413,31 @@ VEC_INLINE void sample_row(const struct columns *columns, size_t at, size_t bloc
     }
 }
 
+/* Row r of samples `to` where blocks are wide: each lane has its own two columns. */
+VEC_INLINE void sample_wide_row(const struct columns *columns, size_t row, size_t blocks,
+                                const struct weights *weights, int first,
+                                const struct scarp_samples *to_row, enum scarp_basis basis,
+                                int dimensions, int order)
+{
+    const struct along_x *const x = columns->x;
+    const struct along_row r = row_of(columns->rows, row, dimensions);
+    const struct weights w = *weights;
+    const struct scarp_samples to = *to_row;
+    for (size_t b = 0; b < blocks; b++) {
+        const struct axis h = x->u.wide[b];
+        struct sides s;
+        if (basis == SCARP_GRADIENT) {
+            s.gl = gradient_column(h.h0, &r, dimensions, order);
+            s.gr = gradient_column(h.h1, &r, dimensions, order);
+        } else {
+            s.vl = value_column(h.h0, &r, dimensions, order);
+            s.vr = value_column(h.h1, &r, dimensions, order);
+        }
+        const struct sample n = join_sides(x, b, &s, basis, dimensions, order);
+        add_sample(&to, first, &to, b, &n, &w, dimensions, order);
+    }
+}
+
 /* As many rows at a time as the tables have room for: first all their columns, then all their
    samples, so that neither waits for the other. */
 VEC_INLINE void sample_rows(struct columns *columns, size_t rows, size_t blocks,
@@ -414,6 +445,12 @@ VEC_INLINE void sample_rows(struct columns *columns, size_t rows, size_t blocks,
                             const struct scarp_samples *to, enum scarp_basis basis, int dimensions,
                             int order)
 {
+    if (!columns->x->narrow) {
+        for (size_t r = 0; r < rows; r++) {
+            sample_wide_row(columns, r, blocks, weights, first, &to[r], basis, dimensions, order);
+        }
+        return;
+    }
     const size_t column_blocks = columns->x->column_blocks;
     const size_t room = (COLUMN_BLOCKS - 1) / column_blocks;
     for (size_t begin = 0; begin < rows; begin += room) {

@@ -59,8 +59,7 @@ static int basis_order(const struct scarp_plan *plan)
     return plan->order + (plan->fractal == SCARP_EROSION);
 }
 
-/* Prepares an octave along the rows of a part, for the columns or, if they are too wide, for
-   wide_lattice. `y` has the coordinates of the rows. */
+/* Prepares an octave across the rows of a part, whose coordinates are `y`. */
 static void prepare_rows(const struct grid_call *call, struct grid_scratch *scratch,
                          const struct part *part, int k, const double *y)
 {
@@ -69,49 +68,6 @@ static void prepare_rows(const struct grid_call *call, struct grid_scratch *scra
                plan->fade, call->passes.dimensions, axes_of(plan, k));
     scratch->chunk.first.columns.x = &scratch->x;
     scratch->chunk.first.columns.rows = &scratch->rows;
-}
-
-/* The lattice of row r of a part, from the hashes along x. */
-static void wide_lattice(struct lattice *lattice, const struct along_x *x,
-                         const struct along_rows *rows, size_t r, size_t blocks, int dimensions)
-{
-    const struct along_row row = row_of(rows, r, dimensions);
-    for (size_t b = 0; b < blocks; b++) {
-        const struct axis h = x->u.wide[b];
-        lattice->x[b] = x->t[b];
-        lattice->y[b] = row.y;
-        for (int y = 0; y < 2; y++) {
-            lattice->hash[0][y][0][b] = h.h0 * row.hash[y][0];
-            lattice->hash[1][y][0][b] = h.h1 * row.hash[y][0];
-            if (dimensions == 3) {
-                lattice->hash[0][y][1][b] = h.h0 * row.hash[y][1];
-                lattice->hash[1][y][1][b] = h.h1 * row.hash[y][1];
-            }
-        }
-        if (dimensions == 3) {
-            lattice->z[b] = row.z;
-        }
-    }
-}
-
-/* Octave k, on the rows of a tile whose outputs are `to`. */
-static void tile_octave(const struct grid_call *call, struct grid_scratch *scratch,
-                        const struct part *tile, int k, const struct scarp_samples *to)
-{
-    const struct passes *const passes = &call->passes;
-    const struct scarp_octave *const o = &passes->plan->octave[k];
-    const struct weights weights = {o->amplitude, o->slope, o->curvature};
-    if (scratch->x.narrow) {
-        passes->columns(&scratch->chunk.first.columns, tile->rows, tile->blocks, &weights, k == 0,
-                        to);
-        return;
-    }
-    struct lattice *const lattice = &scratch->chunk.first.lattice;
-    for (size_t r = 0; r < tile->rows; r++) {
-        wide_lattice(lattice, &scratch->x, &scratch->rows, r, tile->blocks, passes->dimensions);
-        passes->octave(lattice, tile->blocks, passes->plan->fade, &weights, k == 0 ? NULL : &to[r],
-                       &to[r]);
-    }
 }
 
 /* A tile of fBm with straight axes. What is prepared along x is good for the tile below too if
@@ -130,7 +86,10 @@ static void grid_tile(const struct grid_call *call, struct grid_scratch *scratch
                     axes_of(plan, k), plan->order);
         }
         prepare_rows(call, scratch, tile, k, y);
-        tile_octave(call, scratch, tile, k, to);
+        const struct scarp_octave *const o = &plan->octave[k];
+        const struct weights weights = {o->amplitude, o->slope, o->curvature};
+        call->passes.columns(&scratch->chunk.first.columns, tile->rows, tile->blocks, &weights,
+                             k == 0, to);
     }
 }
 
@@ -168,8 +127,6 @@ static void grid_patch(const struct grid_call *call, struct grid_scratch *scratc
         struct source source = {0};
         if (axes != AXES_TURNED) {
             along_x(&scratch->x, o, patch->blocks, x, plan->fade, axes, basis_order(plan));
-        }
-        if (axes != AXES_TURNED && scratch->x.narrow) {
             prepare_rows(call, scratch, patch, k, y);
             source.rows = patch->rows;
         } else {

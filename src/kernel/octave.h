@@ -21,8 +21,8 @@ struct rows {
     vf row[ROWS][CHUNK_BLOCKS];
 };
 
-/* to = from + weights * basis, for every row up to the order of the pass; where `from` is NULL, to =
-   weights * basis. The rows of `from` and `to` are all there, hold whole blocks, and may be the
+/* to = from + weights * basis, for every row up to the order of the pass; where `from` is NULL, to
+   = weights * basis. The rows of `from` and `to` are all there, hold whole blocks, and may be the
    same. */
 typedef void octave_pass(const struct lattice *lattice, size_t blocks, enum scarp_fade fade,
                          const struct weights *weights, const struct scarp_samples *from,

@@ -1,0 +1,30 @@
+# SPDX-License-Identifier: MIT
+# Makes the pictures of the README's gallery again: runs the commands that the README tells, and
+# copies what it shows of them. `cmake --build build --target gallery` calls this with PROGRAM
+# (scarp), README, SCRATCH (a directory to work in) and GALLERY (where the pictures go).
+#
+# A test compares the committed pictures with what the README's commands make, sample by sample.
+
+cmake_minimum_required(VERSION 3.25)
+file(READ ${README} readme)
+string(REPLACE "\\\n" "" readme "${readme}")
+file(MAKE_DIRECTORY ${SCRATCH})
+
+set(count 0)
+string(REGEX MATCHALL "scarp terrain [^\n`;]*--output [a-z-]+" commands "${readme}")
+foreach(command IN LISTS commands)
+  string(REGEX REPLACE ".* " "" stem "${command}")
+  if(readme MATCHES "/gallery/(${stem}-(hillshade|compare)\\.png)")
+    set(picture ${CMAKE_MATCH_1})
+    separate_arguments(words UNIX_COMMAND "${command}")
+    list(POP_FRONT words)
+    execute_process(COMMAND ${PROGRAM} ${words} WORKING_DIRECTORY ${SCRATCH}
+                    OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+    if(NOT EXISTS ${SCRATCH}/${picture})
+      message(FATAL_ERROR "There is no ${picture}: the program was built without libpng")
+    endif()
+    file(COPY ${SCRATCH}/${picture} DESTINATION ${GALLERY})
+    math(EXPR count "${count} + 1")
+  endif()
+endforeach()
+message("${count} pictures are in ${GALLERY}")
