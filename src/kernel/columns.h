@@ -438,6 +438,15 @@ VEC_INLINE void sample_wide_row(const struct columns *columns, size_t row, size_
     }
 }
 
+/* The block after the last one in use is read too, though no lane of it is chosen. */
+static void clear_block(struct columns *columns, size_t at)
+{
+    for (int i = 0; i < LINES; i++) {
+        columns->a[i][at] = vf_set(0.0f);
+        columns->b[i][at] = vf_set(0.0f);
+    }
+}
+
 /* As many rows at a time as the tables have room for: first all their columns, then all their
    samples, so that neither waits for the other. */
 VEC_INLINE void sample_rows(struct columns *columns, size_t rows, size_t blocks,
@@ -463,6 +472,7 @@ VEC_INLINE void sample_rows(struct columns *columns, size_t rows, size_t blocks,
                 reduce_value(columns, r, at, dimensions, order);
             }
         }
+        clear_block(columns, (end - begin) * column_blocks);
         for (size_t r = begin; r < end; r++) {
             sample_row(columns, (r - begin) * column_blocks, blocks, weights, first, &to[r], basis,
                        dimensions, order);
