@@ -27,8 +27,11 @@ except ImportError:  # not a POSIX system
 PROGRAM = []
 SKIPPED = 77
 NAMES = ("height", "normal", "hillshade")
-OPTIONS = ("size", "origin", "step", "height", "seed", "basis", "fade", "frequency", "octaves",
-           "lacunarity", "gain", "rotate", "isa", "output", "quiet", "help")
+OPTIONS = ("size", "origin", "step", "height", "seed", "basis", "fade", "fractal", "erosion",
+           "frequency", "octaves", "lacunarity", "gain", "rotate", "compare", "threads", "isa",
+           "output", "quiet", "help")
+FRACTALS = ("fbm", "turbulence", "ridged", "erosion")
+ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir)
 # Cheap to compute, and every option of the noise matters in it
 SMALL = ["--size", "40x30", "--frequency", "0.03"]
 
@@ -168,6 +171,12 @@ class Case(unittest.TestCase):
         self.terrain(*arguments)
         return [read_picture(self.path(name)) for name in self.names("t")]
 
+    def check_rows(self, rows, expected):
+        """Like assertEqual, but that shows the difference, which takes minutes for pictures."""
+        self.assertEqual(len(rows), len(expected))
+        self.assertEqual([r for r in range(len(rows)) if rows[r] != expected[r]], [],
+                         "rows that differ")
+
     def check_one_line(self, result, status, *words):
         """One line on stderr with all the words, nothing on stdout."""
         error = result.stderr.decode()
@@ -214,7 +223,7 @@ class Commands(Case):
         text = text_of("terrain", "--help")
         self.assertEqual(re.findall(r"(?m)^  --(\S+)", text), list(OPTIONS))
         self.assertLessEqual(max(len(line) for line in text.split("\n")), 90)
-        for name, end in zip(NAMES, self.extensions):
+        for name, end in zip(NAMES + ("compare",), self.extensions + self.extensions[1:2]):
             self.assertIn("STEM-%s%s" % (name, end), text)
 
     def test_nothing(self):
@@ -266,7 +275,8 @@ class Errors(Case):
         self.check("--quiet", "--quiet=")
 
     def test_numbers(self):
-        for option in ("--step", "--height", "--frequency", "--octaves", "--lacunarity", "--gain"):
+        for option in ("--step", "--height", "--frequency", "--octaves", "--lacunarity", "--gain",
+                       "--erosion"):
             self.check_values(option, "", "one", "1x", "1 ", " 1", "1,5", "nan", "inf", "-inf",
                               "1e999", "-1", "0x", "1.2.3", "--1", ".", "+")
 
@@ -277,6 +287,23 @@ class Errors(Case):
         self.check_values("--octaves", "0", "1e-46", "32.01", "1e39")
         self.check_values("--lacunarity", "0", "0.0624", "16.0001", "1e39")
         self.check_values("--gain", "0", "0.0624", "16.0001", "1e-46")
+        self.check_values("--erosion", "0", "5.9e-8", "16777217", "-1", "1e39")
+        self.check_values("--compare", "0", "8", "-1", "+1", "1.5", "1x", "one", "",
+                          "18446744073709551617")
+
+    def test_limits_are_told(self):
+        """The message names what is allowed, in the words of the help."""
+        text = text_of("terrain", "--help")
+        for option, value, allowed in (("--erosion", "0", "from 2^-24 to 2^24"),
+                                       ("--compare", "8", "from 1 to 7"),
+                                       ("--fractal", "fBm", "fbm, turbulence, ridged or erosion"),
+                                       ("--basis", "x", "gradient or value"),
+                                       ("--fade", "x", "quintic or cubic")):
+            result = run("terrain", option, value, cwd=self.directory)
+            self.check_one_line(result, 2, option, "'%s'" % value, allowed)
+            entry = re.search(r"\n  %s (?s:.*?)(?=\n  --)" % option, text).group()
+            self.assertIn(allowed, entry)
+        self.assertEqual(self.files(), [])
 
     def test_last_octave(self):
         for arguments in (("--frequency", "2e14", "--octaves", "2"),
@@ -301,6 +328,7 @@ class Errors(Case):
     def test_choices(self):
         self.check_values("--basis", "simplex", "Gradient", "gradient ", "")
         self.check_values("--fade", "linear", "quinti", "")
+        self.check_values("--fractal", "fBm", "ridge", "erosion ", "0", "")
         self.check_values("--isa", "sse9", "none", "", "avx")
 
     def test_unsupported_isa(self):
@@ -412,7 +440,7 @@ class Pictures(Case):
             option = re.match(r"  (--\S+) (?s:.*) \[(\S+)\]\Z", block)
             if option:
                 defaults[option.group(1)] = option.group(2)
-        self.assertEqual(len(defaults), 12, defaults)
+        self.assertEqual(len(defaults), 14, defaults)
         self.assertEqual(defaults.pop("--size"), "1024x1024")
         self.assertEqual(defaults.pop("--output"), "terrain")
         explicit = [word for pair in defaults.items() for word in pair]
@@ -433,6 +461,7 @@ class Pictures(Case):
         variants = [()]
         for option, values in {"--seed": ("2", "4294967297", "0xffffffffffffffff"),
                                "--basis": ("value",), "--fade": ("cubic",),
+                               "--fractal": FRACTALS[1:],
                                "--octaves": ("3", "3.5", "32"), "--frequency": ("0.031",),
                                "--lacunarity": ("2.1",), "--gain": ("0.6",),
                                "--origin": ("5,0", "0,5", "9007199254740992,0"),
@@ -444,13 +473,31 @@ class Pictures(Case):
             data = self.terrain(*SMALL, *arguments)[0]
             self.assertNotIn(data, heights, (arguments, heights.get(data)))
             heights[data] = arguments
-        self.assertEqual(len(heights), 17)
+        self.assertEqual(len(heights), 20)
+
+    def test_erosion_counts(self):
+        """How much it damps matters to --fractal erosion, and to no other."""
+        for fractal in FRACTALS:
+            pictures = [self.terrain(*SMALL, "--fractal", fractal, "--erosion", strength)
+                        for strength in ("5.9604644775390625e-8", "1", "1.5", "16777216")]
+            for i in range(3):
+                different = [len({data[i] for data in pictures})]
+                self.assertEqual(different, [4 if fractal == "erosion" else 1], (fractal, i))
+        # Hardly any of it: fBm, but for roundings to 16 bits
+        slight = self.pictures(*SMALL, "--fractal", "erosion", "--erosion", "6e-8")[0].flat()
+        fbm = self.pictures(*SMALL)[0].flat()
+        self.assertLessEqual(max(abs(a - b) for a, b in zip(slight, fbm)), 1)
+        # Nothing but erosion: flat, but where the sum of slopes is 0
+        strong = self.pictures(*SMALL, "--fractal", "erosion", "--erosion", "16777216")[0].flat()
+        self.assertLess(sorted(abs(grey - 32767.5) for grey in strong)[len(strong) * 9 // 10], 2)
 
     def test_bounds_are_allowed(self):
         for option, value in (("--octaves", "32"), ("--octaves", "0.5"), ("--gain", "16"),
                               ("--gain", "0.0625"), ("--lacunarity", "1"),
                               ("--step", "281474976710656"), ("--step", "3.5527136788005009e-15"),
-                              ("--height", "16777216"), ("--origin", "-9007199254740992,0")):
+                              ("--height", "16777216"), ("--origin", "-9007199254740992,0"),
+                              ("--erosion", "16777216"), ("--erosion", "5.9604644775390625e-8"),
+                              ("--compare", "1"), ("--compare", "7")):
             with self.subTest(option=option, value=value):
                 self.terrain(*SMALL, option, value)
         for value in ("281474976710656", "2.3283064365386963e-10"):
@@ -491,6 +538,26 @@ class Pictures(Case):
         self.assertGreater(max(height), 65535 - 400)
         self.assertLess(abs(sum(height) / 4096 - 32767.5), 5 * 65535 / math.sqrt(12 * 4096))
 
+    def test_ranges_of_fractals(self):
+        """[-1, 1] for fBm and erosion; [0, 1] for turbulence and ridged, whose one octave is the
+        magnitude of fBm's, and the square of 1 less it."""
+        one = ["--size", "48x48", "--frequency", "0.09", "--octaves", "1"]
+        fbm = [grey / 32767.5 - 1 for grey in self.pictures(*one)[0].flat()]
+        self.assertLess(min(fbm), -0.6)
+        self.assertGreater(max(fbm), 0.6)
+        for fractal, expected in (("turbulence", lambda n: abs(n)),
+                                  ("ridged", lambda n: (1 - abs(n)) ** 2)):
+            height = self.pictures(*one, "--fractal", fractal)[0].flat()
+            for n, grey in zip(fbm, height):
+                # The 16 bits of fBm, and the head-room of 2^-17 in its amplitude
+                self.assertLess(abs(grey - 65535 * expected(n)), 4, fractal)
+        at_lattice = ["--size", "3x3", "--frequency", "1", "--octaves", "1"]
+        for fractal, grey in (("turbulence", (0,)), ("ridged", (65534, 65535)),
+                              ("erosion", (32768,))):
+            height = self.pictures(*at_lattice, "--fractal", fractal)[0].flat()
+            self.assertEqual(len(set(height)), 1)
+            self.assertIn(height[0], grey)
+
     def test_tiles(self):
         """Tiles are pieces of the whole; the origin is the bottom left sample."""
         whole = self.pictures("--size", "300x128", "--rotate", "--frequency", "0.02",
@@ -515,9 +582,15 @@ class Pictures(Case):
 
     def test_normals(self):
         """Unit length, and perpendicular to the surface that the heights show."""
-        size, scale = 96, 20.0
+        for fractal in ("fbm", "erosion"):  # the others have creases
+            with self.subTest(fractal=fractal):
+                self.check_normals(fractal)
+
+    def check_normals(self, fractal):
+        size, scale = 96, 80.0
         height, normal, _ = self.pictures("--size", "%dx%d" % (size, size), "--octaves", "2",
-                                          "--frequency", "0.02", "--height", str(scale))
+                                          "--frequency", "0.005", "--height", str(scale),
+                                          "--fractal", fractal)
         z = [[(2 * grey / 65535 - 1) * scale for grey in row] for row in height.rows]
         steepest = 0.0
         for r in range(1, size - 1):
@@ -555,7 +628,102 @@ class Pictures(Case):
         self.assertGreater(sum(falling) / len(falling), sum(rising) / len(rising) + 60)
 
 
-SUMMARY = (r"\A%s samples in \d+\.\d{3} s, of which \d+\.\d{3} s sampled values and gradients: "
+class Compare(Case):
+    """The picture of normals from the gradient beside normals from differences."""
+
+    RIDGED = ("--fractal", "ridged", "--rotate", "--frequency", "0.02", "--octaves", "5")
+
+    def compare(self, pixels, *arguments):
+        """The three usual pictures, and the two halves of the fourth."""
+        pictures = self.pictures(*arguments, "--compare", str(pixels))
+        both = read_picture(self.path("t-compare" + self.extensions[1]))
+        self.assertEqual((both.channels, both.depth), (3, 8))
+        self.assertEqual((both.width, both.height),
+                         (2 * pixels * pictures[0].width, pixels * pictures[0].height))
+        middle = both.width // 2
+        return (pictures, [row[:middle] for row in both.rows],
+                [row[middle:] for row in both.rows])
+
+    def test_only_when_asked(self):
+        plain = self.terrain(*SMALL)
+        self.assertEqual(self.files(), sorted(self.names("t")))
+        self.assertEqual(self.terrain(*SMALL, "--compare", "2"), plain)
+        self.assertEqual(self.files(),
+                         sorted(self.names("t") + ["t-compare" + self.extensions[1]]))
+
+    def test_gradient_half(self):
+        """Every sample of the normals, enlarged."""
+        for pixels in (1, 2, 7):
+            (_, normal, _), left, _ = self.compare(pixels, "--size", "19x11", *self.RIDGED)
+            self.check_rows(left, [[sample for sample in row for _ in range(pixels)]
+                                   for row in normal.rows for _ in range(pixels)])
+
+    def test_differences_half(self):
+        """Follows from the 16-bit heights alone; at the edges from those of the next tiles."""
+        width, height, scale = 31, 23, 30.0
+        for fractal, lowest in (("ridged", 0.0), ("fbm", -1.0)):
+            for step in (0.25, 1.0):
+                arguments = [*self.RIDGED, "--fractal", fractal, "--step", str(step), "--height",
+                             str(scale)]
+                _, _, right = self.compare(2, "--size", "%dx%d" % (width, height), *arguments)
+                around = self.pictures("--size", "%dx%d" % (width + 2, height + 2), "--origin",
+                                       "%g,%g" % (-step, -step), *arguments)[0].rows
+                unit = (1 - lowest) / 65535 * scale / (2 * step)
+                for r in range(height):
+                    for c in range(width):
+                        dx = (around[r + 1][c + 2] - around[r + 1][c]) * unit
+                        dy = (around[r][c + 1] - around[r + 2][c + 1]) * unit
+                        length = math.hypot(dx, dy, 1)
+                        expected = [127.5 * part / length + 127.5 for part in (-dx, -dy, 1)]
+                        for one in (right[2 * r][2 * c], right[2 * r + 1][2 * c + 1]):
+                            for a, b in zip(one, expected):
+                                self.assertLess(abs(a - b), 0.51, (fractal, step, r, c))
+
+    def test_blocks(self):
+        """Wide pictures are made in several blocks of rows, and differ from tiles in nothing."""
+        _, _, whole = self.compare(1, "--size", "3000x20", *self.RIDGED)
+        _, _, tile = self.compare(1, "--size", "100x9", "--origin", "1500,8", *self.RIDGED)
+        self.check_rows(tile, [row[1500:1600] for row in whole[3:12]])
+
+    def test_they_differ(self):
+        """The gradient tells of a crest what differences smear."""
+        _, left, right = self.compare(1, "--size", "64x64", *self.RIDGED)
+        far = sum(max(abs(a - b) for a, b in zip(p, q)) > 40
+                  for one, other in zip(left, right) for p, q in zip(one, other))
+        self.assertGreater(far, 64)
+
+    def test_widest(self):
+        self.terrain("--size", "65536x1", "--compare", "7", "--octaves", "1")
+        self.terrain("--size", "1x65536", "--compare", "7", "--octaves", "1")
+
+
+class Gallery(Case):
+    """The pictures in the README are what its commands make."""
+
+    def test_commands(self):
+        with open(os.path.join(ROOT, "README.md"), encoding="utf-8") as file:
+            readme = file.read()
+        shown = re.findall(r"\]\(src/cli/gallery/([^)]+)\)", readme)
+        directory = os.path.join(ROOT, "src", "cli", "gallery")
+        self.assertEqual(len(shown), 5)
+        self.assertEqual(sorted(os.listdir(directory)), sorted(shown))
+        self.assertLess(sum(os.path.getsize(os.path.join(directory, name)) for name in shown),
+                        200000)
+        commands = {stem: command.split() for command, stem in
+                    re.findall(r"^scarp (terrain .*--output (\S+))$", readme.replace("\\\n", ""),
+                               re.MULTILINE)}
+        for name in shown:
+            with self.subTest(name=name):
+                stem, kind = name[:-len(".png")].rsplit("-", 1)
+                result = run(*commands[stem], "--quiet", cwd=self.directory)
+                self.assertEqual((result.returncode, result.stderr), (0, b""))
+                end = self.extensions[1 if kind == "compare" else 0]
+                made = read_picture(self.path("%s-%s%s" % (stem, kind, end)))
+                committed = read_picture(os.path.join(directory, name))
+                self.check_rows(made.rows, committed.rows)
+
+
+SUMMARY = (r"\A%s samples in \d+\.\d{3} s, of which \d+\.\d{3} s sampled values, gradients and normals: "
            r"\d+\.\d million samples per second \((.+)\)\n\Z")
 
 
@@ -598,7 +766,7 @@ class Progress(Case):
 
     @unittest.skipUnless(pty, "needs POSIX")
     def test_terminal(self):
-        arguments = ("terrain", "--size", "600x400", "--output", self.path("t"))
+        arguments = ("terrain", "--size", "1200x700", "--threads", "1", "--output", self.path("t"))
         status, shown = self.on_terminal(*arguments)
         self.assertEqual(status, 0)
         percents = [int(percent) for percent in re.findall(r"\rsampling +(\d+) %", shown)]
@@ -614,10 +782,10 @@ class Progress(Case):
         """The message has a line of its own."""
         def limit_files():
             signal.signal(signal.SIGXFSZ, signal.SIG_IGN)
-            resource.setrlimit(resource.RLIMIT_FSIZE, (300000, 300000))
+            resource.setrlimit(resource.RLIMIT_FSIZE, (1000000, 1000000))
 
-        status, shown = self.on_terminal("terrain", "--size", "600x400", "--output",
-                                         self.path("t"), preexec_fn=limit_files)
+        status, shown = self.on_terminal("terrain", "--size", "1200x700", "--threads", "1",
+                                         "--output", self.path("t"), preexec_fn=limit_files)
         self.assertEqual(status, 1)
         self.assertRegex(shown, r"sampling +\d+ %\r {14}\rscarp: --output: [^\n]+\r\n\Z")
 
@@ -627,6 +795,8 @@ class Isa(Case):
 
     def test_same_bytes(self):
         for arguments in ((), ("--rotate", "--basis", "value", "--fade", "cubic"),
+                          ("--fractal", "turbulence", "--rotate"), ("--fractal", "ridged"),
+                          ("--fractal", "erosion", "--erosion", "2.5", "--fade", "cubic"),
                           ("--origin", "-123456789.5,4e9", "--step", "0.37", "--octaves", "12.3")):
             with self.subTest(arguments=arguments):
                 size = ["--size", "131x67", "--frequency", "0.03", *arguments]
@@ -636,6 +806,25 @@ class Isa(Case):
     def test_named(self):
         result = run("terrain", *SMALL, "--isa", self.name, "--output", self.path("t"))
         self.assertIn("(%s)" % self.name, result.stdout.decode())
+
+
+class Threads(Case):
+    """Whatever the number of threads, the pictures are the same."""
+
+    # Several blocks for every thread: a block has 131072 samples, or one row, of each.
+    SIZE = ("--size", "700x801", "--octaves", "3", "--compare", "1")
+
+    def test_same_bytes(self):
+        threads = "from 1 to 1024" in text_of("terrain", "--help")
+        one = self.terrain(*self.SIZE, "--threads", "1")
+        for count in ("2", "3", "16") if threads else ():
+            with self.subTest(threads=count):
+                self.assertEqual(self.terrain(*self.SIZE, "--threads", count) == one, True)
+        self.assertEqual(self.terrain(*self.SIZE) == one, True)
+        if not threads:
+            result = run("terrain", *SMALL, "--threads", "2", "--output", self.path("t"))
+            self.assertEqual((result.returncode, result.stdout), (2, b""))
+            self.assertIn(b"without OpenMP", result.stderr)
 
 
 def choose_isa(name):

@@ -18,6 +18,7 @@ foreach(command IN LISTS commands)
     set(picture ${CMAKE_MATCH_1})
     separate_arguments(words UNIX_COMMAND "${command}")
     list(POP_FRONT words)
+    file(REMOVE ${SCRATCH}/${picture})
     execute_process(COMMAND ${PROGRAM} ${words} WORKING_DIRECTORY ${SCRATCH}
                     OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
     if(NOT EXISTS ${SCRATCH}/${picture})

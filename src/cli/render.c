@@ -7,8 +7,11 @@
 
 #include <stdlib.h>
 #include <time.h>
+#ifdef _OPENMP
+#include <omp.h>
+#endif
 
-#define BLOCK_SAMPLES 16384 /* 1 MB of buffers: stays in the second-level cache */
+#define PART_SAMPLES 131072 /* of a thread, at least a row: 3 MB of buffers */
 
 /* The direction to the light, azimuth 315 degrees (north-west), altitude 45: x, y and z are
    sin(az) cos(alt), cos(az) cos(alt), sin(alt), with the azimuth clockwise from north. */
@@ -16,33 +19,38 @@
 #define LIGHT_Y 0.5
 #define LIGHT_Z 0.70710678118654752
 
+/* Rows of a block: `count` samples from index `first` of the buffers on. */
+struct part {
+    size_t first, rows, count;
+};
+
 bool render_open(struct render *render)
 {
     const size_t width = render->size.width;
-    const size_t rows = BLOCK_SAMPLES / width;
-    render->rows = rows == 0 ? 1 : rows;
+    const size_t rows_of_part = PART_SAMPLES / width;
+    render->rows = (rows_of_part == 0 ? 1 : rows_of_part) * render->threads;
     const size_t count = render->rows * width;
-    render->x = malloc(2 * count * sizeof *render->x);
-    render->value = malloc(9 * count * sizeof *render->value);
+    const size_t arrays = render->compare != 0 ? 9 : 6;
+    render->value = malloc(arrays * count * sizeof *render->value);
     render->samples = malloc(3 * width * (render->compare == 0 ? 1 : 2 * render->compare));
-    if (render->x == NULL || render->value == NULL || render->samples == NULL) {
+    if (render->value == NULL || render->samples == NULL) {
         return false;
     }
-    render->y = render->x + count;
     render->dx = render->value + count;
     render->dy = render->dx + count;
     render->nx = render->dy + count;
     render->ny = render->nx + count;
     render->nz = render->ny + count;
-    render->differences_x = render->nz + count;
-    render->differences_y = render->differences_x + count;
-    render->differences_z = render->differences_y + count;
+    if (render->compare != 0) {
+        render->differences_x = render->nz + count;
+        render->differences_y = render->differences_x + count;
+        render->differences_z = render->differences_y + count;
+    }
     return true;
 }
 
 void render_close(struct render *render)
 {
-    free(render->x);
     free(render->value);
     free(render->samples);
 }
@@ -54,19 +62,19 @@ double render_seconds(void)
     return (double)now.tv_sec + (double)now.tv_nsec * 1e-9;
 }
 
-/* Positions of the block, or of the samples `right` columns and `up` rows from it: to the bit those
-   that these columns and rows have themselves. */
-static void place(struct render *render, size_t row, size_t rows, double right, double up)
+/* Samples rows of the block, `right` columns and `up` rows from their place: to the bit what those
+   columns and rows have themselves. */
+static void sample(const struct render *render, size_t row, size_t rows, int right, int up,
+                   const struct scarp_samples *out)
 {
-    const size_t width = render->size.width;
-    for (size_t r = 0; r < rows; r++) {
-        const double above = (double)(render->size.height - 1 - (row + r)) + up;
-        const double y = render->origin.y + above * render->step;
-        for (size_t c = 0; c < width; c++) {
-            render->x[r * width + c] = render->origin.x + ((double)c + right) * render->step;
-            render->y[r * width + c] = y;
-        }
-    }
+    const int64_t above = (int64_t)(render->size.height - 1 - row) + up;
+    const struct scarp_grid grid = {
+        .origin = {render->origin.x, render->origin.y, 0.0},
+        .step = {render->step, -render->step, 0.0}, /* rows go down, y goes up */
+        .first = {right, -above, 0},
+        .count = {render->size.width, rows, 1},
+    };
+    scarp_grid2(&render->noise, &grid, out);
 }
 
 /* How many steps of the 16-bit heights make up 1 in the values of the noise */
@@ -81,49 +89,74 @@ static int quantise(float value, double lowest, double scale)
 }
 
 /* slope[i] = the central difference of 16-bit heights along (right, up) */
-static void difference(struct render *render, size_t row, size_t rows, double right, double up,
-                       float *slope)
+static void difference(const struct render *render, size_t row, const struct part *part, int right,
+                       int up, float *slope)
 {
-    const size_t count = rows * render->size.width;
-    float *const before = render->differences_x, *const after = render->differences_y;
-    place(render, row, rows, -right, -up);
-    scarp_sample2_f64(&render->noise, count, render->x, render->y,
-                      &(struct scarp_samples){.value = before});
-    place(render, row, rows, right, up);
-    scarp_sample2_f64(&render->noise, count, render->x, render->y,
-                      &(struct scarp_samples){.value = after});
+    float *const before = render->differences_x + part->first;
+    float *const after = render->differences_y + part->first;
+    sample(render, row, part->rows, -right, -up, &(struct scarp_samples){.value = before});
+    sample(render, row, part->rows, right, up, &(struct scarp_samples){.value = after});
     const double lowest = (double)render->lowest;
     const double scale = steps_per_value(render);
     const double distance = 2.0 * render->step * scale;
-    for (size_t i = 0; i < count; i++) {
+    for (size_t i = 0; i < part->count; i++) {
         const int steps = quantise(after[i], lowest, scale) - quantise(before[i], lowest, scale);
-        slope[i] = (float)(steps / distance);
+        slope[part->first + i] = (float)(steps / distance);
     }
 }
 
 /* Normals as a program makes them that has nothing but the heights. Neighbours are sampled again
    instead of looked up, so that the outermost samples have theirs too. */
-static void make_differences(struct render *render, size_t row, size_t rows)
+static void make_differences(const struct render *render, size_t row, const struct part *part)
 {
-    difference(render, row, rows, 1.0, 0.0, render->dx);
-    difference(render, row, rows, 0.0, 1.0, render->dy);
-    scarp_normals(rows * render->size.width, render->dx, render->dy, render->height_scale,
-                  render->differences_x, render->differences_y, render->differences_z);
+    const size_t i = part->first;
+    difference(render, row, part, 1, 0, render->dx);
+    difference(render, row, part, 0, 1, render->dy);
+    scarp_normals(part->count, render->dx + i, render->dy + i, render->height_scale,
+                  render->differences_x + i, render->differences_y + i, render->differences_z + i);
 }
 
+/* `row` is the first row of the part in the picture. */
+static void render_part(const struct render *render, size_t row, const struct part *part)
+{
+    const size_t i = part->first;
+    const struct scarp_samples out = {
+        .value = render->value + i, .dx = render->dx + i, .dy = render->dy + i};
+    sample(render, row, part->rows, 0, 0, &out);
+    scarp_normals(part->count, out.dx, out.dy, render->height_scale, render->nx + i, render->ny + i,
+                  render->nz + i);
+    if (render->compare != 0) {
+        make_differences(render, row, part);
+    }
+}
+
+/* A part for each thread. Samples do not depend on which part they are in. */
 void render_block(struct render *render, size_t row, size_t rows)
 {
     const size_t width = render->size.width;
-    place(render, row, rows, 0.0, 0.0);
-    const struct scarp_samples out = {.value = render->value, .dx = render->dx, .dy = render->dy};
+    const size_t rows_of_part = (rows + render->threads - 1) / render->threads;
+    const int parts = (int)((rows + rows_of_part - 1) / rows_of_part);
     const double start = render_seconds();
-    scarp_sample2_f64(&render->noise, rows * width, render->x, render->y, &out);
-    render->sampling_seconds += render_seconds() - start;
-    scarp_normals(rows * width, render->dx, render->dy, render->height_scale, render->nx,
-                  render->ny, render->nz);
-    if (render->compare != 0) {
-        make_differences(render, row, rows);
+#ifdef _OPENMP
+#pragma omp parallel for num_threads(parts) schedule(static, 1)
+#endif
+    for (int n = 0; n < parts; n++) {
+        const size_t begin = (size_t)n * rows_of_part;
+        const size_t end = begin + rows_of_part < rows ? begin + rows_of_part : rows;
+        const struct part part = {begin * width, end - begin, (end - begin) * width};
+        render_part(render, row + begin, &part);
     }
+    render->sampling_seconds += render_seconds() - start;
+}
+
+size_t render_threads(void)
+{
+#ifdef _OPENMP
+    const int most = omp_get_max_threads();
+    return most < 1 ? 1 : most > RENDER_THREADS_MAX ? RENDER_THREADS_MAX : (size_t)most;
+#else
+    return 1;
+#endif
 }
 
 const uint8_t *render_heights(const struct render *render, size_t row)

@@ -24,11 +24,11 @@ struct render {
     double step;
     float height_scale;
     float lowest, highest; /* the range of the noise */
+    size_t threads;        /* at least 1 */
     size_t compare; /* pixels per sample, across and down, in render_compare; 0: never called */
 
     /* Buffers for `rows` rows: */
     size_t rows;
-    double *x, *y;
     float *value, *dx, *dy, *nx, *ny, *nz;
     float *differences_x, *differences_y, *differences_z; /* if `compare`: normals by differences */
     uint8_t *samples;                                     /* one row of the widest picture */
@@ -39,6 +39,11 @@ struct render {
 /* Allocates the buffers. False without memory. */
 bool render_open(struct render *render);
 void render_close(struct render *render);
+
+#define RENDER_THREADS_MAX 1024
+
+/* How many threads there are: 1 without OpenMP. */
+size_t render_threads(void);
 
 /* Samples `rows` rows from `row` on, at most render->rows, and makes their normals. */
 void render_block(struct render *render, size_t row, size_t rows);

@@ -30,7 +30,7 @@ struct terrain_options {
     double frequency, step;
     float octaves, lacunarity, gain, erosion, height;
     int basis, fade, fractal, rotate, isa, quiet;
-    size_t compare;
+    size_t compare, threads;
     const char *output;
 };
 
@@ -169,6 +169,21 @@ static const struct option terrain_table[] = {
      .offset = FIELD(compare),
      .lowest = 1,
      .highest = 7}, /* 2 * 7 * 65536 pixels across; libpng's limit is 1,000,000 */
+    {.name = "--threads",
+     .argument = "N",
+#ifdef _OPENMP
+     .allowed = "an integer from 1 to 1024",
+     .help = "how many threads sample, from 1 to 1024; the pictures do not\ndepend on it [as many "
+             "as there are]",
+     .highest = RENDER_THREADS_MAX,
+#else
+     .allowed = "1: this program was built without OpenMP",
+     .help = "how many threads sample: 1, since this program was built\nwithout OpenMP",
+     .highest = 1,
+#endif
+     .parse = option_count,
+     .offset = FIELD(threads),
+     .lowest = 1},
     {.name = "--isa",
      .argument = "NAME",
      .allowed = ISAS,
@@ -373,6 +388,7 @@ static bool prepare(struct render *render, const struct terrain_options *options
         .step = options->step,
         .height_scale = options->height,
         .compare = options->compare,
+        .threads = options->threads != 0 ? options->threads : render_threads(),
     };
     /* Each number was checked by itself; what is left is the frequency of the last octave. */
     const enum scarp_status status =
@@ -389,7 +405,8 @@ static void print_summary(const struct render *render, double seconds)
     const double samples = (double)render->size.width * (double)render->size.height;
     /* No clock resolves the smallest pictures. */
     const double sampling = render->sampling_seconds > 1e-9 ? render->sampling_seconds : 1e-9;
-    printf("%zux%zu samples in %.3f s, of which %.3f s sampled values and gradients: %.1f million "
+    printf("%zux%zu samples in %.3f s, of which %.3f s sampled values, gradients and normals: %.1f "
+           "million "
            "samples per second (%s)\n",
            render->size.width, render->size.height, seconds, render->sampling_seconds,
            samples / sampling * 1e-6, scarp_isa_name(scarp_isa_active()));
