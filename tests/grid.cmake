@@ -11,3 +11,6 @@ scarp_test_program(test_grid)
 foreach(isa IN LISTS isas)
   scarp_add_test(grid.${isa} grid test_grid ${isa} ${grid_cases})
 endforeach()
+
+scarp_test_program(test_grid_safety)
+scarp_add_isa_tests(grid_safety grid test_grid_safety)

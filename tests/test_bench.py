@@ -28,6 +28,9 @@ ISAS = ["scalar", "sse4.1", "avx2", "avx512", "neon"]
 # The least that can be measured
 QUICK = ["--min-time", "0.001", "--repeat", "1"]
 ONE = [*QUICK, "--work", "points2/gradient/value"]
+# Grids that take long in instrumented builds, and one that is measured only by its whole name
+LARGE = re.compile(r"grid2/.*/(4096|16384)/|grid3/.*/256/")
+ON_REQUEST = "grid2/gradient/value/16384/step0.01"
 SVG = "{http://www.w3.org/2000/svg}"
 
 
@@ -106,6 +109,17 @@ class Selection(Case):
                     self.assertIn("points%s/gradient/%s/%s" % (d, fractal, output), names)
             for output in ("value", "+gradient", "forward-differences", "central-differences"):
                 self.assertIn("points%s/gradient/erosion8/%s" % (d, output), names)
+            sizes = {"2": (256, 1024, 4096), "3": (64, 256)}[d]
+            for output in ("value", "+gradient"):
+                for size in sizes:
+                    self.assertIn("grid%s/gradient/%s/%d/step0.01" % (d, output, size), names)
+                for kind in ("gradient/fbm8", "gradient/fbm8/turned", "value"):
+                    self.assertIn("grid%s/%s/%s/%d/step0.01" % (d, kind, output, sizes[-2]), names)
+                for fractal in ("ridged8", "erosion8"):
+                    self.assertIn("grid2/gradient/%s/%s/1024/step0.01" % (fractal, output), names)
+            for step in ("0.1", "0.3", "1.7"):
+                size = {"2": 1024, "3": 256}[d]
+                self.assertIn("grid%s/gradient/value/%d/step%s" % (d, size, step), names)
         for basis in ("gradient", "value"):
             self.assertIn("points2/%s/erosion8/turned/+gradient" % basis, names)
         self.assertFalse([name for name in names if "erosion" in name and "hessian" in name])
@@ -121,6 +135,15 @@ class Selection(Case):
         self.assertEqual(names_of("--work=fbm8"), [name for name in names if "fbm8" in name])
         self.assertEqual(names_of("--work", "normals,points3/value/value"),
                          ["points3/value/value", "normals"])
+
+    def test_on_request(self):
+        """A grid of 1 GB is listed like all others, but no pattern starts it."""
+        self.assertIn(ON_REQUEST, names_of())
+        self.assertEqual(names_of("--work", ON_REQUEST), [ON_REQUEST])
+        self.check_one_line(run(*QUICK, "--work", "16384"), 2, "--work")
+        rows = report_of(*QUICK, "--isa", "scalar", "--work", "grid2/gradient/value/1*/step0.01")
+        self.assertEqual([row["work"] for row in rows["rows"]],
+                         ["grid2/gradient/value/1024/step0.01"])
 
     def test_isas(self):
         report = report_of(*ONE)
@@ -151,7 +174,10 @@ class Results(Case):
                 self.assertAlmostEqual(row["mpoints_per_s"] * row["ns_per_point"] / 1000, 1, 4)
                 self.assertGreaterEqual(row["spread"], 0)
                 size = re.search(r"/n=(\d+)$", row["work"])
-                self.assertEqual(row["points"], int(size.group(1)) if size else 65536)
+                grid = re.match(r"grid(\d)/.*/(\d+)/step[\d.]+$", row["work"])
+                self.assertEqual(row["work"].startswith("grid"), grid is not None)
+                self.assertEqual(row["points"], int(size.group(1)) if size else
+                                 int(grid.group(2)) ** int(grid.group(1)) if grid else 65536)
 
     def test_json(self):
         report = report_of(*ONE)
@@ -168,13 +194,25 @@ class Results(Case):
     @unittest.skipIf(sys.argv[3:], "emulated processors are about 100 times slower")
     def test_every_workload(self):
         best = report_of(*ONE)["isas"].split()[-1]
-        rows = report_of("--min-time", "0.000001", "--repeat", "1", "--isa", best)["rows"]
-        self.assertEqual([row["work"] for row in rows], names_of())
+        names = [name for name in names_of() if not LARGE.match(name)]
+        rows = report_of("--min-time", "0.000001", "--repeat", "1", "--isa", best,
+                         "--work", ",".join(names))["rows"]
+        self.assertEqual([row["work"] for row in rows], names)
         self.check_rows(rows)
         for row in rows:
             output = row["work"].split("/")[-1]
             note = output.replace("-", " ") if output.endswith("-differences") else None
             self.assertEqual((row["library"], row["isa"], row.get("note")), ("scarp", best, note))
+
+    @unittest.skipIf(sys.argv[3:], "emulated processors are about 100 times slower")
+    def test_large_grid(self):
+        """A call that is longer than its slice; and arrays of different sizes"""
+        best = report_of(*ONE)["isas"].split()[-1]
+        work = ["points2/gradient/+hessian", "grid2/gradient/value/4096/step0.01"]
+        rows = report_of("--min-time", "0.001", "--repeat", "7", "--isa", best,
+                         "--work", ",".join(work))["rows"]
+        self.assertEqual([row["work"] for row in rows], work)
+        self.check_rows(rows)
 
     def test_files(self):
         text = text_of(*ONE, "--repeat", "3", "--json", self.path("a.json"), "--svg",
@@ -330,6 +368,19 @@ class Results(Case):
             self.assertEqual(libraries[stem + "erosion8/value"], {"scarp"})
             self.assertEqual(libraries[stem + "turbulence8/value"],
                              libraries[stem + "fbm8/value"] - {"FastNoiseLite"})
+
+    def test_peers_of_grids(self):
+        """Only FastNoise2 has grid calls, and no gradient."""
+        if not has_peers():
+            self.skipTest("no peer was found")
+        rows = report_of(*QUICK, "--work", "grid2/gradient/*/256/*,grid3/value/*",
+                         "--peers")["rows"]
+        self.check_rows(rows)
+        libraries = {row["library"] for row in rows}
+        self.assertLessEqual(libraries, {"scarp", "FastNoise2", "FastNoise2-strict"})
+        for row in rows:
+            self.assertNotIn("note", row)
+            self.assertTrue("/+" not in row["work"] or row["library"] == "scarp")
 
 
 class Errors(Case):

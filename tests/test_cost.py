@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Instructions per point, counted with callgrind, against the figures committed in cost.txt.
+"""Instructions per point or grid sample, counted with callgrind, against the figures committed in cost.txt.
 
     test_cost.py PROGRAM COST_FILE SCRATCH_DIR COMPILER BUILD_TYPE FLAGS    check
     test_cost.py --print PROGRAM COST_FILE SCRATCH_DIR                      the figures as they are
@@ -13,27 +13,27 @@ import shutil
 import subprocess
 import sys
 
-POINTS = 4096
 SLACK = 1.03
 SKIPPED = 77
 
 
 def instructions_per_point(program, words, scratch):
-    """Instructions that the public sample call executes for one point."""
+    """Instructions that the public sample or grid call executes for one point."""
     out = os.path.join(scratch, "callgrind.out")
     run = subprocess.run(["valgrind", "--tool=callgrind", "--callgrind-out-file=" + out,
-                          "--toggle-collect=scarp_sample*", program] + words,
+                          "--toggle-collect=scarp_sample*", "--toggle-collect=scarp_grid*", program]
+                         + words,
                          stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
     if run.returncode == SKIPPED:
         return None
     collected = re.search(r"Collected : (\d+)", run.stderr)
     if run.returncode != 0 or collected is None or int(collected.group(1)) == 0:
         sys.exit("callgrind failed on " + " ".join(words) + ":\n" + run.stdout + run.stderr)
-    return int(collected.group(1)) / POINTS
+    return int(collected.group(1)) / int(run.stdout)
 
 
 def read_costs(path):
-    """Lines `isa dimensions basis outputs fractal octaves figure`; # begins a comment."""
+    """Lines `isa call basis outputs fractal octaves figure`; # begins a comment."""
     with open(path, encoding="utf-8") as file:
         for line in file:
             words = line.split("#")[0].split()
