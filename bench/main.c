@@ -59,6 +59,22 @@ static int is_wanted(const struct bench_options *options, const char *name)
     return options->work == NULL;
 }
 
+/* Those on request are listed like all others, but measured only by their whole name. */
+static int is_selected(const struct bench_options *options, const struct bench_work *work)
+{
+    if (options->list || !work->on_request) {
+        return is_wanted(options, work->name);
+    }
+    const char *list = options->work;
+    char name[128];
+    while (bench_next_part(&list, name, sizeof name)) {
+        if (strcmp(name, work->name) == 0) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
 /* Adds the workload by scarp (peer NULL) or a peer, with every wanted instruction set that can. */
 static int add_subjects(struct selection *selection, const struct bench_options *options,
                         const struct bench_work *work, const struct bench_peer *peer)
@@ -110,7 +126,7 @@ static int select_subjects(struct selection *selection, const struct bench_optio
         return BENCH_USAGE;
     }
     for (size_t i = 0; bench_work_get(i, &work); i++) {
-        if (!is_wanted(options, work.name)) {
+        if (!is_selected(options, &work)) {
             continue;
         }
         int status = add_subjects(selection, options, &work, NULL);
@@ -172,15 +188,14 @@ static void describe(struct bench_report *report, const struct bench_options *op
 
 static int prepare(struct selection *selection, struct bench_report *report)
 {
-    size_t most = 0;
+    struct bench_sizes sizes = {.points = 0};
     for (size_t i = 0; i < selection->count; i++) {
-        const size_t points = selection->subjects[i].work.points;
-        most = points > most ? points : most;
+        bench_sizes_raise(&sizes, &selection->subjects[i].work);
     }
     const size_t repeat = (size_t)report->repeat;
     report->rows = calloc(selection->count, sizeof *report->rows);
     selection->samples = calloc(selection->count * repeat, sizeof *selection->samples);
-    if (!bench_arrays_make(&selection->arrays, most) || report->rows == NULL ||
+    if (!bench_arrays_make(&selection->arrays, &sizes) || report->rows == NULL ||
         selection->samples == NULL) {
         return no_memory();
     }

@@ -4,13 +4,17 @@
  * repeat. Then all subjects are timed in turn, and again, `repeat` times over (A B C A B C ...), so
  * that a machine that slows down or is disturbed for a while does so to all alike. Every slice is
  * preceded by a tenth of it that is not timed: it refills the caches, teaches the branch predictors
- * and gives the processor time to change its clock for wide vectors.
+ * and gives the processor time to change its clock for wide vectors. A call that is longer than its
+ * slice has no need of that; and it is left out of some passes, so that min_time still holds or
+ * only three slices are timed.
  */
 #include "measure.h"
 
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+
+#define LEAST_TURNS 3
 
 static double time_slice(const struct bench_subject *subject, unsigned long iterations)
 {
@@ -19,19 +23,45 @@ static double time_slice(const struct bench_subject *subject, unsigned long iter
     return bench_seconds() - start;
 }
 
-/* Doubles until a run is long enough to measure, then scales up; at least one iteration. */
-static unsigned long calibrate(const struct bench_subject *subject, double slice)
+/* How many calls fill a slice. Doubles until a run is long enough to measure, then scales up; one
+   that is longer than the slice is believed at once. */
+static void calibrate(const struct bench_method *method, struct bench_subject *subject)
 {
+    const double slice = method->min_time / method->repeat;
     const double trial = slice < 0.001 ? slice : 0.001;
     unsigned long iterations = 1;
-    time_slice(subject, 1);
-    double elapsed = time_slice(subject, iterations);
+    double elapsed = time_slice(subject, 1);
+    if (elapsed < slice) {
+        elapsed = time_slice(subject, 1);
+    }
     while (elapsed < trial && iterations < (1ul << 30)) {
         iterations *= 2;
         elapsed = time_slice(subject, iterations);
     }
     const double scaled = (double)iterations * (slice / elapsed);
-    return scaled < 1 ? 1 : scaled > 1e9 ? 1000000000ul : (unsigned long)scaled;
+    subject->iterations = scaled < 1 ? 1 : scaled > 1e9 ? 1000000000ul : (unsigned long)scaled;
+    subject->turns = method->repeat;
+    if (scaled < 1 && method->repeat > LEAST_TURNS) {
+        const int fitting = (int)(scaled * method->repeat);
+        subject->turns = fitting > LEAST_TURNS ? fitting : LEAST_TURNS;
+    }
+    subject->timed = 0;
+}
+
+/* Whether it is timed in this pass, so that its turns spread evenly over all passes */
+static int has_turn(const struct bench_subject *subject, int pass, int repeat)
+{
+    return (pass + 1) * subject->turns / repeat > pass * subject->turns / repeat;
+}
+
+static void time_turn(struct bench_subject *subject)
+{
+    if (subject->iterations > 1) {
+        bench_subject_run(subject, subject->iterations / 10 + 1);
+    }
+    const double elapsed = time_slice(subject, subject->iterations);
+    subject->samples[subject->timed++] =
+        elapsed * 1e9 / (double)subject->iterations / (double)subject->work.points;
 }
 
 static int compare_doubles(const void *a, const void *b)
@@ -49,14 +79,15 @@ static double quantile(const double *sorted, int count, double q)
     return sorted[i] + (at - i) * (sorted[next] - sorted[i]);
 }
 
-static void summarise(struct bench_subject *subject, int repeat)
+static void summarise(struct bench_subject *subject)
 {
     struct bench_row *const row = subject->row;
-    qsort(subject->samples, (size_t)repeat, sizeof *subject->samples, compare_doubles);
-    row->median = quantile(subject->samples, repeat, 0.5);
-    row->minimum = subject->samples[0];
+    double *const samples = subject->samples;
+    qsort(samples, (size_t)subject->timed, sizeof *samples, compare_doubles);
+    row->median = quantile(samples, subject->timed, 0.5);
+    row->minimum = samples[0];
     row->spread =
-        (quantile(subject->samples, repeat, 0.75) - quantile(subject->samples, repeat, 0.25)) /
+        (quantile(samples, subject->timed, 0.75) - quantile(samples, subject->timed, 0.25)) /
         row->median;
 }
 
@@ -80,20 +111,18 @@ void bench_measure(const struct bench_method *method, struct bench_subject *subj
 {
     for (size_t i = 0; i < count; i++) {
         show_progress(method, 0, i, count);
-        subjects[i].iterations = calibrate(&subjects[i], method->min_time / method->repeat);
+        calibrate(method, &subjects[i]);
     }
     for (int pass = 0; pass < method->repeat; pass++) {
         for (size_t i = 0; i < count; i++) {
-            const struct bench_subject *const subject = &subjects[i];
             show_progress(method, pass + 1, i, count);
-            bench_subject_run(subject, subject->iterations / 10 + 1);
-            const double elapsed = time_slice(subject, subject->iterations);
-            subject->samples[pass] =
-                elapsed * 1e9 / (double)subject->iterations / (double)subject->work.points;
+            if (has_turn(&subjects[i], pass, method->repeat)) {
+                time_turn(&subjects[i]);
+            }
         }
     }
     for (size_t i = 0; i < count; i++) {
-        summarise(&subjects[i], method->repeat);
+        summarise(&subjects[i]);
     }
     hide_progress(method);
 }

@@ -96,11 +96,13 @@ void grid(const void *opaque, const bench_work *work, float *value)
     const State *const state = static_cast<const State *>(opaque);
     const int n[3] = {static_cast<int>(work->grid[0]), static_cast<int>(work->grid[1]),
                       static_cast<int>(work->grid[2])};
+    const float *const x = work->origin;
     const float step = work->step;
     if (state->dimensions == 2) {
-        state->noise->GenUniformGrid2D(value, 0, 0, n[0], n[1], step, step, seed);
+        state->noise->GenUniformGrid2D(value, x[0], x[1], n[0], n[1], step, step, seed);
     } else {
-        state->noise->GenUniformGrid3D(value, 0, 0, 0, n[0], n[1], n[2], step, step, step, seed);
+        state->noise->GenUniformGrid3D(value, x[0], x[1], x[2], n[0], n[1], n[2], step, step, step,
+                                       seed);
     }
 }
 

@@ -61,11 +61,11 @@ static int has_differences(const struct bench_report *report)
 void bench_write_text(FILE *file, const struct bench_report *report)
 {
     write_header(file, report, "");
-    fprintf(file, "%-46s %-17s %-7s %9s %10s %9s %8s\n", "workload", "library", "isa", "ns/point",
+    fprintf(file, "%-52s %-17s %-7s %9s %10s %9s %8s\n", "workload", "library", "isa", "ns/point",
             "Mpoints/s", "fastest", "spread");
     for (size_t i = 0; i < report->count; i++) {
         const struct bench_row *const row = &report->rows[i];
-        fprintf(file, "%-46s %-17s %-7s %9.3f %10.1f %9.3f %6.1f %%%s%s\n", row->work, row->library,
+        fprintf(file, "%-52s %-17s %-7s %9.3f %10.1f %9.3f %6.1f %%%s%s\n", row->work, row->library,
                 row->isa, row->median, 1000 / row->median, row->minimum, row->spread * 100,
                 row->note[0] != '\0' ? "  " : "", row->note);
     }
@@ -77,7 +77,7 @@ void bench_write_text(FILE *file, const struct bench_report *report)
         const struct bench_row *const row = &report->rows[i];
         const struct bench_row *const exact = find_exact(report, row);
         if (exact != NULL) {
-            fprintf(file, "%-46s %-17s %-7s %9.2f times faster\n", row->work, row->library,
+            fprintf(file, "%-52s %-17s %-7s %9.2f times faster\n", row->work, row->library,
                     row->isa, row->median / exact->median);
         }
     }

@@ -43,34 +43,58 @@ static void fill_points(const struct bench_arrays *arrays, size_t count)
     }
 }
 
-/* Zeroed, so that its pages exist before anything is timed */
-static float *make_array(size_t count)
+/* How many of the output arrays the workload writes, or leaves out between others */
+static int count_outputs(const struct bench_work *work)
 {
-    float *const array = malloc(count * sizeof *array);
+    if (work->layout == BENCH_NORMALS) {
+        return 3;
+    }
+    return work->output == BENCH_VALUE          ? 1
+           : work->output == BENCH_PLUS_HESSIAN ? 10
+                                                : 1 + work->dimensions;
+}
+
+void bench_sizes_raise(struct bench_sizes *sizes, const struct bench_work *work)
+{
+    if (work->layout != BENCH_GRID && work->points > sizes->points) {
+        sizes->points = work->points;
+    }
+    for (int i = 0; i < count_outputs(work); i++) {
+        if (work->points > sizes->outputs[i]) {
+            sizes->outputs[i] = work->points;
+        }
+    }
+}
+
+/* Zeroed, so that its pages exist before anything is timed. Never empty: that may be NULL, too. */
+static void *make_array(size_t count, size_t element)
+{
+    const size_t size = (count > 0 ? count : 1) * element;
+    void *const array = malloc(size);
     if (array != NULL) {
-        memset(array, 0, count * sizeof *array);
+        memset(array, 0, size);
     }
     return array;
 }
 
-int bench_arrays_make(struct bench_arrays *arrays, size_t count)
+int bench_arrays_make(struct bench_arrays *arrays, const struct bench_sizes *sizes)
 {
     memset(arrays, 0, sizeof *arrays);
     int complete = 1;
     for (int d = 0; d < 3; d++) {
         for (int pattern = 0; pattern < 3; pattern++) {
-            arrays->points[pattern][d] = make_array(count);
+            arrays->points[pattern][d] = make_array(sizes->points, sizeof(float));
             complete &= arrays->points[pattern][d] != NULL;
         }
-        arrays->points_f64[d] = malloc(count * sizeof(double));
+        arrays->points_f64[d] = make_array(sizes->points, sizeof(double));
         complete &= arrays->points_f64[d] != NULL;
     }
     for (int i = 0; i < 10; i++) {
-        arrays->outputs[i] = make_array(count);
+        arrays->outputs[i] = make_array(sizes->outputs[i], sizeof(float));
         complete &= arrays->outputs[i] != NULL;
     }
     if (complete) {
-        fill_points(arrays, count);
+        fill_points(arrays, sizes->points);
     }
     return complete;
 }
@@ -88,7 +112,6 @@ void bench_arrays_free(struct bench_arrays *arrays)
     }
 }
 
-/* The grid calls do not exist yet. */
 static int make_scarp(struct bench_subject *subject, const struct bench_work *work)
 {
     subject->noise = (struct scarp_noise){.basis = work->basis,
@@ -97,7 +120,7 @@ static int make_scarp(struct bench_subject *subject, const struct bench_work *wo
                                           .rotate = work->turned != 0,
                                           .seed = 7,
                                           .octaves = (float)work->octaves};
-    return work->layout != BENCH_GRID && scarp_isa_supported(subject->isa);
+    return scarp_isa_supported(subject->isa);
 }
 
 /* Peers do what all of them agree on, and those fractals that they know; the gradient comes from
@@ -109,7 +132,7 @@ static int make_peer(struct bench_subject *subject, const struct bench_work *wor
         return 0;
     }
     if (work->layout == BENCH_GRID) {
-        if (peer->grid == NULL || work->output != BENCH_VALUE) {
+        if (peer->grid == NULL || work->output != BENCH_VALUE || work->on_request) {
             return 0;
         }
     } else if (work->output != BENCH_VALUE && work->output != BENCH_PLUS_GRADIENT) {
@@ -178,6 +201,20 @@ static struct scarp_samples choose_outputs(const struct bench_subject *subject)
     return out;
 }
 
+static enum scarp_status run_grid(const struct bench_subject *subject)
+{
+    const struct bench_work *const work = &subject->work;
+    const struct scarp_samples out = choose_outputs(subject);
+    struct scarp_grid grid = {.row_stride = 0};
+    for (int d = 0; d < 3; d++) {
+        grid.origin[d] = (double)work->origin[d];
+        grid.step[d] = (double)work->step;
+        grid.count[d] = work->grid[d];
+    }
+    return work->dimensions == 2 ? scarp_grid2(&subject->noise, &grid, &out)
+                                 : scarp_grid3(&subject->noise, &grid, &out);
+}
+
 static enum scarp_status run_scarp(const struct bench_subject *subject)
 {
     const struct bench_work *const work = &subject->work;
@@ -189,6 +226,9 @@ static enum scarp_status run_scarp(const struct bench_subject *subject)
     double *const *const w = subject->arrays->points_f64;
     if (work->layout == BENCH_NORMALS) {
         return scarp_normals(n, x[0], x[1], 0x1p-10f, to[0], to[1], to[2]);
+    }
+    if (work->layout == BENCH_GRID) {
+        return run_grid(subject);
     }
     if (work->output >= BENCH_FORWARD_DIFFERENCES) {
         const float *const from[3] = {x[0], x[1], x[2]};
@@ -223,7 +263,7 @@ static void run_peer(const struct bench_subject *subject)
 static void consume(const struct bench_subject *subject)
 {
     uint32_t sum = 0;
-    for (int i = 0; i < 10; i++) {
+    for (int i = 0; i < count_outputs(&subject->work); i++) {
         uint32_t first, last;
         memcpy(&first, subject->arrays->outputs[i], sizeof first);
         memcpy(&last, subject->arrays->outputs[i] + subject->work.points - 1, sizeof last);

@@ -10,11 +10,16 @@
 #include "peer.h"
 #include "work.h"
 
-/* Arrays for the largest workload, shared by all subjects */
+/* Arrays for the largest workloads, shared by all subjects */
 struct bench_arrays {
     float *points[3][3];   /* by pattern, then axis */
     double *points_f64[3]; /* random */
     float *outputs[10];    /* in the order of struct scarp_samples */
+};
+
+/* How many elements they need: grids read no points, and few workloads write all outputs */
+struct bench_sizes {
+    size_t points, outputs[10];
 };
 
 struct bench_subject {
@@ -25,13 +30,17 @@ struct bench_subject {
     void *state; /* the peer's */
     const struct bench_arrays *arrays;
     unsigned long iterations; /* of one timed slice */
-    double *samples;          /* nanoseconds per point, one per repeat */
+    int turns;                /* how many slices are timed: as many as repeats, or fewer */
+    int timed;                /* how many have been */
+    double *samples;          /* nanoseconds per point, one per timed slice */
     struct bench_row *row;    /* where the result goes */
 };
 
-/* Fills arrays of `count` elements. Returns 0 without memory; bench_arrays_free is needed anyway.
- */
-int bench_arrays_make(struct bench_arrays *arrays, size_t count);
+/* Raises the sizes to what the workload needs. */
+void bench_sizes_raise(struct bench_sizes *sizes, const struct bench_work *work);
+
+/* Makes and fills arrays. Returns 0 without memory; bench_arrays_free is needed anyway. */
+int bench_arrays_make(struct bench_arrays *arrays, const struct bench_sizes *sizes);
 void bench_arrays_free(struct bench_arrays *arrays);
 
 /* Whether scarp, or the peer, can do the workload with the instruction set; if so, *subject is

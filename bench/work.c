@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
  * The list of workloads. A row of the table is a product: every basis times every number of
- * dimensions times every size times every output it names. Names are made from the same fields that
- * the measurement reads, so they cannot disagree. A new fractal or layout is a new row.
+ * dimensions times every size times every step times every output it names. Names are made from the
+ * same fields that the measurement reads, so they cannot disagree. A new fractal or layout is a new
+ * row.
  */
 #include "work.h"
 
@@ -11,6 +12,7 @@
 
 #define COUNT_OF(array) (sizeof(array) / sizeof(array)[0])
 #define STANDARD_POINTS 65536
+#define STANDARD_STEP 0.01f
 
 enum {
     GRADIENT = 1 << SCARP_GRADIENT,
@@ -27,10 +29,19 @@ enum {
 struct product {
     struct bench_work work; /* what all have in common; zero: the default */
     unsigned bases, outputs;
-    const size_t *sizes; /* ends in 0; NULL: the standard */
+    const size_t *sizes[2]; /* in 2D and 3D: numbers of points, or of samples along an edge of a
+                               grid. They end in 0; NULL: the standard */
+    const float *steps;     /* of a grid; likewise */
 };
 
+static const size_t standard_sizes[] = {STANDARD_POINTS, 0};
+static const size_t standard_squares[] = {1024, 0}, standard_cubes[] = {64, 0};
+static const float standard_steps[] = {STANDARD_STEP, 0};
+
 static const size_t other_sizes[] = {16, 256, 4096, 1048576, 0};
+static const size_t squares[] = {256, 1024, 4096, 0}, huge_square[] = {16384, 0};
+static const size_t cubes[] = {64, 256, 0}, large_cube[] = {256, 0};
+static const float other_steps[] = {0.1f, 0.3f, 1.7f, 0};
 
 static const struct product products[] = {
     {.bases = BOTH_BASES, .outputs = UP_TO_HESSIAN | DIFFERENCES},
@@ -51,9 +62,35 @@ static const struct product products[] = {
     {{.f64 = 1, .octaves = 8}, .bases = GRADIENT, .outputs = UP_TO_GRADIENT},
     {{.pattern = BENCH_SEQUENTIAL}, .bases = GRADIENT, .outputs = UP_TO_GRADIENT},
     {{.pattern = BENCH_SAME_CELL}, .bases = GRADIENT, .outputs = UP_TO_GRADIENT},
-    {.bases = GRADIENT, .outputs = UP_TO_GRADIENT, .sizes = other_sizes},
-    {{.layout = BENCH_GRID}, .bases = BOTH_BASES, .outputs = UP_TO_GRADIENT},
-    {{.layout = BENCH_GRID, .octaves = 8}, .bases = GRADIENT, .outputs = UP_TO_GRADIENT},
+    {.bases = GRADIENT, .outputs = UP_TO_GRADIENT, .sizes = {other_sizes, other_sizes}},
+    {{.layout = BENCH_GRID},
+     .bases = GRADIENT,
+     .outputs = UP_TO_GRADIENT,
+     .sizes = {squares, cubes}},
+    {{.layout = BENCH_GRID},
+     .bases = GRADIENT,
+     .outputs = ONLY_VALUE,
+     .sizes = {NULL, large_cube},
+     .steps = other_steps},
+    {{.layout = BENCH_GRID}, .bases = VALUE, .outputs = UP_TO_GRADIENT},
+    {{.layout = BENCH_GRID, .octaves = 8},
+     .bases = GRADIENT,
+     .outputs = UP_TO_GRADIENT,
+     .sizes = {NULL, cubes}},
+    {{.layout = BENCH_GRID, .octaves = 8, .turned = 1},
+     .bases = GRADIENT,
+     .outputs = UP_TO_GRADIENT},
+    {{.layout = BENCH_GRID, .fractal = SCARP_RIDGED, .octaves = 8, .dimensions = 2},
+     .bases = GRADIENT,
+     .outputs = UP_TO_GRADIENT},
+    {{.layout = BENCH_GRID, .fractal = SCARP_EROSION, .octaves = 8, .dimensions = 2},
+     .bases = GRADIENT,
+     .outputs = UP_TO_GRADIENT},
+    /* 1 GB: far beyond all caches */
+    {{.layout = BENCH_GRID, .dimensions = 2, .on_request = 1},
+     .bases = GRADIENT,
+     .outputs = ONLY_VALUE,
+     .sizes = {huge_square, NULL}},
     {{.layout = BENCH_NORMALS, .dimensions = 2}, .bases = GRADIENT, .outputs = ONLY_VALUE},
 };
 
@@ -75,7 +112,9 @@ static void write_name(struct bench_work *work)
     if (work->octaves > 1) {
         snprintf(fractal, sizeof fractal, "/%s%d", fractal_names[work->fractal], work->octaves);
     }
-    if (work->points != STANDARD_POINTS) {
+    if (work->layout == BENCH_GRID) {
+        snprintf(size, sizeof size, "/%zu/step%g", work->grid[0], (double)work->step);
+    } else if (work->points != STANDARD_POINTS) {
         snprintf(size, sizeof size, "/n=%zu", work->points);
     }
     snprintf(work->name, sizeof work->name, "%s%d/%s%s%s%s%s%s/%s%s", layout_names[work->layout],
@@ -84,43 +123,74 @@ static void write_name(struct bench_work *work)
              output_names[work->output], size);
 }
 
-static void complete(struct bench_work *work)
+/* `size` as in struct product */
+static void complete(struct bench_work *work, size_t size)
 {
-    static const size_t grids[][3] = {{256, 256, 1}, {64, 32, 32}};
+    /* Off the lattice planes. Grids that begin on one have samples that miss others by rounding
+       alone; where it is by less than 1e-12, fades are denormal numbers, which slow many processors
+       down. */
+    static const float origin[3] = {3.3371f, 4.437f, 5.533f};
     if (work->octaves == 0) {
         work->octaves = 1;
     }
+    work->points = size;
     if (work->layout == BENCH_GRID) {
-        memcpy(work->grid, grids[work->dimensions - 2], sizeof work->grid);
-        work->points = work->grid[0] * work->grid[1] * work->grid[2];
+        for (int d = 0; d < 3; d++) {
+            work->origin[d] = origin[d];
+            work->grid[d] = d < work->dimensions ? size : 1;
+        }
+        work->points = size * size * work->grid[2];
     }
-    work->step = 0.01f;
     write_name(work);
 }
 
+static const size_t *sizes_of(const struct product *product, int dimensions)
+{
+    const size_t *const sizes = product->sizes[dimensions - 2];
+    if (sizes != NULL) {
+        return sizes;
+    }
+    if (product->work.layout == BENCH_GRID) {
+        return dimensions == 2 ? standard_squares : standard_cubes;
+    }
+    return standard_sizes;
+}
+
+/* Like get_from_product, but only those that have the basis and the dimensions set in `work` */
+static int get_from_sizes(const struct product *product, size_t *index, struct bench_work *work)
+{
+    const float *const steps = product->steps != NULL ? product->steps : standard_steps;
+    for (const size_t *size = sizes_of(product, work->dimensions); *size != 0; size++) {
+        for (const float *step = steps; *step > 0; step++) {
+            for (unsigned output = 0; output < COUNT_OF(output_names); output++) {
+                if (!(product->outputs >> output & 1) || (*index)-- > 0) {
+                    continue;
+                }
+                work->step = *step;
+                work->output = (enum bench_output)output;
+                complete(work, *size);
+                return 1;
+            }
+        }
+    }
+    return 0;
+}
+
 /* Like bench_work_get, among the workloads of one product. *index counts down past those that were
-   skipped. Innermost come the outputs, then sizes, dimensions and bases. */
+   skipped. Innermost come the outputs, then steps, sizes, dimensions and bases. */
 static int get_from_product(const struct product *product, size_t *index, struct bench_work *work)
 {
-    static const size_t standard_sizes[] = {STANDARD_POINTS, 0};
-    const size_t *const sizes = product->sizes != NULL ? product->sizes : standard_sizes;
     const int fixed = product->work.dimensions;
     *work = product->work;
     for (unsigned basis = 0; basis < COUNT_OF(basis_names); basis++) {
         for (int d = 2; d <= 3; d++) {
-            for (const size_t *size = sizes; *size != 0; size++) {
-                for (unsigned output = 0; output < COUNT_OF(output_names); output++) {
-                    if (!(product->bases >> basis & 1) || !(product->outputs >> output & 1) ||
-                        (fixed != 0 && fixed != d) || (*index)-- > 0) {
-                        continue;
-                    }
-                    work->basis = (enum scarp_basis)basis;
-                    work->dimensions = d;
-                    work->points = *size;
-                    work->output = (enum bench_output)output;
-                    complete(work);
-                    return 1;
-                }
+            if (!(product->bases >> basis & 1) || (fixed != 0 && fixed != d)) {
+                continue;
+            }
+            work->basis = (enum scarp_basis)basis;
+            work->dimensions = d;
+            if (get_from_sizes(product, index, work)) {
+                return 1;
             }
         }
     }

@@ -40,11 +40,13 @@ struct bench_work {
     enum scarp_fractal fractal;
     int dimensions;
     int octaves;
-    int turned; /* the axes turn between octaves */
-    int f64;    /* double coordinates */
+    int turned;     /* the axes turn between octaves */
+    int f64;        /* double coordinates */
+    int on_request; /* measured only if --work gives the whole name: large */
     size_t points;
-    size_t grid[3]; /* of BENCH_GRID: samples along each axis, x innermost */
-    float step;     /* of BENCH_GRID and BENCH_SEQUENTIAL: cells between samples */
+    size_t grid[3];  /* of BENCH_GRID: samples along each axis, x innermost */
+    float origin[3]; /* of BENCH_GRID: the first sample, in cells */
+    float step;      /* of BENCH_GRID and BENCH_SEQUENTIAL: cells between samples */
 };
 
 /* The workload number `index`, counted from 0, into *work. Returns 0 when there are no more. */
