@@ -90,13 +90,15 @@ static int place_columns(struct along_x *x, size_t blocks)
     return 1;
 }
 
-/* Whether cells go up or down along x without a break: beyond, the low bits of a cell are lost, and
-   NaN has none. */
+/* Whether cells, modulo 2^32, go up or down along x without a break: the lattice does not repeat in
+   between, no low bits of cells are lost, and nothing is NaN. */
 static int cells_in_order(const struct scarp_octave *o, const double *position, size_t blocks)
 {
     const double first = o->frequency64 * position[0] + o->offset64[0];
     const double last = o->frequency64 * position[blocks * VEC_LANES - 1] + o->offset64[0];
-    return first > -0x1p50 && first < 0x1p50 && last > -0x1p50 && last < 0x1p50;
+    const double width = last - first;
+    return first > -0x1p50 && first < 0x1p50 && last > -0x1p50 && last < 0x1p50 &&
+           width > -0x1p30 && width < 0x1p30;
 }
 
 /* The octave at a chunk of coordinates. `order` is the highest derivative that will be asked for.
