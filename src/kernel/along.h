@@ -1,0 +1,201 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * What an octave with straight axes needs of the coordinates of a grid: along x, for a chunk of
+ * samples that all rows of a tile share, and along y and z, for the rows. Included by columns.h,
+ * which tells what it is for.
+ */
+#ifndef SCARP_KERNEL_ALONG_H
+#define SCARP_KERNEL_ALONG_H
+
+#include "fade.h"
+#include "lattice.h"
+
+/* Columns of a chunk whose blocks are narrow, in blocks; one more than there are samples, and what
+   the last permute reads. */
+#define COLUMN_BLOCKS (CHUNK_BLOCKS + 2)
+
+/* An octave along x, at a chunk. */
+struct along_x {
+    uint32_t cell[CHUNK_POINTS]; /* of each sample */
+    vf t[CHUNK_BLOCKS];
+    int narrow;           /* 0: what follows is unset, and the union has `wide` */
+    uint32_t lowest;      /* the first column */
+    size_t column_blocks; /* blocks of columns in use */
+    struct fade fade[CHUNK_BLOCKS];
+    uint32_t base[CHUNK_BLOCKS]; /* each block's first column, counted from `lowest` */
+    size_t run[CHUNK_BLOCKS];    /* where a block begins a run: how many blocks it has, all
+                                    in one column; 0 for a block that is in several columns */
+    union {
+        struct {
+            vu index[CHUNK_BLOCKS]; /* each lane's column, from the block's first: for vf_permute */
+            vu hash[COLUMN_BLOCKS]; /* mixed lattice coordinate of each column */
+        } narrow;
+        struct axis wide[CHUNK_BLOCKS];
+    } u;
+};
+
+/* Rows of a tile. */
+#define GRID_ROWS 32
+
+/* An octave along y on the rows of a tile, and along z, where all lanes are the same. */
+struct along_rows {
+    float y[GRID_ROWS], s[GRID_ROWS], u[GRID_ROWS], du[GRID_ROWS], ddu[GRID_ROWS];
+    uint32_t hash[2][2][GRID_ROWS]; /* [y][z] of the lower and upper neighbours; 2D: [y][0] */
+    vf z;
+    struct fade w;
+};
+
+/* Where the blocks and their lanes lie among the columns, from the cell of each sample, which go up
+   or down along x. Returns 0 where some block is too wide. */
+static int place_columns(struct along_x *x, size_t blocks)
+{
+    const uint32_t *const cells = x->cell;
+    const size_t last = blocks * VEC_LANES - 1;
+    const int descending = (int32_t)(cells[last] - cells[0]) < 0;
+    const uint32_t lowest = cells[descending ? last : 0];
+    const uint32_t highest = cells[descending ? 0 : last] - lowest + 1; /* the one on the right */
+    if (highest > CHUNK_POINTS) {
+        return 0;
+    }
+    for (size_t b = 0; b < blocks; b++) {
+        const uint32_t *const cell = cells + b * VEC_LANES;
+        const uint32_t first = cell[descending ? VEC_LANES - 1 : 0];
+        const uint32_t width = cell[descending ? 0 : VEC_LANES - 1] - first;
+        if (width >= VEC_LANES - 1) {
+            return 0;
+        }
+        x->base[b] = first - lowest;
+        x->u.narrow.index[b] = vf_index(vu_load(cell) - vu_set(first));
+        x->run[b] = width == 0;
+    }
+    for (size_t b = blocks - 1; b-- > 0;) {
+        if (x->run[b] != 0 && x->run[b + 1] != 0 && x->base[b] == x->base[b + 1]) {
+            x->run[b] = x->run[b + 1] + 1;
+        }
+    }
+    x->lowest = lowest;
+    x->column_blocks = highest / VEC_LANES + 1;
+    return 1;
+}
+
+/* Whether cells, modulo 2^32, go up or down along x without a break: the lattice does not repeat in
+   between, no low bits of cells are lost, and nothing is NaN. */
+static int cells_in_order(const struct scarp_octave *o, const double *position, size_t blocks)
+{
+    const double first = o->frequency64 * position[0] + o->offset64[0];
+    const double last = o->frequency64 * position[blocks * VEC_LANES - 1] + o->offset64[0];
+    const double width = last - first;
+    return first > -0x1p50 && first < 0x1p50 && last > -0x1p50 && last < 0x1p50 &&
+           width > -0x1p30 && width < 0x1p30;
+}
+
+/* The octave at a chunk of coordinates. `order` is the highest derivative that will be asked for.
+ */
+VEC_INLINE void along_x_run(struct along_x *x, const struct scarp_octave *o, size_t blocks,
+                            const double *position, enum scarp_fade fade_kind, enum axes axes,
+                            int order)
+{
+    const void *const positions[3] = {position, NULL, NULL};
+    for (size_t b = 0; b < blocks; b++) {
+        const struct split s = straight(o, 0, positions, b, 1, axes);
+        vu_store(x->cell + b * VEC_LANES, s.cell);
+        x->t[b] = s.t;
+    }
+    x->narrow = cells_in_order(o, position, blocks) && place_columns(x, blocks);
+    for (size_t b = 0; x->narrow && b < x->column_blocks; b++) {
+        const vu column = vu_lanes() + vu_set(x->lowest + (uint32_t)(b * VEC_LANES));
+        x->u.narrow.hash[b] = hash_axis(column, HASH_X, o->key[0]).h0;
+    }
+    for (size_t b = 0; b < blocks; b++) {
+        if (!x->narrow) {
+            x->u.wide[b] = hash_axis(vu_load(x->cell + b * VEC_LANES), HASH_X, o->key[0]);
+        }
+        const struct fade u = fade(fade_kind, x->t[b]);
+        x->fade[b].s = u.s;
+        x->fade[b].u = u.u;
+        if (order >= 1) {
+            x->fade[b].du = u.du;
+            x->fade[b].ddu = u.ddu;
+        }
+    }
+}
+
+static void along_x(struct along_x *x, const struct scarp_octave *o, size_t blocks,
+                    const double *position, enum scarp_fade fade_kind, enum axes axes, int order)
+{
+    if (fade_kind == SCARP_QUINTIC) {
+        along_x_run(x, o, blocks, position, SCARP_QUINTIC, axes, order);
+    } else {
+        along_x_run(x, o, blocks, position, SCARP_CUBIC, axes, order);
+    }
+}
+
+/* The octave at `count` coordinates along y, and at one along z. What lies beyond, up to a whole
+   block, is computed from what the array has there. */
+static void along_rows(struct along_rows *rows, const struct scarp_octave *o, size_t count,
+                       const double y[GRID_ROWS], double z, enum scarp_fade fade_kind,
+                       int dimensions, enum axes axes)
+{
+    double same[VEC_LANES];
+    for (size_t i = 0; i < VEC_LANES; i++) {
+        same[i] = z;
+    }
+    const void *const positions[3] = {NULL, y, same};
+    struct axis hz;
+    if (dimensions == 3) {
+        const struct split sz = straight(o, 2, positions, 0, 1, axes);
+        hz = hash_axis(sz.cell, HASH_Z, o->key[2]);
+        rows->z = sz.t;
+        rows->w = fade(fade_kind, sz.t);
+    }
+    for (size_t r = 0; r < count; r += VEC_LANES) {
+        const struct split sy = straight(o, 1, positions, r / VEC_LANES, 1, axes);
+        const struct axis hy = hash_axis(sy.cell, HASH_Y, o->key[1]);
+        const struct fade v = fade(fade_kind, sy.t);
+        vf_store(rows->y + r, sy.t);
+        vf_store(rows->s + r, v.s);
+        vf_store(rows->u + r, v.u);
+        vf_store(rows->du + r, v.du);
+        vf_store(rows->ddu + r, v.ddu);
+        if (dimensions == 2) {
+            vu_store(rows->hash[0][0] + r, hy.h0);
+            vu_store(rows->hash[1][0] + r, hy.h1);
+        } else {
+            const struct corners_yz c = hash_yz(hy, hz);
+            vu_store(rows->hash[0][0] + r, c.h00);
+            vu_store(rows->hash[0][1] + r, c.h01);
+            vu_store(rows->hash[1][0] + r, c.h10);
+            vu_store(rows->hash[1][1] + r, c.h11);
+        }
+    }
+}
+
+/* One row of them, in all lanes. */
+struct along_row {
+    vf y, z;
+    struct fade v, w;
+    vu hash[2][2];
+};
+
+VEC_INLINE struct along_row row_of(const struct along_rows *rows, size_t r, int dimensions)
+{
+    struct along_row row;
+    row.y = vf_set(rows->y[r]);
+    row.v.s = vf_set(rows->s[r]);
+    row.v.u = vf_set(rows->u[r]);
+    row.v.du = vf_set(rows->du[r]);
+    row.v.ddu = vf_set(rows->ddu[r]);
+    for (int i = 0; i < 2; i++) {
+        row.hash[i][0] = vu_set(rows->hash[i][0][r]);
+        if (dimensions == 3) {
+            row.hash[i][1] = vu_set(rows->hash[i][1][r]);
+        }
+    }
+    if (dimensions == 3) {
+        row.z = rows->z;
+        row.w = rows->w;
+    }
+    return row;
+}
+
+#endif
