@@ -39,8 +39,8 @@ extern "C" {
  *   unmasked exceptions) neither changes a result nor is changed. On processors other than x86 and
  *   AArch64 that holds for the rounding direction; the others must be at their defaults there.
  * - Any thread may call any function at any time. Nothing is allocated, printed or read from the
- *   environment, and errno is left alone. A call takes up to 112 KiB of stack (AVX-512; 56 KiB with
- *   AVX2, less with the others).
+ *   environment, and errno is left alone. A call takes up to 120 KiB of stack (AVX-512; 68 KiB with
+ *   AVX2, 44 KiB with the others), one for a grid up to 152 KiB (88 KiB, 56 KiB).
  */
 
 enum scarp_status {
@@ -124,7 +124,8 @@ enum scarp_isa {
  *                 D_k = H_0 J_0 + ... + H_k J_k, which is the Jacobian of d_k
  *
  * Every gradient is that of the value returned. Those of turbulence and ridged, and their Hessians,
- * hold almost everywhere: where some n_k is 0, or 2 s_k is 1, the surface has a crease.
+ * hold almost everywhere: where some n_k is 0, or 2 s_k is 1, the surface has a crease. (Hessians
+ * of ridged noise overflow where amplitude f_k^2 comes near 2^120.)
  *
  * An octave is noise of its own: n_k at x is, but for rounding, single-octave noise of the seed
  * s_k, frequency 1 and the same basis and fade at p_k, divided by 1 - 2^-17. With splitmix64(z) the
@@ -238,8 +239,7 @@ struct scarp_grid {
  * Returns SCARP_ERROR_NULL if `noise`, `grid` or `out` is NULL; SCARP_OK, having looked at nothing
  * else, if a count is 0; SCARP_ERROR_PARAMETER for an origin or step that is not finite, an index
  * outside its interval, and strides shorter than a row or a slice; SCARP_ERROR_SIZE if the arrays
- * would exceed the address space; otherwise as scarp_sample2. Takes up to 144 KiB of stack with
- * AVX-512, 80 KiB with AVX2, 48 KiB with the others.
+ * would exceed the address space; otherwise as scarp_sample2.
  */
 SCARP_API enum scarp_status scarp_grid2(const struct scarp_noise *noise,
                                         const struct scarp_grid *grid,

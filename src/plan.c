@@ -6,7 +6,8 @@
 #include "plan.h"
 
 /* Every f_k and the amplitude within these bounds keep a_k f_k^2 times the largest second
-   derivative (below 2^6 for every basis, per cell squared) under 2^127, so no output overflows; and
+   derivative (below 2^6 for every basis, per cell squared) under 2^127, so no output overflows but
+   Hessians of ridged noise, which multiply gradients of octaves; and
    the constants of the octaves that matter stay normal floats, also in value noise, where they
    carry 2^-31. */
 #define FREQUENCY_MIN 0x1p-32

@@ -182,6 +182,9 @@ static enum scarp_status grid_check(struct scarp_grid *grid, int dimensions)
     if (dimensions == 2) {
         return SCARP_OK;
     }
+    if (grid->slice_stride == 0 && grid->count[2] == 1) {
+        grid->slice_stride = slice;
+    }
     if (grid->slice_stride == 0) {
         if (extent(grid->count[1] + 1, 0, grid->row_stride) == 0) {
             return SCARP_ERROR_SIZE;

@@ -18,10 +18,10 @@
 struct along_x {
     uint32_t cell[CHUNK_POINTS]; /* of each sample */
     vf t[CHUNK_BLOCKS];
-    int narrow;           /* 0: what follows is unset, and the union has `wide` */
-    uint32_t lowest;      /* the first column */
-    size_t column_blocks; /* blocks of columns in use */
     struct fade fade[CHUNK_BLOCKS];
+    int narrow;                  /* 0: the union has `wide`, the other members are unset */
+    uint32_t lowest;             /* the first column */
+    size_t column_blocks;        /* blocks of columns in use */
     uint32_t base[CHUNK_BLOCKS]; /* each block's first column, counted from `lowest` */
     size_t run[CHUNK_BLOCKS];    /* where a block begins a run: how many blocks it has, all
                                     in one column; 0 for a block that is in several columns */

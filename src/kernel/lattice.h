@@ -2,7 +2,7 @@
  *
  * First pass over a chunk of points (see points.h): where they lie on the lattice of an octave, and
  * the hashes of the corners of their cells. Written over the lane types of simd/vec.h. The
- * reference is scalar/lattice.h and `place_*` in scalar/fractal.h.
+ * reference is scalar/lattice.h and `place_*` in scalar/axes.h.
  */
 #ifndef SCARP_KERNEL_LATTICE_H
 #define SCARP_KERNEL_LATTICE_H

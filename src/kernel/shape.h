@@ -2,7 +2,7 @@
  *
  * The last pass over a chunk of points for the fractals beside fBm: an octave's noise, shaped as
  * its fractal asks for, is added to rows of sums, and what goes from octave to octave is moved on.
- * Included by points.h; the reference is scalar/shape.h, and scarp.h has the formulas.
+ * Included by fractal.h; the reference is scalar/shape.h, and scarp.h has the formulas.
  */
 #ifndef SCARP_KERNEL_SHAPE_H
 #define SCARP_KERNEL_SHAPE_H

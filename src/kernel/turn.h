@@ -2,7 +2,7 @@
  *
  * Third pass over a chunk of points, for octaves with turned axes only (see points.h): derivatives
  * of the basis in the octave's own frame, carried through its axes and added to rows of sums.
- * Included by points.h; the reference is `add_turned` in scalar/fractal.h.
+ * Included by shape.h; the reference is `turned` in scalar/fractal.h.
  *
  *     gradient += (a J)^T g      Hessian += (a J)^T (H J)
  */

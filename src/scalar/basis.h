@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Reference: gradient noise and value noise of one octave, with gradient and Hessian in units of
- * cells. Included by points.c only.
+ * cells. Included by axes.h only.
  *
  * Both interpolate over z, then y, then x. What does not depend on x is reduced, on the lattice
  * columns s = 0 and 1 at either side, to lines a_s (x - s) + b_s in the fraction x: one for the

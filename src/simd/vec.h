@@ -4,7 +4,8 @@
  * all of them; each kernels_<isa>.c includes one, then the kernels. Not included by anything: a
  * page to read, kept beside the code that it describes.
  *
- * Types (gcc and clang vector extensions, so + - * << >> ^ & | work on them, lane by lane):
+ * Types (gcc and clang vector extensions, so + - * / << >> ^ & | ~ work on them, lane by lane, and
+ * comparisons, < and !=, give all ones or 0 in each lane):
  *   vf  VEC_LANES floats
  *   vu  VEC_LANES unsigned 32-bit integers; + - * wrap, >> shifts in zeros
  *   vi  VEC_LANES signed ones, for conversion
