@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# The program scarp, from outside: what it prints, writes, accepts and refuses. One test per group
-# of test_cli.py, and one per instruction set.
+# The program scarp, from outside: what it prints, writes, accepts and refuses. One test per class
+# of cli/test_*.py, and one per instruction set.
 
 find_package(Python3 COMPONENTS Interpreter QUIET)
 if(NOT TARGET scarp-cli)
@@ -9,12 +9,24 @@ elseif(NOT Python3_Interpreter_FOUND)
   message(STATUS "The tests of the program scarp are left out: no Python 3 found")
 else()
   set(program ${CMAKE_CROSSCOMPILING_EMULATOR} $<TARGET_FILE:scarp-cli>)
-  set(script ${CMAKE_CURRENT_LIST_DIR}/test_cli.py)
-  foreach(group Commands Errors Files Pictures Compare Gallery Progress Threads)
-    string(TOLOWER ${group} name)
-    scarp_add_test(cli.${name} cli ${Python3_EXECUTABLE} ${script} ${group} ${program})
+
+  # scarp_add_cli_test(FILE CLASS NAME): CLASS of cli/test_FILE.py as the test cli.NAME
+  function(scarp_add_cli_test file class name)
+    scarp_add_test(cli.${name} cli ${Python3_EXECUTABLE}
+                   ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/cli/test_${file}.py ${class} ${program})
+    set_tests_properties(cli.${name} PROPERTIES ENVIRONMENT
+                         "SCARP_SPEED=${speed};PYTHONDONTWRITEBYTECODE=1")
+  endfunction()
+
+  foreach(test commands:Commands options:Errors files:Files pictures:Pictures compare:Compare
+               gallery:Gallery progress:Progress same:Threads)
+    string(REPLACE ":" ";" test ${test})
+    list(GET test 0 file)
+    list(GET test 1 class)
+    string(TOLOWER ${class} name)
+    scarp_add_cli_test(${file} ${class} ${name})
   endforeach()
   foreach(isa IN LISTS isas)
-    scarp_add_test(cli.isa.${isa} cli ${Python3_EXECUTABLE} ${script} isa=${isa} ${program})
+    scarp_add_cli_test(same isa=${isa} isa.${isa})
   endforeach()
 endif()

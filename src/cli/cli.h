@@ -19,8 +19,9 @@ __attribute__((format(printf, 1, 2)))
 #endif
 void cli_error(const char *format, ...);
 
-/* The commands. `argv` holds what follows the command's name; the result is an exit status. */
-int cli_info(int argc, char **argv);
-int cli_terrain(int argc, char **argv);
+/* The commands. `argv` holds what follows the command's name, and ends with NULL; the result is an
+   exit status. */
+int cli_info(char **argv);
+int cli_terrain(char **argv);
 
 #endif

@@ -6,16 +6,18 @@
 #include <string.h>
 
 #include "cli.h"
-#include "image.h"
 #include "options.h"
+#include "pipeline.h"
 #include "scarp.h"
+#include "writer.h"
 
 #define TEXT(x) #x
 #define VERSION_TEXT(major, minor, patch) TEXT(major) "." TEXT(minor) "." TEXT(patch)
 
 static const struct option_table table = {
     .command = "info",
-    .purpose = "Tells the version, the instruction sets and the picture formats.",
+    .purpose = "Tells the version, the instruction sets, what was found to build with, and the\n"
+               "formats of rasters.",
 };
 
 static void print_versions(void)
@@ -38,24 +40,34 @@ static void print_isas(void)
     }
 }
 
-static void print_formats(void)
+static void print_optional(void)
 {
 #ifdef SCARP_CLI_PNG
-    printf("\npictures: PNG, with libpng %s\n", image_png_version());
+    printf("\nlibpng           %s\n", png_version());
 #else
-    printf("\npictures: PGM and PPM (built without libpng)\n");
+    printf("\nlibpng           not found: no PNG, but PGM and PPM\n");
 #endif
+#ifdef _OPENMP
+    printf("OpenMP           %d: %zu threads\n", _OPENMP, pipeline_threads());
+#else
+    printf("OpenMP           not found: one thread\n");
+#endif
+    printf("formats         ");
+    for (size_t i = 0; writer_formats[i] != NULL; i++) {
+        printf(" %s", writer_formats[i]->name);
+    }
+    putchar('\n');
 }
 
-int cli_info(int argc, char **argv)
+int cli_info(char **argv)
 {
-    switch (options_parse(&table, argc, argv, NULL)) {
+    switch (options_parse(&table, argv, NULL)) {
     case OPTIONS_HELP: return CLI_SUCCESS;
     case OPTIONS_BAD: return CLI_USAGE;
     default: break;
     }
     print_versions();
     print_isas();
-    print_formats();
+    print_optional();
     return CLI_SUCCESS;
 }

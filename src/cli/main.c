@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "cli.h"
+#include "interrupt.h"
 #include "scarp.h"
 
 static const char usage[] =
@@ -24,7 +25,7 @@ static const char usage[] =
 
 static const struct {
     const char *name;
-    int (*run)(int argc, char **argv);
+    int (*run)(char **argv);
 } commands[] = {{"terrain", cli_terrain}, {"info", cli_info}};
 
 void cli_error(const char *format, ...)
@@ -42,11 +43,11 @@ void cli_error(const char *format, ...)
     fprintf(stderr, "scarp: %s\n", message);
 }
 
-static int run_command(const char *name, int argc, char **argv)
+static int run_command(const char *name, char **argv)
 {
     for (size_t i = 0; i < sizeof commands / sizeof commands[0]; i++) {
         if (strcmp(name, commands[i].name) == 0) {
-            return commands[i].run(argc, argv);
+            return commands[i].run(argv);
         }
     }
     cli_error("%.60s: unknown %s; see: scarp --help", name, name[0] == '-' ? "option" : "command");
@@ -67,7 +68,7 @@ static int run(int argc, char **argv)
     if (is_help(argv[1])) {
         if (argc > 2) {
             char help[] = "--help";
-            return run_command(argv[2], 1, (char *[]){help, NULL});
+            return run_command(argv[2], (char *[]){help, NULL});
         }
         fputs(usage, stdout);
         return CLI_SUCCESS;
@@ -76,16 +77,18 @@ static int run(int argc, char **argv)
         printf("scarp %s\n", scarp_version());
         return CLI_SUCCESS;
     }
-    return run_command(argv[1], argc - 2, argv + 2);
+    return run_command(argv[1], argv + 2);
 }
 
 int main(int argc, char **argv)
 {
+    interrupt_install();
     const int status = run(argc, argv);
+    interrupt_end();
     /* What was printed may still fail to arrive, on a full disk for instance. */
-    if (fflush(stdout) != 0 || ferror(stdout)) {
+    if ((fflush(stdout) != 0 || ferror(stdout)) && status == CLI_SUCCESS) {
         cli_error("standard output: %s", strerror(errno));
-        return status == CLI_SUCCESS ? CLI_FAILURE : status;
+        return CLI_FAILURE;
     }
     return status;
 }

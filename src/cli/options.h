@@ -33,12 +33,30 @@ struct option {
     const char *const *choices; /* of option_choice, ending in NULL */
 };
 
-struct option_table {
-    const char *command;
-    const char *purpose; /* the help: before the options */
-    const char *notes;   /* the help: after the options */
+/* Options that a structure holds, itself part of what receives the values */
+struct option_group {
+    const char *title; /* in the help; NULL: that of the group before */
     const struct option *options;
     size_t count;
+    size_t offset; /* of the structure */
+};
+
+/* Options as they would be typed, one word each and NULL at the end: names, each followed by its
+   value unless it is a flag */
+typedef const char *const option_words[];
+
+struct option_table {
+    const char *command;
+    const char *operands; /* what the usage tells after the options; NULL: nothing */
+    const char *purpose;  /* the help: before the options */
+    const char *notes;    /* the help: after the options */
+    const struct option_group *groups;
+    size_t count;
+    const char *const *standard; /* defaults in place of those of the rows; NULL: none */
+    /* Words that go before the user's; which ones, tells the int at `preset_offset` in the values.
+       NULL: none. */
+    const char *const *const *presets;
+    size_t preset_offset;
 };
 
 struct option_size {
@@ -49,15 +67,22 @@ struct option_point {
     double x, y;
 };
 
-option_parse_fn option_choice; /* int: the index in `choices` */
-option_parse_fn option_count;  /* size_t in [lowest, highest] */
-option_parse_fn option_double; /* double in [lowest, highest] */
-option_parse_fn option_float;  /* float in [lowest, highest]; the bounds are floats */
-option_parse_fn option_isa;    /* int: an enum scarp_isa that can run here */
-option_parse_fn option_point;  /* struct option_point, "X,Y", both in [lowest, highest] */
-option_parse_fn option_seed;   /* uint64_t */
-option_parse_fn option_size;   /* struct option_size, "WxH", both in [lowest, highest] */
-option_parse_fn option_stem;   /* const char *: the beginning of file names */
+struct option_range {
+    size_t x0, x1, y0, y1; /* x0 <= x < x1, y0 <= y < y1 */
+};
+
+option_parse_fn option_choice;    /* int: the index in `choices` */
+option_parse_fn option_count;     /* size_t in [lowest, highest] */
+option_parse_fn option_double;    /* double in [lowest, highest] */
+option_parse_fn option_float;     /* float in [lowest, highest]; the bounds are floats */
+option_parse_fn option_isa;       /* int: an enum scarp_isa that can run here */
+option_parse_fn option_magnitude; /* float, its magnitude in [lowest, highest], which are floats */
+option_parse_fn option_point;     /* struct option_point, "X,Y", both in [lowest, highest] */
+option_parse_fn option_range;     /* struct option_range, "X0:X1,Y0:Y1", all in [lowest, highest] */
+option_parse_fn option_seed;      /* uint64_t */
+option_parse_fn option_size;      /* struct option_size, "WxH", both in [lowest, highest] */
+option_parse_fn option_stem;      /* const char *: the beginning of file names */
+option_parse_fn option_text;      /* const char *: anything but nothing */
 
 enum options_outcome {
     OPTIONS_RUN,
@@ -65,8 +90,7 @@ enum options_outcome {
     OPTIONS_BAD   /* one line on stderr told why */
 };
 
-/* Fills `values` with the defaults, then with what `argv` holds. */
-enum options_outcome options_parse(const struct option_table *table, int argc, char **argv,
-                                   void *values);
+/* Fills `values` with the defaults, then with what `argv` holds, which ends with NULL. */
+enum options_outcome options_parse(const struct option_table *table, char **argv, void *values);
 
 #endif

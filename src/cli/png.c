@@ -8,11 +8,15 @@
 #include <setjmp.h>
 #include <stdlib.h>
 
-#include "image.h"
+#include "writer.h"
 
-/* Of 1 to 9. Fractal terrain hardly compresses: measured on the three default pictures together, 6
-   (libpng's own choice) saves 8 % of the bytes over 1 and takes four times as long. */
-#define COMPRESSION_LEVEL 1
+/* How fractal terrain is best packed: each sample less the mean of its neighbours, then Huffman
+   codes and runs only, since there is little to be found twice. Measured on heights, normals and
+   hillshade with ten octaves, against libpng's own choices at the same level: 2.5 to 4 times as
+   fast; normals 13 % and hillshade 7 % smaller, heights 3 % larger. */
+#define FILTER PNG_FILTER_AVG
+#define COMPRESSION_LEVEL 1    /* of 1 to 9 */
+#define COMPRESSION_STRATEGY 3 /* Z_RLE of zlib.h */
 
 struct png_state {
     png_structp png;
@@ -56,10 +60,10 @@ static bool create(struct png_state *state)
     return state->info != NULL;
 }
 
-static bool png_open(struct image *image)
+static bool png_open(struct writer *writer)
 {
     struct png_state *const state = calloc(1, sizeof *state);
-    image->state = state;
+    writer->state = state;
     if (state == NULL || !create(state)) {
         errno = ENOMEM;
         return false;
@@ -67,22 +71,32 @@ static bool png_open(struct image *image)
     if (setjmp(png_jmpbuf(state->png))) {
         return false;
     }
-    png_set_write_fn(state->png, image->file, write_bytes, flush_bytes);
+    png_set_write_fn(state->png, writer->file.stream, write_bytes, flush_bytes);
+    const struct raster *const raster = &writer->raster;
     png_set_compression_level(state->png, COMPRESSION_LEVEL);
-    png_set_IHDR(state->png, state->info, (png_uint_32)image->width, (png_uint_32)image->height,
-                 image->depth, image->channels == 1 ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_RGB,
+    if (!raster->repeats) {
+        png_set_filter(state->png, PNG_FILTER_TYPE_BASE, FILTER);
+        png_set_compression_strategy(state->png, COMPRESSION_STRATEGY);
+    }
+    png_set_IHDR(state->png, state->info, (png_uint_32)raster->width, (png_uint_32)raster->height,
+                 raster->kind == SAMPLE_U8 ? 8 : 16,
+                 raster->channels == 1 ? PNG_COLOR_TYPE_GRAY : PNG_COLOR_TYPE_RGB,
                  PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
     png_write_info(state->png, state->info);
     return true;
 }
 
-static bool png_row(struct image *image, const uint8_t *samples)
+static bool png_write(struct writer *writer, const uint8_t *samples, size_t row, size_t rows)
 {
-    struct png_state *const state = image->state;
+    (void)row;
+    struct png_state *const state = writer->state;
+    const size_t bytes = writer_row_bytes(writer);
     if (setjmp(png_jmpbuf(state->png))) {
         return false;
     }
-    png_write_row(state->png, samples);
+    for (size_t r = 0; r < rows; r++) {
+        png_write_row(state->png, samples + r * bytes);
+    }
     return true;
 }
 
@@ -95,30 +109,30 @@ static bool png_end(struct png_state *state)
     return true;
 }
 
-static bool png_close(struct image *image, bool complete)
+static bool png_close(struct writer *writer, bool complete)
 {
-    struct png_state *const state = image->state;
+    struct png_state *const state = writer->state;
     if (state == NULL) {
-        return false;
+        return !complete;
     }
     const bool ended = complete && png_end(state);
     const int reason = errno;
     png_destroy_write_struct(&state->png, &state->info);
     free(state);
-    image->state = NULL;
+    writer->state = NULL;
     errno = reason;
     return ended || !complete;
 }
 
-const char *image_png_version(void)
+const char *png_version(void)
 {
     return png_get_libpng_ver(NULL);
 }
 
-const struct image_format image_png = {
-    .grey_extension = ".png",
-    .colour_extension = ".png",
+const struct format format_png = {
+    .name = "png",
+    .kinds = {[1] = SAMPLE_U8 | SAMPLE_U16_HIGH, [3] = SAMPLE_U8},
     .open = png_open,
-    .row = png_row,
+    .write = png_write,
     .close = png_close,
 };

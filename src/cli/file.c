@@ -1,0 +1,148 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The life of an output file: temporary name, final name, removal.
+ */
+#include "file.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <sys/types.h>
+#ifdef _WIN32
+#include <fcntl.h>
+#include <io.h>
+#define SEEK_SET_64(stream, offset) _fseeki64(stream, (__int64)(offset), SEEK_SET)
+#ifndef S_ISREG
+#define S_ISREG(mode) (((mode)&_S_IFMT) == _S_IFREG)
+#endif
+#else
+#define SEEK_SET_64(stream, offset) fseeko(stream, (off_t)(offset), SEEK_SET)
+#endif
+
+char *file_join(const char *const *texts)
+{
+    size_t length = 1;
+    for (size_t i = 0; texts[i] != NULL; i++) {
+        length += strlen(texts[i]);
+    }
+    char *const joined = malloc(length);
+    if (joined == NULL) {
+        return NULL;
+    }
+    joined[0] = '\0';
+    for (size_t i = 0; texts[i] != NULL; i++) {
+        strcat(joined, texts[i]);
+    }
+    return joined;
+}
+
+static bool is_standard_output(const char *path)
+{
+    return strcmp(path, "-") == 0;
+}
+
+const char *file_name(const char *path)
+{
+    return is_standard_output(path) ? "standard output" : path;
+}
+
+bool file_exists(const char *path)
+{
+    struct stat status;
+    return stat(path, &status) == 0 && S_ISREG(status.st_mode);
+}
+
+bool file_is_special(const char *path)
+{
+    struct stat status;
+    return stat(path, &status) == 0 && !S_ISREG(status.st_mode);
+}
+
+/* Whether `path` can take the file: nothing is there yet, or a file that may be changed. Renaming
+   would tell only at the very end, and would replace a write-protected file. */
+static bool is_replaceable(const char *path)
+{
+    FILE *const old = fopen(path, "r+b");
+    if (old == NULL) {
+        return errno == ENOENT;
+    }
+    return fclose(old) == 0;
+}
+
+bool file_open(struct file *file, const char *path)
+{
+    file->path = file_join((const char *const[]){path, NULL});
+    if (file->path == NULL) {
+        return false;
+    }
+    if (is_standard_output(path)) {
+#ifdef _WIN32
+        _setmode(_fileno(stdout), _O_BINARY);
+#endif
+        file->stream = stdout;
+        return true;
+    }
+    if (file_is_special(path)) {
+        file->stream = fopen(path, "wb");
+        return file->stream != NULL;
+    }
+    if (!is_replaceable(path)) {
+        return false;
+    }
+    char *const partial = file_join((const char *const[]){path, ".part", NULL});
+    if (partial == NULL) {
+        return false;
+    }
+    file->stream = fopen(partial, "wb");
+    if (file->stream == NULL) {
+        free(partial);
+        return false;
+    }
+    file->partial = partial;
+    return true;
+}
+
+bool file_close(struct file *file)
+{
+    FILE *const stream = file->stream;
+    file->stream = NULL;
+    if (stream == NULL) {
+        return true;
+    }
+    const bool written = fflush(stream) == 0 && !ferror(stream);
+    const int reason = errno;
+    const bool closed = stream == stdout || fclose(stream) == 0;
+    if (!written) {
+        errno = reason;
+    }
+    return written && closed;
+}
+
+bool file_publish(struct file *file)
+{
+    if (file->partial == NULL) {
+        return true;
+    }
+#ifdef _WIN32
+    remove(file->path); /* where rename does not replace */
+#endif
+    file->published = rename(file->partial, file->path) == 0;
+    return file->published;
+}
+
+void file_discard(struct file *file, bool keep)
+{
+    file_close(file);
+    if (file->partial != NULL && !keep) {
+        remove(file->published ? file->path : file->partial);
+    }
+    free(file->path);
+    free(file->partial);
+    *file = (struct file){0};
+}
+
+bool file_seek(struct file *file, uint64_t offset)
+{
+    return SEEK_SET_64(file->stream, offset) == 0;
+}

@@ -1,0 +1,48 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Output files that appear only when they are whole. A file is written under a temporary name
+ * beside its own, PATH.part, and takes its own name when all of it is written: a run that fails
+ * leaves no half files, and older ones as they were. "-" is standard output, and it, devices and
+ * named pipes are written as they are. Used by everything that writes.
+ */
+#ifndef SCARP_CLI_FILE_H
+#define SCARP_CLI_FILE_H
+
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdio.h>
+
+/* Zero-initialise, then open. */
+struct file {
+    FILE *stream;
+    /* Private to file.c: */
+    char *path, *partial; /* the final and the temporary name; none: no temporary name */
+    bool published;       /* under the final name */
+};
+
+/* All return whether they succeeded; on failure errno may tell why. */
+bool file_open(struct file *file, const char *path);
+bool file_close(struct file *file); /* nothing is left to write; still under its temporary name */
+bool file_publish(struct file *file);
+
+/* Frees the file. Unless `keep`, it is removed, published or not. May be called at any time after
+   zero-initialisation. */
+void file_discard(struct file *file, bool keep);
+
+/* Moves to a byte counted from the start. False where that is impossible, as in a pipe. */
+bool file_seek(struct file *file, uint64_t offset);
+
+/* Whether `path` is there and is no ordinary file: a device, a pipe, a directory. */
+bool file_is_special(const char *path);
+
+/* What messages call the file `path` */
+const char *file_name(const char *path);
+
+/* Whether there is a file of that name already, and not a directory, device or pipe. */
+bool file_exists(const char *path);
+
+/* The texts one after the other, NULL at the end, in memory that the caller frees; NULL without
+   memory. */
+char *file_join(const char *const *texts);
+
+#endif

@@ -1,0 +1,288 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * File names: which format they ask for, what they become for a tile, and that no two are the same.
+ */
+#include "outputs.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli.h"
+
+#ifdef SCARP_CLI_PNG
+#define GREY_EXTENSION ".png"
+#define COLOUR_EXTENSION ".png"
+#else
+#define GREY_EXTENSION ".pgm"
+#define COLOUR_EXTENSION ".ppm"
+#endif
+
+/* The dot of the extension; the end of the path if it has none. */
+static const char *find_extension(const char *path)
+{
+    const char *dot = NULL;
+    for (const char *c = path; *c != '\0'; c++) {
+        if (*c == '.' && c != path && c[-1] != '/') {
+            dot = c;
+        } else if (*c == '/' || *c == '\\') {
+            dot = NULL;
+        }
+    }
+    return dot != NULL ? dot : path + strlen(path);
+}
+
+/* Whether the `length` characters at `word` are `name`, in capitals or not. */
+static bool is_word(const char *word, size_t length, const char *name)
+{
+    if (strlen(name) != length) {
+        return false;
+    }
+    for (size_t i = 0; i < length; i++) {
+        const char c = word[i] >= 'A' && word[i] <= 'Z' ? (char)(word[i] - 'A' + 'a') : word[i];
+        if (c != name[i]) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static const struct format *find_format(const char *word, size_t length)
+{
+    for (size_t i = 0; writer_formats[i] != NULL; i++) {
+        if (is_word(word, length, writer_formats[i]->name)) {
+            return writer_formats[i];
+        }
+    }
+    return NULL;
+}
+
+/* The best kind of samples that both know; 0 if there is none. */
+static enum sample_kind common_kind(const struct layer *layer, const struct format *format)
+{
+    for (size_t i = 0; layer->kinds[i] != 0; i++) {
+        if ((format->kinds[layer->channels] & layer->kinds[i]) != 0) {
+            return layer->kinds[i];
+        }
+    }
+    return (enum sample_kind)0;
+}
+
+static void format_error(const struct layer *layer, const char *text)
+{
+    char names[128] = "";
+    for (size_t i = 0; writer_formats[i] != NULL; i++) {
+        if (common_kind(layer, writer_formats[i]) != 0) {
+            strcat(strcat(names, " ."), writer_formats[i]->name);
+        }
+    }
+    cli_error("%s: '%.200s' has no extension for %s, which are%s%s", layer->option, text,
+              layer->content, names,
+              find_format("png", 3) == NULL ? " (this program was built without libpng)" : "");
+}
+
+static bool add(struct outputs *outputs, const struct layer *layer, const char *option,
+                const struct format *format, const char *path)
+{
+    for (size_t i = 0; i < outputs->count; i++) {
+        if (strcmp(outputs->list[i].path, path) == 0 && !file_is_special(path)) {
+            cli_error("%s: %s is already written by %s", option, file_name(path),
+                      outputs->list[i].option);
+            return false;
+        }
+    }
+    char *const copy = file_join((const char *const[]){path, NULL});
+    if (copy == NULL) {
+        cli_error("%s: no memory", option);
+        return false;
+    }
+    outputs->list[outputs->count++] = (struct output){.layer = layer,
+                                                      .option = option,
+                                                      .format = format,
+                                                      .kind = common_kind(layer, format),
+                                                      .path = copy};
+    return true;
+}
+
+bool outputs_add(struct outputs *outputs, const struct layer *layer, const char *text)
+{
+    /* A colon after the name of a format: what follows is the path, whatever its extension. */
+    const size_t prefix = strcspn(text, ":");
+    const char *path = text;
+    const struct format *format = text[prefix] == ':' ? find_format(text, prefix) : NULL;
+    if (format != NULL) {
+        path = text + prefix + 1;
+    } else {
+        const char *const dot = find_extension(text);
+        format = *dot == '.' ? find_format(dot + 1, strlen(dot + 1)) : NULL;
+    }
+    if (format == NULL || common_kind(layer, format) == 0 || *path == '\0') {
+        format_error(layer, text);
+        return false;
+    }
+    if (format->needs_file && strcmp(path, "-") == 0) {
+        cli_error("%s: %s cannot go to standard output, only to a file", layer->option,
+                  format->name);
+        return false;
+    }
+    return add(outputs, layer, layer->option, format, path);
+}
+
+bool outputs_add_stem(struct outputs *outputs, const char *stem, bool compare)
+{
+    static const int stem_layers[] = {LAYER_HEIGHTS, LAYER_NORMALS, LAYER_HILLSHADE, LAYER_COMPARE};
+    for (size_t i = 0; i < (compare ? 4 : 3); i++) {
+        const struct layer *const layer = &layers[stem_layers[i]];
+        const char *const extension = layer->channels == 1 ? GREY_EXTENSION : COLOUR_EXTENSION;
+        char *const path =
+            file_join((const char *const[]){stem, "-", layer->name, extension, NULL});
+        const bool added =
+            path != NULL && add(outputs, layer, "--output", find_format(extension + 1, 3), path);
+        free(path);
+        if (!added) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool outputs_to_standard_output(const struct outputs *outputs)
+{
+    for (size_t i = 0; i < outputs->count; i++) {
+        if (strcmp(outputs->list[i].path, "-") == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+unsigned outputs_needs(const struct outputs *outputs)
+{
+    unsigned needs = 0;
+    for (size_t i = 0; i < outputs->count; i++) {
+        needs |= outputs->list[i].layer->needs;
+    }
+    return needs;
+}
+
+/* NAME_y_x.png of NAME.png; the caller frees it. */
+static char *tile_path(const char *path, const struct tile *tile)
+{
+    const char *const extension = find_extension(path);
+    const size_t size = strlen(path) + 48;
+    char *const name = malloc(size);
+    if (name == NULL) {
+        return NULL;
+    }
+    if (tile->numbered) {
+        snprintf(name, size, "%.*s_%zu_%zu%s", (int)(extension - path), path, tile->y, tile->x,
+                 extension);
+    } else {
+        strcpy(name, path);
+    }
+    return name;
+}
+
+bool outputs_name(struct outputs *outputs, const struct tile *tile)
+{
+    for (size_t i = 0; i < outputs->count; i++) {
+        struct output *const output = &outputs->list[i];
+        free(output->tile_path);
+        output->tile_path = tile_path(output->path, tile);
+        if (output->tile_path == NULL) {
+            cli_error("%s: no memory", output->option);
+            return false;
+        }
+    }
+    return true;
+}
+
+bool outputs_exist(const struct outputs *outputs)
+{
+    for (size_t i = 0; i < outputs->count; i++) {
+        if (!file_exists(outputs->list[i].tile_path)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+void output_error(const struct output *output)
+{
+    cli_error("%s: %s: %s", output->option, file_name(output->tile_path),
+              output->reason != 0 ? strerror(output->reason) : "cannot be written");
+}
+
+static bool check(struct output *output, bool succeeded)
+{
+    if (!succeeded) {
+        output->reason = errno;
+        output->failed = true;
+    }
+    return succeeded;
+}
+
+bool outputs_open(struct outputs *outputs, const struct surface *surface, const struct tile *tile)
+{
+    for (size_t i = 0; i < outputs->count; i++) {
+        struct output *const output = &outputs->list[i];
+        const size_t zoom = output->layer == &layers[LAYER_COMPARE] ? surface->zoom : 0;
+        const double up = (double)(surface->height - 1) - (double)tile->row;
+        output->writer = (struct writer){
+            .raster = {.width = tile->width * (zoom == 0 ? 1 : 2 * zoom),
+                       .height = tile->height * (zoom == 0 ? 1 : zoom),
+                       .channels = output->layer->channels,
+                       .kind = output->kind,
+                       .x = surface->x0 + (double)tile->column * surface->step,
+                       .y = surface->y0 + up * surface->step,
+                       .step = surface->step,
+                       .content = output->layer->content,
+                       .repeats = zoom > 1},
+            .format = output->format,
+            .path = output->tile_path,
+        };
+        output->times = zoom == 0 ? 1 : zoom;
+        output->row_bytes = writer_row_bytes(&output->writer);
+        output->failed = false;
+        errno = 0;
+        if (!check(output, writer_open(&output->writer))) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* All files are completed before the first one takes its name: the disk may fill up until then. */
+bool outputs_close(struct outputs *outputs)
+{
+    errno = 0;
+    for (size_t i = 0; i < outputs->count; i++) {
+        if (!check(&outputs->list[i], writer_close(&outputs->list[i].writer))) {
+            return false;
+        }
+    }
+    for (size_t i = 0; i < outputs->count; i++) {
+        if (!check(&outputs->list[i], writer_publish(&outputs->list[i].writer))) {
+            return false;
+        }
+    }
+    return true;
+}
+
+void outputs_discard(struct outputs *outputs, bool keep)
+{
+    for (size_t i = 0; i < outputs->count; i++) {
+        writer_discard(&outputs->list[i].writer, keep);
+        outputs->list[i].writer = (struct writer){0};
+    }
+}
+
+void outputs_free(struct outputs *outputs)
+{
+    for (size_t i = 0; i < outputs->count; i++) {
+        free(outputs->list[i].path);
+        free(outputs->list[i].tile_path);
+    }
+    *outputs = (struct outputs){.count = 0};
+}

@@ -1,0 +1,71 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Which layer goes to which file in which format, and the files of one tile. Included by terrain.c
+ * and by what fills the files.
+ */
+#ifndef SCARP_CLI_OUTPUTS_H
+#define SCARP_CLI_OUTPUTS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "layers.h"
+#include "writer.h"
+
+/* A file that was asked for, of which there is one per tile */
+struct output {
+    const struct layer *layer;
+    const char *option; /* that messages name */
+    const struct format *format;
+    enum sample_kind kind;
+    char *path; /* without the tile's number */
+
+    /* Of the tile at hand: */
+    char *tile_path;
+    struct writer writer;
+    size_t times; /* how often a row is written */
+    size_t row_bytes;
+    int reason; /* errno of what failed */
+    bool failed;
+};
+
+/* Every layer but the comparison may be asked for by itself and, as three of them, by --output. */
+#define OUTPUTS_MAX (LAYER_COMPARE + 4)
+
+struct outputs {
+    struct output list[OUTPUTS_MAX];
+    size_t count;
+};
+
+/* Part of the raster; it may go beyond it to the right and below. */
+struct tile {
+    size_t column, row, width, height;
+    size_t x, y;   /* its number among the tiles */
+    bool numbered; /* the number is part of the file's name */
+};
+
+/* Adds the file `text`: PATH, or FORMAT:PATH. False, with a line on stderr, if it cannot be. */
+bool outputs_add(struct outputs *outputs, const struct layer *layer, const char *text);
+
+/* Adds STEM-height, STEM-normal and STEM-hillshade, and STEM-compare if `compare`. */
+bool outputs_add_stem(struct outputs *outputs, const char *stem, bool compare);
+
+bool outputs_to_standard_output(const struct outputs *outputs);
+unsigned outputs_needs(const struct outputs *outputs);
+
+/* Decides the file names of a tile. False without memory, with a line on stderr. */
+bool outputs_name(struct outputs *outputs, const struct tile *tile);
+bool outputs_exist(const struct outputs *outputs); /* all of them */
+
+/* False if a file cannot be opened, completed, or take its name: its `failed` is set. */
+bool outputs_open(struct outputs *outputs, const struct surface *surface, const struct tile *tile);
+bool outputs_close(struct outputs *outputs);
+
+/* Ends a tile: unless `keep`, its files are removed. */
+void outputs_discard(struct outputs *outputs, bool keep);
+void outputs_free(struct outputs *outputs);
+
+/* Tells why output->failed. */
+void output_error(const struct output *output);
+
+#endif

@@ -1,0 +1,32 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Fills the files of a tile in bounded memory: band after band of rows, each sampled and encoded
+ * by all threads while the one before is being written.
+ */
+#ifndef SCARP_CLI_PIPELINE_H
+#define SCARP_CLI_PIPELINE_H
+
+#include <stddef.h>
+
+#include "outputs.h"
+#include "progress.h"
+#include "surface.h"
+
+enum pipeline_result {
+    PIPELINE_DONE,
+    PIPELINE_FAILED, /* a file could not be written: its `failed` is set */
+    PIPELINE_INTERRUPTED,
+    PIPELINE_NO_MEMORY
+};
+
+#define THREADS_MAX 1024
+
+/* How many threads there are: 1 without OpenMP. */
+size_t pipeline_threads(void);
+
+/* Nothing of the files depends on `threads`. */
+enum pipeline_result pipeline_run(const struct surface *surface, const struct tile *tile,
+                                  struct outputs *outputs, size_t threads,
+                                  struct progress *progress);
+
+#endif

@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Progress in GDAL's manner, on stderr and only if that is a terminal:
+ * 0...10...20...30...40...50...60...70...80...90...100 - done.
+ */
+#ifndef SCARP_CLI_PROGRESS_H
+#define SCARP_CLI_PROGRESS_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+struct progress {
+    bool shown;
+    uint64_t done, total;
+    int ticks; /* that are on the terminal */
+};
+
+void progress_start(struct progress *progress, uint64_t total, bool quiet);
+void progress_add(struct progress *progress, uint64_t count);
+
+/* Ends the line, so that something else can be printed. */
+void progress_end(struct progress *progress, bool succeeded);
+
+#endif

@@ -1,0 +1,72 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The terrain as a surface: which noise, where, how high, how lit; and blocks of its samples.
+ * Included by the layers, which turn samples into bytes, and by what runs them.
+ *
+ * Column c and row r of the raster lie at x = x0 + c step and y = y0 + (height - 1 - r) step: x
+ * grows to the right and y upward, as on a map, and (x0, y0) is the bottom left sample.
+ */
+#ifndef SCARP_CLI_SURFACE_H
+#define SCARP_CLI_SURFACE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "scarp.h"
+
+struct surface {
+    struct scarp_noise noise;
+    size_t width, height; /* samples of the whole raster */
+    double x0, y0, step;
+    float lowest, highest; /* the range of the noise */
+    float floor, ceiling;  /* values beyond are these, with gradient 0; the range: none are */
+    float height_scale;    /* units of x and y per 1 of value */
+    float z_factor;        /* for the hillshade only: multiplies heights */
+    float normal_y;        /* 1 or -1: multiplies the second component of normals */
+    double light[3];       /* unit vector to the light: east, north, up */
+    size_t zoom;           /* of the comparison: pixels per sample */
+};
+
+/* What a block needs to hold, or'ed */
+enum surface_need {
+    SURFACE_GRADIENT = 1,
+    SURFACE_NORMALS = 2,
+    SURFACE_SHADE = 4,       /* normals with the z-factor */
+    SURFACE_DIFFERENCES = 8, /* normals from differences of heights */
+};
+
+#define BLOCK_SAMPLES 32768 /* at most; 0.8 MB with gradient and normals */
+
+/* Samples of a rectangle, row by row without gaps; what is not needed is NULL. */
+struct block {
+    size_t columns, rows;
+    float *value, *dx, *dy;
+    float *nx, *ny, *nz;
+    float *shade_x, *shade_y, *shade_z; /* the normals themselves where the z-factor is 1 */
+    float *differences_x, *differences_y, *differences_z;
+    float *memory;
+};
+
+/* False without memory. Zero-initialise before; close in any case. */
+bool block_open(struct block *block, const struct surface *surface, unsigned needs);
+void block_close(struct block *block);
+
+/* Samples block->columns x block->rows from `column` and `row` of the raster on, which may lie
+   outside of it. */
+void surface_sample(const struct surface *surface, struct block *block, size_t column, size_t row);
+
+/* Adds the normals from differences. */
+void surface_compare(const struct surface *surface, struct block *block, size_t column, size_t row);
+
+/* Samples values alone, from `right` columns and `up` rows beside that place. */
+void surface_values(const struct surface *surface, const struct block *block, size_t column,
+                    size_t row, int right, int up, float *value);
+
+/* The 16-bit integer of a height: 0 at `lowest`, 65535 at `highest`, rounded to the nearest. */
+unsigned surface_quantise(const struct surface *surface, float value);
+
+/* The unit vector to a light `azimuth` degrees clockwise from north, `altitude` degrees above the
+   horizon. */
+void surface_light(double azimuth, double altitude, double light[3]);
+
+#endif

@@ -1,0 +1,192 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * How each kind of option value is read: the whole text or nothing. Numbers are read in the C
+ * locale, which the program never leaves.
+ */
+#include <errno.h>
+#include <math.h>
+#include <stdbool.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "options.h"
+#include "scarp.h"
+
+static bool is_digit(char c)
+{
+    return c >= '0' && c <= '9';
+}
+
+/* A number of [lowest, highest] at the start of `text`; *end is what follows it. strtod also takes
+   leading space, "inf" and "nan"; the first character rules them out. */
+static bool read_number(const struct option *option, const char *text, double *value, char **end)
+{
+    const char first = text[0] == '-' || text[0] == '+' ? text[1] : text[0];
+    if (!is_digit(first) && first != '.') {
+        return false;
+    }
+    *value = strtod(text, end);
+    return *end != text && *value >= option->lowest && *value <= option->highest;
+}
+
+enum option_result option_double(const struct option *option, const char *text, void *field)
+{
+    char *end;
+    double value;
+    if (!read_number(option, text, &value, &end) || *end != '\0') {
+        return OPTION_INVALID;
+    }
+    *(double *)field = value;
+    return OPTION_VALID;
+}
+
+enum option_result option_float(const struct option *option, const char *text, void *field)
+{
+    double value;
+    const enum option_result result = option_double(option, text, &value);
+    if (result == OPTION_VALID) {
+        *(float *)field = (float)value;
+    }
+    return result;
+}
+
+enum option_result option_magnitude(const struct option *option, const char *text, void *field)
+{
+    struct option either_sign = *option;
+    either_sign.lowest = -option->highest;
+    double value;
+    if (option_double(&either_sign, text, &value) != OPTION_VALID || fabs(value) < option->lowest) {
+        return OPTION_INVALID;
+    }
+    *(float *)field = (float)value;
+    return OPTION_VALID;
+}
+
+enum option_result option_point(const struct option *option, const char *text, void *field)
+{
+    char *end;
+    struct option_point point;
+    if (!read_number(option, text, &point.x, &end) || *end != ',' ||
+        !read_number(option, end + 1, &point.y, &end) || *end != '\0') {
+        return OPTION_INVALID;
+    }
+    *(struct option_point *)field = point;
+    return OPTION_VALID;
+}
+
+/* Decimal digits whose number lies in [lowest, highest], at the start of `text`. */
+static bool read_count(const struct option *option, const char *text, size_t *count, char **end)
+{
+    if (!is_digit(text[0])) {
+        return false;
+    }
+    errno = 0;
+    const unsigned long long value = strtoull(text, end, 10);
+    if (errno != 0 || (double)value < option->lowest || (double)value > option->highest) {
+        return false;
+    }
+    *count = (size_t)value;
+    return true;
+}
+
+enum option_result option_count(const struct option *option, const char *text, void *field)
+{
+    char *end;
+    size_t count;
+    if (!read_count(option, text, &count, &end) || *end != '\0') {
+        return OPTION_INVALID;
+    }
+    *(size_t *)field = count;
+    return OPTION_VALID;
+}
+
+enum option_result option_size(const struct option *option, const char *text, void *field)
+{
+    char *end;
+    struct option_size size;
+    if (!read_count(option, text, &size.width, &end) || *end != 'x' ||
+        !read_count(option, end + 1, &size.height, &end) || *end != '\0') {
+        return OPTION_INVALID;
+    }
+    *(struct option_size *)field = size;
+    return OPTION_VALID;
+}
+
+enum option_result option_range(const struct option *option, const char *text, void *field)
+{
+    char *end;
+    struct option_range range;
+    if (!read_count(option, text, &range.x0, &end) || *end != ':' ||
+        !read_count(option, end + 1, &range.x1, &end) || *end != ',' ||
+        !read_count(option, end + 1, &range.y0, &end) || *end != ':' ||
+        !read_count(option, end + 1, &range.y1, &end) || *end != '\0' || range.x0 >= range.x1 ||
+        range.y0 >= range.y1) {
+        return OPTION_INVALID;
+    }
+    *(struct option_range *)field = range;
+    return OPTION_VALID;
+}
+
+enum option_result option_seed(const struct option *option, const char *text, void *field)
+{
+    (void)option;
+    const bool hexadecimal = text[0] == '0' && (text[1] == 'x' || text[1] == 'X');
+    const char *const digits = hexadecimal ? text + 2 : text;
+    const char *const alphabet = hexadecimal ? "0123456789abcdefABCDEF" : "0123456789";
+    if (*digits == '\0' || digits[strspn(digits, alphabet)] != '\0') {
+        return OPTION_INVALID;
+    }
+    errno = 0;
+    const unsigned long long seed = strtoull(digits, NULL, hexadecimal ? 16 : 10);
+    if (errno != 0 || seed > UINT64_MAX) {
+        return OPTION_INVALID;
+    }
+    *(uint64_t *)field = (uint64_t)seed;
+    return OPTION_VALID;
+}
+
+enum option_result option_choice(const struct option *option, const char *text, void *field)
+{
+    for (int i = 0; option->choices[i] != NULL; i++) {
+        if (strcmp(text, option->choices[i]) == 0) {
+            *(int *)field = i;
+            return OPTION_VALID;
+        }
+    }
+    return OPTION_INVALID;
+}
+
+enum option_result option_isa(const struct option *option, const char *text, void *field)
+{
+    (void)option;
+    for (int i = SCARP_ISA_SCALAR; i <= SCARP_ISA_NEON; i++) {
+        const enum scarp_isa isa = (enum scarp_isa)i;
+        if (strcmp(text, scarp_isa_name(isa)) == 0) {
+            *(int *)field = i;
+            return scarp_isa_supported(isa) ? OPTION_VALID : OPTION_UNAVAILABLE;
+        }
+    }
+    return OPTION_INVALID;
+}
+
+enum option_result option_stem(const struct option *option, const char *text, void *field)
+{
+    (void)option;
+    const size_t length = strlen(text);
+    if (length == 0 || text[length - 1] == '/' || text[length - 1] == '\\') {
+        return OPTION_INVALID;
+    }
+    *(const char **)field = text;
+    return OPTION_VALID;
+}
+
+enum option_result option_text(const struct option *option, const char *text, void *field)
+{
+    (void)option;
+    if (*text == '\0') {
+        return OPTION_INVALID;
+    }
+    *(const char **)field = text;
+    return OPTION_VALID;
+}

@@ -1,0 +1,93 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Rasters written row by row, top row first, in one of several formats. Included by the commands
+ * that make rasters and by the formats, each of which is a file of its own.
+ */
+#ifndef SCARP_CLI_WRITER_H
+#define SCARP_CLI_WRITER_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "file.h"
+
+/* How a sample is stored. A format may take several. */
+enum sample_kind {
+    SAMPLE_U8 = 1,
+    SAMPLE_U16_HIGH = 2, /* 16-bit integers, high byte first */
+    SAMPLE_U16_LOW = 4,  /* and low byte first */
+    SAMPLE_F32 = 8       /* 32-bit floats, low byte first */
+};
+
+#define MAX_CHANNELS 3
+
+struct raster {
+    size_t width, height;
+    size_t channels; /* of a pixel; stored together */
+    enum sample_kind kind;
+    /* Where the centre of the top left pixel lies, x to the right and y up; distance of pixels */
+    double x, y, step;
+    const char *content; /* a word: "heights" */
+    bool repeats;        /* pixels and rows are there several times */
+};
+
+struct writer;
+
+/* Each function returns whether it succeeded; on failure errno may tell why. */
+struct format {
+    const char *name;                 /* also its extension, without the dot */
+    unsigned kinds[MAX_CHANNELS + 1]; /* by channels: the kinds it takes, or'ed */
+    bool needs_file;                  /* and not a pipe: not all is written in order */
+    /* Writes what stands before the first row. */
+    bool (*open)(struct writer *writer);
+    /* Writes `rows` rows, from `row` of the raster on; calls go from the top to the bottom. */
+    bool (*write)(struct writer *writer, const uint8_t *samples, size_t row, size_t rows);
+    /* Writes what stands after the last row if `complete`, and frees `state` in any case. NULL:
+       there is nothing to do. */
+    bool (*close)(struct writer *writer, bool complete);
+};
+
+extern const struct format format_png; /* 16-bit or 8-bit grey, 8-bit red, green, blue */
+extern const struct format format_pgm; /* 16-bit or 8-bit grey */
+extern const struct format format_ppm; /* 8-bit red, green, blue */
+extern const struct format format_r16; /* nothing but 16-bit integers */
+extern const struct format format_r32; /* nothing but floats */
+extern const struct format format_pfm; /* floats, bottom row first */
+extern const struct format format_img; /* ENVI: bytes or floats, and a header file beside it */
+extern const struct format format_npy; /* NumPy: bytes or floats */
+
+/* Ends with NULL. PNG is there only with libpng. */
+extern const struct format *const writer_formats[];
+
+#ifdef SCARP_CLI_PNG
+const char *png_version(void); /* of libpng */
+#endif
+
+/* Zero-initialise, set the first three members, open. */
+struct writer {
+    struct raster raster;
+    const struct format *format;
+    const char *path;
+    struct file file;
+    struct file header; /* of ENVI; elsewhere not used */
+    void *state;        /* the format's */
+};
+
+size_t sample_bytes(enum sample_kind kind);
+size_t writer_row_bytes(const struct writer *writer);
+
+/* The `write` of formats that store samples as they come */
+bool writer_write_raw(struct writer *writer, const uint8_t *samples, size_t row, size_t rows);
+
+/* All return whether they succeeded; on failure errno may tell why. */
+bool writer_open(struct writer *writer);
+bool writer_write(struct writer *writer, const uint8_t *samples, size_t row, size_t rows);
+bool writer_close(struct writer *writer); /* completes the file, still under its temporary name */
+bool writer_publish(struct writer *writer);
+
+/* Frees the writer. Unless `keep`, its file is removed, published or not. May be called at any time
+   after zero-initialisation. */
+void writer_discard(struct writer *writer, bool keep);
+
+#endif

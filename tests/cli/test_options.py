@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: MIT
+"""Command lines that are refused, and what is said about them."""
+import re
+
+import common
+from common import FLAGS, OPTIONS, SMALL, Case, run, supported_isas, text_of
+
+class Errors(Case):
+    """Command lines that ask for what is not possible: nothing may be done."""
+
+    def check(self, option, *arguments):
+        with self.subTest(arguments=arguments):
+            result = run("terrain", *arguments, cwd=self.directory)
+            self.check_one_line(result, 2, option)
+            self.assertEqual(self.files(), [])
+
+    def check_values(self, option, *values):
+        for value in values:
+            self.check(option, *SMALL, option, value)
+            self.check(option, *SMALL, option + "=" + value)
+
+    def test_names(self):
+        for word in ("--bogus", "-s", "--siz", "--sizes", "--bogus=1", "-", "--", "--quie"):
+            self.check(word.split("=")[0], word)
+        self.check("stray", "stray")
+        self.check("stray", *SMALL, "stray")
+
+    def test_one_line_whatever_is_typed(self):
+        self.check("--seed", "--seed", "1\n2")
+        self.check("--seed", "--seed", "x" * 5000)
+        self.check("--a?b", "--a\nb")
+        self.check("--output", "--output", "missing\n/t")
+
+    def test_missing_values(self):
+        for name in OPTIONS:
+            if name not in FLAGS:
+                self.check("--" + name, "--" + name)
+                self.check("--" + name, "--" + name, "--quiet")
+                self.check("--" + name, "--" + name + "=")
+            elif name != "help":
+                self.check("--" + name, "--%s=1" % name)
+                self.check("--" + name, "--%s=" % name)
+
+    def test_numbers(self):
+        for option in ("--step", "--height", "--frequency", "--octaves", "--lacunarity", "--gain",
+                       "--erosion"):
+            self.check_values(option, "", "one", "1x", "1 ", " 1", "1,5", "nan", "inf", "-inf",
+                              "1e999", "-1", "0x", "1.2.3", "--1", ".", "+")
+
+    def test_intervals(self):
+        self.check_values("--step", "0", "3.5e-15", "2.9e14")
+        self.check_values("--height", "16777217", "-0.001", "1e300")
+        self.check_values("--frequency", "0", "-0", "2.3e-10", "2.9e14", "1e-400")
+        self.check_values("--octaves", "0", "1e-46", "32.01", "1e39")
+        self.check_values("--lacunarity", "0", "0.0624", "16.0001", "1e39")
+        self.check_values("--gain", "0", "0.0624", "16.0001", "1e-46")
+        self.check_values("--erosion", "0", "5.9e-8", "16777217", "-1", "1e39")
+        self.check_values("--compare", "0", "8", "-1", "+1", "1.5", "1x", "one", "",
+                          "18446744073709551617")
+
+    def test_limits_are_told(self):
+        """The message names what is allowed, in the words of the help."""
+        text = text_of("terrain", "--help")
+        for option, value, allowed in (("--erosion", "0", "from 2^-24 to 2^24"),
+                                       ("--compare", "8", "from 1 to 7"),
+                                       ("--fractal", "fBm", "fbm, turbulence, ridged or erosion"),
+                                       ("--basis", "x", "gradient or value"),
+                                       ("--fade", "x", "quintic or cubic")):
+            result = run("terrain", option, value, cwd=self.directory)
+            self.check_one_line(result, 2, option, "'%s'" % value, allowed)
+            entry = re.search(r"\n  %s (?s:.*?)(?=\n  --)" % option, text).group()
+            self.assertIn(allowed, entry)
+        self.assertEqual(self.files(), [])
+
+    def test_last_octave(self):
+        for arguments in (("--frequency", "2e14", "--octaves", "2"),
+                          ("--lacunarity", "16", "--octaves", "32"),
+                          ("--lacunarity", "0.0625", "--octaves", "32")):
+            for option in ("--frequency", "--lacunarity", "--octaves"):
+                self.check(option, *arguments)
+
+    def test_sizes(self):
+        self.check_values("--size", "64", "64x", "x64", "0x64", "64x0", "-1x64", "64x-1", "64x64x1",
+                          "64*64", "1000001x1", "1x1000001", "1.5x2", "64 x64", "64x64 ", "64X64",
+                          "99999999999999999999x1", "18446744073709551617x1", "64,64")
+
+    def test_origins(self):
+        self.check_values("--origin", "1", "1,", ",1", "1,2,3", "1;2", "nan,0", "0,inf", "1, 2",
+                          "9.1e15,0", "0,-9.1e15")
+
+    def test_seeds(self):
+        self.check_values("--seed", "-1", "+1", "1.0", "1e3", "18446744073709551616",
+                          "0x10000000000000000", "0x", "ff", "0xfg", " 1", "1 ")
+
+    def test_choices(self):
+        self.check_values("--basis", "simplex", "Gradient", "gradient ", "")
+        self.check_values("--fade", "linear", "quinti", "")
+        self.check_values("--fractal", "fBm", "ridge", "erosion ", "0", "")
+        self.check_values("--isa", "sse9", "none", "", "avx")
+
+    def test_unsupported_isa(self):
+        missing = [isa for isa in ("sse4.1", "avx2", "avx512", "neon")
+                   if isa not in supported_isas()]
+        self.assertTrue(missing)  # no processor has both NEON and AVX
+        for isa in missing:
+            self.check("--isa", "--isa", isa)
+
+    def test_first_good_then_bad(self):
+        self.check("--gain", *SMALL, "--gain", "0.5", "--gain", "x")
+        self.check("--bogus", "--quiet", "--bogus")
+
+
+common.main(globals())
