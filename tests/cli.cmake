@@ -19,7 +19,7 @@ else()
   endfunction()
 
   foreach(test commands:Commands options:Errors files:Files pictures:Pictures compare:Compare
-               gallery:Gallery progress:Progress same:Threads)
+               gallery:Gallery documents:Documents progress:Progress same:Threads)
     string(REPLACE ":" ";" test ${test})
     list(GET test 0 file)
     list(GET test 1 class)

@@ -22,6 +22,7 @@ void cli_error(const char *format, ...);
 /* The commands. `argv` holds what follows the command's name, and ends with NULL; the result is an
    exit status. */
 int cli_info(char **argv);
+int cli_sample(char **argv);
 int cli_terrain(char **argv);
 
 #endif

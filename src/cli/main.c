@@ -16,17 +16,19 @@ static const char usage[] =
     "\n"
     "Lattice noise and its exact derivatives, sampled in bulk.\n"
     "\n"
-    "  terrain    write a terrain: heights, normals and a hillshade, as pictures\n"
-    "  info       tell the version and the instruction sets that can run here\n"
+    "  terrain    render a terrain: heights, normals, hillshade, gradient; whole or in tiles\n"
+    "  sample     read points, write the noise at each of them and its derivatives\n"
+    "  info       tell the version, the instruction sets and the libraries found\n"
     "  help       print this, or with the name of a command what it takes\n"
     "\n"
     "scarp --version prints the version of the library.\n"
-    "Exit status: 0 done, 1 failed on the way, 2 bad command line (nothing was written).\n";
+    "Exit status: 0 done, 1 failed on the way, 2 bad command line or input (no file was "
+    "written).\n";
 
 static const struct {
     const char *name;
     int (*run)(char **argv);
-} commands[] = {{"terrain", cli_terrain}, {"info", cli_info}};
+} commands[] = {{"terrain", cli_terrain}, {"sample", cli_sample}, {"info", cli_info}};
 
 void cli_error(const char *format, ...)
 {

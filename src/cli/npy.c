@@ -1,27 +1,220 @@
 /* SPDX-License-Identifier: MIT
  *
- * The header of NumPy's .npy files, format version 1.0: a magic number, the length of what follows,
- * and a Python dictionary as text, padded with spaces.
+ * The header of .npy files, as numpy.lib.format documents it: the magic, a version, the length of
+ * a text in little-endian order, and the text: a Python dictionary of three keys, padded.
  */
 #include "npy.h"
 
+#include <stdint.h>
 #include <string.h>
 
-#define HEADER_BYTES 128
+bool npy_preamble(const char bytes[NPY_PREAMBLE_SIZE], size_t *text, size_t *length)
+{
+    const unsigned char *const b = (const unsigned char *)bytes;
+    if (memcmp(b, NPY_MAGIC, NPY_MAGIC_SIZE) != 0 || b[6] < 1 || b[6] > 3 || b[7] != 0) {
+        return false;
+    }
+    *text = b[6] == 1 ? 10 : 12;
+    *length = (size_t)b[8] | (size_t)b[9] << 8;
+    if (b[6] > 1) {
+        *length |= (size_t)b[10] << 16 | (size_t)b[11] << 24;
+    }
+    return true;
+}
+
+/* What is left of the text; each reader below goes past what it reads, or returns false. */
+struct cursor {
+    const char *at, *end;
+};
+
+static void skip_space(struct cursor *cursor)
+{
+    while (cursor->at < cursor->end && (*cursor->at == ' ' || *cursor->at == '\n')) {
+        cursor->at++;
+    }
+}
+
+static bool read_mark(struct cursor *cursor, const char *mark)
+{
+    const size_t length = strlen(mark);
+    skip_space(cursor);
+    if ((size_t)(cursor->end - cursor->at) < length || memcmp(cursor->at, mark, length) != 0) {
+        return false;
+    }
+    cursor->at += length;
+    return true;
+}
+
+/* Without escapes, which no key and no type has */
+static bool read_string(struct cursor *cursor, char *string, size_t size)
+{
+    const char quote = read_mark(cursor, "'") ? '\'' : '"';
+    if (quote == '"' && !read_mark(cursor, "\"")) {
+        return false;
+    }
+    size_t length = 0;
+    for (; cursor->at < cursor->end && *cursor->at != quote; cursor->at++) {
+        if (length + 1 < size) {
+            string[length++] = *cursor->at;
+        }
+    }
+    string[length] = '\0';
+    return read_mark(cursor, quote == '"' ? "\"" : "'");
+}
+
+/* The types of the fields of a record stand in a list, which is only passed over. */
+static bool read_descr(struct cursor *cursor, struct npy_array *array)
+{
+    if (!read_mark(cursor, "[")) {
+        return read_string(cursor, array->descr, sizeof array->descr);
+    }
+    strcpy(array->descr, "[...]");
+    for (int depth = 1; depth > 0; cursor->at++) {
+        if (cursor->at == cursor->end) {
+            return false;
+        }
+        depth += *cursor->at == '[' ? 1 : *cursor->at == ']' ? -1 : 0;
+    }
+    return true;
+}
+
+static bool read_fortran(struct cursor *cursor, struct npy_array *array)
+{
+    array->fortran = read_mark(cursor, "True");
+    return array->fortran || read_mark(cursor, "False");
+}
+
+static bool read_size(struct cursor *cursor, size_t *size)
+{
+    skip_space(cursor);
+    const char *const begin = cursor->at;
+    for (*size = 0; cursor->at < cursor->end && *cursor->at >= '0' && *cursor->at <= '9';
+         cursor->at++) {
+        const size_t digit = (size_t)(*cursor->at - '0');
+        if (*size > (SIZE_MAX - digit) / 10) {
+            return false;
+        }
+        *size = *size * 10 + digit;
+    }
+    const bool found = cursor->at > begin;
+    read_mark(cursor, "L"); /* written by Python 2 */
+    return found;
+}
+
+static bool read_shape(struct cursor *cursor, struct npy_array *array)
+{
+    if (!read_mark(cursor, "(")) {
+        return false;
+    }
+    array->dimensions = 0;
+    while (!read_mark(cursor, ")")) {
+        if (array->dimensions == NPY_DIMENSIONS_MAX ||
+            !read_size(cursor, &array->shape[array->dimensions])) {
+            return false;
+        }
+        array->dimensions++;
+        if (!read_mark(cursor, ",")) {
+            return read_mark(cursor, ")");
+        }
+    }
+    return true;
+}
+
+bool npy_parse_header(const char *text, size_t length, struct npy_array *array)
+{
+    static const struct {
+        const char *key;
+        bool (*read)(struct cursor *cursor, struct npy_array *array);
+    } members[] = {{"descr", read_descr}, {"fortran_order", read_fortran}, {"shape", read_shape}};
+    struct cursor cursor = {text, text + length};
+    unsigned found = 0;
+    *array = (struct npy_array){0};
+    if (!read_mark(&cursor, "{")) {
+        return false;
+    }
+    while (!read_mark(&cursor, "}")) {
+        char key[16];
+        unsigned m = 0;
+        if (!read_string(&cursor, key, sizeof key) || !read_mark(&cursor, ":")) {
+            return false;
+        }
+        while (m < 3 && strcmp(key, members[m].key) != 0) {
+            m++;
+        }
+        if (m == 3 || !members[m].read(&cursor, array)) {
+            return false;
+        }
+        found |= 1u << m;
+        if (!read_mark(&cursor, ",")) {
+            return read_mark(&cursor, "}") && found == 7;
+        }
+    }
+    return found == 7;
+}
 
 bool npy_write_header(FILE *stream, const char *descr, const size_t *shape, int dimensions)
 {
-    char header[HEADER_BYTES + 1] = "\x93NUMPY\x01";
-    header[8] = HEADER_BYTES - 10; /* the bytes from 10 on, a 16-bit number */
-    int length = 10;
-    length += snprintf(header + length, sizeof header - (size_t)length,
-                       "{'descr': '%s', 'fortran_order': False, 'shape': (", descr);
-    for (int d = 0; d < dimensions; d++) {
-        length += snprintf(header + length, sizeof header - (size_t)length,
-                           d == 0 ? "%zu," : " %zu,", shape[d]);
+    char text[256];
+    int length =
+        snprintf(text, sizeof text, "{'descr': '%s', 'fortran_order': False, 'shape': (", descr);
+    for (int i = 0; i < dimensions; i++) {
+        length += snprintf(text + length, sizeof text - (size_t)length, "%s%zu%s", i > 0 ? " " : "",
+                           shape[i], dimensions == 1 || i < dimensions - 1 ? "," : "");
     }
-    length += snprintf(header + length, sizeof header - (size_t)length, "), }");
-    memset(header + length, ' ', (size_t)(HEADER_BYTES - 1 - length));
-    header[HEADER_BYTES - 1] = '\n';
-    return fwrite(header, 1, HEADER_BYTES, stream) == HEADER_BYTES;
+    length += snprintf(text + length, sizeof text - (size_t)length, "), }");
+    int size = NPY_HEADER_SIZE - 10;
+    while (size < length + 1) {
+        size += 64;
+    }
+    const unsigned char preamble[4] = {1, 0, (unsigned char)(size & 255),
+                                       (unsigned char)(size >> 8)};
+    return fwrite(NPY_MAGIC, 1, NPY_MAGIC_SIZE, stream) == NPY_MAGIC_SIZE &&
+           fwrite(preamble, 1, sizeof preamble, stream) == sizeof preamble &&
+           fprintf(stream, "%-*s\n", size - 1, text) == size;
+}
+
+static void put(unsigned char *to, uint64_t bits, int size)
+{
+    for (int i = 0; i < size; i++) {
+        to[i] = (unsigned char)(bits >> (8 * i) & 255);
+    }
+}
+
+static uint64_t get(const unsigned char *from, int size, bool big_endian)
+{
+    uint64_t bits = 0;
+    for (int i = 0; i < size; i++) {
+        bits |= (uint64_t)from[i] << (8 * (big_endian ? size - 1 - i : i));
+    }
+    return bits;
+}
+
+void npy_put_float(unsigned char *to, float value)
+{
+    uint32_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    put(to, bits, 4);
+}
+
+void npy_put_double(unsigned char *to, double value)
+{
+    uint64_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    put(to, bits, 8);
+}
+
+float npy_get_float(const unsigned char *from, bool big_endian)
+{
+    const uint32_t bits = (uint32_t)get(from, 4, big_endian);
+    float value;
+    memcpy(&value, &bits, sizeof value);
+    return value;
+}
+
+double npy_get_double(const unsigned char *from, bool big_endian)
+{
+    const uint64_t bits = get(from, 8, big_endian);
+    double value;
+    memcpy(&value, &bits, sizeof value);
+    return value;
 }

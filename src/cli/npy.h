@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * The header of NumPy's .npy files, format version 1.0.
+ * The header of NumPy's .npy files: versions 1.0, 2.0 and 3.0 are read, 1.0 is written. Knows
+ * nothing of points; used by whatever reads or writes arrays.
  */
 #ifndef SCARP_CLI_NPY_H
 #define SCARP_CLI_NPY_H
@@ -9,8 +10,37 @@
 #include <stddef.h>
 #include <stdio.h>
 
-/* Writes the header of an array in C order of 1 to 3 dimensions, of the type `descr`: "<f4", "|u1".
-   It takes 128 bytes whatever the shape. Returns whether it succeeded. */
+#define NPY_MAGIC "\x93NUMPY"
+#define NPY_MAGIC_SIZE 6
+#define NPY_PREAMBLE_SIZE 12 /* the first bytes, which tell where the header's text lies */
+#define NPY_HEADER_SIZE 128  /* of a header that is written, for up to three dimensions */
+#define NPY_DIMENSIONS_MAX 4
+
+struct npy_array {
+    char descr[24]; /* the element type, such as "<f4"; longer ones are cut off */
+    bool fortran;   /* the first index runs fastest */
+    size_t shape[NPY_DIMENSIONS_MAX];
+    int dimensions;
+};
+
+/* Where the header's text begins and how long it is, from the first bytes of a file; the data
+   follow it. False if they are not those of a version that is known. */
+bool npy_preamble(const char bytes[NPY_PREAMBLE_SIZE], size_t *text, size_t *length);
+
+/* Reads the header's text. False if it is not understood. */
+bool npy_parse_header(const char *text, size_t length, struct npy_array *array);
+
+/* Writes what stands before the data of an array in C order. For up to three dimensions that takes
+   NPY_HEADER_SIZE bytes whatever the shape is, so it may be written again when the shape is known;
+   in any case a multiple of 64, as NumPy aligns it. False if writing fails. */
 bool npy_write_header(FILE *stream, const char *descr, const size_t *shape, int dimensions);
+
+/* Elements in the byte order that "<f4" and "<f8" name, at any address */
+void npy_put_float(unsigned char *to, float value);
+void npy_put_double(unsigned char *to, double value);
+
+/* Elements in that order, or in that of ">f4" and ">f8" */
+float npy_get_float(const unsigned char *from, bool big_endian);
+double npy_get_double(const unsigned char *from, bool big_endian);
 
 #endif

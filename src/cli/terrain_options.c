@@ -238,7 +238,8 @@ static const struct option_group groups[] = {
 };
 
 /* With the frequency 1 and the step 1, all samples would be lattice points. */
-static option_words standard = {"--frequency", "0.0025", "--octaves", "9", "--gain", "0.4", NULL};
+static option_words standard = {"--seed", "1",      "--frequency", "0.0025", "--octaves",
+                                "9",      "--gain", "0.4",         NULL};
 
 const struct option_table terrain_table = {
     .command = "terrain",

@@ -1,0 +1,26 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The fields of a line, one after the other: between commas, perhaps in double quotes, or between
+ * blanks. Used by what reads points and by what copies their lines.
+ */
+#ifndef SCARP_CLI_FIELD_H
+#define SCARP_CLI_FIELD_H
+
+#include <stdbool.h>
+
+struct field {
+    const char *begin, *end; /* without blanks around it and without its quotes */
+    const char *next;        /* where the next field begins; NULL: this is the last one */
+    const char *problem;     /* what is wrong with it; NULL: nothing */
+    bool quoted;             /* each quote inside is doubled */
+};
+
+/* Finds the field that begins at `at`, in a line that ends with a NUL and is not blank. */
+typedef struct field field_fn(const char *at);
+field_fn field_csv;
+field_fn field_text;
+
+/* Past spaces and tabs */
+const char *field_skip_blanks(const char *at);
+
+#endif

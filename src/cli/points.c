@@ -1,0 +1,47 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Which reader serves an input.
+ */
+#include "points.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "cli.h"
+#include "npy.h"
+
+int points_open(struct points *points, const char *path)
+{
+    points->dims_given = points->dims != 0;
+    errno = 0;
+    if (!input_open(&points->input, path)) {
+        cli_error("--input: %s: %s", points->input.name,
+                  errno != 0 ? strerror(errno) : "cannot be read");
+        return CLI_USAGE;
+    }
+    return CLI_SUCCESS;
+}
+
+int points_begin(struct points *points)
+{
+    if (points->format == POINTS_UNKNOWN &&
+        input_begins_with(&points->input, NPY_MAGIC, NPY_MAGIC_SIZE)) {
+        points->format = POINTS_NPY;
+    }
+    return points->format == POINTS_NPY ? points_npy_begin(points) : points_text_begin(points);
+}
+
+int points_read(struct points *points, struct points_block *block)
+{
+    block->count = 0;
+    return points->format == POINTS_NPY ? points_npy_read(points, block)
+                                        : points_text_read(points, block);
+}
+
+void points_close(struct points *points)
+{
+    free(points->header);
+    points->header = NULL;
+    input_close(&points->input);
+}

@@ -1,0 +1,138 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Points from a .npy file: the rows of an array of two dimensions.
+ */
+#include <string.h>
+
+#include "cli.h"
+#include "npy.h"
+#include "points.h"
+
+/* Rows are read whole, so the input's buffer must hold one. */
+#define COLUMNS_MAX (INPUT_SIZE / sizeof(double))
+
+static int refuse(const struct points *points, const char *what)
+{
+    cli_error("--input: %s: %s", points->input.name, what);
+    return CLI_USAGE;
+}
+
+/* The input ended, or failed, before what its header tells. */
+static int cut_short(const struct points *points)
+{
+    if (points->input.error != 0) {
+        return input_status(&points->input);
+    }
+    cli_error("--input: %s: ends after %zu of %zu points", points->input.name,
+              points->total - points->npy.left, points->total);
+    return CLI_USAGE;
+}
+
+static int read_header(struct points *points, struct npy_array *array)
+{
+    struct input *const input = &points->input;
+    size_t text, length;
+    const bool begun = input_need(input, NPY_PREAMBLE_SIZE);
+    if (input->error != 0) {
+        return input_status(input);
+    }
+    if (!begun || memcmp(input->bytes + input->start, NPY_MAGIC, NPY_MAGIC_SIZE) != 0) {
+        return refuse(points, "not a .npy file");
+    }
+    if (!npy_preamble(input->bytes + input->start, &text, &length)) {
+        return refuse(points, "a .npy file of an unknown version");
+    }
+    if (length > INPUT_SIZE - text) {
+        return refuse(points, "the .npy header is too long");
+    }
+    if (!input_need(input, text + length)) {
+        return input->error != 0 ? input_status(input) : refuse(points, "ends in its .npy header");
+    }
+    if (!npy_parse_header(input->bytes + input->start + text, length, array)) {
+        return refuse(points, "the .npy header cannot be understood");
+    }
+    input->start += text + length;
+    return CLI_SUCCESS;
+}
+
+static int check_array(struct points *points, const struct npy_array *array)
+{
+    static const char *const types[] = {"<f4", "<f8", ">f4", ">f8"};
+    int type = 0;
+    while (type < 4 && strcmp(array->descr, types[type]) != 0) {
+        type++;
+    }
+    if (type == 4) {
+        cli_error("--input: %s: the type '%s' is not <f4, <f8, >f4 or >f8", points->input.name,
+                  array->descr);
+        return CLI_USAGE;
+    }
+    if (array->dimensions != 2) {
+        cli_error("--input: %s: an array of %d dimensions instead of the shape (n, 2) or (n, 3)",
+                  points->input.name, array->dimensions);
+        return CLI_USAGE;
+    }
+    const size_t columns = array->shape[1];
+    if (points->dims_given ? columns < (size_t)points->dims || columns > COLUMNS_MAX
+                           : columns < 2 || columns > 3) {
+        cli_error("--input: %s: the shape (%zu, %zu) is not %s", points->input.name,
+                  array->shape[0], columns,
+                  points->dims == 3   ? "(n, 3), or (n, 4) and so on"
+                  : points->dims == 2 ? "(n, 2), or (n, 3) and so on"
+                                      : "(n, 2) or (n, 3); --dims would allow more columns");
+        return CLI_USAGE;
+    }
+    if (array->fortran) {
+        return refuse(points, "the array is in Fortran order; numpy.ascontiguousarray mends that");
+    }
+    points->single = type % 2 == 0;
+    points->npy.big_endian = type >= 2;
+    points->npy.row = columns * (points->single ? 4 : 8);
+    return CLI_SUCCESS;
+}
+
+int points_npy_begin(struct points *points)
+{
+    struct npy_array array;
+    int status = read_header(points, &array);
+    if (status == CLI_SUCCESS) {
+        status = check_array(points, &array);
+    }
+    if (status != CLI_SUCCESS) {
+        return status;
+    }
+    if (!points->dims_given) {
+        points->dims = (int)array.shape[1];
+    }
+    points->columns = array.shape[1];
+    points->total = array.shape[0];
+    points->npy.left = array.shape[0];
+    return CLI_SUCCESS;
+}
+
+int points_npy_read(struct points *points, struct points_block *block)
+{
+    struct points_npy *const npy = &points->npy;
+    struct input *const input = &points->input;
+    if (npy->left == 0) {
+        return CLI_SUCCESS;
+    }
+    if (!input_need(input, npy->row)) {
+        return cut_short(points);
+    }
+    size_t count = (input->end - input->start) / npy->row;
+    count = count < npy->left ? count : npy->left;
+    count = count < POINTS_BLOCK ? count : POINTS_BLOCK;
+    for (size_t i = 0; i < count; i++) {
+        const unsigned char *const row = (const unsigned char *)input->bytes + input->start;
+        for (int d = 0; d < points->dims; d++) {
+            block->position[d][i] = points->single
+                                        ? (double)npy_get_float(row + 4 * d, npy->big_endian)
+                                        : npy_get_double(row + 8 * d, npy->big_endian);
+        }
+        input->start += npy->row;
+    }
+    npy->left -= count;
+    block->count = count;
+    return CLI_SUCCESS;
+}

@@ -1,0 +1,41 @@
+# SPDX-License-Identifier: MIT
+# Completion of scarp's commands, options and their words for bash. The options come from the
+# program's own help. Installed where bash-completion finds it.
+
+_scarp_options()
+{
+    "$1" help "$2" 2>/dev/null | sed -n 's/^  \(--[a-z-]*\).*/\1/p'
+}
+
+_scarp()
+{
+    local program=${COMP_WORDS[0]} word=${COMP_WORDS[COMP_CWORD]}
+    local before=${COMP_WORDS[COMP_CWORD - 1]} command=${COMP_WORDS[1]}
+    local words
+
+    COMPREPLY=()
+    if [ "$COMP_CWORD" -eq 1 ]; then
+        words="terrain sample info help --help --version"
+    elif [ "$command" = help ]; then
+        words="terrain sample info"
+    else
+        case $before in
+        --basis) words="gradient value" ;;
+        --fade) words="quintic cubic" ;;
+        --fractal) words="fbm turbulence ridged erosion" ;;
+        --preset) words="none alps dunes islands canyon" ;;
+        --isa) words="scalar sse4.1 avx2 avx512 neon" ;;
+        --normal-y) words="up down" ;;
+        --dims) words="2 3" ;;
+        --input-format | --output-format) words="csv text npy" ;;
+        --heights | --normals | --hillshade | --gradient | --input | --output)
+            mapfile -t COMPREPLY < <(compgen -f -- "$word")
+            return
+            ;;
+        *) words=$(_scarp_options "$program" "$command") ;;
+        esac
+    fi
+    mapfile -t COMPREPLY < <(compgen -W "$words" -- "$word")
+}
+
+complete -o filenames -F _scarp scarp

@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: MIT
+"""What is written about the program beside its help: man page, completion, README."""
+import os
+import re
+import shutil
+import subprocess
+import unittest
+
+import common
+from common import ROOT, Case, run, text_of
+
+COMMANDS = ("terrain", "sample", "info")
+
+
+def read(*path):
+    with open(os.path.join(ROOT, *path), encoding="utf-8") as file:
+        return file.read()
+
+
+def roff(text):
+    """As src/cli/manual.cmake writes it."""
+    return text.strip("\n").replace("\\", "\\e").replace("-", "\\-").replace("\n.", "\n\\&.")
+
+
+class Documents(Case):
+    def test_manual(self):
+        """The man page was made again when the help or the version changed."""
+        expected = read("src", "cli", "scarp.1.in")
+        expected = expected.replace("@VERSION@", text_of("--version").split()[1])
+        for command in ("terrain", "sample"):
+            expected = expected.replace("@%s@" % command.upper(), roff(text_of("help", command)))
+        self.assertEqual(read("src", "cli", "scarp.1"), expected,
+                         "cmake --build build --target manual")
+
+    @unittest.skipUnless(os.name == "posix" and shutil.which("groff"), "needs groff")
+    def test_manual_is_roff(self):
+        result = subprocess.run(["groff", "-man", "-Tascii", "-ww",
+                                 os.path.join(ROOT, "src", "cli", "scarp.1")],
+                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=True)
+        self.assertEqual(result.stderr, b"")
+        shown = re.sub(rb".\x08|\x1b\[\d+m", b"", result.stdout).decode()  # bold, underlined
+        for word in ("--sea-level F", ".png .pgm .r16", "--hessian", "EXIT STATUS"):
+            self.assertIn(word, shown)
+
+    def complete(self, *words):
+        """What the completion offers for the last word."""
+        script = ('source "$1"; shift; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _scarp; '
+                  'printf "%s\\n" "${COMPREPLY[@]}"')
+        result = subprocess.run(["bash", "-c", script, "bash",
+                                 os.path.join(ROOT, "src", "cli", "scarp.bash"),
+                                 common.PROGRAM[-1], *words],
+                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=True,
+                                cwd=self.directory)
+        self.assertEqual(result.stderr, b"")
+        return result.stdout.decode().split()
+
+    @unittest.skipUnless(shutil.which("bash"), "needs bash")
+    def test_completion_of_commands(self):
+        self.assertEqual(self.complete("te"), ["terrain"])
+        self.assertEqual(sorted(self.complete("help", "")), sorted(COMMANDS))
+        with open(self.path("some.csv"), "wb"):
+            self.assertEqual(self.complete("sample", "--input", "so"), ["some.csv"])
+
+    def test_completion_of_options(self):
+        """All that the help tells; an emulated program is not there to be asked."""
+        if not shutil.which("bash") or len(common.PROGRAM) != 1:
+            self.skipTest("needs bash, and a program that runs by itself")
+        for command in COMMANDS:
+            options = re.findall(r"(?m)^  (--[a-z-]+)", text_of("help", command))
+            self.assertIn("--help", options)
+            self.assertEqual(self.complete(command, "--"), options)
+
+    @unittest.skipUnless(shutil.which("bash"), "needs bash")
+    def test_completion_of_words(self):
+        """The words that the help has for an option, which stand there as "a, b or c"."""
+        for command in ("terrain", "sample"):
+            text = re.sub(r"\n {18}", " ", text_of("help", command))
+            for option in re.findall(r"(?m)^  (--[a-z-]+) NAME", text):
+                words = self.complete(command, option, "")
+                told = re.search(r"(?m)^  %s NAME.*$" % option, text).group(0)
+                self.assertGreaterEqual(len(words), 2, option)
+                for word in words:
+                    self.assertIn(word, told)
+                count = told.count(", ") + told.count(" or ")
+                self.assertTrue(len(words) <= count + 1, (words, told))
+
+    @unittest.skipUnless(shutil.which("bash"), "needs bash")
+    def test_sample_in_readme(self):
+        """The README's session with scarp sample prints what it says."""
+        command, printed = re.search(r"(?m)^\$ (printf .*\| scarp sample .*)\n((?:.+\n)+)```",
+                                     read("README.md")).groups()
+        words = command.split("| scarp ")[1].split()
+        points = subprocess.run(["bash", "-c", command.split(" | ")[0]], stdout=subprocess.PIPE,
+                                check=True).stdout
+        self.assertEqual(run(*words, input=points).stdout.decode(), printed)
+
+
+common.main(globals())

@@ -1,0 +1,125 @@
+# SPDX-License-Identifier: MIT
+"""NumPy's arrays in and out."""
+import os
+import struct
+import unittest
+
+import common
+from common import run, float32, npy, read_npy, make_input, some_points, Case, BLOCK
+
+
+class Npy(Case):
+    def setUp(self):
+        super().setUp()
+        self.points = [(1.5, 2.25), (-3.5, 4.75), (0.125, 1000.5)]
+        self.expected = self.text(make_input("text", self.points))
+
+    def check(self, data):
+        self.assertEqual(self.text(data, "--output-format", "text"), self.expected)
+
+    def test_read(self):
+        for descr in ("<f4", "<f8", ">f4", ">f8"):
+            for version in ((1, 0), (2, 0), (3, 0)):
+                with self.subTest(descr=descr, version=version):
+                    self.check(npy(self.points, descr, version))
+        header = npy(self.points)[10:128]
+        for text in (b"{\"shape\":(3L,2L),'fortran_order':False,'descr':\"<f8\"}",
+                     b"{ 'shape' : ( 3 , 2 , ) , 'fortran_order' : False , 'descr' : '<f8' , } ",
+                     header.replace(b"\n", b" ")):
+            self.check(b"\x93NUMPY\x01\x00" + struct.pack("<H", len(text)) + text +
+                       npy(self.points)[128:])
+        self.check(npy(self.points) + b"more")  # as NumPy: another array may follow
+
+    def test_written(self):
+        self.sample(make_input("text", self.points), "--output", self.path("o.npy"))
+        data = self.read("o.npy")
+        self.assertEqual(len(data), 128 + 4 * 3)
+        self.assertEqual(self.sample(npy(self.points)), data)
+        self.assertEqual("".join("%.9g\n" % row[0] for row in read_npy(data)[2]), self.expected)
+
+    def test_own_output(self):
+        """What is written can be read."""
+        self.sample(make_input("text", self.points), "--gradient", "--output", self.path("o.npy"))
+        rows = read_npy(self.read("o.npy"))[2]
+        self.assertEqual(self.text(b"", "--input", self.path("o.npy"), "--output-format", "text"),
+                         self.text(make_input("text", rows)))
+
+    def test_many(self):
+        for dims, descr, count in ((2, "<f8", 3 * BLOCK + 1), (3, ">f4", 40001), (3, "<f8", BLOCK)):
+            points = [tuple(float32(c) for c in point) for point in some_points(dims, count)]
+            out = read_npy(self.sample(npy(points, descr)))
+            self.assertEqual(len(out[2]), count)
+            text = self.text(npy(points, descr), "--output-format", "text")
+            self.assertEqual(text, self.text(make_input("text", points)))
+
+    def test_empty(self):
+        for columns in (2, 3):
+            data = npy([], columns=columns)
+            self.assertEqual(read_npy(self.sample(data, "--gradient")), ("<f4", columns + 1, []))
+            self.assertEqual(self.sample(data, "--output-format", "text"), b"")
+            self.assertEqual(self.sample(data, "--output-format", "csv"), b"value\n")
+
+    def test_refused(self):
+        good = npy(self.points)
+        for data, words in (
+                (npy(self.points, fortran_order=True), ("Fortran",)),
+                (npy(self.points, "<i8"), ("type '<i8'",)),
+                (npy(self.points, "<c8"), ("type '<c8'",)),
+                (npy(self.points, shape=(6,)), ("1 dimensions", "(n, 2) or (n, 3)")),
+                (npy(self.points, shape=()), ("0 dimensions",)),
+                (npy(self.points, shape=(1, 3, 2)), ("3 dimensions",)),
+                (npy(self.points, shape=(6, 1)), ("(6, 1)", "--dims")),
+                (npy(self.points, shape=(1, 6)), ("(1, 6)", "--dims")),
+                (npy(self.points, shape=(-3, 2)), ("header",)),
+                (npy(self.points, shape=(10 ** 30, 2)), ("header",)),
+                (good.replace(b"'descr': '<f8'", b"'descr': [('x', '<f8'), ('y', '<f8')]", 1)
+                 .replace(b"               \n", b"\n"), ("type '[...]'",)),
+                (npy(self.points, other=1), ("header",)),
+                (good.replace(b"shape", b"shade"), ("header",)),
+                (good.replace(b"False", b"Falsy"), ("header",)),
+                (good.replace(b"{", b"["), ("header",)),
+                (npy(self.points, version=(4, 0)), ("version",)),
+                (npy(self.points, version=(1, 1)), ("version",)),
+                (good[:-1], ("ends after 2 of 3 points",)),
+                (good[:128], ("ends after 0 of 3 points",)),
+                (good[:100], ("ends in its .npy header",)),
+                (good[:9], ("not a .npy file",))):
+            with self.subTest(data=data):
+                words = ("scarp: --input: standard input: ",) + words
+                self.check_refused(data, *words, arguments=("--output", self.path("o.csv")))
+                self.assertEqual(self.files(), [])
+        self.check_refused(npy([(1, 2)]), "(1, 2)", arguments=("--dims", "3"))
+        self.check_refused(b"\x93NUMPX", ":1: ")
+        huge = b"\x93NUMPY\x02\x00" + struct.pack("<I", 1 << 31) + b" " * 200000
+        self.check_refused(huge, "header")
+
+    def test_every_truncation(self):
+        """Wherever it ends: one line, no crash."""
+        data = npy(self.points, "<f4")
+        for length in range(6, len(data)):
+            self.check_refused(data[:length], "standard input: ",
+                               arguments=("--output", self.path("o.txt")))
+
+    def test_pipe(self):
+        """A header that must be completed at the end needs a file."""
+        for kind in ("csv", "text"):
+            self.check_refused(make_input(kind, self.points), "--output: standard output: ", ".npy",
+                               arguments=("--output-format", "npy"))
+        with open(self.path("o"), "wb") as file:
+            self.assertEqual(run("--output-format", "npy", data=b"1.5 2.25", stdout=file).stderr,
+                             b"")
+        self.assertEqual(len(read_npy(self.read("o"))[2]), 1)
+
+    @unittest.skipUnless(common.resource, "needs POSIX")
+    def test_append(self):
+        """Nor may it be completed in what others wrote."""
+        for mode, before in (("ab", b""), ("ab", b"before"), ("r+b", b"before")):
+            self.write("o", before)
+            with open(self.path("o"), mode) as file:
+                file.seek(0, os.SEEK_END)
+                result = run("--output-format", "npy", data=b"1.5 2.25", stdout=file)
+            self.assertEqual((result.returncode, self.read("o")), (2, before))
+            self.assertRegex(result.stderr, rb"\Ascarp: --output: standard output: [^\n]+\n\Z")
+
+
+common.main(globals())

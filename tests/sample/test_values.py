@@ -1,0 +1,281 @@
+# SPDX-License-Identifier: MIT
+"""Kinds of files, numbers and options: each point gets what the library gives there."""
+import itertools
+import math
+import os
+import random
+import re
+import struct
+import subprocess
+import sys
+import unittest
+
+import common
+from common import (run, float32, reference, npy, read_npy, make_input, read_output,
+                    some_points, Case, BLOCK, KINDS, ENDS, RESULTS, TYPED, MEANT)
+
+
+class Help(Case):
+    OPTIONS = ("input input-format dims skip-bad keep output output-format gradient hessian seed "
+               "basis fade fractal erosion frequency octaves lacunarity gain amplitude rotate isa "
+               "quiet help").split()
+
+    def test_help(self):
+        text = self.text(b"", "--help")
+        self.assertTrue(text.startswith("usage: scarp sample [options]\n"))
+        self.assertEqual(re.findall(r"(?m)^  --(\S+)", text), self.OPTIONS)
+        self.assertEqual(re.findall(r"(?m)^(\w+):$", text),
+                         ["points", "results", "noise", "running"])
+        self.assertLessEqual(max(len(line) for line in text.split("\n")), 90)
+        for dims in (2, 3):
+            self.assertIn("  in %dD  %s\n" % (dims, " ".join(RESULTS[dims])), text)
+
+    def test_listed(self):
+        usage = subprocess.run(common.PROGRAM + ["--help"], stdout=subprocess.PIPE,
+                               check=True).stdout
+        self.assertRegex(usage.decode(), r"(?m)^  sample  ")
+
+
+class Formats(Case):
+    """Every kind of input into every kind of output."""
+
+    def test_all(self):
+        for dims, kind, out, keep in itertools.product((2, 3), KINDS, KINDS, (False, True)):
+            for count in (1, 7):
+                with self.subTest(dims=dims, kind=kind, out=out, keep=keep, count=count):
+                    self.check(some_points(dims, count), kind, out, keep)
+
+    def check(self, points, kind, out, keep):
+        dims = len(points[0])
+        data = make_input(kind, points, header=True)
+        target = self.path("out" + ENDS[out])
+        arguments = ["--gradient", "--hessian", "--output", target]
+        self.assertEqual(self.sample(data, *arguments, *(["--keep"] if keep else [])), b"")
+        header, rows = read_output(out, self.read(target))
+        names = ["x", "y", "z"][:dims] * keep + RESULTS[dims]
+        self.assertEqual(header, names if out == "csv" else None)
+        self.assertEqual([len(row) for row in rows], [len(names)] * len(points))
+        if keep:
+            self.assertEqual([tuple(row[:dims]) for row in rows], points)
+        if out == "npy":
+            self.assertEqual(read_npy(self.read(target))[0], "<f8" if keep else "<f4")
+        text = self.text(make_input("text", points), "--gradient", "--hessian")
+        plain = [[float32(float(field)) for field in line.split()] for line in text.splitlines()]
+        self.assertEqual([[float32(number) for number in row[len(row) - len(RESULTS[dims]):]]
+                          for row in rows], plain)
+
+    def test_which_format(self):
+        """The option beats the name, the name the input."""
+        csv, text = b"x,y\n1.5,2\n", b"1.5 2\n"
+        value = self.text(text)
+        self.assertEqual(self.text(csv), "value\n" + value)
+        self.assertEqual(self.text(csv, "--output-format", "text"), value)
+        self.assertEqual(self.text(text, "--output-format", "csv"), "value\n" + value)
+        self.sample(text, "--output", self.path("a.csv"))
+        self.assertEqual(self.read("a.csv").decode(), "value\n" + value)
+        self.sample(text, "--output", self.path("b.dat"))
+        self.assertEqual(self.read("b.dat").decode(), value)
+        self.sample(text, "--output", self.path("c.csv"), "--output-format", "npy")
+        self.assertEqual(read_npy(self.read("c.csv"))[2], [[float32(float(value))]])
+        self.assertEqual(read_npy(self.sample(npy([(1.5, 2)])))[2], [[float32(float(value))]])
+        self.assertEqual(self.sample(npy([(1.5, 2)]), "--output-format", "csv").decode(),
+                         "value\n" + value)
+        self.check_refused(csv, "'x,y'", arguments=("--input-format", "text"))
+        self.check_refused(text, "1 column", arguments=("--input-format", "csv"))
+        self.check_refused(text, ".npy", arguments=("--input-format", "npy"))
+        self.check_refused(npy([(1, 2)]), ":1: ", arguments=("--input-format", "csv"))
+        for end, kind in ((".csv", "csv"), (".txt", "text")):
+            self.write("in" + end, csv if kind == "text" else text)  # the name says nothing here
+            self.sample(b"", "--input", self.path("in" + end))
+
+    def test_columns(self):
+        for dims in (2, 3):
+            line = " ".join(["0.25"] * dims)
+            for options, names in ((("--gradient",), RESULTS[dims][:dims + 1]),
+                                   (("--hessian",), ["value"] + RESULTS[dims][dims + 1:]),
+                                   ((), ["value"]),
+                                   (("--hessian", "--gradient"), RESULTS[dims])):
+                every = dict(zip(RESULTS[dims],
+                                 self.text(line, "--gradient", "--hessian").split()))
+                lines = self.text(line, *options, "--output-format", "csv").split()
+                self.assertEqual(lines, [",".join(names),
+                                         ",".join(every[name] for name in names)])
+
+    def test_empty(self):
+        """No points: what an empty table looks like."""
+        for data in (b"", b"\n\n", b"# nothing\n", b"\xef\xbb\xbf", b"  \t\r\n"):
+            self.assertEqual(self.sample(data), b"")
+            self.assertEqual(self.sample(data, "--output-format", "csv", "--keep", "--gradient"),
+                             b"x,y,value,dx,dy\n")
+            self.assertEqual(self.sample(data, "--output-format", "csv", "--keep", "--dims", "3"),
+                             b"x,y,z,value\n")
+            self.assertEqual(self.sample(data, "--input-format", "csv"), b"value\n")
+            for dims, columns in ((), 3), (("--dims", "3"), 4):
+                self.sample(data, "--gradient", "--output", self.path("e.npy"), *dims)
+                self.assertEqual(read_npy(self.read("e.npy")), ("<f4", columns, []))
+        self.assertEqual(self.sample(b"x,y\n", "--keep"), b"x,y,value\n")
+        self.assertEqual(self.sample(b"x,y\n", "--output-format", "text"), b"")
+
+
+class Values(Case):
+    """What is written is what the library gives."""
+
+    @unittest.skipUnless(sys.argv[2:3] != ["-"], "the library cannot be loaded")
+    def test_library(self):
+        for dims in (2, 3):
+            points = some_points(dims, 2 * BLOCK + 37)
+            for kind in KINDS:
+                with self.subTest(dims=dims, kind=kind):
+                    out = self.sample(make_input(kind, points), *TYPED, "--gradient", "--hessian")
+                    _, rows = read_output(kind, out)
+                    rows = [[float32(number) for number in row] for row in rows]
+                    self.assertEqual(rows == reference(points, RESULTS[dims], **MEANT), True)
+            rows = read_output("npy", self.sample(npy(points)))[1]
+            self.assertEqual(rows == reference(points, ["value"]), True)
+
+    def test_differences(self):
+        """The gradient and the Hessian are those of the values and of the gradient."""
+        h = 2.0 ** -8
+        for dims in (2, 3):
+            points = some_points(dims, 50)
+            around = [tuple(c + sign * h * (d == axis) for d, c in enumerate(point))
+                      for point in points for axis in range(dims) for sign in (-1, 1)]
+            options = ("--gradient", "--hessian", "--frequency", "0.1", "--seed", "5")
+            here = read_output("text", self.sample(make_input("text", points), *options))[1]
+            there = read_output("text", self.sample(make_input("text", around), *options))[1]
+            names = RESULTS[dims]
+            for i, row in enumerate(here):
+                for a in range(dims):
+                    before, after = there[2 * (i * dims + a):][:2]
+                    slopes = [(q - p) / (2 * h) for p, q in zip(before, after)]
+                    self.assertAlmostEqual(row[1 + a], slopes[0], delta=1e-4)
+                    for b in range(a, dims):
+                        second = names.index("d" + "xyz"[a] + "xyz"[b])
+                        self.assertAlmostEqual(row[second], slopes[1 + b], delta=1e-4)
+
+    def test_lattice(self):
+        """Gradient noise is 0 on the lattice, and another noise where the seed is another."""
+        lattice = "".join("%d %d %d\n" % (i, -3 * i, i * i) for i in range(9))
+        self.assertEqual({float(v) for v in self.text(lattice).split()}, {0.0})
+        self.assertNotEqual(self.text("0.5 0.5"), self.text("0.5 0.5", "--seed", "2"))
+        self.assertEqual(self.text("0.5 0.5"), self.text("0.5 0.5", "--seed", "0"))
+
+    def test_double_precision(self):
+        """Far from the origin a quarter of a cell still counts, and cells repeat after 2^32."""
+        for kind in KINDS:
+            points = [(2.0 ** 40 + 0.25, 0.5), (2.0 ** 40, 0.5), (0.25, 0.5), (0.0, 0.5)]
+            rows = read_output(kind, self.sample(make_input(kind, points)))[1]
+            self.assertNotEqual(rows[0], rows[1])
+            self.assertEqual(rows[:2], rows[2:])
+
+    def test_instruction_sets(self):
+        points = make_input("npy", some_points(3, 500))
+        info = subprocess.run(common.PROGRAM + ["info"], stdout=subprocess.PIPE,
+                               check=True).stdout
+        isas = re.findall(r"(?m)^(\S+) +yes ", info.decode())
+        self.assertIn("scalar", isas)
+        outputs = {self.sample(points, *TYPED, "--hessian", "--isa", isa) for isa in isas}
+        self.assertEqual(len(outputs), 1)
+
+
+class Numbers(Case):
+    """How numbers are read and written."""
+
+    def test_read(self):
+        """As Python reads them; .npy takes them as they are."""
+        numbers = random.Random(7)
+        words = ("0 -0 +1 1. .5 -.5 1e0 1E+2 25e-2 00012 0.1 1234567890123456789 "
+                 "12345678901234567890123 9007199254740993 -9007199254740993.5 1e15 1e-300 1e-400 "
+                 "0.000000000000000000001 1234.56789012345678 123456789012345.678 2e0001").split()
+        words += [repr(numbers.uniform(-1e6, 1e6)) for _ in range(500)]
+        words += ["%.6f" % numbers.uniform(-1e6, 1e6) for _ in range(500)]
+        words += ["%.19g" % numbers.uniform(-1, 1) for _ in range(500)]
+        words += ["%d" % numbers.randrange(-10 ** 18, 10 ** 18) for _ in range(100)]
+        words += ["%.3e" % numbers.uniform(-1, 1) for _ in range(100)]
+        target = self.path("o.npy")
+        self.sample("".join(word + ",0\n" for word in words), "--keep", "--output", target)
+        read = [row[0] for row in read_npy(self.read("o.npy"))[2]]
+        self.assertEqual([struct.pack("<d", number) for number in read],
+                         [struct.pack("<d", float(word)) for word in words])
+
+    def test_written(self):
+        """%.9g of the floats that .npy holds, for values of every size."""
+        points = [(x, y) for x, y in some_points(2, 3000)] + [(i / 64.0, 0.5) for i in range(200)]
+        for amplitude in ("1", "-0.001953125", "6e-8", "1000", "70000.5", "16777216"):
+            options = ("--gradient", "--hessian", "--frequency", "0.7", "--amplitude", amplitude)
+            held = read_npy(self.sample(npy(points), *options))[2]
+            words = self.text(npy(points), *options, "--output-format", "text").split("\n")
+            self.assertEqual(words.pop(), "")
+            expected = [" ".join("%.9g" % number for number in row) for row in held]
+            self.assertEqual([pair for pair in zip(words, expected) if pair[0] != pair[1]], [])
+
+    def test_not_finite(self):
+        """Only .npy can hold such coordinates. A NaN has no sign."""
+        points = [(math.nan, 0.0), (math.inf, 1.0), (0.5, -math.inf), (-math.nan, 0.5), (0.5, 0.5)]
+        for descr in ("<f8", "<f4"):
+            lines = self.text(npy(points, descr), "--gradient", "--output-format",
+                              "text").splitlines()
+            self.assertEqual(lines[:4], ["nan nan nan"] * 4)
+            self.assertNotIn("nan", lines[4])
+        kept = self.text(npy(points), "--keep", "--output-format", "csv").splitlines()
+        self.assertEqual(kept[:5], ["x,y,value", "nan,0,nan", "inf,1,nan", "0.5,-inf,nan",
+                                    "nan,0.5,nan"])
+        held = self.sample(npy(points))
+        self.assertEqual(held[-20:-4], struct.pack("<I", 0x7fc00000) * 4)
+        for word in ("nan", "NaN", "-nan", "inf", "-inf", "Infinity", "1e999", "-1e999", "0x10",
+                     "0x1p3", "1e", "1e+", "1.2.3", "--1", "+-1", "1,5", ".", "-", "1d5", "1_0",
+                     "one", "1;2", "'1'"):
+            self.check_refused("1 2\n3 %s\n" % word, "standard input:2: column 2: '%s'" % word,
+                               output=b"0\n", arguments=("--input-format", "text"))
+
+    def test_precision_kept(self):
+        """Coordinates of .npy in text: all digits of a double, nine of a float."""
+        point = (0.1, 1.0 / 3)
+        line = self.text(npy([point]), "--keep", "--output-format", "text").split()
+        self.assertEqual(line[:2], ["%.17g" % number for number in point])
+        line = self.text(npy([point], "<f4"), "--keep", "--output-format", "text").split()
+        self.assertEqual(line[:2], ["%.9g" % float32(number) for number in point])
+
+
+class Options(Case):
+    """Command lines that ask for what is not possible: refused before anything is read."""
+
+    def check(self, *arguments):
+        """Standard input stays open: a run that waited for it would not end."""
+        ours, theirs = os.pipe()
+        try:
+            result = subprocess.run(common.PROGRAM + ["sample", *arguments], stdin=ours, timeout=60,
+                                    stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        finally:
+            os.close(ours)
+            os.close(theirs)
+        self.assertEqual((result.returncode, result.stdout), (2, b""), arguments)
+        self.assertRegex(result.stderr.decode(), r"\Ascarp: %s[:,] ?[^\n]+\n\Z" %
+                         re.escape(arguments[0].split("=")[0]))
+
+    def test_values(self):
+        for option, values in (("--dims", ("1", "4", "0", "two", "", "2.5", "-2")),
+                               ("--input-format", ("CSV", "txt", "", "json")),
+                               ("--output-format", ("CSV", "txt", "", "png")),
+                               ("--isa", ("sse9", "none", "")),
+                               ("--input", ("",)), ("--output", ("",)),
+                               ("--seed", ("-1", "x")), ("--octaves", ("0", "33")),
+                               ("--fractal", ("fBm",)), ("--frequency", ("0", "nan"))):
+            self.check(option)
+            for value in values:
+                self.check(option, value)
+                self.check(option + "=" + value)
+        for flag in ("--keep", "--skip-bad", "--gradient", "--hessian", "--quiet"):
+            self.check(flag + "=1")
+        self.check("--size", "3")
+        self.check("points.csv")
+
+    def test_hessian_of_erosion(self):
+        self.check("--hessian", "--fractal", "erosion")
+        self.sample("1 2\n", "--gradient", "--fractal", "erosion")
+
+    def test_last_octave(self):
+        self.check("--frequency", "2e14", "--octaves", "2")
+
+
+common.main(globals())
