@@ -14,16 +14,16 @@ foreach(isa IN LISTS isas)
 endforeach()
 
 # tests/mutants: a kernel file with a mistake of the kind that has been made before. The linker takes
-# its table and leaves the library's own in the archive. test_bits must see each.
-function(scarp_add_mutant isa mistake)
-  set(target test_bits_${isa}_${mistake})
-  add_executable(${target} test_bits.c mutants/kernels_${isa}.c)
+# its table and leaves the library's own in the archive. test_bits must see each, but for those that
+# are in grids.
+function(scarp_mutant_program test isa mistake)
+  set(target ${test}_${isa}_${mistake})
+  add_executable(${target} ${test}.c mutants/kernels_${isa}.c)
   scarp_compile_rules(${target})
   scarp_library_rules(${target})
   string(TOUPPER MISTAKE_${mistake} definition)
   target_compile_definitions(${target} PRIVATE ${definition})
   target_link_libraries(${target} PRIVATE scarp_internal)
-  scarp_add_test(bits.mutant.${isa}.${mistake} bits ${target} --must-differ ${isa} 259)
 endfunction()
 
 if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(x86_64|AMD64)$")
@@ -33,6 +33,8 @@ elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "^(aarch64|arm64)$")
 endif()
 if(DEFINED mutant_isa)
   foreach(mistake fma lane tail)
-    scarp_add_mutant(${mutant_isa} ${mistake})
+    scarp_mutant_program(test_bits ${mutant_isa} ${mistake})
+    scarp_add_test(bits.mutant.${mutant_isa}.${mistake} bits
+                   test_bits_${mutant_isa}_${mistake} --must-differ ${mutant_isa} 259)
   endforeach()
 endif()

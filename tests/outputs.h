@@ -79,7 +79,9 @@ static inline void *check_allocate(size_t bytes)
 static inline void outputs_poison(const struct outputs *o)
 {
     for (int m = 0; m < OUTPUTS; m++) {
-        memset(o->array[m], POISON, o->capacity * sizeof(float));
+        if (o->array[m] != NULL) {
+            memset(o->array[m], POISON, o->capacity * sizeof(float));
+        }
     }
 }
 

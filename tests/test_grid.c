@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * Grids: every sample has the bits of the point calls, whatever the tiling, strides, steps, origins
- * and instruction set, and nothing between the rows is written. Usage: test_grid ISA [CASES].
+ * and instruction set, and nothing between the rows is written. Usage: test_grid ISA [CASES];
+ * fewer than 1000 CASES ask for fewer large grids too.
  */
 #include <math.h>
 
@@ -162,7 +163,7 @@ static int same(const struct outputs *a, const struct outputs *b, size_t floats,
 {
     for (*member = 0; *member < OUTPUTS; ++*member) {
         const float *const p = a->array[*member], *const q = b->array[*member];
-        if (memcmp(p, q, floats * sizeof(float)) == 0) {
+        if (p == NULL || memcmp(p, q, floats * sizeof(float)) == 0) {
             continue;
         }
         for (*where = 0; *where < floats; ++*where) {
@@ -240,6 +241,84 @@ static void test_tiles(const struct grid_case *c, uint64_t *state)
     CHECK(same(&got, &expected, got.capacity, &member, &where),
           "%s: tiles of %zu x %zu x %zu: %s differs at %zu", text, size[0], size[1], size[2],
           output_names[member], where);
+}
+
+/* A grid whose outputs are more than STREAM_BYTES (kernel/grid.h), 24 MiB. */
+struct large_case {
+    int dimensions, order;
+    size_t count[3], gap; /* between rows */
+    size_t start, apart;  /* outputs begin start, start + apart, ... floats past a cache line */
+};
+
+#define LARGE_FLOATS ((size_t)8 << 20)
+#define LARGE_CASES 14
+#define LARGE_CASES_FEW 2
+#define LINE 16 /* floats */
+
+/* clang-format off */
+static const struct large_case large_cases[LARGE_CASES] = {
+    {2, 2, {2048, 520, 1}, 0, 0, 0},     /* rows of whole cache lines */
+    {3, 2, {1030, 25, 25}, 10, 7, 0},    /* aligned inside rows only */
+    {2, 2, {2101, 510, 1}, 11, 4, 0},    /* as malloc has it */
+    {2, 2, {2101, 510, 1}, 11, 13, 16},
+    {2, 2, {2048, 520, 1}, 4, 4, 4},     /* for vectors of 4 floats only */
+    {2, 2, {2048, 520, 1}, 0, 1, 1},     /* outputs lie differently */
+    {2, 2, {2049, 520, 1}, 0, 0, 0},     /* rows lie differently */
+    {2, 2, {2044, 520, 1}, 4, 0, 0},
+    {2, 1, {1039, 2040, 1}, 17, 5, 0},
+    {2, 0, {4096, 1540, 1}, 0, 0, 0},
+    {2, 0, {2400, 2640, 1}, 16, 4, 0},
+    {3, 1, {160, 100, 100}, 0, 0, 0},
+    {3, 0, {64, 320, 310}, 16, 0, 0},
+    {3, 0, {1100, 76, 76}, 4, 3, 0},
+};
+/* clang-format on */
+
+/* Large grids are stored past the caches, where they are aligned. */
+static void test_large(int i, float *const memory[2])
+{
+    const struct large_case *const large = &large_cases[i];
+    struct grid_case c = {.dimensions = large->dimensions, .order = large->order};
+    c.noise.basis = i % 2 == 0 ? SCARP_GRADIENT : SCARP_VALUE;
+    for (int axis = 0; axis < 3; axis++) {
+        c.grid.origin[axis] = -3.7;
+        c.grid.step[axis] = i % 3 == 0 ? 0.3 : 0.01;
+        c.grid.count[axis] = large->count[axis];
+    }
+    c.grid.row_stride = large->count[0] + large->gap;
+    c.grid.slice_stride = large->count[1] * c.grid.row_stride;
+    c.wanted = large->dimensions == 2 ? OUTPUTS_ALL2 : OUTPUTS_ALL3;
+    c.wanted &= large->order == 0 ? 0x1u : large->order == 1 ? 0xfu : 0x3ffu;
+    const size_t floats = large->count[2] * c.grid.slice_stride;
+    const size_t next = (floats / LINE + 2) * LINE + large->apart; /* poison follows each output */
+    struct outputs *const both[2] = {&got, &expected};
+    const struct outputs before[2] = {got, expected};
+    for (int o = 0; o < 2; o++) {
+        size_t at = large->start;
+        both[o]->capacity = next;
+        for (int m = 0; m < OUTPUTS; m++) {
+            both[o]->array[m] = (c.wanted >> m & 1) != 0 ? memory[o] + at : NULL;
+            at += both[o]->array[m] != NULL ? next : 0;
+        }
+        CHECK(at <= LARGE_FLOATS, "large case %d: %zu floats", i, at);
+    }
+    test_points(&c);
+    got = before[0];
+    expected = before[1];
+}
+
+static void test_all_large(int cases)
+{
+    float *memory[2], *aligned[2];
+    for (int o = 0; o < 2; o++) {
+        memory[o] = check_allocate((LARGE_FLOATS + LINE) * sizeof(float));
+        aligned[o] = memory[o] + (0 - (uintptr_t)memory[o] / sizeof(float)) % LINE;
+    }
+    for (int i = 0; i < cases; i++) {
+        test_large(i, aligned);
+    }
+    free(memory[0]);
+    free(memory[1]);
 }
 
 static void expect(enum scarp_status wanted, const struct grid_case *c, const char *what)
@@ -376,6 +455,7 @@ int main(int argc, char **argv)
             test_tiles(&c, &state);
         }
     }
+    test_all_large(cases < 1000 ? LARGE_CASES_FEW : LARGE_CASES);
     got.capacity = expected.capacity = FLOATS_MAX;
     outputs_free(&got);
     outputs_free(&expected);

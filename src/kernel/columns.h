@@ -263,11 +263,12 @@ static void clear_block(struct columns *columns, size_t at)
 }
 
 /* As many rows at a time as the tables have room for: first all their columns, then all their
-   samples, so that neither waits for the other. */
+   samples, so that neither waits for the other. `stream` is STREAM for `first`, but not in wide
+   rows, which are slower than memory. */
 VEC_INLINE void sample_rows(struct columns *columns, size_t rows, size_t blocks,
                             const struct weights *weights, int first,
-                            const struct scarp_samples *to, enum scarp_basis basis, int dimensions,
-                            int order)
+                            const struct scarp_samples *to, int stream, enum scarp_basis basis,
+                            int dimensions, int order)
 {
     if (!columns->x->narrow) {
         for (size_t r = 0; r < rows; r++) {
@@ -289,13 +290,18 @@ VEC_INLINE void sample_rows(struct columns *columns, size_t rows, size_t blocks,
         }
         clear_block(columns, (end - begin) * column_blocks);
         for (size_t r = begin; r < end; r++) {
-            sample_row(columns, (r - begin) * column_blocks, blocks, weights, first, &to[r], basis,
-                       dimensions, order);
+            const size_t at = (r - begin) * column_blocks;
+            if (stream) {
+                sample_row(columns, at, blocks, weights, STREAM, &to[r], basis, dimensions, order);
+            } else {
+                sample_row(columns, at, blocks, weights, first, &to[r], basis, dimensions, order);
+            }
         }
     }
 }
 
-/* An octave on the rows of a tile is added to `to`, one for each row, or starts it if `first`. */
+/* An octave on the rows of a tile is added to `to`, one for each row, or starts it if `first`,
+   which may be STREAM. */
 typedef void columns_pass(struct columns *columns, size_t rows, size_t blocks,
                           const struct weights *weights, int first, const struct scarp_samples *to);
 
@@ -304,9 +310,10 @@ typedef void columns_pass(struct columns *columns, size_t rows, size_t blocks,
                      const struct weights *weights, int first, const struct scarp_samples *to)     \
     {                                                                                              \
         if (first) {                                                                               \
-            sample_rows(columns, rows, blocks, weights, 1, to, basis, dims, order);                \
+            sample_rows(columns, rows, blocks, weights, 1, to, first == STREAM, basis, dims,       \
+                        order);                                                                    \
         } else {                                                                                   \
-            sample_rows(columns, rows, blocks, weights, 0, to, basis, dims, order);                \
+            sample_rows(columns, rows, blocks, weights, 0, to, 0, basis, dims, order);             \
         }                                                                                          \
     }
 

@@ -28,9 +28,17 @@ typedef void octave_pass(const struct lattice *lattice, size_t blocks, enum scar
                          const struct weights *weights, const struct scarp_samples *from,
                          const struct scarp_samples *to);
 
+/* `first` of an octave that is the only one, at rows that are aligned to a vector and too many for
+   the caches, where an ordinary store would first fetch what it is about to replace. */
+enum { STREAM = 2 };
+
 /* `from` is not looked at if this is the first octave. */
 VEC_INLINE void add(float *to, int first, const float *from, size_t b, vf term)
 {
+    if (first == STREAM) {
+        vf_stream(to + b * VEC_LANES, term);
+        return;
+    }
     vf_store(to + b * VEC_LANES, first ? term : vf_load(from + b * VEC_LANES) + term);
 }
 

@@ -11,12 +11,17 @@
  *   vi  VEC_LANES signed ones, for conversion
  *   vd  VEC_LANES / 2 doubles: a vf's worth of doubles is a pair (low lanes, high lanes)
  *
- * Memory; addresses need no alignment beyond that of the element:
+ * Memory; addresses need no alignment beyond that of the element, but for vf_stream:
  *   vf   vf_load(const float *p)            p[0 .. VEC_LANES)
  *   void vf_store(float *p, vf v)           p[0 .. VEC_LANES)
  *   void vu_store(uint32_t *p, vu v)        p[0 .. VEC_LANES)
  *   vu   vu_load(const uint32_t *p)         p[0 .. VEC_LANES)
  *   vd   vd_load(const double *p)           p[0 .. VEC_LANES / 2)
+ *   void vf_stream(float *p, vf v)          p[0 .. VEC_LANES), aligned to a vf; where VEC_STREAMS
+ *                                           is 1, past the caches
+ *   void vf_stream_end(void)                before other threads may learn that what was streamed
+ *                                           is there: on x86 later stores overtake it, even those
+ *                                           that release
  *
  * The same number in every lane:
  *   vf vf_set(float)      vu vu_set(uint32_t)      vd vd_set(double)

@@ -28,6 +28,18 @@ VEC_INLINE void vf_store(float *p, vf v)
     _mm256_storeu_ps(p, (__m256)v);
 }
 
+#define VEC_STREAMS 1
+
+VEC_INLINE void vf_stream(float *p, vf v)
+{
+    _mm256_stream_ps(p, (__m256)v);
+}
+
+VEC_INLINE void vf_stream_end(void)
+{
+    _mm_sfence();
+}
+
 VEC_INLINE vd vd_load(const double *p)
 {
     return (vd)_mm256_loadu_pd(p);

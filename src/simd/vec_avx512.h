@@ -29,6 +29,18 @@ VEC_INLINE void vf_store(float *p, vf v)
     _mm512_storeu_ps(p, (__m512)v);
 }
 
+#define VEC_STREAMS 1
+
+VEC_INLINE void vf_stream(float *p, vf v)
+{
+    _mm512_stream_ps(p, (__m512)v);
+}
+
+VEC_INLINE void vf_stream_end(void)
+{
+    _mm_sfence();
+}
+
 VEC_INLINE vd vd_load(const double *p)
 {
     return (vd)_mm512_loadu_pd(p);

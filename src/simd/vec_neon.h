@@ -28,6 +28,18 @@ VEC_INLINE void vf_store(float *p, vf v)
     vst1q_f32(p, (float32x4_t)v);
 }
 
+/* Cores recognise rows that are only written, and do not fetch them. */
+#define VEC_STREAMS 0
+
+VEC_INLINE void vf_stream(float *p, vf v)
+{
+    vf_store(p, v);
+}
+
+VEC_INLINE void vf_stream_end(void)
+{
+}
+
 VEC_INLINE vd vd_load(const double *p)
 {
     return (vd)vld1q_f64(p);

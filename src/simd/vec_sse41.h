@@ -28,6 +28,18 @@ VEC_INLINE void vf_store(float *p, vf v)
     _mm_storeu_ps(p, (__m128)v);
 }
 
+#define VEC_STREAMS 1
+
+VEC_INLINE void vf_stream(float *p, vf v)
+{
+    _mm_stream_ps(p, (__m128)v);
+}
+
+VEC_INLINE void vf_stream_end(void)
+{
+    _mm_sfence();
+}
+
 VEC_INLINE vd vd_load(const double *p)
 {
     return (vd)_mm_loadu_pd(p);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * One deliberate mistake in otherwise unchanged kernels: MISTAKE_FMA, MISTAKE_LANE or
- * MISTAKE_TAIL. Included by kernels_<isa>.c of this folder where the original includes
- * kernel/table.h. test_bits must notice each of them.
+ * One deliberate mistake in otherwise unchanged kernels: MISTAKE_FMA, MISTAKE_LANE, MISTAKE_TAIL or
+ * MISTAKE_STREAM. Included by kernels_<isa>.c of this folder where the original includes
+ * kernel/table.h. test_bits must notice each of them, but test_grid the last.
  */
 #if defined(MISTAKE_FMA)
 
@@ -22,9 +22,9 @@ static inline vf mix(vf a, vf b, vf u)
 
 #include "../../src/kernel/table.h"
 
-#elif defined(MISTAKE_LANE)
+#elif defined(MISTAKE_LANE) || defined(MISTAKE_STREAM)
 
-/* Two lanes swapped in every store. */
+/* Two lanes swapped in every store, or in those of large grids. */
 static inline void store_swapped(float *p, vf v)
 {
     const float first = v[0];
@@ -33,7 +33,11 @@ static inline void store_swapped(float *p, vf v)
     vf_store(p, v);
 }
 
+#ifdef MISTAKE_LANE
 #define vf_store store_swapped
+#else
+#define vf_stream store_swapped
+#endif
 #include "../../src/kernel/table.h"
 
 #elif defined(MISTAKE_TAIL)
