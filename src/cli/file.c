@@ -9,6 +9,9 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <sys/types.h>
+
+#include "interrupt.h"
+
 #ifdef _WIN32
 #include <fcntl.h>
 #include <io.h>
@@ -16,7 +19,11 @@
 #ifndef S_ISREG
 #define S_ISREG(mode) (((mode)&_S_IFMT) == _S_IFREG)
 #endif
+#ifndef S_ISCHR
+#define S_ISCHR(mode) (((mode)&_S_IFMT) == _S_IFCHR)
+#endif
 #else
+#include <unistd.h>
 #define SEEK_SET_64(stream, offset) fseeko(stream, (off_t)(offset), SEEK_SET)
 #endif
 
@@ -70,6 +77,16 @@ static bool is_replaceable(const char *path)
     return fclose(old) == 0;
 }
 
+/* Finds out whether writes wait. Then nothing is buffered, which closing the file would wait for.
+ */
+static bool prepare(struct file *file)
+{
+    struct stat status;
+    file->waits = fstat(fileno(file->stream), &status) == 0 && !S_ISREG(status.st_mode) &&
+                  !S_ISCHR(status.st_mode);
+    return !file->waits || setvbuf(file->stream, NULL, _IONBF, 0) == 0;
+}
+
 bool file_open(struct file *file, const char *path)
 {
     file->path = file_join((const char *const[]){path, NULL});
@@ -81,11 +98,11 @@ bool file_open(struct file *file, const char *path)
         _setmode(_fileno(stdout), _O_BINARY);
 #endif
         file->stream = stdout;
-        return true;
+        return prepare(file);
     }
     if (file_is_special(path)) {
         file->stream = fopen(path, "wb");
-        return file->stream != NULL;
+        return file->stream != NULL && prepare(file);
     }
     if (!is_replaceable(path)) {
         return false;
@@ -101,6 +118,23 @@ bool file_open(struct file *file, const char *path)
     }
     file->partial = partial;
     return true;
+}
+
+/* fwrite would take up again what a signal ended halfway, and wait on. */
+bool file_write(struct file *file, const void *bytes, size_t count)
+{
+    const char *next = bytes;
+#ifndef _WIN32
+    while (file->waits && count > 0) {
+        const ssize_t written = write(fileno(file->stream), next, count);
+        if (interrupted() || (written < 0 && errno != EINTR)) {
+            return false;
+        }
+        next += written < 0 ? 0 : written;
+        count -= written < 0 ? 0 : (size_t)written;
+    }
+#endif
+    return count == 0 || fwrite(next, 1, count, file->stream) == count;
 }
 
 bool file_close(struct file *file)

@@ -15,6 +15,7 @@
 /* Zero-initialise, then open. */
 struct file {
     FILE *stream;
+    bool waits; /* a pipe or the like: a write may wait for whoever reads */
     /* Private to file.c: */
     char *path, *partial; /* the final and the temporary name; none: no temporary name */
     bool published;       /* under the final name */
@@ -25,6 +26,8 @@ bool file_open(struct file *file, const char *path);
 bool file_close(struct file *file); /* nothing is left to write; still under its temporary name */
 bool file_publish(struct file *file);
 
+/* False also when the user or the system asked the program to stop while the write waited. */
+bool file_write(struct file *file, const void *bytes, size_t count);
 /* Frees the file. Unless `keep`, it is removed, published or not. May be called at any time after
    zero-initialisation. */
 void file_discard(struct file *file, bool keep);

@@ -177,15 +177,18 @@ static enum pipeline_result look(const struct pipeline *pipeline)
 }
 
 /* All threads go through the bands together. In each, those that find a file to be written write
-   it, and then help the others with the blocks. */
+   it, and then help the others with the blocks. Pipes are the first thread's: signals go to it, and
+   end a write that waits. */
 static enum pipeline_result run(struct pipeline *pipeline, struct progress *progress)
 {
     enum pipeline_result result = PIPELINE_DONE;
     PARALLEL(omp parallel num_threads((int)pipeline->threads))
     {
 #ifdef _OPENMP
+        const bool first = omp_get_thread_num() == 0;
         struct block *const block = &pipeline->scratch[omp_get_thread_num()];
 #else
+        const bool first = true;
         struct block *const block = pipeline->scratch;
 #endif
         const int files = (int)pipeline->outputs->count;
@@ -193,9 +196,16 @@ static enum pipeline_result run(struct pipeline *pipeline, struct progress *prog
         for (size_t band = 0; band <= pipeline->bands && result == PIPELINE_DONE; band++) {
             const int to_drain = band > 0 ? files : 0;
             const int to_fill = band < pipeline->bands ? blocks : 0;
+            for (int i = 0; first && i < to_drain; i++) {
+                if (pipeline->outputs->list[i].writer.file.waits) {
+                    drain(pipeline, band - 1, (size_t)i);
+                }
+            }
             PARALLEL(omp for schedule(dynamic, 1) nowait)
             for (int i = 0; i < to_drain; i++) {
-                drain(pipeline, band - 1, (size_t)i);
+                if (!pipeline->outputs->list[i].writer.file.waits) {
+                    drain(pipeline, band - 1, (size_t)i);
+                }
             }
             PARALLEL(omp for schedule(dynamic, 1))
             for (int n = 0; n < to_fill; n++) {

@@ -38,16 +38,14 @@ static void on_warning(png_structp png, png_const_charp message)
 /* libpng's own writer would take its FILE from another C library on some systems. */
 static void write_bytes(png_structp png, png_bytep bytes, size_t count)
 {
-    if (fwrite(bytes, 1, count, png_get_io_ptr(png)) != count) {
+    if (!file_write(png_get_io_ptr(png), bytes, count)) {
         png_error(png, "write error");
     }
 }
 
 static void flush_bytes(png_structp png)
 {
-    if (fflush(png_get_io_ptr(png)) != 0) {
-        png_error(png, "write error");
-    }
+    (void)png; /* closing the file does that */
 }
 
 static bool create(struct png_state *state)
@@ -71,7 +69,7 @@ static bool png_open(struct writer *writer)
     if (setjmp(png_jmpbuf(state->png))) {
         return false;
     }
-    png_set_write_fn(state->png, writer->file.stream, write_bytes, flush_bytes);
+    png_set_write_fn(state->png, &writer->file, write_bytes, flush_bytes);
     const struct raster *const raster = &writer->raster;
     png_set_compression_level(state->png, COMPRESSION_LEVEL);
     if (!raster->repeats) {

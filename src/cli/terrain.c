@@ -4,6 +4,7 @@
  * options are in terrain_options.c, samples in surface.c, their bytes in layers.c, files in
  * outputs.c, and what fills them in pipeline.c.
  */
+#include <errno.h>
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
@@ -158,12 +159,18 @@ static int write_tile(struct job *job, const struct tile *tile)
     if (result == PIPELINE_DONE && !outputs_close(outputs)) {
         result = PIPELINE_FAILED;
     }
+    if (result == PIPELINE_FAILED && interrupted()) {
+        result =
+            PIPELINE_INTERRUPTED; /* which ended a write that waited, or the opening of a pipe */
+    }
     const bool complete = result == PIPELINE_DONE;
     if (!complete) {
         progress_end(&job->progress, false);
     }
+    bool gone = false; /* whoever read, before the first row */
     for (size_t i = 0; result == PIPELINE_FAILED && i < outputs->count; i++) {
         if (outputs->list[i].failed) {
+            gone = outputs->list[i].reason == EPIPE;
             output_error(&outputs->list[i]);
             break;
         }
@@ -178,7 +185,7 @@ static int write_tile(struct job *job, const struct tile *tile)
     }
     job->written += complete ? 1 : 0;
     job->samples += complete ? (uint64_t)tile->width * tile->height : 0;
-    return complete ? CLI_SUCCESS : !opened && job->written == 0 ? CLI_USAGE : CLI_FAILURE;
+    return complete ? CLI_SUCCESS : !opened && !gone && job->written == 0 ? CLI_USAGE : CLI_FAILURE;
 }
 
 static int write_tiles(struct job *job)

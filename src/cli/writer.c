@@ -31,7 +31,7 @@ bool writer_write_raw(struct writer *writer, const uint8_t *samples, size_t row,
 {
     (void)row;
     const size_t bytes = rows * writer_row_bytes(writer);
-    return fwrite(samples, 1, bytes, writer->file.stream) == bytes;
+    return file_write(&writer->file, samples, bytes);
 }
 
 bool writer_open(struct writer *writer)
