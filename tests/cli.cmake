@@ -18,8 +18,9 @@ else()
                          "SCARP_SPEED=${speed};PYTHONDONTWRITEBYTECODE=1")
   endfunction()
 
-  foreach(test commands:Commands options:Errors files:Files pictures:Pictures compare:Compare
-               gallery:Gallery documents:Documents progress:Progress same:Threads)
+  foreach(test commands:Commands options:Errors formats:Formats formats:Names layers:Layers
+               pictures:Pictures compare:Compare gallery:Gallery documents:Documents tiles:Tiles tiles:Resume
+               files:Files progress:Progress same:Threads)
     string(REPLACE ":" ";" test ${test})
     list(GET test 0 file)
     list(GET test 1 class)
