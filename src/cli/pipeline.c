@@ -76,6 +76,8 @@ static void divide(struct pipeline *pipeline)
     pipeline->block_columns = smaller(BLOCK_SAMPLES / pipeline->block_rows, tile->width);
     pipeline->blocks = quotient_up(tile->width, pipeline->block_columns) *
                        quotient_up(pipeline->rows, pipeline->block_rows);
+    /* Waiting for a thread that has nothing to do takes longer than a small raster. */
+    pipeline->threads = smaller(pipeline->threads, pipeline->blocks);
 }
 
 static bool open(struct pipeline *pipeline)
