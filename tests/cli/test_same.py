@@ -60,7 +60,7 @@ class Threads(Case):
 
     def test_formats(self):
         for option, name in LAYERS:
-            self.check("499x211", option, name)
+            self.check("1999x211", option, name)  # four blocks in a band
 
     def test_without_openmp(self):
         if has_threads():
