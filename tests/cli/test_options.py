@@ -43,9 +43,12 @@ class Errors(Case):
 
     def test_numbers(self):
         for option in ("--step", "--height", "--frequency", "--octaves", "--lacunarity", "--gain",
-                       "--erosion"):
+                       "--erosion", "--sea-level", "--azimuth", "--altitude", "--z-factor",
+                       "--amplitude"):
             self.check_values(option, "", "one", "1x", "1 ", " 1", "1,5", "nan", "inf", "-inf",
-                              "1e999", "-1", "0x", "1.2.3", "--1", ".", "+")
+                              "1e999", "0x", "1.2.3", "--1", ".", "+")
+            if option not in ("--sea-level", "--amplitude"):
+                self.check_values(option, "-1")
 
     def test_intervals(self):
         self.check_values("--step", "0", "3.5e-15", "2.9e14")
@@ -55,6 +58,16 @@ class Errors(Case):
         self.check_values("--lacunarity", "0", "0.0624", "16.0001", "1e39")
         self.check_values("--gain", "0", "0.0624", "16.0001", "1e-46")
         self.check_values("--erosion", "0", "5.9e-8", "16777217", "-1", "1e39")
+        self.check_values("--sea-level", "16777217", "-16777217", "1e39")
+        self.check_values("--azimuth", "-0.001", "360.001")
+        self.check_values("--altitude", "-0.001", "90.001")
+        self.check_values("--z-factor", "-0.001", "16777217", "1e39")
+        self.check_values("--amplitude", "0", "-0", "5.9e-8", "-5.9e-8", "16777217", "-16777217",
+                          "1e39")
+        self.check_values("--overlap", "1025", "-1", "+1", "1.5", "one", "",
+                          "18446744073709551617")
+        self.check_values("--threads", "0", "1025", "-1", "1.5", "two", "",
+                          "18446744073709551617")
         self.check_values("--compare", "0", "8", "-1", "+1", "1.5", "1x", "one", "",
                           "18446744073709551617")
 
@@ -80,9 +93,18 @@ class Errors(Case):
                 self.check(option, *arguments)
 
     def test_sizes(self):
-        self.check_values("--size", "64", "64x", "x64", "0x64", "64x0", "-1x64", "64x-1", "64x64x1",
+        for option in ("--size", "--tile"):
+            self.check_sizes(option)
+
+    def check_sizes(self, option):
+        self.check_values(option, "64", "64x", "x64", "0x64", "64x0", "-1x64", "64x-1", "64x64x1",
                           "64*64", "1000001x1", "1x1000001", "1.5x2", "64 x64", "64x64 ", "64X64",
                           "99999999999999999999x1", "18446744073709551617x1", "64,64")
+
+    def test_tiles(self):
+        self.check_values("--tiles", "0:1", "0:1,", "0:1,0", "0:1,0:1,0:1", "0-1,0-1", "0:1;0:1",
+                          "1:1,0:1", "0:1,2:2", "2:1,0:1", "-1:1,0:1", "0:1,0:1.5", "0:1, 0:1",
+                          "0:1000001,0:1", "0:1,0:1000001", ":,:", "0:18446744073709551617,0:1")
 
     def test_origins(self):
         self.check_values("--origin", "1", "1,", ",1", "1,2,3", "1;2", "nan,0", "0,inf", "1, 2",
@@ -96,6 +118,8 @@ class Errors(Case):
         self.check_values("--basis", "simplex", "Gradient", "gradient ", "")
         self.check_values("--fade", "linear", "quinti", "")
         self.check_values("--fractal", "fBm", "ridge", "erosion ", "0", "")
+        self.check_values("--normal-y", "Up", "left", "-1", "")
+        self.check_values("--preset", "alp", "Alps", "")
         self.check_values("--isa", "sse9", "none", "", "avx")
 
     def test_unsupported_isa(self):

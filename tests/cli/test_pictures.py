@@ -90,13 +90,25 @@ class Pictures(Case):
                               ("--step", "281474976710656"), ("--step", "3.5527136788005009e-15"),
                               ("--height", "16777216"), ("--origin", "-9007199254740992,0"),
                               ("--erosion", "16777216"), ("--erosion", "5.9604644775390625e-8"),
-                              ("--compare", "1"), ("--compare", "7")):
+                              ("--compare", "1"), ("--compare", "7"),
+                              ("--sea-level", "16777216"), ("--sea-level", "-16777216"),
+                              ("--azimuth", "0"), ("--azimuth", "360"), ("--altitude", "0"),
+                              ("--altitude", "90"), ("--z-factor", "0"), ("--z-factor", "16777216"),
+                              ("--amplitude", "16777216"), ("--amplitude", "-16777216"),
+                              ("--amplitude", "5.9604644775390625e-8"),
+                              ("--amplitude", "-5.9604644775390625e-8"), ("--threads", "1")):
             with self.subTest(option=option, value=value):
                 self.terrain(*SMALL, option, value)
         for value in ("281474976710656", "2.3283064365386963e-10"):
             self.terrain("--size", "4x4", "--octaves", "1", "--frequency", value)
         for value in ("16", "0.0625"):
             self.terrain("--size", "4x4", "--octaves", "3", "--lacunarity", value)
+        self.quietly("--size", "3x2", "--tile", "1000000x1000000", "--overlap", "1024", "--heights",
+                     "t.r16", "--octaves", "1")
+        self.assertEqual(len(self.bytes("t_0_0.r16")), 1027 * 1026 * 2)
+        self.quietly("--size", "1000000x1000000", "--tile", "1x1", "--tiles",
+                     "999999:1000000,999999:1000000", "--heights", "t.r16")
+        self.assertEqual(len(self.bytes("t_999999_999999.r16")), 2)
 
     def test_height_is_vertical_scale(self):
         """--height changes normals and hillshade, never the heights."""
