@@ -1,0 +1,176 @@
+# SPDX-License-Identifier: MIT
+"""Runs that are told to stop: they tidy up, say so, and end by the signal, at once."""
+import os
+import signal
+import subprocess
+import sys
+import time
+
+import common
+from common import Case, has_threads, skip_all, start
+
+try:
+    import fcntl
+    import termios
+except ImportError:
+    skip_all("needs POSIX")
+
+# Minutes of work, in bands that take a fraction of a second
+LONG = ("--size", "3000x100000", "--octaves", "32", "--frequency", "0.01", "--lacunarity", "1.1",
+        "--threads", "1", "--quiet")
+FILES = ("--heights", "h.r32", "--normals", "n.npy", "--gradient", "g.img")
+PATIENCE = 60  # seconds
+SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+
+
+class Interrupt(Case):
+    def begin(self, *arguments, **more):
+        process = start("terrain", *arguments, cwd=self.directory, **more)
+
+        def end():
+            process.kill()
+            process.communicate()
+        self.addCleanup(end)
+        return process
+
+    def wait_for(self, condition, what):
+        end = time.monotonic() + PATIENCE
+        while not condition():
+            self.assertLess(time.monotonic(), end, what)
+            time.sleep(0.001)
+
+    def wait_for_file(self, name):
+        self.wait_for(lambda: os.path.exists(self.path(name)), name)
+
+    def check_ended(self, process, number, words=""):
+        """By the signal, soon, with one line on stderr and nothing on standard output."""
+        output, error = process.communicate(timeout=PATIENCE)
+        self.assertEqual(process.returncode, -number, error)
+        self.assertIn(output, (b"", None))
+        self.assertRegex(error.decode(), r"\Ascarp: interrupted: [^\n]*%s[^\n]*\n\Z" % words)
+
+    def test_one_raster(self):
+        """No file is left, and those of an earlier run stay as they were."""
+        for number in SIGNALS:
+            with self.subTest(signal=number):
+                for name in ("h.r32", "g.hdr"):
+                    with open(self.path(name), "wb") as file:
+                        file.write(b"old")
+                process = self.begin(*LONG, *FILES)
+                self.wait_for_file("g.hdr.part")
+                process.send_signal(number)
+                self.check_ended(process, number)
+                self.assertEqual(self.all_bytes(), {"h.r32": b"old", "g.hdr": b"old"})
+
+    def test_tiles(self):
+        """Finished ones stay; of the one at hand nothing does. A pipe holds the run there."""
+        arguments = ("--size", "40x30", "--tile", "10x10", *FILES)
+        self.quietly(*arguments)
+        contents = self.all_bytes()
+        for number in SIGNALS:
+            with self.subTest(signal=number):
+                self.clear()
+                os.mkfifo(self.path("n_1_1.npy"))
+                process = self.begin(*arguments)
+                self.wait_for_file("h_1_1.r32.part")
+                time.sleep(0.05)  # until the run waits for a reader, most likely
+                process.send_signal(number)
+                self.check_ended(process, number, "finished tiles stay")
+                os.remove(self.path("n_1_1.npy"))
+                self.check_same_files(self.all_bytes(), {
+                    name: data for name, data in contents.items()
+                    if name.split("_", 1)[1][:3] in ("0_0", "0_1", "0_2", "0_3", "1_0")})
+                self.quietly(*arguments, "--resume")
+                self.check_same_files(self.all_bytes(), contents)
+
+    def full_pipe(self, *arguments, **more):
+        """Starts a run, and waits until it waits for whoever reads its standard output."""
+        reading, writing = os.pipe()
+        self.addCleanup(os.close, reading)
+        process = self.begin(*arguments, stdout=writing, **more)
+        os.close(writing)
+        seen = []
+
+        def is_full():
+            waiting = int.from_bytes(fcntl.ioctl(reading, termios.FIONREAD, bytes(4)),
+                                     sys.byteorder)
+            seen.append(waiting)
+            time.sleep(0.005)
+            return len(seen) > 20 and waiting > 0 and set(seen[-20:]) == {waiting}
+        self.wait_for(is_full, seen)
+        return process, reading
+
+    def test_full_pipe(self):
+        """A write that waits ends, whichever thread waits there and however much was written."""
+        waits = [(arguments, threads) for threads in (("1", "2", "5") if has_threads() else ("1",))
+                 for arguments in (("--heights", "r32:-"), ("--heights", "pgm:-"),
+                                   ("--normals", "npy:-"), ("--heights", "h.r32", "--hillshade",
+                                                            "pgm:-", "--gradient", "g.npy"))]
+        for i, (arguments, threads) in enumerate(waits):
+            with self.subTest(arguments=arguments, threads=threads):
+                process, _ = self.full_pipe("--size", "900x900", "--octaves", "1", *arguments,
+                                            "--threads", threads)
+                begin = time.monotonic()
+                process.send_signal(SIGNALS[i % 3])
+                self.check_ended(process, SIGNALS[i % 3])
+                self.assertLess(time.monotonic() - begin, 10)
+                self.assertEqual(self.files(), [])
+
+    def test_full_pipe_png(self):
+        if not common.has_png():
+            self.skipTest("needs libpng")
+        process, _ = self.full_pipe("--size", "900x900", "--octaves", "9", "--heights", "png:-")
+        process.send_signal(signal.SIGINT)
+        self.check_ended(process, signal.SIGINT)
+
+    def test_named_pipe_without_reader(self):
+        """Opening it waits."""
+        os.mkfifo(self.path("p"))
+        process = self.begin("--size", "9x9", "--heights", "h.r32", "--normals", "npy:p")
+        self.wait_for_file("h.r32.part")
+        time.sleep(0.05)
+        process.send_signal(signal.SIGINT)
+        self.check_ended(process, signal.SIGINT)
+        self.assertEqual(self.files(), ["p"])
+
+    def test_stopped_and_continued(self):
+        """That is no request to end: the file is whole."""
+        process, reading = self.full_pipe("--size", "400x400", "--octaves", "1", "--heights",
+                                          "r32:-")
+        process.send_signal(signal.SIGSTOP)
+        time.sleep(0.05)
+        process.send_signal(signal.SIGCONT)
+        with os.fdopen(os.dup(reading), "rb") as file:
+            data = file.read()
+        process.wait(PATIENCE)
+        self.assertEqual(process.returncode, 0)
+        self.assertEqual(data == self.layer("--heights", "h.r32", "--size", "400x400", "--octaves",
+                                            "1"), True)
+
+    def test_ignored(self):
+        """As by nohup: what is ignored when the program starts stays so."""
+        def ignore():
+            signal.signal(signal.SIGHUP, signal.SIG_IGN)
+
+        process, reading = self.full_pipe("--size", "400x400", "--octaves", "1", "--heights",
+                                          "r32:-", preexec_fn=ignore)
+        process.send_signal(signal.SIGHUP)
+        time.sleep(0.05)
+        with os.fdopen(os.dup(reading), "rb") as file:
+            self.assertEqual(len(file.read()), 400 * 400 * 4)
+        self.assertEqual(process.wait(PATIENCE), 0)
+
+    def test_on_terminal(self):
+        """The message has a line of its own."""
+        ours, theirs = common.pty.openpty()
+        self.addCleanup(os.close, ours)
+        process = self.begin(*LONG[:-1], *FILES, stdout=subprocess.DEVNULL, stderr=theirs)
+        os.close(theirs)
+        self.wait_for_file("g.hdr.part")
+        process.send_signal(signal.SIGINT)
+        self.assertEqual(process.wait(PATIENCE), -signal.SIGINT)
+        self.assertRegex(os.read(ours, 4096).decode(),
+                         r"\A0[.\d]*\r\nscarp: interrupted: [^\n]*\r\n\Z")
+
+
+common.main(globals())
