@@ -28,6 +28,7 @@ bool file_publish(struct file *file);
 
 /* False also when the user or the system asked the program to stop while the write waited. */
 bool file_write(struct file *file, const void *bytes, size_t count);
+
 /* Frees the file. Unless `keep`, it is removed, published or not. May be called at any time after
    zero-initialisation. */
 void file_discard(struct file *file, bool keep);

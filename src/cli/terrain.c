@@ -148,6 +148,28 @@ struct job {
     uint64_t samples; /* of those written */
 };
 
+/* Tells why a tile was not written, and returns the exit status of that. */
+static int tell_failure(const struct job *job, const struct tile *tile, enum pipeline_result result,
+                        bool opened)
+{
+    if (interrupted()) { /* which also ends writes that wait, and the opening of a pipe */
+        cli_error("interrupted: unfinished files are removed%s",
+                  job->tiling.numbered ? ", finished tiles stay; see --resume" : "");
+        return CLI_FAILURE;
+    }
+    if (result == PIPELINE_NO_MEMORY) {
+        cli_error("no memory for rows of %zu samples with %zu threads", tile->width, job->threads);
+        return CLI_FAILURE;
+    }
+    const struct output *output = job->outputs.list;
+    while (!output->failed) {
+        output++;
+    }
+    output_error(output);
+    /* A file that cannot be had is the command line's fault, a reader that has gone is not. */
+    return !opened && output->reason != EPIPE && job->written == 0 ? CLI_USAGE : CLI_FAILURE;
+}
+
 static int write_tile(struct job *job, const struct tile *tile)
 {
     struct outputs *const outputs = &job->outputs;
@@ -159,33 +181,16 @@ static int write_tile(struct job *job, const struct tile *tile)
     if (result == PIPELINE_DONE && !outputs_close(outputs)) {
         result = PIPELINE_FAILED;
     }
-    if (result == PIPELINE_FAILED && interrupted()) {
-        result =
-            PIPELINE_INTERRUPTED; /* which ended a write that waited, or the opening of a pipe */
-    }
-    const bool complete = result == PIPELINE_DONE;
-    if (!complete) {
+    int status = CLI_SUCCESS;
+    if (result != PIPELINE_DONE) {
         progress_end(&job->progress, false);
+        status = tell_failure(job, tile, result, opened);
+    } else {
+        job->written++;
+        job->samples += (uint64_t)tile->width * tile->height;
     }
-    bool gone = false; /* whoever read, before the first row */
-    for (size_t i = 0; result == PIPELINE_FAILED && i < outputs->count; i++) {
-        if (outputs->list[i].failed) {
-            gone = outputs->list[i].reason == EPIPE;
-            output_error(&outputs->list[i]);
-            break;
-        }
-    }
-    if (result == PIPELINE_NO_MEMORY) {
-        cli_error("no memory for rows of %zu samples with %zu threads", tile->width, job->threads);
-    }
-    outputs_discard(outputs, complete);
-    if (result == PIPELINE_INTERRUPTED) {
-        cli_error("interrupted: unfinished files are removed%s",
-                  job->tiling.numbered ? ", finished tiles stay; see --resume" : "");
-    }
-    job->written += complete ? 1 : 0;
-    job->samples += complete ? (uint64_t)tile->width * tile->height : 0;
-    return complete ? CLI_SUCCESS : !opened && !gone && job->written == 0 ? CLI_USAGE : CLI_FAILURE;
+    outputs_discard(outputs, result == PIPELINE_DONE);
+    return status;
 }
 
 static int write_tiles(struct job *job)
