@@ -56,6 +56,10 @@ static bool make_surface(const struct terrain_options *options, struct surface *
     if (!noise_make(&options->noise, &surface->noise)) {
         return false;
     }
+    if (options->plateau < options->sea_level) {
+        cli_error("--plateau: lies below --sea-level");
+        return false;
+    }
     scarp_range(&surface->noise, 2, &surface->lowest, &surface->highest);
     surface->floor = within(options->sea_level, surface);
     surface->ceiling = within(options->plateau, surface);

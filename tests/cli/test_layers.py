@@ -4,7 +4,7 @@ import math
 import struct
 
 import common
-from common import SMALL, Case
+from common import SMALL, Case, run
 from rasters import FLOAT, Picture, read_picture
 
 WIDTH, HEIGHT = 40, 30  # of SMALL
@@ -90,30 +90,38 @@ class Layers(Case):
         self.assertLessEqual({a[1] + b[1] for a, b in zip(*both)}, {255, 256})
         self.assertEqual(*[[(n[0], n[2]) for n in one] for one in both])
 
-    def test_sea(self):
-        """Below it everything is flat and at its level; above it nothing changes."""
+    def test_sea_and_plateau(self):
+        """Beyond the level everything is flat and at it; elsewhere nothing changes."""
         for level, height in (("0.125", "64"), ("-0.1", "75"), ("0", "33.3")):
-            with self.subTest(level=level, height=height):
-                self.check_sea(level, "--height", height, rounded(float(height)))
+            for option, sign in (("--sea-level", 1), ("--plateau", -1)):
+                with self.subTest(option=option, level=level, height=height):
+                    self.check_level(option, sign, level, height)
 
-    def check_sea(self, level, option, text, height):
-        arguments = (option, text, "--sea-level", level)
-        sea = rounded(rounded(float(level)) * height)
-        dry, wet = self.heights(option, text), self.heights(*arguments)
-        # Rounding the product might join a value just above the sea with it
-        below = [z < sea for z in dry]
-        self.assertIn(True, below)
-        self.assertIn(False, below)
-        self.assertEqual(wet, [sea if under else z for z, under in zip(dry, below)])
-        for layer, name, flat in (("--gradient", "g.npy", (0, 0)),
-                                  ("--normals", "n.npy", (0, 0, 1)),
-                                  ("--normals", "n.ppm", (128, 128, 255))):
-            unchanged = self.read(layer, name, option, text)
+    def check_level(self, option, sign, level, height):
+        scale = ("--height", height)
+        arguments = (*scale, option, level)
+        flat = rounded(rounded(float(level)) * rounded(float(height)))
+        before, after = self.heights(*scale), self.heights(*arguments)
+        # Rounding the product might join a value just on the other side with the level
+        beyond = [sign * z < sign * flat for z in before]
+        self.assertIn(True, beyond)
+        self.assertIn(False, beyond)
+        self.assertEqual(after, [flat if cut else z for z, cut in zip(before, beyond)])
+        for layer, name, level_one in (("--gradient", "g.npy", (0, 0)),
+                                       ("--normals", "n.npy", (0, 0, 1)),
+                                       ("--normals", "n.ppm", (128, 128, 255))):
+            unchanged = self.read(layer, name, *scale)
             self.assertEqual(self.read(layer, name, *arguments),
-                             [flat if under else n for n, under in zip(unchanged, below)])
+                             [level_one if cut else n for n, cut in zip(unchanged, beyond)])
         shades = self.read("--hillshade", "s.pgm", *arguments)
-        self.assertEqual({shade for shade, under in zip(shades, below) if under},
+        self.assertEqual({shade for shade, cut in zip(shades, beyond) if cut},
                          {round(255 * math.sqrt(0.5))})
+
+    def test_sea_above_plateau(self):
+        result = run("terrain", *SMALL, "--sea-level", "0.2", "--plateau", "0.1",
+                     cwd=self.directory)
+        self.check_one_line(result, 2, "--plateau", "--sea-level")
+        self.assertEqual(self.files(), [])
 
     def test_sea_beyond_the_range(self):
         """It is no lower and no higher than the noise can be."""
