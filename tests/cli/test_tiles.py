@@ -86,6 +86,12 @@ class Tiles(TileCase):
         self.check_tiles(FILES[:2], (1, 1), size=(5, 4))
         self.check_tiles(FILES[:2], (1, 2), size=(5, 3), overlap=1)
 
+    def test_bands(self):
+        """The whole is made in four bands, the last one lower, of two by two blocks; tiles are
+        not."""
+        self.check_tiles((("--heights", "h.r32"), ("--normals", "n.ppm")), (150, 50),
+                         size=(600, 401))
+
     def test_integers(self):
         self.check_tiles((("--heights", "h.r16"), ("--normals", "n.ppm")), (16, 16))
         self.check_tiles((("--heights", "h.pgm"), ("--normals", "n.pfm")), (16, 16), overlap=1)
