@@ -66,6 +66,15 @@ bool file_is_special(const char *path)
     return stat(path, &status) == 0 && !S_ISREG(status.st_mode);
 }
 
+/* Where files have no numbers, they are all 0, and only names tell. */
+bool file_is_same(const struct file *a, const struct file *b)
+{
+    struct stat first, second;
+    return a->stream != NULL && b->stream != NULL && fstat(fileno(a->stream), &first) == 0 &&
+           fstat(fileno(b->stream), &second) == 0 && S_ISREG(first.st_mode) && first.st_ino != 0 &&
+           first.st_ino == second.st_ino && first.st_dev == second.st_dev;
+}
+
 /* Whether `path` can take the file: nothing is there yet, or a file that may be changed. Renaming
    would tell only at the very end, and would replace a write-protected file. */
 static bool is_replaceable(const char *path)

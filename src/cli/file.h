@@ -39,6 +39,9 @@ bool file_seek(struct file *file, uint64_t offset);
 /* Whether `path` is there and is no ordinary file: a device, a pipe, a directory. */
 bool file_is_special(const char *path);
 
+/* Whether two open files are one, whatever their names are. */
+bool file_is_same(const struct file *a, const struct file *b);
+
 /* What messages call the file `path` */
 const char *file_name(const char *path);
 

@@ -117,7 +117,12 @@ bool outputs_add(struct outputs *outputs, const struct layer *layer, const char 
         const char *const dot = find_extension(text);
         format = *dot == '.' ? find_format(dot + 1, strlen(dot + 1)) : NULL;
     }
-    if (format == NULL || common_kind(layer, format) == 0 || *path == '\0') {
+    const size_t length = strlen(path);
+    if (length > 5 && strcmp(path + length - 5, ".part") == 0) {
+        cli_error("%s: '%.200s' is a name for what is not complete yet", layer->option, path);
+        return false;
+    }
+    if (format == NULL || common_kind(layer, format) == 0 || length == 0) {
         format_error(layer, text);
         return false;
     }
@@ -210,8 +215,10 @@ bool outputs_exist(const struct outputs *outputs)
 
 void output_error(const struct output *output)
 {
-    cli_error("%s: %s: %s", output->option, file_name(output->tile_path),
-              output->reason != 0 ? strerror(output->reason) : "cannot be written");
+    const char *const reason = output->shared        ? "another option writes the same file"
+                               : output->reason != 0 ? strerror(output->reason)
+                                                     : "cannot be written";
+    cli_error("%s: %s: %s", output->option, file_name(output->tile_path), reason);
 }
 
 static bool check(struct output *output, bool succeeded)
@@ -221,6 +228,23 @@ static bool check(struct output *output, bool succeeded)
         output->failed = true;
     }
     return succeeded;
+}
+
+/* Whether a file of the output is also one of an output before it: ./a.r32 is a.r32, and two ENVI
+   rasters may want one header. */
+static bool is_shared(const struct outputs *outputs, size_t index)
+{
+    const struct writer *const writer = &outputs->list[index].writer;
+    for (size_t i = 0; i < index; i++) {
+        const struct writer *const other = &outputs->list[i].writer;
+        if (file_is_same(&writer->file, &other->file) ||
+            file_is_same(&writer->file, &other->header) ||
+            file_is_same(&writer->header, &other->file) ||
+            file_is_same(&writer->header, &other->header)) {
+            return true;
+        }
+    }
+    return false;
 }
 
 bool outputs_open(struct outputs *outputs, const struct surface *surface, const struct tile *tile)
@@ -248,6 +272,10 @@ bool outputs_open(struct outputs *outputs, const struct surface *surface, const 
         errno = 0;
         if (!check(output, writer_open(&output->writer))) {
             return false;
+        }
+        if (is_shared(outputs, i)) {
+            output->shared = true;
+            return check(output, false);
         }
     }
     return true;

@@ -27,6 +27,7 @@ struct output {
     size_t row_bytes;
     int reason; /* errno of what failed */
     bool failed;
+    bool shared; /* so it did: another output writes the same file */
 };
 
 /* Every layer but the comparison may be asked for by itself and, as three of them, by --output. */

@@ -188,6 +188,14 @@ class Names(Case):
                 error = self.check((option, name), option, repr(name))
                 self.assertEqual(set(re.findall(r" \.(\w+)", error)), expected)
 
+    def test_one_file_by_two_names(self):
+        for one, other in (("r32:a", "npy:./a"), ("a.img", "img:a")):
+            self.check(("--heights", one, "--normals", other), "--normals", "the same file")
+
+    def test_part(self):
+        """Another file would pass under that name while it is written."""
+        self.check(("--heights", "r32:a.part", "--normals", "npy:a"), "--heights", "a.part")
+
     def test_kinds(self):
         """A format that has no samples of the layer's kind."""
         for option in FORMATS:
