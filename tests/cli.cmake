@@ -20,7 +20,7 @@ else()
 
   foreach(test commands:Commands options:Errors formats:Formats formats:Names layers:Layers
                pictures:Pictures compare:Compare gallery:Gallery documents:Documents tiles:Tiles tiles:Resume
-               presets:Presets files:Files failures:FullDisk failures:Pipes interrupt:Interrupt
+               presets:Presets files:Files shared:Shared failures:FullDisk failures:Pipes interrupt:Interrupt
                progress:Progress memory:Memory same:Threads)
     string(REPLACE ":" ";" test ${test})
     list(GET test 0 file)

@@ -10,12 +10,13 @@
 
 #include "writer.h"
 
-/* NAME.hdr for NAME.img, NAME.hdr for any other NAME too; the caller frees it. */
+/* NAME.hdr for NAME.img, in capitals or not; for any other NAME too. */
 static char *header_path(const char *path)
 {
     char *const header = file_join((const char *const[]){path, ".hdr", NULL});
     const size_t length = strlen(path);
-    if (header != NULL && length > 4 && strcmp(path + length - 4, ".img") == 0) {
+    const char *const end = length > 4 ? path + length - 4 : "";
+    if (header != NULL && (strcmp(end, ".img") == 0 || strcmp(end, ".IMG") == 0)) {
         strcpy(header + length - 4, ".hdr");
     }
     return header;
@@ -58,5 +59,6 @@ static bool img_open(struct writer *writer)
 const struct format format_img = {.name = "img",
                                   .kinds = {0, KINDS, KINDS, KINDS},
                                   .needs_file = true,
+                                  .header_path = header_path,
                                   .open = img_open,
                                   .write = writer_write_raw};

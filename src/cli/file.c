@@ -23,6 +23,8 @@
 #define S_ISCHR(mode) (((mode)&_S_IFMT) == _S_IFCHR)
 #endif
 #else
+#include <fcntl.h>
+#include <sys/file.h>
 #include <unistd.h>
 #define SEEK_SET_64(stream, offset) fseeko(stream, (off_t)(offset), SEEK_SET)
 #endif
@@ -66,15 +68,6 @@ bool file_is_special(const char *path)
     return stat(path, &status) == 0 && !S_ISREG(status.st_mode);
 }
 
-/* Where files have no numbers, they are all 0, and only names tell. */
-bool file_is_same(const struct file *a, const struct file *b)
-{
-    struct stat first, second;
-    return a->stream != NULL && b->stream != NULL && fstat(fileno(a->stream), &first) == 0 &&
-           fstat(fileno(b->stream), &second) == 0 && S_ISREG(first.st_mode) && first.st_ino != 0 &&
-           first.st_ino == second.st_ino && first.st_dev == second.st_dev;
-}
-
 /* Whether `path` can take the file: nothing is there yet, or a file that may be changed. Renaming
    would tell only at the very end, and would replace a write-protected file. */
 static bool is_replaceable(const char *path)
@@ -96,9 +89,105 @@ static bool prepare(struct file *file)
     return !file->waits || setvbuf(file->stream, NULL, _IONBF, 0) == 0;
 }
 
+#ifdef _WIN32
+static char *follow_links(const char *path)
+{
+    return file_join((const char *const[]){path, NULL});
+}
+
+static FILE *open_partial(struct file *file, const char *partial)
+{
+    (void)file;
+    return fopen(partial, "wb");
+}
+
+static void unlock(struct file *file)
+{
+    (void)file;
+}
+#else
+/* What a link leads to is written, not the link. */
+static char *follow_links(const char *path)
+{
+    char *const target = realpath(path, NULL);
+    return target != NULL ? target : file_join((const char *const[]){path, NULL});
+}
+
+/* Locks the file at `path`, made if need be. -1 if that cannot be; errno is EBUSY if another run
+   has locked it, or this one by another name. Where there are no locks, it does without. */
+static int open_locked(const char *path)
+{
+    for (;;) {
+        const int descriptor = open(path, O_WRONLY | O_CREAT, 0666);
+        if (descriptor < 0) {
+            return -1;
+        }
+        if (flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+            close(descriptor);
+            errno = EBUSY;
+            return -1;
+        }
+        /* Until it was locked, another run may have finished with it and renamed it. */
+        struct stat locked, named;
+        if (fstat(descriptor, &locked) == 0 && stat(path, &named) == 0 &&
+            locked.st_ino == named.st_ino && locked.st_dev == named.st_dev) {
+            return descriptor;
+        }
+        close(descriptor);
+    }
+}
+
+/* The temporary file, empty, for this run alone: it stays locked until it has its own name. What a
+   run that was killed left is no longer locked. */
+static FILE *open_partial(struct file *file, const char *partial)
+{
+    const int descriptor = open_locked(partial);
+    if (descriptor < 0) {
+        return NULL;
+    }
+    const int copy = dup(descriptor);
+    FILE *const stream = copy >= 0 && ftruncate(copy, 0) == 0 ? fdopen(copy, "wb") : NULL;
+    if (stream == NULL) {
+        close(copy);
+        close(descriptor);
+        return NULL;
+    }
+    file->is_locked = true;
+    file->lock = descriptor;
+    return stream;
+}
+
+static void unlock(struct file *file)
+{
+    if (file->is_locked) {
+        close(file->lock);
+    }
+    file->is_locked = false;
+}
+#endif
+
+/* A file under a temporary name */
+static bool open_ordinary(struct file *file)
+{
+    if (!is_replaceable(file->path)) {
+        return false;
+    }
+    char *const partial = file_join((const char *const[]){file->path, ".part", NULL});
+    if (partial == NULL) {
+        return false;
+    }
+    file->stream = open_partial(file, partial);
+    if (file->stream == NULL) {
+        free(partial);
+        return false;
+    }
+    file->partial = partial;
+    return true;
+}
+
 bool file_open(struct file *file, const char *path)
 {
-    file->path = file_join((const char *const[]){path, NULL});
+    file->path = follow_links(path);
     if (file->path == NULL) {
         return false;
     }
@@ -113,20 +202,7 @@ bool file_open(struct file *file, const char *path)
         file->stream = fopen(path, "wb");
         return file->stream != NULL && prepare(file);
     }
-    if (!is_replaceable(path)) {
-        return false;
-    }
-    char *const partial = file_join((const char *const[]){path, ".part", NULL});
-    if (partial == NULL) {
-        return false;
-    }
-    file->stream = fopen(partial, "wb");
-    if (file->stream == NULL) {
-        free(partial);
-        return false;
-    }
-    file->partial = partial;
-    return true;
+    return open_ordinary(file);
 }
 
 /* fwrite would take up again what a signal ended halfway, and wait on. */
@@ -171,18 +247,27 @@ bool file_publish(struct file *file)
     remove(file->path); /* where rename does not replace */
 #endif
     file->published = rename(file->partial, file->path) == 0;
+    unlock(file);
     return file->published;
 }
 
-void file_discard(struct file *file, bool keep)
+void file_discard(struct file *file)
 {
     file_close(file);
-    if (file->partial != NULL && !keep) {
-        remove(file->published ? file->path : file->partial);
+    if (file->partial != NULL && !file->published) {
+        remove(file->partial);
     }
+    unlock(file);
     free(file->path);
     free(file->partial);
     *file = (struct file){0};
+}
+
+const char *file_reason(int reason)
+{
+    return reason == EBUSY ? "is being written by another run, or another option"
+           : reason == 0   ? "cannot be written"
+                           : strerror(reason);
 }
 
 bool file_seek(struct file *file, uint64_t offset)

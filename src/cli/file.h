@@ -2,8 +2,9 @@
  *
  * Output files that appear only when they are whole. A file is written under a temporary name
  * beside its own, PATH.part, and takes its own name when all of it is written: a run that fails
- * leaves no half files, and older ones as they were. "-" is standard output, and it, devices and
- * named pipes are written as they are. Used by everything that writes.
+ * leaves no half files, and older ones as they were; two runs do not write one file at a time. "-"
+ * is standard output, and it, devices and named pipes are written as they are. Used by everything
+ * that writes.
  */
 #ifndef SCARP_CLI_FILE_H
 #define SCARP_CLI_FILE_H
@@ -19,6 +20,8 @@ struct file {
     /* Private to file.c: */
     char *path, *partial; /* the final and the temporary name; none: no temporary name */
     bool published;       /* under the final name */
+    bool is_locked;
+    int lock; /* a descriptor that keeps other runs from the temporary file */
 };
 
 /* All return whether they succeeded; on failure errno may tell why. */
@@ -29,18 +32,18 @@ bool file_publish(struct file *file);
 /* False also when the user or the system asked the program to stop while the write waited. */
 bool file_write(struct file *file, const void *bytes, size_t count);
 
-/* Frees the file. Unless `keep`, it is removed, published or not. May be called at any time after
+/* Frees the file. Unless it was published, it is removed. May be called at any time after
    zero-initialisation. */
-void file_discard(struct file *file, bool keep);
+void file_discard(struct file *file);
+
+/* What messages say of an errno after one of these failed */
+const char *file_reason(int reason);
 
 /* Moves to a byte counted from the start. False where that is impossible, as in a pipe. */
 bool file_seek(struct file *file, uint64_t offset);
 
 /* Whether `path` is there and is no ordinary file: a device, a pipe, a directory. */
 bool file_is_special(const char *path);
-
-/* Whether two open files are one, whatever their names are. */
-bool file_is_same(const struct file *a, const struct file *b);
 
 /* What messages call the file `path` */
 const char *file_name(const char *path);

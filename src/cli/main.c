@@ -4,6 +4,7 @@
  */
 #include <errno.h>
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
 
@@ -56,7 +57,7 @@ static int run_command(const char *name, char **argv)
     return CLI_USAGE;
 }
 
-static int is_help(const char *word)
+static bool is_help(const char *word)
 {
     return strcmp(word, "help") == 0 || strcmp(word, "--help") == 0 || strcmp(word, "-h") == 0;
 }
@@ -67,19 +68,23 @@ static int run(int argc, char **argv)
         fputs(usage, stderr);
         return CLI_USAGE;
     }
-    if (is_help(argv[1])) {
-        if (argc > 2) {
-            char help[] = "--help";
-            return run_command(argv[2], (char *[]){help, NULL});
-        }
-        fputs(usage, stdout);
-        return CLI_SUCCESS;
+    const bool help = is_help(argv[1]), version = strcmp(argv[1], "--version") == 0;
+    if (!help && !version) {
+        return run_command(argv[1], argv + 2);
     }
-    if (strcmp(argv[1], "--version") == 0) {
+    if (argc > (help ? 3 : 2)) {
+        cli_error("%.60s: unexpected argument; see: scarp --help", argv[help ? 3 : 2]);
+        return CLI_USAGE;
+    }
+    if (version) {
         printf("scarp %s\n", scarp_version());
-        return CLI_SUCCESS;
+    } else if (argc == 2 || is_help(argv[2])) {
+        fputs(usage, stdout);
+    } else {
+        char option[] = "--help";
+        return run_command(argv[2], (char *[]){option, NULL});
     }
-    return run_command(argv[1], argv + 2);
+    return CLI_SUCCESS;
 }
 
 int main(int argc, char **argv)

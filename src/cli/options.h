@@ -41,6 +41,13 @@ struct option_group {
     size_t offset; /* of the structure */
 };
 
+#define OPTION_GROUP(title, rows, offset)                                                          \
+    {                                                                                              \
+        title, rows, sizeof(rows) / sizeof(rows)[0], offset                                        \
+    }
+
+#define OPTION_ISAS "scalar, sse4.1, avx2, avx512 or neon" /* what option_isa takes */
+
 /* Options as they would be typed, one word each and NULL at the end: names, each followed by its
    value unless it is a flag */
 typedef const char *const option_words[];

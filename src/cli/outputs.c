@@ -19,14 +19,23 @@
 #define COLOUR_EXTENSION ".ppm"
 #endif
 
+static bool is_separator(char c)
+{
+#ifdef _WIN32
+    return c == '/' || c == '\\';
+#else
+    return c == '/';
+#endif
+}
+
 /* The dot of the extension; the end of the path if it has none. */
 static const char *find_extension(const char *path)
 {
     const char *dot = NULL;
     for (const char *c = path; *c != '\0'; c++) {
-        if (*c == '.' && c != path && c[-1] != '/') {
+        if (*c == '.' && c != path && !is_separator(c[-1])) {
             dot = c;
-        } else if (*c == '/' || *c == '\\') {
+        } else if (is_separator(*c)) {
             dot = NULL;
         }
     }
@@ -86,7 +95,9 @@ static bool add(struct outputs *outputs, const struct layer *layer, const char *
                 const struct format *format, const char *path)
 {
     for (size_t i = 0; i < outputs->count; i++) {
-        if (strcmp(outputs->list[i].path, path) == 0 && !file_is_special(path)) {
+        const bool standard_output = strcmp(path, "-") == 0;
+        if (strcmp(outputs->list[i].path, path) == 0 &&
+            (standard_output || !file_is_special(path))) {
             cli_error("%s: %s is already written by %s", option, file_name(path),
                       outputs->list[i].option);
             return false;
@@ -162,6 +173,17 @@ bool outputs_to_standard_output(const struct outputs *outputs)
     return false;
 }
 
+bool outputs_are_files(const struct outputs *outputs)
+{
+    for (size_t i = 0; i < outputs->count; i++) {
+        const char *const path = outputs->list[i].path;
+        if (strcmp(path, "-") == 0 || file_is_special(path)) {
+            return false;
+        }
+    }
+    return true;
+}
+
 unsigned outputs_needs(const struct outputs *outputs)
 {
     unsigned needs = 0;
@@ -206,7 +228,7 @@ bool outputs_name(struct outputs *outputs, const struct tile *tile)
 bool outputs_exist(const struct outputs *outputs)
 {
     for (size_t i = 0; i < outputs->count; i++) {
-        if (!file_exists(outputs->list[i].tile_path)) {
+        if (!writer_exists(outputs->list[i].format, outputs->list[i].tile_path)) {
             return false;
         }
     }
@@ -215,10 +237,8 @@ bool outputs_exist(const struct outputs *outputs)
 
 void output_error(const struct output *output)
 {
-    const char *const reason = output->shared        ? "another option writes the same file"
-                               : output->reason != 0 ? strerror(output->reason)
-                                                     : "cannot be written";
-    cli_error("%s: %s: %s", output->option, file_name(output->tile_path), reason);
+    cli_error("%s: %s: %s", output->option, file_name(output->tile_path),
+              file_reason(output->reason));
 }
 
 static bool check(struct output *output, bool succeeded)
@@ -228,23 +248,6 @@ static bool check(struct output *output, bool succeeded)
         output->failed = true;
     }
     return succeeded;
-}
-
-/* Whether a file of the output is also one of an output before it: ./a.r32 is a.r32, and two ENVI
-   rasters may want one header. */
-static bool is_shared(const struct outputs *outputs, size_t index)
-{
-    const struct writer *const writer = &outputs->list[index].writer;
-    for (size_t i = 0; i < index; i++) {
-        const struct writer *const other = &outputs->list[i].writer;
-        if (file_is_same(&writer->file, &other->file) ||
-            file_is_same(&writer->file, &other->header) ||
-            file_is_same(&writer->header, &other->file) ||
-            file_is_same(&writer->header, &other->header)) {
-            return true;
-        }
-    }
-    return false;
 }
 
 bool outputs_open(struct outputs *outputs, const struct surface *surface, const struct tile *tile)
@@ -273,10 +276,6 @@ bool outputs_open(struct outputs *outputs, const struct surface *surface, const 
         if (!check(output, writer_open(&output->writer))) {
             return false;
         }
-        if (is_shared(outputs, i)) {
-            output->shared = true;
-            return check(output, false);
-        }
     }
     return true;
 }
@@ -298,10 +297,10 @@ bool outputs_close(struct outputs *outputs)
     return true;
 }
 
-void outputs_discard(struct outputs *outputs, bool keep)
+void outputs_discard(struct outputs *outputs)
 {
     for (size_t i = 0; i < outputs->count; i++) {
-        writer_discard(&outputs->list[i].writer, keep);
+        writer_discard(&outputs->list[i].writer);
         outputs->list[i].writer = (struct writer){0};
     }
 }

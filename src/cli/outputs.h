@@ -27,7 +27,6 @@ struct output {
     size_t row_bytes;
     int reason; /* errno of what failed */
     bool failed;
-    bool shared; /* so it did: another output writes the same file */
 };
 
 /* Every layer but the comparison may be asked for by itself and, as three of them, by --output. */
@@ -52,6 +51,7 @@ bool outputs_add(struct outputs *outputs, const struct layer *layer, const char 
 bool outputs_add_stem(struct outputs *outputs, const char *stem, bool compare);
 
 bool outputs_to_standard_output(const struct outputs *outputs);
+bool outputs_are_files(const struct outputs *outputs); /* no pipe, device or standard output */
 unsigned outputs_needs(const struct outputs *outputs);
 
 /* Decides the file names of a tile. False without memory, with a line on stderr. */
@@ -62,8 +62,8 @@ bool outputs_exist(const struct outputs *outputs); /* all of them */
 bool outputs_open(struct outputs *outputs, const struct surface *surface, const struct tile *tile);
 bool outputs_close(struct outputs *outputs);
 
-/* Ends a tile: unless `keep`, its files are removed. */
-void outputs_discard(struct outputs *outputs, bool keep);
+/* Ends a tile: files that were not completed are removed. */
+void outputs_discard(struct outputs *outputs);
 void outputs_free(struct outputs *outputs);
 
 /* Tells why output->failed. */

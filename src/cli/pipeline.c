@@ -80,7 +80,7 @@ static void divide(struct pipeline *pipeline)
     pipeline->threads = smaller(pipeline->threads, pipeline->blocks);
 }
 
-static bool open(struct pipeline *pipeline)
+static bool open_pipeline(struct pipeline *pipeline)
 {
     divide(pipeline);
     pipeline->scratch = calloc(pipeline->threads, sizeof *pipeline->scratch);
@@ -103,7 +103,7 @@ static bool open(struct pipeline *pipeline)
     return true;
 }
 
-static void close(struct pipeline *pipeline)
+static void close_pipeline(struct pipeline *pipeline)
 {
     for (size_t i = 0; pipeline->scratch != NULL && i < pipeline->threads; i++) {
         block_close(&pipeline->scratch[i]);
@@ -127,8 +127,8 @@ static void fill(const struct pipeline *pipeline, size_t band, size_t n, struct 
     const size_t column = n % across * pipeline->block_columns;
     const size_t row = n / across * pipeline->block_rows;
     const size_t rows = rows_of_band(pipeline, band);
-    if (row >= rows) {
-        return; /* the last band is lower */
+    if (row >= rows || interrupted()) {
+        return; /* the last band is lower; of an interrupted run nothing is kept */
     }
     block->columns = smaller(pipeline->block_columns, tile->width - column);
     block->rows = smaller(pipeline->block_rows, rows - row);
@@ -232,7 +232,7 @@ enum pipeline_result pipeline_run(const struct surface *surface, const struct ti
     struct pipeline pipeline = {
         .surface = surface, .tile = tile, .outputs = outputs, .threads = threads};
     const enum pipeline_result result =
-        open(&pipeline) ? run(&pipeline, progress) : PIPELINE_NO_MEMORY;
-    close(&pipeline);
+        open_pipeline(&pipeline) ? run(&pipeline, progress) : PIPELINE_NO_MEMORY;
+    close_pipeline(&pipeline);
     return result;
 }

@@ -71,6 +71,7 @@ static bool png_open(struct writer *writer)
     }
     png_set_write_fn(state->png, &writer->file, write_bytes, flush_bytes);
     const struct raster *const raster = &writer->raster;
+    png_set_user_limits(state->png, PNG_UINT_31_MAX, PNG_UINT_31_MAX);
     png_set_compression_level(state->png, COMPRESSION_LEVEL);
     if (!raster->repeats) {
         png_set_filter(state->png, PNG_FILTER_TYPE_BASE, FILTER);

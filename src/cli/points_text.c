@@ -204,18 +204,27 @@ static bool read_point(struct points *points, double position[3])
     return check_columns(points, columns);
 }
 
-/* Whether the row at hand is a header: there are several fields, and the first one is no number,
-   not even one that a point cannot have, such as "nan". */
+static bool is_number(const struct field *field)
+{
+    char *end;
+    strtod(field->begin, &end);
+    return end == field->end && end != field->begin;
+}
+
+/* Whether the row at hand is a header: of its first two fields none is a number, not even one that
+   a point cannot have, such as "nan". */
 static bool is_header(const struct points *points)
 {
     const struct points_text *const text = &points->text;
     if (text->overlong || strlen(text->line) != text->length) {
         return false;
     }
-    const struct field field = field_csv(text->line);
-    char *end;
-    strtod(field.begin, &end);
-    return field.next != NULL && (end != field.end || field.begin == field.end);
+    const struct field first = field_csv(text->line);
+    if (first.next == NULL) {
+        return false;
+    }
+    const struct field second = field_csv(first.next);
+    return !is_number(&first) && !is_number(&second);
 }
 
 static int take_header(struct points *points)

@@ -21,8 +21,7 @@
 
 static int tell_failure(const struct results *results, int status)
 {
-    cli_error("--output: %s: %s", file_name(results->path),
-              errno != 0 ? strerror(errno) : "cannot be written");
+    cli_error("--output: %s: %s", file_name(results->path), file_reason(errno));
     return status;
 }
 
@@ -287,9 +286,9 @@ int results_end(struct results *results, const struct points *points)
     return CLI_SUCCESS;
 }
 
-void results_close(struct results *results, bool keep)
+void results_close(struct results *results)
 {
-    file_discard(&results->file, keep);
+    file_discard(&results->file);
     free(results->bytes);
     results->bytes = NULL;
 }

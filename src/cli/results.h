@@ -48,6 +48,6 @@ int results_end(struct results *results, const struct points *points);
 
 /* Leaves nothing behind unless results_end succeeded. May be called at any time after
    zero-initialisation. */
-void results_close(struct results *results, bool keep);
+void results_close(struct results *results);
 
 #endif

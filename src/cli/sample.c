@@ -29,7 +29,6 @@ static const char *const formats[] = {"csv", "text", "npy", NULL};
 
 #define FIELD(name) offsetof(struct sample_options, name)
 #define FORMATS "csv, text or npy"
-#define ISAS "scalar, sse4.1, avx2, avx512 or neon"
 
 static const struct option point_rows[] = {
     {.name = "--input",
@@ -89,8 +88,8 @@ static const struct option result_rows[] = {
 static const struct option running_rows[] = {
     {.name = "--isa",
      .argument = "NAME",
-     .allowed = ISAS,
-     .help = "instruction set: " ISAS ";\nthe results do not depend on it [the best one]",
+     .allowed = OPTION_ISAS,
+     .help = "instruction set: " OPTION_ISAS ";\nthe results do not depend on it [the best one]",
      .parse = option_isa,
      .offset = FIELD(isa)},
     {.name = "--quiet",
@@ -98,16 +97,11 @@ static const struct option running_rows[] = {
      .offset = FIELD(quiet)},
 };
 
-#define GROUP(title, rows)                                                                         \
-    {                                                                                              \
-        title, rows, sizeof rows / sizeof rows[0], 0                                               \
-    }
-
 static const struct option_group groups[] = {
-    GROUP("points", point_rows),
-    GROUP("results", result_rows),
+    OPTION_GROUP("points", point_rows, 0),
+    OPTION_GROUP("results", result_rows, 0),
     {"noise", noise_option_rows, NOISE_OPTION_COUNT, FIELD(noise)},
-    GROUP("running", running_rows),
+    OPTION_GROUP("running", running_rows, 0),
 };
 
 static const struct option_table table = {
@@ -121,8 +115,8 @@ static const struct option_table table = {
         "tell them apart, or nan.\n"
         "\n"
         "csv   Fields between commas, in double quotes or not. The first line is a header row if\n"
-        "      its first field is no number. Results get one too, unless the points are CSV\n"
-        "      without.\n"
+        "      its first two fields are no numbers. Results get one too, unless the points are\n"
+        "      CSV without.\n"
         "text  Columns between spaces or tabs, without a header row. As in CSV, empty lines and\n"
         "      those that begin with # are passed over.\n"
         "npy   Arrays of NumPy. Points have the shape (n, 2) or (n, 3) and are floats or doubles,\n"
@@ -276,7 +270,7 @@ static int run(struct sample *sample, const struct sample_options *options)
     if (status == CLI_SUCCESS) {
         status = results_end(&sample->results, &sample->points);
     }
-    results_close(&sample->results, status == CLI_SUCCESS);
+    results_close(&sample->results);
     return status;
 }
 

@@ -11,13 +11,13 @@ _scarp()
 {
     local program=${COMP_WORDS[0]} word=${COMP_WORDS[COMP_CWORD]}
     local before=${COMP_WORDS[COMP_CWORD - 1]} command=${COMP_WORDS[1]}
-    local words
+    local words=
 
     COMPREPLY=()
     if [ "$COMP_CWORD" -eq 1 ]; then
         words="terrain sample info help --help --version"
     elif [ "$command" = help ]; then
-        words="terrain sample info"
+        [ "$COMP_CWORD" -eq 2 ] && words="terrain sample info"
     else
         case $before in
         --basis) words="gradient value" ;;
@@ -32,7 +32,12 @@ _scarp()
             mapfile -t COMPREPLY < <(compgen -f -- "$word")
             return
             ;;
-        *) words=$(_scarp_options "$program" "$command") ;;
+        *)
+            # After an option with a value of its own, nothing can be offered.
+            if ! "$program" help "$command" 2>/dev/null | grep -q "^  $before [A-Z]"; then
+                words=$(_scarp_options "$program" "$command")
+            fi
+            ;;
         esac
     fi
     mapfile -t COMPREPLY < <(compgen -W "$words" -- "$word")

@@ -81,6 +81,7 @@ static void sample(const struct surface *surface, const struct block *block, int
         .first = {column, row - (int64_t)(surface->height - 1), 0},
         .count = {block->columns, block->rows, 1},
     };
+    /* Cannot fail: the noise was checked, and what the options allow of places lies within 2^53. */
     scarp_grid2(&surface->noise, &grid, out);
     if (surface->floor > surface->lowest || surface->ceiling < surface->highest) {
         clamp(surface, block->columns * block->rows, out);

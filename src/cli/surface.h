@@ -35,7 +35,7 @@ enum surface_need {
     SURFACE_DIFFERENCES = 8, /* normals from differences of heights */
 };
 
-#define BLOCK_SAMPLES 32768 /* at most; 0.8 MB with gradient and normals */
+#define BLOCK_SAMPLES 32768 /* at most: 128 KiB of each array that is needed */
 
 /* Samples of a rectangle, row by row without gaps; what is not needed is NULL. */
 struct block {

@@ -29,7 +29,11 @@ struct tiling {
 static double seconds(void)
 {
     struct timespec now = {0, 0}; /* stays so without a clock */
+#ifdef CLOCK_MONOTONIC
+    clock_gettime(CLOCK_MONOTONIC, &now);
+#else
     timespec_get(&now, TIME_UTC);
+#endif
     return (double)now.tv_sec + (double)now.tv_nsec * 1e-9;
 }
 
@@ -193,7 +197,7 @@ static int write_tile(struct job *job, const struct tile *tile)
         job->written++;
         job->samples += (uint64_t)tile->width * tile->height;
     }
-    outputs_discard(outputs, result == PIPELINE_DONE);
+    outputs_discard(outputs);
     return status;
 }
 
@@ -211,7 +215,7 @@ static int write_tiles(struct job *job)
             if (!outputs_name(&job->outputs, &tile)) {
                 return CLI_FAILURE;
             }
-            if (job->options->resume && outputs_exist(&job->outputs)) {
+            if (job->options->resume && outputs_exist(&job->outputs) && !interrupted()) {
                 progress_add(&job->progress, tile.height);
                 continue;
             }
@@ -226,20 +230,23 @@ static int write_tiles(struct job *job)
 
 static void print_summary(const struct job *job, double duration)
 {
-    FILE *const stream = outputs_to_standard_output(&job->outputs) ? stderr : stdout;
+    /* A device may be standard output by another name. */
+    FILE *const stream = outputs_are_files(&job->outputs) ? stdout : stderr;
     if (job->written == 0) {
         fprintf(stream, "nothing to do: all files are there\n");
         return;
     }
     if (job->tiling.numbered) {
-        fprintf(stream, "%zu tile%s of ", job->written, job->written == 1 ? "" : "s");
+        fprintf(stream, "%zu tile%s, %llu", job->written, job->written == 1 ? "" : "s",
+                (unsigned long long)job->samples);
+    } else {
+        fprintf(stream, "%zux%zu", job->surface.width, job->surface.height);
     }
     /* No clock resolves the smallest rasters. */
     const double rate = (double)job->samples / (duration > 1e-9 ? duration : 1e-9);
-    fprintf(stream,
-            "%zux%zu samples in %.3f s: %.1f million samples per second (%s, %zu thread%s)\n",
-            job->tiling.tile.width, job->tiling.tile.height, duration, rate * 1e-6,
-            scarp_isa_name(scarp_isa_active()), job->threads, job->threads == 1 ? "" : "s");
+    fprintf(stream, " samples in %.3f s: %.1f million samples per second (%s, %zu thread%s)\n",
+            duration, rate * 1e-6, scarp_isa_name(scarp_isa_active()), job->threads,
+            job->threads == 1 ? "" : "s");
 }
 
 static bool prepare(struct job *job)

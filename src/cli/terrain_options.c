@@ -10,7 +10,6 @@
 #include "presets.h"
 
 #define FIELD(name) offsetof(struct terrain_options, name)
-#define ISAS "scalar, sse4.1, avx2, avx512 or neon"
 
 static const struct option raster_rows[] = {
     {.name = "--size",
@@ -52,7 +51,8 @@ static const struct option raster_rows[] = {
     {.name = "--sea-level",
      .argument = "F",
      .allowed = "a number from -2^24 to 2^24",
-     .help = "noise values below F become F, flat as water,\nfrom -2^24 to 2^24 [no sea]",
+     .help = "noise values below F become F, flat as water; taken into the\ninterval of the noise, "
+             "from -2^24 to 2^24 [no sea]",
      .parse = option_float,
      .offset = FIELD(sea_level),
      .lowest = -0x1p24,
@@ -60,7 +60,8 @@ static const struct option raster_rows[] = {
     {.name = "--plateau",
      .argument = "F",
      .allowed = "a number from -2^24 to 2^24",
-     .help = "noise values above F become F, flat as a table,\nfrom -2^24 to 2^24 [no plateau]",
+     .help = "noise values above F become F, flat as a table; no lower than\nthe sea, from -2^24 "
+             "to 2^24 [no plateau]",
      .parse = option_float,
      .offset = FIELD(plateau),
      .lowest = -0x1p24,
@@ -215,26 +216,21 @@ static const struct option running_rows[] = {
      .lowest = 1},
     {.name = "--isa",
      .argument = "NAME",
-     .allowed = ISAS,
-     .help = "instruction set: " ISAS ";\nthe files do not depend on it [the best one]",
+     .allowed = OPTION_ISAS,
+     .help = "instruction set: " OPTION_ISAS ";\nthe files do not depend on it [the best one]",
      .parse = option_isa,
      .offset = FIELD(isa)},
     {.name = "--quiet", .help = "print nothing but errors", .offset = FIELD(quiet)},
 };
 
-#define GROUP(title, rows, offset)                                                                 \
-    {                                                                                              \
-        title, rows, sizeof(rows) / sizeof(rows)[0], offset                                        \
-    }
-
 static const struct option_group groups[] = {
-    GROUP("the raster", raster_rows, 0),
-    GROUP("files, any of which may be asked for together", file_rows, 0),
-    GROUP("how they look", look_rows, 0),
-    GROUP("tiles", tile_rows, 0),
-    GROUP("the noise", preset_rows, 0),
+    OPTION_GROUP("the raster", raster_rows, 0),
+    OPTION_GROUP("files, any of which may be asked for together", file_rows, 0),
+    OPTION_GROUP("how they look", look_rows, 0),
+    OPTION_GROUP("tiles", tile_rows, 0),
+    OPTION_GROUP("the noise", preset_rows, 0),
     {NULL, noise_option_rows, NOISE_OPTION_COUNT, FIELD(noise)},
-    GROUP("running", running_rows, 0),
+    OPTION_GROUP("running", running_rows, 0),
 };
 
 /* With the frequency 1 and the step 1, all samples would be lattice points. */
@@ -254,7 +250,7 @@ const struct option_table terrain_table = {
         "\n"
         ".png       with libpng only         .pgm .ppm  netpbm's, high byte first\n"
         ".r16 .r32  no header, low byte first           .pfm  floats, bottom row first\n"
-        ".img       ENVI, which GDAL opens, with its header in FILE.hdr and the raster's place\n"
+        ".img       ENVI, which GDAL opens; NAME.hdr beside NAME.img tells the raster's place\n"
         ".npy       NumPy's: height x width, or height x width x components\n"
         "\n"
         "place      column c and row r lie at x = X + c step and y = Y + (H - 1 - r) step: x "

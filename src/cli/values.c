@@ -10,6 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "number.h"
 #include "options.h"
 #include "scarp.h"
 
@@ -18,21 +19,17 @@ static bool is_digit(char c)
     return c >= '0' && c <= '9';
 }
 
-/* A number of [lowest, highest] at the start of `text`; *end is what follows it. strtod also takes
-   leading space, "inf" and "nan"; the first character rules them out. */
-static bool read_number(const struct option *option, const char *text, double *value, char **end)
+/* A number of [lowest, highest] at the start of `text`; *end is what follows it. */
+static bool read_number(const struct option *option, const char *text, double *value,
+                        const char **end)
 {
-    const char first = text[0] == '-' || text[0] == '+' ? text[1] : text[0];
-    if (!is_digit(first) && first != '.') {
-        return false;
-    }
-    *value = strtod(text, end);
-    return *end != text && *value >= option->lowest && *value <= option->highest;
+    *end = number_read(text, value);
+    return *end != NULL && *value >= option->lowest && *value <= option->highest;
 }
 
 enum option_result option_double(const struct option *option, const char *text, void *field)
 {
-    char *end;
+    const char *end;
     double value;
     if (!read_number(option, text, &value, &end) || *end != '\0') {
         return OPTION_INVALID;
@@ -65,7 +62,7 @@ enum option_result option_magnitude(const struct option *option, const char *tex
 
 enum option_result option_point(const struct option *option, const char *text, void *field)
 {
-    char *end;
+    const char *end;
     struct option_point point;
     if (!read_number(option, text, &point.x, &end) || *end != ',' ||
         !read_number(option, end + 1, &point.y, &end) || *end != '\0') {
@@ -174,7 +171,8 @@ enum option_result option_stem(const struct option *option, const char *text, vo
 {
     (void)option;
     const size_t length = strlen(text);
-    if (length == 0 || text[length - 1] == '/' || text[length - 1] == '\\') {
+    if (length == 0 || strcmp(text, "-") == 0 || text[length - 1] == '/' ||
+        text[length - 1] == '\\') {
         return OPTION_INVALID;
     }
     *(const char **)field = text;

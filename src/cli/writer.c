@@ -5,6 +5,7 @@
 #include "writer.h"
 
 #include <errno.h>
+#include <stdlib.h>
 
 const struct format *const writer_formats[] = {
 #ifdef SCARP_CLI_PNG
@@ -42,7 +43,17 @@ bool writer_open(struct writer *writer)
     if (writer->format->needs_file && !file_seek(&writer->file, 0)) {
         return false;
     }
+    errno = 0;
     return writer->format->open(writer);
+}
+
+bool writer_exists(const struct format *format, const char *path)
+{
+    char *const header = format->header_path != NULL ? format->header_path(path) : NULL;
+    const bool complete = file_exists(path) &&
+                          (format->header_path == NULL || (header != NULL && file_exists(header)));
+    free(header);
+    return complete;
 }
 
 bool writer_write(struct writer *writer, const uint8_t *samples, size_t row, size_t rows)
@@ -63,13 +74,13 @@ bool writer_publish(struct writer *writer)
     return file_publish(&writer->header) && file_publish(&writer->file);
 }
 
-void writer_discard(struct writer *writer, bool keep)
+void writer_discard(struct writer *writer)
 {
     const int reason = errno;
     if (writer->format != NULL && writer->format->close != NULL) {
         writer->format->close(writer, false);
     }
-    file_discard(&writer->header, keep);
-    file_discard(&writer->file, keep);
+    file_discard(&writer->header);
+    file_discard(&writer->file);
     errno = reason;
 }

@@ -39,6 +39,8 @@ struct format {
     const char *name;                 /* also its extension, without the dot */
     unsigned kinds[MAX_CHANNELS + 1]; /* by channels: the kinds it takes, or'ed */
     bool needs_file;                  /* and not a pipe: not all is written in order */
+    /* The path of the header file beside the file, which the caller frees. NULL: there is none. */
+    char *(*header_path)(const char *path);
     /* Writes what stands before the first row. */
     bool (*open)(struct writer *writer);
     /* Writes `rows` rows, from `row` of the raster on; calls go from the top to the bottom. */
@@ -86,8 +88,11 @@ bool writer_write(struct writer *writer, const uint8_t *samples, size_t row, siz
 bool writer_close(struct writer *writer); /* completes the file, still under its temporary name */
 bool writer_publish(struct writer *writer);
 
-/* Frees the writer. Unless `keep`, its file is removed, published or not. May be called at any time
-   after zero-initialisation. */
-void writer_discard(struct writer *writer, bool keep);
+/* Frees the writer. Unless its file was published, it is removed. May be called at any time after
+   zero-initialisation. */
+void writer_discard(struct writer *writer);
+
+/* Whether a raster is there, whole, under its final name. */
+bool writer_exists(const struct format *format, const char *path);
 
 #endif

@@ -15,7 +15,8 @@ class Files(Case):
         self.assertEqual(self.files(), sorted(self.names("terrain")))
 
     def test_shapes(self):
-        for width, height in ((1, 1), (7, 5), (65, 3), (1, 70000), (70000, 1)):
+        for width, height in ((1, 1), (7, 5), (65, 3), (1, 70000), (70000, 1),
+                              (1000000, 1)):
             with self.subTest(width=width, height=height):
                 self.terrain("--size", "%dx%d" % (width, height))
                 pictures = [read_picture(self.path(name)) for name in self.names("t")]

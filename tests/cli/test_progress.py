@@ -37,11 +37,11 @@ class Progress(Case):
         """How many were written, without those that were there."""
         arguments = ("terrain", *SMALL, "--tile", "10x10", "--heights", self.path("t.r32"))
         self.assertRegex(run(*arguments).stdout.decode(),
-                         SUMMARY.replace(r"\A", r"\A12 tiles of ") % "10x10")
+                         SUMMARY % "12 tiles, 1200")
         for name in ("t_0_0.r32", "t_2_3.r32"):
             os.remove(self.path(name))
         self.assertRegex(run(*arguments, "--resume").stdout.decode(),
-                         SUMMARY.replace(r"\A", r"\A2 tiles of ") % "10x10")
+                         SUMMARY % "2 tiles, 200")
         self.assertEqual(run(*arguments, "--resume").stdout,
                          b"nothing to do: all files are there\n")
 

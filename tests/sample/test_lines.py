@@ -38,11 +38,11 @@ class Lines(Case):
         self.check('"x","the ""y"", north"\n1.5,2.25\n-3.5," 4.75 "\n', header="value\n")
 
     def test_header(self):
-        """A first field that is no number at all; one that a point cannot have is malformed."""
-        for header in ("x,y", '"x","y"', "longitude (deg),2", ",1", "n/a,x", "1a,2", "x y,z"):
+        """Two fields that are no numbers at all; one that a point cannot have is malformed."""
+        for header in ("x,y", '"x","y"', "longitude (deg),", ",y", "n/a,x", "1a,2b", "x y,z"):
             self.check(header + "\n1.5,2.25\n-3.5,4.75\n", header="value\n")
         self.check("1.5,2.25\n-3.5,4.75\n")
-        for first in ("1,x", "nan,1", "inf,y", "0x10,y", "1e999,y", '"1","y"'):
+        for first in ("x,1", ",1", "1a,2", "1,x", "nan,1", "inf,y", "0x10,y", "1e999,y", '"1","y"'):
             self.check_refused(first + "\n1.5,2.25\n", "standard input:1: ")
         self.check_refused("x,y\na,b\n1,2\n", "standard input:2: column 1: 'a'")
         self.check_refused("x y\n1 2\n", "standard input:1: column 1: 'x'")
