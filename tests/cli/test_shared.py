@@ -57,21 +57,20 @@ class Shared(Case):
         self.assertEqual(len(self.read_file("real/r.r32")), 40 * 30 * 4)
         self.assertEqual(os.listdir(self.path("real")), ["r.r32"])
 
-    @unittest.skipUnless(hasattr(os, "geteuid") and os.geteuid() == 0, "needs root")
-    def test_file_of_another(self):
-        """Only root may rename over it, which shows at the end. What has its name by then stays."""
-        os.chmod(self.directory, 0o1777)
-        self.write_file("n.npy", b"other")
-        os.chmod(self.path("n.npy"), 0o666)
-        self.write_file("h.r32", b"mine")
-        os.chown(self.path("h.r32"), 12345, 12345)
-
-        result = run("terrain", *SMALL, "--heights", self.path("h.r32"), "--normals",
-                     self.path("n.npy"), preexec_fn=lambda: os.setuid(12345))
-        self.check_one_line(result, 1, "--normals", "n.npy")
-        self.assertEqual(self.files(), ["h.r32", "n.npy"])
-        self.assertEqual(self.read_file("n.npy"), b"other")
-        self.assertEqual(len(self.read_file("h.r32")), 40 * 30 * 4)
+    def test_name_is_taken(self):
+        """By a directory, while the run goes on: what has its name by then stays, and is whole."""
+        self.write_file("h.r32", b"old")
+        os.mkfifo(self.path("pipe"))
+        first = start("terrain", *LARGE, "--heights", self.path("h.r32"), "--normals",
+                      self.path("n.npy"), "--gradient", "npy:" + self.path("pipe"), "--quiet")
+        with open(self.path("pipe"), "rb") as pipe:
+            os.makedirs(self.path("n.npy/taken"))
+            pipe.read()
+        error = first.communicate()[1].decode()
+        self.assertEqual(first.returncode, 1)
+        self.assertRegex(error, r"\Ascarp: --normals: [^\n]*n\.npy: [^\n]+\n\Z")
+        self.assertEqual(self.files(), ["h.r32", "n.npy", "pipe"])
+        self.assertEqual(len(self.read_file("h.r32")), 400 * 300 * 4)
 
     def test_header_of_envi(self):
         """Without it, the raster is not complete."""
