@@ -18,6 +18,7 @@ if(TARGET scarp-cli AND Python3_Interpreter_FOUND)
     string(TOLOWER ${class} name)
     scarp_add_test(cli.sample.${name} cli ${Python3_EXECUTABLE}
                    ${CMAKE_CURRENT_LIST_DIR}/sample/test_${file}.py ${class} ${library} ${program})
-    set_tests_properties(cli.sample.${name} PROPERTIES ENVIRONMENT PYTHONDONTWRITEBYTECODE=1)
+    set_tests_properties(cli.sample.${name} PROPERTIES ENVIRONMENT
+                         "SCARP_SPEED=${speed};PYTHONDONTWRITEBYTECODE=1")
   endforeach()
 endif()
