@@ -13,8 +13,7 @@ static void difference(const struct surface *surface, const struct block *block,
     float *const after = block->differences_y;
     surface_values(surface, block, column, row, -right, -up, before);
     surface_values(surface, block, column, row, right, up, after);
-    const double steps_per_value = 65535.0 / ((double)surface->highest - (double)surface->lowest);
-    const double distance = 2.0 * surface->step * steps_per_value;
+    const double distance = 2.0 * surface->step * surface->steps_per_value;
     for (size_t i = 0; i < block->columns * block->rows; i++) {
         const int steps =
             (int)surface_quantise(surface, after[i]) - (int)surface_quantise(surface, before[i]);

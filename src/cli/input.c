@@ -69,7 +69,7 @@ bool input_more(struct input *input)
             return true;
         }
         if (count == 0 || errno != EINTR || interrupted()) {
-            input->error = count == 0 || interrupted() ? 0 : errno;
+            input->error = count == 0 ? 0 : errno;
             input->ended = true;
             return false;
         }

@@ -6,14 +6,11 @@
 
 #include <string.h>
 
+#include "npy.h"
+
 static uint8_t *put_float(uint8_t *to, float value)
 {
-    uint32_t bits;
-    memcpy(&bits, &value, sizeof bits);
-    to[0] = (uint8_t)bits;
-    to[1] = (uint8_t)(bits >> 8);
-    to[2] = (uint8_t)(bits >> 16);
-    to[3] = (uint8_t)(bits >> 24);
+    npy_put_float(to, value);
     return to + 4;
 }
 

@@ -51,9 +51,7 @@ static const char *standard_of(const struct option_table *table, const struct op
 
 static void print_help(const struct option_table *table)
 {
-    printf("usage: scarp %s [options]%s%s\n\n%s\n", table->command,
-           table->operands != NULL ? " " : "", table->operands != NULL ? table->operands : "",
-           table->purpose);
+    printf("usage: scarp %s [options]\n\n%s\n", table->command, table->purpose);
     for (size_t g = 0; g < table->count; g++) {
         const struct option_group *const group = &table->groups[g];
         if (group->title != NULL) {

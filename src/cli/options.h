@@ -54,9 +54,8 @@ typedef const char *const option_words[];
 
 struct option_table {
     const char *command;
-    const char *operands; /* what the usage tells after the options; NULL: nothing */
-    const char *purpose;  /* the help: before the options */
-    const char *notes;    /* the help: after the options */
+    const char *purpose; /* the help: before the options */
+    const char *notes;   /* the help: after the options */
     const struct option_group *groups;
     size_t count;
     const char *const *standard; /* defaults in place of those of the rows; NULL: none */

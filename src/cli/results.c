@@ -41,8 +41,7 @@ static bool flush_bytes(struct results *results)
 {
     if (!results->failed) {
         errno = 0;
-        results->failed =
-            fwrite(results->bytes, 1, results->used, results->file.stream) != results->used;
+        results->failed = !file_write(&results->file, results->bytes, results->used);
         results->reason = errno;
     }
     errno = results->reason;

@@ -244,11 +244,11 @@ static int open_both(struct sample *sample, const struct sample_options *options
 static int sample_all(struct sample *sample)
 {
     for (;;) {
-        int status = points_read(&sample->points, &sample->block);
-        if (interrupted()) {
+        if (interrupted()) { /* while nothing waited; a read or a write that did tells it */
             cli_error("interrupted: not all points were read");
             return CLI_FAILURE;
         }
+        int status = points_read(&sample->points, &sample->block);
         if (status != CLI_SUCCESS || sample->block.count == 0) {
             return status;
         }

@@ -113,13 +113,6 @@ void surface_sample(const struct surface *surface, struct block *block, size_t c
     }
 }
 
-unsigned surface_quantise(const struct surface *surface, float value)
-{
-    const double lowest = (double)surface->lowest;
-    const double scale = 65535.0 / ((double)surface->highest - lowest);
-    return (unsigned)(((double)value - lowest) * scale + 0.5);
-}
-
 /* sin(degrees), of 0 to 540. The C library's sine is not the same everywhere; this one is, and
    within 2^-52 of the exact one. */
 static double sine(double degrees)

@@ -18,13 +18,14 @@ struct surface {
     struct scarp_noise noise;
     size_t width, height; /* samples of the whole raster */
     double x0, y0, step;
-    float lowest, highest; /* the range of the noise */
-    float floor, ceiling;  /* values beyond are these, with gradient 0; the range: none are */
-    float height_scale;    /* units of x and y per 1 of value */
-    float z_factor;        /* for the hillshade only: multiplies heights */
-    float normal_y;        /* 1 or -1: multiplies the second component of normals */
-    double light[3];       /* unit vector to the light: east, north, up */
-    size_t zoom;           /* of the comparison: pixels per sample */
+    float lowest, highest;  /* the range of the noise */
+    double steps_per_value; /* of 16-bit heights: 65535 / (highest - lowest) */
+    float floor, ceiling;   /* values beyond are these, with gradient 0; the range: none are */
+    float height_scale;     /* units of x and y per 1 of value */
+    float z_factor;         /* for the hillshade only: multiplies heights */
+    float normal_y;         /* 1 or -1: multiplies the second component of normals */
+    double light[3];        /* unit vector to the light: east, north, up */
+    size_t zoom;            /* of the comparison: pixels per sample */
 };
 
 /* What a block needs to hold, or'ed */
@@ -63,7 +64,10 @@ void surface_values(const struct surface *surface, const struct block *block, si
                     size_t row, int right, int up, float *value);
 
 /* The 16-bit integer of a height: 0 at `lowest`, 65535 at `highest`, rounded to the nearest. */
-unsigned surface_quantise(const struct surface *surface, float value);
+static inline unsigned surface_quantise(const struct surface *surface, float value)
+{
+    return (unsigned)(((double)value - (double)surface->lowest) * surface->steps_per_value + 0.5);
+}
 
 /* The unit vector to a light `azimuth` degrees clockwise from north, `altitude` degrees above the
    horizon. */

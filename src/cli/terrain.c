@@ -65,6 +65,7 @@ static bool make_surface(const struct terrain_options *options, struct surface *
         return false;
     }
     scarp_range(&surface->noise, 2, &surface->lowest, &surface->highest);
+    surface->steps_per_value = 65535.0 / ((double)surface->highest - (double)surface->lowest);
     surface->floor = within(options->sea_level, surface);
     surface->ceiling = within(options->plateau, surface);
     surface_light(options->azimuth, options->altitude, surface->light);

@@ -4,6 +4,7 @@ import itertools
 import os
 import re
 import subprocess
+import time
 import unittest
 
 import common
@@ -25,6 +26,34 @@ class Streams(Case):
     def feed(self, process, data):
         process.stdin.write(data)
         process.stdin.flush()
+
+    def check_interrupted(self, process):
+        """One line, and the death that a shell expects."""
+        time.sleep(0.3)  # in all likelihood it waits by then; if not, it must end all the same
+        process.send_signal(common.signal.SIGINT)
+        self.assertEqual(process.wait(20), -common.signal.SIGINT)
+        self.assertRegex(process.stderr.read(), rb"\Ascarp: [^\n]+\n\Z")
+
+    @unittest.skipUnless(common.signal, "needs POSIX")
+    def test_interrupted_reading(self):
+        """Half a line that came before is not taken for a whole one."""
+        output = os.path.join(self.directory, "o.csv")
+        process = self.start("--output", output)
+        self.feed(process, b"1,2\n3")
+        while self.files() == []:  # it knows of signals before it opens files
+            time.sleep(0.01)
+        self.check_interrupted(process)
+        self.assertEqual(self.files(), [])
+
+    @unittest.skipUnless(common.signal, "needs POSIX")
+    def test_interrupted_writing(self):
+        """While a pipe is full that nobody reads."""
+        points = os.path.join(self.directory, "points.txt")
+        with open(points, "wb") as file:
+            file.write(b"1.5 2.5\n" * 100000)
+        process = self.start("--input", points)
+        self.assertEqual(len(process.stdout.read(1)), 1)
+        self.check_interrupted(process)
 
     def test_blocks(self):
         """A block that is complete is answered before the input ends."""
