@@ -211,8 +211,12 @@ bool file_write(struct file *file, const void *bytes, size_t count)
     const char *next = bytes;
 #ifndef _WIN32
     while (file->waits && count > 0) {
+        if (interrupted()) {
+            errno = EINTR;
+            return false;
+        }
         const ssize_t written = write(fileno(file->stream), next, count);
-        if (interrupted() || (written < 0 && errno != EINTR)) {
+        if (written < 0 && errno != EINTR) {
             return false;
         }
         next += written < 0 ? 0 : written;

@@ -60,20 +60,18 @@ bool input_more(struct input *input)
         input->end -= input->start;
         input->start = 0;
     }
-    for (;;) {
-        const long long count =
-            READ(input->descriptor, input->bytes + input->end, INPUT_SIZE - input->end);
-        if (count > 0) {
-            input->end += (size_t)count;
-            input->begun = true;
-            return true;
-        }
-        if (count == 0 || errno != EINTR || interrupted()) {
-            input->error = count == 0 ? 0 : errno;
-            input->ended = true;
-            return false;
-        }
+    long long count = -1;
+    for (errno = EINTR; count < 0 && errno == EINTR && !interrupted();) {
+        count = READ(input->descriptor, input->bytes + input->end, INPUT_SIZE - input->end);
     }
+    if (count <= 0) {
+        input->error = count == 0 ? 0 : errno;
+        input->ended = true;
+        return false;
+    }
+    input->end += (size_t)count;
+    input->begun = true;
+    return true;
 }
 
 bool input_need(struct input *input, size_t length)

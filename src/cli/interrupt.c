@@ -6,20 +6,33 @@
 
 #include <signal.h>
 #include <stddef.h>
+#ifndef _WIN32
+#include <unistd.h>
+#endif
 
 static volatile sig_atomic_t requested;
 
+#ifdef _WIN32
 static void remember(int number)
 {
     requested = number;
 }
 
-#ifdef _WIN32
 static void watch(int number)
 {
     signal(number, remember);
 }
 #else
+/* The signal may come just before a write that then waits for ever: an alarm ends that one, and
+   further ones whatever may still wait. */
+static void remember(int number)
+{
+    if (requested == 0) {
+        requested = number;
+    }
+    alarm(1);
+}
+
 /* A write that waits, into a pipe for instance, must not be taken up again: no SA_RESTART. What is
    ignored already, as by nohup, stays so. */
 static void watch(int number)
@@ -40,6 +53,9 @@ void interrupt_install(void)
     watch(SIGTERM);
 #ifdef SIGHUP
     watch(SIGHUP);
+#endif
+#ifdef SIGALRM
+    watch(SIGALRM);
 #endif
 #ifdef SIGPIPE
     signal(SIGPIPE, SIG_IGN);

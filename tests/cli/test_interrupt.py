@@ -116,6 +116,19 @@ class Interrupt(Case):
                 self.assertLess(time.monotonic() - begin, 10)
                 self.assertEqual(self.files(), [])
 
+    def test_any_moment(self):
+        """Just before a write that would wait for ever, too."""
+        threads = ("--threads", "2") if has_threads() else ()
+        for i in range(200 if common.SPEED == "full" else 40):
+            reading, writing = os.pipe()
+            process = self.begin("--size", "900x900", "--octaves", "1", "--normals", "npy:-",
+                                 *threads, stdout=writing, stderr=subprocess.DEVNULL)
+            os.close(writing)
+            time.sleep(i % 40 * 0.0005)
+            process.send_signal(signal.SIGINT)
+            self.assertEqual(process.wait(PATIENCE), -signal.SIGINT)
+            os.close(reading)
+
     def test_full_pipe_png(self):
         if not common.has_png():
             self.skipTest("needs libpng")
