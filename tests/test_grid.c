@@ -48,9 +48,9 @@ static void random_noise(struct scarp_noise *noise, uint64_t *state)
    lattice has repeated in between. */
 static double random_step(uint64_t *state)
 {
-    static const double steps[] = {0.0,        0.01,       0.1,         0.3,  0.5,  0.97, 1.0,
-                                   1.7,        8.0,        1e-9,        1e6,  1.0,  0.3,  0.01,
-                                   0x1p32 / 3, 0x1p32 / 7, 0x1p32 / 15, 1e16, 1e300};
+    static const double steps[] = {0.0,  0.01,       0.1,        0.3,         0.5,  0.86, 0.97,
+                                   1.0,  1.7,        8.0,        1e-9,        1e6,  1.0,  0.3,
+                                   0.01, 0x1p32 / 3, 0x1p32 / 7, 0x1p32 / 15, 1e16, 1e300};
     const double step = steps[pick(state, sizeof steps / sizeof steps[0])];
     return pick(state, 3) == 0 ? -step : step;
 }

@@ -11,23 +11,32 @@
 #include "lattice.h"
 
 /* Columns of a chunk whose blocks are narrow, in blocks; one more than there are samples, and what
-   the last permute reads. */
-#define COLUMN_BLOCKS (CHUNK_BLOCKS + 2)
+   the last table reads. */
+#define TABLE_BLOCKS (VF_TABLE / VEC_LANES)
+#define COLUMN_BLOCKS (CHUNK_BLOCKS + 1 + TABLE_BLOCKS)
+
+/* From how many blocks per column on it pays to keep lines of one column instead of a table. */
+#define MIN_RUN 4
+
+/* Neighbouring blocks that read their lines from one table. */
+struct stretch {
+    uint32_t base; /* the table's first column, counted from the chunk's lowest */
+    uint16_t blocks;
+    uint16_t in_column; /* whether all lanes are in that column: no table then */
+};
 
 /* An octave along x, at a chunk. */
 struct along_x {
     uint32_t cell[CHUNK_POINTS]; /* of each sample */
     vf t[CHUNK_BLOCKS];
     struct fade fade[CHUNK_BLOCKS];
-    int narrow;                  /* 0: the union has `wide`, the other members are unset */
-    uint32_t lowest;             /* the first column */
-    size_t column_blocks;        /* blocks of columns in use */
-    uint32_t base[CHUNK_BLOCKS]; /* each block's first column, counted from `lowest` */
-    size_t run[CHUNK_BLOCKS];    /* where a block begins a run: how many blocks it has, all
-                                    in one column; 0 for a block that is in several columns */
+    int narrow;           /* 0: the union has `wide`, the other members are unset */
+    uint32_t lowest;      /* the first column */
+    size_t column_blocks; /* blocks of columns in use */
+    struct stretch stretch[CHUNK_BLOCKS];
     union {
         struct {
-            vu index[CHUNK_BLOCKS]; /* each lane's column, from the block's first: for vf_permute */
+            vu index[CHUNK_BLOCKS]; /* each lane's column, from the table's first: for vf_permute */
             vu hash[COLUMN_BLOCKS]; /* mixed lattice coordinate of each column */
         } narrow;
         struct axis wide[CHUNK_BLOCKS];
@@ -35,7 +44,7 @@ struct along_x {
 };
 
 /* Rows of a tile. */
-#define GRID_ROWS 32
+#define GRID_ROWS 64
 
 /* An octave along y on the rows of a tile, and along z, where all lanes are the same. */
 struct along_rows {
@@ -45,36 +54,54 @@ struct along_rows {
     struct fade w;
 };
 
+/* Where the stretch from block b on ends if it is to be a run in one column; a block that crosses
+   columns is one of its own. */
+static size_t end_of_run(const uint32_t *cells, size_t b, size_t blocks)
+{
+    const uint32_t column = cells[b * VEC_LANES];
+    size_t end = b;
+    while (end < blocks && cells[end * VEC_LANES + VEC_LANES - 1] == column) {
+        end++;
+    }
+    return end > b ? end : b + 1;
+}
+
 /* Where the blocks and their lanes lie among the columns, from the cell of each sample, which go up
-   or down along x. Returns 0 where some block is too wide. */
+   or down along x. Stretches are as long as tables reach, all alike, but for runs where those are
+   long. Returns 0 where some block is too wide, or columns are nearly as many as samples, which
+   costs more than two columns for each. */
 static int place_columns(struct along_x *x, size_t blocks)
 {
     const uint32_t *const cells = x->cell;
-    const size_t last = blocks * VEC_LANES - 1;
-    const int descending = (int32_t)(cells[last] - cells[0]) < 0;
-    const uint32_t lowest = cells[descending ? last : 0];
-    const uint32_t highest = cells[descending ? 0 : last] - lowest + 1; /* the one on the right */
-    if (highest > CHUNK_POINTS) {
+    const size_t count = blocks * VEC_LANES;
+    const int descending = (int32_t)(cells[count - 1] - cells[0]) < 0;
+    const uint32_t lowest = cells[descending ? count - 1 : 0];
+    const uint32_t width = cells[descending ? 0 : count - 1] - lowest;
+    if (width >= count * 7 / 8) {
         return 0;
     }
-    for (size_t b = 0; b < blocks; b++) {
-        const uint32_t *const cell = cells + b * VEC_LANES;
-        const uint32_t first = cell[descending ? VEC_LANES - 1 : 0];
-        const uint32_t width = cell[descending ? 0 : VEC_LANES - 1] - first;
-        if (width >= VEC_LANES - 1) {
+    /* n samples cross at most (n - 1) (width + 1) / (count - 1) columns, rounded up. */
+    const size_t most = (VF_TABLE - 2) * (count - 1) / (width + 1) + 1;
+    const size_t reach = most < VEC_LANES ? 1 : most / VEC_LANES;
+    const int runs = blocks >= MIN_RUN * (width + 1);
+    struct stretch *stretch = x->stretch;
+    for (size_t b = 0, end; b < blocks; b = end, stretch++) {
+        end = runs ? end_of_run(cells, b, blocks) : b + reach;
+        end = end < blocks ? end : blocks;
+        const uint32_t first = cells[b * VEC_LANES], last = cells[end * VEC_LANES - 1];
+        const uint32_t left = descending ? last : first;
+        if ((descending ? first : last) - left > VF_TABLE - 2) {
             return 0;
         }
-        x->base[b] = first - lowest;
-        x->u.narrow.index[b] = vf_index(vu_load(cell) - vu_set(first));
-        x->run[b] = width == 0;
-    }
-    for (size_t b = blocks - 1; b-- > 0;) {
-        if (x->run[b] != 0 && x->run[b + 1] != 0 && x->base[b] == x->base[b + 1]) {
-            x->run[b] = x->run[b + 1] + 1;
+        stretch->base = left - lowest;
+        stretch->blocks = (uint16_t)(end - b);
+        stretch->in_column = (uint16_t)(runs && first == last);
+        for (size_t i = b; i < end; i++) {
+            x->u.narrow.index[i] = vf_index(vu_load(cells + i * VEC_LANES) - vu_set(left));
         }
     }
     x->lowest = lowest;
-    x->column_blocks = highest / VEC_LANES + 1;
+    x->column_blocks = (width + 1) / VEC_LANES + 1; /* with the column on the right */
     return 1;
 }
 

@@ -2,10 +2,11 @@
  *
  * An octave along a row of a grid, straight axes: what depends on x is prepared once for a tile of
  * rows; the lattice columns that a row crosses are reduced to their lines (noise.h) once per row,
- * in a small table; each block of samples then reads its lines with permutes instead of hashing.
- * Included by fractal.h. Bits are those of the point passes, because the lines are.
+ * in a small table; each block of samples then reads its lines with permutes instead of hashing,
+ * from registers that serve as many blocks as they reach (a stretch). Included by fractal.h. Bits
+ * are those of the point passes, because the lines are.
  *
- * A block's lanes must lie in VEC_LANES - 1 neighbouring columns. Where steps are wider, each lane
+ * A block's lanes must lie in VF_TABLE - 1 neighbouring columns. Where steps are wider, each lane
  * has its own two columns (`wide`), and shares with the others of its row what depends on y and z.
  */
 #ifndef SCARP_KERNEL_COLUMNS_H
@@ -95,82 +96,112 @@ VEC_INLINE void reduce_value(struct columns *columns, size_t row, size_t at, int
     }
 }
 
-/* Each lane's column, and the one on its right. */
-struct lanes {
-    uint32_t base;
-    vu left, right;
+/* The lines of a stretch: tables of them or, if it is in one column, those to its left and right,
+   which all its blocks share. */
+struct stretch_line {
+    vf_table a, b;
+    struct line left, right;
 };
 
-/* A number of both columns. */
-struct both {
-    vf left, right;
+struct stretch_lines {
+    struct stretch_line line[LINES];
 };
 
-/* `single`: all lanes are in one column. */
-VEC_INLINE struct both of_columns(const vf *table, const struct lanes *at, int single)
+VEC_INLINE void open_line(struct stretch_line *l, const struct columns *c, int i, size_t base,
+                          int in_column, enum scarp_basis basis)
 {
-    const float *const numbers = (const float *)table + at->base;
-    if (single) {
-        const struct both same = {vf_set(numbers[0]), vf_set(numbers[1])};
-        return same;
+    const float *const a = (const float *)c->a[i] + base;
+    const float *const b = (const float *)c->b[i] + base;
+    if (in_column) {
+        l->left.b = vf_set(b[0]);
+        l->right.b = vf_set(b[1]);
+    } else {
+        l->b = vf_table_load(b);
     }
-    const vf run = vf_load(numbers);
-    const struct both each = {vf_permute(run, at->left), vf_permute(run, at->right)};
-    return each;
+    if (basis == SCARP_GRADIENT && in_column) {
+        l->left.a = vf_set(a[0]);
+        l->right.a = vf_set(a[1]);
+    } else if (basis == SCARP_GRADIENT) {
+        l->a = vf_table_load(a);
+    }
 }
 
-VEC_INLINE void get_lines(const struct columns *c, int i, const struct lanes *at, struct line *left,
-                          struct line *right, int single)
+VEC_INLINE struct stretch_lines open_lines(const struct columns *c, size_t base, int in_column,
+                                           enum scarp_basis basis, int dimensions, int order)
 {
-    const struct both a = of_columns(c->a[i], at, single);
-    const struct both b = of_columns(c->b[i], at, single);
-    *left = (struct line){a.left, b.left};
-    *right = (struct line){a.right, b.right};
-}
-
-VEC_INLINE void get_columns(const struct columns *c, const struct lanes *at, struct column *l,
-                            struct column *r, int dimensions, int order, int single)
-{
-    get_lines(c, LINE_VALUE, at, &l->value, &r->value, single);
+    struct stretch_lines l;
+    open_line(&l.line[LINE_VALUE], c, LINE_VALUE, base, in_column, basis);
     if (order >= 1) {
-        get_lines(c, LINE_Y, at, &l->y, &r->y, single);
+        open_line(&l.line[LINE_Y], c, LINE_Y, base, in_column, basis);
         if (dimensions == 3) {
-            get_lines(c, LINE_Z, at, &l->z, &r->z, single);
+            open_line(&l.line[LINE_Z], c, LINE_Z, base, in_column, basis);
         }
     }
     if (order >= 2) {
-        get_lines(c, LINE_YY, at, &l->yy, &r->yy, single);
+        open_line(&l.line[LINE_YY], c, LINE_YY, base, in_column, basis);
         if (dimensions == 3) {
-            get_lines(c, LINE_YZ, at, &l->yz, &r->yz, single);
-            get_lines(c, LINE_ZZ, at, &l->zz, &r->zz, single);
+            open_line(&l.line[LINE_YZ], c, LINE_YZ, base, in_column, basis);
+            open_line(&l.line[LINE_ZZ], c, LINE_ZZ, base, in_column, basis);
         }
     }
+    return l;
 }
 
-VEC_INLINE void get_value(const struct columns *c, int i, const struct lanes *at, vf *left,
-                          vf *right, int single)
+/* Of the column of each lane, and of the one on its right; `at` is not used in one column. */
+VEC_INLINE void get_line(const struct stretch_line *l, vu at, int in_column, struct line *left,
+                         struct line *right)
 {
-    const struct both b = of_columns(c->b[i], at, single);
-    *left = b.left;
-    *right = b.right;
+    if (in_column) {
+        *left = l->left;
+        *right = l->right;
+        return;
+    }
+    const vu next = at + vu_set(VF_INDEX_NEXT);
+    *left = (struct line){vf_permute(l->a, at), vf_permute(l->b, at)};
+    *right = (struct line){vf_permute(l->a, next), vf_permute(l->b, next)};
 }
 
-VEC_INLINE void get_value_columns(const struct columns *c, const struct lanes *at,
-                                  struct value_column *l, struct value_column *r, int dimensions,
-                                  int order, int single)
+VEC_INLINE void get_columns(const struct stretch_line *l, vu at, int in_column, struct column *left,
+                            struct column *right, int dimensions, int order)
 {
-    get_value(c, LINE_VALUE, at, &l->value, &r->value, single);
+    get_line(&l[LINE_VALUE], at, in_column, &left->value, &right->value);
     if (order >= 1) {
-        get_value(c, LINE_Y, at, &l->y, &r->y, single);
+        get_line(&l[LINE_Y], at, in_column, &left->y, &right->y);
         if (dimensions == 3) {
-            get_value(c, LINE_Z, at, &l->z, &r->z, single);
+            get_line(&l[LINE_Z], at, in_column, &left->z, &right->z);
         }
     }
     if (order >= 2) {
-        get_value(c, LINE_YY, at, &l->yy, &r->yy, single);
+        get_line(&l[LINE_YY], at, in_column, &left->yy, &right->yy);
         if (dimensions == 3) {
-            get_value(c, LINE_YZ, at, &l->yz, &r->yz, single);
-            get_value(c, LINE_ZZ, at, &l->zz, &r->zz, single);
+            get_line(&l[LINE_YZ], at, in_column, &left->yz, &right->yz);
+            get_line(&l[LINE_ZZ], at, in_column, &left->zz, &right->zz);
+        }
+    }
+}
+
+VEC_INLINE void get_number(const struct stretch_line *l, vu at, int in_column, vf *left, vf *right)
+{
+    *left = in_column ? l->left.b : vf_permute(l->b, at);
+    *right = in_column ? l->right.b : vf_permute(l->b, at + vu_set(VF_INDEX_NEXT));
+}
+
+VEC_INLINE void get_value_columns(const struct stretch_line *l, vu at, int in_column,
+                                  struct value_column *left, struct value_column *right,
+                                  int dimensions, int order)
+{
+    get_number(&l[LINE_VALUE], at, in_column, &left->value, &right->value);
+    if (order >= 1) {
+        get_number(&l[LINE_Y], at, in_column, &left->y, &right->y);
+        if (dimensions == 3) {
+            get_number(&l[LINE_Z], at, in_column, &left->z, &right->z);
+        }
+    }
+    if (order >= 2) {
+        get_number(&l[LINE_YY], at, in_column, &left->yy, &right->yy);
+        if (dimensions == 3) {
+            get_number(&l[LINE_YZ], at, in_column, &left->yz, &right->yz);
+            get_number(&l[LINE_ZZ], at, in_column, &left->zz, &right->zz);
         }
     }
 }
@@ -181,14 +212,14 @@ struct sides {
     struct value_column vl, vr;
 };
 
-VEC_INLINE struct sides get_sides(const struct columns *columns, const struct lanes *at, int single,
+VEC_INLINE struct sides get_sides(const struct stretch_lines *l, vu at, int in_column,
                                   enum scarp_basis basis, int dimensions, int order)
 {
     struct sides s;
     if (basis == SCARP_GRADIENT) {
-        get_columns(columns, at, &s.gl, &s.gr, dimensions, order, single);
+        get_columns(l->line, at, in_column, &s.gl, &s.gr, dimensions, order);
     } else {
-        get_value_columns(columns, at, &s.vl, &s.vr, dimensions, order, single);
+        get_value_columns(l->line, at, in_column, &s.vl, &s.vr, dimensions, order);
     }
     return s;
 }
@@ -209,19 +240,23 @@ VEC_INLINE void sample_row(const struct columns *columns, size_t at, size_t bloc
     const struct along_x *const x = columns->x;
     const struct weights w = *weights;
     const struct scarp_samples to = *to_row;
-    const uint32_t offset = (uint32_t)(at * VEC_LANES);
-    for (size_t b = 0; b < blocks;) {
-        const vu left = x->u.narrow.index[b];
-        const struct lanes lanes = {x->base[b] + offset, left, left + vu_set(VF_INDEX_NEXT)};
-        if (x->run[b] == 0) {
-            const struct sides s = get_sides(columns, &lanes, 0, basis, dimensions, order);
-            const struct sample n = join_sides(x, b, &s, basis, dimensions, order);
-            add_sample(&to, first, &to, b, &n, &w, dimensions, order);
-            b++;
+    const struct stretch *stretch = x->stretch;
+    for (size_t b = 0; b < blocks; stretch++) {
+        const size_t end = b + stretch->blocks, base = at * VEC_LANES + stretch->base;
+        if (stretch->in_column) {
+            const struct stretch_lines l = open_lines(columns, base, 1, basis, dimensions, order);
+            const struct sides s = get_sides(&l, vu_set(0), 1, basis, dimensions, order);
+            VEC_SHORT_LOOP
+            for (; b < end; b++) {
+                const struct sample n = join_sides(x, b, &s, basis, dimensions, order);
+                add_sample(&to, first, &to, b, &n, &w, dimensions, order);
+            }
             continue;
         }
-        const struct sides s = get_sides(columns, &lanes, 1, basis, dimensions, order);
-        for (const size_t end = b + x->run[b]; b < end; b++) {
+        const struct stretch_lines l = open_lines(columns, base, 0, basis, dimensions, order);
+        for (; b < end; b++) {
+            const vu lanes = x->u.narrow.index[b];
+            const struct sides s = get_sides(&l, lanes, 0, basis, dimensions, order);
             const struct sample n = join_sides(x, b, &s, basis, dimensions, order);
             add_sample(&to, first, &to, b, &n, &w, dimensions, order);
         }
@@ -253,12 +288,14 @@ VEC_INLINE void sample_wide_row(const struct columns *columns, size_t row, size_
     }
 }
 
-/* The block after the last one in use is read too, though no lane of it is chosen. */
-static void clear_block(struct columns *columns, size_t at)
+/* Tables read what comes after the last block in use, too, though no lane of it is chosen. */
+static void clear_blocks(struct columns *columns, size_t at)
 {
     for (int i = 0; i < LINES; i++) {
-        columns->a[i][at] = vf_set(0.0f);
-        columns->b[i][at] = vf_set(0.0f);
+        for (size_t n = 0; n < TABLE_BLOCKS; n++) {
+            columns->a[i][at + n] = vf_set(0.0f);
+            columns->b[i][at + n] = vf_set(0.0f);
+        }
     }
 }
 
@@ -277,7 +314,7 @@ VEC_INLINE void sample_rows(struct columns *columns, size_t rows, size_t blocks,
         return;
     }
     const size_t column_blocks = columns->x->column_blocks;
-    const size_t room = (COLUMN_BLOCKS - 1) / column_blocks;
+    const size_t room = (COLUMN_BLOCKS - TABLE_BLOCKS) / column_blocks;
     for (size_t begin = 0; begin < rows; begin += room) {
         const size_t end = rows - begin < room ? rows : begin + room;
         for (size_t r = begin; r < end; r++) {
@@ -288,7 +325,7 @@ VEC_INLINE void sample_rows(struct columns *columns, size_t rows, size_t blocks,
                 reduce_value(columns, r, at, dimensions, order);
             }
         }
-        clear_block(columns, (end - begin) * column_blocks);
+        clear_blocks(columns, (end - begin) * column_blocks);
         for (size_t r = begin; r < end; r++) {
             const size_t at = (r - begin) * column_blocks;
             if (stream) {

@@ -54,6 +54,15 @@ static double coordinate_z(const struct grid_call *call, size_t k)
     return call->passes.dimensions == 3 ? coordinate(call->grid, 2, k) : 0.0;
 }
 
+/* Of the rows of a part, filled up to whole vectors. */
+static void coordinates_of_rows(const struct grid_call *call, const struct part *part,
+                                double y[GRID_ROWS])
+{
+    for (size_t r = 0; r < part->rows || r % VEC_LANES != 0; r++) {
+        y[r] = coordinate(call->grid, 1, part->j + (r < part->rows ? r : 0));
+    }
+}
+
 /* Where the outputs of row r of a part begin; for members that are not there, `spare`. */
 static struct scarp_samples part_row(const struct grid_call *call, const struct part *part,
                                      size_t r, const struct scarp_samples *spare)
@@ -86,9 +95,7 @@ static void grid_tile(const struct grid_call *call, struct grid_scratch *scratch
 {
     const struct scarp_plan *const plan = call->passes.plan;
     double y[GRID_ROWS];
-    for (size_t r = 0; r < GRID_ROWS; r++) {
-        y[r] = coordinate(call->grid, 1, tile->j + (r < tile->rows ? r : 0));
-    }
+    coordinates_of_rows(call, tile, y);
     const int aligned = tile->i % VEC_LANES == call->lead % VEC_LANES;
     const int start = call->streams && aligned ? STREAM : 1;
     for (int k = 0; k < plan->octaves; k++) {
@@ -128,9 +135,7 @@ static void grid_patch(const struct grid_call *call, struct grid_scratch *scratc
                                      scratch->position[2]};
     const struct scarp_samples sums = samples_of(&scratch->chunk.sums);
     double y[GRID_ROWS];
-    for (size_t r = 0; r < GRID_ROWS; r++) {
-        y[r] = coordinate(call->grid, 1, patch->j + (r < patch->rows ? r : 0));
-    }
+    coordinates_of_rows(call, patch, y);
     place_patch(call, scratch, patch, x, y);
     for (int k = 0; k < plan->octaves; k++) {
         const enum axes axes = axes_of(plan, k);

@@ -46,7 +46,11 @@
  *
  * Permutation:
  *   vu vu_lanes(void)     0, 1, 2, ... VEC_LANES - 1
- *   vu vf_index(vu lanes) what vf_permute wants for these lanes, each below VEC_LANES;
- *                         VF_INDEX_NEXT added to it asks for the lanes on the right of them
- *   vf vf_permute(vf a, vu index)   a[lane] in each lane
+ *   vf_table vf_table_load(const float *p)   p[0 .. VF_TABLE), a multiple of VEC_LANES
+ *   vu vf_index(vu i)     what vf_permute wants for these entries, each below VF_TABLE;
+ *                         VF_INDEX_NEXT added to it asks for the entries after them
+ *   vf vf_permute(vf_table table, vu index)   table[i] in each lane
+ *
+ * In front of a loop of a dozen operations:
+ *   VEC_SHORT_LOOP        unrolls it where that helps
  */

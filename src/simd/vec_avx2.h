@@ -137,9 +137,20 @@ VEC_INLINE vu vf_index(vu lanes)
 
 #define VF_INDEX_NEXT 1u
 
-VEC_INLINE vf vf_permute(vf run, vu index)
+#define VF_TABLE VEC_LANES
+
+typedef vf vf_table;
+
+VEC_INLINE vf_table vf_table_load(const float *p)
 {
-    return (vf)_mm256_permutevar8x32_ps((__m256)run, (__m256i)index);
+    return vf_load(p);
 }
+
+VEC_INLINE vf vf_permute(vf_table table, vu index)
+{
+    return (vf)_mm256_permutevar8x32_ps((__m256)table, (__m256i)index);
+}
+
+#define VEC_SHORT_LOOP
 
 #endif

@@ -136,9 +136,24 @@ VEC_INLINE vu vf_index(vu lanes)
 
 #define VF_INDEX_NEXT 1u
 
-VEC_INLINE vf vf_permute(vf run, vu index)
+/* A permute of two vectors takes no longer than one of one. */
+#define VF_TABLE 32
+
+typedef struct {
+    __m512 low, high;
+} vf_table;
+
+VEC_INLINE vf_table vf_table_load(const float *p)
 {
-    return (vf)_mm512_permutexvar_ps((__m512i)index, (__m512)run);
+    const vf_table table = {_mm512_loadu_ps(p), _mm512_loadu_ps(p + 16)};
+    return table;
 }
+
+VEC_INLINE vf vf_permute(vf_table table, vu index)
+{
+    return (vf)_mm512_permutex2var_ps(table.low, (__m512i)index, table.high);
+}
+
+#define VEC_SHORT_LOOP
 
 #endif

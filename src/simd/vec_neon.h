@@ -142,9 +142,20 @@ VEC_INLINE vu vf_index(vu lanes)
 
 #define VF_INDEX_NEXT 0x04040404u
 
-VEC_INLINE vf vf_permute(vf run, vu index)
+#define VF_TABLE VEC_LANES
+
+typedef vf vf_table;
+
+VEC_INLINE vf_table vf_table_load(const float *p)
 {
-    return (vf)vqtbl1q_u8((uint8x16_t)run, (uint8x16_t)index);
+    return vf_load(p);
 }
+
+VEC_INLINE vf vf_permute(vf_table table, vu index)
+{
+    return (vf)vqtbl1q_u8((uint8x16_t)table, (uint8x16_t)index);
+}
+
+#define VEC_SHORT_LOOP
 
 #endif
