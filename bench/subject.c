@@ -68,13 +68,13 @@ void bench_sizes_raise(struct bench_sizes *sizes, const struct bench_work *work)
 
 #define CACHE_LINE 64
 
-/* Begins with a cache line, which some libraries gain by and none loses by. Zeroed, so that its
-   pages exist before anything is timed. Never empty: that may be NULL, too. */
+/* Begins with a cache line (not on Windows), which some libraries gain by and none loses by.
+   Zeroed, so that its pages exist before anything is timed. Never empty: that may be NULL, too. */
 static void *make_array(size_t count, size_t element)
 {
     const size_t size = (count * element / CACHE_LINE + 1) * CACHE_LINE;
 #ifdef _WIN32
-    void *const array = malloc(size); /* what free() takes; aligned to 16 bytes */
+    void *const array = malloc(size); /* what free() takes */
 #else
     void *const array = aligned_alloc(CACHE_LINE, size);
 #endif

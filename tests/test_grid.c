@@ -78,7 +78,7 @@ static void random_case(struct grid_case *c, uint64_t *state)
         random_axis(&c->grid, axis, state);
     }
     c->grid.count[0] = 1 + pick(state, lengths[pick(state, 5)]);
-    c->grid.count[1] = 1 + pick(state, c->grid.count[0] > 100 ? 5 : 37);
+    c->grid.count[1] = 1 + pick(state, c->grid.count[0] > 100 ? 5 : pick(state, 8) == 0 ? 150 : 37);
     c->grid.count[2] = 1 + pick(state, 3);
     if (pick(state, 2) == 0) {
         c->grid.row_stride = c->grid.count[0] + pick(state, 9);

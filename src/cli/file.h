@@ -29,7 +29,8 @@ bool file_open(struct file *file, const char *path);
 bool file_close(struct file *file); /* nothing is left to write; still under its temporary name */
 bool file_publish(struct file *file);
 
-/* False also when the user or the system asked the program to stop while the write waited. */
+/* False also when the user or the system asked the program to stop, before or while the write
+   waits. */
 bool file_write(struct file *file, const void *bytes, size_t count);
 
 /* Frees the file. Unless it was published, it is removed. May be called at any time after

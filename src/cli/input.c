@@ -99,6 +99,10 @@ int input_status(const struct input *input)
     if (input->error == 0) {
         return CLI_SUCCESS;
     }
+    if (input->error == EINTR) {
+        cli_error("interrupted: not all points were read");
+        return CLI_FAILURE;
+    }
     cli_error("--input: %s: %s", input->name, strerror(input->error));
     return input->begun ? CLI_FAILURE : CLI_USAGE;
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Signal handlers that do nothing but remember.
+ * Signal handlers remember, and see to it that nothing waits for ever.
  */
 #include "interrupt.h"
 
@@ -23,27 +23,47 @@ static void watch(int number)
     signal(number, remember);
 }
 #else
-/* The signal may come just before a write that then waits for ever: an alarm ends that one, and
-   further ones whatever may still wait. */
+static volatile sig_atomic_t ignores_alarm; /* asked to, when the program was started */
+
+/* The signal may come just before a write that then waits for ever: an alarm ends that wait, and
+   sets the next one, for whatever waits after it. */
 static void remember(int number)
 {
-    if (requested == 0) {
+    if (requested == 0 && !(number == SIGALRM && ignores_alarm)) {
         requested = number;
     }
-    alarm(1);
+    if (requested != 0) {
+        alarm(1);
+    }
 }
 
 /* A write that waits, into a pipe for instance, must not be taken up again: no SA_RESTART. What is
-   ignored already, as by nohup, stays so. */
+   ignored already, as by nohup, stays so; but for the alarm, which is then no request to stop. */
 static void watch(int number)
 {
     struct sigaction action;
-    if (sigaction(number, NULL, &action) == 0 && action.sa_handler != SIG_IGN) {
-        action.sa_handler = remember;
-        action.sa_flags = 0;
-        sigemptyset(&action.sa_mask);
-        sigaction(number, &action, NULL);
+    if (sigaction(number, NULL, &action) != 0) {
+        return;
     }
+    if (action.sa_handler == SIG_IGN) {
+        if (number != SIGALRM) {
+            return;
+        }
+        ignores_alarm = 1;
+    }
+    action.sa_handler = remember;
+    action.sa_flags = 0;
+    sigemptyset(&action.sa_mask);
+    sigaction(number, &action, NULL);
+}
+
+static void watch_alarm(void)
+{
+    sigset_t alarms;
+    watch(SIGALRM);
+    sigemptyset(&alarms);
+    sigaddset(&alarms, SIGALRM);
+    sigprocmask(SIG_UNBLOCK, &alarms, NULL);
 }
 #endif
 
@@ -54,8 +74,8 @@ void interrupt_install(void)
 #ifdef SIGHUP
     watch(SIGHUP);
 #endif
-#ifdef SIGALRM
-    watch(SIGALRM);
+#ifndef _WIN32
+    watch_alarm();
 #endif
 #ifdef SIGPIPE
     signal(SIGPIPE, SIG_IGN);

@@ -14,6 +14,7 @@
 #endif
 
 #include "cli.h"
+#include "interrupt.h"
 #include "npy.h"
 #include "number.h"
 
@@ -21,6 +22,10 @@
 
 static int tell_failure(const struct results *results, int status)
 {
+    if (interrupted()) {
+        cli_error("interrupted: not all results were written");
+        return CLI_FAILURE;
+    }
     cli_error("--output: %s: %s", file_name(results->path), file_reason(errno));
     return status;
 }

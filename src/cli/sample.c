@@ -244,7 +244,7 @@ static int open_both(struct sample *sample, const struct sample_options *options
 static int sample_all(struct sample *sample)
 {
     for (;;) {
-        if (interrupted()) { /* while nothing waited; a read or a write that did tells it */
+        if (interrupted()) { /* reads and writes notice it too */
             cli_error("interrupted: not all points were read");
             return CLI_FAILURE;
         }

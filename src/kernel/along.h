@@ -10,9 +10,10 @@
 #include "fade.h"
 #include "lattice.h"
 
-/* Columns of a chunk whose blocks are narrow, in blocks; one more than there are samples, and what
-   the last table reads. */
 #define TABLE_BLOCKS (VF_TABLE / VEC_LANES)
+
+/* Blocks of columns that there is room for, of as many rows as fit (one takes fewer than
+   CHUNK_BLOCKS), and what the last table reads beyond them. */
 #define COLUMN_BLOCKS (CHUNK_BLOCKS + 1 + TABLE_BLOCKS)
 
 /* From how many blocks per column on it pays to keep lines of one column instead of a table. */
@@ -68,8 +69,8 @@ static size_t end_of_run(const uint32_t *cells, size_t b, size_t blocks)
 
 /* Where the blocks and their lanes lie among the columns, from the cell of each sample, which go up
    or down along x. Stretches are as long as tables reach, all alike, but for runs where those are
-   long. Returns 0 where some block is too wide, or columns are nearly as many as samples, which
-   costs more than two columns for each. */
+   long. Returns 0 where some block is too wide for a table, or columns are nearly as many as
+   samples: two of its own for each sample cost less then. */
 static int place_columns(struct along_x *x, size_t blocks)
 {
     const uint32_t *const cells = x->cell;

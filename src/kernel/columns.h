@@ -6,8 +6,9 @@
  * from registers that serve as many blocks as they reach (a stretch). Included by fractal.h. Bits
  * are those of the point passes, because the lines are.
  *
- * A block's lanes must lie in VF_TABLE - 1 neighbouring columns. Where steps are wider, each lane
- * has its own two columns (`wide`), and shares with the others of its row what depends on y and z.
+ * A table serves lanes in VF_TABLE - 1 neighbouring columns. Where a block needs more, or columns
+ * are nearly as many as samples, each lane has its own two columns (`wide`), and shares with the
+ * others of its row what depends on y and z.
  */
 #ifndef SCARP_KERNEL_COLUMNS_H
 #define SCARP_KERNEL_COLUMNS_H

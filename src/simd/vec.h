@@ -10,6 +10,7 @@
  *   vu  VEC_LANES unsigned 32-bit integers; + - * wrap, >> shifts in zeros
  *   vi  VEC_LANES signed ones, for conversion
  *   vd  VEC_LANES / 2 doubles: a vf's worth of doubles is a pair (low lanes, high lanes)
+ *   vf_table  VF_TABLE floats, for vf_permute; no operators
  *
  * Memory; addresses need no alignment beyond that of the element, but for vf_stream:
  *   vf   vf_load(const float *p)            p[0 .. VEC_LANES)
@@ -46,9 +47,10 @@
  *
  * Permutation:
  *   vu vu_lanes(void)     0, 1, 2, ... VEC_LANES - 1
- *   vf_table vf_table_load(const float *p)   p[0 .. VF_TABLE), a multiple of VEC_LANES
+ *   vf_table vf_table_load(const float *p)   p[0 .. VF_TABLE); VF_TABLE is a multiple of VEC_LANES
  *   vu vf_index(vu i)     what vf_permute wants for these entries, each below VF_TABLE;
- *                         VF_INDEX_NEXT added to it asks for the entries after them
+ *                         VF_INDEX_NEXT added to it asks for the entries after them (which must
+ *                         also be below it)
  *   vf vf_permute(vf_table table, vu index)   table[i] in each lane
  *
  * In front of a loop of a dozen operations:

@@ -32,7 +32,7 @@ class Streams(Case):
         time.sleep(0.3)  # in all likelihood it waits by then; if not, it must end all the same
         process.send_signal(common.signal.SIGINT)
         self.assertEqual(process.wait(20), -common.signal.SIGINT)
-        self.assertRegex(process.stderr.read(), rb"\Ascarp: [^\n]+\n\Z")
+        self.assertRegex(process.stderr.read(), rb"\Ascarp: interrupted: [^\n]+\n\Z")
 
     @unittest.skipUnless(common.signal, "needs POSIX")
     def test_interrupted_reading(self):

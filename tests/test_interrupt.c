@@ -1,0 +1,86 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The program's signal handlers (src/cli/interrupt.c): a signal that comes just before a call that
+ * would wait for ever ends that call, whatever became of alarms before the program was started.
+ */
+#include <errno.h>
+#include <signal.h>
+#include <sys/wait.h>
+#include <time.h>
+#include <unistd.h>
+
+#include "../src/cli/interrupt.h"
+#include "check.h"
+
+#define PATIENCE 20 /* seconds */
+
+static void default_alarms(void)
+{
+    signal(SIGALRM, SIG_DFL);
+}
+
+static void ignore_alarms(void)
+{
+    signal(SIGALRM, SIG_IGN);
+}
+
+static void block_alarms(void)
+{
+    sigset_t alarms;
+    sigemptyset(&alarms);
+    sigaddset(&alarms, SIGALRM);
+    sigprocmask(SIG_BLOCK, &alarms, NULL);
+}
+
+/* What a process does that `prepare` prepares: twice it waits for a pipe that nobody writes to. */
+static void late_signal(void (*prepare)(void))
+{
+    int ends[2];
+    char byte;
+    prepare();
+    interrupt_install();
+    if (pipe(ends) != 0 || interrupted()) {
+        _exit(1);
+    }
+    raise(SIGINT);
+    for (int i = 0; i < 2; i++) {
+        if (read(ends[0], &byte, 1) >= 0 || errno != EINTR || !interrupted()) {
+            _exit(2);
+        }
+    }
+    interrupt_end();
+    _exit(3);
+}
+
+/* The status that it ends with; -1 if it has to be killed. */
+static int run(void (*prepare)(void))
+{
+    const pid_t child = fork();
+    if (child == 0) {
+        late_signal(prepare);
+    }
+    const struct timespec pause = {.tv_nsec = 10000000};
+    for (int i = 0; child > 0 && i < PATIENCE * 100; i++) {
+        int status;
+        if (waitpid(child, &status, WNOHANG) == child) {
+            return status;
+        }
+        nanosleep(&pause, NULL);
+    }
+    if (child > 0) {
+        kill(child, SIGKILL);
+        waitpid(child, NULL, 0);
+    }
+    return -1;
+}
+
+int main(void)
+{
+    static void (*const prepare[])(void) = {default_alarms, ignore_alarms, block_alarms};
+    for (int i = 0; i < 3; i++) {
+        const int status = run(prepare[i]);
+        CHECK(status != -1 && WIFSIGNALED(status) && WTERMSIG(status) == SIGINT,
+              "preparation %d: status %d", i, status);
+    }
+    return check_done();
+}
