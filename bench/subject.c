@@ -68,8 +68,8 @@ void bench_sizes_raise(struct bench_sizes *sizes, const struct bench_work *work)
 
 #define CACHE_LINE 64
 
-/* Begins with a cache line (not on Windows), which some libraries gain by and none loses by.
-   Zeroed, so that its pages exist before anything is timed. Never empty: that may be NULL, too. */
+/* Begins with a cache line (not on Windows): large grids gain by it. Zeroed, so that its pages
+   exist before anything is timed. Never empty: that may be NULL, too. */
 static void *make_array(size_t count, size_t element)
 {
     const size_t size = (count * element / CACHE_LINE + 1) * CACHE_LINE;

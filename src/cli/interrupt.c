@@ -37,30 +37,34 @@ static void remember(int number)
     }
 }
 
-/* A write that waits, into a pipe for instance, must not be taken up again: no SA_RESTART. What is
-   ignored already, as by nohup, stays so; but for the alarm, which is then no request to stop. */
-static void watch(int number)
+static bool is_ignored(int number)
 {
     struct sigaction action;
-    if (sigaction(number, NULL, &action) != 0) {
-        return;
-    }
-    if (action.sa_handler == SIG_IGN) {
-        if (number != SIGALRM) {
-            return;
-        }
-        ignores_alarm = 1;
-    }
-    action.sa_handler = remember;
-    action.sa_flags = 0;
+    return sigaction(number, NULL, &action) == 0 && action.sa_handler == SIG_IGN;
+}
+
+/* A write that waits, into a pipe for instance, must not be taken up again: no SA_RESTART. */
+static void handle(int number)
+{
+    struct sigaction action = {.sa_handler = remember};
     sigemptyset(&action.sa_mask);
     sigaction(number, &action, NULL);
 }
 
+/* What is ignored already, as by nohup, stays so. */
+static void watch(int number)
+{
+    if (!is_ignored(number)) {
+        handle(number);
+    }
+}
+
+/* Alarms are needed whatever became of them; they are no request to stop if they were ignored. */
 static void watch_alarm(void)
 {
     sigset_t alarms;
-    watch(SIGALRM);
+    ignores_alarm = is_ignored(SIGALRM);
+    handle(SIGALRM);
     sigemptyset(&alarms);
     sigaddset(&alarms, SIGALRM);
     sigprocmask(SIG_UNBLOCK, &alarms, NULL);

@@ -289,7 +289,8 @@ VEC_INLINE void sample_wide_row(const struct columns *columns, size_t row, size_
     }
 }
 
-/* Tables read what comes after the last block in use, too, though no lane of it is chosen. */
+/* Tables read what comes after the last block in use, too, though no lane of it is chosen. (After
+   the last rows, which may be fewer, come those before them.) */
 static void clear_blocks(struct columns *columns, size_t at)
 {
     for (int i = 0; i < LINES; i++) {
@@ -316,6 +317,7 @@ VEC_INLINE void sample_rows(struct columns *columns, size_t rows, size_t blocks,
     }
     const size_t column_blocks = columns->x->column_blocks;
     const size_t room = (COLUMN_BLOCKS - TABLE_BLOCKS) / column_blocks;
+    clear_blocks(columns, (rows < room ? rows : room) * column_blocks);
     for (size_t begin = 0; begin < rows; begin += room) {
         const size_t end = rows - begin < room ? rows : begin + room;
         for (size_t r = begin; r < end; r++) {
@@ -326,7 +328,6 @@ VEC_INLINE void sample_rows(struct columns *columns, size_t rows, size_t blocks,
                 reduce_value(columns, r, at, dimensions, order);
             }
         }
-        clear_blocks(columns, (end - begin) * column_blocks);
         for (size_t r = begin; r < end; r++) {
             const size_t at = (r - begin) * column_blocks;
             if (stream) {

@@ -136,7 +136,7 @@ VEC_INLINE vu vf_index(vu lanes)
 
 #define VF_INDEX_NEXT 1u
 
-/* A permute of two vectors takes no longer than one of one. */
+/* A permute of two vectors takes no longer than one of one (measured on Zen 5). */
 #define VF_TABLE 32
 
 typedef struct {

@@ -155,8 +155,8 @@ VEC_INLINE vf vf_permute(vf_table table, vu index)
     return (vf)_mm_shuffle_epi8((__m128i)table, (__m128i)index);
 }
 
-/* A loop of some fourteen instructions that happens to lie within one cache line takes up to 1.4
-   times as long on Zen 5. Unrolled, it never does; clang does so by itself. */
+/* Depending on how gcc happens to place a loop of some fourteen instructions in cache lines, it
+   takes up to 1.4 times as long on Zen 5; unrolled, it was not seen to. */
 #ifdef __clang__
 #define VEC_SHORT_LOOP
 #else
