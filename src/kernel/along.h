@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * What an octave with straight axes needs of the coordinates of a grid: along x, for a chunk of
- * samples that all rows of a tile share, and along y and z, for the rows. Included by columns.h,
- * which tells what it is for.
+ * samples that all rows of a tile share, and along y and z, for the rows. Included by lines.h;
+ * columns.h tells what it is for.
  */
 #ifndef SCARP_KERNEL_ALONG_H
 #define SCARP_KERNEL_ALONG_H
@@ -34,6 +34,7 @@ struct along_x {
     int narrow;           /* 0: the union has `wide`, the other members are unset */
     uint32_t lowest;      /* the first column */
     size_t column_blocks; /* blocks of columns in use */
+    int slides;           /* whether tables are made of blocks of columns, going up: slide.h */
     struct stretch stretch[CHUNK_BLOCKS];
     union {
         struct {
@@ -55,6 +56,11 @@ struct along_rows {
     struct fade w;
 };
 
+static size_t least(size_t a, size_t b)
+{
+    return a < b ? a : b;
+}
+
 /* Where the stretch from block b on ends if it is to be a run in one column; a block that crosses
    columns is one of its own. */
 static size_t end_of_run(const uint32_t *cells, size_t b, size_t blocks)
@@ -67,10 +73,22 @@ static size_t end_of_run(const uint32_t *cells, size_t b, size_t blocks)
     return end > b ? end : b + 1;
 }
 
+/* Where the stretch from block b on ends if it is to have all blocks that begin in one block of
+   columns. */
+static size_t end_of_table(const uint32_t *cells, size_t b, size_t blocks)
+{
+    const uint32_t begin = (cells[b * VEC_LANES] - cells[0]) / VEC_LANES;
+    size_t end = b;
+    while (end < blocks && (cells[end * VEC_LANES] - cells[0]) / VEC_LANES == begin) {
+        end++;
+    }
+    return end;
+}
+
 /* Where the blocks and their lanes lie among the columns, from the cell of each sample, which go up
    or down along x. Stretches are as long as tables reach, all alike, but for runs where those are
-   long. Returns 0 where some block is too wide for a table, or columns are nearly as many as
-   samples: two of its own for each sample cost less then. */
+   long, and for tables that slide. Returns 0 where some block is too wide for a table, or columns
+   are nearly as many as samples: two of its own for each sample cost less then. */
 static int place_columns(struct along_x *x, size_t blocks)
 {
     const uint32_t *const cells = x->cell;
@@ -78,31 +96,36 @@ static int place_columns(struct along_x *x, size_t blocks)
     const int descending = (int32_t)(cells[count - 1] - cells[0]) < 0;
     const uint32_t lowest = cells[descending ? count - 1 : 0];
     const uint32_t width = cells[descending ? 0 : count - 1] - lowest;
-    if (width >= count * 7 / 8) {
-        return 0;
-    }
     /* n samples cross at most (n - 1) (width + 1) / (count - 1) columns, rounded up. */
     const size_t most = (VF_TABLE - 2) * (count - 1) / (width + 1) + 1;
     const size_t reach = most < VEC_LANES ? 1 : most / VEC_LANES;
     const int runs = blocks >= MIN_RUN * (width + 1);
+    const int slides = VF_TABLE > VEC_LANES && !runs && !descending;
+    if (width >= (slides ? count : count * 7 / 8)) {
+        return 0;
+    }
     struct stretch *stretch = x->stretch;
     for (size_t b = 0, end; b < blocks; b = end, stretch++) {
-        end = runs ? end_of_run(cells, b, blocks) : b + reach;
-        end = end < blocks ? end : blocks;
+        end = runs     ? end_of_run(cells, b, blocks)
+              : slides ? end_of_table(cells, b, blocks)
+                       : least(b + reach, blocks);
         const uint32_t first = cells[b * VEC_LANES], last = cells[end * VEC_LANES - 1];
-        const uint32_t left = descending ? last : first;
-        if ((descending ? first : last) - left > VF_TABLE - 2) {
+        const uint32_t left = descending ? last : first, right = descending ? first : last;
+        const uint32_t base = left - (slides ? (left - lowest) % VEC_LANES : 0);
+        if (right - base > VF_TABLE - 2) {
             return 0;
         }
-        stretch->base = left - lowest;
+        stretch->base = base - lowest;
         stretch->blocks = (uint16_t)(end - b);
         stretch->in_column = (uint16_t)(runs && first == last);
         for (size_t i = b; i < end; i++) {
-            x->u.narrow.index[i] = vf_index(vu_load(cells + i * VEC_LANES) - vu_set(left));
+            x->u.narrow.index[i] = vf_index(vu_load(cells + i * VEC_LANES) - vu_set(base));
         }
     }
+    x->slides = slides;
     x->lowest = lowest;
-    x->column_blocks = (width + 1) / VEC_LANES + 1; /* with the column on the right */
+    /* With the column on the right; with what the last table that slides has beyond. */
+    x->column_blocks = (width + 1) / VEC_LANES + 1 + (slides ? 1 : 0);
     return 1;
 }
 

@@ -165,11 +165,6 @@ static void put_patch(const struct grid_call *call, const struct grid_scratch *s
     }
 }
 
-static size_t least(size_t a, size_t b)
-{
-    return a < b ? a : b;
-}
-
 /* All rows of a slice, `blocks` whole blocks from sample i, of which `count` samples are wanted. */
 static void grid_strip(const struct grid_call *call, struct grid_scratch *scratch, size_t i,
                        size_t blocks, size_t count, size_t k)

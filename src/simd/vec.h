@@ -47,7 +47,8 @@
  *
  * Permutation:
  *   vu vu_lanes(void)     0, 1, 2, ... VEC_LANES - 1
- *   vf_table vf_table_load(const float *p)   p[0 .. VF_TABLE); VF_TABLE is a multiple of VEC_LANES
+ *   vf_table vf_table_load(const float *p)   p[0 .. VF_TABLE); VF_TABLE is VEC_LANES or twice that
+ *   vf_table vf_table_slide(vf_table t, vf next)   t without its first VEC_LANES entries, and next
  *   vu vf_index(vu i)     what vf_permute wants for these entries, each below VF_TABLE;
  *                         VF_INDEX_NEXT added to it asks for the entries after them (which must
  *                         also be below it)

@@ -146,6 +146,12 @@ VEC_INLINE vf_table vf_table_load(const float *p)
     return vf_load(p);
 }
 
+VEC_INLINE vf_table vf_table_slide(vf_table table, vf next)
+{
+    (void)table;
+    return next;
+}
+
 VEC_INLINE vf vf_permute(vf_table table, vu index)
 {
     return (vf)_mm256_permutevar8x32_ps((__m256)table, (__m256i)index);

@@ -149,6 +149,12 @@ VEC_INLINE vf_table vf_table_load(const float *p)
     return table;
 }
 
+VEC_INLINE vf_table vf_table_slide(vf_table table, vf next)
+{
+    const vf_table slid = {table.high, (__m512)next};
+    return slid;
+}
+
 VEC_INLINE vf vf_permute(vf_table table, vu index)
 {
     return (vf)_mm512_permutex2var_ps(table.low, (__m512i)index, table.high);

@@ -151,6 +151,12 @@ VEC_INLINE vf_table vf_table_load(const float *p)
     return vf_load(p);
 }
 
+VEC_INLINE vf_table vf_table_slide(vf_table table, vf next)
+{
+    (void)table;
+    return next;
+}
+
 VEC_INLINE vf vf_permute(vf_table table, vu index)
 {
     return (vf)vqtbl1q_u8((uint8x16_t)table, (uint8x16_t)index);

@@ -150,6 +150,12 @@ VEC_INLINE vf_table vf_table_load(const float *p)
     return vf_load(p);
 }
 
+VEC_INLINE vf_table vf_table_slide(vf_table table, vf next)
+{
+    (void)table;
+    return next;
+}
+
 VEC_INLINE vf vf_permute(vf_table table, vu index)
 {
     return (vf)_mm_shuffle_epi8((__m128i)table, (__m128i)index);
