@@ -243,6 +243,23 @@ static void test_tiles(const struct grid_case *c, uint64_t *state)
           output_names[member], where);
 }
 
+/* A row on lattice planes, where rounding alone decides between two cells: samples that should be
+   k / 16 cells apart cross one column more or less now and then. */
+static void test_on_planes(uint64_t *state)
+{
+    struct grid_case c = {.dimensions = 2, .order = 1, .wanted = 0xfu & OUTPUTS_ALL2};
+    const double apart = (double)(1 + pick(state, 18)) / 16;
+    c.noise.frequency = 1 / (1 + (double)pick(state, 1000) / 7);
+    c.noise.seed = check_random(state);
+    c.grid.step[0] = (pick(state, 4) == 0 ? -apart : apart) / c.noise.frequency;
+    c.grid.step[1] = 0.3;
+    c.grid.first[0] = (int64_t)pick(state, 2000000) - 1000000;
+    c.grid.count[0] = 64 + pick(state, 1000);
+    c.grid.count[1] = 2;
+    got.capacity = expected.capacity = floats_of(&c);
+    test_points(&c);
+}
+
 /* A grid whose outputs are more than STREAM_BYTES (kernel/grid.h), 24 MiB. */
 struct large_case {
     int dimensions, order;
@@ -454,6 +471,7 @@ int main(int argc, char **argv)
             test_points(&c);
             test_tiles(&c, &state);
         }
+        test_on_planes(&state);
     }
     test_all_large(cases < 1000 ? LARGE_CASES_FEW : LARGE_CASES);
     got.capacity = expected.capacity = FLOATS_MAX;

@@ -12,12 +12,19 @@
 
 #define TABLE_BLOCKS (VF_TABLE / VEC_LANES)
 
-/* Blocks of columns that there is room for, of as many rows as fit (one takes fewer than
-   CHUNK_BLOCKS), and what the last table reads beyond them. */
+/* Blocks of columns that there is room for, of as many rows as fit (one takes CHUNK_BLOCKS + 1 at
+   most), and what the last table reads beyond them. */
 #define COLUMN_BLOCKS (CHUNK_BLOCKS + 1 + TABLE_BLOCKS)
 
 /* From how many blocks per column on it pays to keep lines of one column instead of a table. */
 #define MIN_RUN 4
+
+/* How the rows of a chunk get their lines. */
+enum columns_kind {
+    WIDE,   /* each sample makes those of its own two columns */
+    TABLES, /* from tables in memory: columns.h */
+    SLIDES  /* from tables that slide on along the row: slide.h */
+};
 
 /* Neighbouring blocks that read their lines from one table. */
 struct stretch {
@@ -31,10 +38,9 @@ struct along_x {
     uint32_t cell[CHUNK_POINTS]; /* of each sample */
     vf t[CHUNK_BLOCKS];
     struct fade fade[CHUNK_BLOCKS];
-    int narrow;           /* 0: the union has `wide`, the other members are unset */
-    uint32_t lowest;      /* the first column */
-    size_t column_blocks; /* blocks of columns in use */
-    int slides;           /* whether tables are made of blocks of columns, going up: slide.h */
+    enum columns_kind kind; /* WIDE: the union has `wide`, what is above it is unset */
+    uint32_t lowest;        /* the first column */
+    size_t column_blocks;   /* blocks of columns in use */
     struct stretch stretch[CHUNK_BLOCKS];
     union {
         struct {
@@ -73,47 +79,48 @@ static size_t end_of_run(const uint32_t *cells, size_t b, size_t blocks)
     return end > b ? end : b + 1;
 }
 
-/* Where the stretch from block b on ends if it is to have all blocks that begin in one block of
-   columns. */
-static size_t end_of_table(const uint32_t *cells, size_t b, size_t blocks)
+/* Where it ends if it is to have all blocks whose first samples lie in the same block of columns.
+ */
+static size_t end_of_window(const uint32_t *cells, size_t b, size_t blocks)
 {
-    const uint32_t begin = (cells[b * VEC_LANES] - cells[0]) / VEC_LANES;
+    const uint32_t window = (cells[b * VEC_LANES] - cells[0]) / VEC_LANES;
     size_t end = b;
-    while (end < blocks && (cells[end * VEC_LANES] - cells[0]) / VEC_LANES == begin) {
+    while (end < blocks && (cells[end * VEC_LANES] - cells[0]) / VEC_LANES == window) {
         end++;
     }
     return end;
 }
 
 /* Where the blocks and their lanes lie among the columns, from the cell of each sample, which go up
-   or down along x. Stretches are as long as tables reach, all alike, but for runs where those are
-   long, and for tables that slide. Returns 0 where some block is too wide for a table, or columns
-   are nearly as many as samples: two of its own for each sample cost less then. */
-static int place_columns(struct along_x *x, size_t blocks)
+   or down along x. Stretches are runs where those are long; else windows where tables can slide,
+   which they do upwards; else as long as tables reach, all alike. WIDE is returned where some block
+   is too wide for a table, or two columns for each sample cost less: where there are nearly as many
+   as samples, or more if tables slide (measured). */
+static enum columns_kind place_columns(struct along_x *x, size_t blocks)
 {
     const uint32_t *const cells = x->cell;
     const size_t count = blocks * VEC_LANES;
     const int descending = (int32_t)(cells[count - 1] - cells[0]) < 0;
     const uint32_t lowest = cells[descending ? count - 1 : 0];
-    const uint32_t width = cells[descending ? 0 : count - 1] - lowest;
-    /* n samples cross at most (n - 1) (width + 1) / (count - 1) columns, rounded up. */
-    const size_t most = (VF_TABLE - 2) * (count - 1) / (width + 1) + 1;
-    const size_t reach = most < VEC_LANES ? 1 : most / VEC_LANES;
+    const size_t width = (size_t)(cells[descending ? 0 : count - 1] - lowest);
     const int runs = blocks >= MIN_RUN * (width + 1);
     const int slides = VF_TABLE > VEC_LANES && !runs && !descending;
     if (width >= (slides ? count : count * 7 / 8)) {
-        return 0;
+        return WIDE;
     }
+    /* n samples cross at most (n - 1) (width + 1) / (count - 1) columns, rounded up. */
+    const size_t most = (VF_TABLE - 2) * (count - 1) / (width + 1) + 1;
+    const size_t reach = most < VEC_LANES ? 1 : most / VEC_LANES;
     struct stretch *stretch = x->stretch;
     for (size_t b = 0, end; b < blocks; b = end, stretch++) {
         end = runs     ? end_of_run(cells, b, blocks)
-              : slides ? end_of_table(cells, b, blocks)
+              : slides ? end_of_window(cells, b, blocks)
                        : least(b + reach, blocks);
         const uint32_t first = cells[b * VEC_LANES], last = cells[end * VEC_LANES - 1];
         const uint32_t left = descending ? last : first, right = descending ? first : last;
         const uint32_t base = left - (slides ? (left - lowest) % VEC_LANES : 0);
         if (right - base > VF_TABLE - 2) {
-            return 0;
+            return WIDE;
         }
         stretch->base = base - lowest;
         stretch->blocks = (uint16_t)(end - b);
@@ -122,11 +129,9 @@ static int place_columns(struct along_x *x, size_t blocks)
             x->u.narrow.index[i] = vf_index(vu_load(cells + i * VEC_LANES) - vu_set(base));
         }
     }
-    x->slides = slides;
     x->lowest = lowest;
-    /* With the column on the right; with what the last table that slides has beyond. */
-    x->column_blocks = (width + 1) / VEC_LANES + 1 + (slides ? 1 : 0);
-    return 1;
+    x->column_blocks = (width + 1) / VEC_LANES + 1; /* with the column on the right */
+    return slides ? SLIDES : TABLES;
 }
 
 /* Whether cells, modulo 2^32, go up or down along x without a break: the lattice does not repeat in
@@ -152,13 +157,13 @@ VEC_INLINE void along_x_run(struct along_x *x, const struct scarp_octave *o, siz
         vu_store(x->cell + b * VEC_LANES, s.cell);
         x->t[b] = s.t;
     }
-    x->narrow = cells_in_order(o, position, blocks) && place_columns(x, blocks);
-    for (size_t b = 0; x->narrow && b < x->column_blocks; b++) {
+    x->kind = cells_in_order(o, position, blocks) ? place_columns(x, blocks) : WIDE;
+    for (size_t b = 0; x->kind != WIDE && b < x->column_blocks; b++) {
         const vu column = vu_lanes() + vu_set(x->lowest + (uint32_t)(b * VEC_LANES));
         x->u.narrow.hash[b] = hash_axis(column, HASH_X, o->key[0]).h0;
     }
     for (size_t b = 0; b < blocks; b++) {
-        if (!x->narrow) {
+        if (x->kind == WIDE) {
             x->u.wide[b] = hash_axis(vu_load(x->cell + b * VEC_LANES), HASH_X, o->key[0]);
         }
         const struct fade u = fade(fade_kind, x->t[b]);

@@ -6,7 +6,7 @@
  * from registers that serve as many blocks as they reach (a stretch). Included by fractal.h. Bits
  * are those of the point passes, because the lines are.
  *
- * Tables of two vectors do without memory where they can (slide.h).
+ * Tables of two vectors, AVX-512's, need no memory where columns go up along a row: slide.h.
  *
  * A table serves lanes in VF_TABLE - 1 neighbouring columns. Where a block needs more, or columns
  * are nearly as many as samples, each lane has its own two columns (`wide`), and shares with the
@@ -17,7 +17,7 @@
 
 #include "slide.h"
 
-/* The lines of the columns of one row after the other, `column_blocks` for each. */
+/* The lines of the columns of one row after the other, `column_blocks` for each (TABLES only). */
 struct columns {
     const struct along_x *x;
     const struct along_rows *rows;
@@ -30,51 +30,57 @@ VEC_INLINE void put_line(struct columns *c, int i, size_t block, struct line lin
     c->b[i][block] = line.b;
 }
 
-/* Reduces the columns of row r to their lines, from block `at` of the tables. */
-VEC_INLINE void reduce_gradient(struct columns *columns, size_t row, size_t at, int dimensions,
-                                int order)
+VEC_INLINE void put_gradient(struct columns *columns, size_t at, const struct column *c,
+                             int dimensions, int order)
 {
-    const struct along_x *const x = columns->x;
-    const struct along_row r = row_of(columns->rows, row, dimensions);
-    for (size_t i = 0; i < x->column_blocks; i++) {
-        const struct column c = gradient_column(x->u.narrow.hash[i], &r, dimensions, order);
-        put_line(columns, LINE_VALUE, at + i, c.value);
-        if (order >= 1) {
-            put_line(columns, LINE_Y, at + i, c.y);
-            if (dimensions == 3) {
-                put_line(columns, LINE_Z, at + i, c.z);
-            }
+    put_line(columns, LINE_VALUE, at, c->value);
+    if (order >= 1) {
+        put_line(columns, LINE_Y, at, c->y);
+        if (dimensions == 3) {
+            put_line(columns, LINE_Z, at, c->z);
         }
-        if (order >= 2) {
-            put_line(columns, LINE_YY, at + i, c.yy);
-            if (dimensions == 3) {
-                put_line(columns, LINE_YZ, at + i, c.yz);
-                put_line(columns, LINE_ZZ, at + i, c.zz);
-            }
+    }
+    if (order >= 2) {
+        put_line(columns, LINE_YY, at, c->yy);
+        if (dimensions == 3) {
+            put_line(columns, LINE_YZ, at, c->yz);
+            put_line(columns, LINE_ZZ, at, c->zz);
         }
     }
 }
 
-VEC_INLINE void reduce_value(struct columns *columns, size_t row, size_t at, int dimensions,
-                             int order)
+VEC_INLINE void put_value(struct columns *columns, size_t at, const struct value_column *c,
+                          int dimensions, int order)
+{
+    columns->b[LINE_VALUE][at] = c->value;
+    if (order >= 1) {
+        columns->b[LINE_Y][at] = c->y;
+        if (dimensions == 3) {
+            columns->b[LINE_Z][at] = c->z;
+        }
+    }
+    if (order >= 2) {
+        columns->b[LINE_YY][at] = c->yy;
+        if (dimensions == 3) {
+            columns->b[LINE_YZ][at] = c->yz;
+            columns->b[LINE_ZZ][at] = c->zz;
+        }
+    }
+}
+
+/* Reduces the columns of a row to their lines, from block `at` of the tables. */
+VEC_INLINE void reduce_row(struct columns *columns, size_t row, size_t at, enum scarp_basis basis,
+                           int dimensions, int order)
 {
     const struct along_x *const x = columns->x;
     const struct along_row r = row_of(columns->rows, row, dimensions);
     for (size_t i = 0; i < x->column_blocks; i++) {
-        const struct value_column c = value_column(x->u.narrow.hash[i], &r, dimensions, order);
-        columns->b[LINE_VALUE][at + i] = c.value;
-        if (order >= 1) {
-            columns->b[LINE_Y][at + i] = c.y;
-            if (dimensions == 3) {
-                columns->b[LINE_Z][at + i] = c.z;
-            }
-        }
-        if (order >= 2) {
-            columns->b[LINE_YY][at + i] = c.yy;
-            if (dimensions == 3) {
-                columns->b[LINE_YZ][at + i] = c.yz;
-                columns->b[LINE_ZZ][at + i] = c.zz;
-            }
+        if (basis == SCARP_GRADIENT) {
+            const struct column c = gradient_column(x->u.narrow.hash[i], &r, dimensions, order);
+            put_gradient(columns, at + i, &c, dimensions, order);
+        } else {
+            const struct value_column c = value_column(x->u.narrow.hash[i], &r, dimensions, order);
+            put_value(columns, at + i, &c, dimensions, order);
         }
     }
 }
@@ -120,10 +126,10 @@ VEC_INLINE struct stretch_lines open_lines(const struct columns *c, size_t base,
 }
 
 /* Row `to` of samples from the columns at block `at` of the tables. */
-VEC_INLINE void sample_row(const struct columns *columns, size_t at, size_t blocks,
-                           const struct weights *weights, int first,
-                           const struct scarp_samples *to_row, enum scarp_basis basis,
-                           int dimensions, int order)
+VEC_INLINE void table_row(const struct columns *columns, size_t at, size_t blocks,
+                          const struct weights *weights, int first,
+                          const struct scarp_samples *to_row, enum scarp_basis basis,
+                          int dimensions, int order)
 {
     const struct along_x *const x = columns->x;
     const struct weights w = *weights;
@@ -143,8 +149,8 @@ VEC_INLINE void sample_row(const struct columns *columns, size_t at, size_t bloc
         }
         const struct stretch_lines l = open_lines(columns, base, 0, basis, dimensions, order);
         for (; b < end; b++) {
-            const vu lanes = x->u.narrow.index[b];
-            const struct sides s = get_sides(&l, lanes, 0, basis, dimensions, order);
+            const vu at_columns = x->u.narrow.index[b];
+            const struct sides s = get_sides(&l, at_columns, 0, basis, dimensions, order);
             const struct sample n = join_sides(x, b, &s, basis, dimensions, order);
             add_sample(&to, first, &to, b, &n, &w, dimensions, order);
         }
@@ -152,10 +158,10 @@ VEC_INLINE void sample_row(const struct columns *columns, size_t at, size_t bloc
 }
 
 /* Row r of samples `to` where blocks are wide: each lane has its own two columns. */
-VEC_INLINE void sample_wide_row(const struct columns *columns, size_t row, size_t blocks,
-                                const struct weights *weights, int first,
-                                const struct scarp_samples *to_row, enum scarp_basis basis,
-                                int dimensions, int order)
+VEC_INLINE void wide_row(const struct columns *columns, size_t row, size_t blocks,
+                         const struct weights *weights, int first,
+                         const struct scarp_samples *to_row, enum scarp_basis basis, int dimensions,
+                         int order)
 {
     const struct along_x *const x = columns->x;
     const struct along_row r = row_of(columns->rows, row, dimensions);
@@ -188,51 +194,50 @@ static void clear_blocks(struct columns *columns, size_t at)
     }
 }
 
+/* Row r, whose columns are at block `at` of the tables, if it has any there. Wide rows are slower
+   than memory, and never streamed. */
+VEC_INLINE void sample_row(const struct columns *columns, size_t r, size_t at, size_t blocks,
+                           const struct weights *weights, int first, const struct scarp_samples *to,
+                           enum scarp_basis basis, int dimensions, int order)
+{
+    if (first != STREAM && columns->x->kind == WIDE) {
+        wide_row(columns, r, blocks, weights, first, to, basis, dimensions, order);
+    } else if (VF_TABLE > VEC_LANES && columns->x->kind == SLIDES) {
+        slide_row(columns->x, columns->rows, r, blocks, weights, first, to, basis, dimensions,
+                  order);
+    } else {
+        table_row(columns, at, blocks, weights, first, to, basis, dimensions, order);
+    }
+}
+
 /* As many rows at a time as the tables have room for: first all their columns, then all their
-   samples, so that neither waits for the other. `stream` is STREAM for `first`, but not in wide
-   rows, which are slower than memory. */
+   samples, so that neither waits for the other. */
 VEC_INLINE void sample_rows(struct columns *columns, size_t rows, size_t blocks,
                             const struct weights *weights, int first,
-                            const struct scarp_samples *to, int stream, enum scarp_basis basis,
-                            int dimensions, int order)
+                            const struct scarp_samples *to, enum scarp_basis basis, int dimensions,
+                            int order)
 {
-    if (!columns->x->narrow) {
-        for (size_t r = 0; r < rows; r++) {
-            sample_wide_row(columns, r, blocks, weights, first, &to[r], basis, dimensions, order);
-        }
-        return;
+    const enum columns_kind kind = columns->x->kind;
+    const size_t column_blocks = kind == TABLES ? columns->x->column_blocks : 0;
+    size_t room = rows;
+    if (kind == TABLES) {
+        room = least(rows, (COLUMN_BLOCKS - TABLE_BLOCKS) / column_blocks);
+        clear_blocks(columns, room * column_blocks);
     }
-    if (VF_TABLE > VEC_LANES && columns->x->slides) {
-        for (size_t r = 0; r < rows; r++) {
-            if (stream) {
-                slide_row(columns->x, columns->rows, r, blocks, weights, STREAM, &to[r], basis,
-                          dimensions, order);
-            } else {
-                slide_row(columns->x, columns->rows, r, blocks, weights, first, &to[r], basis,
-                          dimensions, order);
-            }
-        }
-        return;
-    }
-    const size_t column_blocks = columns->x->column_blocks;
-    const size_t room = (COLUMN_BLOCKS - TABLE_BLOCKS) / column_blocks;
-    clear_blocks(columns, (rows < room ? rows : room) * column_blocks);
     for (size_t begin = 0; begin < rows; begin += room) {
-        const size_t end = rows - begin < room ? rows : begin + room;
-        for (size_t r = begin; r < end; r++) {
-            const size_t at = (r - begin) * column_blocks;
-            if (basis == SCARP_GRADIENT) {
-                reduce_gradient(columns, r, at, dimensions, order);
-            } else {
-                reduce_value(columns, r, at, dimensions, order);
-            }
+        const size_t end = least(rows, begin + room);
+        for (size_t r = begin; kind == TABLES && r < end; r++) {
+            reduce_row(columns, r, (r - begin) * column_blocks, basis, dimensions, order);
         }
         for (size_t r = begin; r < end; r++) {
             const size_t at = (r - begin) * column_blocks;
-            if (stream) {
-                sample_row(columns, at, blocks, weights, STREAM, &to[r], basis, dimensions, order);
+            if (first == STREAM && kind != WIDE) {
+                sample_row(columns, r, at, blocks, weights, STREAM, &to[r], basis, dimensions,
+                           order);
+            } else if (first) {
+                sample_row(columns, r, at, blocks, weights, 1, &to[r], basis, dimensions, order);
             } else {
-                sample_row(columns, at, blocks, weights, first, &to[r], basis, dimensions, order);
+                sample_row(columns, r, at, blocks, weights, 0, &to[r], basis, dimensions, order);
             }
         }
     }
@@ -247,12 +252,7 @@ typedef void columns_pass(struct columns *columns, size_t rows, size_t blocks,
     static void name(struct columns *columns, size_t rows, size_t blocks,                          \
                      const struct weights *weights, int first, const struct scarp_samples *to)     \
     {                                                                                              \
-        if (first) {                                                                               \
-            sample_rows(columns, rows, blocks, weights, 1, to, first == STREAM, basis, dims,       \
-                        order);                                                                    \
-        } else {                                                                                   \
-            sample_rows(columns, rows, blocks, weights, 0, to, 0, basis, dims, order);             \
-        }                                                                                          \
+        sample_rows(columns, rows, blocks, weights, first, to, basis, dims, order);                \
     }
 
 COLUMNS_PASS(gradient2_columns0, SCARP_GRADIENT, 2, 0)

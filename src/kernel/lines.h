@@ -2,7 +2,7 @@
  *
  * The lines (noise.h) of the lattice columns that a row of a grid crosses: made from the hashes
  * along the axes, kept in tables of registers, looked up for the lanes of a block, joined to
- * samples. Included by slide.h and columns.h, which tell where tables come from.
+ * samples. Included by slide.h, which tells where tables come from, as does columns.h.
  */
 #ifndef SCARP_KERNEL_LINES_H
 #define SCARP_KERNEL_LINES_H
@@ -40,7 +40,8 @@ struct stretch_lines {
     struct stretch_line line[LINES];
 };
 
-/* Of the column of each lane, and of the one on its right; `at` is not used in one column. */
+/* The lines of the column of each lane, and of the one on its right; `at` is not used in one
+   column. */
 VEC_INLINE void get_line(const struct stretch_line *l, vu at, int in_column, struct line *left,
                          struct line *right)
 {

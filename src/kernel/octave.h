@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Second pass over a chunk of points (see points.h): one octave of noise from corner hashes and
- * fractions, scaled and added to rows of sums. Included by columns.h and turn.h.
+ * fractions, scaled and added to rows of sums. Included by lines.h and turn.h.
  */
 #ifndef SCARP_KERNEL_OCTAVE_H
 #define SCARP_KERNEL_OCTAVE_H

@@ -130,9 +130,9 @@ VEC_INLINE vu vu_lanes(void)
     return lanes;
 }
 
-VEC_INLINE vu vf_index(vu lanes)
+VEC_INLINE vu vf_index(vu i)
 {
-    return lanes;
+    return i;
 }
 
 #define VF_INDEX_NEXT 1u

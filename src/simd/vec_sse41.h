@@ -134,9 +134,9 @@ VEC_INLINE vu vu_lanes(void)
 }
 
 /* The bytes of each lane: 4 * lane + (0 1 2 3). */
-VEC_INLINE vu vf_index(vu lanes)
+VEC_INLINE vu vf_index(vu i)
 {
-    return lanes * 0x04040404u + 0x03020100u;
+    return i * 0x04040404u + 0x03020100u;
 }
 
 #define VF_INDEX_NEXT 0x04040404u
