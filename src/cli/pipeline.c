@@ -236,3 +236,11 @@ enum pipeline_result pipeline_run(const struct surface *surface, const struct ti
     close_pipeline(&pipeline);
     return result;
 }
+
+/* LLVM's OpenMP has a file in /dev/shm for each process that uses it, which it removes at exit. */
+void pipeline_end(void)
+{
+#if defined(_OPENMP) && _OPENMP >= 201811
+    omp_pause_resource_all(omp_pause_hard);
+#endif
+}

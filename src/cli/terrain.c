@@ -278,5 +278,8 @@ int cli_terrain(char **argv)
         }
     }
     outputs_free(&job.outputs);
+    if (interrupted()) {
+        pipeline_end();
+    }
     return status;
 }

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Runs that are told to stop: they tidy up, say so, and end by the signal, at once."""
+import glob
 import os
 import signal
 import subprocess
@@ -48,6 +49,7 @@ class Interrupt(Case):
         self.assertEqual(process.returncode, -number, error)
         self.assertIn(output, (b"", None))
         self.assertRegex(error.decode(), r"\Ascarp: interrupted: [^\n]*%s[^\n]*\n\Z" % words)
+        self.assertEqual(glob.glob("/dev/shm/*_%d_*" % process.pid), [])  # LLVM's OpenMP has one
 
     def test_one_raster(self):
         """No file is left, and those of an earlier run stay as they were."""
