@@ -29,7 +29,7 @@ enum pipeline_result pipeline_run(const struct surface *surface, const struct ti
                                   struct outputs *outputs, size_t threads,
                                   struct progress *progress);
 
-/* Ends the threads that wait for more to do, before the process ends by a signal. */
+/* Ends the threads that wait for more to do, in case the process ends by a signal. */
 void pipeline_end(void);
 
 #endif

@@ -278,8 +278,6 @@ int cli_terrain(char **argv)
         }
     }
     outputs_free(&job.outputs);
-    if (interrupted()) {
-        pipeline_end();
-    }
+    pipeline_end();
     return status;
 }

@@ -38,7 +38,7 @@ struct along_x {
     uint32_t cell[CHUNK_POINTS]; /* of each sample */
     vf t[CHUNK_BLOCKS];
     struct fade fade[CHUNK_BLOCKS];
-    enum columns_kind kind; /* WIDE: the union has `wide`, what is above it is unset */
+    enum columns_kind kind; /* WIDE: the union has `wide`, the next three members are unset */
     uint32_t lowest;        /* the first column */
     size_t column_blocks;   /* blocks of columns in use */
     struct stretch stretch[CHUNK_BLOCKS];

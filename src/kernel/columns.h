@@ -33,39 +33,17 @@ VEC_INLINE void put_line(struct columns *c, int i, size_t block, struct line lin
 VEC_INLINE void put_gradient(struct columns *columns, size_t at, const struct column *c,
                              int dimensions, int order)
 {
-    put_line(columns, LINE_VALUE, at, c->value);
-    if (order >= 1) {
-        put_line(columns, LINE_Y, at, c->y);
-        if (dimensions == 3) {
-            put_line(columns, LINE_Z, at, c->z);
-        }
-    }
-    if (order >= 2) {
-        put_line(columns, LINE_YY, at, c->yy);
-        if (dimensions == 3) {
-            put_line(columns, LINE_YZ, at, c->yz);
-            put_line(columns, LINE_ZZ, at, c->zz);
-        }
-    }
+#define DO(i, name) put_line(columns, i, at, c->name)
+    EACH_LINE(DO);
+#undef DO
 }
 
 VEC_INLINE void put_value(struct columns *columns, size_t at, const struct value_column *c,
                           int dimensions, int order)
 {
-    columns->b[LINE_VALUE][at] = c->value;
-    if (order >= 1) {
-        columns->b[LINE_Y][at] = c->y;
-        if (dimensions == 3) {
-            columns->b[LINE_Z][at] = c->z;
-        }
-    }
-    if (order >= 2) {
-        columns->b[LINE_YY][at] = c->yy;
-        if (dimensions == 3) {
-            columns->b[LINE_YZ][at] = c->yz;
-            columns->b[LINE_ZZ][at] = c->zz;
-        }
-    }
+#define DO(i, name) columns->b[i][at] = c->name
+    EACH_LINE(DO);
+#undef DO
 }
 
 /* Reduces the columns of a row to their lines, from block `at` of the tables. */
@@ -108,20 +86,9 @@ VEC_INLINE struct stretch_lines open_lines(const struct columns *c, size_t base,
                                            enum scarp_basis basis, int dimensions, int order)
 {
     struct stretch_lines l;
-    open_line(&l.line[LINE_VALUE], c, LINE_VALUE, base, in_column, basis);
-    if (order >= 1) {
-        open_line(&l.line[LINE_Y], c, LINE_Y, base, in_column, basis);
-        if (dimensions == 3) {
-            open_line(&l.line[LINE_Z], c, LINE_Z, base, in_column, basis);
-        }
-    }
-    if (order >= 2) {
-        open_line(&l.line[LINE_YY], c, LINE_YY, base, in_column, basis);
-        if (dimensions == 3) {
-            open_line(&l.line[LINE_YZ], c, LINE_YZ, base, in_column, basis);
-            open_line(&l.line[LINE_ZZ], c, LINE_ZZ, base, in_column, basis);
-        }
-    }
+#define DO(i, name) open_line(&l.line[i], c, i, base, in_column, basis)
+    EACH_LINE(DO);
+#undef DO
     return l;
 }
 

@@ -12,6 +12,26 @@
 
 enum { LINE_VALUE, LINE_Y, LINE_Z, LINE_YY, LINE_YZ, LINE_ZZ, LINES };
 
+/* DO(index, member of struct column or value_column) for each line that `order` and `dimensions`,
+   constants where this stands, ask for. */
+#define EACH_LINE(DO)                                                                              \
+    do {                                                                                           \
+        DO(LINE_VALUE, value);                                                                     \
+        if (order >= 1) {                                                                          \
+            DO(LINE_Y, y);                                                                         \
+            if (dimensions == 3) {                                                                 \
+                DO(LINE_Z, z);                                                                     \
+            }                                                                                      \
+        }                                                                                          \
+        if (order >= 2) {                                                                          \
+            DO(LINE_YY, yy);                                                                       \
+            if (dimensions == 3) {                                                                 \
+                DO(LINE_YZ, yz);                                                                   \
+                DO(LINE_ZZ, zz);                                                                   \
+            }                                                                                      \
+        }                                                                                          \
+    } while (0)
+
 /* The lines of the columns whose mixed coordinates are `h`, on a row. */
 VEC_INLINE struct column gradient_column(vu h, const struct along_row *r, int dimensions, int order)
 {
@@ -58,20 +78,9 @@ VEC_INLINE void get_line(const struct stretch_line *l, vu at, int in_column, str
 VEC_INLINE void get_columns(const struct stretch_line *l, vu at, int in_column, struct column *left,
                             struct column *right, int dimensions, int order)
 {
-    get_line(&l[LINE_VALUE], at, in_column, &left->value, &right->value);
-    if (order >= 1) {
-        get_line(&l[LINE_Y], at, in_column, &left->y, &right->y);
-        if (dimensions == 3) {
-            get_line(&l[LINE_Z], at, in_column, &left->z, &right->z);
-        }
-    }
-    if (order >= 2) {
-        get_line(&l[LINE_YY], at, in_column, &left->yy, &right->yy);
-        if (dimensions == 3) {
-            get_line(&l[LINE_YZ], at, in_column, &left->yz, &right->yz);
-            get_line(&l[LINE_ZZ], at, in_column, &left->zz, &right->zz);
-        }
-    }
+#define DO(i, name) get_line(&l[i], at, in_column, &left->name, &right->name)
+    EACH_LINE(DO);
+#undef DO
 }
 
 VEC_INLINE void get_number(const struct stretch_line *l, vu at, int in_column, vf *left, vf *right)
@@ -84,20 +93,9 @@ VEC_INLINE void get_value_columns(const struct stretch_line *l, vu at, int in_co
                                   struct value_column *left, struct value_column *right,
                                   int dimensions, int order)
 {
-    get_number(&l[LINE_VALUE], at, in_column, &left->value, &right->value);
-    if (order >= 1) {
-        get_number(&l[LINE_Y], at, in_column, &left->y, &right->y);
-        if (dimensions == 3) {
-            get_number(&l[LINE_Z], at, in_column, &left->z, &right->z);
-        }
-    }
-    if (order >= 2) {
-        get_number(&l[LINE_YY], at, in_column, &left->yy, &right->yy);
-        if (dimensions == 3) {
-            get_number(&l[LINE_YZ], at, in_column, &left->yz, &right->yz);
-            get_number(&l[LINE_ZZ], at, in_column, &left->zz, &right->zz);
-        }
-    }
+#define DO(i, name) get_number(&l[i], at, in_column, &left->name, &right->name)
+    EACH_LINE(DO);
+#undef DO
 }
 
 /* The lines to the left and right of a block. */

@@ -20,20 +20,9 @@ VEC_INLINE void slide_line(struct stretch_line *l, struct line next)
 VEC_INLINE void slide_gradient(struct stretch_line *l, const struct column *next, int dimensions,
                                int order)
 {
-    slide_line(&l[LINE_VALUE], next->value);
-    if (order >= 1) {
-        slide_line(&l[LINE_Y], next->y);
-        if (dimensions == 3) {
-            slide_line(&l[LINE_Z], next->z);
-        }
-    }
-    if (order >= 2) {
-        slide_line(&l[LINE_YY], next->yy);
-        if (dimensions == 3) {
-            slide_line(&l[LINE_YZ], next->yz);
-            slide_line(&l[LINE_ZZ], next->zz);
-        }
-    }
+#define DO(i, name) slide_line(&l[i], next->name)
+    EACH_LINE(DO);
+#undef DO
 }
 
 VEC_INLINE void slide_number(struct stretch_line *l, vf next)
@@ -44,20 +33,9 @@ VEC_INLINE void slide_number(struct stretch_line *l, vf next)
 VEC_INLINE void slide_value(struct stretch_line *l, const struct value_column *next, int dimensions,
                             int order)
 {
-    slide_number(&l[LINE_VALUE], next->value);
-    if (order >= 1) {
-        slide_number(&l[LINE_Y], next->y);
-        if (dimensions == 3) {
-            slide_number(&l[LINE_Z], next->z);
-        }
-    }
-    if (order >= 2) {
-        slide_number(&l[LINE_YY], next->yy);
-        if (dimensions == 3) {
-            slide_number(&l[LINE_YZ], next->yz);
-            slide_number(&l[LINE_ZZ], next->zz);
-        }
-    }
+#define DO(i, name) slide_number(&l[i], next->name)
+    EACH_LINE(DO);
+#undef DO
 }
 
 /* Block i of columns comes in on the right, the one on the left goes. What comes after the last
