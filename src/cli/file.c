@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The life of an output file: temporary name, final name, removal.
+ * The life of an output file: unfinished name, final name, removal.
  */
 #include "file.h"
 
@@ -11,6 +11,9 @@
 #include <sys/types.h>
 
 #include "interrupt.h"
+#include "path.h"
+#include "text.h"
+#include "unfinished.h"
 
 #ifdef _WIN32
 #include <fcntl.h>
@@ -24,27 +27,9 @@
 #endif
 #else
 #include <fcntl.h>
-#include <sys/file.h>
 #include <unistd.h>
 #define SEEK_SET_64(stream, offset) fseeko(stream, (off_t)(offset), SEEK_SET)
 #endif
-
-char *file_join(const char *const *texts)
-{
-    size_t length = 1;
-    for (size_t i = 0; texts[i] != NULL; i++) {
-        length += strlen(texts[i]);
-    }
-    char *const joined = malloc(length);
-    if (joined == NULL) {
-        return NULL;
-    }
-    joined[0] = '\0';
-    for (size_t i = 0; texts[i] != NULL; i++) {
-        strcat(joined, texts[i]);
-    }
-    return joined;
-}
 
 static bool is_standard_output(const char *path)
 {
@@ -56,16 +41,42 @@ const char *file_name(const char *path)
     return is_standard_output(path) ? "standard output" : path;
 }
 
-bool file_exists(const char *path)
+bool file_look(const char *path, uint64_t *size, struct file_time *time)
 {
     struct stat status;
-    return stat(path, &status) == 0 && S_ISREG(status.st_mode);
+    if (stat(path, &status) != 0 || !S_ISREG(status.st_mode)) {
+        return false;
+    }
+    *size = (uint64_t)status.st_size;
+#if defined(__APPLE__)
+    *time = (struct file_time){status.st_mtimespec.tv_sec, status.st_mtimespec.tv_nsec};
+#elif defined(_WIN32)
+    *time = (struct file_time){status.st_mtime, 0};
+#else
+    *time = (struct file_time){status.st_mtim.tv_sec, status.st_mtim.tv_nsec};
+#endif
+    return true;
 }
 
 bool file_is_special(const char *path)
 {
     struct stat status;
     return stat(path, &status) == 0 && !S_ISREG(status.st_mode);
+}
+
+bool file_is_same(const struct file *a, const struct file *b)
+{
+    return a->unfinished != NULL && b->unfinished != NULL && strcmp(a->path, b->path) == 0;
+}
+
+/* Finds out whether writes wait. Then nothing is buffered, which closing the file would wait for.
+ */
+static bool prepare(struct file *file)
+{
+    struct stat status;
+    file->waits = fstat(fileno(file->stream), &status) == 0 && !S_ISREG(status.st_mode) &&
+                  !S_ISCHR(status.st_mode);
+    return !file->waits || setvbuf(file->stream, NULL, _IONBF, 0) == 0;
 }
 
 /* Whether `path` can take the file: nothing is there yet, or a file that may be changed. Renaming
@@ -79,118 +90,28 @@ static bool is_replaceable(const char *path)
     return fclose(old) == 0;
 }
 
-/* Finds out whether writes wait. Then nothing is buffered, which closing the file would wait for.
- */
-static bool prepare(struct file *file)
-{
-    struct stat status;
-    file->waits = fstat(fileno(file->stream), &status) == 0 && !S_ISREG(status.st_mode) &&
-                  !S_ISCHR(status.st_mode);
-    return !file->waits || setvbuf(file->stream, NULL, _IONBF, 0) == 0;
-}
-
-#ifdef _WIN32
-static char *follow_links(const char *path)
-{
-    return file_join((const char *const[]){path, NULL});
-}
-
-static FILE *open_partial(struct file *file, const char *partial)
-{
-    (void)file;
-    return fopen(partial, "wb");
-}
-
-static void unlock(struct file *file)
-{
-    (void)file;
-}
-#else
-/* What a link leads to is written, not the link. */
-static char *follow_links(const char *path)
-{
-    char *const target = realpath(path, NULL);
-    return target != NULL ? target : file_join((const char *const[]){path, NULL});
-}
-
-/* Locks the file at `path`, made if need be. -1 if that cannot be; errno is EBUSY if another run
-   has locked it, or this one by another name. Where there are no locks, it does without. */
-static int open_locked(const char *path)
-{
-    for (;;) {
-        const int descriptor = open(path, O_WRONLY | O_CREAT, 0666);
-        if (descriptor < 0) {
-            return -1;
-        }
-        if (flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-            close(descriptor);
-            errno = EBUSY;
-            return -1;
-        }
-        /* Until it was locked, another run may have finished with it and renamed it. */
-        struct stat locked, named;
-        if (fstat(descriptor, &locked) == 0 && stat(path, &named) == 0 &&
-            locked.st_ino == named.st_ino && locked.st_dev == named.st_dev) {
-            return descriptor;
-        }
-        close(descriptor);
-    }
-}
-
-/* The temporary file, empty, for this run alone: it stays locked until it has its own name. What a
-   run that was killed left is no longer locked. */
-static FILE *open_partial(struct file *file, const char *partial)
-{
-    const int descriptor = open_locked(partial);
-    if (descriptor < 0) {
-        return NULL;
-    }
-    const int copy = dup(descriptor);
-    FILE *const stream = copy >= 0 && ftruncate(copy, 0) == 0 ? fdopen(copy, "wb") : NULL;
-    if (stream == NULL) {
-        close(copy);
-        close(descriptor);
-        return NULL;
-    }
-    file->is_locked = true;
-    file->lock = descriptor;
-    return stream;
-}
-
-static void unlock(struct file *file)
-{
-    if (file->is_locked) {
-        close(file->lock);
-    }
-    file->is_locked = false;
-}
-#endif
-
-/* A file under a temporary name */
+/* A file under an unfinished name, with the permissions of the one that it replaces */
 static bool open_ordinary(struct file *file)
 {
+    struct stat old;
+    const bool replaces = stat(file->path, &old) == 0;
     if (!is_replaceable(file->path)) {
         return false;
     }
-    char *const partial = file_join((const char *const[]){file->path, ".part", NULL});
-    if (partial == NULL) {
-        return false;
+    unfinished_sweep(file->path);
+    const unsigned mode = replaces ? (unsigned)old.st_mode & 0777 : 0666;
+    file->unfinished = unfinished_make(file->path, mode, &file->stream);
+#ifndef _WIN32
+    if (file->unfinished != NULL && replaces) {
+        /* What the umask took away. Some file systems have no permissions. */
+        (void)!fchmod(fileno(file->stream), old.st_mode & 07777);
     }
-    file->stream = open_partial(file, partial);
-    if (file->stream == NULL) {
-        free(partial);
-        return false;
-    }
-    file->partial = partial;
-    return true;
+#endif
+    return file->unfinished != NULL;
 }
 
 bool file_open(struct file *file, const char *path)
 {
-    file->path = follow_links(path);
-    if (file->path == NULL) {
-        return false;
-    }
     if (is_standard_output(path)) {
 #ifdef _WIN32
         _setmode(_fileno(stdout), _O_BINARY);
@@ -202,7 +123,25 @@ bool file_open(struct file *file, const char *path)
         file->stream = fopen(path, "wb");
         return file->stream != NULL && prepare(file);
     }
-    return open_ordinary(file);
+    file->path = path_resolve(path);
+    return file->path != NULL && open_ordinary(file);
+}
+
+bool file_open_making_directories(struct file *file, const char *path)
+{
+    const int made = path_make_directories(path);
+    if (made < 0) {
+        return false;
+    }
+    const bool opened = file_open(file, path);
+    if (!opened && file->path == NULL) {
+        const int reason = errno;
+        path_remove_directories(path, made);
+        errno = reason;
+        return false;
+    }
+    file->made = made;
+    return opened;
 }
 
 /* fwrite would take up again what a signal ended halfway, and wait on. */
@@ -226,6 +165,26 @@ bool file_write(struct file *file, const void *bytes, size_t count)
     return count == 0 || fwrite(next, 1, count, file->stream) == count;
 }
 
+/* Waits until all that was written is on the disk: a name must not survive a power cut that its
+   contents do not. Not every file system can tell. */
+static bool synchronise(FILE *stream)
+{
+#ifdef _WIN32
+    return _commit(_fileno(stream)) == 0;
+#else
+#ifdef F_FULLFSYNC
+    if (fcntl(fileno(stream), F_FULLFSYNC) == 0) {
+        return true;
+    }
+#endif
+    int result = fsync(fileno(stream));
+    while (result != 0 && errno == EINTR && !interrupted()) {
+        result = fsync(fileno(stream));
+    }
+    return result == 0 || errno == EINVAL || errno == ENOTSUP || errno == ENOSYS;
+#endif
+}
+
 bool file_close(struct file *file)
 {
     FILE *const stream = file->stream;
@@ -233,7 +192,8 @@ bool file_close(struct file *file)
     if (stream == NULL) {
         return true;
     }
-    const bool written = fflush(stream) == 0 && !ferror(stream);
+    const bool written =
+        fflush(stream) == 0 && !ferror(stream) && (file->unfinished == NULL || synchronise(stream));
     const int reason = errno;
     const bool closed = stream == stdout || fclose(stream) == 0;
     if (!written) {
@@ -244,32 +204,84 @@ bool file_close(struct file *file)
 
 bool file_publish(struct file *file)
 {
-    if (file->partial == NULL) {
+    if (file->unfinished == NULL) {
         return true;
     }
 #ifdef _WIN32
     remove(file->path); /* where rename does not replace */
 #endif
-    file->published = rename(file->partial, file->path) == 0;
-    unlock(file);
-    return file->published;
+    if (rename(file->unfinished, file->path) != 0) {
+        return false;
+    }
+    free(file->unfinished);
+    file->unfinished = NULL;
+    file->made = 0;
+    return true;
+}
+
+/* Gives the name to the file by a hard link, which is made only where nothing of the name is. Over
+   a network the answer may get lost, so the links are counted. Where there are no hard links, the
+   name is reserved first. */
+static bool publish_by_link(struct file *file)
+{
+#ifdef _WIN32
+    return rename(file->unfinished, file->path) == 0; /* replaces nothing there */
+#else
+    struct stat status;
+    if (link(file->unfinished, file->path) == 0 ||
+        (errno == EEXIST && stat(file->unfinished, &status) == 0 && status.st_nlink == 2)) {
+        unlink(file->unfinished);
+        return true;
+    }
+    if (errno == EEXIST) {
+        return false;
+    }
+    const int descriptor = open(file->path, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+    if (descriptor < 0) {
+        return false;
+    }
+    close(descriptor);
+    return rename(file->unfinished, file->path) == 0;
+#endif
+}
+
+bool file_publish_new(struct file *file)
+{
+    if (!publish_by_link(file)) {
+        return false;
+    }
+    free(file->unfinished);
+    file->unfinished = NULL;
+    file->made = 0;
+    return true;
+}
+
+bool file_settle(const struct file *file)
+{
+    return file->path == NULL || path_sync_directory(file->path);
 }
 
 void file_discard(struct file *file)
 {
-    file_close(file);
-    if (file->partial != NULL && !file->published) {
-        remove(file->partial);
+    const int reason = errno;
+    if (file->stream != NULL && file->stream != stdout) {
+        fclose(file->stream);
     }
-    unlock(file);
+    if (file->unfinished != NULL) {
+        remove(file->unfinished);
+    }
+    if (file->made > 0) {
+        path_remove_directories(file->path, file->made);
+    }
     free(file->path);
-    free(file->partial);
+    free(file->unfinished);
     *file = (struct file){0};
+    errno = reason;
 }
 
 const char *file_reason(int reason)
 {
-    return reason == EBUSY ? "is being written by another run, or another option"
+    return reason == EBUSY ? "is already written by another option"
            : reason == 0   ? "cannot be written"
                            : strerror(reason);
 }

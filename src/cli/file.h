@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
- * Output files that appear only when they are whole. A file is written under a temporary name
- * beside its own, PATH.part, and takes its own name when all of it is written: a run that fails
- * leaves no half files, and older ones as they were; two runs do not write one file at a time. "-"
- * is standard output, and it, devices and named pipes are written as they are. Used by everything
- * that writes.
+ * Output files that appear only when they are whole. A file is written under a name of its own
+ * beside its final one (see unfinished.h), and takes that when all of it is written and has reached
+ * the disk: a run that fails leaves no half files, and older ones as they were. "-" is standard
+ * output, and it, devices and named pipes are written as they are. Used by everything that writes.
  */
 #ifndef SCARP_CLI_FILE_H
 #define SCARP_CLI_FILE_H
@@ -18,24 +17,29 @@ struct file {
     FILE *stream;
     bool waits; /* a pipe or the like: a write may wait for whoever reads */
     /* Private to file.c: */
-    char *path, *partial; /* the final and the temporary name; none: no temporary name */
-    bool published;       /* under the final name */
-    bool is_locked;
-    int lock; /* a descriptor that keeps other runs from the temporary file */
+    char *path;       /* the final name, without symbolic links in it */
+    char *unfinished; /* the name until then; NULL: none, or it has the final one */
+    int made;         /* directories that were made for it, and go with it */
 };
 
 /* All return whether they succeeded; on failure errno may tell why. */
 bool file_open(struct file *file, const char *path);
-bool file_close(struct file *file); /* nothing is left to write; still under its temporary name */
-bool file_publish(struct file *file);
+bool file_open_making_directories(struct file *file, const char *path);
+bool file_close(struct file *file);       /* all is on the disk, still under the unfinished name */
+bool file_publish(struct file *file);     /* gives it its final name */
+bool file_publish_new(struct file *file); /* unless there is a file of that name: errno is EEXIST */
+bool file_settle(const struct file *file); /* the name is on the disk, too */
 
 /* False also when the user or the system asked the program to stop, before or while the write
    waits. */
 bool file_write(struct file *file, const void *bytes, size_t count);
 
-/* Frees the file. Unless it was published, it is removed. May be called at any time after
-   zero-initialisation. */
+/* Frees the file. Unless it was published, it is removed, and so are directories that were made for
+   it. May be called at any time after zero-initialisation. */
 void file_discard(struct file *file);
+
+/* Whether both are open files of the same final name, whatever paths they were opened by */
+bool file_is_same(const struct file *a, const struct file *b);
 
 /* What messages say of an errno after one of these failed */
 const char *file_reason(int reason);
@@ -49,11 +53,13 @@ bool file_is_special(const char *path);
 /* What messages call the file `path` */
 const char *file_name(const char *path);
 
-/* Whether there is a file of that name already, and not a directory, device or pipe. */
-bool file_exists(const char *path);
+/* When a file was last written. */
+struct file_time {
+    int64_t seconds;
+    long nanoseconds;
+};
 
-/* The texts one after the other, NULL at the end, in memory that the caller frees; NULL without
-   memory. */
-char *file_join(const char *const *texts);
+/* Tells the size and the time of an ordinary file. False if there is none of that name. */
+bool file_look(const char *path, uint64_t *size, struct file_time *time);
 
 #endif

@@ -13,6 +13,14 @@ static bool npy_open(struct writer *writer)
                             raster->channels == 1 ? 2 : 3);
 }
 
+static bool npy_is_whole(const struct raster *raster, const char *path)
+{
+    return writer_has_size(raster, path, NPY_HEADER_SIZE);
+}
+
 #define KINDS (SAMPLE_U8 | SAMPLE_F32)
-const struct format format_npy = {
-    .name = "npy", .kinds = {0, KINDS, KINDS, KINDS}, .open = npy_open, .write = writer_write_raw};
+const struct format format_npy = {.name = "npy",
+                                  .kinds = {0, KINDS, KINDS, KINDS},
+                                  .open = npy_open,
+                                  .write = writer_write_raw,
+                                  .is_whole = npy_is_whole};

@@ -9,6 +9,8 @@
 
 #include <stddef.h>
 
+#include "text.h"
+
 struct option;
 
 enum option_result {
@@ -31,6 +33,7 @@ struct option {
     size_t offset;              /* of the field in the structure that receives the values */
     double lowest, highest;     /* the interval of numbers, bounds included */
     const char *const *choices; /* of option_choice, ending in NULL */
+    int of_run; /* it concerns this run or the names of files, not what files hold */
 };
 
 /* Options that a structure holds, itself part of what receives the values */
@@ -73,6 +76,10 @@ struct option_point {
     double x, y;
 };
 
+struct option_share {
+    size_t index, count; /* index < count; all of it: count 0 */
+};
+
 struct option_range {
     size_t x0, x1, y0, y1; /* x0 <= x < x1, y0 <= y < y1 */
 };
@@ -86,6 +93,7 @@ option_parse_fn option_magnitude; /* float, its magnitude in [lowest, highest], 
 option_parse_fn option_point;     /* struct option_point, "X,Y", both in [lowest, highest] */
 option_parse_fn option_range;     /* struct option_range, "X0:X1,Y0:Y1", all in [lowest, highest] */
 option_parse_fn option_seed;      /* uint64_t */
+option_parse_fn option_share;     /* struct option_share, "I/N", both in [lowest, highest] */
 option_parse_fn option_size;      /* struct option_size, "WxH", both in [lowest, highest] */
 option_parse_fn option_stem;      /* const char *: the beginning of file names */
 option_parse_fn option_text;      /* const char *: anything but nothing */
@@ -98,5 +106,10 @@ enum options_outcome {
 
 /* Fills `values` with the defaults, then with what `argv` holds, which ends with NULL. */
 enum options_outcome options_parse(const struct option_table *table, char **argv, void *values);
+
+/* Adds "name": value, a line each, as members of an object of JSON: all options but those of the
+   run, in the order of the table. Numbers are the shortest that read back the same; what is
+   infinite is null. */
+void options_describe(const struct option_table *table, const void *values, struct text *text);
 
 #endif

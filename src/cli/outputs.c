@@ -10,6 +10,10 @@
 #include <string.h>
 
 #include "cli.h"
+#include "path.h"
+#include "pattern.h"
+#include "text.h"
+#include "unfinished.h"
 
 #ifdef SCARP_CLI_PNG
 #define GREY_EXTENSION ".png"
@@ -18,29 +22,6 @@
 #define GREY_EXTENSION ".pgm"
 #define COLOUR_EXTENSION ".ppm"
 #endif
-
-static bool is_separator(char c)
-{
-#ifdef _WIN32
-    return c == '/' || c == '\\';
-#else
-    return c == '/';
-#endif
-}
-
-/* The dot of the extension; the end of the path if it has none. */
-static const char *find_extension(const char *path)
-{
-    const char *dot = NULL;
-    for (const char *c = path; *c != '\0'; c++) {
-        if (*c == '.' && c != path && !is_separator(c[-1])) {
-            dot = c;
-        } else if (is_separator(*c)) {
-            dot = NULL;
-        }
-    }
-    return dot != NULL ? dot : path + strlen(path);
-}
 
 /* Whether the `length` characters at `word` are `name`, in capitals or not. */
 static bool is_word(const char *word, size_t length, const char *name)
@@ -103,7 +84,7 @@ static bool add(struct outputs *outputs, const struct layer *layer, const char *
             return false;
         }
     }
-    char *const copy = file_join((const char *const[]){path, NULL});
+    char *const copy = text_copy(path);
     if (copy == NULL) {
         cli_error("%s: no memory", option);
         return false;
@@ -125,11 +106,12 @@ bool outputs_add(struct outputs *outputs, const struct layer *layer, const char 
     if (format != NULL) {
         path = text + prefix + 1;
     } else {
-        const char *const dot = find_extension(text);
+        const char *const dot = path_extension(text);
         format = *dot == '.' ? find_format(dot + 1, strlen(dot + 1)) : NULL;
     }
     const size_t length = strlen(path);
-    if (length > 5 && strcmp(path + length - 5, ".part") == 0) {
+    const size_t end = strlen(UNFINISHED_END);
+    if (length > end && strcmp(path + length - end, UNFINISHED_END) == 0) {
         cli_error("%s: '%.200s' is a name for what is not complete yet", layer->option, path);
         return false;
     }
@@ -152,7 +134,7 @@ bool outputs_add_stem(struct outputs *outputs, const char *stem, bool compare)
         const struct layer *const layer = &layers[stem_layers[i]];
         const char *const extension = layer->channels == 1 ? GREY_EXTENSION : COLOUR_EXTENSION;
         char *const path =
-            file_join((const char *const[]){stem, "-", layer->name, extension, NULL});
+            text_join((const char *const[]){stem, "-", layer->name, extension, NULL});
         const bool added =
             path != NULL && add(outputs, layer, "--output", find_format(extension + 1, 3), path);
         free(path);
@@ -193,42 +175,64 @@ unsigned outputs_needs(const struct outputs *outputs)
     return needs;
 }
 
-/* NAME_y_x.png of NAME.png; the caller frees it. */
-static char *tile_path(const char *path, const struct tile *tile)
+bool outputs_check(const struct outputs *outputs, const struct tiling *tiling)
 {
-    const char *const extension = find_extension(path);
-    const size_t size = strlen(path) + 48;
-    char *const name = malloc(size);
-    if (name == NULL) {
-        return NULL;
+    if (tiling->numbered && outputs_to_standard_output(outputs)) {
+        cli_error("--tile: tiles cannot go to standard output, only to files");
+        return false;
     }
-    if (tile->numbered) {
-        snprintf(name, size, "%.*s_%zu_%zu%s", (int)(extension - path), path, tile->y, tile->x,
-                 extension);
-    } else {
-        strcpy(name, path);
-    }
-    return name;
-}
-
-bool outputs_name(struct outputs *outputs, const struct tile *tile)
-{
     for (size_t i = 0; i < outputs->count; i++) {
-        struct output *const output = &outputs->list[i];
-        free(output->tile_path);
-        output->tile_path = tile_path(output->path, tile);
-        if (output->tile_path == NULL) {
-            cli_error("%s: no memory", output->option);
+        if (!pattern_check(outputs->list[i].path, tiling, outputs->list[i].option)) {
             return false;
         }
     }
     return true;
 }
 
-bool outputs_exist(const struct outputs *outputs)
+/* What the layer is of this tile */
+static struct raster make_raster(const struct output *output, const struct surface *surface,
+                                 const struct tile *tile)
+{
+    const size_t zoom = output->layer == &layers[LAYER_COMPARE] ? surface->zoom : 0;
+    const double up = (double)(surface->height - 1) - (double)tile->row;
+    return (struct raster){
+        .width = tile->width * (zoom == 0 ? 1 : 2 * zoom),
+        .height = tile->height * (zoom == 0 ? 1 : zoom),
+        .channels = output->layer->channels,
+        .kind = output->kind,
+        .x = surface->x0 + (double)tile->column * surface->step,
+        .y = surface->y0 + up * surface->step,
+        .step = surface->step,
+        .content = output->layer->content,
+        .repeats = zoom > 1,
+    };
+}
+
+bool outputs_begin(struct outputs *outputs, const struct surface *surface, const struct tile *tile)
 {
     for (size_t i = 0; i < outputs->count; i++) {
-        if (!writer_exists(outputs->list[i].format, outputs->list[i].tile_path)) {
+        struct output *const output = &outputs->list[i];
+        free(output->tile_path);
+        output->tile_path = pattern_expand(output->path, tile);
+        if (output->tile_path == NULL) {
+            cli_error("%s: no memory", output->option);
+            return false;
+        }
+        output->writer = (struct writer){.raster = make_raster(output, surface, tile),
+                                         .format = output->format,
+                                         .path = output->tile_path,
+                                         .makes_directories = pattern_is(output->path)};
+        output->times = output->layer == &layers[LAYER_COMPARE] ? surface->zoom : 1;
+        output->row_bytes = writer_row_bytes(&output->writer);
+        output->failed = false;
+    }
+    return true;
+}
+
+bool outputs_are_there(const struct outputs *outputs, struct file_time since)
+{
+    for (size_t i = 0; i < outputs->count; i++) {
+        if (!writer_is_there(&outputs->list[i].writer, since)) {
             return false;
         }
     }
@@ -250,37 +254,25 @@ static bool check(struct output *output, bool succeeded)
     return succeeded;
 }
 
-bool outputs_open(struct outputs *outputs, const struct surface *surface, const struct tile *tile)
+bool outputs_open(struct outputs *outputs)
 {
     for (size_t i = 0; i < outputs->count; i++) {
         struct output *const output = &outputs->list[i];
-        const size_t zoom = output->layer == &layers[LAYER_COMPARE] ? surface->zoom : 0;
-        const double up = (double)(surface->height - 1) - (double)tile->row;
-        output->writer = (struct writer){
-            .raster = {.width = tile->width * (zoom == 0 ? 1 : 2 * zoom),
-                       .height = tile->height * (zoom == 0 ? 1 : zoom),
-                       .channels = output->layer->channels,
-                       .kind = output->kind,
-                       .x = surface->x0 + (double)tile->column * surface->step,
-                       .y = surface->y0 + up * surface->step,
-                       .step = surface->step,
-                       .content = output->layer->content,
-                       .repeats = zoom > 1},
-            .format = output->format,
-            .path = output->tile_path,
-        };
-        output->times = zoom == 0 ? 1 : zoom;
-        output->row_bytes = writer_row_bytes(&output->writer);
-        output->failed = false;
         errno = 0;
         if (!check(output, writer_open(&output->writer))) {
             return false;
+        }
+        for (size_t j = 0; j < i; j++) {
+            if (writer_is_same(&output->writer, &outputs->list[j].writer)) {
+                errno = EBUSY;
+                return check(output, false);
+            }
         }
     }
     return true;
 }
 
-/* All files are completed before the first one takes its name: the disk may fill up until then. */
+/* All files are on the disk before the first one takes its name: it may fill up until then. */
 bool outputs_close(struct outputs *outputs)
 {
     errno = 0;
@@ -291,6 +283,11 @@ bool outputs_close(struct outputs *outputs)
     }
     for (size_t i = 0; i < outputs->count; i++) {
         if (!check(&outputs->list[i], writer_publish(&outputs->list[i].writer))) {
+            return false;
+        }
+    }
+    for (size_t i = 0; i < outputs->count; i++) {
+        if (!check(&outputs->list[i], writer_settle(&outputs->list[i].writer))) {
             return false;
         }
     }

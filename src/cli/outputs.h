@@ -10,6 +10,7 @@
 #include <stddef.h>
 
 #include "layers.h"
+#include "tiling.h"
 #include "writer.h"
 
 /* A file that was asked for, of which there is one per tile */
@@ -18,7 +19,7 @@ struct output {
     const char *option; /* that messages name */
     const struct format *format;
     enum sample_kind kind;
-    char *path; /* without the tile's number */
+    char *path; /* a pattern, or without the tile's number */
 
     /* Of the tile at hand: */
     char *tile_path;
@@ -37,13 +38,6 @@ struct outputs {
     size_t count;
 };
 
-/* Part of the raster; it may go beyond it to the right and below. */
-struct tile {
-    size_t column, row, width, height;
-    size_t x, y;   /* its number among the tiles */
-    bool numbered; /* the number is part of the file's name */
-};
-
 /* Adds the file `text`: PATH, or FORMAT:PATH. False, with a line on stderr, if it cannot be. */
 bool outputs_add(struct outputs *outputs, const struct layer *layer, const char *text);
 
@@ -54,12 +48,18 @@ bool outputs_to_standard_output(const struct outputs *outputs);
 bool outputs_are_files(const struct outputs *outputs); /* no pipe, device or standard output */
 unsigned outputs_needs(const struct outputs *outputs);
 
-/* Decides the file names of a tile. False without memory, with a line on stderr. */
-bool outputs_name(struct outputs *outputs, const struct tile *tile);
-bool outputs_exist(const struct outputs *outputs); /* all of them */
+/* Whether the paths can name the tiles. False, with a line on stderr, if not. */
+bool outputs_check(const struct outputs *outputs, const struct tiling *tiling);
+
+/* Decides what the files of a tile are and are called. False without memory, with a line on stderr.
+ */
+bool outputs_begin(struct outputs *outputs, const struct surface *surface, const struct tile *tile);
+
+/* Whether all of them are there, whole and not older than `since` */
+bool outputs_are_there(const struct outputs *outputs, struct file_time since);
 
 /* False if a file cannot be opened, completed, or take its name: its `failed` is set. */
-bool outputs_open(struct outputs *outputs, const struct surface *surface, const struct tile *tile);
+bool outputs_open(struct outputs *outputs);
 bool outputs_close(struct outputs *outputs);
 
 /* Ends a tile: files that were not completed are removed. */

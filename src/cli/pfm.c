@@ -4,30 +4,31 @@
  * first, so the file is filled from its end.
  */
 #include <stdio.h>
-#include <stdlib.h>
 
 #include "writer.h"
 
-/* The bytes before the bottom row are all that is remembered. */
+#define HEADER_MAX 64
+
+static size_t make_header(const struct raster *raster, char header[HEADER_MAX])
+{
+    const int length = snprintf(header, HEADER_MAX, "P%c\n%zu %zu\n-1.0\n",
+                                raster->channels == 1 ? 'f' : 'F', raster->width, raster->height);
+    return (size_t)length;
+}
+
 static bool pfm_open(struct writer *writer)
 {
-    const struct raster *const raster = &writer->raster;
-    size_t *const header = malloc(sizeof *header);
-    writer->state = header;
-    if (header == NULL) {
-        return false;
-    }
-    const int written = fprintf(writer->file.stream, "P%c\n%zu %zu\n-1.0\n",
-                                raster->channels == 1 ? 'f' : 'F', raster->width, raster->height);
-    *header = written > 0 ? (size_t)written : 0;
-    return written > 0;
+    char header[HEADER_MAX];
+    make_header(&writer->raster, header);
+    return fputs(header, writer->file.stream) >= 0;
 }
 
 static bool pfm_write(struct writer *writer, const uint8_t *samples, size_t row, size_t rows)
 {
+    char header[HEADER_MAX];
     const size_t bytes = writer_row_bytes(writer);
     const uint64_t below = writer->raster.height - row - rows;
-    if (!file_seek(&writer->file, *(const size_t *)writer->state + below * bytes)) {
+    if (!file_seek(&writer->file, make_header(&writer->raster, header) + below * bytes)) {
         return false;
     }
     for (size_t r = rows; r-- > 0;) {
@@ -38,12 +39,10 @@ static bool pfm_write(struct writer *writer, const uint8_t *samples, size_t row,
     return true;
 }
 
-static bool pfm_close(struct writer *writer, bool complete)
+static bool pfm_is_whole(const struct raster *raster, const char *path)
 {
-    (void)complete;
-    free(writer->state);
-    writer->state = NULL;
-    return true;
+    char header[HEADER_MAX];
+    return writer_has_size(raster, path, make_header(raster, header));
 }
 
 const struct format format_pfm = {.name = "pfm",
@@ -51,4 +50,4 @@ const struct format format_pfm = {.name = "pfm",
                                   .needs_file = true,
                                   .open = pfm_open,
                                   .write = pfm_write,
-                                  .close = pfm_close};
+                                  .is_whole = pfm_is_whole};

@@ -6,7 +6,9 @@
 #include <errno.h>
 #include <png.h>
 #include <setjmp.h>
+#include <stdio.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "writer.h"
 
@@ -123,6 +125,24 @@ static bool png_close(struct writer *writer, bool complete)
     return ended || !complete;
 }
 
+/* Whether the file begins with the raster's width and height and ends with the last chunk of a PNG.
+ */
+static bool png_is_whole(const struct raster *raster, const char *path)
+{
+    static const uint8_t last[12] = {0, 0, 0, 0, 'I', 'E', 'N', 'D', 0xae, 0x42, 0x60, 0x82};
+    uint8_t first[24], end[sizeof last];
+    FILE *const file = fopen(path, "rb");
+    if (file == NULL) {
+        return false;
+    }
+    const bool read = fread(first, 1, sizeof first, file) == sizeof first &&
+                      fseek(file, -(long)sizeof end, SEEK_END) == 0 &&
+                      fread(end, 1, sizeof end, file) == sizeof end;
+    fclose(file);
+    return read && png_sig_cmp(first, 0, 8) == 0 && png_get_uint_32(first + 16) == raster->width &&
+           png_get_uint_32(first + 20) == raster->height && memcmp(end, last, sizeof last) == 0;
+}
+
 const char *png_version(void)
 {
     return png_get_libpng_ver(NULL);
@@ -134,4 +154,5 @@ const struct format format_png = {
     .open = png_open,
     .write = png_write,
     .close = png_close,
+    .is_whole = png_is_whole,
 };

@@ -41,7 +41,8 @@ void progress_start(struct progress *progress, uint64_t total, bool quiet)
 
 void progress_add(struct progress *progress, uint64_t count)
 {
-    progress->done += count;
+    const uint64_t left = progress->total - progress->done;
+    progress->done += count < left ? count : left;
     print(progress);
 }
 

@@ -284,7 +284,8 @@ int results_end(struct results *results, const struct points *points)
         written =
             file_seek(&results->file, 0) && write_npy_header(results, points, results->points);
     }
-    if (!written || !file_close(&results->file) || !file_publish(&results->file)) {
+    if (!written || !file_close(&results->file) || !file_publish(&results->file) ||
+        !file_settle(&results->file)) {
         return tell_failure(results, CLI_FAILURE);
     }
     return CLI_SUCCESS;

@@ -17,14 +17,8 @@
 #include "progress.h"
 #include "surface.h"
 #include "terrain_options.h"
-
-/* The tiles to write; a raster without tiles is one. */
-struct tiling {
-    struct option_size tile;
-    struct option_range range;
-    size_t overlap;
-    bool numbered;
-};
+#include "tiling.h"
+#include "world.h"
 
 static double seconds(void)
 {
@@ -92,68 +86,17 @@ static bool make_outputs(const struct terrain_options *options, struct outputs *
     return stem == NULL || outputs_add_stem(outputs, stem, options->compare != 0);
 }
 
-static size_t quotient_up(size_t a, size_t b)
-{
-    return (a + b - 1) / b;
-}
-
-static bool make_tiling(const struct terrain_options *options, const struct outputs *outputs,
-                        struct tiling *tiling)
-{
-    tiling->numbered = options->tile.width != 0;
-    tiling->tile = tiling->numbered ? options->tile : options->size;
-    tiling->overlap = options->overlap;
-    tiling->range = options->tiles;
-    if (!tiling->numbered && (options->tiles.x1 != 0 || options->overlap != 0)) {
-        cli_error("%s: needs --tile", options->tiles.x1 != 0 ? "--tiles" : "--overlap");
-        return false;
-    }
-    if (tiling->numbered && outputs_to_standard_output(outputs)) {
-        cli_error("--tile: tiles cannot go to standard output, only to files");
-        return false;
-    }
-    const size_t across = quotient_up(options->size.width, tiling->tile.width);
-    const size_t down = quotient_up(options->size.height, tiling->tile.height);
-    if (tiling->range.x1 == 0) {
-        tiling->range = (struct option_range){0, across, 0, down};
-    }
-    if (tiling->range.x1 > across || tiling->range.y1 > down) {
-        cli_error("--tiles: there are %zu x %zu tiles, so X1 is at most %zu and Y1 at most %zu",
-                  across, down, across, down);
-        return false;
-    }
-    return true;
-}
-
-static size_t extent(size_t first, size_t length, size_t size, size_t overlap)
-{
-    return (first + length < size ? length : size - first) + overlap;
-}
-
-static struct tile tile_at(const struct tiling *tiling, const struct surface *surface, size_t x,
-                           size_t y)
-{
-    const size_t column = x * tiling->tile.width, row = y * tiling->tile.height;
-    return (struct tile){
-        .column = column,
-        .row = row,
-        .width = extent(column, tiling->tile.width, surface->width, tiling->overlap),
-        .height = extent(row, tiling->tile.height, surface->height, tiling->overlap),
-        .x = x,
-        .y = y,
-        .numbered = tiling->numbered,
-    };
-}
-
 /* What a run of the program is about */
 struct job {
     const struct terrain_options *options;
     struct surface surface;
     struct outputs outputs;
     struct tiling tiling;
+    struct manifest manifest;
     size_t threads;
     struct progress progress;
     size_t written;   /* tiles */
+    size_t busy;      /* tiles that other runs are writing */
     uint64_t samples; /* of those written */
 };
 
@@ -183,7 +126,7 @@ static int write_tile(struct job *job, const struct tile *tile)
 {
     struct outputs *const outputs = &job->outputs;
     enum pipeline_result result = PIPELINE_FAILED;
-    const bool opened = outputs_open(outputs, &job->surface, tile);
+    const bool opened = outputs_open(outputs);
     if (opened) {
         result = pipeline_run(&job->surface, tile, outputs, job->threads, &job->progress);
     }
@@ -202,39 +145,82 @@ static int write_tile(struct job *job, const struct tile *tile)
     return status;
 }
 
-static int write_tiles(struct job *job)
+enum tile_state { TILE_MISSING, TILE_THERE, TILE_BUSY };
+
+/* Claims the tile, unless it need not be written. Claims come before the look at the files: what
+   another run has just finished is there then. */
+static enum tile_state claim(const struct job *job, const struct tile *tile)
 {
-    const struct option_range *const range = &job->tiling.range;
-    uint64_t rows = 0;
-    for (size_t y = range->y0; y < range->y1; y++) {
-        rows += tile_at(&job->tiling, &job->surface, 0, y).height * (range->x1 - range->x0);
+    const bool claimed = manifest_claim(&job->manifest, tile->number);
+    if (!job->options->resume) {
+        return TILE_MISSING;
     }
-    progress_start(&job->progress, rows, job->options->quiet != 0);
-    for (size_t y = range->y0; y < range->y1; y++) {
-        for (size_t x = range->x0; x < range->x1; x++) {
-            const struct tile tile = tile_at(&job->tiling, &job->surface, x, y);
-            if (!outputs_name(&job->outputs, &tile)) {
-                return CLI_FAILURE;
-            }
-            if (job->options->resume && outputs_exist(&job->outputs) && !interrupted()) {
-                progress_add(&job->progress, tile.height);
-                continue;
-            }
-            const int status = write_tile(job, &tile);
-            if (status != CLI_SUCCESS) {
-                return status;
-            }
+    if (!claimed) {
+        return TILE_BUSY;
+    }
+    return outputs_are_there(&job->outputs, job->manifest.time) ? TILE_THERE : TILE_MISSING;
+}
+
+/* Writes tile number `n` of the range, if need be. */
+static int visit_tile(struct job *job, size_t n)
+{
+    const struct tile tile = tiling_at(&job->tiling, n);
+    if (!outputs_begin(&job->outputs, &job->surface, &tile)) {
+        return CLI_FAILURE;
+    }
+    int status = CLI_SUCCESS;
+    const enum tile_state state = claim(job, &tile);
+    if (state == TILE_MISSING || interrupted()) {
+        status = write_tile(job, &tile);
+    } else {
+        job->busy += state == TILE_BUSY ? 1 : 0;
+        progress_add(&job->progress, tile.height);
+    }
+    if (state != TILE_BUSY) {
+        manifest_release(&job->manifest, tile.number);
+    }
+    return status;
+}
+
+static int visit_tiles(struct job *job)
+{
+    job->busy = 0;
+    for (size_t n = job->tiling.begin; n < job->tiling.end; n++) {
+        const int status = visit_tile(job, n);
+        if (status != CLI_SUCCESS) {
+            return status;
         }
     }
     return CLI_SUCCESS;
+}
+
+static int write_tiles(struct job *job)
+{
+    uint64_t rows = 0;
+    for (size_t n = job->tiling.begin; n < job->tiling.end; n++) {
+        rows += tiling_at(&job->tiling, n).height;
+    }
+    progress_start(&job->progress, rows, job->options->quiet != 0);
+    int status = visit_tiles(job);
+    if (status == CLI_SUCCESS && job->busy > 0) {
+        /* The run that had them may have ended without writing them. */
+        status = visit_tiles(job);
+    }
+    return status;
 }
 
 static void print_summary(const struct job *job, double duration)
 {
     /* A device may be standard output by another name. */
     FILE *const stream = outputs_are_files(&job->outputs) ? stdout : stderr;
+    if (job->busy > 0) {
+        fprintf(stream, "%zu tile%s left to other runs\n", job->busy, job->busy == 1 ? "" : "s");
+    }
     if (job->written == 0) {
-        fprintf(stream, "nothing to do: all files are there\n");
+        fprintf(stream, "nothing to do: %s\n",
+                job->tiling.begin == job->tiling.end ? "there are more shares than tiles"
+                : job->busy > 0                      ? "all other files are there"
+                                                     : "all files are there");
         return;
     }
     if (job->tiling.numbered) {
@@ -250,12 +236,23 @@ static void print_summary(const struct job *job, double duration)
             job->threads == 1 ? "" : "s");
 }
 
-static bool prepare(struct job *job)
+/* Whether other runs may have to do with the same files: then they must be of one world. */
+static bool needs_manifest(const struct job *job)
+{
+    return job->tiling.numbered || (job->options->resume && outputs_are_files(&job->outputs));
+}
+
+static int prepare(struct job *job)
 {
     const struct terrain_options *const options = job->options;
     job->threads = options->threads != 0 ? options->threads : pipeline_threads();
-    return make_surface(options, &job->surface) && make_outputs(options, &job->outputs) &&
-           make_tiling(options, &job->outputs, &job->tiling);
+    if (!make_surface(options, &job->surface) || !make_outputs(options, &job->outputs) ||
+        !tiling_make(options, &job->tiling) || !outputs_check(&job->outputs, &job->tiling)) {
+        return CLI_USAGE;
+    }
+    return needs_manifest(job)
+               ? world_open(&job->manifest, options, &job->surface, &job->tiling, &job->outputs)
+               : CLI_SUCCESS;
 }
 
 int cli_terrain(char **argv)
@@ -267,8 +264,8 @@ int cli_terrain(char **argv)
     default: break;
     }
     struct job job = {.options = &options};
-    int status = CLI_USAGE;
-    if (prepare(&job)) {
+    int status = prepare(&job);
+    if (status == CLI_SUCCESS) {
         scarp_isa_select((enum scarp_isa)options.isa);
         const double start = seconds();
         status = write_tiles(&job);
@@ -277,6 +274,7 @@ int cli_terrain(char **argv)
             print_summary(&job, seconds() - start);
         }
     }
+    manifest_close(&job.manifest, status == CLI_SUCCESS || job.written > 0);
     outputs_free(&job.outputs);
     pipeline_end();
     return status;

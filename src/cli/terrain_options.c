@@ -76,32 +76,37 @@ static const struct option file_rows[] = {
      .allowed = FILE_ALLOWED,
      .help = "heights: .png .pgm .r16 (16-bit integers), .r32 .pfm .img .npy\n(floats)",
      .parse = option_text,
-     .offset = FIELD(heights)},
+     .offset = FIELD(heights),
+     .of_run = 1},
     {.name = "--normals",
      .argument = "FILE",
      .allowed = FILE_ALLOWED,
      .help = "unit normals: .png .ppm (8-bit red, green, blue), .pfm .img\n.npy (floats)",
      .parse = option_text,
-     .offset = FIELD(normals)},
+     .offset = FIELD(normals),
+     .of_run = 1},
     {.name = "--hillshade",
      .argument = "FILE",
      .allowed = FILE_ALLOWED,
      .help = "light and shade: .png .pgm .img .npy (8-bit)",
      .parse = option_text,
-     .offset = FIELD(hillshade)},
+     .offset = FIELD(hillshade),
+     .of_run = 1},
     {.name = "--gradient",
      .argument = "FILE",
      .allowed = FILE_ALLOWED,
      .help = "slopes of the heights along x and y: .img .npy (floats)",
      .parse = option_text,
-     .offset = FIELD(gradient)},
+     .offset = FIELD(gradient),
+     .of_run = 1},
     {.name = "--output",
      .argument = "STEM",
      .allowed = "the beginning of file names: not empty, no separator at its end",
      .help = "short for STEM-height, STEM-normal and STEM-hillshade: .png,\nor without libpng .pgm "
              "and .ppm [terrain, if no file is asked for]",
      .parse = option_stem,
-     .offset = FIELD(output)},
+     .offset = FIELD(output),
+     .of_run = 1},
     {.name = "--compare",
      .argument = "N",
      .allowed = "an integer from 1 to 7",
@@ -159,8 +164,8 @@ static const struct option tile_rows[] = {
     {.name = "--tile",
      .argument = "WxH",
      .allowed = "WIDTHxHEIGHT with both from 1 to 1000000",
-     .help = "write tiles of so many samples, NAME_y_x: y counts down from\nthe top, x from the "
-             "left, both from 0 [one file]",
+     .help = "write tiles of so many samples, NAME_y_x or by patterns (see\nbelow): y counts down "
+             "from the top, x from the left, both from\n0 [one file]",
      .parse = option_size,
      .offset = FIELD(tile),
      .lowest = 1,
@@ -172,7 +177,17 @@ static const struct option tile_rows[] = {
      .parse = option_range,
      .offset = FIELD(tiles),
      .lowest = 0,
-     .highest = 1e6},
+     .highest = 1e6,
+     .of_run = 1},
+    {.name = "--share",
+     .argument = "I/N",
+     .allowed = "two integers I/N, N from 1 to 1000000 and I from 0 to N - 1",
+     .help = "only share I, from 0, of N equal shares of these tiles, N from 1\nto 1000000 [all]",
+     .parse = option_share,
+     .offset = FIELD(share),
+     .lowest = 0,
+     .highest = 1e6,
+     .of_run = 1},
     {.name = "--overlap",
      .argument = "N",
      .standard = "0",
@@ -184,8 +199,10 @@ static const struct option tile_rows[] = {
      .lowest = 0,
      .highest = 1024},
     {.name = "--resume",
-     .help = "leave out what is there already: files are complete if they\nhave their name",
-     .offset = FIELD(resume)},
+     .help = "leave out tiles that are there already, and those that another\nrun is writing: runs "
+             "with the same options share the work",
+     .offset = FIELD(resume),
+     .of_run = 1},
 };
 
 static const struct option preset_rows[] = {
@@ -196,7 +213,8 @@ static const struct option preset_rows[] = {
      .help = "other defaults for a kind of terrain, told below:\n" PRESET_NAMES,
      .parse = option_choice,
      .offset = FIELD(preset),
-     .choices = preset_names},
+     .choices = preset_names,
+     .of_run = 1},
 };
 
 static const struct option running_rows[] = {
@@ -213,14 +231,16 @@ static const struct option running_rows[] = {
 #endif
      .parse = option_count,
      .offset = FIELD(threads),
-     .lowest = 1},
+     .lowest = 1,
+     .of_run = 1},
     {.name = "--isa",
      .argument = "NAME",
      .allowed = OPTION_ISAS,
      .help = "instruction set: " OPTION_ISAS ";\nthe files do not depend on it [the best one]",
      .parse = option_isa,
-     .offset = FIELD(isa)},
-    {.name = "--quiet", .help = "print nothing but errors", .offset = FIELD(quiet)},
+     .offset = FIELD(isa),
+     .of_run = 1},
+    {.name = "--quiet", .help = "print nothing but errors", .offset = FIELD(quiet), .of_run = 1},
 };
 
 static const struct option_group groups[] = {
@@ -246,7 +266,8 @@ const struct option_table terrain_table = {
         "FILE       its extension tells the format, or what stands before it: r32:FILE. FILE may\n"
         "           be - for standard output, as in pgm:-. Files appear under their name when "
         "they\n"
-        "           are complete; until then the name ends with .part.\n"
+        "           are complete and on the disk; until then they are beside it, under a name of\n"
+        "           this run alone that ends with .part.\n"
         "\n"
         ".png       with libpng only         .pgm .ppm  netpbm's, high byte first\n"
         ".r16 .r32  no header, low byte first           .pfm  floats, bottom row first\n"
@@ -271,6 +292,17 @@ const struct option_table terrain_table = {
         "           dy by central differences of the 16-bit heights, two steps apart.\n"
         "tiles      hold the same samples as one file would. Those at the right and at the bottom\n"
         "           are smaller if the size is no multiple; the overlap goes beyond the raster.\n"
+        "patterns   in FILE, {x} and {y} stand for the place of a tile from the left and from the\n"
+        "           top, {-y} for that from the bottom, all from 0; {x:04} has at least four\n"
+        "           digits. Directories are made. Without them tiles are called NAME_y_x.\n"
+        "world      FILE.json beside the tiles (y_x.png.json for w/{y}/{x}.png) tells what they "
+        "all\n"
+        "           depend on. The first run writes it; a run that would write other tiles is\n"
+        "           refused. Remove it to begin anew: older tiles are then written again.\n"
+        "resume     takes a tile for complete if it is no older than the world, and as large as "
+        "it\n"
+        "           must be; PNG has to end as it must. Runs that share a world need no locks for\n"
+        "           that; where locks reach, no tile is written twice.\n"
         "memory     40 MiB and 1.5 MiB per thread, unless 32 rows of the files are more.\n"
         "\n" PRESET_HELP,
     .groups = groups,

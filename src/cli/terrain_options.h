@@ -12,6 +12,7 @@ struct terrain_options {
     struct noise_options noise;
     struct option_size size, tile; /* no tile: 0 x 0 */
     struct option_range tiles;     /* all: end 0 */
+    struct option_share share;     /* all: count 0 */
     struct option_point origin;
     double step, azimuth, altitude;
     float height, sea_level, plateau, z_factor; /* no sea: -infinity; no plateau: infinity */

@@ -125,6 +125,19 @@ enum option_result option_range(const struct option *option, const char *text, v
     return OPTION_VALID;
 }
 
+enum option_result option_share(const struct option *option, const char *text, void *field)
+{
+    char *end;
+    struct option_share share;
+    if (!read_count(option, text, &share.index, &end) || *end != '/' ||
+        !read_count(option, end + 1, &share.count, &end) || *end != '\0' ||
+        share.index >= share.count) {
+        return OPTION_INVALID;
+    }
+    *(struct option_share *)field = share;
+    return OPTION_VALID;
+}
+
 enum option_result option_seed(const struct option *option, const char *text, void *field)
 {
     (void)option;

@@ -5,7 +5,6 @@
 #include "writer.h"
 
 #include <errno.h>
-#include <stdlib.h>
 
 const struct format *const writer_formats[] = {
 #ifdef SCARP_CLI_PNG
@@ -35,9 +34,22 @@ bool writer_write_raw(struct writer *writer, const uint8_t *samples, size_t row,
     return file_write(&writer->file, samples, bytes);
 }
 
+static uint64_t raster_bytes(const struct raster *raster)
+{
+    return (uint64_t)raster->width * raster->height * raster->channels * sample_bytes(raster->kind);
+}
+
+bool writer_has_size(const struct raster *raster, const char *path, size_t before)
+{
+    uint64_t size;
+    struct file_time time;
+    return file_look(path, &size, &time) && size == before + raster_bytes(raster);
+}
+
 bool writer_open(struct writer *writer)
 {
-    if (!file_open(&writer->file, writer->path)) {
+    if (!(writer->makes_directories ? file_open_making_directories(&writer->file, writer->path)
+                                    : file_open(&writer->file, writer->path))) {
         return false;
     }
     if (writer->format->needs_file && !file_seek(&writer->file, 0)) {
@@ -47,13 +59,24 @@ bool writer_open(struct writer *writer)
     return writer->format->open(writer);
 }
 
-bool writer_exists(const struct format *format, const char *path)
+static bool is_newer(const char *path, struct file_time since)
 {
-    char *const header = format->header_path != NULL ? format->header_path(path) : NULL;
-    const bool complete = file_exists(path) &&
-                          (format->header_path == NULL || (header != NULL && file_exists(header)));
-    free(header);
-    return complete;
+    uint64_t size;
+    struct file_time time;
+    return file_look(path, &size, &time) &&
+           (time.seconds > since.seconds ||
+            (time.seconds == since.seconds && time.nanoseconds >= since.nanoseconds));
+}
+
+bool writer_is_there(const struct writer *writer, struct file_time since)
+{
+    return is_newer(writer->path, since) && writer->format->is_whole(&writer->raster, writer->path);
+}
+
+bool writer_is_same(const struct writer *a, const struct writer *b)
+{
+    return file_is_same(&a->file, &b->file) || file_is_same(&a->header, &b->header) ||
+           file_is_same(&a->file, &b->header) || file_is_same(&a->header, &b->file);
 }
 
 bool writer_write(struct writer *writer, const uint8_t *samples, size_t row, size_t rows)
@@ -72,6 +95,11 @@ bool writer_publish(struct writer *writer)
 {
     /* The header first: whoever sees the file then sees its header too. */
     return file_publish(&writer->header) && file_publish(&writer->file);
+}
+
+bool writer_settle(const struct writer *writer)
+{
+    return file_settle(&writer->file); /* the header is in the same directory */
 }
 
 void writer_discard(struct writer *writer)

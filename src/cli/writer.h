@@ -39,8 +39,6 @@ struct format {
     const char *name;                 /* also its extension, without the dot */
     unsigned kinds[MAX_CHANNELS + 1]; /* by channels: the kinds it takes, or'ed */
     bool needs_file;                  /* and not a pipe: not all is written in order */
-    /* The path of the header file beside the file, which the caller frees. NULL: there is none. */
-    char *(*header_path)(const char *path);
     /* Writes what stands before the first row. */
     bool (*open)(struct writer *writer);
     /* Writes `rows` rows, from `row` of the raster on; calls go from the top to the bottom. */
@@ -48,6 +46,9 @@ struct format {
     /* Writes what stands after the last row if `complete`, and frees `state` in any case. NULL:
        there is nothing to do. */
     bool (*close)(struct writer *writer, bool complete);
+    /* Whether a file that took its name still is what was written there, as far as a look at its
+       size or its ends can tell. */
+    bool (*is_whole)(const struct raster *raster, const char *path);
 };
 
 extern const struct format format_png; /* 16-bit or 8-bit grey, 8-bit red, green, blue */
@@ -66,11 +67,12 @@ extern const struct format *const writer_formats[];
 const char *png_version(void); /* of libpng */
 #endif
 
-/* Zero-initialise, set the first three members, open. */
+/* Zero-initialise, set the first four members, open. */
 struct writer {
     struct raster raster;
     const struct format *format;
     const char *path;
+    bool makes_directories; /* those that lead to the file */
     struct file file;
     struct file header; /* of ENVI; elsewhere not used */
     void *state;        /* the format's */
@@ -82,17 +84,24 @@ size_t writer_row_bytes(const struct writer *writer);
 /* The `write` of formats that store samples as they come */
 bool writer_write_raw(struct writer *writer, const uint8_t *samples, size_t row, size_t rows);
 
+/* For `is_whole`: whether the file holds `before` bytes, the samples and nothing else */
+bool writer_has_size(const struct raster *raster, const char *path, size_t before);
+
 /* All return whether they succeeded; on failure errno may tell why. */
 bool writer_open(struct writer *writer);
 bool writer_write(struct writer *writer, const uint8_t *samples, size_t row, size_t rows);
-bool writer_close(struct writer *writer); /* completes the file, still under its temporary name */
+bool writer_close(struct writer *writer); /* completes the file, still under its unfinished name */
 bool writer_publish(struct writer *writer);
+bool writer_settle(const struct writer *writer); /* its name survives a power cut */
 
 /* Frees the writer. Unless its file was published, it is removed. May be called at any time after
    zero-initialisation. */
 void writer_discard(struct writer *writer);
 
-/* Whether a raster is there, whole, under its final name. */
-bool writer_exists(const struct format *format, const char *path);
+/* Whether two open writers write one file. */
+bool writer_is_same(const struct writer *a, const struct writer *b);
+
+/* Whether the raster is there, whole, under its final name, and was not written before `since`. */
+bool writer_is_there(const struct writer *writer, struct file_time since);
 
 #endif

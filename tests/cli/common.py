@@ -8,11 +8,13 @@ PROGRAM may begin with an emulator. Tests see the program from outside: what it 
 accepts and refuses. SCARP_SPEED in the environment is "full", or tells why the program is slow
 and its memory no measure: "slow" with sanitizers or for debugging, "emulated".
 """
+import glob
 import os
 import re
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 from rasters import read_bytes, read_picture
@@ -26,12 +28,13 @@ except ImportError:  # not a POSIX system
 
 PROGRAM = []
 SKIPPED = 77
+PATIENCE = 60  # seconds
 SPEED = os.environ.get("SCARP_SPEED", "full")
 NAMES = ("height", "normal", "hillshade")
 OPTIONS = ("size", "origin", "step", "height", "sea-level", "plateau",
            "heights", "normals", "hillshade", "gradient", "output", "compare",
            "normal-y", "azimuth", "altitude", "z-factor",
-           "tile", "tiles", "overlap", "resume",
+           "tile", "tiles", "share", "overlap", "resume",
            "preset", "seed", "basis", "fade", "fractal", "erosion", "frequency", "octaves",
            "lacunarity", "gain", "amplitude", "rotate",
            "threads", "isa", "quiet", "help")
@@ -102,8 +105,22 @@ class Case(unittest.TestCase):
         return sorted(os.listdir(self.directory))
 
     def clear(self):
-        for name in self.files():
+        for name in os.listdir(self.directory):
             os.remove(self.path(name))
+
+    def unfinished(self, name=""):
+        """Files that have not taken their name yet: of one name, or all"""
+        return sorted(os.path.basename(path) for path in
+                      glob.glob(self.path(glob.escape(name) + "*.part")))
+
+    def wait_for(self, condition, what=""):
+        end = time.monotonic() + PATIENCE
+        while not condition():
+            self.assertLess(time.monotonic(), end, what)
+            time.sleep(0.001)
+
+    def wait_for_unfinished(self, name):
+        self.wait_for(lambda: self.unfinished(name), name)
 
     def names(self, stem):
         return [stem + "-" + name + end for name, end in zip(NAMES, self.extensions)]

@@ -79,7 +79,7 @@ class FullDisk(Case):
         result = run("terrain", "--size", "180x100", "--tile", "160x20", "--tiles", "1:2,0:5",
                      "--heights", "h.r32", cwd=self.directory,
                      preexec_fn=common.file_limit(1600))
-        self.assertEqual((result.returncode, len(self.files())), (0, 5))
+        self.assertEqual((result.returncode, len(self.files())), (0, 1 + 5))
 
     @POSIX
     def test_later_tile_cannot_be_opened(self):
@@ -88,7 +88,7 @@ class FullDisk(Case):
         result = run("terrain", "--size", "20x20", "--tile", "10x10", "--heights", "h.r32",
                      cwd=self.directory)
         self.check_one_line(result, 1, "--heights", "h_1_0.r32")
-        self.assertEqual(self.files(), ["h_0_0.r32", "h_0_1.r32", "h_1_0.r32"])
+        self.assertEqual(self.files(), ["h.r32.json", "h_0_0.r32", "h_0_1.r32", "h_1_0.r32"])
 
     @FULL
     def test_device(self):

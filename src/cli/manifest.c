@@ -1,0 +1,251 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The manifest: made once, without anything that locks, and compared by text.
+ */
+#include "manifest.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "cli.h"
+#include "json.h"
+#include "path.h"
+#include "text.h"
+
+#ifndef _WIN32
+#include <fcntl.h>
+#include <unistd.h>
+#endif
+
+#define VERSION 1 /* of the form of manifests */
+#define SIZE_MOST ((size_t)1 << 16)
+#define MEMBERS_MOST 100
+
+static int refuse(const struct manifest *manifest, const char *what)
+{
+    cli_error("%s: %s %s; remove it to begin anew", manifest->option, manifest->path, what);
+    return CLI_USAGE;
+}
+
+static int tell_failure(const struct manifest *manifest)
+{
+    cli_error("%s: %s: %s", manifest->option, manifest->path, file_reason(errno));
+    return CLI_USAGE;
+}
+
+/* The whole file as a text that the caller frees; NULL with errno, which is EFBIG for what cannot
+   be a manifest. */
+static char *read_text(const char *path)
+{
+    FILE *const file = fopen(path, "rb");
+    if (file == NULL) {
+        return NULL;
+    }
+    char *const text = malloc(SIZE_MOST + 1);
+    const size_t length = text != NULL ? fread(text, 1, SIZE_MOST + 1, file) : 0;
+    const bool failed = ferror(file) != 0;
+    const int reason = failed ? errno : text == NULL ? ENOMEM : length > SIZE_MOST ? EFBIG : 0;
+    fclose(file);
+    if (reason != 0) {
+        free(text);
+        errno = reason;
+        return NULL;
+    }
+    text[length] = '\0';
+    return text;
+}
+
+/* Adds "--seed is 1 there and 2 here" for each member of `ours` that `theirs` has otherwise. */
+static void compare(const struct json_member *ours, int our_count, const struct json_member *theirs,
+                    int their_count, struct text *differences)
+{
+    for (int i = 0; i < our_count; i++) {
+        const struct json_member *const our = &ours[i];
+        char key[64];
+        snprintf(key, sizeof key, "%.*s", (int)our->key_length, our->key);
+        const struct json_member *const their = json_find(theirs, their_count, key);
+        if (strcmp(key, "manifest") == 0 || strcmp(key, "derived") == 0 ||
+            (their != NULL && their->value_length == our->value_length &&
+             memcmp(their->value, our->value, our->value_length) == 0)) {
+            continue;
+        }
+        text_add(differences, "%s%s%s is %.*s there and %.*s here",
+                 differences->length > 0 ? "; " : "", strcmp(key, "scarp") == 0 ? "" : "--", key,
+                 their != NULL ? (int)their->value_length : 7,
+                 their != NULL ? their->value : "nothing", (int)our->value_length, our->value);
+    }
+}
+
+static int check(const struct manifest *manifest, const char *text, const char *there)
+{
+    struct json_member ours[MEMBERS_MOST], theirs[MEMBERS_MOST];
+    const int our_count = json_read(text, ours, MEMBERS_MOST);
+    const int their_count = json_read(there, theirs, MEMBERS_MOST);
+    if (their_count < 0) {
+        return refuse(manifest, "is not JSON, so it is no manifest of scarp");
+    }
+    const struct json_member *const version = json_find(theirs, their_count, "manifest");
+    const long number = version != NULL ? strtol(version->value, NULL, 10) : 0;
+    if (number < VERSION) {
+        return refuse(manifest, "is no manifest of scarp: \"manifest\" is missing or no version");
+    }
+    if (number > VERSION) {
+        cli_error("%s: %s is a manifest of version %ld, and this program knows version %d",
+                  manifest->option, manifest->path, number, VERSION);
+        return CLI_USAGE;
+    }
+    struct text differences = {0};
+    compare(ours, our_count, theirs, their_count, &differences);
+    const bool same = differences.length == 0 && !differences.failed;
+    if (!same) {
+        cli_error("%s: %s tells of another world: %.700s; remove it to begin anew",
+                  manifest->option, manifest->path,
+                  differences.failed ? "no memory" : differences.bytes);
+    }
+    free(differences.bytes);
+    return same ? CLI_SUCCESS : CLI_USAGE;
+}
+
+/* Publishes a file with this text, unless there is one of that name. 1: done; 0: there is one;
+   -1: failed, with errno. */
+static int make(struct manifest *manifest, const char *text)
+{
+    struct file file = {0};
+    int result = -1;
+    errno = 0;
+    if ((manifest->makes_directories ? file_open_making_directories(&file, manifest->path)
+                                     : file_open(&file, manifest->path)) &&
+        file_write(&file, text, strlen(text)) && file_close(&file)) {
+        const int made = file.made;
+        result = file_publish_new(&file) ? 1 : errno == EEXIST ? 0 : -1;
+        if (result == 1) {
+            manifest->made = made;
+            result = file_settle(&file) ? 1 : -1;
+        }
+    }
+    file_discard(&file);
+    return result;
+}
+
+#ifdef _WIN32
+static int open_claims(const char *path)
+{
+    (void)path;
+    return -1;
+}
+
+bool manifest_claim(const struct manifest *manifest, size_t tile)
+{
+    (void)manifest;
+    (void)tile;
+    return true;
+}
+
+void manifest_release(const struct manifest *manifest, size_t tile)
+{
+    (void)manifest;
+    (void)tile;
+}
+#else
+static int open_claims(const char *path)
+{
+    return open(path, O_RDWR | O_CLOEXEC);
+}
+
+/* A claim is the lock of one byte, which need not be there. POSIX's locks reach other machines
+   where the file system has them. */
+static bool set_lock(const struct manifest *manifest, size_t tile, short type)
+{
+    struct flock lock = {.l_type = type, .l_whence = SEEK_SET, .l_start = (off_t)tile, .l_len = 1};
+    return !manifest->is_open || manifest->descriptor < 0 ||
+           fcntl(manifest->descriptor, F_SETLK, &lock) == 0;
+}
+
+bool manifest_claim(const struct manifest *manifest, size_t tile)
+{
+    return set_lock(manifest, tile, F_WRLCK) || (errno != EAGAIN && errno != EACCES);
+}
+
+void manifest_release(const struct manifest *manifest, size_t tile)
+{
+    set_lock(manifest, tile, F_UNLCK);
+}
+#endif
+
+#define TRIES 40 /* how often an empty manifest is looked at again: 2 seconds */
+
+static void pause_shortly(void)
+{
+#ifndef _WIN32
+    nanosleep(&(struct timespec){.tv_nsec = 50000000}, NULL);
+#endif
+}
+
+/* Compares with what is there, or makes it. An empty file is one that a run reserves where there
+   are no hard links: it has its contents soon. */
+static int open_or_make(struct manifest *manifest, const char *text)
+{
+    for (int i = 0; i < TRIES; i++) {
+        char *const there = read_text(manifest->path);
+        if (there != NULL && *there != '\0') {
+            const int status = check(manifest, text, there);
+            free(there);
+            return status;
+        }
+        const bool is_empty = there != NULL;
+        free(there);
+        if (!is_empty && errno == EFBIG) {
+            return refuse(manifest, "is not JSON, so it is no manifest of scarp");
+        }
+        if (!is_empty && errno != ENOENT) {
+            return tell_failure(manifest);
+        }
+        const int made = is_empty ? 0 : make(manifest, text);
+        if (made != 0) {
+            manifest->is_first = made > 0;
+            return made > 0 ? CLI_SUCCESS : tell_failure(manifest);
+        }
+        if (is_empty || i > 0) {
+            pause_shortly();
+        }
+    }
+    return refuse(manifest, "is empty");
+}
+
+int manifest_open(struct manifest *manifest, const char *path, const char *text)
+{
+    uint64_t size;
+    manifest->path = text_copy(path);
+    if (manifest->path == NULL) {
+        cli_error("%s: no memory", manifest->option);
+        return CLI_FAILURE;
+    }
+    const int status = open_or_make(manifest, text);
+    if (status != CLI_SUCCESS) {
+        return status;
+    }
+    manifest->descriptor = open_claims(path);
+    manifest->is_open = true;
+    if (!file_look(path, &size, &manifest->time)) {
+        return tell_failure(manifest);
+    }
+    return CLI_SUCCESS;
+}
+
+void manifest_close(struct manifest *manifest, bool keep)
+{
+    if (manifest->is_first && !keep) {
+        remove(manifest->path);
+        path_remove_directories(manifest->path, manifest->made);
+    }
+#ifndef _WIN32
+    if (manifest->is_open && manifest->descriptor >= 0) {
+        close(manifest->descriptor);
+    }
+#endif
+    free(manifest->path);
+    *manifest = (struct manifest){.option = manifest->option};
+}

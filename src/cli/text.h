@@ -1,0 +1,32 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Texts put together in memory that the caller frees. All return NULL without memory.
+ */
+#ifndef SCARP_CLI_TEXT_H
+#define SCARP_CLI_TEXT_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+char *text_copy(const char *text);
+
+/* The texts one after the other; NULL at the end */
+char *text_join(const char *const *texts);
+
+/* The first `length` characters of `text`, and `end` */
+char *text_join_part(const char *text, size_t length, const char *end);
+
+/* A text that grows. Zero-initialise; free `bytes`. */
+struct text {
+    char *bytes; /* NULL: nothing was added yet, or memory ran out */
+    size_t length, size;
+    bool failed; /* memory ran out; nothing is added any more */
+};
+
+/* Adds what printf would print. */
+#if defined(__GNUC__) || defined(__clang__)
+__attribute__((format(printf, 2, 3)))
+#endif
+void text_add(struct text *text, const char *format, ...);
+
+#endif
