@@ -239,6 +239,13 @@ bool outputs_are_there(const struct outputs *outputs, struct file_time since)
     return true;
 }
 
+void outputs_sweep(const struct outputs *outputs)
+{
+    for (size_t i = 0; i < outputs->count; i++) {
+        unfinished_sweep(outputs->list[i].tile_path);
+    }
+}
+
 void output_error(const struct output *output)
 {
     cli_error("%s: %s: %s", output->option, file_name(output->tile_path),

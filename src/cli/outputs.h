@@ -58,6 +58,9 @@ bool outputs_begin(struct outputs *outputs, const struct surface *surface, const
 /* Whether all of them are there, whole and not older than `since` */
 bool outputs_are_there(const struct outputs *outputs, struct file_time since);
 
+/* Removes what killed runs left beside them. */
+void outputs_sweep(const struct outputs *outputs);
+
 /* False if a file cannot be opened, completed, or take its name: its `failed` is set. */
 bool outputs_open(struct outputs *outputs);
 bool outputs_close(struct outputs *outputs);

@@ -174,6 +174,7 @@ static int visit_tile(struct job *job, size_t n)
         status = write_tile(job, &tile);
     } else {
         job->busy += state == TILE_BUSY ? 1 : 0;
+        outputs_sweep(&job->outputs);
         progress_add(&job->progress, tile.height);
     }
     if (state != TILE_BUSY) {

@@ -204,21 +204,37 @@ static void sweep(const char *path, DIR *directory)
     }
 }
 
+#define SEEN_MAX 16 /* a run alternates between few directories */
+
+/* Whether the directory was not seen lately. */
+static bool is_new(const struct stat *status)
+{
+    static struct {
+        dev_t device;
+        ino_t file;
+    } seen[SEEN_MAX];
+    static size_t next;
+    for (size_t i = 0; i < SEEN_MAX; i++) {
+        if (seen[i].device == status->st_dev && seen[i].file == status->st_ino) {
+            return false;
+        }
+    }
+    seen[next].device = status->st_dev;
+    seen[next].file = status->st_ino;
+    next = (next + 1) % SEEN_MAX;
+    return true;
+}
+
 void unfinished_sweep(const char *path)
 {
-    static dev_t last_device;
-    static ino_t last_file;
     struct stat status;
     const size_t length = path_directory_length(path);
     char *const name = text_join_part(path, length, length == 0 ? "." : "");
-    if (name != NULL && stat(name, &status) == 0 &&
-        (status.st_dev != last_device || status.st_ino != last_file)) {
+    if (name != NULL && stat(name, &status) == 0 && is_new(&status)) {
         DIR *const directory = opendir(name);
         if (directory != NULL) {
             sweep(path, directory);
             closedir(directory);
-            last_device = status.st_dev;
-            last_file = status.st_ino;
         }
     }
     free(name);

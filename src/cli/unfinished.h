@@ -17,7 +17,7 @@
 char *unfinished_make(const char *path, unsigned mode, FILE **stream);
 
 /* Removes those that processes of this machine left in the directory of `path` when they were
-   killed. Looks into a directory once, however many files there follow. */
+   killed. Looks into a directory once, however many files there follow one another. */
 void unfinished_sweep(const char *path);
 
 #endif

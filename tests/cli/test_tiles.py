@@ -305,5 +305,24 @@ class Resume(TileCase):
         self.quietly(*arguments, "--resume")
         self.check_same_files(self.all_bytes(), contents)
 
+    @unittest.skipUnless(common.pty, "needs POSIX")
+    def test_remains(self):
+        """What killed runs left goes, though all tiles are there."""
+        arguments = (*place(), "--tile", "10x10", "--heights", "h.r32", "--normals", "n.npy")
+        os.mkfifo(self.path("n_0_2.npy"))
+        process = start("terrain", *arguments, "--quiet", cwd=self.directory)
+        self.addCleanup(process.communicate)
+        self.wait_for_unfinished("h_0_2.r32")
+        process.kill()
+        process.wait()
+        left = self.unfinished()
+        self.assertEqual(len(left), 1)
+        os.rename(self.path(left[0]), self.path("kept"))
+        os.remove(self.path("n_0_2.npy"))
+        self.quietly(*arguments, "--resume")
+        os.rename(self.path("kept"), self.path(left[0]))
+        self.quietly(*arguments, "--resume")
+        self.assertEqual(self.unfinished(), [])
+
 
 common.main(globals())
