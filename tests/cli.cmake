@@ -21,7 +21,8 @@ else()
   foreach(test commands:Commands options:Errors formats:Formats formats:Names layers:Layers
                pictures:Pictures compare:Compare gallery:Gallery documents:Documents tiles:Tiles tiles:Resume
                world:Manifest world:Patterns world:Shares world:Limits
-               presets:Presets files:Files shared:Shared failures:FullDisk failures:Pipes interrupt:Interrupt
+               presets:Presets files:Files shared:Shared failures:FullDisk failures:Pipes failures:Refused
+               interrupt:Interrupt
                progress:Progress memory:Memory same:Threads)
     string(REPLACE ":" ";" test ${test})
     list(GET test 0 file)
@@ -29,6 +30,8 @@ else()
     string(TOLOWER ${class} name)
     scarp_add_cli_test(${file} ${class} ${name})
   endforeach()
+  # The race detector looks at what threads do.
+  set_tests_properties(cli.threads cli.interrupt PROPERTIES LABELS "cli;threads")
   foreach(isa IN LISTS isas)
     scarp_add_cli_test(same isa=${isa} isa.${isa})
   endforeach()
@@ -38,4 +41,12 @@ if(TARGET scarp-cli AND UNIX)
   scarp_test_program(test_interrupt SOURCES ${PROJECT_SOURCE_DIR}/src/cli/interrupt.c)
   target_compile_definitions(test_interrupt PRIVATE _XOPEN_SOURCE=700)
   scarp_add_test(cli.late_signal cli ${CMAKE_CROSSCOMPILING_EMULATOR} $<TARGET_FILE:test_interrupt>)
+endif()
+
+find_package(Threads QUIET)
+if(TARGET scarp-cli AND CMAKE_USE_PTHREADS_INIT AND UNIX)
+  scarp_test_program(test_crew)
+  target_compile_definitions(test_crew PRIVATE SCARP_CLI_THREADS)
+  target_link_libraries(test_crew PRIVATE Threads::Threads)
+  scarp_add_test(cli.crew threads test_crew)
 endif()

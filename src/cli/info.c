@@ -6,8 +6,8 @@
 #include <string.h>
 
 #include "cli.h"
+#include "crew.h"
 #include "options.h"
-#include "pipeline.h"
 #include "scarp.h"
 #include "writer.h"
 
@@ -47,10 +47,10 @@ static void print_optional(void)
 #else
     printf("\nlibpng           not found: no PNG, but PGM and PPM\n");
 #endif
-#ifdef _OPENMP
-    printf("OpenMP           %d: %zu threads\n", _OPENMP, pipeline_threads());
+#ifdef SCARP_CLI_THREADS
+    printf("threads          POSIX: %zu\n", crew_processors());
 #else
-    printf("OpenMP           not found: one thread\n");
+    printf("threads          not found: one thread\n");
 #endif
     printf("formats         ");
     for (size_t i = 0; writer_formats[i] != NULL; i++) {

@@ -5,12 +5,13 @@
 #include "interrupt.h"
 
 #include <signal.h>
+#include <stdatomic.h>
 #include <stddef.h>
 #ifndef _WIN32
 #include <unistd.h>
 #endif
 
-static volatile sig_atomic_t requested;
+static atomic_int requested; /* number of the signal; all threads look at it */
 
 #ifdef _WIN32
 static void remember(int number)

@@ -11,6 +11,7 @@
 #include "cli.h"
 #include "interrupt.h"
 #include "scarp.h"
+#include "stack.h"
 
 static const char usage[] =
     "usage: scarp <command> [options]\n"
@@ -90,7 +91,7 @@ static int run(int argc, char **argv)
 int main(int argc, char **argv)
 {
     interrupt_install();
-    const int status = run(argc, argv);
+    const int status = stack_reserve() ? run(argc, argv) : CLI_FAILURE;
     interrupt_end();
     /* What was printed may still fail to arrive, on a full disk for instance. */
     if ((fflush(stdout) != 0 || ferror(stdout)) && status == CLI_SUCCESS) {

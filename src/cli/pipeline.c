@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Bands, blocks and threads. Without OpenMP the same loops run one after the other.
+ * Bands, blocks and threads.
  *
  * Memory: two bands, whose bytes are at most BAND_BYTES each unless MIN_ROWS rows take more, and
  * one block per thread.
@@ -13,13 +13,6 @@
 
 #include "interrupt.h"
 
-#ifdef _OPENMP
-#include <omp.h>
-#define PARALLEL(directive) _Pragma(#directive)
-#else
-#define PARALLEL(directive)
-#endif
-
 #define BAND_BYTES ((size_t)16 << 20)
 #define MIN_BANDS 4 /* so that small rasters are written while they are sampled, too */
 #define MIN_ROWS 16 /* of a band: what is computed once per column of a block pays then */
@@ -29,12 +22,17 @@ struct pipeline {
     const struct surface *surface;
     const struct tile *tile;
     struct outputs *outputs;
-    size_t threads;
+    struct crew *crew;
+    struct progress *progress;
 
     size_t bands, rows;                       /* of a band; the last one may have fewer */
     size_t blocks, block_columns, block_rows; /* of a band; the last ones may be smaller */
+    size_t threads;                           /* at most */
     struct block *scratch;                    /* one per thread */
     uint8_t *bytes[2][OUTPUTS_MAX];           /* of even and odd bands, by output */
+
+    size_t band; /* that is filled, while the one before it is drained */
+    enum pipeline_result result;
 };
 
 static size_t smaller(size_t a, size_t b)
@@ -45,16 +43,6 @@ static size_t smaller(size_t a, size_t b)
 static size_t quotient_up(size_t a, size_t b)
 {
     return (a + b - 1) / b;
-}
-
-size_t pipeline_threads(void)
-{
-#ifdef _OPENMP
-    const int most = omp_get_max_threads();
-    return most < 1 ? 1 : smaller((size_t)most, THREADS_MAX);
-#else
-    return 1;
-#endif
 }
 
 /* Decides the sizes of bands and blocks. */
@@ -77,22 +65,26 @@ static void divide(struct pipeline *pipeline)
     pipeline->blocks = quotient_up(tile->width, pipeline->block_columns) *
                        quotient_up(pipeline->rows, pipeline->block_rows);
     /* Waiting for a thread that has nothing to do takes longer than a small raster. */
-    pipeline->threads = smaller(pipeline->threads, pipeline->blocks);
+    pipeline->threads = smaller(crew_most(pipeline->crew), pipeline->blocks);
+}
+
+/* Opens a block for each thread. Where memory does not last for all, there are fewer threads. */
+static bool open_scratch(struct pipeline *pipeline)
+{
+    const unsigned needs = outputs_needs(pipeline->outputs);
+    const size_t wanted = pipeline->threads;
+    pipeline->threads = 0;
+    pipeline->scratch = calloc(wanted, sizeof *pipeline->scratch);
+    while (pipeline->scratch != NULL && pipeline->threads < wanted &&
+           block_open(&pipeline->scratch[pipeline->threads], pipeline->surface, needs)) {
+        pipeline->threads++;
+    }
+    return pipeline->threads != 0;
 }
 
 static bool open_pipeline(struct pipeline *pipeline)
 {
     divide(pipeline);
-    pipeline->scratch = calloc(pipeline->threads, sizeof *pipeline->scratch);
-    if (pipeline->scratch == NULL) {
-        return false;
-    }
-    const unsigned needs = outputs_needs(pipeline->outputs);
-    for (size_t i = 0; i < pipeline->threads; i++) {
-        if (!block_open(&pipeline->scratch[i], pipeline->surface, needs)) {
-            return false;
-        }
-    }
     for (size_t i = 0; i < 2 * pipeline->outputs->count; i++) {
         uint8_t **const bytes = &pipeline->bytes[i % 2][i / 2];
         *bytes = malloc(pipeline->rows * pipeline->outputs->list[i / 2].row_bytes);
@@ -100,12 +92,12 @@ static bool open_pipeline(struct pipeline *pipeline)
             return false;
         }
     }
-    return true;
+    return open_scratch(pipeline);
 }
 
 static void close_pipeline(struct pipeline *pipeline)
 {
-    for (size_t i = 0; pipeline->scratch != NULL && i < pipeline->threads; i++) {
+    for (size_t i = 0; i < pipeline->threads && pipeline->scratch != NULL; i++) {
         block_close(&pipeline->scratch[i]);
     }
     free(pipeline->scratch);
@@ -178,69 +170,62 @@ static enum pipeline_result look(const struct pipeline *pipeline)
     return PIPELINE_DONE;
 }
 
-/* All threads go through the bands together. In each, those that find a file to be written write
-   it, and then help the others with the blocks. Pipes are the first thread's: signals go to it, and
-   end a write that waits. */
-static enum pipeline_result run(struct pipeline *pipeline, struct progress *progress)
+/* Ends a band, while all threads wait. */
+static void end_band(void *context)
 {
-    enum pipeline_result result = PIPELINE_DONE;
-    PARALLEL(omp parallel num_threads((int)pipeline->threads))
-    {
-#ifdef _OPENMP
-        const bool first = omp_get_thread_num() == 0;
-        struct block *const block = &pipeline->scratch[omp_get_thread_num()];
-#else
-        const bool first = true;
-        struct block *const block = pipeline->scratch;
-#endif
-        const int files = (int)pipeline->outputs->count;
-        const int blocks = (int)pipeline->blocks;
-        for (size_t band = 0; band <= pipeline->bands && result == PIPELINE_DONE; band++) {
-            const int to_drain = band > 0 ? files : 0;
-            const int to_fill = band < pipeline->bands ? blocks : 0;
-            for (int i = 0; first && i < to_drain; i++) {
-                if (pipeline->outputs->list[i].writer.file.waits) {
-                    drain(pipeline, band - 1, (size_t)i);
-                }
-            }
-            PARALLEL(omp for schedule(dynamic, 1) nowait)
-            for (int i = 0; i < to_drain; i++) {
-                if (!pipeline->outputs->list[i].writer.file.waits) {
-                    drain(pipeline, band - 1, (size_t)i);
-                }
-            }
-            PARALLEL(omp for schedule(dynamic, 1))
-            for (int n = 0; n < to_fill; n++) {
-                fill(pipeline, band, (size_t)n, block);
-            }
-            PARALLEL(omp single)
-            {
-                result = look(pipeline);
-                if (to_drain != 0 && result == PIPELINE_DONE) {
-                    progress_add(progress, rows_of_band(pipeline, band - 1));
-                }
+    struct pipeline *const pipeline = context;
+    pipeline->result = look(pipeline);
+    if (pipeline->band > 0 && pipeline->result == PIPELINE_DONE) {
+        progress_add(pipeline->progress, rows_of_band(pipeline, pipeline->band - 1));
+    }
+    pipeline->band++;
+}
+
+static bool waits(const struct pipeline *pipeline, size_t i)
+{
+    return pipeline->outputs->list[i].writer.file.waits;
+}
+
+/* What each thread does. All go through the bands together. In each, those that find a file to be
+   written write it, and then help the others with the blocks. Pipes are the first thread's: signals
+   go to it, and end a write that waits. */
+static void work(void *context, size_t number)
+{
+    struct pipeline *const pipeline = context;
+    while (pipeline->band <= pipeline->bands && pipeline->result == PIPELINE_DONE) {
+        const size_t band = pipeline->band;
+        const size_t to_drain = band > 0 ? pipeline->outputs->count : 0;
+        const size_t to_fill = band < pipeline->bands ? pipeline->blocks : 0;
+        for (size_t i = 0; number == 0 && i < to_drain; i++) {
+            if (waits(pipeline, i)) {
+                drain(pipeline, band - 1, i);
             }
         }
+        for (size_t n; (n = crew_next(pipeline->crew)) < to_drain + to_fill;) {
+            if (n >= to_drain) {
+                fill(pipeline, band, n - to_drain, &pipeline->scratch[number]);
+            } else if (!waits(pipeline, n)) {
+                drain(pipeline, band - 1, n);
+            }
+        }
+        crew_meet(pipeline->crew, end_band);
     }
-    return result;
 }
 
 enum pipeline_result pipeline_run(const struct surface *surface, const struct tile *tile,
-                                  struct outputs *outputs, size_t threads,
+                                  struct outputs *outputs, struct crew *crew,
                                   struct progress *progress)
 {
-    struct pipeline pipeline = {
-        .surface = surface, .tile = tile, .outputs = outputs, .threads = threads};
-    const enum pipeline_result result =
-        open_pipeline(&pipeline) ? run(&pipeline, progress) : PIPELINE_NO_MEMORY;
+    struct pipeline pipeline = {.surface = surface,
+                                .tile = tile,
+                                .outputs = outputs,
+                                .crew = crew,
+                                .progress = progress,
+                                .result = PIPELINE_NO_MEMORY};
+    if (open_pipeline(&pipeline)) {
+        pipeline.result = PIPELINE_DONE;
+        crew_run(crew, pipeline.threads, work, &pipeline);
+    }
     close_pipeline(&pipeline);
-    return result;
-}
-
-/* LLVM's OpenMP has a file in /dev/shm for each process that uses it, which it removes at exit. */
-void pipeline_end(void)
-{
-#if defined(_OPENMP) && _OPENMP >= 201811
-    omp_pause_resource_all(omp_pause_hard);
-#endif
+    return pipeline.result;
 }

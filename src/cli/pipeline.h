@@ -6,8 +6,7 @@
 #ifndef SCARP_CLI_PIPELINE_H
 #define SCARP_CLI_PIPELINE_H
 
-#include <stddef.h>
-
+#include "crew.h"
 #include "outputs.h"
 #include "progress.h"
 #include "surface.h"
@@ -19,17 +18,9 @@ enum pipeline_result {
     PIPELINE_NO_MEMORY
 };
 
-#define THREADS_MAX 1024
-
-/* How many threads there are: 1 without OpenMP. */
-size_t pipeline_threads(void);
-
-/* Nothing of the files depends on `threads`. */
+/* Nothing of the files depends on the crew. */
 enum pipeline_result pipeline_run(const struct surface *surface, const struct tile *tile,
-                                  struct outputs *outputs, size_t threads,
+                                  struct outputs *outputs, struct crew *crew,
                                   struct progress *progress);
-
-/* Ends the threads that wait for more to do, in case the process ends by a signal. */
-void pipeline_end(void);
 
 #endif

@@ -11,6 +11,7 @@
 #include <time.h>
 
 #include "cli.h"
+#include "crew.h"
 #include "interrupt.h"
 #include "outputs.h"
 #include "pipeline.h"
@@ -93,7 +94,7 @@ struct job {
     struct outputs outputs;
     struct tiling tiling;
     struct manifest manifest;
-    size_t threads;
+    struct crew *crew;
     struct progress progress;
     size_t written;   /* tiles */
     size_t busy;      /* tiles that other runs are writing */
@@ -110,7 +111,7 @@ static int tell_failure(const struct job *job, const struct tile *tile, enum pip
         return CLI_FAILURE;
     }
     if (result == PIPELINE_NO_MEMORY) {
-        cli_error("no memory for rows of %zu samples with %zu threads", tile->width, job->threads);
+        cli_error("no memory for rows of %zu samples", tile->width);
         return CLI_FAILURE;
     }
     const struct output *output = job->outputs.list;
@@ -128,7 +129,7 @@ static int write_tile(struct job *job, const struct tile *tile)
     enum pipeline_result result = PIPELINE_FAILED;
     const bool opened = outputs_open(outputs);
     if (opened) {
-        result = pipeline_run(&job->surface, tile, outputs, job->threads, &job->progress);
+        result = pipeline_run(&job->surface, tile, outputs, job->crew, &job->progress);
     }
     if (result == PIPELINE_DONE && !outputs_close(outputs)) {
         result = PIPELINE_FAILED;
@@ -231,10 +232,11 @@ static void print_summary(const struct job *job, double duration)
         fprintf(stream, "%zux%zu", job->surface.width, job->surface.height);
     }
     /* No clock resolves the smallest rasters. */
+    const size_t threads = crew_size(job->crew);
     const double rate = (double)job->samples / (duration > 1e-9 ? duration : 1e-9);
     fprintf(stream, " samples in %.3f s: %.1f million samples per second (%s, %zu thread%s)\n",
-            duration, rate * 1e-6, scarp_isa_name(scarp_isa_active()), job->threads,
-            job->threads == 1 ? "" : "s");
+            duration, rate * 1e-6, scarp_isa_name(scarp_isa_active()), threads,
+            threads == 1 ? "" : "s");
 }
 
 /* Whether other runs may have to do with the same files: then they must be of one world. */
@@ -246,7 +248,11 @@ static bool needs_manifest(const struct job *job)
 static int prepare(struct job *job)
 {
     const struct terrain_options *const options = job->options;
-    job->threads = options->threads != 0 ? options->threads : pipeline_threads();
+    job->crew = crew_open(options->threads != 0 ? options->threads : crew_processors());
+    if (job->crew == NULL) {
+        cli_error("--threads: no memory");
+        return CLI_FAILURE;
+    }
     if (!make_surface(options, &job->surface) || !make_outputs(options, &job->outputs) ||
         !tiling_make(options, &job->tiling) || !outputs_check(&job->outputs, &job->tiling)) {
         return CLI_USAGE;
@@ -277,6 +283,6 @@ int cli_terrain(char **argv)
     }
     manifest_close(&job.manifest, status == CLI_SUCCESS || job.written > 0);
     outputs_free(&job.outputs);
-    pipeline_end();
+    crew_close(job.crew);
     return status;
 }

@@ -6,7 +6,7 @@
 
 #include <stddef.h>
 
-#include "pipeline.h"
+#include "crew.h"
 #include "presets.h"
 
 #define FIELD(name) offsetof(struct terrain_options, name)
@@ -220,13 +220,13 @@ static const struct option preset_rows[] = {
 static const struct option running_rows[] = {
     {.name = "--threads",
      .argument = "N",
-     .help = "how many threads work, from 1 to 1024, without OpenMP 1; the\nfiles do not depend "
-             "on it [as many as there are]",
-#ifdef _OPENMP
+     .help = "how many threads work, at most, from 1 to 1024, without POSIX\nthreads 1; the files "
+             "do not depend on it [one per processor]",
+#ifdef SCARP_CLI_THREADS
      .allowed = "an integer from 1 to 1024",
      .highest = THREADS_MAX,
 #else
-     .allowed = "1: this program was built without OpenMP",
+     .allowed = "1: this program was built without threads",
      .highest = 1,
 #endif
      .parse = option_count,

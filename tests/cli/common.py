@@ -74,18 +74,26 @@ def has_png():
 
 
 def has_threads():
-    return re.search(r"(?m)^OpenMP +\d", text_of("info")) is not None
+    return re.search(r"(?m)^threads +POSIX: \d", text_of("info")) is not None
 
 
 def extensions():
     return [".png"] * 3 if has_png() else [".pgm", ".ppm", ".pgm"]
 
 
+def limits(**values):
+    """For preexec_fn: sets limits of the system, as FSIZE=100: files of at most 100 bytes. Of two
+    values, the second is the hard limit."""
+    def apply():
+        for name, value in values.items():
+            both = value if isinstance(value, tuple) else (value, value)
+            resource.setrlimit(getattr(resource, "RLIMIT_" + name), both)
+    return apply
+
+
 def file_limit(limit):
     """For preexec_fn: files cannot grow beyond `limit` bytes, as if the disk were full."""
-    def apply():
-        resource.setrlimit(resource.RLIMIT_FSIZE, (limit, limit))
-    return apply
+    return limits(FSIZE=limit)
 
 
 class Case(unittest.TestCase):

@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: MIT
 """What is asked for help and facts."""
+import os
 import re
+import unittest
 
 import common
-from common import OPTIONS, Case, run, text_of
+from common import OPTIONS, Case, has_threads, run, text_of
 
 FORMATS = ["pgm", "ppm", "r16", "r32", "pfm", "img", "npy"]
 GROUPS = ["the raster", "files, any of which may be asked for together", "how they look", "tiles",
@@ -23,11 +25,21 @@ class Commands(Case):
         active = [row for row in rows if row[2] == "yes"]
         self.assertEqual(len(active), 1)
         self.assertEqual(active[0][1], "yes")
-        png, openmp, formats = re.search(r"\n\nlibpng +(.+)\nOpenMP +(.+)\nformats +(.+)\n\Z",
-                                         text).groups()
+        png, threads, formats = re.search(r"\n\nlibpng +(.+)\nthreads +(.+)\nformats +(.+)\n\Z",
+                                          text).groups()
         self.assertRegex(png, r"\A(\d+\.\d+|not found: )")
-        self.assertRegex(openmp, r"\A(\d+: \d+ threads\Z|not found: )")
+        self.assertRegex(threads, r"\A(POSIX: \d+|not found: one thread)\Z")
         self.assertEqual(formats.split(), ["png"] * (png[0] != "n") + FORMATS)
+
+    @unittest.skipUnless(hasattr(os, "sched_setaffinity"), "needs Linux")
+    def test_processors(self):
+        """As many threads as there are processors that the program may use."""
+        if not has_threads():
+            self.skipTest("this program has no threads")
+        allowed = sorted(os.sched_getaffinity(0))
+        self.assertIn("threads          POSIX: %d\n" % len(allowed), text_of("info"))
+        result = run("info", preexec_fn=lambda: os.sched_setaffinity(0, allowed[-1:]))
+        self.assertIn(b"threads          POSIX: 1\n", result.stdout)
 
     def test_version(self):
         self.assertEqual(text_of("--version"), text_of("info").split("\n")[0] + "\n")

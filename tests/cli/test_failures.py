@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: MIT
 """Files that cannot be written to the end, and those that are no ordinary files."""
 import os
+import re
 import stat
 import threading
 import unittest
 
 import common
-from common import SMALL, Case, has_png, run, start
+from common import resource, SMALL, Case, has_png, has_threads, run, start
 from rasters import read_bytes
 
 POSIX = unittest.skipUnless(common.pty, "needs POSIX")
@@ -18,13 +19,12 @@ class FullDisk(Case):
 
     SIZE = ("--size", "200x150", "--octaves", "3")
 
-    def check(self, option, name, target, *more, least=1024):
+    def check(self, option, name, target, *more, least=0):
         """Fails at every limit from `least` on that is less than what the files take."""
         self.quietly(*self.SIZE, option, name, *more)
         largest = max(len(data) for data in self.all_bytes().values())
         self.clear()
-        # LLVM 14's OpenMP makes a file of 1 KiB for itself, and ends the program when it cannot.
-        for limit in (1024, 5000, largest // 2, largest - 1):
+        for limit in (0, 1024, 5000, largest // 2, largest - 1):
             if not least <= limit < largest:
                 continue
             with self.subTest(file=name, limit=limit):
@@ -116,6 +116,75 @@ class FullDisk(Case):
                     self.assertEqual(result.returncode, 1)
                     self.assertRegex(result.stderr.decode(),
                                      r"\Ascarp: %sstandard output: [^\n]+\n\Z" % words)
+
+
+class Refused(Case):
+    """Threads that the system does not start: the others do the work."""
+
+    SIZE = ("--size", "3000x300", "--octaves", "2", "--threads", "4")
+
+    @POSIX
+    @unittest.skipUnless(common.SPEED == "full", "what is added to the program takes memory")
+    def test_little_memory(self):
+        """A run that gets no memory says so; every other one does all of it."""
+        if not has_threads():
+            self.skipTest("this program has no threads")
+        files = ("--heights", "h.r32", "--normals", "n." + ("png" if has_png() else "ppm"))
+        self.quietly(*self.SIZE, *files)
+        expected = self.all_bytes()
+        self.clear()
+        counts = set()
+        for kibibytes in [*range(4000, 20000, 250), 25000, 30000, 45000, 70000]:
+            with self.subTest(kibibytes=kibibytes):
+                result = run("terrain", *self.SIZE, *files, cwd=self.directory,
+                             preexec_fn=common.limits(AS=kibibytes << 10))
+                if result.returncode == 127:  # not even the program itself
+                    self.assertIn(b"shared libraries", result.stderr)
+                elif result.returncode == 0:
+                    self.check_same_files(self.all_bytes(), expected)
+                    counts.add(re.search(rb" (\d) threads?\)", result.stdout).group(1))
+                else:
+                    self.assertIn(result.returncode, (1, 2))
+                    self.check_one_line(result, result.returncode, "memory")
+                    self.assertEqual(self.files(), [])
+                self.clear()
+        self.assertIn(b"4", counts)
+        self.assertLessEqual({b"1", b"2"}, counts)
+
+    @POSIX
+    @unittest.skipUnless(common.SPEED == "full", "what is added to the program takes memory")
+    def test_little_stack(self):
+        """The first thread takes what it needs, or says that it may not, before it begins."""
+        self.quietly(*self.SIZE, "--heights", "h.r32")
+        expected = self.all_bytes()
+        for kibibytes in (128, 192, 256, 511, 512, 1024):
+            with self.subTest(kibibytes=kibibytes):
+                self.clear()
+                limits = common.limits(STACK=kibibytes << 10)
+                result = run("terrain", *self.SIZE, "--heights", "h.r32", "--quiet",
+                             cwd=self.directory, preexec_fn=limits)
+                if kibibytes < 512:
+                    self.check_one_line(result, 1, "stack", "%d KiB" % kibibytes, "ulimit")
+                    self.assertEqual(self.files(), [])
+                else:
+                    self.assertEqual((result.returncode, result.stderr), (0, b""))
+                    self.check_same_files(self.all_bytes(), expected)
+                hard = resource.getrlimit(resource.RLIMIT_STACK)[1]
+                self.quietly(*self.SIZE, "--heights", "h.r32",
+                             preexec_fn=common.limits(STACK=(kibibytes << 10, hard)))
+                self.check_same_files(self.all_bytes(), expected)
+
+    @POSIX
+    def test_settings_of_others(self):
+        """The stack of a thread does not depend on what the environment wishes for others."""
+        self.quietly(*self.SIZE, "--heights", "h.r32")
+        expected = self.all_bytes()
+        for environment in ({"OMP_STACKSIZE": "128k"}, {"OMP_STACKSIZE": "1000000g"},
+                            {"OMP_NUM_THREADS": "-1"}, {"KMP_STACKSIZE": "16k"}):
+            with self.subTest(environment=environment):
+                self.clear()
+                self.quietly(*self.SIZE, "--heights", "h.r32", env={**os.environ, **environment})
+                self.check_same_files(self.all_bytes(), expected)
 
 
 class Pipes(Case):

@@ -62,12 +62,12 @@ class Threads(Case):
         for option, name in LAYERS:
             self.check("1999x211", option, name)  # four blocks in a band
 
-    def test_without_openmp(self):
+    def test_without_threads(self):
         if has_threads():
-            self.skipTest("this program has OpenMP")
+            self.skipTest("this program has threads")
         for count in ("2", "1024"):
             result = run("terrain", *SMALL, "--threads", count, "--output", self.path("t"))
-            self.check_one_line(result, 2, "--threads", "without OpenMP")
+            self.check_one_line(result, 2, "--threads", "without threads")
         self.assertEqual(self.files(), [])
 
 

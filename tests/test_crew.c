@@ -1,0 +1,162 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The program's crew of threads (src/cli/crew.c): whichever threads the system refuses, all work is
+ * done, each task once, and nobody leaves a meeting before all are there. To be run under
+ * ThreadSanitizer, too.
+ */
+#define _GNU_SOURCE /* as crew.c has it */
+
+#include <errno.h>
+#include <pthread.h>
+
+/* The system refuses a thread when `starts_left` is 0. */
+static int starts_left;
+static int start_or_refuse(pthread_t *thread, const pthread_attr_t *attributes,
+                           void *(*start)(void *), void *argument)
+{
+    if (starts_left == 0) {
+        return EAGAIN;
+    }
+    starts_left--;
+    return pthread_create(thread, attributes, start, argument);
+}
+
+#define pthread_create start_or_refuse
+#include "../src/cli/crew.c"
+#undef pthread_create
+
+#include "check.h"
+
+#define MOST 9
+#define MEETINGS 20
+#define TASKS 50
+#define STACK_USED ((size_t)192 << 10) /* ThreadSanitizer takes much of the rest */
+
+struct job {
+    struct crew *crew;
+    size_t expected;                 /* threads */
+    atomic_int calls[MOST];          /* of `work`, by number */
+    atomic_int tasks[TASKS];         /* how often each was done since the last meeting */
+    atomic_int wrong_meetings;       /* threads that left one too early or too late */
+    atomic_int wrong_signals, wrong; /* what else went wrong */
+    atomic_size_t arrived;
+    int meetings; /* written by one thread while all others wait */
+};
+
+static void at_meeting(void *context)
+{
+    struct job *const job = context;
+    if (atomic_exchange(&job->arrived, 0) != job->expected) {
+        atomic_fetch_add(&job->wrong_meetings, 1);
+    }
+    for (int i = 0; i < TASKS; i++) {
+        if (atomic_exchange(&job->tasks[i], 0) != 1) {
+            atomic_fetch_add(&job->wrong, 1);
+        }
+    }
+    job->meetings++;
+}
+
+static int is_blocked(int number)
+{
+    sigset_t blocked;
+    pthread_sigmask(SIG_BLOCK, NULL, &blocked);
+    return sigismember(&blocked, number);
+}
+
+static void use_stack(void)
+{
+    volatile char bytes[STACK_USED];
+    for (size_t i = STACK_USED; i > 0; i -= 1024) {
+        bytes[i - 1] = 0;
+    }
+    (void)bytes;
+}
+
+static void work(void *context, size_t number)
+{
+    struct job *const job = context;
+    atomic_fetch_add(&job->calls[number], 1);
+    use_stack();
+    const int is_worker = number != 0;
+    if (is_blocked(SIGTERM) != is_worker || is_blocked(SIGALRM) != is_worker ||
+        is_blocked(SIGUSR1) != is_worker || is_blocked(SIGSEGV)) {
+        atomic_fetch_add(&job->wrong_signals, 1);
+    }
+    for (int i = 0; i < MEETINGS; i++) {
+        for (size_t n; (n = crew_next(job->crew)) < TASKS;) {
+            atomic_fetch_add(&job->tasks[n], 1);
+        }
+        atomic_fetch_add(&job->arrived, 1);
+        crew_meet(job->crew, at_meeting);
+        if (job->meetings != i + 1) {
+            atomic_fetch_add(&job->wrong_meetings, 1);
+        }
+    }
+}
+
+/* Runs `count` threads, of which `expected` are there. */
+static void run(struct crew *crew, size_t count, size_t expected)
+{
+    struct job job = {.crew = crew, .expected = expected};
+    crew_run(crew, count, work, &job);
+    for (size_t i = 0; i < MOST; i++) {
+        const int calls = atomic_load(&job.calls[i]);
+        CHECK(calls == (i < expected ? 1 : 0), "%zu of %zu threads: number %zu was called %d times",
+              expected, count, i, calls);
+    }
+    CHECK(job.meetings == MEETINGS, "%d meetings", job.meetings);
+    CHECK(atomic_load(&job.wrong_meetings) == 0, "%d threads", atomic_load(&job.wrong_meetings));
+    CHECK(atomic_load(&job.wrong_signals) == 0, "%d threads", atomic_load(&job.wrong_signals));
+    CHECK(atomic_load(&job.wrong) == 0, "%d tasks", atomic_load(&job.wrong));
+}
+
+static size_t smaller(size_t a, size_t b)
+{
+    return a < b ? a : b;
+}
+
+/* Threads are refused from each one on, for crews of each size and for work for more or fewer. */
+static void test_refused(void)
+{
+    for (size_t most = 1; most <= MOST; most++) {
+        for (size_t count = 1; count <= MOST; count++) {
+            for (size_t starts = 0; starts <= MOST; starts += 1 + starts / 3) {
+                struct crew *const crew = crew_open(most);
+                const size_t expected = 1 + smaller(smaller(most, count) - 1, starts);
+                CHECK(crew != NULL && crew_most(crew) == most && crew_size(crew) == 0, "%zu", most);
+                starts_left = (int)starts;
+                run(crew, count, expected);
+                CHECK(crew_size(crew) == expected, "%zu of %zu", crew_size(crew), expected);
+                crew_close(crew);
+            }
+        }
+    }
+}
+
+/* The same threads work again; those that were refused may come later. */
+static void test_again(void)
+{
+    struct crew *const crew = crew_open(MOST);
+    starts_left = 2;
+    run(crew, MOST, 3);
+    run(crew, 2, 2);
+    CHECK(crew_size(crew) == 3, "%zu", crew_size(crew));
+    starts_left = MOST;
+    for (size_t i = 0; i < 300; i++) {
+        run(crew, 1 + i % MOST, 1 + i % MOST);
+    }
+    CHECK(starts_left == 3, "%d starts left", starts_left);
+    CHECK(crew_size(crew) == MOST, "%zu", crew_size(crew));
+    crew_close(crew);
+}
+
+int main(void)
+{
+    const size_t processors = crew_processors();
+    CHECK(processors >= 1 && processors <= THREADS_MAX, "%zu", processors);
+    test_refused();
+    test_again();
+    crew_close(NULL);
+    return check_done();
+}
