@@ -76,10 +76,12 @@ void interrupt_install(void)
 {
     watch(SIGINT);
     watch(SIGTERM);
-#ifdef SIGHUP
-    watch(SIGHUP);
-#endif
 #ifndef _WIN32
+    /* Batch systems send the last three before they kill: at the end of what a job may take. */
+    static const int more[] = {SIGHUP, SIGQUIT, SIGUSR1, SIGUSR2, SIGXCPU};
+    for (size_t i = 0; i < sizeof more / sizeof more[0]; i++) {
+        watch(more[i]);
+    }
     watch_alarm();
 #endif
 #ifdef SIGPIPE

@@ -11,6 +11,7 @@ from common import PATIENCE, Case, has_threads, skip_all, start
 
 try:
     import fcntl
+    import resource
     import termios
 except ImportError:
     skip_all("needs POSIX")
@@ -19,12 +20,18 @@ except ImportError:
 LONG = ("--size", "3000x100000", "--octaves", "32", "--frequency", "0.01", "--lacunarity", "1.1",
         "--threads", "1", "--quiet")
 FILES = ("--heights", "h.r32", "--normals", "n.npy", "--gradient", "g.img")
-SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+# What ends a process and comes from a keyboard, a shell or a batch system
+SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP, signal.SIGALRM, signal.SIGQUIT,
+           signal.SIGUSR1, signal.SIGUSR2, signal.SIGXCPU)
 
 
 class Interrupt(Case):
-    def begin(self, *arguments, **more):
-        process = start("terrain", *arguments, cwd=self.directory, **more)
+    def begin(self, *arguments, preexec_fn=None, **more):
+        def prepare():
+            resource.setrlimit(resource.RLIMIT_CORE, (0, 0))  # some of the signals dump it here
+            if preexec_fn:
+                preexec_fn()
+        process = start("terrain", *arguments, cwd=self.directory, preexec_fn=prepare, **more)
 
         def end():
             process.kill()
@@ -102,8 +109,9 @@ class Interrupt(Case):
                 process, _ = self.full_pipe("--size", "900x900", "--octaves", "1", *arguments,
                                             "--threads", threads)
                 begin = time.monotonic()
-                process.send_signal(SIGNALS[i % 3])
-                self.check_ended(process, SIGNALS[i % 3])
+                number = SIGNALS[i % len(SIGNALS)]
+                process.send_signal(number)
+                self.check_ended(process, number)
                 self.assertLess(time.monotonic() - begin, 10)
                 self.assertEqual(self.files(), [])
 
@@ -151,14 +159,22 @@ class Interrupt(Case):
         self.assertEqual(data == self.layer("--heights", "h.r32", "--size", "400x400", "--octaves",
                                             "1"), True)
 
+    def test_time_is_up(self):
+        """The system itself tells a process that it has had its share of the processors."""
+        process = self.begin(*LONG, *FILES, preexec_fn=common.limits(CPU=(1, 60)))
+        self.check_ended(process, signal.SIGXCPU)
+        self.assertEqual(self.files(), [])
+
     def test_ignored(self):
         """As by nohup: what is ignored when the program starts stays so."""
         def ignore():
-            signal.signal(signal.SIGHUP, signal.SIG_IGN)
+            for number in SIGNALS:
+                signal.signal(number, signal.SIG_IGN)
 
         process, reading = self.full_pipe("--size", "400x400", "--octaves", "1", "--heights",
                                           "r32:-", preexec_fn=ignore)
-        process.send_signal(signal.SIGHUP)
+        for number in SIGNALS:
+            process.send_signal(number)
         time.sleep(0.05)
         with os.fdopen(os.dup(reading), "rb") as file:
             self.assertEqual(len(file.read()), 400 * 400 * 4)
