@@ -151,12 +151,53 @@ static void test_again(void)
     crew_close(crew);
 }
 
+struct aside {
+    atomic_int calls, open; /* open: what the call waits for */
+    int is_here;            /* whether it came in the caller's thread */
+    pthread_t caller;
+};
+
+static void do_one_thing(void *context)
+{
+    struct aside *const aside = context;
+    aside->is_here = pthread_equal(pthread_self(), aside->caller) != 0;
+    while (!aside->is_here && !atomic_load(&aside->open)) {
+        sched_yield();
+    }
+    CHECK(aside->is_here || is_blocked(SIGTERM), "%d", is_blocked(SIGTERM));
+    atomic_fetch_add(&aside->calls, 1);
+}
+
+/* A call goes on beside the caller, or at once where the system refuses a thread; it is over when
+   the next one begins, after a wait, and when the crew is closed. */
+static void test_aside(void)
+{
+    struct crew *crew = crew_open(1);
+    struct aside aside = {.caller = pthread_self()};
+    starts_left = 1;
+    crew_start_aside(crew, do_one_thing, &aside);
+    CHECK(atomic_load(&aside.calls) == 0, "%d calls", atomic_load(&aside.calls));
+    atomic_store(&aside.open, 1);
+    crew_wait_aside(crew);
+    CHECK(atomic_load(&aside.calls) == 1 && !aside.is_here, "%d calls", atomic_load(&aside.calls));
+    crew_start_aside(crew, do_one_thing, &aside); /* refused */
+    CHECK(atomic_load(&aside.calls) == 2 && aside.is_here, "%d calls", atomic_load(&aside.calls));
+    starts_left = 2;
+    crew_start_aside(crew, do_one_thing, &aside);
+    crew_start_aside(crew, do_one_thing, &aside);
+    CHECK(atomic_load(&aside.calls) >= 3, "%d calls", atomic_load(&aside.calls));
+    crew_close(crew);
+    CHECK(atomic_load(&aside.calls) == 4 && starts_left == 0, "%d calls",
+          atomic_load(&aside.calls));
+}
+
 int main(void)
 {
     const size_t processors = crew_processors();
     CHECK(processors >= 1 && processors <= THREADS_MAX, "%zu", processors);
     test_refused();
     test_again();
+    test_aside();
     crew_close(NULL);
     return check_done();
 }

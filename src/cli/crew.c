@@ -40,6 +40,10 @@ struct crew {
     atomic_size_t next;
     void *context; /* of the work at hand */
 #ifdef SCARP_CLI_THREADS
+    pthread_t aside; /* while is_aside */
+    bool is_aside;
+    void (*aside_work)(void *context);
+    void *aside_context;
     size_t started;         /* workers, whose numbers count from 1 */
     struct worker *workers; /* room for as many as there may be */
     pthread_mutex_t mutex;  /* for all that follows */
@@ -129,42 +133,69 @@ static void *serve(void *argument)
     return NULL;
 }
 
-static bool start_worker(struct crew *crew)
-{
-    struct worker *const worker = &crew->workers[crew->started];
-    *worker = (struct worker){.crew = crew, .number = crew->started + 1, .works = crew->works};
-    pthread_attr_t attributes;
-    if (pthread_attr_init(&attributes) != 0) {
-        return false;
-    }
-    const long least = sysconf(_SC_THREAD_STACK_MIN);
-    const size_t stack = least > (long)STACK_BYTES ? (size_t)least : STACK_BYTES;
-    const bool can_start = pthread_attr_setstacksize(&attributes, stack) == 0 &&
-                           pthread_create(&worker->thread, &attributes, serve, worker) == 0;
-    pthread_attr_destroy(&attributes);
-    crew->started += can_start ? 1 : 0;
-    return can_start;
-}
-
-/* Starts workers until there are `wanted`, or until the system refuses one. They inherit what is
-   blocked: every signal but those that tell of a mistake of their own. */
-static void start_workers(struct crew *crew, size_t wanted)
+/* Starts a thread, which inherits what is blocked: every signal but those that tell of a mistake of
+   its own. */
+static bool start_thread(pthread_t *thread, void *(*function)(void *argument), void *argument)
 {
     static const int own[] = {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT, SIGTRAP, SIGSYS};
-    if (crew->started >= wanted) {
-        return;
-    }
+    const long least = sysconf(_SC_THREAD_STACK_MIN);
+    const size_t stack = least > (long)STACK_BYTES ? (size_t)least : STACK_BYTES;
+    pthread_attr_t attributes;
     sigset_t blocked, before;
     sigfillset(&blocked);
     for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) {
         sigdelset(&blocked, own[i]);
     }
-    if (pthread_sigmask(SIG_BLOCK, &blocked, &before) != 0) {
-        return;
+    if (pthread_attr_init(&attributes) != 0) {
+        return false;
     }
-    while (crew->started < wanted && start_worker(crew)) {
+    bool is_started = false;
+    if (pthread_attr_setstacksize(&attributes, stack) == 0 &&
+        pthread_sigmask(SIG_BLOCK, &blocked, &before) == 0) {
+        is_started = pthread_create(thread, &attributes, function, argument) == 0;
+        pthread_sigmask(SIG_SETMASK, &before, NULL);
     }
-    pthread_sigmask(SIG_SETMASK, &before, NULL);
+    pthread_attr_destroy(&attributes);
+    return is_started;
+}
+
+/* Starts workers until there are `wanted`, or until the system refuses one. */
+static void start_workers(struct crew *crew, size_t wanted)
+{
+    while (crew->started < wanted) {
+        struct worker *const worker = &crew->workers[crew->started];
+        *worker = (struct worker){.crew = crew, .number = crew->started + 1, .works = crew->works};
+        if (!start_thread(&worker->thread, serve, worker)) {
+            return;
+        }
+        crew->started++;
+    }
+}
+
+static void *do_aside(void *argument)
+{
+    const struct crew *const crew = argument;
+    crew->aside_work(crew->aside_context);
+    return NULL;
+}
+
+void crew_start_aside(struct crew *crew, void (*work)(void *context), void *context)
+{
+    crew_wait_aside(crew);
+    crew->aside_work = work;
+    crew->aside_context = context;
+    crew->is_aside = start_thread(&crew->aside, do_aside, crew);
+    if (!crew->is_aside) {
+        work(context);
+    }
+}
+
+void crew_wait_aside(struct crew *crew)
+{
+    if (crew->is_aside) {
+        pthread_join(crew->aside, NULL);
+    }
+    crew->is_aside = false;
 }
 
 void crew_run(struct crew *crew, size_t count, void (*work)(void *context, size_t number),
@@ -210,6 +241,7 @@ void crew_close(struct crew *crew)
     if (crew == NULL) {
         return;
     }
+    crew_wait_aside(crew);
     pthread_mutex_lock(&crew->mutex);
     crew->ending = true;
     pthread_cond_broadcast(&crew->begin);
@@ -252,6 +284,17 @@ void crew_meet(struct crew *crew, void (*alone)(void *context))
     if (alone != NULL) {
         alone(crew->context);
     }
+}
+
+void crew_start_aside(struct crew *crew, void (*work)(void *context), void *context)
+{
+    (void)crew;
+    work(context);
+}
+
+void crew_wait_aside(struct crew *crew)
+{
+    (void)crew;
 }
 
 void crew_close(struct crew *crew)

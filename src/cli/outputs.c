@@ -239,6 +239,16 @@ bool outputs_are_there(const struct outputs *outputs, struct file_time since)
     return true;
 }
 
+bool outputs_wait(const struct outputs *outputs)
+{
+    for (size_t i = 0; i < outputs->count; i++) {
+        if (outputs->list[i].writer.file.waits) {
+            return true;
+        }
+    }
+    return false;
+}
+
 void outputs_sweep(const struct outputs *outputs)
 {
     for (size_t i = 0; i < outputs->count; i++) {

@@ -65,6 +65,9 @@ void outputs_sweep(const struct outputs *outputs);
 bool outputs_open(struct outputs *outputs);
 bool outputs_close(struct outputs *outputs);
 
+/* Whether one of the open files is a pipe or the like */
+bool outputs_wait(const struct outputs *outputs);
+
 /* Ends a tile: files that were not completed are removed. */
 void outputs_discard(struct outputs *outputs);
 void outputs_free(struct outputs *outputs);

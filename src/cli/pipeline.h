@@ -15,7 +15,8 @@ enum pipeline_result {
     PIPELINE_DONE,
     PIPELINE_FAILED, /* a file could not be written: its `failed` is set */
     PIPELINE_INTERRUPTED,
-    PIPELINE_NO_MEMORY
+    PIPELINE_NO_MEMORY,
+    PIPELINE_NOT_OPENED /* not of pipeline_run: a file could not be opened */
 };
 
 /* Nothing of the files depends on the crew. */

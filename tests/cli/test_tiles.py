@@ -271,13 +271,14 @@ class Resume(TileCase):
         self.addCleanup(process.communicate)
         self.addCleanup(process.kill)
         self.wait_for_unfinished("h_1_2.r32")
+        self.wait_for(lambda: os.path.exists(self.path("g_1_1.npy")))  # on the disk meanwhile
         process.kill()
         process.wait()
         os.remove(self.path("n_1_2.npy"))
         left = self.all_bytes()
         self.assertEqual(len(self.unfinished("h_1_2.r32")), 1)
         done = {name: data for name, data in left.items() if not name.endswith(".part")}
-        self.assertEqual(len(done), 6 * 5)
+        self.assertEqual(len(done), 6 * 5, sorted(done))
         self.check_same_files(done, {name: contents[name] for name in done})
         before = self.state()
         self.quietly(*self.ARGUMENTS, "--resume")
@@ -313,6 +314,7 @@ class Resume(TileCase):
         process = start("terrain", *arguments, "--quiet", cwd=self.directory)
         self.addCleanup(process.communicate)
         self.wait_for_unfinished("h_0_2.r32")
+        self.wait_for(lambda: os.path.exists(self.path("n_0_1.npy")))
         process.kill()
         process.wait()
         left = self.unfinished()

@@ -420,6 +420,13 @@ class Limits(WorldCase):
                     elif result.stderr.startswith(b"scarp: "):
                         self.check_one_line(result, result.returncode)
                         self.assertIn(result.returncode, (1, 2))
+                        left = self.walk()  # finished tiles stay
+                        self.check_same_files(left, {name: expected[name] for name in left})
+                        if result.returncode == 2 or "--tile" not in arguments:
+                            self.assertEqual((left, self.directories()), ({}, []))
+                        if left:
+                            subprocess.run(["rm", "-r", *os.listdir(self.directory)],
+                                           cwd=self.directory, check=True)
                     self.assertEqual((self.files(), self.directories()), ([], []), result)
 
 
