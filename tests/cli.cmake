@@ -20,7 +20,7 @@ else()
 
   foreach(test commands:Commands options:Errors formats:Formats formats:Names layers:Layers
                pictures:Pictures compare:Compare gallery:Gallery documents:Documents tiles:Tiles tiles:Resume
-               world:Manifest world:Patterns world:Shares world:Limits
+               world:Manifest world:Patterns world:Shares world:PowerCut world:Limits
                presets:Presets files:Files shared:Shared failures:FullDisk failures:Pipes failures:Refused
                interrupt:Interrupt
                progress:Progress memory:Memory same:Threads)

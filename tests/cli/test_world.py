@@ -3,6 +3,7 @@
 import json
 import os
 import re
+import shutil
 import signal
 import struct
 import subprocess
@@ -392,6 +393,63 @@ class Shares(WorldCase):
         os.chmod(self.path("w.r32.json"), 0o444)
         self.quietly(*TERRAIN, "--heights", "w.r32", "--resume")
         self.check_same_files(self.walk(), self.expected)
+
+
+class PowerCut(WorldCase):
+    """What has its name is on the disk: told by the order of the system's calls."""
+
+    def calls(self, *arguments):
+        """The calls that matter, as ("fsync", name) or ("rename", from, to), in their order"""
+        strace = shutil.which("strace")
+        log = self.path("log")
+        if not strace or len(common.PROGRAM) != 1:
+            self.skipTest("needs strace, and no emulator")
+        result = subprocess.run([strace, "-f", "-y", "-o", log, "-e",
+                                 "trace=fsync,rename,link,renameat,renameat2,linkat",
+                                 *common.PROGRAM, *arguments], cwd=self.directory,
+                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=False)
+        if b"ptrace" in result.stderr:
+            self.skipTest("strace may not trace here")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        with open(log, encoding="utf-8") as file:
+            text = file.read()
+        os.remove(log)
+        found = []
+        for line in text.splitlines():
+            fsync = re.search(r" fsync\(\d+<(.*)>\) += 0$", line)
+            move = re.search(r" (rename|link)\(\"(.*)\", \"(.*)\"\) += 0$", line)
+            self.assertNotIn("unfinished", line)
+            if fsync:
+                found.append(("fsync", os.path.basename(fsync[1])))
+            elif move:
+                found.append((move[1], *map(os.path.basename, move.groups()[1:])))
+        return found
+
+    def check_order(self, calls, names):
+        """Each file is synchronised before the first of them is renamed, and then the directory."""
+        here = os.path.basename(self.directory)
+        moves = [call for call in calls if call[0] != "fsync"]
+        self.assertEqual([call[2] for call in moves], names)
+        first = calls.index(moves[0])
+        self.assertEqual(sorted(name for _, name in calls[:first]),
+                         sorted(call[1] for call in moves))
+        self.assertIn(("fsync", here), calls[calls.index(moves[-1]):])
+
+    def test_raster(self):
+        self.check_order(self.calls("terrain", "--size", "9x9", "--heights", "h.img", "--normals",
+                                    "n.npy"), ["h.hdr", "h.img", "n.npy"])
+
+    def test_points(self):
+        self.write("p.csv", b"1,2\n")
+        self.check_order(self.calls("sample", "--input", "p.csv", "--output", "v.csv"), ["v.csv"])
+
+    def test_tiles(self):
+        """The manifest is on the disk before the first tile is renamed."""
+        calls = self.calls("terrain", "--size", "4x2", "--tile", "2x2", "--heights", "w.r32")
+        manifest = next(i for i, call in enumerate(calls) if call[-1] == "w.r32.json") + 1
+        self.check_order(calls[:manifest + 1], ["w.r32.json"])
+        self.check_order(calls[manifest + 1:manifest + 4], ["w_0_0.r32"])
+        self.check_order(calls[manifest + 4:], ["w_0_1.r32"])
 
 
 class Limits(WorldCase):
