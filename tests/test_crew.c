@@ -30,7 +30,7 @@ static int start_or_refuse(pthread_t *thread, const pthread_attr_t *attributes,
 #define MOST 9
 #define MEETINGS 20
 #define TASKS 50
-#define STACK_USED ((size_t)192 << 10) /* ThreadSanitizer takes much of the rest */
+#define STACK_USED STACK_NEEDED
 
 struct job {
     struct crew *crew;

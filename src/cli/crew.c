@@ -22,9 +22,11 @@
 #include <sched.h>
 #endif
 
-/* A call of the library takes up to 140 KiB. The system's own default may be too little (musl has
-   128 KiB) or so much that few threads can be had. */
-#define STACK_BYTES ((size_t)1 << 20)
+#include "stack.h"
+
+/* The system's own default may be too little (musl has 128 KiB) or so much that few threads can be
+   had. Tables of the C library and of sanitizers take some of it. */
+#define STACK_BYTES (8 * STACK_NEEDED)
 
 struct worker {
     struct crew *crew;

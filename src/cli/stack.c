@@ -4,7 +4,6 @@
  */
 #include "stack.h"
 
-#include <stddef.h>
 #include <stdlib.h>
 
 #ifdef _WIN32
@@ -17,16 +16,14 @@ bool stack_reserve(void)
 
 #include "cli.h"
 
-/* A call of the library takes up to 140 KiB, the rest of the program some 20. Arguments and
-   environment may take another 128 of what is allowed. */
-#define RESERVED ((size_t)256 << 10)
-#define ALLOWED ((rlim_t)512 << 10)
+/* Arguments and environment take some of it, too. */
+#define ALLOWED ((rlim_t)(2 * STACK_NEEDED))
 
 /* The pages nearest to the end come first: some systems allow no jump beyond it. */
 static void touch(void)
 {
-    volatile unsigned char bytes[RESERVED];
-    for (size_t i = RESERVED; i > 0; i -= 1024) {
+    volatile unsigned char bytes[STACK_NEEDED];
+    for (size_t i = STACK_NEEDED; i > 0; i -= 1024) {
         bytes[i - 1] = 0;
     }
     (void)bytes;
@@ -45,7 +42,7 @@ bool stack_reserve(void)
         }
     }
     /* A stack that cannot grow would end the program. */
-    void *volatile memory = malloc(2 * RESERVED);
+    void *volatile memory = malloc(2 * STACK_NEEDED);
     if (memory == NULL) {
         cli_error("no memory for the stack");
         return false;

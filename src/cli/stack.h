@@ -1,12 +1,21 @@
 /* SPDX-License-Identifier: MIT
  *
- * The stack of the first thread, which the system enlarges only when it is used, and by a signal
- * tells then that it cannot.
+ * How much stack a thread takes; and the first thread's stack, which the system enlarges only when
+ * it is used, and by a signal tells then that it cannot.
  */
 #ifndef SCARP_CLI_STACK_H
 #define SCARP_CLI_STACK_H
 
 #include <stdbool.h>
+#include <stddef.h>
+
+/* A call of the library takes up to 140 KiB, the rest of the program some 20. Without optimisation,
+   one function of the library has 1.1 MiB. */
+#ifdef __OPTIMIZE__
+#define STACK_NEEDED ((size_t)256 << 10)
+#else
+#define STACK_NEEDED ((size_t)2 << 20)
+#endif
 
 /* Sees to it, before anything is written, that the first thread's stack is large enough. False if
    it may not be, with a line on stderr. */
