@@ -4,7 +4,6 @@
  */
 #include "noise.h"
 
-#include <float.h>
 #include <stddef.h>
 
 #include "cli.h"
@@ -16,6 +15,17 @@ static const char *const fractals[] = {"fbm", "turbulence", "ridged", "erosion",
 
 #define FIELD(name) offsetof(struct noise_options, name)
 #define FRACTALS "fbm, turbulence, ridged or erosion"
+
+/* Refuses also what is 0 as a float, from 2^-150 down: the library takes it for the default. */
+static enum option_result parse_octaves(const struct option *option, const char *text, void *field)
+{
+    float octaves;
+    if (option_float(option, text, &octaves) != OPTION_VALID || octaves == 0.0f) {
+        return OPTION_INVALID;
+    }
+    *(float *)field = octaves;
+    return OPTION_VALID;
+}
 
 const struct option noise_option_rows[NOISE_OPTION_COUNT] = {
     {.name = "--seed",
@@ -70,11 +80,12 @@ const struct option noise_option_rows[NOISE_OPTION_COUNT] = {
     {.name = "--octaves",
      .argument = "F",
      .standard = "1",
-     .allowed = "a number above 0, at most 32",
-     .help = "octaves that are summed, above 0, at most 32; a fraction fades\nthe last one in",
-     .parse = option_float,
+     .allowed = "a number above 2^-150, at most 32",
+     .help = "octaves that are summed, above 2^-150 (less is no float above 0),\n"
+             "at most 32; a fraction fades the last one in",
+     .parse = parse_octaves,
      .offset = FIELD(octaves),
-     .lowest = (double)FLT_MIN,
+     .lowest = 0,
      .highest = 32},
     {.name = "--lacunarity",
      .argument = "F",

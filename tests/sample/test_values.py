@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Kinds of files, numbers and options: each point gets what the library gives there."""
+import ctypes
 import itertools
 import math
 import os
@@ -237,6 +238,12 @@ class Numbers(Case):
         self.assertEqual(line[:2], ["%.9g" % float32(number) for number in point])
 
 
+# The library's octaves are floats above 0, at most 32, and a 0 would mean the default.
+OCTAVES_REFUSED = ("0", "-0", "7.006e-46", "1e-46", "1e-400", "-1e-45", "32.000001", "33",
+                   "nan", "inf")
+OCTAVES_TAKEN = ("1e-45", "7.0065e-46", "1.5e-45", "1e-40", "1.1754943e-38", "0.5", "1", "32")
+
+
 class Options(Case):
     """Command lines that ask for what is not possible: refused before anything is read."""
 
@@ -259,7 +266,7 @@ class Options(Case):
                                ("--output-format", ("CSV", "txt", "", "png")),
                                ("--isa", ("sse9", "none", "")),
                                ("--input", ("",)), ("--output", ("",)),
-                               ("--seed", ("-1", "x")), ("--octaves", ("0", "33")),
+                               ("--seed", ("-1", "x")), ("--octaves", OCTAVES_REFUSED),
                                ("--fractal", ("fBm",)), ("--frequency", ("0", "nan"))):
             self.check(option)
             for value in values:
@@ -269,6 +276,23 @@ class Options(Case):
             self.check(flag + "=1")
         self.check("--size", "3")
         self.check("points.csv")
+
+    def test_octaves(self):
+        """Each that the library takes; the bound is told in the same words everywhere."""
+        points = some_points(2, 20)
+        data, options = make_input("text", points), ("--gradient", "--lacunarity", "1.5")
+        for word in OCTAVES_TAKEN:
+            rows = read_output("text", self.sample(data, "--octaves", word, *options))[1]
+            if common.LIBRARY != "-":
+                held = ctypes.c_float(float(word)).value
+                self.assertGreater(held, 0)
+                expected = reference(points, RESULTS[2][:3], octaves=held, lacunarity=1.5)
+                self.assertEqual([[float32(number) for number in row] for row in rows], expected)
+        for word in OCTAVES_REFUSED:
+            self.check_refused(b"", "scarp: --octaves: '%s' is not a number above 2^-150, at most "
+                               "32\n" % word, arguments=("--octaves", word))
+        text = re.sub(r"\s+", " ", self.text(b"", "--help"))
+        self.assertRegex(text, r"--octaves F [^\[]* above 2\^-150 [^\[]*, at most 32;")
 
     def test_hessian_of_erosion(self):
         self.check("--hessian", "--fractal", "erosion")
