@@ -45,7 +45,7 @@ static bool read_mark(struct cursor *cursor, const char *mark)
     return true;
 }
 
-/* Without escapes, which no key and no type has */
+/* On one line and without escapes, which no key and no type has */
 static bool read_string(struct cursor *cursor, char *string, size_t size)
 {
     const char quote = read_mark(cursor, "'") ? '\'' : '"';
@@ -54,6 +54,9 @@ static bool read_string(struct cursor *cursor, char *string, size_t size)
     }
     size_t length = 0;
     for (; cursor->at < cursor->end && *cursor->at != quote; cursor->at++) {
+        if (*cursor->at == '\\' || *cursor->at == '\n') {
+            return false;
+        }
         if (length + 1 < size) {
             string[length++] = *cursor->at;
         }
@@ -84,6 +87,7 @@ static bool read_fortran(struct cursor *cursor, struct npy_array *array)
     return array->fortran || read_mark(cursor, "False");
 }
 
+/* Digits, without zeros before them */
 static bool read_size(struct cursor *cursor, size_t *size)
 {
     skip_space(cursor);
@@ -96,11 +100,14 @@ static bool read_size(struct cursor *cursor, size_t *size)
         }
         *size = *size * 10 + digit;
     }
-    const bool found = cursor->at > begin;
-    read_mark(cursor, "L"); /* written by Python 2 */
-    return found;
+    const size_t length = (size_t)(cursor->at - begin);
+    if (cursor->at < cursor->end && *cursor->at == 'L') { /* written by Python 2 */
+        cursor->at++;
+    }
+    return length == 1 || (length > 1 && *begin != '0');
 }
 
+/* A tuple: of one size only with a comma behind it */
 static bool read_shape(struct cursor *cursor, struct npy_array *array)
 {
     if (!read_mark(cursor, "(")) {
@@ -114,42 +121,82 @@ static bool read_shape(struct cursor *cursor, struct npy_array *array)
         }
         array->dimensions++;
         if (!read_mark(cursor, ",")) {
-            return read_mark(cursor, ")");
+            return array->dimensions > 1 && read_mark(cursor, ")");
         }
     }
     return true;
 }
 
-bool npy_parse_header(const char *text, size_t length, struct npy_array *array)
+static bool has_control(const char *text, size_t length)
+{
+    for (size_t i = 0; i < length; i++) {
+        if (((unsigned char)text[i] < 0x20 && text[i] != '\n') || text[i] == 0x7f) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* A key, its value, and what separates them from the next: *last is then false. Returns like
+   npy_parse_header. */
+static const char *read_member(struct cursor *cursor, struct npy_array *array, unsigned *found,
+                               bool *last)
 {
     static const struct {
-        const char *key;
+        const char *key, *twice, *bad;
         bool (*read)(struct cursor *cursor, struct npy_array *array);
-    } members[] = {{"descr", read_descr}, {"fortran_order", read_fortran}, {"shape", read_shape}};
+    } members[] = {
+        {"descr", "has 'descr' twice", "has a 'descr' that cannot be understood", read_descr},
+        {"fortran_order", "has 'fortran_order' twice",
+         "has a 'fortran_order' that is not True or False", read_fortran},
+        {"shape", "has 'shape' twice", "has a 'shape' that cannot be understood", read_shape},
+    };
+    char key[16];
+    unsigned m = 0;
+    if (!read_string(cursor, key, sizeof key)) {
+        return "has something else than a key, or not all braces and commas";
+    }
+    while (m < 3 && strcmp(key, members[m].key) != 0) {
+        m++;
+    }
+    if (m == 3) {
+        return "has a key that is not 'descr', 'fortran_order' or 'shape'";
+    }
+    if ((*found & 1u << m) != 0) {
+        return members[m].twice;
+    }
+    *found |= 1u << m;
+    if (!read_mark(cursor, ":") || !members[m].read(cursor, array)) {
+        return members[m].bad;
+    }
+    *last = !read_mark(cursor, ",");
+    return NULL;
+}
+
+const char *npy_parse_header(const char *text, size_t length, struct npy_array *array)
+{
     struct cursor cursor = {text, text + length};
     unsigned found = 0;
+    bool last = false;
     *array = (struct npy_array){0};
+    if (has_control(text, length)) {
+        return "has a control character";
+    }
     if (!read_mark(&cursor, "{")) {
-        return false;
+        return "does not begin with a brace";
     }
     while (!read_mark(&cursor, "}")) {
-        char key[16];
-        unsigned m = 0;
-        if (!read_string(&cursor, key, sizeof key) || !read_mark(&cursor, ":")) {
-            return false;
-        }
-        while (m < 3 && strcmp(key, members[m].key) != 0) {
-            m++;
-        }
-        if (m == 3 || !members[m].read(&cursor, array)) {
-            return false;
-        }
-        found |= 1u << m;
-        if (!read_mark(&cursor, ",")) {
-            return read_mark(&cursor, "}") && found == 7;
+        const char *const problem = last ? "has a value with neither a comma nor a brace behind it"
+                                         : read_member(&cursor, array, &found, &last);
+        if (problem != NULL) {
+            return problem;
         }
     }
-    return found == 7;
+    skip_space(&cursor);
+    if (cursor.at < cursor.end) {
+        return "goes on after its closing brace";
+    }
+    return found == 7 ? NULL : "has not all of 'descr', 'fortran_order' and 'shape'";
 }
 
 bool npy_write_header(FILE *stream, const char *descr, const size_t *shape, int dimensions)

@@ -27,8 +27,9 @@ struct npy_array {
    follow it. False if they are not those of a version that is known. */
 bool npy_preamble(const char bytes[NPY_PREAMBLE_SIZE], size_t *text, size_t *length);
 
-/* Reads the header's text. False if it is not understood. */
-bool npy_parse_header(const char *text, size_t length, struct npy_array *array);
+/* Reads the header's text. Returns NULL, or what is wrong with it, to follow "the header": what
+   NumPy would not write is refused, such as a key that comes twice. */
+const char *npy_parse_header(const char *text, size_t length, struct npy_array *array);
 
 /* Writes what stands before the data of an array in C order. For up to three dimensions that takes
    NPY_HEADER_SIZE bytes whatever the shape is, so it may be written again when the shape is known;

@@ -48,8 +48,10 @@ static int read_header(struct points *points, struct npy_array *array)
     if (!input_need(input, text + length)) {
         return input->error != 0 ? input_status(input) : refuse(points, "ends in its .npy header");
     }
-    if (!npy_parse_header(input->bytes + input->start + text, length, array)) {
-        return refuse(points, "the .npy header cannot be understood");
+    const char *const problem = npy_parse_header(input->bytes + input->start + text, length, array);
+    if (problem != NULL) {
+        cli_error("--input: %s: the .npy header %s", input->name, problem);
+        return CLI_USAGE;
     }
     input->start += text + length;
     return CLI_SUCCESS;

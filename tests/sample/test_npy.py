@@ -122,4 +122,90 @@ class Npy(Case):
             self.assertRegex(result.stderr, rb"\Ascarp: --output: standard output: [^\n]+\n\Z")
 
 
+class Description(Case):
+    """The dictionary before the array: a header that NumPy would not write is refused."""
+
+    POINTS = [(1.5, 2.25), (-3.5, 4.75), (0.125, 1000.5)]
+    GOOD = b"{'descr': '<f8', 'fortran_order': False, 'shape': (3, 2), }"
+
+    def array(self, text):
+        if isinstance(text, str):
+            text = text.encode()
+        return (b"\x93NUMPY\x01\x00" + struct.pack("<H", len(text)) + text +
+                npy(self.POINTS)[128:])
+
+    def check_bad(self, text, *words):
+        with self.subTest(text=text):
+            self.check_refused(self.array(text), "scarp: --input: standard input: the .npy header ",
+                               *words, arguments=("--output", self.path("o.npy")))
+            self.assertEqual(self.files(), [])
+
+    def test_good(self):
+        good = self.GOOD.decode()
+        expected = self.sample(npy(self.POINTS))
+        for text in (good, good + " " * 60 + "\n", good + "\n", good + "\n   \n", "  " + good,
+                     good.replace(", }", "}"), good.replace(" ", ""), good.replace("2)", "2,)"),
+                     good.replace("2)", "2L)"), good.replace("'", '"'),
+                     good.replace("{", "{\n").replace(", ", " ,\n").replace(":", " :")):
+            with self.subTest(text=text):
+                self.assertEqual(self.sample(self.array(text)), expected)
+
+    def test_twice(self):
+        """A key that comes twice, with another value or the same."""
+        good = self.GOOD.decode()
+        for more in ("'shape': (3, 2)", "'shape': (1, 2)", "'descr': '<f4'", "'descr': '<f8'",
+                     "'fortran_order': True", "'fortran_order': False"):
+            self.check_bad(good.replace("}", more + "}"), "twice")
+            self.check_bad(good.replace("}", more + ", }"), "twice")
+            self.check_bad(good.replace("{", "{" + more + ", "), "twice")
+
+    def test_missing(self):
+        good = self.GOOD.decode()
+        for member in ("'descr': '<f8', ", "'fortran_order': False, ", "'shape': (3, 2), "):
+            self.check_bad(good.replace(member, ""), "not all of 'descr', ")
+        self.check_bad("{}", "not all of 'descr', ")
+        self.check_bad("")
+
+    def test_behind(self):
+        """Something behind the closing brace but padding."""
+        for more in (b"x", b"}", b"{}", b",", b" 1", b"\n#", b"{'descr': '<f4'}", b"     '\n", b";",
+                     b"\0", b"   \0", b"\0\n", b"\t", b"\x0b", b"\xff"):
+            self.check_bad(self.GOOD + more)
+            self.check_bad(self.GOOD + b" " * 50 + more + b"\n")
+
+    def test_values(self):
+        good = self.GOOD.decode()
+        for word in ("True1", "False1", "Falsy", "FalseTrue", "false", "0", "None", "Fals",
+                     "False.", "'False'", "False False", "(False)", ""):
+            self.check_bad(good.replace("False", word))
+        for shape in ("(3,,2)", "(3 2)", "(,3,2)", "(3,2,,)", "(03,2)", "(3,02)", "(00,2)",
+                      "(3,+2)", "(-3,2)", "(3,-2)", "(+3,2)", "(3,2", "3,2)", "3,2", "(3)", "(,)",
+                      "[3,2]", "(3.0,2)", "(3e0,2)", "(0x3,2)", "(3_0,2)", "(3,2 L)", "(3l,2)",
+                      "(3LL,2)", "((3,2))", "(3;2)", "('3',2)", "(3, 2))", "()()", "",
+                      "(18446744073709551617,2)"):
+            self.check_bad(good.replace("(3, 2)", shape))
+        for descr in ("<f8", "'<f8", "<f8'", "'<f8\"", "'<f8''", "('<f8')", "u'<f8'", "'<f' '8'",
+                      "'<f8\n'", "'\\x3cf8'", "[('x', '<f8')", "[", "[]]", ""):
+            self.check_bad(good.replace("'<f8'", descr))
+
+    def test_marks(self):
+        """Commas, colons and braces: each must be there, once."""
+        good = self.GOOD.decode()
+        for i, c in enumerate(good):
+            if c in ",:{}()'" and i != good.rindex(","):  # the last comma may be left out
+                self.check_bad(good[:i] + good[i + 1:])
+                self.check_bad(good[:i] + " " + good[i + 1:])
+            if c in ",:{}()'":
+                self.check_bad(good[:i] + c + good[i:])
+
+    def test_bytes(self):
+        """No control character anywhere, a NUL least of all; not even inside a name."""
+        good = self.GOOD
+        for c in (b"\0", b"\t", b"\r", b"\x7f", b"\x1b"):
+            for i in range(len(good) + 1):
+                self.check_bad(good[:i] + c + good[i:])
+            for i in range(len(good)):
+                self.check_bad(good[:i] + c + good[i + 1:])
+
+
 common.main(globals())
