@@ -12,7 +12,7 @@ if(TARGET scarp-cli AND Python3_Interpreter_FOUND)
   set(program ${CMAKE_CROSSCOMPILING_EMULATOR} $<TARGET_FILE:scarp-cli>)
   foreach(test values:Help values:Formats values:Values values:Numbers values:Options lines:Lines
                lines:Malformed lines:Columns npy:Npy npy:Description
-               streams:Streams streams:Files)
+               npy:NotFinite streams:Streams streams:Files)
     string(REPLACE ":" ";" test ${test})
     list(GET test 0 file)
     list(GET test 1 class)

@@ -58,7 +58,7 @@ struct points {
     size_t total;       /* .npy: how many points there are */
     bool single;        /* .npy: the coordinates are floats */
     field_fn *field;    /* how lines fall into fields */
-    uint64_t malformed; /* lines left out so far */
+    uint64_t malformed; /* lines, or rows of .npy, left out so far */
 
     /* Private to the readers: */
     bool dims_given;

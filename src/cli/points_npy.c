@@ -1,11 +1,14 @@
 /* SPDX-License-Identifier: MIT
  *
- * Points from a .npy file: the rows of an array of two dimensions.
+ * Points from a .npy file: the rows of an array of two dimensions. Coordinates that are not finite
+ * are malformed, as they are in text.
  */
+#include <math.h>
 #include <string.h>
 
 #include "cli.h"
 #include "npy.h"
+#include "number.h"
 #include "points.h"
 
 /* Rows are read whole, so the input's buffer must hold one. */
@@ -112,29 +115,63 @@ int points_npy_begin(struct points *points)
     return CLI_SUCCESS;
 }
 
-int points_npy_read(struct points *points, struct points_block *block)
+/* Reads the coordinates of a row. Returns the axis of the first that is not finite, -1 if all are.
+ */
+static int read_row(const struct points *points, const unsigned char *row, double position[3])
+{
+    int bad = -1;
+    for (int d = points->dims - 1; d >= 0; d--) {
+        const bool big_endian = points->npy.big_endian;
+        position[d] = points->single ? (double)npy_get_float(row + 4 * d, big_endian)
+                                     : npy_get_double(row + 8 * d, big_endian);
+        bad = isfinite(position[d]) ? bad : d;
+    }
+    return bad;
+}
+
+static int tell_malformed(const struct points *points, int axis, double coordinate)
+{
+    char number[NUMBER_SIZE];
+    number_write_double(number, coordinate);
+    cli_error("--input: %s: point %zu of %zu: column %d: '%s' is not a finite number",
+              points->input.name, points->total - points->npy.left + 1, points->total, axis + 1,
+              number);
+    return CLI_USAGE;
+}
+
+/* Reads what the input has at hand, as much of it as fits. A malformed point waits until those
+   before it are through, as a malformed line does. */
+static int read_rows(struct points *points, struct points_block *block)
 {
     struct points_npy *const npy = &points->npy;
     struct input *const input = &points->input;
-    if (npy->left == 0) {
-        return CLI_SUCCESS;
-    }
-    if (!input_need(input, npy->row)) {
-        return cut_short(points);
-    }
-    size_t count = (input->end - input->start) / npy->row;
-    count = count < npy->left ? count : npy->left;
-    count = count < POINTS_BLOCK ? count : POINTS_BLOCK;
-    for (size_t i = 0; i < count; i++) {
-        const unsigned char *const row = (const unsigned char *)input->bytes + input->start;
-        for (int d = 0; d < points->dims; d++) {
-            block->position[d][i] = points->single
-                                        ? (double)npy_get_float(row + 4 * d, npy->big_endian)
-                                        : npy_get_double(row + 8 * d, npy->big_endian);
+    for (; npy->left > 0 && block->count < POINTS_BLOCK && input->end - input->start >= npy->row;
+         npy->left--) {
+        double position[3] = {0};
+        const int bad =
+            read_row(points, (const unsigned char *)input->bytes + input->start, position);
+        if (bad >= 0 && !points->skip_bad) {
+            return block->count > 0 ? CLI_SUCCESS : tell_malformed(points, bad, position[bad]);
         }
         input->start += npy->row;
+        if (bad >= 0) {
+            points->malformed++;
+            continue;
+        }
+        for (int d = 0; d < points->dims; d++) {
+            block->position[d][block->count] = position[d];
+        }
+        block->count++;
     }
-    npy->left -= count;
-    block->count = count;
     return CLI_SUCCESS;
+}
+
+int points_npy_read(struct points *points, struct points_block *block)
+{
+    int status = CLI_SUCCESS;
+    while (status == CLI_SUCCESS && block->count == 0 && points->npy.left > 0) {
+        status = input_need(&points->input, points->npy.row) ? read_rows(points, block)
+                                                             : cut_short(points);
+    }
+    return status;
 }

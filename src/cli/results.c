@@ -228,6 +228,12 @@ static bool write_npy_header(const struct results *results, const struct points 
     return npy_write_header(results->file.stream, results->keep ? "<f8" : "<f4", shape, 2);
 }
 
+/* Whether the header of .npy can tell at once how many points there will be */
+static bool is_counted(const struct points *points)
+{
+    return points->format == POINTS_NPY && !points->skip_bad;
+}
+
 /* Whether the start of the output can be written again at the end: not in a pipe, not where the
    shell appends, and not behind what others wrote. */
 static bool can_rewind(struct file *file)
@@ -244,7 +250,7 @@ static bool can_rewind(struct file *file)
 int results_begin(struct results *results, const struct points *points)
 {
     if (results->format == POINTS_NPY) {
-        if (points->format != POINTS_NPY && !can_rewind(&results->file)) {
+        if (!is_counted(points) && !can_rewind(&results->file)) {
             cli_error("--output: %s: the header of .npy tells how many points there are; to write "
                       "that at the end, the output must be a file of its own",
                       file_name(results->path));
@@ -280,7 +286,7 @@ int results_write(struct results *results, const struct points *points,
 int results_end(struct results *results, const struct points *points)
 {
     bool written = flush_bytes(results); /* the header row, if there was no point */
-    if (written && results->format == POINTS_NPY && points->format != POINTS_NPY) {
+    if (written && results->format == POINTS_NPY && !is_counted(points)) {
         written =
             file_seek(&results->file, 0) && write_npy_header(results, points, results->points);
     }

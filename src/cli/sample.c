@@ -55,7 +55,7 @@ static const struct option point_rows[] = {
      .lowest = 2,
      .highest = 3},
     {.name = "--skip-bad",
-     .help = "leave malformed lines out instead of stopping at the first one",
+     .help = "leave malformed lines, and rows of .npy, out instead of stopping at\nthe first one",
      .offset = FIELD(skip_bad)},
     {.name = "--keep",
      .help = "copy the input's columns in front of the results; of .npy and to\n"
@@ -93,7 +93,7 @@ static const struct option running_rows[] = {
      .parse = option_isa,
      .offset = FIELD(isa)},
     {.name = "--quiet",
-     .help = "do not tell how many lines --skip-bad left out",
+     .help = "do not tell how many points --skip-bad left out",
      .offset = FIELD(quiet)},
 };
 
@@ -112,7 +112,7 @@ static const struct option_table table = {
         "  in 2D  value dx dy dxx dxy dyy\n"
         "  in 3D  value dx dy dz dxx dxy dxz dyy dyz dzz\n"
         "Coordinates are doubles and keep their precision. Results are floats: nine digits, which\n"
-        "tell them apart, or nan.\n"
+        "tell them apart, or nan where coordinate times frequency overflows.\n"
         "\n"
         "csv   Fields between commas, in double quotes or not. The first line is a header row if\n"
         "      its first two fields are no numbers. Results get one too, unless the points are\n"
@@ -121,9 +121,12 @@ static const struct option_table table = {
         "      those that begin with # are passed over.\n"
         "npy   Arrays of NumPy. Points have the shape (n, 2) or (n, 3) and are floats or doubles,\n"
         "      results the shape (n, number of results): floats, with --keep doubles. Points\n"
-        "      from CSV or text need a file for them, not a pipe.\n"
+        "      from CSV or text, or with --skip-bad, need a file for them, not a pipe.\n"
         "\n"
-        "Rows are written as soon as points are read, in blocks of at most 4096. A malformed line\n"
+        "malformed  are points with a coordinate that is not a finite number, so with nan or inf,\n"
+        "           also in .npy, and lines with too few or too many columns.\n"
+        "\n"
+        "Rows are written as soon as points are read, in blocks of at most 4096. A malformed one\n"
         "ends the run with one message and exit status 2, as does an input that cannot be read.\n"
         "The output file, which may be that of the input, appears only when all went well;\n"
         "standard output has then got the rows of the points before.",
@@ -278,8 +281,9 @@ static void tell_malformed(const struct points *points)
 {
     const unsigned long long count = points->malformed;
     if (count > 0) {
-        cli_error("--skip-bad: %llu malformed line%s of %s %s left out", count,
-                  count == 1 ? "" : "s", points->input.name, count == 1 ? "was" : "were");
+        cli_error("--skip-bad: %llu malformed %s%s of %s %s left out", count,
+                  points->format == POINTS_NPY ? "point" : "line", count == 1 ? "" : "s",
+                  points->input.name, count == 1 ? "was" : "were");
     }
 }
 

@@ -1,5 +1,7 @@
 # SPDX-License-Identifier: MIT
 """NumPy's arrays in and out."""
+import itertools
+import math
 import os
 import struct
 import unittest
@@ -206,6 +208,81 @@ class Description(Case):
                 self.check_bad(good[:i] + c + good[i:])
             for i in range(len(good)):
                 self.check_bad(good[:i] + c + good[i + 1:])
+
+
+class NotFinite(Case):
+    """NaN and infinity are no coordinates, as in text: see also Numbers in test_values.py."""
+
+    BAD = (math.nan, -math.nan, math.inf, -math.inf)
+    TOLD = b"scarp: --skip-bad: %d malformed %s of standard input %s left out\n"
+
+    def told(self, count):
+        return self.TOLD % ((count, b"points", b"were") if count > 1 else (count, b"point", b"was"))
+
+    def test_refused(self):
+        for bad, descr, column in itertools.product(self.BAD, ("<f4", "<f8", ">f4", ">f8"),
+                                                    (0, 1, 2)):
+            points = [[1.5, 2.25, 3.5] for _ in range(5)]
+            points[3][column] = bad
+            self.check_refused(npy(points, descr), "scarp: --input: standard input: point 4 of 5: "
+                               "column %d: '%r' is not a finite number\n" % (column + 1, bad),
+                               arguments=("--output", self.path("o.npy")))
+            self.assertEqual(self.files(), [])
+
+    def test_earlier_points(self):
+        """Standard output has got the points before it, wherever blocks end."""
+        for count in (1, 100, BLOCK, 2 * BLOCK + 5):
+            points = [(1.0, 2.0)] * count + [(math.nan, 2.0), (math.inf, 1.0), (1.0, 2.0)]
+            self.check_refused(npy(points), "point %d of %d: column 1: 'nan'"
+                               % (count + 1, count + 3), output=b"0\n" * count,
+                               arguments=("--output-format", "text"))
+
+    def test_skip_bad(self):
+        """The header of the results has their number."""
+        good = some_points(2, 3 * BLOCK + 7)
+        points = list(good)
+        for i in (len(points), 2 * BLOCK + 1, BLOCK, 5, 5, 0):
+            points.insert(i, (1.5, math.nan) if i % 2 else (math.inf, 1.5))
+        for keep in ((), ("--keep",)):
+            target = self.path("o.npy")
+            self.assertEqual(self.sample(npy(points), "--skip-bad", "--output", target, *keep,
+                                         error=self.told(6)), b"")
+            self.assertEqual(self.read("o.npy"), self.sample(npy(good), *keep))
+            descr, columns, rows = read_npy(self.read("o.npy"))
+            self.assertEqual((descr, columns, len(rows)), ("<f8", 3, len(good)) if keep
+                             else ("<f4", 1, len(good)))
+            for kind in ("csv", "text"):
+                options = ("--output-format", kind) + keep
+                self.assertEqual(self.sample(npy(points), "--skip-bad", *options,
+                                             error=self.told(6)), self.sample(npy(good), *options))
+        self.sample(npy(points), "--skip-bad", "--quiet", "--output", target)
+        self.sample(npy(good), "--skip-bad", "--output", target)  # nothing to tell
+
+    def test_skip_many(self):
+        """Whole blocks, and everything."""
+        for count in (1, 3 * BLOCK + 1):
+            bad = [(math.nan, 1.0)] * count
+            self.sample(npy(bad), "--skip-bad", "--output", self.path("o.npy"),
+                        error=self.told(count))
+            self.assertEqual(read_npy(self.read("o.npy")), ("<f4", 1, []))
+            self.assertEqual(self.sample(npy(bad + [(1, 2)] + bad), "--skip-bad", "--output-format",
+                                         "text", error=self.told(2 * count)), b"0\n")
+
+    def test_cut_short(self):
+        """Points that were left out count as read."""
+        data = npy([(math.nan, 1.0), (1.0, 2.0), (math.nan, 1.0), (1.0, 2.0)])
+        self.check_refused(data[:-1], "ends after 3 of 4 points",
+                           arguments=("--skip-bad", "--output", self.path("o.npy")))
+        self.assertEqual(self.files(), [])
+
+    def test_pipe(self):
+        """How many points will be left out is known at the end."""
+        self.check_refused(npy([(1, 2)]), "--output: standard output: ", ".npy", "file of its own",
+                           arguments=("--skip-bad",))
+        with open(self.path("o"), "wb") as file:
+            result = run("--skip-bad", data=npy([(1, 2), (math.nan, 1)]), stdout=file)
+        self.assertEqual((result.returncode, result.stderr), (0, self.told(1)))
+        self.assertEqual(read_npy(self.read("o"))[2], [[0.0]])
 
 
 common.main(globals())

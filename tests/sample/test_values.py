@@ -211,23 +211,37 @@ class Numbers(Case):
             self.assertEqual([pair for pair in zip(words, expected) if pair[0] != pair[1]], [])
 
     def test_not_finite(self):
-        """Only .npy can hold such coordinates. A NaN has no sign."""
-        points = [(math.nan, 0.0), (math.inf, 1.0), (0.5, -math.inf), (-math.nan, 0.5), (0.5, 0.5)]
-        for descr in ("<f8", "<f4"):
-            lines = self.text(npy(points, descr), "--gradient", "--output-format",
-                              "text").splitlines()
-            self.assertEqual(lines[:4], ["nan nan nan"] * 4)
-            self.assertNotIn("nan", lines[4])
-        kept = self.text(npy(points), "--keep", "--output-format", "csv").splitlines()
-        self.assertEqual(kept[:5], ["x,y,value", "nan,0,nan", "inf,1,nan", "0.5,-inf,nan",
-                                    "nan,0.5,nan"])
-        held = self.sample(npy(points))
-        self.assertEqual(held[-20:-4], struct.pack("<I", 0x7fc00000) * 4)
+        """No coordinate, in any format: an error, or left out."""
+        for kind, number in itertools.product(KINDS, (math.nan, -math.nan, math.inf, -math.inf)):
+            data = make_input(kind, [(0.5, 2.5), (3.5, number), (number, 1.5)], header=True)
+            arguments = ("--keep", "--output", self.path("o.npy"))
+            self.check_refused(data, "column 2: '%s' is not a finite number" % repr(number),
+                               arguments=arguments)
+            self.assertEqual(self.files(), [])
+            self.sample(data, "--skip-bad", *arguments,
+                        error=b"scarp: --skip-bad: 2 malformed %s of standard input were left out\n"
+                        % (b"points" if kind == "npy" else b"lines"))
+            rows = read_npy(self.read("o.npy"))[2]
+            self.assertEqual([row[:2] for row in rows], [[0.5, 2.5]])
+            os.remove(self.path("o.npy"))
+
+    def test_malformed(self):
         for word in ("nan", "NaN", "-nan", "inf", "-inf", "Infinity", "1e999", "-1e999", "0x10",
                      "0x1p3", "1e", "1e+", "1.2.3", "--1", "+-1", "1,5", ".", "-", "1d5", "1_0",
                      "one", "1;2", "'1'"):
             self.check_refused("1 2\n3 %s\n" % word, "standard input:2: column 2: '%s'" % word,
                                output=b"0\n", arguments=("--input-format", "text"))
+
+    def test_overflow(self):
+        """A finite coordinate may lie beyond every cell. A NaN has no sign, in any format."""
+        options = ("--frequency", "2e14", "--gradient")
+        points = [(1e300, 0.5), (-1e300, 0.5), (0.5, 0.5)]
+        for kind in KINDS:
+            lines = self.text(make_input(kind, points), *options, "--output-format", "text")
+            self.assertEqual(lines.split("\n")[:2], ["nan nan nan"] * 2)
+            self.assertNotIn("nan", lines.split("\n")[2])
+        held = self.sample(npy(points), *options)
+        self.assertEqual(held[-36:-12], struct.pack("<I", 0x7fc00000) * 6)
 
     def test_precision_kept(self):
         """Coordinates of .npy in text: all digits of a double, nine of a float."""
