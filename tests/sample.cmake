@@ -11,8 +11,8 @@ if(TARGET scarp-cli AND Python3_Interpreter_FOUND)
   endif()
   set(program ${CMAKE_CROSSCOMPILING_EMULATOR} $<TARGET_FILE:scarp-cli>)
   foreach(test values:Help values:Formats values:Values values:Numbers values:Options lines:Lines
-               lines:Malformed lines:Columns npy:Npy npy:Description
-               npy:NotFinite streams:Streams streams:Files)
+               lines:Malformed lines:Columns columns:Header columns:Chosen columns:Readme npy:Npy
+               npy:Description npy:NotFinite streams:Streams streams:Files)
     string(REPLACE ":" ";" test ${test})
     list(GET test 0 file)
     list(GET test 1 class)

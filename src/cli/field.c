@@ -70,6 +70,44 @@ struct field field_csv(const char *at)
     return field;
 }
 
+const char *field_after(const struct field *field, const char *at)
+{
+    return at + (field->quoted && *at == '"' ? 2 : 1);
+}
+
+static char small(char c)
+{
+    return c >= 'A' && c <= 'Z' ? (char)(c - 'A' + 'a') : c;
+}
+
+bool field_same(const struct field *a, const struct field *b)
+{
+    const char *p = a->begin, *q = b->begin;
+    while (p < a->end && q < b->end && small(*p) == small(*q)) {
+        p = field_after(a, p);
+        q = field_after(b, q);
+    }
+    return p == a->end && q == b->end;
+}
+
+/* UTF-8 is not cut within a character. */
+const char *field_show(const struct field *field, char shown[FIELD_SHOWN])
+{
+    size_t length = 0;
+    const char *at = field->begin;
+    for (; at < field->end && length < FIELD_SHOWN - 1; at = field_after(field, at)) {
+        shown[length++] = *at;
+    }
+    if (at < field->end && ((unsigned char)*at & 0xc0) == 0x80) {
+        while (length > 0 && ((unsigned char)shown[length - 1] & 0xc0) == 0x80) {
+            length--;
+        }
+        length -= length > 0;
+    }
+    shown[length] = '\0';
+    return shown;
+}
+
 struct field field_text(const char *at)
 {
     struct field field = {.begin = field_skip_blanks(at)};

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * The fields of a line, one after the other: between commas, perhaps in double quotes, or between
- * blanks. Used by what reads points and by what copies their lines.
+ * blanks. Used by what reads points, by what copies their lines and by what names their columns.
  */
 #ifndef SCARP_CLI_FIELD_H
 #define SCARP_CLI_FIELD_H
@@ -19,6 +19,17 @@ struct field {
 typedef struct field field_fn(const char *at);
 field_fn field_csv;
 field_fn field_text;
+
+/* What follows the byte at `at`, which lies in the field: the second of two quotes is left out. */
+const char *field_after(const struct field *field, const char *at);
+
+/* Whether two fields hold the same, but for capital letters of ASCII */
+bool field_same(const struct field *a, const struct field *b);
+
+#define FIELD_SHOWN 61
+
+/* Writes what the field holds for a message, or the beginning of it. Returns `shown`. */
+const char *field_show(const struct field *field, char shown[FIELD_SHOWN]);
 
 /* Past spaces and tabs */
 const char *field_skip_blanks(const char *at);

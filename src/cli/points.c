@@ -14,6 +14,10 @@
 int points_open(struct points *points, const char *path)
 {
     points->dims_given = points->dims != 0;
+    points->told = points->dims_given || points->chosen.count > 0;
+    if (points->chosen.count > 0) {
+        points->dims = (int)points->chosen.count;
+    }
     errno = 0;
     if (!input_open(&points->input, path)) {
         cli_error("--input: %s: %s", points->input.name,
@@ -37,6 +41,15 @@ int points_read(struct points *points, struct points_block *block)
     block->count = 0;
     return points->format == POINTS_NPY ? points_npy_read(points, block)
                                         : points_text_read(points, block);
+}
+
+size_t points_needed(const struct points *points)
+{
+    size_t needed = 0;
+    for (int d = 0; d < points->dims; d++) {
+        needed = needed > points->column[d] ? needed : points->column[d] + 1;
+    }
+    return needed;
 }
 
 void points_close(struct points *points)

@@ -10,6 +10,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "columns.h"
 #include "field.h"
 #include "input.h"
 
@@ -45,23 +46,26 @@ struct points_npy {
 
 struct points {
     /* What is wanted: set before opening, the rest zero */
-    int format; /* an enum points_format; POINTS_UNKNOWN: the reader finds out */
-    int dims;   /* coordinates of a point, 2 or 3; 0: the reader finds out */
+    int format;            /* an enum points_format; POINTS_UNKNOWN: the reader finds out */
+    int dims;              /* coordinates of a point, 2 or 3; 0: the reader finds out */
+    struct columns chosen; /* what --columns says */
     bool skip_bad;
     bool keep; /* lines must have equally many columns, since results will stand behind them */
     /* Set after points_begin: fields must be such that blanks can separate them. */
     bool plain;
 
     /* What is known after points_begin */
-    char *header;       /* the header row of CSV, NULL without */
-    size_t columns;     /* of the first line; 0: there is none */
-    size_t total;       /* .npy: how many points there are */
-    bool single;        /* .npy: the coordinates are floats */
-    field_fn *field;    /* how lines fall into fields */
-    uint64_t malformed; /* lines, or rows of .npy, left out so far */
+    char *header;                /* the header row of CSV, NULL without */
+    size_t column[COLUMNS_AXES]; /* where x, y and z are, counted from 0 */
+    size_t columns;              /* of the first line; 0: there is none */
+    size_t total;                /* .npy: how many points there are */
+    bool single;                 /* .npy: the coordinates are floats */
+    field_fn *field;             /* how lines fall into fields */
+    uint64_t malformed;          /* lines, or rows of .npy, left out so far */
 
     /* Private to the readers: */
     bool dims_given;
+    bool told; /* the columns of the coordinates do not follow from how many there are */
     struct input input;
     struct points_text text;
     struct points_npy npy;
@@ -77,6 +81,9 @@ int points_begin(struct points *points);
 /* Reads the next points: those that are there, at most POINTS_BLOCK, at least one unless the input
    has ended. */
 int points_read(struct points *points, struct points_block *block);
+
+/* How many columns it takes to have all coordinates */
+size_t points_needed(const struct points *points);
 
 /* May be called at any time after zero-initialisation. */
 void points_close(struct points *points);

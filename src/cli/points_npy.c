@@ -60,6 +60,37 @@ static int read_header(struct points *points, struct npy_array *array)
     return CLI_SUCCESS;
 }
 
+/* Whether the rows of an array have the columns that are wanted */
+static int check_columns(const struct points *points, const struct npy_array *array)
+{
+    const struct columns *const chosen = &points->chosen;
+    const char *const name = points->input.name;
+    const size_t columns = array->shape[1];
+    if (!columns_nameless(chosen, name, columns)) {
+        return CLI_USAGE;
+    }
+    for (size_t i = 0; i < chosen->count; i++) {
+        if (chosen->index[i] >= columns) {
+            cli_error("--columns: %s has no column %zu; choose from 1 to %zu", name,
+                      chosen->index[i] + 1, columns);
+            return CLI_USAGE;
+        }
+    }
+    if (columns > COLUMNS_MAX) {
+        cli_error("--input: %s: the shape (%zu, %zu) has more than %zu columns", name,
+                  array->shape[0], columns, COLUMNS_MAX);
+        return CLI_USAGE;
+    }
+    if (points->told ? columns < (size_t)points->dims : columns < 2 || columns > 3) {
+        cli_error("--input: %s: the shape (%zu, %zu) is not %s", name, array->shape[0], columns,
+                  points->dims == 3   ? "(n, 3), or (n, 4) and so on"
+                  : points->dims == 2 ? "(n, 2), or (n, 3) and so on"
+                                      : "(n, 2) or (n, 3); --columns chooses from more");
+        return CLI_USAGE;
+    }
+    return CLI_SUCCESS;
+}
+
 static int check_array(struct points *points, const struct npy_array *array)
 {
     static const char *const types[] = {"<f4", "<f8", ">f4", ">f8"};
@@ -77,23 +108,13 @@ static int check_array(struct points *points, const struct npy_array *array)
                   points->input.name, array->dimensions);
         return CLI_USAGE;
     }
-    const size_t columns = array->shape[1];
-    if (points->dims_given ? columns < (size_t)points->dims || columns > COLUMNS_MAX
-                           : columns < 2 || columns > 3) {
-        cli_error("--input: %s: the shape (%zu, %zu) is not %s", points->input.name,
-                  array->shape[0], columns,
-                  points->dims == 3   ? "(n, 3), or (n, 4) and so on"
-                  : points->dims == 2 ? "(n, 2), or (n, 3) and so on"
-                                      : "(n, 2) or (n, 3); --dims would allow more columns");
-        return CLI_USAGE;
-    }
     if (array->fortran) {
         return refuse(points, "the array is in Fortran order; numpy.ascontiguousarray mends that");
     }
     points->single = type % 2 == 0;
     points->npy.big_endian = type >= 2;
-    points->npy.row = columns * (points->single ? 4 : 8);
-    return CLI_SUCCESS;
+    points->npy.row = array->shape[1] * (points->single ? 4 : 8);
+    return check_columns(points, array);
 }
 
 int points_npy_begin(struct points *points)
@@ -106,9 +127,10 @@ int points_npy_begin(struct points *points)
     if (status != CLI_SUCCESS) {
         return status;
     }
-    if (!points->dims_given) {
+    if (!points->told) {
         points->dims = (int)array.shape[1];
     }
+    columns_by_number(&points->chosen, points->column);
     points->columns = array.shape[1];
     points->total = array.shape[0];
     points->npy.left = array.shape[0];
@@ -121,9 +143,10 @@ static int read_row(const struct points *points, const unsigned char *row, doubl
 {
     int bad = -1;
     for (int d = points->dims - 1; d >= 0; d--) {
+        const size_t column = points->column[d];
         const bool big_endian = points->npy.big_endian;
-        position[d] = points->single ? (double)npy_get_float(row + 4 * d, big_endian)
-                                     : npy_get_double(row + 8 * d, big_endian);
+        position[d] = points->single ? (double)npy_get_float(row + 4 * column, big_endian)
+                                     : npy_get_double(row + 8 * column, big_endian);
         bad = isfinite(position[d]) ? bad : d;
     }
     return bad;
@@ -133,9 +156,9 @@ static int tell_malformed(const struct points *points, int axis, double coordina
 {
     char number[NUMBER_SIZE];
     number_write_double(number, coordinate);
-    cli_error("--input: %s: point %zu of %zu: column %d: '%s' is not a finite number",
-              points->input.name, points->total - points->npy.left + 1, points->total, axis + 1,
-              number);
+    cli_error("--input: %s: point %zu of %zu: column %zu: '%s' is not a finite number",
+              points->input.name, points->total - points->npy.left + 1, points->total,
+              points->column[axis] + 1, number);
     return CLI_USAGE;
 }
 

@@ -150,24 +150,42 @@ static size_t count_columns(field_fn *next_field, const char *line)
     return columns;
 }
 
+/* Whether further columns do not matter. Behind a header row a line with more columns than names,
+   or fewer, is malformed: the coordinates may have moved. */
+static bool is_ragged(const struct points *points)
+{
+    return points->told && !points->keep && points->header == NULL;
+}
+
 static bool check_columns(struct points *points, size_t columns)
 {
     const char *const s = columns == 1 ? "" : "s";
     const char *const line = points->text.line;
-    if (points->dims_given && columns < (size_t)points->dims) {
-        return wrong(points, "%zu column%s, but --dims is %d: '%.60s'", columns, s, points->dims,
-                     line);
-    }
-    if (points->columns != 0 && columns != points->columns &&
-        (points->keep || !points->dims_given)) {
+    const size_t needed = points_needed(points);
+    if (points->columns != 0 && columns != points->columns && !is_ragged(points)) {
         return wrong(points, "%zu column%s, but the first line has %zu: '%.60s'", columns, s,
                      points->columns, line);
     }
-    if (!points->dims_given && (columns < 2 || columns > 3)) {
+    if (points->told && columns < needed) {
+        return wrong(points, "%zu column%s, but %s %zu: '%.60s'", columns, s,
+                     points->chosen.count > 0 ? "--columns takes column" : "--dims is", needed,
+                     line);
+    }
+    if (!points->told && (columns < 2 || columns > 3)) {
         return wrong(points, "%zu column%s, but a point has 2 or 3%s: '%.60s'", columns, s,
-                     columns > 3 ? " (see --dims)" : "", line);
+                     columns > 3 ? " (see --columns)" : "", line);
     }
     return true;
+}
+
+/* The axis whose coordinates stand in a column, counted from 0; -1: none of the first `dims` */
+static int axis_of(const struct points *points, size_t column, int dims)
+{
+    int axis = dims - 1;
+    while (axis >= 0 && points->column[axis] != column) {
+        axis--;
+    }
+    return axis;
 }
 
 /* Reads a point from the line at hand. False if that is malformed. */
@@ -177,22 +195,22 @@ static bool read_point(struct points *points, double position[3])
     if (text->overlong) {
         return wrong(points, "longer than %d bytes", POINTS_LINE_MAX);
     }
-    if (memchr(text->line, '\0', text->length) != NULL) {
+    if (strlen(text->line) != text->length) {
         return wrong(points, "holds a NUL byte");
     }
     if (points->dims == 0 && !check_columns(points, count_columns(points->field, text->line))) {
         return false;
     }
-    const bool ragged = points->dims_given && !points->keep; /* further columns do not matter */
-    const size_t dims = points->dims != 0 ? (size_t)points->dims : 3;
+    const size_t enough = is_ragged(points) ? points_needed(points) : SIZE_MAX;
+    const int dims = points->dims != 0 ? points->dims : 3;
     size_t columns = 0;
-    for (const char *at = text->line; at != NULL && !(ragged && columns == dims);) {
+    for (const char *at = text->line; at != NULL && columns < enough;) {
         const struct field field = points->field(at);
-        columns++;
+        const int axis = axis_of(points, columns++, dims);
         if (field.problem != NULL) {
             return wrong(points, "column %zu %s", columns, field.problem);
         }
-        if (columns <= dims && !read_coordinate(points, &field, columns, &position[columns - 1])) {
+        if (axis >= 0 && !read_coordinate(points, &field, columns, &position[axis])) {
             return false;
         }
         if (points->plain && !is_plain(&field)) {
@@ -211,25 +229,49 @@ static bool is_number(const struct field *field)
     return end == field->end && end != field->begin;
 }
 
-/* Whether the row at hand is a header: of its first two fields none is a number, not even one that
-   a point cannot have, such as "nan". */
-static bool is_header(const struct points *points)
+static bool is_readable(const struct points_text *text)
 {
-    const struct points_text *const text = &points->text;
-    if (text->overlong || strlen(text->line) != text->length) {
-        return false;
-    }
-    const struct field first = field_csv(text->line);
-    if (first.next == NULL) {
-        return false;
-    }
-    const struct field second = field_csv(first.next);
-    return !is_number(&first) && !is_number(&second);
+    return !text->overlong && strlen(text->line) == text->length;
 }
 
+/* Whether the row at hand is a header, unless --columns has names: of the fields that it numbers,
+   or else the first two, none is a number, not even one that a point cannot have, such as "nan".
+   Years may be names too: "1990,2000,x,y" is a header unless --columns says that it is not. */
+static bool is_header(const struct points *points)
+{
+    const struct columns *const chosen = &points->chosen;
+    const int dims = chosen->count > 0 ? (int)chosen->count : 2;
+    int found = 0;
+    const char *at = points->text.line;
+    if (!is_readable(&points->text)) {
+        return false;
+    }
+    if (chosen->count == 0 && columns_are_named(at)) {
+        return true;
+    }
+    for (size_t column = 0; at != NULL && found < dims; column++) {
+        const struct field field = field_csv(at);
+        if (axis_of(points, column, dims) >= 0) {
+            found++;
+            if (is_number(&field)) {
+                return false;
+            }
+        }
+        at = field.next;
+    }
+    return chosen->count > 0 ? found > 0 : found == dims;
+}
+
+/* Takes the row at hand for a header, whose names tell where the coordinates are. */
 static int take_header(struct points *points)
 {
     const struct points_text *const text = &points->text;
+    const struct columns_header header = {points->input.name, text->line};
+    points->dims = columns_in_header(&points->chosen, &header, points->dims, points->column);
+    if (points->dims == 0) {
+        return CLI_USAGE;
+    }
+    points->told = true;
     points->header = malloc(text->length + 1);
     if (points->header == NULL) {
         cli_error("no memory for a line of %zu bytes", text->length);
@@ -240,20 +282,41 @@ static int take_header(struct points *points)
     return CLI_SUCCESS;
 }
 
-/* The first row decides about format and header, the first good point about the dimensions. */
+/* Takes the first row, which is at hand. Where --columns has names, it must be their header. */
+static int begin_rows(struct points *points)
+{
+    struct points_text *const text = &points->text;
+    const struct columns *const chosen = &points->chosen;
+    const bool named = chosen->count > 0 && !chosen->numbered;
+    if (points->format == POINTS_UNKNOWN) {
+        points->format = strchr(text->line, ',') != NULL ? POINTS_CSV : POINTS_TEXT;
+    }
+    if (named && !is_readable(text)) {
+        cli_error("--columns: the header row of %s is longer than %d bytes or holds a NUL byte",
+                  points->input.name, POINTS_LINE_MAX);
+        return CLI_USAGE;
+    }
+    if (points->format == POINTS_CSV && (named || is_header(points))) {
+        return take_header(points);
+    }
+    text->pending = true;
+    const size_t columns = count_columns(field_text, text->line);
+    return columns_nameless(chosen, points->input.name, columns) ? CLI_SUCCESS : CLI_USAGE;
+}
+
+/* The first row decides about format and header, the first good point about the dimensions unless
+   they are known. */
 int points_text_begin(struct points *points)
 {
     struct points_text *const text = &points->text;
+    columns_by_number(&points->chosen, points->column);
     if (input_begins_with(&points->input, "\xef\xbb\xbf", 3)) {
         points->input.start += 3;
     }
     if (next_row(points, true) == LINE_READY) {
-        if (points->format == POINTS_UNKNOWN) {
-            points->format = strchr(text->line, ',') != NULL ? POINTS_CSV : POINTS_TEXT;
-        }
-        text->pending = points->format != POINTS_CSV || !is_header(points);
-        if (!text->pending && take_header(points) != CLI_SUCCESS) {
-            return CLI_FAILURE;
+        const int status = begin_rows(points);
+        if (status != CLI_SUCCESS) {
+            return status;
         }
     } else if (points->format == POINTS_UNKNOWN) {
         points->format = POINTS_TEXT;

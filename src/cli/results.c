@@ -114,9 +114,8 @@ static void put_csv_field(struct results *results, const struct field *field)
 
 static void put_text_field(struct results *results, const struct field *field)
 {
-    for (const char *c = field->begin; c < field->end; c++) {
+    for (const char *c = field->begin; c < field->end; c = field_after(field, c)) {
         put_char(results, *c);
-        c += field->quoted && *c == '"'; /* the first of two */
     }
 }
 
@@ -196,22 +195,31 @@ static void put_npy_rows(struct results *results, const struct points *points,
     }
 }
 
-/* A header row. The columns of a line have the names of its header, or x, y, z and their number. */
-static void put_names(struct results *results, const struct points *points)
+/* Names of kept columns that have none: x, y, z, and for the others their numbers */
+static void put_made_names(struct results *results, const struct points *points)
 {
     static const char *const axes[] = {"x,", "y,", "z,"};
+    const bool npy = points->format == POINTS_NPY; /* keeps the coordinates alone, in their order */
+    const size_t dims = (size_t)points->dims, needed = points_needed(points);
+    const size_t columns = npy ? dims : points->columns < needed ? needed : points->columns;
+    for (size_t i = 0; i < columns; i++) {
+        char name[32];
+        snprintf(name, sizeof name, "column%zu,", i + 1);
+        size_t axis = 0;
+        while (axis < dims && (npy ? axis : points->column[axis]) != i) {
+            axis++;
+        }
+        put_text(results, axis < dims ? axes[axis] : name);
+    }
+}
+
+static void put_names(struct results *results, const struct points *points)
+{
     if (results->keep && points->header != NULL) {
         put_text(results, points->header);
         put_char(results, ',');
     } else if (results->keep) {
-        const size_t dims = (size_t)points->dims;
-        const size_t columns =
-            points->format == POINTS_NPY || points->columns < dims ? dims : points->columns;
-        for (size_t i = 0; i < columns; i++) {
-            char name[32];
-            snprintf(name, sizeof name, "column%zu,", i + 1);
-            put_text(results, i < dims ? axes[i] : name);
-        }
+        put_made_names(results, points);
     }
     for (size_t c = 0; c < results->columns; c++) {
         put_text(results, results->names[c]);

@@ -20,7 +20,8 @@ struct sample_options {
     struct noise_options noise;
     const char *input, *output;
     int input_format, output_format; /* an enum points_format */
-    size_t dims;                     /* 0: not given */
+    struct columns columns;
+    size_t dims; /* 0: not given */
     int skip_bad, keep, gradient, hessian, isa, quiet;
 };
 
@@ -45,11 +46,19 @@ static const struct option point_rows[] = {
      .parse = option_choice,
      .offset = FIELD(input_format),
      .choices = formats},
+    {.name = "--columns",
+     .argument = "X,Y[,Z]",
+     .allowed = COLUMNS_ALLOWED,
+     .help = "which columns are the coordinates: names of CSV's header row, or\n"
+             "numbers from 1 to 65536 [with a header row those named x, y and z;\n"
+             "else the first ones, which must be all there are unless --dims is given]",
+     .parse = option_columns,
+     .offset = FIELD(columns)},
     {.name = "--dims",
      .argument = "N",
      .allowed = "2 or 3",
-     .help = "coordinates of a point, 2 or 3; columns behind them are ignored\n"
-             "[as many as there are columns, which must then be 2 or 3]",
+     .help = "coordinates of a point, 2 or 3; 2 leaves z out [3 if there is a column\n"
+             "z, or if there are 3 columns without names]",
      .parse = option_count,
      .offset = FIELD(dims),
      .lowest = 2,
@@ -115,14 +124,22 @@ static const struct option_table table = {
         "tell them apart, or nan where coordinate times frequency overflows.\n"
         "\n"
         "csv   Fields between commas, in double quotes or not. The first line is a header row if\n"
-        "      its first two fields are no numbers. Results get one too, unless the points are\n"
-        "      CSV without.\n"
+        "      it has x and y, or if its first two fields are no numbers; with --columns, if that\n"
+        "      has names, or if the fields that it numbers are no numbers. Results get a header\n"
+        "      row too, unless the points are CSV without.\n"
         "text  Columns between spaces or tabs, without a header row. As in CSV, empty lines and\n"
         "      those that begin with # are passed over.\n"
-        "npy   Arrays of NumPy. Points have the shape (n, 2) or (n, 3) and are floats or doubles,\n"
-        "      results the shape (n, number of results): floats, with --keep doubles. Points\n"
-        "      from CSV or text, or with --skip-bad, need a file for them, not a pipe.\n"
+        "npy   Arrays of NumPy. Points have the shape (n, 2) or (n, 3), or more columns with\n"
+        "      --columns or --dims, and are floats or doubles; results have the shape (n, number\n"
+        "      of results) and are floats, with --keep doubles. Points from CSV or text, or with\n"
+        "      --skip-bad, need a file for them, not a pipe.\n"
         "\n"
+        "columns    Names are compared without blanks and quotes around them; small letters are\n"
+        "           like capitals. In --columns a name with a comma stands in double quotes.\n"
+        "           A header row without x and y needs --columns. If two columns have a name that\n"
+        "           is asked for, their numbers must be given. All lines have as many columns as\n"
+        "           the first; but without a header row and --keep, --dims and --columns ignore\n"
+        "           what stands behind the coordinates.\n"
         "malformed  are points with a coordinate that is not a finite number, so with nan or inf,\n"
         "           also in .npy, and lines with too few or too many columns.\n"
         "\n"
@@ -203,6 +220,16 @@ static bool check_hessian(const struct scarp_noise *noise, bool hessian)
     return supported;
 }
 
+static bool check_columns(const struct sample_options *options)
+{
+    const size_t count = options->columns.count;
+    const bool agree = count == 0 || options->dims == 0 || count == options->dims;
+    if (!agree) {
+        cli_error("--columns: names %zu columns, but --dims is %zu", count, options->dims);
+    }
+    return agree;
+}
+
 /* What the name of the output says, if nothing else does */
 static int format_by_name(const char *path, int otherwise)
 {
@@ -222,6 +249,7 @@ static int open_both(struct sample *sample, const struct sample_options *options
     struct results *const results = &sample->results;
     *points = (struct points){.format = options->input_format,
                               .dims = (int)options->dims,
+                              .chosen = options->columns,
                               .skip_bad = options->skip_bad != 0,
                               .keep = options->keep != 0};
     results->format = options->output_format;
@@ -297,7 +325,8 @@ int cli_sample(char **argv)
     default: break;
     }
     struct scarp_noise noise;
-    if (!noise_make(&options.noise, &noise) || !check_hessian(&noise, options.hessian != 0)) {
+    if (!check_columns(&options) || !noise_make(&options.noise, &noise) ||
+        !check_hessian(&noise, options.hessian != 0)) {
         return CLI_USAGE;
     }
     scarp_isa_select((enum scarp_isa)options.isa);

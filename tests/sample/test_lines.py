@@ -35,12 +35,15 @@ class Lines(Case):
     def test_quotes(self):
         self.check('"1.5","2.25"\n"-3.5", "4.75" \n')
         self.check('1.5,2.25,"a, ""b"" c"\n-3.5,4.75,""\n', "--dims", "2")
-        self.check('"x","the ""y"", north"\n1.5,2.25\n-3.5," 4.75 "\n', header="value\n")
+        self.check('"x","y","the ""n"", north"\n1.5,2.25,\n-3.5," 4.75 ",""\n', header="value\n")
 
     def test_header(self):
-        """Two fields that are no numbers at all; one that a point cannot have is malformed."""
-        for header in ("x,y", '"x","y"', "longitude (deg),", ",y", "n/a,x", "1a,2b", "x y,z"):
+        """Two fields that are no numbers at all; one that a point cannot have is malformed. What
+        names mean, is in test_columns.py."""
+        for header in ("x,y", '"x","y"', " X ,y"):
             self.check(header + "\n1.5,2.25\n-3.5,4.75\n", header="value\n")
+        for header in ("longitude (deg),", ",y", "n/a,x", "1a,2b", "x y,z"):
+            self.check_refused(header + "\n1.5,2.25\n", "--columns: standard input has no column")
         self.check("1.5,2.25\n-3.5,4.75\n")
         for first in ("x,1", ",1", "1a,2", "1,x", "nan,1", "inf,y", "0x10,y", "1e999,y", '"1","y"'):
             self.check_refused(first + "\n1.5,2.25\n", "standard input:1: ")
@@ -90,8 +93,8 @@ class Malformed(Case):
                 ("x,y\n1,2,3\n", ":2: 3 columns, but the first line has 2"),
                 ("1 2\n3\n", ":2: 1 column, but the first line has 2"),
                 ("1\n", ":1: 1 column, but a point has 2 or 3"),
-                ("1 2 3 4\n", ":1: 4 columns, but a point has 2 or 3 (see --dims)"),
-                ("a,b,c,d\n1,2,3,4\n", ":2: 4 columns, but a point has 2 or 3 (see --dims)"),
+                ("1 2 3 4\n", ":1: 4 columns, but a point has 2 or 3 (see --columns)"),
+                ("x,y,c,d\n1,2,3\n", ":2: 3 columns, but the first line has 4"),
                 ("1,2\n3,\n", ":2: column 2 is empty"),
                 ("1,2\n,3\n", ":2: column 1 is empty"),
                 ("1,2\n3, \n", ":2: column 2 is empty"),
@@ -146,7 +149,7 @@ class Columns(Case):
 
     def test_dims(self):
         value2, value3 = self.text("1.5 2.25"), self.text("1.5 2.25 3.5")
-        for data in ("1.5 2.25 3.5 name", "1.5,2.25,3.5,name", "a,b,c,d\n1.5,2.25,3.5,name"):
+        for data in ("1.5 2.25 3.5 name", "1.5,2.25,3.5,name", "x,y,z,d\n1.5,2.25,3.5,name"):
             self.assertTrue(self.text(data, "--dims", "2").endswith(value2))
             self.assertTrue(self.text(data, "--dims", "3").endswith(value3))
         self.assertEqual(self.text("1.5 2.25 3.5", "--dims", "2"), value2)
@@ -162,7 +165,8 @@ class Columns(Case):
         """The line as it stands, quotes and blanks included."""
         value = self.text("1.50 2")[:-1]
         self.assertEqual(self.text('1.50 , "2"\n', "--keep"), '1.50 , "2",%s\n' % value)
-        self.assertEqual(self.text('x, "y, m",n\r\n1.50,2,"a ""b"", c"\r\n', "--keep", "--dims", "2"),
+        self.assertEqual(self.text('x, "y, m",n\r\n1.50,2,"a ""b"", c"\r\n', "--keep", "--columns",
+                                   'x,"y, m"'),
                          'x, "y, m",n,value\n1.50,2,"a ""b"", c",%s\n' % value)
         self.assertEqual(self.text('1.50,2,n\n', "--keep", "--dims", "2"), "1.50,2,n,%s\n" % value)
 

@@ -70,8 +70,8 @@ class Npy(Case):
                 (npy(self.points, shape=(6,)), ("1 dimensions", "(n, 2) or (n, 3)")),
                 (npy(self.points, shape=()), ("0 dimensions",)),
                 (npy(self.points, shape=(1, 3, 2)), ("3 dimensions",)),
-                (npy(self.points, shape=(6, 1)), ("(6, 1)", "--dims")),
-                (npy(self.points, shape=(1, 6)), ("(1, 6)", "--dims")),
+                (npy(self.points, shape=(6, 1)), ("(6, 1)", "--columns")),
+                (npy(self.points, shape=(1, 6)), ("(1, 6)", "--columns")),
                 (npy(self.points, shape=(-3, 2)), ("header",)),
                 (npy(self.points, shape=(10 ** 30, 2)), ("header",)),
                 (good.replace(b"'descr': '<f8'", b"'descr': [('x', '<f8'), ('y', '<f8')]", 1)
@@ -228,6 +228,16 @@ class NotFinite(Case):
                                "column %d: '%r' is not a finite number\n" % (column + 1, bad),
                                arguments=("--output", self.path("o.npy")))
             self.assertEqual(self.files(), [])
+
+    def test_other_columns(self):
+        """Only coordinates need to be finite."""
+        points = [(math.nan, 1.5, math.inf, 2.25)]
+        self.assertEqual(self.sample(npy(points), "--columns", "2,4"),
+                         self.sample(npy([(1.5, 2.25)])))
+        self.assertEqual(self.sample(npy([(1.5, 2.25, math.nan)]), "--dims", "2"),
+                         self.sample(npy([(1.5, 2.25)])))
+        self.check_refused(npy(points), "point 1 of 1: column 3: 'inf'", arguments=(
+            "--columns", "2,3", "--output", self.path("o.npy")))
 
     def test_earlier_points(self):
         """Standard output has got the points before it, wherever blocks end."""

@@ -17,9 +17,9 @@ from common import (run, float32, reference, npy, read_npy, make_input, read_out
 
 
 class Help(Case):
-    OPTIONS = ("input input-format dims skip-bad keep output output-format gradient hessian seed "
-               "basis fade fractal erosion frequency octaves lacunarity gain amplitude rotate isa "
-               "quiet help").split()
+    OPTIONS = ("input input-format columns dims skip-bad keep output output-format gradient "
+               "hessian seed basis fade fractal erosion frequency octaves lacunarity gain "
+               "amplitude rotate isa quiet help").split()
 
     def test_help(self):
         text = self.text(b"", "--help")
@@ -281,6 +281,7 @@ class Options(Case):
                                ("--isa", ("sse9", "none", "")),
                                ("--input", ("",)), ("--output", ("",)),
                                ("--seed", ("-1", "x")), ("--octaves", OCTAVES_REFUSED),
+                               ("--columns", ("x", "1,1", "x,y,z,w", "0,1", "")),
                                ("--fractal", ("fBm",)), ("--frequency", ("0", "nan"))):
             self.check(option)
             for value in values:
