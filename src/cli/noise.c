@@ -84,6 +84,7 @@ const struct option noise_option_rows[NOISE_OPTION_COUNT] = {
      .help = "octaves that are summed, above 2^-150 (less is no float above 0),\n"
              "at most 32; a fraction fades the last one in",
      .parse = parse_octaves,
+     .like = option_float,
      .offset = FIELD(octaves),
      .lowest = 0,
      .highest = 32},

@@ -30,6 +30,7 @@ struct option {
     const char *allowed;        /* completes the message "--name: 'text' is not ..." */
     const char *help;           /* meaning and unit; may have several lines */
     option_parse_fn *parse;     /* NULL for a flag, which sets an int to 1 */
+    option_parse_fn *like;      /* of values.c, whose kind of field it is, where `parse` is not */
     size_t offset;              /* of the field in the structure that receives the values */
     double lowest, highest;     /* the interval of numbers, bounds included */
     const char *const *choices; /* of option_choice, ending in NULL */

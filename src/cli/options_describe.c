@@ -27,30 +27,33 @@ static void add_number(struct text *text, double value, int single)
 
 static void add_value(const struct option *option, const void *field, struct text *text)
 {
-    if (option->parse == NULL) {
+    option_parse_fn *const kind = option->like != NULL ? option->like : option->parse;
+    if (kind == NULL) {
         text_add(text, "%s", *(const int *)field != 0 ? "true" : "false");
-    } else if (option->parse == option_choice) {
+    } else if (kind == option_choice) {
         json_add_string(text, option->choices[*(const int *)field]);
-    } else if (option->parse == option_count) {
+    } else if (kind == option_count) {
         text_add(text, "%zu", *(const size_t *)field);
-    } else if (option->parse == option_double) {
+    } else if (kind == option_double) {
         add_number(text, *(const double *)field, 0);
-    } else if (option->parse == option_float || option->parse == option_magnitude) {
+    } else if (kind == option_float || kind == option_magnitude) {
         add_number(text, (double)*(const float *)field, 1);
-    } else if (option->parse == option_point) {
+    } else if (kind == option_point) {
         const struct option_point *const point = field;
         text_add(text, "[");
         add_number(text, point->x, 0);
         text_add(text, ", ");
         add_number(text, point->y, 0);
         text_add(text, "]");
-    } else if (option->parse == option_seed) {
+    } else if (kind == option_seed) {
         text_add(text, "%llu", (unsigned long long)*(const uint64_t *)field);
-    } else if (option->parse == option_size) {
+    } else if (kind == option_size) {
         const struct option_size *const size = field;
         text_add(text, "[%zu, %zu]", size->width, size->height);
-    } else {
+    } else if (kind == option_text || kind == option_stem) {
         json_add_string(text, *(const char *const *)field);
+    } else {
+        abort(); /* a kind that is missing above */
     }
 }
 
