@@ -13,11 +13,11 @@ static void difference(const struct surface *surface, const struct block *block,
     float *const after = block->differences_y;
     surface_values(surface, block, column, row, -right, -up, before);
     surface_values(surface, block, column, row, right, up, after);
-    const double distance = 2.0 * surface->step * surface->steps_per_value;
+    const double distance = 2.0 * surface->step * surface->steps_per_value; /* 0: all are alike */
     for (size_t i = 0; i < block->columns * block->rows; i++) {
         const int steps =
             (int)surface_quantise(surface, after[i]) - (int)surface_quantise(surface, before[i]);
-        slope[i] = (float)(steps / distance);
+        slope[i] = steps != 0 ? (float)(steps / distance) : 0.0f;
     }
 }
 

@@ -6,6 +6,25 @@
 
 #include <stdlib.h>
 
+static float within(float value, const struct surface *surface)
+{
+    return value < surface->lowest    ? surface->lowest
+           : value > surface->highest ? surface->highest
+                                      : value;
+}
+
+void surface_set_range(struct surface *surface, float sea_level, float plateau)
+{
+    scarp_range(&surface->noise, 2, &surface->lowest, &surface->highest);
+    surface->floor = within(sea_level, surface);
+    surface->ceiling = within(plateau, surface);
+    const double left = (double)surface->ceiling - (double)surface->floor;
+    surface->steps_per_value = left > 0.0 ? 65535.0 / left : 0.0;
+    /* Adding 0 leaves no zero negative: these numbers are for readers. */
+    surface->zero_height = surface->height_scale * surface->floor + 0.0f;
+    surface->full_height = surface->height_scale * surface->ceiling + 0.0f;
+}
+
 bool block_open(struct block *block, const struct surface *surface, unsigned needs)
 {
     float **const arrays[] = {&block->value,

@@ -19,14 +19,20 @@ struct surface {
     size_t width, height; /* samples of the whole raster */
     double x0, y0, step;
     float lowest, highest;  /* the range of the noise */
-    double steps_per_value; /* of 16-bit heights: 65535 / (highest - lowest) */
-    float floor, ceiling;   /* values beyond are these, with gradient 0; the range: none are */
+    float floor, ceiling;   /* what sea and plateau leave of it: values beyond become these */
+    double steps_per_value; /* of 16-bit heights: 65535 / (ceiling - floor); 0 if these are equal */
+    float zero_height;      /* what 0 and 65535 stand for in 16-bit heights, in units of x and y: */
+    float full_height;      /* the floats of floor and ceiling */
     float height_scale;     /* units of x and y per 1 of value */
     float z_factor;         /* for the hillshade only: multiplies heights */
     float normal_y;         /* 1 or -1: multiplies the second component of normals */
     double light[3];        /* unit vector to the light: east, north, up */
     size_t zoom;            /* of the comparison: pixels per sample */
 };
+
+/* Sets the members from `lowest` to `full_height`; noise and height_scale are set. The levels are
+   taken into the range of the noise. */
+void surface_set_range(struct surface *surface, float sea_level, float plateau);
 
 /* What a block needs to hold, or'ed */
 enum surface_need {
@@ -63,10 +69,10 @@ void surface_compare(const struct surface *surface, struct block *block, size_t 
 void surface_values(const struct surface *surface, const struct block *block, size_t column,
                     size_t row, int right, int up, float *value);
 
-/* The 16-bit integer of a height: 0 at `lowest`, 65535 at `highest`, rounded to the nearest. */
+/* The 16-bit integer of a value: 0 at `floor`, 65535 at `ceiling`, rounded to the nearest. */
 static inline unsigned surface_quantise(const struct surface *surface, float value)
 {
-    return (unsigned)(((double)value - (double)surface->lowest) * surface->steps_per_value + 0.5);
+    return (unsigned)(((double)value - (double)surface->floor) * surface->steps_per_value + 0.5);
 }
 
 /* The unit vector to a light `azimuth` degrees clockwise from north, `altitude` degrees above the

@@ -24,13 +24,6 @@ static double seconds(void)
     return (double)now.tv_sec + (double)now.tv_nsec * 1e-9;
 }
 
-static float within(float value, const struct surface *surface)
-{
-    return value < surface->lowest    ? surface->lowest
-           : value > surface->highest ? surface->highest
-                                      : value;
-}
-
 static bool make_surface(const struct terrain_options *options, struct surface *surface)
 {
     *surface = (struct surface){
@@ -51,10 +44,7 @@ static bool make_surface(const struct terrain_options *options, struct surface *
         cli_error("--plateau: lies below --sea-level");
         return false;
     }
-    scarp_range(&surface->noise, 2, &surface->lowest, &surface->highest);
-    surface->steps_per_value = 65535.0 / ((double)surface->highest - (double)surface->lowest);
-    surface->floor = within(options->sea_level, surface);
-    surface->ceiling = within(options->plateau, surface);
+    surface_set_range(surface, options->sea_level, options->plateau);
     surface_light(options->azimuth, options->altitude, surface->light);
     return true;
 }
@@ -79,10 +69,26 @@ static bool make_outputs(const struct terrain_options *options, struct outputs *
     return stem == NULL || outputs_add_stem(outputs, stem, options->compare != 0);
 }
 
+/* Without what 0 and 65535 stand for, 16-bit heights are nothing but greys. */
+static void print_heights(const struct job *job, FILE *stream)
+{
+    const struct outputs *const outputs = &job->outputs[0];
+    bool are_integers = false;
+    for (size_t i = 0; i < outputs->count; i++) {
+        const enum sample_kind kind = outputs->list[i].kind;
+        are_integers |= kind == SAMPLE_U16_LOW || kind == SAMPLE_U16_HIGH;
+    }
+    if (are_integers) {
+        fprintf(stream, "16-bit heights: 0 is %.9g, 65535 is %.9g\n",
+                (double)job->surface.zero_height, (double)job->surface.full_height);
+    }
+}
+
 static void print_summary(const struct job *job, double duration)
 {
     /* A device may be standard output by another name. */
     FILE *const stream = outputs_are_files(&job->outputs[0]) ? stdout : stderr;
+    print_heights(job, stream);
     if (job->busy > 0) {
         fprintf(stream, "%zu tile%s left to other runs\n", job->busy, job->busy == 1 ? "" : "s");
     }

@@ -63,9 +63,8 @@ static void add_derived(const struct surface *surface, const struct tiling *tili
     text_add(text, "  \"derived\": {\n    \"tiles\": [%zu, %zu],\n", tiling->across, tiling->down);
     text_add(text, "    \"range\": [%.9g, %.9g],\n", (double)surface->lowest,
              (double)surface->highest);
-    text_add(text, "    \"16-bit heights\": [%.9g, %.9g]\n  }\n",
-             (double)surface->height_scale * (double)surface->lowest,
-             (double)surface->height_scale * (double)surface->highest);
+    text_add(text, "    \"16-bit heights\": [%.9g, %.9g]\n  }\n", (double)surface->zero_height,
+             (double)surface->full_height);
 }
 
 int world_open(struct manifest *manifest, const struct terrain_options *options,

@@ -11,6 +11,7 @@ and its memory no measure: "slow" with sanitizers or for debugging, "emulated".
 import glob
 import os
 import re
+import struct
 import subprocess
 import sys
 import tempfile
@@ -94,6 +95,11 @@ def limits(**values):
 def file_limit(limit):
     """For preexec_fn: files cannot grow beyond `limit` bytes, as if the disk were full."""
     return limits(FSIZE=limit)
+
+
+def rounded(value):
+    """To a 32-bit float"""
+    return struct.unpack("<f", struct.pack("<f", value))[0]
 
 
 class Case(unittest.TestCase):

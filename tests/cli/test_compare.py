@@ -40,14 +40,17 @@ class Compare(Case):
     def test_differences_half(self):
         """Follows from the 16-bit heights alone; at the edges from those of the next tiles."""
         width, height, scale = 31, 23, 30.0
-        for fractal, lowest in (("ridged", 0.0), ("fbm", -1.0)):
+        for fractal, share, more in (
+                ("ridged", 1.0, ()), ("fbm", 2.0, ()),
+                ("fbm", 0.375, ("--sea-level", "-0.125", "--plateau", "0.25")),
+                ("ridged", 0.0, ("--sea-level", "1"))):
             for step in (0.25, 1.0):
                 arguments = [*self.RIDGED, "--fractal", fractal, "--step", str(step), "--height",
-                             str(scale)]
+                             str(scale), *more]
                 _, _, right = self.compare(2, "--size", "%dx%d" % (width, height), *arguments)
                 around = self.pictures("--size", "%dx%d" % (width + 2, height + 2), "--origin",
                                        "%g,%g" % (-step, -step), *arguments)[0].rows
-                unit = (1 - lowest) / 65535 * scale / (2 * step)
+                unit = share / 65535 * scale / (2 * step)
                 for r in range(height):
                     for c in range(width):
                         dx = (around[r + 1][c + 2] - around[r + 1][c]) * unit
@@ -56,7 +59,7 @@ class Compare(Case):
                         expected = [127.5 * part / length + 127.5 for part in (-dx, -dy, 1)]
                         for one in (right[2 * r][2 * c], right[2 * r + 1][2 * c + 1]):
                             for a, b in zip(one, expected):
-                                self.assertLess(abs(a - b), 0.51, (fractal, step, r, c))
+                                self.assertLess(abs(a - b), 0.51, (fractal, more, step, r, c))
 
     def test_blocks(self):
         """Wide pictures are made in several blocks of rows, and differ from tiles in nothing."""

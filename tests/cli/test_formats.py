@@ -5,7 +5,7 @@ import os
 import re
 
 import common
-from common import SMALL, Case, has_png, run, text_of
+from common import SMALL, Case, has_png, rounded, run, text_of
 from rasters import FLOAT, U16_LOW, Picture, envi_corner, read_bytes, read_picture
 
 WIDTH, HEIGHT = 37, 23
@@ -52,7 +52,9 @@ class Formats(Case):
                 ((), -1, 1), (("--amplitude", "-2.5"), -2.5, 2.5),
                 (("--fractal", "erosion"), -1, 1), (("--fractal", "turbulence"), 0, 1),
                 (("--fractal", "ridged", "--amplitude", "-0.25"), -0.25, 0),
-                (("--fractal", "ridged", "--sea-level", "0.25"), 0, 1)):
+                (("--fractal", "ridged", "--sea-level", "0.25"), 0.25, 1),
+                (("--plateau", "0.125"), -1, 0.125),
+                (("--sea-level", "-0.1", "--plateau", "0.06"), rounded(-0.1), rounded(0.06))):
             with self.subTest(arguments=arguments):
                 floats = self.check_agree("--heights", True, (WIDTH, HEIGHT, 1, 32), *arguments)
                 greys = self.check_agree("--heights", False, (WIDTH, HEIGHT, 1, 16), *arguments)

@@ -1,18 +1,13 @@
 # SPDX-License-Identifier: MIT
 """What changes the layers: light, exaggeration, the sea, the direction of y, the amplitude."""
 import math
-import struct
+import re
 
 import common
-from common import SMALL, Case, run
+from common import SMALL, Case, rounded, run
 from rasters import FLOAT, Picture, read_picture
 
 WIDTH, HEIGHT = 40, 30  # of SMALL
-
-
-def rounded(value):
-    """To a 32-bit float"""
-    return struct.unpack("<f", struct.pack("<f", value))[0]
 
 
 class Layers(Case):
@@ -116,6 +111,51 @@ class Layers(Case):
         shades = self.read("--hillshade", "s.pgm", *arguments)
         self.assertEqual({shade for shade, cut in zip(shades, beyond) if cut},
                          {round(255 * math.sqrt(0.5))})
+
+    def interval(self, *arguments):
+        """The heights that the run says 0 and 65535 are, of a raster of 16 bits"""
+        result = run("terrain", *SMALL, *arguments, "--heights", "h.pgm", cwd=self.directory)
+        self.assertEqual((result.returncode, result.stderr), (0, b""))
+        told = re.search(r"(?m)^16-bit heights: 0 is (\S+), 65535 is (\S+)$",
+                         result.stdout.decode())
+        self.assertNotIn("-0", told.groups())
+        return tuple(map(float, told.groups()))
+
+    def test_sixteen_bits_are_told(self):
+        """What is left between the sea and the plateau has all the integers, and the run tells
+        what they mean: the ends of the floats' interval."""
+        for arguments, zero, full in (
+                ((), -120, 120), (("--height", "0"), 0, 0), (("--amplitude", "-3"), -360, 360),
+                (("--fractal", "ridged"), 0, 120),
+                (("--fractal", "turbulence", "--amplitude", "-2"), -240, 0),
+                (("--sea-level", "0", "--height", "1000"), 0, 1000),
+                (("--sea-level", "-0", "--height", "1000"), 0, 1000),
+                (("--sea-level", "-2", "--plateau", "7"), -120, 120),
+                (("--sea-level", "-0.125", "--plateau", "0.25"), -15, 30),
+                (("--preset", "islands"), rounded(170 * rounded(0.05)), 170),
+                (("--preset", "canyon"), 0, rounded(260 * rounded(0.22))),
+                (("--sea-level", "1.5"), 120, 120), (("--plateau", "-9"), -120, -120),
+                (("--sea-level", "0.1", "--plateau", "0.1"), rounded(120 * rounded(0.1)),
+                 rounded(120 * rounded(0.1)))):
+            with self.subTest(arguments=arguments):
+                self.assertEqual(tuple(map(rounded, self.interval(*arguments))), (zero, full))
+                greys = read_picture(self.path("h.pgm")).flat()
+                floats = self.heights(*arguments)
+                for grey, height in zip(greys, floats):
+                    self.assertLessEqual(abs(zero + grey * (full - zero) / 65535 - height),
+                                         0.501 * (full - zero) / 65535 + 1e-7 * abs(height))
+                if zero == full and "0" not in arguments:
+                    self.assertEqual((set(greys), set(floats)), ({0}, {zero}))
+
+    def test_sixteen_bits_of_islands(self):
+        """The sea is 0, and land has more than twice the integers that the range would leave."""
+        arguments = ("--preset", "islands", "--seed", "3", "--size", "256x256", "--step", "6")
+        greys = self.read("--heights", "h.pgm", *arguments)
+        self.assertEqual(min(greys), 0)
+        self.assertGreater(greys.count(0), 1000)
+        before = self.read("--heights", "h.pgm", *arguments, "--sea-level", "-1")
+        land = [b for a, b in zip(greys, before) if a > 0]
+        self.assertGreater(max(greys) - 1, 2 * (max(land) - min(land)))
 
     def test_sea_above_plateau(self):
         result = run("terrain", *SMALL, "--sea-level", "0.2", "--plateau", "0.1",

@@ -11,6 +11,7 @@ from common import SMALL, Case, has_threads, run, text_of
 ALL = "0...10...20...30...40...50...60...70...80...90...100"
 SUMMARY = (r"\A%s samples in \d+\.\d{3} s: \d+\.\d million samples per second "
            r"\((\S+), (\d+) threads?\)\n\Z")
+HEIGHTS = r"16-bit heights: 0 is \S+, 65535 is \S+\n"
 
 
 class Progress(Case):
@@ -19,13 +20,14 @@ class Progress(Case):
     def test_summary(self):
         result = run("terrain", "--size", "70x50", "--isa", "scalar", "--output", self.path("t"))
         self.assertEqual((result.returncode, result.stderr), (0, b""))
-        self.assertRegex(result.stdout.decode(), SUMMARY % "70x50")
-        self.assertEqual(re.search(SUMMARY % "70x50", result.stdout.decode()).group(1), "scalar")
+        found = re.search(SUMMARY % (HEIGHTS + "70x50"), result.stdout.decode())
+        self.assertEqual(found.group(1), "scalar")
 
     def test_best_isa_by_default(self):
         result = run("terrain", *SMALL, "--output", self.path("t"))
         active = re.search(r"(?m)^(\S+) +yes +yes$", text_of("info")).group(1)
-        self.assertEqual(re.search(SUMMARY % "40x30", result.stdout.decode()).group(1), active)
+        self.assertEqual(re.search(SUMMARY % (HEIGHTS + "40x30"), result.stdout.decode()).group(1),
+                         active)
 
     def threads_told(self, size, *arguments):
         result = run("terrain", "--octaves", "1", "--size", size, *arguments, "--heights",
@@ -60,6 +62,23 @@ class Progress(Case):
         result = run("terrain", *SMALL, "--heights", "r32:-", "--normals", self.path("t.npy"))
         self.assertRegex(result.stderr.decode(), SUMMARY % "40x30")
         self.assertEqual(len(result.stdout), 40 * 30 * 4)
+
+    def test_heights_are_told(self):
+        """Before the closing line, whether anything was written or not; of integers only."""
+        for name, line in (("h.r16", HEIGHTS), ("h.pgm", HEIGHTS), ("pgm:h.r32", HEIGHTS),
+                           ("h.r32", ""), ("h.npy", ""), ("h.img", ""), ("r32:h.pgm", "")):
+            with self.subTest(name=name):
+                result = run("terrain", *SMALL, "--normals", "n.npy", "--heights", name,
+                             cwd=self.directory)
+                self.assertRegex(result.stdout.decode(), SUMMARY % (line + "40x30"))
+        arguments = (*SMALL, "--tile", "20x20", "--heights", "h.r16", "--resume")
+        for last in (SUMMARY % (HEIGHTS + "4 tiles, 1200"),
+                     r"\A" + HEIGHTS + r"nothing to do: all files are there\n\Z"):
+            result = run("terrain", *arguments, cwd=self.directory)
+            self.assertRegex(result.stdout.decode(), last)
+        result = run("terrain", *SMALL, "--heights", "r16:-")
+        self.assertRegex(result.stderr.decode(), SUMMARY % (HEIGHTS + "40x30"))
+        self.assertEqual(len(result.stdout), 40 * 30 * 2)
 
     def test_quiet(self):
         result = run("terrain", *SMALL, "--quiet", "--output", self.path("t"))

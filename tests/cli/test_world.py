@@ -71,6 +71,8 @@ class Manifest(WorldCase):
             "hillshade": "s_{y}_{x}.img", "gradient": None, "output": None})
         self.assertEqual(derived["tiles"], [4, 3])
         self.assertEqual(derived["range"], [-3, 3])
+        self.assertEqual([common.rounded(height) for height in derived["16-bit heights"]],
+                         [common.rounded(-0.025), common.rounded(0.3)])
 
     def test_every_option(self):
         """Whatever changes the bytes is refused, with its name and both values; what does not is
