@@ -10,6 +10,7 @@
 #include <fcntl.h>
 #include <inttypes.h>
 #include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -173,16 +174,41 @@ static long owner(const char *name, const char *host)
     return strtol(digits, NULL, 10);
 }
 
-/* Removes the file unless somebody has locked it. */
-static void remove_unlocked(const char *path)
+/* Whether all that is left of a process is its number, which nobody has asked for the status of. */
+static bool is_zombie(long process)
+{
+    bool result = false;
+#ifdef __linux__
+    char path[64], line[256] = "";
+    snprintf(path, sizeof path, "/proc/%ld/stat", process);
+    FILE *const file = fopen(path, "r");
+    if (file != NULL) {
+        const char *const end = fgets(line, sizeof line, file) != NULL ? strrchr(line, ')') : NULL;
+        result = end != NULL && strncmp(end, ") Z", 3) == 0;
+        fclose(file);
+    }
+#else
+    (void)process;
+#endif
+    return result;
+}
+
+static bool has_ended(long process)
+{
+    return (kill((pid_t)process, 0) != 0 && errno == ESRCH) || is_zombie(process);
+}
+
+/* Removes the file unless somebody has locked it; with `must_lock`, also not where nobody could. */
+static void remove_unlocked(const char *path, bool must_lock)
 {
     struct stat status;
     const int descriptor = open(path, O_WRONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC);
     if (descriptor < 0) {
         return;
     }
-    const bool is_locked = flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
-    if (!is_locked && fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode)) {
+    const bool locked = flock(descriptor, LOCK_EX | LOCK_NB) == 0;
+    const bool is_free = locked || (!must_lock && errno != EWOULDBLOCK);
+    if (is_free && fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode)) {
         unlink(path);
     }
     close(descriptor);
@@ -194,10 +220,13 @@ static void sweep(const char *path, DIR *directory)
     get_host(host);
     for (struct dirent *entry = readdir(directory); entry != NULL; entry = readdir(directory)) {
         const long process = owner(entry->d_name, host);
-        if (process > 0 && kill((pid_t)process, 0) != 0 && errno == ESRCH) {
+        /* In a container that is started again, a process has the number that its predecessor had.
+           What is this one's own is locked, or cannot be told from that. */
+        const bool is_namesake = process == PROCESS();
+        if (process > 0 && (is_namesake || has_ended(process))) {
             char *const name = text_join_part(path, path_directory_length(path), entry->d_name);
             if (name != NULL) {
-                remove_unlocked(name);
+                remove_unlocked(name, is_namesake);
             }
             free(name);
         }

@@ -4,10 +4,12 @@ import os
 import re
 import socket
 import stat
+import subprocess
 import unittest
 
 import common
 from common import SMALL, Case, run, start
+from rasters import read_bytes
 
 try:
     import fcntl
@@ -88,6 +90,30 @@ class Shared(Case):
             pipe.read()
         self.assertEqual((*living.communicate(), living.returncode), (b"", b"", 0))
         self.assertEqual(self.files(), ["b", "c", "pipe"])
+
+    @unittest.skipUnless(os.path.exists("/proc/self/stat"), "needs Linux's /proc")
+    def test_after_a_zombie(self):
+        """A killed process is dead, too, while nobody has asked for its status."""
+        dead = self.hold("--heights", "r32:a")
+        self.addCleanup(dead.communicate)
+        self.wait_for_unfinished("a")
+        dead.kill()
+        self.wait_for(lambda: read_bytes("/proc/%d/stat" % dead.pid).split()[2] == b"Z")
+        self.quietly(*SMALL, "--heights", "r32:c")
+        self.assertEqual(self.unfinished(), [])
+
+    def test_after_the_same_number(self):
+        """In a container that is started again, the new process has the number of the dead one.
+        What somebody has locked stays also then."""
+        host = re.sub("[^A-Za-z0-9.]", "_", socket.gethostname())[:64]
+        with open(self.path("locked"), "wb") as locked:
+            fcntl.flock(locked, fcntl.LOCK_EX)
+            script = ('touch "x.$0-$$-0123456789abcdef.part"; '
+                      'mv locked "y.$0-$$-0123456789abcdef.part"; exec "$@"')
+            subprocess.run(["sh", "-c", script, host, *common.PROGRAM, "terrain", *SMALL,
+                            "--heights", "r32:c", "--quiet"], cwd=self.directory, check=True)
+            (name,) = self.unfinished()
+            self.assertEqual(name[0], "y")
 
     def test_locked_file_stays(self):
         """Its process may be in a container, where it cannot be seen."""
