@@ -185,6 +185,30 @@ static bool synchronise(FILE *stream)
 #endif
 }
 
+/* The lock of an unfinished file lasts until it has its final name: see unfinished.h. */
+static void keep_lock(struct file *file, FILE *stream)
+{
+#ifndef _WIN32
+    if (file->unfinished != NULL) {
+        file->lock = dup(fileno(stream));
+        file->is_locked = file->lock >= 0;
+    }
+#else
+    (void)file;
+    (void)stream;
+#endif
+}
+
+static void end_lock(struct file *file)
+{
+#ifndef _WIN32
+    if (file->is_locked) {
+        close(file->lock);
+    }
+#endif
+    file->is_locked = false;
+}
+
 bool file_close(struct file *file)
 {
     FILE *const stream = file->stream;
@@ -195,11 +219,21 @@ bool file_close(struct file *file)
     const bool written =
         fflush(stream) == 0 && !ferror(stream) && (file->unfinished == NULL || synchronise(stream));
     const int reason = errno;
+    keep_lock(file, stream);
     const bool closed = stream == stdout || fclose(stream) == 0;
     if (!written) {
         errno = reason;
     }
     return written && closed;
+}
+
+/* It has its final name, and is kept. */
+static void forget_unfinished(struct file *file)
+{
+    end_lock(file);
+    free(file->unfinished);
+    file->unfinished = NULL;
+    file->made = 0;
 }
 
 bool file_publish(struct file *file)
@@ -213,9 +247,7 @@ bool file_publish(struct file *file)
     if (rename(file->unfinished, file->path) != 0) {
         return false;
     }
-    free(file->unfinished);
-    file->unfinished = NULL;
-    file->made = 0;
+    forget_unfinished(file);
     return true;
 }
 
@@ -250,9 +282,7 @@ bool file_publish_new(struct file *file)
     if (!publish_by_link(file)) {
         return false;
     }
-    free(file->unfinished);
-    file->unfinished = NULL;
-    file->made = 0;
+    forget_unfinished(file);
     return true;
 }
 
@@ -270,6 +300,7 @@ void file_discard(struct file *file)
     if (file->unfinished != NULL) {
         remove(file->unfinished);
     }
+    end_lock(file);
     if (file->made > 0) {
         path_remove_directories(file->path, file->made);
     }

@@ -20,6 +20,8 @@ struct file {
     char *path;       /* the final name, without symbolic links in it */
     char *unfinished; /* the name until then; NULL: none, or it has the final one */
     int made;         /* directories that were made for it, and go with it */
+    int lock;         /* a descriptor that keeps the lock of the closed file, if is_locked */
+    bool is_locked;
 };
 
 /* All return whether they succeeded; on failure errno may tell why. */

@@ -41,9 +41,9 @@
 
 #define HOST_MAX 64 /* characters of the machine's name that are used */
 #define NAME_MAX_USED                                                                              \
-    120 /* bytes of the file's own name that are used; systems allow 255 in all                    \
-         */
-#define NUMBER_DIGITS 16
+    120                  /* bytes of the file's own name that are used; systems allow 255 in all   \
+                          */
+#define NUMBER_DIGITS 16 /* own_number, and a count of the files */
 #define TRIES 100
 
 /* The machine's name, of letters, digits and dots alone */
@@ -70,20 +70,19 @@ static void get_host(char host[HOST_MAX + 1])
 
 /* A number that tells processes of one name apart: they start at different times, or their memory
    lies elsewhere. It need not be secret. */
-static uint64_t next_number(void)
+static uint32_t own_number(void)
 {
-    static uint64_t state;
-    if (state == 0) {
+    static uint32_t number;
+    if (number == 0) {
         struct timespec now = {0, 0};
         timespec_get(&now, TIME_UTC);
-        state = (uint64_t)now.tv_sec * 1000000007 + (uint64_t)now.tv_nsec + (uint64_t)PROCESS();
-        state ^= (uint64_t)(uintptr_t)&now << 20;
+        uint64_t z = (uint64_t)now.tv_sec * 1000000007 + (uint64_t)now.tv_nsec;
+        z ^= (uint64_t)(uintptr_t)&now << 20;
+        z = (z ^ z >> 30) * UINT64_C(0xbf58476d1ce4e5b9); /* of splitmix64 (S. Vigna) */
+        z = (z ^ z >> 27) * UINT64_C(0x94d049bb133111eb);
+        number = (uint32_t)(z >> 32) | 1;
     }
-    /* splitmix64 (S. Vigna) */
-    uint64_t z = state += UINT64_C(0x9e3779b97f4a7c15);
-    z = (z ^ z >> 30) * UINT64_C(0xbf58476d1ce4e5b9);
-    z = (z ^ z >> 27) * UINT64_C(0x94d049bb133111eb);
-    return z ^ z >> 31;
+    return number;
 }
 
 /* The bytes of `path` that go into the name: not more than fit, and no half of a character */
@@ -103,9 +102,11 @@ static size_t used_length(const char *path)
 
 static char *make_name(const char *path)
 {
+    static uint32_t files;
     char host[HOST_MAX + 1], end[HOST_MAX + 64];
     get_host(host);
-    snprintf(end, sizeof end, ".%s-%ld-%016" PRIx64 UNFINISHED_END, host, PROCESS(), next_number());
+    snprintf(end, sizeof end, ".%s-%ld-%08" PRIx32 "%08" PRIx32 UNFINISHED_END, host, PROCESS(),
+             own_number(), files++);
     return text_join_part(path, used_length(path), end);
 }
 
@@ -152,8 +153,9 @@ void unfinished_sweep(const char *path)
     (void)path;
 }
 #else
-/* The process that a file of this machine belongs to; 0 if `name` is none of those names. */
-static long owner(const char *name, const char *host)
+/* The process of this machine that a file belongs to, and its number; 0 if `name` is none of those
+   names. */
+static long owner(const char *name, const char *host, uint32_t *number)
 {
     const size_t tail = 1 + NUMBER_DIGITS + strlen(UNFINISHED_END); /* "-0123456789abcdef.part" */
     const size_t length = strlen(name);
@@ -171,6 +173,9 @@ static long owner(const char *name, const char *host)
         memcmp(digits - before + 1, host, before - 2) != 0) {
         return 0;
     }
+    char first[NUMBER_DIGITS / 2 + 1] = "";
+    memcpy(first, name + length - tail + 1, NUMBER_DIGITS / 2);
+    *number = (uint32_t)strtoul(first, NULL, 16);
     return strtol(digits, NULL, 10);
 }
 
@@ -219,10 +224,10 @@ static void sweep(const char *path, DIR *directory)
     char host[HOST_MAX + 1];
     get_host(host);
     for (struct dirent *entry = readdir(directory); entry != NULL; entry = readdir(directory)) {
-        const long process = owner(entry->d_name, host);
-        /* In a container that is started again, a process has the number that its predecessor had.
-           What is this one's own is locked, or cannot be told from that. */
-        const bool is_namesake = process == PROCESS();
+        uint32_t number = 0;
+        const long process = owner(entry->d_name, host, &number);
+        /* In a container that is started again, a process may be called as its predecessor was. */
+        const bool is_namesake = process == PROCESS() && number != own_number();
         if (process > 0 && (is_namesake || has_ended(process))) {
             char *const name = text_join_part(path, path_directory_length(path), entry->d_name);
             if (name != NULL) {
