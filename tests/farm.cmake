@@ -12,7 +12,7 @@ else()
   add_library(without_locks MODULE farm/without_locks.c)
   scarp_compile_rules(without_locks)
   set_target_properties(without_locks PROPERTIES C_VISIBILITY_PRESET default)
-  foreach(name same locks mpirun parallel kubernetes levels gdal)
+  foreach(name same locks mpirun parallel kubernetes levels gdal slurm)
     scarp_add_test(farm.${name} farm ${Python3_EXECUTABLE} -B
                    ${CMAKE_CURRENT_SOURCE_DIR}/farm/test_${name}.py $<TARGET_FILE:scarp-cli>
                    ${PROJECT_SOURCE_DIR}/README.md ${CMAKE_CURRENT_BINARY_DIR}/farm
