@@ -81,20 +81,28 @@ static inline enum scarp_isa check_isa_by_name(const char *name)
     exit(EXIT_FAILURE);
 }
 
-/* Whether SCARP_REQUIRE_ISAS, a comma-separated list in the environment, has `name`. An unknown
-   name in it ends the program: a gate that cannot close would be no gate. */
-static inline int check_isa_required(const char *name)
+/* Whether the comma-separated list in the environment variable has `name`. Every word of the list
+   goes to `must_be_known`, which ends the program if it is a mistake: a gate that cannot close
+   would be no gate. */
+static inline int check_listed(const char *variable, const char *name,
+                               void (*must_be_known)(const char *word))
 {
-    const char *list = getenv("SCARP_REQUIRE_ISAS");
-    int required = 0;
+    const char *list = getenv(variable);
+    int listed = 0;
     while (list != NULL && *list != '\0') {
-        char word[16] = "";
+        char word[32] = "";
         const size_t length = strcspn(list, ",");
         memcpy(word, list, length < sizeof word - 1 ? length : sizeof word - 1);
-        required |= check_isa_by_name(word) == check_isa_by_name(name);
+        must_be_known(word);
+        listed |= strcmp(word, name) == 0;
         list += length + (list[length] == ',');
     }
-    return required;
+    return listed;
+}
+
+static inline void check_isa_known(const char *name)
+{
+    check_isa_by_name(name);
 }
 
 /* Selects the instruction set `name`. Where it cannot run, the whole program ends: as skipped, or
@@ -102,7 +110,7 @@ static inline int check_isa_required(const char *name)
 static inline enum scarp_isa check_select_isa(const char *name)
 {
     const enum scarp_isa isa = check_isa_by_name(name);
-    const int required = check_isa_required(name);
+    const int required = check_listed("SCARP_REQUIRE_ISAS", name, check_isa_known);
     if (!scarp_isa_supported(isa)) {
         printf("%s cannot run here: %s\n", name, required ? "FAILED (required)" : "skipped");
         exit(required ? EXIT_FAILURE : CHECK_SKIPPED);

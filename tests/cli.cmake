@@ -2,17 +2,12 @@
 # The program scarp, from outside: what it prints, writes, accepts and refuses. One test per class
 # of cli/test_*.py, and one per instruction set.
 
-find_package(Python3 COMPONENTS Interpreter QUIET)
-if(NOT TARGET scarp-cli)
-  message(STATUS "The tests of the program scarp are left out: SCARP_BUILD_CLI is off")
-elseif(NOT Python3_Interpreter_FOUND)
-  message(STATUS "The tests of the program scarp are left out: no Python 3 found")
-else()
+block()
   set(program ${CMAKE_CROSSCOMPILING_EMULATOR} $<TARGET_FILE:scarp-cli>)
 
-  # scarp_add_cli_test(FILE CLASS NAME): CLASS of cli/test_FILE.py as the test cli.NAME
+  # scarp_add_cli_test(FILE CLASS NAME [tool...]): CLASS of cli/test_FILE.py as the test cli.NAME
   function(scarp_add_cli_test file class name)
-    scarp_add_test(cli.${name} cli ${Python3_EXECUTABLE}
+    scarp_add_test(cli.${name} cli NEEDS scarp python3 ${ARGN} COMMAND ${Python3_EXECUTABLE}
                    ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/cli/test_${file}.py ${class} ${program})
     set_tests_properties(cli.${name} PROPERTIES ENVIRONMENT
                          "SCARP_SPEED=${speed};PYTHONDONTWRITEBYTECODE=1")
@@ -35,18 +30,18 @@ else()
   foreach(isa IN LISTS isas)
     scarp_add_cli_test(same isa=${isa} isa.${isa})
   endforeach()
-endif()
+  scarp_add_cli_test(documents Roff roff groff)
+  scarp_add_cli_test(documents Completion completion bash)
+endblock()
 
-if(TARGET scarp-cli AND UNIX)
+if(UNIX)
   scarp_test_program(test_interrupt SOURCES ${PROJECT_SOURCE_DIR}/src/cli/interrupt.c)
   target_compile_definitions(test_interrupt PRIVATE _XOPEN_SOURCE=700)
-  scarp_add_test(cli.late_signal cli ${CMAKE_CROSSCOMPILING_EMULATOR} $<TARGET_FILE:test_interrupt>)
 endif()
-
-find_package(Threads QUIET)
-if(TARGET scarp-cli AND CMAKE_USE_PTHREADS_INIT AND UNIX)
+if("scarp" IN_LIST scarp_found AND "pthreads" IN_LIST scarp_found)
   scarp_test_program(test_crew)
   target_compile_definitions(test_crew PRIVATE SCARP_CLI_THREADS)
   target_link_libraries(test_crew PRIVATE Threads::Threads)
-  scarp_add_test(cli.crew threads test_crew)
 endif()
+scarp_add_test(cli.crew threads NEEDS scarp posix pthreads COMMAND test_crew)
+scarp_add_test(cli.late_signal cli NEEDS posix COMMAND test_interrupt)

@@ -3,21 +3,16 @@
 # per file farm/test_*.py. `SCARP_TEST_FARM=1 ctest -L farm` also runs those that start daemons, and
 # fails where a tool is missing.
 
-find_package(Python3 COMPONENTS Interpreter QUIET)
-if(NOT TARGET scarp-cli OR NOT Python3_Interpreter_FOUND)
-  message(STATUS "The tests of farms are left out: they need Python 3 and SCARP_BUILD_CLI")
-elseif(NOT CMAKE_SYSTEM_NAME STREQUAL "Linux" OR NOT speed STREQUAL "full")
-  message(STATUS "The tests of farms are left out: they need Linux and a program at full speed")
-else()
+if(CMAKE_SYSTEM_NAME STREQUAL "Linux")
   add_library(without_locks MODULE farm/without_locks.c)
   scarp_compile_rules(without_locks)
   set_target_properties(without_locks PROPERTIES C_VISIBILITY_PRESET default)
-  foreach(name same locks mpirun parallel kubernetes levels gdal slurm)
-    scarp_add_test(farm.${name} farm ${Python3_EXECUTABLE} -B
-                   ${CMAKE_CURRENT_SOURCE_DIR}/farm/test_${name}.py $<TARGET_FILE:scarp-cli>
-                   ${PROJECT_SOURCE_DIR}/README.md ${CMAKE_CURRENT_BINARY_DIR}/farm
-                   $<TARGET_FILE:without_locks>)
-    # They keep all cores busy, and wait for each other's processes.
-    set_tests_properties(farm.${name} PROPERTIES PROCESSORS 2 TIMEOUT 300)
-  endforeach()
 endif()
+foreach(name same locks mpirun parallel kubernetes levels gdal slurm)
+  scarp_add_test(farm.${name} farm NEEDS scarp python3 linux full-speed COMMAND
+                 ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/farm/test_${name}.py
+                 $<TARGET_FILE:scarp-cli> ${PROJECT_SOURCE_DIR}/README.md
+                 ${CMAKE_CURRENT_BINARY_DIR}/farm $<TARGET_FILE:without_locks>)
+  # They keep all cores busy, and wait for each other's processes.
+  set_tests_properties(farm.${name} PROPERTIES PROCESSORS 2 TIMEOUT 300)
+endforeach()

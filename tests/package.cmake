@@ -3,20 +3,12 @@
 # in its binary: symbols and instructions. Shell scripts in package/, which read their settings from
 # a file written here.
 
-if(NOT UNIX)
-  message(STATUS "The package tests need a Unix shell: left out")
-  return()
-endif()
-
-find_program(SCARP_PKG_CONFIG NAMES pkg-config pkgconf)
-find_program(SCARP_PYTHON NAMES python3)
-mark_as_advanced(SCARP_PKG_CONFIG SCARP_PYTHON)
-
 set(package_dir ${CMAKE_CURRENT_BINARY_DIR}/package)
 set(package_settings ${package_dir}/settings-$<CONFIG>.sh)
 list(JOIN CMAKE_CROSSCOMPILING_EMULATOR " " emulator)
 file(GENERATE OUTPUT ${package_settings} CONTENT "# Written by package.cmake
 cmake='${CMAKE_COMMAND}'
+ctest='${CMAKE_CTEST_COMMAND}'
 generator='${CMAKE_GENERATOR}'
 make_program='${CMAKE_MAKE_PROGRAM}'
 toolchain='${CMAKE_TOOLCHAIN_FILE}'
@@ -28,12 +20,13 @@ pointer_size='${CMAKE_SIZEOF_VOID_P}'
 config='$<CONFIG>'
 c_compiler='${CMAKE_C_COMPILER}'
 c_compiler_id='${CMAKE_C_COMPILER_ID}'
+cxx_compiler='${SCARP_CXX}'
 c_flags='${CMAKE_C_FLAGS}'
 link_flags='${CMAKE_EXE_LINKER_FLAGS}'
 nm='${CMAKE_NM}'
 objdump='${CMAKE_OBJDUMP}'
 pkg_config='${SCARP_PKG_CONFIG}'
-python='${SCARP_PYTHON}'
+python='${Python3_EXECUTABLE}'
 version='${PROJECT_VERSION}'
 source_dir='${PROJECT_SOURCE_DIR}'
 build_dir='${PROJECT_BINARY_DIR}'
@@ -48,23 +41,39 @@ objects='${package_dir}/objects-$<CONFIG>.txt'
 file(GENERATE OUTPUT ${package_dir}/objects-$<CONFIG>.txt
      CONTENT "$<JOIN:$<TARGET_OBJECTS:scarp>,\n>\n")
 
-function(scarp_add_package_test name)
-  scarp_add_test(package.${name} package
-    sh ${CMAKE_CURRENT_SOURCE_DIR}/package/${name}.sh ${package_settings})
-  set_tests_properties(package.${name} PROPERTIES
-    WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/package)
+# scarp_add_package_test(SCRIPT [CXX] [SETUP fixture] [AFTER fixture] [NEEDS tool...]):
+# package/SCRIPT.sh as the test package.SCRIPT, or package.SCRIPT.cxx where the consumer is in C++
+function(scarp_add_package_test script)
+  cmake_parse_arguments(arg "CXX" "SETUP;AFTER" "NEEDS" ${ARGN})
+  set(name package.${script})
+  set(language C)
+  if(arg_CXX)
+    string(APPEND name .cxx)
+    set(language CXX)
+    list(APPEND arg_NEEDS c++)
+  endif()
+  scarp_add_test(${name} package NEEDS posix sh ${arg_NEEDS}
+                 COMMAND sh ${script}.sh ${package_settings} ${language})
+  set_tests_properties(${name} PROPERTIES
+    WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/package
+    FIXTURES_SETUP "${arg_SETUP}" FIXTURES_REQUIRED "${arg_AFTER}")
 endfunction()
 
-foreach(name header symbols audit direct add_subdirectory)
-  scarp_add_package_test(${name})
-endforeach()
+scarp_add_package_test(tools)
+scarp_add_package_test(header)
+scarp_add_package_test(header CXX)
+scarp_add_package_test(symbols NEEDS nm objdump)
+scarp_add_package_test(audit NEEDS objdump)
+scarp_add_package_test(direct)
+
+# The library is compiled once for both.
+scarp_add_package_test(add_subdirectory SETUP package_subproject)
+scarp_add_package_test(add_subdirectory CXX AFTER package_subproject)
 
 # install.sh leaves a moved prefix for the others.
-if(SCARP_INSTALL)
-  scarp_add_package_test(install)
-  set_tests_properties(package.install PROPERTIES FIXTURES_SETUP package_prefix)
-  foreach(name find_package pkg_config python)
-    scarp_add_package_test(${name})
-    set_tests_properties(package.${name} PROPERTIES FIXTURES_REQUIRED package_prefix)
-  endforeach()
-endif()
+scarp_add_package_test(install SETUP package_prefix NEEDS scarp-install)
+scarp_add_package_test(find_package AFTER package_prefix NEEDS scarp-install)
+scarp_add_package_test(find_package CXX AFTER package_prefix NEEDS scarp-install)
+scarp_add_package_test(pkg_config AFTER package_prefix NEEDS scarp-install pkg-config)
+scarp_add_package_test(pkg_config CXX AFTER package_prefix NEEDS scarp-install pkg-config)
+scarp_add_package_test(python AFTER package_prefix NEEDS scarp-install python3)

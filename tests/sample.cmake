@@ -2,7 +2,7 @@
 # `scarp sample`, from outside. One test per class of sample/test_*.py. Results are compared with those
 # of the shared library, called by Python itself where that is possible.
 
-if(TARGET scarp-cli AND Python3_Interpreter_FOUND)
+block()
   get_target_property(type scarp TYPE)
   set(library -)
   if(type STREQUAL "SHARED_LIBRARY" AND NOT CMAKE_CROSSCOMPILING
@@ -17,9 +17,9 @@ if(TARGET scarp-cli AND Python3_Interpreter_FOUND)
     list(GET test 0 file)
     list(GET test 1 class)
     string(TOLOWER ${class} name)
-    scarp_add_test(cli.sample.${name} cli ${Python3_EXECUTABLE}
+    scarp_add_test(cli.sample.${name} cli NEEDS scarp python3 COMMAND ${Python3_EXECUTABLE}
                    ${CMAKE_CURRENT_LIST_DIR}/sample/test_${file}.py ${class} ${library} ${program})
     set_tests_properties(cli.sample.${name} PROPERTIES ENVIRONMENT
                          "SCARP_SPEED=${speed};PYTHONDONTWRITEBYTECODE=1")
   endforeach()
-endif()
+endblock()

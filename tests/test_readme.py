@@ -1,14 +1,31 @@
 # SPDX-License-Identifier: MIT
-"""The README's programs print what the README says.
+"""The README's examples compile without a warning and print what the README says.
 
-    test_readme.py README.md LIBRARY INCLUDE_DIR SCRATCH_DIR COMPILER [EMULATOR...]
+    test_readme.py LANGUAGE README.md LIBRARY INCLUDE_DIR SCRATCH_DIR COMPILER_ID FLAGS COMPILER
+                   [EMULATOR...]
 
-LIBRARY is the shared or static library; the Python example needs a shared one and no emulator.
+LANGUAGE is c, cxx or python. LIBRARY is the shared or static library; the Python example needs a
+shared one and no emulator.
 """
 import os
 import re
 import subprocess
 import sys
+
+SKIPPED = 77
+WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Werror"]
+# In C++, -Wextra reports members that designated initialisers leave out, which is their purpose.
+DESIGNATED = "-Wno-missing-field-initializers"
+FRAGMENT = """#include <scarp.h>
+void fragment(struct scarp_noise noise, struct scarp_samples out);
+void fragment(struct scarp_noise noise, struct scarp_samples out)
+{
+%s}
+int main(void)
+{
+    return 0;
+}
+"""
 
 
 def blocks(text):
@@ -16,33 +33,79 @@ def blocks(text):
     return re.findall(r"^```(\w*)\n(.*?)^```$", text, re.MULTILINE | re.DOTALL)
 
 
-def main():
-    readme, library, include, scratch, compiler, *emulator = sys.argv[1:]
-    with open(readme, encoding="utf-8") as file:
-        fenced = blocks(file.read())
-    c_at = next(i for i, (language, _) in enumerate(fenced) if language == "c")
-    expected = fenced[c_at + 1][1]
-    python = next(body for language, body in fenced if language == "python")
+def skip(reason):
+    print("skipped:", reason)
+    sys.exit(SKIPPED)
 
-    os.makedirs(scratch, exist_ok=True)
-    source, program = os.path.join(scratch, "hello.c"), os.path.join(scratch, "hello")
-    with open(source, "w", encoding="utf-8") as file:
-        file.write(fenced[c_at][1])
-    folder = os.path.dirname(library)
-    subprocess.run([compiler, "-std=c11", "-Wall", "-Wextra", "-Werror", "-I", include, source,
-                    library, "-lm", "-Wl,-rpath," + folder, "-o", program], check=True)
-    printed = subprocess.run(emulator + [program], check=True, text=True,
-                             stdout=subprocess.PIPE).stdout
-    if printed != expected:
-        sys.exit("the C example prints\n" + printed + "but the README says\n" + expected)
 
-    if ".so" in os.path.basename(library) and not emulator:
-        environment = dict(os.environ, LD_LIBRARY_PATH=folder)
-        printed = subprocess.run([sys.executable, "-c", python], check=True, text=True,
+class Examples:
+    def __init__(self, readme, library, include, scratch, compiler, emulator):
+        with open(readme, encoding="utf-8") as file:
+            self.blocks = blocks(file.read())
+        self.library, self.folder, self.include = library, os.path.dirname(library), include
+        self.scratch, self.compiler, self.emulator = scratch, compiler, emulator
+        os.makedirs(scratch, exist_ok=True)
+
+    def first(self, language):
+        """The first block of the language, and the block that follows: what it prints."""
+        at = next(i for i, (kind, _) in enumerate(self.blocks) if kind == language)
+        return self.blocks[at][1], self.blocks[at + 1][1]
+
+    def compile(self, name, text, *options):
+        path = os.path.join(self.scratch, name)
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text)
+        subprocess.run([self.compiler, *WARNINGS, "-I", self.include, *options, path, "-x", "none",
+                        self.library, "-lm", "-Wl,-rpath," + self.folder, "-o", path + ".out"],
+                       check=True)
+        return path + ".out"
+
+    def check_program(self, name, text, printed, *options):
+        program = self.compile(name, text, *options)
+        output = subprocess.run(self.emulator + [program], check=True, text=True,
+                                stdout=subprocess.PIPE).stdout
+        if output != printed:
+            sys.exit("%s prints\n%sbut the README says\n%s" % (name, output, printed))
+
+    def check_fragments(self, *options):
+        """What is no whole program, inside a function with a noise and outputs."""
+        fragments = [body for kind, body in self.blocks if kind == "c" and "main(" not in body]
+        if not fragments:
+            sys.exit("the README has no fragments in C")
+        for number, body in enumerate(fragments):
+            self.compile("fragment%d.c" % number, FRAGMENT % body, *options)
+
+    def check_c(self):
+        self.check_program("hello.c", *self.first("c"), "-std=c11")
+        self.check_fragments("-std=c11")
+
+    def check_cxx(self):
+        """The examples in C are valid in C++20, too: their designators are in order."""
+        self.check_program("raster.cpp", *self.first("cpp"), "-std=c++20")
+        as_cxx = ("-std=c++20", DESIGNATED, "-x", "c++")
+        self.check_program("hello.c", *self.first("c"), *as_cxx)
+        self.check_fragments(*as_cxx)
+
+    def check_python(self):
+        if ".so" not in os.path.basename(self.library) or self.emulator:
+            skip("Python needs the shared library of its own processor")
+        code, height = self.first("python")[0], float(self.first("c")[1].split()[1].rstrip(","))
+        environment = dict(os.environ, LD_LIBRARY_PATH=self.folder)
+        printed = subprocess.run([sys.executable, "-c", code], check=True, text=True,
                                  env=environment, stdout=subprocess.PIPE).stdout
         status, first = re.match(r"(\d+) \[([-+.e\d]+)", printed).groups()
-        if status != "0" or abs(float(first) - float(expected.split()[1].rstrip(","))) > 1e-6:
+        if status != "0" or abs(float(first) - height) > 1e-6:
             sys.exit("the Python example prints " + printed)
+
+
+def main():
+    language, readme, library, include, scratch, kind, flags, compiler, *emulator = sys.argv[1:]
+    if not re.search("GNU|Clang", kind) or os.name != "posix":
+        skip("no flags known for " + kind)
+    if "-fsanitize" in flags:
+        skip("the examples are not sanitized")
+    examples = Examples(readme, library, include, scratch, compiler, emulator)
+    getattr(examples, "check_" + language)()
     print("the examples print what the README says")
 
 

@@ -2,9 +2,7 @@
 """What is written about the program beside its help: man page, completion, README."""
 import os
 import re
-import shutil
 import subprocess
-import unittest
 
 import common
 from common import ROOT, Case, run, text_of
@@ -32,7 +30,9 @@ class Documents(Case):
         self.assertEqual(read("src", "cli", "scarp.1"), expected,
                          "cmake --build build --target manual")
 
-    @unittest.skipUnless(os.name == "posix" and shutil.which("groff"), "needs groff")
+class Roff(Case):
+    """Needs groff."""
+
     def test_manual_is_roff(self):
         result = subprocess.run(["groff", "-man", "-Tascii", "-ww",
                                  os.path.join(ROOT, "src", "cli", "scarp.1")],
@@ -41,6 +41,10 @@ class Documents(Case):
         shown = re.sub(rb".\x08|\x1b\[\d+m", b"", result.stdout).decode()  # bold, underlined
         for word in ("--sea-level F", ".png .pgm .r16", "--hessian", "EXIT STATUS"):
             self.assertIn(word, shown)
+
+
+class Completion(Case):
+    """And what else a shell reads. Needs bash."""
 
     def complete(self, *words):
         """What the completion offers for the last word."""
@@ -54,7 +58,6 @@ class Documents(Case):
         self.assertEqual(result.stderr, b"")
         return result.stdout.decode().split()
 
-    @unittest.skipUnless(shutil.which("bash"), "needs bash")
     def test_completion_of_commands(self):
         self.assertEqual(self.complete("te"), ["terrain"])
         self.assertEqual(sorted(self.complete("help", "")), sorted(COMMANDS))
@@ -63,14 +66,13 @@ class Documents(Case):
 
     def test_completion_of_options(self):
         """All that the help tells; an emulated program is not there to be asked."""
-        if not shutil.which("bash") or len(common.PROGRAM) != 1:
-            self.skipTest("needs bash, and a program that runs by itself")
+        if len(common.PROGRAM) != 1:
+            self.skipTest("needs a program that runs by itself")
         for command in COMMANDS:
             options = re.findall(r"(?m)^  (--[a-z-]+)", text_of("help", command))
             self.assertIn("--help", options)
             self.assertEqual(self.complete(command, "--"), options)
 
-    @unittest.skipUnless(shutil.which("bash"), "needs bash")
     def test_completion_of_words(self):
         """The words that the help has for an option, which stand there as "a, b or c"."""
         for command in ("terrain", "sample"):
@@ -84,7 +86,6 @@ class Documents(Case):
                 count = told.count(", ") + told.count(" or ")
                 self.assertTrue(len(words) <= count + 1, (words, told))
 
-    @unittest.skipUnless(shutil.which("bash"), "needs bash")
     def test_sample_in_readme(self):
         """The README's session with scarp sample prints what it says."""
         command, printed = re.search(r"(?m)^\$ (printf .*\| scarp sample .*)\n((?:.+\n)+)```",

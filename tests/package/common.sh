@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: MIT
-# What the package tests share. They run in this directory, with one argument: a file of settings
-# that ../package.cmake writes (compiler, flags, directories, tools).
+# What the package tests share. They run in this directory. Arguments: a file of settings that
+# ../package.cmake writes (compiler, flags, directories, tools), and the consumer's language, C or
+# CXX.
 # shellcheck shell=sh disable=SC2034,SC2154
 
 set -eu
 . "$1"
 unset DESTDIR PKG_CONFIG_PATH PKG_CONFIG_SYSROOT_DIR
 
+language=${2:-C}
 prefix=$scratch/elsewhere/prefix # where install.sh leaves what it installed
 
 skip()
@@ -41,17 +43,28 @@ configure()
         -DCMAKE_SHARED_LINKER_FLAGS="$link_flags" "$@"
 }
 
+# configure_consumer SOURCE BUILD OPTION...: a project in $language alone, C or CXX
+configure_consumer()
+{
+    if [ "$language" = CXX ]; then
+        set -- "$@" -DCMAKE_CXX_COMPILER="$cxx_compiler" -DCMAKE_CXX_FLAGS="$c_flags"
+    fi
+    configure "$@" -DCONSUMER_LANGUAGE="$language"
+}
+
 build()
 {
     "$cmake" --build "$1" --config "$config"
 }
 
-# Compiles as the project does, sanitizers and all.
+# Compiles as the project does, sanitizers and all, in $language.
 compile()
 {
-    echo "+ $c_compiler $c_flags $*"
+    compiler=$c_compiler
+    [ "$language" = C ] || compiler=$cxx_compiler
+    echo "+ $compiler $c_flags $*"
     # shellcheck disable=SC2086 # words
-    "$c_compiler" $c_flags "$@" $link_flags
+    "$compiler" $c_flags "$@" $link_flags
 }
 
 # Runs a program that was built here.
@@ -67,10 +80,4 @@ sanitized()
     *-fsanitize*) true ;;
     *) false ;;
     esac
-}
-
-# Whether the C compiler's driver also compiles C++: gcc does if g++ is installed.
-compiles_cxx()
-{
-    echo 'int main() { return 0; }' | "$c_compiler" -x c++ -fsyntax-only - 2>/dev/null
 }

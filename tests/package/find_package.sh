@@ -4,14 +4,15 @@
 . ./common.sh
 [ -d "$prefix" ] || skip "nothing is installed"
 
-fresh find_package
-configure . "$dir/build" -DCMAKE_PREFIX_PATH="$prefix" -DSCARP_VERSION="$version"
+fresh "find_package-$language"
+configure_consumer . "$dir/build" -DCMAKE_PREFIX_PATH="$prefix" -DSCARP_VERSION="$version"
 grep "^scarp_DIR:PATH=$prefix/" "$dir/build/CMakeCache.txt" || fail "found another scarp"
 build "$dir/build"
 run "$dir/build/consumer"
 
+[ "$language" = C ] || exit 0
 for wrong in 0.0.0 "${version%.*}.999" 999.0.0; do
-    if configure . "$dir/wrong" -DCMAKE_PREFIX_PATH="$prefix" -DSCARP_VERSION="$wrong" \
+    if configure_consumer . "$dir/wrong" -DCMAKE_PREFIX_PATH="$prefix" -DSCARP_VERSION="$wrong" \
         >"$dir/wrong.log" 2>&1; then
         fail "version $version serves find_package(scarp $wrong)"
     fi

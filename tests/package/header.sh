@@ -8,24 +8,23 @@ GNU | *Clang) ;;
 *) skip "no flags known for $c_compiler_id" ;;
 esac
 
-# check LANGUAGE STANDARD WARNING...; twice, for the include guard
+# check COMPILER LANGUAGE STANDARD WARNING...; twice, for the include guard
 check()
 {
-    language=$1 standard=$2
-    shift 2
-    echo "$language, $standard"
+    compiler=$1 dialect=$2 standard=$3
+    shift 3
+    echo "$dialect, $standard"
     printf '#include "scarp.h"\n#include "scarp.h"\n' |
-        "$c_compiler" -x "$language" "-std=$standard" -I"$source_dir/include" -Wall -Wextra \
+        "$compiler" -x "$dialect" "-std=$standard" -I"$source_dir/include" -Wall -Wextra \
             -Wpedantic -Wconversion -Wundef -Wshadow -Werror "$@" -fsyntax-only -
 }
 
-for standard in c99 c11 c17; do
-    check c $standard -Wstrict-prototypes
-done
-if compiles_cxx; then
-    for standard in c++11 c++20; do
-        check c++ $standard -Wold-style-cast
+if [ "$language" = C ]; then
+    for standard in c99 c11 c17; do
+        check "$c_compiler" c $standard -Wstrict-prototypes
     done
 else
-    echo "no C++ compiler beside $c_compiler: C alone"
+    for standard in c++11 c++14 c++17 c++20; do
+        check "$cxx_compiler" c++ $standard -Wold-style-cast
+    done
 fi

@@ -1,0 +1,78 @@
+# SPDX-License-Identifier: MIT
+# What some tests need beside the compiler: tools, and parts of the project that can be left out.
+# A test is always there. Where what it needs is missing, ctest runs test_skip in its place, which
+# says so and is reported as skipped; SCARP_REQUIRE_TOOLS in the environment (names from here,
+# separated by commas) turns that into a failure.
+
+# scarp_tool(NAME FOUND): FOUND is a path or a condition.
+macro(scarp_tool name)
+  if(${ARGN})
+    list(APPEND scarp_found ${name})
+  else()
+    list(APPEND scarp_missing ${name})
+  endif()
+endmacro()
+
+find_package(Python3 COMPONENTS Interpreter QUIET)
+set(THREADS_PREFER_PTHREAD_FLAG ON)
+find_package(Threads QUIET)
+find_program(SCARP_BASH NAMES bash)
+find_program(SCARP_GROFF NAMES groff)
+find_program(SCARP_PKG_CONFIG NAMES pkg-config pkgconf)
+find_program(SCARP_SH NAMES sh)
+find_program(SCARP_VALGRIND NAMES valgrind)
+mark_as_advanced(SCARP_BASH SCARP_GROFF SCARP_PKG_CONFIG SCARP_SH SCARP_VALGRIND)
+
+# The C++ compiler that belongs to the C compiler: g++-12 to gcc-12, aarch64-linux-gnu-g++ to
+# aarch64-linux-gnu-gcc. Its headers may be missing.
+function(scarp_find_cxx)
+  if(CMAKE_CXX_COMPILER)
+    set(SCARP_CXX ${CMAKE_CXX_COMPILER} CACHE FILEPATH "The C++ compiler of the tests")
+  else()
+    get_filename_component(folder ${CMAKE_C_COMPILER} DIRECTORY)
+    get_filename_component(name ${CMAKE_C_COMPILER} NAME)
+    string(REGEX REPLACE "clang(-[0-9]|$|\\.)" "clang++\\1" name ${name})
+    string(REGEX REPLACE "gcc" "g++" name ${name})
+    string(REGEX REPLACE "^cc$" "c++" name ${name})
+    find_program(SCARP_CXX NAMES ${name} HINTS ${folder} DOC "The C++ compiler of the tests")
+  endif()
+  mark_as_advanced(SCARP_CXX)
+  if(SCARP_CXX)
+    file(WRITE ${CMAKE_CURRENT_BINARY_DIR}/cxx.cpp
+         "#include <cstdio>\nint main() { return std::puts(\"C++\") < 0; }\n")
+    separate_arguments(flags UNIX_COMMAND "${CMAKE_C_FLAGS} ${CMAKE_EXE_LINKER_FLAGS}")
+    execute_process(COMMAND ${SCARP_CXX} ${flags} cxx.cpp -o cxx
+                    WORKING_DIRECTORY ${CMAKE_CURRENT_BINARY_DIR}
+                    RESULT_VARIABLE status OUTPUT_QUIET ERROR_QUIET)
+  endif()
+  set(cxx_works OFF PARENT_SCOPE)
+  if(SCARP_CXX AND status EQUAL 0)
+    set(cxx_works ON PARENT_SCOPE)
+  endif()
+endfunction()
+scarp_find_cxx()
+
+scarp_tool(bash SCARP_BASH)
+scarp_tool(c++ cxx_works)
+scarp_tool(full-speed speed STREQUAL "full")
+scarp_tool(groff SCARP_GROFF)
+scarp_tool(linux CMAKE_SYSTEM_NAME STREQUAL "Linux")
+scarp_tool(nm CMAKE_NM)
+scarp_tool(objdump CMAKE_OBJDUMP)
+scarp_tool(pkg-config SCARP_PKG_CONFIG)
+scarp_tool(posix UNIX)
+scarp_tool(pthreads CMAKE_USE_PTHREADS_INIT)
+scarp_tool(python3 Python3_Interpreter_FOUND)
+scarp_tool(scarp TARGET scarp-cli)
+scarp_tool(scarp-bench TARGET scarp-bench)
+scarp_tool(scarp-install SCARP_INSTALL)
+scarp_tool(sh SCARP_SH)
+scarp_tool(valgrind SCARP_VALGRIND)
+
+add_executable(test_skip test_skip.c) # without the library: it says nothing about it
+scarp_compile_rules(test_skip)
+target_include_directories(test_skip PRIVATE ${PROJECT_SOURCE_DIR}/include)
+if(scarp_missing)
+  list(JOIN scarp_missing ", " missing)
+  message(STATUS "Tests that need these will be skipped: ${missing}")
+endif()
