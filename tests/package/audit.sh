@@ -41,23 +41,26 @@ control()
 }
 
 fresh audit
-kernel() # kernel SOURCE OBJECT FLAG...
+# The kernels under a wrong name: the library's own, which saves seconds, unless flags change them.
+misplaced() # NAME OBJECT
 {
-    source=$1 object=$2
-    shift 2
-    "$c_compiler" -std=c11 -O2 -I"$source_dir/include" "$@" -c "$source_dir/src/$source" \
-        -o "$dir/$object"
+    if [ $files = 1 ]; then
+        cp "$(grep "$1\\.c\\.o" "$objects")" "$dir/$2"
+    else
+        "$c_compiler" -std=c11 -O2 -I"$source_dir/include" -ffp-contract=off \
+            -c "$source_dir/src/simd/$1.c" -o "$dir/$2"
+    fi
 }
+echo 'float f(float a, float b, float c) { return a * b + c; }' >"$dir/fused.c"
 # shellcheck disable=SC2086 # words
-kernel scalar/points.c points.c.o -ffp-contract=fast $control_flags
-control 'fused multiply-add' "$dir/points.c.o"
+"$c_compiler" -O2 -ffp-contract=fast $control_flags -c "$dir/fused.c" -o "$dir/fused.o"
+control 'fused multiply-add' "$dir/fused.o"
 case $processor in
 x86_64 | AMD64)
-    control 'AVX outside its kernels' "$dir/points.c.o"
-    kernel simd/kernels_avx512.c kernels_avx2.c.o -ffp-contract=off
+    control 'AVX outside its kernels' "$dir/fused.o"
+    misplaced kernels_avx512 kernels_avx2.c.o
     control 'AVX-512 in the AVX2 kernels' "$dir/kernels_avx2.c.o"
-    cp "$dir/kernels_avx2.c.o" "$dir/points.c.o"
-    kernel simd/kernels_sse41.c plan.c.o -ffp-contract=off
+    misplaced kernels_sse41 plan.c.o
     control 'SSE4.1 outside its kernels' "$dir/plan.c.o"
     echo '#include <xmmintrin.h>
         __m128 f(__m128 x) { return _mm_rsqrt_ps(x); }' >"$dir/estimate.c"
