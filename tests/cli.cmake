@@ -15,7 +15,7 @@ block()
 
   foreach(test commands:Commands options:Errors formats:Formats formats:Names layers:Layers
                pictures:Pictures compare:Compare gallery:Gallery documents:Documents tiles:Tiles tiles:Resume
-               world:Manifest world:Patterns world:Shares world:PowerCut world:Limits
+               world:Manifest world:Patterns world:Shares world:Limits
                presets:Presets files:Files shared:Shared failures:FullDisk failures:Pipes failures:Refused
                interrupt:Interrupt
                progress:Progress memory:Memory same:Threads)
@@ -30,6 +30,7 @@ block()
   foreach(isa IN LISTS isas)
     scarp_add_cli_test(same isa=${isa} isa.${isa})
   endforeach()
+  scarp_add_cli_test(world PowerCut powercut strace)
   scarp_add_cli_test(documents Roff roff groff)
   scarp_add_cli_test(documents Completion completion bash)
 endblock()

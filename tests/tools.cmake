@@ -20,8 +20,10 @@ find_program(SCARP_BASH NAMES bash)
 find_program(SCARP_GROFF NAMES groff)
 find_program(SCARP_PKG_CONFIG NAMES pkg-config pkgconf)
 find_program(SCARP_SH NAMES sh)
+find_program(SCARP_STRACE NAMES strace)
 find_program(SCARP_VALGRIND NAMES valgrind)
-mark_as_advanced(SCARP_BASH SCARP_GROFF SCARP_PKG_CONFIG SCARP_SH SCARP_VALGRIND)
+mark_as_advanced(SCARP_BASH SCARP_GROFF SCARP_PKG_CONFIG SCARP_SH SCARP_STRACE
+                 SCARP_VALGRIND)
 
 # The C++ compiler that belongs to the C compiler: g++-12 to gcc-12, aarch64-linux-gnu-g++ to
 # aarch64-linux-gnu-gcc. Its headers may be missing.
@@ -67,6 +69,7 @@ scarp_tool(scarp TARGET scarp-cli)
 scarp_tool(scarp-bench TARGET scarp-bench)
 scarp_tool(scarp-install SCARP_INSTALL)
 scarp_tool(sh SCARP_SH)
+scarp_tool(strace SCARP_STRACE)
 scarp_tool(valgrind SCARP_VALGRIND)
 
 add_executable(test_skip test_skip.c) # without the library: it says nothing about it

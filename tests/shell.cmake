@@ -1,0 +1,9 @@
+# SPDX-License-Identifier: MIT
+# The essentials of the program scarp from outside, without Python: one test per script of cli/*.sh.
+
+foreach(name commands errors formats interrupt tiles)
+  scarp_add_test(cli.sh.${name} cli NEEDS posix scarp sh
+                 COMMAND sh ${name}.sh $<TARGET_FILE:scarp-cli> ${CMAKE_CROSSCOMPILING_EMULATOR})
+  set_tests_properties(cli.sh.${name} PROPERTIES
+                       WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/cli)
+endforeach()
