@@ -3,9 +3,10 @@
 
     test_NAME.py PROGRAM README SCRATCH [LIBRARY]
 
-LIBRARY is for test_locks.py. Each runs recipes of the README as they stand there, in a directory of its own below SCRATCH, and
-prints what happens. The world alone is smaller than the README's. With SCARP_TEST_FARM=1 in the
-environment a missing tool is a failure, and daemons may be started; else such a test is skipped.
+Each runs recipes of the README as they stand there, in a directory of its own below SCRATCH, and
+prints what happens. The world alone is smaller than the README's. LIBRARY is for test_locks.py.
+With SCARP_TEST_FARM=1 in the environment a missing tool is a failure, and daemons may be started;
+else such a test is skipped.
 """
 import glob
 import os
