@@ -165,19 +165,21 @@ start() # NODES CPUS
     echo $! >"$dir/guard.pid"
 }
 
+# with_environment VARIABLE FILE...: those of the files /proc/N/environ that have the variable
+with_environment() { grep -lszxF -- "$@" || true; }
+
 # What jobs run has SLURMD_NODENAME in its environment; slurmstepd, which started it, has not.
 kill_node() # NODE
 {
-    local process pid parent jobs=() steps=()
-    for process in /proc/[0-9]*; do
-        pid=${process#/proc/}
-        if tr '\0' '\n' <"$process/environ" | grep -qx "SLURMD_NODENAME=$1" &&
-            tr '\0' '\n' <"$process/environ" | grep -qx "SLURM_CONF=$SLURM_CONF"; then
+    local file pid parent jobs=() steps=()
+    for file in $(with_environment "SLURMD_NODENAME=$1" /proc/[0-9]*/environ); do
+        if [ -n "$(with_environment "SLURM_CONF=$SLURM_CONF" "$file")" ]; then
+            pid=$(basename "${file%/environ}")
             jobs+=("$pid")
-            parent=$(awk '$1 == "PPid:" {print $2}' "$process/status")
+            parent=$(awk '$1 == "PPid:" {print $2}' "/proc/$pid/status" 2>/dev/null) || true
             is "${parent:-0}" slurmstepd && steps+=("$parent")
         fi
-    done 2>/dev/null
+    done
     pid=$(cat "$dir/$1.pid" 2>/dev/null) && is "$pid" slurmd && steps+=("$pid")
     # Those first that would report the end of the others
     for pid in "${steps[@]}" "${jobs[@]}"; do
