@@ -388,14 +388,6 @@ class Shares(WorldCase):
         if common.SPEED == "full":
             self.assertLess(made, 256 + 16)  # little was written twice
 
-    @POSIX
-    def test_without_locks(self):
-        """Locks are a courtesy: a manifest that cannot be locked changes no byte."""
-        self.quietly(*TERRAIN, "--heights", "w.r32", "--tiles", "0:1,0:1")
-        os.chmod(self.path("w.r32.json"), 0o444)
-        self.quietly(*TERRAIN, "--heights", "w.r32", "--resume")
-        self.check_same_files(self.walk(), self.expected)
-
 
 class PowerCut(WorldCase):
     """What has its name is on the disk: told by the order of the system's calls."""
