@@ -16,7 +16,8 @@ for command in terrain sample info; do
     grep -q "^usage: scarp $command" "$notes/one" || fail "help $command: $(cat "$notes/one")"
 done
 
-sed -n '/^\$ printf .*scarp sample/,/^```$/p' "$source_dir/README.md" >"$notes/session"
+# shellcheck disable=SC2016 # the dollar is the prompt
+sed -n '/^\$ printf .*scarp sample/,/^```$/{p;/^```$/q;}' "$source_dir/README.md" >"$notes/session"
 command=$(sed -n '1s/^\$ //p' "$notes/session")
 sed '1d;$d' "$notes/session" >"$notes/expected"
 [ "$(wc -l <"$notes/expected")" -ge 3 ] || fail "the README has no session with scarp sample"

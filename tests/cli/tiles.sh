@@ -64,17 +64,39 @@ for file in [hg]_*.???; do
 done
 [ -z "$(find . -name '*.part')" ] || fail "unfinished files are left: $(ls -A)"
 
+# Tiles of another world are refused; the manifest tells of this one.
+refused 2 '--seed is 1 there and 2 here' terrain "$@" --tile 10x8 --heights h.r32 \
+    --gradient g.img --seed 2 --resume
+check 10 8 2 2
+
+# Shares are contiguous, and make the same tiles.
+rm [hg]_* h.r32.json
+for share in 3 1 0 2; do
+    quietly "$@" --tile 10x8 --heights h.r32 --gradient g.img --share $share/4
+    [ "$share" != 3 ] || [ "$(echo h_*.r32)" = 'h_2_1.r32 h_2_2.r32' ] ||
+        fail "--share 3/4 makes $(echo h_*.r32)"
+done
+check 10 8 2 2
+[ "$(tiles)" -eq 18 ] || fail "four shares of 3 x 3 tiles of two layers are $(tiles) files"
+
+# Patterns put tiles into directories.
+quietly "$@" --tile 10x8 --heights 'p/{-y}/{x:03}.r32'
+same p/0/002.r32 h_2_2.r32
+same p/2/001.r32 h_0_1.r32
+
 # Of a few tiles, only these are made.
-rm [hg]_*
+rm [hg]_* h.r32.json
 quietly "$@" --tile 8x8 --tiles 1:3,2:3 --heights h.r32 --gradient g.img
 [ "$(echo h_*.r32)" = 'h_2_1.r32 h_2_2.r32' ] || fail "--tiles 1:3,2:3 makes $(echo h_*.r32)"
 piece whole.r32 24 4 16 16 24 20 | cmp - h_2_2.r32 || fail "--tiles makes other tiles"
 
 # Neighbours share the samples of the overlap.
-rm [hg]_*
+rm [hg]_* h.r32.json
 quietly "$@" --tile 10x10 --overlap 2 --heights h.r32
 piece whole.r32 24 4 0 0 12 12 | cmp - h_0_0.r32 || fail "the overlap of the first tile"
 piece whole.r32 24 4 10 0 22 12 | cmp - h_0_1.r32 || fail "the overlap of the next tile"
 
 refused 2 --tiles terrain "$@" --tile 8x8 --tiles 0:5,0:1 --heights x.r32
+refused 2 --share terrain "$@" --tile 8x8 --share 3/3 --heights x.r32
+refused 2 '{x}' terrain "$@" --tile 8x8 --heights '{y}.r32'
 refused 2 --overlap terrain "$@" --overlap 1 --heights x.r32
