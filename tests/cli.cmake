@@ -17,7 +17,7 @@ block()
                pictures:Pictures compare:Compare gallery:Gallery documents:Documents tiles:Tiles tiles:Resume
                world:Manifest world:Patterns world:Shares world:Limits
                presets:Presets files:Files shared:Shared failures:FullDisk failures:Pipes failures:Refused
-               interrupt:Interrupt
+               failures:Closed interrupt:Interrupt
                progress:Progress memory:Memory same:Threads)
     string(REPLACE ":" ";" test ${test})
     list(GET test 0 file)

@@ -7,6 +7,10 @@
 #include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
+#ifndef _WIN32
+#include <fcntl.h>
+#include <unistd.h>
+#endif
 
 #include "cli.h"
 #include "interrupt.h"
@@ -88,8 +92,24 @@ static int run(int argc, char **argv)
     return CLI_SUCCESS;
 }
 
+/* A file that got the number of a standard stream which the caller has closed would take in what
+   is printed. What takes those numbers here can neither be written nor be read. */
+static void occupy_standard_streams(void)
+{
+#ifndef _WIN32
+    int descriptor;
+    do {
+        descriptor = open("/", O_RDONLY);
+    } while (descriptor >= 0 && descriptor <= STDERR_FILENO);
+    if (descriptor >= 0) {
+        close(descriptor);
+    }
+#endif
+}
+
 int main(int argc, char **argv)
 {
+    occupy_standard_streams();
     interrupt_install();
     const int status = stack_reserve() ? run(argc, argv) : CLI_FAILURE;
     interrupt_end();

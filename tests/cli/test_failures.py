@@ -205,6 +205,47 @@ class Refused(Case):
                 self.check_same_files(self.all_bytes(), expected)
 
 
+class Closed(Case):
+    """Standard streams that the caller has closed: nothing that is printed gets into a file."""
+
+    def closed(self, which, *arguments):
+        return subprocess.run(["sh", "-c", 'exec "$@" %s' % which, "sh", *common.PROGRAM,
+                               *arguments], cwd=self.directory, stdin=subprocess.DEVNULL,
+                              stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=False)
+
+    @POSIX
+    def test_files(self):
+        tiles = (*SMALL, "--tile", "20x30", "--heights", "w.img")
+        self.quietly(*tiles)
+        expected = self.all_bytes()
+        self.clear()
+        for which, status in (("2>&-", 0), (">&-", 1), ("<&-", 0), ("<&- >&- 2>&-", 1)):
+            with self.subTest(closed=which):
+                self.assertEqual(self.closed(which, "terrain", *tiles).returncode, status)
+                self.check_same_files(self.all_bytes(), expected)
+                self.clear()
+
+    @POSIX
+    def test_messages(self):
+        """The message about the second tile goes nowhere, not into the manifest."""
+        os.mkdir(self.path("w_0_1.r32"))
+        tiles = (*SMALL, "--tile", "20x30", "--heights", "w.r32")
+        self.check_one_line(run("terrain", *tiles, cwd=self.directory), 1, "w_0_1.r32")
+        os.rmdir(self.path("w_0_1.r32"))
+        expected = self.all_bytes()
+        self.clear()
+        os.mkdir(self.path("w_0_1.r32"))
+        self.assertEqual(self.closed("2>&-", "terrain", *tiles).returncode, 1)
+        os.rmdir(self.path("w_0_1.r32"))
+        self.check_same_files(self.all_bytes(), expected)
+
+    @POSIX
+    def test_points(self):
+        result = self.closed("<&-", "sample", "--input", "-", "--output", "v.csv")
+        self.check_one_line(result, 2, "--input: standard input")
+        self.assertEqual(self.files(), [])
+
+
 class Pipes(Case):
     """Standard output and other files that are not ordinary ones."""
 
