@@ -144,15 +144,22 @@ int json_read(const char *text, struct json_member *members, int most)
     return count;
 }
 
-const struct json_member *json_find(const struct json_member *members, int count, const char *key)
+const struct json_member *json_find_same(const struct json_member *members, int count,
+                                         const struct json_member *like)
 {
     for (int i = 0; i < count; i++) {
-        if (members[i].key_length == strlen(key) &&
-            memcmp(members[i].key, key, members[i].key_length) == 0) {
+        if (members[i].key_length == like->key_length &&
+            memcmp(members[i].key, like->key, like->key_length) == 0) {
             return &members[i];
         }
     }
     return NULL;
+}
+
+const struct json_member *json_find(const struct json_member *members, int count, const char *key)
+{
+    return json_find_same(members, count,
+                          &(struct json_member){.key = key, .key_length = strlen(key)});
 }
 
 void json_add_string(struct text *text, const char *string)

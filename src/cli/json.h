@@ -21,8 +21,10 @@ struct json_member {
    object of JSON or has more than `most`. */
 int json_read(const char *text, struct json_member *members, int most);
 
-/* The member of that key; NULL if there is none. */
+/* The first member of that key, or of the key of `like`; NULL if there is none. */
 const struct json_member *json_find(const struct json_member *members, int count, const char *key);
+const struct json_member *json_find_same(const struct json_member *members, int count,
+                                         const struct json_member *like);
 
 /* Adds `string` in quotes. NULL becomes null. */
 void json_add_string(struct text *text, const char *string);

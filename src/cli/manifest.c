@@ -37,18 +37,24 @@ static int tell_failure(const struct manifest *manifest)
 }
 
 /* The whole file as a text that the caller frees; NULL with errno, which is EFBIG for what cannot
-   be a manifest. */
+   be a manifest: a long one, or one with NULs, or a pipe, the opening of which would wait. */
 static char *read_text(const char *path)
 {
+    if (file_is_special(path)) {
+        errno = EFBIG;
+        return NULL;
+    }
     FILE *const file = fopen(path, "rb");
     if (file == NULL) {
         return NULL;
     }
     char *const text = malloc(SIZE_MOST + 1);
     const size_t length = text != NULL ? fread(text, 1, SIZE_MOST + 1, file) : 0;
-    const bool failed = ferror(file) != 0;
-    const int reason = failed ? errno : text == NULL ? ENOMEM : length > SIZE_MOST ? EFBIG : 0;
+    int reason = text == NULL ? ENOMEM : ferror(file) ? errno : 0;
     fclose(file);
+    if (reason == 0 && (length > SIZE_MOST || memchr(text, '\0', length) != NULL)) {
+        reason = EFBIG;
+    }
     if (reason != 0) {
         free(text);
         errno = reason;
@@ -58,25 +64,59 @@ static char *read_text(const char *path)
     return text;
 }
 
-/* Adds "--seed is 1 there and 2 here" for each member of `ours` that `theirs` has otherwise. */
+/* The value of a member, or "nothing" without one */
+static int value_length(const struct json_member *member)
+{
+    return member != NULL ? (int)member->value_length : 7;
+}
+
+static const char *value_of(const struct json_member *member)
+{
+    return member != NULL ? member->value : "nothing";
+}
+
+/* Adds "--seed is 1 there and 2 here" if the members of one key, of which one may be NULL, differ.
+ */
+static void compare_member(const struct json_member *our, const struct json_member *their,
+                           struct text *differences)
+{
+    const struct json_member *const either = our != NULL ? our : their;
+    char key[64];
+    snprintf(key, sizeof key, "%.*s", (int)either->key_length, either->key);
+    if (strcmp(key, "manifest") == 0 || strcmp(key, "derived") == 0 ||
+        (value_length(our) == value_length(their) &&
+         memcmp(value_of(our), value_of(their), (size_t)value_length(our)) == 0)) {
+        return;
+    }
+    text_add(differences, "%s%s%s is %.*s there and %.*s here", differences->length > 0 ? "; " : "",
+             strcmp(key, "scarp") == 0 ? "" : "--", key, value_length(their), value_of(their),
+             value_length(our), value_of(our));
+}
+
+/* Adds what differs between two manifests. */
 static void compare(const struct json_member *ours, int our_count, const struct json_member *theirs,
                     int their_count, struct text *differences)
 {
     for (int i = 0; i < our_count; i++) {
-        const struct json_member *const our = &ours[i];
-        char key[64];
-        snprintf(key, sizeof key, "%.*s", (int)our->key_length, our->key);
-        const struct json_member *const their = json_find(theirs, their_count, key);
-        if (strcmp(key, "manifest") == 0 || strcmp(key, "derived") == 0 ||
-            (their != NULL && their->value_length == our->value_length &&
-             memcmp(their->value, our->value, our->value_length) == 0)) {
-            continue;
-        }
-        text_add(differences, "%s%s%s is %.*s there and %.*s here",
-                 differences->length > 0 ? "; " : "", strcmp(key, "scarp") == 0 ? "" : "--", key,
-                 their != NULL ? (int)their->value_length : 7,
-                 their != NULL ? their->value : "nothing", (int)our->value_length, our->value);
+        compare_member(&ours[i], json_find_same(theirs, their_count, &ours[i]), differences);
     }
+    /* Keys that this program does not know, and those that come again */
+    for (int i = 0; i < their_count; i++) {
+        const struct json_member *const their = &theirs[i];
+        const struct json_member *const our = json_find_same(ours, our_count, their);
+        if (our == NULL || json_find_same(theirs, their_count, their) != their) {
+            compare_member(our, their, differences);
+        }
+    }
+}
+
+/* The version of the form of a manifest; 0 if it does not say one. */
+static long version_of(const struct json_member *members, int count)
+{
+    const struct json_member *const version = json_find(members, count, "manifest");
+    char *end = NULL;
+    const long number = version != NULL ? strtol(version->value, &end, 10) : 0;
+    return version != NULL && end == version->value + version->value_length ? number : 0;
 }
 
 static int check(const struct manifest *manifest, const char *text, const char *there)
@@ -87,8 +127,7 @@ static int check(const struct manifest *manifest, const char *text, const char *
     if (their_count < 0) {
         return refuse(manifest, "is not JSON, so it is no manifest of scarp");
     }
-    const struct json_member *const version = json_find(theirs, their_count, "manifest");
-    const long number = version != NULL ? strtol(version->value, NULL, 10) : 0;
+    const long number = version_of(theirs, their_count);
     if (number < VERSION) {
         return refuse(manifest, "is no manifest of scarp: \"manifest\" is missing or no version");
     }

@@ -49,7 +49,8 @@ SMALL = ["--size", "40x30", "--frequency", "0.03"]
 def run(*arguments, cwd=None, **more):
     more.setdefault("stdout", subprocess.PIPE)
     more.setdefault("stderr", subprocess.PIPE)
-    return subprocess.run(PROGRAM + list(arguments), cwd=cwd, timeout=300, **more)
+    more.setdefault("timeout", 300)
+    return subprocess.run(PROGRAM + list(arguments), cwd=cwd, **more)
 
 
 def start(*arguments, **more):

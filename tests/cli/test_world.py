@@ -130,6 +130,11 @@ class Manifest(WorldCase):
                 (b'{\n  "manifest"', b'[\n  "manifest"', ("not JSON",)),
                 (b'"null"', b'', ()), (b': null', b': nul', ("not JSON",)),
                 (b'"heights": "', b'"heights": "\\x', ("not JSON",)),
+                (b'"manifest": 1', b'"manifest": 1.5', ("no manifest",)),
+                (b'"seed": 1,', b'"seed": 1, "seed": 2,', ("--seed is 2 there and 1 here",)),
+                (b'"seed": 1,', b'"seed": 1, "warp": 4,',
+                 ("--warp is 4 there and nothing here",)),
+                (b'}\n}', b'}\n}\0 x', ("not JSON",)),
                 (b'"seed": 1', b'"seed": 01', ("not JSON",))):
             with self.subTest(new=new):
                 text = self.bytes("w.r32.json")
@@ -142,6 +147,17 @@ class Manifest(WorldCase):
             with self.subTest(data=data[:10]):
                 self.write("w.r32.json", data)
                 self.refused(*TERRAIN, "--heights", "w.r32", words=("--heights: w.r32.json",))
+
+    @POSIX
+    def test_no_file(self):
+        """What is no ordinary file is no manifest; nothing waits for a pipe."""
+        for make in (os.mkdir, os.mkfifo):
+            make(self.path("w.r32.json"))
+            error = self.check_one_line(run("terrain", *TERRAIN, "--heights", "w.r32",
+                                            cwd=self.directory, timeout=10), 2, "--heights")
+            self.assertIn("w.r32.json is not JSON", error)
+            self.assertEqual(self.files(), ["w.r32.json"])
+            subprocess.run(["rm", "-r", self.path("w.r32.json")], check=True)
 
     def test_removed(self):
         """Without it, what is there is of unknown origin: the world begins anew."""
