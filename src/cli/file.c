@@ -9,6 +9,7 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <sys/types.h>
+#include <time.h>
 
 #include "interrupt.h"
 #include "path.h"
@@ -41,6 +42,19 @@ const char *file_name(const char *path)
     return is_standard_output(path) ? "standard output" : path;
 }
 
+bool file_is_older(struct file_time a, struct file_time b)
+{
+    return a.seconds < b.seconds || (a.seconds == b.seconds && a.nanoseconds < b.nanoseconds);
+}
+
+#ifndef _WIN32
+static struct file_time earlier(const struct timespec *a, const struct timespec *b)
+{
+    const struct file_time first = {a->tv_sec, a->tv_nsec}, second = {b->tv_sec, b->tv_nsec};
+    return file_is_older(first, second) ? first : second;
+}
+#endif
+
 bool file_look(const char *path, uint64_t *size, struct file_time *time)
 {
     struct stat status;
@@ -49,11 +63,11 @@ bool file_look(const char *path, uint64_t *size, struct file_time *time)
     }
     *size = (uint64_t)status.st_size;
 #if defined(__APPLE__)
-    *time = (struct file_time){status.st_mtimespec.tv_sec, status.st_mtimespec.tv_nsec};
+    *time = earlier(&status.st_mtimespec, &status.st_ctimespec);
 #elif defined(_WIN32)
     *time = (struct file_time){status.st_mtime, 0};
 #else
-    *time = (struct file_time){status.st_mtim.tv_sec, status.st_mtim.tv_nsec};
+    *time = earlier(&status.st_mtim, &status.st_ctim);
 #endif
     return true;
 }

@@ -55,13 +55,16 @@ bool file_is_special(const char *path);
 /* What messages call the file `path` */
 const char *file_name(const char *path);
 
-/* When a file was last written. */
 struct file_time {
     int64_t seconds;
     long nanoseconds;
 };
 
-/* Tells the size and the time of an ordinary file. False if there is none of that name. */
+/* Tells the size of an ordinary file and when it was last written, but not later than the system
+   says that anything about it changed: programs can set the first to times to come. False if there
+   is none of that name. */
 bool file_look(const char *path, uint64_t *size, struct file_time *time);
+
+bool file_is_older(struct file_time a, struct file_time b);
 
 #endif

@@ -63,9 +63,7 @@ static bool is_newer(const char *path, struct file_time since)
 {
     uint64_t size;
     struct file_time time;
-    return file_look(path, &size, &time) &&
-           (time.seconds > since.seconds ||
-            (time.seconds == since.seconds && time.nanoseconds >= since.nanoseconds));
+    return file_look(path, &size, &time) && !file_is_older(time, since);
 }
 
 bool writer_is_there(const struct writer *writer, struct file_time since)

@@ -172,6 +172,28 @@ class Manifest(WorldCase):
         self.quietly(*TERRAIN, "--heights", "w.r32", "--seed", "2")
         self.check_same_files(self.walk(), new)
 
+    @POSIX
+    def test_times(self):
+        """What is of an older world stays so when its time is set to come, and a manifest from
+        the future keeps no run from finding its tiles."""
+        self.quietly(*TERRAIN, "--heights", "w.r32", "--seed", "2")
+        expected = self.walk()
+        self.clear()
+        self.quietly(*TERRAIN, "--heights", "w.r32")
+        os.remove(self.path("w.r32.json"))
+        later = time.time() + 1e6
+        for name in self.files():
+            os.utime(self.path(name), (later, later))
+        time.sleep(0.02)  # some systems count time in larger steps
+        self.quietly(*TERRAIN, "--heights", "w.r32", "--seed", "2", "--resume")
+        self.check_same_files(self.walk(), expected)
+        os.utime(self.path("w.r32.json"), (later, later))
+        time.sleep(0.02)
+        arguments = (*TERRAIN, "--heights", self.path("w.r32"), "--seed", "2", "--resume")
+        self.quietly(*arguments)
+        self.assertIn("nothing to do", common.text_of("terrain", *arguments))
+        self.check_same_files(self.walk(), expected)
+
     def test_moved(self):
         """It holds no paths but those from itself: a world can be moved, and be seen from
         elsewhere."""
