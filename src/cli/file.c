@@ -191,11 +191,7 @@ static bool synchronise(FILE *stream)
         return true;
     }
 #endif
-    int result = fsync(fileno(stream));
-    while (result != 0 && errno == EINTR && !interrupted()) {
-        result = fsync(fileno(stream));
-    }
-    return result == 0 || errno == EINVAL || errno == ENOTSUP || errno == ENOSYS;
+    return path_sync(fileno(stream));
 #endif
 }
 
@@ -247,14 +243,17 @@ static void forget_unfinished(struct file *file)
     end_lock(file);
     free(file->unfinished);
     file->unfinished = NULL;
-    file->made = 0;
+    file->is_published = true;
 }
 
 bool file_publish(struct file *file)
 {
+    struct stat old;
     if (file->unfinished == NULL) {
         return true;
     }
+    /* Not when it was opened: another run may have written the file since. */
+    file->replaces = stat(file->path, &old) == 0;
 #ifdef _WIN32
     remove(file->path); /* where rename does not replace */
 #endif
@@ -287,7 +286,13 @@ static bool publish_by_link(struct file *file)
         return false;
     }
     close(descriptor);
-    return rename(file->unfinished, file->path) == 0;
+    if (rename(file->unfinished, file->path) != 0) {
+        const int reason = errno;
+        unlink(file->path);
+        errno = reason;
+        return false;
+    }
+    return true;
 #endif
 }
 
@@ -305,6 +310,16 @@ bool file_settle(const struct file *file)
     return file->path == NULL || path_sync_directory(file->path);
 }
 
+void file_retract(struct file *file)
+{
+    if (file->is_published && !file->replaces) {
+        const int reason = errno;
+        remove(file->path);
+        file->is_published = false;
+        errno = reason;
+    }
+}
+
 void file_discard(struct file *file)
 {
     const int reason = errno;
@@ -315,7 +330,7 @@ void file_discard(struct file *file)
         remove(file->unfinished);
     }
     end_lock(file);
-    if (file->made > 0) {
+    if (file->made > 0 && !file->is_published) {
         path_remove_directories(file->path, file->made);
     }
     free(file->path);

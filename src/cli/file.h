@@ -20,7 +20,9 @@ struct file {
     char *path;       /* the final name, without symbolic links in it */
     char *unfinished; /* the name until then; NULL: none, or it has the final one */
     int made;         /* directories that were made for it, and go with it */
-    int lock;         /* a descriptor that keeps the lock of the closed file, if is_locked */
+    bool replaces;    /* an older file of the final name, since it was published */
+    bool is_published;
+    int lock; /* a descriptor that keeps the lock of the closed file, if is_locked */
     bool is_locked;
 };
 
@@ -32,12 +34,16 @@ bool file_publish(struct file *file);     /* gives it its final name */
 bool file_publish_new(struct file *file); /* unless there is a file of that name: errno is EEXIST */
 bool file_settle(const struct file *file); /* the name is on the disk, too */
 
+/* Removes a published file, unless it replaced an older one, which cannot come back. */
+void file_retract(struct file *file);
+
 /* False also when the user or the system asked the program to stop, before or while the write
    waits. */
 bool file_write(struct file *file, const void *bytes, size_t count);
 
 /* Frees the file. Unless it was published, it is removed, and so are directories that were made for
-   it. May be called at any time after zero-initialisation. */
+   it, if they are empty: what was opened last goes first. May be called at any time after
+   zero-initialisation. */
 void file_discard(struct file *file);
 
 /* Whether both are open files of the same final name, whatever paths they were opened by */

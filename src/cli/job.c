@@ -71,6 +71,8 @@ static int end_finishing(struct job *job)
         job->samples += (uint64_t)job->last.width * job->last.height;
     } else {
         status = tell_failure(job, outputs, &job->last, PIPELINE_FAILED);
+        /* The tile at hand may lie in directories that were made for this one. */
+        outputs_discard(&job->outputs[job->turn]);
     }
     outputs_discard(outputs);
     manifest_release(&job->manifest, job->last.number);

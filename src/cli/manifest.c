@@ -14,6 +14,7 @@
 #include "json.h"
 #include "path.h"
 #include "text.h"
+#include "unfinished.h"
 
 #ifndef _WIN32
 #include <fcntl.h>
@@ -158,10 +159,10 @@ static int make(struct manifest *manifest, const char *text)
     if ((manifest->makes_directories ? file_open_making_directories(&file, manifest->path)
                                      : file_open(&file, manifest->path)) &&
         file_write(&file, text, strlen(text)) && file_close(&file)) {
-        const int made = file.made;
         result = file_publish_new(&file) ? 1 : errno == EEXIST ? 0 : -1;
         if (result == 1) {
-            manifest->made = made;
+            manifest->made = file.made;
+            manifest->is_first = true;
             result = file_settle(&file) ? 1 : -1;
         }
     }
@@ -244,7 +245,6 @@ static int open_or_make(struct manifest *manifest, const char *text)
         }
         const int made = is_empty ? 0 : make(manifest, text);
         if (made != 0) {
-            manifest->is_first = made > 0;
             return made > 0 ? CLI_SUCCESS : tell_failure(manifest);
         }
         if (is_empty || i > 0) {
@@ -262,6 +262,7 @@ int manifest_open(struct manifest *manifest, const char *path, const char *text)
         cli_error("%s: no memory", manifest->option);
         return CLI_FAILURE;
     }
+    unfinished_sweep(path); /* its directory may have no other file */
     const int status = open_or_make(manifest, text);
     if (status != CLI_SUCCESS) {
         return status;

@@ -289,6 +289,20 @@ bool outputs_open(struct outputs *outputs)
     return true;
 }
 
+/* Gives all files their final names, or none. */
+static bool publish(struct outputs *outputs)
+{
+    for (size_t i = 0; i < outputs->count; i++) {
+        if (!check(&outputs->list[i], writer_publish(&outputs->list[i].writer))) {
+            for (size_t j = 0; j <= i; j++) {
+                writer_retract(&outputs->list[j].writer);
+            }
+            return false;
+        }
+    }
+    return true;
+}
+
 /* All files are on the disk before the first one takes its name: it may fill up until then. */
 bool outputs_close(struct outputs *outputs)
 {
@@ -298,10 +312,8 @@ bool outputs_close(struct outputs *outputs)
             return false;
         }
     }
-    for (size_t i = 0; i < outputs->count; i++) {
-        if (!check(&outputs->list[i], writer_publish(&outputs->list[i].writer))) {
-            return false;
-        }
+    if (!publish(outputs)) {
+        return false;
     }
     for (size_t i = 0; i < outputs->count; i++) {
         if (!check(&outputs->list[i], writer_settle(&outputs->list[i].writer))) {
@@ -311,11 +323,13 @@ bool outputs_close(struct outputs *outputs)
     return true;
 }
 
+/* From the last one on: the files before it may be the reason why it found its directory. */
 void outputs_discard(struct outputs *outputs)
 {
-    for (size_t i = 0; i < outputs->count; i++) {
-        writer_discard(&outputs->list[i].writer);
-        outputs->list[i].writer = (struct writer){0};
+    for (size_t i = outputs->count; i > 0; i--) {
+        struct writer *const writer = &outputs->list[i - 1].writer;
+        writer_discard(writer);
+        *writer = (struct writer){0};
     }
 }
 

@@ -9,6 +9,7 @@
 #include <string.h>
 #include <sys/stat.h>
 
+#include "interrupt.h"
 #include "text.h"
 
 #ifdef _WIN32
@@ -223,6 +224,15 @@ char *path_resolve(const char *path)
     return NULL;
 }
 
+bool path_sync(int descriptor)
+{
+    int result = fsync(descriptor);
+    while (result != 0 && errno == EINTR && !interrupted()) {
+        result = fsync(descriptor);
+    }
+    return result == 0 || errno == EINVAL || errno == ENOTSUP || errno == ENOSYS;
+}
+
 bool path_sync_directory(const char *path)
 {
     const size_t length = path_directory_length(path);
@@ -233,9 +243,9 @@ bool path_sync_directory(const char *path)
     const int descriptor = open(directory, O_RDONLY | O_DIRECTORY | O_CLOEXEC);
     free(directory);
     if (descriptor < 0) {
-        return true; /* it may be written, but not read */
+        return errno == EACCES; /* it may be written, but not read */
     }
-    const bool synced = fsync(descriptor) == 0 || errno == EINVAL || errno == ENOTSUP;
+    const bool synced = path_sync(descriptor);
     const int reason = errno;
     close(descriptor);
     errno = reason;

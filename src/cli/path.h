@@ -32,8 +32,11 @@ int path_make_directories(const char *path);
  */
 void path_remove_directories(const char *path, int count);
 
-/* Sees to it that the names in the file's directory survive a power cut. False, with errno, only
-   if the system tried and failed; not every file system can. */
+/* Waits until all that was written to an open file is on the disk. False, with errno, only if the
+   system tried and failed; not every file system can. Not on Windows. */
+bool path_sync(int descriptor);
+
+/* Sees to it that the names in the file's directory survive a power cut. Like path_sync. */
 bool path_sync_directory(const char *path);
 
 #endif

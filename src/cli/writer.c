@@ -95,6 +95,12 @@ bool writer_publish(struct writer *writer)
     return file_publish(&writer->header) && file_publish(&writer->file);
 }
 
+void writer_retract(struct writer *writer)
+{
+    file_retract(&writer->file);
+    file_retract(&writer->header);
+}
+
 bool writer_settle(const struct writer *writer)
 {
     return file_settle(&writer->file); /* the header is in the same directory */

@@ -92,6 +92,7 @@ bool writer_open(struct writer *writer);
 bool writer_write(struct writer *writer, const uint8_t *samples, size_t row, size_t rows);
 bool writer_close(struct writer *writer); /* completes the file, still under its unfinished name */
 bool writer_publish(struct writer *writer);
+void writer_retract(struct writer *writer);      /* see file_retract */
 bool writer_settle(const struct writer *writer); /* its name survives a power cut */
 
 /* Frees the writer. Unless its file was published, it is removed. May be called at any time after

@@ -427,25 +427,39 @@ class Shares(WorldCase):
             self.assertLess(made, 256 + 16)  # little was written twice
 
 
-class PowerCut(WorldCase):
-    """What has its name is on the disk: told by the order of the system's calls."""
-
-    def calls(self, *arguments):
-        """The calls that matter, as ("fsync", name) or ("rename", from, to), in their order"""
+class TracedCase(WorldCase):
+    def trace(self, *arguments):
+        """Runs under strace with its options, then the program's after "--"."""
         strace = shutil.which("strace")
-        log = self.path("log")
         if not strace or len(common.PROGRAM) != 1:
             self.skipTest("needs strace, and no emulator")
-        result = subprocess.run([strace, "-f", "-y", "-o", log, "-e",
-                                 "trace=fsync,rename,link,renameat,renameat2,linkat",
-                                 *common.PROGRAM, *arguments], cwd=self.directory,
-                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=False)
+        at = arguments.index("--")
+        result = subprocess.run([strace, "-f", *arguments[:at], *common.PROGRAM,
+                                 *arguments[at + 1:]], cwd=self.directory,
+                                stdout=subprocess.PIPE, stderr=subprocess.PIPE, timeout=300,
+                                check=False)
         if b"ptrace" in result.stderr:
             self.skipTest("strace may not trace here")
+        return result
+
+    def traced(self, *arguments):
+        """What strace logs of a run that succeeds"""
+        log = self.path("log")
+        result = self.trace("-o", log, *arguments)
         self.assertEqual(result.returncode, 0, result.stderr)
         with open(log, encoding="utf-8") as file:
             text = file.read()
         os.remove(log)
+        return text
+
+
+class PowerCut(TracedCase):
+    """What has its name is on the disk: told by the order of the system's calls."""
+
+    def calls(self, *arguments):
+        """The calls that matter, as ("fsync", name) or ("rename", from, to), in their order"""
+        text = self.traced("-y", "-e", "trace=fsync,rename,link,renameat,renameat2,linkat", "--",
+                           *arguments)
         found = []
         for line in text.splitlines():
             fsync = re.search(r" fsync\(\d+<(.*)>\) += 0$", line)
@@ -482,6 +496,78 @@ class PowerCut(WorldCase):
         self.check_order(calls[:manifest + 1], ["w.r32.json"])
         self.check_order(calls[manifest + 1:manifest + 4], ["w_0_0.r32"])
         self.check_order(calls[manifest + 4:], ["w_0_1.r32"])
+
+
+class Faults(TracedCase):
+    """Each of the calls that make files fails once, or is where a run is killed."""
+
+    WORLD = ("terrain", "--size", "40x30", "--tile", "20x30", "--threads", "1", "--quiet",
+             "--heights", "w/{y}/{x}.img", "--normals", "w/{y}/{x}.npy", "--hillshade",
+             "s/{y}{x}.pgm", "--resume")
+    FAULTS = (("link", ("error=EIO", "error=EPERM", "signal=KILL")),
+              ("rename", ("error=EIO", "signal=KILL")), ("unlink", ("signal=KILL",)),
+              ("fsync", ("error=EIO", "error=ENOSYS", "error=EINTR", "signal=KILL")),
+              ("mkdir", ("error=ENOSPC", "signal=KILL")), ("flock", ("error=ENOLCK",)))
+
+    def setUp(self):
+        super().setUp()
+        log = self.traced("-e", "trace=" + ",".join(call for call, _ in self.FAULTS), "--",
+                          *self.WORLD)
+        self.expected = self.walk()
+        # strace counts the calls of each thread.
+        calls = re.findall(r"(?m)^(\d+) +(\w+)\(", log)
+        self.counts = {call: max(calls.count((thread, call)) for thread, _ in calls)
+                       for call, _ in self.FAULTS}
+        if not all(self.counts.values()):
+            self.skipTest("this system's calls have other names: %s" % self.counts)
+
+    def empty(self):
+        for name in self.files():
+            subprocess.run(["rm", "-r", self.path(name)], check=True)
+
+    def check_left(self, result):
+        """After a failure: whole files, none without what belongs to it, no empty directory."""
+        self.check_one_line(result, result.returncode, "--")
+        self.assertIn(result.returncode, (1, 2))
+        left = self.walk()
+        self.check_same_files(left, {name: self.expected.get(name) for name in left})
+        self.assertEqual([name for name in self.directories()
+                          if not os.listdir(self.path(name))], [], "empty directories")
+        tiles = [name for name in left if name != "w/y_x.img.json"]
+        if result.returncode == 2 or not tiles:
+            self.assertEqual(left, {})
+        for name in tiles:
+            tile = re.search(r"(\d)\.", name)[1]
+            self.assertEqual([name for name in self.expected
+                              if name not in left and re.search(tile + r"\.", name)], [])
+
+    def check_fault(self, call, fault, *more):
+        self.empty()
+        result = self.trace("-o", os.devnull, "-e", "inject=%s:%s" % (call, fault), *more, "--",
+                            *self.WORLD)
+        if b"invalid" in result.stderr:
+            self.skipTest("strace cannot inject faults")
+        if result.returncode == 0:
+            self.assertEqual(result.stderr, b"")
+            self.check_same_files(self.walk(), self.expected)
+        elif result.returncode != -signal.SIGKILL:
+            self.check_left(result)
+        self.assertEqual(run(*self.WORLD, cwd=self.directory).stderr, b"")
+        self.check_same_files(self.walk(), self.expected)
+
+    def test_each_call(self):
+        for call, faults in self.FAULTS:
+            for fault in faults:
+                for n in (*range(1, self.counts[call] + 1), "1+"):
+                    if n == "1+" and fault == "error=EINTR":
+                        continue  # a call that is interrupted is made again
+                    with self.subTest(call=call, fault=fault, when=n):
+                        self.check_fault(call, "%s:when=%s" % (fault, n))
+
+    def test_without_hard_links(self):
+        for n in range(1, self.counts["rename"] + 2):
+            with self.subTest(when=n):
+                self.check_fault("rename", "error=EIO:when=%d" % n, "-e", "inject=link:error=EPERM")
 
 
 class Limits(WorldCase):
