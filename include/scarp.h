@@ -10,7 +10,7 @@
 #include <stdint.h>
 
 #define SCARP_VERSION_MAJOR 0
-#define SCARP_VERSION_MINOR 1
+#define SCARP_VERSION_MINOR 2
 #define SCARP_VERSION_PATCH 0
 
 #if defined(_WIN32) && defined(SCARP_BUILDING_SHARED)
@@ -41,6 +41,12 @@ extern "C" {
  * - Any thread may call any function at any time. Nothing is allocated, printed or read from the
  *   environment, and errno is left alone. A call takes up to 120 KiB of stack (AVX-512; 68 KiB with
  *   AVX2, 44 KiB with the others), one for a grid up to 152 KiB (88 KiB, 56 KiB).
+ *
+ * Zero a structure before you fill it in: `struct scarp_noise noise = {0};`, a designated
+ * initialiser, or memset. Reserved members have no meaning yet. A call that finds one in use (a
+ * number that is not 0, a pointer that is not NULL) returns SCARP_ERROR_UNSUPPORTED: so a program
+ * that was built for a later version is refused by this one, and never misunderstood. Later
+ * versions give meanings to reserved members; sizes, and the places of members, stay.
  */
 
 enum scarp_status {
@@ -49,7 +55,7 @@ enum scarp_status {
     SCARP_ERROR_ENUM,       /* an enumerator that does not exist */
     SCARP_ERROR_PARAMETER,  /* a number that is not finite, or outside its documented interval */
     SCARP_ERROR_SIZE,       /* a count so large that its arrays cannot exist in memory */
-    SCARP_ERROR_UNSUPPORTED /* a valid request that this call or this processor cannot serve */
+    SCARP_ERROR_UNSUPPORTED /* a request that this version, call or processor cannot serve */
 };
 
 /* The noise of one octave. Both are defined on the integer lattice, which repeats after 2^32
@@ -77,7 +83,7 @@ enum scarp_fractal {
                          2008): ridges and eroded flanks. No Hessian. */
 };
 
-/* Kernel sets, one of which serves all calls. */
+/* Kernel sets, one of which serves all calls. Their order says nothing about speed. */
 enum scarp_isa {
     SCARP_ISA_NONE, /* in scarp_isa_select: the best one */
     SCARP_ISA_SCALAR,
@@ -150,6 +156,13 @@ struct scarp_noise {
     float amplitude;  /* scales every output; its magnitude in [2^-24, 2^24]. Default 1. */
     float erosion;    /* SCARP_EROSION: how strongly slopes damp octaves, in [2^-24, 2^24].
                          Default 1. */
+
+    /* Reserved: 0 or NULL. -0.0f is a zero, too; a NaN is not. 192 bytes in all. */
+    float phase, jitter, sharpness;
+    uint32_t period[3];
+    uint32_t spare0;
+    const struct scarp_noise *warp;
+    uint32_t spare[(192 - 80 - sizeof(void *)) / 4];
 };
 
 /* Where results go: arrays of `count` floats. A NULL member is skipped. A call that asks for
@@ -159,6 +172,7 @@ struct scarp_samples {
     float *value;
     float *dx, *dy, *dz;                      /* gradient, per unit of input */
     float *dxx, *dxy, *dxz, *dyy, *dyz, *dzz; /* Hessian, per unit of input squared */
+    float *dphase, *spare[5];                 /* reserved: NULL. 16 pointers in all. */
 };
 
 /*
@@ -182,7 +196,8 @@ struct scarp_samples {
  * for an unknown basis, fade or fractal; SCARP_ERROR_PARAMETER for a number of `noise` outside its
  * interval; SCARP_ERROR_SIZE if the arrays would exceed the address space;
  * SCARP_ERROR_UNSUPPORTED if a derivative along z is asked for, or a second derivative of
- * SCARP_EROSION. A count of 0 is a success that looks at nothing.
+ * SCARP_EROSION, or if a reserved member of `noise` or `out` is in use. A count of 0 is a success
+ * that looks at nothing.
  */
 SCARP_API enum scarp_status scarp_sample2(const struct scarp_noise *noise, size_t count,
                                           const float *x, const float *y,
@@ -223,6 +238,8 @@ struct scarp_grid {
     size_t row_stride;   /* floats from one row to the next; 0: count[0], packed. At least that. */
     size_t slice_stride; /* floats from one slice to the next; 0: count[1] rows. At least from the
                             first float of a slice to its last. */
+
+    uint32_t spare[(192 - 72 - 5 * sizeof(size_t)) / 4]; /* reserved: 0. 192 bytes in all. */
 };
 
 /*
@@ -240,7 +257,8 @@ struct scarp_grid {
  * Returns SCARP_ERROR_NULL if `noise`, `grid` or `out` is NULL; SCARP_OK, having looked at nothing
  * else, if a count is 0; SCARP_ERROR_PARAMETER for an origin or step that is not finite, an index
  * outside its interval, and strides shorter than a row or a slice; SCARP_ERROR_SIZE if the arrays
- * would exceed the address space; otherwise as scarp_sample2.
+ * would exceed the address space; SCARP_ERROR_UNSUPPORTED also if a reserved member of `grid` is in
+ * use; otherwise as scarp_sample2.
  */
 SCARP_API enum scarp_status scarp_grid2(const struct scarp_noise *noise,
                                         const struct scarp_grid *grid,
@@ -277,11 +295,43 @@ SCARP_API enum scarp_status scarp_normals(size_t count, const float *dx, const f
  * erosion: -|amplitude| and |amplitude|. Turbulence and ridged: 0 and amplitude, in their order.
  * Use it to map heights to integers: all tiles then agree.
  *
- * Returns SCARP_ERROR_NULL if a pointer is NULL; SCARP_ERROR_ENUM and SCARP_ERROR_PARAMETER as
- * scarp_sample2, the latter also for `dimensions`.
+ * Returns SCARP_ERROR_NULL if a pointer is NULL; otherwise as scarp_noise_check.
  */
 SCARP_API enum scarp_status scarp_range(const struct scarp_noise *noise, int dimensions,
                                         float *lowest, float *highest);
+
+/*
+ * scarp_noise_check - whether calls take a noise, and if not, which member is at fault
+ *
+ * Returns what every call in 2 or 3 `dimensions` returns for this noise, as far as the noise alone
+ * decides: a call may still refuse its other arguments, or outputs that this noise does not have.
+ *
+ * *member becomes the name of the first member at fault, as this header spells it: "octaves",
+ * "period[1]" ("spare" has no index). Where the frequency of the last octave leaves its interval,
+ * that is "octaves", since fewer octaves always help. *member becomes NULL where no member is at
+ * fault: on success, and if `noise` or `dimensions` is. It is always written, also on an error; the
+ * text is static. `member` may be NULL.
+ *
+ * Returns, of these the first that applies: SCARP_ERROR_NULL if `noise` is NULL; SCARP_ERROR_ENUM
+ * for an unknown basis, fade or fractal; SCARP_ERROR_PARAMETER for a number outside its interval,
+ * in the order of the members, the last octave's frequency after them; SCARP_ERROR_UNSUPPORTED for
+ * a reserved member in use; SCARP_ERROR_PARAMETER if `dimensions` is neither 2 nor 3.
+ */
+SCARP_API enum scarp_status scarp_noise_check(const struct scarp_noise *noise, int dimensions,
+                                              const char **member);
+
+/*
+ * scarp_basis_name, scarp_fade_name, scarp_fractal_name - the enumerators as words
+ *
+ * "gradient", "value"; "quintic", "cubic"; "fbm", "turbulence", "ridged", "erosion": lower case,
+ * never changed, static. NULL for numbers that are no enumerator. Enumerators count up from 0
+ * without gaps, so a list of them ends where the name is NULL:
+ *
+ *     for (enum scarp_basis basis = 0; scarp_basis_name(basis) != NULL; basis++)
+ */
+SCARP_API const char *scarp_basis_name(enum scarp_basis basis);
+SCARP_API const char *scarp_fade_name(enum scarp_fade fade);
+SCARP_API const char *scarp_fractal_name(enum scarp_fractal fractal);
 
 /* scarp_status_text - what a status means: a sentence without a full stop, never NULL */
 SCARP_API const char *scarp_status_text(enum scarp_status status);
@@ -310,7 +360,14 @@ SCARP_API int scarp_isa_supported(enum scarp_isa isa);
  */
 SCARP_API enum scarp_status scarp_isa_select(enum scarp_isa isa);
 
-/* scarp_isa_name - "scalar", "sse4.1", "avx2", "avx512", "neon"; "none" for anything else */
+/*
+ * scarp_isa_name - "none", "scalar", "sse4.1", "avx2", "avx512", "neon"
+ *
+ * NULL for numbers that are no enumerator, so these are all kernel sets, whether this build has
+ * them or not:
+ *
+ *     for (enum scarp_isa isa = SCARP_ISA_NONE + 1; scarp_isa_name(isa) != NULL; isa++)
+ */
 SCARP_API const char *scarp_isa_name(enum scarp_isa isa);
 
 #ifdef __cplusplus

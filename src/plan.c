@@ -5,6 +5,23 @@
  */
 #include "plan.h"
 
+#include <stddef.h>
+#include <string.h>
+
+#include "names.h"
+
+/* The layout is the binary interface, the same for every compiler; only pointers differ in size. A
+   member before `spare` that moves, or padding, would let a program's zeros be missed. */
+_Static_assert(offsetof(struct scarp_noise, erosion) == 48 &&
+                   offsetof(struct scarp_noise, phase) == 52 &&
+                   offsetof(struct scarp_noise, period) == 64 &&
+                   offsetof(struct scarp_noise, spare0) == 76 &&
+                   offsetof(struct scarp_noise, warp) == 80 &&
+                   offsetof(struct scarp_noise, spare) == 80 + sizeof(void *) &&
+                   sizeof(struct scarp_noise) == 192,
+               "struct scarp_noise has 192 bytes without padding");
+_Static_assert(sizeof((struct scarp_noise *)NULL)->spare >= 8, "some bytes stay spare");
+
 /* Every f_k and the amplitude within these bounds keep a_k f_k^2 times the largest second
    derivative (below 2^6 for every basis, per cell squared) under 2^127, so no output overflows but
    Hessians of ridged noise, which multiply gradients of octaves; and
@@ -82,29 +99,85 @@ static int within(double value, double lowest, double highest)
     return value >= lowest && value <= highest;
 }
 
-enum scarp_status scarp_plan_check(const struct scarp_noise *noise)
+/* Through unsigned: an enumeration may hold any number that a caller put there. */
+static const char *unknown_member(const struct scarp_noise *noise)
 {
-    /* Through unsigned: an enumeration may hold any number that a caller put there. */
-    if ((unsigned)noise->basis > SCARP_VALUE || (unsigned)noise->fade > SCARP_CUBIC ||
-        (unsigned)noise->fractal > SCARP_EROSION) {
+    return (unsigned)noise->basis >= SCARP_BASES        ? "basis"
+           : (unsigned)noise->fade >= SCARP_FADES       ? "fade"
+           : (unsigned)noise->fractal >= SCARP_FRACTALS ? "fractal"
+                                                        : NULL;
+}
+
+/* f_k is monotone in k, so the last one decides. */
+static int last_frequency_valid(const struct parameters *p)
+{
+    double frequency = p->frequency;
+    for (int k = 1; k < octave_count(p->octaves); k++) {
+        frequency *= p->lacunarity;
+    }
+    return within(frequency, FREQUENCY_MIN, FREQUENCY_MAX);
+}
+
+static const char *outside_member(const struct scarp_noise *noise)
+{
+    const struct parameters p = parameters_of(noise);
+    const double magnitude = p.amplitude < 0.0 ? -p.amplitude : p.amplitude;
+    return !within(p.frequency, FREQUENCY_MIN, FREQUENCY_MAX) ? "frequency"
+           : !within(p.octaves, 0.0, SCARP_MAX_OCTAVES)       ? "octaves"
+           : !within(p.lacunarity, RATIO_MIN, RATIO_MAX)      ? "lacunarity"
+           : !within(p.gain, RATIO_MIN, RATIO_MAX)            ? "gain"
+           : !within(magnitude, AMPLITUDE_MIN, AMPLITUDE_MAX) ? "amplitude"
+           : !within(p.erosion, EROSION_MIN, EROSION_MAX)     ? "erosion"
+           : !last_frequency_valid(&p)                        ? "octaves"
+                                                              : NULL;
+}
+
+/* Whether anything from `phase` on is not zero. The assertion above says that there is no padding.
+   Without branches, in wide words: this is 2 ns of a call, members one by one are 7. */
+static int reserved_in_use(const struct scarp_noise *noise)
+{
+    const char *const period = (const char *)noise + offsetof(struct scarp_noise, period);
+    uint32_t numbers[3]; /* phase, jitter, sharpness, where -0 is a zero */
+    uint64_t words[16];
+    memcpy(numbers, (const char *)noise + offsetof(struct scarp_noise, phase), sizeof numbers);
+    memcpy(words, period, sizeof words);
+    uint64_t bits = (numbers[0] | numbers[1] | numbers[2]) & 0x7fffffffu;
+    for (int i = 0; i < 16; i++) {
+        bits |= words[i];
+    }
+    return bits != 0;
+}
+
+/* The first reserved member that is in use. */
+static const char *reserved_member(const struct scarp_noise *noise)
+{
+    if (!reserved_in_use(noise)) {
+        return NULL;
+    }
+    return noise->phase != 0.0f       ? "phase" /* NaN is not 0 */
+           : noise->jitter != 0.0f    ? "jitter"
+           : noise->sharpness != 0.0f ? "sharpness"
+           : noise->period[0] != 0    ? "period[0]"
+           : noise->period[1] != 0    ? "period[1]"
+           : noise->period[2] != 0    ? "period[2]"
+           : noise->spare0 != 0       ? "spare0"
+           : noise->warp != NULL      ? "warp"
+                                      : "spare";
+}
+
+enum scarp_status scarp_plan_check(const struct scarp_noise *noise, int dimensions,
+                                   const char **member)
+{
+    if ((*member = unknown_member(noise)) != NULL) {
         return SCARP_ERROR_ENUM;
     }
-    const struct parameters p = parameters_of(noise);
-    if (!within(p.erosion, EROSION_MIN, EROSION_MAX)) {
+    if ((*member = outside_member(noise)) != NULL) {
         return SCARP_ERROR_PARAMETER;
     }
-    if (!within(p.octaves, 0.0, SCARP_MAX_OCTAVES) ||
-        !within(p.frequency, FREQUENCY_MIN, FREQUENCY_MAX) ||
-        !within(p.lacunarity, RATIO_MIN, RATIO_MAX) || !within(p.gain, RATIO_MIN, RATIO_MAX) ||
-        !within(p.amplitude < 0.0 ? -p.amplitude : p.amplitude, AMPLITUDE_MIN, AMPLITUDE_MAX)) {
-        return SCARP_ERROR_PARAMETER;
+    if ((*member = reserved_member(noise)) != NULL) {
+        return SCARP_ERROR_UNSUPPORTED;
     }
-    /* f_k is monotone in k, so the last one decides. */
-    double frequency = p.frequency;
-    for (int k = 1; k < octave_count(p.octaves); k++) {
-        frequency *= p.lacunarity;
-    }
-    return within(frequency, FREQUENCY_MIN, FREQUENCY_MAX) ? SCARP_OK : SCARP_ERROR_PARAMETER;
+    return dimensions == 2 || dimensions == 3 ? SCARP_OK : SCARP_ERROR_PARAMETER;
 }
 
 /* The finaliser of splitmix64 (Steele, Lea and Flood 2014, with Stafford's mix 13): a bijection. */

@@ -48,8 +48,9 @@ struct scarp_plan {
     struct scarp_octave octave[SCARP_MAX_OCTAVES];
 };
 
-/* Whether `noise` is within the documented intervals. */
-enum scarp_status scarp_plan_check(const struct scarp_noise *noise);
+/* The checks of scarp_noise_check, for all calls. *member is always written. */
+enum scarp_status scarp_plan_check(const struct scarp_noise *noise, int dimensions,
+                                   const char **member);
 
 /* The plan of a checked `noise` in 2 or 3 dimensions. */
 void scarp_plan_make(struct scarp_plan *plan, const struct scarp_noise *noise, int dimensions,

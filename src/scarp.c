@@ -6,11 +6,22 @@
 
 #include "dispatch.h"
 #include "fpmode.h"
+#include "names.h"
 #include "plan.h"
 
 #define NOINLINE __attribute__((noinline))
 #define TEXT(x) #x
 #define VERSION_TEXT(major, minor, patch) TEXT(major) "." TEXT(minor) "." TEXT(patch)
+#define COUNT_OF(array) (sizeof(array) / sizeof(array)[0])
+
+/* As for struct scarp_noise in plan.c. Of a grid, 32-bit processors align doubles and int64_t in
+   two ways, which end alike. */
+_Static_assert(sizeof(struct scarp_samples) == 16 * sizeof(float *) &&
+                   offsetof(struct scarp_samples, dphase) == 10 * sizeof(float *),
+               "struct scarp_samples has 16 pointers");
+_Static_assert(sizeof(struct scarp_grid) == 192 && offsetof(struct scarp_grid, count) == 72 &&
+                   offsetof(struct scarp_grid, spare) == 72 + 5 * sizeof(size_t),
+               "struct scarp_grid has 192 bytes without padding");
 
 /* By its bits: this file also runs in the caller's floating-point mode. */
 static int is_finite(float value)
@@ -41,17 +52,23 @@ static int order_of(const struct scarp_samples *out)
     return out->dx || out->dy || out->dz ? 1 : 0;
 }
 
-/* Whether a call in 2D is asked for derivatives along z. */
-static int asks_for_z(int dimensions, const struct scarp_samples *out)
+/* Whether all that `out` asks for exists: derivatives along z do not in 2D, reserved members
+   never. */
+static int outputs_exist(int dimensions, const struct scarp_samples *out)
 {
-    return dimensions == 2 && (out->dz || out->dxz || out->dyz || out->dzz);
+    uintptr_t reserved = (uintptr_t)out->dphase;
+    for (size_t i = 0; i < COUNT_OF(out->spare); i++) {
+        reserved |= (uintptr_t)out->spare[i];
+    }
+    return reserved == 0 && (dimensions == 3 || !(out->dz || out->dxz || out->dyz || out->dzz));
 }
 
 /* Checks the noise and makes the plan of a call. */
 static enum scarp_status plan_call(struct scarp_plan *plan, const struct scarp_noise *noise,
                                    int dimensions, const struct scarp_samples *out)
 {
-    const enum scarp_status status = scarp_plan_check(noise);
+    const char *member;
+    const enum scarp_status status = scarp_plan_check(noise, dimensions, &member);
     if (status != SCARP_OK) {
         return status;
     }
@@ -95,7 +112,7 @@ static enum scarp_status sample(scarp_points_fn *points, const struct scarp_nois
     if (count > PTRDIFF_MAX / bytes) {
         return SCARP_ERROR_SIZE;
     }
-    if (asks_for_z(dimensions, out)) {
+    if (!outputs_exist(dimensions, out)) {
         return SCARP_ERROR_UNSUPPORTED;
     }
     const struct fpmode caller = fpmode_enter();
@@ -197,6 +214,15 @@ static enum scarp_status grid_check(struct scarp_grid *grid, int dimensions)
     return extent(grid->count[2], slice, grid->slice_stride) == 0 ? SCARP_ERROR_SIZE : SCARP_OK;
 }
 
+static int grid_reserved_in_use(const struct scarp_grid *grid)
+{
+    uint32_t bits = 0;
+    for (size_t i = 0; i < COUNT_OF(grid->spare); i++) {
+        bits |= grid->spare[i];
+    }
+    return bits != 0;
+}
+
 static NOINLINE enum scarp_status run_grid(scarp_grid_fn *kernel, const struct scarp_noise *noise,
                                            int dimensions, const struct scarp_grid *grid,
                                            const struct scarp_samples *out)
@@ -226,7 +252,7 @@ static enum scarp_status sample_grid(scarp_grid_fn *kernel, const struct scarp_n
     if (status != SCARP_OK) {
         return status;
     }
-    if (asks_for_z(dimensions, out)) {
+    if (!outputs_exist(dimensions, out) || grid_reserved_in_use(&grid)) {
         return SCARP_ERROR_UNSUPPORTED;
     }
     const struct fpmode caller = fpmode_enter();
@@ -279,12 +305,10 @@ enum scarp_status scarp_normals(size_t count, const float *dx, const float *dy, 
 static NOINLINE enum scarp_status range(const struct scarp_noise *noise, int dimensions,
                                         float *lowest, float *highest)
 {
-    const enum scarp_status status = scarp_plan_check(noise);
+    const char *member;
+    const enum scarp_status status = scarp_plan_check(noise, dimensions, &member);
     if (status != SCARP_OK) {
         return status;
-    }
-    if (dimensions != 2 && dimensions != 3) {
-        return SCARP_ERROR_PARAMETER;
     }
     const float amplitude = noise->amplitude == 0.0f ? 1.0f : noise->amplitude;
     const float magnitude = amplitude < 0.0f ? -amplitude : amplitude;
@@ -306,6 +330,29 @@ enum scarp_status scarp_range(const struct scarp_noise *noise, int dimensions, f
     return status;
 }
 
+/* Out of line for the same reason as `run`. */
+static NOINLINE enum scarp_status check(const struct scarp_noise *noise, int dimensions,
+                                        const char **member)
+{
+    return scarp_plan_check(noise, dimensions, member);
+}
+
+enum scarp_status scarp_noise_check(const struct scarp_noise *noise, int dimensions,
+                                    const char **member)
+{
+    const char *found = NULL;
+    enum scarp_status status = SCARP_ERROR_NULL;
+    if (noise != NULL) {
+        const struct fpmode caller = fpmode_enter();
+        status = check(noise, dimensions, &found);
+        fpmode_leave(caller);
+    }
+    if (member != NULL) {
+        *member = found;
+    }
+    return status;
+}
+
 const char *scarp_status_text(enum scarp_status status)
 {
     switch (status) {
@@ -314,7 +361,7 @@ const char *scarp_status_text(enum scarp_status status)
     case SCARP_ERROR_ENUM: return "unknown basis, fade, fractal or instruction set";
     case SCARP_ERROR_PARAMETER: return "a number is not finite or outside its interval";
     case SCARP_ERROR_SIZE: return "the arrays would exceed the address space";
-    case SCARP_ERROR_UNSUPPORTED: return "this call or this processor cannot serve the request";
+    case SCARP_ERROR_UNSUPPORTED: return "this version, call or processor cannot serve the request";
     }
     return "unknown status";
 }
@@ -336,7 +383,7 @@ int scarp_isa_supported(enum scarp_isa isa)
 
 enum scarp_status scarp_isa_select(enum scarp_isa isa)
 {
-    if ((unsigned)isa > SCARP_ISA_NEON) {
+    if ((unsigned)isa >= SCARP_ISAS) {
         return SCARP_ERROR_ENUM;
     }
     const struct scarp_kernels *const table =
@@ -346,17 +393,4 @@ enum scarp_status scarp_isa_select(enum scarp_isa isa)
     }
     scarp_dispatch_use(table);
     return SCARP_OK;
-}
-
-const char *scarp_isa_name(enum scarp_isa isa)
-{
-    switch (isa) {
-    case SCARP_ISA_SCALAR: return "scalar";
-    case SCARP_ISA_SSE41: return "sse4.1";
-    case SCARP_ISA_AVX2: return "avx2";
-    case SCARP_ISA_AVX512: return "avx512";
-    case SCARP_ISA_NEON: return "neon";
-    case SCARP_ISA_NONE: break;
-    }
-    return "none";
 }

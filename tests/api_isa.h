@@ -9,18 +9,12 @@
 
 #include "outputs.h"
 
-static inline void test_isa_names(void)
+static inline void test_isa_unknown(void)
 {
-    static const char *const names[] = {"none", "scalar", "sse4.1", "avx2", "avx512", "neon"};
-    for (int i = 0; i <= SCARP_ISA_NEON; i++) {
-        CHECK(strcmp(scarp_isa_name((enum scarp_isa)i), names[i]) == 0, "%d is named %s", i,
-              scarp_isa_name((enum scarp_isa)i));
-    }
-    static const int unknown[] = {SCARP_ISA_NEON + 1, 1000, INT_MAX, -1, INT_MIN};
+    const int unknown[] = {check_isa_count(), 1000, INT_MAX, -1, INT_MIN};
     CHECK(scarp_isa_select(SCARP_ISA_SCALAR) == SCARP_OK, "scalar");
     for (size_t i = 0; i < sizeof unknown / sizeof unknown[0]; i++) {
         const enum scarp_isa isa = (enum scarp_isa)unknown[i];
-        CHECK(strcmp(scarp_isa_name(isa), "none") == 0, "%d", unknown[i]);
         CHECK(!scarp_isa_supported(isa), "%d", unknown[i]);
         CHECK(scarp_isa_select(isa) == SCARP_ERROR_ENUM, "%d", unknown[i]);
         CHECK(scarp_isa_active() == SCARP_ISA_SCALAR, "%d changed the choice", unknown[i]);
@@ -34,7 +28,7 @@ static inline void test_isa(void)
     int best = SCARP_ISA_SCALAR, refused = 0; /* of one processor's, a later one is a better one */
     CHECK(!scarp_isa_supported(SCARP_ISA_NONE), "none is no instruction set");
     CHECK(scarp_isa_supported(SCARP_ISA_SCALAR), "scalar runs everywhere");
-    for (int i = SCARP_ISA_SCALAR; i <= SCARP_ISA_NEON; i++) {
+    for (int i = SCARP_ISA_SCALAR; i < check_isa_count(); i++) {
         const enum scarp_isa isa = (enum scarp_isa)i;
         CHECK(scarp_isa_select(SCARP_ISA_SCALAR) == SCARP_OK, "scalar");
         const enum scarp_status status = scarp_isa_select(isa);
@@ -51,7 +45,7 @@ static inline void test_isa(void)
     CHECK(refused > 0, "no processor has both SSE and NEON");
     CHECK((int)first == best, "%s was chosen, not %s", scarp_isa_name(first),
           scarp_isa_name((enum scarp_isa)best));
-    test_isa_names();
+    test_isa_unknown();
     CHECK(scarp_isa_select(SCARP_ISA_NONE) == SCARP_OK, "none");
     CHECK((int)scarp_isa_active() == best, "none leads to %s", scarp_isa_name(scarp_isa_active()));
 }

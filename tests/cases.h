@@ -167,8 +167,16 @@ static inline struct scarp_samples cases_outputs(const struct cases_call *call,
         const int there = order_of[m] <= call->order && !(call->dimensions == 2 && along_z[m]);
         wanted[m] = there ? arrays[m] : NULL;
     }
-    const struct scarp_samples out = {wanted[0], wanted[1], wanted[2], wanted[3], wanted[4],
-                                      wanted[5], wanted[6], wanted[7], wanted[8], wanted[9]};
+    const struct scarp_samples out = {.value = wanted[0],
+                                      .dx = wanted[1],
+                                      .dy = wanted[2],
+                                      .dz = wanted[3],
+                                      .dxx = wanted[4],
+                                      .dxy = wanted[5],
+                                      .dxz = wanted[6],
+                                      .dyy = wanted[7],
+                                      .dyz = wanted[8],
+                                      .dzz = wanted[9]};
     return out;
 }
 

@@ -70,11 +70,21 @@ static inline double check_random_double(uint64_t *state, double span)
     return (double)i * (span * 0x1p-52);
 }
 
+/* How many enumerators enum scarp_isa has, SCARP_ISA_NONE among them. */
+static inline int check_isa_count(void)
+{
+    enum scarp_isa isa = SCARP_ISA_NONE;
+    while (scarp_isa_name(isa) != NULL) {
+        isa++;
+    }
+    return (int)isa;
+}
+
 static inline enum scarp_isa check_isa_by_name(const char *name)
 {
-    for (int isa = SCARP_ISA_SCALAR; isa <= SCARP_ISA_NEON; isa++) {
-        if (strcmp(name, scarp_isa_name((enum scarp_isa)isa)) == 0) {
-            return (enum scarp_isa)isa;
+    for (enum scarp_isa isa = SCARP_ISA_NONE + 1; scarp_isa_name(isa) != NULL; isa++) {
+        if (strcmp(name, scarp_isa_name(isa)) == 0) {
+            return isa;
         }
     }
     printf("unknown instruction set %s\n", name);

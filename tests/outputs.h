@@ -109,7 +109,16 @@ static inline struct scarp_samples outputs_subset(const struct outputs *o, unsig
     for (int m = 0; m < OUTPUTS; m++) {
         p[m] = (mask >> m & 1) != 0 ? o->array[m] : NULL;
     }
-    const struct scarp_samples s = {p[0], p[1], p[2], p[3], p[4], p[5], p[6], p[7], p[8], p[9]};
+    const struct scarp_samples s = {.value = p[0],
+                                    .dx = p[1],
+                                    .dy = p[2],
+                                    .dz = p[3],
+                                    .dxx = p[4],
+                                    .dxy = p[5],
+                                    .dxz = p[6],
+                                    .dyy = p[7],
+                                    .dyz = p[8],
+                                    .dzz = p[9]};
     return s;
 }
 

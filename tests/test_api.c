@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * The promises of scarp.h about arguments: errors, defaults, subsets of outputs, seeds, texts.
- * The fractals, normals and the choice of instruction set are in api_fractal.h, api_normals.h and
- * api_isa.h.
+ * The promises of scarp.h about arguments: errors, defaults, subsets of outputs, seeds. Reserved
+ * members, fractals, normals, names and the choice of instruction set are in api_*.h.
  *
  *     test_api ISA
  */
@@ -12,7 +11,9 @@
 
 #include "api_fractal.h"
 #include "api_isa.h"
+#include "api_names.h"
 #include "api_normals.h"
+#include "api_reserved.h"
 
 #define POINTS 37 /* two blocks of 16 and a tail */
 
@@ -34,9 +35,10 @@ static void make_inputs(void)
     two = outputs_make(POINTS);
 }
 
-/* Every function refuses the noise with `expected`, and writes nothing. */
+/* Every function refuses the noise with `expected`, for the sake of `member`, and writes nothing.
+ */
 static void expect_refused(const struct scarp_noise *noise, enum scarp_status expected,
-                           const char *what)
+                           const char *member, const char *what)
 {
     outputs_poison(&one);
     for (int f = 0; f < FUNCTIONS; f++) {
@@ -52,6 +54,7 @@ static void expect_refused(const struct scarp_noise *noise, enum scarp_status ex
         const enum scarp_status status = scarp_range(noise, dimensions, &bounds[0], &bounds[1]);
         CHECK(status == expected, "scarp_range, %s: %s", what, scarp_status_text(status));
         CHECK(bounds[0] == 7.0f && bounds[1] == 8.0f, "scarp_range, %s: wrote", what);
+        expect_member(noise, dimensions, expected, member);
     }
 }
 
@@ -72,6 +75,7 @@ static void expect_accepted(const struct scarp_noise *noise, const char *what)
     }
     float lowest, highest;
     CHECK(scarp_range(noise, 2, &lowest, &highest) == SCARP_OK, "scarp_range, %s", what);
+    expect_member(noise, 2, SCARP_OK, NULL);
 }
 
 enum field { FREQUENCY, OCTAVES, LACUNARITY, GAIN, AMPLITUDE, EROSION, FIELDS };
@@ -102,7 +106,7 @@ static void try_field(enum field field, double value, enum scarp_status expected
         if (expected == SCARP_OK) {
             expect_accepted(&noise, what);
         } else {
-            expect_refused(&noise, expected, what);
+            expect_refused(&noise, expected, field_names[field], what);
         }
     }
 }
@@ -181,7 +185,7 @@ static void test_last_frequency(void)
             if (cases[i].valid) {
                 expect_accepted(&noise, what);
             } else {
-                expect_refused(&noise, SCARP_ERROR_PARAMETER, what);
+                expect_refused(&noise, SCARP_ERROR_PARAMETER, "octaves", what);
             }
         }
     }
@@ -214,14 +218,14 @@ static void test_enumerators(void)
         struct scarp_noise noise = {.basis = (enum scarp_basis)unknown[i]};
         char what[64];
         snprintf(what, sizeof what, "basis %d", unknown[i]);
-        expect_refused(&noise, SCARP_ERROR_ENUM, what);
+        expect_refused(&noise, SCARP_ERROR_ENUM, "basis", what);
         noise = (struct scarp_noise){.fade = (enum scarp_fade)unknown[i]};
         snprintf(what, sizeof what, "fade %d", unknown[i]);
-        expect_refused(&noise, SCARP_ERROR_ENUM, what);
+        expect_refused(&noise, SCARP_ERROR_ENUM, "fade", what);
         if (unknown[i] > SCARP_EROSION || unknown[i] < 0) {
             noise = (struct scarp_noise){.fractal = (enum scarp_fractal)unknown[i]};
             snprintf(what, sizeof what, "fractal %d", unknown[i]);
-            expect_refused(&noise, SCARP_ERROR_ENUM, what);
+            expect_refused(&noise, SCARP_ERROR_ENUM, "fractal", what);
         }
     }
 }
@@ -439,24 +443,6 @@ static void test_seeds(void)
     }
 }
 
-static void test_texts(void)
-{
-    const char *texts[SCARP_ERROR_UNSUPPORTED + 2];
-    for (int i = 0; i <= SCARP_ERROR_UNSUPPORTED + 1; i++) { /* the last is unknown */
-        texts[i] = scarp_status_text((enum scarp_status)i);
-        CHECK(texts[i] != NULL && strlen(texts[i]) > 3, "status %d", i);
-        CHECK(texts[i][strlen(texts[i]) - 1] != '.', "status %d ends with a full stop", i);
-        for (int j = 0; j < i; j++) {
-            CHECK(strcmp(texts[i], texts[j]) != 0, "statuses %d and %d: %s", i, j, texts[i]);
-        }
-    }
-    CHECK(scarp_status_text((enum scarp_status) - 1) != NULL, "status -1");
-    char version[32];
-    snprintf(version, sizeof version, "%d.%d.%d", SCARP_VERSION_MAJOR, SCARP_VERSION_MINOR,
-             SCARP_VERSION_PATCH);
-    CHECK(strcmp(scarp_version(), version) == 0, "%s, header %s", scarp_version(), version);
-}
-
 /* Not even where square roots and conversions of NaN are taken. */
 static void test_errno(void)
 {
@@ -496,8 +482,11 @@ int main(int argc, char **argv)
     test_subsets();
     test_range();
     test_fractals(&in, POINTS, &one, &two);
+    test_reserved(&in, POINTS, &one, &two);
     test_seeds();
     test_texts();
+    test_names();
+    test_check_order();
     test_normals();
     test_errno();
     return check_done();

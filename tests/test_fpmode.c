@@ -92,6 +92,9 @@ static __attribute__((noinline)) enum scarp_status range_in_mode(const struct mo
 {
     const struct mode_control before = mode_enter(mode);
     enum scarp_status status = scarp_range(noise, 3, lowest, highest);
+    if (scarp_noise_check(noise, 3, NULL) != status) {
+        status = SCARP_ERROR_NULL;
+    }
     if (!scarp_isa_supported(scarp_isa_active()) || scarp_isa_select(scarp_isa_active())) {
         status = SCARP_ERROR_UNSUPPORTED;
     }
@@ -151,10 +154,13 @@ static void test_errors(const struct mode *mode)
                                    0x7f800001u, 0x7f7fffffu, 0x80000001u};
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         const float number = float_of_bits(bad[i]);
-        for (int field = 0; field < 4; field++) {
+        for (int field = 0; field < 7; field++) {
             struct scarp_noise noise = {0};
-            float *const fields[4] = {&noise.octaves, &noise.lacunarity, &noise.gain,
-                                      &noise.amplitude};
+            float *const fields[] = {&noise.octaves,   &noise.lacunarity, &noise.gain,
+                                     &noise.amplitude, &noise.phase,      &noise.jitter,
+                                     &noise.sharpness};
+            const enum scarp_status expected_status =
+                field < 4 ? SCARP_ERROR_PARAMETER : SCARP_ERROR_UNSUPPORTED;
             memcpy(fields[field], &number, sizeof number);
             float bounds[2];
             const enum scarp_status sampled = call_in_mode(mode, &noise, SAMPLE3, &got, &after);
@@ -162,9 +168,8 @@ static void test_errors(const struct mode *mode)
             const enum scarp_status ranged =
                 range_in_mode(mode, &noise, &bounds[0], &bounds[1], &after);
             expect_control(mode, &after, "scarp_range");
-            CHECK(sampled == SCARP_ERROR_PARAMETER && ranged == sampled,
-                  "%s: field %d = %#x: %s, %s", mode->name, field, bad[i],
-                  scarp_status_text(sampled), scarp_status_text(ranged));
+            CHECK(sampled == expected_status && ranged == sampled, "%s: field %d = %#x: %s, %s",
+                  mode->name, field, bad[i], scarp_status_text(sampled), scarp_status_text(ranged));
         }
         if (i < 4) {
             const enum scarp_status status = normals_in_mode(mode, &number, &got, &after);

@@ -117,7 +117,16 @@ static struct scarp_samples samples_at(const struct outputs *o, unsigned wanted,
     for (int m = 0; m < OUTPUTS; m++) {
         a[m] = (wanted >> m & 1) != 0 ? o->array[m] + at : NULL;
     }
-    const struct scarp_samples s = {a[0], a[1], a[2], a[3], a[4], a[5], a[6], a[7], a[8], a[9]};
+    const struct scarp_samples s = {.value = a[0],
+                                    .dx = a[1],
+                                    .dy = a[2],
+                                    .dz = a[3],
+                                    .dxx = a[4],
+                                    .dxy = a[5],
+                                    .dxz = a[6],
+                                    .dyy = a[7],
+                                    .dyz = a[8],
+                                    .dzz = a[9]};
     return s;
 }
 

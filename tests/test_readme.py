@@ -90,6 +90,9 @@ class Examples:
         if ".so" not in os.path.basename(self.library) or self.emulator:
             skip("Python needs the shared library of its own processor")
         code, height = self.first("python")[0], float(self.first("c")[1].split()[1].rstrip(","))
+        # A structure that is too short has whatever follows it in memory for reserved members.
+        code += ("assert ctypes.sizeof(Noise) == 192\n"
+                 "assert ctypes.sizeof(Samples) == 16 * ctypes.sizeof(ctypes.c_void_p)\n")
         environment = dict(os.environ, LD_LIBRARY_PATH=self.folder)
         printed = subprocess.run([sys.executable, "-c", code], check=True, text=True,
                                  env=environment, stdout=subprocess.PIPE).stdout

@@ -149,8 +149,9 @@ static void *select_or_sample(void *argument)
         atomic_fetch_sub(&sampling, 1);
         return NULL;
     }
+    const int isas = check_isa_count();
     for (int i = w->number; atomic_load(&sampling) > 0; i++) {
-        const enum scarp_isa isa = (enum scarp_isa)(i % (SCARP_ISA_NEON + 1));
+        const enum scarp_isa isa = (enum scarp_isa)(i % isas);
         const enum scarp_status expected =
             isa == SCARP_ISA_NONE || scarp_isa_supported(isa) ? SCARP_OK : SCARP_ERROR_UNSUPPORTED;
         if (scarp_isa_select(isa) != expected || !scarp_isa_supported(scarp_isa_active())) {

@@ -17,7 +17,16 @@ static struct scarp_samples samples_of(struct rows *rows)
     for (int i = 0; i < ROWS; i++) {
         r[i] = (float *)rows->row[i];
     }
-    const struct scarp_samples s = {r[0], r[1], r[2], r[3], r[4], r[5], r[6], r[7], r[8], r[9]};
+    const struct scarp_samples s = {.value = r[0],
+                                    .dx = r[1],
+                                    .dy = r[2],
+                                    .dz = r[3],
+                                    .dxx = r[4],
+                                    .dxy = r[5],
+                                    .dxz = r[6],
+                                    .dyy = r[7],
+                                    .dyz = r[8],
+                                    .dzz = r[9]};
     return s;
 }
 
@@ -26,11 +35,16 @@ static struct scarp_samples rows_from(const struct scarp_samples *out, size_t fi
                                       const struct scarp_samples *spare)
 {
     const struct scarp_samples rows = {
-        out->value ? out->value + first : spare->value, out->dx ? out->dx + first : spare->dx,
-        out->dy ? out->dy + first : spare->dy,          out->dz ? out->dz + first : spare->dz,
-        out->dxx ? out->dxx + first : spare->dxx,       out->dxy ? out->dxy + first : spare->dxy,
-        out->dxz ? out->dxz + first : spare->dxz,       out->dyy ? out->dyy + first : spare->dyy,
-        out->dyz ? out->dyz + first : spare->dyz,       out->dzz ? out->dzz + first : spare->dzz,
+        .value = out->value ? out->value + first : spare->value,
+        .dx = out->dx ? out->dx + first : spare->dx,
+        .dy = out->dy ? out->dy + first : spare->dy,
+        .dz = out->dz ? out->dz + first : spare->dz,
+        .dxx = out->dxx ? out->dxx + first : spare->dxx,
+        .dxy = out->dxy ? out->dxy + first : spare->dxy,
+        .dxz = out->dxz ? out->dxz + first : spare->dxz,
+        .dyy = out->dyy ? out->dyy + first : spare->dyy,
+        .dyz = out->dyz ? out->dyz + first : spare->dyz,
+        .dzz = out->dzz ? out->dzz + first : spare->dzz,
     };
     return rows;
 }

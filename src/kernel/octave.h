@@ -14,7 +14,7 @@ struct weights {
     float amplitude, slope, curvature;
 };
 
-/* A row for every member of struct scarp_samples, in their order. */
+/* A row for every output of struct scarp_samples, in their order. */
 enum { VALUE, DX, DY, DZ, DXX, DXY, DXZ, DYY, DYZ, DZZ, ROWS };
 
 struct rows {

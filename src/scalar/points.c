@@ -144,10 +144,16 @@ static float *moved(float *array, size_t by)
 static struct scarp_samples samples_from(const struct scarp_samples *out, size_t first)
 {
     const struct scarp_samples rows = {
-        moved(out->value, first), moved(out->dx, first),  moved(out->dy, first),
-        moved(out->dz, first),    moved(out->dxx, first), moved(out->dxy, first),
-        moved(out->dxz, first),   moved(out->dyy, first), moved(out->dyz, first),
-        moved(out->dzz, first),
+        .value = moved(out->value, first),
+        .dx = moved(out->dx, first),
+        .dy = moved(out->dy, first),
+        .dz = moved(out->dz, first),
+        .dxx = moved(out->dxx, first),
+        .dxy = moved(out->dxy, first),
+        .dxz = moved(out->dxz, first),
+        .dyy = moved(out->dyy, first),
+        .dyz = moved(out->dyz, first),
+        .dzz = moved(out->dzz, first),
     };
     return rows;
 }

@@ -7,7 +7,9 @@ import ctypes
 import sys
 
 COUNT = 37
-OK, ERROR_NULL, ERROR_ENUM, ERROR_PARAMETER = range(4)
+OK, ERROR_NULL, ERROR_ENUM, ERROR_PARAMETER, ERROR_SIZE, ERROR_UNSUPPORTED = range(6)
+POINTER_SIZE = ctypes.sizeof(ctypes.c_void_p)
+SIZE_SIZE = ctypes.sizeof(ctypes.c_size_t)
 
 
 class Noise(ctypes.Structure):
@@ -15,8 +17,10 @@ class Noise(ctypes.Structure):
         ("basis", ctypes.c_int), ("fade", ctypes.c_int), ("fractal", ctypes.c_int),
         ("rotate", ctypes.c_uint32), ("seed", ctypes.c_uint64), ("frequency", ctypes.c_double),
         ("octaves", ctypes.c_float), ("lacunarity", ctypes.c_float), ("gain", ctypes.c_float),
-        ("amplitude", ctypes.c_float), ("erosion", ctypes.c_float),
-        ("later", ctypes.c_byte * 64)]  # fields that may be added
+        ("amplitude", ctypes.c_float), ("erosion", ctypes.c_float), ("phase", ctypes.c_float),
+        ("jitter", ctypes.c_float), ("sharpness", ctypes.c_float),
+        ("period", ctypes.c_uint32 * 3), ("spare0", ctypes.c_uint32), ("warp", ctypes.c_void_p),
+        ("spare", ctypes.c_uint32 * ((192 - 80 - POINTER_SIZE) // 4))]
 
 
 FloatPointer = ctypes.POINTER(ctypes.c_float)
@@ -24,7 +28,67 @@ FloatPointer = ctypes.POINTER(ctypes.c_float)
 
 class Samples(ctypes.Structure):
     _fields_ = [(name, FloatPointer)
-                for name in "value dx dy dz dxx dxy dxz dyy dyz dzz".split()]
+                for name in "value dx dy dz dxx dxy dxz dyy dyz dzz dphase".split()] + [
+                    ("spare", FloatPointer * 5)]
+
+
+class Grid(ctypes.Structure):
+    _fields_ = [
+        ("origin", ctypes.c_double * 3), ("step", ctypes.c_double * 3),
+        ("first", ctypes.c_int64 * 3), ("count", ctypes.c_size_t * 3),
+        ("row_stride", ctypes.c_size_t), ("slice_stride", ctypes.c_size_t),
+        ("spare", ctypes.c_uint32 * ((192 - 72 - 5 * SIZE_SIZE) // 4))]
+
+
+def names(call):
+    """All that a function gives for 0, 1, ... until it gives NULL."""
+    call.restype = ctypes.c_char_p
+    found = []
+    while call(len(found)) is not None:
+        found.append(call(len(found)).decode())
+    return found
+
+
+def check_layout():
+    assert ctypes.sizeof(Noise) == ctypes.sizeof(Grid) == 192
+    assert (Noise.erosion.offset, Noise.period.offset, Noise.warp.offset) == (48, 64, 80)
+    assert ctypes.sizeof(Samples) == 16 * POINTER_SIZE
+
+
+def check_names(library):
+    assert names(library.scarp_basis_name) == ["gradient", "value"]
+    assert names(library.scarp_fade_name) == ["quintic", "cubic"]
+    assert names(library.scarp_fractal_name) == ["fbm", "turbulence", "ridged", "erosion"]
+    assert names(library.scarp_isa_name)[:2] == ["none", "scalar"]
+    assert library.scarp_isa_supported(1)
+
+
+def check_faults(library):
+    noise, member = Noise(), ctypes.c_char_p()
+
+    def check():
+        return library.scarp_noise_check(ctypes.byref(noise), 2, ctypes.byref(member))
+
+    assert (check(), member.value) == (OK, None)
+    noise.period[1] = 5
+    assert (check(), member.value) == (ERROR_UNSUPPORTED, b"period[1]")
+    noise.gain = 17
+    assert (check(), member.value) == (ERROR_PARAMETER, b"gain")
+
+
+def check_grid(library, noise, before):
+    """A grid of the same samples as the points of main(), which are exact in floats."""
+    value = (ctypes.c_float * COUNT)()
+    out = Samples(value=value)
+    grid = Grid(origin=(0.28125, 0.4375, 0), step=(0.125, 0, 0), count=(COUNT, 1, 1))
+
+    def sample():
+        return library.scarp_grid2(ctypes.byref(noise), ctypes.byref(grid), ctypes.byref(out))
+
+    assert sample() == OK
+    assert list(value) == before
+    grid.spare[len(grid.spare) - 1] = 1
+    assert sample() == ERROR_UNSUPPORTED
 
 
 def main(path, version):
@@ -33,10 +97,13 @@ def main(path, version):
     library.scarp_status_text.restype = ctypes.c_char_p
     assert library.scarp_version().decode() == version, library.scarp_version()
     assert library.scarp_status_text(ERROR_NULL) != library.scarp_status_text(OK)
+    check_layout()
+    check_names(library)
+    check_faults(library)
 
     floats = ctypes.c_float * COUNT
-    x = floats(*(0.3 + 0.17 * i for i in range(COUNT)))
-    y = floats(*(0.4 for i in range(COUNT)))
+    x = floats(*(0.28125 + 0.125 * i for i in range(COUNT)))
+    y = floats(*(0.4375 for i in range(COUNT)))
     value, dx, dy = floats(), floats(), floats()
     out = Samples(value=value, dx=dx, dy=dy)
     noise = Noise(seed=42)
@@ -49,6 +116,7 @@ def main(path, version):
     assert all(all(array) for array in (value, dx, dy)), "a value or gradient is zero"
     assert all(abs(v) <= 1 for v in value)
     before = list(value)
+    check_grid(library, noise, before)
     noise.basis = 99
     assert sample() == ERROR_ENUM
     noise.basis = 0

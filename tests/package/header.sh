@@ -8,13 +8,27 @@ GNU | *Clang) ;;
 *) skip "no flags known for $c_compiler_id" ;;
 esac
 
-# check COMPILER LANGUAGE STANDARD WARNING...; twice, for the include guard
+# Twice, for the include guard, and with what no language may lay out in its own way.
+program()
+{
+    cat <<'EOF'
+#include "scarp.h"
+#include "scarp.h"
+#define SAME(name, a, b) typedef char name[(a) == (b) ? 1 : -1]
+SAME(noise_size, sizeof(struct scarp_noise), 192);
+SAME(warp_offset, offsetof(struct scarp_noise, warp), 80);
+SAME(samples_size, sizeof(struct scarp_samples), 16 * sizeof(float *));
+SAME(grid_size, sizeof(struct scarp_grid), 192);
+EOF
+}
+
+# check COMPILER LANGUAGE STANDARD FLAG...
 check()
 {
     compiler=$1 dialect=$2 standard=$3
     shift 3
-    echo "$dialect, $standard"
-    printf '#include "scarp.h"\n#include "scarp.h"\n' |
+    echo "$dialect, $standard $*"
+    program |
         "$compiler" -x "$dialect" "-std=$standard" -I"$source_dir/include" -Wall -Wextra \
             -Wpedantic -Wconversion -Wundef -Wshadow -Werror "$@" -fsyntax-only -
 }
@@ -28,3 +42,13 @@ else
         check "$cxx_compiler" c++ $standard -Wold-style-cast
     done
 fi
+
+# The layout where pointers have 32 bits, on processors that align doubles to 4 bytes and to 8, if
+# the compiler knows them. That needs no C library, which may be missing.
+for processor in -m32 --target=armv7-none-eabi; do
+    if echo '' | "$c_compiler" -x c "$processor" -ffreestanding -fsyntax-only - 2>/dev/null; then
+        check "$c_compiler" c c11 "$processor" -ffreestanding
+    else
+        echo "$c_compiler does not know $processor"
+    fi
+done

@@ -57,11 +57,13 @@ class Noise(ctypes.Structure):
                 ("rotate", ctypes.c_uint32), ("seed", ctypes.c_uint64),
                 ("frequency", ctypes.c_double), ("octaves", ctypes.c_float),
                 ("lacunarity", ctypes.c_float), ("gain", ctypes.c_float),
-                ("amplitude", ctypes.c_float), ("erosion", ctypes.c_float)]
+                ("amplitude", ctypes.c_float), ("erosion", ctypes.c_float),
+                ("reserved", ctypes.c_uint32 * 35)]
 
 
 class Samples(ctypes.Structure):
-    _fields_ = [(name, ctypes.POINTER(ctypes.c_float)) for name in RESULTS[3]]
+    _fields_ = [(name, ctypes.POINTER(ctypes.c_float)) for name in RESULTS[3]] + [
+        ("reserved", ctypes.c_void_p * 6)]
 
 
 def reference(points, names, **noise):

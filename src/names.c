@@ -1,0 +1,56 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Words for the enumerators of scarp.h. Clients iterate over them until they meet NULL, so no list
+ * may have a gap; tests/api_names.h looks for one.
+ */
+#include "names.h"
+
+#include <stddef.h>
+
+static const char *const bases[SCARP_BASES] = {
+    [SCARP_GRADIENT] = "gradient",
+    [SCARP_VALUE] = "value",
+};
+
+static const char *const fades[SCARP_FADES] = {
+    [SCARP_QUINTIC] = "quintic",
+    [SCARP_CUBIC] = "cubic",
+};
+
+static const char *const fractals[SCARP_FRACTALS] = {
+    [SCARP_FBM] = "fbm",
+    [SCARP_TURBULENCE] = "turbulence",
+    [SCARP_RIDGED] = "ridged",
+    [SCARP_EROSION] = "erosion",
+};
+
+static const char *const isas[SCARP_ISAS] = {
+    [SCARP_ISA_NONE] = "none", [SCARP_ISA_SCALAR] = "scalar", [SCARP_ISA_SSE41] = "sse4.1",
+    [SCARP_ISA_AVX2] = "avx2", [SCARP_ISA_AVX512] = "avx512", [SCARP_ISA_NEON] = "neon",
+};
+
+/* Enumerators come as unsigned, so that negative numbers are too large as well. */
+static const char *name_of(unsigned enumerator, const char *const names[], unsigned count)
+{
+    return enumerator < count ? names[enumerator] : NULL;
+}
+
+const char *scarp_basis_name(enum scarp_basis basis)
+{
+    return name_of((unsigned)basis, bases, SCARP_BASES);
+}
+
+const char *scarp_fade_name(enum scarp_fade fade)
+{
+    return name_of((unsigned)fade, fades, SCARP_FADES);
+}
+
+const char *scarp_fractal_name(enum scarp_fractal fractal)
+{
+    return name_of((unsigned)fractal, fractals, SCARP_FRACTALS);
+}
+
+const char *scarp_isa_name(enum scarp_isa isa)
+{
+    return name_of((unsigned)isa, isas, SCARP_ISAS);
+}
