@@ -79,10 +79,9 @@ static int is_selected(const struct bench_options *options, const struct bench_w
 static int add_subjects(struct selection *selection, const struct bench_options *options,
                         const struct bench_work *work, const struct bench_peer *peer)
 {
-    for (int isa = SCARP_ISA_SCALAR; isa <= SCARP_ISA_NEON; isa++) {
+    for (enum scarp_isa isa = SCARP_ISA_NONE + 1; scarp_isa_name(isa) != NULL; isa++) {
         struct bench_subject subject;
-        if (!(options->isas >> isa & 1) ||
-            !bench_subject_make(&subject, work, peer, (enum scarp_isa)isa)) {
+        if (!(options->isas >> isa & 1) || !bench_subject_make(&subject, work, peer, isa)) {
             continue;
         }
         const size_t size = (selection->count + 1) * sizeof *selection->subjects;
@@ -175,11 +174,11 @@ static void describe(struct bench_report *report, const struct bench_options *op
     snprintf(report->compiler, sizeof report->compiler, "unknown");
 #endif
     snprintf(report->flags, sizeof report->flags, "%s", SCARP_BENCH_FLAGS);
-    for (int isa = SCARP_ISA_SCALAR; isa <= SCARP_ISA_NEON; isa++) {
-        if (scarp_isa_supported((enum scarp_isa)isa)) {
+    for (enum scarp_isa isa = SCARP_ISA_NONE + 1; scarp_isa_name(isa) != NULL; isa++) {
+        if (scarp_isa_supported(isa)) {
             const size_t length = strlen(report->isas);
             snprintf(report->isas + length, sizeof report->isas - length, "%s%s",
-                     length > 0 ? " " : "", scarp_isa_name((enum scarp_isa)isa));
+                     length > 0 ? " " : "", scarp_isa_name(isa));
         }
     }
     report->min_time = options->min_time;
@@ -223,8 +222,8 @@ static int prepare(struct selection *selection, struct bench_report *report)
 
 static int isa_is_wanted(const struct bench_options *options, const char *name)
 {
-    for (int isa = SCARP_ISA_SCALAR; isa <= SCARP_ISA_NEON; isa++) {
-        if (strcmp(name, scarp_isa_name((enum scarp_isa)isa)) == 0) {
+    for (enum scarp_isa isa = SCARP_ISA_NONE + 1; scarp_isa_name(isa) != NULL; isa++) {
+        if (strcmp(name, scarp_isa_name(isa)) == 0) {
             return (int)(options->isas >> isa & 1);
         }
     }

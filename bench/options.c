@@ -91,21 +91,34 @@ int bench_next_part(const char **list, char *part, size_t size)
     return 1;
 }
 
+/* "an instruction set: ", and all that the library knows; written before anything is parsed. */
+static char isas_allowed[160];
+
+static void write_isas_allowed(void)
+{
+    size_t length = 0;
+    for (enum scarp_isa isa = SCARP_ISA_NONE + 1; scarp_isa_name(isa) != NULL; isa++) {
+        length +=
+            (size_t)snprintf(isas_allowed + length, sizeof isas_allowed - length, "%s%s",
+                             length == 0 ? "an instruction set: " : ", ", scarp_isa_name(isa));
+    }
+}
+
 static int parse_isas(const struct option *option, const char *text, void *field)
 {
     unsigned *const isas = field;
     char part[64];
     *isas = 0;
     while (bench_next_part(&text, part, sizeof part)) {
-        int isa = SCARP_ISA_SCALAR;
-        while (isa <= SCARP_ISA_NEON && strcmp(part, scarp_isa_name((enum scarp_isa)isa)) != 0) {
+        enum scarp_isa isa = SCARP_ISA_NONE + 1;
+        while (scarp_isa_name(isa) != NULL && strcmp(part, scarp_isa_name(isa)) != 0) {
             isa++;
         }
-        if (isa > SCARP_ISA_NEON) {
+        if (scarp_isa_name(isa) == NULL) {
             refuse(option, part);
             return 0;
         }
-        if (!scarp_isa_supported((enum scarp_isa)isa)) {
+        if (!scarp_isa_supported(isa)) {
             bench_error("%s: '%s' cannot run here", option->name, part);
             return 0;
         }
@@ -121,7 +134,7 @@ static const struct option options_known[] = {
      "only these workloads: a name, a part of one, or a pattern with\n"
      "* and ?; several between commas",
      parse_list, FIELD(work), 0, 0},
-    {"--isa", "LIST", "an instruction set: scalar, sse4.1, avx2, avx512, neon",
+    {"--isa", "LIST", isas_allowed,
      "only these instruction sets, between commas; libraries that do not\n"
      "choose among them count as scalar",
      parse_isas, FIELD(isas), 0, 0},
@@ -216,6 +229,7 @@ static int read_option(struct bench_options *options, int argc, char **argv)
 enum bench_outcome bench_options_parse(struct bench_options *options, int argc, char **argv)
 {
     *options = (struct bench_options){.isas = ~0u, .min_time = 0.2, .repeat = 11};
+    write_isas_allowed();
     for (int i = 1; i < argc;) {
         if (strcmp(argv[i], "--help") == 0 || strcmp(argv[i], "-h") == 0) {
             print_help();

@@ -95,9 +95,6 @@ static const struct product products[] = {
 };
 
 static const char *const layout_names[] = {"points", "grid", "normals"};
-static const char *const basis_names[] = {"gradient", "value"};
-static const char *const fade_names[] = {"", "/cubic"};
-static const char *const fractal_names[] = {"fbm", "turbulence", "ridged", "erosion"};
 static const char *const pattern_names[] = {"", "/sequential", "/same-cell"};
 static const char *const output_names[] = {"value", "+gradient", "+hessian", "forward-differences",
                                            "central-differences"};
@@ -108,9 +105,13 @@ static void write_name(struct bench_work *work)
         snprintf(work->name, sizeof work->name, "%s", layout_names[work->layout]);
         return;
     }
-    char fractal[16] = "", size[32] = "";
+    char fade[16] = "", fractal[32] = "", size[32] = "";
+    if (work->fade != SCARP_QUINTIC) {
+        snprintf(fade, sizeof fade, "/%s", scarp_fade_name(work->fade));
+    }
     if (work->octaves > 1) {
-        snprintf(fractal, sizeof fractal, "/%s%d", fractal_names[work->fractal], work->octaves);
+        snprintf(fractal, sizeof fractal, "/%s%d", scarp_fractal_name(work->fractal),
+                 work->octaves);
     }
     if (work->layout == BENCH_GRID) {
         snprintf(size, sizeof size, "/%zu/step%g", work->grid[0], (double)work->step);
@@ -118,7 +119,7 @@ static void write_name(struct bench_work *work)
         snprintf(size, sizeof size, "/n=%zu", work->points);
     }
     snprintf(work->name, sizeof work->name, "%s%d/%s%s%s%s%s%s/%s%s", layout_names[work->layout],
-             work->dimensions, basis_names[work->basis], fade_names[work->fade], fractal,
+             work->dimensions, scarp_basis_name(work->basis), fade, fractal,
              work->turned ? "/turned" : "", work->f64 ? "/f64" : "", pattern_names[work->pattern],
              output_names[work->output], size);
 }
@@ -182,12 +183,12 @@ static int get_from_product(const struct product *product, size_t *index, struct
 {
     const int fixed = product->work.dimensions;
     *work = product->work;
-    for (unsigned basis = 0; basis < COUNT_OF(basis_names); basis++) {
+    for (enum scarp_basis basis = 0; scarp_basis_name(basis) != NULL; basis++) {
         for (int d = 2; d <= 3; d++) {
             if (!(product->bases >> basis & 1) || (fixed != 0 && fixed != d)) {
                 continue;
             }
-            work->basis = (enum scarp_basis)basis;
+            work->basis = basis;
             work->dimensions = d;
             if (get_from_sizes(product, index, work)) {
                 return 1;

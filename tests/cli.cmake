@@ -36,6 +36,12 @@ block()
   scarp_add_cli_test(documents Completion completion bash)
 endblock()
 
+if("scarp" IN_LIST scarp_found)
+  set(cli ${PROJECT_SOURCE_DIR}/src/cli)
+  scarp_test_program(test_cli_words SOURCES ${cli}/noise.c ${cli}/number.c ${cli}/values.c)
+endif()
+scarp_add_test(cli.words cli NEEDS scarp COMMAND test_cli_words)
+
 if(UNIX)
   scarp_test_program(test_interrupt SOURCES ${PROJECT_SOURCE_DIR}/src/cli/interrupt.c)
   target_compile_definitions(test_interrupt PRIVATE _XOPEN_SOURCE=700)

@@ -33,8 +33,7 @@ static void print_versions(void)
 static void print_isas(void)
 {
     printf("\n%-16s %-10s %s\n", "instruction set", "supported", "active");
-    for (int i = SCARP_ISA_SCALAR; i <= SCARP_ISA_NEON; i++) {
-        const enum scarp_isa isa = (enum scarp_isa)i;
+    for (enum scarp_isa isa = SCARP_ISA_NONE + 1; scarp_isa_name(isa) != NULL; isa++) {
         printf("%-16s %-10s %s\n", scarp_isa_name(isa), scarp_isa_supported(isa) ? "yes" : "no",
                scarp_isa_active() == isa ? "yes" : "no");
     }

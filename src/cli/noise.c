@@ -8,12 +8,11 @@
 
 #include "cli.h"
 
-/* In the order of the enumerators */
-static const char *const bases[] = {"gradient", "value", NULL};
-static const char *const fades[] = {"quintic", "cubic", NULL};
-static const char *const fractals[] = {"fbm", "turbulence", "ridged", "erosion", NULL};
-
 #define FIELD(name) offsetof(struct noise_options, name)
+
+/* Help and messages spell out the library's words; tests/test_cli_words.c compares them. */
+#define BASES "gradient or value"
+#define FADES "quintic or cubic"
 #define FRACTALS "fbm, turbulence, ridged or erosion"
 
 /* Refuses also what is 0 as a float, from 2^-150 down: the library takes it for the default. */
@@ -27,6 +26,21 @@ static enum option_result parse_octaves(const struct option *option, const char 
     return OPTION_VALID;
 }
 
+static const char *basis_word(int basis)
+{
+    return scarp_basis_name((enum scarp_basis)basis);
+}
+
+static const char *fade_word(int fade)
+{
+    return scarp_fade_name((enum scarp_fade)fade);
+}
+
+static const char *fractal_word(int fractal)
+{
+    return scarp_fractal_name((enum scarp_fractal)fractal);
+}
+
 const struct option noise_option_rows[NOISE_OPTION_COUNT] = {
     {.name = "--seed",
      .argument = "N",
@@ -38,19 +52,19 @@ const struct option noise_option_rows[NOISE_OPTION_COUNT] = {
     {.name = "--basis",
      .argument = "NAME",
      .standard = "gradient",
-     .allowed = "gradient or value",
-     .help = "noise of an octave: gradient or value",
+     .allowed = BASES,
+     .help = "noise of an octave: " BASES,
      .parse = option_choice,
      .offset = FIELD(basis),
-     .choices = bases},
+     .choice = basis_word},
     {.name = "--fade",
      .argument = "NAME",
      .standard = "quintic",
-     .allowed = "quintic or cubic",
-     .help = "blend between lattice points: quintic or cubic",
+     .allowed = FADES,
+     .help = "blend between lattice points: " FADES,
      .parse = option_choice,
      .offset = FIELD(fade),
-     .choices = fades},
+     .choice = fade_word},
     {.name = "--fractal",
      .argument = "NAME",
      .standard = "fbm",
@@ -58,7 +72,7 @@ const struct option noise_option_rows[NOISE_OPTION_COUNT] = {
      .help = "how octaves are summed: " FRACTALS,
      .parse = option_choice,
      .offset = FIELD(fractal),
-     .choices = fractals},
+     .choice = fractal_word},
     {.name = "--erosion",
      .argument = "F",
      .standard = "1",
@@ -137,8 +151,7 @@ bool noise_make(const struct noise_options *options, struct scarp_noise *noise)
         .erosion = options->erosion,
     };
     /* Each number was checked by itself; what is left is the frequency of the last octave. */
-    float lowest, highest;
-    const enum scarp_status status = scarp_range(noise, 2, &lowest, &highest);
+    const enum scarp_status status = scarp_noise_check(noise, 2, NULL);
     if (status != SCARP_OK) {
         cli_error("--frequency, --lacunarity, --octaves: the frequency of the last octave is not "
                   "from 2^-32 to 2^48");

@@ -34,6 +34,8 @@ struct option {
     size_t offset;              /* of the field in the structure that receives the values */
     double lowest, highest;     /* the interval of numbers, bounds included */
     const char *const *choices; /* of option_choice, ending in NULL */
+    const char *(*choice)(int); /* of option_choice in place of `choices`: the words for 0, 1, ...,
+                                   NULL past the last */
     int of_run; /* it concerns this run or the names of files, not what files hold */
 };
 
@@ -50,7 +52,8 @@ struct option_group {
         title, rows, sizeof(rows) / sizeof(rows)[0], offset                                        \
     }
 
-#define OPTION_ISAS "scalar, sse4.1, avx2, avx512 or neon" /* what option_isa takes */
+/* What option_isa takes; tests/test_cli_words.c compares it with the library's names. */
+#define OPTION_ISAS "scalar, sse4.1, avx2, avx512 or neon"
 
 /* Options as they would be typed, one word each and NULL at the end: names, each followed by its
    value unless it is a flag */
@@ -85,7 +88,7 @@ struct option_range {
     size_t x0, x1, y0, y1; /* x0 <= x < x1, y0 <= y < y1 */
 };
 
-option_parse_fn option_choice;    /* int: the index in `choices` */
+option_parse_fn option_choice;    /* int: the number of the word */
 option_parse_fn option_count;     /* size_t in [lowest, highest] */
 option_parse_fn option_double;    /* double in [lowest, highest] */
 option_parse_fn option_float;     /* float in [lowest, highest]; the bounds are floats */
@@ -104,6 +107,9 @@ enum options_outcome {
     OPTIONS_HELP, /* the help was asked for and printed */
     OPTIONS_BAD   /* one line on stderr told why */
 };
+
+/* The word number `index` of an option that is read by option_choice; NULL past the last. */
+const char *option_choice_word(const struct option *option, int index);
 
 /* Fills `values` with the defaults, then with what `argv` holds, which ends with NULL. */
 enum options_outcome options_parse(const struct option_table *table, char **argv, void *values);

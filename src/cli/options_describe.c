@@ -31,7 +31,7 @@ static void add_value(const struct option *option, const void *field, struct tex
     if (kind == NULL) {
         text_add(text, "%s", *(const int *)field != 0 ? "true" : "false");
     } else if (kind == option_choice) {
-        json_add_string(text, option->choices[*(const int *)field]);
+        json_add_string(text, option_choice_word(option, *(const int *)field));
     } else if (kind == option_count) {
         text_add(text, "%zu", *(const size_t *)field);
     } else if (kind == option_double) {

@@ -156,10 +156,15 @@ enum option_result option_seed(const struct option *option, const char *text, vo
     return OPTION_VALID;
 }
 
+const char *option_choice_word(const struct option *option, int index)
+{
+    return option->choice != NULL ? option->choice(index) : option->choices[index];
+}
+
 enum option_result option_choice(const struct option *option, const char *text, void *field)
 {
-    for (int i = 0; option->choices[i] != NULL; i++) {
-        if (strcmp(text, option->choices[i]) == 0) {
+    for (int i = 0; option_choice_word(option, i) != NULL; i++) {
+        if (strcmp(text, option_choice_word(option, i)) == 0) {
             *(int *)field = i;
             return OPTION_VALID;
         }
@@ -170,10 +175,9 @@ enum option_result option_choice(const struct option *option, const char *text, 
 enum option_result option_isa(const struct option *option, const char *text, void *field)
 {
     (void)option;
-    for (int i = SCARP_ISA_SCALAR; i <= SCARP_ISA_NEON; i++) {
-        const enum scarp_isa isa = (enum scarp_isa)i;
+    for (enum scarp_isa isa = SCARP_ISA_NONE + 1; scarp_isa_name(isa) != NULL; isa++) {
         if (strcmp(text, scarp_isa_name(isa)) == 0) {
-            *(int *)field = i;
+            *(int *)field = (int)isa;
             return scarp_isa_supported(isa) ? OPTION_VALID : OPTION_UNAVAILABLE;
         }
     }

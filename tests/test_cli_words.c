@@ -1,0 +1,90 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The words that the program's help and messages spell out (src/cli) are the library's, all of
+ * them, in its order; and its options take each of them for its enumerator.
+ */
+#include <stdarg.h>
+
+#include "../src/cli/cli.h"
+#include "../src/cli/noise.h"
+#include "check.h"
+
+static const char *basis_name(int basis)
+{
+    return scarp_basis_name((enum scarp_basis)basis);
+}
+
+static const char *fade_name(int fade)
+{
+    return scarp_fade_name((enum scarp_fade)fade);
+}
+
+static const char *fractal_name(int fractal)
+{
+    return scarp_fractal_name((enum scarp_fractal)fractal);
+}
+
+static const char *isa_name(int isa)
+{
+    return scarp_isa_name((enum scarp_isa)isa);
+}
+
+/* In place of the program's; no test here leads to a message. */
+void cli_error(const char *format, ...)
+{
+    (void)format;
+    CHECK(0, "a message was written");
+}
+
+static void append(char *text, size_t size, const char *words)
+{
+    const size_t length = strlen(text);
+    snprintf(text + length, size - length, "%s", words);
+}
+
+/* "a, b or c": what `name` gives from `first` on */
+static void write_list(char *text, size_t size, const char *(*name)(int), int first)
+{
+    text[0] = '\0';
+    for (int i = first; name(i) != NULL; i++) {
+        append(text, size, i == first ? "" : name(i + 1) == NULL ? " or " : ", ");
+        append(text, size, name(i));
+    }
+}
+
+static void check_option(const char *option_name, const char *(*name)(int))
+{
+    char list[256], help[256] = ": ";
+    write_list(list, sizeof list, name, 0);
+    append(help, sizeof help, list);
+    for (size_t i = 0; i < NOISE_OPTION_COUNT; i++) {
+        const struct option *const option = &noise_option_rows[i];
+        if (strcmp(option->name, option_name) != 0) {
+            continue;
+        }
+        CHECK(strcmp(option->allowed, list) == 0, "%s is %s, not %s", option_name, option->allowed,
+              list);
+        CHECK(strlen(option->help) > strlen(help) &&
+                  strcmp(option->help + strlen(option->help) - strlen(help), help) == 0,
+              "the help of %s does not end in%s", option_name, help);
+        CHECK(strcmp(option->standard, name(0)) == 0, "%s: the default is not 0", option_name);
+        for (int word = 0; name(word) != NULL; word++) {
+            int value = -1;
+            CHECK(option->parse(option, name(word), &value) == OPTION_VALID && value == word,
+                  "%s %s is %d", option_name, name(word), value);
+        }
+        return;
+    }
+    CHECK(0, "there is no option %s", option_name);
+}
+
+int main(void)
+{
+    char isas[256];
+    check_option("--basis", basis_name);
+    check_option("--fade", fade_name);
+    check_option("--fractal", fractal_name);
+    write_list(isas, sizeof isas, isa_name, SCARP_ISA_NONE + 1);
+    CHECK(strcmp(OPTION_ISAS, isas) == 0, "instruction sets are %s, not %s", OPTION_ISAS, isas);
+    return check_done();
+}
