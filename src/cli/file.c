@@ -341,7 +341,7 @@ void file_discard(struct file *file)
 
 const char *file_reason(int reason)
 {
-    return reason == EBUSY ? "is already written by another option"
+    return reason == EBUSY ? "is already written by another option, or is the manifest"
            : reason == 0   ? "cannot be written"
                            : strerror(reason);
 }

@@ -38,7 +38,19 @@ static int tell_failure(struct job *job, const struct outputs *outputs, const st
 static void finish(void *context)
 {
     struct job *const job = context;
-    job->is_finished = outputs_close(&job->outputs[1 - job->turn]);
+    struct outputs *const outputs = &job->outputs[1 - job->turn];
+    const bool is_complete = outputs_complete(outputs);
+    job->is_orphan = is_complete && !manifest_is_there(&job->manifest);
+    job->is_finished = is_complete && !job->is_orphan && outputs_publish(outputs);
+}
+
+/* No tile takes its name beside the manifest of another world, for which it would be taken. */
+static int finish_orphan(struct job *job)
+{
+    progress_end(&job->progress, false);
+    const int status = manifest_open_again(&job->manifest);
+    job->is_finished = status == CLI_SUCCESS && outputs_publish(&job->outputs[1 - job->turn]);
+    return status;
 }
 
 /* Lets the tile at hand reach the disk while the next one is made. Pipes may keep it waiting, which
@@ -65,12 +77,14 @@ static int end_finishing(struct job *job)
     crew_wait_aside(job->crew);
     job->is_finishing = false;
     struct outputs *const outputs = &job->outputs[1 - job->turn];
-    int status = CLI_SUCCESS;
+    int status = job->is_orphan ? finish_orphan(job) : CLI_SUCCESS;
     if (job->is_finished) {
         job->written++;
         job->samples += (uint64_t)job->last.width * job->last.height;
     } else {
-        status = tell_failure(job, outputs, &job->last, PIPELINE_FAILED);
+        if (status == CLI_SUCCESS) {
+            status = tell_failure(job, outputs, &job->last, PIPELINE_FAILED);
+        }
         /* The tile at hand may lie in directories that were made for this one. */
         outputs_discard(&job->outputs[job->turn]);
     }
@@ -83,7 +97,7 @@ static int write_tile(struct job *job, const struct tile *tile)
 {
     struct outputs *const outputs = &job->outputs[job->turn];
     const enum pipeline_result result =
-        outputs_open(outputs)
+        outputs_open(outputs, job->manifest.file)
             ? pipeline_run(&job->surface, tile, outputs, job->crew, &job->progress)
             : PIPELINE_NOT_OPENED;
     int status = end_finishing(job);

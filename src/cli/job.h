@@ -38,6 +38,7 @@ struct job {
     struct tile last;
     bool is_finishing; /* the tile `last` */
     bool is_finished;  /* whether that succeeded; known when it no longer goes on */
+    bool is_orphan;    /* it is on the disk, but the manifest has gone */
 };
 
 /* Writes the tiles of this run. Returns an exit status, after a line on stderr if it is not

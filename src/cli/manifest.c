@@ -8,6 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <sys/stat.h>
 #include <time.h>
 
 #include "cli.h"
@@ -120,10 +121,10 @@ static long version_of(const struct json_member *members, int count)
     return version != NULL && end == version->value + version->value_length ? number : 0;
 }
 
-static int check(const struct manifest *manifest, const char *text, const char *there)
+static int check(const struct manifest *manifest, const char *there)
 {
     struct json_member ours[MEMBERS_MOST], theirs[MEMBERS_MOST];
-    const int our_count = json_read(text, ours, MEMBERS_MOST);
+    const int our_count = json_read(manifest->text, ours, MEMBERS_MOST);
     const int their_count = json_read(there, theirs, MEMBERS_MOST);
     if (their_count < 0) {
         return refuse(manifest, "is not JSON, so it is no manifest of scarp");
@@ -149,16 +150,16 @@ static int check(const struct manifest *manifest, const char *text, const char *
     return same ? CLI_SUCCESS : CLI_USAGE;
 }
 
-/* Publishes a file with this text, unless there is one of that name. 1: done; 0: there is one;
+/* Publishes a file with our text, unless there is one of that name. 1: done; 0: there is one;
    -1: failed, with errno. */
-static int make(struct manifest *manifest, const char *text)
+static int make(struct manifest *manifest)
 {
     struct file file = {0};
     int result = -1;
     errno = 0;
     if ((manifest->makes_directories ? file_open_making_directories(&file, manifest->path)
                                      : file_open(&file, manifest->path)) &&
-        file_write(&file, text, strlen(text)) && file_close(&file)) {
+        file_write(&file, manifest->text, strlen(manifest->text)) && file_close(&file)) {
         result = file_publish_new(&file) ? 1 : errno == EEXIST ? 0 : -1;
         if (result == 1) {
             manifest->made = file.made;
@@ -177,6 +178,12 @@ static int open_claims(const char *path)
     return -1;
 }
 
+bool manifest_is_there(const struct manifest *manifest)
+{
+    (void)manifest;
+    return true;
+}
+
 bool manifest_claim(const struct manifest *manifest, size_t tile)
 {
     (void)manifest;
@@ -190,9 +197,20 @@ void manifest_release(const struct manifest *manifest, size_t tile)
     (void)tile;
 }
 #else
+/* Where it may only be read there are no claims, but it can be recognised. */
 static int open_claims(const char *path)
 {
-    return open(path, O_RDWR | O_CLOEXEC);
+    const int descriptor = open(path, O_RDWR | O_CLOEXEC);
+    return descriptor >= 0 ? descriptor : open(path, O_RDONLY | O_CLOEXEC);
+}
+
+/* No other file has its number as long as it is open. */
+bool manifest_is_there(const struct manifest *manifest)
+{
+    struct stat opened, there;
+    return !manifest->is_open || manifest->descriptor < 0 ||
+           (fstat(manifest->descriptor, &opened) == 0 && stat(manifest->path, &there) == 0 &&
+            opened.st_dev == there.st_dev && opened.st_ino == there.st_ino);
 }
 
 /* A claim is the lock of one byte, which need not be there. POSIX's locks reach other machines
@@ -226,12 +244,12 @@ static void pause_shortly(void)
 
 /* Compares with what is there, or makes it. An empty file is one that a run reserves where there
    are no hard links: it has its contents soon. */
-static int open_or_make(struct manifest *manifest, const char *text)
+static int open_or_make(struct manifest *manifest)
 {
     for (int i = 0; i < TRIES; i++) {
         char *const there = read_text(manifest->path);
         if (there != NULL && *there != '\0') {
-            const int status = check(manifest, text, there);
+            const int status = check(manifest, there);
             free(there);
             return status;
         }
@@ -243,7 +261,7 @@ static int open_or_make(struct manifest *manifest, const char *text)
         if (!is_empty && errno != ENOENT) {
             return tell_failure(manifest);
         }
-        const int made = is_empty ? 0 : make(manifest, text);
+        const int made = is_empty ? 0 : make(manifest);
         if (made != 0) {
             return made > 0 ? CLI_SUCCESS : tell_failure(manifest);
         }
@@ -254,38 +272,63 @@ static int open_or_make(struct manifest *manifest, const char *text)
     return refuse(manifest, "is empty");
 }
 
-int manifest_open(struct manifest *manifest, const char *path, const char *text)
+/* Makes or compares it, and keeps it open. */
+static int join(struct manifest *manifest)
 {
     uint64_t size;
-    manifest->path = text_copy(path);
-    if (manifest->path == NULL) {
-        cli_error("%s: no memory", manifest->option);
-        return CLI_FAILURE;
-    }
-    unfinished_sweep(path); /* its directory may have no other file */
-    const int status = open_or_make(manifest, text);
+    const int status = open_or_make(manifest);
     if (status != CLI_SUCCESS) {
         return status;
     }
-    manifest->descriptor = open_claims(path);
+    manifest->descriptor = open_claims(manifest->path);
     manifest->is_open = true;
-    if (!file_look(path, &size, &manifest->time)) {
+    manifest->file = path_resolve(manifest->path);
+    if (manifest->file == NULL || !file_look(manifest->path, &size, &manifest->time)) {
         return tell_failure(manifest);
     }
     return CLI_SUCCESS;
 }
 
-void manifest_close(struct manifest *manifest, bool keep)
+static void leave(struct manifest *manifest)
 {
-    if (manifest->is_first && !keep) {
-        remove(manifest->path);
-        path_remove_directories(manifest->path, manifest->made);
-    }
 #ifndef _WIN32
     if (manifest->is_open && manifest->descriptor >= 0) {
         close(manifest->descriptor);
     }
 #endif
+    manifest->is_open = false;
+    free(manifest->file);
+    manifest->file = NULL;
+}
+
+int manifest_open(struct manifest *manifest, const char *path, const char *text)
+{
+    manifest->path = text_copy(path);
+    manifest->text = text_copy(text);
+    if (manifest->path == NULL || manifest->text == NULL) {
+        cli_error("%s: no memory", manifest->option);
+        return CLI_FAILURE;
+    }
+    unfinished_sweep(path); /* its directory may have no other file */
+    return join(manifest);
+}
+
+int manifest_open_again(struct manifest *manifest)
+{
+    leave(manifest);
+    manifest->is_first = false;
+    manifest->makes_directories = false; /* where they were removed, the tiles were */
+    return join(manifest) == CLI_SUCCESS ? CLI_SUCCESS : CLI_FAILURE;
+}
+
+void manifest_close(struct manifest *manifest, bool keep)
+{
+    if (manifest->is_first && !keep && manifest_is_there(manifest)) {
+        remove(manifest->file != NULL ? manifest->file : manifest->path);
+        path_remove_directories(manifest->path, manifest->made);
+    }
+    leave(manifest);
     free(manifest->path);
+    free(manifest->text);
     *manifest = (struct manifest){.option = manifest->option};
 }

@@ -17,8 +17,9 @@ struct manifest {
     const char *option;     /* that messages name */
     bool makes_directories; /* those that lead to it */
     struct file_time time;  /* files that are older are not of this world */
+    char *file;             /* its path without symbolic links; NULL: there is no manifest */
     /* Private to manifest.c: */
-    char *path;
+    char *path, *text;
     bool is_open, is_first;
     int descriptor; /* for claims; -1: there are none */
     int made;       /* directories */
@@ -29,6 +30,14 @@ struct manifest {
    compared. Returns an exit status, after a line on stderr if it is not CLI_SUCCESS: CLI_USAGE if
    another world is there. */
 int manifest_open(struct manifest *manifest, const char *path, const char *text);
+
+/* Whether it is still there. A user may have removed it to begin anew, or the run that had made it,
+   because it failed; and others may have made the next one. */
+bool manifest_is_there(const struct manifest *manifest);
+
+/* Makes or compares it again. Returns an exit status, after a line on stderr if it is not
+   CLI_SUCCESS. */
+int manifest_open_again(struct manifest *manifest);
 
 /* Claims tile number `tile` for this run. False if another run has it; claims end with the run, by
    whatever end. They are a courtesy: where they cannot be had, they are granted. */

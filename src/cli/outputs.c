@@ -271,13 +271,18 @@ static bool check(struct output *output, bool succeeded)
     return succeeded;
 }
 
-bool outputs_open(struct outputs *outputs)
+bool outputs_open(struct outputs *outputs, const char *manifest)
 {
     for (size_t i = 0; i < outputs->count; i++) {
         struct output *const output = &outputs->list[i];
         errno = 0;
         if (!check(output, writer_open(&output->writer))) {
             return false;
+        }
+        const char *const path = output->writer.file.path;
+        if (manifest != NULL && path != NULL && strcmp(path, manifest) == 0) {
+            errno = EBUSY;
+            return check(output, false);
         }
         for (size_t j = 0; j < i; j++) {
             if (writer_is_same(&output->writer, &outputs->list[j].writer)) {
@@ -289,22 +294,7 @@ bool outputs_open(struct outputs *outputs)
     return true;
 }
 
-/* Gives all files their final names, or none. */
-static bool publish(struct outputs *outputs)
-{
-    for (size_t i = 0; i < outputs->count; i++) {
-        if (!check(&outputs->list[i], writer_publish(&outputs->list[i].writer))) {
-            for (size_t j = 0; j <= i; j++) {
-                writer_retract(&outputs->list[j].writer);
-            }
-            return false;
-        }
-    }
-    return true;
-}
-
-/* All files are on the disk before the first one takes its name: it may fill up until then. */
-bool outputs_close(struct outputs *outputs)
+bool outputs_complete(struct outputs *outputs)
 {
     errno = 0;
     for (size_t i = 0; i < outputs->count; i++) {
@@ -312,8 +302,19 @@ bool outputs_close(struct outputs *outputs)
             return false;
         }
     }
-    if (!publish(outputs)) {
-        return false;
+    return true;
+}
+
+bool outputs_publish(struct outputs *outputs)
+{
+    errno = 0;
+    for (size_t i = 0; i < outputs->count; i++) {
+        if (!check(&outputs->list[i], writer_publish(&outputs->list[i].writer))) {
+            for (size_t j = 0; j <= i; j++) {
+                writer_retract(&outputs->list[j].writer);
+            }
+            return false;
+        }
     }
     for (size_t i = 0; i < outputs->count; i++) {
         if (!check(&outputs->list[i], writer_settle(&outputs->list[i].writer))) {

@@ -61,9 +61,17 @@ bool outputs_are_there(const struct outputs *outputs, struct file_time since);
 /* Removes what killed runs left beside them. */
 void outputs_sweep(const struct outputs *outputs);
 
-/* False if a file cannot be opened, completed, or take its name: its `failed` is set. */
-bool outputs_open(struct outputs *outputs);
-bool outputs_close(struct outputs *outputs);
+/* Each of these returns false if a file fails, whose `failed` is then set. */
+
+/* Opens the files. None of them may be the file `manifest`, unless that is NULL. */
+bool outputs_open(struct outputs *outputs, const char *manifest);
+
+/* Brings all of them to the disk, before the first one takes its name: it may fill up until then.
+ */
+bool outputs_complete(struct outputs *outputs);
+
+/* Gives all of them their final names, or none. */
+bool outputs_publish(struct outputs *outputs);
 
 /* Whether one of the open files is a pipe or the like */
 bool outputs_wait(const struct outputs *outputs);

@@ -29,6 +29,11 @@ class WorldCase(Case):
                     found[os.path.relpath(path, self.directory)] = file.read()
         return found
 
+    def walk_files(self):
+        """The same without pipes and what is not complete"""
+        return {name: self.bytes(name) for name in self.files()
+                if os.path.isfile(self.path(name)) and not name.endswith(".part")}
+
     def directories(self):
         return sorted(os.path.relpath(os.path.join(directory, name), self.directory)
                       for directory, names, _ in os.walk(self.directory) for name in names)
@@ -219,6 +224,26 @@ class Manifest(WorldCase):
                      words=("missing/n_0_0.npy",))
 
     @POSIX
+    def test_link(self):
+        """A link in its place is followed, also when it is removed again."""
+        os.symlink("m.json", self.path("w.r32.json"))
+        os.mkdir(self.path("w_0_0.r32"))
+        result = run("terrain", *TERRAIN, "--heights", "w.r32", cwd=self.directory)
+        self.check_one_line(result, 2, "w_0_0.r32")
+        self.assertEqual(self.files(), ["w.r32.json", "w_0_0.r32"])
+        os.rmdir(self.path("w_0_0.r32"))
+        self.quietly(*TERRAIN, "--heights", "w.r32")
+        self.assertTrue(os.path.islink(self.path("w.r32.json")))
+        self.assertEqual(self.manifest("m.json"), self.manifest())
+
+    def test_other_file(self):
+        """No raster takes its place."""
+        for tiles, heights, normals in ((("--resume",), "w.r32", "npy:w.r32.json"),
+                                        (("--tile", "2x1"), "w0.r32", "npy:w{x}.r32.json")):
+            self.refused("--size", "4x1", *tiles, "--heights", heights, "--normals", normals,
+                         words=("--normals: " + heights + ".json", "is the manifest"))
+
+    @POSIX
     def test_first_of_many(self):
         """Of runs that start together one makes it; all agree, or all but one world are refused."""
         for i in range(10):
@@ -379,6 +404,35 @@ class Shares(WorldCase):
         self.addCleanup(process.kill)
         self.wait_for_unfinished("w_1_2.r32")
         return process
+
+    @POSIX
+    def test_manifest_goes(self):
+        """While a run is at a tile its manifest is removed, and perhaps another world begun: the
+        tile takes its name only beside a manifest of its own world."""
+        files = ("--heights", "w.r32", "--normals", "n.npy")
+        self.quietly(*TERRAIN, *files)
+        expected = self.walk()
+        for seed in (None, "1", "2"):
+            with self.subTest(seed=seed):
+                self.clear()
+                os.mkfifo(self.path("n_1_2.npy"))
+                first = self.hold("--quiet")
+                os.remove(self.path("w.r32.json"))
+                if seed:
+                    self.quietly(*TERRAIN, *files, "--seed", seed, "--tiles", "0:1,0:1")
+                other = self.walk_files()
+                self.bytes("n_1_2.npy")  # the run goes on
+                output, error = first.communicate()
+                if seed == "2":
+                    self.check_one_line(subprocess.CompletedProcess((), first.returncode, output,
+                                                                    error), 1, "--heights",
+                                        "w.r32.json", "--seed is 2 there and 1 here")
+                    self.check_same_files(self.walk_files(), other)
+                else:
+                    self.assertEqual((first.returncode, output, error), (0, b"", b""))
+                    os.remove(self.path("n_1_2.npy"))
+                    self.quietly(*TERRAIN, *files, "--resume")
+                    self.check_same_files(self.walk(), expected)
 
     @POSIX
     def test_busy_tiles(self):
