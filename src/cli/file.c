@@ -141,21 +141,28 @@ bool file_open(struct file *file, const char *path)
     return file->path != NULL && open_ordinary(file);
 }
 
+#define TRIES 10
+
+/* Just before the file is opened, another run may remove the directory: it made that for a file of
+   its own, which failed. */
 bool file_open_making_directories(struct file *file, const char *path)
 {
-    const int made = path_make_directories(path);
-    if (made < 0) {
-        return false;
-    }
-    const bool opened = file_open(file, path);
-    if (!opened && file->path == NULL) {
+    for (int i = 0; i < TRIES; i++) {
+        const int made = path_make_directories(path);
+        if (made >= 0 && file_open(file, path)) {
+            file->made = made;
+            return true;
+        }
         const int reason = errno;
         path_remove_directories(path, made);
+        free(file->path);
+        file->path = NULL;
         errno = reason;
-        return false;
+        if (reason != ENOENT) {
+            break;
+        }
     }
-    file->made = made;
-    return opened;
+    return false;
 }
 
 /* fwrite would take up again what a signal ended halfway, and wait on. */

@@ -618,6 +618,21 @@ class Faults(TracedCase):
                     with self.subTest(call=call, fault=fault, when=n):
                         self.check_fault(call, "%s:when=%s" % (fault, n))
 
+    def test_directory_goes(self):
+        """Another run removes the directory that it made just before a file is opened there."""
+        self.empty()
+        log = self.traced("-e", "trace=openat", "--", *self.WORLD)
+        calls = re.findall(r"(?m)^(\d+) +openat\((.*)", log)
+        ours = [text for thread, text in calls if thread == calls[0][0]]
+        opened = [n for n, text in enumerate(ours, 1) if re.search(r"\.[^/]*\.part\"", text)]
+        self.assertGreaterEqual(len(opened), 9)
+        for n in (opened[1], opened[3]):  # the first files that need w/0 and s
+            self.empty()
+            result = self.trace("-o", os.devnull, "-e", "inject=openat:error=ENOENT:when=%d" % n,
+                                "--", *self.WORLD)
+            self.assertEqual((result.returncode, result.stderr), (0, b""))
+            self.check_same_files(self.walk(), self.expected)
+
     def test_without_hard_links(self):
         for n in range(1, self.counts["rename"] + 2):
             with self.subTest(when=n):
