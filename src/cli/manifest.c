@@ -150,9 +150,9 @@ static int check(const struct manifest *manifest, const char *there)
     return same ? CLI_SUCCESS : CLI_USAGE;
 }
 
-/* Publishes a file with our text, unless there is one of that name. 1: done; 0: there is one;
-   -1: failed, with errno. */
-static int make(struct manifest *manifest)
+/* Publishes a file with our text, unless there is one of that name that it does not replace. 1:
+   done; 0: there is one; -1: failed, with errno. */
+static int make(struct manifest *manifest, bool replaces)
 {
     struct file file = {0};
     int result = -1;
@@ -160,7 +160,8 @@ static int make(struct manifest *manifest)
     if ((manifest->makes_directories ? file_open_making_directories(&file, manifest->path)
                                      : file_open(&file, manifest->path)) &&
         file_write(&file, manifest->text, strlen(manifest->text)) && file_close(&file)) {
-        result = file_publish_new(&file) ? 1 : errno == EEXIST ? 0 : -1;
+        const bool published = replaces ? file_publish(&file) : file_publish_new(&file);
+        result = published ? 1 : errno == EEXIST ? 0 : -1;
         if (result == 1) {
             manifest->made = file.made;
             manifest->is_first = true;
@@ -243,10 +244,11 @@ static void pause_shortly(void)
 }
 
 /* Compares with what is there, or makes it. An empty file is one that a run reserves where there
-   are no hard links: it has its contents soon. */
+   are no hard links: it has its contents soon, unless the run was killed. If several then replace
+   it, or the run was but slow, the last one counts: manifest_is_there tells the others. */
 static int open_or_make(struct manifest *manifest)
 {
-    for (int i = 0; i < TRIES; i++) {
+    for (int i = 0; i <= TRIES; i++) {
         char *const there = read_text(manifest->path);
         if (there != NULL && *there != '\0') {
             const int status = check(manifest, there);
@@ -261,7 +263,8 @@ static int open_or_make(struct manifest *manifest)
         if (!is_empty && errno != ENOENT) {
             return tell_failure(manifest);
         }
-        const int made = is_empty ? 0 : make(manifest);
+        const bool is_left = is_empty && i == TRIES;
+        const int made = is_empty && !is_left ? 0 : make(manifest, is_left);
         if (made != 0) {
             return made > 0 ? CLI_SUCCESS : tell_failure(manifest);
         }
@@ -269,7 +272,7 @@ static int open_or_make(struct manifest *manifest)
             pause_shortly();
         }
     }
-    return refuse(manifest, "is empty");
+    return refuse(manifest, "is made and removed by other runs all the time");
 }
 
 /* Makes or compares it, and keeps it open. */

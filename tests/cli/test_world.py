@@ -148,10 +148,19 @@ class Manifest(WorldCase):
                     self.refused(*TERRAIN, "--heights", "w.r32", "--resume",
                                  words=("--heights: w.r32.json", *words))
                 self.write("w.r32.json", text)
-        for data in (b"rubbish", b"", b"[" * 100000, b" " * 70000, b"{}", b"\0"):
+        for data in (b"rubbish", b"[" * 100000, b" " * 70000, b"{}", b"\0"):
             with self.subTest(data=data[:10]):
                 self.write("w.r32.json", data)
                 self.refused(*TERRAIN, "--heights", "w.r32", words=("--heights: w.r32.json",))
+
+    def test_empty(self):
+        """Where there are no hard links, a run that is killed may leave an empty one."""
+        self.quietly(*TERRAIN, "--heights", "w.r32")
+        expected = self.walk()
+        for name in self.files():
+            self.write(name, b"")
+        self.quietly(*TERRAIN, "--heights", "w.r32", "--resume")
+        self.check_same_files(self.walk(), expected)
 
     @POSIX
     def test_no_file(self):
@@ -637,6 +646,7 @@ class Faults(TracedCase):
         for n in range(1, self.counts["rename"] + 2):
             with self.subTest(when=n):
                 self.check_fault("rename", "error=EIO:when=%d" % n, "-e", "inject=link:error=EPERM")
+        self.check_fault("rename", "signal=KILL:when=1", "-e", "inject=link:error=EPERM")
 
 
 class Limits(WorldCase):
