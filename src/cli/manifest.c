@@ -275,23 +275,6 @@ static int open_or_make(struct manifest *manifest)
     return refuse(manifest, "is made and removed by other runs all the time");
 }
 
-/* Makes or compares it, and keeps it open. */
-static int join(struct manifest *manifest)
-{
-    uint64_t size;
-    const int status = open_or_make(manifest);
-    if (status != CLI_SUCCESS) {
-        return status;
-    }
-    manifest->descriptor = open_claims(manifest->path);
-    manifest->is_open = true;
-    manifest->file = path_resolve(manifest->path);
-    if (manifest->file == NULL || !file_look(manifest->path, &size, &manifest->time)) {
-        return tell_failure(manifest);
-    }
-    return CLI_SUCCESS;
-}
-
 static void leave(struct manifest *manifest)
 {
 #ifndef _WIN32
@@ -300,8 +283,33 @@ static void leave(struct manifest *manifest)
     }
 #endif
     manifest->is_open = false;
+    manifest->is_first = false;
     free(manifest->file);
     manifest->file = NULL;
+}
+
+/* Makes or compares it, and keeps it open. The run that made it may fail, and remove it, while this
+   one is about to open it. */
+static int join(struct manifest *manifest)
+{
+    uint64_t size;
+    for (int i = 0; i < TRIES; i++) {
+        const int status = open_or_make(manifest);
+        if (status != CLI_SUCCESS) {
+            return status;
+        }
+        manifest->descriptor = open_claims(manifest->path);
+        manifest->is_open = true;
+        manifest->file = path_resolve(manifest->path);
+        if (manifest->file != NULL && file_look(manifest->path, &size, &manifest->time)) {
+            return CLI_SUCCESS;
+        }
+        if (errno != ENOENT) {
+            break;
+        }
+        leave(manifest);
+    }
+    return tell_failure(manifest);
 }
 
 int manifest_open(struct manifest *manifest, const char *path, const char *text)
@@ -319,7 +327,6 @@ int manifest_open(struct manifest *manifest, const char *path, const char *text)
 int manifest_open_again(struct manifest *manifest)
 {
     leave(manifest);
-    manifest->is_first = false;
     manifest->makes_directories = false; /* where they were removed, the tiles were */
     return join(manifest) == CLI_SUCCESS ? CLI_SUCCESS : CLI_FAILURE;
 }

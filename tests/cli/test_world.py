@@ -604,12 +604,14 @@ class Faults(TracedCase):
             self.assertEqual([name for name in self.expected
                               if name not in left and re.search(tile + r"\.", name)], [])
 
-    def check_fault(self, call, fault, *more):
+    def check_fault(self, call, fault, *more, status=None):
         self.empty()
         result = self.trace("-o", os.devnull, "-e", "inject=%s:%s" % (call, fault), *more, "--",
                             *self.WORLD)
         if b"invalid" in result.stderr:
             self.skipTest("strace cannot inject faults")
+        if status is not None:
+            self.assertEqual(result.returncode, status, result.stderr)
         if result.returncode == 0:
             self.assertEqual(result.stderr, b"")
             self.check_same_files(self.walk(), self.expected)
@@ -641,6 +643,20 @@ class Faults(TracedCase):
                                 "--", *self.WORLD)
             self.assertEqual((result.returncode, result.stderr), (0, b""))
             self.check_same_files(self.walk(), self.expected)
+
+    def test_manifest_goes(self):
+        """Whenever a run looks, its manifest has just been removed by another one."""
+        self.empty()
+        log = self.traced("-e", "trace=stat,newfstatat", "--", *self.WORLD)
+        counts, looks = {}, []
+        for thread, call, text in re.findall(r"(?m)^(\d+) +(stat|newfstatat)\((.*)", log):
+            counts[thread, call] = counts.get((thread, call), 0) + 1
+            if "y_x.img.json\"" in text:
+                looks.append((call, counts[thread, call]))
+        self.assertGreaterEqual(len(looks), 5)
+        for call, n in sorted(set(looks)):
+            with self.subTest(call=call, when=n):
+                self.check_fault(call, "error=ENOENT:when=%d" % n, status=0)
 
     def test_without_hard_links(self):
         for n in range(1, self.counts["rename"] + 2):
