@@ -16,8 +16,10 @@ for file in "$includedir/scarp.h" "$libdir/$library_name" "$libdir/pkgconfig/sca
 done
 
 # A text that names the build, the sources or the first prefix would not survive the move.
+# As a whole path: if the sources are in /scarp, lib/cmake/scarpConfig.cmake does not name them.
 for place in "$build_dir" "$source_dir"; do
-    if grep -rIF "$place" "$dir/prefix"; then
+    pattern=$(printf '%s\n' "$place" | sed 's/[][\.*^$+?(){}|]/\\&/g')
+    if grep -rIE "(^|[^[:alnum:]_.}]|-[IL])$pattern(/|[^[:alnum:]_]|\$)" "$dir/prefix"; then
         fail "what is installed names $place"
     fi
 done
