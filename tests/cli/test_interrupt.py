@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Runs that are told to stop: they tidy up, say so, and end by the signal, at once."""
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -44,7 +45,10 @@ class Interrupt(Case):
         output, error = process.communicate(timeout=PATIENCE)
         self.assertEqual(process.returncode, -number, error)
         self.assertIn(output, (b"", None))
-        self.assertRegex(error.decode(), r"\Ascarp: interrupted: [^\n]*%s[^\n]*\n\Z" % words)
+        text = error.decode()
+        if len(common.PROGRAM) > 1:  # an emulator tells of signals that dump the memory
+            text = re.sub(r"(?m)^qemu: uncaught target signal [^\n]*\n", "", text)
+        self.assertRegex(text, r"\Ascarp: interrupted: [^\n]*%s[^\n]*\n\Z" % words)
 
     def test_one_raster(self):
         """No file is left, and those of an earlier run stay as they were."""
