@@ -19,9 +19,12 @@ grep 'will be skipped' "$dir/log" || fail "what is missing is not told: $(cat "$
 "$cmake" --build "$dir/build" --config "$config" --target test_skip >"$dir/log" 2>&1 ||
     fail "$(cat "$dir/log")"
 
+# From a directory of their own, for ctest empties the log of the directory that it is asked about.
 names() # BUILD_DIR
 {
-    "$ctest" --test-dir "$1" -C "$config" -N | sed -n 's/^ *Test *#[0-9]*: //p' | sort
+    mkdir -p "$dir/list"
+    echo "subdirs(\"$1\")" >"$dir/list/CTestTestfile.cmake"
+    "$ctest" --test-dir "$dir/list" -C "$config" -N | sed -n 's/^ *Test *#[0-9]*: //p' | sort
 }
 names "$build_dir" >"$dir/with"
 names "$dir/build" >"$dir/without"
