@@ -468,8 +468,9 @@ class Shares(WorldCase):
     @POSIX
     def test_identical_commands(self):
         """Runs without any index share a world; one is killed and started again."""
-        arguments = ("--size", "512x512", "--tile", "32x32", "--octaves", "24", "--threads", "1",
-                     "--heights", "v.img", "--resume")
+        side, octaves = ("512", "24") if common.SPEED == "full" else ("256", "6")
+        arguments = ("--size", side + "x" + side, "--tile", "32x32", "--octaves", octaves,
+                     "--threads", "1", "--heights", "v.img", "--resume")
         self.quietly(*arguments)
         expected = self.walk()
         self.clear()
