@@ -9,8 +9,9 @@ if(CMAKE_SYSTEM_NAME STREQUAL "Linux")
   set_target_properties(without_locks PROPERTIES C_VISIBILITY_PRESET default)
 endif()
 foreach(name same locks mpirun parallel kubernetes levels gdal slurm)
+  file(REAL_PATH farm/test_${name}.py script)
   scarp_add_test(farm.${name} farm NEEDS scarp python3 linux full-speed COMMAND
-                 ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/farm/test_${name}.py
+                 ${Python3_EXECUTABLE} -B ${script}
                  $<TARGET_FILE:scarp-cli> ${PROJECT_SOURCE_DIR}/README.md
                  ${CMAKE_CURRENT_BINARY_DIR}/farm $<TARGET_FILE:without_locks>)
   # They keep all cores busy, and wait for each other's processes.
