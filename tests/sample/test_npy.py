@@ -94,6 +94,12 @@ class Npy(Case):
         self.check_refused(b"\x93NUMPX", ":1: ")
         huge = b"\x93NUMPY\x02\x00" + struct.pack("<I", 1 << 31) + b" " * 200000
         self.check_refused(huge, "header")
+        # A row must fit into the input's buffer: 2^17 bytes, of doubles 2^14.
+        widest = npy([tuple(range(1 << 14))])
+        self.assertEqual(self.text(widest, "--dims", "2", "--output-format", "text"),
+                         self.text(b"0 1\n"))
+        self.check_refused(npy([tuple(range((1 << 14) + 1))]), "has more than 16384 columns",
+                           arguments=("--dims", "2"))
 
     def test_every_truncation(self):
         """Wherever it ends: one line, no crash."""
