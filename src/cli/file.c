@@ -13,7 +13,6 @@
 
 #include "interrupt.h"
 #include "path.h"
-#include "text.h"
 #include "unfinished.h"
 
 #ifdef _WIN32

@@ -70,7 +70,8 @@ bool outputs_open(struct outputs *outputs, const char *manifest);
  */
 bool outputs_complete(struct outputs *outputs);
 
-/* Gives all of them their final names, or none. */
+/* Gives all of them their final names. If one fails, those that replaced no older file are removed.
+ */
 bool outputs_publish(struct outputs *outputs);
 
 /* Whether one of the open files is a pipe or the like */
