@@ -8,6 +8,8 @@
 
 #include <stddef.h>
 
+#include "work.h"
+
 enum bench_exit {
     BENCH_SUCCESS = 0,
     BENCH_FAILURE = 1, /* something went wrong on the way: a full disk, no memory */
@@ -23,7 +25,7 @@ void bench_error(const char *format, ...);
 
 /* One result: a workload by a library with an instruction set. */
 struct bench_row {
-    char work[64], library[32], isa[16];
+    char work[BENCH_NAME_SIZE], library[32], isa[16];
     char note[40]; /* empty, or how the result came about */
     size_t points;
     double median, minimum; /* nanoseconds per point */

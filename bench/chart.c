@@ -20,7 +20,7 @@
 #define VALUES 48  /* right of them */
 
 struct panel {
-    char work[64];
+    char work[BENCH_NAME_SIZE];
     size_t bars;
     double most; /* million points per second */
 };

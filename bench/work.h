@@ -14,6 +14,9 @@
 extern "C" {
 #endif
 
+/* Holds every name of a workload, with the 0 at its end. */
+#define BENCH_NAME_SIZE 96
+
 enum bench_layout { BENCH_POINTS, BENCH_GRID, BENCH_NORMALS };
 
 enum bench_output {
@@ -31,7 +34,7 @@ enum bench_pattern {
 };
 
 struct bench_work {
-    char name[64]; /* made from the rest by work.c */
+    char name[BENCH_NAME_SIZE]; /* made from the rest by work.c */
     enum bench_layout layout;
     enum bench_output output;
     enum bench_pattern pattern;
