@@ -25,6 +25,10 @@ struct panel {
     double most; /* million points per second */
 };
 
+struct rect {
+    double x, y, width, height;
+};
+
 static void write_escaped(FILE *file, const char *text)
 {
     for (const char *c = text; *c != '\0'; c++) {
@@ -44,13 +48,12 @@ static void write_text(FILE *file, double x, double y, const char *class, const 
     fprintf(file, "</text>\n");
 }
 
-static void write_rect(FILE *file, double x, double y, double width, double height,
-                       const char *color, const char *opacity)
+static void write_rect(FILE *file, const struct rect *rect, const char *color, const char *opacity)
 {
     fprintf(file,
             "<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" fill=\"%s\" "
             "fill-opacity=\"%s\"/>\n",
-            x, y, width, height, color, opacity);
+            rect->x, rect->y, rect->width, rect->height, color, opacity);
 }
 
 /* A colour per library, scarp's first; libraries beyond them share the last */
@@ -136,11 +139,11 @@ static void write_bar(FILE *file, const struct bench_row *row, double x, double 
     }
     snprintf(value, sizeof value, "%.*f", rate < 100 ? 1 : 0, rate);
     write_text(file, x - 6, y + 11, "label", label);
+    const struct rect bar = {x, y + 1.5, rate * scale, BAR - 3};
     if (differences) {
-        write_rect(file, x, y + 1.5, rate * scale, BAR - 3, "#fff", "1");
+        write_rect(file, &bar, "#fff", "1");
     }
-    write_rect(file, x, y + 1.5, rate * scale, BAR - 3, color_of(row->library),
-               differences ? "0.45" : "1");
+    write_rect(file, &bar, color_of(row->library), differences ? "0.45" : "1");
     write_text(file, x + rate * scale + 4, y + 11, "value", value);
 }
 
@@ -191,7 +194,7 @@ static void write_legend(FILE *file, const struct bench_report *report, double y
         }
         differences |= report->rows[i].note[0] != '\0';
         if (first == i) {
-            write_rect(file, x, y - 10, 12, 12, color_of(library), "1");
+            write_rect(file, &(struct rect){x, y - 10, 12, 12}, color_of(library), "1");
             write_text(file, x + 17, y, "legend", library);
             x += 17 + 6.8 * (double)strlen(library) + 18;
         }

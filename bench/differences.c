@@ -25,38 +25,36 @@ static void subtract(size_t count, const float *high, const float *low, float sc
     }
 }
 
-static void difference_chunk(int central, int dimensions, bench_values_fn *values,
-                             const void *state, size_t count, const float *const x[3], float *value,
-                             float *const gradient[3])
+static void difference_chunk(const struct bench_field *field, int central, size_t count,
+                             const float *const x[3], float *value, float *const gradient[3])
 {
     float shifted[CHUNK], high[CHUNK], low[CHUNK];
-    values(state, count, x, value);
-    for (int d = 0; d < dimensions; d++) {
+    field->values(field->state, count, x, value);
+    for (int d = 0; d < field->dimensions; d++) {
         const float *near[3] = {x[0], x[1], x[2]};
         near[d] = shifted;
         shift(count, x[d], STEP, shifted);
-        values(state, count, near, high);
+        field->values(field->state, count, near, high);
         if (central) {
             shift(count, x[d], -STEP, shifted);
-            values(state, count, near, low);
+            field->values(field->state, count, near, low);
         }
         subtract(count, high, central ? low : value, central ? 0.5f / STEP : 1.0f / STEP,
                  gradient[d]);
     }
 }
 
-void bench_differences(int central, int dimensions, bench_values_fn *values, const void *state,
-                       size_t count, const float *const x[3], float *value,
-                       float *const gradient[3])
+void bench_differences(const struct bench_field *field, int central, size_t count,
+                       const float *const x[3], float *value, float *const gradient[3])
 {
     for (size_t first = 0; first < count; first += CHUNK) {
         const size_t n = count - first < CHUNK ? count - first : CHUNK;
         const float *from[3] = {NULL, NULL, NULL};
         float *to[3] = {NULL, NULL, NULL};
-        for (int d = 0; d < dimensions; d++) {
+        for (int d = 0; d < field->dimensions; d++) {
             from[d] = x[d] + first;
             to[d] = gradient[d] + first;
         }
-        difference_chunk(central, dimensions, values, state, n, from, value + first, to);
+        difference_chunk(field, central, n, from, value + first, to);
     }
 }

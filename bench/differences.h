@@ -12,10 +12,16 @@
 typedef void bench_values_fn(const void *state, size_t count, const float *const x[3],
                              float *value);
 
-/* The values, and the gradient from central differences (from forward ones if `central` is 0), at
-   `count` points with `dimensions` coordinates. */
-void bench_differences(int central, int dimensions, bench_values_fn *values, const void *state,
-                       size_t count, const float *const x[3], float *value,
-                       float *const gradient[3]);
+/* What gives values, and for how many coordinates */
+struct bench_field {
+    bench_values_fn *values;
+    const void *state; /* its first argument */
+    int dimensions;
+};
+
+/* The values of the field at `count` points, and its gradient from central differences, from
+   forward ones if `central` is 0. */
+void bench_differences(const struct bench_field *field, int central, size_t count,
+                       const float *const x[3], float *value, float *const gradient[3]);
 
 #endif

@@ -4,7 +4,6 @@
  * wrong with the command line is found before anything is measured or written.
  */
 #include <errno.h>
-#include <stdarg.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -25,21 +24,6 @@ struct selection {
     struct bench_arrays arrays;
     double *samples;
 };
-
-void bench_error(const char *format, ...)
-{
-    char message[1024];
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(message, sizeof message, format, arguments);
-    va_end(arguments);
-    for (char *c = message; *c != '\0'; c++) {
-        if ((unsigned char)*c < 0x20 || *c == 0x7f) {
-            *c = '?';
-        }
-    }
-    fprintf(stderr, "scarp-bench: %s\n", message);
-}
 
 static int no_memory(void)
 {

@@ -239,8 +239,9 @@ static enum scarp_status run_scarp(const struct bench_subject *subject)
     }
     if (work->output >= BENCH_FORWARD_DIFFERENCES) {
         const float *const from[3] = {x[0], x[1], x[2]};
-        bench_differences(work->output == BENCH_CENTRAL_DIFFERENCES, work->dimensions, scarp_values,
-                          subject, n, from, to[0], to + 1);
+        const struct bench_field field = {scarp_values, subject, work->dimensions};
+        bench_differences(&field, work->output == BENCH_CENTRAL_DIFFERENCES, n, from, to[0],
+                          to + 1);
         return SCARP_OK;
     }
     if (work->dimensions == 2) {
@@ -260,8 +261,8 @@ static void run_peer(const struct bench_subject *subject)
     if (work->layout == BENCH_GRID) {
         subject->peer->grid(subject->state, work, to[0]);
     } else if (work->output == BENCH_PLUS_GRADIENT) {
-        bench_differences(1, work->dimensions, subject->peer->points, subject->state, work->points,
-                          from, to[0], to + 1);
+        const struct bench_field field = {subject->peer->points, subject->state, work->dimensions};
+        bench_differences(&field, 1, work->points, from, to[0], to + 1);
     } else {
         subject->peer->points(subject->state, work->points, from, to[0]);
     }
