@@ -5,7 +5,7 @@
  */
 #include <stdarg.h>
 
-#include "../src/cli/cli.h"
+#include "../src/cli/error.h"
 #include "../src/cli/noise.h"
 #include "check.h"
 

@@ -9,7 +9,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "cli.h"
+#include "error.h"
 
 #define LIST_SIZE 700 /* bytes of names in a message: it has room for 1024 in all */
 
@@ -219,6 +219,15 @@ void columns_by_number(const struct columns *columns, size_t index[COLUMNS_AXES]
     for (size_t i = 0; i < COLUMNS_AXES; i++) {
         index[i] = columns->numbered && i < columns->count ? columns->index[i] : i;
     }
+}
+
+size_t columns_needed(const size_t index[COLUMNS_AXES], int dims)
+{
+    size_t needed = 0;
+    for (int d = 0; d < dims; d++) {
+        needed = needed > index[d] ? needed : index[d] + 1;
+    }
+    return needed;
 }
 
 bool columns_nameless(const struct columns *columns, const char *input, size_t total)

@@ -47,6 +47,9 @@ bool columns_are_named(const char *row);
    the first ones. */
 void columns_by_number(const struct columns *columns, size_t index[COLUMNS_AXES]);
 
+/* How many columns it takes to have the first `dims` of these */
+size_t columns_needed(const size_t index[COLUMNS_AXES], int dims);
+
 /* Whether --columns can choose from `total` columns that have no names. False, after a line on
    stderr, if it has names. */
 bool columns_nameless(const struct columns *columns, const char *input, size_t total);

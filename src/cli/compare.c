@@ -1,18 +1,17 @@
 /* SPDX-License-Identifier: MIT
  *
- * Normals as a program makes them that has nothing but 16-bit heights: by central differences, two
- * steps apart. They are there to be compared with the normals from the gradient.
+ * Normals from differences of 16-bit heights.
  */
-#include "surface.h"
+#include "compare.h"
 
 /* slope[i] = the central difference of 16-bit heights along (right, up) */
-static void difference(const struct surface *surface, const struct block *block, size_t column,
-                       size_t row, int right, int up, float *slope)
+static void difference(const struct surface *surface, const struct block *block, int right, int up,
+                       float *slope)
 {
     float *const before = block->differences_x;
     float *const after = block->differences_y;
-    surface_values(surface, block, column, row, -right, -up, before);
-    surface_values(surface, block, column, row, right, up, after);
+    surface_values(surface, block, -right, -up, before);
+    surface_values(surface, block, right, up, after);
     const double distance = 2.0 * surface->step * surface->steps_per_value; /* 0: all are alike */
     for (size_t i = 0; i < block->columns * block->rows; i++) {
         const int steps =
@@ -23,13 +22,13 @@ static void difference(const struct surface *surface, const struct block *block,
 
 /* Neighbours are sampled again instead of looked up, so that the outermost samples have theirs too.
    The third difference array holds one slope until the normals replace it. */
-void surface_compare(const struct surface *surface, struct block *block, size_t column, size_t row)
+void compare_sample(const struct surface *surface, struct block *block)
 {
     float *const slope_x = block->differences_z;
     float *const slope_y = block->value;
-    difference(surface, block, column, row, 1, 0, slope_x);
-    difference(surface, block, column, row, 0, 1, slope_y);
+    difference(surface, block, 1, 0, slope_x);
+    difference(surface, block, 0, 1, slope_y);
     scarp_normals(block->columns * block->rows, slope_x, slope_y, surface->height_scale,
                   block->differences_x, block->differences_y, block->differences_z);
-    surface_values(surface, block, column, row, 0, 0, block->value);
+    surface_values(surface, block, 0, 0, block->value);
 }

@@ -8,8 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "formats.h"
 #include "text.h"
-#include "writer.h"
 
 /* NAME.hdr for NAME.img, in capitals or not; for any other NAME too. */
 static char *header_path(const char *path)

@@ -5,11 +5,12 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "cli.h"
+#include "commands.h"
 #include "crew.h"
+#include "error.h"
+#include "formats.h"
 #include "options.h"
 #include "scarp.h"
-#include "writer.h"
 
 #define TEXT(x) #x
 #define VERSION_TEXT(major, minor, patch) TEXT(major) "." TEXT(minor) "." TEXT(patch)
@@ -52,8 +53,8 @@ static void print_optional(void)
     printf("threads          not found: one thread\n");
 #endif
     printf("formats         ");
-    for (size_t i = 0; writer_formats[i] != NULL; i++) {
-        printf(" %s", writer_formats[i]->name);
+    for (size_t i = 0; formats_known[i] != NULL; i++) {
+        printf(" %s", formats_known[i]->name);
     }
     putchar('\n');
 }

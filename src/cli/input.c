@@ -22,7 +22,7 @@
 #define CLOSE(descriptor) close(descriptor)
 #endif
 
-#include "cli.h"
+#include "error.h"
 #include "interrupt.h"
 
 bool input_open(struct input *input, const char *path)

@@ -6,7 +6,7 @@
 
 #include <errno.h>
 
-#include "cli.h"
+#include "error.h"
 #include "interrupt.h"
 #include "pipeline.h"
 

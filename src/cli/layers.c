@@ -14,11 +14,11 @@ static uint8_t *put_float(uint8_t *to, float value)
     return to + 4;
 }
 
-static void encode_heights(const struct surface *surface, const struct block *block, size_t first,
-                           size_t count, size_t width, enum sample_kind kind, uint8_t *to)
+static void encode_heights(const struct surface *surface, const struct strip *strip,
+                           enum sample_kind kind, uint8_t *to)
 {
-    (void)width;
-    const float *const value = block->value + first;
+    const size_t count = strip->count;
+    const float *const value = strip->block->value + strip->first;
     if (kind == SAMPLE_F32) {
         for (size_t i = 0; i < count; i++) {
             to = put_float(to, surface->height_scale * value[i]);
@@ -39,11 +39,12 @@ static uint8_t component(float n)
     return (uint8_t)((double)n * 127.5 + 128.0);
 }
 
-static void encode_normals(const struct surface *surface, const struct block *block, size_t first,
-                           size_t count, size_t width, enum sample_kind kind, uint8_t *to)
+static void encode_normals(const struct surface *surface, const struct strip *strip,
+                           enum sample_kind kind, uint8_t *to)
 {
-    (void)width;
-    for (size_t i = first; i < first + count; i++) {
+    const struct block *const block = strip->block;
+    const size_t first = strip->first, end = first + strip->count;
+    for (size_t i = first; i < end; i++) {
         const float y = surface->normal_y * block->ny[i];
         if (kind == SAMPLE_F32) {
             to = put_float(to, block->nx[i]);
@@ -57,14 +58,14 @@ static void encode_normals(const struct surface *surface, const struct block *bl
     }
 }
 
-static void encode_hillshade(const struct surface *surface, const struct block *block, size_t first,
-                             size_t count, size_t width, enum sample_kind kind, uint8_t *to)
+static void encode_hillshade(const struct surface *surface, const struct strip *strip,
+                             enum sample_kind kind, uint8_t *to)
 {
-    (void)width;
     (void)kind;
-    const float *const x = block->shade_x + first;
-    const float *const y = block->shade_y + first;
-    const float *const z = block->shade_z + first;
+    const size_t count = strip->count;
+    const float *const x = strip->block->shade_x + strip->first;
+    const float *const y = strip->block->shade_y + strip->first;
+    const float *const z = strip->block->shade_z + strip->first;
     for (size_t i = 0; i < count; i++) {
         const double light = surface->light[0] * (double)x[i] + surface->light[1] * (double)y[i] +
                              surface->light[2] * (double)z[i];
@@ -74,39 +75,43 @@ static void encode_hillshade(const struct surface *surface, const struct block *
     }
 }
 
-static void encode_gradient(const struct surface *surface, const struct block *block, size_t first,
-                            size_t count, size_t width, enum sample_kind kind, uint8_t *to)
+static void encode_gradient(const struct surface *surface, const struct strip *strip,
+                            enum sample_kind kind, uint8_t *to)
 {
-    (void)width;
     (void)kind;
-    for (size_t i = first; i < first + count; i++) {
+    const struct block *const block = strip->block;
+    const size_t first = strip->first, end = first + strip->count;
+    for (size_t i = first; i < end; i++) {
         to = put_float(to, surface->height_scale * block->dx[i]);
         to = put_float(to, surface->height_scale * block->dy[i]);
     }
 }
 
-/* Each pixel `times` times */
-static void put_normals(uint8_t *to, const float *x, const float *y, const float *z, size_t count,
-                        float normal_y, size_t times)
+/* The normals of a strip, each pixel as often as the comparison enlarges it */
+static void put_normals(const struct surface *surface, const struct strip *strip,
+                        const float *const normals[3], uint8_t *to)
 {
-    for (size_t i = 0; i < count; i++) {
-        const uint8_t pixel[3] = {component(x[i]), component(normal_y * y[i]), component(z[i])};
-        for (size_t n = 0; n < times; n++) {
+    for (size_t i = strip->first; i < strip->first + strip->count; i++) {
+        const uint8_t pixel[3] = {component(normals[0][i]),
+                                  component(surface->normal_y * normals[1][i]),
+                                  component(normals[2][i])};
+        for (size_t n = 0; n < surface->zoom; n++) {
             memcpy(to, pixel, sizeof pixel);
             to += sizeof pixel;
         }
     }
 }
 
-static void encode_compare(const struct surface *surface, const struct block *block, size_t first,
-                           size_t count, size_t width, enum sample_kind kind, uint8_t *to)
+static void encode_compare(const struct surface *surface, const struct strip *strip,
+                           enum sample_kind kind, uint8_t *to)
 {
     (void)kind;
-    put_normals(to, block->nx + first, block->ny + first, block->nz + first, count,
-                surface->normal_y, surface->zoom);
-    put_normals(to + 3 * surface->zoom * width, block->differences_x + first,
-                block->differences_y + first, block->differences_z + first, count,
-                surface->normal_y, surface->zoom);
+    const struct block *const block = strip->block;
+    const float *const exact[3] = {block->nx, block->ny, block->nz};
+    const float *const differences[3] = {block->differences_x, block->differences_y,
+                                         block->differences_z};
+    put_normals(surface, strip, exact, to);
+    put_normals(surface, strip, differences, to + 3 * surface->zoom * strip->width);
 }
 
 const struct layer layers[LAYER_COUNT] = {

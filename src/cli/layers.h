@@ -12,6 +12,13 @@
 #include "surface.h"
 #include "writer.h"
 
+/* Samples of a block that lie in one row of the raster */
+struct strip {
+    const struct block *block;
+    size_t first, count; /* of the block: its index, and how many there are */
+    size_t width;        /* samples in the whole row */
+};
+
 struct layer {
     const char *option;  /* that asks for it */
     const char *name;    /* STEM-NAME.png */
@@ -20,10 +27,9 @@ struct layer {
     /* The kinds of samples it can be stored as, the best first; 0 at the end */
     enum sample_kind kinds[4];
     unsigned needs; /* of enum surface_need */
-    /* Writes `count` samples from index `first` of the block on. `to` is where the pixel of the
-       first of them goes in its row, whose length is `width` samples. */
-    void (*encode)(const struct surface *surface, const struct block *block, size_t first,
-                   size_t count, size_t width, enum sample_kind kind, uint8_t *to);
+    /* Writes the samples of a strip. `to` is where the pixel of the first of them goes. */
+    void (*encode)(const struct surface *surface, const struct strip *strip, enum sample_kind kind,
+                   uint8_t *to);
 };
 
 enum { LAYER_HEIGHTS, LAYER_NORMALS, LAYER_HILLSHADE, LAYER_GRADIENT, LAYER_COMPARE, LAYER_COUNT };

@@ -3,7 +3,6 @@
  * The program scarp: finds the command and hands over.
  */
 #include <errno.h>
-#include <stdarg.h>
 #include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
@@ -12,7 +11,8 @@
 #include <unistd.h>
 #endif
 
-#include "cli.h"
+#include "commands.h"
+#include "error.h"
 #include "interrupt.h"
 #include "scarp.h"
 #include "stack.h"
@@ -35,21 +35,6 @@ static const struct {
     const char *name;
     int (*run)(char **argv);
 } commands[] = {{"terrain", cli_terrain}, {"sample", cli_sample}, {"info", cli_info}};
-
-void cli_error(const char *format, ...)
-{
-    char message[1024];
-    va_list arguments;
-    va_start(arguments, format);
-    vsnprintf(message, sizeof message, format, arguments);
-    va_end(arguments);
-    for (char *c = message; *c != '\0'; c++) {
-        if ((unsigned char)*c < 0x20 || *c == 0x7f) {
-            *c = '?';
-        }
-    }
-    fprintf(stderr, "scarp: %s\n", message);
-}
 
 static int run_command(const char *name, char **argv)
 {

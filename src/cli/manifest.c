@@ -11,7 +11,7 @@
 #include <sys/stat.h>
 #include <time.h>
 
-#include "cli.h"
+#include "error.h"
 #include "json.h"
 #include "path.h"
 #include "text.h"

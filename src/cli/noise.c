@@ -6,7 +6,7 @@
 
 #include <stddef.h>
 
-#include "cli.h"
+#include "error.h"
 
 #define FIELD(name) offsetof(struct noise_options, name)
 

@@ -2,8 +2,8 @@
  *
  * NumPy's .npy with height x width samples, or height x width x channels.
  */
+#include "formats.h"
 #include "npy.h"
-#include "writer.h"
 
 static bool npy_open(struct writer *writer)
 {

@@ -8,7 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
-#include "cli.h"
+#include "error.h"
 
 #define HELP_COLUMN 18 /* where the help's explanations begin */
 

@@ -9,7 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli.h"
+#include "error.h"
+#include "formats.h"
 #include "path.h"
 #include "pattern.h"
 #include "text.h"
@@ -40,9 +41,9 @@ static bool is_word(const char *word, size_t length, const char *name)
 
 static const struct format *find_format(const char *word, size_t length)
 {
-    for (size_t i = 0; writer_formats[i] != NULL; i++) {
-        if (is_word(word, length, writer_formats[i]->name)) {
-            return writer_formats[i];
+    for (size_t i = 0; formats_known[i] != NULL; i++) {
+        if (is_word(word, length, formats_known[i]->name)) {
+            return formats_known[i];
         }
     }
     return NULL;
@@ -62,9 +63,9 @@ static enum sample_kind common_kind(const struct layer *layer, const struct form
 static void format_error(const struct layer *layer, const char *text)
 {
     char names[128] = "";
-    for (size_t i = 0; writer_formats[i] != NULL; i++) {
-        if (common_kind(layer, writer_formats[i]) != 0) {
-            strcat(strcat(names, " ."), writer_formats[i]->name);
+    for (size_t i = 0; formats_known[i] != NULL; i++) {
+        if (common_kind(layer, formats_known[i]) != 0) {
+            strcat(strcat(names, " ."), formats_known[i]->name);
         }
     }
     cli_error("%s: '%.200s' has no extension for %s, which are%s%s", layer->option, text,

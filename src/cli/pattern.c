@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli.h"
+#include "error.h"
 #include "path.h"
 #include "text.h"
 

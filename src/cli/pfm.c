@@ -5,7 +5,7 @@
  */
 #include <stdio.h>
 
-#include "writer.h"
+#include "formats.h"
 
 #define HEADER_MAX 64
 

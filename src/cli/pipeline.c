@@ -11,6 +11,7 @@
 #include <stdint.h>
 #include <stdlib.h>
 
+#include "compare.h"
 #include "interrupt.h"
 
 #define BAND_BYTES ((size_t)16 << 20)
@@ -122,17 +123,21 @@ static void fill(const struct pipeline *pipeline, size_t band, size_t n, struct 
     if (row >= rows || interrupted()) {
         return; /* the last band is lower; of an interrupted run nothing is kept */
     }
+    block->column = tile->column + column;
+    block->row = tile->row + band * pipeline->rows + row;
     block->columns = smaller(pipeline->block_columns, tile->width - column);
     block->rows = smaller(pipeline->block_rows, rows - row);
-    surface_sample(pipeline->surface, block, tile->column + column,
-                   tile->row + band * pipeline->rows + row);
+    surface_sample(pipeline->surface, block);
+    if (block->differences_x != NULL) {
+        compare_sample(pipeline->surface, block);
+    }
     for (size_t i = 0; i < pipeline->outputs->count; i++) {
         const struct output *const output = &pipeline->outputs->list[i];
         const size_t pixel = output->layer->channels * sample_bytes(output->kind) * output->times;
         for (size_t r = 0; r < block->rows; r++) {
             uint8_t *const to = pipeline->bytes[band % 2][i] + (row + r) * output->row_bytes;
-            output->layer->encode(pipeline->surface, block, r * block->columns, block->columns,
-                                  tile->width, output->kind, to + column * pixel);
+            const struct strip strip = {block, r * block->columns, block->columns, tile->width};
+            output->layer->encode(pipeline->surface, &strip, output->kind, to + column * pixel);
         }
     }
 }

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "writer.h"
+#include "formats.h"
 
 /* How fractal terrain is best packed: each sample less the mean of its neighbours, then Huffman
    codes and runs only, since there is little to be found twice. Measured on heights, normals and

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli.h"
+#include "error.h"
 #include "npy.h"
 
 int points_open(struct points *points, const char *path)
@@ -41,15 +41,6 @@ int points_read(struct points *points, struct points_block *block)
     block->count = 0;
     return points->format == POINTS_NPY ? points_npy_read(points, block)
                                         : points_text_read(points, block);
-}
-
-size_t points_needed(const struct points *points)
-{
-    size_t needed = 0;
-    for (int d = 0; d < points->dims; d++) {
-        needed = needed > points->column[d] ? needed : points->column[d] + 1;
-    }
-    return needed;
 }
 
 void points_close(struct points *points)

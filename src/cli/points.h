@@ -82,9 +82,6 @@ int points_begin(struct points *points);
    has ended. */
 int points_read(struct points *points, struct points_block *block);
 
-/* How many columns it takes to have all coordinates */
-size_t points_needed(const struct points *points);
-
 /* May be called at any time after zero-initialisation. */
 void points_close(struct points *points);
 

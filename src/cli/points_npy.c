@@ -6,7 +6,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "cli.h"
+#include "error.h"
 #include "npy.h"
 #include "number.h"
 #include "points.h"

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli.h"
+#include "error.h"
 #include "number.h"
 #include "points.h"
 
@@ -161,7 +161,7 @@ static bool check_columns(struct points *points, size_t columns)
 {
     const char *const s = columns == 1 ? "" : "s";
     const char *const line = points->text.line;
-    const size_t needed = points_needed(points);
+    const size_t needed = columns_needed(points->column, points->dims);
     if (points->columns != 0 && columns != points->columns && !is_ragged(points)) {
         return wrong(points, "%zu column%s, but the first line has %zu: '%.60s'", columns, s,
                      points->columns, line);
@@ -201,7 +201,8 @@ static bool read_point(struct points *points, double position[3])
     if (points->dims == 0 && !check_columns(points, count_columns(points->field, text->line))) {
         return false;
     }
-    const size_t enough = is_ragged(points) ? points_needed(points) : SIZE_MAX;
+    const size_t enough =
+        is_ragged(points) ? columns_needed(points->column, points->dims) : SIZE_MAX;
     const int dims = points->dims != 0 ? points->dims : 3;
     size_t columns = 0;
     for (const char *at = text->line; at != NULL && columns < enough;) {

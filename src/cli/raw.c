@@ -3,7 +3,7 @@
  * R16 and R32: the samples and nothing else, low byte first, as terrain programs import them.
  * Whoever reads them has to know width and height.
  */
-#include "writer.h"
+#include "formats.h"
 
 static bool raw_open(struct writer *writer)
 {

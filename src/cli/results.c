@@ -13,7 +13,7 @@
 #include <fcntl.h>
 #endif
 
-#include "cli.h"
+#include "error.h"
 #include "interrupt.h"
 #include "npy.h"
 #include "number.h"
@@ -200,7 +200,8 @@ static void put_made_names(struct results *results, const struct points *points)
 {
     static const char *const axes[] = {"x,", "y,", "z,"};
     const bool npy = points->format == POINTS_NPY; /* keeps the coordinates alone, in their order */
-    const size_t dims = (size_t)points->dims, needed = points_needed(points);
+    const size_t dims = (size_t)points->dims;
+    const size_t needed = columns_needed(points->column, points->dims);
     const size_t columns = npy ? dims : points->columns < needed ? needed : points->columns;
     for (size_t i = 0; i < columns; i++) {
         char name[32];

@@ -8,7 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli.h"
+#include "commands.h"
+#include "error.h"
 #include "interrupt.h"
 #include "noise.h"
 #include "options.h"

@@ -14,7 +14,7 @@ bool stack_reserve(void)
 #else
 #include <sys/resource.h>
 
-#include "cli.h"
+#include "error.h"
 
 /* Arguments and environment take some of it, too. */
 #define ALLOWED ((rlim_t)(2 * STACK_NEEDED))

@@ -91,13 +91,14 @@ static void clamp(const struct surface *surface, size_t count, const struct scar
 
 /* Rows go down and y goes up, so the grid's step along them is negative. Its origin and step are
    those of the whole raster whatever the block: samples have the same bits in every tile. */
-static void sample(const struct surface *surface, const struct block *block, int64_t column,
-                   int64_t row, const struct scarp_samples *out)
+static void sample(const struct surface *surface, const struct block *block, int right, int up,
+                   const struct scarp_samples *out)
 {
     const struct scarp_grid grid = {
         .origin = {surface->x0, surface->y0, 0.0},
         .step = {surface->step, -surface->step, 0.0},
-        .first = {column, row - (int64_t)(surface->height - 1), 0},
+        .first = {(int64_t)block->column + right,
+                  (int64_t)block->row - up - (int64_t)(surface->height - 1), 0},
         .count = {block->columns, block->rows, 1},
     };
     /* Cannot fail: the noise was checked, and what the options allow of places lies within 2^53. */
@@ -107,16 +108,15 @@ static void sample(const struct surface *surface, const struct block *block, int
     }
 }
 
-void surface_values(const struct surface *surface, const struct block *block, size_t column,
-                    size_t row, int right, int up, float *value)
+void surface_values(const struct surface *surface, const struct block *block, int right, int up,
+                    float *value)
 {
-    sample(surface, block, (int64_t)column + right, (int64_t)row - up,
-           &(struct scarp_samples){.value = value});
+    sample(surface, block, right, up, &(struct scarp_samples){.value = value});
 }
 
-void surface_sample(const struct surface *surface, struct block *block, size_t column, size_t row)
+void surface_sample(const struct surface *surface, struct block *block)
 {
-    sample(surface, block, (int64_t)column, (int64_t)row,
+    sample(surface, block, 0, 0,
            &(struct scarp_samples){.value = block->value, .dx = block->dx, .dy = block->dy});
     const size_t count = block->columns * block->rows;
     if (block->nx != NULL) {
@@ -126,9 +126,6 @@ void surface_sample(const struct surface *surface, struct block *block, size_t c
     if (block->shade_x != block->nx) {
         scarp_normals(count, block->dx, block->dy, surface->height_scale * surface->z_factor,
                       block->shade_x, block->shade_y, block->shade_z);
-    }
-    if (block->differences_x != NULL) {
-        surface_compare(surface, block, column, row);
     }
 }
 

@@ -46,6 +46,7 @@ enum surface_need {
 
 /* Samples of a rectangle, row by row without gaps; what is not needed is NULL. */
 struct block {
+    size_t column, row; /* of its first sample, in the raster or beyond its edges */
     size_t columns, rows;
     float *value, *dx, *dy;
     float *nx, *ny, *nz;
@@ -58,16 +59,13 @@ struct block {
 bool block_open(struct block *block, const struct surface *surface, unsigned needs);
 void block_close(struct block *block);
 
-/* Samples block->columns x block->rows from `column` and `row` of the raster on, which may lie
-   outside of it. */
-void surface_sample(const struct surface *surface, struct block *block, size_t column, size_t row);
+/* Samples the block's rectangle: all that it holds but the normals from differences, which
+   compare.h adds. */
+void surface_sample(const struct surface *surface, struct block *block);
 
-/* Adds the normals from differences. */
-void surface_compare(const struct surface *surface, struct block *block, size_t column, size_t row);
-
-/* Samples values alone, from `right` columns and `up` rows beside that place. */
-void surface_values(const struct surface *surface, const struct block *block, size_t column,
-                    size_t row, int right, int up, float *value);
+/* Samples values alone, of the rectangle `right` columns and `up` rows beside the block's. */
+void surface_values(const struct surface *surface, const struct block *block, int right, int up,
+                    float *value);
 
 /* The 16-bit integer of a value: 0 at `floor`, 65535 at `ceiling`, rounded to the nearest. */
 static inline unsigned surface_quantise(const struct surface *surface, float value)

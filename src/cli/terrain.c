@@ -9,7 +9,8 @@
 #include <stdio.h>
 #include <time.h>
 
-#include "cli.h"
+#include "commands.h"
+#include "error.h"
 #include "job.h"
 #include "world.h"
 

@@ -4,7 +4,7 @@
  */
 #include "tiling.h"
 
-#include "cli.h"
+#include "error.h"
 
 static size_t quotient_up(size_t a, size_t b)
 {

@@ -7,7 +7,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "cli.h"
+#include "error.h"
 #include "json.h"
 #include "path.h"
 #include "pattern.h"

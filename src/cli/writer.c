@@ -1,17 +1,10 @@
 /* SPDX-License-Identifier: MIT
  *
- * What the formats share: the list of them, and the life of a raster's file.
+ * What the formats share, and the life of a raster's file.
  */
 #include "writer.h"
 
 #include <errno.h>
-
-const struct format *const writer_formats[] = {
-#ifdef SCARP_CLI_PNG
-    &format_png,
-#endif
-    &format_pgm, &format_ppm, &format_r16, &format_r32, &format_pfm, &format_img, &format_npy, NULL,
-};
 
 size_t sample_bytes(enum sample_kind kind)
 {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Rasters written row by row, top row first, in one of several formats. Included by the commands
- * that make rasters and by the formats, each of which is a file of its own.
+ * that make rasters and by the formats, each of which is a file of its own; formats.h lists them.
  */
 #ifndef SCARP_CLI_WRITER_H
 #define SCARP_CLI_WRITER_H
@@ -50,22 +50,6 @@ struct format {
        size or its ends can tell. */
     bool (*is_whole)(const struct raster *raster, const char *path);
 };
-
-extern const struct format format_png; /* 16-bit or 8-bit grey, 8-bit red, green, blue */
-extern const struct format format_pgm; /* 16-bit or 8-bit grey */
-extern const struct format format_ppm; /* 8-bit red, green, blue */
-extern const struct format format_r16; /* nothing but 16-bit integers */
-extern const struct format format_r32; /* nothing but floats */
-extern const struct format format_pfm; /* floats, bottom row first */
-extern const struct format format_img; /* ENVI: bytes or floats, and a header file beside it */
-extern const struct format format_npy; /* NumPy: bytes or floats */
-
-/* Ends with NULL. PNG is there only with libpng. */
-extern const struct format *const writer_formats[];
-
-#ifdef SCARP_CLI_PNG
-const char *png_version(void); /* of libpng */
-#endif
 
 /* Zero-initialise, set the first four members, open. */
 struct writer {

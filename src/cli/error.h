@@ -1,10 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
- * What the commands of the program share: their entry points, exit statuses and the way errors are
- * told. Included by every file that can fail.
+ * How the program fails: its exit statuses and its messages. Included by every file that can fail.
  */
-#ifndef SCARP_CLI_CLI_H
-#define SCARP_CLI_CLI_H
+#ifndef SCARP_CLI_ERROR_H
+#define SCARP_CLI_ERROR_H
 
 enum cli_exit {
     CLI_SUCCESS = 0,
@@ -18,11 +17,5 @@ enum cli_exit {
 __attribute__((format(printf, 1, 2)))
 #endif
 void cli_error(const char *format, ...);
-
-/* The commands. `argv` holds what follows the command's name, and ends with NULL; the result is an
-   exit status. */
-int cli_info(char **argv);
-int cli_sample(char **argv);
-int cli_terrain(char **argv);
 
 #endif
