@@ -5,9 +5,9 @@
  */
 #include <stdarg.h>
 
-#include "../src/cli/error.h"
-#include "../src/cli/noise.h"
 #include "check.h"
+#include "shared/error.h"
+#include "shared/noise.h"
 
 static const char *basis_name(int basis)
 {

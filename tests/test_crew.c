@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * The program's crew of threads (src/cli/crew.c): whichever threads the system refuses, all work is
- * done, each task once, and nobody leaves a meeting before all are there. To be run under
+ * The program's crew of threads (src/cli/shared/crew.c): whichever threads the system refuses, all
+ * work is done, each task once, and nobody leaves a meeting before all are there. To be run under
  * ThreadSanitizer, too.
  */
 #define _GNU_SOURCE /* as crew.c has it */
@@ -22,7 +22,7 @@ static int start_or_refuse(pthread_t *thread, const pthread_attr_t *attributes,
 }
 
 #define pthread_create start_or_refuse
-#include "../src/cli/crew.c"
+#include "../src/cli/shared/crew.c"
 #undef pthread_create
 
 #include "check.h"

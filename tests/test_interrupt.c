@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * The program's signal handlers (src/cli/interrupt.c): a signal that comes just before a call that
- * would wait for ever ends that call, whatever became of alarms before the program was started.
+ * The program's signal handlers (src/cli/shared/interrupt.c): a signal that comes just before a
+ * call that would wait for ever ends that call, whatever became of alarms before the program was
+ * started.
  */
 #include <errno.h>
 #include <signal.h>
@@ -9,8 +10,8 @@
 #include <time.h>
 #include <unistd.h>
 
-#include "../src/cli/interrupt.h"
 #include "check.h"
+#include "shared/interrupt.h"
 
 #define PATIENCE 20 /* seconds */
 

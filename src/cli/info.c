@@ -2,15 +2,16 @@
  *
  * `scarp info`: which library runs, what it can run on, and what the program was built with.
  */
+#include "info.h"
+
 #include <stdio.h>
 #include <string.h>
 
-#include "commands.h"
-#include "crew.h"
-#include "error.h"
-#include "formats.h"
-#include "options.h"
+#include "formats/formats.h"
 #include "scarp.h"
+#include "shared/crew.h"
+#include "shared/error.h"
+#include "shared/options.h"
 
 #define TEXT(x) #x
 #define VERSION_TEXT(major, minor, patch) TEXT(major) "." TEXT(minor) "." TEXT(patch)

@@ -11,11 +11,13 @@
 #include <unistd.h>
 #endif
 
-#include "commands.h"
-#include "error.h"
-#include "interrupt.h"
+#include "info.h"
+#include "sample/sample.h"
 #include "scarp.h"
-#include "stack.h"
+#include "shared/error.h"
+#include "shared/interrupt.h"
+#include "shared/stack.h"
+#include "terrain/terrain.h"
 
 static const char usage[] =
     "usage: scarp <command> [options]\n"

@@ -1,0 +1,89 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * ENVI's raster: the samples in NAME.img, pixel by pixel, and what they are in NAME.hdr, a text.
+ * GDAL opens it, with the raster's place among its neighbours.
+ */
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "formats/formats.h"
+#include "shared/text.h"
+
+/* NAME.hdr for NAME.img, in capitals or not; for any other NAME too. */
+static char *header_path(const char *path)
+{
+    const size_t length = strlen(path);
+    const char *const end = length > 4 ? path + length - 4 : "";
+    const bool replaces = strcmp(end, ".img") == 0 || strcmp(end, ".IMG") == 0;
+    return text_join_part(path, replaces ? length - 4 : length, ".hdr");
+}
+
+#define HEADER_MAX 512
+
+/* The place of the raster is that of the corner of its first pixel. */
+static void make_header(const struct raster *raster, char header[HEADER_MAX])
+{
+    snprintf(header, HEADER_MAX,
+             "ENVI\n"
+             "description = { %s, by scarp terrain }\n"
+             "samples = %zu\n"
+             "lines = %zu\n"
+             "bands = %zu\n"
+             "header offset = 0\n"
+             "file type = ENVI Standard\n"
+             "data type = %d\n"
+             "interleave = bip\n"
+             "byte order = 0\n"
+             "map info = { Arbitrary, 1, 1, %.17g, %.17g, %.17g, %.17g }\n",
+             raster->content, raster->width, raster->height, raster->channels,
+             raster->kind == SAMPLE_U8 ? 1 : 4, raster->x - 0.5 * raster->step,
+             raster->y + 0.5 * raster->step, raster->step, raster->step);
+}
+
+static bool img_open(struct writer *writer)
+{
+    if (file_is_special(writer->path)) {
+        errno = ESPIPE; /* a device has no place for a header beside it */
+        return false;
+    }
+    char header[HEADER_MAX];
+    make_header(&writer->raster, header);
+    char *const path = header_path(writer->path);
+    const bool opened = path != NULL && file_open(&writer->header, path) &&
+                        fputs(header, writer->header.stream) >= 0;
+    free(path);
+    return opened;
+}
+
+/* Whether the file `path` holds what `text` says and nothing else */
+static bool holds(const char *path, const char *text)
+{
+    char bytes[HEADER_MAX];
+    FILE *const file = path != NULL ? fopen(path, "rb") : NULL;
+    if (file == NULL) {
+        return false;
+    }
+    const size_t length = fread(bytes, 1, sizeof bytes, file);
+    fclose(file);
+    return length == strlen(text) && memcmp(bytes, text, length) == 0;
+}
+
+static bool img_is_whole(const struct raster *raster, const char *path)
+{
+    char header[HEADER_MAX];
+    make_header(raster, header);
+    char *const beside = header_path(path);
+    const bool whole = writer_has_size(raster, path, 0) && holds(beside, header);
+    free(beside);
+    return whole;
+}
+
+#define KINDS (SAMPLE_U8 | SAMPLE_F32)
+const struct format format_img = {.name = "img",
+                                  .kinds = {0, KINDS, KINDS, KINDS},
+                                  .needs_file = true,
+                                  .open = img_open,
+                                  .write = writer_write_raw,
+                                  .is_whole = img_is_whole};

@@ -1,0 +1,12 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The list of formats, in the order in which the program tells them.
+ */
+#include "formats/formats.h"
+
+const struct format *const formats_known[] = {
+#ifdef SCARP_CLI_PNG
+    &format_png,
+#endif
+    &format_pgm, &format_ppm, &format_r16, &format_r32, &format_pfm, &format_img, &format_npy, NULL,
+};

@@ -1,0 +1,27 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The formats of rasters, one by one and as a list. Included by each format, and by whoever chooses
+ * among them.
+ */
+#ifndef SCARP_CLI_FORMATS_H
+#define SCARP_CLI_FORMATS_H
+
+#include "formats/writer.h"
+
+extern const struct format format_png; /* 16-bit or 8-bit grey, 8-bit red, green, blue */
+extern const struct format format_pgm; /* 16-bit or 8-bit grey */
+extern const struct format format_ppm; /* 8-bit red, green, blue */
+extern const struct format format_r16; /* nothing but 16-bit integers */
+extern const struct format format_r32; /* nothing but floats */
+extern const struct format format_pfm; /* floats, bottom row first */
+extern const struct format format_img; /* ENVI: bytes or floats, and a header file beside it */
+extern const struct format format_npy; /* NumPy: bytes or floats */
+
+/* Ends with NULL. PNG is there only with libpng. */
+extern const struct format *const formats_known[];
+
+#ifdef SCARP_CLI_PNG
+const char *png_version(void); /* of libpng */
+#endif
+
+#endif

@@ -1,0 +1,111 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * What the formats share, and the life of a raster's file.
+ */
+#include "formats/writer.h"
+
+#include <errno.h>
+
+size_t sample_bytes(enum sample_kind kind)
+{
+    switch (kind) {
+    case SAMPLE_U8: return 1;
+    case SAMPLE_F32: return 4;
+    default: return 2;
+    }
+}
+
+size_t writer_row_bytes(const struct writer *writer)
+{
+    return writer->raster.width * writer->raster.channels * sample_bytes(writer->raster.kind);
+}
+
+bool writer_write_raw(struct writer *writer, const uint8_t *samples, size_t row, size_t rows)
+{
+    (void)row;
+    const size_t bytes = rows * writer_row_bytes(writer);
+    return file_write(&writer->file, samples, bytes);
+}
+
+static uint64_t raster_bytes(const struct raster *raster)
+{
+    return (uint64_t)raster->width * raster->height * raster->channels * sample_bytes(raster->kind);
+}
+
+bool writer_has_size(const struct raster *raster, const char *path, size_t before)
+{
+    uint64_t size;
+    struct file_time time;
+    return file_look(path, &size, &time) && size == before + raster_bytes(raster);
+}
+
+bool writer_open(struct writer *writer)
+{
+    if (!(writer->makes_directories ? file_open_making_directories(&writer->file, writer->path)
+                                    : file_open(&writer->file, writer->path))) {
+        return false;
+    }
+    if (writer->format->needs_file && !file_seek(&writer->file, 0)) {
+        return false;
+    }
+    errno = 0;
+    return writer->format->open(writer);
+}
+
+static bool is_newer(const char *path, struct file_time since)
+{
+    uint64_t size;
+    struct file_time time;
+    return file_look(path, &size, &time) && !file_is_older(time, since);
+}
+
+bool writer_is_there(const struct writer *writer, struct file_time since)
+{
+    return is_newer(writer->path, since) && writer->format->is_whole(&writer->raster, writer->path);
+}
+
+bool writer_is_same(const struct writer *a, const struct writer *b)
+{
+    return file_is_same(&a->file, &b->file) || file_is_same(&a->header, &b->header) ||
+           file_is_same(&a->file, &b->header) || file_is_same(&a->header, &b->file);
+}
+
+bool writer_write(struct writer *writer, const uint8_t *samples, size_t row, size_t rows)
+{
+    return writer->format->write(writer, samples, row, rows);
+}
+
+bool writer_close(struct writer *writer)
+{
+    const struct format *const format = writer->format;
+    return (format->close == NULL || format->close(writer, true)) && file_close(&writer->header) &&
+           file_close(&writer->file);
+}
+
+bool writer_publish(struct writer *writer)
+{
+    /* The header first: whoever sees the file then sees its header too. */
+    return file_publish(&writer->header) && file_publish(&writer->file);
+}
+
+void writer_retract(struct writer *writer)
+{
+    file_retract(&writer->file);
+    file_retract(&writer->header);
+}
+
+bool writer_settle(const struct writer *writer)
+{
+    return file_settle(&writer->file); /* the header is in the same directory */
+}
+
+void writer_discard(struct writer *writer)
+{
+    const int reason = errno;
+    if (writer->format != NULL && writer->format->close != NULL) {
+        writer->format->close(writer, false);
+    }
+    file_discard(&writer->header);
+    file_discard(&writer->file);
+    errno = reason;
+}

@@ -1,0 +1,94 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Points from CSV, text or .npy, in blocks: what `scarp sample` reads. The two readers are in
+ * points_text.c and points_npy.c; what they share is here and in points.c.
+ */
+#ifndef SCARP_CLI_POINTS_H
+#define SCARP_CLI_POINTS_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "sample/columns.h"
+#include "sample/field.h"
+#include "sample/input.h"
+
+#define POINTS_BLOCK 4096
+#define POINTS_LINE_MAX 65535 /* bytes, without the line's end */
+
+enum points_format { POINTS_CSV, POINTS_TEXT, POINTS_NPY, POINTS_UNKNOWN };
+
+struct points_block {
+    size_t count;
+    double position[3][POINTS_BLOCK];
+    /* Unless they come from .npy: the line of each point, up to the next read */
+    const char *line[POINTS_BLOCK];
+};
+
+/* What only one of the readers needs */
+struct points_text {
+    uint64_t number; /* of the line at hand, from 1 */
+    char *line;      /* ends with a NUL; inside the input's bytes */
+    size_t length;
+    size_t searched;   /* unused bytes that are known to hold no line's end */
+    char problem[256]; /* what is wrong with it; empty: nothing */
+    bool pending;      /* the line was looked at, but is yet to be read */
+    bool overlong;     /* it is too long, and may be lost but for its first byte */
+    bool cut;          /* the start of the line that is being looked for was lost */
+};
+
+struct points_npy {
+    size_t left; /* points yet to be read */
+    size_t row;  /* bytes from point to point */
+    bool big_endian;
+};
+
+struct points {
+    /* What is wanted: set before opening, the rest zero */
+    int format;            /* an enum points_format; POINTS_UNKNOWN: the reader finds out */
+    int dims;              /* coordinates of a point, 2 or 3; 0: the reader finds out */
+    struct columns chosen; /* what --columns says */
+    bool skip_bad;
+    bool keep; /* lines must have equally many columns, since results will stand behind them */
+    /* Set after points_begin: fields must be such that blanks can separate them. */
+    bool plain;
+
+    /* What is known after points_begin */
+    char *header;                /* the header row of CSV, NULL without */
+    size_t column[COLUMNS_AXES]; /* where x, y and z are, counted from 0 */
+    size_t columns;              /* of the first line; 0: there is none */
+    size_t total;                /* .npy: how many points there are */
+    bool single;                 /* .npy: the coordinates are floats */
+    field_fn *field;             /* how lines fall into fields */
+    uint64_t malformed;          /* lines, or rows of .npy, left out so far */
+
+    /* Private to the readers: */
+    bool dims_given;
+    bool told; /* the columns of the coordinates do not follow from how many there are */
+    struct input input;
+    struct points_text text;
+    struct points_npy npy;
+};
+
+/* All return an exit status, after a line on stderr if it is not CLI_SUCCESS. */
+
+int points_open(struct points *points, const char *path);
+
+/* Reads as far as it takes to know the format and the dimensions: to the first point. */
+int points_begin(struct points *points);
+
+/* Reads the next points: those that are there, at most POINTS_BLOCK, at least one unless the input
+   has ended. */
+int points_read(struct points *points, struct points_block *block);
+
+/* May be called at any time after zero-initialisation. */
+void points_close(struct points *points);
+
+/* The readers, for points.c */
+int points_text_begin(struct points *points);
+int points_text_read(struct points *points, struct points_block *block);
+int points_npy_begin(struct points *points);
+int points_npy_read(struct points *points, struct points_block *block);
+
+#endif

@@ -1,0 +1,347 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * `scarp sample`: the options, and the way of a block of points from the input to the output.
+ * Reading is in points.c, writing in results.c.
+ */
+#include "sample/sample.h"
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "sample/points.h"
+#include "sample/results.h"
+#include "scarp.h"
+#include "shared/error.h"
+#include "shared/interrupt.h"
+#include "shared/noise.h"
+#include "shared/options.h"
+
+struct sample_options {
+    struct noise_options noise;
+    const char *input, *output;
+    int input_format, output_format; /* an enum points_format */
+    struct columns columns;
+    size_t dims; /* 0: not given */
+    int skip_bad, keep, gradient, hessian, isa, quiet;
+};
+
+/* In the order of enum points_format */
+static const char *const formats[] = {"csv", "text", "npy", NULL};
+
+#define FIELD(name) offsetof(struct sample_options, name)
+#define FORMATS "csv, text or npy"
+
+static const struct option point_rows[] = {
+    {.name = "--input",
+     .argument = "FILE",
+     .standard = "-",
+     .allowed = "a file name, or - for standard input",
+     .help = "where the points are; - is standard input",
+     .parse = option_text,
+     .offset = FIELD(input)},
+    {.name = "--input-format",
+     .argument = "NAME",
+     .allowed = FORMATS,
+     .help = "what they are: " FORMATS " [what the input looks like]",
+     .parse = option_choice,
+     .offset = FIELD(input_format),
+     .choices = formats},
+    {.name = "--columns",
+     .argument = "X,Y[,Z]",
+     .allowed = COLUMNS_ALLOWED,
+     .help = "which columns are the coordinates: names of CSV's header row, or\n"
+             "numbers from 1 to 65536 [with a header row those named x, y and z;\n"
+             "else the first ones, which must be all there are unless --dims is given]",
+     .parse = option_columns,
+     .offset = FIELD(columns)},
+    {.name = "--dims",
+     .argument = "N",
+     .allowed = "2 or 3",
+     .help = "coordinates of a point, 2 or 3; 2 leaves z out [3 if there is a column\n"
+             "z, or if there are 3 columns without names]",
+     .parse = option_count,
+     .offset = FIELD(dims),
+     .lowest = 2,
+     .highest = 3},
+    {.name = "--skip-bad",
+     .help = "leave malformed lines, and rows of .npy, out instead of stopping at\nthe first one",
+     .offset = FIELD(skip_bad)},
+    {.name = "--keep",
+     .help = "copy the input's columns in front of the results; of .npy and to\n"
+             ".npy, which then holds doubles, the coordinates alone",
+     .offset = FIELD(keep)},
+};
+
+static const struct option result_rows[] = {
+    {.name = "--output",
+     .argument = "FILE",
+     .standard = "-",
+     .allowed = "a file name, or - for standard output",
+     .help = "where the results go; - is standard output",
+     .parse = option_text,
+     .offset = FIELD(output)},
+    {.name = "--output-format",
+     .argument = "NAME",
+     .allowed = FORMATS,
+     .help = "what they are written as: " FORMATS "\n"
+             "[what FILE ends with: .csv, .txt, .npy; else as the input]",
+     .parse = option_choice,
+     .offset = FIELD(output_format),
+     .choices = formats},
+    {.name = "--gradient",
+     .help = "after the value, its derivatives along x, y (and z)",
+     .offset = FIELD(gradient)},
+    {.name = "--hessian", .help = "after these, its second derivatives", .offset = FIELD(hessian)},
+};
+
+static const struct option running_rows[] = {
+    {.name = "--isa",
+     .argument = "NAME",
+     .allowed = OPTION_ISAS,
+     .help = "instruction set: " OPTION_ISAS ";\nthe results do not depend on it [the best one]",
+     .parse = option_isa,
+     .offset = FIELD(isa)},
+    {.name = "--quiet",
+     .help = "do not tell how many points --skip-bad left out",
+     .offset = FIELD(quiet)},
+};
+
+static const struct option_group groups[] = {
+    OPTION_GROUP("points", point_rows, 0),
+    OPTION_GROUP("results", result_rows, 0),
+    {"noise", noise_option_rows, NOISE_OPTION_COUNT, FIELD(noise)},
+    OPTION_GROUP("running", running_rows, 0),
+};
+
+static const struct option_table table = {
+    .command = "sample",
+    .purpose = "Reads points and writes the noise at each of them, one row per point.",
+    .notes =
+        "A row holds, in this order and as far as it was asked for,\n"
+        "  in 2D  value dx dy dxx dxy dyy\n"
+        "  in 3D  value dx dy dz dxx dxy dxz dyy dyz dzz\n"
+        "Coordinates are doubles and keep their precision. Results are floats: nine digits, which\n"
+        "tell them apart, or nan where coordinate times frequency overflows.\n"
+        "\n"
+        "csv   Fields between commas, in double quotes or not. The first line is a header row if\n"
+        "      it has x and y, or if its first two fields are no numbers; with --columns, if that\n"
+        "      has names, or if the fields that it numbers are no numbers. Results get a header\n"
+        "      row too, unless the points are CSV without.\n"
+        "text  Columns between spaces or tabs, without a header row. As in CSV, empty lines and\n"
+        "      those that begin with # are passed over.\n"
+        "npy   Arrays of NumPy. Points have the shape (n, 2) or (n, 3), or more columns with\n"
+        "      --columns or --dims, and are floats or doubles; results have the shape (n, number\n"
+        "      of results) and are floats, with --keep doubles. Points from CSV or text, or with\n"
+        "      --skip-bad, need a file for them, not a pipe.\n"
+        "\n"
+        "columns    Names are compared without blanks and quotes around them; small letters are\n"
+        "           like capitals. In --columns a name with a comma stands in double quotes.\n"
+        "           A header row without x and y needs --columns. If two columns have a name that\n"
+        "           is asked for, their numbers must be given. All lines have as many columns as\n"
+        "           the first; but without a header row and --keep, --dims and --columns ignore\n"
+        "           what stands behind the coordinates.\n"
+        "malformed  are points with a coordinate that is not a finite number, so with nan or inf,\n"
+        "           also in .npy, and lines with too few or too many columns.\n"
+        "\n"
+        "Rows are written as soon as points are read, in blocks of at most 4096. A malformed one\n"
+        "ends the run with one message and exit status 2, as does an input that cannot be read.\n"
+        "The output file, which may be that of the input, appears only when all went well;\n"
+        "standard output has then got the rows of the points before.",
+    .groups = groups,
+    .count = sizeof groups / sizeof groups[0],
+};
+
+/* The results there are: order 0 is the value, 1 the gradient, 2 the Hessian. */
+static const struct result {
+    const char *name;
+    int order, dims; /* dims: from how many dimensions on */
+    size_t offset;   /* of the array in struct scarp_samples */
+} all_results[RESULTS_COLUMNS_MAX] = {
+    {"value", 0, 2, offsetof(struct scarp_samples, value)},
+    {"dx", 1, 2, offsetof(struct scarp_samples, dx)},
+    {"dy", 1, 2, offsetof(struct scarp_samples, dy)},
+    {"dz", 1, 3, offsetof(struct scarp_samples, dz)},
+    {"dxx", 2, 2, offsetof(struct scarp_samples, dxx)},
+    {"dxy", 2, 2, offsetof(struct scarp_samples, dxy)},
+    {"dxz", 2, 3, offsetof(struct scarp_samples, dxz)},
+    {"dyy", 2, 2, offsetof(struct scarp_samples, dyy)},
+    {"dyz", 2, 3, offsetof(struct scarp_samples, dyz)},
+    {"dzz", 2, 3, offsetof(struct scarp_samples, dzz)},
+};
+
+/* What a run needs, too large for the stack */
+struct sample {
+    struct scarp_noise noise;
+    struct scarp_samples samples;
+    struct points points;
+    struct results results;
+    struct points_block block;
+    float values[RESULTS_COLUMNS_MAX][POINTS_BLOCK];
+};
+
+/* Chooses the results for points of so many dimensions. */
+static void choose_results(struct sample *sample, const struct sample_options *options, int dims)
+{
+    struct results *const results = &sample->results;
+    for (size_t i = 0; i < RESULTS_COLUMNS_MAX; i++) {
+        const struct result *const result = &all_results[i];
+        const bool wanted = result->order == 0 || (result->order == 1 && options->gradient) ||
+                            (result->order == 2 && options->hessian);
+        if (wanted && dims >= result->dims) {
+            float *const values = sample->values[results->columns];
+            memcpy((char *)&sample->samples + result->offset, &values, sizeof values);
+            results->names[results->columns] = result->name;
+            results->values[results->columns] = values;
+            results->columns++;
+        }
+    }
+}
+
+static enum scarp_status sample_block(struct sample *sample)
+{
+    const struct points_block *const block = &sample->block;
+    return sample->points.dims == 3
+               ? scarp_sample3_f64(&sample->noise, block->count, block->position[0],
+                                   block->position[1], block->position[2], &sample->samples)
+               : scarp_sample2_f64(&sample->noise, block->count, block->position[0],
+                                   block->position[1], &sample->samples);
+}
+
+/* Whether the library can give what is asked for; all else was checked before. */
+static bool check_hessian(const struct scarp_noise *noise, bool hessian)
+{
+    const double origin = 0;
+    float value, second;
+    const struct scarp_samples samples = {.value = &value, .dxx = hessian ? &second : NULL};
+    const bool supported = scarp_sample2_f64(noise, 1, &origin, &origin, &samples) == SCARP_OK;
+    if (!supported) {
+        cli_error("--hessian: --fractal erosion has no second derivatives");
+    }
+    return supported;
+}
+
+static bool check_columns(const struct sample_options *options)
+{
+    const size_t count = options->columns.count;
+    const bool agree = count == 0 || options->dims == 0 || count == options->dims;
+    if (!agree) {
+        cli_error("--columns: names %zu columns, but --dims is %zu", count, options->dims);
+    }
+    return agree;
+}
+
+/* What the name of the output says, if nothing else does */
+static int format_by_name(const char *path, int otherwise)
+{
+    static const char *const ends[] = {".csv", ".txt", ".npy"};
+    const size_t length = strlen(path);
+    for (int i = 0; i < 3; i++) {
+        if (length > 4 && strcmp(path + length - 4, ends[i]) == 0) {
+            return i;
+        }
+    }
+    return otherwise;
+}
+
+static int open_both(struct sample *sample, const struct sample_options *options)
+{
+    struct points *const points = &sample->points;
+    struct results *const results = &sample->results;
+    *points = (struct points){.format = options->input_format,
+                              .dims = (int)options->dims,
+                              .chosen = options->columns,
+                              .skip_bad = options->skip_bad != 0,
+                              .keep = options->keep != 0};
+    results->format = options->output_format;
+    results->keep = options->keep != 0;
+    int status = points_open(points, options->input);
+    if (status == CLI_SUCCESS) {
+        status = results_open(results, options->output);
+    }
+    if (status == CLI_SUCCESS) {
+        status = points_begin(points);
+    }
+    if (status != CLI_SUCCESS) {
+        return status;
+    }
+    if (results->format == POINTS_UNKNOWN) {
+        results->format = format_by_name(options->output, points->format);
+    }
+    points->plain = points->keep && results->format == POINTS_TEXT;
+    choose_results(sample, options, points->dims);
+    return results_begin(results, points);
+}
+
+static int sample_all(struct sample *sample)
+{
+    for (;;) {
+        if (interrupted()) { /* reads and writes notice it too */
+            cli_error("interrupted: not all points were read");
+            return CLI_FAILURE;
+        }
+        int status = points_read(&sample->points, &sample->block);
+        if (status != CLI_SUCCESS || sample->block.count == 0) {
+            return status;
+        }
+        sample_block(sample); /* cannot fail: check_hessian tried */
+        status = results_write(&sample->results, &sample->points, &sample->block);
+        if (status != CLI_SUCCESS) {
+            return status;
+        }
+    }
+}
+
+static int run(struct sample *sample, const struct sample_options *options)
+{
+    int status = open_both(sample, options);
+    if (status == CLI_SUCCESS) {
+        status = sample_all(sample);
+    }
+    points_close(&sample->points); /* Windows replaces no file that is open */
+    if (status == CLI_SUCCESS) {
+        status = results_end(&sample->results, &sample->points);
+    }
+    results_close(&sample->results);
+    return status;
+}
+
+static void tell_malformed(const struct points *points)
+{
+    const unsigned long long count = points->malformed;
+    if (count > 0) {
+        cli_error("--skip-bad: %llu malformed %s%s of %s %s left out", count,
+                  points->format == POINTS_NPY ? "point" : "line", count == 1 ? "" : "s",
+                  points->input.name, count == 1 ? "was" : "were");
+    }
+}
+
+int cli_sample(char **argv)
+{
+    struct sample_options options = {.input_format = POINTS_UNKNOWN,
+                                     .output_format = POINTS_UNKNOWN};
+    switch (options_parse(&table, argv, &options)) {
+    case OPTIONS_HELP: return CLI_SUCCESS;
+    case OPTIONS_BAD: return CLI_USAGE;
+    default: break;
+    }
+    struct scarp_noise noise;
+    if (!check_columns(&options) || !noise_make(&options.noise, &noise) ||
+        !check_hessian(&noise, options.hessian != 0)) {
+        return CLI_USAGE;
+    }
+    scarp_isa_select((enum scarp_isa)options.isa);
+    struct sample *const sample = calloc(1, sizeof *sample);
+    if (sample == NULL) {
+        cli_error("no memory for a block of points");
+        return CLI_FAILURE;
+    }
+    sample->noise = noise;
+    const int status = run(sample, &options);
+    if (status == CLI_SUCCESS && !options.quiet) {
+        tell_malformed(&sample->points);
+    }
+    free(sample);
+    return status;
+}

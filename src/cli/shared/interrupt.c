@@ -1,0 +1,106 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Signal handlers remember, and see to it that nothing waits for ever.
+ */
+#include "shared/interrupt.h"
+
+#include <signal.h>
+#include <stdatomic.h>
+#include <stddef.h>
+#ifndef _WIN32
+#include <unistd.h>
+#endif
+
+static atomic_int requested; /* number of the signal; all threads look at it */
+
+#ifdef _WIN32
+static void remember(int number)
+{
+    requested = number;
+}
+
+static void watch(int number)
+{
+    signal(number, remember);
+}
+#else
+static volatile sig_atomic_t ignores_alarm; /* asked to, when the program was started */
+
+/* The signal may come just before a write that then waits for ever: an alarm ends that wait, and
+   sets the next one, for whatever waits after it. */
+static void remember(int number)
+{
+    if (requested == 0 && !(number == SIGALRM && ignores_alarm)) {
+        requested = number;
+    }
+    if (requested != 0) {
+        alarm(1);
+    }
+}
+
+static bool is_ignored(int number)
+{
+    struct sigaction action;
+    return sigaction(number, NULL, &action) == 0 && action.sa_handler == SIG_IGN;
+}
+
+/* A write that waits, into a pipe for instance, must not be taken up again: no SA_RESTART. */
+static void handle(int number)
+{
+    struct sigaction action = {.sa_handler = remember};
+    sigemptyset(&action.sa_mask);
+    sigaction(number, &action, NULL);
+}
+
+/* What is ignored already, as by nohup, stays so. */
+static void watch(int number)
+{
+    if (!is_ignored(number)) {
+        handle(number);
+    }
+}
+
+/* Alarms are needed whatever became of them; they are no request to stop if they were ignored. */
+static void watch_alarm(void)
+{
+    sigset_t alarms;
+    ignores_alarm = is_ignored(SIGALRM);
+    handle(SIGALRM);
+    sigemptyset(&alarms);
+    sigaddset(&alarms, SIGALRM);
+    sigprocmask(SIG_UNBLOCK, &alarms, NULL);
+}
+#endif
+
+void interrupt_install(void)
+{
+    watch(SIGINT);
+    watch(SIGTERM);
+#ifndef _WIN32
+    /* Batch systems send the last three before they kill: at the end of what a job may take. */
+    static const int more[] = {SIGHUP, SIGQUIT, SIGUSR1, SIGUSR2, SIGXCPU};
+    for (size_t i = 0; i < sizeof more / sizeof more[0]; i++) {
+        watch(more[i]);
+    }
+    watch_alarm();
+#endif
+#ifdef SIGPIPE
+    signal(SIGPIPE, SIG_IGN);
+#endif
+#ifdef SIGXFSZ
+    signal(SIGXFSZ, SIG_IGN);
+#endif
+}
+
+bool interrupted(void)
+{
+    return requested != 0;
+}
+
+void interrupt_end(void)
+{
+    if (requested != 0) {
+        signal(requested, SIG_DFL);
+        raise(requested);
+    }
+}

@@ -1,0 +1,160 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The rows of the options that say which noise. Their defaults are those of struct scarp_noise.
+ */
+#include "shared/noise.h"
+
+#include <stddef.h>
+
+#include "shared/error.h"
+
+#define FIELD(name) offsetof(struct noise_options, name)
+
+/* Help and messages spell out the library's words; tests/test_cli_words.c compares them. */
+#define BASES "gradient or value"
+#define FADES "quintic or cubic"
+#define FRACTALS "fbm, turbulence, ridged or erosion"
+
+/* Refuses also what is 0 as a float, from 2^-150 down: the library takes it for the default. */
+static enum option_result parse_octaves(const struct option *option, const char *text, void *field)
+{
+    float octaves;
+    if (option_float(option, text, &octaves) != OPTION_VALID || octaves == 0.0f) {
+        return OPTION_INVALID;
+    }
+    *(float *)field = octaves;
+    return OPTION_VALID;
+}
+
+static const char *basis_word(int basis)
+{
+    return scarp_basis_name((enum scarp_basis)basis);
+}
+
+static const char *fade_word(int fade)
+{
+    return scarp_fade_name((enum scarp_fade)fade);
+}
+
+static const char *fractal_word(int fractal)
+{
+    return scarp_fractal_name((enum scarp_fractal)fractal);
+}
+
+const struct option noise_option_rows[NOISE_OPTION_COUNT] = {
+    {.name = "--seed",
+     .argument = "N",
+     .standard = "0",
+     .allowed = "an integer from 0 to 2^64 - 1, decimal or 0x and hexadecimal",
+     .help = "which of all noises: an integer of 64 bits, decimal or 0x...",
+     .parse = option_seed,
+     .offset = FIELD(seed)},
+    {.name = "--basis",
+     .argument = "NAME",
+     .standard = "gradient",
+     .allowed = BASES,
+     .help = "noise of an octave: " BASES,
+     .parse = option_choice,
+     .offset = FIELD(basis),
+     .choice = basis_word},
+    {.name = "--fade",
+     .argument = "NAME",
+     .standard = "quintic",
+     .allowed = FADES,
+     .help = "blend between lattice points: " FADES,
+     .parse = option_choice,
+     .offset = FIELD(fade),
+     .choice = fade_word},
+    {.name = "--fractal",
+     .argument = "NAME",
+     .standard = "fbm",
+     .allowed = FRACTALS,
+     .help = "how octaves are summed: " FRACTALS,
+     .parse = option_choice,
+     .offset = FIELD(fractal),
+     .choice = fractal_word},
+    {.name = "--erosion",
+     .argument = "F",
+     .standard = "1",
+     .allowed = "a number from 2^-24 to 2^24",
+     .help = "with --fractal erosion, how strongly slopes damp octaves,\nfrom 2^-24 to 2^24",
+     .parse = option_float,
+     .offset = FIELD(erosion),
+     .lowest = 0x1p-24,
+     .highest = 0x1p24},
+    {.name = "--frequency",
+     .argument = "F",
+     .standard = "1",
+     .allowed = "a number from 2^-32 to 2^48",
+     .help = "lattice cells of the first octave per unit of the coordinates,\nfrom 2^-32 to 2^48",
+     .parse = option_double,
+     .offset = FIELD(frequency),
+     .lowest = 0x1p-32,
+     .highest = 0x1p48},
+    {.name = "--octaves",
+     .argument = "F",
+     .standard = "1",
+     .allowed = "a number above 2^-150, at most 32",
+     .help = "octaves that are summed, above 2^-150 (less is no float above 0),\n"
+             "at most 32; a fraction fades the last one in",
+     .parse = parse_octaves,
+     .like = option_float,
+     .offset = FIELD(octaves),
+     .lowest = 0,
+     .highest = 32},
+    {.name = "--lacunarity",
+     .argument = "F",
+     .standard = "2",
+     .allowed = "a number from 1/16 to 16",
+     .help = "frequency ratio from octave to octave, from 1/16 to 16",
+     .parse = option_float,
+     .offset = FIELD(lacunarity),
+     .lowest = 0.0625,
+     .highest = 16},
+    {.name = "--gain",
+     .argument = "F",
+     .standard = "0.5",
+     .allowed = "a number from 1/16 to 16",
+     .help = "amplitude ratio from octave to octave, from 1/16 to 16",
+     .parse = option_float,
+     .offset = FIELD(gain),
+     .lowest = 0.0625,
+     .highest = 16},
+    {.name = "--amplitude",
+     .argument = "F",
+     .standard = "1",
+     .allowed = "a number whose magnitude is from 2^-24 to 2^24",
+     .help = "scales what comes out, and turns it over if negative; its\nmagnitude from 2^-24 to "
+             "2^24",
+     .parse = option_magnitude,
+     .offset = FIELD(amplitude),
+     .lowest = 0x1p-24,
+     .highest = 0x1p24},
+    {.name = "--rotate",
+     .help = "turn the axes between octaves: hides the lattice's directions",
+     .offset = FIELD(rotate)},
+};
+
+bool noise_make(const struct noise_options *options, struct scarp_noise *noise)
+{
+    *noise = (struct scarp_noise){
+        .basis = (enum scarp_basis)options->basis,
+        .fade = (enum scarp_fade)options->fade,
+        .fractal = (enum scarp_fractal)options->fractal,
+        .rotate = (uint32_t)options->rotate,
+        .seed = options->seed,
+        .frequency = options->frequency,
+        .octaves = options->octaves,
+        .lacunarity = options->lacunarity,
+        .gain = options->gain,
+        .amplitude = options->amplitude,
+        .erosion = options->erosion,
+    };
+    /* Each number was checked by itself; what is left is the frequency of the last octave. */
+    const enum scarp_status status = scarp_noise_check(noise, 2, NULL);
+    if (status != SCARP_OK) {
+        cli_error("--frequency, --lacunarity, --octaves: the frequency of the last octave is not "
+                  "from 2^-32 to 2^48");
+    }
+    return status == SCARP_OK;
+}

@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The options that say which noise, the same for every command that samples: the members of struct
+ * scarp_noise under their own names, within the intervals of scarp.h.
+ */
+#ifndef SCARP_CLI_NOISE_H
+#define SCARP_CLI_NOISE_H
+
+#include <stdbool.h>
+#include <stdint.h>
+
+#include "scarp.h"
+#include "shared/options.h"
+
+struct noise_options {
+    uint64_t seed;
+    double frequency;
+    float octaves, lacunarity, gain, amplitude, erosion;
+    int basis, fade, fractal, rotate; /* enumerators of scarp.h */
+};
+
+#define NOISE_OPTION_COUNT 11
+extern const struct option noise_option_rows[NOISE_OPTION_COUNT];
+
+/* Makes the noise. False, with a line on stderr, if the numbers do not go together. */
+bool noise_make(const struct noise_options *options, struct scarp_noise *noise);
+
+#endif

@@ -1,0 +1,122 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Command-line options from a table: one line per option states its name, its default, what is
+ * allowed and where the value goes. Parsing, messages and the help text are made from it, so they
+ * cannot disagree. Used by every command.
+ */
+#ifndef SCARP_CLI_OPTIONS_H
+#define SCARP_CLI_OPTIONS_H
+
+#include <stddef.h>
+
+#include "shared/text.h"
+
+struct option;
+
+enum option_result {
+    OPTION_VALID,
+    OPTION_INVALID,    /* the text "is not <allowed>" */
+    OPTION_UNAVAILABLE /* a valid value, but "cannot run here" */
+};
+
+/* Reads `text` into the field at `field`, as the option's row says. */
+typedef enum option_result option_parse_fn(const struct option *option, const char *text,
+                                           void *field);
+
+struct option {
+    const char *name;           /* with its dashes */
+    const char *argument;       /* what the help calls the value; NULL: a flag without value */
+    const char *standard;       /* the default, as it would be typed; NULL: leave the field alone */
+    const char *allowed;        /* completes the message "--name: 'text' is not ..." */
+    const char *help;           /* meaning and unit; may have several lines */
+    option_parse_fn *parse;     /* NULL for a flag, which sets an int to 1 */
+    option_parse_fn *like;      /* of values.c, whose kind of field it is, where `parse` is not */
+    size_t offset;              /* of the field in the structure that receives the values */
+    double lowest, highest;     /* the interval of numbers, bounds included */
+    const char *const *choices; /* of option_choice, ending in NULL */
+    const char *(*choice)(int); /* of option_choice in place of `choices`: the words for 0, 1, ...,
+                                   NULL past the last */
+    int of_run; /* it concerns this run or the names of files, not what files hold */
+};
+
+/* Options that a structure holds, itself part of what receives the values */
+struct option_group {
+    const char *title; /* in the help; NULL: that of the group before */
+    const struct option *options;
+    size_t count;
+    size_t offset; /* of the structure */
+};
+
+#define OPTION_GROUP(title, rows, offset)                                                          \
+    {                                                                                              \
+        title, rows, sizeof(rows) / sizeof(rows)[0], offset                                        \
+    }
+
+/* What option_isa takes; tests/test_cli_words.c compares it with the library's names. */
+#define OPTION_ISAS "scalar, sse4.1, avx2, avx512 or neon"
+
+/* Options as they would be typed, one word each and NULL at the end: names, each followed by its
+   value unless it is a flag */
+typedef const char *const option_words[];
+
+struct option_table {
+    const char *command;
+    const char *purpose; /* the help: before the options */
+    const char *notes;   /* the help: after the options */
+    const struct option_group *groups;
+    size_t count;
+    const char *const *standard; /* defaults in place of those of the rows; NULL: none */
+    /* Words that go before the user's; which ones, tells the int at `preset_offset` in the values.
+       NULL: none. */
+    const char *const *const *presets;
+    size_t preset_offset;
+};
+
+struct option_size {
+    size_t width, height;
+};
+
+struct option_point {
+    double x, y;
+};
+
+struct option_share {
+    size_t index, count; /* index < count; all of it: count 0 */
+};
+
+struct option_range {
+    size_t x0, x1, y0, y1; /* x0 <= x < x1, y0 <= y < y1 */
+};
+
+option_parse_fn option_choice;    /* int: the number of the word */
+option_parse_fn option_count;     /* size_t in [lowest, highest] */
+option_parse_fn option_double;    /* double in [lowest, highest] */
+option_parse_fn option_float;     /* float in [lowest, highest]; the bounds are floats */
+option_parse_fn option_isa;       /* int: an enum scarp_isa that can run here */
+option_parse_fn option_magnitude; /* float, its magnitude in [lowest, highest], which are floats */
+option_parse_fn option_point;     /* struct option_point, "X,Y", both in [lowest, highest] */
+option_parse_fn option_range;     /* struct option_range, "X0:X1,Y0:Y1", all in [lowest, highest] */
+option_parse_fn option_seed;      /* uint64_t */
+option_parse_fn option_share;     /* struct option_share, "I/N", both in [lowest, highest] */
+option_parse_fn option_size;      /* struct option_size, "WxH", both in [lowest, highest] */
+option_parse_fn option_stem;      /* const char *: the beginning of file names */
+option_parse_fn option_text;      /* const char *: anything but nothing */
+
+enum options_outcome {
+    OPTIONS_RUN,
+    OPTIONS_HELP, /* the help was asked for and printed */
+    OPTIONS_BAD   /* one line on stderr told why */
+};
+
+/* The word number `index` of an option that is read by option_choice; NULL past the last. */
+const char *option_choice_word(const struct option *option, int index);
+
+/* Fills `values` with the defaults, then with what `argv` holds, which ends with NULL. */
+enum options_outcome options_parse(const struct option_table *table, char **argv, void *values);
+
+/* Adds "name": value, a line each, as members of an object of JSON: all options but those of the
+   run, in the order of the table. Numbers are the shortest that read back the same; what is
+   infinite is null. */
+void options_describe(const struct option_table *table, const void *values, struct text *text);
+
+#endif

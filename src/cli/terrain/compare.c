@@ -1,0 +1,34 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Normals from differences of 16-bit heights.
+ */
+#include "terrain/compare.h"
+
+/* slope[i] = the central difference of 16-bit heights along (right, up) */
+static void difference(const struct surface *surface, const struct block *block, int right, int up,
+                       float *slope)
+{
+    float *const before = block->differences_x;
+    float *const after = block->differences_y;
+    surface_values(surface, block, -right, -up, before);
+    surface_values(surface, block, right, up, after);
+    const double distance = 2.0 * surface->step * surface->steps_per_value; /* 0: all are alike */
+    for (size_t i = 0; i < block->columns * block->rows; i++) {
+        const int steps =
+            (int)surface_quantise(surface, after[i]) - (int)surface_quantise(surface, before[i]);
+        slope[i] = steps != 0 ? (float)(steps / distance) : 0.0f;
+    }
+}
+
+/* Neighbours are sampled again instead of looked up, so that the outermost samples have theirs too.
+   The third difference array holds one slope until the normals replace it. */
+void compare_sample(const struct surface *surface, struct block *block)
+{
+    float *const slope_x = block->differences_z;
+    float *const slope_y = block->value;
+    difference(surface, block, 1, 0, slope_x);
+    difference(surface, block, 0, 1, slope_y);
+    scarp_normals(block->columns * block->rows, slope_x, slope_y, surface->height_scale,
+                  block->differences_x, block->differences_y, block->differences_z);
+    surface_values(surface, block, 0, 0, block->value);
+}

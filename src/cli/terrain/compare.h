@@ -1,0 +1,14 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Normals as a program makes them that has nothing but 16-bit heights: by central differences, two
+ * steps apart. They are there to be compared with the normals from the gradient.
+ */
+#ifndef SCARP_CLI_COMPARE_H
+#define SCARP_CLI_COMPARE_H
+
+#include "terrain/surface.h"
+
+/* Adds these normals to a block that was sampled and has room for them. */
+void compare_sample(const struct surface *surface, struct block *block);
+
+#endif

@@ -1,0 +1,48 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The tiles of a run: which of them it writes, one after the other. A tile is brought to the disk
+ * while the next one is made.
+ */
+#ifndef SCARP_CLI_JOB_H
+#define SCARP_CLI_JOB_H
+
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+
+#include "shared/crew.h"
+#include "shared/progress.h"
+#include "terrain/manifest.h"
+#include "terrain/outputs.h"
+#include "terrain/surface.h"
+#include "terrain/terrain_options.h"
+#include "terrain/tiling.h"
+
+struct job {
+    /* Set before: */
+    const struct terrain_options *options;
+    struct surface surface;
+    struct outputs outputs[2]; /* the same ones: of the tile at hand, and of the one before */
+    struct tiling tiling;
+    struct manifest manifest;
+    struct crew *crew;
+
+    /* What became of it: */
+    size_t written;   /* tiles */
+    size_t busy;      /* tiles that other runs are writing */
+    uint64_t samples; /* of those written */
+
+    /* Private to job.c: */
+    struct progress progress;
+    size_t turn; /* which outputs are those of the tile at hand */
+    struct tile last;
+    bool is_finishing; /* the tile `last` */
+    bool is_finished;  /* whether that succeeded; known when it no longer goes on */
+    bool is_orphan;    /* it is on the disk, but the manifest has gone */
+};
+
+/* Writes the tiles of this run. Returns an exit status, after a line on stderr if it is not
+   CLI_SUCCESS. */
+int job_run(struct job *job);
+
+#endif

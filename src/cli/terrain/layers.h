@@ -1,0 +1,39 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The layers of a terrain, each of which can go to a file: what a layer is made of, and how samples
+ * become its bytes. The formulas are in the help of `scarp terrain`.
+ */
+#ifndef SCARP_CLI_LAYERS_H
+#define SCARP_CLI_LAYERS_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "formats/writer.h"
+#include "terrain/surface.h"
+
+/* Samples of a block that lie in one row of the raster */
+struct strip {
+    const struct block *block;
+    size_t first, count; /* of the block: its index, and how many there are */
+    size_t width;        /* samples in the whole row */
+};
+
+struct layer {
+    const char *option;  /* that asks for it */
+    const char *name;    /* STEM-NAME.png */
+    const char *content; /* what it holds */
+    size_t channels;
+    /* The kinds of samples it can be stored as, the best first; 0 at the end */
+    enum sample_kind kinds[4];
+    unsigned needs; /* of enum surface_need */
+    /* Writes the samples of a strip. `to` is where the pixel of the first of them goes. */
+    void (*encode)(const struct surface *surface, const struct strip *strip, enum sample_kind kind,
+                   uint8_t *to);
+};
+
+enum { LAYER_HEIGHTS, LAYER_NORMALS, LAYER_HILLSHADE, LAYER_GRADIENT, LAYER_COMPARE, LAYER_COUNT };
+
+extern const struct layer layers[LAYER_COUNT];
+
+#endif

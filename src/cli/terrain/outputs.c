@@ -1,0 +1,345 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * File names: which format they ask for, what they become for a tile, and that no two are the same.
+ */
+#include "terrain/outputs.h"
+
+#include <errno.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "formats/formats.h"
+#include "shared/error.h"
+#include "shared/path.h"
+#include "shared/text.h"
+#include "shared/unfinished.h"
+#include "terrain/pattern.h"
+
+#ifdef SCARP_CLI_PNG
+#define GREY_EXTENSION ".png"
+#define COLOUR_EXTENSION ".png"
+#else
+#define GREY_EXTENSION ".pgm"
+#define COLOUR_EXTENSION ".ppm"
+#endif
+
+/* Whether the `length` characters at `word` are `name`, in capitals or not. */
+static bool is_word(const char *word, size_t length, const char *name)
+{
+    if (strlen(name) != length) {
+        return false;
+    }
+    for (size_t i = 0; i < length; i++) {
+        const char c = word[i] >= 'A' && word[i] <= 'Z' ? (char)(word[i] - 'A' + 'a') : word[i];
+        if (c != name[i]) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static const struct format *find_format(const char *word, size_t length)
+{
+    for (size_t i = 0; formats_known[i] != NULL; i++) {
+        if (is_word(word, length, formats_known[i]->name)) {
+            return formats_known[i];
+        }
+    }
+    return NULL;
+}
+
+/* The best kind of samples that both know; 0 if there is none. */
+static enum sample_kind common_kind(const struct layer *layer, const struct format *format)
+{
+    for (size_t i = 0; layer->kinds[i] != 0; i++) {
+        if ((format->kinds[layer->channels] & layer->kinds[i]) != 0) {
+            return layer->kinds[i];
+        }
+    }
+    return (enum sample_kind)0;
+}
+
+static void format_error(const struct layer *layer, const char *text)
+{
+    char names[128] = "";
+    for (size_t i = 0; formats_known[i] != NULL; i++) {
+        if (common_kind(layer, formats_known[i]) != 0) {
+            strcat(strcat(names, " ."), formats_known[i]->name);
+        }
+    }
+    cli_error("%s: '%.200s' has no extension for %s, which are%s%s", layer->option, text,
+              layer->content, names,
+              find_format("png", 3) == NULL ? " (this program was built without libpng)" : "");
+}
+
+static bool add(struct outputs *outputs, const struct layer *layer, const char *option,
+                const struct format *format, const char *path)
+{
+    for (size_t i = 0; i < outputs->count; i++) {
+        const bool standard_output = strcmp(path, "-") == 0;
+        if (strcmp(outputs->list[i].path, path) == 0 &&
+            (standard_output || !file_is_special(path))) {
+            cli_error("%s: %s is already written by %s", option, file_name(path),
+                      outputs->list[i].option);
+            return false;
+        }
+    }
+    char *const copy = text_copy(path);
+    if (copy == NULL) {
+        cli_error("%s: no memory", option);
+        return false;
+    }
+    outputs->list[outputs->count++] = (struct output){.layer = layer,
+                                                      .option = option,
+                                                      .format = format,
+                                                      .kind = common_kind(layer, format),
+                                                      .path = copy};
+    return true;
+}
+
+bool outputs_add(struct outputs *outputs, const struct layer *layer, const char *text)
+{
+    /* A colon after the name of a format: what follows is the path, whatever its extension. */
+    const size_t prefix = strcspn(text, ":");
+    const char *path = text;
+    const struct format *format = text[prefix] == ':' ? find_format(text, prefix) : NULL;
+    if (format != NULL) {
+        path = text + prefix + 1;
+    } else {
+        const char *const dot = path_extension(text);
+        format = *dot == '.' ? find_format(dot + 1, strlen(dot + 1)) : NULL;
+    }
+    const size_t length = strlen(path);
+    const size_t end = strlen(UNFINISHED_END);
+    if (length > end && strcmp(path + length - end, UNFINISHED_END) == 0) {
+        cli_error("%s: '%.200s' is a name for what is not complete yet", layer->option, path);
+        return false;
+    }
+    if (format == NULL || common_kind(layer, format) == 0 || length == 0) {
+        format_error(layer, text);
+        return false;
+    }
+    if (format->needs_file && strcmp(path, "-") == 0) {
+        cli_error("%s: %s cannot go to standard output, only to a file", layer->option,
+                  format->name);
+        return false;
+    }
+    return add(outputs, layer, layer->option, format, path);
+}
+
+bool outputs_add_stem(struct outputs *outputs, const char *stem, bool compare)
+{
+    static const int stem_layers[] = {LAYER_HEIGHTS, LAYER_NORMALS, LAYER_HILLSHADE, LAYER_COMPARE};
+    for (size_t i = 0; i < (compare ? 4 : 3); i++) {
+        const struct layer *const layer = &layers[stem_layers[i]];
+        const char *const extension = layer->channels == 1 ? GREY_EXTENSION : COLOUR_EXTENSION;
+        char *const path =
+            text_join((const char *const[]){stem, "-", layer->name, extension, NULL});
+        const bool added =
+            path != NULL && add(outputs, layer, "--output", find_format(extension + 1, 3), path);
+        free(path);
+        if (!added) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool outputs_to_standard_output(const struct outputs *outputs)
+{
+    for (size_t i = 0; i < outputs->count; i++) {
+        if (strcmp(outputs->list[i].path, "-") == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool outputs_are_files(const struct outputs *outputs)
+{
+    for (size_t i = 0; i < outputs->count; i++) {
+        const char *const path = outputs->list[i].path;
+        if (strcmp(path, "-") == 0 || file_is_special(path)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+unsigned outputs_needs(const struct outputs *outputs)
+{
+    unsigned needs = 0;
+    for (size_t i = 0; i < outputs->count; i++) {
+        needs |= outputs->list[i].layer->needs;
+    }
+    return needs;
+}
+
+bool outputs_check(const struct outputs *outputs, const struct tiling *tiling)
+{
+    if (tiling->numbered && outputs_to_standard_output(outputs)) {
+        cli_error("--tile: tiles cannot go to standard output, only to files");
+        return false;
+    }
+    for (size_t i = 0; i < outputs->count; i++) {
+        if (!pattern_check(outputs->list[i].path, tiling, outputs->list[i].option)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* What the layer is of this tile */
+static struct raster make_raster(const struct output *output, const struct surface *surface,
+                                 const struct tile *tile)
+{
+    const size_t zoom = output->layer == &layers[LAYER_COMPARE] ? surface->zoom : 0;
+    const double up = (double)(surface->height - 1) - (double)tile->row;
+    return (struct raster){
+        .width = tile->width * (zoom == 0 ? 1 : 2 * zoom),
+        .height = tile->height * (zoom == 0 ? 1 : zoom),
+        .channels = output->layer->channels,
+        .kind = output->kind,
+        .x = surface->x0 + (double)tile->column * surface->step,
+        .y = surface->y0 + up * surface->step,
+        .step = surface->step,
+        .content = output->layer->content,
+        .repeats = zoom > 1,
+    };
+}
+
+bool outputs_begin(struct outputs *outputs, const struct surface *surface, const struct tile *tile)
+{
+    for (size_t i = 0; i < outputs->count; i++) {
+        struct output *const output = &outputs->list[i];
+        free(output->tile_path);
+        output->tile_path = pattern_expand(output->path, tile);
+        if (output->tile_path == NULL) {
+            cli_error("%s: no memory", output->option);
+            return false;
+        }
+        output->writer = (struct writer){.raster = make_raster(output, surface, tile),
+                                         .format = output->format,
+                                         .path = output->tile_path,
+                                         .makes_directories = pattern_is(output->path)};
+        output->times = output->layer == &layers[LAYER_COMPARE] ? surface->zoom : 1;
+        output->row_bytes = writer_row_bytes(&output->writer);
+        output->failed = false;
+    }
+    return true;
+}
+
+bool outputs_are_there(const struct outputs *outputs, struct file_time since)
+{
+    for (size_t i = 0; i < outputs->count; i++) {
+        if (!writer_is_there(&outputs->list[i].writer, since)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool outputs_wait(const struct outputs *outputs)
+{
+    for (size_t i = 0; i < outputs->count; i++) {
+        if (outputs->list[i].writer.file.waits) {
+            return true;
+        }
+    }
+    return false;
+}
+
+void outputs_sweep(const struct outputs *outputs)
+{
+    for (size_t i = 0; i < outputs->count; i++) {
+        unfinished_sweep(outputs->list[i].tile_path);
+    }
+}
+
+void output_error(const struct output *output)
+{
+    cli_error("%s: %s: %s", output->option, file_name(output->tile_path),
+              file_reason(output->reason));
+}
+
+static bool check(struct output *output, bool succeeded)
+{
+    if (!succeeded) {
+        output->reason = errno;
+        output->failed = true;
+    }
+    return succeeded;
+}
+
+bool outputs_open(struct outputs *outputs, const char *manifest)
+{
+    for (size_t i = 0; i < outputs->count; i++) {
+        struct output *const output = &outputs->list[i];
+        errno = 0;
+        if (!check(output, writer_open(&output->writer))) {
+            return false;
+        }
+        const char *const path = output->writer.file.path;
+        if (manifest != NULL && path != NULL && strcmp(path, manifest) == 0) {
+            errno = EBUSY;
+            return check(output, false);
+        }
+        for (size_t j = 0; j < i; j++) {
+            if (writer_is_same(&output->writer, &outputs->list[j].writer)) {
+                errno = EBUSY;
+                return check(output, false);
+            }
+        }
+    }
+    return true;
+}
+
+bool outputs_complete(struct outputs *outputs)
+{
+    errno = 0;
+    for (size_t i = 0; i < outputs->count; i++) {
+        if (!check(&outputs->list[i], writer_close(&outputs->list[i].writer))) {
+            return false;
+        }
+    }
+    return true;
+}
+
+bool outputs_publish(struct outputs *outputs)
+{
+    errno = 0;
+    for (size_t i = 0; i < outputs->count; i++) {
+        if (!check(&outputs->list[i], writer_publish(&outputs->list[i].writer))) {
+            for (size_t j = 0; j <= i; j++) {
+                writer_retract(&outputs->list[j].writer);
+            }
+            return false;
+        }
+    }
+    for (size_t i = 0; i < outputs->count; i++) {
+        if (!check(&outputs->list[i], writer_settle(&outputs->list[i].writer))) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* From the last one on: the files before it may be the reason why it found its directory. */
+void outputs_discard(struct outputs *outputs)
+{
+    for (size_t i = outputs->count; i > 0; i--) {
+        struct writer *const writer = &outputs->list[i - 1].writer;
+        writer_discard(writer);
+        *writer = (struct writer){0};
+    }
+}
+
+void outputs_free(struct outputs *outputs)
+{
+    for (size_t i = 0; i < outputs->count; i++) {
+        free(outputs->list[i].path);
+        free(outputs->list[i].tile_path);
+    }
+    *outputs = (struct outputs){.count = 0};
+}

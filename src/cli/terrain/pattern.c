@@ -1,0 +1,183 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Placeholders: found, checked and replaced.
+ */
+#include "terrain/pattern.h"
+
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "shared/error.h"
+#include "shared/path.h"
+#include "shared/text.h"
+
+#define DIGITS_MAX 18
+
+struct placeholder {
+    const char *name; /* of placeholder_names */
+    int digits;       /* at least */
+    size_t length;    /* from brace to brace */
+};
+
+static const char *const placeholder_names[] = {"x", "y", "-y", NULL};
+
+/* Reads the placeholder that begins at the brace `at`. False if there is none. */
+static bool read_placeholder(const char *at, struct placeholder *placeholder)
+{
+    for (const char *const *name = placeholder_names; *name != NULL; name++) {
+        const size_t length = strlen(*name);
+        if (strncmp(at + 1, *name, length) != 0) {
+            continue;
+        }
+        const char *end = at + 1 + length;
+        int digits = 1;
+        if (end[0] == ':' && end[1] == '0') {
+            char *after;
+            const long given = strtol(end + 2, &after, 10);
+            if (end[2] < '1' || end[2] > '9' || given > DIGITS_MAX) {
+                continue;
+            }
+            digits = (int)given;
+            end = after;
+        }
+        if (*end == '}') {
+            *placeholder = (struct placeholder){*name, digits, (size_t)(end + 1 - at)};
+            return true;
+        }
+    }
+    return false;
+}
+
+/* The first placeholder in `text`; NULL if there is none. */
+static const char *find_placeholder(const char *text, struct placeholder *placeholder)
+{
+    for (const char *at = strchr(text, '{'); at != NULL; at = strchr(at + 1, '{')) {
+        if (read_placeholder(at, placeholder)) {
+            return at;
+        }
+    }
+    return NULL;
+}
+
+bool pattern_is(const char *path)
+{
+    struct placeholder placeholder;
+    return find_placeholder(path, &placeholder) != NULL;
+}
+
+/* Whether `path` has a placeholder of this axis: 'x' or 'y'. */
+static bool has_axis(const char *path, char axis)
+{
+    struct placeholder placeholder;
+    for (const char *at = find_placeholder(path, &placeholder); at != NULL;
+         at = find_placeholder(at + placeholder.length, &placeholder)) {
+        if (placeholder.name[strlen(placeholder.name) - 1] == axis) {
+            return true;
+        }
+    }
+    return false;
+}
+
+bool pattern_check(const char *path, const struct tiling *tiling, const char *option)
+{
+    struct placeholder placeholder;
+    const char *const first = find_placeholder(path, &placeholder);
+    if (!tiling->numbered) {
+        if (first != NULL) {
+            cli_error("%s: {%s} in '%.200s' needs --tile", option, placeholder.name, path);
+        }
+        return first == NULL;
+    }
+    for (const char *at = strchr(path, '{'); at != NULL; at = strchr(at + 1, '{')) {
+        if (!read_placeholder(at, &placeholder)) {
+            cli_error("%s: '%.60s' does not begin with {x}, {y} or {-y}, or with digits as in "
+                      "{x:04}",
+                      option, at);
+            return false;
+        }
+    }
+    if (first == NULL) {
+        return true;
+    }
+    if (tiling->across > 1 && !has_axis(path, 'x')) {
+        cli_error("%s: '%.200s' has no {x}, so the %zu tiles of a row would have one name", option,
+                  path, tiling->across);
+        return false;
+    }
+    if (tiling->down > 1 && !has_axis(path, 'y')) {
+        cli_error("%s: '%.200s' has no {y} or {-y}, so the %zu tiles of a column would have one "
+                  "name",
+                  option, path, tiling->down);
+        return false;
+    }
+    return true;
+}
+
+char *pattern_of(const char *path, bool numbered)
+{
+    const char *const extension = path_extension(path);
+    char *const stem = text_join_part(path, (size_t)(extension - path), "");
+    char *const pattern = numbered && !pattern_is(path)
+                              ? text_join((const char *const[]){stem != NULL ? stem : "",
+                                                                "_{y}_{x}", extension, NULL})
+                              : text_copy(path);
+    if (stem == NULL) {
+        free(pattern);
+        return NULL;
+    }
+    free(stem);
+    return pattern;
+}
+
+char *pattern_expand(const char *path, const struct tile *tile)
+{
+    struct text name = {0};
+    struct placeholder placeholder;
+    char *const pattern = pattern_of(path, tile->numbered);
+    if (pattern == NULL) {
+        return NULL;
+    }
+    const char *rest = pattern;
+    const char *at = tile->numbered ? find_placeholder(rest, &placeholder) : NULL;
+    for (; at != NULL; at = find_placeholder(rest, &placeholder)) {
+        const size_t number = placeholder.name[0] == 'x'   ? tile->x
+                              : placeholder.name[0] == 'y' ? tile->y
+                                                           : tile->up;
+        text_add(&name, "%.*s%0*zu", (int)(at - rest), rest, placeholder.digits, number);
+        rest = at + placeholder.length;
+    }
+    text_add(&name, "%s", rest);
+    free(pattern);
+    return name.bytes;
+}
+
+/* Adds the characters up to `end`, without separators. */
+static void add_as_word(struct text *name, const char *begin, const char *end)
+{
+    for (; begin < end; begin++) {
+        text_add(name, "%c", path_directory_length((char[]){*begin, '\0'}) == 1 ? '_' : *begin);
+    }
+}
+
+char *pattern_manifest(const char *path)
+{
+    struct text name = {0};
+    struct placeholder placeholder;
+    const char *at = find_placeholder(path, &placeholder);
+    char *const literal = text_join_part(path, at != NULL ? (size_t)(at - path) : strlen(path), "");
+    if (literal == NULL) {
+        return NULL;
+    }
+    const char *rest = path + path_directory_length(literal);
+    free(literal);
+    text_add(&name, "%.*s", (int)(rest - path), path);
+    for (; at != NULL; at = find_placeholder(rest, &placeholder)) {
+        add_as_word(&name, rest, at);
+        text_add(&name, "%s", placeholder.name);
+        rest = at + placeholder.length;
+    }
+    add_as_word(&name, rest, rest + strlen(rest));
+    text_add(&name, ".json");
+    return name.bytes;
+}

@@ -1,0 +1,32 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The presets. What each looks like is in the README.
+ */
+#include "terrain/presets.h"
+
+#include <stddef.h>
+
+#include "shared/options.h"
+
+static option_words none = {NULL};
+static option_words alps = {"--fractal", "ridged", "--rotate", "--frequency", "0.0035", "--octaves",
+                            "7",         "--gain", "0.42",     "--height",    "100",    NULL};
+
+/* The gain makes the second octave the dunes; the first one, faint, is where v_1 of ridged noise
+   lets them be. A third octave would hide both. */
+static option_words dunes = {"--fractal", "ridged",   "--rotate",     "--frequency", "0.0022",
+                             "--octaves", "2",        "--lacunarity", "3.5",         "--gain",
+                             "8",         "--height", "42",           NULL};
+
+static option_words islands = {"--fractal", "erosion",     "--erosion", "0.25",
+                               "--rotate",  "--frequency", "0.0045",    "--octaves",
+                               "8",         "--gain",      "0.46",      "--height",
+                               "170",       "--sea-level", "0.05",      NULL};
+
+/* Valleys are where the noise changes its sign; the plateau leaves nothing else. */
+static option_words canyon = {"--fractal", "turbulence", "--rotate", "--frequency", "0.004",
+                              "--octaves", "8",          "--gain",   "0.36",        "--height",
+                              "260",       "--plateau",  "0.22",     NULL};
+
+const char *const preset_names[] = {"none", "alps", "dunes", "islands", "canyon", NULL};
+const char *const *const preset_words[] = {none, alps, dunes, islands, canyon};

@@ -1,0 +1,165 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * `scarp terrain`: from the options to the run, and the closing line. The options are in
+ * terrain_options.c, tiles in job.c, samples in surface.c, their bytes in layers.c, files in
+ * outputs.c, and what fills them in pipeline.c.
+ */
+#include "terrain/terrain.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <time.h>
+
+#include "shared/error.h"
+#include "terrain/job.h"
+#include "terrain/world.h"
+
+static double seconds(void)
+{
+    struct timespec now = {0, 0}; /* stays so without a clock */
+#ifdef CLOCK_MONOTONIC
+    clock_gettime(CLOCK_MONOTONIC, &now);
+#else
+    timespec_get(&now, TIME_UTC);
+#endif
+    return (double)now.tv_sec + (double)now.tv_nsec * 1e-9;
+}
+
+static bool make_surface(const struct terrain_options *options, struct surface *surface)
+{
+    *surface = (struct surface){
+        .width = options->size.width,
+        .height = options->size.height,
+        .x0 = options->origin.x,
+        .y0 = options->origin.y,
+        .step = options->step,
+        .height_scale = options->height,
+        .z_factor = options->z_factor,
+        .normal_y = options->normal_down ? -1.0f : 1.0f,
+        .zoom = options->compare,
+    };
+    if (!noise_make(&options->noise, &surface->noise)) {
+        return false;
+    }
+    if (options->plateau < options->sea_level) {
+        cli_error("--plateau: lies below --sea-level");
+        return false;
+    }
+    surface_set_range(surface, options->sea_level, options->plateau);
+    surface_light(options->azimuth, options->altitude, surface->light);
+    return true;
+}
+
+static bool make_outputs(const struct terrain_options *options, struct outputs *outputs)
+{
+    const char *const files[] = {[LAYER_HEIGHTS] = options->heights,
+                                 [LAYER_NORMALS] = options->normals,
+                                 [LAYER_HILLSHADE] = options->hillshade,
+                                 [LAYER_GRADIENT] = options->gradient};
+    for (int i = 0; i < LAYER_COMPARE; i++) {
+        if (files[i] != NULL && !outputs_add(outputs, &layers[i], files[i])) {
+            return false;
+        }
+    }
+    const char *const stem =
+        options->output == NULL && outputs->count == 0 ? "terrain" : options->output;
+    if (stem == NULL && options->compare != 0) {
+        cli_error("--compare: needs --output");
+        return false;
+    }
+    return stem == NULL || outputs_add_stem(outputs, stem, options->compare != 0);
+}
+
+/* Without what 0 and 65535 stand for, 16-bit heights are nothing but greys. */
+static void print_heights(const struct job *job, FILE *stream)
+{
+    const struct outputs *const outputs = &job->outputs[0];
+    bool are_integers = false;
+    for (size_t i = 0; i < outputs->count; i++) {
+        const enum sample_kind kind = outputs->list[i].kind;
+        are_integers |= kind == SAMPLE_U16_LOW || kind == SAMPLE_U16_HIGH;
+    }
+    if (are_integers) {
+        fprintf(stream, "16-bit heights: 0 is %.9g, 65535 is %.9g\n",
+                (double)job->surface.zero_height, (double)job->surface.full_height);
+    }
+}
+
+static void print_summary(const struct job *job, double duration)
+{
+    /* A device may be standard output by another name. */
+    FILE *const stream = outputs_are_files(&job->outputs[0]) ? stdout : stderr;
+    print_heights(job, stream);
+    if (job->busy > 0) {
+        fprintf(stream, "%zu tile%s left to other runs\n", job->busy, job->busy == 1 ? "" : "s");
+    }
+    if (job->written == 0) {
+        fprintf(stream, "nothing to do: %s\n",
+                job->tiling.begin == job->tiling.end ? "there are more shares than tiles"
+                : job->busy > 0                      ? "all other files are there"
+                                                     : "all files are there");
+        return;
+    }
+    if (job->tiling.numbered) {
+        fprintf(stream, "%zu tile%s, %llu", job->written, job->written == 1 ? "" : "s",
+                (unsigned long long)job->samples);
+    } else {
+        fprintf(stream, "%zux%zu", job->surface.width, job->surface.height);
+    }
+    /* No clock resolves the smallest rasters. */
+    const size_t threads = crew_size(job->crew);
+    const double rate = (double)job->samples / (duration > 1e-9 ? duration : 1e-9);
+    fprintf(stream, " samples in %.3f s: %.1f million samples per second (%s, %zu thread%s)\n",
+            duration, rate * 1e-6, scarp_isa_name(scarp_isa_active()), threads,
+            threads == 1 ? "" : "s");
+}
+
+/* Whether other runs may have to do with the same files: then they must be of one world. */
+static bool needs_manifest(const struct job *job)
+{
+    return job->tiling.numbered || (job->options->resume && outputs_are_files(&job->outputs[0]));
+}
+
+static int prepare(struct job *job)
+{
+    const struct terrain_options *const options = job->options;
+    job->crew = crew_open(options->threads != 0 ? options->threads : crew_processors());
+    if (job->crew == NULL) {
+        cli_error("--threads: no memory");
+        return CLI_FAILURE;
+    }
+    if (!make_surface(options, &job->surface) || !make_outputs(options, &job->outputs[0]) ||
+        !make_outputs(options, &job->outputs[1]) || !tiling_make(options, &job->tiling) ||
+        !outputs_check(&job->outputs[0], &job->tiling)) {
+        return CLI_USAGE;
+    }
+    return needs_manifest(job)
+               ? world_open(&job->manifest, options, &job->surface, &job->tiling, &job->outputs[0])
+               : CLI_SUCCESS;
+}
+
+int cli_terrain(char **argv)
+{
+    struct terrain_options options = {.sea_level = -INFINITY, .plateau = INFINITY};
+    switch (options_parse(&terrain_table, argv, &options)) {
+    case OPTIONS_HELP: return CLI_SUCCESS;
+    case OPTIONS_BAD: return CLI_USAGE;
+    default: break;
+    }
+    struct job job = {.options = &options};
+    int status = prepare(&job);
+    if (status == CLI_SUCCESS) {
+        scarp_isa_select((enum scarp_isa)options.isa);
+        const double start = seconds();
+        status = job_run(&job);
+        if (status == CLI_SUCCESS && !options.quiet) {
+            print_summary(&job, seconds() - start);
+        }
+    }
+    manifest_close(&job.manifest, status == CLI_SUCCESS || job.written > 0);
+    outputs_free(&job.outputs[0]);
+    outputs_free(&job.outputs[1]);
+    crew_close(job.crew);
+    return status;
+}

@@ -1,0 +1,315 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The options of `scarp terrain` and its help.
+ */
+#include "terrain/terrain_options.h"
+
+#include <stddef.h>
+
+#include "shared/crew.h"
+#include "terrain/presets.h"
+
+#define FIELD(name) offsetof(struct terrain_options, name)
+
+static const struct option raster_rows[] = {
+    {.name = "--size",
+     .argument = "WxH",
+     .standard = "1024x1024",
+     .allowed = "WIDTHxHEIGHT with both from 1 to 1000000",
+     .help = "samples across and down, each from 1 to 1000000",
+     .parse = option_size,
+     .offset = FIELD(size),
+     .lowest = 1,
+     .highest = 1e6},
+    {.name = "--origin",
+     .argument = "X,Y",
+     .standard = "0,0",
+     .allowed = "two numbers X,Y from -2^53 to 2^53",
+     .help = "position of the bottom left sample, each from -2^53 to 2^53",
+     .parse = option_point,
+     .offset = FIELD(origin),
+     .lowest = -0x1p53,
+     .highest = 0x1p53},
+    {.name = "--step",
+     .argument = "F",
+     .standard = "1",
+     .allowed = "a number from 2^-48 to 2^48",
+     .help = "distance between samples, in the unit of x and y,\nfrom 2^-48 to 2^48",
+     .parse = option_double,
+     .offset = FIELD(step),
+     .lowest = 0x1p-48,
+     .highest = 0x1p48},
+    {.name = "--height",
+     .argument = "F",
+     .standard = "120",
+     .allowed = "a number from 0 to 2^24",
+     .help = "vertical size of noise value 1, in the unit of x and y,\nfrom 0 to 2^24",
+     .parse = option_float,
+     .offset = FIELD(height),
+     .lowest = 0,
+     .highest = 0x1p24},
+    {.name = "--sea-level",
+     .argument = "F",
+     .allowed = "a number from -2^24 to 2^24",
+     .help = "noise values below F become F, flat as water; taken into the\ninterval of the noise, "
+             "from -2^24 to 2^24 [no sea]",
+     .parse = option_float,
+     .offset = FIELD(sea_level),
+     .lowest = -0x1p24,
+     .highest = 0x1p24},
+    {.name = "--plateau",
+     .argument = "F",
+     .allowed = "a number from -2^24 to 2^24",
+     .help = "noise values above F become F, flat as a table; no lower than\nthe sea, from -2^24 "
+             "to 2^24 [no plateau]",
+     .parse = option_float,
+     .offset = FIELD(plateau),
+     .lowest = -0x1p24,
+     .highest = 0x1p24},
+};
+
+#define FILE_ALLOWED "a file name, of which the extension tells the format"
+
+static const struct option file_rows[] = {
+    {.name = "--heights",
+     .argument = "FILE",
+     .allowed = FILE_ALLOWED,
+     .help = "heights: .png .pgm .r16 (16-bit integers), .r32 .pfm .img .npy\n(floats)",
+     .parse = option_text,
+     .offset = FIELD(heights),
+     .of_run = 1},
+    {.name = "--normals",
+     .argument = "FILE",
+     .allowed = FILE_ALLOWED,
+     .help = "unit normals: .png .ppm (8-bit red, green, blue), .pfm .img\n.npy (floats)",
+     .parse = option_text,
+     .offset = FIELD(normals),
+     .of_run = 1},
+    {.name = "--hillshade",
+     .argument = "FILE",
+     .allowed = FILE_ALLOWED,
+     .help = "light and shade: .png .pgm .img .npy (8-bit)",
+     .parse = option_text,
+     .offset = FIELD(hillshade),
+     .of_run = 1},
+    {.name = "--gradient",
+     .argument = "FILE",
+     .allowed = FILE_ALLOWED,
+     .help = "slopes of the heights along x and y: .img .npy (floats)",
+     .parse = option_text,
+     .offset = FIELD(gradient),
+     .of_run = 1},
+    {.name = "--output",
+     .argument = "STEM",
+     .allowed = "the beginning of file names: not empty, no separator at its end",
+     .help = "short for STEM-height, STEM-normal and STEM-hillshade: .png,\nor without libpng .pgm "
+             "and .ppm [terrain, if no file is asked for]",
+     .parse = option_stem,
+     .offset = FIELD(output),
+     .of_run = 1},
+    {.name = "--compare",
+     .argument = "N",
+     .allowed = "an integer from 1 to 7",
+     .help =
+         "with --output, also STEM-compare: N by N pixels per sample,\nfrom 1 to 7 [not written]",
+     .parse = option_count,
+     .offset = FIELD(compare),
+     .lowest = 1,
+     .highest = 7},
+};
+
+static const char *const directions[] = {"up", "down", NULL};
+
+static const struct option look_rows[] = {
+    {.name = "--normal-y",
+     .argument = "NAME",
+     .standard = "up",
+     .allowed = "up or down",
+     .help = "where the second component of normals grows, green: up\n(OpenGL) or down (DirectX)",
+     .parse = option_choice,
+     .offset = FIELD(normal_down),
+     .choices = directions},
+    {.name = "--azimuth",
+     .argument = "F",
+     .standard = "315",
+     .allowed = "a number from 0 to 360",
+     .help =
+         "where the light of the hillshade comes from, in degrees\nclockwise from north, from 0 "
+         "to 360",
+     .parse = option_double,
+     .offset = FIELD(azimuth),
+     .lowest = 0,
+     .highest = 360},
+    {.name = "--altitude",
+     .argument = "F",
+     .standard = "45",
+     .allowed = "a number from 0 to 90",
+     .help = "its height above the horizon, in degrees, from 0 to 90",
+     .parse = option_double,
+     .offset = FIELD(altitude),
+     .lowest = 0,
+     .highest = 90},
+    {.name = "--z-factor",
+     .argument = "F",
+     .standard = "1",
+     .allowed = "a number from 0 to 2^24",
+     .help = "exaggerates heights, for the hillshade only, from 0 to 2^24",
+     .parse = option_float,
+     .offset = FIELD(z_factor),
+     .lowest = 0,
+     .highest = 0x1p24},
+};
+
+static const struct option tile_rows[] = {
+    {.name = "--tile",
+     .argument = "WxH",
+     .allowed = "WIDTHxHEIGHT with both from 1 to 1000000",
+     .help = "write tiles of so many samples, NAME_y_x or by patterns (see\nbelow): y counts down "
+             "from the top, x from the left, both from\n0 [one file]",
+     .parse = option_size,
+     .offset = FIELD(tile),
+     .lowest = 1,
+     .highest = 1e6},
+    {.name = "--tiles",
+     .argument = "X0:X1,Y0:Y1",
+     .allowed = "four integers X0:X1,Y0:Y1 from 0 to 1000000, X0 below X1 and Y0 below Y1",
+     .help = "only those with X0 <= x < X1 and Y0 <= y < Y1 [all]",
+     .parse = option_range,
+     .offset = FIELD(tiles),
+     .lowest = 0,
+     .highest = 1e6,
+     .of_run = 1},
+    {.name = "--share",
+     .argument = "I/N",
+     .allowed = "two integers I/N, N from 1 to 1000000 and I from 0 to N - 1",
+     .help = "only share I, from 0, of N equal shares of these tiles, N from 1\nto 1000000 [all]",
+     .parse = option_share,
+     .offset = FIELD(share),
+     .lowest = 0,
+     .highest = 1e6,
+     .of_run = 1},
+    {.name = "--overlap",
+     .argument = "N",
+     .standard = "0",
+     .allowed = "an integer from 0 to 1024",
+     .help = "samples that a tile also has of its neighbours to the right\nand below, from 0 to "
+             "1024; engines want 1",
+     .parse = option_count,
+     .offset = FIELD(overlap),
+     .lowest = 0,
+     .highest = 1024},
+    {.name = "--resume",
+     .help = "leave out tiles that are there already, and those that another\nrun is writing: runs "
+             "with the same options share the work",
+     .offset = FIELD(resume),
+     .of_run = 1},
+};
+
+static const struct option preset_rows[] = {
+    {.name = "--preset",
+     .argument = "NAME",
+     .standard = "none",
+     .allowed = PRESET_NAMES,
+     .help = "other defaults for a kind of terrain, told below:\n" PRESET_NAMES,
+     .parse = option_choice,
+     .offset = FIELD(preset),
+     .choices = preset_names,
+     .of_run = 1},
+};
+
+static const struct option running_rows[] = {
+    {.name = "--threads",
+     .argument = "N",
+     .help = "how many threads work, at most, from 1 to 1024, without POSIX\nthreads 1; the files "
+             "do not depend on it [one per processor]",
+#ifdef SCARP_CLI_THREADS
+     .allowed = "an integer from 1 to 1024",
+     .highest = THREADS_MAX,
+#else
+     .allowed = "1: this program was built without threads",
+     .highest = 1,
+#endif
+     .parse = option_count,
+     .offset = FIELD(threads),
+     .lowest = 1,
+     .of_run = 1},
+    {.name = "--isa",
+     .argument = "NAME",
+     .allowed = OPTION_ISAS,
+     .help = "instruction set: " OPTION_ISAS ";\nthe files do not depend on it [the best one]",
+     .parse = option_isa,
+     .offset = FIELD(isa),
+     .of_run = 1},
+    {.name = "--quiet", .help = "print nothing but errors", .offset = FIELD(quiet), .of_run = 1},
+};
+
+static const struct option_group groups[] = {
+    OPTION_GROUP("the raster", raster_rows, 0),
+    OPTION_GROUP("files, any of which may be asked for together", file_rows, 0),
+    OPTION_GROUP("how they look", look_rows, 0),
+    OPTION_GROUP("tiles", tile_rows, 0),
+    OPTION_GROUP("the noise", preset_rows, 0),
+    {NULL, noise_option_rows, NOISE_OPTION_COUNT, FIELD(noise)},
+    OPTION_GROUP("running", running_rows, 0),
+};
+
+/* With the frequency 1 and the step 1, all samples would be lattice points. */
+static option_words standard = {"--seed", "1",      "--frequency", "0.0025", "--octaves",
+                                "9",      "--gain", "0.4",         NULL};
+
+const struct option_table terrain_table = {
+    .command = "terrain",
+    .purpose =
+        "Samples a terrain (a sum of octaves of noise) with its exact gradient and writes its\n"
+        "heights, normals, hillshade and gradient to files.",
+    .notes =
+        "FILE       its extension tells the format, or what stands before it: r32:FILE. FILE may\n"
+        "           be - for standard output, as in pgm:-. Files appear under their name when "
+        "they\n"
+        "           are complete and on the disk; until then they are beside it, under a name of\n"
+        "           this run alone that ends with .part.\n"
+        "\n"
+        ".png       with libpng only         .pgm .ppm  netpbm's, high byte first\n"
+        ".r16 .r32  no header, low byte first           .pfm  floats, bottom row first\n"
+        ".img       ENVI, which GDAL opens; NAME.hdr beside NAME.img tells the raster's place\n"
+        ".npy       NumPy's: height x width, or height x width x components\n"
+        "\n"
+        "place      column c and row r lie at x = X + c step and y = Y + (H - 1 - r) step: x "
+        "grows\n"
+        "           to the right (east) and y upward (north).\n"
+        "heights    floats are height * value, in the unit of x and y. Integers are\n"
+        "           round(65535 (value - lowest) / (highest - lowest)), with the interval that\n"
+        "           values never leave, and not those that occur: tiles of one terrain fit\n"
+        "           together. It is [-1, 1] times the amplitude, or [0, 1] with turbulence and\n"
+        "           ridged; the sea raises its lower end, the plateau lowers its upper one. The\n"
+        "           run prints the heights ZERO and FULL that 0 and 65535 stand for; n stands\n"
+        "           for ZERO + n (FULL - ZERO) / 65535.\n"
+        "normals    n = (-dx, -dy, 1) / length, with dx and dy the slopes of height * value: red\n"
+        "           is east, green north, blue up. Bytes are floor(127.5 n + 128).\n"
+        "hillshade  round(255 n.light), 0 where that is negative, of normals whose slopes are\n"
+        "           multiplied by the z-factor.\n"
+        "gradient   dx and dy.\n"
+        "compare    on the left the normals, on the right normals of the same places with dx and\n"
+        "           dy by central differences of the 16-bit heights, two steps apart.\n"
+        "tiles      hold the same samples as one file would. Those at the right and at the bottom\n"
+        "           are smaller if the size is no multiple; the overlap goes beyond the raster.\n"
+        "patterns   in FILE, {x} and {y} stand for the place of a tile from the left and from the\n"
+        "           top, {-y} for that from the bottom, all from 0; {x:04} has at least four\n"
+        "           digits. Directories are made. Without them tiles are called NAME_y_x.\n"
+        "world      FILE.json beside the tiles (y_x.png.json for w/{y}/{x}.png) tells what they "
+        "all\n"
+        "           depend on. The first run writes it; a run that would write other tiles is\n"
+        "           refused. Remove it to begin anew: older tiles are then written again, and a\n"
+        "           run that still goes on ends if that is another world.\n"
+        "resume     takes a tile for complete if it is no older than the world, and as large as "
+        "it\n"
+        "           must be; PNG has to end as it must. Runs that share a world need no locks for\n"
+        "           that; where locks reach, no tile is written twice.\n"
+        "memory     40 MiB and 1.5 MiB per thread, unless 32 rows of the files are more.\n"
+        "\n" PRESET_HELP,
+    .groups = groups,
+    .count = sizeof groups / sizeof groups[0],
+    .standard = standard,
+    .presets = preset_words,
+    .preset_offset = FIELD(preset),
+};
