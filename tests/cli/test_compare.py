@@ -61,6 +61,18 @@ class Compare(Case):
                             for a, b in zip(one, expected):
                                 self.assertLess(abs(a - b), 0.51, (fractal, more, step, r, c))
 
+    def test_down(self):
+        """--normal-y turns the second component over, in both halves."""
+        arguments = ("--size", "19x11", *self.RIDGED, "--height", "9")
+        up = self.compare(2, *arguments)[1:]
+        down = self.compare(2, *arguments, "--normal-y", "down")[1:]
+        for one, other in zip(up, down):
+            pairs = [pair for p, q in zip(one, other) for pair in zip(p, q)]
+            self.assertGreater(len({a[1] for a, _ in pairs}), 20)
+            for a, b in pairs:
+                self.assertEqual((a[0], a[2]), (b[0], b[2]))
+                self.assertIn(a[1] + b[1], (255, 256))
+
     def test_blocks(self):
         """Wide pictures are made in several blocks of rows, and differ from tiles in nothing."""
         _, _, whole = self.compare(1, "--size", "3000x20", *self.RIDGED)
