@@ -19,8 +19,9 @@ bool stack_reserve(void)
 /* Arguments and environment take some of it, too. */
 #define ALLOWED ((rlim_t)(2 * STACK_NEEDED))
 
-/* The pages nearest to the end come first: some systems allow no jump beyond it. */
-static void touch(void)
+/* The pages nearest to the end come first: some systems allow no jump beyond it. Out of line: a
+   caller that had this frame would need it before it could check anything. */
+static __attribute__((noinline)) void touch(void)
 {
     volatile unsigned char bytes[STACK_NEEDED];
     for (size_t i = STACK_NEEDED; i > 0; i -= 1024) {
