@@ -63,7 +63,7 @@ enum scarp_status {
 enum scarp_basis {
     SCARP_GRADIENT, /* Perlin's gradient noise: 0 on every lattice point, a gradient drawn there.
                        2D: 16 directions, 11.25 degrees + k * 22.5; 3D: the 12 edge directions
-                       of improved noise (Perlin 2002), those in the x-y plane twice. */
+                       of improved noise (Perlin 2002), each as often as any other. */
     SCARP_VALUE     /* value noise: a value drawn on every lattice point, uniform in [-1, 1] */
 };
 

@@ -50,13 +50,13 @@ _Static_assert(sizeof((struct scarp_noise *)NULL)->spare >= 8, "some bytes stay 
  * sum_c W_c(t) g_c . (t - c) over the corners c of a cell, so its supremum is the maximum over t of
  * sum_c W_c(t) max_g g . (t - c). tests/test_range.c proves the four numbers by branch and bound.
  *   2D: 16 unit vectors; at t = (.5, .5266) and (.4667, .5), and their mirror images
- *   3D: edge vectors (+-1, +-1, 0); at (.5185, .5, .3553) and (.5, .5236, .6756)
+ *   3D: edge vectors (+-2, +-2, 0); at (.5185, .5, .3553) and (.5, .5236, .6756)
  * Value noise is evaluated in units of 2^-31 of its lattice values, which lie in [-2^31, 2^31].
  */
 static const double gradient2_supremum[] = {
     [SCARP_QUINTIC] = 0.69535270367848662, [SCARP_CUBIC] = 0.69580995165323791};
 static const double gradient3_supremum[] = {
-    [SCARP_QUINTIC] = 1.0363538112118029, [SCARP_CUBIC] = 1.0449051896098760};
+    [SCARP_QUINTIC] = 2.0 * 1.0363538112118029, [SCARP_CUBIC] = 2.0 * 1.0449051896098760};
 static const double value_supremum = 0x1p31;
 
 /* The turn between octaves. The 2D turn is Quilez' (3-4-5 triangle), the 3D one has rational

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Blocks of the lattice as a hash draws them, for tests/test_hash.c: the hash of the library, and
- * one that is known to be bad.
+ * others that are known to be bad, each in its own way. Every test must reject one of these.
  */
 #ifndef SCARP_TESTS_HASH_FIELDS_H
 #define SCARP_TESTS_HASH_FIELDS_H
@@ -38,31 +38,147 @@ static void scarp_row3(const uint32_t key[3], uint32_t x, uint32_t y, uint32_t z
 
 static const struct hash scarp_hash = {"scarp", scarp_row2, scarp_row3};
 
-/* The negative control: primes, exclusive or, one multiplication; in use elsewhere. */
-static inline uint32_t bad_hash(uint32_t key, uint32_t x, uint32_t y, uint32_t z)
+/* Bad between neighbours, far points and seeds: primes, exclusive or, one multiplication. Other
+   libraries use it. */
+static inline uint32_t prime_point(uint32_t key, uint32_t x, uint32_t y, uint32_t z)
 {
     return (key ^ (x * 501125321u) ^ (y * 1136930381u) ^ (z * 1720413743u)) * 0x27d4eb2du;
 }
 
-static void bad_row2(const uint32_t key[3], uint32_t x, uint32_t y, uint32_t z, int count,
-                     uint32_t *out)
+static void prime_row2(const uint32_t key[3], uint32_t x, uint32_t y, uint32_t z, int count,
+                       uint32_t *out)
 {
     (void)z;
     for (int i = 0; i < count; i++) {
-        out[i] = bad_hash(key[0], x + (uint32_t)i, y, 0);
+        out[i] = prime_point(key[0], x + (uint32_t)i, y, 0);
     }
 }
 
-static void bad_row3(const uint32_t key[3], uint32_t x, uint32_t y, uint32_t z, int count,
-                     uint32_t *out)
+static void prime_row3(const uint32_t key[3], uint32_t x, uint32_t y, uint32_t z, int count,
+                       uint32_t *out)
 {
     for (int i = 0; i < count; i++) {
-        out[i] = bad_hash(key[0], x + (uint32_t)i, y, z);
+        out[i] = prime_point(key[0], x + (uint32_t)i, y, z);
     }
 }
 
-static const struct hash known_bad_hash = {"known bad: (x P ^ y Q ^ z R ^ key) M", bad_row2,
-                                           bad_row3};
+static const struct hash prime_hash = {"known bad in blocks: (x P ^ y Q ^ z R ^ key) M", prime_row2,
+                                       prime_row3};
+
+/* Bad along lines: the product of the mixed axes. It passes all tests of blocks, but a factor
+   decides for a whole line, and some lines are nearly periodic. */
+static inline uint32_t product_axis(uint32_t i, uint32_t multiplier, uint32_t key)
+{
+    const uint32_t h = i * multiplier + key;
+    return h ^ h >> 15;
+}
+
+static void product_row2(const uint32_t key[3], uint32_t x, uint32_t y, uint32_t z, int count,
+                         uint32_t *out)
+{
+    (void)z;
+    const uint32_t hy = product_axis(y, 0xdcf4bb99u, key[1]);
+    for (int i = 0; i < count; i++) {
+        out[i] = product_axis(x + (uint32_t)i, 0xf4bea973u, key[0]) * hy;
+    }
+}
+
+static void product_row3(const uint32_t key[3], uint32_t x, uint32_t y, uint32_t z, int count,
+                         uint32_t *out)
+{
+    product_row2(key, x, y, 0, count, out);
+    for (int i = 0; i < count; i++) {
+        out[i] *= product_axis(z, 0xf2a4d27bu, key[2]);
+    }
+}
+
+static const struct hash product_hash = {"known bad along lines: the product of mixed axes",
+                                         product_row2, product_row3};
+
+/* Bad at the corners of cells: the sum of the mixed axes. The alternating sum of four is 0. */
+static void sum_row2(const uint32_t key[3], uint32_t x, uint32_t y, uint32_t z, int count,
+                     uint32_t *out)
+{
+    (void)z;
+    const uint32_t hy = hash_axis(y, HASH_Y, key[1]);
+    for (int i = 0; i < count; i++) {
+        out[i] = hash_axis(x + (uint32_t)i, HASH_X, key[0]) + hy;
+    }
+}
+
+static void sum_row3(const uint32_t key[3], uint32_t x, uint32_t y, uint32_t z, int count,
+                     uint32_t *out)
+{
+    sum_row2(key, x, y, 0, count, out);
+    for (int i = 0; i < count; i++) {
+        out[i] += hash_axis(z, HASH_Z, key[2]);
+    }
+}
+
+static const struct hash sum_hash = {"known bad at corners: the sum of mixed axes", sum_row2,
+                                     sum_row3};
+
+/* Bad far away: squares. -h has the same as h, and sums of mixed axes have few neighbours. */
+static void square_row3(const uint32_t key[3], uint32_t x, uint32_t y, uint32_t z, int count,
+                        uint32_t *out)
+{
+    const uint32_t yz = (hash_axis(y, HASH_Y, key[1]) & ~1u) + (hash_axis(z, HASH_Z, key[2]) & ~1u);
+    for (int i = 0; i < count; i++) {
+        const uint32_t h = (hash_axis(x + (uint32_t)i, HASH_X, key[0]) | 1u) ^ yz;
+        out[i] = h * h;
+    }
+}
+
+static void square_row2(const uint32_t key[3], uint32_t x, uint32_t y, uint32_t z, int count,
+                        uint32_t *out)
+{
+    const uint32_t key2[3] = {key[0], key[1], 0};
+    (void)z;
+    square_row3(key2, x, y, 0, count, out);
+}
+
+static const struct hash square_hash = {"known bad far away: the square of x ^ (y + z)",
+                                        square_row2, square_row3};
+
+/* Bad between seeds: the library's hash of one seed, which other seeds only move along x. */
+static const uint32_t one_key[3] = {0x8f1bbcdcu, 0x6ed9eba1u, 0x5a827999u};
+
+static void moved_row2(const uint32_t key[3], uint32_t x, uint32_t y, uint32_t z, int count,
+                       uint32_t *out)
+{
+    scarp_row2(one_key, x + (key[0] & 255), y, z, count, out);
+}
+
+static void moved_row3(const uint32_t key[3], uint32_t x, uint32_t y, uint32_t z, int count,
+                       uint32_t *out)
+{
+    scarp_row3(one_key, x + (key[0] & 255), y, z, count, out);
+}
+
+static const struct hash moved_hash = {"known bad between seeds: they move one lattice", moved_row2,
+                                       moved_row3};
+
+/* Bad everywhere: the library's hash without its greatest sixteenth. */
+static void uneven_row2(const uint32_t key[3], uint32_t x, uint32_t y, uint32_t z, int count,
+                        uint32_t *out)
+{
+    scarp_row2(key, x, y, z, count, out);
+    for (int i = 0; i < count; i++) {
+        out[i] -= out[i] >> 4;
+    }
+}
+
+static void uneven_row3(const uint32_t key[3], uint32_t x, uint32_t y, uint32_t z, int count,
+                        uint32_t *out)
+{
+    scarp_row3(key, x, y, z, count, out);
+    for (int i = 0; i < count; i++) {
+        out[i] -= out[i] >> 4;
+    }
+}
+
+static const struct hash uneven_hash = {"known bad everywhere: the greatest 1/16 missing",
+                                        uneven_row2, uneven_row3};
 
 /* The block of lattice points origin + [0, size) of one seed. */
 struct field {

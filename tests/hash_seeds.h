@@ -58,17 +58,17 @@ static inline void test_seed_pairs(struct report *report, const struct hash *has
     }
 }
 
-/* Seeds first + i * step at one lattice point: indices alone, in pairs of neighbours, values. */
-static inline void test_sequence(struct report *report, uint64_t first, uint64_t step,
+/* Seeds i * step at one lattice point: indices alone, in pairs of neighbours, values. */
+static inline void test_sequence(struct report *report, const struct hash *hash, uint64_t step,
                                  const uint32_t point[3], int dimensions, int bits)
 {
+    hash_row_fn *const row = dimensions == 2 ? hash->row2 : hash->row3;
     const int n = 1 << bits;
     uint32_t single[16] = {0}, pairs[256] = {0}, value[256] = {0}, before = 0;
     for (int i = 0; i <= n; i++) {
-        uint32_t key[3];
-        seed_keys(first + (uint64_t)i * step, 0, key);
-        const uint32_t h = dimensions == 2 ? hash2(key, point[0], point[1])
-                                           : hash3(key, point[0], point[1], point[2]);
+        uint32_t key[3], h;
+        seed_keys((uint64_t)i * step, 0, key);
+        row(key, point[0], point[1], point[2], 1, &h);
         if (i > 0) {
             single[h >> 28]++;
             pairs[before << 4 | h >> 28]++;
@@ -86,14 +86,14 @@ static inline void test_sequence(struct report *report, uint64_t first, uint64_t
            "%dD, value, steps of %#llx at x = %ld", dimensions, s, x);
 }
 
-static inline void test_seed_sequence(struct report *report, int bits)
+static inline void test_seed_sequence(struct report *report, const struct hash *hash, int bits)
 {
     static const uint32_t points[][3] = {{0, 0, 0}, {1, 2, 3}, {0xffffffffu, 1000000, 0x80000000u}};
     static const uint64_t steps[] = {1, 2, UINT64_C(1) << 32, UINT64_C(1) << 40,
                                      UINT64_C(0x9e3779b97f4a7c15)};
     for (size_t p = 0; p < sizeof points / sizeof points[0]; p++) {
         for (size_t s = 0; s < sizeof steps / sizeof steps[0]; s++) {
-            test_sequence(report, 0, steps[s], points[p], 2 + (int)(p + s) % 2, bits - 2);
+            test_sequence(report, hash, steps[s], points[p], 2 + (int)(p + s) % 2, bits - 2);
         }
     }
 }
@@ -133,14 +133,28 @@ static inline void test_distinct_keys(int bits)
 #define OCTAVES 6
 #define PATCH 5 /* points in each direction of the patch around the origin */
 
+enum octaves { OCTAVES_OF_SCARP, OCTAVES_ALIKE };
+
+/* The known bad octaves: all have the keys of the first, and no offsets. */
+static inline void make_alike(struct scarp_plan *plan)
+{
+    for (int k = 1; k < plan->octaves; k++) {
+        memcpy(plan->octave[k].key, plan->octave[0].key, sizeof plan->octave[k].key);
+        memcpy(plan->octave[k].offset64, plan->octave[0].offset64, sizeof plan->octave[k].offset64);
+    }
+}
+
 /* Every octave of `seed` by itself at the points of the patch, at the same place in its own cells:
    x = p / f_k. This is where octaves with a common lattice or no offset look alike. */
-static inline void sample_patch(uint64_t seed, enum scarp_basis kind,
+static inline void sample_patch(uint64_t seed, enum scarp_basis kind, enum octaves octaves,
                                 float values[OCTAVES][PATCH * PATCH])
 {
     const struct scarp_noise noise = {.basis = kind, .seed = seed, .octaves = OCTAVES};
     struct scarp_plan all, plan;
     scarp_plan_make(&all, &noise, 2, 0);
+    if (octaves == OCTAVES_ALIKE) {
+        make_alike(&all);
+    }
     for (int k = 0; k < all.octaves; k++) {
         double x[PATCH * PATCH], y[PATCH * PATCH];
         plan = all;
@@ -162,14 +176,15 @@ static inline void sample_patch(uint64_t seed, enum scarp_basis kind,
 
 /* Correlation over seeds, of values and of their squares (which all vanish at the origin where
    octaves have no offset), at each point of the patch between each two octaves. */
-static inline void test_octaves_of(struct report *report, enum scarp_basis kind, int seeds)
+static inline void test_octaves_of(struct report *report, enum scarp_basis kind,
+                                   enum octaves octaves, int seeds)
 {
     const size_t points = PATCH * PATCH;
     float *const values = hash_allocate(points * OCTAVES * (size_t)seeds, sizeof *values);
     float *const squares = hash_allocate(points * OCTAVES * (size_t)seeds, sizeof *squares);
     for (int s = 0; s < seeds; s++) {
         float patch[OCTAVES][PATCH * PATCH];
-        sample_patch((uint64_t)s, kind, patch);
+        sample_patch((uint64_t)s, kind, octaves, patch);
         for (size_t k = 0; k < OCTAVES; k++) {
             for (size_t p = 0; p < points; p++) {
                 const float v = patch[k][p];
@@ -197,10 +212,10 @@ static inline void test_octaves_of(struct report *report, enum scarp_basis kind,
     free(squares);
 }
 
-static inline void test_octaves(struct report *report, int bits)
+static inline void test_octaves(struct report *report, enum octaves octaves, int bits)
 {
-    test_octaves_of(report, SCARP_GRADIENT, 1 << (bits - 7));
-    test_octaves_of(report, SCARP_VALUE, 1 << (bits - 7));
+    test_octaves_of(report, SCARP_GRADIENT, octaves, 1 << (bits - 7));
+    test_octaves_of(report, SCARP_VALUE, octaves, 1 << (bits - 7));
 }
 
 #endif

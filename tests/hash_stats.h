@@ -22,6 +22,8 @@ enum topic {
     TOPIC_SEQUENCE, /* many seeds at one point */
     TOPIC_VALUE,    /* lattice values: moments, bins, correlation along e */
     TOPIC_OCTAVES,  /* octaves of one noise around the origin */
+    TOPIC_SPECTRA,  /* peaks of the spectra of lines, in units of their means: no z */
+    TOPIC_LINES,    /* a line with others at any shift */
     TOPICS
 };
 
@@ -29,7 +31,8 @@ static const char *const topic_names[TOPICS] = {"uniform index",      "pairs 2D"
                                                 "pairs 3D",           "4 corners",
                                                 "8 corners",          "twist",
                                                 "neighbouring seeds", "sequence of seeds",
-                                                "value noise bits",   "octaves at the origin"};
+                                                "value noise bits",   "octaves at the origin",
+                                                "spectra of lines",   "lines at all shifts"};
 
 struct report {
     double worst[TOPICS], lowest[TOPICS];

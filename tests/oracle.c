@@ -8,12 +8,8 @@
 #include <math.h>
 
 /* The numbers that the definition of the lattice is made of. */
-static const uint32_t hash_axis_multiplier[3] = {0xf4bea973, 0xdcf4bb99, 0xf2a4d27b};
-static const int hash_shift = 15;
-
-/* Half of the 16 edges, by bits 0 to 2 of the index; bit 3 turns x and y around. */
-static const signed char edges[8][3] = {{1, 0, 1}, {1, 0, -1}, {0, 1, 1},  {0, 1, -1},
-                                        {1, 1, 0}, {1, 1, 0},  {1, -1, 0}, {1, -1, 0}};
+static const uint32_t hash_axis_multiplier[3] = {0x1a2012f5, 0x14e84743, 0xec1d7da1};
+static const uint32_t hash_addend = 0x9e3779b9;
 
 #define DEGREE (3.14159265358979323846 / 180.0)
 
@@ -25,6 +21,11 @@ double oracle_gradient_supremum(int dimensions, enum scarp_fade fade)
     return fade == SCARP_QUINTIC ? 1.0363538112118029 : 1.0449051896098760;
 }
 
+int oracle_gradient_count(int dimensions)
+{
+    return dimensions == 2 ? 16 : 12;
+}
+
 void oracle_gradient_vector(int dimensions, unsigned index, double vector[3])
 {
     if (dimensions == 2) {
@@ -34,11 +35,12 @@ void oracle_gradient_vector(int dimensions, unsigned index, double vector[3])
         vector[1] = index & 1 ? -sin(angle) : sin(angle);
         vector[2] = 0.0;
     } else {
-        const signed char *const edge = edges[index & 7];
-        const double turn = index & 8 ? -1.0 : 1.0;
-        vector[0] = turn * edge[0];
-        vector[1] = turn * edge[1];
-        vector[2] = edge[2];
+        /* An edge in the plane across z, y or x; the bits below are the signs of its components. */
+        const int across = 2 - (int)(index / 4);
+        const int first = across == 0 ? 1 : 0, second = across == 2 ? 1 : 2;
+        vector[across] = 0.0;
+        vector[first] = index & 2 ? -1.0 : 1.0;
+        vector[second] = index & 1 ? -1.0 : 1.0;
     }
 }
 
@@ -51,18 +53,21 @@ struct lattice {
 
 static uint32_t hash(const struct lattice *lattice, const uint32_t point[3])
 {
-    uint32_t product = 1;
+    uint32_t mixed = 0;
     for (int i = 0; i < lattice->dimensions; i++) {
         const uint32_t axis = point[i] * hash_axis_multiplier[i] + lattice->key[i];
-        product *= axis ^ axis >> hash_shift;
+        mixed ^= axis / 256 + axis % 256 * 16777216; /* its bits turned */
     }
-    return product;
+    return mixed * mixed + hash_addend * mixed;
 }
 
 static void draw_gradient(const void *opaque, const uint32_t point[3], double corner[3])
 {
     const struct lattice *const lattice = opaque;
-    const double *const gradient = lattice->gradient[hash(lattice, point) >> 28];
+    /* All of them equally likely: by the upper 16 bits, as a fraction. */
+    const int count = oracle_gradient_count(lattice->dimensions);
+    const uint32_t upper = hash(lattice, point) >> 16;
+    const double *const gradient = lattice->gradient[(uint32_t)count * upper / 65536];
     corner[0] = gradient[0];
     corner[1] = gradient[1];
     corner[2] = gradient[2];
@@ -144,7 +149,7 @@ void oracle_make(struct oracle *oracle, const struct scarp_noise *noise, int dim
     oracle->octaves = (int)ceil(octaves);
     oracle->supremum =
         noise->basis == SCARP_GRADIENT ? oracle_gradient_supremum(dimensions, noise->fade) : 1.0;
-    for (unsigned i = 0; i < 16; i++) {
+    for (unsigned i = 0; i < (unsigned)oracle_gradient_count(dimensions); i++) {
         oracle_gradient_vector(dimensions, i, oracle->gradient[i]);
     }
     double turns[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};

@@ -42,7 +42,7 @@ struct oracle {
     double erosion;
     int dimensions, octaves;
     double supremum;        /* of |basis|, which scarp divides by */
-    double gradient[16][3]; /* what the lattice draws from, by the top four bits of the hash */
+    double gradient[16][3]; /* what the lattice draws from */
     struct oracle_octave octave[ORACLE_OCTAVES];
 };
 
@@ -53,7 +53,9 @@ typedef void oracle_draw(const void *lattice, const uint32_t point[3], double co
 /* The supremum of |gradient noise| by which scarp divides. test_range.c proves it. */
 double oracle_gradient_supremum(int dimensions, enum scarp_fade fade);
 
-/* Number `index` of the 16 gradients. */
+/* How many gradients there are, and number `index` of them: in 3D edges (1, 1, 0), half as long as
+   scarp's, which it divides by twice the supremum. */
+int oracle_gradient_count(int dimensions);
 void oracle_gradient_vector(int dimensions, unsigned index, double vector[3]);
 
 /* The value that the lattice of octave k draws at an integer point, in [-1, 1). */

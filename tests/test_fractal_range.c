@@ -7,18 +7,9 @@
  * Argument: the number of random points per case.
  */
 #include "fractal.h"
+#include "suprema.h"
 
 #define KEPT 8
-
-/* Gradient noise of seed 2 and frequency 1 reaches its supremum here, by [dimensions - 2][fade],
-   with the sign + and -: at the maximisers that test_range.c states, in cells whose corners have
-   the right gradients. Found by trying 10^7 cells in 2D and 8 * 10^8 in 3D. */
-static const double suprema[2][2][2][3] = {
-    {{{973.4734, 3322.5, 0.0}, {-102.5266, -843.5, 0.0}},
-     {{2068.5333, 3954.5, 0.0}, {-2313.5, -105.4667, 0.0}}},
-    {{{946699.6447, 293613.5185, -490771.5}, {704445.6447, 498412.5185, 260661.5}},
-     {{725573.6756, 975478.4764, 862656.5}, {-722004.5, 429233.5236, 819432.6756}}},
-};
 
 /* A search for the lowest [0] and highest [1] values of one noise. */
 struct search {
@@ -156,7 +147,8 @@ static void search_extremes(struct search *search, double reached[2])
                 value = search->best[side][k].value;
             } else {
                 const int sign = k - search->kept[side];
-                memcpy(x, suprema[search->dimensions - 2][search->noise.fade][sign], sizeof x);
+                memcpy(x, supremum_places[search->dimensions - 2][search->noise.fade][sign],
+                       sizeof x);
                 for (int axis = 0; axis < 3; axis++) {
                     search->block->d[axis][0] = x[axis];
                 }

@@ -5,29 +5,27 @@
  *
  * Every statistic is a z (hash_stats.h): standard normal for random numbers. Several thousand are
  * taken, so one of them lies beyond 5 by chance with a probability near 1/1000; all inputs are
- * fixed, so what passes once passes always. The same statistics must reject a hash that is known
- * to be bad. hash_sets.h has those of single blocks, hash_seeds.h those of seeds and octaves.
+ * fixed, so what passes once passes always. Each statistic must also reject a hash that is known to
+ * be bad, by twice its bound. hash_sets.h has those of single blocks, hash_seeds.h those of seeds
+ * and octaves, hash_lines.h those of lattice lines, hash_isotropy.h those of the
+ * directions of 3D gradients; hash_repeats.h looks for parts of the lattice elsewhere.
  *
  * Only too little uniformity counts, not too much: multiplication spreads neighbours out more
  * evenly than chance would (low z), which does noise no harm.
  */
+#include "hash_isotropy.h"
+#include "hash_lines.h"
+#include "hash_repeats.h"
 #include "hash_seeds.h"
 #include "hash_sets.h"
 
 #define BOUND 5.0
+#define PEAK_BOUND 30.0  /* times the mean; see hash_lines.h */
+#define SHIFTS_BOUND 7.0 /* the largest of 2^25 */
+#define FAR_BOUND 6.0    /* of Cramer's V, over sqrt(points); random numbers have 4.1 */
 #define FIELDS2 4
 #define FIELDS3 2
 #define BAD_BITS 16 /* what is bad shows in few points */
-
-/*
- * Shifts of 2^24 and more touch only the top 8 bits of the products i * HASH_X, so the two indices
- * are not quite independent. Nothing shows points that far apart side by side; what matters is that
- * the fields differ. Bounds on Cramer's V (0: independent, 1: one index tells the other), by
- * exponent from 24; random numbers have 0.004 in 2^20 points, and FAR_NOISE / sqrt(points) in
- * general.
- */
-static const double far_bound[8] = {0.02, 0.02, 0.02, 0.02, 0.02, 0.08, 0.06, 0.15};
-#define FAR_NOISE 5.0
 
 static void test_blocks(struct report *report, const struct hash *hash, int bits)
 {
@@ -52,16 +50,23 @@ static void test_blocks(struct report *report, const struct hash *hash, int bits
     workspace_free(&w);
 }
 
+static double bound_of(int topic)
+{
+    return topic == TOPIC_SPECTRA ? PEAK_BOUND : topic == TOPIC_LINES ? SHIFTS_BOUND : BOUND;
+}
+
 static void check_report(const struct report *report)
 {
     for (int topic = 0; topic < TOPICS; topic++) {
         CHECK(report->tests[topic] > 0, "no test of %s", topic_names[topic]);
-        CHECK(report->worst[topic] <= BOUND, "%s: z = %.1f, bound %.1f, for %s", topic_names[topic],
-              report->worst[topic], BOUND, report->where[topic]);
+        const double bound = bound_of(topic);
+        CHECK(report->worst[topic] <= bound, "%s: %.1f, bound %.1f, for %s", topic_names[topic],
+              report->worst[topic], bound, report->where[topic]);
     }
 }
 
-/* Far shifts and periods, over both dimensions and all axes: the worst V of each power of two. */
+/* Whether shifts of 2^24 and more along an axis are still seen: the worst V of each power of two
+   over both dimensions and all axes. */
 static void far_worst(const struct hash *hash, int bits, double worst[8])
 {
     struct workspace w;
@@ -74,7 +79,7 @@ static void far_worst(const struct hash *hash, int bits, double worst[8])
     }
     printf("shifts of 2^24 to 2^31, worst Cramer's V:");
     for (int k = 0; k < 8; k++) {
-        printf(" %.3f", worst[k]);
+        printf(" %.4f", worst[k]);
     }
     printf("\n");
     workspace_free(&w);
@@ -82,28 +87,78 @@ static void far_worst(const struct hash *hash, int bits, double worst[8])
 
 static void test_far(int bits)
 {
+    const double bound = FAR_BOUND / sqrt(1 << bits);
     double worst[8] = {0};
     far_worst(&scarp_hash, bits, worst);
     for (int k = 0; k < 8; k++) {
-        const double bound = far_bound[k] + FAR_NOISE / sqrt(1 << bits);
-        CHECK(worst[k] <= bound, "shift 2^%d: V = %.3f, bound %.3f", 24 + k, worst[k], bound);
+        CHECK(worst[k] <= bound, "shift 2^%d: V = %.4f, bound %.4f", 24 + k, worst[k], bound);
     }
 }
 
-static void test_bad_hash(int bits)
+#define BIT(topic) (1u << (topic))
+
+/* Whether the report rejects a hash in these topics, a set of bits. */
+static void check_rejected(const struct report *report, const char *name, unsigned topics,
+                           unsigned *rejected)
 {
-    static const enum topic seen[] = {TOPIC_PAIRS2, TOPIC_PAIRS3, TOPIC_CORNERS8, TOPIC_SEEDS};
-    struct report report;
-    report_reset(&report);
-    test_blocks(&report, &known_bad_hash, bits);
-    report_print(&report, known_bad_hash.name);
-    for (size_t i = 0; i < sizeof seen / sizeof seen[0]; i++) {
-        CHECK(report.worst[seen[i]] > 2 * BOUND, "%s: z = %.1f does not reject the bad hash",
-              topic_names[seen[i]], report.worst[seen[i]]);
+    report_print(report, name);
+    for (int topic = 0; topic < TOPICS; topic++) {
+        if ((topics & BIT(topic)) != 0) {
+            CHECK(report->worst[topic] > 2.0 * bound_of(topic), "%s: %.1f does not reject \"%s\"",
+                  topic_names[topic], report->worst[topic], name);
+        }
+    }
+    *rejected |= topics;
+}
+
+static void test_bad_blocks(int bits, unsigned *rejected)
+{
+    static const struct {
+        const struct hash *hash;
+        unsigned topics;
+    } bad[] = {
+        {&prime_hash, BIT(TOPIC_PAIRS2) | BIT(TOPIC_PAIRS3) | BIT(TOPIC_CORNERS8)},
+        {&sum_hash, BIT(TOPIC_CORNERS4) | BIT(TOPIC_CORNERS8) | BIT(TOPIC_TWIST)},
+        {&moved_hash, BIT(TOPIC_SEEDS)},
+        {&uneven_hash, BIT(TOPIC_UNIFORM) | BIT(TOPIC_VALUE)},
+    };
+    for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
+        struct report report;
+        report_reset(&report);
+        test_blocks(&report, bad[i].hash, bits);
+        check_rejected(&report, bad[i].hash->name, bad[i].topics, rejected);
     }
     double worst[8] = {0};
-    far_worst(&known_bad_hash, bits, worst);
-    CHECK(worst[0] > 2 * far_bound[0], "V = %.3f at 2^24 does not reject the bad hash", worst[0]);
+    far_worst(&prime_hash, bits, worst);
+    CHECK(worst[0] > 2.0 * FAR_BOUND / sqrt(1 << bits), "V = %.4f does not reject \"%s\"", worst[0],
+          prime_hash.name);
+}
+
+/* What is bad in seeds, octaves and lines. */
+static void test_bad_lattices(int bits, unsigned *rejected)
+{
+    struct report report;
+    report_reset(&report);
+    test_seed_sequence(&report, &moved_hash, bits);
+    test_line_pairs(&report, &moved_hash, bits);
+    check_rejected(&report, moved_hash.name, BIT(TOPIC_SEQUENCE) | BIT(TOPIC_LINES), rejected);
+    report_reset(&report);
+    test_octaves(&report, OCTAVES_ALIKE, bits);
+    check_rejected(&report, "known bad octaves: alike", BIT(TOPIC_OCTAVES), rejected);
+    report_reset(&report);
+    test_spectra(&report, &product_hash, bits);
+    check_rejected(&report, product_hash.name, BIT(TOPIC_SPECTRA), rejected);
+}
+
+static void test_bad(int bits)
+{
+    unsigned rejected = 0;
+    test_bad_blocks(bits, &rejected);
+    test_bad_lattices(bits, &rejected);
+    CHECK(rejected == BIT(TOPICS) - 1, "topics %#x have rejected nothing",
+          (BIT(TOPICS) - 1) & ~rejected);
+    test_bad_directions(bits);
+    test_bad_repeats(bits);
 }
 
 int main(int argc, char **argv)
@@ -112,12 +167,16 @@ int main(int argc, char **argv)
     struct report report;
     report_reset(&report);
     test_blocks(&report, &scarp_hash, bits);
-    test_seed_sequence(&report, bits);
-    test_octaves(&report, bits);
+    test_seed_sequence(&report, &scarp_hash, bits);
+    test_octaves(&report, OCTAVES_OF_SCARP, bits);
+    test_spectra(&report, &scarp_hash, bits);
+    test_line_pairs(&report, &scarp_hash, bits);
     report_print(&report, scarp_hash.name);
     check_report(&report);
     test_far(bits);
     test_distinct_keys(bits);
-    test_bad_hash(bits < BAD_BITS ? bits : BAD_BITS);
+    test_isotropy(bits);
+    test_repeats(&scarp_hash, bits);
+    test_bad(bits < BAD_BITS ? bits : BAD_BITS);
     return check_done();
 }

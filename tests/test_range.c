@@ -2,11 +2,13 @@
  *
  * The guaranteed ranges. First the suprema of gradient noise, by which the library divides
  * (test_accuracy.c checks that it does): a proof by branch and bound. Then searches that try to
- * leave the interval of scarp_range: maximisers, extreme lattice values, random points.
+ * leave the interval of scarp_range: maximisers, extreme lattice values, random points. Then that
+ * the head-room for rounding is needed.
  * Argument: the number of points per search.
  */
 #include "check.h"
 #include "oracle.h"
+#include "suprema.h"
 
 static const char *const fade_names[] = {"quintic", "cubic"};
 
@@ -21,7 +23,7 @@ static const char *const fade_names[] = {"quintic", "cubic"};
  *     n_G(t) <= n_G(m) + h sum_i |d_i n_G(m)| + K h^2 / 2,       K >= sum_ij |d_ij n_G|.
  * The sum of absolute values is the largest sum_i s_i d_i n_G(m) over the 2^d choices of signs s;
  * for given signs the expression is a sum of terms of one corner each, so the maximum over G is
- * taken corner by corner, although there are 16^(2^d) choices.
+ * taken corner by corner, although there are 16^4 or 12^8 choices.
  *
  * K: W_c is a product of fades u or 1 - u. With U and V the largest |u'| and |u''|, and over the
  * corners of one axis sum |w'| = 2 |u'| and sum w = 1,
@@ -33,6 +35,7 @@ static const char *const fade_names[] = {"quintic", "cubic"};
 struct proof {
     int dimensions;
     enum scarp_fade fade;
+    int gradients;
     double gradient[16][3];
     double curvature; /* K */
     double limit;     /* what is to be proven an upper bound */
@@ -75,7 +78,7 @@ static double first_order(const struct proof *proof, const double m[3], double h
                 dw[j] *= i == j ? slope[i][side] : weight[i][side];
             }
         }
-        for (int k = 0; k < 16; k++) {
+        for (int k = 0; k < proof->gradients; k++) {
             const double *const g = proof->gradient[k];
             double dot = 0.0, along[3];
             for (int i = 0; i < d; i++) {
@@ -161,14 +164,16 @@ static double climb_supremum(const struct proof *proof, double t[3])
 /* Draws the gradients, and checks that they are closed under a change of sign of components. */
 static void draw_gradients(struct proof *proof)
 {
-    for (unsigned k = 0; k < 16; k++) {
+    const int count = oracle_gradient_count(proof->dimensions);
+    proof->gradients = count;
+    for (unsigned k = 0; k < (unsigned)count; k++) {
         oracle_gradient_vector(proof->dimensions, k, proof->gradient[k]);
     }
-    for (int k = 0; k < 16 * proof->dimensions; k++) {
-        const double *const g = proof->gradient[k % 16];
-        const int axis = k / 16;
+    for (int k = 0; k < count * proof->dimensions; k++) {
+        const double *const g = proof->gradient[k % count];
+        const int axis = k / count;
         int found = 0;
-        for (int other = 0; other < 16; other++) {
+        for (int other = 0; other < count; other++) {
             double distance = 0.0;
             for (int i = 0; i < proof->dimensions; i++) {
                 const double mirrored = i == axis ? -g[i] : g[i];
@@ -176,7 +181,7 @@ static void draw_gradients(struct proof *proof)
             }
             found |= distance < 1e-15;
         }
-        CHECK(found, "gradient %d has no mirror image along axis %d", k % 16, axis);
+        CHECK(found, "gradient %d has no mirror image along axis %d", k % count, axis);
     }
 }
 
@@ -352,6 +357,40 @@ static void search_maximisers(int dimensions, enum scarp_fade fade, long samples
 }
 
 /*
+ * Where gradient noise has its supremum, roundings lift some values above it, so that without
+ * head-room they would leave the range: they are greater than HEADROOM, but not than 1. (The 2D
+ * quintic noise happens to round down at its places.)
+ */
+#define HEADROOM (1.0f - 0x1p-17f) /* of src/plan.c */
+
+static void search_headroom(int dimensions, enum scarp_fade fade)
+{
+    const struct scarp_noise noise = {.fade = fade, .seed = SUPREMUM_SEED};
+    struct search search = begin(&noise, dimensions);
+    long beyond = 0;
+    float largest = 0.0f;
+    uint64_t random = 1;
+    for (int block = 0; block < 16; block++) {
+        const double *const place = supremum_places[dimensions - 2][fade][block % 2];
+        for (size_t i = 0; i < BLOCK; i++) {
+            for (int axis = 0; axis < 3; axis++) {
+                points[axis][i] = place[axis] + check_random_double(&random, 0x1p-14);
+            }
+        }
+        probe(&search, BLOCK);
+        for (size_t i = 0; i < BLOCK; i++) {
+            largest = fmaxf(largest, fabsf(values[i]));
+            beyond += fabsf(values[i]) > HEADROOM;
+        }
+    }
+    printf("head-room, gradient noise %dD %-7s: |value| up to %.9f, %ld of %ld beyond %.9f\n",
+           dimensions, fade_names[fade], (double)largest, beyond, search.samples, (double)HEADROOM);
+    CHECK(fabsf(largest / HEADROOM - 1.0f) <= 0x1p-22f, "up to %.9g: not the supremum",
+          (double)largest);
+    CHECK(beyond > 0 || (dimensions == 2 && fade == SCARP_QUINTIC), "no value needs head-room");
+}
+
+/*
  * Value noise between two neighbours with extreme lattice values: of the same sign, where the
  * interpolation has no room left, and of opposite sign, where an error of the fade weighs most.
  */
@@ -462,6 +501,7 @@ int main(int argc, char **argv)
                           dimensions == 3 ? 0.9
                           : emulated      ? 0.98
                                           : 0.9999);
+        search_headroom(dimensions, fade);
         search_edges(dimensions, fade, samples);
     }
     search_all_random(samples);

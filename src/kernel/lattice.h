@@ -108,14 +108,14 @@ VEC_INLINE struct split turned(const struct scarp_octave *o, int i, const void *
 }
 
 /*
- * The lattice hash: every axis mixed by itself, then their product. In this order because the
- * corners of a cell share the mixed axes (2 per axis) and, in 3D, the products of y and z (4). Only
- * the top bits are used. See scalar/lattice.h for why it is this one.
+ * The lattice hash: every axis mixed by itself, then h (h + k) of h = x ^ (y ^ z). In this order
+ * because the corners of a cell share the mixed axes (2 per axis) and, in 3D, y ^ z (4). Only the
+ * top bits are used. See scalar/lattice.h for why it is this one.
  */
-#define HASH_X 0xf4bea973u
-#define HASH_Y 0xdcf4bb99u
-#define HASH_Z 0xf2a4d27bu
-#define HASH_SHIFT 15
+#define HASH_X 0x1a2012f5u
+#define HASH_Y 0x14e84743u
+#define HASH_Z 0xec1d7da1u
+#define HASH_K 0x9e3779b9u
 
 /* Both lattice coordinates of a cell along one axis, mixed. */
 struct axis {
@@ -126,7 +126,7 @@ VEC_INLINE struct axis hash_axis(vu cell, uint32_t multiplier, uint32_t key)
 {
     const vu a0 = cell * vu_set(multiplier) + vu_set(key);
     const vu a1 = a0 + vu_set(multiplier);
-    const struct axis axis = {a0 ^ (a0 >> HASH_SHIFT), a1 ^ (a1 >> HASH_SHIFT)};
+    const struct axis axis = {vu_turn8(a0), vu_turn8(a1)};
     return axis;
 }
 
@@ -137,8 +137,15 @@ struct corners_yz {
 
 VEC_INLINE struct corners_yz hash_yz(struct axis y, struct axis z)
 {
-    const struct corners_yz c = {y.h0 * z.h0, y.h0 * z.h1, y.h1 * z.h0, y.h1 * z.h1};
+    const struct corners_yz c = {y.h0 ^ z.h0, y.h0 ^ z.h1, y.h1 ^ z.h0, y.h1 ^ z.h1};
     return c;
+}
+
+/* The hash of a corner: `yz` is y alone in 2D. */
+VEC_INLINE vu hash_corner(vu x, vu yz)
+{
+    const vu h = x ^ yz;
+    return h * (h + vu_set(HASH_K));
 }
 
 VEC_INLINE struct split split_axis(const struct scarp_octave *o, int i,
@@ -162,22 +169,22 @@ VEC_INLINE void lattice_run(struct lattice *lattice, const struct scarp_octave *
         lattice->x[b] = x.t;
         lattice->y[b] = y.t;
         if (dimensions == 2) {
-            lattice->hash[0][0][0][b] = hx.h0 * hy.h0;
-            lattice->hash[0][1][0][b] = hx.h0 * hy.h1;
-            lattice->hash[1][0][0][b] = hx.h1 * hy.h0;
-            lattice->hash[1][1][0][b] = hx.h1 * hy.h1;
+            lattice->hash[0][0][0][b] = hash_corner(hx.h0, hy.h0);
+            lattice->hash[0][1][0][b] = hash_corner(hx.h0, hy.h1);
+            lattice->hash[1][0][0][b] = hash_corner(hx.h1, hy.h0);
+            lattice->hash[1][1][0][b] = hash_corner(hx.h1, hy.h1);
         } else {
             const struct split z = split_axis(&o, 2, position, b, dimensions, doubles, axes);
             const struct corners_yz yz = hash_yz(hy, hash_axis(z.cell, HASH_Z, o.key[2]));
             lattice->z[b] = z.t;
-            lattice->hash[0][0][0][b] = hx.h0 * yz.h00;
-            lattice->hash[0][0][1][b] = hx.h0 * yz.h01;
-            lattice->hash[0][1][0][b] = hx.h0 * yz.h10;
-            lattice->hash[0][1][1][b] = hx.h0 * yz.h11;
-            lattice->hash[1][0][0][b] = hx.h1 * yz.h00;
-            lattice->hash[1][0][1][b] = hx.h1 * yz.h01;
-            lattice->hash[1][1][0][b] = hx.h1 * yz.h10;
-            lattice->hash[1][1][1][b] = hx.h1 * yz.h11;
+            lattice->hash[0][0][0][b] = hash_corner(hx.h0, yz.h00);
+            lattice->hash[0][0][1][b] = hash_corner(hx.h0, yz.h01);
+            lattice->hash[0][1][0][b] = hash_corner(hx.h0, yz.h10);
+            lattice->hash[0][1][1][b] = hash_corner(hx.h0, yz.h11);
+            lattice->hash[1][0][0][b] = hash_corner(hx.h1, yz.h00);
+            lattice->hash[1][0][1][b] = hash_corner(hx.h1, yz.h01);
+            lattice->hash[1][1][0][b] = hash_corner(hx.h1, yz.h10);
+            lattice->hash[1][1][1][b] = hash_corner(hx.h1, yz.h11);
         }
     }
 }

@@ -36,17 +36,22 @@ enum { LINE_VALUE, LINE_Y, LINE_Z, LINE_YY, LINE_YZ, LINE_ZZ, LINES };
 VEC_INLINE struct column gradient_column(vu h, const struct along_row *r, int dimensions, int order)
 {
     return dimensions == 2
-               ? gradient_column2(h * r->hash[0][0], h * r->hash[1][0], r->y, r->v, order)
-               : gradient_column3(h * r->hash[0][0], h * r->hash[0][1], h * r->hash[1][0],
-                                  h * r->hash[1][1], r->y, r->z, r->v, r->w, order);
+               ? gradient_column2(hash_corner(h, r->hash[0][0]), hash_corner(h, r->hash[1][0]),
+                                  r->y, r->v, order)
+               : gradient_column3(hash_corner(h, r->hash[0][0]), hash_corner(h, r->hash[0][1]),
+                                  hash_corner(h, r->hash[1][0]), hash_corner(h, r->hash[1][1]),
+                                  r->y, r->z, r->v, r->w, order);
 }
 
 VEC_INLINE struct value_column value_column(vu h, const struct along_row *r, int dimensions,
                                             int order)
 {
-    return dimensions == 2 ? value_column2(h * r->hash[0][0], h * r->hash[1][0], r->v, order)
-                           : value_column3(h * r->hash[0][0], h * r->hash[0][1], h * r->hash[1][0],
-                                           h * r->hash[1][1], r->v, r->w, order);
+    return dimensions == 2
+               ? value_column2(hash_corner(h, r->hash[0][0]), hash_corner(h, r->hash[1][0]), r->v,
+                               order)
+               : value_column3(hash_corner(h, r->hash[0][0]), hash_corner(h, r->hash[0][1]),
+                               hash_corner(h, r->hash[1][0]), hash_corner(h, r->hash[1][1]), r->v,
+                               r->w, order);
 }
 
 /* The lines of a stretch: tables of them or, if it is in one column, those to its left and right,

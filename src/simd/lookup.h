@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The table type of vf_lookup (vec.h). Included by each vec_<isa>.h.
+ * The table types of vf_lookup and vf_lookup_top (vec.h). Included by each vec_<isa>.h.
  */
 #ifndef SCARP_SIMD_LOOKUP_H
 #define SCARP_SIMD_LOOKUP_H
@@ -27,6 +27,22 @@ struct lookup {
     {                                                                                              \
         {a, -(a), b, -(b), c, -(c), d, -(d), a, -(a), b, -(b), c, -(c), d, -(d)},                  \
             {a, -(a), b, -(b), c, -(c), d, -(d)}, {a, b, c, d}, 1                                  \
+    }
+
+/* Twelve numbers of which only the first byte is not 0, by that byte; the same in each 16 bytes. */
+struct lookup_top {
+    _Alignas(64) unsigned char top[64];
+};
+
+#define LOOKUP_PLUS_2 0x40
+#define LOOKUP_MINUS_2 0xc0
+#define LOOKUP_TOP_16(...) __VA_ARGS__, 0, 0, 0, 0
+#define LOOKUP_TOP(...)                                                                            \
+    {                                                                                              \
+        {                                                                                          \
+            LOOKUP_TOP_16(__VA_ARGS__), LOOKUP_TOP_16(__VA_ARGS__), LOOKUP_TOP_16(__VA_ARGS__),    \
+                LOOKUP_TOP_16(__VA_ARGS__)                                                         \
+        }                                                                                          \
     }
 
 #endif

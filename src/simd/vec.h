@@ -40,10 +40,17 @@
  * Arithmetic that operators cannot say; correctly rounded, as IEEE 754 asks:
  *   vd vd_sqrt(vd)
  *
+ * Bits:
+ *   vu vu_turn8(vu)       each lane's bits turned right by 8: a >> 8 | a << 24
+ *
  * Tables:
  *   vf vf_lookup(const struct lookup *table, vu hash)
  *                         table->entry[hash >> 28] in each lane; lookup.h tells what is known of
  *                         the entries, which helps where tables are small
+ *   vu vu_top_index(vu hash)
+ *                         what vf_lookup_top wants for the entries (hash >> 16) * 12 >> 16
+ *   vf vf_lookup_top(const struct lookup_top *table, vu index)
+ *                         in each lane the float with table->top[i] as its top byte and 0 below
  *
  * Permutation:
  *   vu vu_lanes(void)     0, 1, 2, ... VEC_LANES - 1

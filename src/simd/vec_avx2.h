@@ -107,11 +107,29 @@ VEC_INLINE vd vd_sqrt(vd a)
     return (vd)_mm256_sqrt_pd((__m256d)a);
 }
 
+VEC_INLINE vu vu_turn8(vu a)
+{
+    const __m128i bytes = _mm_setr_epi8(1, 2, 3, 0, 5, 6, 7, 4, 9, 10, 11, 8, 13, 14, 15, 12);
+    return (vu)_mm256_shuffle_epi8((__m256i)a, _mm256_broadcastsi128_si256(bytes));
+}
+
 /* The permute reads the low three bits of each index and ignores the others. */
 VEC_INLINE vf vf_lookup(const struct lookup *table, vu hash)
 {
     const vu index = table->sign_low ? hash >> 28 : hash >> 29;
     return (vf)_mm256_permutevar8x32_ps(_mm256_load_ps(table->eight), (__m256i)index);
+}
+
+/* (hash >> 16) * 12, shifted so that its whole part is the top byte; the bytes below ask for 0. */
+VEC_INLINE vu vu_top_index(vu hash)
+{
+    const __m256i twelfths = _mm256_mulhi_epu16((__m256i)hash, _mm256_set1_epi32(12 << 24));
+    return (vu)_mm256_or_si256(twelfths, _mm256_set1_epi32(0x00808080));
+}
+
+VEC_INLINE vf vf_lookup_top(const struct lookup_top *table, vu index)
+{
+    return (vf)_mm256_shuffle_epi8(_mm256_load_si256((const __m256i *)table->top), (__m256i)index);
 }
 
 VEC_INLINE vu vu_load(const uint32_t *p)

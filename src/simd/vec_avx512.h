@@ -108,9 +108,26 @@ VEC_INLINE vd vd_sqrt(vd a)
     return (vd)_mm512_sqrt_pd((__m512d)a);
 }
 
+VEC_INLINE vu vu_turn8(vu a)
+{
+    return (vu)_mm512_ror_epi32((__m512i)a, 8);
+}
+
 VEC_INLINE vf vf_lookup(const struct lookup *table, vu hash)
 {
     return (vf)_mm512_permutexvar_ps((__m512i)(hash >> 28), _mm512_load_ps(table->entry));
+}
+
+/* (hash >> 16) * 12, shifted so that its whole part is the top byte. */
+VEC_INLINE vu vu_top_index(vu hash)
+{
+    return (vu)_mm512_mulhi_epu16((__m512i)hash, _mm512_set1_epi32(12 << 24));
+}
+
+VEC_INLINE vf vf_lookup_top(const struct lookup_top *table, vu index)
+{
+    const __mmask64 top_bytes = 0x8888888888888888u;
+    return (vf)_mm512_maskz_shuffle_epi8(top_bytes, _mm512_load_si512(table->top), (__m512i)index);
 }
 
 VEC_INLINE vu vu_load(const uint32_t *p)

@@ -108,6 +108,11 @@ VEC_INLINE vd vd_sqrt(vd a)
     return (vd)vsqrtq_f64((float64x2_t)a);
 }
 
+VEC_INLINE vu vu_turn8(vu a)
+{
+    return (vu)vsriq_n_u32(vshlq_n_u32((uint32x4_t)a, 24), (uint32x4_t)a, 8);
+}
+
 /* TBL reads whole bytes: 4 * index + (0 1 2 3) in the bytes of each lane. */
 VEC_INLINE vf vf_lookup(const struct lookup *table, vu hash)
 {
@@ -116,6 +121,17 @@ VEC_INLINE vf vf_lookup(const struct lookup *table, vu hash)
     const uint8_t *const eight = (const uint8_t *)table->eight;
     const uint8x16x2_t both = {{vld1q_u8(eight), vld1q_u8(eight + 16)}};
     return (vf)vqtbl2q_u8(both, bytes);
+}
+
+/* (hash >> 16) * 12, shifted so that its whole part is the top byte; the bytes below ask for 0. */
+VEC_INLINE vu vu_top_index(vu hash)
+{
+    return (hash >> 16) * (12u << 8) | 0x00808080u;
+}
+
+VEC_INLINE vf vf_lookup_top(const struct lookup_top *table, vu index)
+{
+    return (vf)vqtbl1q_u8(vld1q_u8(table->top), (uint8x16_t)index);
 }
 
 VEC_INLINE vu vu_load(const uint32_t *p)

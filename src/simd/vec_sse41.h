@@ -105,6 +105,12 @@ VEC_INLINE vd vd_sqrt(vd a)
     return (vd)_mm_sqrt_pd((__m128d)a);
 }
 
+VEC_INLINE vu vu_turn8(vu a)
+{
+    const __m128i bytes = _mm_setr_epi8(1, 2, 3, 0, 5, 6, 7, 4, 9, 10, 11, 8, 13, 14, 15, 12);
+    return (vu)_mm_shuffle_epi8((__m128i)a, bytes);
+}
+
 /* A byte shuffle chooses among four floats: bits 29 and 30 of the hash, as 4 * index + (0 1 2 3) in
    the bytes of each lane. The compiler shares that selector between the lookups of one hash. */
 VEC_INLINE vf vf_lookup(const struct lookup *table, vu hash)
@@ -115,6 +121,18 @@ VEC_INLINE vf vf_lookup(const struct lookup *table, vu hash)
         _mm_or_si128(_mm_and_si128(quads, _mm_set1_epi8(0x0c)), _mm_set1_epi32(0x03020100));
     const vu magnitude = (vu)_mm_shuffle_epi8(_mm_castps_si128(_mm_load_ps(table->quad)), bytes);
     return (vf)(magnitude ^ ((table->sign_low ? hash << 3 : hash) & 0x80000000u));
+}
+
+/* (hash >> 16) * 12, shifted so that its whole part is the top byte; the bytes below ask for 0. */
+VEC_INLINE vu vu_top_index(vu hash)
+{
+    const __m128i twelfths = _mm_mulhi_epu16((__m128i)hash, _mm_set1_epi32(12 << 24));
+    return (vu)_mm_or_si128(twelfths, _mm_set1_epi32(0x00808080));
+}
+
+VEC_INLINE vf vf_lookup_top(const struct lookup_top *table, vu index)
+{
+    return (vf)_mm_shuffle_epi8(_mm_load_si128((const __m128i *)table->top), (__m128i)index);
 }
 
 VEC_INLINE vu vu_load(const uint32_t *p)
