@@ -97,8 +97,10 @@ class Examples:
         printed = subprocess.run([sys.executable, "-c", code], check=True, text=True,
                                  env=environment, stdout=subprocess.PIPE).stdout
         status, first = re.match(r"(\d+) \[([-+.e\d]+)", printed).groups()
-        if status != "0" or abs(float(first) - height) > 1e-6:
-            sys.exit("the Python example prints " + printed)
+        told = re.search(r"(?m)# (\d+ \[.*\])$", code).group(1)
+        if (status != "0" or abs(float(first) - height) > 1e-6 or
+                not re.match(re.escape(told).replace(r"\.\.\.", r"\d*(e-?\d+)?"), printed)):
+            sys.exit("the Python example prints %sbut the README says\n%s" % (printed, told))
 
 
 def main():

@@ -93,7 +93,8 @@ class Layers(Case):
                     self.check_level(option, sign, level, height)
 
     def check_level(self, option, sign, level, height):
-        scale = ("--height", height)
+        # Ten cells wide, so that values lie on both sides of each level
+        scale = ("--height", height, "--frequency", "0.25")
         arguments = (*scale, option, level)
         flat = rounded(rounded(float(level)) * rounded(float(height)))
         before, after = self.heights(*scale), self.heights(*arguments)
