@@ -6,16 +6,17 @@
 #ifndef SCARP_KERNELS_H
 #define SCARP_KERNELS_H
 
+#include "outputs.h"
 #include "plan.h"
 
 /* Evaluates `count` > 0 points. `position` holds one array per dimension, floats or doubles as the
    table says; outputs in `out` above plan->order, and along z in 2D, are NULL. */
 typedef void scarp_points_fn(const struct scarp_plan *plan, size_t count,
-                             const void *const position[3], const struct scarp_samples *out);
+                             const void *const position[3], const struct scarp_outputs *out);
 
 /* Evaluates a grid; no count is 0, and the strides are given. Otherwise as above. */
 typedef void scarp_grid_fn(const struct scarp_plan *plan, const struct scarp_grid *grid,
-                           const struct scarp_samples *out);
+                           const struct scarp_outputs *out);
 
 /* As scarp_normals, for `count` > 0. */
 typedef void scarp_normals_fn(size_t count, const float *dx, const float *dy, float height_scale,

@@ -43,29 +43,50 @@ static int is_finite_f64(double value)
     return (u.bits & exponent) != exponent;
 }
 
-/* The highest derivative that `out` asks for: 0, 1 or 2. */
-static int order_of(const struct scarp_samples *out)
+/* The arrays of `out`. This is the only place that knows them by name. */
+static struct scarp_outputs outputs_of(const struct scarp_samples *out)
 {
-    if (out->dxx || out->dxy || out->dxz || out->dyy || out->dyz || out->dzz) {
-        return 2;
-    }
-    return out->dx || out->dy || out->dz ? 1 : 0;
+    struct scarp_outputs outputs = {.asked = 0};
+#define OUTPUT(i, member)                                                                          \
+    outputs.array[i] = out->member;                                                                \
+    outputs.asked |= (unsigned)(out->member != NULL) << (i)
+    OUTPUT(VALUE, value);
+    OUTPUT(DX, dx);
+    OUTPUT(DY, dy);
+    OUTPUT(DZ, dz);
+    OUTPUT(DXX, dxx);
+    OUTPUT(DXY, dxy);
+    OUTPUT(DXZ, dxz);
+    OUTPUT(DYY, dyy);
+    OUTPUT(DYZ, dyz);
+    OUTPUT(DZZ, dzz);
+#undef OUTPUT
+    return outputs;
+}
+
+/* The highest derivative among them: 0, 1 or 2. */
+static int order_of(const struct scarp_outputs *out)
+{
+    return (out->asked & OUTPUTS_OF_ORDER2) != 0   ? 2
+           : (out->asked & OUTPUTS_OF_ORDER1) != 0 ? 1
+                                                   : 0;
 }
 
 /* Whether all that `out` asks for exists: derivatives along z do not in 2D, reserved members
    never. */
-static int outputs_exist(int dimensions, const struct scarp_samples *out)
+static int outputs_exist(int dimensions, const struct scarp_samples *out,
+                         const struct scarp_outputs *outputs)
 {
     uintptr_t reserved = (uintptr_t)out->dphase;
     for (size_t i = 0; i < COUNT_OF(out->spare); i++) {
         reserved |= (uintptr_t)out->spare[i];
     }
-    return reserved == 0 && (dimensions == 3 || !(out->dz || out->dxz || out->dyz || out->dzz));
+    return reserved == 0 && (dimensions == 3 || (outputs->asked & OUTPUTS_ALONG_Z) == 0);
 }
 
 /* Checks the noise and makes the plan of a call. */
 static enum scarp_status plan_call(struct scarp_plan *plan, const struct scarp_noise *noise,
-                                   int dimensions, const struct scarp_samples *out)
+                                   int dimensions, const struct scarp_outputs *out)
 {
     const char *member;
     const enum scarp_status status = scarp_plan_check(noise, dimensions, &member);
@@ -86,7 +107,7 @@ static enum scarp_status plan_call(struct scarp_plan *plan, const struct scarp_n
  */
 static NOINLINE enum scarp_status run(scarp_points_fn *points, const struct scarp_noise *noise,
                                       int dimensions, size_t count, const void *const position[3],
-                                      const struct scarp_samples *out)
+                                      const struct scarp_outputs *out)
 {
     struct scarp_plan plan;
     const enum scarp_status status = plan_call(&plan, noise, dimensions, out);
@@ -112,11 +133,12 @@ static enum scarp_status sample(scarp_points_fn *points, const struct scarp_nois
     if (count > PTRDIFF_MAX / bytes) {
         return SCARP_ERROR_SIZE;
     }
-    if (!outputs_exist(dimensions, out)) {
+    const struct scarp_outputs outputs = outputs_of(out);
+    if (!outputs_exist(dimensions, out, &outputs)) {
         return SCARP_ERROR_UNSUPPORTED;
     }
     const struct fpmode caller = fpmode_enter();
-    const enum scarp_status status = run(points, noise, dimensions, count, position, out);
+    const enum scarp_status status = run(points, noise, dimensions, count, position, &outputs);
     fpmode_leave(caller);
     return status;
 }
@@ -225,7 +247,7 @@ static int grid_reserved_in_use(const struct scarp_grid *grid)
 
 static NOINLINE enum scarp_status run_grid(scarp_grid_fn *kernel, const struct scarp_noise *noise,
                                            int dimensions, const struct scarp_grid *grid,
-                                           const struct scarp_samples *out)
+                                           const struct scarp_outputs *out)
 {
     struct scarp_plan plan;
     const enum scarp_status status = plan_call(&plan, noise, dimensions, out);
@@ -252,11 +274,12 @@ static enum scarp_status sample_grid(scarp_grid_fn *kernel, const struct scarp_n
     if (status != SCARP_OK) {
         return status;
     }
-    if (!outputs_exist(dimensions, out) || grid_reserved_in_use(&grid)) {
+    const struct scarp_outputs outputs = outputs_of(out);
+    if (!outputs_exist(dimensions, out, &outputs) || grid_reserved_in_use(&grid)) {
         return SCARP_ERROR_UNSUPPORTED;
     }
     const struct fpmode caller = fpmode_enter();
-    const enum scarp_status result = run_grid(kernel, noise, dimensions, &grid, out);
+    const enum scarp_status result = run_grid(kernel, noise, dimensions, &grid, &outputs);
     fpmode_leave(caller);
     return result;
 }

@@ -2,18 +2,19 @@
  *
  * Grids. Included by table.h.
  *
- * fBm with straight axes goes through tiles of GRID_ROWS rows of a chunk, octave by octave, each
- * one added to the outputs themselves: what depends on x (columns.h) is prepared once for all rows.
- * All other noise needs the passes of fractal.h, over chunks that are made of several short rows;
- * octaves with turned axes are points there, with coordinates made on the fly.
+ * A slice is cut into strips, some blocks wide, and each strip into parts, some rows high. Octaves
+ * are added up in the caller's arrays. A part of fBm with straight axes is large, since it needs
+ * little between the passes (rows/rows.h); others are as large as the scratch space permits.
  */
 #ifndef SCARP_KERNEL_GRID_H
 #define SCARP_KERNEL_GRID_H
 
-#include "fractal.h"
+#include "driver.h"
 
-/* Blocks of a row, where a chunk is made of several. */
-#define PATCH_BLOCKS 8
+/* Blocks and rows of a part whose noise goes through the scratch space: rather narrow, so that what
+   depends on x serves some rows. */
+#define NOISE_BLOCKS 8
+#define NOISE_ROWS_LEAST 3
 
 /* Bytes of output from which a call streams them. Measured on Zen 5 with 32 MiB of third-level
    cache: above 8 MiB it is faster in itself, but a reader that comes next finds nothing in the
@@ -25,23 +26,19 @@
 /* A call, as all parts of the grid see it. */
 struct grid_call {
     const struct scarp_grid *grid;
-    struct passes passes;
-    struct scarp_samples out;
-    int tiles;   /* whether it goes through tiles */
+    const struct scarp_outputs *out;
+    struct call call;
+    int plain;   /* whether it is fBm with straight axes, and has a rows pass */
+    int narrow;  /* whether a row is less than a block: then its samples are stored first */
     int streams; /* whether outputs go past the caches, where they are aligned to a vector */
     size_t lead; /* then: samples of each row in front of a cache line */
+    size_t rows, blocks; /* of a part, at most */
 };
 
 struct grid_scratch {
-    struct scratch chunk;
-    struct along_x x;
-    struct along_rows rows;
-    double position[3][CHUNK_POINTS];
-};
-
-/* Part of slice k: `rows` rows from row j, of `blocks` whole blocks from sample i. */
-struct part {
-    size_t i, j, k, rows, blocks;
+    struct scratch scratch;
+    struct row_octave octave;
+    double x[STRIP_BLOCKS * VEC_LANES], y[PART_ROWS];
 };
 
 static double coordinate(const struct scarp_grid *grid, int axis, size_t index)
@@ -49,180 +46,160 @@ static double coordinate(const struct scarp_grid *grid, int axis, size_t index)
     return grid->origin[axis] + (double)(grid->first[axis] + (int64_t)index) * grid->step[axis];
 }
 
-static double coordinate_z(const struct grid_call *call, size_t k)
+/* Vectors of scratch space for a part, by use. `across` is what an octave needs between positions
+   and basis: tables of lines or positions on the lattice, by turns. */
+struct part_space {
+    size_t along, across, noise, state, sums;
+};
+
+static struct part_space space_of(const struct grid_call *g, size_t rows, size_t blocks)
 {
-    return call->passes.dimensions == 3 ? coordinate(call->grid, 2, k) : 0.0;
+    const struct call *const call = &g->call;
+    const size_t table =
+        call->rows ? table_size_of(call->dimensions, call->basis_order, blocks) : 0;
+    const size_t lattice = g->plain ? 0 : rows * blocks * call->lattice;
+    const struct part_space space = {
+        .along = call->rows ? along_size(blocks) : 0,
+        .across = table > lattice ? table : lattice,
+        .noise = rows * blocks * call->noise,
+        .state = rows * blocks * call->state,
+        .sums = g->plain && !g->narrow
+                    ? 0
+                    : rows * blocks * sample_size(call->dimensions, call->plan->order),
+    };
+    return space;
 }
 
-/* Of the rows of a part, filled up to whole vectors. */
-static void coordinates_of_rows(const struct grid_call *call, const struct part *part,
-                                double y[GRID_ROWS])
+/* Whether a part of that size has room, with a spare row. */
+static int fits(const struct grid_call *g, size_t rows, size_t blocks)
 {
-    for (size_t r = 0; r < part->rows || r % VEC_LANES != 0; r++) {
-        y[r] = coordinate(call->grid, 1, part->j + (r < part->rows ? r : 0));
-    }
+    const struct part_space s = space_of(g, rows, blocks);
+    return (blocks + s.along + s.across + s.noise + s.state + s.sums) * sizeof(vf) <= SCRATCH_BYTES;
 }
 
-/* Where the outputs of row r of a part begin; for members that are not there, `spare`. */
-static struct scarp_samples part_row(const struct grid_call *call, const struct part *part,
-                                     size_t r, const struct scarp_samples *spare)
+/* Decides how large parts are. */
+static void size_parts(struct grid_call *g)
 {
-    const struct scarp_grid *const g = call->grid;
-    const size_t at = part->k * g->slice_stride + (part->j + r) * g->row_stride + part->i;
-    return rows_from(&call->out, at, spare);
-}
-
-static int basis_order(const struct scarp_plan *plan)
-{
-    return plan->order + (plan->fractal == SCARP_EROSION);
-}
-
-/* Prepares an octave across the rows of a part, whose coordinates are `y`. */
-static void prepare_rows(const struct grid_call *call, struct grid_scratch *scratch,
-                         const struct part *part, int k, const double *y)
-{
-    const struct scarp_plan *const plan = call->passes.plan;
-    along_rows(&scratch->rows, &plan->octave[k], part->rows, y, coordinate_z(call, part->k),
-               plan->fade, call->passes.dimensions, axes_of(plan, k));
-    scratch->chunk.first.columns.x = &scratch->x;
-    scratch->chunk.first.columns.rows = &scratch->rows;
-}
-
-/* A tile of fBm with straight axes. What is prepared along x is good for the tile below too if
-   there is no other octave. */
-static void grid_tile(const struct grid_call *call, struct grid_scratch *scratch,
-                      const struct part *tile, const struct scarp_samples *to)
-{
-    const struct scarp_plan *const plan = call->passes.plan;
-    double y[GRID_ROWS];
-    coordinates_of_rows(call, tile, y);
-    const int aligned = tile->i % VEC_LANES == call->lead % VEC_LANES;
-    const int start = call->streams && aligned ? STREAM : 1;
-    for (int k = 0; k < plan->octaves; k++) {
-        if (plan->octaves > 1 || tile->j == 0) {
-            along_x(&scratch->x, &plan->octave[k], tile->blocks, scratch->position[0], plan->fade,
-                    axes_of(plan, k), plan->order);
+    if (g->plain && !g->narrow) {
+        g->rows = PART_ROWS;
+        g->blocks = STRIP_BLOCKS;
+        while (!fits(g, g->rows, g->blocks)) {
+            g->blocks--;
         }
-        prepare_rows(call, scratch, tile, k, y);
-        const struct scarp_octave *const o = &plan->octave[k];
-        const struct weights weights = {o->amplitude, o->slope, o->curvature};
-        call->passes.columns(&scratch->chunk.first.columns, tile->rows, tile->blocks, &weights,
-                             k == 0 ? start : 0, to);
+        return;
     }
-}
-
-/* The coordinates of a patch, row after row; `x` has those of its first row. */
-static void place_patch(const struct grid_call *call, struct grid_scratch *scratch,
-                        const struct part *patch, const double *x, const double *y)
-{
-    const size_t count = patch->blocks * VEC_LANES;
-    const double z = coordinate_z(call, patch->k);
-    for (size_t r = 0; r < patch->rows; r++) {
-        for (size_t n = 0; n < count; n++) {
-            scratch->position[0][r * count + n] = x[n];
-            scratch->position[1][r * count + n] = y[r];
-            scratch->position[2][r * count + n] = z;
-        }
-    }
-}
-
-/* A patch, rows times blocks of one chunk, of any noise: into the rows of sums. */
-static void grid_patch(const struct grid_call *call, struct grid_scratch *scratch,
-                       const struct part *patch, const double *x)
-{
-    const struct scarp_plan *const plan = call->passes.plan;
-    const void *const position[3] = {scratch->position[0], scratch->position[1],
-                                     scratch->position[2]};
-    const struct scarp_samples sums = samples_of(&scratch->chunk.sums);
-    double y[GRID_ROWS];
-    coordinates_of_rows(call, patch, y);
-    place_patch(call, scratch, patch, x, y);
-    for (int k = 0; k < plan->octaves; k++) {
-        const enum axes axes = axes_of(plan, k);
-        const struct scarp_octave *const o = &plan->octave[k];
-        struct source source = {0};
-        if (axes != AXES_TURNED) {
-            along_x(&scratch->x, o, patch->blocks, x, plan->fade, axes, basis_order(plan));
-            prepare_rows(call, scratch, patch, k, y);
-            source.rows = patch->rows;
+    g->blocks = g->narrow ? 1 : NOISE_BLOCKS;
+    g->rows = PART_BLOCKS / g->blocks;
+    while (!fits(g, g->rows, g->blocks)) {
+        if (g->rows > NOISE_ROWS_LEAST || g->blocks == 1) {
+            g->rows--;
         } else {
-            lattice_passes[call->passes.dimensions - 2][1][axes](
-                &scratch->chunk.first.lattice, o, patch->rows * patch->blocks, position);
+            g->blocks /= 2;
+            g->rows = PART_BLOCKS / g->blocks;
         }
-        add_any(&call->passes, k, axes, &source, patch->rows * patch->blocks, &scratch->chunk,
-                k > 0 ? &sums : NULL, &sums);
     }
 }
 
-/* The first `count` samples of each row of a patch, to where they belong. */
-static void put_patch(const struct grid_call *call, const struct grid_scratch *scratch,
-                      const struct part *patch, size_t count)
+/* Gives the parts of a strip, `blocks` wide, their share of the scratch space. */
+static void place_in_scratch(const struct grid_call *g, struct part *part,
+                             struct grid_scratch *scratch, size_t blocks)
 {
-    static const struct scarp_samples none; /* all NULL */
-    for (size_t r = 0; r < patch->rows; r++) {
-        const struct scarp_samples row = part_row(call, patch, r, &none);
-        copy_rows(&row, &scratch->chunk.sums, r * patch->blocks, count);
+    const struct part_space s = space_of(g, g->rows, blocks);
+    struct row_octave *const octave = &scratch->octave;
+    vf *const end = scratch->scratch.space + SCRATCH_BYTES / sizeof(vf);
+    part->layout = ROW;
+    part->extent.blocks = blocks;
+    part->octave = octave;
+    part->y = scratch->y;
+    part->at.array[0] = scratch->x;
+    part->spare = scratch->scratch.space;
+    part->noise = part->spare + blocks;
+    part->state = part->noise + s.noise;
+    part->sums_stored = part->state + s.state;
+    octave->x.block = (struct along_block *)(part->sums_stored + s.sums);
+    octave->x.hash = (vf *)(octave->x.block + blocks);
+    part->lattice = part->sums_stored + s.sums + s.along;
+    octave->table = part->lattice;
+    octave->table_size = (size_t)(end - octave->table);
+}
+
+/* A part, whose coordinates are in the scratch space: rows from row j of slice k, samples from i
+   on. `count` is the number of samples of a row that is less than a block. */
+static void grid_part(const struct grid_call *g, struct part *part, const size_t at[3],
+                      size_t count)
+{
+    const struct scarp_grid *const grid = g->grid;
+    const size_t first = at[2] * grid->slice_stride + at[1] * grid->row_stride + at[0];
+    struct outputs sums, to;
+    outputs_stored(&sums, part->sums_stored, g->call.dimensions, g->call.plan->order,
+                   part->extent.blocks);
+    part->sums = &sums;
+    part->to = &sums;
+    part->put = PUT_FIRST;
+    if (!g->narrow) {
+        const int aligned = at[0] % VEC_LANES == g->lead % VEC_LANES;
+        outputs_of(&to, g->out, first, grid->row_stride, part->spare);
+        part->to = &to;
+        part->sums = g->plain ? &to : &sums;
+        part->put = g->streams && aligned ? PUT_STREAM : PUT_FIRST;
+    }
+    sum_octaves(&g->call, part, at[1] == 0);
+    for (size_t r = 0; g->narrow && r < part->extent.rows; r++) {
+        copy_out(g->out, first + r * grid->row_stride, &sums, r, count);
     }
 }
 
-/* All rows of a slice, `blocks` whole blocks from sample i, of which `count` samples are wanted. */
-static void grid_strip(const struct grid_call *call, struct grid_scratch *scratch, size_t i,
-                       size_t blocks, size_t count, size_t k)
+/* All rows of slice k, `blocks` blocks from sample i on. */
+static void grid_strip(const struct grid_call *g, struct grid_scratch *scratch, size_t i,
+                       size_t blocks, size_t k)
 {
-    const struct scarp_samples spare = samples_of(&scratch->chunk.sums);
-    const int tiles = call->tiles && count == blocks * VEC_LANES;
-    const size_t rows_at_once = least(tiles ? GRID_ROWS : CHUNK_BLOCKS / blocks, GRID_ROWS);
-    double x[CHUNK_POINTS];
+    const struct scarp_grid *const grid = g->grid;
+    const size_t count = least(blocks * VEC_LANES, grid->count[0]);
+    struct part part = {0};
+    place_in_scratch(g, &part, scratch, blocks);
+    part.at.shared[2] = g->call.dimensions == 3 ? coordinate(grid, 2, k) : 0.0;
     for (size_t n = 0; n < blocks * VEC_LANES; n++) {
-        x[n] = coordinate(call->grid, 0, i + least(n, count - 1));
+        scratch->x[n] = coordinate(grid, 0, i + least(n, count - 1));
     }
-    memcpy(scratch->position[0], x, blocks * VEC_LANES * sizeof *x);
-    for (size_t j = 0; j < call->grid->count[1]; j += rows_at_once) {
-        const size_t rows = least(call->grid->count[1] - j, rows_at_once);
-        const struct part part = {i, j, k, rows, blocks};
-        if (!tiles) {
-            grid_patch(call, scratch, &part, x);
-            put_patch(call, scratch, &part, count);
-            continue;
+    for (size_t j = 0; j < grid->count[1]; j += g->rows) {
+        part.extent.rows = least(grid->count[1] - j, g->rows);
+        for (size_t r = 0; r < part.extent.rows || r % VEC_LANES != 0; r++) {
+            scratch->y[r] = coordinate(grid, 1, j + (r < part.extent.rows ? r : 0));
         }
-        struct scarp_samples to[GRID_ROWS];
-        for (size_t r = 0; r < rows; r++) {
-            to[r] = part_row(call, &part, r, &spare);
-        }
-        grid_tile(call, scratch, &part, to);
+        const size_t at[3] = {i, j, k};
+        grid_part(g, &part, at, count);
     }
 }
 
 /* How many samples from i on are cut into strips next: the rest of a row; where rows are streamed,
    as much of it as is aligned. */
-static size_t part_of_row(const struct grid_call *call, size_t i)
+static size_t part_of_row(const struct grid_call *g, size_t i)
 {
-    const size_t left = call->grid->count[0] - i;
-    if (!call->streams) {
+    const size_t left = g->grid->count[0] - i;
+    if (!g->streams) {
         return left;
     }
-    return i < call->lead ? call->lead - i : left < VEC_LANES ? left : left - left % VEC_LANES;
+    return i < g->lead ? g->lead - i : left < VEC_LANES ? left : left - left % VEC_LANES;
 }
 
 /* A slice in strips. A remainder that fills no block is computed once more with what is left of it,
    to the same bits. */
-static void grid_slice(const struct grid_call *call, struct grid_scratch *scratch, size_t k)
+static void grid_slice(const struct grid_call *g, struct grid_scratch *scratch, size_t k)
 {
-    const size_t count = call->grid->count[0];
-    const size_t widest = call->tiles ? CHUNK_BLOCKS : PATCH_BLOCKS;
+    const size_t count = g->grid->count[0];
     size_t i = 0;
-    if (count < VEC_LANES) {
-        grid_strip(call, scratch, 0, 1, count, k);
+    if (g->narrow) {
+        grid_strip(g, scratch, 0, 1, k);
         return;
     }
     while (i < count) {
-        const size_t left = part_of_row(call, i);
-        size_t blocks = least((left + VEC_LANES - 1) / VEC_LANES, widest);
+        const size_t left = part_of_row(g, i);
+        size_t blocks = least((left + VEC_LANES - 1) / VEC_LANES, g->blocks);
         if (blocks * VEC_LANES > count) {
             blocks--; /* the remainder comes next */
         }
         const size_t from = least(i, count - blocks * VEC_LANES);
-        grid_strip(call, scratch, from, blocks, blocks * VEC_LANES, k);
+        grid_strip(g, scratch, from, blocks, k);
         i = least(from + blocks * VEC_LANES, i + left);
     }
 }
@@ -233,15 +210,12 @@ static void grid_slice(const struct grid_call *call, struct grid_scratch *scratc
 static void place_streams(struct grid_call *call)
 {
     const struct scarp_grid *const g = call->grid;
-    const struct scarp_samples *const out = &call->out;
-    const float *const arrays[ROWS] = {out->value, out->dx,  out->dy,  out->dz,  out->dxx,
-                                       out->dxy,   out->dxz, out->dyy, out->dyz, out->dzz};
-    const int solid = call->passes.dimensions == 3;
+    const int solid = call->call.dimensions == 3;
     const size_t samples = g->count[0] * g->count[1] * (solid ? g->count[2] : 1);
     size_t floats = 0, start = 0, apart = g->row_stride | (solid ? g->slice_stride : 0);
-    for (int i = 0; i < ROWS; i++) {
-        if (arrays[i] != NULL) {
-            const size_t at = (uintptr_t)arrays[i] / sizeof(float);
+    for (int i = 0; i < OUTPUTS; i++) {
+        if (call->out->array[i] != NULL) {
+            const size_t at = (uintptr_t)call->out->array[i] / sizeof(float);
             start = floats == 0 ? at : start;
             apart |= at - start;
             floats += samples;
@@ -249,36 +223,38 @@ static void place_streams(struct grid_call *call)
     }
     call->lead = (0 - start) % CACHE_LINE;
     const int whole = call->lead == 0 && g->count[0] % VEC_LANES == 0;
-    call->streams = VEC_STREAMS && call->tiles && call->passes.plan->octaves == 1 &&
+    call->streams = VEC_STREAMS && call->plain && call->call.plan->octaves == 1 &&
                     floats >= STREAM_BYTES / sizeof(float) && apart % VEC_LANES == 0 &&
                     g->count[0] >= (whole ? 64 : 1024);
 }
 
-static void grid(const struct scarp_plan *plan, const struct scarp_grid *g,
-                 const struct scarp_samples *out, int dimensions)
+static void grid(const struct scarp_plan *plan, const struct scarp_grid *described,
+                 const struct scarp_outputs *out, int dimensions)
 {
     struct grid_scratch scratch;
-    struct grid_call call = {.grid = g, .passes = passes_of(plan, dimensions, 1), .out = *out};
-    call.tiles = plan->fractal == SCARP_FBM && !plan->rotate;
-    place_streams(&call);
-    for (size_t k = 0; k < (dimensions == 3 ? g->count[2] : 1); k++) {
-        grid_slice(&call, &scratch, k);
+    struct grid_call g = {.grid = described, .out = out, .call = call_of(plan, dimensions)};
+    g.plain = g.call.rows != NULL && g.call.plain;
+    g.narrow = described->count[0] < VEC_LANES;
+    place_streams(&g);
+    size_parts(&g);
+    for (size_t k = 0; k < (dimensions == 3 ? described->count[2] : 1); k++) {
+        grid_slice(&g, &scratch, k);
     }
-    if (call.streams) {
+    if (g.streams) {
         vf_stream_end();
     }
 }
 
-static void grid2(const struct scarp_plan *plan, const struct scarp_grid *g,
-                  const struct scarp_samples *out)
+static void grid2(const struct scarp_plan *plan, const struct scarp_grid *described,
+                  const struct scarp_outputs *out)
 {
-    grid(plan, g, out, 2);
+    grid(plan, described, out, 2);
 }
 
-static void grid3(const struct scarp_plan *plan, const struct scarp_grid *g,
-                  const struct scarp_samples *out)
+static void grid3(const struct scarp_plan *plan, const struct scarp_grid *described,
+                  const struct scarp_outputs *out)
 {
-    grid(plan, g, out, 3);
+    grid(plan, described, out, 3);
 }
 
 #endif

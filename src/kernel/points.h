@@ -1,108 +1,115 @@
 /* SPDX-License-Identifier: MIT
  *
- * Points, a chunk of CHUNK_POINTS at a time. Included by table.h.
- *
- * Per chunk and octave there are two passes: positions to fractions and corner hashes (lattice.h),
- * and those to noise that is added to the sums (octave.h); a third one where axes are turned
- * (turn.h), and one more for fractals other than fBm (shape.h). One pass that did all would be a
- * single chain of some 25 dependent operations per block, and out-of-order windows hold only two or
- * three blocks of it: two shorter chains overlap better. Measured on Zen 5 with gcc 12 and AVX2,
- * million points per second, gradient noise 2D and 3D: one pass 870 and 400, two passes 1120 and
- * 460. (A pass over two interleaved blocks in wider vector types spills: gcc 12 takes such types
- * apart through memory.)
+ * Points, a part of at most PART_BLOCKS blocks at a time. Included by table.h.
  */
 #ifndef SCARP_KERNEL_POINTS_H
 #define SCARP_KERNEL_POINTS_H
 
-#include <string.h>
+#include "driver.h"
 
-#include "../kernels.h"
-#include "fractal.h"
+/* Blocks of a part whose last block may be incomplete. */
+#define PADDED_BLOCKS 8
 
-/* All octaves of a chunk of whole blocks. The last one writes to `out`, whose rows are all there.
- */
-static void chunk(const struct passes *call, size_t blocks, const void *const position[3],
-                  struct scratch *scratch, const struct scarp_samples *out)
+/* Gives the part its share of the scratch space, for as many blocks as fit. There are sums where
+   octaves are added up, and for padded parts. */
+static size_t place_points(const struct call *call, struct part *part, struct scratch *scratch)
 {
-    const struct scarp_plan *const plan = call->plan;
-    const struct scarp_samples sums = samples_of(&scratch->sums);
-    static const struct source lattice = {0};
-    for (int k = 0; k < plan->octaves; k++) {
-        const struct scarp_samples *const from = k > 0 ? &sums : NULL;
-        const struct scarp_samples *const to = k == plan->octaves - 1 ? out : &sums;
-        const enum axes axes = axes_of(plan, k);
-        lattice_passes[call->dimensions - 2][call->doubles][axes](
-            &scratch->first.lattice, &plan->octave[k], blocks, position);
-        add_any(call, k, axes, &lattice, blocks, scratch, from, to);
-    }
+    const size_t size = sample_size(call->dimensions, call->plan->order);
+    const int sums = call->plan->octaves > 1;
+    const size_t each = call->lattice + call->noise + call->state + 1 + (sums ? size : 0);
+    const size_t room = sizeof scratch->space / sizeof(vf) - (sums ? 0 : PADDED_BLOCKS * size);
+    const size_t blocks = PART_BLOCKS * each <= room ? PART_BLOCKS : room / each;
+    part->lattice = scratch->space;
+    part->noise = part->lattice + blocks * call->lattice;
+    part->state = part->noise + blocks * call->noise;
+    part->spare = part->state + blocks * call->state;
+    part->sums_stored = part->spare + blocks;
+    return blocks;
 }
 
-/* A chunk whose last block is incomplete: through padded copies, so that nothing beyond an array is
-   touched. The padding is 0, which raises no floating-point exception. */
-static void chunk_padded(const struct passes *call, size_t count, const void *const position[3],
-                         struct scratch *scratch, const struct scarp_samples *out)
+/* Whole blocks of points. */
+static void points_whole(const struct call *call, struct part *part, size_t count,
+                         const struct scarp_outputs *out, size_t first)
 {
-    const size_t bytes = call->doubles ? sizeof(double) : sizeof(float);
+    struct outputs to;
+    part->extent.blocks = count / VEC_LANES;
+    outputs_of(&to, out, first, 0, part->spare);
+    part->to = &to;
+    sum_octaves(call, part, 1);
+}
+
+/* At most PADDED_BLOCKS blocks, of which the last one may be incomplete: through padded copies, so
+   that nothing beyond an array is touched. The padding is 0, which raises no floating-point
+   exception. */
+static void points_padded(const struct call *call, struct part *part, size_t count,
+                          const struct scarp_outputs *out, size_t first)
+{
+    const size_t bytes = part->layout == DOUBLES ? sizeof(double) : sizeof(float);
     const size_t blocks = (count + VEC_LANES - 1) / VEC_LANES;
-    double padded[3][CHUNK_POINTS];
-    const void *inputs[3] = {NULL, NULL, NULL};
+    double padded[3][PADDED_BLOCKS * VEC_LANES];
     for (int d = 0; d < call->dimensions; d++) {
         char *const copy = (char *)padded[d];
-        memcpy(copy, position[d], count * bytes);
+        memcpy(copy, part->at.array[d], count * bytes);
         memset(copy + count * bytes, 0, (blocks * VEC_LANES - count) * bytes);
-        inputs[d] = copy;
+        part->at.array[d] = copy;
     }
-    const struct scarp_samples sums = samples_of(&scratch->sums);
-    chunk(call, blocks, inputs, scratch, &sums);
-    copy_rows(out, &scratch->sums, 0, count);
+    part->extent.blocks = blocks;
+    part->to = part->sums;
+    sum_octaves(call, part, 1);
+    copy_out(out, first, part->sums, 0, count);
 }
 
 static void points(const struct scarp_plan *plan, size_t count, const void *const position[3],
-                   const struct scarp_samples *out, int dimensions, int doubles)
+                   const struct scarp_outputs *out, int dimensions, enum layout layout)
 {
-    const struct passes call = passes_of(plan, dimensions, doubles);
-    const size_t bytes = doubles ? sizeof(double) : sizeof(float);
+    const struct call call = call_of(plan, dimensions);
+    const size_t bytes = layout == DOUBLES ? sizeof(double) : sizeof(float);
     struct scratch scratch;
-    const struct scarp_samples spare = samples_of(&scratch.sums);
-    static const struct scarp_samples none; /* all NULL */
-    for (size_t first = 0; first < count; first += CHUNK_POINTS) {
-        const size_t here = count - first < CHUNK_POINTS ? count - first : CHUNK_POINTS;
-        const void *inputs[3] = {NULL, NULL, NULL};
+    struct part part; /* what grids have more stays unset */
+    struct outputs sums;
+    part.extent.rows = 1;
+    part.layout = layout;
+    part.sums = &sums;
+    const size_t most = place_points(&call, &part, &scratch) * VEC_LANES;
+    if (plan->octaves > 1 || count % VEC_LANES != 0) {
+        outputs_stored(&sums, part.sums_stored, dimensions, plan->order, 0);
+    }
+    for (size_t first = 0, here; first < count; first += here) {
+        here = least(count - first, most);
         for (int d = 0; d < dimensions; d++) {
-            inputs[d] = (const char *)position[d] + first * bytes;
+            part.at.array[d] = (const char *)position[d] + first * bytes;
         }
-        if (here % VEC_LANES == 0) {
-            const struct scarp_samples rows = rows_from(out, first, &spare);
-            chunk(&call, here / VEC_LANES, inputs, &scratch, &rows);
+        if (here % VEC_LANES == 0 || here > PADDED_BLOCKS * VEC_LANES) {
+            here -= here % VEC_LANES;
+            points_whole(&call, &part, here, out, first);
         } else {
-            const struct scarp_samples rows = rows_from(out, first, &none);
-            chunk_padded(&call, here, inputs, &scratch, &rows);
+            points_padded(&call, &part, here, out, first);
         }
     }
 }
 
 static void points2_f32(const struct scarp_plan *plan, size_t count, const void *const position[3],
-                        const struct scarp_samples *out)
+                        const struct scarp_outputs *out)
 {
-    points(plan, count, position, out, 2, 0);
+    points(plan, count, position, out, 2, FLOATS);
 }
 
 static void points2_f64(const struct scarp_plan *plan, size_t count, const void *const position[3],
-                        const struct scarp_samples *out)
+                        const struct scarp_outputs *out)
 {
-    points(plan, count, position, out, 2, 1);
+    points(plan, count, position, out, 2, DOUBLES);
 }
 
 static void points3_f32(const struct scarp_plan *plan, size_t count, const void *const position[3],
-                        const struct scarp_samples *out)
+                        const struct scarp_outputs *out)
 {
-    points(plan, count, position, out, 3, 0);
+    points(plan, count, position, out, 3, FLOATS);
 }
 
 static void points3_f64(const struct scarp_plan *plan, size_t count, const void *const position[3],
-                        const struct scarp_samples *out)
+                        const struct scarp_outputs *out)
 {
-    points(plan, count, position, out, 3, 1);
+    points(plan, count, position, out, 3, DOUBLES);
 }
 
 #endif

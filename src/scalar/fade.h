@@ -6,7 +6,6 @@
 #define SCARP_SCALAR_FADE_H
 
 #include "../plan.h"
-#include "inline.h"
 
 struct fade {
     float u, du, ddu;
@@ -21,7 +20,7 @@ struct fade {
  * stays within 1.94e-7, never above 1 + 2^-23, and is exact at 0 and 1. (Over all floats in [0,
  * 1].)
  */
-SCALAR_INLINE struct fade fade(enum scarp_fade kind, float t)
+static inline struct fade fade(enum scarp_fade kind, float t)
 {
     const float s = t - 1.0f;
     const float ts = t * s;
@@ -38,7 +37,7 @@ SCALAR_INLINE struct fade fade(enum scarp_fade kind, float t)
     return f;
 }
 
-SCALAR_INLINE float mix(float a, float b, float u)
+static inline float mix(float a, float b, float u)
 {
     return a + u * (b - a);
 }

@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: MIT
  *
- * Gradient noise (Perlin 1985, 2002) with gradient and Hessian: see noise.h for the order of
- * operations. Included by octave.h; the reference is scalar/basis.h.
+ * Gradient noise (Perlin 1985, 2002) with gradient and Hessian: see columns.h for the order of
+ * operations. Included by basis.h; the reference is scalar/basis.h.
  *
  *     n(t) = sum over corners c of W_c(t) g_c . (t - c)
  *
  * with W the products of the fades. The derivatives interpolate the corner gradients too.
  */
-#ifndef SCARP_KERNEL_GRADIENT_H
-#define SCARP_KERNEL_GRADIENT_H
+#ifndef SCARP_KERNEL_BASIS_GRADIENT_H
+#define SCARP_KERNEL_BASIS_GRADIENT_H
 
-#include "noise.h"
+#include "columns.h"
 
 /* 16 directions, 11.25 degrees + k * 22.5: cosines and sines of 11.25, 33.75, 56.25 and 78.75. */
 #define COS_1 0.980785280f
@@ -30,25 +30,26 @@ static const struct lookup_top gradient3_z = LOOKUP_TOP(0, 0, 0, 0, P, N, P, N, 
 #undef P
 #undef N
 
-/* A column from the hashes of its two corners. */
-VEC_INLINE struct column gradient_column2(vu h0, vu h1, vf y, struct fade v, int order)
+VEC_INLINE struct column gradient_column2(const struct corners *h, const struct across *p,
+                                          struct variant v)
 {
-    const vf gx0 = vf_lookup(&gradient2_x, h0), gy0 = vf_lookup(&gradient2_y, h0);
-    const vf gx1 = vf_lookup(&gradient2_x, h1), gy1 = vf_lookup(&gradient2_y, h1);
+    const struct fade f = p->v;
+    const vf gx0 = vf_lookup(&gradient2_x, h->h[0][0]), gy0 = vf_lookup(&gradient2_y, h->h[0][0]);
+    const vf gx1 = vf_lookup(&gradient2_x, h->h[1][0]), gy1 = vf_lookup(&gradient2_y, h->h[1][0]);
     const vf dgx = gx1 - gx0;
-    const vf dot0 = gy0 * y;
-    const vf dot1 = gy1 * v.s;
+    const vf dot0 = gy0 * p->y;
+    const vf dot1 = gy1 * f.s;
     const vf ddot = dot1 - dot0;
     struct column c;
-    c.value.a = gx0 + v.u * dgx;
-    c.value.b = dot0 + v.u * ddot;
-    if (order >= 1) {
+    c.value.a = gx0 + f.u * dgx;
+    c.value.b = dot0 + f.u * ddot;
+    if (v.order >= 1) {
         const vf dgy = gy1 - gy0;
-        c.y.a = v.du * dgx;
-        c.y.b = (gy0 + v.u * dgy) + v.du * ddot;
-        if (order >= 2) {
-            c.yy.a = v.ddu * dgx;
-            c.yy.b = 2.0f * v.du * dgy + v.ddu * ddot;
+        c.y.a = f.du * dgx;
+        c.y.b = (gy0 + f.u * dgy) + f.du * ddot;
+        if (v.order >= 2) {
+            c.yy.a = f.ddu * dgx;
+            c.yy.b = 2.0f * f.du * dgy + f.ddu * ddot;
         }
     }
     return c;
@@ -62,9 +63,10 @@ struct edge {
     vf dgx;            /* difference of the x components of the corners */
 };
 
-VEC_INLINE struct edge gradient_edge(vu h0, vu h1, vf y, vf z, struct fade w, int order)
+/* `h` has the hashes of its two ends, y the place along y from there. */
+VEC_INLINE struct edge gradient_edge(const vu h[2], vf y, vf z, struct fade w, int order)
 {
-    const vu i0 = vu_top_index(h0), i1 = vu_top_index(h1);
+    const vu i0 = vu_top_index(h[0]), i1 = vu_top_index(h[1]);
     const vf gx0 = vf_lookup_top(&gradient3_x, i0), gx1 = vf_lookup_top(&gradient3_x, i1);
     const vf gy0 = vf_lookup_top(&gradient3_y, i0), gy1 = vf_lookup_top(&gradient3_y, i1);
     const vf gz0 = vf_lookup_top(&gradient3_z, i0), gz1 = vf_lookup_top(&gradient3_z, i1);
@@ -88,11 +90,13 @@ VEC_INLINE struct edge gradient_edge(vu h0, vu h1, vf y, vf z, struct fade w, in
     return e;
 }
 
-VEC_INLINE struct column gradient_column3(vu h00, vu h01, vu h10, vu h11, vf y, vf z, struct fade v,
-                                          struct fade w, int order)
+VEC_INLINE struct column gradient_column3(const struct corners *h, const struct across *p,
+                                          struct variant variant)
 {
-    const struct edge e0 = gradient_edge(h00, h01, y, z, w, order);
-    const struct edge e1 = gradient_edge(h10, h11, v.s, z, w, order);
+    const int order = variant.order;
+    const struct fade v = p->v, w = p->w;
+    const struct edge e0 = gradient_edge(h->h[0], p->y, p->z, w, order);
+    const struct edge e1 = gradient_edge(h->h[1], v.s, p->z, w, order);
     const vf da = e1.value.a - e0.value.a;
     const vf db = e1.value.b - e0.value.b;
     struct column c;
@@ -119,33 +123,10 @@ VEC_INLINE struct column gradient_column3(vu h00, vu h01, vu h10, vu h11, vf y, 
     return c;
 }
 
-VEC_INLINE struct sample gradient2(const struct lattice *lattice, size_t b, enum scarp_fade kind,
-                                   int order)
+VEC_INLINE struct column gradient_column(const struct corners *h, const struct across *p,
+                                         struct variant v)
 {
-    const vf x = lattice->x[b], y = lattice->y[b];
-    const struct fade u = fade(kind, x);
-    const struct fade v = fade(kind, y);
-    const struct column l =
-        gradient_column2(lattice->hash[0][0][0][b], lattice->hash[0][1][0][b], y, v, order);
-    const struct column r =
-        gradient_column2(lattice->hash[1][0][0][b], lattice->hash[1][1][0][b], y, v, order);
-    return join(&l, &r, x, u, 2, order);
-}
-
-VEC_INLINE struct sample gradient3(const struct lattice *lattice, size_t b, enum scarp_fade kind,
-                                   int order)
-{
-    const vf x = lattice->x[b], y = lattice->y[b], z = lattice->z[b];
-    const struct fade u = fade(kind, x);
-    const struct fade v = fade(kind, y);
-    const struct fade w = fade(kind, z);
-    const struct column l =
-        gradient_column3(lattice->hash[0][0][0][b], lattice->hash[0][0][1][b],
-                         lattice->hash[0][1][0][b], lattice->hash[0][1][1][b], y, z, v, w, order);
-    const struct column r =
-        gradient_column3(lattice->hash[1][0][0][b], lattice->hash[1][0][1][b],
-                         lattice->hash[1][1][0][b], lattice->hash[1][1][1][b], y, z, v, w, order);
-    return join(&l, &r, x, u, 3, order);
+    return v.dimensions == 2 ? gradient_column2(h, p, v) : gradient_column3(h, p, v);
 }
 
 #endif

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT
  *
- * The fades and their derivatives; the reference is scalar/fade.h. Included by the other files of
- * src/kernel.
+ * The fades and their derivatives; the reference is scalar/fade.h. Included by the other
+ * files of kernel/basis.
  */
-#ifndef SCARP_KERNEL_FADE_H
-#define SCARP_KERNEL_FADE_H
+#ifndef SCARP_KERNEL_BASIS_FADE_H
+#define SCARP_KERNEL_BASIS_FADE_H
 
-#include "../plan.h"
+#include "../../plan.h"
 
 /* s is t - 1, which the caller needs too. */
 struct fade {

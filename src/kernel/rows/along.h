@@ -1,66 +1,71 @@
 /* SPDX-License-Identifier: MIT
  *
- * What an octave with straight axes needs of the coordinates of a grid: along x, for a chunk of
- * samples that all rows of a tile share, and along y and z, for the rows. Included by lines.h;
- * columns.h tells what it is for.
+ * What an octave with straight axes needs of the coordinates of a grid: along x, for a strip of
+ * blocks that all rows of a part share, and along y and z, for the rows. Included by lines.h;
+ * rows.h tells what it is for.
  */
-#ifndef SCARP_KERNEL_ALONG_H
-#define SCARP_KERNEL_ALONG_H
+#ifndef SCARP_KERNEL_ROWS_ALONG_H
+#define SCARP_KERNEL_ROWS_ALONG_H
 
-#include "fade.h"
-#include "lattice.h"
+#include "../basis/basis.h"
 
+/* Blocks of a strip, at most, and rows of a part. */
+#define STRIP_BLOCKS 32
+#define PART_ROWS 64
+
+/* Blocks of columns that a table reads from where it begins. */
 #define TABLE_BLOCKS (VF_TABLE / VEC_LANES)
-
-/* Blocks of columns that there is room for, of as many rows as fit (one takes CHUNK_BLOCKS + 1 at
-   most), and what the last table reads beyond them. */
-#define COLUMN_BLOCKS (CHUNK_BLOCKS + 1 + TABLE_BLOCKS)
 
 /* From how many blocks per column on it pays to keep lines of one column instead of a table. */
 #define MIN_RUN 4
 
-/* How the rows of a chunk get their lines. */
+/* How the rows of a strip get their lines. */
 enum columns_kind {
     WIDE,   /* each sample makes those of its own two columns */
-    TABLES, /* from tables in memory: columns.h */
+    TABLES, /* from tables in memory: rows.h */
     SLIDES  /* from tables that slide on along the row: slide.h */
 };
 
 /* Neighbouring blocks that read their lines from one table. */
 struct stretch {
-    uint32_t base; /* the table's first column, counted from the chunk's lowest */
+    uint32_t base; /* the table's first column, counted from the strip's lowest */
     uint16_t blocks;
     uint16_t in_column; /* whether all lanes are in that column: no table then */
 };
 
-/* An octave along x, at a chunk. */
-struct along_x {
-    uint32_t cell[CHUNK_POINTS]; /* of each sample */
-    vf t[CHUNK_BLOCKS];
-    struct fade fade[CHUNK_BLOCKS];
-    enum columns_kind kind; /* WIDE: the union has `wide`, the next three members are unset */
-    uint32_t lowest;        /* the first column */
-    size_t column_blocks;   /* blocks of columns in use */
-    struct stretch stretch[CHUNK_BLOCKS];
-    union {
-        struct {
-            vu index[CHUNK_BLOCKS]; /* each lane's column, from the table's first: for vf_permute */
-            vu hash[COLUMN_BLOCKS]; /* mixed lattice coordinate of each column */
-        } narrow;
-        struct axis wide[CHUNK_BLOCKS];
-    } u;
+/* A block of samples along x. */
+struct along_block {
+    vf t;
+    struct fade fade;
+    vf index; /* the bits of each lane's column, from the table's first, for vf_permute */
 };
 
-/* Rows of a tile. */
-#define GRID_ROWS 64
+/* An octave along x. */
+struct along_x {
+    size_t blocks;
+    struct along_block *block;
+    vf *hash; /* the bits of mixed lattice coordinates: of each column; WIDE: of both neighbours
+                 of each sample */
+    enum columns_kind kind; /* the next two members are unset if WIDE */
+    uint32_t lowest;        /* the first column */
+    size_t column_blocks;   /* blocks of columns in use */
+    struct stretch stretch[STRIP_BLOCKS];
+};
 
-/* An octave along y on the rows of a tile, and along z, where all lanes are the same. */
+/* An octave along y on the rows of a part, and along z, where all lanes are the same. */
 struct along_rows {
-    float y[GRID_ROWS], s[GRID_ROWS], u[GRID_ROWS], du[GRID_ROWS], ddu[GRID_ROWS];
-    uint32_t hash[2][2][GRID_ROWS]; /* [y][z] of the lower and upper neighbours; 2D: [y][0] */
+    float y[PART_ROWS], s[PART_ROWS], u[PART_ROWS], du[PART_ROWS], ddu[PART_ROWS];
+    uint32_t hash[2][2][PART_ROWS]; /* [y][z] of the lower and upper neighbours; 2D: [y][0] */
     vf z;
     struct fade w;
 };
+
+/* Vectors that along_x needs for a strip. */
+static size_t along_size(size_t blocks)
+{
+    const size_t narrow = blocks + 1 + TABLE_BLOCKS, wide = 2 * blocks;
+    return blocks * (sizeof(struct along_block) / sizeof(vf)) + (narrow > wide ? narrow : wide);
+}
 
 static size_t least(size_t a, size_t b)
 {
@@ -96,9 +101,8 @@ static size_t end_of_window(const uint32_t *cells, size_t b, size_t blocks)
    which they do upwards; else as long as tables reach, all alike. WIDE is returned where some block
    is too wide for a table, or two columns for each sample cost less: where there are nearly as many
    as samples, or more if tables slide (measured). */
-static enum columns_kind place_columns(struct along_x *x, size_t blocks)
+static enum columns_kind place_columns(struct along_x *x, const uint32_t *cells, size_t blocks)
 {
-    const uint32_t *const cells = x->cell;
     const size_t count = blocks * VEC_LANES;
     const int descending = (int32_t)(cells[count - 1] - cells[0]) < 0;
     const uint32_t lowest = cells[descending ? count - 1 : 0];
@@ -126,7 +130,7 @@ static enum columns_kind place_columns(struct along_x *x, size_t blocks)
         stretch->blocks = (uint16_t)(end - b);
         stretch->in_column = (uint16_t)(runs && first == last);
         for (size_t i = b; i < end; i++) {
-            x->u.narrow.index[i] = vf_index(vu_load(cells + i * VEC_LANES) - vu_set(base));
+            x->block[i].index = (vf)vf_index(vu_load(cells + i * VEC_LANES) - vu_set(base));
         }
     }
     x->lowest = lowest;
@@ -145,67 +149,57 @@ static int cells_in_order(const struct scarp_octave *o, const double *position, 
            width > -0x1p30 && width < 0x1p30;
 }
 
-/* The octave at a chunk of coordinates. `order` is the highest derivative that will be asked for.
- */
+/* The octave at a strip of coordinates `x`. `order` is the highest derivative that will be asked
+   for. */
 VEC_INLINE void along_x_run(struct along_x *x, const struct scarp_octave *o, size_t blocks,
-                            const double *position, enum scarp_fade fade_kind, enum axes axes,
-                            int order)
+                            const struct positions *at, enum scarp_fade kind, struct frame f)
 {
-    const void *const positions[3] = {position, NULL, NULL};
+    uint32_t cells[STRIP_BLOCKS * VEC_LANES];
+    x->blocks = blocks;
     for (size_t b = 0; b < blocks; b++) {
-        const struct split s = straight(o, 0, positions, b, 1, axes);
-        vu_store(x->cell + b * VEC_LANES, s.cell);
-        x->t[b] = s.t;
+        const struct split s = position(o, 0, at, b, f);
+        vu_store(cells + b * VEC_LANES, s.cell);
+        x->block[b].t = s.t;
+        x->block[b].fade = fade(kind, s.t);
     }
-    x->kind = cells_in_order(o, position, blocks) ? place_columns(x, blocks) : WIDE;
+    x->kind = cells_in_order(o, at->array[0], blocks) ? place_columns(x, cells, blocks) : WIDE;
+    for (size_t b = 0; x->kind == WIDE && b < blocks; b++) {
+        const struct axis h = hash_axis(vu_load(cells + b * VEC_LANES), HASH_X, o->key[0]);
+        x->hash[2 * b] = (vf)h.h0;
+        x->hash[2 * b + 1] = (vf)h.h1;
+    }
     for (size_t b = 0; x->kind != WIDE && b < x->column_blocks; b++) {
         const vu column = vu_lanes() + vu_set(x->lowest + (uint32_t)(b * VEC_LANES));
-        x->u.narrow.hash[b] = hash_axis(column, HASH_X, o->key[0]).h0;
-    }
-    for (size_t b = 0; b < blocks; b++) {
-        if (x->kind == WIDE) {
-            x->u.wide[b] = hash_axis(vu_load(x->cell + b * VEC_LANES), HASH_X, o->key[0]);
-        }
-        const struct fade u = fade(fade_kind, x->t[b]);
-        x->fade[b].s = u.s;
-        x->fade[b].u = u.u;
-        if (order >= 1) {
-            x->fade[b].du = u.du;
-            x->fade[b].ddu = u.ddu;
-        }
+        x->hash[b] = (vf)hash_axis(column, HASH_X, o->key[0]).h0;
     }
 }
 
 static void along_x(struct along_x *x, const struct scarp_octave *o, size_t blocks,
-                    const double *position, enum scarp_fade fade_kind, enum axes axes, int order)
+                    const struct positions *at, enum scarp_fade kind, enum axes axes)
 {
-    if (fade_kind == SCARP_QUINTIC) {
-        along_x_run(x, o, blocks, position, SCARP_QUINTIC, axes, order);
+    const struct frame f = {ROW, axes, 2};
+    if (kind == SCARP_QUINTIC) {
+        along_x_run(x, o, blocks, at, SCARP_QUINTIC, f);
     } else {
-        along_x_run(x, o, blocks, position, SCARP_CUBIC, axes, order);
+        along_x_run(x, o, blocks, at, SCARP_CUBIC, f);
     }
 }
 
 /* The octave at `count` coordinates along y, and at one along z. What lies beyond, up to a whole
    block, is computed from what the array has there. */
 static void along_rows(struct along_rows *rows, const struct scarp_octave *o, size_t count,
-                       const double y[GRID_ROWS], double z, enum scarp_fade fade_kind,
-                       int dimensions, enum axes axes)
+                       const struct positions *at, enum scarp_fade fade_kind, struct frame f)
 {
-    double same[VEC_LANES];
-    for (size_t i = 0; i < VEC_LANES; i++) {
-        same[i] = z;
-    }
-    const void *const positions[3] = {NULL, y, same};
+    const int dimensions = f.dimensions;
     struct axis hz;
     if (dimensions == 3) {
-        const struct split sz = straight(o, 2, positions, 0, 1, axes);
+        const struct split sz = position(o, 2, at, 0, f);
         hz = hash_axis(sz.cell, HASH_Z, o->key[2]);
         rows->z = sz.t;
         rows->w = fade(fade_kind, sz.t);
     }
     for (size_t r = 0; r < count; r += VEC_LANES) {
-        const struct split sy = straight(o, 1, positions, r / VEC_LANES, 1, axes);
+        const struct split sy = position(o, 1, at, r / VEC_LANES, f);
         const struct axis hy = hash_axis(sy.cell, HASH_Y, o->key[1]);
         const struct fade v = fade(fade_kind, sy.t);
         vf_store(rows->y + r, sy.t);
@@ -218,38 +212,35 @@ static void along_rows(struct along_rows *rows, const struct scarp_octave *o, si
             vu_store(rows->hash[1][0] + r, hy.h1);
         } else {
             const struct corners_yz c = hash_yz(hy, hz);
-            vu_store(rows->hash[0][0] + r, c.h00);
-            vu_store(rows->hash[0][1] + r, c.h01);
-            vu_store(rows->hash[1][0] + r, c.h10);
-            vu_store(rows->hash[1][1] + r, c.h11);
+            vu_store(rows->hash[0][0] + r, c.h[0][0]);
+            vu_store(rows->hash[0][1] + r, c.h[0][1]);
+            vu_store(rows->hash[1][0] + r, c.h[1][0]);
+            vu_store(rows->hash[1][1] + r, c.h[1][1]);
         }
     }
 }
 
 /* One row of them, in all lanes. */
 struct along_row {
-    vf y, z;
-    struct fade v, w;
-    vu hash[2][2];
+    struct across at;
+    struct corners_yz h;
 };
 
 VEC_INLINE struct along_row row_of(const struct along_rows *rows, size_t r, int dimensions)
 {
     struct along_row row;
-    row.y = vf_set(rows->y[r]);
-    row.v.s = vf_set(rows->s[r]);
-    row.v.u = vf_set(rows->u[r]);
-    row.v.du = vf_set(rows->du[r]);
-    row.v.ddu = vf_set(rows->ddu[r]);
-    for (int i = 0; i < 2; i++) {
-        row.hash[i][0] = vu_set(rows->hash[i][0][r]);
-        if (dimensions == 3) {
-            row.hash[i][1] = vu_set(rows->hash[i][1][r]);
-        }
-    }
+    row.at.y = vf_set(rows->y[r]);
+    row.at.v.s = vf_set(rows->s[r]);
+    row.at.v.u = vf_set(rows->u[r]);
+    row.at.v.du = vf_set(rows->du[r]);
+    row.at.v.ddu = vf_set(rows->ddu[r]);
+    row.h.h[0][0] = vu_set(rows->hash[0][0][r]);
+    row.h.h[1][0] = vu_set(rows->hash[1][0][r]);
     if (dimensions == 3) {
-        row.z = rows->z;
-        row.w = rows->w;
+        row.h.h[0][1] = vu_set(rows->hash[0][1][r]);
+        row.h.h[1][1] = vu_set(rows->hash[1][1][r]);
+        row.at.z = rows->z;
+        row.at.w = rows->w;
     }
     return row;
 }

@@ -1,0 +1,119 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Stage 2, the basis: one octave of noise at points of the lattice, times its weights, added to
+ * sums. Included by ../rows/rows.h; the reference is scalar/basis.h.
+ *
+ * A basis that reduces lattice columns to lines (columns.h) is a file with one function,
+ * `struct column NAME_column(corners, across, variant)`, and a case in basis_column().
+ */
+#ifndef SCARP_KERNEL_BASIS_H
+#define SCARP_KERNEL_BASIS_H
+
+#include "gradient.h"
+#include "value.h"
+
+VEC_INLINE struct column basis_column(const struct corners *h, const struct across *p,
+                                      struct variant v)
+{
+    return v.basis == SCARP_GRADIENT ? gradient_column(h, p, v) : value_column(h, p, v);
+}
+
+VEC_INLINE struct corners corners2(const struct lattice2 *at, int side)
+{
+    const struct corners h = {{{(vu)at->hash[side][0]}, {(vu)at->hash[side][1]}}};
+    return h;
+}
+
+VEC_INLINE struct corners corners3(const struct lattice3 *at, int side)
+{
+    const struct corners h = {{{(vu)at->hash[side][0][0], (vu)at->hash[side][0][1]},
+                               {(vu)at->hash[side][1][0], (vu)at->hash[side][1][1]}}};
+    return h;
+}
+
+/* The basis at a block of positions on the lattice. */
+VEC_INLINE struct sample basis_sample(const vf *lattice, enum scarp_fade kind, struct variant v)
+{
+    struct across p;
+    struct corners left, right;
+    vf x;
+    if (v.dimensions == 2) {
+        const struct lattice2 *const at = (const struct lattice2 *)lattice;
+        x = at->t[0];
+        p.y = at->t[1];
+        left = corners2(at, 0);
+        right = corners2(at, 1);
+    } else {
+        const struct lattice3 *const at = (const struct lattice3 *)lattice;
+        x = at->t[0];
+        p.y = at->t[1];
+        p.z = at->t[2];
+        p.w = fade(kind, p.z);
+        left = corners3(at, 0);
+        right = corners3(at, 1);
+    }
+    p.v = fade(kind, p.y);
+    const struct column l = basis_column(&left, &p, v);
+    const struct column r = basis_column(&right, &p, v);
+    return join(&l, &r, x, fade(kind, x), v);
+}
+
+/* Positions on the lattice of an octave. */
+struct placed {
+    const vf *lattice;
+    struct extent extent;
+    enum scarp_fade fade;
+};
+
+/* to = from + weights * basis, for every output of the variant. */
+typedef void points_pass(const struct placed *at, const struct weights *weights, struct sums from,
+                         const struct outputs *to);
+
+VEC_INLINE void points_run(const struct placed *at, enum scarp_fade fade,
+                           const struct weights *weights, struct sums from,
+                           const struct outputs *outputs, struct variant v)
+{
+    const struct weights w = *weights; /* copies: nothing that is stored can alias them */
+    const struct extent extent = at->extent;
+    struct outputs to = *outputs;
+    const vf *lattice = at->lattice;
+    for (size_t r = 0; r < extent.rows; r++) {
+        const vf *const end = lattice + extent.blocks * lattice_size(v.dimensions);
+        size_t to_at = 0;
+        for (; lattice < end; lattice += lattice_size(v.dimensions)) {
+            const struct sample n = basis_sample(lattice, fade, v);
+            add_sample(&to, to_at, from, &w, &n, v);
+            to_at += to.block;
+            from = sums_next(from);
+        }
+        outputs_next_row(&to, v);
+    }
+}
+
+/* The fade is decided on outside the loop. */
+#define POINTS_PASS(name, basis, dimensions, order)                                                \
+    static void name(const struct placed *at, const struct weights *weights, struct sums from,     \
+                     const struct outputs *to)                                                     \
+    {                                                                                              \
+        const struct variant v = {basis, dimensions, order};                                       \
+        if (at->fade == SCARP_QUINTIC) {                                                           \
+            points_run(at, SCARP_QUINTIC, weights, from, to, v);                                   \
+        } else {                                                                                   \
+            points_run(at, SCARP_CUBIC, weights, from, to, v);                                     \
+        }                                                                                          \
+    }
+#define POINTS_PASSES(name, basis)                                                                 \
+    POINTS_PASS(name##2_points0, basis, 2, 0)                                                      \
+    POINTS_PASS(name##2_points1, basis, 2, 1)                                                      \
+    POINTS_PASS(name##2_points2, basis, 2, 2)                                                      \
+    POINTS_PASS(name##3_points0, basis, 3, 0)                                                      \
+    POINTS_PASS(name##3_points1, basis, 3, 1)                                                      \
+    POINTS_PASS(name##3_points2, basis, 3, 2)
+
+POINTS_PASSES(gradient, SCARP_GRADIENT)
+POINTS_PASSES(value, SCARP_VALUE)
+
+#undef POINTS_PASS
+#undef POINTS_PASSES
+
+#endif

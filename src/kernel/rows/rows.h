@@ -1,0 +1,242 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Stage 2 along rows of a grid, the fast path of bases that reduce lattice columns to lines, where
+ * axes are straight. What depends on x is prepared once for all rows of a part (along.h); the
+ * lattice columns that a row crosses are reduced to their lines once per row, in a small table;
+ * each block of samples then reads its lines with permutes instead of hashing, from registers that
+ * serve as many blocks as they reach (a stretch). Included by ../driver.h. Bits are those of the
+ * points pass, because the lines are.
+ *
+ * Tables of two vectors, AVX-512's, need no memory where columns go up along a row: slide.h.
+ *
+ * A table serves lanes in VF_TABLE - 1 neighbouring columns. Where a block needs more, or columns
+ * are nearly as many as samples, each lane has its own two columns (WIDE), and shares with the
+ * others of its row what depends on y and z.
+ */
+#ifndef SCARP_KERNEL_ROWS_H
+#define SCARP_KERNEL_ROWS_H
+
+#include "slide.h"
+
+/* An octave on the rows of a part. `table` has `table_size` vectors for the lines of columns, as
+   many rows at a time as fit: at least one row, see table_size_of(). */
+struct row_octave {
+    struct along_x x;
+    struct along_rows rows;
+    vf *table;
+    size_t table_size;
+};
+
+/* Tables of lines a x + b, of one row after the other: blocks of all b, then of all a, line by
+   line, `stride` vectors each. */
+struct tables {
+    vf *start;
+    size_t stride;
+};
+
+static size_t line_count(int dimensions, int order)
+{
+    static const unsigned char counts[2][3] = {{1, 2, 3}, {1, 3, 6}};
+    return counts[dimensions - 2][order];
+}
+
+/* Vectors for the tables of one row of a strip, whose columns may be as many as its samples, with
+   one on the right, and what the last table reads beyond them. */
+static size_t table_size_of(int dimensions, int order, size_t blocks)
+{
+    return 2 * line_count(dimensions, order) * (blocks + 1 + TABLE_BLOCKS);
+}
+
+/* Where the b, or the a, of line i of variant v are. */
+VEC_INLINE vf *table_of(const struct tables *t, int i, int slopes, struct variant v)
+{
+    const int line = v.dimensions == 3 || i < LINE_Z ? i : i - 1;
+    const int half = slopes ? (int)line_count(v.dimensions, v.order) : 0;
+    return t->start + (size_t)(line + half) * t->stride;
+}
+
+/* Reduces the columns of a row to their lines, from block `at` of the tables on. */
+VEC_INLINE void reduce_row(const struct tables *t, const struct along_x *x, size_t at,
+                           const struct along_row *row, struct variant v)
+{
+    for (size_t block = 0; block < x->column_blocks; block++) {
+        const struct column c = row_column((vu)x->hash[block], row, v);
+#define DO(i, name)                                                                                \
+    do {                                                                                           \
+        table_of(t, i, 0, v)[at + block] = c.name.b;                                               \
+        if (!flat(v)) {                                                                            \
+            table_of(t, i, 1, v)[at + block] = c.name.a;                                           \
+        }                                                                                          \
+    } while (0)
+        EACH_LINE(v, DO);
+#undef DO
+    }
+}
+
+/* Line i from column `base` of the tables on. */
+VEC_INLINE void open_line(struct stretch_line *l, const struct tables *t, int i, size_t base,
+                          int in_column, struct variant v)
+{
+    const float *const b = (const float *)table_of(t, i, 0, v) + base;
+    const float *const a = (const float *)table_of(t, i, 1, v) + base;
+    if (in_column) {
+        l->left.b = vf_set(b[0]);
+        l->right.b = vf_set(b[1]);
+    } else {
+        l->b = vf_table_load(b);
+    }
+    if (!flat(v) && in_column) {
+        l->left.a = vf_set(a[0]);
+        l->right.a = vf_set(a[1]);
+    } else if (!flat(v)) {
+        l->a = vf_table_load(a);
+    }
+}
+
+VEC_INLINE struct stretch_lines open_lines(const struct tables *t, size_t base, int in_column,
+                                           struct variant v)
+{
+    struct stretch_lines l;
+#define DO(i, name) open_line(&l.line[i], t, i, base, in_column, v)
+    EACH_LINE(v, DO);
+#undef DO
+    return l;
+}
+
+/* A row from the columns at block `at` of the tables. */
+VEC_INLINE void table_row(const struct along_x *x, const struct tables *t, size_t at,
+                          const struct target *target, struct variant v, enum put put)
+{
+    const struct weights w = target->weights; /* copies: nothing that is stored can alias them */
+    const struct outputs to = target->outputs;
+    const struct along_block *block = x->block, *const row_end = block + x->blocks;
+    const struct stretch *stretch = x->stretch;
+    size_t to_at = 0;
+    for (; block < row_end; stretch++) {
+        const struct along_block *const end = block + stretch->blocks;
+        const size_t base = at * VEC_LANES + stretch->base;
+        if (stretch->in_column) {
+            const struct stretch_lines l = open_lines(t, base, 1, v);
+            const struct sides s = get_sides(&l, vu_set(0), 1, v);
+            VEC_SHORT_LOOP
+            for (; block < end; block++) {
+                const struct sample n = join_sides(block, &s, v);
+                put_sample(&to, to_at, &w, &n, v, put);
+                to_at += to.block;
+            }
+            continue;
+        }
+        const struct stretch_lines l = open_lines(t, base, 0, v);
+        for (; block < end; block++) {
+            const struct sides s = get_sides(&l, (vu)block->index, 0, v);
+            const struct sample n = join_sides(block, &s, v);
+            put_sample(&to, to_at, &w, &n, v, put);
+            to_at += to.block;
+        }
+    }
+}
+
+/* A row where blocks are wide: each lane has its own two columns. Slower than memory, and never
+   streamed. */
+VEC_INLINE void wide_row(const struct along_x *x, const struct along_row *row,
+                         const struct target *target, struct variant v, enum put put)
+{
+    const struct weights w = target->weights;
+    const struct outputs to = target->outputs;
+    const struct along_block *block = x->block, *const end = block + x->blocks;
+    const vf *hash = x->hash;
+    size_t to_at = 0;
+    for (; block < end; block++) {
+        const struct sides s = {row_column((vu)hash[0], row, v), row_column((vu)hash[1], row, v)};
+        const struct sample n = join_sides(block, &s, v);
+        put_sample(&to, to_at, &w, &n, v, put);
+        to_at += to.block;
+        hash += 2;
+    }
+}
+
+/* Tables read what comes after the last block in use, too, though no lane chooses it. */
+static void clear_beyond(const struct tables *t, size_t lines, size_t at)
+{
+    for (size_t i = 0; i < lines; i++) {
+        for (size_t n = 0; n < TABLE_BLOCKS; n++) {
+            t->start[i * t->stride + at + n] = vf_set(0.0f);
+        }
+    }
+}
+
+/* Row r, whose columns are at block `at` of the tables, if it has any there. */
+VEC_INLINE void put_row(const struct row_octave *o, const struct tables *t, size_t r, size_t at,
+                        const struct target *to, struct variant v, enum put put)
+{
+    const struct along_row row = row_of(&o->rows, r, v.dimensions);
+    if (put != PUT_STREAM && o->x.kind == WIDE) {
+        wide_row(&o->x, &row, to, v, put);
+    } else if (VF_TABLE > VEC_LANES && o->x.kind == SLIDES) {
+        slide_row(&o->x, &row, to, v, put);
+    } else {
+        table_row(&o->x, t, at, to, v, put);
+    }
+}
+
+/* As many rows at a time as the tables have room for: first all their columns, then all their
+   samples, so that neither waits for the other. */
+VEC_INLINE void rows_run(const struct row_octave *o, size_t rows, const struct weights *weights,
+                         const struct outputs *outputs, enum put put, struct variant v)
+{
+    struct target to = {*outputs, *weights};
+    const int tables = o->x.kind == TABLES;
+    const size_t lines = line_count(v.dimensions, v.order) * (flat(v) ? 1 : 2);
+    const struct tables t = {o->table, tables ? o->table_size / lines : 0};
+    const size_t column_blocks = tables ? o->x.column_blocks : 0;
+    size_t room = rows;
+    if (tables) {
+        room = least(rows, (t.stride - TABLE_BLOCKS) / column_blocks);
+        clear_beyond(&t, lines, room * column_blocks);
+    }
+    for (size_t begin = 0; begin < rows; begin += room) {
+        const size_t end = least(rows, begin + room);
+        for (size_t r = begin; tables && r < end; r++) {
+            const struct along_row row = row_of(&o->rows, r, v.dimensions);
+            reduce_row(&t, &o->x, (r - begin) * column_blocks, &row, v);
+        }
+        for (size_t r = begin; r < end; r++) {
+            const size_t at = (r - begin) * column_blocks;
+            if (put == PUT_STREAM && o->x.kind != WIDE) {
+                put_row(o, &t, r, at, &to, v, PUT_STREAM);
+            } else if (put != PUT_ADD) {
+                put_row(o, &t, r, at, &to, v, PUT_FIRST);
+            } else {
+                put_row(o, &t, r, at, &to, v, PUT_ADD);
+            }
+            outputs_next_row(&to.outputs, v);
+        }
+    }
+}
+
+/* An octave on `rows` rows is added to `to`, or put there. */
+typedef void rows_pass(const struct row_octave *octave, size_t rows, const struct weights *weights,
+                       const struct outputs *to, enum put put);
+
+#define ROWS_PASS(name, basis, dimensions, order)                                                  \
+    static void name(const struct row_octave *octave, size_t rows, const struct weights *weights,  \
+                     const struct outputs *to, enum put put)                                       \
+    {                                                                                              \
+        const struct variant v = {basis, dimensions, order};                                       \
+        rows_run(octave, rows, weights, to, put, v);                                               \
+    }
+#define ROWS_PASSES(name, basis)                                                                   \
+    ROWS_PASS(name##2_rows0, basis, 2, 0)                                                          \
+    ROWS_PASS(name##2_rows1, basis, 2, 1)                                                          \
+    ROWS_PASS(name##2_rows2, basis, 2, 2)                                                          \
+    ROWS_PASS(name##3_rows0, basis, 3, 0)                                                          \
+    ROWS_PASS(name##3_rows1, basis, 3, 1)                                                          \
+    ROWS_PASS(name##3_rows2, basis, 3, 2)
+
+ROWS_PASSES(gradient, SCARP_GRADIENT)
+ROWS_PASSES(value, SCARP_VALUE)
+
+#undef ROWS_PASS
+#undef ROWS_PASSES
+
+#endif

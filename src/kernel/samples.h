@@ -1,0 +1,183 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The outputs at a block of VEC_LANES points, and where they come from and go to: what the
+ * stages hand to each other. Included by the other files of src/kernel.
+ */
+#ifndef SCARP_KERNEL_SAMPLES_H
+#define SCARP_KERNEL_SAMPLES_H
+
+#include "../outputs.h"
+#include "../plan.h"
+
+/* What a pass is compiled for; a constant wherever it is passed on. */
+struct variant {
+    enum scarp_basis basis;
+    int dimensions, order; /* order: the highest derivative */
+};
+
+/* Members beyond the order and the dimensions of the variant are unset. */
+struct sample {
+    vf value, dx, dy, dz, dxx, dxy, dxz, dyy, dyz, dzz;
+};
+
+/* DO(output, member of struct sample, order of the output) for the outputs of variant v. */
+#define EACH_OUTPUT(v, DO)                                                                         \
+    do {                                                                                           \
+        DO(VALUE, value, 0);                                                                       \
+        if ((v).order >= 1) {                                                                      \
+            DO(DX, dx, 1);                                                                         \
+            DO(DY, dy, 1);                                                                         \
+            if ((v).dimensions == 3) {                                                             \
+                DO(DZ, dz, 1);                                                                     \
+            }                                                                                      \
+        }                                                                                          \
+        if ((v).order >= 2) {                                                                      \
+            DO(DXX, dxx, 2);                                                                       \
+            DO(DXY, dxy, 2);                                                                       \
+            DO(DYY, dyy, 2);                                                                       \
+            if ((v).dimensions == 3) {                                                             \
+                DO(DXZ, dxz, 2);                                                                   \
+                DO(DYZ, dyz, 2);                                                                   \
+                DO(DZZ, dzz, 2);                                                                   \
+            }                                                                                      \
+        }                                                                                          \
+    } while (0)
+
+/* Vectors of a sample that is stored without its unset members. */
+static size_t sample_size(int dimensions, int order)
+{
+    static const unsigned char sizes[2][3] = {{1, 3, 6}, {1, 4, 10}};
+    return sizes[dimensions - 2][order];
+}
+
+/* Where an output is in a stored sample. */
+VEC_INLINE int stored_at(int output, int dimensions)
+{
+    return dimensions == 3 || output < DZ ? output : output == DYY ? 5 : output - 1;
+}
+
+VEC_INLINE struct sample sample_load(const vf *stored, struct variant v)
+{
+    struct sample s;
+#define DO(i, member, rank) s.member = stored[stored_at(i, v.dimensions)]
+    EACH_OUTPUT(v, DO);
+#undef DO
+    return s;
+}
+
+VEC_INLINE void sample_store(vf *stored, const struct sample *s, struct variant v)
+{
+#define DO(i, member, rank) stored[stored_at(i, v.dimensions)] = s->member
+    EACH_OUTPUT(v, DO);
+#undef DO
+}
+
+/* Where samples are, or go: block b of row r of output i is at array[i] + r * row[i] + b * block
+   floats. An output that nobody asked for has one row, which all rows share. */
+struct outputs {
+    float *array[OUTPUTS];
+    size_t row[OUTPUTS];
+    size_t block;
+};
+
+/* How much of it. */
+struct extent {
+    size_t rows, blocks; /* blocks of each row */
+};
+
+/* Moves on by a row. */
+VEC_INLINE void outputs_next_row(struct outputs *outputs, struct variant v)
+{
+#define DO(i, member, rank) outputs->array[i] += outputs->row[i]
+    EACH_OUTPUT(v, DO);
+#undef DO
+}
+
+/* Samples that are stored one after the other, `blocks` to a row. (These fill in a structure
+   because copies of it, in wide vectors, wait until what was written in narrow ones has left the
+   core.) */
+static void outputs_stored(struct outputs *to, vf *stored, int dimensions, int order, size_t blocks)
+{
+    to->block = sample_size(dimensions, order) * VEC_LANES;
+    for (int i = 0; i < OUTPUTS; i++) {
+        to->array[i] = (float *)(stored + stored_at(i, dimensions));
+        to->row[i] = blocks * to->block;
+    }
+}
+
+/* The caller's arrays from sample `first` on, rows `row` apart. `spare`, which has room for a row,
+   takes what nobody asked for. */
+static void outputs_of(struct outputs *to, const struct scarp_outputs *out, size_t first,
+                       size_t row, vf *spare)
+{
+    to->block = VEC_LANES;
+    for (int i = 0; i < OUTPUTS; i++) {
+        const int asked = out->array[i] != NULL;
+        to->array[i] = asked ? out->array[i] + first : (float *)spare;
+        to->row[i] = asked ? row : 0;
+    }
+}
+
+/* Sums so far: stored samples, `step` bytes apart (not vectors: gcc 12 would make a copy of every
+   loop for a step of 1). A step of 0 says that there are none yet. */
+struct sums {
+    const vf *stored;
+    size_t step;
+};
+
+static const struct sums no_sums = {NULL, 0};
+
+VEC_INLINE struct sums sums_next(struct sums sums)
+{
+    sums.stored = (const vf *)((const char *)sums.stored + sums.step);
+    return sums;
+}
+
+/* What values, gradients and Hessians are multiplied by. */
+struct weights {
+    float factor[3];
+};
+
+/* to = from + weights * s at a block, `at` floats from the beginning of the row. One branch for
+   all outputs, always the same in a pass: a second loop would double the code. */
+VEC_INLINE void add_sample(const struct outputs *to, size_t at, struct sums from,
+                           const struct weights *w, const struct sample *s, struct variant v)
+{
+#define TERM(member, rank) (vf_set(w->factor[rank]) * s->member)
+#define FIRST(i, member, rank) vf_store(to->array[i] + at, TERM(member, rank))
+#define ADD(i, member, rank)                                                                       \
+    vf_store(to->array[i] + at, from.stored[stored_at(i, v.dimensions)] + TERM(member, rank))
+    if (from.step == 0) {
+        EACH_OUTPUT(v, FIRST);
+    } else {
+        EACH_OUTPUT(v, ADD);
+    }
+#undef ADD
+#undef FIRST
+#undef TERM
+}
+
+/* How a row of a grid is put: added to what is there, stored, or stored past the caches. The last
+   is for an only octave, at arrays that are aligned to a vector and too many for the caches, where
+   an ordinary store would first fetch what it is about to replace. */
+enum put { PUT_ADD, PUT_FIRST, PUT_STREAM };
+
+VEC_INLINE void put_block(float *to, vf term, enum put put)
+{
+    if (put == PUT_STREAM) {
+        vf_stream(to, term);
+    } else {
+        vf_store(to, put == PUT_FIRST ? term : vf_load(to) + term);
+    }
+}
+
+/* The same as add_sample, in place. */
+VEC_INLINE void put_sample(const struct outputs *to, size_t at, const struct weights *w,
+                           const struct sample *s, struct variant v, enum put put)
+{
+#define DO(i, member, rank) put_block(to->array[i] + at, vf_set(w->factor[rank]) * s->member, put)
+    EACH_OUTPUT(v, DO);
+#undef DO
+}
+
+#endif

@@ -1,0 +1,52 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Stage 3, the shape: what the fractals make of the noise of each octave. Included by ../driver.h.
+ * fBm with straight axes needs none: the basis is added to the sums as it is.
+ *
+ * A fractal is a file with its pass (turn.h has the type) and a line in `shapes`.
+ */
+#ifndef SCARP_KERNEL_SHAPE_H
+#define SCARP_KERNEL_SHAPE_H
+
+#include "erosion.h"
+
+struct shape {
+    shape_pass *pass[2][3]; /* by [dimensions - 2][order]; NULL: the noise is added as it is */
+    int extra_order;        /* derivatives of the basis that it needs beyond those asked for */
+    int own_axes;           /* whether it takes them in the octave's own axes, times a_k alone */
+};
+
+static const struct shape shapes[] = {
+    [SCARP_FBM] = {.extra_order = 0},
+    [SCARP_TURBULENCE] = {.pass = {{turbulence2_order0, turbulence2_order1, turbulence2_order2},
+                                   {turbulence3_order0, turbulence3_order1, turbulence3_order2}}},
+    [SCARP_RIDGED] = {.pass = {{ridged2_order0, ridged2_order1, ridged2_order2},
+                               {ridged3_order0, ridged3_order1, ridged3_order2}}},
+    [SCARP_EROSION] = {.pass = {{erosion2_order0, erosion2_order1, NULL},
+                                {erosion3_order0, erosion3_order1, NULL}},
+                       .extra_order = 1,
+                       .own_axes = 1},
+};
+
+/* Vectors of state for a block. */
+static size_t state_size(const struct scarp_plan *plan, int dimensions)
+{
+    switch (plan->fractal) {
+    case SCARP_RIDGED: return sample_size(dimensions, plan->order);
+    case SCARP_EROSION: return erosion_size(dimensions, plan->order);
+    default: return 0;
+    }
+}
+
+/* What the first octave finds: weights of 1 for ridged noise, no slopes for erosion. */
+static void state_begin(const struct scarp_plan *plan, vf *state, size_t size, size_t blocks)
+{
+    for (size_t i = 0; i < size * blocks; i++) {
+        state[i] = vf_set(0.0f);
+    }
+    for (size_t b = 0; plan->fractal == SCARP_RIDGED && b < blocks; b++) {
+        state[b * size] = vf_set(1.0f);
+    }
+}
+
+#endif

@@ -1,0 +1,51 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Reference: the sum of the octaves at one point. Included by table.c.
+ */
+#ifndef SCARP_SCALAR_DRIVER_H
+#define SCARP_SCALAR_DRIVER_H
+
+#include "erosion.h"
+
+/* What goes from octave to octave. */
+struct state {
+    struct sample weight; /* ridged */
+    struct slopes slopes; /* erosion */
+};
+
+/* Octave k, as it is added to the sum. */
+static struct sample octave_at(const struct scarp_plan *plan, int k, const struct point *x,
+                               int dimensions, struct state *state)
+{
+    const struct scarp_octave *const o = &plan->octave[k];
+    const int turned = is_turned(plan, k);
+    const struct place place = place_of(o, turned, x, dimensions);
+    const struct sample basis = basis_at(plan, o, &place, dimensions);
+    struct sample n = in_input(o, turned, &basis, dimensions);
+    switch (plan->fractal) {
+    case SCARP_FBM: return n;
+    case SCARP_TURBULENCE: n = magnitude(&n); break;
+    case SCARP_RIDGED: n = ridge(&state->weight, &n); break;
+    case SCARP_EROSION:
+        n = scaled(&basis, o->amplitude, o->amplitude, o->amplitude);
+        n = erode(&state->slopes, plan->erosion, o, turned, &n, dimensions);
+        break;
+    }
+    return scaled(&n, o->weight, o->weight, o->weight);
+}
+
+static struct sample sum_octaves(const struct scarp_plan *plan, const struct point *x,
+                                 int dimensions)
+{
+    struct state state = {.weight = {{[VALUE] = 1.0f}}};
+    struct sample sum = octave_at(plan, 0, x, dimensions, &state);
+    for (int k = 1; k < plan->octaves; k++) {
+        const struct sample s = octave_at(plan, k, x, dimensions, &state);
+        for (int i = 0; i < OUTPUTS; i++) {
+            sum.of[i] += s.of[i];
+        }
+    }
+    return sum;
+}
+
+#endif

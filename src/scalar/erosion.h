@@ -1,0 +1,51 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Reference: erosion-like noise, q n with q = 1 / (1 + erosion d.d), and its gradient
+ *
+ *     q J^T g - 2 erosion n q^2 D^T d
+ *
+ * where d is the sum of the gradients g of the octaves so far, each in its own axes, and D its
+ * Jacobian with respect to the input. Included by driver.h.
+ */
+#ifndef SCARP_SCALAR_EROSION_H
+#define SCARP_SCALAR_EROSION_H
+
+#include "ridged.h"
+
+/* The sum of the gradients, and jacobian[i][j] = d d_i / d x_j. */
+struct slopes {
+    float d[3], jacobian[3][3];
+};
+
+static inline float dot(const float a[3], const float b[3], int dimensions)
+{
+    const float d = a[0] * b[0] + a[1] * b[1];
+    return dimensions == 3 ? d + a[2] * b[2] : d;
+}
+
+/* n has its gradient and its Hessian in the octave's own axes. */
+static inline struct sample erode(struct slopes *slopes, float erosion,
+                                  const struct scarp_octave *o, int turned, const struct sample *n,
+                                  int dimensions)
+{
+    float *const d = slopes->d;
+    for (int i = 0; i < dimensions; i++) {
+        d[i] += n->of[DX + i];
+    }
+    const float q = 1.0f / (1.0f + erosion * dot(d, d, dimensions));
+    const float damping = 2.0f * erosion * n->of[VALUE] * (q * q);
+    struct sample s = {{[VALUE] = q * n->of[VALUE]}};
+    for (int j = 0; j < dimensions; j++) {
+        float column[3] = {0.0f, 0.0f, 0.0f}; /* column j of D */
+        for (int i = 0; i < dimensions; i++) {
+            const float row[3] = {n->of[second(i, 0)], n->of[second(i, 1)], n->of[second(i, 2)]};
+            slopes->jacobian[i][j] += to_input(o, turned, j, row, dimensions);
+            column[i] = slopes->jacobian[i][j];
+        }
+        s.of[DX + j] = q * to_input(o, turned, j, &n->of[DX], dimensions) -
+                       damping * dot(column, d, dimensions);
+    }
+    return s;
+}
+
+#endif

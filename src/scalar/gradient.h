@@ -1,0 +1,131 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Reference: gradient noise (Perlin 1985, 2002).
+ *
+ *     n(t) = sum over corners c of W_c(t) g_c . (t - c)
+ *
+ * with W the products of the fades; columns.h has the order of operations, tests/oracle.c the
+ * published form. Included by basis.h.
+ */
+#ifndef SCARP_SCALAR_GRADIENT_H
+#define SCARP_SCALAR_GRADIENT_H
+
+#include "columns.h"
+
+/* The 16 directions 11.25 degrees + k * 22.5: cosine and sine. Bit 3 of the index is the sign of x,
+   bit 0 that of y. */
+#define COS_1 0.980785280f /* cos 11.25 */
+#define COS_3 0.831469612f /* cos 33.75 */
+#define COS_5 0.555570233f /* cos 56.25 */
+#define COS_7 0.195090322f /* cos 78.75 */
+
+static const float directions2[16][2] = {
+    {COS_1, COS_7},  {COS_1, -COS_7},  {COS_3, COS_5},  {COS_3, -COS_5},
+    {COS_5, COS_3},  {COS_5, -COS_3},  {COS_7, COS_1},  {COS_7, -COS_1},
+    {-COS_1, COS_7}, {-COS_1, -COS_7}, {-COS_3, COS_5}, {-COS_3, -COS_5},
+    {-COS_5, COS_3}, {-COS_5, -COS_3}, {-COS_7, COS_1}, {-COS_7, -COS_1},
+};
+
+/* The 12 edges of a cube, the directions of improved noise (Perlin 2002), which draws four of them
+   twice as often. Here the upper half of the hash, times 12, chooses: any two are drawn equally
+   often within 1 in 5461, so that the noise is the same along all axes. Twice as long as there,
+   because then only the first byte of each component is not 0, and tables of bytes serve; products
+   are exact. */
+static const float directions3[12][3] = {
+    {2, 2, 0},  {2, -2, 0},  {-2, 2, 0}, {-2, -2, 0}, {2, 0, 2},  {2, 0, -2},
+    {-2, 0, 2}, {-2, 0, -2}, {0, 2, 2},  {0, 2, -2},  {0, -2, 2}, {0, -2, -2},
+};
+
+static inline const float *direction2(uint32_t hash)
+{
+    return directions2[hash >> 28];
+}
+
+static inline const float *direction3(uint32_t hash)
+{
+    return directions3[(hash >> 16) * 12 >> 16];
+}
+
+/* Column x of the cell: v is the fade along y. */
+static inline struct column gradient_column2(const uint32_t key[3], uint32_t x,
+                                             const struct place *p, struct fade v)
+{
+    const float *const g0 = direction2(hash2(key, x, p->cell[1]));
+    const float *const g1 = direction2(hash2(key, x, p->cell[1] + 1));
+    const float y = p->t[1];
+    const float dgx = g1[0] - g0[0];
+    const float dot0 = g0[1] * y;
+    const float dot1 = g1[1] * (y - 1.0f);
+    const float ddot = dot1 - dot0;
+    const struct column c = {
+        .value = {g0[0] + v.u * dgx, dot0 + v.u * ddot},
+        .y = {v.du * dgx, mix(g0[1], g1[1], v.u) + v.du * ddot},
+        .yy = {v.ddu * dgx, 2.0f * v.du * (g1[1] - g0[1]) + v.ddu * ddot},
+    };
+    return c;
+}
+
+/* The lattice edge along z at (x, y): interpolated over z, w being the fade along z. */
+struct edge {
+    struct line value; /* in x */
+    float z, zz;       /* first and second z derivative of value.b */
+    float gy, dgy;     /* y component of the gradient, and its z derivative */
+    float dgx;         /* difference of the x components of the corners */
+};
+
+static inline struct edge gradient_edge(const uint32_t key[3], uint32_t x, uint32_t y, uint32_t z,
+                                        float ty, float tz, struct fade w)
+{
+    const float *const g0 = direction3(hash3(key, x, y, z));
+    const float *const g1 = direction3(hash3(key, x, y, z + 1));
+    const float dgx = g1[0] - g0[0];
+    const float dgy = g1[1] - g0[1];
+    const float dgz = g1[2] - g0[2];
+    const float dot0 = g0[1] * ty + g0[2] * tz;
+    const float dot1 = g1[1] * ty + g1[2] * (tz - 1.0f);
+    const float ddot = dot1 - dot0;
+    const struct edge e = {
+        .value = {g0[0] + w.u * dgx, dot0 + w.u * ddot},
+        .z = (g0[2] + w.u * dgz) + w.du * ddot,
+        .zz = 2.0f * w.du * dgz + w.ddu * ddot,
+        .gy = g0[1] + w.u * dgy,
+        .dgy = w.du * dgy,
+        .dgx = dgx,
+    };
+    return e;
+}
+
+static inline struct column gradient_column3(const uint32_t key[3], uint32_t x,
+                                             const struct place *p, struct fade v, struct fade w)
+{
+    const float y = p->t[1], z = p->t[2];
+    const uint32_t *const cell = p->cell;
+    const struct edge e0 = gradient_edge(key, x, cell[1], cell[2], y, z, w);
+    const struct edge e1 = gradient_edge(key, x, cell[1] + 1, cell[2], y - 1.0f, z, w);
+    const float da = e1.value.a - e0.value.a;
+    const float db = e1.value.b - e0.value.b;
+    const float dgy = e1.gy - e0.gy;
+    const float dz = e1.z - e0.z;
+    const float ddgx = e1.dgx - e0.dgx;
+    const float dgx = e0.dgx + v.u * ddgx; /* interpolated over y */
+    const struct column c = {
+        .value = {e0.value.a + v.u * da, e0.value.b + v.u * db},
+        .y = {v.du * da, (e0.gy + v.u * dgy) + v.du * db},
+        .z = {w.du * dgx, e0.z + v.u * dz},
+        .yy = {v.ddu * da, 2.0f * v.du * dgy + v.ddu * db},
+        .yz = {v.du * (w.du * ddgx), mix(e0.dgy, e1.dgy, v.u) + v.du * dz},
+        .zz = {w.ddu * dgx, mix(e0.zz, e1.zz, v.u)},
+    };
+    return c;
+}
+
+static inline struct column gradient_column(const uint32_t key[3], uint32_t x,
+                                            const struct place *p, enum scarp_fade kind,
+                                            int dimensions)
+{
+    const struct fade v = fade(kind, p->t[1]);
+    return dimensions == 2 ? gradient_column2(key, x, p, v)
+                           : gradient_column3(key, x, p, v, fade(kind, p->t[2]));
+}
+
+#endif

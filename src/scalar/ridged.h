@@ -1,0 +1,53 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Reference: ridged noise, s = v (1 - |n|)^2, with the weights v_0 = 1, v_{k+1} = min(1, 2 s_k).
+ * Included by erosion.h.
+ */
+#ifndef SCARP_SCALAR_RIDGED_H
+#define SCARP_SCALAR_RIDGED_H
+
+#include "turbulence.h"
+
+/* First and second derivative of v r^2, r = 1 - m, along i and along i and j:
+       r^2 v_i - 2 v r m_i
+       r^2 v_ij - 2 r (v_i m_j + v_j m_i) + 2 v m_i m_j - 2 v r m_ij */
+static inline float ridge_first(const struct sample *v, const struct sample *m, float r, int i)
+{
+    return r * r * v->of[DX + i] - 2.0f * v->of[VALUE] * r * m->of[DX + i];
+}
+
+static inline float ridge_second(const struct sample *v, const struct sample *m, float r, int i,
+                                 int j)
+{
+    const float vi = v->of[DX + i], vj = v->of[DX + j], vij = v->of[second(i, j)];
+    const float mi = m->of[DX + i], mj = m->of[DX + j], mij = m->of[second(i, j)];
+    return (r * r * vij - 2.0f * r * (vi * mj + vj * mi)) +
+           (2.0f * v->of[VALUE] * (mi * mj) - 2.0f * v->of[VALUE] * r * mij);
+}
+
+/* 2 s, but 1 where that is more. */
+static inline struct sample next_weight(const struct sample *s)
+{
+    if (!(2.0f * s->of[VALUE] < 1.0f)) {
+        return (struct sample){{[VALUE] = 1.0f}};
+    }
+    return scaled(s, 2.0f, 2.0f, 2.0f);
+}
+
+/* `weight` is that of this octave, then that of the next. */
+static inline struct sample ridge(struct sample *weight, const struct sample *n)
+{
+    const struct sample m = magnitude(n);
+    const float r = 1.0f - m.of[VALUE];
+    struct sample s = {{[VALUE] = weight->of[VALUE] * (r * r)}};
+    for (int i = 0; i < 3; i++) {
+        s.of[DX + i] = ridge_first(weight, &m, r, i);
+        for (int j = i; j < 3; j++) {
+            s.of[second(i, j)] = ridge_second(weight, &m, r, i, j);
+        }
+    }
+    *weight = next_weight(&s);
+    return s;
+}
+
+#endif

@@ -1,0 +1,129 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The scalar kernels: the reference that every other kernel set must equal bit for bit. One point
+ * at a time, in plain C, written to be read and not to be fast; shares nothing with src/kernel.
+ */
+#include <math.h>
+
+#include "../kernels.h"
+#include "driver.h"
+
+static void put(const struct scarp_outputs *out, size_t i, const struct sample *s)
+{
+    for (int output = 0; output < OUTPUTS; output++) {
+        if (out->array[output] != NULL) {
+            out->array[output][i] = s->of[output];
+        }
+    }
+}
+
+static void points(const struct scarp_plan *plan, size_t count, const void *const position[3],
+                   const struct scarp_outputs *out, int dimensions, int doubles)
+{
+    for (size_t i = 0; i < count; i++) {
+        struct point x = {.doubles = doubles};
+        for (int d = 0; d < dimensions; d++) {
+            if (doubles) {
+                x.f64[d] = ((const double *)position[d])[i];
+            } else {
+                x.f32[d] = ((const float *)position[d])[i];
+            }
+        }
+        const struct sample sum = sum_octaves(plan, &x, dimensions);
+        put(out, i, &sum);
+    }
+}
+
+static void points2_f32(const struct scarp_plan *plan, size_t count, const void *const position[3],
+                        const struct scarp_outputs *out)
+{
+    points(plan, count, position, out, 2, 0);
+}
+
+static void points2_f64(const struct scarp_plan *plan, size_t count, const void *const position[3],
+                        const struct scarp_outputs *out)
+{
+    points(plan, count, position, out, 2, 1);
+}
+
+static void points3_f32(const struct scarp_plan *plan, size_t count, const void *const position[3],
+                        const struct scarp_outputs *out)
+{
+    points(plan, count, position, out, 3, 0);
+}
+
+static void points3_f64(const struct scarp_plan *plan, size_t count, const void *const position[3],
+                        const struct scarp_outputs *out)
+{
+    points(plan, count, position, out, 3, 1);
+}
+
+static double coordinate(const struct scarp_grid *grid, int axis, size_t index)
+{
+    return grid->origin[axis] + (double)(grid->first[axis] + (int64_t)index) * grid->step[axis];
+}
+
+static void grid2(const struct scarp_plan *plan, const struct scarp_grid *grid,
+                  const struct scarp_outputs *out)
+{
+    struct point x = {.doubles = 1};
+    for (size_t j = 0; j < grid->count[1]; j++) {
+        x.f64[1] = coordinate(grid, 1, j);
+        for (size_t i = 0; i < grid->count[0]; i++) {
+            x.f64[0] = coordinate(grid, 0, i);
+            const struct sample sum = sum_octaves(plan, &x, 2);
+            put(out, j * grid->row_stride + i, &sum);
+        }
+    }
+}
+
+static void grid3(const struct scarp_plan *plan, const struct scarp_grid *grid,
+                  const struct scarp_outputs *out)
+{
+    struct point x = {.doubles = 1};
+    for (size_t k = 0; k < grid->count[2]; k++) {
+        x.f64[2] = coordinate(grid, 2, k);
+        for (size_t j = 0; j < grid->count[1]; j++) {
+            x.f64[1] = coordinate(grid, 1, j);
+            for (size_t i = 0; i < grid->count[0]; i++) {
+                x.f64[0] = coordinate(grid, 0, i);
+                const struct sample sum = sum_octaves(plan, &x, 3);
+                put(out, k * grid->slice_stride + j * grid->row_stride + i, &sum);
+            }
+        }
+    }
+}
+
+/* n = (-s dx, -s dy, 1) / length. The products of floats are exact in double and their squares do
+   not overflow. 1 / length is length / length^2, so that infinite inputs give NaN. */
+static void normals(size_t count, const float *dx, const float *dy, float height_scale, float *nx,
+                    float *ny, float *nz)
+{
+    const double s = -(double)height_scale;
+    for (size_t i = 0; i < count; i++) {
+        const double x = s * (double)dx[i];
+        const double y = s * (double)dy[i];
+        const double squares = x * x + y * y + 1.0;
+        const double inverse = sqrt(squares) / squares;
+        if (nx != NULL) {
+            nx[i] = (float)(x * inverse);
+        }
+        if (ny != NULL) {
+            ny[i] = (float)(y * inverse);
+        }
+        if (nz != NULL) {
+            nz[i] = (float)inverse;
+        }
+    }
+}
+
+const struct scarp_kernels scarp_kernels_scalar = {
+    .isa = SCARP_ISA_SCALAR,
+    .points2_f32 = points2_f32,
+    .points2_f64 = points2_f64,
+    .points3_f32 = points3_f32,
+    .points3_f64 = points3_f64,
+    .grid2 = grid2,
+    .grid3 = grid3,
+    .normals = normals,
+};

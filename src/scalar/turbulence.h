@@ -1,0 +1,25 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Reference: turbulence, m = |n|. Included by ridged.h.
+ */
+#ifndef SCARP_SCALAR_TURBULENCE_H
+#define SCARP_SCALAR_TURBULENCE_H
+
+#include "turn.h"
+
+/* sign(n) a, and 0 where n is 0. */
+static inline float with_sign(float a, float n)
+{
+    return n == 0.0f ? 0.0f : signbit(n) ? -a : a;
+}
+
+static inline struct sample magnitude(const struct sample *n)
+{
+    struct sample m;
+    for (int i = 0; i < OUTPUTS; i++) {
+        m.of[i] = with_sign(n->of[i], n->of[VALUE]);
+    }
+    return m;
+}
+
+#endif
