@@ -28,27 +28,6 @@ static inline void test_texts(void)
     CHECK(strcmp(scarp_version(), version) == 0, "%s, header %s", scarp_version(), version);
 }
 
-/* The calls for any number */
-static inline const char *basis_name(int basis)
-{
-    return scarp_basis_name((enum scarp_basis)basis);
-}
-
-static inline const char *fade_name(int fade)
-{
-    return scarp_fade_name((enum scarp_fade)fade);
-}
-
-static inline const char *fractal_name(int fractal)
-{
-    return scarp_fractal_name((enum scarp_fractal)fractal);
-}
-
-static inline const char *isa_name(int isa)
-{
-    return scarp_isa_name((enum scarp_isa)isa);
-}
-
 /* `call` gives these names, which end in NULL, for 0, 1, ..., and NULL for all other numbers. */
 static inline void expect_names(const char *what, const char *(*call)(int),
                                 const char *const *names)

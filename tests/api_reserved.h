@@ -42,8 +42,7 @@ static inline enum scarp_status reserved_call(const struct reserved_test *t, int
     if (call < FUNCTIONS) {
         return function_call((enum function)call, &a->noise, t->points, t->in, &a->out);
     }
-    return call == FUNCTIONS ? scarp_grid2(&a->noise, &a->grid, &a->out)
-                             : scarp_grid3(&a->noise, &a->grid, &a->out);
+    return grid_call(call == FUNCTIONS ? 2 : 3, &a->noise, &a->grid, &a->out);
 }
 
 /* The layout, as a binding would write it down. */

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: MIT
  *
  * The settings and inputs that test_bits.c and test_golden.c run through. All inputs come from
- * integers, so they are the same on every compiler.
+ * integers, so they are the same on every compiler. Every case has a name, such as
+ * "2d/gradient/quintic/o1/f64/fbm/near", which seeds its noise, and the name of a class seeds the
+ * points: whatever is added to one of the lists leaves the other cases as they are.
  */
 #ifndef SCARP_TESTS_CASES_H
 #define SCARP_TESTS_CASES_H
 
-#include "check.h"
-
-#define CASES_OUTPUTS 10
+#include "outputs.h"
 
 /* The kinds of coordinates. */
 enum cases_class {
@@ -21,18 +21,14 @@ enum cases_class {
     CASES_CLASSES
 };
 
+static const char *const class_names[CASES_CLASSES] = {"near", "far",  "lattice",
+                                                       "tiny", "huge", "special"};
+
 struct cases_points {
     size_t count;
     float *f[3];
     double *d[3];
 };
-
-static inline float cases_bits_float(uint32_t bits)
-{
-    float value;
-    memcpy(&value, &bits, sizeof value);
-    return value;
-}
 
 static inline float cases_special(uint64_t random)
 {
@@ -40,7 +36,7 @@ static inline float cases_special(uint64_t random)
                                     0x7fc00000u, 0x7f7fffffu, 0xff7fffffu, 0x00000001u,
                                     0x4f000000u, 0xcf000000u, 0x4effffffu, 0x3f7fffffu};
     const unsigned count = (unsigned)(sizeof bits / sizeof bits[0]);
-    return cases_bits_float(bits[random % count]);
+    return float_of_bits(bits[random % count]);
 }
 
 /* A power of two times a 24-bit integer, exponent uniform in [lowest, highest]. */
@@ -72,19 +68,14 @@ static inline double cases_coordinate(enum cases_class class, uint64_t *state)
     }
 }
 
-/* `count` points of a class, as doubles and, rounded, as floats. Freed by the end of the program.
- */
+/* `count` points of a class, as doubles and, rounded, as floats. */
 static inline struct cases_points cases_make(enum cases_class class, size_t count)
 {
     struct cases_points points = {.count = count};
-    uint64_t state = 1000 + (uint64_t) class;
+    uint64_t state = fnv_text(class_names[class]);
     for (int axis = 0; axis < 3; axis++) {
-        points.f[axis] = malloc(count * sizeof(float));
-        points.d[axis] = malloc(count * sizeof(double));
-        if (points.f[axis] == NULL || points.d[axis] == NULL) {
-            printf("out of memory\n");
-            exit(EXIT_FAILURE);
-        }
+        points.f[axis] = check_allocate(count * sizeof(float));
+        points.d[axis] = check_allocate(count * sizeof(double));
     }
     for (size_t i = 0; i < count; i++) {
         for (int axis = 0; axis < 3; axis++) {
@@ -103,106 +94,102 @@ static inline void cases_free(struct cases_points *points)
     }
 }
 
-/* One call: the noise, what is asked, and of which function. */
+/* The points from number `first` on. */
+static inline struct inputs cases_inputs(const struct cases_points *points, size_t first)
+{
+    const struct inputs in = {{points->f[0] + first, points->f[1] + first, points->f[2] + first},
+                              {points->d[0] + first, points->d[1] + first, points->d[2] + first}};
+    return in;
+}
+
+/* One case: the noise, what is asked, and of which function. */
 struct cases_call {
+    char name[80];
     struct scarp_noise noise;
-    int dimensions, order, doubles;
+    enum function function;
+    unsigned wanted; /* outputs, by bits */
 };
 
-/* Every combination of dimensions, basis, fade, order and precision: of fBm with one octave, with
-   several, and with turned axes, which come with a fractional number of octaves, odd ratios and a
-   negative amplitude; of each other fractal with several octaves or turned axes by turns. Erosion
-   has no order 2; it has its order 1 twice. */
-#define CASES_KINDS 6
-#define CASES_CALLS (2 * 2 * 2 * 3 * 2 * CASES_KINDS)
+/* What each fractal is run with: one octave, for fBm only, where it shows the basis alone; several;
+   and turned axes, which come with a fractional number of octaves, odd ratios and a negative
+   amplitude. */
+enum cases_octaves { CASES_OCTAVE, CASES_OCTAVES, CASES_TURNED, CASES_SETTINGS };
 
-static inline void cases_turn(struct scarp_noise *noise)
+static const char *const setting_names[CASES_SETTINGS] = {"", "-octaves", "-turned"};
+
+static inline void cases_set(struct scarp_noise *noise, enum cases_octaves setting)
 {
-    noise->rotate = 1;
-    noise->octaves = 4.25f;
-    noise->frequency = 1.25;
-    noise->lacunarity = 1.875f;
-    noise->gain = 0.625f;
-    noise->amplitude = -3.5f;
+    if (setting == CASES_OCTAVES) {
+        noise->octaves = 5.0f;
+        noise->frequency = 0.375;
+    } else if (setting == CASES_TURNED) {
+        noise->rotate = 1;
+        noise->octaves = 4.25f;
+        noise->frequency = 1.25;
+        noise->lacunarity = 1.875f;
+        noise->gain = 0.625f;
+        noise->amplitude = -3.5f;
+    }
 }
 
-static inline struct cases_call cases_call(int index)
+/* The next digit of a number, base `radix`. */
+static inline int cases_digit(int *number, int radix)
 {
-    struct cases_call call;
-    memset(&call, 0, sizeof call);
-    call.dimensions = 2 + index % 2;
-    call.noise.basis = (enum scarp_basis)(index / 2 % 2);
-    call.noise.fade = (enum scarp_fade)(index / 4 % 2);
-    call.order = index / 8 % 3;
-    call.doubles = index / 24 % 2;
-    const int kind = index / 48;
-    call.noise.seed = (uint64_t)(unsigned)index * UINT64_C(0x123456789abcdef1);
-    if (kind == 2) {
-        cases_turn(&call.noise);
-    } else if (kind != 0) {
-        call.noise.octaves = 5.0f;
-        call.noise.frequency = 0.375;
-    }
-    if (kind > 2) {
-        call.noise.fractal = (enum scarp_fractal)(SCARP_TURBULENCE + kind - 3);
-        call.noise.erosion = 0.75f;
-        if ((index / 2 + index / 4 + index / 8 + kind) % 2 != 0) {
-            cases_turn(&call.noise);
-        }
-        if (call.noise.fractal == SCARP_EROSION && call.order == 2) {
-            call.order = 1;
-        }
-    }
-    return call;
+    const int digit = *number % radix;
+    *number /= radix;
+    return digit;
 }
 
-/* The outputs that a call computes, in `arrays`; the others NULL. */
-static inline struct scarp_samples cases_outputs(const struct cases_call *call,
-                                                 float *const *arrays)
+/* Case `number` of a class: 1; or 0 where there is no such case, -1 from the last one on. Numbers
+   are good for nothing but to go through all cases. */
+static inline int cases_make_call(struct cases_call *call, enum cases_class class, int number)
 {
-    static const int order_of[CASES_OUTPUTS] = {0, 1, 1, 1, 2, 2, 2, 2, 2, 2};
-    static const int along_z[CASES_OUTPUTS] = {0, 0, 0, 1, 0, 0, 1, 0, 1, 1};
-    float *wanted[CASES_OUTPUTS];
-    for (int m = 0; m < CASES_OUTPUTS; m++) {
-        const int there = order_of[m] <= call->order && !(call->dimensions == 2 && along_z[m]);
-        wanted[m] = there ? arrays[m] : NULL;
+    memset(call, 0, sizeof *call);
+    struct scarp_noise *const noise = &call->noise;
+    const int function = cases_digit(&number, FUNCTIONS);
+    const int order = cases_digit(&number, ORDERS);
+    const int setting = cases_digit(&number, CASES_SETTINGS);
+    noise->basis = (enum scarp_basis)cases_digit(&number, count_names(basis_name));
+    noise->fade = (enum scarp_fade)cases_digit(&number, count_names(fade_name));
+    noise->fractal = (enum scarp_fractal)cases_digit(&number, count_names(fractal_name));
+    noise->erosion = noise->fractal == SCARP_EROSION ? 0.75f : 0.0f;
+    call->function = (enum function)function;
+    const int dimensions = function_dimensions(call->function);
+    call->wanted = outputs_up_to(order, dimensions);
+    if (number > 0) {
+        return -1;
     }
-    const struct scarp_samples out = {.value = wanted[0],
-                                      .dx = wanted[1],
-                                      .dy = wanted[2],
-                                      .dz = wanted[3],
-                                      .dxx = wanted[4],
-                                      .dxy = wanted[5],
-                                      .dxz = wanted[6],
-                                      .dyy = wanted[7],
-                                      .dyz = wanted[8],
-                                      .dzz = wanted[9]};
-    return out;
+    if ((noise->fractal != SCARP_FBM && setting == CASES_OCTAVE) ||
+        (call->wanted & ~outputs_of(noise, call->function)) != 0) {
+        return 0;
+    }
+    snprintf(call->name, sizeof call->name, "%dd/%s/%s/o%d/%s/%s%s/%s", dimensions,
+             basis_name((int)noise->basis), fade_name((int)noise->fade), order,
+             function_doubles(call->function) ? "f64" : "f32", fractal_name((int)noise->fractal),
+             setting_names[setting], class_names[class]);
+    noise->seed = fnv_text(call->name);
+    cases_set(noise, (enum cases_octaves)setting);
+    return 1;
 }
 
-static inline enum scarp_status cases_run(const struct cases_call *call,
-                                          const struct cases_points *points, size_t first,
-                                          size_t count, const struct scarp_samples *out)
+/* for (int n = 0; cases_next(&call, class, &n);) goes through all cases of a class. */
+static inline int cases_next(struct cases_call *call, enum cases_class class, int *number)
 {
-    const float *const *const f = (const float *const *)points->f;
-    const double *const *const d = (const double *const *)points->d;
-    if (call->dimensions == 2) {
-        return call->doubles
-                   ? scarp_sample2_f64(&call->noise, count, d[0] + first, d[1] + first, out)
-                   : scarp_sample2(&call->noise, count, f[0] + first, f[1] + first, out);
+    int made = 0;
+    while (made == 0) {
+        made = cases_make_call(call, class, (*number)++);
     }
-    return call->doubles
-               ? scarp_sample3_f64(&call->noise, count, d[0] + first, d[1] + first, d[2] + first,
-                                   out)
-               : scarp_sample3(&call->noise, count, f[0] + first, f[1] + first, f[2] + first, out);
+    return made > 0;
 }
 
-/* The bits of a float, all NaNs alike. */
-static inline uint32_t cases_float_bits(float value)
+/* A call for `count` points from `first` on; it must not fail. */
+static inline void cases_run(const struct cases_call *call, const struct cases_points *points,
+                             size_t first, size_t count, const struct outputs *o)
 {
-    uint32_t bits;
-    memcpy(&bits, &value, sizeof bits);
-    return (bits & 0x7fffffffu) > 0x7f800000u ? 0x7fc00000u : bits;
+    const struct inputs in = cases_inputs(points, first);
+    const struct scarp_samples out = outputs_subset(o, call->wanted);
+    const enum scarp_status status = function_call(call->function, &call->noise, count, &in, &out);
+    CHECK(status == SCARP_OK, "%s: %s", call->name, scarp_status_text(status));
 }
 
 #endif

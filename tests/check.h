@@ -19,7 +19,13 @@
 #define CHECK_SKIPPED 77 /* ctest's SKIP_RETURN_CODE */
 #define CHECK_SHOWN 20   /* failures printed one by one */
 
-static long check_count, check_failures;
+/* What a test of the program's is to see. A mutant is a library with a deliberate mistake
+   (mutants.cmake): a test program catches it if it runs through, all else is in order, and a result
+   that CHECK_BITS compares differs. */
+enum check_aim { CHECK_SAME, CHECK_DIFFERENT, CHECK_CRASH };
+
+static enum check_aim check_aim;
+static long check_count, check_failures, check_differences;
 
 /* CHECK(condition, "printf format", ...): what failed, with the numbers that show it. */
 #define CHECK(condition, ...)                                                                      \
@@ -34,6 +40,17 @@ static long check_count, check_failures;
         }                                                                                          \
     } while (0)
 
+/* The same for what mistakes in kernels change: results. */
+#define CHECK_BITS(condition, ...)                                                                 \
+    do {                                                                                           \
+        if (check_aim != CHECK_DIFFERENT) {                                                        \
+            CHECK(condition, __VA_ARGS__);                                                         \
+        } else if (check_count++, !(condition) && check_differences++ == 0) {                      \
+            printf("differs: " __VA_ARGS__);                                                       \
+            printf("\n");                                                                          \
+        }                                                                                          \
+    } while (0)
+
 static inline void check_fail(const char *file, int line, const char *condition)
 {
     if (++check_failures <= CHECK_SHOWN) {
@@ -43,8 +60,79 @@ static inline void check_fail(const char *file, int line, const char *condition)
 
 static inline int check_done(void)
 {
+    const int seen = check_aim == CHECK_SAME || (check_aim == CHECK_DIFFERENT && check_differences);
     printf("%ld checks, %ld failed\n", check_count, check_failures);
-    return check_count > 0 && check_failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+    if (!seen) {
+        printf("%s\n", check_aim == CHECK_CRASH ? "did not crash" : "no result differs");
+    }
+    return seen && check_count > 0 && check_failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+}
+
+/* Takes --must-differ or --must-crash away from the arguments if it comes first. Returns how many
+   arguments are left; `*argv` still begins with something to be ignored. */
+static inline int check_take_aim(int argc, char ***argv)
+{
+    check_aim = argc < 2                                   ? CHECK_SAME
+                : strcmp((*argv)[1], "--must-differ") == 0 ? CHECK_DIFFERENT
+                : strcmp((*argv)[1], "--must-crash") == 0  ? CHECK_CRASH
+                                                           : CHECK_SAME;
+    const int taken = check_aim != CHECK_SAME;
+    *argv += taken;
+    return argc - taken;
+}
+
+/* FNV-1a */
+#define FNV_BASIS UINT64_C(0xcbf29ce484222325)
+
+static inline uint64_t fnv_byte(uint64_t hash, unsigned byte)
+{
+    return (hash ^ byte) * UINT64_C(0x100000001b3);
+}
+
+static inline uint64_t fnv_text(const char *text)
+{
+    uint64_t hash = FNV_BASIS;
+    for (; *text != '\0'; text++) {
+        hash = fnv_byte(hash, (unsigned char)*text);
+    }
+    return hash;
+}
+
+/* Unlike fmax, this keeps a NaN. */
+static inline double larger(double a, double b)
+{
+    return a > b || isnan(a) ? a : b;
+}
+
+/* The words of the library for any number. */
+static inline const char *basis_name(int basis)
+{
+    return scarp_basis_name((enum scarp_basis)basis);
+}
+
+static inline const char *fade_name(int fade)
+{
+    return scarp_fade_name((enum scarp_fade)fade);
+}
+
+static inline const char *fractal_name(int fractal)
+{
+    return scarp_fractal_name((enum scarp_fractal)fractal);
+}
+
+static inline const char *isa_name(int isa)
+{
+    return scarp_isa_name((enum scarp_isa)isa);
+}
+
+/* How many of a kind there are. */
+static inline int count_names(const char *(*name)(int))
+{
+    int count = 0;
+    while (name(count) != NULL) {
+        count++;
+    }
+    return count;
 }
 
 /* splitmix64 */
@@ -73,11 +161,7 @@ static inline double check_random_double(uint64_t *state, double span)
 /* How many enumerators enum scarp_isa has, SCARP_ISA_NONE among them. */
 static inline int check_isa_count(void)
 {
-    enum scarp_isa isa = SCARP_ISA_NONE;
-    while (scarp_isa_name(isa) != NULL) {
-        isa++;
-    }
-    return (int)isa;
+    return count_names(isa_name);
 }
 
 static inline enum scarp_isa check_isa_by_name(const char *name)

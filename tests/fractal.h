@@ -69,26 +69,18 @@ static inline void block_point(const struct block *block, size_t i, double x[3])
 static inline struct oracle_sample
 block_result(const struct block *block, const struct scarp_noise *noise, enum function f, size_t i)
 {
-    static const int axes[OUTPUTS][2] = {{0, 0}, {0, 0}, {1, 1}, {2, 2}, {0, 0},
-                                         {0, 1}, {0, 2}, {1, 1}, {1, 2}, {2, 2}};
     const unsigned mask = outputs_of(noise, f);
     struct oracle_sample n = {.value = (double)block->out.array[0][i]};
     for (int m = 1; m < OUTPUTS; m++) {
         const double v = (mask >> m & 1) != 0 ? (double)block->out.array[m][i] : 0.0;
-        const int a = axes[m][0], b = axes[m][1];
-        if (m < 4) {
+        const int a = output_kinds[m].axes[0], b = output_kinds[m].axes[1];
+        if (output_kinds[m].order == 1) {
             n.gradient[a] = v;
         } else {
             n.hessian[a][b] = n.hessian[b][a] = v;
         }
     }
     return n;
-}
-
-/* Unlike fmax, this keeps a NaN. */
-static inline double larger(double a, double b)
-{
-    return a > b || isnan(a) ? a : b;
 }
 
 /* The largest difference of any value [0], gradient [1] and Hessian [2] component. */

@@ -72,12 +72,6 @@ static void differences(const struct oracle *oracle, const struct scheme *scheme
     }
 }
 
-/* Unlike fmax, this keeps a NaN. */
-static double larger(double a, double b)
-{
-    return a > b || isnan(a) ? a : b;
-}
-
 /* The larger one of *worst and the errors at x: of the gradient [0], of the Hessian [1]. */
 static void compare(const struct oracle *oracle, const struct scheme *scheme, const double x[3],
                     double worst[2])

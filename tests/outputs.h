@@ -1,20 +1,55 @@
 /* SPDX-License-Identifier: MIT
  *
- * The four sample functions behind one call, arrays for all of their outputs, and comparison by
- * bits: what test_api.c, test_special.c, test_fpmode.c and test_threads.c have in common.
+ * The outputs in one list, the sample functions behind one call and the grids behind another,
+ * arrays for all outputs, comparison by bits: what all tests that call the library have in common.
  */
 #ifndef SCARP_TESTS_OUTPUTS_H
 #define SCARP_TESTS_OUTPUTS_H
 
 #include "check.h"
 
-#define OUTPUTS 10
-#define OUTPUTS_ALL2 0x0b7u /* the bits of the outputs that a 2D call has */
-#define OUTPUTS_ALL3 0x3ffu
+/* Every output, in the order of struct scarp_samples: its member, how often it is derived, and
+   along which axes (0, 1, 2; -1 where there is none). The only such list of the tests. */
+#define OUTPUTS_LIST(OUTPUT)                                                                       \
+    OUTPUT(value, 0, -1, -1)                                                                       \
+    OUTPUT(dx, 1, 0, -1)                                                                           \
+    OUTPUT(dy, 1, 1, -1)                                                                           \
+    OUTPUT(dz, 1, 2, -1)                                                                           \
+    OUTPUT(dxx, 2, 0, 0)                                                                           \
+    OUTPUT(dxy, 2, 0, 1)                                                                           \
+    OUTPUT(dxz, 2, 0, 2)                                                                           \
+    OUTPUT(dyy, 2, 1, 1)                                                                           \
+    OUTPUT(dyz, 2, 1, 2)                                                                           \
+    OUTPUT(dzz, 2, 2, 2)
+
+#define OUTPUT_NUMBER(name, order, a, b) OUTPUT_##name,
+#define OUTPUT_NAME(name, order, a, b) #name,
+#define OUTPUT_AXES(name, order, a, b) {order, {a, b}},
+#define OUTPUT_IN_PLANE(name, order, a, b) | ((a) < 2 && (b) < 2 ? 1u << OUTPUT_##name : 0)
+#define OUTPUT_MEMBER(name, order, a, b) .name = outputs_row(o, mask, OUTPUT_##name, first),
+
+enum { OUTPUTS_LIST(OUTPUT_NUMBER) OUTPUTS };
+
+static const char *const output_names[OUTPUTS] = {OUTPUTS_LIST(OUTPUT_NAME)};
+
+static const struct {
+    int order, axes[2];
+} output_kinds[OUTPUTS] = {OUTPUTS_LIST(OUTPUT_AXES)};
+
+#define ORDERS 3
+#define OUTPUTS_ALL2 (0u OUTPUTS_LIST(OUTPUT_IN_PLANE)) /* the bits of what a 2D call has */
+#define OUTPUTS_ALL3 ((1u << OUTPUTS) - 1)
 #define POISON 0xa5
 
-static const char *const output_names[OUTPUTS] = {"value", "dx",  "dy",  "dz",  "dxx",
-                                                  "dxy",   "dxz", "dyy", "dyz", "dzz"};
+/* The outputs up to the derivative `order`, by bits. */
+static inline unsigned outputs_up_to(int order, int dimensions)
+{
+    unsigned mask = dimensions == 2 ? OUTPUTS_ALL2 : OUTPUTS_ALL3;
+    for (int m = 0; m < OUTPUTS; m++) {
+        mask &= output_kinds[m].order > order ? ~(1u << m) : ~0u;
+    }
+    return mask;
+}
 
 enum function { SAMPLE2, SAMPLE3, SAMPLE2_F64, SAMPLE3_F64, FUNCTIONS };
 
@@ -39,7 +74,7 @@ static inline unsigned function_outputs(enum function f)
 /* Those that it has for this noise: erosion has no second derivatives. */
 static inline unsigned outputs_of(const struct scarp_noise *noise, enum function f)
 {
-    return function_outputs(f) & (noise->fractal == SCARP_EROSION ? 0xfu : OUTPUTS_ALL3);
+    return outputs_up_to(noise->fractal == SCARP_EROSION ? 1 : 2, function_dimensions(f));
 }
 
 /* Coordinates in both precisions; a function takes its own. */
@@ -60,7 +95,14 @@ static inline enum scarp_status function_call(enum function f, const struct scar
     }
 }
 
-/* Ten arrays of `capacity` floats. */
+static inline enum scarp_status grid_call(int dimensions, const struct scarp_noise *noise,
+                                          const struct scarp_grid *grid,
+                                          const struct scarp_samples *out)
+{
+    return dimensions == 2 ? scarp_grid2(noise, grid, out) : scarp_grid3(noise, grid, out);
+}
+
+/* An array of `capacity` floats for every output. */
 struct outputs {
     size_t capacity;
     float *array[OUTPUTS];
@@ -102,24 +144,21 @@ static inline void outputs_free(struct outputs *o)
     }
 }
 
-/* The members of `mask`; the others NULL. */
+static inline float *outputs_row(const struct outputs *o, unsigned mask, int m, size_t first)
+{
+    return (mask >> m & 1) != 0 ? o->array[m] + first : NULL;
+}
+
+/* The members of `mask`, from element `first` on; the others NULL. */
+static inline struct scarp_samples outputs_at(const struct outputs *o, unsigned mask, size_t first)
+{
+    const struct scarp_samples s = {OUTPUTS_LIST(OUTPUT_MEMBER)};
+    return s;
+}
+
 static inline struct scarp_samples outputs_subset(const struct outputs *o, unsigned mask)
 {
-    float *p[OUTPUTS];
-    for (int m = 0; m < OUTPUTS; m++) {
-        p[m] = (mask >> m & 1) != 0 ? o->array[m] : NULL;
-    }
-    const struct scarp_samples s = {.value = p[0],
-                                    .dx = p[1],
-                                    .dy = p[2],
-                                    .dz = p[3],
-                                    .dxx = p[4],
-                                    .dxy = p[5],
-                                    .dxz = p[6],
-                                    .dyy = p[7],
-                                    .dyz = p[8],
-                                    .dzz = p[9]};
-    return s;
+    return outputs_at(o, mask, 0);
 }
 
 /* Whether `bytes` bytes are all poison. */
@@ -171,19 +210,20 @@ static inline int is_finite_bits(const float *value)
 
 static inline size_t first_difference(const float *a, const float *b, size_t count)
 {
-    size_t i = 0;
+    size_t i = memcmp(a, b, count * sizeof *a) == 0 ? count : 0; /* the fast way first */
     while (i < count && float_bits(a + i) == float_bits(b + i)) {
         i++;
     }
     return i;
 }
 
-/* Whether the first `count` elements of the members of `mask` agree, and where they do not. */
+/* Whether the first `count` elements of the members of `mask` that are there agree, and where they
+   do not. */
 static inline int outputs_equal(const struct outputs *a, const struct outputs *b, unsigned mask,
                                 size_t count, int *member, size_t *index)
 {
     for (int m = 0; m < OUTPUTS; m++) {
-        if ((mask >> m & 1) != 0) {
+        if ((mask >> m & 1) != 0 && a->array[m] != NULL) {
             const size_t i = first_difference(a->array[m], b->array[m], count);
             if (i < count) {
                 *member = m;
@@ -202,14 +242,12 @@ static inline uint64_t outputs_hash(uint64_t hash, const struct outputs *o, unsi
     for (int m = 0; m < OUTPUTS; m++) {
         for (size_t i = 0; (mask >> m & 1) != 0 && i < count; i++) {
             const uint32_t bits = float_bits(o->array[m] + i);
-            for (int byte = 0; byte < 4; byte++) {
-                hash = (hash ^ (bits >> 8 * byte & 255)) * UINT64_C(0x100000001b3);
+            for (int shift = 0; shift < 32; shift += 8) {
+                hash = fnv_byte(hash, bits >> shift & 255);
             }
         }
     }
     return hash;
 }
-
-#define FNV_BASIS UINT64_C(0xcbf29ce484222325)
 
 #endif

@@ -4,90 +4,24 @@
  * continuity across lattice planes; values on lattice points; the normalisation.
  * Arguments: the number of points per case, and the instruction set.
  */
-#include "check.h"
-#include "oracle.h"
+#include "fractal.h"
 
-#define BLOCK 1000
-
-static const char *const basis_names[] = {"gradient", "value"};
-static const char *const fade_names[] = {"quintic", "cubic"};
-
-/* Points in both precisions (the same ones), and where the library writes. */
-static float points_f32[3][BLOCK];
-static double points_f64[3][BLOCK];
-static float outputs[10][BLOCK];
+static struct block *block;
 
 /* Samples the first `count` points by the call of that precision. */
 static void sample(const struct scarp_noise *noise, int dimensions, enum oracle_rounding precision,
                    size_t count)
 {
-    float(*const o)[BLOCK] = outputs;
-    for (size_t i = 0; i < 10 * BLOCK; i++) {
-        o[i / BLOCK][i % BLOCK] = NAN; /* an output that is not written must show */
-    }
-    struct scarp_samples out = {
-        .value = o[0], .dx = o[1], .dy = o[2], .dxx = o[4], .dxy = o[5], .dyy = o[7]};
-    enum scarp_status status;
-    if (dimensions == 3) {
-        out.dz = o[3];
-        out.dxz = o[6];
-        out.dyz = o[8];
-        out.dzz = o[9];
-    }
-    const float *const x = points_f32[0], *const y = points_f32[1], *const z = points_f32[2];
-    const double *const xd = points_f64[0], *const yd = points_f64[1], *const zd = points_f64[2];
-    if (precision == ORACLE_F32) {
-        status = dimensions == 2 ? scarp_sample2(noise, count, x, y, &out)
-                                 : scarp_sample3(noise, count, x, y, z, &out);
-    } else {
-        status = dimensions == 2 ? scarp_sample2_f64(noise, count, xd, yd, &out)
-                                 : scarp_sample3_f64(noise, count, xd, yd, zd, &out);
-    }
-    CHECK(status == SCARP_OK, "%s", scarp_status_text(status));
+    const enum function two = precision == ORACLE_F32 ? SAMPLE2 : SAMPLE2_F64;
+    const enum function three = precision == ORACLE_F32 ? SAMPLE3 : SAMPLE3_F64;
+    block_sample(block, noise, dimensions == 2 ? two : three, count);
 }
 
 /* What the library found for point i, in the oracle's form. */
 static void result(int dimensions, size_t i, struct oracle_sample *n)
 {
-    *n = (struct oracle_sample){.value = (double)outputs[0][i]};
-    int member = 4;
-    for (int a = 0; a < 3; a++) {
-        n->gradient[a] = a < dimensions ? (double)outputs[1 + a][i] : 0.0;
-        for (int b = a; b < 3; b++, member++) {
-            const double second = b < dimensions ? (double)outputs[member][i] : 0.0;
-            n->hessian[a][b] = n->hessian[b][a] = second;
-        }
-    }
-}
-
-/* Unlike fmax, this keeps a NaN. */
-static double larger(double a, double b)
-{
-    return a > b || isnan(a) ? a : b;
-}
-
-/* The largest difference of any value [0], gradient [1] and Hessian [2] component. */
-static void difference(const struct oracle_sample *p, const struct oracle_sample *q,
-                       double largest[3])
-{
-    largest[0] = fabs(p->value - q->value);
-    largest[1] = largest[2] = 0.0;
-    for (int i = 0; i < 3; i++) {
-        largest[1] = larger(largest[1], fabs(p->gradient[i] - q->gradient[i]));
-        for (int j = 0; j < 3; j++) {
-            largest[2] = larger(largest[2], fabs(p->hessian[i][j] - q->hessian[i][j]));
-        }
-    }
-}
-
-/* sum |a_k| f_k^order: what a difference of that order is measured in. */
-static double unit(const struct oracle *oracle, int order)
-{
-    double sum = 0.0;
-    for (int k = 0; k < oracle->octaves; k++) {
-        sum += fabs(oracle->octave[k].weight) * pow(oracle->octave[k].frequency, order);
-    }
-    return sum;
+    static const struct scarp_noise any = {0};
+    *n = block_result(block, &any, dimensions == 2 ? SAMPLE2 : SAMPLE3, i);
 }
 
 /*
@@ -134,10 +68,10 @@ static void random_points(uint64_t *random, enum oracle_rounding precision, size
     for (size_t i = 0; i < BLOCK; i++) {
         for (int axis = 0; axis < 3; axis++) {
             if (precision == ORACLE_F32) {
-                points_f32[axis][i] = check_random_float(random, fractals[fractal].span_f32);
-                points_f64[axis][i] = (double)points_f32[axis][i];
+                block->f[axis][i] = check_random_float(random, fractals[fractal].span_f32);
+                block->d[axis][i] = (double)block->f[axis][i];
             } else {
-                points_f64[axis][i] = check_random_double(random, fractals[fractal].span_f64);
+                block->d[axis][i] = check_random_double(random, fractals[fractal].span_f64);
             }
         }
     }
@@ -157,7 +91,7 @@ static void check_accuracy(size_t fractal, enum scarp_basis basis, enum scarp_fa
         random_points(&random, precision, fractal);
         sample(&noise, dimensions, precision, BLOCK);
         for (size_t i = 0; i < BLOCK; i++) {
-            const double x[3] = {points_f64[0][i], points_f64[1][i], points_f64[2][i]};
+            const double x[3] = {block->d[0][i], block->d[1][i], block->d[2][i]};
             struct oracle_sample expected, actual;
             double error[3];
             oracle_evaluate(&oracle, precision, x, &expected);
@@ -169,11 +103,11 @@ static void check_accuracy(size_t fractal, enum scarp_basis basis, enum scarp_fa
             }
         }
     }
-    printf("%-8s %dD %-7s %-4s %-18s", basis_names[basis], dimensions, fade_names[fade],
+    printf("%-8s %dD %-7s %-4s %-18s", basis_name((int)basis), dimensions, fade_name((int)fade),
            precision == ORACLE_F32 ? "f32" : "f64", fractals[fractal].name);
     for (int order = 0; order < 3; order++) {
-        const double max = largest[order] / unit(&oracle, order);
-        const double rms = sqrt(squares[order] / (double)points) / unit(&oracle, order);
+        const double max = largest[order] / fractal_unit(&oracle, order);
+        const double rms = sqrt(squares[order] / (double)points) / fractal_unit(&oracle, order);
         printf("  %.2e %.1e", max, rms);
         CHECK(max <= bounds[fade].max[order], "derivative %d: error %g", order, max);
         CHECK(rms <= bounds[fade].rms[order], "derivative %d: RMS error %g", order, rms);
@@ -208,7 +142,7 @@ static void check_continuity(enum scarp_basis basis, enum scarp_fade fade, int d
         for (int side = 0; side < 3; side++) {
             x[axis] = at + (side - 1) * step;
             for (int i = 0; i < 3; i++) {
-                points_f64[i][side] = x[i];
+                block->d[i][side] = x[i];
             }
         }
         sample(&noise, dimensions, ORACLE_F64, 3);
@@ -224,8 +158,8 @@ static void check_continuity(enum scarp_basis basis, enum scarp_fade fade, int d
             worst[order] = larger(worst[order], larger(down[order], up[order]) / allowed);
         }
     }
-    printf("%-8s %dD %-7s  jumps / allowed: %.2f  %.2f  %.2f\n", basis_names[basis], dimensions,
-           fade_names[fade], worst[0], worst[1], worst[2]);
+    printf("%-8s %dD %-7s  jumps / allowed: %.2f  %.2f  %.2f\n", basis_name((int)basis), dimensions,
+           fade_name((int)fade), worst[0], worst[1], worst[2]);
     CHECK(worst[0] <= 1.0, "the value jumps");
     CHECK(worst[1] <= 1.0, "the gradient jumps");
     CHECK((worst[2] <= 1.0) == (fade == SCARP_QUINTIC), "Hessian: %g of what is allowed", worst[2]);
@@ -245,15 +179,15 @@ static void check_lattice_points(enum scarp_basis basis, enum scarp_fade fade, i
             for (size_t i = 0; i < BLOCK; i++) {
                 for (int axis = 0; axis < 3; axis++) {
                     const float span = i % 2 == 0 ? 16.0f : 0x1p23f;
-                    points_f32[axis][i] = floorf(check_random_float(&random, span));
-                    points_f64[axis][i] = (double)points_f32[axis][i];
+                    block->f[axis][i] = floorf(check_random_float(&random, span));
+                    block->d[axis][i] = (double)block->f[axis][i];
                 }
             }
             sample(&noise, dimensions, (enum oracle_rounding)precision, BLOCK);
             for (size_t i = 0; i < BLOCK; i++) {
                 uint32_t point[3] = {0, 0, 0};
                 for (int axis = 0; axis < dimensions; axis++) {
-                    point[axis] = (uint32_t)(int32_t)points_f32[axis][i];
+                    point[axis] = (uint32_t)(int32_t)block->f[axis][i];
                 }
                 struct oracle_sample n;
                 result(dimensions, i, &n);
@@ -288,14 +222,14 @@ static void check_normalisation(enum scarp_basis basis, enum scarp_fade fade, in
     sample(&noise, dimensions, ORACLE_F64, BLOCK);
     double product = 0.0, square = 0.0;
     for (size_t i = 0; i < BLOCK; i++) {
-        const double x[3] = {points_f64[0][i], points_f64[1][i], points_f64[2][i]};
+        const double x[3] = {block->d[0][i], block->d[1][i], block->d[2][i]};
         struct oracle_sample expected;
         oracle_evaluate(&oracle, ORACLE_F64, x, &expected);
-        product += (double)outputs[0][i] * expected.value;
+        product += (double)block->out.array[0][i] * expected.value;
         square += expected.value * expected.value;
     }
     CHECK(fabs(product / square - 1.0) <= 1e-7, "%s %dD %s: the scale is off by %g",
-          basis_names[basis], dimensions, fade_names[fade], product / square - 1.0);
+          basis_name((int)basis), dimensions, fade_name((int)fade), product / square - 1.0);
 }
 
 static void check_noise(enum scarp_basis basis, enum scarp_fade fade, int dimensions, long points)
@@ -317,10 +251,12 @@ int main(int argc, char **argv)
         return EXIT_FAILURE;
     }
     check_select_isa(argv[2]);
+    block = block_make();
     printf("error in units of sum |a_k| f_k^order: max, RMS of value; of gradient; of Hessian\n");
     for (int i = 0; i < 8; i++) {
         check_noise(i & 4 ? SCARP_VALUE : SCARP_GRADIENT, i & 1 ? SCARP_CUBIC : SCARP_QUINTIC,
                     i & 2 ? 3 : 2, points);
     }
+    block_free(block);
     return check_done();
 }

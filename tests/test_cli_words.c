@@ -9,26 +9,6 @@
 #include "shared/error.h"
 #include "shared/noise.h"
 
-static const char *basis_name(int basis)
-{
-    return scarp_basis_name((enum scarp_basis)basis);
-}
-
-static const char *fade_name(int fade)
-{
-    return scarp_fade_name((enum scarp_fade)fade);
-}
-
-static const char *fractal_name(int fractal)
-{
-    return scarp_fractal_name((enum scarp_fractal)fractal);
-}
-
-static const char *isa_name(int isa)
-{
-    return scarp_isa_name((enum scarp_isa)isa);
-}
-
 /* In place of the program's; no test here leads to a message. */
 void cli_error(const char *format, ...)
 {

@@ -10,41 +10,21 @@
  * cells apart, in rows that are long enough for what is done once per row to count as in large
  * grids.
  */
-#include "check.h"
+#include "outputs.h"
 
 #define POINTS 4096
 #define GRID_SAMPLES 65536
 
-static float coordinates[3][POINTS], results[10][GRID_SAMPLES];
+static float coordinates[3][POINTS];
 
-/* A fractal that does not exist, which the sample call refuses, for an unknown name */
-static enum scarp_fractal find_fractal(const char *name)
+/* The number after the last one where none has this name: the library refuses it. */
+static int find_name(const char *(*name)(int), const char *wanted)
 {
-    static const char *const names[] = {"fbm", "turbulence", "ridged", "erosion"};
     int i = 0;
-    while (i < 4 && strcmp(names[i], name) != 0) {
+    while (name(i) != NULL && strcmp(name(i), wanted) != 0) {
         i++;
     }
-    return (enum scarp_fractal)i;
-}
-
-static struct scarp_samples choose_outputs(const char *name, int dimensions)
-{
-    struct scarp_samples out = {.value = results[0]};
-    if (strcmp(name, "value") != 0) {
-        out.dx = results[1];
-        out.dy = results[2];
-        out.dz = dimensions == 3 ? results[3] : NULL;
-    }
-    if (strcmp(name, "hessian") == 0) {
-        out.dxx = results[4];
-        out.dxy = results[5];
-        out.dyy = results[6];
-        out.dxz = dimensions == 3 ? results[7] : NULL;
-        out.dyz = dimensions == 3 ? results[8] : NULL;
-        out.dzz = dimensions == 3 ? results[9] : NULL;
-    }
-    return out;
+    return i;
 }
 
 static enum scarp_status sample_points(const struct scarp_noise *noise, int dimensions,
@@ -57,9 +37,8 @@ static enum scarp_status sample_points(const struct scarp_noise *noise, int dime
         }
     }
     printf("%d\n", POINTS);
-    return dimensions == 2
-               ? scarp_sample2(noise, POINTS, coordinates[0], coordinates[1], out)
-               : scarp_sample3(noise, POINTS, coordinates[0], coordinates[1], coordinates[2], out);
+    const struct inputs in = {.f = {coordinates[0], coordinates[1], coordinates[2]}};
+    return function_call(dimensions == 2 ? SAMPLE2 : SAMPLE3, noise, POINTS, &in, out);
 }
 
 static enum scarp_status sample_grid(const struct scarp_noise *noise, int dimensions,
@@ -71,7 +50,7 @@ static enum scarp_status sample_grid(const struct scarp_noise *noise, int dimens
         grid.count[1] = grid.count[2] = 16;
     }
     printf("%d\n", GRID_SAMPLES);
-    return dimensions == 2 ? scarp_grid2(noise, &grid, out) : scarp_grid3(noise, &grid, out);
+    return grid_call(dimensions, noise, &grid, out);
 }
 
 int main(int argc, char **argv)
@@ -88,12 +67,14 @@ int main(int argc, char **argv)
     check_select_isa(argv[1]);
     const int dimensions = 2 + call % 2;
     const struct scarp_noise noise = {
-        .basis = strcmp(argv[3], "value") == 0 ? SCARP_VALUE : SCARP_GRADIENT,
-        .fractal = find_fractal(argv[5]),
+        .basis = (enum scarp_basis)find_name(basis_name, argv[3]),
+        .fractal = (enum scarp_fractal)find_name(fractal_name, argv[5]),
         .seed = 1,
         .octaves = (float)atoi(argv[6]),
     };
-    const struct scarp_samples out = choose_outputs(argv[4], dimensions);
+    const int order = strcmp(argv[4], "value") == 0 ? 0 : strcmp(argv[4], "hessian") == 0 ? 2 : 1;
+    const struct outputs results = outputs_make(GRID_SAMPLES);
+    const struct scarp_samples out = outputs_subset(&results, outputs_up_to(order, dimensions));
     const enum scarp_status status =
         call >= 2 ? sample_grid(&noise, dimensions, &out) : sample_points(&noise, dimensions, &out);
     return status == SCARP_OK ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -4,87 +4,90 @@
  * computed once. Comparing with the scalar kernels of the same build is not enough: a compiler may
  * have changed both alike.
  *
- *     test_golden FILE ISA    every hash must equal the one in FILE
- *     test_golden --print     writes such a file; only when results are meant to change
+ *     test_golden FILE ISA                every case has a line in FILE, NAME HASH, and every line
+ *                                         a case, in any order; the hashes are equal
+ *     test_golden --must-differ FILE ISA  the same, but hashes must differ: for mutants
+ *     test_golden --print                 writes such a file; for new cases, or if results are
+ *                                         meant to change
  */
 #include "cases.h"
 
 #define POINTS 1031 /* two whole chunks with every instruction set, and a tail */
+#define LINES_MAX 65536
 
-/* Member, then its class of points: FNV-1a over the bits, low byte first, all NaNs alike. */
-static uint64_t hash_array(uint64_t hash, const float *array, size_t count)
+struct line {
+    char name[80];
+    unsigned long long hash;
+    int used;
+};
+
+static struct line *lines; /* NULL to print */
+static size_t line_count;
+
+static void read_lines(FILE *golden)
 {
-    for (size_t i = 0; i < count; i++) {
-        const uint32_t bits = cases_float_bits(array[i]);
-        for (int shift = 0; shift < 32; shift += 8) {
-            hash = (hash ^ (bits >> shift & 0xff)) * UINT64_C(0x100000001b3);
+    char text[256];
+    lines = check_allocate(LINES_MAX * sizeof *lines);
+    while (fgets(text, sizeof text, golden) != NULL) {
+        struct line *const line = &lines[line_count];
+        line->used = 0;
+        CHECK(line_count < LINES_MAX - 1 && sscanf(text, "%79s %llx", line->name, &line->hash) == 2,
+              "line %zu: %s", line_count + 1, text);
+        line_count += check_failures == 0;
+    }
+}
+
+/* The first line of this name that no case has used. */
+static struct line *find_line(const char *name)
+{
+    static size_t at; /* after the last one that was found, where the next one should be */
+    for (size_t i = 0; i < line_count; i++, at++) {
+        struct line *const line = &lines[at % line_count];
+        if (!line->used && strcmp(line->name, name) == 0) {
+            line->used = 1;
+            return line;
         }
     }
-    return hash;
+    return NULL;
 }
 
-static uint64_t hash_call(const struct cases_call *call, const struct cases_points *points)
+static void visit(const char *name, uint64_t hash)
 {
-    static float storage[CASES_OUTPUTS][POINTS];
-    float *arrays[CASES_OUTPUTS];
-    for (int m = 0; m < CASES_OUTPUTS; m++) {
-        arrays[m] = storage[m];
-    }
-    memset(storage, 0, sizeof storage);
-    const struct scarp_samples out = cases_outputs(call, arrays);
-    if (cases_run(call, points, 0, POINTS, &out) != SCARP_OK) {
-        printf("a call failed\n");
-        exit(EXIT_FAILURE);
-    }
-    uint64_t hash = UINT64_C(0xcbf29ce484222325);
-    for (int m = 0; m < CASES_OUTPUTS; m++) {
-        hash = hash_array(hash, storage[m], POINTS);
-    }
-    return hash;
-}
-
-static uint64_t hash_normals(const struct cases_points *points)
-{
-    static float n[3][POINTS];
-    if (scarp_normals(POINTS, points->f[0], points->f[1], 1.75f, n[0], n[1], n[2]) != SCARP_OK) {
-        printf("a call failed\n");
-        exit(EXIT_FAILURE);
-    }
-    uint64_t hash = UINT64_C(0xcbf29ce484222325);
-    for (int i = 0; i < 3; i++) {
-        hash = hash_array(hash, n[i], POINTS);
-    }
-    return hash;
-}
-
-/* One line of the file: class, call (CASES_CALLS stands for the normals), hash. */
-static void visit(FILE *golden, int class, int call, uint64_t hash)
-{
-    if (golden == NULL) {
-        printf("%d %d %016llx\n", class, call, (unsigned long long)hash);
+    if (lines == NULL) {
+        printf("%s %016llx\n", name, (unsigned long long)hash);
         return;
     }
-    int golden_class, golden_call;
-    unsigned long long golden_hash;
-    if (fscanf(golden, "%d %d %llx", &golden_class, &golden_call, &golden_hash) != 3) {
-        printf("the file of golden values ends early\n");
-        exit(EXIT_FAILURE);
-    }
-    CHECK(golden_class == class && golden_call == call && golden_hash == hash,
-          "class %d call %d: %016llx, golden: class %d call %d %016llx", class, call,
-          (unsigned long long)hash, golden_class, golden_call, golden_hash);
+    const struct line *const line = find_line(name);
+    CHECK(line != NULL, "%s has no line", name);
+    CHECK_BITS(line == NULL || line->hash == hash, "%s: %016llx, golden: %016llx", name,
+               (unsigned long long)hash, line->hash);
 }
 
-static void visit_all(FILE *golden)
+static void visit_class(enum cases_class class)
+{
+    struct cases_points points = cases_make(class, POINTS);
+    struct outputs o = outputs_make(POINTS);
+    struct cases_call call;
+    for (int n = 0; cases_next(&call, class, &n);) {
+        cases_run(&call, &points, 0, POINTS, &o);
+        visit(call.name, outputs_hash(FNV_BASIS, &o, call.wanted, POINTS));
+    }
+    snprintf(call.name, sizeof call.name, "normals/%s", class_names[class]);
+    CHECK(scarp_normals(POINTS, points.f[0], points.f[1], 1.75f, o.array[0], o.array[1],
+                        o.array[2]) == SCARP_OK,
+          "%s", call.name);
+    visit(call.name, outputs_hash(FNV_BASIS, &o, 7, POINTS));
+    outputs_free(&o);
+    cases_free(&points);
+}
+
+static void visit_all(void)
 {
     for (int class = 0; class < CASES_CLASSES; class ++) {
-        struct cases_points points = cases_make((enum cases_class) class, POINTS);
-        for (int index = 0; index < CASES_CALLS; index++) {
-            const struct cases_call call = cases_call(index);
-            visit(golden, class, index, hash_call(&call, &points));
-        }
-        visit(golden, class, CASES_CALLS, hash_normals(&points));
-        cases_free(&points);
+        visit_class((enum cases_class) class);
+    }
+    for (size_t i = 0; i < line_count; i++) {
+        CHECK(lines[i].used, "%s has no case, or more than one line", lines[i].name);
     }
 }
 
@@ -92,16 +95,19 @@ int main(int argc, char **argv)
 {
     if (argc == 2 && strcmp(argv[1], "--print") == 0) {
         scarp_isa_select(SCARP_ISA_SCALAR);
-        visit_all(NULL);
-        return EXIT_SUCCESS;
+        visit_all();
+        return check_failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
     }
+    argc = check_take_aim(argc, &argv);
     FILE *const golden = argc == 3 ? fopen(argv[1], "r") : NULL;
     if (golden == NULL) {
-        printf("usage: test_golden FILE ISA | --print (FILE must be readable)\n");
+        printf("usage: test_golden [--must-differ] FILE ISA | --print (FILE must be readable)\n");
         return EXIT_FAILURE;
     }
     check_select_isa(argv[2]);
-    visit_all(golden);
+    read_lines(golden);
     fclose(golden);
+    visit_all();
+    free(lines);
     return check_done();
 }

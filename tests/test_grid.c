@@ -9,7 +9,6 @@
 #include "check.h"
 #include "outputs.h"
 
-#define ORDERS 3
 #define FLOATS_MAX (1 << 17)
 
 /* What a call is asked for. */
@@ -84,11 +83,10 @@ static void random_case(struct grid_case *c, uint64_t *state)
         c->grid.row_stride = c->grid.count[0] + pick(state, 9);
         c->grid.slice_stride = c->grid.count[1] * c->grid.row_stride + pick(state, 50);
     }
-    static const unsigned of_order[ORDERS] = {0x001u, 0x00fu, 0x3ffu};
     if (c->noise.fractal == SCARP_EROSION && c->order == 2) {
         c->order = 1;
     }
-    c->wanted = of_order[c->order] & (c->dimensions == 2 ? OUTPUTS_ALL2 : OUTPUTS_ALL3);
+    c->wanted = outputs_up_to(c->order, c->dimensions);
     if (pick(state, 3) == 0) {
         c->wanted &= (unsigned)check_random(state);
     }
@@ -111,32 +109,6 @@ static size_t floats_of(const struct grid_case *c)
            c->grid.count[1] * row_stride(&c->grid);
 }
 
-static struct scarp_samples samples_at(const struct outputs *o, unsigned wanted, size_t at)
-{
-    float *a[OUTPUTS];
-    for (int m = 0; m < OUTPUTS; m++) {
-        a[m] = (wanted >> m & 1) != 0 ? o->array[m] + at : NULL;
-    }
-    const struct scarp_samples s = {.value = a[0],
-                                    .dx = a[1],
-                                    .dy = a[2],
-                                    .dz = a[3],
-                                    .dxx = a[4],
-                                    .dxy = a[5],
-                                    .dxz = a[6],
-                                    .dyy = a[7],
-                                    .dyz = a[8],
-                                    .dzz = a[9]};
-    return s;
-}
-
-static enum scarp_status run_grid(const struct grid_case *c, const struct scarp_grid *grid,
-                                  const struct scarp_samples *out)
-{
-    return c->dimensions == 2 ? scarp_grid2(&c->noise, grid, out)
-                              : scarp_grid3(&c->noise, grid, out);
-}
-
 /* The position of an index, as scarp.h has it. */
 static double at(const struct scarp_grid *grid, int axis, size_t index)
 {
@@ -147,6 +119,8 @@ static double at(const struct scarp_grid *grid, int axis, size_t index)
 static void run_points(const struct grid_case *c)
 {
     const struct scarp_grid *const g = &c->grid;
+    const enum function f = c->dimensions == 2 ? SAMPLE2_F64 : SAMPLE3_F64;
+    const struct inputs in = {.d = {coordinate[0], coordinate[1], coordinate[2]}};
     for (size_t k = 0; k < (c->dimensions == 3 ? g->count[2] : 1); k++) {
         for (size_t j = 0; j < g->count[1]; j++) {
             for (size_t i = 0; i < g->count[0]; i++) {
@@ -155,34 +129,11 @@ static void run_points(const struct grid_case *c)
                 coordinate[2][i] = at(g, 2, k);
             }
             const struct scarp_samples row =
-                samples_at(&expected, c->wanted, k * slice_stride(g) + j * row_stride(g));
-            const enum scarp_status status =
-                c->dimensions == 2
-                    ? scarp_sample2_f64(&c->noise, g->count[0], coordinate[0], coordinate[1], &row)
-                    : scarp_sample3_f64(&c->noise, g->count[0], coordinate[0], coordinate[1],
-                                        coordinate[2], &row);
+                outputs_at(&expected, c->wanted, k * slice_stride(g) + j * row_stride(g));
+            const enum scarp_status status = function_call(f, &c->noise, g->count[0], &in, &row);
             CHECK(status == SCARP_OK, "points: %s", scarp_status_text(status));
         }
     }
-}
-
-/* Bit for bit, NaNs alike, what lies between the rows included. */
-static int same(const struct outputs *a, const struct outputs *b, size_t floats, int *member,
-                size_t *where)
-{
-    for (*member = 0; *member < OUTPUTS; ++*member) {
-        const float *const p = a->array[*member], *const q = b->array[*member];
-        if (p == NULL || memcmp(p, q, floats * sizeof(float)) == 0) {
-            continue;
-        }
-        for (*where = 0; *where < floats; ++*where) {
-            const int nan = p[*where] != p[*where] && q[*where] != q[*where];
-            if (!nan && memcmp(p + *where, q + *where, sizeof(float)) != 0) {
-                return 0;
-            }
-        }
-    }
-    return 1;
 }
 
 static void describe(const struct grid_case *c, char *text, size_t size)
@@ -202,15 +153,15 @@ static void test_points(const struct grid_case *c)
     describe(c, text, sizeof text);
     outputs_poison(&got);
     outputs_poison(&expected);
-    const struct scarp_samples out = samples_at(&got, c->wanted, 0);
-    const enum scarp_status status = run_grid(c, &c->grid, &out);
+    const struct scarp_samples out = outputs_subset(&got, c->wanted);
+    const enum scarp_status status = grid_call(c->dimensions, &c->noise, &c->grid, &out);
     CHECK(status == SCARP_OK, "%s: %s", text, scarp_status_text(status));
     run_points(c);
-    int member;
-    size_t where;
-    CHECK(same(&got, &expected, got.capacity, &member, &where), "%s: %s differs at %zu: %a, not %a",
-          text, output_names[member], where, (double)got.array[member][where],
-          (double)expected.array[member][where]);
+    int member = 0;
+    size_t where = 0;
+    CHECK_BITS(outputs_equal(&got, &expected, OUTPUTS_ALL3, got.capacity, &member, &where),
+               "%s: %s differs at %zu: %a, not %a", text, output_names[member], where,
+               (double)got.array[member][where], (double)expected.array[member][where]);
 }
 
 /* The grid of `c` in tiles of random size, each computed by itself: `expected` is left from
@@ -237,26 +188,26 @@ static void test_tiles(const struct grid_case *c, uint64_t *state)
                     tile.count[axis] = left < size[axis] ? left : size[axis];
                 }
                 const struct scarp_samples out =
-                    samples_at(&got, c->wanted, k * slice_stride(g) + j * row_stride(g) + i);
-                const enum scarp_status status = run_grid(c, &tile, &out);
+                    outputs_at(&got, c->wanted, k * slice_stride(g) + j * row_stride(g) + i);
+                const enum scarp_status status = grid_call(c->dimensions, &c->noise, &tile, &out);
                 CHECK(status == SCARP_OK, "tile: %s", scarp_status_text(status));
             }
         }
     }
     char text[256];
     describe(c, text, sizeof text);
-    int member;
-    size_t where;
-    CHECK(same(&got, &expected, got.capacity, &member, &where),
-          "%s: tiles of %zu x %zu x %zu: %s differs at %zu", text, size[0], size[1], size[2],
-          output_names[member], where);
+    int member = 0;
+    size_t where = 0;
+    CHECK_BITS(outputs_equal(&got, &expected, OUTPUTS_ALL3, got.capacity, &member, &where),
+               "%s: tiles of %zu x %zu x %zu: %s differs at %zu", text, size[0], size[1], size[2],
+               output_names[member], where);
 }
 
 /* A row on lattice planes, where rounding alone decides between two cells: samples that should be
    k / 16 cells apart cross one column more or less now and then. */
 static void test_on_planes(uint64_t *state)
 {
-    struct grid_case c = {.dimensions = 2, .order = 1, .wanted = 0xfu & OUTPUTS_ALL2};
+    struct grid_case c = {.dimensions = 2, .order = 1, .wanted = outputs_up_to(1, 2)};
     const double apart = (double)(1 + pick(state, 18)) / 16;
     c.noise.frequency = 1 / (1 + (double)pick(state, 1000) / 7);
     c.noise.seed = check_random(state);
@@ -313,8 +264,7 @@ static void test_large(int i, float *const memory[2])
     }
     c.grid.row_stride = large->count[0] + large->gap;
     c.grid.slice_stride = large->count[1] * c.grid.row_stride;
-    c.wanted = large->dimensions == 2 ? OUTPUTS_ALL2 : OUTPUTS_ALL3;
-    c.wanted &= large->order == 0 ? 0x1u : large->order == 1 ? 0xfu : 0x3ffu;
+    c.wanted = outputs_up_to(large->order, large->dimensions);
     const size_t floats = large->count[2] * c.grid.slice_stride;
     const size_t next = (floats / LINE + 2) * LINE + large->apart; /* poison follows each output */
     struct outputs *const both[2] = {&got, &expected};
@@ -350,8 +300,8 @@ static void test_all_large(int cases)
 static void expect(enum scarp_status wanted, const struct grid_case *c, const char *what)
 {
     outputs_poison(&got);
-    const struct scarp_samples out = samples_at(&got, c->wanted, 0);
-    const enum scarp_status status = run_grid(c, &c->grid, &out);
+    const struct scarp_samples out = outputs_subset(&got, c->wanted);
+    const enum scarp_status status = grid_call(c->dimensions, &c->noise, &c->grid, &out);
     CHECK(status == wanted, "%dD, %s: %s", c->dimensions, what, scarp_status_text(status));
     if (wanted != SCARP_OK) {
         CHECK(outputs_untouched(&got, OUTPUTS_ALL3), "%dD, %s: written", c->dimensions, what);
@@ -438,12 +388,11 @@ static void test_sizes(int dimensions)
 static void test_refusals(int dimensions)
 {
     struct grid_case c = plain_case(dimensions);
-    const struct scarp_samples out = samples_at(&got, 1, 0);
+    const struct scarp_samples out = outputs_subset(&got, 1);
     outputs_poison(&got);
-    CHECK(run_grid(&c, NULL, &out) == SCARP_ERROR_NULL, "grid NULL");
-    CHECK(run_grid(&c, &c.grid, NULL) == SCARP_ERROR_NULL, "out NULL");
-    CHECK((dimensions == 2 ? scarp_grid2 : scarp_grid3)(NULL, &c.grid, &out) == SCARP_ERROR_NULL,
-          "noise NULL");
+    CHECK(grid_call(c.dimensions, &c.noise, NULL, &out) == SCARP_ERROR_NULL, "grid NULL");
+    CHECK(grid_call(c.dimensions, &c.noise, &c.grid, NULL) == SCARP_ERROR_NULL, "out NULL");
+    CHECK(grid_call(dimensions, NULL, &c.grid, &out) == SCARP_ERROR_NULL, "noise NULL");
     c.noise.octaves = 33.0f;
     expect(SCARP_ERROR_PARAMETER, &c, "octaves");
     c = plain_case(dimensions);

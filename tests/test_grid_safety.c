@@ -24,11 +24,9 @@ static const struct scarp_noise noises[NOISES] = {
 
 static struct scarp_samples first_outputs(float *const *arrays, int dimensions)
 {
-    const struct scarp_samples s = {.value = arrays[0],
-                                    .dx = arrays[1],
-                                    .dy = arrays[2],
-                                    .dz = dimensions == 3 ? arrays[3] : NULL};
-    return s;
+    struct outputs o = {.capacity = 0};
+    memcpy(o.array, arrays, ARRAYS * sizeof *arrays);
+    return outputs_subset(&o, outputs_up_to(1, dimensions));
 }
 
 static struct scarp_grid grid_of(size_t width)
@@ -44,8 +42,7 @@ static void run(const struct scarp_noise *noise, size_t width, float *const *arr
 {
     const struct scarp_grid g = grid_of(width);
     const struct scarp_samples out = first_outputs(arrays, dimensions);
-    const enum scarp_status status =
-        dimensions == 2 ? scarp_grid2(noise, &g, &out) : scarp_grid3(noise, &g, &out);
+    const enum scarp_status status = grid_call(dimensions, noise, &g, &out);
     CHECK(status == SCARP_OK, "%s", scarp_status_text(status));
 }
 

@@ -115,17 +115,10 @@ static void check_outputs(const struct outputs *o, unsigned mask, const struct o
     }
 }
 
-/* The outputs of the highest derivative `order`. */
-static unsigned outputs_of_order(enum function f, int order)
-{
-    static const unsigned up_to[3] = {0x001, 0x00f, 0x3ff};
-    return up_to[order] & function_outputs(f);
-}
-
 /* All counts in all places, for one kind of call. */
 static void test_counts(enum function f, const struct scarp_noise *noise, int order)
 {
-    const unsigned mask = outputs_of_order(f, order);
+    const unsigned mask = outputs_up_to(order, function_dimensions(f));
     const struct scarp_samples all = outputs_subset(&whole, mask);
     CHECK(function_call(f, noise, POINTS, &in, &all) == SCARP_OK, "%s", function_names[f]);
     for (size_t c = 0; c < COUNTS; c++) {
