@@ -8,7 +8,7 @@ set(special_stride 1)
 if(CMAKE_CROSSCOMPILING_EMULATOR)
   set(special_stride 11) # emulators are two orders of magnitude slower
 endif()
-scarp_test_program(test_special)
+scarp_test_program(test_special SOURCES oracle.c oracle_basis.c oracle_fractal.c)
 foreach(isa IN LISTS isas)
   scarp_add_test(special.${isa} api test_special ${isa} ${special_stride})
 endforeach()

@@ -65,14 +65,14 @@ static inline void block_point(const struct block *block, size_t i, double x[3])
     }
 }
 
-/* What the last call, of `f`, found for point i, in the oracle's form. */
+/* What a call of `f` left for point i, in the oracle's form. */
 static inline struct oracle_sample
-block_result(const struct block *block, const struct scarp_noise *noise, enum function f, size_t i)
+outputs_sample(const struct outputs *o, const struct scarp_noise *noise, enum function f, size_t i)
 {
     const unsigned mask = outputs_of(noise, f);
-    struct oracle_sample n = {.value = (double)block->out.array[0][i]};
-    for (int m = 1; m < OUTPUTS; m++) {
-        const double v = (mask >> m & 1) != 0 ? (double)block->out.array[m][i] : 0.0;
+    struct oracle_sample n = {.value = (double)o->array[OUTPUT_value][i]};
+    for (int m = OUTPUT_value + 1; m < OUTPUTS; m++) {
+        const double v = (mask >> m & 1) != 0 ? (double)o->array[m][i] : 0.0;
         const int a = output_kinds[m].axes[0], b = output_kinds[m].axes[1];
         if (output_kinds[m].order == 1) {
             n.gradient[a] = v;
@@ -81,6 +81,12 @@ block_result(const struct block *block, const struct scarp_noise *noise, enum fu
         }
     }
     return n;
+}
+
+static inline struct oracle_sample
+block_result(const struct block *block, const struct scarp_noise *noise, enum function f, size_t i)
+{
+    return outputs_sample(&block->out, noise, f, i);
 }
 
 /* The largest difference of any value [0], gradient [1] and Hessian [2] component. */

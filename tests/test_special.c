@@ -3,11 +3,13 @@
  * Coordinates at the edges of their formats: NaN, infinities, signed zeros, denormals, the powers
  * of two where floats lose their fraction and cells wrap, positions that overflow.
  *
+ * The scalar kernels against the oracle, the others against the scalar ones.
+ *
  *     test_special ISA [STRIDE]    takes each STRIDE-th pair of numbers only; a prime above 5
  */
 #include <float.h>
 
-#include "outputs.h"
+#include "fractal.h"
 
 #define PICKS 8192 /* points: the square of SPECIALS_MAX at least */
 #define SPECIALS_MAX 90
@@ -147,6 +149,69 @@ static void expect_nan_rule(enum function f, const struct scarp_noise *noise)
     }
 }
 
+/* Whether a position of point x in double precision is so far out that low bits of its cell are
+   lost, where the oracle does not follow. */
+static int beyond_cells(const struct oracle *oracle, const double x[3])
+{
+    for (int k = 0; k < oracle->octaves; k++) {
+        for (int i = 0; i < oracle->dimensions; i++) {
+            double size = 1.0;
+            for (int j = 0; j < oracle->dimensions; j++) {
+                size += fabs(oracle->octave[k].axes[i][j] * x[j]);
+            }
+            if (size >= 0x1p51) {
+                return 1;
+            }
+        }
+    }
+    return 0;
+}
+
+/* How many points of one call the oracle could check. Bounds are those of test_accuracy.c. */
+static int compare_with_oracle(enum function f, const struct scarp_noise *noise)
+{
+    static const double bounds[ORDERS] = {7e-7, 2e-6, 8e-6};
+    const enum oracle_rounding rounding = function_doubles(f) ? ORACLE_F64 : ORACLE_F32;
+    struct oracle oracle;
+    int compared = 0;
+    oracle_make(&oracle, noise, function_dimensions(f));
+    for (int i = 0; i < points; i++) {
+        double x[3], error[ORDERS];
+        for (int d = 0; d < 3; d++) {
+            x[d] = function_doubles(f) ? f64[d][i] : (double)f32[d][i];
+        }
+        if (finite_positions(f, noise, i) != 1 ||
+            (function_doubles(f) && beyond_cells(&oracle, x))) {
+            continue;
+        }
+        struct oracle_sample expected;
+        oracle_evaluate(&oracle, rounding, x, &expected);
+        const struct oracle_sample got = outputs_sample(&tested, noise, f, (size_t)i);
+        difference(&got, &expected, error);
+        for (int order = 0; order < ORDERS; order++) {
+            CHECK(error[order] <= bounds[order] * fractal_unit(&oracle, order),
+                  "%s, frequency %a: derivative %d at (%a, %a, %a) is off by %g", function_names[f],
+                  noise->frequency, order, x[0], x[1], x[2], error[order]);
+        }
+        compared++;
+    }
+    return compared;
+}
+
+/* The reference itself against the oracle. */
+static void test_against_oracle(void)
+{
+    for (int i = 0; i < FUNCTIONS * NOISES; i++) {
+        const enum function f = (enum function)(i / NOISES);
+        const struct scarp_noise noise = noise_make(i % NOISES);
+        call(f, &noise, (size_t)points, &in, &tested);
+        expect_nan_rule(f, &noise);
+        const int compared = compare_with_oracle(f, &noise);
+        CHECK(compared > points / 64, "%s, noise %d: only %d points were compared",
+              function_names[f], i % NOISES, compared);
+    }
+}
+
 static void test_against_scalar(enum scarp_isa isa)
 {
     for (int n = 0; n < NOISES; n++) {
@@ -169,31 +234,31 @@ static void test_against_scalar(enum scarp_isa isa)
     }
 }
 
-#define BLOCK 67 /* four blocks of 16 and a tail */
+#define NEIGHBOURS 67 /* four blocks of 16 and a tail */
 
 /* A number that is not finite in any lane and axis changes no other point. */
 static void test_neighbours(void)
 {
     static const double odd[] = {(double)NAN, (double)INFINITY, (double)-INFINITY, (double)FLT_MAX};
-    static float x32[3][BLOCK];
-    static double x64[3][BLOCK];
+    static float x32[3][NEIGHBOURS];
+    static double x64[3][NEIGHBOURS];
     const struct inputs block = {{x32[0], x32[1], x32[2]}, {x64[0], x64[1], x64[2]}};
     uint64_t state = 2;
-    for (int i = 0; i < 3 * BLOCK; i++) {
+    for (int i = 0; i < 3 * NEIGHBOURS; i++) {
         x32[i % 3][i / 3] = check_random_float(&state, 1024.0f);
         x64[i % 3][i / 3] = check_random_double(&state, 0x1p20);
     }
     for (int i = 0; i < FUNCTIONS * NOISES; i += 3) {
         const enum function f = (enum function)(i / NOISES);
         const struct scarp_noise noise = noise_make(i % NOISES);
-        call(f, &noise, BLOCK, &block, &scalar);
-        for (int lane = 0; lane < BLOCK; lane++) {
+        call(f, &noise, NEIGHBOURS, &block, &scalar);
+        for (int lane = 0; lane < NEIGHBOURS; lane++) {
             const int d = (lane + i) % function_dimensions(f);
             const float before32 = x32[d][lane];
             const double before64 = x64[d][lane];
             x32[d][lane] = (float)odd[(lane + i / 3) % 4];
             x64[d][lane] = odd[(lane + i / 3) % 4];
-            call(f, &noise, BLOCK, &block, &tested);
+            call(f, &noise, NEIGHBOURS, &block, &tested);
             x32[d][lane] = before32;
             x64[d][lane] = before64;
             for (int m = 0; m < OUTPUTS; m++) {
@@ -201,7 +266,7 @@ static void test_neighbours(void)
             }
             int member = 0;
             size_t at = 0;
-            CHECK(outputs_equal(&scalar, &tested, function_outputs(f), BLOCK, &member, &at),
+            CHECK(outputs_equal(&scalar, &tested, function_outputs(f), NEIGHBOURS, &member, &at),
                   "%s, noise %d: point %d disturbed %s[%zu]", function_names[f], i % NOISES, lane,
                   output_names[member], at);
         }
@@ -303,7 +368,11 @@ int main(int argc, char **argv)
     make_points(argc > 2 ? atoi(argv[2]) : 1);
     scalar = outputs_make(PICKS);
     tested = outputs_make(PICKS);
-    test_against_scalar(isa);
+    if (isa == SCARP_ISA_SCALAR) {
+        test_against_oracle();
+    } else {
+        test_against_scalar(isa);
+    }
     test_neighbours();
     test_float_cells();
     test_period();
