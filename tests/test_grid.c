@@ -1,10 +1,16 @@
 /* SPDX-License-Identifier: MIT
  *
  * Grids: every sample has the bits of the point calls, whatever the tiling, strides, steps, origins
- * and instruction set, and nothing between the rows is written. Usage: test_grid ISA [CASES];
- * fewer than 1000 CASES ask for fewer large grids too.
+ * and instruction set, and nothing between the rows is written. Fewer than 1000 CASES ask for fewer
+ * large grids too, 0 for these alone.
+ *
+ *     test_grid ISA [CASES]
+ *     test_grid --must-differ ISA [CASES] some results must differ: for mutants
+ *     test_grid --must-crash ISA 0        streaming to slices that are not aligned must crash: for
+ *                                         a mutant that changes nothing else
  */
 #include <math.h>
+#include <signal.h>
 
 #include "check.h"
 #include "outputs.h"
@@ -224,32 +230,41 @@ static void test_on_planes(uint64_t *state)
 struct large_case {
     int dimensions, order;
     size_t count[3], gap; /* between rows */
+    size_t slice_gap;     /* between slices */
     size_t start, apart;  /* outputs begin start, start + apart, ... floats past a cache line */
 };
 
 #define LARGE_FLOATS ((size_t)8 << 20)
-#define LARGE_CASES 14
-#define LARGE_CASES_FEW 2
+#define LARGE_CASES 15
+#define LARGE_CASES_FEW 3
 #define LINE 16 /* floats */
 
 /* clang-format off */
 static const struct large_case large_cases[LARGE_CASES] = {
-    {2, 2, {2048, 520, 1}, 0, 0, 0},     /* rows of whole cache lines */
-    {3, 2, {1030, 25, 25}, 10, 7, 0},    /* aligned inside rows only */
-    {2, 2, {2101, 510, 1}, 11, 4, 0},    /* as malloc has it */
-    {2, 2, {2101, 510, 1}, 11, 13, 16},
-    {2, 2, {2048, 520, 1}, 4, 4, 4},     /* for vectors of 4 floats only */
-    {2, 2, {2048, 520, 1}, 0, 1, 1},     /* outputs lie differently */
-    {2, 2, {2049, 520, 1}, 0, 0, 0},     /* rows lie differently */
-    {2, 2, {2044, 520, 1}, 4, 0, 0},
-    {2, 1, {1039, 2040, 1}, 17, 5, 0},
-    {2, 0, {4096, 1540, 1}, 0, 0, 0},
-    {2, 0, {2400, 2640, 1}, 16, 4, 0},
-    {3, 1, {160, 100, 100}, 0, 0, 0},
-    {3, 0, {64, 320, 310}, 16, 0, 0},
-    {3, 0, {1100, 76, 76}, 4, 3, 0},
+    {3, 0, {64, 1024, 97}, 0, 3, 0, 0},  /* each slice lies differently: not to be streamed */
+    {2, 2, {2048, 520, 1}, 0, 0, 0, 0},  /* rows of whole cache lines */
+    {3, 2, {1030, 25, 25}, 10, 0, 7, 0}, /* aligned inside rows only */
+    {2, 2, {2101, 510, 1}, 11, 0, 4, 0}, /* as malloc has it */
+    {2, 2, {2101, 510, 1}, 11, 0, 13, 16},
+    {2, 2, {2048, 520, 1}, 4, 0, 4, 4},/* for vectors of 4 floats only */
+    {2, 2, {2048, 520, 1}, 0, 0, 1, 1},  /* outputs lie differently */
+    {2, 2, {2049, 520, 1}, 0, 0, 0, 0},  /* rows lie differently */
+    {2, 2, {2044, 520, 1}, 4, 0, 0, 0},
+    {2, 1, {1039, 2040, 1}, 17, 0, 5, 0},
+    {2, 0, {4096, 1540, 1}, 0, 0, 0, 0},
+    {2, 0, {2400, 2640, 1}, 16, 0, 4, 0},
+    {3, 1, {160, 100, 100}, 0, 0, 0, 0},
+    {3, 0, {64, 320, 310}, 16, 0, 0, 0},
+    {3, 0, {1100, 76, 76}, 4, 0, 3, 0},
 };
 /* clang-format on */
+
+/* What a vector that is streamed to where it must not be leads to. */
+static void crashed(int number)
+{
+    (void)number;
+    _Exit(check_failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE);
+}
 
 /* Large grids are stored past the caches, where they are aligned. */
 static void test_large(int i, float *const memory[2])
@@ -263,7 +278,7 @@ static void test_large(int i, float *const memory[2])
         c.grid.count[axis] = large->count[axis];
     }
     c.grid.row_stride = large->count[0] + large->gap;
-    c.grid.slice_stride = large->count[1] * c.grid.row_stride;
+    c.grid.slice_stride = large->count[1] * c.grid.row_stride + large->slice_gap;
     c.wanted = outputs_up_to(large->order, large->dimensions);
     const size_t floats = large->count[2] * c.grid.slice_stride;
     const size_t next = (floats / LINE + 2) * LINE + large->apart; /* poison follows each output */
@@ -278,7 +293,11 @@ static void test_large(int i, float *const memory[2])
         }
         CHECK(at <= LARGE_FLOATS, "large case %d: %zu floats", i, at);
     }
+    if (check_aim == CHECK_CRASH && large->slice_gap != 0) {
+        signal(SIGSEGV, crashed);
+    }
     test_points(&c);
+    signal(SIGSEGV, SIG_DFL);
     got = before[0];
     expected = before[1];
 }
@@ -410,6 +429,7 @@ static void test_refusals(int dimensions)
 
 int main(int argc, char **argv)
 {
+    argc = check_take_aim(argc, &argv);
     const int cases = argc > 2 ? atoi(argv[2]) : 2000;
     check_select_isa(argc > 1 ? argv[1] : "scalar");
     got = outputs_make(FLOATS_MAX);
