@@ -2,8 +2,8 @@
  *
  * Every kernel against the scalar reference, bit for bit, on random and worst-case points.
  *
- *     test_bits ISA [POINTS]               the ISA must equal scalar
- *     test_bits --must-differ ISA [POINTS] the ISA must not: for mutants
+ *     test_bits ISA [POINTS [STEP]]    the ISA must equal scalar; of the short runs, each STEP-th
+ *     test_bits --must-differ ISA ...  the ISA must not: for mutants
  */
 #include "cases.h"
 
@@ -11,6 +11,7 @@
 #define SHORT_RUN 65
 
 static struct outputs reference, tested;
+static size_t step = 1; /* of the lengths of short runs */
 
 static void compare(const struct cases_call *call, size_t first, size_t count)
 {
@@ -40,7 +41,7 @@ static void compare_class(enum scarp_isa isa, enum cases_class class, size_t cou
         cases_run(&call, &points, 0, count, &tested);
         compare(&call, 0, count);
         tested.capacity = SHORT_RUN;
-        for (size_t length = 1; length <= SHORT_RUN; length++) {
+        for (size_t length = 1; length <= SHORT_RUN; length += step) {
             const size_t first = (length * 37) % (count - length);
             outputs_poison(&tested);
             cases_run(&call, &points, first, length, &tested);
@@ -55,13 +56,14 @@ int main(int argc, char **argv)
 {
     argc = check_take_aim(argc, &argv);
     if (argc < 2) {
-        printf("usage: test_bits [--must-differ] ISA [POINTS]\n");
+        printf("usage: test_bits [--must-differ] ISA [POINTS [STEP]]\n");
         return EXIT_FAILURE;
     }
     const enum scarp_isa isa = check_select_isa(argv[1]);
     const size_t count = argc > 2 ? (size_t)strtoul(argv[2], NULL, 10) : 4099;
-    if (count <= 2 * SHORT_RUN) {
-        printf("POINTS must be above %d\n", 2 * SHORT_RUN);
+    step = argc > 3 ? (size_t)strtoul(argv[3], NULL, 10) : 1;
+    if (count <= 2 * SHORT_RUN || step == 0) {
+        printf("POINTS must be above %d, STEP above 0\n", 2 * SHORT_RUN);
         return EXIT_FAILURE;
     }
     reference = outputs_make(count);

@@ -7,7 +7,7 @@
 # TEXT       what is replaced; short, so that it outlives changes nearby
 # BECOMES    what stands in its place, where MUTANT is 1 if this mutant is switched on, or else 0
 # SEEN_BY    bits (results of points differ from the scalar kernels'), grid (results of grids from those
-#            of points), many_grids (the same, rarely), large (large grids alone), golden (hashes from golden.txt), or crash
+#            of points), large (the same, large grids alone), golden (hashes from golden.txt), or crash
 #            (the library crashes in the one call where only that can tell; see test_grid.c)
 # SETS       the kernel sets that it is in; all but scalar if this is left out
 
@@ -67,7 +67,8 @@ mutant(shape.erosion_twice IN kernel TEXT [[vf_set(2.0f * plan->erosion)]]
 mutant(rows.in_column IN kernel TEXT [[runs && first == last]]
        BECOMES [[runs && (MUTANT || first == last)]] SEEN_BY grid)
 mutant(rows.reach IN kernel TEXT [[right - base > VF_TABLE - 2]]
-       BECOMES [[right - base > VF_TABLE - (MUTANT ? 1 : 2)]] SEEN_BY many_grids)
+       BECOMES [[right - base > VF_TABLE - (MUTANT ? 1 : 2)]]
+       SEEN_BY grid SETS sse4.1 neon) # with wider vectors, it takes thousands of grids
 mutant(rows.columns IN kernel TEXT [[hash_x(column, o->key[0]).h0]]
        BECOMES [[MUTANT ? hash_x(column, o->key[0]).h1 : hash_x(column, o->key[0]).h0]] SEEN_BY grid)
 mutant(rows.slide IN kernel TEXT [[slides ? (left - lowest) % VEC_LANES : 0]]
