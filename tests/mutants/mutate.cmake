@@ -46,7 +46,7 @@ function(mutant name)
   endforeach()
   set(problem)
   if(found EQUAL 1)
-    string(REPLACE "MUTANT" "(scarp_mutant == ${number})" text "${arg_BECOMES}")
+    string(REPLACE "MUTANT" "scarp_mutant[${number}]" text "${arg_BECOMES}")
     string(REPLACE "${arg_TEXT}" "${text}" content "${mutated_${where}}")
     if(content STREQUAL "${mutated_${where}}")
       set(problem "another mutant has taken its text away")
@@ -67,7 +67,7 @@ include(${CMAKE_CURRENT_LIST_DIR}/list.cmake)
 foreach(file IN LISTS FILES)
   set(content "${mutated_${file}}")
   if(NOT content STREQUAL "${original_${file}}")
-    string(PREPEND content "extern int scarp_mutant;\n")
+    string(PREPEND content "extern int scarp_mutant[];\n")
   endif()
   file(WRITE ${TO}/${file} "${content}")
 endforeach()
@@ -76,8 +76,8 @@ file(WRITE ${TO}/mutants.c "/* Written by mutate.cmake. */
 #include <stdlib.h>
 #include <string.h>
 
-extern int scarp_mutant;
-int scarp_mutant;
+extern int scarp_mutant[];
+int scarp_mutant[${number} + 1]; /* from 1 on; 1 for the one that is switched on */
 
 static const struct {
     const char *name, *problem;
@@ -89,18 +89,18 @@ __attribute__((constructor)) static void switch_on(void)
 {
     const char *const name = getenv(\"SCARP_MUTANT\");
     const int count = (int)(sizeof mutants / sizeof mutants[0]);
+    int i = 0;
     if (name == NULL) {
         return;
     }
-    while (scarp_mutant < count && strcmp(mutants[scarp_mutant].name, name) != 0) {
-        scarp_mutant++;
+    while (i < count && strcmp(mutants[i].name, name) != 0) {
+        i++;
     }
-    const char *const problem =
-        scarp_mutant < count ? mutants[scarp_mutant].problem : \"it does not exist\";
+    const char *const problem = i < count ? mutants[i].problem : \"it does not exist\";
     if (*problem != '\\0') {
         printf(\"mutant %s: %s\\n\", name, problem);
         exit(EXIT_FAILURE);
     }
-    scarp_mutant++;
+    scarp_mutant[i + 1] = 1;
 }
 ")
