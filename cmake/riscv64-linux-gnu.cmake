@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Toolchain file: 64-bit RISC-V (scalar only), by Debian's cross compiler;
+# Toolchain file: 64-bit RISC-V (without vectors), by Debian's cross compiler;
 # programs run through qemu.
 
 set(CMAKE_SYSTEM_NAME Linux)

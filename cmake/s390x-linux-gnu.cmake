@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Toolchain file: IBM Z, which is big-endian (scalar only), by Debian's cross compiler;
+# Toolchain file: IBM Z, which is big-endian (generic kernels), by Debian's cross compiler;
 # programs run through qemu.
 
 set(CMAKE_SYSTEM_NAME Linux)

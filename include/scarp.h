@@ -90,7 +90,8 @@ enum scarp_isa {
     SCARP_ISA_SSE41,
     SCARP_ISA_AVX2,
     SCARP_ISA_AVX512,
-    SCARP_ISA_NEON
+    SCARP_ISA_NEON,
+    SCARP_ISA_GENERIC /* portable vector code; the best wherever no other set runs */
 };
 
 /*
@@ -361,7 +362,7 @@ SCARP_API int scarp_isa_supported(enum scarp_isa isa);
 SCARP_API enum scarp_status scarp_isa_select(enum scarp_isa isa);
 
 /*
- * scarp_isa_name - "none", "scalar", "sse4.1", "avx2", "avx512", "neon"
+ * scarp_isa_name - "none", "scalar", "sse4.1", "avx2", "avx512", "neon", "generic"
  *
  * NULL for numbers that are no enumerator, so these are all kernel sets, whether this build has
  * them or not:

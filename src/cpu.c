@@ -7,7 +7,7 @@
 
 #include "kernels.h"
 
-#ifdef SCARP_X86
+#if SCARP_X86
 
 #include <cpuid.h>
 
@@ -41,7 +41,7 @@ static unsigned xcr0(void)
 int scarp_cpu_has(enum scarp_isa isa)
 {
     unsigned eax, ebx = 0, ecx = 0, edx;
-    if (isa == SCARP_ISA_SCALAR) {
+    if (isa == SCARP_ISA_SCALAR || isa == SCARP_ISA_GENERIC) {
         return 1;
     }
     if (!__get_cpuid(1, &eax, &ebx, &ecx, &edx)) {
@@ -66,14 +66,10 @@ int scarp_cpu_has(enum scarp_isa isa)
 
 #else
 
+/* NEON is part of the AArch64 baseline; elsewhere it is not built, like the others. */
 int scarp_cpu_has(enum scarp_isa isa)
 {
-#ifdef SCARP_AARCH64
-    if (isa == SCARP_ISA_NEON) { /* part of the AArch64 baseline */
-        return 1;
-    }
-#endif
-    return isa == SCARP_ISA_SCALAR;
+    return isa == SCARP_ISA_SCALAR || isa == SCARP_ISA_GENERIC || isa == SCARP_ISA_NEON;
 }
 
 #endif

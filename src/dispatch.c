@@ -11,18 +11,9 @@
 #include "cpu.h"
 
 /* Best first. */
-static const struct scarp_kernels *const tables[] = {
-#ifdef SCARP_X86_AVX
-    &scarp_kernels_avx512, &scarp_kernels_avx2,
-#endif
-#ifdef SCARP_X86
-    &scarp_kernels_sse41,
-#endif
-#ifdef SCARP_AARCH64
-    &scarp_kernels_neon,
-#endif
-    &scarp_kernels_scalar,
-};
+#define TABLE(ISA, table, name, here) SCARP_WHERE(here, &scarp_kernels_##table, )
+static const struct scarp_kernels *const tables[] = {SCARP_ISA_LIST(TABLE)};
+#undef TABLE
 
 static _Atomic(const struct scarp_kernels *) active;
 

@@ -6,6 +6,7 @@
 #ifndef SCARP_KERNELS_H
 #define SCARP_KERNELS_H
 
+#include "isas.h"
 #include "outputs.h"
 #include "plan.h"
 
@@ -30,29 +31,10 @@ struct scarp_kernels {
     scarp_normals_fn *normals;
 };
 
-#if defined(__x86_64__) || defined(__i386__)
-#define SCARP_X86 1
-/* gcc for Windows spills 32- and 64-byte vectors to a stack that is aligned to 16 (GCC bug 54412).
- */
-#if !defined(_WIN32) || defined(__clang__)
-#define SCARP_X86_AVX 1
-#endif
-#endif
-#if defined(__aarch64__) && defined(__ARM_NEON) && defined(__BYTE_ORDER__) &&                      \
-    __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
-#define SCARP_AARCH64 1
-#endif
-
-extern const struct scarp_kernels scarp_kernels_scalar;
-#ifdef SCARP_X86
-extern const struct scarp_kernels scarp_kernels_sse41;
-#endif
-#ifdef SCARP_X86_AVX
-extern const struct scarp_kernels scarp_kernels_avx2;
-extern const struct scarp_kernels scarp_kernels_avx512;
-#endif
-#ifdef SCARP_AARCH64
-extern const struct scarp_kernels scarp_kernels_neon;
-#endif
+/* Declared everywhere, defined where isas.h says so. */
+#define SCARP_DECLARE(ISA, table, name, here)                                                      \
+    extern const struct scarp_kernels scarp_kernels_##table;
+SCARP_ISA_LIST(SCARP_DECLARE)
+#undef SCARP_DECLARE
 
 #endif

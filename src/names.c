@@ -24,10 +24,9 @@ static const char *const fractals[SCARP_FRACTALS] = {
     [SCARP_EROSION] = "erosion",
 };
 
-static const char *const isas[SCARP_ISAS] = {
-    [SCARP_ISA_NONE] = "none", [SCARP_ISA_SCALAR] = "scalar", [SCARP_ISA_SSE41] = "sse4.1",
-    [SCARP_ISA_AVX2] = "avx2", [SCARP_ISA_AVX512] = "avx512", [SCARP_ISA_NEON] = "neon",
-};
+#define NAME(ISA, table, name, here) [SCARP_ISA_##ISA] = name,
+static const char *const isas[SCARP_ISAS] = {[SCARP_ISA_NONE] = "none", SCARP_ISA_LIST(NAME)};
+#undef NAME
 
 /* Enumerators come as unsigned, so that negative numbers are too large as well. */
 static const char *name_of(unsigned enumerator, const char *const names[], unsigned count)

@@ -6,11 +6,15 @@
 #ifndef SCARP_NAMES_H
 #define SCARP_NAMES_H
 
+#include "isas.h"
 #include "scarp.h"
 
 #define SCARP_BASES (SCARP_VALUE + 1)
 #define SCARP_FADES (SCARP_CUBIC + 1)
 #define SCARP_FRACTALS (SCARP_EROSION + 1)
-#define SCARP_ISAS (SCARP_ISA_NEON + 1)
+
+/* SCARP_ISA_NONE and those of the list. */
+#define SCARP_ISA_COUNT(ISA, table, name, here) +1
+#define SCARP_ISAS (1 SCARP_ISA_LIST(SCARP_ISA_COUNT))
 
 #endif

@@ -70,7 +70,8 @@ static inline void test_names(void)
         [SCARP_FBM] = "fbm",         [SCARP_TURBULENCE] = "turbulence", [SCARP_RIDGED] = "ridged",
         [SCARP_EROSION] = "erosion", [SCARP_EROSION + 1] = NULL,
     };
-    static const char *const isas[] = {"none", "scalar", "sse4.1", "avx2", "avx512", "neon", NULL};
+    static const char *const isas[] = {"none",   "scalar", "sse4.1",  "avx2",
+                                       "avx512", "neon",   "generic", NULL};
     expect_names("basis", basis_name, bases);
     expect_names("fade", fade_name, fades);
     expect_names("fractal", fractal_name, fractals);

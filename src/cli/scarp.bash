@@ -24,7 +24,7 @@ _scarp()
         --fade) words="quintic cubic" ;;
         --fractal) words="fbm turbulence ridged erosion" ;;
         --preset) words="none alps dunes islands canyon" ;;
-        --isa) words="scalar sse4.1 avx2 avx512 neon" ;;
+        --isa) words="scalar sse4.1 avx2 avx512 neon generic" ;;
         --normal-y) words="up down" ;;
         --dims) words="2 3" ;;
         --input-format | --output-format) words="csv text npy" ;;

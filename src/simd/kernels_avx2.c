@@ -4,8 +4,9 @@
  * compiler flag is needed; everything but the table is static, so none of this code leaks.
  */
 #include "../kernels.h"
+#include "body.h"
 
-#ifdef SCARP_X86_AVX
+#if SCARP_X86_AVX
 
 #include <immintrin.h> /* before the region: its functions carry their own targets */
 
@@ -20,7 +21,7 @@
 
 #define KERNELS scarp_kernels_avx2
 #define KERNELS_ISA SCARP_ISA_AVX2
-#include "../kernel/table.h"
+#include KERNELS_BODY
 
 #if defined(__clang__)
 #pragma clang attribute pop

@@ -3,14 +3,15 @@
  * The kernels for NEON, which is part of the AArch64 baseline and needs no switching on.
  */
 #include "../kernels.h"
+#include "body.h"
 
-#ifdef SCARP_AARCH64
+#if SCARP_AARCH64
 
 #include "vec_neon.h"
 
 #define KERNELS scarp_kernels_neon
 #define KERNELS_ISA SCARP_ISA_NEON
-#include "../kernel/table.h"
+#include KERNELS_BODY
 
 #else
 typedef int scarp_not_aarch64; /* ISO C wants a declaration in every file */

@@ -4,8 +4,9 @@
  * compiler flag is needed; everything but the table is static, so none of this code leaks.
  */
 #include "../kernels.h"
+#include "body.h"
 
-#ifdef SCARP_X86
+#if SCARP_X86
 
 #include <immintrin.h> /* before the region: its functions carry their own targets */
 
@@ -20,7 +21,7 @@
 
 #define KERNELS scarp_kernels_sse41
 #define KERNELS_ISA SCARP_ISA_SSE41
-#include "../kernel/table.h"
+#include KERNELS_BODY
 
 #if defined(__clang__)
 #pragma clang attribute pop

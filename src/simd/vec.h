@@ -1,66 +1,398 @@
 /* SPDX-License-Identifier: MIT
  *
- * The contract of the vector operations that src/kernel is written in. Each vec_<isa>.h provides
- * all of them; each kernels_<isa>.c includes one, then the kernels. Not included by anything: a
- * page to read, kept beside the code that it describes.
+ * The vector operations that src/kernel is written in: the contract of each, and a definition in
+ * the vector extensions of gcc and clang that serves any processor, of either byte order.
  *
- * Types (gcc and clang vector extensions, so + - * / << >> ^ & | ~ work on them, lane by lane, and
- * comparisons, < and !=, give all ones or 0 in each lane):
- *   vf  VEC_LANES floats
- *   vu  VEC_LANES unsigned 32-bit integers; + - * wrap, >> shifts in zeros
- *   vi  VEC_LANES signed ones, for conversion
- *   vd  VEC_LANES / 2 doubles: a vf's worth of doubles is a pair (low lanes, high lanes)
- *   vf_table  VF_TABLE floats, for vf_permute; no operators
+ * A vec_<isa>.h defines VEC_LANES, includes vec_types.h, writes what its processor does better, and
+ * includes this file last, which adds what is left. To say that an operation is there it defines a
+ * macro: VF_FLOOR_OWN for vf_floor, and so on. Some go together: vf_lookup_top takes what
+ * vu_top_index makes, and vf_table has a group of its own at the end.
  *
- * Memory; addresses need no alignment beyond that of the element, but for vf_stream:
- *   vf   vf_load(const float *p)            p[0 .. VEC_LANES)
- *   void vf_store(float *p, vf v)           p[0 .. VEC_LANES)
- *   void vu_store(uint32_t *p, vu v)        p[0 .. VEC_LANES)
- *   vu   vu_load(const uint32_t *p)         p[0 .. VEC_LANES)
- *   vd   vd_load(const double *p)           p[0 .. VEC_LANES / 2)
- *   void vf_stream(float *p, vf v)          p[0 .. VEC_LANES), aligned to a vf; where VEC_STREAMS
- *                                           is 1, past the caches
- *   void vf_stream_end(void)                before other threads may learn that what was streamed
- *                                           is there: on x86 later stores overtake it, even those
- *                                           that release
- *
- * The same number in every lane:
- *   vf vf_set(float)      vu vu_set(uint32_t)      vd vd_set(double)
- *
- * Rounding and conversion:
- *   vf vf_floor(vf)       greatest integer not above; NaN and infinities as they are
- *   vd vd_floor(vd)       the same
- *   vu vu_from_vf(vf)     of an integral float in [-2^31, 2^31): its two's complement; of anything
- *                         else 0x80000000 (of NaN: anything)
- *   vf vf_from_vi(vi)     rounded to nearest
- *   vf vf_from_vd(vd low, vd high)   rounded to nearest
- *   vd vd_from_low(vf), vd vd_from_high(vf)   lanes below and from VEC_LANES / 2, exact
- *   vu vu_low_bits(vd low, vd high)  bits 0..31 of each double's representation
- *
- * Arithmetic that operators cannot say; correctly rounded, as IEEE 754 asks:
- *   vd vd_sqrt(vd)
- *
- * Bits:
- *   vu vu_turn8(vu)       each lane's bits turned right by 8: a >> 8 | a << 24
- *
- * Tables:
- *   vf vf_lookup(const struct lookup *table, vu hash)
- *                         table->entry[hash >> 28] in each lane; lookup.h tells what is known of
- *                         the entries, which helps where tables are small
- *   vu vu_top_index(vu hash)
- *                         what vf_lookup_top wants for the entries (hash >> 16) * 12 >> 16
- *   vf vf_lookup_top(const struct lookup_top *table, vu index)
- *                         in each lane the float with table->top[i] as its top byte and 0 below
- *
- * Permutation:
- *   vu vu_lanes(void)     0, 1, 2, ... VEC_LANES - 1
- *   vf_table vf_table_load(const float *p)   p[0 .. VF_TABLE); VF_TABLE is VEC_LANES or twice that
- *   vf_table vf_table_slide(vf_table t, vf next)   t without its first VEC_LANES entries, and next
- *   vu vf_index(vu i)     what vf_permute wants for these entries, each below VF_TABLE;
- *                         VF_INDEX_NEXT added to it asks for the entries after them (which must
- *                         also be below it)
- *   vf vf_permute(vf_table table, vu index)   table[i] in each lane
- *
- * In front of a loop of a dozen operations:
- *   VEC_SHORT_LOOP        unrolls it where that helps
+ * Everything is inlined into the functions of a kernels_<isa>.c, so this file must be included
+ * inside its target region. tests/test_vec.c compares each operation of each set with plain C.
  */
+#ifndef SCARP_SIMD_VEC_H
+#define SCARP_SIMD_VEC_H
+
+/* A number for every lane of a vector, of a vd; and the numbers of the lanes. */
+#if VEC_LANES == 4
+#define VEC_EACH(a) a, a, a, a
+#define VEC_EACH_DOUBLE(a) a, a
+#define VEC_NUMBERS 0, 1, 2, 3
+#elif VEC_LANES == 8
+#define VEC_EACH(a) a, a, a, a, a, a, a, a
+#define VEC_EACH_DOUBLE(a) a, a, a, a
+#define VEC_NUMBERS 0, 1, 2, 3, 4, 5, 6, 7
+#elif VEC_LANES == 16
+#define VEC_EACH(a) a, a, a, a, a, a, a, a, a, a, a, a, a, a, a, a
+#define VEC_EACH_DOUBLE(a) a, a, a, a, a, a, a, a
+#define VEC_NUMBERS 0, 1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15
+#else
+#error "VEC_LANES must be 4, 8 or 16"
+#endif
+
+typedef uint64_t vec_u64 __attribute__((vector_size(VEC_BYTES)));
+
+/*
+ * Memory. Addresses need no alignment beyond that of the element, but for vf_stream.
+ */
+
+/* p[0 .. VEC_LANES) */
+#ifndef VF_LOAD_OWN
+VEC_INLINE vf vf_load(const float *p)
+{
+    vf v;
+    memcpy(&v, p, sizeof v);
+    return v;
+}
+#endif
+
+#ifndef VU_LOAD_OWN
+VEC_INLINE vu vu_load(const uint32_t *p)
+{
+    vu v;
+    memcpy(&v, p, sizeof v);
+    return v;
+}
+#endif
+
+/* p[0 .. VEC_LANES / 2) */
+#ifndef VD_LOAD_OWN
+VEC_INLINE vd vd_load(const double *p)
+{
+    vd v;
+    memcpy(&v, p, sizeof v);
+    return v;
+}
+#endif
+
+#ifndef VF_STORE_OWN
+VEC_INLINE void vf_store(float *p, vf v)
+{
+    memcpy(p, &v, sizeof v);
+}
+#endif
+
+#ifndef VU_STORE_OWN
+VEC_INLINE void vu_store(uint32_t *p, vu v)
+{
+    memcpy(p, &v, sizeof v);
+}
+#endif
+
+/* Whether vf_stream writes past the caches, which pays for rows that are only written. */
+#ifndef VEC_STREAMS
+#define VEC_STREAMS 0
+#endif
+
+/* p[0 .. VEC_LANES), aligned to a vf. */
+#ifndef VF_STREAM_OWN
+VEC_INLINE void vf_stream(float *p, vf v)
+{
+    vf_store(p, v);
+}
+#endif
+
+/* Comes before other threads may learn that what was streamed is there: on x86 later stores
+   overtake it, even those that release. */
+#ifndef VF_STREAM_END_OWN
+VEC_INLINE void vf_stream_end(void)
+{
+}
+#endif
+
+/*
+ * The same number in every lane.
+ */
+
+#ifndef VF_SET_OWN
+VEC_INLINE vf vf_set(float a)
+{
+    const vf v = {VEC_EACH(a)};
+    return v;
+}
+#endif
+
+#ifndef VU_SET_OWN
+VEC_INLINE vu vu_set(uint32_t a)
+{
+    const vu v = {VEC_EACH(a)};
+    return v;
+}
+#endif
+
+#ifndef VD_SET_OWN
+VEC_INLINE vd vd_set(double a)
+{
+    const vd v = {VEC_EACH_DOUBLE(a)};
+    return v;
+}
+#endif
+
+/*
+ * Bits.
+ */
+
+/* In each lane a where the mask is all ones, b where it is 0. */
+#ifndef VU_CHOOSE_OWN
+VEC_INLINE vu vu_choose(vu mask, vu a, vu b)
+{
+    return b ^ ((a ^ b) & mask);
+}
+#endif
+
+/* A mask: whether bit `bit` of a is set. */
+#ifndef VU_BIT_OWN
+VEC_INLINE vu vu_bit(vu a, int bit)
+{
+    return (vu)((vi)(a << (31 - bit)) >> 31);
+}
+#endif
+
+/* Each lane's bits turned right by 8. */
+#ifndef VU_TURN8_OWN
+VEC_INLINE vu vu_turn8(vu a)
+{
+    return a >> 8 | a << 24;
+}
+#endif
+
+/*
+ * Rounding and conversion.
+ */
+
+/* The greatest integer that is not above; the sign of a zero stays, NaN and infinities do. Adding
+   2^23 rounds the magnitude to an integer; where that went up, one less. Larger numbers are
+   integers. */
+#ifndef VF_FLOOR_OWN
+VEC_INLINE vf vf_floor(vf a)
+{
+    const vu sign = (vu)a & 0x80000000u;
+    const vf magnitude = (vf)((vu)a ^ sign);
+    const vf nearest = (vf)((vu)((magnitude + 0x1p23f) - 0x1p23f) | sign);
+    const vf lower = nearest - (vf)((vu)(nearest > a) & (vu)vf_set(1.0f));
+    return (vf)vu_choose((vu)(magnitude < vf_set(0x1p23f)), (vu)lower, (vu)a);
+}
+#endif
+
+#ifndef VD_FLOOR_OWN
+VEC_INLINE vd vd_floor(vd a)
+{
+    const vec_u64 sign = (vec_u64)a & UINT64_C(0x8000000000000000);
+    const vd magnitude = (vd)((vec_u64)a ^ sign);
+    const vd nearest = (vd)((vec_u64)((magnitude + 0x1p52) - 0x1p52) | sign);
+    const vd lower = nearest - (vd)((vec_u64)(nearest > a) & (vec_u64)vd_set(1.0));
+    const vec_u64 fraction = (vec_u64)(magnitude < vd_set(0x1p52));
+    return (vd)((vec_u64)a ^ (((vec_u64)lower ^ (vec_u64)a) & fraction));
+}
+#endif
+
+/* Of an integral float in [-2^31, 2^31): its two's complement; of those beyond and of infinities
+   0x80000000; of NaN and fractions anything. C converts only what is inside. */
+#ifndef VU_FROM_VF_OWN
+VEC_INLINE vu vu_from_vf(vf a)
+{
+    const vf magnitude = (vf)((vu)a & 0x7fffffffu);
+    const vu inside = (vu)(magnitude < vf_set(0x1p31f));
+    const vi whole = __builtin_convertvector((vf)((vu)a & inside), vi);
+    return (vu)whole | (~inside & 0x80000000u);
+}
+#endif
+
+/* Rounded to nearest. */
+#ifndef VF_FROM_VI_OWN
+VEC_INLINE vf vf_from_vi(vi a)
+{
+    return __builtin_convertvector(a, vf);
+}
+#endif
+
+/* Rounded to nearest. */
+#ifndef VF_FROM_VD_OWN
+VEC_INLINE vf vf_from_vd(vd low, vd high)
+{
+    vf v = vf_set(0.0f);
+    for (int i = 0; i < VEC_LANES / 2; i++) {
+        v[i] = (float)low[i];
+        v[i + VEC_LANES / 2] = (float)high[i];
+    }
+    return v;
+}
+#endif
+
+/* The lanes below VEC_LANES / 2, exactly. */
+#ifndef VD_FROM_LOW_OWN
+VEC_INLINE vd vd_from_low(vf a)
+{
+    vd v = vd_set(0.0);
+    for (int i = 0; i < VEC_LANES / 2; i++) {
+        v[i] = (double)a[i];
+    }
+    return v;
+}
+#endif
+
+/* The lanes from VEC_LANES / 2, exactly. */
+#ifndef VD_FROM_HIGH_OWN
+VEC_INLINE vd vd_from_high(vf a)
+{
+    vd v = vd_set(0.0);
+    for (int i = 0; i < VEC_LANES / 2; i++) {
+        v[i] = (double)a[i + VEC_LANES / 2];
+    }
+    return v;
+}
+#endif
+
+/* Bits 0 to 31 of each double's representation. */
+#ifndef VU_LOW_BITS_OWN
+VEC_INLINE vu vu_low_bits(vd low, vd high)
+{
+    vu v = vu_set(0);
+    for (int i = 0; i < VEC_LANES / 2; i++) {
+        v[i] = (uint32_t)((vec_u64)low)[i];
+        v[i + VEC_LANES / 2] = (uint32_t)((vec_u64)high)[i];
+    }
+    return v;
+}
+#endif
+
+/*
+ * Arithmetic that operators cannot say; correctly rounded, as IEEE 754 asks.
+ */
+
+#ifndef VD_SQRT_OWN
+VEC_INLINE vd vd_sqrt(vd a)
+{
+    vd v = a;
+    for (int i = 0; i < VEC_LANES / 2; i++) {
+        v[i] = __builtin_sqrt(a[i]);
+    }
+    return v;
+}
+#endif
+
+/*
+ * Tables; lookup.h has their types. The portable forms choose between entries bit by bit: the
+ * tables are constants in the kernels, so where two entries are alike or differ in the sign alone,
+ * the compiler has little left to do.
+ */
+
+/* entry[0 .. 4) by two masks of a bit of the index each. */
+VEC_INLINE vu vec_four(vu bit0, vu bit1, vu e0, vu e1, vu e2, vu e3)
+{
+    return vu_choose(bit1, vu_choose(bit0, e3, e2), vu_choose(bit0, e1, e0));
+}
+
+/* table->entry[hash >> 28] in each lane. */
+#ifndef VF_LOOKUP_OWN
+VEC_INLINE vf vf_lookup(const struct lookup *table, vu hash)
+{
+    const float *const quad = table->quad;
+    const vu magnitude = vec_four(vu_bit(hash, 29), vu_bit(hash, 30), (vu)vf_set(quad[0]),
+                                  (vu)vf_set(quad[1]), (vu)vf_set(quad[2]), (vu)vf_set(quad[3]));
+    return (vf)(magnitude ^ ((table->sign_low ? hash << 3 : hash) & 0x80000000u));
+}
+#endif
+
+/* What vf_lookup_top wants for the entries (hash >> 16) * 12 >> 16; here their number is in the
+   upper half. */
+#ifndef VU_TOP_INDEX_OWN
+VEC_INLINE vu vu_top_index(vu hash)
+{
+    const vu high = hash >> 16;
+    return (high << 3) + (high << 2);
+}
+#endif
+
+/* In each lane the float with table->top[i] as its top byte and 0 below. */
+#ifndef VF_LOOKUP_TOP_OWN
+VEC_INLINE vu vec_top(const struct lookup_top *table, int i)
+{
+    return vu_set((uint32_t)table->top[i] << 24);
+}
+
+VEC_INLINE vf vf_lookup_top(const struct lookup_top *table, vu index)
+{
+    const vu bit0 = vu_bit(index, 16), bit1 = vu_bit(index, 17);
+    const vu low = vec_four(bit0, bit1, vec_top(table, 0), vec_top(table, 1), vec_top(table, 2),
+                            vec_top(table, 3));
+    const vu middle = vec_four(bit0, bit1, vec_top(table, 4), vec_top(table, 5), vec_top(table, 6),
+                               vec_top(table, 7));
+    const vu high = vec_four(bit0, bit1, vec_top(table, 8), vec_top(table, 9), vec_top(table, 10),
+                             vec_top(table, 11));
+    return (vf)vu_choose(vu_bit(index, 19), high, vu_choose(vu_bit(index, 18), middle, low));
+}
+#endif
+
+/*
+ * Permutation: a table of VF_TABLE floats, which is VEC_LANES or twice that; no operators. A set
+ * that has its own defines VF_TABLE, VF_INDEX_NEXT, vf_table and all these operations.
+ *
+ *   vf_table vf_table_load(const float *p)         p[0 .. VF_TABLE)
+ *   vf_table vf_table_slide(vf_table t, vf next)   t without its first VEC_LANES entries, and next
+ *   vu vf_index(vu i)   what vf_permute wants for these entries, each below VF_TABLE; VF_INDEX_NEXT
+ *                       added to it asks for the entries after them (also below VF_TABLE)
+ *   vf vf_permute(vf_table table, vu index)        table[i] in each lane
+ */
+
+/* 0, 1, 2, ... VEC_LANES - 1 */
+#ifndef VU_LANES_OWN
+VEC_INLINE vu vu_lanes(void)
+{
+    const vu lanes = {VEC_NUMBERS};
+    return lanes;
+}
+#endif
+
+#ifndef VF_TABLE
+#define VF_TABLE VEC_LANES
+
+/* Each entry in every lane. */
+typedef struct {
+    vu entry[VEC_LANES];
+} vf_table;
+
+VEC_INLINE vf_table vf_table_load(const float *p)
+{
+    vf_table table;
+    for (int i = 0; i < VEC_LANES; i++) {
+        table.entry[i] = (vu)vf_set(p[i]);
+    }
+    return table;
+}
+
+VEC_INLINE vf_table vf_table_slide(vf_table table, vf next)
+{
+    for (int i = 0; i < VEC_LANES; i++) {
+        table.entry[i] = (vu)vf_set(next[i]);
+    }
+    return table;
+}
+
+VEC_INLINE vu vf_index(vu i)
+{
+    return i;
+}
+
+#define VF_INDEX_NEXT 1u
+
+/* Each bit of the index halves what is left of the table. */
+VEC_INLINE vf vf_permute(vf_table table, vu index)
+{
+    for (int bit = 0, left = VEC_LANES / 2; left > 0; bit++, left /= 2) {
+        const vu odd = vu_bit(index, bit);
+        for (int i = 0; i < left; i++) {
+            table.entry[i] = vu_choose(odd, table.entry[2 * i + 1], table.entry[2 * i]);
+        }
+    }
+    return (vf)table.entry[0];
+}
+#endif
+
+/* In front of a loop of a dozen operations: unrolls it where that helps. */
+#ifndef VEC_SHORT_LOOP
+#define VEC_SHORT_LOOP
+#endif
+
+#endif

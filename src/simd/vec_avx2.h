@@ -6,23 +6,18 @@
 #define SCARP_SIMD_VEC_AVX2_H
 
 #include <immintrin.h>
-#include <stdint.h>
-
-#include "lookup.h"
 
 #define VEC_LANES 8
-#define VEC_INLINE static inline __attribute__((always_inline))
 
-typedef float vf __attribute__((vector_size(32)));
-typedef uint32_t vu __attribute__((vector_size(32)));
-typedef int32_t vi __attribute__((vector_size(32)));
-typedef double vd __attribute__((vector_size(32)));
+#include "vec_types.h"
 
+#define VF_LOAD_OWN
 VEC_INLINE vf vf_load(const float *p)
 {
     return (vf)_mm256_loadu_ps(p);
 }
 
+#define VF_STORE_OWN
 VEC_INLINE void vf_store(float *p, vf v)
 {
     _mm256_storeu_ps(p, (__m256)v);
@@ -30,71 +25,85 @@ VEC_INLINE void vf_store(float *p, vf v)
 
 #define VEC_STREAMS 1
 
+#define VF_STREAM_OWN
 VEC_INLINE void vf_stream(float *p, vf v)
 {
     _mm256_stream_ps(p, (__m256)v);
 }
 
+#define VF_STREAM_END_OWN
 VEC_INLINE void vf_stream_end(void)
 {
     _mm_sfence();
 }
 
+#define VD_LOAD_OWN
 VEC_INLINE vd vd_load(const double *p)
 {
     return (vd)_mm256_loadu_pd(p);
 }
 
+#define VF_SET_OWN
 VEC_INLINE vf vf_set(float a)
 {
     return (vf)_mm256_set1_ps(a);
 }
 
+#define VU_SET_OWN
 VEC_INLINE vu vu_set(uint32_t a)
 {
     return (vu)_mm256_set1_epi32((int)a);
 }
 
+#define VD_SET_OWN
 VEC_INLINE vd vd_set(double a)
 {
     return (vd)_mm256_set1_pd(a);
 }
 
+#define VF_FLOOR_OWN
 VEC_INLINE vf vf_floor(vf a)
 {
     return (vf)_mm256_floor_ps((__m256)a);
 }
 
+#define VD_FLOOR_OWN
 VEC_INLINE vd vd_floor(vd a)
 {
     return (vd)_mm256_floor_pd((__m256d)a);
 }
 
+#define VU_FROM_VF_OWN
 VEC_INLINE vu vu_from_vf(vf a)
 {
     return (vu)_mm256_cvttps_epi32((__m256)a);
 }
 
+#define VF_FROM_VI_OWN
 VEC_INLINE vf vf_from_vi(vi a)
 {
     return (vf)_mm256_cvtepi32_ps((__m256i)a);
 }
 
+#define VF_FROM_VD_OWN
 VEC_INLINE vf vf_from_vd(vd low, vd high)
 {
     return (vf)_mm256_set_m128(_mm256_cvtpd_ps((__m256d)high), _mm256_cvtpd_ps((__m256d)low));
 }
 
+#define VD_FROM_LOW_OWN
 VEC_INLINE vd vd_from_low(vf a)
 {
     return (vd)_mm256_cvtps_pd(_mm256_castps256_ps128((__m256)a));
 }
 
+#define VD_FROM_HIGH_OWN
 VEC_INLINE vd vd_from_high(vf a)
 {
     return (vd)_mm256_cvtps_pd(_mm256_extractf128_ps((__m256)a, 1));
 }
 
+#define VU_LOW_BITS_OWN
 VEC_INLINE vu vu_low_bits(vd low, vd high)
 {
     /* even words of both, 128-bit lanes interleaved; then the lanes' halves into order */
@@ -102,11 +111,13 @@ VEC_INLINE vu vu_low_bits(vd low, vd high)
     return (vu)_mm256_permute4x64_epi64((__m256i)even, _MM_SHUFFLE(3, 1, 2, 0));
 }
 
+#define VD_SQRT_OWN
 VEC_INLINE vd vd_sqrt(vd a)
 {
     return (vd)_mm256_sqrt_pd((__m256d)a);
 }
 
+#define VU_TURN8_OWN
 VEC_INLINE vu vu_turn8(vu a)
 {
     const __m128i bytes = _mm_setr_epi8(1, 2, 3, 0, 5, 6, 7, 4, 9, 10, 11, 8, 13, 14, 15, 12);
@@ -114,6 +125,7 @@ VEC_INLINE vu vu_turn8(vu a)
 }
 
 /* The permute reads the low three bits of each index and ignores the others. */
+#define VF_LOOKUP_OWN
 VEC_INLINE vf vf_lookup(const struct lookup *table, vu hash)
 {
     const vu index = table->sign_low ? hash >> 28 : hash >> 29;
@@ -121,31 +133,17 @@ VEC_INLINE vf vf_lookup(const struct lookup *table, vu hash)
 }
 
 /* (hash >> 16) * 12, shifted so that its whole part is the top byte; the bytes below ask for 0. */
+#define VU_TOP_INDEX_OWN
 VEC_INLINE vu vu_top_index(vu hash)
 {
     const __m256i twelfths = _mm256_mulhi_epu16((__m256i)hash, _mm256_set1_epi32(12 << 24));
     return (vu)_mm256_or_si256(twelfths, _mm256_set1_epi32(0x00808080));
 }
 
+#define VF_LOOKUP_TOP_OWN
 VEC_INLINE vf vf_lookup_top(const struct lookup_top *table, vu index)
 {
     return (vf)_mm256_shuffle_epi8(_mm256_load_si256((const __m256i *)table->top), (__m256i)index);
-}
-
-VEC_INLINE vu vu_load(const uint32_t *p)
-{
-    return (vu)_mm256_loadu_si256((const __m256i *)p);
-}
-
-VEC_INLINE void vu_store(uint32_t *p, vu v)
-{
-    _mm256_storeu_si256((__m256i *)p, (__m256i)v);
-}
-
-VEC_INLINE vu vu_lanes(void)
-{
-    const vu lanes = {0, 1, 2, 3, 4, 5, 6, 7};
-    return lanes;
 }
 
 VEC_INLINE vu vf_index(vu i)
@@ -175,6 +173,6 @@ VEC_INLINE vf vf_permute(vf_table table, vu index)
     return (vf)_mm256_permutevar8x32_ps((__m256)table, (__m256i)index);
 }
 
-#define VEC_SHORT_LOOP
+#include "vec.h"
 
 #endif

@@ -6,71 +6,63 @@
 #define SCARP_SIMD_VEC_NEON_H
 
 #include <arm_neon.h>
-#include <stdint.h>
-
-#include "lookup.h"
 
 #define VEC_LANES 4
-#define VEC_INLINE static inline __attribute__((always_inline))
 
-typedef float vf __attribute__((vector_size(16)));
-typedef uint32_t vu __attribute__((vector_size(16)));
-typedef int32_t vi __attribute__((vector_size(16)));
-typedef double vd __attribute__((vector_size(16)));
+#include "vec_types.h"
 
+#define VF_LOAD_OWN
 VEC_INLINE vf vf_load(const float *p)
 {
     return (vf)vld1q_f32(p);
 }
 
+#define VF_STORE_OWN
 VEC_INLINE void vf_store(float *p, vf v)
 {
     vst1q_f32(p, (float32x4_t)v);
 }
 
-/* Cores recognise rows that are only written, and do not fetch them. */
-#define VEC_STREAMS 0
+/* No vf_stream: cores recognise rows that are only written, and do not fetch them. */
 
-VEC_INLINE void vf_stream(float *p, vf v)
-{
-    vf_store(p, v);
-}
-
-VEC_INLINE void vf_stream_end(void)
-{
-}
-
+#define VD_LOAD_OWN
 VEC_INLINE vd vd_load(const double *p)
 {
     return (vd)vld1q_f64(p);
 }
 
+#define VF_SET_OWN
 VEC_INLINE vf vf_set(float a)
 {
     return (vf)vdupq_n_f32(a);
 }
 
+#define VU_SET_OWN
 VEC_INLINE vu vu_set(uint32_t a)
 {
     return (vu)vdupq_n_u32(a);
 }
 
+#define VD_SET_OWN
 VEC_INLINE vd vd_set(double a)
 {
     return (vd)vdupq_n_f64(a);
 }
 
+#define VF_FLOOR_OWN
 VEC_INLINE vf vf_floor(vf a)
 {
     return (vf)vrndmq_f32((float32x4_t)a);
 }
 
+#define VD_FLOOR_OWN
 VEC_INLINE vd vd_floor(vd a)
 {
     return (vd)vrndmq_f64((float64x2_t)a);
 }
 
 /* The conversion saturates; above the range that is 0x7fffffff and must become 0x80000000. */
+#define VU_FROM_VF_OWN
 VEC_INLINE vu vu_from_vf(vf a)
 {
     const uint32x4_t above = vcgeq_f32((float32x4_t)a, vdupq_n_f32(0x1p31f));
@@ -78,42 +70,50 @@ VEC_INLINE vu vu_from_vf(vf a)
     return (vu)vbslq_u32(above, vdupq_n_u32(0x80000000u), saturated);
 }
 
+#define VF_FROM_VI_OWN
 VEC_INLINE vf vf_from_vi(vi a)
 {
     return (vf)vcvtq_f32_s32((int32x4_t)a);
 }
 
+#define VF_FROM_VD_OWN
 VEC_INLINE vf vf_from_vd(vd low, vd high)
 {
     return (vf)vcvt_high_f32_f64(vcvt_f32_f64((float64x2_t)low), (float64x2_t)high);
 }
 
+#define VD_FROM_LOW_OWN
 VEC_INLINE vd vd_from_low(vf a)
 {
     return (vd)vcvt_f64_f32(vget_low_f32((float32x4_t)a));
 }
 
+#define VD_FROM_HIGH_OWN
 VEC_INLINE vd vd_from_high(vf a)
 {
     return (vd)vcvt_high_f64_f32((float32x4_t)a);
 }
 
+#define VU_LOW_BITS_OWN
 VEC_INLINE vu vu_low_bits(vd low, vd high)
 {
     return (vu)vuzp1q_u32((uint32x4_t)low, (uint32x4_t)high);
 }
 
+#define VD_SQRT_OWN
 VEC_INLINE vd vd_sqrt(vd a)
 {
     return (vd)vsqrtq_f64((float64x2_t)a);
 }
 
+#define VU_TURN8_OWN
 VEC_INLINE vu vu_turn8(vu a)
 {
     return (vu)vsriq_n_u32(vshlq_n_u32((uint32x4_t)a, 24), (uint32x4_t)a, 8);
 }
 
 /* TBL reads whole bytes: 4 * index + (0 1 2 3) in the bytes of each lane. */
+#define VF_LOOKUP_OWN
 VEC_INLINE vf vf_lookup(const struct lookup *table, vu hash)
 {
     const vu index = table->sign_low ? (hash >> 28) & 7u : hash >> 29;
@@ -124,30 +124,28 @@ VEC_INLINE vf vf_lookup(const struct lookup *table, vu hash)
 }
 
 /* (hash >> 16) * 12, shifted so that its whole part is the top byte; the bytes below ask for 0. */
+#define VU_TOP_INDEX_OWN
 VEC_INLINE vu vu_top_index(vu hash)
 {
     return (hash >> 16) * (12u << 8) | 0x00808080u;
 }
 
+#define VF_LOOKUP_TOP_OWN
 VEC_INLINE vf vf_lookup_top(const struct lookup_top *table, vu index)
 {
     return (vf)vqtbl1q_u8(vld1q_u8(table->top), (uint8x16_t)index);
 }
 
+#define VU_LOAD_OWN
 VEC_INLINE vu vu_load(const uint32_t *p)
 {
     return (vu)vld1q_u32(p);
 }
 
+#define VU_STORE_OWN
 VEC_INLINE void vu_store(uint32_t *p, vu v)
 {
     vst1q_u32(p, (uint32x4_t)v);
-}
-
-VEC_INLINE vu vu_lanes(void)
-{
-    const vu lanes = {0, 1, 2, 3};
-    return lanes;
 }
 
 /* The bytes of each lane: 4 * lane + (0 1 2 3). */
@@ -178,6 +176,6 @@ VEC_INLINE vf vf_permute(vf_table table, vu index)
     return (vf)vqtbl1q_u8((uint8x16_t)table, (uint8x16_t)index);
 }
 
-#define VEC_SHORT_LOOP
+#include "vec.h"
 
 #endif

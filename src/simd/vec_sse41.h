@@ -6,23 +6,18 @@
 #define SCARP_SIMD_VEC_SSE41_H
 
 #include <smmintrin.h>
-#include <stdint.h>
-
-#include "lookup.h"
 
 #define VEC_LANES 4
-#define VEC_INLINE static inline __attribute__((always_inline))
 
-typedef float vf __attribute__((vector_size(16)));
-typedef uint32_t vu __attribute__((vector_size(16)));
-typedef int32_t vi __attribute__((vector_size(16)));
-typedef double vd __attribute__((vector_size(16)));
+#include "vec_types.h"
 
+#define VF_LOAD_OWN
 VEC_INLINE vf vf_load(const float *p)
 {
     return (vf)_mm_loadu_ps(p);
 }
 
+#define VF_STORE_OWN
 VEC_INLINE void vf_store(float *p, vf v)
 {
     _mm_storeu_ps(p, (__m128)v);
@@ -30,81 +25,97 @@ VEC_INLINE void vf_store(float *p, vf v)
 
 #define VEC_STREAMS 1
 
+#define VF_STREAM_OWN
 VEC_INLINE void vf_stream(float *p, vf v)
 {
     _mm_stream_ps(p, (__m128)v);
 }
 
+#define VF_STREAM_END_OWN
 VEC_INLINE void vf_stream_end(void)
 {
     _mm_sfence();
 }
 
+#define VD_LOAD_OWN
 VEC_INLINE vd vd_load(const double *p)
 {
     return (vd)_mm_loadu_pd(p);
 }
 
+#define VF_SET_OWN
 VEC_INLINE vf vf_set(float a)
 {
     return (vf)_mm_set1_ps(a);
 }
 
+#define VU_SET_OWN
 VEC_INLINE vu vu_set(uint32_t a)
 {
     return (vu)_mm_set1_epi32((int)a);
 }
 
+#define VD_SET_OWN
 VEC_INLINE vd vd_set(double a)
 {
     return (vd)_mm_set1_pd(a);
 }
 
+#define VF_FLOOR_OWN
 VEC_INLINE vf vf_floor(vf a)
 {
     return (vf)_mm_floor_ps((__m128)a);
 }
 
+#define VD_FLOOR_OWN
 VEC_INLINE vd vd_floor(vd a)
 {
     return (vd)_mm_floor_pd((__m128d)a);
 }
 
+#define VU_FROM_VF_OWN
 VEC_INLINE vu vu_from_vf(vf a)
 {
     return (vu)_mm_cvttps_epi32((__m128)a);
 }
 
+#define VF_FROM_VI_OWN
 VEC_INLINE vf vf_from_vi(vi a)
 {
     return (vf)_mm_cvtepi32_ps((__m128i)a);
 }
 
+#define VF_FROM_VD_OWN
 VEC_INLINE vf vf_from_vd(vd low, vd high)
 {
     return (vf)_mm_movelh_ps(_mm_cvtpd_ps((__m128d)low), _mm_cvtpd_ps((__m128d)high));
 }
 
+#define VD_FROM_LOW_OWN
 VEC_INLINE vd vd_from_low(vf a)
 {
     return (vd)_mm_cvtps_pd((__m128)a);
 }
 
+#define VD_FROM_HIGH_OWN
 VEC_INLINE vd vd_from_high(vf a)
 {
     return (vd)_mm_cvtps_pd(_mm_movehl_ps((__m128)a, (__m128)a));
 }
 
+#define VU_LOW_BITS_OWN
 VEC_INLINE vu vu_low_bits(vd low, vd high)
 {
     return (vu)_mm_shuffle_ps((__m128)low, (__m128)high, _MM_SHUFFLE(2, 0, 2, 0));
 }
 
+#define VD_SQRT_OWN
 VEC_INLINE vd vd_sqrt(vd a)
 {
     return (vd)_mm_sqrt_pd((__m128d)a);
 }
 
+#define VU_TURN8_OWN
 VEC_INLINE vu vu_turn8(vu a)
 {
     const __m128i bytes = _mm_setr_epi8(1, 2, 3, 0, 5, 6, 7, 4, 9, 10, 11, 8, 13, 14, 15, 12);
@@ -113,6 +124,7 @@ VEC_INLINE vu vu_turn8(vu a)
 
 /* A byte shuffle chooses among four floats: bits 29 and 30 of the hash, as 4 * index + (0 1 2 3) in
    the bytes of each lane. The compiler shares that selector between the lookups of one hash. */
+#define VF_LOOKUP_OWN
 VEC_INLINE vf vf_lookup(const struct lookup *table, vu hash)
 {
     const __m128i top = _mm_setr_epi8(3, 3, 3, 3, 7, 7, 7, 7, 11, 11, 11, 11, 15, 15, 15, 15);
@@ -124,31 +136,17 @@ VEC_INLINE vf vf_lookup(const struct lookup *table, vu hash)
 }
 
 /* (hash >> 16) * 12, shifted so that its whole part is the top byte; the bytes below ask for 0. */
+#define VU_TOP_INDEX_OWN
 VEC_INLINE vu vu_top_index(vu hash)
 {
     const __m128i twelfths = _mm_mulhi_epu16((__m128i)hash, _mm_set1_epi32(12 << 24));
     return (vu)_mm_or_si128(twelfths, _mm_set1_epi32(0x00808080));
 }
 
+#define VF_LOOKUP_TOP_OWN
 VEC_INLINE vf vf_lookup_top(const struct lookup_top *table, vu index)
 {
     return (vf)_mm_shuffle_epi8(_mm_load_si128((const __m128i *)table->top), (__m128i)index);
-}
-
-VEC_INLINE vu vu_load(const uint32_t *p)
-{
-    return (vu)_mm_loadu_si128((const __m128i *)p);
-}
-
-VEC_INLINE void vu_store(uint32_t *p, vu v)
-{
-    _mm_storeu_si128((__m128i *)p, (__m128i)v);
-}
-
-VEC_INLINE vu vu_lanes(void)
-{
-    const vu lanes = {0, 1, 2, 3};
-    return lanes;
 }
 
 /* The bytes of each lane: 4 * lane + (0 1 2 3). */
@@ -186,5 +184,7 @@ VEC_INLINE vf vf_permute(vf_table table, vu index)
 #else
 #define VEC_SHORT_LOOP _Pragma("GCC unroll 2")
 #endif
+
+#include "vec.h"
 
 #endif

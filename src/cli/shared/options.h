@@ -53,7 +53,7 @@ struct option_group {
     }
 
 /* What option_isa takes; tests/test_cli_words.c compares it with the library's names. */
-#define OPTION_ISAS "scalar, sse4.1, avx2, avx512 or neon"
+#define OPTION_ISAS "scalar, sse4.1, avx2, avx512, neon or generic"
 
 /* Options as they would be typed, one word each and NULL at the end: names, each followed by its
    value unless it is a flag */

@@ -1,0 +1,63 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The one list of instruction sets, and where each is compiled. The tables of dispatch.c, the names
+ * of names.c, the declarations in kernels.h and the operations that tests/test_vec.c tests are made
+ * from it.
+ */
+#ifndef SCARP_ISAS_H
+#define SCARP_ISAS_H
+
+/*
+ * X(enumerator after SCARP_ISA_, table after scarp_kernels_, name, whether this build has it), best
+ * first: of those that the processor can run, the first one serves the calls.
+ */
+#define SCARP_ISA_VECTORS(X)                                                                       \
+    X(AVX512, avx512, "avx512", SCARP_X86_AVX)                                                     \
+    X(AVX2, avx2, "avx2", SCARP_X86_AVX)                                                           \
+    X(SSE41, sse41, "sse4.1", SCARP_X86)                                                           \
+    X(NEON, neon, "neon", SCARP_AARCH64)                                                           \
+    X(GENERIC, generic, "generic", SCARP_GENERIC)
+
+/* All, with the reference, which runs everywhere. */
+#define SCARP_ISA_LIST(X) SCARP_ISA_VECTORS(X) X(SCALAR, scalar, "scalar", 1)
+
+/* SCARP_WHERE(condition, text): the text where the condition, 0 or 1, is 1. */
+#define SCARP_WHERE(condition, ...) SCARP_WHERE_EXPANDED(condition, __VA_ARGS__)
+#define SCARP_WHERE_EXPANDED(condition, ...) SCARP_WHERE_##condition(__VA_ARGS__)
+#define SCARP_WHERE_0(...)
+#define SCARP_WHERE_1(...) __VA_ARGS__
+
+#if defined(__x86_64__) || defined(__i386__)
+#define SCARP_X86 1
+#else
+#define SCARP_X86 0
+#endif
+
+/* gcc for Windows spills 32- and 64-byte vectors to a stack that is aligned to 16 (GCC bug 54412).
+ */
+#if SCARP_X86 && (!defined(_WIN32) || defined(__clang__))
+#define SCARP_X86_AVX 1
+#else
+#define SCARP_X86_AVX 0
+#endif
+
+#if defined(__aarch64__) && defined(__ARM_NEON) && defined(__BYTE_ORDER__) &&                      \
+    __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
+#define SCARP_AARCH64 1
+#else
+#define SCARP_AARCH64 0
+#endif
+
+/* Vector extensions, with conversions between them (gcc 9). Not where vectors flush denormals,
+   whatever the floating-point mode: on 32-bit Arm with NEON, on PowerPC with AltiVec alone. */
+#if defined(__ARM_NEON) && !defined(__aarch64__)
+#define SCARP_GENERIC 0
+#elif defined(__ALTIVEC__) && !defined(__VSX__)
+#define SCARP_GENERIC 0
+#elif defined(__clang__) || (defined(__GNUC__) && __GNUC__ >= 9)
+#define SCARP_GENERIC 1
+#else
+#define SCARP_GENERIC 0
+#endif
+
+#endif

@@ -1,0 +1,17 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The operations of vec.h as they stand there, for any processor: 4 lanes, which most processors
+ * have registers for. Included by kernels_generic.c.
+ */
+#ifndef SCARP_SIMD_VEC_GENERIC_H
+#define SCARP_SIMD_VEC_GENERIC_H
+
+#ifndef VEC_LANES
+#define VEC_LANES 4
+#endif
+
+#include "vec_types.h"
+
+#include "vec.h"
+
+#endif

@@ -1,0 +1,304 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Every vector operation of an instruction set against plain C.
+ *
+ *     test_vec ISA
+ *
+ * Elements are compared by their bits, NaN being one number. Every number stands in every lane
+ * once.
+ */
+#include "vec/numbers.h"
+#include "vec/table.h"
+
+#define TABLE_MAX (2 * LANES_MAX)
+
+static const struct vec_operations *ops;
+static int lanes;
+
+#define DIFFERENT32(a, b) (bits_of_float(a) != bits_of_float(b) && !(isnan(a) && isnan(b)))
+#define DIFFERENT64(a, b) (bits_of_double(a) != bits_of_double(b) && !(isnan(a) && isnan(b)))
+#define DIFFERENT(a, b) ((a) != (b))
+
+/*
+ * RUN(name, in, out, different, format): a function that gives an operation all `count` values, in
+ * each lane, and compares with `wanted` of each.
+ */
+#define RUN(name, in_type, out_type, different, format)                                            \
+    static void name(const char *what, void (*operation)(out_type *, const in_type *),             \
+                     out_type (*wanted)(in_type), const in_type *values, size_t count)             \
+    {                                                                                              \
+        for (size_t start = 0; start < count; start++) {                                           \
+            in_type in[LANES_MAX];                                                                 \
+            out_type out[LANES_MAX];                                                               \
+            for (int i = 0; i < lanes; i++) {                                                      \
+                in[i] = values[(start + (size_t)i * 61) % count];                                  \
+            }                                                                                      \
+            operation(out, in);                                                                    \
+            for (int i = 0; i < lanes; i++) {                                                      \
+                const out_type w = wanted(in[i]);                                                  \
+                CHECK(!different(out[i], w), "%s, lane %d: " format, what, i, in[i], out[i], w);   \
+            }                                                                                      \
+        }                                                                                          \
+    }
+
+RUN(run_ff, float, float, DIFFERENT32, "of %a: %a, not %a")
+RUN(run_dd, double, double, DIFFERENT64, "of %a: %a, not %a")
+RUN(run_uu, uint32_t, uint32_t, DIFFERENT, "of %#x: %#x, not %#x")
+RUN(run_fu, float, uint32_t, DIFFERENT, "of %a: %#x, not %#x")
+RUN(run_uf, uint32_t, float, DIFFERENT32, "of %#x: %a, not %a")
+RUN(run_df, double, float, DIFFERENT32, "of %a: %a, not %a")
+RUN(run_fd, float, double, DIFFERENT64, "of %a: %a, not %a")
+RUN(run_du, double, uint32_t, DIFFERENT, "of %a: %#x, not %#x")
+
+/* Integral floats only: what becomes of others is not promised. */
+static uint32_t u_from_f(float a)
+{
+    return a >= -0x1p31f && a < 0x1p31f ? (uint32_t)(int32_t)a : 0x80000000u;
+}
+
+static float f_from_i(uint32_t a)
+{
+    return a < 0x80000000u ? (float)a : -(float)(0u - a);
+}
+
+static float f_from_d(double a)
+{
+    return (float)a;
+}
+
+static double d_from_f(float a)
+{
+    return (double)a;
+}
+
+static uint32_t low_bits(double a)
+{
+    return (uint32_t)bits_of_double(a);
+}
+
+static uint32_t turn8(uint32_t a)
+{
+    return a >> 8 | (a & 0xffu) << 24;
+}
+
+static size_t integral_floats(float *list)
+{
+    size_t count = 0;
+    for (size_t i = 0; i < numbers_f; i++) {
+        if (!isnan(number_f[i]) && floorf(number_f[i]) == number_f[i]) {
+            list[count++] = number_f[i];
+        }
+    }
+    return count;
+}
+
+static void test_rounding(void)
+{
+    static float integral[NUMBERS_MAX];
+    run_ff("floor of floats", ops->floor_f, floorf, number_f, numbers_f);
+    run_dd("floor of doubles", ops->floor_d, floor, number_d, numbers_d);
+    run_fu("u from f", ops->u_from_f, u_from_f, integral, integral_floats(integral));
+    run_uf("f from i", ops->f_from_i, f_from_i, number_bits32, numbers32);
+    run_df("f from d", ops->f_from_d, f_from_d, number_d, numbers_d);
+    run_fd("d from f", ops->d_from_f, d_from_f, number_f, numbers_f);
+}
+
+static void test_bits_of_lanes(void)
+{
+    uint32_t numbers[LANES_MAX];
+    run_du("low bits", ops->low_bits, low_bits, number_d, numbers_d);
+    run_uu("turn by 8", ops->turn8, turn8, number_bits32, numbers32);
+    run_dd("square root", ops->sqrt_d, sqrt, number_d, numbers_d);
+    ops->numbers(numbers);
+    for (int i = 0; i < lanes; i++) {
+        CHECK(numbers[i] == (uint32_t)i, "lane %d has the number %u", i, numbers[i]);
+    }
+}
+
+static void test_operators(void)
+{
+    uint64_t state = 4;
+    for (size_t start = 0; start < numbers_f; start++) {
+        float a[LANES_MAX], b[LANES_MAX];
+        uint32_t m[LANES_MAX], n[LANES_MAX], less[LANES_MAX], not_equal[LANES_MAX];
+        uint32_t product[LANES_MAX], shifted[LANES_MAX];
+        const int bits = (int)(check_random(&state) % 32);
+        for (int i = 0; i < lanes; i++) {
+            a[i] = number_f[(start + (size_t)i * 61) % numbers_f];
+            b[i] = (start + (size_t)i) % 3 != 0 ? number_f[check_random(&state) % numbers_f] : a[i];
+            m[i] = number_bits32[check_random(&state) % numbers32];
+            n[i] = number_bits32[check_random(&state) % numbers32];
+        }
+        ops->less(less, a, b);
+        ops->not_equal(not_equal, a, b);
+        ops->multiply(product, m, n);
+        ops->shift(shifted, m, bits);
+        for (int i = 0; i < lanes; i++) {
+            CHECK(less[i] == (a[i] < b[i] ? UINT32_MAX : 0), "%a < %a: %#x", (double)a[i],
+                  (double)b[i], less[i]);
+            CHECK(not_equal[i] == (a[i] != b[i] ? UINT32_MAX : 0), "%a != %a: %#x", (double)a[i],
+                  (double)b[i], not_equal[i]);
+            CHECK(product[i] == m[i] * n[i], "%#x * %#x: %#x", m[i], n[i], product[i]);
+            CHECK(shifted[i] == m[i] >> bits, "%#x >> %d: %#x", m[i], bits, shifted[i]);
+        }
+    }
+}
+
+static void test_sets(void)
+{
+    float f[LANES_MAX];
+    double d[LANES_MAX];
+    uint32_t u[LANES_MAX];
+    for (size_t n = 0; n < numbers32; n++) {
+        const float a = number_f[n % numbers_f];
+        const double b = number_d[n % numbers_d];
+        ops->set_f(f, a);
+        ops->set_d(d, b);
+        ops->set_u(u, number_bits32[n]);
+        for (int i = 0; i < lanes; i++) {
+            CHECK(!DIFFERENT32(f[i], a), "lane %d: %a, not %a", i, (double)f[i], (double)a);
+            CHECK(!DIFFERENT64(d[i], b), "lane %d: %a, not %a", i, d[i], b);
+            CHECK(u[i] == number_bits32[n], "lane %d: %#x, not %#x", i, u[i], number_bits32[n]);
+        }
+    }
+}
+
+/* COPY(name, type): a function that loads and stores at every distance from an aligned address, and
+   looks at what is written before and behind. */
+#define SPACE (4 * LANES_MAX)
+#define COPY(name, type)                                                                           \
+    static void name(const char *what, void (*copy)(type *, const type *), int step)               \
+    {                                                                                              \
+        static _Alignas(64) type from[SPACE], to[SPACE], wanted[SPACE];                            \
+        for (int i = 0; i < SPACE; i++) {                                                          \
+            from[i] = (type)(i + 1);                                                               \
+        }                                                                                          \
+        for (int in = 0; in <= LANES_MAX; in++) {                                                  \
+            for (int out = 0; out <= 2 * LANES_MAX; out += step) {                                 \
+                memset(to, 0x77, sizeof to);                                                       \
+                memset(wanted, 0x77, sizeof wanted);                                               \
+                memcpy(wanted + out, from + in, (size_t)lanes * sizeof *from);                     \
+                copy(to + out, from + in);                                                         \
+                CHECK(memcmp(to, wanted, sizeof to) == 0, "%s from %d to %d", what, in, out);      \
+            }                                                                                      \
+        }                                                                                          \
+    }
+
+COPY(test_copy_f, float)
+COPY(test_copy_u, uint32_t)
+COPY(test_copy_d, double)
+
+static void test_memory(void)
+{
+    test_copy_f("floats", ops->copy_f, 1);
+    test_copy_u("integers", ops->copy_u, 1);
+    test_copy_d("doubles", ops->copy_d, 1);
+    test_copy_f("stream", ops->stream, lanes);
+}
+
+/* Every upper 16 bits, every number of the entry in every lane; below them anything. */
+static void make_hashes(uint32_t *hash, uint32_t upper, uint64_t *state)
+{
+    static const uint32_t below[] = {0, 0xffff, 0x8000, 0x7fff};
+    for (int i = 0; i < lanes; i++) {
+        const uint64_t random = check_random(state);
+        hash[i] = ((upper + (uint32_t)i * 4099u) & 0xffffu) << 16;
+        hash[i] |= random >> 63 ? below[random & 3] : (uint32_t)random & 0xffffu;
+    }
+}
+
+static void test_lookup(void)
+{
+    static const struct lookup tables[] = {
+        LOOKUP_TABLE_HIGH(0x1.234568p0f, 0x1.fedcbap-20f, 0x1.0f0f0ep90f, 0x1.99aabcp-7f),
+        LOOKUP_TABLE_LOW(0x1.5a5a5ap-1f, 0x1.a4a4a6p33f, 0x1.777776p3f, 0x1.000002p-60f)};
+    static const struct lookup_top top =
+        LOOKUP_TOP(0x11, 0x92, 0x23, 0x40, 0xc0, 0x66, 0xf7, 0x08, 0x79, 0x8a, 0x3b, 0xec);
+    uint64_t state = 5;
+    for (uint32_t upper = 0; upper < 65536; upper++) {
+        uint32_t hash[LANES_MAX];
+        float found[2][LANES_MAX], topped[LANES_MAX];
+        make_hashes(hash, upper, &state);
+        ops->lookup(found[0], &tables[0], hash);
+        ops->lookup(found[1], &tables[1], hash);
+        ops->lookup_top(topped, &top, hash);
+        for (int i = 0; i < lanes; i++) {
+            for (int t = 0; t < 2; t++) {
+                const float wanted = tables[t].entry[hash[i] >> 28];
+                CHECK(bits_of_float(found[t][i]) == bits_of_float(wanted),
+                      "table %d, lane %d, hash %#x: %a, not %a", t, i, hash[i], (double)found[t][i],
+                      (double)wanted);
+            }
+            const uint32_t byte = top.top[(hash[i] >> 16) * 12 >> 16];
+            CHECK(bits_of_float(topped[i]) == byte << 24, "top, lane %d, hash %#x: %#x, not %#x", i,
+                  hash[i], bits_of_float(topped[i]), byte << 24);
+        }
+    }
+}
+
+/* Every entry in every lane, the other lanes asking for random ones. */
+static void test_permute(void)
+{
+    float entries[TABLE_MAX + LANES_MAX];
+    uint64_t state = 6;
+    for (int round = 0; round < 64; round++) {
+        for (int i = 0; i < TABLE_MAX + LANES_MAX; i++) {
+            entries[i] = float_of((uint32_t)check_random(&state) & 0xff7fffffu);
+        }
+        for (int asked = 0; asked < lanes * ops->table; asked++) {
+            const int lane = asked / ops->table;
+            uint32_t index[LANES_MAX], before[LANES_MAX];
+            float found[LANES_MAX], next[LANES_MAX], slid[LANES_MAX];
+            for (int i = 0; i < lanes; i++) {
+                index[i] = (uint32_t)(check_random(&state) % (uint64_t)ops->table);
+                index[i] = i == lane ? (uint32_t)(asked % ops->table) : index[i];
+                before[i] = index[i] > 0 ? index[i] - 1 : 0;
+            }
+            ops->permute(found, entries, index, 0);
+            ops->permute(next, entries, before, 1);
+            ops->slide(slid, entries, entries + ops->table, index);
+            for (int i = 0; i < lanes; i++) {
+                const float *const e = entries;
+                CHECK(!DIFFERENT32(found[i], e[index[i]]), "lane %d of entry %u", i, index[i]);
+                CHECK(!DIFFERENT32(next[i], e[before[i] + 1]), "lane %d after %u", i, before[i]);
+                CHECK(!DIFFERENT32(slid[i], e[(uint32_t)lanes + index[i]]), "lane %d of slid %u", i,
+                      index[i]);
+            }
+        }
+    }
+}
+
+static const struct vec_operations *operations_of(enum scarp_isa isa)
+{
+#define TABLE(ISA, table, name, here) SCARP_WHERE(here, &scarp_kernels_##table##_operations, )
+    static const struct vec_operations *const tables[] = {SCARP_ISA_VECTORS(TABLE)};
+#undef TABLE
+    for (size_t i = 0; i < sizeof tables / sizeof tables[0]; i++) {
+        if (tables[i]->isa == isa) {
+            return tables[i];
+        }
+    }
+    printf("%s has no vector operations\n", scarp_isa_name(isa));
+    exit(EXIT_FAILURE);
+}
+
+int main(int argc, char **argv)
+{
+    if (argc != 2) {
+        printf("usage: test_vec ISA\n");
+        return EXIT_FAILURE;
+    }
+    ops = operations_of(check_select_isa(argv[1]));
+    lanes = ops->lanes;
+    CHECK(lanes <= LANES_MAX && (ops->table == lanes || ops->table == 2 * lanes), "%d lanes, %d",
+          lanes, ops->table);
+    make_numbers();
+    test_rounding();
+    test_bits_of_lanes();
+    test_operators();
+    test_sets();
+    test_memory();
+    test_lookup();
+    test_permute();
+    return check_done();
+}

@@ -1,0 +1,15 @@
+# SPDX-License-Identifier: MIT
+# Each vector operation of each instruction set against plain C. The files of src/simd are compiled
+# once more, with the operations in place of the kernels.
+
+set(vec_sources ${scarp_sources})
+list(FILTER vec_sources INCLUDE REGEX src/simd/)
+list(TRANSFORM vec_sources PREPEND ${PROJECT_SOURCE_DIR}/)
+scarp_test_program(test_vec SOURCES ${vec_sources})
+target_include_directories(test_vec PRIVATE ${CMAKE_CURRENT_LIST_DIR})
+target_compile_definitions(test_vec PRIVATE "KERNELS_BODY=\"vec/operations.h\"")
+foreach(isa IN LISTS isas)
+  if(NOT isa STREQUAL scalar)
+    scarp_add_test(vec.${isa} vec test_vec ${isa})
+  endif()
+endforeach()

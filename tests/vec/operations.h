@@ -1,0 +1,172 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The table of table.h for one instruction set. Included by each src/simd/kernels_<isa>.c in place
+ * of the kernels (src/simd/body.h), after its operations and inside its target region.
+ */
+#include "table.h"
+
+VEC_INLINE void store_halves(double *out, vd low, vd high)
+{
+    memcpy(out, &low, sizeof low);
+    memcpy(out + VEC_LANES / 2, &high, sizeof high);
+}
+
+static void copy_f(float *out, const float *in)
+{
+    vf_store(out, vf_load(in));
+}
+
+static void copy_u(uint32_t *out, const uint32_t *in)
+{
+    vu_store(out, vu_load(in));
+}
+
+static void copy_d(double *out, const double *in)
+{
+    store_halves(out, vd_load(in), vd_load(in + VEC_LANES / 2));
+}
+
+static void stream(float *out, const float *in)
+{
+    vf_stream(out, vf_load(in));
+    vf_stream_end();
+}
+
+static void set_f(float *out, float a)
+{
+    vf_store(out, vf_set(a));
+}
+
+static void set_u(uint32_t *out, uint32_t a)
+{
+    vu_store(out, vu_set(a));
+}
+
+static void set_d(double *out, double a)
+{
+    store_halves(out, vd_set(a), vd_set(a));
+}
+
+static void numbers(uint32_t *out)
+{
+    vu_store(out, vu_lanes());
+}
+
+static void floor_f(float *out, const float *in)
+{
+    vf_store(out, vf_floor(vf_load(in)));
+}
+
+static void floor_d(double *out, const double *in)
+{
+    store_halves(out, vd_floor(vd_load(in)), vd_floor(vd_load(in + VEC_LANES / 2)));
+}
+
+static void u_from_f(uint32_t *out, const float *in)
+{
+    vu_store(out, vu_from_vf(vf_load(in)));
+}
+
+static void f_from_i(float *out, const uint32_t *in)
+{
+    vf_store(out, vf_from_vi((vi)vu_load(in)));
+}
+
+static void f_from_d(float *out, const double *in)
+{
+    vf_store(out, vf_from_vd(vd_load(in), vd_load(in + VEC_LANES / 2)));
+}
+
+static void d_from_f(double *out, const float *in)
+{
+    const vf v = vf_load(in);
+    store_halves(out, vd_from_low(v), vd_from_high(v));
+}
+
+static void low_bits(uint32_t *out, const double *in)
+{
+    vu_store(out, vu_low_bits(vd_load(in), vd_load(in + VEC_LANES / 2)));
+}
+
+static void sqrt_d(double *out, const double *in)
+{
+    store_halves(out, vd_sqrt(vd_load(in)), vd_sqrt(vd_load(in + VEC_LANES / 2)));
+}
+
+static void turn8(uint32_t *out, const uint32_t *in)
+{
+    vu_store(out, vu_turn8(vu_load(in)));
+}
+
+static void multiply(uint32_t *out, const uint32_t *a, const uint32_t *b)
+{
+    vu_store(out, vu_load(a) * vu_load(b));
+}
+
+static void shift(uint32_t *out, const uint32_t *in, int bits)
+{
+    vu_store(out, vu_load(in) >> bits);
+}
+
+static void less(uint32_t *out, const float *a, const float *b)
+{
+    vu_store(out, (vu)(vf_load(a) < vf_load(b)));
+}
+
+static void not_equal(uint32_t *out, const float *a, const float *b)
+{
+    vu_store(out, (vu)(vf_load(a) != vf_load(b)));
+}
+
+static void lookup(float *out, const struct lookup *table, const uint32_t *hash)
+{
+    vf_store(out, vf_lookup(table, vu_load(hash)));
+}
+
+static void lookup_top(float *out, const struct lookup_top *table, const uint32_t *hash)
+{
+    vf_store(out, vf_lookup_top(table, vu_top_index(vu_load(hash))));
+}
+
+static void permute(float *out, const float *entries, const uint32_t *index, int next)
+{
+    const vu i = vf_index(vu_load(index));
+    vf_store(out, vf_permute(vf_table_load(entries), next ? i + VF_INDEX_NEXT : i));
+}
+
+static void slide(float *out, const float *entries, const float *after, const uint32_t *index)
+{
+    const vf_table table = vf_table_slide(vf_table_load(entries), vf_load(after));
+    vf_store(out, vf_permute(table, vf_index(vu_load(index))));
+}
+
+const struct vec_operations VEC_OPERATIONS(KERNELS) = {
+    .isa = KERNELS_ISA,
+    .lanes = VEC_LANES,
+    .table = VF_TABLE,
+    .copy_f = copy_f,
+    .copy_u = copy_u,
+    .copy_d = copy_d,
+    .stream = stream,
+    .set_f = set_f,
+    .set_u = set_u,
+    .set_d = set_d,
+    .numbers = numbers,
+    .floor_f = floor_f,
+    .floor_d = floor_d,
+    .u_from_f = u_from_f,
+    .f_from_i = f_from_i,
+    .f_from_d = f_from_d,
+    .d_from_f = d_from_f,
+    .low_bits = low_bits,
+    .sqrt_d = sqrt_d,
+    .turn8 = turn8,
+    .multiply = multiply,
+    .shift = shift,
+    .less = less,
+    .not_equal = not_equal,
+    .lookup = lookup,
+    .lookup_top = lookup_top,
+    .permute = permute,
+    .slide = slide,
+};

@@ -1,0 +1,55 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The operations of src/simd/vec.h as functions that work on arrays: a table per instruction set,
+ * made by operations.h and called by test_vec.c.
+ */
+#ifndef SCARP_TESTS_VEC_TABLE_H
+#define SCARP_TESTS_VEC_TABLE_H
+
+#include "../../src/kernels.h"
+#include "../../src/simd/lookup.h"
+
+#define LANES_MAX 16
+
+/* Inputs and outputs have an element per lane, unless said otherwise. */
+struct vec_operations {
+    enum scarp_isa isa;
+    int lanes, table; /* VEC_LANES, VF_TABLE */
+    void (*copy_f)(float *out, const float *in);
+    void (*copy_u)(uint32_t *out, const uint32_t *in);
+    void (*copy_d)(double *out, const double *in);
+    void (*stream)(float *out, const float *in); /* out is aligned to all lanes */
+    void (*set_f)(float *out, float a);
+    void (*set_u)(uint32_t *out, uint32_t a);
+    void (*set_d)(double *out, double a);
+    void (*numbers)(uint32_t *out);
+    void (*floor_f)(float *out, const float *in);
+    void (*floor_d)(double *out, const double *in);
+    void (*u_from_f)(uint32_t *out, const float *in);
+    void (*f_from_i)(float *out, const uint32_t *in);
+    void (*f_from_d)(float *out, const double *in);
+    void (*d_from_f)(double *out, const float *in);
+    void (*low_bits)(uint32_t *out, const double *in);
+    void (*sqrt_d)(double *out, const double *in);
+    void (*turn8)(uint32_t *out, const uint32_t *in);
+    void (*multiply)(uint32_t *out, const uint32_t *a, const uint32_t *b);
+    void (*shift)(uint32_t *out, const uint32_t *in, int bits); /* to the right */
+    void (*less)(uint32_t *out, const float *a, const float *b);
+    void (*not_equal)(uint32_t *out, const float *a, const float *b);
+    void (*lookup)(float *out, const struct lookup *table, const uint32_t *hash);
+    void (*lookup_top)(float *out, const struct lookup_top *table, const uint32_t *hash);
+    /* entries has VF_TABLE floats; the index has `next` added after vf_index */
+    void (*permute)(float *out, const float *entries, const uint32_t *index, int next);
+    /* the same after the floats in `after` were slid in */
+    void (*slide)(float *out, const float *entries, const float *after, const uint32_t *index);
+};
+
+#define VEC_OPERATIONS(table) VEC_OPERATIONS_EXPANDED(table)
+#define VEC_OPERATIONS_EXPANDED(table) table##_operations
+
+#define VEC_DECLARE(ISA, table, name, here)                                                        \
+    extern const struct vec_operations scarp_kernels_##table##_operations;
+SCARP_ISA_VECTORS(VEC_DECLARE)
+#undef VEC_DECLARE
+
+#endif
