@@ -38,12 +38,6 @@ VEC_INLINE void vf_stream_end(void)
     _mm_sfence();
 }
 
-#define VD_LOAD_OWN
-VEC_INLINE vd vd_load(const double *p)
-{
-    return (vd)_mm512_loadu_pd(p);
-}
-
 #define VF_SET_OWN
 VEC_INLINE vf vf_set(float a)
 {
