@@ -39,8 +39,9 @@ extern "C" {
  *   unmasked exceptions) neither changes a result nor is changed. On processors other than x86 and
  *   AArch64 that holds for the rounding direction; the others must be at their defaults there.
  * - Any thread may call any function at any time. Nothing is allocated, printed or read from the
- *   environment, and errno is left alone. A call takes up to 120 KiB of stack (AVX-512; 68 KiB with
- *   AVX2, 44 KiB with the others), one for a grid up to 152 KiB (88 KiB, 56 KiB).
+ *   environment, and errno is left alone. A call takes less than 48 KiB of stack, with every kernel
+ *   set, so a thread or a fiber with 64 KiB will do. (Kernels that are compiled without
+ *   optimisation take more.)
  *
  * Zero a structure before you fill it in: `struct scarp_noise noise = {0};`, a designated
  * initialiser, or memset. Reserved members have no meaning yet. A call that finds one in use (a

@@ -19,9 +19,9 @@ typedef void scarp_points_fn(const struct scarp_plan *plan, size_t count,
 typedef void scarp_grid_fn(const struct scarp_plan *plan, const struct scarp_grid *grid,
                            const struct scarp_outputs *out);
 
-/* As scarp_normals, for `count` > 0. */
-typedef void scarp_normals_fn(size_t count, const float *dx, const float *dy, float height_scale,
-                              float *nx, float *ny, float *nz);
+/* As scarp_normals, for `count` > 0: from the slopes dx, dy to nx, ny, nz. */
+typedef void scarp_normals_fn(size_t count, const float *const slope[2], float height_scale,
+                              float *const normal[3]);
 
 struct scarp_kernels {
     enum scarp_isa isa;

@@ -101,44 +101,52 @@ static enum scarp_status plan_call(struct scarp_plan *plan, const struct scarp_n
     return SCARP_OK;
 }
 
+/* What a sample function is: its kernel, and how its points are given. */
+struct sampler {
+    scarp_points_fn *points;
+    int dimensions;
+    size_t bytes; /* of a coordinate */
+};
+
 /*
  * Makes the plan and runs the kernel. Out of line, so that none of its arithmetic (comparisons trap
  * too) can be moved across the change of floating-point mode in `sample`.
  */
-static NOINLINE enum scarp_status run(scarp_points_fn *points, const struct scarp_noise *noise,
-                                      int dimensions, size_t count, const void *const position[3],
+static NOINLINE enum scarp_status run(const struct sampler *sampler,
+                                      const struct scarp_noise *noise, size_t count,
+                                      const void *const position[3],
                                       const struct scarp_outputs *out)
 {
     struct scarp_plan plan;
-    const enum scarp_status status = plan_call(&plan, noise, dimensions, out);
+    const enum scarp_status status = plan_call(&plan, noise, sampler->dimensions, out);
     if (status == SCARP_OK) {
-        points(&plan, count, position, out);
+        sampler->points(&plan, count, position, out);
     }
     return status;
 }
 
-/* The checks that all sample calls share, then the call. `bytes` is the size of a coordinate. */
-static enum scarp_status sample(scarp_points_fn *points, const struct scarp_noise *noise,
-                                int dimensions, size_t count, size_t bytes,
-                                const void *const position[3], const struct scarp_samples *out)
+/* The checks that all sample calls share, then the call. */
+static enum scarp_status sample(struct sampler sampler, const struct scarp_noise *noise,
+                                size_t count, const void *const position[3],
+                                const struct scarp_samples *out)
 {
     if (noise == NULL || out == NULL) {
         return SCARP_ERROR_NULL;
     }
-    for (int i = 0; i < dimensions; i++) {
+    for (int i = 0; i < sampler.dimensions; i++) {
         if (position[i] == NULL) {
             return SCARP_ERROR_NULL;
         }
     }
-    if (count > PTRDIFF_MAX / bytes) {
+    if (count > PTRDIFF_MAX / sampler.bytes) {
         return SCARP_ERROR_SIZE;
     }
     const struct scarp_outputs outputs = outputs_of(out);
-    if (!outputs_exist(dimensions, out, &outputs)) {
+    if (!outputs_exist(sampler.dimensions, out, &outputs)) {
         return SCARP_ERROR_UNSUPPORTED;
     }
     const struct fpmode caller = fpmode_enter();
-    const enum scarp_status status = run(points, noise, dimensions, count, position, &outputs);
+    const enum scarp_status status = run(&sampler, noise, count, position, &outputs);
     fpmode_leave(caller);
     return status;
 }
@@ -146,38 +154,46 @@ static enum scarp_status sample(scarp_points_fn *points, const struct scarp_nois
 enum scarp_status scarp_sample2(const struct scarp_noise *noise, size_t count, const float *x,
                                 const float *y, const struct scarp_samples *out)
 {
+    if (count == 0) {
+        return SCARP_OK;
+    }
     const void *const position[3] = {x, y, NULL};
-    return count == 0 ? SCARP_OK
-                      : sample(scarp_dispatch_active()->points2_f32, noise, 2, count, sizeof *x,
-                               position, out);
+    const struct sampler sampler = {scarp_dispatch_active()->points2_f32, 2, sizeof *x};
+    return sample(sampler, noise, count, position, out);
 }
 
 enum scarp_status scarp_sample3(const struct scarp_noise *noise, size_t count, const float *x,
                                 const float *y, const float *z, const struct scarp_samples *out)
 {
+    if (count == 0) {
+        return SCARP_OK;
+    }
     const void *const position[3] = {x, y, z};
-    return count == 0 ? SCARP_OK
-                      : sample(scarp_dispatch_active()->points3_f32, noise, 3, count, sizeof *x,
-                               position, out);
+    const struct sampler sampler = {scarp_dispatch_active()->points3_f32, 3, sizeof *x};
+    return sample(sampler, noise, count, position, out);
 }
 
 enum scarp_status scarp_sample2_f64(const struct scarp_noise *noise, size_t count, const double *x,
                                     const double *y, const struct scarp_samples *out)
 {
+    if (count == 0) {
+        return SCARP_OK;
+    }
     const void *const position[3] = {x, y, NULL};
-    return count == 0 ? SCARP_OK
-                      : sample(scarp_dispatch_active()->points2_f64, noise, 2, count, sizeof *x,
-                               position, out);
+    const struct sampler sampler = {scarp_dispatch_active()->points2_f64, 2, sizeof *x};
+    return sample(sampler, noise, count, position, out);
 }
 
 enum scarp_status scarp_sample3_f64(const struct scarp_noise *noise, size_t count, const double *x,
                                     const double *y, const double *z,
                                     const struct scarp_samples *out)
 {
+    if (count == 0) {
+        return SCARP_OK;
+    }
     const void *const position[3] = {x, y, z};
-    return count == 0 ? SCARP_OK
-                      : sample(scarp_dispatch_active()->points3_f64, noise, 3, count, sizeof *x,
-                               position, out);
+    const struct sampler sampler = {scarp_dispatch_active()->points3_f64, 3, sizeof *x};
+    return sample(sampler, noise, count, position, out);
 }
 
 /* Largest magnitude of an index, so that it is exact in double. */
@@ -311,8 +327,10 @@ enum scarp_status scarp_normals(size_t count, const float *dx, const float *dy, 
     if (count > PTRDIFF_MAX / sizeof *dx) {
         return SCARP_ERROR_SIZE;
     }
+    const float *const slope[2] = {dx, dy};
+    float *const normal[3] = {nx, ny, nz};
     const struct fpmode caller = fpmode_enter();
-    scarp_dispatch_active()->normals(count, dx, dy, height_scale, nx, ny, nz);
+    scarp_dispatch_active()->normals(count, slope, height_scale, normal);
     fpmode_leave(caller);
     return SCARP_OK;
 }

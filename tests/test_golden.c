@@ -12,7 +12,7 @@
  */
 #include "cases.h"
 
-#define POINTS 1031 /* two whole chunks with every instruction set, and a tail */
+#define POINTS 1031 /* two whole parts with every instruction set, and a tail */
 #define LINES_MAX 65536
 
 struct line {

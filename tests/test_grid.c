@@ -38,7 +38,7 @@ static void random_noise(struct scarp_noise *noise, uint64_t *state)
     static const float octaves[] = {1.0f, 1.0f, 2.0f, 3.5f, 8.0f};
     static const float lacunarity[] = {2.0f, 1.9375f, 0.5f, 3.0f};
     memset(noise, 0, sizeof *noise);
-    noise->basis = (enum scarp_basis)pick(state, 2);
+    noise->basis = (enum scarp_basis)pick(state, (uint64_t)count_names(basis_name));
     noise->fade = (enum scarp_fade)pick(state, 2);
     noise->fractal = (enum scarp_fractal)(pick(state, 2) * pick(state, 4));
     noise->rotate = pick(state, 4) == 0;

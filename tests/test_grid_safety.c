@@ -17,9 +17,9 @@
 static const struct scarp_noise noises[NOISES] = {
     {.octaves = 3.0f},                                   /* tiles */
     {.octaves = 2.0f, .frequency = 16.0},                /* several cells per sample */
-    {.octaves = 3.0f, .rotate = 1},                      /* patches */
-    {.octaves = 3.0f, .fractal = SCARP_EROSION},         /* patches, with a state */
-    {.octaves = 2.0f, .basis = SCARP_VALUE, .rotate = 1} /* the other basis */
+    {.octaves = 3.0f, .rotate = 1},                      /* small parts */
+    {.octaves = 3.0f, .fractal = SCARP_EROSION},         /* small parts, with a state */
+    {.octaves = 2.0f, .basis = SCARP_VALUE, .rotate = 1} /* value noise */
 };
 
 static struct scarp_samples first_outputs(float *const *arrays, int dimensions)

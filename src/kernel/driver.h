@@ -24,7 +24,7 @@
 
 /* What is between the passes. With this, a call takes less than 48 KiB of stack. Fewer blocks go
    through at a time where a call needs much for each. */
-#define SCRATCH_BYTES (30 * 1024)
+#define SCRATCH_BYTES (27 * 1024)
 
 struct scratch {
     vf space[SCRATCH_BYTES / sizeof(vf)];
@@ -36,31 +36,29 @@ struct basis {
     rows_pass *rows[2][3]; /* NULL: there is no fast path */
 };
 
-#define BASIS(name)                                                                                \
+#define PASSES(name, kind)                                                                         \
     {                                                                                              \
-        .points = {{name##2_points0, name##2_points1, name##2_points2},                            \
-                   {name##3_points0, name##3_points1, name##3_points2}},                           \
-        .rows = {{name##2_rows0, name##2_rows1, name##2_rows2},                                    \
-                 {name##3_rows0, name##3_rows1, name##3_rows2}},                                   \
+        {name##2_##kind##0, name##2_##kind##1, name##2_##kind##2},                                 \
+            {name##3_##kind##0, name##3_##kind##1, name##3_##kind##2},                             \
     }
 
 static const struct basis bases[] = {
-    [SCARP_GRADIENT] = BASIS(gradient),
-    [SCARP_VALUE] = BASIS(value),
+    [SCARP_GRADIENT] = {.points = PASSES(gradient, points), .rows = PASSES(gradient, rows)},
+    [SCARP_VALUE] = {.points = PASSES(value, points), .rows = PASSES(value, rows)},
 };
 
-#undef BASIS
+#undef PASSES
 
 /* What all parts of a call share: its passes, and vectors of scratch space per block. */
 struct call {
     const struct scarp_plan *plan;
     int dimensions, basis_order;
-    points_pass *points;
-    rows_pass *rows;  /* NULL: none */
-    shape_pass *turn; /* NULL where no derivatives are to be turned */
+    points_pass *points_pass;
+    rows_pass *rows_pass;  /* NULL: none */
+    shape_pass *turn_pass; /* NULL where no derivatives are to be turned */
     const struct shape *shape;
     shape_pass *shape_pass; /* NULL: none */
-    size_t lattice, noise, state;
+    size_t lattice_size, noise_size, state_size;
     int plain; /* whether it is fBm with straight axes */
 };
 
@@ -70,17 +68,17 @@ static struct call call_of(const struct scarp_plan *plan, int dimensions)
     const int order = plan->order + shape->extra_order;
     struct call call = {.plan = plan, .dimensions = dimensions, .basis_order = order};
     call.shape = shape;
-    call.points = bases[plan->basis].points[dimensions - 2][order];
-    call.rows = bases[plan->basis].rows[dimensions - 2][order];
+    call.points_pass = bases[plan->basis].points[dimensions - 2][order];
+    call.rows_pass = bases[plan->basis].rows[dimensions - 2][order];
     call.shape_pass = shape->pass[dimensions - 2][plan->order];
     if (plan->rotate && plan->order > 0 && !shape->own_axes) {
-        call.turn = turn_passes[dimensions - 2][plan->order - 1];
+        call.turn_pass = turn_passes[dimensions - 2][plan->order - 1];
     }
-    call.lattice = lattice_size(dimensions);
-    if (call.shape_pass != NULL || call.turn != NULL) {
-        call.noise = sample_size(dimensions, order);
+    call.lattice_size = lattice_size(dimensions);
+    if (call.shape_pass != NULL || call.turn_pass != NULL) {
+        call.noise_size = sample_size(dimensions, order);
     }
-    call.state = state_size(plan, dimensions);
+    call.state_size = state_size(plan, dimensions);
     call.plain = call.shape_pass == NULL && !plan->rotate;
     return call;
 }
@@ -92,8 +90,9 @@ struct part {
     struct positions at;             /* of a ROW: x for all rows, z */
     const double *y;                 /* of a ROW: of each row, filled up to whole vectors */
     const struct outputs *sums, *to; /* all octaves but the last are added up in `sums` */
+    const struct outputs *stored;    /* where noise waits for its shape, at `noise` */
     enum put put;                    /* how an only octave is put by a rows pass */
-    struct row_octave *octave;       /* of a ROW */
+    struct row_octave *row_octave;   /* of a ROW */
     vf *lattice, *noise, *state, *spare, *sums_stored;
 };
 
@@ -122,7 +121,7 @@ static void place_part(const struct call *call, const struct part *part, int k)
     struct positions at = part->at;
     for (size_t r = 0; r < part->extent.rows; r++) {
         at.shared[1] = part->y[r];
-        pass(part->lattice + r * part->extent.blocks * call->lattice, &call->plan->octave[k],
+        pass(part->lattice + r * part->extent.blocks * call->lattice_size, &call->plan->octave[k],
              part->extent.blocks, &at);
     }
 }
@@ -131,46 +130,48 @@ static void place_part(const struct call *call, const struct part *part, int k)
 static void add_basis(const struct call *call, const struct part *part, int k,
                       const struct weights *weights, struct sums from, const struct outputs *to)
 {
-    if (part->layout == ROW && call->rows != NULL && axes_of(call->plan, k) != AXES_TURNED) {
+    if (part->layout == ROW && call->rows_pass != NULL && axes_of(call->plan, k) != AXES_TURNED) {
         const enum put put = k > 0 && call->plain ? PUT_ADD : part->put;
-        call->rows(part->octave, part->extent.rows, weights, to, put);
+        call->rows_pass(part->row_octave, part->extent.rows, weights, to, put);
         return;
     }
     const struct placed at = {part->lattice, part->extent, call->plan->fade};
     place_part(call, part, k);
-    call->points(&at, weights, from, to);
+    call->points_pass(&at, weights, from, to);
 }
 
-/* The same of octave k shaped. Where its axes are turned, weights come with the turn. */
+/* The same of octave k shaped. The noise is stored with the weights of fBm; times a_k alone for
+   shapes that take it in its own axes; times 1 where the turn brings the weights. */
 static void add_shaped(const struct call *call, const struct part *part, int k, struct sums from,
                        const struct outputs *to)
 {
     const struct scarp_octave *const o = &call->plan->octave[k];
     const enum axes axes = axes_of(call->plan, k);
     const struct shaping shaping = {call->plan, o, axes, part->extent, part->noise, part->state};
-    const int turns = axes == AXES_TURNED && call->turn != NULL;
+    const int turns = axes == AXES_TURNED && call->turn_pass != NULL;
     const float a = turns ? 1.0f : o->amplitude;
     const struct weights own = {{a, a, a}}, straight = {{o->amplitude, o->slope, o->curvature}};
-    struct outputs stored;
-    outputs_stored(&stored, part->noise, call->dimensions, call->basis_order, part->extent.blocks);
-    add_basis(call, part, k, turns || call->shape->own_axes ? &own : &straight, no_sums, &stored);
+    add_basis(call, part, k, turns || call->shape->own_axes ? &own : &straight, no_sums,
+              part->stored);
     if (turns && call->shape_pass == NULL) {
-        call->turn(&shaping, from, to);
+        call->turn_pass(&shaping, from, to);
         return;
     }
     if (turns) {
-        call->turn(&shaping, no_sums, &stored);
+        call->turn_pass(&shaping, no_sums, part->stored);
     }
     call->shape_pass(&shaping, from, to);
 }
 
 /* What an octave of a grid needs along its axes. Only along x is it worth keeping for the part
-   below, and only if there is no other octave. */
-static void prepare_rows(const struct call *call, const struct part *part, int k, int first_part)
+   below, and only if there is no other octave. Out of line, so that its arrays and those of the
+   passes are not on the stack at the same time. */
+static __attribute__((noinline)) void prepare_rows(const struct call *call, const struct part *part,
+                                                   int k, int first_part)
 {
     const struct scarp_plan *const plan = call->plan;
     const enum axes axes = axes_of(plan, k);
-    if (part->layout != ROW || call->rows == NULL || axes == AXES_TURNED) {
+    if (part->layout != ROW || call->rows_pass == NULL || axes == AXES_TURNED) {
         return;
     }
     double z[VEC_LANES];
@@ -180,10 +181,10 @@ static void prepare_rows(const struct call *call, const struct part *part, int k
     const struct positions at = {.array = {NULL, part->y, z}};
     const struct frame f = {DOUBLES, axes, call->dimensions};
     if (plan->octaves > 1 || first_part) {
-        along_x(&part->octave->x, &plan->octave[k], part->extent.blocks, &part->at, plan->fade,
+        along_x(&part->row_octave->x, &plan->octave[k], part->extent.blocks, &part->at, plan->fade,
                 axes);
     }
-    along_rows(&part->octave->rows, &plan->octave[k], part->extent.rows, &at, plan->fade, f);
+    along_rows(&part->row_octave->rows, &plan->octave[k], part->extent.rows, &at, plan->fade, f);
 }
 
 /* All octaves of a part. Those but the last are added up in part->sums. */
@@ -191,13 +192,14 @@ static void sum_octaves(const struct call *call, const struct part *part, int fi
 {
     const struct scarp_plan *const plan = call->plan;
     const size_t bytes = sample_size(call->dimensions, plan->order) * sizeof(vf);
-    state_begin(plan, part->state, call->state, part->extent.rows * part->extent.blocks);
+    state_begin(plan, part->state, call->state_size, part->extent.rows * part->extent.blocks);
     for (int k = 0; k < plan->octaves; k++) {
         const struct scarp_octave *const o = &plan->octave[k];
         const struct sums sums = {part->sums_stored, bytes}, from = k > 0 ? sums : no_sums;
         const struct outputs *const to = k == plan->octaves - 1 ? part->to : part->sums;
         prepare_rows(call, part, k, first_part);
-        if (call->shape_pass != NULL || (call->turn != NULL && axes_of(plan, k) == AXES_TURNED)) {
+        if (call->shape_pass != NULL ||
+            (call->turn_pass != NULL && axes_of(plan, k) == AXES_TURNED)) {
             add_shaped(call, part, k, from, to);
         } else {
             const struct weights weights = {{o->amplitude, o->slope, o->curvature}};

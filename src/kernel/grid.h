@@ -3,8 +3,8 @@
  * Grids. Included by table.h.
  *
  * A slice is cut into strips, some blocks wide, and each strip into parts, some rows high. Octaves
- * are added up in the caller's arrays. A part of fBm with straight axes is large, since it needs
- * little between the passes (rows/rows.h); others are as large as the scratch space permits.
+ * of fBm with straight axes are added up in the caller's arrays; such a part is large, since it
+ * needs little between the passes (rows/rows.h). Others are as large as the scratch space permits.
  */
 #ifndef SCARP_KERNEL_GRID_H
 #define SCARP_KERNEL_GRID_H
@@ -28,15 +28,16 @@ struct grid_call {
     const struct scarp_grid *grid;
     const struct scarp_outputs *out;
     struct call call;
-    int plain;   /* whether it is fBm with straight axes, and has a rows pass */
+    int direct;  /* whether octaves are added up in the caller's arrays: fBm with straight axes of a
+                    basis with a rows pass */
     int narrow;  /* whether a row is less than a block: then its samples are stored first */
     int streams; /* whether outputs go past the caches, where they are aligned to a vector */
     size_t lead; /* then: samples of each row in front of a cache line */
-    size_t rows, blocks; /* of a part, at most */
+    size_t most_rows, most_blocks; /* of a part */
 };
 
 struct grid_scratch {
-    struct scratch scratch;
+    struct scratch passes;
     struct row_octave octave;
     double x[STRIP_BLOCKS * VEC_LANES], y[PART_ROWS];
 };
@@ -46,24 +47,24 @@ static double coordinate(const struct scarp_grid *grid, int axis, size_t index)
     return grid->origin[axis] + (double)(grid->first[axis] + (int64_t)index) * grid->step[axis];
 }
 
-/* Vectors of scratch space for a part, by use. `across` is what an octave needs between positions
-   and basis: tables of lines or positions on the lattice, by turns. */
+/* Vectors of scratch space for a part, by use. `by_turns` is what an octave needs between positions
+   and basis: tables of lines, or positions on the lattice. */
 struct part_space {
-    size_t along, across, noise, state, sums;
+    size_t along, by_turns, noise, state, sums;
 };
 
 static struct part_space space_of(const struct grid_call *g, size_t rows, size_t blocks)
 {
     const struct call *const call = &g->call;
     const size_t table =
-        call->rows ? table_size_of(call->dimensions, call->basis_order, blocks) : 0;
-    const size_t lattice = g->plain ? 0 : rows * blocks * call->lattice;
+        call->rows_pass ? table_size_of(call->dimensions, call->basis_order, blocks) : 0;
+    const size_t lattice = g->direct ? 0 : rows * blocks * call->lattice_size;
     const struct part_space space = {
-        .along = call->rows ? along_size(blocks) : 0,
-        .across = table > lattice ? table : lattice,
-        .noise = rows * blocks * call->noise,
-        .state = rows * blocks * call->state,
-        .sums = g->plain && !g->narrow
+        .along = call->rows_pass ? along_size(blocks) : 0,
+        .by_turns = table > lattice ? table : lattice,
+        .noise = rows * blocks * call->noise_size,
+        .state = rows * blocks * call->state_size,
+        .sums = g->direct && !g->narrow
                     ? 0
                     : rows * blocks * sample_size(call->dimensions, call->plan->order),
     };
@@ -74,28 +75,29 @@ static struct part_space space_of(const struct grid_call *g, size_t rows, size_t
 static int fits(const struct grid_call *g, size_t rows, size_t blocks)
 {
     const struct part_space s = space_of(g, rows, blocks);
-    return (blocks + s.along + s.across + s.noise + s.state + s.sums) * sizeof(vf) <= SCRATCH_BYTES;
+    return (blocks + s.along + s.by_turns + s.noise + s.state + s.sums) * sizeof(vf) <=
+           SCRATCH_BYTES;
 }
 
 /* Decides how large parts are. */
 static void size_parts(struct grid_call *g)
 {
-    if (g->plain && !g->narrow) {
-        g->rows = PART_ROWS;
-        g->blocks = STRIP_BLOCKS;
-        while (!fits(g, g->rows, g->blocks)) {
-            g->blocks--;
+    if (g->direct && !g->narrow) {
+        g->most_rows = PART_ROWS;
+        g->most_blocks = STRIP_BLOCKS;
+        while (!fits(g, g->most_rows, g->most_blocks)) {
+            g->most_blocks--;
         }
         return;
     }
-    g->blocks = g->narrow ? 1 : NOISE_BLOCKS;
-    g->rows = PART_BLOCKS / g->blocks;
-    while (!fits(g, g->rows, g->blocks)) {
-        if (g->rows > NOISE_ROWS_LEAST || g->blocks == 1) {
-            g->rows--;
+    g->most_blocks = g->narrow ? 1 : NOISE_BLOCKS;
+    g->most_rows = PART_BLOCKS / g->most_blocks;
+    while (!fits(g, g->most_rows, g->most_blocks)) {
+        if (g->most_rows > NOISE_ROWS_LEAST || g->most_blocks == 1) {
+            g->most_rows--;
         } else {
-            g->blocks /= 2;
-            g->rows = PART_BLOCKS / g->blocks;
+            g->most_blocks /= 2;
+            g->most_rows = PART_BLOCKS / g->most_blocks;
         }
     }
 }
@@ -104,15 +106,15 @@ static void size_parts(struct grid_call *g)
 static void place_in_scratch(const struct grid_call *g, struct part *part,
                              struct grid_scratch *scratch, size_t blocks)
 {
-    const struct part_space s = space_of(g, g->rows, blocks);
+    const struct part_space s = space_of(g, g->most_rows, blocks);
     struct row_octave *const octave = &scratch->octave;
-    vf *const end = scratch->scratch.space + SCRATCH_BYTES / sizeof(vf);
+    vf *const end = scratch->passes.space + SCRATCH_BYTES / sizeof(vf);
     part->layout = ROW;
     part->extent.blocks = blocks;
-    part->octave = octave;
+    part->row_octave = octave;
     part->y = scratch->y;
     part->at.array[0] = scratch->x;
-    part->spare = scratch->scratch.space;
+    part->spare = scratch->passes.space;
     part->noise = part->spare + blocks;
     part->state = part->noise + s.noise;
     part->sums_stored = part->state + s.state;
@@ -123,14 +125,17 @@ static void place_in_scratch(const struct grid_call *g, struct part *part,
     octave->table_size = (size_t)(end - octave->table);
 }
 
-/* A part, whose coordinates are in the scratch space: rows from row j of slice k, samples from i
-   on. `count` is the number of samples of a row that is less than a block. */
+/* A part, whose coordinates are in the scratch space: `at` has the sample, the row and the slice
+   that it begins with. `count` is the number of samples of a row that is less than a block. */
 static void grid_part(const struct grid_call *g, struct part *part, const size_t at[3],
                       size_t count)
 {
     const struct scarp_grid *const grid = g->grid;
     const size_t first = at[2] * grid->slice_stride + at[1] * grid->row_stride + at[0];
-    struct outputs sums, to;
+    struct outputs sums, to, stored;
+    outputs_stored(&stored, part->noise, g->call.dimensions, g->call.basis_order,
+                   part->extent.blocks);
+    part->stored = &stored;
     outputs_stored(&sums, part->sums_stored, g->call.dimensions, g->call.plan->order,
                    part->extent.blocks);
     part->sums = &sums;
@@ -140,7 +145,7 @@ static void grid_part(const struct grid_call *g, struct part *part, const size_t
         const int aligned = at[0] % VEC_LANES == g->lead % VEC_LANES;
         outputs_of(&to, g->out, first, grid->row_stride, part->spare);
         part->to = &to;
-        part->sums = g->plain ? &to : &sums;
+        part->sums = g->direct ? &to : &sums;
         part->put = g->streams && aligned ? PUT_STREAM : PUT_FIRST;
     }
     sum_octaves(&g->call, part, at[1] == 0);
@@ -161,8 +166,8 @@ static void grid_strip(const struct grid_call *g, struct grid_scratch *scratch, 
     for (size_t n = 0; n < blocks * VEC_LANES; n++) {
         scratch->x[n] = coordinate(grid, 0, i + least(n, count - 1));
     }
-    for (size_t j = 0; j < grid->count[1]; j += g->rows) {
-        part.extent.rows = least(grid->count[1] - j, g->rows);
+    for (size_t j = 0; j < grid->count[1]; j += g->most_rows) {
+        part.extent.rows = least(grid->count[1] - j, g->most_rows);
         for (size_t r = 0; r < part.extent.rows || r % VEC_LANES != 0; r++) {
             scratch->y[r] = coordinate(grid, 1, j + (r < part.extent.rows ? r : 0));
         }
@@ -194,7 +199,7 @@ static void grid_slice(const struct grid_call *g, struct grid_scratch *scratch, 
     }
     while (i < count) {
         const size_t left = part_of_row(g, i);
-        size_t blocks = least((left + VEC_LANES - 1) / VEC_LANES, g->blocks);
+        size_t blocks = least((left + VEC_LANES - 1) / VEC_LANES, g->most_blocks);
         if (blocks * VEC_LANES > count) {
             blocks--; /* the remainder comes next */
         }
@@ -223,7 +228,7 @@ static void place_streams(struct grid_call *call)
     }
     call->lead = (0 - start) % CACHE_LINE;
     const int whole = call->lead == 0 && g->count[0] % VEC_LANES == 0;
-    call->streams = VEC_STREAMS && call->plain && call->call.plan->octaves == 1 &&
+    call->streams = VEC_STREAMS && call->direct && call->call.plan->octaves == 1 &&
                     floats >= STREAM_BYTES / sizeof(float) && apart % VEC_LANES == 0 &&
                     g->count[0] >= (whole ? 64 : 1024);
 }
@@ -233,7 +238,7 @@ static void grid(const struct scarp_plan *plan, const struct scarp_grid *describ
 {
     struct grid_scratch scratch;
     struct grid_call g = {.grid = described, .out = out, .call = call_of(plan, dimensions)};
-    g.plain = g.call.rows != NULL && g.call.plain;
+    g.direct = g.call.rows_pass != NULL && g.call.plain;
     g.narrow = described->count[0] < VEC_LANES;
     place_streams(&g);
     size_parts(&g);

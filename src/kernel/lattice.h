@@ -31,8 +31,8 @@ static size_t lattice_size(int dimensions)
 
 /*
  * The lattice hash: every axis mixed by itself, then h (h + k) of h = x ^ (y ^ z). In this order
- * because the corners of a cell share the mixed axes (2 per axis) and, in 3D, y ^ z (4). Only the
- * top bits are used.
+ * because the corners of a cell share the mixed axes (2 per axis) and, in 3D, y ^ z (4). The
+ * top bits matter most.
  */
 #define HASH_X 0x1a2012f5u
 #define HASH_Y 0x14e84743u

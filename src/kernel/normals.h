@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Unit normals from gradients: (-s dx, -s dy, 1) / length, in double. Included by table.h; the
- * reference is `normals` in scalar/points.c.
+ * reference is `normals` in scalar/table.c.
  */
 #ifndef SCARP_KERNEL_NORMALS_H
 #define SCARP_KERNEL_NORMALS_H
@@ -27,9 +27,11 @@ VEC_INLINE struct normal normal_of(vd dx, vd dy, vd s)
 }
 
 /* `count` is a multiple of VEC_LANES. */
-static void normals_run(size_t count, const float *dx, const float *dy, float height_scale,
-                        float *nx, float *ny, float *nz)
+static void normals_run(size_t count, const float *const slope[2], float height_scale,
+                        float *const normal[3])
 {
+    const float *const dx = slope[0], *const dy = slope[1];
+    float *const nx = normal[0], *const ny = normal[1], *const nz = normal[2];
     const vd s = vd_set(-(double)height_scale);
     for (size_t i = 0; i < count; i += VEC_LANES) {
         const vf x = vf_load(dx + i);
@@ -48,24 +50,25 @@ static void normals_run(size_t count, const float *dx, const float *dy, float he
     }
 }
 
-static void normals(size_t count, const float *dx, const float *dy, float height_scale, float *nx,
-                    float *ny, float *nz)
+static void normals(size_t count, const float *const slope[2], float height_scale,
+                    float *const normal[3])
 {
     const size_t tail = count % VEC_LANES;
     const size_t done = count - tail;
-    normals_run(done, dx, dy, height_scale, nx, ny, nz);
+    normals_run(done, slope, height_scale, normal);
     if (tail == 0) {
         return;
     }
     float in[2][VEC_LANES] = {{0}};
     float results[3][VEC_LANES];
-    float *const arrays[3] = {nx, ny, nz};
-    memcpy(in[0], dx + done, tail * sizeof(float));
-    memcpy(in[1], dy + done, tail * sizeof(float));
-    normals_run(VEC_LANES, in[0], in[1], height_scale, results[0], results[1], results[2]);
+    const float *const padded[2] = {in[0], in[1]};
+    float *const to[3] = {results[0], results[1], results[2]};
+    memcpy(in[0], slope[0] + done, tail * sizeof(float));
+    memcpy(in[1], slope[1] + done, tail * sizeof(float));
+    normals_run(VEC_LANES, padded, height_scale, to);
     for (int i = 0; i < 3; i++) {
-        if (arrays[i] != NULL) {
-            memcpy(arrays[i] + done, results[i], tail * sizeof(float));
+        if (normal[i] != NULL) {
+            memcpy(normal[i] + done, results[i], tail * sizeof(float));
         }
     }
 }

@@ -16,13 +16,14 @@ static size_t place_points(const struct call *call, struct part *part, struct sc
 {
     const size_t size = sample_size(call->dimensions, call->plan->order);
     const int sums = call->plan->octaves > 1;
-    const size_t each = call->lattice + call->noise + call->state + 1 + (sums ? size : 0);
+    const size_t each =
+        call->lattice_size + call->noise_size + call->state_size + 1 + (sums ? size : 0);
     const size_t room = sizeof scratch->space / sizeof(vf) - (sums ? 0 : PADDED_BLOCKS * size);
     const size_t blocks = PART_BLOCKS * each <= room ? PART_BLOCKS : room / each;
     part->lattice = scratch->space;
-    part->noise = part->lattice + blocks * call->lattice;
-    part->state = part->noise + blocks * call->noise;
-    part->spare = part->state + blocks * call->state;
+    part->noise = part->lattice + blocks * call->lattice_size;
+    part->state = part->noise + blocks * call->noise_size;
+    part->spare = part->state + blocks * call->state_size;
     part->sums_stored = part->spare + blocks;
     return blocks;
 }
@@ -66,13 +67,17 @@ static void points(const struct scarp_plan *plan, size_t count, const void *cons
     const size_t bytes = layout == DOUBLES ? sizeof(double) : sizeof(float);
     struct scratch scratch;
     struct part part; /* what grids have more stays unset */
-    struct outputs sums;
+    struct outputs sums, stored;
     part.extent.rows = 1;
     part.layout = layout;
     part.sums = &sums;
+    part.stored = &stored;
     const size_t most = place_points(&call, &part, &scratch) * VEC_LANES;
     if (plan->octaves > 1 || count % VEC_LANES != 0) {
         outputs_stored(&sums, part.sums_stored, dimensions, plan->order, 0);
+    }
+    if (call.noise_size > 0) {
+        outputs_stored(&stored, part.noise, dimensions, call.basis_order, 0);
     }
     for (size_t first = 0, here; first < count; first += here) {
         here = least(count - first, most);

@@ -14,12 +14,15 @@ static inline struct sample basis_at(const struct scarp_plan *plan, const struct
 {
     const uint32_t x = p->cell[0];
     struct column l, r;
-    if (plan->basis == SCARP_GRADIENT) {
+    switch (plan->basis) { /* no default: a compiler warns of a basis that is missing */
+    case SCARP_GRADIENT:
         l = gradient_column(o->key, x, p, plan->fade, dimensions);
         r = gradient_column(o->key, x + 1, p, plan->fade, dimensions);
-    } else {
+        break;
+    case SCARP_VALUE:
         l = value_column(o->key, x, p, plan->fade, dimensions);
         r = value_column(o->key, x + 1, p, plan->fade, dimensions);
+        break;
     }
     return join(&l, &r, p->t[0], fade(plan->fade, p->t[0]));
 }

@@ -14,7 +14,7 @@
  * and the derivatives along y and z follow from their lines in the same way. For value noise the
  * lines are constants (a = 0), and the terms with a are left away. These are the published closed
  * forms (Quilez' k0..k7; the corner gradients interpolated too for gradient noise) in another order
- * of operations; tests/oracle.c has them as published.
+ * of operations; tests/oracle_basis.c has them as published.
  */
 #ifndef SCARP_SCALAR_COLUMNS_H
 #define SCARP_SCALAR_COLUMNS_H

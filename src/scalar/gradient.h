@@ -4,7 +4,7 @@
  *
  *     n(t) = sum over corners c of W_c(t) g_c . (t - c)
  *
- * with W the products of the fades; columns.h has the order of operations, tests/oracle.c the
+ * with W the products of the fades; columns.h has the order of operations, tests/oracle_basis.c the
  * published form. Included by basis.h.
  */
 #ifndef SCARP_SCALAR_GRADIENT_H
@@ -65,7 +65,8 @@ static inline struct column gradient_column2(const uint32_t key[3], uint32_t x,
     return c;
 }
 
-/* The lattice edge along z at (x, y): interpolated over z, w being the fade along z. */
+/* The lattice edge along z from the point `end`, interpolated over z. (ty, tz) is the place from
+   there, w the fade along z. */
 struct edge {
     struct line value; /* in x */
     float z, zz;       /* first and second z derivative of value.b */
@@ -73,11 +74,11 @@ struct edge {
     float dgx;         /* difference of the x components of the corners */
 };
 
-static inline struct edge gradient_edge(const uint32_t key[3], uint32_t x, uint32_t y, uint32_t z,
-                                        float ty, float tz, struct fade w)
+static inline struct edge gradient_edge(const uint32_t key[3], const uint32_t end[3], float ty,
+                                        float tz, struct fade w)
 {
-    const float *const g0 = direction3(hash3(key, x, y, z));
-    const float *const g1 = direction3(hash3(key, x, y, z + 1));
+    const float *const g0 = direction3(hash3(key, end[0], end[1], end[2]));
+    const float *const g1 = direction3(hash3(key, end[0], end[1], end[2] + 1));
     const float dgx = g1[0] - g0[0];
     const float dgy = g1[1] - g0[1];
     const float dgz = g1[2] - g0[2];
@@ -100,8 +101,9 @@ static inline struct column gradient_column3(const uint32_t key[3], uint32_t x,
 {
     const float y = p->t[1], z = p->t[2];
     const uint32_t *const cell = p->cell;
-    const struct edge e0 = gradient_edge(key, x, cell[1], cell[2], y, z, w);
-    const struct edge e1 = gradient_edge(key, x, cell[1] + 1, cell[2], y - 1.0f, z, w);
+    const uint32_t lower[3] = {x, cell[1], cell[2]}, upper[3] = {x, cell[1] + 1, cell[2]};
+    const struct edge e0 = gradient_edge(key, lower, y, z, w);
+    const struct edge e1 = gradient_edge(key, upper, y - 1.0f, z, w);
     const float da = e1.value.a - e0.value.a;
     const float db = e1.value.b - e0.value.b;
     const float dgy = e1.gy - e0.gy;

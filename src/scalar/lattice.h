@@ -10,7 +10,7 @@
 
 /*
  * The lattice hash. Each axis is mixed by itself, because the corners of a cell share the results;
- * exclusive or joins them to h, and the hash is h (h + k), of which the top bits are used.
+ * exclusive or joins them to h, and the hash is h (h + k), of which the top bits matter most.
  * tests/test_hash.c states what is asked of it.
  *
  * A change of bit b of h moves the hash by 2^b times 2 h + k, which differs from point to point:

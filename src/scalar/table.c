@@ -96,23 +96,20 @@ static void grid3(const struct scarp_plan *plan, const struct scarp_grid *grid,
 
 /* n = (-s dx, -s dy, 1) / length. The products of floats are exact in double and their squares do
    not overflow. 1 / length is length / length^2, so that infinite inputs give NaN. */
-static void normals(size_t count, const float *dx, const float *dy, float height_scale, float *nx,
-                    float *ny, float *nz)
+static void normals(size_t count, const float *const slope[2], float height_scale,
+                    float *const normal[3])
 {
     const double s = -(double)height_scale;
     for (size_t i = 0; i < count; i++) {
-        const double x = s * (double)dx[i];
-        const double y = s * (double)dy[i];
+        const double x = s * (double)slope[0][i];
+        const double y = s * (double)slope[1][i];
         const double squares = x * x + y * y + 1.0;
         const double inverse = sqrt(squares) / squares;
-        if (nx != NULL) {
-            nx[i] = (float)(x * inverse);
-        }
-        if (ny != NULL) {
-            ny[i] = (float)(y * inverse);
-        }
-        if (nz != NULL) {
-            nz[i] = (float)inverse;
+        const double n[3] = {x * inverse, y * inverse, inverse};
+        for (int axis = 0; axis < 3; axis++) {
+            if (normal[axis] != NULL) {
+                normal[axis][i] = (float)n[axis];
+            }
         }
     }
 }

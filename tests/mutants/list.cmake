@@ -12,15 +12,15 @@
 # SETS       the kernel sets that it is in; all but scalar if this is left out
 
 # positions
-mutant(positions.offset IN kernel TEXT [[const vd offset = vd_set(o->offset64[i]);]]
-       BECOMES [[const vd offset = vd_set(o->offset64[MUTANT ? 0 : i]);]] SEEN_BY bits)
-mutant(positions.turned_offset IN kernel TEXT [[return p + vd_set(o->offset64[i]);]]
-       BECOMES [[return p + vd_set(o->offset64[MUTANT ? 0 : i]);]] SEEN_BY bits)
+mutant(positions.offset IN kernel TEXT [[p : p + vd_set(o->offset64[axis])]]
+       BECOMES [[p : p + vd_set(o->offset64[MUTANT ? 0 : axis])]] SEEN_BY bits)
+mutant(positions.turned_offset IN kernel TEXT [[return p + vd_set(o->offset64[axis]);]]
+       BECOMES [[return p + vd_set(o->offset64[MUTANT ? 0 : axis]);]] SEEN_BY bits)
 mutant(positions.huge IN kernel TEXT [[const vf lower = vf_floor(p);]]
        BECOMES [[const vf lower = MUTANT ? vf_from_vi((vi)vu_from_vf(vf_floor(p))) : vf_floor(p);]]
        SEEN_BY bits)
-mutant(positions.hash IN kernel TEXT [[h.h1 & vu_set(~1u)]]
-       BECOMES [[h.h1 & vu_set(MUTANT ? ~0u : ~1u)]] SEEN_BY bits)
+mutant(positions.hash IN kernel TEXT [[y.h1 ^ z.h1]]
+       BECOMES [[(MUTANT ? y.h1 + z.h1 : y.h1 ^ z.h1)]] SEEN_BY bits)
 mutant(positions.reference IN scalar TEXT [[fabsf(p) < 0x1p31f]]
        BECOMES [[fabsf(p) < (MUTANT ? 0x1p30f : 0x1p31f)]] SEEN_BY golden SETS scalar)
 
@@ -38,30 +38,31 @@ mutant(basis.quintic_ddu IN kernel TEXT [[60.0f * ts * (t + s)]]
        BECOMES [[60.0f * ts * (MUTANT ? t - s : t + s)]] SEEN_BY bits)
 mutant(basis.cubic_ddu IN kernel TEXT [[6.0f - 12.0f * t]]
        BECOMES [[6.0f - (MUTANT ? 6.0f : 12.0f) * t]] SEEN_BY bits)
-mutant(basis.across_dxx IN kernel TEXT [[2.0f * u.du * e.da]]
-       BECOMES [[(MUTANT ? 1.0f : 2.0f) * u.du * e.da]] SEEN_BY bits)
+mutant(basis.across_dxx IN kernel TEXT [[2.0f * u.du * (r.a - l.a)]]
+       BECOMES [[(MUTANT ? 1.0f : 2.0f) * u.du * (r.a - l.a)]] SEEN_BY bits)
 mutant(basis.gradient_zz IN kernel TEXT [[2.0f * w.du * dgz]]
        BECOMES [[(MUTANT ? 1.0f : 2.0f) * w.du * dgz]] SEEN_BY bits)
 mutant(basis.value_yz IN kernel TEXT [[v.du * (w.du * ddz)]]
        BECOMES [[(MUTANT ? v.du * w.du * ddz : v.du * (w.du * ddz))]] SEEN_BY bits)
 
 # driver
-mutant(driver.tail IN kernel TEXT [[copy_rows(out, &scratch->sums, 0, count)]]
-       BECOMES [[copy_rows(out, &scratch->sums, 0, MUTANT ? count - count % VEC_LANES : count)]]
+mutant(driver.tail IN kernel TEXT [[copy_out(out, first, part->sums, 0, count)]]
+       BECOMES [[copy_out(out, first, part->sums, 0, MUTANT ? count - count % VEC_LANES : count)]]
        SEEN_BY bits)
 mutant(driver.remainder IN kernel TEXT [[least(i, count - blocks * VEC_LANES)]]
        BECOMES [[MUTANT ? i : least(i, count - blocks * VEC_LANES)]] SEEN_BY grid)
-mutant(driver.turned IN kernel TEXT [[column_dot(aj, 0, hy, dimensions)]]
-       BECOMES [[(MUTANT ? column_dot(aj, 1, hx, dimensions) : column_dot(aj, 0, hy, dimensions))]]
+mutant(driver.turned IN kernel TEXT [[s.dxy = column_dot(aj, 0, hy, v.dimensions)]]
+       BECOMES [[s.dxy = MUTANT ? column_dot(aj, 1, hx, v.dimensions)
+                       : column_dot(aj, 0, hy, v.dimensions)]]
        SEEN_BY bits)
 
 # shape
 mutant(shape.sign_of_zero IN kernel TEXT [[(vu)(n != vf_set(0.0f))]]
        BECOMES [[MUTANT ? vu_set(~0u) : (vu)(n != vf_set(0.0f))]] SEEN_BY bits)
-mutant(shape.ridged_sign IN kernel TEXT [[(2.0f * v * (mi * mj) - 2.0f * v * r * mij)]]
-       BECOMES [[(2.0f * v * (mi * mj) - (MUTANT ? -2.0f : 2.0f) * v * r * mij)]] SEEN_BY bits)
-mutant(shape.erosion_twice IN kernel TEXT [[vf_set(2.0f * plan->erosion)]]
-       BECOMES [[vf_set((MUTANT ? 1.0f : 2.0f) * plan->erosion)]] SEEN_BY bits)
+mutant(shape.ridged_sign IN kernel TEXT [[2.0f * v * r * ij.m)]]
+       BECOMES [[(MUTANT ? -2.0f : 2.0f) * v * r * ij.m)]] SEEN_BY bits)
+mutant(shape.erosion_twice IN kernel TEXT [[vf_set(2.0f * erosion)]]
+       BECOMES [[vf_set((MUTANT ? 1.0f : 2.0f) * erosion)]] SEEN_BY bits)
 
 # rows
 mutant(rows.in_column IN kernel TEXT [[runs && first == last]]
@@ -69,26 +70,27 @@ mutant(rows.in_column IN kernel TEXT [[runs && first == last]]
 mutant(rows.reach IN kernel TEXT [[right - base > VF_TABLE - 2]]
        BECOMES [[right - base > VF_TABLE - (MUTANT ? 1 : 2)]]
        SEEN_BY grid SETS sse4.1 neon) # with wider vectors, it takes thousands of grids
-mutant(rows.columns IN kernel TEXT [[hash_x(column, o->key[0]).h0]]
-       BECOMES [[MUTANT ? hash_x(column, o->key[0]).h1 : hash_x(column, o->key[0]).h0]] SEEN_BY grid)
+mutant(rows.columns IN kernel TEXT [[(vf)hash_axis(column, HASH_X, o->key[0]).h0]]
+       BECOMES [[MUTANT ? (vf)hash_axis(column, HASH_X, o->key[0]).h1
+                        : (vf)hash_axis(column, HASH_X, o->key[0]).h0]] SEEN_BY grid)
 mutant(rows.slide IN kernel TEXT [[slides ? (left - lowest) % VEC_LANES : 0]]
        BECOMES [[slides && !MUTANT ? (left - lowest) % VEC_LANES : 0]] SEEN_BY grid SETS avx512)
 
 # outputs
-mutant(outputs.lanes IN kernel TEXT [[if (first == STREAM) {]]
-       BECOMES [[if (MUTANT && first != STREAM) {
+mutant(outputs.lanes IN kernel TEXT [[if (put == PUT_STREAM) {]]
+       BECOMES [[if (MUTANT && put != PUT_STREAM) {
         const float lane = term[0];
         term[0] = term[1];
         term[1] = lane;
     }
-    if (first == STREAM) {]] SEEN_BY bits)
-mutant(outputs.stream_lanes IN kernel TEXT [[vf_stream(to + b * VEC_LANES, term);]]
+    if (put == PUT_STREAM) {]] SEEN_BY grid)
+mutant(outputs.stream_lanes IN kernel TEXT [[vf_stream(to, term);]]
        BECOMES [[if (MUTANT) {
             const float lane = term[0];
             term[0] = term[1];
             term[1] = lane;
         }
-        vf_stream(to + b * VEC_LANES, term);]] SEEN_BY large SETS sse4.1 avx2 avx512)
+        vf_stream(to, term);]] SEEN_BY large SETS sse4.1 avx2 avx512)
 mutant(outputs.stream_slices IN kernel TEXT [[g->row_stride | (solid ? g->slice_stride : 0)]]
        BECOMES [[g->row_stride | (solid && !MUTANT ? g->slice_stride : 0)]]
        SEEN_BY crash SETS sse4.1 avx2 avx512)

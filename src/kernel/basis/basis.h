@@ -1,10 +1,13 @@
 /* SPDX-License-Identifier: MIT
  *
  * Stage 2, the basis: one octave of noise at points of the lattice, times its weights, added to
- * sums. Included by ../rows/rows.h; the reference is scalar/basis.h.
+ * sums. Included by ../rows/along.h and ../shape/turn.h; the reference is scalar/basis.h.
  *
  * A basis that reduces lattice columns to lines (columns.h) is a file with one function,
- * `struct column NAME_column(corners, across, variant)`, and a case in basis_column().
+ * `struct column NAME_column(corners, across, variant)`, and a case in basis_column(). Any other is
+ * a function from a block of positions on the lattice to a sample, and a case in basis_sample().
+ *
+ * Where a place inside the cell is NaN, every output must be. A place may be 1.
  */
 #ifndef SCARP_KERNEL_BASIS_H
 #define SCARP_KERNEL_BASIS_H
@@ -15,7 +18,12 @@
 VEC_INLINE struct column basis_column(const struct corners *h, const struct across *p,
                                       struct variant v)
 {
-    return v.basis == SCARP_GRADIENT ? gradient_column(h, p, v) : value_column(h, p, v);
+    struct column c;
+    switch (v.basis) { /* no default: a compiler warns of a basis that is missing */
+    case SCARP_GRADIENT: c = gradient_column(h, p, v); break;
+    case SCARP_VALUE: c = value_column(h, p, v); break;
+    }
+    return c;
 }
 
 VEC_INLINE struct corners corners2(const struct lattice2 *at, int side)
@@ -69,6 +77,7 @@ struct placed {
 typedef void points_pass(const struct placed *at, const struct weights *weights, struct sums from,
                          const struct outputs *to);
 
+/* `fade` is at->fade, as a constant. */
 VEC_INLINE void points_run(const struct placed *at, enum scarp_fade fade,
                            const struct weights *weights, struct sums from,
                            const struct outputs *outputs, struct variant v)

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * The interpolation over x that bases with corners end with. Included by the files of
- * kernel/basis; the reference is scalar/basis.h.
+ * kernel/basis; the reference is scalar/columns.h.
  *
  * Such bases interpolate over z, then y, then x. What does not depend on x is reduced, on the
  * lattice columns s = 0 and 1 at either side, to lines a_s (x - s) + b_s in the fraction x, one for

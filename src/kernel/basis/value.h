@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Value noise with gradient and Hessian: see columns.h for the order of operations. Included by
- * basis.h; the reference is scalar/basis.h. All in units of 2^-31 of the lattice values; the
+ * basis.h; the reference is scalar/value.h. All in units of 2^-31 of the lattice values; the
  * plan's amplitudes carry the factor. Nothing of a column depends on x: the slopes stay unset.
  */
 #ifndef SCARP_KERNEL_BASIS_VALUE_H

@@ -72,8 +72,8 @@ static size_t least(size_t a, size_t b)
     return a < b ? a : b;
 }
 
-/* Where the stretch from block b on ends if it is to be a run in one column; a block that crosses
-   columns is one of its own. */
+/* The end of a run: the stretch from block b on whose samples all lie in one column. A block that
+   crosses columns is a stretch of its own. */
 static size_t end_of_run(const uint32_t *cells, size_t b, size_t blocks)
 {
     const uint32_t column = cells[b * VEC_LANES];
@@ -84,8 +84,8 @@ static size_t end_of_run(const uint32_t *cells, size_t b, size_t blocks)
     return end > b ? end : b + 1;
 }
 
-/* Where it ends if it is to have all blocks whose first samples lie in the same block of columns.
- */
+/* The end of a window: the stretch from block b on whose blocks begin in the same VEC_LANES
+   columns, counted from the strip's first. */
 static size_t end_of_window(const uint32_t *cells, size_t b, size_t blocks)
 {
     const uint32_t window = (cells[b * VEC_LANES] - cells[0]) / VEC_LANES;
@@ -96,11 +96,12 @@ static size_t end_of_window(const uint32_t *cells, size_t b, size_t blocks)
     return end;
 }
 
-/* Where the blocks and their lanes lie among the columns, from the cell of each sample, which go up
-   or down along x. Stretches are runs where those are long; else windows where tables can slide,
-   which they do upwards; else as long as tables reach, all alike. WIDE is returned where some block
-   is too wide for a table, or two columns for each sample cost less: where there are nearly as many
-   as samples, or more if tables slide (measured). */
+/* Cuts the blocks of a strip into stretches and finds each lane's column in the table of its
+   stretch. `cells` has the column of each sample; they go up or down along x. Stretches are runs if
+   there are many blocks to a column. Else they are windows if tables can slide, which they do
+   upwards only. Else they are as long as a table reaches. Returns WIDE if a block needs more
+   columns than a table has, or if two columns for each sample cost less: if there are nearly as
+   many columns as samples, or more if tables slide (measured). */
 static enum columns_kind place_columns(struct along_x *x, const uint32_t *cells, size_t blocks)
 {
     const size_t count = blocks * VEC_LANES;
@@ -149,8 +150,7 @@ static int cells_in_order(const struct scarp_octave *o, const double *position, 
            width > -0x1p30 && width < 0x1p30;
 }
 
-/* The octave at a strip of coordinates `x`. `order` is the highest derivative that will be asked
-   for. */
+/* Prepares the octave at a strip, whose coordinates are at->array[0]. */
 VEC_INLINE void along_x_run(struct along_x *x, const struct scarp_octave *o, size_t blocks,
                             const struct positions *at, enum scarp_fade kind, struct frame f)
 {
@@ -185,8 +185,8 @@ static void along_x(struct along_x *x, const struct scarp_octave *o, size_t bloc
     }
 }
 
-/* The octave at `count` coordinates along y, and at one along z. What lies beyond, up to a whole
-   block, is computed from what the array has there. */
+/* Prepares the octave at `count` coordinates along y, filled up to whole blocks, and at one along
+   z, which has a block, too. */
 static void along_rows(struct along_rows *rows, const struct scarp_octave *o, size_t count,
                        const struct positions *at, enum scarp_fade fade_kind, struct frame f)
 {

@@ -103,8 +103,8 @@ VEC_INLINE struct stretch_lines open_lines(const struct tables *t, size_t base, 
     return l;
 }
 
-/* A row from the columns at block `at` of the tables. */
-VEC_INLINE void table_row(const struct along_x *x, const struct tables *t, size_t at,
+/* A row from the columns that the tables begin with. */
+VEC_INLINE void table_row(const struct along_x *x, const struct tables *t,
                           const struct target *target, struct variant v, enum put put)
 {
     const struct weights w = target->weights; /* copies: nothing that is stored can alias them */
@@ -114,7 +114,7 @@ VEC_INLINE void table_row(const struct along_x *x, const struct tables *t, size_
     size_t to_at = 0;
     for (; block < row_end; stretch++) {
         const struct along_block *const end = block + stretch->blocks;
-        const size_t base = at * VEC_LANES + stretch->base;
+        const size_t base = stretch->base;
         if (stretch->in_column) {
             const struct stretch_lines l = open_lines(t, base, 1, v);
             const struct sides s = get_sides(&l, vu_set(0), 1, v);
@@ -149,13 +149,17 @@ VEC_INLINE void wide_row(const struct along_x *x, const struct along_row *row,
     for (; block < end; block++) {
         const struct sides s = {row_column((vu)hash[0], row, v), row_column((vu)hash[1], row, v)};
         const struct sample n = join_sides(block, &s, v);
-        put_sample(&to, to_at, &w, &n, v, put);
+        if (put == PUT_ADD) { /* not a loop of its own: these are long */
+            put_sample(&to, to_at, &w, &n, v, PUT_ADD);
+        } else {
+            put_sample(&to, to_at, &w, &n, v, PUT_FIRST);
+        }
         to_at += to.block;
         hash += 2;
     }
 }
 
-/* Tables read what comes after the last block in use, too, though no lane chooses it. */
+/* Clears the block after the last one in use: tables read it, too, though no lane chooses it. */
 static void clear_beyond(const struct tables *t, size_t lines, size_t at)
 {
     for (size_t i = 0; i < lines; i++) {
@@ -165,17 +169,15 @@ static void clear_beyond(const struct tables *t, size_t lines, size_t at)
     }
 }
 
-/* Row r, whose columns are at block `at` of the tables, if it has any there. */
-VEC_INLINE void put_row(const struct row_octave *o, const struct tables *t, size_t r, size_t at,
+/* Row r, whose columns the tables begin with, if there are any; not WIDE. */
+VEC_INLINE void put_row(const struct row_octave *o, size_t r, const struct tables *t,
                         const struct target *to, struct variant v, enum put put)
 {
-    const struct along_row row = row_of(&o->rows, r, v.dimensions);
-    if (put != PUT_STREAM && o->x.kind == WIDE) {
-        wide_row(&o->x, &row, to, v, put);
-    } else if (VF_TABLE > VEC_LANES && o->x.kind == SLIDES) {
+    if (VF_TABLE > VEC_LANES && o->x.kind == SLIDES) {
+        const struct along_row row = row_of(&o->rows, r, v.dimensions);
         slide_row(&o->x, &row, to, v, put);
     } else {
-        table_row(&o->x, t, at, to, v, put);
+        table_row(&o->x, t, to, v, put);
     }
 }
 
@@ -201,13 +203,16 @@ VEC_INLINE void rows_run(const struct row_octave *o, size_t rows, const struct w
             reduce_row(&t, &o->x, (r - begin) * column_blocks, &row, v);
         }
         for (size_t r = begin; r < end; r++) {
-            const size_t at = (r - begin) * column_blocks;
-            if (put == PUT_STREAM && o->x.kind != WIDE) {
-                put_row(o, &t, r, at, &to, v, PUT_STREAM);
-            } else if (put != PUT_ADD) {
-                put_row(o, &t, r, at, &to, v, PUT_FIRST);
+            const struct tables here = {t.start + (r - begin) * column_blocks, t.stride};
+            if (o->x.kind == WIDE) {
+                const struct along_row row = row_of(&o->rows, r, v.dimensions);
+                wide_row(&o->x, &row, &to, v, put);
+            } else if (put == PUT_STREAM) {
+                put_row(o, r, &here, &to, v, PUT_STREAM);
+            } else if (put == PUT_FIRST) {
+                put_row(o, r, &here, &to, v, PUT_FIRST);
             } else {
-                put_row(o, &t, r, at, &to, v, PUT_ADD);
+                put_row(o, r, &here, &to, v, PUT_ADD);
             }
             outputs_next_row(&to.outputs, v);
         }

@@ -2,7 +2,7 @@
  *
  * Ridged noise: the sum of a_k s_k with s_k = v_k (1 - |n_k|)^2, v_0 = 1, v_{k+1} = min(1, 2 s_k).
  * Its state is the weight v_k with its derivatives, a stored sample. Included by erosion.h; the
- * reference is scalar/shape.h.
+ * reference is scalar/ridged.h.
  */
 #ifndef SCARP_KERNEL_SHAPE_RIDGED_H
 #define SCARP_KERNEL_SHAPE_RIDGED_H

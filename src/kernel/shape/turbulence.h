@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Turbulence: the sum of a_k |n_k|. Included by ridged.h; the reference is scalar/shape.h.
+ * Turbulence: the sum of a_k |n_k|. Included by ridged.h; the reference is scalar/turbulence.h.
  */
 #ifndef SCARP_KERNEL_SHAPE_TURBULENCE_H
 #define SCARP_KERNEL_SHAPE_TURBULENCE_H

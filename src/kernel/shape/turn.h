@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Stage 3 of octaves with turned axes: derivatives of the basis in the octave's own frame, carried
- * through its axes. Included by shape.h; the reference is `turned` in scalar/shape.h.
+ * through its axes. Included by turbulence.h; the reference is `turn` in scalar/turn.h.
  *
  *     gradient += (a J)^T g      Hessian += (a J)^T (H J)
  */
@@ -109,6 +109,7 @@ VEC_INLINE void turn_run(const struct shaping *shaping, struct sums from,
     }
 }
 
+/* Shapes are the same for every basis: that of a variant is not looked at. */
 #define TURN_PASS(name, dimensions, order)                                                         \
     static void name(const struct shaping *shaping, struct sums from, const struct outputs *to)    \
     {                                                                                              \

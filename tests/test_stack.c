@@ -1,0 +1,169 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * How much stack the calls take: each of them runs on a thread whose stack of 64 KiB was painted
+ * before, in front of a page that cannot be touched. POSIX threads only.
+ *
+ *     test_stack ISA
+ */
+#include "guarded.h"
+
+#include "outputs.h"
+
+#include <pthread.h>
+
+#define STACK_BYTES ((size_t)64 << 10)
+#define PROMISED ((size_t)48 << 10)
+#define PAINT 0xa5
+
+#define MOST_POINTS 4099
+#define MOST_SAMPLES (700 * 70 * 2)
+
+/* One call. */
+struct job {
+    struct scarp_noise noise;
+    enum { NOTHING, POINTS, GRID, OTHERS } kind;
+    int order, dimensions;
+    enum function function;
+    size_t count;
+    struct scarp_grid grid;
+    const struct inputs *in;
+    const struct outputs *out;
+    enum scarp_status status;
+};
+
+static void *run(void *opaque)
+{
+    struct job *const job = opaque;
+    const unsigned mask = outputs_up_to(job->order, job->dimensions);
+    const struct scarp_samples out = outputs_subset(job->out, mask);
+    const char *member;
+    float lowest, highest;
+    switch (job->kind) {
+    case POINTS:
+        job->status = function_call(job->function, &job->noise, job->count, job->in, &out);
+        break;
+    case GRID: job->status = grid_call(job->dimensions, &job->noise, &job->grid, &out); break;
+    case OTHERS:
+        scarp_normals(job->count, job->in->f[0], job->in->f[1], 1.0f, out.value, out.dx, out.dy);
+        scarp_range(&job->noise, 2, &lowest, &highest);
+        job->status = scarp_noise_check(&job->noise, 2, &member);
+        break;
+    default: job->status = SCARP_OK;
+    }
+    return NULL;
+}
+
+/* How many bytes of the stack a thread with that job touches. */
+static size_t touched(const struct guarded *stack, struct job *job)
+{
+    pthread_t thread;
+    pthread_attr_t attributes;
+    memset(stack->start, PAINT, stack->size);
+    if (pthread_attr_init(&attributes) != 0 ||
+        pthread_attr_setstack(&attributes, stack->start, stack->size) != 0 ||
+        pthread_create(&thread, &attributes, run, job) != 0) {
+        printf("no thread with 64 KiB of stack\n");
+        exit(EXIT_FAILURE);
+    }
+    pthread_join(thread, NULL);
+    pthread_attr_destroy(&attributes);
+    size_t free_bytes = 0;
+    while (free_bytes < stack->size && stack->start[free_bytes] == PAINT) {
+        free_bytes++;
+    }
+    CHECK(job->status == SCARP_OK, "status %d", (int)job->status);
+    return stack->size - free_bytes;
+}
+
+struct worst {
+    size_t bytes, nothing; /* of a thread that calls nothing */
+    char what[100];
+};
+
+static void measure(const struct guarded *stack, struct job *job, struct worst *worst,
+                    const char *what)
+{
+    const size_t bytes = touched(stack, job) - worst->nothing;
+    CHECK(bytes < PROMISED, "%s, %s, order %d, octaves %g, turned %d: %zu bytes", what,
+          scarp_fractal_name(job->noise.fractal), job->order, (double)job->noise.octaves,
+          job->noise.rotate, bytes);
+    if (bytes > worst->bytes) {
+        worst->bytes = bytes;
+        snprintf(worst->what, sizeof worst->what, "%s, %s %s, order %d", what,
+                 scarp_basis_name(job->noise.basis), scarp_fractal_name(job->noise.fractal),
+                 job->order);
+    }
+}
+
+static void measure_points(const struct guarded *stack, struct job *job, struct worst *worst)
+{
+    static const size_t counts[] = {1, 7, 100, 1000, MOST_POINTS};
+    job->kind = POINTS;
+    for (int f = 0; f < FUNCTIONS; f++) {
+        job->function = (enum function)f;
+        job->dimensions = function_dimensions(job->function);
+        for (size_t i = 0; i < sizeof counts / sizeof counts[0]; i++) {
+            job->count = counts[i];
+            measure(stack, job, worst, function_names[f]);
+        }
+    }
+}
+
+static void measure_grids(const struct guarded *stack, struct job *job, struct worst *worst)
+{
+    static const size_t sizes[][2] = {{3, 40}, {33, 5}, {700, 70}};
+    static const double steps[] = {0.01, -0.3, 5.0};
+    job->kind = GRID;
+    for (size_t i = 0; i < 18; i++) {
+        struct scarp_grid grid = {.count = {sizes[i / 6][0], sizes[i / 6][1], 2}};
+        job->dimensions = 2 + (int)(i % 2);
+        for (int axis = 0; axis < 3; axis++) {
+            grid.origin[axis] = 0.5;
+            grid.step[axis] = steps[i / 2 % 3];
+        }
+        job->grid = grid;
+        measure(stack, job, worst, job->dimensions == 2 ? "scarp_grid2" : "scarp_grid3");
+    }
+}
+
+int main(int argc, char **argv)
+{
+    if (argc != 2) {
+        printf("usage: test_stack ISA\n");
+        return EXIT_FAILURE;
+    }
+    check_select_isa(argv[1]);
+    static float f[3][MOST_POINTS];
+    static double d[3][MOST_POINTS];
+    uint64_t state = 1;
+    for (int i = 0; i < 3 * MOST_POINTS; i++) {
+        d[i % 3][i / 3] = check_random_double(&state, 100.0);
+        f[i % 3][i / 3] = (float)d[i % 3][i / 3];
+    }
+    const struct inputs in = {{f[0], f[1], f[2]}, {d[0], d[1], d[2]}};
+    struct outputs out = outputs_make(MOST_SAMPLES);
+    const struct guarded stack = guarded_make(STACK_BYTES);
+    struct job job = {.kind = NOTHING, .dimensions = 2, .in = &in, .out = &out};
+    struct worst worst = {.nothing = touched(&stack, &job)};
+    for (int i = 0; scarp_basis_name((enum scarp_basis)i) != NULL; i++) {
+        for (int k = 0; scarp_fractal_name((enum scarp_fractal)k) != NULL; k++) {
+            for (int j = 0; j < 12; j++) {
+                job.noise = (struct scarp_noise){.basis = (enum scarp_basis)i,
+                                                 .fractal = (enum scarp_fractal)k,
+                                                 .octaves = j % 2 != 0 ? 3.0f : 1.0f,
+                                                 .rotate = (uint32_t)(j / 2 % 2)};
+                job.order = j / 4;
+                if (k != SCARP_EROSION || job.order < 2) {
+                    measure_points(&stack, &job, &worst);
+                    measure_grids(&stack, &job, &worst);
+                }
+            }
+        }
+    }
+    job.kind = OTHERS;
+    measure(&stack, &job, &worst, "scarp_normals, scarp_range and scarp_noise_check");
+    printf("%s: at most %zu bytes of stack: %s; a thread alone has %zu\n", argv[1], worst.bytes,
+           worst.what, worst.nothing);
+    outputs_free(&out);
+    return check_done();
+}
