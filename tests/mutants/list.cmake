@@ -77,13 +77,15 @@ mutant(rows.slide IN kernel TEXT [[slides ? (left - lowest) % VEC_LANES : 0]]
        BECOMES [[slides && !MUTANT ? (left - lowest) % VEC_LANES : 0]] SEEN_BY grid SETS avx512)
 
 # outputs
-mutant(outputs.lanes IN kernel TEXT [[if (put == PUT_STREAM) {]]
-       BECOMES [[if (MUTANT && put != PUT_STREAM) {
+mutant(outputs.lanes IN kernel TEXT [[put_block(float *to, vf term, enum put put)
+{]]
+       BECOMES [[put_block(float *to, vf term, enum put put)
+{
+    if (MUTANT && put != PUT_STREAM) {
         const float lane = term[0];
         term[0] = term[1];
         term[1] = lane;
-    }
-    if (put == PUT_STREAM) {]] SEEN_BY grid)
+    }]] SEEN_BY grid)
 mutant(outputs.stream_lanes IN kernel TEXT [[vf_stream(to, term);]]
        BECOMES [[if (MUTANT) {
             const float lane = term[0];
