@@ -106,7 +106,8 @@ static inline double cramers_v(const uint32_t *counts, double total)
     return sqrt(chi_square(counts, 256, total) / (total * 15.0));
 }
 
-/* The correlation of n pairs as z (two-sided: its magnitude). */
+/* The correlation of n pairs as z (two-sided: its magnitude). Numbers that are all the same count
+   as correlated. */
 static inline double correlation_z(const float *a, const float *b, int n)
 {
     double sa = 0.0, sb = 0.0, saa = 0.0, sbb = 0.0, sab = 0.0;
@@ -120,7 +121,7 @@ static inline double correlation_z(const float *a, const float *b, int n)
     }
     const double covariance = sab - sa * sb / n;
     const double variances = (saa - sa * sa / n) * (sbb - sb * sb / n);
-    return fabs(covariance) / sqrt(variances) * sqrt((double)n);
+    return (variances > 0.0 ? fabs(covariance) / sqrt(variances) : 1.0) * sqrt((double)n);
 }
 
 #endif
