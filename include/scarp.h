@@ -32,12 +32,12 @@ extern "C" {
  *
  * - Arguments are checked before anything is written. On an error the outputs are untouched.
  * - The same call gives the same bits on every processor, instruction set, compiler and
- *   optimisation level. Where a result is NaN, that it is NaN is promised, not its payload.
+ *   optimisation level. The payload of a NaN is not promised.
  * - A point has one value: its position in the array, the length of the array, the other points
  *   and the set of outputs asked for change nothing.
  * - The caller's floating-point mode (flush to zero, denormals are zero, rounding direction,
  *   unmasked exceptions) neither changes a result nor is changed. On processors other than x86 and
- *   AArch64 that holds for the rounding direction; the others must be at their defaults there.
+ *   AArch64 that holds for the rounding direction; the rest must be at its default there.
  * - Any thread may call any function at any time. Nothing is allocated, printed or read from the
  *   environment, and errno is left alone. A call takes less than 48 KiB of stack, with every kernel
  *   set, so a thread or a fiber with 64 KiB will do. (Kernels that are compiled without
@@ -112,10 +112,10 @@ enum scarp_isa {
  *
  *     a_k = amplitude (1 - 2^-17) w_k / (w_0 + ... + w_(K-1)),   w_k = gain^k,
  *
- * but w_(K-1) is also multiplied by the fraction of `octaves` when it has one: octaves can be
- * faded in without a pop. (Below 1 it cancels: one octave is always whole.) The 2^-17 is the
- * head-room for rounding that lets the range be promised. R is (0.8 -0.6; 0.6 0.8) in 2D and (0 0.8
- * 0.6; -0.8 0.36 -0.48; -0.6 -0.48 0.64) in 3D.
+ * but w_(K-1) is also multiplied by the fraction of `octaves` when it has one: octaves can be faded
+ * in without a pop. (If `octaves` is below 1 the fraction cancels: a single octave is always
+ * whole.) The 2^-17 is the head-room for rounding that lets the range be promised. R is (0.8 -0.6;
+ * 0.6 0.8) in 2D and (0 0.8 0.6; -0.8 0.36 -0.48; -0.6 -0.48 0.64) in 3D.
  *
  *     fBm         value = sum_k a_k n_k
  *                 gradient = sum_k a_k G_k           Hessian = sum_k a_k J_k^T H_k J_k
@@ -142,7 +142,7 @@ enum scarp_isa {
  * c, of splitmix64(first number of splitmix64(s_k)): 2^-24 times the top 24 bits of b, the low 24
  * bits of c, the top 24 bits of c.
  *
- * Outputs are gradients and Hessians per unit of *input* (not per lattice cell).
+ * Gradients and Hessians are per unit of *input*, not per lattice cell.
  */
 struct scarp_noise {
     enum scarp_basis basis;
@@ -187,19 +187,18 @@ struct scarp_samples {
  * needed. An output may be the very same array as an input (in place); outputs must not overlap
  * anything else.
  *
- * Coordinates: positions are computed in float, so detail fades as |p_k| approaches 2^23 cells;
- * use scarp_sample2_f64 for large worlds. Beyond that the noise remains defined: for |p_k| >= 2^31
- * the cell is -2^31 along that axis and the fraction 0. Where a coordinate is NaN or infinite, or
- * a position overflows to infinity, every output of that point is NaN; other points do not notice.
+ * Coordinates: positions are computed in float, so detail fades as |p_k| approaches 2^23 cells; use
+ * scarp_sample2_f64 for large worlds. Beyond that the noise remains defined: for |p_k| >= 2^31 the
+ * cell is -2^31 along that axis and the fraction 0. Where a coordinate is NaN or infinite, or a
+ * position overflows to infinity, every output of that point is NaN; other points are not affected.
  *
  * Range: see scarp_range. With the defaults, [-1, 1].
  *
  * Returns SCARP_ERROR_NULL if count > 0 and `noise`, `out`, `x` or `y` is NULL; SCARP_ERROR_ENUM
  * for an unknown basis, fade or fractal; SCARP_ERROR_PARAMETER for a number of `noise` outside its
- * interval; SCARP_ERROR_SIZE if the arrays would exceed the address space;
- * SCARP_ERROR_UNSUPPORTED if a derivative along z is asked for, or a second derivative of
- * SCARP_EROSION, or if a reserved member of `noise` or `out` is in use. A count of 0 is a success
- * that looks at nothing.
+ * interval; SCARP_ERROR_SIZE if the arrays would exceed the address space; SCARP_ERROR_UNSUPPORTED
+ * if a derivative along z is asked for, or a second derivative of SCARP_EROSION, or if a reserved
+ * member of `noise` or `out` is in use. A count of 0 succeeds, whatever the other arguments are.
  */
 SCARP_API enum scarp_status scarp_sample2(const struct scarp_noise *noise, size_t count,
                                           const float *x, const float *y,
@@ -237,9 +236,9 @@ struct scarp_grid {
     double origin[3], step[3]; /* finite; a step may be 0 or negative */
     int64_t first[3];          /* every first + index lies in [-2^53, 2^53] */
     size_t count[3];
-    size_t row_stride;   /* floats from one row to the next; 0: count[0], packed. At least that. */
-    size_t slice_stride; /* floats from one slice to the next; 0: count[1] rows. At least from the
-                            first float of a slice to its last. */
+    size_t row_stride;   /* floats from one row to the next, at least count[0]; 0: count[0] */
+    size_t slice_stride; /* floats from one slice to the next, at least those from the first of a
+                            slice to its last; 0: count[1] rows */
 
     uint32_t spare[(192 - 72 - 5 * sizeof(size_t)) / 4]; /* reserved: 0. 192 bytes in all. */
 };
@@ -252,12 +251,12 @@ struct scarp_grid {
  * whatever tiles it is computed in: give tiles their `first`, and the same origin and step. Nothing
  * between the rows is touched.
  *
- * Much faster than arrays of points where neighbouring samples share lattice cells, axes are not
- * turned, and rows are longer than a few dozen samples. Single octaves of 24 MiB and more are
- * written fastest where arrays, and their rows, begin at multiples of 64 bytes.
+ * Grids are much faster than arrays of points where neighbouring samples share lattice cells, axes
+ * are not turned, and rows are longer than a few dozen samples. Single octaves of fBm of 24 MiB and
+ * more are written fastest where arrays, and their rows, begin at multiples of 64 bytes.
  *
- * Returns SCARP_ERROR_NULL if `noise`, `grid` or `out` is NULL; SCARP_OK, having looked at nothing
- * else, if a count is 0; SCARP_ERROR_PARAMETER for an origin or step that is not finite, an index
+ * Returns SCARP_ERROR_NULL if `noise`, `grid` or `out` is NULL; SCARP_OK if a count is 0, whatever
+ * the other members are; SCARP_ERROR_PARAMETER for an origin or step that is not finite, an index
  * outside its interval, and strides shorter than a row or a slice; SCARP_ERROR_SIZE if the arrays
  * would exceed the address space; SCARP_ERROR_UNSUPPORTED also if a reserved member of `grid` is in
  * use; otherwise as scarp_sample2.
@@ -276,16 +275,17 @@ SCARP_API enum scarp_status scarp_grid3(const struct scarp_noise *noise,
  * scarp_normals - unit normals of the surface z = height_scale * value, from the gradient
  *
  * For each i < count, (nx[i], ny[i], nz[i]) is (-s dx[i], -s dy[i], 1) divided by its length, with
- * s = height_scale: x and y as in the input of the noise, z up. dx and dy are outputs of a sample
- * call; s is in units of input per unit of value. Computed in double and rounded once: each
- * component is within 1 unit in the last place of the exact one. Where an input is NaN or
- * infinite, the normal is NaN in all components.
+ * s = height_scale: x and y are the axes of the noise's input, z points up. dx and dy are outputs
+ * of a sample call; s is in units of input per unit of value. Normals are computed in double and
+ * rounded once: each component is within 1 unit in the last place of the exact one. Where an input
+ * is NaN or infinite, the normal is NaN in all components.
  *
  * Every array holds `count` floats. nx, ny and nz may each be NULL and are then skipped; an output
  * may be the very same array as an input.
  *
  * Returns SCARP_ERROR_NULL if dx or dy is NULL; SCARP_ERROR_PARAMETER if height_scale is not
- * finite; SCARP_ERROR_SIZE as scarp_sample2. A count of 0 is a success that looks at nothing.
+ * finite; SCARP_ERROR_SIZE as scarp_sample2. A count of 0 succeeds, whatever the other arguments
+ * are.
  */
 SCARP_API enum scarp_status scarp_normals(size_t count, const float *dx, const float *dy,
                                           float height_scale, float *nx, float *ny, float *nz);
@@ -294,8 +294,8 @@ SCARP_API enum scarp_status scarp_normals(size_t count, const float *dx, const f
  * scarp_range - the interval that values never leave
  *
  * *lowest <= value <= *highest for every point, rounding included. `dimensions` is 2 or 3. fBm and
- * erosion: -|amplitude| and |amplitude|. Turbulence and ridged: 0 and amplitude, in their order.
- * Use it to map heights to integers: all tiles then agree.
+ * erosion have the interval from -|amplitude| to |amplitude|, turbulence and ridged noise the one
+ * between 0 and amplitude. Use it to map heights to integers: all tiles then agree.
  *
  * Returns SCARP_ERROR_NULL if a pointer is NULL; otherwise as scarp_noise_check.
  */
@@ -325,8 +325,8 @@ SCARP_API enum scarp_status scarp_noise_check(const struct scarp_noise *noise, i
 /*
  * scarp_basis_name, scarp_fade_name, scarp_fractal_name - the enumerators as words
  *
- * "gradient", "value"; "quintic", "cubic"; "fbm", "turbulence", "ridged", "erosion": lower case,
- * never changed, static. NULL for numbers that are no enumerator. Enumerators count up from 0
+ * "gradient", "value"; "quintic", "cubic"; "fbm", "turbulence", "ridged", "erosion". The words are
+ * static and never change. Numbers that are no enumerator give NULL. Enumerators count up from 0
  * without gaps, so a list of them ends where the name is NULL:
  *
  *     for (enum scarp_basis basis = 0; scarp_basis_name(basis) != NULL; basis++)
@@ -349,8 +349,8 @@ SCARP_API const char *scarp_version(void);
 /* scarp_isa_active - the kernel set in use */
 SCARP_API enum scarp_isa scarp_isa_active(void);
 
-/* scarp_isa_supported - whether this build has the kernel set and this processor can run it.
-   0 for SCARP_ISA_NONE and for numbers that are no enumerator. */
+/* scarp_isa_supported - whether this build has the kernel set and this processor can run it. The
+   answer is 0 for SCARP_ISA_NONE and for numbers that are no enumerator. */
 SCARP_API int scarp_isa_supported(enum scarp_isa isa);
 
 /*
@@ -365,8 +365,8 @@ SCARP_API enum scarp_status scarp_isa_select(enum scarp_isa isa);
 /*
  * scarp_isa_name - "none", "scalar", "sse4.1", "avx2", "avx512", "neon", "generic"
  *
- * NULL for numbers that are no enumerator, so these are all kernel sets, whether this build has
- * them or not:
+ * Numbers that are no enumerator give NULL, so this loop visits all kernel sets, whether this build
+ * has them or not:
  *
  *     for (enum scarp_isa isa = SCARP_ISA_NONE + 1; scarp_isa_name(isa) != NULL; isa++)
  */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Feature detection: CPUID for the processor, XGETBV for the register state that the operating
- * system saves. A level counts only if the whole group of features it is compiled for is there.
+ * Asks CPUID what the processor has, and XGETBV which registers the operating system saves. A set
+ * can run only if every feature that it is compiled for is there.
  */
 #include "cpu.h"
 
@@ -66,7 +66,7 @@ int scarp_cpu_has(enum scarp_isa isa)
 
 #else
 
-/* NEON is part of the AArch64 baseline; elsewhere it is not built, like the others. */
+/* NEON is part of the AArch64 baseline, and is built nowhere else. */
 int scarp_cpu_has(enum scarp_isa isa)
 {
     return isa == SCARP_ISA_SCALAR || isa == SCARP_ISA_GENERIC || isa == SCARP_ISA_NEON;

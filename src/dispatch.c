@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * One table per instruction set, one pointer to the table in use. The pointer is the only mutable
- * global of the library. It is resolved at first use; every thread that resolves it finds the same
- * table, so relaxed atomics suffice: the tables themselves are constants.
+ * There is one table per instruction set, and one pointer to the table in use. The pointer is the
+ * only mutable global of the library. It is resolved at first use. Every thread that resolves it
+ * finds the same table, and tables are constants, so relaxed atomics suffice.
  */
 #include "dispatch.h"
 

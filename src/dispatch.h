@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT
  *
- * Which kernel table serves the calls.
+ * Chooses the kernel table that serves the calls.
  */
 #ifndef SCARP_DISPATCH_H
 #define SCARP_DISPATCH_H
 
 #include "kernels.h"
 
-/* The table in use; chosen at the first call, the same from any thread. */
+/* The table in use, for all threads. The first call chooses it. */
 const struct scarp_kernels *scarp_dispatch_active(void);
 
 /* The table for `isa`, or NULL if this build lacks it or this processor cannot run it. */

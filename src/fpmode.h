@@ -2,8 +2,8 @@
  *
  * Runs kernels in the default floating-point mode (round to nearest, denormals kept, exceptions
  * masked) whatever the caller's is: a program linked with -ffast-math starts with denormals
- * flushed, and some hosts unmask traps. Included by scarp.c only, around out-of-line calls, which
- * arithmetic cannot cross.
+ * flushed, and some hosts unmask traps. Included by scarp.c only, which calls functions that are
+ * not inlined in between, so that no arithmetic moves out of the mode.
  */
 #ifndef SCARP_FPMODE_H
 #define SCARP_FPMODE_H
@@ -43,8 +43,8 @@ struct fpmode {
     uint64_t control;
 };
 
-/* FPCR: trap enables, flush, rounding, default NaN and the alternative behaviours; 0 is the mode
-   of IEEE 754. */
+/* FPCR holds trap enables, flushing, rounding, default NaNs and alternative behaviours; 0 is the
+   mode of IEEE 754. */
 static inline struct fpmode fpmode_enter(void)
 {
     struct fpmode caller;

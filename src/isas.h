@@ -18,10 +18,10 @@
     X(NEON, neon, "neon", SCARP_AARCH64)                                                           \
     X(GENERIC, generic, "generic", SCARP_GENERIC)
 
-/* All, with the reference, which runs everywhere. */
+/* All sets: the vector ones, and the reference, which runs everywhere. */
 #define SCARP_ISA_LIST(X) SCARP_ISA_VECTORS(X) X(SCALAR, scalar, "scalar", 1)
 
-/* SCARP_WHERE(condition, text): the text where the condition, 0 or 1, is 1. */
+/* SCARP_WHERE(condition, text) gives the text if the condition is 1, nothing if it is 0. */
 #define SCARP_WHERE(condition, ...) SCARP_WHERE_EXPANDED(condition, __VA_ARGS__)
 #define SCARP_WHERE_EXPANDED(condition, ...) SCARP_WHERE_##condition(__VA_ARGS__)
 #define SCARP_WHERE_0(...)
@@ -33,8 +33,7 @@
 #define SCARP_X86 0
 #endif
 
-/* gcc for Windows spills 32- and 64-byte vectors to a stack that is aligned to 16 (GCC bug 54412).
- */
+/* gcc for Windows spills wider vectors to a stack that is aligned to 16 bytes (GCC bug 54412). */
 #if SCARP_X86 && (!defined(_WIN32) || defined(__clang__))
 #define SCARP_X86_AVX 1
 #else
@@ -48,8 +47,9 @@
 #define SCARP_AARCH64 0
 #endif
 
-/* Vector extensions, with conversions between them (gcc 9). Not where vectors flush denormals,
-   whatever the floating-point mode: on 32-bit Arm with NEON, on PowerPC with AltiVec alone. */
+/* The generic set needs vector extensions with conversions between them (gcc 9). It is left out
+   where vectors flush denormals in every floating-point mode: 32-bit Arm with NEON, PowerPC with
+   AltiVec alone. */
 #if defined(__ARM_NEON) && !defined(__aarch64__)
 #define SCARP_GENERIC 0
 #elif defined(__ALTIVEC__) && !defined(__VSX__)

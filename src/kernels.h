@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * The table that every instruction set fills in, and the tables there are. scarp.c calls through
- * the active table; dispatch.c chooses it.
+ * Declares the type of a kernel table, and the table of each instruction set. dispatch.c chooses
+ * the active one; scarp.c calls through it.
  */
 #ifndef SCARP_KERNELS_H
 #define SCARP_KERNELS_H
@@ -11,15 +11,15 @@
 #include "plan.h"
 
 /* Evaluates `count` > 0 points. `position` holds one array per dimension, floats or doubles as the
-   table says; outputs in `out` above plan->order, and along z in 2D, are NULL. */
+   table's member says; outputs in `out` above plan->order, and along z in 2D, are NULL. */
 typedef void scarp_points_fn(const struct scarp_plan *plan, size_t count,
                              const void *const position[3], const struct scarp_outputs *out);
 
-/* Evaluates a grid; no count is 0, and the strides are given. Otherwise as above. */
+/* Evaluates a grid without a count of 0, whose strides are filled in; `out` is as above. */
 typedef void scarp_grid_fn(const struct scarp_plan *plan, const struct scarp_grid *grid,
                            const struct scarp_outputs *out);
 
-/* As scarp_normals, for `count` > 0: from the slopes dx, dy to nx, ny, nz. */
+/* Does what scarp_normals says for `count` > 0: computes nx, ny, nz from the slopes dx, dy. */
 typedef void scarp_normals_fn(size_t count, const float *const slope[2], float height_scale,
                               float *const normal[3]);
 

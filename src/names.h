@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * How many enumerators scarp.h has of each kind: what is below is known, has a name (names.c), and
- * passes the checks (plan.c, scarp.c). A new enumerator is appended, so it is the last one here.
+ * Tells how many enumerators scarp.h has of each kind. Numbers below have names (names.c) and pass
+ * the checks (plan.c, scarp.c). New enumerators are appended, so the last one stands here.
  */
 #ifndef SCARP_NAMES_H
 #define SCARP_NAMES_H
@@ -13,7 +13,7 @@
 #define SCARP_FADES (SCARP_CUBIC + 1)
 #define SCARP_FRACTALS (SCARP_EROSION + 1)
 
-/* SCARP_ISA_NONE and those of the list. */
+/* Counts SCARP_ISA_NONE and the sets of the list. */
 #define SCARP_ISA_COUNT(ISA, table, name, here) +1
 #define SCARP_ISAS (1 SCARP_ISA_LIST(SCARP_ISA_COUNT))
 

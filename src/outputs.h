@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * What a call computes, as a list of arrays: struct scarp_samples spelled out once, so that no
- * kernel needs to. scarp.c makes it.
+ * Describes the outputs of a call as a list of arrays, so that kernels need not spell out struct
+ * scarp_samples. scarp.c makes the list.
  */
 #ifndef SCARP_OUTPUTS_H
 #define SCARP_OUTPUTS_H

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * From the description of a noise to per-octave constants. All of it is double arithmetic in one
- * fixed order, without libm, so that every platform computes the same constants.
+ * Turns the description of a noise into the constants of its octaves. It uses double arithmetic in
+ * one fixed order, without libm, so that every platform computes the same constants.
  */
 #include "plan.h"
 
@@ -10,8 +10,8 @@
 
 #include "names.h"
 
-/* The layout is the binary interface, the same for every compiler; only pointers differ in size. A
-   member before `spare` that moves, or padding, would let a program's zeros be missed. */
+/* The layout is the binary interface, the same for every compiler; only pointers differ in size.
+   reserved_in_use() relies on it. */
 _Static_assert(offsetof(struct scarp_noise, erosion) == 48 &&
                    offsetof(struct scarp_noise, phase) == 52 &&
                    offsetof(struct scarp_noise, period) == 64 &&
@@ -22,10 +22,10 @@ _Static_assert(offsetof(struct scarp_noise, erosion) == 48 &&
                "struct scarp_noise has 192 bytes without padding");
 _Static_assert(sizeof((struct scarp_noise *)NULL)->spare >= 8, "some bytes stay spare");
 
-/* Every f_k and the amplitude within these bounds keep a_k f_k^2 times the largest second
-   derivative (below 2^6 for every basis, per cell squared) under 2^127. So no output overflows but
-   Hessians of ridged noise, which multiply gradients of octaves. The constants of the octaves that
-   matter stay normal floats, also in value noise, where they carry 2^-31. */
+/* While every f_k and the amplitude lie within these bounds, a_k f_k^2 times the largest second
+   derivative (below 2^6 for every basis, per cell squared) stays under 2^127. So no outputs
+   overflow but Hessians of ridged noise, which multiply gradients of octaves. The constants of the
+   octaves that matter stay normal floats, also in value noise, where they carry 2^-31. */
 #define FREQUENCY_MIN 0x1p-32
 #define FREQUENCY_MAX 0x1p48
 #define RATIO_MIN 0.0625
@@ -38,10 +38,10 @@ _Static_assert(sizeof((struct scarp_noise *)NULL)->spare >= 8, "some bytes stay 
 /*
  * The head-room for rounding. In units of the supremum, what is interpolated is at most 2 (a
  * corner's dot product: 1.995 in 2D, 1.930 in 3D, however long the gradients are) and differences
- * at most 4. Three fades, each within 1.94e-7 of the
- * exact one: at most 2.4e-6. Three levels of interpolation of three roundings each, and the dot
- * products before: at most 2.4e-6. The sum of 32 octaves: 32 * 2^-24 = 1.9e-6. Together 6.7e-6,
- * less than 2^-17 = 7.6e-6.
+ * are at most 4. Three fades, each within 1.94e-7 of the exact one, err by at most 2.4e-6. Three
+ * levels of interpolation of three roundings each, and the dot products before, err by at most
+ * 2.4e-6, the sum of 32 octaves by 32 * 2^-24 = 1.9e-6. Together that is 6.7e-6, less than 2^-17 =
+ * 7.6e-6.
  */
 #define HEADROOM (1.0 - 0x1p-17)
 
@@ -103,13 +103,13 @@ static int octave_count(double octaves)
     return (double)whole < octaves ? whole + 1 : whole;
 }
 
-/* False for NaN. */
+/* A NaN is not within. */
 static int within(double value, double lowest, double highest)
 {
     return value >= lowest && value <= highest;
 }
 
-/* Through unsigned: an enumeration may hold any number that a caller put there. */
+/* Compares as unsigned, since a caller may put any number into an enumeration. */
 static const char *unknown_member(const struct scarp_noise *noise)
 {
     return (unsigned)noise->basis >= SCARP_BASES        ? "basis"
@@ -142,8 +142,8 @@ static const char *outside_member(const struct scarp_noise *noise)
                                                               : NULL;
 }
 
-/* Whether anything from `phase` on is not zero. The assertion above says that there is no padding.
-   Without branches, in wide words: this is 2 ns of a call, members one by one are 7. */
+/* Whether anything from `phase` on is not zero. The assertions above exclude padding. Reading wide
+   words without branches takes 2 ns of a call, reading members one by one 7. */
 static int reserved_in_use(const struct scarp_noise *noise)
 {
     const char *const period = (const char *)noise + offsetof(struct scarp_noise, period);
@@ -210,8 +210,8 @@ static uint64_t octave_seed(uint64_t seed, int k)
     return k == 0 ? seed : mix64(mix64(seed + GOLDEN_GAMMA) + (uint64_t)k * GOLDEN_GAMMA);
 }
 
-/* Keys and offset of octave k. The keys of x and y are a bijection of the seed, so no two seeds
-   share an octave k. */
+/* Draws the keys and the offset of octave k. The keys of x and y are a bijection of the seed, so no
+   two seeds share an octave k. */
 static void draw_octave(struct scarp_octave *octave, uint64_t seed, int k)
 {
     const uint64_t stream = mix64(octave_seed(seed, k) + GOLDEN_GAMMA);
@@ -228,7 +228,7 @@ static void draw_octave(struct scarp_octave *octave, uint64_t seed, int k)
     }
 }
 
-/* jacobian = f turn^k, and what the kernels need of it. */
+/* Sets the Jacobian, frequency times `turn`, and what the kernels need of it. */
 static void set_axes(struct scarp_octave *octave, const double turn[3][3], double frequency,
                      double amplitude)
 {

@@ -10,8 +10,9 @@
 
 #include "scarp.h"
 
-/* Here because every file that computes includes this one. (clang defines none of the narrower
-   macros for the options that -ffast-math is made of, so not every mistake can be caught.) */
+/* The checks are here because every file that computes includes this one. (clang defines none of
+   the narrower macros for the options that -ffast-math is made of, so not every mistake can be
+   caught.) */
 #if defined(__FAST_MATH__) || defined(__ASSOCIATIVE_MATH__) || defined(__RECIPROCAL_MATH__) ||     \
     (defined(__FINITE_MATH_ONLY__) && __FINITE_MATH_ONLY__ > 0)
 #error "scarp promises the same bits everywhere: build it without -ffast-math and its parts"
@@ -23,14 +24,14 @@
 #define SCARP_MAX_OCTAVES 32
 
 struct scarp_octave {
-    uint32_t key[3];      /* of the lattice hash, per axis */
+    uint32_t key[3];      /* keys of the lattice hash, by axis */
     float weight;         /* a_k */
-    float amplitude;      /* of the basis as evaluated: its scale, in fBm times a_k */
-    float slope;          /* amplitude f_k: gradients, axes not turned */
-    float curvature;      /* amplitude f_k^2: Hessians, axes not turned */
+    float amplitude;      /* what multiplies the basis: 1 / supremum, in fBm times a_k */
+    float slope;          /* amplitude f_k, for gradients where axes are not turned */
+    float curvature;      /* amplitude f_k^2, for Hessians where axes are not turned */
     float frequency;      /* f_k */
     float offset[3];      /* o_k: multiples of 2^-24 in [0, 1), so exact in both precisions */
-    float jacobian[3][3]; /* J_k, axes turned: J_k[i][j] = d p_i / d x_j */
+    float jacobian[3][3]; /* J_k where axes are turned: J_k[i][j] = d p_i / d x_j */
     float gradient[3][3]; /* amplitude J_k */
     double frequency64;   /* f_k, J_k and o_k again for double coordinates */
     double jacobian64[3][3];
@@ -48,11 +49,11 @@ struct scarp_plan {
     struct scarp_octave octave[SCARP_MAX_OCTAVES];
 };
 
-/* The checks of scarp_noise_check, for all calls. *member is always written. */
+/* Makes the checks of scarp_noise_check, for all calls. Always writes *member. */
 enum scarp_status scarp_plan_check(const struct scarp_noise *noise, int dimensions,
                                    const char **member);
 
-/* The plan of a checked `noise` in 2 or 3 dimensions. */
+/* Makes the plan of a checked `noise` in 2 or 3 dimensions. */
 void scarp_plan_make(struct scarp_plan *plan, const struct scarp_noise *noise, int dimensions,
                      int order);
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The public functions: check the arguments, make the plan, call the active kernel table.
+ * The public functions. They check the arguments, make the plan and call the active kernel table.
  */
 #include "scarp.h"
 
@@ -14,8 +14,8 @@
 #define VERSION_TEXT(major, minor, patch) TEXT(major) "." TEXT(minor) "." TEXT(patch)
 #define COUNT_OF(array) (sizeof(array) / sizeof(array)[0])
 
-/* As for struct scarp_noise in plan.c. Of a grid, 32-bit processors align doubles and int64_t in
-   two ways, which end alike. */
+/* These fix layouts, as plan.c does for struct scarp_noise. Whether a 32-bit processor aligns
+   doubles and int64_t to 4 or 8 bytes, a grid has the same layout. */
 _Static_assert(sizeof(struct scarp_samples) == 16 * sizeof(float *) &&
                    offsetof(struct scarp_samples, dphase) == 10 * sizeof(float *),
                "struct scarp_samples has 16 pointers");
@@ -23,7 +23,7 @@ _Static_assert(sizeof(struct scarp_grid) == 192 && offsetof(struct scarp_grid, c
                    offsetof(struct scarp_grid, spare) == 72 + 5 * sizeof(size_t),
                "struct scarp_grid has 192 bytes without padding");
 
-/* By its bits: this file also runs in the caller's floating-point mode. */
+/* Looks at the bits, since this file also runs in the caller's floating-point mode. */
 static int is_finite(float value)
 {
     const union {
@@ -64,7 +64,7 @@ static struct scarp_outputs outputs_of(const struct scarp_samples *out)
     return outputs;
 }
 
-/* The highest derivative among them: 0, 1 or 2. */
+/* The highest order of the outputs asked for: 0, 1 or 2. */
 static int order_of(const struct scarp_outputs *out)
 {
     return (out->asked & OUTPUTS_OF_ORDER2) != 0   ? 2
@@ -72,8 +72,8 @@ static int order_of(const struct scarp_outputs *out)
                                                    : 0;
 }
 
-/* Whether all that `out` asks for exists: derivatives along z do not in 2D, reserved members
-   never. */
+/* Whether all that `out` asks for exists. In 2D derivatives along z do not; reserved members never
+   do. */
 static int outputs_exist(int dimensions, const struct scarp_samples *out,
                          const struct scarp_outputs *outputs)
 {
@@ -109,8 +109,8 @@ struct sampler {
 };
 
 /*
- * Makes the plan and runs the kernel. Out of line, so that none of its arithmetic (comparisons trap
- * too) can be moved across the change of floating-point mode in `sample`.
+ * Makes the plan and runs the kernel. It is out of line, so that none of its arithmetic
+ * (comparisons trap too) can be moved across the change of floating-point mode in `sample`.
  */
 static NOINLINE enum scarp_status run(const struct sampler *sampler,
                                       const struct scarp_noise *noise, size_t count,
@@ -125,7 +125,7 @@ static NOINLINE enum scarp_status run(const struct sampler *sampler,
     return status;
 }
 
-/* The checks that all sample calls share, then the call. */
+/* Makes the checks that all sample calls share, then the call. */
 static enum scarp_status sample(struct sampler sampler, const struct scarp_noise *noise,
                                 size_t count, const void *const position[3],
                                 const struct scarp_samples *out)
@@ -208,8 +208,8 @@ static int axis_valid(const struct scarp_grid *grid, int axis)
            grid->count[axis] - 1 <= (uint64_t)(INDEX_MAX - first);
 }
 
-/* n rows of `row` elements, `stride` apart: how many elements from the first to the last, or 0 if
-   more than an array can have. */
+/* Counts the elements from the first to the last of n rows of `row` elements that are `stride`
+   apart. Returns 0 if they are more than an array can have. */
 static size_t extent(size_t n, size_t row, size_t stride)
 {
     const size_t limit = PTRDIFF_MAX / sizeof(float);

@@ -5,8 +5,8 @@
  *
  * Each stage is a pass of its own over the part. One pass that did all would be a single chain of
  * some 25 dependent operations per block, and out-of-order windows hold only two or three blocks of
- * it: shorter chains overlap better. Measured on Zen 5 with gcc 12 and AVX2, million points per
- * second, gradient noise 2D and 3D: one pass 870 and 400, two passes 1120 and 460. (A pass over two
+ * it: shorter chains overlap better. On Zen 5 with gcc 12 and AVX2, one pass computes 870 (2D) and
+ * 400 (3D) million points of gradient noise per second, two passes 1120 and 460. (A pass over two
  * interleaved blocks in wider vector types spills: gcc 12 takes such types apart through memory.)
  */
 #ifndef SCARP_KERNEL_DRIVER_H
@@ -18,19 +18,19 @@
 #include "rows/rows.h"
 #include "shape/shape.h"
 
-/* The most blocks of a part that go through passes. The cost of a pass is spread thin: with 8
-   blocks AVX-512 loses 6 to 12 %. */
+/* The most blocks of a part, but for parts that are added up in the caller's arrays (grid.h). Many
+   blocks share the fixed cost of a pass: with 8, AVX-512 loses 6 to 12 %. */
 #define PART_BLOCKS 32
 
-/* What is between the passes. With this, a call takes less than 48 KiB of stack. Fewer blocks go
-   through at a time where a call needs much for each. */
+/* The scratch space holds what is between the passes. With this size, a call takes less than 48 KiB
+   of stack. Parts have fewer blocks where a block needs much. */
 #define SCRATCH_BYTES (27 * 1024)
 
 struct scratch {
     vf space[SCRATCH_BYTES / sizeof(vf)];
 };
 
-/* A basis: what it has for each [dimensions - 2][order]. */
+/* The passes of a basis, by [dimensions - 2][order]. */
 struct basis {
     points_pass *points[2][3];
     rows_pass *rows[2][3]; /* NULL: there is no fast path */
@@ -83,20 +83,20 @@ static struct call call_of(const struct scarp_plan *plan, int dimensions)
     return call;
 }
 
-/* A part of a call. Points are one row. */
+/* A part of a call. Points count as one row. */
 struct part {
     struct extent extent;
     enum layout layout;
-    struct positions at;             /* of a ROW: x for all rows, z */
-    const double *y;                 /* of a ROW: of each row, filled up to whole vectors */
+    struct positions at;             /* ROW: x for all rows, and z */
+    const double *y;                 /* ROW: the y of each row, padded to whole vectors */
     const struct outputs *sums, *to; /* all octaves but the last are added up in `sums` */
-    const struct outputs *stored;    /* where noise waits for its shape, at `noise` */
-    enum put put;                    /* how an only octave is put by a rows pass */
+    const struct outputs *stored;    /* the noise before it is shaped, at `noise` */
+    enum put put;                    /* how a rows pass puts an octave that it does not add */
     struct row_octave *row_octave;   /* of a ROW */
     vf *lattice, *noise, *state, *spare, *sums_stored;
 };
 
-/* The first `count` numbers of row r of stored samples, to the arrays from `first` on. */
+/* Copies the first `count` samples of row r of `stored` to the caller's arrays, from `first` on. */
 static void copy_out(const struct scarp_outputs *out, size_t first, const struct outputs *stored,
                      size_t r, size_t count)
 {
@@ -109,7 +109,7 @@ static void copy_out(const struct scarp_outputs *out, size_t first, const struct
     }
 }
 
-/* The part's positions on the lattice of octave k. */
+/* Places the part on the lattice of octave k. */
 static void place_part(const struct call *call, const struct part *part, int k)
 {
     lattice_pass *const pass =
@@ -126,7 +126,8 @@ static void place_part(const struct call *call, const struct part *part, int k)
     }
 }
 
-/* Octave k of the basis, times its weights, is added to `from`, giving `to`. */
+/* Adds octave k of the basis, times its weights, to `from`, and puts the sum in `to`. A rows pass
+   adds it to what is in `to`. */
 static void add_basis(const struct call *call, const struct part *part, int k,
                       const struct weights *weights, struct sums from, const struct outputs *to)
 {
@@ -140,8 +141,9 @@ static void add_basis(const struct call *call, const struct part *part, int k,
     call->points_pass(&at, weights, from, to);
 }
 
-/* The same of octave k shaped. The noise is stored with the weights of fBm; times a_k alone for
-   shapes that take it in its own axes; times 1 where the turn brings the weights. */
+/* Does the same with octave k shaped. The noise is stored times the weights of its outputs; times
+   the amplitude alone for shapes that take it in its own axes; as it is where the turn brings the
+   weights. */
 static void add_shaped(const struct call *call, const struct part *part, int k, struct sums from,
                        const struct outputs *to)
 {
@@ -163,9 +165,9 @@ static void add_shaped(const struct call *call, const struct part *part, int k, 
     call->shape_pass(&shaping, from, to);
 }
 
-/* What an octave of a grid needs along its axes. Only along x is it worth keeping for the part
-   below, and only if there is no other octave. Out of line, so that its arrays and those of the
-   passes are not on the stack at the same time. */
+/* Prepares octave k along the axes of a grid. What depends on x is kept for the parts below if
+   there is no other octave. This is out of line, so that its arrays and those of the passes are not
+   on the stack at the same time. */
 static __attribute__((noinline)) void prepare_rows(const struct call *call, const struct part *part,
                                                    int k, int first_part)
 {
@@ -187,7 +189,7 @@ static __attribute__((noinline)) void prepare_rows(const struct call *call, cons
     along_rows(&part->row_octave->rows, &plan->octave[k], part->extent.rows, &at, plan->fade, f);
 }
 
-/* All octaves of a part. Those but the last are added up in part->sums. */
+/* Adds up all octaves of a part, those but the last in part->sums. */
 static void sum_octaves(const struct call *call, const struct part *part, int first_part)
 {
     const struct scarp_plan *const plan = call->plan;

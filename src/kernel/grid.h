@@ -1,24 +1,26 @@
 /* SPDX-License-Identifier: MIT
  *
- * Grids. Included by table.h.
+ * Evaluates grids. Included by table.h.
  *
  * A slice is cut into strips, some blocks wide, and each strip into parts, some rows high. Octaves
- * of fBm with straight axes are added up in the caller's arrays; such a part is large, since it
- * needs little between the passes (rows/rows.h). Others are as large as the scratch space permits.
+ * of fBm with straight axes are added up in the caller's arrays; such parts are large, since they
+ * need little between the passes (rows/rows.h). Other parts are as large as the scratch space
+ * permits.
  */
 #ifndef SCARP_KERNEL_GRID_H
 #define SCARP_KERNEL_GRID_H
 
 #include "driver.h"
 
-/* Blocks and rows of a part whose noise goes through the scratch space: rather narrow, so that what
-   depends on x serves some rows. */
+/* The most blocks of a row of a part whose noise goes through the scratch space, and how few rows
+   it may have before it gets narrower instead. Such parts are narrow, so that what depends on x
+   serves several rows. */
 #define NOISE_BLOCKS 8
 #define NOISE_ROWS_LEAST 3
 
-/* Bytes of output from which a call streams them. Measured on Zen 5 with 32 MiB of third-level
-   cache: above 8 MiB it is faster in itself, but a reader that comes next finds nothing in the
-   cache; from 20 MiB both together are faster. */
+/* A call streams its outputs if they have this many bytes. On Zen 5 with 32 MiB of third-level
+   cache, streaming is faster above 8 MiB, but who reads the outputs next finds nothing in the
+   cache; from 20 MiB on, writing and reading together are faster. */
 #define STREAM_BYTES ((size_t)24 << 20)
 
 #define CACHE_LINE 16 /* floats */
@@ -32,7 +34,7 @@ struct grid_call {
                     basis with a rows pass */
     int narrow;  /* whether a row is less than a block: then its samples are stored first */
     int streams; /* whether outputs go past the caches, where they are aligned to a vector */
-    size_t lead; /* then: samples of each row in front of a cache line */
+    size_t lead; /* then: how many samples of a row lie before its first cache line */
     size_t most_rows, most_blocks; /* of a part */
 };
 
@@ -47,8 +49,8 @@ static double coordinate(const struct scarp_grid *grid, int axis, size_t index)
     return grid->origin[axis] + (double)(grid->first[axis] + (int64_t)index) * grid->step[axis];
 }
 
-/* Vectors of scratch space for a part, by use. `by_turns` is what an octave needs between positions
-   and basis: tables of lines, or positions on the lattice. */
+/* Vectors of scratch space for a part, by use. `by_turns` holds what the octave at work needs:
+   tables of lines, or positions on the lattice. */
 struct part_space {
     size_t along, by_turns, noise, state, sums;
 };
@@ -71,7 +73,7 @@ static struct part_space space_of(const struct grid_call *g, size_t rows, size_t
     return space;
 }
 
-/* Whether a part of that size has room, with a spare row. */
+/* Whether the scratch space has room for a part of that size, with a spare row. */
 static int fits(const struct grid_call *g, size_t rows, size_t blocks)
 {
     const struct part_space s = space_of(g, rows, blocks);
@@ -125,8 +127,8 @@ static void place_in_scratch(const struct grid_call *g, struct part *part,
     octave->table_size = (size_t)(end - octave->table);
 }
 
-/* A part, whose coordinates are in the scratch space: `at` has the sample, the row and the slice
-   that it begins with. `count` is the number of samples of a row that is less than a block. */
+/* Computes a part whose coordinates are in the scratch space. It begins with sample at[0] of row
+   at[1] of slice at[2]. `count` is the length of a row that is less than a block. */
 static void grid_part(const struct grid_call *g, struct part *part, const size_t at[3],
                       size_t count)
 {
@@ -154,7 +156,7 @@ static void grid_part(const struct grid_call *g, struct part *part, const size_t
     }
 }
 
-/* All rows of slice k, `blocks` blocks from sample i on. */
+/* Computes the strip of slice k that begins with sample i and is `blocks` blocks wide. */
 static void grid_strip(const struct grid_call *g, struct grid_scratch *scratch, size_t i,
                        size_t blocks, size_t k)
 {
@@ -176,8 +178,8 @@ static void grid_strip(const struct grid_call *g, struct grid_scratch *scratch, 
     }
 }
 
-/* How many samples from i on are cut into strips next: the rest of a row; where rows are streamed,
-   as much of it as is aligned. */
+/* How many samples from i on are cut into strips next: the rest of a row or, where rows are
+   streamed, those before its first cache line, then its whole vectors, then what is left. */
 static size_t part_of_row(const struct grid_call *g, size_t i)
 {
     const size_t left = g->grid->count[0] - i;
@@ -187,8 +189,8 @@ static size_t part_of_row(const struct grid_call *g, size_t i)
     return i < g->lead ? g->lead - i : left < VEC_LANES ? left : left - left % VEC_LANES;
 }
 
-/* A slice in strips. A remainder that fills no block is computed once more with what is left of it,
-   to the same bits. */
+/* Computes a slice strip by strip. A remainder that fills no block is computed with the samples on
+   its left, which get the same bits once more. */
 static void grid_slice(const struct grid_call *g, struct grid_scratch *scratch, size_t k)
 {
     const size_t count = g->grid->count[0];
@@ -209,9 +211,9 @@ static void grid_slice(const struct grid_call *g, struct grid_scratch *scratch, 
     }
 }
 
-/* Decides on `streams` and `lead`. All rows must lie alike. Where they do not begin with a cache
-   line and end with a vector, a strip of ordinary stores comes first or last, a block or two wide,
-   but as dear as ten: in 3D, rows of 512 samples were slower for it. */
+/* Decides on `streams` and `lead`. All rows must be aligned alike. Where they do not begin with a
+   cache line and end with a vector, a strip of ordinary stores comes first or last. It is a block
+   or two wide, but takes as long as ten blocks: in 3D it makes rows of 512 samples slower. */
 static void place_streams(struct grid_call *call)
 {
     const struct scarp_grid *const g = call->grid;

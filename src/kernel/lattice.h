@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Stage 2 of bases on a lattice: the hashes of the corners of each point's cell. The reference is
- * scalar/lattice.h, which tells why the hash is this one.
+ * Stage 2 of bases on a lattice: the hashes of the corners of each point's cell. Included by
+ * basis/columns.h; the reference is scalar/lattice.h, which tells why the hash is this one.
  */
 #ifndef SCARP_KERNEL_LATTICE_H
 #define SCARP_KERNEL_LATTICE_H
@@ -20,7 +20,7 @@ struct lattice3 {
     vf hash[2][2][2];
 };
 
-/* The blocks of a row of points, as struct lattice2 or lattice3 at `lattice`. */
+/* Puts the blocks of a row of points, as struct lattice2 or lattice3, at `lattice`. */
 typedef void lattice_pass(vf *lattice, const struct scarp_octave *octave, size_t blocks,
                           const struct positions *at);
 
@@ -30,9 +30,9 @@ static size_t lattice_size(int dimensions)
 }
 
 /*
- * The lattice hash: every axis mixed by itself, then h (h + k) of h = x ^ (y ^ z). In this order
- * because the corners of a cell share the mixed axes (2 per axis) and, in 3D, y ^ z (4). The
- * top bits matter most.
+ * The lattice hash: every axis is mixed by itself, and the hash is h (h + k) with h = x ^ (y ^ z).
+ * The corners of a cell share the mixed axes (2 per axis) and, in 3D, the four y ^ z. The top bits
+ * matter most.
  */
 #define HASH_X 0x1a2012f5u
 #define HASH_Y 0x14e84743u

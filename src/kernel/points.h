@@ -1,17 +1,17 @@
 /* SPDX-License-Identifier: MIT
  *
- * Points, a part of at most PART_BLOCKS blocks at a time. Included by table.h.
+ * Evaluates points, in parts of at most PART_BLOCKS blocks. Included by table.h.
  */
 #ifndef SCARP_KERNEL_POINTS_H
 #define SCARP_KERNEL_POINTS_H
 
 #include "driver.h"
 
-/* Blocks of a part whose last block may be incomplete. */
+/* The most blocks of a part whose last block may be incomplete. */
 #define PADDED_BLOCKS 8
 
-/* Gives the part its share of the scratch space, for as many blocks as fit. There are sums where
-   octaves are added up, and for padded parts. */
+/* Gives the part its share of the scratch space, for as many blocks as fit, and returns their
+   number. There are sums where octaves are added up, and for padded parts. */
 static size_t place_points(const struct call *call, struct part *part, struct scratch *scratch)
 {
     const size_t size = sample_size(call->dimensions, call->plan->order);
@@ -28,7 +28,7 @@ static size_t place_points(const struct call *call, struct part *part, struct sc
     return blocks;
 }
 
-/* Whole blocks of points. */
+/* Computes whole blocks of points. */
 static void points_whole(const struct call *call, struct part *part, size_t count,
                          const struct scarp_outputs *out, size_t first)
 {
@@ -39,9 +39,9 @@ static void points_whole(const struct call *call, struct part *part, size_t coun
     sum_octaves(call, part, 1);
 }
 
-/* At most PADDED_BLOCKS blocks, of which the last one may be incomplete: through padded copies, so
-   that nothing beyond an array is touched. The padding is 0, which raises no floating-point
-   exception. */
+/* Computes at most PADDED_BLOCKS blocks, of which the last one may be incomplete. Padded copies
+   make sure that nothing beyond an array is touched. The padding is 0, which raises no
+   floating-point exception. */
 static void points_padded(const struct call *call, struct part *part, size_t count,
                           const struct scarp_outputs *out, size_t first)
 {
@@ -66,7 +66,7 @@ static void points(const struct scarp_plan *plan, size_t count, const void *cons
     const struct call call = call_of(plan, dimensions);
     const size_t bytes = layout == DOUBLES ? sizeof(double) : sizeof(float);
     struct scratch scratch;
-    struct part part; /* what grids have more stays unset */
+    struct part part; /* the members that only grids need stay unset */
     struct outputs sums, stored;
     part.extent.rows = 1;
     part.layout = layout;

@@ -1,19 +1,20 @@
 /* SPDX-License-Identifier: MIT
  *
  * Stage 1, positions: the coordinates of a block of points in the frame of an octave, split into
- * the cell of the lattice and the place inside. The reference is scalar/positions.h.
+ * the cell of the lattice and the place inside. Included by lattice.h; the reference is
+ * scalar/positions.h.
  */
 #ifndef SCARP_KERNEL_POSITIONS_H
 #define SCARP_KERNEL_POSITIONS_H
 
 #include "../plan.h"
 
-/* How an octave's axes lie: p = f x (octave 0: adding its offset of 0 would cost 3 to 5 % of a
-   single octave), p = f x + o, p = J x + o. */
+/* How an octave places x: p = f x (octave 0, since adding its offset of 0 would cost 3 to 5 % of a
+   single octave), p = f x + o, or p = J x + o. */
 enum axes { AXES_FIRST, AXES_STRAIGHT, AXES_TURNED, AXES_KINDS };
 
-/* What the coordinates of points are: an array for each axis; or one of doubles for x,
-   and numbers that a whole row of a grid shares for y and z. */
+/* How coordinates are given: an array for each axis; or, for a row of a grid, an array of doubles
+   for x, and for y and z numbers that the whole row shares. */
 enum layout { FLOATS, DOUBLES, ROW, LAYOUTS };
 
 struct positions {
@@ -71,7 +72,7 @@ VEC_INLINE vd load_f64(const struct positions *at, int axis, size_t block, int h
                    (size_t)half * (VEC_LANES / 2));
 }
 
-/* p along one axis of the octave, doubles: half of a block. */
+/* p along one axis of the octave, in double, for one half of a block. */
 VEC_INLINE vd position_f64(const struct scarp_octave *o, int axis, const struct positions *at,
                            size_t block, int half, struct frame f)
 {

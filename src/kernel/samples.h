@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * The outputs at a block of VEC_LANES points, and where they come from and go to: what the
- * stages hand to each other. Included by the other files of src/kernel.
+ * The outputs at a block of VEC_LANES points, and where they come from and go to: what the stages
+ * hand to each other. Included by basis/columns.h.
  */
 #ifndef SCARP_KERNEL_SAMPLES_H
 #define SCARP_KERNEL_SAMPLES_H
@@ -72,7 +72,7 @@ VEC_INLINE void sample_store(vf *stored, const struct sample *s, struct variant 
 #undef DO
 }
 
-/* Where samples are, or go: block b of row r of output i is at array[i] + r * row[i] + b * block
+/* Where samples are, or go. Block b of row r of output i is at array[i] + r * row[i] + b * block
    floats. An output that nobody asked for has one row, which all rows share. */
 struct outputs {
     float *array[OUTPUTS];
@@ -80,7 +80,7 @@ struct outputs {
     size_t block;
 };
 
-/* How much of it. */
+/* The size of a part. */
 struct extent {
     size_t rows, blocks; /* blocks of each row */
 };
@@ -93,9 +93,9 @@ VEC_INLINE void outputs_next_row(struct outputs *outputs, struct variant v)
 #undef DO
 }
 
-/* Samples that are stored one after the other, `blocks` to a row. (These fill in a structure
-   because copies of it, in wide vectors, wait until what was written in narrow ones has left the
-   core.) */
+/* Describes samples that are stored one after the other, `blocks` to a row. (This and outputs_of
+   fill in a structure instead of returning it: copying it in wide vectors waits until what was
+   written in narrow ones has left the core.) */
 static void outputs_stored(struct outputs *to, vf *stored, int dimensions, int order, size_t blocks)
 {
     to->block = sample_size(dimensions, order) * VEC_LANES;
@@ -105,8 +105,8 @@ static void outputs_stored(struct outputs *to, vf *stored, int dimensions, int o
     }
 }
 
-/* The caller's arrays from sample `first` on, rows `row` apart. `spare`, which has room for a row,
-   takes what nobody asked for. */
+/* Describes the caller's arrays from sample `first` on, whose rows are `row` floats apart. `spare`,
+   which has room for a row, takes what nobody asked for. */
 static void outputs_of(struct outputs *to, const struct scarp_outputs *out, size_t first,
                        size_t row, vf *spare)
 {
@@ -138,8 +138,8 @@ struct weights {
     float factor[3];
 };
 
-/* to = from + weights * s at a block, `at` floats from the beginning of the row. One branch for
-   all outputs, always the same in a pass: a second loop would double the code. */
+/* to = from + weights * s at a block, `at` floats from the beginning of the row. The branch goes
+   the same way in a whole pass; a second loop would double the code. */
 VEC_INLINE void add_sample(const struct outputs *to, size_t at, struct sums from,
                            const struct weights *w, const struct sample *s, struct variant v)
 {
@@ -157,9 +157,9 @@ VEC_INLINE void add_sample(const struct outputs *to, size_t at, struct sums from
 #undef TERM
 }
 
-/* How a row of a grid is put: added to what is there, stored, or stored past the caches. The last
-   is for an only octave, at arrays that are aligned to a vector and too many for the caches, where
-   an ordinary store would first fetch what it is about to replace. */
+/* How a row of a grid is put: added to what is there, stored, or stored past the caches. PUT_STREAM
+   serves single octaves whose arrays are aligned to a vector and too large for the caches, where an
+   ordinary store would first fetch what it is about to replace. */
 enum put { PUT_ADD, PUT_FIRST, PUT_STREAM };
 
 VEC_INLINE void put_block(float *to, vf term, enum put put)
@@ -171,7 +171,7 @@ VEC_INLINE void put_block(float *to, vf term, enum put put)
     }
 }
 
-/* The same as add_sample, in place. */
+/* Puts weights * s at a block, `at` floats from the beginning of the row. */
 VEC_INLINE void put_sample(const struct outputs *to, size_t at, const struct weights *w,
                            const struct sample *s, struct variant v, enum put put)
 {

@@ -1,20 +1,20 @@
 /* SPDX-License-Identifier: MIT
  *
- * Reference: the interpolation over x that bases with corners end with. Included by the files of
- * the bases.
+ * Reference: the interpolation over x, the last step of bases that interpolate between lattice
+ * points. Included by gradient.h and value.h.
  *
- * Such bases interpolate over z, then y, then x. What does not depend on x is reduced, on the
- * lattice columns s = 0 and 1 at either side, to lines a_s (x - s) + b_s in the fraction x: one for
- * the value (left and right), one for each derivative along y and z. Then
+ * Such bases interpolate over z, then y, then x. On the lattice columns s = 0 and 1 at either side
+ * of a point, what does not depend on x is reduced to lines a_s (x - s) + b_s in the fraction x:
+ * one for the value (left and right), one for each derivative along y and z. Then
  *
  *     value  = left + u(x) (right - left)
  *     d/dx   = a_0 + u (a_1 - a_0) + u' (right - left)
  *     d2/dx2 = 2 u' (a_1 - a_0) + u'' (right - left)
  *
  * and the derivatives along y and z follow from their lines in the same way. For value noise the
- * lines are constants (a = 0), and the terms with a are left away. These are the published closed
- * forms (Quilez' k0..k7; the corner gradients interpolated too for gradient noise) in another order
- * of operations; tests/oracle_basis.c has them as published.
+ * lines are constants (a = 0), and the terms with a are left out. These are the published closed
+ * forms (Quilez' k0..k7; gradient noise interpolates the corner gradients, too) in another order of
+ * operations; tests/oracle_basis.c has them as published.
  */
 #ifndef SCARP_SCALAR_COLUMNS_H
 #define SCARP_SCALAR_COLUMNS_H
@@ -24,7 +24,7 @@
 #include "lattice.h"
 #include "positions.h"
 
-/* A basis, or a sum of octaves, at one point. In 2D what is along z is 0 or not used. */
+/* A basis, or a sum of octaves, at one point. In 2D the outputs along z are not used. */
 struct sample {
     float of[OUTPUTS];
 };

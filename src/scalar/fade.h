@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Reference: the fades and their derivatives. Included by the other files of src/scalar only.
+ * Reference: the fades and their derivatives. Included by columns.h.
  */
 #ifndef SCARP_SCALAR_FADE_H
 #define SCARP_SCALAR_FADE_H
@@ -15,10 +15,9 @@ struct fade {
  * quintic: u = 6t^5 - 15t^4 + 10t^3   u' = 30 t^2 (t-1)^2   u'' = 60 t (t-1) (2t-1)
  * cubic:   u = 3t^2 - 2t^3            u' = 6 t (1-t)        u'' = 6 - 12t
  *
- * The quintic is evaluated as t^3 ((t-1) (6t-9) + 1), where nothing cancels. The usual
- * t^3 (t (6t-15) + 10) takes as many operations and errs by 1.1e-6, six times as much; this one
- * stays within 1.94e-7, never above 1 + 2^-23, and is exact at 0 and 1. (Over all floats in [0,
- * 1].)
+ * The quintic is evaluated as t^3 ((t-1) (6t-9) + 1), where nothing cancels. Over all floats in [0,
+ * 1] that errs by at most 1.94e-7, never exceeds 1 + 2^-23, and is exact at 0 and 1. The usual
+ * form, t^3 (t (6t-15) + 10), takes as many operations and errs by 1.1e-6.
  */
 static inline struct fade fade(enum scarp_fade kind, float t)
 {

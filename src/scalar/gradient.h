@@ -28,9 +28,9 @@ static const float directions2[16][2] = {
 
 /* The 12 edges of a cube, the directions of improved noise (Perlin 2002), which draws four of them
    twice as often. Here the upper half of the hash, times 12, chooses: any two are drawn equally
-   often within 1 in 5461, so that the noise is the same along all axes. Twice as long as there,
-   because then only the first byte of each component is not 0, and tables of bytes serve; products
-   are exact. */
+   often within 1 in 5461, so that the noise is the same along all axes. The edges are twice as long
+   as Perlin's, because then only the top byte of each component is not 0, and tables of bytes
+   serve; products are exact. */
 static const float directions3[12][3] = {
     {2, 2, 0},  {2, -2, 0},  {-2, 2, 0}, {-2, -2, 0}, {2, 0, 2},  {2, 0, -2},
     {-2, 0, 2}, {-2, 0, -2}, {0, 2, 2},  {0, 2, -2},  {0, -2, 2}, {0, -2, -2},
@@ -65,8 +65,8 @@ static inline struct column gradient_column2(const uint32_t key[3], uint32_t x,
     return c;
 }
 
-/* The lattice edge along z from the point `end`, interpolated over z. (ty, tz) is the place from
-   there, w the fade along z. */
+/* The lattice edge along z from the point `end`, interpolated over z. (ty, tz) is the place
+   relative to it, w the fade along z. */
 struct edge {
     struct line value; /* in x */
     float z, zz;       /* first and second z derivative of value.b */

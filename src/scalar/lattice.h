@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Reference: what the lattice draws at its points. Included by the other files of src/scalar and by
- * tests.
+ * Reference: what the lattice draws at its points. Included by columns.h and by tests.
  */
 #ifndef SCARP_SCALAR_LATTICE_H
 #define SCARP_SCALAR_LATTICE_H
@@ -10,23 +9,23 @@
 
 /*
  * The lattice hash. Each axis is mixed by itself, because the corners of a cell share the results;
- * exclusive or joins them to h, and the hash is h (h + k), of which the top bits matter most.
+ * exclusive or joins them to h, and the hash is h (h + k). Its top bits matter most.
  * tests/test_hash.c states what is asked of it.
  *
  * A change of bit b of h moves the hash by 2^b times 2 h + k, which differs from point to point:
  * neither lines that differ in few bits nor the corners of a cell are alike. Bit 31 moves it by
- * 2^31 only: the turn puts a low bit of the products there. Because k is odd, two h have each even
- * number as their hash: uniform in bits 1 to 31.
+ * 2^31 only: the turn puts a low bit of the products there. Because k is odd, each even number is
+ * the hash of two h, so that bits 1 to 31 are uniform.
  *
- * What fails: h M instead, as lines that differ in few bits are alike. A product of the mixed axes,
- * nearly periodic on lines where a factor happens to be special. The square of h: ~h + 1 has it
- * too, so that every line across an axis is found again in its mirror image. Sums of mixed axes,
- * which shifts of some 10^5 cells along two axes leave as they are.
+ * Other hashes fail. h M makes lines alike that differ in few bits. A product of the mixed axes is
+ * nearly periodic on lines where a factor happens to be special. The square of h is that of ~h + 1,
+ * too, so that every line across an axis is found again in its mirror image. Shifts of some 10^5
+ * cells along two axes leave sums of mixed axes as they are.
  *
- * The multipliers were found by search among odd random ones, such that the shifts along an axis
- * that move the top four bits of h only, after which indices depend on each other, are longer than
- * 10^8 cells; k is 2^32 over the golden ratio. With these all statistics of tests/test_hash.c stay
- * below 4 in 2^20 points, and peaks of spectra below 19 times the mean.
+ * A search among random odd numbers found the multipliers. With them, shifts along an axis that
+ * move only the top four bits of h, after which indices depend on each other, are longer than 10^8
+ * cells. k is 2^32 over the golden ratio. With these all statistics of tests/test_hash.c stay below
+ * 4 in 2^20 points, and peaks of spectra below 19 times the mean.
  */
 #define HASH_X 0x1a2012f5u
 #define HASH_Y 0x14e84743u

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Reference, stage 1: where a point lies in the frame of an octave. Included by the other files of
- * src/scalar only, which share nothing with src/kernel.
+ * Reference, stage 1: where a point lies in the frame of an octave. Included by columns.h.
  */
 #ifndef SCARP_SCALAR_POSITIONS_H
 #define SCARP_SCALAR_POSITIONS_H
@@ -11,7 +10,7 @@
 
 #include "../plan.h"
 
-/* Float or double coordinates. */
+/* A point's coordinates, floats or doubles. */
 struct point {
     int doubles;
     float f32[3];
@@ -51,8 +50,8 @@ static inline void split_f64(double p, uint32_t *cell, float *t)
     *t = (float)(p - lower);
 }
 
-/* Whether an octave's axes are turned: p = J x + o. Else p = f x + o; in octave 0 o is 0, and turns
-   -0 into 0. */
+/* Whether an octave's axes are turned: then p = J x + o, else p = f x + o. In octave 0 o is 0;
+   adding it turns -0 into 0. */
 static inline int is_turned(const struct scarp_plan *plan, int octave)
 {
     return plan->rotate && octave > 0;

@@ -34,7 +34,7 @@ static inline struct sample next_weight(const struct sample *s)
     return scaled(s, 2.0f, 2.0f, 2.0f);
 }
 
-/* `weight` is that of this octave, then that of the next. */
+/* `weight` is that of this octave on entry, that of the next on return. */
 static inline struct sample ridge(struct sample *weight, const struct sample *n)
 {
     const struct sample m = magnitude(n);

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * The scalar kernels: the reference that every other kernel set must equal bit for bit. One point
- * at a time, in plain C, written to be read and not to be fast; shares nothing with src/kernel.
+ * The scalar kernels: the reference that every other kernel set must equal bit for bit. It takes
+ * one point at a time, in plain C, is written to be read and not to be fast, and shares nothing
+ * with src/kernel.
  */
 #include <math.h>
 

@@ -22,14 +22,14 @@ static inline float to_input(const struct scarp_octave *o, int turned, int j, co
     return turned ? column_dot(o->jacobian, j, v, dimensions) : o->frequency * v[j];
 }
 
-/* Output (i, j) of the Hessian. */
+/* The output that is element (i, j) of the Hessian. */
 static inline int second(int i, int j)
 {
     static const int output[3][3] = {{DXX, DXY, DXZ}, {DXY, DYY, DYZ}, {DXZ, DYZ, DZZ}};
     return output[i][j];
 }
 
-/* The outputs of each order times a factor of their own. */
+/* Multiplies the outputs of each order by a factor of their own. */
 static inline struct sample scaled(const struct sample *n, float value, float gradient,
                                    float hessian)
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Reference: value noise, in units of 2^-31 of its lattice values; the plan's amplitudes carry the
+ * Reference: value noise. Its lattice values are in units of 2^-31; the plan's amplitudes carry the
  * factor. Included by basis.h.
  */
 #ifndef SCARP_SCALAR_VALUE_H

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * What a kernels_<isa>.c compiles: the kernels. tests/vec.cmake compiles the same files with the
- * operations of vec.h one by one instead, in the target region that the kernels have.
+ * Names what a kernels_<isa>.c compiles: the kernels. In its place tests/vec.cmake names a file
+ * that offers the operations of vec.h one by one, in the same target region.
  */
 #ifndef KERNELS_BODY
 #define KERNELS_BODY "../kernel/table.h"

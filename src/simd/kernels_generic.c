@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * The kernels in vector extensions alone, for whatever the compiler is told to build for. It finds
- * the instructions there, or does without vectors.
+ * The kernels in vector extensions alone, for the processor that the compiler builds for. The
+ * compiler finds its instructions, or does without vectors.
  */
 #include "../kernels.h"
 #include "body.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The table types of vf_lookup and vf_lookup_top (vec.h). Included by each vec_<isa>.h.
+ * The table types of vf_lookup and vf_lookup_top (vec.h). Included by vec_types.h and by tests.
  */
 #ifndef SCARP_SIMD_LOOKUP_H
 #define SCARP_SIMD_LOOKUP_H
@@ -29,7 +29,7 @@ struct lookup {
             {a, -(a), b, -(b), c, -(c), d, -(d)}, {a, b, c, d}, 1                                  \
     }
 
-/* Twelve numbers of which only the first byte is not 0, by that byte; the same in each 16 bytes. */
+/* The top bytes of twelve floats whose other bytes are 0, repeated in each 16 bytes. */
 struct lookup_top {
     _Alignas(64) unsigned char top[64];
 };

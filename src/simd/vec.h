@@ -14,7 +14,7 @@
 #ifndef SCARP_SIMD_VEC_H
 #define SCARP_SIMD_VEC_H
 
-/* A number for every lane of a vector, of a vd; and the numbers of the lanes. */
+/* Initialisers: a number for every lane of a vf, one for every lane of a vd, the lanes' numbers. */
 #if VEC_LANES == 4
 #define VEC_EACH(a) a, a, a, a
 #define VEC_EACH_DOUBLE(a) a, a
@@ -93,8 +93,8 @@ VEC_INLINE void vf_stream(float *p, vf v)
 }
 #endif
 
-/* Comes before other threads may learn that what was streamed is there: on x86 later stores
-   overtake it, even those that release. */
+/* Call this before other threads may learn that streamed data is there: on x86 later stores, even
+   those that release, overtake it. */
 #ifndef VF_STREAM_END_OWN
 VEC_INLINE void vf_stream_end(void)
 {
@@ -161,9 +161,9 @@ VEC_INLINE vu vu_turn8(vu a)
  * Rounding and conversion.
  */
 
-/* The greatest integer that is not above; the sign of a zero stays, NaN and infinities do. Adding
-   2^23 rounds the magnitude to an integer; where that went up, one less. Larger numbers are
-   integers. */
+/* The greatest integer that is not above a. A zero keeps its sign; NaN and infinities stay. Adding
+   2^23 rounds the magnitude to an integer; where that went up, 1 is subtracted. Larger magnitudes
+   are integers. */
 #ifndef VF_FLOOR_OWN
 VEC_INLINE vf vf_floor(vf a)
 {
@@ -187,8 +187,8 @@ VEC_INLINE vd vd_floor(vd a)
 }
 #endif
 
-/* Of an integral float in [-2^31, 2^31): its two's complement; of those beyond and of infinities
-   0x80000000; of NaN and fractions anything. C converts only what is inside. */
+/* The two's complement of an integral float in [-2^31, 2^31), 0x80000000 of those beyond and of
+   infinities, anything of NaN and fractions. C converts only what is inside. */
 #ifndef VU_FROM_VF_OWN
 VEC_INLINE vu vu_from_vf(vf a)
 {
@@ -258,7 +258,7 @@ VEC_INLINE vu vu_low_bits(vd low, vd high)
 #endif
 
 /*
- * Arithmetic that operators cannot say; correctly rounded, as IEEE 754 asks.
+ * Arithmetic that no operator does. It rounds correctly, as IEEE 754 asks.
  */
 
 #ifndef VD_SQRT_OWN
@@ -278,7 +278,7 @@ VEC_INLINE vd vd_sqrt(vd a)
  * the compiler has little left to do.
  */
 
-/* entry[0 .. 4) by two masks of a bit of the index each. */
+/* Chooses one of four entries by masks of the two bits of the index. */
 VEC_INLINE vu vec_four(vu bit0, vu bit1, vu e0, vu e1, vu e2, vu e3)
 {
     return vu_choose(bit1, vu_choose(bit0, e3, e2), vu_choose(bit0, e1, e0));
@@ -295,8 +295,8 @@ VEC_INLINE vf vf_lookup(const struct lookup *table, vu hash)
 }
 #endif
 
-/* What vf_lookup_top wants for the entries (hash >> 16) * 12 >> 16; here their number is in the
-   upper half. */
+/* What vf_lookup_top takes as the index of entry (hash >> 16) * 12 >> 16. The portable one has this
+   number in its upper half. */
 #ifndef VU_TOP_INDEX_OWN
 VEC_INLINE vu vu_top_index(vu hash)
 {
@@ -305,7 +305,7 @@ VEC_INLINE vu vu_top_index(vu hash)
 }
 #endif
 
-/* In each lane the float with table->top[i] as its top byte and 0 below. */
+/* In each lane the float with the top byte table->top[i], i being the entry, and 0 below. */
 #ifndef VF_LOOKUP_TOP_OWN
 VEC_INLINE vu vec_top(const struct lookup_top *table, int i)
 {
@@ -326,8 +326,8 @@ VEC_INLINE vf vf_lookup_top(const struct lookup_top *table, vu index)
 #endif
 
 /*
- * Permutation: a table of VF_TABLE floats, which is VEC_LANES or twice that; no operators. A set
- * that has its own defines VF_TABLE, VF_INDEX_NEXT, vf_table and all these operations.
+ * Permutation: a table has VF_TABLE floats, which is VEC_LANES or twice that, and no operators. A
+ * set that has its own defines VF_TABLE, VF_INDEX_NEXT, vf_table and all these operations.
  *
  *   vf_table vf_table_load(const float *p)         p[0 .. VF_TABLE)
  *   vf_table vf_table_slide(vf_table t, vf next)   t without its first VEC_LANES entries, and next
@@ -348,7 +348,7 @@ VEC_INLINE vu vu_lanes(void)
 #ifndef VF_TABLE
 #define VF_TABLE VEC_LANES
 
-/* Each entry in every lane. */
+/* Each entry fills all lanes of a vector. */
 typedef struct {
     vu entry[VEC_LANES];
 } vf_table;
@@ -390,7 +390,7 @@ VEC_INLINE vf vf_permute(vf_table table, vu index)
 }
 #endif
 
-/* In front of a loop of a dozen operations: unrolls it where that helps. */
+/* Stands in front of a loop of a dozen operations, and unrolls it where that helps. */
 #ifndef VEC_SHORT_LOOP
 #define VEC_SHORT_LOOP
 #endif

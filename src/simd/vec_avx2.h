@@ -100,7 +100,7 @@ VEC_INLINE vd vd_from_high(vf a)
 #define VU_LOW_BITS_OWN
 VEC_INLINE vu vu_low_bits(vd low, vd high)
 {
-    /* even words of both, 128-bit lanes interleaved; then the lanes' halves into order */
+    /* Takes the even words of both, in halves that interleave, and puts the halves in order. */
     const __m256 even = _mm256_shuffle_ps((__m256)low, (__m256)high, _MM_SHUFFLE(2, 0, 2, 0));
     return (vu)_mm256_permute4x64_epi64((__m256i)even, _MM_SHUFFLE(3, 1, 2, 0));
 }

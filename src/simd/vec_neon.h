@@ -23,7 +23,7 @@ VEC_INLINE void vf_store(float *p, vf v)
     vst1q_f32(p, (float32x4_t)v);
 }
 
-/* No vf_stream: cores recognise rows that are only written, and do not fetch them. */
+/* There is no vf_stream: cores recognise memory that is only written, and do not fetch it. */
 
 #define VD_LOAD_OWN
 VEC_INLINE vd vd_load(const double *p)
@@ -148,7 +148,7 @@ VEC_INLINE void vu_store(uint32_t *p, vu v)
     vst1q_u32(p, (uint32x4_t)v);
 }
 
-/* The bytes of each lane: 4 * lane + (0 1 2 3). */
+/* Selects the bytes of entry i: 4 * i + (0 1 2 3). */
 VEC_INLINE vu vf_index(vu i)
 {
     return i * 0x04040404u + 0x03020100u;

@@ -149,7 +149,7 @@ VEC_INLINE vf vf_lookup_top(const struct lookup_top *table, vu index)
     return (vf)_mm_shuffle_epi8(_mm_load_si128((const __m128i *)table->top), (__m128i)index);
 }
 
-/* The bytes of each lane: 4 * lane + (0 1 2 3). */
+/* Selects the bytes of entry i: 4 * i + (0 1 2 3). */
 VEC_INLINE vu vf_index(vu i)
 {
     return i * 0x04040404u + 0x03020100u;
@@ -178,7 +178,7 @@ VEC_INLINE vf vf_permute(vf_table table, vu index)
 }
 
 /* Depending on how gcc happens to place a loop of some fourteen instructions in cache lines, it
-   takes up to 1.4 times as long on Zen 5; unrolled, it was not seen to. */
+   takes up to 1.4 times as long on Zen 5. Unrolling avoids that. */
 #ifdef __clang__
 #define VEC_SHORT_LOOP
 #else

@@ -4,7 +4,7 @@
  * then writes its own operations with these types, then includes vec.h.
  *
  * They are vectors of gcc and clang: + - * / << >> ^ & | ~ work on them lane by lane, and
- * comparisons, < and !=, give all ones or 0 in each lane.
+ * comparisons give all ones or 0 in each lane.
  */
 #ifndef SCARP_SIMD_VEC_TYPES_H
 #define SCARP_SIMD_VEC_TYPES_H

@@ -99,7 +99,7 @@ VEC_INLINE void points_run(const struct placed *at, enum scarp_fade fade,
     }
 }
 
-/* The fade is decided on outside the loop. */
+/* Decides on the fade outside the loop. */
 #define POINTS_PASS(name, basis, dimensions, order)                                                \
     static void name(const struct placed *at, const struct weights *weights, struct sums from,     \
                      const struct outputs *to)                                                     \

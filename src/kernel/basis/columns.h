@@ -1,11 +1,12 @@
 /* SPDX-License-Identifier: MIT
  *
- * The interpolation over x that bases with corners end with. Included by the files of
- * kernel/basis; the reference is scalar/columns.h.
+ * The interpolation over x, the last step of bases that interpolate between lattice points.
+ * Included by gradient.h and value.h; the reference is scalar/columns.h.
  *
- * Such bases interpolate over z, then y, then x. What does not depend on x is reduced, on the
- * lattice columns s = 0 and 1 at either side, to lines a_s (x - s) + b_s in the fraction x, one for
- * the value (left and right) and one for each derivative along y and z. With u the fade of x:
+ * Such bases interpolate over z, then y, then x. On the lattice columns s = 0 and 1 at either side
+ * of a point, what does not depend on x is reduced to lines a_s (x - s) + b_s in the fraction x,
+ * one for the value (left and right) and one for each derivative along y and z. With u the fade of
+ * x:
  *
  *     value  = left + u (right - left)
  *     d/dx   = a_0 + u (a_1 - a_0) + u' (right - left)
@@ -13,7 +14,7 @@
  *
  * and likewise for the derivatives along y and z. Along a row of a grid the lines are constants of
  * the column, which is why x comes last. Value noise has a = 0 throughout; there the slopes are
- * never set, and the terms with them are left away.
+ * never set, and the terms with them are left out.
  */
 #ifndef SCARP_KERNEL_BASIS_COLUMNS_H
 #define SCARP_KERNEL_BASIS_COLUMNS_H

@@ -21,7 +21,7 @@
 static const struct lookup gradient2_x = LOOKUP_TABLE_HIGH(COS_1, COS_3, COS_5, COS_7);
 static const struct lookup gradient2_y = LOOKUP_TABLE_LOW(COS_7, COS_5, COS_3, COS_1);
 
-/* The 12 edges of a cube, with components of 0 and +-2, of which only the first byte is not 0. */
+/* The 12 edges of a cube, with components of 0 and +-2, of which only the top byte is not 0. */
 #define P LOOKUP_PLUS_2
 #define N LOOKUP_MINUS_2
 static const struct lookup_top gradient3_x = LOOKUP_TOP(P, P, N, N, P, P, N, N, 0, 0, 0, 0);
@@ -63,7 +63,7 @@ struct edge {
     vf dgx;            /* difference of the x components of the corners */
 };
 
-/* `h` has the hashes of its two ends, y the place along y from there. */
+/* `h` has the hashes of the edge's two ends; y is the place along y relative to them. */
 VEC_INLINE struct edge gradient_edge(const vu h[2], vf y, vf z, struct fade w, int order)
 {
     const vu i0 = vu_top_index(h[0]), i1 = vu_top_index(h[1]);

@@ -1,27 +1,27 @@
 /* SPDX-License-Identifier: MIT
  *
- * What an octave with straight axes needs of the coordinates of a grid: along x, for a strip of
- * blocks that all rows of a part share, and along y and z, for the rows. Included by lines.h;
- * rows.h tells what it is for.
+ * Prepares an octave with straight axes along the axes of a grid: along x for the blocks that all
+ * rows of a part share, and along y and z for the rows. Included by lines.h; rows.h tells what it
+ * is for.
  */
 #ifndef SCARP_KERNEL_ROWS_ALONG_H
 #define SCARP_KERNEL_ROWS_ALONG_H
 
 #include "../basis/basis.h"
 
-/* Blocks of a strip, at most, and rows of a part. */
+/* The most blocks of a strip, and the most rows of a part. */
 #define STRIP_BLOCKS 32
 #define PART_ROWS 64
 
-/* Blocks of columns that a table reads from where it begins. */
+/* Blocks of columns that a table reads. */
 #define TABLE_BLOCKS (VF_TABLE / VEC_LANES)
 
-/* From how many blocks per column on it pays to keep lines of one column instead of a table. */
+/* With this many blocks per column, it pays to keep the lines of one column instead of a table. */
 #define MIN_RUN 4
 
 /* How the rows of a strip get their lines. */
 enum columns_kind {
-    WIDE,   /* each sample makes those of its own two columns */
+    WIDE,   /* each sample computes those of its own two columns */
     TABLES, /* from tables in memory: rows.h */
     SLIDES  /* from tables that slide on along the row: slide.h */
 };
@@ -30,7 +30,7 @@ enum columns_kind {
 struct stretch {
     uint32_t base; /* the table's first column, counted from the strip's lowest */
     uint16_t blocks;
-    uint16_t in_column; /* whether all lanes are in that column: no table then */
+    uint16_t in_column; /* whether all lanes are in that column and need no table */
 };
 
 /* A block of samples along x. */
@@ -185,8 +185,8 @@ static void along_x(struct along_x *x, const struct scarp_octave *o, size_t bloc
     }
 }
 
-/* Prepares the octave at `count` coordinates along y, filled up to whole blocks, and at one along
-   z, which has a block, too. */
+/* Prepares the octave at `count` coordinates along y, padded to whole blocks, and at one along z,
+   which fills a block. */
 static void along_rows(struct along_rows *rows, const struct scarp_octave *o, size_t count,
                        const struct positions *at, enum scarp_fade fade_kind, struct frame f)
 {
@@ -220,7 +220,7 @@ static void along_rows(struct along_rows *rows, const struct scarp_octave *o, si
     }
 }
 
-/* One row of them, in all lanes. */
+/* One row of struct along_rows, in all lanes. */
 struct along_row {
     struct across at;
     struct corners_yz h;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * The lines (../basis/columns.h) of the lattice columns that a row of a grid crosses: made from the
- * hashes along the axes, kept in tables of registers, looked up for the lanes of a block. Included
- * by slide.h, which tells where tables come from, as does rows.h.
+ * Makes the lines (../basis/columns.h) of the lattice columns that a row of a grid crosses, from
+ * the hashes along the axes, and looks them up for the lanes of a block in tables of registers.
+ * Included by slide.h. That file and rows.h tell where tables come from.
  */
 #ifndef SCARP_KERNEL_ROWS_LINES_H
 #define SCARP_KERNEL_ROWS_LINES_H
@@ -54,8 +54,8 @@ struct stretch_lines {
     struct stretch_line line[LINES];
 };
 
-/* The lines of the column of each lane, and of the one on its right. `at` is not used in one
-   column. */
+/* The lines of the column of each lane, and of the one on its right. `at` is not used if
+   `in_column`. */
 VEC_INLINE void get_line(const struct stretch_line *l, vu at, int in_column, int is_flat,
                          struct line *left, struct line *right)
 {
@@ -94,7 +94,7 @@ VEC_INLINE struct sample join_sides(const struct along_block *x, const struct si
     return join(&s->left, &s->right, x->t, x->fade, v);
 }
 
-/* Where rows go, and what they are multiplied by before. */
+/* Where rows go, and the weights that multiply them. */
 struct target {
     struct outputs outputs;
     struct weights weights;

@@ -4,8 +4,8 @@
  * axes are straight. What depends on x is prepared once for all rows of a part (along.h); the
  * lattice columns that a row crosses are reduced to their lines once per row, in a small table;
  * each block of samples then reads its lines with permutes instead of hashing, from registers that
- * serve as many blocks as they reach (a stretch). Included by ../driver.h. Bits are those of the
- * points pass, because the lines are.
+ * serve as many blocks as they reach (a stretch). Included by ../driver.h. The bits are those of
+ * the points pass, because the lines are the same.
  *
  * Tables of two vectors, AVX-512's, need no memory where columns go up along a row: slide.h.
  *
@@ -18,8 +18,8 @@
 
 #include "slide.h"
 
-/* An octave on the rows of a part. `table` has `table_size` vectors for the lines of columns, as
-   many rows at a time as fit: at least one row, see table_size_of(). */
+/* An octave on the rows of a part. `table` has `table_size` vectors for the lines of columns, which
+   hold at least one row: see table_size_of(). */
 struct row_octave {
     struct along_x x;
     struct along_rows rows;
@@ -27,8 +27,8 @@ struct row_octave {
     size_t table_size;
 };
 
-/* Tables of lines a x + b, of one row after the other: blocks of all b, then of all a, line by
-   line, `stride` vectors each. */
+/* Tables of lines a x + b: one for the b of each line, then one for the a of each, `stride` vectors
+   apart. Each has the columns of one row after the other. */
 struct tables {
     vf *start;
     size_t stride;
@@ -41,7 +41,7 @@ static size_t line_count(int dimensions, int order)
 }
 
 /* Vectors for the tables of one row of a strip, whose columns may be as many as its samples, with
-   one on the right, and what the last table reads beyond them. */
+   one on the right and those that a read at the end takes beyond. */
 static size_t table_size_of(int dimensions, int order, size_t blocks)
 {
     return 2 * line_count(dimensions, order) * (blocks + 1 + TABLE_BLOCKS);
@@ -73,7 +73,7 @@ VEC_INLINE void reduce_row(const struct tables *t, const struct along_x *x, size
     }
 }
 
-/* Line i from column `base` of the tables on. */
+/* Loads line i from column `base` of the tables on. */
 VEC_INLINE void open_line(struct stretch_line *l, const struct tables *t, int i, size_t base,
                           int in_column, struct variant v)
 {
@@ -103,7 +103,7 @@ VEC_INLINE struct stretch_lines open_lines(const struct tables *t, size_t base, 
     return l;
 }
 
-/* A row from the columns that the tables begin with. */
+/* Computes a row from the columns that the tables begin with. */
 VEC_INLINE void table_row(const struct along_x *x, const struct tables *t,
                           const struct target *target, struct variant v, enum put put)
 {
@@ -136,8 +136,8 @@ VEC_INLINE void table_row(const struct along_x *x, const struct tables *t,
     }
 }
 
-/* A row where blocks are wide: each lane has its own two columns. Slower than memory, and never
-   streamed. */
+/* Computes a WIDE row, where each lane has its own two columns. That is slower than memory, so it
+   never streams. */
 VEC_INLINE void wide_row(const struct along_x *x, const struct along_row *row,
                          const struct target *target, struct variant v, enum put put)
 {
@@ -149,7 +149,7 @@ VEC_INLINE void wide_row(const struct along_x *x, const struct along_row *row,
     for (; block < end; block++) {
         const struct sides s = {row_column((vu)hash[0], row, v), row_column((vu)hash[1], row, v)};
         const struct sample n = join_sides(block, &s, v);
-        if (put == PUT_ADD) { /* not a loop of its own: these are long */
+        if (put == PUT_ADD) { /* two loops would be long */
             put_sample(&to, to_at, &w, &n, v, PUT_ADD);
         } else {
             put_sample(&to, to_at, &w, &n, v, PUT_FIRST);
@@ -159,7 +159,7 @@ VEC_INLINE void wide_row(const struct along_x *x, const struct along_row *row,
     }
 }
 
-/* Clears the block after the last one in use: tables read it, too, though no lane chooses it. */
+/* Clears the blocks after the last one in use: tables read them, but no lane chooses them. */
 static void clear_beyond(const struct tables *t, size_t lines, size_t at)
 {
     for (size_t i = 0; i < lines; i++) {
@@ -169,7 +169,7 @@ static void clear_beyond(const struct tables *t, size_t lines, size_t at)
     }
 }
 
-/* Row r, whose columns the tables begin with, if there are any; not WIDE. */
+/* Computes row r, which is not WIDE. If it has tables, they begin with its columns. */
 VEC_INLINE void put_row(const struct row_octave *o, size_t r, const struct tables *t,
                         const struct target *to, struct variant v, enum put put)
 {
@@ -181,7 +181,7 @@ VEC_INLINE void put_row(const struct row_octave *o, size_t r, const struct table
     }
 }
 
-/* As many rows at a time as the tables have room for: first all their columns, then all their
+/* Takes as many rows at a time as the tables have room for: first all their columns, then all their
    samples, so that neither waits for the other. */
 VEC_INLINE void rows_run(const struct row_octave *o, size_t rows, const struct weights *weights,
                          const struct outputs *outputs, enum put put, struct variant v)
@@ -219,7 +219,7 @@ VEC_INLINE void rows_run(const struct row_octave *o, size_t rows, const struct w
     }
 }
 
-/* An octave on `rows` rows is added to `to`, or put there. */
+/* Adds an octave on `rows` rows to `to`, or puts it there. */
 typedef void rows_pass(const struct row_octave *octave, size_t rows, const struct weights *weights,
                        const struct outputs *to, enum put put);
 

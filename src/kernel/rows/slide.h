@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT
  *
- * Rows of a grid, along which columns go up, from tables that are not kept in memory: where a table
- * holds two vectors, it is two neighbouring blocks of lattice columns, and slides on by a block.
- * Each block of columns is reduced to its lines just before. Compared with rows.h this saves
- * stores, and loads that cross cache lines. A block of samples begins in the lower half and ends
- * within the upper one, of which place_columns makes sure. Included by rows.h.
+ * Computes rows of a grid along which columns go up, without tables in memory. A table of two
+ * vectors holds two neighbouring blocks of lattice columns and slides on by a block. Each block of
+ * columns is reduced to its lines just before. Compared with rows.h this saves stores, and loads
+ * that cross cache lines. place_columns makes sure that a block of samples begins in the lower half
+ * of a table and ends within it. Included by rows.h.
  */
 #ifndef SCARP_KERNEL_ROWS_SLIDE_H
 #define SCARP_KERNEL_ROWS_SLIDE_H
@@ -19,8 +19,8 @@ VEC_INLINE void slide_line(struct stretch_line *l, struct line next, int is_flat
     }
 }
 
-/* Block i of columns comes in on the right, the one on the left goes. What comes after the last
-   column is not chosen by any lane. */
+/* Slides the tables on: block i of columns comes in on the right, the one on the left goes. No lane
+   chooses what comes after the last column. */
 VEC_INLINE void slide(struct stretch_lines *l, const struct along_x *x, size_t i,
                       const struct along_row *r, struct variant v)
 {
@@ -33,7 +33,7 @@ VEC_INLINE void slide(struct stretch_lines *l, const struct along_x *x, size_t i
 #undef DO
 }
 
-/* One row, into `to`. */
+/* Computes one row. */
 VEC_INLINE void slide_row(const struct along_x *x, const struct along_row *row,
                           const struct target *target, struct variant v, enum put put)
 {

@@ -13,7 +13,7 @@
 struct shape {
     shape_pass *pass[2][3]; /* by [dimensions - 2][order]; NULL: the noise is added as it is */
     int extra_order;        /* derivatives of the basis that it needs beyond those asked for */
-    int own_axes;           /* whether it takes them in the octave's own axes, times a_k alone */
+    int own_axes;           /* whether they are in the octave's own axes, times the amplitude */
 };
 
 static const struct shape shapes[] = {

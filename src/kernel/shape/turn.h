@@ -109,7 +109,7 @@ VEC_INLINE void turn_run(const struct shaping *shaping, struct sums from,
     }
 }
 
-/* Shapes are the same for every basis: that of a variant is not looked at. */
+/* Shapes are the same for every basis, so they ignore that of the variant. */
 #define TURN_PASS(name, dimensions, order)                                                         \
     static void name(const struct shaping *shaping, struct sums from, const struct outputs *to)    \
     {                                                                                              \
