@@ -178,7 +178,7 @@ VEC_INLINE vf vf_permute(vf_table table, vu index)
 }
 
 /* Depending on how gcc happens to place a loop of some fourteen instructions in cache lines, it
-   takes up to 1.4 times as long on Zen 5. Unrolling avoids that. */
+   takes up to 1.4 times as long on Zen 5. Unrolled loops have not shown this. */
 #ifdef __clang__
 #define VEC_SHORT_LOOP
 #else
