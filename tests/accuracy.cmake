@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# The library against an independent oracle in double precision, and the oracle against published
+# Compares the library with an independent oracle in double precision, and the oracle with published
 # values and differences.
 
 # Many points for the reference, fewer for each kernel that test_bits holds to it. Emulated

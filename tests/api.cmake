@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# The promises of scarp.h that are not about the noise itself.
+# Tests the promises of scarp.h that are not about the noise itself.
 
 scarp_test_program(test_api)
 scarp_add_isa_tests(api api test_api)
@@ -16,7 +16,7 @@ endforeach()
 scarp_test_program(test_fpmode)
 scarp_add_isa_tests(fpmode api test_fpmode)
 
-# The same program as a user with -ffast-math has it: denormals are flushed from the start on.
+# The same program as a user may build it: -ffast-math flushes denormals from the start on.
 if(NOT CMAKE_C_COMPILER_FRONTEND_VARIANT STREQUAL "MSVC")
   add_executable(test_fpmode_fastmath test_fpmode.c)
   scarp_compile_rules(test_fpmode_fastmath)
@@ -35,7 +35,7 @@ if("pthreads" IN_LIST scarp_found)
 endif()
 scarp_add_test(threads threads NEEDS pthreads COMMAND test_threads)
 
-# What the header promises of the stack holds for optimised builds without instruments.
+# The header's promise about the stack holds for optimised builds without instruments.
 if(SCARP_OPTIMIZE AND NOT CMAKE_C_FLAGS MATCHES "-fsanitize")
   if("pthreads" IN_LIST scarp_found)
     scarp_test_program(test_stack)

@@ -15,7 +15,7 @@ struct fractal_test {
     const struct outputs *one, *two;
 };
 
-/* Second derivatives of erosion, each one alone and beside all others, but not what it has. */
+/* Erosion refuses each second derivative, alone and beside all others; its own outputs work. */
 static inline void test_fractal_unsupported(const struct fractal_test *t)
 {
     const struct scarp_noise erosion = {.fractal = SCARP_EROSION, .octaves = 2.0f};
@@ -62,7 +62,7 @@ static inline int fractal_same_bits(const struct fractal_test *t, const struct s
     return same;
 }
 
-/* The default of erosion is 1, for zeros of either sign; other fractals do not use it. */
+/* 0 and -0 mean the default of erosion, 1; other fractals do not use the parameter. */
 static inline void test_fractal_parameter(const struct fractal_test *t)
 {
     for (int fractal = SCARP_FBM; fractal <= SCARP_EROSION; fractal++) {

@@ -21,8 +21,8 @@ static inline void test_isa_unknown(void)
     }
 }
 
-/* Any set is better than plain C, and those made for a processor than the portable one; of these,
-   of one processor's, a later one is a better one. */
+/* Ranks the sets: scalar is the worst, then comes the portable one, then those made for a
+   processor, of which a later one is better. */
 static inline int isa_rank(enum scarp_isa isa)
 {
     return isa == SCARP_ISA_SCALAR ? 0 : isa == SCARP_ISA_GENERIC ? 1 : 2 + (int)isa;

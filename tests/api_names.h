@@ -13,7 +13,7 @@
 static inline void test_texts(void)
 {
     const char *texts[SCARP_ERROR_UNSUPPORTED + 2];
-    for (int i = 0; i <= SCARP_ERROR_UNSUPPORTED + 1; i++) { /* the last is unknown */
+    for (int i = 0; i <= SCARP_ERROR_UNSUPPORTED + 1; i++) { /* the last one is unknown */
         texts[i] = scarp_status_text((enum scarp_status)i);
         CHECK(texts[i] != NULL && strlen(texts[i]) > 3, "status %d", i);
         CHECK(texts[i][strlen(texts[i]) - 1] != '.', "status %d ends with a full stop", i);
@@ -28,7 +28,8 @@ static inline void test_texts(void)
     CHECK(strcmp(scarp_version(), version) == 0, "%s, header %s", scarp_version(), version);
 }
 
-/* `call` gives these names, which end in NULL, for 0, 1, ..., and NULL for all other numbers. */
+/* Checks that `call` gives the names, a list that ends in NULL, for 0, 1, ..., and NULL for all
+   other numbers. */
 static inline void expect_names(const char *what, const char *(*call)(int),
                                 const char *const *names)
 {
@@ -44,7 +45,7 @@ static inline void expect_names(const char *what, const char *(*call)(int),
     }
 }
 
-/* What has a name is taken by the calls, and nothing else. */
+/* The calls take the enumerators that have names, and no others. */
 static inline void test_names_known(void)
 {
     for (int i = -2; i < 70; i++) {
@@ -93,7 +94,7 @@ static inline void expect_member(const struct scarp_noise *noise, int dimensions
           member != NULL ? member : "no member");
 }
 
-/* Of many faults the first is told: they are mended one by one. */
+/* Where there are many faults, the first is told. This mends them one by one. */
 static inline void test_check_order(void)
 {
     struct scarp_noise noise;
@@ -117,7 +118,7 @@ static inline void test_check_order(void)
     noise.amplitude = -2.0f;
     expect_member(&noise, 4, outside, "erosion");
     noise.erosion = 3.0f;
-    expect_member(&noise, 4, outside, "octaves"); /* 2^49 in the last one */
+    expect_member(&noise, 4, outside, "octaves"); /* the last one has the frequency 2^49 */
     noise.octaves = 9.0f;
     expect_member(&noise, 4, reserved, "phase");
     noise.phase = 0.0f;

@@ -37,7 +37,7 @@ static inline void test_normals_errors(struct normals *a)
     CHECK(all_poison(a->n, sizeof a->n), "outputs were written");
 }
 
-/* Any subset of the outputs gives the bits of all together. */
+/* Any subset of the outputs has the bits that all together have. */
 static inline void test_normals_subsets(struct normals *a)
 {
     CHECK(scarp_normals(NORMALS, a->dx, a->dy, 2.5f, a->n[0], a->n[1], a->n[2]) == SCARP_OK, "all");
@@ -57,7 +57,7 @@ static inline void test_normals_subsets(struct normals *a)
     }
 }
 
-/* Within one unit in the last place of `exact`, to which double adds 2^-50 or so. */
+/* Checks that `got` is within one unit in the last place of `exact`, which is double. */
 static inline void expect_within_ulp(float got, double exact, const char *name, float dx, float dy,
                                      float scale)
 {
@@ -107,7 +107,7 @@ static inline void test_normals_special(void)
     }
 }
 
-/* The bits are those of the scalar reference, whatever the instruction set that is under test. */
+/* The instruction set under test gives the bits of the scalar reference. */
 static inline void test_normals_bits(struct normals *a, float scale)
 {
     const enum scarp_isa isa = scarp_isa_active();

@@ -19,7 +19,7 @@ struct reserved_test {
 /* The sample calls, then scarp_grid2 and scarp_grid3 */
 #define RESERVED_CALLS (FUNCTIONS + 2)
 
-/* What the call of that number gets; all zero but for the grid's counts. */
+/* The arguments of a call: all zero except the grid's counts and the outputs. */
 struct reserved_arguments {
     struct scarp_noise noise;
     struct scarp_grid grid;
@@ -45,7 +45,7 @@ static inline enum scarp_status reserved_call(const struct reserved_test *t, int
     return grid_call(call == FUNCTIONS ? 2 : 3, &a->noise, &a->grid, &a->out);
 }
 
-/* The layout, as a binding would write it down. */
+/* Checks the sizes and offsets, written down as a binding would have them. */
 static inline void test_reserved_layout(void)
 {
     const size_t pointer = sizeof(void *), size = sizeof(size_t);
@@ -86,7 +86,7 @@ static inline void test_reserved_layout(void)
     }
 }
 
-/* The member of struct scarp_noise that holds a byte */
+/* Names the member of struct scarp_noise that holds a byte. */
 static inline const char *reserved_member_at(size_t byte)
 {
     static const char *const words[] = {"phase",     "jitter",    "sharpness", "period[0]",
@@ -98,7 +98,7 @@ static inline const char *reserved_member_at(size_t byte)
     return byte < offsetof(struct scarp_noise, spare) ? "warp" : "spare";
 }
 
-/* What no call takes and nothing writes for */
+/* Checks that every call refuses the noise, blames `member` and writes nothing. */
 static inline void expect_reserved(const struct reserved_test *t, const struct scarp_noise *noise,
                                    const char *member, const char *what)
 {
@@ -123,7 +123,7 @@ static inline void expect_reserved(const struct reserved_test *t, const struct s
     CHECK(outputs_untouched(t->one, OUTPUTS_ALL3), "%s: outputs were written", what);
 }
 
-/* Every bit from `phase` to the end, but the signs of the floats: -0 is 0. */
+/* Sets every bit from `phase` to the end, except the signs of the floats: -0 is 0. */
 static inline void test_reserved_noise_bits(const struct reserved_test *t)
 {
     static const float negative_zero = -0.0f;
@@ -147,7 +147,7 @@ static inline void test_reserved_noise_bits(const struct reserved_test *t)
     CHECK(zeros == 3, "%d floats were looked at", zeros);
 }
 
-/* Numbers that the members are for, and those that comparisons take for others */
+/* Sets the members to ordinary numbers, and to some that a careless comparison takes for 0. */
 static inline void test_reserved_numbers(const struct reserved_test *t)
 {
     static const float numbers[] = {1.0f, -1.0f, 0.5f, 0x1p-149f, -0x1p-149f, NAN, -NAN, INFINITY};
@@ -183,7 +183,8 @@ static inline void test_reserved_negative_zeros(const struct reserved_test *t)
     }
 }
 
-/* Every bit of the bytes from `begin` on of the part of the arguments at `part` */
+/* Sets every bit of the bytes [interval[0], interval[1]) of the structure at the offset `part` of
+   the arguments. */
 static inline void test_reserved_part(const struct reserved_test *t, const char *what, int first,
                                       size_t part, const size_t interval[2])
 {
@@ -201,7 +202,7 @@ static inline void test_reserved_part(const struct reserved_test *t, const char 
     CHECK(outputs_untouched(t->one, OUTPUTS_ALL3), "%s: outputs were written", what);
 }
 
-/* A call for nothing looks at nothing; what is NULL is told first. */
+/* A call for no points succeeds whatever the noise and the reserved members hold. */
 static inline void test_reserved_order(const struct reserved_test *t)
 {
     for (int call = 0; call < RESERVED_CALLS; call++) {

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# The program scarp-bench, from outside: that it measures and tells, not how fast anything is.
+# Tests from outside that scarp-bench measures and reports, not how fast anything is.
 
 set(program ${CMAKE_CROSSCOMPILING_EMULATOR} $<TARGET_FILE:scarp-bench>)
 set(script ${CMAKE_CURRENT_LIST_DIR}/test_bench.py)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Every kernel equals the scalar reference.
+# Every kernel gives the bits of the scalar reference.
 
 set(bits_points_emulated 259)
 set(bits_points_slow 2003)

@@ -68,7 +68,7 @@ static inline double cases_coordinate(enum cases_class class, uint64_t *state)
     }
 }
 
-/* `count` points of a class, as doubles and, rounded, as floats. */
+/* Makes `count` points of a class, as doubles and, rounded, as floats. */
 static inline struct cases_points cases_make(enum cases_class class, size_t count)
 {
     struct cases_points points = {.count = count};
@@ -102,7 +102,7 @@ static inline struct inputs cases_inputs(const struct cases_points *points, size
     return in;
 }
 
-/* One case: the noise, what is asked, and of which function. */
+/* One case: the noise, the function, and the outputs that it is asked for. */
 struct cases_call {
     char name[80];
     struct scarp_noise noise;
@@ -110,9 +110,9 @@ struct cases_call {
     unsigned wanted; /* outputs, by bits */
 };
 
-/* What each fractal is run with: one octave, for fBm only, where it shows the basis alone; several;
-   and turned axes, which come with a fractional number of octaves, odd ratios and a negative
-   amplitude. */
+/* Each fractal runs with several octaves, and with turned axes, which come with a fractional number
+   of octaves, odd ratios and a negative amplitude. fBm also runs with one octave, which is the
+   basis alone. */
 enum cases_octaves { CASES_OCTAVE, CASES_OCTAVES, CASES_TURNED, CASES_SETTINGS };
 
 static const char *const setting_names[CASES_SETTINGS] = {"", "-octaves", "-turned"};
@@ -132,7 +132,7 @@ static inline void cases_set(struct scarp_noise *noise, enum cases_octaves setti
     }
 }
 
-/* The next digit of a number, base `radix`. */
+/* Takes the last digit, base `radix`, off a number. */
 static inline int cases_digit(int *number, int radix)
 {
     const int digit = *number % radix;
@@ -140,8 +140,8 @@ static inline int cases_digit(int *number, int radix)
     return digit;
 }
 
-/* Case `number` of a class: 1; or 0 where there is no such case, -1 from the last one on. Numbers
-   are good for nothing but to go through all cases. */
+/* Makes case `number` of a class. Returns 1, or 0 if that number is no case, or -1 if there are no
+   more. The numbers serve only to go through all cases. */
 static inline int cases_make_call(struct cases_call *call, enum cases_class class, int number)
 {
     memset(call, 0, sizeof *call);
@@ -172,7 +172,7 @@ static inline int cases_make_call(struct cases_call *call, enum cases_class clas
     return 1;
 }
 
-/* for (int n = 0; cases_next(&call, class, &n);) goes through all cases of a class. */
+/* `for (int n = 0; cases_next(&call, class, &n);)` goes through all cases of a class. */
 static inline int cases_next(struct cases_call *call, enum cases_class class, int *number)
 {
     int made = 0;
@@ -182,7 +182,7 @@ static inline int cases_next(struct cases_call *call, enum cases_class class, in
     return made > 0;
 }
 
-/* A call for `count` points from `first` on; it must not fail. */
+/* Makes the call for `count` points from `first` on. It must not fail. */
 static inline void cases_run(const struct cases_call *call, const struct cases_points *points,
                              size_t first, size_t count, const struct outputs *o)
 {

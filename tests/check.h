@@ -19,15 +19,16 @@
 #define CHECK_SKIPPED 77 /* ctest's SKIP_RETURN_CODE */
 #define CHECK_SHOWN 20   /* failures printed one by one */
 
-/* What a test of the program's is to see. A mutant is a library with a deliberate mistake
-   (mutants.cmake): a test program catches it if it runs through, all else is in order, and a result
-   that CHECK_BITS compares differs. */
+/* What the test program has to see. A mutant is a library with a deliberate mistake
+   (mutants.cmake): a test program catches it if a result that CHECK_BITS compares differs and no
+   CHECK fails, or if the program crashes where it is meant to. */
 enum check_aim { CHECK_SAME, CHECK_DIFFERENT, CHECK_CRASH };
 
 static enum check_aim check_aim;
 static long check_count, check_failures, check_differences;
 
-/* CHECK(condition, "printf format", ...): what failed, with the numbers that show it. */
+/* CHECK(condition, "printf format", ...) counts a check. If it fails, the text is printed: give the
+   numbers that show why. */
 #define CHECK(condition, ...)                                                                      \
     do {                                                                                           \
         check_count++;                                                                             \
@@ -40,7 +41,7 @@ static long check_count, check_failures, check_differences;
         }                                                                                          \
     } while (0)
 
-/* The same for what mistakes in kernels change: results. */
+/* The same for results, which are what a mistake in a kernel changes. */
 #define CHECK_BITS(condition, ...)                                                                 \
     do {                                                                                           \
         if (check_aim != CHECK_DIFFERENT) {                                                        \
@@ -69,7 +70,7 @@ static inline int check_done(void)
 }
 
 /* Takes --must-differ or --must-crash away from the arguments if it comes first. Returns how many
-   arguments are left; `*argv` still begins with something to be ignored. */
+   arguments are left; `*argv` still begins with a word to be ignored, as in main. */
 static inline int check_take_aim(int argc, char ***argv)
 {
     check_aim = argc < 2                                   ? CHECK_SAME
@@ -104,7 +105,7 @@ static inline double larger(double a, double b)
     return a > b || isnan(a) ? a : b;
 }
 
-/* The words of the library for any number. */
+/* These give the library's words for any number. */
 static inline const char *basis_name(int basis)
 {
     return scarp_basis_name((enum scarp_basis)basis);
@@ -176,8 +177,8 @@ static inline enum scarp_isa check_isa_by_name(const char *name)
 }
 
 /* Whether the comma-separated list in the environment variable has `name`. Every word of the list
-   goes to `must_be_known`, which ends the program if it is a mistake: a gate that cannot close
-   would be no gate. */
+   goes to `must_be_known`, which ends the program if the word is unknown: a mistyped word would
+   require nothing. */
 static inline int check_listed(const char *variable, const char *name,
                                void (*must_be_known)(const char *word))
 {

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# The program scarp, from outside: what it prints, writes, accepts and refuses. One test per class
-# of cli/test_*.py, and one per instruction set.
+# Tests the program scarp from outside: what it prints, writes, accepts and refuses. One test per
+# class of cli/test_*.py, and one per instruction set.
 
 block()
   set(program ${CMAKE_CROSSCOMPILING_EMULATOR} $<TARGET_FILE:scarp-cli>)
@@ -25,7 +25,7 @@ block()
     string(TOLOWER ${class} name)
     scarp_add_cli_test(${file} ${class} ${name})
   endforeach()
-  # The race detector looks at what threads do.
+  # ThreadSanitizer runs the tests with this label.
   set_tests_properties(cli.threads cli.interrupt PROPERTIES LABELS "cli;threads")
   foreach(isa IN LISTS isas)
     scarp_add_cli_test(same isa=${isa} isa.${isa})

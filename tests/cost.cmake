@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Instructions per point against committed figures. Counts, not times: the same on a busy machine.
+# Compares instructions per point with the committed figures. A busy machine does not change them.
 
 set(cost_processor ${CMAKE_SYSTEM_PROCESSOR})
 if(CMAKE_CROSSCOMPILING_EMULATOR)

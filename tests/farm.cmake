@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# The README's recipes for farms, run as they stand there, with processes that are killed: one test
+# Runs the README's recipes for farms as they stand there, with processes that are killed: one test
 # per file farm/test_*.py. `SCARP_TEST_FARM=1 ctest -L farm` also runs those that start daemons, and
 # fails where a tool is missing.
 

@@ -18,7 +18,8 @@ struct mode_control {
     uint64_t word;
 };
 
-/* What a mode does to 2^-126 / 2, to 2^-149 as an operand, and to 1 + 2^-30 and its negative. */
+/* The effect of a mode that mode_works looks for: it flushes denormal results or operands to 0, or
+   rounds in that direction. */
 enum effect { EFFECT_NONE, FLUSHES_RESULTS, FLUSHES_OPERANDS, ROUNDS_UP, ROUNDS_DOWN, ROUNDS_TO_0 };
 
 struct mode {
@@ -123,7 +124,7 @@ static inline struct mode_control mode_enter(const struct mode *mode)
     return before;
 }
 
-/* Goes back to `before`; returns what was found. */
+/* Restores `before`. Returns the mode that it found. */
 static inline struct mode_control mode_leave(struct mode_control before)
 {
     const struct mode_control found = {mode_word()};
@@ -156,8 +157,8 @@ static __attribute__((noinline)) uint32_t mode_compute(char operation, uint32_t 
     return bits;
 }
 
-/* Whether the mode can be set here and has the effect that it is for: valgrind, for one, keeps the
-   bits and computes as ever. */
+/* Whether the mode can be set here and has its effect: valgrind, for one, keeps the bits but
+   computes as before. */
 static inline int mode_works(const struct mode *mode)
 {
     const struct mode_control before = mode_enter(mode);

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-# Turbulence, ridged and erosion: against the oracle, against differences, rebuilt from single
-# octaves, within their ranges. test_bits holds every instruction set to the same bits, so one will
-# do. Emulated processors are about 100 times slower.
+# Compares turbulence, ridged and erosion with the oracle, with differences, and with sums of single
+# octaves, and checks their ranges. test_bits holds every instruction set to the same bits, so one
+# will do. Emulated processors are about 100 times slower.
 
 set(fractal_points_full 9000) # 12 cases each: more than 10^5 points
 set(fractal_points_slow 2000)

@@ -15,8 +15,7 @@ static const char *const fractal_names[] = {"fBm", "turbulence", "ridged", "eros
 static const char *const fractal_bases[] = {"gradient", "value"};
 static const char *const fractal_fades[] = {"quintic", "cubic"};
 
-/* Points, the same in both precisions where they are drawn as floats, and where the library
-   writes. */
+/* Points in both precisions, equal where they are drawn as floats, and arrays for the outputs. */
 struct block {
     double d[3][BLOCK];
     float f[3][BLOCK];
@@ -65,7 +64,7 @@ static inline void block_point(const struct block *block, size_t i, double x[3])
     }
 }
 
-/* What a call of `f` left for point i, in the oracle's form. */
+/* Gives what a call of `f` wrote for point i, in the oracle's form. */
 static inline struct oracle_sample
 outputs_sample(const struct outputs *o, const struct scarp_noise *noise, enum function f, size_t i)
 {
@@ -103,7 +102,7 @@ static inline void difference(const struct oracle_sample *p, const struct oracle
     }
 }
 
-/* sum |a_k| f_k^order: what a difference of that order is measured in. */
+/* sum |a_k| f_k^order: the unit for differences of that order. */
 static inline double fractal_unit(const struct oracle *oracle, int order)
 {
     double sum = 0.0;

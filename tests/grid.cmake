@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Grids have the bits of points.
+# Grids have the bits of the point calls.
 
 set(grid_cases 4000)
 if(speed STREQUAL "slow")

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Memory between two pages that cannot be touched, for tests/test_memory.c. POSIX only; elsewhere
- * GUARDED_EXISTS is 0. To be included first: it asks the system for more than C11.
+ * GUARDED_EXISTS is 0. Include it first: it asks the system for more than C11.
  */
 #ifndef SCARP_TESTS_GUARDED_H
 #define SCARP_TESTS_GUARDED_H

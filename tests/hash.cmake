@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# The quality of the lattice hash and of the keys. Emulated processors are about 100 times slower.
+# Tests the lattice hash and the keys. Emulated processors are about 100 times slower.
 
 set(hash_bits 20)
 if(NOT speed STREQUAL full)

@@ -38,8 +38,8 @@ static void scarp_row3(const uint32_t key[3], uint32_t x, uint32_t y, uint32_t z
 
 static const struct hash scarp_hash = {"scarp", scarp_row2, scarp_row3};
 
-/* Bad between neighbours, far points and seeds: primes, exclusive or, one multiplication. Other
-   libraries use it. */
+/* This hash is bad between neighbours, far points and seeds: it joins multiples of primes by
+   exclusive or, and multiplies once. Other libraries use it. */
 static inline uint32_t prime_point(uint32_t key, uint32_t x, uint32_t y, uint32_t z)
 {
     return (key ^ (x * 501125321u) ^ (y * 1136930381u) ^ (z * 1720413743u)) * 0x27d4eb2du;
@@ -65,8 +65,8 @@ static void prime_row3(const uint32_t key[3], uint32_t x, uint32_t y, uint32_t z
 static const struct hash prime_hash = {"known bad in blocks: (x P ^ y Q ^ z R ^ key) M", prime_row2,
                                        prime_row3};
 
-/* Bad along lines: the product of the mixed axes. It passes all tests of blocks, but a factor
-   decides for a whole line, and some lines are nearly periodic. */
+/* This hash is bad along lines: it multiplies the mixed axes. It passes all tests of blocks, but
+   one factor is the same along a whole line, and some lines are nearly periodic. */
 static inline uint32_t product_axis(uint32_t i, uint32_t multiplier, uint32_t key)
 {
     const uint32_t h = i * multiplier + key;
@@ -95,7 +95,8 @@ static void product_row3(const uint32_t key[3], uint32_t x, uint32_t y, uint32_t
 static const struct hash product_hash = {"known bad along lines: the product of mixed axes",
                                          product_row2, product_row3};
 
-/* Bad at the corners of cells: the sum of the mixed axes. The alternating sum of four is 0. */
+/* This hash is bad at the corners of cells: it adds the mixed axes, so the alternating sum of four
+   corners is 0. */
 static void sum_row2(const uint32_t key[3], uint32_t x, uint32_t y, uint32_t z, int count,
                      uint32_t *out)
 {
@@ -118,7 +119,7 @@ static void sum_row3(const uint32_t key[3], uint32_t x, uint32_t y, uint32_t z, 
 static const struct hash sum_hash = {"known bad at corners: the sum of mixed axes", sum_row2,
                                      sum_row3};
 
-/* Bad far away: squares. -h has the same as h, and sums of mixed axes have few neighbours. */
+/* This hash is bad far away: it squares sums of mixed axes, and -h has the same square as h. */
 static void square_row3(const uint32_t key[3], uint32_t x, uint32_t y, uint32_t z, int count,
                         uint32_t *out)
 {
@@ -140,7 +141,8 @@ static void square_row2(const uint32_t key[3], uint32_t x, uint32_t y, uint32_t 
 static const struct hash square_hash = {"known bad far away: the square of x ^ (y + z)",
                                         square_row2, square_row3};
 
-/* Bad between seeds: the library's hash of one seed, which other seeds only move along x. */
+/* This hash is bad between seeds: it is the library's with one key, and other seeds only move it
+   along x. */
 static const uint32_t one_key[3] = {0x8f1bbcdcu, 0x6ed9eba1u, 0x5a827999u};
 
 static void moved_row2(const uint32_t key[3], uint32_t x, uint32_t y, uint32_t z, int count,
@@ -158,7 +160,7 @@ static void moved_row3(const uint32_t key[3], uint32_t x, uint32_t y, uint32_t z
 static const struct hash moved_hash = {"known bad between seeds: they move one lattice", moved_row2,
                                        moved_row3};
 
-/* Bad everywhere: the library's hash without its greatest sixteenth. */
+/* This hash is bad everywhere: it is the library's without its greatest sixteenth. */
 static void uneven_row2(const uint32_t key[3], uint32_t x, uint32_t y, uint32_t z, int count,
                         uint32_t *out)
 {
@@ -198,8 +200,8 @@ static inline void seed_keys(uint64_t seed, int k, uint32_t key[3])
 }
 
 /*
- * Field `index` of 2^bits points. The first two lie around the origin, with seeds 0 and 1; the
- * others anywhere, with any seed.
+ * Field `index` of 2^bits points. The first two lie around the origin and have the seeds 0 and 1;
+ * the others lie anywhere and have any seed.
  */
 static inline struct field field_make(int index, int dimensions, int bits)
 {
@@ -226,7 +228,7 @@ static inline int field_points(const struct field *f)
     return f->size[0] * f->size[1] * f->size[2];
 }
 
-/* The hashes of the block moved by e, x fastest. */
+/* Fills in the hashes of the block moved by e, x fastest. */
 static inline void field_fill(const struct hash *hash, const struct field *f, const uint32_t e[3],
                               uint32_t *out)
 {

@@ -15,7 +15,8 @@
 
 typedef const float *direction_fn(uint32_t hash);
 
-/* Improved noise as many have it: 12 edges by four bits, those in the x-y plane twice. */
+/* Draws one of 12 edges by four bits, as many implementations of improved noise do: the edges in
+   the x-y plane are drawn twice as often. */
 static const float *known_bad_direction(uint32_t hash)
 {
     static const float edges[16][3] = {
@@ -119,7 +120,7 @@ static inline double unevenness(const double v[3])
     return most / least - 1.0;
 }
 
-/* A point anywhere within 2^20 cells of the origin, or on a lattice plane across an axis. */
+/* Draws a point within 2^20 cells of the origin, anywhere or on a lattice plane across an axis. */
 static inline void draw_point(uint64_t *random, int plane, double p[3])
 {
     for (int i = 0; i < 3; i++) {
@@ -149,7 +150,7 @@ static inline void measure(direction_fn *direction, int samples, struct variance
     }
 }
 
-/* The same from the library. */
+/* Measures the variances of the library's noise. */
 static inline void measure_library(int samples, struct variances *v)
 {
     const struct scarp_noise noise = {.seed = 0};
@@ -181,7 +182,7 @@ static inline void variances_print(const char *name, const struct variances *v)
            name, v->slope[0], v->slope[1], v->slope[2], v->plane[2], v->plane[1], v->plane[0]);
 }
 
-/* Upper halves of hashes are not a multiple of 12: each direction is drawn 5461 or 5462 times. */
+/* 2^16 upper halves are not a multiple of 12: each direction is drawn 5461 or 5462 times. */
 #define MOMENT_BOUND (2.0 / 5461.0)
 
 static inline void test_isotropy(int bits)
@@ -197,7 +198,7 @@ static inline void test_isotropy(int bits)
           "moments: odd %g, second %g, fourth %g", m.odd, m.second, m.fourth);
 }
 
-/* The plain noise is the library's, so what it shows of other directions would be so there. */
+/* The plain noise equals the library's, so it shows what other directions would do to that. */
 static inline void test_bad_directions(int bits)
 {
     struct variances library, plain, bad;

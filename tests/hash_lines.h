@@ -18,7 +18,7 @@
 #define LINE_BITS 10
 #define LINE_CELLS (1 << LINE_BITS)
 #define LINE_SEEDS 4
-#define LINES_PER_SEED 6000 /* of 2^20 points in a block; fewer in proportion */
+#define LINES_PER_SEED 6000 /* with 2^20 points in a block; fewer in proportion */
 #define LINES_PER_PAIR 600
 #define FIRST_LINE 2550 /* the known periodic line of product_hash is y = 2596 of seed 1 */
 
@@ -26,7 +26,7 @@ struct complex {
     double re, im;
 };
 
-/* Two lines, one in the real and one in the imaginary parts, and what a transform needs. */
+/* Two lines, one in the real and one in the imaginary parts, and space for a transform. */
 struct line_space {
     struct complex line[LINE_CELLS], turn[LINE_CELLS / 2];
     uint32_t hash[LINE_CELLS];
@@ -40,7 +40,7 @@ static inline void line_space_make(struct line_space *s)
     }
 }
 
-/* The discrete Fourier transform of s->line, in place: radix 2, decimation in time. */
+/* Transforms s->line in place by the discrete Fourier transform: radix 2, decimation in time. */
 static inline void transform(struct line_space *s)
 {
     for (unsigned i = 0; i < LINE_CELLS; i++) {
@@ -89,7 +89,7 @@ static inline void hash_line(const struct hash *hash, const uint32_t key[3], int
     }
 }
 
-/* What the noises draw: the lattice value, and the x component of the gradient. */
+/* These give what the noises draw: the lattice value, and the x component of the gradient. */
 static inline double drawn_value(uint32_t hash)
 {
     return (double)(int32_t)hash * 0x1p-31;
@@ -108,7 +108,8 @@ static inline void line_powers(const struct line_space *s, int k, double power[2
     power[1] = (a.re - b.re) * (a.re - b.re) + (a.im + b.im) * (a.im + b.im);
 }
 
-/* The highest peak in the spectra of a line's values and gradients, in units of their means. */
+/* Reports the highest peak in the spectra of a line's values and gradients, in units of their
+ * means. */
 static inline void test_spectrum(struct report *report, const struct hash *hash, uint64_t seed,
                                  int dimensions, int axis, int number, struct line_space *s)
 {
@@ -164,7 +165,7 @@ struct line_pair {
 };
 
 /* The greatest correlation of two lines' values over all shifts, as z: for random numbers each is
-   nearly normal. By the theorem of Wiener and Khinchin: the transform of the cross spectrum. */
+   nearly normal. It is computed as the transform of the cross spectrum (Wiener, Khinchin). */
 static inline double shifted_z(struct line_space *s)
 {
     transform(s);

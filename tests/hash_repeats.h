@@ -8,7 +8,7 @@
 
 #include "hash_seeds.h"
 
-#define AGAIN_LINES (1 << 17) /* where each recurs once in 2^32, 2 pairs of them meet */
+#define AGAIN_LINES (1 << 17) /* if each recurred once in 2^32 lines, 2 pairs would meet */
 #define AGAIN_CELLS 16
 #define EQUAL_BOUND 0.1 /* the share of hashes that a shift may leave as they are */
 
@@ -20,7 +20,7 @@ static inline uint32_t hash_at(const struct hash *hash, const uint32_t key[3], i
     return h;
 }
 
-/* A number drawn for i: no two i have the same. */
+/* Draws a number for i; no two i have the same one. */
 static inline uint32_t scattered(uint32_t i)
 {
     i *= 0x9e3779b1u;
@@ -89,9 +89,9 @@ static inline uint32_t distance(uint32_t shift)
 }
 
 /*
- * The worst share over shifts along axes i and j that a join may not notice: one changes its mixed
- * axis by d, nearly always, the other by d or -d. There is one for each d, so some are short; a few
- * of the shortest are tried.
+ * Finds the worst share over shifts along the axes i and j at once: the one changes its mixed axis
+ * by d, nearly always, and the other by d or -d, so that the hash, which joins them, may not
+ * change. There is such a shift for each d, so some are short; a few of the shortest are tried.
  */
 static inline double worst_shift(const struct hash *hash, int dimensions, int i, int j, int bits)
 {

@@ -9,7 +9,8 @@
 #include "../src/kernels.h"
 #include "hash_sets.h"
 
-/* Indices of two lattices at the same points: w->base of one, those of `other` counted with it. */
+/* Compares the indices of two lattices at the same points: w->base has those of the one, and those
+   of the keys `other` are counted with them. */
 static inline double lattices_z(const struct hash *hash, const struct field *f,
                                 const uint32_t other[3], struct workspace *w)
 {
@@ -20,7 +21,7 @@ static inline double lattices_z(const struct hash *hash, const struct field *f,
     return chi_square_z(w->counts, 256, field_points(f));
 }
 
-/* Seeds that differ little, and the octaves of one seed. */
+/* Tests seeds that differ little, and the octaves of one seed. */
 static inline void test_seed_pairs(struct report *report, const struct hash *hash,
                                    const struct field *f, struct workspace *w)
 {
@@ -47,7 +48,7 @@ static inline void test_seed_pairs(struct report *report, const struct hash *has
         seed_keys(s, k, key);
         REPORT(report, TOPIC_SEEDS, lattices_z(hash, f, key, w), "%dD octaves 0 and %d of %#llx",
                f->dimensions, k, (unsigned long long)s);
-        /* no seed is another one with its octaves moved up */
+        /* No seed has the octaves of another one, moved up. */
         const uint64_t near[] = {s + 1, s - 1, s - (uint64_t)k};
         for (int i = 0; i < 3; i++) {
             seed_keys(near[i], k, key);
@@ -58,7 +59,7 @@ static inline void test_seed_pairs(struct report *report, const struct hash *has
     }
 }
 
-/* Seeds i * step at one lattice point: indices alone, in pairs of neighbours, values. */
+/* Tests seeds i * step at one lattice point: their indices, pairs of neighbours, and values. */
 static inline void test_sequence(struct report *report, const struct hash *hash, uint64_t step,
                                  const uint32_t point[3], int dimensions, int bits)
 {
@@ -104,7 +105,7 @@ static inline int compare_u64(const void *a, const void *b)
     return (x > y) - (x < y);
 }
 
-/* 2^bits seeds each from a run, from spaced runs and at random have as many distinct keys. */
+/* 2^bits seeds have as many distinct keys: consecutive, evenly spaced and random ones. */
 static inline void test_distinct_keys(int bits)
 {
     const size_t n = (size_t)1 << bits;
@@ -135,7 +136,7 @@ static inline void test_distinct_keys(int bits)
 
 enum octaves { OCTAVES_OF_SCARP, OCTAVES_ALIKE };
 
-/* The known bad octaves: all have the keys of the first, and no offsets. */
+/* Makes octaves that are known to be bad: all have the keys of the first, and no offsets. */
 static inline void make_alike(struct scarp_plan *plan)
 {
     for (int k = 1; k < plan->octaves; k++) {
@@ -144,8 +145,8 @@ static inline void make_alike(struct scarp_plan *plan)
     }
 }
 
-/* Every octave of `seed` by itself at the points of the patch, at the same place in its own cells:
-   x = p / f_k. This is where octaves with a common lattice or no offset look alike. */
+/* Samples every octave of `seed` by itself at the points of the patch, x = p / f_k, which lie at
+   the same place in its cells. There, octaves with a common lattice or no offset look alike. */
 static inline void sample_patch(uint64_t seed, enum scarp_basis kind, enum octaves octaves,
                                 float values[OCTAVES][PATCH * PATCH])
 {
@@ -174,8 +175,8 @@ static inline void sample_patch(uint64_t seed, enum scarp_basis kind, enum octav
     }
 }
 
-/* Correlation over seeds, of values and of their squares (which all vanish at the origin where
-   octaves have no offset), at each point of the patch between each two octaves. */
+/* Tests the correlation between each two octaves at each point of the patch, over seeds: of values,
+   and of their squares, which all vanish at the origin if octaves have no offset. */
 static inline void test_octaves_of(struct report *report, enum scarp_basis kind,
                                    enum octaves octaves, int seeds)
 {

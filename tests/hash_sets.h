@@ -59,7 +59,7 @@ static inline void test_uniform(struct report *report, const struct hash *hash,
            (unsigned long long)f->seed);
 }
 
-/* The joint counts of base and moved indices; w->base is filled. */
+/* Counts base and moved indices jointly; w->base has been filled. */
 static inline void count_pairs(const struct hash *hash, const struct field *f, const uint32_t e[3],
                                struct workspace *w)
 {
@@ -82,19 +82,20 @@ static inline void test_pair(struct report *report, enum topic topic, const stru
            (unsigned long long)f->seed);
 }
 
-/* e = 2^k d for the directions d of axes and diagonals, and e = all small steps. */
+/* Tests pairs at e = 2^k d for the directions d of axes and diagonals, and at all small steps e. */
 static inline void test_pairs(struct report *report, enum topic topic, const struct hash *hash,
                               const struct field *f, struct workspace *w)
 {
     const int deep = f->dimensions == 3;
     for (int k = 0; k <= 23; k++) {
         for (int d = 1; d < (deep ? 27 : 9); d++) {
-            /* Digits of base 3, 2 standing for -1. Every direction but one of each +- pair. */
+            /* The digits of d in base 3 are a direction, 2 standing for -1. One of d and -d is
+             * enough. */
             const int x = d % 3 == 2 ? -1 : d % 3, y = d / 3 % 3 == 2 ? -1 : d / 3 % 3;
             const int z = d / 9 == 2 ? -1 : d / 9;
             const int first = z != 0 ? z : y != 0 ? y : x;
             const int axes = abs(x) + abs(y) + abs(z);
-            /* In 3D, far diagonals only through all three axes. */
+            /* In 3D, far diagonals are taken along all three axes only. */
             if (first > 0 && !(deep && axes == 2 && k > 4)) {
                 test_pair(report, topic, hash, f, w, x * (1 << k), y * (1 << k), z * (1 << k));
             }
@@ -136,7 +137,7 @@ static inline void far_pairs(const struct hash *hash, const struct field *f, str
     }
 }
 
-/* The corners of all cells of the block: moved[i] has those at the binary digits of i. */
+/* Fills in the corners of all cells of the block: moved[i] has those at the binary digits of i. */
 static inline void fill_corners(const struct hash *hash, const struct field *f, struct workspace *w)
 {
     for (uint32_t i = 0; i < (f->dimensions == 2 ? 4u : 8u); i++) {
@@ -145,7 +146,7 @@ static inline void fill_corners(const struct hash *hash, const struct field *f, 
     }
 }
 
-/* The corners 'set' (a mask) combined: exclusive or, and the sum with alternating signs. */
+/* Tests the corners of the mask `set`: their exclusive or, and their sum with alternating signs. */
 static inline void test_combined(struct report *report, enum topic topic, const struct field *f,
                                  struct workspace *w, unsigned set)
 {
@@ -174,7 +175,7 @@ static inline void test_combined(struct report *report, enum topic topic, const 
            "alternating sum (hash) of %#x, seed %#llx", set, (unsigned long long)f->seed);
 }
 
-/* All four indices of a cell jointly. */
+/* Tests all four indices of a cell jointly. */
 static inline void test_corners4(struct report *report, const struct hash *hash,
                                  const struct field *f, struct workspace *w)
 {
@@ -191,7 +192,8 @@ static inline void test_corners4(struct report *report, const struct hash *hash,
     test_combined(report, TOPIC_CORNERS4, f, w, 0x0f);
 }
 
-/* Two bits of each of the eight indices of a cell jointly, then faces, diagonal planes, all. */
+/* Tests two bits of each of the eight indices of a cell jointly, then faces, diagonal planes, and
+   all corners. */
 static inline void test_corners8(struct report *report, const struct hash *hash,
                                  const struct field *f, struct workspace *w)
 {
@@ -220,8 +222,8 @@ static inline float value_of(uint32_t hash)
     return (float)(int32_t)hash * 0x1p-31f;
 }
 
-/* Mean and variance of lattice values, which are uniform in [-1, 1): 0 and 1/3. The squares have
-   the variance 1/5 - 1/9. */
+/* Tests the mean and the variance of lattice values. They are uniform in [-1, 1), so these are 0
+   and 1/3, and the variance of their squares is 1/5 - 1/9. */
 static inline void test_moments(struct report *report, const struct field *f, const float *values)
 {
     const int n = field_points(f);

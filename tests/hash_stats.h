@@ -50,8 +50,8 @@ static inline void report_reset(struct report *report)
     }
 }
 
-/* Books one z; NaN, of a field without any variation, is the worst there is. The printf format that
-   follows says which test it was. */
+/* Books one z. NaN, which comes from a field without variation, counts as infinite. The printf
+   format that follows says which test it was. */
 #define REPORT(report, topic, z, ...)                                                              \
     do {                                                                                           \
         const double report_given = (z);                                                           \
@@ -76,7 +76,7 @@ static inline void report_print(const struct report *report, const char *title)
     }
 }
 
-/* Against `cells` equally likely cells. */
+/* Compares the counts with those of `cells` equally likely cells. */
 static inline double chi_square(const uint32_t *counts, int cells, double total)
 {
     const double expected = total / cells;

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Do the tests notice mistakes? The library is compiled once more, with all mistakes of
-# mutants/list.cmake in it, each of which can be switched on; test programs that are linked to it must
-# then see a difference, on every kernel set, and none while no mistake is switched on.
+# mutants/list.cmake in it, each of which can be switched on; test programs that are linked to it
+# must then see a difference, on every kernel set, and none while no mistake is switched on.
 
 set(mutants_from ${PROJECT_SOURCE_DIR}/src)
 set(mutants_to ${CMAKE_CURRENT_BINARY_DIR}/mutants)
@@ -35,7 +35,7 @@ foreach(test bits golden grid)
   target_link_libraries(mutant_${test} PRIVATE scarp_mutants ${SCARP_LIBM})
 endforeach()
 
-# What runs for SEEN_BY, up to the kernel set and from there on
+# The command for each SEEN_BY: run_* comes before the kernel set, then_* behind it.
 set(golden_file ${CMAKE_CURRENT_SOURCE_DIR}/golden.txt)
 set(run_bits mutant_bits --must-differ)
 set(run_grid mutant_grid --must-differ)

@@ -7,7 +7,7 @@
 
 #include <math.h>
 
-/* The numbers that the definition of the lattice is made of. */
+/* The constants in the definition of the lattice. */
 static const uint32_t hash_axis_multiplier[3] = {0x1a2012f5, 0x14e84743, 0xec1d7da1};
 static const uint32_t hash_addend = 0x9e3779b9;
 
@@ -56,7 +56,7 @@ static uint32_t hash(const struct lattice *lattice, const uint32_t point[3])
     uint32_t mixed = 0;
     for (int i = 0; i < lattice->dimensions; i++) {
         const uint32_t axis = point[i] * hash_axis_multiplier[i] + lattice->key[i];
-        mixed ^= axis / 256 + axis % 256 * 16777216; /* its bits turned */
+        mixed ^= axis / 256 + axis % 256 * 16777216; /* rotates the bits */
     }
     return mixed * mixed + hash_addend * mixed;
 }
@@ -64,7 +64,7 @@ static uint32_t hash(const struct lattice *lattice, const uint32_t point[3])
 static void draw_gradient(const void *opaque, const uint32_t point[3], double corner[3])
 {
     const struct lattice *const lattice = opaque;
-    /* All of them equally likely: by the upper 16 bits, as a fraction. */
+    /* The upper 16 bits, as a fraction, choose among equally likely gradients. */
     const int count = oracle_gradient_count(lattice->dimensions);
     const uint32_t upper = hash(lattice, point) >> 16;
     const double *const gradient = lattice->gradient[(uint32_t)count * upper / 65536];
@@ -88,7 +88,7 @@ double oracle_lattice_value(const struct oracle *oracle, int k, const uint32_t p
     return corner[0];
 }
 
-/* The generator splitmix64: its next number. */
+/* Draws the next number of the generator splitmix64. */
 static uint64_t next(uint64_t *state)
 {
     *state += 0x9e3779b97f4a7c15;
@@ -177,7 +177,7 @@ void oracle_make(struct oracle *oracle, const struct scarp_noise *noise, int dim
     }
 }
 
-/* p_k = J_k x + o_k along axis i: cell and fraction. */
+/* Splits p_k = J_k x + o_k into cell and fraction, along axis i. */
 static void place(const struct oracle_octave *octave, int dimensions, enum oracle_rounding rounding,
                   const double x[3], int i, uint32_t *cell, double *t)
 {

@@ -76,7 +76,7 @@ struct oracle_creases {
     uint64_t side;    /* which side of each crease: bit k for n_k < 0, bit 32 + k for 2 s_k >= 1 */
 };
 
-/* oracle_fractal.c: like oracle_evaluate, but tells of the creases too. */
+/* oracle_fractal.c: like oracle_evaluate, but fills *creases too. */
 void oracle_evaluate_creased(const struct oracle *oracle, enum oracle_rounding rounding,
                              const double x[3], struct oracle_sample *sum,
                              struct oracle_creases *creases);
@@ -86,7 +86,8 @@ void oracle_evaluate_creased(const struct oracle *oracle, enum oracle_rounding r
 void oracle_frozen_gradient(const struct oracle *oracle, enum oracle_rounding rounding,
                             const double x[3], double gradient[3]);
 
-/* How far x is from the nearest lattice plane of any octave, in units of input (at most). */
+/* A lower bound of the distance from x to the nearest lattice plane of any octave, in the units of
+   x. */
 double oracle_clearance(const struct oracle *oracle, const double x[3]);
 
 /* oracle_basis.c: one octave on a cell of a lattice, t being the position inside, in [0, 1]. */

@@ -72,7 +72,7 @@ static void differences(const struct oracle *oracle, const struct scheme *scheme
     }
 }
 
-/* The larger one of *worst and the errors at x: of the gradient [0], of the Hessian [1]. */
+/* Raises `worst` to the errors at x: of the gradient [0], of the Hessian [1]. */
 static void compare(const struct oracle *oracle, const struct scheme *scheme, const double x[3],
                     double worst[2])
 {

@@ -9,7 +9,7 @@
 
 #include <math.h>
 
-/* n of an octave as a function of the input: J^T g and J^T H J. */
+/* Gives n of an octave as a function of the input: its derivatives become J^T g and J^T H J. */
 static struct oracle_sample pulled_back(const struct oracle *oracle, int k,
                                         const struct oracle_sample *n)
 {

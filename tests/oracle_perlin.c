@@ -29,7 +29,7 @@ void oracle_perlin_gradient(const void *lattice, const uint32_t point[3], double
     for (int i = 0; i < 3; i++) {
         hash = permutation[(hash + point[i]) & 255];
     }
-    /* The published function returns +-u +-v, each of them a coordinate: here as a vector. */
+    /* The published function returns +-u +-v, where u and v are coordinates; this is its vector. */
     const unsigned h = hash & 15;
     const int u = h < 8 ? 0 : 1;
     const int v = h < 4 ? 1 : h == 12 || h == 14 ? 0 : 2;

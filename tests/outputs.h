@@ -9,7 +9,7 @@
 #include "check.h"
 
 /* Every output, in the order of struct scarp_samples: its member, how often it is derived, and
-   along which axes (0, 1, 2; -1 where there is none). The only such list of the tests. */
+   along which axes (0, 1, 2; -1 where there is none). Other tests use this list. */
 #define OUTPUTS_LIST(OUTPUT)                                                                       \
     OUTPUT(value, 0, -1, -1)                                                                       \
     OUTPUT(dx, 1, 0, -1)                                                                           \
@@ -37,7 +37,7 @@ static const struct {
 } output_kinds[OUTPUTS] = {OUTPUTS_LIST(OUTPUT_AXES)};
 
 #define ORDERS 3
-#define OUTPUTS_ALL2 (0u OUTPUTS_LIST(OUTPUT_IN_PLANE)) /* the bits of what a 2D call has */
+#define OUTPUTS_ALL2 (0u OUTPUTS_LIST(OUTPUT_IN_PLANE)) /* the bits of the outputs of a 2D call */
 #define OUTPUTS_ALL3 ((1u << OUTPUTS) - 1)
 #define POISON 0xa5
 
@@ -71,7 +71,7 @@ static inline unsigned function_outputs(enum function f)
     return function_dimensions(f) == 2 ? OUTPUTS_ALL2 : OUTPUTS_ALL3;
 }
 
-/* Those that it has for this noise: erosion has no second derivatives. */
+/* The outputs that it has for this noise: erosion has no second derivatives. */
 static inline unsigned outputs_of(const struct scarp_noise *noise, enum function f)
 {
     return outputs_up_to(noise->fractal == SCARP_EROSION ? 1 : 2, function_dimensions(f));
@@ -183,7 +183,8 @@ static inline int outputs_untouched(const struct outputs *o, unsigned mask)
     return 1;
 }
 
-/* The bits of a float, all NaNs alike; safe where -ffast-math believes that NaN does not exist. */
+/* The bits of a float, the same for all NaNs. Works with -ffast-math too, which assumes that NaN
+   does not exist. */
 static inline uint32_t float_bits(const float *value)
 {
     uint32_t bits;
@@ -210,15 +211,15 @@ static inline int is_finite_bits(const float *value)
 
 static inline size_t first_difference(const float *a, const float *b, size_t count)
 {
-    size_t i = memcmp(a, b, count * sizeof *a) == 0 ? count : 0; /* the fast way first */
+    size_t i = memcmp(a, b, count * sizeof *a) == 0 ? count : 0; /* usually all are equal */
     while (i < count && float_bits(a + i) == float_bits(b + i)) {
         i++;
     }
     return i;
 }
 
-/* Whether the first `count` elements of the members of `mask` that are there agree, and where they
-   do not. */
+/* Whether the first `count` elements of the members of `mask` agree, as far as both have arrays. If
+   not, *member and *index tell where. */
 static inline int outputs_equal(const struct outputs *a, const struct outputs *b, unsigned mask,
                                 size_t count, int *member, size_t *index)
 {

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-# The ways to get at the library (installed, as a subdirectory, without a build system), and what is
-# in its binary: symbols and instructions. Shell scripts in package/, which read their settings from
-# a file written here.
+# Tests the ways to get at the library (installed, as a subdirectory, without a build system) and
+# the symbols and instructions in its binary. The shell scripts in package/ read their
+# settings from a file written here.
 
 set(package_dir ${CMAKE_CURRENT_BINARY_DIR}/package)
 set(package_settings ${package_dir}/settings-$<CONFIG>.sh)

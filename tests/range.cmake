@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# The guaranteed ranges: proofs of the suprema, and searches that try to leave the ranges. Emulated
-# processors are about 100 times slower.
+# Tests the guaranteed ranges: proves the suprema, and searches for values outside the ranges.
+# Emulated processors are about 100 times slower.
 
 set(range_points 10000000)
 if(NOT speed STREQUAL full)

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# The README's examples, compiled and run as they stand there.
+# Compiles and runs the README's examples as they stand there.
 
 # scarp_add_readme_test(LANGUAGE COMPILER [tool...]): the examples in this language
 function(scarp_add_readme_test language compiler)

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# `scarp sample`, from outside. One test per class of sample/test_*.py. Results are compared with those
-# of the shared library, called by Python itself where that is possible.
+# Tests `scarp sample` from outside. One test per class of sample/test_*.py. Results are compared
+# with those of the shared library, called by Python itself where that is possible.
 
 block()
   get_target_property(type scarp TYPE)

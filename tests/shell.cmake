@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# The essentials of the program scarp from outside, without Python: one test per script of cli/*.sh.
+# Tests the essentials of scarp from outside, without Python: one test per script of cli/*.sh.
 
 foreach(name commands errors formats interrupt tiles)
   scarp_add_test(cli.sh.${name} cli NEEDS posix scarp sh

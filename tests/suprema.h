@@ -10,8 +10,8 @@
 /*
  * Gradient noise of seed 2 and frequency 1 reaches its supremum here, by [dimensions - 2][fade],
  * with the sign + and -: at the maximisers that test_range.c states, in cells whose corners have
- * the right gradients. Found by trying 10^5 cells in 2D and 10^9 in 3D; another lattice
- * hash has others.
+ * the right gradients. They were found by trying 10^5 cells in 2D and 10^9 in 3D; another
+ * lattice hash has others.
  */
 static const double supremum_places[2][2][2][3] = {
     {{{3534.5, -379.4734, 0.0}, {112.4734, -2855.5, 0.0}},

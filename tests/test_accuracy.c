@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * How far values, gradients and Hessians are from the oracle's, which works in double precision;
- * continuity across lattice planes; values on lattice points; the normalisation.
+ * Measures how far values, gradients and Hessians are from the oracle's, which works in double
+ * precision. Checks continuity across lattice planes, values on lattice points and normalisation.
  * Arguments: the number of points per case, and the instruction set.
  */
 #include "fractal.h"
@@ -17,7 +17,7 @@ static void sample(const struct scarp_noise *noise, int dimensions, enum oracle_
     block_sample(block, noise, dimensions == 2 ? two : three, count);
 }
 
-/* What the library found for point i, in the oracle's form. */
+/* Gives the library's results for point i in the oracle's form. */
 static void result(int dimensions, size_t i, struct oracle_sample *n)
 {
     static const struct scarp_noise any = {0};
@@ -25,7 +25,7 @@ static void result(int dimensions, size_t i, struct oracle_sample *n)
 }
 
 /*
- * What is compared. The float calls get small coordinates, so that the fractions have many bits;
+ * The cases. The float calls get small coordinates, so that the fractions have many bits;
  * the double calls get any.
  */
 static const struct {
@@ -116,9 +116,10 @@ static void check_accuracy(size_t fractal, enum scarp_basis basis, enum scarp_fa
 }
 
 /*
- * Across lattice planes, one octave: value and gradient are continuous, with the quintic fade the
- * Hessian too; with the cubic one it jumps. Ordinary planes from 2^-30 on either side, where the
- * fraction below rounds to 1; planes where the cell wraps from as close as doubles allow.
+ * Value and gradient of an octave are continuous across lattice planes, and so is the Hessian with
+ * the quintic fade; with the cubic one it jumps. Ordinary planes are looked at from 2^-30 on either
+ * side, where the fraction below rounds to 1; planes where the cell wraps, from as close as doubles
+ * allow.
  */
 static void check_continuity(enum scarp_basis basis, enum scarp_fade fade, int dimensions,
                              long planes)
@@ -166,7 +167,7 @@ static void check_continuity(enum scarp_basis basis, enum scarp_fade fade, int d
 }
 
 /* On lattice points gradient noise is exactly 0; value noise is the drawn value, scaled, and its
-   gradient exactly 0. Coordinates that a float holds, so both calls see the same points. */
+   gradient is exactly 0. Floats hold the coordinates, so both calls see the same points. */
 static void check_lattice_points(enum scarp_basis basis, enum scarp_fade fade, int dimensions)
 {
     uint64_t random = 5;

@@ -35,8 +35,8 @@ static void make_inputs(void)
     two = outputs_make(POINTS);
 }
 
-/* Every function refuses the noise with `expected`, for the sake of `member`, and writes nothing.
- */
+/* Checks that every function refuses the noise with `expected`, that `member` is said to be at
+   fault, and that nothing is written. */
 static void expect_refused(const struct scarp_noise *noise, enum scarp_status expected,
                            const char *member, const char *what)
 {
@@ -95,7 +95,7 @@ static void set_field(struct scarp_noise *noise, enum field field, double value)
     }
 }
 
-/* Whatever the fractal: `erosion` counts where it is not used, too. */
+/* Tries a value with every fractal: `erosion` is checked even where it is not used. */
 static void try_field(enum field field, double value, enum scarp_status expected)
 {
     for (int fractal = SCARP_FBM; fractal <= SCARP_EROSION; fractal++) {
@@ -144,14 +144,14 @@ static void test_intervals(void)
             try_field(field, -1.0, SCARP_ERROR_PARAMETER);
             try_field(field, -0x1p-100, SCARP_ERROR_PARAMETER);
         }
-        if (field != OCTAVES) { /* (0, 32] has no last number to step over */
+        if (field != OCTAVES) { /* (0, 32] is open at 0, so no number is the lowest */
             try_field(field, beside(field, lowest, highest, 1), SCARP_ERROR_PARAMETER);
         }
         try_field(field, lowest, SCARP_OK);
         try_field(field, beside(field, lowest, highest, 0), SCARP_OK);
         try_field(field, highest, SCARP_OK);
         try_field(field, beside(field, highest, lowest, 0), SCARP_OK);
-        try_field(field, -0.0, SCARP_OK); /* a zero like any other: the default */
+        try_field(field, -0.0, SCARP_OK); /* -0 means the default, as 0 does */
     }
     try_field(FREQUENCY, 0x1p-1074, SCARP_ERROR_PARAMETER);
     try_field(FREQUENCY, DBL_MAX, SCARP_ERROR_PARAMETER);
@@ -191,7 +191,7 @@ static void test_last_frequency(void)
     }
 }
 
-/* At the ends of all intervals together no output overflows. */
+/* With all members at the ends of their intervals, no output overflows. */
 static void test_extremes(void)
 {
     for (int i = 0; i < 256; i++) {
@@ -286,7 +286,7 @@ static void test_size(void)
     CHECK(outputs_untouched(&one, OUTPUTS_ALL3), "outputs were written");
 }
 
-/* Derivatives along z in the plane. */
+/* 2D calls refuse derivatives along z. */
 static void test_unsupported(void)
 {
     static const struct scarp_noise noise = {0};
@@ -443,7 +443,7 @@ static void test_seeds(void)
     }
 }
 
-/* Not even where square roots and conversions of NaN are taken. */
+/* No call changes errno, not even where it takes square roots of NaN or converts it. */
 static void test_errno(void)
 {
     static const float odd[4] = {NAN, INFINITY, -3e38f, 1e-45f};
@@ -466,7 +466,7 @@ static void test_errno(void)
 
 int main(int argc, char **argv)
 {
-    test_isa(); /* before anything else has chosen one */
+    test_isa(); /* before anything has selected one */
     if (argc > 1) {
         check_select_isa(argv[1]);
     }

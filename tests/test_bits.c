@@ -1,17 +1,18 @@
 /* SPDX-License-Identifier: MIT
  *
- * Every kernel against the scalar reference, bit for bit, on random and worst-case points.
+ * Every kernel gives the bits of the scalar reference, on random and worst-case points.
  *
- *     test_bits ISA [POINTS [STEP]]    the ISA must equal scalar; of the short runs, each STEP-th
- *     test_bits --must-differ ISA ...  the ISA must not: for mutants
+ *     test_bits ISA [POINTS [STEP]]    the ISA must equal scalar; each STEP-th short run is made
+ *     test_bits --must-differ ISA ...  the ISA must differ: for mutants
  */
 #include "cases.h"
 
-/* Long runs compare whole blocks, short ones every tail: all lengths to 4 blocks of 16 and one. */
+/* Long runs compare whole blocks, short ones every tail: their lengths go up to four of the widest
+   blocks and one point. */
 #define SHORT_RUN 65
 
 static struct outputs reference, tested;
-static size_t step = 1; /* of the lengths of short runs */
+static size_t step = 1; /* between the lengths of short runs */
 
 static void compare(const struct cases_call *call, size_t first, size_t count)
 {
@@ -28,7 +29,8 @@ static void compare(const struct cases_call *call, size_t first, size_t count)
     }
 }
 
-/* All settings on one class of points. Once whole, then in every short length at odd places. */
+/* Compares all settings on one class of points: all points at once, then short runs that begin
+   anywhere. */
 static void compare_class(enum scarp_isa isa, enum cases_class class, size_t count)
 {
     struct cases_points points = cases_make(class, count);

@@ -9,7 +9,7 @@
 #include "shared/error.h"
 #include "shared/noise.h"
 
-/* In place of the program's; no test here leads to a message. */
+/* Replaces the program's function; no test here leads to a message. */
 void cli_error(const char *format, ...)
 {
     (void)format;

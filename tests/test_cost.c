@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * One sample or grid call of a named workload, for test_cost.py to count its instructions with
+ * Makes one sample or grid call of a named workload, whose instructions test_cost.py counts with
  * callgrind. Prints the number of samples.
  *
  *     test_cost ISA CALL BASIS OUTPUTS FRACTAL OCTAVES
@@ -17,7 +17,8 @@
 
 static float coordinates[3][POINTS];
 
-/* The number after the last one where none has this name: the library refuses it. */
+/* Finds the number with this name, or else the number after the last one, which the library
+   refuses. */
 static int find_name(const char *(*name)(int), const char *wanted)
 {
     int i = 0;

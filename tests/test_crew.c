@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * The program's crew of threads (src/cli/shared/crew.c): whichever threads the system refuses, all
- * work is done, each task once, and nobody leaves a meeting before all are there. To be run under
- * ThreadSanitizer, too.
+ * work is done, each task once, and nobody leaves a meeting before all are there. It also runs
+ * under ThreadSanitizer.
  */
 #define _GNU_SOURCE /* as crew.c has it */
 
@@ -95,7 +95,7 @@ static void work(void *context, size_t number)
     }
 }
 
-/* Runs `count` threads, of which `expected` are there. */
+/* Asks for `count` threads, and checks the work of the `expected` ones that there are. */
 static void run(struct crew *crew, size_t count, size_t expected)
 {
     struct job job = {.crew = crew, .expected = expected};
@@ -116,7 +116,7 @@ static size_t smaller(size_t a, size_t b)
     return a < b ? a : b;
 }
 
-/* Threads are refused from each one on, for crews of each size and for work for more or fewer. */
+/* Refuses threads from each one on, for crews of each size and work for each number of threads. */
 static void test_refused(void)
 {
     for (size_t most = 1; most <= MOST; most++) {
@@ -152,9 +152,9 @@ static void test_again(void)
 }
 
 struct aside {
-    atomic_int calls, open;   /* open: what the call waits for */
+    atomic_int calls, open;   /* the call waits until `open` is set */
     atomic_int wrong_signals; /* calls in a thread that signals reach */
-    int is_here;              /* whether it came in the caller's thread */
+    int is_here;              /* whether the call is in the caller's thread */
     pthread_t caller;
 };
 

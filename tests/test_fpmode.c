@@ -20,8 +20,8 @@ static double x64[3][POINTS];
 static const struct inputs in = {{x32[0], x32[1], x32[2]}, {x64[0], x64[1], x64[2]}};
 static struct outputs expected, got;
 
-/* Small powers of two and denormals, where flushing shows; ordinary numbers, where rounding shows;
-   numbers that raise every exception. All by their bits, whatever the mode is. */
+/* Makes small powers of two and denormals, where flushing shows, ordinary numbers, where rounding
+   shows, and numbers that raise every exception. All come from their bits, whatever the mode is. */
 static void make_points(void)
 {
     static const uint32_t odd[] = {0x7fc00000u, 0x7f800000u, 0xff800000u, 0x7f800001u,
@@ -49,7 +49,7 @@ static void make_points(void)
 
 #define NOISES 5
 
-/* Also one whose constants are denormal: the last octaves of value noise with a small gain. */
+/* One of them has denormal constants, in its last octaves: value noise with a small gain. */
 static const struct scarp_noise noises[NOISES] = {
     {.seed = 1},
     {.seed = 2, .basis = SCARP_VALUE, .octaves = 32.0f, .lacunarity = 1.25f, .gain = 0.0625f},
@@ -58,8 +58,8 @@ static const struct scarp_noise noises[NOISES] = {
     {.seed = 5, .octaves = 3.0f, .frequency = 0x1p40, .basis = SCARP_VALUE, .rotate = 1},
 };
 
-/* All calls under `mode`. Nothing in this function computes with floating-point numbers, which
-   could trap; the outputs are looked at by the caller. */
+/* Makes all sample calls in `mode`. Nothing here computes with floating-point numbers, which could
+   trap; the caller looks at the outputs. */
 static __attribute__((noinline)) enum scarp_status
 call_in_mode(const struct mode *mode, const struct scarp_noise *noise, enum function f,
              const struct outputs *o, struct mode_control *after)
@@ -84,7 +84,7 @@ static __attribute__((noinline)) enum scarp_status normals_in_mode(const struct 
     return status;
 }
 
-/* The calls that do not sample. */
+/* Makes the calls that do not sample, in `mode`. */
 static __attribute__((noinline)) enum scarp_status range_in_mode(const struct mode *mode,
                                                                  const struct scarp_noise *noise,
                                                                  float *lowest, float *highest,
@@ -118,7 +118,7 @@ static void compare_outputs(const struct mode *mode, const char *what, unsigned 
           at, float_bits(got.array[member] + at), float_bits(expected.array[member] + at));
 }
 
-/* Results in `mode` against results in the default mode. */
+/* Compares results in `mode` with results in the default mode. */
 static void test_results(const struct mode *mode)
 {
     struct mode_control after;
@@ -145,8 +145,8 @@ static void test_results(const struct mode *mode)
     }
 }
 
-/* Bad parameters are refused without a trap; denormal ones, which are too small, are not taken for
-   zero, which means the default. */
+/* Bad parameters are refused without a trap. Denormal ones, which are too small, are refused too:
+   they are not taken for 0, which means the default. */
 static void test_errors(const struct mode *mode)
 {
     struct mode_control after;
@@ -187,7 +187,7 @@ static void test_errors(const struct mode *mode)
           "%s: a denormal frequency passed for 0", mode->name);
 }
 
-/* One number for everything sampled in `mode`; two builds of this program print the same. */
+/* Hashes everything sampled in `mode`; both builds of this program print the same number. */
 static uint64_t hash_in_mode(const struct mode *mode)
 {
     struct mode_control after;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * How far turbulence, ridged and erosion are from the oracle's, which works in double precision;
- * how far erosion's gradient would be without the term that has Hessians in it; and that octaves
- * fade in without a pop.
+ * Measures how far turbulence, ridged and erosion are from the oracle's, which works in double
+ * precision, and how far erosion's gradient would be without the term that has Hessians in it.
+ * Checks that octaves fade in without a jump.
  * Argument: the number of points per case.
  *
  * Beside a crease the two may stand on different sides of it, and then their derivatives have
@@ -14,7 +14,7 @@
 #define CREASE 1e-5
 #define EXCLUDED 0.02
 
-/* What is compared, with each basis, fade and precision. */
+/* The settings that are compared, with each basis, fade and precision. */
 static const struct {
     const char *name;
     struct scarp_noise noise;
@@ -36,8 +36,9 @@ static const struct {
 
 /*
  * Bounds of the error by [fractal][order], in units of sum |a_k| f_k^order, for all cases: about
- * three times the largest measured on 10^5 points. Ridged has its larger ones from weights, which
- * double the error of an octave in the next; erosion from points where a steep d turns.
+ * three times the largest measured on 10^5 points. Those of ridged are larger because
+ * its weights double the error of an octave in the next; those of erosion, because of points where
+ * a steep d turns.
  */
 static const struct {
     double max[3], rms[3];
@@ -114,9 +115,9 @@ static void check_accuracy(struct block *block, enum scarp_fractal fractal, enum
 }
 
 /*
- * The term -2 erosion n_k q_k^2 D_k^T d_k of the gradient of erosion: sum a_k q_k G_k alone, which
- * is what is commonly taken for it, is not the gradient of the value by a wide margin, in which
- * scarp's own error does not show.
+ * Checks that the gradient of erosion needs the term -2 erosion n_k q_k^2 D_k^T d_k. What is
+ * commonly taken for the gradient, sum a_k q_k G_k alone, is far from it: much farther than scarp's
+ * own error.
  */
 static void check_frozen(struct block *block, enum scarp_basis basis, int dimensions, long points)
 {

@@ -40,7 +40,7 @@ static enum function function_for(int dimensions)
     return dimensions == 2 ? SAMPLE2_F64 : SAMPLE3_F64;
 }
 
-/* A unit vector: an axis, by turns, or anything. */
+/* Draws a unit vector: an axis now and then, otherwise any direction. */
 static void direction(uint64_t *random, int dimensions, double e[3])
 {
     const int choice = (int)(check_random(random) >> 33) % (2 * dimensions);
@@ -88,7 +88,7 @@ static void report(const struct errors *errors, const struct scarp_noise *noise,
     CHECK(errors->points > 0, "nothing was compared");
 }
 
-/* One case: setting, fade. */
+/* The noise of a case: `index` stands for a setting and a fade. */
 static struct scarp_noise noise_of(int index, enum scarp_fractal fractal, enum scarp_basis basis)
 {
     struct scarp_noise noise = settings[index / 2];

@@ -95,7 +95,7 @@ static double normalisation(double gain, int octaves)
     return (1.0 - 0x1p-17) / sum;
 }
 
-/* Agreement within three times what was measured: a few roundings of 2^-24. */
+/* Checks that both agree within three times what was measured, a few roundings of 2^-24. */
 static void check_terrain(struct block *block, enum scarp_fade fade, long points)
 {
     const struct scarp_noise noise = {.basis = SCARP_VALUE,

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT
  *
- * The guaranteed ranges of turbulence, ridged and erosion: searches that try to leave the interval
- * of scarp_range on either side, random points first, then pattern searches from the lowest and
- * highest ones and from places where the basis is known to have its supremum. Single octaves reach
- * both ends. (test_range.c proves the suprema, and searches fBm.)
- * Argument: the number of random points per case.
+ * Tests the guaranteed ranges of turbulence, ridged and erosion by searches that try to leave the
+ * interval of scarp_range on either side, random points first, then pattern searches from the
+ * lowest and highest ones and from places where the basis is known to have its supremum. Single
+ * octaves reach both ends. (test_range.c proves the suprema, and searches fBm.) Argument: the
+ * number of random points per case.
  */
 #include "fractal.h"
 #include "suprema.h"
@@ -23,7 +23,7 @@ struct search {
     } best[2][KEPT]; /* the best one first */
 };
 
-/* The header's words about ranges. */
+/* Begins a search, and checks the range against what scarp.h says of it. */
 static void begin(struct search *search)
 {
     const enum scarp_fractal fractal = search->noise.fractal;
@@ -86,7 +86,8 @@ static const float *probe(struct search *search, size_t count)
     return values;
 }
 
-/* Every other point is on the lattice of octave 0, where value noise has its extremes. */
+/* Samples random points. Every other one is on the lattice of octave 0, where value noise has its
+   extremes. */
 static void search_random(struct search *search, long points)
 {
     struct block *const block = search->block;
@@ -108,7 +109,7 @@ static void search_random(struct search *search, long points)
     }
 }
 
-/* From x to a local extreme, by pattern search: as far as floats show a difference. */
+/* Moves x to a local extreme by pattern search, as far as floats show a difference. */
 static double climb(struct search *search, int side, double value, double x[3])
 {
     struct block *const block = search->block;
@@ -135,7 +136,7 @@ static double climb(struct search *search, int side, double value, double x[3])
     return value;
 }
 
-/* The lowest and the highest value that can be found, as parts of the amplitude. */
+/* Finds the lowest and the highest value, as parts of the amplitude. */
 static void search_extremes(struct search *search, double reached[2])
 {
     for (int side = 0; side < 2; side++) {

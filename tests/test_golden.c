@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * The same bits everywhere: hashes of outputs against those committed in golden.txt, which were
- * computed once. Comparing with the scalar kernels of the same build is not enough: a compiler may
- * have changed both alike.
+ * Results have the same bits everywhere: the hashes of outputs equal those in golden.txt, which
+ * were computed once. Comparing with the scalar kernels of the same build is not enough: a compiler
+ * may have changed both alike.
  *
  *     test_golden FILE ISA                every case has a line in FILE, NAME HASH, and every line
  *                                         a case, in any order; the hashes are equal
@@ -12,7 +12,7 @@
  */
 #include "cases.h"
 
-#define POINTS 1031 /* two whole parts with every instruction set, and a tail */
+#define POINTS 1031 /* two whole parts of the widest vectors, and a tail */
 #define LINES_MAX 65536
 
 struct line {

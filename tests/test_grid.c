@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * Grids: every sample has the bits of the point calls, whatever the tiling, strides, steps, origins
- * and instruction set, and nothing between the rows is written. Fewer than 1000 CASES ask for fewer
- * large grids too, 0 for these alone.
+ * Every sample of a grid has the bits of the point calls, whatever the tiles, strides, steps,
+ * origins and instruction set, and nothing between the rows is written. Fewer than 1000 CASES run
+ * fewer large grids too; 0 CASES run these alone.
  *
  *     test_grid ISA [CASES]
  *     test_grid --must-differ ISA [CASES] some results must differ: for mutants
@@ -48,9 +48,9 @@ static void random_noise(struct scarp_noise *noise, uint64_t *state)
     noise->frequency = pick(state, 2) == 0 ? 1.0 : 0.37;
 }
 
-/* From well inside a cell to several cells per sample; all alike; backwards; too far for the
-   lattice; and such that the first and the last lane of a vector lie in one cell because the
-   lattice has repeated in between. */
+/* Picks a step: a fraction of a cell, some cells, 0, backwards, too far for the lattice, or such
+   that the first and the last lane of a vector lie in one cell because the lattice has repeated in
+   between. */
 static double random_step(uint64_t *state)
 {
     static const double steps[] = {0.0,  0.01,       0.1,        0.3,         0.5,  0.86, 0.97,
@@ -121,7 +121,7 @@ static double at(const struct scarp_grid *grid, int axis, size_t index)
     return grid->origin[axis] + (double)(grid->first[axis] + (int64_t)index) * grid->step[axis];
 }
 
-/* Row by row with the point calls. */
+/* Samples the grid row by row with the point calls. */
 static void run_points(const struct grid_case *c)
 {
     const struct scarp_grid *const g = &c->grid;
@@ -170,8 +170,8 @@ static void test_points(const struct grid_case *c)
                (double)got.array[member][where], (double)expected.array[member][where]);
 }
 
-/* The grid of `c` in tiles of random size, each computed by itself: `expected` is left from
-   test_points. */
+/* Samples the grid of `c` in tiles of random size, one call per tile. `expected` still holds what
+   test_points put there. */
 static void test_tiles(const struct grid_case *c, uint64_t *state)
 {
     const struct scarp_grid *const g = &c->grid;
@@ -209,8 +209,8 @@ static void test_tiles(const struct grid_case *c, uint64_t *state)
                output_names[member], where);
 }
 
-/* A row on lattice planes, where rounding alone decides between two cells: samples that should be
-   k / 16 cells apart cross one column more or less now and then. */
+/* Samples rows on lattice planes, where rounding alone decides between two cells: samples that
+   should be k / 16 cells apart cross one column more or less now and then. */
 static void test_on_planes(uint64_t *state)
 {
     struct grid_case c = {.dimensions = 2, .order = 1, .wanted = outputs_up_to(1, 2)};
@@ -244,7 +244,7 @@ static const struct large_case large_cases[LARGE_CASES] = {
     {3, 0, {64, 1024, 97}, 0, 3, 0, 0},  /* each slice lies differently: not to be streamed */
     {2, 2, {2048, 520, 1}, 0, 0, 0, 0},  /* rows of whole cache lines */
     {3, 2, {1030, 25, 25}, 10, 0, 7, 0}, /* aligned inside rows only */
-    {2, 2, {2101, 510, 1}, 11, 0, 4, 0}, /* as malloc has it */
+    {2, 2, {2101, 510, 1}, 11, 0, 4, 0}, /* aligned as by malloc */
     {2, 2, {2101, 510, 1}, 11, 0, 13, 16},
     {2, 2, {2048, 520, 1}, 4, 0, 4, 4},/* for vectors of 4 floats only */
     {2, 2, {2048, 520, 1}, 0, 0, 1, 1},  /* outputs lie differently */
@@ -259,14 +259,14 @@ static const struct large_case large_cases[LARGE_CASES] = {
 };
 /* clang-format on */
 
-/* What a vector that is streamed to where it must not be leads to. */
+/* Handles the signal of a vector that is streamed to an address that is not aligned to it. */
 static void crashed(int number)
 {
     (void)number;
     _Exit(check_failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE);
 }
 
-/* Large grids are stored past the caches, where they are aligned. */
+/* Checks a large grid: where its outputs are aligned, they are stored past the caches. */
 static void test_large(int i, float *const memory[2])
 {
     const struct large_case *const large = &large_cases[i];

@@ -15,10 +15,10 @@
 #define NOISES 5
 
 static const struct scarp_noise noises[NOISES] = {
-    {.octaves = 3.0f},                                   /* tiles */
-    {.octaves = 2.0f, .frequency = 16.0},                /* several cells per sample */
-    {.octaves = 3.0f, .rotate = 1},                      /* small parts */
-    {.octaves = 3.0f, .fractal = SCARP_EROSION},         /* small parts, with a state */
+    {.octaves = 3.0f},                           /* octaves are added up in the caller's arrays */
+    {.octaves = 2.0f, .frequency = 16.0},        /* several cells per sample */
+    {.octaves = 3.0f, .rotate = 1},              /* parts go through the scratch space */
+    {.octaves = 3.0f, .fractal = SCARP_EROSION}, /* likewise, with a state */
     {.octaves = 2.0f, .basis = SCARP_VALUE, .rotate = 1} /* value noise */
 };
 
@@ -58,8 +58,8 @@ static int all_equal(float *const *arrays, size_t count, int dimensions)
 }
 
 #if GUARDED_EXISTS
-/* At the end of the memory, where writing beyond the last row ends the program, and at its start.
- */
+/* Puts the grid at the end of the memory, where writing beyond the last row ends the program, and
+   at its start. */
 static void test_guarded(void)
 {
     struct guarded memory[ARRAYS];

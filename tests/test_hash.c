@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * The lattice hash and the keys against statistics of random numbers. Usage: test_hash [BITS], with
- * 2^BITS points in a block (20).
+ * Compares statistics of the lattice hash and of the keys with those of random numbers. Usage:
+ * test_hash [BITS], with 2^BITS points in a block (20).
  *
  * Every statistic is a z (hash_stats.h): standard normal for random numbers. Several thousand are
  * taken, so one of them lies beyond 5 by chance with a probability near 1/1000; all inputs are
@@ -25,7 +25,7 @@
 #define FAR_BOUND 6.0    /* of Cramer's V, over sqrt(points); random numbers have 4.1 */
 #define FIELDS2 4
 #define FIELDS3 2
-#define BAD_BITS 16 /* what is bad shows in few points */
+#define BAD_BITS 16 /* few points are enough to reject a bad hash */
 
 static void test_blocks(struct report *report, const struct hash *hash, int bits)
 {
@@ -65,8 +65,8 @@ static void check_report(const struct report *report)
     }
 }
 
-/* Whether shifts of 2^24 and more along an axis are still seen: the worst V of each power of two
-   over both dimensions and all axes. */
+/* Finds the worst V for shifts of 2^24 and larger powers of two along an axis, over both dimensions
+   and all axes. */
 static void far_worst(const struct hash *hash, int bits, double worst[8])
 {
     struct workspace w;
@@ -97,7 +97,7 @@ static void test_far(int bits)
 
 #define BIT(topic) (1u << (topic))
 
-/* Whether the report rejects a hash in these topics, a set of bits. */
+/* Checks that the report rejects a hash in these topics, a set of bits. */
 static void check_rejected(const struct report *report, const char *name, unsigned topics,
                            unsigned *rejected)
 {
@@ -134,7 +134,7 @@ static void test_bad_blocks(int bits, unsigned *rejected)
           prime_hash.name);
 }
 
-/* What is bad in seeds, octaves and lines. */
+/* Tests the hashes that are bad between seeds, between octaves or along lines. */
 static void test_bad_lattices(int bits, unsigned *rejected)
 {
     struct report report;

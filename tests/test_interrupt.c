@@ -33,7 +33,7 @@ static void block_alarms(void)
     sigprocmask(SIG_BLOCK, &alarms, NULL);
 }
 
-/* What a process does that `prepare` prepares: twice it waits for a pipe that nobody writes to. */
+/* The process calls `prepare`, then waits twice for a pipe that nobody writes to. */
 static void late_signal(void (*prepare)(void))
 {
     int ends[2];
@@ -53,7 +53,7 @@ static void late_signal(void (*prepare)(void))
     _exit(3);
 }
 
-/* The status that it ends with; -1 if it has to be killed. */
+/* Runs late_signal in a process. Returns its wait status, or -1 if it has to be killed. */
 static int run(void (*prepare)(void))
 {
     const pid_t child = fork();

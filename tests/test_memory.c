@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * What calls do to memory: nothing beyond the arrays is read or written, whatever their length and
- * alignment, and outputs may lie where inputs are. Also that position in an array and length of the
- * array do not matter: every result must have the bits that one call for all points gives.
+ * Calls read and write nothing beyond the arrays, whatever their length and alignment, and outputs
+ * may lie where inputs are. Neither the place of a point nor the length of the array matters: every
+ * result has the bits that one call for all points gives.
  *
  *     test_memory ISA
  */
@@ -12,11 +12,11 @@
 
 #if GUARDED_EXISTS
 
-#define SHORT (4 * 16 + 3) /* up to here every count: four of the widest blocks and a tail */
+#define SHORT (4 * 16 + 3) /* every count up to four of the widest blocks and a tail */
 #define LONGEST 1031
 #define POINTS (LONGEST + 29)
 
-/* Then some that straddle whatever larger units the kernels work in. */
+/* Then counts near those of whole parts, which have 32 blocks or fewer (src/kernel/driver.h). */
 static const size_t long_counts[] = {127, 128, 129, 255, 257, 513, LONGEST};
 #define COUNTS (SHORT + 1 + sizeof long_counts / sizeof long_counts[0])
 
@@ -31,7 +31,7 @@ static struct outputs whole; /* results of one call for all points */
 enum place {
     AT_START,  /* right behind the guard page */
     AT_END,    /* right before the guard page */
-    UNALIGNED, /* in between: each array elsewhere */
+    UNALIGNED, /* in between, each array at another offset */
     PLACES
 };
 
@@ -58,13 +58,13 @@ static int is_unchanged(const unsigned char *p, const unsigned char *end)
     return all_poison(p, (size_t)(end - p));
 }
 
-/* Only [array, array + bytes) was written. */
+/* Whether nothing but [array, array + bytes) was written. */
 static int only_array_written(const struct guarded *g, const unsigned char *array, size_t bytes)
 {
     return is_unchanged(g->start, array) && is_unchanged(array + bytes, g->start + g->size);
 }
 
-/* `count` points from `first` on into the input pages. */
+/* Copies `count` points from `first` on into the input pages. */
 static struct inputs place_inputs(enum function f, enum place place, size_t first, size_t count)
 {
     struct inputs placed_inputs = {{NULL, NULL, NULL}, {NULL, NULL, NULL}};
@@ -85,7 +85,7 @@ static struct inputs place_inputs(enum function f, enum place place, size_t firs
     return placed_inputs;
 }
 
-/* One array, or NULL, for each output of `mask`. */
+/* Gives each output of `mask` an array, filled with poison, and the others NULL. */
 static struct outputs place_outputs(enum place place, unsigned mask, size_t count)
 {
     struct outputs o = {.capacity = count};
@@ -115,7 +115,7 @@ static void check_outputs(const struct outputs *o, unsigned mask, const struct o
     }
 }
 
-/* All counts in all places, for one kind of call. */
+/* Tries all counts in all places, for one kind of call. */
 static void test_counts(enum function f, const struct scarp_noise *noise, int order)
 {
     const unsigned mask = outputs_up_to(order, function_dimensions(f));
@@ -136,7 +136,7 @@ static void test_counts(enum function f, const struct scarp_noise *noise, int or
     }
 }
 
-/* Outputs in the very arrays of the inputs, by turns: value, gradient or Hessian over x, y, z. */
+/* Puts inputs and outputs into the same arrays: by turns, some outputs replace x, y and z. */
 static void test_in_place(enum function f, const struct scarp_noise *noise)
 {
     static const int over[][3] = {{0, 1, 2}, {1, 0, 4}, {4, 5, 7}, {7, 2, 0}, {2, 4, 1}};
@@ -181,7 +181,7 @@ static void test_samples(void)
     }
 }
 
-/* Normals of `count` points: three results, in arrays of their own or over dx and dy. */
+/* Computes the normals of `count` points, into arrays of their own or over dx and dy. */
 static void try_normals(size_t count, enum place place, int way)
 {
     const size_t first = count * 7 % (POINTS - LONGEST);

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
- * The guaranteed ranges. First the suprema of gradient noise, by which the library divides
- * (test_accuracy.c checks that it does): a proof by branch and bound. Then searches that try to
- * leave the interval of scarp_range: maximisers, extreme lattice values, random points. Then that
- * the head-room for rounding is needed.
+ * Tests the guaranteed ranges. First it proves the suprema of gradient noise, by which the library
+ * divides (test_accuracy.c checks that it does), by branch and bound. Then it searches maximisers,
+ * extreme lattice values and random points for values outside the interval of scarp_range, and
+ * checks that the head-room for rounding is needed.
  * Argument: the number of points per search.
  */
 #include "check.h"
@@ -140,7 +140,7 @@ static const double *maximiser(int dimensions, enum scarp_fade fade)
     return at[dimensions - 2][fade];
 }
 
-/* The local maximum of S next to t, by pattern search: moves t there. */
+/* Moves t to the local maximum of S next to it, by pattern search. */
 static double climb_supremum(const struct proof *proof, double t[3])
 {
     double best = first_order(proof, t, 0.0);
@@ -286,7 +286,7 @@ static void probe_and_keep(struct search *search, size_t count)
     }
 }
 
-/* From each kept point to the local extreme, by pattern search. The largest magnitude found. */
+/* Moves each kept point to the local extreme by pattern search. Returns the largest magnitude. */
 static float climb(struct search *search)
 {
     float largest = 0.0f;
@@ -328,8 +328,8 @@ static void report(struct search *search, const char *name, double reachable)
 }
 
 /*
- * Gradient noise at the maximiser of S and its images under the symmetries of the cell, in many
- * cells: those whose corners happen to have (nearly) the gradients that maximise there are kept.
+ * Samples gradient noise at the maximiser of S and its images under the symmetries of the cell, in
+ * many cells, and keeps those whose corners happen to have (nearly) the gradients that maximise it.
  * In 2D one cell in 16^4 has the very pattern; in 3D one in some 12^8 per image, so that only a
  * search of 10^8 samples is likely to meet it.
  */
@@ -391,8 +391,8 @@ static void search_headroom(int dimensions, enum scarp_fade fade)
 }
 
 /*
- * Value noise between two neighbours with extreme lattice values: of the same sign, where the
- * interpolation has no room left, and of opposite sign, where an error of the fade weighs most.
+ * Searches value noise between two neighbours with extreme lattice values: of the same sign, where
+ * the interpolation has no room left, and of opposite sign, where an error of the fade weighs most.
  */
 static void search_edges(int dimensions, enum scarp_fade fade, long samples)
 {
@@ -491,7 +491,7 @@ int main(int argc, char **argv)
         printf("usage: %s SAMPLES (at least %d)\n", argv[0], BLOCK);
         return EXIT_FAILURE;
     }
-    /* Fewer than 10^6 samples are asked for on emulated processors: a coarser proof too. */
+    /* On emulated processors fewer samples are asked for; then the proof is coarser too. */
     const int emulated = samples < 1000000;
     for (int i = 0; i < 4; i++) {
         const int dimensions = i < 2 ? 2 : 3;

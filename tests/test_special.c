@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
- * Coordinates at the edges of their formats: NaN, infinities, signed zeros, denormals, the powers
- * of two where floats lose their fraction and cells wrap, positions that overflow.
+ * Samples coordinates at the edges of their formats: NaN, infinities, signed zeros, denormals, the
+ * powers of two where floats lose their fraction and cells wrap, positions that overflow.
  *
- * The scalar kernels against the oracle, the others against the scalar ones.
+ * The scalar kernels are compared with the oracle, the others with the scalar ones.
  *
  *     test_special ISA [STRIDE]    takes each STRIDE-th pair of numbers only; a prime above 5
  */
@@ -18,9 +18,9 @@ static float f32[3][PICKS];
 static double f64[3][PICKS];
 static const struct inputs in = {{f32[0], f32[1], f32[2]}, {f64[0], f64[1], f64[2]}};
 static struct outputs scalar, tested;
-static int points; /* of the PICKS that are in use */
+static int points; /* in use, PICKS at most */
 
-/* Sizes with their neighbours, then some without; each with both signs. */
+/* These come with their neighbours, and with both signs. */
 static const double edges[] = {1.0, 0x1p23, 0x1p24, 0x1p31, 0x1p32, 0x1p51, 0x1p52, 0x1p53, 0x1p62};
 static const double plain[] = {0.0, 0x1p-140, 0x1p-126, 0x1p-64,      0x1p-31, 0x1p-25, 0x1p-24,
                                0.5, 1.5,      3.25,     0x1p22 + 0.5, 1e30,    0x1p126};
@@ -53,7 +53,7 @@ static int specials(double *list, int doubles)
     return 2 * n;
 }
 
-/* All pairs in (x, y), anything in z. */
+/* Makes all pairs of special numbers in x and y, and random ones in z. */
 static void make_points(int stride)
 {
     double list[2][SPECIALS_MAX];
@@ -100,7 +100,7 @@ static void call(enum function f, const struct scarp_noise *noise, size_t count,
     CHECK(status == SCARP_OK, "%s: %s", function_names[f], scarp_status_text(status));
 }
 
-/* Whether all positions of point i are finite, or 0 to 1: -1 where turned axes hide the answer. */
+/* Whether all positions of point i are finite: 1 or 0, or -1 where turned axes hide the answer. */
 static int finite_positions(enum function f, const struct scarp_noise *noise, int i)
 {
     int small = 1;
@@ -127,7 +127,7 @@ static int finite_positions(enum function f, const struct scarp_noise *noise, in
     return small;
 }
 
-/* Every output of a point is NaN, or none is: as the header says which. */
+/* Either every output of a point is NaN, or none is; scarp.h says when. */
 static void expect_nan_rule(enum function f, const struct scarp_noise *noise)
 {
     for (int i = 0; i < points; i++) {
@@ -167,7 +167,8 @@ static int beyond_cells(const struct oracle *oracle, const double x[3])
     return 0;
 }
 
-/* How many points of one call the oracle could check. Bounds are those of test_accuracy.c. */
+/* Compares one call with the oracle, within the bounds of test_accuracy.c. Returns how many points
+   the oracle could check. */
 static int compare_with_oracle(enum function f, const struct scarp_noise *noise)
 {
     static const double bounds[ORDERS] = {7e-7, 2e-6, 8e-6};
@@ -198,7 +199,7 @@ static int compare_with_oracle(enum function f, const struct scarp_noise *noise)
     return compared;
 }
 
-/* The reference itself against the oracle. */
+/* Compares the scalar kernels with the oracle. */
 static void test_against_oracle(void)
 {
     for (int i = 0; i < FUNCTIONS * NOISES; i++) {
@@ -309,7 +310,7 @@ static void test_float_cells(void)
 
 #define FIELD 512
 
-/* How many of the outputs `value` change when `shift` is added along axis d. */
+/* How many points have other outputs after `shift` is added along axis d. */
 static int changed_by(enum function f, const struct scarp_noise *noise, int d, double shift,
                       double x[3][FIELD])
 {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * How much stack the calls take: each of them runs on a thread whose stack of 64 KiB was painted
- * before, in front of a page that cannot be touched. POSIX threads only.
+ * Measures how much stack the calls take: each of them runs on a thread whose stack of 64 KiB was
+ * painted before, in front of a page that cannot be touched. POSIX threads only.
  *
  *     test_stack ISA
  */
@@ -76,7 +76,7 @@ static size_t touched(const struct guarded *stack, struct job *job)
 }
 
 struct worst {
-    size_t bytes, nothing; /* of a thread that calls nothing */
+    size_t bytes, nothing; /* `nothing`: of a thread that makes no call */
     char what[100];
 };
 

@@ -2,7 +2,7 @@
  *
  * Any thread may call any function at any time. Threads that start together make the very first
  * calls of a process, many processes over; then threads select instruction sets while others
- * sample. All must always get the same bits. To be run under ThreadSanitizer, too.
+ * sample. All must always get the same bits. It also runs under ThreadSanitizer.
  */
 #if !defined(_WIN32)
 #define _POSIX_C_SOURCE 200809L
@@ -38,7 +38,7 @@ struct worker {
     uint64_t hash;
 };
 
-/* All threads leave here at once. */
+/* Waits until all threads have arrived. */
 static void start_together(void)
 {
     atomic_fetch_sub(&waiting, 1);
@@ -98,7 +98,7 @@ static void *first_call(void *argument)
     return NULL;
 }
 
-/* In a process that has called nothing of the library yet. */
+/* Must run in a process that has called nothing of the library yet. */
 static int race_first_call(void)
 {
     struct worker workers[THREADS];

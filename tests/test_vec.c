@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Every vector operation of an instruction set against plain C.
+ * Compares every vector operation of an instruction set with plain C.
  *
  *     test_vec ISA
  *
@@ -20,8 +20,8 @@ static int lanes;
 #define DIFFERENT(a, b) ((a) != (b))
 
 /*
- * RUN(name, in, out, different, format): a function that gives an operation all `count` values, in
- * each lane, and compares with `wanted` of each.
+ * RUN(name, in, out, different, format) defines a function that gives an operation all `count`
+ * values, in each lane, and compares each result with that of `wanted`.
  */
 #define RUN(name, in_type, out_type, different, format)                                            \
     static void name(const char *what, void (*operation)(out_type *, const in_type *),             \
@@ -50,7 +50,7 @@ RUN(run_df, double, float, DIFFERENT32, "of %a: %a, not %a")
 RUN(run_fd, float, double, DIFFERENT64, "of %a: %a, not %a")
 RUN(run_du, double, uint32_t, DIFFERENT, "of %a: %#x, not %#x")
 
-/* Integral floats only: what becomes of others is not promised. */
+/* It is given integral floats only: vec.h promises nothing of others. */
 static uint32_t u_from_f(float a)
 {
     return a >= -0x1p31f && a < 0x1p31f ? (uint32_t)(int32_t)a : 0x80000000u;
@@ -163,8 +163,8 @@ static void test_sets(void)
     }
 }
 
-/* COPY(name, type): a function that loads and stores at every distance from an aligned address, and
-   looks at what is written before and behind. */
+/* COPY(name, type) defines a function that loads and stores at every distance from an aligned
+   address, and checks that nothing before or behind is written. */
 #define SPACE (4 * LANES_MAX)
 #define COPY(name, type)                                                                           \
     static void name(const char *what, void (*copy)(type *, const type *), int step)               \
@@ -196,7 +196,7 @@ static void test_memory(void)
     test_copy_f("stream", ops->stream, lanes);
 }
 
-/* Every upper 16 bits, every number of the entry in every lane; below them anything. */
+/* Makes a hash per lane: its upper 16 bits come from `upper`, those below are extreme or random. */
 static void make_hashes(uint32_t *hash, uint32_t upper, uint64_t *state)
 {
     static const uint32_t below[] = {0, 0xffff, 0x8000, 0x7fff};
@@ -236,7 +236,7 @@ static void test_lookup(void)
     }
 }
 
-/* Every entry in every lane, the other lanes asking for random ones. */
+/* Asks for every entry in every lane, and for random ones in the others. */
 static void test_permute(void)
 {
     float entries[TABLE_MAX + LANES_MAX];

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Each vector operation of each instruction set against plain C. The files of src/simd are compiled
-# once more, with the operations in place of the kernels.
+# Compares each vector operation of each instruction set with plain C. The files of src/simd are
+# compiled once more, with the operations in place of the kernels.
 
 set(vec_sources ${scarp_sources})
 list(FILTER vec_sources INCLUDE REGEX src/simd/)

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
-# Mistakes that the tests must notice, one or more for each stage of the kernels.
+# Lists mistakes that the tests must notice, one or more for each stage of the kernels, for the
+# outputs and for the plan.
 #
 #   mutant(stage.mistake IN path... TEXT [[text]] BECOMES [[text]] SEEN_BY test [SETS set...])
 #

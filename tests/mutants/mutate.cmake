@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-# Copies the library's sources with every mistake of list.cmake in them, each behind a condition of its
-# own, so that one compilation serves all of them; and writes mutants.c, which switches on the one that
-# SCARP_MUTANT in the environment names. A mistake whose text is not found exactly once makes the
-# programs fail that are asked for it.
+# Copies the library's sources with every mistake of list.cmake in them, each behind a condition of
+# its own, so that one compilation serves all of them; and writes mutants.c, which switches on the
+# one that SCARP_MUTANT in the environment names. If the text of a mistake is not found exactly
+# once, the programs that are asked for that mistake fail.
 #
 #   cmake -D FROM=src -D TO=folder -D FILES=a.c;kernel/b.h -P mutate.cmake
 

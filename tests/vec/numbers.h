@@ -43,8 +43,8 @@ static inline uint64_t bits_of_double(double a)
     return bits;
 }
 
-/* Whether a float has a fraction is decided by the bit that stands for a half and those below, at
-   each exponent another one: single bits, all bits below, all from it on. */
+/* At each exponent another bit stands for a half; it and those below decide whether a float has a
+   fraction. So each bit comes alone, with all below it, and with all from it on. */
 static inline void make_floats(void)
 {
     uint64_t state = 1;
@@ -62,7 +62,7 @@ static inline void make_floats(void)
     }
 }
 
-/* Bit 28 is the half of what float can hold, and of its smallest denormals a higher one. */
+/* Bit 28 is half a unit in the last place of a float; for denormal floats a higher bit is. */
 static inline void make_doubles(void)
 {
     static const uint64_t tie = UINT64_C(1) << 28, odd = UINT64_C(1) << 29;
@@ -89,7 +89,7 @@ static inline void make_doubles(void)
             number_d[numbers_d++] = double_of(bits | UINT64_C(1) << 63);
         }
     }
-    /* every bit of a fraction, and the ties of each denormal float */
+    /* Each bit of a fraction, and the ties of denormal floats. */
     for (uint64_t exponent = 1; exponent < 110; exponent++) {
         for (int bit = 0; bit < 52; bit++) {
             const uint64_t e = exponent < 55 ? 1022 + exponent : 870 + exponent - 55;
@@ -108,7 +108,7 @@ static inline void make_numbers32(void)
             number_bits32[numbers32++] = near[i];
             number_bits32[numbers32++] = 0u - near[i];
         }
-        /* the ties of integers above 2^24 */
+        /* Ties of integers above 2^24. */
         for (uint32_t i = 0; i < 64; i++) {
             number_bits32[numbers32++] = one | i << (bit > 8 ? bit - 8 : 0);
             number_bits32[numbers32++] = (one | i << (bit > 25 ? bit - 25 : 0)) + (i & 1);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * The table of table.h for one instruction set. Included by each src/simd/kernels_<isa>.c in place
- * of the kernels (src/simd/body.h), after its operations and inside its target region.
+ * Makes the table of table.h for one instruction set. Included by each src/simd/kernels_<isa>.c in
+ * place of the kernels (src/simd/body.h), after its operations and inside its target region.
  */
 #include "table.h"
 

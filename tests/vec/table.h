@@ -18,7 +18,7 @@ struct vec_operations {
     void (*copy_f)(float *out, const float *in);
     void (*copy_u)(uint32_t *out, const uint32_t *in);
     void (*copy_d)(double *out, const double *in);
-    void (*stream)(float *out, const float *in); /* out is aligned to all lanes */
+    void (*stream)(float *out, const float *in); /* out is aligned to a vector */
     void (*set_f)(float *out, float a);
     void (*set_u)(uint32_t *out, uint32_t a);
     void (*set_d)(double *out, double a);
@@ -38,9 +38,9 @@ struct vec_operations {
     void (*not_equal)(uint32_t *out, const float *a, const float *b);
     void (*lookup)(float *out, const struct lookup *table, const uint32_t *hash);
     void (*lookup_top)(float *out, const struct lookup_top *table, const uint32_t *hash);
-    /* entries has VF_TABLE floats; the index has `next` added after vf_index */
+    /* `entries` has VF_TABLE floats. With `next`, VF_INDEX_NEXT is added to the index. */
     void (*permute)(float *out, const float *entries, const uint32_t *index, int next);
-    /* the same after the floats in `after` were slid in */
+    /* The same, after the floats of `after` were slid in. */
     void (*slide)(float *out, const float *entries, const float *after, const uint32_t *index);
 };
 
