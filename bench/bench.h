@@ -40,7 +40,7 @@ struct bench_report {
     size_t count;
 };
 
-/* platform.c: what the operating system knows */
+/* platform.c asks the operating system. */
 double bench_seconds(void); /* processor time of this thread */
 int bench_is_terminal_stderr(void);
 void bench_cpu_name(char *name, size_t size);

@@ -56,7 +56,7 @@ static void write_rect(FILE *file, const struct rect *rect, const char *color, c
             rect->x, rect->y, rect->width, rect->height, color, opacity);
 }
 
-/* A colour per library, scarp's first; libraries beyond them share the last */
+/* A colour per library, scarp's first; the libraries beyond the list share its last. */
 static const char *color_of(const char *library)
 {
     static const struct {
@@ -79,7 +79,7 @@ static int belongs(const struct bench_row *row, const struct panel *panel)
     return strcmp(name, panel->work) == 0;
 }
 
-/* The panels, in order of appearance, into panels[report->count]. Returns how many there are. */
+/* Puts the panels, in order of appearance, into panels[report->count]. Returns their number. */
 static size_t collect_panels(const struct bench_report *report, struct panel *panels)
 {
     size_t count = 0;
@@ -104,7 +104,7 @@ static double panel_height(const struct panel *panel)
     return PANEL_TITLE + (double)panel->bars * BAR + AXIS;
 }
 
-/* 1, 2 or 5 times a power of ten, so that there are 3 to 6 of them up to `most` */
+/* Chooses 1, 2 or 5 times a power of ten, so that 3 to 6 ticks fit up to `most`. */
 static double tick_distance(double most)
 {
     const double power = pow(10, floor(log10(most / 3)));
@@ -163,7 +163,8 @@ static void write_panel(FILE *file, const struct bench_report *report, const str
     }
 }
 
-/* Rows of one or two panels, from `y` down; with `file` NULL only the end is computed. */
+/* Writes rows of one or two panels, from `y` down. Returns where they end; with `file` NULL it only
+   computes that. */
 static double write_panels(FILE *file, const struct bench_report *report,
                            const struct panel *panels, size_t count, double y)
 {

@@ -7,8 +7,8 @@
 
 #define CHUNK 512
 
-/* A power of two, so that x + STEP is exact for coordinates below 2^15: no error but those of
-   the method itself, truncation and cancellation. */
+/* A power of two, so that x + STEP is exact for coordinates below 2^15: only the method itself
+   makes errors, by truncation and cancellation. */
 #define STEP 0x1p-8f
 
 static void shift(size_t count, const float *x, float step, float *shifted)

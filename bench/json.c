@@ -56,7 +56,7 @@ void bench_write_json(FILE *file, const struct bench_report *report)
 
 struct reader {
     FILE *file;
-    int next; /* the character that is looked at, EOF at the end */
+    int next; /* the next character, or EOF at the end */
 };
 
 static void advance(struct reader *in)
@@ -83,7 +83,7 @@ static int take(struct reader *in, int mark)
     return 1;
 }
 
-/* A string into text[size], cut if it is longer */
+/* Reads a string into text[size], and cuts it if it is longer. */
 static int read_string(struct reader *in, char *text, size_t size)
 {
     size_t length = 0;
@@ -171,7 +171,7 @@ static int read_row(struct reader *in, struct bench_row *row)
     return take(in, '}') && row->points > 0 && row->median > 0 && row->work[0] != '\0';
 }
 
-/* The first result for a workload, library and instruction set counts. */
+/* Adds a row, unless there is one for its workload, library and instruction set. */
 static int add_row(struct bench_report *report, const struct bench_row *row)
 {
     if (bench_find_row(report, row->work, row->library, row->isa) != NULL) {

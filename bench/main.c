@@ -17,7 +17,7 @@
 #include "subject.h"
 #include "work.h"
 
-/* What was selected, and what its measurement needs */
+/* The selected subjects, and what their measurement needs. */
 struct selection {
     struct bench_subject *subjects;
     size_t count;
@@ -43,7 +43,7 @@ static int is_wanted(const struct bench_options *options, const char *name)
     return options->work == NULL;
 }
 
-/* Those on request are listed like all others, but measured only by their whole name. */
+/* Workloads on request are listed like all others, but measured only by their whole name. */
 static int is_selected(const struct bench_options *options, const struct bench_work *work)
 {
     if (options->list || !work->on_request) {
@@ -80,7 +80,7 @@ static int add_subjects(struct selection *selection, const struct bench_options 
     return BENCH_SUCCESS;
 }
 
-/* Every part of --work must name something that can be measured. */
+/* Checks that every part of --work names something that can be measured. */
 static int check_patterns(const struct selection *selection, const struct bench_options *options)
 {
     const char *list = options->work;
@@ -264,7 +264,7 @@ static int read_reports(const struct bench_options *options, struct bench_report
     return filter_rows(options, report);
 }
 
-/* Whether the file can be written, without leaving a trace of the question */
+/* Checks that the file can be written, and leaves it as it was. */
 static int check_writable(const char *option, const char *name)
 {
     if (name == NULL || (strcmp(option, "--json") == 0 && strcmp(name, "-") == 0)) {

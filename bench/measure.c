@@ -23,8 +23,8 @@ static double time_slice(const struct bench_subject *subject, unsigned long iter
     return bench_seconds() - start;
 }
 
-/* How many calls fill a slice. Doubles until a run is long enough to measure, then scales up; one
-   that is longer than the slice is believed at once. */
+/* Finds how many calls fill a slice. Doubles them until a run is long enough to measure, then
+   scales up. The first run does not count unless it fills the slice by itself. */
 static void calibrate(const struct bench_method *method, struct bench_subject *subject)
 {
     const double slice = method->min_time / method->repeat;
@@ -48,7 +48,7 @@ static void calibrate(const struct bench_method *method, struct bench_subject *s
     subject->timed = 0;
 }
 
-/* Whether it is timed in this pass, so that its turns spread evenly over all passes */
+/* Whether the subject is timed in this pass: its turns are spread evenly over all passes. */
 static int has_turn(const struct bench_subject *subject, int pass, int repeat)
 {
     return (pass + 1) * subject->turns / repeat > pass * subject->turns / repeat;

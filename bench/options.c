@@ -68,7 +68,7 @@ static int parse_text(const struct option *option, const char *text, void *field
     return 1;
 }
 
-/* Texts between commas, none of them empty */
+/* Takes texts between commas, none of them empty. */
 static int parse_list(const struct option *option, const char *text, void *field)
 {
     const size_t length = strlen(text);
@@ -91,7 +91,7 @@ int bench_next_part(const char **list, char *part, size_t size)
     return 1;
 }
 
-/* "an instruction set: ", and all that the library knows; written before anything is parsed. */
+/* "an instruction set: " and the names of all; it is written before anything is parsed. */
 static char isas_allowed[160];
 
 static void write_isas_allowed(void)

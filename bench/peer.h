@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * What a peer, another library measured beside scarp, has to offer. One file peer_<library>.c or
- * .cpp each; which of them were found when this was built is known to peers.c.
+ * .cpp each; peers.c lists those that were found when this was built.
  */
 #ifndef SCARP_BENCH_PEER_H
 #define SCARP_BENCH_PEER_H
@@ -21,10 +21,11 @@ struct bench_peer {
     void *(*open)(const struct bench_work *work, enum scarp_isa isa);
     void (*close)(void *state);
 
-    /* The noise at (x[0][i], x[1][i], x[2][i]), for each i < count, into value[i] */
+    /* Writes the noise at (x[0][i], x[1][i], x[2][i]) to value[i], for each i < count. */
     void (*points)(const void *state, size_t count, const float *const x[3], float *value);
 
-    /* The noise on the grid of the workload that the state was opened for. NULL: not offered. */
+    /* Writes the noise on the grid of the workload that the state was opened for. NULL if the peer
+       has no grids. */
     void (*grid)(const void *state, const struct bench_work *work, float *value);
 };
 

@@ -28,8 +28,8 @@ static void *stb_open(const struct bench_work *work, enum scarp_isa isa)
     return state;
 }
 
-/* Its ridged sum weights an octave by (1 - |n|)^2 of the one before: neither doubled nor clamped,
-   and without what that one was weighted by. */
+/* Its ridged sum weights an octave by (1 - |n|)^2 of the one before, neither doubled nor clamped,
+   and leaves out the weight of that one. */
 static void stb_points(const void *opaque, size_t count, const float *const x[3], float *value)
 {
     const struct stb_state *const state = opaque;

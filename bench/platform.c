@@ -66,7 +66,8 @@ static int find_cpu_name(char *name, size_t size)
 
 #elif defined(__linux__)
 
-/* The value of the first line "key : value", the key ending where the colon's space begins */
+/* Finds the first line "key : value", and copies its value. The key ends before the space in front
+   of the colon. */
 static int read_cpuinfo(const char *key, char *value, size_t size)
 {
     FILE *const file = fopen("/proc/cpuinfo", "r");

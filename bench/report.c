@@ -38,7 +38,7 @@ static void write_header(FILE *file, const struct bench_report *report, const ch
             bullet, report->repeat, report->min_time);
 }
 
-/* A row of differences, and the row whose result it approximates; NULL if that was not measured */
+/* Finds the row whose result a row of differences approximates; NULL if that was not measured. */
 static const struct bench_row *find_exact(const struct bench_report *report,
                                           const struct bench_row *row)
 {
@@ -114,7 +114,8 @@ static void write_rate(FILE *file, const struct bench_row *row)
     fprintf(file, " %.*f%s |", rate < 100 ? 1 : 0, rate, peer && row->note[0] != '\0' ? "\\*" : "");
 }
 
-/* Rows: workloads; columns: libraries and instruction sets, both in order of appearance */
+/* Writes a table: a row per workload, a column per library and instruction set, both in order of
+   appearance. */
 static void write_rates(FILE *file, const struct bench_report *report)
 {
     fprintf(file, "| million points per second |");

@@ -9,12 +9,12 @@
 
 #include "bench.h"
 
-/* Each writes the whole report; whether that arrived, ferror tells. */
+/* Each writes the whole report; ferror tells whether that failed. */
 void bench_write_text(FILE *file, const struct bench_report *report);
 void bench_write_markdown(FILE *file, const struct bench_report *report);
 void bench_write_json(FILE *file, const struct bench_report *report);
 
-/* Like these, but returns 0 without memory */
+/* Likewise, but returns 0 if memory runs out. */
 int bench_write_chart(FILE *file, const struct bench_report *report);
 
 /* Adds what bench_write_json wrote to *report: rows that it has not yet and, to an empty report,

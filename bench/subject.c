@@ -11,7 +11,7 @@
 
 #include "differences.h"
 
-/* What keeps the compiler from dropping work whose result nobody reads */
+/* Keeps the compiler from dropping work whose result nobody reads. */
 static volatile uint32_t consumed;
 
 static uint64_t splitmix64(uint64_t *state)
@@ -22,7 +22,7 @@ static uint64_t splitmix64(uint64_t *state)
     return z ^ (z >> 31);
 }
 
-/* Uniform in [0, 1), multiples of 2^-24 */
+/* Draws a multiple of 2^-24, uniform in [0, 1). */
 static float uniform(uint64_t *state)
 {
     return (float)(splitmix64(state) >> 40) * 0x1p-24f;
@@ -43,7 +43,7 @@ static void fill_points(const struct bench_arrays *arrays, size_t count)
     }
 }
 
-/* How many of the output arrays the workload writes, or leaves out between others */
+/* Counts the output arrays up to the last one that the workload writes. */
 static int count_outputs(const struct bench_work *work)
 {
     if (work->layout == BENCH_NORMALS) {
@@ -68,13 +68,14 @@ void bench_sizes_raise(struct bench_sizes *sizes, const struct bench_work *work)
 
 #define CACHE_LINE 64
 
-/* Begins with a cache line (not on Windows): large grids gain by it. Zeroed, so that its pages
-   exist before anything is timed. Never empty: that may be NULL, too. */
+/* Makes an array that begins with a cache line (not on Windows), by which large grids gain. It is
+   zeroed, so that its pages exist before anything is timed, and never empty, so that NULL always
+   means an error. */
 static void *make_array(size_t count, size_t element)
 {
     const size_t size = (count * element / CACHE_LINE + 1) * CACHE_LINE;
 #ifdef _WIN32
-    void *const array = malloc(size); /* what free() takes */
+    void *const array = malloc(size); /* memory that free() takes */
 #else
     void *const array = aligned_alloc(CACHE_LINE, size);
 #endif
@@ -130,8 +131,8 @@ static int make_scarp(struct bench_subject *subject, const struct bench_work *wo
     return scarp_isa_supported(subject->isa);
 }
 
-/* Peers do what all of them agree on, and those fractals that they know; the gradient comes from
-   differences where points can be moved. */
+/* Peers do what all libraries agree on, and those fractals that they know. Their gradient comes
+   from differences, where points can be moved. */
 static int make_peer(struct bench_subject *subject, const struct bench_work *work)
 {
     const struct bench_peer *const peer = subject->peer;

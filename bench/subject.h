@@ -17,7 +17,7 @@ struct bench_arrays {
     float *outputs[10];    /* in the order of struct scarp_samples */
 };
 
-/* How many elements they need: grids read no points, and few workloads write all outputs */
+/* How many elements the arrays need: grids read no points, and few workloads write all outputs. */
 struct bench_sizes {
     size_t points, outputs[10];
 };
@@ -49,10 +49,10 @@ int bench_subject_make(struct bench_subject *subject, const struct bench_work *w
                        const struct bench_peer *peer, enum scarp_isa isa);
 void bench_subject_free(struct bench_subject *subject);
 
-/* How the gradient comes about, where not in closed form: "central differences"; otherwise "" */
+/* Says how the gradient is made: "central differences" for example, or "" for a closed form. */
 const char *bench_subject_note(const struct bench_subject *subject);
 
-/* Whether the call works at all; to be asked once, before anything is timed */
+/* Makes the call once, to see whether it works. Ask this before anything is timed. */
 enum scarp_status bench_subject_try(const struct bench_subject *subject);
 
 /* Runs the workload that many times. */

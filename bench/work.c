@@ -27,7 +27,7 @@ enum {
 };
 
 struct product {
-    struct bench_work work; /* what all have in common; zero: the default */
+    struct bench_work work; /* what all have in common; 0 means the default */
     unsigned bases, outputs;
     const size_t *sizes[2]; /* in 2D and 3D: numbers of points, or of samples along an edge of a
                                grid. They end in 0; NULL: the standard */
@@ -53,7 +53,7 @@ static const struct product products[] = {
     {{.fractal = SCARP_EROSION, .octaves = 8},
      .bases = GRADIENT,
      .outputs = UP_TO_GRADIENT | DIFFERENCES},
-    /* As terrain is made: heights and slopes from one call */
+    /* Terrain is made like this: heights and slopes from one call. */
     {{.fractal = SCARP_EROSION, .octaves = 8, .turned = 1, .dimensions = 2},
      .bases = BOTH_BASES,
      .outputs = ONLY_GRADIENT},
@@ -86,7 +86,7 @@ static const struct product products[] = {
     {{.layout = BENCH_GRID, .fractal = SCARP_EROSION, .octaves = 8, .dimensions = 2},
      .bases = GRADIENT,
      .outputs = UP_TO_GRADIENT},
-    /* 1 GB: far beyond all caches */
+    /* 1 GB is far beyond all caches. */
     {{.layout = BENCH_GRID, .dimensions = 2, .on_request = 1},
      .bases = GRADIENT,
      .outputs = ONLY_VALUE,
@@ -124,12 +124,12 @@ static void write_name(struct bench_work *work)
              output_names[work->output], size);
 }
 
-/* `size` as in struct product */
+/* Completes the workload; `size` is one of those in struct product. */
 static void complete(struct bench_work *work, size_t size)
 {
-    /* Off the lattice planes. Grids that begin on one have samples that miss others by rounding
-       alone; where it is by less than 1e-12, fades are denormal numbers, which slow many processors
-       down. */
+    /* The origin is off the lattice planes. Grids that begin on one have samples that miss others
+       by rounding alone; where it is by less than 1e-12, fades are denormal numbers, which slow
+       many processors down. */
     static const float origin[3] = {3.3371f, 4.437f, 5.533f};
     if (work->octaves == 0) {
         work->octaves = 1;
@@ -157,7 +157,7 @@ static const size_t *sizes_of(const struct product *product, int dimensions)
     return standard_sizes;
 }
 
-/* Like get_from_product, but only those that have the basis and the dimensions set in `work` */
+/* Like get_from_product, but keeps the basis and the dimensions that `work` has. */
 static int get_from_sizes(const struct product *product, size_t *index, struct bench_work *work)
 {
     const float *const steps = product->steps != NULL ? product->steps : standard_steps;

@@ -52,7 +52,7 @@ struct bench_work {
     float step;      /* of BENCH_GRID and BENCH_SEQUENTIAL: cells between samples */
 };
 
-/* The workload number `index`, counted from 0, into *work. Returns 0 when there are no more. */
+/* Puts workload number `index`, counted from 0, into *work. Returns 0 when there are no more. */
 int bench_work_get(size_t index, struct bench_work *work);
 
 /* Whether `pattern` means the workload `name`: `*` is any text and `?` any character of a whole

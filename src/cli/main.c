@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The program scarp: finds the command and hands over.
+ * The program scarp: finds the command and calls it.
  */
 #include <errno.h>
 #include <stdbool.h>

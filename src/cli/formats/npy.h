@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * The header of NumPy's .npy files: versions 1.0, 2.0 and 3.0 are read, 1.0 is written. Knows
- * nothing of points; used by whatever reads or writes arrays.
+ * The header of NumPy's .npy files: versions 1.0, 2.0 and 3.0 are read, 1.0 is written. It
+ * knows nothing of points. Whatever reads or writes arrays uses it.
  */
 #ifndef SCARP_CLI_NPY_H
 #define SCARP_CLI_NPY_H

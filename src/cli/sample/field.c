@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Fields of CSV (RFC 4180, one line each) and of text.
+ * Finds fields in CSV (RFC 4180, one line per record) and in text.
  */
 #include "sample/field.h"
 

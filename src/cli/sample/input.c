@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Reading by the system's own call: stdio has none that returns what there is.
+ * Reads by the system's own call: stdio has none that returns what there is.
  */
 #include "sample/input.h"
 

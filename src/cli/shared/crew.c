@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * The crew by POSIX threads, and without them. Workers stay until the crew is closed: a farm's run
- * has thousands of tiles, each of which takes milliseconds.
+ * The crew, with POSIX threads and without them. Workers stay until the crew is closed: a farm's
+ * run has thousands of tiles, each of which takes milliseconds.
  */
 #if defined(__linux__) && !defined(_GNU_SOURCE)
 #define _GNU_SOURCE /* for sched_getaffinity */

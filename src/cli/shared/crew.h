@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * A crew of threads that do one piece of work together. A thread that the system refuses is done
- * without: the caller's own is always there, so work is never left undone. Without POSIX threads it
- * is the only one. Signals go to the caller's thread.
+ * A crew of threads that do one piece of work together. If the system refuses a thread, the others
+ * do its work: the caller's own is always there. Without POSIX threads it is the only one. Signals
+ * go to the caller's thread.
  */
 #ifndef SCARP_CLI_CREW_H
 #define SCARP_CLI_CREW_H

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Signal handlers remember, and see to it that nothing waits for ever.
+ * Signal handlers remember the signal, and make sure that no call waits for ever.
  */
 #include "shared/interrupt.h"
 

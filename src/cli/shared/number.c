@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * strtod and snprintf, in the C locale, which the program never leaves.
+ * Uses strtod and snprintf in the C locale, which the program never leaves.
  */
 #include "shared/number.h"
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The values of options as JSON, each kind as it reads best.
+ * Writes the values of options as JSON, each kind as it reads best.
  */
 #include <math.h>
 #include <stdint.h>

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Paths by the calls of POSIX. Windows has neither the links nor the synchronisation.
+ * Handles paths by the calls of POSIX. On Windows, links are not followed and directories are not
+ * synchronised.
  */
 #include "shared/path.h"
 

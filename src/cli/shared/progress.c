@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Progress on the terminal: a tick every 2.5 %, every fourth one a number.
+ * Prints progress on the terminal: a tick every 2.5 %, of which every fourth is a number.
  */
 #include "shared/progress.h"
 

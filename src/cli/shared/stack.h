@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * How much stack a thread takes; and the first thread's stack, which the system enlarges only when
- * it is used, and by a signal tells then that it cannot.
+ * it is used: if it cannot then, a signal ends the program.
  */
 #ifndef SCARP_CLI_STACK_H
 #define SCARP_CLI_STACK_H

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * A name has the machine's and the process's in it, so that whoever finds the file knows whose it
- * is, and a number that no other process of that name has, in another container for instance.
- * Nothing depends on locks: they only tell the processes of containers from dead ones.
+ * A name contains the machine and the process, so that whoever finds the file knows whose it is,
+ * and a number that no other process of that name has, in another container for instance. Nothing
+ * depends on locks: they only tell the processes of containers from dead ones.
  */
 #include "shared/unfinished.h"
 

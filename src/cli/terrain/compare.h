@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Normals as a program makes them that has nothing but 16-bit heights: by central differences, two
- * steps apart. They are there to be compared with the normals from the gradient.
+ * Normals as made by a program that has nothing but 16-bit heights: from central differences, two
+ * steps apart. They are for comparison with the normals from the gradient.
  */
 #ifndef SCARP_CLI_COMPARE_H
 #define SCARP_CLI_COMPARE_H

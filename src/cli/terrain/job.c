@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * From tile to tile: claimed, looked for, written, finished.
+ * Takes each tile of a run: claims it, looks for its files, writes and finishes them.
  */
 #include "terrain/job.h"
 

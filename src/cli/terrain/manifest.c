@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The manifest: made once, without anything that locks, and compared by text.
+ * Makes the manifest once, without locks, and compares it as text.
  */
 #include "terrain/manifest.h"
 

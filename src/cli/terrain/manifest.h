@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * What all files of a world have in common, as JSON in a file beside them. The run that comes first
- * makes it, all others compare: files of one world are never mixed with those of another. It also
- * tells runs that share a world which tiles the others are at.
+ * makes it, all others compare: files of one world are never mixed with those of another. Runs
+ * that share a world also learn from it which tiles the others are at.
  */
 #ifndef SCARP_CLI_MANIFEST_H
 #define SCARP_CLI_MANIFEST_H

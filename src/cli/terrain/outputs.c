@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * File names: which format they ask for, what they become for a tile, and that no two are the same.
+ * Finds which format a file name asks for and what it becomes for a tile, and refuses equal names.
  */
 #include "terrain/outputs.h"
 

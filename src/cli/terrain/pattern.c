@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Placeholders: found, checked and replaced.
+ * Finds, checks and replaces placeholders.
  */
 #include "terrain/pattern.h"
 

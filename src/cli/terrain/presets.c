@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The presets. What each looks like is in the README.
+ * The presets. The README shows what they look like.
  */
 #include "terrain/presets.h"
 

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * What `scarp terrain` can be asked for.
+ * The options of `scarp terrain`, parsed.
  */
 #ifndef SCARP_CLI_TERRAIN_OPTIONS_H
 #define SCARP_CLI_TERRAIN_OPTIONS_H

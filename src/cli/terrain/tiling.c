@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Tiles in rows from the top left.
+ * Counts tiles row by row, from the top left.
  */
 #include "terrain/tiling.h"
 
