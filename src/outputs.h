@@ -12,14 +12,9 @@ enum { VALUE, DX, DY, DZ, DXX, DXY, DXZ, DYY, DYZ, DZZ, OUTPUTS };
 /* An array for each output, NULL where it is not asked for. */
 struct scarp_outputs {
     float *array[OUTPUTS];
-    unsigned asked; /* a bit for each output that is */
 };
 
-/* The bits of the outputs of each order, and of those along z. */
-enum {
-    OUTPUTS_OF_ORDER1 = 1 << DX | 1 << DY | 1 << DZ,
-    OUTPUTS_OF_ORDER2 = 1 << DXX | 1 << DXY | 1 << DXZ | 1 << DYY | 1 << DYZ | 1 << DZZ,
-    OUTPUTS_ALONG_Z = 1 << DZ | 1 << DXZ | 1 << DYZ | 1 << DZZ
-};
+/* How many outputs there are up to an order: they are the first ones. */
+#define OUTPUTS_UP_TO(order) ((order) == 0 ? DX : (order) == 1 ? DXX : OUTPUTS)
 
 #endif

@@ -43,33 +43,38 @@ static int is_finite_f64(double value)
     return (u.bits & exponent) != exponent;
 }
 
-/* The arrays of `out`. This is the only place that knows them by name. */
+/* Lists the arrays of `out`. No other place knows them by name. */
 static struct scarp_outputs outputs_of(const struct scarp_samples *out)
 {
-    struct scarp_outputs outputs = {.asked = 0};
-#define OUTPUT(i, member)                                                                          \
-    outputs.array[i] = out->member;                                                                \
-    outputs.asked |= (unsigned)(out->member != NULL) << (i)
-    OUTPUT(VALUE, value);
-    OUTPUT(DX, dx);
-    OUTPUT(DY, dy);
-    OUTPUT(DZ, dz);
-    OUTPUT(DXX, dxx);
-    OUTPUT(DXY, dxy);
-    OUTPUT(DXZ, dxz);
-    OUTPUT(DYY, dyy);
-    OUTPUT(DYZ, dyz);
-    OUTPUT(DZZ, dzz);
-#undef OUTPUT
+    const struct scarp_outputs outputs = {{
+        [VALUE] = out->value,
+        [DX] = out->dx,
+        [DY] = out->dy,
+        [DZ] = out->dz,
+        [DXX] = out->dxx,
+        [DXY] = out->dxy,
+        [DXZ] = out->dxz,
+        [DYY] = out->dyy,
+        [DYZ] = out->dyz,
+        [DZZ] = out->dzz,
+    }};
     return outputs;
 }
 
-/* The highest order of the outputs asked for: 0, 1 or 2. */
+/* Whether outputs from one to before another are asked for. */
+static int any_asked(const struct scarp_outputs *out, int from, int end)
+{
+    uintptr_t bits = 0;
+    for (int i = from; i < end; i++) {
+        bits |= (uintptr_t)out->array[i];
+    }
+    return bits != 0;
+}
+
+/* The highest derivative that is asked for: 0, 1 or 2. */
 static int order_of(const struct scarp_outputs *out)
 {
-    return (out->asked & OUTPUTS_OF_ORDER2) != 0   ? 2
-           : (out->asked & OUTPUTS_OF_ORDER1) != 0 ? 1
-                                                   : 0;
+    return any_asked(out, DXX, OUTPUTS) ? 2 : any_asked(out, DX, DXX);
 }
 
 /* Whether all that `out` asks for exists. In 2D derivatives along z do not; reserved members never
@@ -81,7 +86,8 @@ static int outputs_exist(int dimensions, const struct scarp_samples *out,
     for (size_t i = 0; i < COUNT_OF(out->spare); i++) {
         reserved |= (uintptr_t)out->spare[i];
     }
-    return reserved == 0 && (dimensions == 3 || (outputs->asked & OUTPUTS_ALONG_Z) == 0);
+    return reserved == 0 && (dimensions == 3 || !(outputs->array[DZ] || outputs->array[DXZ] ||
+                                                  any_asked(outputs, DYZ, OUTPUTS)));
 }
 
 /* Checks the noise and makes the plan of a call. */

@@ -170,7 +170,7 @@ static inline void sample_patch(uint64_t seed, enum scarp_basis kind, enum octav
             y[i] = (i / PATCH - PATCH / 2) * 0.375 / all.octave[k].frequency64;
         }
         const void *const position[3] = {x, y, NULL};
-        const struct scarp_outputs out = {{[VALUE] = values[k]}, 1 << VALUE};
+        const struct scarp_outputs out = {{[VALUE] = values[k]}};
         scarp_kernels_scalar.points2_f64(&plan, PATCH * PATCH, position, &out);
     }
 }

@@ -53,8 +53,10 @@ static const struct basis bases[] = {
 struct call {
     const struct scarp_plan *plan;
     int dimensions, basis_order;
+    enum layout layout;                  /* of the positions */
+    lattice_pass *const *lattice_passes; /* by axes */
     points_pass *points_pass;
-    rows_pass *rows_pass;  /* NULL: none */
+    rows_pass *rows_pass;  /* NULL: none, or points */
     shape_pass *turn_pass; /* NULL where no derivatives are to be turned */
     const struct shape *shape;
     shape_pass *shape_pass; /* NULL: none */
@@ -62,38 +64,38 @@ struct call {
     int plain; /* whether it is fBm with straight axes */
 };
 
-static struct call call_of(const struct scarp_plan *plan, int dimensions)
+VEC_INLINE void call_begin(struct call *call, const struct scarp_plan *plan, int dimensions,
+                           enum layout layout)
 {
     const struct shape *const shape = &shapes[plan->fractal];
-    const int order = plan->order + shape->extra_order;
-    struct call call = {.plan = plan, .dimensions = dimensions, .basis_order = order};
-    call.shape = shape;
-    call.points_pass = bases[plan->basis].points[dimensions - 2][order];
-    call.rows_pass = bases[plan->basis].rows[dimensions - 2][order];
-    call.shape_pass = shape->pass[dimensions - 2][plan->order];
-    if (plan->rotate && plan->order > 0 && !shape->own_axes) {
-        call.turn_pass = turn_passes[dimensions - 2][plan->order - 1];
-    }
-    call.lattice_size = lattice_size(dimensions);
-    if (call.shape_pass != NULL || call.turn_pass != NULL) {
-        call.noise_size = sample_size(dimensions, order);
-    }
-    call.state_size = state_size(plan, dimensions);
-    call.plain = call.shape_pass == NULL && !plan->rotate;
-    return call;
+    const int d = dimensions - 2, order = plan->order + shape->extra_order;
+    const int turns = plan->rotate && plan->order > 0 && !shape->own_axes;
+    call->plan = plan;
+    call->dimensions = dimensions;
+    call->basis_order = order;
+    call->layout = layout;
+    call->lattice_passes = lattice_passes[d][layout];
+    call->points_pass = bases[plan->basis].points[d][order];
+    call->rows_pass = layout == ROW ? bases[plan->basis].rows[d][order] : NULL;
+    call->turn_pass = turns ? turn_passes[d][plan->order - 1] : NULL;
+    call->shape = shape;
+    call->shape_pass = shape->pass[d][plan->order];
+    call->lattice_size = lattice_size(dimensions);
+    call->noise_size = turns || call->shape_pass != NULL ? sample_size(dimensions, order) : 0;
+    call->state_size = state_size(plan, dimensions);
+    call->plain = call->shape_pass == NULL && !plan->rotate;
 }
 
 /* A part of a call. Points count as one row. */
 struct part {
-    struct extent extent;
-    enum layout layout;
+    struct placed placed;
     struct positions at;             /* ROW: x for all rows, and z */
     const double *y;                 /* ROW: the y of each row, padded to whole vectors */
     const struct outputs *sums, *to; /* all octaves but the last are added up in `sums` */
     const struct outputs *stored;    /* the noise before it is shaped, at `noise` */
     enum put put;                    /* how a rows pass puts an octave that it does not add */
     struct row_octave *row_octave;   /* of a ROW */
-    vf *lattice, *noise, *state, *spare, *sums_stored;
+    vf *noise, *state, *spare, *sums_stored;
 };
 
 /* Copies the first `count` samples of row r of `stored` to the caller's arrays, from `first` on. */
@@ -109,36 +111,40 @@ static void copy_out(const struct scarp_outputs *out, size_t first, const struct
     }
 }
 
+/* Whether octave k of a grid goes through the rows pass. */
+static int takes_rows_pass(const struct call *call, int k)
+{
+    return call->rows_pass != NULL && axes_of(call->plan, k) != AXES_TURNED;
+}
+
 /* Places the part on the lattice of octave k. */
 static void place_part(const struct call *call, const struct part *part, int k)
 {
-    lattice_pass *const pass =
-        lattice_passes[call->dimensions - 2][part->layout][axes_of(call->plan, k)];
-    if (part->layout != ROW) {
-        pass(part->lattice, &call->plan->octave[k], part->extent.blocks, &part->at);
+    lattice_pass *const pass = call->lattice_passes[axes_of(call->plan, k)];
+    if (call->layout != ROW) {
+        pass(part->placed.lattice, &call->plan->octave[k], part->placed.extent.blocks, &part->at);
         return;
     }
     struct positions at = part->at;
-    for (size_t r = 0; r < part->extent.rows; r++) {
+    for (size_t r = 0; r < part->placed.extent.rows; r++) {
         at.shared[1] = part->y[r];
-        pass(part->lattice + r * part->extent.blocks * call->lattice_size, &call->plan->octave[k],
-             part->extent.blocks, &at);
+        pass(part->placed.lattice + r * part->placed.extent.blocks * call->lattice_size,
+             &call->plan->octave[k], part->placed.extent.blocks, &at);
     }
 }
 
 /* Adds octave k of the basis, times its weights, to `from`, and puts the sum in `to`. A rows pass
    adds it to what is in `to`. */
-static void add_basis(const struct call *call, const struct part *part, int k,
-                      const struct weights *weights, struct sums from, const struct outputs *to)
+VEC_INLINE void add_basis(const struct call *call, const struct part *part, int k,
+                          const struct weights *weights, struct sums from, const struct outputs *to)
 {
-    if (part->layout == ROW && call->rows_pass != NULL && axes_of(call->plan, k) != AXES_TURNED) {
+    if (takes_rows_pass(call, k)) {
         const enum put put = k > 0 && call->plain ? PUT_ADD : part->put;
-        call->rows_pass(part->row_octave, part->extent.rows, weights, to, put);
+        call->rows_pass(part->row_octave, part->placed.extent.rows, weights, to, put);
         return;
     }
-    const struct placed at = {part->lattice, part->extent, call->plan->fade};
     place_part(call, part, k);
-    call->points_pass(&at, weights, from, to);
+    call->points_pass(&part->placed, weights, from, to);
 }
 
 /* Does the same with octave k shaped. The noise is stored times the weights of its outputs; times
@@ -149,7 +155,8 @@ static void add_shaped(const struct call *call, const struct part *part, int k, 
 {
     const struct scarp_octave *const o = &call->plan->octave[k];
     const enum axes axes = axes_of(call->plan, k);
-    const struct shaping shaping = {call->plan, o, axes, part->extent, part->noise, part->state};
+    const struct shaping shaping = {call->plan,          o,           axes,
+                                    part->placed.extent, part->noise, part->state};
     const int turns = axes == AXES_TURNED && call->turn_pass != NULL;
     const float a = turns ? 1.0f : o->amplitude;
     const struct weights own = {{a, a, a}}, straight = {{o->amplitude, o->slope, o->curvature}};
@@ -173,9 +180,6 @@ static __attribute__((noinline)) void prepare_rows(const struct call *call, cons
 {
     const struct scarp_plan *const plan = call->plan;
     const enum axes axes = axes_of(plan, k);
-    if (part->layout != ROW || call->rows_pass == NULL || axes == AXES_TURNED) {
-        return;
-    }
     double z[VEC_LANES];
     for (size_t i = 0; i < VEC_LANES; i++) {
         z[i] = part->at.shared[2];
@@ -183,10 +187,11 @@ static __attribute__((noinline)) void prepare_rows(const struct call *call, cons
     const struct positions at = {.array = {NULL, part->y, z}};
     const struct frame f = {DOUBLES, axes, call->dimensions};
     if (plan->octaves > 1 || first_part) {
-        along_x(&part->row_octave->x, &plan->octave[k], part->extent.blocks, &part->at, plan->fade,
-                axes);
+        along_x(&part->row_octave->x, &plan->octave[k], part->placed.extent.blocks, &part->at,
+                plan->fade, axes);
     }
-    along_rows(&part->row_octave->rows, &plan->octave[k], part->extent.rows, &at, plan->fade, f);
+    along_rows(&part->row_octave->rows, &plan->octave[k], part->placed.extent.rows, &at, plan->fade,
+               f);
 }
 
 /* Adds up all octaves of a part, those but the last in part->sums. */
@@ -194,12 +199,17 @@ static void sum_octaves(const struct call *call, const struct part *part, int fi
 {
     const struct scarp_plan *const plan = call->plan;
     const size_t bytes = sample_size(call->dimensions, plan->order) * sizeof(vf);
-    state_begin(plan, part->state, call->state_size, part->extent.rows * part->extent.blocks);
+    if (call->state_size > 0) {
+        state_begin(plan, part->state, call->state_size,
+                    part->placed.extent.rows * part->placed.extent.blocks);
+    }
     for (int k = 0; k < plan->octaves; k++) {
         const struct scarp_octave *const o = &plan->octave[k];
         const struct sums sums = {part->sums_stored, bytes}, from = k > 0 ? sums : no_sums;
         const struct outputs *const to = k == plan->octaves - 1 ? part->to : part->sums;
-        prepare_rows(call, part, k, first_part);
+        if (takes_rows_pass(call, k)) {
+            prepare_rows(call, part, k, first_part);
+        }
         if (call->shape_pass != NULL ||
             (call->turn_pass != NULL && axes_of(plan, k) == AXES_TURNED)) {
             add_shaped(call, part, k, from, to);

@@ -111,8 +111,8 @@ static void place_in_scratch(const struct grid_call *g, struct part *part,
     const struct part_space s = space_of(g, g->most_rows, blocks);
     struct row_octave *const octave = &scratch->octave;
     vf *const end = scratch->passes.space + SCRATCH_BYTES / sizeof(vf);
-    part->layout = ROW;
-    part->extent.blocks = blocks;
+    part->placed.extent.blocks = blocks;
+    part->placed.fade = g->call.plan->fade;
     part->row_octave = octave;
     part->y = scratch->y;
     part->at.array[0] = scratch->x;
@@ -122,8 +122,8 @@ static void place_in_scratch(const struct grid_call *g, struct part *part,
     part->sums_stored = part->state + s.state;
     octave->x.block = (struct along_block *)(part->sums_stored + s.sums);
     octave->x.hash = (vf *)(octave->x.block + blocks);
-    part->lattice = part->sums_stored + s.sums + s.along;
-    octave->table = part->lattice;
+    part->placed.lattice = part->sums_stored + s.sums + s.along;
+    octave->table = part->placed.lattice;
     octave->table_size = (size_t)(end - octave->table);
 }
 
@@ -136,22 +136,22 @@ static void grid_part(const struct grid_call *g, struct part *part, const size_t
     const size_t first = at[2] * grid->slice_stride + at[1] * grid->row_stride + at[0];
     struct outputs sums, to, stored;
     outputs_stored(&stored, part->noise, g->call.dimensions, g->call.basis_order,
-                   part->extent.blocks);
+                   part->placed.extent.blocks);
     part->stored = &stored;
     outputs_stored(&sums, part->sums_stored, g->call.dimensions, g->call.plan->order,
-                   part->extent.blocks);
+                   part->placed.extent.blocks);
     part->sums = &sums;
     part->to = &sums;
     part->put = PUT_FIRST;
     if (!g->narrow) {
         const int aligned = at[0] % VEC_LANES == g->lead % VEC_LANES;
-        outputs_of(&to, g->out, first, grid->row_stride, part->spare);
+        outputs_of(&to, g->out, g->call.plan->order, first, grid->row_stride, part->spare);
         part->to = &to;
         part->sums = g->direct ? &to : &sums;
         part->put = g->streams && aligned ? PUT_STREAM : PUT_FIRST;
     }
     sum_octaves(&g->call, part, at[1] == 0);
-    for (size_t r = 0; g->narrow && r < part->extent.rows; r++) {
+    for (size_t r = 0; g->narrow && r < part->placed.extent.rows; r++) {
         copy_out(g->out, first + r * grid->row_stride, &sums, r, count);
     }
 }
@@ -169,9 +169,9 @@ static void grid_strip(const struct grid_call *g, struct grid_scratch *scratch, 
         scratch->x[n] = coordinate(grid, 0, i + least(n, count - 1));
     }
     for (size_t j = 0; j < grid->count[1]; j += g->most_rows) {
-        part.extent.rows = least(grid->count[1] - j, g->most_rows);
-        for (size_t r = 0; r < part.extent.rows || r % VEC_LANES != 0; r++) {
-            scratch->y[r] = coordinate(grid, 1, j + (r < part.extent.rows ? r : 0));
+        part.placed.extent.rows = least(grid->count[1] - j, g->most_rows);
+        for (size_t r = 0; r < part.placed.extent.rows || r % VEC_LANES != 0; r++) {
+            scratch->y[r] = coordinate(grid, 1, j + (r < part.placed.extent.rows ? r : 0));
         }
         const size_t at[3] = {i, j, k};
         grid_part(g, &part, at, count);
@@ -239,7 +239,8 @@ static void grid(const struct scarp_plan *plan, const struct scarp_grid *describ
                  const struct scarp_outputs *out, int dimensions)
 {
     struct grid_scratch scratch;
-    struct grid_call g = {.grid = described, .out = out, .call = call_of(plan, dimensions)};
+    struct grid_call g = {.grid = described, .out = out};
+    call_begin(&g.call, plan, dimensions, ROW);
     g.direct = g.call.rows_pass != NULL && g.call.plain;
     g.narrow = described->count[0] < VEC_LANES;
     place_streams(&g);

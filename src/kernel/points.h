@@ -20,8 +20,8 @@ static size_t place_points(const struct call *call, struct part *part, struct sc
         call->lattice_size + call->noise_size + call->state_size + 1 + (sums ? size : 0);
     const size_t room = sizeof scratch->space / sizeof(vf) - (sums ? 0 : PADDED_BLOCKS * size);
     const size_t blocks = PART_BLOCKS * each <= room ? PART_BLOCKS : room / each;
-    part->lattice = scratch->space;
-    part->noise = part->lattice + blocks * call->lattice_size;
+    part->placed.lattice = scratch->space;
+    part->noise = part->placed.lattice + blocks * call->lattice_size;
     part->state = part->noise + blocks * call->noise_size;
     part->spare = part->state + blocks * call->state_size;
     part->sums_stored = part->spare + blocks;
@@ -33,8 +33,8 @@ static void points_whole(const struct call *call, struct part *part, size_t coun
                          const struct scarp_outputs *out, size_t first)
 {
     struct outputs to;
-    part->extent.blocks = count / VEC_LANES;
-    outputs_of(&to, out, first, 0, part->spare);
+    part->placed.extent.blocks = count / VEC_LANES;
+    outputs_of(&to, out, call->plan->order, first, 0, part->spare);
     part->to = &to;
     sum_octaves(call, part, 1);
 }
@@ -45,7 +45,7 @@ static void points_whole(const struct call *call, struct part *part, size_t coun
 static void points_padded(const struct call *call, struct part *part, size_t count,
                           const struct scarp_outputs *out, size_t first)
 {
-    const size_t bytes = part->layout == DOUBLES ? sizeof(double) : sizeof(float);
+    const size_t bytes = call->layout == DOUBLES ? sizeof(double) : sizeof(float);
     const size_t blocks = (count + VEC_LANES - 1) / VEC_LANES;
     double padded[3][PADDED_BLOCKS * VEC_LANES];
     for (int d = 0; d < call->dimensions; d++) {
@@ -54,7 +54,7 @@ static void points_padded(const struct call *call, struct part *part, size_t cou
         memset(copy + count * bytes, 0, (blocks * VEC_LANES - count) * bytes);
         part->at.array[d] = copy;
     }
-    part->extent.blocks = blocks;
+    part->placed.extent.blocks = blocks;
     part->to = part->sums;
     sum_octaves(call, part, 1);
     copy_out(out, first, part->sums, 0, count);
@@ -63,13 +63,14 @@ static void points_padded(const struct call *call, struct part *part, size_t cou
 static void points(const struct scarp_plan *plan, size_t count, const void *const position[3],
                    const struct scarp_outputs *out, int dimensions, enum layout layout)
 {
-    const struct call call = call_of(plan, dimensions);
+    struct call call;
+    call_begin(&call, plan, dimensions, layout);
     const size_t bytes = layout == DOUBLES ? sizeof(double) : sizeof(float);
     struct scratch scratch;
     struct part part; /* the members that only grids need stay unset */
     struct outputs sums, stored;
-    part.extent.rows = 1;
-    part.layout = layout;
+    part.placed.extent.rows = 1;
+    part.placed.fade = plan->fade;
     part.sums = &sums;
     part.stored = &stored;
     const size_t most = place_points(&call, &part, &scratch) * VEC_LANES;

@@ -44,7 +44,7 @@ struct sample {
     } while (0)
 
 /* Vectors of a sample that is stored without its unset members. */
-static size_t sample_size(int dimensions, int order)
+VEC_INLINE size_t sample_size(int dimensions, int order)
 {
     static const unsigned char sizes[2][3] = {{1, 3, 6}, {1, 4, 10}};
     return sizes[dimensions - 2][order];
@@ -99,7 +99,7 @@ VEC_INLINE void outputs_next_row(struct outputs *outputs, struct variant v)
 static void outputs_stored(struct outputs *to, vf *stored, int dimensions, int order, size_t blocks)
 {
     to->block = sample_size(dimensions, order) * VEC_LANES;
-    for (int i = 0; i < OUTPUTS; i++) {
+    for (int i = 0; i < OUTPUTS_UP_TO(order); i++) {
         to->array[i] = (float *)(stored + stored_at(i, dimensions));
         to->row[i] = blocks * to->block;
     }
@@ -107,11 +107,11 @@ static void outputs_stored(struct outputs *to, vf *stored, int dimensions, int o
 
 /* Describes the caller's arrays from sample `first` on, whose rows are `row` floats apart. `spare`,
    which has room for a row, takes what nobody asked for. */
-static void outputs_of(struct outputs *to, const struct scarp_outputs *out, size_t first,
+static void outputs_of(struct outputs *to, const struct scarp_outputs *out, int order, size_t first,
                        size_t row, vf *spare)
 {
     to->block = VEC_LANES;
-    for (int i = 0; i < OUTPUTS; i++) {
+    for (int i = 0; i < OUTPUTS_UP_TO(order); i++) {
         const int asked = out->array[i] != NULL;
         to->array[i] = asked ? out->array[i] + first : (float *)spare;
         to->row[i] = asked ? row : 0;

@@ -68,7 +68,7 @@ VEC_INLINE struct sample basis_sample(const vf *lattice, enum scarp_fade kind, s
 
 /* Positions on the lattice of an octave. */
 struct placed {
-    const vf *lattice;
+    vf *lattice;
     struct extent extent;
     enum scarp_fade fade;
 };
