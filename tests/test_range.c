@@ -70,7 +70,7 @@ static double first_order(const struct proof *proof, const double m[3], double h
         slope[i][0] = -slope[i][1];
     }
     for (int corner = 0; corner < 1 << d; corner++) {
-        double w = 1.0, dw[3] = {1.0, 1.0, 1.0}, best[8];
+        double w = 1.0, dw[3] = {1.0, 1.0, 1.0}, best[8] = {0.0};
         for (int i = 0; i < d; i++) {
             const int side = corner >> i & 1;
             w *= weight[i][side];
