@@ -23,8 +23,11 @@
 #define PART_BLOCKS 32
 
 /* The scratch space holds what is between the passes. With this size, a call takes less than 48 KiB
-   of stack. Parts have fewer blocks where a block needs much. */
+   of stack. Parts have fewer blocks where a block needs much. A set whose frames are larger has
+   less. */
+#ifndef SCRATCH_BYTES
 #define SCRATCH_BYTES (27 * 1024)
+#endif
 
 struct scratch {
     vf space[SCRATCH_BYTES / sizeof(vf)];

@@ -10,6 +10,12 @@
 
 #include "vec_generic.h"
 
+/* Processors without vectors of 16 bytes: the compiler takes vectors apart, and keeps the pieces in
+   frames that are up to three times as large. Parts are smaller there. */
+#if !defined(__SSE2__) && !defined(__ARM_NEON) && !defined(__ALTIVEC__)
+#define SCRATCH_BYTES (20 * 1024)
+#endif
+
 #define KERNELS scarp_kernels_generic
 #define KERNELS_ISA SCARP_ISA_GENERIC
 #include KERNELS_BODY
