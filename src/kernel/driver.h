@@ -92,12 +92,13 @@ VEC_INLINE void call_begin(struct call *call, const struct scarp_plan *plan, int
 /* A part of a call. Points count as one row. */
 struct part {
     struct placed placed;
-    struct positions at;             /* ROW: x for all rows, and z */
-    const double *y;                 /* ROW: the y of each row, padded to whole vectors */
-    const struct outputs *sums, *to; /* all octaves but the last are added up in `sums` */
-    const struct outputs *stored;    /* the noise before it is shaped, at `noise` */
-    enum put put;                    /* how a rows pass puts an octave that it does not add */
-    struct row_octave *row_octave;   /* of a ROW */
+    struct positions at;           /* ROW: x for all rows, and z */
+    const double *y;               /* ROW: the y of each row, padded to whole vectors */
+    const struct outputs *to;      /* where octaves are added up */
+    const struct outputs *stored;  /* the noise before it is shaped, at `noise` */
+    enum put put;                  /* how the first octave is put */
+    size_t group;                  /* ROW: how many rows go through the passes at once */
+    struct row_octave *row_octave; /* of a ROW */
     vf *noise, *state, *spare, *sums_stored;
 };
 
@@ -106,11 +107,15 @@ static void copy_out(const struct scarp_outputs *out, size_t first, const struct
                      size_t r, size_t count)
 {
     for (int i = 0; i < OUTPUTS; i++) {
-        for (size_t n = 0; out->array[i] != NULL && n < count; n += VEC_LANES) {
-            const float *const block =
-                stored->array[i] + r * stored->row[i] + n / VEC_LANES * stored->block;
-            memcpy(out->array[i] + first + n, block, least(count - n, VEC_LANES) * sizeof(float));
+        if (out->array[i] == NULL) {
+            continue;
         }
+        const float *from = stored->array[i] + r * stored->row[i];
+        float *to = out->array[i] + first, *const end = to + count;
+        for (; (size_t)(end - to) >= VEC_LANES; to += VEC_LANES, from += stored->block) {
+            vf_store(to, vf_load(from));
+        }
+        memcpy(to, from, (size_t)(end - to) * sizeof(float));
     }
 }
 
@@ -136,25 +141,23 @@ static void place_part(const struct call *call, const struct part *part, int k)
     }
 }
 
-/* Adds octave k of the basis, times its weights, to `from`, and puts the sum in `to`. A rows pass
-   adds it to what is in `to`. */
+/* Adds octave k of the basis, times its weights, to `to`, or puts it there. */
 VEC_INLINE void add_basis(const struct call *call, const struct part *part, int k,
-                          const struct weights *weights, struct sums from, const struct outputs *to)
+                          const struct weights *weights, const struct outputs *to, enum put put)
 {
     if (takes_rows_pass(call, k)) {
-        const enum put put = k > 0 && call->plain ? PUT_ADD : part->put;
         call->rows_pass(part->row_octave, part->placed.extent.rows, weights, to, put);
         return;
     }
     place_part(call, part, k);
-    call->points_pass(&part->placed, weights, from, to);
+    call->points_pass(&part->placed, weights, to, put);
 }
 
 /* Does the same with octave k shaped. The noise is stored times the weights of its outputs; times
    the amplitude alone for shapes that take it in its own axes; as it is where the turn brings the
    weights. */
-static void add_shaped(const struct call *call, const struct part *part, int k, struct sums from,
-                       const struct outputs *to)
+static void add_shaped(const struct call *call, const struct part *part, int k,
+                       const struct outputs *to, enum put put)
 {
     const struct scarp_octave *const o = &call->plan->octave[k];
     const enum axes axes = axes_of(call->plan, k);
@@ -163,16 +166,49 @@ static void add_shaped(const struct call *call, const struct part *part, int k, 
     const int turns = axes == AXES_TURNED && call->turn_pass != NULL;
     const float a = turns ? 1.0f : o->amplitude;
     const struct weights own = {{a, a, a}}, straight = {{o->amplitude, o->slope, o->curvature}};
-    add_basis(call, part, k, turns || call->shape->own_axes ? &own : &straight, no_sums,
-              part->stored);
+    add_basis(call, part, k, turns || call->shape->own_axes ? &own : &straight, part->stored,
+              PUT_FIRST);
     if (turns && call->shape_pass == NULL) {
-        call->turn_pass(&shaping, from, to);
+        call->turn_pass(&shaping, to, put);
         return;
     }
     if (turns) {
-        call->turn_pass(&shaping, no_sums, part->stored);
+        call->turn_pass(&shaping, part->stored, PUT_FIRST);
     }
-    call->shape_pass(&shaping, from, to);
+    call->shape_pass(&shaping, to, put);
+}
+
+/* Adds octave k on a part, or on some of its rows. */
+static void add_octave(const struct call *call, const struct part *part, int k,
+                       const struct outputs *to)
+{
+    const struct scarp_octave *const o = &call->plan->octave[k];
+    const enum put put = k > 0 ? PUT_ADD : part->put;
+    if (call->shape_pass != NULL ||
+        (call->turn_pass != NULL && axes_of(call->plan, k) == AXES_TURNED)) {
+        add_shaped(call, part, k, to, put);
+    } else {
+        const struct weights weights = {{o->amplitude, o->slope, o->curvature}};
+        add_basis(call, part, k, &weights, to, put);
+    }
+}
+
+/* Adds octave k on a part of a grid, some rows at a time, so that what is between its passes stays
+   in the first-level cache. */
+static void add_by_groups(const struct call *call, const struct part *whole, int k)
+{
+    const size_t rows = whole->placed.extent.rows, blocks = whole->placed.extent.blocks;
+    struct part part = *whole;
+    struct outputs to = *whole->to;
+    for (size_t r = 0; r < rows; r += whole->group) {
+        const size_t here = least(rows - r, whole->group);
+        part.placed.extent.rows = here;
+        part.row_octave->begin = r;
+        add_octave(call, &part, k, &to);
+        part.y += here;
+        part.state += here * blocks * call->state_size;
+        outputs_move(&to, call->plan->order, here);
+    }
 }
 
 /* Prepares octave k along the axes of a grid. What depends on x is kept for the parts below if
@@ -197,28 +233,22 @@ static __attribute__((noinline)) void prepare_rows(const struct call *call, cons
                f);
 }
 
-/* Adds up all octaves of a part, those but the last in part->sums. */
+/* Adds up all octaves of a part. */
 static void sum_octaves(const struct call *call, const struct part *part, int first_part)
 {
     const struct scarp_plan *const plan = call->plan;
-    const size_t bytes = sample_size(call->dimensions, plan->order) * sizeof(vf);
     if (call->state_size > 0) {
         state_begin(plan, part->state, call->state_size,
                     part->placed.extent.rows * part->placed.extent.blocks);
     }
     for (int k = 0; k < plan->octaves; k++) {
-        const struct scarp_octave *const o = &plan->octave[k];
-        const struct sums sums = {part->sums_stored, bytes}, from = k > 0 ? sums : no_sums;
-        const struct outputs *const to = k == plan->octaves - 1 ? part->to : part->sums;
         if (takes_rows_pass(call, k)) {
             prepare_rows(call, part, k, first_part);
         }
-        if (call->shape_pass != NULL ||
-            (call->turn_pass != NULL && axes_of(plan, k) == AXES_TURNED)) {
-            add_shaped(call, part, k, from, to);
+        if (call->layout == ROW) {
+            add_by_groups(call, part, k);
         } else {
-            const struct weights weights = {{o->amplitude, o->slope, o->curvature}};
-            add_basis(call, part, k, &weights, from, to);
+            add_octave(call, part, k, part->to);
         }
     }
 }

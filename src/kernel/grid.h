@@ -3,20 +3,17 @@
  * Evaluates grids. Included by table.h.
  *
  * A slice is cut into strips, some blocks wide, and each strip into parts, some rows high. Octaves
- * of fBm with straight axes are added up in the caller's arrays; such parts are large, since they
- * need little between the passes (rows/rows.h). Other parts are as large as the scratch space
- * permits.
+ * are added up in the caller's arrays. Parts of fBm with straight axes are large, since they need
+ * nothing between the passes but tables (rows/rows.h). Other parts are as large as the scratch
+ * space permits.
  */
 #ifndef SCARP_KERNEL_GRID_H
 #define SCARP_KERNEL_GRID_H
 
 #include "driver.h"
 
-/* The most blocks of a row of a part whose noise goes through the scratch space, and how few rows
-   it may have before it gets narrower instead. Such parts are narrow, so that what depends on x
-   serves several rows. */
-#define NOISE_BLOCKS 8
-#define NOISE_ROWS_LEAST 3
+/* How many blocks go through the passes at once if their noise goes through the scratch space. */
+#define GROUP_BLOCKS 32
 
 /* A call streams its outputs if they have this many bytes. On Zen 5 with 32 MiB of third-level
    cache, streaming is faster above 8 MiB, but who reads the outputs next finds nothing in the
@@ -30,12 +27,13 @@ struct grid_call {
     const struct scarp_grid *grid;
     const struct scarp_outputs *out;
     struct call call;
-    int direct;  /* whether octaves are added up in the caller's arrays: fBm with straight axes of a
-                    basis with a rows pass */
+    int direct;  /* whether nothing is stored between passes: fBm with straight axes of a basis with
+                    a rows pass */
     int narrow;  /* whether a row is less than a block: then its samples are stored first */
     int streams; /* whether outputs go past the caches, where they are aligned to a vector */
     size_t lead; /* then: how many samples of a row lie before its first cache line */
     size_t most_rows, most_blocks; /* of a part */
+    size_t group;                  /* how many rows of a part go through the passes at once */
 };
 
 struct grid_scratch {
@@ -55,20 +53,25 @@ struct part_space {
     size_t along, by_turns, noise, state, sums;
 };
 
+/* How many rows of that many blocks go through the passes at once. */
+static size_t group_of(const struct grid_call *g, size_t blocks)
+{
+    return g->direct ? PART_ROWS : blocks < GROUP_BLOCKS ? GROUP_BLOCKS / blocks : 1;
+}
+
 static struct part_space space_of(const struct grid_call *g, size_t rows, size_t blocks)
 {
     const struct call *const call = &g->call;
     const size_t table =
         call->rows_pass ? table_size_of(call->dimensions, call->basis_order, blocks) : 0;
-    const size_t lattice = g->direct ? 0 : rows * blocks * call->lattice_size;
+    const size_t rows_at_once = least(rows, g->group);
+    const size_t lattice = g->direct ? 0 : rows_at_once * blocks * call->lattice_size;
     const struct part_space space = {
         .along = call->rows_pass ? along_size(blocks) : 0,
         .by_turns = table > lattice ? table : lattice,
-        .noise = rows * blocks * call->noise_size,
+        .noise = rows_at_once * blocks * call->noise_size,
         .state = rows * blocks * call->state_size,
-        .sums = g->direct && !g->narrow
-                    ? 0
-                    : rows * blocks * sample_size(call->dimensions, call->plan->order),
+        .sums = g->narrow ? rows * blocks * sample_size(call->dimensions, call->plan->order) : 0,
     };
     return space;
 }
@@ -81,26 +84,20 @@ static int fits(const struct grid_call *g, size_t rows, size_t blocks)
            SCRATCH_BYTES;
 }
 
-/* Decides how large parts are. */
+/* Decides how large parts are. What depends on x is prepared for each part, what depends on y for
+   each row of a part: so neither gets much larger than the other. */
 static void size_parts(struct grid_call *g)
 {
-    if (g->direct && !g->narrow) {
-        g->most_rows = PART_ROWS;
-        g->most_blocks = STRIP_BLOCKS;
-        while (!fits(g, g->most_rows, g->most_blocks)) {
-            g->most_blocks--;
-        }
-        return;
-    }
-    g->most_blocks = g->narrow ? 1 : NOISE_BLOCKS;
-    g->most_rows = PART_BLOCKS / g->most_blocks;
+    g->most_rows = PART_ROWS;
+    g->most_blocks = g->narrow ? 1 : STRIP_BLOCKS;
+    g->group = group_of(g, g->most_blocks);
     while (!fits(g, g->most_rows, g->most_blocks)) {
-        if (g->most_rows > NOISE_ROWS_LEAST || g->most_blocks == 1) {
+        if (g->most_blocks == 1 || (g->most_rows > g->most_blocks && !g->direct)) {
             g->most_rows--;
         } else {
-            g->most_blocks /= 2;
-            g->most_rows = PART_BLOCKS / g->most_blocks;
+            g->most_blocks--;
         }
+        g->group = group_of(g, g->most_blocks);
     }
 }
 
@@ -140,14 +137,13 @@ static void grid_part(const struct grid_call *g, struct part *part, const size_t
     part->stored = &stored;
     outputs_stored(&sums, part->sums_stored, g->call.dimensions, g->call.plan->order,
                    part->placed.extent.blocks);
-    part->sums = &sums;
     part->to = &sums;
+    part->group = g->group;
     part->put = PUT_FIRST;
     if (!g->narrow) {
         const int aligned = at[0] % VEC_LANES == g->lead % VEC_LANES;
         outputs_of(&to, g->out, g->call.plan->order, first, grid->row_stride, part->spare);
         part->to = &to;
-        part->sums = g->direct ? &to : &sums;
         part->put = g->streams && aligned ? PUT_STREAM : PUT_FIRST;
     }
     sum_octaves(&g->call, part, at[1] == 0);

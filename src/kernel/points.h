@@ -28,12 +28,19 @@ static size_t place_points(const struct call *call, struct part *part, struct sc
     return blocks;
 }
 
-/* Computes whole blocks of points. */
-static void points_whole(const struct call *call, struct part *part, size_t count,
-                         const struct scarp_outputs *out, size_t first)
+/* Computes whole blocks of points. Several octaves are added up in `sums`, since outputs may be
+   where coordinates are. */
+static void points_whole(const struct call *call, struct part *part, const struct outputs *sums,
+                         size_t count, const struct scarp_outputs *out, size_t first)
 {
     struct outputs to;
     part->placed.extent.blocks = count / VEC_LANES;
+    if (call->plan->octaves > 1) {
+        part->to = sums;
+        sum_octaves(call, part, 1);
+        copy_out(out, first, sums, 0, count);
+        return;
+    }
     outputs_of(&to, out, call->plan->order, first, 0, part->spare);
     part->to = &to;
     sum_octaves(call, part, 1);
@@ -42,8 +49,8 @@ static void points_whole(const struct call *call, struct part *part, size_t coun
 /* Computes at most PADDED_BLOCKS blocks, of which the last one may be incomplete. Padded copies
    make sure that nothing beyond an array is touched. The padding is 0, which raises no
    floating-point exception. */
-static void points_padded(const struct call *call, struct part *part, size_t count,
-                          const struct scarp_outputs *out, size_t first)
+static void points_padded(const struct call *call, struct part *part, const struct outputs *sums,
+                          size_t count, const struct scarp_outputs *out, size_t first)
 {
     const size_t bytes = call->layout == DOUBLES ? sizeof(double) : sizeof(float);
     const size_t blocks = (count + VEC_LANES - 1) / VEC_LANES;
@@ -55,9 +62,9 @@ static void points_padded(const struct call *call, struct part *part, size_t cou
         part->at.array[d] = copy;
     }
     part->placed.extent.blocks = blocks;
-    part->to = part->sums;
+    part->to = sums;
     sum_octaves(call, part, 1);
-    copy_out(out, first, part->sums, 0, count);
+    copy_out(out, first, sums, 0, count);
 }
 
 static void points(const struct scarp_plan *plan, size_t count, const void *const position[3],
@@ -71,7 +78,7 @@ static void points(const struct scarp_plan *plan, size_t count, const void *cons
     struct outputs sums, stored;
     part.placed.extent.rows = 1;
     part.placed.fade = plan->fade;
-    part.sums = &sums;
+    part.put = PUT_FIRST;
     part.stored = &stored;
     const size_t most = place_points(&call, &part, &scratch) * VEC_LANES;
     if (plan->octaves > 1 || count % VEC_LANES != 0) {
@@ -87,9 +94,9 @@ static void points(const struct scarp_plan *plan, size_t count, const void *cons
         }
         if (here % VEC_LANES == 0 || here > PADDED_BLOCKS * VEC_LANES) {
             here -= here % VEC_LANES;
-            points_whole(&call, &part, here, out, first);
+            points_whole(&call, &part, &sums, here, out, first);
         } else {
-            points_padded(&call, &part, here, out, first);
+            points_padded(&call, &part, &sums, here, out, first);
         }
     }
 }

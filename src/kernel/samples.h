@@ -85,12 +85,29 @@ struct extent {
     size_t rows, blocks; /* blocks of each row */
 };
 
+/* Copies what a pass of that variant uses: nothing that it stores can alias a copy. */
+VEC_INLINE void outputs_copy(struct outputs *to, const struct outputs *from, struct variant v)
+{
+#define DO(i, member, rank) to->array[i] = from->array[i], to->row[i] = from->row[i]
+    EACH_OUTPUT(v, DO);
+#undef DO
+    to->block = from->block;
+}
+
 /* Moves on by a row. */
 VEC_INLINE void outputs_next_row(struct outputs *outputs, struct variant v)
 {
 #define DO(i, member, rank) outputs->array[i] += outputs->row[i]
     EACH_OUTPUT(v, DO);
 #undef DO
+}
+
+/* Moves on by that many rows. */
+static void outputs_move(struct outputs *outputs, int order, size_t rows)
+{
+    for (int i = 0; i < OUTPUTS_UP_TO(order); i++) {
+        outputs->array[i] += rows * outputs->row[i];
+    }
 }
 
 /* Describes samples that are stored one after the other, `blocks` to a row. (This and outputs_of
@@ -118,48 +135,14 @@ static void outputs_of(struct outputs *to, const struct scarp_outputs *out, int 
     }
 }
 
-/* Sums so far: stored samples, `step` bytes apart (not vectors: gcc 12 would make a copy of every
-   loop for a step of 1). A step of 0 says that there are none yet. */
-struct sums {
-    const vf *stored;
-    size_t step;
-};
-
-static const struct sums no_sums = {NULL, 0};
-
-VEC_INLINE struct sums sums_next(struct sums sums)
-{
-    sums.stored = (const vf *)((const char *)sums.stored + sums.step);
-    return sums;
-}
-
 /* What values, gradients and Hessians are multiplied by. */
 struct weights {
     float factor[3];
 };
 
-/* to = from + weights * s at a block, `at` floats from the beginning of the row. The branch goes
-   the same way in a whole pass; a second loop would double the code. */
-VEC_INLINE void add_sample(const struct outputs *to, size_t at, struct sums from,
-                           const struct weights *w, const struct sample *s, struct variant v)
-{
-#define TERM(member, rank) (vf_set(w->factor[rank]) * s->member)
-#define FIRST(i, member, rank) vf_store(to->array[i] + at, TERM(member, rank))
-#define ADD(i, member, rank)                                                                       \
-    vf_store(to->array[i] + at, from.stored[stored_at(i, v.dimensions)] + TERM(member, rank))
-    if (from.step == 0) {
-        EACH_OUTPUT(v, FIRST);
-    } else {
-        EACH_OUTPUT(v, ADD);
-    }
-#undef ADD
-#undef FIRST
-#undef TERM
-}
-
-/* How a row of a grid is put: added to what is there, stored, or stored past the caches. PUT_STREAM
-   serves single octaves whose arrays are aligned to a vector and too large for the caches, where an
-   ordinary store would first fetch what it is about to replace. */
+/* How samples are put: added to what is there, stored, or stored past the caches. PUT_STREAM serves
+   rows of single octaves whose arrays are aligned to a vector and too large for the caches, where
+   an ordinary store would first fetch what it is about to replace. */
 enum put { PUT_ADD, PUT_FIRST, PUT_STREAM };
 
 VEC_INLINE void put_block(float *to, vf term, enum put put)
@@ -178,6 +161,18 @@ VEC_INLINE void put_sample(const struct outputs *to, size_t at, const struct wei
 #define DO(i, member, rank) put_block(to->array[i] + at, vf_set(w->factor[rank]) * s->member, put)
     EACH_OUTPUT(v, DO);
 #undef DO
+}
+
+/* Adds or stores weights * s. The branch goes the same way in a whole pass; a second loop would
+   double the code. */
+VEC_INLINE void add_sample(const struct outputs *to, size_t at, const struct weights *w,
+                           const struct sample *s, struct variant v, enum put put)
+{
+    if (put == PUT_ADD) {
+        put_sample(to, at, w, s, v, PUT_ADD);
+    } else {
+        put_sample(to, at, w, s, v, PUT_FIRST);
+    }
 }
 
 #endif

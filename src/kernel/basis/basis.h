@@ -73,27 +73,27 @@ struct placed {
     enum scarp_fade fade;
 };
 
-/* to = from + weights * basis, for every output of the variant. */
-typedef void points_pass(const struct placed *at, const struct weights *weights, struct sums from,
-                         const struct outputs *to);
+/* Adds weights * basis to `to`, or puts it there, for every output of the variant. */
+typedef void points_pass(const struct placed *at, const struct weights *weights,
+                         const struct outputs *to, enum put put);
 
 /* `fade` is at->fade, as a constant. */
 VEC_INLINE void points_run(const struct placed *at, enum scarp_fade fade,
-                           const struct weights *weights, struct sums from,
-                           const struct outputs *outputs, struct variant v)
+                           const struct weights *weights, const struct outputs *outputs,
+                           enum put put, struct variant v)
 {
     const struct weights w = *weights; /* copies: nothing that is stored can alias them */
     const struct extent extent = at->extent;
-    struct outputs to = *outputs;
+    struct outputs to;
     const vf *lattice = at->lattice;
+    outputs_copy(&to, outputs, v);
     for (size_t r = 0; r < extent.rows; r++) {
         const vf *const end = lattice + extent.blocks * lattice_size(v.dimensions);
         size_t to_at = 0;
         for (; lattice < end; lattice += lattice_size(v.dimensions)) {
             const struct sample n = basis_sample(lattice, fade, v);
-            add_sample(&to, to_at, from, &w, &n, v);
+            add_sample(&to, to_at, &w, &n, v, put);
             to_at += to.block;
-            from = sums_next(from);
         }
         outputs_next_row(&to, v);
     }
@@ -101,14 +101,14 @@ VEC_INLINE void points_run(const struct placed *at, enum scarp_fade fade,
 
 /* Decides on the fade outside the loop. */
 #define POINTS_PASS(name, basis, dimensions, order)                                                \
-    static void name(const struct placed *at, const struct weights *weights, struct sums from,     \
-                     const struct outputs *to)                                                     \
+    static void name(const struct placed *at, const struct weights *weights,                       \
+                     const struct outputs *to, enum put put)                                       \
     {                                                                                              \
         const struct variant v = {basis, dimensions, order};                                       \
         if (at->fade == SCARP_QUINTIC) {                                                           \
-            points_run(at, SCARP_QUINTIC, weights, from, to, v);                                   \
+            points_run(at, SCARP_QUINTIC, weights, to, put, v);                                    \
         } else {                                                                                   \
-            points_run(at, SCARP_CUBIC, weights, from, to, v);                                     \
+            points_run(at, SCARP_CUBIC, weights, to, put, v);                                      \
         }                                                                                          \
     }
 #define POINTS_PASSES(name, basis)                                                                 \

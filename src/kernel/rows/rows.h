@@ -18,11 +18,12 @@
 
 #include "slide.h"
 
-/* An octave on the rows of a part. `table` has `table_size` vectors for the lines of columns, which
-   hold at least one row: see table_size_of(). */
+/* An octave on the rows of a part, from row `begin` on. `table` has `table_size` vectors for the
+   lines of columns, which hold at least one row: see table_size_of(). */
 struct row_octave {
     struct along_x x;
     struct along_rows rows;
+    size_t begin;
     vf *table;
     size_t table_size;
 };
@@ -196,8 +197,8 @@ VEC_INLINE void rows_run(const struct row_octave *o, size_t rows, const struct w
         room = least(rows, (t.stride - TABLE_BLOCKS) / column_blocks);
         clear_beyond(&t, lines, room * column_blocks);
     }
-    for (size_t begin = 0; begin < rows; begin += room) {
-        const size_t end = least(rows, begin + room);
+    for (size_t begin = o->begin, last = begin + rows; begin < last; begin += room) {
+        const size_t end = least(last, begin + room);
         for (size_t r = begin; tables && r < end; r++) {
             const struct along_row row = row_of(&o->rows, r, v.dimensions);
             reduce_row(&t, &o->x, (r - begin) * column_blocks, &row, v);

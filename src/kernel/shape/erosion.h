@@ -102,13 +102,14 @@ VEC_INLINE struct sample erode(struct eroded *e, vf *d, float erosion, struct va
     return s;
 }
 
-VEC_INLINE void erosion_run(const struct shaping *shaping, struct sums from,
-                            const struct outputs *outputs, struct variant v, int is_turned)
+VEC_INLINE void erosion_run(const struct shaping *shaping, const struct outputs *outputs,
+                            enum put put, struct variant v, int is_turned)
 {
     const struct extent extent = shaping->extent;
     const vf *noise = shaping->noise;
     vf *state = shaping->state;
-    struct outputs to = *outputs;
+    struct outputs to;
+    outputs_copy(&to, outputs, v);
     const struct variant basis = {v.basis, v.dimensions, v.order + 1};
     const struct scarp_octave octave = *shaping->octave;
     const struct weights weights = {{octave.weight, octave.weight, octave.weight}};
@@ -119,9 +120,8 @@ VEC_INLINE void erosion_run(const struct shaping *shaping, struct sums from,
             struct eroded e = {.octave = &octave, .turned = is_turned};
             e.n = sample_load(noise, basis);
             const struct sample s = erode(&e, state, erosion, v);
-            add_sample(&to, to_at, from, &weights, &s, v);
+            add_sample(&to, to_at, &weights, &s, v, put);
             to_at += to.block;
-            from = sums_next(from);
             noise += sample_size(v.dimensions, v.order + 1);
             state += erosion_size(v.dimensions, v.order);
         }
@@ -130,13 +130,13 @@ VEC_INLINE void erosion_run(const struct shaping *shaping, struct sums from,
 }
 
 #define EROSION_PASS(name, dimensions, order)                                                      \
-    static void name(const struct shaping *shaping, struct sums from, const struct outputs *to)    \
+    static void name(const struct shaping *shaping, const struct outputs *to, enum put put)        \
     {                                                                                              \
         const struct variant v = {SCARP_GRADIENT, dimensions, order};                              \
         if (shaping->axes == AXES_TURNED) {                                                        \
-            erosion_run(shaping, from, to, v, 1);                                                  \
+            erosion_run(shaping, to, put, v, 1);                                                   \
         } else {                                                                                   \
-            erosion_run(shaping, from, to, v, 0);                                                  \
+            erosion_run(shaping, to, put, v, 0);                                                   \
         }                                                                                          \
     }
 

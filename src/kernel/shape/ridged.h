@@ -71,13 +71,14 @@ VEC_INLINE struct sample ridge_weight(const struct sample *s, struct variant v)
     return w;
 }
 
-VEC_INLINE void ridged_run(const struct shaping *shaping, struct sums from,
-                           const struct outputs *outputs, struct variant v)
+VEC_INLINE void ridged_run(const struct shaping *shaping, const struct outputs *outputs,
+                           enum put put, struct variant v)
 {
     const struct extent extent = shaping->extent;
     const vf *noise = shaping->noise;
     vf *state = shaping->state;
-    struct outputs to = *outputs;
+    struct outputs to;
+    outputs_copy(&to, outputs, v);
     const float weight = shaping->octave->weight;
     const struct weights weights = {{weight, weight, weight}};
     const size_t size = sample_size(v.dimensions, v.order);
@@ -90,9 +91,8 @@ VEC_INLINE void ridged_run(const struct shaping *shaping, struct sums from,
             const struct sample s = ridge(&w, &m, v);
             const struct sample next = ridge_weight(&s, v);
             sample_store(state, &next, v);
-            add_sample(&to, to_at, from, &weights, &s, v);
+            add_sample(&to, to_at, &weights, &s, v, put);
             to_at += to.block;
-            from = sums_next(from);
             noise += size;
             state += size;
         }
@@ -101,10 +101,10 @@ VEC_INLINE void ridged_run(const struct shaping *shaping, struct sums from,
 }
 
 #define RIDGED_PASS(name, dimensions, order)                                                       \
-    static void name(const struct shaping *shaping, struct sums from, const struct outputs *to)    \
+    static void name(const struct shaping *shaping, const struct outputs *to, enum put put)        \
     {                                                                                              \
         const struct variant v = {SCARP_GRADIENT, dimensions, order};                              \
-        ridged_run(shaping, from, to, v);                                                          \
+        ridged_run(shaping, to, put, v);                                                           \
     }
 
 RIDGED_PASS(ridged2_order0, 2, 0)

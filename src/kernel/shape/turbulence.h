@@ -34,12 +34,13 @@ VEC_INLINE struct sample magnitude(const struct sample *n, struct variant v)
     return m;
 }
 
-VEC_INLINE void turbulence_run(const struct shaping *shaping, struct sums from,
-                               const struct outputs *outputs, struct variant v)
+VEC_INLINE void turbulence_run(const struct shaping *shaping, const struct outputs *outputs,
+                               enum put put, struct variant v)
 {
     const struct extent extent = shaping->extent;
     const vf *noise = shaping->noise;
-    struct outputs to = *outputs;
+    struct outputs to;
+    outputs_copy(&to, outputs, v);
     const float weight = shaping->octave->weight;
     const size_t size = sample_size(v.dimensions, v.order);
     const struct weights weights = {{weight, weight, weight}};
@@ -48,9 +49,8 @@ VEC_INLINE void turbulence_run(const struct shaping *shaping, struct sums from,
         for (size_t b = 0; b < extent.blocks; b++) {
             const struct sample n = sample_load(noise, v);
             const struct sample m = magnitude(&n, v);
-            add_sample(&to, to_at, from, &weights, &m, v);
+            add_sample(&to, to_at, &weights, &m, v, put);
             to_at += to.block;
-            from = sums_next(from);
             noise += size;
         }
         outputs_next_row(&to, v);
@@ -58,10 +58,10 @@ VEC_INLINE void turbulence_run(const struct shaping *shaping, struct sums from,
 }
 
 #define TURBULENCE_PASS(name, dimensions, order)                                                   \
-    static void name(const struct shaping *shaping, struct sums from, const struct outputs *to)    \
+    static void name(const struct shaping *shaping, const struct outputs *to, enum put put)        \
     {                                                                                              \
         const struct variant v = {SCARP_GRADIENT, dimensions, order};                              \
-        turbulence_run(shaping, from, to, v);                                                      \
+        turbulence_run(shaping, to, put, v);                                                       \
     }
 
 TURBULENCE_PASS(turbulence2_order0, 2, 0)

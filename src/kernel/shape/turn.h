@@ -21,8 +21,8 @@ struct shaping {
     vf *state;
 };
 
-/* to = from + the noise shaped. `to` may be where the noise is. */
-typedef void shape_pass(const struct shaping *shaping, struct sums from, const struct outputs *to);
+/* Adds the noise, shaped, to `to`, or puts it there, which may be where the noise is. */
+typedef void shape_pass(const struct shaping *shaping, const struct outputs *to, enum put put);
 
 /* A vector in the octave's frame; z is unset in 2D. */
 struct vector {
@@ -86,12 +86,13 @@ VEC_INLINE struct sample turned(const struct scarp_octave *o, const struct sampl
     return s;
 }
 
-VEC_INLINE void turn_run(const struct shaping *shaping, struct sums from,
-                         const struct outputs *outputs, struct variant v)
+VEC_INLINE void turn_run(const struct shaping *shaping, const struct outputs *outputs, enum put put,
+                         struct variant v)
 {
     const struct extent extent = shaping->extent;
     const vf *noise = shaping->noise;
-    struct outputs to = *outputs;
+    struct outputs to;
+    outputs_copy(&to, outputs, v);
     const struct weights weights = {{1.0f, 1.0f, 1.0f}};
     const size_t size = sample_size(v.dimensions, v.order);
     const struct scarp_octave o = *shaping->octave;
@@ -100,9 +101,8 @@ VEC_INLINE void turn_run(const struct shaping *shaping, struct sums from,
         for (size_t b = 0; b < extent.blocks; b++) {
             const struct sample n = sample_load(noise, v);
             const struct sample s = turned(&o, &n, v);
-            add_sample(&to, to_at, from, &weights, &s, v);
+            add_sample(&to, to_at, &weights, &s, v, put);
             to_at += to.block;
-            from = sums_next(from);
             noise += size;
         }
         outputs_next_row(&to, v);
@@ -111,10 +111,10 @@ VEC_INLINE void turn_run(const struct shaping *shaping, struct sums from,
 
 /* Shapes are the same for every basis, so they ignore that of the variant. */
 #define TURN_PASS(name, dimensions, order)                                                         \
-    static void name(const struct shaping *shaping, struct sums from, const struct outputs *to)    \
+    static void name(const struct shaping *shaping, const struct outputs *to, enum put put)        \
     {                                                                                              \
         const struct variant v = {SCARP_GRADIENT, dimensions, order};                              \
-        turn_run(shaping, from, to, v);                                                            \
+        turn_run(shaping, to, put, v);                                                             \
     }
 
 TURN_PASS(turn2_order1, 2, 1)
