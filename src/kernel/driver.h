@@ -94,7 +94,7 @@ struct part {
     struct placed placed;
     struct positions at;           /* ROW: x for all rows, and z */
     const double *y;               /* ROW: the y of each row, padded to whole vectors */
-    const struct outputs *to;      /* where octaves are added up */
+    struct outputs *to;            /* where octaves are added up */
     const struct outputs *stored;  /* the noise before it is shaped, at `noise` */
     enum put put;                  /* how the first octave is put */
     size_t group;                  /* ROW: how many rows go through the passes at once */
@@ -194,21 +194,27 @@ static void add_octave(const struct call *call, const struct part *part, int k,
 }
 
 /* Adds octave k on a part of a grid, some rows at a time, so that what is between its passes stays
-   in the first-level cache. */
-static void add_by_groups(const struct call *call, const struct part *whole, int k)
+   in the first-level cache. The part is as before in the end. (A copy of it would wait until what
+   was written in narrow stores has left the core: see outputs_stored.) */
+static void add_by_groups(const struct call *call, struct part *part, int k)
 {
-    const size_t rows = whole->placed.extent.rows, blocks = whole->placed.extent.blocks;
-    struct part part = *whole;
-    struct outputs to = *whole->to;
-    for (size_t r = 0; r < rows; r += whole->group) {
-        const size_t here = least(rows - r, whole->group);
-        part.placed.extent.rows = here;
-        part.row_octave->begin = r;
-        add_octave(call, &part, k, &to);
-        part.y += here;
-        part.state += here * blocks * call->state_size;
-        outputs_move(&to, call->plan->order, here);
+    const size_t rows = part->placed.extent.rows;
+    const size_t state_of_row = part->placed.extent.blocks * call->state_size;
+    const double *const y = part->y;
+    vf *const state = part->state;
+    for (size_t r = 0, here; r < rows; r += here) {
+        here = least(rows - r, part->group);
+        part->placed.extent.rows = here;
+        part->row_octave->begin = r;
+        part->y = y + r;
+        part->state = state + r * state_of_row;
+        add_octave(call, part, k, part->to);
+        outputs_move(part->to, call->plan->order, here);
     }
+    outputs_move(part->to, call->plan->order, 0 - rows);
+    part->placed.extent.rows = rows;
+    part->y = y;
+    part->state = state;
 }
 
 /* Prepares octave k along the axes of a grid. What depends on x is kept for the parts below if
@@ -234,7 +240,7 @@ static __attribute__((noinline)) void prepare_rows(const struct call *call, cons
 }
 
 /* Adds up all octaves of a part. */
-static void sum_octaves(const struct call *call, const struct part *part, int first_part)
+static void sum_octaves(const struct call *call, struct part *part, int first_part)
 {
     const struct scarp_plan *const plan = call->plan;
     if (call->state_size > 0) {

@@ -12,8 +12,10 @@
 
 #include "driver.h"
 
-/* How many blocks go through the passes at once if their noise goes through the scratch space. */
-#define GROUP_BLOCKS 32
+/* How many blocks go through the passes at once if their noise goes through the scratch space, and
+   how many vectors of noise they may have: few calls, but all stays in the first-level cache. */
+#define GROUP_BLOCKS ((size_t)2048 / sizeof(vf))
+#define GROUP_VECTORS ((size_t)96)
 
 /* A call streams its outputs if they have this many bytes. On Zen 5 with 32 MiB of third-level
    cache, streaming is faster above 8 MiB, but who reads the outputs next finds nothing in the
@@ -29,7 +31,9 @@ struct grid_call {
     struct call call;
     int direct;  /* whether nothing is stored between passes: fBm with straight axes of a basis with
                     a rows pass */
-    int narrow;  /* whether a row is less than a block: then its samples are stored first */
+    int narrow;  /* whether a row is less than a block */
+    int stores;  /* whether samples are added up in the scratch space, then copied: narrow rows, and
+                    Hessians in 3D, whose ten arrays compete for lines of the first-level cache */
     int streams; /* whether outputs go past the caches, where they are aligned to a vector */
     size_t lead; /* then: how many samples of a row lie before its first cache line */
     size_t most_rows, most_blocks; /* of a part */
@@ -56,7 +60,9 @@ struct part_space {
 /* How many rows of that many blocks go through the passes at once. */
 static size_t group_of(const struct grid_call *g, size_t blocks)
 {
-    return g->direct ? PART_ROWS : blocks < GROUP_BLOCKS ? GROUP_BLOCKS / blocks : 1;
+    const size_t size = g->call.noise_size;
+    const size_t most = size * GROUP_BLOCKS > GROUP_VECTORS ? GROUP_VECTORS / size : GROUP_BLOCKS;
+    return g->direct ? PART_ROWS : blocks < most ? most / blocks : 1;
 }
 
 static struct part_space space_of(const struct grid_call *g, size_t rows, size_t blocks)
@@ -71,7 +77,7 @@ static struct part_space space_of(const struct grid_call *g, size_t rows, size_t
         .by_turns = table > lattice ? table : lattice,
         .noise = rows_at_once * blocks * call->noise_size,
         .state = rows * blocks * call->state_size,
-        .sums = g->narrow ? rows * blocks * sample_size(call->dimensions, call->plan->order) : 0,
+        .sums = g->stores ? rows * blocks * sample_size(call->dimensions, call->plan->order) : 0,
     };
     return space;
 }
@@ -84,21 +90,31 @@ static int fits(const struct grid_call *g, size_t rows, size_t blocks)
            SCRATCH_BYTES;
 }
 
+/* `count` cut into as few pieces as possible, none larger than `most` and all about equal. */
+static size_t piece(size_t count, size_t most)
+{
+    const size_t pieces = (count + most - 1) / most;
+    return (count + pieces - 1) / pieces;
+}
+
 /* Decides how large parts are. What depends on x is prepared for each part, what depends on y for
-   each row of a part: so neither gets much larger than the other. */
+   each row of a part: so neither gets much larger than the other, but where the grid ends. */
 static void size_parts(struct grid_call *g)
 {
-    g->most_rows = PART_ROWS;
-    g->most_blocks = g->narrow ? 1 : STRIP_BLOCKS;
+    const size_t rows = g->grid->count[1], blocks = g->grid->count[0] / VEC_LANES;
+    g->most_rows = least(rows, PART_ROWS);
+    g->most_blocks = g->narrow ? 1 : least(blocks, STRIP_BLOCKS);
     g->group = group_of(g, g->most_blocks);
     while (!fits(g, g->most_rows, g->most_blocks)) {
-        if (g->most_blocks == 1 || (g->most_rows > g->most_blocks && !g->direct)) {
+        if (g->most_blocks == 1 || (g->most_rows > g->most_blocks && (g->stores || !g->direct))) {
             g->most_rows--;
         } else {
             g->most_blocks--;
         }
         g->group = group_of(g, g->most_blocks);
     }
+    g->most_blocks = g->narrow ? 1 : piece(blocks, g->most_blocks);
+    g->most_rows = piece(rows, g->most_rows);
 }
 
 /* Gives the parts of a strip, `blocks` wide, their share of the scratch space. */
@@ -140,14 +156,14 @@ static void grid_part(const struct grid_call *g, struct part *part, const size_t
     part->to = &sums;
     part->group = g->group;
     part->put = PUT_FIRST;
-    if (!g->narrow) {
+    if (!g->stores) {
         const int aligned = at[0] % VEC_LANES == g->lead % VEC_LANES;
         outputs_of(&to, g->out, g->call.plan->order, first, grid->row_stride, part->spare);
         part->to = &to;
         part->put = g->streams && aligned ? PUT_STREAM : PUT_FIRST;
     }
     sum_octaves(&g->call, part, at[1] == 0);
-    for (size_t r = 0; g->narrow && r < part->placed.extent.rows; r++) {
+    for (size_t r = 0; g->stores && r < part->placed.extent.rows; r++) {
         copy_out(g->out, first + r * grid->row_stride, &sums, r, count);
     }
 }
@@ -239,6 +255,7 @@ static void grid(const struct scarp_plan *plan, const struct scarp_grid *describ
     call_begin(&g.call, plan, dimensions, ROW);
     g.direct = g.call.rows_pass != NULL && g.call.plain;
     g.narrow = described->count[0] < VEC_LANES;
+    g.stores = g.narrow || (dimensions == 3 && plan->order == 2 && plan->octaves > 1);
     place_streams(&g);
     size_parts(&g);
     for (size_t k = 0; k < (dimensions == 3 ? described->count[2] : 1); k++) {

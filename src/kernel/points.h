@@ -30,7 +30,7 @@ static size_t place_points(const struct call *call, struct part *part, struct sc
 
 /* Computes whole blocks of points. Several octaves are added up in `sums`, since outputs may be
    where coordinates are. */
-static void points_whole(const struct call *call, struct part *part, const struct outputs *sums,
+static void points_whole(const struct call *call, struct part *part, struct outputs *sums,
                          size_t count, const struct scarp_outputs *out, size_t first)
 {
     struct outputs to;
@@ -49,7 +49,7 @@ static void points_whole(const struct call *call, struct part *part, const struc
 /* Computes at most PADDED_BLOCKS blocks, of which the last one may be incomplete. Padded copies
    make sure that nothing beyond an array is touched. The padding is 0, which raises no
    floating-point exception. */
-static void points_padded(const struct call *call, struct part *part, const struct outputs *sums,
+static void points_padded(const struct call *call, struct part *part, struct outputs *sums,
                           size_t count, const struct scarp_outputs *out, size_t first)
 {
     const size_t bytes = call->layout == DOUBLES ? sizeof(double) : sizeof(float);

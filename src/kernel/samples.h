@@ -102,7 +102,7 @@ VEC_INLINE void outputs_next_row(struct outputs *outputs, struct variant v)
 #undef DO
 }
 
-/* Moves on by that many rows. */
+/* Moves on by that many rows; back, if these are a number modulo 2^n. */
 static void outputs_move(struct outputs *outputs, int order, size_t rows)
 {
     for (int i = 0; i < OUTPUTS_UP_TO(order); i++) {

@@ -187,7 +187,9 @@ VEC_INLINE void put_row(const struct row_octave *o, size_t r, const struct table
 VEC_INLINE void rows_run(const struct row_octave *o, size_t rows, const struct weights *weights,
                          const struct outputs *outputs, enum put put, struct variant v)
 {
-    struct target to = {*outputs, *weights};
+    struct target to;
+    outputs_copy(&to.outputs, outputs, v);
+    to.weights = *weights;
     const int tables = o->x.kind == TABLES;
     const size_t lines = line_count(v.dimensions, v.order) * (flat(v) ? 1 : 2);
     const struct tables t = {o->table, tables ? o->table_size / lines : 0};

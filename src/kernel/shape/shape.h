@@ -41,11 +41,12 @@ static size_t state_size(const struct scarp_plan *plan, int dimensions)
 /* What the first octave finds: weights of 1 for ridged noise, no slopes for erosion. */
 static void state_begin(const struct scarp_plan *plan, vf *state, size_t size, size_t blocks)
 {
-    for (size_t i = 0; i < size * blocks; i++) {
-        state[i] = vf_set(0.0f);
-    }
-    for (size_t b = 0; plan->fractal == SCARP_RIDGED && b < blocks; b++) {
-        state[b * size] = vf_set(1.0f);
+    const vf first = vf_set(plan->fractal == SCARP_RIDGED ? 1.0f : 0.0f);
+    for (vf *const end = state + blocks * size; state < end; state += size) {
+        state[0] = first;
+        for (size_t i = 1; i < size; i++) {
+            state[i] = vf_set(0.0f);
+        }
     }
 }
 
