@@ -16,6 +16,7 @@
 
 #include "../kernels.h"
 #include "rows/rows.h"
+#include "rows/turned.h"
 #include "shape/shape.h"
 
 /* The most blocks of a part, but for parts that are added up in the caller's arrays (grid.h). Many
@@ -99,6 +100,8 @@ struct part {
     enum put put;                  /* how the first octave is put */
     size_t group;                  /* ROW: how many rows go through the passes at once */
     struct row_octave *row_octave; /* of a ROW */
+    struct turned_x turned;        /* of a ROW with turned axes */
+    vf *along;                     /* where these two keep what depends on x */
     vf *noise, *state, *spare, *sums_stored;
 };
 
@@ -128,16 +131,24 @@ static int takes_rows_pass(const struct call *call, int k)
 /* Places the part on the lattice of octave k. */
 static void place_part(const struct call *call, const struct part *part, int k)
 {
-    lattice_pass *const pass = call->lattice_passes[axes_of(call->plan, k)];
+    const enum axes axes = axes_of(call->plan, k);
+    const struct scarp_octave *const o = &call->plan->octave[k];
+    struct positions at = part->at;
     if (call->layout != ROW) {
-        pass(part->placed.lattice, &call->plan->octave[k], part->placed.extent.blocks, &part->at);
+        call->lattice_passes[axes](part->placed.lattice, o, part->placed.extent.blocks, &at);
         return;
     }
-    struct positions at = part->at;
+    if (axes == AXES_TURNED) {
+        at.array[1] = part->y;
+        turned_passes[call->dimensions - 2](part->placed.lattice, o, part->placed.extent,
+                                            &part->turned, &at);
+        return;
+    }
     for (size_t r = 0; r < part->placed.extent.rows; r++) {
         at.shared[1] = part->y[r];
-        pass(part->placed.lattice + r * part->placed.extent.blocks * call->lattice_size,
-             &call->plan->octave[k], part->placed.extent.blocks, &at);
+        call->lattice_passes[axes](part->placed.lattice +
+                                       r * part->placed.extent.blocks * call->lattice_size,
+                                   o, part->placed.extent.blocks, &at);
     }
 }
 
@@ -250,6 +261,9 @@ static void sum_octaves(const struct call *call, struct part *part, int first_pa
     for (int k = 0; k < plan->octaves; k++) {
         if (takes_rows_pass(call, k)) {
             prepare_rows(call, part, k, first_part);
+        } else if (call->layout == ROW && axes_of(plan, k) == AXES_TURNED) {
+            turned_begin(&part->turned, part->along, &plan->octave[k], part->placed.extent.blocks,
+                         part->at.array[0], call->dimensions);
         }
         if (call->layout == ROW) {
             add_by_groups(call, part, k);

@@ -72,8 +72,10 @@ static struct part_space space_of(const struct grid_call *g, size_t rows, size_t
         call->rows_pass ? table_size_of(call->dimensions, call->basis_order, blocks) : 0;
     const size_t rows_at_once = least(rows, g->group);
     const size_t lattice = g->direct ? 0 : rows_at_once * blocks * call->lattice_size;
+    const size_t straight = call->rows_pass ? along_size(blocks) : 0;
+    const size_t turned = call->plan->rotate ? turned_size(call->dimensions, blocks) : 0;
     const struct part_space space = {
-        .along = call->rows_pass ? along_size(blocks) : 0,
+        .along = straight > turned ? straight : turned,
         .by_turns = table > lattice ? table : lattice,
         .noise = rows_at_once * blocks * call->noise_size,
         .state = rows * blocks * call->state_size,
@@ -133,7 +135,8 @@ static void place_in_scratch(const struct grid_call *g, struct part *part,
     part->noise = part->spare + blocks;
     part->state = part->noise + s.noise;
     part->sums_stored = part->state + s.state;
-    octave->x.block = (struct along_block *)(part->sums_stored + s.sums);
+    part->along = part->sums_stored + s.sums;
+    octave->x.block = (struct along_block *)part->along;
     octave->x.hash = (vf *)(octave->x.block + blocks);
     part->placed.lattice = part->sums_stored + s.sums + s.along;
     octave->table = part->placed.lattice;

@@ -70,40 +70,51 @@ VEC_INLINE vu hash_corner(vu x, vu yz)
     return h * (h + vu_set(HASH_K));
 }
 
+/* Puts a block of positions, of which z is unset in 2D, and the hashes of their corners. */
+VEC_INLINE void lattice_put(vf *lattice, const struct scarp_octave *o, const struct split at[3],
+                            int dimensions)
+{
+    const struct axis hx = hash_axis(at[0].cell, HASH_X, o->key[0]);
+    const struct axis hy = hash_axis(at[1].cell, HASH_Y, o->key[1]);
+    if (dimensions == 2) {
+        struct lattice2 *const l = (struct lattice2 *)lattice;
+        l->t[0] = at[0].t;
+        l->t[1] = at[1].t;
+        l->hash[0][0] = (vf)hash_corner(hx.h0, hy.h0);
+        l->hash[0][1] = (vf)hash_corner(hx.h0, hy.h1);
+        l->hash[1][0] = (vf)hash_corner(hx.h1, hy.h0);
+        l->hash[1][1] = (vf)hash_corner(hx.h1, hy.h1);
+    } else {
+        struct lattice3 *const l = (struct lattice3 *)lattice;
+        const struct corners_yz yz = hash_yz(hy, hash_axis(at[2].cell, HASH_Z, o->key[2]));
+        l->t[0] = at[0].t;
+        l->t[1] = at[1].t;
+        l->t[2] = at[2].t;
+        l->hash[0][0][0] = (vf)hash_corner(hx.h0, yz.h[0][0]);
+        l->hash[0][0][1] = (vf)hash_corner(hx.h0, yz.h[0][1]);
+        l->hash[0][1][0] = (vf)hash_corner(hx.h0, yz.h[1][0]);
+        l->hash[0][1][1] = (vf)hash_corner(hx.h0, yz.h[1][1]);
+        l->hash[1][0][0] = (vf)hash_corner(hx.h1, yz.h[0][0]);
+        l->hash[1][0][1] = (vf)hash_corner(hx.h1, yz.h[0][1]);
+        l->hash[1][1][0] = (vf)hash_corner(hx.h1, yz.h[1][0]);
+        l->hash[1][1][1] = (vf)hash_corner(hx.h1, yz.h[1][1]);
+    }
+}
+
 VEC_INLINE void lattice_run(vf *lattice, const struct scarp_octave *octave, size_t blocks,
                             const struct positions *positions, struct frame f)
 {
     const struct scarp_octave o = *octave; /* copies: nothing that is stored can alias them */
     const struct positions at = *positions;
-    struct lattice2 *const l2 = (struct lattice2 *)lattice;
-    struct lattice3 *const l3 = (struct lattice3 *)lattice;
     for (size_t b = 0; b < blocks; b++) {
-        const struct split x = position(&o, 0, &at, b, f);
-        const struct split y = position(&o, 1, &at, b, f);
-        const struct axis hx = hash_axis(x.cell, HASH_X, o.key[0]);
-        const struct axis hy = hash_axis(y.cell, HASH_Y, o.key[1]);
-        if (f.dimensions == 2) {
-            l2[b].t[0] = x.t;
-            l2[b].t[1] = y.t;
-            l2[b].hash[0][0] = (vf)hash_corner(hx.h0, hy.h0);
-            l2[b].hash[0][1] = (vf)hash_corner(hx.h0, hy.h1);
-            l2[b].hash[1][0] = (vf)hash_corner(hx.h1, hy.h0);
-            l2[b].hash[1][1] = (vf)hash_corner(hx.h1, hy.h1);
-        } else {
-            const struct split z = position(&o, 2, &at, b, f);
-            const struct corners_yz yz = hash_yz(hy, hash_axis(z.cell, HASH_Z, o.key[2]));
-            l3[b].t[0] = x.t;
-            l3[b].t[1] = y.t;
-            l3[b].t[2] = z.t;
-            l3[b].hash[0][0][0] = (vf)hash_corner(hx.h0, yz.h[0][0]);
-            l3[b].hash[0][0][1] = (vf)hash_corner(hx.h0, yz.h[0][1]);
-            l3[b].hash[0][1][0] = (vf)hash_corner(hx.h0, yz.h[1][0]);
-            l3[b].hash[0][1][1] = (vf)hash_corner(hx.h0, yz.h[1][1]);
-            l3[b].hash[1][0][0] = (vf)hash_corner(hx.h1, yz.h[0][0]);
-            l3[b].hash[1][0][1] = (vf)hash_corner(hx.h1, yz.h[0][1]);
-            l3[b].hash[1][1][0] = (vf)hash_corner(hx.h1, yz.h[1][0]);
-            l3[b].hash[1][1][1] = (vf)hash_corner(hx.h1, yz.h[1][1]);
+        struct split s[3];
+        s[0] = position(&o, 0, &at, b, f);
+        s[1] = position(&o, 1, &at, b, f);
+        if (f.dimensions == 3) {
+            s[2] = position(&o, 2, &at, b, f);
         }
+        lattice_put(lattice, &o, s, f.dimensions);
+        lattice += lattice_size(f.dimensions);
     }
 }
 

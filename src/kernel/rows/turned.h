@@ -1,0 +1,172 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Stage 1 along rows of a grid whose axes are turned: p = J x + o, where the first column of J
+ * times x is prepared once for all rows of a part. Along a row each component of p goes one way: if
+ * the last lane of a block is in the cell in which the block on its left begins, both blocks lie in
+ * it, and their corners have the same hashes. Included by ../driver.h. The bits are those of the
+ * lattice pass of doubles (../lattice.h), because the order of operations is the same.
+ */
+#ifndef SCARP_KERNEL_ROWS_TURNED_H
+#define SCARP_KERNEL_ROWS_TURNED_H
+
+#include "along.h"
+
+/* An octave along x, for each axis of its frame: the products of every sample; then, for each
+   block, those of its last lane and of the first lane of the block on its left, padded to whole
+   vectors. */
+struct turned_x {
+    double *along[3], *last[3], *before[3];
+    int shares; /* whether two blocks may lie in one cell */
+};
+
+/* Doubles for the ends of that many blocks. */
+static size_t ends_size(size_t blocks)
+{
+    return (blocks + VEC_LANES / 2 - 1) / (VEC_LANES / 2) * (VEC_LANES / 2);
+}
+
+/* Vectors that turned_x needs for a strip. */
+static size_t turned_size(int dimensions, size_t blocks)
+{
+    return (size_t)dimensions * (blocks * VEC_LANES + 2 * ends_size(blocks)) * sizeof(double) /
+           sizeof(vf);
+}
+
+/* Prepares an octave at x, in `space`. */
+static void turned_begin(struct turned_x *t, vf *space, const struct scarp_octave *o, size_t blocks,
+                         const double *x, int dimensions)
+{
+    double *next = (double *)space;
+    t->shares = blocks > 1;
+    for (int i = 0; i < dimensions; i++) {
+        double *const along = next, *const last = along + blocks * VEC_LANES;
+        double *const before = last + ends_size(blocks);
+        const double j = o->jacobian64[i][0];
+        for (size_t n = 0; n < blocks * VEC_LANES; n++) {
+            along[n] = j * x[n];
+        }
+        for (size_t b = 0; b < ends_size(blocks); b++) {
+            const size_t block = least(b, blocks - 1);
+            last[b] = along[block * VEC_LANES + VEC_LANES - 1];
+            before[b] = along[block > 0 ? (block - 1) * VEC_LANES : 0];
+        }
+        const double width = blocks > 1 ? last[1] - before[1] : 0.0;
+        t->shares &= width > -1.0 && width < 1.0;
+        t->along[i] = along;
+        t->last[i] = last;
+        t->before[i] = before;
+        next = before + ends_size(blocks);
+    }
+}
+
+/* What all samples of a row share along an axis. */
+struct turned_row {
+    double y, z, offset;
+};
+
+VEC_INLINE vd turned_at(const double *along, const struct turned_row *r, int dimensions)
+{
+    vd p = vd_load(along) + vd_set(r->y);
+    if (dimensions == 3) {
+        p += vd_set(r->z);
+    }
+    return p + vd_set(r->offset);
+}
+
+/* The cells along each axis in which a row's blocks end, and whether (all ones) that is where the
+   block on the left begins. */
+struct row_cells {
+    double cell[3][STRIP_BLOCKS];
+    uint64_t same[STRIP_BLOCKS];
+};
+
+VEC_INLINE void find_cells(struct row_cells *c, const struct turned_x *t,
+                           const struct turned_row row[3], size_t blocks, int dimensions)
+{
+    for (size_t b = 0; b < blocks; b += VEC_LANES / 2) {
+        vec_u64 same = (vec_u64)(vd_set(0.0) == vd_set(0.0));
+        for (int i = 0; i < dimensions; i++) {
+            const vd cell = vd_floor(turned_at(t->last[i] + b, &row[i], dimensions));
+            const vd left = vd_floor(turned_at(t->before[i] + b, &row[i], dimensions));
+            same &= (vec_u64)(cell == left); /* not if they are NaN */
+            memcpy(c->cell[i] + b, &cell, sizeof cell);
+        }
+        memcpy(c->same + b, &same, sizeof same);
+    }
+    c->same[0] = 0;
+}
+
+/* Puts the blocks of a row on the lattice. */
+VEC_INLINE void turned_row_run(vf *lattice, const struct scarp_octave *o, size_t blocks,
+                               const struct turned_x *t, const struct turned_row row[3],
+                               int dimensions)
+{
+    struct row_cells cells;
+    if (t->shares) {
+        find_cells(&cells, t, row, blocks, dimensions);
+    }
+    for (size_t b = 0; b < blocks; b++) {
+        struct split at[3];
+        vd p[3][2];
+        for (int i = 0; i < dimensions; i++) {
+            const double *const along = t->along[i] + b * VEC_LANES;
+            p[i][0] = turned_at(along, &row[i], dimensions);
+            p[i][1] = turned_at(along + VEC_LANES / 2, &row[i], dimensions);
+        }
+        if (t->shares && cells.same[b]) {
+            const size_t size = lattice_size(dimensions);
+            for (size_t n = (size_t)dimensions; n < size; n++) {
+                lattice[n] = lattice[(ptrdiff_t)n - (ptrdiff_t)size];
+            }
+            for (int i = 0; i < dimensions; i++) {
+                const vd cell = vd_set(cells.cell[i][b]);
+                lattice[i] = vf_from_vd(p[i][0] - cell, p[i][1] - cell);
+            }
+        } else {
+            for (int i = 0; i < dimensions; i++) {
+                at[i] = split_f64(p[i][0], p[i][1]);
+            }
+            lattice_put(lattice, o, at, dimensions);
+        }
+        lattice += lattice_size(dimensions);
+    }
+}
+
+/* Puts rows on the lattice, whose y are given, at that z. */
+VEC_INLINE void turned_run(vf *lattice, const struct scarp_octave *octave, struct extent extent,
+                           const struct turned_x *x, const struct positions *at, int dimensions)
+{
+    const struct scarp_octave o = *octave; /* a copy: nothing that is stored can alias it */
+    const struct turned_x t = *x;
+    const double *const y = at->array[1];
+    for (size_t r = 0; r < extent.rows; r++) {
+        struct turned_row row[3];
+        for (int i = 0; i < dimensions; i++) {
+            row[i].y = o.jacobian64[i][1] * y[r];
+            row[i].z = o.jacobian64[i][2] * at->shared[2];
+            row[i].offset = o.offset64[i];
+        }
+        turned_row_run(lattice, &o, extent.blocks, &t, row, dimensions);
+        lattice += extent.blocks * lattice_size(dimensions);
+    }
+}
+
+typedef void turned_pass(vf *lattice, const struct scarp_octave *octave, struct extent extent,
+                         const struct turned_x *x, const struct positions *at);
+
+static void turned2(vf *lattice, const struct scarp_octave *octave, struct extent extent,
+                    const struct turned_x *x, const struct positions *at)
+{
+    turned_run(lattice, octave, extent, x, at, 2);
+}
+
+static void turned3(vf *lattice, const struct scarp_octave *octave, struct extent extent,
+                    const struct turned_x *x, const struct positions *at)
+{
+    turned_run(lattice, octave, extent, x, at, 3);
+}
+
+/* By dimensions - 2. */
+static turned_pass *const turned_passes[2] = {turned2, turned3};
+
+#endif
