@@ -15,7 +15,7 @@
 /* How many blocks go through the passes at once if their noise goes through the scratch space, and
    how many vectors of noise they may have: few calls, but all stays in the first-level cache. */
 #define GROUP_BLOCKS ((size_t)2048 / sizeof(vf))
-#define GROUP_VECTORS ((size_t)96)
+#define GROUP_VECTORS ((size_t)192)
 
 /* A call streams its outputs if they have this many bytes. On Zen 5 with 32 MiB of third-level
    cache, streaming is faster above 8 MiB, but who reads the outputs next finds nothing in the
