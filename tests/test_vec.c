@@ -144,6 +144,86 @@ static void test_operators(void)
     }
 }
 
+/* Gives exact_fma the factors a[] and b[], in either order, and compares with C, which rounds the
+   product: tests are compiled without contraction. */
+static void check_exact_fma(const float *a, const float *b, const float *c)
+{
+    float found[2][LANES_MAX];
+    ops->exact_fma(found[0], a, b, c);
+    ops->exact_fma(found[1], b, a, c);
+    for (int i = 0; i < lanes; i++) {
+        const float product = a[i] * b[i];
+        const float wanted = product + c[i];
+        for (int order = 0; order < 2; order++) {
+            CHECK(!DIFFERENT32(found[order][i], wanted),
+                  "%a * %a + %a, order %d, lane %d: %a, not %a", (double)a[i], (double)b[i],
+                  (double)c[i], order, i, (double)found[order][i], (double)wanted);
+        }
+    }
+}
+
+/* Every number as the factor that may be anything. The other one is 0 or a power of two from 1 on,
+   and the product does not overflow. What is added is any number, or cancels all or nearly all, or
+   is so much larger or smaller that only rounding shows it. */
+static void test_exact_fma(void)
+{
+    static const float powers[] = {0.0f, -0.0f, 1.0f, -1.0f, 2.0f, -2.0f, 4.0f, -4.0f, 0x1p60f};
+    const int kinds = 8;
+    uint64_t state = 7;
+    for (size_t p = 0; p < sizeof powers / sizeof powers[0]; p++) {
+        for (size_t n = 0; n < numbers_f * (size_t)kinds; n += (size_t)lanes) {
+            float a[LANES_MAX], b[LANES_MAX], c[LANES_MAX];
+            for (int i = 0; i < lanes; i++) {
+                const size_t number = (n + (size_t)i) % (numbers_f * (size_t)kinds);
+                const float any = number_f[check_random(&state) % numbers_f];
+                a[i] = powers[p];
+                b[i] = number_f[number / (size_t)kinds];
+                b[i] = isinf(a[i] * b[i]) && !isinf(b[i]) ? 1.0f : b[i];
+                const float product = a[i] * b[i];
+                const float chosen[] = {any,
+                                        0.0f,
+                                        -0.0f,
+                                        -product,
+                                        nextafterf(-product, any),
+                                        product * 0x1.8p24f,
+                                        product * -0x1.000002p-24f,
+                                        b[i]};
+                c[i] = chosen[number % (size_t)kinds];
+            }
+            check_exact_fma(a, b, c);
+        }
+    }
+}
+
+/* What 3D gradient noise asks of it: components of gradients, which are 0 and +-2, times places,
+   and their differences times fades, added to the other such product or to a component. Places are
+   those in [0, 1] and what is left of them to 1. Fades exceed 1 by an ulp at most. */
+static void test_exact_components(void)
+{
+    static const float components[] = {0.0f, 2.0f, -2.0f};
+    uint64_t state = 8;
+    for (size_t n = 0; n < numbers_f; n += (size_t)lanes) {
+        for (int pair = 0; pair < 9; pair++) {
+            float g[LANES_MAX], difference[LANES_MAX], t[LANES_MAX], s[LANES_MAX], u[LANES_MAX];
+            float other[LANES_MAX], component[LANES_MAX];
+            for (int i = 0; i < lanes; i++) {
+                const float number = fabsf(number_f[(n + (size_t)i) % numbers_f]);
+                const float random = (float)(check_random(&state) >> 40) * 0x1p-24f;
+                t[i] = !(number > 1.0f) ? number : check_random(&state) % 8 == 0 ? 1.0f : random;
+                s[i] = t[i] - 1.0f;
+                u[i] = check_random(&state) % 8 == 0 ? 1.0f + 0x1p-23f : t[i];
+                g[i] = components[pair % 3];
+                component[i] = components[pair / 3];
+                difference[i] = g[i] - component[i];
+                other[i] = component[i] * (i % 2 == 0 ? random : s[i]);
+            }
+            check_exact_fma(g, t, other);
+            check_exact_fma(g, s, other);
+            check_exact_fma(u, difference, component);
+        }
+    }
+}
+
 static void test_sets(void)
 {
     float f[LANES_MAX];
@@ -296,6 +376,8 @@ int main(int argc, char **argv)
     test_rounding();
     test_bits_of_lanes();
     test_operators();
+    test_exact_fma();
+    test_exact_components();
     test_sets();
     test_memory();
     test_lookup();

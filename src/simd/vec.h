@@ -273,6 +273,19 @@ VEC_INLINE vd vd_sqrt(vd a)
 #endif
 
 /*
+ * The only operation that may be fused: a b + c where a b is exact, so that rounding it changes no
+ * bit. Use it only where one of a and b is 0 or a power of two that is at least 1 (of either sign),
+ * and a b does not overflow; NaN and infinities are as in a b + c. VEC_UNFUSED makes it a * b + c
+ * in every set: the audit of tests/package demands that no fused instruction is left then.
+ */
+#ifndef VF_EXACT_FMA_OWN
+VEC_INLINE vf vf_exact_fma(vf a, vf b, vf c)
+{
+    return a * b + c;
+}
+#endif
+
+/*
  * Tables; lookup.h has their types. The portable forms choose between entries bit by bit: the
  * tables are constants in the kernels, so where two entries are alike or differ in the sign alone,
  * the compiler has little left to do.

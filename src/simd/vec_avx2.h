@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * The operations of vec.h on AVX2: 8 lanes. Included by kernels_avx2.c inside its target region.
+ * The operations of vec.h on AVX2 and FMA: 8 lanes. Included by kernels_avx2.c inside its target
+ * region.
  */
 #ifndef SCARP_SIMD_VEC_AVX2_H
 #define SCARP_SIMD_VEC_AVX2_H
@@ -110,6 +111,14 @@ VEC_INLINE vd vd_sqrt(vd a)
 {
     return (vd)_mm256_sqrt_pd((__m256d)a);
 }
+
+#ifndef VEC_UNFUSED
+#define VF_EXACT_FMA_OWN
+VEC_INLINE vf vf_exact_fma(vf a, vf b, vf c)
+{
+    return (vf)_mm256_fmadd_ps((__m256)a, (__m256)b, (__m256)c);
+}
+#endif
 
 #define VU_TURN8_OWN
 VEC_INLINE vu vu_turn8(vu a)

@@ -112,6 +112,14 @@ VEC_INLINE vd vd_sqrt(vd a)
     return (vd)_mm512_sqrt_pd((__m512d)a);
 }
 
+#ifndef VEC_UNFUSED
+#define VF_EXACT_FMA_OWN
+VEC_INLINE vf vf_exact_fma(vf a, vf b, vf c)
+{
+    return (vf)_mm512_fmadd_ps((__m512)a, (__m512)b, (__m512)c);
+}
+#endif
+
 #define VU_TURN8_OWN
 VEC_INLINE vu vu_turn8(vu a)
 {

@@ -93,6 +93,11 @@ static void sqrt_d(double *out, const double *in)
     store_halves(out, vd_sqrt(vd_load(in)), vd_sqrt(vd_load(in + VEC_LANES / 2)));
 }
 
+static void exact_fma(float *out, const float *a, const float *b, const float *c)
+{
+    vf_store(out, vf_exact_fma(vf_load(a), vf_load(b), vf_load(c)));
+}
+
 static void turn8(uint32_t *out, const uint32_t *in)
 {
     vu_store(out, vu_turn8(vu_load(in)));
@@ -160,6 +165,7 @@ const struct vec_operations VEC_OPERATIONS(KERNELS) = {
     .d_from_f = d_from_f,
     .low_bits = low_bits,
     .sqrt_d = sqrt_d,
+    .exact_fma = exact_fma,
     .turn8 = turn8,
     .multiply = multiply,
     .shift = shift,

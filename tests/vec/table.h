@@ -31,6 +31,8 @@ struct vec_operations {
     void (*d_from_f)(double *out, const float *in);
     void (*low_bits)(uint32_t *out, const double *in);
     void (*sqrt_d)(double *out, const double *in);
+    /* a b + c, a b being exact */
+    void (*exact_fma)(float *out, const float *a, const float *b, const float *c);
     void (*turn8)(uint32_t *out, const uint32_t *in);
     void (*multiply)(uint32_t *out, const uint32_t *a, const uint32_t *b);
     void (*shift)(uint32_t *out, const uint32_t *in, int bits); /* to the right */

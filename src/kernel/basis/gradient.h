@@ -70,21 +70,21 @@ VEC_INLINE struct edge gradient_edge(const vu h[2], vf y, vf z, struct fade w, i
     const vf gx0 = vf_lookup_top(&gradient3_x, i0), gx1 = vf_lookup_top(&gradient3_x, i1);
     const vf gy0 = vf_lookup_top(&gradient3_y, i0), gy1 = vf_lookup_top(&gradient3_y, i1);
     const vf gz0 = vf_lookup_top(&gradient3_z, i0), gz1 = vf_lookup_top(&gradient3_z, i1);
-    const vf dot0 = gy0 * y + gz0 * z;
-    const vf dot1 = gy1 * y + gz1 * w.s;
+    const vf dot0 = vf_exact_fma(gy0, y, gz0 * z);
+    const vf dot1 = vf_exact_fma(gy1, y, gz1 * w.s);
     const vf ddot = dot1 - dot0;
     struct edge e;
     e.dgx = gx1 - gx0;
-    e.value.a = gx0 + w.u * e.dgx;
+    e.value.a = vf_exact_fma(w.u, e.dgx, gx0);
     e.value.b = dot0 + w.u * ddot;
     if (order >= 1) {
         const vf dgy = gy1 - gy0;
         const vf dgz = gz1 - gz0;
-        e.gy = gy0 + w.u * dgy;
-        e.z = (gz0 + w.u * dgz) + w.du * ddot;
+        e.gy = vf_exact_fma(w.u, dgy, gy0);
+        e.z = vf_exact_fma(w.u, dgz, gz0) + w.du * ddot;
         if (order >= 2) {
             e.dgy = w.du * dgy;
-            e.zz = 2.0f * w.du * dgz + w.ddu * ddot;
+            e.zz = vf_exact_fma(2.0f * w.du, dgz, w.ddu * ddot);
         }
     }
     return e;
