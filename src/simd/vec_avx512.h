@@ -142,7 +142,10 @@ VEC_INLINE vu vu_top_index(vu hash)
 #define VF_LOOKUP_TOP_OWN
 VEC_INLINE vf vf_lookup_top(const struct lookup_top *table, vu index)
 {
-    const __mmask64 top_bytes = 0x8888888888888888u;
+    __mmask64 top_bytes = 0x8888888888888888u;
+#ifdef __clang__
+    __asm__("" : "+Yk"(top_bytes)); /* clang makes an `and` of a mask that it knows */
+#endif
     return (vf)_mm512_maskz_shuffle_epi8(top_bytes, _mm512_load_si512(table->top), (__m512i)index);
 }
 
