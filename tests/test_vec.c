@@ -290,8 +290,8 @@ static void make_hashes(uint32_t *hash, uint32_t upper, uint64_t *state)
 static void test_lookup(void)
 {
     static const struct lookup tables[] = {
-        LOOKUP_TABLE_HIGH(0x1.234568p0f, 0x1.fedcbap-20f, 0x1.0f0f0ep90f, 0x1.99aabcp-7f),
-        LOOKUP_TABLE_LOW(0x1.5a5a5ap-1f, 0x1.a4a4a6p33f, 0x1.777776p3f, 0x1.000002p-60f)};
+        LOOKUP_TABLE_HIGH(0x3f91a2b4u, 0x35ff6e5du, 0x6c878787u, 0x3c4cd55eu),
+        LOOKUP_TABLE_LOW(0x3f2d2d2du, 0x50525253u, 0x413bbbbbu, 0x21800001u)};
     static const struct lookup_top top =
         LOOKUP_TOP(0x11, 0x92, 0x23, 0x40, 0xc0, 0x66, 0xf7, 0x08, 0x79, 0x8a, 0x3b, 0xec);
     uint64_t state = 5;
@@ -304,14 +304,39 @@ static void test_lookup(void)
         ops->lookup_top(topped, &top, hash);
         for (int i = 0; i < lanes; i++) {
             for (int t = 0; t < 2; t++) {
-                const float wanted = tables[t].entry[hash[i] >> 28];
-                CHECK(bits_of_float(found[t][i]) == bits_of_float(wanted),
-                      "table %d, lane %d, hash %#x: %a, not %a", t, i, hash[i], (double)found[t][i],
-                      (double)wanted);
+                const uint32_t wanted = tables[t].entry[hash[i] >> 28];
+                CHECK(bits_of_float(found[t][i]) == wanted,
+                      "table %d, lane %d, hash %#x: %#x, not %#x", t, i, hash[i],
+                      bits_of_float(found[t][i]), wanted);
             }
             const uint32_t byte = top.top[(hash[i] >> 16) * 12 >> 16];
             CHECK(bits_of_float(topped[i]) == byte << 24, "top, lane %d, hash %#x: %#x, not %#x", i,
                   hash[i], bits_of_float(topped[i]), byte << 24);
+        }
+    }
+}
+
+/* The four vectors of hashes are independent: each index stands in each of them. */
+static void test_lookup_four(void)
+{
+    static const struct lookup tables[] = {
+        LOOKUP_TABLE_HIGH(0x12345678u, 0x0fedcba9u, 0x7e0f1e2du, 0x00ff80a5u),
+        LOOKUP_TABLE_LOW(0x5a5a5a01u, 0x02a4a4a6u, 0x77070776u, 0x33000002u)};
+    uint64_t state = 9;
+    for (uint32_t upper = 0; upper < 65536; upper += 7) {
+        uint32_t hash[4 * LANES_MAX];
+        float found[4 * LANES_MAX];
+        for (uint32_t n = 0; n < 4; n++) {
+            make_hashes(hash + n * (uint32_t)lanes, upper * (2 * n + 1), &state);
+        }
+        for (int t = 0; t < 2; t++) {
+            ops->lookup_four(found, &tables[t], hash);
+            for (int i = 0; i < 4 * lanes; i++) {
+                const uint32_t wanted = tables[t].entry[hash[i] >> 28];
+                CHECK(bits_of_float(found[i]) == wanted,
+                      "table %d, vector %d, lane %d, hash %#x: %#x, not %#x", t, i / lanes,
+                      i % lanes, hash[i], bits_of_float(found[i]), wanted);
+            }
         }
     }
 }
@@ -381,6 +406,7 @@ int main(int argc, char **argv)
     test_sets();
     test_memory();
     test_lookup();
+    test_lookup_four();
     test_permute();
     return check_done();
 }

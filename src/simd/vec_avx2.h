@@ -132,7 +132,8 @@ VEC_INLINE vu vu_turn8(vu a)
 VEC_INLINE vf vf_lookup(const struct lookup *table, vu hash)
 {
     const vu index = table->sign_low ? hash >> 28 : hash >> 29;
-    return (vf)_mm256_permutevar8x32_ps(_mm256_load_ps(table->eight), (__m256i)index);
+    const __m256 eight = _mm256_castsi256_ps(_mm256_load_si256((const __m256i *)table->eight));
+    return (vf)_mm256_permutevar8x32_ps(eight, (__m256i)index);
 }
 
 /* (hash >> 16) * 12, shifted so that its whole part is the top byte; the bytes below ask for 0. */

@@ -129,7 +129,8 @@ VEC_INLINE vu vu_turn8(vu a)
 #define VF_LOOKUP_OWN
 VEC_INLINE vf vf_lookup(const struct lookup *table, vu hash)
 {
-    return (vf)_mm512_permutexvar_ps((__m512i)(hash >> 28), _mm512_load_ps(table->entry));
+    const __m512 entries = _mm512_castsi512_ps(_mm512_load_si512(table->entry));
+    return (vf)_mm512_permutexvar_ps((__m512i)(hash >> 28), entries);
 }
 
 /* (hash >> 16) * 12, shifted so that its whole part is the top byte. */

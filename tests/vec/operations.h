@@ -128,6 +128,16 @@ static void lookup(float *out, const struct lookup *table, const uint32_t *hash)
     vf_store(out, vf_lookup(table, vu_load(hash)));
 }
 
+static void lookup_four(float *out, const struct lookup *table, const uint32_t *hash)
+{
+    const vu four[4] = {vu_load(hash), vu_load(hash + VEC_LANES), vu_load(hash + 2 * VEC_LANES),
+                        vu_load(hash + 3 * VEC_LANES)};
+    const struct vf_four found = vf_lookup_four(table, four);
+    for (int i = 0; i < 4; i++) {
+        vf_store(out + i * VEC_LANES, found.v[i]);
+    }
+}
+
 static void lookup_top(float *out, const struct lookup_top *table, const uint32_t *hash)
 {
     vf_store(out, vf_lookup_top(table, vu_top_index(vu_load(hash))));
@@ -172,6 +182,7 @@ const struct vec_operations VEC_OPERATIONS(KERNELS) = {
     .less = less,
     .not_equal = not_equal,
     .lookup = lookup,
+    .lookup_four = lookup_four,
     .lookup_top = lookup_top,
     .permute = permute,
     .slide = slide,

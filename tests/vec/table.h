@@ -39,6 +39,8 @@ struct vec_operations {
     void (*less)(uint32_t *out, const float *a, const float *b);
     void (*not_equal)(uint32_t *out, const float *a, const float *b);
     void (*lookup)(float *out, const struct lookup *table, const uint32_t *hash);
+    /* Inputs and outputs are four vectors, one after the other. */
+    void (*lookup_four)(float *out, const struct lookup *table, const uint32_t *hash);
     void (*lookup_top)(float *out, const struct lookup_top *table, const uint32_t *hash);
     /* `entries` has VF_TABLE floats. With `next`, VF_INDEX_NEXT is added to the index. */
     void (*permute)(float *out, const float *entries, const uint32_t *index, int next);
