@@ -98,8 +98,8 @@ VEC_INLINE struct edge gradient_edge(const vu h[2], vf y, vf z, struct fade w, i
     const vf gx0 = vf_lookup_top(&gradient3_x, i0), gx1 = vf_lookup_top(&gradient3_x, i1);
     const vf gy0 = vf_lookup_top(&gradient3_y, i0), gy1 = vf_lookup_top(&gradient3_y, i1);
     const vf gz0 = vf_lookup_top(&gradient3_z, i0), gz1 = vf_lookup_top(&gradient3_z, i1);
-    const vf dot0 = vf_exact_fma(gy0, y, gz0 * z);
-    const vf dot1 = vf_exact_fma(gy1, y, gz1 * w.s);
+    const vf dot0 = vf_exact_fma(gz0, z, gy0 * y);
+    const vf dot1 = vf_exact_fma(gz1, w.s, gy1 * y);
     const vf ddot = dot1 - dot0;
     struct edge e;
     e.dgx = gx1 - gx0;
