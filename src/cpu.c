@@ -14,6 +14,7 @@
 /* CPUID leaf 1 */
 #define ECX_SSE3 (1u << 0)
 #define ECX_SSSE3 (1u << 9)
+#define ECX_FMA (1u << 12)
 #define ECX_SSE41 (1u << 19)
 #define ECX_OSXSAVE (1u << 27)
 #define ECX_AVX (1u << 28)
@@ -53,13 +54,14 @@ int scarp_cpu_has(enum scarp_isa isa)
     if (isa != SCARP_ISA_AVX2 && isa != SCARP_ISA_AVX512) {
         return 0;
     }
+    const unsigned ecx1 = ecx;
     /* __get_cpuid_count checks that leaf 7 exists. */
     if ((ecx & GROUP_AVX) != GROUP_AVX || !__get_cpuid_count(7, 0, &eax, &ebx, &ecx, &edx)) {
         return 0;
     }
     const unsigned saved = xcr0();
     if (isa == SCARP_ISA_AVX2) {
-        return (saved & XCR0_AVX) == XCR0_AVX && (ebx & EBX_AVX2) != 0;
+        return (saved & XCR0_AVX) == XCR0_AVX && (ecx1 & ECX_FMA) != 0 && (ebx & EBX_AVX2) != 0;
     }
     return (saved & XCR0_AVX512) == XCR0_AVX512 && (ebx & GROUP_AVX512) == GROUP_AVX512;
 }

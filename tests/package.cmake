@@ -37,9 +37,21 @@ library='$<TARGET_FILE:scarp>'
 library_name='$<TARGET_FILE_NAME:scarp>'
 library_type='$<TARGET_PROPERTY:scarp,TYPE>'
 objects='${package_dir}/objects-$<CONFIG>.txt'
+unfused_objects='${package_dir}/unfused-$<CONFIG>.txt'
 ")
 file(GENERATE OUTPUT ${package_dir}/objects-$<CONFIG>.txt
      CONTENT "$<JOIN:$<TARGET_OBJECTS:scarp>,\n>\n")
+file(GENERATE OUTPUT ${package_dir}/unfused-$<CONFIG>.txt
+     CONTENT "$<JOIN:$<TARGET_OBJECTS:scarp_unfused>,\n>\n")
+
+# The kernels whose vf_exact_fma is fused, as the library has them but for that operation.
+set(unfused_sources ${scarp_sources})
+list(FILTER unfused_sources INCLUDE REGEX "kernels_(avx2|avx512|neon)")
+list(TRANSFORM unfused_sources PREPEND ${PROJECT_SOURCE_DIR}/)
+add_library(scarp_unfused OBJECT ${unfused_sources})
+scarp_compile_rules(scarp_unfused)
+scarp_library_rules(scarp_unfused)
+target_compile_definitions(scarp_unfused PRIVATE VEC_UNFUSED)
 
 # scarp_add_package_test(SCRIPT [CXX] [SETUP fixture] [AFTER fixture] [NEEDS tool...]):
 # package/SCRIPT.sh as the test package.SCRIPT, or package.SCRIPT.cxx where the consumer is in C++

@@ -144,6 +144,86 @@ static void test_operators(void)
     }
 }
 
+/* Gives exact_fma the factors a[] and b[], in either order, and compares with C, which rounds the
+   product: tests are compiled without contraction. */
+static void check_exact_fma(const float *a, const float *b, const float *c)
+{
+    float found[2][LANES_MAX];
+    ops->exact_fma(found[0], a, b, c);
+    ops->exact_fma(found[1], b, a, c);
+    for (int i = 0; i < lanes; i++) {
+        const float product = a[i] * b[i];
+        const float wanted = product + c[i];
+        for (int order = 0; order < 2; order++) {
+            CHECK(!DIFFERENT32(found[order][i], wanted),
+                  "%a * %a + %a, order %d, lane %d: %a, not %a", (double)a[i], (double)b[i],
+                  (double)c[i], order, i, (double)found[order][i], (double)wanted);
+        }
+    }
+}
+
+/* Every number as the factor that may be anything. The other one is 0 or a power of two from 1 on,
+   and the product does not overflow. What is added is any number, or cancels all or nearly all, or
+   is so much larger or smaller that only rounding shows it. */
+static void test_exact_fma(void)
+{
+    static const float powers[] = {0.0f, -0.0f, 1.0f, -1.0f, 2.0f, -2.0f, 4.0f, -4.0f, 0x1p60f};
+    const int kinds = 8;
+    uint64_t state = 7;
+    for (size_t p = 0; p < sizeof powers / sizeof powers[0]; p++) {
+        for (size_t n = 0; n < numbers_f * (size_t)kinds; n += (size_t)lanes) {
+            float a[LANES_MAX], b[LANES_MAX], c[LANES_MAX];
+            for (int i = 0; i < lanes; i++) {
+                const size_t number = (n + (size_t)i) % (numbers_f * (size_t)kinds);
+                const float any = number_f[check_random(&state) % numbers_f];
+                a[i] = powers[p];
+                b[i] = number_f[number / (size_t)kinds];
+                b[i] = isinf(a[i] * b[i]) && !isinf(b[i]) ? 1.0f : b[i];
+                const float product = a[i] * b[i];
+                const float chosen[] = {any,
+                                        0.0f,
+                                        -0.0f,
+                                        -product,
+                                        nextafterf(-product, any),
+                                        product * 0x1.8p24f,
+                                        product * -0x1.000002p-24f,
+                                        b[i]};
+                c[i] = chosen[number % (size_t)kinds];
+            }
+            check_exact_fma(a, b, c);
+        }
+    }
+}
+
+/* What 3D gradient noise asks of it: components of gradients, which are 0 and +-2, times places,
+   and their differences times fades, added to the other such product or to a component. Places are
+   those in [0, 1] and what is left of them to 1. Fades exceed 1 by an ulp at most. */
+static void test_exact_components(void)
+{
+    static const float components[] = {0.0f, 2.0f, -2.0f};
+    uint64_t state = 8;
+    for (size_t n = 0; n < numbers_f; n += (size_t)lanes) {
+        for (int pair = 0; pair < 9; pair++) {
+            float g[LANES_MAX], difference[LANES_MAX], t[LANES_MAX], s[LANES_MAX], u[LANES_MAX];
+            float other[LANES_MAX], component[LANES_MAX];
+            for (int i = 0; i < lanes; i++) {
+                const float number = fabsf(number_f[(n + (size_t)i) % numbers_f]);
+                const float random = (float)(check_random(&state) >> 40) * 0x1p-24f;
+                t[i] = !(number > 1.0f) ? number : check_random(&state) % 8 == 0 ? 1.0f : random;
+                s[i] = t[i] - 1.0f;
+                u[i] = check_random(&state) % 8 == 0 ? 1.0f + 0x1p-23f : t[i];
+                g[i] = components[pair % 3];
+                component[i] = components[pair / 3];
+                difference[i] = g[i] - component[i];
+                other[i] = component[i] * (i % 2 == 0 ? random : s[i]);
+            }
+            check_exact_fma(g, t, other);
+            check_exact_fma(g, s, other);
+            check_exact_fma(u, difference, component);
+        }
+    }
+}
+
 static void test_sets(void)
 {
     float f[LANES_MAX];
@@ -210,8 +290,8 @@ static void make_hashes(uint32_t *hash, uint32_t upper, uint64_t *state)
 static void test_lookup(void)
 {
     static const struct lookup tables[] = {
-        LOOKUP_TABLE_HIGH(0x1.234568p0f, 0x1.fedcbap-20f, 0x1.0f0f0ep90f, 0x1.99aabcp-7f),
-        LOOKUP_TABLE_LOW(0x1.5a5a5ap-1f, 0x1.a4a4a6p33f, 0x1.777776p3f, 0x1.000002p-60f)};
+        LOOKUP_TABLE_HIGH(0x3f91a2b4u, 0x35ff6e5du, 0x6c878787u, 0x3c4cd55eu),
+        LOOKUP_TABLE_LOW(0x3f2d2d2du, 0x50525253u, 0x413bbbbbu, 0x21800001u)};
     static const struct lookup_top top =
         LOOKUP_TOP(0x11, 0x92, 0x23, 0x40, 0xc0, 0x66, 0xf7, 0x08, 0x79, 0x8a, 0x3b, 0xec);
     uint64_t state = 5;
@@ -224,14 +304,39 @@ static void test_lookup(void)
         ops->lookup_top(topped, &top, hash);
         for (int i = 0; i < lanes; i++) {
             for (int t = 0; t < 2; t++) {
-                const float wanted = tables[t].entry[hash[i] >> 28];
-                CHECK(bits_of_float(found[t][i]) == bits_of_float(wanted),
-                      "table %d, lane %d, hash %#x: %a, not %a", t, i, hash[i], (double)found[t][i],
-                      (double)wanted);
+                const uint32_t wanted = tables[t].entry[hash[i] >> 28];
+                CHECK(bits_of_float(found[t][i]) == wanted,
+                      "table %d, lane %d, hash %#x: %#x, not %#x", t, i, hash[i],
+                      bits_of_float(found[t][i]), wanted);
             }
             const uint32_t byte = top.top[(hash[i] >> 16) * 12 >> 16];
             CHECK(bits_of_float(topped[i]) == byte << 24, "top, lane %d, hash %#x: %#x, not %#x", i,
                   hash[i], bits_of_float(topped[i]), byte << 24);
+        }
+    }
+}
+
+/* The four vectors of hashes are independent: each index stands in each of them. */
+static void test_lookup_four(void)
+{
+    static const struct lookup tables[] = {
+        LOOKUP_TABLE_HIGH(0x12345678u, 0x0fedcba9u, 0x7e0f1e2du, 0x00ff80a5u),
+        LOOKUP_TABLE_LOW(0x5a5a5a01u, 0x02a4a4a6u, 0x77070776u, 0x33000002u)};
+    uint64_t state = 9;
+    for (uint32_t upper = 0; upper < 65536; upper += 7) {
+        uint32_t hash[4 * LANES_MAX];
+        float found[4 * LANES_MAX];
+        for (uint32_t n = 0; n < 4; n++) {
+            make_hashes(hash + n * (uint32_t)lanes, upper * (2 * n + 1), &state);
+        }
+        for (int t = 0; t < 2; t++) {
+            ops->lookup_four(found, &tables[t], hash);
+            for (int i = 0; i < 4 * lanes; i++) {
+                const uint32_t wanted = tables[t].entry[hash[i] >> 28];
+                CHECK(bits_of_float(found[i]) == wanted,
+                      "table %d, vector %d, lane %d, hash %#x: %#x, not %#x", t, i / lanes,
+                      i % lanes, hash[i], bits_of_float(found[i]), wanted);
+            }
         }
     }
 }
@@ -296,9 +401,12 @@ int main(int argc, char **argv)
     test_rounding();
     test_bits_of_lanes();
     test_operators();
+    test_exact_fma();
+    test_exact_components();
     test_sets();
     test_memory();
     test_lookup();
+    test_lookup_four();
     test_permute();
     return check_done();
 }

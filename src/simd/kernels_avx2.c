@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * The kernels for AVX2. The target pragma switches the instructions on for this file alone, so no
- * compiler flag is needed; everything but the table is static, so none of this code leaks.
+ * The kernels for AVX2 and FMA, which all but a few processors have together; those few take
+ * SSE4.1. The target pragma switches the instructions on for this file alone, so no compiler flag
+ * is needed; everything but the table is static, so none of this code leaks.
  */
 #include "../kernels.h"
 #include "body.h"
@@ -11,10 +12,10 @@
 #include <immintrin.h> /* before the region: its functions carry their own targets */
 
 #if defined(__clang__)
-#pragma clang attribute push(__attribute__((target("avx2"))), apply_to = function)
+#pragma clang attribute push(__attribute__((target("avx2,fma"))), apply_to = function)
 #else
 #pragma GCC push_options
-#pragma GCC target("avx2")
+#pragma GCC target("avx2,fma")
 #endif
 
 #include "vec_avx2.h"

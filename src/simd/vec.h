@@ -273,6 +273,19 @@ VEC_INLINE vd vd_sqrt(vd a)
 #endif
 
 /*
+ * The only operation that may be fused: a b + c where a b is exact, so that rounding it changes no
+ * bit. Use it only where one of a and b is 0 or a power of two that is at least 1 (of either sign),
+ * and a b does not overflow; NaN and infinities are as in a b + c. VEC_UNFUSED makes it a * b + c
+ * in every set: the audit of tests/package demands that no fused instruction is left then.
+ */
+#ifndef VF_EXACT_FMA_OWN
+VEC_INLINE vf vf_exact_fma(vf a, vf b, vf c)
+{
+    return a * b + c;
+}
+#endif
+
+/*
  * Tables; lookup.h has their types. The portable forms choose between entries bit by bit: the
  * tables are constants in the kernels, so where two entries are alike or differ in the sign alone,
  * the compiler has little left to do.
@@ -284,14 +297,24 @@ VEC_INLINE vu vec_four(vu bit0, vu bit1, vu e0, vu e1, vu e2, vu e3)
     return vu_choose(bit1, vu_choose(bit0, e3, e2), vu_choose(bit0, e1, e0));
 }
 
-/* table->entry[hash >> 28] in each lane. */
+/* The float with the bits table->entry[hash >> 28] in each lane. */
 #ifndef VF_LOOKUP_OWN
 VEC_INLINE vf vf_lookup(const struct lookup *table, vu hash)
 {
-    const float *const quad = table->quad;
-    const vu magnitude = vec_four(vu_bit(hash, 29), vu_bit(hash, 30), (vu)vf_set(quad[0]),
-                                  (vu)vf_set(quad[1]), (vu)vf_set(quad[2]), (vu)vf_set(quad[3]));
+    const uint32_t *const quad = table->quad;
+    const vu magnitude = vec_four(vu_bit(hash, 29), vu_bit(hash, 30), vu_set(quad[0]),
+                                  vu_set(quad[1]), vu_set(quad[2]), vu_set(quad[3]));
     return (vf)(magnitude ^ ((table->sign_low ? hash << 3 : hash) & 0x80000000u));
+}
+#endif
+
+/* The same for four vectors of hashes. */
+#ifndef VF_LOOKUP_FOUR_OWN
+VEC_INLINE struct vf_four vf_lookup_four(const struct lookup *table, const vu hash[4])
+{
+    const struct vf_four found = {{vf_lookup(table, hash[0]), vf_lookup(table, hash[1]),
+                                   vf_lookup(table, hash[2]), vf_lookup(table, hash[3])}};
+    return found;
 }
 #endif
 

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * The operations of vec.h on AVX2: 8 lanes. Included by kernels_avx2.c inside its target region.
+ * The operations of vec.h on AVX2 and FMA: 8 lanes. Included by kernels_avx2.c inside its target
+ * region.
  */
 #ifndef SCARP_SIMD_VEC_AVX2_H
 #define SCARP_SIMD_VEC_AVX2_H
@@ -111,6 +112,14 @@ VEC_INLINE vd vd_sqrt(vd a)
     return (vd)_mm256_sqrt_pd((__m256d)a);
 }
 
+#ifndef VEC_UNFUSED
+#define VF_EXACT_FMA_OWN
+VEC_INLINE vf vf_exact_fma(vf a, vf b, vf c)
+{
+    return (vf)_mm256_fmadd_ps((__m256)a, (__m256)b, (__m256)c);
+}
+#endif
+
 #define VU_TURN8_OWN
 VEC_INLINE vu vu_turn8(vu a)
 {
@@ -123,7 +132,8 @@ VEC_INLINE vu vu_turn8(vu a)
 VEC_INLINE vf vf_lookup(const struct lookup *table, vu hash)
 {
     const vu index = table->sign_low ? hash >> 28 : hash >> 29;
-    return (vf)_mm256_permutevar8x32_ps(_mm256_load_ps(table->eight), (__m256i)index);
+    const __m256 eight = _mm256_castsi256_ps(_mm256_load_si256((const __m256i *)table->eight));
+    return (vf)_mm256_permutevar8x32_ps(eight, (__m256i)index);
 }
 
 /* (hash >> 16) * 12, shifted so that its whole part is the top byte; the bytes below ask for 0. */

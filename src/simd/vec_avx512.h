@@ -112,6 +112,14 @@ VEC_INLINE vd vd_sqrt(vd a)
     return (vd)_mm512_sqrt_pd((__m512d)a);
 }
 
+#ifndef VEC_UNFUSED
+#define VF_EXACT_FMA_OWN
+VEC_INLINE vf vf_exact_fma(vf a, vf b, vf c)
+{
+    return (vf)_mm512_fmadd_ps((__m512)a, (__m512)b, (__m512)c);
+}
+#endif
+
 #define VU_TURN8_OWN
 VEC_INLINE vu vu_turn8(vu a)
 {
@@ -121,7 +129,8 @@ VEC_INLINE vu vu_turn8(vu a)
 #define VF_LOOKUP_OWN
 VEC_INLINE vf vf_lookup(const struct lookup *table, vu hash)
 {
-    return (vf)_mm512_permutexvar_ps((__m512i)(hash >> 28), _mm512_load_ps(table->entry));
+    const __m512 entries = _mm512_castsi512_ps(_mm512_load_si512(table->entry));
+    return (vf)_mm512_permutexvar_ps((__m512i)(hash >> 28), entries);
 }
 
 /* (hash >> 16) * 12, shifted so that its whole part is the top byte. */
@@ -134,7 +143,10 @@ VEC_INLINE vu vu_top_index(vu hash)
 #define VF_LOOKUP_TOP_OWN
 VEC_INLINE vf vf_lookup_top(const struct lookup_top *table, vu index)
 {
-    const __mmask64 top_bytes = 0x8888888888888888u;
+    __mmask64 top_bytes = 0x8888888888888888u;
+#ifdef __clang__
+    __asm__("" : "+Yk"(top_bytes)); /* clang makes an `and` of a mask that it knows */
+#endif
     return (vf)_mm512_maskz_shuffle_epi8(top_bytes, _mm512_load_si512(table->top), (__m512i)index);
 }
 

@@ -106,6 +106,14 @@ VEC_INLINE vd vd_sqrt(vd a)
     return (vd)vsqrtq_f64((float64x2_t)a);
 }
 
+#ifndef VEC_UNFUSED
+#define VF_EXACT_FMA_OWN
+VEC_INLINE vf vf_exact_fma(vf a, vf b, vf c)
+{
+    return (vf)vfmaq_f32((float32x4_t)c, (float32x4_t)a, (float32x4_t)b);
+}
+#endif
+
 #define VU_TURN8_OWN
 VEC_INLINE vu vu_turn8(vu a)
 {

@@ -131,8 +131,37 @@ VEC_INLINE vf vf_lookup(const struct lookup *table, vu hash)
     const __m128i quads = _mm_shuffle_epi8((__m128i)(hash >> 3), top); /* index in bits 2 and 3 */
     const __m128i bytes =
         _mm_or_si128(_mm_and_si128(quads, _mm_set1_epi8(0x0c)), _mm_set1_epi32(0x03020100));
-    const vu magnitude = (vu)_mm_shuffle_epi8(_mm_castps_si128(_mm_load_ps(table->quad)), bytes);
+    const vu magnitude = (vu)_mm_shuffle_epi8(_mm_load_si128((const __m128i *)table->quad), bytes);
     return (vf)(magnitude ^ ((table->sign_low ? hash << 3 : hash) & 0x80000000u));
+}
+
+VEC_INLINE __m128i vec_bytes(const struct lookup *table, int k, __m128i index)
+{
+    return _mm_shuffle_epi8(_mm_load_si128((const __m128i *)table->byte[k]), index);
+}
+
+/* The indices of all 16 lanes fit a vector of bytes: each byte of the entries is looked up for all
+   of them, and the bytes are put together. That takes 31 operations for two tables instead of 44.
+ */
+#define VF_LOOKUP_FOUR_OWN
+VEC_INLINE struct vf_four vf_lookup_four(const struct lookup *table, const vu hash[4])
+{
+    const __m128i low = _mm_packs_epi32((__m128i)(hash[0] >> 28), (__m128i)(hash[1] >> 28));
+    const __m128i high = _mm_packs_epi32((__m128i)(hash[2] >> 28), (__m128i)(hash[3] >> 28));
+    const __m128i index = _mm_packus_epi16(low, high);
+    const __m128i byte0 = vec_bytes(table, 0, index), byte1 = vec_bytes(table, 1, index);
+    const __m128i byte2 = vec_bytes(table, 2, index), byte3 = vec_bytes(table, 3, index);
+    const __m128i lower01 = _mm_unpacklo_epi8(byte0, byte1);
+    const __m128i lower23 = _mm_unpackhi_epi8(byte0, byte1);
+    const __m128i upper01 = _mm_unpacklo_epi8(byte2, byte3);
+    const __m128i upper23 = _mm_unpackhi_epi8(byte2, byte3);
+    const struct vf_four found = {{
+        (vf)_mm_unpacklo_epi16(lower01, upper01),
+        (vf)_mm_unpackhi_epi16(lower01, upper01),
+        (vf)_mm_unpacklo_epi16(lower23, upper23),
+        (vf)_mm_unpackhi_epi16(lower23, upper23),
+    }};
+    return found;
 }
 
 /* (hash >> 16) * 12, shifted so that its whole part is the top byte; the bytes below ask for 0. */

@@ -20,6 +20,10 @@
 /* VEC_LANES floats. */
 typedef float vf __attribute__((vector_size(VEC_BYTES)));
 
+struct vf_four {
+    vf v[4];
+};
+
 /* VEC_LANES unsigned integers; + - * wrap, >> shifts in zeros. */
 typedef uint32_t vu __attribute__((vector_size(VEC_BYTES)));
 

@@ -41,8 +41,15 @@ mutant(basis.cubic_ddu IN kernel TEXT [[6.0f - 12.0f * t]]
        BECOMES [[6.0f - (MUTANT ? 6.0f : 12.0f) * t]] SEEN_BY bits)
 mutant(basis.across_dxx IN kernel TEXT [[2.0f * u.du * (r.a - l.a)]]
        BECOMES [[(MUTANT ? 1.0f : 2.0f) * u.du * (r.a - l.a)]] SEEN_BY bits)
-mutant(basis.gradient_zz IN kernel TEXT [[2.0f * w.du * dgz]]
-       BECOMES [[(MUTANT ? 1.0f : 2.0f) * w.du * dgz]] SEEN_BY bits)
+mutant(basis.gradient_zz IN kernel TEXT [[vf_exact_fma(2.0f * w.du,]]
+       BECOMES [[vf_exact_fma((MUTANT ? 1.0f : 2.0f) * w.du,]] SEEN_BY bits)
+# vf_exact_fma where the product is rounded: the sets that fuse it must show that.
+mutant(basis.inexact_2d IN kernel TEXT [[c.value.b = dot0 + f.u * ddot;]]
+       BECOMES [[c.value.b = MUTANT ? vf_exact_fma(f.u, ddot, dot0) : dot0 + f.u * ddot;]]
+       SEEN_BY bits SETS avx2 avx512 neon)
+mutant(basis.inexact_six IN kernel TEXT [[e0.dgx + v.u * ddgx;]]
+       BECOMES [[MUTANT ? vf_exact_fma(v.u, ddgx, e0.dgx) : e0.dgx + v.u * ddgx;]]
+       SEEN_BY bits SETS avx2 avx512 neon) # ddgx may be 6
 mutant(basis.value_yz IN kernel TEXT [[v.du * (w.du * ddz)]]
        BECOMES [[(MUTANT ? v.du * w.du * ddz : v.du * (w.du * ddz))]] SEEN_BY bits)
 

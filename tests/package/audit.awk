@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: MIT
 # Reads disassembly (objdump -d --no-show-raw-insn, GNU's or LLVM's) and reports instructions that
 # break the promise of equal bits, or that a processor may lack when the code is reached. Variables:
-# processor; files: 1 if objects keep to their own instruction set (rules by file name apply).
+# processor; files: 1 if objects keep to their own instruction set (rules by file name apply);
+# exact: a pattern of objects where vf_exact_fma may have made packed fused instructions.
 
 /file format/ {
     object = $1
@@ -36,11 +37,20 @@ function report(rule)
         printf "%s %s %s: %s\n", object, routine, rule, line
 }
 
+# Whether it multiplies vectors of floats.
+function packed(name, line)
+{
+    return name ~ /^vfn?m(add|sub)(132|213|231)ps$/ || (name ~ /^fml[as]$/ && line ~ /v[0-9]+[.]4s/) ||
+        name ~ /^fml[as][.]4s$/
+}
+
 function check(name, line)
 {
     if (name ~ /^v[0-9]*fn?m(add|sub)/ || name ~ /^fn?m(add|sub|la|ls|ad|sb)/ ||
-        name ~ /^([vw]f)?n?m[as][sed]br?$/)
-        report("fused multiply-add")
+        name ~ /^([vw]f)?n?m[as][sed]br?$/) {
+        if (exact == "" || object !~ exact || !packed(name, line))
+            report("fused multiply-add")
+    }
     if (name ~ /^v?r(cp|sqrt)(14|28)?[sp][sdh]$/ || name ~ /^[fu]r(ecp|sqrt)[esx]$/)
         report("estimate")
     if (!files || processor !~ /^(x86_64|AMD64)$/)

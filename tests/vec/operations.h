@@ -93,6 +93,11 @@ static void sqrt_d(double *out, const double *in)
     store_halves(out, vd_sqrt(vd_load(in)), vd_sqrt(vd_load(in + VEC_LANES / 2)));
 }
 
+static void exact_fma(float *out, const float *a, const float *b, const float *c)
+{
+    vf_store(out, vf_exact_fma(vf_load(a), vf_load(b), vf_load(c)));
+}
+
 static void turn8(uint32_t *out, const uint32_t *in)
 {
     vu_store(out, vu_turn8(vu_load(in)));
@@ -121,6 +126,16 @@ static void not_equal(uint32_t *out, const float *a, const float *b)
 static void lookup(float *out, const struct lookup *table, const uint32_t *hash)
 {
     vf_store(out, vf_lookup(table, vu_load(hash)));
+}
+
+static void lookup_four(float *out, const struct lookup *table, const uint32_t *hash)
+{
+    const vu four[4] = {vu_load(hash), vu_load(hash + VEC_LANES), vu_load(hash + 2 * VEC_LANES),
+                        vu_load(hash + 3 * VEC_LANES)};
+    const struct vf_four found = vf_lookup_four(table, four);
+    for (int i = 0; i < 4; i++) {
+        vf_store(out + i * VEC_LANES, found.v[i]);
+    }
 }
 
 static void lookup_top(float *out, const struct lookup_top *table, const uint32_t *hash)
@@ -160,12 +175,14 @@ const struct vec_operations VEC_OPERATIONS(KERNELS) = {
     .d_from_f = d_from_f,
     .low_bits = low_bits,
     .sqrt_d = sqrt_d,
+    .exact_fma = exact_fma,
     .turn8 = turn8,
     .multiply = multiply,
     .shift = shift,
     .less = less,
     .not_equal = not_equal,
     .lookup = lookup,
+    .lookup_four = lookup_four,
     .lookup_top = lookup_top,
     .permute = permute,
     .slide = slide,

@@ -31,12 +31,16 @@ struct vec_operations {
     void (*d_from_f)(double *out, const float *in);
     void (*low_bits)(uint32_t *out, const double *in);
     void (*sqrt_d)(double *out, const double *in);
+    /* a b + c, a b being exact */
+    void (*exact_fma)(float *out, const float *a, const float *b, const float *c);
     void (*turn8)(uint32_t *out, const uint32_t *in);
     void (*multiply)(uint32_t *out, const uint32_t *a, const uint32_t *b);
     void (*shift)(uint32_t *out, const uint32_t *in, int bits); /* to the right */
     void (*less)(uint32_t *out, const float *a, const float *b);
     void (*not_equal)(uint32_t *out, const float *a, const float *b);
     void (*lookup)(float *out, const struct lookup *table, const uint32_t *hash);
+    /* Inputs and outputs are four vectors, one after the other. */
+    void (*lookup_four)(float *out, const struct lookup *table, const uint32_t *hash);
     void (*lookup_top)(float *out, const struct lookup_top *table, const uint32_t *hash);
     /* `entries` has VF_TABLE floats. With `next`, VF_INDEX_NEXT is added to the index. */
     void (*permute)(float *out, const float *entries, const uint32_t *index, int next);

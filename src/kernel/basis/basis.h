@@ -61,8 +61,16 @@ VEC_INLINE struct sample basis_sample(const vf *lattice, enum scarp_fade kind, s
         right = corners3(at, 1);
     }
     p.v = fade(kind, p.y);
-    const struct column l = basis_column(&left, &p, v);
-    const struct column r = basis_column(&right, &p, v);
+    struct column l, r;
+    if (v.basis == SCARP_GRADIENT && v.dimensions == 2) {
+        struct gradients2 gl, gr;
+        gradients2_of_both(&gl, &gr, &left, &right);
+        l = gradient_column2(gl, &p, v);
+        r = gradient_column2(gr, &p, v);
+    } else {
+        l = basis_column(&left, &p, v);
+        r = basis_column(&right, &p, v);
+    }
     return join(&l, &r, x, fade(kind, x), v);
 }
 

@@ -14,7 +14,7 @@ struct fade {
 
 /* quintic: u = 6t^5 - 15t^4 + 10t^3   u' = 30 t^2 (t-1)^2   u'' = 60 t (t-1) (2t-1)
  * cubic:   u = 3t^2 - 2t^3            u' = 6 t (1-t)        u'' = 6 - 12t
- * The quintic in a form where nothing cancels: see scalar/fade.h. */
+ * The quintic in a form where nothing cancels: see scalar/fade.h. In the cubic 2t is exact. */
 VEC_INLINE struct fade fade(enum scarp_fade kind, vf t)
 {
     const vf s = t - 1.0f;
@@ -26,7 +26,7 @@ VEC_INLINE struct fade fade(enum scarp_fade kind, vf t)
         f.du = 30.0f * (ts * ts);
         f.ddu = 60.0f * ts * (t + s);
     } else {
-        f.u = t * t * (3.0f - 2.0f * t);
+        f.u = t * t * vf_exact_fma(vf_set(-2.0f), t, vf_set(3.0f));
         f.du = -6.0f * ts;
         f.ddu = 6.0f - 12.0f * t;
     }

@@ -12,11 +12,12 @@
 
 #include "columns.h"
 
-/* 16 directions, 11.25 degrees + k * 22.5: cosines and sines of 11.25, 33.75, 56.25 and 78.75. */
-#define COS_1 0.980785280f
-#define COS_3 0.831469612f
-#define COS_5 0.555570233f
-#define COS_7 0.195090322f
+/* 16 directions, 11.25 degrees + k * 22.5: cosines and sines of 11.25, 33.75, 56.25 and 78.75, as
+   the bits of floats. */
+#define COS_1 0x3f7b14beu /* 0.980785280f */
+#define COS_3 0x3f54db31u /* 0.831469612f */
+#define COS_5 0x3f0e39dau /* 0.555570233f */
+#define COS_7 0x3e47c5c2u /* 0.195090322f */
 
 static const struct lookup gradient2_x = LOOKUP_TABLE_HIGH(COS_1, COS_3, COS_5, COS_7);
 static const struct lookup gradient2_y = LOOKUP_TABLE_LOW(COS_7, COS_5, COS_3, COS_1);
@@ -30,12 +31,16 @@ static const struct lookup_top gradient3_z = LOOKUP_TOP(0, 0, 0, 0, P, N, P, N, 
 #undef P
 #undef N
 
-VEC_INLINE struct column gradient_column2(const struct corners *h, const struct across *p,
+/* The gradients at the two corners of a column. */
+struct gradients2 {
+    vf x0, y0, x1, y1;
+};
+
+VEC_INLINE struct column gradient_column2(struct gradients2 g, const struct across *p,
                                           struct variant v)
 {
     const struct fade f = p->v;
-    const vf gx0 = vf_lookup(&gradient2_x, h->h[0][0]), gy0 = vf_lookup(&gradient2_y, h->h[0][0]);
-    const vf gx1 = vf_lookup(&gradient2_x, h->h[1][0]), gy1 = vf_lookup(&gradient2_y, h->h[1][0]);
+    const vf gx0 = g.x0, gy0 = g.y0, gx1 = g.x1, gy1 = g.y1;
     const vf dgx = gx1 - gx0;
     const vf dot0 = gy0 * p->y;
     const vf dot1 = gy1 * f.s;
@@ -55,6 +60,29 @@ VEC_INLINE struct column gradient_column2(const struct corners *h, const struct 
     return c;
 }
 
+/* Looks up the gradients of one column. */
+VEC_INLINE struct gradients2 gradients2_of(const struct corners *h)
+{
+    const vu h0 = h->h[0][0], h1 = h->h[1][0];
+    const struct gradients2 g = {vf_lookup(&gradient2_x, h0), vf_lookup(&gradient2_y, h0),
+                                 vf_lookup(&gradient2_x, h1), vf_lookup(&gradient2_y, h1)};
+    return g;
+}
+
+/* Looks up those of both columns of a cell together; y first, since its products take longer to
+   reach the sums. */
+VEC_INLINE void gradients2_of_both(struct gradients2 *left, struct gradients2 *right,
+                                   const struct corners *l, const struct corners *r)
+{
+    const vu h[4] = {l->h[0][0], l->h[1][0], r->h[0][0], r->h[1][0]};
+    const struct vf_four y = vf_lookup_four(&gradient2_y, h);
+    const struct vf_four x = vf_lookup_four(&gradient2_x, h);
+    const struct gradients2 g[2] = {{x.v[0], y.v[0], x.v[1], y.v[1]},
+                                    {x.v[2], y.v[2], x.v[3], y.v[3]}};
+    *left = g[0];
+    *right = g[1];
+}
+
 /* The lattice edge along z at one x and y, interpolated over z. */
 struct edge {
     struct line value; /* in x */
@@ -70,21 +98,21 @@ VEC_INLINE struct edge gradient_edge(const vu h[2], vf y, vf z, struct fade w, i
     const vf gx0 = vf_lookup_top(&gradient3_x, i0), gx1 = vf_lookup_top(&gradient3_x, i1);
     const vf gy0 = vf_lookup_top(&gradient3_y, i0), gy1 = vf_lookup_top(&gradient3_y, i1);
     const vf gz0 = vf_lookup_top(&gradient3_z, i0), gz1 = vf_lookup_top(&gradient3_z, i1);
-    const vf dot0 = gy0 * y + gz0 * z;
-    const vf dot1 = gy1 * y + gz1 * w.s;
+    const vf dot0 = vf_exact_fma(gz0, z, gy0 * y);
+    const vf dot1 = vf_exact_fma(gz1, w.s, gy1 * y);
     const vf ddot = dot1 - dot0;
     struct edge e;
     e.dgx = gx1 - gx0;
-    e.value.a = gx0 + w.u * e.dgx;
+    e.value.a = vf_exact_fma(w.u, e.dgx, gx0);
     e.value.b = dot0 + w.u * ddot;
     if (order >= 1) {
         const vf dgy = gy1 - gy0;
         const vf dgz = gz1 - gz0;
-        e.gy = gy0 + w.u * dgy;
-        e.z = (gz0 + w.u * dgz) + w.du * ddot;
+        e.gy = vf_exact_fma(w.u, dgy, gy0);
+        e.z = vf_exact_fma(w.u, dgz, gz0) + w.du * ddot;
         if (order >= 2) {
             e.dgy = w.du * dgy;
-            e.zz = 2.0f * w.du * dgz + w.ddu * ddot;
+            e.zz = vf_exact_fma(2.0f * w.du, dgz, w.ddu * ddot);
         }
     }
     return e;
@@ -126,7 +154,7 @@ VEC_INLINE struct column gradient_column3(const struct corners *h, const struct 
 VEC_INLINE struct column gradient_column(const struct corners *h, const struct across *p,
                                          struct variant v)
 {
-    return v.dimensions == 2 ? gradient_column2(h, p, v) : gradient_column3(h, p, v);
+    return v.dimensions == 2 ? gradient_column2(gradients2_of(h), p, v) : gradient_column3(h, p, v);
 }
 
 #endif
