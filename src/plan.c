@@ -128,18 +128,17 @@ static int last_frequency_valid(const struct parameters *p)
     return within(frequency, FREQUENCY_MIN, FREQUENCY_MAX);
 }
 
-static const char *outside_member(const struct scarp_noise *noise)
+static const char *outside_member(const struct parameters *p)
 {
-    const struct parameters p = parameters_of(noise);
-    const double magnitude = p.amplitude < 0.0 ? -p.amplitude : p.amplitude;
-    return !within(p.frequency, FREQUENCY_MIN, FREQUENCY_MAX) ? "frequency"
-           : !within(p.octaves, 0.0, SCARP_MAX_OCTAVES)       ? "octaves"
-           : !within(p.lacunarity, RATIO_MIN, RATIO_MAX)      ? "lacunarity"
-           : !within(p.gain, RATIO_MIN, RATIO_MAX)            ? "gain"
-           : !within(magnitude, AMPLITUDE_MIN, AMPLITUDE_MAX) ? "amplitude"
-           : !within(p.erosion, EROSION_MIN, EROSION_MAX)     ? "erosion"
-           : !last_frequency_valid(&p)                        ? "octaves"
-                                                              : NULL;
+    const double magnitude = p->amplitude < 0.0 ? -p->amplitude : p->amplitude;
+    return !within(p->frequency, FREQUENCY_MIN, FREQUENCY_MAX) ? "frequency"
+           : !within(p->octaves, 0.0, SCARP_MAX_OCTAVES)       ? "octaves"
+           : !within(p->lacunarity, RATIO_MIN, RATIO_MAX)      ? "lacunarity"
+           : !within(p->gain, RATIO_MIN, RATIO_MAX)            ? "gain"
+           : !within(magnitude, AMPLITUDE_MIN, AMPLITUDE_MAX)  ? "amplitude"
+           : !within(p->erosion, EROSION_MIN, EROSION_MAX)     ? "erosion"
+           : !last_frequency_valid(p)                          ? "octaves"
+                                                               : NULL;
 }
 
 /* Whether anything from `phase` on is not zero. The assertions above exclude padding. Reading wide
@@ -175,19 +174,27 @@ static const char *reserved_member(const struct scarp_noise *noise)
                                       : "spare";
 }
 
-enum scarp_status scarp_plan_check(const struct scarp_noise *noise, int dimensions,
-                                   const char **member)
+/* `p` are the parameters of the noise. */
+static enum scarp_status check(const struct scarp_noise *noise, const struct parameters *p,
+                               int dimensions, const char **member)
 {
     if ((*member = unknown_member(noise)) != NULL) {
         return SCARP_ERROR_ENUM;
     }
-    if ((*member = outside_member(noise)) != NULL) {
+    if ((*member = outside_member(p)) != NULL) {
         return SCARP_ERROR_PARAMETER;
     }
     if ((*member = reserved_member(noise)) != NULL) {
         return SCARP_ERROR_UNSUPPORTED;
     }
     return dimensions == 2 || dimensions == 3 ? SCARP_OK : SCARP_ERROR_PARAMETER;
+}
+
+enum scarp_status scarp_plan_check(const struct scarp_noise *noise, int dimensions,
+                                   const char **member)
+{
+    const struct parameters p = parameters_of(noise);
+    return check(noise, &p, dimensions, member);
 }
 
 /* The finaliser of splitmix64 (Steele, Lea and Flood 2014, with Stafford's mix 13): a bijection. */
@@ -203,38 +210,43 @@ static uint64_t mix64(uint64_t z)
 /*
  * The seed of octave k, such that the octave by itself is single-octave noise of that seed. The
  * seed is mixed before k comes in, so seeds that people choose (neighbours, complements, powers of
- * two) have no octaves in common.
+ * two) have no octaves in common. `mixed` is mix64(seed + GOLDEN_GAMMA), the same for all octaves.
  */
-static uint64_t octave_seed(uint64_t seed, int k)
+static uint64_t octave_seed(uint64_t seed, uint64_t mixed, int k)
 {
-    return k == 0 ? seed : mix64(mix64(seed + GOLDEN_GAMMA) + (uint64_t)k * GOLDEN_GAMMA);
+    return k == 0 ? seed : mix64(mixed + (uint64_t)k * GOLDEN_GAMMA);
 }
 
-/* Draws the keys and the offset of octave k. The keys of x and y are a bijection of the seed, so no
-   two seeds share an octave k. */
+/* An offset of 24 bits, which is exact in both precisions; 0 for octave 0. */
+static void set_offset(struct scarp_octave *octave, int axis, uint64_t draw, int k)
+{
+    octave->offset64[axis] = k == 0 ? 0.0 : (double)(int32_t)draw * 0x1p-24;
+    octave->offset[axis] = (float)octave->offset64[axis];
+}
+
+/* Draws the keys and the offset of octave k, whose seed is given. The keys of x and y are a
+   bijection of the seed, so no two seeds share an octave k. */
 static void draw_octave(struct scarp_octave *octave, uint64_t seed, int k)
 {
-    const uint64_t stream = mix64(octave_seed(seed, k) + GOLDEN_GAMMA);
+    const uint64_t stream = mix64(seed + GOLDEN_GAMMA);
     const uint64_t a = mix64(stream + GOLDEN_GAMMA);
     const uint64_t b = mix64(stream + 2 * GOLDEN_GAMMA);
     const uint64_t c = mix64(stream + 3 * GOLDEN_GAMMA);
     octave->key[0] = (uint32_t)a;
     octave->key[1] = (uint32_t)(a >> 32);
     octave->key[2] = (uint32_t)b;
-    const uint32_t draws[3] = {(uint32_t)(b >> 40), (uint32_t)(c & 0xffffff), (uint32_t)(c >> 40)};
-    for (int i = 0; i < 3; i++) {
-        octave->offset64[i] = k == 0 ? 0.0 : (double)draws[i] * 0x1p-24;
-        octave->offset[i] = (float)octave->offset64[i];
-    }
+    set_offset(octave, 0, b >> 40, k);
+    set_offset(octave, 1, c & 0xffffff, k);
+    set_offset(octave, 2, c >> 40, k);
 }
 
 /* Sets the Jacobian, frequency times `turn`, and what the kernels need of it. */
-static void set_axes(struct scarp_octave *octave, const double turn[3][3], double frequency,
+static void set_axes(struct scarp_octave *octave, const double turn[3][3], int dimensions,
                      double amplitude)
 {
-    for (int i = 0; i < 3; i++) {
-        for (int j = 0; j < 3; j++) {
-            octave->jacobian64[i][j] = frequency * turn[i][j];
+    for (int i = 0; i < dimensions; i++) {
+        for (int j = 0; j < dimensions; j++) {
+            octave->jacobian64[i][j] = octave->frequency64 * turn[i][j];
             octave->jacobian[i][j] = (float)octave->jacobian64[i][j];
             octave->gradient[i][j] = (float)(amplitude * octave->jacobian64[i][j]);
         }
@@ -250,61 +262,79 @@ static void multiply(double product[3][3], const double a[3][3], const double b[
     }
 }
 
-static void turn_axes(struct scarp_plan *plan, const double turn[3][3],
+static void turn_axes(struct scarp_octave *octave, int octaves, int dimensions,
                       const double amplitude[SCARP_MAX_OCTAVES])
 {
     double power[3][3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
-    for (int k = 0; k < plan->octaves; k++) {
-        struct scarp_octave *const octave = &plan->octave[k];
-        set_axes(octave, power, octave->frequency64, amplitude[k]);
+    for (int k = 0; k < octaves; k++) {
         double next[3][3];
-        multiply(next, turn, power);
-        for (int i = 0; i < 3; i++) {
-            for (int j = 0; j < 3; j++) {
-                power[i][j] = next[i][j];
-            }
-        }
+        set_axes(&octave[k], power, dimensions, amplitude[k]);
+        multiply(next, dimensions == 2 ? turn2 : turn3, power);
+        memcpy(power, next, sizeof power);
     }
 }
 
-void scarp_plan_make(struct scarp_plan *plan, const struct scarp_noise *noise, int dimensions,
-                     int order)
+static int is_rotated(const struct scarp_noise *noise, int octaves)
+{
+    return noise->rotate != 0 && octaves > 1;
+}
+
+/* Computes the constants of all octaves of a checked noise. */
+static void make_octaves(struct scarp_octave *octave, const struct scarp_noise *noise,
+                         const struct parameters *p, int dimensions)
+{
+    const int octaves = octave_count(p->octaves);
+    const double last_weight = p->octaves - (double)(octaves - 1);
+    const double supremum = supremum_of(noise, dimensions);
+    double weights[SCARP_MAX_OCTAVES], factors[SCARP_MAX_OCTAVES];
+    double weight = 1.0, sum = 0.0;
+    for (int k = 0; k < octaves; k++) {
+        weights[k] = k == octaves - 1 ? weight * last_weight : weight;
+        sum += weights[k];
+        weight *= p->gain;
+    }
+    const double scale = p->amplitude * HEADROOM / sum;
+    const uint64_t mixed = mix64(noise->seed + GOLDEN_GAMMA);
+    double frequency = p->frequency;
+    for (int k = 0; k < octaves; k++) {
+        struct scarp_octave *const o = &octave[k];
+        const double weighted = weights[k] * scale;
+        const double factor = (noise->fractal == SCARP_FBM ? weighted : 1.0) / supremum;
+        factors[k] = factor;
+        o->weight = (float)weighted;
+        o->amplitude = (float)factor;
+        o->slope = (float)(factor * frequency);
+        o->curvature = (float)(factor * frequency * frequency);
+        o->frequency = (float)frequency;
+        o->frequency64 = frequency;
+        draw_octave(o, octave_seed(noise->seed, mixed, k), k);
+        frequency *= p->lacunarity;
+    }
+    if (is_rotated(noise, octaves)) {
+        turn_axes(octave, octaves, dimensions, factors);
+    }
+}
+
+enum scarp_status scarp_plan_call(struct scarp_call_plan *plan, struct scarp_octave *space,
+                                  const struct scarp_noise *noise, int dimensions, int order)
 {
     const struct parameters p = parameters_of(noise);
-    const int octaves = octave_count(p.octaves);
-    const double last_weight = p.octaves - (double)(octaves - 1);
-    const double supremum = supremum_of(noise, dimensions);
+    const char *member;
+    const enum scarp_status status = check(noise, &p, dimensions, &member);
+    if (status != SCARP_OK) {
+        return status;
+    }
+    if (noise->fractal == SCARP_EROSION && order == 2) {
+        return SCARP_ERROR_UNSUPPORTED;
+    }
+    make_octaves(space, noise, &p, dimensions);
     plan->basis = noise->basis;
     plan->fade = noise->fade;
     plan->fractal = noise->fractal;
     plan->erosion = (float)p.erosion;
     plan->order = order;
-    plan->rotate = noise->rotate != 0 && octaves > 1;
-    plan->octaves = octaves;
-
-    double weights[SCARP_MAX_OCTAVES];
-    double weight = 1.0, sum = 0.0;
-    for (int k = 0; k < octaves; k++) {
-        weights[k] = k == octaves - 1 ? weight * last_weight : weight;
-        sum += weights[k];
-        weight *= p.gain;
-    }
-    const double scale = p.amplitude * HEADROOM / sum;
-    double frequency = p.frequency;
-    double factors[SCARP_MAX_OCTAVES];
-    for (int k = 0; k < octaves; k++) {
-        struct scarp_octave *const octave = &plan->octave[k];
-        octave->weight = (float)(weights[k] * scale);
-        factors[k] = noise->fractal == SCARP_FBM ? weights[k] * scale / supremum : 1.0 / supremum;
-        octave->amplitude = (float)factors[k];
-        octave->slope = (float)(factors[k] * frequency);
-        octave->curvature = (float)(factors[k] * frequency * frequency);
-        octave->frequency = (float)frequency;
-        octave->frequency64 = frequency;
-        draw_octave(octave, noise->seed, k);
-        frequency *= p.lacunarity;
-    }
-    if (plan->rotate) {
-        turn_axes(plan, dimensions == 2 ? turn2 : turn3, factors);
-    }
+    plan->octaves = octave_count(p.octaves);
+    plan->rotate = is_rotated(noise, plan->octaves);
+    plan->octave = space;
+    return SCARP_OK;
 }

@@ -5,7 +5,7 @@
 #ifndef SCARP_KERNEL_POINTS_H
 #define SCARP_KERNEL_POINTS_H
 
-#include "driver.h"
+#include "few.h"
 
 /* The most blocks of a part whose last block may be incomplete. */
 #define PADDED_BLOCKS 8
@@ -60,8 +60,9 @@ static void points_padded(const struct call *call, struct part *part, size_t cou
     copy_out(out, first, part->sums, 0, count);
 }
 
-static void points(const struct scarp_plan *plan, size_t count, const void *const position[3],
-                   const struct scarp_outputs *out, int dimensions, enum layout layout)
+static void points_many(const struct scarp_call_plan *plan, size_t count,
+                        const void *const position[3], const struct scarp_outputs *out,
+                        int dimensions, enum layout layout)
 {
     struct call call;
     call_begin(&call, plan, dimensions, layout);
@@ -94,26 +95,41 @@ static void points(const struct scarp_plan *plan, size_t count, const void *cons
     }
 }
 
-static void points2_f32(const struct scarp_plan *plan, size_t count, const void *const position[3],
-                        const struct scarp_outputs *out)
+static void points(const struct scarp_call_plan *plan, size_t count, const void *const position[3],
+                   const struct scarp_outputs *out, int dimensions, enum layout layout)
+{
+    few_pass *const few = few_pass_of(plan, dimensions, layout);
+    const size_t rest = few == NULL                       ? 0
+                        : count <= FEW_BLOCKS * VEC_LANES ? count
+                                                          : count % VEC_LANES;
+    if (rest > 0) {
+        few(plan, position, out, count - rest, count);
+    }
+    if (rest < count) {
+        points_many(plan, count - rest, position, out, dimensions, layout);
+    }
+}
+
+static void points2_f32(const struct scarp_call_plan *plan, size_t count,
+                        const void *const position[3], const struct scarp_outputs *out)
 {
     points(plan, count, position, out, 2, FLOATS);
 }
 
-static void points2_f64(const struct scarp_plan *plan, size_t count, const void *const position[3],
-                        const struct scarp_outputs *out)
+static void points2_f64(const struct scarp_call_plan *plan, size_t count,
+                        const void *const position[3], const struct scarp_outputs *out)
 {
     points(plan, count, position, out, 2, DOUBLES);
 }
 
-static void points3_f32(const struct scarp_plan *plan, size_t count, const void *const position[3],
-                        const struct scarp_outputs *out)
+static void points3_f32(const struct scarp_call_plan *plan, size_t count,
+                        const void *const position[3], const struct scarp_outputs *out)
 {
     points(plan, count, position, out, 3, FLOATS);
 }
 
-static void points3_f64(const struct scarp_plan *plan, size_t count, const void *const position[3],
-                        const struct scarp_outputs *out)
+static void points3_f64(const struct scarp_call_plan *plan, size_t count,
+                        const void *const position[3], const struct scarp_outputs *out)
 {
     points(plan, count, position, out, 3, DOUBLES);
 }

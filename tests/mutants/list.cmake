@@ -50,6 +50,10 @@ mutant(basis.value_yz IN kernel TEXT [[v.du * (w.du * ddz)]]
 mutant(driver.tail IN kernel TEXT [[copy_out(out, first, part->sums, 0, count)]]
        BECOMES [[copy_out(out, first, part->sums, 0, MUTANT ? count - count % VEC_LANES : count)]]
        SEEN_BY bits)
+mutant(driver.few IN kernel TEXT [[vf_load_part(x, count)]]
+       BECOMES [[vf_load_part(x, MUTANT ? 1 : count)]] SEEN_BY bits)
+mutant(driver.few_octaves IN kernel TEXT [[struct scarp_octave *o = plan->octave;]]
+       BECOMES [[struct scarp_octave *o = plan->octave + MUTANT;]] SEEN_BY bits)
 mutant(driver.remainder IN kernel TEXT [[least(i, count - blocks * VEC_LANES)]]
        BECOMES [[MUTANT ? i : least(i, count - blocks * VEC_LANES)]] SEEN_BY grid)
 mutant(driver.turned IN kernel TEXT [[s.dxy = column_dot(aj, 0, hy, v.dimensions)]]
@@ -101,6 +105,6 @@ mutant(outputs.normals IN kernel TEXT [[vf_from_vd(low.x, high.x)]]
        BECOMES [[MUTANT ? vf_from_vd(high.x, low.x) : vf_from_vd(low.x, high.x)]] SEEN_BY golden)
 
 # plan, which all kernel sets share
-mutant(plan.offset IN plan.c TEXT [[octave->offset[i] = (float)octave->offset64[i];]]
-       BECOMES [[octave->offset[i] = (float)octave->offset64[MUTANT ? 0 : i];]]
+mutant(plan.offset IN plan.c TEXT [[set_offset(octave, 1, c & 0xffffff, k);]]
+       BECOMES [[set_offset(octave, 1, MUTANT ? b >> 40 : c & 0xffffff, k);]]
        SEEN_BY golden SETS scalar)
