@@ -17,7 +17,8 @@ _Static_assert(offsetof(struct scarp_noise, erosion) == 48 &&
                    offsetof(struct scarp_noise, period) == 64 &&
                    offsetof(struct scarp_noise, spare0) == 76 &&
                    offsetof(struct scarp_noise, warp) == 80 &&
-                   offsetof(struct scarp_noise, spare) == 80 + sizeof(void *) &&
+                   offsetof(struct scarp_noise, plan) == 80 + sizeof(void *) &&
+                   offsetof(struct scarp_noise, spare) == 80 + 2 * sizeof(void *) &&
                    sizeof(struct scarp_noise) == 192,
                "struct scarp_noise has 192 bytes without padding");
 _Static_assert(sizeof((struct scarp_noise *)NULL)->spare >= 8, "some bytes stay spare");
@@ -141,20 +142,46 @@ static const char *outside_member(const struct parameters *p)
                                                                : NULL;
 }
 
+/* What is before and behind the member `plan`, in words: a plan says nothing about the noise. */
+#define WORD sizeof(uintptr_t)
+#define WORDS_BEFORE (offsetof(struct scarp_noise, plan) / WORD)
+#define WORDS_BEHIND (sizeof(struct scarp_noise) / WORD - WORDS_BEFORE - 1)
+
+static uintptr_t word_at(const void *memory, size_t i)
+{
+    uintptr_t word;
+    memcpy(&word, (const char *)memory + i * WORD, sizeof word);
+    return word;
+}
+
 /* Whether anything from `phase` on is not zero. The assertions above exclude padding. Reading wide
    words without branches takes 2 ns of a call, reading members one by one 7. */
 static int reserved_in_use(const struct scarp_noise *noise)
 {
-    const char *const period = (const char *)noise + offsetof(struct scarp_noise, period);
+    const size_t period = offsetof(struct scarp_noise, period) / WORD;
     uint32_t numbers[3]; /* phase, jitter, sharpness, where -0 is a zero */
-    uint64_t words[16];
     memcpy(numbers, (const char *)noise + offsetof(struct scarp_noise, phase), sizeof numbers);
-    memcpy(words, period, sizeof words);
-    uint64_t bits = (numbers[0] | numbers[1] | numbers[2]) & 0x7fffffffu;
-    for (int i = 0; i < 16; i++) {
-        bits |= words[i];
+    uintptr_t bits = (numbers[0] | numbers[1] | numbers[2]) & 0x7fffffffu;
+    for (size_t i = period; i < WORDS_BEFORE; i++) {
+        bits |= word_at(noise, i);
+    }
+    for (size_t i = 0; i < WORDS_BEHIND; i++) {
+        bits |= word_at(noise, WORDS_BEFORE + 1 + i);
     }
     return bits != 0;
+}
+
+/* Whether two noises have the same bytes, but for `plan`. */
+static int same_noise(const struct scarp_noise *a, const struct scarp_noise *b)
+{
+    uintptr_t different = 0;
+    for (size_t i = 0; i < WORDS_BEFORE; i++) {
+        different |= word_at(a, i) ^ word_at(b, i);
+    }
+    for (size_t i = 0; i < WORDS_BEHIND; i++) {
+        different |= word_at(a, WORDS_BEFORE + 1 + i) ^ word_at(b, WORDS_BEFORE + 1 + i);
+    }
+    return different == 0;
 }
 
 /* The first reserved member that is in use. */
@@ -315,26 +342,73 @@ static void make_octaves(struct scarp_octave *octave, const struct scarp_noise *
     }
 }
 
-enum scarp_status scarp_plan_call(struct scarp_call_plan *plan, struct scarp_octave *space,
-                                  const struct scarp_noise *noise, int dimensions, int order)
+/* What is in a struct scarp_plan. */
+struct kept {
+    uint64_t mark; /* the version, and for how many dimensions it is */
+    struct scarp_noise noise;
+    struct scarp_octave octave[SCARP_MAX_OCTAVES];
+};
+
+_Static_assert(sizeof(struct kept) <= sizeof(struct scarp_plan) &&
+                   _Alignof(struct kept) <= _Alignof(struct scarp_plan),
+               "a plan has room for what is kept");
+
+/* "SCRP", the version, since octaves may differ between versions, and the dimensions. */
+static uint64_t mark_of(int dimensions)
+{
+    return UINT64_C(0x53435250) << 32 | SCARP_VERSION_MAJOR << 24 | SCARP_VERSION_MINOR << 16 |
+           SCARP_VERSION_PATCH << 8 | (unsigned)dimensions;
+}
+
+/* Checks the noise and computes its octaves. It is out of line for the sake of calls that keep
+   theirs. */
+static __attribute__((noinline)) enum scarp_status
+octaves_of(struct scarp_octave *octave, const struct scarp_noise *noise, int dimensions)
 {
     const struct parameters p = parameters_of(noise);
     const char *member;
     const enum scarp_status status = check(noise, &p, dimensions, &member);
-    if (status != SCARP_OK) {
-        return status;
+    if (status == SCARP_OK) {
+        make_octaves(octave, noise, &p, dimensions);
+    }
+    return status;
+}
+
+enum scarp_status scarp_plan_keep(struct scarp_plan *plan, const struct scarp_noise *noise,
+                                  int dimensions)
+{
+    struct kept *const kept = (struct kept *)plan;
+    const enum scarp_status status = octaves_of(kept->octave, noise, dimensions);
+    if (status == SCARP_OK) {
+        kept->mark = mark_of(dimensions);
+        memcpy(&kept->noise, noise, sizeof *noise);
+    }
+    return status;
+}
+
+enum scarp_status scarp_plan_call(struct scarp_call_plan *plan, struct scarp_octave *space,
+                                  const struct scarp_noise *noise, int dimensions, int order)
+{
+    const struct kept *const kept = (const struct kept *)noise->plan;
+    /* A noise that a plan was made of needs no check. */
+    if (kept != NULL && kept->mark == mark_of(dimensions) && same_noise(noise, &kept->noise)) {
+        plan->octave = kept->octave;
+    } else {
+        const enum scarp_status status = octaves_of(space, noise, dimensions);
+        if (status != SCARP_OK) {
+            return status;
+        }
+        plan->octave = space;
     }
     if (noise->fractal == SCARP_EROSION && order == 2) {
         return SCARP_ERROR_UNSUPPORTED;
     }
-    make_octaves(space, noise, &p, dimensions);
     plan->basis = noise->basis;
     plan->fade = noise->fade;
     plan->fractal = noise->fractal;
-    plan->erosion = (float)p.erosion;
+    plan->erosion = (float)value_or((double)noise->erosion, 1.0);
     plan->order = order;
-    plan->octaves = octave_count(p.octaves);
+    plan->octaves = octave_count(value_or((double)noise->octaves, 1.0));
     plan->rotate = is_rotated(noise, plan->octaves);
-    plan->octave = space;
     return SCARP_OK;
 }

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * A plan is a struct scarp_noise turned into per-octave constants, ready for a kernel of either
- * kind (src/scalar, src/kernel). plan.c makes it; scarp.c puts it on the stack of each call.
+ * kind (src/scalar, src/kernel). plan.c makes it: on the stack of a call, or in a struct
+ * scarp_plan, which the caller keeps.
  */
 #ifndef SCARP_PLAN_H
 #define SCARP_PLAN_H
@@ -55,8 +56,13 @@ struct scarp_call_plan {
 enum scarp_status scarp_plan_check(const struct scarp_noise *noise, int dimensions,
                                    const char **member);
 
+/* Does what scarp_plan_make says. */
+enum scarp_status scarp_plan_keep(struct scarp_plan *plan, const struct scarp_noise *noise,
+                                  int dimensions);
+
 /* Checks the noise and makes the plan of a call that asks for derivatives up to `order`. `space`
-   has room for SCARP_MAX_OCTAVES octaves, and belongs to the plan. */
+   has room for SCARP_MAX_OCTAVES octaves, and belongs to the plan; it is not used where the noise
+   brings a plan that fits. */
 enum scarp_status scarp_plan_call(struct scarp_call_plan *plan, struct scarp_octave *space,
                                   const struct scarp_noise *noise, int dimensions, int order);
 

@@ -384,6 +384,25 @@ enum scarp_status scarp_noise_check(const struct scarp_noise *noise, int dimensi
     return status;
 }
 
+/* Out of line for the same reason as `run`. */
+static NOINLINE enum scarp_status keep(struct scarp_plan *plan, const struct scarp_noise *noise,
+                                       int dimensions)
+{
+    return scarp_plan_keep(plan, noise, dimensions);
+}
+
+enum scarp_status scarp_plan_make(const struct scarp_noise *noise, int dimensions,
+                                  struct scarp_plan *plan)
+{
+    if (noise == NULL || plan == NULL) {
+        return SCARP_ERROR_NULL;
+    }
+    const struct fpmode caller = fpmode_enter();
+    const enum scarp_status status = keep(plan, noise, dimensions);
+    fpmode_leave(caller);
+    return status;
+}
+
 const char *scarp_status_text(enum scarp_status status)
 {
     switch (status) {

@@ -15,36 +15,32 @@
 /* The most blocks that take less time here than in passes: with 4, there is no difference. */
 #define FEW_BLOCKS 2
 
-/* Room for the coordinates of a block. */
-struct few_padded {
-    vd half[3][2];
+/* The coordinates of a block, which stay in registers. */
+union few_block {
+    vf f32;
+    vd f64[2];
 };
 
-/* Lists the coordinates of `count` points from `first` on, at most a block. Where they are less,
-   they are copied, and some repeated: lanes without a point raise no floating-point exception of
-   their own, and nothing beyond the arrays is read. */
-VEC_INLINE void few_positions(struct positions *at, struct few_padded *padded,
-                              const void *const position[3], size_t first, size_t count,
-                              struct frame f)
+/* Loads the coordinates of `count` points, at most a block. Where they are less, some are repeated:
+   lanes without a point raise no floating-point exception of their own, and nothing beyond the
+   arrays is read. */
+VEC_INLINE union few_block few_load_f32(const float *x, size_t count)
 {
-    for (int d = 0; d < f.dimensions; d++) {
-        const float *const x = (const float *)position[d] + first;
-        const double *const x64 = (const double *)position[d] + first;
-        if (count == VEC_LANES) {
-            at->array[d] = f.layout == FLOATS ? (const void *)x : (const void *)x64;
-            continue;
-        }
-        at->array[d] = padded->half[d];
-        if (f.layout == FLOATS) {
-            vf_store((float *)padded->half[d], vf_load_part(x, count));
-        } else if (count <= VEC_LANES / 2) {
-            padded->half[d][0] = vd_load_part(x64, count);
-            padded->half[d][1] = padded->half[d][0];
-        } else {
-            padded->half[d][0] = vd_load(x64);
-            padded->half[d][1] = vd_load_part(x64 + VEC_LANES / 2, count - VEC_LANES / 2);
-        }
+    const union few_block block = {.f32 = count == VEC_LANES ? vf_load(x) : vf_load_part(x, count)};
+    return block;
+}
+
+VEC_INLINE union few_block few_load_f64(const double *x, size_t count)
+{
+    union few_block block;
+    if (count <= VEC_LANES / 2) {
+        block.f64[0] = vd_load_part(x, count);
+        block.f64[1] = block.f64[0];
+    } else {
+        block.f64[0] = vd_load(x);
+        block.f64[1] = vd_load_part(x + VEC_LANES / 2, count - VEC_LANES / 2);
     }
+    return block;
 }
 
 /* Adds up the octaves at a block. The sum begins with -0, which changes nothing that it is added
@@ -95,9 +91,13 @@ VEC_INLINE void few_run(const struct scarp_call_plan *plan, const void *const po
     const struct frame f = {layout, AXES_STRAIGHT, v.dimensions};
     while (first < end) {
         const size_t count = least(end - first, VEC_LANES);
+        union few_block x[3];
         struct positions at;
-        struct few_padded padded;
-        few_positions(&at, &padded, position, first, count, f);
+        for (int d = 0; d < v.dimensions; d++) {
+            x[d] = layout == FLOATS ? few_load_f32((const float *)position[d] + first, count)
+                                    : few_load_f64((const double *)position[d] + first, count);
+            at.array[d] = &x[d];
+        }
         const struct sample sum = few_sum(plan, &at, f, v);
         few_put(out, first, count, &sum, v);
         first += count;

@@ -7,7 +7,8 @@
 # IN         files or folders of src/; TEXT must stand exactly once in all files there
 # TEXT       what is replaced; short, so that it outlives changes nearby
 # BECOMES    what stands in its place, where MUTANT is 1 if this mutant is switched on, or else 0
-# SEEN_BY    bits (results of points differ from the scalar kernels'), grid (results of grids from those
+# SEEN_BY    bits (results of points differ from the scalar kernels'), plan (those of kept plans from
+#            those without), grid (results of grids from those
 #            of points), large (the same, large grids alone), golden (hashes from golden.txt), or crash
 #            (the library crashes in the one call where only that can tell; see test_grid.c)
 # SETS       the kernel sets that it is in; all but scalar if this is left out
@@ -108,3 +109,13 @@ mutant(outputs.normals IN kernel TEXT [[vf_from_vd(low.x, high.x)]]
 mutant(plan.offset IN plan.c TEXT [[set_offset(octave, 1, c & 0xffffff, k);]]
        BECOMES [[set_offset(octave, 1, MUTANT ? b >> 40 : c & 0xffffff, k);]]
        SEEN_BY golden SETS scalar)
+mutant(plan.stale IN plan.c TEXT [[&& same_noise(noise, &kept->noise)]]
+       BECOMES [[&& (MUTANT || same_noise(noise, &kept->noise))]] SEEN_BY plan SETS scalar avx2)
+mutant(plan.stale_seed IN plan.c TEXT [[for (size_t i = 0; i < WORDS_BEFORE; i++) {
+        different]]
+       BECOMES [[for (size_t i = MUTANT ? 24 / WORD : 0; i < WORDS_BEFORE; i++) {
+        different]] SEEN_BY plan SETS scalar)
+mutant(plan.stale_spare IN plan.c TEXT [[word_at(b, WORDS_BEFORE + 1 + i)]]
+       BECOMES [[word_at(MUTANT ? a : b, WORDS_BEFORE + 1 + i)]] SEEN_BY plan SETS scalar)
+mutant(plan.dimensions IN plan.c TEXT [[kept->mark == mark_of(dimensions)]]
+       BECOMES [[(kept->mark ^ mark_of(dimensions)) <= (uint64_t)MUTANT]] SEEN_BY plan SETS scalar)
