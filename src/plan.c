@@ -235,36 +235,50 @@ static uint64_t mix64(uint64_t z)
 #define GOLDEN_GAMMA UINT64_C(0x9e3779b97f4a7c15) /* 2^64 / golden ratio, odd */
 
 /*
- * The seed of octave k, such that the octave by itself is single-octave noise of that seed. The
+ * The seed of octave k > 0, such that the octave by itself is single-octave noise of that seed. The
  * seed is mixed before k comes in, so seeds that people choose (neighbours, complements, powers of
- * two) have no octaves in common. `mixed` is mix64(seed + GOLDEN_GAMMA), the same for all octaves.
+ * two) have no octaves in common. `mixed` is mix64(seed + GOLDEN_GAMMA). Octave 0 has `seed`
+ * itself.
  */
-static uint64_t octave_seed(uint64_t seed, uint64_t mixed, int k)
+static uint64_t octave_seed(uint64_t mixed, int k)
 {
-    return k == 0 ? seed : mix64(mixed + (uint64_t)k * GOLDEN_GAMMA);
+    return mix64(mixed + (uint64_t)k * GOLDEN_GAMMA);
 }
 
-/* An offset of 24 bits, which is exact in both precisions; 0 for octave 0. */
-static void set_offset(struct scarp_octave *octave, int axis, uint64_t draw, int k)
+/* Draws the keys of an octave from its stream, mix64(its seed + GOLDEN_GAMMA). The keys of x and y
+   are a bijection of the seed, so no two seeds share an octave k. */
+static void draw_keys(struct scarp_octave *octave, uint64_t stream)
 {
-    octave->offset64[axis] = k == 0 ? 0.0 : (double)(int32_t)draw * 0x1p-24;
-    octave->offset[axis] = (float)octave->offset64[axis];
-}
-
-/* Draws the keys and the offset of octave k, whose seed is given. The keys of x and y are a
-   bijection of the seed, so no two seeds share an octave k. */
-static void draw_octave(struct scarp_octave *octave, uint64_t seed, int k)
-{
-    const uint64_t stream = mix64(seed + GOLDEN_GAMMA);
     const uint64_t a = mix64(stream + GOLDEN_GAMMA);
     const uint64_t b = mix64(stream + 2 * GOLDEN_GAMMA);
-    const uint64_t c = mix64(stream + 3 * GOLDEN_GAMMA);
     octave->key[0] = (uint32_t)a;
     octave->key[1] = (uint32_t)(a >> 32);
     octave->key[2] = (uint32_t)b;
-    set_offset(octave, 0, b >> 40, k);
-    set_offset(octave, 1, c & 0xffffff, k);
-    set_offset(octave, 2, c >> 40, k);
+}
+
+static void draw_offset(struct scarp_octave *octave, uint64_t stream)
+{
+    const uint64_t b = mix64(stream + 2 * GOLDEN_GAMMA);
+    const uint64_t c = mix64(stream + 3 * GOLDEN_GAMMA);
+    const int32_t draws[3] = {(int32_t)(b >> 40), (int32_t)(c & 0xffffff), (int32_t)(c >> 40)};
+    for (int i = 0; i < 3; i++) {
+        octave->offset64[i] = (double)draws[i] * 0x1p-24;
+        octave->offset[i] = (float)octave->offset64[i];
+    }
+}
+
+/* `mixed` is as in octave_seed(). The first octave has the offset 0. */
+static void draw_octave(struct scarp_octave *octave, uint64_t mixed, int k)
+{
+    if (k == 0) {
+        draw_keys(octave, mixed);
+        memset(octave->offset, 0, sizeof octave->offset);
+        memset(octave->offset64, 0, sizeof octave->offset64);
+    } else {
+        const uint64_t stream = mix64(octave_seed(mixed, k) + GOLDEN_GAMMA);
+        draw_keys(octave, stream);
+        draw_offset(octave, stream);
+    }
 }
 
 /* Sets the Jacobian, frequency times `turn`, and what the kernels need of it. */
@@ -280,24 +294,38 @@ static void set_axes(struct scarp_octave *octave, const double turn[3][3], int d
     }
 }
 
-static void multiply(double product[3][3], const double a[3][3], const double b[3][3])
+/* turn = by turn */
+static void multiply(double turn[3][3], const double by[3][3], int dimensions)
 {
-    for (int i = 0; i < 3; i++) {
-        for (int j = 0; j < 3; j++) {
-            product[i][j] = a[i][0] * b[0][j] + a[i][1] * b[1][j] + a[i][2] * b[2][j];
+    double product[3][3];
+    for (int i = 0; i < dimensions; i++) {
+        for (int j = 0; j < dimensions; j++) {
+            product[i][j] = by[i][0] * turn[0][j] + by[i][1] * turn[1][j];
+            if (dimensions == 3) {
+                product[i][j] += by[i][2] * turn[2][j];
+            }
         }
+    }
+    memcpy(turn, product, sizeof product);
+}
+
+static inline void turn_axes_of(struct scarp_octave *octave, int octaves, int dimensions,
+                                const double by[3][3], const double amplitude[SCARP_MAX_OCTAVES])
+{
+    double turn[3][3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
+    for (int k = 0; k < octaves; k++) {
+        set_axes(&octave[k], turn, dimensions, amplitude[k]);
+        multiply(turn, by, dimensions);
     }
 }
 
 static void turn_axes(struct scarp_octave *octave, int octaves, int dimensions,
                       const double amplitude[SCARP_MAX_OCTAVES])
 {
-    double power[3][3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
-    for (int k = 0; k < octaves; k++) {
-        double next[3][3];
-        set_axes(&octave[k], power, dimensions, amplitude[k]);
-        multiply(next, dimensions == 2 ? turn2 : turn3, power);
-        memcpy(power, next, sizeof power);
+    if (dimensions == 2) { /* constants, so that loops unroll */
+        turn_axes_of(octave, octaves, 2, turn2, amplitude);
+    } else {
+        turn_axes_of(octave, octaves, 3, turn3, amplitude);
     }
 }
 
@@ -334,7 +362,7 @@ static void make_octaves(struct scarp_octave *octave, const struct scarp_noise *
         o->curvature = (float)(factor * frequency * frequency);
         o->frequency = (float)frequency;
         o->frequency64 = frequency;
-        draw_octave(o, octave_seed(noise->seed, mixed, k), k);
+        draw_octave(o, mixed, k);
         frequency *= p->lacunarity;
     }
     if (is_rotated(noise, octaves)) {
@@ -342,7 +370,8 @@ static void make_octaves(struct scarp_octave *octave, const struct scarp_noise *
     }
 }
 
-/* What is in a struct scarp_plan. */
+/* What is in a struct scarp_plan. All else that a kernel needs comes from the noise of the call, so
+   that no plan makes a kernel leave its arrays. */
 struct kept {
     uint64_t mark; /* the version, and for how many dimensions it is */
     struct scarp_noise noise;

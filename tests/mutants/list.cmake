@@ -55,6 +55,8 @@ mutant(driver.few IN kernel TEXT [[vf_load_part(x, count)]]
        BECOMES [[vf_load_part(x, MUTANT ? 1 : count)]] SEEN_BY bits)
 mutant(driver.few_octaves IN kernel TEXT [[struct scarp_octave *o = plan->octave;]]
        BECOMES [[struct scarp_octave *o = plan->octave + MUTANT;]] SEEN_BY bits)
+mutant(driver.plain IN kernel TEXT [[pass(&placed, &weights, k > 0]]
+       BECOMES [[pass(&placed, &weights, k > MUTANT]] SEEN_BY bits)
 mutant(driver.remainder IN kernel TEXT [[least(i, count - blocks * VEC_LANES)]]
        BECOMES [[MUTANT ? i : least(i, count - blocks * VEC_LANES)]] SEEN_BY grid)
 mutant(driver.turned IN kernel TEXT [[s.dxy = column_dot(aj, 0, hy, v.dimensions)]]
@@ -106,8 +108,8 @@ mutant(outputs.normals IN kernel TEXT [[vf_from_vd(low.x, high.x)]]
        BECOMES [[MUTANT ? vf_from_vd(high.x, low.x) : vf_from_vd(low.x, high.x)]] SEEN_BY golden)
 
 # plan, which all kernel sets share
-mutant(plan.offset IN plan.c TEXT [[set_offset(octave, 1, c & 0xffffff, k);]]
-       BECOMES [[set_offset(octave, 1, MUTANT ? b >> 40 : c & 0xffffff, k);]]
+mutant(plan.offset IN plan.c TEXT [[(int32_t)(c & 0xffffff)]]
+       BECOMES [[(int32_t)(MUTANT ? b >> 40 : c & 0xffffff)]]
        SEEN_BY golden SETS scalar)
 mutant(plan.stale IN plan.c TEXT [[&& same_noise(noise, &kept->noise)]]
        BECOMES [[&& (MUTANT || same_noise(noise, &kept->noise))]] SEEN_BY plan SETS scalar avx2)
