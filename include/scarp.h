@@ -164,7 +164,19 @@ struct scarp_noise {
     uint32_t period[3];
     uint32_t spare0;
     const struct scarp_noise *warp;
-    uint32_t spare[(192 - 80 - sizeof(void *)) / 4];
+
+    const struct scarp_plan *plan; /* what scarp_plan_make made of this noise. NULL: none; results
+                                      do not depend on it. */
+
+    uint32_t spare[(192 - 80 - 2 * sizeof(void *)) / 4]; /* reserved, too */
+};
+
+/* The constants of a noise, which every call without a plan computes anew. Its bytes have no
+   meaning to others; it belongs to the caller, who may copy it, as a whole, to wherever a uint64_t
+   may stand. */
+struct scarp_plan {
+    uint64_t first;
+    unsigned char rest[12288 - 8];
 };
 
 /* Where results go: arrays of `count` floats. A NULL member is skipped. A call that asks for
@@ -321,6 +333,32 @@ SCARP_API enum scarp_status scarp_range(const struct scarp_noise *noise, int dim
  */
 SCARP_API enum scarp_status scarp_noise_check(const struct scarp_noise *noise, int dimensions,
                                               const char **member);
+
+/*
+ * scarp_plan_make - makes the plan of a noise, for many calls with few points
+ *
+ * The constants of a noise take about as long to compute as 15 points (one octave) or 10 (eight).
+ * With noise->plan = plan, sample and grid calls of 2 or 3 `dimensions`, as the plan was made for,
+ * take them from *plan, and give the same bits. One plan serves all outputs, floats and doubles,
+ * every kernel set, and any number of threads at a time. Calls only read it.
+ *
+ *     struct scarp_plan plan;
+ *     struct scarp_noise noise = {.octaves = 8.0f};
+ *     if (scarp_plan_make(&noise, 2, &plan) == SCARP_OK) {
+ *         noise.plan = &plan;
+ *     }
+ *
+ * A plan that does not fit does no harm: a call compares the noise that the plan was made of with
+ * its own, byte for byte but for `plan`. Where that, the dimensions or the version of the library
+ * differ, the call does without it. So a plan may stay where it is while the noise is changed, and
+ * the bytes of *plan may be any before they are first made (zeros, or what was in memory): any, but
+ * those of a good plan that was changed in part.
+ *
+ * No other thread may use *plan while it is made. On an error it is left as it was. Returns
+ * SCARP_ERROR_NULL if `noise` or `plan` is NULL; otherwise as scarp_noise_check.
+ */
+SCARP_API enum scarp_status scarp_plan_make(const struct scarp_noise *noise, int dimensions,
+                                            struct scarp_plan *plan);
 
 /*
  * scarp_basis_name, scarp_fade_name, scarp_fractal_name - the enumerators as words

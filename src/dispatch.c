@@ -40,6 +40,16 @@ const struct scarp_kernels *scarp_dispatch_active(void)
     return table;
 }
 
+/* What can run a set can run the narrower one, too. */
+const struct scarp_kernels *scarp_dispatch_for(size_t count)
+{
+    const struct scarp_kernels *table = scarp_dispatch_active();
+    while (count <= table->narrower_most) {
+        table = table->narrower;
+    }
+    return table;
+}
+
 const struct scarp_kernels *scarp_dispatch_find(enum scarp_isa isa)
 {
     for (size_t i = 0; i < sizeof tables / sizeof tables[0]; i++) {

@@ -10,6 +10,10 @@
 /* The table in use, for all threads. The first call chooses it. */
 const struct scarp_kernels *scarp_dispatch_active(void);
 
+/* The table that serves a call of `count` points: the one in use, or a narrower one that is faster
+   for so few. All give the same bits. */
+const struct scarp_kernels *scarp_dispatch_for(size_t count);
+
 /* The table for `isa`, or NULL if this build lacks it or this processor cannot run it. */
 const struct scarp_kernels *scarp_dispatch_find(enum scarp_isa isa);
 

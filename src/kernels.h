@@ -12,11 +12,11 @@
 
 /* Evaluates `count` > 0 points. `position` holds one array per dimension, floats or doubles as the
    table's member says; outputs in `out` above plan->order, and along z in 2D, are NULL. */
-typedef void scarp_points_fn(const struct scarp_plan *plan, size_t count,
+typedef void scarp_points_fn(const struct scarp_call_plan *plan, size_t count,
                              const void *const position[3], const struct scarp_outputs *out);
 
 /* Evaluates a grid without a count of 0, whose strides are filled in; `out` is as above. */
-typedef void scarp_grid_fn(const struct scarp_plan *plan, const struct scarp_grid *grid,
+typedef void scarp_grid_fn(const struct scarp_call_plan *plan, const struct scarp_grid *grid,
                            const struct scarp_outputs *out);
 
 /* Does what scarp_normals says for `count` > 0: computes nx, ny, nz from the slopes dx, dy. */
@@ -25,6 +25,9 @@ typedef void scarp_normals_fn(size_t count, const float *const slope[2], float h
 
 struct scarp_kernels {
     enum scarp_isa isa;
+    /* Serves calls of at most `narrower_most` points in less time; NULL, 0: no other table does. */
+    const struct scarp_kernels *narrower;
+    size_t narrower_most;
     scarp_points_fn *points2_f32, *points2_f64;
     scarp_points_fn *points3_f32, *points3_f64;
     scarp_grid_fn *grid2, *grid3;

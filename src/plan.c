@@ -17,7 +17,8 @@ _Static_assert(offsetof(struct scarp_noise, erosion) == 48 &&
                    offsetof(struct scarp_noise, period) == 64 &&
                    offsetof(struct scarp_noise, spare0) == 76 &&
                    offsetof(struct scarp_noise, warp) == 80 &&
-                   offsetof(struct scarp_noise, spare) == 80 + sizeof(void *) &&
+                   offsetof(struct scarp_noise, plan) == 80 + sizeof(void *) &&
+                   offsetof(struct scarp_noise, spare) == 80 + 2 * sizeof(void *) &&
                    sizeof(struct scarp_noise) == 192,
                "struct scarp_noise has 192 bytes without padding");
 _Static_assert(sizeof((struct scarp_noise *)NULL)->spare >= 8, "some bytes stay spare");
@@ -128,34 +129,59 @@ static int last_frequency_valid(const struct parameters *p)
     return within(frequency, FREQUENCY_MIN, FREQUENCY_MAX);
 }
 
-static const char *outside_member(const struct scarp_noise *noise)
+static const char *outside_member(const struct parameters *p)
 {
-    const struct parameters p = parameters_of(noise);
-    const double magnitude = p.amplitude < 0.0 ? -p.amplitude : p.amplitude;
-    return !within(p.frequency, FREQUENCY_MIN, FREQUENCY_MAX) ? "frequency"
-           : !within(p.octaves, 0.0, SCARP_MAX_OCTAVES)       ? "octaves"
-           : !within(p.lacunarity, RATIO_MIN, RATIO_MAX)      ? "lacunarity"
-           : !within(p.gain, RATIO_MIN, RATIO_MAX)            ? "gain"
-           : !within(magnitude, AMPLITUDE_MIN, AMPLITUDE_MAX) ? "amplitude"
-           : !within(p.erosion, EROSION_MIN, EROSION_MAX)     ? "erosion"
-           : !last_frequency_valid(&p)                        ? "octaves"
-                                                              : NULL;
+    const double magnitude = p->amplitude < 0.0 ? -p->amplitude : p->amplitude;
+    return !within(p->frequency, FREQUENCY_MIN, FREQUENCY_MAX) ? "frequency"
+           : !within(p->octaves, 0.0, SCARP_MAX_OCTAVES)       ? "octaves"
+           : !within(p->lacunarity, RATIO_MIN, RATIO_MAX)      ? "lacunarity"
+           : !within(p->gain, RATIO_MIN, RATIO_MAX)            ? "gain"
+           : !within(magnitude, AMPLITUDE_MIN, AMPLITUDE_MAX)  ? "amplitude"
+           : !within(p->erosion, EROSION_MIN, EROSION_MAX)     ? "erosion"
+           : !last_frequency_valid(p)                          ? "octaves"
+                                                               : NULL;
+}
+
+/* What is before and behind the member `plan`, in words: a plan says nothing about the noise. */
+#define WORD sizeof(uintptr_t)
+#define WORDS_BEFORE (offsetof(struct scarp_noise, plan) / WORD)
+#define WORDS_BEHIND (sizeof(struct scarp_noise) / WORD - WORDS_BEFORE - 1)
+
+static uintptr_t word_at(const void *memory, size_t i)
+{
+    uintptr_t word;
+    memcpy(&word, (const char *)memory + i * WORD, sizeof word);
+    return word;
 }
 
 /* Whether anything from `phase` on is not zero. The assertions above exclude padding. Reading wide
    words without branches takes 2 ns of a call, reading members one by one 7. */
 static int reserved_in_use(const struct scarp_noise *noise)
 {
-    const char *const period = (const char *)noise + offsetof(struct scarp_noise, period);
+    const size_t period = offsetof(struct scarp_noise, period) / WORD;
     uint32_t numbers[3]; /* phase, jitter, sharpness, where -0 is a zero */
-    uint64_t words[16];
     memcpy(numbers, (const char *)noise + offsetof(struct scarp_noise, phase), sizeof numbers);
-    memcpy(words, period, sizeof words);
-    uint64_t bits = (numbers[0] | numbers[1] | numbers[2]) & 0x7fffffffu;
-    for (int i = 0; i < 16; i++) {
-        bits |= words[i];
+    uintptr_t bits = (numbers[0] | numbers[1] | numbers[2]) & 0x7fffffffu;
+    for (size_t i = period; i < WORDS_BEFORE; i++) {
+        bits |= word_at(noise, i);
+    }
+    for (size_t i = 0; i < WORDS_BEHIND; i++) {
+        bits |= word_at(noise, WORDS_BEFORE + 1 + i);
     }
     return bits != 0;
+}
+
+/* Whether two noises have the same bytes, but for `plan`. */
+static int same_noise(const struct scarp_noise *a, const struct scarp_noise *b)
+{
+    uintptr_t different = 0;
+    for (size_t i = 0; i < WORDS_BEFORE; i++) {
+        different |= word_at(a, i) ^ word_at(b, i);
+    }
+    for (size_t i = 0; i < WORDS_BEHIND; i++) {
+        different |= word_at(a, WORDS_BEFORE + 1 + i) ^ word_at(b, WORDS_BEFORE + 1 + i);
+    }
+    return different == 0;
 }
 
 /* The first reserved member that is in use. */
@@ -175,19 +201,27 @@ static const char *reserved_member(const struct scarp_noise *noise)
                                       : "spare";
 }
 
-enum scarp_status scarp_plan_check(const struct scarp_noise *noise, int dimensions,
-                                   const char **member)
+/* `p` are the parameters of the noise. */
+static enum scarp_status check(const struct scarp_noise *noise, const struct parameters *p,
+                               int dimensions, const char **member)
 {
     if ((*member = unknown_member(noise)) != NULL) {
         return SCARP_ERROR_ENUM;
     }
-    if ((*member = outside_member(noise)) != NULL) {
+    if ((*member = outside_member(p)) != NULL) {
         return SCARP_ERROR_PARAMETER;
     }
     if ((*member = reserved_member(noise)) != NULL) {
         return SCARP_ERROR_UNSUPPORTED;
     }
     return dimensions == 2 || dimensions == 3 ? SCARP_OK : SCARP_ERROR_PARAMETER;
+}
+
+enum scarp_status scarp_plan_check(const struct scarp_noise *noise, int dimensions,
+                                   const char **member)
+{
+    const struct parameters p = parameters_of(noise);
+    return check(noise, &p, dimensions, member);
 }
 
 /* The finaliser of splitmix64 (Steele, Lea and Flood 2014, with Stafford's mix 13): a bijection. */
@@ -201,110 +235,209 @@ static uint64_t mix64(uint64_t z)
 #define GOLDEN_GAMMA UINT64_C(0x9e3779b97f4a7c15) /* 2^64 / golden ratio, odd */
 
 /*
- * The seed of octave k, such that the octave by itself is single-octave noise of that seed. The
+ * The seed of octave k > 0, such that the octave by itself is single-octave noise of that seed. The
  * seed is mixed before k comes in, so seeds that people choose (neighbours, complements, powers of
- * two) have no octaves in common.
+ * two) have no octaves in common. `mixed` is mix64(seed + GOLDEN_GAMMA). Octave 0 has `seed`
+ * itself.
  */
-static uint64_t octave_seed(uint64_t seed, int k)
+static uint64_t octave_seed(uint64_t mixed, int k)
 {
-    return k == 0 ? seed : mix64(mix64(seed + GOLDEN_GAMMA) + (uint64_t)k * GOLDEN_GAMMA);
+    return mix64(mixed + (uint64_t)k * GOLDEN_GAMMA);
 }
 
-/* Draws the keys and the offset of octave k. The keys of x and y are a bijection of the seed, so no
-   two seeds share an octave k. */
-static void draw_octave(struct scarp_octave *octave, uint64_t seed, int k)
+/* Draws the keys of an octave from its stream, mix64(its seed + GOLDEN_GAMMA). The keys of x and y
+   are a bijection of the seed, so no two seeds share an octave k. */
+static void draw_keys(struct scarp_octave *octave, uint64_t stream)
 {
-    const uint64_t stream = mix64(octave_seed(seed, k) + GOLDEN_GAMMA);
     const uint64_t a = mix64(stream + GOLDEN_GAMMA);
     const uint64_t b = mix64(stream + 2 * GOLDEN_GAMMA);
-    const uint64_t c = mix64(stream + 3 * GOLDEN_GAMMA);
     octave->key[0] = (uint32_t)a;
     octave->key[1] = (uint32_t)(a >> 32);
     octave->key[2] = (uint32_t)b;
-    const uint32_t draws[3] = {(uint32_t)(b >> 40), (uint32_t)(c & 0xffffff), (uint32_t)(c >> 40)};
+}
+
+static void draw_offset(struct scarp_octave *octave, uint64_t stream)
+{
+    const uint64_t b = mix64(stream + 2 * GOLDEN_GAMMA);
+    const uint64_t c = mix64(stream + 3 * GOLDEN_GAMMA);
+    const int32_t draws[3] = {(int32_t)(b >> 40), (int32_t)(c & 0xffffff), (int32_t)(c >> 40)};
     for (int i = 0; i < 3; i++) {
-        octave->offset64[i] = k == 0 ? 0.0 : (double)draws[i] * 0x1p-24;
+        octave->offset64[i] = (double)draws[i] * 0x1p-24;
         octave->offset[i] = (float)octave->offset64[i];
     }
 }
 
+/* `mixed` is as in octave_seed(). The first octave has the offset 0. */
+static void draw_octave(struct scarp_octave *octave, uint64_t mixed, int k)
+{
+    if (k == 0) {
+        draw_keys(octave, mixed);
+        memset(octave->offset, 0, sizeof octave->offset);
+        memset(octave->offset64, 0, sizeof octave->offset64);
+    } else {
+        const uint64_t stream = mix64(octave_seed(mixed, k) + GOLDEN_GAMMA);
+        draw_keys(octave, stream);
+        draw_offset(octave, stream);
+    }
+}
+
 /* Sets the Jacobian, frequency times `turn`, and what the kernels need of it. */
-static void set_axes(struct scarp_octave *octave, const double turn[3][3], double frequency,
+static void set_axes(struct scarp_octave *octave, const double turn[3][3], int dimensions,
                      double amplitude)
 {
-    for (int i = 0; i < 3; i++) {
-        for (int j = 0; j < 3; j++) {
-            octave->jacobian64[i][j] = frequency * turn[i][j];
+    for (int i = 0; i < dimensions; i++) {
+        for (int j = 0; j < dimensions; j++) {
+            octave->jacobian64[i][j] = octave->frequency64 * turn[i][j];
             octave->jacobian[i][j] = (float)octave->jacobian64[i][j];
             octave->gradient[i][j] = (float)(amplitude * octave->jacobian64[i][j]);
         }
     }
 }
 
-static void multiply(double product[3][3], const double a[3][3], const double b[3][3])
+/* turn = by turn */
+static void multiply(double turn[3][3], const double by[3][3], int dimensions)
 {
-    for (int i = 0; i < 3; i++) {
-        for (int j = 0; j < 3; j++) {
-            product[i][j] = a[i][0] * b[0][j] + a[i][1] * b[1][j] + a[i][2] * b[2][j];
-        }
-    }
-}
-
-static void turn_axes(struct scarp_plan *plan, const double turn[3][3],
-                      const double amplitude[SCARP_MAX_OCTAVES])
-{
-    double power[3][3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
-    for (int k = 0; k < plan->octaves; k++) {
-        struct scarp_octave *const octave = &plan->octave[k];
-        set_axes(octave, power, octave->frequency64, amplitude[k]);
-        double next[3][3];
-        multiply(next, turn, power);
-        for (int i = 0; i < 3; i++) {
-            for (int j = 0; j < 3; j++) {
-                power[i][j] = next[i][j];
+    double product[3][3];
+    for (int i = 0; i < dimensions; i++) {
+        for (int j = 0; j < dimensions; j++) {
+            product[i][j] = by[i][0] * turn[0][j] + by[i][1] * turn[1][j];
+            if (dimensions == 3) {
+                product[i][j] += by[i][2] * turn[2][j];
             }
         }
     }
+    memcpy(turn, product, sizeof product);
 }
 
-void scarp_plan_make(struct scarp_plan *plan, const struct scarp_noise *noise, int dimensions,
-                     int order)
+static inline void turn_axes_of(struct scarp_octave *octave, int octaves, int dimensions,
+                                const double by[3][3], const double amplitude[SCARP_MAX_OCTAVES])
 {
-    const struct parameters p = parameters_of(noise);
-    const int octaves = octave_count(p.octaves);
-    const double last_weight = p.octaves - (double)(octaves - 1);
-    const double supremum = supremum_of(noise, dimensions);
-    plan->basis = noise->basis;
-    plan->fade = noise->fade;
-    plan->fractal = noise->fractal;
-    plan->erosion = (float)p.erosion;
-    plan->order = order;
-    plan->rotate = noise->rotate != 0 && octaves > 1;
-    plan->octaves = octaves;
+    double turn[3][3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
+    for (int k = 0; k < octaves; k++) {
+        set_axes(&octave[k], turn, dimensions, amplitude[k]);
+        multiply(turn, by, dimensions);
+    }
+}
 
-    double weights[SCARP_MAX_OCTAVES];
+static void turn_axes(struct scarp_octave *octave, int octaves, int dimensions,
+                      const double amplitude[SCARP_MAX_OCTAVES])
+{
+    if (dimensions == 2) { /* constants, so that loops unroll */
+        turn_axes_of(octave, octaves, 2, turn2, amplitude);
+    } else {
+        turn_axes_of(octave, octaves, 3, turn3, amplitude);
+    }
+}
+
+static int is_rotated(const struct scarp_noise *noise, int octaves)
+{
+    return noise->rotate != 0 && octaves > 1;
+}
+
+/* Computes the constants of all octaves of a checked noise. */
+static void make_octaves(struct scarp_octave *octave, const struct scarp_noise *noise,
+                         const struct parameters *p, int dimensions)
+{
+    const int octaves = octave_count(p->octaves);
+    const double last_weight = p->octaves - (double)(octaves - 1);
+    const double supremum = supremum_of(noise, dimensions);
+    double weights[SCARP_MAX_OCTAVES], factors[SCARP_MAX_OCTAVES];
     double weight = 1.0, sum = 0.0;
     for (int k = 0; k < octaves; k++) {
         weights[k] = k == octaves - 1 ? weight * last_weight : weight;
         sum += weights[k];
-        weight *= p.gain;
+        weight *= p->gain;
     }
-    const double scale = p.amplitude * HEADROOM / sum;
-    double frequency = p.frequency;
-    double factors[SCARP_MAX_OCTAVES];
+    const double scale = p->amplitude * HEADROOM / sum;
+    const uint64_t mixed = mix64(noise->seed + GOLDEN_GAMMA);
+    double frequency = p->frequency;
     for (int k = 0; k < octaves; k++) {
-        struct scarp_octave *const octave = &plan->octave[k];
-        octave->weight = (float)(weights[k] * scale);
-        factors[k] = noise->fractal == SCARP_FBM ? weights[k] * scale / supremum : 1.0 / supremum;
-        octave->amplitude = (float)factors[k];
-        octave->slope = (float)(factors[k] * frequency);
-        octave->curvature = (float)(factors[k] * frequency * frequency);
-        octave->frequency = (float)frequency;
-        octave->frequency64 = frequency;
-        draw_octave(octave, noise->seed, k);
-        frequency *= p.lacunarity;
+        struct scarp_octave *const o = &octave[k];
+        const double weighted = weights[k] * scale;
+        const double factor = (noise->fractal == SCARP_FBM ? weighted : 1.0) / supremum;
+        factors[k] = factor;
+        o->weight = (float)weighted;
+        o->amplitude = (float)factor;
+        o->slope = (float)(factor * frequency);
+        o->curvature = (float)(factor * frequency * frequency);
+        o->frequency = (float)frequency;
+        o->frequency64 = frequency;
+        draw_octave(o, mixed, k);
+        frequency *= p->lacunarity;
     }
-    if (plan->rotate) {
-        turn_axes(plan, dimensions == 2 ? turn2 : turn3, factors);
+    if (is_rotated(noise, octaves)) {
+        turn_axes(octave, octaves, dimensions, factors);
     }
+}
+
+/* What is in a struct scarp_plan. All else that a kernel needs comes from the noise of the call, so
+   that no plan makes a kernel leave its arrays. */
+struct kept {
+    uint64_t mark; /* the version, and for how many dimensions it is */
+    struct scarp_noise noise;
+    struct scarp_octave octave[SCARP_MAX_OCTAVES];
+};
+
+_Static_assert(sizeof(struct kept) <= sizeof(struct scarp_plan) &&
+                   _Alignof(struct kept) <= _Alignof(struct scarp_plan),
+               "a plan has room for what is kept");
+
+/* "SCRP", the version, since octaves may differ between versions, and the dimensions. */
+static uint64_t mark_of(int dimensions)
+{
+    return UINT64_C(0x53435250) << 32 | SCARP_VERSION_MAJOR << 24 | SCARP_VERSION_MINOR << 16 |
+           SCARP_VERSION_PATCH << 8 | (unsigned)dimensions;
+}
+
+/* Checks the noise and computes its octaves. It is out of line for the sake of calls that keep
+   theirs. */
+static __attribute__((noinline)) enum scarp_status
+octaves_of(struct scarp_octave *octave, const struct scarp_noise *noise, int dimensions)
+{
+    const struct parameters p = parameters_of(noise);
+    const char *member;
+    const enum scarp_status status = check(noise, &p, dimensions, &member);
+    if (status == SCARP_OK) {
+        make_octaves(octave, noise, &p, dimensions);
+    }
+    return status;
+}
+
+enum scarp_status scarp_plan_keep(struct scarp_plan *plan, const struct scarp_noise *noise,
+                                  int dimensions)
+{
+    struct kept *const kept = (struct kept *)plan;
+    const enum scarp_status status = octaves_of(kept->octave, noise, dimensions);
+    if (status == SCARP_OK) {
+        kept->mark = mark_of(dimensions);
+        memcpy(&kept->noise, noise, sizeof *noise);
+    }
+    return status;
+}
+
+enum scarp_status scarp_plan_call(struct scarp_call_plan *plan, struct scarp_octave *space,
+                                  const struct scarp_noise *noise, int dimensions, int order)
+{
+    const struct kept *const kept = (const struct kept *)noise->plan;
+    /* A noise that a plan was made of needs no check. */
+    if (kept != NULL && kept->mark == mark_of(dimensions) && same_noise(noise, &kept->noise)) {
+        plan->octave = kept->octave;
+    } else {
+        const enum scarp_status status = octaves_of(space, noise, dimensions);
+        if (status != SCARP_OK) {
+            return status;
+        }
+        plan->octave = space;
+    }
+    if (noise->fractal == SCARP_EROSION && order == 2) {
+        return SCARP_ERROR_UNSUPPORTED;
+    }
+    plan->basis = noise->basis;
+    plan->fade = noise->fade;
+    plan->fractal = noise->fractal;
+    plan->erosion = (float)value_or((double)noise->erosion, 1.0);
+    plan->order = order;
+    plan->octaves = octave_count(value_or((double)noise->octaves, 1.0));
+    plan->rotate = is_rotated(noise, plan->octaves);
+    return SCARP_OK;
 }

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * A plan is a struct scarp_noise turned into per-octave constants, ready for a kernel of either
- * kind (src/scalar, src/kernel). plan.c makes it; scarp.c puts it on the stack of each call.
+ * kind (src/scalar, src/kernel). plan.c makes it: on the stack of a call, or in a struct
+ * scarp_plan, which the caller keeps.
  */
 #ifndef SCARP_PLAN_H
 #define SCARP_PLAN_H
@@ -31,30 +32,38 @@ struct scarp_octave {
     float curvature;      /* amplitude f_k^2, for Hessians where axes are not turned */
     float frequency;      /* f_k */
     float offset[3];      /* o_k: multiples of 2^-24 in [0, 1), so exact in both precisions */
-    float jacobian[3][3]; /* J_k where axes are turned: J_k[i][j] = d p_i / d x_j */
+    float jacobian[3][3]; /* J_k where axes are turned: J_k[i][j] = d p_i / d x_j. In 2D, the rows
+                             and columns 2 of the matrices are unset. */
     float gradient[3][3]; /* amplitude J_k */
     double frequency64;   /* f_k, J_k and o_k again for double coordinates */
     double jacobian64[3][3];
     double offset64[3];
 };
 
-struct scarp_plan {
+/* What a kernel is to compute. */
+struct scarp_call_plan {
     enum scarp_basis basis;
     enum scarp_fade fade;
     enum scarp_fractal fractal;
     float erosion;
     int order;   /* highest derivative asked for: 0, 1, 2 */
     int rotate;  /* octaves 1 and up use jacobian and gradient, not frequency, slope, curvature */
-    int octaves; /* how many of the following are valid */
-    struct scarp_octave octave[SCARP_MAX_OCTAVES];
+    int octaves; /* how many `octave` has */
+    const struct scarp_octave *octave;
 };
 
 /* Makes the checks of scarp_noise_check, for all calls. Always writes *member. */
 enum scarp_status scarp_plan_check(const struct scarp_noise *noise, int dimensions,
                                    const char **member);
 
-/* Makes the plan of a checked `noise` in 2 or 3 dimensions. */
-void scarp_plan_make(struct scarp_plan *plan, const struct scarp_noise *noise, int dimensions,
-                     int order);
+/* Does what scarp_plan_make says. */
+enum scarp_status scarp_plan_keep(struct scarp_plan *plan, const struct scarp_noise *noise,
+                                  int dimensions);
+
+/* Checks the noise and makes the plan of a call that asks for derivatives up to `order`. `space`
+   has room for SCARP_MAX_OCTAVES octaves, and belongs to the plan; it is not used where the noise
+   brings a plan that fits. */
+enum scarp_status scarp_plan_call(struct scarp_call_plan *plan, struct scarp_octave *space,
+                                  const struct scarp_noise *noise, int dimensions, int order);
 
 #endif

@@ -4,6 +4,8 @@
  */
 #include "scarp.h"
 
+#include <string.h>
+
 #include "dispatch.h"
 #include "fpmode.h"
 #include "names.h"
@@ -44,21 +46,14 @@ static int is_finite_f64(double value)
 }
 
 /* Lists the arrays of `out`. No other place knows them by name. */
-static struct scarp_outputs outputs_of(const struct scarp_samples *out)
+static void outputs_of(struct scarp_outputs *outputs, const struct scarp_samples *out)
 {
-    const struct scarp_outputs outputs = {{
-        [VALUE] = out->value,
-        [DX] = out->dx,
-        [DY] = out->dy,
-        [DZ] = out->dz,
-        [DXX] = out->dxx,
-        [DXY] = out->dxy,
-        [DXZ] = out->dxz,
-        [DYY] = out->dyy,
-        [DYZ] = out->dyz,
-        [DZZ] = out->dzz,
-    }};
-    return outputs;
+#define AT(output, member) (offsetof(struct scarp_samples, member) == (output) * sizeof(float *))
+    _Static_assert(AT(VALUE, value) && AT(DX, dx) && AT(DY, dy) && AT(DZ, dz) && AT(DXX, dxx) &&
+                       AT(DXY, dxy) && AT(DXZ, dxz) && AT(DYY, dyy) && AT(DYZ, dyz) && AT(DZZ, dzz),
+                   "the enumerators of outputs.h are in the order of struct scarp_samples");
+#undef AT
+    memcpy(outputs, out, sizeof *outputs);
 }
 
 /* Whether outputs from one to before another are asked for. */
@@ -90,23 +85,6 @@ static int outputs_exist(int dimensions, const struct scarp_samples *out,
                                                   any_asked(outputs, DYZ, OUTPUTS)));
 }
 
-/* Checks the noise and makes the plan of a call. */
-static enum scarp_status plan_call(struct scarp_plan *plan, const struct scarp_noise *noise,
-                                   int dimensions, const struct scarp_outputs *out)
-{
-    const char *member;
-    const enum scarp_status status = scarp_plan_check(noise, dimensions, &member);
-    if (status != SCARP_OK) {
-        return status;
-    }
-    const int order = order_of(out);
-    if (noise->fractal == SCARP_EROSION && order == 2) {
-        return SCARP_ERROR_UNSUPPORTED;
-    }
-    scarp_plan_make(plan, noise, dimensions, order);
-    return SCARP_OK;
-}
-
 /* What a sample function is: its kernel, and how its points are given. */
 struct sampler {
     scarp_points_fn *points;
@@ -123,8 +101,10 @@ static NOINLINE enum scarp_status run(const struct sampler *sampler,
                                       const void *const position[3],
                                       const struct scarp_outputs *out)
 {
-    struct scarp_plan plan;
-    const enum scarp_status status = plan_call(&plan, noise, sampler->dimensions, out);
+    struct scarp_call_plan plan;
+    struct scarp_octave space[SCARP_MAX_OCTAVES];
+    const enum scarp_status status =
+        scarp_plan_call(&plan, space, noise, sampler->dimensions, order_of(out));
     if (status == SCARP_OK) {
         sampler->points(&plan, count, position, out);
     }
@@ -147,7 +127,8 @@ static enum scarp_status sample(struct sampler sampler, const struct scarp_noise
     if (count > PTRDIFF_MAX / sampler.bytes) {
         return SCARP_ERROR_SIZE;
     }
-    const struct scarp_outputs outputs = outputs_of(out);
+    struct scarp_outputs outputs;
+    outputs_of(&outputs, out);
     if (!outputs_exist(sampler.dimensions, out, &outputs)) {
         return SCARP_ERROR_UNSUPPORTED;
     }
@@ -164,7 +145,7 @@ enum scarp_status scarp_sample2(const struct scarp_noise *noise, size_t count, c
         return SCARP_OK;
     }
     const void *const position[3] = {x, y, NULL};
-    const struct sampler sampler = {scarp_dispatch_active()->points2_f32, 2, sizeof *x};
+    const struct sampler sampler = {scarp_dispatch_for(count)->points2_f32, 2, sizeof *x};
     return sample(sampler, noise, count, position, out);
 }
 
@@ -175,7 +156,7 @@ enum scarp_status scarp_sample3(const struct scarp_noise *noise, size_t count, c
         return SCARP_OK;
     }
     const void *const position[3] = {x, y, z};
-    const struct sampler sampler = {scarp_dispatch_active()->points3_f32, 3, sizeof *x};
+    const struct sampler sampler = {scarp_dispatch_for(count)->points3_f32, 3, sizeof *x};
     return sample(sampler, noise, count, position, out);
 }
 
@@ -186,7 +167,7 @@ enum scarp_status scarp_sample2_f64(const struct scarp_noise *noise, size_t coun
         return SCARP_OK;
     }
     const void *const position[3] = {x, y, NULL};
-    const struct sampler sampler = {scarp_dispatch_active()->points2_f64, 2, sizeof *x};
+    const struct sampler sampler = {scarp_dispatch_for(count)->points2_f64, 2, sizeof *x};
     return sample(sampler, noise, count, position, out);
 }
 
@@ -198,7 +179,7 @@ enum scarp_status scarp_sample3_f64(const struct scarp_noise *noise, size_t coun
         return SCARP_OK;
     }
     const void *const position[3] = {x, y, z};
-    const struct sampler sampler = {scarp_dispatch_active()->points3_f64, 3, sizeof *x};
+    const struct sampler sampler = {scarp_dispatch_for(count)->points3_f64, 3, sizeof *x};
     return sample(sampler, noise, count, position, out);
 }
 
@@ -271,8 +252,10 @@ static NOINLINE enum scarp_status run_grid(scarp_grid_fn *kernel, const struct s
                                            int dimensions, const struct scarp_grid *grid,
                                            const struct scarp_outputs *out)
 {
-    struct scarp_plan plan;
-    const enum scarp_status status = plan_call(&plan, noise, dimensions, out);
+    struct scarp_call_plan plan;
+    struct scarp_octave space[SCARP_MAX_OCTAVES];
+    const enum scarp_status status =
+        scarp_plan_call(&plan, space, noise, dimensions, order_of(out));
     if (status == SCARP_OK) {
         kernel(&plan, grid, out);
     }
@@ -296,7 +279,8 @@ static enum scarp_status sample_grid(scarp_grid_fn *kernel, const struct scarp_n
     if (status != SCARP_OK) {
         return status;
     }
-    const struct scarp_outputs outputs = outputs_of(out);
+    struct scarp_outputs outputs;
+    outputs_of(&outputs, out);
     if (!outputs_exist(dimensions, out, &outputs) || grid_reserved_in_use(&grid)) {
         return SCARP_ERROR_UNSUPPORTED;
     }
@@ -397,6 +381,25 @@ enum scarp_status scarp_noise_check(const struct scarp_noise *noise, int dimensi
     if (member != NULL) {
         *member = found;
     }
+    return status;
+}
+
+/* Out of line for the same reason as `run`. */
+static NOINLINE enum scarp_status keep(struct scarp_plan *plan, const struct scarp_noise *noise,
+                                       int dimensions)
+{
+    return scarp_plan_keep(plan, noise, dimensions);
+}
+
+enum scarp_status scarp_plan_make(const struct scarp_noise *noise, int dimensions,
+                                  struct scarp_plan *plan)
+{
+    if (noise == NULL || plan == NULL) {
+        return SCARP_ERROR_NULL;
+    }
+    const struct fpmode caller = fpmode_enter();
+    const enum scarp_status status = keep(plan, noise, dimensions);
+    fpmode_leave(caller);
     return status;
 }
 

@@ -26,6 +26,9 @@ if(NOT CMAKE_C_COMPILER_FRONTEND_VARIANT STREQUAL "MSVC")
   scarp_add_isa_tests(fpmode_fastmath api test_fpmode_fastmath --started)
 endif()
 
+scarp_test_program(test_plan)
+scarp_add_isa_tests(plan api test_plan)
+
 scarp_test_program(test_memory)
 scarp_add_isa_tests(memory api test_memory)
 

@@ -68,7 +68,9 @@ static inline void test_reserved_layout(void)
         {offsetof(struct scarp_noise, period), 64},
         {offsetof(struct scarp_noise, spare0), 76},
         {offsetof(struct scarp_noise, warp), 80},
-        {offsetof(struct scarp_noise, spare), 80 + pointer},
+        {offsetof(struct scarp_noise, plan), 80 + pointer},
+        {offsetof(struct scarp_noise, spare), 80 + 2 * pointer},
+        {sizeof(struct scarp_plan), 12288},
         {offsetof(struct scarp_samples, dphase), 10 * pointer},
         {offsetof(struct scarp_samples, spare), 11 * pointer},
         {sizeof(struct scarp_samples), 16 * pointer},
@@ -95,7 +97,7 @@ static inline const char *reserved_member_at(size_t byte)
     if (word < sizeof words / sizeof words[0]) {
         return words[word];
     }
-    return byte < offsetof(struct scarp_noise, spare) ? "warp" : "spare";
+    return byte < offsetof(struct scarp_noise, plan) ? "warp" : "spare";
 }
 
 /* Checks that every call refuses the noise, blames `member` and writes nothing. */
@@ -123,7 +125,8 @@ static inline void expect_reserved(const struct reserved_test *t, const struct s
     CHECK(outputs_untouched(t->one, OUTPUTS_ALL3), "%s: outputs were written", what);
 }
 
-/* Sets every bit from `phase` to the end, except the signs of the floats: -0 is 0. */
+/* Sets every bit from `phase` to the end, except the signs of the floats, since -0 is 0, and those
+   of `plan`, which is not reserved. */
 static inline void test_reserved_noise_bits(const struct reserved_test *t)
 {
     static const float negative_zero = -0.0f;
@@ -134,6 +137,10 @@ static inline void test_reserved_noise_bits(const struct reserved_test *t)
         unsigned char bytes[sizeof(struct scarp_noise)] = {0};
         struct scarp_noise noise;
         char what[64];
+        if (bit / 8 >= offsetof(struct scarp_noise, plan) &&
+            bit / 8 < offsetof(struct scarp_noise, spare)) {
+            continue;
+        }
         bytes[bit / 8] = (unsigned char)(1u << bit % 8);
         if (bit / 8 < offsetof(struct scarp_noise, period) &&
             memcmp(bytes + bit / 32 * 4, &negative_zero, 4) == 0) {

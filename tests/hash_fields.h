@@ -194,9 +194,10 @@ struct field {
 static inline void seed_keys(uint64_t seed, int k, uint32_t key[3])
 {
     const struct scarp_noise noise = {.seed = seed, .octaves = (float)(k + 1)};
-    struct scarp_plan plan;
-    scarp_plan_make(&plan, &noise, 3, 0);
-    memcpy(key, plan.octave[k].key, sizeof plan.octave[k].key);
+    struct scarp_octave octave[SCARP_MAX_OCTAVES];
+    struct scarp_call_plan plan;
+    CHECK(scarp_plan_call(&plan, octave, &noise, 3, 0) == SCARP_OK, "octave %d has no keys", k);
+    memcpy(key, octave[k].key, sizeof octave[k].key);
 }
 
 /*

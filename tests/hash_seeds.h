@@ -137,11 +137,11 @@ static inline void test_distinct_keys(int bits)
 enum octaves { OCTAVES_OF_SCARP, OCTAVES_ALIKE };
 
 /* Makes octaves that are known to be bad: all have the keys of the first, and no offsets. */
-static inline void make_alike(struct scarp_plan *plan)
+static inline void make_alike(struct scarp_octave octave[OCTAVES])
 {
-    for (int k = 1; k < plan->octaves; k++) {
-        memcpy(plan->octave[k].key, plan->octave[0].key, sizeof plan->octave[k].key);
-        memcpy(plan->octave[k].offset64, plan->octave[0].offset64, sizeof plan->octave[k].offset64);
+    for (int k = 1; k < OCTAVES; k++) {
+        memcpy(octave[k].key, octave[0].key, sizeof octave[k].key);
+        memcpy(octave[k].offset64, octave[0].offset64, sizeof octave[k].offset64);
     }
 }
 
@@ -151,23 +151,25 @@ static inline void sample_patch(uint64_t seed, enum scarp_basis kind, enum octav
                                 float values[OCTAVES][PATCH * PATCH])
 {
     const struct scarp_noise noise = {.basis = kind, .seed = seed, .octaves = OCTAVES};
-    struct scarp_plan all, plan;
-    scarp_plan_make(&all, &noise, 2, 0);
+    struct scarp_octave all[SCARP_MAX_OCTAVES], two[2];
+    struct scarp_call_plan plan;
+    CHECK(scarp_plan_call(&plan, all, &noise, 2, 0) == SCARP_OK && plan.octaves == OCTAVES, "plan");
     if (octaves == OCTAVES_ALIKE) {
-        make_alike(&all);
+        make_alike(all);
     }
-    for (int k = 0; k < all.octaves; k++) {
+    plan.octave = two;
+    for (int k = 0; k < OCTAVES; k++) {
         double x[PATCH * PATCH], y[PATCH * PATCH];
-        plan = all;
+        two[0] = all[0];
         if (k > 0) {
             /* The first octave of a plan has no offset: it stays, with the amplitude 0. */
-            plan.octave[0].amplitude = 0.0f;
-            plan.octave[1] = all.octave[k];
+            two[0].amplitude = 0.0f;
+            two[1] = all[k];
         }
         plan.octaves = k > 0 ? 2 : 1;
         for (int i = 0; i < PATCH * PATCH; i++) {
-            x[i] = (i % PATCH - PATCH / 2) * 0.375 / all.octave[k].frequency64;
-            y[i] = (i / PATCH - PATCH / 2) * 0.375 / all.octave[k].frequency64;
+            x[i] = (i % PATCH - PATCH / 2) * 0.375 / all[k].frequency64;
+            y[i] = (i / PATCH - PATCH / 2) * 0.375 / all[k].frequency64;
         }
         const void *const position[3] = {x, y, NULL};
         const struct scarp_outputs out = {{[VALUE] = values[k]}};

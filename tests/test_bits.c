@@ -29,6 +29,21 @@ static void compare(const struct cases_call *call, size_t first, size_t count)
     }
 }
 
+/* Compares the same points, all at once and a few, of calls that keep a plan. */
+static void compare_planned(struct cases_call *call, const struct cases_points *points)
+{
+    static struct scarp_plan plan;
+    const int dimensions = function_dimensions(call->function);
+    CHECK(scarp_plan_make(&call->noise, dimensions, &plan) == SCARP_OK, "%s: no plan", call->name);
+    call->noise.plan = &plan;
+    for (size_t length = points->count; length > 0; length /= 20) {
+        outputs_poison(&tested);
+        cases_run(call, points, 0, length, &tested);
+        compare(call, 0, length);
+    }
+    call->noise.plan = NULL;
+}
+
 /* Compares all settings on one class of points: all points at once, then short runs that begin
    anywhere. */
 static void compare_class(enum scarp_isa isa, enum cases_class class, size_t count)
@@ -42,6 +57,7 @@ static void compare_class(enum scarp_isa isa, enum cases_class class, size_t cou
         outputs_poison(&tested);
         cases_run(&call, &points, 0, count, &tested);
         compare(&call, 0, count);
+        compare_planned(&call, &points);
         tested.capacity = SHORT_RUN;
         for (size_t length = 1; length <= SHORT_RUN; length += step) {
             const size_t first = (length * 37) % (count - length);

@@ -118,6 +118,22 @@ static void compare_outputs(const struct mode *mode, const char *what, unsigned 
           at, float_bits(got.array[member] + at), float_bits(expected.array[member] + at));
 }
 
+/* Compares results with a plan that was made in `mode` with results without one, `expected`. */
+static void test_plan(const struct mode *mode, const struct scarp_noise *noise, enum function f)
+{
+    static struct scarp_plan plan;
+    struct scarp_noise with = *noise;
+    struct mode_control after;
+    const struct mode_control before = mode_enter(mode);
+    const enum scarp_status made = scarp_plan_make(noise, function_dimensions(f), &plan);
+    after = mode_leave(before);
+    with.plan = &plan;
+    outputs_poison(&got);
+    const enum scarp_status called = call_in_mode(&mode_default, &with, f, &got, &after);
+    CHECK(made == SCARP_OK && called == SCARP_OK, "%s, plan, %s", mode->name, function_names[f]);
+    compare_outputs(mode, "scarp_plan_make", function_outputs(f));
+}
+
 /* Compares results in `mode` with results in the default mode. */
 static void test_results(const struct mode *mode)
 {
@@ -132,6 +148,7 @@ static void test_results(const struct mode *mode)
             CHECK(a == SCARP_OK && b == SCARP_OK, "%s, %s", mode->name, function_names[f]);
             expect_control(mode, &after, function_names[f]);
             compare_outputs(mode, function_names[f], function_outputs(f));
+            test_plan(mode, &noises[n], f);
         }
     }
     static const uint32_t scales[] = {0x3f99999au, 0xff7fffffu, 0x00000001u, 0x0da24260u};

@@ -162,6 +162,27 @@ static void test_in_place(enum function f, const struct scarp_noise *noise)
     }
 }
 
+/* Does the same with the value alone, which replaces one coordinate. */
+static void test_value_in_place(enum function f, const struct scarp_noise *noise)
+{
+    const struct scarp_samples all = outputs_subset(&whole, 1);
+    CHECK(function_call(f, noise, POINTS, &in, &all) == SCARP_OK, "%s", function_names[f]);
+    for (size_t c = 0; c < COUNTS; c++) {
+        const size_t count = count_at(c);
+        for (int axis = 0; axis < function_dimensions(f); axis++) {
+            const enum place place = (enum place)(count % PLACES);
+            struct inputs points = place_inputs(f, place, 0, count);
+            const struct outputs o = place_outputs(place, 1, count);
+            memcpy(o.array[0], x32[axis], count * sizeof(float));
+            points.f[axis] = o.array[0];
+            const struct scarp_samples out = outputs_subset(&o, 1);
+            CHECK(function_call(f, noise, count, &points, &out) == SCARP_OK, "%s",
+                  function_names[f]);
+            check_outputs(&o, 1, &whole, 0, count, place, "value in place");
+        }
+    }
+}
+
 static void test_samples(void)
 {
     for (int i = 0; i < FUNCTIONS * 2 * 3; i++) {
@@ -177,6 +198,7 @@ static void test_samples(void)
         }
         if (!function_doubles(f)) {
             test_in_place(f, &noise);
+            test_value_in_place(f, &noise);
         }
     }
 }

@@ -26,9 +26,10 @@ static float x32[3][POINTS];
 static double x64[3][POINTS];
 static const struct inputs in = {{x32[0], x32[1], x32[2]}, {x64[0], x64[1], x64[2]}};
 
-static atomic_int waiting;     /* threads that have yet to arrive */
-static atomic_int sampling;    /* threads that have yet to finish sampling */
-static atomic_int disagreeing; /* hashes that were not `agreed` */
+static struct scarp_plan plans[2]; /* which all threads share; zeros at first */
+static atomic_int waiting;         /* threads that have yet to arrive */
+static atomic_int sampling;        /* threads that have yet to finish sampling */
+static atomic_int disagreeing;     /* hashes that were not `agreed` */
 static uint64_t agreed;
 
 struct worker {
@@ -53,7 +54,8 @@ static uint64_t sample_all(uint64_t seed)
     uint64_t hash = FNV_BASIS;
     for (int i = 0; i < FUNCTIONS; i++) {
         const enum function f = (enum function)i;
-        const struct scarp_noise noise = {.octaves = 2.0f, .seed = seed};
+        struct scarp_noise noise = {.octaves = 2.0f, .seed = seed};
+        noise.plan = &plans[function_dimensions(f) - 2];
         const struct scarp_samples out = outputs_subset(&o, function_outputs(f));
         if (function_call(f, &noise, POINTS, &in, &out) != SCARP_OK) {
             atomic_fetch_add(&disagreeing, 1);
@@ -166,6 +168,11 @@ static void test_selecting(void)
 {
     struct worker workers[THREADS];
     agreed = sample_all(1);
+    for (int dimensions = 2; dimensions <= 3; dimensions++) {
+        const struct scarp_noise noise = {.octaves = 2.0f, .seed = 1};
+        CHECK(scarp_plan_make(&noise, dimensions, &plans[dimensions - 2]) == SCARP_OK, "no plan");
+    }
+    CHECK(sample_all(1) == agreed, "plans give other bits");
     atomic_store(&sampling, THREADS - 2);
     start(workers, select_or_sample);
     join(workers);

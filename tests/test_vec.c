@@ -268,12 +268,54 @@ COPY(test_copy_f, float)
 COPY(test_copy_u, uint32_t)
 COPY(test_copy_d, double)
 
+/* Checks a vector of which `n` elements were loaded from `from`: the others repeat some of them. */
+#define PART(name, type)                                                                           \
+    static void name(const type *loaded, const type *from, int n, int length)                      \
+    {                                                                                              \
+        for (int i = 0; i < length; i++) {                                                         \
+            int found = i < n ? loaded[i] == from[i] : 0;                                          \
+            for (int j = 0; i >= n && j < n; j++) {                                                \
+                found |= loaded[i] == from[j];                                                     \
+            }                                                                                      \
+            CHECK(found, "%d of %d: lane %d has %a", n, length, i, (double)loaded[i]);             \
+        }                                                                                          \
+    }
+
+PART(check_part_f, float)
+PART(check_part_d, double)
+
+/* test_memory.c checks that nothing beyond a part is read. */
+static void test_parts(void)
+{
+    float in[LANES_MAX];
+    double in_d[LANES_MAX];
+    for (int i = 0; i < LANES_MAX; i++) {
+        in[i] = (float)(i + 1);
+        in_d[i] = (double)(i + 1);
+    }
+    for (int n = 1; n < lanes; n++) {
+        float loaded[LANES_MAX], out[LANES_MAX], wanted[LANES_MAX];
+        memset(out, 0x77, sizeof out);
+        memset(wanted, 0x77, sizeof wanted);
+        memcpy(wanted, in, (size_t)n * sizeof *in);
+        ops->part_f(out, loaded, in, (size_t)n);
+        check_part_f(loaded, in, n, lanes);
+        CHECK(memcmp(out, wanted, sizeof out) == 0, "a part of %d stored", n);
+    }
+    for (int n = 1; n <= lanes / 2; n++) {
+        double loaded[LANES_MAX];
+        ops->part_d(loaded, in_d, (size_t)n);
+        check_part_d(loaded, in_d, n, lanes / 2);
+    }
+}
+
 static void test_memory(void)
 {
     test_copy_f("floats", ops->copy_f, 1);
     test_copy_u("integers", ops->copy_u, 1);
     test_copy_d("doubles", ops->copy_d, 1);
     test_copy_f("stream", ops->stream, lanes);
+    test_parts();
 }
 
 /* Makes a hash per lane: its upper 16 bits come from `upper`, those below are extreme or random. */

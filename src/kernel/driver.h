@@ -55,7 +55,7 @@ static const struct basis bases[] = {
 
 /* What all parts of a call share: its passes, and vectors of scratch space per block. */
 struct call {
-    const struct scarp_plan *plan;
+    const struct scarp_call_plan *plan;
     int dimensions, basis_order;
     enum layout layout;                  /* of the positions */
     lattice_pass *const *lattice_passes; /* by axes */
@@ -68,7 +68,7 @@ struct call {
     int plain; /* whether it is fBm with straight axes */
 };
 
-VEC_INLINE void call_begin(struct call *call, const struct scarp_plan *plan, int dimensions,
+VEC_INLINE void call_begin(struct call *call, const struct scarp_call_plan *plan, int dimensions,
                            enum layout layout)
 {
     const struct shape *const shape = &shapes[plan->fractal];
@@ -234,7 +234,7 @@ static void add_by_groups(const struct call *call, struct part *part, int k)
 static __attribute__((noinline)) void prepare_rows(const struct call *call, const struct part *part,
                                                    int k, int first_part)
 {
-    const struct scarp_plan *const plan = call->plan;
+    const struct scarp_call_plan *const plan = call->plan;
     const enum axes axes = axes_of(plan, k);
     double z[VEC_LANES];
     for (size_t i = 0; i < VEC_LANES; i++) {
@@ -253,7 +253,7 @@ static __attribute__((noinline)) void prepare_rows(const struct call *call, cons
 /* Adds up all octaves of a part. */
 static void sum_octaves(const struct call *call, struct part *part, int first_part)
 {
-    const struct scarp_plan *const plan = call->plan;
+    const struct scarp_call_plan *const plan = call->plan;
     if (call->state_size > 0) {
         state_begin(plan, part->state, call->state_size,
                     part->placed.extent.rows * part->placed.extent.blocks);

@@ -250,7 +250,7 @@ static void place_streams(struct grid_call *call)
                     g->count[0] >= (whole ? 64 : 1024);
 }
 
-static void grid(const struct scarp_plan *plan, const struct scarp_grid *described,
+static void grid(const struct scarp_call_plan *plan, const struct scarp_grid *described,
                  const struct scarp_outputs *out, int dimensions)
 {
     struct grid_scratch scratch;
@@ -269,13 +269,13 @@ static void grid(const struct scarp_plan *plan, const struct scarp_grid *describ
     }
 }
 
-static void grid2(const struct scarp_plan *plan, const struct scarp_grid *described,
+static void grid2(const struct scarp_call_plan *plan, const struct scarp_grid *described,
                   const struct scarp_outputs *out)
 {
     grid(plan, described, out, 2);
 }
 
-static void grid3(const struct scarp_plan *plan, const struct scarp_grid *described,
+static void grid3(const struct scarp_call_plan *plan, const struct scarp_grid *described,
                   const struct scarp_outputs *out)
 {
     grid(plan, described, out, 3);

@@ -29,7 +29,7 @@ struct frame {
     int dimensions;
 };
 
-static enum axes axes_of(const struct scarp_plan *plan, int octave)
+static enum axes axes_of(const struct scarp_call_plan *plan, int octave)
 {
     return octave == 0 ? AXES_FIRST : plan->rotate ? AXES_TURNED : AXES_STRAIGHT;
 }

@@ -9,8 +9,9 @@
 #include "gradient.h"
 #include "value.h"
 
-static inline struct sample basis_at(const struct scarp_plan *plan, const struct scarp_octave *o,
-                                     const struct place *p, int dimensions)
+static inline struct sample basis_at(const struct scarp_call_plan *plan,
+                                     const struct scarp_octave *o, const struct place *p,
+                                     int dimensions)
 {
     const uint32_t x = p->cell[0];
     struct column l, r;

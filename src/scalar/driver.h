@@ -14,7 +14,7 @@ struct state {
 };
 
 /* Octave k, as it is added to the sum. */
-static struct sample octave_at(const struct scarp_plan *plan, int k, const struct point *x,
+static struct sample octave_at(const struct scarp_call_plan *plan, int k, const struct point *x,
                                int dimensions, struct state *state)
 {
     const struct scarp_octave *const o = &plan->octave[k];
@@ -34,7 +34,7 @@ static struct sample octave_at(const struct scarp_plan *plan, int k, const struc
     return scaled(&n, o->weight, o->weight, o->weight);
 }
 
-static struct sample sum_octaves(const struct scarp_plan *plan, const struct point *x,
+static struct sample sum_octaves(const struct scarp_call_plan *plan, const struct point *x,
                                  int dimensions)
 {
     struct state state = {.weight = {{[VALUE] = 1.0f}}};

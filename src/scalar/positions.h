@@ -52,7 +52,7 @@ static inline void split_f64(double p, uint32_t *cell, float *t)
 
 /* Whether an octave's axes are turned: then p = J x + o, else p = f x + o. In octave 0 o is 0;
    adding it turns -0 into 0. */
-static inline int is_turned(const struct scarp_plan *plan, int octave)
+static inline int is_turned(const struct scarp_call_plan *plan, int octave)
 {
     return plan->rotate && octave > 0;
 }

@@ -18,7 +18,7 @@ static void put(const struct scarp_outputs *out, size_t i, const struct sample *
     }
 }
 
-static void points(const struct scarp_plan *plan, size_t count, const void *const position[3],
+static void points(const struct scarp_call_plan *plan, size_t count, const void *const position[3],
                    const struct scarp_outputs *out, int dimensions, int doubles)
 {
     for (size_t i = 0; i < count; i++) {
@@ -35,26 +35,26 @@ static void points(const struct scarp_plan *plan, size_t count, const void *cons
     }
 }
 
-static void points2_f32(const struct scarp_plan *plan, size_t count, const void *const position[3],
-                        const struct scarp_outputs *out)
+static void points2_f32(const struct scarp_call_plan *plan, size_t count,
+                        const void *const position[3], const struct scarp_outputs *out)
 {
     points(plan, count, position, out, 2, 0);
 }
 
-static void points2_f64(const struct scarp_plan *plan, size_t count, const void *const position[3],
-                        const struct scarp_outputs *out)
+static void points2_f64(const struct scarp_call_plan *plan, size_t count,
+                        const void *const position[3], const struct scarp_outputs *out)
 {
     points(plan, count, position, out, 2, 1);
 }
 
-static void points3_f32(const struct scarp_plan *plan, size_t count, const void *const position[3],
-                        const struct scarp_outputs *out)
+static void points3_f32(const struct scarp_call_plan *plan, size_t count,
+                        const void *const position[3], const struct scarp_outputs *out)
 {
     points(plan, count, position, out, 3, 0);
 }
 
-static void points3_f64(const struct scarp_plan *plan, size_t count, const void *const position[3],
-                        const struct scarp_outputs *out)
+static void points3_f64(const struct scarp_call_plan *plan, size_t count,
+                        const void *const position[3], const struct scarp_outputs *out)
 {
     points(plan, count, position, out, 3, 1);
 }
@@ -64,7 +64,7 @@ static double coordinate(const struct scarp_grid *grid, int axis, size_t index)
     return grid->origin[axis] + (double)(grid->first[axis] + (int64_t)index) * grid->step[axis];
 }
 
-static void grid2(const struct scarp_plan *plan, const struct scarp_grid *grid,
+static void grid2(const struct scarp_call_plan *plan, const struct scarp_grid *grid,
                   const struct scarp_outputs *out)
 {
     struct point x = {.doubles = 1};
@@ -78,7 +78,7 @@ static void grid2(const struct scarp_plan *plan, const struct scarp_grid *grid,
     }
 }
 
-static void grid3(const struct scarp_plan *plan, const struct scarp_grid *grid,
+static void grid3(const struct scarp_call_plan *plan, const struct scarp_grid *grid,
                   const struct scarp_outputs *out)
 {
     struct point x = {.doubles = 1};

@@ -130,6 +130,45 @@ VEC_INLINE vd vd_set(double a)
 #endif
 
 /*
+ * The first n lanes only, 0 < n < VEC_LANES, or n <= VEC_LANES / 2 for doubles: nothing behind p[n
+ * - 1] is touched. Lanes that are not loaded repeat some that are.
+ */
+
+/* p[0 .. n) */
+#ifndef VF_LOAD_PART_OWN
+VEC_INLINE vf vf_load_part(const float *p, size_t n)
+{
+    vf v = vf_set(p[0]);
+    for (size_t i = 1; i < VEC_LANES - 1; i++) {
+        v[i] = p[i < n ? i : 0];
+    }
+    return v;
+}
+#endif
+
+#ifndef VD_LOAD_PART_OWN
+VEC_INLINE vd vd_load_part(const double *p, size_t n)
+{
+    vd v = vd_set(p[0]);
+    for (size_t i = 1; i < VEC_LANES / 2; i++) {
+        v[i] = p[i < n ? i : 0];
+    }
+    return v;
+}
+#endif
+
+#ifndef VF_STORE_PART_OWN
+VEC_INLINE void vf_store_part(float *p, vf v, size_t n)
+{
+    for (size_t i = 0; i < VEC_LANES - 1; i++) {
+        if (i < n) {
+            p[i] = v[i];
+        }
+    }
+}
+#endif
+
+/*
  * Bits.
  */
 

@@ -56,6 +56,49 @@ VEC_INLINE vd vd_set(double a)
     return (vd)_mm256_set1_pd(a);
 }
 
+/* All ones in the first n lanes. */
+VEC_INLINE __m256i vec_first_lanes(size_t n)
+{
+    static const int32_t ones[15] = {-1, -1, -1, -1, -1, -1, -1};
+    return _mm256_loadu_si256((const __m256i *)(ones + 7 - n));
+}
+
+#define VF_LOAD_PART_OWN
+VEC_INLINE vf vf_load_part(const float *p, size_t n)
+{
+    const __m256i lanes = vec_first_lanes(n);
+    return (vf)_mm256_blendv_ps(_mm256_broadcast_ss(p), _mm256_maskload_ps(p, lanes),
+                                (__m256)lanes);
+}
+
+#define VD_LOAD_PART_OWN
+VEC_INLINE vd vd_load_part(const double *p, size_t n)
+{
+    const __m256i lanes = _mm256_cvtepi32_epi64(_mm256_castsi256_si128(vec_first_lanes(n)));
+    return (vd)_mm256_blendv_pd(_mm256_broadcast_sd(p), _mm256_maskload_pd(p, lanes),
+                                (__m256d)lanes);
+}
+
+/* AMD's processors take a masked store apart. */
+#define VF_STORE_PART_OWN
+VEC_INLINE void vf_store_part(float *p, vf v, size_t n)
+{
+    __m128 four = _mm256_castps256_ps128((__m256)v);
+    if ((n & 4) != 0) {
+        _mm_storeu_ps(p, four);
+        four = _mm256_extractf128_ps((__m256)v, 1);
+        p += 4;
+    }
+    if ((n & 2) != 0) {
+        _mm_storel_pi((__m64 *)p, four);
+        four = _mm_movehl_ps(four, four);
+        p += 2;
+    }
+    if ((n & 1) != 0) {
+        _mm_store_ss(p, four);
+    }
+}
+
 #define VF_FLOOR_OWN
 VEC_INLINE vf vf_floor(vf a)
 {

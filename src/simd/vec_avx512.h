@@ -56,6 +56,26 @@ VEC_INLINE vd vd_set(double a)
     return (vd)_mm512_set1_pd(a);
 }
 
+#define VF_LOAD_PART_OWN
+VEC_INLINE vf vf_load_part(const float *p, size_t n)
+{
+    const __mmask16 lanes = (__mmask16)((1u << n) - 1);
+    return (vf)_mm512_mask_loadu_ps(_mm512_set1_ps(p[0]), lanes, p);
+}
+
+#define VD_LOAD_PART_OWN
+VEC_INLINE vd vd_load_part(const double *p, size_t n)
+{
+    const __mmask8 lanes = (__mmask8)((1u << n) - 1);
+    return (vd)_mm512_mask_loadu_pd(_mm512_set1_pd(p[0]), lanes, p);
+}
+
+#define VF_STORE_PART_OWN
+VEC_INLINE void vf_store_part(float *p, vf v, size_t n)
+{
+    _mm512_mask_storeu_ps(p, (__mmask16)((1u << n) - 1), (__m512)v);
+}
+
 #define VF_FLOOR_OWN
 VEC_INLINE vf vf_floor(vf a)
 {

@@ -61,6 +61,35 @@ VEC_INLINE vd vd_set(double a)
     return (vd)_mm_set1_pd(a);
 }
 
+#define VF_LOAD_PART_OWN
+VEC_INLINE vf vf_load_part(const float *p, size_t n)
+{
+    if (n == 1) {
+        return (vf)_mm_load1_ps(p);
+    }
+    const __m128 two = _mm_loadl_pi(_mm_setzero_ps(), (const __m64 *)p);
+    return (vf)_mm_movelh_ps(two, n == 2 ? two : _mm_load1_ps(p + 2));
+}
+
+#define VD_LOAD_PART_OWN
+VEC_INLINE vd vd_load_part(const double *p, size_t n)
+{
+    return (vd)(n == 1 ? _mm_load1_pd(p) : _mm_loadu_pd(p));
+}
+
+#define VF_STORE_PART_OWN
+VEC_INLINE void vf_store_part(float *p, vf v, size_t n)
+{
+    if (n == 1) {
+        _mm_store_ss(p, (__m128)v);
+        return;
+    }
+    _mm_storel_pi((__m64 *)p, (__m128)v);
+    if (n == 3) {
+        _mm_store_ss(p + 2, _mm_movehl_ps((__m128)v, (__m128)v));
+    }
+}
+
 #define VF_FLOOR_OWN
 VEC_INLINE vf vf_floor(vf a)
 {

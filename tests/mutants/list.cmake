@@ -7,7 +7,8 @@
 # IN         files or folders of src/; TEXT must stand exactly once in all files there
 # TEXT       what is replaced; short, so that it outlives changes nearby
 # BECOMES    what stands in its place, where MUTANT is 1 if this mutant is switched on, or else 0
-# SEEN_BY    bits (results of points differ from the scalar kernels'), grid (results of grids from those
+# SEEN_BY    bits (results of points differ from the scalar kernels'), plan (those of kept plans from
+#            those without), grid (results of grids from those
 #            of points), large (the same, large grids alone), golden (hashes from golden.txt), or crash
 #            (the library crashes in the one call where only that can tell; see test_grid.c)
 # SETS       the kernel sets that it is in; all but scalar if this is left out
@@ -57,6 +58,12 @@ mutant(basis.value_yz IN kernel TEXT [[v.du * (w.du * ddz)]]
 mutant(driver.tail IN kernel TEXT [[memcpy(to, from, (size_t)(end - to) * sizeof(float))]]
        BECOMES [[memcpy(to, from, MUTANT ? 0 : (size_t)(end - to) * sizeof(float))]]
        SEEN_BY bits)
+mutant(driver.few IN kernel TEXT [[vf_load_part(x, count)]]
+       BECOMES [[vf_load_part(x, MUTANT ? 1 : count)]] SEEN_BY bits)
+mutant(driver.few_octaves IN kernel TEXT [[struct scarp_octave *o = plan->octave;]]
+       BECOMES [[struct scarp_octave *o = plan->octave + MUTANT;]] SEEN_BY bits)
+mutant(driver.plain IN kernel TEXT [[pass(&placed, &weights, k > 0]]
+       BECOMES [[pass(&placed, &weights, k > MUTANT]] SEEN_BY bits)
 mutant(driver.remainder IN kernel TEXT [[least(i, count - blocks * VEC_LANES)]]
        BECOMES [[MUTANT ? i : least(i, count - blocks * VEC_LANES)]] SEEN_BY grid)
 mutant(driver.turned IN kernel TEXT [[s.dxy = column_dot(aj, 0, hy, v.dimensions)]]
@@ -108,6 +115,16 @@ mutant(outputs.normals IN kernel TEXT [[vf_from_vd(low.x, high.x)]]
        BECOMES [[MUTANT ? vf_from_vd(high.x, low.x) : vf_from_vd(low.x, high.x)]] SEEN_BY golden)
 
 # plan, which all kernel sets share
-mutant(plan.offset IN plan.c TEXT [[octave->offset[i] = (float)octave->offset64[i];]]
-       BECOMES [[octave->offset[i] = (float)octave->offset64[MUTANT ? 0 : i];]]
+mutant(plan.offset IN plan.c TEXT [[(int32_t)(c & 0xffffff)]]
+       BECOMES [[(int32_t)(MUTANT ? b >> 40 : c & 0xffffff)]]
        SEEN_BY golden SETS scalar)
+mutant(plan.stale IN plan.c TEXT [[&& same_noise(noise, &kept->noise)]]
+       BECOMES [[&& (MUTANT || same_noise(noise, &kept->noise))]] SEEN_BY plan SETS scalar avx2)
+mutant(plan.stale_seed IN plan.c TEXT [[for (size_t i = 0; i < WORDS_BEFORE; i++) {
+        different]]
+       BECOMES [[for (size_t i = MUTANT ? 24 / WORD : 0; i < WORDS_BEFORE; i++) {
+        different]] SEEN_BY plan SETS scalar)
+mutant(plan.stale_spare IN plan.c TEXT [[word_at(b, WORDS_BEFORE + 1 + i)]]
+       BECOMES [[word_at(MUTANT ? a : b, WORDS_BEFORE + 1 + i)]] SEEN_BY plan SETS scalar)
+mutant(plan.dimensions IN plan.c TEXT [[kept->mark == mark_of(dimensions)]]
+       BECOMES [[(kept->mark ^ mark_of(dimensions)) <= (uint64_t)MUTANT]] SEEN_BY plan SETS scalar)

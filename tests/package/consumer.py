@@ -20,7 +20,7 @@ class Noise(ctypes.Structure):
         ("amplitude", ctypes.c_float), ("erosion", ctypes.c_float), ("phase", ctypes.c_float),
         ("jitter", ctypes.c_float), ("sharpness", ctypes.c_float),
         ("period", ctypes.c_uint32 * 3), ("spare0", ctypes.c_uint32), ("warp", ctypes.c_void_p),
-        ("spare", ctypes.c_uint32 * ((192 - 80 - POINTER_SIZE) // 4))]
+        ("plan", ctypes.c_void_p), ("spare", ctypes.c_uint32 * ((192 - 80 - 2 * POINTER_SIZE) // 4))]
 
 
 FloatPointer = ctypes.POINTER(ctypes.c_float)

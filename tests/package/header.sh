@@ -17,6 +17,8 @@ program()
 #define SAME(name, a, b) typedef char name[(a) == (b) ? 1 : -1]
 SAME(noise_size, sizeof(struct scarp_noise), 192);
 SAME(warp_offset, offsetof(struct scarp_noise, warp), 80);
+SAME(plan_offset, offsetof(struct scarp_noise, plan), 80 + sizeof(void *));
+SAME(plan_size, sizeof(struct scarp_plan), 12288);
 SAME(samples_size, sizeof(struct scarp_samples), 16 * sizeof(float *));
 SAME(grid_size, sizeof(struct scarp_grid), 192);
 EOF

@@ -29,7 +29,7 @@ static const struct shape shapes[] = {
 };
 
 /* Vectors of state for a block. */
-static size_t state_size(const struct scarp_plan *plan, int dimensions)
+static size_t state_size(const struct scarp_call_plan *plan, int dimensions)
 {
     switch (plan->fractal) {
     case SCARP_RIDGED: return sample_size(dimensions, plan->order);
@@ -39,7 +39,7 @@ static size_t state_size(const struct scarp_plan *plan, int dimensions)
 }
 
 /* What the first octave finds: weights of 1 for ridged noise, no slopes for erosion. */
-static void state_begin(const struct scarp_plan *plan, vf *state, size_t size, size_t blocks)
+static void state_begin(const struct scarp_call_plan *plan, vf *state, size_t size, size_t blocks)
 {
     const vf first = vf_set(plan->fractal == SCARP_RIDGED ? 1.0f : 0.0f);
     for (vf *const end = state + blocks * size; state < end; state += size) {

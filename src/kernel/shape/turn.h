@@ -13,7 +13,7 @@
 /* An octave to be shaped: its noise as stored samples, and what goes from octave to octave,
    state_size() vectors for each block. */
 struct shaping {
-    const struct scarp_plan *plan;
+    const struct scarp_call_plan *plan;
     const struct scarp_octave *octave;
     enum axes axes;
     struct extent extent;
