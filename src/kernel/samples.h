@@ -163,16 +163,25 @@ VEC_INLINE void put_sample(const struct outputs *to, size_t at, const struct wei
 #undef DO
 }
 
-/* Adds or stores weights * s. The branch goes the same way in a whole pass; a second loop would
-   double the code. */
-VEC_INLINE void add_sample(const struct outputs *to, size_t at, const struct weights *w,
-                           const struct sample *s, struct variant v, enum put put)
+/* Does the same where `put` is no constant. The branch goes the same way in a whole pass; a loop
+   for each would multiply the code. */
+VEC_INLINE void put_any_sample(const struct outputs *to, size_t at, const struct weights *w,
+                               const struct sample *s, struct variant v, enum put put)
 {
     if (put == PUT_ADD) {
         put_sample(to, at, w, s, v, PUT_ADD);
-    } else {
+    } else if (put == PUT_FIRST) {
         put_sample(to, at, w, s, v, PUT_FIRST);
+    } else {
+        put_sample(to, at, w, s, v, PUT_STREAM);
     }
+}
+
+/* Adds or stores weights * s. */
+VEC_INLINE void add_sample(const struct outputs *to, size_t at, const struct weights *w,
+                           const struct sample *s, struct variant v, enum put put)
+{
+    put_any_sample(to, at, w, s, v, put == PUT_ADD ? PUT_ADD : PUT_FIRST);
 }
 
 #endif

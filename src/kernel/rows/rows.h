@@ -122,7 +122,7 @@ VEC_INLINE void table_row(const struct along_x *x, const struct tables *t,
             VEC_SHORT_LOOP
             for (; block < end; block++) {
                 const struct sample n = join_sides(block, &s, v);
-                put_sample(&to, to_at, &w, &n, v, put);
+                put_any_sample(&to, to_at, &w, &n, v, put);
                 to_at += to.block;
             }
             continue;
@@ -131,7 +131,7 @@ VEC_INLINE void table_row(const struct along_x *x, const struct tables *t,
         for (; block < end; block++) {
             const struct sides s = get_sides(&l, (vu)block->index, 0, v);
             const struct sample n = join_sides(block, &s, v);
-            put_sample(&to, to_at, &w, &n, v, put);
+            put_any_sample(&to, to_at, &w, &n, v, put);
             to_at += to.block;
         }
     }
@@ -150,11 +150,7 @@ VEC_INLINE void wide_row(const struct along_x *x, const struct along_row *row,
     for (; block < end; block++) {
         const struct sides s = {row_column((vu)hash[0], row, v), row_column((vu)hash[1], row, v)};
         const struct sample n = join_sides(block, &s, v);
-        if (put == PUT_ADD) { /* two loops would be long */
-            put_sample(&to, to_at, &w, &n, v, PUT_ADD);
-        } else {
-            put_sample(&to, to_at, &w, &n, v, PUT_FIRST);
-        }
+        add_sample(&to, to_at, &w, &n, v, put);
         to_at += to.block;
         hash += 2;
     }
@@ -210,6 +206,8 @@ VEC_INLINE void rows_run(const struct row_octave *o, size_t rows, const struct w
             if (o->x.kind == WIDE) {
                 const struct along_row row = row_of(&o->rows, r, v.dimensions);
                 wide_row(&o->x, &row, &to, v, put);
+            } else if (v.order > 0) { /* there, a branch for each block costs nothing */
+                put_row(o, r, &here, &to, v, put);
             } else if (put == PUT_STREAM) {
                 put_row(o, r, &here, &to, v, PUT_STREAM);
             } else if (put == PUT_FIRST) {
