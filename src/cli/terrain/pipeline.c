@@ -148,7 +148,9 @@ static bool open_lane(struct pipeline *pipeline, size_t i)
         if (lane->packing == NULL) {
             continue;
         }
-        lane->packed[turn] = malloc(lane->parts * lane->room);
+        /* With 32-bit addresses, enlarged rasters may need more than there are. */
+        lane->packed[turn] =
+            lane->room <= SIZE_MAX / lane->parts ? malloc(lane->parts * lane->room) : NULL;
         lane->part[turn] = calloc(lane->parts, sizeof *lane->part[turn]);
         if (lane->packed[turn] == NULL || lane->part[turn] == NULL) {
             return false;
