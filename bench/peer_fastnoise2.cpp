@@ -42,12 +42,15 @@ template <typename Node> FastNoise::SmartNode<FastNoise::Generator> basis(FastSI
 /* Its ridged sum has no Musgrave weights (as long as the weighted strength is 0, the default): it
    adds 1 - 2 |n_k| where scarp adds v_k (1 - |n_k|)^2. Turbulence is its fBm of magnitudes. */
 template <typename Sum>
-FastNoise::SmartNode<FastNoise::Generator>
-sum(FastSIMD::FeatureSet set, FastNoise::SmartNodeArg<FastNoise::Generator> source, int octaves)
+FastNoise::SmartNode<FastNoise::Generator> sum(FastSIMD::FeatureSet set,
+                                               FastNoise::SmartNodeArg<FastNoise::Generator> source,
+                                               const bench_work *work)
 {
     auto node = FastNoise::New<Sum>(set);
     node->SetSource(source);
-    node->SetOctaveCount(octaves);
+    node->SetOctaveCount(work->octaves);
+    node->SetLacunarity(work->lacunarity);
+    node->SetGain(work->gain);
     return node;
 }
 
@@ -68,9 +71,9 @@ void *open(const bench_work *work, scarp_isa isa)
         noise = magnitude;
     }
     if (work->fractal == SCARP_RIDGED) {
-        noise = sum<FastNoise::FractalRidged>(set, noise, work->octaves);
+        noise = sum<FastNoise::FractalRidged>(set, noise, work);
     } else if (work->octaves > 1) {
-        noise = sum<FastNoise::FractalFBm>(set, noise, work->octaves);
+        noise = sum<FastNoise::FractalFBm>(set, noise, work);
     }
     return new State{noise, work->dimensions};
 }

@@ -39,6 +39,8 @@ static void *fnl_peer_open(const struct bench_work *work, enum scarp_isa isa)
             work->basis == SCARP_GRADIENT ? FNL_NOISE_PERLIN : FNL_NOISE_VALUE;
         state->noise.fractal_type = fnl_peer_fractal(work);
         state->noise.octaves = work->octaves;
+        state->noise.lacunarity = work->lacunarity;
+        state->noise.gain = work->gain;
     }
     return state;
 }

@@ -18,22 +18,31 @@ struct State {
     std::unique_ptr<noise::module::Module> sum; /* null: a single octave */
 };
 
-template <typename Sum> std::unique_ptr<noise::module::Module> make_sum(int octaves)
+template <typename Sum> std::unique_ptr<Sum> make_sum_of(const bench_work *work)
 {
     auto sum = std::make_unique<Sum>();
-    sum->SetOctaveCount(octaves);
+    sum->SetOctaveCount(work->octaves);
+    sum->SetLacunarity(work->lacunarity);
     sum->SetNoiseQuality(noise::QUALITY_BEST);
     return sum;
 }
 
+template <typename Sum>
+std::unique_ptr<noise::module::Module> make_sum_with_gain(const bench_work *work)
+{
+    auto sum = make_sum_of<Sum>(work);
+    sum->SetPersistence(work->gain);
+    return sum;
+}
+
 /* Its ridged sum is Musgrave's, like scarp's (scarp.h has the constants between them); turbulence
-   is 2 |n| - 1 per octave. */
+   is 2 |n| - 1 per octave. The gain of the ridged sum cannot be chosen. */
 std::unique_ptr<noise::module::Module> make_sum(const bench_work *work)
 {
     switch (work->fractal) {
-    case SCARP_TURBULENCE: return make_sum<noise::module::Billow>(work->octaves);
-    case SCARP_RIDGED: return make_sum<noise::module::RidgedMulti>(work->octaves);
-    default: return make_sum<noise::module::Perlin>(work->octaves);
+    case SCARP_TURBULENCE: return make_sum_with_gain<noise::module::Billow>(work);
+    case SCARP_RIDGED: return make_sum_of<noise::module::RidgedMulti>(work);
+    default: return make_sum_with_gain<noise::module::Perlin>(work);
     }
 }
 

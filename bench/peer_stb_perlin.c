@@ -13,6 +13,7 @@
 struct stb_state {
     enum scarp_fractal fractal;
     int octaves;
+    float lacunarity, gain;
 };
 
 static void *stb_open(const struct bench_work *work, enum scarp_isa isa)
@@ -23,7 +24,7 @@ static void *stb_open(const struct bench_work *work, enum scarp_isa isa)
     }
     struct stb_state *const state = malloc(sizeof *state);
     if (state != NULL) {
-        *state = (struct stb_state){work->fractal, work->octaves};
+        *state = (struct stb_state){work->fractal, work->octaves, work->lacunarity, work->gain};
     }
     return state;
 }
@@ -34,22 +35,24 @@ static void stb_points(const void *opaque, size_t count, const float *const x[3]
 {
     const struct stb_state *const state = opaque;
     const int octaves = state->octaves;
+    const float lacunarity = state->lacunarity, gain = state->gain;
     if (octaves == 1) {
         for (size_t i = 0; i < count; i++) {
             value[i] = stb_perlin_noise3(x[0][i], x[1][i], x[2][i], 0, 0, 0);
         }
     } else if (state->fractal == SCARP_TURBULENCE) {
         for (size_t i = 0; i < count; i++) {
-            value[i] = stb_perlin_turbulence_noise3(x[0][i], x[1][i], x[2][i], 2.0f, 0.5f, octaves);
+            value[i] =
+                stb_perlin_turbulence_noise3(x[0][i], x[1][i], x[2][i], lacunarity, gain, octaves);
         }
     } else if (state->fractal == SCARP_RIDGED) {
         for (size_t i = 0; i < count; i++) {
             value[i] =
-                stb_perlin_ridge_noise3(x[0][i], x[1][i], x[2][i], 2.0f, 0.5f, 1.0f, octaves);
+                stb_perlin_ridge_noise3(x[0][i], x[1][i], x[2][i], lacunarity, gain, 1.0f, octaves);
         }
     } else {
         for (size_t i = 0; i < count; i++) {
-            value[i] = stb_perlin_fbm_noise3(x[0][i], x[1][i], x[2][i], 2.0f, 0.5f, octaves);
+            value[i] = stb_perlin_fbm_noise3(x[0][i], x[1][i], x[2][i], lacunarity, gain, octaves);
         }
     }
 }

@@ -58,16 +58,28 @@ static int has_differences(const struct bench_report *report)
     return 0;
 }
 
+/* How wide the column of the workloads is */
+static int work_width(const struct bench_report *report)
+{
+    size_t width = 52;
+    for (size_t i = 0; i < report->count; i++) {
+        const size_t length = strlen(report->rows[i].work);
+        width = length > width ? length : width;
+    }
+    return (int)width;
+}
+
 void bench_write_text(FILE *file, const struct bench_report *report)
 {
+    const int width = work_width(report);
     write_header(file, report, "");
-    fprintf(file, "%-52s %-17s %-7s %9s %10s %9s %8s\n", "workload", "library", "isa", "ns/point",
-            "Mpoints/s", "fastest", "spread");
+    fprintf(file, "%-*s %-17s %-7s %9s %10s %9s %8s\n", width, "workload", "library", "isa",
+            "ns/point", "Mpoints/s", "fastest", "spread");
     for (size_t i = 0; i < report->count; i++) {
         const struct bench_row *const row = &report->rows[i];
-        fprintf(file, "%-52s %-17s %-7s %9.3f %10.1f %9.3f %6.1f %%%s%s\n", row->work, row->library,
-                row->isa, row->median, 1000 / row->median, row->minimum, row->spread * 100,
-                row->note[0] != '\0' ? "  " : "", row->note);
+        fprintf(file, "%-*s %-17s %-7s %9.3f %10.1f %9.3f %6.1f %%%s%s\n", width, row->work,
+                row->library, row->isa, row->median, 1000 / row->median, row->minimum,
+                row->spread * 100, row->note[0] != '\0' ? "  " : "", row->note);
     }
     if (!has_differences(report)) {
         return;
@@ -77,7 +89,7 @@ void bench_write_text(FILE *file, const struct bench_report *report)
         const struct bench_row *const row = &report->rows[i];
         const struct bench_row *const exact = find_exact(report, row);
         if (exact != NULL) {
-            fprintf(file, "%-52s %-17s %-7s %9.2f times faster\n", row->work, row->library,
+            fprintf(file, "%-*s %-17s %-7s %9.2f times faster\n", width, row->work, row->library,
                     row->isa, row->median / exact->median);
         }
     }

@@ -6,6 +6,7 @@
 #include "subject.h"
 
 #include <stdint.h>
+#include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -122,13 +123,33 @@ void bench_arrays_free(struct bench_arrays *arrays)
 
 static int make_scarp(struct bench_subject *subject, const struct bench_work *work)
 {
-    subject->noise = (struct scarp_noise){.basis = work->basis,
-                                          .fade = work->fade,
-                                          .fractal = work->fractal,
-                                          .rotate = work->turned != 0,
-                                          .seed = 7,
-                                          .octaves = (float)work->octaves};
+    subject->noise = bench_work_noise(work);
     return scarp_isa_supported(subject->isa);
+}
+
+/* The nearest that a peer has to a workload with a title: without turned axes, which none has; fBm
+   instead of erosion; a plane in space where it knows nothing else. */
+static int make_nearest(struct bench_subject *subject, const struct bench_work *work)
+{
+    struct bench_work nearest = *work;
+    if (work->output != BENCH_VALUE) {
+        return 0;
+    }
+    nearest.turned = 0;
+    nearest.fractal = work->fractal == SCARP_EROSION ? SCARP_FBM : work->fractal;
+    for (int d = 2; d <= 3 && subject->state == NULL; d++) {
+        nearest.dimensions = d;
+        subject->state = subject->peer->open(&nearest, subject->isa);
+    }
+    const char *const differences[] = {nearest.fractal != work->fractal ? "fBm" : "",
+                                       work->turned ? "axes not turned" : "",
+                                       nearest.dimensions != work->dimensions ? "in 3D" : ""};
+    for (int i = 0; i < 3; i++) {
+        const size_t length = strlen(subject->note);
+        snprintf(subject->note + length, sizeof subject->note - length, "%s%s",
+                 length > 0 && differences[i][0] != '\0' ? ", " : "", differences[i]);
+    }
+    return subject->state != NULL;
 }
 
 /* Peers do what all libraries agree on, and those fractals that they know. Their gradient comes
@@ -136,6 +157,9 @@ static int make_scarp(struct bench_subject *subject, const struct bench_work *wo
 static int make_peer(struct bench_subject *subject, const struct bench_work *work)
 {
     const struct bench_peer *const peer = subject->peer;
+    if (work->title != NULL) {
+        return make_nearest(subject, work);
+    }
     if (work->layout == BENCH_NORMALS || work->fade != SCARP_QUINTIC || work->turned || work->f64) {
         return 0;
     }
@@ -167,6 +191,9 @@ void bench_subject_free(struct bench_subject *subject)
 const char *bench_subject_note(const struct bench_subject *subject)
 {
     const enum bench_output output = subject->work.output;
+    if (subject->note[0] != '\0') {
+        return subject->note;
+    }
     if (output == BENCH_FORWARD_DIFFERENCES) {
         return "forward differences";
     }
@@ -209,25 +236,26 @@ static struct scarp_samples choose_outputs(const struct bench_subject *subject)
     return out;
 }
 
-static enum scarp_status run_grid(const struct bench_subject *subject)
+static enum scarp_status run_grid(const struct bench_subject *subject,
+                                  const struct scarp_samples *out)
 {
     const struct bench_work *const work = &subject->work;
-    const struct scarp_samples out = choose_outputs(subject);
     struct scarp_grid grid = {.row_stride = 0};
     for (int d = 0; d < 3; d++) {
         grid.origin[d] = (double)work->origin[d];
         grid.step[d] = (double)work->step;
         grid.count[d] = work->grid[d];
     }
-    return work->dimensions == 2 ? scarp_grid2(&subject->noise, &grid, &out)
-                                 : scarp_grid3(&subject->noise, &grid, &out);
+    return work->dimensions == 2 ? scarp_grid2(&subject->noise, &grid, out)
+                                 : scarp_grid3(&subject->noise, &grid, out);
 }
 
-static enum scarp_status run_scarp(const struct bench_subject *subject)
+/* One call; `out` is made before, as callers of few points at a time do. */
+static enum scarp_status run_scarp(const struct bench_subject *subject,
+                                   const struct scarp_samples *out)
 {
     const struct bench_work *const work = &subject->work;
     const struct scarp_noise *const noise = &subject->noise;
-    const struct scarp_samples out = choose_outputs(subject);
     const size_t n = work->points;
     float *const *const to = subject->arrays->outputs;
     float *const *const x = subject->arrays->points[work->pattern];
@@ -236,7 +264,7 @@ static enum scarp_status run_scarp(const struct bench_subject *subject)
         return scarp_normals(n, x[0], x[1], 0x1p-10f, to[0], to[1], to[2]);
     }
     if (work->layout == BENCH_GRID) {
-        return run_grid(subject);
+        return run_grid(subject, out);
     }
     if (work->output >= BENCH_FORWARD_DIFFERENCES) {
         const float *const from[3] = {x[0], x[1], x[2]};
@@ -246,11 +274,30 @@ static enum scarp_status run_scarp(const struct bench_subject *subject)
         return SCARP_OK;
     }
     if (work->dimensions == 2) {
-        return work->f64 ? scarp_sample2_f64(noise, n, w[0], w[1], &out)
-                         : scarp_sample2(noise, n, x[0], x[1], &out);
+        return work->f64 ? scarp_sample2_f64(noise, n, w[0], w[1], out)
+                         : scarp_sample2(noise, n, x[0], x[1], out);
     }
-    return work->f64 ? scarp_sample3_f64(noise, n, w[0], w[1], w[2], &out)
-                     : scarp_sample3(noise, n, x[0], x[1], x[2], &out);
+    return work->f64 ? scarp_sample3_f64(noise, n, w[0], w[1], w[2], out)
+                     : scarp_sample3(noise, n, x[0], x[1], x[2], out);
+}
+
+/* A 2D grid by a peer that knows points only: what its users write, in chunks */
+static void run_grid_of_points(const struct bench_subject *subject)
+{
+    enum { CHUNK = 256 };
+    const struct bench_work *const work = &subject->work;
+    const size_t width = work->grid[0];
+    float position[3][CHUNK];
+    const float *const from[3] = {position[0], position[1], position[2]};
+    for (size_t i = 0; i < work->points; i += CHUNK) {
+        const size_t count = work->points - i < CHUNK ? work->points - i : CHUNK;
+        for (size_t j = 0; j < count; j++) {
+            position[0][j] = work->origin[0] + work->step * (float)((i + j) % width);
+            position[1][j] = work->origin[1] + work->step * (float)((i + j) / width);
+            position[2][j] = work->origin[2];
+        }
+        subject->peer->points(subject->state, count, from, subject->arrays->outputs[0] + i);
+    }
 }
 
 static void run_peer(const struct bench_subject *subject)
@@ -259,7 +306,9 @@ static void run_peer(const struct bench_subject *subject)
     float *const *const to = subject->arrays->outputs;
     float *const *const x = subject->arrays->points[work->pattern];
     const float *const from[3] = {x[0], x[1], x[2]};
-    if (work->layout == BENCH_GRID) {
+    if (work->layout == BENCH_GRID && subject->peer->grid == NULL) {
+        run_grid_of_points(subject);
+    } else if (work->layout == BENCH_GRID) {
         subject->peer->grid(subject->state, work, to[0]);
     } else if (work->output == BENCH_PLUS_GRADIENT) {
         const struct bench_field field = {subject->peer->points, subject->state, work->dimensions};
@@ -283,15 +332,17 @@ static void consume(const struct bench_subject *subject)
 
 enum scarp_status bench_subject_try(const struct bench_subject *subject)
 {
-    return subject->peer == NULL ? run_scarp(subject) : SCARP_OK;
+    const struct scarp_samples out = choose_outputs(subject);
+    return subject->peer == NULL ? run_scarp(subject, &out) : SCARP_OK;
 }
 
 void bench_subject_run(const struct bench_subject *subject, unsigned long iterations)
 {
     if (subject->peer == NULL) {
+        const struct scarp_samples out = choose_outputs(subject);
         scarp_isa_select(subject->isa);
         for (unsigned long i = 0; i < iterations; i++) {
-            run_scarp(subject);
+            run_scarp(subject, &out);
         }
     } else {
         for (unsigned long i = 0; i < iterations; i++) {

@@ -27,7 +27,8 @@ struct bench_subject {
     const struct bench_peer *peer; /* NULL: scarp itself */
     enum scarp_isa isa;
     struct scarp_noise noise;
-    void *state; /* the peer's */
+    void *state;   /* the peer's */
+    char note[40]; /* how what the peer does differs from a workload with a title */
     const struct bench_arrays *arrays;
     unsigned long iterations; /* of one timed slice */
     int turns;                /* how many slices are timed: as many as repeats, or fewer */
@@ -49,7 +50,8 @@ int bench_subject_make(struct bench_subject *subject, const struct bench_work *w
                        const struct bench_peer *peer, enum scarp_isa isa);
 void bench_subject_free(struct bench_subject *subject);
 
-/* Says how the gradient is made: "central differences" for example, or "" for a closed form. */
+/* Says how the gradient is made: "central differences" for example, or "" for a closed form; and
+   what else a peer does where it has not the same. */
 const char *bench_subject_note(const struct bench_subject *subject);
 
 /* Makes the call once, to see whether it works. Ask this before anything is timed. */

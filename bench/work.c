@@ -38,10 +38,13 @@ static const size_t standard_sizes[] = {STANDARD_POINTS, 0};
 static const size_t standard_squares[] = {1024, 0}, standard_cubes[] = {64, 0};
 static const float standard_steps[] = {STANDARD_STEP, 0};
 
-static const size_t other_sizes[] = {16, 256, 4096, 1048576, 0};
+static const size_t other_sizes[] = {1, 4, 16, 64, 256, 4096, 1048576, 0};
 static const size_t squares[] = {256, 1024, 4096, 0}, huge_square[] = {16384, 0};
 static const size_t cubes[] = {64, 256, 0}, large_cube[] = {256, 0};
 static const float other_steps[] = {0.1f, 0.3f, 1.7f, 0};
+static const float none_steps[] = {0.0025f, 0}, alps_steps[] = {0.0035f, 0};
+static const float dunes_steps[] = {0.0022f, 0}, islands_steps[] = {0.0045f, 0};
+static const float canyon_steps[] = {0.004f, 0}, quick_noise_steps[] = {0x1p-7f, 0};
 
 static const struct product products[] = {
     {.bases = BOTH_BASES, .outputs = UP_TO_HESSIAN | DIFFERENCES},
@@ -92,6 +95,60 @@ static const struct product products[] = {
      .outputs = ONLY_VALUE,
      .sizes = {huge_square, NULL}},
     {{.layout = BENCH_NORMALS, .dimensions = 2}, .bases = GRADIENT, .outputs = ONLY_VALUE},
+    /* What `scarp terrain --preset` samples: heights alone, or with what lights them.
+       tests/test_bench_presets.c holds these rows to the program's. */
+    {{.layout = BENCH_GRID, .title = "preset-none", .octaves = 9, .gain = 0.4f, .dimensions = 2},
+     .bases = GRADIENT,
+     .outputs = UP_TO_GRADIENT,
+     .steps = none_steps},
+    {{.layout = BENCH_GRID,
+      .title = "preset-alps",
+      .fractal = SCARP_RIDGED,
+      .octaves = 7,
+      .gain = 0.42f,
+      .turned = 1,
+      .dimensions = 2},
+     .bases = GRADIENT,
+     .outputs = UP_TO_GRADIENT,
+     .steps = alps_steps},
+    {{.layout = BENCH_GRID,
+      .title = "preset-dunes",
+      .fractal = SCARP_RIDGED,
+      .octaves = 2,
+      .lacunarity = 3.5f,
+      .gain = 8.0f,
+      .turned = 1,
+      .dimensions = 2},
+     .bases = GRADIENT,
+     .outputs = UP_TO_GRADIENT,
+     .steps = dunes_steps},
+    {{.layout = BENCH_GRID,
+      .title = "preset-islands",
+      .fractal = SCARP_EROSION,
+      .octaves = 8,
+      .gain = 0.46f,
+      .erosion = 0.25f,
+      .turned = 1,
+      .dimensions = 2},
+     .bases = GRADIENT,
+     .outputs = UP_TO_GRADIENT,
+     .steps = islands_steps},
+    {{.layout = BENCH_GRID,
+      .title = "preset-canyon",
+      .fractal = SCARP_TURBULENCE,
+      .octaves = 8,
+      .gain = 0.36f,
+      .turned = 1,
+      .dimensions = 2},
+     .bases = GRADIENT,
+     .outputs = UP_TO_GRADIENT,
+     .steps = canyon_steps},
+    /* quick-noise 0.3.0 (Rust) tells 0.82 ms for it, 0.78 ns per sample; the frequency is that of
+       its examples. */
+    {{.layout = BENCH_GRID, .title = "quick-noise", .octaves = 3, .dimensions = 2},
+     .bases = GRADIENT,
+     .outputs = ONLY_VALUE,
+     .steps = quick_noise_steps},
 };
 
 static const char *const layout_names[] = {"points", "grid", "normals"};
@@ -105,7 +162,7 @@ static void write_name(struct bench_work *work)
         snprintf(work->name, sizeof work->name, "%s", layout_names[work->layout]);
         return;
     }
-    char fade[16] = "", fractal[32] = "", size[32] = "";
+    char fade[16] = "", fractal[32] = "", title[32] = "", size[32] = "";
     if (work->fade != SCARP_QUINTIC) {
         snprintf(fade, sizeof fade, "/%s", scarp_fade_name(work->fade));
     }
@@ -113,15 +170,18 @@ static void write_name(struct bench_work *work)
         snprintf(fractal, sizeof fractal, "/%s%d", scarp_fractal_name(work->fractal),
                  work->octaves);
     }
+    if (work->title != NULL) {
+        snprintf(title, sizeof title, "/%s", work->title);
+    }
     if (work->layout == BENCH_GRID) {
         snprintf(size, sizeof size, "/%zu/step%g", work->grid[0], (double)work->step);
     } else if (work->points != STANDARD_POINTS) {
         snprintf(size, sizeof size, "/n=%zu", work->points);
     }
-    snprintf(work->name, sizeof work->name, "%s%d/%s%s%s%s%s%s/%s%s", layout_names[work->layout],
+    snprintf(work->name, sizeof work->name, "%s%d/%s%s%s%s%s%s%s/%s%s", layout_names[work->layout],
              work->dimensions, scarp_basis_name(work->basis), fade, fractal,
-             work->turned ? "/turned" : "", work->f64 ? "/f64" : "", pattern_names[work->pattern],
-             output_names[work->output], size);
+             work->turned ? "/turned" : "", title, work->f64 ? "/f64" : "",
+             pattern_names[work->pattern], output_names[work->output], size);
 }
 
 /* Completes the workload; `size` is one of those in struct product. */
@@ -131,9 +191,10 @@ static void complete(struct bench_work *work, size_t size)
        by rounding alone; where it is by less than 1e-12, fades are denormal numbers, which slow
        many processors down. */
     static const float origin[3] = {3.3371f, 4.437f, 5.533f};
-    if (work->octaves == 0) {
-        work->octaves = 1;
-    }
+    work->octaves = work->octaves != 0 ? work->octaves : 1;
+    work->lacunarity = work->lacunarity != 0.0f ? work->lacunarity : 2.0f;
+    work->gain = work->gain != 0.0f ? work->gain : 0.5f;
+    work->erosion = work->erosion != 0.0f ? work->erosion : 1.0f;
     work->points = size;
     if (work->layout == BENCH_GRID) {
         for (int d = 0; d < 3; d++) {
@@ -206,6 +267,19 @@ int bench_work_get(size_t index, struct bench_work *work)
         }
     }
     return 0;
+}
+
+struct scarp_noise bench_work_noise(const struct bench_work *work)
+{
+    return (struct scarp_noise){.basis = work->basis,
+                                .fade = work->fade,
+                                .fractal = work->fractal,
+                                .rotate = work->turned != 0,
+                                .seed = 7,
+                                .octaves = (float)work->octaves,
+                                .lacunarity = work->lacunarity,
+                                .gain = work->gain,
+                                .erosion = work->erosion};
 }
 
 static int glob(const char *pattern, const char *text)

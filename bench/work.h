@@ -43,9 +43,12 @@ struct bench_work {
     enum scarp_fractal fractal;
     int dimensions;
     int octaves;
-    int turned;     /* the axes turn between octaves */
-    int f64;        /* double coordinates */
-    int on_request; /* measured only if --work gives the whole name: large */
+    float lacunarity, gain, erosion; /* as in struct scarp_noise, defaults filled in */
+    const char *title; /* whose work this is: a preset's, or what another library tells the time of;
+                          peers do the nearest that they have. Else NULL */
+    int turned;        /* the axes turn between octaves */
+    int f64;           /* double coordinates */
+    int on_request;    /* measured only if --work gives the whole name: large */
     size_t points;
     size_t grid[3];  /* of BENCH_GRID: samples along each axis, x innermost */
     float origin[3]; /* of BENCH_GRID: the first sample, in cells */
@@ -54,6 +57,9 @@ struct bench_work {
 
 /* Puts workload number `index`, counted from 0, into *work. Returns 0 when there are no more. */
 int bench_work_get(size_t index, struct bench_work *work);
+
+/* The noise of a workload, in cells */
+struct scarp_noise bench_work_noise(const struct bench_work *work);
 
 /* Whether `pattern` means the workload `name`: `*` is any text and `?` any character of a whole
    name; a pattern without either is a name or, where no workload is called that, a part of one. */

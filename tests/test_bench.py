@@ -102,7 +102,7 @@ class Selection(Case):
                 self.assertIn("points%s/%s/fbm8/+hessian" % (d, basis), names)
             for kind in ("fbm8/turned", "cubic", "f64", "sequential", "same-cell"):
                 self.assertIn("points%s/gradient/%s/+gradient" % (d, kind), names)
-            for points in (16, 256, 4096, 1048576):
+            for points in (1, 4, 16, 64, 256, 4096, 1048576):
                 self.assertIn("points%s/gradient/value/n=%d" % (d, points), names)
             for output in ("value", "+gradient", "+hessian"):
                 for fractal in ("turbulence8", "ridged8"):
@@ -124,6 +124,14 @@ class Selection(Case):
             self.assertIn("points2/%s/erosion8/turned/+gradient" % basis, names)
         self.assertFalse([name for name in names if "erosion" in name and "hessian" in name])
         self.assertIn("normals", names)
+        for noise in ("fbm9/preset-none/%s/1024/step0.0025",
+                      "ridged7/turned/preset-alps/%s/1024/step0.0035",
+                      "ridged2/turned/preset-dunes/%s/1024/step0.0022",
+                      "erosion8/turned/preset-islands/%s/1024/step0.0045",
+                      "turbulence8/turned/preset-canyon/%s/1024/step0.004"):
+            for output in ("value", "+gradient"):
+                self.assertIn("grid2/gradient/" + noise % output, names)
+        self.assertIn("grid2/gradient/fbm3/quick-noise/value/1024/step0.0078125", names)
 
     def test_patterns(self):
         names = names_of()
@@ -381,6 +389,42 @@ class Results(Case):
         for row in rows:
             self.assertNotIn("note", row)
             self.assertTrue("/+" not in row["work"] or row["library"] == "scarp")
+
+
+    def test_peers_of_presets(self):
+        """All take part with the nearest that they have, and say what it is."""
+        if not has_peers():
+            self.skipTest("no peer was found")
+        rows = report_of(*QUICK, "--isa", "scalar", "--work", "preset-,quick-noise,"
+                         "points3/gradient/value", "--peers")["rows"]
+        self.check_rows(rows)
+        everyone = {row["library"] for row in rows if row["work"] == "points3/gradient/value"}
+        fractals = {"none": "", "alps": "axes not turned", "dunes": "axes not turned",
+                    "islands": "fBm, axes not turned", "canyon": "axes not turned"}
+        for row in rows:
+            with self.subTest(row=row):
+                preset = re.search(r"/preset-(\w+)/", row["work"])
+                if row["library"] == "scarp" or row["work"].startswith("points3"):
+                    self.assertNotIn("note", row)
+                    continue
+                self.assertNotIn("/+", row["work"])
+                notes = [fractals[preset.group(1)] if preset else ""]
+                notes += ["in 3D"] * (row["library"] in ("stb_perlin", "libnoise"))
+                self.assertEqual(row.get("note", ""), ", ".join(filter(None, notes)))
+        for word in [*fractals, "quick-noise"]:
+            self.assertEqual({row["library"] for row in rows
+                              if word in row["work"] and "/+" not in row["work"]},
+                             everyone - ({"FastNoiseLite"} if word == "canyon" else set()))
+
+    def test_peers_of_few_points(self):
+        if not has_peers():
+            self.skipTest("no peer was found")
+        works = ["points3/gradient/value/n=%d" % n for n in (1, 4, 16, 64)]
+        rows = report_of(*QUICK, "--isa", "scalar", "--work", ",".join(works), "--peers")["rows"]
+        self.check_rows(rows)
+        libraries = [{row["library"] for row in rows if row["work"] == work} for work in works]
+        self.assertGreater(len(libraries[0]), 1)
+        self.assertEqual(libraries, 4 * [libraries[0]])
 
 
 class Errors(Case):

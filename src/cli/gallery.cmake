@@ -22,7 +22,7 @@ foreach(command IN LISTS commands)
     execute_process(COMMAND ${PROGRAM} ${words} WORKING_DIRECTORY ${SCRATCH}
                     OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
     if(NOT EXISTS ${SCRATCH}/${picture})
-      message(FATAL_ERROR "There is no ${picture}: the program was built without libpng")
+      message(FATAL_ERROR "There is no ${picture}: the program was built without zlib")
     endif()
     file(COPY ${SCRATCH}/${picture} DESTINATION ${GALLERY})
     math(EXPR count "${count} + 1")

@@ -44,9 +44,9 @@ static void print_isas(void)
 static void print_optional(void)
 {
 #ifdef SCARP_CLI_PNG
-    printf("\nlibpng           %s\n", png_version());
+    printf("\nzlib             %s\n", png_version());
 #else
-    printf("\nlibpng           not found: no PNG, but PGM and PPM\n");
+    printf("\nzlib             not found: no PNG, but PGM and PPM\n");
 #endif
 #ifdef SCARP_CLI_THREADS
     printf("threads          POSIX: %zu\n", crew_processors());

@@ -51,7 +51,7 @@ sized n.pfm $((14 + 14400)) 'PF\n40 30\n-1.0\n'
 bytes s.pgm 13 1200 | cmp - s.img || fail "s.pgm and s.img have different samples"
 bytes g.npy 128 9600 | cmp - g.img || fail "g.npy and g.img have different samples"
 
-# PNG where libpng was found
+# PNG where zlib was found
 if scarp info | grep -q '^formats .*png'; then
     quietly "$@" --output t
     printf IEND >"$notes/iend"

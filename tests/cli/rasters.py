@@ -47,7 +47,7 @@ def unfilter(kind, line, above, bpp):
     """PNG specification, section 9."""
     if kind == 0:
         return
-    if kind == 3:  # which libpng is asked for
+    if kind == 3:  # the one of heights, normals and hillshade
         for i in range(bpp):
             line[i] = (line[i] + above[i] // 2) & 255
         for i in range(bpp, len(line)):
@@ -66,7 +66,8 @@ def unfilter(kind, line, above, bpp):
         line[i] = (line[i] + predicted) & 255
 
 
-def decode_png(data):
+def png_chunks(data):
+    """The name and the data of each, in their order."""
     assert data[:8] == b"\x89PNG\r\n\x1a\n", "signature"
     at, chunks = 8, []
     while at < len(data):
@@ -76,6 +77,11 @@ def decode_png(data):
         assert checksum == zlib.crc32(name + body), "checksum"
         chunks.append((name, body))
         at += 12 + length
+    return chunks
+
+
+def decode_png(data):
+    chunks = png_chunks(data)
     assert chunks[0][0] == b"IHDR" and chunks[-1] == (b"IEND", b""), "first and last chunk"
     width, height, depth, colour, method, filters, interlace = struct.unpack(">IIBBBBB",
                                                                              chunks[0][1])

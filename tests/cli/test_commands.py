@@ -25,7 +25,7 @@ class Commands(Case):
         active = [row for row in rows if row[2] == "yes"]
         self.assertEqual(len(active), 1)
         self.assertEqual(active[0][1], "yes")
-        png, threads, formats = re.search(r"\n\nlibpng +(.+)\nthreads +(.+)\nformats +(.+)\n\Z",
+        png, threads, formats = re.search(r"\n\nzlib +(.+)\nthreads +(.+)\nformats +(.+)\n\Z",
                                           text).groups()
         self.assertRegex(png, r"\A(\d+\.\d+|not found: )")
         self.assertRegex(threads, r"\A(POSIX: \d+|not found: one thread)\Z")

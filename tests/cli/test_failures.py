@@ -292,7 +292,8 @@ class Pipes(Case):
     def test_closed_pipe(self):
         """Whoever reads goes away, as head does; the run ends with one line."""
         for arguments in (("--heights", "pgm:-"), ("--normals", "npy:-"),
-                          ("--heights", "r32:-", "--normals", "n.npy")):
+                          ("--heights", "r32:-", "--normals", "n.npy"),
+                          *[("--heights", "png:-", "--normals", "n.png")] * has_png()):
             for taken in (0, 100, 70000):
                 with self.subTest(arguments=arguments, taken=taken):
                     process = start("terrain", "--size", "1000x1000", "--octaves", "1", *arguments,

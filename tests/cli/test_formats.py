@@ -3,10 +3,11 @@
 import math
 import os
 import re
+import zlib
 
 import common
 from common import SMALL, Case, has_png, rounded, run, text_of
-from rasters import FLOAT, U16_LOW, Picture, envi_corner, read_bytes, read_picture
+from rasters import FLOAT, U16_LOW, Picture, envi_corner, png_chunks, read_bytes, read_picture
 
 WIDTH, HEIGHT = 37, 23
 PLACE = ("--size", "%dx%d" % (WIDTH, HEIGHT), "--frequency", "0.03", "--origin", "-3.25,1000",
@@ -89,6 +90,44 @@ class Formats(Case):
                 dx, dy = gradient.rows[r][c]
                 self.assertLess(abs(z[r][c + 1] - z[r][c - 1] - dx), 0.01 * steepest[0])
                 self.assertLess(abs(z[r - 1][c] - z[r + 1][c] - dy), 0.01 * steepest[1])
+
+    def check_parts(self, data, line):
+        """The parts of a PNG: each a chunk and some whole lines, as many in all but the last, which
+        need nothing of those before: only so can several threads make them at a time."""
+        header, *parts, checksum = [body for name, body in png_chunks(data) if name == b"IDAT"]
+        self.assertEqual((header, len(checksum)), (b"\x78\x01", 4))
+        self.assertGreaterEqual(len(parts), 5)
+        lengths = []
+        for number, part in enumerate(parts, 1):
+            inflater = zlib.decompressobj(-15)
+            raw = inflater.decompress(part)
+            self.assertEqual((inflater.eof, inflater.unused_data), (number == len(parts), b""))
+            self.assertEqual(len(raw) % line, 0)
+            lengths.append(len(raw))
+        self.assertEqual(len(set(lengths[:-1])), 1)
+        self.assertLessEqual(lengths[-1], lengths[0])
+        self.assertLessEqual(lengths[0], 1.01 * (128 << 10))
+        self.assertGreater(lengths[0], 16 << 10)
+
+    def test_png_parts(self):
+        """Many parts and more than one band, in each of which rows follow on the one above."""
+        if not has_png():
+            self.skipTest("needs zlib")
+        width, height = 700, 401
+        for option, kind, pixel in (("--heights", "pgm", 2), ("--normals", "ppm", 3),
+                                    ("--hillshade", "pgm", 1)):
+            size = ("--size", "%dx%d" % (width, height), "--octaves", "2")
+            picture = self.read(option, "png", *size)
+            self.check_rows(picture.rows, self.read(option, kind, *size).rows)
+            self.check_parts(self.bytes(option[2:] + ".png"), 1 + width * pixel)
+
+    def test_png_wide(self):
+        """A row that is larger than a part"""
+        if not has_png():
+            self.skipTest("needs zlib")
+        size = ("--size", "50000x21", "--octaves", "1")
+        self.check_rows(self.read("--normals", "png", *size).rows,
+                        self.read("--normals", "ppm", *size).rows)
 
     def test_least(self):
         """Rasters of one row, one column, one sample."""
@@ -228,12 +267,12 @@ class Names(Case):
     def test_comparison_alone(self):
         self.check(("--compare", "1", "--heights", "t.r32"), "--compare", "--output")
 
-    def test_without_libpng(self):
+    def test_without_zlib(self):
         if has_png():
-            self.skipTest("this program has libpng")
+            self.skipTest("this program has zlib")
         for option in ("--heights", "--normals", "--hillshade"):
             for name in ("t.png", "png:t", "png:-"):
-                self.check((option, name), option, "without libpng")
+                self.check((option, name), option, "without zlib")
 
     def test_no_device_for_envi(self):
         """A header beside it would be a file in /dev."""

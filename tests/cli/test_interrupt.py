@@ -134,7 +134,7 @@ class Interrupt(Case):
 
     def test_full_pipe_png(self):
         if not common.has_png():
-            self.skipTest("needs libpng")
+            self.skipTest("needs zlib")
         process, _ = self.full_pipe("--size", "900x900", "--octaves", "9", "--heights", "png:-")
         process.send_signal(signal.SIGINT)
         self.check_ended(process, signal.SIGINT)

@@ -3,7 +3,7 @@
 import unittest
 
 import common
-from common import SMALL, Case, has_threads, run
+from common import SMALL, Case, has_png, has_threads, run
 
 class Isa(Case):
     name = None
@@ -27,6 +27,7 @@ class Isa(Case):
 LAYERS = (("--heights", "h.r32"), ("--heights", "h.r16"), ("--heights", "h.pgm"),
           ("--heights", "h.pfm"), ("--normals", "n.npy"), ("--normals", "n.ppm"),
           ("--hillshade", "s.pgm"), ("--gradient", "g.npy"))
+PICTURES = (("--heights", "h.png"), ("--normals", "n.png"), ("--hillshade", "s.png"))
 
 
 class Threads(Case):
@@ -36,7 +37,7 @@ class Threads(Case):
     band in blocks of 32768 samples: here is no size that they divide.
     """
 
-    COUNTS = ("2", "3", "8")
+    COUNTS = ("2", "3", "5", "8")
 
     def check(self, size, *files):
         arguments = ("--size", size, "--octaves", "2", "--z-factor", "2", *files)
@@ -59,8 +60,25 @@ class Threads(Case):
         self.check("700x401", "--output", "t", "--compare", "2")
 
     def test_formats(self):
-        for option, name in LAYERS:
+        for option, name in LAYERS + PICTURES * has_png():
             self.check("1999x211", option, name)  # four blocks in a band
+
+    def test_png_beside_others(self):
+        """Nor do the files that are made with it, by which bands get another size."""
+        if not has_png():
+            self.skipTest("needs zlib")
+        for size in ("1999x211", "211x1999"):
+            arguments = ("--size", size, "--octaves", "2")
+            alone = {}
+            for option, name in PICTURES:
+                self.quietly(*arguments, option, name)
+                alone.update(self.all_bytes())
+                self.clear()
+            self.quietly(*arguments, *[word for pair in PICTURES for word in pair], "--gradient",
+                         "g.npy", "--output", "t", "--compare", "7")
+            together = self.all_bytes()
+            self.check_same_files({name: together[name] for name in alone}, alone)
+            self.clear()
 
     def test_without_threads(self):
         if has_threads():

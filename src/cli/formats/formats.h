@@ -17,11 +17,11 @@ extern const struct format format_pfm; /* floats, bottom row first */
 extern const struct format format_img; /* ENVI: bytes or floats, and a header file beside it */
 extern const struct format format_npy; /* NumPy: bytes or floats */
 
-/* Ends with NULL. PNG is there only with libpng. */
+/* Ends with NULL. PNG is there only with zlib. */
 extern const struct format *const formats_known[];
 
 #ifdef SCARP_CLI_PNG
-const char *png_version(void); /* of libpng */
+const char *png_version(void); /* of zlib */
 #endif
 
 #endif

@@ -26,7 +26,7 @@ static bool pfm_open(struct writer *writer)
 static bool pfm_write(struct writer *writer, const uint8_t *samples, size_t row, size_t rows)
 {
     char header[HEADER_MAX];
-    const size_t bytes = writer_row_bytes(writer);
+    const size_t bytes = raster_row_bytes(&writer->raster);
     const uint64_t below = writer->raster.height - row - rows;
     if (!file_seek(&writer->file, make_header(&writer->raster, header) + below * bytes)) {
         return false;

@@ -15,15 +15,15 @@ size_t sample_bytes(enum sample_kind kind)
     }
 }
 
-size_t writer_row_bytes(const struct writer *writer)
+size_t raster_row_bytes(const struct raster *raster)
 {
-    return writer->raster.width * writer->raster.channels * sample_bytes(writer->raster.kind);
+    return raster->width * raster->channels * sample_bytes(raster->kind);
 }
 
 bool writer_write_raw(struct writer *writer, const uint8_t *samples, size_t row, size_t rows)
 {
     (void)row;
-    const size_t bytes = rows * writer_row_bytes(writer);
+    const size_t bytes = rows * raster_row_bytes(&writer->raster);
     return file_write(&writer->file, samples, bytes);
 }
 
@@ -75,10 +75,19 @@ bool writer_write(struct writer *writer, const uint8_t *samples, size_t row, siz
     return writer->format->write(writer, samples, row, rows);
 }
 
+bool writer_write_part(struct writer *writer, const struct part *part)
+{
+    if (part->size == 0) {
+        errno = EIO;
+        return false;
+    }
+    return writer->format->packing->write(writer, part);
+}
+
 bool writer_close(struct writer *writer)
 {
     const struct format *const format = writer->format;
-    return (format->close == NULL || format->close(writer, true)) && file_close(&writer->header) &&
+    return (format->end == NULL || format->end(writer)) && file_close(&writer->header) &&
            file_close(&writer->file);
 }
 
@@ -102,9 +111,6 @@ bool writer_settle(const struct writer *writer)
 void writer_discard(struct writer *writer)
 {
     const int reason = errno;
-    if (writer->format != NULL && writer->format->close != NULL) {
-        writer->format->close(writer, false);
-    }
     file_discard(&writer->header);
     file_discard(&writer->file);
     errno = reason;

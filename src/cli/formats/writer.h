@@ -29,10 +29,32 @@ struct raster {
     /* Where the centre of the top left pixel lies, x to the right and y up; distance of pixels */
     double x, y, step;
     const char *content; /* a word: "heights" */
-    bool repeats;        /* pixels and rows are there several times */
+    size_t times;        /* how often each pixel and each row is there; both sizes count that */
 };
 
 struct writer;
+
+/* Rows of a raster that are packed together, each of them once: the format repeats them. */
+struct part {
+    const uint8_t *samples; /* of its rows; before them the row above, or zeros if there is none */
+    size_t row, rows;       /* which ones, counted before they are repeated */
+    uint8_t *bytes;         /* room for what becomes of them */
+    size_t size;            /* what that took; 0: it failed */
+    uint32_t sum;           /* the format's */
+};
+
+/* How rows are packed before they are written, by several threads at a time. The file depends on
+   the raster alone. */
+struct packing {
+    size_t (*part_rows)(const struct raster *raster);         /* of every part but the last: 2^n */
+    size_t (*room)(const struct raster *raster, size_t rows); /* bytes that `rows` take at most */
+    void *(*open)(void); /* what a thread needs to pack; NULL without memory */
+    void (*close)(void *packer);
+    /* Packs a part to its bytes, and sets `size` and `sum`. */
+    void (*pack)(void *packer, const struct raster *raster, struct part *part);
+    /* Writes the next part from the top. */
+    bool (*write)(struct writer *writer, const struct part *part);
+};
 
 /* Each function returns whether it succeeded; on failure errno may tell why. */
 struct format {
@@ -43,9 +65,9 @@ struct format {
     bool (*open)(struct writer *writer);
     /* Writes `rows` rows, from `row` of the raster on; calls go from the top to the bottom. */
     bool (*write)(struct writer *writer, const uint8_t *samples, size_t row, size_t rows);
-    /* Writes what stands after the last row if `complete`, and frees `state` in any case. NULL:
-       there is nothing to do. */
-    bool (*close)(struct writer *writer, bool complete);
+    const struct packing *packing; /* instead of `write`, or NULL */
+    /* Writes what stands after the last row. NULL: nothing does. */
+    bool (*end)(struct writer *writer);
     /* Whether a file that took its name still is what was written there, as far as a look at its
        size or its ends can tell. */
     bool (*is_whole)(const struct raster *raster, const char *path);
@@ -59,11 +81,11 @@ struct writer {
     bool makes_directories; /* those that lead to the file */
     struct file file;
     struct file header; /* of ENVI; elsewhere not used */
-    void *state;        /* the format's */
+    uint32_t sum;       /* the format's */
 };
 
 size_t sample_bytes(enum sample_kind kind);
-size_t writer_row_bytes(const struct writer *writer);
+size_t raster_row_bytes(const struct raster *raster);
 
 /* The `write` of formats that store samples as they come */
 bool writer_write_raw(struct writer *writer, const uint8_t *samples, size_t row, size_t rows);
@@ -74,6 +96,7 @@ bool writer_has_size(const struct raster *raster, const char *path, size_t befor
 /* All return whether they succeeded; on failure errno may tell why. */
 bool writer_open(struct writer *writer);
 bool writer_write(struct writer *writer, const uint8_t *samples, size_t row, size_t rows);
+bool writer_write_part(struct writer *writer, const struct part *part); /* if the format packs */
 bool writer_close(struct writer *writer); /* completes the file, still under its unfinished name */
 bool writer_publish(struct writer *writer);
 void writer_retract(struct writer *writer);      /* see file_retract */

@@ -1,17 +1,42 @@
 /* SPDX-License-Identifier: MIT
  *
  * The encodings. All of them are exact enough in double that every platform writes the same bytes.
+ * Their loops are such as compilers turn into vector code.
  */
 #include "terrain/layers.h"
 
 #include <string.h>
 
-#include "formats/npy.h"
-
-static uint8_t *put_float(uint8_t *to, float value)
+/* Known when this is compiled, though only the preprocessors of some compilers tell it */
+static inline bool is_low_byte_first(void)
 {
-    npy_put_float(to, value);
-    return to + 4;
+    const uint16_t one = 1;
+    uint8_t first;
+    memcpy(&first, &one, 1);
+    return first == 1;
+}
+
+/* The low byte first: as it is in memory on most machines */
+static inline void put_bits(uint8_t *to, uint32_t bits)
+{
+    if (!is_low_byte_first()) {
+        bits = bits >> 24 | (bits >> 8 & 0xff00) | (bits << 8 & 0xff0000) | bits << 24;
+    }
+    memcpy(to, &bits, sizeof bits);
+}
+
+static inline void put_float(uint8_t *to, float value)
+{
+    uint32_t bits;
+    memcpy(&bits, &value, sizeof bits);
+    put_bits(to, bits);
+}
+
+static inline void put_integer(uint8_t *to, unsigned value, bool low_byte_first)
+{
+    const uint16_t bits =
+        (uint16_t)(low_byte_first == is_low_byte_first() ? value : value >> 8 | value << 8);
+    memcpy(to, &bits, sizeof bits);
 }
 
 static void encode_heights(const struct surface *surface, const struct strip *strip,
@@ -20,41 +45,72 @@ static void encode_heights(const struct surface *surface, const struct strip *st
     const size_t count = strip->count;
     const float *const value = strip->block->value + strip->first;
     if (kind == SAMPLE_F32) {
+        const float scale = surface->height_scale;
         for (size_t i = 0; i < count; i++) {
-            to = put_float(to, surface->height_scale * value[i]);
+            put_float(to + 4 * i, scale * value[i]);
         }
         return;
     }
-    const size_t high = kind == SAMPLE_U16_HIGH ? 0 : 1;
+    const struct surface scale = *surface; /* no store changes it */
+    if (kind == SAMPLE_U16_LOW) {
+        for (size_t i = 0; i < count; i++) {
+            put_integer(to + 2 * i, surface_quantise(&scale, value[i]), true);
+        }
+        return;
+    }
     for (size_t i = 0; i < count; i++) {
-        const unsigned height = surface_quantise(surface, value[i]);
-        to[2 * i + high] = (uint8_t)(height >> 8);
-        to[2 * i + 1 - high] = (uint8_t)height;
+        put_integer(to + 2 * i, surface_quantise(&scale, value[i]), false);
     }
 }
 
 /* From [-1, 1] to 0 ... 255; 0 becomes 128, as in every flat normal map. */
-static uint8_t component(float n)
+static inline uint32_t component(float n)
 {
-    return (uint8_t)((double)n * 127.5 + 128.0);
+    return (uint32_t)(int)((double)n * 127.5 + 128.0);
+}
+
+static inline uint32_t colour(float x, float y, float z)
+{
+    return component(x) | component(y) << 8 | component(z) << 16;
+}
+
+#define RUN 256 /* normals that become colours at once */
+
+/* Puts four bytes at a time, the last of which belongs to the next pixel: no compiler has vector
+   code for three. */
+static void put_colours(const float *const n[3], float normal_y, size_t count, uint8_t *to)
+{
+    uint32_t colours[RUN];
+    for (size_t i = 0; i < count; i++) {
+        colours[i] = colour(n[0][i], normal_y * n[1][i], n[2][i]);
+    }
+    for (size_t i = 0; i + 1 < count; i++) {
+        put_bits(to + 3 * i, colours[i]);
+    }
+    for (size_t c = 0; c < 3; c++) { /* what follows may be of a block that another thread makes */
+        to[3 * (count - 1) + c] = (uint8_t)(colours[count - 1] >> 8 * c);
+    }
 }
 
 static void encode_normals(const struct surface *surface, const struct strip *strip,
                            enum sample_kind kind, uint8_t *to)
 {
-    const struct block *const block = strip->block;
-    const size_t first = strip->first, end = first + strip->count;
-    for (size_t i = first; i < end; i++) {
-        const float y = surface->normal_y * block->ny[i];
-        if (kind == SAMPLE_F32) {
-            to = put_float(to, block->nx[i]);
-            to = put_float(to, y);
-            to = put_float(to, block->nz[i]);
-        } else {
-            *to++ = component(block->nx[i]);
-            *to++ = component(y);
-            *to++ = component(block->nz[i]);
+    const size_t count = strip->count;
+    const float *const x = strip->block->nx + strip->first;
+    const float *const y = strip->block->ny + strip->first;
+    const float *const z = strip->block->nz + strip->first;
+    const float normal_y = surface->normal_y;
+    if (kind == SAMPLE_F32) {
+        for (size_t i = 0; i < count; i++) {
+            put_float(to + 12 * i, x[i]);
+            put_float(to + 12 * i + 4, normal_y * y[i]);
+            put_float(to + 12 * i + 8, z[i]);
         }
+        return;
+    }
+    for (size_t i = 0; i < count; i += RUN) {
+        const float *const n[3] = {x + i, y + i, z + i};
+        put_colours(n, normal_y, count - i < RUN ? count - i : RUN, to + 3 * i);
     }
 }
 
@@ -66,12 +122,11 @@ static void encode_hillshade(const struct surface *surface, const struct strip *
     const float *const x = strip->block->shade_x + strip->first;
     const float *const y = strip->block->shade_y + strip->first;
     const float *const z = strip->block->shade_z + strip->first;
+    const double east = surface->light[0], north = surface->light[1], up = surface->light[2];
     for (size_t i = 0; i < count; i++) {
-        const double light = surface->light[0] * (double)x[i] + surface->light[1] * (double)y[i] +
-                             surface->light[2] * (double)z[i];
-        /* Beyond 1 by rounding, at most */
-        const double shade = light < 0.0 ? 0.0 : light > 1.0 ? 1.0 : light;
-        to[i] = (uint8_t)(shade * 255.0 + 0.5);
+        const double light = east * (double)x[i] + north * (double)y[i] + up * (double)z[i];
+        const int shade = (int)(light * 255.0 + 0.5); /* light is beyond 1 by rounding, at most */
+        to[i] = (uint8_t)(shade < 0 ? 0 : shade);
     }
 }
 
@@ -79,11 +134,13 @@ static void encode_gradient(const struct surface *surface, const struct strip *s
                             enum sample_kind kind, uint8_t *to)
 {
     (void)kind;
-    const struct block *const block = strip->block;
-    const size_t first = strip->first, end = first + strip->count;
-    for (size_t i = first; i < end; i++) {
-        to = put_float(to, surface->height_scale * block->dx[i]);
-        to = put_float(to, surface->height_scale * block->dy[i]);
+    const size_t count = strip->count;
+    const float *const dx = strip->block->dx + strip->first;
+    const float *const dy = strip->block->dy + strip->first;
+    const float scale = surface->height_scale;
+    for (size_t i = 0; i < count; i++) {
+        put_float(to + 8 * i, scale * dx[i]);
+        put_float(to + 8 * i + 4, scale * dy[i]);
     }
 }
 
@@ -92,9 +149,9 @@ static void put_normals(const struct surface *surface, const struct strip *strip
                         const float *const normals[3], uint8_t *to)
 {
     for (size_t i = strip->first; i < strip->first + strip->count; i++) {
-        const uint8_t pixel[3] = {component(normals[0][i]),
-                                  component(surface->normal_y * normals[1][i]),
-                                  component(normals[2][i])};
+        const uint32_t bits =
+            colour(normals[0][i], surface->normal_y * normals[1][i], normals[2][i]);
+        const uint8_t pixel[3] = {(uint8_t)bits, (uint8_t)(bits >> 8), (uint8_t)(bits >> 16)};
         for (size_t n = 0; n < surface->zoom; n++) {
             memcpy(to, pixel, sizeof pixel);
             to += sizeof pixel;

@@ -70,7 +70,7 @@ static void format_error(const struct layer *layer, const char *text)
     }
     cli_error("%s: '%.200s' has no extension for %s, which are%s%s", layer->option, text,
               layer->content, names,
-              find_format("png", 3) == NULL ? " (this program was built without libpng)" : "");
+              find_format("png", 3) == NULL ? " (this program was built without zlib)" : "");
 }
 
 static bool add(struct outputs *outputs, const struct layer *layer, const char *option,
@@ -205,7 +205,7 @@ static struct raster make_raster(const struct output *output, const struct surfa
         .y = surface->y0 + up * surface->step,
         .step = surface->step,
         .content = output->layer->content,
-        .repeats = zoom > 1,
+        .times = zoom == 0 ? 1 : zoom,
     };
 }
 
@@ -223,8 +223,7 @@ bool outputs_begin(struct outputs *outputs, const struct surface *surface, const
                                          .format = output->format,
                                          .path = output->tile_path,
                                          .makes_directories = pattern_is(output->path)};
-        output->times = output->layer == &layers[LAYER_COMPARE] ? surface->zoom : 1;
-        output->row_bytes = writer_row_bytes(&output->writer);
+        output->row_bytes = raster_row_bytes(&output->writer.raster);
         output->failed = false;
     }
     return true;

@@ -24,7 +24,6 @@ struct output {
     /* Of the tile at hand: */
     char *tile_path;
     struct writer writer;
-    size_t times; /* how often a row is written */
     size_t row_bytes;
     int reason; /* errno of what failed */
     bool failed;

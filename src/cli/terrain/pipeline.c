@@ -1,15 +1,20 @@
 /* SPDX-License-Identifier: MIT
  *
- * Bands, blocks and threads.
+ * Bands, blocks, parts and threads.
  *
- * Memory: two bands, whose bytes are at most BAND_BYTES each unless MIN_ROWS rows take more, and
- * one block per thread.
+ * A band is filled block by block. While the next one is filled, it is written, if its format takes
+ * samples as they are; else it is packed part by part, and written while the one after that is
+ * filled.
+ *
+ * Memory: two bands, and what two bands are packed to, whose bytes together are at most BAND_BYTES
+ * for one of each unless MIN_ROWS rows take more; one block and one packer per thread.
  */
 #include "terrain/pipeline.h"
 
 #include <errno.h>
 #include <stdint.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "shared/interrupt.h"
 #include "terrain/compare.h"
@@ -18,6 +23,24 @@
 #define MIN_BANDS 4 /* so that small rasters are written while they are sampled, too */
 #define MIN_ROWS 16 /* of a band: what is computed once per column of a block pays then */
 #define BLOCK_ROWS 64
+
+/* The way of an output: its bands, by turns those with even and those with odd numbers */
+struct lane {
+    uint8_t *memory[2];
+    uint8_t *bytes[2];             /* in there, after the row above the band */
+    const struct packing *packing; /* NULL: the bytes go to the file as they are; else: */
+    size_t packer;                 /* which of a thread's packers serves */
+    size_t parts, part_rows;       /* of a band; the last ones may be smaller */
+    size_t room;                   /* of a part */
+    uint8_t *packed[2];
+    struct part *part[2];
+};
+
+/* What a thread needs */
+struct scratch {
+    struct block block;
+    void *packers[OUTPUTS_MAX]; /* one for each packing, where the first lane is that has it */
+};
 
 struct pipeline {
     const struct surface *surface;
@@ -28,11 +51,13 @@ struct pipeline {
 
     size_t bands, rows;                       /* of a band; the last one may have fewer */
     size_t blocks, block_columns, block_rows; /* of a band; the last ones may be smaller */
+    size_t parts;                             /* of a band, in all lanes */
+    struct lane lanes[OUTPUTS_MAX];           /* by output */
+    size_t lag;                               /* rounds after which a band is in all files */
     size_t threads;                           /* at most */
-    struct block *scratch;                    /* one per thread */
-    uint8_t *bytes[2][OUTPUTS_MAX];           /* of even and odd bands, by output */
+    struct scratch *scratch;                  /* one per thread */
 
-    size_t band; /* that is filled, while the one before it is drained */
+    size_t round; /* and the band that is filled in it */
     enum pipeline_result result;
 };
 
@@ -46,38 +71,137 @@ static size_t quotient_up(size_t a, size_t b)
     return (a + b - 1) / b;
 }
 
-/* Decides the sizes of bands and blocks. */
+/* Finds out which outputs are packed, and in which parts. Returns of how many rows the bands must
+   have a multiple, so that a file has the same parts whichever others are made with it. */
+static size_t choose_parts(struct pipeline *pipeline)
+{
+    size_t unit = 1; /* part_rows are powers of two: the largest is a multiple of the others */
+    pipeline->lag = 1;
+    for (size_t i = 0; i < pipeline->outputs->count; i++) {
+        const struct output *const output = &pipeline->outputs->list[i];
+        struct lane *const lane = &pipeline->lanes[i];
+        lane->packing = output->format->packing;
+        if (lane->packing == NULL) {
+            continue;
+        }
+        while (pipeline->lanes[lane->packer].packing != lane->packing) {
+            lane->packer++;
+        }
+        lane->part_rows = lane->packing->part_rows(&output->writer.raster);
+        lane->room = lane->packing->room(&output->writer.raster, lane->part_rows);
+        unit = unit < lane->part_rows ? lane->part_rows : unit;
+        pipeline->lag = 2;
+    }
+    return unit;
+}
+
+/* What a row takes in all lanes, packed and not */
+static size_t bytes_of_row(const struct pipeline *pipeline)
+{
+    size_t bytes = 0;
+    for (size_t i = 0; i < pipeline->outputs->count; i++) {
+        const struct lane *const lane = &pipeline->lanes[i];
+        bytes += pipeline->outputs->list[i].row_bytes;
+        bytes += lane->packing != NULL ? lane->room / lane->part_rows : 0;
+    }
+    return bytes;
+}
+
+/* Decides the sizes of bands, parts and blocks. */
 static void divide(struct pipeline *pipeline)
 {
     const struct tile *const tile = pipeline->tile;
-    size_t bytes_per_row = 0;
-    for (size_t i = 0; i < pipeline->outputs->count; i++) {
-        bytes_per_row += pipeline->outputs->list[i].row_bytes;
-    }
+    const size_t unit = choose_parts(pipeline);
     /* Bands are long: the threads wait for each other after each, and for those that the system
        lets wait. */
-    const size_t affordable =
-        smaller(BAND_BYTES / bytes_per_row, quotient_up(tile->height, MIN_BANDS));
-    const size_t rows = affordable < MIN_ROWS ? MIN_ROWS : affordable;
-    pipeline->rows = smaller(rows, tile->height);
+    const size_t affordable = BAND_BYTES / bytes_of_row(pipeline) / unit;
+    const size_t wanted = quotient_up(quotient_up(tile->height, MIN_BANDS), unit);
+    const size_t least = quotient_up(MIN_ROWS, unit);
+    const size_t units = smaller(affordable, wanted);
+    pipeline->rows = smaller((units < least ? least : units) * unit, tile->height);
     pipeline->bands = quotient_up(tile->height, pipeline->rows);
     pipeline->block_rows = smaller(pipeline->rows, BLOCK_ROWS);
     pipeline->block_columns = smaller(BLOCK_SAMPLES / pipeline->block_rows, tile->width);
     pipeline->blocks = quotient_up(tile->width, pipeline->block_columns) *
                        quotient_up(pipeline->rows, pipeline->block_rows);
+    for (size_t i = 0; i < pipeline->outputs->count; i++) {
+        struct lane *const lane = &pipeline->lanes[i];
+        lane->parts = lane->packing != NULL ? quotient_up(pipeline->rows, lane->part_rows) : 0;
+        pipeline->parts += lane->parts;
+    }
     /* Waiting for a thread that has nothing to do takes longer than a small raster. */
-    pipeline->threads = smaller(crew_most(pipeline->crew), pipeline->blocks);
+    const size_t tasks = pipeline->blocks > pipeline->parts ? pipeline->blocks : pipeline->parts;
+    pipeline->threads = smaller(crew_most(pipeline->crew), tasks);
 }
 
-/* Opens a block for each thread. Where memory does not last for all, there are fewer threads. */
-static bool open_scratch(struct pipeline *pipeline)
+static bool open_lane(struct pipeline *pipeline, size_t i)
 {
-    const unsigned needs = outputs_needs(pipeline->outputs);
+    struct lane *const lane = &pipeline->lanes[i];
+    const size_t row = pipeline->outputs->list[i].row_bytes;
+    for (size_t turn = 0; turn < 2; turn++) {
+        lane->memory[turn] = malloc((1 + pipeline->rows) * row);
+        if (lane->memory[turn] == NULL) {
+            return false;
+        }
+        memset(lane->memory[turn], 0, row);
+        lane->bytes[turn] = lane->memory[turn] + row;
+        if (lane->packing == NULL) {
+            continue;
+        }
+        /* With 32-bit addresses, enlarged rasters may need more than there are. */
+        lane->packed[turn] =
+            lane->room <= SIZE_MAX / lane->parts ? malloc(lane->parts * lane->room) : NULL;
+        lane->part[turn] = calloc(lane->parts, sizeof *lane->part[turn]);
+        if (lane->packed[turn] == NULL || lane->part[turn] == NULL) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static void close_lane(struct lane *lane)
+{
+    for (size_t turn = 0; turn < 2; turn++) {
+        free(lane->memory[turn]);
+        free(lane->packed[turn]);
+        free(lane->part[turn]);
+    }
+}
+
+static void close_scratch(const struct pipeline *pipeline, struct scratch *scratch)
+{
+    for (size_t i = 0; i < pipeline->outputs->count; i++) {
+        if (scratch->packers[i] != NULL) {
+            pipeline->lanes[i].packing->close(scratch->packers[i]);
+        }
+    }
+    block_close(&scratch->block);
+}
+
+static bool open_scratch(const struct pipeline *pipeline, struct scratch *scratch)
+{
+    bool is_open = block_open(&scratch->block, pipeline->surface, outputs_needs(pipeline->outputs));
+    for (size_t i = 0; i < pipeline->outputs->count && is_open; i++) {
+        const struct lane *const lane = &pipeline->lanes[i];
+        if (lane->packing != NULL && lane->packer == i) {
+            scratch->packers[i] = lane->packing->open();
+            is_open = scratch->packers[i] != NULL;
+        }
+    }
+    if (!is_open) {
+        close_scratch(pipeline, scratch);
+    }
+    return is_open;
+}
+
+/* Where memory does not last for all threads, there are fewer. */
+static bool open_threads(struct pipeline *pipeline)
+{
     const size_t wanted = pipeline->threads;
     pipeline->threads = 0;
     pipeline->scratch = calloc(wanted, sizeof *pipeline->scratch);
     while (pipeline->scratch != NULL && pipeline->threads < wanted &&
-           block_open(&pipeline->scratch[pipeline->threads], pipeline->surface, needs)) {
+           open_scratch(pipeline, &pipeline->scratch[pipeline->threads])) {
         pipeline->threads++;
     }
     return pipeline->threads != 0;
@@ -86,24 +210,23 @@ static bool open_scratch(struct pipeline *pipeline)
 static bool open_pipeline(struct pipeline *pipeline)
 {
     divide(pipeline);
-    for (size_t i = 0; i < 2 * pipeline->outputs->count; i++) {
-        uint8_t **const bytes = &pipeline->bytes[i % 2][i / 2];
-        *bytes = malloc(pipeline->rows * pipeline->outputs->list[i / 2].row_bytes);
-        if (*bytes == NULL) {
+    for (size_t i = 0; i < pipeline->outputs->count; i++) {
+        if (!open_lane(pipeline, i)) {
+            pipeline->threads = 0;
             return false;
         }
     }
-    return open_scratch(pipeline);
+    return open_threads(pipeline);
 }
 
 static void close_pipeline(struct pipeline *pipeline)
 {
-    for (size_t i = 0; i < pipeline->threads && pipeline->scratch != NULL; i++) {
-        block_close(&pipeline->scratch[i]);
+    for (size_t i = 0; i < pipeline->threads; i++) {
+        close_scratch(pipeline, &pipeline->scratch[i]);
     }
     free(pipeline->scratch);
-    for (size_t i = 0; i < 2 * pipeline->outputs->count; i++) {
-        free(pipeline->bytes[i % 2][i / 2]);
+    for (size_t i = 0; i < pipeline->outputs->count; i++) {
+        close_lane(&pipeline->lanes[i]);
     }
 }
 
@@ -120,8 +243,8 @@ static void fill(const struct pipeline *pipeline, size_t band, size_t n, struct 
     const size_t column = n % across * pipeline->block_columns;
     const size_t row = n / across * pipeline->block_rows;
     const size_t rows = rows_of_band(pipeline, band);
-    if (row >= rows || interrupted()) {
-        return; /* the last band is lower; of an interrupted run nothing is kept */
+    if (row >= rows) {
+        return; /* the last band is lower */
     }
     block->column = tile->column + column;
     block->row = tile->row + band * pipeline->rows + row;
@@ -133,35 +256,84 @@ static void fill(const struct pipeline *pipeline, size_t band, size_t n, struct 
     }
     for (size_t i = 0; i < pipeline->outputs->count; i++) {
         const struct output *const output = &pipeline->outputs->list[i];
-        const size_t pixel = output->layer->channels * sample_bytes(output->kind) * output->times;
+        const size_t pixel =
+            output->layer->channels * sample_bytes(output->kind) * output->writer.raster.times;
         for (size_t r = 0; r < block->rows; r++) {
-            uint8_t *const to = pipeline->bytes[band % 2][i] + (row + r) * output->row_bytes;
+            uint8_t *const to = pipeline->lanes[i].bytes[band % 2] + (row + r) * output->row_bytes;
             const struct strip strip = {block, r * block->columns, block->columns, tile->width};
             output->layer->encode(pipeline->surface, &strip, output->kind, to + column * pixel);
         }
     }
 }
 
-/* Writes a band of one file. */
-static void drain(const struct pipeline *pipeline, size_t band, size_t i)
+/* Packs part number `n` of the band, counted through the lanes. */
+static void pack(const struct pipeline *pipeline, size_t band, size_t n,
+                 const struct scratch *scratch)
+{
+    size_t i = 0;
+    for (; n >= pipeline->lanes[i].parts; i++) {
+        n -= pipeline->lanes[i].parts;
+    }
+    const struct lane *const lane = &pipeline->lanes[i];
+    const struct output *const output = &pipeline->outputs->list[i];
+    const size_t row = n * lane->part_rows, rows = rows_of_band(pipeline, band);
+    if (row >= rows) {
+        return;
+    }
+    struct part *const part = &lane->part[band % 2][n];
+    *part = (struct part){.samples = lane->bytes[band % 2] + row * output->row_bytes,
+                          .row = band * pipeline->rows + row,
+                          .rows = smaller(lane->part_rows, rows - row),
+                          .bytes = lane->packed[band % 2] + n * lane->room};
+    lane->packing->pack(scratch->packers[lane->packer], &output->writer.raster, part);
+}
+
+/* Writes a band of one file, of samples. */
+static bool write_samples(const struct pipeline *pipeline, size_t band, size_t i)
 {
     struct output *const output = &pipeline->outputs->list[i];
-    const uint8_t *bytes = pipeline->bytes[band % 2][i];
-    const size_t first = band * pipeline->rows;
-    const size_t rows = rows_of_band(pipeline, band);
+    const uint8_t *const bytes = pipeline->lanes[i].bytes[band % 2];
+    const size_t first = band * pipeline->rows, rows = rows_of_band(pipeline, band);
+    const size_t times = output->writer.raster.times;
+    bool written = true;
+    if (times == 1) {
+        return writer_write(&output->writer, bytes, first, rows);
+    }
+    for (size_t n = 0; n < rows * times && written; n++) {
+        written = writer_write(&output->writer, bytes + n / times * output->row_bytes,
+                               first * times + n, 1);
+    }
+    return written;
+}
+
+static bool write_parts(const struct pipeline *pipeline, size_t band, size_t i)
+{
+    struct output *const output = &pipeline->outputs->list[i];
+    const struct lane *const lane = &pipeline->lanes[i];
+    const size_t parts = quotient_up(rows_of_band(pipeline, band), lane->part_rows);
+    bool written = true;
+    for (size_t n = 0; n < parts && written; n++) {
+        written = writer_write_part(&output->writer, &lane->part[band % 2][n]);
+    }
+    return written;
+}
+
+/* Writes the band of one file that is ready for it in this round. */
+static void drain(const struct pipeline *pipeline, size_t i)
+{
+    struct output *const output = &pipeline->outputs->list[i];
+    const bool packs = pipeline->lanes[i].packing != NULL;
+    const size_t lag = packs ? 2 : 1;
+    const size_t band = pipeline->round - lag;
+    if (pipeline->round < lag || band >= pipeline->bands) {
+        return;
+    }
     errno = 0;
-    if (output->times == 1) {
-        output->failed = !writer_write(&output->writer, bytes, first, rows);
-    }
-    for (size_t n = 0; output->times > 1 && n < rows * output->times && !output->failed; n++) {
-        output->failed =
-            !writer_write(&output->writer, bytes + n / output->times * output->row_bytes,
-                          first * output->times + n, 1);
-    }
+    output->failed = packs ? !write_parts(pipeline, band, i) : !write_samples(pipeline, band, i);
     output->reason = errno;
 }
 
-/* What happened while a band was filled and the one before it drained */
+/* What happened in a round */
 static enum pipeline_result look(const struct pipeline *pipeline)
 {
     if (interrupted()) {
@@ -175,15 +347,32 @@ static enum pipeline_result look(const struct pipeline *pipeline)
     return PIPELINE_DONE;
 }
 
-/* Ends a band, while all threads wait. */
-static void end_band(void *context)
+/* Copies the last row of the band that was filled above the one that follows: the memory of the
+   first is filled again while the other is packed. */
+static void keep_last_rows(const struct pipeline *pipeline)
+{
+    for (size_t i = 0; i < pipeline->outputs->count; i++) {
+        const struct lane *const lane = &pipeline->lanes[i];
+        const size_t row = pipeline->outputs->list[i].row_bytes;
+        const uint8_t *const last = lane->bytes[pipeline->round % 2] + (pipeline->rows - 1) * row;
+        if (lane->packing != NULL) {
+            memcpy(lane->memory[1 - pipeline->round % 2], last, row);
+        }
+    }
+}
+
+/* Ends a round, while all threads wait. */
+static void end_round(void *context)
 {
     struct pipeline *const pipeline = context;
     pipeline->result = look(pipeline);
-    if (pipeline->band > 0 && pipeline->result == PIPELINE_DONE) {
-        progress_add(pipeline->progress, rows_of_band(pipeline, pipeline->band - 1));
+    if (pipeline->round >= pipeline->lag && pipeline->result == PIPELINE_DONE) {
+        progress_add(pipeline->progress, rows_of_band(pipeline, pipeline->round - pipeline->lag));
     }
-    pipeline->band++;
+    if (pipeline->round + 1 < pipeline->bands) {
+        keep_last_rows(pipeline);
+    }
+    pipeline->round++;
 }
 
 static bool waits(const struct pipeline *pipeline, size_t i)
@@ -191,29 +380,43 @@ static bool waits(const struct pipeline *pipeline, size_t i)
     return pipeline->outputs->list[i].writer.file.waits;
 }
 
-/* What each thread does. All go through the bands together. In each, those that find a file to be
-   written write it, and then help the others with the blocks. Pipes are the first thread's: signals
-   go to it, and end a write that waits. */
+/* Does a task of the round. The first ones write, which keeps others waiting if it comes last. */
+static void do_task(const struct pipeline *pipeline, size_t n, struct scratch *scratch)
+{
+    const size_t count = pipeline->outputs->count, round = pipeline->round;
+    if (n < count) {
+        if (!waits(pipeline, n)) {
+            drain(pipeline, n);
+        }
+    } else if (interrupted()) {
+        return; /* nothing is kept */
+    } else if (n < count + pipeline->parts) {
+        if (round > 0 && round <= pipeline->bands) {
+            pack(pipeline, round - 1, n - count, scratch);
+        }
+    } else if (round < pipeline->bands) {
+        fill(pipeline, round, n - count - pipeline->parts, &scratch->block);
+    }
+}
+
+/* What each thread does. All go through the rounds together. In each, those that find a file to be
+   written write it, and then help the others with parts and blocks. Pipes are the first thread's:
+   signals go to it, and end a write that waits. */
 static void work(void *context, size_t number)
 {
     struct pipeline *const pipeline = context;
-    while (pipeline->band <= pipeline->bands && pipeline->result == PIPELINE_DONE) {
-        const size_t band = pipeline->band;
-        const size_t to_drain = band > 0 ? pipeline->outputs->count : 0;
-        const size_t to_fill = band < pipeline->bands ? pipeline->blocks : 0;
-        for (size_t i = 0; number == 0 && i < to_drain; i++) {
+    const size_t tasks = pipeline->outputs->count + pipeline->parts + pipeline->blocks;
+    const size_t rounds = pipeline->bands + pipeline->lag;
+    while (pipeline->round < rounds && pipeline->result == PIPELINE_DONE) {
+        for (size_t i = 0; number == 0 && i < pipeline->outputs->count; i++) {
             if (waits(pipeline, i)) {
-                drain(pipeline, band - 1, i);
+                drain(pipeline, i);
             }
         }
-        for (size_t n; (n = crew_next(pipeline->crew)) < to_drain + to_fill;) {
-            if (n >= to_drain) {
-                fill(pipeline, band, n - to_drain, &pipeline->scratch[number]);
-            } else if (!waits(pipeline, n)) {
-                drain(pipeline, band - 1, n);
-            }
+        for (size_t n; (n = crew_next(pipeline->crew)) < tasks;) {
+            do_task(pipeline, n, &pipeline->scratch[number]);
         }
-        crew_meet(pipeline->crew, end_band);
+        crew_meet(pipeline->crew, end_round);
     }
 }
 

@@ -70,7 +70,9 @@ void surface_values(const struct surface *surface, const struct block *block, in
 /* The 16-bit integer of a value: 0 at `floor`, 65535 at `ceiling`, rounded to the nearest. */
 static inline unsigned surface_quantise(const struct surface *surface, float value)
 {
-    return (unsigned)(((double)value - (double)surface->floor) * surface->steps_per_value + 0.5);
+    /* By way of int, for which processors have a vector instruction */
+    return (unsigned)(int)(((double)value - (double)surface->floor) * surface->steps_per_value +
+                           0.5);
 }
 
 /* The unit vector to a light `azimuth` degrees clockwise from north, `altitude` degrees above the

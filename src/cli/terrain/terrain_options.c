@@ -102,7 +102,7 @@ static const struct option file_rows[] = {
     {.name = "--output",
      .argument = "STEM",
      .allowed = "the beginning of file names: not empty, no separator at its end",
-     .help = "short for STEM-height, STEM-normal and STEM-hillshade: .png,\nor without libpng .pgm "
+     .help = "short for STEM-height, STEM-normal and STEM-hillshade: .png,\nor without zlib .pgm "
              "and .ppm [terrain, if no file is asked for]",
      .parse = option_stem,
      .offset = FIELD(output),
@@ -269,7 +269,7 @@ const struct option_table terrain_table = {
         "           are complete and on the disk; until then they are beside it, under a name of\n"
         "           this run alone that ends with .part.\n"
         "\n"
-        ".png       with libpng only         .pgm .ppm  netpbm's, high byte first\n"
+        ".png       with zlib only           .pgm .ppm  netpbm's, high byte first\n"
         ".r16 .r32  no header, low byte first           .pfm  floats, bottom row first\n"
         ".img       ENVI, which GDAL opens; NAME.hdr beside NAME.img tells the raster's place\n"
         ".npy       NumPy's: height x width, or height x width x components\n"
@@ -305,7 +305,7 @@ const struct option_table terrain_table = {
         "it\n"
         "           must be; PNG has to end as it must. Runs that share a world need no locks for\n"
         "           that; where locks reach, no tile is written twice.\n"
-        "memory     40 MiB and 1.5 MiB per thread, unless 32 rows of the files are more.\n"
+        "memory     40 MiB and 2 MiB per thread, unless 32 rows of the files are more, 64 of PNG.\n"
         "\n" PRESET_HELP,
     .groups = groups,
     .count = sizeof groups / sizeof groups[0],
