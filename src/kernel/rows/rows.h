@@ -206,7 +206,7 @@ VEC_INLINE void rows_run(const struct row_octave *o, size_t rows, const struct w
             if (o->x.kind == WIDE) {
                 const struct along_row row = row_of(&o->rows, r, v.dimensions);
                 wide_row(&o->x, &row, &to, v, put);
-            } else if (v.order > 0) { /* there, a branch for each block costs nothing */
+            } else if (v.order > 1) { /* there, a branch for each block costs little */
                 put_row(o, r, &here, &to, v, put);
             } else if (put == PUT_STREAM) {
                 put_row(o, r, &here, &to, v, PUT_STREAM);
