@@ -121,10 +121,24 @@ void bench_arrays_free(struct bench_arrays *arrays)
     }
 }
 
+/* Callers of few points at a time keep a plan, as those of the peers keep their objects. */
+#define FEW_POINTS 64
+
 static int make_scarp(struct bench_subject *subject, const struct bench_work *work)
 {
     subject->noise = bench_work_noise(work);
-    return scarp_isa_supported(subject->isa);
+    if (!scarp_isa_supported(subject->isa)) {
+        return 0;
+    }
+    if (work->points <= FEW_POINTS) {
+        struct scarp_plan *const plan = malloc(sizeof *plan);
+        if (plan != NULL && scarp_plan_make(&subject->noise, work->dimensions, plan) == SCARP_OK) {
+            subject->noise.plan = plan;
+        }
+        subject->state = plan;
+        return subject->noise.plan != NULL;
+    }
+    return 1;
 }
 
 /* The nearest that a peer has to a workload with a title: without turned axes, which none has; fBm
@@ -183,7 +197,9 @@ int bench_subject_make(struct bench_subject *subject, const struct bench_work *w
 
 void bench_subject_free(struct bench_subject *subject)
 {
-    if (subject->state != NULL) {
+    if (subject->peer == NULL) {
+        free(subject->state);
+    } else if (subject->state != NULL) {
         subject->peer->close(subject->state);
     }
 }
