@@ -129,7 +129,7 @@ static int takes_rows_pass(const struct call *call, int k)
 }
 
 /* Places the part on the lattice of octave k. */
-static void place_part(const struct call *call, const struct part *part, int k)
+VEC_INLINE void place_part(const struct call *call, const struct part *part, int k)
 {
     const enum axes axes = axes_of(call->plan, k);
     const struct scarp_octave *const o = &call->plan->octave[k];
@@ -190,8 +190,8 @@ static void add_shaped(const struct call *call, const struct part *part, int k,
 }
 
 /* Adds octave k on a part, or on some of its rows. */
-static void add_octave(const struct call *call, const struct part *part, int k,
-                       const struct outputs *to)
+VEC_INLINE void add_octave(const struct call *call, const struct part *part, int k,
+                           const struct outputs *to)
 {
     const struct scarp_octave *const o = &call->plan->octave[k];
     const enum put put = k > 0 ? PUT_ADD : part->put;
