@@ -4,8 +4,7 @@
  * all octaves in registers. Passes over whole parts (driver.h) do more per second, but what they
  * need to begin takes longer than a block. Included by points.h.
  *
- * It serves the value of fBm with straight axes; all else takes the passes. (The gradient would
- * gain as much, and add 90 KB to the library.)
+ * It serves the value and the gradient of fBm with straight axes; all else takes the passes.
  */
 #ifndef SCARP_KERNEL_FEW_H
 #define SCARP_KERNEL_FEW_H
@@ -15,6 +14,12 @@
 /* The most blocks that take less time here than in passes: with 4, eight octaves take up to
    11 % more (AVX-512), one octave as long. */
 #define FEW_BLOCKS 2
+
+/* The highest derivative that is served. A set that a narrower one relieves of few points may have
+   less. */
+#ifndef FEW_ORDER
+#define FEW_ORDER 1
+#endif
 
 /* The coordinates of a block, which stay in registers. */
 union few_block {
@@ -81,52 +86,75 @@ VEC_INLINE void few_put(const struct scarp_outputs *out, size_t first, size_t co
 #undef PUT
 }
 
-/* Computes the points from `first` to before `end`. */
-typedef void few_pass(const struct scarp_call_plan *plan, const void *const position[3],
-                      const struct scarp_outputs *out, size_t first, size_t end);
+/* The points from `first` to before `end`, and whether their coordinates are doubles. */
+struct few_range {
+    size_t first, end;
+    int doubles;
+};
 
+typedef void few_pass(const struct scarp_call_plan *plan, const void *const position[3],
+                      const struct scarp_outputs *out, struct few_range range);
+
+/* `doubles` is range.doubles, as a constant where that is worth its code. */
 VEC_INLINE void few_run(const struct scarp_call_plan *plan, const void *const position[3],
-                        const struct scarp_outputs *out, size_t first, size_t end,
-                        enum layout layout, struct variant v)
+                        const struct scarp_outputs *out, struct few_range range, int doubles,
+                        struct variant v)
 {
-    const struct frame f = {layout, AXES_STRAIGHT, v.dimensions};
-    while (first < end) {
-        const size_t count = least(end - first, VEC_LANES);
+    const struct frame f = {doubles ? DOUBLES : FLOATS, AXES_STRAIGHT, v.dimensions};
+    for (size_t first = range.first, count; first < range.end; first += count) {
         union few_block x[3];
         struct positions at;
+        count = least(range.end - first, VEC_LANES);
         for (int d = 0; d < v.dimensions; d++) {
-            x[d] = layout == FLOATS ? few_load_f32((const float *)position[d] + first, count)
-                                    : few_load_f64((const double *)position[d] + first, count);
+            x[d] = doubles ? few_load_f64((const double *)position[d] + first, count)
+                           : few_load_f32((const float *)position[d] + first, count);
             at.array[d] = &x[d];
         }
         const struct sample sum = few_sum(plan, &at, f, v);
         few_put(out, first, count, &sum, v);
-        first += count;
     }
 }
 
-#define FEW_PASS(name, basis, dimensions, layout)                                                  \
+/* Values have a pass for floats and one for doubles. With gradients, the choice is made for each
+   block. */
+#define FEW_PASS(name, basis, dimensions, order)                                                   \
     static void name(const struct scarp_call_plan *plan, const void *const position[3],            \
-                     const struct scarp_outputs *out, size_t first, size_t end)                    \
+                     const struct scarp_outputs *out, struct few_range range)                      \
     {                                                                                              \
-        const struct variant v = {basis, dimensions, 0};                                           \
-        few_run(plan, position, out, first, end, layout, v);                                       \
+        const struct variant v = {basis, dimensions, order};                                       \
+        if (order > 0) {                                                                           \
+            few_run(plan, position, out, range, range.doubles, v);                                 \
+        } else if (range.doubles) {                                                                \
+            few_run(plan, position, out, range, 1, v);                                             \
+        } else {                                                                                   \
+            few_run(plan, position, out, range, 0, v);                                             \
+        }                                                                                          \
     }
+#if FEW_ORDER == 0
 #define FEW_PASSES(name, basis)                                                                    \
-    FEW_PASS(name##2_few_FLOATS, basis, 2, FLOATS)                                                 \
-    FEW_PASS(name##2_few_DOUBLES, basis, 2, DOUBLES)                                               \
-    FEW_PASS(name##3_few_FLOATS, basis, 3, FLOATS)                                                 \
-    FEW_PASS(name##3_few_DOUBLES, basis, 3, DOUBLES)
+    FEW_PASS(name##2_few0, basis, 2, 0)                                                            \
+    FEW_PASS(name##3_few0, basis, 3, 0)
 #define FEW_NAMES(name)                                                                            \
     {                                                                                              \
-        {name##2_few_FLOATS, name##2_few_DOUBLES}, {name##3_few_FLOATS, name##3_few_DOUBLES},      \
+        {name##2_few0}, {name##3_few0},                                                            \
     }
+#else
+#define FEW_PASSES(name, basis)                                                                    \
+    FEW_PASS(name##2_few0, basis, 2, 0)                                                            \
+    FEW_PASS(name##3_few0, basis, 3, 0)                                                            \
+    FEW_PASS(name##2_few1, basis, 2, 1)                                                            \
+    FEW_PASS(name##3_few1, basis, 3, 1)
+#define FEW_NAMES(name)                                                                            \
+    {                                                                                              \
+        {name##2_few0, name##2_few1}, {name##3_few0, name##3_few1},                                \
+    }
+#endif
 
 FEW_PASSES(gradient, SCARP_GRADIENT)
 FEW_PASSES(value, SCARP_VALUE)
 
-/* By [basis][dimensions - 2][layout]. */
-static few_pass *const few_passes[][2][2] = {
+/* By [basis][dimensions - 2][order]. */
+static few_pass *const few_passes[][2][FEW_ORDER + 1] = {
     [SCARP_GRADIENT] = FEW_NAMES(gradient),
     [SCARP_VALUE] = FEW_NAMES(value),
 };
@@ -136,10 +164,10 @@ static few_pass *const few_passes[][2][2] = {
 #undef FEW_NAMES
 
 /* The pass that serves a call with few points, or NULL. */
-static few_pass *few_pass_of(const struct scarp_call_plan *plan, int dimensions, enum layout layout)
+static few_pass *few_pass_of(const struct scarp_call_plan *plan, int dimensions)
 {
-    return plan->fractal == SCARP_FBM && !plan->rotate && plan->order == 0
-               ? few_passes[plan->basis][dimensions - 2][layout]
+    return plan->fractal == SCARP_FBM && !plan->rotate && plan->order <= FEW_ORDER
+               ? few_passes[plan->basis][dimensions - 2][plan->order]
                : NULL;
 }
 
