@@ -10,10 +10,15 @@
 
 #include "ridged.h"
 
+/* How an octave is eroded. Where no octave has turned axes, the Jacobian of d is symmetric, and
+   only its upper triangle is kept. */
+enum erosion_kind { ERODE_STRAIGHT, ERODE_FIRST, ERODE_TURNED };
+
 /* At a block: d, then its Jacobian by rows. */
-static size_t erosion_size(int dimensions, int order)
+static size_t erosion_size(int dimensions, int order, int rotates)
 {
-    return (size_t)dimensions * (order == 0 ? 1 : 1 + (size_t)dimensions);
+    const size_t n = (size_t)dimensions;
+    return order == 0 ? n : n + (rotates ? n * n : n * (n + 1) / 2);
 }
 
 VEC_INLINE struct vector vector_at(const vf *v, int dimensions)
@@ -48,7 +53,7 @@ struct eroded {
     struct vector d; /* with this octave */
     vf q, damping;   /* q_k and 2 erosion n q_k^2 */
     vf *jacobian;    /* of d, without this octave */
-    int turned;
+    enum erosion_kind kind;
 };
 
 /* The derivative of q_k n_k along x_j; moves column j of the Jacobian on. */
@@ -64,15 +69,41 @@ VEC_INLINE vf erode_along(const struct eroded *e, int j, int dimensions)
         hx.z = n->dxz;
         hy.z = n->dyz;
         const struct vector hz = {n->dxz, n->dyz, n->dzz};
-        dj.z = e->jacobian[6 + j] + to_input(e->octave, e->turned, j, hz, 3);
+        dj.z = e->jacobian[6 + j] + to_input(e->octave, e->kind == ERODE_TURNED, j, hz, 3);
         e->jacobian[6 + j] = dj.z;
     }
-    dj.x = e->jacobian[j] + to_input(e->octave, e->turned, j, hx, dimensions);
-    dj.y = e->jacobian[dimensions + j] + to_input(e->octave, e->turned, j, hy, dimensions);
+    dj.x = e->jacobian[j] + to_input(e->octave, e->kind == ERODE_TURNED, j, hx, dimensions);
+    dj.y = e->jacobian[dimensions + j] +
+           to_input(e->octave, e->kind == ERODE_TURNED, j, hy, dimensions);
     e->jacobian[j] = dj.x;
     e->jacobian[dimensions + j] = dj.y;
-    return e->q * to_input(e->octave, e->turned, j, g, dimensions) -
+    return e->q * to_input(e->octave, e->kind == ERODE_TURNED, j, g, dimensions) -
            e->damping * dot(dj, e->d, dimensions);
+}
+
+/* Moves a component of a symmetric Jacobian on, h being that of the octave's Hessian. */
+VEC_INLINE vf erode_next(const struct eroded *e, int component, vf h)
+{
+    return e->jacobian[component] += vf_set(e->octave->frequency) * h;
+}
+
+/* Sets the derivatives of q_k n_k where the Jacobian is symmetric. */
+VEC_INLINE void erode_straight(const struct eroded *e, struct sample *s, int dimensions)
+{
+    const struct sample *const n = &e->n;
+    const vf f = vf_set(e->octave->frequency);
+    const vf xx = erode_next(e, 0, n->dxx), xy = erode_next(e, 1, n->dxy);
+    const vf yy = erode_next(e, 2, n->dyy);
+    struct vector x = {.x = xx, .y = xy}, y = {.x = xy, .y = yy};
+    if (dimensions == 3) {
+        const vf xz = erode_next(e, 3, n->dxz), yz = erode_next(e, 4, n->dyz);
+        const struct vector z = {xz, yz, erode_next(e, 5, n->dzz)};
+        x.z = xz;
+        y.z = yz;
+        s->dz = e->q * (f * n->dz) - e->damping * dot(z, e->d, dimensions);
+    }
+    s->dx = e->q * (f * n->dx) - e->damping * dot(x, e->d, dimensions);
+    s->dy = e->q * (f * n->dy) - e->damping * dot(y, e->d, dimensions);
 }
 
 VEC_INLINE struct sample erode(struct eroded *e, vf *d, float erosion, struct variant v)
@@ -93,6 +124,10 @@ VEC_INLINE struct sample erode(struct eroded *e, vf *d, float erosion, struct va
     if (v.order >= 1) {
         e->jacobian = d + v.dimensions;
         e->damping = vf_set(2.0f * erosion) * n->value * (e->q * e->q);
+        if (e->kind == ERODE_STRAIGHT) {
+            erode_straight(e, &s, v.dimensions);
+            return s;
+        }
         s.dx = erode_along(e, 0, v.dimensions);
         s.dy = erode_along(e, 1, v.dimensions);
         if (v.dimensions == 3) {
@@ -103,7 +138,7 @@ VEC_INLINE struct sample erode(struct eroded *e, vf *d, float erosion, struct va
 }
 
 VEC_INLINE void erosion_run(const struct shaping *shaping, const struct outputs *outputs,
-                            enum put put, struct variant v, int is_turned)
+                            enum put put, struct variant v, enum erosion_kind kind)
 {
     const struct extent extent = shaping->extent;
     const vf *noise = shaping->noise;
@@ -117,13 +152,13 @@ VEC_INLINE void erosion_run(const struct shaping *shaping, const struct outputs 
     for (size_t r = 0; r < extent.rows; r++) {
         size_t to_at = 0;
         for (size_t b = 0; b < extent.blocks; b++) {
-            struct eroded e = {.octave = &octave, .turned = is_turned};
+            struct eroded e = {.octave = &octave, .kind = kind};
             e.n = sample_load(noise, basis);
             const struct sample s = erode(&e, state, erosion, v);
             add_sample(&to, to_at, &weights, &s, v, put);
             to_at += to.block;
             noise += sample_size(v.dimensions, v.order + 1);
-            state += erosion_size(v.dimensions, v.order);
+            state += erosion_size(v.dimensions, v.order, kind != ERODE_STRAIGHT);
         }
         outputs_next_row(&to, v);
     }
@@ -133,10 +168,12 @@ VEC_INLINE void erosion_run(const struct shaping *shaping, const struct outputs 
     static void name(const struct shaping *shaping, const struct outputs *to, enum put put)        \
     {                                                                                              \
         const struct variant v = {SCARP_GRADIENT, dimensions, order};                              \
-        if (shaping->axes == AXES_TURNED) {                                                        \
-            erosion_run(shaping, to, put, v, 1);                                                   \
+        if (order == 0 || !shaping->plan->rotate) { /* axes do not matter to values */             \
+            erosion_run(shaping, to, put, v, ERODE_STRAIGHT);                                      \
+        } else if (shaping->axes == AXES_TURNED) {                                                 \
+            erosion_run(shaping, to, put, v, ERODE_TURNED);                                        \
         } else {                                                                                   \
-            erosion_run(shaping, to, put, v, 0);                                                   \
+            erosion_run(shaping, to, put, v, ERODE_FIRST);                                         \
         }                                                                                          \
     }
 

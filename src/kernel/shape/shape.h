@@ -33,7 +33,7 @@ static size_t state_size(const struct scarp_call_plan *plan, int dimensions)
 {
     switch (plan->fractal) {
     case SCARP_RIDGED: return sample_size(dimensions, plan->order);
-    case SCARP_EROSION: return erosion_size(dimensions, plan->order);
+    case SCARP_EROSION: return erosion_size(dimensions, plan->order, plan->rotate);
     default: return 0;
     }
 }
