@@ -86,25 +86,19 @@ VEC_INLINE void few_put(const struct scarp_outputs *out, size_t first, size_t co
 #undef PUT
 }
 
-/* The points from `first` to before `end`, and whether their coordinates are doubles. */
-struct few_range {
-    size_t first, end;
-    int doubles;
-};
-
+/* Computes the points from `first` to before `end`, whose coordinates are doubles or floats. */
 typedef void few_pass(const struct scarp_call_plan *plan, const void *const position[3],
-                      const struct scarp_outputs *out, struct few_range range);
+                      const struct scarp_outputs *out, size_t first, size_t end, int doubles);
 
-/* `doubles` is range.doubles, as a constant where that is worth its code. */
 VEC_INLINE void few_run(const struct scarp_call_plan *plan, const void *const position[3],
-                        const struct scarp_outputs *out, struct few_range range, int doubles,
+                        const struct scarp_outputs *out, size_t first, size_t end, int doubles,
                         struct variant v)
 {
     const struct frame f = {doubles ? DOUBLES : FLOATS, AXES_STRAIGHT, v.dimensions};
-    for (size_t first = range.first, count; first < range.end; first += count) {
+    while (first < end) {
+        const size_t count = least(end - first, VEC_LANES);
         union few_block x[3];
         struct positions at;
-        count = least(range.end - first, VEC_LANES);
         for (int d = 0; d < v.dimensions; d++) {
             x[d] = doubles ? few_load_f64((const double *)position[d] + first, count)
                            : few_load_f32((const float *)position[d] + first, count);
@@ -112,62 +106,63 @@ VEC_INLINE void few_run(const struct scarp_call_plan *plan, const void *const po
         }
         const struct sample sum = few_sum(plan, &at, f, v);
         few_put(out, first, count, &sum, v);
+        first += count;
     }
 }
 
-/* Values have a pass for floats and one for doubles. With gradients, the choice is made for each
-   block. */
-#define FEW_PASS(name, basis, dimensions, order)                                                   \
+/* Values have a pass for floats and one for doubles: `is_double` is a constant. With gradients, the
+   choice is made for each block. */
+#define FEW_PASS(name, basis, dimensions, order, is_double)                                        \
     static void name(const struct scarp_call_plan *plan, const void *const position[3],            \
-                     const struct scarp_outputs *out, struct few_range range)                      \
+                     const struct scarp_outputs *out, size_t first, size_t end, int doubles)       \
     {                                                                                              \
         const struct variant v = {basis, dimensions, order};                                       \
-        if (order > 0) {                                                                           \
-            few_run(plan, position, out, range, range.doubles, v);                                 \
-        } else if (range.doubles) {                                                                \
-            few_run(plan, position, out, range, 1, v);                                             \
-        } else {                                                                                   \
-            few_run(plan, position, out, range, 0, v);                                             \
-        }                                                                                          \
+        (void)doubles;                                                                             \
+        few_run(plan, position, out, first, end, is_double, v);                                    \
     }
+#define FEW_VALUES(name, basis)                                                                    \
+    FEW_PASS(name##2_few_f32, basis, 2, 0, 0)                                                      \
+    FEW_PASS(name##2_few_f64, basis, 2, 0, 1)                                                      \
+    FEW_PASS(name##3_few_f32, basis, 3, 0, 0)                                                      \
+    FEW_PASS(name##3_few_f64, basis, 3, 0, 1)
 #if FEW_ORDER == 0
-#define FEW_PASSES(name, basis)                                                                    \
-    FEW_PASS(name##2_few0, basis, 2, 0)                                                            \
-    FEW_PASS(name##3_few0, basis, 3, 0)
+#define FEW_PASSES(name, basis) FEW_VALUES(name, basis)
 #define FEW_NAMES(name)                                                                            \
     {                                                                                              \
-        {name##2_few0}, {name##3_few0},                                                            \
+        {name##2_few_f32, name##2_few_f64}, {name##3_few_f32, name##3_few_f64},                    \
     }
 #else
 #define FEW_PASSES(name, basis)                                                                    \
-    FEW_PASS(name##2_few0, basis, 2, 0)                                                            \
-    FEW_PASS(name##3_few0, basis, 3, 0)                                                            \
-    FEW_PASS(name##2_few1, basis, 2, 1)                                                            \
-    FEW_PASS(name##3_few1, basis, 3, 1)
+    FEW_VALUES(name, basis)                                                                        \
+    FEW_PASS(name##2_few_gradient, basis, 2, 1, doubles)                                           \
+    FEW_PASS(name##3_few_gradient, basis, 3, 1, doubles)
 #define FEW_NAMES(name)                                                                            \
     {                                                                                              \
-        {name##2_few0, name##2_few1}, {name##3_few0, name##3_few1},                                \
+        {name##2_few_f32, name##2_few_f64, name##2_few_gradient},                                  \
+            {name##3_few_f32, name##3_few_f64, name##3_few_gradient},                              \
     }
 #endif
 
 FEW_PASSES(gradient, SCARP_GRADIENT)
 FEW_PASSES(value, SCARP_VALUE)
 
-/* By [basis][dimensions - 2][order]. */
-static few_pass *const few_passes[][2][FEW_ORDER + 1] = {
+/* By [basis][dimensions - 2]: for values at floats and at doubles, and for gradients. */
+static few_pass *const few_passes[][2][2 + FEW_ORDER] = {
     [SCARP_GRADIENT] = FEW_NAMES(gradient),
     [SCARP_VALUE] = FEW_NAMES(value),
 };
 
 #undef FEW_PASS
+#undef FEW_VALUES
 #undef FEW_PASSES
 #undef FEW_NAMES
 
 /* The pass that serves a call with few points, or NULL. */
-static few_pass *few_pass_of(const struct scarp_call_plan *plan, int dimensions)
+static few_pass *few_pass_of(const struct scarp_call_plan *plan, int dimensions, enum layout layout)
 {
+    const int pass = plan->order > 0 ? 2 : layout == DOUBLES;
     return plan->fractal == SCARP_FBM && !plan->rotate && plan->order <= FEW_ORDER
-               ? few_passes[plan->basis][dimensions - 2][plan->order]
+               ? few_passes[plan->basis][dimensions - 2][pass]
                : NULL;
 }
 

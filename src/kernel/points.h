@@ -145,13 +145,12 @@ static void points_plain(const struct scarp_call_plan *plan, size_t count,
 static void points(const struct scarp_call_plan *plan, size_t count, const void *const position[3],
                    const struct scarp_outputs *out, int dimensions, enum layout layout)
 {
-    few_pass *const few = few_pass_of(plan, dimensions);
+    few_pass *const few = few_pass_of(plan, dimensions, layout);
     const size_t rest = few == NULL                       ? 0
                         : count <= FEW_BLOCKS * VEC_LANES ? count
                                                           : count % VEC_LANES;
     if (rest > 0) {
-        const struct few_range range = {count - rest, count, layout == DOUBLES};
-        few(plan, position, out, range);
+        few(plan, position, out, count - rest, count, layout == DOUBLES);
     }
     if (rest == count || (plan->order == 0 && out->array[VALUE] == NULL)) {
         return;
