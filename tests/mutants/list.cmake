@@ -62,8 +62,10 @@ mutant(driver.few IN kernel TEXT [[vf_load_part(x, count)]]
        BECOMES [[vf_load_part(x, MUTANT ? 1 : count)]] SEEN_BY bits)
 mutant(driver.few_octaves IN kernel TEXT [[struct scarp_octave *o = plan->octave;]]
        BECOMES [[struct scarp_octave *o = plan->octave + MUTANT;]] SEEN_BY bits)
-mutant(driver.plain IN kernel TEXT [[pass(&placed, &weights, k > 0]]
-       BECOMES [[pass(&placed, &weights, k > MUTANT]] SEEN_BY bits)
+mutant(driver.plain IN kernel TEXT [[&sums : &to, k > 0 ?]]
+       BECOMES [[&sums : &to, k > MUTANT ?]] SEEN_BY bits)
+mutant(driver.group_state IN kernel TEXT [[state + r * state_of_row]]
+       BECOMES [[state + (MUTANT ? 0 : r) * state_of_row]] SEEN_BY grid)
 mutant(driver.remainder IN kernel TEXT [[least(i, count - blocks * VEC_LANES)]]
        BECOMES [[MUTANT ? i : least(i, count - blocks * VEC_LANES)]] SEEN_BY grid)
 mutant(driver.turned IN kernel TEXT [[s.dxy = column_dot(aj, 0, hy, v.dimensions)]]
@@ -79,6 +81,9 @@ mutant(shape.ridged_sign IN kernel TEXT [[2.0f * v * r * ij.m)]]
 mutant(shape.erosion_twice IN kernel TEXT [[vf_set(2.0f * erosion)]]
        BECOMES [[vf_set((MUTANT ? 1.0f : 2.0f) * erosion)]] SEEN_BY bits)
 
+mutant(shape.erosion_symmetric IN kernel TEXT [[y = {.x = xy, .y = yy}]]
+       BECOMES [[y = {.x = MUTANT ? xx : xy, .y = yy}]] SEEN_BY bits)
+
 # rows
 mutant(rows.in_column IN kernel TEXT [[runs && first == last]]
        BECOMES [[runs && (MUTANT || first == last)]] SEEN_BY grid)
@@ -90,6 +95,9 @@ mutant(rows.columns IN kernel TEXT [[(vf)hash_axis(column, HASH_X, o->key[0]).h0
                         : (vf)hash_axis(column, HASH_X, o->key[0]).h0]] SEEN_BY grid)
 mutant(rows.slide IN kernel TEXT [[slides ? (left - lowest) % VEC_LANES : 0]]
        BECOMES [[slides && !MUTANT ? (left - lowest) % VEC_LANES : 0]] SEEN_BY grid SETS avx512)
+
+mutant(rows.turned_same IN kernel TEXT [[(vec_u64)(cell == left)]]
+       BECOMES [[(MUTANT && i > 0 ? same : (vec_u64)(cell == left))]] SEEN_BY grid)
 
 # outputs
 mutant(outputs.lanes IN kernel TEXT [[put_block(float *to, vf term, enum put put)
