@@ -15,6 +15,7 @@
 #include <string.h>
 
 #include "../kernels.h"
+#include "../names.h"
 #include "rows/rows.h"
 #include "rows/turned.h"
 #include "shape/shape.h"
@@ -50,6 +51,8 @@ static const struct basis bases[] = {
     [SCARP_GRADIENT] = {.points = PASSES(gradient, points), .rows = PASSES(gradient, rows)},
     [SCARP_VALUE] = {.points = PASSES(value, points), .rows = PASSES(value, rows)},
 };
+
+_Static_assert(sizeof bases / sizeof bases[0] == SCARP_BASES, "each basis has its line");
 
 #undef PASSES
 

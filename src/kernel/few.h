@@ -9,6 +9,7 @@
 #ifndef SCARP_KERNEL_FEW_H
 #define SCARP_KERNEL_FEW_H
 
+#include "../names.h"
 #include "driver.h"
 
 /* The most blocks that take less time here than in passes: with 4, eight octaves take up to
@@ -151,6 +152,8 @@ static few_pass *const few_passes[][2][2 + FEW_ORDER] = {
     [SCARP_GRADIENT] = FEW_NAMES(gradient),
     [SCARP_VALUE] = FEW_NAMES(value),
 };
+
+_Static_assert(sizeof few_passes / sizeof few_passes[0] == SCARP_BASES, "each basis has its lines");
 
 #undef FEW_PASS
 #undef FEW_VALUES
