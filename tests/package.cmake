@@ -52,6 +52,9 @@ add_library(scarp_unfused OBJECT ${unfused_sources})
 scarp_compile_rules(scarp_unfused)
 scarp_library_rules(scarp_unfused)
 target_compile_definitions(scarp_unfused PRIVATE VEC_UNFUSED)
+if(CMAKE_C_FLAGS MATCHES "-fsanitize")
+  target_compile_options(scarp_unfused PRIVATE -fno-sanitize=all) # nobody runs it
+endif()
 
 # scarp_add_package_test(SCRIPT [CXX] [SETUP fixture] [AFTER fixture] [NEEDS tool...]):
 # package/SCRIPT.sh as the test package.SCRIPT, or package.SCRIPT.cxx where the consumer is in C++
