@@ -281,51 +281,38 @@ static void draw_octave(struct scarp_octave *octave, uint64_t mixed, int k)
     }
 }
 
-/* Sets the Jacobian, frequency times `turn`, and what the kernels need of it. */
-static void set_axes(struct scarp_octave *octave, const double turn[3][3], int dimensions,
-                     double amplitude)
+/* A row of the Jacobian, frequency times a row of the turn, and what the kernels need of it. */
+static void set_axis(struct scarp_octave *octave, int i, const double turn[3], double amplitude)
 {
-    for (int i = 0; i < dimensions; i++) {
-        for (int j = 0; j < dimensions; j++) {
-            octave->jacobian64[i][j] = octave->frequency64 * turn[i][j];
-            octave->jacobian[i][j] = (float)octave->jacobian64[i][j];
-            octave->gradient[i][j] = (float)(amplitude * octave->jacobian64[i][j]);
-        }
+    for (int j = 0; j < 3; j++) {
+        const double slope = octave->frequency64 * turn[j];
+        octave->jacobian64[i][j] = slope;
+        octave->jacobian[i][j] = (float)slope;
+        octave->gradient[i][j] = (float)(amplitude * slope);
     }
 }
 
 /* turn = by turn */
-static void multiply(double turn[3][3], const double by[3][3], int dimensions)
+static void multiply(double turn[3][3], const double by[3][3])
 {
     double product[3][3];
-    for (int i = 0; i < dimensions; i++) {
-        for (int j = 0; j < dimensions; j++) {
-            product[i][j] = by[i][0] * turn[0][j] + by[i][1] * turn[1][j];
-            if (dimensions == 3) {
-                product[i][j] += by[i][2] * turn[2][j];
-            }
+    for (int i = 0; i < 3; i++) {
+        for (int j = 0; j < 3; j++) {
+            product[i][j] = by[i][0] * turn[0][j] + by[i][1] * turn[1][j] + by[i][2] * turn[2][j];
         }
     }
     memcpy(turn, product, sizeof product);
 }
 
-static inline void turn_axes_of(struct scarp_octave *octave, int octaves, int dimensions,
-                                const double by[3][3], const double amplitude[SCARP_MAX_OCTAVES])
-{
-    double turn[3][3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
-    for (int k = 0; k < octaves; k++) {
-        set_axes(&octave[k], turn, dimensions, amplitude[k]);
-        multiply(turn, by, dimensions);
-    }
-}
-
 static void turn_axes(struct scarp_octave *octave, int octaves, int dimensions,
                       const double amplitude[SCARP_MAX_OCTAVES])
 {
-    if (dimensions == 2) { /* constants, so that loops unroll */
-        turn_axes_of(octave, octaves, 2, turn2, amplitude);
-    } else {
-        turn_axes_of(octave, octaves, 3, turn3, amplitude);
+    double turn[3][3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
+    for (int k = 0; k < octaves; k++) {
+        for (int i = 0; i < dimensions; i++) {
+            set_axis(&octave[k], i, turn[i], amplitude[k]);
+        }
+        multiply(turn, dimensions == 2 ? turn2 : turn3);
     }
 }
 

@@ -32,8 +32,8 @@ struct scarp_octave {
     float curvature;      /* amplitude f_k^2, for Hessians where axes are not turned */
     float frequency;      /* f_k */
     float offset[3];      /* o_k: multiples of 2^-24 in [0, 1), so exact in both precisions */
-    float jacobian[3][3]; /* J_k where axes are turned: J_k[i][j] = d p_i / d x_j. In 2D, the rows
-                             and columns 2 of the matrices are unset. */
+    float jacobian[3][3]; /* J_k where axes are turned: J_k[i][j] = d p_i / d x_j. In 2D, row 2
+                             of the matrices is unset. */
     float gradient[3][3]; /* amplitude J_k */
     double frequency64;   /* f_k, J_k and o_k again for double coordinates */
     double jacobian64[3][3];
