@@ -20,7 +20,7 @@
 #include "rows/turned.h"
 #include "shape/shape.h"
 
-/* The most blocks of a part, but for parts that are added up in the caller's arrays (grid.h). Many
+/* The most blocks of a part of points. Many
    blocks share the fixed cost of a pass: with 8, AVX-512 loses 6 to 12 %. */
 #define PART_BLOCKS 32
 
@@ -136,11 +136,11 @@ VEC_INLINE void place_part(const struct call *call, const struct part *part, int
 {
     const enum axes axes = axes_of(call->plan, k);
     const struct scarp_octave *const o = &call->plan->octave[k];
-    struct positions at = part->at;
     if (call->layout != ROW) {
-        call->lattice_passes[axes](part->placed.lattice, o, part->placed.extent.blocks, &at);
+        call->lattice_passes[axes](part->placed.lattice, o, part->placed.extent.blocks, &part->at);
         return;
     }
+    struct positions at = part->at;
     if (axes == AXES_TURNED) {
         at.array[1] = part->y;
         turned_passes[call->dimensions - 2](part->placed.lattice, o, part->placed.extent,

@@ -3,9 +3,9 @@
  * Evaluates grids. Included by table.h.
  *
  * A slice is cut into strips, some blocks wide, and each strip into parts, some rows high. Octaves
- * are added up in the caller's arrays. Parts of fBm with straight axes are large, since they need
- * nothing between the passes but tables (rows/rows.h). Other parts are as large as the scratch
- * space permits.
+ * are added up in the caller's arrays, but for `stores`. Parts of fBm with straight axes are large,
+ * since they need nothing between the passes but tables (rows/rows.h). Other parts are as large as
+ * the scratch space permits.
  */
 #ifndef SCARP_KERNEL_GRID_H
 #define SCARP_KERNEL_GRID_H

@@ -125,30 +125,34 @@ VEC_INLINE void lattice_run(vf *lattice, const struct scarp_octave *octave, size
         const struct frame f = {layout, axes, dimensions};                                         \
         lattice_run(lattice, octave, blocks, at, f);                                               \
     }
-#define LATTICE_PASSES(dimensions, layout)                                                         \
+#define LATTICE_STRAIGHT(dimensions, layout)                                                       \
     LATTICE_PASS(lattice##dimensions##_##layout##_first, dimensions, layout, AXES_FIRST)           \
-    LATTICE_PASS(lattice##dimensions##_##layout##_straight, dimensions, layout, AXES_STRAIGHT)     \
+    LATTICE_PASS(lattice##dimensions##_##layout##_straight, dimensions, layout, AXES_STRAIGHT)
+#define LATTICE_PASSES(dimensions, layout)                                                         \
+    LATTICE_STRAIGHT(dimensions, layout)                                                           \
     LATTICE_PASS(lattice##dimensions##_##layout##_turned, dimensions, layout, AXES_TURNED)
-#define LATTICE_NAMES(dimensions, layout)                                                          \
+#define LATTICE_NAMES(dimensions, layout, turned)                                                  \
     {                                                                                              \
-        lattice##dimensions##_##layout##_first, lattice##dimensions##_##layout##_straight,         \
-            lattice##dimensions##_##layout##_turned                                                \
+        lattice##dimensions##_##layout##_first, lattice##dimensions##_##layout##_straight, turned  \
     }
 
 LATTICE_PASSES(2, FLOATS)
 LATTICE_PASSES(2, DOUBLES)
-LATTICE_PASSES(2, ROW)
+LATTICE_STRAIGHT(2, ROW)
 LATTICE_PASSES(3, FLOATS)
 LATTICE_PASSES(3, DOUBLES)
-LATTICE_PASSES(3, ROW)
+LATTICE_STRAIGHT(3, ROW)
 
-/* By [dimensions - 2][layout][axes]. */
+/* By [dimensions - 2][layout][axes]. Rows with turned axes are placed by rows/turned.h. */
 static lattice_pass *const lattice_passes[2][LAYOUTS][AXES_KINDS] = {
-    {LATTICE_NAMES(2, FLOATS), LATTICE_NAMES(2, DOUBLES), LATTICE_NAMES(2, ROW)},
-    {LATTICE_NAMES(3, FLOATS), LATTICE_NAMES(3, DOUBLES), LATTICE_NAMES(3, ROW)},
+    {LATTICE_NAMES(2, FLOATS, lattice2_FLOATS_turned),
+     LATTICE_NAMES(2, DOUBLES, lattice2_DOUBLES_turned), LATTICE_NAMES(2, ROW, NULL)},
+    {LATTICE_NAMES(3, FLOATS, lattice3_FLOATS_turned),
+     LATTICE_NAMES(3, DOUBLES, lattice3_DOUBLES_turned), LATTICE_NAMES(3, ROW, NULL)},
 };
 
 #undef LATTICE_PASS
+#undef LATTICE_STRAIGHT
 #undef LATTICE_PASSES
 #undef LATTICE_NAMES
 

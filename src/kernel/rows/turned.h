@@ -11,11 +11,14 @@
 
 #include "along.h"
 
+/* Doubles in the scratch space, whose vectors are floats. */
+typedef double turned_double __attribute__((may_alias));
+
 /* An octave along x, for each axis of its frame: the products of every sample; then, for each
    block, those of its last lane and of the first lane of the block on its left, padded to whole
    vectors. */
 struct turned_x {
-    double *along[3], *last[3], *before[3];
+    turned_double *along[3], *last[3], *before[3];
     int shares; /* whether two blocks may lie in one cell */
 };
 
@@ -36,11 +39,11 @@ static size_t turned_size(int dimensions, size_t blocks)
 static void turned_begin(struct turned_x *t, vf *space, const struct scarp_octave *o, size_t blocks,
                          const double *x, int dimensions)
 {
-    double *next = (double *)space;
+    turned_double *next = (turned_double *)space;
     t->shares = blocks > 1;
     for (int i = 0; i < dimensions; i++) {
-        double *const along = next, *const last = along + blocks * VEC_LANES;
-        double *const before = last + ends_size(blocks);
+        turned_double *const along = next, *const last = along + blocks * VEC_LANES;
+        turned_double *const before = last + ends_size(blocks);
         const double j = o->jacobian64[i][0];
         for (size_t n = 0; n < blocks * VEC_LANES; n++) {
             along[n] = j * x[n];
@@ -109,7 +112,7 @@ VEC_INLINE void turned_row_run(vf *lattice, const struct scarp_octave *o, size_t
         struct split at[3];
         vd p[3][2];
         for (int i = 0; i < dimensions; i++) {
-            const double *const along = t->along[i] + b * VEC_LANES;
+            const turned_double *const along = t->along[i] + b * VEC_LANES;
             p[i][0] = turned_at(along, &row[i], dimensions);
             p[i][1] = turned_at(along + VEC_LANES / 2, &row[i], dimensions);
         }
