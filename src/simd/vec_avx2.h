@@ -56,27 +56,37 @@ VEC_INLINE vd vd_set(double a)
     return (vd)_mm256_set1_pd(a);
 }
 
-/* All ones in the first n lanes. */
-VEC_INLINE __m256i vec_first_lanes(size_t n)
+/* Emulators and translators of x86 read all of what a masked load names, and fault. */
+VEC_INLINE __m128 vec_load_four(const float *p, size_t n)
 {
-    static const int32_t ones[15] = {-1, -1, -1, -1, -1, -1, -1};
-    return _mm256_loadu_si256((const __m256i *)(ones + 7 - n));
+    if (n >= 4) {
+        return _mm_loadu_ps(p);
+    }
+    if (n == 1) {
+        return _mm_broadcast_ss(p);
+    }
+    const __m128 two = _mm_loadl_pi(_mm_setzero_ps(), (const __m64 *)p);
+    return _mm_movelh_ps(two, n == 2 ? two : _mm_broadcast_ss(p + 2));
 }
 
 #define VF_LOAD_PART_OWN
 VEC_INLINE vf vf_load_part(const float *p, size_t n)
 {
-    const __m256i lanes = vec_first_lanes(n);
-    return (vf)_mm256_blendv_ps(_mm256_broadcast_ss(p), _mm256_maskload_ps(p, lanes),
-                                (__m256)lanes);
+    const __m128 four = vec_load_four(p, n);
+    return (vf)_mm256_set_m128(n > 4 ? vec_load_four(p + 4, n - 4) : four, four);
 }
 
 #define VD_LOAD_PART_OWN
 VEC_INLINE vd vd_load_part(const double *p, size_t n)
 {
-    const __m256i lanes = _mm256_cvtepi32_epi64(_mm256_castsi256_si128(vec_first_lanes(n)));
-    return (vd)_mm256_blendv_pd(_mm256_broadcast_sd(p), _mm256_maskload_pd(p, lanes),
-                                (__m256d)lanes);
+    if (n >= 4) {
+        return (vd)_mm256_loadu_pd(p);
+    }
+    if (n == 1) {
+        return (vd)_mm256_broadcast_sd(p);
+    }
+    const __m128d two = _mm_loadu_pd(p);
+    return (vd)_mm256_set_m128d(n == 2 ? two : _mm_loaddup_pd(p + 2), two);
 }
 
 /* AMD's processors take a masked store apart. */
