@@ -143,6 +143,15 @@ enum scarp_isa {
  * bits of c, the top 24 bits of c.
  *
  * Gradients and Hessians are per unit of *input*, not per lattice cell.
+ *
+ * Periods. Along an axis with a period P, the lattice of octave k draws for cell i what it draws
+ * for i mod P lacunarity^k, in [0, P lacunarity^k): the noise, with all its derivatives, repeats
+ * every P / frequency units of input, and a tile of that length has no seam. With several octaves,
+ * lacunarity must be an integer, and P lacunarity^(K-1) at most 2^30, else calls return
+ * SCARP_ERROR_PARAMETER. Axes that are turned cannot repeat: that is SCARP_ERROR_UNSUPPORTED. What
+ * lies a period further has the same bits where its p_k have the same fractions, as with
+ * coordinates and frequencies that are multiples of powers of two; elsewhere it differs by
+ * rounding. Floats repeat wherever they have cells, doubles up to |p_k| = 2^50. Ranges stay.
  */
 struct scarp_noise {
     enum scarp_basis basis;
@@ -161,8 +170,11 @@ struct scarp_noise {
 
     /* Reserved: 0 or NULL. -0.0f is a zero, too; a NaN is not. 192 bytes in all. */
     float phase, jitter, sharpness;
-    uint32_t period[3];
-    uint32_t spare0;
+
+    uint32_t period[3]; /* cells of octave 0, in [1, 2^30], after which the noise repeats along each
+                           axis; 0: never. 2D calls ignore period[2]. See "Periods". */
+
+    uint32_t spare0; /* reserved */
     const struct scarp_noise *warp;
 
     const struct scarp_plan *plan; /* what scarp_plan_make made of this noise. NULL: none; results

@@ -35,6 +35,7 @@ _Static_assert(sizeof((struct scarp_noise *)NULL)->spare >= 8, "some bytes stay 
 #define AMPLITUDE_MAX 0x1p24
 #define EROSION_MIN 0x1p-24
 #define EROSION_MAX 0x1p24
+#define PERIOD_MAX 0x1p30
 
 /*
  * The head-room for rounding. In units of the supremum, what is interpolated is at most 2 (a
@@ -104,6 +105,18 @@ static int octave_count(double octaves)
     return (double)whole < octaves ? whole + 1 : whole;
 }
 
+static int is_rotated(const struct scarp_noise *noise, int octaves)
+{
+    return noise->rotate != 0 && octaves > 1;
+}
+
+/* Whether the lattice has a period along any axis of the call. */
+static int repeats(const struct scarp_noise *noise, int dimensions)
+{
+    return noise->period[0] != 0 || noise->period[1] != 0 ||
+           (dimensions == 3 && noise->period[2] != 0);
+}
+
 /* A NaN is not within. */
 static int within(double value, double lowest, double highest)
 {
@@ -127,6 +140,36 @@ static int last_frequency_valid(const struct parameters *p)
         frequency *= p->lacunarity;
     }
     return within(frequency, FREQUENCY_MIN, FREQUENCY_MAX);
+}
+
+static const char *const period_names[3] = {"period[0]", "period[1]", "period[2]"};
+
+/* Whether a period of a noise of `octaves` octaves is at most PERIOD_MAX in each of them. */
+static int period_valid(double period, double lacunarity, int octaves)
+{
+    for (int k = 1; k < octaves && period <= PERIOD_MAX; k++) {
+        period *= lacunarity;
+    }
+    return period <= PERIOD_MAX;
+}
+
+/* What makes the noise's periods impossible. `p` is valid. */
+static const char *period_member(const struct scarp_noise *noise, const struct parameters *p,
+                                 int dimensions)
+{
+    const int octaves = octave_count(p->octaves);
+    for (int i = 0; i < dimensions; i++) {
+        if (noise->period[i] == 0) {
+            continue;
+        }
+        if (octaves > 1 && p->lacunarity != (double)(int)p->lacunarity) {
+            return "lacunarity";
+        }
+        if (!period_valid((double)noise->period[i], p->lacunarity, octaves)) {
+            return period_names[i];
+        }
+    }
+    return NULL;
 }
 
 static const char *outside_member(const struct parameters *p)
@@ -154,15 +197,15 @@ static uintptr_t word_at(const void *memory, size_t i)
     return word;
 }
 
-/* Whether anything from `phase` on is not zero. The assertions above exclude padding. Reading wide
-   words without branches takes 2 ns of a call, reading members one by one 7. */
+/* Whether any reserved member is not zero. The assertions above exclude padding. Reading wide words
+   without branches takes 2 ns of a call, reading members one by one 7. */
 static int reserved_in_use(const struct scarp_noise *noise)
 {
-    const size_t period = offsetof(struct scarp_noise, period) / WORD;
     uint32_t numbers[3]; /* phase, jitter, sharpness, where -0 is a zero */
     memcpy(numbers, (const char *)noise + offsetof(struct scarp_noise, phase), sizeof numbers);
     uintptr_t bits = (numbers[0] | numbers[1] | numbers[2]) & 0x7fffffffu;
-    for (size_t i = period; i < WORDS_BEFORE; i++) {
+    bits |= noise->spare0;
+    for (size_t i = offsetof(struct scarp_noise, warp) / WORD; i < WORDS_BEFORE; i++) {
         bits |= word_at(noise, i);
     }
     for (size_t i = 0; i < WORDS_BEHIND; i++) {
@@ -193,9 +236,6 @@ static const char *reserved_member(const struct scarp_noise *noise)
     return noise->phase != 0.0f       ? "phase" /* NaN is not 0 */
            : noise->jitter != 0.0f    ? "jitter"
            : noise->sharpness != 0.0f ? "sharpness"
-           : noise->period[0] != 0    ? "period[0]"
-           : noise->period[1] != 0    ? "period[1]"
-           : noise->period[2] != 0    ? "period[2]"
            : noise->spare0 != 0       ? "spare0"
            : noise->warp != NULL      ? "warp"
                                       : "spare";
@@ -214,7 +254,17 @@ static enum scarp_status check(const struct scarp_noise *noise, const struct par
     if ((*member = reserved_member(noise)) != NULL) {
         return SCARP_ERROR_UNSUPPORTED;
     }
-    return dimensions == 2 || dimensions == 3 ? SCARP_OK : SCARP_ERROR_PARAMETER;
+    if (dimensions != 2 && dimensions != 3) {
+        return SCARP_ERROR_PARAMETER;
+    }
+    if ((*member = period_member(noise, p, dimensions)) != NULL) {
+        return SCARP_ERROR_PARAMETER;
+    }
+    if (repeats(noise, dimensions) && is_rotated(noise, octave_count(p->octaves))) {
+        *member = "rotate";
+        return SCARP_ERROR_UNSUPPORTED;
+    }
+    return SCARP_OK;
 }
 
 enum scarp_status scarp_plan_check(const struct scarp_noise *noise, int dimensions,
@@ -316,9 +366,19 @@ static void turn_axes(struct scarp_octave *octave, int octaves, int dimensions,
     }
 }
 
-static int is_rotated(const struct scarp_noise *noise, int octaves)
+static int is_power_of_two(uint32_t a)
 {
-    return noise->rotate != 0 && octaves > 1;
+    return (a & (a - 1)) == 0;
+}
+
+/* The periods of an octave, whose frequency is `ratio` times that of the first. A check lets pass
+   what is too long for an axis that the call does not have. */
+static void set_periods(struct scarp_octave *octave, const struct scarp_noise *noise, double ratio)
+{
+    for (int i = 0; i < 3; i++) {
+        const double period = (double)noise->period[i] * ratio;
+        octave->last[i] = (period <= PERIOD_MAX ? (uint32_t)period : 0) - 1;
+    }
 }
 
 /* Computes the constants of all octaves of a checked noise. */
@@ -337,7 +397,7 @@ static void make_octaves(struct scarp_octave *octave, const struct scarp_noise *
     }
     const double scale = p->amplitude * HEADROOM / sum;
     const uint64_t mixed = mix64(noise->seed + GOLDEN_GAMMA);
-    double frequency = p->frequency;
+    double frequency = p->frequency, ratio = 1.0;
     for (int k = 0; k < octaves; k++) {
         struct scarp_octave *const o = &octave[k];
         const double weighted = weights[k] * scale;
@@ -350,7 +410,9 @@ static void make_octaves(struct scarp_octave *octave, const struct scarp_noise *
         o->frequency = (float)frequency;
         o->frequency64 = frequency;
         draw_octave(o, mixed, k);
+        set_periods(o, noise, ratio);
         frequency *= p->lacunarity;
+        ratio *= p->lacunarity;
     }
     if (is_rotated(noise, octaves)) {
         turn_axes(octave, octaves, dimensions, factors);
@@ -402,6 +464,20 @@ enum scarp_status scarp_plan_keep(struct scarp_plan *plan, const struct scarp_no
     return status;
 }
 
+/* A lacunarity that goes with periods is an integer. */
+static enum scarp_repeat repeat_of(const struct scarp_noise *noise, int octaves, int dimensions)
+{
+    if (!repeats(noise, dimensions)) {
+        return SCARP_REPEAT_NEVER;
+    }
+    const float lacunarity = noise->lacunarity == 0.0f || octaves == 1 ? 2.0f : noise->lacunarity;
+    int powers = is_power_of_two((uint32_t)lacunarity);
+    for (int i = 0; i < dimensions; i++) {
+        powers = powers && is_power_of_two(noise->period[i]);
+    }
+    return powers ? SCARP_REPEAT_POWERS : SCARP_REPEAT_ANY;
+}
+
 enum scarp_status scarp_plan_call(struct scarp_call_plan *plan, struct scarp_octave *space,
                                   const struct scarp_noise *noise, int dimensions, int order)
 {
@@ -426,5 +502,6 @@ enum scarp_status scarp_plan_call(struct scarp_call_plan *plan, struct scarp_oct
     plan->order = order;
     plan->octaves = octave_count(value_or((double)noise->octaves, 1.0));
     plan->rotate = is_rotated(noise, plan->octaves);
+    plan->repeat = repeat_of(noise, plan->octaves, dimensions);
     return SCARP_OK;
 }

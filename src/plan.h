@@ -35,10 +35,20 @@ struct scarp_octave {
     float jacobian[3][3]; /* J_k where axes are turned: J_k[i][j] = d p_i / d x_j. In 2D, row 2
                              of the matrices is unset. */
     float gradient[3][3]; /* amplitude J_k */
+    uint32_t last[3];     /* the last cell of a period along each axis; 2^32 - 1 without period */
     double frequency64;   /* f_k, J_k and o_k again for double coordinates */
     double jacobian64[3][3];
     double offset64[3];
 };
+
+/* How often the lattice repeats: after 2^32 cells, after powers of two, or after any numbers. */
+enum scarp_repeat { SCARP_REPEAT_NEVER, SCARP_REPEAT_POWERS, SCARP_REPEAT_ANY };
+
+/* The period of an octave along an axis, in cells: 2^32 if there is none. */
+static inline double scarp_period(const struct scarp_octave *octave, int axis)
+{
+    return (double)octave->last[axis] + 1.0;
+}
 
 /* What a kernel is to compute. */
 struct scarp_call_plan {
@@ -49,6 +59,7 @@ struct scarp_call_plan {
     int order;   /* highest derivative asked for: 0, 1, 2 */
     int rotate;  /* octaves 1 and up use jacobian and gradient, not frequency, slope, curvature */
     int octaves; /* how many `octave` has */
+    enum scarp_repeat repeat;
     const struct scarp_octave *octave;
 };
 

@@ -29,6 +29,9 @@ endif()
 scarp_test_program(test_plan)
 scarp_add_isa_tests(plan api test_plan)
 
+scarp_test_program(test_period)
+scarp_add_isa_tests(period api test_period)
+
 scarp_test_program(test_memory)
 scarp_add_isa_tests(memory api test_memory)
 

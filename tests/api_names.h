@@ -126,12 +126,6 @@ static inline void test_check_order(void)
     noise.jitter = 0.0f;
     expect_member(&noise, 4, reserved, "sharpness");
     noise.sharpness = 0.0f;
-    expect_member(&noise, 4, reserved, "period[0]");
-    noise.period[0] = 0;
-    expect_member(&noise, 4, reserved, "period[1]");
-    noise.period[1] = 0;
-    expect_member(&noise, 4, reserved, "period[2]");
-    noise.period[2] = 0;
     expect_member(&noise, 4, reserved, "spare0");
     noise.spare0 = 0;
     expect_member(&noise, 4, reserved, "warp");
@@ -142,6 +136,14 @@ static inline void test_check_order(void)
     expect_member(&noise, 1, outside, NULL);
     expect_member(&noise, 258, outside, NULL);
     expect_member(&noise, INT_MIN, outside, NULL);
+    expect_member(&noise, 3, outside, "period[0]");
+    noise.period[0] = 1;
+    expect_member(&noise, 3, outside, "period[1]");
+    noise.period[1] = 0;
+    expect_member(&noise, 3, outside, "period[2]");
+    noise.period[2] = 0;
+    expect_member(&noise, 3, reserved, "rotate");
+    noise.rotate = 0;
     expect_member(&noise, 2, SCARP_OK, NULL);
     expect_member(&noise, 3, SCARP_OK, NULL);
     expect_member(NULL, 2, SCARP_ERROR_NULL, NULL);

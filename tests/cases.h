@@ -112,10 +112,18 @@ struct cases_call {
 
 /* Each fractal runs with several octaves, and with turned axes, which come with a fractional number
    of octaves, odd ratios and a negative amplitude. fBm also runs with one octave, which is the
-   basis alone. */
-enum cases_octaves { CASES_OCTAVE, CASES_OCTAVES, CASES_TURNED, CASES_SETTINGS };
+   basis alone, and with periods, which shapes do not see. */
+enum cases_octaves {
+    CASES_OCTAVE,
+    CASES_OCTAVES,
+    CASES_TURNED,
+    CASES_POWERS,  /* periods that are powers of two, and an axis without one */
+    CASES_PERIODS, /* any periods, and an axis without one */
+    CASES_SETTINGS
+};
 
-static const char *const setting_names[CASES_SETTINGS] = {"", "-octaves", "-turned"};
+static const char *const setting_names[CASES_SETTINGS] = {"", "-octaves", "-turned", "-powers",
+                                                          "-periods"};
 
 static inline void cases_set(struct scarp_noise *noise, enum cases_octaves setting)
 {
@@ -129,6 +137,16 @@ static inline void cases_set(struct scarp_noise *noise, enum cases_octaves setti
         noise->lacunarity = 1.875f;
         noise->gain = 0.625f;
         noise->amplitude = -3.5f;
+    } else if (setting == CASES_POWERS) {
+        noise->octaves = 3.0f;
+        noise->period[0] = 1;
+        noise->period[1] = 64;
+    } else if (setting == CASES_PERIODS) {
+        noise->octaves = 2.5f;
+        noise->lacunarity = 3.0f;
+        noise->period[0] = 49; /* 49 * (1 / 49) is not 1 */
+        noise->period[1] = 7;  /* nor is 21 in floats */
+        noise->period[2] = 1000003;
     }
 }
 
@@ -159,7 +177,8 @@ static inline int cases_make_call(struct cases_call *call, enum cases_class clas
     if (number > 0) {
         return -1;
     }
-    if ((noise->fractal != SCARP_FBM && setting == CASES_OCTAVE) ||
+    const int for_fbm = setting == CASES_OCTAVE || setting >= CASES_POWERS;
+    if ((noise->fractal != SCARP_FBM && for_fbm) ||
         (call->wanted & ~outputs_of(noise, call->function)) != 0) {
         return 0;
     }

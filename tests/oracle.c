@@ -47,6 +47,7 @@ void oracle_gradient_vector(int dimensions, unsigned index, double vector[3])
 /* An octave's lattice, as the oracle_draw functions get it. */
 struct lattice {
     const uint32_t *key;
+    const int64_t *period;
     int dimensions;
     const double (*gradient)[3];
 };
@@ -55,7 +56,8 @@ static uint32_t hash(const struct lattice *lattice, const uint32_t point[3])
 {
     uint32_t mixed = 0;
     for (int i = 0; i < lattice->dimensions; i++) {
-        const uint32_t axis = point[i] * hash_axis_multiplier[i] + lattice->key[i];
+        const uint32_t inside = (uint32_t)((int64_t)point[i] % lattice->period[i]);
+        const uint32_t axis = inside * hash_axis_multiplier[i] + lattice->key[i];
         mixed ^= axis / 256 + axis % 256 * 16777216; /* rotates the bits */
     }
     return mixed * mixed + hash_addend * mixed;
@@ -82,7 +84,9 @@ static void draw_value(const void *opaque, const uint32_t point[3], double corne
 
 double oracle_lattice_value(const struct oracle *oracle, int k, const uint32_t point[3])
 {
-    const struct lattice lattice = {.key = oracle->octave[k].key, .dimensions = oracle->dimensions};
+    const struct oracle_octave *const octave = &oracle->octave[k];
+    const struct lattice lattice = {
+        .key = octave->key, .period = octave->period, .dimensions = oracle->dimensions};
     double corner[3];
     draw_value(&lattice, point, corner);
     return corner[0];
@@ -164,6 +168,8 @@ void oracle_make(struct oracle *oracle, const struct scarp_noise *noise, int dim
         }
         sum += octave->weight;
         for (int i = 0; i < 3; i++) {
+            const double period = (double)noise->period[i] * pow(lacunarity, k);
+            octave->period[i] = noise->period[i] == 0 ? INT64_C(1) << 32 : (int64_t)period;
             for (int j = 0; j < 3; j++) {
                 octave->axes[i][j] = octave->frequency * turns[i][j];
             }
@@ -175,6 +181,12 @@ void oracle_make(struct oracle *oracle, const struct scarp_noise *noise, int dim
     for (int k = 0; k < oracle->octaves; k++) {
         oracle->octave[k].weight *= amplitude * (1.0 - 0x1p-17) / sum;
     }
+}
+
+static uint32_t inside_period(double cell, int64_t period)
+{
+    const int64_t remainder = (int64_t)cell % period;
+    return (uint32_t)(remainder < 0 ? remainder + period : remainder);
 }
 
 /* Splits p_k = J_k x + o_k into cell and fraction, along axis i. */
@@ -190,7 +202,7 @@ static void place(const struct oracle_octave *octave, int dimensions, enum oracl
         sum += (float)octave->offset[i];
         p = (double)sum;
         if (!(p >= -0x1p31 && p < 0x1p31)) {
-            *cell = 0x80000000;
+            *cell = inside_period(-0x1p31, octave->period[i]);
             *t = 0.0;
             return;
         }
@@ -202,7 +214,7 @@ static void place(const struct oracle_octave *octave, int dimensions, enum oracl
         p += octave->offset[i];
     }
     lower = floor(p);
-    *cell = (uint32_t)(int64_t)lower;
+    *cell = inside_period(lower, octave->period[i]);
     *t = rounding == ORACLE_EXACT ? p - lower : (double)(float)(p - lower);
 }
 
@@ -210,8 +222,10 @@ void oracle_octave_at(const struct oracle *oracle, enum oracle_rounding rounding
                       const double x[3], struct oracle_sample *n)
 {
     const struct oracle_octave *const octave = &oracle->octave[k];
-    const struct lattice lattice = {
-        .key = octave->key, .dimensions = oracle->dimensions, .gradient = oracle->gradient};
+    const struct lattice lattice = {.key = octave->key,
+                                    .period = octave->period,
+                                    .dimensions = oracle->dimensions,
+                                    .gradient = oracle->gradient};
     uint32_t cell[3] = {0, 0, 0};
     double t[3] = {0.0, 0.0, 0.0};
     for (int i = 0; i < oracle->dimensions; i++) {

@@ -33,6 +33,7 @@ struct oracle_octave {
     double frequency;  /* f_k */
     double axes[3][3]; /* J_k */
     double offset[3];  /* o_k */
+    int64_t period[3]; /* in cells of this octave; 2^32 without one */
 };
 
 struct oracle {

@@ -49,6 +49,11 @@ static const struct {
      {.octaves = 8.0f, .lacunarity = 2.17f, .gain = 0.45f, .amplitude = -0.25f, .rotate = 9},
      16.0f,
      0x1p16},
+    {"4, powers", {.seed = 3, .octaves = 4.0f, .period = {4, 1, 64}}, 64.0f, 0x1p40},
+    {"4, periods",
+     {.seed = 4, .octaves = 4.0f, .lacunarity = 3.0f, .frequency = 0.7, .period = {5, 289, 0}},
+     64.0f,
+     0x1p30},
 };
 
 /*

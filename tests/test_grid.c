@@ -33,6 +33,20 @@ static uint64_t pick(uint64_t *state, uint64_t n)
     return check_random(state) % n;
 }
 
+/* Periods come with straight axes and an integral lacunarity. */
+static void random_periods(struct scarp_noise *noise, uint64_t *state)
+{
+    static const float lacunarity[] = {1.0f, 2.0f, 2.0f, 3.0f, 4.0f};
+    static const uint32_t periods[] = {0, 1, 2, 3, 16, 289, 1 << 16};
+    const int powers = pick(state, 2) == 0;
+    noise->rotate = 0;
+    noise->lacunarity = lacunarity[pick(state, 5)];
+    for (int axis = 0; axis < 3; axis++) {
+        const uint32_t period = periods[pick(state, 7)];
+        noise->period[axis] = powers && period % 2 != 0 ? 32 : period;
+    }
+}
+
 static void random_noise(struct scarp_noise *noise, uint64_t *state)
 {
     static const float octaves[] = {1.0f, 1.0f, 2.0f, 3.5f, 8.0f};
@@ -46,6 +60,9 @@ static void random_noise(struct scarp_noise *noise, uint64_t *state)
     noise->octaves = octaves[pick(state, 5)];
     noise->lacunarity = lacunarity[pick(state, 4)];
     noise->frequency = pick(state, 2) == 0 ? 1.0 : 0.37;
+    if (pick(state, 3) == 0) {
+        random_periods(noise, state);
+    }
 }
 
 /* Picks a step: a fraction of a cell, some cells, 0, backwards, too far for the lattice, or such

@@ -73,6 +73,7 @@ static void test_plan_used(const struct reserved_test *t)
                                           .octaves = 3.5f,
                                           .rotate = (uint32_t)i % 2,
                                           .seed = (uint64_t)i,
+                                          .period = {i == 2, i == 4 ? 3 : 0, 0},
                                           .basis = (enum scarp_basis)(i % 3 == 0)};
         for (int call = 0; call < RESERVED_CALLS; call++) {
             const struct scarp_plan plan = plan_of(&noise, plan_dimensions(call));
@@ -102,7 +103,8 @@ static void test_plan_stale(const struct reserved_test *t)
         {.octaves = 2.0f, .seed = 1, .frequency = 0.7, .lacunarity = 1.9f},
         {.octaves = 3.0f, .seed = 1, .frequency = 0.7, .lacunarity = 1.8f},
         {.octaves = 3.0f, .seed = 1, .frequency = 0.7, .lacunarity = 1.9f, .gain = 0.6f},
-        {.octaves = 3.0f, .seed = 1, .frequency = 0.7, .lacunarity = 1.9f, .amplitude = 2.0f}};
+        {.octaves = 3.0f, .seed = 1, .frequency = 0.7, .lacunarity = 1.9f, .amplitude = 2.0f},
+        {.octaves = 3.0f, .seed = 1, .frequency = 0.7, .lacunarity = 2.0f, .period = {0, 3}}};
     for (int call = 0; call < RESERVED_CALLS; call++) {
         const int dimensions = plan_dimensions(call);
         for (size_t i = 0; i < sizeof others / sizeof others[0]; i++) {
@@ -161,7 +163,7 @@ static void test_plan_refused(const struct reserved_test *t)
                                       {.octaves = NAN},
                                       {.frequency = -1.0},
                                       {.phase = 1.0f},
-                                      {.period = {0, 0, 1}},
+                                      {.period = {0, 0x40000001, 0}},
                                       {.spare0 = 1},
                                       {.warp = &good},
                                       {.spare = {1}}};

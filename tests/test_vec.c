@@ -110,6 +110,13 @@ static void test_bits_of_lanes(void)
     run_uu("turn by 8", ops->turn8, turn8, number_bits32, numbers32);
     run_dd("square root", ops->sqrt_d, sqrt, number_d, numbers_d);
     ops->numbers(numbers);
+    const uint32_t none[LANES_MAX] = {0};
+    CHECK(!ops->any(none), "no bit is set");
+    for (int i = 0; i < lanes * 32; i++) {
+        uint32_t one[LANES_MAX] = {0};
+        one[i / 32] = (uint32_t)1 << i % 32;
+        CHECK(ops->any(one), "bit %d of lane %d is set", i % 32, i / 32);
+    }
     for (int i = 0; i < lanes; i++) {
         CHECK(numbers[i] == (uint32_t)i, "lane %d has the number %u", i, numbers[i]);
     }

@@ -164,7 +164,8 @@ _Static_assert(sizeof few_passes / sizeof few_passes[0] == SCARP_BASES, "each ba
 static few_pass *few_pass_of(const struct scarp_call_plan *plan, int dimensions, enum layout layout)
 {
     const int pass = plan->order > 0 ? 2 : layout == DOUBLES;
-    return plan->fractal == SCARP_FBM && !plan->rotate && plan->order <= FEW_ORDER
+    return plan->fractal == SCARP_FBM && !plan->rotate && plan->order <= FEW_ORDER &&
+                   plan->repeat == SCARP_REPEAT_NEVER
                ? few_passes[plan->basis][dimensions - 2][pass]
                : NULL;
 }

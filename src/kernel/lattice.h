@@ -44,10 +44,18 @@ struct axis {
     vu h0, h1;
 };
 
-VEC_INLINE struct axis hash_axis(vu cell, uint32_t multiplier, uint32_t key)
+static const uint32_t hash_multiplier[3] = {HASH_X, HASH_Y, HASH_Z};
+
+/* `i` is the number of the axis. After the last cell of a period comes cell 0. */
+VEC_INLINE struct axis hash_axis(vu cell, const struct scarp_octave *o, int i, enum axes axes)
 {
-    const vu a0 = cell * vu_set(multiplier) + vu_set(key);
-    const vu a1 = a0 + vu_set(multiplier);
+    const uint32_t multiplier = hash_multiplier[i];
+    const vu a0 = cell * vu_set(multiplier) + vu_set(o->key[i]);
+    vu a1 = a0 + vu_set(multiplier);
+    if (axes_repeat(axes)) {
+        const uint32_t period = o->last[i] + 1;
+        a1 -= (vu)(cell == vu_set(o->last[i])) & vu_set(period * multiplier);
+    }
     const struct axis axis = {vu_turn8(a0), vu_turn8(a1)};
     return axis;
 }
@@ -72,10 +80,10 @@ VEC_INLINE vu hash_corner(vu x, vu yz)
 
 /* Puts a block of positions, of which z is unset in 2D, and the hashes of their corners. */
 VEC_INLINE void lattice_put(vf *lattice, const struct scarp_octave *o, const struct split at[3],
-                            int dimensions)
+                            enum axes axes, int dimensions)
 {
-    const struct axis hx = hash_axis(at[0].cell, HASH_X, o->key[0]);
-    const struct axis hy = hash_axis(at[1].cell, HASH_Y, o->key[1]);
+    const struct axis hx = hash_axis(at[0].cell, o, 0, axes);
+    const struct axis hy = hash_axis(at[1].cell, o, 1, axes);
     if (dimensions == 2) {
         struct lattice2 *const l = (struct lattice2 *)lattice;
         l->t[0] = at[0].t;
@@ -86,7 +94,7 @@ VEC_INLINE void lattice_put(vf *lattice, const struct scarp_octave *o, const str
         l->hash[1][1] = (vf)hash_corner(hx.h1, hy.h1);
     } else {
         struct lattice3 *const l = (struct lattice3 *)lattice;
-        const struct corners_yz yz = hash_yz(hy, hash_axis(at[2].cell, HASH_Z, o->key[2]));
+        const struct corners_yz yz = hash_yz(hy, hash_axis(at[2].cell, o, 2, axes));
         l->t[0] = at[0].t;
         l->t[1] = at[1].t;
         l->t[2] = at[2].t;
@@ -101,20 +109,43 @@ VEC_INLINE void lattice_put(vf *lattice, const struct scarp_octave *o, const str
     }
 }
 
+/* Does once more what lattice_run does with periods and floats, of which some are far. */
+static __attribute__((noinline, cold)) void lattice_far(vf *lattice, const struct scarp_octave *o,
+                                                        size_t blocks, const struct positions *at,
+                                                        int dimensions)
+{
+    const struct frame f = {FLOATS, AXES_PERIODS, dimensions};
+    for (size_t b = 0; b < blocks; b++) {
+        struct split s[3];
+        for (int i = 0; i < dimensions; i++) {
+            s[i] = position(o, i, at, b, f);
+            s[i].cell = within_far(s[i].cell, o, i);
+        }
+        lattice_put(lattice + b * lattice_size(dimensions), o, s, AXES_PERIODS, dimensions);
+    }
+}
+
 VEC_INLINE void lattice_run(vf *lattice, const struct scarp_octave *octave, size_t blocks,
                             const struct positions *positions, struct frame f)
 {
     const struct scarp_octave o = *octave; /* copies: nothing that is stored can alias them */
     const struct positions at = *positions;
+    const int reduces = f.layout == FLOATS && f.axes == AXES_PERIODS;
+    vu far = vu_set(0);
     for (size_t b = 0; b < blocks; b++) {
         struct split s[3];
-        s[0] = position(&o, 0, &at, b, f);
-        s[1] = position(&o, 1, &at, b, f);
-        if (f.dimensions == 3) {
-            s[2] = position(&o, 2, &at, b, f);
+        for (int i = 0; i < f.dimensions; i++) {
+            s[i] = position(&o, i, &at, b, f);
+            if (reduces) {
+                far |= far_bits(s[i].cell);
+                const vf lower = vf_floor(position_f32(&o, i, &at, b, f));
+                s[i].cell = within_f32(s[i].cell, lower, &o, i);
+            }
         }
-        lattice_put(lattice, &o, s, f.dimensions);
-        lattice += lattice_size(f.dimensions);
+        lattice_put(lattice + b * lattice_size(f.dimensions), &o, s, f.axes, f.dimensions);
+    }
+    if (reduces && vu_any(far & vu_set(FAR_BITS))) {
+        lattice_far(lattice, octave, blocks, positions, f.dimensions);
     }
 }
 
@@ -130,10 +161,18 @@ VEC_INLINE void lattice_run(vf *lattice, const struct scarp_octave *octave, size
     LATTICE_PASS(lattice##dimensions##_##layout##_straight, dimensions, layout, AXES_STRAIGHT)
 #define LATTICE_PASSES(dimensions, layout)                                                         \
     LATTICE_STRAIGHT(dimensions, layout)                                                           \
-    LATTICE_PASS(lattice##dimensions##_##layout##_turned, dimensions, layout, AXES_TURNED)
-#define LATTICE_NAMES(dimensions, layout, turned)                                                  \
+    LATTICE_PASS(lattice##dimensions##_##layout##_turned, dimensions, layout, AXES_TURNED)         \
+    LATTICE_PASS(lattice##dimensions##_##layout##_powers, dimensions, layout, AXES_POWERS)         \
+    LATTICE_PASS(lattice##dimensions##_##layout##_periods, dimensions, layout, AXES_PERIODS)
+#define STRAIGHT_NAMES(dimensions, layout)                                                         \
+    [AXES_FIRST] = lattice##dimensions##_##layout##_first,                                         \
+    [AXES_STRAIGHT] = lattice##dimensions##_##layout##_straight
+#define LATTICE_NAMES(dimensions, layout)                                                          \
     {                                                                                              \
-        lattice##dimensions##_##layout##_first, lattice##dimensions##_##layout##_straight, turned  \
+        STRAIGHT_NAMES(dimensions, layout),                                                        \
+            [AXES_TURNED] = lattice##dimensions##_##layout##_turned,                               \
+            [AXES_POWERS] = lattice##dimensions##_##layout##_powers,                               \
+            [AXES_PERIODS] = lattice##dimensions##_##layout##_periods,                             \
     }
 
 LATTICE_PASSES(2, FLOATS)
@@ -143,17 +182,17 @@ LATTICE_PASSES(3, FLOATS)
 LATTICE_PASSES(3, DOUBLES)
 LATTICE_STRAIGHT(3, ROW)
 
-/* By [dimensions - 2][layout][axes]. Rows with turned axes are placed by rows/turned.h. */
+/* By [dimensions - 2][layout][axes]. Rows with turned axes are placed by rows/turned.h, those with
+   periods by rows/along.h: a basis that has periods has a rows pass. */
 static lattice_pass *const lattice_passes[2][LAYOUTS][AXES_KINDS] = {
-    {LATTICE_NAMES(2, FLOATS, lattice2_FLOATS_turned),
-     LATTICE_NAMES(2, DOUBLES, lattice2_DOUBLES_turned), LATTICE_NAMES(2, ROW, NULL)},
-    {LATTICE_NAMES(3, FLOATS, lattice3_FLOATS_turned),
-     LATTICE_NAMES(3, DOUBLES, lattice3_DOUBLES_turned), LATTICE_NAMES(3, ROW, NULL)},
+    {LATTICE_NAMES(2, FLOATS), LATTICE_NAMES(2, DOUBLES), {STRAIGHT_NAMES(2, ROW)}},
+    {LATTICE_NAMES(3, FLOATS), LATTICE_NAMES(3, DOUBLES), {STRAIGHT_NAMES(3, ROW)}},
 };
 
 #undef LATTICE_PASS
 #undef LATTICE_STRAIGHT
 #undef LATTICE_PASSES
 #undef LATTICE_NAMES
+#undef STRAIGHT_NAMES
 
 #endif

@@ -10,8 +10,9 @@
 #include "../plan.h"
 
 /* How an octave places x: p = f x (octave 0, since adding its offset of 0 would cost 3 to 5 % of a
-   single octave), p = f x + o, or p = J x + o. */
-enum axes { AXES_FIRST, AXES_STRAIGHT, AXES_TURNED, AXES_KINDS };
+   single octave), p = f x + o, or p = J x + o. On a lattice that repeats it is p = f x + o, and
+   cells are numbered within the period: powers of two, or any numbers. */
+enum axes { AXES_FIRST, AXES_STRAIGHT, AXES_TURNED, AXES_POWERS, AXES_PERIODS, AXES_KINDS };
 
 /* How coordinates are given: an array for each axis; or, for a row of a grid, an array of doubles
    for x, and for y and z numbers that the whole row shares. */
@@ -31,11 +32,21 @@ struct frame {
 
 static enum axes axes_of(const struct scarp_call_plan *plan, int octave)
 {
+    switch (plan->repeat) {
+    case SCARP_REPEAT_POWERS: return AXES_POWERS;
+    case SCARP_REPEAT_ANY: return AXES_PERIODS;
+    case SCARP_REPEAT_NEVER: break;
+    }
     return octave == 0 ? AXES_FIRST : plan->rotate ? AXES_TURNED : AXES_STRAIGHT;
 }
 
-/* The lower corner of the cell modulo 2^32, and the place inside, along one axis. The place is in
-   [0, 1]: rounding can reach 1. */
+static int axes_repeat(enum axes axes)
+{
+    return axes == AXES_POWERS || axes == AXES_PERIODS;
+}
+
+/* The lower corner of the cell, modulo 2^32 or within the period, and the place inside, along one
+   axis. The place is in [0, 1]: rounding can reach 1. */
 struct split {
     vu cell;
     vf t;
@@ -56,6 +67,51 @@ VEC_INLINE struct split split_f64(vd p0, vd p1)
     const struct split s = {vu_low_bits(lower0 + 0x1.8p52, lower1 + 0x1.8p52),
                             vf_from_vd(p0 - lower0, p1 - lower1)};
     return s;
+}
+
+/* A cell within the period, which is a power of two. */
+VEC_INLINE vu within_power(vu cell, const struct scarp_octave *o, int axis)
+{
+    return cell & vu_set(o->last[axis]);
+}
+
+/* The same for any period, right where |cell| < 2^22: there the error of a quotient, 2^-23 of it,
+   is less than half a cell, and (cell + 1/2) / period is at least that far from the next integer.
+ */
+VEC_INLINE vu within_f32(vu cell, vf lower, const struct scarp_octave *o, int axis)
+{
+    const vf quotient = (lower + vf_set(0.5f)) * vf_set((float)(1.0 / scarp_period(o, axis)));
+    return cell - vu_from_vf(vf_floor(quotient)) * vu_set(o->last[axis] + 1);
+}
+
+/* Bits that are set where |cell| >= 2^22, and in some lanes below. */
+#define FAR_BITS 0xff800000u
+
+VEC_INLINE vu far_bits(vu cell)
+{
+    return cell + vu_set(0x400000);
+}
+
+/* The same for any cell, lane by lane. */
+VEC_INLINE vu within_far(vu cell, const struct scarp_octave *o, int axis)
+{
+    uint32_t cells[VEC_LANES];
+    vu_store(cells, cell);
+    for (size_t i = 0; i < VEC_LANES; i++) {
+        const int64_t period = (int64_t)o->last[axis] + 1;
+        const int64_t remainder = (int64_t)(int32_t)cells[i] % period;
+        cells[i] = (uint32_t)(remainder < 0 ? remainder + period : remainder);
+    }
+    return vu_load(cells);
+}
+
+/* The remainder of cells, right below 2^50. The order of operations is that of the reference, also
+   beyond. */
+VEC_INLINE vd within_f64(vd lower, const struct scarp_octave *o, int axis)
+{
+    const double period = scarp_period(o, axis);
+    const vd quotient = (lower + vd_set(0.5)) * vd_set(1.0 / period);
+    return lower - vd_floor(quotient) * vd_set(period);
 }
 
 VEC_INLINE vf load_f32(const struct positions *at, int axis, size_t block)
@@ -104,14 +160,26 @@ VEC_INLINE vf position_f32(const struct scarp_octave *o, int axis, const struct 
     return p + vf_set(o->offset[axis]);
 }
 
+/* Cells of FLOATS within AXES_PERIODS are left as they are: see within_f32. */
 VEC_INLINE struct split position(const struct scarp_octave *o, int axis, const struct positions *at,
                                  size_t block, struct frame f)
 {
+    struct split s;
     if (f.layout == FLOATS) {
-        return split_f32(position_f32(o, axis, at, block, f));
+        s = split_f32(position_f32(o, axis, at, block, f));
+    } else {
+        const vd p0 = position_f64(o, axis, at, block, 0, f);
+        const vd p1 = position_f64(o, axis, at, block, 1, f);
+        s = split_f64(p0, p1);
+        if (f.axes == AXES_PERIODS) {
+            s.cell = vu_low_bits(within_f64(vd_floor(p0), o, axis) + 0x1.8p52,
+                                 within_f64(vd_floor(p1), o, axis) + 0x1.8p52);
+        }
     }
-    return split_f64(position_f64(o, axis, at, block, 0, f),
-                     position_f64(o, axis, at, block, 1, f));
+    if (f.axes == AXES_POWERS) {
+        s.cell = within_power(s.cell, o, axis);
+    }
+    return s;
 }
 
 #endif

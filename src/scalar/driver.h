@@ -19,7 +19,7 @@ static struct sample octave_at(const struct scarp_call_plan *plan, int k, const 
 {
     const struct scarp_octave *const o = &plan->octave[k];
     const int turned = is_turned(plan, k);
-    const struct place place = place_of(o, turned, x, dimensions);
+    const struct place place = place_of(plan, k, x, dimensions);
     const struct sample basis = basis_at(plan, o, &place, dimensions);
     struct sample n = in_input(o, turned, &basis, dimensions);
     switch (plan->fractal) {

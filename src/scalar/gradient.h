@@ -50,8 +50,8 @@ static inline const float *direction3(uint32_t hash)
 static inline struct column gradient_column2(const uint32_t key[3], uint32_t x,
                                              const struct place *p, struct fade v)
 {
-    const float *const g0 = direction2(hash2(key, x, p->cell[1]));
-    const float *const g1 = direction2(hash2(key, x, p->cell[1] + 1));
+    const float *const g0 = direction2(hash2(key, x, p->cell[1][0]));
+    const float *const g1 = direction2(hash2(key, x, p->cell[1][1]));
     const float y = p->t[1];
     const float dgx = g1[0] - g0[0];
     const float dot0 = g0[1] * y;
@@ -65,8 +65,7 @@ static inline struct column gradient_column2(const uint32_t key[3], uint32_t x,
     return c;
 }
 
-/* The lattice edge along z from the point `end`, interpolated over z. (ty, tz) is the place
-   relative to it, w the fade along z. */
+/* A lattice edge along z, interpolated over z. */
 struct edge {
     struct line value; /* in x */
     float z, zz;       /* first and second z derivative of value.b */
@@ -74,11 +73,11 @@ struct edge {
     float dgx;         /* difference of the x components of the corners */
 };
 
-static inline struct edge gradient_edge(const uint32_t key[3], const uint32_t end[3], float ty,
-                                        float tz, struct fade w)
+/* g0 and g1 are the gradients at its ends, (ty, tz) is the place relative to the first, w the fade
+   along z. */
+static inline struct edge gradient_edge(const float *g0, const float *g1, float ty, float tz,
+                                        struct fade w)
 {
-    const float *const g0 = direction3(hash3(key, end[0], end[1], end[2]));
-    const float *const g1 = direction3(hash3(key, end[0], end[1], end[2] + 1));
     const float dgx = g1[0] - g0[0];
     const float dgy = g1[1] - g0[1];
     const float dgz = g1[2] - g0[2];
@@ -100,10 +99,14 @@ static inline struct column gradient_column3(const uint32_t key[3], uint32_t x,
                                              const struct place *p, struct fade v, struct fade w)
 {
     const float y = p->t[1], z = p->t[2];
-    const uint32_t *const cell = p->cell;
-    const uint32_t lower[3] = {x, cell[1], cell[2]}, upper[3] = {x, cell[1] + 1, cell[2]};
-    const struct edge e0 = gradient_edge(key, lower, y, z, w);
-    const struct edge e1 = gradient_edge(key, upper, y - 1.0f, z, w);
+    const float *g[2][2]; /* [y][z] */
+    for (int i = 0; i < 2; i++) {
+        for (int j = 0; j < 2; j++) {
+            g[i][j] = direction3(hash3(key, x, p->cell[1][i], p->cell[2][j]));
+        }
+    }
+    const struct edge e0 = gradient_edge(g[0][0], g[0][1], y, z, w);
+    const struct edge e1 = gradient_edge(g[1][0], g[1][1], y - 1.0f, z, w);
     const float da = e1.value.a - e0.value.a;
     const float db = e1.value.b - e0.value.b;
     const float dgy = e1.gy - e0.gy;

@@ -17,36 +17,51 @@ struct point {
     double f64[3];
 };
 
-/* A point of one octave: the cell's lower corner, modulo 2^32, and the position inside, in [0, 1]
-   (rounding can reach 1; the noise is continuous there). */
+/* A point of one octave: along each axis the numbers of the lattice points on either side, modulo
+   2^32 or the period, and the position in between, in [0, 1] (rounding can reach 1; the noise is
+   continuous there). */
 struct place {
-    uint32_t cell[3];
+    uint32_t cell[3][2];
     float t[3];
 };
 
+/* The remainder of a cell by the period along axis i, in [0, period). */
+static inline uint32_t within_period(const struct scarp_octave *o, int i, int32_t cell)
+{
+    const int64_t period = (int64_t)o->last[i] + 1;
+    const int64_t remainder = cell % period;
+    return (uint32_t)(remainder < 0 ? remainder + period : remainder);
+}
+
 /* Float positions. Outside [-2^31, 2^31) the cell is -2^31 and the fraction p - p: 0, or NaN where
    p is not finite. */
-static inline void split_f32(float p, uint32_t *cell, float *t)
+static inline void split_f32(float p, const struct scarp_octave *o, int i, uint32_t *cell, float *t)
 {
     if (fabsf(p) < 0x1p31f) {
         const int32_t whole = (int32_t)p;
         const int32_t lower = whole - ((float)whole > p);
-        *cell = (uint32_t)lower;
+        *cell = within_period(o, i, lower);
         *t = p - (float)lower;
     } else {
-        *cell = 0x80000000u;
+        *cell = within_period(o, i, INT32_MIN);
         *t = p - p;
     }
 }
 
-/* Double positions. The sum with 1.5 * 2^52 has the floor, modulo 2^32, in its low bits. */
-static inline void split_f64(double p, uint32_t *cell, float *t)
+/* Double positions. The remainder is right below 2^50 cells; half a cell keeps quotients away from
+   where rounding would change their floor. The sum with 1.5 * 2^52 has the cell, modulo 2^32, in
+   its low bits, which are the remainder where the period is a power of two. */
+static inline void split_f64(double p, const struct scarp_octave *o, int i,
+                             enum scarp_repeat repeat, uint32_t *cell, float *t)
 {
     const double lower = floor(p);
-    const double shifted = lower + 0x1.8p52;
+    const int any = repeat == SCARP_REPEAT_ANY;
+    const double period = scarp_period(o, i);
+    const double multiple = floor((lower + 0.5) * (1.0 / period)) * period;
+    const double shifted = (any ? lower - multiple : lower) + 0x1.8p52;
     uint64_t bits;
     memcpy(&bits, &shifted, sizeof bits);
-    *cell = (uint32_t)bits;
+    *cell = any ? (uint32_t)bits : (uint32_t)bits & o->last[i];
     *t = (float)(p - lower);
 }
 
@@ -79,17 +94,22 @@ static inline double position_f64(const struct scarp_octave *o, int turned, cons
     return p + o->offset64[i];
 }
 
-/* p, split into cell and fraction. */
-static inline struct place place_of(const struct scarp_octave *o, int turned, const struct point *x,
-                                    int dimensions)
+/* p in octave k, split into cell and fraction. */
+static inline struct place place_of(const struct scarp_call_plan *plan, int k,
+                                    const struct point *x, int dimensions)
 {
-    struct place place = {{0}, {0}};
+    const struct scarp_octave *const o = &plan->octave[k];
+    const int turned = is_turned(plan, k);
+    struct place place = {{{0}}, {0}};
     for (int i = 0; i < dimensions; i++) {
         if (x->doubles) {
-            split_f64(position_f64(o, turned, x->f64, i, dimensions), &place.cell[i], &place.t[i]);
+            split_f64(position_f64(o, turned, x->f64, i, dimensions), o, i, plan->repeat,
+                      place.cell[i], &place.t[i]);
         } else {
-            split_f32(position_f32(o, turned, x->f32, i, dimensions), &place.cell[i], &place.t[i]);
+            split_f32(position_f32(o, turned, x->f32, i, dimensions), o, i, place.cell[i],
+                      &place.t[i]);
         }
+        place.cell[i][1] = place.cell[i][0] == o->last[i] ? 0 : place.cell[i][0] + 1;
     }
     return place;
 }

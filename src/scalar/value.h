@@ -17,8 +17,8 @@ static inline float lattice_value(uint32_t hash)
 static inline struct column value_column2(const uint32_t key[3], uint32_t x, const struct place *p,
                                           struct fade v)
 {
-    const float c0 = lattice_value(hash2(key, x, p->cell[1]));
-    const float c1 = lattice_value(hash2(key, x, p->cell[1] + 1));
+    const float c0 = lattice_value(hash2(key, x, p->cell[1][0]));
+    const float c1 = lattice_value(hash2(key, x, p->cell[1][1]));
     const float d = c1 - c0;
     const struct column c = {
         .value.b = c0 + v.u * d, .y.b = v.du * d, .yy.b = v.ddu * d, .flat = 1};
@@ -28,11 +28,11 @@ static inline struct column value_column2(const uint32_t key[3], uint32_t x, con
 static inline struct column value_column3(const uint32_t key[3], uint32_t x, const struct place *p,
                                           struct fade v, struct fade w)
 {
-    const uint32_t y = p->cell[1], z = p->cell[2];
-    const float c00 = lattice_value(hash3(key, x, y, z));
-    const float c01 = lattice_value(hash3(key, x, y, z + 1));
-    const float c10 = lattice_value(hash3(key, x, y + 1, z));
-    const float c11 = lattice_value(hash3(key, x, y + 1, z + 1));
+    const uint32_t *const y = p->cell[1], *const z = p->cell[2];
+    const float c00 = lattice_value(hash3(key, x, y[0], z[0]));
+    const float c01 = lattice_value(hash3(key, x, y[0], z[1]));
+    const float c10 = lattice_value(hash3(key, x, y[1], z[0]));
+    const float c11 = lattice_value(hash3(key, x, y[1], z[1]));
     const float dz0 = c01 - c00;
     const float dz1 = c11 - c10;
     const float e0 = c00 + w.u * dz0;

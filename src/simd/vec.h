@@ -180,6 +180,18 @@ VEC_INLINE vu vu_choose(vu mask, vu a, vu b)
 }
 #endif
 
+/* Whether any bit is set. */
+#ifndef VU_ANY_OWN
+VEC_INLINE int vu_any(vu a)
+{
+    uint32_t any = 0;
+    for (int i = 0; i < VEC_LANES; i++) {
+        any |= a[i];
+    }
+    return any != 0;
+}
+#endif
+
 /* A mask: whether bit `bit` of a is set. */
 #ifndef VU_BIT_OWN
 VEC_INLINE vu vu_bit(vu a, int bit)

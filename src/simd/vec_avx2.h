@@ -109,6 +109,12 @@ VEC_INLINE void vf_store_part(float *p, vf v, size_t n)
     }
 }
 
+#define VU_ANY_OWN
+VEC_INLINE int vu_any(vu a)
+{
+    return !_mm256_testz_si256((__m256i)a, (__m256i)a);
+}
+
 #define VF_FLOOR_OWN
 VEC_INLINE vf vf_floor(vf a)
 {

@@ -76,6 +76,12 @@ VEC_INLINE void vf_store_part(float *p, vf v, size_t n)
     _mm512_mask_storeu_ps(p, (__mmask16)((1u << n) - 1), (__m512)v);
 }
 
+#define VU_ANY_OWN
+VEC_INLINE int vu_any(vu a)
+{
+    return _mm512_test_epi32_mask((__m512i)a, (__m512i)a) != 0;
+}
+
 #define VF_FLOOR_OWN
 VEC_INLINE vf vf_floor(vf a)
 {

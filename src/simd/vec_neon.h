@@ -49,6 +49,12 @@ VEC_INLINE vd vd_set(double a)
     return (vd)vdupq_n_f64(a);
 }
 
+#define VU_ANY_OWN
+VEC_INLINE int vu_any(vu a)
+{
+    return vmaxvq_u32((uint32x4_t)a) != 0;
+}
+
 #define VF_FLOOR_OWN
 VEC_INLINE vf vf_floor(vf a)
 {

@@ -90,6 +90,12 @@ VEC_INLINE void vf_store_part(float *p, vf v, size_t n)
     }
 }
 
+#define VU_ANY_OWN
+VEC_INLINE int vu_any(vu a)
+{
+    return !_mm_testz_si128((__m128i)a, (__m128i)a);
+}
+
 #define VF_FLOOR_OWN
 VEC_INLINE vf vf_floor(vf a)
 {

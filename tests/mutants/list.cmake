@@ -21,6 +21,16 @@ mutant(positions.turned_offset IN kernel TEXT [[return p + vd_set(o->offset64[ax
 mutant(positions.huge IN kernel TEXT [[const vf lower = vf_floor(p);]]
        BECOMES [[const vf lower = MUTANT ? vf_from_vi((vi)vu_from_vf(vf_floor(p))) : vf_floor(p);]]
        SEEN_BY bits)
+mutant(positions.half_cell IN kernel TEXT [[(lower + vf_set(0.5f))]]
+       BECOMES [[(lower + vf_set(MUTANT ? 0.0f : 0.5f))]] SEEN_BY bits)
+mutant(positions.far IN kernel TEXT [[vu_any(far & vu_set(FAR_BITS))]]
+       BECOMES [[!MUTANT && vu_any(far & vu_set(FAR_BITS))]] SEEN_BY bits)
+mutant(positions.period_end IN kernel TEXT [[(vu)(cell == vu_set(o->last[i]))]]
+       BECOMES [[(vu)(cell == vu_set(o->last[i] - (uint32_t)MUTANT))]] SEEN_BY bits)
+mutant(positions.period_f64 IN kernel TEXT [[(lower + vd_set(0.5))]]
+       BECOMES [[(lower + vd_set(MUTANT ? 0.0 : 0.5))]] SEEN_BY bits)
+mutant(rows.period IN kernel TEXT [[next = next == o->last[0] ? 0 : next + 1]]
+       BECOMES [[next = !MUTANT && next == o->last[0] ? 0 : next + 1]] SEEN_BY grid)
 mutant(positions.hash IN kernel TEXT [[y.h1 ^ z.h1]]
        BECOMES [[(MUTANT ? y.h1 + z.h1 : y.h1 ^ z.h1)]] SEEN_BY bits)
 mutant(positions.reference IN scalar TEXT [[fabsf(p) < 0x1p31f]]
@@ -90,9 +100,9 @@ mutant(rows.in_column IN kernel TEXT [[runs && first == last]]
 mutant(rows.reach IN kernel TEXT [[right - base > VF_TABLE - 2]]
        BECOMES [[right - base > VF_TABLE - (MUTANT ? 1 : 2)]]
        SEEN_BY grid SETS sse4.1 neon) # with wider vectors, it takes thousands of grids
-mutant(rows.columns IN kernel TEXT [[(vf)hash_axis(column, HASH_X, o->key[0]).h0]]
-       BECOMES [[MUTANT ? (vf)hash_axis(column, HASH_X, o->key[0]).h1
-                        : (vf)hash_axis(column, HASH_X, o->key[0]).h0]] SEEN_BY grid)
+mutant(rows.columns IN kernel TEXT [[(vf)hash_axis(column, o, 0, f.axes).h0]]
+       BECOMES [[MUTANT ? (vf)hash_axis(column, o, 0, f.axes).h1
+                        : (vf)hash_axis(column, o, 0, f.axes).h0]] SEEN_BY grid)
 mutant(rows.slide IN kernel TEXT [[slides ? (left - lowest) % VEC_LANES : 0]]
        BECOMES [[slides && !MUTANT ? (left - lowest) % VEC_LANES : 0]] SEEN_BY grid SETS avx512)
 

@@ -111,6 +111,11 @@ static void exact_fma(float *out, const float *a, const float *b, const float *c
     vf_store(out, vf_exact_fma(vf_load(a), vf_load(b), vf_load(c)));
 }
 
+static int any(const uint32_t *in)
+{
+    return vu_any(vu_load(in));
+}
+
 static void turn8(uint32_t *out, const uint32_t *in)
 {
     vu_store(out, vu_turn8(vu_load(in)));
@@ -192,6 +197,7 @@ const struct vec_operations VEC_OPERATIONS(KERNELS) = {
     .sqrt_d = sqrt_d,
     .exact_fma = exact_fma,
     .turn8 = turn8,
+    .any = any,
     .multiply = multiply,
     .shift = shift,
     .less = less,

@@ -150,27 +150,61 @@ static int cells_in_order(const struct scarp_octave *o, const double *position, 
            width > -0x1p30 && width < 0x1p30;
 }
 
+/* Hashes the two columns of each sample. */
+VEC_INLINE void hash_samples(struct along_x *x, const struct scarp_octave *o, const uint32_t *cells,
+                             const struct positions *at, struct frame f)
+{
+    for (size_t b = 0; b < x->blocks; b++) {
+        const vu cell =
+            axes_repeat(f.axes) ? position(o, 0, at, b, f).cell : vu_load(cells + b * VEC_LANES);
+        const struct axis h = hash_axis(cell, o, 0, f.axes);
+        x->hash[2 * b] = (vf)h.h0;
+        x->hash[2 * b + 1] = (vf)h.h1;
+    }
+}
+
+/* Hashes the columns from the lowest one on. */
+VEC_INLINE void hash_columns(struct along_x *x, const struct scarp_octave *o, const uint32_t *cells,
+                             const struct positions *at, struct frame f)
+{
+    for (size_t b = 0; !axes_repeat(f.axes) && b < x->column_blocks; b++) {
+        const vu column = vu_lanes() + vu_set(x->lowest + (uint32_t)(b * VEC_LANES));
+        x->hash[b] = (vf)hash_axis(column, o, 0, f.axes).h0;
+    }
+    if (axes_repeat(f.axes)) {
+        const int upwards = cells[0] == x->lowest;
+        uint32_t column[VEC_LANES];
+        vu_store(column, position(o, 0, at, upwards ? 0 : x->blocks - 1, f).cell);
+        uint32_t next = column[upwards ? 0 : VEC_LANES - 1];
+        for (size_t b = 0; b < x->column_blocks; b++) {
+            for (size_t i = 0; i < VEC_LANES; i++) {
+                column[i] = next;
+                next = next == o->last[0] ? 0 : next + 1;
+            }
+            x->hash[b] = (vf)hash_axis(vu_load(column), o, 0, f.axes).h0;
+        }
+    }
+}
+
 /* Prepares the octave at a strip, whose coordinates are at->array[0]. */
 VEC_INLINE void along_x_run(struct along_x *x, const struct scarp_octave *o, size_t blocks,
                             const struct positions *at, enum scarp_fade kind, struct frame f)
 {
     uint32_t cells[STRIP_BLOCKS * VEC_LANES];
+    struct frame straight = f; /* cells go on where the lattice repeats */
+    straight.axes = axes_repeat(f.axes) ? AXES_STRAIGHT : f.axes;
     x->blocks = blocks;
     for (size_t b = 0; b < blocks; b++) {
-        const struct split s = position(o, 0, at, b, f);
+        const struct split s = position(o, 0, at, b, straight);
         vu_store(cells + b * VEC_LANES, s.cell);
         x->block[b].t = s.t;
         x->block[b].fade = fade(kind, s.t);
     }
     x->kind = cells_in_order(o, at->array[0], blocks) ? place_columns(x, cells, blocks) : WIDE;
-    for (size_t b = 0; x->kind == WIDE && b < blocks; b++) {
-        const struct axis h = hash_axis(vu_load(cells + b * VEC_LANES), HASH_X, o->key[0]);
-        x->hash[2 * b] = (vf)h.h0;
-        x->hash[2 * b + 1] = (vf)h.h1;
-    }
-    for (size_t b = 0; x->kind != WIDE && b < x->column_blocks; b++) {
-        const vu column = vu_lanes() + vu_set(x->lowest + (uint32_t)(b * VEC_LANES));
-        x->hash[b] = (vf)hash_axis(column, HASH_X, o->key[0]).h0;
+    if (x->kind == WIDE) {
+        hash_samples(x, o, cells, at, f);
+    } else {
+        hash_columns(x, o, cells, at, f);
     }
 }
 
@@ -194,13 +228,13 @@ static void along_rows(struct along_rows *rows, const struct scarp_octave *o, si
     struct axis hz;
     if (dimensions == 3) {
         const struct split sz = position(o, 2, at, 0, f);
-        hz = hash_axis(sz.cell, HASH_Z, o->key[2]);
+        hz = hash_axis(sz.cell, o, 2, f.axes);
         rows->z = sz.t;
         rows->w = fade(fade_kind, sz.t);
     }
     for (size_t r = 0; r < count; r += VEC_LANES) {
         const struct split sy = position(o, 1, at, r / VEC_LANES, f);
-        const struct axis hy = hash_axis(sy.cell, HASH_Y, o->key[1]);
+        const struct axis hy = hash_axis(sy.cell, o, 1, f.axes);
         const struct fade v = fade(fade_kind, sy.t);
         vf_store(rows->y + r, sy.t);
         vf_store(rows->s + r, v.s);

@@ -129,7 +129,7 @@ VEC_INLINE void turned_row_run(vf *lattice, const struct scarp_octave *o, size_t
             for (int i = 0; i < dimensions; i++) {
                 at[i] = split_f64(p[i][0], p[i][1]);
             }
-            lattice_put(lattice, o, at, dimensions);
+            lattice_put(lattice, o, at, AXES_TURNED, dimensions);
         }
         lattice += lattice_size(dimensions);
     }
