@@ -100,6 +100,7 @@ static void test_rounding(void)
     run_fu("u from f", ops->u_from_f, u_from_f, integral, integral_floats(integral));
     run_uf("f from i", ops->f_from_i, f_from_i, number_bits32, numbers32);
     run_df("f from d", ops->f_from_d, f_from_d, number_d, numbers_d);
+    run_df("f stored from d", ops->f_stored_d, f_from_d, number_d, numbers_d);
     run_fd("d from f", ops->d_from_f, d_from_f, number_f, numbers_f);
 }
 

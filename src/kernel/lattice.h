@@ -78,26 +78,21 @@ VEC_INLINE vu hash_corner(vu x, vu yz)
     return h * (h + vu_set(HASH_K));
 }
 
-/* Puts a block of positions, of which z is unset in 2D, and the hashes of their corners. */
-VEC_INLINE void lattice_put(vf *lattice, const struct scarp_octave *o, const struct split at[3],
-                            enum axes axes, int dimensions)
+/* Puts the hashes of the corners of a block of cells, of which z is unset in 2D. */
+VEC_INLINE void lattice_put_hashes(vf *lattice, const struct scarp_octave *o, const vu cell[3],
+                                   enum axes axes, int dimensions)
 {
-    const struct axis hx = hash_axis(at[0].cell, o, 0, axes);
-    const struct axis hy = hash_axis(at[1].cell, o, 1, axes);
+    const struct axis hx = hash_axis(cell[0], o, 0, axes);
+    const struct axis hy = hash_axis(cell[1], o, 1, axes);
     if (dimensions == 2) {
         struct lattice2 *const l = (struct lattice2 *)lattice;
-        l->t[0] = at[0].t;
-        l->t[1] = at[1].t;
         l->hash[0][0] = (vf)hash_corner(hx.h0, hy.h0);
         l->hash[0][1] = (vf)hash_corner(hx.h0, hy.h1);
         l->hash[1][0] = (vf)hash_corner(hx.h1, hy.h0);
         l->hash[1][1] = (vf)hash_corner(hx.h1, hy.h1);
     } else {
         struct lattice3 *const l = (struct lattice3 *)lattice;
-        const struct corners_yz yz = hash_yz(hy, hash_axis(at[2].cell, o, 2, axes));
-        l->t[0] = at[0].t;
-        l->t[1] = at[1].t;
-        l->t[2] = at[2].t;
+        const struct corners_yz yz = hash_yz(hy, hash_axis(cell[2], o, 2, axes));
         l->hash[0][0][0] = (vf)hash_corner(hx.h0, yz.h[0][0]);
         l->hash[0][0][1] = (vf)hash_corner(hx.h0, yz.h[0][1]);
         l->hash[0][1][0] = (vf)hash_corner(hx.h0, yz.h[1][0]);
@@ -107,6 +102,18 @@ VEC_INLINE void lattice_put(vf *lattice, const struct scarp_octave *o, const str
         l->hash[1][1][0] = (vf)hash_corner(hx.h1, yz.h[1][0]);
         l->hash[1][1][1] = (vf)hash_corner(hx.h1, yz.h[1][1]);
     }
+}
+
+/* Puts a block of positions, of which z is unset in 2D, and the hashes of their corners. */
+VEC_INLINE void lattice_put(vf *lattice, const struct scarp_octave *o, const struct split at[3],
+                            enum axes axes, int dimensions)
+{
+    vu cell[3];
+    for (int i = 0; i < dimensions; i++) {
+        lattice[i] = at[i].t;
+        cell[i] = at[i].cell;
+    }
+    lattice_put_hashes(lattice, o, cell, axes, dimensions);
 }
 
 /* Does once more what lattice_run does with periods and floats, of which some are far. */

@@ -271,6 +271,14 @@ VEC_INLINE vf vf_from_vd(vd low, vd high)
 }
 #endif
 
+/* Stores both at p, rounded to nearest. */
+#ifndef VF_STORE_VD_OWN
+VEC_INLINE void vf_store_vd(float *p, vd low, vd high)
+{
+    vf_store(p, vf_from_vd(low, high));
+}
+#endif
+
 /* The lanes below VEC_LANES / 2, exactly. */
 #ifndef VD_FROM_LOW_OWN
 VEC_INLINE vd vd_from_low(vf a)

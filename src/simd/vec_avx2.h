@@ -145,6 +145,13 @@ VEC_INLINE vf vf_from_vd(vd low, vd high)
     return (vf)_mm256_set_m128(_mm256_cvtpd_ps((__m256d)high), _mm256_cvtpd_ps((__m256d)low));
 }
 
+#define VF_STORE_VD_OWN
+VEC_INLINE void vf_store_vd(float *p, vd low, vd high)
+{
+    _mm_storeu_ps(p, _mm256_cvtpd_ps((__m256d)low));
+    _mm_storeu_ps(p + 4, _mm256_cvtpd_ps((__m256d)high));
+}
+
 #define VD_FROM_LOW_OWN
 VEC_INLINE vd vd_from_low(vf a)
 {

@@ -113,6 +113,13 @@ VEC_INLINE vf vf_from_vd(vd low, vd high)
                                   _mm512_cvtpd_ps((__m512d)high), 1);
 }
 
+#define VF_STORE_VD_OWN
+VEC_INLINE void vf_store_vd(float *p, vd low, vd high)
+{
+    _mm256_storeu_ps(p, _mm512_cvtpd_ps((__m512d)low));
+    _mm256_storeu_ps(p + 8, _mm512_cvtpd_ps((__m512d)high));
+}
+
 #define VD_FROM_LOW_OWN
 VEC_INLINE vd vd_from_low(vf a)
 {
@@ -128,8 +135,9 @@ VEC_INLINE vd vd_from_high(vf a)
 #define VU_LOW_BITS_OWN
 VEC_INLINE vu vu_low_bits(vd low, vd high)
 {
-    return (vu)_mm512_inserti32x8(_mm512_castsi256_si512(_mm512_cvtepi64_epi32((__m512i)low)),
-                                  _mm512_cvtepi64_epi32((__m512i)high), 1);
+    const __m512i even =
+        _mm512_setr_epi32(0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24, 26, 28, 30);
+    return (vu)_mm512_permutex2var_epi32((__m512i)low, even, (__m512i)high);
 }
 
 #define VD_SQRT_OWN

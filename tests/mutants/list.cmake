@@ -108,6 +108,8 @@ mutant(rows.slide IN kernel TEXT [[slides ? (left - lowest) % VEC_LANES : 0]]
 
 mutant(rows.turned_same IN kernel TEXT [[(vec_u64)(cell == left)]]
        BECOMES [[(MUTANT && i > 0 ? same : (vec_u64)(cell == left))]] SEEN_BY grid)
+mutant(rows.turned_next IN kernel TEXT [[cell[i] = next[i];]]
+       BECOMES [[cell[i] = MUTANT ? cell[i] : next[i];]] SEEN_BY grid)
 
 # outputs
 mutant(outputs.lanes IN kernel TEXT [[put_block(float *to, vf term, enum put put)

@@ -90,6 +90,11 @@ static void f_from_d(float *out, const double *in)
     vf_store(out, vf_from_vd(vd_load(in), vd_load(in + VEC_LANES / 2)));
 }
 
+static void f_stored_d(float *out, const double *in)
+{
+    vf_store_vd(out, vd_load(in), vd_load(in + VEC_LANES / 2));
+}
+
 static void d_from_f(double *out, const float *in)
 {
     const vf v = vf_load(in);
@@ -192,6 +197,7 @@ const struct vec_operations VEC_OPERATIONS(KERNELS) = {
     .u_from_f = u_from_f,
     .f_from_i = f_from_i,
     .f_from_d = f_from_d,
+    .f_stored_d = f_stored_d,
     .d_from_f = d_from_f,
     .low_bits = low_bits,
     .sqrt_d = sqrt_d,

@@ -32,6 +32,7 @@ struct vec_operations {
     void (*u_from_f)(uint32_t *out, const float *in);
     void (*f_from_i)(float *out, const uint32_t *in);
     void (*f_from_d)(float *out, const double *in);
+    void (*f_stored_d)(float *out, const double *in); /* f_from_d, stored at once */
     void (*d_from_f)(double *out, const float *in);
     void (*low_bits)(uint32_t *out, const double *in);
     void (*sqrt_d)(double *out, const double *in);

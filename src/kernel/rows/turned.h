@@ -11,6 +11,10 @@
 
 #include "along.h"
 
+/* Two blocks look for a cell that they share if together they are less than that many cells wide.
+   From there on too few find one. */
+#define SHARING_WIDTH 0.5
+
 /* Doubles in the scratch space, whose vectors are floats. */
 typedef double turned_double __attribute__((may_alias));
 
@@ -54,7 +58,7 @@ static void turned_begin(struct turned_x *t, vf *space, const struct scarp_octav
             before[b] = along[block > 0 ? (block - 1) * VEC_LANES : 0];
         }
         const double width = blocks > 1 ? last[1] - before[1] : 0.0;
-        t->shares &= width > -1.0 && width < 1.0;
+        t->shares &= width > -SHARING_WIDTH && width < SHARING_WIDTH;
         t->along[i] = along;
         t->last[i] = last;
         t->before[i] = before;
@@ -99,39 +103,77 @@ VEC_INLINE void find_cells(struct row_cells *c, const struct turned_x *t,
     c->same[0] = 0;
 }
 
-/* Puts the blocks of a row on the lattice. */
-VEC_INLINE void turned_row_run(vf *lattice, const struct scarp_octave *o, size_t blocks,
+/* Gives p along each axis, for both halves of block b. */
+VEC_INLINE void turned_block(vd p[3][2], const struct turned_x *t, size_t b,
+                             const struct turned_row row[3], int dimensions)
+{
+    for (int i = 0; i < dimensions; i++) {
+        const turned_double *const along = t->along[i] + b * VEC_LANES;
+        p[i][0] = turned_at(along, &row[i], dimensions);
+        p[i][1] = turned_at(along + VEC_LANES / 2, &row[i], dimensions);
+    }
+}
+
+/* Puts the places of a block inside its cells, and gives the cells. It does as split_f64(), but
+   nothing is joined that is stored at once. */
+VEC_INLINE void put_places(vf *lattice, vu cell[3], vd p[3][2], int dimensions)
+{
+    for (int i = 0; i < dimensions; i++) {
+        const vd lower0 = vd_floor(p[i][0]), lower1 = vd_floor(p[i][1]);
+        cell[i] = vu_low_bits(lower0 + 0x1.8p52, lower1 + 0x1.8p52);
+        vf_store_vd((float *)(lattice + i), p[i][0] - lower0, p[i][1] - lower1);
+    }
+}
+
+/* Puts the blocks of a row on the lattice, of which neighbours share no hashes. The hashes of each
+   block come after the places of the next, since the chain from a position to its hashes is long:
+   out-of-order windows hold only two blocks of it. */
+VEC_INLINE void put_turned_row(vf *lattice, const struct scarp_octave *o, size_t blocks,
                                const struct turned_x *t, const struct turned_row row[3],
                                int dimensions)
 {
-    struct row_cells cells;
-    if (t->shares) {
-        find_cells(&cells, t, row, blocks, dimensions);
-    }
-    for (size_t b = 0; b < blocks; b++) {
-        struct split at[3];
-        vd p[3][2];
+    const size_t size = lattice_size(dimensions);
+    vu cell[3], next[3];
+    vd p[3][2];
+    turned_block(p, t, 0, row, dimensions);
+    put_places(lattice, cell, p, dimensions);
+    for (size_t b = 1; b < blocks; b++) {
+        turned_block(p, t, b, row, dimensions);
+        put_places(lattice + size, next, p, dimensions);
+        lattice_put_hashes(lattice, o, cell, AXES_TURNED, dimensions);
         for (int i = 0; i < dimensions; i++) {
-            const turned_double *const along = t->along[i] + b * VEC_LANES;
-            p[i][0] = turned_at(along, &row[i], dimensions);
-            p[i][1] = turned_at(along + VEC_LANES / 2, &row[i], dimensions);
+            cell[i] = next[i];
         }
-        if (t->shares && cells.same[b]) {
-            const size_t size = lattice_size(dimensions);
+        lattice += size;
+    }
+    lattice_put_hashes(lattice, o, cell, AXES_TURNED, dimensions);
+}
+
+/* Does the same where neighbours may share hashes. */
+VEC_INLINE void put_sharing_row(vf *lattice, const struct scarp_octave *o, size_t blocks,
+                                const struct turned_x *t, const struct turned_row row[3],
+                                int dimensions)
+{
+    const size_t size = lattice_size(dimensions);
+    struct row_cells cells;
+    find_cells(&cells, t, row, blocks, dimensions);
+    for (size_t b = 0; b < blocks; b++) {
+        vu cell[3];
+        vd p[3][2];
+        turned_block(p, t, b, row, dimensions);
+        if (!cells.same[b]) {
+            put_places(lattice, cell, p, dimensions);
+            lattice_put_hashes(lattice, o, cell, AXES_TURNED, dimensions);
+        } else {
             for (size_t n = (size_t)dimensions; n < size; n++) {
                 lattice[n] = lattice[(ptrdiff_t)n - (ptrdiff_t)size];
             }
             for (int i = 0; i < dimensions; i++) {
-                const vd cell = vd_set(cells.cell[i][b]);
-                lattice[i] = vf_from_vd(p[i][0] - cell, p[i][1] - cell);
+                const vd lower = vd_set(cells.cell[i][b]);
+                vf_store_vd((float *)(lattice + i), p[i][0] - lower, p[i][1] - lower);
             }
-        } else {
-            for (int i = 0; i < dimensions; i++) {
-                at[i] = split_f64(p[i][0], p[i][1]);
-            }
-            lattice_put(lattice, o, at, AXES_TURNED, dimensions);
         }
-        lattice += lattice_size(dimensions);
+        lattice += size;
     }
 }
 
@@ -149,7 +191,11 @@ VEC_INLINE void turned_run(vf *lattice, const struct scarp_octave *octave, struc
             row[i].z = o.jacobian64[i][2] * at->shared[2];
             row[i].offset = o.offset64[i];
         }
-        turned_row_run(lattice, &o, extent.blocks, &t, row, dimensions);
+        if (t.shares) {
+            put_sharing_row(lattice, &o, extent.blocks, &t, row, dimensions);
+        } else {
+            put_turned_row(lattice, &o, extent.blocks, &t, row, dimensions);
+        }
         lattice += extent.blocks * lattice_size(dimensions);
     }
 }
