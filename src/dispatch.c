@@ -26,18 +26,22 @@ static const struct scarp_kernels *best(void)
     return *table;
 }
 
+/* Resolves the pointer. It is out of line, since only the first call comes here. */
+static __attribute__((noinline)) const struct scarp_kernels *resolve(void)
+{
+    /* Only an unresolved pointer is replaced: a selection made meanwhile stays. */
+    const struct scarp_kernels *table = NULL;
+    const struct scarp_kernels *const found = best();
+    return atomic_compare_exchange_strong_explicit(&active, &table, found, memory_order_relaxed,
+                                                   memory_order_relaxed)
+               ? found
+               : table;
+}
+
 const struct scarp_kernels *scarp_dispatch_active(void)
 {
-    const struct scarp_kernels *table = atomic_load_explicit(&active, memory_order_relaxed);
-    if (table == NULL) {
-        /* Only an unresolved pointer is replaced: a selection made meanwhile stays. */
-        const struct scarp_kernels *const found = best();
-        if (atomic_compare_exchange_strong_explicit(&active, &table, found, memory_order_relaxed,
-                                                    memory_order_relaxed)) {
-            table = found;
-        }
-    }
-    return table;
+    const struct scarp_kernels *const table = atomic_load_explicit(&active, memory_order_relaxed);
+    return table != NULL ? table : resolve();
 }
 
 /* What can run a set can run the narrower one, too. */

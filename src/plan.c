@@ -171,17 +171,34 @@ static int reserved_in_use(const struct scarp_noise *noise)
     return bits != 0;
 }
 
-/* Whether two noises have the same bytes, but for `plan`. */
-static int same_noise(const struct scarp_noise *a, const struct scarp_noise *b)
+/* Two vectors' worth of bytes that are compared at once. */
+typedef uint64_t pair __attribute__((vector_size(16)));
+
+static inline pair difference(const void *a, const void *b, size_t at)
 {
-    uintptr_t different = 0;
-    for (size_t i = 0; i < WORDS_BEFORE; i++) {
-        different |= word_at(a, i) ^ word_at(b, i);
+    pair x, y;
+    memcpy(&x, (const char *)a + at, sizeof x);
+    memcpy(&y, (const char *)b + at, sizeof y);
+    return x ^ y;
+}
+
+/* Ones where bytes from `first` to before `end` differ. The last pair overlaps the one before. */
+static inline pair differences(const void *a, const void *b, size_t first, size_t end)
+{
+    pair different = difference(a, b, end - sizeof(pair));
+    for (size_t i = first; i + sizeof(pair) < end; i += sizeof(pair)) {
+        different |= difference(a, b, i);
     }
-    for (size_t i = 0; i < WORDS_BEHIND; i++) {
-        different |= word_at(a, WORDS_BEFORE + 1 + i) ^ word_at(b, WORDS_BEFORE + 1 + i);
-    }
-    return different == 0;
+    return different;
+}
+
+/* Whether two noises have the same bytes, but for `plan`. */
+static inline int same_noise(const struct scarp_noise *a, const struct scarp_noise *b)
+{
+    const size_t plan = offsetof(struct scarp_noise, plan);
+    const pair before = differences(a, b, 0, plan);
+    const pair different = before | differences(a, b, plan + WORD, sizeof *a);
+    return (different[0] | different[1]) == 0;
 }
 
 /* The first reserved member that is in use. */
@@ -402,29 +419,47 @@ enum scarp_status scarp_plan_keep(struct scarp_plan *plan, const struct scarp_no
     return status;
 }
 
-enum scarp_status scarp_plan_call(struct scarp_call_plan *plan, struct scarp_octave *space,
-                                  const struct scarp_noise *noise, int dimensions, int order)
+/* Fills in what the noise says without its octaves. */
+static inline void describe(struct scarp_call_plan *plan, const struct scarp_noise *noise,
+                            int order)
+{
+    plan->basis = noise->basis;
+    plan->fade = noise->fade;
+    plan->fractal = noise->fractal;
+    plan->erosion = noise->erosion == 0.0f ? 1.0f : noise->erosion;
+    plan->order = order;
+    plan->octaves = noise->octaves == 0.0f ? 1 : octave_count((double)noise->octaves);
+    plan->rotate = is_rotated(noise, plan->octaves);
+}
+
+int scarp_plan_kept(struct scarp_call_plan *plan, const struct scarp_noise *noise, int dimensions,
+                    int order)
 {
     const struct kept *const kept = (const struct kept *)noise->plan;
     /* A noise that a plan was made of needs no check. */
-    if (kept != NULL && kept->mark == mark_of(dimensions) && same_noise(noise, &kept->noise)) {
-        plan->octave = kept->octave;
-    } else {
-        const enum scarp_status status = octaves_of(space, noise, dimensions);
-        if (status != SCARP_OK) {
-            return status;
-        }
-        plan->octave = space;
+    if (kept == NULL || kept->mark != mark_of(dimensions) || !same_noise(noise, &kept->noise) ||
+        (noise->fractal == SCARP_EROSION && order == 2)) {
+        return 0;
+    }
+    describe(plan, noise, order);
+    plan->octave = kept->octave;
+    return 1;
+}
+
+enum scarp_status scarp_plan_call(struct scarp_call_plan *plan, struct scarp_octave *space,
+                                  const struct scarp_noise *noise, int dimensions, int order)
+{
+    if (scarp_plan_kept(plan, noise, dimensions, order)) {
+        return SCARP_OK;
+    }
+    const enum scarp_status status = octaves_of(space, noise, dimensions);
+    if (status != SCARP_OK) {
+        return status;
     }
     if (noise->fractal == SCARP_EROSION && order == 2) {
         return SCARP_ERROR_UNSUPPORTED;
     }
-    plan->basis = noise->basis;
-    plan->fade = noise->fade;
-    plan->fractal = noise->fractal;
-    plan->erosion = (float)value_or((double)noise->erosion, 1.0);
-    plan->order = order;
-    plan->octaves = octave_count(value_or((double)noise->octaves, 1.0));
-    plan->rotate = is_rotated(noise, plan->octaves);
+    describe(plan, noise, order);
+    plan->octave = space;
     return SCARP_OK;
 }
