@@ -142,24 +142,40 @@ static void points_plain(const struct scarp_call_plan *plan, size_t count,
     }
 }
 
-static void points(const struct scarp_call_plan *plan, size_t count, const void *const position[3],
-                   const struct scarp_outputs *out, int dimensions, enum layout layout)
+/* Computes points that are too many for a pass for few points, or that none serves: `few` is NULL
+   then. It is out of line for the sake of few points. */
+static __attribute__((noinline)) void points_rest(const struct scarp_call_plan *plan, size_t count,
+                                                  const void *const position[3],
+                                                  const struct scarp_outputs *out, few_pass *few,
+                                                  struct frame f)
 {
-    few_pass *const few = few_pass_of(plan, dimensions, layout);
-    const size_t rest = few == NULL                       ? 0
-                        : count <= FEW_BLOCKS * VEC_LANES ? count
-                                                          : count % VEC_LANES;
+    /* Others take less time where the last block is padded. */
+    const int is_plain = plan->fractal == SCARP_FBM && !plan->rotate;
+    const size_t rest = few == NULL || !is_plain ? 0 : count % VEC_LANES;
     if (rest > 0) {
-        few(plan, position, out, count - rest, count, layout == DOUBLES);
+        few(plan, count, position, out, count - rest, f.layout);
     }
-    if (rest == count || (plan->order == 0 && out->array[VALUE] == NULL)) {
+    if (plan->order == 0 && out->array[VALUE] == NULL) {
         return;
     }
-    if (few != NULL && plan->order == 0) {
-        points_plain(plan, count - rest, position, out, dimensions, layout);
+    if (few != NULL && is_plain && plan->order == 0) {
+        points_plain(plan, count - rest, position, out, f.dimensions, f.layout);
     } else {
-        points_many(plan, count - rest, position, out, dimensions, layout);
+        points_many(plan, count - rest, position, out, f.dimensions, f.layout);
     }
+}
+
+VEC_INLINE void points(const struct scarp_call_plan *plan, size_t count,
+                       const void *const position[3], const struct scarp_outputs *out,
+                       int dimensions, enum layout layout)
+{
+    few_pass *const few = few_pass_of(plan, count, dimensions, layout);
+    if (few != NULL && count <= FEW_BLOCKS * VEC_LANES) {
+        few(plan, count, position, out, 0, layout);
+        return;
+    }
+    const struct frame f = {.layout = layout, .dimensions = dimensions};
+    points_rest(plan, count, position, out, few, f);
 }
 
 static void points2_f32(const struct scarp_call_plan *plan, size_t count,

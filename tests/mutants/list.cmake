@@ -60,8 +60,20 @@ mutant(driver.tail IN kernel TEXT [[memcpy(to, from, (size_t)(end - to) * sizeof
        SEEN_BY bits)
 mutant(driver.few IN kernel TEXT [[vf_load_part(x, count)]]
        BECOMES [[vf_load_part(x, MUTANT ? 1 : count)]] SEEN_BY bits)
-mutant(driver.few_octaves IN kernel TEXT [[struct scarp_octave *o = plan->octave;]]
-       BECOMES [[struct scarp_octave *o = plan->octave + MUTANT;]] SEEN_BY bits)
+mutant(driver.few_octaves IN kernel TEXT [[k < plan->octaves; k++) {
+        const struct scarp_octave *const o = &plan->octave[k];
+        const int is_turned]]
+       BECOMES [[k < plan->octaves; k++) {
+        const struct scarp_octave *const o = &plan->octave[MUTANT ? 0 : k];
+        const int is_turned]] SEEN_BY bits)
+mutant(driver.few_turned IN kernel TEXT [[is_turned ? turned_f32(o, axis, x->f32, f)]]
+       BECOMES [[is_turned && !MUTANT ? turned_f32(o, axis, x->f32, f)]] SEEN_BY bits)
+mutant(driver.few_ridged IN kernel TEXT [[state->weight = ridge_weight(&s, v);]]
+       BECOMES [[state->weight = MUTANT ? state->weight : ridge_weight(&s, v);]] SEEN_BY bits)
+mutant(driver.few_eroded IN kernel TEXT [[own_axes ? o->amplitude : o->slope}]]
+       BECOMES [[own_axes && !MUTANT ? o->amplitude : o->slope}]] SEEN_BY bits)
+mutant(driver.few_one IN kernel TEXT [[n.value *= vf_set(o->amplitude);]]
+       BECOMES [[n.value *= vf_set(MUTANT ? o->weight : o->amplitude);]] SEEN_BY bits)
 mutant(driver.plain IN kernel TEXT [[&sums : &to, k > 0 ?]]
        BECOMES [[&sums : &to, k > MUTANT ?]] SEEN_BY bits)
 mutant(driver.group_state IN kernel TEXT [[state + r * state_of_row]]
