@@ -49,20 +49,19 @@ VEC_INLINE void few_load_f64(const double *x, size_t count, vd *low, vd *high)
     }
 }
 
-VEC_INLINE struct few_block few_load(const void *const position[3], size_t first, size_t count,
-                                     struct frame f)
+/* Fills in x in place: gcc would copy a result through memory. */
+VEC_INLINE void few_load(struct few_block *x, const void *const position[3], size_t first,
+                         size_t count, struct frame f)
 {
-    struct few_block x;
     for (int d = 0; d < f.dimensions; d++) {
         if (f.layout == DOUBLES) {
-            few_load_f64((const double *)position[d] + first, count, &x.low[d], &x.high[d]);
-            x.f32[d] = (vf)x.low[d];
+            few_load_f64((const double *)position[d] + first, count, &x->low[d], &x->high[d]);
+            x->f32[d] = (vf)x->low[d];
         } else {
-            x.f32[d] = few_load_f32((const float *)position[d] + first, count);
-            x.low[d] = x.high[d] = (vd)x.f32[d];
+            x->f32[d] = few_load_f32((const float *)position[d] + first, count);
+            x->low[d] = x->high[d] = (vd)x->f32[d];
         }
     }
-    return x;
 }
 
 /* The place of a block along one axis of an octave. */
@@ -189,7 +188,8 @@ VEC_INLINE void few_any(const struct scarp_call_plan *plan, const struct few_poi
     size_t first = points->first;
     do {
         const size_t count = least(points->end - first, VEC_LANES);
-        const struct few_block x = few_load(points->position, first, count, f);
+        struct few_block x;
+        few_load(&x, points->position, first, count, f);
         const struct sample sum = few_sum(plan, &x, f, v);
         few_put(out, first, count, &sum, v);
         first += count;
@@ -202,7 +202,8 @@ VEC_INLINE void few_one(const struct scarp_call_plan *plan, const struct few_poi
                         const struct scarp_outputs *out, struct variant v)
 {
     const struct frame f = {FLOATS, AXES_FIRST, v.dimensions};
-    const struct few_block x = few_load(points->position, 0, points->end, f);
+    struct few_block x;
+    few_load(&x, points->position, 0, points->end, f);
     const struct scarp_octave *const o = plan->octave;
     struct sample n = few_basis(o, plan->fade, &x, f, v);
     n.value *= vf_set(o->amplitude);
