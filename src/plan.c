@@ -8,6 +8,7 @@
 #include <stddef.h>
 #include <string.h>
 
+#include "kept.h"
 #include "names.h"
 
 /* The layout is the binary interface, the same for every compiler; only pointers differ in size.
@@ -97,13 +98,6 @@ static struct parameters parameters_of(const struct scarp_noise *noise)
     return p;
 }
 
-/* How many octaves the sum has: the fraction counts as one. `octaves` is in (0, 32]. */
-static int octave_count(double octaves)
-{
-    const int whole = (int)octaves;
-    return (double)whole < octaves ? whole + 1 : whole;
-}
-
 /* A NaN is not within. */
 static int within(double value, double lowest, double highest)
 {
@@ -123,7 +117,7 @@ static const char *unknown_member(const struct scarp_noise *noise)
 static int last_frequency_valid(const struct parameters *p)
 {
     double frequency = p->frequency;
-    for (int k = 1; k < octave_count(p->octaves); k++) {
+    for (int k = 1; k < octave_count((float)p->octaves); k++) {
         frequency *= p->lacunarity;
     }
     return within(frequency, FREQUENCY_MIN, FREQUENCY_MAX);
@@ -169,36 +163,6 @@ static int reserved_in_use(const struct scarp_noise *noise)
         bits |= word_at(noise, WORDS_BEFORE + 1 + i);
     }
     return bits != 0;
-}
-
-/* Two vectors' worth of bytes that are compared at once. */
-typedef uint64_t pair __attribute__((vector_size(16)));
-
-static inline pair difference(const void *a, const void *b, size_t at)
-{
-    pair x, y;
-    memcpy(&x, (const char *)a + at, sizeof x);
-    memcpy(&y, (const char *)b + at, sizeof y);
-    return x ^ y;
-}
-
-/* Ones where bytes from `first` to before `end` differ. The last pair overlaps the one before. */
-static inline pair differences(const void *a, const void *b, size_t first, size_t end)
-{
-    pair different = difference(a, b, end - sizeof(pair));
-    for (size_t i = first; i + sizeof(pair) < end; i += sizeof(pair)) {
-        different |= difference(a, b, i);
-    }
-    return different;
-}
-
-/* Whether two noises have the same bytes, but for `plan`. */
-static inline int same_noise(const struct scarp_noise *a, const struct scarp_noise *b)
-{
-    const size_t plan = offsetof(struct scarp_noise, plan);
-    const pair before = differences(a, b, 0, plan);
-    const pair different = before | differences(a, b, plan + WORD, sizeof *a);
-    return (different[0] | different[1]) == 0;
 }
 
 /* The first reserved member that is in use. */
@@ -333,16 +297,11 @@ static void turn_axes(struct scarp_octave *octave, int octaves, int dimensions,
     }
 }
 
-static int is_rotated(const struct scarp_noise *noise, int octaves)
-{
-    return noise->rotate != 0 && octaves > 1;
-}
-
 /* Computes the constants of all octaves of a checked noise. */
 static void make_octaves(struct scarp_octave *octave, const struct scarp_noise *noise,
                          const struct parameters *p, int dimensions)
 {
-    const int octaves = octave_count(p->octaves);
+    const int octaves = octave_count((float)p->octaves);
     const double last_weight = p->octaves - (double)(octaves - 1);
     const double supremum = supremum_of(noise, dimensions);
     double weights[SCARP_MAX_OCTAVES], factors[SCARP_MAX_OCTAVES];
@@ -374,25 +333,6 @@ static void make_octaves(struct scarp_octave *octave, const struct scarp_noise *
     }
 }
 
-/* What is in a struct scarp_plan. All else that a kernel needs comes from the noise of the call, so
-   that no plan makes a kernel leave its arrays. */
-struct kept {
-    uint64_t mark; /* the version, and for how many dimensions it is */
-    struct scarp_noise noise;
-    struct scarp_octave octave[SCARP_MAX_OCTAVES];
-};
-
-_Static_assert(sizeof(struct kept) <= sizeof(struct scarp_plan) &&
-                   _Alignof(struct kept) <= _Alignof(struct scarp_plan),
-               "a plan has room for what is kept");
-
-/* "SCRP", the version, since octaves may differ between versions, and the dimensions. */
-static uint64_t mark_of(int dimensions)
-{
-    return UINT64_C(0x53435250) << 32 | SCARP_VERSION_MAJOR << 24 | SCARP_VERSION_MINOR << 16 |
-           SCARP_VERSION_PATCH << 8 | (unsigned)dimensions;
-}
-
 /* Checks the noise and computes its octaves. It is out of line for the sake of calls that keep
    theirs. */
 static __attribute__((noinline)) enum scarp_status
@@ -419,37 +359,10 @@ enum scarp_status scarp_plan_keep(struct scarp_plan *plan, const struct scarp_no
     return status;
 }
 
-/* Fills in what the noise says without its octaves. */
-static inline void describe(struct scarp_call_plan *plan, const struct scarp_noise *noise,
-                            int order)
-{
-    plan->basis = noise->basis;
-    plan->fade = noise->fade;
-    plan->fractal = noise->fractal;
-    plan->erosion = noise->erosion == 0.0f ? 1.0f : noise->erosion;
-    plan->order = order;
-    plan->octaves = noise->octaves == 0.0f ? 1 : octave_count((double)noise->octaves);
-    plan->rotate = is_rotated(noise, plan->octaves);
-}
-
-int scarp_plan_kept(struct scarp_call_plan *plan, const struct scarp_noise *noise, int dimensions,
-                    int order)
-{
-    const struct kept *const kept = (const struct kept *)noise->plan;
-    /* A noise that a plan was made of needs no check. */
-    if (kept == NULL || kept->mark != mark_of(dimensions) || !same_noise(noise, &kept->noise) ||
-        (noise->fractal == SCARP_EROSION && order == 2)) {
-        return 0;
-    }
-    describe(plan, noise, order);
-    plan->octave = kept->octave;
-    return 1;
-}
-
 enum scarp_status scarp_plan_call(struct scarp_call_plan *plan, struct scarp_octave *space,
                                   const struct scarp_noise *noise, int dimensions, int order)
 {
-    if (scarp_plan_kept(plan, noise, dimensions, order)) {
+    if (plan_kept(plan, noise, dimensions, order)) {
         return SCARP_OK;
     }
     const enum scarp_status status = octaves_of(space, noise, dimensions);
@@ -459,7 +372,7 @@ enum scarp_status scarp_plan_call(struct scarp_call_plan *plan, struct scarp_oct
     if (noise->fractal == SCARP_EROSION && order == 2) {
         return SCARP_ERROR_UNSUPPORTED;
     }
-    describe(plan, noise, order);
+    plan_describe(plan, noise, order);
     plan->octave = space;
     return SCARP_OK;
 }

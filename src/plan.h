@@ -60,11 +60,6 @@ enum scarp_status scarp_plan_check(const struct scarp_noise *noise, int dimensio
 enum scarp_status scarp_plan_keep(struct scarp_plan *plan, const struct scarp_noise *noise,
                                   int dimensions);
 
-/* Makes the plan of a call that asks for derivatives up to `order` of the plan that the noise
-   brings. Returns 0 if that does not fit, or if there are no such derivatives. */
-int scarp_plan_kept(struct scarp_call_plan *plan, const struct scarp_noise *noise, int dimensions,
-                    int order);
-
 /* Checks the noise and makes the plan of a call that asks for derivatives up to `order`. `space`
    has room for SCARP_MAX_OCTAVES octaves, and belongs to the plan; it is not used where the noise
    brings a plan that fits. */

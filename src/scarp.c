@@ -8,6 +8,7 @@
 
 #include "dispatch.h"
 #include "fpmode.h"
+#include "kept.h"
 #include "names.h"
 #include "plan.h"
 
@@ -75,20 +76,23 @@ static int any_asked(const struct scarp_samples *out, int from, int end)
 #define UNSUPPORTED_ORDER 3
 #define MEMBERS (int)(sizeof(struct scarp_samples) / sizeof(float *))
 
-/* The highest derivative that is asked for: 0, 1 or 2; UNSUPPORTED_ORDER if something does not
-   exist. In 2D derivatives along z do not; reserved members never do. Most calls are decided by the
-   first question. */
-static int order_of(int dimensions, const struct scarp_samples *out)
+/* The highest derivative that is asked for, of calls that ask for more than values. */
+static NOINLINE int order_of_more(int dimensions, const struct scarp_samples *out)
 {
-    if (!any_asked(out, DX, MEMBERS)) {
-        return 0;
-    }
     if (any_asked(out, OUTPUTS, MEMBERS) ||
         (dimensions == 2 &&
          (out->dz != NULL || out->dxz != NULL || any_asked(out, DYZ, OUTPUTS)))) {
         return UNSUPPORTED_ORDER;
     }
     return any_asked(out, DXX, OUTPUTS) ? 2 : 1;
+}
+
+/* The highest derivative that is asked for: 0, 1 or 2; UNSUPPORTED_ORDER if something does not
+   exist. In 2D derivatives along z do not; reserved members never do. Most calls are decided by the
+   first question. */
+static ALWAYS_INLINE int order_of(int dimensions, const struct scarp_samples *out)
+{
+    return any_asked(out, DX, MEMBERS) ? order_of_more(dimensions, out) : 0;
 }
 
 /* What a call computes. */
@@ -122,7 +126,7 @@ static NOINLINE enum scarp_status run(scarp_points_fn *kernel, struct kind kind,
                                       const struct scarp_samples *out)
 {
     struct scarp_call_plan plan;
-    if (!scarp_plan_kept(&plan, noise, kind.dimensions, kind.order)) {
+    if (!plan_kept(&plan, noise, kind.dimensions, kind.order)) {
         return run_planned(kernel, kind, noise, count, position, out);
     }
     kernel(&plan, count, position, outputs_of(out));

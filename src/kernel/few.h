@@ -268,11 +268,11 @@ static few_pass *few_pass_of(const struct scarp_call_plan *plan, size_t count, i
                              enum layout layout)
 {
     few_pass *const *const passes = few_passes[plan->basis][dimensions - 2];
-    const int order = plan->order + (plan->fractal == SCARP_EROSION); /* of the basis */
-    if (order == 0 && plan->fractal == SCARP_FBM && plan->octaves == 1 && count <= VEC_LANES &&
-        layout == FLOATS) {
+    if (layout == FLOATS && plan->order == 0 && plan->fractal == SCARP_FBM && plan->octaves == 1 &&
+        count <= VEC_LANES) {
         return passes[FEW_ONE];
     }
+    const int order = plan->order + (plan->fractal == SCARP_EROSION); /* of the basis */
     return order <= FEW_ORDER ? passes[order] : NULL;
 }
 

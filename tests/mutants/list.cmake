@@ -138,12 +138,12 @@ mutant(outputs.normals IN kernel TEXT [[vf_from_vd(low.x, high.x)]]
 mutant(plan.offset IN plan.c TEXT [[(int32_t)(c & 0xffffff)]]
        BECOMES [[(int32_t)(MUTANT ? b >> 40 : c & 0xffffff)]]
        SEEN_BY golden SETS scalar)
-mutant(plan.stale IN plan.c TEXT [[|| !same_noise(noise, &kept->noise)]]
+mutant(plan.stale IN kept.h TEXT [[|| !same_noise(noise, &kept->noise)]]
        BECOMES [[|| !(MUTANT || same_noise(noise, &kept->noise))]] SEEN_BY plan SETS scalar avx2)
-mutant(plan.stale_seed IN plan.c TEXT [[differences(a, b, 0, plan)]]
+mutant(plan.stale_seed IN kept.h TEXT [[differences(a, b, 0, plan)]]
        BECOMES [[differences(a, b, MUTANT ? 32 : 0, plan)]] SEEN_BY plan SETS scalar)
-mutant(plan.stale_spare IN plan.c TEXT [[differences(a, b, plan + WORD, sizeof *a)]]
-       BECOMES [[differences(a, b, plan + WORD, sizeof *a - (MUTANT ? WORD : 0))]]
+mutant(plan.stale_spare IN kept.h TEXT [[differences(a, b, plan + sizeof(uintptr_t), sizeof *a)]]
+       BECOMES [[differences(a, b, plan + sizeof(uintptr_t), sizeof *a - (MUTANT ? sizeof(uintptr_t) : 0))]]
        SEEN_BY plan SETS scalar)
-mutant(plan.dimensions IN plan.c TEXT [[kept->mark != mark_of(dimensions)]]
+mutant(plan.dimensions IN kept.h TEXT [[kept->mark != mark_of(dimensions)]]
        BECOMES [[(kept->mark ^ mark_of(dimensions)) > (uint64_t)MUTANT]] SEEN_BY plan SETS scalar)
