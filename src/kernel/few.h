@@ -147,7 +147,8 @@ VEC_INLINE struct sample few_sum(const struct scarp_call_plan *plan, const struc
         if (v.order > 0 && is_turned && !own_axes) {
             n = turned(o, &n, v);
         } else {
-            const float factor[2] = {o->amplitude, own_axes ? o->amplitude : o->slope};
+            const float factor[3] = {o->amplitude, own_axes ? o->amplitude : o->slope,
+                                     o->curvature};
             EACH_OUTPUT(v, TIMES);
         }
         const struct sample s = few_shape(&state, plan, o, &n, v);

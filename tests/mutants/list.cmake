@@ -70,8 +70,8 @@ mutant(driver.few_turned IN kernel TEXT [[is_turned ? turned_f32(o, axis, x->f32
        BECOMES [[is_turned && !MUTANT ? turned_f32(o, axis, x->f32, f)]] SEEN_BY bits)
 mutant(driver.few_ridged IN kernel TEXT [[state->weight = ridge_weight(&s, v);]]
        BECOMES [[state->weight = MUTANT ? state->weight : ridge_weight(&s, v);]] SEEN_BY bits)
-mutant(driver.few_eroded IN kernel TEXT [[own_axes ? o->amplitude : o->slope}]]
-       BECOMES [[own_axes && !MUTANT ? o->amplitude : o->slope}]] SEEN_BY bits)
+mutant(driver.few_eroded IN kernel TEXT [[own_axes ? o->amplitude : o->slope]]
+       BECOMES [[own_axes && !MUTANT ? o->amplitude : o->slope]] SEEN_BY bits)
 mutant(driver.few_one IN kernel TEXT [[n.value *= vf_set(o->amplitude);]]
        BECOMES [[n.value *= vf_set(MUTANT ? o->weight : o->amplitude);]] SEEN_BY bits)
 mutant(driver.plain IN kernel TEXT [[&sums : &to, k > 0 ?]]
