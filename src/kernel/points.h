@@ -142,23 +142,23 @@ static void points_plain(const struct scarp_call_plan *plan, size_t count,
     }
 }
 
-/* Computes points that are too many for a pass for few points, or that none serves: `few` is NULL
-   then. It is out of line for the sake of few points. */
-static __attribute__((noinline)) void points_rest(const struct scarp_call_plan *plan, size_t count,
+/* Computes more points than passes for few points serve, which take what fBm with straight axes
+   leaves over. (All else takes less time where the last block is padded.) It is out of line for the
+   sake of few points. */
+static __attribute__((noinline)) void points_more(const struct scarp_call_plan *plan, size_t count,
                                                   const void *const position[3],
-                                                  const struct scarp_outputs *out, few_pass *few,
-                                                  struct frame f)
+                                                  const struct scarp_outputs *out, struct frame f)
 {
-    /* Others take less time where the last block is padded. */
-    const int is_plain = plan->fractal == SCARP_FBM && !plan->rotate;
-    const size_t rest = few == NULL || !is_plain ? 0 : count % VEC_LANES;
+    const int is_straight = plan->fractal == SCARP_FBM && !plan->rotate;
+    const size_t rest = is_straight && plan->order <= FEW_ORDER ? count % VEC_LANES : 0;
     if (rest > 0) {
+        few_pass *const few = few_pass_of(plan, rest, f.dimensions);
         few(plan, count, position, out, count - rest, f.layout);
     }
     if (plan->order == 0 && out->array[VALUE] == NULL) {
         return;
     }
-    if (few != NULL && is_plain && plan->order == 0) {
+    if (few_plain(plan)) {
         points_plain(plan, count - rest, position, out, f.dimensions, f.layout);
     } else {
         points_many(plan, count - rest, position, out, f.dimensions, f.layout);
@@ -169,13 +169,22 @@ VEC_INLINE void points(const struct scarp_call_plan *plan, size_t count,
                        const void *const position[3], const struct scarp_outputs *out,
                        int dimensions, enum layout layout)
 {
-    few_pass *const few = few_pass_of(plan, count, dimensions, layout);
-    if (few != NULL && count <= FEW_BLOCKS * VEC_LANES) {
+    if (layout == FLOATS && few_plain(plan) && plan->octaves == 1 && count <= 2 * VEC_LANES) {
+        few_pass *const one = few_passes[plan->basis][dimensions - 2][FEW_ONE];
+        const size_t first = count <= VEC_LANES ? 0 : VEC_LANES;
+        if (first > 0) {
+            one(plan, first, position, out, 0, layout);
+        }
+        one(plan, count, position, out, first, layout);
+        return;
+    }
+    few_pass *const few = few_pass_of(plan, count, dimensions);
+    if (few != NULL) {
         few(plan, count, position, out, 0, layout);
         return;
     }
     const struct frame f = {.layout = layout, .dimensions = dimensions};
-    points_rest(plan, count, position, out, few, f);
+    points_more(plan, count, position, out, f);
 }
 
 static void points2_f32(const struct scarp_call_plan *plan, size_t count,
