@@ -156,12 +156,13 @@ VEC_INLINE void along_x_run(struct along_x *x, const struct scarp_octave *o, siz
 {
     uint32_t cells[STRIP_BLOCKS * VEC_LANES];
     x->blocks = blocks;
-    for (size_t b = 0; b < blocks; b++) {
-        const struct split s = position(o, 0, at, b, f);
-        vu_store(cells + b * VEC_LANES, s.cell);
-        x->block[b].t = s.t;
-        x->block[b].fade = fade(kind, s.t);
-    }
+    size_t i = 0;
+    do { /* a `for` would have gcc 12 warn at -O2 that `cells` may stay unset */
+        const struct split s = position(o, 0, at, i, f);
+        vu_store(cells + i * VEC_LANES, s.cell);
+        x->block[i].t = s.t;
+        x->block[i].fade = fade(kind, s.t);
+    } while (++i < blocks);
     x->kind = cells_in_order(o, at->array[0], blocks) ? place_columns(x, cells, blocks) : WIDE;
     for (size_t b = 0; x->kind == WIDE && b < blocks; b++) {
         const struct axis h = hash_axis(vu_load(cells + b * VEC_LANES), HASH_X, o->key[0]);
