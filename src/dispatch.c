@@ -6,8 +6,6 @@
  */
 #include "dispatch.h"
 
-#include <stdatomic.h>
-
 #include "cpu.h"
 
 /* Best first. */
@@ -15,7 +13,7 @@
 static const struct scarp_kernels *const tables[] = {SCARP_ISA_LIST(TABLE)};
 #undef TABLE
 
-static _Atomic(const struct scarp_kernels *) active;
+_Atomic(const struct scarp_kernels *) scarp_dispatch_table;
 
 static const struct scarp_kernels *best(void)
 {
@@ -26,28 +24,15 @@ static const struct scarp_kernels *best(void)
     return *table;
 }
 
-const struct scarp_kernels *scarp_dispatch_active(void)
+const struct scarp_kernels *scarp_dispatch_resolve(void)
 {
-    const struct scarp_kernels *table = atomic_load_explicit(&active, memory_order_relaxed);
-    if (table == NULL) {
-        /* Only an unresolved pointer is replaced: a selection made meanwhile stays. */
-        const struct scarp_kernels *const found = best();
-        if (atomic_compare_exchange_strong_explicit(&active, &table, found, memory_order_relaxed,
-                                                    memory_order_relaxed)) {
-            table = found;
-        }
-    }
-    return table;
-}
-
-/* What can run a set can run the narrower one, too. */
-const struct scarp_kernels *scarp_dispatch_for(size_t count)
-{
-    const struct scarp_kernels *table = scarp_dispatch_active();
-    while (count <= table->narrower_most) {
-        table = table->narrower;
-    }
-    return table;
+    /* Only an unresolved pointer is replaced: a selection made meanwhile stays. */
+    const struct scarp_kernels *table = NULL;
+    const struct scarp_kernels *const found = best();
+    return atomic_compare_exchange_strong_explicit(&scarp_dispatch_table, &table, found,
+                                                   memory_order_relaxed, memory_order_relaxed)
+               ? found
+               : table;
 }
 
 const struct scarp_kernels *scarp_dispatch_find(enum scarp_isa isa)
@@ -62,5 +47,6 @@ const struct scarp_kernels *scarp_dispatch_find(enum scarp_isa isa)
 
 void scarp_dispatch_use(const struct scarp_kernels *table)
 {
-    atomic_store_explicit(&active, table != NULL ? table : best(), memory_order_relaxed);
+    atomic_store_explicit(&scarp_dispatch_table, table != NULL ? table : best(),
+                          memory_order_relaxed);
 }

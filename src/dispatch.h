@@ -5,14 +5,35 @@
 #ifndef SCARP_DISPATCH_H
 #define SCARP_DISPATCH_H
 
+#include <stdatomic.h>
+
 #include "kernels.h"
 
-/* The table in use, for all threads. The first call chooses it. */
-const struct scarp_kernels *scarp_dispatch_active(void);
+/* The table in use, for all threads, or NULL before the first call. Only the functions here and in
+   dispatch.c use it. */
+extern _Atomic(const struct scarp_kernels *) scarp_dispatch_table;
+
+/* Chooses the table at the first call, and returns it. */
+const struct scarp_kernels *scarp_dispatch_resolve(void);
+
+/* The table in use. Tables are constants, so relaxed atomics suffice. */
+static inline const struct scarp_kernels *scarp_dispatch_active(void)
+{
+    const struct scarp_kernels *const table =
+        atomic_load_explicit(&scarp_dispatch_table, memory_order_relaxed);
+    return table != NULL ? table : scarp_dispatch_resolve();
+}
 
 /* The table that serves a call of `count` points: the one in use, or a narrower one that is faster
-   for so few. All give the same bits. */
-const struct scarp_kernels *scarp_dispatch_for(size_t count);
+   for so few. All give the same bits, and what can run a set can run the narrower one, too. */
+static inline const struct scarp_kernels *scarp_dispatch_for(size_t count)
+{
+    const struct scarp_kernels *table = scarp_dispatch_active();
+    while (count <= table->narrower_most) {
+        table = table->narrower;
+    }
+    return table;
+}
 
 /* The table for `isa`, or NULL if this build lacks it or this processor cannot run it. */
 const struct scarp_kernels *scarp_dispatch_find(enum scarp_isa isa);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Describes the outputs of a call as a list of arrays, so that kernels need not spell out struct
- * scarp_samples. scarp.c makes the list.
+ * scarp_samples. scarp.c knows what is what.
  */
 #ifndef SCARP_OUTPUTS_H
 #define SCARP_OUTPUTS_H
@@ -9,8 +9,9 @@
 /* The outputs, in the order of struct scarp_samples. */
 enum { VALUE, DX, DY, DZ, DXX, DXY, DXZ, DYY, DYZ, DZZ, OUTPUTS };
 
-/* An array for each output, NULL where it is not asked for. */
-struct scarp_outputs {
+/* An array for each output, NULL where it is not asked for. A struct scarp_samples is read as one,
+   which `may_alias` permits. */
+struct __attribute__((may_alias)) scarp_outputs {
     float *array[OUTPUTS];
 };
 

@@ -8,6 +8,7 @@
 #include <stddef.h>
 #include <string.h>
 
+#include "kept.h"
 #include "names.h"
 
 /* The layout is the binary interface, the same for every compiler; only pointers differ in size.
@@ -98,25 +99,6 @@ static struct parameters parameters_of(const struct scarp_noise *noise)
     return p;
 }
 
-/* How many octaves the sum has: the fraction counts as one. `octaves` is in (0, 32]. */
-static int octave_count(double octaves)
-{
-    const int whole = (int)octaves;
-    return (double)whole < octaves ? whole + 1 : whole;
-}
-
-static int is_rotated(const struct scarp_noise *noise, int octaves)
-{
-    return noise->rotate != 0 && octaves > 1;
-}
-
-/* Whether the lattice has a period along any axis of the call. */
-static int repeats(const struct scarp_noise *noise, int dimensions)
-{
-    return noise->period[0] != 0 || noise->period[1] != 0 ||
-           (dimensions == 3 && noise->period[2] != 0);
-}
-
 /* A NaN is not within. */
 static int within(double value, double lowest, double highest)
 {
@@ -136,7 +118,7 @@ static const char *unknown_member(const struct scarp_noise *noise)
 static int last_frequency_valid(const struct parameters *p)
 {
     double frequency = p->frequency;
-    for (int k = 1; k < octave_count(p->octaves); k++) {
+    for (int k = 1; k < octave_count((float)p->octaves); k++) {
         frequency *= p->lacunarity;
     }
     return within(frequency, FREQUENCY_MIN, FREQUENCY_MAX);
@@ -157,7 +139,7 @@ static int period_valid(double period, double lacunarity, int octaves)
 static const char *period_member(const struct scarp_noise *noise, const struct parameters *p,
                                  int dimensions)
 {
-    const int octaves = octave_count(p->octaves);
+    const int octaves = octave_count((float)p->octaves);
     for (int i = 0; i < dimensions; i++) {
         if (noise->period[i] == 0) {
             continue;
@@ -214,19 +196,6 @@ static int reserved_in_use(const struct scarp_noise *noise)
     return bits != 0;
 }
 
-/* Whether two noises have the same bytes, but for `plan`. */
-static int same_noise(const struct scarp_noise *a, const struct scarp_noise *b)
-{
-    uintptr_t different = 0;
-    for (size_t i = 0; i < WORDS_BEFORE; i++) {
-        different |= word_at(a, i) ^ word_at(b, i);
-    }
-    for (size_t i = 0; i < WORDS_BEHIND; i++) {
-        different |= word_at(a, WORDS_BEFORE + 1 + i) ^ word_at(b, WORDS_BEFORE + 1 + i);
-    }
-    return different == 0;
-}
-
 /* The first reserved member that is in use. */
 static const char *reserved_member(const struct scarp_noise *noise)
 {
@@ -260,7 +229,7 @@ static enum scarp_status check(const struct scarp_noise *noise, const struct par
     if ((*member = period_member(noise, p, dimensions)) != NULL) {
         return SCARP_ERROR_PARAMETER;
     }
-    if (repeats(noise, dimensions) && is_rotated(noise, octave_count(p->octaves))) {
+    if (repeats(noise, dimensions) && is_rotated(noise, octave_count((float)p->octaves))) {
         *member = "rotate";
         return SCARP_ERROR_UNSUPPORTED;
     }
@@ -366,11 +335,6 @@ static void turn_axes(struct scarp_octave *octave, int octaves, int dimensions,
     }
 }
 
-static int is_power_of_two(uint32_t a)
-{
-    return (a & (a - 1)) == 0;
-}
-
 /* The periods of an octave, whose frequency is `ratio` times that of the first. A check lets pass
    what is too long for an axis that the call does not have. */
 static void set_periods(struct scarp_octave *octave, const struct scarp_noise *noise, double ratio)
@@ -385,7 +349,7 @@ static void set_periods(struct scarp_octave *octave, const struct scarp_noise *n
 static void make_octaves(struct scarp_octave *octave, const struct scarp_noise *noise,
                          const struct parameters *p, int dimensions)
 {
-    const int octaves = octave_count(p->octaves);
+    const int octaves = octave_count((float)p->octaves);
     const double last_weight = p->octaves - (double)(octaves - 1);
     const double supremum = supremum_of(noise, dimensions);
     double weights[SCARP_MAX_OCTAVES], factors[SCARP_MAX_OCTAVES];
@@ -419,25 +383,6 @@ static void make_octaves(struct scarp_octave *octave, const struct scarp_noise *
     }
 }
 
-/* What is in a struct scarp_plan. All else that a kernel needs comes from the noise of the call, so
-   that no plan makes a kernel leave its arrays. */
-struct kept {
-    uint64_t mark; /* the version, and for how many dimensions it is */
-    struct scarp_noise noise;
-    struct scarp_octave octave[SCARP_MAX_OCTAVES];
-};
-
-_Static_assert(sizeof(struct kept) <= sizeof(struct scarp_plan) &&
-                   _Alignof(struct kept) <= _Alignof(struct scarp_plan),
-               "a plan has room for what is kept");
-
-/* "SCRP", the version, since octaves may differ between versions, and the dimensions. */
-static uint64_t mark_of(int dimensions)
-{
-    return UINT64_C(0x53435250) << 32 | SCARP_VERSION_MAJOR << 24 | SCARP_VERSION_MINOR << 16 |
-           SCARP_VERSION_PATCH << 8 | (unsigned)dimensions;
-}
-
 /* Checks the noise and computes its octaves. It is out of line for the sake of calls that keep
    theirs. */
 static __attribute__((noinline)) enum scarp_status
@@ -464,44 +409,20 @@ enum scarp_status scarp_plan_keep(struct scarp_plan *plan, const struct scarp_no
     return status;
 }
 
-/* A lacunarity that goes with periods is an integer. */
-static enum scarp_repeat repeat_of(const struct scarp_noise *noise, int octaves, int dimensions)
-{
-    if (!repeats(noise, dimensions)) {
-        return SCARP_REPEAT_NEVER;
-    }
-    const float lacunarity = noise->lacunarity == 0.0f || octaves == 1 ? 2.0f : noise->lacunarity;
-    int powers = is_power_of_two((uint32_t)lacunarity);
-    for (int i = 0; i < dimensions; i++) {
-        powers = powers && is_power_of_two(noise->period[i]);
-    }
-    return powers ? SCARP_REPEAT_POWERS : SCARP_REPEAT_ANY;
-}
-
 enum scarp_status scarp_plan_call(struct scarp_call_plan *plan, struct scarp_octave *space,
                                   const struct scarp_noise *noise, int dimensions, int order)
 {
-    const struct kept *const kept = (const struct kept *)noise->plan;
-    /* A noise that a plan was made of needs no check. */
-    if (kept != NULL && kept->mark == mark_of(dimensions) && same_noise(noise, &kept->noise)) {
-        plan->octave = kept->octave;
-    } else {
-        const enum scarp_status status = octaves_of(space, noise, dimensions);
-        if (status != SCARP_OK) {
-            return status;
-        }
-        plan->octave = space;
+    if (plan_kept(plan, noise, dimensions, order)) {
+        return SCARP_OK;
+    }
+    const enum scarp_status status = octaves_of(space, noise, dimensions);
+    if (status != SCARP_OK) {
+        return status;
     }
     if (noise->fractal == SCARP_EROSION && order == 2) {
         return SCARP_ERROR_UNSUPPORTED;
     }
-    plan->basis = noise->basis;
-    plan->fade = noise->fade;
-    plan->fractal = noise->fractal;
-    plan->erosion = (float)value_or((double)noise->erosion, 1.0);
-    plan->order = order;
-    plan->octaves = octave_count(value_or((double)noise->octaves, 1.0));
-    plan->rotate = is_rotated(noise, plan->octaves);
-    plan->repeat = repeat_of(noise, plan->octaves, dimensions);
+    plan_describe(plan, noise, dimensions, order);
+    plan->octave = space;
     return SCARP_OK;
 }

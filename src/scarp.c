@@ -8,10 +8,12 @@
 
 #include "dispatch.h"
 #include "fpmode.h"
+#include "kept.h"
 #include "names.h"
 #include "plan.h"
 
 #define NOINLINE __attribute__((noinline))
+#define ALWAYS_INLINE inline __attribute__((always_inline))
 #define TEXT(x) #x
 #define VERSION_TEXT(major, minor, patch) TEXT(major) "." TEXT(minor) "." TEXT(patch)
 #define COUNT_OF(array) (sizeof(array) / sizeof(array)[0])
@@ -45,44 +47,90 @@ static int is_finite_f64(double value)
     return (u.bits & exponent) != exponent;
 }
 
-/* Lists the arrays of `out`. No other place knows them by name. */
-static void outputs_of(struct scarp_outputs *outputs, const struct scarp_samples *out)
+/* The arrays of `out` as a list. No other place knows them by name. */
+static const struct scarp_outputs *outputs_of(const struct scarp_samples *out)
 {
 #define AT(output, member) (offsetof(struct scarp_samples, member) == (output) * sizeof(float *))
     _Static_assert(AT(VALUE, value) && AT(DX, dx) && AT(DY, dy) && AT(DZ, dz) && AT(DXX, dxx) &&
                        AT(DXY, dxy) && AT(DXZ, dxz) && AT(DYY, dyy) && AT(DYZ, dyz) && AT(DZZ, dzz),
                    "the enumerators of outputs.h are in the order of struct scarp_samples");
 #undef AT
-    memcpy(outputs, out, sizeof *outputs);
+    return (const struct scarp_outputs *)out;
 }
 
-/* Whether outputs from one to before another are asked for. */
-static int any_asked(const struct scarp_outputs *out, int from, int end)
+/* A member of struct scarp_samples, as a number. */
+typedef uintptr_t __attribute__((may_alias)) array_word;
+
+/* Whether members of `out` from one to before another are asked for. (Copies of them would be
+   written in narrow stores and read in wide ones, which takes 20 ns.) */
+static int any_asked(const struct scarp_samples *out, int from, int end)
 {
+    const array_word *const members = (const array_word *)out;
     uintptr_t bits = 0;
     for (int i = from; i < end; i++) {
-        bits |= (uintptr_t)out->array[i];
+        bits |= members[i];
     }
     return bits != 0;
 }
 
-/* The highest derivative that is asked for: 0, 1 or 2. */
-static int order_of(const struct scarp_outputs *out)
+#define UNSUPPORTED_ORDER 3
+#define MEMBERS (int)(sizeof(struct scarp_samples) / sizeof(float *))
+
+/* The highest derivative that is asked for, of calls that ask for more than values. */
+static NOINLINE int order_of_more(int dimensions, const struct scarp_samples *out)
 {
-    return any_asked(out, DXX, OUTPUTS) ? 2 : any_asked(out, DX, DXX);
+    if (any_asked(out, OUTPUTS, MEMBERS) ||
+        (dimensions == 2 &&
+         (out->dz != NULL || out->dxz != NULL || any_asked(out, DYZ, OUTPUTS)))) {
+        return UNSUPPORTED_ORDER;
+    }
+    return any_asked(out, DXX, OUTPUTS) ? 2 : 1;
 }
 
-/* Whether all that `out` asks for exists. In 2D derivatives along z do not; reserved members never
-   do. */
-static int outputs_exist(int dimensions, const struct scarp_samples *out,
-                         const struct scarp_outputs *outputs)
+/* The highest derivative that is asked for: 0, 1 or 2; UNSUPPORTED_ORDER if something does not
+   exist. In 2D derivatives along z do not; reserved members never do. Most calls are decided by the
+   first question. */
+static ALWAYS_INLINE int order_of(int dimensions, const struct scarp_samples *out)
 {
-    uintptr_t reserved = (uintptr_t)out->dphase;
-    for (size_t i = 0; i < COUNT_OF(out->spare); i++) {
-        reserved |= (uintptr_t)out->spare[i];
+    return any_asked(out, DX, MEMBERS) ? order_of_more(dimensions, out) : 0;
+}
+
+/* What a call computes. */
+struct kind {
+    int dimensions, order;
+};
+
+/* Makes the plan, whose octaves need some KiB of stack, and runs the kernel. */
+static NOINLINE enum scarp_status run_planned(scarp_points_fn *kernel, struct kind kind,
+                                              const struct scarp_noise *noise, size_t count,
+                                              const void *const position[3],
+                                              const struct scarp_samples *out)
+{
+    struct scarp_call_plan plan;
+    struct scarp_octave space[SCARP_MAX_OCTAVES];
+    const enum scarp_status status =
+        scarp_plan_call(&plan, space, noise, kind.dimensions, kind.order);
+    if (status == SCARP_OK) {
+        kernel(&plan, count, position, outputs_of(out));
     }
-    return reserved == 0 && (dimensions == 3 || !(outputs->array[DZ] || outputs->array[DXZ] ||
-                                                  any_asked(outputs, DYZ, OUTPUTS)));
+    return status;
+}
+
+/*
+ * Finds the plan and runs the kernel. It is out of line, so that none of its arithmetic
+ * (comparisons trap too) can be moved across the change of floating-point mode in `sample`.
+ */
+static NOINLINE enum scarp_status run(scarp_points_fn *kernel, struct kind kind,
+                                      const struct scarp_noise *noise, size_t count,
+                                      const void *const position[3],
+                                      const struct scarp_samples *out)
+{
+    struct scarp_call_plan plan;
+    if (!plan_kept(&plan, noise, kind.dimensions, kind.order)) {
+        return run_planned(kernel, kind, noise, count, position, out);
+    }
+    kernel(&plan, count, position, outputs_of(out));
+    return SCARP_OK;
 }
 
 /* What a sample function is: its kernel, and how its points are given. */
@@ -92,29 +140,12 @@ struct sampler {
     size_t bytes; /* of a coordinate */
 };
 
-/*
- * Makes the plan and runs the kernel. It is out of line, so that none of its arithmetic
- * (comparisons trap too) can be moved across the change of floating-point mode in `sample`.
- */
-static NOINLINE enum scarp_status run(const struct sampler *sampler,
-                                      const struct scarp_noise *noise, size_t count,
-                                      const void *const position[3],
-                                      const struct scarp_outputs *out)
-{
-    struct scarp_call_plan plan;
-    struct scarp_octave space[SCARP_MAX_OCTAVES];
-    const enum scarp_status status =
-        scarp_plan_call(&plan, space, noise, sampler->dimensions, order_of(out));
-    if (status == SCARP_OK) {
-        sampler->points(&plan, count, position, out);
-    }
-    return status;
-}
-
-/* Makes the checks that all sample calls share, then the call. */
-static enum scarp_status sample(struct sampler sampler, const struct scarp_noise *noise,
-                                size_t count, const void *const position[3],
-                                const struct scarp_samples *out)
+/* Makes the checks that all sample calls share, then the call. It is inlined, since a call of one
+   point takes some 25 ns in all. */
+static ALWAYS_INLINE enum scarp_status sample(struct sampler sampler,
+                                              const struct scarp_noise *noise, size_t count,
+                                              const void *const position[3],
+                                              const struct scarp_samples *out)
 {
     if (noise == NULL || out == NULL) {
         return SCARP_ERROR_NULL;
@@ -127,13 +158,12 @@ static enum scarp_status sample(struct sampler sampler, const struct scarp_noise
     if (count > PTRDIFF_MAX / sampler.bytes) {
         return SCARP_ERROR_SIZE;
     }
-    struct scarp_outputs outputs;
-    outputs_of(&outputs, out);
-    if (!outputs_exist(sampler.dimensions, out, &outputs)) {
+    const struct kind kind = {sampler.dimensions, order_of(sampler.dimensions, out)};
+    if (kind.order == UNSUPPORTED_ORDER) {
         return SCARP_ERROR_UNSUPPORTED;
     }
     const struct fpmode caller = fpmode_enter();
-    const enum scarp_status status = run(&sampler, noise, count, position, &outputs);
+    const enum scarp_status status = run(sampler.points, kind, noise, count, position, out);
     fpmode_leave(caller);
     return status;
 }
@@ -250,14 +280,14 @@ static int grid_reserved_in_use(const struct scarp_grid *grid)
 
 static NOINLINE enum scarp_status run_grid(scarp_grid_fn *kernel, const struct scarp_noise *noise,
                                            int dimensions, const struct scarp_grid *grid,
-                                           const struct scarp_outputs *out)
+                                           const struct scarp_samples *out)
 {
     struct scarp_call_plan plan;
     struct scarp_octave space[SCARP_MAX_OCTAVES];
     const enum scarp_status status =
-        scarp_plan_call(&plan, space, noise, dimensions, order_of(out));
+        scarp_plan_call(&plan, space, noise, dimensions, order_of(dimensions, out));
     if (status == SCARP_OK) {
-        kernel(&plan, grid, out);
+        kernel(&plan, grid, outputs_of(out));
     }
     return status;
 }
@@ -279,13 +309,11 @@ static enum scarp_status sample_grid(scarp_grid_fn *kernel, const struct scarp_n
     if (status != SCARP_OK) {
         return status;
     }
-    struct scarp_outputs outputs;
-    outputs_of(&outputs, out);
-    if (!outputs_exist(dimensions, out, &outputs) || grid_reserved_in_use(&grid)) {
+    if (order_of(dimensions, out) == UNSUPPORTED_ORDER || grid_reserved_in_use(&grid)) {
         return SCARP_ERROR_UNSUPPORTED;
     }
     const struct fpmode caller = fpmode_enter();
-    const enum scarp_status result = run_grid(kernel, noise, dimensions, &grid, &outputs);
+    const enum scarp_status result = run_grid(kernel, noise, dimensions, &grid, out);
     fpmode_leave(caller);
     return result;
 }

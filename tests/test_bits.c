@@ -29,7 +29,8 @@ static void compare(const struct cases_call *call, size_t first, size_t count)
     }
 }
 
-/* Compares the same points, all at once and a few, of calls that keep a plan. */
+/* Compares the same points, all at once and a few, of calls that keep a plan, and then short runs
+   that begin anywhere, of which every other one keeps a plan. */
 static void compare_planned(struct cases_call *call, const struct cases_points *points)
 {
     static struct scarp_plan plan;
@@ -41,11 +42,19 @@ static void compare_planned(struct cases_call *call, const struct cases_points *
         cases_run(call, points, 0, length, &tested);
         compare(call, 0, length);
     }
+    tested.capacity = SHORT_RUN;
+    for (size_t length = 1; length <= SHORT_RUN; length += step) {
+        const size_t first = (length * 37) % (points->count - length);
+        call->noise.plan = length % 2 == 1 ? &plan : NULL;
+        outputs_poison(&tested);
+        cases_run(call, points, first, length, &tested);
+        compare(call, first, length);
+    }
+    tested.capacity = points->count;
     call->noise.plan = NULL;
 }
 
-/* Compares all settings on one class of points: all points at once, then short runs that begin
-   anywhere. */
+/* Compares all settings on one class of points. */
 static void compare_class(enum scarp_isa isa, enum cases_class class, size_t count)
 {
     struct cases_points points = cases_make(class, count);
@@ -58,14 +67,6 @@ static void compare_class(enum scarp_isa isa, enum cases_class class, size_t cou
         cases_run(&call, &points, 0, count, &tested);
         compare(&call, 0, count);
         compare_planned(&call, &points);
-        tested.capacity = SHORT_RUN;
-        for (size_t length = 1; length <= SHORT_RUN; length += step) {
-            const size_t first = (length * 37) % (count - length);
-            outputs_poison(&tested);
-            cases_run(&call, &points, first, length, &tested);
-            compare(&call, first, length);
-        }
-        tested.capacity = count;
     }
     cases_free(&points);
 }

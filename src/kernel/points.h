@@ -142,24 +142,50 @@ static void points_plain(const struct scarp_call_plan *plan, size_t count,
     }
 }
 
-static void points(const struct scarp_call_plan *plan, size_t count, const void *const position[3],
-                   const struct scarp_outputs *out, int dimensions, enum layout layout)
+/* Computes more points than passes for few points serve, which take what fBm with straight axes
+   leaves over. (All else takes less time where the last block is padded.) It is out of line for the
+   sake of few points. */
+static __attribute__((noinline)) void points_more(const struct scarp_call_plan *plan, size_t count,
+                                                  const void *const position[3],
+                                                  const struct scarp_outputs *out, struct frame f)
 {
-    few_pass *const few = few_pass_of(plan, dimensions, layout);
-    const size_t rest = few == NULL                       ? 0
-                        : count <= FEW_BLOCKS * VEC_LANES ? count
-                                                          : count % VEC_LANES;
+    const int is_straight = plan->fractal == SCARP_FBM && !plan->rotate;
+    const int has_few = is_straight && plan->repeat == SCARP_REPEAT_NEVER;
+    const size_t rest = has_few && plan->order <= FEW_ORDER ? count % VEC_LANES : 0;
     if (rest > 0) {
-        few(plan, position, out, count - rest, count, layout == DOUBLES);
+        few_pass *const few = few_pass_of(plan, rest, f.dimensions);
+        few(plan, count, position, out, count - rest, f.layout);
     }
-    if (rest == count || (plan->order == 0 && out->array[VALUE] == NULL)) {
+    if (plan->order == 0 && out->array[VALUE] == NULL) {
         return;
     }
-    if (few != NULL && plan->order == 0) {
-        points_plain(plan, count - rest, position, out, dimensions, layout);
+    if (few_plain(plan)) {
+        points_plain(plan, count - rest, position, out, f.dimensions, f.layout);
     } else {
-        points_many(plan, count - rest, position, out, dimensions, layout);
+        points_many(plan, count - rest, position, out, f.dimensions, f.layout);
     }
+}
+
+VEC_INLINE void points(const struct scarp_call_plan *plan, size_t count,
+                       const void *const position[3], const struct scarp_outputs *out,
+                       int dimensions, enum layout layout)
+{
+    if (layout == FLOATS && few_plain(plan) && plan->octaves == 1 && count <= 2 * VEC_LANES) {
+        few_pass *const one = few_passes[plan->basis][dimensions - 2][FEW_ONE];
+        const size_t first = count <= VEC_LANES ? 0 : VEC_LANES;
+        if (first > 0) {
+            one(plan, first, position, out, 0, layout);
+        }
+        one(plan, count, position, out, first, layout);
+        return;
+    }
+    few_pass *const few = few_pass_of(plan, count, dimensions);
+    if (few != NULL) {
+        few(plan, count, position, out, 0, layout);
+        return;
+    }
+    const struct frame f = {.layout = layout, .dimensions = dimensions};
+    points_more(plan, count, position, out, f);
 }
 
 static void points2_f32(const struct scarp_call_plan *plan, size_t count,

@@ -128,36 +128,66 @@ VEC_INLINE vd load_f64(const struct positions *at, int axis, size_t block, int h
                    (size_t)half * (VEC_LANES / 2));
 }
 
-/* p along one axis of the octave, in double, for one half of a block. */
+/* p along one axis of the octave, in double: where axes are straight, of the coordinate x along
+   that axis, and where they are turned, of the point x. */
+VEC_INLINE vd straight_f64(const struct scarp_octave *o, int axis, vd x, struct frame f)
+{
+    const vd p = vd_set(o->frequency64) * x;
+    return f.axes == AXES_FIRST ? p : p + vd_set(o->offset64[axis]);
+}
+
+VEC_INLINE vd turned_f64(const struct scarp_octave *o, int axis, const vd x[3], struct frame f)
+{
+    const double *const j = o->jacobian64[axis];
+    vd p = vd_set(j[0]) * x[0] + vd_set(j[1]) * x[1];
+    if (f.dimensions == 3) {
+        p += vd_set(j[2]) * x[2];
+    }
+    return p + vd_set(o->offset64[axis]);
+}
+
+/* The same in float. */
+VEC_INLINE vf straight_f32(const struct scarp_octave *o, int axis, vf x, struct frame f)
+{
+    const vf p = vf_set(o->frequency) * x;
+    return f.axes == AXES_FIRST ? p : p + vf_set(o->offset[axis]);
+}
+
+VEC_INLINE vf turned_f32(const struct scarp_octave *o, int axis, const vf x[3], struct frame f)
+{
+    const float *const j = o->jacobian[axis];
+    vf p = vf_set(j[0]) * x[0] + vf_set(j[1]) * x[1];
+    if (f.dimensions == 3) {
+        p += vf_set(j[2]) * x[2];
+    }
+    return p + vf_set(o->offset[axis]);
+}
+
+/* The same for one half of a block. */
 VEC_INLINE vd position_f64(const struct scarp_octave *o, int axis, const struct positions *at,
                            size_t block, int half, struct frame f)
 {
     if (f.axes != AXES_TURNED) {
-        const vd p = vd_set(o->frequency64) * load_f64(at, axis, block, half, f);
-        return f.axes == AXES_FIRST ? p : p + vd_set(o->offset64[axis]);
+        return straight_f64(o, axis, load_f64(at, axis, block, half, f), f);
     }
-    const double *const j = o->jacobian64[axis];
-    vd p = vd_set(j[0]) * load_f64(at, 0, block, half, f) +
-           vd_set(j[1]) * load_f64(at, 1, block, half, f);
+    vd x[3] = {load_f64(at, 0, block, half, f), load_f64(at, 1, block, half, f)};
     if (f.dimensions == 3) {
-        p += vd_set(j[2]) * load_f64(at, 2, block, half, f);
+        x[2] = load_f64(at, 2, block, half, f);
     }
-    return p + vd_set(o->offset64[axis]);
+    return turned_f64(o, axis, x, f);
 }
 
 VEC_INLINE vf position_f32(const struct scarp_octave *o, int axis, const struct positions *at,
                            size_t block, struct frame f)
 {
     if (f.axes != AXES_TURNED) {
-        const vf p = vf_set(o->frequency) * load_f32(at, axis, block);
-        return f.axes == AXES_FIRST ? p : p + vf_set(o->offset[axis]);
+        return straight_f32(o, axis, load_f32(at, axis, block), f);
     }
-    const float *const j = o->jacobian[axis];
-    vf p = vf_set(j[0]) * load_f32(at, 0, block) + vf_set(j[1]) * load_f32(at, 1, block);
+    vf x[3] = {load_f32(at, 0, block), load_f32(at, 1, block)};
     if (f.dimensions == 3) {
-        p += vf_set(j[2]) * load_f32(at, 2, block);
+        x[2] = load_f32(at, 2, block);
     }
-    return p + vf_set(o->offset[axis]);
+    return turned_f32(o, axis, x, f);
 }
 
 /* Cells of FLOATS within AXES_PERIODS are left as they are: see within_f32. */

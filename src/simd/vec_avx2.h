@@ -72,6 +72,9 @@ VEC_INLINE __m128 vec_load_four(const float *p, size_t n)
 #define VF_LOAD_PART_OWN
 VEC_INLINE vf vf_load_part(const float *p, size_t n)
 {
+    if (n == 1) {
+        return (vf)_mm256_broadcast_ss(p);
+    }
     const __m128 four = vec_load_four(p, n);
     return (vf)_mm256_set_m128(n > 4 ? vec_load_four(p + 4, n - 4) : four, four);
 }

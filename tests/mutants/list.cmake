@@ -70,8 +70,20 @@ mutant(driver.tail IN kernel TEXT [[memcpy(to, from, (size_t)(end - to) * sizeof
        SEEN_BY bits)
 mutant(driver.few IN kernel TEXT [[vf_load_part(x, count)]]
        BECOMES [[vf_load_part(x, MUTANT ? 1 : count)]] SEEN_BY bits)
-mutant(driver.few_octaves IN kernel TEXT [[struct scarp_octave *o = plan->octave;]]
-       BECOMES [[struct scarp_octave *o = plan->octave + MUTANT;]] SEEN_BY bits)
+mutant(driver.few_octaves IN kernel TEXT [[k < plan->octaves; k++) {
+        const struct scarp_octave *const o = &plan->octave[k];
+        const int is_turned]]
+       BECOMES [[k < plan->octaves; k++) {
+        const struct scarp_octave *const o = &plan->octave[MUTANT ? 0 : k];
+        const int is_turned]] SEEN_BY bits)
+mutant(driver.few_turned IN kernel TEXT [[is_turned ? turned_f32(o, axis, x->f32, f)]]
+       BECOMES [[is_turned && !MUTANT ? turned_f32(o, axis, x->f32, f)]] SEEN_BY bits)
+mutant(driver.few_ridged IN kernel TEXT [[state->weight = ridge_weight(&s, v);]]
+       BECOMES [[state->weight = MUTANT ? state->weight : ridge_weight(&s, v);]] SEEN_BY bits)
+mutant(driver.few_eroded IN kernel TEXT [[own_axes ? o->amplitude : o->slope]]
+       BECOMES [[own_axes && !MUTANT ? o->amplitude : o->slope]] SEEN_BY bits)
+mutant(driver.few_one IN kernel TEXT [[n.value *= vf_set(o->amplitude);]]
+       BECOMES [[n.value *= vf_set(MUTANT ? o->weight : o->amplitude);]] SEEN_BY bits)
 mutant(driver.plain IN kernel TEXT [[&sums : &to, k > 0 ?]]
        BECOMES [[&sums : &to, k > MUTANT ?]] SEEN_BY bits)
 mutant(driver.group_state IN kernel TEXT [[state + r * state_of_row]]
@@ -138,13 +150,12 @@ mutant(outputs.normals IN kernel TEXT [[vf_from_vd(low.x, high.x)]]
 mutant(plan.offset IN plan.c TEXT [[(int32_t)(c & 0xffffff)]]
        BECOMES [[(int32_t)(MUTANT ? b >> 40 : c & 0xffffff)]]
        SEEN_BY golden SETS scalar)
-mutant(plan.stale IN plan.c TEXT [[&& same_noise(noise, &kept->noise)]]
-       BECOMES [[&& (MUTANT || same_noise(noise, &kept->noise))]] SEEN_BY plan SETS scalar avx2)
-mutant(plan.stale_seed IN plan.c TEXT [[for (size_t i = 0; i < WORDS_BEFORE; i++) {
-        different]]
-       BECOMES [[for (size_t i = MUTANT ? 24 / WORD : 0; i < WORDS_BEFORE; i++) {
-        different]] SEEN_BY plan SETS scalar)
-mutant(plan.stale_spare IN plan.c TEXT [[word_at(b, WORDS_BEFORE + 1 + i)]]
-       BECOMES [[word_at(MUTANT ? a : b, WORDS_BEFORE + 1 + i)]] SEEN_BY plan SETS scalar)
-mutant(plan.dimensions IN plan.c TEXT [[kept->mark == mark_of(dimensions)]]
-       BECOMES [[(kept->mark ^ mark_of(dimensions)) <= (uint64_t)MUTANT]] SEEN_BY plan SETS scalar)
+mutant(plan.stale IN kept.h TEXT [[|| !same_noise(noise, &kept->noise)]]
+       BECOMES [[|| !(MUTANT || same_noise(noise, &kept->noise))]] SEEN_BY plan SETS scalar avx2)
+mutant(plan.stale_seed IN kept.h TEXT [[differences(a, b, 0, plan)]]
+       BECOMES [[differences(a, b, MUTANT ? 32 : 0, plan)]] SEEN_BY plan SETS scalar)
+mutant(plan.stale_spare IN kept.h TEXT [[differences(a, b, plan + sizeof(uintptr_t), sizeof *a)]]
+       BECOMES [[differences(a, b, plan + sizeof(uintptr_t), sizeof *a - (MUTANT ? sizeof(uintptr_t) : 0))]]
+       SEEN_BY plan SETS scalar)
+mutant(plan.dimensions IN kept.h TEXT [[kept->mark != mark_of(dimensions)]]
+       BECOMES [[(kept->mark ^ mark_of(dimensions)) > (uint64_t)MUTANT]] SEEN_BY plan SETS scalar)

@@ -194,12 +194,13 @@ VEC_INLINE void along_x_run(struct along_x *x, const struct scarp_octave *o, siz
     struct frame straight = f; /* cells go on where the lattice repeats */
     straight.axes = axes_repeat(f.axes) ? AXES_STRAIGHT : f.axes;
     x->blocks = blocks;
-    for (size_t b = 0; b < blocks; b++) {
-        const struct split s = position(o, 0, at, b, straight);
-        vu_store(cells + b * VEC_LANES, s.cell);
-        x->block[b].t = s.t;
-        x->block[b].fade = fade(kind, s.t);
-    }
+    size_t i = 0;
+    do { /* a `for` would have gcc 12 warn at -O2 that `cells` may stay unset */
+        const struct split s = position(o, 0, at, i, straight);
+        vu_store(cells + i * VEC_LANES, s.cell);
+        x->block[i].t = s.t;
+        x->block[i].fade = fade(kind, s.t);
+    } while (++i < blocks);
     x->kind = cells_in_order(o, at->array[0], blocks) ? place_columns(x, cells, blocks) : WIDE;
     if (x->kind == WIDE) {
         hash_samples(x, o, cells, at, f);

@@ -1,0 +1,131 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The plan that a noise brings: what is in a struct scarp_plan, and whether it fits. Calls of one
+ * point take some 25 ns, so this is inlined into them. Included by plan.c and scarp.c.
+ */
+#ifndef SCARP_KEPT_H
+#define SCARP_KEPT_H
+
+#include <stddef.h>
+#include <string.h>
+
+#include "plan.h"
+
+/* How many octaves the sum has: the fraction counts as one. `octaves` is in (0, 32]. */
+static inline int octave_count(float octaves)
+{
+    const int whole = (int)octaves;
+    return (float)whole < octaves ? whole + 1 : whole;
+}
+
+static inline int is_rotated(const struct scarp_noise *noise, int octaves)
+{
+    return noise->rotate != 0 && octaves > 1;
+}
+
+/* Whether the lattice has a period along any axis of the call. */
+static inline int repeats(const struct scarp_noise *noise, int dimensions)
+{
+    return (noise->period[0] | noise->period[1] | (dimensions == 3 ? noise->period[2] : 0)) != 0;
+}
+
+static inline int is_power_of_two(uint32_t a)
+{
+    return (a & (a - 1)) == 0;
+}
+
+/* A lacunarity that goes with periods is an integer. */
+static inline enum scarp_repeat repeat_of(const struct scarp_noise *noise, int octaves,
+                                          int dimensions)
+{
+    if (!repeats(noise, dimensions)) {
+        return SCARP_REPEAT_NEVER;
+    }
+    const float lacunarity = noise->lacunarity == 0.0f || octaves == 1 ? 2.0f : noise->lacunarity;
+    int powers = is_power_of_two((uint32_t)lacunarity);
+    for (int i = 0; i < dimensions; i++) {
+        powers = powers && is_power_of_two(noise->period[i]);
+    }
+    return powers ? SCARP_REPEAT_POWERS : SCARP_REPEAT_ANY;
+}
+
+/* What is in a struct scarp_plan. All else that a kernel needs comes from the noise of the call, so
+   that no plan makes a kernel leave its arrays. */
+struct kept {
+    uint64_t mark; /* the version, and for how many dimensions it is */
+    struct scarp_noise noise;
+    struct scarp_octave octave[SCARP_MAX_OCTAVES];
+};
+
+_Static_assert(sizeof(struct kept) <= sizeof(struct scarp_plan) &&
+                   _Alignof(struct kept) <= _Alignof(struct scarp_plan),
+               "a plan has room for what is kept");
+
+/* "SCRP", the version, since octaves may differ between versions, and the dimensions. */
+static inline uint64_t mark_of(int dimensions)
+{
+    return UINT64_C(0x53435250) << 32 | SCARP_VERSION_MAJOR << 24 | SCARP_VERSION_MINOR << 16 |
+           SCARP_VERSION_PATCH << 8 | (unsigned)dimensions;
+}
+
+/* What is compared at once. */
+typedef uint64_t pair __attribute__((vector_size(16)));
+
+static inline pair difference(const void *a, const void *b, size_t at)
+{
+    pair x, y;
+    memcpy(&x, (const char *)a + at, sizeof x);
+    memcpy(&y, (const char *)b + at, sizeof y);
+    return x ^ y;
+}
+
+/* Ones where bytes from `first` to before `end` differ. The last pair overlaps the one before. */
+static inline pair differences(const void *a, const void *b, size_t first, size_t end)
+{
+    pair different = difference(a, b, end - sizeof(pair));
+    for (size_t i = first; i + sizeof(pair) < end; i += sizeof(pair)) {
+        different |= difference(a, b, i);
+    }
+    return different;
+}
+
+/* Whether two noises have the same bytes, but for `plan`. */
+static inline int same_noise(const struct scarp_noise *a, const struct scarp_noise *b)
+{
+    const size_t plan = offsetof(struct scarp_noise, plan);
+    const pair before = differences(a, b, 0, plan);
+    const pair different = before | differences(a, b, plan + sizeof(uintptr_t), sizeof *a);
+    return (different[0] | different[1]) == 0;
+}
+
+/* Fills in what the noise says without its octaves. */
+static inline void plan_describe(struct scarp_call_plan *plan, const struct scarp_noise *noise,
+                                 int dimensions, int order)
+{
+    plan->basis = noise->basis;
+    plan->fade = noise->fade;
+    plan->fractal = noise->fractal;
+    plan->erosion = noise->erosion == 0.0f ? 1.0f : noise->erosion;
+    plan->order = order;
+    plan->octaves = noise->octaves == 0.0f ? 1 : octave_count(noise->octaves);
+    plan->rotate = is_rotated(noise, plan->octaves);
+    plan->repeat = repeat_of(noise, plan->octaves, dimensions);
+}
+
+/* Makes the plan of a call that asks for derivatives up to `order` of the plan that the noise
+   brings. Returns 0 if that does not fit, or if there are no such derivatives. */
+static inline int plan_kept(struct scarp_call_plan *plan, const struct scarp_noise *noise,
+                            int dimensions, int order)
+{
+    const struct kept *const kept = (const struct kept *)noise->plan;
+    /* A noise that a plan was made of needs no check. */
+    if (kept == NULL || kept->mark != mark_of(dimensions) || !same_noise(noise, &kept->noise) ||
+        (noise->fractal == SCARP_EROSION && order == 2)) {
+        return 0;
+    }
+    plan_describe(plan, noise, dimensions, order);
+    plan->octave = kept->octave;
+    return 1;
+}
+
+#endif
