@@ -49,7 +49,7 @@ static int check_rows(const char *preset, const struct terrain_options *options)
     struct scarp_noise noise;
     struct bench_work work;
     snprintf(title, sizeof title, "preset-%s", preset);
-    CHECK(noise_make(&options->noise, &noise), "%s: no noise", preset);
+    CHECK(noise_make(&options->noise, 2, &noise), "%s: no noise", preset);
     for (size_t i = 0; bench_work_get(i, &work); i++) {
         if (work.title == NULL || strcmp(work.title, title) != 0) {
             continue;

@@ -32,14 +32,14 @@ SKIPPED = 77
 PATIENCE = 60  # seconds
 SPEED = os.environ.get("SCARP_SPEED", "full")
 NAMES = ("height", "normal", "hillshade")
-OPTIONS = ("size", "origin", "step", "height", "sea-level", "plateau",
+OPTIONS = ("size", "origin", "step", "period", "tileable", "height", "sea-level", "plateau",
            "heights", "normals", "hillshade", "gradient", "output", "compare",
            "normal-y", "azimuth", "altitude", "z-factor",
            "tile", "tiles", "share", "overlap", "resume",
            "preset", "seed", "basis", "fade", "fractal", "erosion", "frequency", "octaves",
            "lacunarity", "gain", "amplitude", "rotate",
            "threads", "isa", "quiet", "help")
-FLAGS = ("resume", "rotate", "quiet", "help")
+FLAGS = ("tileable", "resume", "rotate", "quiet", "help")
 FRACTALS = ("fbm", "turbulence", "ridged", "erosion")
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir, os.pardir)
 # Cheap to compute, and every option of the noise matters in it

@@ -67,7 +67,7 @@ class Manifest(WorldCase):
         self.assertEqual(found, {
             "manifest": 1, "scarp": re.search(r"[\d.]+", common.text_of("--version")).group(),
             "size": [40, 30], "tile": [10, 10], "overlap": 1, "origin": [-7.25, 1e9], "step": 1,
-            "height": 0.1, "sea-level": -0.25, "plateau": None, "compare": 0, "normal-y": "down",
+            "period": [0, 0], "tileable": False, "height": 0.1, "sea-level": -0.25, "plateau": None, "compare": 0, "normal-y": "down",
             "azimuth": 315, "altitude": 45, "z-factor": 1, "seed": 18446744073709551615,
             "basis": "gradient", "fade": "quintic", "fractal": "fbm", "erosion": 1,
             "frequency": 0.03, "octaves": 3, "lacunarity": 2, "gain": 0.4, "amplitude": -3,
@@ -85,6 +85,7 @@ class Manifest(WorldCase):
         files = ("--heights", "w.r32", "--normals", "n.npy")
         changes = {"size": ("40x29", "[40, 30]", "[40, 29]"), "origin": ("0,1", "[0, 0]", "[0, 1]"),
                    "step": ("2", "1", "2"), "height": ("7", "120", "7"),
+                   "period": ("100x100", "[0, 0]", "[100, 100]"),
                    "sea-level": ("0.25", "null", "0.25"), "plateau": ("0.5", "null", "0.5"),
                    "normal-y": ("down", '"up"', '"down"'), "azimuth": ("0", "315", "0"),
                    "altitude": ("1", "45", "1"), "z-factor": ("3", "1", "3"),
@@ -113,7 +114,8 @@ class Manifest(WorldCase):
         self.refused(*TERRAIN, "--heights", "w.r32", words=('"n_{y}_{x}.npy" there and null here',))
         self.refused(*TERRAIN, "--heights", "w.r32", "--normals", "npy:n", "--resume",
                      words=('"n_{y}_{x}.npy" there and "npy:n_{y}_{x}" here',))
-        rest = {"heights", "normals", "compare", "resume", "quiet", "help"}
+        # test_period.py has --tileable, which is no option for this size.
+        rest = {"tileable", "heights", "normals", "compare", "resume", "quiet", "help"}
         self.assertEqual(set(common.OPTIONS), set(changes) | set(same) | rest)
 
     def test_several_differences(self):

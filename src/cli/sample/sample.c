@@ -96,6 +96,19 @@ static const struct option result_rows[] = {
     {.name = "--hessian", .help = "after these, its second derivatives", .offset = FIELD(hessian)},
 };
 
+static const struct option period_rows[] = {
+    {.name = "--period",
+     .argument = "X,Y[,Z]",
+     .allowed = "two or three integers X,Y[,Z] from 0 to 2^30",
+     .help = "cells of the first octave after which the noise repeats along each\naxis, from 0, "
+             "which is never, to 2^30; without --rotate, and with a whole\nnumber as lacunarity "
+             "[never]",
+     .parse = option_periods,
+     .offset = FIELD(noise.period),
+     .lowest = 0,
+     .highest = 0x1p30},
+};
+
 static const struct option running_rows[] = {
     {.name = "--isa",
      .argument = "NAME",
@@ -112,6 +125,7 @@ static const struct option_group groups[] = {
     OPTION_GROUP("points", point_rows, 0),
     OPTION_GROUP("results", result_rows, 0),
     {"noise", noise_option_rows, NOISE_OPTION_COUNT, FIELD(noise)},
+    {NULL, period_rows, 1, 0},
     OPTION_GROUP("running", running_rows, 0),
 };
 
@@ -327,7 +341,7 @@ int cli_sample(char **argv)
     default: break;
     }
     struct scarp_noise noise;
-    if (!check_columns(&options) || !noise_make(&options.noise, &noise) ||
+    if (!check_columns(&options) || !noise_make(&options.noise, 3, &noise) ||
         !check_hessian(&noise, options.hessian != 0)) {
         return CLI_USAGE;
     }

@@ -5,6 +5,7 @@
 #include "shared/noise.h"
 
 #include <stddef.h>
+#include <string.h>
 
 #include "shared/error.h"
 
@@ -135,7 +136,23 @@ const struct option noise_option_rows[NOISE_OPTION_COUNT] = {
      .offset = FIELD(rotate)},
 };
 
-bool noise_make(const struct noise_options *options, struct scarp_noise *noise)
+/* Each number was checked by itself; what is left is how they go together. */
+static void refuse(const char *member)
+{
+    if (strcmp(member, "lacunarity") == 0) {
+        cli_error("--lacunarity: is no whole number from 1 to 16, which noise with a period needs");
+    } else if (strcmp(member, "rotate") == 0) {
+        cli_error("--rotate: axes that are turned do not repeat; leave it out with --period");
+    } else if (strncmp(member, "period", 6) == 0) {
+        cli_error("--period: has more than 2^30 cells in the last octave; fewer --octaves or a "
+                  "lower --lacunarity will do");
+    } else {
+        cli_error("--frequency, --lacunarity, --octaves: the frequency of the last octave is not "
+                  "from 2^-32 to 2^48");
+    }
+}
+
+bool noise_make(const struct noise_options *options, int dimensions, struct scarp_noise *noise)
 {
     *noise = (struct scarp_noise){
         .basis = (enum scarp_basis)options->basis,
@@ -150,11 +167,11 @@ bool noise_make(const struct noise_options *options, struct scarp_noise *noise)
         .amplitude = options->amplitude,
         .erosion = options->erosion,
     };
-    /* Each number was checked by itself; what is left is the frequency of the last octave. */
-    const enum scarp_status status = scarp_noise_check(noise, 2, NULL);
+    memcpy(noise->period, options->period, sizeof noise->period);
+    const char *member = NULL;
+    const enum scarp_status status = scarp_noise_check(noise, dimensions, &member);
     if (status != SCARP_OK) {
-        cli_error("--frequency, --lacunarity, --octaves: the frequency of the last octave is not "
-                  "from 2^-32 to 2^48");
+        refuse(member);
     }
     return status == SCARP_OK;
 }

@@ -16,13 +16,15 @@ struct noise_options {
     uint64_t seed;
     double frequency;
     float octaves, lacunarity, gain, amplitude, erosion;
+    uint32_t period[3];
     int basis, fade, fractal, rotate; /* enumerators of scarp.h */
 };
 
 #define NOISE_OPTION_COUNT 11
 extern const struct option noise_option_rows[NOISE_OPTION_COUNT];
 
-/* Makes the noise. False, with a line on stderr, if the numbers do not go together. */
-bool noise_make(const struct noise_options *options, struct scarp_noise *noise);
+/* Makes the noise for so many dimensions. False, with a line on stderr, if the numbers do not go
+   together. */
+bool noise_make(const struct noise_options *options, int dimensions, struct scarp_noise *noise);
 
 #endif

@@ -94,6 +94,7 @@ option_parse_fn option_double;    /* double in [lowest, highest] */
 option_parse_fn option_float;     /* float in [lowest, highest]; the bounds are floats */
 option_parse_fn option_isa;       /* int: an enum scarp_isa that can run here */
 option_parse_fn option_magnitude; /* float, its magnitude in [lowest, highest], which are floats */
+option_parse_fn option_periods;   /* uint32_t[3], "X,Y" or "X,Y,Z", all in [lowest, highest] */
 option_parse_fn option_point;     /* struct option_point, "X,Y", both in [lowest, highest] */
 option_parse_fn option_range;     /* struct option_range, "X0:X1,Y0:Y1", all in [lowest, highest] */
 option_parse_fn option_seed;      /* uint64_t */

@@ -110,6 +110,28 @@ enum option_result option_size(const struct option *option, const char *text, vo
     return OPTION_VALID;
 }
 
+enum option_result option_periods(const struct option *option, const char *text, void *field)
+{
+    char *end;
+    uint32_t periods[3] = {0, 0, 0};
+    for (int i = 0; i < 3; i++) {
+        size_t count;
+        if (!read_count(option, text, &count, &end)) {
+            return OPTION_INVALID;
+        }
+        periods[i] = (uint32_t)count;
+        if (*end == '\0' && i > 0) {
+            memcpy(field, periods, sizeof periods);
+            return OPTION_VALID;
+        }
+        if (*end != ',') {
+            return OPTION_INVALID;
+        }
+        text = end + 1;
+    }
+    return OPTION_INVALID;
+}
+
 enum option_result option_range(const struct option *option, const char *text, void *field)
 {
     char *end;

@@ -13,6 +13,7 @@
 
 #include "shared/error.h"
 #include "terrain/job.h"
+#include "terrain/repeat.h"
 #include "terrain/world.h"
 
 static double seconds(void)
@@ -39,7 +40,7 @@ static bool make_surface(const struct terrain_options *options, struct surface *
         .normal_y = options->normal_down ? -1.0f : 1.0f,
         .zoom = options->compare,
     };
-    if (!noise_make(&options->noise, &surface->noise)) {
+    if (!noise_make(&options->noise, 2, &surface->noise)) {
         return false;
     }
     if (options->plateau < options->sea_level) {
@@ -86,11 +87,23 @@ static void print_heights(const struct job *job, FILE *stream)
     }
 }
 
+/* The frequency may be another than was asked for. */
+static void print_period(const struct terrain_options *options, FILE *stream)
+{
+    const struct option_size period = options->tileable ? options->size : options->period;
+    if (period.width != 0) {
+        fprintf(stream, "repeats after %zux%zu samples: frequency %.9g, %u x %u cells\n",
+                period.width, period.height, options->noise.frequency,
+                (unsigned)options->noise.period[0], (unsigned)options->noise.period[1]);
+    }
+}
+
 static void print_summary(const struct job *job, double duration)
 {
     /* A device may be standard output by another name. */
     FILE *const stream = outputs_are_files(&job->outputs[0]) ? stdout : stderr;
     print_heights(job, stream);
+    print_period(job->options, stream);
     if (job->busy > 0) {
         fprintf(stream, "%zu tile%s left to other runs\n", job->busy, job->busy == 1 ? "" : "s");
     }
@@ -146,6 +159,9 @@ int cli_terrain(char **argv)
     case OPTIONS_HELP: return CLI_SUCCESS;
     case OPTIONS_BAD: return CLI_USAGE;
     default: break;
+    }
+    if (!terrain_repeat(&options)) {
+        return CLI_USAGE;
     }
     struct job job = {.options = &options};
     int status = prepare(&job);

@@ -39,6 +39,18 @@ static const struct option raster_rows[] = {
      .offset = FIELD(step),
      .lowest = 0x1p-48,
      .highest = 0x1p48},
+    {.name = "--period",
+     .argument = "WxH",
+     .allowed = "WIDTHxHEIGHT with both from 1 to 1000000",
+     .help = "repeat after so many samples, both from 1, without a seam; the\nfrequency becomes "
+             "the nearest that has whole cells there, and a\npreset's axes are not turned [never]",
+     .parse = option_size,
+     .offset = FIELD(period),
+     .lowest = 1,
+     .highest = 1e6},
+    {.name = "--tileable",
+     .help = "--period with the raster's own size: copies fit side by side",
+     .offset = FIELD(tileable)},
     {.name = "--height",
      .argument = "F",
      .standard = "120",
@@ -277,6 +289,9 @@ const struct option_table terrain_table = {
         "place      column c and row r lie at x = X + c step and y = Y + (H - 1 - r) step: x "
         "grows\n"
         "           to the right (east) and y upward (north).\n"
+        "period     copies fit to rounding, and to the bit if width, height and step are powers "
+        "of\n"
+        "           two. Lacunarity is a whole number then.\n"
         "heights    floats are height * value, in the unit of x and y. Integers are\n"
         "           round(65535 (value - lowest) / (highest - lowest)), with the interval that\n"
         "           values never leave, and not those that occur: tiles of one terrain fit\n"

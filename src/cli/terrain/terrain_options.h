@@ -10,14 +10,14 @@
 
 struct terrain_options {
     struct noise_options noise;
-    struct option_size size, tile; /* no tile: 0 x 0 */
-    struct option_range tiles;     /* all: end 0 */
-    struct option_share share;     /* all: count 0 */
+    struct option_size size, tile, period; /* no tile, no period: 0 x 0 */
+    struct option_range tiles;             /* all: end 0 */
+    struct option_share share;             /* all: count 0 */
     struct option_point origin;
     double step, azimuth, altitude;
     float height, sea_level, plateau, z_factor; /* no sea: -infinity; no plateau: infinity */
     size_t compare, overlap, threads;           /* all threads: 0 */
-    int preset, normal_down, resume, isa, quiet;
+    int tileable, preset, normal_down, resume, isa, quiet;
     const char *heights, *normals, *hillshade, *gradient, *output;
 };
 
