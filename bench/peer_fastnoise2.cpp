@@ -57,7 +57,8 @@ FastNoise::SmartNode<FastNoise::Generator> sum(FastSIMD::FeatureSet set,
 void *open(const bench_work *work, scarp_isa isa)
 {
     const FastSIMD::FeatureSet set = level(isa);
-    if (set == FastSIMD::FeatureSet::Invalid || work->fractal == SCARP_EROSION) {
+    if (set == FastSIMD::FeatureSet::Invalid || work->fractal == SCARP_EROSION ||
+        (work->period != 0 && work->dimensions != 2)) {
         return nullptr;
     }
     auto noise = work->basis == SCARP_GRADIENT ? basis<FastNoise::Perlin>(set)
@@ -101,7 +102,9 @@ void grid(const void *opaque, const bench_work *work, float *value)
                       static_cast<int>(work->grid[2])};
     const float *const x = work->origin;
     const float step = work->step;
-    if (state->dimensions == 2) {
+    if (work->period != 0) { /* the grid's own size, which bench/work.c has it be */
+        state->noise->GenTileable2D(value, n[0], n[1], step, step, seed);
+    } else if (state->dimensions == 2) {
         state->noise->GenUniformGrid2D(value, x[0], x[1], n[0], n[1], step, step, seed);
     } else {
         state->noise->GenUniformGrid3D(value, x[0], x[1], x[2], n[0], n[1], n[2], step, step, step,

@@ -177,6 +177,9 @@ static int make_peer(struct bench_subject *subject, const struct bench_work *wor
     if (work->layout == BENCH_NORMALS || work->fade != SCARP_QUINTIC || work->turned || work->f64) {
         return 0;
     }
+    if (work->period != 0 && work->layout != BENCH_GRID) {
+        return 0;
+    }
     if (work->layout == BENCH_GRID) {
         if (peer->grid == NULL || work->output != BENCH_VALUE || work->on_request) {
             return 0;

@@ -44,6 +44,7 @@ static const size_t cubes[] = {64, 256, 0}, large_cube[] = {256, 0};
 static const float other_steps[] = {0.1f, 0.3f, 1.7f, 0};
 static const float none_steps[] = {0.0025f, 0}, alps_steps[] = {0.0035f, 0};
 static const float dunes_steps[] = {0.0022f, 0}, islands_steps[] = {0.0045f, 0};
+static const float period_steps[] = {0x1p-7f, 0}; /* 1024 samples cross 8 cells */
 static const float canyon_steps[] = {0.004f, 0}, quick_noise_steps[] = {0x1p-7f, 0};
 
 static const struct product products[] = {
@@ -89,6 +90,22 @@ static const struct product products[] = {
     {{.layout = BENCH_GRID, .fractal = SCARP_EROSION, .octaves = 8, .dimensions = 2},
      .bases = GRADIENT,
      .outputs = UP_TO_GRADIENT},
+    /* A power of two, and no power of two. */
+    {{.period = 256}, .bases = GRADIENT, .outputs = ONLY_VALUE},
+    {{.period = 200}, .bases = GRADIENT, .outputs = ONLY_VALUE},
+    {{.period = 200, .f64 = 1}, .bases = GRADIENT, .outputs = ONLY_VALUE},
+    {{.layout = BENCH_GRID, .dimensions = 2},
+     .bases = GRADIENT,
+     .outputs = UP_TO_GRADIENT,
+     .steps = period_steps},
+    {{.layout = BENCH_GRID, .period = 8, .dimensions = 2},
+     .bases = GRADIENT,
+     .outputs = UP_TO_GRADIENT,
+     .steps = period_steps},
+    {{.layout = BENCH_GRID, .octaves = 8, .period = 8, .dimensions = 2},
+     .bases = GRADIENT,
+     .outputs = UP_TO_GRADIENT,
+     .steps = period_steps},
     /* 1 GB is far beyond all caches. */
     {{.layout = BENCH_GRID, .dimensions = 2, .on_request = 1},
      .bases = GRADIENT,
@@ -162,7 +179,7 @@ static void write_name(struct bench_work *work)
         snprintf(work->name, sizeof work->name, "%s", layout_names[work->layout]);
         return;
     }
-    char fade[16] = "", fractal[32] = "", title[32] = "", size[32] = "";
+    char fade[16] = "", fractal[32] = "", title[32] = "", size[32] = "", period[24] = "";
     if (work->fade != SCARP_QUINTIC) {
         snprintf(fade, sizeof fade, "/%s", scarp_fade_name(work->fade));
     }
@@ -178,9 +195,12 @@ static void write_name(struct bench_work *work)
     } else if (work->points != STANDARD_POINTS) {
         snprintf(size, sizeof size, "/n=%zu", work->points);
     }
-    snprintf(work->name, sizeof work->name, "%s%d/%s%s%s%s%s%s%s/%s%s", layout_names[work->layout],
-             work->dimensions, scarp_basis_name(work->basis), fade, fractal,
-             work->turned ? "/turned" : "", title, work->f64 ? "/f64" : "",
+    if (work->period != 0) {
+        snprintf(period, sizeof period, "/period%u", work->period);
+    }
+    snprintf(work->name, sizeof work->name, "%s%d/%s%s%s%s%s%s%s%s/%s%s",
+             layout_names[work->layout], work->dimensions, scarp_basis_name(work->basis), fade,
+             fractal, work->turned ? "/turned" : "", period, title, work->f64 ? "/f64" : "",
              pattern_names[work->pattern], output_names[work->output], size);
 }
 
@@ -275,6 +295,7 @@ struct scarp_noise bench_work_noise(const struct bench_work *work)
                                 .fade = work->fade,
                                 .fractal = work->fractal,
                                 .rotate = work->turned != 0,
+                                .period = {work->period, work->period, work->period},
                                 .seed = 7,
                                 .octaves = (float)work->octaves,
                                 .lacunarity = work->lacunarity,

@@ -47,6 +47,7 @@ struct bench_work {
     const char *title; /* whose work this is: a preset's, or what another library tells the time of;
                           peers do the nearest that they have. Else NULL */
     int turned;        /* the axes turn between octaves */
+    unsigned period;   /* cells after which the noise repeats along each axis; 0: never */
     int f64;           /* double coordinates */
     int on_request;    /* measured only if --work gives the whole name: large */
     size_t points;
