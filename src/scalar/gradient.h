@@ -73,11 +73,14 @@ struct edge {
     float dgx;         /* difference of the x components of the corners */
 };
 
-/* g0 and g1 are the gradients at its ends, (ty, tz) is the place relative to the first, w the fade
-   along z. */
-static inline struct edge gradient_edge(const float *g0, const float *g1, float ty, float tz,
-                                        struct fade w)
+/* The edge at column x on the lower or upper side of the cell along y, w being the fade along z. */
+static inline struct edge gradient_edge(const uint32_t key[3], uint32_t x, const struct place *p,
+                                        int side, struct fade w)
 {
+    const uint32_t y = p->cell[1][side], *const z = p->cell[2];
+    const float *const g0 = direction3(hash3(key, x, y, z[0]));
+    const float *const g1 = direction3(hash3(key, x, y, z[1]));
+    const float ty = p->t[1] - (float)side, tz = p->t[2];
     const float dgx = g1[0] - g0[0];
     const float dgy = g1[1] - g0[1];
     const float dgz = g1[2] - g0[2];
@@ -98,15 +101,8 @@ static inline struct edge gradient_edge(const float *g0, const float *g1, float 
 static inline struct column gradient_column3(const uint32_t key[3], uint32_t x,
                                              const struct place *p, struct fade v, struct fade w)
 {
-    const float y = p->t[1], z = p->t[2];
-    const float *g[2][2]; /* [y][z] */
-    for (int i = 0; i < 2; i++) {
-        for (int j = 0; j < 2; j++) {
-            g[i][j] = direction3(hash3(key, x, p->cell[1][i], p->cell[2][j]));
-        }
-    }
-    const struct edge e0 = gradient_edge(g[0][0], g[0][1], y, z, w);
-    const struct edge e1 = gradient_edge(g[1][0], g[1][1], y - 1.0f, z, w);
+    const struct edge e0 = gradient_edge(key, x, p, 0, w);
+    const struct edge e1 = gradient_edge(key, x, p, 1, w);
     const float da = e1.value.a - e0.value.a;
     const float db = e1.value.b - e0.value.b;
     const float dgy = e1.gy - e0.gy;

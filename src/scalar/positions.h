@@ -25,9 +25,12 @@ struct place {
     float t[3];
 };
 
-/* The remainder of a cell by the period along axis i, in [0, period). */
+/* The remainder of a cell by the period along axis i, in [0, period), or the cell itself. */
 static inline uint32_t within_period(const struct scarp_octave *o, int i, int32_t cell)
 {
+    if (o->last[i] == UINT32_MAX) {
+        return (uint32_t)cell;
+    }
     const int64_t period = (int64_t)o->last[i] + 1;
     const int64_t remainder = cell % period;
     return (uint32_t)(remainder < 0 ? remainder + period : remainder);
@@ -56,9 +59,12 @@ static inline void split_f64(double p, const struct scarp_octave *o, int i,
 {
     const double lower = floor(p);
     const int any = repeat == SCARP_REPEAT_ANY;
-    const double period = scarp_period(o, i);
-    const double multiple = floor((lower + 0.5) * (1.0 / period)) * period;
-    const double shifted = (any ? lower - multiple : lower) + 0x1.8p52;
+    double remainder = lower;
+    if (any) {
+        const double period = scarp_period(o, i);
+        remainder -= floor((lower + 0.5) * (1.0 / period)) * period;
+    }
+    const double shifted = remainder + 0x1.8p52;
     uint64_t bits;
     memcpy(&bits, &shifted, sizeof bits);
     *cell = any ? (uint32_t)bits : (uint32_t)bits & o->last[i];
