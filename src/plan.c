@@ -210,6 +210,19 @@ static const char *reserved_member(const struct scarp_noise *noise)
                                       : "spare";
 }
 
+static enum scarp_status check_periods(const struct scarp_noise *noise, const struct parameters *p,
+                                       int dimensions, const char **member)
+{
+    if ((*member = period_member(noise, p, dimensions)) != NULL) {
+        return SCARP_ERROR_PARAMETER;
+    }
+    if (is_rotated(noise, octave_count((float)p->octaves))) {
+        *member = "rotate";
+        return SCARP_ERROR_UNSUPPORTED;
+    }
+    return SCARP_OK;
+}
+
 /* `p` are the parameters of the noise. */
 static enum scarp_status check(const struct scarp_noise *noise, const struct parameters *p,
                                int dimensions, const char **member)
@@ -226,14 +239,7 @@ static enum scarp_status check(const struct scarp_noise *noise, const struct par
     if (dimensions != 2 && dimensions != 3) {
         return SCARP_ERROR_PARAMETER;
     }
-    if ((*member = period_member(noise, p, dimensions)) != NULL) {
-        return SCARP_ERROR_PARAMETER;
-    }
-    if (repeats(noise, dimensions) && is_rotated(noise, octave_count((float)p->octaves))) {
-        *member = "rotate";
-        return SCARP_ERROR_UNSUPPORTED;
-    }
-    return SCARP_OK;
+    return repeats(noise, dimensions) ? check_periods(noise, p, dimensions, member) : SCARP_OK;
 }
 
 enum scarp_status scarp_plan_check(const struct scarp_noise *noise, int dimensions,
@@ -335,13 +341,18 @@ static void turn_axes(struct scarp_octave *octave, int octaves, int dimensions,
     }
 }
 
-/* The periods of an octave, whose frequency is `ratio` times that of the first. A check lets pass
-   what is too long for an axis that the call does not have. */
-static void set_periods(struct scarp_octave *octave, const struct scarp_noise *noise, double ratio)
+/* The periods of all octaves. A check lets pass what is too long for an axis that the call does not
+   have. */
+static void set_periods(struct scarp_octave *octave, int octaves, const struct scarp_noise *noise,
+                        double lacunarity)
 {
-    for (int i = 0; i < 3; i++) {
-        const double period = (double)noise->period[i] * ratio;
-        octave->last[i] = (period <= PERIOD_MAX ? (uint32_t)period : 0) - 1;
+    double ratio = 1.0;
+    for (int k = 0; k < octaves; k++) {
+        for (int i = 0; i < 3; i++) {
+            const double period = (double)noise->period[i] * ratio;
+            octave[k].last[i] = (period <= PERIOD_MAX ? (uint32_t)period : 0) - 1;
+        }
+        ratio *= lacunarity;
     }
 }
 
@@ -361,7 +372,7 @@ static void make_octaves(struct scarp_octave *octave, const struct scarp_noise *
     }
     const double scale = p->amplitude * HEADROOM / sum;
     const uint64_t mixed = mix64(noise->seed + GOLDEN_GAMMA);
-    double frequency = p->frequency, ratio = 1.0;
+    double frequency = p->frequency;
     for (int k = 0; k < octaves; k++) {
         struct scarp_octave *const o = &octave[k];
         const double weighted = weights[k] * scale;
@@ -374,9 +385,11 @@ static void make_octaves(struct scarp_octave *octave, const struct scarp_noise *
         o->frequency = (float)frequency;
         o->frequency64 = frequency;
         draw_octave(o, mixed, k);
-        set_periods(o, noise, ratio);
+        memset(o->last, 0xff, sizeof o->last);
         frequency *= p->lacunarity;
-        ratio *= p->lacunarity;
+    }
+    if (repeats(noise, dimensions)) {
+        set_periods(octave, octaves, noise, p->lacunarity);
     }
     if (is_rotated(noise, octaves)) {
         turn_axes(octave, octaves, dimensions, factors);
