@@ -100,9 +100,9 @@ static const struct option period_rows[] = {
     {.name = "--period",
      .argument = "X,Y[,Z]",
      .allowed = "two or three integers X,Y[,Z] from 0 to 2^30",
-     .help = "cells of the first octave after which the noise repeats along each\naxis, from 0, "
-             "which is never, to 2^30; without --rotate, and with a whole\nnumber as lacunarity "
-             "[never]",
+     .help = "cells of the first octave after which the noise repeats along\neach axis, from 0, "
+             "which is never, to 2^30; without --rotate, and with\na whole number as lacunarity "
+             "[it never does]",
      .parse = option_periods,
      .offset = FIELD(noise.period),
      .lowest = 0,

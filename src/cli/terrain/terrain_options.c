@@ -43,7 +43,8 @@ static const struct option raster_rows[] = {
      .argument = "WxH",
      .allowed = "WIDTHxHEIGHT with both from 1 to 1000000",
      .help = "repeat after so many samples, both from 1, without a seam; the\nfrequency becomes "
-             "the nearest that has whole cells there, and a\npreset's axes are not turned [never]",
+             "the nearest that has whole cells there, and a\npreset's axes are not turned [it "
+             "never does]",
      .parse = option_size,
      .offset = FIELD(period),
      .lowest = 1,
