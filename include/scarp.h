@@ -152,6 +152,28 @@ enum scarp_isa {
  * lies a period further has the same bits where its p_k have the same fractions, as with
  * coordinates and frequencies that are multiples of powers of two; elsewhere it differs by
  * rounding. Floats repeat wherever they have cells, doubles up to |p_k| = 2^50. Ranges stay.
+ *
+ * Flow (Perlin and Neyret 2001). With a phase a, in turns, the gradients of gradient noise turn
+ * where they stand: those of octave k by s 2^k a, where s is the speed of each. In 2D, gradients at
+ * 11.25 degrees + k * 45 have s = 1 and turn left, those at 33.75 + k * 45 have s = -2. In 3D, the
+ * 12 edges are four triangles around the diagonals d of a cube. Each turns in its plane, g towards
+ * d x g:
+ *
+ *     d            edges                                s
+ *     ( 1, 1, 1)   (1,-1,0)  (-1,0,1)   (0,1,-1)        1
+ *     ( 1,-1,-1)   (1,1,0)   (-1,0,-1)  (0,-1,1)        1
+ *     (-1, 1,-1)   (-1,-1,0) (1,0,-1)   (0,1,1)         2
+ *     (-1,-1, 1)   (-1,1,0)  (1,0,1)    (0,-1,-1)       2
+ *
+ * So the noise neither moves nor changes in kind: at every phase E[g g^T] is the same, and the same
+ * along all axes, as are moments of the fourth order. A whole turn is a loop: phases a and a + 1
+ * have the same bits, if a + 1 is a float, and so has phase 0 as calls without a phase. Small
+ * octaves move faster: octave k makes 2^k loops a turn, its fastest gradients 2^(k+1). What flows
+ * reaches further than what stands still. |n_k| is at most 1.0169038 and 1.0162356 in 2D (quintic,
+ * cubic), and 1.1233462 and 1.1165551 in 3D; scarp_range tells it. dphase is the derivative of the
+ * value by the phase, with all other outputs of calls; |dphase| <= 4 pi sum_k 2^k a_k, times what
+ * |n_k| is at most, for fBm and turbulence. Value noise has no gradients to turn: a phase, and
+ * dphase, is SCARP_ERROR_UNSUPPORTED there.
  */
 struct scarp_noise {
     enum scarp_basis basis;
@@ -168,8 +190,10 @@ struct scarp_noise {
     float erosion;    /* SCARP_EROSION: how strongly slopes damp octaves, in [2^-24, 2^24].
                          Default 1. */
 
+    float phase; /* turns of the lattice's gradients, any finite number. See "Flow". */
+
     /* Reserved: 0 or NULL. -0.0f is a zero, too; a NaN is not. 192 bytes in all. */
-    float phase, jitter, sharpness;
+    float jitter, sharpness;
 
     uint32_t period[3]; /* cells of octave 0, in [1, 2^30], after which the noise repeats along each
                            axis; 0: never. 2D calls ignore period[2]. See "Periods". */
@@ -198,7 +222,8 @@ struct scarp_samples {
     float *value;
     float *dx, *dy, *dz;                      /* gradient, per unit of input */
     float *dxx, *dxy, *dxz, *dyy, *dyz, *dzz; /* Hessian, per unit of input squared */
-    float *dphase, *spare[5];                 /* reserved: NULL. 16 pointers in all. */
+    float *dphase;                            /* derivative by the phase, per turn */
+    float *spare[5];                          /* reserved: NULL. 16 pointers in all. */
 };
 
 /*
@@ -319,7 +344,8 @@ SCARP_API enum scarp_status scarp_normals(size_t count, const float *dx, const f
  *
  * *lowest <= value <= *highest for every point, rounding included. `dimensions` is 2 or 3. fBm and
  * erosion have the interval from -|amplitude| to |amplitude|, turbulence and ridged noise the one
- * between 0 and amplitude. Use it to map heights to integers: all tiles then agree.
+ * between 0 and amplitude. With a phase, all but ridged noise reach further: see "Flow". Use it to
+ * map heights to integers: all tiles then agree.
  *
  * Returns SCARP_ERROR_NULL if a pointer is NULL; otherwise as scarp_noise_check.
  */

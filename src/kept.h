@@ -100,30 +100,40 @@ static inline int same_noise(const struct scarp_noise *a, const struct scarp_noi
 
 /* Fills in what the noise says without its octaves. */
 static inline void plan_describe(struct scarp_call_plan *plan, const struct scarp_noise *noise,
-                                 int dimensions, int order)
+                                 struct scarp_kind kind)
 {
     plan->basis = noise->basis;
     plan->fade = noise->fade;
     plan->fractal = noise->fractal;
     plan->erosion = noise->erosion == 0.0f ? 1.0f : noise->erosion;
-    plan->order = order;
+    plan->order = kind.order;
     plan->octaves = noise->octaves == 0.0f ? 1 : octave_count(noise->octaves);
     plan->rotate = is_rotated(noise, plan->octaves);
-    plan->repeat = repeat_of(noise, plan->octaves, dimensions);
+    plan->repeat = repeat_of(noise, plan->octaves, kind.dimensions);
+    plan->dphase = kind.dphase;
+    plan->flows = kind.dphase || noise->phase != 0.0f;
+    plan->plain = plan->repeat == SCARP_REPEAT_NEVER && !plan->flows;
 }
 
-/* Makes the plan of a call that asks for derivatives up to `order` of the plan that the noise
-   brings. Returns 0 if that does not fit, or if there are no such derivatives. */
+/* Whether the noise has what is asked for. */
+static inline int has_outputs(const struct scarp_noise *noise, struct scarp_kind kind)
+{
+    return (kind.order < 2 || noise->fractal != SCARP_EROSION) &&
+           (!kind.dphase || noise->basis == SCARP_GRADIENT);
+}
+
+/* Makes the plan of a call of the plan that the noise brings. Returns 0 if that does not fit, or if
+   the noise does not have what is asked for. */
 static inline int plan_kept(struct scarp_call_plan *plan, const struct scarp_noise *noise,
-                            int dimensions, int order)
+                            struct scarp_kind kind)
 {
     const struct kept *const kept = (const struct kept *)noise->plan;
     /* A noise that a plan was made of needs no check. */
-    if (kept == NULL || kept->mark != mark_of(dimensions) || !same_noise(noise, &kept->noise) ||
-        (noise->fractal == SCARP_EROSION && order == 2)) {
+    if (kept == NULL || kept->mark != mark_of(kind.dimensions) ||
+        !same_noise(noise, &kept->noise) || !has_outputs(noise, kind)) {
         return 0;
     }
-    plan_describe(plan, noise, dimensions, order);
+    plan_describe(plan, noise, kind);
     plan->octave = kept->octave;
     return 1;
 }

@@ -7,7 +7,7 @@
 #define SCARP_OUTPUTS_H
 
 /* The outputs, in the order of struct scarp_samples. */
-enum { VALUE, DX, DY, DZ, DXX, DXY, DXZ, DYY, DYZ, DZZ, OUTPUTS };
+enum { VALUE, DX, DY, DZ, DXX, DXY, DXZ, DYY, DYZ, DZZ, DPHASE, OUTPUTS };
 
 /* An array for each output, NULL where it is not asked for. A struct scarp_samples is read as one,
    which `may_alias` permits. */
@@ -15,7 +15,7 @@ struct __attribute__((may_alias)) scarp_outputs {
     float *array[OUTPUTS];
 };
 
-/* How many outputs there are up to an order: they are the first ones. */
-#define OUTPUTS_UP_TO(order) ((order) == 0 ? DX : (order) == 1 ? DXX : OUTPUTS)
+/* How many outputs there are up to an order, without DPHASE: they are the first ones. */
+#define OUTPUTS_UP_TO(order) ((order) == 0 ? DX : (order) == 1 ? DXX : DPHASE)
 
 #endif

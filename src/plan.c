@@ -10,11 +10,13 @@
 
 #include "kept.h"
 #include "names.h"
+#include "phase.h"
 
 /* The layout is the binary interface, the same for every compiler; only pointers differ in size.
    reserved_in_use() relies on it. */
 _Static_assert(offsetof(struct scarp_noise, erosion) == 48 &&
                    offsetof(struct scarp_noise, phase) == 52 &&
+                   offsetof(struct scarp_noise, jitter) == 56 &&
                    offsetof(struct scarp_noise, period) == 64 &&
                    offsetof(struct scarp_noise, spare0) == 76 &&
                    offsetof(struct scarp_noise, warp) == 80 &&
@@ -44,7 +46,8 @@ _Static_assert(sizeof((struct scarp_noise *)NULL)->spare >= 8, "some bytes stay 
  * are at most 4. Three fades, each within 1.94e-7 of the exact one, err by at most 2.4e-6. Three
  * levels of interpolation of three roundings each, and the dot products before, err by at most
  * 2.4e-6, the sum of 32 octaves by 32 * 2^-24 = 1.9e-6. Together that is 6.7e-6, less than 2^-17 =
- * 7.6e-6.
+ * 7.6e-6. Gradients that a phase turns are rounded to floats, by 3.2e-7 at most, and products with
+ * them are no longer exact, which makes 7.3e-6.
  */
 #define HEADROOM (1.0 - 0x1p-17)
 
@@ -70,6 +73,13 @@ static double supremum_of(const struct scarp_noise *noise, int dimensions)
     case SCARP_VALUE: return value_supremum;
     }
     return 1.0;
+}
+
+double scarp_plan_reach(const struct scarp_noise *noise, int dimensions)
+{
+    return noise->phase == 0.0f
+               ? 1.0
+               : scarp_phase_supremum(noise->fade, dimensions) / supremum_of(noise, dimensions);
 }
 
 /* The turn between octaves. The 2D turn is Quilez' (3-4-5 triangle), the 3D one has rational
@@ -154,7 +164,7 @@ static const char *period_member(const struct scarp_noise *noise, const struct p
     return NULL;
 }
 
-static const char *outside_member(const struct parameters *p)
+static const char *outside_member(const struct parameters *p, float phase)
 {
     const double magnitude = p->amplitude < 0.0 ? -p->amplitude : p->amplitude;
     return !within(p->frequency, FREQUENCY_MIN, FREQUENCY_MAX) ? "frequency"
@@ -163,6 +173,7 @@ static const char *outside_member(const struct parameters *p)
            : !within(p->gain, RATIO_MIN, RATIO_MAX)            ? "gain"
            : !within(magnitude, AMPLITUDE_MIN, AMPLITUDE_MAX)  ? "amplitude"
            : !within(p->erosion, EROSION_MIN, EROSION_MAX)     ? "erosion"
+           : !within((double)phase, -FLT_MAX, FLT_MAX)         ? "phase"
            : !last_frequency_valid(p)                          ? "octaves"
                                                                : NULL;
 }
@@ -183,9 +194,9 @@ static uintptr_t word_at(const void *memory, size_t i)
    without branches takes 2 ns of a call, reading members one by one 7. */
 static int reserved_in_use(const struct scarp_noise *noise)
 {
-    uint32_t numbers[3]; /* phase, jitter, sharpness, where -0 is a zero */
-    memcpy(numbers, (const char *)noise + offsetof(struct scarp_noise, phase), sizeof numbers);
-    uintptr_t bits = (numbers[0] | numbers[1] | numbers[2]) & 0x7fffffffu;
+    uint32_t numbers[2]; /* jitter, sharpness, where -0 is a zero */
+    memcpy(numbers, (const char *)noise + offsetof(struct scarp_noise, jitter), sizeof numbers);
+    uintptr_t bits = (numbers[0] | numbers[1]) & 0x7fffffffu;
     bits |= noise->spare0;
     for (size_t i = offsetof(struct scarp_noise, warp) / WORD; i < WORDS_BEFORE; i++) {
         bits |= word_at(noise, i);
@@ -202,8 +213,7 @@ static const char *reserved_member(const struct scarp_noise *noise)
     if (!reserved_in_use(noise)) {
         return NULL;
     }
-    return noise->phase != 0.0f       ? "phase" /* NaN is not 0 */
-           : noise->jitter != 0.0f    ? "jitter"
+    return noise->jitter != 0.0f      ? "jitter" /* NaN is not 0 */
            : noise->sharpness != 0.0f ? "sharpness"
            : noise->spare0 != 0       ? "spare0"
            : noise->warp != NULL      ? "warp"
@@ -230,10 +240,14 @@ static enum scarp_status check(const struct scarp_noise *noise, const struct par
     if ((*member = unknown_member(noise)) != NULL) {
         return SCARP_ERROR_ENUM;
     }
-    if ((*member = outside_member(p)) != NULL) {
+    if ((*member = outside_member(p, noise->phase)) != NULL) {
         return SCARP_ERROR_PARAMETER;
     }
     if ((*member = reserved_member(noise)) != NULL) {
+        return SCARP_ERROR_UNSUPPORTED;
+    }
+    if (noise->phase != 0.0f && noise->basis != SCARP_GRADIENT) {
+        *member = "phase";
         return SCARP_ERROR_UNSUPPORTED;
     }
     if (dimensions != 2 && dimensions != 3) {
@@ -287,8 +301,7 @@ static void draw_offset(struct scarp_octave *octave, uint64_t stream)
     const uint64_t c = mix64(stream + 3 * GOLDEN_GAMMA);
     const int32_t draws[3] = {(int32_t)(b >> 40), (int32_t)(c & 0xffffff), (int32_t)(c >> 40)};
     for (int i = 0; i < 3; i++) {
-        octave->offset64[i] = (double)draws[i] * 0x1p-24;
-        octave->offset[i] = (float)octave->offset64[i];
+        octave->offset[i] = (double)draws[i] * 0x1p-24;
     }
 }
 
@@ -298,7 +311,6 @@ static void draw_octave(struct scarp_octave *octave, uint64_t mixed, int k)
     if (k == 0) {
         draw_keys(octave, mixed);
         memset(octave->offset, 0, sizeof octave->offset);
-        memset(octave->offset64, 0, sizeof octave->offset64);
     } else {
         const uint64_t stream = mix64(octave_seed(mixed, k) + GOLDEN_GAMMA);
         draw_keys(octave, stream);
@@ -396,8 +408,8 @@ static void make_octaves(struct scarp_octave *octave, const struct scarp_noise *
     }
 }
 
-/* Checks the noise and computes its octaves. It is out of line for the sake of calls that keep
-   theirs. */
+/* Checks the noise and computes its octaves, but for the phase. It is out of line for the sake of
+   calls that keep theirs. */
 static __attribute__((noinline)) enum scarp_status
 octaves_of(struct scarp_octave *octave, const struct scarp_noise *noise, int dimensions)
 {
@@ -416,6 +428,8 @@ enum scarp_status scarp_plan_keep(struct scarp_plan *plan, const struct scarp_no
     struct kept *const kept = (struct kept *)plan;
     const enum scarp_status status = octaves_of(kept->octave, noise, dimensions);
     if (status == SCARP_OK) {
+        scarp_phase_set(kept->octave, octave_count(noise->octaves == 0.0f ? 1.0f : noise->octaves),
+                        noise->phase);
         kept->mark = mark_of(dimensions);
         memcpy(&kept->noise, noise, sizeof *noise);
     }
@@ -423,19 +437,22 @@ enum scarp_status scarp_plan_keep(struct scarp_plan *plan, const struct scarp_no
 }
 
 enum scarp_status scarp_plan_call(struct scarp_call_plan *plan, struct scarp_octave *space,
-                                  const struct scarp_noise *noise, int dimensions, int order)
+                                  const struct scarp_noise *noise, struct scarp_kind kind)
 {
-    if (plan_kept(plan, noise, dimensions, order)) {
+    if (plan_kept(plan, noise, kind)) {
         return SCARP_OK;
     }
-    const enum scarp_status status = octaves_of(space, noise, dimensions);
+    const enum scarp_status status = octaves_of(space, noise, kind.dimensions);
     if (status != SCARP_OK) {
         return status;
     }
-    if (noise->fractal == SCARP_EROSION && order == 2) {
+    if (!has_outputs(noise, kind)) {
         return SCARP_ERROR_UNSUPPORTED;
     }
-    plan_describe(plan, noise, dimensions, order);
+    plan_describe(plan, noise, kind);
+    if (plan->flows) {
+        scarp_phase_set(space, plan->octaves, noise->phase);
+    }
     plan->octave = space;
     return SCARP_OK;
 }

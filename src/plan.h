@@ -31,14 +31,15 @@ struct scarp_octave {
     float slope;          /* amplitude f_k, for gradients where axes are not turned */
     float curvature;      /* amplitude f_k^2, for Hessians where axes are not turned */
     float frequency;      /* f_k */
-    float offset[3];      /* o_k: multiples of 2^-24 in [0, 1), so exact in both precisions */
     float jacobian[3][3]; /* J_k where axes are turned: J_k[i][j] = d p_i / d x_j. In 2D, row 2
                              of the matrices is unset. */
     float gradient[3][3]; /* amplitude J_k */
     uint32_t last[3];     /* the last cell of a period along each axis; 2^32 - 1 without period */
-    double frequency64;   /* f_k, J_k and o_k again for double coordinates */
+    float turn[4];      /* of noise that flows: cosine and sine of the phase's angle, then of twice
+                           that. Unset in others, but in kept plans. */
+    double frequency64; /* f_k and J_k again for double coordinates */
     double jacobian64[3][3];
-    double offset64[3];
+    double offset[3]; /* o_k: multiples of 2^-24 in [0, 1), so exact as floats, too */
 };
 
 /* How often the lattice repeats: after 2^32 cells, after powers of two, or after any numbers. */
@@ -50,6 +51,13 @@ static inline double scarp_period(const struct scarp_octave *octave, int axis)
     return (double)octave->last[axis] + 1.0;
 }
 
+/* What a call asks for. */
+struct scarp_kind {
+    int dimensions;
+    short order;  /* highest derivative: 0, 1, 2 */
+    short dphase; /* whether the derivative by the phase */
+};
+
 /* What a kernel is to compute. */
 struct scarp_call_plan {
     enum scarp_basis basis;
@@ -60,6 +68,9 @@ struct scarp_call_plan {
     int rotate;  /* octaves 1 and up use jacobian and gradient, not frequency, slope, curvature */
     int octaves; /* how many `octave` has */
     enum scarp_repeat repeat;
+    int flows;  /* whether gradients are turned by the phase, or DPHASE is asked for */
+    int dphase; /* whether DPHASE is */
+    int plain;  /* whether the lattice neither repeats nor flows */
     const struct scarp_octave *octave;
 };
 
@@ -67,14 +78,16 @@ struct scarp_call_plan {
 enum scarp_status scarp_plan_check(const struct scarp_noise *noise, int dimensions,
                                    const char **member);
 
+/* The supremum of |n_k| of a valid noise: 1 without a phase. */
+double scarp_plan_reach(const struct scarp_noise *noise, int dimensions);
+
 /* Does what scarp_plan_make says. */
 enum scarp_status scarp_plan_keep(struct scarp_plan *plan, const struct scarp_noise *noise,
                                   int dimensions);
 
-/* Checks the noise and makes the plan of a call that asks for derivatives up to `order`. `space`
-   has room for SCARP_MAX_OCTAVES octaves, and belongs to the plan; it is not used where the noise
-   brings a plan that fits. */
+/* Checks the noise and makes the plan of a call. `space` has room for SCARP_MAX_OCTAVES octaves,
+   and belongs to the plan; it is not used where the noise brings a plan that fits. */
 enum scarp_status scarp_plan_call(struct scarp_call_plan *plan, struct scarp_octave *space,
-                                  const struct scarp_noise *noise, int dimensions, int order);
+                                  const struct scarp_noise *noise, struct scarp_kind kind);
 
 #endif

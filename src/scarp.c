@@ -52,7 +52,8 @@ static const struct scarp_outputs *outputs_of(const struct scarp_samples *out)
 {
 #define AT(output, member) (offsetof(struct scarp_samples, member) == (output) * sizeof(float *))
     _Static_assert(AT(VALUE, value) && AT(DX, dx) && AT(DY, dy) && AT(DZ, dz) && AT(DXX, dxx) &&
-                       AT(DXY, dxy) && AT(DXZ, dxz) && AT(DYY, dyy) && AT(DYZ, dyz) && AT(DZZ, dzz),
+                       AT(DXY, dxy) && AT(DXZ, dxz) && AT(DYY, dyy) && AT(DYZ, dyz) &&
+                       AT(DZZ, dzz) && AT(DPHASE, dphase),
                    "the enumerators of outputs.h are in the order of struct scarp_samples");
 #undef AT
     return (const struct scarp_outputs *)out;
@@ -76,40 +77,35 @@ static int any_asked(const struct scarp_samples *out, int from, int end)
 #define UNSUPPORTED_ORDER 3
 #define MEMBERS (int)(sizeof(struct scarp_samples) / sizeof(float *))
 
-/* The highest derivative that is asked for, of calls that ask for more than values. */
-static NOINLINE int order_of_more(int dimensions, const struct scarp_samples *out)
+/* What calls ask for that ask for more than values. */
+static NOINLINE struct scarp_kind kind_of_more(int dimensions, const struct scarp_samples *out)
 {
-    if (any_asked(out, OUTPUTS, MEMBERS) ||
-        (dimensions == 2 &&
-         (out->dz != NULL || out->dxz != NULL || any_asked(out, DYZ, OUTPUTS)))) {
-        return UNSUPPORTED_ORDER;
+    struct scarp_kind kind = {dimensions, UNSUPPORTED_ORDER, out->dphase != NULL};
+    if (!any_asked(out, OUTPUTS, MEMBERS) &&
+        (dimensions == 3 ||
+         (out->dz == NULL && out->dxz == NULL && !any_asked(out, DYZ, DPHASE)))) {
+        kind.order = any_asked(out, DXX, DPHASE) ? 2 : any_asked(out, DX, DXX) ? 1 : 0;
     }
-    return any_asked(out, DXX, OUTPUTS) ? 2 : 1;
+    return kind;
 }
 
-/* The highest derivative that is asked for: 0, 1 or 2; UNSUPPORTED_ORDER if something does not
-   exist. In 2D derivatives along z do not; reserved members never do. Most calls are decided by the
-   first question. */
-static ALWAYS_INLINE int order_of(int dimensions, const struct scarp_samples *out)
+/* What is asked for; its order is UNSUPPORTED_ORDER if something does not exist. In 2D derivatives
+   along z do not; reserved members never do. Most calls are decided by the first question. */
+static ALWAYS_INLINE struct scarp_kind kind_of(int dimensions, const struct scarp_samples *out)
 {
-    return any_asked(out, DX, MEMBERS) ? order_of_more(dimensions, out) : 0;
+    const struct scarp_kind values = {.dimensions = dimensions};
+    return any_asked(out, DX, MEMBERS) ? kind_of_more(dimensions, out) : values;
 }
-
-/* What a call computes. */
-struct kind {
-    int dimensions, order;
-};
 
 /* Makes the plan, whose octaves need some KiB of stack, and runs the kernel. */
-static NOINLINE enum scarp_status run_planned(scarp_points_fn *kernel, struct kind kind,
+static NOINLINE enum scarp_status run_planned(scarp_points_fn *kernel, struct scarp_kind kind,
                                               const struct scarp_noise *noise, size_t count,
                                               const void *const position[3],
                                               const struct scarp_samples *out)
 {
     struct scarp_call_plan plan;
     struct scarp_octave space[SCARP_MAX_OCTAVES];
-    const enum scarp_status status =
-        scarp_plan_call(&plan, space, noise, kind.dimensions, kind.order);
+    const enum scarp_status status = scarp_plan_call(&plan, space, noise, kind);
     if (status == SCARP_OK) {
         kernel(&plan, count, position, outputs_of(out));
     }
@@ -120,13 +116,13 @@ static NOINLINE enum scarp_status run_planned(scarp_points_fn *kernel, struct ki
  * Finds the plan and runs the kernel. It is out of line, so that none of its arithmetic
  * (comparisons trap too) can be moved across the change of floating-point mode in `sample`.
  */
-static NOINLINE enum scarp_status run(scarp_points_fn *kernel, struct kind kind,
+static NOINLINE enum scarp_status run(scarp_points_fn *kernel, struct scarp_kind kind,
                                       const struct scarp_noise *noise, size_t count,
                                       const void *const position[3],
                                       const struct scarp_samples *out)
 {
     struct scarp_call_plan plan;
-    if (!plan_kept(&plan, noise, kind.dimensions, kind.order)) {
+    if (!plan_kept(&plan, noise, kind)) {
         return run_planned(kernel, kind, noise, count, position, out);
     }
     kernel(&plan, count, position, outputs_of(out));
@@ -158,7 +154,7 @@ static ALWAYS_INLINE enum scarp_status sample(struct sampler sampler,
     if (count > PTRDIFF_MAX / sampler.bytes) {
         return SCARP_ERROR_SIZE;
     }
-    const struct kind kind = {sampler.dimensions, order_of(sampler.dimensions, out)};
+    const struct scarp_kind kind = kind_of(sampler.dimensions, out);
     if (kind.order == UNSUPPORTED_ORDER) {
         return SCARP_ERROR_UNSUPPORTED;
     }
@@ -278,14 +274,14 @@ static int grid_reserved_in_use(const struct scarp_grid *grid)
     return bits != 0;
 }
 
-static NOINLINE enum scarp_status run_grid(scarp_grid_fn *kernel, const struct scarp_noise *noise,
-                                           int dimensions, const struct scarp_grid *grid,
+static NOINLINE enum scarp_status run_grid(scarp_grid_fn *kernel, struct scarp_kind kind,
+                                           const struct scarp_noise *noise,
+                                           const struct scarp_grid *grid,
                                            const struct scarp_samples *out)
 {
     struct scarp_call_plan plan;
     struct scarp_octave space[SCARP_MAX_OCTAVES];
-    const enum scarp_status status =
-        scarp_plan_call(&plan, space, noise, dimensions, order_of(dimensions, out));
+    const enum scarp_status status = scarp_plan_call(&plan, space, noise, kind);
     if (status == SCARP_OK) {
         kernel(&plan, grid, outputs_of(out));
     }
@@ -309,11 +305,12 @@ static enum scarp_status sample_grid(scarp_grid_fn *kernel, const struct scarp_n
     if (status != SCARP_OK) {
         return status;
     }
-    if (order_of(dimensions, out) == UNSUPPORTED_ORDER || grid_reserved_in_use(&grid)) {
+    const struct scarp_kind kind = kind_of(dimensions, out);
+    if (kind.order == UNSUPPORTED_ORDER || grid_reserved_in_use(&grid)) {
         return SCARP_ERROR_UNSUPPORTED;
     }
     const struct fpmode caller = fpmode_enter();
-    const enum scarp_status result = run_grid(kernel, noise, dimensions, &grid, out);
+    const enum scarp_status result = run_grid(kernel, kind, noise, &grid, out);
     fpmode_leave(caller);
     return result;
 }
@@ -357,9 +354,10 @@ enum scarp_status scarp_normals(size_t count, const float *dx, const float *dy, 
  * Why values stay within: |n_k| <= 1 but for the rounding that HEADROOM in plan.c covers, and the
  * factors that fractals multiply a_k n_k by lie in [0, 1] in float arithmetic too, since rounding
  * is monotone and 1 is a float: |n_k| <= 1 (turbulence); (1 - |n_k|)^2 <= 1 and the weights, which
- * end at 1 (ridged: |n_k| may exceed 1 by rounding, its square does no harm); 1 / (1 + erosion d.d)
- * (erosion). Turbulence and ridged sum numbers of one sign. So every sum is at most the sum of the
- * a_k, which is amplitude * HEADROOM. Single octaves show that the bounds are reached.
+ * end at 1 (ridged: |n_k| may exceed 1 by rounding or with a phase, which does no harm below 2);
+ * 1 / (1 + erosion d.d) (erosion). Turbulence and ridged sum numbers of one sign. So every sum is
+ * at most the sum of the a_k, which is amplitude * HEADROOM. Single octaves show that the bounds
+ * are reached. With a phase, |n_k| is at most the `reach`.
  */
 static NOINLINE enum scarp_status range(const struct scarp_noise *noise, int dimensions,
                                         float *lowest, float *highest)
@@ -370,7 +368,8 @@ static NOINLINE enum scarp_status range(const struct scarp_noise *noise, int dim
         return status;
     }
     const float amplitude = noise->amplitude == 0.0f ? 1.0f : noise->amplitude;
-    const float magnitude = amplitude < 0.0f ? -amplitude : amplitude;
+    const double reach = noise->fractal == SCARP_RIDGED ? 1.0 : scarp_plan_reach(noise, dimensions);
+    const float magnitude = (float)((double)(amplitude < 0.0f ? -amplitude : amplitude) * reach);
     const int one_sided = noise->fractal == SCARP_TURBULENCE || noise->fractal == SCARP_RIDGED;
     *lowest = one_sided && amplitude > 0.0f ? 0.0f : -magnitude;
     *highest = one_sided && amplitude < 0.0f ? 0.0f : magnitude;

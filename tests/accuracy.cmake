@@ -11,7 +11,7 @@ if(NOT speed STREQUAL full)
   set(accuracy_points 1000)
 endif()
 
-set(accuracy_oracle oracle.c oracle_basis.c oracle_fractal.c)
+set(accuracy_oracle oracle.c oracle_basis.c oracle_fractal.c oracle_phase.c)
 scarp_test_program(oracle_check SOURCES ${accuracy_oracle} oracle_perlin.c)
 scarp_add_test(accuracy.oracle accuracy oracle_check)
 

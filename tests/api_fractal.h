@@ -21,7 +21,7 @@ static inline void test_fractal_unsupported(const struct fractal_test *t)
     const struct scarp_noise erosion = {.fractal = SCARP_EROSION, .octaves = 2.0f};
     for (int i = 0; i < FUNCTIONS * OUTPUTS; i++) {
         const enum function f = (enum function)(i / OUTPUTS);
-        const unsigned output = 1u << i % OUTPUTS, all = function_outputs(f);
+        const unsigned output = 1u << i % OUTPUTS, all = function_outputs(f) | OUTPUTS_PHASE;
         if ((output & all) == 0) {
             continue;
         }

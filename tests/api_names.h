@@ -118,10 +118,12 @@ static inline void test_check_order(void)
     noise.amplitude = -2.0f;
     expect_member(&noise, 4, outside, "erosion");
     noise.erosion = 3.0f;
+    expect_member(&noise, 4, outside, "phase");
+    noise.phase = -INFINITY;
+    expect_member(&noise, 4, outside, "phase");
+    noise.phase = -FLT_MAX;
     expect_member(&noise, 4, outside, "octaves"); /* the last one has the frequency 2^49 */
     noise.octaves = 9.0f;
-    expect_member(&noise, 4, reserved, "phase");
-    noise.phase = 0.0f;
     expect_member(&noise, 4, reserved, "jitter");
     noise.jitter = 0.0f;
     expect_member(&noise, 4, reserved, "sharpness");
@@ -132,6 +134,8 @@ static inline void test_check_order(void)
     noise.warp = NULL;
     expect_member(&noise, 4, reserved, "spare");
     memset(noise.spare, 0, sizeof noise.spare);
+    expect_member(&noise, 4, reserved, "phase"); /* of value noise */
+    noise.phase = -0.0f;
     expect_member(&noise, 4, outside, NULL);
     expect_member(&noise, 1, outside, NULL);
     expect_member(&noise, 258, outside, NULL);

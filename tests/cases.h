@@ -112,18 +112,21 @@ struct cases_call {
 
 /* Each fractal runs with several octaves, and with turned axes, which come with a fractional number
    of octaves, odd ratios and a negative amplitude. fBm also runs with one octave, which is the
-   basis alone, and with periods, which shapes do not see. */
+   basis alone, and with periods, which shapes do not see. All flow, with straight and with turned
+   axes, but for value noise. */
 enum cases_octaves {
     CASES_OCTAVE,
     CASES_OCTAVES,
     CASES_TURNED,
     CASES_POWERS,  /* periods that are powers of two, and an axis without one */
     CASES_PERIODS, /* any periods, and an axis without one */
+    CASES_FLOW,    /* a phase, and the derivative by it */
+    CASES_FLOW_TURNED,
     CASES_SETTINGS
 };
 
-static const char *const setting_names[CASES_SETTINGS] = {"", "-octaves", "-turned", "-powers",
-                                                          "-periods"};
+static const char *const setting_names[CASES_SETTINGS] = {
+    "", "-octaves", "-turned", "-powers", "-periods", "-flow", "-flow-turned"};
 
 static inline void cases_set(struct scarp_noise *noise, enum cases_octaves setting)
 {
@@ -147,6 +150,13 @@ static inline void cases_set(struct scarp_noise *noise, enum cases_octaves setti
         noise->period[0] = 49; /* 49 * (1 / 49) is not 1 */
         noise->period[1] = 7;  /* nor is 21 in floats */
         noise->period[2] = 1000003;
+    } else if (setting == CASES_FLOW) {
+        noise->octaves = 3.0f;
+        noise->phase = 0.3f;
+    } else if (setting == CASES_FLOW_TURNED) {
+        noise->rotate = 1;
+        noise->octaves = 2.5f;
+        noise->phase = -1.71f;
     }
 }
 
@@ -177,7 +187,9 @@ static inline int cases_make_call(struct cases_call *call, enum cases_class clas
     if (number > 0) {
         return -1;
     }
-    const int for_fbm = setting == CASES_OCTAVE || setting >= CASES_POWERS;
+    const int for_fbm =
+        setting == CASES_OCTAVE || setting == CASES_POWERS || setting == CASES_PERIODS;
+    call->wanted |= setting >= CASES_FLOW ? OUTPUTS_PHASE : 0u;
     if ((noise->fractal != SCARP_FBM && for_fbm) ||
         (call->wanted & ~outputs_of(noise, call->function)) != 0) {
         return 0;

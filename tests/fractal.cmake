@@ -7,7 +7,7 @@ set(fractal_points_full 9000) # 12 cases each: more than 10^5 points
 set(fractal_points_slow 2000)
 set(fractal_points_emulated 1000)
 set(fractal_points ${fractal_points_${speed}})
-set(fractal_oracle oracle.c oracle_basis.c oracle_fractal.c)
+set(fractal_oracle oracle.c oracle_basis.c oracle_fractal.c oracle_phase.c)
 
 scarp_test_program(test_fractal SOURCES ${fractal_oracle})
 scarp_add_test(fractal.accuracy fractal test_fractal ${fractal_points})

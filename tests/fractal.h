@@ -73,7 +73,9 @@ outputs_sample(const struct outputs *o, const struct scarp_noise *noise, enum fu
     for (int m = OUTPUT_value + 1; m < OUTPUTS; m++) {
         const double v = (mask >> m & 1) != 0 ? (double)o->array[m][i] : 0.0;
         const int a = output_kinds[m].axes[0], b = output_kinds[m].axes[1];
-        if (output_kinds[m].order == 1) {
+        if (m == OUTPUT_dphase) {
+            n.phase = v;
+        } else if (output_kinds[m].order == 1) {
             n.gradient[a] = v;
         } else {
             n.hessian[a][b] = n.hessian[b][a] = v;

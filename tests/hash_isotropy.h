@@ -29,7 +29,7 @@ static const float *known_bad_direction(uint32_t hash)
 
 static const float *scarp_direction(uint32_t hash)
 {
-    return direction3(hash);
+    return directions3[direction_index3(hash)];
 }
 
 /* The directions' moments, by the upper halves of hashes: the largest of the first and third ones,

@@ -97,7 +97,8 @@ static inline double drawn_value(uint32_t hash)
 
 static inline double drawn_gradient(int dimensions, uint32_t hash)
 {
-    return (double)(dimensions == 2 ? direction2(hash) : direction3(hash))[0];
+    return (double)(dimensions == 2 ? directions2[direction_index2(hash)]
+                                    : directions3[direction_index3(hash)])[0];
 }
 
 /* The powers of both lines at frequency k. */

@@ -141,7 +141,7 @@ static inline void make_alike(struct scarp_octave octave[OCTAVES])
 {
     for (int k = 1; k < OCTAVES; k++) {
         memcpy(octave[k].key, octave[0].key, sizeof octave[k].key);
-        memcpy(octave[k].offset64, octave[0].offset64, sizeof octave[k].offset64);
+        memcpy(octave[k].offset, octave[0].offset, sizeof octave[k].offset);
     }
 }
 
@@ -153,7 +153,9 @@ static inline void sample_patch(uint64_t seed, enum scarp_basis kind, enum octav
     const struct scarp_noise noise = {.basis = kind, .seed = seed, .octaves = OCTAVES};
     struct scarp_octave all[SCARP_MAX_OCTAVES], two[2];
     struct scarp_call_plan plan;
-    CHECK(scarp_plan_call(&plan, all, &noise, 2, 0) == SCARP_OK && plan.octaves == OCTAVES, "plan");
+    const struct scarp_kind asked = {.dimensions = 2};
+    CHECK(scarp_plan_call(&plan, all, &noise, asked) == SCARP_OK && plan.octaves == OCTAVES,
+          "plan");
     if (octaves == OCTAVES_ALIKE) {
         make_alike(all);
     }

@@ -44,7 +44,7 @@ set(run_golden mutant_golden --must-differ ${golden_file})
 set(run_crash mutant_grid --must-crash)
 set(run_plan mutant_plan --must-differ)
 set(then_bits 131 13)
-set(then_grid 150)
+set(then_grid 250)
 set(then_large 0)
 set(then_crash 0)
 

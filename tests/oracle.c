@@ -138,6 +138,18 @@ static void turn_axes(double axes[3][3], int dimensions)
     }
 }
 
+/* Turns the gradients of octave k by 2^k times the phase. */
+static void turn_gradients(struct oracle_octave *octave, int dimensions, double phase, int k)
+{
+    const double turns = fmod(ldexp(phase, k), 1.0);
+    for (unsigned i = 0; i < (unsigned)oracle_gradient_count(dimensions); i++) {
+        oracle_gradient_turned(dimensions, i, turns, octave->gradient[i], octave->turning[i]);
+        for (int axis = 0; axis < 3; axis++) {
+            octave->turning[i][axis] = ldexp(octave->turning[i][axis], k);
+        }
+    }
+}
+
 void oracle_make(struct oracle *oracle, const struct scarp_noise *noise, int dimensions)
 {
     const double octaves = noise->octaves != 0.0f ? (double)noise->octaves : 1.0;
@@ -153,14 +165,12 @@ void oracle_make(struct oracle *oracle, const struct scarp_noise *noise, int dim
     oracle->octaves = (int)ceil(octaves);
     oracle->supremum =
         noise->basis == SCARP_GRADIENT ? oracle_gradient_supremum(dimensions, noise->fade) : 1.0;
-    for (unsigned i = 0; i < (unsigned)oracle_gradient_count(dimensions); i++) {
-        oracle_gradient_vector(dimensions, i, oracle->gradient[i]);
-    }
     double turns[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     double sum = 0.0;
     for (int k = 0; k < oracle->octaves; k++) {
         struct oracle_octave *const octave = &oracle->octave[k];
         draw_octave(octave, noise->seed, k);
+        turn_gradients(octave, dimensions, (double)noise->phase, k);
         octave->frequency = k == 0 ? frequency : octave[-1].frequency * lacunarity;
         octave->weight = pow(gain, k);
         if (k == oracle->octaves - 1 && octaves != floor(octaves)) {
@@ -222,18 +232,26 @@ void oracle_octave_at(const struct oracle *oracle, enum oracle_rounding rounding
                       const double x[3], struct oracle_sample *n)
 {
     const struct oracle_octave *const octave = &oracle->octave[k];
-    const struct lattice lattice = {.key = octave->key,
-                                    .period = octave->period,
-                                    .dimensions = oracle->dimensions,
-                                    .gradient = oracle->gradient};
+    struct lattice lattice = {.key = octave->key,
+                              .period = octave->period,
+                              .dimensions = oracle->dimensions,
+                              .gradient = octave->gradient};
     uint32_t cell[3] = {0, 0, 0};
     double t[3] = {0.0, 0.0, 0.0};
     for (int i = 0; i < oracle->dimensions; i++) {
         place(octave, oracle->dimensions, rounding, x, i, &cell[i], &t[i]);
     }
     if (oracle->basis == SCARP_GRADIENT) {
+        struct oracle_sample turning;
         oracle_gradient_noise(draw_gradient, &lattice, oracle->dimensions, oracle->fade, cell, t,
                               n);
+        lattice.gradient = octave->turning;
+        oracle_gradient_noise(draw_gradient, &lattice, oracle->dimensions, oracle->fade, cell, t,
+                              &turning);
+        n->phase = turning.value / oracle->supremum;
+        for (int i = 0; i < oracle->dimensions; i++) {
+            n->gradient_phase[i] = turning.gradient[i] / oracle->supremum;
+        }
     } else {
         oracle_value_noise(draw_value, &lattice, oracle->dimensions, oracle->fade, cell, t, n);
     }

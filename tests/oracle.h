@@ -22,18 +22,21 @@ enum oracle_rounding {
     ORACLE_F64    /* as the _f64 calls: p_k is double, its fraction is rounded to float */
 };
 
-/* Value, gradient and Hessian. In 2D whatever has a z is 0, and so is the Hessian of erosion. */
+/* Value, gradient and Hessian, the derivative by the phase, and that of the gradient, which only
+   octaves have. In 2D whatever has a z is 0, and so is the Hessian of erosion. */
 struct oracle_sample {
     double value, gradient[3], hessian[3][3];
+    double phase, gradient_phase[3];
 };
 
 struct oracle_octave {
     uint32_t key[3];
-    double weight;     /* a_k, without the normalisation of the basis */
-    double frequency;  /* f_k */
-    double axes[3][3]; /* J_k */
-    double offset[3];  /* o_k */
-    int64_t period[3]; /* in cells of this octave; 2^32 without one */
+    double weight;                          /* a_k, without the normalisation of the basis */
+    double frequency;                       /* f_k */
+    double axes[3][3];                      /* J_k */
+    double offset[3];                       /* o_k */
+    int64_t period[3];                      /* in cells of this octave; 2^32 without one */
+    double gradient[16][3], turning[16][3]; /* what the lattice draws from; by the phase */
 };
 
 struct oracle {
@@ -42,8 +45,7 @@ struct oracle {
     enum scarp_fractal fractal;
     double erosion;
     int dimensions, octaves;
-    double supremum;        /* of |basis|, which scarp divides by */
-    double gradient[16][3]; /* what the lattice draws from */
+    double supremum; /* of |basis|, which scarp divides by */
     struct oracle_octave octave[ORACLE_OCTAVES];
 };
 
@@ -58,6 +60,10 @@ double oracle_gradient_supremum(int dimensions, enum scarp_fade fade);
    scarp's, which it divides by twice the supremum. */
 int oracle_gradient_count(int dimensions);
 void oracle_gradient_vector(int dimensions, unsigned index, double vector[3]);
+
+/* The same after `turns` of a vector of speed 1, and its derivative by `turns`: oracle_phase.c. */
+void oracle_gradient_turned(int dimensions, unsigned index, double turns, double vector[3],
+                            double derivative[3]);
 
 /* The value that the lattice of octave k draws at an integer point, in [-1, 1). */
 double oracle_lattice_value(const struct oracle *oracle, int k, const uint32_t point[3]);

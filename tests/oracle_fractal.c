@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
  * The fractals of scarp.h in double precision. Functions of the input are carried with their
- * derivatives, as (value, gradient, Hessian), and the formulas are then those of the values: the
- * rules for products and quotients of such triples do the rest. No derivative of a fractal is
- * written down here.
+ * derivatives, as (value, gradient, Hessian) and the derivative by the phase, and the formulas are
+ * then those of the values: the rules for products and quotients of such bundles do the rest. No
+ * derivative of a fractal is written down here.
  */
 #include "oracle.h"
 
@@ -15,7 +15,7 @@ static struct oracle_sample pulled_back(const struct oracle *oracle, int k,
 {
     const int d = oracle->dimensions;
     const double(*const axes)[3] = oracle->octave[k].axes;
-    struct oracle_sample f = {.value = n->value};
+    struct oracle_sample f = {.value = n->value, .phase = n->phase};
     for (int i = 0; i < d; i++) {
         for (int a = 0; a < d; a++) {
             f.gradient[i] += axes[a][i] * n->gradient[a];
@@ -35,6 +35,7 @@ static struct oracle_sample pulled_back(const struct oracle *oracle, int k,
 static void add(struct oracle_sample *sum, double a, const struct oracle_sample *f)
 {
     sum->value += a * f->value;
+    sum->phase += a * f->phase;
     for (int i = 0; i < 3; i++) {
         sum->gradient[i] += a * f->gradient[i];
         for (int j = 0; j < 3; j++) {
@@ -45,7 +46,8 @@ static void add(struct oracle_sample *sum, double a, const struct oracle_sample 
 
 static struct oracle_sample times(const struct oracle_sample *f, const struct oracle_sample *g)
 {
-    struct oracle_sample product = {.value = f->value * g->value};
+    struct oracle_sample product = {.value = f->value * g->value,
+                                    .phase = f->phase * g->value + f->value * g->phase};
     for (int i = 0; i < 3; i++) {
         product.gradient[i] = f->gradient[i] * g->value + f->value * g->gradient[i];
         for (int j = 0; j < 3; j++) {
@@ -101,6 +103,7 @@ static struct oracle_sample eroded(const struct oracle *oracle, int k,
     struct oracle_sample denominator = {.value = 1.0};
     for (int i = 0; i < oracle->dimensions; i++) {
         slope[i].value += n->gradient[i];
+        slope[i].phase += n->gradient_phase[i];
         for (int j = 0; j < oracle->dimensions; j++) {
             for (int b = 0; b < oracle->dimensions; b++) {
                 slope[i].gradient[j] += n->hessian[i][b] * oracle->octave[k].axes[b][j];
@@ -111,6 +114,7 @@ static struct oracle_sample eroded(const struct oracle *oracle, int k,
     }
     const struct oracle_sample f = pulled_back(oracle, k, n);
     struct oracle_sample s = {.value = f.value / denominator.value};
+    s.phase = (f.phase - s.value * denominator.phase) / denominator.value;
     for (int i = 0; i < 3; i++) { /* the quotient's rule */
         const double change = frozen ? 0.0 : denominator.gradient[i];
         s.gradient[i] = (f.gradient[i] - s.value * change) / denominator.value;

@@ -9,7 +9,8 @@
 #include "check.h"
 
 /* Every output, in the order of struct scarp_samples: its member, how often it is derived, and
-   along which axes (0, 1, 2; -1 where there is none). Other tests use this list. */
+   along which axes (0, 1, 2; -1 where there is none, as for the phase). Other tests use this list.
+ */
 #define OUTPUTS_LIST(OUTPUT)                                                                       \
     OUTPUT(value, 0, -1, -1)                                                                       \
     OUTPUT(dx, 1, 0, -1)                                                                           \
@@ -20,7 +21,8 @@
     OUTPUT(dxz, 2, 0, 2)                                                                           \
     OUTPUT(dyy, 2, 1, 1)                                                                           \
     OUTPUT(dyz, 2, 1, 2)                                                                           \
-    OUTPUT(dzz, 2, 2, 2)
+    OUTPUT(dzz, 2, 2, 2)                                                                           \
+    OUTPUT(dphase, 1, -1, -1)
 
 #define OUTPUT_NUMBER(name, order, a, b) OUTPUT_##name,
 #define OUTPUT_NAME(name, order, a, b) #name,
@@ -37,11 +39,13 @@ static const struct {
 } output_kinds[OUTPUTS] = {OUTPUTS_LIST(OUTPUT_AXES)};
 
 #define ORDERS 3
-#define OUTPUTS_ALL2 (0u OUTPUTS_LIST(OUTPUT_IN_PLANE)) /* the bits of the outputs of a 2D call */
-#define OUTPUTS_ALL3 ((1u << OUTPUTS) - 1)
+#define OUTPUTS_PHASE (1u << OUTPUT_dphase) /* what noise without gradients does not have */
+/* The bits of the outputs of a 2D call, and of a 3D call, of every basis. */
+#define OUTPUTS_ALL2 ((0u OUTPUTS_LIST(OUTPUT_IN_PLANE)) & ~OUTPUTS_PHASE)
+#define OUTPUTS_ALL3 (((1u << OUTPUTS) - 1) & ~OUTPUTS_PHASE)
 #define POISON 0xa5
 
-/* The outputs up to the derivative `order`, by bits. */
+/* The outputs of every basis up to the derivative `order`, by bits. */
 static inline unsigned outputs_up_to(int order, int dimensions)
 {
     unsigned mask = dimensions == 2 ? OUTPUTS_ALL2 : OUTPUTS_ALL3;
@@ -71,10 +75,12 @@ static inline unsigned function_outputs(enum function f)
     return function_dimensions(f) == 2 ? OUTPUTS_ALL2 : OUTPUTS_ALL3;
 }
 
-/* The outputs that it has for this noise: erosion has no second derivatives. */
+/* The outputs that it has for this noise: erosion has no second derivatives, value noise no phase.
+ */
 static inline unsigned outputs_of(const struct scarp_noise *noise, enum function f)
 {
-    return outputs_up_to(noise->fractal == SCARP_EROSION ? 1 : 2, function_dimensions(f));
+    return outputs_up_to(noise->fractal == SCARP_EROSION ? 1 : 2, function_dimensions(f)) |
+           (noise->basis == SCARP_GRADIENT ? OUTPUTS_PHASE : 0u);
 }
 
 /* Coordinates in both precisions; a function takes its own. */

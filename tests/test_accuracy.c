@@ -54,6 +54,11 @@ static const struct {
      {.seed = 4, .octaves = 4.0f, .lacunarity = 3.0f, .frequency = 0.7, .period = {5, 289, 0}},
      64.0f,
      0x1p30},
+    {"3, flow", {.seed = 5, .octaves = 3.0f, .phase = 0.31f}, 64.0f, 0x1p20},
+    {"3.5, flow, turned",
+     {.seed = 6, .octaves = 3.5f, .phase = -7.77f, .rotate = 1, .amplitude = 2.0f},
+     64.0f,
+     0x1p20},
 };
 
 /*
@@ -67,6 +72,19 @@ static const struct {
     [SCARP_QUINTIC] = {{7e-7, 2e-6, 8e-6}, {8e-8, 2.5e-7, 1.1e-6}},
     [SCARP_CUBIC] = {{6e-7, 1.5e-6, 6e-6}, {8e-8, 2.5e-7, 1e-6}},
 };
+
+/* The same of the derivative by the phase, in units of 2 pi sum |a_k| 2^k; it is 0 in value noise.
+ */
+#define PHASE_BOUND 1.5e-6
+
+static double phase_unit(const struct oracle *oracle)
+{
+    double sum = 0.0;
+    for (int k = 0; k < oracle->octaves; k++) {
+        sum += fabs(oracle->octave[k].weight) * ldexp(6.283185307, k);
+    }
+    return sum;
+}
 
 static void random_points(uint64_t *random, enum oracle_rounding precision, size_t fractal)
 {
@@ -88,10 +106,11 @@ static void check_accuracy(size_t fractal, enum scarp_basis basis, enum scarp_fa
     struct scarp_noise noise = fractals[fractal].noise;
     noise.basis = basis;
     noise.fade = fade;
+    noise.phase = basis == SCARP_GRADIENT ? noise.phase : 0.0f;
     struct oracle oracle;
     oracle_make(&oracle, &noise, dimensions);
     uint64_t random = fractal;
-    double largest[3] = {0.0, 0.0, 0.0}, squares[3] = {0.0, 0.0, 0.0};
+    double largest[3] = {0.0, 0.0, 0.0}, squares[3] = {0.0, 0.0, 0.0}, phase = 0.0;
     for (long done = 0; done < points; done += BLOCK) {
         random_points(&random, precision, fractal);
         sample(&noise, dimensions, precision, BLOCK);
@@ -102,6 +121,9 @@ static void check_accuracy(size_t fractal, enum scarp_basis basis, enum scarp_fa
             oracle_evaluate(&oracle, precision, x, &expected);
             result(dimensions, i, &actual);
             difference(&actual, &expected, error);
+            if (basis == SCARP_GRADIENT) {
+                phase = larger(phase, fabs(actual.phase - expected.phase));
+            }
             for (int order = 0; order < 3; order++) {
                 largest[order] = larger(largest[order], error[order]);
                 squares[order] += error[order] * error[order];
@@ -117,7 +139,9 @@ static void check_accuracy(size_t fractal, enum scarp_basis basis, enum scarp_fa
         CHECK(max <= bounds[fade].max[order], "derivative %d: error %g", order, max);
         CHECK(rms <= bounds[fade].rms[order], "derivative %d: RMS error %g", order, rms);
     }
-    printf("\n");
+    phase /= phase_unit(&oracle);
+    printf("  %.2e\n", phase);
+    CHECK(phase <= PHASE_BOUND, "dphase: error %g", phase);
 }
 
 /*
@@ -258,7 +282,8 @@ int main(int argc, char **argv)
     }
     check_select_isa(argv[2]);
     block = block_make();
-    printf("error in units of sum |a_k| f_k^order: max, RMS of value; of gradient; of Hessian\n");
+    printf("error in units of sum |a_k| f_k^order: max, RMS of value; of gradient; of Hessian; "
+           "then of dphase\n");
     for (int i = 0; i < 8; i++) {
         check_noise(i & 4 ? SCARP_VALUE : SCARP_GRADIENT, i & 1 ? SCARP_CUBIC : SCARP_QUINTIC,
                     i & 2 ? 3 : 2, points);

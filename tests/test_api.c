@@ -286,10 +286,10 @@ static void test_size(void)
     CHECK(outputs_untouched(&one, OUTPUTS_ALL3), "outputs were written");
 }
 
-/* 2D calls refuse derivatives along z. */
+/* 2D calls refuse derivatives along z, and value noise that by the phase. */
 static void test_unsupported(void)
 {
-    static const struct scarp_noise noise = {0};
+    static const struct scarp_noise noise = {.basis = SCARP_VALUE};
     for (int m = 0; m < OUTPUTS; m++) {
         if ((OUTPUTS_ALL2 >> m & 1) == 0) {
             outputs_poison(&one);

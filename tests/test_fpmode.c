@@ -47,15 +47,18 @@ static void make_points(void)
     }
 }
 
-#define NOISES 5
+#define NOISES 7
 
-/* One of them has denormal constants, in its last octaves: value noise with a small gain. */
+/* One of them has denormal constants, in its last octaves: value noise with a small gain; one has a
+   denormal phase. */
 static const struct scarp_noise noises[NOISES] = {
     {.seed = 1},
     {.seed = 2, .basis = SCARP_VALUE, .octaves = 32.0f, .lacunarity = 1.25f, .gain = 0.0625f},
     {.seed = 3, .octaves = 4.5f, .rotate = 1, .frequency = 1.3},
     {.seed = 4, .frequency = 0x1p-32, .amplitude = 0x1p-24f, .fade = SCARP_CUBIC},
     {.seed = 5, .octaves = 3.0f, .frequency = 0x1p40, .basis = SCARP_VALUE, .rotate = 1},
+    {.seed = 6, .octaves = 2.0f, .phase = 0.3f, .fractal = SCARP_RIDGED},
+    {.seed = 7, .octaves = 9.0f, .phase = -0x1p-140f},
 };
 
 /* Makes all sample calls in `mode`. Nothing here computes with floating-point numbers, which could
@@ -64,7 +67,7 @@ static __attribute__((noinline)) enum scarp_status
 call_in_mode(const struct mode *mode, const struct scarp_noise *noise, enum function f,
              const struct outputs *o, struct mode_control *after)
 {
-    const struct scarp_samples out = outputs_subset(o, function_outputs(f));
+    const struct scarp_samples out = outputs_subset(o, outputs_of(noise, f));
     const struct mode_control before = mode_enter(mode);
     const enum scarp_status status = function_call(f, noise, POINTS, &in, &out);
     *after = mode_leave(before);
@@ -131,7 +134,7 @@ static void test_plan(const struct mode *mode, const struct scarp_noise *noise, 
     outputs_poison(&got);
     const enum scarp_status called = call_in_mode(&mode_default, &with, f, &got, &after);
     CHECK(made == SCARP_OK && called == SCARP_OK, "%s, plan, %s", mode->name, function_names[f]);
-    compare_outputs(mode, "scarp_plan_make", function_outputs(f));
+    compare_outputs(mode, "scarp_plan_make", outputs_of(noise, f));
 }
 
 /* Compares results in `mode` with results in the default mode. */
@@ -147,7 +150,7 @@ static void test_results(const struct mode *mode)
             const enum scarp_status b = call_in_mode(mode, &noises[n], f, &got, &after);
             CHECK(a == SCARP_OK && b == SCARP_OK, "%s, %s", mode->name, function_names[f]);
             expect_control(mode, &after, function_names[f]);
-            compare_outputs(mode, function_names[f], function_outputs(f));
+            compare_outputs(mode, function_names[f], outputs_of(&noises[n], f));
             test_plan(mode, &noises[n], f);
         }
     }
@@ -176,8 +179,9 @@ static void test_errors(const struct mode *mode)
             float *const fields[] = {&noise.octaves,   &noise.lacunarity, &noise.gain,
                                      &noise.amplitude, &noise.phase,      &noise.jitter,
                                      &noise.sharpness};
-            const enum scarp_status expected_status =
-                field < 4 ? SCARP_ERROR_PARAMETER : SCARP_ERROR_UNSUPPORTED;
+            const enum scarp_status expected_status = field > 4 ? SCARP_ERROR_UNSUPPORTED
+                                                      : field == 4 && i > 3 ? SCARP_OK /* a phase */
+                                                                            : SCARP_ERROR_PARAMETER;
             memcpy(fields[field], &number, sizeof number);
             float bounds[2];
             const enum scarp_status sampled = call_in_mode(mode, &noise, SAMPLE3, &got, &after);
@@ -212,7 +216,7 @@ static uint64_t hash_in_mode(const struct mode *mode)
     for (int n = 0; n < NOISES; n++) {
         for (int f = 0; f < FUNCTIONS; f++) {
             call_in_mode(mode, &noises[n], (enum function)f, &got, &after);
-            hash = outputs_hash(hash, &got, function_outputs((enum function)f), POINTS);
+            hash = outputs_hash(hash, &got, outputs_of(&noises[n], (enum function)f), POINTS);
         }
     }
     return hash;

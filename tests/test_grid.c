@@ -63,6 +63,9 @@ static void random_noise(struct scarp_noise *noise, uint64_t *state)
     if (pick(state, 3) == 0) {
         random_periods(noise, state);
     }
+    if (noise->basis == SCARP_GRADIENT && pick(state, 2) == 0) {
+        noise->phase = check_random_float(state, 2.0f);
+    }
 }
 
 /* Picks a step: a fraction of a cell, some cells, 0, backwards, too far for the lattice, or such
@@ -110,6 +113,9 @@ static void random_case(struct grid_case *c, uint64_t *state)
         c->order = 1;
     }
     c->wanted = outputs_up_to(c->order, c->dimensions);
+    if (c->noise.basis == SCARP_GRADIENT && pick(state, 3) == 0) {
+        c->wanted |= OUTPUTS_PHASE;
+    }
     if (pick(state, 3) == 0) {
         c->wanted &= (unsigned)check_random(state);
     }
@@ -182,9 +188,10 @@ static void test_points(const struct grid_case *c)
     run_points(c);
     int member = 0;
     size_t where = 0;
-    CHECK_BITS(outputs_equal(&got, &expected, OUTPUTS_ALL3, got.capacity, &member, &where),
-               "%s: %s differs at %zu: %a, not %a", text, output_names[member], where,
-               (double)got.array[member][where], (double)expected.array[member][where]);
+    CHECK_BITS(
+        outputs_equal(&got, &expected, OUTPUTS_ALL3 | OUTPUTS_PHASE, got.capacity, &member, &where),
+        "%s: %s differs at %zu: %a, not %a", text, output_names[member], where,
+        (double)got.array[member][where], (double)expected.array[member][where]);
 }
 
 /* Samples the grid of `c` in tiles of random size, one call per tile. `expected` still holds what
@@ -221,9 +228,10 @@ static void test_tiles(const struct grid_case *c, uint64_t *state)
     describe(c, text, sizeof text);
     int member = 0;
     size_t where = 0;
-    CHECK_BITS(outputs_equal(&got, &expected, OUTPUTS_ALL3, got.capacity, &member, &where),
-               "%s: tiles of %zu x %zu x %zu: %s differs at %zu", text, size[0], size[1], size[2],
-               output_names[member], where);
+    CHECK_BITS(
+        outputs_equal(&got, &expected, OUTPUTS_ALL3 | OUTPUTS_PHASE, got.capacity, &member, &where),
+        "%s: tiles of %zu x %zu x %zu: %s differs at %zu", text, size[0], size[1], size[2],
+        output_names[member], where);
 }
 
 /* Samples rows on lattice planes, where rounding alone decides between two cells: samples that

@@ -118,7 +118,8 @@ static void check_outputs(const struct outputs *o, unsigned mask, const struct o
 /* Tries all counts in all places, for one kind of call. */
 static void test_counts(enum function f, const struct scarp_noise *noise, int order)
 {
-    const unsigned mask = outputs_up_to(order, function_dimensions(f));
+    const unsigned flow = noise->phase != 0.0f ? OUTPUTS_PHASE : 0;
+    const unsigned mask = outputs_up_to(order, function_dimensions(f)) | flow;
     const struct scarp_samples all = outputs_subset(&whole, mask);
     CHECK(function_call(f, noise, POINTS, &in, &all) == SCARP_OK, "%s", function_names[f]);
     for (size_t c = 0; c < COUNTS; c++) {
@@ -140,7 +141,13 @@ static void test_counts(enum function f, const struct scarp_noise *noise, int or
 static void test_in_place(enum function f, const struct scarp_noise *noise)
 {
     static const int over[][3] = {{0, 1, 2}, {1, 0, 4}, {4, 5, 7}, {7, 2, 0}, {2, 4, 1}};
-    const unsigned mask = function_outputs(f);
+    static const int over_phase[][3] = {{OUTPUT_dphase, 1, 2},
+                                        {1, OUTPUT_dphase, 4},
+                                        {4, 5, OUTPUT_dphase},
+                                        {OUTPUT_dphase, 2, 0},
+                                        {2, OUTPUT_dphase, 1}};
+    const int flows = noise->phase != 0.0f;
+    const unsigned mask = function_outputs(f) | (flows ? OUTPUTS_PHASE : 0);
     const struct scarp_samples all = outputs_subset(&whole, mask);
     CHECK(function_call(f, noise, POINTS, &in, &all) == SCARP_OK, "%s", function_names[f]);
     for (size_t c = 0; c < COUNTS; c++) {
@@ -150,7 +157,7 @@ static void test_in_place(enum function f, const struct scarp_noise *noise)
             struct outputs o = place_outputs(place, mask, count);
             struct inputs points = {{NULL, NULL, NULL}, {NULL, NULL, NULL}};
             for (int d = 0; d < function_dimensions(f); d++) {
-                float *const shared = o.array[over[way][d]];
+                float *const shared = o.array[(flows ? over_phase : over)[way][d]];
                 memcpy(shared, x32[d], count * sizeof(float));
                 points.f[d] = shared;
             }
@@ -185,10 +192,12 @@ static void test_value_in_place(enum function f, const struct scarp_noise *noise
 
 static void test_samples(void)
 {
-    for (int i = 0; i < FUNCTIONS * 2 * 3; i++) {
+    for (int i = 0; i < FUNCTIONS * 3 * 3; i++) {
         const enum function f = (enum function)(i % FUNCTIONS);
-        const int kind = i / FUNCTIONS / 2; /* one octave, several, several turned */
-        const struct scarp_noise noise = {.basis = (enum scarp_basis)(i / FUNCTIONS % 2),
+        const int kind = i / FUNCTIONS / 3; /* one octave, several, several turned */
+        const int flows = i / FUNCTIONS % 3 == 2;
+        const struct scarp_noise noise = {.basis = (enum scarp_basis)(i / FUNCTIONS % 3 % 2),
+                                          .phase = flows ? 0.6f : 0.0f,
                                           .octaves = kind > 0 ? 2.5f : 1.0f,
                                           .rotate = kind == 2,
                                           .frequency = 0.37,

@@ -74,6 +74,7 @@ static void test_plan_used(const struct reserved_test *t)
                                           .rotate = (uint32_t)i % 2,
                                           .seed = (uint64_t)i,
                                           .period = {i == 2, i == 4 ? 3 : 0, 0},
+                                          .phase = i > 3 && i % 3 != 0 ? 0.4f : 0.0f,
                                           .basis = (enum scarp_basis)(i % 3 == 0)};
         for (int call = 0; call < RESERVED_CALLS; call++) {
             const struct scarp_plan plan = plan_of(&noise, plan_dimensions(call));
@@ -104,6 +105,7 @@ static void test_plan_stale(const struct reserved_test *t)
         {.octaves = 3.0f, .seed = 1, .frequency = 0.7, .lacunarity = 1.8f},
         {.octaves = 3.0f, .seed = 1, .frequency = 0.7, .lacunarity = 1.9f, .gain = 0.6f},
         {.octaves = 3.0f, .seed = 1, .frequency = 0.7, .lacunarity = 1.9f, .amplitude = 2.0f},
+        {.octaves = 3.0f, .seed = 1, .frequency = 0.7, .lacunarity = 1.9f, .phase = 0.25f},
         {.octaves = 3.0f, .seed = 1, .frequency = 0.7, .lacunarity = 2.0f, .period = {0, 3}}};
     for (int call = 0; call < RESERVED_CALLS; call++) {
         const int dimensions = plan_dimensions(call);
@@ -162,7 +164,8 @@ static void test_plan_refused(const struct reserved_test *t)
                                       {.octaves = 33.0f},
                                       {.octaves = NAN},
                                       {.frequency = -1.0},
-                                      {.phase = 1.0f},
+                                      {.phase = NAN},
+                                      {.phase = 1.0f, .basis = SCARP_VALUE},
                                       {.period = {0, 0x40000001, 0}},
                                       {.spare0 = 1},
                                       {.warp = &good},
@@ -194,6 +197,12 @@ static void test_plan_refused(const struct reserved_test *t)
     const struct scarp_samples hessian = {.dxx = t->one->array[0]};
     CHECK(function_call(SAMPLE2, &erosion, 1, t->in, &hessian) == SCARP_ERROR_UNSUPPORTED,
           "the plan of an erosion gives it a Hessian");
+    struct scarp_noise value = {.basis = SCARP_VALUE};
+    plan = plan_of(&value, 2);
+    value.plan = &plan;
+    const struct scarp_samples turning = {.dphase = t->one->array[0]};
+    CHECK(function_call(SAMPLE2, &value, 1, t->in, &turning) == SCARP_ERROR_UNSUPPORTED,
+          "the plan of value noise gives it a phase");
 }
 
 int main(int argc, char **argv)

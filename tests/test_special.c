@@ -71,7 +71,7 @@ static void make_points(int stride)
     }
 }
 
-#define NOISES 28
+#define NOISES 32
 
 /* Noise `i` of NOISES: both bases and fades with every kind of frequency, octaves and axes. */
 static struct scarp_noise noise_make(int i)
@@ -84,9 +84,11 @@ static struct scarp_noise noise_make(int i)
         {.octaves = 4.0f, .frequency = 1.5, .rotate = 1},
         {.octaves = 3.0f, .frequency = 0x1p30, .rotate = 1},
         {.octaves = 9.0f, .frequency = 1.0, .lacunarity = 16.0f, .amplitude = -100.0f},
+        {.octaves = 3.0f, .frequency = 0.5, .phase = 0.7f},
     };
     struct scarp_noise noise = kinds[i / 4];
     noise.basis = (enum scarp_basis)(i & 1);
+    noise.phase = noise.basis == SCARP_GRADIENT ? noise.phase : 0.0f;
     noise.fade = (enum scarp_fade)(i >> 1 & 1);
     noise.seed = (uint64_t)i;
     return noise;
@@ -95,7 +97,7 @@ static struct scarp_noise noise_make(int i)
 static void call(enum function f, const struct scarp_noise *noise, size_t count,
                  const struct inputs *at, const struct outputs *o)
 {
-    const struct scarp_samples out = outputs_subset(o, function_outputs(f));
+    const struct scarp_samples out = outputs_subset(o, outputs_of(noise, f));
     const enum scarp_status status = function_call(f, noise, count, at, &out);
     CHECK(status == SCARP_OK, "%s: %s", function_names[f], scarp_status_text(status));
 }
@@ -134,7 +136,7 @@ static void expect_nan_rule(enum function f, const struct scarp_noise *noise)
         int expected = finite_positions(f, noise, i);
         for (int m = 0; m < OUTPUTS; m++) {
             const float *const got = tested.array[m] + i;
-            if ((function_outputs(f) >> m & 1) == 0) {
+            if ((outputs_of(noise, f) >> m & 1) == 0) {
                 continue;
             }
             if (expected < 0) {
@@ -225,11 +227,11 @@ static void test_against_scalar(enum scarp_isa isa)
             call(f, &noise, (size_t)points, &in, &scalar);
             scarp_isa_select(isa);
             call(f, &noise, (size_t)points, &in, &tested);
-            CHECK(
-                outputs_equal(&scalar, &tested, function_outputs(f), (size_t)points, &member, &at),
-                "%s, noise %d: %s[%zu] is %a, scalar has %a", function_names[f], n,
-                output_names[member], at, (double)tested.array[member][at],
-                (double)scalar.array[member][at]);
+            CHECK(outputs_equal(&scalar, &tested, outputs_of(&noise, f), (size_t)points, &member,
+                                &at),
+                  "%s, noise %d: %s[%zu] is %a, scalar has %a", function_names[f], n,
+                  output_names[member], at, (double)tested.array[member][at],
+                  (double)scalar.array[member][at]);
             expect_nan_rule(f, &noise);
         }
     }
@@ -267,7 +269,7 @@ static void test_neighbours(void)
             }
             int member = 0;
             size_t at = 0;
-            CHECK(outputs_equal(&scalar, &tested, function_outputs(f), NEIGHBOURS, &member, &at),
+            CHECK(outputs_equal(&scalar, &tested, outputs_of(&noise, f), NEIGHBOURS, &member, &at),
                   "%s, noise %d: point %d disturbed %s[%zu]", function_names[f], i % NOISES, lane,
                   output_names[member], at);
         }
@@ -299,11 +301,11 @@ static void test_float_cells(void)
             size_t at = 0;
             call(f, &noise, (size_t)points, &in_cell, &scalar);
             call(three ? SAMPLE3_F64 : SAMPLE2_F64, &noise, (size_t)points, &in_cell, &tested);
-            CHECK(
-                outputs_equal(&scalar, &tested, function_outputs(f), (size_t)points, &member, &at),
-                "%s, noise %d: %s at (%a, %a, %a) is %a, in cell -2^31 %a", function_names[f], i,
-                output_names[member], (double)f32[0][at], (double)f32[1][at], (double)f32[2][at],
-                (double)scalar.array[member][at], (double)tested.array[member][at]);
+            CHECK(outputs_equal(&scalar, &tested, outputs_of(&noise, f), (size_t)points, &member,
+                                &at),
+                  "%s, noise %d: %s at (%a, %a, %a) is %a, in cell -2^31 %a", function_names[f], i,
+                  output_names[member], (double)f32[0][at], (double)f32[1][at], (double)f32[2][at],
+                  (double)scalar.array[member][at], (double)tested.array[member][at]);
         }
     }
 }

@@ -41,7 +41,8 @@ struct job {
 static void *run(void *opaque)
 {
     struct job *const job = opaque;
-    const unsigned mask = outputs_up_to(job->order, job->dimensions);
+    const unsigned flow = job->noise.phase != 0.0f ? OUTPUTS_PHASE : 0;
+    const unsigned mask = outputs_up_to(job->order, job->dimensions) | flow;
     const struct scarp_samples out = outputs_subset(job->out, mask);
     const char *member;
     float lowest, highest;
@@ -154,12 +155,13 @@ int main(int argc, char **argv)
     struct worst worst = {.nothing = touched(&stack, &job)};
     for (int i = 0; scarp_basis_name((enum scarp_basis)i) != NULL; i++) {
         for (int k = 0; scarp_fractal_name((enum scarp_fractal)k) != NULL; k++) {
-            for (int j = 0; j < 12; j++) {
+            for (int j = 0; j < (i == SCARP_GRADIENT ? 24 : 12); j++) {
                 job.noise = (struct scarp_noise){.basis = (enum scarp_basis)i,
                                                  .fractal = (enum scarp_fractal)k,
                                                  .octaves = j % 2 != 0 ? 3.0f : 1.0f,
-                                                 .rotate = (uint32_t)(j / 2 % 2)};
-                job.order = j / 4;
+                                                 .rotate = (uint32_t)(j / 2 % 2),
+                                                 .phase = j < 12 ? 0.0f : 0.3f};
+                job.order = j / 4 % 3;
                 if (k != SCARP_EROSION || job.order < 2) {
                     measure_points(&stack, &job, &worst);
                     measure_grids(&stack, &job, &worst);

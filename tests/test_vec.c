@@ -391,6 +391,57 @@ static void test_lookup_four(void)
     }
 }
 
+static void check_sixteen(const float found[2][4 * LANES_MAX], const uint32_t *entry,
+                          const uint32_t *index, int shift)
+{
+    for (int i = 0; i < 4 * lanes; i++) {
+        const uint32_t wanted = entry[index[i] >> shift & 15];
+        CHECK(bits_of_float(found[0][i]) == wanted && bits_of_float(found[1][i]) == wanted,
+              "lane %d, index %#x: %#x and %#x, not %#x", i, index[i], bits_of_float(found[0][i]),
+              bits_of_float(found[1][i]), wanted);
+    }
+}
+
+/* Random floats of all bits, and such that are negatives of each other. */
+static void test_sixteen(void)
+{
+    uint64_t state = 10;
+    for (int round = 0; round < 4000; round++) {
+        uint32_t index[4 * LANES_MAX], bits[16];
+        float entry[16], found[2][4 * LANES_MAX];
+        for (int i = 0; i < 16; i++) {
+            bits[i] = (uint32_t)(check_random(&state) >> 32) & 0xbfffffffu; /* no NaN */
+        }
+        for (int i = 0; i < 4 * lanes; i++) {
+            index[i] = (uint32_t)(check_random(&state) >> 32);
+        }
+        memcpy(entry, bits, sizeof entry);
+        ops->sixteen(found[0], found[1], entry, index);
+        check_sixteen(found, bits, index, 0);
+        for (int i = 0; i < 8; i++) {
+            bits[i ^ 9] = bits[i] ^ 0x80000000u;
+        }
+        memcpy(entry, bits, sizeof entry);
+        ops->sixteen_odd(found[0], found[1], entry, index);
+        check_sixteen(found, bits, index, 28);
+    }
+}
+
+static void test_twelfth(void)
+{
+    uint64_t state = 11;
+    for (uint32_t upper = 0; upper < 65536; upper++) {
+        uint32_t hash[LANES_MAX], found[LANES_MAX];
+        make_hashes(hash, upper, &state);
+        ops->twelfth(found, hash);
+        for (int i = 0; i < lanes; i++) {
+            const uint32_t wanted = (hash[i] >> 16) * 12 >> 16;
+            CHECK(found[i] == wanted, "lane %d, hash %#x: %u, not %u", i, hash[i], found[i],
+                  wanted);
+        }
+    }
+}
+
 /* Asks for every entry in every lane, and for random ones in the others. */
 static void test_permute(void)
 {
@@ -457,6 +508,8 @@ int main(int argc, char **argv)
     test_memory();
     test_lookup();
     test_lookup_four();
+    test_sixteen();
+    test_twelfth();
     test_permute();
     return check_done();
 }

@@ -50,9 +50,16 @@ struct basis {
 static const struct basis bases[] = {
     [SCARP_GRADIENT] = {.points = PASSES(gradient, points), .rows = PASSES(gradient, rows)},
     [SCARP_VALUE] = {.points = PASSES(value, points), .rows = PASSES(value, rows)},
+    [SCARP_BASES] = {.points = PASSES(flow, points), .rows = PASSES(flow, rows)},
 };
 
-_Static_assert(sizeof bases / sizeof bases[0] == SCARP_BASES, "each basis has its line");
+_Static_assert(sizeof bases / sizeof bases[0] == SCARP_BASES + 1,
+               "each basis has its line, and gradient noise that flows has the last");
+
+static const struct basis *basis_of(const struct scarp_call_plan *plan)
+{
+    return &bases[plan->flows ? SCARP_BASES : plan->basis];
+}
 
 #undef PASSES
 
@@ -67,8 +74,11 @@ struct call {
     shape_pass *turn_pass; /* NULL where no derivatives are to be turned */
     const struct shape *shape;
     shape_pass *shape_pass; /* NULL: none */
+    phase_pass *phase_pass; /* NULL: none, or no DPHASE */
     size_t lattice_size, noise_size, state_size;
-    int plain; /* whether it is fBm with straight axes */
+    size_t turning_size, moving_size; /* struct phase_shaping */
+    size_t sums_size;                 /* vectors of all outputs at a block */
+    int plain;                        /* whether it is fBm with straight axes */
 };
 
 VEC_INLINE void call_begin(struct call *call, const struct scarp_call_plan *plan, int dimensions,
@@ -77,35 +87,43 @@ VEC_INLINE void call_begin(struct call *call, const struct scarp_call_plan *plan
     const struct shape *const shape = &shapes[plan->fractal];
     const int d = dimensions - 2, order = plan->order + shape->extra_order;
     const int turns = plan->rotate && plan->order > 0 && !shape->own_axes;
+    const struct basis *const basis = basis_of(plan);
+    const int moves = plan->dphase && shape->phase[d] != NULL;
     call->plan = plan;
     call->dimensions = dimensions;
     call->basis_order = order;
     call->layout = layout;
     call->lattice_passes = lattice_passes[d][layout];
-    call->points_pass = bases[plan->basis].points[d][order];
-    call->rows_pass = layout == ROW ? bases[plan->basis].rows[d][order] : NULL;
+    call->points_pass = basis->points[d][order];
+    call->rows_pass = layout == ROW ? basis->rows[d][order] : NULL;
     call->turn_pass = turns ? turn_passes[d][plan->order - 1] : NULL;
     call->shape = shape;
     call->shape_pass = shape->pass[d][plan->order];
     call->lattice_size = lattice_size(dimensions);
     call->noise_size = turns || call->shape_pass != NULL ? sample_size(dimensions, order) : 0;
     call->state_size = state_size(plan, dimensions);
+    call->phase_pass = moves ? shape->phase[d] : NULL;
+    call->turning_size = moves ? turning_size(plan->fractal, dimensions) : 0;
+    call->moving_size = moves ? moving_size(plan->fractal, dimensions) : 0;
+    call->sums_size = sample_size(dimensions, plan->order) + (plan->dphase ? 1 : 0);
     call->plain = call->shape_pass == NULL && !plan->rotate;
 }
 
 /* A part of a call. Points count as one row. */
 struct part {
     struct placed placed;
-    struct positions at;           /* ROW: x for all rows, and z */
-    const double *y;               /* ROW: the y of each row, padded to whole vectors */
-    struct outputs *to;            /* where octaves are added up */
-    const struct outputs *stored;  /* the noise before it is shaped, at `noise` */
-    enum put put;                  /* how the first octave is put */
-    size_t group;                  /* ROW: how many rows go through the passes at once */
-    struct row_octave *row_octave; /* of a ROW */
-    struct turned_x turned;        /* of a ROW with turned axes */
-    vf *along;                     /* where these two keep what depends on x */
+    struct positions at;                  /* ROW: x for all rows, and z */
+    const double *y;                      /* ROW: the y of each row, padded to whole vectors */
+    struct outputs *to;                   /* where octaves are added up */
+    const struct outputs *stored;         /* the noise before it is shaped, at `noise` */
+    const struct outputs *turning_stored; /* its derivative by the phase, at `turning` */
+    enum put put;                         /* how the first octave is put */
+    size_t group;                         /* ROW: how many rows go through the passes at once */
+    struct row_octave *row_octave;        /* of a ROW */
+    struct turned_x turned;               /* of a ROW with turned axes */
+    vf *along;                            /* where these two keep what depends on x */
     vf *noise, *state, *spare, *sums_stored;
+    vf *turning, *moving; /* struct phase_shaping */
 };
 
 /* Copies the first `count` samples of row r of `stored` to the caller's arrays, from `first` on. */
@@ -160,11 +178,58 @@ VEC_INLINE void add_basis(const struct call *call, const struct part *part, int 
                           const struct weights *weights, const struct outputs *to, enum put put)
 {
     if (takes_rows_pass(call, k)) {
+        part->row_octave->turn = call->plan->octave[k].turn;
         call->rows_pass(part->row_octave, part->placed.extent.rows, weights, to, put);
         return;
     }
     place_part(call, part, k);
     call->points_pass(&part->placed, weights, to, put);
+}
+
+/* Does the same with the derivative of the basis by the phase, after add_basis, which has placed
+   the part. The passes are those that `dimensions` and `order` of the noise itself have. */
+static void add_turning(const struct call *call, const struct part *part, int k, int order,
+                        const struct outputs *to, enum put put)
+{
+    const struct scarp_octave *const o = &call->plan->octave[k];
+    const struct basis *const basis = basis_of(call->plan);
+    const int d = call->dimensions - 2;
+    const float slope = scarp_phase_slope(o, k);
+    const struct weights weights = {{slope, slope, slope}};
+    float derivative[4];
+    scarp_phase_derivative(derivative, o->turn);
+    if (takes_rows_pass(call, k)) {
+        part->row_octave->turn = derivative;
+        basis->rows[d][order](part->row_octave, part->placed.extent.rows, &weights, to, put);
+        return;
+    }
+    const struct placed placed = {part->placed.lattice, part->placed.extent, part->placed.fade,
+                                  derivative};
+    basis->points[d][order](&placed, &weights, to, put);
+}
+
+/* Adds the derivative of octave k by the phase, which no shape changes. This and the next are out
+   of line, so that what they need is not on the stack while other passes run. */
+static __attribute__((noinline)) void add_phase(const struct call *call, const struct part *part,
+                                                int k, const struct outputs *to, enum put put)
+{
+    struct outputs phase;
+    outputs_of_phase(&phase, to);
+    add_turning(call, part, k, 0, &phase, put);
+}
+
+/* Adds that of an octave that is about to be shaped. */
+static __attribute__((noinline)) void add_shaped_phase(const struct call *call,
+                                                       const struct part *part, int k,
+                                                       const struct shaping *shaping,
+                                                       const struct outputs *to, enum put put)
+{
+    const struct phase_shaping at = {*shaping, call->noise_size, call->state_size, part->turning,
+                                     part->moving};
+    struct outputs phase;
+    outputs_of_phase(&phase, to);
+    add_turning(call, part, k, call->shape->extra_order, part->turning_stored, PUT_FIRST);
+    call->phase_pass(&at, &phase, put);
 }
 
 /* Does the same with octave k shaped. The noise is stored times the weights of its outputs; times
@@ -184,10 +249,16 @@ static void add_shaped(const struct call *call, const struct part *part, int k,
               PUT_FIRST);
     if (turns && call->shape_pass == NULL) {
         call->turn_pass(&shaping, to, put);
+        if (call->plan->dphase) {
+            add_phase(call, part, k, to, put);
+        }
         return;
     }
     if (turns) {
         call->turn_pass(&shaping, part->stored, PUT_FIRST);
+    }
+    if (call->phase_pass != NULL) {
+        add_shaped_phase(call, part, k, &shaping, to, put);
     }
     call->shape_pass(&shaping, to, put);
 }
@@ -204,6 +275,9 @@ VEC_INLINE void add_octave(const struct call *call, const struct part *part, int
     } else {
         const struct weights weights = {{o->amplitude, o->slope, o->curvature}};
         add_basis(call, part, k, &weights, to, put);
+        if (call->plan->dphase) {
+            add_phase(call, part, k, to, put);
+        }
     }
 }
 
@@ -214,14 +288,16 @@ static void add_by_groups(const struct call *call, struct part *part, int k)
 {
     const size_t rows = part->placed.extent.rows;
     const size_t state_of_row = part->placed.extent.blocks * call->state_size;
+    const size_t moving_of_row = part->placed.extent.blocks * call->moving_size;
     const double *const y = part->y;
-    vf *const state = part->state;
+    vf *const state = part->state, *const moving = part->moving;
     for (size_t r = 0, here; r < rows; r += here) {
         here = least(rows - r, part->group);
         part->placed.extent.rows = here;
         part->row_octave->begin = r;
         part->y = y + r;
         part->state = state + r * state_of_row;
+        part->moving = moving + r * moving_of_row;
         add_octave(call, part, k, part->to);
         outputs_move(part->to, call->plan->order, here);
     }
@@ -229,6 +305,7 @@ static void add_by_groups(const struct call *call, struct part *part, int k)
     part->placed.extent.rows = rows;
     part->y = y;
     part->state = state;
+    part->moving = moving;
 }
 
 /* Prepares octave k along the axes of a grid. What depends on x is kept for the parts below if
@@ -261,7 +338,12 @@ static void sum_octaves(const struct call *call, struct part *part, int first_pa
         state_begin(plan, part->state, call->state_size,
                     part->placed.extent.rows * part->placed.extent.blocks);
     }
+    for (size_t i = 0;
+         i < part->placed.extent.rows * part->placed.extent.blocks * call->moving_size; i++) {
+        part->moving[i] = vf_set(0.0f);
+    }
     for (int k = 0; k < plan->octaves; k++) {
+        part->placed.turn = plan->octave[k].turn;
         if (takes_rows_pass(call, k)) {
             prepare_rows(call, part, k, first_part);
         } else if (call->layout == ROW && axes_of(plan, k) == AXES_TURNED) {

@@ -5,8 +5,8 @@
  * need to begin takes longer than a block. Included by points.h.
  *
  * One pass serves values of a single octave, in a straight line without loops; one serves values of
- * fBm with straight axes; and one all else but Hessians and the gradients of erosion, which take
- * the passes over parts.
+ * fBm with straight axes; and one all else but Hessians, the gradients of erosion, periods and
+ * flow, which take the passes over parts.
  */
 #ifndef SCARP_KERNEL_FEW_H
 #define SCARP_KERNEL_FEW_H
@@ -88,7 +88,7 @@ VEC_INLINE struct sample few_basis(const struct scarp_octave *o, enum scarp_fade
         s[d] = few_split(o, d, x, f);
     }
     lattice_put((vf *)&lattice, o, s, AXES_STRAIGHT, f.dimensions);
-    return basis_sample((const vf *)&lattice, fade, v);
+    return basis_sample((const vf *)&lattice, fade, NULL, v);
 }
 
 /* What goes from octave to octave: the weight of ridged noise, the slope d of erosion. */
@@ -114,7 +114,7 @@ VEC_INLINE struct sample few_shape(struct few_state *state, const struct scarp_c
         break;
     case SCARP_EROSION:
         if (v.order == 1) {
-            const struct variant value = {v.basis, v.dimensions, 0};
+            const struct variant value = {v.basis, v.dimensions, 0, 0};
             struct eroded e = {.n = *n};
             s.value = erode(&e, state->d, plan->erosion, value).value;
         }
@@ -222,7 +222,7 @@ typedef void few_pass(const struct scarp_call_plan *plan, size_t end, const void
                      enum layout layout)                                                           \
     {                                                                                              \
         const struct few_points points = {position, first, end, layout};                           \
-        const struct variant v = {basis, dimensions, order};                                       \
+        const struct variant v = {basis, dimensions, order, 0};                                    \
         run(plan, &points, out, v);                                                                \
     }
 
@@ -268,8 +268,7 @@ _Static_assert(sizeof few_passes / sizeof few_passes[0] == SCARP_BASES, "each ba
 /* Whether it is the values of fBm with straight axes that never repeats. */
 static int few_plain(const struct scarp_call_plan *plan)
 {
-    return plan->order == 0 && plan->fractal == SCARP_FBM && !plan->rotate &&
-           plan->repeat == SCARP_REPEAT_NEVER;
+    return plan->order == 0 && plan->fractal == SCARP_FBM && !plan->rotate && plan->plain;
 }
 
 /* The pass that serves `count` points, or NULL if they are too many or none does. Single octaves
@@ -277,8 +276,7 @@ static int few_plain(const struct scarp_call_plan *plan)
 static few_pass *few_pass_of(const struct scarp_call_plan *plan, size_t count, int dimensions)
 {
     const int order = plan->order + (plan->fractal == SCARP_EROSION); /* of the basis */
-    return count <= FEW_BLOCKS * VEC_LANES && order <= FEW_ORDER &&
-                   plan->repeat == SCARP_REPEAT_NEVER
+    return count <= FEW_BLOCKS * VEC_LANES && order <= FEW_ORDER && plan->plain
                ? few_passes[plan->basis][dimensions - 2][order]
                : NULL;
 }

@@ -54,7 +54,7 @@ static double coordinate(const struct scarp_grid *grid, int axis, size_t index)
 /* Vectors of scratch space for a part, by use. `by_turns` holds what the octave at work needs:
    tables of lines, or positions on the lattice. */
 struct part_space {
-    size_t along, by_turns, noise, state, sums;
+    size_t along, by_turns, noise, state, turning, moving, sums;
 };
 
 /* How many rows of that many blocks go through the passes at once. */
@@ -79,7 +79,9 @@ static struct part_space space_of(const struct grid_call *g, size_t rows, size_t
         .by_turns = table > lattice ? table : lattice,
         .noise = rows_at_once * blocks * call->noise_size,
         .state = rows * blocks * call->state_size,
-        .sums = g->stores ? rows * blocks * sample_size(call->dimensions, call->plan->order) : 0,
+        .turning = rows_at_once * blocks * call->turning_size,
+        .moving = rows * blocks * call->moving_size,
+        .sums = g->stores ? rows * blocks * call->sums_size : 0,
     };
     return space;
 }
@@ -88,7 +90,8 @@ static struct part_space space_of(const struct grid_call *g, size_t rows, size_t
 static int fits(const struct grid_call *g, size_t rows, size_t blocks)
 {
     const struct part_space s = space_of(g, rows, blocks);
-    return (blocks + s.along + s.by_turns + s.noise + s.state + s.sums) * sizeof(vf) <=
+    return (blocks + s.along + s.by_turns + s.noise + s.state + s.turning + s.moving + s.sums) *
+               sizeof(vf) <=
            SCRATCH_BYTES;
 }
 
@@ -134,7 +137,9 @@ static void place_in_scratch(const struct grid_call *g, struct part *part,
     part->spare = scratch->passes.space;
     part->noise = part->spare + blocks;
     part->state = part->noise + s.noise;
-    part->sums_stored = part->state + s.state;
+    part->turning = part->state + s.state;
+    part->moving = part->turning + s.turning;
+    part->sums_stored = part->moving + s.moving;
     part->along = part->sums_stored + s.sums;
     octave->x.block = (struct along_block *)part->along;
     octave->x.hash = (vf *)(octave->x.block + blocks);
@@ -150,24 +155,29 @@ static void grid_part(const struct grid_call *g, struct part *part, const size_t
 {
     const struct scarp_grid *const grid = g->grid;
     const size_t first = at[2] * grid->slice_stride + at[1] * grid->row_stride + at[0];
-    struct outputs sums, to, stored;
-    outputs_stored(&stored, part->noise, g->call.dimensions, g->call.basis_order,
-                   part->placed.extent.blocks);
+    const size_t blocks = part->placed.extent.blocks;
+    const struct call *const call = &g->call;
+    struct outputs to, stored, turning;
+    outputs_stored(&stored, part->noise, call->noise_size, call->dimensions, call->basis_order,
+                   blocks);
     part->stored = &stored;
-    outputs_stored(&sums, part->sums_stored, g->call.dimensions, g->call.plan->order,
-                   part->placed.extent.blocks);
-    part->to = &sums;
+    outputs_stored(&turning, part->turning, call->turning_size, call->dimensions,
+                   call->shape->extra_order, blocks);
+    part->turning_stored = &turning;
+    part->to = &to;
     part->group = g->group;
     part->put = PUT_FIRST;
-    if (!g->stores) {
+    if (g->stores) {
+        outputs_stored(&to, part->sums_stored, call->sums_size, call->dimensions, call->plan->order,
+                       blocks);
+    } else {
         const int aligned = at[0] % VEC_LANES == g->lead % VEC_LANES;
-        outputs_of(&to, g->out, g->call.plan->order, first, grid->row_stride, part->spare);
-        part->to = &to;
+        outputs_of(&to, g->out, call->plan->order, first, grid->row_stride, part->spare);
         part->put = g->streams && aligned ? PUT_STREAM : PUT_FIRST;
     }
     sum_octaves(&g->call, part, at[1] == 0);
     for (size_t r = 0; g->stores && r < part->placed.extent.rows; r++) {
-        copy_out(g->out, first + r * grid->row_stride, &sums, r, count);
+        copy_out(g->out, first + r * grid->row_stride, &to, r, count);
     }
 }
 

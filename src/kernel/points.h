@@ -14,16 +14,18 @@
    number. There are sums where octaves are added up, and for padded parts. */
 static size_t place_points(const struct call *call, struct part *part, struct scratch *scratch)
 {
-    const size_t size = sample_size(call->dimensions, call->plan->order);
+    const size_t size = call->sums_size;
     const int sums = call->plan->octaves > 1;
-    const size_t each =
-        call->lattice_size + call->noise_size + call->state_size + 1 + (sums ? size : 0);
+    const size_t each = call->lattice_size + call->noise_size + call->state_size +
+                        call->turning_size + call->moving_size + 1 + (sums ? size : 0);
     const size_t room = sizeof scratch->space / sizeof(vf) - (sums ? 0 : PADDED_BLOCKS * size);
     const size_t blocks = PART_BLOCKS * each <= room ? PART_BLOCKS : room / each;
     part->placed.lattice = scratch->space;
     part->noise = part->placed.lattice + blocks * call->lattice_size;
     part->state = part->noise + blocks * call->noise_size;
-    part->spare = part->state + blocks * call->state_size;
+    part->turning = part->state + blocks * call->state_size;
+    part->moving = part->turning + blocks * call->turning_size;
+    part->spare = part->moving + blocks * call->moving_size;
     part->sums_stored = part->spare + blocks;
     return blocks;
 }
@@ -76,17 +78,22 @@ static void points_many(const struct scarp_call_plan *plan, size_t count,
     const size_t bytes = layout == DOUBLES ? sizeof(double) : sizeof(float);
     struct scratch scratch;
     struct part part; /* the members that only grids need stay unset */
-    struct outputs sums, stored;
+    struct outputs sums, stored, turning;
     part.placed.extent.rows = 1;
     part.placed.fade = plan->fade;
     part.put = PUT_FIRST;
     part.stored = &stored;
+    part.turning_stored = &turning;
     const size_t most = place_points(&call, &part, &scratch) * VEC_LANES;
     if (plan->octaves > 1 || count % VEC_LANES != 0) {
-        outputs_stored(&sums, part.sums_stored, dimensions, plan->order, 0);
+        outputs_stored(&sums, part.sums_stored, call.sums_size, dimensions, plan->order, 0);
     }
     if (call.noise_size > 0) {
-        outputs_stored(&stored, part.noise, dimensions, call.basis_order, 0);
+        outputs_stored(&stored, part.noise, call.noise_size, dimensions, call.basis_order, 0);
+    }
+    if (call.turning_size > 0) {
+        outputs_stored(&turning, part.turning, call.turning_size, dimensions,
+                       call.shape->extra_order, 0);
     }
     for (size_t first = 0, here; first < count; first += here) {
         here = least(count - first, most);
@@ -121,7 +128,7 @@ static void points_plain(const struct scarp_call_plan *plan, size_t count,
     placed.lattice = scratch.space;
     placed.fade = plan->fade;
     placed.extent.rows = 1;
-    outputs_stored(&sums, stored, dimensions, 0, 0);
+    outputs_stored(&sums, stored, 1, dimensions, 0, 0);
     for (size_t first = 0, here; first < count; first += here) {
         here = least(count - first, PART_BLOCKS * VEC_LANES);
         placed.extent.blocks = here / VEC_LANES;
@@ -150,13 +157,13 @@ static __attribute__((noinline)) void points_more(const struct scarp_call_plan *
                                                   const struct scarp_outputs *out, struct frame f)
 {
     const int is_straight = plan->fractal == SCARP_FBM && !plan->rotate;
-    const int has_few = is_straight && plan->repeat == SCARP_REPEAT_NEVER;
+    const int has_few = is_straight && plan->plain;
     const size_t rest = has_few && plan->order <= FEW_ORDER ? count % VEC_LANES : 0;
     if (rest > 0) {
         few_pass *const few = few_pass_of(plan, rest, f.dimensions);
         few(plan, count, position, out, count - rest, f.layout);
     }
-    if (plan->order == 0 && out->array[VALUE] == NULL) {
+    if (plan->order == 0 && out->array[VALUE] == NULL && !plan->dphase) {
         return;
     }
     if (few_plain(plan)) {

@@ -133,7 +133,7 @@ VEC_INLINE vd load_f64(const struct positions *at, int axis, size_t block, int h
 VEC_INLINE vd straight_f64(const struct scarp_octave *o, int axis, vd x, struct frame f)
 {
     const vd p = vd_set(o->frequency64) * x;
-    return f.axes == AXES_FIRST ? p : p + vd_set(o->offset64[axis]);
+    return f.axes == AXES_FIRST ? p : p + vd_set(o->offset[axis]);
 }
 
 VEC_INLINE vd turned_f64(const struct scarp_octave *o, int axis, const vd x[3], struct frame f)
@@ -143,14 +143,14 @@ VEC_INLINE vd turned_f64(const struct scarp_octave *o, int axis, const vd x[3], 
     if (f.dimensions == 3) {
         p += vd_set(j[2]) * x[2];
     }
-    return p + vd_set(o->offset64[axis]);
+    return p + vd_set(o->offset[axis]);
 }
 
 /* The same in float. */
 VEC_INLINE vf straight_f32(const struct scarp_octave *o, int axis, vf x, struct frame f)
 {
     const vf p = vf_set(o->frequency) * x;
-    return f.axes == AXES_FIRST ? p : p + vf_set(o->offset[axis]);
+    return f.axes == AXES_FIRST ? p : p + vf_set((float)o->offset[axis]);
 }
 
 VEC_INLINE vf turned_f32(const struct scarp_octave *o, int axis, const vf x[3], struct frame f)
@@ -160,7 +160,7 @@ VEC_INLINE vf turned_f32(const struct scarp_octave *o, int axis, const vf x[3], 
     if (f.dimensions == 3) {
         p += vf_set(j[2]) * x[2];
     }
-    return p + vf_set(o->offset[axis]);
+    return p + vf_set((float)o->offset[axis]);
 }
 
 /* The same for one half of a block. */

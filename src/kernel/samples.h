@@ -13,6 +13,7 @@
 struct variant {
     enum scarp_basis basis;
     int dimensions, order; /* order: the highest derivative */
+    int flows;             /* whether gradients come from tables that the phase turned */
 };
 
 /* Members beyond the order and the dimensions of the variant are unset. */
@@ -108,14 +109,18 @@ static void outputs_move(struct outputs *outputs, int order, size_t rows)
     for (int i = 0; i < OUTPUTS_UP_TO(order); i++) {
         outputs->array[i] += rows * outputs->row[i];
     }
+    outputs->array[DPHASE] += rows * outputs->row[DPHASE];
 }
 
-/* Describes samples that are stored one after the other, `blocks` to a row. (This and outputs_of
-   fill in a structure instead of returning it: copying it in wide vectors waits until what was
-   written in narrow ones has left the core.) */
-static void outputs_stored(struct outputs *to, vf *stored, int dimensions, int order, size_t blocks)
+/* Describes samples of `size` vectors that are stored one after the other, `blocks` to a row.
+   DPHASE is their last vector. (This and outputs_of fill in a structure instead of returning it:
+   copying it in wide vectors waits until what was written in narrow ones has left the core.) */
+static void outputs_stored(struct outputs *to, vf *stored, size_t size, int dimensions, int order,
+                           size_t blocks)
 {
-    to->block = sample_size(dimensions, order) * VEC_LANES;
+    to->block = size * VEC_LANES;
+    to->array[DPHASE] = (float *)(stored + size - 1);
+    to->row[DPHASE] = blocks * to->block;
     for (int i = 0; i < OUTPUTS_UP_TO(order); i++) {
         to->array[i] = (float *)(stored + stored_at(i, dimensions));
         to->row[i] = blocks * to->block;
@@ -133,6 +138,21 @@ static void outputs_of(struct outputs *to, const struct scarp_outputs *out, int 
         to->array[i] = asked ? out->array[i] + first : (float *)spare;
         to->row[i] = asked ? row : 0;
     }
+    if (out->array[DPHASE] != NULL) {
+        to->array[DPHASE] = out->array[DPHASE] + first;
+        to->row[DPHASE] = row;
+    } else {
+        to->array[DPHASE] = (float *)spare;
+        to->row[DPHASE] = 0;
+    }
+}
+
+/* Describes where DPHASE goes, as where values go. */
+static void outputs_of_phase(struct outputs *to, const struct outputs *of)
+{
+    to->block = of->block;
+    to->array[VALUE] = of->array[DPHASE];
+    to->row[VALUE] = of->row[DPHASE];
 }
 
 /* What values, gradients and Hessians are multiplied by. */

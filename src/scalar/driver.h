@@ -11,7 +11,22 @@
 struct state {
     struct sample weight; /* ridged */
     struct slopes slopes; /* erosion */
+    float by_phase[3];    /* erosion: the derivative of the slopes d by the phase */
 };
+
+/* The derivative of an octave of the basis by the phase, with its gradient in its own axes; 0 where
+   it is not asked for. */
+static struct sample turning_of(const struct scarp_call_plan *plan, int k,
+                                const struct place *place, int dimensions)
+{
+    const struct scarp_octave *const o = &plan->octave[k];
+    const float slope = scarp_phase_slope(o, k);
+    if (!plan->dphase) {
+        return (struct sample){{0.0f}};
+    }
+    const struct sample turning = basis_turning(plan, o, place, dimensions);
+    return scaled(&turning, slope, slope, slope);
+}
 
 /* Octave k, as it is added to the sum. */
 static struct sample octave_at(const struct scarp_call_plan *plan, int k, const struct point *x,
@@ -20,17 +35,22 @@ static struct sample octave_at(const struct scarp_call_plan *plan, int k, const 
     const struct scarp_octave *const o = &plan->octave[k];
     const int turned = is_turned(plan, k);
     const struct place place = place_of(plan, k, x, dimensions);
-    const struct sample basis = basis_at(plan, o, &place, dimensions);
+    const struct sample turning = turning_of(plan, k, &place, dimensions);
+    struct sample basis = basis_at(plan, o, &place, dimensions);
+    basis.of[DPHASE] = turning.of[VALUE];
     struct sample n = in_input(o, turned, &basis, dimensions);
     switch (plan->fractal) {
     case SCARP_FBM: return n;
     case SCARP_TURBULENCE: n = magnitude(&n); break;
     case SCARP_RIDGED: n = ridge(&state->weight, &n); break;
     case SCARP_EROSION:
-        n = scaled(&basis, o->amplitude, o->amplitude, o->amplitude);
-        n = erode(&state->slopes, plan->erosion, o, turned, &n, dimensions);
+        basis = scaled(&basis, o->amplitude, o->amplitude, o->amplitude);
+        n = erode(&state->slopes, plan->erosion, o, turned, &basis, dimensions);
+        n.of[DPHASE] = erode_turning(&state->slopes, state->by_phase, plan->erosion,
+                                     basis.of[VALUE], &turning, dimensions);
         break;
     }
+    n.of[DPHASE] *= o->weight;
     return scaled(&n, o->weight, o->weight, o->weight);
 }
 

@@ -23,7 +23,7 @@ static inline float dot(const float a[3], const float b[3], int dimensions)
     return dimensions == 3 ? d + a[2] * b[2] : d;
 }
 
-/* n has its gradient and its Hessian in the octave's own axes. */
+/* n has its gradient and its Hessian in the octave's own axes, but not DPHASE. */
 static inline struct sample erode(struct slopes *slopes, float erosion,
                                   const struct scarp_octave *o, int turned, const struct sample *n,
                                   int dimensions)
@@ -46,6 +46,19 @@ static inline struct sample erode(struct slopes *slopes, float erosion,
                        damping * dot(column, d, dimensions);
     }
     return s;
+}
+
+/* The derivative of q n by the phase, with that of n, and of its gradient, in `turning`; `slopes`
+   have this octave. `by_phase` is the derivative of d, which moves on. */
+static inline float erode_turning(const struct slopes *slopes, float by_phase[3], float erosion,
+                                  float n, const struct sample *turning, int dimensions)
+{
+    for (int i = 0; i < dimensions; i++) {
+        by_phase[i] += turning->of[DX + i];
+    }
+    const float q = 1.0f / (1.0f + erosion * dot(slopes->d, slopes->d, dimensions));
+    const float damping = 2.0f * erosion * n * (q * q);
+    return q * turning->of[VALUE] - damping * dot(by_phase, slopes->d, dimensions);
 }
 
 #endif

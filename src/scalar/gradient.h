@@ -36,22 +36,87 @@ static const float directions3[12][3] = {
     {-2, 0, 2}, {-2, 0, -2}, {0, 2, 2},  {0, 2, -2},  {0, -2, 2}, {0, -2, -2},
 };
 
-static inline const float *direction2(uint32_t hash)
+/* What directions become after a quarter of a turn (scarp.h, "Flow"): in 3D d x g / |d|, with |d| =
+   sqrt(3), which is 2 / sqrt(3) times these. */
+static const float quarters3[12][3] = {
+    {1, -1, 2}, {1, 1, -2}, {-1, -1, -2}, {-1, 1, 2}, {-1, 2, 1},   {-1, -2, -1},
+    {1, -2, 1}, {1, 2, -1}, {2, 1, -1},   {-2, 1, 1}, {-2, -1, -1}, {2, -1, 1},
+};
+#define TWO_OVER_ROOT_3 1.15470054f
+
+/* The number of the direction that a hash draws. */
+static inline uint32_t direction_index2(uint32_t hash)
 {
-    return directions2[hash >> 28];
+    return hash >> 28;
 }
 
-static inline const float *direction3(uint32_t hash)
+static inline uint32_t direction_index3(uint32_t hash)
 {
-    return directions3[(hash >> 16) * 12 >> 16];
+    return (hash >> 16) * 12 >> 16;
 }
+
+/* Whether a direction makes two turns per turn of the phase, in 2D backwards. */
+static inline int is_quick2(uint32_t i)
+{
+    return (i ^ i >> 1 ^ i >> 3) & 1;
+}
+
+static inline int is_quick3(uint32_t i)
+{
+    return i == 2 || i == 3 || i == 4 || i == 5 || i == 8 || i == 11;
+}
+
+struct direction {
+    float of[3];
+};
+
+/* `turn` are cosines and sines as in struct scarp_octave; NULL: the directions are at rest, which
+   is what they are after no angle, too. */
+static inline struct direction direction2(const float *turn, uint32_t hash)
+{
+    const uint32_t drawn = direction_index2(hash);
+    if (turn == NULL) {
+        return (struct direction){{directions2[drawn][0], directions2[drawn][1]}};
+    }
+    const uint32_t i = drawn < 8 ? drawn : drawn ^ 9; /* the opposite direction */
+    const float *const g = directions2[i];
+    const float quarter[2] = {is_quick2(i) ? g[1] : -g[1], is_quick2(i) ? -g[0] : g[0]};
+    const float *const t = &turn[is_quick2(i) ? 2 : 0];
+    struct direction d = {{0.0f}};
+    for (int axis = 0; axis < 2; axis++) {
+        const float turned = t[0] * g[axis] + t[1] * quarter[axis];
+        d.of[axis] = drawn < 8 ? turned : -turned;
+    }
+    return d;
+}
+
+static inline struct direction direction3(const float *turn, uint32_t hash)
+{
+    const uint32_t i = direction_index3(hash);
+    if (turn == NULL) {
+        return (struct direction){{directions3[i][0], directions3[i][1], directions3[i][2]}};
+    }
+    const float *const t = &turn[is_quick3(i) ? 2 : 0];
+    struct direction d;
+    for (int axis = 0; axis < 3; axis++) {
+        d.of[axis] = t[0] * directions3[i][axis] + t[1] * (TWO_OVER_ROOT_3 * quarters3[i][axis]);
+    }
+    return d;
+}
+
+/* The lattice that draws directions: its keys, and how far they are turned. */
+struct turning {
+    const uint32_t *key;
+    const float *turn;
+};
 
 /* Column x of the cell: v is the fade along y. */
-static inline struct column gradient_column2(const uint32_t key[3], uint32_t x,
+static inline struct column gradient_column2(struct turning lattice, uint32_t x,
                                              const struct place *p, struct fade v)
 {
-    const float *const g0 = direction2(hash2(key, x, p->cell[1][0]));
-    const float *const g1 = direction2(hash2(key, x, p->cell[1][1]));
+    const struct direction d0 = direction2(lattice.turn, hash2(lattice.key, x, p->cell[1][0]));
+    const struct direction d1 = direction2(lattice.turn, hash2(lattice.key, x, p->cell[1][1]));
+    const float *const g0 = d0.of, *const g1 = d1.of;
     const float y = p->t[1];
     const float dgx = g1[0] - g0[0];
     const float dot0 = g0[1] * y;
@@ -74,12 +139,13 @@ struct edge {
 };
 
 /* The edge at column x on the lower or upper side of the cell along y, w being the fade along z. */
-static inline struct edge gradient_edge(const uint32_t key[3], uint32_t x, const struct place *p,
+static inline struct edge gradient_edge(struct turning lattice, uint32_t x, const struct place *p,
                                         int side, struct fade w)
 {
     const uint32_t y = p->cell[1][side], *const z = p->cell[2];
-    const float *const g0 = direction3(hash3(key, x, y, z[0]));
-    const float *const g1 = direction3(hash3(key, x, y, z[1]));
+    const struct direction d0 = direction3(lattice.turn, hash3(lattice.key, x, y, z[0]));
+    const struct direction d1 = direction3(lattice.turn, hash3(lattice.key, x, y, z[1]));
+    const float *const g0 = d0.of, *const g1 = d1.of;
     const float ty = p->t[1] - (float)side, tz = p->t[2];
     const float dgx = g1[0] - g0[0];
     const float dgy = g1[1] - g0[1];
@@ -98,11 +164,11 @@ static inline struct edge gradient_edge(const uint32_t key[3], uint32_t x, const
     return e;
 }
 
-static inline struct column gradient_column3(const uint32_t key[3], uint32_t x,
+static inline struct column gradient_column3(struct turning lattice, uint32_t x,
                                              const struct place *p, struct fade v, struct fade w)
 {
-    const struct edge e0 = gradient_edge(key, x, p, 0, w);
-    const struct edge e1 = gradient_edge(key, x, p, 1, w);
+    const struct edge e0 = gradient_edge(lattice, x, p, 0, w);
+    const struct edge e1 = gradient_edge(lattice, x, p, 1, w);
     const float da = e1.value.a - e0.value.a;
     const float db = e1.value.b - e0.value.b;
     const float dgy = e1.gy - e0.gy;
@@ -120,13 +186,13 @@ static inline struct column gradient_column3(const uint32_t key[3], uint32_t x,
     return c;
 }
 
-static inline struct column gradient_column(const uint32_t key[3], uint32_t x,
+static inline struct column gradient_column(struct turning lattice, uint32_t x,
                                             const struct place *p, enum scarp_fade kind,
                                             int dimensions)
 {
     const struct fade v = fade(kind, p->t[1]);
-    return dimensions == 2 ? gradient_column2(key, x, p, v)
-                           : gradient_column3(key, x, p, v, fade(kind, p->t[2]));
+    return dimensions == 2 ? gradient_column2(lattice, x, p, v)
+                           : gradient_column3(lattice, x, p, v, fade(kind, p->t[2]));
 }
 
 #endif

@@ -86,7 +86,7 @@ static inline float position_f32(const struct scarp_octave *o, int turned, const
     if (turned && dimensions == 3) {
         p += j[2] * x[2];
     }
-    return p + o->offset[i];
+    return p + (float)o->offset[i];
 }
 
 static inline double position_f64(const struct scarp_octave *o, int turned, const double x[3],
@@ -97,7 +97,7 @@ static inline double position_f64(const struct scarp_octave *o, int turned, cons
     if (turned && dimensions == 3) {
         p += j[2] * x[2];
     }
-    return p + o->offset64[i];
+    return p + o->offset[i];
 }
 
 /* p in octave k, split into cell and fraction. */

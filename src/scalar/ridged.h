@@ -8,7 +8,8 @@
 
 #include "turbulence.h"
 
-/* First and second derivative of v r^2, r = 1 - m, along i and along i and j:
+/* First and second derivative of v r^2, r = 1 - m, along i and along i and j; output DX + i is the
+   first one:
        r^2 v_i - 2 v r m_i
        r^2 v_ij - 2 r (v_i m_j + v_j m_i) + 2 v m_i m_j - 2 v r m_ij */
 static inline float ridge_first(const struct sample *v, const struct sample *m, float r, int i)
@@ -31,7 +32,9 @@ static inline struct sample next_weight(const struct sample *s)
     if (!(2.0f * s->of[VALUE] < 1.0f)) {
         return (struct sample){{[VALUE] = 1.0f}};
     }
-    return scaled(s, 2.0f, 2.0f, 2.0f);
+    struct sample weight = scaled(s, 2.0f, 2.0f, 2.0f);
+    weight.of[DPHASE] *= 2.0f;
+    return weight;
 }
 
 /* `weight` is that of this octave on entry, that of the next on return. */
@@ -40,6 +43,7 @@ static inline struct sample ridge(struct sample *weight, const struct sample *n)
     const struct sample m = magnitude(n);
     const float r = 1.0f - m.of[VALUE];
     struct sample s = {{[VALUE] = weight->of[VALUE] * (r * r)}};
+    s.of[DPHASE] = ridge_first(weight, &m, r, DPHASE - DX);
     for (int i = 0; i < 3; i++) {
         s.of[DX + i] = ridge_first(weight, &m, r, i);
         for (int j = i; j < 3; j++) {

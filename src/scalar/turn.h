@@ -29,7 +29,7 @@ static inline int second(int i, int j)
     return output[i][j];
 }
 
-/* Multiplies the outputs of each order by a factor of their own. */
+/* Multiplies the outputs of each order by a factor of their own, but for DPHASE. */
 static inline struct sample scaled(const struct sample *n, float value, float gradient,
                                    float hessian)
 {
@@ -37,6 +37,7 @@ static inline struct sample scaled(const struct sample *n, float value, float gr
     for (int i = 0; i < OUTPUTS; i++) {
         s.of[i] = (i == VALUE ? value : i < DXX ? gradient : hessian) * n->of[i];
     }
+    s.of[DPHASE] = n->of[DPHASE];
     return s;
 }
 
@@ -44,7 +45,7 @@ static inline struct sample scaled(const struct sample *n, float value, float gr
 static inline struct sample turn(const struct scarp_octave *o, const struct sample *n,
                                  int dimensions)
 {
-    struct sample s = {{[VALUE] = o->amplitude * n->of[VALUE]}};
+    struct sample s = {{[VALUE] = o->amplitude * n->of[VALUE], [DPHASE] = n->of[DPHASE]}};
     for (int j = 0; j < dimensions; j++) {
         float hj[3] = {0.0f, 0.0f, 0.0f}; /* column j of H J */
         s.of[DX + j] = column_dot(o->gradient, j, &n->of[DX], dimensions);

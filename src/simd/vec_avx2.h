@@ -219,6 +219,40 @@ VEC_INLINE vf vf_lookup_top(const struct lookup_top *table, vu index)
     return (vf)_mm256_shuffle_epi8(_mm256_load_si256((const __m256i *)table->top), (__m256i)index);
 }
 
+#define VF_SIXTEEN_OWN
+typedef struct {
+    vf low, high;
+} vf_sixteen;
+
+VEC_INLINE vf_sixteen vf_sixteen_load(const float *entry)
+{
+    const vf_sixteen table = {vf_load(entry), vf_load(entry + VEC_LANES)};
+    return table;
+}
+
+/* The permutes read the low three bits, the blend the sign. */
+VEC_INLINE vf vf_sixteen_of(const vf_sixteen *table, vu index)
+{
+    const __m256 low = _mm256_permutevar8x32_ps((__m256)table->low, (__m256i)index);
+    const __m256 high = _mm256_permutevar8x32_ps((__m256)table->high, (__m256i)index);
+    return (vf)_mm256_blendv_ps(low, high, (__m256)(index << 28));
+}
+
+/* The lower eight entries are enough: bit 3 of the index becomes the sign. */
+#define VF_SIXTEEN_ODD_OWN
+VEC_INLINE vf vf_sixteen_odd(const vf_sixteen *table, vu hash)
+{
+    const vu index = hash >> 28 ^ hash >> 31;
+    const vu entry = (vu)_mm256_permutevar8x32_ps((__m256)table->low, (__m256i)index);
+    return (vf)(entry ^ (hash & 0x80000000u));
+}
+
+#define VU_TWELFTH_OWN
+VEC_INLINE vu vu_twelfth(vu hash)
+{
+    return (vu)_mm256_mulhi_epu16((__m256i)hash, _mm256_set1_epi32(12 << 16)) >> 16;
+}
+
 VEC_INLINE vu vf_index(vu i)
 {
     return i;

@@ -184,6 +184,25 @@ VEC_INLINE vf vf_lookup_top(const struct lookup_top *table, vu index)
     return (vf)_mm512_maskz_shuffle_epi8(top_bytes, _mm512_load_si512(table->top), (__m512i)index);
 }
 
+#define VF_SIXTEEN_OWN
+typedef vf vf_sixteen;
+
+VEC_INLINE vf_sixteen vf_sixteen_load(const float *entry)
+{
+    return vf_load(entry);
+}
+
+VEC_INLINE vf vf_sixteen_of(const vf_sixteen *table, vu index)
+{
+    return (vf)_mm512_permutexvar_ps((__m512i)index, (__m512)*table);
+}
+
+#define VU_TWELFTH_OWN
+VEC_INLINE vu vu_twelfth(vu hash)
+{
+    return (vu)_mm512_mulhi_epu16((__m512i)hash, _mm512_set1_epi32(12 << 16)) >> 16;
+}
+
 VEC_INLINE vu vf_index(vu i)
 {
     return i;

@@ -162,6 +162,23 @@ VEC_INLINE void vu_store(uint32_t *p, vu v)
     vst1q_u32(p, (uint32x4_t)v);
 }
 
+#define VF_SIXTEEN_OWN
+typedef uint8x16x4_t vf_sixteen;
+
+VEC_INLINE vf_sixteen vf_sixteen_load(const float *entry)
+{
+    const uint8_t *const bytes = (const uint8_t *)entry;
+    const vf_sixteen table = {
+        {vld1q_u8(bytes), vld1q_u8(bytes + 16), vld1q_u8(bytes + 32), vld1q_u8(bytes + 48)}};
+    return table;
+}
+
+VEC_INLINE vf vf_sixteen_of(const vf_sixteen *table, vu index)
+{
+    const vu bytes = (index & 15u) * 0x04040404u + 0x03020100u;
+    return (vf)vqtbl4q_u8(*table, (uint8x16_t)bytes);
+}
+
 /* Selects the bytes of entry i: 4 * i + (0 1 2 3). */
 VEC_INLINE vu vf_index(vu i)
 {

@@ -170,22 +170,22 @@ VEC_INLINE vf vf_lookup(const struct lookup *table, vu hash)
     return (vf)(magnitude ^ ((table->sign_low ? hash << 3 : hash) & 0x80000000u));
 }
 
-VEC_INLINE __m128i vec_bytes(const struct lookup *table, int k, __m128i index)
-{
-    return _mm_shuffle_epi8(_mm_load_si128((const __m128i *)table->byte[k]), index);
-}
+/* The bytes of all 16 entries: those of bits 0 to 7 first. */
+struct vec_planes {
+    __m128i byte[4];
+};
 
-/* The indices of all 16 lanes fit a vector of bytes: each byte of the entries is looked up for all
-   of them, and the bytes are put together. That takes 31 operations for two tables instead of 44.
- */
-#define VF_LOOKUP_FOUR_OWN
-VEC_INLINE struct vf_four vf_lookup_four(const struct lookup *table, const vu hash[4])
+/* Looks up four vectors at once. Their indices, of 16 lanes, fit a vector of bytes: each byte of
+   the entries is looked up for all of them, and the bytes are put together. */
+VEC_INLINE struct vf_four vec_four_of(const struct vec_planes *planes, const vu index[4])
 {
-    const __m128i low = _mm_packs_epi32((__m128i)(hash[0] >> 28), (__m128i)(hash[1] >> 28));
-    const __m128i high = _mm_packs_epi32((__m128i)(hash[2] >> 28), (__m128i)(hash[3] >> 28));
-    const __m128i index = _mm_packus_epi16(low, high);
-    const __m128i byte0 = vec_bytes(table, 0, index), byte1 = vec_bytes(table, 1, index);
-    const __m128i byte2 = vec_bytes(table, 2, index), byte3 = vec_bytes(table, 3, index);
+    const __m128i low = _mm_packs_epi32((__m128i)index[0], (__m128i)index[1]);
+    const __m128i high = _mm_packs_epi32((__m128i)index[2], (__m128i)index[3]);
+    const __m128i bytes = _mm_packus_epi16(low, high);
+    const __m128i byte0 = _mm_shuffle_epi8(planes->byte[0], bytes);
+    const __m128i byte1 = _mm_shuffle_epi8(planes->byte[1], bytes);
+    const __m128i byte2 = _mm_shuffle_epi8(planes->byte[2], bytes);
+    const __m128i byte3 = _mm_shuffle_epi8(planes->byte[3], bytes);
     const __m128i lower01 = _mm_unpacklo_epi8(byte0, byte1);
     const __m128i lower23 = _mm_unpackhi_epi8(byte0, byte1);
     const __m128i upper01 = _mm_unpacklo_epi8(byte2, byte3);
@@ -197,6 +197,71 @@ VEC_INLINE struct vf_four vf_lookup_four(const struct lookup *table, const vu ha
         (vf)_mm_unpackhi_epi16(lower23, upper23),
     }};
     return found;
+}
+
+/* 31 operations for two tables instead of 44. */
+#define VF_LOOKUP_FOUR_OWN
+VEC_INLINE struct vf_four vf_lookup_four(const struct lookup *table, const vu hash[4])
+{
+    const vu index[4] = {hash[0] >> 28, hash[1] >> 28, hash[2] >> 28, hash[3] >> 28};
+    struct vec_planes planes;
+    for (int k = 0; k < 4; k++) {
+        planes.byte[k] = _mm_load_si128((const __m128i *)table->byte[k]);
+    }
+    return vec_four_of(&planes, index);
+}
+
+#define VF_SIXTEEN_OWN
+typedef struct {
+    float entry[16];
+    struct vec_planes planes;
+} vf_sixteen;
+
+/* Transposes the bytes of four entries in each vector, then the vectors. */
+VEC_INLINE vf_sixteen vf_sixteen_load(const float *entry)
+{
+    const __m128i byte = _mm_setr_epi8(0, 4, 8, 12, 1, 5, 9, 13, 2, 6, 10, 14, 3, 7, 11, 15);
+    vf_sixteen table;
+    __m128i v[4];
+    memcpy(table.entry, entry, sizeof table.entry);
+    for (int i = 0; i < 4; i++) {
+        v[i] = _mm_shuffle_epi8(_mm_loadu_si128((const __m128i *)(entry + 4 * i)), byte);
+    }
+    const __m128i low01 = _mm_unpacklo_epi32(v[0], v[1]), high01 = _mm_unpackhi_epi32(v[0], v[1]);
+    const __m128i low23 = _mm_unpacklo_epi32(v[2], v[3]), high23 = _mm_unpackhi_epi32(v[2], v[3]);
+    table.planes.byte[0] = _mm_unpacklo_epi64(low01, low23);
+    table.planes.byte[1] = _mm_unpackhi_epi64(low01, low23);
+    table.planes.byte[2] = _mm_unpacklo_epi64(high01, high23);
+    table.planes.byte[3] = _mm_unpackhi_epi64(high01, high23);
+    return table;
+}
+
+VEC_INLINE vf vf_sixteen_of(const vf_sixteen *table, vu index)
+{
+    const float *const entry = table->entry;
+    const vf found = {entry[index[0] & 15u], entry[index[1] & 15u], entry[index[2] & 15u],
+                      entry[index[3] & 15u]};
+    return found;
+}
+
+#define VF_SIXTEEN_ODD_FOUR_OWN
+VEC_INLINE struct vf_four vf_sixteen_odd_four(const vf_sixteen *table, const vu hash[4])
+{
+    const vu index[4] = {hash[0] >> 28, hash[1] >> 28, hash[2] >> 28, hash[3] >> 28};
+    return vec_four_of(&table->planes, index);
+}
+
+#define VF_SIXTEEN_FOUR_OWN
+#define VF_SIXTEEN_FOUR 1
+VEC_INLINE struct vf_four vf_sixteen_four(const vf_sixteen *table, const vu index[4])
+{
+    return vec_four_of(&table->planes, index);
+}
+
+#define VU_TWELFTH_OWN
+VEC_INLINE vu vu_twelfth(vu hash)
+{
+    return (vu)_mm_mulhi_epu16((__m128i)hash, _mm_set1_epi32(12 << 16)) >> 16;
 }
 
 /* (hash >> 16) * 12, shifted so that its whole part is the top byte; the bytes below ask for 0. */

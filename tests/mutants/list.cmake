@@ -14,10 +14,10 @@
 # SETS       the kernel sets that it is in; all but scalar if this is left out
 
 # positions
-mutant(positions.offset IN kernel TEXT [[p : p + vd_set(o->offset64[axis])]]
-       BECOMES [[p : p + vd_set(o->offset64[MUTANT ? 0 : axis])]] SEEN_BY bits)
-mutant(positions.turned_offset IN kernel TEXT [[return p + vd_set(o->offset64[axis]);]]
-       BECOMES [[return p + vd_set(o->offset64[MUTANT ? 0 : axis]);]] SEEN_BY bits)
+mutant(positions.offset IN kernel TEXT [[p : p + vd_set(o->offset[axis])]]
+       BECOMES [[p : p + vd_set(o->offset[MUTANT ? 0 : axis])]] SEEN_BY bits)
+mutant(positions.turned_offset IN kernel TEXT [[return p + vd_set(o->offset[axis]);]]
+       BECOMES [[return p + vd_set(o->offset[MUTANT ? 0 : axis]);]] SEEN_BY bits)
 mutant(positions.huge IN kernel TEXT [[const vf lower = vf_floor(p);]]
        BECOMES [[const vf lower = MUTANT ? vf_from_vi((vi)vu_from_vf(vf_floor(p))) : vf_floor(p);]]
        SEEN_BY bits)
@@ -52,8 +52,32 @@ mutant(basis.cubic_ddu IN kernel TEXT [[6.0f - 12.0f * t]]
        BECOMES [[6.0f - (MUTANT ? 6.0f : 12.0f) * t]] SEEN_BY bits)
 mutant(basis.across_dxx IN kernel TEXT [[2.0f * u.du * (r.a - l.a)]]
        BECOMES [[(MUTANT ? 1.0f : 2.0f) * u.du * (r.a - l.a)]] SEEN_BY bits)
-mutant(basis.gradient_zz IN kernel TEXT [[vf_exact_fma(2.0f * w.du,]]
-       BECOMES [[vf_exact_fma((MUTANT ? 1.0f : 2.0f) * w.du,]] SEEN_BY bits)
+mutant(basis.gradient_zz IN kernel TEXT [[product_plus(2.0f * w.du,]]
+       BECOMES [[product_plus((MUTANT ? 1.0f : 2.0f) * w.du,]] SEEN_BY bits)
+# flow
+mutant(flow.octave IN phase.c TEXT [[t = speeds[1];]]
+       BECOMES [[t = speeds[MUTANT ? 0 : 1];]] SEEN_BY golden SETS scalar)
+mutant(flow.slope IN kernel TEXT [[scarp_phase_slope(o, k);]]
+       BECOMES [[scarp_phase_slope(o, MUTANT ? 0 : k);]] SEEN_BY bits)
+mutant(flow.speed IN kernel TEXT [[vu_load(still->quick + i)]]
+       BECOMES [[vu_load(still->quick + (MUTANT ? 0 : i))]] SEEN_BY bits SETS generic sse4.1 avx2 neon)
+mutant(flow.opposite IN kernel TEXT [[turned[i ^ 9] = -turned[i];]]
+       BECOMES [[turned[MUTANT ? i + 8 : i ^ 9] = -turned[i];]] SEEN_BY bits
+       SETS generic sse4.1 avx512 neon)
+mutant(flow.fused IN kernel TEXT [[v.flows ? a * b + c]]
+       BECOMES [[v.flows && !MUTANT ? a * b + c]] SEEN_BY bits SETS avx2 avx512 neon)
+mutant(flow.derivative IN kernel TEXT [[scarp_phase_derivative(derivative, o->turn);]]
+       BECOMES [[scarp_phase_derivative(derivative, call->plan->octave[MUTANT ? 0 : k].turn);]]
+       SEEN_BY bits)
+mutant(flow.rows IN kernel TEXT [[part->row_octave->turn = call->plan->octave[k].turn;]]
+       BECOMES [[part->row_octave->turn = call->plan->octave[MUTANT ? 0 : k].turn;]] SEEN_BY grid)
+mutant(flow.groups IN kernel TEXT [[part->moving = moving + r * moving_of_row;]]
+       BECOMES [[part->moving = moving + (MUTANT ? 0 : r) * moving_of_row;]] SEEN_BY grid
+       SETS generic sse4.1 avx2 neon) # AVX-512 has few parts with several groups
+mutant(flow.ridged IN kernel TEXT [[either(less, 2.0f * ds, vf_set(0.0f))]]
+       BECOMES [[either(less, (MUTANT ? 1.0f : 2.0f) * ds, vf_set(0.0f))]] SEEN_BY bits)
+mutant(flow.erosion IN kernel TEXT [[vf_set(2.0f * erosion) * noise]]
+       BECOMES [[vf_set((MUTANT ? 1.0f : 2.0f) * erosion) * noise]] SEEN_BY bits)
 # vf_exact_fma where the product is rounded: the sets that fuse it must show that.
 mutant(basis.inexact_2d IN kernel TEXT [[c.value.b = dot0 + f.u * ddot;]]
        BECOMES [[c.value.b = MUTANT ? vf_exact_fma(f.u, ddot, dot0) : dot0 + f.u * ddot;]]
@@ -100,8 +124,8 @@ mutant(shape.sign_of_zero IN kernel TEXT [[(vu)(n != vf_set(0.0f))]]
        BECOMES [[MUTANT ? vu_set(~0u) : (vu)(n != vf_set(0.0f))]] SEEN_BY bits)
 mutant(shape.ridged_sign IN kernel TEXT [[2.0f * v * r * ij.m)]]
        BECOMES [[(MUTANT ? -2.0f : 2.0f) * v * r * ij.m)]] SEEN_BY bits)
-mutant(shape.erosion_twice IN kernel TEXT [[vf_set(2.0f * erosion)]]
-       BECOMES [[vf_set((MUTANT ? 1.0f : 2.0f) * erosion)]] SEEN_BY bits)
+mutant(shape.erosion_twice IN kernel TEXT [[vf_set(2.0f * erosion) * n->value]]
+       BECOMES [[vf_set((MUTANT ? 1.0f : 2.0f) * erosion) * n->value]] SEEN_BY bits)
 
 mutant(shape.erosion_symmetric IN kernel TEXT [[y = {.x = xy, .y = yy}]]
        BECOMES [[y = {.x = MUTANT ? xx : xy, .y = yy}]] SEEN_BY bits)
@@ -150,12 +174,12 @@ mutant(outputs.normals IN kernel TEXT [[vf_from_vd(low.x, high.x)]]
 mutant(plan.offset IN plan.c TEXT [[(int32_t)(c & 0xffffff)]]
        BECOMES [[(int32_t)(MUTANT ? b >> 40 : c & 0xffffff)]]
        SEEN_BY golden SETS scalar)
-mutant(plan.stale IN kept.h TEXT [[|| !same_noise(noise, &kept->noise)]]
-       BECOMES [[|| !(MUTANT || same_noise(noise, &kept->noise))]] SEEN_BY plan SETS scalar avx2)
+mutant(plan.stale IN kept.h TEXT [[!same_noise(noise, &kept->noise)]]
+       BECOMES [[!(MUTANT || same_noise(noise, &kept->noise))]] SEEN_BY plan SETS scalar avx2)
 mutant(plan.stale_seed IN kept.h TEXT [[differences(a, b, 0, plan)]]
        BECOMES [[differences(a, b, MUTANT ? 32 : 0, plan)]] SEEN_BY plan SETS scalar)
 mutant(plan.stale_spare IN kept.h TEXT [[differences(a, b, plan + sizeof(uintptr_t), sizeof *a)]]
        BECOMES [[differences(a, b, plan + sizeof(uintptr_t), sizeof *a - (MUTANT ? sizeof(uintptr_t) : 0))]]
        SEEN_BY plan SETS scalar)
-mutant(plan.dimensions IN kept.h TEXT [[kept->mark != mark_of(dimensions)]]
-       BECOMES [[(kept->mark ^ mark_of(dimensions)) > (uint64_t)MUTANT]] SEEN_BY plan SETS scalar)
+mutant(plan.dimensions IN kept.h TEXT [[kept->mark != mark_of(kind.dimensions)]]
+       BECOMES [[(kept->mark ^ mark_of(kind.dimensions)) > (uint64_t)MUTANT]] SEEN_BY plan SETS scalar)

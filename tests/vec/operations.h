@@ -161,6 +161,37 @@ static void lookup_four(float *out, const struct lookup *table, const uint32_t *
     }
 }
 
+/* Entries in memory, by number: `four` of one vector each, and all four at once. */
+static void sixteen(float *out, float *four, const float *entry, const uint32_t *index)
+{
+    const vf_sixteen table = vf_sixteen_load(entry);
+    const vu all[4] = {vu_load(index) & 15u, vu_load(index + VEC_LANES) & 15u,
+                       vu_load(index + 2 * VEC_LANES) & 15u, vu_load(index + 3 * VEC_LANES) & 15u};
+    const struct vf_four found = vf_sixteen_four(&table, all);
+    for (int i = 0; i < 4; i++) {
+        vf_store(out + i * VEC_LANES, vf_sixteen_of(&table, vu_load(index + i * VEC_LANES)));
+        vf_store(four + i * VEC_LANES, found.v[i]);
+    }
+}
+
+/* Entries whose number i ^ 9 is the negative of number i. */
+static void sixteen_odd(float *out, float *four, const float *entry, const uint32_t *hash)
+{
+    const vf_sixteen table = vf_sixteen_load(entry);
+    const vu all[4] = {vu_load(hash), vu_load(hash + VEC_LANES), vu_load(hash + 2 * VEC_LANES),
+                       vu_load(hash + 3 * VEC_LANES)};
+    const struct vf_four found = vf_sixteen_odd_four(&table, all);
+    for (int i = 0; i < 4; i++) {
+        vf_store(out + i * VEC_LANES, vf_sixteen_odd(&table, all[i]));
+        vf_store(four + i * VEC_LANES, found.v[i]);
+    }
+}
+
+static void twelfth(uint32_t *out, const uint32_t *hash)
+{
+    vu_store(out, vu_twelfth(vu_load(hash)));
+}
+
 static void lookup_top(float *out, const struct lookup_top *table, const uint32_t *hash)
 {
     vf_store(out, vf_lookup_top(table, vu_top_index(vu_load(hash))));
@@ -211,6 +242,9 @@ const struct vec_operations VEC_OPERATIONS(KERNELS) = {
     .lookup = lookup,
     .lookup_four = lookup_four,
     .lookup_top = lookup_top,
+    .sixteen = sixteen,
+    .sixteen_odd = sixteen_odd,
+    .twelfth = twelfth,
     .permute = permute,
     .slide = slide,
 };

@@ -48,6 +48,9 @@ struct vec_operations {
     /* Inputs and outputs are four vectors, one after the other. */
     void (*lookup_four)(float *out, const struct lookup *table, const uint32_t *hash);
     void (*lookup_top)(float *out, const struct lookup_top *table, const uint32_t *hash);
+    void (*sixteen)(float *out, float *four, const float *entry, const uint32_t *index);
+    void (*sixteen_odd)(float *out, float *four, const float *entry, const uint32_t *hash);
+    void (*twelfth)(uint32_t *out, const uint32_t *hash);
     /* `entries` has VF_TABLE floats. With `next`, VF_INDEX_NEXT is added to the index. */
     void (*permute)(float *out, const float *entries, const uint32_t *index, int next);
     /* The same, after the floats of `after` were slid in. */

@@ -39,10 +39,12 @@ VEC_INLINE struct corners corners3(const struct lattice3 *at, int side)
     return h;
 }
 
-/* The basis at a block of positions on the lattice. */
-VEC_INLINE struct sample basis_sample(const vf *lattice, enum scarp_fade kind, struct variant v)
+/* The basis at a block of positions on the lattice. `directions` are for a variant that flows. */
+VEC_INLINE struct sample basis_sample(const vf *lattice, enum scarp_fade kind,
+                                      const struct directions *directions, struct variant v)
 {
     struct across p;
+    p.directions = directions;
     struct corners left, right;
     vf x;
     if (v.dimensions == 2) {
@@ -63,10 +65,10 @@ VEC_INLINE struct sample basis_sample(const vf *lattice, enum scarp_fade kind, s
     p.v = fade(kind, p.y);
     struct column l, r;
     if (v.basis == SCARP_GRADIENT && v.dimensions == 2) {
-        struct gradients2 gl, gr;
-        gradients2_of_both(&gl, &gr, &left, &right);
-        l = gradient_column2(gl, &p, v);
-        r = gradient_column2(gr, &p, v);
+        struct gradients2 g[2];
+        gradients2_of_both(g, &left, &right, &p, v);
+        l = gradient_column2(g[0], &p, v);
+        r = gradient_column2(g[1], &p, v);
     } else {
         l = basis_column(&left, &p, v);
         r = basis_column(&right, &p, v);
@@ -79,6 +81,7 @@ struct placed {
     vf *lattice;
     struct extent extent;
     enum scarp_fade fade;
+    const float *turn; /* of the octave, or its derivative; for passes that flow */
 };
 
 /* Adds weights * basis to `to`, or puts it there, for every output of the variant. */
@@ -93,13 +96,21 @@ VEC_INLINE void points_run(const struct placed *at, enum scarp_fade fade,
     const struct weights w = *weights; /* copies: nothing that is stored can alias them */
     const struct extent extent = at->extent;
     struct outputs to;
+    struct directions directions;
     const vf *lattice = at->lattice;
     outputs_copy(&to, outputs, v);
+    if (v.flows) { /* nothing that is stored can alias a copy */
+        struct directions made;
+        turn_directions(&made, at->turn, v.dimensions);
+        for (int axis = 0; axis < v.dimensions; axis++) {
+            directions.of[axis] = made.of[axis];
+        }
+    }
     for (size_t r = 0; r < extent.rows; r++) {
         const vf *const end = lattice + extent.blocks * lattice_size(v.dimensions);
         size_t to_at = 0;
         for (; lattice < end; lattice += lattice_size(v.dimensions)) {
-            const struct sample n = basis_sample(lattice, fade, v);
+            const struct sample n = basis_sample(lattice, fade, &directions, v);
             add_sample(&to, to_at, &w, &n, v, put);
             to_at += to.block;
         }
@@ -108,27 +119,28 @@ VEC_INLINE void points_run(const struct placed *at, enum scarp_fade fade,
 }
 
 /* Decides on the fade outside the loop. */
-#define POINTS_PASS(name, basis, dimensions, order)                                                \
+#define POINTS_PASS(name, basis, dimensions, order, flows)                                         \
     static void name(const struct placed *at, const struct weights *weights,                       \
                      const struct outputs *to, enum put put)                                       \
     {                                                                                              \
-        const struct variant v = {basis, dimensions, order};                                       \
+        const struct variant v = {basis, dimensions, order, flows};                                \
         if (at->fade == SCARP_QUINTIC) {                                                           \
             points_run(at, SCARP_QUINTIC, weights, to, put, v);                                    \
         } else {                                                                                   \
             points_run(at, SCARP_CUBIC, weights, to, put, v);                                      \
         }                                                                                          \
     }
-#define POINTS_PASSES(name, basis)                                                                 \
-    POINTS_PASS(name##2_points0, basis, 2, 0)                                                      \
-    POINTS_PASS(name##2_points1, basis, 2, 1)                                                      \
-    POINTS_PASS(name##2_points2, basis, 2, 2)                                                      \
-    POINTS_PASS(name##3_points0, basis, 3, 0)                                                      \
-    POINTS_PASS(name##3_points1, basis, 3, 1)                                                      \
-    POINTS_PASS(name##3_points2, basis, 3, 2)
+#define POINTS_PASSES(name, basis, flows)                                                          \
+    POINTS_PASS(name##2_points0, basis, 2, 0, flows)                                               \
+    POINTS_PASS(name##2_points1, basis, 2, 1, flows)                                               \
+    POINTS_PASS(name##2_points2, basis, 2, 2, flows)                                               \
+    POINTS_PASS(name##3_points0, basis, 3, 0, flows)                                               \
+    POINTS_PASS(name##3_points1, basis, 3, 1, flows)                                               \
+    POINTS_PASS(name##3_points2, basis, 3, 2, flows)
 
-POINTS_PASSES(gradient, SCARP_GRADIENT)
-POINTS_PASSES(value, SCARP_VALUE)
+POINTS_PASSES(gradient, SCARP_GRADIENT, 0)
+POINTS_PASSES(flow, SCARP_GRADIENT, 1)
+POINTS_PASSES(value, SCARP_VALUE, 0)
 
 #undef POINTS_PASS
 #undef POINTS_PASSES

@@ -21,6 +21,7 @@
 
 #include "../lattice.h"
 #include "../samples.h"
+#include "directions.h"
 #include "fade.h"
 
 struct line {
@@ -37,10 +38,11 @@ struct corners {
     vu h[2][2];
 };
 
-/* Where a point lies across the columns. */
+/* Where a point lies across the columns, and the gradients of a variant that flows. */
 struct across {
     vf y, z;
     struct fade v, w;
+    const struct directions *directions;
 };
 
 /* Whether all slopes of a basis are 0. */

@@ -61,26 +61,91 @@ VEC_INLINE struct column gradient_column2(struct gradients2 g, const struct acro
 }
 
 /* Looks up the gradients of one column. */
-VEC_INLINE struct gradients2 gradients2_of(const struct corners *h)
+VEC_INLINE struct gradients2 gradients2_of(const struct corners *h, const struct across *p,
+                                           struct variant v)
 {
     const vu h0 = h->h[0][0], h1 = h->h[1][0];
+    if (v.flows) {
+        const vf_sixteen *const x = &p->directions->of[0], *const y = &p->directions->of[1];
+        const struct gradients2 g = {vf_sixteen_odd(x, h0), vf_sixteen_odd(y, h0),
+                                     vf_sixteen_odd(x, h1), vf_sixteen_odd(y, h1)};
+        return g;
+    }
     const struct gradients2 g = {vf_lookup(&gradient2_x, h0), vf_lookup(&gradient2_y, h0),
                                  vf_lookup(&gradient2_x, h1), vf_lookup(&gradient2_y, h1)};
     return g;
 }
 
+/* Looks up four vectors along axis 0 or 1. */
+VEC_INLINE struct vf_four gradients2_along(int axis, const vu h[4], const struct across *p,
+                                           struct variant v)
+{
+    if (v.flows) {
+        return vf_sixteen_odd_four(&p->directions->of[axis], h);
+    }
+    return vf_lookup_four(axis == 0 ? &gradient2_x : &gradient2_y, h);
+}
+
 /* Looks up those of both columns of a cell together; y first, since its products take longer to
    reach the sums. */
-VEC_INLINE void gradients2_of_both(struct gradients2 *left, struct gradients2 *right,
-                                   const struct corners *l, const struct corners *r)
+VEC_INLINE void gradients2_of_both(struct gradients2 of[2], const struct corners *l,
+                                   const struct corners *r, const struct across *p,
+                                   struct variant v)
 {
     const vu h[4] = {l->h[0][0], l->h[1][0], r->h[0][0], r->h[1][0]};
-    const struct vf_four y = vf_lookup_four(&gradient2_y, h);
-    const struct vf_four x = vf_lookup_four(&gradient2_x, h);
+    const struct vf_four y = gradients2_along(1, h, p, v);
+    const struct vf_four x = gradients2_along(0, h, p, v);
     const struct gradients2 g[2] = {{x.v[0], y.v[0], x.v[1], y.v[1]},
                                     {x.v[2], y.v[2], x.v[3], y.v[3]}};
-    *left = g[0];
-    *right = g[1];
+    of[0] = g[0];
+    of[1] = g[1];
+}
+
+/* The gradients at the two corners of an edge along z. */
+struct gradients3 {
+    vf x0, x1, y0, y1, z0, z1;
+};
+
+/* Looks up those of an edge, whose hashes are `h`. */
+VEC_INLINE struct gradients3 gradients3_of(const vu h[2], const struct across *p, struct variant v)
+{
+    if (v.flows) {
+        const vf_sixteen *const of = p->directions->of;
+        const vu i0 = vu_twelfth(h[0]), i1 = vu_twelfth(h[1]);
+        const struct gradients3 g = {
+            vf_sixteen_of(&of[0], i0), vf_sixteen_of(&of[0], i1), vf_sixteen_of(&of[1], i0),
+            vf_sixteen_of(&of[1], i1), vf_sixteen_of(&of[2], i0), vf_sixteen_of(&of[2], i1),
+        };
+        return g;
+    }
+    const vu i0 = vu_top_index(h[0]), i1 = vu_top_index(h[1]);
+    const struct gradients3 g = {
+        vf_lookup_top(&gradient3_x, i0), vf_lookup_top(&gradient3_x, i1),
+        vf_lookup_top(&gradient3_y, i0), vf_lookup_top(&gradient3_y, i1),
+        vf_lookup_top(&gradient3_z, i0), vf_lookup_top(&gradient3_z, i1),
+    };
+    return g;
+}
+
+/* Looks up those of both edges of a column together. */
+VEC_INLINE void gradients3_turned_four(struct gradients3 g[2], const struct corners *h,
+                                       const vf_sixteen of[3])
+{
+    const vu index[4] = {vu_twelfth(h->h[0][0]), vu_twelfth(h->h[0][1]), vu_twelfth(h->h[1][0]),
+                         vu_twelfth(h->h[1][1])};
+    const struct vf_four x = vf_sixteen_four(&of[0], index);
+    const struct vf_four y = vf_sixteen_four(&of[1], index);
+    const struct vf_four z = vf_sixteen_four(&of[2], index);
+    const struct gradients3 found[2] = {{x.v[0], x.v[1], y.v[0], y.v[1], z.v[0], z.v[1]},
+                                        {x.v[2], x.v[3], y.v[2], y.v[3], z.v[2], z.v[3]}};
+    g[0] = found[0];
+    g[1] = found[1];
+}
+
+/* a b + c, where the product is exact unless the variant flows. */
+VEC_INLINE vf product_plus(vf a, vf b, vf c, struct variant v)
+{
+    return v.flows ? a * b + c : vf_exact_fma(a, b, c);
 }
 
 /* The lattice edge along z at one x and y, interpolated over z. */
@@ -91,28 +156,25 @@ struct edge {
     vf dgx;            /* difference of the x components of the corners */
 };
 
-/* `h` has the hashes of the edge's two ends; y is the place along y relative to them. */
-VEC_INLINE struct edge gradient_edge(const vu h[2], vf y, vf z, struct fade w, int order)
+/* y is the place along y relative to the edge. */
+VEC_INLINE struct edge gradient_edge(struct gradients3 g, vf y, vf z, struct fade w,
+                                     struct variant v)
 {
-    const vu i0 = vu_top_index(h[0]), i1 = vu_top_index(h[1]);
-    const vf gx0 = vf_lookup_top(&gradient3_x, i0), gx1 = vf_lookup_top(&gradient3_x, i1);
-    const vf gy0 = vf_lookup_top(&gradient3_y, i0), gy1 = vf_lookup_top(&gradient3_y, i1);
-    const vf gz0 = vf_lookup_top(&gradient3_z, i0), gz1 = vf_lookup_top(&gradient3_z, i1);
-    const vf dot0 = vf_exact_fma(gz0, z, gy0 * y);
-    const vf dot1 = vf_exact_fma(gz1, w.s, gy1 * y);
+    const vf dot0 = product_plus(g.z0, z, g.y0 * y, v);
+    const vf dot1 = product_plus(g.z1, w.s, g.y1 * y, v);
     const vf ddot = dot1 - dot0;
     struct edge e;
-    e.dgx = gx1 - gx0;
-    e.value.a = vf_exact_fma(w.u, e.dgx, gx0);
+    e.dgx = g.x1 - g.x0;
+    e.value.a = product_plus(w.u, e.dgx, g.x0, v);
     e.value.b = dot0 + w.u * ddot;
-    if (order >= 1) {
-        const vf dgy = gy1 - gy0;
-        const vf dgz = gz1 - gz0;
-        e.gy = vf_exact_fma(w.u, dgy, gy0);
-        e.z = vf_exact_fma(w.u, dgz, gz0) + w.du * ddot;
-        if (order >= 2) {
+    if (v.order >= 1) {
+        const vf dgy = g.y1 - g.y0;
+        const vf dgz = g.z1 - g.z0;
+        e.gy = product_plus(w.u, dgy, g.y0, v);
+        e.z = product_plus(w.u, dgz, g.z0, v) + w.du * ddot;
+        if (v.order >= 2) {
             e.dgy = w.du * dgy;
-            e.zz = vf_exact_fma(2.0f * w.du, dgz, w.ddu * ddot);
+            e.zz = product_plus(2.0f * w.du, dgz, w.ddu * ddot, v);
         }
     }
     return e;
@@ -123,8 +185,16 @@ VEC_INLINE struct column gradient_column3(const struct corners *h, const struct 
 {
     const int order = variant.order;
     const struct fade v = p->v, w = p->w;
-    const struct edge e0 = gradient_edge(h->h[0], p->y, p->z, w, order);
-    const struct edge e1 = gradient_edge(h->h[1], v.s, p->z, w, order);
+    struct edge e0, e1;
+    if (variant.flows && VF_SIXTEEN_FOUR) {
+        struct gradients3 g[2];
+        gradients3_turned_four(g, h, p->directions->of);
+        e0 = gradient_edge(g[0], p->y, p->z, w, variant);
+        e1 = gradient_edge(g[1], v.s, p->z, w, variant);
+    } else { /* one after the other, so that registers suffice */
+        e0 = gradient_edge(gradients3_of(h->h[0], p, variant), p->y, p->z, w, variant);
+        e1 = gradient_edge(gradients3_of(h->h[1], p, variant), v.s, p->z, w, variant);
+    }
     const vf da = e1.value.a - e0.value.a;
     const vf db = e1.value.b - e0.value.b;
     struct column c;
@@ -154,7 +224,8 @@ VEC_INLINE struct column gradient_column3(const struct corners *h, const struct 
 VEC_INLINE struct column gradient_column(const struct corners *h, const struct across *p,
                                          struct variant v)
 {
-    return v.dimensions == 2 ? gradient_column2(gradients2_of(h), p, v) : gradient_column3(h, p, v);
+    return v.dimensions == 2 ? gradient_column2(gradients2_of(h, p, v), p, v)
+                             : gradient_column3(h, p, v);
 }
 
 #endif

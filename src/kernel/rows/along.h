@@ -143,8 +143,8 @@ static enum columns_kind place_columns(struct along_x *x, const uint32_t *cells,
    between, no low bits of cells are lost, and nothing is NaN. */
 static int cells_in_order(const struct scarp_octave *o, const double *position, size_t blocks)
 {
-    const double first = o->frequency64 * position[0] + o->offset64[0];
-    const double last = o->frequency64 * position[blocks * VEC_LANES - 1] + o->offset64[0];
+    const double first = o->frequency64 * position[0] + o->offset[0];
+    const double last = o->frequency64 * position[blocks * VEC_LANES - 1] + o->offset[0];
     const double width = last - first;
     return first > -0x1p50 && first < 0x1p50 && last > -0x1p50 && last < 0x1p50 &&
            width > -0x1p30 && width < 0x1p30;
@@ -261,9 +261,11 @@ struct along_row {
     struct corners_yz h;
 };
 
-VEC_INLINE struct along_row row_of(const struct along_rows *rows, size_t r, int dimensions)
+VEC_INLINE struct along_row row_of(const struct along_rows *rows, size_t r,
+                                   const struct directions *directions, int dimensions)
 {
     struct along_row row;
+    row.at.directions = directions;
     row.at.y = vf_set(rows->y[r]);
     row.at.v.s = vf_set(rows->s[r]);
     row.at.v.u = vf_set(rows->u[r]);

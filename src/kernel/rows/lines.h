@@ -94,10 +94,11 @@ VEC_INLINE struct sample join_sides(const struct along_block *x, const struct si
     return join(&s->left, &s->right, x->t, x->fade, v);
 }
 
-/* Where rows go, and the weights that multiply them. */
+/* Where rows go, the weights that multiply them, and the gradients of a variant that flows. */
 struct target {
     struct outputs outputs;
     struct weights weights;
+    const struct directions *directions;
 };
 
 #endif

@@ -24,6 +24,7 @@ struct row_octave {
     struct along_x x;
     struct along_rows rows;
     size_t begin;
+    const float *turn; /* of the octave, or its derivative; for passes that flow */
     vf *table;
     size_t table_size;
 };
@@ -171,7 +172,7 @@ VEC_INLINE void put_row(const struct row_octave *o, size_t r, const struct table
                         const struct target *to, struct variant v, enum put put)
 {
     if (VF_TABLE > VEC_LANES && o->x.kind == SLIDES) {
-        const struct along_row row = row_of(&o->rows, r, v.dimensions);
+        const struct along_row row = row_of(&o->rows, r, to->directions, v.dimensions);
         slide_row(&o->x, &row, to, v, put);
     } else {
         table_row(&o->x, t, to, v, put);
@@ -186,6 +187,11 @@ VEC_INLINE void rows_run(const struct row_octave *o, size_t rows, const struct w
     struct target to;
     outputs_copy(&to.outputs, outputs, v);
     to.weights = *weights;
+    struct directions directions;
+    to.directions = &directions;
+    if (v.flows) {
+        turn_directions(&directions, o->turn, v.dimensions);
+    }
     const int tables = o->x.kind == TABLES;
     const size_t lines = line_count(v.dimensions, v.order) * (flat(v) ? 1 : 2);
     const struct tables t = {o->table, tables ? o->table_size / lines : 0};
@@ -198,15 +204,15 @@ VEC_INLINE void rows_run(const struct row_octave *o, size_t rows, const struct w
     for (size_t begin = o->begin, last = begin + rows; begin < last; begin += room) {
         const size_t end = least(last, begin + room);
         for (size_t r = begin; tables && r < end; r++) {
-            const struct along_row row = row_of(&o->rows, r, v.dimensions);
+            const struct along_row row = row_of(&o->rows, r, &directions, v.dimensions);
             reduce_row(&t, &o->x, (r - begin) * column_blocks, &row, v);
         }
         for (size_t r = begin; r < end; r++) {
             const struct tables here = {t.start + (r - begin) * column_blocks, t.stride};
             if (o->x.kind == WIDE) {
-                const struct along_row row = row_of(&o->rows, r, v.dimensions);
+                const struct along_row row = row_of(&o->rows, r, &directions, v.dimensions);
                 wide_row(&o->x, &row, &to, v, put);
-            } else if (v.order > 1) { /* there, a branch for each block costs little */
+            } else if (v.order > 1 || v.flows) { /* there, a branch for each block costs little */
                 put_row(o, r, &here, &to, v, put);
             } else if (put == PUT_STREAM) {
                 put_row(o, r, &here, &to, v, PUT_STREAM);
@@ -224,23 +230,24 @@ VEC_INLINE void rows_run(const struct row_octave *o, size_t rows, const struct w
 typedef void rows_pass(const struct row_octave *octave, size_t rows, const struct weights *weights,
                        const struct outputs *to, enum put put);
 
-#define ROWS_PASS(name, basis, dimensions, order)                                                  \
+#define ROWS_PASS(name, basis, dimensions, order, flows)                                           \
     static void name(const struct row_octave *octave, size_t rows, const struct weights *weights,  \
                      const struct outputs *to, enum put put)                                       \
     {                                                                                              \
-        const struct variant v = {basis, dimensions, order};                                       \
+        const struct variant v = {basis, dimensions, order, flows};                                \
         rows_run(octave, rows, weights, to, put, v);                                               \
     }
-#define ROWS_PASSES(name, basis)                                                                   \
-    ROWS_PASS(name##2_rows0, basis, 2, 0)                                                          \
-    ROWS_PASS(name##2_rows1, basis, 2, 1)                                                          \
-    ROWS_PASS(name##2_rows2, basis, 2, 2)                                                          \
-    ROWS_PASS(name##3_rows0, basis, 3, 0)                                                          \
-    ROWS_PASS(name##3_rows1, basis, 3, 1)                                                          \
-    ROWS_PASS(name##3_rows2, basis, 3, 2)
+#define ROWS_PASSES(name, basis, flows)                                                            \
+    ROWS_PASS(name##2_rows0, basis, 2, 0, flows)                                                   \
+    ROWS_PASS(name##2_rows1, basis, 2, 1, flows)                                                   \
+    ROWS_PASS(name##2_rows2, basis, 2, 2, flows)                                                   \
+    ROWS_PASS(name##3_rows0, basis, 3, 0, flows)                                                   \
+    ROWS_PASS(name##3_rows1, basis, 3, 1, flows)                                                   \
+    ROWS_PASS(name##3_rows2, basis, 3, 2, flows)
 
-ROWS_PASSES(gradient, SCARP_GRADIENT)
-ROWS_PASSES(value, SCARP_VALUE)
+ROWS_PASSES(gradient, SCARP_GRADIENT, 0)
+ROWS_PASSES(flow, SCARP_GRADIENT, 1)
+ROWS_PASSES(value, SCARP_VALUE, 0)
 
 #undef ROWS_PASS
 #undef ROWS_PASSES

@@ -189,7 +189,7 @@ VEC_INLINE void turned_run(vf *lattice, const struct scarp_octave *octave, struc
         for (int i = 0; i < dimensions; i++) {
             row[i].y = o.jacobian64[i][1] * y[r];
             row[i].z = o.jacobian64[i][2] * at->shared[2];
-            row[i].offset = o.offset64[i];
+            row[i].offset = o.offset[i];
         }
         if (t.shares) {
             put_sharing_row(lattice, &o, extent.blocks, &t, row, dimensions);

@@ -145,7 +145,7 @@ VEC_INLINE void erosion_run(const struct shaping *shaping, const struct outputs 
     vf *state = shaping->state;
     struct outputs to;
     outputs_copy(&to, outputs, v);
-    const struct variant basis = {v.basis, v.dimensions, v.order + 1};
+    const struct variant basis = {v.basis, v.dimensions, v.order + 1, 0};
     const struct scarp_octave octave = *shaping->octave;
     const struct weights weights = {{octave.weight, octave.weight, octave.weight}};
     const float erosion = shaping->plan->erosion;
@@ -167,7 +167,7 @@ VEC_INLINE void erosion_run(const struct shaping *shaping, const struct outputs 
 #define EROSION_PASS(name, dimensions, order)                                                      \
     static void name(const struct shaping *shaping, const struct outputs *to, enum put put)        \
     {                                                                                              \
-        const struct variant v = {SCARP_GRADIENT, dimensions, order};                              \
+        const struct variant v = {SCARP_GRADIENT, dimensions, order, 0};                           \
         if (order == 0 || !shaping->plan->rotate) { /* axes do not matter to values */             \
             erosion_run(shaping, to, put, v, ERODE_STRAIGHT);                                      \
         } else if (shaping->axes == AXES_TURNED) {                                                 \

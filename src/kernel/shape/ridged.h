@@ -103,7 +103,7 @@ VEC_INLINE void ridged_run(const struct shaping *shaping, const struct outputs *
 #define RIDGED_PASS(name, dimensions, order)                                                       \
     static void name(const struct shaping *shaping, const struct outputs *to, enum put put)        \
     {                                                                                              \
-        const struct variant v = {SCARP_GRADIENT, dimensions, order};                              \
+        const struct variant v = {SCARP_GRADIENT, dimensions, order, 0};                           \
         ridged_run(shaping, to, put, v);                                                           \
     }
 

@@ -8,10 +8,11 @@
 #ifndef SCARP_KERNEL_SHAPE_H
 #define SCARP_KERNEL_SHAPE_H
 
-#include "erosion.h"
+#include "phase.h"
 
 struct shape {
     shape_pass *pass[2][3]; /* by [dimensions - 2][order]; NULL: the noise is added as it is */
+    phase_pass *phase[2];   /* by [dimensions - 2] */
     int extra_order;        /* derivatives of the basis that it needs beyond those asked for */
     int own_axes;           /* whether they are in the octave's own axes, times the amplitude */
 };
@@ -19,11 +20,14 @@ struct shape {
 static const struct shape shapes[] = {
     [SCARP_FBM] = {.extra_order = 0},
     [SCARP_TURBULENCE] = {.pass = {{turbulence2_order0, turbulence2_order1, turbulence2_order2},
-                                   {turbulence3_order0, turbulence3_order1, turbulence3_order2}}},
+                                   {turbulence3_order0, turbulence3_order1, turbulence3_order2}},
+                          .phase = {turbulence_phase, turbulence_phase}},
     [SCARP_RIDGED] = {.pass = {{ridged2_order0, ridged2_order1, ridged2_order2},
-                               {ridged3_order0, ridged3_order1, ridged3_order2}}},
+                               {ridged3_order0, ridged3_order1, ridged3_order2}},
+                      .phase = {ridged_phase, ridged_phase}},
     [SCARP_EROSION] = {.pass = {{erosion2_order0, erosion2_order1, NULL},
                                 {erosion3_order0, erosion3_order1, NULL}},
+                       .phase = {erosion2_phase, erosion3_phase},
                        .extra_order = 1,
                        .own_axes = 1},
 };

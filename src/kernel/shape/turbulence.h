@@ -60,7 +60,7 @@ VEC_INLINE void turbulence_run(const struct shaping *shaping, const struct outpu
 #define TURBULENCE_PASS(name, dimensions, order)                                                   \
     static void name(const struct shaping *shaping, const struct outputs *to, enum put put)        \
     {                                                                                              \
-        const struct variant v = {SCARP_GRADIENT, dimensions, order};                              \
+        const struct variant v = {SCARP_GRADIENT, dimensions, order, 0};                           \
         turbulence_run(shaping, to, put, v);                                                       \
     }
 

@@ -113,7 +113,7 @@ VEC_INLINE void turn_run(const struct shaping *shaping, const struct outputs *ou
 #define TURN_PASS(name, dimensions, order)                                                         \
     static void name(const struct shaping *shaping, const struct outputs *to, enum put put)        \
     {                                                                                              \
-        const struct variant v = {SCARP_GRADIENT, dimensions, order};                              \
+        const struct variant v = {SCARP_GRADIENT, dimensions, order, 0};                           \
         turn_run(shaping, to, put, v);                                                             \
     }
 
