@@ -177,7 +177,7 @@ static int make_peer(struct bench_subject *subject, const struct bench_work *wor
     if (work->layout == BENCH_NORMALS || work->fade != SCARP_QUINTIC || work->turned || work->f64) {
         return 0;
     }
-    if (work->period != 0 && work->layout != BENCH_GRID) {
+    if ((work->period != 0 && work->layout != BENCH_GRID) || work->phase != 0.0f) {
         return 0;
     }
     if (work->layout == BENCH_GRID) {
@@ -251,6 +251,9 @@ static struct scarp_samples choose_outputs(const struct bench_subject *subject)
         out.dyy = to[7];
         out.dyz = in_space ? to[8] : NULL;
         out.dzz = in_space ? to[9] : NULL;
+    }
+    if (subject->work.output == BENCH_PLUS_PHASE) {
+        out.dphase = to[1];
     }
     return out;
 }

@@ -23,6 +23,7 @@ enum {
     ONLY_GRADIENT = 1 << BENCH_PLUS_GRADIENT,
     UP_TO_GRADIENT = ONLY_VALUE | ONLY_GRADIENT,
     UP_TO_HESSIAN = UP_TO_GRADIENT | 1 << BENCH_PLUS_HESSIAN,
+    ONLY_PHASE = 1 << BENCH_PLUS_PHASE,
     DIFFERENCES = 1 << BENCH_FORWARD_DIFFERENCES | 1 << BENCH_CENTRAL_DIFFERENCES
 };
 
@@ -106,6 +107,11 @@ static const struct product products[] = {
      .bases = GRADIENT,
      .outputs = UP_TO_GRADIENT,
      .steps = period_steps},
+    {{.phase = 0.3f}, .bases = GRADIENT, .outputs = UP_TO_GRADIENT | ONLY_PHASE},
+    {{.layout = BENCH_GRID, .phase = 0.3f}, .bases = GRADIENT, .outputs = UP_TO_GRADIENT},
+    {{.layout = BENCH_GRID, .phase = 0.3f, .octaves = 8},
+     .bases = GRADIENT,
+     .outputs = UP_TO_GRADIENT | ONLY_PHASE},
     /* 1 GB is far beyond all caches. */
     {{.layout = BENCH_GRID, .dimensions = 2, .on_request = 1},
      .bases = GRADIENT,
@@ -170,8 +176,8 @@ static const struct product products[] = {
 
 static const char *const layout_names[] = {"points", "grid", "normals"};
 static const char *const pattern_names[] = {"", "/sequential", "/same-cell"};
-static const char *const output_names[] = {"value", "+gradient", "+hessian", "forward-differences",
-                                           "central-differences"};
+static const char *const output_names[] = {
+    "value", "+gradient", "+hessian", "forward-differences", "central-differences", "+dphase"};
 
 static void write_name(struct bench_work *work)
 {
@@ -198,10 +204,11 @@ static void write_name(struct bench_work *work)
     if (work->period != 0) {
         snprintf(period, sizeof period, "/period%u", work->period);
     }
-    snprintf(work->name, sizeof work->name, "%s%d/%s%s%s%s%s%s%s%s/%s%s",
+    snprintf(work->name, sizeof work->name, "%s%d/%s%s%s%s%s%s%s%s%s/%s%s",
              layout_names[work->layout], work->dimensions, scarp_basis_name(work->basis), fade,
-             fractal, work->turned ? "/turned" : "", period, title, work->f64 ? "/f64" : "",
-             pattern_names[work->pattern], output_names[work->output], size);
+             fractal, work->turned ? "/turned" : "", period, work->phase != 0.0f ? "/flow" : "",
+             title, work->f64 ? "/f64" : "", pattern_names[work->pattern],
+             output_names[work->output], size);
 }
 
 /* Completes the workload; `size` is one of those in struct product. */
@@ -295,6 +302,7 @@ struct scarp_noise bench_work_noise(const struct bench_work *work)
                                 .fade = work->fade,
                                 .fractal = work->fractal,
                                 .rotate = work->turned != 0,
+                                .phase = work->phase,
                                 .period = {work->period, work->period, work->period},
                                 .seed = 7,
                                 .octaves = (float)work->octaves,

@@ -24,7 +24,8 @@ enum bench_output {
     BENCH_PLUS_GRADIENT,       /* value and gradient */
     BENCH_PLUS_HESSIAN,        /* value, gradient and Hessian */
     BENCH_FORWARD_DIFFERENCES, /* value and gradient, from dimensions + 1 values */
-    BENCH_CENTRAL_DIFFERENCES  /* value and gradient, from 2 dimensions + 1 values */
+    BENCH_CENTRAL_DIFFERENCES, /* value and gradient, from 2 dimensions + 1 values */
+    BENCH_PLUS_PHASE           /* value and its derivative by the phase */
 };
 
 enum bench_pattern {
@@ -48,6 +49,7 @@ struct bench_work {
                           peers do the nearest that they have. Else NULL */
     int turned;        /* the axes turn between octaves */
     unsigned period;   /* cells after which the noise repeats along each axis; 0: never */
+    float phase;       /* of flow noise */
     int f64;           /* double coordinates */
     int on_request;    /* measured only if --work gives the whole name: large */
     size_t points;
