@@ -13,3 +13,11 @@ endfunction()
 scarp_add_readme_test(c ${CMAKE_C_COMPILER})
 scarp_add_readme_test(cxx ${SCARP_CXX} c++)
 scarp_add_readme_test(python -)
+
+# The recipe of the shell, which needs the program in the place of the library
+scarp_add_test(readme.sh package NEEDS python3 scarp sh
+               COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/test_readme.py
+               sh ${PROJECT_SOURCE_DIR}/README.md $<TARGET_FILE:scarp-cli>
+               ${PROJECT_SOURCE_DIR}/include ${CMAKE_CURRENT_BINARY_DIR}/readme-sh
+               "${CMAKE_C_COMPILER_ID}" "flags: ${CMAKE_C_FLAGS}" sh
+               ${CMAKE_CROSSCOMPILING_EMULATOR})

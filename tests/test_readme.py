@@ -1,14 +1,16 @@
 # SPDX-License-Identifier: MIT
-"""The README's examples compile without a warning and print what the README says.
+"""The README's examples compile without a warning and print what the README says; its animation is
+a loop.
 
     test_readme.py LANGUAGE README.md LIBRARY INCLUDE_DIR SCRATCH_DIR COMPILER_ID FLAGS COMPILER
                    [EMULATOR...]
 
-LANGUAGE is c, cxx or python. LIBRARY is the shared or static library; the Python example needs a
-shared one and no emulator.
+LANGUAGE is c, cxx, python or sh. LIBRARY is the shared or static library; the Python example needs
+a shared one and no emulator. For sh it is the program, and COMPILER the shell.
 """
 import os
 import re
+import shlex
 import subprocess
 import sys
 
@@ -102,16 +104,48 @@ class Examples:
                 not re.match(re.escape(told).replace(r"\.\.\.", r"\d*(e-?\d+)?"), printed)):
             sys.exit("the Python example prints %sbut the README says\n%s" % (printed, told))
 
+    def run_in_shell(self, recipe):
+        """Runs a recipe in the scratch directory, with the program as `scarp`."""
+        program = os.path.join(self.scratch, "scarp")
+        with open(program, "w", encoding="utf-8") as file:
+            file.write("#!/bin/sh\nexec %s \"$@\"\n" % shlex.join(self.emulator + [self.library]))
+        os.chmod(program, 0o755)
+        path = os.path.abspath(self.scratch) + os.pathsep + os.environ["PATH"]
+        return subprocess.run([self.compiler, "-e", "-c", recipe], cwd=self.scratch, check=True,
+                              env=dict(os.environ, PATH=path), stdout=subprocess.PIPE).stdout
+
+    def check_sh(self):
+        """The animation is a loop: with one frame more, the last has the bytes of the first."""
+        recipe = "".join(body for kind, body in self.blocks if kind == "sh" and "--phase" in body)
+        frames = "seq 0 23"
+        if recipe.count(frames) != 1:
+            sys.exit("the recipe has no 24 frames:\n" + recipe)
+        recipe = recipe.replace(frames, "seq 0 24")
+        end = ".png"
+        if not re.search(rb"(?m)^formats .*\bpng\b", self.run_in_shell("scarp info")):
+            recipe, end = recipe.replace(".png", ".pgm"), ".pgm"
+        for name in os.listdir(self.scratch):
+            if name.endswith((".png", ".pgm")):
+                os.remove(os.path.join(self.scratch, name))
+        self.run_in_shell(recipe)
+        for stem in ("height", "hill"):
+            found = []
+            for i in range(25):
+                with open(os.path.join(self.scratch, "%s%d%s" % (stem, i, end)), "rb") as file:
+                    found.append(file.read())
+            if found[24] != found[0] or len(set(found)) != 24:
+                sys.exit("%s: the frames are no loop of 24" % stem)
+
 
 def main():
     language, readme, library, include, scratch, kind, flags, compiler, *emulator = sys.argv[1:]
-    if not re.search("GNU|Clang", kind) or os.name != "posix":
+    if language != "sh" and (not re.search("GNU|Clang", kind) or os.name != "posix"):
         skip("no flags known for " + kind)
-    if "-fsanitize" in flags:
+    if language != "sh" and "-fsanitize" in flags:
         skip("the examples are not sanitized")
     examples = Examples(readme, library, include, scratch, compiler, emulator)
     getattr(examples, "check_" + language)()
-    print("the examples print what the README says")
+    print("the examples do what the README says")
 
 
 if __name__ == "__main__":

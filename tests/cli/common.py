@@ -37,7 +37,7 @@ OPTIONS = ("size", "origin", "step", "period", "tileable", "height", "sea-level"
            "normal-y", "azimuth", "altitude", "z-factor",
            "tile", "tiles", "share", "overlap", "resume",
            "preset", "seed", "basis", "fade", "fractal", "erosion", "frequency", "octaves",
-           "lacunarity", "gain", "amplitude", "rotate",
+           "lacunarity", "gain", "amplitude", "phase", "rotate",
            "threads", "isa", "quiet", "help")
 FLAGS = ("tileable", "resume", "rotate", "quiet", "help")
 FRACTALS = ("fbm", "turbulence", "ridged", "erosion")

@@ -44,10 +44,10 @@ class Errors(Case):
     def test_numbers(self):
         for option in ("--step", "--height", "--frequency", "--octaves", "--lacunarity", "--gain",
                        "--erosion", "--sea-level", "--azimuth", "--altitude", "--z-factor",
-                       "--amplitude"):
+                       "--amplitude", "--phase"):
             self.check_values(option, "", "one", "1x", "1 ", " 1", "1,5", "nan", "inf", "-inf",
                               "1e999", "0x", "1.2.3", "--1", ".", "+")
-            if option not in ("--sea-level", "--amplitude"):
+            if option not in ("--sea-level", "--amplitude", "--phase"):
                 self.check_values(option, "-1")
 
     def test_intervals(self):
@@ -64,6 +64,7 @@ class Errors(Case):
         self.check_values("--z-factor", "-0.001", "16777217", "1e39")
         self.check_values("--amplitude", "0", "-0", "5.9e-8", "-5.9e-8", "16777217", "-16777217",
                           "1e39")
+        self.check_values("--phase", "3.4028235e38", "-3.4028235e38", "1e39")
         self.check_values("--overlap", "1025", "-1", "+1", "1.5", "one", "",
                           "18446744073709551617")
         self.check_values("--threads", "0", "1025", "-1", "1.5", "two", "",

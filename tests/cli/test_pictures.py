@@ -58,7 +58,7 @@ class Pictures(Case):
                                "--octaves": ("3", "3.5", "32"), "--frequency": ("0.031",),
                                "--lacunarity": ("2.1",), "--gain": ("0.6",),
                                "--origin": ("5,0", "0,5", "9007199254740992,0"),
-                               "--step": ("1.5",)}.items():
+                               "--step": ("1.5",), "--phase": ("0", "0.3", "-0.3")}.items():
             variants += [(option, value) for value in values]
         variants.append(("--rotate",))
         heights = {}
@@ -66,7 +66,7 @@ class Pictures(Case):
             data = self.terrain(*SMALL, *arguments)[0]
             self.assertNotIn(data, heights, (arguments, heights.get(data)))
             heights[data] = arguments
-        self.assertEqual(len(heights), 20)
+        self.assertEqual(len(heights), 23)
 
     def test_erosion_counts(self):
         """How much it damps matters to --fractal erosion, and to no other."""
@@ -96,7 +96,9 @@ class Pictures(Case):
                               ("--altitude", "90"), ("--z-factor", "0"), ("--z-factor", "16777216"),
                               ("--amplitude", "16777216"), ("--amplitude", "-16777216"),
                               ("--amplitude", "5.9604644775390625e-8"),
-                              ("--amplitude", "-5.9604644775390625e-8"), ("--threads", "1")):
+                              ("--amplitude", "-5.9604644775390625e-8"), ("--threads", "1"),
+                              ("--phase", "3.4028234663852886e38"),
+                              ("--phase", "-3.4028234663852886e38")):
             with self.subTest(option=option, value=value):
                 self.terrain(*SMALL, option, value)
         for value in ("281474976710656", "2.3283064365386963e-10"):

@@ -71,7 +71,7 @@ class Manifest(WorldCase):
             "azimuth": 315, "altitude": 45, "z-factor": 1, "seed": 18446744073709551615,
             "basis": "gradient", "fade": "quintic", "fractal": "fbm", "erosion": 1,
             "frequency": 0.03, "octaves": 3, "lacunarity": 2, "gain": 0.4, "amplitude": -3,
-            "rotate": True, "heights": "w_{y}_{x}.r32", "normals": "npy:n_{y}_{x}.v1",
+            "phase": None, "rotate": True, "heights": "w_{y}_{x}.r32", "normals": "npy:n_{y}_{x}.v1",
             "hillshade": "s_{y}_{x}.img", "gradient": None, "output": None})
         self.assertEqual(derived["tiles"], [4, 3])
         self.assertEqual(derived["range"], [-3, 3])
@@ -95,7 +95,7 @@ class Manifest(WorldCase):
                    "fractal": ("ridged", '"fbm"', '"ridged"'), "erosion": ("2", "1", "2"),
                    "frequency": ("0.5", "0.03", "0.5"), "octaves": ("2.5", "3", "2.5"),
                    "lacunarity": ("3", "2", "3"), "gain": ("0.25", "0.4", "0.25"),
-                   "amplitude": ("-1", "1", "-1"), "rotate": (None, "false", "true"),
+                   "amplitude": ("-1", "1", "-1"), "phase": ("0", "null", "0"), "rotate": (None, "false", "true"),
                    "gradient": ("g.npy", "null", '"g_{y}_{x}.npy"'),
                    "hillshade": ("s.npy", "null", '"s_{y}_{x}.npy"'),
                    "output": ("t", "null", '"t-height_{y}_{x}' + self.extensions[0] + '"')}

@@ -72,6 +72,11 @@ def check_faults(library):
     assert (check(), member.value) == (OK, None)
     noise.period[1] = 5
     assert (check(), member.value) == (OK, None)
+    noise.phase = 0.5
+    assert (check(), member.value) == (OK, None)
+    noise.basis = 1
+    assert (check(), member.value) == (ERROR_UNSUPPORTED, b"phase")
+    noise.basis = 0
     noise.spare0 = 5
     assert (check(), member.value) == (ERROR_UNSUPPORTED, b"spare0")
     noise.gain = 17

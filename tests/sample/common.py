@@ -29,12 +29,16 @@ KINDS = ("csv", "text", "npy")
 ENDS = {"csv": ".csv", "text": ".txt", "npy": ".npy"}
 RESULTS = {2: "value dx dy dxx dxy dyy".split(),
            3: "value dx dy dz dxx dxy dxz dyy dyz dzz".split()}
+BY_PHASE = "dphase"  # the last result
 # Every option of the noise, as it is typed and as the library takes it
 TYPED = ("--seed 0x123456789abcdef0 --basis value --fade cubic --fractal ridged --frequency 0.37 "
          "--octaves 3.5 --lacunarity 2.5 --gain 0.625 --amplitude -3 --erosion 2 --rotate").split()
 MEANT = {"seed": 0x123456789abcdef0, "basis": 1, "fade": 1, "fractal": 2, "frequency": 0.37,
          "octaves": 3.5, "lacunarity": 2.5, "gain": 0.625, "amplitude": -3, "erosion": 2,
          "rotate": 1}
+# And what is for gradient noise only
+FLOWING = "--seed 77 --fade cubic --frequency 0.21 --octaves 3 --phase -0.15625 --dphase".split()
+FLOWING_MEANT = {"seed": 77, "fade": 1, "frequency": 0.21, "octaves": 3, "phase": -0.15625}
 
 
 def run(*arguments, data=b"", **more):
@@ -58,12 +62,12 @@ class Noise(ctypes.Structure):
                 ("frequency", ctypes.c_double), ("octaves", ctypes.c_float),
                 ("lacunarity", ctypes.c_float), ("gain", ctypes.c_float),
                 ("amplitude", ctypes.c_float), ("erosion", ctypes.c_float),
-                ("reserved", ctypes.c_uint32 * 35)]
+                ("phase", ctypes.c_float), ("reserved", ctypes.c_uint32 * 34)]
 
 
 class Samples(ctypes.Structure):
-    _fields_ = [(name, ctypes.POINTER(ctypes.c_float)) for name in RESULTS[3]] + [
-        ("reserved", ctypes.c_void_p * 6)]
+    _fields_ = [(name, ctypes.POINTER(ctypes.c_float)) for name in (*RESULTS[3], BY_PHASE)] + [
+        ("reserved", ctypes.c_void_p * 5)]
 
 
 def reference(points, names, **noise):

@@ -13,13 +13,14 @@ import unittest
 
 import common
 from common import (run, float32, reference, npy, read_npy, make_input, read_output,
-                    some_points, Case, BLOCK, KINDS, ENDS, RESULTS, TYPED, MEANT)
+                    some_points, Case, BLOCK, KINDS, ENDS, RESULTS, BY_PHASE, TYPED, MEANT,
+                    FLOWING, FLOWING_MEANT)
 
 
 class Help(Case):
     OPTIONS = ("input input-format columns dims skip-bad keep output output-format gradient "
-               "hessian seed basis fade fractal erosion frequency octaves lacunarity gain "
-               "amplitude rotate period isa quiet help").split()
+               "hessian dphase seed basis fade fractal erosion frequency octaves lacunarity gain "
+               "amplitude phase rotate period isa quiet help").split()
 
     def test_help(self):
         text = self.text(b"", "--help")
@@ -29,7 +30,7 @@ class Help(Case):
                          ["points", "results", "noise", "running"])
         self.assertLessEqual(max(len(line) for line in text.split("\n")), 90)
         for dims in (2, 3):
-            self.assertIn("  in %dD  %s\n" % (dims, " ".join(RESULTS[dims])), text)
+            self.assertIn("  in %dD  %s\n" % (dims, " ".join((*RESULTS[dims], BY_PHASE))), text)
 
     def test_listed(self):
         usage = subprocess.run(common.PROGRAM + ["--help"], stdout=subprocess.PIPE,
@@ -131,6 +132,11 @@ class Values(Case):
                     _, rows = read_output(kind, out)
                     rows = [[float32(number) for number in row] for row in rows]
                     self.assertEqual(rows == reference(points, RESULTS[dims], **MEANT), True)
+                    out = self.sample(make_input(kind, points), *FLOWING, "--gradient", "--hessian")
+                    _, rows = read_output(kind, out)
+                    rows = [[float32(number) for number in row] for row in rows]
+                    names = (*RESULTS[dims], BY_PHASE)
+                    self.assertEqual(rows == reference(points, names, **FLOWING_MEANT), True)
             rows = read_output("npy", self.sample(npy(points)))[1]
             self.assertEqual(rows == reference(points, ["value"]), True)
 
@@ -282,12 +288,13 @@ class Options(Case):
                                ("--input", ("",)), ("--output", ("",)),
                                ("--seed", ("-1", "x")), ("--octaves", OCTAVES_REFUSED),
                                ("--columns", ("x", "1,1", "x,y,z,w", "0,1", "")),
+                               ("--phase", ("", "x", "nan", "inf", "-inf", "1e39")),
                                ("--fractal", ("fBm",)), ("--frequency", ("0", "nan"))):
             self.check(option)
             for value in values:
                 self.check(option, value)
                 self.check(option + "=" + value)
-        for flag in ("--keep", "--skip-bad", "--gradient", "--hessian", "--quiet"):
+        for flag in ("--keep", "--skip-bad", "--gradient", "--hessian", "--dphase", "--quiet"):
             self.check(flag + "=1")
         self.check("--size", "3")
         self.check("points.csv")
@@ -312,6 +319,10 @@ class Options(Case):
     def test_hessian_of_erosion(self):
         self.check("--hessian", "--fractal", "erosion")
         self.sample("1 2\n", "--gradient", "--fractal", "erosion")
+
+    def test_value_noise_does_not_flow(self):
+        self.check("--phase", "0.5", "--basis", "value")
+        self.check("--dphase", "--basis", "value")
 
     def test_last_octave(self):
         self.check("--frequency", "2e14", "--octaves", "2")

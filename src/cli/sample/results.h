@@ -11,7 +11,7 @@
 #include "sample/points.h"
 #include "shared/file.h"
 
-#define RESULTS_COLUMNS_MAX 10
+#define RESULTS_COLUMNS_MAX 11
 
 struct results {
     /* Set before opening, the rest zero */

@@ -24,7 +24,7 @@ struct sample_options {
     int input_format, output_format; /* an enum points_format */
     struct columns columns;
     size_t dims; /* 0: not given */
-    int skip_bad, keep, gradient, hessian, isa, quiet;
+    int skip_bad, keep, gradient, hessian, dphase, isa, quiet;
 };
 
 /* In the order of enum points_format */
@@ -94,6 +94,9 @@ static const struct option result_rows[] = {
      .help = "after the value, its derivatives along x, y (and z)",
      .offset = FIELD(gradient)},
     {.name = "--hessian", .help = "after these, its second derivatives", .offset = FIELD(hessian)},
+    {.name = "--dphase",
+     .help = "after these, its derivative by the phase, per turn; not with\n--basis value",
+     .offset = FIELD(dphase)},
 };
 
 static const struct option period_rows[] = {
@@ -134,8 +137,8 @@ static const struct option_table table = {
     .purpose = "Reads points and writes the noise at each of them, one row per point.",
     .notes =
         "A row holds, in this order and as far as it was asked for,\n"
-        "  in 2D  value dx dy dxx dxy dyy\n"
-        "  in 3D  value dx dy dz dxx dxy dxz dyy dyz dzz\n"
+        "  in 2D  value dx dy dxx dxy dyy dphase\n"
+        "  in 3D  value dx dy dz dxx dxy dxz dyy dyz dzz dphase\n"
         "Coordinates are doubles and keep their precision. Results are floats: nine digits, which\n"
         "tell them apart, or nan where coordinate times frequency overflows.\n"
         "\n"
@@ -167,6 +170,8 @@ static const struct option_table table = {
     .count = sizeof groups / sizeof groups[0],
 };
 
+#define BY_PHASE 3 /* an order */
+
 /* The results there are: order 0 is the value, 1 the gradient, 2 the Hessian. */
 static const struct result {
     const char *name;
@@ -183,6 +188,7 @@ static const struct result {
     {"dyy", 2, 2, offsetof(struct scarp_samples, dyy)},
     {"dyz", 2, 3, offsetof(struct scarp_samples, dyz)},
     {"dzz", 2, 3, offsetof(struct scarp_samples, dzz)},
+    {"dphase", BY_PHASE, 2, offsetof(struct scarp_samples, dphase)},
 };
 
 /* What a run needs, too large for the stack */
@@ -199,11 +205,11 @@ struct sample {
 static void choose_results(struct sample *sample, const struct sample_options *options, int dims)
 {
     struct results *const results = &sample->results;
+    const bool wanted[] = {true, options->gradient != 0, options->hessian != 0,
+                           options->dphase != 0};
     for (size_t i = 0; i < RESULTS_COLUMNS_MAX; i++) {
         const struct result *const result = &all_results[i];
-        const bool wanted = result->order == 0 || (result->order == 1 && options->gradient) ||
-                            (result->order == 2 && options->hessian);
-        if (wanted && dims >= result->dims) {
+        if (wanted[result->order] && dims >= result->dims) {
             float *const values = sample->values[results->columns];
             memcpy((char *)&sample->samples + result->offset, &values, sizeof values);
             results->names[results->columns] = result->name;
@@ -224,16 +230,21 @@ static enum scarp_status sample_block(struct sample *sample)
 }
 
 /* Whether the library can give what is asked for; all else was checked before. */
-static bool check_hessian(const struct scarp_noise *noise, bool hessian)
+static bool check_results(const struct scarp_noise *noise, const struct sample_options *options)
 {
     const double origin = 0;
-    float value, second;
-    const struct scarp_samples samples = {.value = &value, .dxx = hessian ? &second : NULL};
-    const bool supported = scarp_sample2_f64(noise, 1, &origin, &origin, &samples) == SCARP_OK;
-    if (!supported) {
+    float result;
+    const struct scarp_samples second = {.dxx = &result}, flow = {.dphase = &result};
+    if (options->hessian && scarp_sample2_f64(noise, 1, &origin, &origin, &second) != SCARP_OK) {
         cli_error("--hessian: --fractal erosion has no second derivatives");
+        return false;
     }
-    return supported;
+    if (options->dphase && scarp_sample2_f64(noise, 1, &origin, &origin, &flow) != SCARP_OK) {
+        cli_error("--dphase: value noise has no gradients to turn; leave it out or take --basis "
+                  "gradient");
+        return false;
+    }
+    return true;
 }
 
 static bool check_columns(const struct sample_options *options)
@@ -299,7 +310,7 @@ static int sample_all(struct sample *sample)
         if (status != CLI_SUCCESS || sample->block.count == 0) {
             return status;
         }
-        sample_block(sample); /* cannot fail: check_hessian tried */
+        sample_block(sample); /* cannot fail: check_results tried */
         status = results_write(&sample->results, &sample->points, &sample->block);
         if (status != CLI_SUCCESS) {
             return status;
@@ -333,7 +344,8 @@ static void tell_malformed(const struct points *points)
 
 int cli_sample(char **argv)
 {
-    struct sample_options options = {.input_format = POINTS_UNKNOWN,
+    struct sample_options options = {.noise = {.phase = NOISE_STILL},
+                                     .input_format = POINTS_UNKNOWN,
                                      .output_format = POINTS_UNKNOWN};
     switch (options_parse(&table, argv, &options)) {
     case OPTIONS_HELP: return CLI_SUCCESS;
@@ -342,7 +354,7 @@ int cli_sample(char **argv)
     }
     struct scarp_noise noise;
     if (!check_columns(&options) || !noise_make(&options.noise, 3, &noise) ||
-        !check_hessian(&noise, options.hessian != 0)) {
+        !check_results(&noise, &options)) {
         return CLI_USAGE;
     }
     scarp_isa_select((enum scarp_isa)options.isa);

@@ -131,6 +131,15 @@ const struct option noise_option_rows[NOISE_OPTION_COUNT] = {
      .offset = FIELD(amplitude),
      .lowest = 0x1p-24,
      .highest = 0x1p24},
+    {.name = "--phase",
+     .argument = "F",
+     .allowed = "a finite number, at most 2^128 - 2^104 in magnitude",
+     .help = "turns of the lattice's gradients, any finite float: as it grows,\nthe noise flows "
+             "where it is, and loops after 1; not with --basis\nvalue [it stands still]",
+     .parse = option_float,
+     .offset = FIELD(phase),
+     .lowest = -0x1.fffffep127,
+     .highest = 0x1.fffffep127},
     {.name = "--rotate",
      .help = "turn the axes between octaves: hides the lattice's directions",
      .offset = FIELD(rotate)},
@@ -143,6 +152,9 @@ static void refuse(const char *member)
         cli_error("--lacunarity: is no whole number from 1 to 16, which noise with a period needs");
     } else if (strcmp(member, "rotate") == 0) {
         cli_error("--rotate: axes that are turned do not repeat; leave it out with --period");
+    } else if (strcmp(member, "phase") == 0) {
+        cli_error("--phase: value noise has no gradients to turn; leave it out or take --basis "
+                  "gradient");
     } else if (strncmp(member, "period", 6) == 0) {
         cli_error("--period: has more than 2^30 cells in the last octave; fewer --octaves or a "
                   "lower --lacunarity will do");
@@ -150,6 +162,14 @@ static void refuse(const char *member)
         cli_error("--frequency, --lacunarity, --octaves: the frequency of the last octave is not "
                   "from 2^-32 to 2^48");
     }
+}
+
+/* What flows reaches further than what stands still, so at 0 the library's range is another one
+   than at all other phases, and 16-bit heights would have another scale. A whole turn later the
+   noise has the same bits, and the range of the other frames. */
+static float phase_of(const struct noise_options *options)
+{
+    return options->phase == NOISE_STILL ? 0.0f : options->phase == 0.0f ? 1.0f : options->phase;
 }
 
 bool noise_make(const struct noise_options *options, int dimensions, struct scarp_noise *noise)
@@ -166,6 +186,7 @@ bool noise_make(const struct noise_options *options, int dimensions, struct scar
         .gain = options->gain,
         .amplitude = options->amplitude,
         .erosion = options->erosion,
+        .phase = phase_of(options),
     };
     memcpy(noise->period, options->period, sizeof noise->period);
     const char *member = NULL;

@@ -6,21 +6,26 @@
 #ifndef SCARP_CLI_NOISE_H
 #define SCARP_CLI_NOISE_H
 
+#include <math.h>
 #include <stdbool.h>
 #include <stdint.h>
 
 #include "scarp.h"
 #include "shared/options.h"
 
+/* Before options are parsed, `phase` must be NOISE_STILL. */
 struct noise_options {
     uint64_t seed;
     double frequency;
-    float octaves, lacunarity, gain, amplitude, erosion;
+    float octaves, lacunarity, gain, amplitude, erosion, phase;
     uint32_t period[3];
     int basis, fade, fractal, rotate; /* enumerators of scarp.h */
 };
 
-#define NOISE_OPTION_COUNT 11
+/* The phase of what does not flow: not given, which is not the same as --phase 0. */
+#define NOISE_STILL INFINITY
+
+#define NOISE_OPTION_COUNT 12
 extern const struct option noise_option_rows[NOISE_OPTION_COUNT];
 
 /* Makes the noise for so many dimensions. False, with a line on stderr, if the numbers do not go
