@@ -51,6 +51,7 @@ static int count_outputs(const struct bench_work *work)
         return 3;
     }
     return work->output == BENCH_VALUE          ? 1
+           : work->output == BENCH_PLUS_PHASE   ? 2
            : work->output == BENCH_PLUS_HESSIAN ? 10
                                                 : 1 + work->dimensions;
 }

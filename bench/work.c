@@ -176,8 +176,8 @@ static const struct product products[] = {
 
 static const char *const layout_names[] = {"points", "grid", "normals"};
 static const char *const pattern_names[] = {"", "/sequential", "/same-cell"};
-static const char *const output_names[] = {
-    "value", "+gradient", "+hessian", "forward-differences", "central-differences", "+dphase"};
+static const char *const output_names[] = {"value",   "+gradient",           "+hessian",
+                                           "+dphase", "forward-differences", "central-differences"};
 
 static void write_name(struct bench_work *work)
 {

@@ -136,11 +136,11 @@ enum scarp_isa {
  * of ridged noise overflow where amplitude f_k^2 comes near 2^120.)
  *
  * An octave is noise of its own: n_k at x is, but for rounding, single-octave noise of the seed
- * s_k, frequency 1 and the same basis and fade at p_k, divided by 1 - 2^-17. With splitmix64(z) the
- * generator of Steele, Lea and Flood (2014) started at z, s_0 is `seed`, and s_k number k of
- * splitmix64(first number of splitmix64(seed)). o_k comes from the second and third number, b and
- * c, of splitmix64(first number of splitmix64(s_k)): 2^-24 times the top 24 bits of b, the low 24
- * bits of c, the top 24 bits of c.
+ * s_k, frequency 1, the same basis and fade, and 2^k times the phase, at p_k, divided by 1 - 2^-17.
+ * With splitmix64(z) the generator of Steele, Lea and Flood (2014) started at z, s_0 is `seed`, and
+ * s_k number k of splitmix64(first number of splitmix64(seed)). o_k comes from the second and third
+ * number, b and c, of splitmix64(first number of splitmix64(s_k)): 2^-24 times the top 24 bits of
+ * b, the low 24 bits of c, the top 24 bits of c.
  *
  * Gradients and Hessians are per unit of *input*, not per lattice cell.
  *
@@ -167,13 +167,13 @@ enum scarp_isa {
  *
  * So the noise neither moves nor changes in kind: at every phase E[g g^T] is the same, and the same
  * along all axes, as are moments of the fourth order. A whole turn is a loop: phases a and a + 1
- * have the same bits, if a + 1 is a float, and so has phase 0 as calls without a phase. Small
+ * have the same bits if both are exact as floats, and phase 0 has those of calls without one. Small
  * octaves move faster: octave k makes 2^k loops a turn, its fastest gradients 2^(k+1). What flows
- * reaches further than what stands still. |n_k| is at most 1.0169038 and 1.0162356 in 2D (quintic,
- * cubic), and 1.1233462 and 1.1165551 in 3D; scarp_range tells it. dphase is the derivative of the
- * value by the phase, with all other outputs of calls; |dphase| <= 4 pi sum_k 2^k a_k, times what
- * |n_k| is at most, for fBm and turbulence. Value noise has no gradients to turn: a phase, and
- * dphase, is SCARP_ERROR_UNSUPPORTED there.
+ * reaches further than what stands still: |n_k| is at most 1.0169038 and 1.0162356 in 2D (quintic,
+ * cubic), 1.1233462 and 1.1165551 in 3D, and scarp_range tells it. dphase is the derivative of the
+ * value by the phase, and may be asked for beside any other output. For fBm and turbulence,
+ * |dphase| is at most 4 pi sum_k 2^k |a_k| times those numbers. Value noise has no gradients to
+ * turn: a phase, and dphase, is SCARP_ERROR_UNSUPPORTED there.
  */
 struct scarp_noise {
     enum scarp_basis basis;
@@ -230,7 +230,8 @@ struct scarp_samples {
  * scarp_sample2 - sample noise at points of the plane
  *
  * For each i < count, out->value[i] is the noise at (x[i], y[i]), and out->dx[i], dy[i], dxx[i],
- * dxy[i], dyy[i] are the exact partial derivatives of that value in closed form.
+ * dxy[i], dyy[i] are the exact partial derivatives of that value in closed form; dphase[i] is that
+ * by the phase.
  *
  * Arrays: every array holds at least `count` elements; no alignment beyond that of the type is
  * needed. An output may be the very same array as an input (in place); outputs must not overlap
@@ -246,14 +247,15 @@ struct scarp_samples {
  * Returns SCARP_ERROR_NULL if count > 0 and `noise`, `out`, `x` or `y` is NULL; SCARP_ERROR_ENUM
  * for an unknown basis, fade or fractal; SCARP_ERROR_PARAMETER for a number of `noise` outside its
  * interval; SCARP_ERROR_SIZE if the arrays would exceed the address space; SCARP_ERROR_UNSUPPORTED
- * if a derivative along z is asked for, or a second derivative of SCARP_EROSION, or if a reserved
- * member of `noise` or `out` is in use. A count of 0 succeeds, whatever the other arguments are.
+ * if a derivative along z is asked for, a second derivative of SCARP_EROSION, or dphase of value
+ * noise, if value noise has a phase, if turned axes have a period, or if a reserved member of
+ * `noise` or `out` is in use. A count of 0 succeeds, whatever the other arguments are.
  */
 SCARP_API enum scarp_status scarp_sample2(const struct scarp_noise *noise, size_t count,
                                           const float *x, const float *y,
                                           const struct scarp_samples *out);
 
-/* scarp_sample3 - like scarp_sample2, but in space, with all ten outputs */
+/* scarp_sample3 - like scarp_sample2, but in space, with all outputs */
 SCARP_API enum scarp_status scarp_sample3(const struct scarp_noise *noise, size_t count,
                                           const float *x, const float *y, const float *z,
                                           const struct scarp_samples *out);
@@ -271,7 +273,7 @@ SCARP_API enum scarp_status scarp_sample2_f64(const struct scarp_noise *noise, s
                                               const double *x, const double *y,
                                               const struct scarp_samples *out);
 
-/* scarp_sample3_f64 - like scarp_sample2_f64, but in space, with all ten outputs */
+/* scarp_sample3_f64 - like scarp_sample2_f64, but in space, with all outputs */
 SCARP_API enum scarp_status scarp_sample3_f64(const struct scarp_noise *noise, size_t count,
                                               const double *x, const double *y, const double *z,
                                               const struct scarp_samples *out);
@@ -315,7 +317,7 @@ SCARP_API enum scarp_status scarp_grid2(const struct scarp_noise *noise,
                                         const struct scarp_samples *out);
 
 /* scarp_grid3 - like scarp_grid2, but in space: element k * slice_stride + j * row_stride + i, as
-   scarp_sample3_f64, with all ten outputs */
+   scarp_sample3_f64, with all outputs */
 SCARP_API enum scarp_status scarp_grid3(const struct scarp_noise *noise,
                                         const struct scarp_grid *grid,
                                         const struct scarp_samples *out);
@@ -344,8 +346,9 @@ SCARP_API enum scarp_status scarp_normals(size_t count, const float *dx, const f
  *
  * *lowest <= value <= *highest for every point, rounding included. `dimensions` is 2 or 3. fBm and
  * erosion have the interval from -|amplitude| to |amplitude|, turbulence and ridged noise the one
- * between 0 and amplitude. With a phase, all but ridged noise reach further: see "Flow". Use it to
- * map heights to integers: all tiles then agree.
+ * between 0 and amplitude. With a phase that is not 0, all but ridged noise reach further: see
+ * "Flow". Use it to map heights to integers: all tiles then agree, and so do the frames of a loop
+ * from phase 1 to 2.
  *
  * Returns SCARP_ERROR_NULL if a pointer is NULL; otherwise as scarp_noise_check.
  */
@@ -367,7 +370,9 @@ SCARP_API enum scarp_status scarp_range(const struct scarp_noise *noise, int dim
  * Returns, of these the first that applies: SCARP_ERROR_NULL if `noise` is NULL; SCARP_ERROR_ENUM
  * for an unknown basis, fade or fractal; SCARP_ERROR_PARAMETER for a number outside its interval,
  * in the order of the members, the last octave's frequency after them; SCARP_ERROR_UNSUPPORTED for
- * a reserved member in use; SCARP_ERROR_PARAMETER if `dimensions` is neither 2 nor 3.
+ * a reserved member in use, then for a phase of value noise; SCARP_ERROR_PARAMETER if `dimensions`
+ * is neither 2 nor 3; SCARP_ERROR_PARAMETER for a period, SCARP_ERROR_UNSUPPORTED for turned axes
+ * with one.
  */
 SCARP_API enum scarp_status scarp_noise_check(const struct scarp_noise *noise, int dimensions,
                                               const char **member);
@@ -375,7 +380,8 @@ SCARP_API enum scarp_status scarp_noise_check(const struct scarp_noise *noise, i
 /*
  * scarp_plan_make - makes the plan of a noise, for many calls with few points
  *
- * The constants of a noise take about as long to compute as 15 points (one octave) or 10 (eight).
+ * The constants of a noise take about as long to compute as 15 points (one octave) or 10 (eight),
+ * with a phase up to three times as long.
  * With noise->plan = plan, sample and grid calls of 2 or 3 `dimensions`, as the plan was made for,
  * take them from *plan, and give the same bits. One plan serves all outputs, floats and doubles,
  * every kernel set, and any number of threads at a time. Calls only read it.

@@ -26,8 +26,8 @@ double scarp_phase_supremum(enum scarp_fade fade, int dimensions)
 /* What is smaller becomes 0, so that no product is a subnormal number. */
 #define TURN_MIN 0x1p-60
 
-/* The fraction of |a|. Floats of 2^23 and more have none; floor() of a number below 1 would be
-   added to what it leaves, which loses bits. */
+/* The fraction of |a|; floats of 2^23 and more have none. The magnitude is taken first, since the
+   fraction of a small negative number, 1 less a little, has no exact double. */
 static double fraction(double a)
 {
     const double magnitude = a < 0.0 ? -a : a;

@@ -36,7 +36,7 @@ struct scarp_octave {
     float gradient[3][3]; /* amplitude J_k */
     uint32_t last[3];     /* the last cell of a period along each axis; 2^32 - 1 without period */
     float turn[4];      /* of noise that flows: cosine and sine of the phase's angle, then of twice
-                           that. Unset in others, but in kept plans. */
+                           that. In others it is set in kept plans only. */
     double frequency64; /* f_k and J_k again for double coordinates */
     double jacobian64[3][3];
     double offset[3]; /* o_k: multiples of 2^-24 in [0, 1), so exact as floats, too */

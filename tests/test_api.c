@@ -48,7 +48,7 @@ static void expect_refused(const struct scarp_noise *noise, enum scarp_status ex
         CHECK(function_call((enum function)f, noise, 0, &in, &out) == SCARP_OK,
               "%s, %s: count 0 looks at nothing", function_names[f], what);
     }
-    CHECK(outputs_untouched(&one, OUTPUTS_ALL3), "%s: outputs were written", what);
+    CHECK(outputs_untouched(&one, ~0u), "%s: outputs were written", what);
     for (int dimensions = 2; dimensions <= 3; dimensions++) {
         float bounds[2] = {7.0f, 8.0f};
         const enum scarp_status status = scarp_range(noise, dimensions, &bounds[0], &bounds[1]);
@@ -256,7 +256,7 @@ static void test_null(void)
         CHECK(function_call(f, &noise, POINTS, &in, &nothing) == SCARP_OK, "%s: no output",
               function_names[f]);
     }
-    CHECK(outputs_untouched(&one, OUTPUTS_ALL3), "outputs were written");
+    CHECK(outputs_untouched(&one, ~0u), "outputs were written");
     float bound = 7.0f;
     CHECK(scarp_range(NULL, 2, &bound, &bound) == SCARP_ERROR_NULL, "noise");
     CHECK(scarp_range(&noise, 2, NULL, &bound) == SCARP_ERROR_NULL, "lowest");
@@ -283,7 +283,7 @@ static void test_size(void)
                   "%s: count %zu", function_names[f], counts[c]);
         }
     }
-    CHECK(outputs_untouched(&one, OUTPUTS_ALL3), "outputs were written");
+    CHECK(outputs_untouched(&one, ~0u), "outputs were written");
 }
 
 /* 2D calls refuse derivatives along z, and value noise that by the phase. */
@@ -302,8 +302,7 @@ static void test_unsupported(void)
             CHECK(function_call(SAMPLE2_F64, &noise, POINTS, &in, &more) == SCARP_ERROR_UNSUPPORTED,
                   "%s", output_names[m]);
             CHECK(function_call(SAMPLE2, &noise, 0, &in, &alone) == SCARP_OK, "count 0");
-            CHECK(outputs_untouched(&one, OUTPUTS_ALL3), "%s: outputs were written",
-                  output_names[m]);
+            CHECK(outputs_untouched(&one, ~0u), "%s: outputs were written", output_names[m]);
         }
     }
 }

@@ -89,6 +89,9 @@ static struct scarp_noise noise_make(int i)
     struct scarp_noise noise = kinds[i / 4];
     noise.basis = (enum scarp_basis)(i & 1);
     noise.phase = noise.basis == SCARP_GRADIENT ? noise.phase : 0.0f;
+    if (noise.phase != 0.0f) { /* of each basis and fade there is one */
+        noise.fractal = noise.fade == SCARP_CUBIC ? SCARP_RIDGED : SCARP_EROSION;
+    }
     noise.fade = (enum scarp_fade)(i >> 1 & 1);
     noise.seed = (uint64_t)i;
     return noise;

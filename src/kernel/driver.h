@@ -186,8 +186,8 @@ VEC_INLINE void add_basis(const struct call *call, const struct part *part, int 
     call->points_pass(&part->placed, weights, to, put);
 }
 
-/* Does the same with the derivative of the basis by the phase, after add_basis, which has placed
-   the part. The passes are those that `dimensions` and `order` of the noise itself have. */
+/* Adds the derivative of the basis by the phase, after add_basis, which has placed the part.
+   `order` is that of the outputs which `to` takes. */
 static void add_turning(const struct call *call, const struct part *part, int k, int order,
                         const struct outputs *to, enum put put)
 {
@@ -232,7 +232,7 @@ static __attribute__((noinline)) void add_shaped_phase(const struct call *call,
     call->phase_pass(&at, &phase, put);
 }
 
-/* Does the same with octave k shaped. The noise is stored times the weights of its outputs; times
+/* Adds octave k shaped. The noise is stored times the weights of its outputs; times
    the amplitude alone for shapes that take it in its own axes; as it is where the turn brings the
    weights. */
 static void add_shaped(const struct call *call, const struct part *part, int k,

@@ -265,7 +265,7 @@ _Static_assert(sizeof few_passes / sizeof few_passes[0] == SCARP_BASES, "each ba
 #undef FEW_PASSES
 #undef FEW_NAMES
 
-/* Whether it is the values of fBm with straight axes that never repeats. */
+/* Whether it is the values of fBm with straight axes that neither repeats nor flows. */
 static int few_plain(const struct scarp_call_plan *plan)
 {
     return plan->order == 0 && plan->fractal == SCARP_FBM && !plan->rotate && plan->plain;

@@ -113,13 +113,14 @@ static void outputs_move(struct outputs *outputs, int order, size_t rows)
 }
 
 /* Describes samples of `size` vectors that are stored one after the other, `blocks` to a row.
-   DPHASE is their last vector. (This and outputs_of fill in a structure instead of returning it:
-   copying it in wide vectors waits until what was written in narrow ones has left the core.) */
+   DPHASE, if they have it, is their last vector. (This and outputs_of fill in a structure instead
+   of returning it: copying it in wide vectors waits until what was written in narrow ones has left
+   the core.) */
 static void outputs_stored(struct outputs *to, vf *stored, size_t size, int dimensions, int order,
                            size_t blocks)
 {
     to->block = size * VEC_LANES;
-    to->array[DPHASE] = (float *)(stored + size - 1);
+    to->array[DPHASE] = (float *)(stored + (size > 0 ? size - 1 : 0));
     to->row[DPHASE] = blocks * to->block;
     for (int i = 0; i < OUTPUTS_UP_TO(order); i++) {
         to->array[i] = (float *)(stored + stored_at(i, dimensions));

@@ -7,9 +7,9 @@
 #define SCARP_SIMD_VEC_LOOKUP_H
 
 /*
- * Tables; lookup.h has their types. The portable forms choose between entries bit by bit: the
- * tables are constants in the kernels, so where two entries are alike or differ in the sign alone,
- * the compiler has little left to do.
+ * Tables that are constants in the kernels; lookup.h has their types. The portable forms choose
+ * between entries bit by bit: where two entries are alike or differ in the sign alone, the compiler
+ * has little left to do.
  */
 
 /* Chooses one of four entries by masks of the two bits of the index. */

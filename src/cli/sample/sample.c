@@ -170,9 +170,10 @@ static const struct option_table table = {
     .count = sizeof groups / sizeof groups[0],
 };
 
-#define BY_PHASE 3 /* an order */
+#define BY_PHASE 3
 
-/* The results there are: order 0 is the value, 1 the gradient, 2 the Hessian. */
+/* The results there are: order 0 is the value, 1 the gradient, 2 the Hessian, BY_PHASE the
+   derivative by the phase. */
 static const struct result {
     const char *name;
     int order, dims; /* dims: from how many dimensions on */
