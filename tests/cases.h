@@ -113,7 +113,7 @@ struct cases_call {
 /* Each fractal runs with several octaves, and with turned axes, which come with a fractional number
    of octaves, odd ratios and a negative amplitude. fBm also runs with one octave, which is the
    basis alone, and with periods, which shapes do not see. All flow, with straight and with turned
-   axes, but for value noise. */
+   axes, but for value noise, and for the cubic fade, which does not see gradients. */
 enum cases_octaves {
     CASES_OCTAVE,
     CASES_OCTAVES,
@@ -189,8 +189,9 @@ static inline int cases_make_call(struct cases_call *call, enum cases_class clas
     }
     const int for_fbm =
         setting == CASES_OCTAVE || setting == CASES_POWERS || setting == CASES_PERIODS;
-    call->wanted |= setting >= CASES_FLOW ? OUTPUTS_PHASE : 0u;
-    if ((noise->fractal != SCARP_FBM && for_fbm) ||
+    const int flows = setting == CASES_FLOW || setting == CASES_FLOW_TURNED;
+    call->wanted |= flows ? OUTPUTS_PHASE : 0u;
+    if ((noise->fractal != SCARP_FBM && for_fbm) || (flows && noise->fade != SCARP_QUINTIC) ||
         (call->wanted & ~outputs_of(noise, call->function)) != 0) {
         return 0;
     }

@@ -7,7 +7,7 @@
  */
 #include "fractal.h"
 
-#define POINTS 331
+#define POINTS 101
 
 static struct outputs here, there;
 static float f32[3][POINTS];
