@@ -193,7 +193,7 @@ static void test_periods(void)
 }
 
 /* Neighbouring seeds have nothing in common at any phase: correlations of N samples that are
-   independent are below 4.5 / sqrt(N). Samples are one to three cells apart. */
+   independent are below 4.5 / sqrt(N). Samples are some cells apart. */
 static void test_seeds(void)
 {
     enum { SEEDS = 40 };

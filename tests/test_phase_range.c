@@ -7,8 +7,8 @@
  * takes longer, the less there is.
  */
 #include "../src/phase.h"
-#include "check.h"
 #include "oracle.h"
+#include "proof.h"
 
 /*
  * With a phase, the gradients of the corners of a cell lie on circles: in 2D on the unit circle, in
@@ -21,45 +21,35 @@
  * ahead on the same circle. Both are the maximum of sum_c W_c(t) h_c . (t - c) over vectors h that
  * lie on circles of the radii given here; for the derivative each radius is times the speed.
  *
- * The bound on a box with centre m and half-size h is that of test_range.c. For signs s of the
+ * The bound on a box with centre m and half-size h is that of proof.h. For signs s of the
  * components it is a sum over corners of the maximum over the circles of h . v with
  *     v = (W + h sum_i s_i d_i W)(t - c) + h W s,
  * which is the radius times the length of v in the plane of the circle. K, too, is as there, with
  * gradients of length R, the largest radius: |g . (t - c)| <= R sqrt(d), and R bounds components.
  */
-struct proof {
-    int dimensions;
-    enum scarp_fade fade;
+struct circles {
     double radius[4]; /* of the circle around each diagonal; 2D has the first only */
-    double curvature; /* K */
-    double limit;     /* what is to be proven an upper bound */
-    long boxes;
-    int depth; /* of the smallest box */
 };
-
-static const char *const fade_names[] = {"quintic", "cubic"};
 
 static const double diagonals[4][3] = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
 static const double speeds[4] = {1.0, 1.0, 2.0, 2.0}; /* around each of them */
 
 /* `by_phase`: whether the derivative by the angle is meant. */
-static struct proof proof_of(int dimensions, enum scarp_fade fade, int by_phase)
+static struct circles circles_of(int dimensions, int by_phase)
 {
-    struct proof proof = {.dimensions = dimensions, .fade = fade};
+    struct circles circles;
     const double length = dimensions == 2 ? 1.0 : 2.0 * sqrt(2.0);
     for (int i = 0; i < 4; i++) {
         /* Around one point of the plane, vectors of both speeds turn. */
         const double speed = dimensions == 2 ? 2.0 : speeds[i];
-        proof.radius[i] = length * (by_phase ? speed : 1.0);
+        circles.radius[i] = length * (by_phase ? speed : 1.0);
     }
-    const double d = dimensions;
-    const double u = fade == SCARP_QUINTIC ? 15.0 / 8.0 : 3.0 / 2.0;
-    const double v = fade == SCARP_QUINTIC ? 10.0 / sqrt(3.0) : 6.0;
-    const double g = length * (by_phase ? 2.0 : 1.0);
-    const double l = g * sqrt(d);
-    proof.curvature =
-        d * (2.0 * v * l + 4.0 * u * g) + d * (d - 1.0) * (4.0 * u * u * l + 4.0 * u * g);
-    return proof;
+    return circles;
+}
+
+static const double *radii(const struct proof *proof)
+{
+    return ((const struct circles *)proof->vectors)->radius;
 }
 
 /* The largest h . v over all circles. */
@@ -67,23 +57,16 @@ static double support(const struct proof *proof, const double v[3])
 {
     const double square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
     if (proof->dimensions == 2) {
-        return proof->radius[0] * sqrt(square);
+        return radii(proof)[0] * sqrt(square);
     }
     double largest = 0.0;
     for (int i = 0; i < 4; i++) {
         const double *const d = diagonals[i];
         const double along = d[0] * v[0] + d[1] * v[1] + d[2] * v[2];
         const double across = fmax(0.0, square - along * along / 3.0);
-        largest = fmax(largest, proof->radius[i] * proof->radius[i] * across);
+        largest = fmax(largest, radii(proof)[i] * radii(proof)[i] * across);
     }
     return sqrt(largest);
-}
-
-static void fade_at(enum scarp_fade fade, double t, double *u, double *du)
-{
-    *u =
-        fade == SCARP_QUINTIC ? t * t * t * (t * (t * 6.0 - 15.0) + 10.0) : t * t * (3.0 - 2.0 * t);
-    *du = fade == SCARP_QUINTIC ? 30.0 * t * t * (t - 1.0) * (t - 1.0) : 6.0 * t * (1.0 - t);
 }
 
 /* The weights of a corner: [0] is W, [1 + i] is d_i W. */
@@ -128,30 +111,15 @@ static double first_order(const struct proof *proof, const double m[3], double h
     return largest;
 }
 
-/* Whether S <= limit on the box: by the bound, or because it holds on the 2^d parts. */
-static int bounded(struct proof *proof, const double m[3], double h, int depth)
+static struct proof proof_of(int dimensions, enum scarp_fade fade, const struct circles *circles)
 {
-    proof->boxes++;
-    proof->depth = depth > proof->depth ? depth : proof->depth;
-    if (first_order(proof, m, h) + 0.5 * proof->curvature * h * h <= proof->limit) {
-        return 1;
-    }
-    if (h < 1e-3 && first_order(proof, m, 0.0) > proof->limit) {
-        return 0; /* the claim is wrong */
-    }
-    if (h < 1e-10) {
-        return 0; /* the slack is too small for doubles */
-    }
-    for (int part = 0; part < 1 << proof->dimensions; part++) {
-        double centre[3] = {0.0, 0.0, 0.0};
-        for (int i = 0; i < proof->dimensions; i++) {
-            centre[i] = m[i] + (part >> i & 1 ? 0.5 : -0.5) * h;
-        }
-        if (!bounded(proof, centre, 0.5 * h, depth + 1)) {
-            return 0;
-        }
-    }
-    return 1;
+    const double largest = fmax(circles->radius[0], circles->radius[3]);
+    return (struct proof){.dimensions = dimensions,
+                          .fade = fade,
+                          .first_order = first_order,
+                          .vectors = circles,
+                          .curvature = proof_curvature(
+                              dimensions, fade, largest * sqrt((double)dimensions), largest)};
 }
 
 /*
@@ -162,15 +130,15 @@ static int bounded(struct proof *proof, const double m[3], double h, int depth)
  */
 static int bounded_in_cell(struct proof *proof)
 {
-    const int equal = proof->radius[0] == proof->radius[3];
+    const int equal = radii(proof)[0] == radii(proof)[3];
     const double low[3] = {0.25, 0.25, 0.25}, high[3] = {0.25, 0.25, 0.75};
-    return bounded(proof, low, 0.25, 0) && (equal || bounded(proof, high, 0.25, 0));
+    return proof_bounded(proof, low, 0.25, 0) && (equal || proof_bounded(proof, high, 0.25, 0));
 }
 
 /* Checks the symmetry that bounded_in_cell() relies on. */
 static void check_symmetry(const struct proof *proof)
 {
-    const int equal = proof->radius[0] == proof->radius[3];
+    const int equal = radii(proof)[0] == radii(proof)[3];
     uint64_t random = 1;
     for (int i = 0; i < 3000; i++) {
         double t[3], mirrored[3];
@@ -185,35 +153,13 @@ static void check_symmetry(const struct proof *proof)
     }
 }
 
-/* Moves t to the local maximum of S next to it in the cell, by pattern search. */
-static double climb(const struct proof *proof, double t[3])
-{
-    double best = first_order(proof, t, 0.0);
-    for (double step = 0x1p-4; step > 0x1p-30;) {
-        int moved = 0;
-        for (int direction = 0; direction < 2 * proof->dimensions; direction++) {
-            double there[3] = {t[0], t[1], t[2]};
-            double *const moving = &there[direction / 2];
-            *moving = fmin(1.0, fmax(0.0, *moving + (direction % 2 == 0 ? step : -step)));
-            const double value = first_order(proof, there, 0.0);
-            if (value > best) {
-                best = value;
-                memcpy(t, there, sizeof there);
-                moved = 1;
-            }
-        }
-        step *= moved ? 1.0 : 0.5;
-    }
-    return best;
-}
-
 /* Searches for the maximum from the points of a coarse grid. Returns it, and its place in t. */
 static double search(const struct proof *proof, double t[3])
 {
     double best = 0.0;
     for (int i = 0; i < 64; i++) {
         double there[3] = {(0.5 + i % 4) / 4.0, (0.5 + i / 4 % 4) / 4.0, (0.5 + i / 16) / 4.0};
-        const double value = climb(proof, there);
+        const double value = proof_climb(proof, there, 0x1p-4);
         if (value > best) {
             best = value;
             memcpy(t, there, sizeof there);
@@ -242,8 +188,8 @@ static void prove(struct proof *proof, const char *name, double claimed, double 
     /* The proof of too small a number must fail. */
     const double beside[3] = {t[0] + 1e-3, t[1] - 2e-3, t[2] + 1e-3};
     proof->limit = reached * (1.0 - 1e-8);
-    CHECK(!bounded(proof, beside, 4e-3, 0), "%s: %.17g is proven, though more is reached", name,
-          proof->limit);
+    CHECK(!proof_bounded(proof, beside, 4e-3, 0), "%s: %.17g is proven, though more is reached",
+          name, proof->limit);
 }
 
 static void prove_suprema(int dimensions, enum scarp_fade fade, double slack)
@@ -259,11 +205,12 @@ static void prove_suprema(int dimensions, enum scarp_fade fade, double slack)
     CHECK(supremum >= (stated - 1e-7) * still, "scarp.h says %.8g, but it is %.9g", stated,
           supremum / still);
 
-    struct proof value = proof_of(dimensions, fade, 0);
+    const struct circles at_phase = circles_of(dimensions, 0), by_phase = circles_of(dimensions, 1);
+    struct proof value = proof_of(dimensions, fade, &at_phase);
     prove(&value, "value", supremum, slack, dimensions == 2 ? 1e-12 : 1e-9);
 
     /* By the header |dn / da| <= 4 pi reach, a in turns, hence |dn / d angle| <= 2 reach. */
-    struct proof derivative = proof_of(dimensions, fade, 1);
+    struct proof derivative = proof_of(dimensions, fade, &by_phase);
     prove(&derivative, "derivative", 2.0 * supremum, slack, dimensions == 2 ? 1e-12 : 6e-3);
 }
 

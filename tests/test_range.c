@@ -6,11 +6,9 @@
  * checks that the head-room for rounding is needed.
  * Argument: the number of points per search.
  */
-#include "check.h"
 #include "oracle.h"
+#include "proof.h"
 #include "suprema.h"
-
-static const char *const fade_names[] = {"quintic", "cubic"};
 
 /*
  * Gradient noise in a cell is n_G(t) = sum_c W_c(t) g_c . (t - c) over the corners c, G being the
@@ -19,49 +17,19 @@ static const char *const fade_names[] = {"quintic", "cubic"};
  * The set of gradients is closed under a change of sign of each component. Hence -S is the infimum,
  * and S is symmetric about the middle of the cell along each axis: t in [0, 1/2]^d is enough.
  *
- * On a box with centre m and half-size h, Taylor's theorem bounds every n_G:
- *     n_G(t) <= n_G(m) + h sum_i |d_i n_G(m)| + K h^2 / 2,       K >= sum_ij |d_ij n_G|.
- * The sum of absolute values is the largest sum_i s_i d_i n_G(m) over the 2^d choices of signs s;
- * for given signs the expression is a sum of terms of one corner each, so the maximum over G is
+ * The bound on a box (proof.h) is the largest n_G(m) + h sum_i s_i d_i n_G(m) over the 2^d choices
+ * of signs s. For given signs that is a sum of terms of one corner each, so the maximum over G is
  * taken corner by corner, although there are 16^4 or 12^8 choices.
- *
- * K: W_c is a product of fades u or 1 - u. With U and V the largest |u'| and |u''|, and over the
- * corners of one axis sum |w'| = 2 |u'| and sum w = 1,
- *     sum_c |d_i W_c| <= 2 U,   sum_c |d_ii W_c| <= 2 V,   sum_c |d_ij W_c| <= 4 U^2.
- * With L the largest |g . (t - c)| and 1 >= every component of g, the product rule gives
- *     |d_ii n| <= 2 V L + 4 U        |d_ij n| <= 4 U^2 L + 4 U.
- * Roundings in double are below 1e-14 and of no account.
  */
-struct proof {
-    int dimensions;
-    enum scarp_fade fade;
-    int gradients;
-    double gradient[16][3];
-    double curvature; /* K */
-    double limit;     /* what is to be proven an upper bound */
-    long boxes;
-    int depth; /* of the smallest box */
+struct gradients {
+    int count;
+    double of[16][3];
 };
-
-static double second_derivatives(int dimensions, enum scarp_fade fade)
-{
-    const double d = dimensions;
-    const double u = fade == SCARP_QUINTIC ? 15.0 / 8.0 : 3.0 / 2.0;       /* at t = 1/2 */
-    const double v = fade == SCARP_QUINTIC ? 10.0 / sqrt(3.0) : 6.0;       /* 1/2 +- sqrt(3)/6; 0 */
-    const double l = dimensions == 2 ? sqrt(2.0) /* unit vectors */ : 2.0; /* two components */
-    return d * (2.0 * v * l + 4.0 * u) + d * (d - 1.0) * (4.0 * u * u * l + 4.0 * u);
-}
-
-static void fade_at(enum scarp_fade fade, double t, double *u, double *du)
-{
-    *u =
-        fade == SCARP_QUINTIC ? t * t * t * (t * (t * 6.0 - 15.0) + 10.0) : t * t * (3.0 - 2.0 * t);
-    *du = fade == SCARP_QUINTIC ? 30.0 * t * t * (t - 1.0) * (t - 1.0) : 6.0 * t * (1.0 - t);
-}
 
 /* The largest n_G(m) + h sum_i |d_i n_G(m)| over all G; with h = 0 this is S(m). */
 static double first_order(const struct proof *proof, const double m[3], double h)
 {
+    const struct gradients *const gradients = proof->vectors;
     const int d = proof->dimensions;
     double weight[3][2], slope[3][2], sums[8] = {0.0};
     for (int i = 0; i < d; i++) {
@@ -78,8 +46,8 @@ static double first_order(const struct proof *proof, const double m[3], double h
                 dw[j] *= i == j ? slope[i][side] : weight[i][side];
             }
         }
-        for (int k = 0; k < proof->gradients; k++) {
-            const double *const g = proof->gradient[k];
+        for (int k = 0; k < gradients->count; k++) {
+            const double *const g = gradients->of[k];
             double dot = 0.0, along[3];
             for (int i = 0; i < d; i++) {
                 dot += g[i] * (m[i] - (double)(corner >> i & 1));
@@ -106,32 +74,6 @@ static double first_order(const struct proof *proof, const double m[3], double h
     return largest;
 }
 
-/* Whether S <= limit on the box: by the bound, or because it holds on the 2^d parts. */
-static int bounded(struct proof *proof, const double m[3], double h, int depth)
-{
-    proof->boxes++;
-    proof->depth = depth > proof->depth ? depth : proof->depth;
-    if (first_order(proof, m, h) + 0.5 * proof->curvature * h * h <= proof->limit) {
-        return 1;
-    }
-    if (h < 1e-3 && first_order(proof, m, 0.0) > proof->limit) {
-        return 0; /* the claim is wrong */
-    }
-    if (h < 1e-10) {
-        return 0; /* the slack is too small for doubles */
-    }
-    for (int part = 0; part < 1 << proof->dimensions; part++) {
-        double centre[3] = {0.0, 0.0, 0.0};
-        for (int i = 0; i < proof->dimensions; i++) {
-            centre[i] = m[i] + (part >> i & 1 ? 0.5 : -0.5) * h;
-        }
-        if (!bounded(proof, centre, 0.5 * h, depth + 1)) {
-            return 0;
-        }
-    }
-    return 1;
-}
-
 /* Where S has its maximum, to the digits that src/plan.c states. */
 static const double *maximiser(int dimensions, enum scarp_fade fade)
 {
@@ -140,44 +82,23 @@ static const double *maximiser(int dimensions, enum scarp_fade fade)
     return at[dimensions - 2][fade];
 }
 
-/* Moves t to the local maximum of S next to it, by pattern search. */
-static double climb_supremum(const struct proof *proof, double t[3])
-{
-    double best = first_order(proof, t, 0.0);
-    for (double step = 0x1p-14; step > 0x1p-30;) {
-        int moved = 0;
-        for (int direction = 0; direction < 2 * proof->dimensions; direction++) {
-            double there[3] = {t[0], t[1], t[2]};
-            there[direction / 2] += direction % 2 == 0 ? step : -step;
-            const double value = first_order(proof, there, 0.0);
-            if (value > best) {
-                best = value;
-                memcpy(t, there, sizeof there);
-                moved = 1;
-            }
-        }
-        step *= moved ? 1.0 : 0.5;
-    }
-    return best;
-}
-
 /* Draws the gradients, and checks that they are closed under a change of sign of components. */
-static void draw_gradients(struct proof *proof)
+static void draw_gradients(struct gradients *gradients, int dimensions)
 {
-    const int count = oracle_gradient_count(proof->dimensions);
-    proof->gradients = count;
+    const int count = oracle_gradient_count(dimensions);
+    gradients->count = count;
     for (unsigned k = 0; k < (unsigned)count; k++) {
-        oracle_gradient_vector(proof->dimensions, k, proof->gradient[k]);
+        oracle_gradient_vector(dimensions, k, gradients->of[k]);
     }
-    for (int k = 0; k < count * proof->dimensions; k++) {
-        const double *const g = proof->gradient[k % count];
+    for (int k = 0; k < count * dimensions; k++) {
+        const double *const g = gradients->of[k % count];
         const int axis = k / count;
         int found = 0;
         for (int other = 0; other < count; other++) {
             double distance = 0.0;
-            for (int i = 0; i < proof->dimensions; i++) {
+            for (int i = 0; i < dimensions; i++) {
                 const double mirrored = i == axis ? -g[i] : g[i];
-                distance += fabs(proof->gradient[other][i] - mirrored);
+                distance += fabs(gradients->of[other][i] - mirrored);
             }
             found |= distance < 1e-15;
         }
@@ -188,17 +109,22 @@ static void draw_gradients(struct proof *proof)
 static void prove_supremum(int dimensions, enum scarp_fade fade, double slack)
 {
     const double claimed = oracle_gradient_supremum(dimensions, fade);
+    const double product =
+        dimensions == 2 ? sqrt(2.0) /* unit vectors */ : 2.0; /* two components */
+    struct gradients gradients;
     struct proof proof = {.dimensions = dimensions,
                           .fade = fade,
-                          .curvature = second_derivatives(dimensions, fade),
+                          .first_order = first_order,
+                          .vectors = &gradients,
+                          .curvature = proof_curvature(dimensions, fade, product, 1.0),
                           .limit = claimed * (1.0 + slack)};
-    draw_gradients(&proof);
+    draw_gradients(&gradients, dimensions);
     const double centre[3] = {0.25, 0.25, 0.25};
-    const int proven = bounded(&proof, centre, 0.25, 0);
+    const int proven = proof_bounded(&proof, centre, 0.25, 0);
     double t[3];
     const double *const stated = maximiser(dimensions, fade);
     memcpy(t, stated, sizeof t);
-    const double reached = climb_supremum(&proof, t);
+    const double reached = proof_climb(&proof, t, 0x1p-14);
     printf("supremum %dD %-7s %.16g: %s within %g by %ld boxes down to 2^-%d; reached within %.0e "
            "at (%.6f, %.6f, %.6f)\n",
            dimensions, fade_names[fade], claimed, proven ? "proven" : "NOT PROVEN", slack,
