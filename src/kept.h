@@ -112,7 +112,7 @@ static inline void plan_describe(struct scarp_call_plan *plan, const struct scar
     plan->repeat = repeat_of(noise, plan->octaves, kind.dimensions);
     plan->dphase = kind.dphase;
     plan->flows = kind.dphase || noise->phase != 0.0f;
-    plan->plain = plan->repeat == SCARP_REPEAT_NEVER && !plan->flows;
+    plan->unchanging = plan->repeat == SCARP_REPEAT_NEVER && !plan->flows;
 }
 
 /* Whether the noise has what is asked for. */

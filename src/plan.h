@@ -68,9 +68,9 @@ struct scarp_call_plan {
     int rotate;  /* octaves 1 and up use jacobian and gradient, not frequency, slope, curvature */
     int octaves; /* how many `octave` has */
     enum scarp_repeat repeat;
-    int flows;  /* whether gradients are turned by the phase, or DPHASE is asked for */
-    int dphase; /* whether DPHASE is */
-    int plain;  /* whether the lattice neither repeats nor flows */
+    int flows;      /* whether gradients are turned by the phase, or DPHASE is asked for */
+    int dphase;     /* whether DPHASE is */
+    int unchanging; /* whether the lattice neither repeats nor flows */
     const struct scarp_octave *octave;
 };
 

@@ -47,18 +47,21 @@ struct basis {
             {name##3_##kind##0, name##3_##kind##1, name##3_##kind##2},                             \
     }
 
+/* The line of gradient noise that flows, after those of the bases. */
+enum { FLOWING = SCARP_BASES };
+
 static const struct basis bases[] = {
     [SCARP_GRADIENT] = {.points = PASSES(gradient, points), .rows = PASSES(gradient, rows)},
     [SCARP_VALUE] = {.points = PASSES(value, points), .rows = PASSES(value, rows)},
-    [SCARP_BASES] = {.points = PASSES(flow, points), .rows = PASSES(flow, rows)},
+    [FLOWING] = {.points = PASSES(flow, points), .rows = PASSES(flow, rows)},
 };
 
-_Static_assert(sizeof bases / sizeof bases[0] == SCARP_BASES + 1,
-               "each basis has its line, and gradient noise that flows has the last");
+_Static_assert(sizeof bases / sizeof bases[0] == FLOWING + 1,
+               "each basis has its line, and FLOWING the last");
 
 static const struct basis *basis_of(const struct scarp_call_plan *plan)
 {
-    return &bases[plan->flows ? SCARP_BASES : plan->basis];
+    return &bases[plan->flows ? FLOWING : plan->basis];
 }
 
 #undef PASSES

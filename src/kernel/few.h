@@ -268,7 +268,7 @@ _Static_assert(sizeof few_passes / sizeof few_passes[0] == SCARP_BASES, "each ba
 /* Whether it is the values of fBm with straight axes that neither repeats nor flows. */
 static int few_plain(const struct scarp_call_plan *plan)
 {
-    return plan->order == 0 && plan->fractal == SCARP_FBM && !plan->rotate && plan->plain;
+    return plan->order == 0 && plan->fractal == SCARP_FBM && !plan->rotate && plan->unchanging;
 }
 
 /* The pass that serves `count` points, or NULL if they are too many or none does. Single octaves
@@ -276,7 +276,7 @@ static int few_plain(const struct scarp_call_plan *plan)
 static few_pass *few_pass_of(const struct scarp_call_plan *plan, size_t count, int dimensions)
 {
     const int order = plan->order + (plan->fractal == SCARP_EROSION); /* of the basis */
-    return count <= FEW_BLOCKS * VEC_LANES && order <= FEW_ORDER && plan->plain
+    return count <= FEW_BLOCKS * VEC_LANES && order <= FEW_ORDER && plan->unchanging
                ? few_passes[plan->basis][dimensions - 2][order]
                : NULL;
 }

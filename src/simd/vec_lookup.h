@@ -82,8 +82,8 @@ VEC_INLINE struct vf_four vf_sixteen_odd_four(const vf_sixteen *table, const vu 
 }
 #endif
 
-/* What vf_sixteen_of says for four vectors, whose other bits are 0. A set that gains nothing by it
-   says so with VF_SIXTEEN_FOUR 0. */
+/* What vf_sixteen_of says for four vectors of indices below 16. VF_SIXTEEN_FOUR is 1 in a set where
+   that takes less than four single ones. */
 #ifndef VF_SIXTEEN_FOUR_OWN
 #define VF_SIXTEEN_FOUR 0
 VEC_INLINE struct vf_four vf_sixteen_four(const vf_sixteen *table, const vu index[4])
