@@ -39,7 +39,8 @@ function(scarp_compile_rules target)
 endfunction()
 
 # Unoptimised kernels are 20 times slower, and a parent project without a build type, or in Debug,
-# would get them without a word. (-Os, which MinSizeRel asks for, makes kernels as fast as -O3.)
+# would get them without a word. (With gcc 12, -O2 costs 8 % in the mean over all kinds of call and up
+# to 70 % of few points; -Os, which MinSizeRel asks for, 20 % and a factor of 3.)
 if(NOT CMAKE_C_COMPILER_FRONTEND_VARIANT STREQUAL "MSVC")
   set(optimize -O3)
 elseif(CMAKE_C_COMPILER_ID MATCHES "Clang")

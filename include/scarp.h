@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * scarp: lattice noise and its exact derivatives for arrays of points.
+ * scarp: noise and its exact derivatives for arrays of points.
  * This file is the whole public interface, its contracts, and the only source of the version.
  */
 #ifndef SCARP_H
@@ -59,16 +59,24 @@ enum scarp_status {
     SCARP_ERROR_UNSUPPORTED /* a request that this version, call or processor cannot serve */
 };
 
-/* The noise of one octave. Both are defined on the integer lattice, which repeats after 2^32
-   cells along each axis. */
+/* The noise of one octave. All are defined on a lattice, which repeats after 2^32 cells along each
+   axis. */
 enum scarp_basis {
-    SCARP_GRADIENT, /* Perlin's gradient noise: 0 on every lattice point, a gradient drawn there.
-                       2D: 16 directions, 11.25 degrees + k * 22.5; 3D: the 12 edge directions
-                       of improved noise (Perlin 2002), each as often as any other. */
-    SCARP_VALUE     /* value noise: a value drawn on every lattice point, uniform in [-1, 1] */
+    SCARP_GRADIENT,  /* Perlin's gradient noise: 0 on every lattice point, a gradient drawn there.
+                        2D: 16 directions, 11.25 degrees + k * 22.5; 3D: the 12 edge directions
+                        of improved noise (Perlin 2002), each as often as any other. */
+    SCARP_VALUE,     /* value noise: a value drawn on every lattice point, uniform in [-1, 1] */
+    SCARP_SIMPLEX,   /* simplex noise (Perlin 2001): gradients on triangles and tetrahedra. See
+                        "Simplex". */
+    SCARP_CELL_F1,   /* cellular noise (Worley 1996): the distance to the nearest feature. For these
+                        five see "Cells". */
+    SCARP_CELL_F2,   /* the distance to the second nearest */
+    SCARP_CELL_EDGE, /* the second distance less the first: 0 on the borders between cells */
+    SCARP_CELL_SOFT, /* a smooth F1, whose Hessian is continuous */
+    SCARP_CELL_VALUE /* a value for each cell, uniform in [-1, 1] */
 };
 
-/* The blend between lattice points, for t in [0, 1] across a cell. */
+/* The blend between lattice points, for t in [0, 1] across a cell: of gradient and value noise. */
 enum scarp_fade {
     SCARP_QUINTIC, /* 6t^5 - 15t^4 + 10t^3: the Hessian is continuous */
     SCARP_CUBIC    /* 3t^2 - 2t^3: the gradient is continuous, the Hessian jumps between cells */
@@ -173,7 +181,50 @@ enum scarp_isa {
  * cubic), 1.1233462 and 1.1165551 in 3D, and scarp_range tells it. dphase is the derivative of the
  * value by the phase, and may be asked for beside any other output. For fBm and turbulence,
  * |dphase| is at most 4 pi sum_k 2^k |a_k| times those numbers. Value noise has no gradients to
- * turn: a phase, and dphase, is SCARP_ERROR_UNSUPPORTED there.
+ * turn, and the gradients of simplex noise do not: a phase, and dphase, is
+ * SCARP_ERROR_UNSUPPORTED with all but gradient noise.
+ *
+ * Simplex (Perlin 2001, Gustavson 2005). Vertices v draw gradients g_v, of the same kind as those
+ * of gradient noise. With d = p - v and w = max(0, r^2 - d.d), all vertices together make the raw
+ * noise
+ *
+ *     sum_v w^4 g_v . d,      gradient sum_v w^4 g_v - 8 w^3 (g_v . d) d,
+ *     Hessian sum_v 48 w^2 (g_v . d) d d^T - 8 w^3 (g_v d^T + d g_v^T + (g_v . d) I).
+ *
+ * All three are continuous. In 2D, vertices are the corners of triangles of edge 1 whose sides lie
+ * along x: (i, j sqrt(3) / 2), and (i + 1/2, j sqrt(3) / 2) for odd j, with r^2 = 3/4. In 3D they
+ * are the corners (i, j, k) and the centres (i + 1/2, j + 1/2, k + 1/2) of cubes, which make
+ * tetrahedra, with r^2 = 1/2 - 2^-21. r is what lets a vertex end where it is no corner of the
+ * triangle or tetrahedron around p any more, so three or four vertices count. The suprema of the
+ * raw noise are 0.0623669522 and (edges (1, 1, 0)) 0.0130071013. Periods: in 3D any; in 2D along x,
+ * since rows are sqrt(3) / 2 apart: period[1] is SCARP_ERROR_UNSUPPORTED there.
+ *
+ * Cells (Worley 1996, with one feature per cell). Each cell c of the integer lattice has a feature
+ * at c_i + 1/2 + jitter v_i along each axis, v_i drawn uniformly from [-1/2, 1/2]. F1 and F2 are
+ * the distances from p to the nearest feature and to the second, V = sqrt(sum of a^8) over all
+ * features with a = max(0, 1 - distance^2). With j = jitter:
+ *
+ *     basis        raw value       largest raw value
+ *     cell-f1      F1              sqrt(n) (1 + j) / 2
+ *     cell-f2      F2              2D: sqrt(1 + j + j^2 / 2); 3D: sqrt(1 + j + 3 j^2 / 4), but
+ *                                  sqrt(3) (1 + j) / 2 where that is more, from j = 1/2 on
+ *     cell-edge    F2 - F1         as cell-f2 (3D, 1/2 < j < 1: up to 3.2 % less is reached)
+ *     cell-soft    -V              0; the least is -2^(n/2) (1 - n ((1 - j) / 2)^2)^4, which is
+ *                                  reached; with j < 9/16 it stays what it is for 9/16
+ *     cell-value   drawn           1; the least is -1
+ *
+ * n_k maps the interval from the least raw value (0 of the first three) to the largest to [-1, 1],
+ * so that -1 is at features (edge: on borders; soft: where features crowd; there 1 is where none is
+ * within 1). The distance from a feature is F = |d|, d = p - feature: its gradient is d / F, its
+ * Hessian (I - (d / F) (d / F)^T) / F, both taken as 0 where F < 2^-40, where the surface has the
+ * tip of a cone. Gradients and Hessians of the first three hold almost everywhere: where features
+ * are equally near there is a crease, and the gradient is that of one of them. Those of soft noise
+ * are continuous, those of cell-value 0. Hessians grow like 1 / F towards a feature, and overflow
+ * there where amplitude f_k^2 comes near 2^86.
+ *
+ * The search is exact: every feature that can be among the two nearest is compared, including those
+ * two cells off. Features of a period repeat with it, whatever its length. `fade` changes nothing
+ * here; a phase is SCARP_ERROR_UNSUPPORTED.
  */
 struct scarp_noise {
     enum scarp_basis basis;
@@ -192,8 +243,11 @@ struct scarp_noise {
 
     float phase; /* turns of the lattice's gradients, any finite number. See "Flow". */
 
+    float jitter; /* cellular noise: how far features stray from the middles of their cells, in
+                     (0, 1]. Default 1. */
+
     /* Reserved: 0 or NULL. -0.0f is a zero, too; a NaN is not. 192 bytes in all. */
-    float jitter, sharpness;
+    float sharpness;
 
     uint32_t period[3]; /* cells of octave 0, in [1, 2^30], after which the noise repeats along each
                            axis; 0: never. 2D calls ignore period[2]. See "Periods". */
@@ -247,9 +301,9 @@ struct scarp_samples {
  * Returns SCARP_ERROR_NULL if count > 0 and `noise`, `out`, `x` or `y` is NULL; SCARP_ERROR_ENUM
  * for an unknown basis, fade or fractal; SCARP_ERROR_PARAMETER for a number of `noise` outside its
  * interval; SCARP_ERROR_SIZE if the arrays would exceed the address space; SCARP_ERROR_UNSUPPORTED
- * if a derivative along z is asked for, a second derivative of SCARP_EROSION, or dphase of value
- * noise, if value noise has a phase, if turned axes have a period, or if a reserved member of
- * `noise` or `out` is in use. A count of 0 succeeds, whatever the other arguments are.
+ * if a derivative along z is asked for, a second derivative of SCARP_EROSION, or dphase of other
+ * than gradient noise, if other noise has a phase, if turned axes have a period, or if a reserved
+ * member of `noise` or `out` is in use. A count of 0 succeeds, whatever the other arguments are.
  */
 SCARP_API enum scarp_status scarp_sample2(const struct scarp_noise *noise, size_t count,
                                           const float *x, const float *y,
@@ -277,6 +331,61 @@ SCARP_API enum scarp_status scarp_sample2_f64(const struct scarp_noise *noise, s
 SCARP_API enum scarp_status scarp_sample3_f64(const struct scarp_noise *noise, size_t count,
                                               const double *x, const double *y, const double *z,
                                               const struct scarp_samples *out);
+
+/* What is near a point: arrays of `count` elements. A NULL member is skipped; calls that ask for f1
+   alone, or for nothing of the second feature, take less time. */
+struct scarp_cells {
+    float *f1, *f2;         /* the distances to the nearest feature and to the second */
+    uint32_t *id;           /* a number drawn for the cell of the nearest feature */
+    float *x, *y, *z;       /* where the nearest feature is */
+    float *dx1, *dy1, *dz1; /* the gradient of f1 */
+    float *dx2, *dy2, *dz2; /* the gradient of f2 */
+    float *spare[4];        /* reserved: NULL. 16 pointers in all. */
+};
+
+/*
+ * scarp_cells2 - the cells of cellular noise around points of the plane
+ *
+ * For each i < count, the arrays of `out` tell of the features near (x[i], y[i]) that SCARP_CELL_F1
+ * and its like are made of; see "Cells". They are those of the noise's first octave, given by
+ * frequency, seed, jitter and period. Its other members must be valid, and change nothing, the
+ * basis included.
+ *
+ * f1 and f2 are distances in units of input, so their gradients are unit vectors; at the feature
+ * itself they are 0. id is an even number, uniform below 2^32, the same all over the cell, and what
+ * SCARP_CELL_VALUE is made of: that is (int32_t)id / 2^31. Different cells have the same id once in
+ * 2^31 pairs, and cells that are periods apart always. (x[i], y[i]) of `out` is computed in the
+ * precision of the coordinates as the point less the way from the feature, then rounded to float:
+ * points of one cell agree on it but for rounding, and it is not reduced by periods.
+ *
+ * Arrays, and coordinates, are as for scarp_sample2: an output of floats may be the very same array
+ * as a coordinate. Where a coordinate is NaN or infinite, or a position overflows to infinity, the
+ * id of that point is 0 and every other output NaN.
+ *
+ * Returns SCARP_ERROR_NULL if count > 0 and `noise`, `out`, `x` or `y` is NULL; SCARP_ERROR_SIZE if
+ * the arrays would exceed the address space; SCARP_ERROR_UNSUPPORTED if z, dz1 or dz2 is asked for,
+ * or a reserved member of `out` is in use; otherwise as scarp_noise_check. A count of 0 succeeds,
+ * whatever the other arguments are.
+ */
+SCARP_API enum scarp_status scarp_cells2(const struct scarp_noise *noise, size_t count,
+                                         const float *x, const float *y,
+                                         const struct scarp_cells *out);
+
+/* scarp_cells3 - like scarp_cells2, but in space, with all outputs */
+SCARP_API enum scarp_status scarp_cells3(const struct scarp_noise *noise, size_t count,
+                                         const float *x, const float *y, const float *z,
+                                         const struct scarp_cells *out);
+
+/* scarp_cells2_f64 - like scarp_cells2, but with double coordinates, as scarp_sample2_f64. Outputs
+   cannot be in place. */
+SCARP_API enum scarp_status scarp_cells2_f64(const struct scarp_noise *noise, size_t count,
+                                             const double *x, const double *y,
+                                             const struct scarp_cells *out);
+
+/* scarp_cells3_f64 - like scarp_cells2_f64, but in space, with all outputs */
+SCARP_API enum scarp_status scarp_cells3_f64(const struct scarp_noise *noise, size_t count,
+                                             const double *x, const double *y, const double *z,
+                                             const struct scarp_cells *out);
 
 /*
  * A uniform grid: sample (i, j, k) lies at origin[d] + (double)(first[d] + index) * step[d] along
@@ -370,9 +479,9 @@ SCARP_API enum scarp_status scarp_range(const struct scarp_noise *noise, int dim
  * Returns, of these the first that applies: SCARP_ERROR_NULL if `noise` is NULL; SCARP_ERROR_ENUM
  * for an unknown basis, fade or fractal; SCARP_ERROR_PARAMETER for a number outside its interval,
  * in the order of the members, the last octave's frequency after them; SCARP_ERROR_UNSUPPORTED for
- * a reserved member in use, then for a phase of value noise; SCARP_ERROR_PARAMETER if `dimensions`
- * is neither 2 nor 3; SCARP_ERROR_PARAMETER for a period, SCARP_ERROR_UNSUPPORTED for turned axes
- * with one.
+ * a reserved member in use, then for a phase of other than gradient noise; SCARP_ERROR_PARAMETER if
+ * `dimensions` is neither 2 nor 3; SCARP_ERROR_PARAMETER for a period, SCARP_ERROR_UNSUPPORTED for
+ * turned axes with one, then for one of 2D simplex noise along y.
  */
 SCARP_API enum scarp_status scarp_noise_check(const struct scarp_noise *noise, int dimensions,
                                               const char **member);
@@ -407,9 +516,10 @@ SCARP_API enum scarp_status scarp_plan_make(const struct scarp_noise *noise, int
 /*
  * scarp_basis_name, scarp_fade_name, scarp_fractal_name - the enumerators as words
  *
- * "gradient", "value"; "quintic", "cubic"; "fbm", "turbulence", "ridged", "erosion". The words are
- * static and never change. Numbers that are no enumerator give NULL. Enumerators count up from 0
- * without gaps, so a list of them ends where the name is NULL:
+ * "gradient", "value", "simplex", "cell-f1", "cell-f2", "cell-edge", "cell-soft", "cell-value";
+ * "quintic", "cubic"; "fbm", "turbulence", "ridged", "erosion". The words are static and never
+ * change. Numbers that are no enumerator give NULL. Enumerators count up from 0 without gaps, so a
+ * list of them ends where the name is NULL:
  *
  *     for (enum scarp_basis basis = 0; scarp_basis_name(basis) != NULL; basis++)
  */

@@ -98,6 +98,12 @@ static inline int same_noise(const struct scarp_noise *a, const struct scarp_noi
     return (different[0] | different[1]) == 0;
 }
 
+/* Whether a basis blends what is drawn at the corners of cells. */
+static inline int blends_corners(enum scarp_basis basis)
+{
+    return basis <= SCARP_VALUE;
+}
+
 /* Fills in what the noise says without its octaves. */
 static inline void plan_describe(struct scarp_call_plan *plan, const struct scarp_noise *noise,
                                  struct scarp_kind kind)
@@ -112,7 +118,8 @@ static inline void plan_describe(struct scarp_call_plan *plan, const struct scar
     plan->repeat = repeat_of(noise, plan->octaves, kind.dimensions);
     plan->dphase = kind.dphase;
     plan->flows = kind.dphase || noise->phase != 0.0f;
-    plan->unchanging = plan->repeat == SCARP_REPEAT_NEVER && !plan->flows;
+    plan->plain =
+        plan->repeat == SCARP_REPEAT_NEVER && !plan->flows && blends_corners(noise->basis);
 }
 
 /* Whether the noise has what is asked for. */

@@ -23,6 +23,12 @@ typedef void scarp_grid_fn(const struct scarp_call_plan *plan, const struct scar
 typedef void scarp_normals_fn(size_t count, const float *const slope[2], float height_scale,
                               float *const normal[3]);
 
+/* Does what scarp_cells2 and its like say for `count` > 0 points, with octave 0 of the plan.
+   `doubles` says what `position` has; arrays along z are NULL in 2D. */
+typedef void scarp_cells_fn(const struct scarp_call_plan *plan, size_t count,
+                            const void *const position[3], const struct scarp_cell_arrays *out,
+                            int dimensions, int doubles);
+
 struct scarp_kernels {
     enum scarp_isa isa;
     /* Serves calls of at most `narrower_most` points in less time; NULL, 0: no other table does. */
@@ -32,6 +38,7 @@ struct scarp_kernels {
     scarp_points_fn *points3_f32, *points3_f64;
     scarp_grid_fn *grid2, *grid3;
     scarp_normals_fn *normals;
+    scarp_cells_fn *cells;
 };
 
 /* Declared everywhere, defined where isas.h says so. */

@@ -8,8 +8,10 @@
 #include <stddef.h>
 
 static const char *const bases[SCARP_BASES] = {
-    [SCARP_GRADIENT] = "gradient",
-    [SCARP_VALUE] = "value",
+    [SCARP_GRADIENT] = "gradient",   [SCARP_VALUE] = "value",
+    [SCARP_SIMPLEX] = "simplex",     [SCARP_CELL_F1] = "cell-f1",
+    [SCARP_CELL_F2] = "cell-f2",     [SCARP_CELL_EDGE] = "cell-edge",
+    [SCARP_CELL_SOFT] = "cell-soft", [SCARP_CELL_VALUE] = "cell-value",
 };
 
 static const char *const fades[SCARP_FADES] = {

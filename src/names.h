@@ -9,7 +9,7 @@
 #include "isas.h"
 #include "scarp.h"
 
-#define SCARP_BASES (SCARP_VALUE + 1)
+#define SCARP_BASES (SCARP_CELL_VALUE + 1)
 #define SCARP_FADES (SCARP_CUBIC + 1)
 #define SCARP_FRACTALS (SCARP_EROSION + 1)
 

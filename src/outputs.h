@@ -18,4 +18,26 @@ struct __attribute__((may_alias)) scarp_outputs {
 /* How many outputs there are up to an order, without DPHASE: they are the first ones. */
 #define OUTPUTS_UP_TO(order) ((order) == 0 ? DX : (order) == 1 ? DXX : DPHASE)
 
+/* What scarp_cells2 and its like give, in the order of struct scarp_cells, and a list of arrays as
+   above. The array of ids has uint32_t. */
+enum {
+    CELLS_F1,
+    CELLS_F2,
+    CELLS_ID,
+    CELLS_X,
+    CELLS_Y,
+    CELLS_Z,
+    CELLS_DX1,
+    CELLS_DY1,
+    CELLS_DZ1,
+    CELLS_DX2,
+    CELLS_DY2,
+    CELLS_DZ2,
+    CELLS_OUTPUTS
+};
+
+struct __attribute__((may_alias)) scarp_cell_arrays {
+    float *array[CELLS_OUTPUTS];
+};
+
 #endif

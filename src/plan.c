@@ -11,6 +11,7 @@
 #include "kept.h"
 #include "names.h"
 #include "phase.h"
+#include "suprema.h"
 
 /* The layout is the binary interface, the same for every compiler; only pointers differ in size.
    reserved_in_use() relies on it. */
@@ -28,7 +29,8 @@ _Static_assert(sizeof((struct scarp_noise *)NULL)->spare >= 8, "some bytes stay 
 
 /* While every f_k and the amplitude lie within these bounds, a_k f_k^2 times the largest second
    derivative (below 2^6 for every basis, per cell squared) stays under 2^127. So no outputs
-   overflow but Hessians of ridged noise, which multiply gradients of octaves. The constants of the
+   overflow but Hessians of ridged noise, which multiply gradients of octaves, and those of the
+   distances of cellular noise, which are up to 2^40 at features. The constants of the
    octaves that matter stay normal floats, also in value noise, where they carry 2^-31. */
 #define FREQUENCY_MIN 0x1p-32
 #define FREQUENCY_MAX 0x1p48
@@ -48,38 +50,16 @@ _Static_assert(sizeof((struct scarp_noise *)NULL)->spare >= 8, "some bytes stay 
  * before, err by at most 2.4e-6, the sum of 32 octaves by 32 * 2^-24 = 1.9e-6. Together that
  * is 6.7e-6, less than 2^-17 = 7.6e-6. Gradients that a phase turns are rounded to floats,
  * by 3.2e-7 at most, and products with them are no longer exact, which makes 7.3e-6.
+ * Where simplex noise is largest, w is more than .4 at the vertices that matter, and within 2.4e-7,
+ * so w^4 is within 2.4e-6 of itself. Distances are within 4e-7.
  */
 #define HEADROOM (1.0 - 0x1p-17)
-
-/*
- * The suprema of |basis| as the kernels evaluate it, by [fade]. Gradient noise is
- * sum_c W_c(t) g_c . (t - c) over the corners c of a cell, so its supremum is the maximum over t of
- * sum_c W_c(t) max_g g . (t - c). tests/test_range.c proves the four numbers by branch and bound.
- *   2D: 16 unit vectors; at t = (.5, .5266) and (.4667, .5), and their mirror images
- *   3D: edge vectors (+-2, +-2, 0); at (.5185, .5, .3553) and (.5, .5236, .6756)
- * Value noise is evaluated in units of 2^-31 of its lattice values, which lie in [-2^31, 2^31].
- */
-static const double gradient2_supremum[] = {
-    [SCARP_QUINTIC] = 0.69535270367848662, [SCARP_CUBIC] = 0.69580995165323791};
-static const double gradient3_supremum[] = {
-    [SCARP_QUINTIC] = 2.0 * 1.0363538112118029, [SCARP_CUBIC] = 2.0 * 1.0449051896098760};
-static const double value_supremum = 0x1p31;
-
-static double supremum_of(const struct scarp_noise *noise, int dimensions)
-{
-    switch (noise->basis) { /* no default: a compiler warns of a basis that is missing */
-    case SCARP_GRADIENT:
-        return (dimensions == 2 ? gradient2_supremum : gradient3_supremum)[noise->fade];
-    case SCARP_VALUE: return value_supremum;
-    }
-    return 1.0;
-}
 
 double scarp_plan_reach(const struct scarp_noise *noise, int dimensions)
 {
     return noise->phase == 0.0f
                ? 1.0
-               : scarp_phase_supremum(noise->fade, dimensions) / supremum_of(noise, dimensions);
+               : scarp_phase_supremum(noise->fade, dimensions) / scarp_supremum(noise, dimensions);
 }
 
 /* The turn between octaves. The 2D turn is Quilez' (3-4-5 triangle), the 3D one has rational
@@ -88,7 +68,7 @@ static const double turn2[3][3] = {{0.8, -0.6, 0.0}, {0.6, 0.8, 0.0}, {0.0, 0.0,
 static const double turn3[3][3] = {{0.0, 0.8, 0.6}, {-0.8, 0.36, -0.48}, {-0.6, -0.48, 0.64}};
 
 struct parameters {
-    double frequency, octaves, lacunarity, gain, amplitude, erosion;
+    double frequency, octaves, lacunarity, gain, amplitude, erosion, jitter;
 };
 
 static double value_or(double value, double standard)
@@ -105,6 +85,7 @@ static struct parameters parameters_of(const struct scarp_noise *noise)
         .gain = value_or((double)noise->gain, 0.5),
         .amplitude = value_or((double)noise->amplitude, 1.0),
         .erosion = value_or((double)noise->erosion, 1.0),
+        .jitter = value_or((double)noise->jitter, 1.0),
     };
     return p;
 }
@@ -174,6 +155,7 @@ static const char *outside_member(const struct parameters *p, float phase)
            : !within(magnitude, AMPLITUDE_MIN, AMPLITUDE_MAX)  ? "amplitude"
            : !within(p->erosion, EROSION_MIN, EROSION_MAX)     ? "erosion"
            : !within((double)phase, -FLT_MAX, FLT_MAX)         ? "phase"
+           : !within(p->jitter, FLT_TRUE_MIN, 1.0)             ? "jitter"
            : !last_frequency_valid(p)                          ? "octaves"
                                                                : NULL;
 }
@@ -194,10 +176,9 @@ static uintptr_t word_at(const void *memory, size_t i)
    without branches takes 2 ns of a call, reading members one by one 7. */
 static int reserved_in_use(const struct scarp_noise *noise)
 {
-    uint32_t numbers[2]; /* jitter, sharpness, where -0 is a zero */
-    memcpy(numbers, (const char *)noise + offsetof(struct scarp_noise, jitter), sizeof numbers);
-    uintptr_t bits = (numbers[0] | numbers[1]) & 0x7fffffffu;
-    bits |= noise->spare0;
+    uint32_t number; /* where -0 is a zero */
+    memcpy(&number, &noise->sharpness, sizeof number);
+    uintptr_t bits = (number & 0x7fffffffu) | noise->spare0;
     for (size_t i = offsetof(struct scarp_noise, warp) / WORD; i < WORDS_BEFORE; i++) {
         bits |= word_at(noise, i);
     }
@@ -213,11 +194,10 @@ static const char *reserved_member(const struct scarp_noise *noise)
     if (!reserved_in_use(noise)) {
         return NULL;
     }
-    return noise->jitter != 0.0f      ? "jitter" /* NaN is not 0 */
-           : noise->sharpness != 0.0f ? "sharpness"
-           : noise->spare0 != 0       ? "spare0"
-           : noise->warp != NULL      ? "warp"
-                                      : "spare";
+    return noise->sharpness != 0.0f ? "sharpness" /* NaN is not 0 */
+           : noise->spare0 != 0     ? "spare0"
+           : noise->warp != NULL    ? "warp"
+                                    : "spare";
 }
 
 static enum scarp_status check_periods(const struct scarp_noise *noise, const struct parameters *p,
@@ -228,6 +208,10 @@ static enum scarp_status check_periods(const struct scarp_noise *noise, const st
     }
     if (is_rotated(noise, octave_count((float)p->octaves))) {
         *member = "rotate";
+        return SCARP_ERROR_UNSUPPORTED;
+    }
+    if (noise->basis == SCARP_SIMPLEX && dimensions == 2 && noise->period[1] != 0) {
+        *member = period_names[1];
         return SCARP_ERROR_UNSUPPORTED;
     }
     return SCARP_OK;
@@ -374,7 +358,7 @@ static void make_octaves(struct scarp_octave *octave, const struct scarp_noise *
 {
     const int octaves = octave_count((float)p->octaves);
     const double last_weight = p->octaves - (double)(octaves - 1);
-    const double supremum = supremum_of(noise, dimensions);
+    const double supremum = scarp_supremum(noise, dimensions);
     double weights[SCARP_MAX_OCTAVES], factors[SCARP_MAX_OCTAVES];
     double weight = 1.0, sum = 0.0;
     for (int k = 0; k < octaves; k++) {
@@ -383,6 +367,8 @@ static void make_octaves(struct scarp_octave *octave, const struct scarp_noise *
         weight *= p->gain;
     }
     const double scale = p->amplitude * HEADROOM / sum;
+    const double stretch =
+        noise->basis == SCARP_SIMPLEX && dimensions == 2 ? SCARP_TRIANGLE_ROWS : 1.0;
     const uint64_t mixed = mix64(noise->seed + GOLDEN_GAMMA);
     double frequency = p->frequency;
     for (int k = 0; k < octaves; k++) {
@@ -395,6 +381,11 @@ static void make_octaves(struct scarp_octave *octave, const struct scarp_noise *
         o->slope = (float)(factor * frequency);
         o->curvature = (float)(factor * frequency * frequency);
         o->frequency = (float)frequency;
+        if (!blends_corners(noise->basis)) {
+            o->jitter = scarp_stray(noise);
+            o->middle = (float)scarp_middle(noise, dimensions);
+            o->stretch = stretch;
+        }
         o->frequency64 = frequency;
         draw_octave(o, mixed, k);
         memset(o->last, 0xff, sizeof o->last);
@@ -428,8 +419,10 @@ enum scarp_status scarp_plan_keep(struct scarp_plan *plan, const struct scarp_no
     struct kept *const kept = (struct kept *)plan;
     const enum scarp_status status = octaves_of(kept->octave, noise, dimensions);
     if (status == SCARP_OK) {
-        scarp_phase_set(kept->octave, octave_count(noise->octaves == 0.0f ? 1.0f : noise->octaves),
-                        noise->phase);
+        if (blends_corners(noise->basis)) {
+            const float octaves = noise->octaves == 0.0f ? 1.0f : noise->octaves;
+            scarp_phase_set(kept->octave, octave_count(octaves), noise->phase);
+        }
         kept->mark = mark_of(dimensions);
         memcpy(&kept->noise, noise, sizeof *noise);
     }

@@ -35,8 +35,15 @@ struct scarp_octave {
                              of the matrices is unset. */
     float gradient[3][3]; /* amplitude J_k */
     uint32_t last[3];     /* the last cell of a period along each axis; 2^32 - 1 without period */
-    float turn[4];      /* of noise that flows: cosine and sine of the phase's angle, then of twice
-                           that. In others it is set in kept plans only. */
+    union {
+        float turn[4]; /* of noise that flows: cosine and sine of the phase's angle, then of twice
+                          that. In other noise that blends corners it is set in kept plans only. */
+        struct {       /* of bases that take places */
+            float jitter;   /* how far features stray, in units of 2^-32 cells */
+            float middle;   /* what is subtracted from distances */
+            double stretch; /* what p_y is multiplied by to count rows of the lattice */
+        };
+    };
     double frequency64; /* f_k and J_k again for double coordinates */
     double jacobian64[3][3];
     double offset[3]; /* o_k: multiples of 2^-24 in [0, 1), so exact as floats, too */
@@ -68,9 +75,10 @@ struct scarp_call_plan {
     int rotate;  /* octaves 1 and up use jacobian and gradient, not frequency, slope, curvature */
     int octaves; /* how many `octave` has */
     enum scarp_repeat repeat;
-    int flows;      /* whether gradients are turned by the phase, or DPHASE is asked for */
-    int dphase;     /* whether DPHASE is */
-    int unchanging; /* whether the lattice neither repeats nor flows */
+    int flows;  /* whether gradients are turned by the phase, or DPHASE is asked for */
+    int dphase; /* whether DPHASE is */
+    int plain;  /* whether it blends what is drawn at the corners of cells, and the lattice neither
+                   repeats nor flows */
     const struct scarp_octave *octave;
 };
 

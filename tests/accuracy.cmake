@@ -11,10 +11,9 @@ if(NOT speed STREQUAL full)
   set(accuracy_points 1000)
 endif()
 
-set(accuracy_oracle oracle.c oracle_basis.c oracle_fractal.c oracle_phase.c)
-scarp_test_program(oracle_check SOURCES ${accuracy_oracle} oracle_perlin.c)
+scarp_test_program(oracle_check SOURCES ${oracle_sources} oracle_perlin.c)
 scarp_add_test(accuracy.oracle accuracy oracle_check)
 
-scarp_test_program(test_accuracy SOURCES ${accuracy_oracle})
+scarp_test_program(test_accuracy SOURCES ${oracle_sources})
 scarp_add_test(accuracy.full accuracy test_accuracy ${accuracy_points_full} scalar)
 scarp_add_isa_tests(accuracy accuracy test_accuracy ${accuracy_points})

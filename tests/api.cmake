@@ -8,7 +8,7 @@ set(special_stride 1)
 if(CMAKE_CROSSCOMPILING_EMULATOR)
   set(special_stride 11) # emulators are two orders of magnitude slower
 endif()
-scarp_test_program(test_special SOURCES oracle.c oracle_basis.c oracle_fractal.c oracle_phase.c)
+scarp_test_program(test_special SOURCES ${oracle_sources})
 foreach(isa IN LISTS isas)
   scarp_add_test(special.${isa} api test_special ${isa} ${special_stride})
 endforeach()
@@ -32,8 +32,11 @@ scarp_add_isa_tests(plan api test_plan)
 scarp_test_program(test_period)
 scarp_add_isa_tests(period api test_period)
 
-scarp_test_program(test_phase SOURCES oracle.c oracle_basis.c oracle_fractal.c oracle_phase.c)
+scarp_test_program(test_phase SOURCES ${oracle_sources})
 scarp_add_isa_tests(phase api test_phase)
+
+scarp_test_program(test_cells)
+scarp_add_isa_tests(cells api test_cells)
 
 scarp_test_program(test_memory)
 scarp_add_isa_tests(memory api test_memory)

@@ -63,8 +63,9 @@ static inline void test_names_known(void)
 
 static inline void test_names(void)
 {
-    static const char *const bases[] = {
-        [SCARP_GRADIENT] = "gradient", [SCARP_VALUE] = "value", [SCARP_VALUE + 1] = NULL};
+    static const char *const bases[] = {"gradient",  "value",      "simplex",
+                                        "cell-f1",   "cell-f2",    "cell-edge",
+                                        "cell-soft", "cell-value", NULL};
     static const char *const fades[] = {
         [SCARP_QUINTIC] = "quintic", [SCARP_CUBIC] = "cubic", [SCARP_CUBIC + 1] = NULL};
     static const char *const fractals[] = {
@@ -122,10 +123,10 @@ static inline void test_check_order(void)
     noise.phase = -INFINITY;
     expect_member(&noise, 4, outside, "phase");
     noise.phase = -FLT_MAX;
+    expect_member(&noise, 4, outside, "jitter");
+    noise.jitter = 1.0f;
     expect_member(&noise, 4, outside, "octaves"); /* the last one has the frequency 2^49 */
     noise.octaves = 9.0f;
-    expect_member(&noise, 4, reserved, "jitter");
-    noise.jitter = 0.0f;
     expect_member(&noise, 4, reserved, "sharpness");
     noise.sharpness = 0.0f;
     expect_member(&noise, 4, reserved, "spare0");

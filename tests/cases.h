@@ -112,8 +112,11 @@ struct cases_call {
 
 /* Each fractal runs with several octaves, and with turned axes, which come with a fractional number
    of octaves, odd ratios and a negative amplitude. fBm also runs with one octave, which is the
-   basis alone, and with periods, which shapes do not see. All flow, with straight and with turned
-   axes, but for value noise, and for the cubic fade, which does not see gradients. */
+   basis alone, and with periods, which shapes do not see. Gradient noise flows, with straight and
+   with turned axes, but for the cubic fade, which does not see gradients.
+
+   Bases that do not blend corners run with one fade. What the fractals make of them is the same for
+   all, so that cellular noise runs with fBm alone but for a sharp and a smooth distance. */
 enum cases_octaves {
     CASES_OCTAVE,
     CASES_OCTAVES,
@@ -140,6 +143,7 @@ static inline void cases_set(struct scarp_noise *noise, enum cases_octaves setti
         noise->lacunarity = 1.875f;
         noise->gain = 0.625f;
         noise->amplitude = -3.5f;
+        noise->jitter = 0.75f; /* of cells */
     } else if (setting == CASES_POWERS) {
         noise->octaves = 3.0f;
         noise->period[0] = 1;
@@ -158,6 +162,27 @@ static inline void cases_set(struct scarp_noise *noise, enum cases_octaves setti
         noise->octaves = 2.5f;
         noise->phase = -1.71f;
     }
+}
+
+/* Whether these outputs are worth a case: of cellular noise all at once, and the value alone in one
+   octave and with any periods. */
+static inline int cases_has_order(const struct scarp_noise *noise, int order,
+                                  enum cases_octaves setting)
+{
+    const int all = noise->fractal == SCARP_EROSION ? 1 : 2;
+    return basis_blends(noise->basis) || noise->basis == SCARP_SIMPLEX || order == all ||
+           setting == CASES_OCTAVE || (order == 0 && setting == CASES_PERIODS);
+}
+
+/* Whether a fractal with this setting is a case of the noise's basis and fade. */
+static inline int cases_has(const struct scarp_noise *noise, enum cases_octaves setting)
+{
+    const int for_fbm =
+        setting == CASES_OCTAVE || setting == CASES_POWERS || setting == CASES_PERIODS;
+    const int flows = setting == CASES_FLOW || setting == CASES_FLOW_TURNED;
+    const int shaped = basis_smooth(noise->basis) || noise->basis == SCARP_CELL_F1;
+    return (noise->fractal == SCARP_FBM || (!for_fbm && shaped)) &&
+           (noise->fade == SCARP_QUINTIC || (!flows && basis_blends(noise->basis)));
 }
 
 /* Takes the last digit, base `radix`, off a number. */
@@ -187,11 +212,10 @@ static inline int cases_make_call(struct cases_call *call, enum cases_class clas
     if (number > 0) {
         return -1;
     }
-    const int for_fbm =
-        setting == CASES_OCTAVE || setting == CASES_POWERS || setting == CASES_PERIODS;
     const int flows = setting == CASES_FLOW || setting == CASES_FLOW_TURNED;
     call->wanted |= flows ? OUTPUTS_PHASE : 0u;
-    if ((noise->fractal != SCARP_FBM && for_fbm) || (flows && noise->fade != SCARP_QUINTIC) ||
+    if (!cases_has(noise, (enum cases_octaves)setting) ||
+        !cases_has_order(noise, order, (enum cases_octaves)setting) ||
         (call->wanted & ~outputs_of(noise, call->function)) != 0) {
         return 0;
     }
@@ -201,6 +225,7 @@ static inline int cases_make_call(struct cases_call *call, enum cases_class clas
              setting_names[setting], class_names[class]);
     noise->seed = fnv_text(call->name);
     cases_set(noise, (enum cases_octaves)setting);
+    fit_noise(noise, dimensions);
     return 1;
 }
 

@@ -59,6 +59,12 @@ static inline void check_fail(const char *file, int line, const char *condition)
     }
 }
 
+/* Whether a difference was what this run is for, and was seen: the rest can be left out. */
+static inline int check_enough(void)
+{
+    return check_aim == CHECK_DIFFERENT && check_differences > 0;
+}
+
 static inline int check_done(void)
 {
     const int seen = check_aim == CHECK_SAME || (check_aim == CHECK_DIFFERENT && check_differences);

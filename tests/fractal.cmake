@@ -7,15 +7,14 @@ set(fractal_points_full 9000) # 12 cases each: more than 10^5 points
 set(fractal_points_slow 2000)
 set(fractal_points_emulated 1000)
 set(fractal_points ${fractal_points_${speed}})
-set(fractal_oracle oracle.c oracle_basis.c oracle_fractal.c oracle_phase.c)
 
-scarp_test_program(test_fractal SOURCES ${fractal_oracle})
+scarp_test_program(test_fractal SOURCES ${oracle_sources})
 scarp_add_test(fractal.accuracy fractal test_fractal ${fractal_points})
 
 set(fractal_exact_full 26000) # 4 cases each: more than 10^5 points
 set(fractal_exact_slow 4000)
 set(fractal_exact_emulated 1000)
-scarp_test_program(test_fractal_exact SOURCES ${fractal_oracle})
+scarp_test_program(test_fractal_exact SOURCES ${oracle_sources})
 scarp_add_test(fractal.exact fractal test_fractal_exact ${fractal_exact_${speed}})
 
 set(fractal_blocks_full 10000)
@@ -23,7 +22,7 @@ set(fractal_blocks_slow 2000)
 set(fractal_blocks_emulated 1000)
 scarp_test_program(test_fractal_rebuild)
 scarp_add_test(fractal.rebuild fractal test_fractal_rebuild ${fractal_blocks_${speed}})
-scarp_test_program(test_fractal_published SOURCES ${fractal_oracle})
+scarp_test_program(test_fractal_published SOURCES ${oracle_sources})
 scarp_add_test(fractal.published fractal test_fractal_published ${fractal_blocks_${speed}})
 
 set(fractal_range_full 100000)

@@ -12,27 +12,41 @@
 #include <stdio.h>
 
 enum topic {
-    TOPIC_UNIFORM,  /* one index */
-    TOPIC_PAIRS2,   /* g(i) with g(i + e), 2D, components of e below 2^24 */
-    TOPIC_PAIRS3,   /* the same, 3D */
-    TOPIC_CORNERS4, /* the corners of a 2D cell jointly, their exclusive or, alternating sum */
-    TOPIC_CORNERS8, /* the same of a 3D cell, and of its faces */
-    TOPIC_TWIST,    /* the alternating sum of the hashes themselves, 2D */
-    TOPIC_SEEDS,    /* neighbouring seeds at the same points */
-    TOPIC_SEQUENCE, /* many seeds at one point */
-    TOPIC_VALUE,    /* lattice values: moments, bins, correlation along e */
-    TOPIC_OCTAVES,  /* octaves of one noise around the origin */
-    TOPIC_SPECTRA,  /* peaks of the spectra of lines, in units of their means: no z */
-    TOPIC_LINES,    /* a line with others at any shift */
+    TOPIC_UNIFORM,    /* one index */
+    TOPIC_PAIRS2,     /* g(i) with g(i + e), 2D, components of e below 2^24 */
+    TOPIC_PAIRS3,     /* the same, 3D */
+    TOPIC_CORNERS4,   /* the corners of a 2D cell jointly, their exclusive or, alternating sum */
+    TOPIC_CORNERS8,   /* the same of a 3D cell, and of its faces */
+    TOPIC_TWIST,      /* the alternating sum of the hashes themselves, 2D */
+    TOPIC_SEEDS,      /* neighbouring seeds at the same points */
+    TOPIC_SEQUENCE,   /* many seeds at one point */
+    TOPIC_VALUE,      /* lattice values: moments, bins, correlation along e */
+    TOPIC_OCTAVES,    /* octaves of one noise around the origin */
+    TOPIC_SPECTRA,    /* peaks of the spectra of lines, in units of their means: no z */
+    TOPIC_LINES,      /* a line with others at any shift */
+    TOPIC_CENTRES,    /* corners and centres of simplex noise, in pairs */
+    TOPIC_TETRAHEDRA, /* the corners and centres of a tetrahedron jointly */
+    TOPIC_FEATURES,   /* the numbers of one feature of cellular noise */
+    TOPIC_NEIGHBOURS, /* the numbers of two features */
     TOPICS
 };
 
-static const char *const topic_names[TOPICS] = {"uniform index",      "pairs 2D",
-                                                "pairs 3D",           "4 corners",
-                                                "8 corners",          "twist",
-                                                "neighbouring seeds", "sequence of seeds",
-                                                "value noise bits",   "octaves at the origin",
-                                                "spectra of lines",   "lines at all shifts"};
+static const char *const topic_names[TOPICS] = {"uniform index",
+                                                "pairs 2D",
+                                                "pairs 3D",
+                                                "4 corners",
+                                                "8 corners",
+                                                "twist",
+                                                "neighbouring seeds",
+                                                "sequence of seeds",
+                                                "value noise bits",
+                                                "octaves at the origin",
+                                                "spectra of lines",
+                                                "lines at all shifts",
+                                                "centres",
+                                                "tetrahedra",
+                                                "features",
+                                                "neighbouring features"};
 
 struct report {
     double worst[TOPICS], lowest[TOPICS];

@@ -21,6 +21,8 @@ add_custom_command(
 add_library(scarp_mutants STATIC ${mutants_sources} ${mutants_to}/mutants.c)
 scarp_compile_rules(scarp_mutants)
 scarp_library_rules(scarp_mutants)
+# Whatever a set leaves out because it is small (vec.h) is to have its mistakes, too.
+target_compile_definitions(scarp_mutants PRIVATE VEC_SMALL=0)
 if(SCARP_OPTIMIZE AND NOT CMAKE_C_COMPILER_FRONTEND_VARIANT STREQUAL "MSVC")
   target_compile_options(scarp_mutants PRIVATE -O1) # compiles faster than at any other level
 endif()
@@ -44,7 +46,7 @@ set(run_golden mutant_golden --must-differ ${golden_file})
 set(run_crash mutant_grid --must-crash)
 set(run_plan mutant_plan --must-differ)
 set(then_bits 131 13)
-set(then_grid 250)
+set(then_grid 2000) # at most: it ends at the first difference
 set(then_large 0)
 set(then_crash 0)
 
@@ -65,6 +67,6 @@ include(mutants/list.cmake)
 foreach(isa IN LISTS isas)
   scarp_add_test(mutant.none.bits.${isa} mutants mutant_bits ${isa} ${then_bits})
   scarp_add_test(mutant.none.plan.${isa} mutants mutant_plan ${isa})
-  scarp_add_test(mutant.none.grid.${isa} mutants mutant_grid ${isa} ${then_grid})
+  scarp_add_test(mutant.none.grid.${isa} mutants mutant_grid ${isa} 250)
   scarp_add_test(mutant.none.golden.${isa} mutants mutant_golden ${golden_file} ${isa})
 endforeach()

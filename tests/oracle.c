@@ -44,32 +44,50 @@ void oracle_gradient_vector(int dimensions, unsigned index, double vector[3])
     }
 }
 
-/* An octave's lattice, as the oracle_draw functions get it. */
-struct lattice {
-    const uint32_t *key;
-    const int64_t *period;
-    int dimensions;
-    const double (*gradient)[3];
-};
+/* The cell `steps` further along axis i, within the period. */
+static uint32_t stepped(const struct oracle_lattice *lattice, int i, uint32_t cell, int steps)
+{
+    const int64_t period = lattice->period[i];
+    if (period == INT64_C(1) << 32) {
+        return cell + (uint32_t)steps; /* as below, but faster */
+    }
+    const int64_t remainder = ((int64_t)cell + steps) % period;
+    return (uint32_t)(remainder < 0 ? remainder + period : remainder);
+}
 
-static uint32_t hash(const struct lattice *lattice, const uint32_t point[3])
+uint32_t oracle_mixed(const struct oracle_lattice *lattice, const uint32_t cell[3],
+                      const int step[3])
 {
     uint32_t mixed = 0;
     for (int i = 0; i < lattice->dimensions; i++) {
-        const uint32_t inside = (uint32_t)((int64_t)point[i] % lattice->period[i]);
+        const uint32_t inside = stepped(lattice, i, cell[i], step[i]);
         const uint32_t axis = inside * hash_axis_multiplier[i] + lattice->key[i];
         mixed ^= axis / 256 + axis % 256 * 16777216; /* rotates the bits */
     }
+    return mixed;
+}
+
+uint32_t oracle_hash(uint32_t mixed)
+{
     return mixed * mixed + hash_addend * mixed;
+}
+
+static uint32_t hash(const struct oracle_lattice *lattice, const uint32_t point[3])
+{
+    static const int here[3] = {0, 0, 0};
+    return oracle_hash(oracle_mixed(lattice, point, here));
+}
+
+const double *oracle_gradient_drawn(const struct oracle_lattice *lattice, uint32_t drawn)
+{
+    /* The upper 16 bits, as a fraction, choose among equally likely gradients. */
+    const int count = oracle_gradient_count(lattice->dimensions);
+    return lattice->gradient[(uint32_t)count * (drawn >> 16) / 65536];
 }
 
 static void draw_gradient(const void *opaque, const uint32_t point[3], double corner[3])
 {
-    const struct lattice *const lattice = opaque;
-    /* The upper 16 bits, as a fraction, choose among equally likely gradients. */
-    const int count = oracle_gradient_count(lattice->dimensions);
-    const uint32_t upper = hash(lattice, point) >> 16;
-    const double *const gradient = lattice->gradient[(uint32_t)count * upper / 65536];
+    const double *const gradient = oracle_gradient_drawn(opaque, hash(opaque, point));
     corner[0] = gradient[0];
     corner[1] = gradient[1];
     corner[2] = gradient[2];
@@ -85,7 +103,7 @@ static void draw_value(const void *opaque, const uint32_t point[3], double corne
 double oracle_lattice_value(const struct oracle *oracle, int k, const uint32_t point[3])
 {
     const struct oracle_octave *const octave = &oracle->octave[k];
-    const struct lattice lattice = {
+    const struct oracle_lattice lattice = {
         .key = octave->key, .period = octave->period, .dimensions = oracle->dimensions};
     double corner[3];
     draw_value(&lattice, point, corner);
@@ -150,6 +168,28 @@ static void turn_gradients(struct oracle_octave *octave, int dimensions, double 
     }
 }
 
+/* Sets the supremum and the middle of the basis. */
+static void scale_basis(struct oracle *oracle)
+{
+    const int d = oracle->dimensions;
+    oracle->supremum = 1.0;
+    oracle->middle = 0.0;
+    switch (oracle->basis) {
+    case SCARP_GRADIENT: oracle->supremum = oracle_gradient_supremum(d, oracle->fade); break;
+    case SCARP_SIMPLEX:
+        oracle->supremum = d == 2 ? 0.062366952212268554 : 0.013007101282926131;
+        break;
+    case SCARP_CELL_F1:
+    case SCARP_CELL_F2:
+    case SCARP_CELL_EDGE:
+    case SCARP_CELL_SOFT:
+        oracle->supremum = 0.5 * oracle_cells_supremum(oracle->basis, d, oracle->jitter);
+        oracle->middle = oracle->basis == SCARP_CELL_SOFT ? -oracle->supremum : oracle->supremum;
+        break;
+    default: break;
+    }
+}
+
 void oracle_make(struct oracle *oracle, const struct scarp_noise *noise, int dimensions)
 {
     const double octaves = noise->octaves != 0.0f ? (double)noise->octaves : 1.0;
@@ -163,8 +203,8 @@ void oracle_make(struct oracle *oracle, const struct scarp_noise *noise, int dim
     oracle->erosion = noise->erosion != 0.0f ? (double)noise->erosion : 1.0;
     oracle->dimensions = dimensions;
     oracle->octaves = (int)ceil(octaves);
-    oracle->supremum =
-        noise->basis == SCARP_GRADIENT ? oracle_gradient_supremum(dimensions, noise->fade) : 1.0;
+    oracle->jitter = noise->jitter != 0.0f ? (double)noise->jitter : 1.0;
+    scale_basis(oracle);
     double turns[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     double sum = 0.0;
     for (int k = 0; k < oracle->octaves; k++) {
@@ -199,65 +239,95 @@ static uint32_t inside_period(double cell, int64_t period)
     return (uint32_t)(remainder < 0 ? remainder + period : remainder);
 }
 
-/* Splits p_k = J_k x + o_k into cell and fraction, along axis i. */
-static void place(const struct oracle_octave *octave, int dimensions, enum oracle_rounding rounding,
-                  const double x[3], int i, uint32_t *cell, double *t)
+/* What component i of p_k is multiplied by: 2D simplex noise counts rows of triangles. */
+static double stretch(const struct oracle *oracle, int i)
 {
-    double p, lower;
-    if (rounding == ORACLE_F32) {
-        float sum = (float)octave->axes[i][0] * (float)x[0];
-        for (int j = 1; j < dimensions; j++) {
-            sum += (float)octave->axes[i][j] * (float)x[j];
-        }
-        sum += (float)octave->offset[i];
-        p = (double)sum;
-        if (!(p >= -0x1p31 && p < 0x1p31)) {
-            *cell = inside_period(-0x1p31, octave->period[i]);
-            *t = 0.0;
-            return;
-        }
-    } else {
-        p = octave->axes[i][0] * x[0];
-        for (int j = 1; j < dimensions; j++) {
-            p += octave->axes[i][j] * x[j];
-        }
-        p += octave->offset[i];
-    }
-    lower = floor(p);
-    *cell = inside_period(lower, octave->period[i]);
-    *t = rounding == ORACLE_EXACT ? p - lower : (double)(float)(p - lower);
+    const int rows = oracle->basis == SCARP_SIMPLEX && oracle->dimensions == 2 && i == 1;
+    return rows ? 1.1547005383792515 /* 2 / sqrt(3) */ : 1.0;
 }
 
-void oracle_octave_at(const struct oracle *oracle, enum oracle_rounding rounding, int k,
-                      const double x[3], struct oracle_sample *n)
+/* Component i of p_k = J_k x + o_k. */
+static double position(const struct oracle *oracle, int k, enum oracle_rounding rounding,
+                       const double x[3], int i)
 {
     const struct oracle_octave *const octave = &oracle->octave[k];
-    struct lattice lattice = {.key = octave->key,
-                              .period = octave->period,
-                              .dimensions = oracle->dimensions,
-                              .gradient = octave->gradient};
-    uint32_t cell[3] = {0, 0, 0};
-    double t[3] = {0.0, 0.0, 0.0};
-    for (int i = 0; i < oracle->dimensions; i++) {
-        place(octave, oracle->dimensions, rounding, x, i, &cell[i], &t[i]);
+    const double *const axis = octave->axes[i];
+    if (rounding == ORACLE_F32) {
+        float sum = (float)axis[0] * (float)x[0];
+        for (int j = 1; j < oracle->dimensions; j++) {
+            sum += (float)axis[j] * (float)x[j];
+        }
+        sum += (float)octave->offset[i];
+        return (double)(sum * (float)stretch(oracle, i));
     }
-    if (oracle->basis == SCARP_GRADIENT) {
-        struct oracle_sample turning;
+    double sum = axis[0] * x[0];
+    for (int j = 1; j < oracle->dimensions; j++) {
+        sum += axis[j] * x[j];
+    }
+    return (sum + octave->offset[i]) * stretch(oracle, i);
+}
+
+/* Splits p_k into cell and fraction. */
+static void place(const struct oracle *oracle, int k, enum oracle_rounding rounding,
+                  const double x[3], uint32_t cell[3], double t[3])
+{
+    for (int i = 0; i < 3; i++) {
+        cell[i] = 0;
+        t[i] = 0.0;
+    }
+    for (int i = 0; i < oracle->dimensions; i++) {
+        const int64_t period = oracle->octave[k].period[i];
+        const double p = position(oracle, k, rounding, x, i), lower = floor(p);
+        if (rounding == ORACLE_F32 && !(p >= -0x1p31 && p < 0x1p31)) {
+            cell[i] = inside_period(-0x1p31, period);
+            continue;
+        }
+        cell[i] = inside_period(lower, period);
+        t[i] = rounding == ORACLE_EXACT ? p - lower : (double)(float)(p - lower);
+    }
+}
+
+/* The basis, raw, and what gradient noise has beside. */
+static void basis_at(const struct oracle *oracle, const struct oracle_octave *octave,
+                     const uint32_t cell[3], const double t[3], struct oracle_sample *n)
+{
+    struct oracle_lattice lattice = {.key = octave->key,
+                                     .period = octave->period,
+                                     .dimensions = oracle->dimensions,
+                                     .gradient = octave->gradient};
+    struct oracle_sample turning;
+    switch (oracle->basis) {
+    case SCARP_GRADIENT:
         oracle_gradient_noise(draw_gradient, &lattice, oracle->dimensions, oracle->fade, cell, t,
                               n);
         lattice.gradient = octave->turning;
         oracle_gradient_noise(draw_gradient, &lattice, oracle->dimensions, oracle->fade, cell, t,
                               &turning);
-        n->phase = turning.value / oracle->supremum;
+        n->phase = turning.value;
         for (int i = 0; i < oracle->dimensions; i++) {
-            n->gradient_phase[i] = turning.gradient[i] / oracle->supremum;
+            n->gradient_phase[i] = turning.gradient[i];
         }
-    } else {
+        break;
+    case SCARP_VALUE:
         oracle_value_noise(draw_value, &lattice, oracle->dimensions, oracle->fade, cell, t, n);
+        break;
+    case SCARP_SIMPLEX: oracle_simplex_noise(&lattice, cell, t, n); break;
+    default: oracle_cell_noise(&lattice, oracle->basis, oracle->jitter, cell, t, n); break;
     }
-    n->value /= oracle->supremum;
+}
+
+void oracle_octave_at(const struct oracle *oracle, enum oracle_rounding rounding, int k,
+                      const double x[3], struct oracle_sample *n)
+{
+    uint32_t cell[3];
+    double t[3];
+    place(oracle, k, rounding, x, cell, t);
+    basis_at(oracle, &oracle->octave[k], cell, t, n);
+    n->value = (n->value - oracle->middle) / oracle->supremum;
+    n->phase /= oracle->supremum;
     for (int i = 0; i < oracle->dimensions; i++) {
         n->gradient[i] /= oracle->supremum;
+        n->gradient_phase[i] /= oracle->supremum;
         for (int j = 0; j < oracle->dimensions; j++) {
             n->hessian[i][j] /= oracle->supremum;
         }
@@ -271,17 +341,28 @@ void oracle_evaluate(const struct oracle *oracle, enum oracle_rounding rounding,
     oracle_evaluate_creased(oracle, rounding, x, sum, &creases);
 }
 
+/* How far p_k is, at least, from the lattice's planes, or from where the octave has its creases. */
+static double octave_clearance(const struct oracle *oracle, int k, const double x[3])
+{
+    uint32_t cell[3];
+    double t[3], clearance = 1.0;
+    struct oracle_sample n;
+    place(oracle, k, ORACLE_EXACT, x, cell, t);
+    if (oracle->basis != SCARP_GRADIENT && oracle->basis != SCARP_VALUE) {
+        basis_at(oracle, &oracle->octave[k], cell, t, &n);
+        return n.clearance;
+    }
+    for (int i = 0; i < oracle->dimensions; i++) {
+        clearance = fmin(clearance, fmin(t[i], 1.0 - t[i]));
+    }
+    return clearance;
+}
+
 double oracle_clearance(const struct oracle *oracle, const double x[3])
 {
     double clearance = 1.0;
     for (int k = 0; k < oracle->octaves; k++) {
-        const struct oracle_octave *const octave = &oracle->octave[k];
-        for (int i = 0; i < oracle->dimensions; i++) {
-            uint32_t cell;
-            double t;
-            place(octave, oracle->dimensions, ORACLE_EXACT, x, i, &cell, &t);
-            clearance = fmin(clearance, fmin(t, 1.0 - t) / octave->frequency);
-        }
+        clearance = fmin(clearance, octave_clearance(oracle, k, x) / oracle->octave[k].frequency);
     }
     return clearance;
 }

@@ -2,9 +2,9 @@
  *
  * The oracle: scarp's noise again, in double precision, from the published closed forms and the
  * definition in scarp.h. It shares no code with src/. oracle.c has what scarp defines (lattice,
- * octaves), oracle_basis.c the published formulas of an octave, oracle_fractal.c the fractals,
- * oracle_perlin.c another lattice that the same formulas can be fed with. Included by the tests
- * that compare with it.
+ * octaves), oracle_basis.c, oracle_simplex.c and oracle_cells.c the published formulas of an
+ * octave, oracle_fractal.c the fractals, oracle_perlin.c another lattice that the same formulas can
+ * be fed with. Included by the tests that compare with it.
  */
 #ifndef SCARP_TESTS_ORACLE_H
 #define SCARP_TESTS_ORACLE_H
@@ -27,6 +27,10 @@ enum oracle_rounding {
 struct oracle_sample {
     double value, gradient[3], hessian[3][3];
     double phase, gradient_phase[3];
+    /* Of simplex and cellular noise in an octave's own axes: how far p is, at least, from where a
+       derivative jumps that differences see; and the distance of the nearest feature, or 1 where
+       that is more or no derivative has a pole there. Sums do not have them. */
+    double clearance, nearest;
 };
 
 struct oracle_octave {
@@ -43,9 +47,10 @@ struct oracle {
     enum scarp_basis basis;
     enum scarp_fade fade;
     enum scarp_fractal fractal;
-    double erosion;
+    double erosion, jitter;
     int dimensions, octaves;
-    double supremum; /* of |basis|, which scarp divides by */
+    double supremum; /* of |basis - middle|, which scarp divides by */
+    double middle;   /* what it subtracts before */
     struct oracle_octave octave[ORACLE_OCTAVES];
 };
 
@@ -53,8 +58,28 @@ struct oracle {
    modulo 2^32; in 2D point[2] is 0. */
 typedef void oracle_draw(const void *lattice, const uint32_t point[3], double corner[3]);
 
+/* An octave's lattice, as scarp's oracle_draw functions get it. */
+struct oracle_lattice {
+    const uint32_t *key;
+    const int64_t *period;
+    int dimensions;
+    const double (*gradient)[3];
+};
+
+/* The number h that the axes of the cell `step` from `cell` mix to, and the hash h (h + K). Periods
+   are minded. */
+uint32_t oracle_mixed(const struct oracle_lattice *lattice, const uint32_t cell[3],
+                      const int step[3]);
+uint32_t oracle_hash(uint32_t mixed);
+
+/* The gradient that a hash draws. */
+const double *oracle_gradient_drawn(const struct oracle_lattice *lattice, uint32_t hash);
+
 /* The supremum of |gradient noise| by which scarp divides. test_range.c proves it. */
 double oracle_gradient_supremum(int dimensions, enum scarp_fade fade);
+
+/* The supremum of the distances that cellular noise is made of: oracle_cells.c. */
+double oracle_cells_supremum(enum scarp_basis basis, int dimensions, double jitter);
 
 /* How many gradients there are, and number `index` of them: in 3D edges (1, 1, 0), half as long as
    scarp's, which it divides by twice the supremum. */
@@ -81,6 +106,8 @@ void oracle_octave_at(const struct oracle *oracle, enum oracle_rounding rounding
 struct oracle_creases {
     double clearance; /* the smallest |n_k|, and for ridged |2 s_k - 1|; HUGE_VAL without creases */
     uint64_t side;    /* which side of each crease: bit k for n_k < 0, bit 32 + k for 2 s_k >= 1 */
+    double border;    /* the smallest clearance of any octave's sample, see above */
+    double nearest;   /* and the smallest distance of a feature */
 };
 
 /* oracle_fractal.c: like oracle_evaluate, but fills *creases too. */
@@ -104,6 +131,25 @@ void oracle_value_noise(oracle_draw *draw, const void *lattice, int dimensions,
 void oracle_gradient_noise(oracle_draw *draw, const void *lattice, int dimensions,
                            enum scarp_fade fade, const uint32_t cell[3], const double t[3],
                            struct oracle_sample *n);
+
+/* oracle_simplex.c, oracle_cells.c: the same on scarp's lattice. In 2D simplex noise, cells along y
+   are rows of triangles, and so is t; derivatives are by p. */
+void oracle_simplex_noise(const struct oracle_lattice *lattice, const uint32_t cell[3],
+                          const double t[3], struct oracle_sample *n);
+void oracle_cell_noise(const struct oracle_lattice *lattice, enum scarp_basis basis, double jitter,
+                       const uint32_t cell[3], const double t[3], struct oracle_sample *n);
+
+/* oracle_cells.c: the features by distance from p, nearest first, as scarp_cells2 tells them. */
+#define ORACLE_FEATURES 3
+struct oracle_feature {
+    double square, distance, d[3]; /* d: p less the feature */
+    uint32_t hash;
+};
+void oracle_features(const struct oracle_lattice *lattice, double jitter, const uint32_t cell[3],
+                     const double t[3], struct oracle_feature nearest[ORACLE_FEATURES]);
+
+/* The number of a feature's cell that scarp_cells2 tells. */
+uint32_t oracle_feature_id(uint32_t hash);
 
 /* oracle_perlin.c: the lattice of improved noise (Perlin 2002). `lattice` is not used. */
 oracle_draw oracle_perlin_gradient;

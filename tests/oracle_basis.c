@@ -101,7 +101,7 @@ void oracle_value_noise(oracle_draw *draw, const void *lattice, int dimensions,
         f[i] = fade_at(fade, t[i]);
     }
     const struct blend b = blend(value, dimensions, f);
-    *n = (struct oracle_sample){.value = b.n};
+    *n = (struct oracle_sample){.value = b.n, .clearance = 1.0, .nearest = 1.0};
     for (int i = 0; i < dimensions; i++) {
         n->gradient[i] = f[i].du * b.n1[i];
         for (int j = 0; j < dimensions; j++) {
@@ -132,7 +132,7 @@ void oracle_gradient_noise(oracle_draw *draw, const void *lattice, int dimension
     for (int i = 0; i < dimensions; i++) {
         g[i] = blend(component[i], dimensions, f);
     }
-    *n = (struct oracle_sample){.value = d.n};
+    *n = (struct oracle_sample){.value = d.n, .clearance = 1.0, .nearest = 1.0};
     for (int i = 0; i < dimensions; i++) {
         n->gradient[i] = g[i].n + f[i].du * d.n1[i];
         for (int j = 0; j < dimensions; j++) {

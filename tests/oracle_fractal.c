@@ -128,10 +128,12 @@ static void sum_octaves(const struct oracle *oracle, enum oracle_rounding roundi
 {
     struct oracle_sample weight = {.value = 1.0}, slope[3] = {{.value = 0.0}};
     *sum = (struct oracle_sample){.value = 0.0};
-    *creases = (struct oracle_creases){.clearance = HUGE_VAL};
+    *creases = (struct oracle_creases){.clearance = HUGE_VAL, .border = 1.0, .nearest = 1.0};
     for (int k = 0; k < oracle->octaves; k++) {
         struct oracle_sample n, s;
         oracle_octave_at(oracle, rounding, k, x, &n);
+        creases->border = fmin(creases->border, n.clearance);
+        creases->nearest = fmin(creases->nearest, n.nearest);
         switch (oracle->fractal) {
         case SCARP_TURBULENCE: s = folded(oracle, k, &n, creases); break;
         case SCARP_RIDGED: s = ridge(oracle, k, &n, &weight, creases); break;

@@ -75,12 +75,34 @@ static inline unsigned function_outputs(enum function f)
     return function_dimensions(f) == 2 ? OUTPUTS_ALL2 : OUTPUTS_ALL3;
 }
 
-/* The outputs that it has for this noise: erosion has no second derivatives, value noise no phase.
- */
+/* The outputs that it has for this noise: erosion has no second derivatives, and noise of another
+   basis than gradients no phase. */
 static inline unsigned outputs_of(const struct scarp_noise *noise, enum function f)
 {
     return outputs_up_to(noise->fractal == SCARP_EROSION ? 1 : 2, function_dimensions(f)) |
            (noise->basis == SCARP_GRADIENT ? OUTPUTS_PHASE : 0u);
+}
+
+/* Whether a basis blends what is drawn at the corners of cells: these alone see the fade. */
+static inline int basis_blends(enum scarp_basis basis)
+{
+    return basis == SCARP_GRADIENT || basis == SCARP_VALUE;
+}
+
+/* Whether its derivatives are continuous everywhere. */
+static inline int basis_smooth(enum scarp_basis basis)
+{
+    return basis_blends(basis) || basis == SCARP_SIMPLEX || basis == SCARP_CELL_SOFT;
+}
+
+/* Takes from a noise what its basis cannot have, so that calls accept it: a phase, and a period
+   across the rows of 2D simplex noise. */
+static inline void fit_noise(struct scarp_noise *noise, int dimensions)
+{
+    noise->phase = noise->basis == SCARP_GRADIENT ? noise->phase : 0.0f;
+    if (noise->basis == SCARP_SIMPLEX && dimensions == 2) {
+        noise->period[1] = 0;
+    }
 }
 
 /* Coordinates in both precisions; a function takes its own. */

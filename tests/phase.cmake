@@ -8,8 +8,7 @@ if(speed STREQUAL emulated)
   set(phase_slack 1e-6 1e-6)
 endif()
 
-scarp_test_program(test_phase_range INTERNAL
-                   SOURCES oracle.c oracle_basis.c oracle_fractal.c oracle_phase.c)
+scarp_test_program(test_phase_range INTERNAL SOURCES ${oracle_sources})
 scarp_add_test(phase.range phase test_phase_range ${phase_slack})
 
 set(phase_turns_full 10000)

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * Proofs by branch and bound that a sum over the corners of a cell stays below a limit, for
- * test_range.c and test_phase_range.c, which say what is summed.
+ * test_range.c and test_phase_range.c, which say what is summed. test_suprema_simplex.c and
+ * test_suprema_cells.c take the search for their own bounds.
  */
 #ifndef SCARP_TESTS_PROOF_H
 #define SCARP_TESTS_PROOF_H

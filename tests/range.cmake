@@ -7,5 +7,17 @@ if(NOT speed STREQUAL full)
   set(range_points 50000)
 endif()
 
-scarp_test_program(test_range SOURCES oracle.c oracle_basis.c oracle_fractal.c oracle_phase.c)
+scarp_test_program(test_range SOURCES ${oracle_sources})
 scarp_add_test(range range test_range ${range_points})
+
+set(suprema_slack 1e-12 1e-9) # of simplex and cellular noise, relatively
+if(speed STREQUAL emulated)
+  set(suprema_slack 1e-6 1e-6)
+endif()
+list(GET suprema_slack 0 simplex_slack)
+list(GET suprema_slack 1 cells_slack)
+
+scarp_test_program(test_suprema_simplex)
+scarp_add_test(range.simplex range test_suprema_simplex ${simplex_slack})
+scarp_test_program(test_suprema_cells)
+scarp_add_test(range.cells range test_suprema_cells ${cells_slack})

@@ -131,6 +131,10 @@ class Selection(Case):
                       "turbulence8/turned/preset-canyon/%s/1024/step0.004"):
             for output in ("value", "+gradient"):
                 self.assertIn("grid2/gradient/" + noise % output, names)
+        for noise in ("cell-soft/erosion8/turned/preset-cirques/%s/1024/step0.004",
+                      "cell-f1/fbm8/turned/preset-karst/%s/1024/step0.0045"):
+            for output in ("value", "+gradient"):
+                self.assertIn("grid2/" + noise % output, names)
         self.assertIn("grid2/gradient/fbm3/quick-noise/value/1024/step0.0078125", names)
 
     def test_patterns(self):
@@ -400,7 +404,9 @@ class Results(Case):
         self.check_rows(rows)
         everyone = {row["library"] for row in rows if row["work"] == "points3/gradient/value"}
         fractals = {"none": "", "alps": "axes not turned", "dunes": "axes not turned",
-                    "islands": "fBm, axes not turned", "canyon": "axes not turned"}
+                    "islands": "fBm, axes not turned", "canyon": "axes not turned",
+                    "karst": "axes not turned"}
+        without = {"canyon": {"FastNoiseLite"}, "karst": {"stb_perlin", "libnoise"}}
         for row in rows:
             with self.subTest(row=row):
                 preset = re.search(r"/preset-(\w+)/", row["work"])
@@ -414,7 +420,7 @@ class Results(Case):
         for word in [*fractals, "quick-noise"]:
             self.assertEqual({row["library"] for row in rows
                               if word in row["work"] and "/+" not in row["work"]},
-                             everyone - ({"FastNoiseLite"} if word == "canyon" else set()))
+                             everyone - without.get(word, set()))
 
     def test_peers_of_few_points(self):
         if not has_peers():

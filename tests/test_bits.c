@@ -29,22 +29,41 @@ static void compare(const struct cases_call *call, size_t first, size_t count)
     }
 }
 
+/* How many of the points are compared: of bases whose reference is slow not all, and fewer of the
+   short runs, which go through the same code. */
+struct extent {
+    size_t count, step;
+};
+
+static struct extent extent_of(const struct cases_call *call, size_t count)
+{
+    const size_t slowness = basis_blends(call->noise.basis)            ? 1
+                            : call->noise.basis == SCARP_SIMPLEX       ? 4
+                            : function_dimensions(call->function) == 2 ? 8
+                                                                       : 16;
+    const size_t least = 2 * SHORT_RUN + 1;
+    const struct extent extent = {count / slowness > least ? count / slowness : least,
+                                  slowness == 1 ? step : 3 * step};
+    return extent;
+}
+
 /* Compares the same points, all at once and a few, of calls that keep a plan, and then short runs
    that begin anywhere, of which every other one keeps a plan. */
-static void compare_planned(struct cases_call *call, const struct cases_points *points)
+static void compare_planned(struct cases_call *call, const struct cases_points *points,
+                            struct extent extent)
 {
     static struct scarp_plan plan;
     const int dimensions = function_dimensions(call->function);
     CHECK(scarp_plan_make(&call->noise, dimensions, &plan) == SCARP_OK, "%s: no plan", call->name);
     call->noise.plan = &plan;
-    for (size_t length = points->count; length > 0; length /= 20) {
+    for (size_t length = extent.count; length > 0; length /= 20) {
         outputs_poison(&tested);
         cases_run(call, points, 0, length, &tested);
         compare(call, 0, length);
     }
     tested.capacity = SHORT_RUN;
-    for (size_t length = 1; length <= SHORT_RUN; length += step) {
-        const size_t first = (length * 37) % (points->count - length);
+    for (size_t length = 1; length <= SHORT_RUN; length += extent.step) {
+        const size_t first = (length * 37) % (extent.count - length);
         call->noise.plan = length % 2 == 1 ? &plan : NULL;
         outputs_poison(&tested);
         cases_run(call, points, first, length, &tested);
@@ -59,14 +78,15 @@ static void compare_class(enum scarp_isa isa, enum cases_class class, size_t cou
 {
     struct cases_points points = cases_make(class, count);
     struct cases_call call;
-    for (int n = 0; cases_next(&call, class, &n);) {
+    for (int n = 0; !check_enough() && cases_next(&call, class, &n);) {
+        const struct extent extent = extent_of(&call, count);
         scarp_isa_select(SCARP_ISA_SCALAR);
-        cases_run(&call, &points, 0, count, &reference);
+        cases_run(&call, &points, 0, extent.count, &reference);
         scarp_isa_select(isa);
         outputs_poison(&tested);
-        cases_run(&call, &points, 0, count, &tested);
-        compare(&call, 0, count);
-        compare_planned(&call, &points);
+        cases_run(&call, &points, 0, extent.count, &tested);
+        compare(&call, 0, extent.count);
+        compare_planned(&call, &points, extent);
     }
     cases_free(&points);
 }

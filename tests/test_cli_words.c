@@ -32,9 +32,18 @@ static void write_list(char *text, size_t size, const char *(*name)(int), int fi
     }
 }
 
+/* A help with spaces where its lines break. */
+static void write_line(char *line, size_t size, const char *help)
+{
+    snprintf(line, size, "%s", help);
+    for (char *at = line; (at = strchr(at, '\n')) != NULL;) {
+        *at = ' ';
+    }
+}
+
 static void check_option(const char *option_name, const char *(*name)(int))
 {
-    char list[256], help[256] = ": ";
+    char list[256], help[256] = ": ", line[512];
     write_list(list, sizeof list, name, 0);
     append(help, sizeof help, list);
     for (size_t i = 0; i < NOISE_OPTION_COUNT; i++) {
@@ -44,8 +53,8 @@ static void check_option(const char *option_name, const char *(*name)(int))
         }
         CHECK(strcmp(option->allowed, list) == 0, "%s is %s, not %s", option_name, option->allowed,
               list);
-        CHECK(strlen(option->help) > strlen(help) &&
-                  strcmp(option->help + strlen(option->help) - strlen(help), help) == 0,
+        write_line(line, sizeof line, option->help);
+        CHECK(strlen(line) > strlen(help) && strcmp(line + strlen(line) - strlen(help), help) == 0,
               "the help of %s does not end in%s", option_name, help);
         CHECK(strcmp(option->standard, name(0)) == 0, "%s: the default is not 0", option_name);
         for (int word = 0; name(word) != NULL; word++) {

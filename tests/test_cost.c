@@ -5,10 +5,10 @@
  *
  *     test_cost ISA CALL BASIS OUTPUTS FRACTAL OCTAVES
  *
- * CALL is points2, points3, grid2 or grid3, BASIS gradient or value, OUTPUTS value, gradient or
- * hessian, FRACTAL fbm, turbulence, ridged or erosion. Points are random; samples of grids are 0.01
- * cells apart, in rows that are long enough for what is done once per row to count as in large
- * grids.
+ * CALL is points2, points3, grid2 or grid3, BASIS a word of scarp_basis_name, OUTPUTS value,
+ * gradient or hessian, FRACTAL fbm, turbulence, ridged or erosion. Points are random; samples of
+ * grids are 0.01 cells apart, in rows that are long enough for what is done once per row to count
+ * as in large grids.
  */
 #include "outputs.h"
 

@@ -47,7 +47,7 @@ static void make_points(void)
     }
 }
 
-#define NOISES 7
+#define NOISES 11
 
 /* One of them has denormal constants, in its last octaves: value noise with a small gain; one has a
    denormal phase. */
@@ -59,6 +59,10 @@ static const struct scarp_noise noises[NOISES] = {
     {.seed = 5, .octaves = 3.0f, .frequency = 0x1p40, .basis = SCARP_VALUE, .rotate = 1},
     {.seed = 6, .octaves = 2.0f, .phase = 0.3f, .fractal = SCARP_RIDGED},
     {.seed = 7, .octaves = 9.0f, .phase = -0x1p-140f},
+    {.seed = 8, .octaves = 3.0f, .basis = SCARP_SIMPLEX, .frequency = 0.75},
+    {.seed = 9, .octaves = 2.0f, .basis = SCARP_CELL_EDGE, .rotate = 1},
+    {.seed = 10, .basis = SCARP_CELL_F1, .jitter = 0x1p-140f}, /* which vanishes beside 1/2 */
+    {.seed = 11, .octaves = 2.0f, .basis = SCARP_CELL_SOFT, .jitter = 0.3f},
 };
 
 /* Makes all sample calls in `mode`. Nothing here computes with floating-point numbers, which could
@@ -179,7 +183,7 @@ static void test_errors(const struct mode *mode)
             float *const fields[] = {&noise.octaves,   &noise.lacunarity, &noise.gain,
                                      &noise.amplitude, &noise.phase,      &noise.jitter,
                                      &noise.sharpness};
-            const enum scarp_status expected_status = field > 4 ? SCARP_ERROR_UNSUPPORTED
+            const enum scarp_status expected_status = field > 5 ? SCARP_ERROR_UNSUPPORTED
                                                       : field == 4 && i > 3 ? SCARP_OK /* a phase */
                                                                             : SCARP_ERROR_PARAMETER;
             memcpy(fields[field], &number, sizeof number);

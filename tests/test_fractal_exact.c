@@ -80,7 +80,7 @@ static void report(const struct errors *errors, const struct scarp_noise *noise,
     const double root = sqrt(errors->squares / (double)errors->points);
     const double share = (double)errors->excluded / (double)(errors->points + errors->excluded);
     printf("%-10s %-8s %dD  of %-8s %7ld points, %6.3f %% excluded: max %.2e RMS %.1e\n",
-           fractal_names[noise->fractal], fractal_bases[noise->basis], dimensions, of,
+           fractal_names[noise->fractal], basis_name((int)noise->basis), dimensions, of,
            errors->points, 100.0 * share, errors->max, root);
     CHECK(errors->max <= max, "the gradient is off by %g", errors->max);
     CHECK(root <= rms, "the gradient is off by %g, RMS", root);

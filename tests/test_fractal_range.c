@@ -141,7 +141,8 @@ static void search_extremes(struct search *search, double reached[2])
 {
     for (int side = 0; side < 2; side++) {
         reached[side] = search->best[side][0].value;
-        for (int k = 0; k < search->kept[side] + 2; k++) {
+        const int places = basis_blends(search->noise.basis) ? 2 : 0;
+        for (int k = 0; k < search->kept[side] + places; k++) {
             double x[3], value;
             if (k < search->kept[side]) {
                 memcpy(x, search->best[side][k].x, sizeof x);
@@ -174,13 +175,45 @@ static void check_case(struct block *block, const struct scarp_noise *noise, int
     const double gap[2] = {(reached[0] - search.bounds[0]) / width,
                            (search.bounds[1] - reached[1]) / width};
     printf("%-10s %-8s %-7s %dD %4g octaves in [%g, %g]: gaps below %.1e, above %.1e of it\n",
-           fractal_names[noise->fractal], fractal_bases[noise->basis], fractal_fades[noise->fade],
+           fractal_names[noise->fractal], basis_name((int)noise->basis), fractal_fades[noise->fade],
            dimensions, (double)noise->octaves, search.bounds[0], search.bounds[1], gap[0], gap[1]);
-    if (noise->octaves <= 1.0f) {
+    if (noise->octaves <= 1.0f && basis_blends(noise->basis)) {
         CHECK(gap[0] <= 1e-3 && gap[1] <= 1e-3, "an end is not reached: %g, %g", gap[0], gap[1]);
     }
     CHECK(1.0 - gap[0] - gap[1] >= reachable, "only %g of the range were reached",
           1.0 - gap[0] - gap[1]);
+}
+
+/*
+ * Simplex and cellular noise with all fractals; fBm of one octave has the range of the basis.
+ * Random points do not find where features of several cells are as far off as can be, which is the
+ * harder the more they stray.
+ */
+static void check_own(struct block *block, long points)
+{
+    static const struct {
+        enum scarp_basis basis;
+        float jitter;
+        double reachable[2]; /* by single octaves of fBm in 2D and 3D, with 10^4 points */
+    } own[] = {
+        {SCARP_SIMPLEX, 0.0f, {0.9998, 0.9998}}, {SCARP_CELL_F1, 0.0f, {0.8, 0.65}},
+        {SCARP_CELL_F1, 0.01f, {0.995, 0.99}},   {SCARP_CELL_F2, 0.0f, {0.86, 0.7}},
+        {SCARP_CELL_F2, 0.01f, {0.5, 0.5}}, /* of [1/2, 1]: two features are never near */
+        {SCARP_CELL_EDGE, 0.0f, {0.76, 0.58}},   {SCARP_CELL_EDGE, 0.01f, {0.99, 0.99}},
+        {SCARP_CELL_SOFT, 0.0f, {0.83, 0.52}},   {SCARP_CELL_VALUE, 0.0f, {0.999, 0.999}},
+    };
+    for (size_t i = 0; i < 16 * (sizeof own / sizeof own[0]); i++) {
+        const struct scarp_noise noise = {.basis = own[i / 16].basis,
+                                          .jitter = own[i / 16].jitter,
+                                          .fractal = (enum scarp_fractal)(i / 2 % 4),
+                                          .octaves = i / 8 % 2 == 0 ? 1.0f : 3.5f,
+                                          .amplitude = i / 8 % 2 == 0 ? -2.5f : 1.0f,
+                                          .seed = 2};
+        const int dimensions = 2 + (int)(i % 2);
+        const int single = noise.octaves == 1.0f && noise.fractal == SCARP_FBM;
+        check_case(block, &noise, dimensions, points,
+                   single ? own[i / 16].reachable[dimensions - 2] : 0.09);
+    }
 }
 
 int main(int argc, char **argv)
@@ -209,6 +242,7 @@ int main(int argc, char **argv)
         noise.fade = (enum scarp_fade)(i / 2 % 2);
         check_case(block, &noise, 2 + (int)(i % 2), points, cases[i / 24].reachable);
     }
+    check_own(block, points);
     block_free(block);
     return check_done();
 }

@@ -12,14 +12,18 @@
 #define ROWS 3
 #define ARRAYS 4 /* value, dx, dy, dz: the first outputs */
 #define LONGEST 1100
-#define NOISES 5
+#define NOISES 9
 
 static const struct scarp_noise noises[NOISES] = {
     {.octaves = 3.0f},                           /* octaves are added up in the caller's arrays */
     {.octaves = 2.0f, .frequency = 16.0},        /* several cells per sample */
     {.octaves = 3.0f, .rotate = 1},              /* parts go through the scratch space */
     {.octaves = 3.0f, .fractal = SCARP_EROSION}, /* likewise, with a state */
-    {.octaves = 2.0f, .basis = SCARP_VALUE, .rotate = 1} /* value noise */
+    {.octaves = 2.0f, .basis = SCARP_VALUE, .rotate = 1}, /* value noise */
+    {.octaves = 2.0f, .basis = SCARP_SIMPLEX},
+    {.basis = SCARP_SIMPLEX, .rotate = 1, .frequency = 2.0},
+    {.basis = SCARP_CELL_EDGE, .jitter = 0.9f},
+    {.octaves = 2.0f, .basis = SCARP_CELL_SOFT, .period = {3, 0, 0}},
 };
 
 static struct scarp_samples first_outputs(float *const *arrays, int dimensions)

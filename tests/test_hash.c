@@ -8,11 +8,13 @@
  * fixed, so what passes once passes always. Each statistic must also reject a hash that is known to
  * be bad, by twice its bound. hash_sets.h has those of single blocks, hash_seeds.h those of seeds
  * and octaves, hash_lines.h those of lattice lines, hash_isotropy.h those of the
- * directions of 3D gradients; hash_repeats.h looks for parts of the lattice elsewhere.
+ * directions of 3D gradients, hash_cells.h those of simplex and cellular noise; hash_repeats.h
+ * looks for parts of the lattice elsewhere.
  *
  * Only too little uniformity counts, not too much: multiplication spreads neighbours out more
  * evenly than chance would (low z), which does noise no harm.
  */
+#include "hash_cells.h"
 #include "hash_isotropy.h"
 #include "hash_lines.h"
 #include "hash_repeats.h"
@@ -134,7 +136,7 @@ static void test_bad_blocks(int bits, unsigned *rejected)
           prime_hash.name);
 }
 
-/* Tests the hashes that are bad between seeds, between octaves or along lines. */
+/* Tests what is bad between seeds, between octaves, along lines, at centres or in cells. */
 static void test_bad_lattices(int bits, unsigned *rejected)
 {
     struct report report;
@@ -142,6 +144,15 @@ static void test_bad_lattices(int bits, unsigned *rejected)
     test_seed_sequence(&report, &moved_hash, bits);
     test_line_pairs(&report, &moved_hash, bits);
     check_rejected(&report, moved_hash.name, BIT(TOPIC_SEQUENCE) | BIT(TOPIC_LINES), rejected);
+    report_reset(&report);
+    test_centres(&report, &tied_hash, bits);
+    check_rejected(&report, tied_hash.name, BIT(TOPIC_CENTRES) | BIT(TOPIC_TETRAHEDRA), rejected);
+    report_reset(&report);
+    test_features(&report, &scarp_hash, &small_features, bits);
+    check_rejected(&report, small_features.name, BIT(TOPIC_FEATURES), rejected);
+    report_reset(&report);
+    test_features(&report, &sum_hash, &scarp_features, bits);
+    check_rejected(&report, sum_hash.name, BIT(TOPIC_NEIGHBOURS), rejected);
     report_reset(&report);
     test_octaves(&report, OCTAVES_ALIKE, bits);
     check_rejected(&report, "known bad octaves: alike", BIT(TOPIC_OCTAVES), rejected);
@@ -171,10 +182,13 @@ int main(int argc, char **argv)
     test_octaves(&report, OCTAVES_OF_SCARP, bits);
     test_spectra(&report, &scarp_hash, bits);
     test_line_pairs(&report, &scarp_hash, bits);
+    test_centres(&report, &centre_hash, bits);
+    test_features(&report, &scarp_hash, &scarp_features, bits);
     report_print(&report, scarp_hash.name);
     check_report(&report);
     test_far(bits);
     test_distinct_keys(bits);
+    test_spectral();
     test_isotropy(bits);
     test_repeats(&scarp_hash, bits);
     test_bad(bits < BAD_BITS ? bits : BAD_BITS);

@@ -192,11 +192,16 @@ static void test_value_in_place(enum function f, const struct scarp_noise *noise
 
 static void test_samples(void)
 {
-    for (int i = 0; i < FUNCTIONS * 3 * 3; i++) {
+    static const enum scarp_basis bases[6] = {SCARP_GRADIENT, SCARP_VALUE,     SCARP_GRADIENT,
+                                              SCARP_SIMPLEX,  SCARP_CELL_EDGE, SCARP_CELL_SOFT};
+    for (int i = 0; i < FUNCTIONS * 6 * 3; i++) {
         const enum function f = (enum function)(i % FUNCTIONS);
-        const int kind = i / FUNCTIONS / 3; /* one octave, several, several turned */
-        const int flows = i / FUNCTIONS % 3 == 2;
-        const struct scarp_noise noise = {.basis = (enum scarp_basis)(i / FUNCTIONS % 3 % 2),
+        const int kind = i / FUNCTIONS / 6; /* one octave, several, several turned */
+        const int flows = i / FUNCTIONS % 6 == 2;
+        if (i / FUNCTIONS % 6 > 3 && kind == 1) {
+            continue; /* cells take their time, and octaves go the same way with turned axes */
+        }
+        const struct scarp_noise noise = {.basis = bases[i / FUNCTIONS % 6],
                                           .phase = flows ? 0.6f : 0.0f,
                                           .octaves = kind > 0 ? 2.5f : 1.0f,
                                           .rotate = kind == 2,

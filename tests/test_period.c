@@ -58,6 +58,14 @@ static void compare_shifted(const struct scarp_noise *noise, enum function f, in
           equal ? "differs" : "is the same, as all else");
 }
 
+/* Whether noise of that basis can have a period along an axis. */
+static int has_axis(const struct scarp_noise *noise, enum function f, int axis)
+{
+    struct scarp_noise fitted = {.basis = noise->basis, .period = {1, 1, 1}};
+    fit_noise(&fitted, function_dimensions(f));
+    return axis < function_dimensions(f) && fitted.period[axis] != 0;
+}
+
 /* Single octaves, whose positions are the coordinates. Floats have fractions up to 2^18 cells. */
 static void test_octave(void)
 {
@@ -66,10 +74,11 @@ static void test_octave(void)
         for (int axis = 0; axis < 3; axis++) {
             struct scarp_noise noise = {.seed = p};
             noise.period[axis] = periods[p];
-            noise.basis = p % 2 == 0 ? SCARP_GRADIENT : SCARP_VALUE;
             const double period = (double)periods[p];
-            for (int f = 0; f < FUNCTIONS; f++) {
-                if (axis >= function_dimensions((enum function)f)) {
+            for (int i = 0; i < FUNCTIONS * count_names(basis_name); i++) {
+                const int f = i % FUNCTIONS;
+                noise.basis = (enum scarp_basis)(i / FUNCTIONS);
+                if (!has_axis(&noise, (enum function)f, axis)) {
                     continue;
                 }
                 for (size_t s = 0; s < sizeof shifts / sizeof shifts[0]; s++) {
@@ -93,15 +102,17 @@ static void test_far(void)
     static const double far[] = {0x1p31, -0x1p31, 0x1p32, 0x1p40, -0x1p40, 0x1p43};
     for (size_t p = 0; p < PERIODS; p++) {
         for (size_t i = 0; i < sizeof far / sizeof far[0]; i++) {
-            struct scarp_noise noise = {.seed = 8,
-                                        .basis = i % 2 == 0 ? SCARP_GRADIENT : SCARP_VALUE};
+            struct scarp_noise noise = {.seed = 8, .basis = (enum scarp_basis)((i + p) % 8)};
             const double period = (double)periods[p];
             const double cells = floor(far[i] / period) * period;
             for (int axis = 0; axis < 3; axis++) {
                 noise.period[axis] = periods[p];
                 make_points(20.0);
                 compare_shifted(&noise, SAMPLE3_F64, axis, cells, 1, "far");
-                if (axis < 2) {
+                if (noise.basis == SCARP_SIMPLEX) {
+                    fit_noise(&noise, 2); /* period[1] */
+                }
+                if (has_axis(&noise, SAMPLE2_F64, axis)) {
                     compare_shifted(&noise, SAMPLE2_F64, axis, cells, 1, "far");
                 }
             }
@@ -115,7 +126,8 @@ static void test_far_floats(void)
 {
     uint64_t state = 6;
     for (size_t p = 0; p < PERIODS; p++) {
-        struct scarp_noise noise = {.seed = 9, .basis = SCARP_VALUE};
+        /* On rows of triangles no position is an integer. */
+        struct scarp_noise noise = {.seed = 9, .basis = p % 2 == 0 ? SCARP_VALUE : SCARP_CELL_EDGE};
         noise.period[0] = noise.period[1] = periods[p];
         for (size_t i = 0; i < POINTS; i++) {
             const double span = i % 4 == 0 ? 0x1p31 : i % 4 == 1 ? 0x1p24 : 0x1p22;
@@ -148,7 +160,8 @@ static void test_octaves(void)
     for (int octaves = 1; octaves <= 8; octaves++) {
         for (int lacunarity = 1; lacunarity <= 4; lacunarity++) {
             for (int fractal = 0; fractal < count_names(fractal_name); fractal++) {
-                struct scarp_noise noise = {.seed = (uint64_t)octaves,
+                struct scarp_noise noise = {.basis = (enum scarp_basis)((octaves + lacunarity) % 8),
+                                            .seed = (uint64_t)octaves,
                                             .octaves = (float)octaves - 0.25f * (octaves > 1),
                                             .lacunarity = (float)lacunarity,
                                             .fractal = (enum scarp_fractal)fractal,
@@ -217,20 +230,24 @@ static void test_grid(void)
     struct scarp_grid grid = {.step = {1, 1, 1}, .count = {160, 96, 1}};
     const size_t samples = 160 * 96;
     struct outputs a = outputs_make(samples), b = outputs_make(samples);
-    for (int fractal = 0; fractal < count_names(fractal_name); fractal++) {
-        noise.fractal = (enum scarp_fractal)fractal;
+    for (int i = 0; i < 4 + count_names(basis_name) - SCARP_SIMPLEX; i++) {
+        noise.fractal = (enum scarp_fractal)(i % 4);
+        noise.basis = i < 4 ? SCARP_GRADIENT : (enum scarp_basis)(SCARP_SIMPLEX + i - 4);
+        fit_noise(&noise, 2);
         const unsigned wanted = outputs_of(&noise, SAMPLE2_F64);
         const struct scarp_samples out[2] = {outputs_subset(&a, wanted),
                                              outputs_subset(&b, wanted)};
         grid.first[0] = grid.first[1] = 0;
         CHECK(scarp_grid2(&noise, &grid, &out[0]) == SCARP_OK, "tile");
         grid.first[0] = -160;
-        grid.first[1] = -96;
+        grid.first[1] = noise.period[1] != 0 ? -96 : 0;
         CHECK(scarp_grid2(&noise, &grid, &out[1]) == SCARP_OK, "its neighbour");
         int member = 0;
         size_t index = 0;
-        CHECK(outputs_equal(&a, &b, wanted, samples, &member, &index), "%s: %s[%zu] differs",
-              fractal_name(fractal), output_names[member], index);
+        CHECK(outputs_equal(&a, &b, wanted, samples, &member, &index), "%s, %s: %s[%zu] differs",
+              basis_name((int)noise.basis), fractal_name((int)noise.fractal), output_names[member],
+              index);
+        noise.period[1] = 6;
     }
     outputs_free(&a);
     outputs_free(&b);
@@ -278,6 +295,10 @@ static void test_checks(void)
     expect((struct scarp_noise){.period = {1}, .rotate = 1, .octaves = 2}, 2,
            SCARP_ERROR_UNSUPPORTED, "rotate");
     expect((struct scarp_noise){.period = {0, 0, 1}, .rotate = 1, .octaves = 2}, 2, SCARP_OK, NULL);
+    const struct scarp_noise rows = {.period = {5, 3}, .basis = SCARP_SIMPLEX};
+    expect(rows, 2, SCARP_ERROR_UNSUPPORTED, "period[1]");
+    expect(rows, 3, SCARP_OK, NULL);
+    expect((struct scarp_noise){.period = {5}, .basis = SCARP_SIMPLEX}, 2, SCARP_OK, NULL);
 }
 
 int main(int argc, char **argv)

@@ -71,14 +71,16 @@ static void plan_spoil(struct scarp_plan *plan)
    spoilt, results differ. */
 static void test_plan_used(const struct reserved_test *t)
 {
-    for (int i = 0; i < 8; i++) {
-        const struct scarp_noise noise = {.fractal = (enum scarp_fractal)(i / 2),
-                                          .octaves = 3.5f,
-                                          .rotate = (uint32_t)i % 2,
-                                          .seed = (uint64_t)i,
-                                          .period = {i == 2, i == 4 ? 3 : 0, 0},
-                                          .phase = i > 3 && i % 3 != 0 ? 0.4f : 0.0f,
-                                          .basis = (enum scarp_basis)(i % 3 == 0)};
+    for (int i = 0; i < 8 + count_names(basis_name) - SCARP_SIMPLEX; i++) {
+        const struct scarp_noise noise = {
+            .fractal = (enum scarp_fractal)(i / 2 % 4),
+            .octaves = 3.5f,
+            .rotate = (uint32_t)i % 2,
+            .seed = (uint64_t)i,
+            .period = {i == 2, i == 4 ? 3 : 0, 0},
+            .phase = i > 3 && i < 8 && i % 3 != 0 ? 0.4f : 0.0f,
+            .jitter = i > 8 ? 0.7f : 0.0f,
+            .basis = (enum scarp_basis)(i < 8 ? i % 3 == 0 : SCARP_SIMPLEX + i - 8)};
         for (int call = 0; call < RESERVED_CALLS; call++) {
             const struct scarp_plan plan = plan_of(&noise, plan_dimensions(call));
             struct scarp_plan copy = plan;
@@ -109,7 +111,9 @@ static void test_plan_stale(const struct reserved_test *t)
         {.octaves = 3.0f, .seed = 1, .frequency = 0.7, .lacunarity = 1.9f, .gain = 0.6f},
         {.octaves = 3.0f, .seed = 1, .frequency = 0.7, .lacunarity = 1.9f, .amplitude = 2.0f},
         {.octaves = 3.0f, .seed = 1, .frequency = 0.7, .lacunarity = 1.9f, .phase = 0.25f},
-        {.octaves = 3.0f, .seed = 1, .frequency = 0.7, .lacunarity = 2.0f, .period = {0, 3}}};
+        {.octaves = 3.0f, .seed = 1, .frequency = 0.7, .lacunarity = 2.0f, .period = {0, 3}},
+        {.octaves = 3.0f, .seed = 1, .frequency = 0.7, .lacunarity = 1.9f, .basis = SCARP_SIMPLEX},
+        {.octaves = 3.0f, .seed = 1, .frequency = 0.7, .lacunarity = 1.9f, .basis = SCARP_CELL_F1}};
     for (int call = 0; call < RESERVED_CALLS; call++) {
         const int dimensions = plan_dimensions(call);
         for (size_t i = 0; i < sizeof others / sizeof others[0]; i++) {
@@ -169,6 +173,8 @@ static void test_plan_refused(const struct reserved_test *t)
                                       {.frequency = -1.0},
                                       {.phase = NAN},
                                       {.phase = 1.0f, .basis = SCARP_VALUE},
+                                      {.phase = 1.0f, .basis = SCARP_CELL_SOFT},
+                                      {.jitter = 1.5f},
                                       {.period = {0, 0x40000001, 0}},
                                       {.spare0 = 1},
                                       {.warp = &good},

@@ -83,6 +83,11 @@ static uint32_t turn8(uint32_t a)
     return a >> 8 | (a & 0xffu) << 24;
 }
 
+static float positive(float a)
+{
+    return a > 0.0f ? a : 0.0f;
+}
+
 static size_t integral_floats(float *list)
 {
     size_t count = 0;
@@ -112,6 +117,8 @@ static void test_bits_of_lanes(void)
     run_du("low bits", ops->low_bits, low_bits, number_d, numbers_d);
     run_uu("turn by 8", ops->turn8, turn8, number_bits32, numbers32);
     run_dd("square root", ops->sqrt_d, sqrt, number_d, numbers_d);
+    run_ff("square root of floats", ops->sqrt_f, sqrtf, number_f, numbers_f);
+    run_ff("positive", ops->positive, positive, number_f, numbers_f);
     ops->numbers(numbers);
     const uint32_t none[LANES_MAX] = {0};
     CHECK(!ops->any(none), "no bit is set");
@@ -122,6 +129,53 @@ static void test_bits_of_lanes(void)
     }
     for (int i = 0; i < lanes; i++) {
         CHECK(numbers[i] == (uint32_t)i, "lane %d has the number %u", i, numbers[i]);
+    }
+}
+
+/* The bits are those of `masks` in vec/operations.h. */
+static void check_masks(const float *a, const float *b)
+{
+    float chosen[LANES_MAX], lesser[LANES_MAX], greater[LANES_MAX];
+    uint32_t kept[LANES_MAX];
+    int any = 0;
+    const int found = ops->masks(chosen, kept, a, b);
+    ops->lesser(lesser, a, b);
+    ops->greater(greater, a, b);
+    for (int i = 0; i < lanes; i++) {
+        const int less = a[i] < b[i], equal = bits_of_float(a[i]) == bits_of_float(b[i]);
+        const float wanted = less ? a[i] : b[i];
+        const uint32_t bits =
+            (less ? 1u | 4u | 8u : 0u) | (equal ? 2u | 4u : 0u) | (less && a[i] < 1.0f ? 32u : 0u);
+        any |= less;
+        CHECK(!DIFFERENT32(chosen[i], wanted), "%a < %a: %a", (double)a[i], (double)b[i],
+              (double)chosen[i]);
+        CHECK(!DIFFERENT32(lesser[i], wanted), "lesser of %a, %a: %a", (double)a[i], (double)b[i],
+              (double)lesser[i]);
+        CHECK(!DIFFERENT32(greater[i], a[i] > b[i] ? a[i] : b[i]), "greater of %a, %a: %a",
+              (double)a[i], (double)b[i], (double)greater[i]);
+        CHECK(kept[i] == bits, "%a < %a: bits %u, not %u", (double)a[i], (double)b[i], kept[i],
+              bits);
+    }
+    CHECK(found == any, "any: %d, not %d", found, any);
+}
+
+/* Sums where bit 3 is set. */
+static void check_where(const float *a, const float *b, const uint32_t *bits)
+{
+    float added[LANES_MAX], subtracted[LANES_MAX];
+    uint32_t sum[LANES_MAX];
+    ops->where(added, subtracted, sum, a, b, bits);
+    for (int i = 0; i < lanes; i++) {
+        const int is_set = (bits[i] & 8u) != 0;
+        const uint32_t wanted = bits_of_float(a[i]) + (is_set ? bits_of_float(b[i]) : 0);
+        const int is_minus_0 = bits_of_float(a[i]) == 0x80000000u;
+        const float plus = is_set ? a[i] + b[i] : a[i], minus = is_set ? a[i] - b[i] : a[i];
+        CHECK(is_minus_0 || !DIFFERENT32(added[i], plus), "%a + %a: %a", (double)a[i], (double)b[i],
+              (double)added[i]);
+        CHECK(is_minus_0 || !DIFFERENT32(subtracted[i], minus), "%a - %a: %a", (double)a[i],
+              (double)b[i], (double)subtracted[i]);
+        CHECK(sum[i] == wanted, "%#x and %#x: %#x", bits_of_float(a[i]), bits_of_float(b[i]),
+              sum[i]);
     }
 }
 
@@ -139,6 +193,8 @@ static void test_operators(void)
             m[i] = number_bits32[check_random(&state) % numbers32];
             n[i] = number_bits32[check_random(&state) % numbers32];
         }
+        check_masks(a, b);
+        check_where(a, b, m);
         ops->less(less, a, b);
         ops->not_equal(not_equal, a, b);
         ops->multiply(product, m, n);

@@ -20,10 +20,10 @@ _scarp()
         [ "$COMP_CWORD" -eq 2 ] && words="terrain sample info"
     else
         case $before in
-        --basis) words="gradient value" ;;
+        --basis) words="gradient value simplex cell-f1 cell-f2 cell-edge cell-soft cell-value" ;;
         --fade) words="quintic cubic" ;;
         --fractal) words="fbm turbulence ridged erosion" ;;
-        --preset) words="none alps dunes islands canyon" ;;
+        --preset) words="none alps dunes islands canyon cirques karst" ;;
         --isa) words="scalar sse4.1 avx2 avx512 neon generic" ;;
         --normal-y) words="up down" ;;
         --dims) words="2 3" ;;

@@ -19,6 +19,12 @@
 #include "rows/rows.h"
 #include "rows/turned.h"
 #include "shape/shape.h"
+#if VEC_SMALL
+#include "basis/own.h"
+#else
+#include "rows/cells_rows.h"
+#include "rows/simplex.h"
+#endif
 
 /* The most blocks of a part of points. Many
    blocks share the fixed cost of a pass: with 8, AVX-512 loses 6 to 12 %. */
@@ -39,6 +45,9 @@ struct scratch {
 struct basis {
     points_pass *points[2][3];
     rows_pass *rows[2][3]; /* NULL: there is no fast path */
+    int takes_places;      /* whether passes take places (places.h), not hashes (lattice.h) */
+    /* Vectors for the tables of a row of so many blocks, of a basis that takes places. */
+    size_t (*table_size)(int dimensions, size_t blocks);
 };
 
 #define PASSES(name, kind)                                                                         \
@@ -47,12 +56,51 @@ struct basis {
             {name##3_##kind##0, name##3_##kind##1, name##3_##kind##2},                             \
     }
 
+/* Passes that serve values, and those that serve derivatives of either order. */
+#define VALUE_AND_ANY(name, kind)                                                                  \
+    {                                                                                              \
+        {name##2_##kind##0, name##2_##kind, name##2_##kind},                                       \
+            {name##3_##kind##0, name##3_##kind, name##3_##kind},                                   \
+    }
+#define ANY(name, kind)                                                                            \
+    {                                                                                              \
+        {name##2_##kind, name##2_##kind, name##2_##kind},                                          \
+            {name##3_##kind, name##3_##kind, name##3_##kind},                                      \
+    }
+
+/* A basis that takes places. Small sets have no rows passes for them. */
+#if VEC_SMALL
+#define OWN(points_passes, rows_passes, size)                                                      \
+    {                                                                                              \
+        .points = points_passes, .takes_places = 1                                                 \
+    }
+#else
+#define OWN(points_passes, rows_passes, size)                                                      \
+    {                                                                                              \
+        .points = points_passes, .rows = rows_passes, .takes_places = 1, .table_size = size        \
+    }
+#endif
+#define SIMPLEX_ROWS                                                                               \
+    {                                                                                              \
+        {simplex2_rows0, simplex2_rows1, simplex2_rows2},                                          \
+        {                                                                                          \
+            simplex3_rows0, simplex3_rows1, NULL                                                   \
+        }                                                                                          \
+    }
+#define CELLS(passes, name) OWN(passes(name, points), passes(name, rows), cell_tables_size)
+
 /* The line of gradient noise that flows, after those of the bases. */
 enum { FLOWING = SCARP_BASES };
 
 static const struct basis bases[] = {
     [SCARP_GRADIENT] = {.points = PASSES(gradient, points), .rows = PASSES(gradient, rows)},
     [SCARP_VALUE] = {.points = PASSES(value, points), .rows = PASSES(value, rows)},
+    [SCARP_SIMPLEX] = OWN(PASSES(simplex, points), SIMPLEX_ROWS, vertices_size),
+    [SCARP_CELL_F1] = CELLS(VALUE_AND_ANY, nearest),
+    [SCARP_CELL_F2] = CELLS(VALUE_AND_ANY, second),
+    [SCARP_CELL_EDGE] = CELLS(VALUE_AND_ANY, second),
+    [SCARP_CELL_SOFT] = CELLS(PASSES, soft),
+    [SCARP_CELL_VALUE] = CELLS(ANY, cell),
     [FLOWING] = {.points = PASSES(flow, points), .rows = PASSES(flow, rows)},
 };
 
@@ -65,13 +113,20 @@ static const struct basis *basis_of(const struct scarp_call_plan *plan)
 }
 
 #undef PASSES
+#undef VALUE_AND_ANY
+#undef ANY
+#undef OWN
+#undef CELLS
+#undef SIMPLEX_ROWS
 
 /* What all parts of a call share: its passes, and vectors of scratch space per block. */
 struct call {
     const struct scarp_call_plan *plan;
     int dimensions, basis_order;
-    enum layout layout;                  /* of the positions */
-    lattice_pass *const *lattice_passes; /* by axes */
+    enum layout layout; /* of the positions */
+    int takes_places;   /* struct basis */
+    const struct basis *basis;
+    lattice_pass *const *lattice_passes; /* by axes; of a basis that takes hashes */
     points_pass *points_pass;
     rows_pass *rows_pass;  /* NULL: none, or points */
     shape_pass *turn_pass; /* NULL where no derivatives are to be turned */
@@ -102,7 +157,9 @@ VEC_INLINE void call_begin(struct call *call, const struct scarp_call_plan *plan
     call->turn_pass = turns ? turn_passes[d][plan->order - 1] : NULL;
     call->shape = shape;
     call->shape_pass = shape->pass[d][plan->order];
-    call->lattice_size = lattice_size(dimensions);
+    call->basis = basis;
+    call->takes_places = basis->takes_places;
+    call->lattice_size = basis->takes_places ? places_size(dimensions) : lattice_size(dimensions);
     call->noise_size = turns || call->shape_pass != NULL ? sample_size(dimensions, order) : 0;
     call->state_size = state_size(plan, dimensions);
     call->phase_pass = moves ? shape->phase[d] : NULL;
@@ -146,10 +203,31 @@ static void copy_out(const struct scarp_outputs *out, size_t first, const struct
     }
 }
 
-/* Whether octave k of a grid goes through the rows pass. */
-static int takes_rows_pass(const struct call *call, int k)
+/* Whether octave k of a grid is prepared for the rows pass. */
+static int has_rows_pass(const struct call *call, int k)
 {
     return call->rows_pass != NULL && axes_of(call->plan, k) != AXES_TURNED;
+}
+
+/* Whether it goes through the rows pass: where it crosses many cells, points may be faster. */
+static int takes_rows_pass(const struct call *call, const struct part *part, int k)
+{
+    return has_rows_pass(call, k) && !(call->takes_places && part->row_octave->cells.by_points);
+}
+
+/* Places the part on the cells of an octave. */
+static void place_rows(const struct call *call, const struct part *part,
+                       const struct scarp_octave *o, enum axes axes)
+{
+    const struct frame f = {call->layout, axes, call->dimensions};
+    const size_t blocks = part->placed.extent.blocks;
+    struct positions at = part->at;
+    for (size_t r = 0; r < part->placed.extent.rows; r++) {
+        if (call->layout == ROW) {
+            at.shared[1] = part->y[r];
+        }
+        place_row(part->placed.lattice + r * blocks * call->lattice_size, o, blocks, &at, f);
+    }
 }
 
 /* Places the part on the lattice of octave k. */
@@ -157,6 +235,10 @@ VEC_INLINE void place_part(const struct call *call, const struct part *part, int
 {
     const enum axes axes = axes_of(call->plan, k);
     const struct scarp_octave *const o = &call->plan->octave[k];
+    if (call->takes_places) {
+        place_rows(call, part, o, axes);
+        return;
+    }
     if (call->layout != ROW) {
         call->lattice_passes[axes](part->placed.lattice, o, part->placed.extent.blocks, &part->at);
         return;
@@ -180,8 +262,10 @@ VEC_INLINE void place_part(const struct call *call, const struct part *part, int
 VEC_INLINE void add_basis(const struct call *call, const struct part *part, int k,
                           const struct weights *weights, const struct outputs *to, enum put put)
 {
-    if (takes_rows_pass(call, k)) {
+    if (takes_rows_pass(call, part, k)) {
         part->row_octave->turn = call->plan->octave[k].turn;
+        part->row_octave->basis = call->plan->basis;
+        part->row_octave->order = call->basis_order;
         call->rows_pass(part->row_octave, part->placed.extent.rows, weights, to, put);
         return;
     }
@@ -201,13 +285,13 @@ static void add_turning(const struct call *call, const struct part *part, int k,
     const struct weights weights = {{slope, slope, slope}};
     float derivative[4];
     scarp_phase_derivative(derivative, o->turn);
-    if (takes_rows_pass(call, k)) {
+    if (takes_rows_pass(call, part, k)) {
         part->row_octave->turn = derivative;
         basis->rows[d][order](part->row_octave, part->placed.extent.rows, &weights, to, put);
         return;
     }
-    const struct placed placed = {part->placed.lattice, part->placed.extent, part->placed.fade,
-                                  derivative};
+    struct placed placed = part->placed;
+    placed.turn = derivative;
     basis->points[d][order](&placed, &weights, to, put);
 }
 
@@ -325,6 +409,16 @@ static __attribute__((noinline)) void prepare_rows(const struct call *call, cons
     }
     const struct positions at = {.array = {NULL, part->y, z}};
     const struct frame f = {DOUBLES, axes, call->dimensions};
+    if (call->takes_places) {
+        struct along_cells *const along = &part->row_octave->cells;
+        if (plan->octaves > 1 || first_part) {
+            along_cells_begin(along, part->along, part->placed.extent.blocks);
+            along_cells_x(along, &plan->octave[k], part->at.array[0], axes);
+        }
+        along_cells_rows(along, &plan->octave[k], part->placed.extent.rows, &at, axes,
+                         call->dimensions);
+        return;
+    }
     if (plan->octaves > 1 || first_part) {
         along_x(&part->row_octave->x, &plan->octave[k], part->placed.extent.blocks, &part->at,
                 plan->fade, axes);
@@ -345,11 +439,14 @@ static void sum_octaves(const struct call *call, struct part *part, int first_pa
          i < part->placed.extent.rows * part->placed.extent.blocks * call->moving_size; i++) {
         part->moving[i] = vf_set(0.0f);
     }
+    part->placed.basis = plan->basis;
+    part->placed.order = call->basis_order;
     for (int k = 0; k < plan->octaves; k++) {
+        part->placed.octave = &plan->octave[k];
         part->placed.turn = plan->octave[k].turn;
-        if (takes_rows_pass(call, k)) {
+        if (has_rows_pass(call, k)) {
             prepare_rows(call, part, k, first_part);
-        } else if (call->layout == ROW && axes_of(plan, k) == AXES_TURNED) {
+        } else if (call->layout == ROW && axes_of(plan, k) == AXES_TURNED && !call->takes_places) {
             turned_begin(&part->turned, part->along, &plan->octave[k], part->placed.extent.blocks,
                          part->at.array[0], call->dimensions);
         }

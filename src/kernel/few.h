@@ -64,6 +64,14 @@ VEC_INLINE void few_load(struct few_block *x, const void *const position[3], siz
     }
 }
 
+/* Shared by the passes of a small set. */
+static __attribute__((noinline)) void few_load_shared(struct few_block *x,
+                                                      const void *const position[3], size_t first,
+                                                      size_t count, struct frame f)
+{
+    few_load(x, position, first, count, f);
+}
+
 /* The place of a block along one axis of an octave. */
 VEC_INLINE struct split few_split(const struct scarp_octave *o, int axis, const struct few_block *x,
                                   struct frame f)
@@ -190,7 +198,11 @@ VEC_INLINE void few_any(const struct scarp_call_plan *plan, const struct few_poi
     do {
         const size_t count = least(points->end - first, VEC_LANES);
         struct few_block x;
-        few_load(&x, points->position, first, count, f);
+        if (VEC_SMALL) {
+            few_load_shared(&x, points->position, first, count, f);
+        } else {
+            few_load(&x, points->position, first, count, f);
+        }
         const struct sample sum = few_sum(plan, &x, f, v);
         few_put(out, first, count, &sum, v);
         first += count;
@@ -236,6 +248,15 @@ enum few_kind { FEW_VALUE, FEW_GRADIENT, FEW_ONE, FEW_KINDS };
     {                                                                                              \
         [FEW_VALUE] = name##d##_few_value, [FEW_ONE] = name##d##_few_value                         \
     }
+#elif VEC_SMALL
+#define FEW_PASSES(name, basis, d)                                                                 \
+    FEW_PASS(name##d##_few_value, few_any, basis, d, 0)                                            \
+    FEW_PASS(name##d##_few_gradient, few_any, basis, d, 1)
+#define FEW_NAMES(name, d)                                                                         \
+    {                                                                                              \
+        [FEW_VALUE] = name##d##_few_value, [FEW_GRADIENT] = name##d##_few_gradient,                \
+        [FEW_ONE] = name##d##_few_value                                                            \
+    }
 #else
 #define FEW_PASSES(name, basis, d)                                                                 \
     FEW_PASS(name##d##_few_value, few_any, basis, d, 0)                                            \
@@ -259,7 +280,8 @@ static few_pass *const few_passes[][2][FEW_KINDS] = {
     [SCARP_VALUE] = {FEW_NAMES(value, 2), FEW_NAMES(value, 3)},
 };
 
-_Static_assert(sizeof few_passes / sizeof few_passes[0] == SCARP_BASES, "each basis has its lines");
+_Static_assert(sizeof few_passes / sizeof few_passes[0] == SCARP_SIMPLEX,
+               "each basis that blends corners has its lines");
 
 #undef FEW_PASS
 #undef FEW_PASSES
@@ -268,7 +290,7 @@ _Static_assert(sizeof few_passes / sizeof few_passes[0] == SCARP_BASES, "each ba
 /* Whether it is the values of fBm with straight axes that neither repeats nor flows. */
 static int few_plain(const struct scarp_call_plan *plan)
 {
-    return plan->order == 0 && plan->fractal == SCARP_FBM && !plan->rotate && plan->unchanging;
+    return plan->order == 0 && plan->fractal == SCARP_FBM && !plan->rotate && plan->plain;
 }
 
 /* The pass that serves `count` points, or NULL if they are too many or none does. Single octaves
@@ -276,7 +298,7 @@ static int few_plain(const struct scarp_call_plan *plan)
 static few_pass *few_pass_of(const struct scarp_call_plan *plan, size_t count, int dimensions)
 {
     const int order = plan->order + (plan->fractal == SCARP_EROSION); /* of the basis */
-    return count <= FEW_BLOCKS * VEC_LANES && order <= FEW_ORDER && plan->unchanging
+    return count <= FEW_BLOCKS * VEC_LANES && order <= FEW_ORDER && plan->plain
                ? few_passes[plan->basis][dimensions - 2][order]
                : NULL;
 }

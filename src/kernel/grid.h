@@ -29,8 +29,8 @@ struct grid_call {
     const struct scarp_grid *grid;
     const struct scarp_outputs *out;
     struct call call;
-    int direct;  /* whether nothing is stored between passes: fBm with straight axes of a basis with
-                    a rows pass */
+    int direct;  /* whether nothing is stored between passes: fBm with straight axes of a basis that
+                    blends corners */
     int narrow;  /* whether a row is less than a block */
     int stores;  /* whether samples are added up in the scratch space, then copied: narrow rows, and
                     Hessians in 3D, whose ten arrays compete for lines of the first-level cache */
@@ -68,12 +68,17 @@ static size_t group_of(const struct grid_call *g, size_t blocks)
 static struct part_space space_of(const struct grid_call *g, size_t rows, size_t blocks)
 {
     const struct call *const call = &g->call;
-    const size_t table =
-        call->rows_pass ? table_size_of(call->dimensions, call->basis_order, blocks) : 0;
+    const size_t table = !call->rows_pass ? 0
+                         : call->takes_places
+                             ? call->basis->table_size(call->dimensions, blocks)
+                             : table_size_of(call->dimensions, call->basis_order, blocks);
     const size_t rows_at_once = least(rows, g->group);
     const size_t lattice = g->direct ? 0 : rows_at_once * blocks * call->lattice_size;
-    const size_t straight = call->rows_pass ? along_size(blocks) : 0;
-    const size_t turned = call->plan->rotate ? turned_size(call->dimensions, blocks) : 0;
+    const size_t straight = !call->rows_pass     ? 0
+                            : call->takes_places ? along_cells_size(blocks)
+                                                 : along_size(blocks);
+    const size_t turned =
+        call->plan->rotate && !call->takes_places ? turned_size(call->dimensions, blocks) : 0;
     const struct part_space space = {
         .along = straight > turned ? straight : turned,
         .by_turns = table > lattice ? table : lattice,
@@ -141,8 +146,10 @@ static void place_in_scratch(const struct grid_call *g, struct part *part,
     part->moving = part->turning + s.turning;
     part->sums_stored = part->moving + s.moving;
     part->along = part->sums_stored + s.sums;
-    octave->x.block = (struct along_block *)part->along;
-    octave->x.hash = (vf *)(octave->x.block + blocks);
+    if (!g->call.takes_places) {
+        octave->x.block = (struct along_block *)part->along;
+        octave->x.hash = (vf *)(octave->x.block + blocks);
+    }
     part->placed.lattice = part->sums_stored + s.sums + s.along;
     octave->table = part->placed.lattice;
     octave->table_size = (size_t)(end - octave->table);
@@ -255,9 +262,9 @@ static void place_streams(struct grid_call *call)
     }
     call->lead = (0 - start) % CACHE_LINE;
     const int whole = call->lead == 0 && g->count[0] % VEC_LANES == 0;
-    call->streams = VEC_STREAMS && call->direct && call->call.plan->octaves == 1 &&
-                    floats >= STREAM_BYTES / sizeof(float) && apart % VEC_LANES == 0 &&
-                    g->count[0] >= (whole ? 64 : 1024);
+    call->streams = VEC_STREAMS && call->call.rows_pass != NULL && call->call.plain &&
+                    call->call.plan->octaves == 1 && floats >= STREAM_BYTES / sizeof(float) &&
+                    apart % VEC_LANES == 0 && g->count[0] >= (whole ? 64 : 1024);
 }
 
 static void grid(const struct scarp_call_plan *plan, const struct scarp_grid *described,
@@ -266,7 +273,7 @@ static void grid(const struct scarp_call_plan *plan, const struct scarp_grid *de
     struct grid_scratch scratch;
     struct grid_call g = {.grid = described, .out = out};
     call_begin(&g.call, plan, dimensions, ROW);
-    g.direct = g.call.rows_pass != NULL && g.call.plain;
+    g.direct = g.call.rows_pass != NULL && g.call.plain && !g.call.takes_places;
     g.narrow = described->count[0] < VEC_LANES;
     g.stores = g.narrow || (dimensions == 3 && plan->order == 2 && plan->octaves > 1);
     place_streams(&g);

@@ -157,7 +157,7 @@ static __attribute__((noinline)) void points_more(const struct scarp_call_plan *
                                                   const struct scarp_outputs *out, struct frame f)
 {
     const int is_straight = plan->fractal == SCARP_FBM && !plan->rotate;
-    const int has_few = is_straight && plan->unchanging;
+    const int has_few = is_straight && plan->plain;
     const size_t rest = has_few && plan->order <= FEW_ORDER ? count % VEC_LANES : 0;
     if (rest > 0) {
         few_pass *const few = few_pass_of(plan, rest, f.dimensions);

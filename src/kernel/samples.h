@@ -104,7 +104,7 @@ VEC_INLINE void outputs_next_row(struct outputs *outputs, struct variant v)
 }
 
 /* Moves on by that many rows; back, if these are a number modulo 2^n. */
-static void outputs_move(struct outputs *outputs, int order, size_t rows)
+static __attribute__((noinline)) void outputs_move(struct outputs *outputs, int order, size_t rows)
 {
     for (int i = 0; i < OUTPUTS_UP_TO(order); i++) {
         outputs->array[i] += rows * outputs->row[i];
@@ -116,8 +116,8 @@ static void outputs_move(struct outputs *outputs, int order, size_t rows)
    DPHASE, if they have it, is their last vector. (This and outputs_of fill in a structure instead
    of returning it: copying it in wide vectors waits until what was written in narrow ones has left
    the core.) */
-static void outputs_stored(struct outputs *to, vf *stored, size_t size, int dimensions, int order,
-                           size_t blocks)
+static __attribute__((noinline)) void outputs_stored(struct outputs *to, vf *stored, size_t size,
+                                                     int dimensions, int order, size_t blocks)
 {
     to->block = size * VEC_LANES;
     to->array[DPHASE] = (float *)(stored + (size > 0 ? size - 1 : 0));
@@ -128,23 +128,35 @@ static void outputs_stored(struct outputs *to, vf *stored, size_t size, int dime
     }
 }
 
+/* Describes what an output that the caller asked for has from sample `first` on, whose rows are
+   `row` floats apart, or `spare`, if nobody asked for it. */
+VEC_INLINE void output_of(struct outputs *to, const struct scarp_outputs *out, int i, size_t first,
+                          size_t row, vf *spare)
+{
+    const int asked = out->array[i] != NULL;
+    to->array[i] = asked ? out->array[i] + first : (float *)spare;
+    to->row[i] = asked ? row : 0;
+}
+
+static __attribute__((noinline)) void outputs_of_order(struct outputs *to,
+                                                       const struct scarp_outputs *out, int order,
+                                                       size_t first, size_t row, vf *spare)
+{
+    for (int i = 0; i < OUTPUTS_UP_TO(order); i++) {
+        output_of(to, out, i, first, row, spare);
+    }
+}
+
 /* Describes the caller's arrays from sample `first` on, whose rows are `row` floats apart. `spare`,
    which has room for a row, takes what nobody asked for. */
-static void outputs_of(struct outputs *to, const struct scarp_outputs *out, int order, size_t first,
-                       size_t row, vf *spare)
+VEC_INLINE void outputs_of(struct outputs *to, const struct scarp_outputs *out, int order,
+                           size_t first, size_t row, vf *spare)
 {
     to->block = VEC_LANES;
-    for (int i = 0; i < OUTPUTS_UP_TO(order); i++) {
-        const int asked = out->array[i] != NULL;
-        to->array[i] = asked ? out->array[i] + first : (float *)spare;
-        to->row[i] = asked ? row : 0;
-    }
-    if (out->array[DPHASE] != NULL) {
-        to->array[DPHASE] = out->array[DPHASE] + first;
-        to->row[DPHASE] = row;
-    } else {
-        to->array[DPHASE] = (float *)spare;
-        to->row[DPHASE] = 0;
+    output_of(to, out, VALUE, first, row, spare);
+    output_of(to, out, DPHASE, first, row, spare);
+    if (order > 0) { /* out of line for the sake of size */
+        outputs_of_order(to, out, order, first, row, spare);
     }
 }
 

@@ -10,6 +10,7 @@
  *
  * and includes the vec_<isa>.h that gives the operations of simd/vec.h.
  */
+#include "cells.h"
 #include "grid.h"
 #include "normals.h"
 #include "points.h"
@@ -27,6 +28,7 @@ const struct scarp_kernels KERNELS = {
     .grid2 = grid2,
     .grid3 = grid3,
     .normals = normals,
+    .cells = cells,
 };
 
 #undef KERNELS

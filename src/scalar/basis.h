@@ -7,7 +7,9 @@
 #define SCARP_SCALAR_BASIS_H
 
 #include "../phase.h"
+#include "cells.h"
 #include "gradient.h"
+#include "simplex.h"
 #include "value.h"
 
 /* `turn` is how far gradients are turned; NULL: they are at rest. */
@@ -27,6 +29,12 @@ static inline struct sample turned_basis_at(const struct scarp_call_plan *plan,
         l = value_column(o->key, x[0], p, plan->fade, dimensions);
         r = value_column(o->key, x[1], p, plan->fade, dimensions);
         break;
+    case SCARP_SIMPLEX: return simplex_at(o, p, dimensions);
+    case SCARP_CELL_F1:
+    case SCARP_CELL_F2:
+    case SCARP_CELL_EDGE:
+    case SCARP_CELL_SOFT:
+    case SCARP_CELL_VALUE: return cells_at(plan->basis, o, p, dimensions);
     }
     return join(&l, &r, p->t[0], fade(plan->fade, p->t[0]));
 }

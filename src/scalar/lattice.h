@@ -44,10 +44,15 @@ static inline uint32_t hash2(const uint32_t key[3], uint32_t x, uint32_t y)
     return h * (h + HASH_K);
 }
 
-static inline uint32_t hash3(const uint32_t key[3], uint32_t x, uint32_t y, uint32_t z)
+static inline uint32_t joined3(const uint32_t key[3], uint32_t x, uint32_t y, uint32_t z)
 {
     const uint32_t yz = hash_axis(y, HASH_Y, key[1]) ^ hash_axis(z, HASH_Z, key[2]);
-    const uint32_t h = hash_axis(x, HASH_X, key[0]) ^ yz;
+    return hash_axis(x, HASH_X, key[0]) ^ yz;
+}
+
+static inline uint32_t hash3(const uint32_t key[3], uint32_t x, uint32_t y, uint32_t z)
+{
+    const uint32_t h = joined3(key, x, y, z);
     return h * (h + HASH_K);
 }
 

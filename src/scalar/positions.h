@@ -17,6 +17,18 @@ struct point {
     double f64[3];
 };
 
+/* The cell `steps` further along axis i, within the period. */
+static inline uint32_t cell_beside(const struct scarp_octave *o, int i, uint32_t cell, int steps)
+{
+    for (; steps > 0; steps--) {
+        cell = cell == o->last[i] ? 0 : cell + 1;
+    }
+    for (; steps < 0; steps++) {
+        cell = cell == 0 ? o->last[i] : cell - 1;
+    }
+    return cell;
+}
+
 /* A point of one octave: along each axis the numbers of the lattice points on either side, modulo
    2^32 or the period, and the position in between, in [0, 1] (rounding can reach 1; the noise is
    continuous there). */
@@ -100,22 +112,24 @@ static inline double position_f64(const struct scarp_octave *o, int turned, cons
     return p + o->offset[i];
 }
 
-/* p in octave k, split into cell and fraction. */
+/* p in octave k, split into cell and fraction; along y of triangles in units of their rows. */
 static inline struct place place_of(const struct scarp_call_plan *plan, int k,
                                     const struct point *x, int dimensions)
 {
     const struct scarp_octave *const o = &plan->octave[k];
     const int turned = is_turned(plan, k);
+    const int counts_rows = plan->basis == SCARP_SIMPLEX && dimensions == 2;
     struct place place = {{{0}}, {0}};
     for (int i = 0; i < dimensions; i++) {
+        const double stretch = counts_rows && i == 1 ? o->stretch : 1.0;
         if (x->doubles) {
-            split_f64(position_f64(o, turned, x->f64, i, dimensions), o, i, plan->repeat,
-                      place.cell[i], &place.t[i]);
+            const double p = position_f64(o, turned, x->f64, i, dimensions) * stretch;
+            split_f64(p, o, i, plan->repeat, place.cell[i], &place.t[i]);
         } else {
-            split_f32(position_f32(o, turned, x->f32, i, dimensions), o, i, place.cell[i],
-                      &place.t[i]);
+            const float p = position_f32(o, turned, x->f32, i, dimensions) * (float)stretch;
+            split_f32(p, o, i, place.cell[i], &place.t[i]);
         }
-        place.cell[i][1] = place.cell[i][0] == o->last[i] ? 0 : place.cell[i][0] + 1;
+        place.cell[i][1] = cell_beside(o, i, place.cell[i][0], 1);
     }
     return place;
 }

@@ -18,18 +18,24 @@ static void put(const struct scarp_outputs *out, size_t i, const struct sample *
     }
 }
 
+static struct point point_at(const void *const position[3], size_t i, int dimensions, int doubles)
+{
+    struct point x = {.doubles = doubles};
+    for (int d = 0; d < dimensions; d++) {
+        if (doubles) {
+            x.f64[d] = ((const double *)position[d])[i];
+        } else {
+            x.f32[d] = ((const float *)position[d])[i];
+        }
+    }
+    return x;
+}
+
 static void points(const struct scarp_call_plan *plan, size_t count, const void *const position[3],
                    const struct scarp_outputs *out, int dimensions, int doubles)
 {
     for (size_t i = 0; i < count; i++) {
-        struct point x = {.doubles = doubles};
-        for (int d = 0; d < dimensions; d++) {
-            if (doubles) {
-                x.f64[d] = ((const double *)position[d])[i];
-            } else {
-                x.f32[d] = ((const float *)position[d])[i];
-            }
-        }
+        const struct point x = point_at(position, i, dimensions, doubles);
         const struct sample sum = sum_octaves(plan, &x, dimensions);
         put(out, i, &sum);
     }
@@ -115,6 +121,43 @@ static void normals(size_t count, const float *const slope[2], float height_scal
     }
 }
 
+/* What is near x, by output. The id is there as bits. */
+static void cells_near(float of[CELLS_OUTPUTS], const struct scarp_call_plan *plan,
+                       const struct point *x, int dimensions)
+{
+    const struct scarp_octave *const o = plan->octave;
+    const struct place place = place_of(plan, 0, x, dimensions);
+    const struct nearest n = nearest_at(o, &place, dimensions);
+    const struct sample first = distance_to(&n.first), second = distance_to(&n.second);
+    const double unit = 1.0 / o->frequency64;
+    const uint32_t id = n.first.s < FAR_AWAY ? n.first.hash * FEATURE_ID : 0; /* 0 of NaN */
+    memcpy(&of[CELLS_ID], &id, sizeof id);
+    of[CELLS_F1] = first.of[VALUE] * (float)unit;
+    of[CELLS_F2] = second.of[VALUE] * (float)unit;
+    for (int i = 0; i < dimensions; i++) {
+        const float d = n.first.d[i];
+        of[CELLS_DX1 + i] = first.of[DX + i];
+        of[CELLS_DX2 + i] = second.of[DX + i];
+        of[CELLS_X + i] =
+            x->doubles ? (float)(x->f64[i] - (double)d * unit) : x->f32[i] - d * (float)unit;
+    }
+}
+
+static void cells(const struct scarp_call_plan *plan, size_t count, const void *const position[3],
+                  const struct scarp_cell_arrays *out, int dimensions, int doubles)
+{
+    for (size_t i = 0; i < count; i++) {
+        const struct point x = point_at(position, i, dimensions, doubles);
+        float of[CELLS_OUTPUTS];
+        cells_near(of, plan, &x, dimensions);
+        for (int output = 0; output < CELLS_OUTPUTS; output++) {
+            if (out->array[output] != NULL) {
+                memcpy(out->array[output] + i, &of[output], sizeof(float));
+            }
+        }
+    }
+}
+
 const struct scarp_kernels scarp_kernels_scalar = {
     .isa = SCARP_ISA_SCALAR,
     .points2_f32 = points2_f32,
@@ -124,4 +167,5 @@ const struct scarp_kernels scarp_kernels_scalar = {
     .grid2 = grid2,
     .grid3 = grid3,
     .normals = normals,
+    .cells = cells,
 };

@@ -25,7 +25,8 @@
 /* On Zen 4, a block of 16 points of eight octaves takes 220 to 360 ns, one of 8 points in AVX2 170
    to 260. (In AVX2, one point takes no longer than in SSE4.1.) */
 #define KERNELS_NARROWER scarp_kernels_avx2
-#define FEW_ORDER 0 /* few points with gradients are AVX2's, too */
+#define FEW_ORDER 0  /* few points with gradients are AVX2's, too */
+#define PART_ROWS 32 /* frames are large */
 #include KERNELS_BODY
 
 #if defined(__clang__)

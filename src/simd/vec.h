@@ -14,6 +14,13 @@
 #ifndef SCARP_SIMD_VEC_H
 #define SCARP_SIMD_VEC_H
 
+/* Whether the set is to be small rather than fast: passes for points branch where others have a
+   loop for each case, all passes share the code for lattice columns, and rows compute columns for
+   each sample. A build may say so for all sets. */
+#ifndef VEC_SMALL
+#define VEC_SMALL 0
+#endif
+
 /* Initialisers: a number for every lane of a vf, one for every lane of a vd, the lanes' numbers. */
 #if VEC_LANES == 4
 #define VEC_EACH(a) a, a, a, a
@@ -344,6 +351,7 @@ VEC_INLINE vf vf_exact_fma(vf a, vf b, vf c)
 }
 #endif
 
+#include "vec_choose.h"
 #include "vec_lookup.h"
 
 /*
@@ -414,6 +422,13 @@ VEC_INLINE vf vf_permute(vf_table table, vu index)
 /* Stands in front of a loop of a dozen operations, and unrolls it where that helps. */
 #ifndef VEC_SHORT_LOOP
 #define VEC_SHORT_LOOP
+#endif
+
+/* Stands in front of a loop that must stay one, whatever its count. */
+#ifdef __clang__
+#define VEC_ROLLED_LOOP _Pragma("clang loop unroll(disable)")
+#else
+#define VEC_ROLLED_LOOP _Pragma("GCC unroll 1")
 #endif
 
 #endif

@@ -175,6 +175,36 @@ VEC_INLINE vu vu_low_bits(vd low, vd high)
     return (vu)_mm256_permute4x64_epi64((__m256i)even, _MM_SHUFFLE(3, 1, 2, 0));
 }
 
+#define VM_CHOOSE_OWN
+VEC_INLINE vf vm_choose(vu mask, vf a, vf b)
+{
+    return (vf)_mm256_blendv_ps((__m256)b, (__m256)a, (__m256)mask);
+}
+
+#define VF_POSITIVE_OWN
+VEC_INLINE vf vf_positive(vf a)
+{
+    return (vf)_mm256_max_ps((__m256)a, _mm256_setzero_ps());
+}
+
+#define VF_LESSER_OWN
+VEC_INLINE vf vf_lesser(vf a, vf b)
+{
+    return (vf)_mm256_min_ps((__m256)a, (__m256)b);
+}
+
+#define VF_GREATER_OWN
+VEC_INLINE vf vf_greater(vf a, vf b)
+{
+    return (vf)_mm256_max_ps((__m256)a, (__m256)b);
+}
+
+#define VF_SQRT_OWN
+VEC_INLINE vf vf_sqrt(vf a)
+{
+    return (vf)_mm256_sqrt_ps((__m256)a);
+}
+
 #define VD_SQRT_OWN
 VEC_INLINE vd vd_sqrt(vd a)
 {

@@ -146,6 +146,93 @@ VEC_INLINE vd vd_sqrt(vd a)
     return (vd)_mm512_sqrt_pd((__m512d)a);
 }
 
+#define VEC_MASK_OWN
+typedef __mmask16 vm;
+
+VEC_INLINE vm vm_less(vf a, vf b)
+{
+    return _mm512_cmp_ps_mask((__m512)a, (__m512)b, _CMP_LT_OQ);
+}
+
+VEC_INLINE vm vm_equal(vu a, vu b)
+{
+    return _mm512_cmpeq_epi32_mask((__m512i)a, (__m512i)b);
+}
+
+VEC_INLINE vm vm_bit(vu a, int bit)
+{
+    return _mm512_test_epi32_mask((__m512i)a, _mm512_set1_epi32((int)(1u << bit)));
+}
+
+VEC_INLINE vf vf_add_where(vm mask, vf a, vf b)
+{
+    return (vf)_mm512_mask_add_ps((__m512)a, mask, (__m512)a, (__m512)b);
+}
+
+VEC_INLINE vf vf_subtract_where(vm mask, vf a, vf b)
+{
+    return (vf)_mm512_mask_sub_ps((__m512)a, mask, (__m512)a, (__m512)b);
+}
+
+VEC_INLINE vu vu_add_where(vm mask, vu a, vu b)
+{
+    return (vu)_mm512_mask_add_epi32((__m512i)a, mask, (__m512i)a, (__m512i)b);
+}
+
+VEC_INLINE vm vm_and(vm a, vm b)
+{
+    return (vm)(a & b);
+}
+
+VEC_INLINE vm vm_or(vm a, vm b)
+{
+    return (vm)(a | b);
+}
+
+VEC_INLINE vm vm_without(vm a, vm b)
+{
+    return (vm)(a & ~b);
+}
+
+VEC_INLINE int vm_any(vm a)
+{
+    return a != 0;
+}
+
+VEC_INLINE vu vm_keep(vm mask, vu a)
+{
+    return (vu)_mm512_maskz_mov_epi32(mask, (__m512i)a);
+}
+
+VEC_INLINE vf vm_choose(vm mask, vf a, vf b)
+{
+    return (vf)_mm512_mask_blend_ps(mask, (__m512)b, (__m512)a);
+}
+
+#define VF_POSITIVE_OWN
+VEC_INLINE vf vf_positive(vf a)
+{
+    return (vf)_mm512_max_ps((__m512)a, _mm512_setzero_ps());
+}
+
+#define VF_LESSER_OWN
+VEC_INLINE vf vf_lesser(vf a, vf b)
+{
+    return (vf)_mm512_min_ps((__m512)a, (__m512)b);
+}
+
+#define VF_GREATER_OWN
+VEC_INLINE vf vf_greater(vf a, vf b)
+{
+    return (vf)_mm512_max_ps((__m512)a, (__m512)b);
+}
+
+#define VF_SQRT_OWN
+VEC_INLINE vf vf_sqrt(vf a)
+{
+    return (vf)_mm512_sqrt_ps((__m512)a);
+}
+
 #ifndef VEC_UNFUSED
 #define VF_EXACT_FMA_OWN
 VEC_INLINE vf vf_exact_fma(vf a, vf b, vf c)

@@ -10,6 +10,11 @@
 #define VEC_LANES 4
 #endif
 
+/* On x86 it serves processors from before 2008 alone: all others have a set of their own. */
+#if SCARP_X86 && !defined(VEC_SMALL)
+#define VEC_SMALL 1
+#endif
+
 #include "vec_types.h"
 
 #include "vec.h"

@@ -106,6 +106,18 @@ VEC_INLINE vu vu_low_bits(vd low, vd high)
     return (vu)vuzp1q_u32((uint32x4_t)low, (uint32x4_t)high);
 }
 
+#define VM_CHOOSE_OWN
+VEC_INLINE vf vm_choose(vu mask, vf a, vf b)
+{
+    return (vf)vbslq_f32((uint32x4_t)mask, (float32x4_t)a, (float32x4_t)b);
+}
+
+#define VF_SQRT_OWN
+VEC_INLINE vf vf_sqrt(vf a)
+{
+    return (vf)vsqrtq_f32((float32x4_t)a);
+}
+
 #define VD_SQRT_OWN
 VEC_INLINE vd vd_sqrt(vd a)
 {

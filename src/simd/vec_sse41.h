@@ -144,6 +144,36 @@ VEC_INLINE vu vu_low_bits(vd low, vd high)
     return (vu)_mm_shuffle_ps((__m128)low, (__m128)high, _MM_SHUFFLE(2, 0, 2, 0));
 }
 
+#define VM_CHOOSE_OWN
+VEC_INLINE vf vm_choose(vu mask, vf a, vf b)
+{
+    return (vf)_mm_blendv_ps((__m128)b, (__m128)a, (__m128)mask);
+}
+
+#define VF_POSITIVE_OWN
+VEC_INLINE vf vf_positive(vf a)
+{
+    return (vf)_mm_max_ps((__m128)a, _mm_setzero_ps());
+}
+
+#define VF_LESSER_OWN
+VEC_INLINE vf vf_lesser(vf a, vf b)
+{
+    return (vf)_mm_min_ps((__m128)a, (__m128)b);
+}
+
+#define VF_GREATER_OWN
+VEC_INLINE vf vf_greater(vf a, vf b)
+{
+    return (vf)_mm_max_ps((__m128)a, (__m128)b);
+}
+
+#define VF_SQRT_OWN
+VEC_INLINE vf vf_sqrt(vf a)
+{
+    return (vf)_mm_sqrt_ps((__m128)a);
+}
+
 #define VD_SQRT_OWN
 VEC_INLINE vd vd_sqrt(vd a)
 {

@@ -43,7 +43,7 @@ class Errors(Case):
 
     def test_numbers(self):
         for option in ("--step", "--height", "--frequency", "--octaves", "--lacunarity", "--gain",
-                       "--erosion", "--sea-level", "--azimuth", "--altitude", "--z-factor",
+                       "--erosion", "--jitter", "--sea-level", "--azimuth", "--altitude", "--z-factor",
                        "--amplitude", "--phase"):
             self.check_values(option, "", "one", "1x", "1 ", " 1", "1,5", "nan", "inf", "-inf",
                               "1e999", "0x", "1.2.3", "--1", ".", "+")
@@ -57,6 +57,7 @@ class Errors(Case):
         self.check_values("--octaves", "0", "1e-46", "32.01", "1e39")
         self.check_values("--lacunarity", "0", "0.0624", "16.0001", "1e39")
         self.check_values("--gain", "0", "0.0624", "16.0001", "1e-46")
+        self.check_values("--jitter", "0", "-0", "1.0000001", "-1", "1e-46", "nan")
         self.check_values("--erosion", "0", "5.9e-8", "16777217", "-1", "1e39")
         self.check_values("--sea-level", "16777217", "-16777217", "1e39")
         self.check_values("--azimuth", "-0.001", "360.001")
@@ -78,12 +79,13 @@ class Errors(Case):
         for option, value, allowed in (("--erosion", "0", "from 2^-24 to 2^24"),
                                        ("--compare", "8", "from 1 to 7"),
                                        ("--fractal", "fBm", "fbm, turbulence, ridged or erosion"),
-                                       ("--basis", "x", "gradient or value"),
+                                       ("--basis", "x", "gradient, value, simplex, cell-f1, cell-f2, "
+                                                       "cell-edge, cell-soft or cell-value"),
                                        ("--fade", "x", "quintic or cubic")):
             result = run("terrain", option, value, cwd=self.directory)
             self.check_one_line(result, 2, option, "'%s'" % value, allowed)
             entry = re.search(r"\n  %s (?s:.*?)(?=\n  --)" % option, text).group()
-            self.assertIn(allowed, entry)
+            self.assertIn(allowed, " ".join(entry.split()))
         self.assertEqual(self.files(), [])
 
     def test_last_octave(self):
@@ -116,7 +118,7 @@ class Errors(Case):
                           "0x10000000000000000", "0x", "ff", "0xfg", " 1", "1 ")
 
     def test_choices(self):
-        self.check_values("--basis", "simplex", "Gradient", "gradient ", "")
+        self.check_values("--basis", "simple", "cell", "Gradient", "gradient ", "")
         self.check_values("--fade", "linear", "quinti", "")
         self.check_values("--fractal", "fBm", "ridge", "erosion ", "0", "")
         self.check_values("--normal-y", "Up", "left", "-1", "")

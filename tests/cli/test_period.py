@@ -98,6 +98,13 @@ class Period(Case):
                 ("--period", ["--tileable", "--octaves", "32"])):
             with self.subTest(words=words):
                 self.refused(name, small + words)
+        # Rows of triangles are no whole number of cells apart.
+        self.refused("--period", small + ["--tileable", "--basis", "simplex"])
+        self.refused("--period", ["sample", "--period", "4,4", "--basis", "simplex"], b"1 2\n")
+        for words, points in (("4,0", b"1 2\n"), ("4,4,4", b"1 2 3\n")):
+            result = run("sample", "--period", words, "--basis", "simplex", cwd=self.directory,
+                         input=points)
+            self.assertEqual((result.returncode, result.stderr), (0, b""))
         for words in (["--period", "4,4", "--rotate", "--octaves", "2"],):
             self.refused("--rotate", ["sample"] + words)
         self.refused("--lacunarity", ["sample", "--period", "4,4", "--lacunarity", "2.5",
@@ -105,8 +112,8 @@ class Period(Case):
         for text in ("4", "4,", ",4", "4,4,4,4", "4,x", "-1,4", "1073741825,1", "1.5,2"):
             self.refused("--period", ["sample", "--period", text])
 
-    def refused(self, name, words):
-        result = run(*words, cwd=self.directory, input=b"")
+    def refused(self, name, words, points=b""):
+        result = run(*words, cwd=self.directory, input=points)
         lines = result.stderr.decode().splitlines()
         self.assertEqual((result.returncode, len(lines)), (2, 1), lines)
         self.assertTrue(lines[0].startswith("scarp: %s: " % name), lines)

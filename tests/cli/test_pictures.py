@@ -33,7 +33,7 @@ class Pictures(Case):
             if option:
                 defaults[option.group(1)] = option.group(2)
         self.assertEqual([defaults.pop("--tiles"), defaults.pop("--share")], ["all", "all"])
-        self.assertEqual(len(defaults), 20, defaults)
+        self.assertEqual(len(defaults), 21, defaults)
         self.assertEqual(defaults.pop("--size"), "1024x1024")
         self.assertEqual(defaults.pop("--overlap"), "0")  # which needs --tile
         explicit = [word for pair in defaults.items() for word in pair]
@@ -67,6 +67,16 @@ class Pictures(Case):
             self.assertNotIn(data, heights, (arguments, heights.get(data)))
             heights[data] = arguments
         self.assertEqual(len(heights), 23)
+
+    def test_jitter_counts(self):
+        """How far features stray matters to cellular noise, and to no other."""
+        bases = ("gradient", "value", "simplex", "cell-f1", "cell-f2", "cell-edge", "cell-soft",
+                 "cell-value")
+        for basis in bases:
+            pictures = [self.terrain(*SMALL, "--basis", basis, "--jitter", jitter)
+                        for jitter in ("1", "0.5", "0.1")]
+            different = 3 if basis.startswith("cell") else 1
+            self.assertEqual(len(set(map(str, pictures))), different, basis)
 
     def test_erosion_counts(self):
         """How much it damps matters to --fractal erosion, and to no other."""

@@ -34,7 +34,8 @@ class Presets(Case):
         entry = re.search(r"\n  --preset (?s:.*?)(?=\n  --)", text).group()
         names = re.search(r"(\w+(, \w+)+ or \w+)", entry).group()
         self.assertEqual(re.findall(r"\w+", names.replace(" or ", ", ")), ["none", *told()])
-        self.assertEqual(list(told()), ["alps", "dunes", "islands", "canyon"])
+        self.assertEqual(list(told()), ["alps", "dunes", "islands", "canyon", "cirques",
+                                          "karst"])
 
     def test_options_are_told(self):
         plain = self.make()
@@ -72,7 +73,7 @@ class Presets(Case):
     def test_unknown(self):
         for name in ("Alps", "alp", "alps ", "", "1"):
             result = run("terrain", *SIZE, "--preset", name, cwd=self.directory)
-            self.check_one_line(result, 2, "--preset", "none, alps, dunes, islands or canyon")
+            self.check_one_line(result, 2, "--preset", "none, alps, dunes, islands, canyon, cirques or karst")
         self.assertEqual(self.files(), [])
 
     def test_bad_option_beside(self):

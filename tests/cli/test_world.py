@@ -69,7 +69,7 @@ class Manifest(WorldCase):
             "size": [40, 30], "tile": [10, 10], "overlap": 1, "origin": [-7.25, 1e9], "step": 1,
             "period": [0, 0], "tileable": False, "height": 0.1, "sea-level": -0.25, "plateau": None, "compare": 0, "normal-y": "down",
             "azimuth": 315, "altitude": 45, "z-factor": 1, "seed": 18446744073709551615,
-            "basis": "gradient", "fade": "quintic", "fractal": "fbm", "erosion": 1,
+            "basis": "gradient", "jitter": 1, "fade": "quintic", "fractal": "fbm", "erosion": 1,
             "frequency": 0.03, "octaves": 3, "lacunarity": 2, "gain": 0.4, "amplitude": -3,
             "phase": None, "rotate": True, "heights": "w_{y}_{x}.r32", "normals": "npy:n_{y}_{x}.v1",
             "hillshade": "s_{y}_{x}.img", "gradient": None, "output": None})
@@ -91,7 +91,7 @@ class Manifest(WorldCase):
                    "altitude": ("1", "45", "1"), "z-factor": ("3", "1", "3"),
                    "tile": ("10x11", "[10, 10]", "[10, 11]"), "overlap": ("1", "0", "1"),
                    "seed": ("2", "1", "2"), "basis": ("value", '"gradient"', '"value"'),
-                   "fade": ("cubic", '"quintic"', '"cubic"'),
+                   "jitter": ("0.5", "1", "0.5"), "fade": ("cubic", '"quintic"', '"cubic"'),
                    "fractal": ("ridged", '"fbm"', '"ridged"'), "erosion": ("2", "1", "2"),
                    "frequency": ("0.5", "0.03", "0.5"), "octaves": ("2.5", "3", "2.5"),
                    "lacunarity": ("3", "2", "3"), "gain": ("0.25", "0.4", "0.25"),

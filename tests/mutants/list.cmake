@@ -23,7 +23,9 @@ mutant(positions.huge IN kernel TEXT [[const vf lower = vf_floor(p);]]
        SEEN_BY bits)
 mutant(positions.half_cell IN kernel TEXT [[(lower + vf_set(0.5f))]]
        BECOMES [[(lower + vf_set(MUTANT ? 0.0f : 0.5f))]] SEEN_BY bits)
-mutant(positions.far IN kernel TEXT [[vu_any(far & vu_set(FAR_BITS))]]
+mutant(positions.far IN kernel/lattice.h TEXT [[vu_any(far & vu_set(FAR_BITS))]]
+       BECOMES [[!MUTANT && vu_any(far & vu_set(FAR_BITS))]] SEEN_BY bits)
+mutant(positions.far_places IN kernel/places.h TEXT [[vu_any(far & vu_set(FAR_BITS))]]
        BECOMES [[!MUTANT && vu_any(far & vu_set(FAR_BITS))]] SEEN_BY bits)
 mutant(positions.period_end IN kernel TEXT [[(vu)(cell == vu_set(o->last[i]))]]
        BECOMES [[(vu)(cell == vu_set(o->last[i] - (uint32_t)MUTANT))]] SEEN_BY bits)
@@ -139,13 +141,50 @@ mutant(rows.reach IN kernel TEXT [[right - base > VF_TABLE - 2]]
 mutant(rows.columns IN kernel TEXT [[(vf)hash_axis(column, o, 0, f.axes).h0]]
        BECOMES [[MUTANT ? (vf)hash_axis(column, o, 0, f.axes).h1
                         : (vf)hash_axis(column, o, 0, f.axes).h0]] SEEN_BY grid)
-mutant(rows.slide IN kernel TEXT [[slides ? (left - lowest) % VEC_LANES : 0]]
-       BECOMES [[slides && !MUTANT ? (left - lowest) % VEC_LANES : 0]] SEEN_BY grid SETS avx512)
+mutant(rows.slide IN kernel TEXT [[const size_t last = base + VF_TABLE - VEC_LANES;]]
+       BECOMES [[const size_t last = base + (MUTANT ? 0 : VF_TABLE - VEC_LANES);]]
+       SEEN_BY grid SETS avx512)
 
 mutant(rows.turned_same IN kernel TEXT [[(vec_u64)(cell == left)]]
        BECOMES [[(MUTANT && i > 0 ? same : (vec_u64)(cell == left))]] SEEN_BY grid)
 mutant(rows.turned_next IN kernel TEXT [[cell[i] = next[i];]]
        BECOMES [[cell[i] = MUTANT ? cell[i] : next[i];]] SEEN_BY grid)
+
+# simplex noise
+mutant(simplex.odd IN kernel/basis TEXT [[const vm odd = vm_bit(row, 0);]]
+       BECOMES [[const vm odd = vm_bit(row, MUTANT);]] SEEN_BY bits)
+mutant(simplex.nearest IN kernel/basis TEXT [[r.near_x = vm_and(r.not_near_z, xy);]]
+       BECOMES [[r.near_x = vm_and(r.not_near_z, MUTANT ? yz : xy);]] SEEN_BY bits)
+mutant(simplex.period IN kernel/basis TEXT [[(vu)(cell == last) & (last + 1)]]
+       BECOMES [[(vu)(cell == last - (uint32_t)MUTANT) & (last + 1)]] SEEN_BY bits)
+mutant(simplex.row_odd IN kernel/rows TEXT [[vf_set(row->odd ? 0.5f : 0.0f)]]
+       BECOMES [[vf_set(!MUTANT && row->odd ? 0.5f : 0.0f)]] SEEN_BY grid)
+mutant(simplex.before IN kernel TEXT [[at.before = vm_less(from, shift);]]
+       BECOMES [[at.before = vm_less(from, MUTANT ? 0.0f * shift : shift);]] SEEN_BY bits)
+mutant(simplex.third IN kernel TEXT [[vm_choose(lower, at, at - 1.5f)]]
+       BECOMES [[vm_choose(lower, at, at - (MUTANT ? 1.25f : 1.5f))]] SEEN_BY bits)
+mutant(simplex.centre IN kernel TEXT [[vu_set(i < 2 ? HASH_CENTRE : HASH_K)]]
+       BECOMES [[vu_set(i < 2 && !MUTANT ? HASH_CENTRE : HASH_K)]] SEEN_BY bits)
+mutant(simplex.hessian_order IN kernel TEXT [[s.dxy = bend * x * y -]]
+       BECOMES [[s.dxy = (MUTANT ? bend * (x * y) : bend * x * y) -]] SEEN_BY bits)
+mutant(simplex.stretch IN kernel TEXT [[p * vd_set(o->stretch)]]
+       BECOMES [[p * vd_set(MUTANT ? (float)o->stretch : o->stretch)]] SEEN_BY bits)
+mutant(simplex.row_first IN kernel TEXT [[(size_t)vm_any(at.before)]]
+       BECOMES [[(size_t)(!MUTANT && vm_any(at.before))]] SEEN_BY grid)
+mutant(simplex.row_beside IN kernel TEXT [[line->left > 0.25f]]
+       BECOMES [[line->left > (MUTANT ? 0.375f : 0.25f)]] SEEN_BY grid)
+
+# cellular noise
+mutant(cells.ring IN kernel TEXT [[return vm_any(vm_less(bound * bound, s * RING_MARGIN));]]
+       BECOMES [[return !MUTANT && vm_any(vm_less(bound * bound, s * RING_MARGIN));]] SEEN_BY bits)
+mutant(cells.period IN kernel TEXT [[before += (vu)(cell == 0) & period;]]
+       BECOMES [[before += (vu)(cell == (vu_set(0) + (uint32_t)MUTANT)) & period;]] SEEN_BY bits)
+mutant(cells.second IN kernel TEXT [[vf_lesser(vf_greater(f->s, to->s[0]), to->s[1])]]
+       BECOMES [[vf_lesser(MUTANT ? f->s : vf_greater(f->s, to->s[0]), to->s[1])]] SEEN_BY bits)
+mutant(cells.soft_hessian IN kernel TEXT [[14.0f * a6]]
+       BECOMES [[(MUTANT ? 13.0f : 14.0f) * a6]] SEEN_BY bits)
+mutant(cells.row_left_out IN kernel TEXT [[row->search.second ? second : first]]
+       BECOMES [[row->search.second && !MUTANT ? second : first]] SEEN_BY grid)
 
 # outputs
 mutant(outputs.lanes IN kernel TEXT [[put_block(float *to, vf term, enum put put)

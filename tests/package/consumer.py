@@ -56,7 +56,9 @@ def check_layout():
 
 
 def check_names(library):
-    assert names(library.scarp_basis_name) == ["gradient", "value"]
+    assert names(library.scarp_basis_name) == [
+        "gradient", "value", "simplex", "cell-f1", "cell-f2", "cell-edge", "cell-soft",
+        "cell-value"]
     assert names(library.scarp_fade_name) == ["quintic", "cubic"]
     assert names(library.scarp_fractal_name) == ["fbm", "turbulence", "ridged", "erosion"]
     assert names(library.scarp_isa_name)[:2] == ["none", "scalar"]
@@ -76,7 +78,13 @@ def check_faults(library):
     assert (check(), member.value) == (OK, None)
     noise.basis = 1
     assert (check(), member.value) == (ERROR_UNSUPPORTED, b"phase")
-    noise.basis = 0
+    noise.basis, noise.phase = 2, 0
+    assert (check(), member.value) == (ERROR_UNSUPPORTED, b"period[1]")
+    noise.basis = 7
+    assert (check(), member.value) == (OK, None)
+    noise.jitter = 1.5
+    assert (check(), member.value) == (ERROR_PARAMETER, b"jitter")
+    noise.jitter, noise.basis = 0.5, 0
     noise.spare0 = 5
     assert (check(), member.value) == (ERROR_UNSUPPORTED, b"spare0")
     noise.gain = 17

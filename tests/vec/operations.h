@@ -111,6 +111,51 @@ static void sqrt_d(double *out, const double *in)
     store_halves(out, vd_sqrt(vd_load(in)), vd_sqrt(vd_load(in + VEC_LANES / 2)));
 }
 
+static void sqrt_f(float *out, const float *in)
+{
+    vf_store(out, vf_sqrt(vf_load(in)));
+}
+
+static void positive(float *out, const float *in)
+{
+    vf_store(out, vf_positive(vf_load(in)));
+}
+
+static void lesser(float *out, const float *a, const float *b)
+{
+    vf_store(out, vf_lesser(vf_load(a), vf_load(b)));
+}
+
+static void greater(float *out, const float *a, const float *b)
+{
+    vf_store(out, vf_greater(vf_load(a), vf_load(b)));
+}
+
+/* A number for each lane: 1 where a < b, 2 where a and b have the same bits, 4 where both or
+   either, 8 where the first and not the second, and whether any lane is less. */
+static int masks(float *chosen, uint32_t *kept, const float *a, const float *b)
+{
+    const vf va = vf_load(a), vb = vf_load(b);
+    const vm less = vm_less(va, vb), equal = vm_equal((vu)va, (vu)vb);
+    vf_store(chosen, vm_choose(less, va, vb));
+    vu_store(kept, vm_keep(less, vu_set(1)) | vm_keep(equal, vu_set(2)) |
+                       vm_keep(vm_or(less, equal), vu_set(4)) |
+                       vm_keep(vm_without(less, equal), vu_set(8)) |
+                       vm_keep(vm_and(less, equal), vu_set(16)) |
+                       vm_keep(vm_and(less, vm_less(va, vf_set(1.0f))), vu_set(32)));
+    return vm_any(less);
+}
+
+/* The same of a and b where bit 3 of `bits` is set, and a where it is not. */
+static void where(float *added, float *subtracted, uint32_t *sum, const float *a, const float *b,
+                  const uint32_t *bits)
+{
+    const vm mask = vm_bit(vu_load(bits), 3);
+    vf_store(added, vf_add_where(mask, vf_load(a), vf_load(b)));
+    vf_store(subtracted, vf_subtract_where(mask, vf_load(a), vf_load(b)));
+    vu_store(sum, vu_add_where(mask, (vu)vf_load(a), (vu)vf_load(b)));
+}
+
 static void exact_fma(float *out, const float *a, const float *b, const float *c)
 {
     vf_store(out, vf_exact_fma(vf_load(a), vf_load(b), vf_load(c)));
@@ -232,6 +277,12 @@ const struct vec_operations VEC_OPERATIONS(KERNELS) = {
     .d_from_f = d_from_f,
     .low_bits = low_bits,
     .sqrt_d = sqrt_d,
+    .sqrt_f = sqrt_f,
+    .positive = positive,
+    .lesser = lesser,
+    .greater = greater,
+    .masks = masks,
+    .where = where,
     .exact_fma = exact_fma,
     .turn8 = turn8,
     .any = any,

@@ -36,6 +36,13 @@ struct vec_operations {
     void (*d_from_f)(double *out, const float *in);
     void (*low_bits)(uint32_t *out, const double *in);
     void (*sqrt_d)(double *out, const double *in);
+    void (*sqrt_f)(float *out, const float *in);
+    void (*positive)(float *out, const float *in);
+    void (*lesser)(float *out, const float *a, const float *b);
+    void (*where)(float *added, float *subtracted, uint32_t *sum, const float *a, const float *b,
+                  const uint32_t *bits);
+    void (*greater)(float *out, const float *a, const float *b);
+    int (*masks)(float *chosen, uint32_t *kept, const float *a, const float *b);
     /* a b + c, a b being exact */
     void (*exact_fma)(float *out, const float *a, const float *b, const float *c);
     void (*turn8)(uint32_t *out, const uint32_t *in);

@@ -95,7 +95,7 @@ static const struct option result_rows[] = {
      .offset = FIELD(gradient)},
     {.name = "--hessian", .help = "after these, its second derivatives", .offset = FIELD(hessian)},
     {.name = "--dphase",
-     .help = "after these, its derivative by the phase, per turn; not with\n--basis value",
+     .help = "after these, its derivative by the phase, per turn; only with\n--basis gradient",
      .offset = FIELD(dphase)},
 };
 
@@ -241,8 +241,8 @@ static bool check_results(const struct scarp_noise *noise, const struct sample_o
         return false;
     }
     if (options->dphase && scarp_sample2_f64(noise, 1, &origin, &origin, &flow) != SCARP_OK) {
-        cli_error("--dphase: value noise has no gradients to turn; leave it out or take --basis "
-                  "gradient");
+        cli_error("--dphase: only the gradients of --basis gradient turn; leave it out or take "
+                  "that");
         return false;
     }
     return true;
@@ -292,6 +292,10 @@ static int open_both(struct sample *sample, const struct sample_options *options
     if (status != CLI_SUCCESS) {
         return status;
     }
+    /* Some noise is there in space alone. */
+    if (points->dims == 2 && !noise_make(&options->noise, 2, &sample->noise)) {
+        return CLI_USAGE;
+    }
     if (results->format == POINTS_UNKNOWN) {
         results->format = format_by_name(options->output, points->format);
     }
@@ -311,7 +315,10 @@ static int sample_all(struct sample *sample)
         if (status != CLI_SUCCESS || sample->block.count == 0) {
             return status;
         }
-        sample_block(sample); /* cannot fail: check_results tried */
+        if (sample_block(sample) != SCARP_OK) { /* nothing is known that leads here */
+            cli_error("the library refuses this noise");
+            return CLI_FAILURE;
+        }
         status = results_write(&sample->results, &sample->points, &sample->block);
         if (status != CLI_SUCCESS) {
             return status;

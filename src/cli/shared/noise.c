@@ -12,18 +12,19 @@
 #define FIELD(name) offsetof(struct noise_options, name)
 
 /* Help and messages spell out the library's words; tests/test_cli_words.c compares them. */
-#define BASES "gradient or value"
+#define BASES "gradient, value, simplex, cell-f1, cell-f2, cell-edge, cell-soft or cell-value"
+#define BASES_HELP "gradient, value, simplex,\ncell-f1, cell-f2, cell-edge, cell-soft or cell-value"
 #define FADES "quintic or cubic"
 #define FRACTALS "fbm, turbulence, ridged or erosion"
 
 /* Refuses also what is 0 as a float, from 2^-150 down: the library takes it for the default. */
-static enum option_result parse_octaves(const struct option *option, const char *text, void *field)
+static enum option_result parse_positive(const struct option *option, const char *text, void *field)
 {
-    float octaves;
-    if (option_float(option, text, &octaves) != OPTION_VALID || octaves == 0.0f) {
+    float number;
+    if (option_float(option, text, &number) != OPTION_VALID || number == 0.0f) {
         return OPTION_INVALID;
     }
-    *(float *)field = octaves;
+    *(float *)field = number;
     return OPTION_VALID;
 }
 
@@ -54,10 +55,22 @@ const struct option noise_option_rows[NOISE_OPTION_COUNT] = {
      .argument = "NAME",
      .standard = "gradient",
      .allowed = BASES,
-     .help = "noise of an octave: " BASES,
+     .help = "noise of an octave: " BASES_HELP,
      .parse = option_choice,
      .offset = FIELD(basis),
      .choice = basis_word},
+    {.name = "--jitter",
+     .argument = "F",
+     .standard = "1",
+     .allowed = "a number above 2^-150, at most 1",
+     .help =
+         "with --basis cell-..., how far features stray from the middles of\ntheir cells, above "
+         "2^-150, at most 1",
+     .parse = parse_positive,
+     .like = option_float,
+     .offset = FIELD(jitter),
+     .lowest = 0,
+     .highest = 1},
     {.name = "--fade",
      .argument = "NAME",
      .standard = "quintic",
@@ -98,7 +111,7 @@ const struct option noise_option_rows[NOISE_OPTION_COUNT] = {
      .allowed = "a number above 2^-150, at most 32",
      .help = "octaves that are summed, above 2^-150 (less is no float above 0),\n"
              "at most 32; a fraction fades the last one in",
-     .parse = parse_octaves,
+     .parse = parse_positive,
      .like = option_float,
      .offset = FIELD(octaves),
      .lowest = 0,
@@ -135,7 +148,7 @@ const struct option noise_option_rows[NOISE_OPTION_COUNT] = {
      .argument = "F",
      .allowed = "a finite number, at most 2^128 - 2^104 in magnitude",
      .help = "turns of the lattice's gradients, any finite float: as it grows,\nthe noise flows "
-             "where it is, and loops after 1; not with --basis\nvalue [it stands still]",
+             "where it is, and loops after 1; only with --basis\ngradient [it stands still]",
      .parse = option_float,
      .offset = FIELD(phase),
      .lowest = -0x1.fffffep127,
@@ -146,15 +159,19 @@ const struct option noise_option_rows[NOISE_OPTION_COUNT] = {
 };
 
 /* Each number was checked by itself; what is left is how they go together. */
-static void refuse(const char *member)
+static void refuse(const char *member, bool simplex)
 {
     if (strcmp(member, "lacunarity") == 0) {
         cli_error("--lacunarity: is no whole number from 1 to 16, which noise with a period needs");
     } else if (strcmp(member, "rotate") == 0) {
         cli_error("--rotate: axes that are turned do not repeat; leave it out with --period");
     } else if (strcmp(member, "phase") == 0) {
-        cli_error("--phase: value noise has no gradients to turn; leave it out or take --basis "
-                  "gradient");
+        cli_error(
+            "--phase: only the gradients of --basis gradient turn; leave it out or take that");
+    } else if (strcmp(member, "period[1]") == 0 && simplex) {
+        cli_error(
+            "--period: simplex noise repeats along x only in 2D; leave it out or take another "
+            "--basis");
     } else if (strncmp(member, "period", 6) == 0) {
         cli_error("--period: has more than 2^30 cells in the last octave; fewer --octaves or a "
                   "lower --lacunarity will do");
@@ -186,13 +203,14 @@ bool noise_make(const struct noise_options *options, int dimensions, struct scar
         .gain = options->gain,
         .amplitude = options->amplitude,
         .erosion = options->erosion,
+        .jitter = options->jitter,
         .phase = phase_of(options),
     };
     memcpy(noise->period, options->period, sizeof noise->period);
     const char *member = NULL;
     const enum scarp_status status = scarp_noise_check(noise, dimensions, &member);
     if (status != SCARP_OK) {
-        refuse(member);
+        refuse(member, status == SCARP_ERROR_UNSUPPORTED && noise->basis == SCARP_SIMPLEX);
     }
     return status == SCARP_OK;
 }

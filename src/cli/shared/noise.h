@@ -17,7 +17,7 @@
 struct noise_options {
     uint64_t seed;
     double frequency;
-    float octaves, lacunarity, gain, amplitude, erosion, phase;
+    float octaves, lacunarity, gain, amplitude, erosion, jitter, phase;
     uint32_t period[3];
     int basis, fade, fractal, rotate; /* enumerators of scarp.h */
 };
@@ -25,7 +25,7 @@ struct noise_options {
 /* The phase of what does not flow: not given, which is not the same as --phase 0. */
 #define NOISE_STILL INFINITY
 
-#define NOISE_OPTION_COUNT 12
+#define NOISE_OPTION_COUNT 13
 extern const struct option noise_option_rows[NOISE_OPTION_COUNT];
 
 /* Makes the noise for so many dimensions. False, with a line on stderr, if the numbers do not go

@@ -28,5 +28,17 @@ static option_words canyon = {"--fractal", "turbulence", "--rotate", "--frequenc
                               "--octaves", "8",          "--gain",   "0.36",        "--height",
                               "260",       "--plateau",  "0.22",     NULL};
 
-const char *const preset_names[] = {"none", "alps", "dunes", "islands", "canyon", NULL};
-const char *const *const preset_words[] = {none, alps, dunes, islands, canyon};
+/* The soft distance is low at features and high between them: basins in a net of crests. */
+static option_words cirques = {"--basis",   "cell-soft", "--fractal", "erosion",
+                               "--erosion", "0.3",       "--rotate",  "--frequency",
+                               "0.004",     "--octaves", "8",         "--gain",
+                               "0.44",      "--height",  "130",       NULL};
+
+/* The distance turned over: domes with gullies between them. */
+static option_words karst = {"--basis",   "cell-f1",  "--rotate", "--frequency", "0.0045",
+                             "--octaves", "8",        "--gain",   "0.36",        "--amplitude",
+                             "-1",        "--height", "110",      NULL};
+
+const char *const preset_names[] = {"none",   "alps",    "dunes", "islands",
+                                    "canyon", "cirques", "karst", NULL};
+const char *const *const preset_words[] = {none, alps, dunes, islands, canyon, cirques, karst};

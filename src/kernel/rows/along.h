@@ -9,9 +9,12 @@
 
 #include "../basis/basis.h"
 
-/* The most blocks of a strip, and the most rows of a part. */
+/* The most blocks of a strip, and the most rows of a part: a set whose frames are large has less,
+   so that a call stays below 48 KiB of stack. */
 #define STRIP_BLOCKS 32
+#ifndef PART_ROWS
 #define PART_ROWS 64
+#endif
 
 /* Blocks of columns that a table reads. */
 #define TABLE_BLOCKS (VF_TABLE / VEC_LANES)
@@ -23,7 +26,7 @@
 enum columns_kind {
     WIDE,   /* each sample computes those of its own two columns */
     TABLES, /* from tables in memory: rows.h */
-    SLIDES  /* from tables that slide on along the row: slide.h */
+    SLIDES  /* from tables that slide on along the row: rows.h, slide.h */
 };
 
 /* Neighbouring blocks that read their lines from one table. */
@@ -186,10 +189,12 @@ VEC_INLINE void hash_columns(struct along_x *x, const struct scarp_octave *o, co
     }
 }
 
-/* Prepares the octave at a strip, whose coordinates are at->array[0]. */
-VEC_INLINE void along_x_run(struct along_x *x, const struct scarp_octave *o, size_t blocks,
-                            const struct positions *at, enum scarp_fade kind, struct frame f)
+/* Prepares the octave at a strip, whose coordinates are at->array[0]. A branch for the fade at each
+   block costs nothing here. */
+static void along_x(struct along_x *x, const struct scarp_octave *o, size_t blocks,
+                    const struct positions *at, enum scarp_fade kind, enum axes axes)
 {
+    const struct frame f = {ROW, axes, 2};
     uint32_t cells[STRIP_BLOCKS * VEC_LANES];
     struct frame straight = f; /* cells go on where the lattice repeats */
     straight.axes = axes_repeat(f.axes) ? AXES_STRAIGHT : f.axes;
@@ -201,22 +206,13 @@ VEC_INLINE void along_x_run(struct along_x *x, const struct scarp_octave *o, siz
         x->block[i].t = s.t;
         x->block[i].fade = fade(kind, s.t);
     } while (++i < blocks);
-    x->kind = cells_in_order(o, at->array[0], blocks) ? place_columns(x, cells, blocks) : WIDE;
+    x->kind = !VEC_SMALL && cells_in_order(o, at->array[0], blocks)
+                  ? place_columns(x, cells, blocks)
+                  : WIDE;
     if (x->kind == WIDE) {
         hash_samples(x, o, cells, at, f);
     } else {
         hash_columns(x, o, cells, at, f);
-    }
-}
-
-static void along_x(struct along_x *x, const struct scarp_octave *o, size_t blocks,
-                    const struct positions *at, enum scarp_fade kind, enum axes axes)
-{
-    const struct frame f = {ROW, axes, 2};
-    if (kind == SCARP_QUINTIC) {
-        along_x_run(x, o, blocks, at, SCARP_QUINTIC, f);
-    } else {
-        along_x_run(x, o, blocks, at, SCARP_CUBIC, f);
     }
 }
 

@@ -7,7 +7,8 @@
  * serve as many blocks as they reach (a stretch). Included by ../driver.h. The bits are those of
  * the points pass, because the lines are the same.
  *
- * Tables of two vectors, AVX-512's, need no memory where columns go up along a row: slide.h.
+ * Tables of two vectors, AVX-512's, slide on by one where columns go up along a row. Some variants
+ * need no memory for that: slide.h.
  *
  * A table serves lanes in VF_TABLE - 1 neighbouring columns. Where a block needs more, or columns
  * are nearly as many as samples, each lane has its own two columns (WIDE), and shares with the
@@ -16,15 +17,23 @@
 #ifndef SCARP_KERNEL_ROWS_H
 #define SCARP_KERNEL_ROWS_H
 
+#include "cells.h"
 #include "slide.h"
 
 /* An octave on the rows of a part, from row `begin` on. `table` has `table_size` vectors for the
    lines of columns, which hold at least one row: see table_size_of(). */
 struct row_octave {
-    struct along_x x;
-    struct along_rows rows;
+    union {
+        struct { /* of bases that blend corners */
+            struct along_x x;
+            struct along_rows rows;
+        };
+        struct along_cells cells; /* of bases that take places */
+    };
     size_t begin;
-    const float *turn; /* of the octave, or its derivative; for passes that flow */
+    enum scarp_basis basis; /* for passes that serve several */
+    int order;              /* likewise: the highest derivative */
+    const float *turn;      /* of the octave, or its derivative; for passes that flow */
     vf *table;
     size_t table_size;
 };
@@ -105,6 +114,25 @@ VEC_INLINE struct stretch_lines open_lines(const struct tables *t, size_t base, 
     return l;
 }
 
+/* Whether a variant slides without tables in memory. That takes more code: each loop computes
+   columns. With tables, values of value noise and Hessians take up to 10 and 26 % longer, all else
+   as long or less. */
+VEC_INLINE int slides_in_registers(struct variant v)
+{
+    return VF_TABLE > VEC_LANES && (v.order == 2 || (v.order == 0 && flat(v)));
+}
+
+/* Slides line i on to the table from column `base` on. */
+VEC_INLINE void slide_on(struct stretch_line *l, const struct tables *t, int i, size_t base,
+                         struct variant v)
+{
+    const size_t last = base + VF_TABLE - VEC_LANES;
+    l->b = vf_table_slide(l->b, vf_load((const float *)table_of(t, i, 0, v) + last));
+    if (!flat(v)) {
+        l->a = vf_table_slide(l->a, vf_load((const float *)table_of(t, i, 1, v) + last));
+    }
+}
+
 /* Computes a row from the columns that the tables begin with. */
 VEC_INLINE void table_row(const struct along_x *x, const struct tables *t,
                           const struct target *target, struct variant v, enum put put)
@@ -113,13 +141,15 @@ VEC_INLINE void table_row(const struct along_x *x, const struct tables *t,
     const struct outputs to = target->outputs;
     const struct along_block *block = x->block, *const row_end = block + x->blocks;
     const struct stretch *stretch = x->stretch;
-    size_t to_at = 0;
+    const int slides = VF_TABLE > VEC_LANES && !slides_in_registers(v);
+    struct stretch_lines l = {0};
+    size_t to_at = 0, slid = SIZE_MAX; /* the base of `l` when it slides on */
     for (; block < row_end; stretch++) {
         const struct along_block *const end = block + stretch->blocks;
         const size_t base = stretch->base;
         if (stretch->in_column) {
-            const struct stretch_lines l = open_lines(t, base, 1, v);
-            const struct sides s = get_sides(&l, vu_set(0), 1, v);
+            const struct stretch_lines columns = open_lines(t, base, 1, v);
+            const struct sides s = get_sides(&columns, vu_set(0), 1, v);
             VEC_SHORT_LOOP
             for (; block < end; block++) {
                 const struct sample n = join_sides(block, &s, v);
@@ -128,7 +158,14 @@ VEC_INLINE void table_row(const struct along_x *x, const struct tables *t,
             }
             continue;
         }
-        const struct stretch_lines l = open_lines(t, base, 0, v);
+        if (slides && base == slid) {
+#define DO(i, name) slide_on(&l.line[i], t, i, base, v)
+            EACH_LINE(v, DO);
+#undef DO
+        } else {
+            l = open_lines(t, base, 0, v);
+        }
+        slid = base + VEC_LANES;
         for (; block < end; block++) {
             const struct sides s = get_sides(&l, (vu)block->index, 0, v);
             const struct sample n = join_sides(block, &s, v);
@@ -171,7 +208,7 @@ static void clear_beyond(const struct tables *t, size_t lines, size_t at)
 VEC_INLINE void put_row(const struct row_octave *o, size_t r, const struct tables *t,
                         const struct target *to, struct variant v, enum put put)
 {
-    if (VF_TABLE > VEC_LANES && o->x.kind == SLIDES) {
+    if (slides_in_registers(v) && o->x.kind == SLIDES) {
         const struct along_row row = row_of(&o->rows, r, to->directions, v.dimensions);
         slide_row(&o->x, &row, to, v, put);
     } else {
@@ -192,13 +229,14 @@ VEC_INLINE void rows_run(const struct row_octave *o, size_t rows, const struct w
     if (v.flows) {
         turn_directions(&directions, o->turn, v.dimensions);
     }
-    const int tables = o->x.kind == TABLES;
+    const int tables =
+        !VEC_SMALL && o->x.kind != WIDE && !(slides_in_registers(v) && o->x.kind == SLIDES);
     const size_t lines = line_count(v.dimensions, v.order) * (flat(v) ? 1 : 2);
     const struct tables t = {o->table, tables ? o->table_size / lines : 0};
     const size_t column_blocks = tables ? o->x.column_blocks : 0;
     size_t room = rows;
     if (tables) {
-        room = least(rows, (t.stride - TABLE_BLOCKS) / column_blocks);
+        room = least(rows, (t.stride - TABLE_BLOCKS) / (VEC_SMALL ? 1 : column_blocks));
         clear_beyond(&t, lines, room * column_blocks);
     }
     for (size_t begin = o->begin, last = begin + rows; begin < last; begin += room) {
@@ -209,7 +247,7 @@ VEC_INLINE void rows_run(const struct row_octave *o, size_t rows, const struct w
         }
         for (size_t r = begin; r < end; r++) {
             const struct tables here = {t.start + (r - begin) * column_blocks, t.stride};
-            if (o->x.kind == WIDE) {
+            if (VEC_SMALL || o->x.kind == WIDE) {
                 const struct along_row row = row_of(&o->rows, r, &directions, v.dimensions);
                 wide_row(&o->x, &row, &to, v, put);
             } else if (v.order > 1 || v.flows) { /* there, a branch for each block costs little */
