@@ -39,6 +39,46 @@ template <typename Node> FastNoise::SmartNode<FastNoise::Generator> basis(FastSI
     return node;
 }
 
+/* Its features stray on circles, which is why it searches no further than the cells around. */
+FastNoise::SmartNode<FastNoise::Generator> distance(FastSIMD::FeatureSet set, scarp_basis of)
+{
+    auto node = FastNoise::New<FastNoise::CellularDistance>(set);
+    if (node) {
+        node->SetScale(1.0f);
+        node->SetDistanceFunction(FastNoise::DistanceFunction::Euclidean);
+        node->SetDistanceIndex0(of == SCARP_CELL_F2 ? 1 : 0);
+        node->SetReturnType(of == SCARP_CELL_EDGE
+                                ? FastNoise::CellularDistance::ReturnType::Index0Sub1
+                                : FastNoise::CellularDistance::ReturnType::Index0);
+    }
+    return node;
+}
+
+FastNoise::SmartNode<FastNoise::Generator> cell_value(FastSIMD::FeatureSet set)
+{
+    auto node = FastNoise::New<FastNoise::CellularValue>(set);
+    if (node) {
+        node->SetScale(1.0f);
+        node->SetDistanceFunction(FastNoise::DistanceFunction::Euclidean);
+    }
+    return node;
+}
+
+/* The basis; null of one that it does not have. */
+FastNoise::SmartNode<FastNoise::Generator> basis_of(FastSIMD::FeatureSet set, scarp_basis of)
+{
+    switch (of) {
+    case SCARP_GRADIENT: return basis<FastNoise::Perlin>(set);
+    case SCARP_VALUE: return basis<FastNoise::Value>(set);
+    case SCARP_SIMPLEX: return basis<FastNoise::Simplex>(set);
+    case SCARP_CELL_F1:
+    case SCARP_CELL_F2:
+    case SCARP_CELL_EDGE: return distance(set, of);
+    case SCARP_CELL_VALUE: return cell_value(set);
+    default: return {};
+    }
+}
+
 /* Its ridged sum has no Musgrave weights (as long as the weighted strength is 0, the default): it
    adds 1 - 2 |n_k| where scarp adds v_k (1 - |n_k|)^2. Turbulence is its fBm of magnitudes. */
 template <typename Sum>
@@ -61,8 +101,7 @@ void *open(const bench_work *work, scarp_isa isa)
         (work->period != 0 && work->dimensions != 2)) {
         return nullptr;
     }
-    auto noise = work->basis == SCARP_GRADIENT ? basis<FastNoise::Perlin>(set)
-                                               : basis<FastNoise::Value>(set);
+    auto noise = basis_of(set, work->basis);
     if (!noise || noise->GetActiveFeatureSet() != set) {
         return nullptr;
     }

@@ -20,6 +20,29 @@ static fnl_fractal_type fnl_peer_fractal(const struct bench_work *work)
     return work->fractal == SCARP_RIDGED ? FNL_FRACTAL_RIDGED : FNL_FRACTAL_FBM;
 }
 
+/* Sets the type of noise; returns 0 for one that it does not have. Its features stray on circles.
+ */
+static int fnl_peer_basis(fnl_state *noise, enum scarp_basis basis)
+{
+    static const fnl_cellular_return_type cellular[] = {
+        [SCARP_CELL_F1] = FNL_CELLULAR_RETURN_TYPE_DISTANCE,
+        [SCARP_CELL_F2] = FNL_CELLULAR_RETURN_TYPE_DISTANCE2,
+        [SCARP_CELL_EDGE] = FNL_CELLULAR_RETURN_TYPE_DISTANCE2SUB,
+        [SCARP_CELL_VALUE] = FNL_CELLULAR_RETURN_TYPE_CELLVALUE,
+    };
+    switch (basis) {
+    case SCARP_GRADIENT: noise->noise_type = FNL_NOISE_PERLIN; return 1;
+    case SCARP_VALUE: noise->noise_type = FNL_NOISE_VALUE; return 1;
+    case SCARP_SIMPLEX: noise->noise_type = FNL_NOISE_OPENSIMPLEX2; return 1;
+    case SCARP_CELL_SOFT: return 0;
+    default:
+        noise->noise_type = FNL_NOISE_CELLULAR;
+        noise->cellular_distance_func = FNL_CELLULAR_DISTANCE_EUCLIDEAN;
+        noise->cellular_return_type = cellular[basis];
+        return 1;
+    }
+}
+
 struct fnl_peer_state {
     fnl_state noise;
     int dimensions;
@@ -35,8 +58,10 @@ static void *fnl_peer_open(const struct bench_work *work, enum scarp_isa isa)
         state->dimensions = work->dimensions;
         state->noise = fnlCreateState();
         state->noise.frequency = 1.0f;
-        state->noise.noise_type =
-            work->basis == SCARP_GRADIENT ? FNL_NOISE_PERLIN : FNL_NOISE_VALUE;
+        if (!fnl_peer_basis(&state->noise, work->basis)) {
+            free(state);
+            return NULL;
+        }
         state->noise.fractal_type = fnl_peer_fractal(work);
         state->noise.octaves = work->octaves;
         state->noise.lacunarity = work->lacunarity;

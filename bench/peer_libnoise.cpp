@@ -49,8 +49,8 @@ std::unique_ptr<noise::module::Module> make_sum(const bench_work *work)
 void *open(const bench_work *work, scarp_isa isa)
 {
     const bool value_noise = work->basis == SCARP_VALUE;
-    if (isa != SCARP_ISA_SCALAR || work->dimensions != 3 || work->fractal == SCARP_EROSION ||
-        (value_noise && work->octaves > 1)) {
+    if (isa != SCARP_ISA_SCALAR || work->dimensions != 3 || work->basis > SCARP_VALUE ||
+        work->fractal == SCARP_EROSION || (value_noise && work->octaves > 1)) {
         return nullptr;
     }
     return new State{value_noise, work->octaves > 1 ? make_sum(work) : nullptr};

@@ -18,6 +18,10 @@ enum {
     GRADIENT = 1 << SCARP_GRADIENT,
     VALUE = 1 << SCARP_VALUE,
     BOTH_BASES = GRADIENT | VALUE,
+    SIMPLEX = 1 << SCARP_SIMPLEX,
+    CELL_F1 = 1 << SCARP_CELL_F1,
+    CELLS = CELL_F1 | 1 << SCARP_CELL_F2 | 1 << SCARP_CELL_EDGE | 1 << SCARP_CELL_SOFT |
+            1 << SCARP_CELL_VALUE,
 
     ONLY_VALUE = 1 << BENCH_VALUE,
     ONLY_GRADIENT = 1 << BENCH_PLUS_GRADIENT,
@@ -112,6 +116,11 @@ static const struct product products[] = {
     {{.layout = BENCH_GRID, .phase = 0.3f, .octaves = 8},
      .bases = GRADIENT,
      .outputs = UP_TO_GRADIENT | ONLY_PHASE},
+    {.bases = SIMPLEX, .outputs = UP_TO_HESSIAN},
+    {.bases = CELLS, .outputs = UP_TO_GRADIENT},
+    {{.octaves = 8}, .bases = SIMPLEX | CELL_F1, .outputs = UP_TO_GRADIENT},
+    {{.layout = BENCH_GRID}, .bases = SIMPLEX | CELLS, .outputs = UP_TO_GRADIENT},
+    {{.layout = BENCH_GRID, .octaves = 8}, .bases = SIMPLEX | CELL_F1, .outputs = UP_TO_GRADIENT},
     /* 1 GB is far beyond all caches. */
     {{.layout = BENCH_GRID, .dimensions = 2, .on_request = 1},
      .bases = GRADIENT,
@@ -166,6 +175,27 @@ static const struct product products[] = {
      .bases = GRADIENT,
      .outputs = UP_TO_GRADIENT,
      .steps = canyon_steps},
+    {{.layout = BENCH_GRID,
+      .title = "preset-cirques",
+      .fractal = SCARP_EROSION,
+      .octaves = 8,
+      .gain = 0.44f,
+      .erosion = 0.3f,
+      .turned = 1,
+      .dimensions = 2},
+     .bases = 1 << SCARP_CELL_SOFT,
+     .outputs = UP_TO_GRADIENT,
+     .steps = canyon_steps},
+    {{.layout = BENCH_GRID,
+      .title = "preset-karst",
+      .octaves = 8,
+      .gain = 0.36f,
+      .amplitude = -1.0f,
+      .turned = 1,
+      .dimensions = 2},
+     .bases = CELL_F1,
+     .outputs = UP_TO_GRADIENT,
+     .steps = islands_steps},
     /* quick-noise 0.3.0 (Rust) tells 0.82 ms for it, 0.78 ns per sample; the frequency is that of
        its examples. */
     {{.layout = BENCH_GRID, .title = "quick-noise", .octaves = 3, .dimensions = 2},
@@ -308,6 +338,7 @@ struct scarp_noise bench_work_noise(const struct bench_work *work)
                                 .octaves = (float)work->octaves,
                                 .lacunarity = work->lacunarity,
                                 .gain = work->gain,
+                                .amplitude = work->amplitude,
                                 .erosion = work->erosion};
 }
 

@@ -45,6 +45,7 @@ struct bench_work {
     int dimensions;
     int octaves;
     float lacunarity, gain, erosion; /* as in struct scarp_noise, defaults filled in */
+    float amplitude;                 /* 0: 1 */
     const char *title; /* whose work this is: a preset's, or what another library tells the time of;
                           peers do the nearest that they have. Else NULL */
     int turned;        /* the axes turn between octaves */
