@@ -114,6 +114,7 @@ static inline void plan_describe(struct scarp_call_plan *plan, const struct scar
     plan->erosion = noise->erosion == 0.0f ? 1.0f : noise->erosion;
     plan->order = kind.order;
     plan->octaves = noise->octaves == 0.0f ? 1 : octave_count(noise->octaves);
+    plan->first = 0;
     plan->rotate = is_rotated(noise, plan->octaves);
     plan->repeat = repeat_of(noise, plan->octaves, kind.dimensions);
     plan->dphase = kind.dphase;

@@ -74,6 +74,8 @@ struct scarp_call_plan {
     int order;   /* highest derivative asked for: 0, 1, 2 */
     int rotate;  /* octaves 1 and up use jacobian and gradient, not frequency, slope, curvature */
     int octaves; /* how many `octave` has */
+    int first;   /* the number of octave[0] in the noise: 0, but where octaves are taken one by one
+                  */
     enum scarp_repeat repeat;
     int flows;  /* whether gradients are turned by the phase, or DPHASE is asked for */
     int dphase; /* whether DPHASE is */

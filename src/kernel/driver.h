@@ -41,6 +41,12 @@ struct scratch {
     vf space[SCRATCH_BYTES / sizeof(vf)];
 };
 
+/* Scratch space, or what is left of it. */
+struct workspace {
+    vf *space;
+    size_t vectors;
+};
+
 /* The passes of a basis, by [dimensions - 2][order]. */
 struct basis {
     points_pass *points[2][3];

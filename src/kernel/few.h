@@ -149,7 +149,7 @@ VEC_INLINE struct sample few_sum(const struct scarp_call_plan *plan, const struc
     EACH_OUTPUT(v, BEGIN);
     for (int k = 0; k < plan->octaves; k++) {
         const struct scarp_octave *const o = &plan->octave[k];
-        const int is_turned = k > 0 && plan->rotate;
+        const int is_turned = k + plan->first > 0 && plan->rotate;
         f.axes = is_turned ? AXES_TURNED : AXES_STRAIGHT;
         struct sample n = few_basis(o, plan->fade, x, f, v);
         if (v.order > 0 && is_turned && !own_axes) {

@@ -38,10 +38,11 @@ struct grid_call {
     size_t lead; /* then: how many samples of a row lie before its first cache line */
     size_t most_rows, most_blocks; /* of a part */
     size_t group;                  /* how many rows of a part go through the passes at once */
+    size_t vectors;                /* of scratch space */
 };
 
 struct grid_scratch {
-    struct scratch passes;
+    struct workspace passes;
     struct row_octave octave;
     double x[STRIP_BLOCKS * VEC_LANES], y[PART_ROWS];
 };
@@ -95,9 +96,8 @@ static struct part_space space_of(const struct grid_call *g, size_t rows, size_t
 static int fits(const struct grid_call *g, size_t rows, size_t blocks)
 {
     const struct part_space s = space_of(g, rows, blocks);
-    return (blocks + s.along + s.by_turns + s.noise + s.state + s.turning + s.moving + s.sums) *
-               sizeof(vf) <=
-           SCRATCH_BYTES;
+    return blocks + s.along + s.by_turns + s.noise + s.state + s.turning + s.moving + s.sums <=
+           g->vectors;
 }
 
 /* `count` cut into as few pieces as possible, none larger than `most` and all about equal. */
@@ -133,7 +133,7 @@ static void place_in_scratch(const struct grid_call *g, struct part *part,
 {
     const struct part_space s = space_of(g, g->most_rows, blocks);
     struct row_octave *const octave = &scratch->octave;
-    vf *const end = scratch->passes.space + SCRATCH_BYTES / sizeof(vf);
+    vf *const end = scratch->passes.space + scratch->passes.vectors;
     part->placed.extent.blocks = blocks;
     part->placed.fade = g->call.plan->fade;
     part->row_octave = octave;
@@ -267,11 +267,15 @@ static void place_streams(struct grid_call *call)
                     apart % VEC_LANES == 0 && g->count[0] >= (whole ? 64 : 1024);
 }
 
-static void grid(const struct scarp_call_plan *plan, const struct scarp_grid *described,
-                 const struct scarp_outputs *out, int dimensions)
+/* Computes a grid with scratch space that it is given. */
+static __attribute__((noinline)) void grid_within(const struct scarp_call_plan *plan,
+                                                  const struct scarp_grid *described,
+                                                  const struct scarp_outputs *out, int dimensions,
+                                                  struct workspace work)
 {
     struct grid_scratch scratch;
-    struct grid_call g = {.grid = described, .out = out};
+    struct grid_call g = {.grid = described, .out = out, .vectors = work.vectors};
+    scratch.passes = work;
     call_begin(&g.call, plan, dimensions, ROW);
     g.direct = g.call.rows_pass != NULL && g.call.plain && !g.call.takes_places;
     g.narrow = described->count[0] < VEC_LANES;
@@ -284,6 +288,14 @@ static void grid(const struct scarp_call_plan *plan, const struct scarp_grid *de
     if (g.streams) {
         vf_stream_end();
     }
+}
+
+static void grid(const struct scarp_call_plan *plan, const struct scarp_grid *described,
+                 const struct scarp_outputs *out, int dimensions)
+{
+    struct scratch scratch;
+    const struct workspace work = {scratch.space, sizeof scratch / sizeof(vf)};
+    grid_within(plan, described, out, dimensions, work);
 }
 
 static void grid2(const struct scarp_call_plan *plan, const struct scarp_grid *described,

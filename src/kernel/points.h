@@ -12,15 +12,16 @@
 
 /* Gives the part its share of the scratch space, for as many blocks as fit, and returns their
    number. There are sums where octaves are added up, and for padded parts. */
-static size_t place_points(const struct call *call, struct part *part, struct scratch *scratch)
+static size_t place_points(const struct call *call, struct part *part, struct workspace work,
+                           int padded)
 {
     const size_t size = call->sums_size;
     const int sums = call->plan->octaves > 1;
     const size_t each = call->lattice_size + call->noise_size + call->state_size +
                         call->turning_size + call->moving_size + 1 + (sums ? size : 0);
-    const size_t room = sizeof scratch->space / sizeof(vf) - (sums ? 0 : PADDED_BLOCKS * size);
+    const size_t room = work.vectors - (padded && !sums ? PADDED_BLOCKS * size : 0);
     const size_t blocks = PART_BLOCKS * each <= room ? PART_BLOCKS : room / each;
-    part->placed.lattice = scratch->space;
+    part->placed.lattice = work.space;
     part->noise = part->placed.lattice + blocks * call->lattice_size;
     part->state = part->noise + blocks * call->noise_size;
     part->turning = part->state + blocks * call->state_size;
@@ -71,12 +72,12 @@ static void points_padded(const struct call *call, struct part *part, struct out
 
 static void points_many(const struct scarp_call_plan *plan, size_t count,
                         const void *const position[3], const struct scarp_outputs *out,
-                        int dimensions, enum layout layout)
+                        struct frame f, struct workspace work)
 {
+    const int dimensions = f.dimensions, padded = count % VEC_LANES != 0;
     struct call call;
-    call_begin(&call, plan, dimensions, layout);
-    const size_t bytes = layout == DOUBLES ? sizeof(double) : sizeof(float);
-    struct scratch scratch;
+    call_begin(&call, plan, dimensions, f.layout);
+    const size_t bytes = f.layout == DOUBLES ? sizeof(double) : sizeof(float);
     struct part part; /* the members that only grids need stay unset */
     struct outputs sums, stored, turning;
     part.placed.extent.rows = 1;
@@ -84,8 +85,8 @@ static void points_many(const struct scarp_call_plan *plan, size_t count,
     part.put = PUT_FIRST;
     part.stored = &stored;
     part.turning_stored = &turning;
-    const size_t most = place_points(&call, &part, &scratch) * VEC_LANES;
-    if (plan->octaves > 1 || count % VEC_LANES != 0) {
+    const size_t most = place_points(&call, &part, work, padded) * VEC_LANES;
+    if (plan->octaves > 1 || padded) {
         outputs_stored(&sums, part.sums_stored, call.sums_size, dimensions, plan->order, 0);
     }
     if (call.noise_size > 0) {
@@ -109,28 +110,29 @@ static void points_many(const struct scarp_call_plan *plan, size_t count,
     }
 }
 
-_Static_assert(sizeof(struct scratch) >= (sizeof(struct lattice3) + sizeof(vf)) * PART_BLOCKS,
-               "a part of any set has room for its lattice and its sums");
+/* What a block of points_plain needs: its lattice, then its sum. */
+#define PLAIN_VECTORS (sizeof(struct lattice3) / sizeof(vf) + 1)
 
 /* Does the same with whole blocks for the values of fBm with straight axes: with so little to
    prepare, 64 points take a tenth less time. */
 static void points_plain(const struct scarp_call_plan *plan, size_t count,
                          const void *const position[3], const struct scarp_outputs *out,
-                         int dimensions, enum layout layout)
+                         struct frame f, struct workspace work)
 {
-    lattice_pass *const *const passes = lattice_passes[dimensions - 2][layout];
+    const int dimensions = f.dimensions;
+    lattice_pass *const *const passes = lattice_passes[dimensions - 2][f.layout];
     points_pass *const pass = bases[plan->basis].points[dimensions - 2][0];
-    const size_t bytes = layout == DOUBLES ? sizeof(double) : sizeof(float);
-    struct scratch scratch;
-    vf *const stored = scratch.space + PART_BLOCKS * (sizeof(struct lattice3) / sizeof(vf));
+    const size_t bytes = f.layout == DOUBLES ? sizeof(double) : sizeof(float);
+    const size_t most = least(PART_BLOCKS, work.vectors / PLAIN_VECTORS);
+    vf *const stored = work.space + most * (PLAIN_VECTORS - 1);
     struct outputs sums, to;
     struct placed placed;
-    placed.lattice = scratch.space;
+    placed.lattice = work.space;
     placed.fade = plan->fade;
     placed.extent.rows = 1;
     outputs_stored(&sums, stored, 1, dimensions, 0, 0);
     for (size_t first = 0, here; first < count; first += here) {
-        here = least(count - first, PART_BLOCKS * VEC_LANES);
+        here = least(count - first, most * VEC_LANES);
         placed.extent.blocks = here / VEC_LANES;
         outputs_of(&to, out, 0, first, 0, stored);
         struct positions at;
@@ -150,11 +152,11 @@ static void points_plain(const struct scarp_call_plan *plan, size_t count,
 }
 
 /* Computes more points than passes for few points serve, which take what fBm with straight axes
-   leaves over. (All else takes less time where the last block is padded.) It is out of line for the
-   sake of few points. */
-static __attribute__((noinline)) void points_more(const struct scarp_call_plan *plan, size_t count,
-                                                  const void *const position[3],
-                                                  const struct scarp_outputs *out, struct frame f)
+   leaves over. (All else takes less time where the last block is padded.) */
+static __attribute__((noinline)) void points_within(const struct scarp_call_plan *plan,
+                                                    size_t count, const void *const position[3],
+                                                    const struct scarp_outputs *out, struct frame f,
+                                                    struct workspace work)
 {
     const int is_straight = plan->fractal == SCARP_FBM && !plan->rotate;
     const int has_few = is_straight && plan->plain;
@@ -167,10 +169,20 @@ static __attribute__((noinline)) void points_more(const struct scarp_call_plan *
         return;
     }
     if (few_plain(plan)) {
-        points_plain(plan, count - rest, position, out, f.dimensions, f.layout);
+        points_plain(plan, count - rest, position, out, f, work);
     } else {
-        points_many(plan, count - rest, position, out, f.dimensions, f.layout);
+        points_many(plan, count - rest, position, out, f, work);
     }
+}
+
+/* Does so with scratch space of its own. It is out of line for the sake of few points. */
+static __attribute__((noinline)) void points_more(const struct scarp_call_plan *plan, size_t count,
+                                                  const void *const position[3],
+                                                  const struct scarp_outputs *out, struct frame f)
+{
+    struct scratch scratch;
+    const struct workspace work = {scratch.space, sizeof scratch / sizeof(vf)};
+    points_within(plan, count, position, out, f, work);
 }
 
 VEC_INLINE void points(const struct scarp_call_plan *plan, size_t count,

@@ -32,12 +32,13 @@ struct frame {
 
 static enum axes axes_of(const struct scarp_call_plan *plan, int octave)
 {
+    const int is_first = octave + plan->first == 0;
     switch (plan->repeat) {
     case SCARP_REPEAT_POWERS: return AXES_POWERS;
     case SCARP_REPEAT_ANY: return AXES_PERIODS;
     case SCARP_REPEAT_NEVER: break;
     }
-    return octave == 0 ? AXES_FIRST : plan->rotate ? AXES_TURNED : AXES_STRAIGHT;
+    return is_first ? AXES_FIRST : plan->rotate ? AXES_TURNED : AXES_STRAIGHT;
 }
 
 static int axes_repeat(enum axes axes)

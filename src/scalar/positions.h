@@ -87,7 +87,7 @@ static inline void split_f64(double p, const struct scarp_octave *o, int i,
    adding it turns -0 into 0. */
 static inline int is_turned(const struct scarp_call_plan *plan, int octave)
 {
-    return plan->rotate && octave > 0;
+    return plan->rotate && octave + plan->first > 0;
 }
 
 static inline float position_f32(const struct scarp_octave *o, int turned, const float x[3], int i,
