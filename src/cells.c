@@ -72,6 +72,10 @@ static __attribute__((noinline)) enum scarp_status run(const struct scarp_kernel
     if (status != SCARP_OK) {
         return status;
     }
+    if (plan.warps.depth > 0) {
+        const struct scarp_warps warps = plan.warps;
+        scarp_plan_level(&plan, &warps, values, 0, 0);
+    }
     struct scarp_octave first = plan.octave[0];
     /* The lattice is made of cells, whatever the basis is. */
     first.jitter = scarp_stray(noise);

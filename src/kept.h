@@ -18,6 +18,11 @@ static inline int octave_count(float octaves)
     return (float)whole < octaves ? whole + 1 : whole;
 }
 
+static inline int octaves_in(const struct scarp_noise *noise)
+{
+    return noise->octaves == 0.0f ? 1 : octave_count(noise->octaves);
+}
+
 static inline int is_rotated(const struct scarp_noise *noise, int octaves)
 {
     return noise->rotate != 0 && octaves > 1;
@@ -113,17 +118,18 @@ static inline void plan_describe(struct scarp_call_plan *plan, const struct scar
     plan->fractal = noise->fractal;
     plan->erosion = noise->erosion == 0.0f ? 1.0f : noise->erosion;
     plan->order = kind.order;
-    plan->octaves = noise->octaves == 0.0f ? 1 : octave_count(noise->octaves);
+    plan->octaves = octaves_in(noise);
     plan->first = 0;
     plan->rotate = is_rotated(noise, plan->octaves);
     plan->repeat = repeat_of(noise, plan->octaves, kind.dimensions);
     plan->dphase = kind.dphase;
     plan->flows = kind.dphase || noise->phase != 0.0f;
+    plan->warps.depth = 0;
     plan->plain =
         plan->repeat == SCARP_REPEAT_NEVER && !plan->flows && blends_corners(noise->basis);
 }
 
-/* Whether the noise has what is asked for. */
+/* Whether the noise, without its warp, has what is asked for. */
 static inline int has_outputs(const struct scarp_noise *noise, struct scarp_kind kind)
 {
     return (kind.order < 2 || noise->fractal != SCARP_EROSION) &&
@@ -131,13 +137,14 @@ static inline int has_outputs(const struct scarp_noise *noise, struct scarp_kind
 }
 
 /* Makes the plan of a call of the plan that the noise brings. Returns 0 if that does not fit, or if
-   the noise does not have what is asked for. */
+   the noise does not have what is asked for. No plan fits a noise with a warp, which may have
+   changed. */
 static inline int plan_kept(struct scarp_call_plan *plan, const struct scarp_noise *noise,
                             struct scarp_kind kind)
 {
     const struct kept *const kept = (const struct kept *)noise->plan;
     /* A noise that a plan was made of needs no check. */
-    if (kept == NULL || kept->mark != mark_of(kind.dimensions) ||
+    if (kept == NULL || noise->warp != NULL || kept->mark != mark_of(kind.dimensions) ||
         !same_noise(noise, &kept->noise) || !has_outputs(noise, kind)) {
         return 0;
     }

@@ -179,9 +179,6 @@ static int reserved_in_use(const struct scarp_noise *noise)
     uint32_t number; /* where -0 is a zero */
     memcpy(&number, &noise->sharpness, sizeof number);
     uintptr_t bits = (number & 0x7fffffffu) | noise->spare0;
-    for (size_t i = offsetof(struct scarp_noise, warp) / WORD; i < WORDS_BEFORE; i++) {
-        bits |= word_at(noise, i);
-    }
     for (size_t i = 0; i < WORDS_BEHIND; i++) {
         bits |= word_at(noise, WORDS_BEFORE + 1 + i);
     }
@@ -196,7 +193,6 @@ static const char *reserved_member(const struct scarp_noise *noise)
     }
     return noise->sharpness != 0.0f ? "sharpness" /* NaN is not 0 */
            : noise->spare0 != 0     ? "spare0"
-           : noise->warp != NULL    ? "warp"
                                     : "spare";
 }
 
@@ -217,9 +213,9 @@ static enum scarp_status check_periods(const struct scarp_noise *noise, const st
     return SCARP_OK;
 }
 
-/* `p` are the parameters of the noise. */
-static enum scarp_status check(const struct scarp_noise *noise, const struct parameters *p,
-                               int dimensions, const char **member)
+/* Makes all checks but that of the warp. `p` are the parameters of the noise. */
+static enum scarp_status check_one(const struct scarp_noise *noise, const struct parameters *p,
+                                   int dimensions, const char **member)
 {
     if ((*member = unknown_member(noise)) != NULL) {
         return SCARP_ERROR_ENUM;
@@ -238,6 +234,23 @@ static enum scarp_status check(const struct scarp_noise *noise, const struct par
         return SCARP_ERROR_PARAMETER;
     }
     return repeats(noise, dimensions) ? check_periods(noise, p, dimensions, member) : SCARP_OK;
+}
+
+/* Makes all checks. */
+static enum scarp_status check(const struct scarp_noise *noise, const struct parameters *p,
+                               int dimensions, const char **member)
+{
+    enum scarp_status status = check_one(noise, p, dimensions, member);
+    int depth = 0;
+    for (const struct scarp_noise *w = noise->warp; status == SCARP_OK && w != NULL; w = w->warp) {
+        const struct parameters of_warp = parameters_of(w);
+        status = ++depth > SCARP_MAX_WARPS ? SCARP_ERROR_UNSUPPORTED
+                                           : check_one(w, &of_warp, dimensions, member);
+        if (status != SCARP_OK) {
+            *member = "warp";
+        }
+    }
+    return status;
 }
 
 enum scarp_status scarp_plan_check(const struct scarp_noise *noise, int dimensions,
@@ -407,7 +420,7 @@ octaves_of(struct scarp_octave *octave, const struct scarp_noise *noise, int dim
     const struct parameters p = parameters_of(noise);
     const char *member;
     const enum scarp_status status = check(noise, &p, dimensions, &member);
-    if (status == SCARP_OK) {
+    if (status == SCARP_OK && noise->warp == NULL) {
         make_octaves(octave, noise, &p, dimensions);
     }
     return status;
@@ -419,14 +432,92 @@ enum scarp_status scarp_plan_keep(struct scarp_plan *plan, const struct scarp_no
     struct kept *const kept = (struct kept *)plan;
     const enum scarp_status status = octaves_of(kept->octave, noise, dimensions);
     if (status == SCARP_OK) {
-        if (blends_corners(noise->basis)) {
-            const float octaves = noise->octaves == 0.0f ? 1.0f : noise->octaves;
-            scarp_phase_set(kept->octave, octave_count(octaves), noise->phase);
+        if (noise->warp == NULL && blends_corners(noise->basis)) {
+            scarp_phase_set(kept->octave, octaves_in(noise), noise->phase);
         }
         kept->mark = mark_of(dimensions);
         memcpy(&kept->noise, noise, sizeof *noise);
     }
     return status;
+}
+
+/* The seed of a component of a warp: numbers that no octave has. */
+static uint64_t component_seed(uint64_t seed, int component)
+{
+    return octave_seed(mix64(seed + GOLDEN_GAMMA), SCARP_MAX_OCTAVES + 1 + component);
+}
+
+/* Computes the octaves of a component of a level, which the noise describes. */
+static void make_level(struct scarp_octave *octave, const struct scarp_noise *described,
+                       int dimensions, int level, int component)
+{
+    struct scarp_noise noise = *described;
+    const struct parameters p = parameters_of(&noise);
+    if (level > 0) {
+        noise.seed = component_seed(noise.seed, component);
+    }
+    make_octaves(octave, &noise, &p, dimensions);
+    if (noise.basis == SCARP_GRADIENT) {
+        scarp_phase_set(octave, octaves_in(&noise), noise.phase);
+    }
+}
+
+/* Makes the octaves of all levels and components, if there is room for them: one component after
+   the other. */
+static void make_levels(struct scarp_warps *warps, int dimensions)
+{
+    const struct scarp_noise *noise = warps->noise;
+    int count = 0;
+    for (int level = 0; level <= warps->depth; level++, noise = noise->warp) {
+        count += octaves_in(noise) * (level > 0 ? dimensions : 1);
+    }
+    warps->has_all = count <= SCARP_MAX_OCTAVES;
+    struct scarp_octave *octave = warps->space;
+    noise = warps->noise;
+    for (int level = 0; warps->has_all && level <= warps->depth; level++, noise = noise->warp) {
+        for (int i = 0; i < (level > 0 ? dimensions : 1); i++) {
+            make_level(octave, noise, dimensions, level, i);
+            octave += octaves_in(noise);
+        }
+    }
+}
+
+void scarp_plan_level(struct scarp_call_plan *plan, const struct scarp_warps *warps,
+                      struct scarp_kind kind, int level, int component)
+{
+    const struct scarp_noise *noise = warps->noise;
+    struct scarp_octave *octave = warps->space;
+    for (int i = 0; i < level; i++, noise = noise->warp) {
+        octave += octaves_in(noise) * (i > 0 ? kind.dimensions : 1);
+    }
+    octave += octaves_in(noise) * component;
+    if (!warps->has_all) {
+        octave = warps->space;
+        make_level(octave, noise, kind.dimensions, level, component);
+    }
+    kind.dphase = level == 0 ? kind.dphase : 0;
+    plan_describe(plan, noise, kind);
+    plan->octave = octave;
+}
+
+/* Makes the plan of a noise with warps, if these have what is asked for, too. */
+static enum scarp_status plan_warps(struct scarp_call_plan *plan, struct scarp_octave *space,
+                                    const struct scarp_noise *noise, struct scarp_kind kind)
+{
+    const struct scarp_kind of_warp = {.dimensions = kind.dimensions, .order = kind.order};
+    int depth = 0;
+    for (const struct scarp_noise *w = noise->warp; w != NULL; w = w->warp) {
+        if (!has_outputs(w, of_warp)) {
+            return SCARP_ERROR_UNSUPPORTED;
+        }
+        depth++;
+    }
+    plan_describe(plan, noise, kind);
+    plan->plain = 0;
+    plan->octave = NULL;
+    plan->warps = (struct scarp_warps){.depth = depth, .space = space, .noise = noise};
+    make_levels(&plan->warps, kind.dimensions);
+    return SCARP_OK;
 }
 
 enum scarp_status scarp_plan_call(struct scarp_call_plan *plan, struct scarp_octave *space,
@@ -441,6 +532,9 @@ enum scarp_status scarp_plan_call(struct scarp_call_plan *plan, struct scarp_oct
     }
     if (!has_outputs(noise, kind)) {
         return SCARP_ERROR_UNSUPPORTED;
+    }
+    if (noise->warp != NULL) {
+        return plan_warps(plan, space, noise, kind);
     }
     plan_describe(plan, noise, kind);
     if (plan->flows) {

@@ -65,6 +65,17 @@ struct scarp_kind {
     short dphase; /* whether the derivative by the phase */
 };
 
+#define SCARP_MAX_WARPS 4
+
+/* The warps of a noise (scarp.h, "Warps"). Level 0 is the noise, level 1 its warp, and so on. A
+   level above 0 has a component for each axis, which is noise of its own. */
+struct scarp_warps {
+    int depth;   /* the number of the last level; 0: there are none */
+    int has_all; /* whether `space` has the octaves of all levels and components */
+    struct scarp_octave *space;
+    const struct scarp_noise *noise;
+};
+
 /* What a kernel is to compute. */
 struct scarp_call_plan {
     enum scarp_basis basis;
@@ -82,6 +93,7 @@ struct scarp_call_plan {
     int plain;  /* whether it blends what is drawn at the corners of cells, and the lattice neither
                    repeats nor flows */
     const struct scarp_octave *octave;
+    struct scarp_warps warps;
 };
 
 /* Makes the checks of scarp_noise_check, for all calls. Always writes *member. */
@@ -96,8 +108,14 @@ enum scarp_status scarp_plan_keep(struct scarp_plan *plan, const struct scarp_no
                                   int dimensions);
 
 /* Checks the noise and makes the plan of a call. `space` has room for SCARP_MAX_OCTAVES octaves,
-   and belongs to the plan; it is not used where the noise brings a plan that fits. */
+   and belongs to the plan; it is not used where the noise brings a plan that fits. If the noise has
+   a warp, the plan has no octaves, but scarp_plan_level finds them. */
 enum scarp_status scarp_plan_call(struct scarp_call_plan *plan, struct scarp_octave *space,
                                   const struct scarp_noise *noise, struct scarp_kind kind);
+
+/* Makes the plan of a component of a level. Until the next call of this function the plan may be
+   used; where `has_all`, as long as the space is there. */
+void scarp_plan_level(struct scarp_call_plan *plan, const struct scarp_warps *warps,
+                      struct scarp_kind kind, int level, int component);
 
 #endif

@@ -290,12 +290,26 @@ static __attribute__((noinline)) void grid_within(const struct scarp_call_plan *
     }
 }
 
-static void grid(const struct scarp_call_plan *plan, const struct scarp_grid *described,
-                 const struct scarp_outputs *out, int dimensions)
+static __attribute__((noinline)) void grid_scratch(const struct scarp_call_plan *plan,
+                                                   const struct scarp_grid *described,
+                                                   const struct scarp_outputs *out, int dimensions)
 {
     struct scratch scratch;
     const struct workspace work = {scratch.space, sizeof scratch / sizeof(vf)};
     grid_within(plan, described, out, dimensions, work);
+}
+
+static void warp_grid(const struct scarp_call_plan *plan, const struct scarp_grid *grid,
+                      const struct scarp_outputs *out, int dimensions);
+
+static void grid(const struct scarp_call_plan *plan, const struct scarp_grid *described,
+                 const struct scarp_outputs *out, int dimensions)
+{
+    if (plan->warps.depth > 0) {
+        warp_grid(plan, described, out, dimensions);
+    } else {
+        grid_scratch(plan, described, out, dimensions);
+    }
 }
 
 static void grid2(const struct scarp_call_plan *plan, const struct scarp_grid *described,

@@ -176,13 +176,29 @@ static __attribute__((noinline)) void points_within(const struct scarp_call_plan
 }
 
 /* Does so with scratch space of its own. It is out of line for the sake of few points. */
-static __attribute__((noinline)) void points_more(const struct scarp_call_plan *plan, size_t count,
-                                                  const void *const position[3],
-                                                  const struct scarp_outputs *out, struct frame f)
+static __attribute__((noinline)) void points_scratch(const struct scarp_call_plan *plan,
+                                                     size_t count, const void *const position[3],
+                                                     const struct scarp_outputs *out,
+                                                     struct frame f)
 {
     struct scratch scratch;
     const struct workspace work = {scratch.space, sizeof scratch / sizeof(vf)};
     points_within(plan, count, position, out, f, work);
+}
+
+static void warp_points(const struct scarp_call_plan *plan, size_t count,
+                        const void *const position[3], const struct scarp_outputs *out,
+                        struct frame f);
+
+static void points_more(const struct scarp_call_plan *plan, size_t count,
+                        const void *const position[3], const struct scarp_outputs *out,
+                        struct frame f)
+{
+    if (plan->warps.depth > 0) {
+        warp_points(plan, count, position, out, f);
+    } else {
+        points_scratch(plan, count, position, out, f);
+    }
 }
 
 VEC_INLINE void points(const struct scarp_call_plan *plan, size_t count,

@@ -11,9 +11,8 @@
  * and includes the vec_<isa>.h that gives the operations of simd/vec.h.
  */
 #include "cells.h"
-#include "grid.h"
 #include "normals.h"
-#include "points.h"
+#include "warp.h"
 
 const struct scarp_kernels KERNELS = {
     .isa = KERNELS_ISA,

@@ -7,7 +7,7 @@
 #include <math.h>
 
 #include "../kernels.h"
-#include "driver.h"
+#include "warp.h"
 
 static void put(const struct scarp_outputs *out, size_t i, const struct sample *s)
 {
@@ -36,7 +36,7 @@ static void points(const struct scarp_call_plan *plan, size_t count, const void 
 {
     for (size_t i = 0; i < count; i++) {
         const struct point x = point_at(position, i, dimensions, doubles);
-        const struct sample sum = sum_octaves(plan, &x, dimensions);
+        const struct sample sum = sample_at(plan, &x, dimensions);
         put(out, i, &sum);
     }
 }
@@ -78,7 +78,7 @@ static void grid2(const struct scarp_call_plan *plan, const struct scarp_grid *g
         x.f64[1] = coordinate(grid, 1, j);
         for (size_t i = 0; i < grid->count[0]; i++) {
             x.f64[0] = coordinate(grid, 0, i);
-            const struct sample sum = sum_octaves(plan, &x, 2);
+            const struct sample sum = sample_at(plan, &x, 2);
             put(out, j * grid->row_stride + i, &sum);
         }
     }
@@ -94,7 +94,7 @@ static void grid3(const struct scarp_call_plan *plan, const struct scarp_grid *g
             x.f64[1] = coordinate(grid, 1, j);
             for (size_t i = 0; i < grid->count[0]; i++) {
                 x.f64[0] = coordinate(grid, 0, i);
-                const struct sample sum = sum_octaves(plan, &x, 3);
+                const struct sample sum = sample_at(plan, &x, 3);
                 put(out, k * grid->slice_stride + j * grid->row_stride + i, &sum);
             }
         }

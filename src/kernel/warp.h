@@ -1,0 +1,395 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Noise at displaced positions, chunk by chunk: the warps of a noise, from the deepest one, which
+ * looks at the input, to the noise itself, which looks at y(x). The coordinates of y are kept as
+ * samples: their values are how far they are displaced, their derivatives those of y by x. Points
+ * and grids go the same way, but that the deepest warp of a grid takes the passes of grids.
+ * Included by table.h; the reference is scalar/warp.h.
+ */
+#ifndef SCARP_KERNEL_WARP_H
+#define SCARP_KERNEL_WARP_H
+
+#include "grid.h"
+#include "points.h"
+
+/* Scratch space for the chunk and the passes together. It is less than SCRATCH_BYTES, since there
+   are more frames on the stack. */
+#define WARP_BYTES (SCRATCH_BYTES - 2048)
+
+/* The most samples of a chunk, and of a row of it in a grid. */
+#define CHUNK_SAMPLES ((size_t)512)
+#define CHUNK_COLUMNS ((size_t)64)
+
+/* Where the samples of a call are: points, or a grid. */
+struct source {
+    const void *const *position;
+    const struct scarp_grid *grid; /* NULL: points */
+};
+
+/* Some of them: points from at[0] on, which are one row, or rows of a slice of the grid. */
+struct chunk {
+    size_t at[3], columns, rows;
+};
+
+/* What all chunks of a call share. Arrays have `most` elements. */
+struct warped {
+    const struct scarp_call_plan *plan;
+    struct source source;
+    struct frame f;                /* how positions are given to the passes */
+    size_t most;                   /* samples of a chunk: whole blocks */
+    void *position[3];             /* floats or doubles: of the level at work */
+    struct scarp_outputs y[3];     /* of the coordinates, by x */
+    struct scarp_outputs moved[3]; /* of the coordinates of the level at work, by its positions; at
+                                      level 0 the first is of the noise */
+    float *dphase;                 /* of the noise, if it is asked for */
+    struct workspace passes;       /* what the passes have */
+};
+
+static size_t chunk_count(const struct chunk *chunk)
+{
+    return chunk->rows * chunk->columns;
+}
+
+static size_t whole_blocks(size_t count)
+{
+    return (count + VEC_LANES - 1) / VEC_LANES * VEC_LANES;
+}
+
+/* Takes arrays for samples of that order from the space at *from. */
+static void take_arrays(struct scarp_outputs *arrays, float **from, size_t most, int dimensions,
+                        int order)
+{
+    for (int i = 0; i < OUTPUTS; i++) {
+        const int has = i < OUTPUTS_UP_TO(order) &&
+                        (dimensions == 3 || (i != DZ && i != DXZ && i != DYZ && i != DZZ));
+        arrays->array[i] = has ? *from : NULL;
+        *from += has ? most : 0;
+    }
+}
+
+/* Shares the scratch space out. */
+static void warped_begin(struct warped *w, const struct scarp_call_plan *plan, struct frame f,
+                         vf *space)
+{
+    const int n = f.dimensions, deep = plan->warps.depth > 1;
+    const size_t doubles = f.layout == DOUBLES ? 2 : 1;
+    const size_t size = sample_size(n, plan->order), vectors = WARP_BYTES / sizeof(vf);
+    const size_t each =
+        (size_t)n * (doubles + size) + (size_t)(deep ? n : 1) * size + (size_t)plan->dphase;
+    const size_t blocks = vectors * 9 / 16 / each;
+    w->plan = plan;
+    w->f = f;
+    w->most = least(blocks > 0 ? blocks : 1, CHUNK_SAMPLES / VEC_LANES) * VEC_LANES;
+    float *from = (float *)space;
+    for (int i = 0; i < n; i++) {
+        w->position[i] = from;
+        from += doubles * w->most;
+    }
+    for (int i = 0; i < n; i++) {
+        take_arrays(&w->y[i], &from, w->most, n, plan->order);
+    }
+    for (int i = 0; i < (deep ? n : 1); i++) {
+        take_arrays(&w->moved[i], &from, w->most, n, plan->order);
+    }
+    w->dphase = plan->dphase ? from : NULL;
+    from += plan->dphase ? w->most : 0;
+    w->passes.space = (vf *)from;
+    w->passes.vectors = vectors - (size_t)(from - (float *)space) / VEC_LANES;
+}
+
+/* Fills in the coordinates of a row of a grid along an axis. */
+static void grid_row(double *to, const struct scarp_grid *grid, const struct chunk *chunk, int axis,
+                     size_t row)
+{
+    for (size_t i = 0; i < chunk->columns; i++) {
+        const size_t at[3] = {chunk->at[0] + i, chunk->at[1] + row, chunk->at[2]};
+        to[i] = axis > 0 && i > 0 ? to[0] : coordinate(grid, axis, at[axis]);
+    }
+}
+
+/* Sets the positions to the input, padded to whole blocks. */
+static void positions_of_input(const struct warped *w, const struct chunk *chunk)
+{
+    const size_t count = chunk_count(chunk), end = whole_blocks(count);
+    const size_t bytes = w->f.layout == DOUBLES ? sizeof(double) : sizeof(float);
+    for (int axis = 0; axis < w->f.dimensions; axis++) {
+        char *const to = (char *)w->position[axis];
+        if (w->source.grid == NULL) {
+            memcpy(to, (const char *)w->source.position[axis] + chunk->at[0] * bytes,
+                   count * bytes);
+        }
+        for (size_t r = 0; w->source.grid != NULL && r < chunk->rows; r++) {
+            double *const row = (double *)w->position[axis] + r * chunk->columns;
+            if (axis == 0 && r > 0) {
+                memcpy(row, to, chunk->columns * sizeof *row);
+            } else {
+                grid_row(row, w->source.grid, chunk, axis, r);
+            }
+        }
+        for (size_t i = count; i < end; i++) {
+            memcpy(to + i * bytes, to + (count - 1) * bytes, bytes);
+        }
+    }
+}
+
+/* Adds displacements to positions. */
+static void displace(void *position, const float *by, size_t count, enum layout layout)
+{
+    float *const floats = (float *)position;
+    double *const doubles = (double *)position;
+    for (size_t i = 0; layout == FLOATS && i < count; i++) {
+        floats[i] += by[i];
+    }
+    for (size_t i = 0; layout == DOUBLES && i < count; i++) {
+        doubles[i] += (double)by[i];
+    }
+}
+
+/* The three coordinates at a block. */
+struct coordinates {
+    struct sample x, y, z;
+};
+
+VEC_INLINE struct sample sample_at(const struct scarp_outputs *arrays, size_t at, struct variant v)
+{
+    struct sample s;
+#define DO(i, member, rank) s.member = vf_load(arrays->array[i] + at)
+    EACH_OUTPUT(v, DO);
+#undef DO
+    return s;
+}
+
+VEC_INLINE struct coordinates coordinates_at(const struct scarp_outputs y[3], size_t at,
+                                             struct variant v)
+{
+    struct coordinates c;
+    c.x = sample_at(&y[0], at, v);
+    c.y = sample_at(&y[1], at, v);
+    if (v.dimensions == 3) {
+        c.z = sample_at(&y[2], at, v);
+    }
+    return c;
+}
+
+VEC_INLINE vf sum_along(vf x, vf y, vf z, struct vector v, int dimensions)
+{
+    const vf sum = x * v.x + y * v.y;
+    return dimensions == 3 ? sum + z * v.z : sum;
+}
+
+/* The sum over the coordinates of a component of v times an output of the coordinate. */
+#define ALONG(member, v) sum_along(y->x.member, y->y.member, y->z.member, v, variant.dimensions)
+
+/* A sample at y with its derivatives by y becomes one with its derivatives by x. */
+VEC_INLINE struct sample composed(const struct sample *s, const struct coordinates *y,
+                                  struct variant variant)
+{
+    struct vector g = {.x = s->dx, .y = s->dy};
+    struct sample r;
+    r.value = s->value;
+    if (variant.dimensions == 3) {
+        g.z = s->dz;
+        r.dz = ALONG(dz, g);
+    }
+    r.dx = ALONG(dx, g);
+    r.dy = ALONG(dy, g);
+    if (variant.order == 2) {
+        struct vector rx = {.x = s->dxx, .y = s->dxy}, ry = {.x = s->dxy, .y = s->dyy}, rz;
+        if (variant.dimensions == 3) {
+            rx.z = s->dxz;
+            ry.z = s->dyz;
+            rz = (struct vector){s->dxz, s->dyz, s->dzz};
+        }
+#define COLUMN(h, member)                                                                          \
+    struct vector h = {.x = ALONG(member, rx), .y = ALONG(member, ry)};                            \
+    if (variant.dimensions == 3) {                                                                 \
+        h.z = ALONG(member, rz);                                                                   \
+    }
+        COLUMN(hx, dx)
+        COLUMN(hy, dy)
+        r.dxx = ALONG(dx, hx) + ALONG(dxx, g);
+        r.dxy = ALONG(dx, hy) + ALONG(dxy, g);
+        r.dyy = ALONG(dy, hy) + ALONG(dyy, g);
+        if (variant.dimensions == 3) {
+            COLUMN(hz, dz)
+            r.dxz = ALONG(dx, hz) + ALONG(dxz, g);
+            r.dyz = ALONG(dy, hz) + ALONG(dyz, g);
+            r.dzz = ALONG(dz, hz) + ALONG(dzz, g);
+        }
+#undef COLUMN
+    }
+    return r;
+}
+
+#undef ALONG
+
+VEC_INLINE void sample_put(const struct scarp_outputs *arrays, size_t at, const struct sample *s,
+                           struct variant v)
+{
+#define DO(i, member, rank) vf_store(arrays->array[i] + at, s->member)
+    EACH_OUTPUT(v, DO);
+#undef DO
+}
+
+/* Makes some samples of `moved`, which have derivatives by y, samples with derivatives by x. */
+VEC_INLINE void compose(const struct warped *w, int samples, size_t count, struct variant v)
+{
+    for (int i = 0; i < samples; i++) {
+        for (size_t at = 0; at < count; at += VEC_LANES) {
+            const struct coordinates y = coordinates_at(w->y, at, v);
+            const struct sample moved = sample_at(&w->moved[i], at, v);
+            const struct sample s = composed(&moved, &y, v);
+            sample_put(&w->moved[i], at, &s, v);
+        }
+    }
+}
+
+#define COMPOSE(name, dimensions, order)                                                           \
+    static __attribute__((noinline)) void name(const struct warped *w, int samples, size_t count)  \
+    {                                                                                              \
+        const struct variant v = {SCARP_GRADIENT, dimensions, order, 0};                           \
+        compose(w, samples, count, v);                                                             \
+    }
+COMPOSE(compose2_order1, 2, 1)
+COMPOSE(compose2_order2, 2, 2)
+COMPOSE(compose3_order1, 3, 1)
+COMPOSE(compose3_order2, 3, 2)
+#undef COMPOSE
+
+/* By [dimensions - 2][order - 1]. */
+static void (*const compose_passes[2][2])(const struct warped *, int, size_t) = {
+    {compose2_order1, compose2_order2},
+    {compose3_order1, compose3_order2},
+};
+
+static void compose_any(const struct warped *w, int samples, size_t count)
+{
+    if (w->plan->order > 0) {
+        compose_passes[w->f.dimensions - 2][w->plan->order - 1](w, samples, count);
+    }
+}
+
+/* Computes a noise without its warp at the positions of a chunk. The deepest warp of a grid is
+   computed as a grid; its samples are then padded to whole blocks, as the others are. */
+static void evaluate(const struct warped *w, const struct scarp_call_plan *plan,
+                     const struct chunk *chunk, const struct scarp_outputs *to, int at_input)
+{
+    const size_t count = chunk_count(chunk), end = whole_blocks(count);
+    if (!at_input || w->source.grid == NULL) {
+        const void *const position[3] = {w->position[0], w->position[1], w->position[2]};
+        points_within(plan, end, position, to, w->f, w->passes);
+        return;
+    }
+    struct scarp_grid grid = *w->source.grid;
+    for (int axis = 0; axis < 3; axis++) {
+        grid.first[axis] += (int64_t)chunk->at[axis];
+    }
+    grid.count[0] = grid.row_stride = chunk->columns;
+    grid.count[1] = chunk->rows;
+    grid.count[2] = 1;
+    grid.slice_stride = count;
+    grid_within(plan, &grid, to, w->f.dimensions, w->passes);
+    for (int i = 0; i < OUTPUTS; i++) {
+        for (size_t at = count; to->array[i] != NULL && at < end; at++) {
+            to->array[i][at] = 0.0f;
+        }
+    }
+}
+
+/* Computes the coordinates y(x) of a level, and displaces the positions. */
+static void warp_level(struct warped *w, const struct chunk *chunk, int level)
+{
+    const struct scarp_warps *const warps = &w->plan->warps;
+    const struct scarp_kind kind = {w->f.dimensions, (short)w->plan->order, 0};
+    const size_t end = whole_blocks(chunk_count(chunk));
+    const int at_input = level == warps->depth;
+    for (int i = 0; i < w->f.dimensions; i++) {
+        struct scarp_call_plan plan;
+        scarp_plan_level(&plan, warps, kind, level, i);
+        evaluate(w, &plan, chunk, at_input ? &w->y[i] : &w->moved[i], at_input);
+    }
+    if (!at_input) {
+        struct scarp_outputs y[3];
+        compose_any(w, w->f.dimensions, end);
+        memcpy(y, w->moved, sizeof y);
+        memcpy(w->moved, w->y, sizeof y);
+        memcpy(w->y, y, sizeof y);
+        positions_of_input(w, chunk);
+    }
+    for (int i = 0; i < w->f.dimensions; i++) {
+        for (size_t at = 0; kind.order > 0 && at < end; at++) {
+            w->y[i].array[DX + i][at] += 1.0f;
+        }
+        displace(w->position[i], w->y[i].array[VALUE], end, w->f.layout);
+    }
+}
+
+/* Copies what the caller asked for, from `first` on. */
+static void give(const struct warped *w, const struct scarp_outputs *out, const struct chunk *chunk,
+                 size_t first, size_t row_stride)
+{
+    for (int i = 0; i < OUTPUTS; i++) {
+        for (size_t r = 0; out->array[i] != NULL && r < chunk->rows; r++) {
+            memcpy(out->array[i] + first + r * row_stride,
+                   w->moved[0].array[i] + r * chunk->columns, chunk->columns * sizeof(float));
+        }
+    }
+}
+
+static void warp_chunk(struct warped *w, const struct scarp_outputs *out, const struct chunk *chunk,
+                       size_t first, size_t row_stride)
+{
+    const struct scarp_kind kind = {w->f.dimensions, (short)w->plan->order, (short)w->plan->dphase};
+    struct scarp_call_plan plan;
+    positions_of_input(w, chunk);
+    for (int level = w->plan->warps.depth; level > 0; level--) {
+        warp_level(w, chunk, level);
+    }
+    scarp_plan_level(&plan, &w->plan->warps, kind, 0, 0);
+    w->moved[0].array[DPHASE] = w->dphase;
+    evaluate(w, &plan, chunk, &w->moved[0], 0);
+    compose_any(w, 1, whole_blocks(chunk_count(chunk)));
+    give(w, out, chunk, first, row_stride);
+    w->moved[0].array[DPHASE] = NULL;
+}
+
+/* Computes points of a noise with warps. */
+static __attribute__((noinline)) void warp_points(const struct scarp_call_plan *plan, size_t count,
+                                                  const void *const position[3],
+                                                  const struct scarp_outputs *out, struct frame f)
+{
+    vf space[WARP_BYTES / sizeof(vf)];
+    struct warped w = {.source = {position, NULL}};
+    warped_begin(&w, plan, f, space);
+    for (size_t first = 0; first < count; first += w.most) {
+        const struct chunk chunk = {{first, 0, 0}, least(count - first, w.most), 1};
+        warp_chunk(&w, out, &chunk, first, 0);
+    }
+}
+
+/* Computes a grid of a noise with warps, slice by slice in chunks of some rows. */
+static __attribute__((noinline)) void warp_grid(const struct scarp_call_plan *plan,
+                                                const struct scarp_grid *grid,
+                                                const struct scarp_outputs *out, int dimensions)
+{
+    vf space[WARP_BYTES / sizeof(vf)];
+    const struct frame f = {.layout = DOUBLES, .dimensions = dimensions};
+    struct warped w = {.source = {NULL, grid}};
+    struct chunk c = {{0, 0, 0}, 0, 0};
+    warped_begin(&w, plan, f, space);
+    const size_t columns = least(least(grid->count[0], w.most), CHUNK_COLUMNS);
+    const size_t rows = w.most / columns;
+    for (c.at[2] = 0; c.at[2] < (dimensions == 3 ? grid->count[2] : 1); c.at[2]++) {
+        for (c.at[1] = 0; c.at[1] < grid->count[1]; c.at[1] += c.rows) {
+            c.rows = least(grid->count[1] - c.at[1], rows);
+            for (c.at[0] = 0; c.at[0] < grid->count[0]; c.at[0] += c.columns) {
+                c.columns = least(grid->count[0] - c.at[0], columns);
+                warp_chunk(&w, out, &c,
+                           c.at[2] * grid->slice_stride + c.at[1] * grid->row_stride + c.at[0],
+                           grid->row_stride);
+            }
+        }
+    }
+}
+
+#endif
