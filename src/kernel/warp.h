@@ -97,13 +97,24 @@ static void warped_begin(struct warped *w, const struct scarp_call_plan *plan, s
     w->passes.vectors = vectors - (size_t)(from - (float *)space) / VEC_LANES;
 }
 
-/* Fills in the coordinates of a row of a grid along an axis. */
-static void grid_row(double *to, const struct scarp_grid *grid, const struct chunk *chunk, int axis,
-                     size_t row)
+/* Fills in the coordinates of a chunk of a grid along an axis. */
+static void grid_coordinates(double *to, const struct scarp_grid *grid, const struct chunk *chunk,
+                             int axis)
 {
-    for (size_t i = 0; i < chunk->columns; i++) {
-        const size_t at[3] = {chunk->at[0] + i, chunk->at[1] + row, chunk->at[2]};
-        to[i] = axis > 0 && i > 0 ? to[0] : coordinate(grid, axis, at[axis]);
+    const size_t columns = chunk->columns;
+    for (size_t i = 0; axis == 0 && i < columns; i++) {
+        to[i] = coordinate(grid, 0, chunk->at[0] + i);
+    }
+    for (size_t r = axis == 0; r < chunk->rows; r++) {
+        double *const row = to + r * columns;
+        const double shared =
+            axis == 0 ? 0.0 : coordinate(grid, axis, chunk->at[axis] + (axis == 1 ? r : 0));
+        if (axis == 0) {
+            memcpy(row, to, columns * sizeof *row);
+        }
+        for (size_t i = 0; axis > 0 && i < columns; i++) {
+            row[i] = shared;
+        }
     }
 }
 
@@ -114,17 +125,11 @@ static void positions_of_input(const struct warped *w, const struct chunk *chunk
     const size_t bytes = w->f.layout == DOUBLES ? sizeof(double) : sizeof(float);
     for (int axis = 0; axis < w->f.dimensions; axis++) {
         char *const to = (char *)w->position[axis];
-        if (w->source.grid == NULL) {
+        if (w->source.grid != NULL) {
+            grid_coordinates((double *)w->position[axis], w->source.grid, chunk, axis);
+        } else {
             memcpy(to, (const char *)w->source.position[axis] + chunk->at[0] * bytes,
                    count * bytes);
-        }
-        for (size_t r = 0; w->source.grid != NULL && r < chunk->rows; r++) {
-            double *const row = (double *)w->position[axis] + r * chunk->columns;
-            if (axis == 0 && r > 0) {
-                memcpy(row, to, chunk->columns * sizeof *row);
-            } else {
-                grid_row(row, w->source.grid, chunk, axis, r);
-            }
         }
         for (size_t i = count; i < end; i++) {
             memcpy(to + i * bytes, to + (count - 1) * bytes, bytes);
