@@ -122,8 +122,12 @@ enum scarp_isa {
  *
  * but w_(K-1) is also multiplied by the fraction of `octaves` when it has one: octaves can be faded
  * in without a pop. (If `octaves` is below 1 the fraction cancels: a single octave is always
- * whole.) The 2^-17 is the head-room for rounding that lets the range be promised. R is (0.8 -0.6;
- * 0.6 0.8) in 2D and (0 0.8 0.6; -0.8 0.36 -0.48; -0.6 -0.48 0.64) in 3D.
+ * whole.) With `of_octaves`, amplitudes are those of a sum of that many octaves: K and the fraction
+ * in the divisor are those of `of_octaves`, while the octaves summed, and the fraction of the last
+ * of them, are those of `octaves`. So 3 octaves of 8 are the first three of the eight, with the
+ * same bits for each: a level of detail changes no coarse shape. The 2^-17 is the head-room for
+ * rounding that lets the range be promised. R is (0.8 -0.6; 0.6 0.8) in 2D and (0 0.8 0.6; -0.8
+ * 0.36 -0.48; -0.6 -0.48 0.64) in 3D.
  *
  *     fBm         value = sum_k a_k n_k
  *                 gradient = sum_k a_k G_k           Hessian = sum_k a_k J_k^T H_k J_k
@@ -246,19 +250,21 @@ struct scarp_noise {
     float jitter; /* cellular noise: how far features stray from the middles of their cells, in
                      (0, 1]. Default 1. */
 
-    /* Reserved: 0 or NULL. -0.0f is a zero, too; a NaN is not. 192 bytes in all. */
-    float sharpness;
+    float sharpness; /* of the fractals that have such a parameter; others ignore it. In
+                        [2^-24, 2^24]. */
 
     uint32_t period[3]; /* cells of octave 0, in [1, 2^30], after which the noise repeats along each
                            axis; 0: never. 2D calls ignore period[2]. See "Periods". */
 
-    uint32_t spare0; /* reserved */
-    const struct scarp_noise *warp;
+    float of_octaves; /* amplitudes are those of a sum of this many octaves, in [octaves, 32].
+                         0: octaves. */
+
+    const struct scarp_noise *warp; /* reserved: NULL */
 
     const struct scarp_plan *plan; /* what scarp_plan_make made of this noise. NULL: none; results
                                       do not depend on it. */
 
-    uint32_t spare[(192 - 80 - 2 * sizeof(void *)) / 4]; /* reserved, too */
+    uint32_t spare[(192 - 80 - 2 * sizeof(void *)) / 4]; /* reserved: 0. 192 bytes in all. */
 };
 
 /* The constants of a noise, which every call without a plan computes anew. Its bytes have no
@@ -456,8 +462,9 @@ SCARP_API enum scarp_status scarp_normals(size_t count, const float *dx, const f
  * *lowest <= value <= *highest for every point, rounding included. `dimensions` is 2 or 3. fBm and
  * erosion have the interval from -|amplitude| to |amplitude|, turbulence and ridged noise the one
  * between 0 and amplitude. With a phase that is not 0, all but ridged noise reach further: see
- * "Flow". Use it to map heights to integers: all tiles then agree, and so do the frames of a loop
- * from phase 1 to 2.
+ * "Flow". With `of_octaves` it is that of the longer sum, of which fewer octaves reach less. Use it
+ * to map heights to integers: all tiles then agree, and so do levels of detail, and the frames of a
+ * loop from phase 1 to 2.
  *
  * Returns SCARP_ERROR_NULL if a pointer is NULL; otherwise as scarp_noise_check.
  */

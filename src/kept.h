@@ -109,6 +109,12 @@ static inline int blends_corners(enum scarp_basis basis)
     return basis <= SCARP_VALUE;
 }
 
+/* The sharpness of a noise, which each fractal that has one has a default for. */
+static inline float sharpness_of(const struct scarp_noise *noise)
+{
+    return noise->sharpness == 0.0f ? 1.0f : noise->sharpness;
+}
+
 /* Fills in what the noise says without its octaves. */
 static inline void plan_describe(struct scarp_call_plan *plan, const struct scarp_noise *noise,
                                  struct scarp_kind kind)
@@ -117,6 +123,7 @@ static inline void plan_describe(struct scarp_call_plan *plan, const struct scar
     plan->fade = noise->fade;
     plan->fractal = noise->fractal;
     plan->erosion = noise->erosion == 0.0f ? 1.0f : noise->erosion;
+    plan->sharpness = sharpness_of(noise);
     plan->order = kind.order;
     plan->octaves = octaves_in(noise);
     plan->first = 0;

@@ -18,8 +18,9 @@
 _Static_assert(offsetof(struct scarp_noise, erosion) == 48 &&
                    offsetof(struct scarp_noise, phase) == 52 &&
                    offsetof(struct scarp_noise, jitter) == 56 &&
+                   offsetof(struct scarp_noise, sharpness) == 60 &&
                    offsetof(struct scarp_noise, period) == 64 &&
-                   offsetof(struct scarp_noise, spare0) == 76 &&
+                   offsetof(struct scarp_noise, of_octaves) == 76 &&
                    offsetof(struct scarp_noise, warp) == 80 &&
                    offsetof(struct scarp_noise, plan) == 80 + sizeof(void *) &&
                    offsetof(struct scarp_noise, spare) == 80 + 2 * sizeof(void *) &&
@@ -40,6 +41,8 @@ _Static_assert(sizeof((struct scarp_noise *)NULL)->spare >= 8, "some bytes stay 
 #define AMPLITUDE_MAX 0x1p24
 #define EROSION_MIN 0x1p-24
 #define EROSION_MAX 0x1p24
+#define SHARPNESS_MIN 0x1p-24
+#define SHARPNESS_MAX 0x1p24
 #define PERIOD_MAX 0x1p30
 
 /*
@@ -68,7 +71,7 @@ static const double turn2[3][3] = {{0.8, -0.6, 0.0}, {0.6, 0.8, 0.0}, {0.0, 0.0,
 static const double turn3[3][3] = {{0.0, 0.8, 0.6}, {-0.8, 0.36, -0.48}, {-0.6, -0.48, 0.64}};
 
 struct parameters {
-    double frequency, octaves, lacunarity, gain, amplitude, erosion, jitter;
+    double frequency, octaves, lacunarity, gain, amplitude, erosion, jitter, sharpness, of_octaves;
 };
 
 static double value_or(double value, double standard)
@@ -78,14 +81,17 @@ static double value_or(double value, double standard)
 
 static struct parameters parameters_of(const struct scarp_noise *noise)
 {
+    const double octaves = value_or((double)noise->octaves, 1.0);
     const struct parameters p = {
         .frequency = value_or(noise->frequency, 1.0),
-        .octaves = value_or((double)noise->octaves, 1.0),
+        .octaves = octaves,
         .lacunarity = value_or((double)noise->lacunarity, 2.0),
         .gain = value_or((double)noise->gain, 0.5),
         .amplitude = value_or((double)noise->amplitude, 1.0),
         .erosion = value_or((double)noise->erosion, 1.0),
         .jitter = value_or((double)noise->jitter, 1.0),
+        .sharpness = (double)sharpness_of(noise),
+        .of_octaves = value_or((double)noise->of_octaves, octaves),
     };
     return p;
 }
@@ -148,52 +154,30 @@ static const char *period_member(const struct scarp_noise *noise, const struct p
 static const char *outside_member(const struct parameters *p, float phase)
 {
     const double magnitude = p->amplitude < 0.0 ? -p->amplitude : p->amplitude;
-    return !within(p->frequency, FREQUENCY_MIN, FREQUENCY_MAX) ? "frequency"
-           : !within(p->octaves, 0.0, SCARP_MAX_OCTAVES)       ? "octaves"
-           : !within(p->lacunarity, RATIO_MIN, RATIO_MAX)      ? "lacunarity"
-           : !within(p->gain, RATIO_MIN, RATIO_MAX)            ? "gain"
-           : !within(magnitude, AMPLITUDE_MIN, AMPLITUDE_MAX)  ? "amplitude"
-           : !within(p->erosion, EROSION_MIN, EROSION_MAX)     ? "erosion"
-           : !within((double)phase, -FLT_MAX, FLT_MAX)         ? "phase"
-           : !within(p->jitter, FLT_TRUE_MIN, 1.0)             ? "jitter"
-           : !last_frequency_valid(p)                          ? "octaves"
-                                                               : NULL;
+    return !within(p->frequency, FREQUENCY_MIN, FREQUENCY_MAX)     ? "frequency"
+           : !within(p->octaves, 0.0, SCARP_MAX_OCTAVES)           ? "octaves"
+           : !within(p->lacunarity, RATIO_MIN, RATIO_MAX)          ? "lacunarity"
+           : !within(p->gain, RATIO_MIN, RATIO_MAX)                ? "gain"
+           : !within(magnitude, AMPLITUDE_MIN, AMPLITUDE_MAX)      ? "amplitude"
+           : !within(p->erosion, EROSION_MIN, EROSION_MAX)         ? "erosion"
+           : !within((double)phase, -FLT_MAX, FLT_MAX)             ? "phase"
+           : !within(p->jitter, FLT_TRUE_MIN, 1.0)                 ? "jitter"
+           : !within(p->sharpness, SHARPNESS_MIN, SHARPNESS_MAX)   ? "sharpness"
+           : !within(p->of_octaves, p->octaves, SCARP_MAX_OCTAVES) ? "of_octaves"
+           : !last_frequency_valid(p)                              ? "octaves"
+                                                                   : NULL;
 }
 
-/* What is before and behind the member `plan`, in words: a plan says nothing about the noise. */
-#define WORD sizeof(uintptr_t)
-#define WORDS_BEFORE (offsetof(struct scarp_noise, plan) / WORD)
-#define WORDS_BEHIND (sizeof(struct scarp_noise) / WORD - WORDS_BEFORE - 1)
-
-static uintptr_t word_at(const void *memory, size_t i)
-{
-    uintptr_t word;
-    memcpy(&word, (const char *)memory + i * WORD, sizeof word);
-    return word;
-}
-
-/* Whether any reserved member is not zero. The assertions above exclude padding. Reading wide words
-   without branches takes 2 ns of a call, reading members one by one 7. */
+/* Whether any reserved member is not zero. Reading wide words without branches takes less time than
+   reading members one by one. */
 static int reserved_in_use(const struct scarp_noise *noise)
 {
-    uint32_t number; /* where -0 is a zero */
-    memcpy(&number, &noise->sharpness, sizeof number);
-    uintptr_t bits = (number & 0x7fffffffu) | noise->spare0;
-    for (size_t i = 0; i < WORDS_BEHIND; i++) {
-        bits |= word_at(noise, WORDS_BEFORE + 1 + i);
+    uintptr_t words[sizeof noise->spare / sizeof(uintptr_t)], bits = 0;
+    memcpy(words, noise->spare, sizeof words);
+    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
+        bits |= words[i];
     }
     return bits != 0;
-}
-
-/* The first reserved member that is in use. */
-static const char *reserved_member(const struct scarp_noise *noise)
-{
-    if (!reserved_in_use(noise)) {
-        return NULL;
-    }
-    return noise->sharpness != 0.0f ? "sharpness" /* NaN is not 0 */
-           : noise->spare0 != 0     ? "spare0"
-                                    : "spare";
 }
 
 static enum scarp_status check_periods(const struct scarp_noise *noise, const struct parameters *p,
@@ -223,7 +207,8 @@ static enum scarp_status check_one(const struct scarp_noise *noise, const struct
     if ((*member = outside_member(p, noise->phase)) != NULL) {
         return SCARP_ERROR_PARAMETER;
     }
-    if ((*member = reserved_member(noise)) != NULL) {
+    if (reserved_in_use(noise)) {
+        *member = "spare";
         return SCARP_ERROR_UNSUPPORTED;
     }
     if (noise->phase != 0.0f && noise->basis != SCARP_GRADIENT) {
@@ -365,21 +350,28 @@ static void set_periods(struct scarp_octave *octave, int octaves, const struct s
     }
 }
 
+/* Sets the weights w_k of the octaves that are summed, and gives the sum of those that the
+   amplitudes are for. */
+static double weigh_octaves(double weights[SCARP_MAX_OCTAVES], const struct parameters *p)
+{
+    const int octaves = octave_count((float)p->octaves), of = octave_count((float)p->of_octaves);
+    double weight = 1.0, sum = 0.0;
+    for (int k = 0; k < of; k++) {
+        weights[k] = k == octaves - 1 ? weight * (p->octaves - (double)k) : weight;
+        sum += k == of - 1 ? weight * (p->of_octaves - (double)k) : weight;
+        weight *= p->gain;
+    }
+    return sum;
+}
+
 /* Computes the constants of all octaves of a checked noise. */
 static void make_octaves(struct scarp_octave *octave, const struct scarp_noise *noise,
                          const struct parameters *p, int dimensions)
 {
     const int octaves = octave_count((float)p->octaves);
-    const double last_weight = p->octaves - (double)(octaves - 1);
     const double supremum = scarp_supremum(noise, dimensions);
     double weights[SCARP_MAX_OCTAVES], factors[SCARP_MAX_OCTAVES];
-    double weight = 1.0, sum = 0.0;
-    for (int k = 0; k < octaves; k++) {
-        weights[k] = k == octaves - 1 ? weight * last_weight : weight;
-        sum += weights[k];
-        weight *= p->gain;
-    }
-    const double scale = p->amplitude * HEADROOM / sum;
+    const double scale = p->amplitude * HEADROOM / weigh_octaves(weights, p);
     const double stretch =
         noise->basis == SCARP_SIMPLEX && dimensions == 2 ? SCARP_TRIANGLE_ROWS : 1.0;
     const uint64_t mixed = mix64(noise->seed + GOLDEN_GAMMA);

@@ -81,7 +81,7 @@ struct scarp_call_plan {
     enum scarp_basis basis;
     enum scarp_fade fade;
     enum scarp_fractal fractal;
-    float erosion;
+    float erosion, sharpness;
     int order;   /* highest derivative asked for: 0, 1, 2 */
     int rotate;  /* octaves 1 and up use jacobian and gradient, not frequency, slope, curvature */
     int octaves; /* how many `octave` has */

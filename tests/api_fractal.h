@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Turbulence, ridged and erosion as arguments: what erosion refuses, the default of its parameter,
- * subsets of outputs, ranges. Part of tests/test_api.c.
+ * subsets of outputs, ranges, octaves of longer sums. Part of tests/test_api.c.
  */
 #ifndef SCARP_TESTS_API_FRACTAL_H
 #define SCARP_TESTS_API_FRACTAL_H
@@ -140,6 +140,81 @@ static inline void test_fractal_ranges(void)
     }
 }
 
+/* The largest difference between two noises that have the same outputs. */
+static inline double fractal_difference(const struct fractal_test *t, const struct scarp_noise *a,
+                                        const struct scarp_noise *b, enum function f, unsigned mask)
+{
+    const struct scarp_samples out_a = outputs_subset(t->one, mask);
+    const struct scarp_samples out_b = outputs_subset(t->two, mask);
+    double largest = 0.0;
+    CHECK(function_call(f, a, t->points, t->in, &out_a) == SCARP_OK, "%s", function_names[f]);
+    CHECK(function_call(f, b, t->points, t->in, &out_b) == SCARP_OK, "%s", function_names[f]);
+    for (int m = 0; m < OUTPUTS; m++) {
+        for (size_t i = 0; i < t->points && (mask >> m & 1) != 0; i++) {
+            largest =
+                fmax(largest, fabs((double)t->one->array[m][i] - (double)t->two->array[m][i]));
+        }
+    }
+    return largest;
+}
+
+/* Octaves of a longer sum have the bits that they have there, and fade in without a pop.
+   test_fractal_rebuild says which octaves they are. */
+static inline void test_fractal_of_octaves(const struct fractal_test *t)
+{
+    for (int i = 0; i < 2 * count_names(fractal_name); i++) {
+        const struct scarp_noise whole = {.fractal = (enum scarp_fractal)(i / 2),
+                                          .octaves = i % 2 == 0 ? 8.0f : 7.3f,
+                                          .rotate = (uint32_t)i % 2,
+                                          .gain = 0.7f,
+                                          .seed = 5};
+        struct scarp_noise a = whole, b = whole;
+        b.of_octaves = whole.octaves;
+        CHECK(fractal_same_bits(t, &a, &b), "fractal %d: %g of as many", i / 2,
+              (double)whole.octaves);
+        b.of_octaves = -0.0f;
+        CHECK(fractal_same_bits(t, &a, &b), "fractal %d: -0 is not the default", i / 2);
+        b.of_octaves = 8.5f;
+        CHECK(!fractal_same_bits(t, &a, &b), "fractal %d: of_octaves is ignored", i / 2);
+        for (int ends = 0; ends < 2; ends++) { /* of the octave that fades in */
+            a.of_octaves = b.of_octaves = 8.0f;
+            a.octaves = ends == 0 ? 3.0f : 4.0f;
+            b.octaves = ends == 0 ? nextafterf(3.0f, 4.0f) : nextafterf(4.0f, 3.0f);
+            for (int f = 0; f < FUNCTIONS; f++) {
+                const double pop =
+                    fractal_difference(t, &a, &b, (enum function)f,
+                                       outputs_up_to(1, function_dimensions((enum function)f)));
+                CHECK(pop <= 4e-5, "%s, fractal %d: a pop of %g", function_names[f], i / 2, pop);
+            }
+        }
+    }
+}
+
+/* With a gain of 1, amplitudes of two octaves of four are halves of those of two: all bits are the
+   same with half the amplitude. */
+static inline void test_fractal_of_amplitudes(const struct fractal_test *t)
+{
+    for (int i = 0; i < 3 * count_names(fractal_name); i++) {
+        const struct scarp_noise a = {.fractal = (enum scarp_fractal)(i / 3),
+                                      .octaves = (float)(1 << i % 3),
+                                      .of_octaves = 8.0f,
+                                      .gain = 1.0f,
+                                      .amplitude = 3.0f};
+        struct scarp_noise b = a;
+        b.of_octaves = 0.0f;
+        b.amplitude *= a.octaves / 8.0f;
+        CHECK(fractal_same_bits(t, &a, &b), "fractal %d: %g of 8 octaves", i / 3,
+              (double)a.octaves);
+        float a_range[2], b_range[2];
+        scarp_range(&a, 2, &a_range[0], &a_range[1]);
+        b.octaves = 8.0f;
+        b.amplitude = 3.0f;
+        scarp_range(&b, 2, &b_range[0], &b_range[1]);
+        CHECK(a_range[0] == b_range[0] && a_range[1] == b_range[1], "fractal %d: the range of %g",
+              i / 3, (double)a.octaves);
+    }
+}
+
 static inline void test_fractals(const struct inputs *in, size_t points, const struct outputs *one,
                                  const struct outputs *two)
 {
@@ -148,6 +223,8 @@ static inline void test_fractals(const struct inputs *in, size_t points, const s
     test_fractal_parameter(&t);
     test_fractal_subsets(&t);
     test_fractal_ranges();
+    test_fractal_of_octaves(&t);
+    test_fractal_of_amplitudes(&t);
 }
 
 #endif

@@ -125,12 +125,12 @@ static inline void test_check_order(void)
     noise.phase = -FLT_MAX;
     expect_member(&noise, 4, outside, "jitter");
     noise.jitter = 1.0f;
+    expect_member(&noise, 4, outside, "sharpness");
+    noise.sharpness = 1.0f;
+    expect_member(&noise, 4, outside, "of_octaves");
+    noise.of_octaves = 10.0f;
     expect_member(&noise, 4, outside, "octaves"); /* the last one has the frequency 2^49 */
     noise.octaves = 9.0f;
-    expect_member(&noise, 4, reserved, "sharpness");
-    noise.sharpness = 0.0f;
-    expect_member(&noise, 4, reserved, "spare0");
-    noise.spare0 = 0;
     expect_member(&noise, 4, reserved, "warp");
     noise.warp = NULL;
     expect_member(&noise, 4, reserved, "spare");

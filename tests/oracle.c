@@ -207,6 +207,10 @@ void oracle_make(struct oracle *oracle, const struct scarp_noise *noise, int dim
     scale_basis(oracle);
     double turns[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     double sum = 0.0;
+    const double of = noise->of_octaves != 0.0f ? (double)noise->of_octaves : octaves;
+    for (int k = 0; k < of; k++) {
+        sum += pow(gain, k) * fmin(of - k, 1.0);
+    }
     for (int k = 0; k < oracle->octaves; k++) {
         struct oracle_octave *const octave = &oracle->octave[k];
         draw_octave(octave, noise->seed, k);
@@ -216,7 +220,6 @@ void oracle_make(struct oracle *oracle, const struct scarp_noise *noise, int dim
         if (k == oracle->octaves - 1 && octaves != floor(octaves)) {
             octave->weight *= octaves - floor(octaves);
         }
-        sum += octave->weight;
         for (int i = 0; i < 3; i++) {
             const double period = (double)noise->period[i] * pow(lacunarity, k);
             octave->period[i] = noise->period[i] == 0 ? INT64_C(1) << 32 : (int64_t)period;

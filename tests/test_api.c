@@ -79,10 +79,22 @@ static void expect_accepted(const struct scarp_noise *noise, const char *what)
     expect_member(noise, 2, SCARP_OK, NULL);
 }
 
-enum field { FREQUENCY, OCTAVES, LACUNARITY, GAIN, AMPLITUDE, EROSION, JITTER, FIELDS };
+enum field {
+    FREQUENCY,
+    OCTAVES,
+    LACUNARITY,
+    GAIN,
+    AMPLITUDE,
+    EROSION,
+    JITTER,
+    SHARPNESS,
+    OF_OCTAVES,
+    FIELDS
+};
 
-static const char *const field_names[FIELDS] = {"frequency", "octaves", "lacunarity", "gain",
-                                                "amplitude", "erosion", "jitter"};
+static const char *const field_names[FIELDS] = {"frequency", "octaves",   "lacunarity",
+                                                "gain",      "amplitude", "erosion",
+                                                "jitter",    "sharpness", "of_octaves"};
 
 static void set_field(struct scarp_noise *noise, enum field field, double value)
 {
@@ -93,11 +105,13 @@ static void set_field(struct scarp_noise *noise, enum field field, double value)
     case GAIN: noise->gain = (float)value; break;
     case AMPLITUDE: noise->amplitude = (float)value; break;
     case EROSION: noise->erosion = (float)value; break;
-    default: noise->jitter = (float)value; break;
+    case JITTER: noise->jitter = (float)value; break;
+    case SHARPNESS: noise->sharpness = (float)value; break;
+    default: noise->of_octaves = (float)value; break;
     }
 }
 
-/* Tries a value with every fractal, and with every basis: `erosion` and `jitter` are checked even
+/* Tries a value with every fractal, and with every basis: `erosion` and its like are checked even
    where they are not used. */
 static void try_field(enum field field, double value, enum scarp_status expected)
 {
@@ -132,7 +146,8 @@ static void test_intervals(void)
         [FREQUENCY] = {0x1p-32, 0x1p48}, [OCTAVES] = {(double)FLT_MIN, 32.0},
         [LACUNARITY] = {0.0625, 16.0},   [GAIN] = {0.0625, 16.0},
         [AMPLITUDE] = {-0x1p24, 0x1p24}, [EROSION] = {0x1p-24, 0x1p24},
-        [JITTER] = {0x1p-149, 1.0}};
+        [JITTER] = {0x1p-149, 1.0},      [SHARPNESS] = {0x1p-24, 0x1p24},
+        [OF_OCTAVES] = {1.0, 32.0}};
     try_field(AMPLITUDE, 0x1p-24, SCARP_OK);
     try_field(AMPLITUDE, -0x1p-24, SCARP_OK);
     try_field(AMPLITUDE, 0x1p-25, SCARP_ERROR_PARAMETER);

@@ -410,7 +410,7 @@ static void test_refused(struct call c)
                                       {.octaves = 99.f},
                                       {.frequency = -1},
                                       {.warp = &good},
-                                      {.spare0 = 1},
+                                      {.of_octaves = 0.5f},
                                       {.phase = NAN},
                                       {.phase = 1.0f, .basis = SCARP_CELL_F1}};
     const size_t huge = (size_t)PTRDIFF_MAX / (c.doubles ? sizeof(double) : sizeof(float)) + 1;

@@ -178,14 +178,13 @@ static void test_errors(const struct mode *mode)
                                    0x7f800001u, 0x7f7fffffu, 0x80000001u};
     for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
         const float number = float_of_bits(bad[i]);
-        for (int field = 0; field < 7; field++) {
+        for (int field = 0; field < 8; field++) {
             struct scarp_noise noise = {0};
             float *const fields[] = {&noise.octaves,   &noise.lacunarity, &noise.gain,
                                      &noise.amplitude, &noise.phase,      &noise.jitter,
-                                     &noise.sharpness};
-            const enum scarp_status expected_status = field > 5 ? SCARP_ERROR_UNSUPPORTED
-                                                      : field == 4 && i > 3 ? SCARP_OK /* a phase */
-                                                                            : SCARP_ERROR_PARAMETER;
+                                     &noise.sharpness, &noise.of_octaves};
+            const enum scarp_status expected_status =
+                field == 4 && i > 3 ? SCARP_OK /* a phase */ : SCARP_ERROR_PARAMETER;
             memcpy(fields[field], &number, sizeof number);
             float bounds[2];
             const enum scarp_status sampled = call_in_mode(mode, &noise, SAMPLE3, &got, &after);

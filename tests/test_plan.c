@@ -176,7 +176,8 @@ static void test_plan_refused(const struct reserved_test *t)
                                       {.phase = 1.0f, .basis = SCARP_CELL_SOFT},
                                       {.jitter = 1.5f},
                                       {.period = {0, 0x40000001, 0}},
-                                      {.spare0 = 1},
+                                      {.sharpness = 0x1p25f},
+                                      {.octaves = 3.0f, .of_octaves = 2.9f},
                                       {.warp = &good},
                                       {.spare = {1}}};
     struct scarp_plan plan = plan_of(&good, 2);

@@ -36,8 +36,8 @@ OPTIONS = ("size", "origin", "step", "period", "tileable", "height", "sea-level"
            "heights", "normals", "hillshade", "gradient", "output", "compare",
            "normal-y", "azimuth", "altitude", "z-factor",
            "tile", "tiles", "share", "overlap", "resume",
-           "preset", "seed", "basis", "jitter", "fade", "fractal", "erosion", "frequency",
-           "octaves", "lacunarity", "gain", "amplitude", "phase", "rotate",
+           "preset", "seed", "basis", "jitter", "fade", "fractal", "erosion", "sharpness",
+           "frequency", "octaves", "of-octaves", "lacunarity", "gain", "amplitude", "phase", "rotate",
            "threads", "isa", "quiet", "help")
 FLAGS = ("tileable", "resume", "rotate", "quiet", "help")
 FRACTALS = ("fbm", "turbulence", "ridged", "erosion")

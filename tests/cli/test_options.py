@@ -43,7 +43,7 @@ class Errors(Case):
 
     def test_numbers(self):
         for option in ("--step", "--height", "--frequency", "--octaves", "--lacunarity", "--gain",
-                       "--erosion", "--jitter", "--sea-level", "--azimuth", "--altitude", "--z-factor",
+                       "--erosion", "--jitter", "--sharpness", "--of-octaves", "--sea-level", "--azimuth", "--altitude", "--z-factor",
                        "--amplitude", "--phase"):
             self.check_values(option, "", "one", "1x", "1 ", " 1", "1,5", "nan", "inf", "-inf",
                               "1e999", "0x", "1.2.3", "--1", ".", "+")
@@ -59,6 +59,8 @@ class Errors(Case):
         self.check_values("--gain", "0", "0.0624", "16.0001", "1e-46")
         self.check_values("--jitter", "0", "-0", "1.0000001", "-1", "1e-46", "nan")
         self.check_values("--erosion", "0", "5.9e-8", "16777217", "-1", "1e39")
+        self.check_values("--sharpness", "0", "5.9e-8", "16777217", "-1", "1e39")
+        self.check_values("--of-octaves", "0", "1e-46", "32.01", "1e39")
         self.check_values("--sea-level", "16777217", "-16777217", "1e39")
         self.check_values("--azimuth", "-0.001", "360.001")
         self.check_values("--altitude", "-0.001", "90.001")

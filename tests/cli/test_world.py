@@ -70,7 +70,7 @@ class Manifest(WorldCase):
             "period": [0, 0], "tileable": False, "height": 0.1, "sea-level": -0.25, "plateau": None, "compare": 0, "normal-y": "down",
             "azimuth": 315, "altitude": 45, "z-factor": 1, "seed": 18446744073709551615,
             "basis": "gradient", "jitter": 1, "fade": "quintic", "fractal": "fbm", "erosion": 1,
-            "frequency": 0.03, "octaves": 3, "lacunarity": 2, "gain": 0.4, "amplitude": -3,
+            "sharpness": None, "frequency": 0.03, "octaves": 3, "of-octaves": None, "lacunarity": 2, "gain": 0.4, "amplitude": -3,
             "phase": None, "rotate": True, "heights": "w_{y}_{x}.r32", "normals": "npy:n_{y}_{x}.v1",
             "hillshade": "s_{y}_{x}.img", "gradient": None, "output": None})
         self.assertEqual(derived["tiles"], [4, 3])
@@ -93,6 +93,7 @@ class Manifest(WorldCase):
                    "seed": ("2", "1", "2"), "basis": ("value", '"gradient"', '"value"'),
                    "jitter": ("0.5", "1", "0.5"), "fade": ("cubic", '"quintic"', '"cubic"'),
                    "fractal": ("ridged", '"fbm"', '"ridged"'), "erosion": ("2", "1", "2"),
+                   "sharpness": ("2", "null", "2"), "of-octaves": ("4", "null", "4"),
                    "frequency": ("0.5", "0.03", "0.5"), "octaves": ("2.5", "3", "2.5"),
                    "lacunarity": ("3", "2", "3"), "gain": ("0.25", "0.4", "0.25"),
                    "amplitude": ("-1", "1", "-1"), "phase": ("0", "null", "0"), "rotate": (None, "false", "true"),

@@ -19,7 +19,7 @@ class Noise(ctypes.Structure):
         ("octaves", ctypes.c_float), ("lacunarity", ctypes.c_float), ("gain", ctypes.c_float),
         ("amplitude", ctypes.c_float), ("erosion", ctypes.c_float), ("phase", ctypes.c_float),
         ("jitter", ctypes.c_float), ("sharpness", ctypes.c_float),
-        ("period", ctypes.c_uint32 * 3), ("spare0", ctypes.c_uint32), ("warp", ctypes.c_void_p),
+        ("period", ctypes.c_uint32 * 3), ("of_octaves", ctypes.c_float), ("warp", ctypes.c_void_p),
         ("plan", ctypes.c_void_p), ("spare", ctypes.c_uint32 * ((192 - 80 - 2 * POINTER_SIZE) // 4))]
 
 
@@ -85,8 +85,10 @@ def check_faults(library):
     noise.jitter = 1.5
     assert (check(), member.value) == (ERROR_PARAMETER, b"jitter")
     noise.jitter, noise.basis = 0.5, 0
-    noise.spare0 = 5
-    assert (check(), member.value) == (ERROR_UNSUPPORTED, b"spare0")
+    noise.of_octaves = 0.5
+    assert (check(), member.value) == (ERROR_PARAMETER, b"of_octaves")
+    noise.of_octaves = 1
+    assert (check(), member.value) == (OK, None)
     noise.gain = 17
     assert (check(), member.value) == (ERROR_PARAMETER, b"gain")
 

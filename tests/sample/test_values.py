@@ -19,7 +19,8 @@ from common import (run, float32, reference, npy, read_npy, make_input, read_out
 
 class Help(Case):
     OPTIONS = ("input input-format columns dims skip-bad keep output output-format gradient "
-               "hessian dphase seed basis jitter fade fractal erosion frequency octaves lacunarity gain "
+               "hessian dphase seed basis jitter fade fractal erosion sharpness frequency "
+               "octaves of-octaves lacunarity gain "
                "amplitude phase rotate period isa quiet help").split()
 
     def test_help(self):

@@ -352,7 +352,7 @@ static void tell_malformed(const struct points *points)
 
 int cli_sample(char **argv)
 {
-    struct sample_options options = {.noise = {.phase = NOISE_STILL},
+    struct sample_options options = {.noise = NOISE_OPTIONS_UNSET,
                                      .input_format = POINTS_UNKNOWN,
                                      .output_format = POINTS_UNKNOWN};
     switch (options_parse(&table, argv, &options)) {

@@ -96,6 +96,14 @@ const struct option noise_option_rows[NOISE_OPTION_COUNT] = {
      .offset = FIELD(erosion),
      .lowest = 0x1p-24,
      .highest = 0x1p24},
+    {.name = "--sharpness",
+     .argument = "F",
+     .allowed = "a number from 2^-24 to 2^24",
+     .help = "of fractals that have such a parameter, from 2^-24 to 2^24\n[the fractal's own]",
+     .parse = option_float,
+     .offset = FIELD(sharpness),
+     .lowest = 0x1p-24,
+     .highest = 0x1p24},
     {.name = "--frequency",
      .argument = "F",
      .standard = "1",
@@ -114,6 +122,17 @@ const struct option noise_option_rows[NOISE_OPTION_COUNT] = {
      .parse = parse_positive,
      .like = option_float,
      .offset = FIELD(octaves),
+     .lowest = 0,
+     .highest = 32},
+    {.name = "--of-octaves",
+     .argument = "F",
+     .allowed = "a number above 2^-150, at most 32",
+     .help =
+         "octaves that amplitudes are meant for, of which --octaves are\nsummed: the first ones "
+         "as they are in the whole sum [--octaves]",
+     .parse = parse_positive,
+     .like = option_float,
+     .offset = FIELD(of_octaves),
      .lowest = 0,
      .highest = 32},
     {.name = "--lacunarity",
@@ -163,6 +182,8 @@ static void refuse(const char *member, bool simplex)
 {
     if (strcmp(member, "lacunarity") == 0) {
         cli_error("--lacunarity: is no whole number from 1 to 16, which noise with a period needs");
+    } else if (strcmp(member, "of_octaves") == 0) {
+        cli_error("--of-octaves: is less than --octaves");
     } else if (strcmp(member, "rotate") == 0) {
         cli_error("--rotate: axes that are turned do not repeat; leave it out with --period");
     } else if (strcmp(member, "phase") == 0) {
@@ -186,7 +207,12 @@ static void refuse(const char *member, bool simplex)
    noise has the same bits, and the range of the other frames. */
 static float phase_of(const struct noise_options *options)
 {
-    return options->phase == NOISE_STILL ? 0.0f : options->phase == 0.0f ? 1.0f : options->phase;
+    return options->phase == NOISE_UNSET ? 0.0f : options->phase == 0.0f ? 1.0f : options->phase;
+}
+
+static float given(float number)
+{
+    return number == NOISE_UNSET ? 0.0f : number;
 }
 
 bool noise_make(const struct noise_options *options, int dimensions, struct scarp_noise *noise)
@@ -205,6 +231,8 @@ bool noise_make(const struct noise_options *options, int dimensions, struct scar
         .erosion = options->erosion,
         .jitter = options->jitter,
         .phase = phase_of(options),
+        .sharpness = given(options->sharpness),
+        .of_octaves = given(options->of_octaves),
     };
     memcpy(noise->period, options->period, sizeof noise->period);
     const char *member = NULL;

@@ -13,19 +13,23 @@
 #include "scarp.h"
 #include "shared/options.h"
 
-/* Before options are parsed, `phase` must be NOISE_STILL. */
+/* Before options are parsed, `phase`, `sharpness` and `of_octaves` must be NOISE_UNSET. */
 struct noise_options {
     uint64_t seed;
     double frequency;
-    float octaves, lacunarity, gain, amplitude, erosion, jitter, phase;
+    float octaves, lacunarity, gain, amplitude, erosion, jitter, phase, sharpness, of_octaves;
     uint32_t period[3];
     int basis, fade, fractal, rotate; /* enumerators of scarp.h */
 };
 
-/* The phase of what does not flow: not given, which is not the same as --phase 0. */
-#define NOISE_STILL INFINITY
+/* Not given, which is not the same as --phase 0 */
+#define NOISE_UNSET INFINITY
+#define NOISE_OPTIONS_UNSET                                                                        \
+    {                                                                                              \
+        .phase = NOISE_UNSET, .sharpness = NOISE_UNSET, .of_octaves = NOISE_UNSET                  \
+    }
 
-#define NOISE_OPTION_COUNT 13
+#define NOISE_OPTION_COUNT 15
 extern const struct option noise_option_rows[NOISE_OPTION_COUNT];
 
 /* Makes the noise for so many dimensions. False, with a line on stderr, if the numbers do not go

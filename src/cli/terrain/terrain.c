@@ -155,7 +155,7 @@ static int prepare(struct job *job)
 int cli_terrain(char **argv)
 {
     struct terrain_options options = {
-        .noise = {.phase = NOISE_STILL}, .sea_level = -INFINITY, .plateau = INFINITY};
+        .noise = NOISE_OPTIONS_UNSET, .sea_level = -INFINITY, .plateau = INFINITY};
     switch (options_parse(&terrain_table, argv, &options)) {
     case OPTIONS_HELP: return CLI_SUCCESS;
     case OPTIONS_BAD: return CLI_USAGE;
