@@ -112,7 +112,10 @@ static inline int blends_corners(enum scarp_basis basis)
 /* The sharpness of a noise, which each fractal that has one has a default for. */
 static inline float sharpness_of(const struct scarp_noise *noise)
 {
-    return noise->sharpness == 0.0f ? 1.0f : noise->sharpness;
+    const float standard = noise->fractal == SCARP_SWISS    ? 0.15f
+                           : noise->fractal == SCARP_JORDAN ? 0.35f
+                                                            : 1.0f;
+    return noise->sharpness == 0.0f ? standard : noise->sharpness;
 }
 
 /* Fills in what the noise says without its octaves. */
@@ -132,15 +135,16 @@ static inline void plan_describe(struct scarp_call_plan *plan, const struct scar
     plan->dphase = kind.dphase;
     plan->flows = kind.dphase || noise->phase != 0.0f;
     plan->warps.depth = 0;
-    plan->plain =
-        plan->repeat == SCARP_REPEAT_NEVER && !plan->flows && blends_corners(noise->basis);
+    plan->plain = plan->repeat == SCARP_REPEAT_NEVER && !plan->flows &&
+                  blends_corners(noise->basis) && !fractal_bends(noise->fractal);
 }
 
 /* Whether the noise, without its warp, has what is asked for. */
 static inline int has_outputs(const struct scarp_noise *noise, struct scarp_kind kind)
 {
-    return (kind.order < 2 || noise->fractal != SCARP_EROSION) &&
-           (!kind.dphase || noise->basis == SCARP_GRADIENT);
+    const int bends = fractal_bends(noise->fractal);
+    return (kind.order < 2 || (noise->fractal != SCARP_EROSION && !bends)) &&
+           (!kind.dphase || (noise->basis == SCARP_GRADIENT && !bends));
 }
 
 /* Makes the plan of a call of the plan that the noise brings. Returns 0 if that does not fit, or if

@@ -371,7 +371,8 @@ static void make_octaves(struct scarp_octave *octave, const struct scarp_noise *
     const int octaves = octave_count((float)p->octaves);
     const double supremum = scarp_supremum(noise, dimensions);
     double weights[SCARP_MAX_OCTAVES], factors[SCARP_MAX_OCTAVES];
-    const double scale = p->amplitude * HEADROOM / weigh_octaves(weights, p);
+    const double headroom = noise->fractal == SCARP_JORDAN ? HEADROOM * HEADROOM : HEADROOM;
+    const double scale = p->amplitude * headroom / weigh_octaves(weights, p);
     const double stretch =
         noise->basis == SCARP_SIMPLEX && dimensions == 2 ? SCARP_TRIANGLE_ROWS : 1.0;
     const uint64_t mixed = mix64(noise->seed + GOLDEN_GAMMA);

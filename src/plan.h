@@ -58,6 +58,12 @@ static inline double scarp_period(const struct scarp_octave *octave, int axis)
     return (double)octave->last[axis] + 1.0;
 }
 
+/* Whether octaves of the fractal look at positions that those before have bent. */
+static inline int fractal_bends(enum scarp_fractal fractal)
+{
+    return fractal == SCARP_SWISS || fractal == SCARP_JORDAN;
+}
+
 /* What a call asks for. */
 struct scarp_kind {
     int dimensions;
@@ -91,7 +97,7 @@ struct scarp_call_plan {
     int flows;  /* whether gradients are turned by the phase, or DPHASE is asked for */
     int dphase; /* whether DPHASE is */
     int plain;  /* whether it blends what is drawn at the corners of cells, and the lattice neither
-                   repeats nor flows */
+                   repeats nor flows nor bends */
     const struct scarp_octave *octave;
     struct scarp_warps warps;
 };

@@ -127,6 +127,8 @@ VEC_INLINE struct sample few_shape(struct few_state *state, const struct scarp_c
             s.value = erode(&e, state->d, plan->erosion, value).value;
         }
         break;
+    case SCARP_SWISS:
+    case SCARP_JORDAN: break; /* bend.h */
     }
 #define WEIGH(i, member, rank) s.member *= vf_set(o->weight)
     EACH_OUTPUT(v, WEIGH);

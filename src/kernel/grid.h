@@ -305,7 +305,7 @@ static void warp_grid(const struct scarp_call_plan *plan, const struct scarp_gri
 static void grid(const struct scarp_call_plan *plan, const struct scarp_grid *described,
                  const struct scarp_outputs *out, int dimensions)
 {
-    if (plan->warps.depth > 0) {
+    if (plan->warps.depth > 0 || fractal_bends(plan->fractal)) {
         warp_grid(plan, described, out, dimensions);
     } else {
         grid_scratch(plan, described, out, dimensions);

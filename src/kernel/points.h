@@ -5,6 +5,7 @@
 #ifndef SCARP_KERNEL_POINTS_H
 #define SCARP_KERNEL_POINTS_H
 
+#include "bend.h"
 #include "few.h"
 
 /* The most blocks of a part whose last block may be incomplete. */
@@ -158,6 +159,10 @@ static __attribute__((noinline)) void points_within(const struct scarp_call_plan
                                                     const struct scarp_outputs *out, struct frame f,
                                                     struct workspace work)
 {
+    if (fractal_bends(plan->fractal)) {
+        bend_points(plan, count, position, out, f, work);
+        return;
+    }
     const int is_straight = plan->fractal == SCARP_FBM && !plan->rotate;
     const int has_few = is_straight && plan->plain;
     const size_t rest = has_few && plan->order <= FEW_ORDER ? count % VEC_LANES : 0;

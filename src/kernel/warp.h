@@ -9,160 +9,49 @@
 #ifndef SCARP_KERNEL_WARP_H
 #define SCARP_KERNEL_WARP_H
 
-#include "grid.h"
 #include "points.h"
 
 /* Scratch space for the chunk and the passes together. It is less than SCRATCH_BYTES, since there
    are more frames on the stack. */
 #define WARP_BYTES (SCRATCH_BYTES - 2048)
 
-/* The most samples of a chunk, and of a row of it in a grid. */
-#define CHUNK_SAMPLES ((size_t)512)
+/* The most samples of a row of a chunk in a grid. */
 #define CHUNK_COLUMNS ((size_t)64)
 
-/* Where the samples of a call are: points, or a grid. */
-struct source {
-    const void *const *position;
-    const struct scarp_grid *grid; /* NULL: points */
-};
-
-/* Some of them: points from at[0] on, which are one row, or rows of a slice of the grid. */
-struct chunk {
-    size_t at[3], columns, rows;
-};
-
-/* What all chunks of a call share. Arrays have `most` elements. */
+/* A chunk of noise with warps. */
 struct warped {
+    struct chunked chunked;
     const struct scarp_call_plan *plan;
-    struct source source;
-    struct frame f;                /* how positions are given to the passes */
-    size_t most;                   /* samples of a chunk: whole blocks */
-    void *position[3];             /* floats or doubles: of the level at work */
-    struct scarp_outputs y[3];     /* of the coordinates, by x */
-    struct scarp_outputs moved[3]; /* of the coordinates of the level at work, by its positions; at
-                                      level 0 the first is of the noise */
+    struct scarp_outputs y[3];     /* the coordinates, by x */
+    struct scarp_outputs moved[3]; /* those of the level at work, by its positions; at level 0 the
+                                      first is the noise */
     float *dphase;                 /* of the noise, if it is asked for */
-    struct workspace passes;       /* what the passes have */
 };
-
-static size_t chunk_count(const struct chunk *chunk)
-{
-    return chunk->rows * chunk->columns;
-}
-
-static size_t whole_blocks(size_t count)
-{
-    return (count + VEC_LANES - 1) / VEC_LANES * VEC_LANES;
-}
-
-/* Takes arrays for samples of that order from the space at *from. */
-static void take_arrays(struct scarp_outputs *arrays, float **from, size_t most, int dimensions,
-                        int order)
-{
-    for (int i = 0; i < OUTPUTS; i++) {
-        const int has = i < OUTPUTS_UP_TO(order) &&
-                        (dimensions == 3 || (i != DZ && i != DXZ && i != DYZ && i != DZZ));
-        arrays->array[i] = has ? *from : NULL;
-        *from += has ? most : 0;
-    }
-}
 
 /* Shares the scratch space out. */
-static void warped_begin(struct warped *w, const struct scarp_call_plan *plan, struct frame f,
-                         vf *space)
+static void warped_begin(struct warped *w, const struct scarp_call_plan *plan,
+                         struct workspace work)
 {
-    const int n = f.dimensions, deep = plan->warps.depth > 1;
-    const size_t doubles = f.layout == DOUBLES ? 2 : 1;
-    const size_t size = sample_size(n, plan->order), vectors = WARP_BYTES / sizeof(vf);
-    const size_t each =
-        (size_t)n * (doubles + size) + (size_t)(deep ? n : 1) * size + (size_t)plan->dphase;
-    const size_t blocks = vectors * 9 / 16 / each;
+    struct chunked *const c = &w->chunked;
+    const int n = c->f.dimensions, y = plan->warps.depth > 0 ? n : 0;
+    const int moved = plan->warps.depth > 1 ? n : 1;
+    const size_t size = sample_size(n, plan->order);
+    float *from = chunked_begin(c, work, (size_t)(y + moved) * size + (plan->dphase ? 1 : 0));
     w->plan = plan;
-    w->f = f;
-    w->most = least(blocks > 0 ? blocks : 1, CHUNK_SAMPLES / VEC_LANES) * VEC_LANES;
-    float *from = (float *)space;
-    for (int i = 0; i < n; i++) {
-        w->position[i] = from;
-        from += doubles * w->most;
+    for (int i = 0; i < y; i++) {
+        take_arrays(&w->y[i], &from, c->most, n, plan->order);
     }
-    for (int i = 0; i < n; i++) {
-        take_arrays(&w->y[i], &from, w->most, n, plan->order);
-    }
-    for (int i = 0; i < (deep ? n : 1); i++) {
-        take_arrays(&w->moved[i], &from, w->most, n, plan->order);
+    for (int i = 0; i < moved; i++) {
+        take_arrays(&w->moved[i], &from, c->most, n, plan->order);
     }
     w->dphase = plan->dphase ? from : NULL;
-    from += plan->dphase ? w->most : 0;
-    w->passes.space = (vf *)from;
-    w->passes.vectors = vectors - (size_t)(from - (float *)space) / VEC_LANES;
-}
-
-/* Fills in the coordinates of a chunk of a grid along an axis. */
-static void grid_coordinates(double *to, const struct scarp_grid *grid, const struct chunk *chunk,
-                             int axis)
-{
-    const size_t columns = chunk->columns;
-    for (size_t i = 0; axis == 0 && i < columns; i++) {
-        to[i] = coordinate(grid, 0, chunk->at[0] + i);
-    }
-    for (size_t r = axis == 0; r < chunk->rows; r++) {
-        double *const row = to + r * columns;
-        const double shared =
-            axis == 0 ? 0.0 : coordinate(grid, axis, chunk->at[axis] + (axis == 1 ? r : 0));
-        if (axis == 0) {
-            memcpy(row, to, columns * sizeof *row);
-        }
-        for (size_t i = 0; axis > 0 && i < columns; i++) {
-            row[i] = shared;
-        }
-    }
-}
-
-/* Sets the positions to the input, padded to whole blocks. */
-static void positions_of_input(const struct warped *w, const struct chunk *chunk)
-{
-    const size_t count = chunk_count(chunk), end = whole_blocks(count);
-    const size_t bytes = w->f.layout == DOUBLES ? sizeof(double) : sizeof(float);
-    for (int axis = 0; axis < w->f.dimensions; axis++) {
-        char *const to = (char *)w->position[axis];
-        if (w->source.grid != NULL) {
-            grid_coordinates((double *)w->position[axis], w->source.grid, chunk, axis);
-        } else {
-            memcpy(to, (const char *)w->source.position[axis] + chunk->at[0] * bytes,
-                   count * bytes);
-        }
-        for (size_t i = count; i < end; i++) {
-            memcpy(to + i * bytes, to + (count - 1) * bytes, bytes);
-        }
-    }
-}
-
-/* Adds displacements to positions. */
-static void displace(void *position, const float *by, size_t count, enum layout layout)
-{
-    float *const floats = (float *)position;
-    double *const doubles = (double *)position;
-    for (size_t i = 0; layout == FLOATS && i < count; i++) {
-        floats[i] += by[i];
-    }
-    for (size_t i = 0; layout == DOUBLES && i < count; i++) {
-        doubles[i] += (double)by[i];
-    }
+    chunked_end(c, work, from + (plan->dphase ? c->most : 0));
 }
 
 /* The three coordinates at a block. */
 struct coordinates {
     struct sample x, y, z;
 };
-
-VEC_INLINE struct sample sample_at(const struct scarp_outputs *arrays, size_t at, struct variant v)
-{
-    struct sample s;
-#define DO(i, member, rank) s.member = vf_load(arrays->array[i] + at)
-    EACH_OUTPUT(v, DO);
-#undef DO
-    return s;
-}
 
 VEC_INLINE struct coordinates coordinates_at(const struct scarp_outputs y[3], size_t at,
                                              struct variant v)
@@ -270,7 +159,7 @@ static void (*const compose_passes[2][2])(const struct warped *, int, size_t) = 
 static void compose_any(const struct warped *w, int samples, size_t count)
 {
     if (w->plan->order > 0) {
-        compose_passes[w->f.dimensions - 2][w->plan->order - 1](w, samples, count);
+        compose_passes[w->chunked.f.dimensions - 2][w->plan->order - 1](w, samples, count);
     }
 }
 
@@ -280,12 +169,13 @@ static void evaluate(const struct warped *w, const struct scarp_call_plan *plan,
                      const struct chunk *chunk, const struct scarp_outputs *to, int at_input)
 {
     const size_t count = chunk_count(chunk), end = whole_blocks(count);
-    if (!at_input || w->source.grid == NULL) {
-        const void *const position[3] = {w->position[0], w->position[1], w->position[2]};
-        points_within(plan, end, position, to, w->f, w->passes);
+    if (!at_input || w->chunked.source.grid == NULL || fractal_bends(plan->fractal)) {
+        const void *const position[3] = {w->chunked.position[0], w->chunked.position[1],
+                                         w->chunked.position[2]};
+        points_within(plan, end, position, to, w->chunked.f, w->chunked.passes);
         return;
     }
-    struct scarp_grid grid = *w->source.grid;
+    struct scarp_grid grid = *w->chunked.source.grid;
     for (int axis = 0; axis < 3; axis++) {
         grid.first[axis] += (int64_t)chunk->at[axis];
     }
@@ -293,7 +183,7 @@ static void evaluate(const struct warped *w, const struct scarp_call_plan *plan,
     grid.count[1] = chunk->rows;
     grid.count[2] = 1;
     grid.slice_stride = count;
-    grid_within(plan, &grid, to, w->f.dimensions, w->passes);
+    grid_within(plan, &grid, to, w->chunked.f.dimensions, w->chunked.passes);
     for (int i = 0; i < OUTPUTS; i++) {
         for (size_t at = count; to->array[i] != NULL && at < end; at++) {
             to->array[i][at] = 0.0f;
@@ -305,27 +195,27 @@ static void evaluate(const struct warped *w, const struct scarp_call_plan *plan,
 static void warp_level(struct warped *w, const struct chunk *chunk, int level)
 {
     const struct scarp_warps *const warps = &w->plan->warps;
-    const struct scarp_kind kind = {w->f.dimensions, (short)w->plan->order, 0};
+    const struct scarp_kind kind = {w->chunked.f.dimensions, (short)w->plan->order, 0};
     const size_t end = whole_blocks(chunk_count(chunk));
     const int at_input = level == warps->depth;
-    for (int i = 0; i < w->f.dimensions; i++) {
+    for (int i = 0; i < w->chunked.f.dimensions; i++) {
         struct scarp_call_plan plan;
         scarp_plan_level(&plan, warps, kind, level, i);
         evaluate(w, &plan, chunk, at_input ? &w->y[i] : &w->moved[i], at_input);
     }
     if (!at_input) {
         struct scarp_outputs y[3];
-        compose_any(w, w->f.dimensions, end);
+        compose_any(w, w->chunked.f.dimensions, end);
         memcpy(y, w->moved, sizeof y);
         memcpy(w->moved, w->y, sizeof y);
         memcpy(w->y, y, sizeof y);
-        positions_of_input(w, chunk);
+        positions_of_input(&w->chunked, chunk);
     }
-    for (int i = 0; i < w->f.dimensions; i++) {
+    for (int i = 0; i < w->chunked.f.dimensions; i++) {
         for (size_t at = 0; kind.order > 0 && at < end; at++) {
             w->y[i].array[DX + i][at] += 1.0f;
         }
-        displace(w->position[i], w->y[i].array[VALUE], end, w->f.layout);
+        displace(w->chunked.position[i], w->y[i].array[VALUE], end, w->chunked.f.layout);
     }
 }
 
@@ -344,16 +234,21 @@ static void give(const struct warped *w, const struct scarp_outputs *out, const 
 static void warp_chunk(struct warped *w, const struct scarp_outputs *out, const struct chunk *chunk,
                        size_t first, size_t row_stride)
 {
-    const struct scarp_kind kind = {w->f.dimensions, (short)w->plan->order, (short)w->plan->dphase};
+    const struct scarp_kind kind = {w->chunked.f.dimensions, (short)w->plan->order,
+                                    (short)w->plan->dphase};
     struct scarp_call_plan plan;
-    positions_of_input(w, chunk);
+    positions_of_input(&w->chunked, chunk);
     for (int level = w->plan->warps.depth; level > 0; level--) {
         warp_level(w, chunk, level);
     }
-    scarp_plan_level(&plan, &w->plan->warps, kind, 0, 0);
     w->moved[0].array[DPHASE] = w->dphase;
-    evaluate(w, &plan, chunk, &w->moved[0], 0);
-    compose_any(w, 1, whole_blocks(chunk_count(chunk)));
+    if (w->plan->warps.depth == 0) {
+        evaluate(w, w->plan, chunk, &w->moved[0], 0);
+    } else {
+        scarp_plan_level(&plan, &w->plan->warps, kind, 0, 0);
+        evaluate(w, &plan, chunk, &w->moved[0], 0);
+        compose_any(w, 1, whole_blocks(chunk_count(chunk)));
+    }
     give(w, out, chunk, first, row_stride);
     w->moved[0].array[DPHASE] = NULL;
 }
@@ -364,26 +259,29 @@ static __attribute__((noinline)) void warp_points(const struct scarp_call_plan *
                                                   const struct scarp_outputs *out, struct frame f)
 {
     vf space[WARP_BYTES / sizeof(vf)];
-    struct warped w = {.source = {position, NULL}};
-    warped_begin(&w, plan, f, space);
-    for (size_t first = 0; first < count; first += w.most) {
-        const struct chunk chunk = {{first, 0, 0}, least(count - first, w.most), 1};
+    const struct workspace work = {space, sizeof space / sizeof(vf)};
+    struct warped w = {.chunked = {.source = {position, NULL}, .f = f}};
+    warped_begin(&w, plan, work);
+    for (size_t first = 0; first < count; first += w.chunked.most) {
+        const struct chunk chunk = {{first, 0, 0}, least(count - first, w.chunked.most), 1};
         warp_chunk(&w, out, &chunk, first, 0);
     }
 }
 
-/* Computes a grid of a noise with warps, slice by slice in chunks of some rows. */
+/* Computes a grid of a noise with warps, or of a fractal that bends, slice by slice in chunks of
+   some rows. */
 static __attribute__((noinline)) void warp_grid(const struct scarp_call_plan *plan,
                                                 const struct scarp_grid *grid,
                                                 const struct scarp_outputs *out, int dimensions)
 {
     vf space[WARP_BYTES / sizeof(vf)];
+    const struct workspace work = {space, sizeof space / sizeof(vf)};
     const struct frame f = {.layout = DOUBLES, .dimensions = dimensions};
-    struct warped w = {.source = {NULL, grid}};
+    struct warped w = {.chunked = {.source = {NULL, grid}, .f = f}};
     struct chunk c = {{0, 0, 0}, 0, 0};
-    warped_begin(&w, plan, f, space);
-    const size_t columns = least(least(grid->count[0], w.most), CHUNK_COLUMNS);
-    const size_t rows = w.most / columns;
+    warped_begin(&w, plan, work);
+    const size_t columns = least(least(grid->count[0], w.chunked.most), CHUNK_COLUMNS);
+    const size_t rows = w.chunked.most / columns;
     for (c.at[2] = 0; c.at[2] < (dimensions == 3 ? grid->count[2] : 1); c.at[2]++) {
         for (c.at[1] = 0; c.at[1] < grid->count[1]; c.at[1] += c.rows) {
             c.rows = least(grid->count[1] - c.at[1], rows);

@@ -49,6 +49,8 @@ static struct sample octave_at(const struct scarp_call_plan *plan, int k, const 
         n.of[DPHASE] = erode_turning(&state->slopes, state->by_phase, plan->erosion,
                                      basis.of[VALUE], &turning, dimensions);
         break;
+    case SCARP_SWISS:
+    case SCARP_JORDAN: break; /* bend.h */
     }
     n.of[DPHASE] *= o->weight;
     return scaled(&n, o->weight, o->weight, o->weight);

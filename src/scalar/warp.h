@@ -6,7 +6,7 @@
 #ifndef SCARP_SCALAR_WARP_H
 #define SCARP_SCALAR_WARP_H
 
-#include "driver.h"
+#include "bend.h"
 
 /* The sum over the coordinates y_m of v_m times an output of y_m. */
 static inline float along(const struct sample y[3], int output, const float v[3], int dimensions)
@@ -47,6 +47,14 @@ static struct point displaced(const struct point *x, const struct sample y[3], i
     return at;
 }
 
+/* The noise of a plan without its warp. */
+static struct sample octaves_at(const struct scarp_call_plan *plan, const struct point *x,
+                                int dimensions)
+{
+    return fractal_bends(plan->fractal) ? bend_octaves(plan, x, dimensions)
+                                        : sum_octaves(plan, x, dimensions);
+}
+
 /* The noise of a plan, with its warps: from the deepest one, which looks at x, to the noise. */
 static struct sample sample_at(const struct scarp_call_plan *plan, const struct point *x,
                                int dimensions)
@@ -57,12 +65,12 @@ static struct sample sample_at(const struct scarp_call_plan *plan, const struct 
     struct point at = *x;
     struct scarp_call_plan of_level;
     if (depth == 0) {
-        return sum_octaves(plan, x, dimensions);
+        return octaves_at(plan, x, dimensions);
     }
     for (int level = depth; level > 0; level--) {
         for (int i = 0; i < dimensions; i++) {
             scarp_plan_level(&of_level, &plan->warps, kind, level, i);
-            moved[i] = sum_octaves(&of_level, &at, dimensions);
+            moved[i] = octaves_at(&of_level, &at, dimensions);
             if (level < depth) {
                 moved[i] = composed(&moved[i], y, dimensions);
             }
@@ -72,7 +80,7 @@ static struct sample sample_at(const struct scarp_call_plan *plan, const struct 
         at = displaced(x, y, dimensions);
     }
     scarp_plan_level(&of_level, &plan->warps, kind, 0, 0);
-    const struct sample s = sum_octaves(&of_level, &at, dimensions);
+    const struct sample s = octaves_at(&of_level, &at, dimensions);
     return composed(&s, y, dimensions);
 }
 

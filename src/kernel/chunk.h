@@ -1,0 +1,143 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Chunks of a call whose positions are displaced before noise is computed there: some samples, with
+ * arrays of their own for positions and for what is between the passes. The passes get what is left
+ * of the scratch space. Included by bend.h.
+ */
+#ifndef SCARP_KERNEL_CHUNK_H
+#define SCARP_KERNEL_CHUNK_H
+
+#include "grid.h"
+
+/* The most samples of a chunk. */
+#define CHUNK_SAMPLES ((size_t)512)
+
+/* Where the samples of a call are: points, or a grid. */
+struct source {
+    const void *const *position;
+    const struct scarp_grid *grid; /* NULL: points */
+};
+
+/* Some of them: points from at[0] on, which are one row, or rows of a slice of the grid. */
+struct chunk {
+    size_t at[3], columns, rows;
+};
+
+/* What all chunks of a call share. Arrays have `most` elements. */
+struct chunked {
+    struct source source;
+    struct frame f;          /* how positions are given to the passes */
+    size_t most;             /* samples of a chunk: whole blocks */
+    void *position[3];       /* floats or doubles */
+    float *spare;            /* for whatever is between two passes */
+    struct workspace passes; /* what the passes have */
+};
+
+static size_t chunk_count(const struct chunk *chunk)
+{
+    return chunk->rows * chunk->columns;
+}
+
+static size_t whole_blocks(size_t count)
+{
+    return (count + VEC_LANES - 1) / VEC_LANES * VEC_LANES;
+}
+
+/* Decides how large chunks are that have `arrays` floats for each sample beside the positions, and
+   takes these. The arrays have somewhat more than half of the space. Returns where the rest of it
+   begins. */
+static float *chunked_begin(struct chunked *w, struct workspace work, size_t arrays)
+{
+    const size_t doubles = w->f.layout == DOUBLES ? 2 : 1;
+    const size_t blocks = work.vectors * 9 / 16 / (arrays + (size_t)w->f.dimensions * doubles);
+    float *from = (float *)work.space;
+    w->most = least(blocks > 0 ? blocks : 1, CHUNK_SAMPLES / VEC_LANES) * VEC_LANES;
+    for (int i = 0; i < w->f.dimensions; i++) {
+        w->position[i] = from;
+        from += doubles * w->most;
+    }
+    return from;
+}
+
+/* Leaves what begins at `from` to the passes. */
+static void chunked_end(struct chunked *w, struct workspace work, float *from)
+{
+    w->passes.space = (vf *)from;
+    w->passes.vectors = work.vectors - (size_t)(w->passes.space - work.space);
+}
+
+/* Takes arrays for samples of that order from the space at *from. */
+static void take_arrays(struct scarp_outputs *arrays, float **from, size_t most, int dimensions,
+                        int order)
+{
+    for (int i = 0; i < OUTPUTS; i++) {
+        const int has = i < OUTPUTS_UP_TO(order) &&
+                        (dimensions == 3 || (i != DZ && i != DXZ && i != DYZ && i != DZZ));
+        arrays->array[i] = has ? *from : NULL;
+        *from += has ? most : 0;
+    }
+}
+
+/* Fills in the coordinates of a chunk of a grid along an axis. */
+static void grid_coordinates(double *to, const struct scarp_grid *grid, const struct chunk *chunk,
+                             int axis)
+{
+    const size_t columns = chunk->columns;
+    for (size_t i = 0; axis == 0 && i < columns; i++) {
+        to[i] = coordinate(grid, 0, chunk->at[0] + i);
+    }
+    for (size_t r = axis == 0; r < chunk->rows; r++) {
+        double *const row = to + r * columns;
+        const double shared =
+            axis == 0 ? 0.0 : coordinate(grid, axis, chunk->at[axis] + (axis == 1 ? r : 0));
+        if (axis == 0) {
+            memcpy(row, to, columns * sizeof *row);
+        }
+        for (size_t i = 0; axis > 0 && i < columns; i++) {
+            row[i] = shared;
+        }
+    }
+}
+
+/* Sets the positions to the input, padded to whole blocks. */
+static void positions_of_input(const struct chunked *w, const struct chunk *chunk)
+{
+    const size_t count = chunk_count(chunk), end = whole_blocks(count);
+    const size_t bytes = w->f.layout == DOUBLES ? sizeof(double) : sizeof(float);
+    for (int axis = 0; axis < w->f.dimensions; axis++) {
+        char *const to = (char *)w->position[axis];
+        if (w->source.grid != NULL) {
+            grid_coordinates((double *)w->position[axis], w->source.grid, chunk, axis);
+        } else {
+            memcpy(to, (const char *)w->source.position[axis] + chunk->at[0] * bytes,
+                   count * bytes);
+        }
+        for (size_t i = count; i < end; i++) {
+            memcpy(to + i * bytes, to + (count - 1) * bytes, bytes);
+        }
+    }
+}
+
+/* Adds displacements to positions. */
+static void displace(void *position, const float *by, size_t count, enum layout layout)
+{
+    float *const floats = (float *)position;
+    double *const doubles = (double *)position;
+    for (size_t i = 0; layout == FLOATS && i < count; i++) {
+        floats[i] += by[i];
+    }
+    for (size_t i = 0; layout == DOUBLES && i < count; i++) {
+        doubles[i] += (double)by[i];
+    }
+}
+
+VEC_INLINE struct sample sample_at(const struct scarp_outputs *arrays, size_t at, struct variant v)
+{
+    struct sample s;
+#define DO(i, member, rank) s.member = vf_load(arrays->array[i] + at)
+    EACH_OUTPUT(v, DO);
+#undef DO
+    return s;
+}
+
+#endif
