@@ -10,180 +10,272 @@
 
 #include "chunk.h"
 
-/* What the passes keep at a block, as vectors: the noise as a stored sample; S; how much of the
-   octaves is left (Swiss), with its gradient; and the Jacobian of S by rows. */
-struct bend_state {
-    size_t s, left, jacobian, size;
+/* A matrix by columns; z is unset in 2D. */
+struct matrix {
+    struct vector x, y, z;
 };
 
-VEC_INLINE struct bend_state bend_state_of(int dimensions, int order)
+/* What goes from octave to octave at a block: the noise, the sum S of slopes, and how much of the
+   octaves is left (Swiss); with derivatives by x, those of S as its Jacobian. Stored, it is the
+   noise as a stored sample, then the others in this order, what is unset left out. */
+struct bend {
+    struct sample sum;
+    struct vector s;
+    vf left;
+    struct vector left_by;
+    struct matrix jacobian;
+};
+
+VEC_INLINE size_t bend_size(int dimensions, int order)
 {
-    const size_t n = (size_t)dimensions, sum = sample_size(dimensions, order);
-    const struct bend_state state = {sum, sum + n, sum + n + (order > 0 ? 1 + n : 1),
-                                     sum + n + (order > 0 ? 1 + n + n * n : 1)};
-    return state;
+    const size_t n = (size_t)dimensions;
+    return order == 0 ? n + 2 : (1 + n) + n + (1 + n) + n * n;
 }
 
-/* What a pass needs: the octave's noise, with one order more than is asked for, and numbers. */
+VEC_INLINE struct vector vector_load(const vf **from, int dimensions)
+{
+    const struct vector v = vector_at(*from, dimensions);
+    *from += dimensions;
+    return v;
+}
+
+VEC_INLINE void vector_store(vf **to, const struct vector *v, int dimensions)
+{
+    (*to)[0] = v->x;
+    (*to)[1] = v->y;
+    if (dimensions == 3) {
+        (*to)[2] = v->z;
+    }
+    *to += dimensions;
+}
+
+VEC_INLINE struct bend bend_load(const vf *from, struct variant v)
+{
+    struct bend b;
+    b.sum = sample_load(from, v);
+    from += sample_size(v.dimensions, v.order);
+    b.s = vector_load(&from, v.dimensions);
+    b.left = *from++;
+    if (v.order > 0) {
+        b.left_by = vector_load(&from, v.dimensions);
+        b.jacobian.x = vector_load(&from, v.dimensions);
+        b.jacobian.y = vector_load(&from, v.dimensions);
+        if (v.dimensions == 3) {
+            b.jacobian.z = vector_load(&from, v.dimensions);
+        }
+    }
+    return b;
+}
+
+VEC_INLINE void bend_store(vf *to, const struct bend *b, struct variant v)
+{
+    sample_store(to, &b->sum, v);
+    to += sample_size(v.dimensions, v.order);
+    vector_store(&to, &b->s, v.dimensions);
+    *to++ = b->left;
+    if (v.order > 0) {
+        vector_store(&to, &b->left_by, v.dimensions);
+        vector_store(&to, &b->jacobian.x, v.dimensions);
+        vector_store(&to, &b->jacobian.y, v.dimensions);
+        if (v.dimensions == 3) {
+            vector_store(&to, &b->jacobian.z, v.dimensions);
+        }
+    }
+}
+
+/* What a pass needs: the octave's noise, with one order more than is asked for, and numbers as in
+   scalar/bend.h. */
 struct bending {
     const struct scarp_outputs *noise;
     vf *state;
     size_t blocks;
-    float inverse, weight, inverse_weight, reach, erosion; /* as in scalar/bend.h */
+    float inverse, weight, inverse_weight, reach, erosion;
     int is_first;
 };
 
-/* An octave at a block, while it is added up. */
-struct bend_block {
-    const struct bending *at;
-    struct sample n;
-    vf *sum, *s, *left, *jacobian;
-    struct vector by; /* the gradient of n by x */
-};
-
-VEC_INLINE vf component_of(const struct vector *v, int i)
+VEC_INLINE struct vector vector_times(struct vector v, vf a, int dimensions)
 {
-    return i == 0 ? v->x : i == 1 ? v->y : v->z;
-}
-
-VEC_INLINE void set_component(struct vector *v, int i, vf a)
-{
-    *(i == 0 ? &v->x : i == 1 ? &v->y : &v->z) = a;
-}
-
-/* Column j of the Jacobian of S, transposed, times a vector. */
-VEC_INLINE vf bend_column(const struct bend_block *b, int j, struct vector v, int dimensions)
-{
-    const vf *const column = b->jacobian + j;
-    const vf sum = column[0] * v.x + column[dimensions] * v.y;
-    return dimensions == 3 ? sum + column[2 * dimensions] * v.z : sum;
-}
-
-/* Component j of A^T v with A = I + w (Jacobian of S). */
-VEC_INLINE vf bent_first(const struct bend_block *b, int j, struct vector v, int dimensions)
-{
-    return component_of(&v, j) + vf_set(b->at->reach) * bend_column(b, j, v, dimensions);
-}
-
-VEC_INLINE struct vector hessian_row(const struct sample *n, int m, int dimensions)
-{
-    struct vector row = {.x = m == 0 ? n->dxx : n->dxy, .y = m == 0 ? n->dxy : n->dyy};
+    v.x *= a;
+    v.y *= a;
     if (dimensions == 3) {
-        row.x = m == 2 ? n->dxz : row.x;
-        row.y = m == 2 ? n->dyz : row.y;
-        row.z = m == 0 ? n->dxz : m == 1 ? n->dyz : n->dzz;
+        v.z *= a;
     }
-    return row;
+    return v;
 }
 
-VEC_INLINE struct vector slope_of(const struct bend_block *b, int dimensions)
+VEC_INLINE struct vector gradient_of(const struct sample *s, int dimensions)
 {
-    const vf inverse = vf_set(b->at->inverse);
-    struct vector slope = {.x = b->n.dx * inverse, .y = b->n.dy * inverse};
+    struct vector g = {.x = s->dx, .y = s->dy};
     if (dimensions == 3) {
-        slope.z = b->n.dz * inverse;
+        g.z = s->dz;
     }
-    return slope;
+    return g;
 }
 
-/* The derivatives by x_j of the components of the slope: H A / f. */
-VEC_INLINE struct vector bent_second(const struct bend_block *b, int j, int dimensions)
+/* v_j + w (column j of the Jacobian of S) . v */
+VEC_INLINE vf bent_along(vf vj, const struct vector *column, struct vector v, vf reach,
+                         int dimensions)
 {
-    const vf inverse = vf_set(b->at->inverse);
-    struct vector second;
-    for (int m = 0; m < dimensions; m++) {
-        const struct vector row = hessian_row(&b->n, m, dimensions);
-        set_component(&second, m, bent_first(b, j, row, dimensions) * inverse);
-    }
-    return second;
+    return vj + reach * dot(*column, v, dimensions);
 }
 
-/* Adds product times the slope to S, with its derivatives; `by` are those of the product. Column j
-   of the Jacobian needs no other column, so each may be moved on before the next. */
-VEC_INLINE void add_slope(struct bend_block *b, vf product, struct vector by, struct variant v)
+/* A^T v with A = I + w (Jacobian of S). */
+VEC_INLINE struct vector bent_vector(const struct bend *b, struct vector v, vf reach,
+                                     int dimensions)
 {
-    const struct vector slope = slope_of(b, v.dimensions);
-    for (int j = 0; v.order > 0 && j < v.dimensions; j++) {
-        const struct vector second = bent_second(b, j, v.dimensions);
-        for (int m = 0; m < v.dimensions; m++) {
-            b->jacobian[m * v.dimensions + j] +=
-                component_of(&by, j) * component_of(&slope, m) + product * component_of(&second, m);
+    struct vector r;
+    r.x = bent_along(v.x, &b->jacobian.x, v, reach, dimensions);
+    r.y = bent_along(v.y, &b->jacobian.y, v, reach, dimensions);
+    if (dimensions == 3) {
+        r.z = bent_along(v.z, &b->jacobian.z, v, reach, dimensions);
+    }
+    return r;
+}
+
+/* The product of S's factor with the slope is added to S: its derivatives along one axis to a
+   column of the Jacobian, `by` being that of the factor and `second` that of the slope. */
+VEC_INLINE void add_column(struct vector *column, vf by, const struct vector *slope, vf product,
+                           const struct vector *second, int dimensions)
+{
+    column->x += by * slope->x + product * second->x;
+    column->y += by * slope->y + product * second->y;
+    if (dimensions == 3) {
+        column->z += by * slope->z + product * second->z;
+    }
+}
+
+/* Adds product times the slope g / f of the octave n to S, with its derivatives; `by` are those of
+   the product. */
+VEC_INLINE void add_slope(struct bend *b, const struct bending *at, const struct sample *n,
+                          vf product, struct vector by, struct variant v)
+{
+    const int d = v.dimensions;
+    const vf inverse = vf_set(at->inverse), reach = vf_set(at->reach);
+    const struct vector slope = vector_times(gradient_of(n, d), inverse, d);
+    if (v.order > 0) {
+        /* rows of H A / f: by symmetry their components are its columns, too */
+        struct vector hx = {.x = n->dxx, .y = n->dxy}, hy = {.x = n->dxy, .y = n->dyy};
+        struct vector x, y, z; /* columns */
+        if (d == 3) {
+            hx.z = n->dxz;
+            hy.z = n->dyz;
+            const struct vector hz = {n->dxz, n->dyz, n->dzz};
+            const struct vector rz = vector_times(bent_vector(b, hz, reach, d), inverse, d);
+            x.z = rz.x;
+            y.z = rz.y;
+            z.z = rz.z;
+        }
+        const struct vector rx = vector_times(bent_vector(b, hx, reach, d), inverse, d);
+        const struct vector ry = vector_times(bent_vector(b, hy, reach, d), inverse, d);
+        x.x = rx.x;
+        x.y = ry.x;
+        y.x = rx.y;
+        y.y = ry.y;
+        add_column(&b->jacobian.x, by.x, &slope, product, &x, d);
+        add_column(&b->jacobian.y, by.y, &slope, product, &y, d);
+        if (d == 3) {
+            z.x = rx.z;
+            z.y = ry.z;
+            add_column(&b->jacobian.z, by.z, &slope, product, &z, d);
         }
     }
-    for (int m = 0; m < v.dimensions; m++) {
-        b->s[m] += product * component_of(&slope, m);
+    b->s.x += product * slope.x;
+    b->s.y += product * slope.y;
+    if (d == 3) {
+        b->s.z += product * slope.z;
     }
 }
 
-VEC_INLINE void swiss_block(struct bend_block *b, struct variant v)
+/* Swiss noise along an axis: adds the derivative of a u w to the sum, and returns that of
+   -share u n; nj, uj are those of n and u. */
+VEC_INLINE vf swiss_along(vf *sum, const struct bending *at, const struct bend *b, vf n, vf nj,
+                          vf uj)
 {
-    const struct bending *const at = b->at;
-    const vf n = b->n.value, u = b->left[0], zero = vf_set(0.0f);
-    const vf weight = vf_set(at->weight), inverse_weight = vf_set(at->inverse_weight);
-    const vf share = vf_set(at->weight * at->inverse_weight);
+    const vf zero = vf_set(0.0f);
     const struct sign sign = sign_of(n);
     const vf rest = 1.0f - with_sign(n, sign);
     const vu below = (vu)(rest < zero);
-    const vf w = either(below, zero, rest);
-    struct vector by;
-    for (int j = 0; v.order > 0 && j < v.dimensions; j++) {
-        const vf nj = component_of(&b->by, j), left = b->left[1 + j];
-        const vf wj = either(below, zero, with_sign(nj, sign));
-        b->sum[1 + j] += weight * (w * left - u * wj);
-        set_component(&by, j, -share * (left * n + u * nj));
-    }
-    b->sum[0] += weight * (u * w);
-    add_slope(b, -share * (u * n), by, v);
-    const vf sum = b->sum[0] * inverse_weight;
-    const vu less = (vu)(sum < vf_set(1.0f));
-    for (int j = 0; v.order > 0 && j < v.dimensions; j++) {
-        const vf left = b->left[1 + j];
-        b->left[1 + j] = either(less, sum * left + u * (b->sum[1 + j] * inverse_weight), left);
-    }
-    b->left[0] = either(less, u * sum, u);
+    const vf w = either(below, zero, rest), wj = either(below, zero, with_sign(nj, sign));
+    const vf share = vf_set(at->weight * at->inverse_weight);
+    *sum += vf_set(at->weight) * (w * uj - b->left * wj);
+    return -share * (uj * n + b->left * nj);
 }
 
-VEC_INLINE void jordan_block(struct bend_block *b, struct variant v)
+/* The next derivative of u along an axis: that of u times the sum, which is less than 1 there. */
+VEC_INLINE vf left_along(vu less, vf sum, vf sum_j, vf u, vf uj, vf inverse_weight)
 {
-    const struct bending *const at = b->at;
-    const vf n = b->n.value, square = n * n, weight = vf_set(at->weight);
-    struct vector s = vector_at(b->s, v.dimensions);
-    const vf p = 1.0f / (1.0f + dot(s, s, v.dimensions));
+    return either(less, sum * uj + u * (sum_j * inverse_weight), uj);
+}
+
+VEC_INLINE void swiss(struct bend *b, const struct bending *at, const struct sample *n,
+                      struct vector nx, struct variant v)
+{
+    const vf zero = vf_set(0.0f), u = b->left, inverse_weight = vf_set(at->inverse_weight);
+    const vf share = vf_set(at->weight * at->inverse_weight);
+    const vf rest = 1.0f - with_sign(n->value, sign_of(n->value));
+    const vf w = either((vu)(rest < zero), zero, rest);
+    struct vector by = nx;
+    if (v.order > 0) {
+        by.x = swiss_along(&b->sum.dx, at, b, n->value, nx.x, b->left_by.x);
+        by.y = swiss_along(&b->sum.dy, at, b, n->value, nx.y, b->left_by.y);
+        if (v.dimensions == 3) {
+            by.z = swiss_along(&b->sum.dz, at, b, n->value, nx.z, b->left_by.z);
+        }
+    }
+    b->sum.value += vf_set(at->weight) * (u * w);
+    add_slope(b, at, n, -share * (u * n->value), by, v);
+    const vf sum = b->sum.value * inverse_weight;
+    const vu less = (vu)(sum < vf_set(1.0f));
+    struct vector *const l = &b->left_by;
+    if (v.order > 0) {
+        l->x = left_along(less, sum, b->sum.dx, u, l->x, inverse_weight);
+        l->y = left_along(less, sum, b->sum.dy, u, l->y, inverse_weight);
+        if (v.dimensions == 3) {
+            l->z = left_along(less, sum, b->sum.dz, u, l->z, inverse_weight);
+        }
+    }
+    b->left = either(less, u * sum, u);
+}
+
+VEC_INLINE void jordan(struct bend *b, const struct bending *at, const struct sample *n,
+                       struct vector nx, struct variant v)
+{
+    const vf square = n->value * n->value, weight = vf_set(at->weight);
+    const vf p = 1.0f / (1.0f + dot(b->s, b->s, v.dimensions));
     const vf q = at->is_first ? vf_set(1.0f) : 1.0f - vf_set(at->erosion) * p;
     const vf damping = at->is_first ? vf_set(0.0f) : vf_set(2.0f * at->erosion) * (p * p) * square;
-    for (int j = 0; v.order > 0 && j < v.dimensions; j++) {
-        const vf nj = component_of(&b->by, j);
-        b->sum[1 + j] +=
-            weight * (damping * bend_column(b, j, s, v.dimensions) + 2.0f * q * (n * nj));
+#define ALONG(axis, nj)                                                                            \
+    weight *(damping * dot(b->jacobian.axis, b->s, v.dimensions) + 2.0f * q * (n->value * nj))
+    if (v.order > 0) {
+        b->sum.dx += ALONG(x, nx.x);
+        b->sum.dy += ALONG(y, nx.y);
+        if (v.dimensions == 3) {
+            b->sum.dz += ALONG(z, nx.z);
+        }
     }
-    b->sum[0] += weight * (q * square);
-    add_slope(b, n, b->by, v);
+#undef ALONG
+    b->sum.value += weight * (q * square);
+    add_slope(b, at, n, n->value, nx, v);
 }
 
 VEC_INLINE void bend_run(const struct bending *at, enum scarp_fractal fractal, struct variant v)
 {
-    const struct bend_state state = bend_state_of(v.dimensions, v.order);
     const struct variant noise = {v.basis, v.dimensions, v.order + 1, 0};
-    vf *of_block = at->state;
-    for (size_t i = 0; i < at->blocks; i++, of_block += state.size) {
-        struct bend_block b = {.at = at,
-                               .sum = of_block,
-                               .s = of_block + state.s,
-                               .left = of_block + state.left,
-                               .jacobian = of_block + state.jacobian};
-        b.n = sample_at(at->noise, i * VEC_LANES, noise);
-        for (int j = 0; v.order > 0 && j < v.dimensions; j++) {
-            struct vector g = {.x = b.n.dx, .y = b.n.dy};
-            if (v.dimensions == 3) {
-                g.z = b.n.dz;
-            }
-            set_component(&b.by, j, bent_first(&b, j, g, v.dimensions));
+    const struct bending numbers = *at;
+    for (size_t i = 0; i < at->blocks; i++) {
+        vf *const stored = numbers.state + i * bend_size(v.dimensions, v.order);
+        struct bend b = bend_load(stored, v);
+        const struct sample n = sample_at(numbers.noise, i * VEC_LANES, noise);
+        struct vector nx = gradient_of(&n, v.dimensions); /* by x, where it is needed */
+        if (v.order > 0) {
+            nx = bent_vector(&b, nx, vf_set(numbers.reach), v.dimensions);
         }
         if (fractal == SCARP_SWISS) {
-            swiss_block(&b, v);
+            swiss(&b, &numbers, &n, nx, v);
         } else {
-            jordan_block(&b, v);
+            jordan(&b, &numbers, &n, nx, v);
         }
+        bend_store(stored, &b, v);
     }
 }
 
@@ -212,17 +304,29 @@ static bend_pass *const bend_passes[2][2][2] = {
 };
 
 /* Bends the positions of a chunk. */
-static void bend_positions(const struct chunked *w, const struct chunk *chunk,
-                           const struct bending *at, struct bend_state state)
+static void bend_positions(const struct chunked *w, const struct bending *at, int order)
 {
-    float *const by = (float *)w->spare;
-    positions_of_input(w, chunk);
+    const size_t size = bend_size(w->f.dimensions, order);
+    const size_t s = sample_size(w->f.dimensions, order);
     for (int i = 0; i < w->f.dimensions; i++) {
-        for (size_t b = 0; b < at->blocks; b++) {
-            const vf s = at->state[b * state.size + state.s + (size_t)i];
-            vf_store(by + b * VEC_LANES, vf_set(at->reach) * s);
+        const vf *from = at->state + s + i;
+        for (size_t b = 0; b < at->blocks; b++, from += size) {
+            displace(w->position[i], b * VEC_LANES, vf_set(at->reach) * *from, w->f.layout);
         }
-        displace(w->position[i], by, at->blocks * VEC_LANES, w->f.layout);
+    }
+}
+
+/* Nothing is added up yet, and all is left. */
+static void bend_begin(const struct bending *at, int dimensions, int order)
+{
+    const size_t size = bend_size(dimensions, order);
+    const size_t left = sample_size(dimensions, order) + (size_t)dimensions;
+    for (size_t b = 0; b < at->blocks; b++) {
+        vf *const stored = at->state + b * size;
+        for (size_t i = 0; i < size; i++) {
+            stored[i] = vf_set(0.0f);
+        }
+        stored[left] = vf_set(1.0f);
     }
 }
 
@@ -234,7 +338,6 @@ static void points_within(const struct scarp_call_plan *plan, size_t count,
 static void bend_chunk(const struct chunked *w, const struct scarp_call_plan *plan,
                        const struct chunk *chunk, struct bending *at)
 {
-    const struct bend_state state = bend_state_of(w->f.dimensions, plan->order);
     const void *const position[3] = {w->position[0], w->position[1], w->position[2]};
     bend_pass *const pass =
         bend_passes[plan->fractal == SCARP_JORDAN][w->f.dimensions - 2][plan->order];
@@ -244,9 +347,7 @@ static void bend_chunk(const struct chunked *w, const struct scarp_call_plan *pl
     one.order++;
     one.octaves = 1;
     at->blocks = whole_blocks(chunk_count(chunk)) / VEC_LANES;
-    for (size_t i = 0; i < at->blocks * state.size; i++) {
-        at->state[i] = vf_set(i % state.size == state.left ? 1.0f : 0.0f);
-    }
+    bend_begin(at, w->f.dimensions, plan->order);
     for (int k = 0; k < plan->octaves; k++) {
         const struct scarp_octave *const o = &plan->octave[k];
         const double f = plan->fractal == SCARP_SWISS ? first->frequency64 : o->frequency64;
@@ -255,10 +356,9 @@ static void bend_chunk(const struct chunked *w, const struct scarp_call_plan *pl
         at->inverse_weight = (float)(1.0 / (double)first->weight);
         at->reach = (float)((double)plan->sharpness / f);
         at->is_first = k == 0;
-        if (k == 0) {
-            positions_of_input(w, chunk);
-        } else {
-            bend_positions(w, chunk, at, state);
+        positions_of_input(w, chunk);
+        if (k > 0) {
+            bend_positions(w, at, plan->order);
         }
         one.octave = o;
         one.first = k;
@@ -274,17 +374,16 @@ static __attribute__((noinline)) void bend_points(const struct scarp_call_plan *
                                                   struct workspace work)
 {
     const size_t size = sample_size(f.dimensions, plan->order + 1);
-    const struct bend_state state = bend_state_of(f.dimensions, plan->order);
+    const size_t state = bend_size(f.dimensions, plan->order);
     struct chunked w = {.source = {position, NULL}, .f = f};
     struct scarp_outputs noise;
     struct bending at = {.noise = &noise, .erosion = plan->erosion};
     struct outputs sums;
-    float *from = chunked_begin(&w, work, size + state.size + 1);
+    float *from = chunked_begin(&w, work, size + state);
     take_arrays(&noise, &from, w.most, f.dimensions, plan->order + 1);
-    w.spare = from;
-    at.state = (vf *)(from + w.most);
-    chunked_end(&w, work, (float *)(at.state + w.most / VEC_LANES * state.size));
-    outputs_stored(&sums, at.state, state.size, f.dimensions, plan->order, 0);
+    at.state = (vf *)from;
+    chunked_end(&w, work, (float *)(at.state + w.most / VEC_LANES * state));
+    outputs_stored(&sums, at.state, state, f.dimensions, plan->order, 0);
     for (size_t first = 0; first < count; first += w.most) {
         const struct chunk chunk = {{first, 0, 0}, least(count - first, w.most), 1};
         bend_chunk(&w, plan, &chunk, &at);

@@ -29,7 +29,6 @@ struct chunked {
     struct frame f;          /* how positions are given to the passes */
     size_t most;             /* samples of a chunk: whole blocks */
     void *position[3];       /* floats or doubles */
-    float *spare;            /* for whatever is between two passes */
     struct workspace passes; /* what the passes have */
 };
 
@@ -118,16 +117,18 @@ static void positions_of_input(const struct chunked *w, const struct chunk *chun
     }
 }
 
-/* Adds displacements to positions. */
-static void displace(void *position, const float *by, size_t count, enum layout layout)
+/* Adds a displacement to the positions at a block. */
+VEC_INLINE void displace(void *position, size_t at, vf by, enum layout layout)
 {
-    float *const floats = (float *)position;
-    double *const doubles = (double *)position;
-    for (size_t i = 0; layout == FLOATS && i < count; i++) {
-        floats[i] += by[i];
-    }
-    for (size_t i = 0; layout == DOUBLES && i < count; i++) {
-        doubles[i] += (double)by[i];
+    if (layout == FLOATS) {
+        float *const p = (float *)position + at;
+        vf_store(p, vf_load(p) + by);
+    } else {
+        double *const p = (double *)position + at;
+        const vd low = vd_load(p) + vd_from_low(by);
+        const vd high = vd_load(p + VEC_LANES / 2) + vd_from_high(by);
+        memcpy(p, &low, sizeof low);
+        memcpy(p + VEC_LANES / 2, &high, sizeof high);
     }
 }
 

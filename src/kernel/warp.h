@@ -215,7 +215,10 @@ static void warp_level(struct warped *w, const struct chunk *chunk, int level)
         for (size_t at = 0; kind.order > 0 && at < end; at++) {
             w->y[i].array[DX + i][at] += 1.0f;
         }
-        displace(w->chunked.position[i], w->y[i].array[VALUE], end, w->chunked.f.layout);
+        for (size_t at = 0; at < end; at += VEC_LANES) {
+            displace(w->chunked.position[i], at, vf_load(w->y[i].array[VALUE] + at),
+                     w->chunked.f.layout);
+        }
     }
 }
 
