@@ -147,6 +147,22 @@ enum scarp_isa {
  *                 gradient = sum_k a_k (q_k G_k - 2 erosion n_k q_k^2 D_k^T d_k),
  *                 D_k = H_0 J_0 + ... + H_k J_k, which is the Jacobian of d_k
  *
+ * Octaves of two fractals (de Carpentier 2012) are bent: octave k looks at p_k = J_k y_k + o_k with
+ * y_k = x + c_k S_k. S_k adds up slopes of the octaves before: with m_i = (gradient of n_i by y_i)
+ * / f_i, the slope per cell in the axes of the input,
+ *
+ *     Swiss       value = sum_k a_k u_k max(0, 1 - |n_k|),   u_0 = 1,
+ *                 u_(k+1) = u_k min(1, (this sum up to k) / a_0),
+ *                 c_k = sharpness / f_0,   S_k = - sum_(i < k) (a_i / a_0) u_i n_i m_i
+ *     Jordan      value = sum_k a_k q_k n_k^2,   q_0 = 1, q_k = 1 - erosion / (1 + S_k . S_k),
+ *                 c_k = sharpness / f_k,   S_k = sum_(i < k) n_i m_i
+ *
+ * with a_k of Jordan noise once more times 1 - 2^-17. sharpness says how far octaves are bent: by
+ * default 0.15 for Swiss noise, whose crests become sharp and whose flanks fall to smooth valleys;
+ * 0.35 for Jordan noise, whose erosion, at most 1, keeps small octaves out of flat ground. Their
+ * gradients go through the Jacobians of y_k; that of |n_k| takes sign(0) as 0, and is 0 where |n_k|
+ * is more than 1.
+ *
  * Every gradient is that of the value returned. Those of turbulence and ridged, and their Hessians,
  * hold almost everywhere: where some n_k is 0, or 2 s_k is 1, the surface has a crease. (Hessians
  * of ridged noise overflow where amplitude f_k^2 comes near 2^120.)
@@ -191,6 +207,18 @@ enum scarp_isa {
  * |dphase| is at most 4 pi sum_k 2^k |a_k| times those numbers. Value noise has no gradients to
  * turn, and the gradients of simplex noise do not: a phase, and dphase, is
  * SCARP_ERROR_UNSUPPORTED with all but gradient noise.
+ *
+ * Warps. With noise.warp = &w, the noise is n(y), y = x + d(x). Component i of d (0, 1, 2) is the
+ * noise w with the seed number 33 + i of splitmix64(first number of splitmix64(w.seed)), which no
+ * octave has. It is in units of input, so w.amplitude is how far x may be displaced along each
+ * axis; turbulence and its like displace to one side. Derivatives go through the Jacobian J = I +
+ * D: the gradient is J^T g, the Hessian J^T H J + sum_i g_i H_i, where g and H are those of n at y,
+ * D and H_i those of d at x. w may have a warp, too, up to four in all: with e the warp of w, d is
+ * w at x + e(x). Points of floats are displaced in float; doubles, and grids, in double. A warp
+ * changes no range. If warp and noise repeat after the same lengths of input, the whole does.
+ * dphase is the derivative by the noise's own phase. A warp must have derivatives of the order that
+ * is asked for, else calls return SCARP_ERROR_UNSUPPORTED. On grids the deepest warp is as fast as
+ * grids are, the rest as fast as points.
  *
  * Simplex (Perlin 2001, Gustavson 2005). Vertices v draw gradients g_v, of the same kind as those
  * of gradient noise. With d = p - v and w = max(0, r^2 - d.d), all vertices together make the raw
@@ -246,8 +274,8 @@ struct scarp_noise {
     float lacunarity; /* frequency ratio between octaves, in [1/16, 16]. Default 2. */
     float gain;       /* amplitude ratio between octaves, in [1/16, 16]. Default 0.5. */
     float amplitude;  /* scales every output; its magnitude in [2^-24, 2^24]. Default 1. */
-    float erosion;    /* SCARP_EROSION: how strongly slopes damp octaves, in [2^-24, 2^24].
-                         Default 1. */
+    float erosion;    /* SCARP_EROSION: how strongly slopes damp octaves; SCARP_JORDAN: how much of
+                         them flat ground lacks, at most 1. In [2^-24, 2^24]. Default 1. */
 
     float phase; /* turns of the lattice's gradients, any finite number. See "Flow". */
 
@@ -263,10 +291,11 @@ struct scarp_noise {
     float of_octaves; /* amplitudes are those of a sum of this many octaves, in [octaves, 32].
                          0: octaves. */
 
-    const struct scarp_noise *warp; /* reserved: NULL */
+    const struct scarp_noise *warp; /* displaces positions; NULL: none. It must be there as long as
+                                       calls use this noise. See "Warps". */
 
     const struct scarp_plan *plan; /* what scarp_plan_make made of this noise. NULL: none; results
-                                      do not depend on it. */
+                                      do not depend on it. A noise with a warp does without. */
 
     uint32_t spare[(192 - 80 - 2 * sizeof(void *)) / 4]; /* reserved: 0. 192 bytes in all. */
 };
@@ -311,8 +340,9 @@ struct scarp_samples {
  * Returns SCARP_ERROR_NULL if count > 0 and `noise`, `out`, `x` or `y` is NULL; SCARP_ERROR_ENUM
  * for an unknown basis, fade or fractal; SCARP_ERROR_PARAMETER for a number of `noise` outside its
  * interval; SCARP_ERROR_SIZE if the arrays would exceed the address space; SCARP_ERROR_UNSUPPORTED
- * if a derivative along z is asked for, a second derivative of SCARP_EROSION, or dphase of other
- * than gradient noise, if other noise has a phase, if turned axes have a period, or if a reserved
+ * if a derivative along z is asked for, a second derivative of SCARP_EROSION, SCARP_SWISS or
+ * SCARP_JORDAN, or dphase of the latter two or of other than gradient noise, if other noise has a
+ * phase, if turned axes have a period, or if a reserved
  * member of `noise` or `out` is in use. A count of 0 succeeds, whatever the other arguments are.
  */
 SCARP_API enum scarp_status scarp_sample2(const struct scarp_noise *noise, size_t count,
@@ -359,7 +389,7 @@ struct scarp_cells {
  * For each i < count, the arrays of `out` tell of the features near (x[i], y[i]) that SCARP_CELL_F1
  * and its like are made of; see "Cells". They are those of the noise's first octave, given by
  * frequency, seed, jitter and period. Its other members must be valid, and change nothing, the
- * basis included.
+ * basis and the warp included.
  *
  * f1 and f2 are distances in units of input, so their gradients are unit vectors; at the feature
  * itself they are 0. id is an even number, uniform below 2^32, the same all over the cell, and what
@@ -464,11 +494,11 @@ SCARP_API enum scarp_status scarp_normals(size_t count, const float *dx, const f
  * scarp_range - the interval that values never leave
  *
  * *lowest <= value <= *highest for every point, rounding included. `dimensions` is 2 or 3. fBm and
- * erosion have the interval from -|amplitude| to |amplitude|, turbulence and ridged noise the one
- * between 0 and amplitude. With a phase that is not 0, all but ridged noise reach further: see
- * "Flow". With `of_octaves` it is that of the longer sum, of which fewer octaves reach less. Use it
- * to map heights to integers: all tiles then agree, and so do levels of detail, and the frames of a
- * loop from phase 1 to 2.
+ * erosion have the interval from -|amplitude| to |amplitude|, turbulence, ridged, Swiss and Jordan
+ * noise the one between 0 and amplitude. With a phase that is not 0, all but ridged and Swiss noise
+ * reach further: see "Flow". With `of_octaves` it is that of the longer sum, of which fewer octaves
+ * reach less. Use it to map heights to integers: all tiles then agree, and so do levels of detail,
+ * and the frames of a loop from phase 1 to 2.
  *
  * Returns SCARP_ERROR_NULL if a pointer is NULL; otherwise as scarp_noise_check.
  */
@@ -492,7 +522,9 @@ SCARP_API enum scarp_status scarp_range(const struct scarp_noise *noise, int dim
  * in the order of the members, the last octave's frequency after them; SCARP_ERROR_UNSUPPORTED for
  * a reserved member in use, then for a phase of other than gradient noise; SCARP_ERROR_PARAMETER if
  * `dimensions` is neither 2 nor 3; SCARP_ERROR_PARAMETER for a period, SCARP_ERROR_UNSUPPORTED for
- * turned axes with one, then for one of 2D simplex noise along y.
+ * turned axes with one, then for one of 2D simplex noise along y. Last come the warps: "warp" is at
+ * fault if one of them is, with the status that it has by itself, or, with
+ * SCARP_ERROR_UNSUPPORTED, if there are more than four.
  */
 SCARP_API enum scarp_status scarp_noise_check(const struct scarp_noise *noise, int dimensions,
                                               const char **member);
