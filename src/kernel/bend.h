@@ -311,7 +311,7 @@ static void bend_positions(const struct chunked *w, const struct bending *at, in
     for (int i = 0; i < w->f.dimensions; i++) {
         const vf *from = at->state + s + i;
         for (size_t b = 0; b < at->blocks; b++, from += size) {
-            displace(w->position[i], b * VEC_LANES, vf_set(at->reach) * *from, w->f.layout);
+            displace(w, i, b * VEC_LANES, vf_set(at->reach) * *from);
         }
     }
 }
@@ -335,10 +335,10 @@ static void points_within(const struct scarp_call_plan *plan, size_t count,
                           struct frame f, struct workspace work);
 
 /* Adds up the octaves at a chunk. */
-static void bend_chunk(const struct chunked *w, const struct scarp_call_plan *plan,
+static void bend_chunk(struct chunked *w, const struct scarp_call_plan *plan,
                        const struct chunk *chunk, struct bending *at)
 {
-    const void *const position[3] = {w->position[0], w->position[1], w->position[2]};
+    const void *const bent[3] = {w->position[0], w->position[1], w->position[2]};
     bend_pass *const pass =
         bend_passes[plan->fractal == SCARP_JORDAN][w->f.dimensions - 2][plan->order];
     const struct scarp_octave *const first = &plan->octave[0];
@@ -348,6 +348,7 @@ static void bend_chunk(const struct chunked *w, const struct scarp_call_plan *pl
     one.octaves = 1;
     at->blocks = whole_blocks(chunk_count(chunk)) / VEC_LANES;
     bend_begin(at, w->f.dimensions, plan->order);
+    find_input(w, chunk);
     for (int k = 0; k < plan->octaves; k++) {
         const struct scarp_octave *const o = &plan->octave[k];
         const double f = plan->fractal == SCARP_SWISS ? first->frequency64 : o->frequency64;
@@ -356,13 +357,14 @@ static void bend_chunk(const struct chunked *w, const struct scarp_call_plan *pl
         at->inverse_weight = (float)(1.0 / (double)first->weight);
         at->reach = (float)((double)plan->sharpness / f);
         at->is_first = k == 0;
-        positions_of_input(w, chunk);
         if (k > 0) {
+            find_input(w, chunk);
             bend_positions(w, at, plan->order);
         }
         one.octave = o;
         one.first = k;
-        points_within(&one, at->blocks * VEC_LANES, position, at->noise, w->f, w->passes);
+        points_within(&one, at->blocks * VEC_LANES, k > 0 ? bent : w->input, at->noise, w->f,
+                      w->passes);
         pass(at);
     }
 }

@@ -28,7 +28,8 @@ struct chunked {
     struct source source;
     struct frame f;          /* how positions are given to the passes */
     size_t most;             /* samples of a chunk: whole blocks */
-    void *position[3];       /* floats or doubles */
+    void *position[3];       /* of the level at work: floats or doubles */
+    const void *input[3];    /* of the chunk: where the caller has it, or `position` */
     struct workspace passes; /* what the passes have */
 };
 
@@ -98,13 +99,19 @@ static void grid_coordinates(double *to, const struct scarp_grid *grid, const st
     }
 }
 
-/* Sets the positions to the input, padded to whole blocks. */
-static void positions_of_input(const struct chunked *w, const struct chunk *chunk)
+/* Finds the input of a chunk. Where it is not whole blocks of points, it is put where the positions
+   are, padded. */
+static void find_input(struct chunked *w, const struct chunk *chunk)
 {
     const size_t count = chunk_count(chunk), end = whole_blocks(count);
     const size_t bytes = w->f.layout == DOUBLES ? sizeof(double) : sizeof(float);
     for (int axis = 0; axis < w->f.dimensions; axis++) {
         char *const to = (char *)w->position[axis];
+        w->input[axis] = to;
+        if (w->source.grid == NULL && count == end) {
+            w->input[axis] = (const char *)w->source.position[axis] + chunk->at[0] * bytes;
+            continue;
+        }
         if (w->source.grid != NULL) {
             grid_coordinates((double *)w->position[axis], w->source.grid, chunk, axis);
         } else {
@@ -117,16 +124,17 @@ static void positions_of_input(const struct chunked *w, const struct chunk *chun
     }
 }
 
-/* Adds a displacement to the positions at a block. */
-VEC_INLINE void displace(void *position, size_t at, vf by, enum layout layout)
+/* Sets the positions at a block to the displaced input. */
+VEC_INLINE void displace(const struct chunked *w, int axis, size_t at, vf by)
 {
-    if (layout == FLOATS) {
-        float *const p = (float *)position + at;
-        vf_store(p, vf_load(p) + by);
+    if (w->f.layout == FLOATS) {
+        const vf x = vf_load((const float *)w->input[axis] + at);
+        vf_store((float *)w->position[axis] + at, x + by);
     } else {
-        double *const p = (double *)position + at;
-        const vd low = vd_load(p) + vd_from_low(by);
-        const vd high = vd_load(p + VEC_LANES / 2) + vd_from_high(by);
+        const double *const x = (const double *)w->input[axis] + at;
+        double *const p = (double *)w->position[axis] + at;
+        const vd low = vd_load(x) + vd_from_low(by);
+        const vd high = vd_load(x + VEC_LANES / 2) + vd_from_high(by);
         memcpy(p, &low, sizeof low);
         memcpy(p + VEC_LANES / 2, &high, sizeof high);
     }

@@ -163,19 +163,18 @@ static void compose_any(const struct warped *w, int samples, size_t count)
     }
 }
 
-/* Computes a noise without its warp at the positions of a chunk. The deepest warp of a grid is
-   computed as a grid; its samples are then padded to whole blocks, as the others are. */
-static void evaluate(const struct warped *w, const struct scarp_call_plan *plan,
-                     const struct chunk *chunk, const struct scarp_outputs *to, int at_input)
+/* Computes the deepest warp, or noise without one, at the input of a chunk: on a grid as a grid, if
+   that is faster. Its samples are then padded to whole blocks, as the others are. */
+static void evaluate_input(const struct warped *w, const struct scarp_call_plan *plan,
+                           const struct chunk *chunk, const struct scarp_outputs *to)
 {
+    const struct chunked *const c = &w->chunked;
     const size_t count = chunk_count(chunk), end = whole_blocks(count);
-    if (!at_input || w->chunked.source.grid == NULL || fractal_bends(plan->fractal)) {
-        const void *const position[3] = {w->chunked.position[0], w->chunked.position[1],
-                                         w->chunked.position[2]};
-        points_within(plan, end, position, to, w->chunked.f, w->chunked.passes);
+    if (c->source.grid == NULL || fractal_bends(plan->fractal)) {
+        points_within(plan, end, c->input, to, c->f, c->passes);
         return;
     }
-    struct scarp_grid grid = *w->chunked.source.grid;
+    struct scarp_grid grid = *c->source.grid;
     for (int axis = 0; axis < 3; axis++) {
         grid.first[axis] += (int64_t)chunk->at[axis];
     }
@@ -183,7 +182,7 @@ static void evaluate(const struct warped *w, const struct scarp_call_plan *plan,
     grid.count[1] = chunk->rows;
     grid.count[2] = 1;
     grid.slice_stride = count;
-    grid_within(plan, &grid, to, w->chunked.f.dimensions, w->chunked.passes);
+    grid_within(plan, &grid, to, c->f.dimensions, c->passes);
     for (int i = 0; i < OUTPUTS; i++) {
         for (size_t at = count; to->array[i] != NULL && at < end; at++) {
             to->array[i][at] = 0.0f;
@@ -191,33 +190,45 @@ static void evaluate(const struct warped *w, const struct scarp_call_plan *plan,
     }
 }
 
+/* Computes noise without its warp at the displaced positions. */
+static void evaluate(const struct warped *w, const struct scarp_call_plan *plan, size_t count,
+                     const struct scarp_outputs *to)
+{
+    const struct chunked *const c = &w->chunked;
+    const void *const position[3] = {c->position[0], c->position[1], c->position[2]};
+    points_within(plan, count, position, to, c->f, c->passes);
+}
+
 /* Computes the coordinates y(x) of a level, and displaces the positions. */
 static void warp_level(struct warped *w, const struct chunk *chunk, int level)
 {
     const struct scarp_warps *const warps = &w->plan->warps;
-    const struct scarp_kind kind = {w->chunked.f.dimensions, (short)w->plan->order, 0};
+    const int n = w->chunked.f.dimensions, order = w->plan->order;
+    const struct scarp_kind kind = {n, (short)order, 0};
     const size_t end = whole_blocks(chunk_count(chunk));
-    const int at_input = level == warps->depth;
-    for (int i = 0; i < w->chunked.f.dimensions; i++) {
+    for (int i = 0; i < n; i++) {
         struct scarp_call_plan plan;
         scarp_plan_level(&plan, warps, kind, level, i);
-        evaluate(w, &plan, chunk, at_input ? &w->y[i] : &w->moved[i], at_input);
+        if (level == warps->depth) {
+            evaluate_input(w, &plan, chunk, &w->y[i]);
+        } else {
+            evaluate(w, &plan, end, &w->moved[i]);
+        }
     }
-    if (!at_input) {
+    if (level < warps->depth) {
         struct scarp_outputs y[3];
-        compose_any(w, w->chunked.f.dimensions, end);
+        compose_any(w, n, end);
         memcpy(y, w->moved, sizeof y);
         memcpy(w->moved, w->y, sizeof y);
         memcpy(w->y, y, sizeof y);
-        positions_of_input(&w->chunked, chunk);
+        find_input(&w->chunked, chunk);
     }
-    for (int i = 0; i < w->chunked.f.dimensions; i++) {
-        for (size_t at = 0; kind.order > 0 && at < end; at++) {
+    for (int i = 0; i < n; i++) {
+        for (size_t at = 0; order > 0 && at < end; at++) {
             w->y[i].array[DX + i][at] += 1.0f;
         }
         for (size_t at = 0; at < end; at += VEC_LANES) {
-            displace(w->chunked.position[i], at, vf_load(w->y[i].array[VALUE] + at),
-                     w->chunked.f.layout);
+            displace(&w->chunked, i, at, vf_load(w->y[i].array[VALUE] + at));
         }
     }
 }
@@ -234,24 +245,40 @@ static void give(const struct warped *w, const struct scarp_outputs *out, const 
     }
 }
 
+/* Values of whole blocks of points go to the caller's array at once. */
+static int gives_values(const struct warped *w, const struct scarp_outputs *out,
+                        const struct chunk *chunk)
+{
+    return w->plan->order == 0 && !w->plan->dphase && out->array[VALUE] != NULL &&
+           w->chunked.source.grid == NULL && chunk->columns % VEC_LANES == 0;
+}
+
 static void warp_chunk(struct warped *w, const struct scarp_outputs *out, const struct chunk *chunk,
                        size_t first, size_t row_stride)
 {
+    const struct scarp_warps *const warps = &w->plan->warps;
     const struct scarp_kind kind = {w->chunked.f.dimensions, (short)w->plan->order,
                                     (short)w->plan->dphase};
+    const size_t end = whole_blocks(chunk_count(chunk));
     struct scarp_call_plan plan;
-    positions_of_input(&w->chunked, chunk);
-    for (int level = w->plan->warps.depth; level > 0; level--) {
+    find_input(&w->chunked, chunk);
+    if (warps->depth == 0) {
+        evaluate_input(w, w->plan, chunk, &w->moved[0]);
+        give(w, out, chunk, first, row_stride);
+        return;
+    }
+    for (int level = warps->depth; level > 0; level--) {
         warp_level(w, chunk, level);
     }
-    w->moved[0].array[DPHASE] = w->dphase;
-    if (w->plan->warps.depth == 0) {
-        evaluate(w, w->plan, chunk, &w->moved[0], 0);
-    } else {
-        scarp_plan_level(&plan, &w->plan->warps, kind, 0, 0);
-        evaluate(w, &plan, chunk, &w->moved[0], 0);
-        compose_any(w, 1, whole_blocks(chunk_count(chunk)));
+    scarp_plan_level(&plan, warps, kind, 0, 0);
+    if (gives_values(w, out, chunk)) {
+        const struct scarp_outputs values = {.array = {out->array[VALUE] + first}};
+        evaluate(w, &plan, end, &values);
+        return;
     }
+    w->moved[0].array[DPHASE] = w->dphase;
+    evaluate(w, &plan, end, &w->moved[0]);
+    compose_any(w, 1, end);
     give(w, out, chunk, first, row_stride);
     w->moved[0].array[DPHASE] = NULL;
 }
