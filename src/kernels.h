@@ -6,6 +6,7 @@
 #ifndef SCARP_KERNELS_H
 #define SCARP_KERNELS_H
 
+#include "chain.h"
 #include "isas.h"
 #include "outputs.h"
 #include "plan.h"
@@ -29,6 +30,9 @@ typedef void scarp_cells_fn(const struct scarp_call_plan *plan, size_t count,
                             const void *const position[3], const struct scarp_cell_arrays *out,
                             int dimensions, int doubles);
 
+/* Computes the outputs of a function of samples, one or more, at `count` > 0 points. */
+typedef void scarp_chain_fn(const struct scarp_chain *call, size_t count);
+
 struct scarp_kernels {
     enum scarp_isa isa;
     /* Serves calls of at most `narrower_most` points in less time; NULL, 0: no other table does. */
@@ -39,6 +43,7 @@ struct scarp_kernels {
     scarp_grid_fn *grid2, *grid3;
     scarp_normals_fn *normals;
     scarp_cells_fn *cells;
+    scarp_chain_fn *chain;
 };
 
 /* Declared everywhere, defined where isas.h says so. */

@@ -38,6 +38,11 @@ scarp_add_isa_tests(phase api test_phase)
 scarp_test_program(test_cells)
 scarp_add_isa_tests(cells api test_cells)
 
+scarp_test_program(test_chain)
+scarp_add_isa_tests(chain api test_chain)
+scarp_test_program(test_chain_rule)
+scarp_add_isa_tests(chain_rule api test_chain_rule)
+
 scarp_test_program(test_memory)
 scarp_add_isa_tests(memory api test_memory)
 

@@ -15,6 +15,7 @@
 #include "api_names.h"
 #include "api_normals.h"
 #include "api_reserved.h"
+#include "chain.h"
 
 #define POINTS 37 /* two blocks of 16 and a tail */
 
@@ -471,6 +472,15 @@ static void test_errno(void)
     const enum scarp_status status =
         scarp_normals(4, odd, odd, -3e38f, one.array[0], one.array[1], one.array[2]);
     CHECK(status == SCARP_OK && errno == 12345, "errno is %d", errno);
+    const struct scarp_samples out = outputs_subset(&one, OUTPUTS_ALL3);
+    float *const x[3] = {two.array[0], two.array[1], two.array[2]};
+    for (int i = 0; i < 3; i++) {
+        memcpy(x[i], odd, sizeof odd);
+    }
+    for (int f = 0; f < CHAINS; f++) {
+        CHECK(chain_call_arrays((enum chain)f, 4, x, &out) == SCARP_OK && errno == 12345,
+              "errno is %d", errno);
+    }
 }
 
 int main(int argc, char **argv)

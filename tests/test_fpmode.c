@@ -10,8 +10,8 @@
  *
  * Numbers are compared by their bits: the second build believes that NaN does not exist.
  */
+#include "chain.h"
 #include "fpmode_set.h"
-#include "outputs.h"
 
 #define POINTS 203
 
@@ -91,6 +91,33 @@ static __attribute__((noinline)) enum scarp_status normals_in_mode(const struct 
     return status;
 }
 
+static __attribute__((noinline)) enum scarp_status chain_in_mode(const struct mode *mode,
+                                                                 enum chain f,
+                                                                 const struct outputs *o,
+                                                                 struct mode_control *after)
+{
+    const struct scarp_samples out = outputs_subset(o, (1u << OUTPUTS) - 1);
+    float *const x[3] = {x32[0], x32[1], x32[2]};
+    const struct mode_control before = mode_enter(mode);
+    const enum scarp_status status = chain_call_arrays(f, POINTS, x, &out);
+    *after = mode_leave(before);
+    return status;
+}
+
+/* Whether functions of samples refuse a number, in `mode`. */
+static __attribute__((noinline)) int refused_in_mode(const struct mode *mode, const float *number,
+                                                     struct mode_control *after)
+{
+    const struct scarp_samples a = chain_samples(x32[0]), out = {.value = got.array[0]};
+    const float *const n = number;
+    const struct mode_control before = mode_enter(mode);
+    const int refused = scarp_smooth_min(POINTS, &a, &a, *n, &out) == SCARP_ERROR_PARAMETER &&
+                        scarp_smoothstep(POINTS, &a, *n, *n, &out) == SCARP_ERROR_PARAMETER &&
+                        scarp_terrace(POINTS, &a, *n, *n, *n, &out) == SCARP_ERROR_PARAMETER;
+    *after = mode_leave(before);
+    return refused;
+}
+
 /* Makes the calls that do not sample, in `mode`. */
 static __attribute__((noinline)) enum scarp_status range_in_mode(const struct mode *mode,
                                                                  const struct scarp_noise *noise,
@@ -167,6 +194,14 @@ static void test_results(const struct mode *mode)
         expect_control(mode, &after, "scarp_normals");
         compare_outputs(mode, "scarp_normals", 7);
     }
+    for (int i = 0; i < CHAINS; i++) {
+        const enum chain f = (enum chain)i;
+        const enum scarp_status a = chain_in_mode(&mode_default, f, &expected, &after);
+        const enum scarp_status b = chain_in_mode(mode, f, &got, &after);
+        CHECK(a == SCARP_OK && b == SCARP_OK, "%s, %s", mode->name, chain_names[f]);
+        expect_control(mode, &after, chain_names[f]);
+        compare_outputs(mode, chain_names[f], (1u << OUTPUTS) - 1);
+    }
 }
 
 /* Bad parameters are refused without a trap. Denormal ones, which are too small, are refused too:
@@ -195,6 +230,8 @@ static void test_errors(const struct mode *mode)
             CHECK(sampled == expected_status && ranged == sampled, "%s: field %d = %#x: %s, %s",
                   mode->name, field, bad[i], scarp_status_text(sampled), scarp_status_text(ranged));
         }
+        CHECK(refused_in_mode(mode, &number, &after), "%s: %#x is not refused", mode->name, bad[i]);
+        expect_control(mode, &after, "a number of the chain rule");
         if (i < 4) {
             const enum scarp_status status = normals_in_mode(mode, &number, &got, &after);
             CHECK(status == SCARP_ERROR_PARAMETER, "%s: height_scale %#x", mode->name, bad[i]);

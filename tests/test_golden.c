@@ -11,6 +11,7 @@
  *                                         meant to change
  */
 #include "cases.h"
+#include "chain.h"
 
 #define POINTS 1031 /* two whole parts of the widest vectors, and a tail */
 #define LINES_MAX 65536
@@ -63,6 +64,34 @@ static void visit(const char *name, uint64_t hash)
                (unsigned long long)hash, line->hash);
 }
 
+/* Functions of samples, of three flowing noises at the points of a class. */
+static void visit_chain(enum cases_class class, const struct cases_points *points)
+{
+    const unsigned mask = (1u << OUTPUTS) - 1;
+    struct outputs sampled[CHAIN_INPUTS], o = outputs_make(POINTS);
+    struct scarp_samples in[CHAIN_INPUTS];
+    char name[80];
+    for (int k = 0; k < CHAIN_INPUTS; k++) {
+        const struct scarp_noise noise = {.seed = 3 + (uint64_t)k, .phase = 0.3f};
+        sampled[k] = outputs_make(POINTS);
+        in[k] = outputs_subset(&sampled[k], mask);
+        CHECK(scarp_sample3(&noise, POINTS, points->f[0], points->f[1], points->f[2], &in[k]) ==
+                  SCARP_OK,
+              "input %d", k);
+    }
+    const struct scarp_partials partials = chain_any_partials(in);
+    const struct scarp_samples out = outputs_subset(&o, mask);
+    for (int f = 0; f < CHAINS; f++) {
+        snprintf(name, sizeof name, "chain/%s/%s", chain_names[f], class_names[class]);
+        CHECK(chain_call((enum chain)f, POINTS, in, &partials, &out) == SCARP_OK, "%s", name);
+        visit(name, outputs_hash(FNV_BASIS, &o, mask, POINTS));
+    }
+    for (int k = 0; k < CHAIN_INPUTS; k++) {
+        outputs_free(&sampled[k]);
+    }
+    outputs_free(&o);
+}
+
 static void visit_class(enum cases_class class)
 {
     struct cases_points points = cases_make(class, POINTS);
@@ -77,6 +106,7 @@ static void visit_class(enum cases_class class)
                         o.array[2]) == SCARP_OK,
           "%s", call.name);
     visit(call.name, outputs_hash(FNV_BASIS, &o, 7, POINTS));
+    visit_chain(class, &points);
     outputs_free(&o);
     cases_free(&points);
 }

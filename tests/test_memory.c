@@ -8,7 +8,7 @@
  */
 #include "guarded.h"
 
-#include "outputs.h"
+#include "chain.h"
 
 #if GUARDED_EXISTS
 
@@ -250,6 +250,30 @@ static void test_normals(void)
     }
 }
 
+/* Functions of samples, whose inputs are three arrays. */
+static void test_chain(enum chain f)
+{
+    const unsigned mask = (1u << OUTPUTS) - 1;
+    const struct scarp_samples all = outputs_subset(&whole, mask);
+    float *const x[3] = {x32[0], x32[1], x32[2]};
+    CHECK(chain_call_arrays(f, POINTS, x, &all) == SCARP_OK, "%s", chain_names[f]);
+    for (size_t c = 0; c < COUNTS; c++) {
+        const size_t count = count_at(c);
+        for (int p = 0; p < PLACES; p++) {
+            const enum place place = (enum place)p;
+            const size_t first = count * 7 % (POINTS - LONGEST);
+            const struct inputs points = place_inputs(SAMPLE3, place, first, count);
+            const struct outputs o = place_outputs(place, mask, count);
+            const struct scarp_samples out = outputs_subset(&o, mask);
+            float *const placed_x[3] = {(float *)(uintptr_t)points.f[0],
+                                        (float *)(uintptr_t)points.f[1],
+                                        (float *)(uintptr_t)points.f[2]};
+            CHECK(chain_call_arrays(f, count, placed_x, &out) == SCARP_OK, "%s", chain_names[f]);
+            check_outputs(&o, mask, &whole, first, count, place, chain_names[f]);
+        }
+    }
+}
+
 int main(int argc, char **argv)
 {
     check_select_isa(argc > 1 ? argv[1] : "scalar");
@@ -267,6 +291,9 @@ int main(int argc, char **argv)
     whole = outputs_make(POINTS);
     test_samples();
     test_normals();
+    for (int f = 0; f < CHAINS; f++) {
+        test_chain((enum chain)f);
+    }
     return check_done();
 }
 

@@ -7,7 +7,7 @@
  */
 #include "guarded.h"
 
-#include "outputs.h"
+#include "chain.h"
 
 #include <pthread.h>
 
@@ -28,12 +28,14 @@ static size_t stack_bytes(void)
 /* One call. */
 struct job {
     struct scarp_noise noise;
-    enum { NOTHING, POINTS, GRID, OTHERS } kind;
+    enum { NOTHING, POINTS, GRID, CHAIN, OTHERS } kind;
     int order, dimensions;
     enum function function;
+    enum chain chain;
     size_t count;
     struct scarp_grid grid;
     const struct inputs *in;
+    float *x[3]; /* of a function of samples */
     const struct outputs *out;
     enum scarp_status status;
 };
@@ -51,6 +53,11 @@ static void *run(void *opaque)
         job->status = function_call(job->function, &job->noise, job->count, job->in, &out);
         break;
     case GRID: job->status = grid_call(job->dimensions, &job->noise, &job->grid, &out); break;
+    case CHAIN: {
+        const struct scarp_samples all = outputs_subset(job->out, (1u << OUTPUTS) - 1);
+        job->status = chain_call_arrays(job->chain, job->count, job->x, &all);
+        break;
+    }
     case OTHERS:
         scarp_normals(job->count, job->in->f[0], job->in->f[1], 1.0f, out.value, out.dx, out.dy);
         scarp_range(&job->noise, 2, &lowest, &highest);
@@ -151,7 +158,8 @@ int main(int argc, char **argv)
     const struct inputs in = {{f[0], f[1], f[2]}, {d[0], d[1], d[2]}};
     struct outputs out = outputs_make(MOST_SAMPLES);
     const struct guarded stack = guarded_make(stack_bytes());
-    struct job job = {.kind = NOTHING, .dimensions = 2, .in = &in, .out = &out};
+    struct job job = {
+        .kind = NOTHING, .dimensions = 2, .in = &in, .x = {f[0], f[1], f[2]}, .out = &out};
     struct worst worst = {.nothing = touched(&stack, &job)};
     for (int i = 0; scarp_basis_name((enum scarp_basis)i) != NULL; i++) {
         /* Fractals do the same with all octaves. */
@@ -170,6 +178,12 @@ int main(int argc, char **argv)
                 }
             }
         }
+    }
+    job.kind = CHAIN;
+    for (int i = 0; i < 2 * CHAINS; i++) {
+        job.chain = (enum chain)(i / 2);
+        job.count = i % 2 == 0 ? 7 : MOST_POINTS;
+        measure(&stack, &job, &worst, chain_names[i / 2]);
     }
     job.kind = OTHERS;
     measure(&stack, &job, &worst, "scarp_normals, scarp_range and scarp_noise_check");

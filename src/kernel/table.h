@@ -11,6 +11,7 @@
  * and includes the vec_<isa>.h that gives the operations of simd/vec.h.
  */
 #include "cells.h"
+#include "chain.h"
 #include "normals.h"
 #include "warp.h"
 
@@ -28,6 +29,7 @@ const struct scarp_kernels KERNELS = {
     .grid3 = grid3,
     .normals = normals,
     .cells = cells,
+    .chain = chain,
 };
 
 #undef KERNELS

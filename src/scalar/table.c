@@ -7,6 +7,7 @@
 #include <math.h>
 
 #include "../kernels.h"
+#include "chain.h"
 #include "warp.h"
 
 static void put(const struct scarp_outputs *out, size_t i, const struct sample *s)
@@ -158,6 +159,13 @@ static void cells(const struct scarp_call_plan *plan, size_t count, const void *
     }
 }
 
+static void chain(const struct scarp_chain *call, size_t count)
+{
+    for (size_t i = 0; i < count; i++) {
+        chain_at(call, i);
+    }
+}
+
 const struct scarp_kernels scarp_kernels_scalar = {
     .isa = SCARP_ISA_SCALAR,
     .points2_f32 = points2_f32,
@@ -168,4 +176,5 @@ const struct scarp_kernels scarp_kernels_scalar = {
     .grid3 = grid3,
     .normals = normals,
     .cells = cells,
+    .chain = chain,
 };

@@ -7,8 +7,8 @@
 # IN         files or folders of src/; TEXT must stand exactly once in all files there
 # TEXT       what is replaced; short, so that it outlives changes nearby
 # BECOMES    what stands in its place, where MUTANT is 1 if this mutant is switched on, or else 0
-# SEEN_BY    bits (results of points differ from the scalar kernels'), plan (those of kept plans from
-#            those without), grid (results of grids from those
+# SEEN_BY    bits (results of points differ from the scalar kernels'), chain (those of functions of
+#            samples), plan (those of kept plans from those without), grid (results of grids from those
 #            of points), large (the same, large grids alone), golden (hashes from golden.txt), or crash
 #            (the library crashes in the one call where only that can tell; see test_grid.c)
 # SETS       the kernel sets that it is in; all but scalar if this is left out
@@ -208,6 +208,25 @@ mutant(outputs.stream_slices IN kernel TEXT [[g->row_stride | (solid ? g->slice_
        SEEN_BY crash SETS sse4.1 avx2 avx512)
 mutant(outputs.normals IN kernel TEXT [[vf_from_vd(low.x, high.x)]]
        BECOMES [[MUTANT ? vf_from_vd(high.x, low.x) : vf_from_vd(low.x, high.x)]] SEEN_BY golden)
+
+# functions of samples
+mutant(chain.tail IN kernel/chain.h TEXT [[chain_copy(&filled.in[k][m], in[k][m], first, count);]]
+       BECOMES [[chain_copy(&filled.in[k][m], in[k][m], MUTANT ? 0 : first, count);]] SEEN_BY golden)
+mutant(chain.mixed IN kernel/chain.h TEXT [[plain + (a.i * b.j + a.j * b.i)]]
+       BECOMES [[plain + (a.i * b.j + (MUTANT ? a.i * b.j : a.j * b.i))]] SEEN_BY golden)
+mutant(chain.nan IN kernel/chain.h TEXT [[(vu)(greater ? a < b : b < a) | (vu)(b != b)]]
+       BECOMES [[(vu)(greater ? a < b : b < a) | (MUTANT ? vu_set(0) : (vu)(b != b))]]
+       SEEN_BY chain)
+mutant(chain.smooth IN kernel/chain.h TEXT [[.b = (vf)vu_choose(second, (vu)near, (vu)half)]]
+       BECOMES [[.b = (vf)vu_choose(second, (vu)near, (vu)(MUTANT ? 1.0f - near : half))]]
+       SEEN_BY chain)
+mutant(chain.in_place IN kernel/chain.h TEXT [[count, room.result[m]);]]
+       BECOMES [[count, MUTANT && count == keep ? call->out[m] + first : room.result[m]);
+            if (MUTANT && count == keep) {
+                memcpy(room.result[m], call->out[m] + first, keep * sizeof(float));
+            }]] SEEN_BY chain)
+mutant(chain.order IN chain.c TEXT [[: k / 6.0f]] BECOMES [[: MUTANT ? k * (1.0f / 6.0f) : k / 6.0f]]
+       SEEN_BY golden SETS scalar)
 
 # plan, which all kernel sets share
 mutant(plan.offset IN plan.c TEXT [[(int32_t)(c & 0xffffff)]]

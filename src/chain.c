@@ -1,0 +1,340 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The public functions of the chain rule over samples. They check the arguments, compute what
+ * depends on numbers alone and call the active kernel table.
+ */
+#include <stddef.h>
+#include <stdint.h>
+#include <string.h>
+
+#include "dispatch.h"
+#include "fpmode.h"
+#include "scarp.h"
+
+#define SCALE_MIN 0x1p-60f
+#define SCALE_MAX 0x1p60f
+#define RISER_MIN 0x1p-20f
+
+#define AT(struct_, type, i, member) (offsetof(struct struct_, member) == (i) * sizeof(type *))
+_Static_assert(AT(scarp_samples, float, DXX, dxx) && AT(scarp_samples, float, DZZ, dzz) &&
+                   AT(scarp_samples, float, DPHASE, dphase),
+               "the enumerators of outputs.h are in the order of struct scarp_samples");
+_Static_assert(AT(scarp_partials, float, PARTIAL_F, f) &&
+                   AT(scarp_partials, float, PARTIAL_A, fa) &&
+                   AT(scarp_partials, float, PARTIAL_B, fb) &&
+                   AT(scarp_partials, float, PARTIAL_AA, faa) &&
+                   AT(scarp_partials, float, PARTIAL_AB, fab) &&
+                   AT(scarp_partials, float, PARTIAL_BB, fbb) &&
+                   sizeof(struct scarp_partials) == 8 * sizeof(float *),
+               "struct scarp_partials has 8 pointers in the order of chain.h");
+#undef AT
+
+/* The arguments of a call, as they came. */
+struct arguments {
+    enum scarp_chain_function function;
+    int inputs;
+    const struct scarp_samples *in[CHAIN_INPUTS], *out;
+    const struct scarp_partials *partials;
+    float number[3];
+};
+
+static int is_linear(enum scarp_chain_function function)
+{
+    return function == CHAIN_AFFINE || function == CHAIN_ADD;
+}
+
+static int takes_partials(enum scarp_chain_function function)
+{
+    return function == CHAIN_APPLY1 || function == CHAIN_APPLY2;
+}
+
+static int order_of(int output)
+{
+    return output == VALUE ? 0 : output < DXX || output == DPHASE ? 1 : 2;
+}
+
+/* Which members of each input the outputs need, a bit for each. */
+static unsigned members_needed(const struct arguments *call)
+{
+    enum { OF_X = 1 << DX, OF_Y = 1 << DY, OF_Z = 1 << DZ };
+    static const unsigned char lower[OUTPUTS] = {
+        [DXX] = OF_X, [DXY] = OF_X | OF_Y, [DXZ] = OF_X | OF_Z,
+        [DYY] = OF_Y, [DYZ] = OF_Y | OF_Z, [DZZ] = OF_Z};
+    const struct scarp_outputs *const out = (const struct scarp_outputs *)call->out;
+    unsigned same = 0, first = 0;
+    for (int m = 0; m < OUTPUTS; m++) {
+        if (out->array[m] != NULL) {
+            same |= 1u << m;
+            first |= lower[m];
+        }
+    }
+    if (is_linear(call->function)) {
+        return same;
+    }
+    return takes_partials(call->function) ? (same | first) & ~(1u << VALUE)
+                                          : same | first | 1u << VALUE;
+}
+
+/* Likewise which partial derivatives. */
+static unsigned partials_needed(const struct arguments *call)
+{
+    static const unsigned of_one[3] = {1u << PARTIAL_F, 1u << PARTIAL_A,
+                                       1u << PARTIAL_A | 1u << PARTIAL_AA};
+    static const unsigned of_two[3] = {1u << PARTIAL_F, 1u << PARTIAL_A | 1u << PARTIAL_B,
+                                       ((1u << PARTIALS) - 1) & ~(1u << PARTIAL_F)};
+    const struct scarp_outputs *const out = (const struct scarp_outputs *)call->out;
+    unsigned needed = 0;
+    for (int m = 0; takes_partials(call->function) && m < OUTPUTS; m++) {
+        if (out->array[m] != NULL) {
+            needed |= (call->function == CHAIN_APPLY1 ? of_one : of_two)[order_of(m)];
+        }
+    }
+    return needed;
+}
+
+/* Fills in the arrays that are needed. Returns 0 if one is not there. */
+static int take_arrays(struct scarp_chain *to, const struct arguments *call)
+{
+    const unsigned members = members_needed(call), partials = partials_needed(call);
+    int missing = 0;
+    memcpy(to->out, call->out, sizeof to->out);
+    for (int k = 0; k < call->inputs; k++) {
+        const struct scarp_outputs *const in = (const struct scarp_outputs *)call->in[k];
+        for (int m = 0; m < OUTPUTS; m++) {
+            to->in[k][m] = (members >> m & 1) != 0 ? in->array[m] : NULL;
+            missing |= (members >> m & 1) != 0 && in->array[m] == NULL;
+        }
+    }
+    for (int i = 0; i < PARTIALS; i++) {
+        const struct scarp_partial_arrays *const given =
+            (const struct scarp_partial_arrays *)call->partials;
+        to->partial[i] = (partials >> i & 1) != 0 ? given->array[i] : NULL;
+        missing |= (partials >> i & 1) != 0 && given->array[i] == NULL;
+    }
+    return !missing;
+}
+
+static int spare_in_use(const struct scarp_samples *samples)
+{
+    int used = 0;
+    for (size_t i = 0; i < sizeof samples->spare / sizeof samples->spare[0]; i++) {
+        used |= samples->spare[i] != NULL;
+    }
+    return used;
+}
+
+static int reserved_in_use(const struct arguments *call)
+{
+    int used = spare_in_use(call->out);
+    for (int k = 0; k < call->inputs; k++) {
+        used |= spare_in_use(call->in[k]);
+    }
+    return used || (call->partials != NULL &&
+                    (call->partials->spare[0] != NULL || call->partials->spare[1] != NULL));
+}
+
+/* The difference of a finite number from itself is 0. */
+static int is_finite(float number)
+{
+    return number - number == 0.0f;
+}
+
+static int is_scale(float number)
+{
+    return number >= SCALE_MIN && number <= SCALE_MAX;
+}
+
+static int take_smooth(float to[CHAIN_NUMBERS], float k, int maximum)
+{
+    to[CHAIN_INVERSE] = 1.0f / k;
+    to[CHAIN_DEPTH] = maximum ? -(k / 6.0f) : k / 6.0f;
+    to[CHAIN_BEND] = maximum ? to[CHAIN_INVERSE] : -to[CHAIN_INVERSE];
+    return is_scale(k);
+}
+
+static int take_terrace(float to[CHAIN_NUMBERS], const float given[3])
+{
+    const float steps = given[0], riser = given[1], strength = given[2];
+    to[CHAIN_STEPS] = steps;
+    to[CHAIN_HEIGHT] = 1.0f / steps;
+    to[CHAIN_STEEP] = 1.0f / riser;
+    to[CHAIN_STRENGTH] = strength;
+    return is_scale(steps) && riser >= RISER_MIN && riser <= 1.0f && strength >= 0.0f &&
+           strength <= 1.0f;
+}
+
+/* Computes the numbers that kernels want. Returns 0 if one is outside its interval. */
+static int take_numbers(struct scarp_chain *to, const struct arguments *call)
+{
+    const float first = call->number[0], second = call->number[1];
+    const float width = second - first;
+    switch (call->function) {
+    case CHAIN_SMOOTH_MIN:
+    case CHAIN_SMOOTH_MAX:
+        return take_smooth(to->number, first, call->function == CHAIN_SMOOTH_MAX);
+    case CHAIN_TERRACE: return take_terrace(to->number, call->number);
+    default: break;
+    }
+    to->number[CHAIN_LO] = first; /* or the scale, and the offset */
+    to->number[CHAIN_HI] = second;
+    to->number[CHAIN_INVERSE] = call->function == CHAIN_SMOOTHSTEP ? 1.0f / width : 0.0f;
+    return is_finite(first) && is_finite(second) &&
+           (call->function != CHAIN_CLAMP || first <= second) &&
+           (call->function != CHAIN_SMOOTHSTEP || is_scale(width) || is_scale(-width));
+}
+
+static int asks_for_something(const struct scarp_chain *call)
+{
+    uintptr_t bits = 0;
+    for (int m = 0; m < OUTPUTS; m++) {
+        bits |= (uintptr_t)call->out[m];
+    }
+    return bits != 0;
+}
+
+/* It is out of line for the same reason as run() of scarp.c. */
+static __attribute__((noinline)) enum scarp_status run(const struct arguments *arguments,
+                                                       size_t count)
+{
+    struct scarp_chain call = {.function = arguments->function};
+    if (!take_arrays(&call, arguments)) {
+        return SCARP_ERROR_NULL;
+    }
+    if (!take_numbers(&call, arguments)) {
+        return SCARP_ERROR_PARAMETER;
+    }
+    if (count > PTRDIFF_MAX / sizeof(float)) {
+        return SCARP_ERROR_SIZE;
+    }
+    if (reserved_in_use(arguments)) {
+        return SCARP_ERROR_UNSUPPORTED;
+    }
+    if (asks_for_something(&call)) {
+        scarp_dispatch_for(count)->chain(&call, count);
+    }
+    return SCARP_OK;
+}
+
+static enum scarp_status apply(const struct arguments *arguments, size_t count)
+{
+    if (count == 0) {
+        return SCARP_OK;
+    }
+    for (int k = 0; k < arguments->inputs; k++) {
+        if (arguments->in[k] == NULL) {
+            return SCARP_ERROR_NULL;
+        }
+    }
+    if (arguments->out == NULL ||
+        (takes_partials(arguments->function) && arguments->partials == NULL)) {
+        return SCARP_ERROR_NULL;
+    }
+    const struct fpmode caller = fpmode_enter();
+    const enum scarp_status status = run(arguments, count);
+    fpmode_leave(caller);
+    return status;
+}
+
+enum scarp_status scarp_affine(size_t count, const struct scarp_samples *a, float scale,
+                               float offset, const struct scarp_samples *out)
+{
+    const struct arguments call = {CHAIN_AFFINE, 1, {a}, .out = out, .number = {scale, offset}};
+    return apply(&call, count);
+}
+
+enum scarp_status scarp_add(size_t count, const struct scarp_samples *a,
+                            const struct scarp_samples *b, const struct scarp_samples *out)
+{
+    const struct arguments call = {CHAIN_ADD, 2, {a, b}, .out = out};
+    return apply(&call, count);
+}
+
+enum scarp_status scarp_multiply(size_t count, const struct scarp_samples *a,
+                                 const struct scarp_samples *b, const struct scarp_samples *out)
+{
+    const struct arguments call = {CHAIN_MULTIPLY, 2, {a, b}, .out = out};
+    return apply(&call, count);
+}
+
+enum scarp_status scarp_mix(size_t count, const struct scarp_samples *a,
+                            const struct scarp_samples *b, const struct scarp_samples *m,
+                            const struct scarp_samples *out)
+{
+    const struct arguments call = {CHAIN_MIX, 3, {a, b, m}, .out = out};
+    return apply(&call, count);
+}
+
+enum scarp_status scarp_min(size_t count, const struct scarp_samples *a,
+                            const struct scarp_samples *b, const struct scarp_samples *out)
+{
+    const struct arguments call = {CHAIN_MIN, 2, {a, b}, .out = out};
+    return apply(&call, count);
+}
+
+enum scarp_status scarp_max(size_t count, const struct scarp_samples *a,
+                            const struct scarp_samples *b, const struct scarp_samples *out)
+{
+    const struct arguments call = {CHAIN_MAX, 2, {a, b}, .out = out};
+    return apply(&call, count);
+}
+
+enum scarp_status scarp_smooth_min(size_t count, const struct scarp_samples *a,
+                                   const struct scarp_samples *b, float k,
+                                   const struct scarp_samples *out)
+{
+    const struct arguments call = {CHAIN_SMOOTH_MIN, 2, {a, b}, .out = out, .number = {k}};
+    return apply(&call, count);
+}
+
+enum scarp_status scarp_smooth_max(size_t count, const struct scarp_samples *a,
+                                   const struct scarp_samples *b, float k,
+                                   const struct scarp_samples *out)
+{
+    const struct arguments call = {CHAIN_SMOOTH_MAX, 2, {a, b}, .out = out, .number = {k}};
+    return apply(&call, count);
+}
+
+enum scarp_status scarp_clamp(size_t count, const struct scarp_samples *a, float lo, float hi,
+                              const struct scarp_samples *out)
+{
+    const struct arguments call = {CHAIN_CLAMP, 1, {a}, .out = out, .number = {lo, hi}};
+    return apply(&call, count);
+}
+
+enum scarp_status scarp_abs(size_t count, const struct scarp_samples *a,
+                            const struct scarp_samples *out)
+{
+    const struct arguments call = {CHAIN_ABS, 1, {a}, .out = out};
+    return apply(&call, count);
+}
+
+enum scarp_status scarp_smoothstep(size_t count, const struct scarp_samples *a, float lo, float hi,
+                                   const struct scarp_samples *out)
+{
+    const struct arguments call = {CHAIN_SMOOTHSTEP, 1, {a}, .out = out, .number = {lo, hi}};
+    return apply(&call, count);
+}
+
+enum scarp_status scarp_terrace(size_t count, const struct scarp_samples *a, float steps,
+                                float riser, float strength, const struct scarp_samples *out)
+{
+    const struct arguments call = {
+        CHAIN_TERRACE, 1, {a}, .out = out, .number = {steps, riser, strength}};
+    return apply(&call, count);
+}
+
+enum scarp_status scarp_apply1(size_t count, const struct scarp_samples *a,
+                               const struct scarp_partials *function,
+                               const struct scarp_samples *out)
+{
+    const struct arguments call = {CHAIN_APPLY1, 1, {a}, .out = out, .partials = function};
+    return apply(&call, count);
+}
+
+enum scarp_status scarp_apply2(size_t count, const struct scarp_samples *a,
+                               const struct scarp_samples *b, const struct scarp_partials *function,
+                               const struct scarp_samples *out)
+{
+    const struct arguments call = {CHAIN_APPLY2, 2, {a, b}, .out = out, .partials = function};
+    return apply(&call, count);
+}

@@ -1,0 +1,461 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The chain rule over samples, a block of points at a time; the reference is scalar/chain.h.
+ * Included by table.h.
+ *
+ * Each output is a line: a loop over one array, or a few, which writes another. Lines of functions
+ * that are given by partial derivatives take these from arrays, which are made first (or come from
+ * the caller). All lines of a block are written before the outputs are, which may be where inputs
+ * are.
+ */
+#ifndef SCARP_KERNEL_CHAIN_H
+#define SCARP_KERNEL_CHAIN_H
+
+#include <string.h>
+
+#include "../chain.h"
+#include "../kernels.h"
+#include "basis/fade.h"
+
+#define CHAIN_POINTS 256 /* a multiple of VEC_LANES */
+
+/* How an output is computed. */
+enum chain_line {
+    LINE_COPY, /* of f */
+    LINE_SCALE_OFFSET,
+    LINE_SCALE,
+    LINE_SUM,
+    LINE_LESSER,
+    LINE_GREATER,
+    LINE_PRODUCT_VALUE,
+    LINE_PRODUCT_FIRST,
+    LINE_PRODUCT_SECOND,
+    LINE_MIX_VALUE,
+    LINE_MIX_FIRST,
+    LINE_MIX_SECOND,
+    LINE_ONE_FIRST,
+    LINE_ONE_SECOND,
+    LINE_TWO_FIRST,
+    LINE_TWO_SECOND,
+    LINE_SMOOTH_SECOND
+};
+
+/* By the order of the output. */
+static const unsigned char chain_lines[][3] = {
+    [CHAIN_AFFINE] = {LINE_SCALE_OFFSET, LINE_SCALE, LINE_SCALE},
+    [CHAIN_ADD] = {LINE_SUM, LINE_SUM, LINE_SUM},
+    [CHAIN_MULTIPLY] = {LINE_PRODUCT_VALUE, LINE_PRODUCT_FIRST, LINE_PRODUCT_SECOND},
+    [CHAIN_MIX] = {LINE_MIX_VALUE, LINE_MIX_FIRST, LINE_MIX_SECOND},
+    [CHAIN_MIN] = {LINE_LESSER, LINE_LESSER, LINE_LESSER},
+    [CHAIN_MAX] = {LINE_GREATER, LINE_GREATER, LINE_GREATER},
+    [CHAIN_SMOOTH_MIN] = {LINE_COPY, LINE_TWO_FIRST, LINE_SMOOTH_SECOND},
+    [CHAIN_SMOOTH_MAX] = {LINE_COPY, LINE_TWO_FIRST, LINE_SMOOTH_SECOND},
+    [CHAIN_CLAMP] = {LINE_COPY, LINE_ONE_FIRST, LINE_ONE_FIRST},
+    [CHAIN_ABS] = {LINE_COPY, LINE_ONE_FIRST, LINE_ONE_FIRST},
+    [CHAIN_SMOOTHSTEP] = {LINE_COPY, LINE_ONE_FIRST, LINE_ONE_SECOND},
+    [CHAIN_TERRACE] = {LINE_COPY, LINE_ONE_FIRST, LINE_ONE_SECOND},
+    [CHAIN_APPLY1] = {LINE_COPY, LINE_ONE_FIRST, LINE_ONE_SECOND},
+    [CHAIN_APPLY2] = {LINE_COPY, LINE_TWO_FIRST, LINE_TWO_SECOND},
+};
+
+/* What is between the stages. */
+struct chain_room {
+    float partial[PARTIAL_AA + 1][CHAIN_POINTS];
+    float result[OUTPUTS][CHAIN_POINTS];
+};
+
+/*
+ * Partial derivatives.
+ */
+
+struct chain_partials {
+    vf f, a, b, aa;
+};
+
+/* The number, but NaN where v is NaN. */
+VEC_INLINE vf chain_nan_of(vf v, vf number)
+{
+    return (vf)vu_choose((vu)(v != v), (vu)v, (vu)number);
+}
+
+VEC_INLINE vf chain_within_unit(vf t)
+{
+    const vf zero = vf_set(0.0f), one = vf_set(1.0f);
+    return vm_choose(vm_less(t, zero), zero, vm_choose(vm_less(one, t), one, t));
+}
+
+VEC_INLINE struct fade chain_fade(vf t)
+{
+    const vf one = vf_set(1.0f);
+    struct fade s = fade(SCARP_QUINTIC, t);
+    s.u = vm_choose(vm_less(one, s.u), one, s.u);
+    return s;
+}
+
+/* All ones where min (of two) takes b, or max does. */
+VEC_INLINE vu chain_takes_b(vf a, vf b, int greater)
+{
+    return (vu)(greater ? a < b : b < a) | (vu)(b != b);
+}
+
+VEC_INLINE struct chain_partials chain_smooth(const struct scarp_chain *call, vf a, vf b,
+                                              int greater)
+{
+    const vu second = chain_takes_b(a, b, greater);
+    const vf zero = vf_set(0.0f);
+    const vf distance = (vf)((vu)(a - b) & 0x7fffffffu);
+    const vf left = 1.0f - distance * call->number[CHAIN_INVERSE];
+    const vf h = vm_choose(vm_less(left, zero), zero, left);
+    const vf half = 0.5f * (h * h);
+    const vf near = 1.0f - half;
+    const struct chain_partials p = {.f = (vf)vu_choose(second, (vu)b, (vu)a) -
+                                          h * h * h * call->number[CHAIN_DEPTH],
+                                     .a = (vf)vu_choose(second, (vu)half, (vu)near),
+                                     .b = (vf)vu_choose(second, (vu)near, (vu)half),
+                                     .aa = h * call->number[CHAIN_BEND]};
+    return p;
+}
+
+VEC_INLINE struct chain_partials chain_clamp(const struct scarp_chain *call, vf v)
+{
+    const vf lo = vf_set(call->number[CHAIN_LO]), hi = vf_set(call->number[CHAIN_HI]);
+    const vm below = vm_less(v, lo), above = vm_less(hi, v);
+    const vf slope = vm_choose(vm_or(below, above), vf_set(0.0f), vf_set(1.0f));
+    const struct chain_partials p = {.f = vm_choose(below, lo, vm_choose(above, hi, v)),
+                                     .a = chain_nan_of(v, slope)};
+    return p;
+}
+
+VEC_INLINE struct chain_partials chain_abs(vf v)
+{
+    const vf one = (vf)(((vu)v & 0x80000000u) | (vu)vf_set(1.0f));
+    const vf sign = (vf)((vu)one & (vu)(v != vf_set(0.0f)));
+    const struct chain_partials p = {.f = (vf)((vu)v & 0x7fffffffu), .a = chain_nan_of(v, sign)};
+    return p;
+}
+
+VEC_INLINE struct chain_partials chain_smoothstep(const struct scarp_chain *call, vf v)
+{
+    const vf inverse = vf_set(call->number[CHAIN_INVERSE]);
+    const struct fade s = chain_fade(chain_within_unit((v - call->number[CHAIN_LO]) * inverse));
+    const struct chain_partials p = {
+        .f = s.u, .a = s.du * inverse, .aa = s.ddu * inverse * inverse};
+    return p;
+}
+
+VEC_INLINE struct chain_partials chain_terrace(const struct scarp_chain *call, vf v)
+{
+    const vf steps = vf_set(call->number[CHAIN_STEPS]), steep = vf_set(call->number[CHAIN_STEEP]);
+    const vf strength = vf_set(call->number[CHAIN_STRENGTH]);
+    const vf t = v * steps;
+    const vf whole = vf_floor(t);
+    const vf u = t - whole;
+    const struct fade s = chain_fade(chain_within_unit((u - 0.5f) * steep + 0.5f));
+    const vf rise = u + strength * (s.u - u);
+    const struct chain_partials p = {.f = (whole + rise) * call->number[CHAIN_HEIGHT],
+                                     .a = 1.0f + strength * (s.du * steep - 1.0f),
+                                     .aa = s.ddu * steep * steep * steps * strength};
+    return p;
+}
+
+VEC_INLINE struct chain_partials chain_partials_of(const struct scarp_chain *call,
+                                                   enum scarp_chain_function function, vf a, vf b)
+{
+    switch (function) {
+    case CHAIN_SMOOTH_MIN: return chain_smooth(call, a, b, 0);
+    case CHAIN_SMOOTH_MAX: return chain_smooth(call, a, b, 1);
+    case CHAIN_CLAMP: return chain_clamp(call, a);
+    case CHAIN_ABS: return chain_abs(a);
+    case CHAIN_SMOOTHSTEP: return chain_smoothstep(call, a);
+    default: return chain_terrace(call, a);
+    }
+}
+
+VEC_INLINE void chain_partials_loop(const struct scarp_chain *call,
+                                    enum scarp_chain_function function, size_t first, size_t count,
+                                    struct chain_room *room)
+{
+    const int two = function == CHAIN_SMOOTH_MIN || function == CHAIN_SMOOTH_MAX;
+    const float *const a = call->in[CHAIN_A][VALUE] + first;
+    const float *const b = two ? call->in[CHAIN_B][VALUE] + first : NULL;
+    const struct scarp_chain local = *call;
+    VEC_ROLLED_LOOP
+    for (size_t i = 0; i < count; i += VEC_LANES) {
+        const struct chain_partials p = chain_partials_of(&local, function, vf_load(a + i),
+                                                          two ? vf_load(b + i) : vf_set(0.0f));
+        vf_store(room->partial[PARTIAL_F] + i, p.f);
+        vf_store(room->partial[PARTIAL_A] + i, p.a);
+        if (two) {
+            vf_store(room->partial[PARTIAL_B] + i, p.b);
+        }
+        if (function != CHAIN_CLAMP && function != CHAIN_ABS) {
+            vf_store(room->partial[PARTIAL_AA] + i, p.aa);
+        }
+    }
+}
+
+/* An array from element `first` on, if it is there. */
+VEC_INLINE const float *chain_from(const float *array, size_t first)
+{
+    return array != NULL ? array + first : NULL;
+}
+
+/* Makes the partial derivatives of functions that have them, and says where they are. */
+static void chain_take_partials(const float *at[PARTIALS], const struct scarp_chain *call,
+                                size_t first, size_t count, struct chain_room *room)
+{
+#define CHAIN_CASE(FUNCTION)                                                                       \
+    case FUNCTION: chain_partials_loop(call, FUNCTION, first, count, room); break;
+    switch (call->function) {
+        CHAIN_CASE(CHAIN_SMOOTH_MIN)
+        CHAIN_CASE(CHAIN_SMOOTH_MAX)
+        CHAIN_CASE(CHAIN_CLAMP)
+        CHAIN_CASE(CHAIN_ABS)
+        CHAIN_CASE(CHAIN_SMOOTHSTEP)
+        CHAIN_CASE(CHAIN_TERRACE)
+    default:
+        for (int i = 0; i < PARTIALS; i++) {
+            at[i] = chain_from(call->partial[i], first);
+        }
+        return;
+    }
+#undef CHAIN_CASE
+    for (int i = 0; i <= PARTIAL_AA; i++) {
+        at[i] = room->partial[i];
+    }
+}
+
+/*
+ * Lines.
+ */
+
+/* An input of a line: the arrays of its value, of the two first derivatives that belong to a second
+   one, and of the member that is computed. */
+struct chain_arrays {
+    const float *value, *i, *j, *member;
+};
+
+struct chain_sources {
+    struct chain_arrays in[CHAIN_INPUTS];
+    const float *partial[PARTIALS];
+    float scale, offset;
+};
+
+struct chain_terms {
+    vf value, i, j, member;
+};
+
+/* What a line needs of an input, by the order of the output. */
+VEC_INLINE struct chain_terms chain_load(const struct chain_arrays *from, size_t at, int order)
+{
+    struct chain_terms t;
+    t.member = vf_load(from->member + at);
+    t.value = order > 0 ? vf_load(from->value + at) : t.member;
+    t.i = order > 1 ? vf_load(from->i + at) : t.member;
+    t.j = order > 1 ? vf_load(from->j + at) : t.member;
+    return t;
+}
+
+VEC_INLINE vf chain_product(struct chain_terms a, struct chain_terms b, int order)
+{
+    if (order == 0) {
+        return a.value * b.value;
+    }
+    const vf plain = b.value * a.member + a.value * b.member;
+    return order == 1 ? plain : plain + (a.i * b.j + a.j * b.i);
+}
+
+VEC_INLINE vf chain_multiply(const struct chain_sources *from, size_t at, int order)
+{
+    return chain_product(chain_load(&from->in[CHAIN_A], at, order),
+                         chain_load(&from->in[CHAIN_B], at, order), order);
+}
+
+VEC_INLINE vf chain_mix(const struct chain_sources *from, size_t at, int order)
+{
+    const struct chain_terms a = chain_load(&from->in[CHAIN_A], at, order);
+    const struct chain_terms b = chain_load(&from->in[CHAIN_B], at, order);
+    const struct chain_terms d = {b.value - a.value, b.i - a.i, b.j - a.j, b.member - a.member};
+    return a.member + chain_product(d, chain_load(&from->in[CHAIN_M], at, order), order);
+}
+
+VEC_INLINE vf chain_choose(const struct chain_sources *from, size_t at, int greater)
+{
+    const struct chain_terms a = chain_load(&from->in[CHAIN_A], at, 1);
+    const struct chain_terms b = chain_load(&from->in[CHAIN_B], at, 1);
+    const vu second = chain_takes_b(a.value, b.value, greater);
+    return (vf)vu_choose(second, (vu)b.member, (vu)a.member);
+}
+
+VEC_INLINE vf chain_two_first(const struct chain_sources *from, size_t at)
+{
+    return vf_load(from->partial[PARTIAL_A] + at) * vf_load(from->in[CHAIN_A].member + at) +
+           vf_load(from->partial[PARTIAL_B] + at) * vf_load(from->in[CHAIN_B].member + at);
+}
+
+VEC_INLINE vf chain_one_second(const struct chain_sources *from, size_t at)
+{
+    const struct chain_arrays *const a = &from->in[CHAIN_A];
+    return vf_load(from->partial[PARTIAL_A] + at) * vf_load(a->member + at) +
+           vf_load(from->partial[PARTIAL_AA] + at) * vf_load(a->i + at) * vf_load(a->j + at);
+}
+
+VEC_INLINE vf chain_two_second(const struct chain_sources *from, size_t at, int smooth)
+{
+    const struct chain_arrays *const a = &from->in[CHAIN_A], *const b = &from->in[CHAIN_B];
+    const vf ai = vf_load(a->i + at), aj = vf_load(a->j + at);
+    const vf bi = vf_load(b->i + at), bj = vf_load(b->j + at);
+    const vf plain = chain_two_first(from, at);
+    const vf aa = vf_load(from->partial[PARTIAL_AA] + at);
+    if (smooth) {
+        return plain + aa * (ai - bi) * (aj - bj);
+    }
+    return plain + (aa * ai * aj + vf_load(from->partial[PARTIAL_BB] + at) * bi * bj) +
+           vf_load(from->partial[PARTIAL_AB] + at) * (ai * bj + aj * bi);
+}
+
+VEC_INLINE vf chain_line_of(enum chain_line line, const struct chain_sources *from, size_t at)
+{
+    const float *const a = from->in[CHAIN_A].member;
+    switch (line) {
+    case LINE_COPY: return vf_load(from->partial[PARTIAL_F] + at);
+    case LINE_SCALE_OFFSET: return from->scale * vf_load(a + at) + from->offset;
+    case LINE_SCALE: return from->scale * vf_load(a + at);
+    case LINE_SUM: return vf_load(a + at) + vf_load(from->in[CHAIN_B].member + at);
+    case LINE_LESSER: return chain_choose(from, at, 0);
+    case LINE_GREATER: return chain_choose(from, at, 1);
+    case LINE_PRODUCT_VALUE: return chain_multiply(from, at, 0);
+    case LINE_PRODUCT_FIRST: return chain_multiply(from, at, 1);
+    case LINE_PRODUCT_SECOND: return chain_multiply(from, at, 2);
+    case LINE_MIX_VALUE: return chain_mix(from, at, 0);
+    case LINE_MIX_FIRST: return chain_mix(from, at, 1);
+    case LINE_MIX_SECOND: return chain_mix(from, at, 2);
+    case LINE_ONE_FIRST: return vf_load(from->partial[PARTIAL_A] + at) * vf_load(a + at);
+    case LINE_ONE_SECOND: return chain_one_second(from, at);
+    case LINE_TWO_FIRST: return chain_two_first(from, at);
+    case LINE_TWO_SECOND: return chain_two_second(from, at, 0);
+    case LINE_SMOOTH_SECOND: return chain_two_second(from, at, 1);
+    }
+    return vf_set(0.0f);
+}
+
+VEC_INLINE void chain_loop(enum chain_line line, struct chain_sources from, size_t count, float *to)
+{
+    VEC_ROLLED_LOOP
+    for (size_t i = 0; i < count; i += VEC_LANES) {
+        vf_store(to + i, chain_line_of(line, &from, i));
+    }
+}
+
+/* Writes a line of a block. */
+static void chain_write(enum chain_line line, const struct chain_sources *from, size_t count,
+                        float *to)
+{
+#define CHAIN_CASE(LINE)                                                                           \
+    case LINE: chain_loop(LINE, *from, count, to); break;
+    switch (line) {
+        CHAIN_CASE(LINE_COPY)
+        CHAIN_CASE(LINE_SCALE_OFFSET)
+        CHAIN_CASE(LINE_SCALE)
+        CHAIN_CASE(LINE_SUM)
+        CHAIN_CASE(LINE_LESSER)
+        CHAIN_CASE(LINE_GREATER)
+        CHAIN_CASE(LINE_PRODUCT_VALUE)
+        CHAIN_CASE(LINE_PRODUCT_FIRST)
+        CHAIN_CASE(LINE_PRODUCT_SECOND)
+        CHAIN_CASE(LINE_MIX_VALUE)
+        CHAIN_CASE(LINE_MIX_FIRST)
+        CHAIN_CASE(LINE_MIX_SECOND)
+        CHAIN_CASE(LINE_ONE_FIRST)
+        CHAIN_CASE(LINE_ONE_SECOND)
+        CHAIN_CASE(LINE_TWO_FIRST)
+        CHAIN_CASE(LINE_TWO_SECOND)
+        CHAIN_CASE(LINE_SMOOTH_SECOND)
+    }
+#undef CHAIN_CASE
+}
+
+/* Says where output m finds its input. What it does not need is not there. */
+static void chain_find(struct chain_sources *from, const struct scarp_chain *call, size_t first,
+                       int m, int order)
+{
+    const int i = order == 2 ? scarp_chain_axes[m - DXX][0] : m;
+    const int j = order == 2 ? scarp_chain_axes[m - DXX][1] : m;
+    for (int k = 0; k < CHAIN_INPUTS; k++) {
+        const float *const *const array = call->in[k];
+        const struct chain_arrays at = {chain_from(array[VALUE], first),
+                                        chain_from(array[i], first), chain_from(array[j], first),
+                                        chain_from(array[m], first)};
+        from->in[k] = at;
+    }
+}
+
+/* Computes `count` points from `first` on, a multiple of VEC_LANES, and writes `keep` of them. */
+static void chain_block(const struct scarp_chain *call, size_t first, size_t count, size_t keep)
+{
+    struct chain_room room;
+    struct chain_sources from = {.scale = call->number[CHAIN_SCALE],
+                                 .offset = call->number[CHAIN_OFFSET]};
+    chain_take_partials(from.partial, call, first, count, &room);
+    for (int m = 0; m < OUTPUTS; m++) {
+        if (call->out[m] != NULL) {
+            const int order = m == VALUE ? 0 : m < DXX || m == DPHASE ? 1 : 2;
+            chain_find(&from, call, first, m, order);
+            chain_write(chain_lines[call->function][order], &from, count, room.result[m]);
+        }
+    }
+    for (int m = 0; m < OUTPUTS; m++) {
+        if (call->out[m] != NULL) {
+            memcpy(call->out[m] + first, room.result[m], keep * sizeof(float));
+        }
+    }
+}
+
+/* Replaces an array by a copy of `count` elements from `first` on. */
+static __attribute__((noinline)) void chain_copy(const float **array, float to[VEC_LANES],
+                                                 size_t first, size_t count)
+{
+    vf_store(to, vf_load_part(*array + first, count));
+    *array = to;
+}
+
+/* Computes the last points, which do not fill a vector, from copies that do. */
+static void chain_tail(const struct scarp_chain *call, size_t first, size_t count)
+{
+    float in[CHAIN_INPUTS][OUTPUTS][VEC_LANES], partials[PARTIALS][VEC_LANES];
+    struct scarp_chain filled = *call;
+    VEC_ROLLED_LOOP
+    for (int m = 0; m < OUTPUTS; m++) {
+        for (int k = 0; k < CHAIN_INPUTS; k++) {
+            if (call->in[k][m] != NULL) {
+                chain_copy(&filled.in[k][m], in[k][m], first, count);
+            }
+        }
+        if (call->out[m] != NULL) {
+            filled.out[m] += first;
+        }
+    }
+    VEC_ROLLED_LOOP
+    for (int i = 0; i < PARTIALS; i++) {
+        if (call->partial[i] != NULL) {
+            chain_copy(&filled.partial[i], partials[i], first, count);
+        }
+    }
+    chain_block(&filled, 0, VEC_LANES, count);
+}
+
+static void chain(const struct scarp_chain *call, size_t count)
+{
+    const size_t tail = count % VEC_LANES;
+    const size_t whole = count - tail;
+    for (size_t first = 0; first < whole; first += CHAIN_POINTS) {
+        const size_t left = whole - first;
+        const size_t points = left < CHAIN_POINTS ? left : CHAIN_POINTS;
+        chain_block(call, first, points, points);
+    }
+    if (tail > 0) {
+        chain_tail(call, whole, tail);
+    }
+}
+
+#endif

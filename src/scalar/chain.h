@@ -1,0 +1,211 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Reference: the chain rule over samples, one point at a time. Included by table.c.
+ *
+ * The order of operations is that of the expressions here. What depends on the numbers of a call
+ * alone (1 / k and the like) is computed once, in chain.c.
+ */
+#ifndef SCARP_SCALAR_CHAIN_H
+#define SCARP_SCALAR_CHAIN_H
+
+#include <math.h>
+
+#include "../chain.h"
+#include "fade.h"
+
+/* The value of a function and its partial derivatives, as far as it has them. */
+struct partials {
+    float f, a, b, aa, ab, bb;
+};
+
+/* The samples of the inputs at a point. Members that the call does not have are 0. */
+struct chain_point {
+    float of[CHAIN_INPUTS][OUTPUTS];
+    struct partials given; /* to apply1 and apply2 */
+};
+
+/* The number, but NaN where v is NaN. */
+static inline float nan_of(float v, float number)
+{
+    return v != v ? v : number;
+}
+
+static inline float within_unit(float t)
+{
+    return t < 0.0f ? 0.0f : t > 1.0f ? 1.0f : t;
+}
+
+/* The quintic fade may exceed 1 by 2^-23. */
+static inline struct fade step_fade(float t)
+{
+    struct fade s = fade(SCARP_QUINTIC, t);
+    s.u = s.u > 1.0f ? 1.0f : s.u;
+    return s;
+}
+
+static inline int takes_b(enum scarp_chain_function function, float a, float b)
+{
+    return (function == CHAIN_MIN || function == CHAIN_SMOOTH_MIN ? b < a : a < b) || b != b;
+}
+
+static inline struct partials smooth_at(const struct scarp_chain *call, float a, float b)
+{
+    const int second = takes_b(call->function, a, b);
+    const float left = 1.0f - fabsf(a - b) * call->number[CHAIN_INVERSE];
+    const float h = left < 0.0f ? 0.0f : left;
+    const float half = 0.5f * (h * h);
+    const float near = 1.0f - half;
+    const struct partials p = {.f = (second ? b : a) - h * h * h * call->number[CHAIN_DEPTH],
+                               .a = second ? half : near,
+                               .b = second ? near : half,
+                               .aa = h * call->number[CHAIN_BEND]};
+    return p;
+}
+
+static inline struct partials clamp_at(const struct scarp_chain *call, float v)
+{
+    const float lo = call->number[CHAIN_LO], hi = call->number[CHAIN_HI];
+    const struct partials p = {.f = v < lo   ? lo
+                                    : v > hi ? hi
+                                             : v,
+                               .a = nan_of(v, v < lo || v > hi ? 0.0f : 1.0f)};
+    return p;
+}
+
+static inline struct partials smoothstep_at(const struct scarp_chain *call, float v)
+{
+    const float inverse = call->number[CHAIN_INVERSE];
+    const struct fade s = step_fade(within_unit((v - call->number[CHAIN_LO]) * inverse));
+    const struct partials p = {.f = s.u, .a = s.du * inverse, .aa = s.ddu * inverse * inverse};
+    return p;
+}
+
+static inline struct partials terrace_at(const struct scarp_chain *call, float v)
+{
+    const float steps = call->number[CHAIN_STEPS], steep = call->number[CHAIN_STEEP];
+    const float strength = call->number[CHAIN_STRENGTH];
+    const float t = v * steps;
+    const float whole = floorf(t);
+    const float u = t - whole;
+    const struct fade s = step_fade(within_unit((u - 0.5f) * steep + 0.5f));
+    const float rise = u + strength * (s.u - u);
+    const struct partials p = {.f = (whole + rise) * call->number[CHAIN_HEIGHT],
+                               .a = 1.0f + strength * (s.du * steep - 1.0f),
+                               .aa = s.ddu * steep * steep * steps * strength};
+    return p;
+}
+
+/* What the outputs are computed from, of functions that are given by partial derivatives. */
+static inline struct partials partials_at(const struct scarp_chain *call,
+                                          const struct chain_point *point)
+{
+    const float a = point->of[CHAIN_A][VALUE];
+    const struct partials sign = {.f = fabsf(a),
+                                  .a = nan_of(a, a > 0.0f   ? 1.0f
+                                                 : a < 0.0f ? -1.0f
+                                                            : 0.0f)};
+    switch (call->function) {
+    case CHAIN_SMOOTH_MIN:
+    case CHAIN_SMOOTH_MAX: return smooth_at(call, a, point->of[CHAIN_B][VALUE]);
+    case CHAIN_CLAMP: return clamp_at(call, a);
+    case CHAIN_ABS: return sign;
+    case CHAIN_SMOOTHSTEP: return smoothstep_at(call, a);
+    case CHAIN_TERRACE: return terrace_at(call, a);
+    default: return point->given;
+    }
+}
+
+/* Output m of a b, m being a first derivative or the second one by i and j. */
+static inline float product_of(const float a[OUTPUTS], const float b[OUTPUTS], int m)
+{
+    if (m == VALUE) {
+        return a[VALUE] * b[VALUE];
+    }
+    const float plain = b[VALUE] * a[m] + a[VALUE] * b[m];
+    if (m < DXX || m == DPHASE) {
+        return plain;
+    }
+    const int i = scarp_chain_axes[m - DXX][0], j = scarp_chain_axes[m - DXX][1];
+    return plain + (a[i] * b[j] + a[j] * b[i]);
+}
+
+/* Output m of a function that is given by partial derivatives. */
+static inline float derived_of(enum scarp_chain_function function, const struct partials *p,
+                               const float a[OUTPUTS], const float b[OUTPUTS], int m)
+{
+    const int two =
+        function == CHAIN_SMOOTH_MIN || function == CHAIN_SMOOTH_MAX || function == CHAIN_APPLY2;
+    if (m == VALUE) {
+        return p->f;
+    }
+    const float plain = two ? p->a * a[m] + p->b * b[m] : p->a * a[m];
+    if (m < DXX || m == DPHASE || function == CHAIN_CLAMP || function == CHAIN_ABS) {
+        return plain;
+    }
+    const int i = scarp_chain_axes[m - DXX][0], j = scarp_chain_axes[m - DXX][1];
+    if (!two) {
+        return plain + p->aa * a[i] * a[j];
+    }
+    if (function == CHAIN_APPLY2) {
+        return plain + (p->aa * a[i] * a[j] + p->bb * b[i] * b[j]) +
+               p->ab * (a[i] * b[j] + a[j] * b[i]);
+    }
+    return plain + p->aa * (a[i] - b[i]) * (a[j] - b[j]);
+}
+
+/* Output m at a point. */
+static inline float chain_of(const struct scarp_chain *call, const struct partials *p,
+                             const struct chain_point *point, int m)
+{
+    const float *const a = point->of[CHAIN_A], *const b = point->of[CHAIN_B];
+    float d[OUTPUTS];
+    switch (call->function) {
+    case CHAIN_AFFINE:
+        return m == VALUE ? call->number[CHAIN_SCALE] * a[m] + call->number[CHAIN_OFFSET]
+                          : call->number[CHAIN_SCALE] * a[m];
+    case CHAIN_ADD: return a[m] + b[m];
+    case CHAIN_MULTIPLY: return product_of(a, b, m);
+    case CHAIN_MIX:
+        for (int k = 0; k < OUTPUTS; k++) {
+            d[k] = b[k] - a[k];
+        }
+        return a[m] + product_of(d, point->of[CHAIN_M], m);
+    case CHAIN_MIN:
+    case CHAIN_MAX: return takes_b(call->function, a[VALUE], b[VALUE]) ? b[m] : a[m];
+    default: return derived_of(call->function, p, a, b, m);
+    }
+}
+
+static inline float element(const float *array, size_t i)
+{
+    return array != NULL ? array[i] : 0.0f;
+}
+
+/* Reads all that a point needs before anything is written: outputs may be where inputs are. */
+static inline struct chain_point chain_point_at(const struct scarp_chain *call, size_t i)
+{
+    const float *const *const given = call->partial;
+    struct chain_point point = {
+        .given = {element(given[PARTIAL_F], i), element(given[PARTIAL_A], i),
+                  element(given[PARTIAL_B], i), element(given[PARTIAL_AA], i),
+                  element(given[PARTIAL_AB], i), element(given[PARTIAL_BB], i)}};
+    for (int input = 0; input < CHAIN_INPUTS; input++) {
+        for (int m = 0; m < OUTPUTS; m++) {
+            point.of[input][m] = element(call->in[input][m], i);
+        }
+    }
+    return point;
+}
+
+static inline void chain_at(const struct scarp_chain *call, size_t i)
+{
+    const struct chain_point point = chain_point_at(call, i);
+    const struct partials p = partials_at(call, &point);
+    for (int m = 0; m < OUTPUTS; m++) {
+        if (call->out[m] != NULL) {
+            call->out[m][i] = chain_of(call, &p, &point, m);
+        }
+    }
+}
+
+#endif
