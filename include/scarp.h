@@ -88,8 +88,12 @@ enum scarp_fractal {
     SCARP_TURBULENCE, /* the weighted sum of their magnitudes: billows with creases (Perlin 1985) */
     SCARP_RIDGED,     /* ridged multifractal (Musgrave 1994): creases become ridges, and octaves
                          are weighted by those before, so valleys are smooth */
-    SCARP_EROSION     /* fBm whose octaves are damped where the sum of slopes is steep (Quilez
+    SCARP_EROSION,    /* fBm whose octaves are damped where the sum of slopes is steep (Quilez
                          2008): ridges and eroded flanks. No Hessian. */
+    SCARP_PINGPONG,   /* the weighted sum of octaves that are folded to and fro, which draws contour
+                         lines (FastNoise Lite) */
+    SCARP_HYBRID      /* hybrid multifractal (Musgrave 1994): octaves are weighted by the product of
+                         those before, so valleys are smooth and heights rough */
 };
 
 /* Kernel sets, one of which serves all calls. Their order says nothing about speed. */
