@@ -90,6 +90,10 @@ enum scarp_fractal {
                          are weighted by those before, so valleys are smooth */
     SCARP_EROSION,    /* fBm whose octaves are damped where the sum of slopes is steep (Quilez
                          2008): ridges and eroded flanks. No Hessian. */
+    SCARP_PINGPONG,   /* the weighted sum of octaves that are folded to and fro, which draws contour
+                         lines (FastNoise Lite) */
+    SCARP_HYBRID,     /* hybrid multifractal (Musgrave 1994): octaves are weighted by the product of
+                         those before, so valleys are smooth and heights rough */
     SCARP_SWISS,      /* ridges whose octaves are bent by the slopes of those before, downhill
                          (de Carpentier 2012). No Hessian, no dphase. */
     SCARP_JORDAN      /* squared octaves that are bent, and damped where it is flat (de Carpentier

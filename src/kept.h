@@ -112,7 +112,9 @@ static inline int blends_corners(enum scarp_basis basis)
 /* The sharpness of a noise, which each fractal that has one has a default for. */
 static inline float sharpness_of(const struct scarp_noise *noise)
 {
-    const float standard = noise->fractal == SCARP_SWISS    ? 0.15f
+    const float standard = noise->fractal == SCARP_PINGPONG ? 2.0f
+                           : noise->fractal == SCARP_HYBRID ? 0.7f
+                           : noise->fractal == SCARP_SWISS  ? 0.15f
                            : noise->fractal == SCARP_JORDAN ? 0.35f
                                                             : 1.0f;
     return noise->sharpness == 0.0f ? standard : noise->sharpness;

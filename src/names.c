@@ -21,7 +21,8 @@ static const char *const fades[SCARP_FADES] = {
 
 static const char *const fractals[SCARP_FRACTALS] = {
     [SCARP_FBM] = "fbm",         [SCARP_TURBULENCE] = "turbulence", [SCARP_RIDGED] = "ridged",
-    [SCARP_EROSION] = "erosion", [SCARP_SWISS] = "swiss",           [SCARP_JORDAN] = "jordan",
+    [SCARP_EROSION] = "erosion", [SCARP_PINGPONG] = "pingpong",     [SCARP_HYBRID] = "hybrid",
+    [SCARP_SWISS] = "swiss",     [SCARP_JORDAN] = "jordan",
 };
 
 #define NAME(ISA, table, name, here) [SCARP_ISA_##ISA] = name,
