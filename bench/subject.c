@@ -175,7 +175,8 @@ static int make_peer(struct bench_subject *subject, const struct bench_work *wor
     if (work->title != NULL) {
         return make_nearest(subject, work);
     }
-    if (work->layout == BENCH_NORMALS || work->fade != SCARP_QUINTIC || work->turned || work->f64) {
+    if (work->layout == BENCH_NORMALS || work->layout == BENCH_PRODUCT ||
+        work->fade != SCARP_QUINTIC || work->turned || work->f64) {
         return 0;
     }
     if ((work->period != 0 && work->layout != BENCH_GRID) || work->phase != 0.0f) {
@@ -273,6 +274,16 @@ static enum scarp_status run_grid(const struct bench_subject *subject,
                                  : scarp_grid3(&subject->noise, &grid, out);
 }
 
+/* The product of two samples, whose values and gradients are any arrays there are. */
+static enum scarp_status run_product(const struct bench_subject *subject,
+                                     const struct scarp_samples *out)
+{
+    float *const(*const x)[3] = subject->arrays->points;
+    const struct scarp_samples a = {.value = x[0][0], .dx = x[0][1], .dy = x[0][2], .dz = x[1][0]};
+    const struct scarp_samples b = {.value = x[1][1], .dx = x[1][2], .dy = x[2][0], .dz = x[2][1]};
+    return scarp_multiply(subject->work.points, &a, &b, out);
+}
+
 /* One call; `out` is made before, as callers of few points at a time do. */
 static enum scarp_status run_scarp(const struct bench_subject *subject,
                                    const struct scarp_samples *out)
@@ -285,6 +296,9 @@ static enum scarp_status run_scarp(const struct bench_subject *subject,
     double *const *const w = subject->arrays->points_f64;
     if (work->layout == BENCH_NORMALS) {
         return scarp_normals(n, x[0], x[1], 0x1p-10f, to[0], to[1], to[2]);
+    }
+    if (work->layout == BENCH_PRODUCT) {
+        return run_product(subject, out);
     }
     if (work->layout == BENCH_GRID) {
         return run_grid(subject, out);

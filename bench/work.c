@@ -46,6 +46,7 @@ static const float standard_steps[] = {STANDARD_STEP, 0};
 static const size_t other_sizes[] = {1, 4, 16, 64, 256, 4096, 1048576, 0};
 static const size_t squares[] = {256, 1024, 4096, 0}, huge_square[] = {16384, 0};
 static const size_t cubes[] = {64, 256, 0}, large_cube[] = {256, 0};
+static const size_t product_sizes[] = {4096, 1048576, 0}; /* a chunk, and far beyond the caches */
 static const float other_steps[] = {0.1f, 0.3f, 1.7f, 0};
 static const float none_steps[] = {0.0025f, 0}, alps_steps[] = {0.0035f, 0};
 static const float dunes_steps[] = {0.0022f, 0}, islands_steps[] = {0.0045f, 0};
@@ -129,6 +130,10 @@ static const struct product products[] = {
      .outputs = ONLY_VALUE,
      .sizes = {huge_square, NULL}},
     {{.layout = BENCH_NORMALS, .dimensions = 2}, .bases = GRADIENT, .outputs = ONLY_VALUE},
+    {{.layout = BENCH_PRODUCT},
+     .bases = GRADIENT,
+     .outputs = ONLY_GRADIENT,
+     .sizes = {product_sizes, product_sizes}},
     /* What `scarp terrain --preset` samples: heights alone, or with what lights them.
        tests/test_bench_presets.c holds these rows to the program's. */
     {{.layout = BENCH_GRID, .title = "preset-none", .octaves = 9, .gain = 0.4f, .dimensions = 2},
@@ -206,7 +211,7 @@ static const struct product products[] = {
      .steps = quick_noise_steps},
 };
 
-static const char *const layout_names[] = {"points", "grid", "normals"};
+static const char *const layout_names[] = {"points", "grid", "normals", "product"};
 static const char *const pattern_names[] = {"", "/sequential", "/same-cell"};
 static const char *const output_names[] = {"value",   "+gradient",           "+hessian",
                                            "+dphase", "forward-differences", "central-differences"};
@@ -215,6 +220,11 @@ static void write_name(struct bench_work *work)
 {
     if (work->layout == BENCH_NORMALS) {
         snprintf(work->name, sizeof work->name, "%s", layout_names[work->layout]);
+        return;
+    }
+    if (work->layout == BENCH_PRODUCT) {
+        snprintf(work->name, sizeof work->name, "%s%d/%s/n=%zu", layout_names[work->layout],
+                 work->dimensions, output_names[work->output], work->points);
         return;
     }
     char fade[16] = "", fractal[32] = "", title[32] = "", size[32] = "", period[24] = "";

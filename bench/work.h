@@ -17,7 +17,12 @@ extern "C" {
 /* Holds every name of a workload, with the 0 at its end. */
 #define BENCH_NAME_SIZE 160
 
-enum bench_layout { BENCH_POINTS, BENCH_GRID, BENCH_NORMALS };
+enum bench_layout {
+    BENCH_POINTS,
+    BENCH_GRID,
+    BENCH_NORMALS,
+    BENCH_PRODUCT /* of two samples, by scarp_multiply */
+};
 
 enum bench_output {
     BENCH_VALUE,

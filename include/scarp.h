@@ -513,7 +513,9 @@ SCARP_API enum scarp_status scarp_normals(size_t count, const float *dx, const f
  *     struct scarp_samples b = {.value = bv, .dx = bx, .dy = by};
  *     scarp_sample2(&hills, count, x, y, &a);
  *     scarp_sample2(&mountains, count, x, y, &b);
- *     scarp_smooth_max(count, &a, &b, 0.1f, &a);  (in place, with exact gradients)
+ *     scarp_smooth_max(count, &a, &b, 0.1f, &a);
+ *
+ * leaves the smooth union of both in the arrays of `a`, with its exact gradient.
  *
  * Speed: each function reads and writes every array once, so memory sets the pace of long arrays.
  * Work in chunks of about 4,096 points, sampling included: then the arrays stay in the caches, and
@@ -528,7 +530,11 @@ SCARP_API enum scarp_status scarp_normals(size_t count, const float *dx, const f
  *
  * NaN: where a number is NaN, every output that is computed from it is NaN, and other points are
  * not affected. scarp_min and scarp_max take a value that is NaN before any number, with its
- * derivatives. A factor of 0 makes infinite derivatives NaN.
+ * derivatives. Infinities make NaN where they cancel, or are multiplied by 0.
+ *
+ * Smoothness: a function is called C2 where the Hessian of the result is continuous if those of the
+ * inputs are, and C0 where the result is continuous and has creases. Those that are called neither
+ * have as many derivatives as their inputs.
  *
  * Return values, of all functions here: SCARP_ERROR_NULL if `a`, `b`, `m`, `function` or `out` is
  * NULL, or an array that an output needs; SCARP_ERROR_PARAMETER for a number that is not finite or
@@ -581,10 +587,9 @@ SCARP_API enum scarp_status scarp_max(size_t count, const struct scarp_samples *
  * scarp_smooth_min - the lesser of a and b, without a crease
  *
  * min(a, b) - h^3 k / 6 with h = max(0, 1 - |a - b| / k): min(a, b) itself where the two differ by
- * k or more, and less where they are nearer, by k / 6 at most. C2: with inputs whose Hessians are
- * continuous, so is the Hessian of the result. With f_a = 1 - h^2 / 2 where a < b, else h^2 / 2,
- * f_b the other of the two, and q = -h / k, derivatives are f_a a_i + f_b b_i and (f_a a_ij + f_b
- * b_ij) + (q (a_i - b_i)) (a_j - b_j).
+ * k or more, and less where they are nearer, by k / 6 at most. C2. With f_a = 1 - h^2 / 2 where a <
+ * b, else h^2 / 2, f_b the other of the two, and q = -h / k, derivatives are f_a a_i + f_b b_i and
+ * (f_a a_ij + f_b b_ij) + (q (a_i - b_i)) (a_j - b_j).
  *
  * k is in units of value, in [2^-60, 2^60].
  */

@@ -177,7 +177,7 @@ static void test_formula(enum chain f)
             expected[p] = order == 0 ? composed(f, p, here)
                                      : differences(f, p, i, output_kinds[m].axes[1],
                                                    order == 1 ? 0x1p-15 : 0x1p-13);
-            largest = near_seam(f, p) ? largest : fmax(largest, fabs(expected[p]));
+            largest = near_seam(f, p) ? largest : larger(largest, fabs(expected[p]));
         }
         for (int p = 0; p < POINTS; p++) {
             const double off = fabs((double)out.array[m][p] - expected[p]);
@@ -213,7 +213,7 @@ static void test_no_jump(enum chain f, float from, double third)
     make_sweep(from, step);
     call_all(f);
     for (int p = 0; p < POINTS; p++) {
-        second = fmax(second, fabs((double)out.array[OUTPUT_dxx][p]));
+        second = larger(second, fabs((double)out.array[OUTPUT_dxx][p]));
     }
     for (int p = 1; p < POINTS; p++) {
         const double d1 = (double)out.array[OUTPUT_dx][p] - (double)out.array[OUTPUT_dx][p - 1];

@@ -5,7 +5,7 @@
  *
  * A basis that reduces lattice columns to lines (columns.h) is a file with one function,
  * `struct column NAME_column(corners, across, variant)`, and a case in column_inline() and, for
- * small sets, a line of COLUMN_PASSES and a case in basis_column(). Any other is a function from a
+ * small sets, lines of COLUMN_PASSES and a case in basis_column(). Any other is a function from a
  * block of positions on the lattice to a sample, and a case in basis_sample().
  *
  * Where a place inside the cell is NaN, every output must be. A place may be 1.
@@ -23,24 +23,33 @@ VEC_INLINE struct column column_inline(const struct corners *h, const struct acr
 }
 
 #if VEC_SMALL
-/* One function for each basis computes its columns, for all orders and all passes. */
-#define COLUMN_PASS(name, basis, dimensions, flows)                                                \
+/* A function for each basis and order computes columns, for all passes. (If one served all orders,
+   gcc would copy it for some of them, as far as the size of the file permits: which ones changes
+   with anything else in the file.) */
+#define COLUMN_PASS(name, basis, dimensions, order, flows)                                         \
     static __attribute__((noinline)) void name(struct column *c, const struct corners *h,          \
-                                               const struct across *p, int order)                  \
+                                               const struct across *p)                             \
     {                                                                                              \
         const struct variant v = {basis, dimensions, order, flows};                                \
         *c = column_inline(h, p, v);                                                               \
     }
-#define COLUMN_PASSES(name, basis, flows)                                                          \
-    COLUMN_PASS(name##2_column, basis, 2, flows)                                                   \
-    COLUMN_PASS(name##3_column, basis, 3, flows)
+#define COLUMN_PASSES(name, basis, dimensions, flows)                                              \
+    COLUMN_PASS(name##_column0, basis, dimensions, 0, flows)                                       \
+    COLUMN_PASS(name##_column1, basis, dimensions, 1, flows)                                       \
+    COLUMN_PASS(name##_column2, basis, dimensions, 2, flows)
 
-COLUMN_PASSES(gradient, SCARP_GRADIENT, 0)
-COLUMN_PASSES(flow, SCARP_GRADIENT, 1)
-COLUMN_PASSES(value, SCARP_VALUE, 0)
+COLUMN_PASSES(gradient2, SCARP_GRADIENT, 2, 0)
+COLUMN_PASSES(gradient3, SCARP_GRADIENT, 3, 0)
+COLUMN_PASSES(flow2, SCARP_GRADIENT, 2, 1)
+COLUMN_PASSES(flow3, SCARP_GRADIENT, 3, 1)
+COLUMN_PASSES(value2, SCARP_VALUE, 2, 0)
+COLUMN_PASSES(value3, SCARP_VALUE, 3, 0)
 
 #undef COLUMN_PASSES
 #undef COLUMN_PASS
+
+#define COLUMN_OF_ORDER(name)                                                                      \
+    (v.order == 0 ? name##_column0 : v.order == 1 ? name##_column1 : name##_column2)
 
 VEC_INLINE struct column basis_column(const struct corners *h, const struct across *p,
                                       struct variant v)
@@ -48,14 +57,16 @@ VEC_INLINE struct column basis_column(const struct corners *h, const struct acro
     struct column c;
     const int plane = v.dimensions == 2;
     if (v.basis == SCARP_VALUE) {
-        (plane ? value2_column : value3_column)(&c, h, p, v.order);
+        (plane ? COLUMN_OF_ORDER(value2) : COLUMN_OF_ORDER(value3))(&c, h, p);
     } else if (v.flows) {
-        (plane ? flow2_column : flow3_column)(&c, h, p, v.order);
+        (plane ? COLUMN_OF_ORDER(flow2) : COLUMN_OF_ORDER(flow3))(&c, h, p);
     } else {
-        (plane ? gradient2_column : gradient3_column)(&c, h, p, v.order);
+        (plane ? COLUMN_OF_ORDER(gradient2) : COLUMN_OF_ORDER(gradient3))(&c, h, p);
     }
     return c;
 }
+
+#undef COLUMN_OF_ORDER
 #else
 VEC_INLINE struct column basis_column(const struct corners *h, const struct across *p,
                                       struct variant v)
