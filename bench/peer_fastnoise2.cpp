@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
  * The peer FastNoise2: gradient noise with the quintic fade, value noise, and sums of them, ridged
- * ones too, for arrays of points and uniform grids, at each of its feature levels. Its build
- * options decide whether it fuses multiplications into additions; the strict build is told apart by
- * name.
+ * ones and warped ones too, for arrays of points and uniform grids, at each of its feature levels.
+ * Its build options decide whether it fuses multiplications into additions; the strict build is
+ * told apart by name.
  */
 #include <FastNoise/FastNoise.h>
 
@@ -97,7 +97,7 @@ FastNoise::SmartNode<FastNoise::Generator> sum(FastSIMD::FeatureSet set,
 void *open(const bench_work *work, scarp_isa isa)
 {
     const FastSIMD::FeatureSet set = level(isa);
-    if (set == FastSIMD::FeatureSet::Invalid || work->fractal == SCARP_EROSION ||
+    if (set == FastSIMD::FeatureSet::Invalid || work->fractal > SCARP_RIDGED ||
         (work->period != 0 && work->dimensions != 2)) {
         return nullptr;
     }
@@ -114,6 +114,15 @@ void *open(const bench_work *work, scarp_isa isa)
         noise = sum<FastNoise::FractalRidged>(set, noise, work);
     } else if (work->octaves > 1) {
         noise = sum<FastNoise::FractalFBm>(set, noise, work);
+    }
+    if (work->warp != BENCH_WARP_NONE) {
+        /* All components come from one hash per corner of a lattice of values, with a cubic fade.
+         */
+        auto warp = FastNoise::New<FastNoise::DomainWarpGradient>(set);
+        warp->SetSource(noise);
+        warp->SetScale(1.0f);
+        warp->SetWarpAmplitude(BENCH_WARP_REACH);
+        noise = warp;
     }
     return new State{noise, work->dimensions};
 }

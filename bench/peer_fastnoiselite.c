@@ -45,7 +45,7 @@ static int fnl_peer_basis(fnl_state *noise, enum scarp_basis basis)
 
 struct fnl_peer_state {
     fnl_state noise;
-    int dimensions;
+    int dimensions, warps;
 };
 
 static void *fnl_peer_open(const struct bench_work *work, enum scarp_isa isa)
@@ -66,8 +66,27 @@ static void *fnl_peer_open(const struct bench_work *work, enum scarp_isa isa)
         state->noise.octaves = work->octaves;
         state->noise.lacunarity = work->lacunarity;
         state->noise.gain = work->gain;
+        state->noise.domain_warp_type = FNL_DOMAIN_WARP_BASICGRID;
+        state->noise.domain_warp_amp = BENCH_WARP_REACH;
+        state->warps = work->warp != BENCH_WARP_NONE;
     }
     return state;
+}
+
+static void fnl_peer_warped(const struct fnl_peer_state *state, size_t count,
+                            const float *const x[3], float *value)
+{
+    fnl_state noise = state->noise;
+    for (size_t i = 0; i < count; i++) {
+        float p[3] = {x[0][i], x[1][i], state->dimensions == 3 ? x[2][i] : 0.0f};
+        if (state->dimensions == 2) {
+            fnlDomainWarp2D(&noise, &p[0], &p[1]);
+            value[i] = fnlGetNoise2D(&noise, p[0], p[1]);
+        } else {
+            fnlDomainWarp3D(&noise, &p[0], &p[1], &p[2]);
+            value[i] = fnlGetNoise3D(&noise, p[0], p[1], p[2]);
+        }
+    }
 }
 
 static void fnl_peer_points(const void *opaque, size_t count, const float *const x[3], float *value)
@@ -75,7 +94,9 @@ static void fnl_peer_points(const void *opaque, size_t count, const float *const
     const struct fnl_peer_state *const state = opaque;
     /* A copy that no store can change: the compiler may keep its fields in registers. */
     const fnl_state noise = state->noise;
-    if (state->dimensions == 2) {
+    if (state->warps) {
+        fnl_peer_warped(state, count, x, value);
+    } else if (state->dimensions == 2) {
         for (size_t i = 0; i < count; i++) {
             value[i] = fnlGetNoise2D(&noise, x[0][i], x[1][i]);
         }

@@ -50,7 +50,8 @@ void *open(const bench_work *work, scarp_isa isa)
 {
     const bool value_noise = work->basis == SCARP_VALUE;
     if (isa != SCARP_ISA_SCALAR || work->dimensions != 3 || work->basis > SCARP_VALUE ||
-        work->fractal == SCARP_EROSION || (value_noise && work->octaves > 1)) {
+        work->fractal > SCARP_RIDGED || work->warp != BENCH_WARP_NONE ||
+        (value_noise && work->octaves > 1)) {
         return nullptr;
     }
     return new State{value_noise, work->octaves > 1 ? make_sum(work) : nullptr};

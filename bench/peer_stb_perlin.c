@@ -19,7 +19,7 @@ struct stb_state {
 static void *stb_open(const struct bench_work *work, enum scarp_isa isa)
 {
     if (isa != SCARP_ISA_SCALAR || work->basis != SCARP_GRADIENT || work->dimensions != 3 ||
-        work->fractal == SCARP_EROSION) {
+        work->fractal > SCARP_RIDGED || work->warp != BENCH_WARP_NONE) {
         return NULL;
     }
     struct stb_state *const state = malloc(sizeof *state);

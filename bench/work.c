@@ -119,6 +119,14 @@ static const struct product products[] = {
     {{.layout = BENCH_GRID, .phase = 0.3f, .octaves = 8},
      .bases = GRADIENT,
      .outputs = UP_TO_GRADIENT | ONLY_PHASE},
+    {{.warp = BENCH_WARP_GRADIENT}, .bases = GRADIENT, .outputs = UP_TO_HESSIAN},
+    {{.warp = BENCH_WARP_VALUE}, .bases = GRADIENT, .outputs = UP_TO_GRADIENT},
+    {{.layout = BENCH_GRID, .warp = BENCH_WARP_GRADIENT},
+     .bases = GRADIENT,
+     .outputs = UP_TO_GRADIENT},
+    {{.layout = BENCH_GRID, .warp = BENCH_WARP_VALUE}, .bases = GRADIENT, .outputs = ONLY_VALUE},
+    {{.fractal = SCARP_SWISS, .octaves = 8}, .bases = GRADIENT, .outputs = UP_TO_GRADIENT},
+    {{.fractal = SCARP_JORDAN, .octaves = 8}, .bases = GRADIENT, .outputs = UP_TO_GRADIENT},
     {.bases = SIMPLEX, .outputs = UP_TO_HESSIAN},
     {.bases = CELLS, .outputs = UP_TO_GRADIENT},
     {{.octaves = 8}, .bases = SIMPLEX | CELL_F1, .outputs = UP_TO_GRADIENT},
@@ -213,6 +221,7 @@ static const struct product products[] = {
 
 static const char *const layout_names[] = {"points", "grid", "normals", "product"};
 static const char *const pattern_names[] = {"", "/sequential", "/same-cell"};
+static const char *const warp_names[] = {"", "/warped", "/warped-by-value"};
 static const char *const output_names[] = {"value",   "+gradient",           "+hessian",
                                            "+dphase", "forward-differences", "central-differences"};
 
@@ -246,10 +255,10 @@ static void write_name(struct bench_work *work)
     if (work->period != 0) {
         snprintf(period, sizeof period, "/period%u", work->period);
     }
-    snprintf(work->name, sizeof work->name, "%s%d/%s%s%s%s%s%s%s%s%s/%s%s",
+    snprintf(work->name, sizeof work->name, "%s%d/%s%s%s%s%s%s%s%s%s%s/%s%s",
              layout_names[work->layout], work->dimensions, scarp_basis_name(work->basis), fade,
              fractal, work->turned ? "/turned" : "", period, work->phase != 0.0f ? "/flow" : "",
-             title, work->f64 ? "/f64" : "", pattern_names[work->pattern],
+             warp_names[work->warp], title, work->f64 ? "/f64" : "", pattern_names[work->pattern],
              output_names[work->output], size);
 }
 
@@ -340,6 +349,13 @@ int bench_work_get(size_t index, struct bench_work *work)
 
 struct scarp_noise bench_work_noise(const struct bench_work *work)
 {
+    static const struct scarp_noise warps[] = {
+        [BENCH_WARP_GRADIENT] = {.seed = 11, .amplitude = BENCH_WARP_REACH},
+        [BENCH_WARP_VALUE] = {.basis = SCARP_VALUE,
+                              .fade = SCARP_CUBIC,
+                              .seed = 11,
+                              .amplitude = BENCH_WARP_REACH},
+    };
     return (struct scarp_noise){.basis = work->basis,
                                 .fade = work->fade,
                                 .fractal = work->fractal,
@@ -351,7 +367,8 @@ struct scarp_noise bench_work_noise(const struct bench_work *work)
                                 .lacunarity = work->lacunarity,
                                 .gain = work->gain,
                                 .amplitude = work->amplitude,
-                                .erosion = work->erosion};
+                                .erosion = work->erosion,
+                                .warp = work->warp != 0 ? &warps[work->warp] : NULL};
 }
 
 static int glob(const char *pattern, const char *text)

@@ -39,6 +39,9 @@ enum bench_pattern {
     BENCH_SAME_CELL   /* uniform in [0, 1) */
 };
 
+enum { BENCH_WARP_NONE, BENCH_WARP_GRADIENT, BENCH_WARP_VALUE }; /* by which noise */
+#define BENCH_WARP_REACH 0.5f
+
 struct bench_work {
     char name[BENCH_NAME_SIZE]; /* made from the rest by work.c */
     enum bench_layout layout;
@@ -56,6 +59,7 @@ struct bench_work {
     int turned;        /* the axes turn between octaves */
     unsigned period;   /* cells after which the noise repeats along each axis; 0: never */
     float phase;       /* of flow noise */
+    int warp;          /* positions are displaced, by half a cell at most: by BENCH_WARP_... */
     int f64;           /* double coordinates */
     int on_request;    /* measured only if --work gives the whole name: large */
     size_t points;
