@@ -176,7 +176,7 @@ static void test_steps(void)
 static void test_periods(void)
 {
     for (int f = SAMPLE2_F64; f <= SAMPLE3_F64; f++) {
-        struct scarp_noise noise = noise_make(8);
+        struct scarp_noise noise = noise_make(12);
         int member = 0;
         size_t index = 0;
         noise.phase = 0.7f;

@@ -124,7 +124,9 @@ VEC_INLINE struct sample few_shape(struct few_state *state, const struct scarp_c
         slope = fold_weight(plan, slope);
         break;
     case SCARP_RIDGED:
-    case SCARP_HYBRID: s = weighted(plan, o, n, &state->weight, v); break;
+    case SCARP_HYBRID:
+        s = weighted(o, n, &state->weight, plan->sharpness, plan->fractal == SCARP_HYBRID, v);
+        break;
     case SCARP_EROSION:
         if (v.order == 1) {
             const struct variant value = {v.basis, v.dimensions, 0, 0};

@@ -107,9 +107,9 @@ mutant(driver.few_octaves IN kernel TEXT [[k < plan->octaves; k++) {
         const int is_turned]] SEEN_BY bits)
 mutant(driver.few_turned IN kernel TEXT [[is_turned ? turned_f32(o, axis, x->f32, f)]]
        BECOMES [[is_turned && !MUTANT ? turned_f32(o, axis, x->f32, f)]] SEEN_BY bits)
-mutant(driver.few_ridged IN kernel TEXT [[weighted(plan, o, n, &state->weight, v)]]
-       BECOMES [[weighted(plan, o, n, MUTANT ? &(struct sample){.value = state->weight.value}
-                                    : &state->weight, v)]] SEEN_BY bits)
+mutant(driver.few_ridged IN kernel TEXT [[weighted(o, n, &state->weight,]]
+       BECOMES [[weighted(o, n, MUTANT ? &(struct sample){.value = state->weight.value}
+                              : &state->weight,]] SEEN_BY bits)
 mutant(driver.few_eroded IN kernel TEXT [[own_axes ? o->amplitude : o->slope]]
        BECOMES [[own_axes && !MUTANT ? o->amplitude : o->slope]] SEEN_BY bits)
 mutant(driver.few_one IN kernel TEXT [[n.value *= vf_set(o->amplitude);]]

@@ -45,7 +45,7 @@ VEC_INLINE vf weighted_phase_at(const struct phase_shaping *at, const vf *noise,
         s = weight * (r * r);
         ds = ridge_first(weight, r, moving[0], with_sign(turning[0], sign));
     }
-    const vf factor = vf_set(weight_factor(plan, at->shaping.octave));
+    const vf factor = vf_set(plan->fractal == SCARP_HYBRID ? at->shaping.octave->share : 2.0f);
     moving[0] = (vf)((vu)(factor * ds) & (vu)(absolute(factor * s) < vf_set(1.0f)));
     return ds;
 }

@@ -58,4 +58,16 @@ VEC_INLINE struct sample ridge(const struct sample *w, const struct sample *m, s
     return s;
 }
 
+/* The next weight: 2 s, but 1 where that is more. */
+VEC_INLINE struct sample ridge_weight(const struct sample *s, struct variant v)
+{
+    const vu less = (vu)(2.0f * s->value < vf_set(1.0f));
+    struct sample w;
+#define DO(i, member, rank)                                                                        \
+    w.member = either(less, 2.0f * s->member, vf_set(rank == 0 ? 1.0f : 0.0f))
+    EACH_OUTPUT(v, DO);
+#undef DO
+    return w;
+}
+
 #endif
