@@ -59,6 +59,8 @@ static const struct product products[] = {
     {{.octaves = 8, .turned = 1}, .bases = GRADIENT, .outputs = UP_TO_HESSIAN},
     {{.fractal = SCARP_TURBULENCE, .octaves = 8}, .bases = GRADIENT, .outputs = UP_TO_HESSIAN},
     {{.fractal = SCARP_RIDGED, .octaves = 8}, .bases = GRADIENT, .outputs = UP_TO_HESSIAN},
+    {{.fractal = SCARP_PINGPONG, .octaves = 8}, .bases = GRADIENT, .outputs = UP_TO_GRADIENT},
+    {{.fractal = SCARP_HYBRID, .octaves = 8}, .bases = GRADIENT, .outputs = UP_TO_GRADIENT},
     {{.fractal = SCARP_EROSION, .octaves = 8},
      .bases = GRADIENT,
      .outputs = UP_TO_GRADIENT | DIFFERENCES},

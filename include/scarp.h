@@ -88,8 +88,12 @@ enum scarp_fractal {
     SCARP_TURBULENCE, /* the weighted sum of their magnitudes: billows with creases (Perlin 1985) */
     SCARP_RIDGED,     /* ridged multifractal (Musgrave 1994): creases become ridges, and octaves
                          are weighted by those before, so valleys are smooth */
-    SCARP_EROSION     /* fBm whose octaves are damped where the sum of slopes is steep (Quilez
+    SCARP_EROSION,    /* fBm whose octaves are damped where the sum of slopes is steep (Quilez
                          2008): ridges and eroded flanks. No Hessian. */
+    SCARP_PINGPONG,   /* the weighted sum of octaves that are folded to and fro, which draws contour
+                         lines (FastNoise Lite) */
+    SCARP_HYBRID      /* hybrid multifractal (Musgrave 1994): octaves are weighted by the product of
+                         those before, so valleys are smooth and heights rough */
 };
 
 /* Kernel sets, one of which serves all calls. Their order says nothing about speed. */
@@ -142,10 +146,27 @@ enum scarp_isa {
  *                 d_k = g_0 + ... + g_k, each g in the axes and units of its own octave.
  *                 gradient = sum_k a_k (q_k G_k - 2 erosion n_k q_k^2 D_k^T d_k),
  *                 D_k = H_0 J_0 + ... + H_k J_k, which is the Jacobian of d_k
+ *     ping-pong   value = sum_k a_k (1 - 2 |e_k|),   e_k = 1 - (t_k - 2 floor(t_k / 2)),
+ *                 t_k = (n_k + 1) sharpness, which is folded to [-1, 1] with the period 2.
+ *                 gradient = sum_k a_k 2 sharpness sign(e_k) G_k, and likewise the Hessian, but 0
+ *                 where 1 - 2 |e_k| is 1 or -1. (FastNoise Lite's PingPong, whose strength is the
+ *                 sharpness, with a weighted strength of 0.)
+ *     hybrid      value = sum_k a_k u_k,   u_k = v_k (n_k + sharpness),   v_0 = 1,
+ *                 v_(k+1) = gain^k u_k, but 1 where that is more and -1 where it is less.
+ *                 The derivatives are those of this expression, those of v_(k+1) 0 where it is 1
+ *                 or -1. Amplitudes have another divisor and more head-room:
+ *                 a_k = amplitude (1 - 2^-12) w_k / U, where U is what w_0 u_0 + ... +
+ *                 w_(K-1) u_(K-1) is if every n_k is 1. (Musgrave's hybrid multifractal, whose
+ *                 offset is the sharpness, 0.7 as he has it, with gain = lacunarity^-H; his H of
+ *                 0.25 is a gain of 0.84. He lets weights fall below -1, which they do with gains
+ *                 near 1 and above; his values have no bound then.)
  *
- * Every gradient is that of the value returned. Those of turbulence and ridged, and their Hessians,
- * hold almost everywhere: where some n_k is 0, or 2 s_k is 1, the surface has a crease. (Hessians
- * of ridged noise overflow where amplitude f_k^2 comes near 2^120.)
+ * Every gradient is that of the value returned. Those of all but fBm and erosion, and their
+ * Hessians, hold almost everywhere: where some n_k is 0, 2 s_k is 1, t_k is an integer, or
+ * |gain^k u_k| is 1, the surface has a crease. (Hessians of ridged noise overflow where amplitude
+ * f_k^2 comes near 2^120, those of ping-pong where that times 2 sharpness does. So do those of
+ * hybrid noise, and with gains above 1 its gradients where amplitude f_k times the product of all
+ * gain^j does.)
  *
  * An octave is noise of its own: n_k at x is, but for rounding, single-octave noise of the seed
  * s_k, frequency 1, the same basis and fade, and 2^k times the phase, at p_k, divided by 1 - 2^-17.
@@ -184,9 +205,9 @@ enum scarp_isa {
  * reaches further than what stands still: |n_k| is at most 1.0169038 and 1.0162356 in 2D (quintic,
  * cubic), 1.1233462 and 1.1165551 in 3D, and scarp_range tells it. dphase is the derivative of the
  * value by the phase, and may be asked for beside any other output. For fBm and turbulence,
- * |dphase| is at most 4 pi sum_k 2^k |a_k| times those numbers. Value noise has no gradients to
- * turn, and the gradients of simplex noise do not: a phase, and dphase, is
- * SCARP_ERROR_UNSUPPORTED with all but gradient noise.
+ * |dphase| is at most 4 pi sum_k 2^k |a_k| times those numbers, for ping-pong that times 2
+ * sharpness. Value noise has no gradients to turn, and the gradients of simplex noise do not: a
+ * phase, and dphase, is SCARP_ERROR_UNSUPPORTED with all but gradient noise.
  *
  * Simplex (Perlin 2001, Gustavson 2005). Vertices v draw gradients g_v, of the same kind as those
  * of gradient noise. With d = p - v and w = max(0, r^2 - d.d), all vertices together make the raw
@@ -250,8 +271,9 @@ struct scarp_noise {
     float jitter; /* cellular noise: how far features stray from the middles of their cells, in
                      (0, 1]. Default 1. */
 
-    float sharpness; /* of the fractals that have such a parameter; others ignore it. In
-                        [2^-24, 2^24]. */
+    float sharpness; /* SCARP_PINGPONG: how often octaves are folded, 2 by default; SCARP_HYBRID:
+                        how high they lie, 0.7 by default; for both in [2^-8, 2^8]. Others ignore
+                        it, in [2^-24, 2^24]. */
 
     uint32_t period[3]; /* cells of octave 0, in [1, 2^30], after which the noise repeats along each
                            axis; 0: never. 2D calls ignore period[2]. See "Periods". */
@@ -459,12 +481,15 @@ SCARP_API enum scarp_status scarp_normals(size_t count, const float *dx, const f
 /*
  * scarp_range - the interval that values never leave
  *
- * *lowest <= value <= *highest for every point, rounding included. `dimensions` is 2 or 3. fBm and
- * erosion have the interval from -|amplitude| to |amplitude|, turbulence and ridged noise the one
- * between 0 and amplitude. With a phase that is not 0, all but ridged noise reach further: see
- * "Flow". With `of_octaves` it is that of the longer sum, of which fewer octaves reach less. Use it
- * to map heights to integers: all tiles then agree, and so do levels of detail, and the frames of a
- * loop from phase 1 to 2.
+ * *lowest <= value <= *highest for every point, rounding included. `dimensions` is 2 or 3. fBm,
+ * erosion and ping-pong have the interval from -|amplitude| to |amplitude|, turbulence and ridged
+ * noise the one between 0 and amplitude. That of hybrid noise goes from amplitude across 0, to
+ * -0.23 amplitude at most with the default sharpness and gains up to 0.5; with a sharpness of 1 or
+ * more it ends at 0 or before. With a phase that is not 0, all but ridged noise
+ * and ping-pong reach further: see "Flow". With `of_octaves` it is that of the longer sum, of which
+ * fewer octaves reach less; but the lower end of hybrid noise with a sharpness above 1 is that of
+ * the octaves summed. Use it to map heights to integers: all tiles then agree, and so do levels of
+ * detail, and the frames of a loop from phase 1 to 2.
  *
  * Returns SCARP_ERROR_NULL if a pointer is NULL; otherwise as scarp_noise_check.
  */
@@ -524,9 +549,9 @@ SCARP_API enum scarp_status scarp_plan_make(const struct scarp_noise *noise, int
  * scarp_basis_name, scarp_fade_name, scarp_fractal_name - the enumerators as words
  *
  * "gradient", "value", "simplex", "cell-f1", "cell-f2", "cell-edge", "cell-soft", "cell-value";
- * "quintic", "cubic"; "fbm", "turbulence", "ridged", "erosion". The words are static and never
- * change. Numbers that are no enumerator give NULL. Enumerators count up from 0 without gaps, so a
- * list of them ends where the name is NULL:
+ * "quintic", "cubic"; "fbm", "turbulence", "ridged", "erosion", "pingpong", "hybrid". The words are
+ * static and never change. Numbers that are no enumerator give NULL. Enumerators count up from 0
+ * without gaps, so a list of them ends where the name is NULL:
  *
  *     for (enum scarp_basis basis = 0; scarp_basis_name(basis) != NULL; basis++)
  */

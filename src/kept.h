@@ -107,7 +107,10 @@ static inline int blends_corners(enum scarp_basis basis)
 /* The sharpness of a noise, which each fractal that has one has a default for. */
 static inline float sharpness_of(const struct scarp_noise *noise)
 {
-    return noise->sharpness == 0.0f ? 1.0f : noise->sharpness;
+    const float standard = noise->fractal == SCARP_PINGPONG ? 2.0f
+                           : noise->fractal == SCARP_HYBRID ? 0.7f
+                                                            : 1.0f;
+    return noise->sharpness == 0.0f ? standard : noise->sharpness;
 }
 
 /* Fills in what the noise says without its octaves. */

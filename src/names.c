@@ -20,10 +20,8 @@ static const char *const fades[SCARP_FADES] = {
 };
 
 static const char *const fractals[SCARP_FRACTALS] = {
-    [SCARP_FBM] = "fbm",
-    [SCARP_TURBULENCE] = "turbulence",
-    [SCARP_RIDGED] = "ridged",
-    [SCARP_EROSION] = "erosion",
+    [SCARP_FBM] = "fbm",         [SCARP_TURBULENCE] = "turbulence", [SCARP_RIDGED] = "ridged",
+    [SCARP_EROSION] = "erosion", [SCARP_PINGPONG] = "pingpong",     [SCARP_HYBRID] = "hybrid",
 };
 
 #define NAME(ISA, table, name, here) [SCARP_ISA_##ISA] = name,

@@ -11,7 +11,7 @@
 
 #define SCARP_BASES (SCARP_CELL_VALUE + 1)
 #define SCARP_FADES (SCARP_CUBIC + 1)
-#define SCARP_FRACTALS (SCARP_EROSION + 1)
+#define SCARP_FRACTALS (SCARP_HYBRID + 1)
 
 /* Counts SCARP_ISA_NONE and the sets of the list. */
 #define SCARP_ISA_COUNT(ISA, table, name, here) +1

@@ -8,6 +8,7 @@
 #include <stddef.h>
 #include <string.h>
 
+#include "hybrid.h"
 #include "kept.h"
 #include "names.h"
 #include "phase.h"
@@ -43,6 +44,8 @@ _Static_assert(sizeof((struct scarp_noise *)NULL)->spare >= 8, "some bytes stay 
 #define EROSION_MAX 0x1p24
 #define SHARPNESS_MIN 0x1p-24
 #define SHARPNESS_MAX 0x1p24
+#define SHARPNESS_USED_MIN 0x1p-8
+#define SHARPNESS_USED_MAX 0x1p8
 #define PERIOD_MAX 0x1p30
 
 /*
@@ -58,7 +61,7 @@ _Static_assert(sizeof((struct scarp_noise *)NULL)->spare >= 8, "some bytes stay 
  */
 #define HEADROOM (1.0 - 0x1p-17)
 
-double scarp_plan_reach(const struct scarp_noise *noise, int dimensions)
+static double reach_of(const struct scarp_noise *noise, int dimensions)
 {
     return noise->phase == 0.0f
                ? 1.0
@@ -151,7 +154,15 @@ static const char *period_member(const struct scarp_noise *noise, const struct p
     return NULL;
 }
 
-static const char *outside_member(const struct parameters *p, float phase)
+/* Fractals that have a sharpness narrow its interval. */
+static int sharpness_valid(const struct scarp_noise *noise, double sharpness)
+{
+    const int used = noise->fractal == SCARP_PINGPONG || noise->fractal == SCARP_HYBRID;
+    return used ? within(sharpness, SHARPNESS_USED_MIN, SHARPNESS_USED_MAX)
+                : within(sharpness, SHARPNESS_MIN, SHARPNESS_MAX);
+}
+
+static const char *outside_member(const struct scarp_noise *noise, const struct parameters *p)
 {
     const double magnitude = p->amplitude < 0.0 ? -p->amplitude : p->amplitude;
     return !within(p->frequency, FREQUENCY_MIN, FREQUENCY_MAX)     ? "frequency"
@@ -160,9 +171,9 @@ static const char *outside_member(const struct parameters *p, float phase)
            : !within(p->gain, RATIO_MIN, RATIO_MAX)                ? "gain"
            : !within(magnitude, AMPLITUDE_MIN, AMPLITUDE_MAX)      ? "amplitude"
            : !within(p->erosion, EROSION_MIN, EROSION_MAX)         ? "erosion"
-           : !within((double)phase, -FLT_MAX, FLT_MAX)             ? "phase"
+           : !within((double)noise->phase, -FLT_MAX, FLT_MAX)      ? "phase"
            : !within(p->jitter, FLT_TRUE_MIN, 1.0)                 ? "jitter"
-           : !within(p->sharpness, SHARPNESS_MIN, SHARPNESS_MAX)   ? "sharpness"
+           : !sharpness_valid(noise, p->sharpness)                 ? "sharpness"
            : !within(p->of_octaves, p->octaves, SCARP_MAX_OCTAVES) ? "of_octaves"
            : !last_frequency_valid(p)                              ? "octaves"
                                                                    : NULL;
@@ -227,7 +238,7 @@ static enum scarp_status check(const struct scarp_noise *noise, const struct par
     if ((*member = unknown_member(noise)) != NULL) {
         return SCARP_ERROR_ENUM;
     }
-    if ((*member = outside_member(p, noise->phase)) != NULL) {
+    if ((*member = outside_member(noise, p)) != NULL) {
         return SCARP_ERROR_PARAMETER;
     }
     if ((*member = reserved_member(noise)) != NULL) {
@@ -241,6 +252,38 @@ static enum scarp_status check(const struct scarp_noise *noise, const struct par
         return SCARP_ERROR_PARAMETER;
     }
     return repeats(noise, dimensions) ? check_periods(noise, p, dimensions, member) : SCARP_OK;
+}
+
+/*
+ * Why values stay within: |n_k| <= 1 but for the rounding that HEADROOM covers, and the factors
+ * that fractals multiply a_k n_k by lie in [0, 1] in float arithmetic too, since rounding is
+ * monotone and 1 is a float: |n_k| <= 1 (turbulence); (1 - |n_k|)^2 <= 1 and the weights, which end
+ * at 1 (ridged: |n_k| may exceed 1 by rounding or with a phase, which does no harm below 2);
+ * 1 / (1 + erosion d.d) (erosion). What ping-pong folds, 1 - 2 |e| with |e| <= 1, is in [-1, 1].
+ * Turbulence and ridged sum numbers of one sign. So every sum is at most the sum of the a_k, which
+ * is amplitude * HEADROOM. Single octaves show that the bounds are reached. With a phase, |n_k| is
+ * at most the `reach`.
+ */
+struct scarp_interval scarp_plan_range(const struct scarp_noise *noise, int dimensions)
+{
+    const struct parameters p = parameters_of(noise);
+    const double reach = reach_of(noise, dimensions);
+    struct scarp_interval range = {-reach, reach};
+    switch (noise->fractal) {
+    case SCARP_TURBULENCE: range.lowest = 0.0; break;
+    case SCARP_RIDGED: range = (struct scarp_interval){0.0, 1.0}; break;
+    case SCARP_PINGPONG: range = (struct scarp_interval){-1.0, 1.0}; break;
+    case SCARP_HYBRID:
+        range = scarp_hybrid_range(p.sharpness, p.gain, (const double[2]){p.octaves, p.of_octaves},
+                                   reach);
+        break;
+    default: break;
+    }
+    const double magnitude = p.amplitude < 0.0 ? -p.amplitude : p.amplitude;
+    range.lowest *= magnitude;
+    range.highest *= magnitude;
+    const struct scarp_interval turned = {0.0 - range.highest, 0.0 - range.lowest}; /* no -0 */
+    return p.amplitude < 0.0 ? turned : range;
 }
 
 enum scarp_status scarp_plan_check(const struct scarp_noise *noise, int dimensions,
@@ -369,6 +412,16 @@ static double weigh_octaves(double weights[SCARP_MAX_OCTAVES], const struct para
     return sum;
 }
 
+/* What weights are multiplied by to be amplitudes of 1 in all, `sum` being that of the weights. */
+static double share_of(const struct scarp_noise *noise, const struct parameters *p, double sum)
+{
+    if (noise->fractal != SCARP_HYBRID) {
+        return HEADROOM / sum;
+    }
+    return SCARP_HYBRID_HEADROOM /
+           scarp_hybrid_interval(p->sharpness, p->gain, p->of_octaves, 1.0).highest;
+}
+
 /* Computes the constants of all octaves of a checked noise. */
 static void make_octaves(struct scarp_octave *octave, const struct scarp_noise *noise,
                          const struct parameters *p, int dimensions)
@@ -376,11 +429,11 @@ static void make_octaves(struct scarp_octave *octave, const struct scarp_noise *
     const int octaves = octave_count((float)p->octaves);
     const double supremum = scarp_supremum(noise, dimensions);
     double weights[SCARP_MAX_OCTAVES], factors[SCARP_MAX_OCTAVES];
-    const double scale = p->amplitude * HEADROOM / weigh_octaves(weights, p);
+    const double scale = p->amplitude * share_of(noise, p, weigh_octaves(weights, p));
     const double stretch =
         noise->basis == SCARP_SIMPLEX && dimensions == 2 ? SCARP_TRIANGLE_ROWS : 1.0;
     const uint64_t mixed = mix64(noise->seed + GOLDEN_GAMMA);
-    double frequency = p->frequency;
+    double frequency = p->frequency, share = 1.0;
     for (int k = 0; k < octaves; k++) {
         struct scarp_octave *const o = &octave[k];
         const double weighted = weights[k] * scale;
@@ -391,6 +444,7 @@ static void make_octaves(struct scarp_octave *octave, const struct scarp_noise *
         o->slope = (float)(factor * frequency);
         o->curvature = (float)(factor * frequency * frequency);
         o->frequency = (float)frequency;
+        o->share = (float)share;
         if (!blends_corners(noise->basis)) {
             o->jitter = scarp_stray(noise);
             o->middle = (float)scarp_middle(noise, dimensions);
@@ -400,6 +454,7 @@ static void make_octaves(struct scarp_octave *octave, const struct scarp_noise *
         draw_octave(o, mixed, k);
         memset(o->last, 0xff, sizeof o->last);
         frequency *= p->lacunarity;
+        share *= p->gain;
     }
     if (repeats(noise, dimensions)) {
         set_periods(octave, octaves, noise, p->lacunarity);

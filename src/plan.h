@@ -9,6 +9,7 @@
 
 #include <float.h>
 
+#include "hybrid.h"
 #include "scarp.h"
 
 /* The checks are here because every file that computes includes this one. (clang defines none of
@@ -31,6 +32,7 @@ struct scarp_octave {
     float slope;          /* amplitude f_k, for gradients where axes are not turned */
     float curvature;      /* amplitude f_k^2, for Hessians where axes are not turned */
     float frequency;      /* f_k */
+    float share;          /* gain^k, which makes weights of hybrid noise */
     float jacobian[3][3]; /* J_k where axes are turned: J_k[i][j] = d p_i / d x_j. In 2D, row 2
                              of the matrices is unset. */
     float gradient[3][3]; /* amplitude J_k */
@@ -86,8 +88,8 @@ struct scarp_call_plan {
 enum scarp_status scarp_plan_check(const struct scarp_noise *noise, int dimensions,
                                    const char **member);
 
-/* The supremum of |n_k| of a valid noise: 1 without a phase. */
-double scarp_plan_reach(const struct scarp_noise *noise, int dimensions);
+/* The interval of scarp_range of a valid noise. */
+struct scarp_interval scarp_plan_range(const struct scarp_noise *noise, int dimensions);
 
 /* Does what scarp_plan_make says. */
 enum scarp_status scarp_plan_keep(struct scarp_plan *plan, const struct scarp_noise *noise,

@@ -350,15 +350,7 @@ enum scarp_status scarp_normals(size_t count, const float *dx, const float *dy, 
     return SCARP_OK;
 }
 
-/*
- * Why values stay within: |n_k| <= 1 but for the rounding that HEADROOM in plan.c covers, and the
- * factors that fractals multiply a_k n_k by lie in [0, 1] in float arithmetic too, since rounding
- * is monotone and 1 is a float: |n_k| <= 1 (turbulence); (1 - |n_k|)^2 <= 1 and the weights, which
- * end at 1 (ridged: |n_k| may exceed 1 by rounding or with a phase, which does no harm below 2);
- * 1 / (1 + erosion d.d) (erosion). Turbulence and ridged sum numbers of one sign. So every sum is
- * at most the sum of the a_k, which is amplitude * HEADROOM. Single octaves show that the bounds
- * are reached. With a phase, |n_k| is at most the `reach`.
- */
+/* Out of line for the same reason as `run`. */
 static NOINLINE enum scarp_status range(const struct scarp_noise *noise, int dimensions,
                                         float *lowest, float *highest)
 {
@@ -367,12 +359,9 @@ static NOINLINE enum scarp_status range(const struct scarp_noise *noise, int dim
     if (status != SCARP_OK) {
         return status;
     }
-    const float amplitude = noise->amplitude == 0.0f ? 1.0f : noise->amplitude;
-    const double reach = noise->fractal == SCARP_RIDGED ? 1.0 : scarp_plan_reach(noise, dimensions);
-    const float magnitude = (float)((double)(amplitude < 0.0f ? -amplitude : amplitude) * reach);
-    const int one_sided = noise->fractal == SCARP_TURBULENCE || noise->fractal == SCARP_RIDGED;
-    *lowest = one_sided && amplitude > 0.0f ? 0.0f : -magnitude;
-    *highest = one_sided && amplitude < 0.0f ? 0.0f : magnitude;
+    const struct scarp_interval interval = scarp_plan_range(noise, dimensions);
+    *lowest = (float)interval.lowest;
+    *highest = (float)interval.highest;
     return SCARP_OK;
 }
 

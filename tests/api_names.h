@@ -70,7 +70,8 @@ static inline void test_names(void)
         [SCARP_QUINTIC] = "quintic", [SCARP_CUBIC] = "cubic", [SCARP_CUBIC + 1] = NULL};
     static const char *const fractals[] = {
         [SCARP_FBM] = "fbm",         [SCARP_TURBULENCE] = "turbulence", [SCARP_RIDGED] = "ridged",
-        [SCARP_EROSION] = "erosion", [SCARP_EROSION + 1] = NULL,
+        [SCARP_EROSION] = "erosion", [SCARP_PINGPONG] = "pingpong",     [SCARP_HYBRID] = "hybrid",
+        [SCARP_HYBRID + 1] = NULL,
     };
     static const char *const isas[] = {"none",   "scalar", "sse4.1",  "avx2",
                                        "avx512", "neon",   "generic", NULL};

@@ -144,6 +144,10 @@ static inline void cases_set(struct scarp_noise *noise, enum cases_octaves setti
         noise->gain = 0.625f;
         noise->amplitude = -3.5f;
         noise->jitter = 0.75f; /* of cells */
+        if (noise->fractal > SCARP_EROSION) {
+            noise->sharpness = 1.25f;
+            noise->of_octaves = 6.5f;
+        }
     } else if (setting == CASES_POWERS) {
         noise->octaves = 3.0f;
         noise->period[0] = 1;

@@ -201,6 +201,9 @@ void oracle_make(struct oracle *oracle, const struct scarp_noise *noise, int dim
     oracle->fade = noise->fade;
     oracle->fractal = noise->fractal;
     oracle->erosion = noise->erosion != 0.0f ? (double)noise->erosion : 1.0;
+    oracle->sharpness = noise->sharpness != 0.0f           ? (double)noise->sharpness
+                        : noise->fractal == SCARP_PINGPONG ? 2.0
+                                                           : (double)0.7f;
     oracle->dimensions = dimensions;
     oracle->octaves = (int)ceil(octaves);
     oracle->jitter = noise->jitter != 0.0f ? (double)noise->jitter : 1.0;
@@ -208,15 +211,18 @@ void oracle_make(struct oracle *oracle, const struct scarp_noise *noise, int dim
     double turns[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     double sum = 0.0;
     const double of = noise->of_octaves != 0.0f ? (double)noise->of_octaves : octaves;
+    double v = 1.0; /* the weight of hybrid noise where every n_k is 1 */
     for (int k = 0; k < of; k++) {
-        sum += pow(gain, k) * fmin(of - k, 1.0);
+        const double u = noise->fractal == SCARP_HYBRID ? v * (1.0 + oracle->sharpness) : 1.0;
+        sum += pow(gain, k) * u * fmin(of - k, 1.0);
+        v = fmin(pow(gain, k) * u, 1.0);
     }
     for (int k = 0; k < oracle->octaves; k++) {
         struct oracle_octave *const octave = &oracle->octave[k];
         draw_octave(octave, noise->seed, k);
         turn_gradients(octave, dimensions, (double)noise->phase, k);
         octave->frequency = k == 0 ? frequency : octave[-1].frequency * lacunarity;
-        octave->weight = pow(gain, k);
+        octave->share = octave->weight = pow(gain, k);
         if (k == oracle->octaves - 1 && octaves != floor(octaves)) {
             octave->weight *= octaves - floor(octaves);
         }
@@ -231,8 +237,9 @@ void oracle_make(struct oracle *oracle, const struct scarp_noise *noise, int dim
             turn_axes(turns, dimensions);
         }
     }
+    const double headroom = noise->fractal == SCARP_HYBRID ? 0x1p-12 : 0x1p-17;
     for (int k = 0; k < oracle->octaves; k++) {
-        oracle->octave[k].weight *= amplitude * (1.0 - 0x1p-17) / sum;
+        oracle->octave[k].weight *= amplitude * (1.0 - headroom) / sum;
     }
 }
 

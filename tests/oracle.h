@@ -36,6 +36,7 @@ struct oracle_sample {
 struct oracle_octave {
     uint32_t key[3];
     double weight;                          /* a_k, without the normalisation of the basis */
+    double share;                           /* gain^k */
     double frequency;                       /* f_k */
     double axes[3][3];                      /* J_k */
     double offset[3];                       /* o_k */
@@ -47,7 +48,7 @@ struct oracle {
     enum scarp_basis basis;
     enum scarp_fade fade;
     enum scarp_fractal fractal;
-    double erosion, jitter;
+    double erosion, jitter, sharpness;
     int dimensions, octaves;
     double supremum; /* of |basis - middle|, which scarp divides by */
     double middle;   /* what it subtracts before */
@@ -102,9 +103,11 @@ void oracle_evaluate(const struct oracle *oracle, enum oracle_rounding rounding,
 void oracle_octave_at(const struct oracle *oracle, enum oracle_rounding rounding, int k,
                       const double x[3], struct oracle_sample *n);
 
-/* Where the creases of turbulence and ridged are: n_k = 0, and for ridged 2 s_k = 1. */
+/* Where the creases are: of turbulence and ridged n_k = 0, and for ridged 2 s_k = 1; of ping-pong
+   where t is an integer; of hybrid where the weight is clamped. */
 struct oracle_creases {
-    double clearance; /* the smallest |n_k|, and for ridged |2 s_k - 1|; HUGE_VAL without creases */
+    double clearance; /* the smallest |n_k|, and for ridged |2 s_k - 1|, and so on; HUGE_VAL without
+                         creases */
     uint64_t side;    /* which side of each crease: bit k for n_k < 0, bit 32 + k for 2 s_k >= 1 */
     double border;    /* the smallest clearance of any octave's sample, see above */
     double nearest;   /* and the smallest distance of a feature */

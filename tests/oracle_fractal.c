@@ -93,6 +93,41 @@ static struct oracle_sample ridge(const struct oracle *oracle, int k, const stru
     return s;
 }
 
+/* Ping-pong: t = (n + 1) sharpness, folded to [-1, 1] with period 2. */
+static struct oracle_sample pingpong(const struct oracle *oracle, int k,
+                                     const struct oracle_sample *n, struct oracle_creases *creases)
+{
+    const struct oracle_sample f = pulled_back(oracle, k, n);
+    const double t = (f.value + 1.0) * oracle->sharpness;
+    const int falls = fmod(floor(t), 2.0) != 0.0;
+    struct oracle_sample s = {.value = 0.0};
+    creases->clearance = fmin(creases->clearance, fabs(t - floor(t + 0.5)) / oracle->sharpness);
+    creases->side |= (uint64_t)falls << k;
+    add(&s, falls ? -2.0 * oracle->sharpness : 2.0 * oracle->sharpness, &f);
+    const double folded = t - 2.0 * floor(t / 2.0);
+    s.value = 2.0 * (falls ? 2.0 - folded : folded) - 1.0;
+    return s;
+}
+
+/* Hybrid: u = v (n + sharpness); then v = gain^k u, clamped to [-1, 1]. */
+static struct oracle_sample hybrid(const struct oracle *oracle, int k,
+                                   const struct oracle_sample *n, struct oracle_sample *weight,
+                                   struct oracle_creases *creases)
+{
+    struct oracle_sample r = pulled_back(oracle, k, n), next = {.value = 0.0};
+    r.value += oracle->sharpness;
+    const struct oracle_sample u = times(weight, &r);
+    add(&next, oracle->octave[k].share, &u);
+    const struct oracle_sample end = {.value = next.value < 0.0 ? -1.0 : 1.0};
+    const int full = fabs(next.value) >= 1.0;
+    if (k < oracle->octaves - 1) { /* nothing follows the last one */
+        creases->clearance = fmin(creases->clearance, fabs(fabs(next.value) - 1.0));
+        creases->side |= (uint64_t)full << (32 + k);
+    }
+    *weight = full ? end : next;
+    return u;
+}
+
 /* Erosion: q n with q = 1 / (1 + erosion d.d). `slope` holds the components of d as functions of
    the input: the gradient of g_i is row i of H J. Hessians would need third derivatives; what is
    left in them here is not used. */
@@ -137,6 +172,8 @@ static void sum_octaves(const struct oracle *oracle, enum oracle_rounding roundi
         switch (oracle->fractal) {
         case SCARP_TURBULENCE: s = folded(oracle, k, &n, creases); break;
         case SCARP_RIDGED: s = ridge(oracle, k, &n, &weight, creases); break;
+        case SCARP_PINGPONG: s = pingpong(oracle, k, &n, creases); break;
+        case SCARP_HYBRID: s = hybrid(oracle, k, &n, &weight, creases); break;
         case SCARP_EROSION: s = eroded(oracle, k, &n, slope, frozen); break;
         default: s = pulled_back(oracle, k, &n); break;
         }

@@ -70,7 +70,7 @@ int main(void)
         char option[] = "--preset", name[32];
         snprintf(name, sizeof name, "%s", preset_names[i]);
         char *argv[] = {option, name, NULL};
-        struct terrain_options options = {.noise = {.phase = NOISE_STILL}};
+        struct terrain_options options = {.noise = NOISE_OPTIONS_UNSET};
         CHECK(options_parse(&terrain_table, argv, &options) == OPTIONS_RUN, "--preset %s", name);
         const int rows = check_rows(preset_names[i], &options);
         CHECK(rows == 2, "%d rows of preset-%s, not value and +gradient", rows, name);

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT
  *
- * Measures how far turbulence, ridged and erosion are from the oracle's, which works in double
- * precision, and how far erosion's gradient would be without the term that has Hessians in it.
- * Checks that octaves fade in without a jump.
- * Argument: the number of points per case.
+ * Measures how far turbulence, ridged, erosion, ping-pong and hybrid are from the oracle's, which
+ * works in double precision, and how far erosion's gradient would be without the term that has
+ * Hessians in it. Checks that octaves fade in without a jump. Argument: the number of points per
+ * case.
  *
  * Beside a crease the two may stand on different sides of it, and then their derivatives have
  * nothing to do with each other. Points are left out where, by the oracle, some |n_k| or, in
- * ridged, |2 s_k - 1| is below CREASE; the share of such points is printed and bounded.
+ * ridged, |2 s_k - 1|, and so on, is below CREASE; the share of such points is printed and bounded.
  */
 #include "fractal.h"
 
@@ -48,14 +48,19 @@ static const struct {
     [SCARP_TURBULENCE] = {{7e-7, 1.2e-6, 1.1e-5}, {1e-7, 2.2e-7, 1.3e-6}},
     [SCARP_RIDGED] = {{1.3e-6, 7.5e-6, 6.5e-5}, {1.9e-7, 5e-7, 3.6e-6}},
     [SCARP_EROSION] = {{6e-7, 2.3e-5, 0.0}, {5.5e-8, 4.5e-7, 0.0}},
+    [SCARP_PINGPONG] = {{2.4e-6, 4.5e-6, 3e-5}, {3.5e-7, 8.5e-7, 5e-6}},
+    [SCARP_HYBRID] = {{1.1e-6, 1.2e-6, 3.6e-6}, {1.5e-7, 1.4e-7, 2.2e-7}},
 };
 
 /* Simplex and cellular noise may have so many times those. */
 #define STEEP 4.0
 
 /* The same of dphase, in units of 2 pi sum |a_k| 2^k. */
-static const double phase_bounds[] = {
-    [SCARP_TURBULENCE] = 2e-6, [SCARP_RIDGED] = 2e-5, [SCARP_EROSION] = 2e-5};
+static const double phase_bounds[] = {[SCARP_TURBULENCE] = 2e-6,
+                                      [SCARP_RIDGED] = 2e-5,
+                                      [SCARP_EROSION] = 2e-5,
+                                      [SCARP_PINGPONG] = 3e-6,
+                                      [SCARP_HYBRID] = 5e-7};
 
 static double phase_unit(const struct oracle *oracle)
 {
@@ -207,8 +212,11 @@ static void check_fading(struct block *block, enum scarp_fractal fractal, int di
     uint64_t random = 9;
     block_random(block, &random, 64.0f);
     for (int o = 0; o < 5; o++) {
-        const struct scarp_noise noise = {
-            .fractal = fractal, .octaves = octaves[o], .rotate = 1, .seed = 8};
+        const struct scarp_noise noise = {.fractal = fractal,
+                                          .octaves = octaves[o],
+                                          .gain = fractal == SCARP_HYBRID ? 0.8f : 0.5f,
+                                          .rotate = 1,
+                                          .seed = 8};
         struct oracle oracle;
         oracle_make(&oracle, &noise, dimensions);
         unit[0] = fractal_unit(&oracle, 0);
@@ -245,19 +253,19 @@ int main(int argc, char **argv)
     }
     struct block *const block = block_make();
     printf("error in units of sum |a_k| f_k^order: max, RMS of value; of gradient; of Hessian\n");
-    for (int i = 0; i < 12; i++) {
+    for (int i = 0; i < 20; i++) {
         check_accuracy(block, (enum scarp_fractal)(SCARP_TURBULENCE + i / 4),
                        (enum scarp_basis)(i / 2 % 2), 2 + i % 2, points);
     }
     static const enum scarp_basis own[] = {SCARP_SIMPLEX, SCARP_CELL_F1, SCARP_CELL_SOFT};
-    for (int i = 0; i < 18; i++) { /* the oracle is slow */
+    for (int i = 0; i < 30; i++) { /* the oracle is slow */
         check_accuracy(block, (enum scarp_fractal)(SCARP_TURBULENCE + i / 6), own[i / 2 % 3],
                        2 + i % 2, points / 9);
     }
     for (int i = 0; i < 4; i++) {
         check_frozen(block, (enum scarp_basis)(i / 2), 2 + i % 2, points);
     }
-    for (int i = 0; i < 8; i++) {
+    for (int i = 0; i < 12; i++) {
         check_fading(block, (enum scarp_fractal)(i / 2), 2 + i % 2);
     }
     block_free(block);

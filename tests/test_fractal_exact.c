@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Is the gradient that turbulence, ridged and erosion return that of the value they return? By
- * central differences, along a random direction at each point:
+ * Is the gradient that turbulence, ridged, erosion, ping-pong and hybrid return that of the value
+ * they return? By central differences, along a random direction at each point:
  *
  * - of the oracle's values in double, in steps of STEP cells of the finest octave, second order:
  *   their error is below 1e-8, so what shows is the library's own;
@@ -209,6 +209,8 @@ static const struct {
     [SCARP_TURBULENCE] = {{1.5e-6, 2e-7}, {2.3e-4, 4e-5}},
     [SCARP_RIDGED] = {{6.5e-6, 4.2e-7}, {5e-4, 7.5e-5}},
     [SCARP_EROSION] = {{1.5e-5, 4e-7}, {5e-4, 5.5e-5}},
+    [SCARP_PINGPONG] = {{4.5e-6, 8e-7}, {9e-4, 1.6e-4}},
+    [SCARP_HYBRID] = {{1.3e-6, 1.6e-7}, {4e-4, 6e-5}},
 };
 
 static void check_gradient(struct block *block, enum scarp_fractal fractal, enum scarp_basis basis,
@@ -235,7 +237,7 @@ int main(int argc, char **argv)
     }
     struct block *const block = block_make();
     printf("gradients against differences of values, in units of sum |a_k| f_k\n");
-    for (int i = 0; i < 12; i++) {
+    for (int i = 0; i < 20; i++) {
         check_gradient(block, (enum scarp_fractal)(SCARP_TURBULENCE + i / 4),
                        (enum scarp_basis)(i / 2 % 2), 2 + i % 2, points);
     }

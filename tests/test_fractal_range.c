@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT
  *
- * Tests the guaranteed ranges of turbulence, ridged and erosion by searches that try to leave the
- * interval of scarp_range on either side, random points first, then pattern searches from the
- * lowest and highest ones and from places where the basis is known to have its supremum. Single
- * octaves reach both ends. (test_range.c proves the suprema, and searches fBm.) Argument: the
- * number of random points per case.
+ * Tests the guaranteed ranges of turbulence, ridged, erosion, ping-pong and hybrid by searches that
+ * try to leave the interval of scarp_range on either side, random points first, then pattern
+ * searches from the lowest and highest ones and from places where the basis is known to have its
+ * supremum. Single octaves reach both ends. (test_range.c proves the suprema, and searches fBm.)
+ * Argument: the number of random points per case.
  */
 #include "fractal.h"
 #include "suprema.h"
@@ -23,19 +23,63 @@ struct search {
     } best[2][KEPT]; /* the best one first */
 };
 
+/*
+ * What hybrid noise would be in units of its amplitude if each n_k were 1 or -1, as the bits of
+ * `signs` say. The range contains that for all signs, and is hardly wider.
+ */
+static double hybrid_of(const struct scarp_noise *noise, unsigned signs)
+{
+    const double gain = noise->gain != 0.0f ? (double)noise->gain : 0.5;
+    const double sharpness = noise->sharpness != 0.0f ? (double)noise->sharpness : (double)0.7f;
+    const double of =
+        noise->of_octaves != 0.0f ? (double)noise->of_octaves : (double)noise->octaves;
+    double sums[2] = {0.0, 0.0}, v[2] = {1.0, 1.0}; /* of these signs, and where all n_k are 1 */
+    for (int k = 0; k < of; k++) {
+        const double n[2] = {(signs >> k & 1) != 0 ? 1.0 : -1.0, 1.0};
+        const double parts[2] = {fmax(fmin((double)noise->octaves - k, 1.0), 0.0),
+                                 fmin(of - k, 1.0)};
+        for (int i = 0; i < 2; i++) {
+            const double t = pow(gain, k) * v[i] * (n[i] + sharpness);
+            sums[i] += parts[i] * t;
+            v[i] = fmax(fmin(t, 1.0), -1.0);
+        }
+    }
+    return sums[0] / sums[1];
+}
+
+/* Checks the range of hybrid noise; `slack` is how much lower it may be than signs reach. */
+static void check_hybrid(const struct scarp_noise *noise, const float range[2], double slack)
+{
+    const int up = noise->amplitude > 0.0f, count = (int)ceilf(noise->octaves);
+    const double a = (double)noise->amplitude;
+    const double lowest = (double)range[up ? 0 : 1] / a, highest = (double)range[up ? 1 : 0] / a;
+    double least = HUGE_VAL, most = -HUGE_VAL;
+    for (unsigned signs = 0; signs < 1u << count; signs++) {
+        least = fmin(least, (1.0 - 0x1p-12) * hybrid_of(noise, signs));
+        most = fmax(most, (1.0 - 0x1p-12) * hybrid_of(noise, signs));
+    }
+    CHECK(highest == 1.0 && most <= 1.0, "highest %g, %g is possible", highest, most);
+    CHECK(lowest <= least && lowest >= least - slack, "lowest %g, %g is possible", lowest, least);
+}
+
 /* Begins a search, and checks the range against what scarp.h says of it. */
 static void begin(struct search *search)
 {
     const enum scarp_fractal fractal = search->noise.fractal;
     const float a = search->noise.amplitude;
     const int one_sided = fractal == SCARP_TURBULENCE || fractal == SCARP_RIDGED;
+    const int is_hybrid = fractal == SCARP_HYBRID, flows = search->noise.phase != 0.0f;
     float lowest = NAN, highest = NAN;
     const float expected[2] = {one_sided ? fminf(a, 0.0f) : -fabsf(a),
                                one_sided ? fmaxf(a, 0.0f) : fabsf(a)};
     CHECK(scarp_range(&search->noise, search->dimensions, &lowest, &highest) == SCARP_OK,
           "refused");
-    CHECK(lowest == expected[0] && highest == expected[1], "%s, amplitude %g: [%g, %g]",
-          fractal_names[fractal], (double)a, (double)lowest, (double)highest);
+    if (is_hybrid && !flows) {
+        check_hybrid(&search->noise, (const float[2]){lowest, highest}, 0.16);
+    }
+    CHECK(is_hybrid || flows || (lowest == expected[0] && highest == expected[1]),
+          "%s, amplitude %g: [%g, %g]", fractal_names[fractal], (double)a, (double)lowest,
+          (double)highest);
     search->bounds[0] = (double)lowest;
     search->bounds[1] = (double)highest;
 }
@@ -177,7 +221,8 @@ static void check_case(struct block *block, const struct scarp_noise *noise, int
     printf("%-10s %-8s %-7s %dD %4g octaves in [%g, %g]: gaps below %.1e, above %.1e of it\n",
            fractal_names[noise->fractal], basis_name((int)noise->basis), fractal_fades[noise->fade],
            dimensions, (double)noise->octaves, search.bounds[0], search.bounds[1], gap[0], gap[1]);
-    if (noise->octaves <= 1.0f && basis_blends(noise->basis)) {
+    if (noise->octaves <= 1.0f && basis_blends(noise->basis) && noise->sharpness == 0.0f &&
+        noise->phase == 0.0f) {
         CHECK(gap[0] <= 1e-3 && gap[1] <= 1e-3, "an end is not reached: %g, %g", gap[0], gap[1]);
     }
     CHECK(1.0 - gap[0] - gap[1] >= reachable, "only %g of the range were reached",
@@ -202,17 +247,46 @@ static void check_own(struct block *block, long points)
         {SCARP_CELL_EDGE, 0.0f, {0.76, 0.58}},   {SCARP_CELL_EDGE, 0.01f, {0.99, 0.99}},
         {SCARP_CELL_SOFT, 0.0f, {0.83, 0.52}},   {SCARP_CELL_VALUE, 0.0f, {0.999, 0.999}},
     };
-    for (size_t i = 0; i < 16 * (sizeof own / sizeof own[0]); i++) {
-        const struct scarp_noise noise = {.basis = own[i / 16].basis,
-                                          .jitter = own[i / 16].jitter,
-                                          .fractal = (enum scarp_fractal)(i / 2 % 4),
-                                          .octaves = i / 8 % 2 == 0 ? 1.0f : 3.5f,
-                                          .amplitude = i / 8 % 2 == 0 ? -2.5f : 1.0f,
+    for (size_t i = 0; i < 24 * (sizeof own / sizeof own[0]); i++) {
+        const struct scarp_noise noise = {.basis = own[i / 24].basis,
+                                          .jitter = own[i / 24].jitter,
+                                          .fractal = (enum scarp_fractal)(i / 2 % 6),
+                                          .octaves = i / 12 % 2 == 0 ? 1.0f : 3.5f,
+                                          .amplitude = i / 12 % 2 == 0 ? -2.5f : 1.0f,
                                           .seed = 2};
         const int dimensions = 2 + (int)(i % 2);
         const int single = noise.octaves == 1.0f && noise.fractal == SCARP_FBM;
         check_case(block, &noise, dimensions, points,
-                   single ? own[i / 16].reachable[dimensions - 2] : 0.09);
+                   single ? own[i / 24].reachable[dimensions - 2] : 0.09);
+    }
+}
+
+/* Ping-pong and hybrid with other sharpness, gains and octaves; hybrid with one above 1 has a
+   positive lowest value, of fewer octaves a lower one. */
+static void check_sharp(struct block *block, long points)
+{
+    static const struct {
+        struct scarp_noise noise;
+        double reachable; /* with 10^4 points */
+    } cases[] = {
+        {{.octaves = 1.0f, .amplitude = 1.0f, .sharpness = 1.0f}, 0.998},
+        {{.octaves = 1.0f, .amplitude = -2.0f, .sharpness = 256.0f}, 0.96},
+        {{.octaves = 1.0f, .amplitude = 1.0f, .sharpness = 0x1p-8f}, 0.0},
+        {{.octaves = 4.0f, .amplitude = 1.0f, .sharpness = 1.5f, .gain = 0.84f}, 0.4},
+        {{.octaves = 2.5f, .of_octaves = 8.0f, .amplitude = 1.0f, .sharpness = 3.0f}, 0.1},
+        {{.octaves = 0.5f, .of_octaves = 8.0f, .amplitude = -1.0f, .sharpness = 3.0f}, 0.01},
+        {{.octaves = 10.0f, .amplitude = 1.0f, .sharpness = 0.25f, .gain = 0.84f}, 0.2},
+        {{.octaves = 9.0f, .amplitude = 1.0f, .sharpness = 0x1p-8f, .gain = 16.0f}, 0.005},
+        {{.octaves = 6.0f, .amplitude = 1.0f, .sharpness = 1.0f, .gain = 1.0f}, 0.3},
+        {{.octaves = 1.0f, .amplitude = 1.0f, .phase = 15.0f / 64.0f}, 0.7},
+        {{.octaves = 3.0f, .amplitude = -1.0f, .phase = 15.0f / 64.0f, .gain = 1.5f}, 0.3},
+    };
+    for (size_t i = 0; i < 4 * (sizeof cases / sizeof cases[0]); i++) {
+        struct scarp_noise noise = cases[i / 4].noise;
+        noise.basis =
+            noise.phase != 0.0f ? SCARP_GRADIENT : SCARP_VALUE; /* whose extremes are found */
+        noise.fractal = i / 2 % 2 == 0 ? SCARP_PINGPONG : SCARP_HYBRID;
+        check_case(block, &noise, 2 + (int)(i % 2), points, cases[i / 4].reachable);
     }
 }
 
@@ -235,14 +309,15 @@ int main(int argc, char **argv)
         return EXIT_FAILURE;
     }
     struct block *const block = block_make();
-    for (size_t i = 0; i < 24 * (sizeof cases / sizeof cases[0]); i++) {
-        struct scarp_noise noise = cases[i / 24].noise;
-        noise.fractal = (enum scarp_fractal)(SCARP_TURBULENCE + i / 8 % 3);
+    for (size_t i = 0; i < 40 * (sizeof cases / sizeof cases[0]); i++) {
+        struct scarp_noise noise = cases[i / 40].noise;
+        noise.fractal = (enum scarp_fractal)(SCARP_TURBULENCE + i / 8 % 5);
         noise.basis = (enum scarp_basis)(i / 4 % 2);
         noise.fade = (enum scarp_fade)(i / 2 % 2);
-        check_case(block, &noise, 2 + (int)(i % 2), points, cases[i / 24].reachable);
+        check_case(block, &noise, 2 + (int)(i % 2), points, cases[i / 40].reachable);
     }
     check_own(block, points);
+    check_sharp(block, points);
     block_free(block);
     return check_done();
 }

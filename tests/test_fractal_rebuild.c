@@ -9,7 +9,8 @@
 
 #define OCTAVES 5 /* at most */
 
-/* Points where some |n_k| or |2 s_k - 1| is below this may lie on the other side of a crease. */
+/* Points where some |n_k|, |2 s_k - 1| or their like is below this may lie on the other side of a
+ * crease. */
 #define CREASE 1e-5
 
 static int dimensions;
@@ -44,14 +45,19 @@ static void rebuild_offset(struct rebuilt *octave)
     octave->o[2] = (double)(c >> 40) * 0x1p-24;
 }
 
-/* w_0 + ... + w_(K-1), the last one times the fraction of `octaves`, if that has one */
-static double weights_of(float octaves, double gain)
+/* w_0 + ... + w_(K-1), the last one times the fraction of `of_octaves`, if that has one. With
+   hybrid, w_0 u_0 + ... where every n_k is 1. */
+static double weights_of(const struct scarp_noise *noise)
 {
-    const int count = (int)ceilf(octaves);
-    const double fraction = (double)octaves - floor((double)octaves);
-    double sum = 0.0;
+    const int count = (int)ceilf(noise->of_octaves);
+    const double fraction = (double)noise->of_octaves - floor((double)noise->of_octaves);
+    double sum = 0.0, v = 1.0;
     for (int k = 0; k < count; k++) {
-        sum += pow(gain, k) * (k == count - 1 && fraction > 0.0 ? fraction : 1.0);
+        const double w = pow((double)noise->gain, k);
+        const double u =
+            noise->fractal == SCARP_HYBRID ? v * (1.0 + (double)noise->sharpness) : 1.0;
+        sum += w * u * (k == count - 1 && fraction > 0.0 ? fraction : 1.0);
+        v = fmin(w * u, 1.0);
     }
     return sum;
 }
@@ -65,7 +71,7 @@ static int rebuild(const struct scarp_noise *noise, struct rebuilt octave[OCTAVE
     const double(*const r)[3] = noise->rotate == 0 ? one : dimensions == 2 ? r2 : r3;
     const int count = (int)ceilf(noise->octaves);
     const double fraction = (double)noise->octaves - floor((double)noise->octaves);
-    const double sum = weights_of(noise->of_octaves, (double)noise->gain);
+    const double sum = weights_of(noise);
     double f = noise->frequency;
     for (int k = 0; k < count; k++) {
         struct rebuilt *const o = &octave[k];
@@ -87,7 +93,8 @@ static int rebuild(const struct scarp_noise *noise, struct rebuilt octave[OCTAVE
         }
     }
     for (int k = 0; k < count; k++) {
-        octave[k].a *= (double)noise->amplitude * (1.0 - 0x1p-17) / sum;
+        octave[k].a *= (double)noise->amplitude *
+                       (1.0 - (noise->fractal == SCARP_HYBRID ? 0x1p-12 : 0x1p-17)) / sum;
     }
     return count;
 }
@@ -219,12 +226,66 @@ static struct oracle_sample erosion_sum(int count, const struct rebuilt octave[O
     return sum;
 }
 
+/* Ping-pong: t = (n + 1) sharpness folded to [-1, 1]; derivatives +-2 sharpness times those of n.
+ */
+static struct oracle_sample pingpong_sum(int count, const struct rebuilt octave[OCTAVES],
+                                         const struct oracle_sample n[OCTAVES], double sharpness)
+{
+    struct oracle_sample sum = {.value = 0.0};
+    for (int k = 0; k < count; k++) {
+        const struct oracle_sample p = in_input(&octave[k], &n[k]);
+        const double t = (p.value + 1.0) * sharpness, whole = floor(t);
+        const int rises = fmod(whole, 2.0) == 0.0;
+        const double fold = rises ? t - whole : 1.0 - (t - whole);
+        const double slope = octave[k].a * (rises ? 2.0 : -2.0) * sharpness;
+        sum.value += octave[k].a * (2.0 * fold - 1.0);
+        for (int i = 0; i < 9; i++) {
+            sum.hessian[i / 3][i % 3] += slope * p.hessian[i / 3][i % 3];
+        }
+        for (int i = 0; i < 3; i++) {
+            sum.gradient[i] += slope * p.gradient[i];
+        }
+    }
+    return sum;
+}
+
+/* Hybrid: u = v r with r = n + sharpness, and v' = gain^k u, which is 1 or -1 beyond these. */
+static struct oracle_sample hybrid_sum(const struct scarp_noise *noise, int count,
+                                       const struct rebuilt octave[OCTAVES],
+                                       const struct oracle_sample n[OCTAVES])
+{
+    struct oracle_sample sum = {.value = 0.0}, v = {.value = 1.0};
+    for (int k = 0; k < count; k++) {
+        const struct oracle_sample p = in_input(&octave[k], &n[k]);
+        const double r = p.value + (double)noise->sharpness, w = pow((double)noise->gain, k);
+        const double u = v.value * r, a = octave[k].a;
+        const double part = fabs(w * u) < 1.0 ? w : 0.0;
+        struct oracle_sample next = {.value = part > 0.0 ? w * u : u < 0.0 ? -1.0 : 1.0};
+        sum.value += a * u;
+        for (int i = 0; i < 3; i++) {
+            const double ui = v.gradient[i] * r + v.value * p.gradient[i];
+            sum.gradient[i] += a * ui;
+            next.gradient[i] = part * ui;
+            for (int j = 0; j < 3; j++) {
+                const double uij = v.hessian[i][j] * r + v.value * p.hessian[i][j] +
+                                   v.gradient[i] * p.gradient[j] + v.gradient[j] * p.gradient[i];
+                sum.hessian[i][j] += a * uij;
+                next.hessian[i][j] = part * uij;
+            }
+        }
+        v = next;
+    }
+    return sum;
+}
+
 static struct oracle_sample rebuilt_sum(const struct scarp_noise *noise, int count,
                                         const struct rebuilt octave[OCTAVES],
                                         const struct oracle_sample n[OCTAVES])
 {
     switch (noise->fractal) {
     case SCARP_RIDGED: return ridged_sum(count, octave, n);
+    case SCARP_PINGPONG: return pingpong_sum(count, octave, n, (double)noise->sharpness);
+    case SCARP_HYBRID: return hybrid_sum(noise, count, octave, n);
     case SCARP_EROSION: return erosion_sum(count, octave, n, (double)noise->erosion);
     default: return plain_sum(count, octave, n, noise->fractal == SCARP_TURBULENCE);
     }
@@ -234,8 +295,18 @@ static struct oracle_sample rebuilt_sum(const struct scarp_noise *noise, int cou
 static int is_clear(const struct scarp_noise *noise, int count,
                     const struct oracle_sample n[OCTAVES])
 {
-    double v = 1.0;
+    const double sharpness = (double)noise->sharpness;
+    double v = 1.0, weight = 1.0;
     for (int k = 0; k < count; k++) {
+        const double t = (n[k].value + 1.0) * sharpness;
+        const double u = weight * pow((double)noise->gain, k) * (n[k].value + sharpness);
+        if (noise->fractal == SCARP_PINGPONG && fabs(t - floor(t + 0.5)) < CREASE * sharpness) {
+            return 0;
+        }
+        if (noise->fractal == SCARP_HYBRID && fabs(fabs(u) - 1.0) < CREASE) {
+            return 0;
+        }
+        weight = fmax(fmin(u, 1.0), -1.0);
         const double r = 1.0 - fabs(n[k].value), s = v * r * r;
         if (noise->fractal == SCARP_TURBULENCE && 1.0 - r < CREASE) {
             return 0;
@@ -252,11 +323,10 @@ static int is_clear(const struct scarp_noise *noise, int count,
  * Bounds by [fractal][order], in units of sum |a_k| f_k^order: about three times what was measured.
  * Each octave is rounded on both sides, and the sums on one.
  */
-static const double bounds[4][3] = {
-    [SCARP_FBM] = {4e-7, 9e-7, 4e-6},
-    [SCARP_TURBULENCE] = {4.2e-7, 7e-7, 4.3e-6},
-    [SCARP_RIDGED] = {6e-7, 2.5e-6, 2.1e-5},
-    [SCARP_EROSION] = {3.2e-7, 1.5e-6, 0.0},
+static const double bounds[][3] = {
+    [SCARP_FBM] = {4e-7, 9e-7, 4e-6},          [SCARP_TURBULENCE] = {4.2e-7, 7e-7, 4.3e-6},
+    [SCARP_RIDGED] = {6e-7, 2.5e-6, 2.1e-5},   [SCARP_EROSION] = {3.2e-7, 1.5e-6, 0.0},
+    [SCARP_PINGPONG] = {9e-7, 1.7e-6, 1.1e-5}, [SCARP_HYBRID] = {1.1e-6, 1.1e-6, 2.5e-6},
 };
 
 static void compare(struct block *at, struct block *scratch, const struct scarp_noise *noise,
@@ -315,7 +385,8 @@ static struct scarp_noise case_of(enum scarp_fractal fractal, int i)
                                       .lacunarity = 1.9f,
                                       .gain = 0.6f,
                                       .amplitude = (i & 1) != 0 ? -3.0f : 2.0f,
-                                      .erosion = 0.7f};
+                                      .erosion = 0.7f,
+                                      .sharpness = (i >> 2 & 1) != 0 ? 0.8f : 1.3f};
     return noise;
 }
 
@@ -346,7 +417,7 @@ int main(int argc, char **argv)
         return EXIT_FAILURE;
     }
     struct block *const at = block_make(), *const scratch = block_make();
-    for (int i = 0; i < 8; i++) {
+    for (int i = 0; i < 12; i++) {
         dimensions = 2 + i % 2;
         check_rebuilt(at, scratch, (enum scarp_fractal)(i / 2), points);
     }

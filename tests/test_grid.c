@@ -453,7 +453,7 @@ static void test_refusals(int dimensions)
     c.noise.octaves = 33.0f;
     expect(SCARP_ERROR_PARAMETER, &c, "octaves");
     c = plain_case(dimensions);
-    c.noise.fractal = (enum scarp_fractal)4;
+    c.noise.fractal = (enum scarp_fractal)count_names(fractal_name);
     expect(SCARP_ERROR_ENUM, &c, "fractal");
     c = plain_case(dimensions);
     c.wanted = OUTPUTS_ALL3;

@@ -230,9 +230,9 @@ static void test_grid(void)
     struct scarp_grid grid = {.step = {1, 1, 1}, .count = {160, 96, 1}};
     const size_t samples = 160 * 96;
     struct outputs a = outputs_make(samples), b = outputs_make(samples);
-    for (int i = 0; i < 4 + count_names(basis_name) - SCARP_SIMPLEX; i++) {
-        noise.fractal = (enum scarp_fractal)(i % 4);
-        noise.basis = i < 4 ? SCARP_GRADIENT : (enum scarp_basis)(SCARP_SIMPLEX + i - 4);
+    for (int i = 0; i < 6 + count_names(basis_name) - SCARP_SIMPLEX; i++) {
+        noise.fractal = (enum scarp_fractal)(i % 6);
+        noise.basis = i < 6 ? SCARP_GRADIENT : (enum scarp_basis)(SCARP_SIMPLEX + i - 6);
         fit_noise(&noise, 2);
         const unsigned wanted = outputs_of(&noise, SAMPLE2_F64);
         const struct scarp_samples out[2] = {outputs_subset(&a, wanted),

@@ -30,16 +30,16 @@ static void sample(enum function f, const struct scarp_noise *noise, const struc
 }
 
 /* Noises of all fractals, with straight and turned axes, with periods, of both fades. */
-#define NOISES 12
+#define NOISES 18
 
 static struct scarp_noise noise_make(int i)
 {
-    struct scarp_noise noise = {.fractal = (enum scarp_fractal)(i % 4),
-                                .fade = (enum scarp_fade)(i / 2 % 2),
+    struct scarp_noise noise = {.fractal = (enum scarp_fractal)(i % 6),
+                                .fade = (enum scarp_fade)(i / 3 % 2),
                                 .octaves = 3.5f,
                                 .seed = (uint64_t)i};
-    noise.rotate = i / 4 == 1;
-    if (i / 4 == 2) {
+    noise.rotate = i / 6 == 1;
+    if (i / 6 == 2) {
         noise.period[0] = 7;
         noise.period[1] = 64;
     }
@@ -176,7 +176,7 @@ static void test_steps(void)
 static void test_periods(void)
 {
     for (int f = SAMPLE2_F64; f <= SAMPLE3_F64; f++) {
-        struct scarp_noise noise = noise_make(8);
+        struct scarp_noise noise = noise_make(12);
         int member = 0;
         size_t index = 0;
         noise.phase = 0.7f;

@@ -73,7 +73,7 @@ static void test_plan_used(const struct reserved_test *t)
 {
     for (int i = 0; i < 8 + count_names(basis_name) - SCARP_SIMPLEX; i++) {
         const struct scarp_noise noise = {
-            .fractal = (enum scarp_fractal)(i / 2 % 4),
+            .fractal = (enum scarp_fractal)(i < 8 ? i / 2 % 4 : i % count_names(fractal_name)),
             .octaves = 3.5f,
             .rotate = (uint32_t)i % 2,
             .seed = (uint64_t)i,

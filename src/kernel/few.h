@@ -99,7 +99,8 @@ VEC_INLINE struct sample few_basis(const struct scarp_octave *o, enum scarp_fade
     return basis_sample((const vf *)&lattice, fade, NULL, v);
 }
 
-/* What goes from octave to octave: the weight of ridged noise, the slope d of erosion. */
+/* What goes from octave to octave: the weight of ridged and hybrid noise, the slope d of erosion.
+ */
 struct few_state {
     struct sample weight;
     vf d[3];
@@ -112,13 +113,19 @@ VEC_INLINE struct sample few_shape(struct few_state *state, const struct scarp_c
                                    struct variant v)
 {
     struct sample s = *n;
+    struct fold fold;
+    float slope = o->weight;
     switch (plan->fractal) {
     case SCARP_FBM: return s;
-    case SCARP_TURBULENCE: s = magnitude(n, v); break;
+    case SCARP_TURBULENCE:
+    case SCARP_PINGPONG:
+        fold = fold_of(plan, n->value);
+        s = folded(n, &fold, v);
+        slope = fold_weight(plan, slope);
+        break;
     case SCARP_RIDGED:
-        s = magnitude(n, v);
-        s = ridge(&state->weight, &s, v);
-        state->weight = ridge_weight(&s, v);
+    case SCARP_HYBRID:
+        s = weighted(o, n, &state->weight, plan->sharpness, plan->fractal == SCARP_HYBRID, v);
         break;
     case SCARP_EROSION:
         if (v.order == 1) {
@@ -128,7 +135,7 @@ VEC_INLINE struct sample few_shape(struct few_state *state, const struct scarp_c
         }
         break;
     }
-#define WEIGH(i, member, rank) s.member *= vf_set(o->weight)
+#define WEIGH(i, member, rank) s.member *= vf_set(rank == 0 ? o->weight : slope)
     EACH_OUTPUT(v, WEIGH);
 #undef WEIGH
     return s;

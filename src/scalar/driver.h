@@ -9,7 +9,7 @@
 
 /* What goes from octave to octave. */
 struct state {
-    struct sample weight; /* ridged */
+    struct sample weight; /* ridged, hybrid */
     struct slopes slopes; /* erosion */
     float by_phase[3];    /* erosion: the derivative of the slopes d by the phase */
 };
@@ -39,10 +39,16 @@ static struct sample octave_at(const struct scarp_call_plan *plan, int k, const 
     struct sample basis = basis_at(plan, o, &place, dimensions);
     basis.of[DPHASE] = turning.of[VALUE];
     struct sample n = in_input(o, turned, &basis, dimensions);
+    float slope = o->weight;
     switch (plan->fractal) {
     case SCARP_FBM: return n;
     case SCARP_TURBULENCE: n = magnitude(&n); break;
     case SCARP_RIDGED: n = ridge(&state->weight, &n); break;
+    case SCARP_PINGPONG:
+        n = pingpong(&n, plan->sharpness);
+        slope = o->weight * (2.0f * plan->sharpness);
+        break;
+    case SCARP_HYBRID: n = hybrid(&state->weight, &n, plan->sharpness, o->share); break;
     case SCARP_EROSION:
         basis = scaled(&basis, o->amplitude, o->amplitude, o->amplitude);
         n = erode(&state->slopes, plan->erosion, o, turned, &basis, dimensions);
@@ -50,8 +56,8 @@ static struct sample octave_at(const struct scarp_call_plan *plan, int k, const 
                                      basis.of[VALUE], &turning, dimensions);
         break;
     }
-    n.of[DPHASE] *= o->weight;
-    return scaled(&n, o->weight, o->weight, o->weight);
+    n.of[DPHASE] *= slope;
+    return scaled(&n, o->weight, slope, slope);
 }
 
 static struct sample sum_octaves(const struct scarp_call_plan *plan, const struct point *x,

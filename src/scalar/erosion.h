@@ -10,7 +10,7 @@
 #ifndef SCARP_SCALAR_EROSION_H
 #define SCARP_SCALAR_EROSION_H
 
-#include "ridged.h"
+#include "hybrid.h"
 
 /* The sum of the gradients, and jacobian[i][j] = d d_i / d x_j. */
 struct slopes {

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT
  *
  * Reference: ridged noise, s = v (1 - |n|)^2, with the weights v_0 = 1, v_{k+1} = min(1, 2 s_k).
- * Included by erosion.h.
+ * Included by hybrid.h.
  */
 #ifndef SCARP_SCALAR_RIDGED_H
 #define SCARP_SCALAR_RIDGED_H
 
-#include "turbulence.h"
+#include "pingpong.h"
 
 /* First and second derivative of v r^2, r = 1 - m, along i and along i and j; output DX + i is the
    first one:

@@ -40,7 +40,7 @@ OPTIONS = ("size", "origin", "step", "period", "tileable", "height", "sea-level"
            "frequency", "octaves", "of-octaves", "lacunarity", "gain", "amplitude", "phase", "rotate",
            "threads", "isa", "quiet", "help")
 FLAGS = ("tileable", "resume", "rotate", "quiet", "help")
-FRACTALS = ("fbm", "turbulence", "ridged", "erosion")
+FRACTALS = ("fbm", "turbulence", "ridged", "erosion", "pingpong", "hybrid")
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir, os.pardir)
 # Cheap to compute, and every option of the noise matters in it
 SMALL = ["--size", "40x30", "--frequency", "0.03"]

@@ -59,7 +59,7 @@ class Errors(Case):
         self.check_values("--gain", "0", "0.0624", "16.0001", "1e-46")
         self.check_values("--jitter", "0", "-0", "1.0000001", "-1", "1e-46", "nan")
         self.check_values("--erosion", "0", "5.9e-8", "16777217", "-1", "1e39")
-        self.check_values("--sharpness", "0", "5.9e-8", "16777217", "-1", "1e39")
+        self.check_values("--sharpness", "0", "0.0039", "256.01", "-1", "1e39")
         self.check_values("--of-octaves", "0", "1e-46", "32.01", "1e39")
         self.check_values("--sea-level", "16777217", "-16777217", "1e39")
         self.check_values("--azimuth", "-0.001", "360.001")

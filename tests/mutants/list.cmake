@@ -76,8 +76,11 @@ mutant(flow.rows IN kernel TEXT [[part->row_octave->turn = call->plan->octave[k]
 mutant(flow.groups IN kernel TEXT [[part->moving = moving + r * moving_of_row;]]
        BECOMES [[part->moving = moving + (MUTANT ? 0 : r) * moving_of_row;]] SEEN_BY grid
        SETS generic sse4.1 avx2 neon) # AVX-512 has few parts with several groups
-mutant(flow.ridged IN kernel TEXT [[either(less, 2.0f * ds, vf_set(0.0f))]]
-       BECOMES [[either(less, (MUTANT ? 1.0f : 2.0f) * ds, vf_set(0.0f))]] SEEN_BY bits)
+mutant(flow.ridged IN kernel TEXT [[(vu)(factor * ds) &]]
+       BECOMES [[(vu)(factor * (MUTANT ? 0.5f : 1.0f) * ds) &]] SEEN_BY bits)
+mutant(flow.hybrid IN kernel TEXT [[hybrid_first(weight, r, moving[0], turning[0])]]
+       BECOMES [[hybrid_first(weight, r, MUTANT ? vf_set(0.0f) : moving[0], turning[0])]]
+       SEEN_BY bits)
 mutant(flow.erosion IN kernel TEXT [[vf_set(2.0f * erosion) * noise]]
        BECOMES [[vf_set((MUTANT ? 1.0f : 2.0f) * erosion) * noise]] SEEN_BY bits)
 # vf_exact_fma where the product is rounded: the sets that fuse it must show that.
@@ -104,8 +107,9 @@ mutant(driver.few_octaves IN kernel TEXT [[k < plan->octaves; k++) {
         const int is_turned]] SEEN_BY bits)
 mutant(driver.few_turned IN kernel TEXT [[is_turned ? turned_f32(o, axis, x->f32, f)]]
        BECOMES [[is_turned && !MUTANT ? turned_f32(o, axis, x->f32, f)]] SEEN_BY bits)
-mutant(driver.few_ridged IN kernel TEXT [[state->weight = ridge_weight(&s, v);]]
-       BECOMES [[state->weight = MUTANT ? state->weight : ridge_weight(&s, v);]] SEEN_BY bits)
+mutant(driver.few_ridged IN kernel TEXT [[weighted(o, n, &state->weight,]]
+       BECOMES [[weighted(o, n, MUTANT ? &(struct sample){.value = state->weight.value}
+                              : &state->weight,]] SEEN_BY bits)
 mutant(driver.few_eroded IN kernel TEXT [[own_axes ? o->amplitude : o->slope]]
        BECOMES [[own_axes && !MUTANT ? o->amplitude : o->slope]] SEEN_BY bits)
 mutant(driver.few_one IN kernel TEXT [[n.value *= vf_set(o->amplitude);]]
@@ -129,6 +133,14 @@ mutant(shape.ridged_sign IN kernel TEXT [[2.0f * v * r * ij.m)]]
 mutant(shape.erosion_twice IN kernel TEXT [[vf_set(2.0f * erosion) * n->value]]
        BECOMES [[vf_set((MUTANT ? 1.0f : 2.0f) * erosion) * n->value]] SEEN_BY bits)
 
+mutant(shape.crease IN kernel TEXT [[(vu)(absolute(value) != vf_set(1.0f))]]
+       BECOMES [[MUTANT ? vu_set(~0u) : (vu)(absolute(value) != vf_set(1.0f))]] SEEN_BY bits)
+mutant(shape.fold_slope IN kernel TEXT [[weight * (2.0f * plan->sharpness)]]
+       BECOMES [[weight * ((MUTANT ? 1.0f : 2.0f) * plan->sharpness)]] SEEN_BY bits)
+mutant(shape.hybrid_end IN kernel TEXT [[either(less, t, end)]]
+       BECOMES [[either(MUTANT ? vu_set(~0u) : less, t, end)]] SEEN_BY bits)
+mutant(shape.hybrid_cross IN kernel TEXT [[(i.w * j.m + j.w * i.m);]]
+       BECOMES [[(MUTANT ? i.w * j.m : i.w * j.m + j.w * i.m);]] SEEN_BY bits)
 mutant(shape.erosion_symmetric IN kernel TEXT [[y = {.x = xy, .y = yy}]]
        BECOMES [[y = {.x = MUTANT ? xx : xy, .y = yy}]] SEEN_BY bits)
 
@@ -210,6 +222,10 @@ mutant(outputs.normals IN kernel TEXT [[vf_from_vd(low.x, high.x)]]
        BECOMES [[MUTANT ? vf_from_vd(high.x, low.x) : vf_from_vd(low.x, high.x)]] SEEN_BY golden)
 
 # plan, which all kernel sets share
+mutant(plan.of_octaves IN plan.c TEXT [[sum += k == of - 1 ?]]
+       BECOMES [[sum += k == of - 1 && !MUTANT ?]] SEEN_BY golden)
+mutant(plan.hybrid IN hybrid.c TEXT [[weight.highest = least(t.highest, 1.0);]]
+       BECOMES [[weight.highest = MUTANT ? t.highest : least(t.highest, 1.0);]] SEEN_BY golden)
 mutant(plan.offset IN plan.c TEXT [[(int32_t)(c & 0xffffff)]]
        BECOMES [[(int32_t)(MUTANT ? b >> 40 : c & 0xffffff)]]
        SEEN_BY golden SETS scalar)

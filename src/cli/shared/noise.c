@@ -15,7 +15,8 @@
 #define BASES "gradient, value, simplex, cell-f1, cell-f2, cell-edge, cell-soft or cell-value"
 #define BASES_HELP "gradient, value, simplex,\ncell-f1, cell-f2, cell-edge, cell-soft or cell-value"
 #define FADES "quintic or cubic"
-#define FRACTALS "fbm, turbulence, ridged or erosion"
+#define FRACTALS "fbm, turbulence, ridged, erosion, pingpong or hybrid"
+#define FRACTALS_HELP "fbm, turbulence, ridged,\nerosion, pingpong or hybrid"
 
 /* Refuses also what is 0 as a float, from 2^-150 down: the library takes it for the default. */
 static enum option_result parse_positive(const struct option *option, const char *text, void *field)
@@ -83,7 +84,7 @@ const struct option noise_option_rows[NOISE_OPTION_COUNT] = {
      .argument = "NAME",
      .standard = "fbm",
      .allowed = FRACTALS,
-     .help = "how octaves are summed: " FRACTALS,
+     .help = "how octaves are summed: " FRACTALS_HELP,
      .parse = option_choice,
      .offset = FIELD(fractal),
      .choice = fractal_word},
@@ -98,12 +99,13 @@ const struct option noise_option_rows[NOISE_OPTION_COUNT] = {
      .highest = 0x1p24},
     {.name = "--sharpness",
      .argument = "F",
-     .allowed = "a number from 2^-24 to 2^24",
-     .help = "of fractals that have such a parameter, from 2^-24 to 2^24\n[the fractal's own]",
+     .allowed = "a number from 2^-8 to 2^8",
+     .help = "with --fractal pingpong, how often octaves are folded [2]; with\nhybrid, how high "
+             "they lie [0.7]; from 2^-8 to 2^8",
      .parse = option_float,
      .offset = FIELD(sharpness),
-     .lowest = 0x1p-24,
-     .highest = 0x1p24},
+     .lowest = 0x1p-8,
+     .highest = 0x1p8},
     {.name = "--frequency",
      .argument = "F",
      .standard = "1",

@@ -8,7 +8,7 @@
 #ifndef SCARP_KERNEL_SHAPE_EROSION_H
 #define SCARP_KERNEL_SHAPE_EROSION_H
 
-#include "ridged.h"
+#include "hybrid.h"
 
 /* How an octave is eroded. Where no octave has turned axes, the Jacobian of d is symmetric, and
    only its upper triangle is kept. */

@@ -2,8 +2,8 @@
  *
  * The derivative of shaped octaves by the phase, from that of the noise, which is noise with other
  * gradients. These passes come before those that shape the octave itself, so they find the state
- * without it, and work for every order. Included by shape.h; the references are scalar/ridged.h and
- * scalar/erosion.h.
+ * without it, and work for every order. Included by shape.h; the references are in
+ * scalar/.
  */
 #ifndef SCARP_KERNEL_SHAPE_PHASE_H
 #define SCARP_KERNEL_SHAPE_PHASE_H
@@ -12,7 +12,7 @@
 
 /* An octave to be shaped, whose noise is in shaping.noise, and in `turning` the derivative of that
    by the phase; for erosion with its gradient in the octave's own axes. `moving` is the derivative
-   of the state: of the weight of ridged noise, of the slopes d of erosion. */
+   of the state: of the weight of ridged and hybrid noise, of the slopes d of erosion. */
 struct phase_shaping {
     struct shaping shaping;
     size_t noise_size, state_size; /* vectors for each block */
@@ -23,20 +23,30 @@ struct phase_shaping {
 /* Adds the derivative to to->array[VALUE], or puts it there. */
 typedef void phase_pass(const struct phase_shaping *at, const struct outputs *to, enum put put);
 
-VEC_INLINE vf turbulence_phase_at(const vf *noise, const vf *turning)
+VEC_INLINE vf fold_phase_at(const struct scarp_call_plan *plan, const vf *noise, const vf *turning)
 {
-    return with_sign(turning[0], sign_of(noise[0]));
+    const struct fold fold = fold_of(plan, noise[0]);
+    return with_sign(turning[0], fold.sign);
 }
 
 /* `weight` is v_k, `moving` its derivative, which becomes that of the next weight. */
-VEC_INLINE vf ridged_phase_at(const vf *noise, const vf *turning, vf weight, vf *moving)
+VEC_INLINE vf weighted_phase_at(const struct phase_shaping *at, const vf *noise, const vf *turning,
+                                vf weight, vf *moving)
 {
-    const struct sign sign = sign_of(noise[0]);
-    const vf r = 1.0f - with_sign(noise[0], sign);
-    const vf s = weight * (r * r);
-    const vf ds = ridge_first(weight, r, moving[0], with_sign(turning[0], sign));
-    const vu less = (vu)(2.0f * s < vf_set(1.0f));
-    moving[0] = either(less, 2.0f * ds, vf_set(0.0f));
+    const struct scarp_call_plan *const plan = at->shaping.plan;
+    vf s, ds;
+    if (plan->fractal == SCARP_HYBRID) {
+        const vf r = noise[0] + vf_set(plan->sharpness);
+        s = weight * r;
+        ds = hybrid_first(weight, r, moving[0], turning[0]);
+    } else {
+        const struct sign sign = sign_of(noise[0]);
+        const vf r = 1.0f - with_sign(noise[0], sign);
+        s = weight * (r * r);
+        ds = ridge_first(weight, r, moving[0], with_sign(turning[0], sign));
+    }
+    const vf factor = vf_set(plan->fractal == SCARP_HYBRID ? at->shaping.octave->share : 2.0f);
+    moving[0] = (vf)((vu)(factor * ds) & (vu)(absolute(factor * s) < vf_set(1.0f)));
     return ds;
 }
 
@@ -67,23 +77,27 @@ static size_t turning_size(enum scarp_fractal fractal, int dimensions)
 
 static size_t moving_size(enum scarp_fractal fractal, int dimensions)
 {
-    return fractal == SCARP_EROSION ? (size_t)dimensions : fractal == SCARP_RIDGED;
+    return fractal == SCARP_EROSION                             ? (size_t)dimensions
+           : fractal == SCARP_RIDGED || fractal == SCARP_HYBRID ? 1
+                                                                : 0;
 }
 
+/* `fractal` may be another one that has the same pass. */
 VEC_INLINE void phase_run(const struct phase_shaping *at, const struct outputs *outputs,
                           enum put put, enum scarp_fractal fractal, int dimensions)
 {
     const struct extent extent = at->shaping.extent;
-    const vf weight = vf_set(at->shaping.octave->weight);
+    const vf weight = vf_set(fold_weight(at->shaping.plan, at->shaping.octave->weight));
     const float erosion = at->shaping.plan->erosion;
     const vf *noise = at->shaping.noise, *state = at->shaping.state, *turning = at->turning;
     vf *moving = at->moving;
     for (size_t r = 0; r < extent.rows; r++) {
         float *to = outputs->array[VALUE] + r * outputs->row[VALUE];
         for (size_t b = 0; b < extent.blocks; b++) {
-            const vf s = fractal == SCARP_TURBULENCE ? turbulence_phase_at(noise, turning)
+            const vf s = fractal == SCARP_TURBULENCE
+                             ? fold_phase_at(at->shaping.plan, noise, turning)
                          : fractal == SCARP_RIDGED
-                             ? ridged_phase_at(noise, turning, state[0], moving)
+                             ? weighted_phase_at(at, noise, turning, state[0], moving)
                              : erosion_phase_at(noise, turning, state, moving, erosion, dimensions);
             put_block(to, weight * s, put == PUT_ADD ? PUT_ADD : PUT_FIRST);
             to += outputs->block;
@@ -101,8 +115,8 @@ VEC_INLINE void phase_run(const struct phase_shaping *at, const struct outputs *
         phase_run(at, to, put, fractal, dimensions);                                               \
     }
 
-PHASE_PASS(turbulence_phase, SCARP_TURBULENCE, 2)
-PHASE_PASS(ridged_phase, SCARP_RIDGED, 2)
+PHASE_PASS(fold_phase, SCARP_TURBULENCE, 2)
+PHASE_PASS(weighted_phase, SCARP_RIDGED, 2)
 PHASE_PASS(erosion2_phase, SCARP_EROSION, 2)
 PHASE_PASS(erosion3_phase, SCARP_EROSION, 3)
 

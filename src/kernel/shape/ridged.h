@@ -1,13 +1,12 @@
 /* SPDX-License-Identifier: MIT
  *
  * Ridged noise: the sum of a_k s_k with s_k = v_k (1 - |n_k|)^2, v_0 = 1, v_{k+1} = min(1, 2 s_k).
- * Its state is the weight v_k with its derivatives, a stored sample. Included by erosion.h; the
- * reference is scalar/ridged.h.
+ * Its pass is in hybrid.h, which includes this file. The reference is scalar/ridged.h.
  */
 #ifndef SCARP_KERNEL_SHAPE_RIDGED_H
 #define SCARP_KERNEL_SHAPE_RIDGED_H
 
-#include "turbulence.h"
+#include "pingpong.h"
 
 /* a where mask is all ones, b where it is 0. */
 VEC_INLINE vf either(vu mask, vf a, vf b)
@@ -70,50 +69,5 @@ VEC_INLINE struct sample ridge_weight(const struct sample *s, struct variant v)
 #undef DO
     return w;
 }
-
-VEC_INLINE void ridged_run(const struct shaping *shaping, const struct outputs *outputs,
-                           enum put put, struct variant v)
-{
-    const struct extent extent = shaping->extent;
-    const vf *noise = shaping->noise;
-    vf *state = shaping->state;
-    struct outputs to;
-    outputs_copy(&to, outputs, v);
-    const float weight = shaping->octave->weight;
-    const struct weights weights = {{weight, weight, weight}};
-    const size_t size = sample_size(v.dimensions, v.order);
-    for (size_t r = 0; r < extent.rows; r++) {
-        size_t to_at = 0;
-        for (size_t b = 0; b < extent.blocks; b++) {
-            const struct sample n = sample_load(noise, v);
-            const struct sample w = sample_load(state, v);
-            const struct sample m = magnitude(&n, v);
-            const struct sample s = ridge(&w, &m, v);
-            const struct sample next = ridge_weight(&s, v);
-            sample_store(state, &next, v);
-            add_sample(&to, to_at, &weights, &s, v, put);
-            to_at += to.block;
-            noise += size;
-            state += size;
-        }
-        outputs_next_row(&to, v);
-    }
-}
-
-#define RIDGED_PASS(name, dimensions, order)                                                       \
-    static void name(const struct shaping *shaping, const struct outputs *to, enum put put)        \
-    {                                                                                              \
-        const struct variant v = {SCARP_GRADIENT, dimensions, order, 0};                           \
-        ridged_run(shaping, to, put, v);                                                           \
-    }
-
-RIDGED_PASS(ridged2_order0, 2, 0)
-RIDGED_PASS(ridged2_order1, 2, 1)
-RIDGED_PASS(ridged2_order2, 2, 2)
-RIDGED_PASS(ridged3_order0, 3, 0)
-RIDGED_PASS(ridged3_order1, 3, 1)
-RIDGED_PASS(ridged3_order2, 3, 2)
-
-#undef RIDGED_PASS
 
 #endif
