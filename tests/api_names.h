@@ -71,7 +71,7 @@ static inline void test_names(void)
     static const char *const fractals[] = {
         [SCARP_FBM] = "fbm",         [SCARP_TURBULENCE] = "turbulence", [SCARP_RIDGED] = "ridged",
         [SCARP_EROSION] = "erosion", [SCARP_PINGPONG] = "pingpong",     [SCARP_HYBRID] = "hybrid",
-        [SCARP_HYBRID + 1] = NULL,
+        [SCARP_SWISS] = "swiss",     [SCARP_JORDAN] = "jordan",         [SCARP_JORDAN + 1] = NULL,
     };
     static const char *const isas[] = {"none",   "scalar", "sse4.1",  "avx2",
                                        "avx512", "neon",   "generic", NULL};
@@ -100,6 +100,7 @@ static inline void expect_member(const struct scarp_noise *noise, int dimensions
 static inline void test_check_order(void)
 {
     struct scarp_noise noise;
+    const struct scarp_noise bad = {.octaves = -1.0f};
     const enum scarp_status outside = SCARP_ERROR_PARAMETER, reserved = SCARP_ERROR_UNSUPPORTED;
     memset(&noise, 0xff, sizeof noise);
     expect_member(&noise, 4, SCARP_ERROR_ENUM, "basis");
@@ -132,8 +133,7 @@ static inline void test_check_order(void)
     noise.of_octaves = 10.0f;
     expect_member(&noise, 4, outside, "octaves"); /* the last one has the frequency 2^49 */
     noise.octaves = 9.0f;
-    expect_member(&noise, 4, reserved, "warp");
-    noise.warp = NULL;
+    noise.warp = &bad;
     expect_member(&noise, 4, reserved, "spare");
     memset(noise.spare, 0, sizeof noise.spare);
     expect_member(&noise, 4, reserved, "phase"); /* of value noise */
@@ -150,6 +150,10 @@ static inline void test_check_order(void)
     noise.period[2] = 0;
     expect_member(&noise, 3, reserved, "rotate");
     noise.rotate = 0;
+    expect_member(&noise, 3, outside, "warp");
+    noise.warp = &noise; /* without end */
+    expect_member(&noise, 3, reserved, "warp");
+    noise.warp = NULL;
     expect_member(&noise, 2, SCARP_OK, NULL);
     expect_member(&noise, 3, SCARP_OK, NULL);
     expect_member(NULL, 2, SCARP_ERROR_NULL, NULL);

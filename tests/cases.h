@@ -115,6 +115,10 @@ struct cases_call {
    basis alone, and with periods, which shapes do not see. Gradient noise flows, with straight and
    with turned axes, but for the cubic fade, which does not see gradients.
 
+   Noise with warps runs with few fractals and bases, since warps do the same with all; fractals
+   that bend run with gradient noise, since their octaves are noise of one octave, and a little with
+   value noise.
+
    Bases that do not blend corners run with one fade. What the fractals make of them is the same for
    all, so that cellular noise runs with fBm alone but for a sharp and a smooth distance. */
 enum cases_octaves {
@@ -125,11 +129,33 @@ enum cases_octaves {
     CASES_PERIODS, /* any periods, and an axis without one */
     CASES_FLOW,    /* a phase, and the derivative by it */
     CASES_FLOW_TURNED,
+    CASES_WARPED,       /* one warp, and a phase */
+    CASES_WARPED_TWICE, /* two, whose octaves are more than one plan has room for */
     CASES_SETTINGS
 };
 
 static const char *const setting_names[CASES_SETTINGS] = {
-    "", "-octaves", "-turned", "-powers", "-periods", "-flow", "-flow-turned"};
+    "",      "-octaves",     "-turned", "-powers",      "-periods",
+    "-flow", "-flow-turned", "-warped", "-warped-twice"};
+
+/* The warps: the second one has the third one. */
+static const struct scarp_noise cases_warps[3] = {
+    {.seed = 5, .rotate = 1, .octaves = 2.0f, .frequency = 0.7, .amplitude = 0.75f},
+    {.seed = 6,
+     .octaves = 4.0f,
+     .of_octaves = 4.5f,
+     .frequency = 0.3,
+     .lacunarity = 1.5f,
+     .amplitude = -1.5f,
+     .warp = &cases_warps[2]},
+    {.seed = 7,
+     .basis = SCARP_VALUE,
+     .rotate = 1,
+     .octaves = 3.0f,
+     .frequency = 0.6,
+     .lacunarity = 1.25f,
+     .gain = 0.8f},
+};
 
 static inline void cases_set(struct scarp_noise *noise, enum cases_octaves setting)
 {
@@ -165,6 +191,15 @@ static inline void cases_set(struct scarp_noise *noise, enum cases_octaves setti
         noise->rotate = 1;
         noise->octaves = 2.5f;
         noise->phase = -1.71f;
+    } else if (setting == CASES_WARPED) {
+        noise->octaves = 2.0f;
+        noise->phase = 0.3f;
+        noise->warp = &cases_warps[0];
+    } else if (setting == CASES_WARPED_TWICE) {
+        noise->octaves = 19.0f; /* and those of the warps: 33 in 2D */
+        noise->lacunarity = 1.25f;
+        noise->gain = 0.75f;
+        noise->warp = &cases_warps[1];
     }
 }
 
@@ -173,9 +208,28 @@ static inline void cases_set(struct scarp_noise *noise, enum cases_octaves setti
 static inline int cases_has_order(const struct scarp_noise *noise, int order,
                                   enum cases_octaves setting)
 {
-    const int all = noise->fractal == SCARP_EROSION ? 1 : 2;
+    const int all = noise_order(noise);
     return basis_blends(noise->basis) || noise->basis == SCARP_SIMPLEX || order == all ||
            setting == CASES_OCTAVE || (order == 0 && setting == CASES_PERIODS);
+}
+
+/* Whether there are warped cases of this noise: the second warp of one alone. */
+static inline int cases_has_warped(const struct scarp_noise *noise, enum cases_octaves setting)
+{
+    const int twice = setting == CASES_WARPED_TWICE;
+    const int value = noise->basis == SCARP_VALUE && noise->fractal == SCARP_FBM;
+    const int gradient = noise->basis == SCARP_GRADIENT &&
+                         (noise->fractal == SCARP_FBM || noise->fractal == SCARP_RIDGED);
+    return noise->fade == SCARP_QUINTIC &&
+           (twice ? gradient && noise->fractal == SCARP_FBM : gradient || value);
+}
+
+/* Whether a fractal that bends is a case of the noise's basis. */
+static inline int cases_has_bends(const struct scarp_noise *noise, enum cases_octaves setting)
+{
+    return noise->fade == SCARP_QUINTIC &&
+           (setting == CASES_TURNED ? basis_blends(noise->basis)
+                                    : noise->basis == SCARP_GRADIENT && setting != CASES_FLOW);
 }
 
 /* Whether a fractal with this setting is a case of the noise's basis and fade. */
@@ -184,7 +238,12 @@ static inline int cases_has(const struct scarp_noise *noise, enum cases_octaves 
     const int for_fbm =
         setting == CASES_OCTAVE || setting == CASES_POWERS || setting == CASES_PERIODS;
     const int flows = setting == CASES_FLOW || setting == CASES_FLOW_TURNED;
-    const int shaped = basis_smooth(noise->basis) || noise->basis == SCARP_CELL_F1;
+    const int shaped = fractal_has_bends(noise->fractal)
+                           ? cases_has_bends(noise, setting)
+                           : basis_smooth(noise->basis) || noise->basis == SCARP_CELL_F1;
+    if (setting == CASES_WARPED || setting == CASES_WARPED_TWICE) {
+        return cases_has_warped(noise, setting);
+    }
     return (noise->fractal == SCARP_FBM || (!for_fbm && shaped)) &&
            (noise->fade == SCARP_QUINTIC || (!flows && basis_blends(noise->basis)));
 }
@@ -209,7 +268,8 @@ static inline int cases_make_call(struct cases_call *call, enum cases_class clas
     noise->basis = (enum scarp_basis)cases_digit(&number, count_names(basis_name));
     noise->fade = (enum scarp_fade)cases_digit(&number, count_names(fade_name));
     noise->fractal = (enum scarp_fractal)cases_digit(&number, count_names(fractal_name));
-    noise->erosion = noise->fractal == SCARP_EROSION ? 0.75f : 0.0f;
+    noise->erosion =
+        noise->fractal == SCARP_EROSION || noise->fractal == SCARP_JORDAN ? 0.75f : 0.0f;
     call->function = (enum function)function;
     const int dimensions = function_dimensions(call->function);
     call->wanted = outputs_up_to(order, dimensions);
@@ -217,8 +277,11 @@ static inline int cases_make_call(struct cases_call *call, enum cases_class clas
         return -1;
     }
     const int flows = setting == CASES_FLOW || setting == CASES_FLOW_TURNED;
-    call->wanted |= flows ? OUTPUTS_PHASE : 0u;
-    if (!cases_has(noise, (enum cases_octaves)setting) ||
+    if (flows || setting == CASES_WARPED) {
+        call->wanted |= OUTPUTS_PHASE & outputs_of(noise, call->function);
+    }
+    if ((flows && noise->basis != SCARP_GRADIENT) ||
+        !cases_has(noise, (enum cases_octaves)setting) ||
         !cases_has_order(noise, order, (enum cases_octaves)setting) ||
         (call->wanted & ~outputs_of(noise, call->function)) != 0) {
         return 0;

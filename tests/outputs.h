@@ -75,12 +75,30 @@ static inline unsigned function_outputs(enum function f)
     return function_dimensions(f) == 2 ? OUTPUTS_ALL2 : OUTPUTS_ALL3;
 }
 
-/* The outputs that it has for this noise: erosion has no second derivatives, and noise of another
-   basis than gradients no phase. */
+/* Whether octaves of the fractal look at positions that those before have bent. */
+static inline int fractal_has_bends(enum scarp_fractal fractal)
+{
+    return fractal == SCARP_SWISS || fractal == SCARP_JORDAN;
+}
+
+/* The highest derivative that the noise has: its warps must have it, too. */
+static inline int noise_order(const struct scarp_noise *noise)
+{
+    int order = 2;
+    for (; noise != NULL; noise = noise->warp) {
+        if (noise->fractal == SCARP_EROSION || fractal_has_bends(noise->fractal)) {
+            order = 1;
+        }
+    }
+    return order;
+}
+
+/* The outputs that it has for this noise: erosion and what bends have no second derivatives; noise
+   of another basis than gradients has no phase, and what bends no derivative by it. */
 static inline unsigned outputs_of(const struct scarp_noise *noise, enum function f)
 {
-    return outputs_up_to(noise->fractal == SCARP_EROSION ? 1 : 2, function_dimensions(f)) |
-           (noise->basis == SCARP_GRADIENT ? OUTPUTS_PHASE : 0u);
+    const int flows = noise->basis == SCARP_GRADIENT && !fractal_has_bends(noise->fractal);
+    return outputs_up_to(noise_order(noise), function_dimensions(f)) | (flows ? OUTPUTS_PHASE : 0u);
 }
 
 /* Whether a basis blends what is drawn at the corners of cells: these alone see the fade. */

@@ -402,14 +402,15 @@ static int is_untouched(const struct near *n)
 static void test_refused(struct call c)
 {
     const struct scarp_noise good = {.seed = 1};
+    const struct scarp_noise loop = {.warp = &loop};
     const struct scarp_noise bad[] = {{.basis = (enum scarp_basis)77},
-                                      {.fractal = (enum scarp_fractal)9},
+                                      {.fractal = (enum scarp_fractal)99},
                                       {.jitter = 1.5f},
                                       {.jitter = -0.5f},
                                       {.jitter = NAN},
                                       {.octaves = 99.f},
                                       {.frequency = -1},
-                                      {.warp = &good},
+                                      {.warp = &loop},
                                       {.of_octaves = 0.5f},
                                       {.phase = NAN},
                                       {.phase = 1.0f, .basis = SCARP_CELL_F1}};

@@ -47,6 +47,13 @@ static void random_periods(struct scarp_noise *noise, uint64_t *state)
     }
 }
 
+/* One that takes the passes of grids, one that bends, and two of them. */
+static const struct scarp_noise warps[3] = {
+    {.octaves = 2.0f, .frequency = 0.7, .amplitude = 0.75f},
+    {.fractal = SCARP_SWISS, .seed = 2, .octaves = 3.0f, .rotate = 1},
+    {.basis = SCARP_VALUE, .seed = 3, .octaves = 2.5f, .frequency = 0.3, .warp = &warps[0]},
+};
+
 static void random_noise(struct scarp_noise *noise, uint64_t *state)
 {
     static const float octaves[] = {1.0f, 1.0f, 2.0f, 3.5f, 8.0f};
@@ -55,7 +62,8 @@ static void random_noise(struct scarp_noise *noise, uint64_t *state)
     noise->basis = (enum scarp_basis)pick(state, pick(state, 2) == 0 ? 2 : 8);
     noise->jitter = pick(state, 2) == 0 ? 0.5f : 0.0f;
     noise->fade = (enum scarp_fade)pick(state, 2);
-    noise->fractal = (enum scarp_fractal)(pick(state, 2) * pick(state, 4));
+    noise->fractal =
+        (enum scarp_fractal)(pick(state, 2) * pick(state, (uint64_t)count_names(fractal_name)));
     noise->rotate = pick(state, 4) == 0;
     noise->seed = check_random(state);
     noise->octaves = octaves[pick(state, 5)];
@@ -112,10 +120,14 @@ static void random_case(struct grid_case *c, uint64_t *state)
         c->grid.row_stride = c->grid.count[0] + pick(state, 9);
         c->grid.slice_stride = c->grid.count[1] * c->grid.row_stride + pick(state, 50);
     }
-    c->order -= c->noise.fractal == SCARP_EROSION && c->order == 2;
+    if (pick(state, 8) == 0) {
+        c->noise.warp = &warps[pick(state, 3)];
+        c->grid.count[1] = c->grid.count[1] > 8 ? 8 : c->grid.count[1]; /* they take their time */
+    }
+    c->order = c->order > noise_order(&c->noise) ? noise_order(&c->noise) : c->order;
     c->wanted = outputs_up_to(c->order, c->dimensions);
     if (c->noise.basis == SCARP_GRADIENT && pick(state, 3) == 0) {
-        c->wanted |= OUTPUTS_PHASE;
+        c->wanted |= OUTPUTS_PHASE & outputs_of(&c->noise, SAMPLE2);
     }
     if (pick(state, 3) == 0) {
         c->wanted &= (unsigned)check_random(state);
@@ -170,11 +182,12 @@ static void describe(const struct grid_case *c, char *text, size_t size)
 {
     snprintf(text, size,
              "%dD basis %d fade %d fractal %d rotate %u octaves %g order %d, %zu x %zu x %zu, "
-             "steps %g %g %g, x from %g + %lld",
+             "steps %g %g %g, x from %g + %lld, %s",
              c->dimensions, (int)c->noise.basis, (int)c->noise.fade, (int)c->noise.fractal,
              (unsigned)c->noise.rotate, (double)c->noise.octaves, c->order, c->grid.count[0],
              c->grid.count[1], c->grid.count[2], c->grid.step[0], c->grid.step[1], c->grid.step[2],
-             c->grid.origin[0], (long long)c->grid.first[0]);
+             c->grid.origin[0], (long long)c->grid.first[0],
+             c->noise.warp != NULL ? "warped" : "no warp");
 }
 
 static void test_points(const struct grid_case *c)
@@ -461,6 +474,9 @@ static void test_refusals(int dimensions)
     c.wanted = OUTPUTS_ALL2;
     c.noise.fractal = SCARP_EROSION;
     expect(SCARP_ERROR_UNSUPPORTED, &c, "Hessian of erosion");
+    c.noise.fractal = SCARP_FBM;
+    c.noise.warp = &warps[1];
+    expect(SCARP_ERROR_UNSUPPORTED, &c, "Hessian of noise with a warp that bends");
     test_numbers(dimensions);
     test_sizes(dimensions);
 }

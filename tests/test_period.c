@@ -166,7 +166,8 @@ static void test_octaves(void)
                                             .lacunarity = (float)lacunarity,
                                             .fractal = (enum scarp_fractal)fractal,
                                             .period = {5, 16, 289}};
-                for (int axis = 0; axis < 3; axis++) {
+                /* Bent positions are rounded: test_bend.c takes these. */
+                for (int axis = 0; axis < 3 && !fractal_has_bends(noise.fractal); axis++) {
                     const double period = (double)noise.period[axis];
                     make_points(100.0);
                     compare_shifted(&noise, SAMPLE3_F64, axis, -3.0 * period, 1, "octaves");

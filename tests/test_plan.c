@@ -22,10 +22,10 @@ static void plan_calls(const struct reserved_test *t, const struct scarp_noise *
         a.grid.step[0] = a.grid.step[1] = a.grid.step[2] = 0.11;
     }
     a.noise = *noise;
-    if (noise->fractal == SCARP_EROSION) {
+    if (noise_order(noise) < 2) {
         a.out.dxx = a.out.dxy = a.out.dxz = a.out.dyy = a.out.dyz = a.out.dzz = NULL;
     }
-    if (noise->basis == SCARP_GRADIENT) {
+    if ((outputs_of(noise, SAMPLE2) & OUTPUTS_PHASE) != 0) {
         a.out.dphase = o->array[OUTPUT_dphase];
     }
     outputs_poison(o);
@@ -165,9 +165,10 @@ static void test_plan_garbage(const struct reserved_test *t)
 static void test_plan_refused(const struct reserved_test *t)
 {
     const struct scarp_noise good = {.octaves = 2.0f};
+    const struct scarp_noise loop = {.warp = &loop};
     const struct scarp_noise bad[] = {{.basis = (enum scarp_basis)77},
                                       {.fade = (enum scarp_fade)9},
-                                      {.fractal = (enum scarp_fractal)9},
+                                      {.fractal = (enum scarp_fractal)99},
                                       {.octaves = 33.0f},
                                       {.octaves = NAN},
                                       {.frequency = -1.0},
@@ -178,7 +179,7 @@ static void test_plan_refused(const struct reserved_test *t)
                                       {.period = {0, 0x40000001, 0}},
                                       {.sharpness = 0x1p25f},
                                       {.octaves = 3.0f, .of_octaves = 2.9f},
-                                      {.warp = &good},
+                                      {.warp = &loop},
                                       {.spare = {1}}};
     struct scarp_plan plan = plan_of(&good, 2);
     const struct scarp_plan before = plan;

@@ -44,7 +44,8 @@ static void *run(void *opaque)
 {
     struct job *const job = opaque;
     const unsigned flow = job->noise.phase != 0.0f ? OUTPUTS_PHASE : 0;
-    const unsigned mask = outputs_up_to(job->order, job->dimensions) | flow;
+    const unsigned mask = outputs_up_to(job->order, job->dimensions) |
+                          (flow & outputs_of(&job->noise, job->function));
     const struct scarp_samples out = outputs_subset(job->out, mask);
     const char *member;
     float lowest, highest;
@@ -141,6 +142,25 @@ static void measure_grids(const struct guarded *stack, struct job *job, struct w
     }
 }
 
+/* Noise with warps takes the most with those that bend, and with those that flow. */
+static void measure_warped(const struct guarded *stack, struct job *job, struct worst *worst)
+{
+    static const struct scarp_noise bends = {.fractal = SCARP_SWISS, .octaves = 3.0f, .rotate = 1};
+    static const struct scarp_noise flows = {.octaves = 2.0f, .phase = 0.3f};
+    static const struct scarp_noise twice = {.octaves = 16.0f, .lacunarity = 1.0f, .warp = &flows};
+    static const struct scarp_noise *const warps[] = {&bends, &flows, &twice};
+    for (int i = 0; i < 3 * count_names(fractal_name); i++) {
+        job->noise = (struct scarp_noise){
+            .fractal = (enum scarp_fractal)(i / 3),
+            .basis = (enum scarp_basis)(i % 2 == 0 ? SCARP_GRADIENT : SCARP_CELL_F1),
+            .octaves = 2.0f,
+            .warp = warps[i % 3]};
+        job->order = noise_order(&job->noise);
+        measure_points(stack, job, worst);
+        measure_grids(stack, job, worst);
+    }
+}
+
 int main(int argc, char **argv)
 {
     if (argc != 2) {
@@ -172,7 +192,7 @@ int main(int argc, char **argv)
                                                  .rotate = (uint32_t)(j / 2 % 2),
                                                  .phase = j < 12 ? 0.0f : 0.3f};
                 job.order = j / 4 % 3;
-                if (k != SCARP_EROSION || job.order < 2) {
+                if (job.order <= noise_order(&job.noise)) {
                     measure_points(&stack, &job, &worst);
                     measure_grids(&stack, &job, &worst);
                 }
@@ -185,6 +205,7 @@ int main(int argc, char **argv)
         job.count = i % 2 == 0 ? 7 : MOST_POINTS;
         measure(&stack, &job, &worst, chain_names[i / 2]);
     }
+    measure_warped(&stack, &job, &worst);
     job.kind = OTHERS;
     measure(&stack, &job, &worst, "scarp_normals, scarp_range and scarp_noise_check");
     printf("%s: at most %zu bytes of stack: %s; a thread alone has %zu\n", argv[1], worst.bytes,

@@ -60,7 +60,8 @@ def check_names(library):
         "gradient", "value", "simplex", "cell-f1", "cell-f2", "cell-edge", "cell-soft",
         "cell-value"]
     assert names(library.scarp_fade_name) == ["quintic", "cubic"]
-    assert names(library.scarp_fractal_name) == ["fbm", "turbulence", "ridged", "erosion", "pingpong", "hybrid"]
+    assert names(library.scarp_fractal_name) == [
+        "fbm", "turbulence", "ridged", "erosion", "pingpong", "hybrid", "swiss", "jordan"]
     assert names(library.scarp_isa_name)[:2] == ["none", "scalar"]
     assert library.scarp_isa_supported(1)
 
