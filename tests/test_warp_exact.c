@@ -1,0 +1,162 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Are the gradient and the Hessian of noise with warps those of its value? The value is that of
+ * y = x + d(x) in double, noise and d being the oracle's; the derivatives are central differences
+ * of it. What comes out without the Jacobian of y, the gradient of the noise at y, is measured
+ * beside. Argument: the number of points per case.
+ */
+#include "fractal.h"
+
+#define DEPTH 4
+#define STEP 0x1p-17
+#define SECOND_STEP 0x1p-14
+
+/* A noise in double, with its warps: level 0 is the noise, the others have a component per axis. */
+struct chain {
+    int depth, dimensions;
+    struct oracle level[DEPTH + 1][3];
+};
+
+static void chain_make(struct chain *chain, const struct scarp_noise *noise, int dimensions)
+{
+    chain->dimensions = dimensions;
+    oracle_make(&chain->level[0][0], noise, dimensions);
+    for (chain->depth = 0; (noise = noise->warp) != NULL;) {
+        chain->depth++;
+        for (int i = 0; i < dimensions; i++) {
+            struct scarp_noise component = *noise;
+            uint64_t state = noise->seed;
+            state = check_random(&state);
+            for (int k = 0; k < 33 + i; k++) {
+                component.seed = check_random(&state);
+            }
+            oracle_make(&chain->level[chain->depth][i], &component, dimensions);
+        }
+    }
+}
+
+/* The noise at y(x), with its derivatives by y. */
+static void chain_at(const struct chain *chain, const double x[3], struct oracle_sample *n)
+{
+    double y[3] = {x[0], x[1], x[2]};
+    for (int level = chain->depth; level > 0; level--) {
+        double moved[3] = {x[0], x[1], x[2]};
+        for (int i = 0; i < chain->dimensions; i++) {
+            struct oracle_sample d;
+            oracle_evaluate(&chain->level[level][i], ORACLE_EXACT, y, &d);
+            moved[i] += d.value;
+        }
+        memcpy(y, moved, sizeof y);
+    }
+    oracle_evaluate(&chain->level[0][0], ORACLE_EXACT, y, n);
+}
+
+static double value_beside(const struct chain *chain, const double x[3], const double by[3])
+{
+    const double at[3] = {x[0] + by[0], x[1] + by[1], x[2] + by[2]};
+    struct oracle_sample n;
+    chain_at(chain, at, &n);
+    return n.value;
+}
+
+static double first_difference_along(const struct chain *chain, const double x[3], int axis)
+{
+    double up[3] = {0.0, 0.0, 0.0}, down[3] = {0.0, 0.0, 0.0};
+    up[axis] = STEP;
+    down[axis] = -STEP;
+    return (value_beside(chain, x, up) - value_beside(chain, x, down)) / (2.0 * STEP);
+}
+
+static double second_difference_along(const struct chain *chain, const double x[3], int a, int b)
+{
+    double sum = 0.0;
+    for (int i = 0; i < 4; i++) {
+        double by[3] = {0.0, 0.0, 0.0};
+        by[a] += i & 1 ? -SECOND_STEP : SECOND_STEP;
+        by[b] += i & 2 ? -SECOND_STEP : SECOND_STEP;
+        sum += value_beside(chain, x, by) * (i == 0 || i == 3 ? 1.0 : -1.0);
+    }
+    return sum / (4.0 * SECOND_STEP * SECOND_STEP);
+}
+
+/* Largest errors, and sums of squares. */
+struct errors {
+    double max, squares, of, without;
+    double max_second, squares_second, of_second;
+};
+
+static void compare_point(const struct chain *chain, const double x[3],
+                          const struct oracle_sample *n, struct errors *e)
+{
+    struct oracle_sample at_y;
+    chain_at(chain, x, &at_y);
+    for (int a = 0; a < chain->dimensions; a++) {
+        const double slope = first_difference_along(chain, x, a);
+        e->max = larger(e->max, fabs(n->gradient[a] - slope));
+        e->squares += pow(n->gradient[a] - slope, 2.0);
+        e->of += slope * slope;
+        e->without += pow(at_y.gradient[a] - slope, 2.0);
+        for (int b = 0; b <= a; b++) {
+            const double second = second_difference_along(chain, x, a, b);
+            e->max_second = larger(e->max_second, fabs(n->hessian[a][b] - second));
+            e->squares_second += pow(n->hessian[a][b] - second, 2.0);
+            e->of_second += second * second;
+        }
+    }
+}
+
+/* Bounds are about three times what was measured on 10^4 points. Second differences are rounded,
+   and third derivatives jump between cells. */
+static void check_case(const struct scarp_noise *noise, int dimensions, long points)
+{
+    static struct chain chain;
+    struct block *const block = block_make();
+    const enum function f = dimensions == 2 ? SAMPLE2_F64 : SAMPLE3_F64;
+    struct errors e = {.max = 0.0};
+    uint64_t random = 1;
+    chain_make(&chain, noise, dimensions);
+    for (long done = 0; done < points; done += BLOCK) {
+        block_random(block, &random, 64.0f);
+        block_sample(block, noise, f, BLOCK);
+        for (size_t i = 0; i < BLOCK; i++) {
+            double x[3];
+            block_point(block, i, x);
+            const struct oracle_sample n = block_result(block, noise, f, i);
+            compare_point(&chain, x, &n, &e);
+        }
+    }
+    const double count = (double)(points * dimensions), pairs = 0.5 * (dimensions + 1);
+    const double rms = sqrt(e.squares / count), of = sqrt(e.of / count);
+    const double without = sqrt(e.without / count);
+    const double second = sqrt(e.squares_second / count / pairs);
+    const double of_second = sqrt(e.of_second / count / pairs);
+    printf("warp %dD, %d deep: gradient max %.1e, rms %.1e of %.2f; without the Jacobian rms %.2f; "
+           "Hessian max %.1e, rms %.1e of %.1f\n",
+           dimensions, chain.depth, e.max, rms, of, without, e.max_second, second, of_second);
+    CHECK(e.max <= 5e-5 * of && rms <= 2e-6 * of, "gradient: off by %g, rms %g", e.max, rms);
+    CHECK(without >= 0.2 * of, "without the Jacobian the rms error is %g only", without);
+    CHECK(e.max_second <= 5e-2 * of_second && second <= 1e-3 * of_second,
+          "Hessian: off by %g, rms %g", e.max_second, second);
+    block_free(block);
+}
+
+int main(int argc, char **argv)
+{
+    static const struct scarp_noise chains[DEPTH + 1] = {
+        {.seed = 5, .octaves = 2.0f, .frequency = 0.5, .amplitude = 0.5f},
+        {.seed = 4, .octaves = 2.0f, .frequency = 0.5, .amplitude = 0.5f, .warp = &chains[0]},
+        {.seed = 3, .octaves = 2.0f, .frequency = 0.5, .amplitude = 0.5f, .warp = &chains[1]},
+        {.seed = 2, .octaves = 2.0f, .frequency = 0.5, .amplitude = 0.5f, .warp = &chains[2]},
+    };
+    const long points = argc > 1 ? strtol(argv[1], NULL, 10) : 0;
+    if (points < BLOCK || points % BLOCK != 0) {
+        printf("usage: %s POINTS (a multiple of %d)\n", argv[0], BLOCK);
+        return EXIT_FAILURE;
+    }
+    for (int i = 0; i < 6; i++) {
+        const struct scarp_noise noise = {
+            .seed = 1, .octaves = 3.0f, .rotate = 1, .warp = &chains[i / 2 == 2 ? 3 : i / 2]};
+        check_case(&noise, 2 + i % 2, points);
+    }
+    return check_done();
+}

@@ -1,0 +1,14 @@
+# SPDX-License-Identifier: MIT
+# Noise with warps, and fractals whose octaves bend: both displace positions by noise. Emulated
+# processors are about 100 times slower.
+
+scarp_test_program(test_warp)
+scarp_add_isa_tests(warp warp test_warp)
+scarp_test_program(test_warp_api)
+scarp_add_test(warp.api warp test_warp_api)
+
+set(warp_points_full 10000)
+set(warp_points_slow 2000)
+set(warp_points_emulated 1000)
+scarp_test_program(test_warp_exact SOURCES ${oracle_sources})
+scarp_add_test(warp.exact warp test_warp_exact ${warp_points_${speed}})
