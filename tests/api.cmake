@@ -38,6 +38,9 @@ scarp_add_isa_tests(phase api test_phase)
 scarp_test_program(test_cells)
 scarp_add_isa_tests(cells api test_cells)
 
+scarp_test_program(test_curl)
+scarp_add_isa_tests(curl api test_curl)
+
 scarp_test_program(test_memory)
 scarp_add_isa_tests(memory api test_memory)
 

@@ -11,8 +11,8 @@
  * and includes the vec_<isa>.h that gives the operations of simd/vec.h.
  */
 #include "cells.h"
+#include "curl.h"
 #include "normals.h"
-#include "warp.h"
 
 const struct scarp_kernels KERNELS = {
     .isa = KERNELS_ISA,
@@ -28,6 +28,7 @@ const struct scarp_kernels KERNELS = {
     .grid3 = grid3,
     .normals = normals,
     .cells = cells,
+    .curl = curl,
 };
 
 #undef KERNELS

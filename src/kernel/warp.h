@@ -4,7 +4,7 @@
  * looks at the input, to the noise itself, which looks at y(x). The coordinates of y are kept as
  * samples: their values are how far they are displaced, their derivatives those of y by x. Points
  * and grids go the same way, but that the deepest warp of a grid takes the passes of grids.
- * Included by table.h; the reference is scalar/warp.h.
+ * Included by curl.h; the reference is scalar/warp.h.
  */
 #ifndef SCARP_KERNEL_WARP_H
 #define SCARP_KERNEL_WARP_H
@@ -234,24 +234,39 @@ static void give(const struct warped *w, const struct scarp_outputs *out, const 
     }
 }
 
-static void warp_chunk(struct warped *w, const struct scarp_outputs *out, const struct chunk *chunk,
-                       size_t first, size_t row_stride)
+/* Moves the positions of a chunk to y. */
+static void warp_positions(struct warped *w, const struct chunk *chunk)
 {
-    const struct scarp_kind kind = {w->chunked.f.dimensions, (short)w->plan->order,
-                                    (short)w->plan->dphase};
-    struct scarp_call_plan plan;
     positions_of_input(&w->chunked, chunk);
     for (int level = w->plan->warps.depth; level > 0; level--) {
         warp_level(w, chunk, level);
     }
-    w->moved[0].array[DPHASE] = w->dphase;
-    if (w->plan->warps.depth == 0) {
+}
+
+/* Computes the noise there, or a component of potentials. */
+static void warp_noise(struct warped *w, const struct chunk *chunk, int component)
+{
+    const struct scarp_warps *const warps = &w->plan->warps;
+    const struct scarp_kind kind = {w->chunked.f.dimensions, (short)w->plan->order,
+                                    (short)w->plan->dphase};
+    struct scarp_call_plan plan;
+    if (warps->depth == 0 && !warps->vector) {
         evaluate(w, w->plan, chunk, &w->moved[0], 0);
-    } else {
-        scarp_plan_level(&plan, &w->plan->warps, kind, 0, 0);
-        evaluate(w, &plan, chunk, &w->moved[0], 0);
+        return;
+    }
+    scarp_plan_level(&plan, warps, kind, 0, component);
+    evaluate(w, &plan, chunk, &w->moved[0], 0);
+    if (warps->depth > 0) {
         compose_any(w, 1, whole_blocks(chunk_count(chunk)));
     }
+}
+
+static void warp_chunk(struct warped *w, const struct scarp_outputs *out, const struct chunk *chunk,
+                       size_t first, size_t row_stride)
+{
+    warp_positions(w, chunk);
+    w->moved[0].array[DPHASE] = w->dphase;
+    warp_noise(w, chunk, 0);
     give(w, out, chunk, first, row_stride);
     w->moved[0].array[DPHASE] = NULL;
 }

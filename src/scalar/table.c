@@ -7,7 +7,7 @@
 #include <math.h>
 
 #include "../kernels.h"
-#include "warp.h"
+#include "curl.h"
 
 static void put(const struct scarp_outputs *out, size_t i, const struct sample *s)
 {
@@ -158,6 +158,21 @@ static void cells(const struct scarp_call_plan *plan, size_t count, const void *
     }
 }
 
+static void curl(const struct scarp_call_plan *plan, size_t count, const void *const position[3],
+                 const struct scarp_flow_arrays *out, int dimensions, int doubles)
+{
+    for (size_t i = 0; i < count; i++) {
+        const struct point x = point_at(position, i, dimensions, doubles);
+        float of[FLOW_OUTPUTS];
+        curl_at(of, plan, &x, dimensions);
+        for (int output = 0; output < FLOW_OUTPUTS; output++) {
+            if (out->array[output] != NULL) {
+                out->array[output][i] = of[output];
+            }
+        }
+    }
+}
+
 const struct scarp_kernels scarp_kernels_scalar = {
     .isa = SCARP_ISA_SCALAR,
     .points2_f32 = points2_f32,
@@ -168,4 +183,5 @@ const struct scarp_kernels scarp_kernels_scalar = {
     .grid3 = grid3,
     .normals = normals,
     .cells = cells,
+    .curl = curl,
 };
