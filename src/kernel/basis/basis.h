@@ -23,22 +23,44 @@ VEC_INLINE struct column column_inline(const struct corners *h, const struct acr
 }
 
 #if VEC_SMALL
-/* One function for each basis computes its columns, for all orders and all passes. */
-#define COLUMN_PASS(name, basis, dimensions, flows)                                                \
+/* One function for each basis and order computes its columns, for all passes. (Of one function for
+   all orders gcc makes clones for each, as long as the unit has not grown too much by clones.) */
+typedef void column_fn(struct column *c, const struct corners *h, const struct across *p);
+
+#define COLUMN_PASS(name, basis, dimensions, order, flows)                                         \
     static __attribute__((noinline)) void name(struct column *c, const struct corners *h,          \
-                                               const struct across *p, int order)                  \
+                                               const struct across *p)                             \
     {                                                                                              \
         const struct variant v = {basis, dimensions, order, flows};                                \
         *c = column_inline(h, p, v);                                                               \
     }
-#define COLUMN_PASSES(name, basis, flows)                                                          \
-    COLUMN_PASS(name##2_column, basis, 2, flows)                                                   \
-    COLUMN_PASS(name##3_column, basis, 3, flows)
+#define COLUMN_PASSES(name, basis, d, flows)                                                       \
+    COLUMN_PASS(name##d##_column0, basis, d, 0, flows)                                             \
+    COLUMN_PASS(name##d##_column1, basis, d, 1, flows)                                             \
+    COLUMN_PASS(name##d##_column2, basis, d, 2, flows)
+#define COLUMN_OF(name, d, order)                                                                  \
+    ((order) == 0 ? name##d##_column0 : (order) == 1 ? name##d##_column1 : name##d##_column2)
 
-COLUMN_PASSES(gradient, SCARP_GRADIENT, 0)
-COLUMN_PASSES(flow, SCARP_GRADIENT, 1)
-COLUMN_PASSES(value, SCARP_VALUE, 0)
+COLUMN_PASSES(gradient, SCARP_GRADIENT, 2, 0)
+COLUMN_PASSES(gradient, SCARP_GRADIENT, 3, 0)
+COLUMN_PASSES(flow, SCARP_GRADIENT, 2, 1)
+COLUMN_PASSES(flow, SCARP_GRADIENT, 3, 1)
+COLUMN_PASSES(value, SCARP_VALUE, 2, 0)
+COLUMN_PASSES(value, SCARP_VALUE, 3, 0)
 
+VEC_INLINE column_fn *column_of(struct variant v)
+{
+    const int plane = v.dimensions == 2;
+    if (v.basis == SCARP_VALUE) {
+        return plane ? COLUMN_OF(value, 2, v.order) : COLUMN_OF(value, 3, v.order);
+    }
+    if (v.flows) {
+        return plane ? COLUMN_OF(flow, 2, v.order) : COLUMN_OF(flow, 3, v.order);
+    }
+    return plane ? COLUMN_OF(gradient, 2, v.order) : COLUMN_OF(gradient, 3, v.order);
+}
+
+#undef COLUMN_OF
 #undef COLUMN_PASSES
 #undef COLUMN_PASS
 
@@ -46,14 +68,7 @@ VEC_INLINE struct column basis_column(const struct corners *h, const struct acro
                                       struct variant v)
 {
     struct column c;
-    const int plane = v.dimensions == 2;
-    if (v.basis == SCARP_VALUE) {
-        (plane ? value2_column : value3_column)(&c, h, p, v.order);
-    } else if (v.flows) {
-        (plane ? flow2_column : flow3_column)(&c, h, p, v.order);
-    } else {
-        (plane ? gradient2_column : gradient3_column)(&c, h, p, v.order);
-    }
+    column_of(v)(&c, h, p);
     return c;
 }
 #else
