@@ -9,8 +9,8 @@
 # BECOMES    what stands in its place, where MUTANT is 1 if this mutant is switched on, or else 0
 # SEEN_BY    bits (results of points differ from the scalar kernels'), plan (those of kept plans from
 #            those without), grid (results of grids from those
-#            of points), curl (velocities from those of their potentials), large (grids, large
-#            ones alone), golden (hashes from golden.txt), or crash
+#            of points), curl (velocities from those of their potentials), large (as grid, but of
+#            large grids alone), golden (hashes from golden.txt), or crash
 #            (the library crashes in the one call where only that can tell; see test_grid.c)
 # SETS       the kernel sets that it is in; all but scalar if this is left out
 
@@ -188,8 +188,8 @@ mutant(cells.row_left_out IN kernel TEXT [[row->search.second ? second : first]]
        BECOMES [[row->search.second && !MUTANT ? second : first]] SEEN_BY grid)
 
 # velocities
-mutant(curl.sign IN kernel/curl.h TEXT [[term->is_negative ? 0x80000000u : 0]]
-       BECOMES [[term->is_negative && !MUTANT ? 0x80000000u : 0]] SEEN_BY curl)
+mutant(curl.sign IN kernel/curl.h TEXT [[term.is_negative ? 0x80000000u : 0]]
+       BECOMES [[term.is_negative && !MUTANT ? 0x80000000u : 0]] SEEN_BY curl)
 mutant(curl.order IN kernel/curl.h TEXT [[alone || c < i]]
        BECOMES [[alone || (MUTANT ? c > i : c < i)]] SEEN_BY curl)
 mutant(curl.potential IN plan.c TEXT [[SCARP_MAX_OCTAVES + 1 + component]]
