@@ -118,6 +118,23 @@ static __attribute__((noinline)) int refused_in_mode(const struct mode *mode, co
     return refused;
 }
 
+/* The velocity, and some of the Jacobian. */
+static __attribute__((noinline)) enum scarp_status flow_in_mode(const struct mode *mode,
+                                                                const struct scarp_noise *noise,
+                                                                const struct outputs *o,
+                                                                struct mode_control *after)
+{
+    const struct scarp_flow out = {.vx = o->array[0], .vy = o->array[1], .vz = o->array[2]};
+    const struct mode_control before = mode_enter(mode);
+    const enum scarp_status status =
+        scarp_curl3(noise, POINTS, x32[0], x32[1], x32[2], &out) == SCARP_OK
+            ? scarp_curl3_f64(noise, POINTS, x64[0], x64[1], x64[2],
+                              &(struct scarp_flow){.vx = o->array[3], .vyz = o->array[4]})
+            : SCARP_ERROR_NULL;
+    *after = mode_leave(before);
+    return status;
+}
+
 /* Makes the calls that do not sample, in `mode`. */
 static __attribute__((noinline)) enum scarp_status range_in_mode(const struct mode *mode,
                                                                  const struct scarp_noise *noise,
@@ -204,6 +221,19 @@ static void test_results(const struct mode *mode)
     }
 }
 
+/* Compares velocities in `mode` with those in the default mode. */
+static void test_flows(const struct mode *mode)
+{
+    struct mode_control after;
+    for (int n = 0; n < NOISES; n++) {
+        const enum scarp_status a = flow_in_mode(&mode_default, &noises[n], &expected, &after);
+        const enum scarp_status b = flow_in_mode(mode, &noises[n], &got, &after);
+        CHECK(a == SCARP_OK && b == SCARP_OK, "%s, scarp_curl3", mode->name);
+        expect_control(mode, &after, "scarp_curl3");
+        compare_outputs(mode, "scarp_curl3", 0x1f);
+    }
+}
+
 /* Bad parameters are refused without a trap. Denormal ones, which are too small, are refused too:
    they are not taken for 0, which means the default. */
 static void test_errors(const struct mode *mode)
@@ -276,12 +306,14 @@ int main(int argc, char **argv)
             return CHECK_SKIPPED;
         }
         test_results(&start);
+        test_flows(&start);
         test_errors(&start);
     }
     int modes = 0;
     for (int i = 0; !started && i < MODES; i++) {
         if (mode_works(&modes_all[i])) {
             test_results(&modes_all[i]);
+            test_flows(&modes_all[i]);
             test_errors(&modes_all[i]);
             modes++;
         } else {

@@ -274,8 +274,52 @@ static void test_chain(enum chain f)
     }
 }
 
+/* The velocity, and as much of the Jacobian as there are outputs. */
+static enum scarp_status find_flow(enum function f, const struct scarp_noise *noise, size_t count,
+                                   const struct inputs *points, const struct outputs *o)
+{
+    float *const *const a = o->array;
+    const struct scarp_flow in_plane = {.vx = a[0], .vy = a[1], .vxx = a[2], .vyx = a[3]};
+    const struct scarp_flow in_space = {.vx = a[0],
+                                        .vy = a[1],
+                                        .vz = a[2],
+                                        .vxx = a[3],
+                                        .vxy = a[4],
+                                        .vyz = a[5],
+                                        .vzx = a[6],
+                                        .vzy = a[7],
+                                        .vzz = a[8]};
+    const float *const *const x = points->f;
+    const double *const *const d = points->d;
+    switch (f) {
+    case SAMPLE2: return scarp_curl2(noise, count, x[0], x[1], &in_plane);
+    case SAMPLE3: return scarp_curl3(noise, count, x[0], x[1], x[2], &in_space);
+    case SAMPLE2_F64: return scarp_curl2_f64(noise, count, d[0], d[1], &in_plane);
+    default: return scarp_curl3_f64(noise, count, d[0], d[1], d[2], &in_space);
+    }
+}
+
+static void test_flows(enum function f, const struct scarp_noise *noise)
+{
+    const unsigned mask = function_dimensions(f) == 2 ? 0xf : 0x1ff;
+    CHECK(find_flow(f, noise, POINTS, &in, &whole) == SCARP_OK, "all");
+    for (size_t c = 0; c < COUNTS; c++) {
+        const size_t count = count_at(c);
+        for (int p = 0; p < PLACES; p++) {
+            const enum place place = (enum place)p;
+            const size_t first = count * 7 % (POINTS - LONGEST);
+            const struct inputs points = place_inputs(f, place, first, count);
+            const struct outputs o = place_outputs(place, mask, count);
+            CHECK(find_flow(f, noise, count, &points, &o) == SCARP_OK, "%zu points", count);
+            check_outputs(&o, mask, &whole, first, count, place, "scarp_curl2 and its like");
+        }
+    }
+}
+
 int main(int argc, char **argv)
 {
+    const struct scarp_noise warp = {.seed = 1}, plain = {.octaves = 2.0f},
+                             warped = {.warp = &warp};
     check_select_isa(argc > 1 ? argv[1] : "scalar");
     uint64_t state = 1;
     for (int i = 0; i < 3 * POINTS; i++) {
@@ -293,6 +337,10 @@ int main(int argc, char **argv)
     test_normals();
     for (int f = 0; f < CHAINS; f++) {
         test_chain((enum chain)f);
+    }
+    for (int f = 0; f < FUNCTIONS; f++) {
+        test_flows((enum function)f, &plain);
+        test_flows((enum function)f, &warped);
     }
     return check_done();
 }

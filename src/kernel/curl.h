@@ -20,14 +20,15 @@ struct curl_term {
 
 /* Adds a term to an output, if that is asked for. Derivatives are padded to whole blocks. */
 static __attribute__((noinline)) void curl_put(float *to, const float *d,
-                                               const struct curl_term *term)
+                                               const struct curl_term *described)
 {
-    const vu sign = vu_set(term->is_negative ? 0x80000000u : 0);
-    const size_t end = to == NULL ? 0 : term->first + term->count;
-    for (size_t at = term->first; at < end; at += VEC_LANES, d += VEC_LANES) {
+    const struct curl_term term = *described; /* which no store can change */
+    const vu sign = vu_set(term.is_negative ? 0x80000000u : 0);
+    const size_t end = to == NULL ? 0 : term.first + term.count;
+    for (size_t at = term.first; at < end; at += VEC_LANES, d += VEC_LANES) {
         const size_t here = least(end - at, VEC_LANES);
         vf sum = (vf)((vu)vf_load(d) ^ sign);
-        if (!term->is_first) {
+        if (!term.is_first) {
             sum += here == VEC_LANES ? vf_load(to + at) : vf_load_part(to + at, here);
         }
         if (here == VEC_LANES) {

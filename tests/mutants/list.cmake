@@ -200,8 +200,8 @@ mutant(cells.row_left_out IN kernel TEXT [[row->search.second ? second : first]]
        BECOMES [[row->search.second && !MUTANT ? second : first]] SEEN_BY grid)
 
 # velocities
-mutant(curl.sign IN kernel/curl.h TEXT [[term->is_negative ? 0x80000000u : 0]]
-       BECOMES [[term->is_negative && !MUTANT ? 0x80000000u : 0]] SEEN_BY curl)
+mutant(curl.sign IN kernel/curl.h TEXT [[term.is_negative ? 0x80000000u : 0]]
+       BECOMES [[term.is_negative && !MUTANT ? 0x80000000u : 0]] SEEN_BY curl)
 mutant(curl.order IN kernel/curl.h TEXT [[alone || c < i]]
        BECOMES [[alone || (MUTANT ? c > i : c < i)]] SEEN_BY curl)
 mutant(curl.potential IN plan.c TEXT [[SCARP_MAX_OCTAVES + 1 + component]]
