@@ -137,6 +137,7 @@ static inline void plan_describe(struct scarp_call_plan *plan, const struct scar
     plan->dphase = kind.dphase;
     plan->flows = kind.dphase || noise->phase != 0.0f;
     plan->warps.depth = 0;
+    plan->warps.vector = 0;
     plan->plain = plan->repeat == SCARP_REPEAT_NEVER && !plan->flows &&
                   blends_corners(noise->basis) && !fractal_bends(noise->fractal);
 }

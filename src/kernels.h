@@ -33,6 +33,13 @@ typedef void scarp_cells_fn(const struct scarp_call_plan *plan, size_t count,
 /* Computes the outputs of a function of samples, one or more, at `count` > 0 points. */
 typedef void scarp_chain_fn(const struct scarp_chain *call, size_t count);
 
+/* Does what scarp_curl2 and its like say for `count` > 0 points, with the plan of potentials.
+   `doubles` says what `position` has; arrays along z are NULL in 2D, the Jacobian where the plan's
+   order is 1. */
+typedef void scarp_curl_fn(const struct scarp_call_plan *plan, size_t count,
+                           const void *const position[3], const struct scarp_flow_arrays *out,
+                           int dimensions, int doubles);
+
 struct scarp_kernels {
     enum scarp_isa isa;
     /* Serves calls of at most `narrower_most` points in less time; NULL, 0: no other table does. */
@@ -44,6 +51,7 @@ struct scarp_kernels {
     scarp_normals_fn *normals;
     scarp_cells_fn *cells;
     scarp_chain_fn *chain;
+    scarp_curl_fn *curl;
 };
 
 /* Declared everywhere, defined where isas.h says so. */

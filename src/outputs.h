@@ -40,4 +40,12 @@ struct __attribute__((may_alias)) scarp_cell_arrays {
     float *array[CELLS_OUTPUTS];
 };
 
+/* What scarp_curl2 and its like give, in the order of struct scarp_flow, and a list of arrays as
+   above: the components of the velocity, then the rows of its Jacobian. */
+enum { FLOW_V, FLOW_JACOBIAN = FLOW_V + 3, FLOW_OUTPUTS = FLOW_JACOBIAN + 9 };
+
+struct __attribute__((may_alias)) scarp_flow_arrays {
+    float *array[FLOW_OUTPUTS];
+};
+
 #endif

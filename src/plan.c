@@ -496,19 +496,26 @@ enum scarp_status scarp_plan_keep(struct scarp_plan *plan, const struct scarp_no
     return status;
 }
 
-/* The seed of a component of a warp: numbers that no octave has. */
+/* The seed of a component of a warp or a potential: numbers that no octave has. */
 static uint64_t component_seed(uint64_t seed, int component)
 {
     return octave_seed(mix64(seed + GOLDEN_GAMMA), SCARP_MAX_OCTAVES + 1 + component);
 }
 
-/* Computes the octaves of a component of a level, which the noise describes. */
+/* How many components a level has, and whether they have seeds of their own. */
+static int components_of(const struct scarp_warps *warps, int level, int dimensions)
+{
+    return level > 0 || warps->vector ? dimensions : 1;
+}
+
+/* Computes the octaves of a component of a level, which the noise describes; of level 0 without
+   components, if there are none. */
 static void make_level(struct scarp_octave *octave, const struct scarp_noise *described,
-                       int dimensions, int level, int component)
+                       int dimensions, int components, int component)
 {
     struct scarp_noise noise = *described;
     const struct parameters p = parameters_of(&noise);
-    if (level > 0) {
+    if (components > 1) {
         noise.seed = component_seed(noise.seed, component);
     }
     make_octaves(octave, &noise, &p, dimensions);
@@ -524,14 +531,15 @@ static void make_levels(struct scarp_warps *warps, int dimensions)
     const struct scarp_noise *noise = warps->noise;
     int count = 0;
     for (int level = 0; level <= warps->depth; level++, noise = noise->warp) {
-        count += octaves_in(noise) * (level > 0 ? dimensions : 1);
+        count += octaves_in(noise) * components_of(warps, level, dimensions);
     }
     warps->has_all = count <= SCARP_MAX_OCTAVES;
     struct scarp_octave *octave = warps->space;
     noise = warps->noise;
     for (int level = 0; warps->has_all && level <= warps->depth; level++, noise = noise->warp) {
-        for (int i = 0; i < (level > 0 ? dimensions : 1); i++) {
-            make_level(octave, noise, dimensions, level, i);
+        const int components = components_of(warps, level, dimensions);
+        for (int i = 0; i < components; i++) {
+            make_level(octave, noise, dimensions, components, i);
             octave += octaves_in(noise);
         }
     }
@@ -543,21 +551,24 @@ void scarp_plan_level(struct scarp_call_plan *plan, const struct scarp_warps *wa
     const struct scarp_noise *noise = warps->noise;
     struct scarp_octave *octave = warps->space;
     for (int i = 0; i < level; i++, noise = noise->warp) {
-        octave += octaves_in(noise) * (i > 0 ? kind.dimensions : 1);
+        octave += octaves_in(noise) * components_of(warps, i, kind.dimensions);
     }
     octave += octaves_in(noise) * component;
     if (!warps->has_all) {
         octave = warps->space;
-        make_level(octave, noise, kind.dimensions, level, component);
+        make_level(octave, noise, kind.dimensions, components_of(warps, level, kind.dimensions),
+                   component);
     }
     kind.dphase = level == 0 ? kind.dphase : 0;
     plan_describe(plan, noise, kind);
     plan->octave = octave;
 }
 
-/* Makes the plan of a noise with warps, if these have what is asked for, too. */
-static enum scarp_status plan_warps(struct scarp_call_plan *plan, struct scarp_octave *space,
-                                    const struct scarp_noise *noise, struct scarp_kind kind)
+/* Makes the plan of a noise with warps, if these have what is asked for, too; or of potentials,
+   with or without. */
+static enum scarp_status plan_levels(struct scarp_call_plan *plan, struct scarp_octave *space,
+                                     const struct scarp_noise *noise, struct scarp_kind kind,
+                                     int vector)
 {
     const struct scarp_kind of_warp = {.dimensions = kind.dimensions, .order = kind.order};
     int depth = 0;
@@ -570,7 +581,8 @@ static enum scarp_status plan_warps(struct scarp_call_plan *plan, struct scarp_o
     plan_describe(plan, noise, kind);
     plan->plain = 0;
     plan->octave = NULL;
-    plan->warps = (struct scarp_warps){.depth = depth, .space = space, .noise = noise};
+    plan->warps =
+        (struct scarp_warps){.depth = depth, .vector = vector, .space = space, .noise = noise};
     make_levels(&plan->warps, kind.dimensions);
     return SCARP_OK;
 }
@@ -589,7 +601,7 @@ enum scarp_status scarp_plan_call(struct scarp_call_plan *plan, struct scarp_oct
         return SCARP_ERROR_UNSUPPORTED;
     }
     if (noise->warp != NULL) {
-        return plan_warps(plan, space, noise, kind);
+        return plan_levels(plan, space, noise, kind, 0);
     }
     plan_describe(plan, noise, kind);
     if (plan->flows) {
@@ -597,4 +609,17 @@ enum scarp_status scarp_plan_call(struct scarp_call_plan *plan, struct scarp_oct
     }
     plan->octave = space;
     return SCARP_OK;
+}
+
+enum scarp_status scarp_plan_potentials(struct scarp_call_plan *plan, struct scarp_octave *space,
+                                        const struct scarp_noise *noise, struct scarp_kind kind)
+{
+    if (kind.dimensions == 2) {
+        return scarp_plan_call(plan, space, noise, kind);
+    }
+    const char *member;
+    const enum scarp_status status = scarp_plan_check(noise, kind.dimensions, &member);
+    return status != SCARP_OK          ? status
+           : !has_outputs(noise, kind) ? SCARP_ERROR_UNSUPPORTED
+                                       : plan_levels(plan, space, noise, kind, 1);
 }

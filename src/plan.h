@@ -79,6 +79,7 @@ struct scarp_kind {
    level above 0 has a component for each axis, which is noise of its own. */
 struct scarp_warps {
     int depth;   /* the number of the last level; 0: there are none */
+    int vector;  /* whether level 0 has a component for each axis, too: the potentials of a flow */
     int has_all; /* whether `space` has the octaves of all levels and components */
     struct scarp_octave *space;
     const struct scarp_noise *noise;
@@ -120,6 +121,11 @@ enum scarp_status scarp_plan_keep(struct scarp_plan *plan, const struct scarp_no
    a warp, the plan has no octaves, but scarp_plan_level finds them. */
 enum scarp_status scarp_plan_call(struct scarp_call_plan *plan, struct scarp_octave *space,
                                   const struct scarp_noise *noise, struct scarp_kind kind);
+
+/* The same for the potentials of a flow (scarp.h, scarp_curl2). In space the plan has no octaves;
+   they are components of level 0. */
+enum scarp_status scarp_plan_potentials(struct scarp_call_plan *plan, struct scarp_octave *space,
+                                        const struct scarp_noise *noise, struct scarp_kind kind);
 
 /* Makes the plan of a component of a level. Until the next call of this function the plan may be
    used; where `has_all`, as long as the space is there. */

@@ -42,6 +42,8 @@ scarp_test_program(test_chain)
 scarp_add_isa_tests(chain api test_chain)
 scarp_test_program(test_chain_rule)
 scarp_add_isa_tests(chain_rule api test_chain_rule)
+scarp_test_program(test_curl)
+scarp_add_isa_tests(curl api test_curl)
 
 scarp_test_program(test_memory)
 scarp_add_isa_tests(memory api test_memory)

@@ -120,8 +120,9 @@ static void try_field(enum field field, double value, enum scarp_status expected
     for (int i = SCARP_FBM; i < last + count_names(basis_name); i++) {
         const int fractal = i > last ? SCARP_FBM : i;
         const int basis = i > last ? i - last : SCARP_GRADIENT;
-        if (field == SHARPNESS && (fractal == SCARP_PINGPONG || fractal == SCARP_HYBRID)) {
-            continue; /* test_sharpness has their interval */
+        if ((field == SHARPNESS && fractal >= SCARP_PINGPONG) ||
+            (field == EROSION && fractal == SCARP_JORDAN)) {
+            continue; /* test_narrow_intervals has theirs */
         }
         struct scarp_noise noise = {.fractal = (enum scarp_fractal)fractal,
                                     .basis = (enum scarp_basis)basis};
@@ -137,22 +138,32 @@ static void try_field(enum field field, double value, enum scarp_status expected
     }
 }
 
-/* The interval of fractals that have a sharpness. */
-static void test_sharpness(void)
+/* Tries values of a member that the fractals from one on narrow the interval of: four good ones,
+   then six bad ones. */
+static void test_narrow(enum field field, enum scarp_fractal first, const float values[10])
 {
-    static const float good[] = {0x1p-8f, 0.7f, 0x1p8f, -0.0f};
-    static const float bad[] = {0x1.fffffep-9f, 0x1.000002p8f, -1.0f, NAN, INFINITY, 0x1p-149f};
-    for (int fractal = SCARP_PINGPONG; fractal <= SCARP_HYBRID; fractal++) {
-        struct scarp_noise noise = {.fractal = (enum scarp_fractal)fractal};
-        for (size_t i = 0; i < sizeof good / sizeof good[0]; i++) {
-            noise.sharpness = good[i];
-            expect_accepted(&noise, fractal_name(fractal));
-        }
-        for (size_t i = 0; i < sizeof bad / sizeof bad[0]; i++) {
-            noise.sharpness = bad[i];
-            expect_refused(&noise, SCARP_ERROR_PARAMETER, "sharpness", fractal_name(fractal));
+    for (enum scarp_fractal fractal = first; scarp_fractal_name(fractal) != NULL; fractal++) {
+        for (int i = 0; i < 10; i++) {
+            struct scarp_noise noise = {.fractal = fractal};
+            set_field(&noise, field, (double)values[i]);
+            if (i < 4) {
+                expect_accepted(&noise, scarp_fractal_name(fractal));
+            } else {
+                expect_refused(&noise, SCARP_ERROR_PARAMETER, field_names[field],
+                               scarp_fractal_name(fractal));
+            }
         }
     }
+}
+
+static void test_narrow_intervals(void)
+{
+    static const float sharpness[10] = {0x1p-8f,       0.7f,  0x1p8f, -0.0f,    0x1.fffffep-9f,
+                                        0x1.000002p8f, -1.0f, NAN,    INFINITY, 0x1p-149f};
+    static const float erosion[10] = {0x1p-24f,      0.7f,  1.0f, -0.0f,    0x1.fffffep-25f,
+                                      0x1.000002p0f, -1.0f, NAN,  INFINITY, 0x1p-149f};
+    test_narrow(SHARPNESS, SCARP_PINGPONG, sharpness);
+    test_narrow(EROSION, SCARP_JORDAN, erosion);
 }
 
 /* The neighbour of `end` in the type of the field, away from or towards `middle`. */
@@ -513,7 +524,7 @@ int main(int argc, char **argv)
     }
     make_inputs();
     test_intervals();
-    test_sharpness();
+    test_narrow_intervals();
     test_last_frequency();
     test_extremes();
     test_enumerators();

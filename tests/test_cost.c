@@ -6,7 +6,7 @@
  *     test_cost ISA CALL BASIS OUTPUTS FRACTAL OCTAVES
  *
  * CALL is points2, points3, grid2 or grid3, BASIS a word of scarp_basis_name, OUTPUTS value,
- * gradient or hessian, FRACTAL fbm, turbulence, ridged or erosion. Points are random; samples of
+ * gradient or hessian, FRACTAL a name of a fractal. Points are random; samples of
  * grids are 0.01 cells apart, in rows that are long enough for what is done once per row to count
  * as in large grids.
  */

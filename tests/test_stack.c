@@ -28,7 +28,7 @@ static size_t stack_bytes(void)
 /* One call. */
 struct job {
     struct scarp_noise noise;
-    enum { NOTHING, POINTS, GRID, CHAIN, OTHERS } kind;
+    enum { NOTHING, POINTS, GRID, CHAIN, FLOW, OTHERS } kind;
     int order, dimensions;
     enum function function;
     enum chain chain;
@@ -39,6 +39,25 @@ struct job {
     const struct outputs *out;
     enum scarp_status status;
 };
+
+/* Velocities; of order 2, with the Jacobian. The arrays stand for any. */
+static enum scarp_status flow_call(const struct job *job)
+{
+    float *const *const a = job->out->array;
+    const struct inputs *const in = job->in;
+    struct scarp_flow out = {.vx = a[0], .vy = a[1], .vz = job->dimensions == 3 ? a[2] : NULL};
+    if (job->order == 2) {
+        out.vxx = a[3];
+        out.vyx = a[4];
+        out.vzz = job->dimensions == 3 ? a[5] : NULL;
+    }
+    switch (job->function) {
+    case SAMPLE2: return scarp_curl2(&job->noise, job->count, in->f[0], in->f[1], &out);
+    case SAMPLE3: return scarp_curl3(&job->noise, job->count, in->f[0], in->f[1], in->f[2], &out);
+    case SAMPLE2_F64: return scarp_curl2_f64(&job->noise, job->count, in->d[0], in->d[1], &out);
+    default: return scarp_curl3_f64(&job->noise, job->count, in->d[0], in->d[1], in->d[2], &out);
+    }
+}
 
 static void *run(void *opaque)
 {
@@ -59,6 +78,7 @@ static void *run(void *opaque)
         job->status = chain_call_arrays(job->chain, job->count, job->x, &all);
         break;
     }
+    case FLOW: job->status = flow_call(job); break;
     case OTHERS:
         scarp_normals(job->count, job->in->f[0], job->in->f[1], 1.0f, out.value, out.dx, out.dy);
         scarp_range(&job->noise, 2, &lowest, &highest);
@@ -161,6 +181,22 @@ static void measure_warped(const struct guarded *stack, struct job *job, struct 
     }
 }
 
+/* Velocities of the job's noise, and of the same with a warp of its kind. */
+static void measure_flows(const struct guarded *stack, struct job *job, struct worst *worst)
+{
+    const struct scarp_noise warp = job->noise;
+    job->kind = FLOW;
+    for (int i = 0; i < 2 * FUNCTIONS; i++) {
+        job->function = (enum function)(i % FUNCTIONS);
+        job->dimensions = function_dimensions(job->function);
+        job->noise.warp = i < FUNCTIONS ? NULL : &warp;
+        for (job->count = 7; job->count < MOST_POINTS; job->count += 1000) {
+            measure(stack, job, worst, "scarp_curl2 and its like");
+        }
+    }
+    job->noise.warp = NULL;
+}
+
 int main(int argc, char **argv)
 {
     if (argc != 2) {
@@ -180,7 +216,7 @@ int main(int argc, char **argv)
     const struct guarded stack = guarded_make(stack_bytes());
     struct job job = {
         .kind = NOTHING, .dimensions = 2, .in = &in, .x = {f[0], f[1], f[2]}, .out = &out};
-    struct worst worst = {.nothing = touched(&stack, &job)};
+    struct worst worst = {.nothing = touched(&stack, &job)}, flows = worst;
     for (int i = 0; scarp_basis_name((enum scarp_basis)i) != NULL; i++) {
         /* Fractals do the same with all octaves. */
         const int fractals = i <= SCARP_VALUE ? count_names(fractal_name) : 1;
@@ -196,6 +232,9 @@ int main(int argc, char **argv)
                     measure_points(&stack, &job, &worst);
                     measure_grids(&stack, &job, &worst);
                 }
+                if (job.order < 2 || k < SCARP_EROSION) {
+                    measure_flows(&stack, &job, &flows);
+                }
             }
         }
     }
@@ -210,6 +249,7 @@ int main(int argc, char **argv)
     measure(&stack, &job, &worst, "scarp_normals, scarp_range and scarp_noise_check");
     printf("%s: at most %zu bytes of stack: %s; a thread alone has %zu\n", argv[1], worst.bytes,
            worst.what, worst.nothing);
+    printf("%s: at most %zu bytes: %s\n", argv[1], flows.bytes, flows.what);
     outputs_free(&out);
     return check_done();
 }

@@ -30,6 +30,7 @@ struct chunked {
     size_t most;             /* samples of a chunk: whole blocks */
     void *position[3];       /* of the level at work: floats or doubles */
     const void *input[3];    /* of the chunk: where the caller has it, or `position` */
+    int copies;              /* whether it is always copied: outputs may be there */
     struct workspace passes; /* what the passes have */
 };
 
@@ -108,7 +109,7 @@ static void find_input(struct chunked *w, const struct chunk *chunk)
     for (int axis = 0; axis < w->f.dimensions; axis++) {
         char *const to = (char *)w->position[axis];
         w->input[axis] = to;
-        if (w->source.grid == NULL && count == end) {
+        if (w->source.grid == NULL && count == end && !w->copies) {
             w->input[axis] = (const char *)w->source.position[axis] + chunk->at[0] * bytes;
             continue;
         }

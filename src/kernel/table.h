@@ -12,8 +12,8 @@
  */
 #include "cells.h"
 #include "chain.h"
+#include "curl.h"
 #include "normals.h"
-#include "warp.h"
 
 const struct scarp_kernels KERNELS = {
     .isa = KERNELS_ISA,
@@ -30,6 +30,7 @@ const struct scarp_kernels KERNELS = {
     .normals = normals,
     .cells = cells,
     .chain = chain,
+    .curl = curl,
 };
 
 #undef KERNELS

@@ -4,7 +4,7 @@
  * looks at the input, to the noise itself, which looks at y(x). The coordinates of y are kept as
  * samples: their values are how far they are displaced, their derivatives those of y by x. Points
  * and grids go the same way, but that the deepest warp of a grid takes the passes of grids.
- * Included by table.h; the reference is scalar/warp.h.
+ * Included by curl.h; the reference is scalar/warp.h.
  */
 #ifndef SCARP_KERNEL_WARP_H
 #define SCARP_KERNEL_WARP_H
@@ -245,6 +245,36 @@ static void give(const struct warped *w, const struct scarp_outputs *out, const 
     }
 }
 
+/* Moves the positions of a chunk to y. */
+static void warp_positions(struct warped *w, const struct chunk *chunk)
+{
+    find_input(&w->chunked, chunk);
+    for (int level = w->plan->warps.depth; level > 0; level--) {
+        warp_level(w, chunk, level);
+    }
+}
+
+/* Computes the noise there, or a component of potentials. Values go to `to`, derivatives by x to
+   moved[0], which `to` is then. */
+static void warp_noise(const struct warped *w, const struct chunk *chunk, int component,
+                       const struct scarp_outputs *to)
+{
+    const struct scarp_warps *const warps = &w->plan->warps;
+    const struct scarp_kind kind = {w->chunked.f.dimensions, (short)w->plan->order,
+                                    (short)w->plan->dphase};
+    const int is_alone = warps->depth == 0 && !warps->vector;
+    struct scarp_call_plan plan;
+    if (!is_alone) {
+        scarp_plan_level(&plan, warps, kind, 0, component);
+    }
+    if (warps->depth == 0) {
+        evaluate_input(w, is_alone ? w->plan : &plan, chunk, to);
+    } else {
+        evaluate(w, &plan, whole_blocks(chunk_count(chunk)), to);
+        compose_any(w, 1, whole_blocks(chunk_count(chunk)));
+    }
+}
+
 /* Values of whole blocks of points go to the caller's array at once. */
 static int gives_values(const struct warped *w, const struct scarp_outputs *out,
                         const struct chunk *chunk)
@@ -256,29 +286,14 @@ static int gives_values(const struct warped *w, const struct scarp_outputs *out,
 static void warp_chunk(struct warped *w, const struct scarp_outputs *out, const struct chunk *chunk,
                        size_t first, size_t row_stride)
 {
-    const struct scarp_warps *const warps = &w->plan->warps;
-    const struct scarp_kind kind = {w->chunked.f.dimensions, (short)w->plan->order,
-                                    (short)w->plan->dphase};
-    const size_t end = whole_blocks(chunk_count(chunk));
-    struct scarp_call_plan plan;
-    find_input(&w->chunked, chunk);
-    if (warps->depth == 0) {
-        evaluate_input(w, w->plan, chunk, &w->moved[0]);
-        give(w, out, chunk, first, row_stride);
-        return;
-    }
-    for (int level = warps->depth; level > 0; level--) {
-        warp_level(w, chunk, level);
-    }
-    scarp_plan_level(&plan, warps, kind, 0, 0);
+    warp_positions(w, chunk);
     if (gives_values(w, out, chunk)) {
         const struct scarp_outputs values = {.array = {out->array[VALUE] + first}};
-        evaluate(w, &plan, end, &values);
+        warp_noise(w, chunk, 0, &values);
         return;
     }
     w->moved[0].array[DPHASE] = w->dphase;
-    evaluate(w, &plan, end, &w->moved[0]);
-    compose_any(w, 1, end);
+    warp_noise(w, chunk, 0, &w->moved[0]);
     give(w, out, chunk, first, row_stride);
     w->moved[0].array[DPHASE] = NULL;
 }

@@ -8,7 +8,7 @@
 
 #include "../kernels.h"
 #include "chain.h"
-#include "warp.h"
+#include "curl.h"
 
 static void put(const struct scarp_outputs *out, size_t i, const struct sample *s)
 {
@@ -166,6 +166,21 @@ static void chain(const struct scarp_chain *call, size_t count)
     }
 }
 
+static void curl(const struct scarp_call_plan *plan, size_t count, const void *const position[3],
+                 const struct scarp_flow_arrays *out, int dimensions, int doubles)
+{
+    for (size_t i = 0; i < count; i++) {
+        const struct point x = point_at(position, i, dimensions, doubles);
+        float of[FLOW_OUTPUTS];
+        curl_at(of, plan, &x, dimensions);
+        for (int output = 0; output < FLOW_OUTPUTS; output++) {
+            if (out->array[output] != NULL) {
+                out->array[output][i] = of[output];
+            }
+        }
+    }
+}
+
 const struct scarp_kernels scarp_kernels_scalar = {
     .isa = SCARP_ISA_SCALAR,
     .points2_f32 = points2_f32,
@@ -177,4 +192,5 @@ const struct scarp_kernels scarp_kernels_scalar = {
     .normals = normals,
     .cells = cells,
     .chain = chain,
+    .curl = curl,
 };

@@ -55,16 +55,17 @@ static struct sample octaves_at(const struct scarp_call_plan *plan, const struct
                                         : sum_octaves(plan, x, dimensions);
 }
 
-/* The noise of a plan, with its warps: from the deepest one, which looks at x, to the noise. */
-static struct sample sample_at(const struct scarp_call_plan *plan, const struct point *x,
-                               int dimensions)
+/* The noise of a plan, or a component of its potentials, with the warps: from the deepest one,
+   which looks at x, to the noise. */
+static struct sample component_at(const struct scarp_call_plan *plan, const struct point *x,
+                                  int dimensions, int component)
 {
     const struct scarp_kind kind = {dimensions, (short)plan->order, (short)plan->dphase};
     const int depth = plan->warps.depth;
     struct sample y[3], moved[3];
     struct point at = *x;
     struct scarp_call_plan of_level;
-    if (depth == 0) {
+    if (depth == 0 && !plan->warps.vector) {
         return octaves_at(plan, x, dimensions);
     }
     for (int level = depth; level > 0; level--) {
@@ -79,9 +80,15 @@ static struct sample sample_at(const struct scarp_call_plan *plan, const struct 
         memcpy(y, moved, (size_t)dimensions * sizeof *y);
         at = displaced(x, y, dimensions);
     }
-    scarp_plan_level(&of_level, &plan->warps, kind, 0, 0);
+    scarp_plan_level(&of_level, &plan->warps, kind, 0, component);
     const struct sample s = octaves_at(&of_level, &at, dimensions);
-    return composed(&s, y, dimensions);
+    return depth == 0 ? s : composed(&s, y, dimensions);
+}
+
+static struct sample sample_at(const struct scarp_call_plan *plan, const struct point *x,
+                               int dimensions)
+{
+    return component_at(plan, x, dimensions, 0);
 }
 
 #endif

@@ -8,8 +8,9 @@
 # TEXT       what is replaced; short, so that it outlives changes nearby
 # BECOMES    what stands in its place, where MUTANT is 1 if this mutant is switched on, or else 0
 # SEEN_BY    bits (results of points differ from the scalar kernels'), chain (those of functions of
-#            samples), plan (those of kept plans from those without), grid (results of grids from those
-#            of points), large (the same, large grids alone), golden (hashes from golden.txt), or crash
+#            samples), curl (velocities from those of their potentials), plan (those of kept plans from
+#            those without), grid (results of grids from those of points), large (the same, large grids
+#            alone), golden (hashes from golden.txt), or crash
 #            (the library crashes in the one call where only that can tell; see test_grid.c)
 # SETS       the kernel sets that it is in; all but scalar if this is left out
 
@@ -197,6 +198,14 @@ mutant(cells.soft_hessian IN kernel TEXT [[14.0f * a6]]
        BECOMES [[(MUTANT ? 13.0f : 14.0f) * a6]] SEEN_BY bits)
 mutant(cells.row_left_out IN kernel TEXT [[row->search.second ? second : first]]
        BECOMES [[row->search.second && !MUTANT ? second : first]] SEEN_BY grid)
+
+# velocities
+mutant(curl.sign IN kernel/curl.h TEXT [[term->is_negative ? 0x80000000u : 0]]
+       BECOMES [[term->is_negative && !MUTANT ? 0x80000000u : 0]] SEEN_BY curl)
+mutant(curl.order IN kernel/curl.h TEXT [[alone || c < i]]
+       BECOMES [[alone || (MUTANT ? c > i : c < i)]] SEEN_BY curl)
+mutant(curl.potential IN plan.c TEXT [[SCARP_MAX_OCTAVES + 1 + component]]
+       BECOMES [[SCARP_MAX_OCTAVES + 1 + (MUTANT ? component / 2 : component)]] SEEN_BY curl)
 
 # outputs
 mutant(outputs.lanes IN kernel TEXT [[put_block(float *to, vf term, enum put put)
