@@ -190,6 +190,18 @@ static void scale_basis(struct oracle *oracle)
     }
 }
 
+/* What fractals that bend have of their own. */
+static void set_bends(struct oracle *oracle, const struct scarp_noise *noise)
+{
+    const int jordan = oracle->fractal == SCARP_JORDAN;
+    oracle->sharpness = (double)(noise->sharpness != 0.0f ? noise->sharpness
+                                 : jordan                 ? 0.35f
+                                                          : 0.15f);
+    for (int k = 0; jordan && k < oracle->octaves; k++) {
+        oracle->octave[k].weight *= 1.0 - 0x1p-17;
+    }
+}
+
 void oracle_make(struct oracle *oracle, const struct scarp_noise *noise, int dimensions)
 {
     const double octaves = noise->octaves != 0.0f ? (double)noise->octaves : 1.0;
@@ -240,6 +252,9 @@ void oracle_make(struct oracle *oracle, const struct scarp_noise *noise, int dim
     const double headroom = noise->fractal == SCARP_HYBRID ? 0x1p-12 : 0x1p-17;
     for (int k = 0; k < oracle->octaves; k++) {
         oracle->octave[k].weight *= amplitude * (1.0 - headroom) / sum;
+    }
+    if (oracle->fractal == SCARP_SWISS || oracle->fractal == SCARP_JORDAN) {
+        set_bends(oracle, noise);
     }
 }
 

@@ -104,7 +104,8 @@ void oracle_octave_at(const struct oracle *oracle, enum oracle_rounding rounding
                       const double x[3], struct oracle_sample *n);
 
 /* Where the creases are: of turbulence and ridged n_k = 0, and for ridged 2 s_k = 1; of ping-pong
-   where t is an integer; of hybrid where the weight is clamped. */
+   where t is an integer; of hybrid where the weight is clamped; of Swiss noise n_k = 0, |n_k| = 1,
+   and where what octaves are multiplied by is clamped. */
 struct oracle_creases {
     double clearance; /* the smallest |n_k|, and for ridged |2 s_k - 1|, and so on; HUGE_VAL without
                          creases */
@@ -119,7 +120,7 @@ void oracle_evaluate_creased(const struct oracle *oracle, enum oracle_rounding r
                              struct oracle_creases *creases);
 
 /* oracle_fractal.c: the gradient of erosion as others compute it, with the q_k taken as constants:
-   sum a_k q_k G_k. */
+   sum a_k q_k G_k; that of the fractals that bend with the S_k taken as constants. */
 void oracle_frozen_gradient(const struct oracle *oracle, enum oracle_rounding rounding,
                             const double x[3], double gradient[3]);
 

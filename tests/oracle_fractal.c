@@ -8,6 +8,7 @@
 #include "oracle.h"
 
 #include <math.h>
+#include <string.h>
 
 /* Gives n of an octave as a function of the input: its derivatives become J^T g and J^T H J. */
 static struct oracle_sample pulled_back(const struct oracle *oracle, int k,
@@ -157,11 +158,109 @@ static struct oracle_sample eroded(const struct oracle *oracle, int k,
     return s;
 }
 
+/* Octave k where it looks at y = x + c S, as a function of x, and the components of its slope. */
+static struct oracle_sample bent(const struct oracle *oracle, enum oracle_rounding rounding, int k,
+                                 const double x[3], const struct oracle_sample s[3],
+                                 struct oracle_sample slope[3])
+{
+    const double f = oracle->octave[k].frequency;
+    const double c =
+        oracle->sharpness / (oracle->fractal == SCARP_SWISS ? oracle->octave[0].frequency : f);
+    const double y[3] = {x[0] + c * s[0].value, x[1] + c * s[1].value, x[2] + c * s[2].value};
+    struct oracle_sample at, n;
+    oracle_octave_at(oracle, rounding, k, y, &at);
+    const struct oracle_sample by_y = pulled_back(oracle, k, &at);
+    n = (struct oracle_sample){.value = by_y.value};
+    for (int m = 0; m < 3; m++) {
+        slope[m] = (struct oracle_sample){.value = by_y.gradient[m] / f};
+        for (int j = 0; j < 3; j++) {
+            const double yj = (m == j ? 1.0 : 0.0) + c * s[m].gradient[j]; /* of y_m */
+            n.gradient[j] += by_y.gradient[m] * yj;
+            for (int i = 0; i < 3; i++) {
+                slope[m].gradient[j] +=
+                    by_y.hessian[m][i] * ((i == j ? 1.0 : 0.0) + c * s[i].gradient[j]) / f;
+            }
+        }
+    }
+    return n;
+}
+
+/* Swiss: u max(0, 1 - |n|), and the factor of its slope is -(a / a_0) u n. */
+static struct oracle_sample swiss(const struct oracle *oracle, int k, const struct oracle_sample *n,
+                                  const struct oracle_sample *left, struct oracle_sample *factor,
+                                  struct oracle_creases *creases)
+{
+    const struct oracle_sample m = magnitude(n), un = times(left, n);
+    struct oracle_sample r = {.value = 1.0};
+    add(&r, -1.0, &m);
+    creases->clearance = fmin(creases->clearance, fmin(m.value, fabs(r.value)));
+    creases->side |= (uint64_t)(n->value < 0.0) << k;
+    if (r.value < 0.0) {
+        r = (struct oracle_sample){.value = 0.0};
+    }
+    *factor = (struct oracle_sample){.value = 0.0};
+    add(factor, -oracle->octave[k].weight / oracle->octave[0].weight, &un);
+    return times(left, &r);
+}
+
+/* Jordan: q n^2 with q = 1 - erosion / (1 + S.S). */
+static struct oracle_sample jordan(const struct oracle *oracle, int k,
+                                   const struct oracle_sample *n, const struct oracle_sample s[3])
+{
+    const struct oracle_sample square = times(n, n);
+    struct oracle_sample steep = {.value = 1.0}, q = {.value = 1.0};
+    for (int m = 0; m < oracle->dimensions; m++) {
+        const struct oracle_sample of = times(&s[m], &s[m]);
+        add(&steep, 1.0, &of);
+    }
+    if (k > 0) {
+        add(&q, oracle->erosion / (steep.value * steep.value), &steep);
+        q.value = 1.0 - oracle->erosion / steep.value;
+    }
+    return times(&q, &square);
+}
+
+/* The fractals that bend. Hessians would need third derivatives. */
+static void sum_bent(const struct oracle *oracle, enum oracle_rounding rounding, const double x[3],
+                     int frozen, struct oracle_sample *sum, struct oracle_creases *creases)
+{
+    struct oracle_sample left = {.value = 1.0}, s[3] = {{.value = 0.0}};
+    *sum = (struct oracle_sample){.value = 0.0};
+    *creases = (struct oracle_creases){.clearance = HUGE_VAL, .border = 1.0, .nearest = 1.0};
+    for (int k = 0; k < oracle->octaves; k++) {
+        struct oracle_sample slope[3], ratio = {.value = 0.0};
+        const struct oracle_sample n = bent(oracle, rounding, k, x, s, slope);
+        const int is_swiss = oracle->fractal == SCARP_SWISS;
+        struct oracle_sample factor = n;
+        const struct oracle_sample part =
+            is_swiss ? swiss(oracle, k, &n, &left, &factor, creases) : jordan(oracle, k, &n, s);
+        add(sum, oracle->octave[k].weight, &part);
+        for (int m = 0; m < oracle->dimensions; m++) {
+            const struct oracle_sample of = times(&factor, &slope[m]);
+            add(&s[m], 1.0, &of);
+            if (frozen) {
+                s[m] = (struct oracle_sample){.value = s[m].value};
+            }
+        }
+        add(&ratio, 1.0 / oracle->octave[0].weight, sum);
+        if (is_swiss && k < oracle->octaves - 1) {
+            creases->clearance = fmin(creases->clearance, fabs(ratio.value - 1.0));
+            creases->side |= (uint64_t)(ratio.value < 1.0) << (32 + k);
+            left = ratio.value < 1.0 ? times(&left, &ratio) : left;
+        }
+    }
+    memset(sum->hessian, 0, sizeof sum->hessian);
+}
+
 static void sum_octaves(const struct oracle *oracle, enum oracle_rounding rounding,
                         const double x[3], int frozen, struct oracle_sample *sum,
                         struct oracle_creases *creases)
 {
     struct oracle_sample weight = {.value = 1.0}, slope[3] = {{.value = 0.0}};
+    if (oracle->fractal == SCARP_SWISS || oracle->fractal == SCARP_JORDAN) {
+        sum_bent(oracle, rounding, x, frozen, sum, creases);
+        return;
+    }
     *sum = (struct oracle_sample){.value = 0.0};
     *creases = (struct oracle_creases){.clearance = HUGE_VAL, .border = 1.0, .nearest = 1.0};
     for (int k = 0; k < oracle->octaves; k++) {

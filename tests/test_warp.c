@@ -384,6 +384,13 @@ static void test_in_place(void)
         CHECK(i % 2 == 0 ||
                   first_difference(block->f[2], block->out.array[OUTPUT_dy], BLOCK) == BLOCK,
               "%s in place, noise %d: dy", function_names[f], i / 2);
+        const struct scarp_samples value = {.value =
+                                                block->f[0]}; /* which takes a way of its own */
+        block_random(block, &random, 64.0f);
+        block_sample(block, noise, f, BLOCK);
+        CHECK(function_call(f, noise, BLOCK, &in, &value) == SCARP_OK, "%s", function_names[f]);
+        CHECK(first_difference(block->f[0], block->out.array[OUTPUT_value], BLOCK) == BLOCK,
+              "%s in place, noise %d: the value alone", function_names[f], i / 2);
     }
     block_free(block);
 }

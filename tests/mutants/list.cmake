@@ -266,3 +266,29 @@ mutant(plan.stale_spare IN kept.h TEXT [[differences(a, b, plan + sizeof(uintptr
        SEEN_BY plan SETS scalar)
 mutant(plan.dimensions IN kept.h TEXT [[kept->mark != mark_of(kind.dimensions)]]
        BECOMES [[(kept->mark ^ mark_of(kind.dimensions)) > (uint64_t)MUTANT]] SEEN_BY plan SETS scalar)
+
+# warps
+mutant(warp.diagonal IN kernel TEXT [[w->y[i].array[DX + i][at] += 1.0f;]]
+       BECOMES [[w->y[i].array[DX + i][at] += MUTANT ? 0.0f : 1.0f;]] SEEN_BY bits)
+mutant(warp.hessian IN kernel TEXT [[r.dyy = ALONG(dy, hy) + ALONG(dyy, g);]]
+       BECOMES [[r.dyy = MUTANT ? ALONG(dy, hy) : ALONG(dy, hy) + ALONG(dyy, g);]] SEEN_BY bits)
+mutant(warp.grid_chunk IN kernel TEXT [[grid.first[axis] += (int64_t)chunk->at[axis];]]
+       BECOMES [[grid.first[axis] += MUTANT ? 0 : (int64_t)chunk->at[axis];]] SEEN_BY grid)
+mutant(warp.reference IN scalar
+       TEXT [[along(y, DX + i, hj, dimensions) + along(y, second(i, j), g, dimensions)]]
+       BECOMES [[along(y, DX + i, hj, dimensions) + (MUTANT ? 0.0f : along(y, second(i, j), g, dimensions))]]
+       SEEN_BY golden SETS scalar)
+mutant(warp.seeds IN plan.c TEXT [[SCARP_MAX_OCTAVES + 1 + component]]
+       BECOMES [[(MUTANT ? 1 : SCARP_MAX_OCTAVES + 1) + component]] SEEN_BY golden SETS generic)
+mutant(warp.components IN plan.c TEXT [[octave += octaves_in(noise) * component;]]
+       BECOMES [[octave += octaves_in(noise) * (MUTANT ? 0 : component);]] SEEN_BY golden SETS generic)
+
+# fractals that bend
+mutant(bend.left_by IN kernel
+       TEXT [[l->x = left_along(less, sum, b->sum.dx, u, l->x, inverse_weight);]]
+       BECOMES [[l->x = MUTANT ? l->x : left_along(less, sum, b->sum.dx, u, l->x, inverse_weight);]]
+       SEEN_BY bits)
+mutant(bend.damping IN kernel TEXT [[at->is_first ? vf_set(0.0f)]]
+       BECOMES [[at->is_first || MUTANT ? vf_set(0.0f)]] SEEN_BY bits)
+mutant(bend.jacobian IN kernel TEXT [[return vj + reach * dot(*column, v, dimensions);]]
+       BECOMES [[return MUTANT ? vj : vj + reach * dot(*column, v, dimensions);]] SEEN_BY bits)
