@@ -18,6 +18,21 @@ SKIPPED = 77
 WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Werror"]
 # In C++, -Wextra reports members that designated initialisers leave out, which is their purpose.
 DESIGNATED = "-Wno-missing-field-initializers"
+# What uses the functions that the README wraps the library in.
+WRAPPED = """
+int main()
+{
+    const std::vector<float> x{1, 2}, y{3, 4};
+    std::vector<float> value(2);
+    try {
+        sample(scarp_noise{.basis = static_cast<scarp_basis>(99)}, x, y, value);
+    } catch (const std::runtime_error &) {
+        sample(scarp_noise{}, x, y, value);
+        std::printf("%.1f\\n", value[0] * 0.0f);
+    }
+    return 0;
+}
+"""
 FRAGMENT = """#include <scarp.h>
 void fragment(struct scarp_noise noise, struct scarp_samples out);
 void fragment(struct scarp_noise noise, struct scarp_samples out)
@@ -50,8 +65,13 @@ class Examples:
 
     def first(self, language):
         """The first block of the language, and the block that follows: what it prints."""
-        at = next(i for i, (kind, _) in enumerate(self.blocks) if kind == language)
-        return self.blocks[at][1], self.blocks[at + 1][1]
+        return self.programs(language, "")[0]
+
+    def programs(self, language, entry="main("):
+        """The blocks of the language that have an entry, each with the block that follows."""
+        following = self.blocks[1:] + [("", "")]
+        return [(body, printed) for (kind, body), (_, printed) in zip(self.blocks, following)
+                if kind == language and entry in body]
 
     def compile(self, name, text, *options):
         path = os.path.join(self.scratch, name)
@@ -77,15 +97,26 @@ class Examples:
         for number, body in enumerate(fragments):
             self.compile("fragment%d.c" % number, FRAGMENT % body, *options)
 
+    def check_programs(self, language, suffix, *options):
+        programs = self.programs(language)
+        for number, (text, printed) in enumerate(programs):
+            self.check_program("program%d.%s" % (number, suffix), text, printed, *options)
+        return len(programs)
+
     def check_c(self):
-        self.check_program("hello.c", *self.first("c"), "-std=c11")
+        if self.check_programs("c", "c", "-std=c11") < 6:
+            sys.exit("the README has fewer programs than one and five recipes")
         self.check_fragments("-std=c11")
 
     def check_cxx(self):
         """The examples in C are valid in C++20, too: their designators are in order."""
-        self.check_program("raster.cpp", *self.first("cpp"), "-std=c++20")
+        self.check_programs("cpp", "cpp", "-std=c++20")
         as_cxx = ("-std=c++20", DESIGNATED, "-x", "c++")
-        self.check_program("hello.c", *self.first("c"), *as_cxx)
+        self.check_programs("c", "c", *as_cxx)
+        for number, (kind, body) in enumerate(self.blocks):
+            if kind == "cpp" and "main(" not in body:
+                self.check_program("wrapper%d.cpp" % number, body + WRAPPED, "0.0\n",
+                                   "-std=c++20", DESIGNATED)
         self.check_fragments(*as_cxx)
 
     def check_python(self):
