@@ -2,8 +2,8 @@
  *
  * Measures how far turbulence, ridged, erosion, ping-pong and hybrid are from the oracle's, which
  * works in double precision, and how far erosion's gradient would be without the term that has
- * Hessians in it. Checks that octaves fade in without a jump. Argument: the number of points per
- * case.
+ * Hessians in it. Checks that octaves fade in without a jump. (test_bend_exact.c measures Swiss and
+ * Jordan noise.) Argument: the number of points per case.
  *
  * Beside a crease the two may stand on different sides of it, and then their derivatives have
  * nothing to do with each other. Points are left out where, by the oracle, some |n_k| or, in

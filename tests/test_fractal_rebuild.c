@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
- * Rebuilds every fractal from single-octave calls as the text of scarp.h says, in double: seeds,
- * offsets, turns, weights, and the formulas for value, gradient and Hessian. Nothing of the oracle
- * comes in but for the layout of a sample: this is what a reader of the header could write.
- * Argument: the number of points per case.
+ * Rebuilds every fractal but those that bend (test_bend.c) from single-octave calls as the text of
+ * scarp.h says, in double: seeds, offsets, turns, weights, and the formulas for value, gradient and
+ * Hessian. Nothing of the oracle comes in but for the layout of a sample: this is what a reader of
+ * the header could write. Argument: the number of points per case.
  */
 #include "fractal.h"
 

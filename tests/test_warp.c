@@ -301,7 +301,7 @@ static void expect_nan(const struct block *got, const struct block *usual, unsig
 }
 
 /* NaN, infinities, and places where a position of the warp, or of the noise, overflows: NaN there,
-   and nowhere else. */
+   and nowhere else; likewise where octaves bend. */
 static void test_not_finite(void)
 {
     static const float bad[] = {NAN, INFINITY, -INFINITY, FLT_MAX, -FLT_MAX};
@@ -309,11 +309,13 @@ static void test_not_finite(void)
     const struct scarp_noise far_warp = {.seed = 2, .frequency = 0x1p40, .amplitude = 0x1p24f};
     const struct scarp_noise noises[] = {
         {.octaves = 2.0f, .phase = 0.5f, .frequency = 0x1p20, .warp = &near_warp},
-        {.octaves = 2.0f, .phase = 0.5f, .frequency = 0x1p-30, .warp = &far_warp}};
+        {.octaves = 2.0f, .phase = 0.5f, .frequency = 0x1p-30, .warp = &far_warp},
+        {.octaves = 3.0f, .fractal = SCARP_SWISS, .frequency = 0x1p20, .phase = 0.5f},
+        {.octaves = 3.0f, .fractal = SCARP_JORDAN, .frequency = 0x1p20, .rotate = 1}};
     struct block *const usual = block_make(), *const got = block_make();
-    for (int i = 0; i < 2 * FUNCTIONS; i++) {
-        const enum function f = (enum function)(i / 2);
-        const struct scarp_noise *const noise = &noises[i % 2];
+    for (int i = 0; i < 4 * FUNCTIONS; i++) {
+        const enum function f = (enum function)(i / 4);
+        const struct scarp_noise *const noise = &noises[i % 4];
         const unsigned mask = outputs_of(noise, f);
         uint64_t random = 1;
         block_random(usual, &random, 64.0f);
