@@ -22,7 +22,7 @@ _scarp()
         case $before in
         --basis) words="gradient value simplex cell-f1 cell-f2 cell-edge cell-soft cell-value" ;;
         --fade) words="quintic cubic" ;;
-        --fractal) words="fbm turbulence ridged erosion pingpong hybrid" ;;
+        --fractal) words="fbm turbulence ridged erosion pingpong hybrid swiss jordan" ;;
         --preset) words="none alps dunes islands canyon cirques karst" ;;
         --isa) words="scalar sse4.1 avx2 avx512 neon generic" ;;
         --normal-y) words="up down" ;;

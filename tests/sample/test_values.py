@@ -21,7 +21,7 @@ class Help(Case):
     OPTIONS = ("input input-format columns dims skip-bad keep output output-format gradient "
                "hessian dphase seed basis jitter fade fractal erosion sharpness frequency "
                "octaves of-octaves lacunarity gain "
-               "amplitude phase rotate period isa quiet help").split()
+               "phase rotate amplitude period isa quiet help").split()
 
     def test_help(self):
         text = self.text(b"", "--help")

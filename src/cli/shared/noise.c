@@ -15,8 +15,8 @@
 #define BASES "gradient, value, simplex, cell-f1, cell-f2, cell-edge, cell-soft or cell-value"
 #define BASES_HELP "gradient, value, simplex,\ncell-f1, cell-f2, cell-edge, cell-soft or cell-value"
 #define FADES "quintic or cubic"
-#define FRACTALS "fbm, turbulence, ridged, erosion, pingpong or hybrid"
-#define FRACTALS_HELP "fbm, turbulence, ridged,\nerosion, pingpong or hybrid"
+#define FRACTALS "fbm, turbulence, ridged, erosion, pingpong, hybrid, swiss or jordan"
+#define FRACTALS_HELP "fbm, turbulence, ridged,\nerosion, pingpong, hybrid, swiss or jordan"
 
 /* Refuses also what is 0 as a float, from 2^-150 down: the library takes it for the default. */
 static enum option_result parse_positive(const struct option *option, const char *text, void *field)
@@ -92,7 +92,8 @@ const struct option noise_option_rows[NOISE_OPTION_COUNT] = {
      .argument = "F",
      .standard = "1",
      .allowed = "a number from 2^-24 to 2^24",
-     .help = "with --fractal erosion, how strongly slopes damp octaves,\nfrom 2^-24 to 2^24",
+     .help = "with --fractal erosion, how strongly slopes damp octaves; with\njordan, how much of "
+             "them flat ground lacks, at most 1; from 2^-24\nto 2^24",
      .parse = option_float,
      .offset = FIELD(erosion),
      .lowest = 0x1p-24,
@@ -101,7 +102,8 @@ const struct option noise_option_rows[NOISE_OPTION_COUNT] = {
      .argument = "F",
      .allowed = "a number from 2^-8 to 2^8",
      .help = "with --fractal pingpong, how often octaves are folded [2]; with\nhybrid, how high "
-             "they lie [0.7]; from 2^-8 to 2^8",
+             "they lie [0.7]; with swiss and jordan, how far slopes\nbend them [0.15, 0.35]; from "
+             "2^-8 to 2^8",
      .parse = option_float,
      .offset = FIELD(sharpness),
      .lowest = 0x1p-8,
@@ -155,16 +157,6 @@ const struct option noise_option_rows[NOISE_OPTION_COUNT] = {
      .offset = FIELD(gain),
      .lowest = 0.0625,
      .highest = 16},
-    {.name = "--amplitude",
-     .argument = "F",
-     .standard = "1",
-     .allowed = "a number whose magnitude is from 2^-24 to 2^24",
-     .help = "scales what comes out, and turns it over if negative; its\nmagnitude from 2^-24 to "
-             "2^24",
-     .parse = option_magnitude,
-     .offset = FIELD(amplitude),
-     .lowest = 0x1p-24,
-     .highest = 0x1p24},
     {.name = "--phase",
      .argument = "F",
      .allowed = "a finite number, at most 2^128 - 2^104 in magnitude",
@@ -177,6 +169,16 @@ const struct option noise_option_rows[NOISE_OPTION_COUNT] = {
     {.name = "--rotate",
      .help = "turn the axes between octaves: hides the lattice's directions",
      .offset = FIELD(rotate)},
+    {.name = "--amplitude",
+     .argument = "F",
+     .standard = "1",
+     .allowed = "a number whose magnitude is from 2^-24 to 2^24",
+     .help = "scales what comes out, and turns it over if negative; its\nmagnitude from 2^-24 to "
+             "2^24",
+     .parse = option_magnitude,
+     .offset = FIELD(amplitude),
+     .lowest = 0x1p-24,
+     .highest = 0x1p24},
 };
 
 /* Each number was checked by itself; what is left is how they go together. */
