@@ -78,7 +78,8 @@ class Warp(Case):
             self.clear()
 
     def test_isas(self):
-        for arguments in (WARPED, ["--preset", "folds", "--size", "40x30"]):
+        for arguments in (WARPED, *(["--preset", preset, "--size", "40x30"]
+                                    for preset in ("crests", "hills", "folds"))):
             files = {self.heights(*arguments, "--isa", isa) for isa in common.supported_isas()}
             self.assertEqual(len(files), 1)
 
