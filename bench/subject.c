@@ -143,7 +143,7 @@ static int make_scarp(struct bench_subject *subject, const struct bench_work *wo
 }
 
 /* The nearest that a peer has to a workload with a title: without turned axes, which none has; fBm
-   instead of erosion; a plane in space where it knows nothing else. */
+   instead of later fractals; a plane in space where it knows nothing else. */
 static int make_nearest(struct bench_subject *subject, const struct bench_work *work)
 {
     struct bench_work nearest = *work;
@@ -151,7 +151,7 @@ static int make_nearest(struct bench_subject *subject, const struct bench_work *
         return 0;
     }
     nearest.turned = 0;
-    nearest.fractal = work->fractal == SCARP_EROSION ? SCARP_FBM : work->fractal;
+    nearest.fractal = work->fractal >= SCARP_EROSION ? SCARP_FBM : work->fractal;
     for (int d = 2; d <= 3 && subject->state == NULL; d++) {
         nearest.dimensions = d;
         subject->state = subject->peer->open(&nearest, subject->isa);

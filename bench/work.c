@@ -211,6 +211,16 @@ static const struct product products[] = {
      .bases = CELL_F1,
      .outputs = UP_TO_GRADIENT,
      .steps = islands_steps},
+    {{.layout = BENCH_GRID,
+      .title = "preset-crests",
+      .fractal = SCARP_SWISS,
+      .octaves = 8,
+      .gain = 0.45f,
+      .turned = 1,
+      .dimensions = 2},
+     .bases = GRADIENT,
+     .outputs = UP_TO_GRADIENT,
+     .steps = islands_steps},
     /* quick-noise 0.3.0 (Rust) tells 0.82 ms for it, 0.78 ns per sample; the frequency is that of
        its examples. */
     {{.layout = BENCH_GRID, .title = "quick-noise", .octaves = 3, .dimensions = 2},

@@ -14,7 +14,7 @@ block()
   endfunction()
 
   foreach(test commands:Commands options:Errors formats:Formats formats:Names layers:Layers
-               pictures:Pictures compare:Compare gallery:Gallery period:Period phase:Phase phase:Flow phase:PhaseRefused documents:Documents tiles:Tiles tiles:Resume
+               pictures:Pictures compare:Compare warp:Warp warp:WarpRefused gallery:Gallery period:Period phase:Phase phase:Flow phase:PhaseRefused documents:Documents tiles:Tiles tiles:Resume
                world:Manifest world:Patterns world:Shares world:Limits
                presets:Presets files:Files shared:Shared failures:FullDisk failures:Pipes failures:Refused
                failures:Closed interrupt:Interrupt
@@ -38,7 +38,8 @@ endblock()
 
 if("scarp" IN_LIST scarp_found)
   set(shared ${PROJECT_SOURCE_DIR}/src/cli/shared)
-  scarp_test_program(test_cli_words SOURCES ${shared}/noise.c ${shared}/number.c ${shared}/values.c)
+  scarp_test_program(test_cli_words SOURCES ${shared}/noise.c ${shared}/number.c ${shared}/options.c
+                     ${shared}/values.c)
   target_include_directories(test_cli_words PRIVATE ${PROJECT_SOURCE_DIR}/src/cli)
 endif()
 scarp_add_test(cli.words cli NEEDS scarp COMMAND test_cli_words)

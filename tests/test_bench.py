@@ -128,7 +128,8 @@ class Selection(Case):
                       "ridged7/turned/preset-alps/%s/1024/step0.0035",
                       "ridged2/turned/preset-dunes/%s/1024/step0.0022",
                       "erosion8/turned/preset-islands/%s/1024/step0.0045",
-                      "turbulence8/turned/preset-canyon/%s/1024/step0.004"):
+                      "turbulence8/turned/preset-canyon/%s/1024/step0.004",
+                      "swiss8/turned/preset-crests/%s/1024/step0.0045"):
             for output in ("value", "+gradient"):
                 self.assertIn("grid2/gradient/" + noise % output, names)
         for noise in ("cell-soft/erosion8/turned/preset-cirques/%s/1024/step0.004",
@@ -405,7 +406,7 @@ class Results(Case):
         everyone = {row["library"] for row in rows if row["work"] == "points3/gradient/value"}
         fractals = {"none": "", "alps": "axes not turned", "dunes": "axes not turned",
                     "islands": "fBm, axes not turned", "canyon": "axes not turned",
-                    "karst": "axes not turned"}
+                    "karst": "axes not turned", "crests": "fBm, axes not turned"}
         without = {"canyon": {"FastNoiseLite"}, "karst": {"stb_perlin", "libnoise"}}
         for row in rows:
             with self.subTest(row=row):

@@ -1,17 +1,17 @@
 # SPDX-License-Identifier: MIT
 # Completion of scarp's commands, options and their words for bash. The options come from the
-# program's own help. Installed where bash-completion finds it.
+# program's own help, where those of the warp stand side by side. Installed where bash-completion finds it.
 
 _scarp_options()
 {
-    "$1" help "$2" 2>/dev/null | sed -n 's/^  \(--[a-z-]*\).*/\1/p'
+    "$1" help "$2" 2>/dev/null | sed -n -e 's/^  \(--[a-z-]*\).*/\1/p' -e '/^ \{18\}--warp-/p'
 }
 
 _scarp()
 {
     local program=${COMP_WORDS[0]} word=${COMP_WORDS[COMP_CWORD]}
     local before=${COMP_WORDS[COMP_CWORD - 1]} command=${COMP_WORDS[1]}
-    local words=
+    local words= row=${before/#--warp-/--}
 
     COMPREPLY=()
     if [ "$COMP_CWORD" -eq 1 ]; then
@@ -19,11 +19,11 @@ _scarp()
     elif [ "$command" = help ]; then
         [ "$COMP_CWORD" -eq 2 ] && words="terrain sample info"
     else
-        case $before in
+        case $row in
         --basis) words="gradient value simplex cell-f1 cell-f2 cell-edge cell-soft cell-value" ;;
         --fade) words="quintic cubic" ;;
-        --fractal) words="fbm turbulence ridged erosion pingpong hybrid" ;;
-        --preset) words="none alps dunes islands canyon cirques karst" ;;
+        --fractal) words="fbm turbulence ridged erosion pingpong hybrid swiss jordan" ;;
+        --preset) words="none alps dunes islands canyon cirques karst crests hills folds" ;;
         --isa) words="scalar sse4.1 avx2 avx512 neon generic" ;;
         --normal-y) words="up down" ;;
         --dims) words="2 3" ;;
@@ -34,7 +34,7 @@ _scarp()
             ;;
         *)
             # After an option with a value of its own, nothing can be offered.
-            if ! "$program" help "$command" 2>/dev/null | grep -q "^  $before [A-Z]"; then
+            if ! "$program" help "$command" 2>/dev/null | grep -Eq "^  ($before|$row) [A-Z]"; then
                 words=$(_scarp_options "$program" "$command")
             fi
             ;;

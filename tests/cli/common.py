@@ -32,15 +32,19 @@ SKIPPED = 77
 PATIENCE = 60  # seconds
 SPEED = os.environ.get("SCARP_SPEED", "full")
 NAMES = ("height", "normal", "hillshade")
+WARP = ("seed", "basis", "jitter", "fade", "fractal", "erosion", "sharpness", "frequency",
+        "octaves", "of-octaves", "lacunarity", "gain", "phase", "rotate")  # of a warp, too
 OPTIONS = ("size", "origin", "step", "period", "tileable", "height", "sea-level", "plateau",
            "heights", "normals", "hillshade", "gradient", "output", "compare",
            "normal-y", "azimuth", "altitude", "z-factor",
            "tile", "tiles", "share", "overlap", "resume",
            "preset", "seed", "basis", "jitter", "fade", "fractal", "erosion", "sharpness",
-           "frequency", "octaves", "of-octaves", "lacunarity", "gain", "amplitude", "phase", "rotate",
+           "frequency", "octaves", "of-octaves", "lacunarity", "gain", "phase", "rotate", "amplitude",
+           "warp-reach", *("warp-" + name for name in WARP),
            "threads", "isa", "quiet", "help")
-FLAGS = ("tileable", "resume", "rotate", "quiet", "help")
-FRACTALS = ("fbm", "turbulence", "ridged", "erosion", "pingpong", "hybrid")
+FLAGS = ("tileable", "resume", "rotate", "warp-rotate", "quiet", "help")
+FRACTALS = ("fbm", "turbulence", "ridged", "erosion", "pingpong", "hybrid", "swiss", "jordan")
+FLOWING = FRACTALS[:6]  # those with a derivative by the phase
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir, os.pardir)
 # Cheap to compute, and every option of the noise matters in it
 SMALL = ["--size", "40x30", "--frequency", "0.03"]

@@ -65,13 +65,20 @@ class Completion(Case):
             self.assertEqual(self.complete("sample", "--input", "so"), ["some.csv"])
 
     def test_completion_of_options(self):
-        """All that the help tells; an emulated program is not there to be asked."""
+        """All that the help tells; an emulated program is not there to be asked. Numbers have
+        none."""
         if len(common.PROGRAM) != 1:
             self.skipTest("needs a program that runs by itself")
         for command in COMMANDS:
-            options = re.findall(r"(?m)^  (--[a-z-]+)", text_of("help", command))
-            self.assertIn("--help", options)
+            lines = re.findall(r"(?m)^  (--[a-z-]+)|^ {18}(--warp-[a-z -]+)",
+                               text_of("help", command))
+            options = [word for line in lines for word in "".join(line).split()]
+            for option in ("--help",) + ("--warp-reach", "--warp-rotate") * (command != "info"):
+                self.assertEqual(options.count(option), 1)
             self.assertEqual(self.complete(command, "--"), options)
+        for option in ("--gain", "--warp-gain", "--warp-reach"):
+            self.assertEqual(self.complete("terrain", option, ""), [])
+        self.assertIn("--gain", self.complete("terrain", "--warp-rotate", "--"))
 
     def test_completion_of_words(self):
         """The words that the help has for an option, which stand there as "a, b or c"."""
@@ -79,6 +86,8 @@ class Completion(Case):
             text = re.sub(r"\n {18}", " ", text_of("help", command))
             for option in re.findall(r"(?m)^  (--[a-z-]+) NAME", text):
                 words = self.complete(command, option, "")
+                if "--warp-" + option[2:] in text:
+                    self.assertEqual(self.complete(command, "--warp-" + option[2:], ""), words)
                 told = re.search(r"(?m)^  %s NAME.*$" % option, text).group(0)
                 self.assertGreaterEqual(len(words), 2, option)
                 for word in words:

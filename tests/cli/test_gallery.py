@@ -19,7 +19,7 @@ class Gallery(Case):
         self.assertGreaterEqual(len(shown), 5)
         self.assertEqual(sorted(os.listdir(directory)), sorted(shown))
         self.assertLess(sum(os.path.getsize(os.path.join(directory, name)) for name in shown),
-                        800000)
+                        1000000)
         commands = {stem: command.split() for command, stem in
                     re.findall(r"^scarp (terrain .*--output (\S+))$", readme.replace("\\\n", ""),
                                re.MULTILINE)}

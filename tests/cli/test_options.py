@@ -80,7 +80,8 @@ class Errors(Case):
         text = text_of("terrain", "--help")
         for option, value, allowed in (("--erosion", "0", "from 2^-24 to 2^24"),
                                        ("--compare", "8", "from 1 to 7"),
-                                       ("--fractal", "fBm", "fbm, turbulence, ridged, erosion, pingpong or hybrid"),
+                                       ("--fractal", "fBm", "fbm, turbulence, ridged, "
+                                        "erosion, pingpong, hybrid, swiss or jordan"),
                                        ("--basis", "x", "gradient, value, simplex, cell-f1, cell-f2, "
                                                        "cell-edge, cell-soft or cell-value"),
                                        ("--fade", "x", "quintic or cubic")):

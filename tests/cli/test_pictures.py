@@ -33,6 +33,7 @@ class Pictures(Case):
             if option:
                 defaults[option.group(1)] = option.group(2)
         self.assertEqual([defaults.pop("--tiles"), defaults.pop("--share")], ["all", "all"])
+        self.assertEqual(defaults.pop("--of-octaves"), "--octaves")
         self.assertEqual(len(defaults), 21, defaults)
         self.assertEqual(defaults.pop("--size"), "1024x1024")
         self.assertEqual(defaults.pop("--overlap"), "0")  # which needs --tile
@@ -66,7 +67,7 @@ class Pictures(Case):
             data = self.terrain(*SMALL, *arguments)[0]
             self.assertNotIn(data, heights, (arguments, heights.get(data)))
             heights[data] = arguments
-        self.assertEqual(len(heights), 23)
+        self.assertEqual(len(heights), 27)
 
     def test_jitter_counts(self):
         """How far features stray matters to cellular noise, and to no other."""
@@ -79,13 +80,16 @@ class Pictures(Case):
             self.assertEqual(len(set(map(str, pictures))), different, basis)
 
     def test_erosion_counts(self):
-        """How much it damps matters to --fractal erosion, and to no other."""
-        for fractal in FRACTALS:
+        """How much it damps matters to --fractal erosion and jordan, and to no other."""
+        for fractal in FRACTALS[:-1]:
             pictures = [self.terrain(*SMALL, "--fractal", fractal, "--erosion", strength)
                         for strength in ("5.9604644775390625e-8", "1", "1.5", "16777216")]
             for i in range(3):
                 different = [len({data[i] for data in pictures})]
                 self.assertEqual(different, [4 if fractal == "erosion" else 1], (fractal, i))
+        jordan = [self.terrain(*SMALL, "--fractal", "jordan", "--erosion", strength)
+                  for strength in ("0.1", "0.5", "1")]
+        self.assertEqual([len({data[i] for data in jordan}) for i in range(3)], [3, 3, 3])
         # Hardly any of it: fBm, but for roundings to 16 bits
         slight = self.pictures(*SMALL, "--fractal", "erosion", "--erosion", "6e-8")[0].flat()
         fbm = self.pictures(*SMALL)[0].flat()
@@ -93,6 +97,15 @@ class Pictures(Case):
         # Nothing but erosion: flat, but where the sum of slopes is 0
         strong = self.pictures(*SMALL, "--fractal", "erosion", "--erosion", "16777216")[0].flat()
         self.assertLess(sorted(abs(grey - 32767.5) for grey in strong)[len(strong) * 9 // 10], 2)
+
+    def test_sharpness_counts(self):
+        """It matters to the fractals that have one, whose defaults are those of the help."""
+        for fractal, standard in (("pingpong", "2"), ("hybrid", "0.7"), ("swiss", "0.15"),
+                                  ("jordan", "0.35"), ("fbm", None)):
+            other, same = (self.terrain(*SMALL, "--fractal", fractal, "--sharpness", sharpness)
+                           for sharpness in ("0.5", standard or "0.75"))
+            self.assertEqual(other != same, standard is not None, fractal)
+            self.assertEqual(self.terrain(*SMALL, "--fractal", fractal), same, fractal)
 
     def test_bounds_are_allowed(self):
         for option, value in (("--octaves", "32"), ("--octaves", "0.5"), ("--gain", "16"),
@@ -170,7 +183,8 @@ class Pictures(Case):
                 self.assertLess(abs(grey - 65535 * expected(n)), 4, fractal)
         at_lattice = ["--size", "3x3", "--frequency", "1", "--octaves", "1"]
         for fractal, grey in (("turbulence", (0,)), ("ridged", (65534, 65535)),
-                              ("erosion", (32768,))):
+                              ("erosion", (32768,)), ("swiss", (65534, 65535)),
+                              ("jordan", (0,))):
             height = self.pictures(*at_lattice, "--fractal", fractal)[0].flat()
             self.assertEqual(len(set(height)), 1)
             self.assertIn(height[0], grey)

@@ -32,10 +32,10 @@ class Presets(Case):
         """The names that the option allows are those whose options are told."""
         text = text_of("terrain", "--help")
         entry = re.search(r"\n  --preset (?s:.*?)(?=\n  --)", text).group()
-        names = re.search(r"(\w+(, \w+)+ or \w+)", entry).group()
+        names = re.search(r"(\w+(, \w+)+ or \w+)", " ".join(entry.split())).group()
         self.assertEqual(re.findall(r"\w+", names.replace(" or ", ", ")), ["none", *told()])
         self.assertEqual(list(told()), ["alps", "dunes", "islands", "canyon", "cirques",
-                                          "karst"])
+                                          "karst", "crests", "hills", "folds"])
 
     def test_options_are_told(self):
         plain = self.make()
@@ -73,7 +73,8 @@ class Presets(Case):
     def test_unknown(self):
         for name in ("Alps", "alp", "alps ", "", "1"):
             result = run("terrain", *SIZE, "--preset", name, cwd=self.directory)
-            self.check_one_line(result, 2, "--preset", "none, alps, dunes, islands, canyon, cirques or karst")
+            self.check_one_line(result, 2, "--preset", "none, alps, dunes, islands, canyon, "
+                                "cirques, karst, crests, hills or folds")
         self.assertEqual(self.files(), [])
 
     def test_bad_option_beside(self):

@@ -14,21 +14,21 @@ import unittest
 import common
 from common import (run, float32, reference, npy, read_npy, make_input, read_output,
                     some_points, Case, BLOCK, KINDS, ENDS, RESULTS, BY_PHASE, TYPED, MEANT,
-                    FLOWING, FLOWING_MEANT)
+                    FLOWING, FLOWING_MEANT, WARPED, WARPED_MEANT, WARP_MEANT)
 
 
 class Help(Case):
     OPTIONS = ("input input-format columns dims skip-bad keep output output-format gradient "
                "hessian dphase seed basis jitter fade fractal erosion sharpness frequency "
                "octaves of-octaves lacunarity gain "
-               "amplitude phase rotate period isa quiet help").split()
+               "phase rotate amplitude period warp-reach isa quiet help").split()
 
     def test_help(self):
         text = self.text(b"", "--help")
         self.assertTrue(text.startswith("usage: scarp sample [options]\n"))
         self.assertEqual(re.findall(r"(?m)^  --(\S+)", text), self.OPTIONS)
         self.assertEqual(re.findall(r"(?m)^(\w+):$", text),
-                         ["points", "results", "noise", "running"])
+                         ["points", "results", "noise", "warp", "running"])
         self.assertLessEqual(max(len(line) for line in text.split("\n")), 90)
         for dims in (2, 3):
             self.assertIn("  in %dD  %s\n" % (dims, " ".join((*RESULTS[dims], BY_PHASE))), text)
@@ -140,6 +140,32 @@ class Values(Case):
                     self.assertEqual(rows == reference(points, names, **FLOWING_MEANT), True)
             rows = read_output("npy", self.sample(npy(points)))[1]
             self.assertEqual(rows == reference(points, ["value"]), True)
+
+    @unittest.skipUnless(sys.argv[2:3] != ["-"], "the library cannot be loaded")
+    def test_warp(self):
+        """Every option of a warp, and its defaults: seed and frequency are the noise's."""
+        for dims in (2, 3):
+            points = some_points(dims, 500)
+            for typed, noise, warp in (
+                    (WARPED, WARPED_MEANT, WARP_MEANT),
+                    (["--seed", "7", "--frequency", "0.3", "--octaves", "3", "--gain", "0.6",
+                      "--rotate", "--warp-reach", "3"],
+                     {"seed": 7, "frequency": 0.3, "octaves": 3, "gain": 0.6, "rotate": 1},
+                     {"seed": 7, "frequency": 0.3, "amplitude": 3}),
+                    (["--warp-reach", "1", "--warp-basis", "cell-soft", "--warp-jitter", "0.5"],
+                     {}, {"basis": 6, "jitter": 0.5}),
+                    (["--warp-reach", "1", "--warp-phase", "0.3"], {}, {"phase": 0.3})):
+                out = self.sample(npy(points), *typed, "--gradient", "--hessian")
+                expected = reference(points, RESULTS[dims], warp, **noise)
+                self.assertEqual(read_output("npy", out)[1] == expected, True, typed)
+            typed = ["--warp-reach", "1", "--warp-fractal", "erosion", "--warp-erosion", "0.5",
+                     "--gradient"]
+            out = self.sample(npy(points), *typed)
+            expected = reference(points, RESULTS[dims][:dims + 1],
+                                 {"fractal": 3, "erosion": 0.5})
+            self.assertEqual(read_output("npy", out)[1] == expected, True)
+            self.assertEqual(self.sample(npy(points), "--warp-reach", "0"),
+                             self.sample(npy(points)))
 
     def test_differences(self):
         """The gradient and the Hessian are those of the values and of the gradient."""
@@ -318,7 +344,17 @@ class Options(Case):
         self.assertRegex(text, r"--octaves F [^\[]* above 2\^-150 [^\[]*, at most 32;")
 
     def test_hessian_of_erosion(self):
-        self.check("--hessian", "--fractal", "erosion")
+        for fractal in ("erosion", "swiss", "jordan"):
+            self.check("--hessian", "--fractal", fractal)
+            self.check("--hessian", "--warp-reach", "2", "--warp-fractal", fractal)
+            self.sample("1 2\n", "--gradient", "--fractal", fractal)
+        for fractal in ("swiss", "jordan"):
+            self.check("--dphase", "--fractal", fractal)
+            self.sample("1 2\n", "--dphase", "--warp-reach", "2", "--warp-fractal", fractal)
+
+    def test_erosion_of_jordan(self):
+        self.check("--erosion=1.5", "--fractal", "jordan")
+        self.sample("1 2\n", "--erosion", "1", "--fractal", "jordan")
         self.sample("1 2\n", "--gradient", "--fractal", "erosion")
 
     def test_value_noise_does_not_flow(self):

@@ -20,6 +20,7 @@
 
 struct sample_options {
     struct noise_options noise;
+    struct warp_options warp;
     const char *input, *output;
     int input_format, output_format; /* an enum points_format */
     struct columns columns;
@@ -127,8 +128,9 @@ static const struct option running_rows[] = {
 static const struct option_group groups[] = {
     OPTION_GROUP("points", point_rows, 0),
     OPTION_GROUP("results", result_rows, 0),
-    {"noise", noise_option_rows, NOISE_OPTION_COUNT, FIELD(noise)},
-    {NULL, period_rows, 1, 0},
+    OPTION_GROUP("noise", noise_option_rows, FIELD(noise)),
+    OPTION_GROUP(NULL, period_rows, 0),
+    WARP_GROUPS("warp", FIELD(warp)),
     OPTION_GROUP("running", running_rows, 0),
 };
 
@@ -194,7 +196,7 @@ static const struct result {
 
 /* What a run needs, too large for the stack */
 struct sample {
-    struct scarp_noise noise;
+    struct scarp_noise noise[2]; /* of noise_make */
     struct scarp_samples samples;
     struct points points;
     struct results results;
@@ -224,25 +226,41 @@ static enum scarp_status sample_block(struct sample *sample)
 {
     const struct points_block *const block = &sample->block;
     return sample->points.dims == 3
-               ? scarp_sample3_f64(&sample->noise, block->count, block->position[0],
+               ? scarp_sample3_f64(sample->noise, block->count, block->position[0],
                                    block->position[1], block->position[2], &sample->samples)
-               : scarp_sample2_f64(&sample->noise, block->count, block->position[0],
+               : scarp_sample2_f64(sample->noise, block->count, block->position[0],
                                    block->position[1], &sample->samples);
 }
 
-/* Whether the library can give what is asked for; all else was checked before. */
-static bool check_results(const struct scarp_noise *noise, const struct sample_options *options)
+/* Whether the library gives these outputs of a noise, but for its warp */
+static bool has(const struct scarp_noise *noise, const struct scarp_samples *out)
 {
+    struct scarp_noise alone = *noise;
     const double origin = 0;
+    alone.warp = NULL;
+    return scarp_sample3_f64(&alone, 1, &origin, &origin, &origin, out) == SCARP_OK;
+}
+
+/* Whether the library can give what is asked for; all else was checked before. */
+static bool check_results(const struct scarp_noise made[2], const struct sample_options *options)
+{
     float result;
     const struct scarp_samples second = {.dxx = &result}, flow = {.dphase = &result};
-    if (options->hessian && scarp_sample2_f64(noise, 1, &origin, &origin, &second) != SCARP_OK) {
-        cli_error("--hessian: --fractal erosion has no second derivatives");
-        return false;
+    for (int i = 0; i < 2 && options->hessian; i++) {
+        if (!has(&made[i], &second)) {
+            cli_error("--hessian: --%sfractal %s has no second derivatives", i == 0 ? "" : "warp-",
+                      scarp_fractal_name(made[i].fractal));
+            return false;
+        }
     }
-    if (options->dphase && scarp_sample2_f64(noise, 1, &origin, &origin, &flow) != SCARP_OK) {
-        cli_error("--dphase: only the gradients of --basis gradient turn; leave it out or take "
-                  "that");
+    if (options->dphase && !has(&made[0], &flow)) {
+        if (made[0].basis == SCARP_GRADIENT) {
+            cli_error("--dphase: --fractal %s has no derivative by the phase",
+                      scarp_fractal_name(made[0].fractal));
+        } else {
+            cli_error("--dphase: only the gradients of --basis gradient turn; leave it out or "
+                      "take that");
+        }
         return false;
     }
     return true;
@@ -293,7 +311,7 @@ static int open_both(struct sample *sample, const struct sample_options *options
         return status;
     }
     /* Some noise is there in space alone. */
-    if (points->dims == 2 && !noise_make(&options->noise, 2, &sample->noise)) {
+    if (points->dims == 2 && !noise_make(&options->noise, &options->warp, 2, sample->noise)) {
         return CLI_USAGE;
     }
     if (results->format == POINTS_UNKNOWN) {
@@ -353,6 +371,7 @@ static void tell_malformed(const struct points *points)
 int cli_sample(char **argv)
 {
     struct sample_options options = {.noise = NOISE_OPTIONS_UNSET,
+                                     .warp = WARP_OPTIONS_UNSET,
                                      .input_format = POINTS_UNKNOWN,
                                      .output_format = POINTS_UNKNOWN};
     switch (options_parse(&table, argv, &options)) {
@@ -360,9 +379,10 @@ int cli_sample(char **argv)
     case OPTIONS_BAD: return CLI_USAGE;
     default: break;
     }
-    struct scarp_noise noise;
-    if (!check_columns(&options) || !noise_make(&options.noise, 3, &noise) ||
-        !check_results(&noise, &options)) {
+    struct scarp_noise made[2] = {{.seed = 0}, {.seed = 0}};
+    if (!check_columns(&options) || !warp_complete(&options.warp, &options.noise) ||
+        !warp_repeat(&options.warp, &options.noise) ||
+        !noise_make(&options.noise, &options.warp, 3, made) || !check_results(made, &options)) {
         return CLI_USAGE;
     }
     scarp_isa_select((enum scarp_isa)options.isa);
@@ -371,7 +391,9 @@ int cli_sample(char **argv)
         cli_error("no memory for a block of points");
         return CLI_FAILURE;
     }
-    sample->noise = noise;
+    sample->noise[0] = made[0];
+    sample->noise[1] = made[1];
+    sample->noise[0].warp = made[0].warp == NULL ? NULL : &sample->noise[1];
     const int status = run(sample, &options);
     if (status == CLI_SUCCESS && !options.quiet) {
         tell_malformed(&sample->points);

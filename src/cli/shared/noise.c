@@ -15,8 +15,8 @@
 #define BASES "gradient, value, simplex, cell-f1, cell-f2, cell-edge, cell-soft or cell-value"
 #define BASES_HELP "gradient, value, simplex,\ncell-f1, cell-f2, cell-edge, cell-soft or cell-value"
 #define FADES "quintic or cubic"
-#define FRACTALS "fbm, turbulence, ridged, erosion, pingpong or hybrid"
-#define FRACTALS_HELP "fbm, turbulence, ridged,\nerosion, pingpong or hybrid"
+#define FRACTALS "fbm, turbulence, ridged, erosion, pingpong, hybrid, swiss or jordan"
+#define FRACTALS_HELP "fbm, turbulence, ridged,\nerosion, pingpong, hybrid, swiss or jordan"
 
 /* Refuses also what is 0 as a float, from 2^-150 down: the library takes it for the default. */
 static enum option_result parse_positive(const struct option *option, const char *text, void *field)
@@ -92,7 +92,8 @@ const struct option noise_option_rows[NOISE_OPTION_COUNT] = {
      .argument = "F",
      .standard = "1",
      .allowed = "a number from 2^-24 to 2^24",
-     .help = "with --fractal erosion, how strongly slopes damp octaves,\nfrom 2^-24 to 2^24",
+     .help = "with --fractal erosion, how strongly slopes damp octaves; with\njordan, how much of "
+             "them flat ground lacks, at most 1; from 2^-24\nto 2^24",
      .parse = option_float,
      .offset = FIELD(erosion),
      .lowest = 0x1p-24,
@@ -101,7 +102,8 @@ const struct option noise_option_rows[NOISE_OPTION_COUNT] = {
      .argument = "F",
      .allowed = "a number from 2^-8 to 2^8",
      .help = "with --fractal pingpong, how often octaves are folded [2]; with\nhybrid, how high "
-             "they lie [0.7]; from 2^-8 to 2^8",
+             "they lie [0.7]; with swiss and jordan, how far slopes\nbend them [0.15, 0.35]; from "
+             "2^-8 to 2^8",
      .parse = option_float,
      .offset = FIELD(sharpness),
      .lowest = 0x1p-8,
@@ -155,16 +157,6 @@ const struct option noise_option_rows[NOISE_OPTION_COUNT] = {
      .offset = FIELD(gain),
      .lowest = 0.0625,
      .highest = 16},
-    {.name = "--amplitude",
-     .argument = "F",
-     .standard = "1",
-     .allowed = "a number whose magnitude is from 2^-24 to 2^24",
-     .help = "scales what comes out, and turns it over if negative; its\nmagnitude from 2^-24 to "
-             "2^24",
-     .parse = option_magnitude,
-     .offset = FIELD(amplitude),
-     .lowest = 0x1p-24,
-     .highest = 0x1p24},
     {.name = "--phase",
      .argument = "F",
      .allowed = "a finite number, at most 2^128 - 2^104 in magnitude",
@@ -177,30 +169,74 @@ const struct option noise_option_rows[NOISE_OPTION_COUNT] = {
     {.name = "--rotate",
      .help = "turn the axes between octaves: hides the lattice's directions",
      .offset = FIELD(rotate)},
+    {.name = "--amplitude",
+     .argument = "F",
+     .standard = "1",
+     .allowed = "a number whose magnitude is from 2^-24 to 2^24",
+     .help = "scales what comes out, and turns it over if negative; its\nmagnitude from 2^-24 to "
+             "2^24",
+     .parse = option_magnitude,
+     .offset = FIELD(amplitude),
+     .lowest = 0x1p-24,
+     .highest = 0x1p24},
 };
 
-/* Each number was checked by itself; what is left is how they go together. */
-static void refuse(const char *member, bool simplex)
+/* Refuses also what is no amplitude but not 0. */
+static enum option_result parse_reach(const struct option *option, const char *text, void *field)
+{
+    double number;
+    if (option_double(option, text, &number) != OPTION_VALID ||
+        (number != 0.0 && number < 0x1p-24)) {
+        return OPTION_INVALID;
+    }
+    *(float *)field = (float)number + 0.0f; /* no negative 0 */
+    return OPTION_VALID;
+}
+
+const struct option warp_option_rows[1] = {
+    {.name = "--warp-reach",
+     .argument = "F",
+     .standard = "0",
+     .allowed = "0 or a number from 2^-24 to 2^24",
+     .help = "how far positions are displaced along each axis, at most, in the\nunit of the "
+             "coordinates: 0, which is no warp, or from 2^-24 to 2^24",
+     .parse = parse_reach,
+     .like = option_float,
+     .offset = offsetof(struct warp_options, reach),
+     .lowest = 0,
+     .highest = 0x1p24},
+};
+
+/* Each number was checked by itself; what is left is how they go together. `of` stands in names of
+   options behind their dashes. */
+static void refuse(const char *member, bool simplex, const char *of)
 {
     if (strcmp(member, "lacunarity") == 0) {
-        cli_error("--lacunarity: is no whole number from 1 to 16, which noise with a period needs");
+        cli_error("--%slacunarity: is no whole number from 1 to 16, which noise with a period "
+                  "needs",
+                  of);
     } else if (strcmp(member, "of_octaves") == 0) {
-        cli_error("--of-octaves: is less than --octaves");
+        cli_error("--%sof-octaves: is less than --%soctaves", of, of);
+    } else if (strcmp(member, "erosion") == 0) {
+        cli_error("--%serosion: is more than 1, which is the most with --%sfractal jordan", of, of);
     } else if (strcmp(member, "rotate") == 0) {
-        cli_error("--rotate: axes that are turned do not repeat; leave it out with --period");
+        cli_error("--%srotate: axes that are turned do not repeat; leave it out with --period", of);
     } else if (strcmp(member, "phase") == 0) {
-        cli_error(
-            "--phase: only the gradients of --basis gradient turn; leave it out or take that");
+        cli_error("--%sphase: only the gradients of --%sbasis gradient turn; leave it out or take "
+                  "that",
+                  of, of);
     } else if (strcmp(member, "period[1]") == 0 && simplex) {
-        cli_error(
-            "--period: simplex noise repeats along x only in 2D; leave it out or take another "
-            "--basis");
+        cli_error("--period: simplex noise repeats along x only in 2D; leave it out or take "
+                  "another --%sbasis",
+                  of);
     } else if (strncmp(member, "period", 6) == 0) {
-        cli_error("--period: has more than 2^30 cells in the last octave; fewer --octaves or a "
-                  "lower --lacunarity will do");
+        cli_error("--period: has more than 2^30 cells in the last octave; fewer --%soctaves or a "
+                  "lower --%slacunarity will do",
+                  of, of);
     } else {
-        cli_error("--frequency, --lacunarity, --octaves: the frequency of the last octave is not "
-                  "from 2^-32 to 2^48");
+        cli_error("--%sfrequency, --%slacunarity, --%soctaves: the frequency of the last octave is "
+                  "not from 2^-32 to 2^48",
+                  of, of, of);
     }
 }
 
@@ -217,9 +253,9 @@ static float given(float number)
     return number == NOISE_UNSET ? 0.0f : number;
 }
 
-bool noise_make(const struct noise_options *options, int dimensions, struct scarp_noise *noise)
+static struct scarp_noise noise_of(const struct noise_options *options)
 {
-    *noise = (struct scarp_noise){
+    struct scarp_noise noise = {
         .basis = (enum scarp_basis)options->basis,
         .fade = (enum scarp_fade)options->fade,
         .fractal = (enum scarp_fractal)options->fractal,
@@ -236,11 +272,85 @@ bool noise_make(const struct noise_options *options, int dimensions, struct scar
         .sharpness = given(options->sharpness),
         .of_octaves = given(options->of_octaves),
     };
-    memcpy(noise->period, options->period, sizeof noise->period);
+    memcpy(noise.period, options->period, sizeof noise.period);
+    return noise;
+}
+
+/* Whether the library takes the noise, by itself */
+static bool check(const struct scarp_noise *noise, int dimensions, const char *of)
+{
     const char *member = NULL;
     const enum scarp_status status = scarp_noise_check(noise, dimensions, &member);
     if (status != SCARP_OK) {
-        refuse(member, status == SCARP_ERROR_UNSUPPORTED && noise->basis == SCARP_SIMPLEX);
+        refuse(member, status == SCARP_ERROR_UNSUPPORTED && noise->basis == SCARP_SIMPLEX, of);
     }
     return status == SCARP_OK;
+}
+
+bool noise_make(const struct noise_options *options, const struct warp_options *warp,
+                int dimensions, struct scarp_noise made[2])
+{
+    made[0] = noise_of(options);
+    if (!check(&made[0], dimensions, "")) {
+        return false;
+    }
+    if (warp->reach != 0.0f) {
+        made[1] = noise_of(&warp->noise);
+        made[1].amplitude = warp->reach;
+        made[0].warp = &made[1];
+    }
+    return warp->reach == 0.0f || check(&made[1], dimensions, "warp-");
+}
+
+/* The bit of a row in struct option_given */
+static uint32_t bit_of(const char *name)
+{
+    uint32_t bit = 1;
+    for (int i = 0; strcmp(noise_option_rows[i].name, name) != 0; i++) {
+        bit <<= 1;
+    }
+    return bit;
+}
+
+bool warp_complete(struct warp_options *warp, const struct noise_options *noise)
+{
+    if (warp->reach == 0.0f) {
+        for (int i = 0; i < NOISE_OPTION_COUNT; i++) {
+            if ((warp->given.typed >> i & 1) != 0) {
+                cli_error("%s: needs a --warp-reach above 0",
+                          option_name_of("warp-", &noise_option_rows[i]).text);
+                return false;
+            }
+        }
+        return true;
+    }
+    if ((warp->given.set & bit_of("--seed")) == 0) {
+        warp->noise.seed = noise->seed;
+    }
+    if ((warp->given.set & bit_of("--frequency")) == 0) {
+        warp->noise.frequency = noise->frequency;
+    }
+    return true;
+}
+
+/* A quotient of frequencies that is meant to be whole is so but for some roundings. */
+#define WHOLE_WITHIN 0x1p-48
+
+bool warp_repeat(struct warp_options *warp, const struct noise_options *noise)
+{
+    for (int i = 0; i < 3 && warp->reach != 0.0f; i++) {
+        const double cells = (double)noise->period[i] * warp->noise.frequency / noise->frequency;
+        const double whole = floor(cells + 0.5);
+        if (noise->period[i] == 0) {
+            continue;
+        }
+        if (whole < 1.0 || whole > 0x1p30 || fabs(cells - whole) > WHOLE_WITHIN * whole) {
+            cli_error("--warp-frequency: the warp has %.9g cells where the noise has the %u of "
+                      "--period, and must have a whole number of them, from 1 to 2^30",
+                      cells, (unsigned)noise->period[i]);
+            return false;
+        }
+        warp->noise.period[i] = (uint32_t)whole;
+    }
+    return true;
 }

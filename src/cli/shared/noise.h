@@ -8,6 +8,7 @@
 
 #include <math.h>
 #include <stdbool.h>
+#include <stddef.h>
 #include <stdint.h>
 
 #include "scarp.h"
@@ -28,12 +29,48 @@ struct noise_options {
     {                                                                                              \
         .phase = NOISE_UNSET, .sharpness = NOISE_UNSET, .of_octaves = NOISE_UNSET                  \
     }
+#define WARP_OPTIONS_UNSET                                                                         \
+    {                                                                                              \
+        .noise = NOISE_OPTIONS_UNSET                                                               \
+    }
 
 #define NOISE_OPTION_COUNT 15
-extern const struct option noise_option_rows[NOISE_OPTION_COUNT];
+extern const struct option noise_option_rows[NOISE_OPTION_COUNT]; /* --amplitude is the last one */
 
-/* Makes the noise for so many dimensions. False, with a line on stderr, if the numbers do not go
-   together. */
-bool noise_make(const struct noise_options *options, int dimensions, struct scarp_noise *noise);
+/* The warp: a noise whose options have --warp- before their names. Its amplitude is the reach. */
+struct warp_options {
+    struct noise_options noise;
+    struct option_given given; /* of its rows */
+    float reach;               /* 0: no warp */
+};
+
+/* The two groups of a warp, whose struct is at an offset in the values */
+#define WARP_GROUPS(name, at)                                                                      \
+    OPTION_GROUP(name, warp_option_rows, at),                                                      \
+    {                                                                                              \
+        .options = noise_option_rows, .count = NOISE_OPTION_COUNT - 1,                             \
+        .offset = (at) + offsetof(struct warp_options, noise), .prefix = "warp-",                  \
+        .about = WARP_ABOUT, .given = (at) + offsetof(struct warp_options, given)                  \
+    }
+#define WARP_ABOUT                                                                                 \
+    "The warp is a noise of its own for each axis, with the options of the\n"                      \
+    "noise by names with warp- before them, but no amplitude. Its seed and\n"                      \
+    "frequency are those of the noise unless they are given; it has one\n"                         \
+    "octave and the gain 0.5 unless told otherwise."
+extern const struct option warp_option_rows[1];
+
+/* Gives a warp the seed and the frequency of the noise where it has none of its own. False, with a
+   line on stderr, if options of a warp were typed for no warp. */
+bool warp_complete(struct warp_options *warp, const struct noise_options *noise);
+
+/* Gives a complete warp the period, in its own cells, after which it repeats where the noise does.
+   False, with a line on stderr, if that is no whole number of cells. */
+bool warp_repeat(struct warp_options *warp, const struct noise_options *noise);
+
+/* Makes the noise and its warp, which are complete, for so many dimensions: made[0], which points
+   to made[1] if there is a warp. False, with a line on stderr, if the numbers do not go together.
+ */
+bool noise_make(const struct noise_options *options, const struct warp_options *warp,
+                int dimensions, struct scarp_noise made[2]);
 
 #endif

@@ -8,6 +8,7 @@
 #define SCARP_CLI_OPTIONS_H
 
 #include <stddef.h>
+#include <stdint.h>
 
 #include "shared/text.h"
 
@@ -45,11 +46,22 @@ struct option_group {
     const struct option *options;
     size_t count;
     size_t offset; /* of the structure */
+
+    /* Rows that another group has, too, go by other names here: "warp-" makes --warp-seed of
+       --seed. The help has `about` in their place, and their names. NULL: rows as they are. */
+    const char *prefix, *about;
+    size_t given; /* with a prefix: offset of the struct option_given in the values */
 };
 
-#define OPTION_GROUP(title, rows, offset)                                                          \
+/* Which rows of a group with a prefix were given: bit i is row i. */
+struct option_given {
+    uint32_t typed; /* on the command line */
+    uint32_t set;   /* there or by a preset */
+};
+
+#define OPTION_GROUP(name, rows, at)                                                               \
     {                                                                                              \
-        title, rows, sizeof(rows) / sizeof(rows)[0], offset                                        \
+        .title = name, .options = rows, .count = sizeof(rows) / sizeof(rows)[0], .offset = at      \
     }
 
 /* What option_isa takes; tests/test_cli_words.c compares it with the library's names. */
@@ -58,6 +70,8 @@ struct option_group {
 /* Options as they would be typed, one word each and NULL at the end: names, each followed by its
    value unless it is a flag */
 typedef const char *const option_words[];
+
+#define OPTION_NAME_SIZE 32
 
 struct option_table {
     const char *command;
@@ -111,6 +125,12 @@ enum options_outcome {
 
 /* The word number `index` of an option that is read by option_choice; NULL past the last. */
 const char *option_choice_word(const struct option *option, int index);
+
+/* The name of a row in a group with the prefix: NULL, or what stands behind its dashes. */
+struct option_name {
+    char text[OPTION_NAME_SIZE];
+};
+struct option_name option_name_of(const char *prefix, const struct option *option);
 
 /* Fills `values` with the defaults, then with what `argv` holds, which ends with NULL. */
 enum options_outcome options_parse(const struct option_table *table, char **argv, void *values);

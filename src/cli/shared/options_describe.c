@@ -64,7 +64,7 @@ void options_describe(const struct option_table *table, const void *values, stru
         for (size_t i = 0; i < group->count; i++) {
             const struct option *const option = &group->options[i];
             if (!option->of_run) {
-                text_add(text, "  \"%s\": ", option->name + 2);
+                text_add(text, "  \"%s\": ", option_name_of(group->prefix, option).text + 2);
                 add_value(option, (const char *)values + group->offset + option->offset, text);
                 text_add(text, ",\n");
             }

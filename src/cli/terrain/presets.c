@@ -39,6 +39,29 @@ static option_words karst = {"--basis",   "cell-f1",  "--rotate", "--frequency",
                              "--octaves", "8",        "--gain",   "0.36",        "--amplitude",
                              "-1",        "--height", "110",      NULL};
 
-const char *const preset_names[] = {"none",   "alps",    "dunes", "islands",
-                                    "canyon", "cirques", "karst", NULL};
-const char *const *const preset_words[] = {none, alps, dunes, islands, canyon, cirques, karst};
+static option_words crests = {"--fractal", "swiss",     "--rotate", "--frequency",
+                              "0.0045",    "--octaves", "8",        "--gain",
+                              "0.45",      "--height",  "65",       NULL};
+
+/* The warp makes ranges of what would be round hills. */
+static option_words hills = {"--fractal", "jordan",
+                             "--erosion", "0.8",
+                             "--rotate",  "--frequency",
+                             "0.005",     "--octaves",
+                             "8",         "--gain",
+                             "0.42",      "--height",
+                             "170",       "--warp-reach",
+                             "60",        "--warp-octaves",
+                             "3",         NULL};
+
+/* The cirques, bent with all their layers */
+static option_words folds = {
+    "--basis",  "cell-soft",   "--fractal", "erosion",      "--erosion", "0.3",
+    "--rotate", "--frequency", "0.004",     "--octaves",    "8",         "--gain",
+    "0.42",     "--height",    "130",       "--warp-reach", "80",        "--warp-octaves",
+    "3",        NULL};
+
+const char *const preset_names[] = {"none",  "alps",   "dunes", "islands", "canyon", "cirques",
+                                    "karst", "crests", "hills", "folds",   NULL};
+const char *const *const preset_words[] = {none,    alps,  dunes,  islands, canyon,
+                                           cirques, karst, crests, hills,   folds};

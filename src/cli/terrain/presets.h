@@ -5,7 +5,9 @@
 #ifndef SCARP_CLI_PRESETS_H
 #define SCARP_CLI_PRESETS_H
 
-#define PRESET_NAMES "none, alps, dunes, islands, canyon, cirques or karst"
+#define PRESETS_FIRST "none, alps, dunes, islands, canyon, cirques,"
+#define PRESETS_LAST "karst, crests, hills or folds"
+#define PRESET_NAMES PRESETS_FIRST " " PRESETS_LAST
 
 extern const char *const preset_names[];        /* ends with NULL */
 extern const char *const *const preset_words[]; /* by name: options, as they would be typed */
@@ -25,6 +27,12 @@ extern const char *const *const preset_words[]; /* by name: options, as they wou
     "  cirques  --basis cell-soft --fractal erosion --erosion 0.3 --rotate --frequency 0.004\n"    \
     "           --octaves 8 --gain 0.44 --height 130\n"                                            \
     "  karst    --basis cell-f1 --rotate --frequency 0.0045 --octaves 8 --gain 0.36\n"             \
-    "           --amplitude -1 --height 110"
+    "           --amplitude -1 --height 110\n"                                                     \
+    "  crests   --fractal swiss --rotate --frequency 0.0045 --octaves 8 --gain 0.45\n"             \
+    "           --height 65\n"                                                                     \
+    "  hills    --fractal jordan --erosion 0.8 --rotate --frequency 0.005 --octaves 8\n"           \
+    "           --gain 0.42 --height 170 --warp-reach 60 --warp-octaves 3\n"                       \
+    "  folds    --basis cell-soft --fractal erosion --erosion 0.3 --rotate --frequency 0.004\n"    \
+    "           --octaves 8 --gain 0.42 --height 130 --warp-reach 80 --warp-octaves 3"
 
 #endif

@@ -15,7 +15,7 @@ static float within(float value, const struct surface *surface)
 
 void surface_set_range(struct surface *surface, float sea_level, float plateau)
 {
-    scarp_range(&surface->noise, 2, &surface->lowest, &surface->highest);
+    scarp_range(surface->noise, 2, &surface->lowest, &surface->highest);
     surface->floor = within(sea_level, surface);
     surface->ceiling = within(plateau, surface);
     const double left = (double)surface->ceiling - (double)surface->floor;
@@ -102,7 +102,7 @@ static void sample(const struct surface *surface, const struct block *block, int
         .count = {block->columns, block->rows, 1},
     };
     /* Cannot fail: the noise was checked, and what the options allow of places lies within 2^53. */
-    scarp_grid2(&surface->noise, &grid, out);
+    scarp_grid2(surface->noise, &grid, out);
     if (surface->floor > surface->lowest || surface->ceiling < surface->highest) {
         clamp(surface, block->columns * block->rows, out);
     }

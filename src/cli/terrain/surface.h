@@ -15,8 +15,8 @@
 #include "scarp.h"
 
 struct surface {
-    struct scarp_noise noise;
-    size_t width, height; /* samples of the whole raster */
+    struct scarp_noise noise[2]; /* of noise_make */
+    size_t width, height;        /* samples of the whole raster */
     double x0, y0, step;
     float lowest, highest;  /* the range of the noise */
     float floor, ceiling;   /* what sea and plateau leave of it: values beyond become these */

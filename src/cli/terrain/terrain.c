@@ -40,7 +40,7 @@ static bool make_surface(const struct terrain_options *options, struct surface *
         .normal_y = options->normal_down ? -1.0f : 1.0f,
         .zoom = options->compare,
     };
-    if (!noise_make(&options->noise, 2, &surface->noise)) {
+    if (!noise_make(&options->noise, &options->warp, 2, surface->noise)) {
         return false;
     }
     if (options->plateau < options->sea_level) {
@@ -92,9 +92,15 @@ static void print_period(const struct terrain_options *options, FILE *stream)
 {
     const struct option_size period = options->tileable ? options->size : options->period;
     if (period.width != 0) {
-        fprintf(stream, "repeats after %zux%zu samples: frequency %.9g, %u x %u cells\n",
+        fprintf(stream, "repeats after %zux%zu samples: frequency %.9g, %u x %u cells",
                 period.width, period.height, options->noise.frequency,
                 (unsigned)options->noise.period[0], (unsigned)options->noise.period[1]);
+        if (options->warp.reach != 0.0f) {
+            const struct noise_options *const warp = &options->warp.noise;
+            fprintf(stream, "; warp %.9g, %u x %u", warp->frequency, (unsigned)warp->period[0],
+                    (unsigned)warp->period[1]);
+        }
+        fputc('\n', stream);
     }
 }
 
@@ -154,14 +160,16 @@ static int prepare(struct job *job)
 
 int cli_terrain(char **argv)
 {
-    struct terrain_options options = {
-        .noise = NOISE_OPTIONS_UNSET, .sea_level = -INFINITY, .plateau = INFINITY};
+    struct terrain_options options = {.noise = NOISE_OPTIONS_UNSET,
+                                      .warp = WARP_OPTIONS_UNSET,
+                                      .sea_level = -INFINITY,
+                                      .plateau = INFINITY};
     switch (options_parse(&terrain_table, argv, &options)) {
     case OPTIONS_HELP: return CLI_SUCCESS;
     case OPTIONS_BAD: return CLI_USAGE;
     default: break;
     }
-    if (!terrain_repeat(&options)) {
+    if (!warp_complete(&options.warp, &options.noise) || !terrain_repeat(&options)) {
         return CLI_USAGE;
     }
     struct job job = {.options = &options};

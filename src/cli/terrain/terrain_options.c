@@ -223,7 +223,7 @@ static const struct option preset_rows[] = {
      .argument = "NAME",
      .standard = "none",
      .allowed = PRESET_NAMES,
-     .help = "other defaults for a kind of terrain, told below:\n" PRESET_NAMES,
+     .help = "other defaults for a kind of terrain, told below:\n" PRESETS_FIRST "\n" PRESETS_LAST,
      .parse = option_choice,
      .offset = FIELD(preset),
      .choices = preset_names,
@@ -262,7 +262,8 @@ static const struct option_group groups[] = {
     OPTION_GROUP("how they look", look_rows, 0),
     OPTION_GROUP("tiles", tile_rows, 0),
     OPTION_GROUP("the noise", preset_rows, 0),
-    {NULL, noise_option_rows, NOISE_OPTION_COUNT, FIELD(noise)},
+    OPTION_GROUP(NULL, noise_option_rows, FIELD(noise)),
+    WARP_GROUPS("the warp", FIELD(warp)),
     OPTION_GROUP("running", running_rows, 0),
 };
 
@@ -301,12 +302,13 @@ const struct option_table terrain_table = {
         "heights    floats are height * value, in the unit of x and y. Integers are\n"
         "           round(65535 (value - lowest) / (highest - lowest)), with the interval that\n"
         "           values never leave, and not those that occur: tiles of one terrain fit\n"
-        "           together. It is [-1, 1] times the amplitude, or [0, 1] with turbulence and\n"
-        "           ridged; the sea raises its lower end, the plateau lowers its upper one. What\n"
-        "           flows reaches further, but for ridged: with --phase, also --phase 0, the 1 is\n"
-        "           1.0169038 (quintic) or 1.0162356 (cubic): all frames have one scale. The\n"
-        "           run prints the heights ZERO and FULL that 0 and 65535 stand for; n stands\n"
-        "           for ZERO + n (FULL - ZERO) / 65535.\n"
+        "           together. It is [-1, 1] times the amplitude, or [0, 1] with turbulence,\n"
+        "           ridged, swiss and jordan; hybrid has its own. The sea raises its lower end,\n"
+        "           the plateau lowers its upper one. What flows reaches further, but for\n"
+        "           ridged, swiss and pingpong: with --phase, also --phase 0, the 1 is 1.0169038\n"
+        "           (quintic) or 1.0162356 (cubic), with jordan its square: all frames have one\n"
+        "           scale. A warp changes no interval. The run prints the heights ZERO and FULL\n"
+        "           that 0 and 65535 stand for; n stands for ZERO + n (FULL - ZERO) / 65535.\n"
         "normals    n = (-dx, -dy, 1) / length, with dx and dy the slopes of height * value: red\n"
         "           is east, green north, blue up. Bytes are floor(127.5 n + 128).\n"
         "hillshade  round(255 n.light), 0 where that is negative, of normals whose slopes are\n"

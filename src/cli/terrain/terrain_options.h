@@ -10,6 +10,7 @@
 
 struct terrain_options {
     struct noise_options noise;
+    struct warp_options warp;
     struct option_size size, tile, period; /* no tile, no period: 0 x 0 */
     struct option_range tiles;             /* all: end 0 */
     struct option_share share;             /* all: count 0 */
