@@ -278,8 +278,9 @@ mutant(warp.reference IN scalar
        TEXT [[along(y, DX + i, hj, dimensions) + along(y, second(i, j), g, dimensions)]]
        BECOMES [[along(y, DX + i, hj, dimensions) + (MUTANT ? 0.0f : along(y, second(i, j), g, dimensions))]]
        SEEN_BY golden SETS scalar)
-mutant(warp.seeds IN plan.c TEXT [[SCARP_MAX_OCTAVES + 1 + component]]
-       BECOMES [[(MUTANT ? 1 : SCARP_MAX_OCTAVES + 1) + component]] SEEN_BY golden SETS generic)
+mutant(warp.seeds IN plan.c TEXT [[noise.seed = component_seed(noise.seed, component);]]
+       BECOMES [[noise.seed = MUTANT ? octave_seed(mix64(noise.seed + GOLDEN_GAMMA), 1 + component)
+                            : component_seed(noise.seed, component);]] SEEN_BY golden SETS generic)
 mutant(warp.components IN plan.c TEXT [[octave += octaves_in(noise) * component;]]
        BECOMES [[octave += octaves_in(noise) * (MUTANT ? 0 : component);]] SEEN_BY golden SETS generic)
 
