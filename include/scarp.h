@@ -832,8 +832,8 @@ SCARP_API enum scarp_status scarp_noise_check(const struct scarp_noise *noise, i
  * The constants of a noise take about as long to compute as 15 points (one octave) or 10 (eight),
  * with a phase up to three times as long.
  * With noise->plan = plan, sample and grid calls of 2 or 3 `dimensions`, as the plan was made for,
- * and scarp_curl2, take them from *plan, and give the same bits. One plan serves all outputs, floats and doubles,
- * every kernel set, and any number of threads at a time. Calls only read it.
+ * and scarp_curl2, take them from *plan, and give the same bits. One plan serves all outputs,
+ * floats and doubles, every kernel set, and any number of threads at a time. Calls only read it.
  *
  *     struct scarp_plan plan;
  *     struct scarp_noise noise = {.octaves = 8.0f};
