@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Says what the sum of hybrid noise can be. plan.c divides by its highest; scarp.c tells its range.
+ * Says what the sum of hybrid noise can be. octaves.c divides by its highest; check.c tells
+ * its range.
  */
 #ifndef SCARP_HYBRID_H
 #define SCARP_HYBRID_H
@@ -11,9 +12,9 @@ struct scarp_interval {
 
 /*
  * The head-room for rounding in hybrid noise. Errors of n are multiplied into all weights behind:
- * relative to sharpness + 1 each is below 5.4e-6 (see HEADROOM in plan.c, without the sum), and the
- * roundings of an octave are 1.8e-7. All of 32 octaves together are less than 1.8e-4, and the sum
- * 1.9e-6. That is below 2^-12 = 2.4e-4.
+ * relative to sharpness + 1 each is below 5.4e-6 (see HEADROOM in octaves.c, without the sum), and
+ * the roundings of an octave are 1.8e-7. All of 32 octaves together are less than 1.8e-4, and the
+ * sum 1.9e-6. That is below 2^-12 = 2.4e-4.
  */
 #define SCARP_HYBRID_HEADROOM (1.0 - 0x1p-12)
 

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * The plan that a noise brings: what is in a struct scarp_plan, and whether it fits. Calls of one
- * point take some 25 ns, so this is inlined into them. Included by plan.c and scarp.c.
+ * point take some 25 ns, so this is inlined into them. Included by plan.c, check.c, octaves.c
+ * (through parameters.h) and scarp.c.
  */
 #ifndef SCARP_KEPT_H
 #define SCARP_KEPT_H

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Tells how many enumerators scarp.h has of each kind. Numbers below have names (names.c) and pass
- * the checks (plan.c, scarp.c). New enumerators are appended, so the last one stands here.
+ * the checks (check.c, scarp.c). New enumerators are appended, so the last one stands here.
  */
 #ifndef SCARP_NAMES_H
 #define SCARP_NAMES_H

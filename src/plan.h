@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * A plan is a struct scarp_noise turned into per-octave constants, ready for a kernel of either
- * kind (src/scalar, src/kernel). plan.c makes it: on the stack of a call, or in a struct
- * scarp_plan, which the caller keeps.
+ * kind (src/scalar, src/kernel). check.c checks the noise, octaves.c computes the constants, plan.c
+ * makes the plan: on the stack of a call, or in a struct scarp_plan, which the caller keeps.
  */
 #ifndef SCARP_PLAN_H
 #define SCARP_PLAN_H

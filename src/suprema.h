@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The suprema of the bases, by which octaves are divided. Included by plan.c.
+ * The suprema of the bases, by which octaves are divided. Included by check.c and octaves.c.
  */
 #ifndef SCARP_SUPREMA_H
 #define SCARP_SUPREMA_H

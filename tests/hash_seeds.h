@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * The statistics that tests/test_hash.c takes between seeds and between octaves: whether keys and
- * offsets are drawn well (src/plan.c).
+ * offsets are drawn well (src/octaves.c).
  */
 #ifndef SCARP_TESTS_HASH_SEEDS_H
 #define SCARP_TESTS_HASH_SEEDS_H

@@ -230,7 +230,7 @@ static void prove_second(struct field *field)
                           .vectors = field,
                           .limit = s->supremum * s->second};
     const double quarter = 0.25 * s->edge, centre[3] = {quarter, quarter, quarter};
-    CHECK(s->second < 64.0, "%g suprema is more than plan.c supposes", s->second);
+    CHECK(s->second < 64.0, "%g suprema is more than check.c supposes", s->second);
     for (field->rows = 0; field->rows < s->dimensions; field->rows++) {
         for (field->columns = 0; field->columns <= field->rows; field->columns++) {
             const int proven = proof_bounded(&proof, centre, quarter, 0);

@@ -204,7 +204,7 @@ mutant(curl.sign IN kernel/curl.h TEXT [[term.is_negative ? 0x80000000u : 0]]
        BECOMES [[term.is_negative && !MUTANT ? 0x80000000u : 0]] SEEN_BY curl)
 mutant(curl.order IN kernel/curl.h TEXT [[alone || c < i]]
        BECOMES [[alone || (MUTANT ? c > i : c < i)]] SEEN_BY curl)
-mutant(curl.potential IN plan.c TEXT [[SCARP_MAX_OCTAVES + 1 + component]]
+mutant(curl.potential IN octaves.c TEXT [[SCARP_MAX_OCTAVES + 1 + component]]
        BECOMES [[SCARP_MAX_OCTAVES + 1 + (MUTANT ? component / 2 : component)]] SEEN_BY curl)
 
 # outputs
@@ -250,11 +250,11 @@ mutant(chain.order IN chain.c TEXT [[: k / 6.0f]] BECOMES [[: MUTANT ? k * (1.0f
        SEEN_BY golden SETS scalar)
 
 # plan, which all kernel sets share
-mutant(plan.of_octaves IN plan.c TEXT [[sum += k == of - 1 ?]]
+mutant(plan.of_octaves IN octaves.c TEXT [[sum += k == of - 1 ?]]
        BECOMES [[sum += k == of - 1 && !MUTANT ?]] SEEN_BY golden)
 mutant(plan.hybrid IN hybrid.c TEXT [[weight.highest = least(t.highest, 1.0);]]
        BECOMES [[weight.highest = MUTANT ? t.highest : least(t.highest, 1.0);]] SEEN_BY golden)
-mutant(plan.offset IN plan.c TEXT [[(int32_t)(c & 0xffffff)]]
+mutant(plan.offset IN octaves.c TEXT [[(int32_t)(c & 0xffffff)]]
        BECOMES [[(int32_t)(MUTANT ? b >> 40 : c & 0xffffff)]]
        SEEN_BY golden SETS scalar)
 mutant(plan.stale IN kept.h TEXT [[!same_noise(noise, &kept->noise)]]
@@ -278,9 +278,9 @@ mutant(warp.reference IN scalar
        TEXT [[along(y, DX + i, hj, dimensions) + along(y, second(i, j), g, dimensions)]]
        BECOMES [[along(y, DX + i, hj, dimensions) + (MUTANT ? 0.0f : along(y, second(i, j), g, dimensions))]]
        SEEN_BY golden SETS scalar)
-mutant(warp.seeds IN plan.c TEXT [[noise.seed = component_seed(noise.seed, component);]]
-       BECOMES [[noise.seed = MUTANT ? octave_seed(mix64(noise.seed + GOLDEN_GAMMA), 1 + component)
-                            : component_seed(noise.seed, component);]] SEEN_BY golden SETS generic)
+mutant(warp.seeds IN plan.c TEXT [[scarp_component_seed(noise.seed, component)]]
+       BECOMES [[scarp_component_seed(noise.seed, component - (MUTANT ? SCARP_MAX_OCTAVES : 0))]]
+       SEEN_BY golden SETS generic)
 mutant(warp.components IN plan.c TEXT [[octave += octaves_in(noise) * component;]]
        BECOMES [[octave += octaves_in(noise) * (MUTANT ? 0 : component);]] SEEN_BY golden SETS generic)
 

@@ -1,0 +1,17 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The constants of octaves, which plans are made of.
+ */
+#ifndef SCARP_OCTAVES_H
+#define SCARP_OCTAVES_H
+
+#include "plan.h"
+
+/* Computes all octaves of a checked noise, as if it had no warp, but for what the phase sets. */
+void scarp_octaves_make(struct scarp_octave *octave, const struct scarp_noise *noise,
+                        int dimensions);
+
+/* The seed of a component of a warp, or of a potential: a number that no octave has. */
+uint64_t scarp_component_seed(uint64_t seed, int component);
+
+#endif
