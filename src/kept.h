@@ -129,7 +129,7 @@ static inline void plan_describe(struct scarp_call_plan *plan, const struct scar
     plan->fade = noise->fade;
     plan->fractal = noise->fractal;
     plan->erosion = noise->erosion == 0.0f ? 1.0f : noise->erosion;
-    plan->sharpness = sharpness_of(noise);
+    plan->sharpness = noise->fractal > SCARP_EROSION ? sharpness_of(noise) : 0.0f;
     plan->order = kind.order;
     plan->octaves = octaves_in(noise);
     plan->first = 0;
@@ -159,7 +159,7 @@ static inline int plan_kept(struct scarp_call_plan *plan, const struct scarp_noi
 {
     const struct kept *const kept = (const struct kept *)noise->plan;
     /* A noise that a plan was made of needs no check. */
-    if (kept == NULL || noise->warp != NULL || kept->mark != mark_of(kind.dimensions) ||
+    if (kept == NULL || kept->mark != mark_of(kind.dimensions) ||
         !same_noise(noise, &kept->noise) || !has_outputs(noise, kind)) {
         return 0;
     }

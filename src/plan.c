@@ -33,7 +33,7 @@ enum scarp_status scarp_plan_keep(struct scarp_plan *plan, const struct scarp_no
         if (noise->warp == NULL && blends_corners(noise->basis)) {
             scarp_phase_set(kept->octave, octaves_in(noise), noise->phase);
         }
-        kept->mark = mark_of(dimensions);
+        kept->mark = noise->warp == NULL ? mark_of(dimensions) : 0;
         memcpy(&kept->noise, noise, sizeof *noise);
     }
     return status;
