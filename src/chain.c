@@ -146,41 +146,57 @@ static int is_scale(float number)
 
 static int take_smooth(float to[CHAIN_NUMBERS], float k, int maximum)
 {
+    if (!is_scale(k)) {
+        return 0;
+    }
     to[CHAIN_INVERSE] = 1.0f / k;
     to[CHAIN_DEPTH] = maximum ? -(k / 6.0f) : k / 6.0f;
     to[CHAIN_BEND] = maximum ? to[CHAIN_INVERSE] : -to[CHAIN_INVERSE];
-    return is_scale(k);
+    return 1;
 }
 
 static int take_terrace(float to[CHAIN_NUMBERS], const float given[3])
 {
     const float steps = given[0], riser = given[1], strength = given[2];
+    if (!is_scale(steps) || !(riser >= RISER_MIN && riser <= 1.0f) ||
+        !(strength >= 0.0f && strength <= 1.0f)) {
+        return 0;
+    }
     to[CHAIN_STEPS] = steps;
     to[CHAIN_HEIGHT] = 1.0f / steps;
     to[CHAIN_STEEP] = 1.0f / riser;
     to[CHAIN_STRENGTH] = strength;
-    return is_scale(steps) && riser >= RISER_MIN && riser <= 1.0f && strength >= 0.0f &&
-           strength <= 1.0f;
+    return 1;
+}
+
+static int take_step(float to[CHAIN_NUMBERS], float lo, float hi)
+{
+    const float width = hi - lo;
+    if (!is_finite(lo) || !is_finite(hi) || (!is_scale(width) && !is_scale(-width))) {
+        return 0;
+    }
+    to[CHAIN_LO] = lo;
+    to[CHAIN_HI] = hi;
+    to[CHAIN_INVERSE] = 1.0f / width;
+    return 1;
 }
 
 /* Computes the numbers that kernels want. Returns 0 if one is outside its interval. */
 static int take_numbers(struct scarp_chain *to, const struct arguments *call)
 {
     const float first = call->number[0], second = call->number[1];
-    const float width = second - first;
     switch (call->function) {
     case CHAIN_SMOOTH_MIN:
     case CHAIN_SMOOTH_MAX:
         return take_smooth(to->number, first, call->function == CHAIN_SMOOTH_MAX);
     case CHAIN_TERRACE: return take_terrace(to->number, call->number);
+    case CHAIN_SMOOTHSTEP: return take_step(to->number, first, second);
     default: break;
     }
     to->number[CHAIN_LO] = first; /* or the scale, and the offset */
     to->number[CHAIN_HI] = second;
-    to->number[CHAIN_INVERSE] = call->function == CHAIN_SMOOTHSTEP ? 1.0f / width : 0.0f;
     return is_finite(first) && is_finite(second) &&
-           (call->function != CHAIN_CLAMP || first <= second) &&
-           (call->function != CHAIN_SMOOTHSTEP || is_scale(width) || is_scale(-width));
+           (call->function != CHAIN_CLAMP || first <= second);
 }
 
 static int asks_for_something(const struct scarp_chain *call)

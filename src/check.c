@@ -133,9 +133,10 @@ static const char *outside_member(const struct scarp_noise *noise, const struct 
    reading members one by one. */
 static int reserved_in_use(const struct scarp_noise *noise)
 {
-    uintptr_t words[sizeof noise->spare / sizeof(uintptr_t)], bits = 0;
-    memcpy(words, noise->spare, sizeof words);
-    for (size_t i = 0; i < sizeof words / sizeof words[0]; i++) {
+    enum { BYTES = sizeof noise->spare, WORD = sizeof(uintptr_t), WORDS = BYTES / WORD };
+    uintptr_t words[WORDS], bits = 0;
+    memcpy(words, noise->spare, BYTES);
+    for (size_t i = 0; i < WORDS; i++) {
         bits |= words[i];
     }
     return bits != 0;
