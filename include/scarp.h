@@ -186,8 +186,9 @@ enum scarp_isa {
  * |gain^k u_k| is 1, or a sum of Swiss noise is a_0, the surface has a crease. (Hessians of ridged
  * noise overflow where amplitude f_k^2 comes near 2^120, those of ping-pong where that times 2
  * sharpness does. So do those of hybrid noise, and with gains above 1 its gradients where amplitude
- * f_k times the product of all gain^j does. Gradients of octaves that bend grow with each of them:
- * they may overflow with many octaves and a sharpness above 1.)
+ * f_k times the product of all gain^j does. Gradients of octaves that bend grow with each of them,
+ * and may overflow. So may the positions of Swiss noise where gain^K comes near 2^120; where |a_0|
+ * is below 2^-128, all its octaves but the first may vanish.)
  *
  * An octave is noise of its own: n_k at x is, but for rounding, single-octave noise of the seed
  * s_k, frequency 1, the same basis and fade, and 2^k times the phase, at p_k, divided by 1 - 2^-17.
@@ -237,10 +238,11 @@ enum scarp_isa {
  * D: the gradient is J^T g, the Hessian J^T H J + sum_i g_i H_i, where g and H are those of n at y,
  * D and H_i those of d at x. w may have a warp, too, up to four in all: with e the warp of w, d is
  * w at x + e(x). Points of floats are displaced in float; doubles, and grids, in double. A warp
- * changes no range. If warp and noise repeat after the same lengths of input, the whole does.
- * dphase is the derivative by the noise's own phase. A warp must have derivatives of the order that
- * is asked for, else calls return SCARP_ERROR_UNSUPPORTED. On grids the deepest warp is as fast as
- * grids are, the rest as fast as points.
+ * changes no range. Derivatives are products, which overflow where those of the warps and of the
+ * noise are too large together. If warp and noise repeat after the same lengths of input, the whole
+ * does. dphase is the derivative by the noise's own phase. A warp must have derivatives of the
+ * order that is asked for, else calls return SCARP_ERROR_UNSUPPORTED. On grids the deepest warp is
+ * as fast as grids are, the rest as fast as points.
  *
  * Simplex (Perlin 2001, Gustavson 2005). Vertices v draw gradients g_v, of the same kind as those
  * of gradient noise. With d = p - v and w = max(0, r^2 - d.d), all vertices together make the raw
@@ -305,8 +307,9 @@ struct scarp_noise {
                      (0, 1]. Default 1. */
 
     float sharpness; /* SCARP_PINGPONG: how often octaves are folded, 2 by default; SCARP_HYBRID:
-                        how high they lie, 0.7 by default; for both in [2^-8, 2^8]. Others ignore
-                        it, in [2^-24, 2^24]. */
+                        how high they lie, 0.7 by default; SCARP_SWISS and SCARP_JORDAN: how far
+                        they are bent, 0.15 and 0.35 by default; for these four in [2^-8, 2^8].
+                        Others ignore it, in [2^-24, 2^24]. */
 
     uint32_t period[3]; /* cells of octave 0, in [1, 2^30], after which the noise repeats along each
                            axis; 0: never. 2D calls ignore period[2]. See "Periods". */
@@ -364,9 +367,10 @@ struct scarp_samples {
  * for an unknown basis, fade or fractal; SCARP_ERROR_PARAMETER for a number of `noise` outside its
  * interval; SCARP_ERROR_SIZE if the arrays would exceed the address space; SCARP_ERROR_UNSUPPORTED
  * if a derivative along z is asked for, a second derivative of SCARP_EROSION, SCARP_SWISS or
- * SCARP_JORDAN, or dphase of the latter two or of other than gradient noise, if other noise has a
- * phase, if turned axes have a period, or if a reserved
- * member of `noise` or `out` is in use. A count of 0 succeeds, whatever the other arguments are.
+ * SCARP_JORDAN, also where one of these is a warp, or dphase of the latter two or of other than
+ * gradient noise, if there are more than four warps, if other noise has a phase, if turned axes
+ * have a period, or if a reserved member of `noise` or `out` is in use. A count of 0 succeeds,
+ * whatever the other arguments are.
  */
 SCARP_API enum scarp_status scarp_sample2(const struct scarp_noise *noise, size_t count,
                                           const float *x, const float *y,
@@ -482,7 +486,7 @@ struct scarp_flow {
  * is that of the potential.
  *
  * All bases and fractals serve, with periods, phases and warps. Where the gradient jumps (creases
- * of turbulence, ridged and cellular noise) so does the velocity, and its Jacobian is that on one
+ * of fractals, and of cellular noise) so does the velocity, and its Jacobian is that on one
  * side; where a fractal has no Hessian, there is no Jacobian. A phase lets the flow change in
  * time. Another flow without divergence comes of any other potential: with a ramp r that is 0 on
  * walls and 1 away from them, r psi has the velocity (r psi_y + r_y psi, -r psi_x - r_x psi), which
@@ -857,9 +861,9 @@ SCARP_API enum scarp_status scarp_plan_make(const struct scarp_noise *noise, int
  * scarp_basis_name, scarp_fade_name, scarp_fractal_name - the enumerators as words
  *
  * "gradient", "value", "simplex", "cell-f1", "cell-f2", "cell-edge", "cell-soft", "cell-value";
- * "quintic", "cubic"; "fbm", "turbulence", "ridged", "erosion", "pingpong", "hybrid". The words are
- * static and never change. Numbers that are no enumerator give NULL. Enumerators count up from 0
- * without gaps, so a list of them ends where the name is NULL:
+ * "quintic", "cubic"; "fbm", "turbulence", "ridged", "erosion", "pingpong", "hybrid", "swiss",
+ * "jordan". The words are static and never change. Numbers that are no enumerator give NULL.
+ * Enumerators count up from 0 without gaps, so a list of them ends where the name is NULL:
  *
  *     for (enum scarp_basis basis = 0; scarp_basis_name(basis) != NULL; basis++)
  */

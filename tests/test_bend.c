@@ -402,6 +402,24 @@ static void check_range(struct block *block, enum scarp_fractal fractal, int i)
     }
 }
 
+/* Values are numbers within the range even where a_0 is too small for floats. */
+static void check_tiny_weight(struct block *block, enum scarp_fractal fractal)
+{
+    const struct scarp_noise noise = {.fractal = fractal,
+                                      .octaves = 30.0f,
+                                      .lacunarity = 1.0f,
+                                      .gain = 16.0f,
+                                      .amplitude = fractal == SCARP_SWISS ? -0x1p-24f : 0x1p-24f};
+    uint64_t random = 1;
+    block_random(block, &random, 64.0f);
+    block_sample(block, &noise, dimensions == 2 ? SAMPLE2_F64 : SAMPLE3_F64, BLOCK);
+    for (size_t k = 0; k < BLOCK; k++) {
+        const float v = block->out.array[0][k] / noise.amplitude;
+        CHECK(v >= 0.0f && v <= 1.0f, "%s: %.9g of the amplitude", fractal_names[fractal],
+              (double)v);
+    }
+}
+
 /* What lies a period further differs by roundings at most. */
 static void check_periods(struct block *x, struct block *y, enum scarp_fractal fractal)
 {
@@ -494,6 +512,7 @@ int main(int argc, char **argv)
         dimensions = 2 + i % 2;
         check_rebuilt(x, y, fractal);
         check_defaults(x, y, fractal);
+        check_tiny_weight(x, fractal);
         check_periods(x, y, fractal);
         check_refused(x, fractal);
         check_plan(x, y, fractal);

@@ -8,6 +8,8 @@
 #ifndef SCARP_KERNEL_BEND_H
 #define SCARP_KERNEL_BEND_H
 
+#include <float.h>
+
 #include "chunk.h"
 
 /* A matrix by columns; z is unset in 2D. */
@@ -334,6 +336,13 @@ static void points_within(const struct scarp_call_plan *plan, size_t count,
                           const void *const position[3], const struct scarp_outputs *out,
                           struct frame f, struct workspace work);
 
+/* 1 / a_0, held within floats. */
+static float inverse_weight(float weight)
+{
+    const double inverse = 1.0 / (double)weight;
+    return (float)(inverse > FLT_MAX ? FLT_MAX : inverse < -FLT_MAX ? -FLT_MAX : inverse);
+}
+
 /* Adds up the octaves at a chunk. */
 static void bend_chunk(struct chunked *w, const struct scarp_call_plan *plan,
                        const struct chunk *chunk, struct bending *at)
@@ -354,7 +363,7 @@ static void bend_chunk(struct chunked *w, const struct scarp_call_plan *plan,
         const double f = plan->fractal == SCARP_SWISS ? first->frequency64 : o->frequency64;
         at->inverse = (float)(1.0 / o->frequency64);
         at->weight = o->weight;
-        at->inverse_weight = (float)(1.0 / (double)first->weight);
+        at->inverse_weight = inverse_weight(first->weight);
         at->reach = (float)((double)plan->sharpness / f);
         at->is_first = k == 0;
         if (k > 0) {
