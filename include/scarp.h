@@ -692,10 +692,10 @@ SCARP_API enum scarp_status scarp_max(size_t count, const struct scarp_samples *
 /*
  * scarp_smooth_min - the lesser of a and b, without a crease
  *
- * min(a, b) - h^3 k / 6 with h = max(0, 1 - |a - b| / k): min(a, b) itself where the two differ by
- * k or more, and less where they are nearer, by k / 6 at most. C2. With f_a = 1 - h^2 / 2 where a <
- * b, else h^2 / 2, f_b the other of the two, and q = -h / k, derivatives are f_a a_i + f_b b_i and
- * (f_a a_ij + f_b b_ij) + (q (a_i - b_i)) (a_j - b_j).
+ * min(a, b) - h^3 k / 6 with h = max(0, 1 - |a - b| / k): but for rounding min(a, b) itself where
+ * the two differ by k or more, and less where they are nearer, by k / 6 at most. C2. With f_a = 1 -
+ * h^2 / 2 where a < b, else h^2 / 2, f_b the other of the two, and q = -h / k, derivatives are f_a
+ * a_i + f_b b_i and (f_a a_ij + f_b b_ij) + (q (a_i - b_i)) (a_j - b_j).
  *
  * k is in units of value, in [2^-60, 2^60].
  */
@@ -749,7 +749,7 @@ SCARP_API enum scarp_status scarp_smoothstep(size_t count, const struct scarp_sa
  *
  * C2 for every riser and strength. The first derivative by a is at least 1 - strength, so terraces
  * never turn a slope around. Steps fade out where |t| comes near 2^23. Where t overflows, all
- * outputs are NaN.
+ * outputs are NaN; values near the largest float may become infinite.
  */
 SCARP_API enum scarp_status scarp_terrace(size_t count, const struct scarp_samples *a, float steps,
                                           float riser, float strength,

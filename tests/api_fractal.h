@@ -168,8 +168,11 @@ static inline double fractal_difference(const struct fractal_test *t, const stru
     CHECK(function_call(f, b, t->points, t->in, &out_b) == SCARP_OK, "%s", function_names[f]);
     for (int m = 0; m < OUTPUTS; m++) {
         for (size_t i = 0; i < t->points && (mask >> m & 1) != 0; i++) {
-            largest =
-                fmax(largest, fabs((double)t->one->array[m][i] - (double)t->two->array[m][i]));
+            const double difference =
+                fabs((double)t->one->array[m][i] - (double)t->two->array[m][i]);
+            if (!(difference <= largest)) { /* also a NaN (gcc 12 for AArch64 fails on fmax here) */
+                largest = difference;
+            }
         }
     }
     return largest;

@@ -330,7 +330,7 @@ static void test_refused(struct call c)
     }
     test_no_hessian(c);
     CHECK(is_untouched(&there), "an error has written something");
-    const struct scarp_flow nothing = {NULL};
+    const struct scarp_flow nothing = {.vx = NULL};
     expect(c, &good, &nothing, SCARP_OK, "nothing asked for");
 }
 

@@ -20,6 +20,8 @@ WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Werror"]
 DESIGNATED = "-Wno-missing-field-initializers"
 # What uses the functions that the README wraps the library in.
 WRAPPED = """
+#include <cstdio>
+#include <vector>
 int main()
 {
     const std::vector<float> x{1, 2}, y{3, 4};
