@@ -160,7 +160,8 @@ static void directions_make(double u[DIRECTIONS][3], int in_plane)
 }
 
 /* The mean curvature is the same in all directions. Slices: in planes across z, at z = 0. Sampling
-   changes the ratio of the largest to the least by some 3 over the square root of the points. */
+   changes the ratio of the largest to the least by up to 7 over the square root of the points:
+   squares of curvatures vary much, and the ends are picked from many directions. */
 static void test_isotropy(int dimensions, int slices, long points, double most)
 {
     const struct scarp_noise noise = {.basis = SCARP_SIMPLEX, .seed = 5};
@@ -193,7 +194,7 @@ static void test_isotropy(int dimensions, int slices, long points, double most)
         least = fmin(least, sum[k]);
         greatest = fmax(greatest, sum[k]);
     }
-    const double allowed = most + 3.0 / sqrt((double)points);
+    const double allowed = most + 7.0 / sqrt((double)points);
     printf("%dD%s: mean square of curvature over directions within 1 : %.4f, at most %.4f\n",
            dimensions, slices ? ", slices" : "", greatest / least, allowed);
     CHECK(greatest / least <= allowed, "%dD: %g", dimensions, greatest / least);
