@@ -151,7 +151,8 @@ static void directions_make(double u[DIRECTIONS][3], int in_plane)
 {
     for (int k = 0; k < DIRECTIONS; k++) {
         const double angle = k * 3.14159265358979 / DIRECTIONS;
-        const int signs[3] = {(k + 1) % 3 - 1, (k + 1) / 3 % 3 - 1, (k + 1) / 9};
+        /* the 13 lines through the neighbours of a cube: 1 0 0, then -1 1 0, and so on to 1 1 1 */
+        const int n = k + 5, signs[3] = {n % 3 - 1, n / 3 % 3 - 1, n / 9};
         const double length = sqrt(signs[0] * signs[0] + signs[1] * signs[1] + signs[2] * signs[2]);
         u[k][0] = in_plane ? cos(angle) : signs[0] / length;
         u[k][1] = in_plane ? sin(angle) : signs[1] / length;
