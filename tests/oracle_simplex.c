@@ -22,11 +22,9 @@ static void add_vertex(const struct oracle_lattice *lattice, double r2, const do
 {
     const int dimensions = lattice->dimensions;
     const double *const g = oracle_gradient_drawn(lattice, hash);
-    double square = 0.0, q = 0.0;
-    for (int i = 0; i < dimensions; i++) {
-        square += d[i] * d[i];
-        q += g[i] * d[i];
-    }
+    const double z = dimensions == 3 ? d[2] : 0.0;
+    const double square = d[0] * d[0] + d[1] * d[1] + z * z;
+    const double q = g[0] * d[0] + g[1] * d[1] + g[2] * z;
     const double w = fmax(0.0, r2 - square);
     n->clearance = fmin(n->clearance, fabs(square - r2) / 4.0); /* or more */
     if (w == 0.0) {

@@ -343,6 +343,7 @@ VEC_INLINE void cells_row_block(struct cells_row *row, const struct cells_shared
     }
     const vf wall = vf_lesser(to_wall(t), shared->wall);
     if (__builtin_expect(needs_ring(found.s[search.second], wall, shared->ring), 0)) {
+        found_begin(&other, zero);          /* the ring keeps everything */
         found_copy(&other, &found, search); /* so that the original stays in registers */
         cells_row_ring(&other, row, block);
         found_copy(&found, &other, search);
