@@ -233,8 +233,8 @@ enum scarp_isa {
  *
  * Warps. With noise.warp = &w, the noise is n(y), y = x + d(x). Component i of d (0, 1, 2) is the
  * noise w with the seed number 33 + i of splitmix64(first number of splitmix64(w.seed)), which no
- * octave has. It is in units of input, so w.amplitude is how far x may be displaced along each
- * axis; turbulence and its like displace to one side. Derivatives go through the Jacobian J = I +
+ * octave has. It is in units of input: scarp_range of w says how far x may be displaced along each
+ * axis, with turbulence and its like to one side. Derivatives go through the Jacobian J = I +
  * D: the gradient is J^T g, the Hessian J^T H J + sum_i g_i H_i, where g and H are those of n at y,
  * D and H_i those of d at x. w may have a warp, too, up to four in all: with e the warp of w, d is
  * w at x + e(x). Points of floats are displaced in float; doubles, and grids, in double. A warp

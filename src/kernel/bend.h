@@ -356,6 +356,7 @@ static void bend_chunk(struct chunked *w, const struct scarp_call_plan *plan,
     one.order++;
     one.octaves = 1;
     at->blocks = whole_blocks(chunk_count(chunk)) / VEC_LANES;
+    at->inverse_weight = inverse_weight(first->weight);
     bend_begin(at, w->f.dimensions, plan->order);
     find_input(w, chunk);
     for (int k = 0; k < plan->octaves; k++) {
@@ -363,7 +364,6 @@ static void bend_chunk(struct chunked *w, const struct scarp_call_plan *plan,
         const double f = plan->fractal == SCARP_SWISS ? first->frequency64 : o->frequency64;
         at->inverse = (float)(1.0 / o->frequency64);
         at->weight = o->weight;
-        at->inverse_weight = inverse_weight(first->weight);
         at->reach = (float)((double)plan->sharpness / f);
         at->is_first = k == 0;
         if (k > 0) {
