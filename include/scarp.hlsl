@@ -1,0 +1,1717 @@
+// SPDX-License-Identifier: MIT
+//
+// scarp's noise for HLSL. Generated from src/gpu; do not edit.
+//
+//     #define SCARP_PLANS 1       // how many plans are in the constant buffer; default 1
+//     #define SCARP_REGISTER b0   // where that is; default b0
+//     #include "scarp.hlsl"
+//     ...
+//     ScarpSample n = scarp_sample2(0u, x, y);  // of scarp_plan[0]: n.value, n.gradient.xy
+//
+// scarp_gpu_plan (scarp.h) makes the bytes of a plan, and says what is promised. What a shader does
+// not use of a sample costs nothing. Smaller and faster shaders fix what their plans have in common:
+// SCARP_ONLY_BASIS and SCARP_ONLY_FRACTAL, an enumerator of scarp.h as 2u, and SCARP_ONLY_DEPTH, how
+// many warps there are, as 0u. SCARP_FUSE gives the equal bits up.
+#ifndef SCARP_HLSL
+#define SCARP_HLSL
+
+#ifndef SCARP_PLANS
+#define SCARP_PLANS 1
+#endif
+#ifndef SCARP_REGISTER
+#define SCARP_REGISTER b0
+#endif
+
+/* The constants of a noise, member by member as in ScarpScarpGpuPlan (scarp. */
+
+/* turn: with a phase the cosine and sine of the angle, then of twice that; of bases that take
+   places the jitter, the middle and the stretch. */
+struct ScarpOctave {
+    uint3 key;
+    float frequency;
+    float weight;
+    float amplitude;
+    float slope;
+    float curvature;
+    uint3 last;
+    float share;
+    float4 turn;
+    float3 jacobian_x;
+    float offset_x;
+    float3 jacobian_y;
+    float offset_y;
+    float3 jacobian_z;
+    float offset_z;
+    float3 gradient_x;
+    float inverse;
+    float3 gradient_y;
+    float reach;
+    float3 gradient_z;
+    float spare;
+};
+
+struct ScarpLevel {
+    uint basis;
+    uint fade;
+    uint fractal;
+    uint octaves;
+    uint rotate;
+    uint flows;
+    uint first;
+    uint spare0;
+    float erosion;
+    float sharpness;
+    float inverse_weight;
+    float spare1;
+};
+
+struct ScarpPlan {
+    uint depth;
+    uint dimensions;
+    uint zero;
+    float unit;
+    ScarpLevel level[5];
+    ScarpOctave octave[32];
+};
+
+/* The numbers of enum scarp_basis, scarp_fade and scarp_fractal. */
+#define SCARP_GRADIENT 0u
+#define SCARP_VALUE 1u
+#define SCARP_SIMPLEX 2u
+#define SCARP_CELL_F1 3u
+#define SCARP_CELL_F2 4u
+#define SCARP_CELL_EDGE 5u
+#define SCARP_CELL_SOFT 6u
+#define SCARP_CELL_VALUE 7u
+
+#define SCARP_QUINTIC 0u
+
+#define SCARP_FBM 0u
+#define SCARP_TURBULENCE 1u
+#define SCARP_RIDGED 2u
+#define SCARP_EROSION 3u
+#define SCARP_PINGPONG 4u
+#define SCARP_HYBRID 5u
+#define SCARP_SWISS 6u
+#define SCARP_JORDAN 7u
+cbuffer ScarpPlans : register(SCARP_REGISTER)
+{
+    ScarpPlan scarp_plan[SCARP_PLANS];
+};
+
+uint scarp_only_basis(uint basis)
+{
+#ifdef SCARP_ONLY_BASIS
+    return SCARP_ONLY_BASIS;
+#else
+    return basis;
+#endif
+}
+
+uint scarp_only_fractal(uint fractal)
+{
+#ifdef SCARP_ONLY_FRACTAL
+    return SCARP_ONLY_FRACTAL;
+#else
+    return fractal;
+#endif
+}
+
+uint scarp_only_depth(uint depth)
+{
+#ifdef SCARP_ONLY_DEPTH
+    return SCARP_ONLY_DEPTH;
+#else
+    return depth;
+#endif
+}
+
+// One rounding each.
+#ifdef SCARP_FUSE
+#define SCARP_PRECISE
+#else
+#define SCARP_PRECISE precise
+#endif
+
+float scarp_add(float a, float b)
+{
+    SCARP_PRECISE float c = a + b;
+    return c;
+}
+
+float scarp_sub(float a, float b)
+{
+    SCARP_PRECISE float c = a - b;
+    return c;
+}
+
+float scarp_mul(float a, float b)
+{
+    SCARP_PRECISE float c = a * b;
+    return c;
+}
+
+#define scarp_vec3_of(x, y, z) float3(x, y, z)
+#define scarp_pick(condition, yes, no) ((condition) ? (yes) : (no))
+#define scarp_pick_int(condition, yes, no) ((condition) ? (yes) : (no))
+#define scarp_pick_uint(condition, yes, no) ((condition) ? (yes) : (no))
+#define scarp_float_of_bits(a) asfloat(a)
+#define scarp_bits_of(a) asuint(a)
+#define scarp_int_of(a) asint(a)
+#define scarp_uint_of(a) asuint(a)
+#define scarp_float_of_int(a) float(a)
+#define scarp_float_of_uint(a) float(a)
+#define scarp_whole_of(a) int(a)
+#define scarp_floor_of(a) floor(a)
+#define scarp_rough_inverse(a) (1.0 / (a))
+#define scarp_rough_root(a) sqrt(a)
+
+/* Arithmetic with vectors and symmetric matrices, and the two operations that shading languages only approximate. */
+
+#define SCARP_SIGN 0x80000000u
+
+float scarp_magnitude(float a)
+{
+    return scarp_float_of_bits(scarp_bits_of(a) & 0x7fffffffu);
+}
+
+/* Whether the sign bit is set. */
+bool scarp_is_negative(float a)
+{
+    return scarp_bits_of(a) >= SCARP_SIGN;
+}
+
+/* -a where `bit` is 1, a where it is 0. */
+float scarp_with_bit(float a, uint bit)
+{
+    return scarp_float_of_bits(scarp_bits_of(a) ^ (bit << 31u));
+}
+
+float3 scarp_add3(float3 a, float3 b)
+{
+    return scarp_vec3_of(scarp_add(a.x, b.x), scarp_add(a.y, b.y), scarp_add(a.z, b.z));
+}
+
+float3 scarp_sub3(float3 a, float3 b)
+{
+    return scarp_vec3_of(scarp_sub(a.x, b.x), scarp_sub(a.y, b.y), scarp_sub(a.z, b.z));
+}
+
+float3 scarp_mul3(float a, float3 b)
+{
+    return scarp_vec3_of(scarp_mul(a, b.x), scarp_mul(a, b.y), scarp_mul(a, b.z));
+}
+
+float scarp_dot(float3 a, float3 b, int dimensions)
+{
+    float d = scarp_add(scarp_mul(a.x, b.x), scarp_mul(a.y, b.y));
+    if (dimensions == 3) {
+        d = scarp_add(d, scarp_mul(a.z, b.z));
+    }
+    return d;
+}
+
+/* Rows. */
+struct ScarpRows {
+    float3 x;
+    float3 y;
+    float3 z;
+};
+
+ScarpRows scarp_rows_of(float3 x, float3 y, float3 z)
+{
+    ScarpRows m;
+    m.x = x;
+    m.y = y;
+    m.z = z;
+    return m;
+}
+
+ScarpRows scarp_transposed(ScarpRows m)
+{
+    return scarp_rows_of(scarp_vec3_of(m.x.x, m.y.x, m.z.x), scarp_vec3_of(m.x.y, m.y.y, m.z.y),
+                   scarp_vec3_of(m.x.z, m.y.z, m.z.z));
+}
+
+/* Each row of m times v. */
+float3 scarp_times(ScarpRows m, float3 v, int dimensions)
+{
+    return scarp_vec3_of(scarp_dot(m.x, v, dimensions), scarp_dot(m.y, v, dimensions), scarp_dot(m.z, v, dimensions));
+}
+
+/* Noise at a point. diagonal: the derivatives xx, yy, zz; mixed: xy, xz, yz. */
+struct ScarpSample {
+    float value;
+    float3 gradient;
+    float3 diagonal;
+    float3 mixed;
+};
+
+ScarpSample scarp_sample_of(float value, float3 gradient, float3 diagonal, float3 mixed)
+{
+    ScarpSample s;
+    s.value = value;
+    s.gradient = gradient;
+    s.diagonal = diagonal;
+    s.mixed = mixed;
+    return s;
+}
+
+ScarpSample scarp_constant(float value)
+{
+    float3 none = scarp_vec3_of(0.0f, 0.0f, 0.0f);
+    return scarp_sample_of(value, none, none, none);
+}
+
+/* The Hessian. */
+ScarpRows scarp_hessian_of(ScarpSample s)
+{
+    return scarp_rows_of(scarp_vec3_of(s.diagonal.x, s.mixed.x, s.mixed.y),
+                   scarp_vec3_of(s.mixed.x, s.diagonal.y, s.mixed.z),
+                   scarp_vec3_of(s.mixed.y, s.mixed.z, s.diagonal.z));
+}
+
+ScarpSample scarp_sum_of(ScarpSample a, ScarpSample b)
+{
+    return scarp_sample_of(scarp_add(a.value, b.value), scarp_add3(a.gradient, b.gradient),
+                     scarp_add3(a.diagonal, b.diagonal), scarp_add3(a.mixed, b.mixed));
+}
+
+/* Multiplies the outputs of each order by a factor of their own. */
+ScarpSample scarp_scaled(ScarpSample n, float value, float gradient, float hessian)
+{
+    return scarp_sample_of(scarp_mul(value, n.value), scarp_mul3(gradient, n.gradient), scarp_mul3(hessian, n.diagonal),
+                     scarp_mul3(hessian, n.mixed));
+}
+
+/*
+ * 1 / x, rounded to nearest, of positive x; 0 of 2^126 and more. With x = m 2^(e - 150), the result
+ * is q 2^(103 - e), q being 2^47 / m, rounded. The estimate's q may be off by a few; the remainder
+ * 2^47 - q m is small, so the low 32 bits of both numbers give it.
+ */
+float scarp_inverse(float x)
+{
+    uint bits = scarp_bits_of(x);
+    uint m = (bits & 0x7fffffu) | 0x800000u;
+    uint e = (bits >> 23u) & 255u;
+    float estimate = scarp_rough_inverse(scarp_float_of_bits(0x3f800000u | (bits & 0x7fffffu)));
+    uint q = scarp_uint_of(scarp_whole_of(scarp_mul(estimate, 16777216.0f)));
+    int r = scarp_int_of(0u - q * m);
+    for (int i = 0; i < 16 && (r < 0 || r >= scarp_int_of(m)); i++) {
+        q = scarp_pick_uint(r < 0, q - 1u, q + 1u);
+        r = scarp_int_of(0u - q * m);
+    }
+    q = scarp_pick_uint(2 * r > scarp_int_of(m), q + 1u, q);
+    float rounded = scarp_float_of_bits(((252u - e) << 23u) + q);
+    return scarp_pick(e > 252u, 0.0f, rounded);
+}
+
+/*
+ * The root of x, rounded to nearest, of normal x and 0. With x = m 2^(e - 150) and m doubled where
+ * e is even, q is the root of 2^23 m, rounded.
+ */
+float scarp_root(float x)
+{
+    uint bits = scarp_bits_of(x);
+    uint e = bits >> 23u;
+    uint even = 1u - (e & 1u);
+    uint m = ((bits & 0x7fffffu) | 0x800000u) << even;
+    float estimate = scarp_rough_root(scarp_float_of_bits((bits & 0x7fffffu) + ((127u + even) << 23u)));
+    uint q = scarp_uint_of(scarp_whole_of(scarp_mul(estimate, 8388608.0f)));
+    int r = scarp_int_of((m << 23u) - q * q);
+    for (int i = 0; i < 16 && (r < 0 || r > scarp_int_of(2u * q)); i++) {
+        q = scarp_pick_uint(r < 0, q - 1u, q + 1u);
+        r = scarp_int_of((m << 23u) - q * q);
+    }
+    q = scarp_pick_uint(r > scarp_int_of(q), q + 1u, q);
+    float rounded = scarp_float_of_bits((((e + 127u) >> 1u) << 23u) + (q - 0x800000u));
+    return scarp_pick(e == 0u, 0.0f, rounded);
+}
+
+/* Where a point lies in the frame of an octave, and what the lattice draws there. */
+
+#define SCARP_HASH_X 0x1a2012f5u
+#define SCARP_HASH_Y 0x14e84743u
+#define SCARP_HASH_Z 0xec1d7da1u
+#define SCARP_HASH_K 0x9e3779b9u
+
+uint scarp_hash_axis(uint i, uint multiplier, uint key)
+{
+    uint h = i * multiplier + key;
+    return (h >> 8u) | (h << 24u);
+}
+
+uint scarp_hash2(uint3 key, uint x, uint y)
+{
+    uint h = scarp_hash_axis(x, SCARP_HASH_X, key.x) ^ scarp_hash_axis(y, SCARP_HASH_Y, key.y);
+    return h * (h + SCARP_HASH_K);
+}
+
+uint scarp_joined3(uint3 key, uint x, uint y, uint z)
+{
+    return scarp_hash_axis(x, SCARP_HASH_X, key.x) ^ scarp_hash_axis(y, SCARP_HASH_Y, key.y) ^ scarp_hash_axis(z, SCARP_HASH_Z, key.z);
+}
+
+uint scarp_hash3(uint3 key, uint x, uint y, uint z)
+{
+    uint h = scarp_joined3(key, x, y, z);
+    return h * (h + SCARP_HASH_K);
+}
+
+/* The hash as a signed number, rounded to float: only the addition rounds. */
+float scarp_lattice_value(uint hash)
+{
+    float high = scarp_mul(scarp_float_of_int(scarp_int_of(hash) >> 16u), 65536.0f);
+    return scarp_add(high, scarp_float_of_uint(hash & 0xffffu));
+}
+
+/* The cell `steps` further along an axis, within the period whose last cell is `last`. */
+uint scarp_cell_beside(uint last, uint cell, int steps)
+{
+    uint c = cell;
+    for (int i = 0; i < steps; i++) {
+        c = scarp_pick_uint(c == last, 0u, c + 1u);
+    }
+    for (int i = 0; i > steps; i--) {
+        c = scarp_pick_uint(c == 0u, last, c - 1u);
+    }
+    return c;
+}
+
+uint scarp_within_period(uint last, int cell)
+{
+    uint within = scarp_uint_of(cell);
+    if (last != 0xffffffffu) {
+        uint period = last + 1u;
+        if (cell < 0) {
+            within = last - (~within) % period;
+        } else {
+            within = within % period;
+        }
+    }
+    return within;
+}
+
+/* A point along one axis of an octave: its cell, and where it lies inside. */
+struct ScarpSplit {
+    uint cell;
+    float t;
+};
+
+ScarpSplit scarp_split(float p, uint last)
+{
+    ScarpSplit s;
+    if (scarp_magnitude(p) < 2147483648.0f) {
+        int whole = scarp_whole_of(p);
+        int lower = scarp_pick_int(scarp_float_of_int(whole) > p, whole - 1, whole);
+        s.cell = scarp_within_period(last, lower);
+        s.t = scarp_sub(p, scarp_float_of_int(lower));
+    } else {
+        s.cell = scarp_within_period(last, scarp_int_of(SCARP_SIGN));
+        s.t = scarp_sub(p, p);
+    }
+    return s;
+}
+
+/* A point of one octave. */
+struct ScarpPlace {
+    uint3 cell;
+    uint3 next;
+    float3 t;
+};
+
+/* Along each axis p = J x + o, where axes are turned, else p = f x + o. */
+float3 scarp_position_of(ScarpOctave o, bool turned, float3 x, int dimensions)
+{
+    float3 p = scarp_mul3(o.frequency, x);
+    if (turned) {
+        p = scarp_times(scarp_rows_of(o.jacobian_x, o.jacobian_y, o.jacobian_z), x, dimensions);
+    }
+    return scarp_add3(p, scarp_vec3_of(o.offset_x, o.offset_y, o.offset_z));
+}
+
+/* Along y, triangles of simplex noise count their rows. */
+ScarpPlace scarp_place_of(ScarpOctave o, uint basis, bool turned, float3 x,
+                                    int dimensions)
+{
+    float3 p = scarp_position_of(o, turned, x, dimensions);
+    if (basis == SCARP_SIMPLEX && dimensions == 2) {
+        p.y = scarp_mul(p.y, o.turn.z);
+    }
+    ScarpSplit sx = scarp_split(p.x, o.last.x);
+    ScarpSplit sy = scarp_split(p.y, o.last.y);
+    ScarpPlace at;
+    at.t = scarp_vec3_of(sx.t, sy.t, 0.0f);
+    at.cell.x = sx.cell;
+    at.cell.y = sy.cell;
+    at.cell.z = 0u;
+    at.next.x = scarp_cell_beside(o.last.x, sx.cell, 1);
+    at.next.y = scarp_cell_beside(o.last.y, sy.cell, 1);
+    at.next.z = 0u;
+    if (dimensions == 3) {
+        ScarpSplit sz = scarp_split(p.z, o.last.z);
+        at.t.z = sz.t;
+        at.cell.z = sz.cell;
+        at.next.z = scarp_cell_beside(o.last.z, sz.cell, 1);
+    }
+    return at;
+}
+
+/* Bases that blend what is drawn at the corners of cells. */
+
+struct ScarpFade {
+    float u;
+    float du;
+    float ddu;
+};
+
+ScarpFade scarp_fade(uint kind, float t)
+{
+    float s = scarp_sub(t, 1.0f);
+    float ts = scarp_mul(t, s);
+    ScarpFade f;
+    if (kind == SCARP_QUINTIC) {
+        float inner = scarp_add(scarp_mul(s, scarp_sub(scarp_mul(t, 6.0f), 9.0f)), 1.0f);
+        f.u = scarp_mul(scarp_mul(scarp_mul(t, t), t), inner);
+        f.du = scarp_mul(30.0f, scarp_mul(ts, ts));
+        f.ddu = scarp_mul(scarp_mul(60.0f, ts), scarp_add(t, s));
+    } else {
+        f.u = scarp_mul(scarp_mul(t, t), scarp_sub(3.0f, scarp_mul(2.0f, t)));
+        f.du = scarp_mul(-6.0f, ts);
+        f.ddu = scarp_sub(6.0f, scarp_mul(12.0f, t));
+    }
+    return f;
+}
+
+float scarp_mix(float a, float b, float u)
+{
+    return scarp_add(a, scarp_mul(u, scarp_sub(b, a)));
+}
+
+/* a x + b */
+struct ScarpSlope {
+    float a;
+    float b;
+};
+
+ScarpSlope scarp_slope_of(float a, float b)
+{
+    ScarpSlope s;
+    s.a = a;
+    s.b = b;
+    return s;
+}
+
+/* What a lattice column contributes. Those of value noise are level: all a are 0. */
+struct ScarpColumn {
+    ScarpSlope value;
+    ScarpSlope y;
+    ScarpSlope z;
+    ScarpSlope yy;
+    ScarpSlope yz;
+    ScarpSlope zz;
+};
+
+/* Two columns, and the point between them. */
+struct ScarpBetween {
+    float x;
+    float before;
+    ScarpFade f;
+    bool level;
+};
+
+float scarp_at(ScarpSlope s, float x, bool level)
+{
+    float value = s.b;
+    if (!level) {
+        value = scarp_add(scarp_mul(s.a, x), s.b);
+    }
+    return value;
+}
+
+float scarp_across(ScarpSlope l, ScarpSlope r, ScarpBetween p)
+{
+    return scarp_mix(scarp_at(l, p.x, p.level), scarp_at(r, p.before, p.level), p.f.u);
+}
+
+float scarp_across_dx(ScarpSlope l, ScarpSlope r, ScarpBetween p)
+{
+    float step = scarp_mul(p.f.du, scarp_sub(scarp_at(r, p.before, p.level), scarp_at(l, p.x, p.level)));
+    if (!p.level) {
+        step = scarp_add(scarp_mix(l.a, r.a, p.f.u), step);
+    }
+    return step;
+}
+
+float scarp_across_dxx(ScarpSlope l, ScarpSlope r, ScarpBetween p)
+{
+    float bend = scarp_mul(p.f.ddu, scarp_sub(scarp_at(r, p.before, p.level), scarp_at(l, p.x, p.level)));
+    if (!p.level) {
+        bend = scarp_add(scarp_mul(scarp_mul(2.0f, p.f.du), scarp_sub(r.a, l.a)), bend);
+    }
+    return bend;
+}
+
+ScarpSample scarp_join(ScarpColumn l, ScarpColumn r, float x, ScarpFade f,
+                                 bool level)
+{
+    ScarpBetween p;
+    p.x = x;
+    p.before = scarp_sub(x, 1.0f);
+    p.f = f;
+    p.level = level;
+    return scarp_sample_of(
+        scarp_across(l.value, r.value, p),
+        scarp_vec3_of(scarp_across_dx(l.value, r.value, p), scarp_across(l.y, r.y, p), scarp_across(l.z, r.z, p)),
+        scarp_vec3_of(scarp_across_dxx(l.value, r.value, p), scarp_across(l.yy, r.yy, p), scarp_across(l.zz, r.zz, p)),
+        scarp_vec3_of(scarp_across_dx(l.y, r.y, p), scarp_across_dx(l.z, r.z, p), scarp_across(l.yz, r.yz, p)));
+}
+
+/* Gradient noise. */
+
+/* The cosine of 11.25 degrees times 1, 3, 5, 7. */
+float scarp_cosine(uint i)
+{
+    float first = scarp_pick(i == 0u, 0.980785280f, 0.831469612f);
+    float second = scarp_pick(i == 2u, 0.555570233f, 0.195090322f);
+    return scarp_pick(i < 2u, first, second);
+}
+
+/* One of the 16 directions of the plane. */
+float3 scarp_direction2(uint i)
+{
+    uint k = (i >> 1u) & 3u;
+    return scarp_vec3_of(scarp_with_bit(scarp_cosine(k), (i >> 3u) & 1u), scarp_with_bit(scarp_cosine(3u - k), i & 1u), 0.0f);
+}
+
+/* One of the 12 edges of a cube, twice as long: 0 along z, y or x. */
+float3 scarp_direction3(uint i)
+{
+    uint axes = i >> 2u;
+    float first = scarp_with_bit(2.0f, (i >> 1u) & 1u);
+    float second = scarp_with_bit(2.0f, i & 1u);
+    return scarp_vec3_of(scarp_pick(axes == 2u, 0.0f, first),
+                   scarp_pick(axes == 0u, second, scarp_pick(axes == 1u, 0.0f, first)),
+                   scarp_pick(axes == 0u, 0.0f, second));
+}
+
+/* An edge after a quarter of a turn: 1, 2, -1 or -2 along each axis, in two bits per edge. */
+float scarp_quarter3(uint axis, uint i)
+{
+    uint bits = axis >> (2u * i);
+    return scarp_with_bit(scarp_pick((bits & 2u) != 0u, 2.0f, 1.0f), bits & 1u);
+}
+
+#define SCARP_QUARTERS_X 0xbe0550u
+#define SCARP_QUARTERS_Y 0x50be11u
+#define SCARP_QUARTERS_Z 0x1144beu
+#define SCARP_TWO_OVER_ROOT_3 1.15470054f
+
+/* Of directions that flow, the cosine and the sine are those of the angle, or of twice that. */
+float3 scarp_turned2(uint drawn, float4 turn)
+{
+    bool opposite = drawn >= 8u;
+    uint i = scarp_pick_uint(opposite, drawn ^ 9u, drawn);
+    uint quick = (i ^ (i >> 1u) ^ (i >> 3u)) & 1u;
+    float3 g = scarp_direction2(i);
+    float c = scarp_pick(quick != 0u, turn.z, turn.x);
+    float s = scarp_pick(quick != 0u, turn.w, turn.y);
+    float x = scarp_add(scarp_mul(c, g.x), scarp_mul(s, scarp_with_bit(g.y, 1u - quick)));
+    float y = scarp_add(scarp_mul(c, g.y), scarp_mul(s, scarp_with_bit(g.x, quick)));
+    return scarp_vec3_of(scarp_pick(opposite, -x, x), scarp_pick(opposite, -y, y), 0.0f);
+}
+
+float3 scarp_turned3(uint i, float4 turn)
+{
+    bool quick = ((0x93cu >> i) & 1u) != 0u;
+    float3 g = scarp_direction3(i);
+    float3 q = scarp_mul3(SCARP_TWO_OVER_ROOT_3, scarp_vec3_of(scarp_quarter3(SCARP_QUARTERS_X, i), scarp_quarter3(SCARP_QUARTERS_Y, i),
+                                                 scarp_quarter3(SCARP_QUARTERS_Z, i)));
+    return scarp_add3(scarp_mul3(scarp_pick(quick, turn.z, turn.x), g), scarp_mul3(scarp_pick(quick, turn.w, turn.y), q));
+}
+
+/* What draws directions: the octave's keys, and how far directions are turned, if they are. */
+struct ScarpTurning {
+    uint3 key;
+    float4 turn;
+    bool flows;
+};
+
+float3 scarp_drawn2(ScarpTurning t, uint x, uint y)
+{
+    uint i = scarp_hash2(t.key, x, y) >> 28u;
+    float3 g = scarp_direction2(i);
+    if (t.flows) {
+        g = scarp_turned2(i, t.turn);
+    }
+    return g;
+}
+
+uint scarp_edge_of(uint hash)
+{
+    return ((hash >> 16u) * 12u) >> 16u;
+}
+
+float3 scarp_drawn3(ScarpTurning t, uint x, uint y, uint z)
+{
+    uint i = scarp_edge_of(scarp_hash3(t.key, x, y, z));
+    float3 g = scarp_direction3(i);
+    if (t.flows) {
+        g = scarp_turned3(i, t.turn);
+    }
+    return g;
+}
+
+/* Column x of the cell: v is the fade along y. */
+ScarpColumn scarp_gradient_column2(ScarpTurning t, uint x, ScarpPlace p,
+                                             ScarpFade v)
+{
+    float3 g0 = scarp_drawn2(t, x, p.cell.y);
+    float3 g1 = scarp_drawn2(t, x, p.next.y);
+    float3 dg = scarp_sub3(g1, g0);
+    float dot0 = scarp_mul(g0.y, p.t.y);
+    float dot1 = scarp_mul(g1.y, scarp_sub(p.t.y, 1.0f));
+    float ddot = scarp_sub(dot1, dot0);
+    ScarpColumn c;
+    c.value = scarp_slope_of(scarp_add(g0.x, scarp_mul(v.u, dg.x)), scarp_add(dot0, scarp_mul(v.u, ddot)));
+    c.y = scarp_slope_of(scarp_mul(v.du, dg.x), scarp_add(scarp_mix(g0.y, g1.y, v.u), scarp_mul(v.du, ddot)));
+    c.yy = scarp_slope_of(scarp_mul(v.ddu, dg.x), scarp_add(scarp_mul(scarp_mul(2.0f, v.du), dg.y), scarp_mul(v.ddu, ddot)));
+    c.z = scarp_slope_of(0.0f, 0.0f);
+    c.yz = scarp_slope_of(0.0f, 0.0f);
+    c.zz = scarp_slope_of(0.0f, 0.0f);
+    return c;
+}
+
+/* A lattice edge along z, interpolated over z; z and zz are derivatives of value.b, dgy is that of
+   gy, dgx the difference of the corners. */
+struct ScarpEdge {
+    ScarpSlope value;
+    float z;
+    float zz;
+    float gy;
+    float dgy;
+    float dgx;
+};
+
+/* The edge at column x and row y of cells, ty from it along y; w is the fade along z. */
+ScarpEdge scarp_gradient_edge(ScarpTurning t, uint x, uint y, float ty, ScarpPlace p,
+                                        ScarpFade w)
+{
+    float3 g0 = scarp_drawn3(t, x, y, p.cell.z);
+    float3 g1 = scarp_drawn3(t, x, y, p.next.z);
+    float3 dg = scarp_sub3(g1, g0);
+    float dot0 = scarp_add(scarp_mul(g0.y, ty), scarp_mul(g0.z, p.t.z));
+    float dot1 = scarp_add(scarp_mul(g1.y, ty), scarp_mul(g1.z, scarp_sub(p.t.z, 1.0f)));
+    float ddot = scarp_sub(dot1, dot0);
+    ScarpEdge e;
+    e.value = scarp_slope_of(scarp_add(g0.x, scarp_mul(w.u, dg.x)), scarp_add(dot0, scarp_mul(w.u, ddot)));
+    e.z = scarp_add(scarp_add(g0.z, scarp_mul(w.u, dg.z)), scarp_mul(w.du, ddot));
+    e.zz = scarp_add(scarp_mul(scarp_mul(2.0f, w.du), dg.z), scarp_mul(w.ddu, ddot));
+    e.gy = scarp_add(g0.y, scarp_mul(w.u, dg.y));
+    e.dgy = scarp_mul(w.du, dg.y);
+    e.dgx = dg.x;
+    return e;
+}
+
+ScarpColumn scarp_gradient_column3(ScarpTurning t, uint x, ScarpPlace p,
+                                             ScarpFade v, ScarpFade w)
+{
+    ScarpEdge e0 = scarp_gradient_edge(t, x, p.cell.y, p.t.y, p, w);
+    ScarpEdge e1 = scarp_gradient_edge(t, x, p.next.y, scarp_sub(p.t.y, 1.0f), p, w);
+    float da = scarp_sub(e1.value.a, e0.value.a);
+    float db = scarp_sub(e1.value.b, e0.value.b);
+    float dgy = scarp_sub(e1.gy, e0.gy);
+    float dz = scarp_sub(e1.z, e0.z);
+    float ddgx = scarp_sub(e1.dgx, e0.dgx);
+    float dgx = scarp_add(e0.dgx, scarp_mul(v.u, ddgx));
+    ScarpColumn c;
+    c.value = scarp_slope_of(scarp_add(e0.value.a, scarp_mul(v.u, da)), scarp_add(e0.value.b, scarp_mul(v.u, db)));
+    c.y = scarp_slope_of(scarp_mul(v.du, da), scarp_add(scarp_add(e0.gy, scarp_mul(v.u, dgy)), scarp_mul(v.du, db)));
+    c.z = scarp_slope_of(scarp_mul(w.du, dgx), scarp_add(e0.z, scarp_mul(v.u, dz)));
+    c.yy = scarp_slope_of(scarp_mul(v.ddu, da), scarp_add(scarp_mul(scarp_mul(2.0f, v.du), dgy), scarp_mul(v.ddu, db)));
+    c.yz = scarp_slope_of(scarp_mul(v.du, scarp_mul(w.du, ddgx)), scarp_add(scarp_mix(e0.dgy, e1.dgy, v.u), scarp_mul(v.du, dz)));
+    c.zz = scarp_slope_of(scarp_mul(w.ddu, dgx), scarp_mix(e0.zz, e1.zz, v.u));
+    return c;
+}
+
+ScarpSample scarp_gradient_at(ScarpOctave o, ScarpLevel l, ScarpPlace p,
+                                        int dimensions)
+{
+    ScarpFade f = scarp_fade(l.fade, p.t.x);
+    ScarpFade v = scarp_fade(l.fade, p.t.y);
+    ScarpTurning t;
+    ScarpColumn left;
+    ScarpColumn right;
+    t.key = o.key;
+    t.turn = o.turn;
+    t.flows = l.flows != 0u;
+    if (dimensions == 2) {
+        left = scarp_gradient_column2(t, p.cell.x, p, v);
+        right = scarp_gradient_column2(t, p.next.x, p, v);
+    } else {
+        ScarpFade w = scarp_fade(l.fade, p.t.z);
+        left = scarp_gradient_column3(t, p.cell.x, p, v, w);
+        right = scarp_gradient_column3(t, p.next.x, p, v, w);
+    }
+    return scarp_join(left, right, p.t.x, f, false);
+}
+
+/* Value noise. */
+
+ScarpSlope scarp_flat_of(float value)
+{
+    return scarp_slope_of(0.0f, value);
+}
+
+ScarpColumn scarp_value_column2(uint3 key, uint x, ScarpPlace p, ScarpFade v)
+{
+    float c0 = scarp_lattice_value(scarp_hash2(key, x, p.cell.y));
+    float c1 = scarp_lattice_value(scarp_hash2(key, x, p.next.y));
+    float d = scarp_sub(c1, c0);
+    ScarpColumn c;
+    c.value = scarp_flat_of(scarp_add(c0, scarp_mul(v.u, d)));
+    c.y = scarp_flat_of(scarp_mul(v.du, d));
+    c.yy = scarp_flat_of(scarp_mul(v.ddu, d));
+    c.z = scarp_flat_of(0.0f);
+    c.yz = scarp_flat_of(0.0f);
+    c.zz = scarp_flat_of(0.0f);
+    return c;
+}
+
+ScarpColumn scarp_value_column3(uint3 key, uint x, ScarpPlace p, ScarpFade v,
+                                          ScarpFade w)
+{
+    float c00 = scarp_lattice_value(scarp_hash3(key, x, p.cell.y, p.cell.z));
+    float c01 = scarp_lattice_value(scarp_hash3(key, x, p.cell.y, p.next.z));
+    float c10 = scarp_lattice_value(scarp_hash3(key, x, p.next.y, p.cell.z));
+    float c11 = scarp_lattice_value(scarp_hash3(key, x, p.next.y, p.next.z));
+    float dz0 = scarp_sub(c01, c00);
+    float dz1 = scarp_sub(c11, c10);
+    float e0 = scarp_add(c00, scarp_mul(w.u, dz0));
+    float e1 = scarp_add(c10, scarp_mul(w.u, dz1));
+    float dy = scarp_sub(e1, e0);
+    float ddz = scarp_sub(dz1, dz0);
+    float dz = scarp_add(dz0, scarp_mul(v.u, ddz));
+    ScarpColumn c;
+    c.value = scarp_flat_of(scarp_add(e0, scarp_mul(v.u, dy)));
+    c.y = scarp_flat_of(scarp_mul(v.du, dy));
+    c.z = scarp_flat_of(scarp_mul(w.du, dz));
+    c.yy = scarp_flat_of(scarp_mul(v.ddu, dy));
+    c.yz = scarp_flat_of(scarp_mul(v.du, scarp_mul(w.du, ddz)));
+    c.zz = scarp_flat_of(scarp_mul(w.ddu, dz));
+    return c;
+}
+
+ScarpSample scarp_value_at(ScarpOctave o, ScarpLevel l, ScarpPlace p,
+                                     int dimensions)
+{
+    ScarpFade f = scarp_fade(l.fade, p.t.x);
+    ScarpFade v = scarp_fade(l.fade, p.t.y);
+    ScarpColumn left;
+    ScarpColumn right;
+    if (dimensions == 2) {
+        left = scarp_value_column2(o.key, p.cell.x, p, v);
+        right = scarp_value_column2(o.key, p.next.x, p, v);
+    } else {
+        ScarpFade w = scarp_fade(l.fade, p.t.z);
+        left = scarp_value_column3(o.key, p.cell.x, p, v, w);
+        right = scarp_value_column3(o.key, p.next.x, p, v, w);
+    }
+    return scarp_join(left, right, p.t.x, f, true);
+}
+
+/* Simplex noise. */
+
+/* Second derivative of a vertex: `bend` i j, and what w^3 has a share in. */
+float scarp_vertex_second(float bend, float w3, float di, float dj, float rest)
+{
+    return scarp_sub(scarp_mul(scarp_mul(bend, di), dj), scarp_mul(w3, rest));
+}
+
+/* What a vertex adds; g is its gradient, r2 is r^2. */
+ScarpSample scarp_vertex_at(float3 d, float3 g, float r2, int dimensions)
+{
+    float across2 = scarp_mul(d.y, d.y);
+    if (dimensions == 3) {
+        across2 = scarp_add(across2, scarp_mul(d.z, d.z));
+    }
+    float left = scarp_sub(scarp_sub(r2, across2), scarp_mul(d.x, d.x));
+    float w = scarp_pick(left > 0.0f, left, 0.0f);
+    float q = scarp_add(scarp_mul(g.x, d.x), scarp_mul(g.y, d.y));
+    if (dimensions == 3) {
+        q = scarp_add(q, scarp_mul(g.z, d.z));
+    }
+    float w2 = scarp_mul(w, w);
+    float w4 = scarp_mul(w2, w2);
+    float w3 = scarp_mul(8.0f, scarp_mul(w2, w));
+    float bend = scarp_mul(scarp_mul(48.0f, w2), q);
+    float3 twice = scarp_mul3(2.0f, g);
+    float3 diagonal = scarp_vec3_of(scarp_vertex_second(bend, w3, d.x, d.x, scarp_add(scarp_mul(twice.x, d.x), q)),
+                                  scarp_vertex_second(bend, w3, d.y, d.y, scarp_add(scarp_mul(twice.y, d.y), q)),
+                                  scarp_vertex_second(bend, w3, d.z, d.z, scarp_add(scarp_mul(twice.z, d.z), q)));
+    float3 mixed =
+        scarp_vec3_of(scarp_vertex_second(bend, w3, d.x, d.y, scarp_add(scarp_mul(g.x, d.y), scarp_mul(g.y, d.x))),
+                scarp_vertex_second(bend, w3, d.x, d.z, scarp_add(scarp_mul(g.x, d.z), scarp_mul(g.z, d.x))),
+                scarp_vertex_second(bend, w3, d.y, d.z, scarp_add(scarp_mul(g.y, d.z), scarp_mul(g.z, d.y))));
+    return scarp_sample_of(scarp_mul(w4, q), scarp_sub3(scarp_mul3(w4, g), scarp_mul3(scarp_mul(w3, q), d)), diagonal, mixed);
+}
+
+#define SCARP_ROW_HEIGHT 0.866025404f
+#define SCARP_TRIANGLE_R2 0.75f
+
+/* The vertex `column` to the right of the cell, in row y. */
+ScarpSample scarp_vertex2(ScarpOctave o, ScarpPlace p, int column, uint y, float3 d)
+{
+    uint x = scarp_cell_beside(o.last.x, p.cell.x, column);
+    return scarp_vertex_at(d, scarp_direction2(scarp_hash2(o.key, x, y) >> 28u), SCARP_TRIANGLE_R2, 2);
+}
+
+ScarpSample scarp_simplex_at2(ScarpOctave o, ScarpPlace p)
+{
+    bool odd = (p.cell.y & 1u) != 0u;
+    float shift = scarp_mul(0.5f, p.t.y);
+    float start = scarp_sub(p.t.x, scarp_pick(odd, 0.5f, 0.0f));
+    bool before = start < shift;
+    int k = scarp_pick_int(before, -1, 0);
+    int above = k + scarp_pick_int(odd, 1, 0);
+    float x = scarp_pick(before, scarp_add(start, 1.0f), start);
+    bool lower = scarp_add(x, shift) < 1.0f;
+    float y = scarp_mul(SCARP_ROW_HEIGHT, p.t.y);
+    float y_above = scarp_sub(y, SCARP_ROW_HEIGHT);
+    ScarpSample a = scarp_vertex2(o, p, k + 1, p.cell.y, scarp_vec3_of(scarp_sub(x, 1.0f), y, 0.0f));
+    ScarpSample b = scarp_vertex2(o, p, above, p.next.y, scarp_vec3_of(scarp_sub(x, 0.5f), y_above, 0.0f));
+    ScarpSample c =
+        scarp_vertex2(o, p, scarp_pick_int(lower, k, above + 1), scarp_pick_uint(lower, p.cell.y, p.next.y),
+                scarp_vec3_of(scarp_pick(lower, x, scarp_sub(x, 1.5f)), scarp_pick(lower, y, y_above), 0.0f));
+    return scarp_sum_of(scarp_sum_of(a, b), c);
+}
+
+#define SCARP_TETRAHEDRON_R2 0.49999952316284180f
+#define SCARP_HASH_CENTRE 0xbcfa3e4du
+
+/* A vertex: how many cells from that of p along each axis, and where p lies from it. */
+struct ScarpVertex {
+    int x;
+    int y;
+    int z;
+    float3 d;
+};
+
+ScarpSample scarp_vertex3(ScarpOctave o, ScarpPlace p, ScarpVertex v, uint hash_k)
+{
+    uint h =
+        scarp_joined3(o.key, scarp_cell_beside(o.last.x, p.cell.x, v.x), scarp_cell_beside(o.last.y, p.cell.y, v.y),
+                scarp_cell_beside(o.last.z, p.cell.z, v.z));
+    return scarp_vertex_at(v.d, scarp_direction3(scarp_edge_of(h * (h + hash_k))), SCARP_TETRAHEDRON_R2, 3);
+}
+
+/* A cube's two centres and two corners along an axis: what `t`, from the centre, makes of each. */
+struct ScarpEnds {
+    int up;
+    int centre;
+    int corner;
+    float d_centre;
+    float d_up;
+    float d_corner;
+};
+
+ScarpEnds scarp_ends_of(float t, bool is_furthest, bool is_nearest)
+{
+    bool up = !(t < 0.0f);
+    ScarpEnds e;
+    e.up = scarp_pick_int(up, 1, 0);
+    e.d_up = scarp_sub(t, scarp_pick(up, 0.5f, -0.5f));
+    e.centre = scarp_pick_int(is_furthest, scarp_pick_int(up, 1, -1), 0);
+    e.d_centre = scarp_pick(is_furthest, scarp_sub(t, scarp_pick(up, 1.0f, -1.0f)), t);
+    e.corner = scarp_pick_int(is_nearest, 1 - e.up, e.up);
+    e.d_corner = scarp_pick(is_nearest, scarp_add(t, scarp_pick(up, 0.5f, -0.5f)), e.d_up);
+    return e;
+}
+
+ScarpVertex scarp_vertex_of(int x, int y, int z, float3 d)
+{
+    ScarpVertex v;
+    v.x = x;
+    v.y = y;
+    v.z = z;
+    v.d = d;
+    return v;
+}
+
+ScarpSample scarp_simplex_at3(ScarpOctave o, ScarpPlace p)
+{
+    float3 t = scarp_sub3(p.t, scarp_vec3_of(0.5f, 0.5f, 0.5f));
+    float3 m = scarp_vec3_of(scarp_magnitude(t.x), scarp_magnitude(t.y), scarp_magnitude(t.z));
+    bool far_x = m.x >= m.y && m.x >= m.z;
+    bool far_y = !far_x && m.y >= m.z;
+    bool near_z = m.z <= m.x && m.z <= m.y;
+    bool near_y = !near_z && m.y <= m.x;
+    ScarpEnds x = scarp_ends_of(t.x, far_x, !near_z && !near_y);
+    ScarpEnds y = scarp_ends_of(t.y, far_y, near_y);
+    ScarpEnds z = scarp_ends_of(t.z, !far_x && !far_y, near_z);
+    ScarpVertex centre0 = scarp_vertex_of(0, 0, 0, t);
+    ScarpVertex centre1 =
+        scarp_vertex_of(x.centre, y.centre, z.centre, scarp_vec3_of(x.d_centre, y.d_centre, z.d_centre));
+    ScarpVertex corner0 = scarp_vertex_of(x.up, y.up, z.up, scarp_vec3_of(x.d_up, y.d_up, z.d_up));
+    ScarpVertex corner1 =
+        scarp_vertex_of(x.corner, y.corner, z.corner, scarp_vec3_of(x.d_corner, y.d_corner, z.d_corner));
+    ScarpSample centres =
+        scarp_sum_of(scarp_vertex3(o, p, centre0, SCARP_HASH_CENTRE), scarp_vertex3(o, p, centre1, SCARP_HASH_CENTRE));
+    ScarpSample corners =
+        scarp_sum_of(scarp_vertex3(o, p, corner0, SCARP_HASH_K), scarp_vertex3(o, p, corner1, SCARP_HASH_K));
+    return scarp_sum_of(corners, centres);
+}
+
+/* Cellular noise. */
+
+#define SCARP_FEATURE_Y 0xe41130e9u
+#define SCARP_FEATURE_Z 0x6ecea30du
+#define SCARP_FEATURE_ID 0xc603dc87u
+
+/* Where a point lies from the feature of a cell, and the hash of that cell. */
+struct ScarpFeature {
+    float3 d;
+    float s;
+    uint hash;
+};
+
+/* How far t is from the feature of the cell `step` away, along an axis on which it drew v. */
+float scarp_feature_distance(float t, int step, float jitter, uint v)
+{
+    float middle = scarp_add(scarp_float_of_int(step), 0.5f);
+    return scarp_sub(t, scarp_add(middle, scarp_mul(jitter, scarp_lattice_value(v))));
+}
+
+/* The feature of the cell that is (x, y, z) away from that of p. */
+ScarpFeature scarp_feature_at(ScarpOctave o, ScarpPlace p, int x, int y, int z,
+                                        int dimensions)
+{
+    uint cx = scarp_cell_beside(o.last.x, p.cell.x, x);
+    uint cy = scarp_cell_beside(o.last.y, p.cell.y, y);
+    ScarpFeature f;
+    f.hash = scarp_hash2(o.key, cx, cy);
+    if (dimensions == 3) {
+        f.hash = scarp_hash3(o.key, cx, cy, scarp_cell_beside(o.last.z, p.cell.z, z));
+    }
+    f.d = scarp_vec3_of(scarp_feature_distance(p.t.x, x, o.turn.x, f.hash),
+                  scarp_feature_distance(p.t.y, y, o.turn.x, f.hash * SCARP_FEATURE_Y), 0.0f);
+    float across2 = scarp_mul(f.d.y, f.d.y);
+    if (dimensions == 3) {
+        f.d.z = scarp_feature_distance(p.t.z, z, o.turn.x, f.hash * SCARP_FEATURE_Z);
+        across2 = scarp_add(across2, scarp_mul(f.d.z, f.d.z));
+    }
+    f.s = scarp_add(scarp_mul(f.d.x, f.d.x), across2);
+    return f;
+}
+
+#define SCARP_FAR_AWAY 64.0f
+
+struct ScarpNearest {
+    ScarpFeature first;
+    ScarpFeature second;
+};
+
+/* Only what is strictly nearer takes a place. */
+ScarpNearest scarp_nearest_with(ScarpNearest n, ScarpFeature f)
+{
+    ScarpNearest m = n;
+    if (f.s < n.first.s) {
+        m.second = n.first;
+        m.first = f;
+    } else if (f.s < n.second.s) {
+        m.second = f;
+    }
+    return m;
+}
+
+/* The square of the gap to a cell along an axis. */
+float scarp_gap2(float t, int step)
+{
+    float ahead = scarp_sub(scarp_float_of_int(step), t);
+    float behind = scarp_sub(t, scarp_float_of_int(step + 1));
+    float gap = scarp_pick(step > 0, ahead, behind);
+    return scarp_pick(step == 0, 0.0f, scarp_mul(gap, gap));
+}
+
+/* Whether a cell, and so its feature, is further away than s, by more than rounding. */
+bool scarp_is_beyond(ScarpPlace p, int x, int y, int z, float s)
+{
+    float gap = scarp_add(scarp_add(scarp_gap2(p.t.x, x), scarp_gap2(p.t.y, y)), scarp_gap2(p.t.z, z));
+    return gap > scarp_mul(1.001f, s);
+}
+
+/* Whether the search around a point looks at a cell: first at those around, then at those two steps
+   away that are not too far. */
+bool scarp_is_searched(ScarpPlace p, int ring, int x, int y, int z, float s)
+{
+    bool inside = x > -2 && x < 2 && y > -2 && y < 2 && z > -2 && z < 2;
+    return ring == 1 || (!inside && !scarp_is_beyond(p, x, y, z, s));
+}
+
+ScarpNearest scarp_nearest_at(ScarpOctave o, ScarpPlace p, int dimensions)
+{
+    ScarpNearest n;
+    n.first.d = scarp_vec3_of(SCARP_FAR_AWAY, SCARP_FAR_AWAY, SCARP_FAR_AWAY);
+    n.first.s = SCARP_FAR_AWAY;
+    n.first.hash = 0u;
+    n.second = n.first;
+    for (int ring = 1; ring <= 2; ring++) {
+        int depth = scarp_pick_int(dimensions == 3, ring, 0);
+        for (int z = -depth; z <= depth; z++) {
+            for (int y = -ring; y <= ring; y++) {
+                for (int x = -ring; x <= ring; x++) {
+                    if (scarp_is_searched(p, ring, x, y, z, n.second.s)) {
+                        n = scarp_nearest_with(n, scarp_feature_at(o, p, x, y, z, dimensions));
+                    }
+                }
+            }
+        }
+    }
+    return n;
+}
+
+/* 2^-80: below this, a point lies on the feature. */
+#define SCARP_NO_DISTANCE 8.27180613e-25f
+
+/* The distance from a feature. */
+ScarpSample scarp_distance_to(ScarpFeature f)
+{
+    float distance = scarp_root(f.s);
+    float r = scarp_pick(f.s <= SCARP_NO_DISTANCE, 0.0f, scarp_inverse(distance));
+    float3 g = scarp_vec3_of(scarp_mul(f.d.x, r), scarp_mul(f.d.y, r), scarp_mul(f.d.z, r));
+    return scarp_sample_of(
+        distance, g,
+        scarp_vec3_of(scarp_mul(r, scarp_sub(1.0f, scarp_mul(g.x, g.x))), scarp_mul(r, scarp_sub(1.0f, scarp_mul(g.y, g.y))),
+                scarp_mul(r, scarp_sub(1.0f, scarp_mul(g.z, g.z)))),
+        scarp_vec3_of(-scarp_mul(r, scarp_mul(g.x, g.y)), -scarp_mul(r, scarp_mul(g.x, g.z)), -scarp_mul(r, scarp_mul(g.y, g.z))));
+}
+
+/* What a feature adds before the root; the gradient without the factor 8, the Hessian too. */
+ScarpSample scarp_soft_term(ScarpFeature f)
+{
+    float a = scarp_pick(f.s < 1.0f, scarp_sub(1.0f, f.s), 0.0f);
+    float a2 = scarp_mul(a, a);
+    float a4 = scarp_mul(a2, a2);
+    float a6 = scarp_mul(a4, a2);
+    float a7 = scarp_mul(a6, a);
+    float3 b = scarp_mul3(scarp_mul(14.0f, a6), f.d);
+    return scarp_sample_of(
+        scarp_mul(a4, a4), scarp_mul3(a7, f.d),
+        scarp_vec3_of(scarp_sub(scarp_mul(b.x, f.d.x), a7), scarp_sub(scarp_mul(b.y, f.d.y), a7), scarp_sub(scarp_mul(b.z, f.d.z), a7)),
+        scarp_vec3_of(scarp_mul(b.x, f.d.y), scarp_mul(b.x, f.d.z), scarp_mul(b.y, f.d.z)));
+}
+
+/* 2^-120: below this, V^2 counts as 0. */
+#define SCARP_NO_SUM 7.52316385e-37f
+
+float scarp_soft_second(float q, float r, float gi, float gj, float sum)
+{
+    return scarp_sub(scarp_mul(q, scarp_mul(gi, gj)), scarp_mul(r, sum));
+}
+
+ScarpSample scarp_soft_root(ScarpSample sum)
+{
+    float v = scarp_root(sum.value);
+    float r = scarp_pick(sum.value <= SCARP_NO_SUM, 0.0f, scarp_mul(8.0f, scarp_inverse(v)));
+    float q = scarp_mul(0.125f, r);
+    float3 g = scarp_mul3(r, sum.gradient);
+    return scarp_sample_of(-v, g,
+                     scarp_vec3_of(scarp_soft_second(q, r, g.x, g.x, sum.diagonal.x),
+                             scarp_soft_second(q, r, g.y, g.y, sum.diagonal.y),
+                             scarp_soft_second(q, r, g.z, g.z, sum.diagonal.z)),
+                     scarp_vec3_of(scarp_soft_second(q, r, g.x, g.y, sum.mixed.x),
+                             scarp_soft_second(q, r, g.x, g.z, sum.mixed.y),
+                             scarp_soft_second(q, r, g.y, g.z, sum.mixed.z)));
+}
+
+ScarpSample scarp_soft_at(ScarpOctave o, ScarpPlace p, int dimensions)
+{
+    int depth = scarp_pick_int(dimensions == 3, 1, 0);
+    ScarpSample sum = scarp_constant(0.0f);
+    for (int z = -depth; z <= depth; z++) {
+        for (int y = -1; y <= 1; y++) {
+            for (int x = -1; x <= 1; x++) {
+                sum = scarp_sum_of(sum, scarp_soft_term(scarp_feature_at(o, p, x, y, z, dimensions)));
+            }
+        }
+    }
+    return scarp_soft_root(sum);
+}
+
+ScarpSample scarp_negated(ScarpSample n)
+{
+    return scarp_sample_of(-n.value, scarp_vec3_of(-n.gradient.x, -n.gradient.y, -n.gradient.z),
+                     scarp_vec3_of(-n.diagonal.x, -n.diagonal.y, -n.diagonal.z),
+                     scarp_vec3_of(-n.mixed.x, -n.mixed.y, -n.mixed.z));
+}
+
+/* The middle of the interval, o.turn.y, becomes 0. */
+ScarpSample scarp_cells_at(ScarpOctave o, uint basis, ScarpPlace p, int dimensions)
+{
+    ScarpSample s;
+    if (basis == SCARP_CELL_SOFT) {
+        s = scarp_soft_at(o, p, dimensions);
+        s.value = scarp_add(s.value, o.turn.y);
+    } else {
+        ScarpNearest n = scarp_nearest_at(o, p, dimensions);
+        if (basis == SCARP_CELL_VALUE) {
+            s = scarp_constant(scarp_lattice_value(n.first.hash * SCARP_FEATURE_ID));
+        } else {
+            ScarpSample first = scarp_distance_to(n.first);
+            s = scarp_distance_to(n.second);
+            if (basis == SCARP_CELL_F1) {
+                s = first;
+            }
+            if (basis == SCARP_CELL_EDGE) {
+                s = scarp_sum_of(s, scarp_negated(first));
+            }
+            s.value = scarp_sub(s.value, o.turn.y);
+        }
+    }
+    return s;
+}
+
+/* One octave of noise with gradient and Hessian, in units of cells. */
+
+ScarpSample scarp_basis_at(ScarpOctave o, ScarpLevel l, ScarpPlace p,
+                                     int dimensions)
+{
+    ScarpSample s;
+    if (l.basis == SCARP_GRADIENT) {
+        s = scarp_gradient_at(o, l, p, dimensions);
+    } else if (l.basis == SCARP_VALUE) {
+        s = scarp_value_at(o, l, p, dimensions);
+    } else if (l.basis == SCARP_SIMPLEX) {
+        if (dimensions == 2) {
+            s = scarp_simplex_at2(o, p);
+        } else {
+            s = scarp_simplex_at3(o, p);
+        }
+    } else {
+        s = scarp_cells_at(o, l.basis, p, dimensions);
+    }
+    return s;
+}
+
+/* What fractals make of an octave, but for those that bend. */
+
+ScarpRows scarp_jacobian_of(ScarpOctave o)
+{
+    return scarp_transposed(scarp_rows_of(o.jacobian_x, o.jacobian_y, o.jacobian_z));
+}
+
+/* The vector v, in the octave's axes, in those of the input: J^T v, or f v. */
+float3 scarp_to_input(ScarpOctave o, bool turned, float3 v, int dimensions)
+{
+    float3 r = scarp_mul3(o.frequency, v);
+    if (turned) {
+        r = scarp_times(scarp_jacobian_of(o), v, dimensions);
+    }
+    return r;
+}
+
+/* The Hessian of `n` with A^T (H B), the columns of A and B being rows here. */
+ScarpSample scarp_with_hessian(ScarpSample n, ScarpRows a, ScarpRows b,
+                                         ScarpRows h, int dimensions)
+{
+    ScarpRows hb = scarp_transposed(
+        scarp_rows_of(scarp_times(b, h.x, dimensions), scarp_times(b, h.y, dimensions), scarp_times(b, h.z, dimensions)));
+    ScarpSample s = n;
+    s.diagonal =
+        scarp_vec3_of(scarp_dot(a.x, hb.x, dimensions), scarp_dot(a.y, hb.y, dimensions), scarp_dot(a.z, hb.z, dimensions));
+    s.mixed =
+        scarp_vec3_of(scarp_dot(a.x, hb.y, dimensions), scarp_dot(a.x, hb.z, dimensions), scarp_dot(a.y, hb.z, dimensions));
+    return s;
+}
+
+/* The octave times its amplitude, in the axes of the input. */
+ScarpSample scarp_in_input(ScarpOctave o, bool turned, ScarpSample n, int dimensions)
+{
+    ScarpSample s = scarp_scaled(n, o.amplitude, o.slope, o.curvature);
+    if (turned) {
+        ScarpRows scaled_jacobian =
+            scarp_transposed(scarp_rows_of(o.gradient_x, o.gradient_y, o.gradient_z));
+        s.gradient = scarp_times(scaled_jacobian, n.gradient, dimensions);
+        s = scarp_with_hessian(s, scaled_jacobian, scarp_jacobian_of(o), scarp_hessian_of(n), dimensions);
+    }
+    return s;
+}
+
+/* sign(n) a, and 0 where n is 0. */
+float scarp_with_sign(float a, float n)
+{
+    return scarp_pick(n == 0.0f, 0.0f, scarp_with_bit(a, scarp_bits_of(n) >> 31u));
+}
+
+float3 scarp_with_sign3(float3 a, float n)
+{
+    return scarp_vec3_of(scarp_with_sign(a.x, n), scarp_with_sign(a.y, n), scarp_with_sign(a.z, n));
+}
+
+/* |n|: turbulence */
+ScarpSample scarp_magnitude_of(ScarpSample n)
+{
+    return scarp_sample_of(scarp_with_sign(n.value, n.value), scarp_with_sign3(n.gradient, n.value),
+                     scarp_with_sign3(n.diagonal, n.value), scarp_with_sign3(n.mixed, n.value));
+}
+
+/* Ping-pong. The derivatives lack their factor 2 sharpness, which comes with the weight. */
+ScarpSample scarp_pingpong(ScarpSample n, float sharpness)
+{
+    float t = scarp_mul(scarp_add(n.value, 1.0f), sharpness);
+    float e = scarp_sub(1.0f, scarp_sub(t, scarp_mul(2.0f, scarp_floor_of(scarp_mul(t, 0.5f)))));
+    float value = scarp_sub(1.0f, scarp_mul(2.0f, scarp_magnitude(e)));
+    float falling = scarp_pick(scarp_is_negative(e), -1.0f, 1.0f);
+    float slope = scarp_pick(scarp_magnitude(value) == 1.0f, 0.0f, falling);
+    return scarp_sample_of(value, scarp_with_sign3(n.gradient, slope), scarp_with_sign3(n.diagonal, slope),
+                     scarp_with_sign3(n.mixed, slope));
+}
+
+/* Ridged noise: v r^2 with v = weight and r = 1 - m. */
+float scarp_ridge_first(float v, float vi, float r, float mi)
+{
+    return scarp_sub(scarp_mul(scarp_mul(r, r), vi), scarp_mul(scarp_mul(scarp_mul(2.0f, v), r), mi));
+}
+
+float3 scarp_ridge_first3(float v, float3 vi, float r, float3 mi)
+{
+    return scarp_vec3_of(scarp_ridge_first(v, vi.x, r, mi.x), scarp_ridge_first(v, vi.y, r, mi.y),
+                   scarp_ridge_first(v, vi.z, r, mi.z));
+}
+
+/* vi mj + vj mi, for the elements of the diagonal and the others. */
+float3 scarp_crossed_diagonal(float3 v, float3 m)
+{
+    return scarp_vec3_of(scarp_add(scarp_mul(v.x, m.x), scarp_mul(v.x, m.x)), scarp_add(scarp_mul(v.y, m.y), scarp_mul(v.y, m.y)),
+                   scarp_add(scarp_mul(v.z, m.z), scarp_mul(v.z, m.z)));
+}
+
+float3 scarp_crossed_mixed(float3 v, float3 m)
+{
+    return scarp_vec3_of(scarp_add(scarp_mul(v.x, m.y), scarp_mul(v.y, m.x)), scarp_add(scarp_mul(v.x, m.z), scarp_mul(v.z, m.x)),
+                   scarp_add(scarp_mul(v.y, m.z), scarp_mul(v.z, m.y)));
+}
+
+/* `cross` is vi mj + vj mi, `mm` is mi mj. */
+float scarp_ridge_second(float v, float r, float vij, float mij, float cross, float mm)
+{
+    return scarp_add(scarp_sub(scarp_mul(scarp_mul(r, r), vij), scarp_mul(scarp_mul(2.0f, r), cross)),
+               scarp_sub(scarp_mul(scarp_mul(2.0f, v), mm), scarp_mul(scarp_mul(scarp_mul(2.0f, v), r), mij)));
+}
+
+ScarpSample scarp_ridge(ScarpSample weight, ScarpSample n)
+{
+    ScarpSample m = scarp_magnitude_of(n);
+    float3 a = scarp_crossed_diagonal(weight.gradient, m.gradient);
+    float3 b = scarp_crossed_mixed(weight.gradient, m.gradient);
+    float3 g = m.gradient;
+    float3 vd = weight.diagonal;
+    float3 vm = weight.mixed;
+    float v = weight.value;
+    float r = scarp_sub(1.0f, m.value);
+    return scarp_sample_of(scarp_mul(v, scarp_mul(r, r)), scarp_ridge_first3(v, weight.gradient, r, g),
+                     scarp_vec3_of(scarp_ridge_second(v, r, vd.x, m.diagonal.x, a.x, scarp_mul(g.x, g.x)),
+                             scarp_ridge_second(v, r, vd.y, m.diagonal.y, a.y, scarp_mul(g.y, g.y)),
+                             scarp_ridge_second(v, r, vd.z, m.diagonal.z, a.z, scarp_mul(g.z, g.z))),
+                     scarp_vec3_of(scarp_ridge_second(v, r, vm.x, m.mixed.x, b.x, scarp_mul(g.x, g.y)),
+                             scarp_ridge_second(v, r, vm.y, m.mixed.y, b.y, scarp_mul(g.x, g.z)),
+                             scarp_ridge_second(v, r, vm.z, m.mixed.z, b.z, scarp_mul(g.y, g.z))));
+}
+
+/* The weight of the octave after one of ridged noise: 2 s, but 1 where that is more. */
+ScarpSample scarp_ridge_weight(ScarpSample s)
+{
+    ScarpSample weight = scarp_constant(1.0f);
+    if (scarp_mul(2.0f, s.value) < 1.0f) {
+        weight = scarp_scaled(s, 2.0f, 2.0f, 2.0f);
+    }
+    return weight;
+}
+
+/* Hybrid noise: v r with v = weight and r = n + sharpness. */
+ScarpSample scarp_hybrid(ScarpSample weight, ScarpSample n, float sharpness)
+{
+    float v = weight.value;
+    float r = scarp_add(n.value, sharpness);
+    float3 diagonal = scarp_add3(scarp_mul3(r, weight.diagonal), scarp_mul3(v, n.diagonal));
+    float3 mixed = scarp_add3(scarp_mul3(r, weight.mixed), scarp_mul3(v, n.mixed));
+    return scarp_sample_of(scarp_mul(v, r), scarp_add3(scarp_mul3(r, weight.gradient), scarp_mul3(v, n.gradient)),
+                     scarp_add3(diagonal, scarp_crossed_diagonal(weight.gradient, n.gradient)),
+                     scarp_add3(mixed, scarp_crossed_mixed(weight.gradient, n.gradient)));
+}
+
+/* The weight of the octave after one of hybrid noise: share u, but 1 or -1 where that is beyond. */
+ScarpSample scarp_hybrid_weight(ScarpSample u, float share)
+{
+    float t = scarp_mul(share, u.value);
+    ScarpSample weight = scarp_constant(scarp_pick(t < 0.0f, -1.0f, 1.0f));
+    if (scarp_magnitude(t) < 1.0f) {
+        weight = scarp_scaled(u, share, share, share);
+    }
+    return weight;
+}
+
+/* What slopes add up to, with the rows of the Jacobian. */
+struct ScarpSlopes {
+    float3 d;
+    ScarpRows jacobian;
+};
+
+ScarpRows scarp_sum_of_rows(ScarpRows a, ScarpRows b)
+{
+    return scarp_rows_of(scarp_add3(a.x, b.x), scarp_add3(a.y, b.y), scarp_add3(a.z, b.z));
+}
+
+/* The slopes with those of an octave n, in its own axes: they become steeper. */
+ScarpSlopes scarp_steeper(ScarpSlopes slopes, ScarpOctave o, bool turned,
+                                    ScarpSample n, int dimensions)
+{
+    ScarpRows h = scarp_hessian_of(n);
+    ScarpSlopes s;
+    s.d = scarp_add3(slopes.d, n.gradient);
+    s.jacobian = scarp_sum_of_rows(slopes.jacobian, scarp_rows_of(scarp_to_input(o, turned, h.x, dimensions),
+                                                      scarp_to_input(o, turned, h.y, dimensions),
+                                                      scarp_to_input(o, turned, h.z, dimensions)));
+    return s;
+}
+
+/* An octave n of erosion; `slopes` have it, and `gradient` is its own in the axes of the input. */
+ScarpSample scarp_eroded(ScarpSlopes slopes, float erosion, float n, float3 gradient,
+                                   int dimensions)
+{
+    float q = scarp_inverse(scarp_add(1.0f, scarp_mul(erosion, scarp_dot(slopes.d, slopes.d, dimensions))));
+    float damping = scarp_mul(scarp_mul(scarp_mul(2.0f, erosion), n), scarp_mul(q, q));
+    float3 steepening = scarp_times(scarp_transposed(slopes.jacobian), slopes.d, dimensions);
+    ScarpSample s = scarp_constant(scarp_mul(q, n));
+    s.gradient = scarp_sub3(scarp_mul3(q, gradient), scarp_mul3(damping, steepening));
+    return s;
+}
+
+/* The fractals that bend. */
+
+/* What goes from octave to octave. `weight`: ridged and hybrid noise; `slopes`: erosion and those
+   that bend; `left`: how much of the octaves Swiss noise leaves, with its gradient. */
+struct ScarpState {
+    ScarpSample sum;
+    ScarpSample weight;
+    ScarpSlopes slopes;
+    float left;
+    float3 left_by;
+};
+
+/* The vector g by bent positions, by x: A^T g with A = I + reach (Jacobian of the slopes). */
+float3 scarp_unbent(ScarpSlopes slopes, float reach, float3 g, int dimensions)
+{
+    return scarp_add3(g, scarp_mul3(reach, scarp_times(scarp_transposed(slopes.jacobian), g, dimensions)));
+}
+
+/* A row of the Jacobian with what a component of the slope adds; `row` is that of the Hessian. */
+float3 scarp_bent_row(float3 jacobian, float3 by, float slope, float product, float3 row)
+{
+    return scarp_add3(jacobian, scarp_add3(scarp_mul3(slope, by), scarp_mul3(product, row)));
+}
+
+/* The slopes with factor n times the slope g / f of an octave; `by` is the gradient of factor n. */
+ScarpSlopes scarp_with_slope(ScarpSlopes slopes, ScarpOctave o, ScarpSample n,
+                                       float product, float3 by, int dimensions)
+{
+    ScarpRows h = scarp_hessian_of(n);
+    float3 slope = scarp_mul3(o.inverse, n.gradient);
+    float3 x = scarp_mul3(o.inverse, scarp_unbent(slopes, o.reach, h.x, dimensions));
+    float3 y = scarp_mul3(o.inverse, scarp_unbent(slopes, o.reach, h.y, dimensions));
+    float3 z = scarp_mul3(o.inverse, scarp_unbent(slopes, o.reach, h.z, dimensions));
+    ScarpSlopes s;
+    s.d = scarp_add3(slopes.d, scarp_mul3(product, slope));
+    s.jacobian = scarp_rows_of(scarp_bent_row(slopes.jacobian.x, by, slope.x, product, x),
+                         scarp_bent_row(slopes.jacobian.y, by, slope.y, product, y),
+                         scarp_bent_row(slopes.jacobian.z, by, slope.z, product, z));
+    return s;
+}
+
+ScarpState scarp_swiss(ScarpState state, ScarpOctave o, float inverse_weight,
+                                 ScarpSample n, int dimensions)
+{
+    float share = scarp_mul(o.weight, inverse_weight);
+    float u = state.left;
+    float rest = scarp_sub(1.0f, scarp_magnitude(n.value));
+    float v = scarp_pick(rest < 0.0f, 0.0f, rest);
+    float3 nj = scarp_unbent(state.slopes, o.reach, n.gradient, dimensions);
+    float3 none = scarp_vec3_of(0.0f, 0.0f, 0.0f);
+    float3 vj = scarp_with_sign3(nj, n.value);
+    if (rest < 0.0f) {
+        vj = none;
+    }
+    ScarpState s = state;
+    float3 term = scarp_mul3(o.weight, scarp_sub3(scarp_mul3(v, state.left_by), scarp_mul3(u, vj)));
+    s.sum.gradient = scarp_add3(state.sum.gradient, term);
+    s.sum.value = scarp_add(state.sum.value, scarp_mul(o.weight, scarp_mul(u, v)));
+    float3 by = scarp_mul3(-share, scarp_add3(scarp_mul3(n.value, state.left_by), scarp_mul3(u, nj)));
+    s.slopes = scarp_with_slope(state.slopes, o, n, scarp_mul(-share, scarp_mul(u, n.value)), by, dimensions);
+    float sum = scarp_mul(s.sum.value, inverse_weight);
+    if (sum < 1.0f) {
+        s.left_by = scarp_add3(scarp_mul3(sum, state.left_by), scarp_mul3(u, scarp_mul3(inverse_weight, s.sum.gradient)));
+        s.left = scarp_mul(u, sum);
+    }
+    return s;
+}
+
+ScarpState scarp_jordan(ScarpState state, ScarpOctave o, float erosion, bool first,
+                                  ScarpSample n, int dimensions)
+{
+    float square = scarp_mul(n.value, n.value);
+    float p = scarp_inverse(scarp_add(1.0f, scarp_dot(state.slopes.d, state.slopes.d, dimensions)));
+    float q = scarp_pick(first, 1.0f, scarp_sub(1.0f, scarp_mul(erosion, p)));
+    float damping = scarp_pick(first, 0.0f, scarp_mul(scarp_mul(scarp_mul(2.0f, erosion), scarp_mul(p, p)), square));
+    float3 by = scarp_unbent(state.slopes, o.reach, n.gradient, dimensions);
+    float3 steepening = scarp_times(scarp_transposed(state.slopes.jacobian), state.slopes.d, dimensions);
+    float3 term = scarp_add3(scarp_mul3(damping, steepening), scarp_mul3(scarp_mul(2.0f, q), scarp_mul3(n.value, by)));
+    ScarpState s = state;
+    s.sum.gradient = scarp_add3(state.sum.gradient, scarp_mul3(o.weight, term));
+    s.sum.value = scarp_add(state.sum.value, scarp_mul(o.weight, scarp_mul(q, square)));
+    s.slopes = scarp_with_slope(state.slopes, o, n, n.value, by, dimensions);
+    return s;
+}
+
+/* The sum of the octaves at one point. */
+
+ScarpOctave scarp_octave_of(uint plan, uint k)
+{
+    return scarp_plan[plan].octave[k];
+}
+
+ScarpLevel scarp_level_of(uint plan, int i)
+{
+    ScarpLevel l = scarp_plan[plan].level[i];
+    l.basis = scarp_only_basis(l.basis);
+    l.fractal = scarp_only_fractal(l.fractal);
+    return l;
+}
+
+bool scarp_bends(ScarpLevel l)
+{
+    return l.fractal == SCARP_SWISS || l.fractal == SCARP_JORDAN;
+}
+
+/* The octave n, in the axes of the input, as the fractal adds it to the sum; n is not bent. */
+ScarpState scarp_shaped(ScarpState state, ScarpOctave o, ScarpLevel l,
+                                  ScarpSample n)
+{
+    ScarpState s = state;
+    ScarpSample term = n;
+    float slope = o.weight;
+    if (l.fractal == SCARP_TURBULENCE) {
+        term = scarp_magnitude_of(n);
+    }
+    if (l.fractal == SCARP_RIDGED) {
+        term = scarp_ridge(state.weight, n);
+        s.weight = scarp_ridge_weight(term);
+    }
+    if (l.fractal == SCARP_PINGPONG) {
+        term = scarp_pingpong(n, l.sharpness);
+        slope = scarp_mul(o.weight, scarp_mul(2.0f, l.sharpness));
+    }
+    if (l.fractal == SCARP_HYBRID) {
+        term = scarp_hybrid(state.weight, n, l.sharpness);
+        s.weight = scarp_hybrid_weight(term, o.share);
+    }
+    if (l.fractal != SCARP_FBM) {
+        term = scarp_scaled(term, o.weight, slope, slope);
+    }
+    s.sum = scarp_sum_of(state.sum, term);
+    return s;
+}
+
+/* The same of erosion; n is the octave of the basis, in its own axes. */
+ScarpState scarp_erosion(ScarpState state, ScarpOctave o, float strength,
+                                   ScarpSample n, bool turned, int dimensions)
+{
+    ScarpSample own = scarp_scaled(n, o.amplitude, o.amplitude, o.amplitude);
+    float3 gradient = scarp_to_input(o, turned, own.gradient, dimensions);
+    ScarpState s = state;
+    s.slopes = scarp_steeper(state.slopes, o, turned, own, dimensions);
+    ScarpSample term = scarp_eroded(s.slopes, strength, own.value, gradient, dimensions);
+    s.sum = scarp_sum_of(state.sum, scarp_scaled(term, o.weight, o.weight, o.weight));
+    return s;
+}
+
+/* Adds octave k of level l at x. */
+ScarpState scarp_with_octave(ScarpState state, ScarpOctave o, ScarpLevel l, uint k,
+                                       float3 x, int dimensions)
+{
+    bool turned = l.rotate != 0u && k > 0u;
+    float3 y = x;
+    if (scarp_bends(l) && k > 0u) {
+        y = scarp_add3(x, scarp_mul3(o.reach, state.slopes.d));
+    }
+    ScarpPlace p = scarp_place_of(o, l.basis, turned, y, dimensions);
+    ScarpSample own = scarp_basis_at(o, l, p, dimensions);
+    ScarpState s;
+    if (l.fractal == SCARP_EROSION) {
+        s = scarp_erosion(state, o, l.erosion, own, turned, dimensions);
+    } else {
+        ScarpSample n = scarp_in_input(o, turned, own, dimensions);
+        if (l.fractal == SCARP_SWISS) {
+            s = scarp_swiss(state, o, l.inverse_weight, n, dimensions);
+        } else if (l.fractal == SCARP_JORDAN) {
+            s = scarp_jordan(state, o, l.erosion, k == 0u, n, dimensions);
+        } else {
+            s = scarp_shaped(state, o, l, n);
+        }
+    }
+    return s;
+}
+
+/* The noise of a level, or of a component of it, without warps. */
+ScarpSample scarp_octaves_at(uint plan, ScarpLevel l, int component, float3 x,
+                                       int dimensions)
+{
+    float3 none = scarp_vec3_of(0.0f, 0.0f, 0.0f);
+    uint first = l.first + scarp_uint_of(component) * l.octaves;
+    ScarpState state;
+    state.sum = scarp_constant(0.0f);
+    state.weight = scarp_constant(1.0f);
+    state.slopes.d = none;
+    state.slopes.jacobian = scarp_rows_of(none, none, none);
+    state.left = 1.0f;
+    state.left_by = none;
+    for (uint k = 0u; k < l.octaves; k++) {
+        state = scarp_with_octave(state, scarp_octave_of(plan, first + k), l, k, x, dimensions);
+    }
+    return state.sum;
+}
+
+/* Noise with warps, as scalar/warp. */
+
+/* The coordinates of displaced positions, with their derivatives: how far they are displaced. */
+struct ScarpDisplaced {
+    ScarpSample x;
+    ScarpSample y;
+    ScarpSample z;
+};
+
+/* A component of a sum of products with `v`: what each coordinate's derivative `a` adds. */
+float3 scarp_weighed(float3 v, ScarpRows a, int dimensions)
+{
+    return scarp_times(scarp_transposed(a), v, dimensions);
+}
+
+/* A sample at y with its derivatives by y becomes one with its derivatives by x. */
+ScarpSample scarp_composed(ScarpSample s, ScarpDisplaced y, int dimensions)
+{
+    ScarpRows j = scarp_transposed(scarp_rows_of(y.x.gradient, y.y.gradient, y.z.gradient));
+    float3 diagonal =
+        scarp_weighed(s.gradient, scarp_rows_of(y.x.diagonal, y.y.diagonal, y.z.diagonal), dimensions);
+    float3 mixed = scarp_weighed(s.gradient, scarp_rows_of(y.x.mixed, y.y.mixed, y.z.mixed), dimensions);
+    ScarpSample r = scarp_with_hessian(s, j, j, scarp_hessian_of(s), dimensions);
+    r.gradient = scarp_times(j, s.gradient, dimensions);
+    r.diagonal = scarp_add3(r.diagonal, diagonal);
+    r.mixed = scarp_add3(r.mixed, mixed);
+    return r;
+}
+
+/* The components of a level, each at `at`, by x; `y` says how that depends on x, unless the level
+   is the deepest. */
+ScarpDisplaced scarp_level_at(uint plan, int i, bool deepest, float3 at, ScarpDisplaced y,
+                                        int dimensions)
+{
+    ScarpLevel l = scarp_level_of(plan, i);
+    int components = scarp_pick_int(i > 0, dimensions, 1);
+    ScarpDisplaced d = y;
+    for (int c = 0; c < components; c++) {
+        ScarpSample s = scarp_octaves_at(plan, l, c, at, dimensions);
+        if (!deepest) {
+            s = scarp_composed(s, y, dimensions);
+        }
+        if (c == 0) {
+            d.x = s;
+        } else if (c == 1) {
+            d.y = s;
+        } else {
+            d.z = s;
+        }
+    }
+    return d;
+}
+
+ScarpSample scarp_noise_at(uint plan, float3 x, int dimensions)
+{
+    int depth = scarp_int_of(scarp_only_depth(scarp_plan[plan].depth));
+    float3 at = x;
+    ScarpDisplaced y;
+    y.x = scarp_constant(0.0f);
+    y.y = y.x;
+    y.z = y.x;
+    for (int i = depth; i >= 0; i--) {
+        y = scarp_level_at(plan, i, i == depth, at, y, dimensions);
+        if (i > 0) {
+            y.x.gradient.x = scarp_add(y.x.gradient.x, 1.0f);
+            y.y.gradient.y = scarp_add(y.y.gradient.y, 1.0f);
+            y.z.gradient.z = scarp_add(y.z.gradient.z, 1.0f);
+            at = scarp_add3(x, scarp_vec3_of(y.x.value, y.y.value, y.z.value));
+        }
+    }
+    return y.x;
+}
+
+/* What scarp_sample2 gives at (x, y); outputs along z mean nothing. */
+ScarpSample scarp_sample2(uint plan, float x, float y)
+{
+    return scarp_noise_at(plan, scarp_vec3_of(x, y, 0.0f), 2);
+}
+
+/* What scarp_sample3 gives at (x, y, z). */
+ScarpSample scarp_sample3(uint plan, float x, float y, float z)
+{
+    return scarp_noise_at(plan, scarp_vec3_of(x, y, z), 3);
+}
+
+/* A coordinate of test point i. */
+float scarp_test_coordinate(uint plan, uint i, uint axis)
+{
+    uint3 key;
+    key.x = 0u;
+    key.y = 0u;
+    key.z = 0u;
+    int cells = scarp_int_of(scarp_hash2(key, i, axis) >> 12u) - 524288;
+    return scarp_mul(scarp_float_of_int(cells), scarp_plan[plan].unit);
+}
+
+/* The hash h with an output; what is below 2^-120 counts as 0. */
+uint scarp_hash_with(uint h, float a)
+{
+    uint magnitude_bits = scarp_bits_of(a) & 0x7fffffffu;
+    uint bits = scarp_pick_uint(magnitude_bits < 0x03800000u, 0u, scarp_bits_of(a));
+    return (((h << 5u) | (h >> 27u)) ^ bits) * SCARP_HASH_K;
+}
+
+/* The self-test: a hash of the outputs at test point i up to an order, which is answer i of
+   scarp_gpu_answers where the shader has the bits of the library. */
+uint scarp_answer2(uint plan, uint order, uint i)
+{
+    ScarpSample s =
+        scarp_sample2(plan, scarp_test_coordinate(plan, i, 0u), scarp_test_coordinate(plan, i, 1u));
+    uint h = scarp_hash_with(0u, s.value);
+    if (order > 0u) {
+        h = scarp_hash_with(scarp_hash_with(h, s.gradient.x), s.gradient.y);
+    }
+    if (order > 1u) {
+        h = scarp_hash_with(scarp_hash_with(scarp_hash_with(h, s.diagonal.x), s.mixed.x), s.diagonal.y);
+    }
+    return h;
+}
+
+uint scarp_answer3(uint plan, uint order, uint i)
+{
+    ScarpSample s = scarp_sample3(plan, scarp_test_coordinate(plan, i, 0u),
+                                    scarp_test_coordinate(plan, i, 1u), scarp_test_coordinate(plan, i, 2u));
+    uint h = scarp_hash_with(0u, s.value);
+    if (order > 0u) {
+        h = scarp_hash_with(scarp_hash_with(scarp_hash_with(h, s.gradient.x), s.gradient.y), s.gradient.z);
+    }
+    if (order > 1u) {
+        h = scarp_hash_with(scarp_hash_with(scarp_hash_with(h, s.diagonal.x), s.mixed.x), s.mixed.y);
+        h = scarp_hash_with(scarp_hash_with(scarp_hash_with(h, s.diagonal.y), s.mixed.z), s.diagonal.z);
+    }
+    return h;
+}
+#endif

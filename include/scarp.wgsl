@@ -1,0 +1,1544 @@
+// SPDX-License-Identifier: MIT
+//
+// scarp's noise for WGSL. Generated from src/gpu; do not edit.
+//
+// Put this text before or after yours, which declares the plans, as many as it has:
+//
+//     @group(0) @binding(0) var<uniform> scarp_plan: array<ScarpPlan, 1>;
+//     ...
+//     let n = scarp_sample2(0u, x, y);  // of scarp_plan[0]: n.value, n.gradient.xy
+//
+// scarp_gpu_plan (scarp.h) makes the bytes of a plan, and says what is promised. What a shader does
+// not use of a sample costs nothing. Constants of the pipeline: scarp_only_basis,
+// scarp_only_fractal, scarp_only_depth fix what all plans have in common, for smaller and faster
+// shaders: an enumerator of scarp.h, and how many warps there are. WGSL lets compilers fuse
+// operations; scarp_barrier keeps them from it, and false gives the equal bits up.
+
+override scarp_barrier: bool = true;
+override scarp_only_basis: u32 = 0xffffffffu;
+override scarp_only_fractal: u32 = 0xffffffffu;
+override scarp_only_depth: u32 = 0xffffffffu;
+
+/* The constants of a noise, member by member as in ScarpScarpGpuPlan (scarp. */
+
+/* turn: with a phase the cosine and sine of the angle, then of twice that; of bases that take
+   places the jitter, the middle and the stretch. */
+struct ScarpOctave {
+    key: vec3u,
+    frequency: f32,
+    weight: f32,
+    amplitude: f32,
+    slope: f32,
+    curvature: f32,
+    last: vec3u,
+    share: f32,
+    turn: vec4f,
+    jacobian_x: vec3f,
+    offset_x: f32,
+    jacobian_y: vec3f,
+    offset_y: f32,
+    jacobian_z: vec3f,
+    offset_z: f32,
+    gradient_x: vec3f,
+    inverse: f32,
+    gradient_y: vec3f,
+    reach: f32,
+    gradient_z: vec3f,
+    spare: f32,
+}
+
+struct ScarpLevel {
+    basis: u32,
+    fade: u32,
+    fractal: u32,
+    octaves: u32,
+    rotate: u32,
+    flows: u32,
+    first: u32,
+    spare0: u32,
+    erosion: f32,
+    sharpness: f32,
+    inverse_weight: f32,
+    spare1: f32,
+}
+
+struct ScarpPlan {
+    depth: u32,
+    dimensions: u32,
+    zero: u32,
+    unit: f32,
+    level: array<ScarpLevel, 5>,
+    octave: array<ScarpOctave, 32>,
+}
+
+/* The numbers of enum scarp_basis, scarp_fade and scarp_fractal. */
+const SCARP_GRADIENT: u32 = 0u;
+const SCARP_VALUE: u32 = 1u;
+const SCARP_SIMPLEX: u32 = 2u;
+const SCARP_CELL_F1: u32 = 3u;
+const SCARP_CELL_F2: u32 = 4u;
+const SCARP_CELL_EDGE: u32 = 5u;
+const SCARP_CELL_SOFT: u32 = 6u;
+const SCARP_CELL_VALUE: u32 = 7u;
+
+const SCARP_QUINTIC: u32 = 0u;
+
+const SCARP_FBM: u32 = 0u;
+const SCARP_TURBULENCE: u32 = 1u;
+const SCARP_RIDGED: u32 = 2u;
+const SCARP_EROSION: u32 = 3u;
+const SCARP_PINGPONG: u32 = 4u;
+const SCARP_HYBRID: u32 = 5u;
+const SCARP_SWISS: u32 = 6u;
+const SCARP_JORDAN: u32 = 7u;
+fn scarp_only(fixed: u32, planned: u32) -> u32 {
+    return select(fixed, planned, fixed == 0xffffffffu);
+}
+
+fn scarp_only_basis_of(basis: u32) -> u32 {
+    return scarp_only(scarp_only_basis, basis);
+}
+
+fn scarp_only_fractal_of(fractal: u32) -> u32 {
+    return scarp_only(scarp_only_fractal, fractal);
+}
+
+fn scarp_only_depth_of(depth: u32) -> u32 {
+    return scarp_only(scarp_only_depth, depth);
+}
+
+// A result goes through an exclusive or with a number that the compiler does not know: 0.
+fn scarp_kept(a: f32) -> f32 {
+    var kept = a;
+    if (scarp_barrier) {
+        kept = bitcast<f32>(bitcast<u32>(a) ^ scarp_plan[0].zero);
+    }
+    return kept;
+}
+
+fn scarp_add(a: f32, b: f32) -> f32 {
+    return scarp_kept(a + b);
+}
+
+fn scarp_sub(a: f32, b: f32) -> f32 {
+    return scarp_kept(a - b);
+}
+
+fn scarp_mul(a: f32, b: f32) -> f32 {
+    return scarp_kept(a * b);
+}
+
+fn scarp_rough_inverse(a: f32) -> f32 {
+    return 1.0f / a;
+}
+
+/* Arithmetic with vectors and symmetric matrices, and the two operations that shading languages only approximate. */
+
+const SCARP_SIGN: u32 = 0x80000000u;
+
+fn scarp_magnitude(a: f32) -> f32 {
+    return bitcast<f32>(bitcast<u32>(a) & 0x7fffffffu);
+}
+
+/* Whether the sign bit is set. */
+fn scarp_is_negative(a: f32) -> bool {
+    return bitcast<u32>(a) >= SCARP_SIGN;
+}
+
+/* -a where `bit` is 1, a where it is 0. */
+fn scarp_with_bit(a: f32, bit: u32) -> f32 {
+    return bitcast<f32>(bitcast<u32>(a) ^ (bit << 31u));
+}
+
+fn scarp_add3(a: vec3f, b: vec3f) -> vec3f {
+    return vec3f(scarp_add(a.x, b.x), scarp_add(a.y, b.y), scarp_add(a.z, b.z));
+}
+
+fn scarp_sub3(a: vec3f, b: vec3f) -> vec3f {
+    return vec3f(scarp_sub(a.x, b.x), scarp_sub(a.y, b.y), scarp_sub(a.z, b.z));
+}
+
+fn scarp_mul3(a: f32, b: vec3f) -> vec3f {
+    return vec3f(scarp_mul(a, b.x), scarp_mul(a, b.y), scarp_mul(a, b.z));
+}
+
+fn scarp_dot(a: vec3f, b: vec3f, dimensions: i32) -> f32 {
+    var d: f32 = scarp_add(scarp_mul(a.x, b.x), scarp_mul(a.y, b.y));
+    if (dimensions == 3) {
+        d = scarp_add(d, scarp_mul(a.z, b.z));
+    }
+    return d;
+}
+
+/* Rows. */
+struct ScarpRows {
+    x: vec3f,
+    y: vec3f,
+    z: vec3f,
+}
+
+fn scarp_rows_of(x: vec3f, y: vec3f, z: vec3f) -> ScarpRows {
+    var m: ScarpRows;
+    m.x = x;
+    m.y = y;
+    m.z = z;
+    return m;
+}
+
+fn scarp_transposed(m: ScarpRows) -> ScarpRows {
+    return scarp_rows_of(vec3f(m.x.x, m.y.x, m.z.x), vec3f(m.x.y, m.y.y, m.z.y),
+                   vec3f(m.x.z, m.y.z, m.z.z));
+}
+
+/* Each row of m times v. */
+fn scarp_times(m: ScarpRows, v: vec3f, dimensions: i32) -> vec3f {
+    return vec3f(scarp_dot(m.x, v, dimensions), scarp_dot(m.y, v, dimensions), scarp_dot(m.z, v, dimensions));
+}
+
+/* Noise at a point. diagonal: the derivatives xx, yy, zz; mixed: xy, xz, yz. */
+struct ScarpSample {
+    value: f32,
+    gradient: vec3f,
+    diagonal: vec3f,
+    mixed: vec3f,
+}
+
+fn scarp_sample_of(value: f32, gradient: vec3f, diagonal: vec3f, mixed: vec3f) -> ScarpSample {
+    var s: ScarpSample;
+    s.value = value;
+    s.gradient = gradient;
+    s.diagonal = diagonal;
+    s.mixed = mixed;
+    return s;
+}
+
+fn scarp_constant(value: f32) -> ScarpSample {
+    let none: vec3f = vec3f(0.0f, 0.0f, 0.0f);
+    return scarp_sample_of(value, none, none, none);
+}
+
+/* The Hessian. */
+fn scarp_hessian_of(s: ScarpSample) -> ScarpRows {
+    return scarp_rows_of(vec3f(s.diagonal.x, s.mixed.x, s.mixed.y),
+                   vec3f(s.mixed.x, s.diagonal.y, s.mixed.z),
+                   vec3f(s.mixed.y, s.mixed.z, s.diagonal.z));
+}
+
+fn scarp_sum_of(a: ScarpSample, b: ScarpSample) -> ScarpSample {
+    return scarp_sample_of(scarp_add(a.value, b.value), scarp_add3(a.gradient, b.gradient),
+                     scarp_add3(a.diagonal, b.diagonal), scarp_add3(a.mixed, b.mixed));
+}
+
+/* Multiplies the outputs of each order by a factor of their own. */
+fn scarp_scaled(n: ScarpSample, value: f32, gradient: f32, hessian: f32) -> ScarpSample {
+    return scarp_sample_of(scarp_mul(value, n.value), scarp_mul3(gradient, n.gradient), scarp_mul3(hessian, n.diagonal),
+                     scarp_mul3(hessian, n.mixed));
+}
+
+/*
+ * 1 / x, rounded to nearest, of positive x; 0 of 2^126 and more. With x = m 2^(e - 150), the result
+ * is q 2^(103 - e), q being 2^47 / m, rounded. The estimate's q may be off by a few; the remainder
+ * 2^47 - q m is small, so the low 32 bits of both numbers give it.
+ */
+fn scarp_inverse(x: f32) -> f32 {
+    let bits: u32 = bitcast<u32>(x);
+    let m: u32 = (bits & 0x7fffffu) | 0x800000u;
+    let e: u32 = (bits >> 23u) & 255u;
+    let estimate: f32 = scarp_rough_inverse(bitcast<f32>(0x3f800000u | (bits & 0x7fffffu)));
+    var q: u32 = bitcast<u32>(i32(scarp_mul(estimate, 16777216.0f)));
+    var r: i32 = bitcast<i32>(0u - q * m);
+    for (var i: i32 = 0; i < 16 && (r < 0 || r >= bitcast<i32>(m)); i++) {
+        q = select(q + 1u, q - 1u, r < 0);
+        r = bitcast<i32>(0u - q * m);
+    }
+    q = select(q, q + 1u, 2 * r > bitcast<i32>(m));
+    let rounded: f32 = bitcast<f32>(((252u - e) << 23u) + q);
+    return select(rounded, 0.0f, e > 252u);
+}
+
+/*
+ * The root of x, rounded to nearest, of normal x and 0. With x = m 2^(e - 150) and m doubled where
+ * e is even, q is the root of 2^23 m, rounded.
+ */
+fn scarp_root(x: f32) -> f32 {
+    let bits: u32 = bitcast<u32>(x);
+    let e: u32 = bits >> 23u;
+    let even: u32 = 1u - (e & 1u);
+    let m: u32 = ((bits & 0x7fffffu) | 0x800000u) << even;
+    let estimate: f32 = sqrt(bitcast<f32>((bits & 0x7fffffu) + ((127u + even) << 23u)));
+    var q: u32 = bitcast<u32>(i32(scarp_mul(estimate, 8388608.0f)));
+    var r: i32 = bitcast<i32>((m << 23u) - q * q);
+    for (var i: i32 = 0; i < 16 && (r < 0 || r > bitcast<i32>(2u * q)); i++) {
+        q = select(q + 1u, q - 1u, r < 0);
+        r = bitcast<i32>((m << 23u) - q * q);
+    }
+    q = select(q, q + 1u, r > bitcast<i32>(q));
+    let rounded: f32 = bitcast<f32>((((e + 127u) >> 1u) << 23u) + (q - 0x800000u));
+    return select(rounded, 0.0f, e == 0u);
+}
+
+/* Where a point lies in the frame of an octave, and what the lattice draws there. */
+
+const SCARP_HASH_X: u32 = 0x1a2012f5u;
+const SCARP_HASH_Y: u32 = 0x14e84743u;
+const SCARP_HASH_Z: u32 = 0xec1d7da1u;
+const SCARP_HASH_K: u32 = 0x9e3779b9u;
+
+fn scarp_hash_axis(i: u32, multiplier: u32, key: u32) -> u32 {
+    let h: u32 = i * multiplier + key;
+    return (h >> 8u) | (h << 24u);
+}
+
+fn scarp_hash2(key: vec3u, x: u32, y: u32) -> u32 {
+    let h: u32 = scarp_hash_axis(x, SCARP_HASH_X, key.x) ^ scarp_hash_axis(y, SCARP_HASH_Y, key.y);
+    return h * (h + SCARP_HASH_K);
+}
+
+fn scarp_joined3(key: vec3u, x: u32, y: u32, z: u32) -> u32 {
+    return scarp_hash_axis(x, SCARP_HASH_X, key.x) ^ scarp_hash_axis(y, SCARP_HASH_Y, key.y) ^ scarp_hash_axis(z, SCARP_HASH_Z, key.z);
+}
+
+fn scarp_hash3(key: vec3u, x: u32, y: u32, z: u32) -> u32 {
+    let h: u32 = scarp_joined3(key, x, y, z);
+    return h * (h + SCARP_HASH_K);
+}
+
+/* The hash as a signed number, rounded to float: only the addition rounds. */
+fn scarp_lattice_value(hash: u32) -> f32 {
+    let high: f32 = scarp_mul(f32(bitcast<i32>(hash) >> 16u), 65536.0f);
+    return scarp_add(high, f32(hash & 0xffffu));
+}
+
+/* The cell `steps` further along an axis, within the period whose last cell is `last`. */
+fn scarp_cell_beside(last: u32, cell: u32, steps: i32) -> u32 {
+    var c: u32 = cell;
+    for (var i: i32 = 0; i < steps; i++) {
+        c = select(c + 1u, 0u, c == last);
+    }
+    for (var i: i32 = 0; i > steps; i--) {
+        c = select(c - 1u, last, c == 0u);
+    }
+    return c;
+}
+
+fn scarp_within_period(last: u32, cell: i32) -> u32 {
+    var within: u32 = bitcast<u32>(cell);
+    if (last != 0xffffffffu) {
+        let period: u32 = last + 1u;
+        if (cell < 0) {
+            within = last - (~within) % period;
+        } else {
+            within = within % period;
+        }
+    }
+    return within;
+}
+
+/* A point along one axis of an octave: its cell, and where it lies inside. */
+struct ScarpSplit {
+    cell: u32,
+    t: f32,
+}
+
+fn scarp_split(p: f32, last: u32) -> ScarpSplit {
+    var s: ScarpSplit;
+    if (scarp_magnitude(p) < 2147483648.0f) {
+        let whole: i32 = i32(p);
+        let lower: i32 = select(whole, whole - 1, f32(whole) > p);
+        s.cell = scarp_within_period(last, lower);
+        s.t = scarp_sub(p, f32(lower));
+    } else {
+        s.cell = scarp_within_period(last, bitcast<i32>(SCARP_SIGN));
+        s.t = scarp_sub(p, p);
+    }
+    return s;
+}
+
+/* A point of one octave. */
+struct ScarpPlace {
+    cell: vec3u,
+    next: vec3u,
+    t: vec3f,
+}
+
+/* Along each axis p = J x + o, where axes are turned, else p = f x + o. */
+fn scarp_position_of(o: ScarpOctave, turned: bool, x: vec3f, dimensions: i32) -> vec3f {
+    var p: vec3f = scarp_mul3(o.frequency, x);
+    if (turned) {
+        p = scarp_times(scarp_rows_of(o.jacobian_x, o.jacobian_y, o.jacobian_z), x, dimensions);
+    }
+    return scarp_add3(p, vec3f(o.offset_x, o.offset_y, o.offset_z));
+}
+
+/* Along y, triangles of simplex noise count their rows. */
+fn scarp_place_of(o: ScarpOctave, basis: u32, turned: bool, x: vec3f, dimensions: i32) -> ScarpPlace {
+    var p: vec3f = scarp_position_of(o, turned, x, dimensions);
+    if (basis == SCARP_SIMPLEX && dimensions == 2) {
+        p.y = scarp_mul(p.y, o.turn.z);
+    }
+    let sx: ScarpSplit = scarp_split(p.x, o.last.x);
+    let sy: ScarpSplit = scarp_split(p.y, o.last.y);
+    var at: ScarpPlace;
+    at.t = vec3f(sx.t, sy.t, 0.0f);
+    at.cell.x = sx.cell;
+    at.cell.y = sy.cell;
+    at.cell.z = 0u;
+    at.next.x = scarp_cell_beside(o.last.x, sx.cell, 1);
+    at.next.y = scarp_cell_beside(o.last.y, sy.cell, 1);
+    at.next.z = 0u;
+    if (dimensions == 3) {
+        let sz: ScarpSplit = scarp_split(p.z, o.last.z);
+        at.t.z = sz.t;
+        at.cell.z = sz.cell;
+        at.next.z = scarp_cell_beside(o.last.z, sz.cell, 1);
+    }
+    return at;
+}
+
+/* Bases that blend what is drawn at the corners of cells. */
+
+struct ScarpFade {
+    u: f32,
+    du: f32,
+    ddu: f32,
+}
+
+fn scarp_fade(kind: u32, t: f32) -> ScarpFade {
+    let s: f32 = scarp_sub(t, 1.0f);
+    let ts: f32 = scarp_mul(t, s);
+    var f: ScarpFade;
+    if (kind == SCARP_QUINTIC) {
+        let inner: f32 = scarp_add(scarp_mul(s, scarp_sub(scarp_mul(t, 6.0f), 9.0f)), 1.0f);
+        f.u = scarp_mul(scarp_mul(scarp_mul(t, t), t), inner);
+        f.du = scarp_mul(30.0f, scarp_mul(ts, ts));
+        f.ddu = scarp_mul(scarp_mul(60.0f, ts), scarp_add(t, s));
+    } else {
+        f.u = scarp_mul(scarp_mul(t, t), scarp_sub(3.0f, scarp_mul(2.0f, t)));
+        f.du = scarp_mul(-6.0f, ts);
+        f.ddu = scarp_sub(6.0f, scarp_mul(12.0f, t));
+    }
+    return f;
+}
+
+fn scarp_mix(a: f32, b: f32, u: f32) -> f32 {
+    return scarp_add(a, scarp_mul(u, scarp_sub(b, a)));
+}
+
+/* a x + b */
+struct ScarpSlope {
+    a: f32,
+    b: f32,
+}
+
+fn scarp_slope_of(a: f32, b: f32) -> ScarpSlope {
+    var s: ScarpSlope;
+    s.a = a;
+    s.b = b;
+    return s;
+}
+
+/* What a lattice column contributes. Those of value noise are level: all a are 0. */
+struct ScarpColumn {
+    value: ScarpSlope,
+    y: ScarpSlope,
+    z: ScarpSlope,
+    yy: ScarpSlope,
+    yz: ScarpSlope,
+    zz: ScarpSlope,
+}
+
+/* Two columns, and the point between them. */
+struct ScarpBetween {
+    x: f32,
+    before: f32,
+    f: ScarpFade,
+    level: bool,
+}
+
+fn scarp_at(s: ScarpSlope, x: f32, level: bool) -> f32 {
+    var value: f32 = s.b;
+    if (!level) {
+        value = scarp_add(scarp_mul(s.a, x), s.b);
+    }
+    return value;
+}
+
+fn scarp_across(l: ScarpSlope, r: ScarpSlope, p: ScarpBetween) -> f32 {
+    return scarp_mix(scarp_at(l, p.x, p.level), scarp_at(r, p.before, p.level), p.f.u);
+}
+
+fn scarp_across_dx(l: ScarpSlope, r: ScarpSlope, p: ScarpBetween) -> f32 {
+    var step: f32 = scarp_mul(p.f.du, scarp_sub(scarp_at(r, p.before, p.level), scarp_at(l, p.x, p.level)));
+    if (!p.level) {
+        step = scarp_add(scarp_mix(l.a, r.a, p.f.u), step);
+    }
+    return step;
+}
+
+fn scarp_across_dxx(l: ScarpSlope, r: ScarpSlope, p: ScarpBetween) -> f32 {
+    var bend: f32 = scarp_mul(p.f.ddu, scarp_sub(scarp_at(r, p.before, p.level), scarp_at(l, p.x, p.level)));
+    if (!p.level) {
+        bend = scarp_add(scarp_mul(scarp_mul(2.0f, p.f.du), scarp_sub(r.a, l.a)), bend);
+    }
+    return bend;
+}
+
+fn scarp_join(l: ScarpColumn, r: ScarpColumn, x: f32, f: ScarpFade, level: bool) -> ScarpSample {
+    var p: ScarpBetween;
+    p.x = x;
+    p.before = scarp_sub(x, 1.0f);
+    p.f = f;
+    p.level = level;
+    return scarp_sample_of(
+        scarp_across(l.value, r.value, p),
+        vec3f(scarp_across_dx(l.value, r.value, p), scarp_across(l.y, r.y, p), scarp_across(l.z, r.z, p)),
+        vec3f(scarp_across_dxx(l.value, r.value, p), scarp_across(l.yy, r.yy, p), scarp_across(l.zz, r.zz, p)),
+        vec3f(scarp_across_dx(l.y, r.y, p), scarp_across_dx(l.z, r.z, p), scarp_across(l.yz, r.yz, p)));
+}
+
+/* Gradient noise. */
+
+/* The cosine of 11.25 degrees times 1, 3, 5, 7. */
+fn scarp_cosine(i: u32) -> f32 {
+    let first: f32 = select(0.831469612f, 0.980785280f, i == 0u);
+    let second: f32 = select(0.195090322f, 0.555570233f, i == 2u);
+    return select(second, first, i < 2u);
+}
+
+/* One of the 16 directions of the plane. */
+fn scarp_direction2(i: u32) -> vec3f {
+    let k: u32 = (i >> 1u) & 3u;
+    return vec3f(scarp_with_bit(scarp_cosine(k), (i >> 3u) & 1u), scarp_with_bit(scarp_cosine(3u - k), i & 1u), 0.0f);
+}
+
+/* One of the 12 edges of a cube, twice as long: 0 along z, y or x. */
+fn scarp_direction3(i: u32) -> vec3f {
+    let axes: u32 = i >> 2u;
+    let first: f32 = scarp_with_bit(2.0f, (i >> 1u) & 1u);
+    let second: f32 = scarp_with_bit(2.0f, i & 1u);
+    return vec3f(select(first, 0.0f, axes == 2u),
+                   select(select(first, 0.0f, axes == 1u), second, axes == 0u),
+                   select(second, 0.0f, axes == 0u));
+}
+
+/* An edge after a quarter of a turn: 1, 2, -1 or -2 along each axis, in two bits per edge. */
+fn scarp_quarter3(axis: u32, i: u32) -> f32 {
+    let bits: u32 = axis >> (2u * i);
+    return scarp_with_bit(select(1.0f, 2.0f, (bits & 2u) != 0u), bits & 1u);
+}
+
+const SCARP_QUARTERS_X: u32 = 0xbe0550u;
+const SCARP_QUARTERS_Y: u32 = 0x50be11u;
+const SCARP_QUARTERS_Z: u32 = 0x1144beu;
+const SCARP_TWO_OVER_ROOT_3: f32 = 1.15470054f;
+
+/* Of directions that flow, the cosine and the sine are those of the angle, or of twice that. */
+fn scarp_turned2(drawn: u32, turn: vec4f) -> vec3f {
+    let opposite: bool = drawn >= 8u;
+    let i: u32 = select(drawn, drawn ^ 9u, opposite);
+    let quick: u32 = (i ^ (i >> 1u) ^ (i >> 3u)) & 1u;
+    let g: vec3f = scarp_direction2(i);
+    let c: f32 = select(turn.x, turn.z, quick != 0u);
+    let s: f32 = select(turn.y, turn.w, quick != 0u);
+    let x: f32 = scarp_add(scarp_mul(c, g.x), scarp_mul(s, scarp_with_bit(g.y, 1u - quick)));
+    let y: f32 = scarp_add(scarp_mul(c, g.y), scarp_mul(s, scarp_with_bit(g.x, quick)));
+    return vec3f(select(x, -x, opposite), select(y, -y, opposite), 0.0f);
+}
+
+fn scarp_turned3(i: u32, turn: vec4f) -> vec3f {
+    let quick: bool = ((0x93cu >> i) & 1u) != 0u;
+    let g: vec3f = scarp_direction3(i);
+    let q: vec3f = scarp_mul3(SCARP_TWO_OVER_ROOT_3, vec3f(scarp_quarter3(SCARP_QUARTERS_X, i), scarp_quarter3(SCARP_QUARTERS_Y, i),
+                                                 scarp_quarter3(SCARP_QUARTERS_Z, i)));
+    return scarp_add3(scarp_mul3(select(turn.x, turn.z, quick), g), scarp_mul3(select(turn.y, turn.w, quick), q));
+}
+
+/* What draws directions: the octave's keys, and how far directions are turned, if they are. */
+struct ScarpTurning {
+    key: vec3u,
+    turn: vec4f,
+    flows: bool,
+}
+
+fn scarp_drawn2(t: ScarpTurning, x: u32, y: u32) -> vec3f {
+    let i: u32 = scarp_hash2(t.key, x, y) >> 28u;
+    var g: vec3f = scarp_direction2(i);
+    if (t.flows) {
+        g = scarp_turned2(i, t.turn);
+    }
+    return g;
+}
+
+fn scarp_edge_of(hash: u32) -> u32 {
+    return ((hash >> 16u) * 12u) >> 16u;
+}
+
+fn scarp_drawn3(t: ScarpTurning, x: u32, y: u32, z: u32) -> vec3f {
+    let i: u32 = scarp_edge_of(scarp_hash3(t.key, x, y, z));
+    var g: vec3f = scarp_direction3(i);
+    if (t.flows) {
+        g = scarp_turned3(i, t.turn);
+    }
+    return g;
+}
+
+/* Column x of the cell: v is the fade along y. */
+fn scarp_gradient_column2(t: ScarpTurning, x: u32, p: ScarpPlace, v: ScarpFade) -> ScarpColumn {
+    let g0: vec3f = scarp_drawn2(t, x, p.cell.y);
+    let g1: vec3f = scarp_drawn2(t, x, p.next.y);
+    let dg: vec3f = scarp_sub3(g1, g0);
+    let dot0: f32 = scarp_mul(g0.y, p.t.y);
+    let dot1: f32 = scarp_mul(g1.y, scarp_sub(p.t.y, 1.0f));
+    let ddot: f32 = scarp_sub(dot1, dot0);
+    var c: ScarpColumn;
+    c.value = scarp_slope_of(scarp_add(g0.x, scarp_mul(v.u, dg.x)), scarp_add(dot0, scarp_mul(v.u, ddot)));
+    c.y = scarp_slope_of(scarp_mul(v.du, dg.x), scarp_add(scarp_mix(g0.y, g1.y, v.u), scarp_mul(v.du, ddot)));
+    c.yy = scarp_slope_of(scarp_mul(v.ddu, dg.x), scarp_add(scarp_mul(scarp_mul(2.0f, v.du), dg.y), scarp_mul(v.ddu, ddot)));
+    c.z = scarp_slope_of(0.0f, 0.0f);
+    c.yz = scarp_slope_of(0.0f, 0.0f);
+    c.zz = scarp_slope_of(0.0f, 0.0f);
+    return c;
+}
+
+/* A lattice edge along z, interpolated over z; z and zz are derivatives of value.b, dgy is that of
+   gy, dgx the difference of the corners. */
+struct ScarpEdge {
+    value: ScarpSlope,
+    z: f32,
+    zz: f32,
+    gy: f32,
+    dgy: f32,
+    dgx: f32,
+}
+
+/* The edge at column x and row y of cells, ty from it along y; w is the fade along z. */
+fn scarp_gradient_edge(t: ScarpTurning, x: u32, y: u32, ty: f32, p: ScarpPlace, w: ScarpFade) -> ScarpEdge {
+    let g0: vec3f = scarp_drawn3(t, x, y, p.cell.z);
+    let g1: vec3f = scarp_drawn3(t, x, y, p.next.z);
+    let dg: vec3f = scarp_sub3(g1, g0);
+    let dot0: f32 = scarp_add(scarp_mul(g0.y, ty), scarp_mul(g0.z, p.t.z));
+    let dot1: f32 = scarp_add(scarp_mul(g1.y, ty), scarp_mul(g1.z, scarp_sub(p.t.z, 1.0f)));
+    let ddot: f32 = scarp_sub(dot1, dot0);
+    var e: ScarpEdge;
+    e.value = scarp_slope_of(scarp_add(g0.x, scarp_mul(w.u, dg.x)), scarp_add(dot0, scarp_mul(w.u, ddot)));
+    e.z = scarp_add(scarp_add(g0.z, scarp_mul(w.u, dg.z)), scarp_mul(w.du, ddot));
+    e.zz = scarp_add(scarp_mul(scarp_mul(2.0f, w.du), dg.z), scarp_mul(w.ddu, ddot));
+    e.gy = scarp_add(g0.y, scarp_mul(w.u, dg.y));
+    e.dgy = scarp_mul(w.du, dg.y);
+    e.dgx = dg.x;
+    return e;
+}
+
+fn scarp_gradient_column3(t: ScarpTurning, x: u32, p: ScarpPlace, v: ScarpFade, w: ScarpFade) -> ScarpColumn {
+    let e0: ScarpEdge = scarp_gradient_edge(t, x, p.cell.y, p.t.y, p, w);
+    let e1: ScarpEdge = scarp_gradient_edge(t, x, p.next.y, scarp_sub(p.t.y, 1.0f), p, w);
+    let da: f32 = scarp_sub(e1.value.a, e0.value.a);
+    let db: f32 = scarp_sub(e1.value.b, e0.value.b);
+    let dgy: f32 = scarp_sub(e1.gy, e0.gy);
+    let dz: f32 = scarp_sub(e1.z, e0.z);
+    let ddgx: f32 = scarp_sub(e1.dgx, e0.dgx);
+    let dgx: f32 = scarp_add(e0.dgx, scarp_mul(v.u, ddgx));
+    var c: ScarpColumn;
+    c.value = scarp_slope_of(scarp_add(e0.value.a, scarp_mul(v.u, da)), scarp_add(e0.value.b, scarp_mul(v.u, db)));
+    c.y = scarp_slope_of(scarp_mul(v.du, da), scarp_add(scarp_add(e0.gy, scarp_mul(v.u, dgy)), scarp_mul(v.du, db)));
+    c.z = scarp_slope_of(scarp_mul(w.du, dgx), scarp_add(e0.z, scarp_mul(v.u, dz)));
+    c.yy = scarp_slope_of(scarp_mul(v.ddu, da), scarp_add(scarp_mul(scarp_mul(2.0f, v.du), dgy), scarp_mul(v.ddu, db)));
+    c.yz = scarp_slope_of(scarp_mul(v.du, scarp_mul(w.du, ddgx)), scarp_add(scarp_mix(e0.dgy, e1.dgy, v.u), scarp_mul(v.du, dz)));
+    c.zz = scarp_slope_of(scarp_mul(w.ddu, dgx), scarp_mix(e0.zz, e1.zz, v.u));
+    return c;
+}
+
+fn scarp_gradient_at(o: ScarpOctave, l: ScarpLevel, p: ScarpPlace, dimensions: i32) -> ScarpSample {
+    let f: ScarpFade = scarp_fade(l.fade, p.t.x);
+    let v: ScarpFade = scarp_fade(l.fade, p.t.y);
+    var t: ScarpTurning;
+    var left: ScarpColumn;
+    var right: ScarpColumn;
+    t.key = o.key;
+    t.turn = o.turn;
+    t.flows = l.flows != 0u;
+    if (dimensions == 2) {
+        left = scarp_gradient_column2(t, p.cell.x, p, v);
+        right = scarp_gradient_column2(t, p.next.x, p, v);
+    } else {
+        let w: ScarpFade = scarp_fade(l.fade, p.t.z);
+        left = scarp_gradient_column3(t, p.cell.x, p, v, w);
+        right = scarp_gradient_column3(t, p.next.x, p, v, w);
+    }
+    return scarp_join(left, right, p.t.x, f, false);
+}
+
+/* Value noise. */
+
+fn scarp_flat_of(value: f32) -> ScarpSlope {
+    return scarp_slope_of(0.0f, value);
+}
+
+fn scarp_value_column2(key: vec3u, x: u32, p: ScarpPlace, v: ScarpFade) -> ScarpColumn {
+    let c0: f32 = scarp_lattice_value(scarp_hash2(key, x, p.cell.y));
+    let c1: f32 = scarp_lattice_value(scarp_hash2(key, x, p.next.y));
+    let d: f32 = scarp_sub(c1, c0);
+    var c: ScarpColumn;
+    c.value = scarp_flat_of(scarp_add(c0, scarp_mul(v.u, d)));
+    c.y = scarp_flat_of(scarp_mul(v.du, d));
+    c.yy = scarp_flat_of(scarp_mul(v.ddu, d));
+    c.z = scarp_flat_of(0.0f);
+    c.yz = scarp_flat_of(0.0f);
+    c.zz = scarp_flat_of(0.0f);
+    return c;
+}
+
+fn scarp_value_column3(key: vec3u, x: u32, p: ScarpPlace, v: ScarpFade, w: ScarpFade) -> ScarpColumn {
+    let c00: f32 = scarp_lattice_value(scarp_hash3(key, x, p.cell.y, p.cell.z));
+    let c01: f32 = scarp_lattice_value(scarp_hash3(key, x, p.cell.y, p.next.z));
+    let c10: f32 = scarp_lattice_value(scarp_hash3(key, x, p.next.y, p.cell.z));
+    let c11: f32 = scarp_lattice_value(scarp_hash3(key, x, p.next.y, p.next.z));
+    let dz0: f32 = scarp_sub(c01, c00);
+    let dz1: f32 = scarp_sub(c11, c10);
+    let e0: f32 = scarp_add(c00, scarp_mul(w.u, dz0));
+    let e1: f32 = scarp_add(c10, scarp_mul(w.u, dz1));
+    let dy: f32 = scarp_sub(e1, e0);
+    let ddz: f32 = scarp_sub(dz1, dz0);
+    let dz: f32 = scarp_add(dz0, scarp_mul(v.u, ddz));
+    var c: ScarpColumn;
+    c.value = scarp_flat_of(scarp_add(e0, scarp_mul(v.u, dy)));
+    c.y = scarp_flat_of(scarp_mul(v.du, dy));
+    c.z = scarp_flat_of(scarp_mul(w.du, dz));
+    c.yy = scarp_flat_of(scarp_mul(v.ddu, dy));
+    c.yz = scarp_flat_of(scarp_mul(v.du, scarp_mul(w.du, ddz)));
+    c.zz = scarp_flat_of(scarp_mul(w.ddu, dz));
+    return c;
+}
+
+fn scarp_value_at(o: ScarpOctave, l: ScarpLevel, p: ScarpPlace, dimensions: i32) -> ScarpSample {
+    let f: ScarpFade = scarp_fade(l.fade, p.t.x);
+    let v: ScarpFade = scarp_fade(l.fade, p.t.y);
+    var left: ScarpColumn;
+    var right: ScarpColumn;
+    if (dimensions == 2) {
+        left = scarp_value_column2(o.key, p.cell.x, p, v);
+        right = scarp_value_column2(o.key, p.next.x, p, v);
+    } else {
+        let w: ScarpFade = scarp_fade(l.fade, p.t.z);
+        left = scarp_value_column3(o.key, p.cell.x, p, v, w);
+        right = scarp_value_column3(o.key, p.next.x, p, v, w);
+    }
+    return scarp_join(left, right, p.t.x, f, true);
+}
+
+/* Simplex noise. */
+
+/* Second derivative of a vertex: `bend` i j, and what w^3 has a share in. */
+fn scarp_vertex_second(bend: f32, w3: f32, di: f32, dj: f32, rest: f32) -> f32 {
+    return scarp_sub(scarp_mul(scarp_mul(bend, di), dj), scarp_mul(w3, rest));
+}
+
+/* What a vertex adds; g is its gradient, r2 is r^2. */
+fn scarp_vertex_at(d: vec3f, g: vec3f, r2: f32, dimensions: i32) -> ScarpSample {
+    var across2: f32 = scarp_mul(d.y, d.y);
+    if (dimensions == 3) {
+        across2 = scarp_add(across2, scarp_mul(d.z, d.z));
+    }
+    let left: f32 = scarp_sub(scarp_sub(r2, across2), scarp_mul(d.x, d.x));
+    let w: f32 = select(0.0f, left, left > 0.0f);
+    var q: f32 = scarp_add(scarp_mul(g.x, d.x), scarp_mul(g.y, d.y));
+    if (dimensions == 3) {
+        q = scarp_add(q, scarp_mul(g.z, d.z));
+    }
+    let w2: f32 = scarp_mul(w, w);
+    let w4: f32 = scarp_mul(w2, w2);
+    let w3: f32 = scarp_mul(8.0f, scarp_mul(w2, w));
+    let bend: f32 = scarp_mul(scarp_mul(48.0f, w2), q);
+    let twice: vec3f = scarp_mul3(2.0f, g);
+    let diagonal: vec3f = vec3f(scarp_vertex_second(bend, w3, d.x, d.x, scarp_add(scarp_mul(twice.x, d.x), q)),
+                                  scarp_vertex_second(bend, w3, d.y, d.y, scarp_add(scarp_mul(twice.y, d.y), q)),
+                                  scarp_vertex_second(bend, w3, d.z, d.z, scarp_add(scarp_mul(twice.z, d.z), q)));
+    let mixed: vec3f =
+        vec3f(scarp_vertex_second(bend, w3, d.x, d.y, scarp_add(scarp_mul(g.x, d.y), scarp_mul(g.y, d.x))),
+                scarp_vertex_second(bend, w3, d.x, d.z, scarp_add(scarp_mul(g.x, d.z), scarp_mul(g.z, d.x))),
+                scarp_vertex_second(bend, w3, d.y, d.z, scarp_add(scarp_mul(g.y, d.z), scarp_mul(g.z, d.y))));
+    return scarp_sample_of(scarp_mul(w4, q), scarp_sub3(scarp_mul3(w4, g), scarp_mul3(scarp_mul(w3, q), d)), diagonal, mixed);
+}
+
+const SCARP_ROW_HEIGHT: f32 = 0.866025404f;
+const SCARP_TRIANGLE_R2: f32 = 0.75f;
+
+/* The vertex `column` to the right of the cell, in row y. */
+fn scarp_vertex2(o: ScarpOctave, p: ScarpPlace, column: i32, y: u32, d: vec3f) -> ScarpSample {
+    let x: u32 = scarp_cell_beside(o.last.x, p.cell.x, column);
+    return scarp_vertex_at(d, scarp_direction2(scarp_hash2(o.key, x, y) >> 28u), SCARP_TRIANGLE_R2, 2);
+}
+
+fn scarp_simplex_at2(o: ScarpOctave, p: ScarpPlace) -> ScarpSample {
+    let odd: bool = (p.cell.y & 1u) != 0u;
+    let shift: f32 = scarp_mul(0.5f, p.t.y);
+    let start: f32 = scarp_sub(p.t.x, select(0.0f, 0.5f, odd));
+    let before: bool = start < shift;
+    let k: i32 = select(0, -1, before);
+    let above: i32 = k + select(0, 1, odd);
+    let x: f32 = select(start, scarp_add(start, 1.0f), before);
+    let lower: bool = scarp_add(x, shift) < 1.0f;
+    let y: f32 = scarp_mul(SCARP_ROW_HEIGHT, p.t.y);
+    let y_above: f32 = scarp_sub(y, SCARP_ROW_HEIGHT);
+    let a: ScarpSample = scarp_vertex2(o, p, k + 1, p.cell.y, vec3f(scarp_sub(x, 1.0f), y, 0.0f));
+    let b: ScarpSample = scarp_vertex2(o, p, above, p.next.y, vec3f(scarp_sub(x, 0.5f), y_above, 0.0f));
+    let c: ScarpSample =
+        scarp_vertex2(o, p, select(above + 1, k, lower), select(p.next.y, p.cell.y, lower),
+                vec3f(select(scarp_sub(x, 1.5f), x, lower), select(y_above, y, lower), 0.0f));
+    return scarp_sum_of(scarp_sum_of(a, b), c);
+}
+
+const SCARP_TETRAHEDRON_R2: f32 = 0.49999952316284180f;
+const SCARP_HASH_CENTRE: u32 = 0xbcfa3e4du;
+
+/* A vertex: how many cells from that of p along each axis, and where p lies from it. */
+struct ScarpVertex {
+    x: i32,
+    y: i32,
+    z: i32,
+    d: vec3f,
+}
+
+fn scarp_vertex3(o: ScarpOctave, p: ScarpPlace, v: ScarpVertex, hash_k: u32) -> ScarpSample {
+    let h: u32 =
+        scarp_joined3(o.key, scarp_cell_beside(o.last.x, p.cell.x, v.x), scarp_cell_beside(o.last.y, p.cell.y, v.y),
+                scarp_cell_beside(o.last.z, p.cell.z, v.z));
+    return scarp_vertex_at(v.d, scarp_direction3(scarp_edge_of(h * (h + hash_k))), SCARP_TETRAHEDRON_R2, 3);
+}
+
+/* A cube's two centres and two corners along an axis: what `t`, from the centre, makes of each. */
+struct ScarpEnds {
+    up: i32,
+    centre: i32,
+    corner: i32,
+    d_centre: f32,
+    d_up: f32,
+    d_corner: f32,
+}
+
+fn scarp_ends_of(t: f32, is_furthest: bool, is_nearest: bool) -> ScarpEnds {
+    let up: bool = !(t < 0.0f);
+    var e: ScarpEnds;
+    e.up = select(0, 1, up);
+    e.d_up = scarp_sub(t, select(-0.5f, 0.5f, up));
+    e.centre = select(0, select(-1, 1, up), is_furthest);
+    e.d_centre = select(t, scarp_sub(t, select(-1.0f, 1.0f, up)), is_furthest);
+    e.corner = select(e.up, 1 - e.up, is_nearest);
+    e.d_corner = select(e.d_up, scarp_add(t, select(-0.5f, 0.5f, up)), is_nearest);
+    return e;
+}
+
+fn scarp_vertex_of(x: i32, y: i32, z: i32, d: vec3f) -> ScarpVertex {
+    var v: ScarpVertex;
+    v.x = x;
+    v.y = y;
+    v.z = z;
+    v.d = d;
+    return v;
+}
+
+fn scarp_simplex_at3(o: ScarpOctave, p: ScarpPlace) -> ScarpSample {
+    let t: vec3f = scarp_sub3(p.t, vec3f(0.5f, 0.5f, 0.5f));
+    let m: vec3f = vec3f(scarp_magnitude(t.x), scarp_magnitude(t.y), scarp_magnitude(t.z));
+    let far_x: bool = m.x >= m.y && m.x >= m.z;
+    let far_y: bool = !far_x && m.y >= m.z;
+    let near_z: bool = m.z <= m.x && m.z <= m.y;
+    let near_y: bool = !near_z && m.y <= m.x;
+    let x: ScarpEnds = scarp_ends_of(t.x, far_x, !near_z && !near_y);
+    let y: ScarpEnds = scarp_ends_of(t.y, far_y, near_y);
+    let z: ScarpEnds = scarp_ends_of(t.z, !far_x && !far_y, near_z);
+    let centre0: ScarpVertex = scarp_vertex_of(0, 0, 0, t);
+    let centre1: ScarpVertex =
+        scarp_vertex_of(x.centre, y.centre, z.centre, vec3f(x.d_centre, y.d_centre, z.d_centre));
+    let corner0: ScarpVertex = scarp_vertex_of(x.up, y.up, z.up, vec3f(x.d_up, y.d_up, z.d_up));
+    let corner1: ScarpVertex =
+        scarp_vertex_of(x.corner, y.corner, z.corner, vec3f(x.d_corner, y.d_corner, z.d_corner));
+    let centres: ScarpSample =
+        scarp_sum_of(scarp_vertex3(o, p, centre0, SCARP_HASH_CENTRE), scarp_vertex3(o, p, centre1, SCARP_HASH_CENTRE));
+    let corners: ScarpSample =
+        scarp_sum_of(scarp_vertex3(o, p, corner0, SCARP_HASH_K), scarp_vertex3(o, p, corner1, SCARP_HASH_K));
+    return scarp_sum_of(corners, centres);
+}
+
+/* Cellular noise. */
+
+const SCARP_FEATURE_Y: u32 = 0xe41130e9u;
+const SCARP_FEATURE_Z: u32 = 0x6ecea30du;
+const SCARP_FEATURE_ID: u32 = 0xc603dc87u;
+
+/* Where a point lies from the feature of a cell, and the hash of that cell. */
+struct ScarpFeature {
+    d: vec3f,
+    s: f32,
+    hash: u32,
+}
+
+/* How far t is from the feature of the cell `step` away, along an axis on which it drew v. */
+fn scarp_feature_distance(t: f32, step: i32, jitter: f32, v: u32) -> f32 {
+    let middle: f32 = scarp_add(f32(step), 0.5f);
+    return scarp_sub(t, scarp_add(middle, scarp_mul(jitter, scarp_lattice_value(v))));
+}
+
+/* The feature of the cell that is (x, y, z) away from that of p. */
+fn scarp_feature_at(o: ScarpOctave, p: ScarpPlace, x: i32, y: i32, z: i32, dimensions: i32) -> ScarpFeature {
+    let cx: u32 = scarp_cell_beside(o.last.x, p.cell.x, x);
+    let cy: u32 = scarp_cell_beside(o.last.y, p.cell.y, y);
+    var f: ScarpFeature;
+    f.hash = scarp_hash2(o.key, cx, cy);
+    if (dimensions == 3) {
+        f.hash = scarp_hash3(o.key, cx, cy, scarp_cell_beside(o.last.z, p.cell.z, z));
+    }
+    f.d = vec3f(scarp_feature_distance(p.t.x, x, o.turn.x, f.hash),
+                  scarp_feature_distance(p.t.y, y, o.turn.x, f.hash * SCARP_FEATURE_Y), 0.0f);
+    var across2: f32 = scarp_mul(f.d.y, f.d.y);
+    if (dimensions == 3) {
+        f.d.z = scarp_feature_distance(p.t.z, z, o.turn.x, f.hash * SCARP_FEATURE_Z);
+        across2 = scarp_add(across2, scarp_mul(f.d.z, f.d.z));
+    }
+    f.s = scarp_add(scarp_mul(f.d.x, f.d.x), across2);
+    return f;
+}
+
+const SCARP_FAR_AWAY: f32 = 64.0f;
+
+struct ScarpNearest {
+    first: ScarpFeature,
+    second: ScarpFeature,
+}
+
+/* Only what is strictly nearer takes a place. */
+fn scarp_nearest_with(n: ScarpNearest, f: ScarpFeature) -> ScarpNearest {
+    var m: ScarpNearest = n;
+    if (f.s < n.first.s) {
+        m.second = n.first;
+        m.first = f;
+    } else if (f.s < n.second.s) {
+        m.second = f;
+    }
+    return m;
+}
+
+/* The square of the gap to a cell along an axis. */
+fn scarp_gap2(t: f32, step: i32) -> f32 {
+    let ahead: f32 = scarp_sub(f32(step), t);
+    let behind: f32 = scarp_sub(t, f32(step + 1));
+    let gap: f32 = select(behind, ahead, step > 0);
+    return select(scarp_mul(gap, gap), 0.0f, step == 0);
+}
+
+/* Whether a cell, and so its feature, is further away than s, by more than rounding. */
+fn scarp_is_beyond(p: ScarpPlace, x: i32, y: i32, z: i32, s: f32) -> bool {
+    let gap: f32 = scarp_add(scarp_add(scarp_gap2(p.t.x, x), scarp_gap2(p.t.y, y)), scarp_gap2(p.t.z, z));
+    return gap > scarp_mul(1.001f, s);
+}
+
+/* Whether the search around a point looks at a cell: first at those around, then at those two steps
+   away that are not too far. */
+fn scarp_is_searched(p: ScarpPlace, ring: i32, x: i32, y: i32, z: i32, s: f32) -> bool {
+    let inside: bool = x > -2 && x < 2 && y > -2 && y < 2 && z > -2 && z < 2;
+    return ring == 1 || (!inside && !scarp_is_beyond(p, x, y, z, s));
+}
+
+fn scarp_nearest_at(o: ScarpOctave, p: ScarpPlace, dimensions: i32) -> ScarpNearest {
+    var n: ScarpNearest;
+    n.first.d = vec3f(SCARP_FAR_AWAY, SCARP_FAR_AWAY, SCARP_FAR_AWAY);
+    n.first.s = SCARP_FAR_AWAY;
+    n.first.hash = 0u;
+    n.second = n.first;
+    for (var ring: i32 = 1; ring <= 2; ring++) {
+        let depth: i32 = select(0, ring, dimensions == 3);
+        for (var z: i32 = -depth; z <= depth; z++) {
+            for (var y: i32 = -ring; y <= ring; y++) {
+                for (var x: i32 = -ring; x <= ring; x++) {
+                    if (scarp_is_searched(p, ring, x, y, z, n.second.s)) {
+                        n = scarp_nearest_with(n, scarp_feature_at(o, p, x, y, z, dimensions));
+                    }
+                }
+            }
+        }
+    }
+    return n;
+}
+
+/* 2^-80: below this, a point lies on the feature. */
+const SCARP_NO_DISTANCE: f32 = 8.27180613e-25f;
+
+/* The distance from a feature. */
+fn scarp_distance_to(f: ScarpFeature) -> ScarpSample {
+    let distance: f32 = scarp_root(f.s);
+    let r: f32 = select(scarp_inverse(distance), 0.0f, f.s <= SCARP_NO_DISTANCE);
+    let g: vec3f = vec3f(scarp_mul(f.d.x, r), scarp_mul(f.d.y, r), scarp_mul(f.d.z, r));
+    return scarp_sample_of(
+        distance, g,
+        vec3f(scarp_mul(r, scarp_sub(1.0f, scarp_mul(g.x, g.x))), scarp_mul(r, scarp_sub(1.0f, scarp_mul(g.y, g.y))),
+                scarp_mul(r, scarp_sub(1.0f, scarp_mul(g.z, g.z)))),
+        vec3f(-scarp_mul(r, scarp_mul(g.x, g.y)), -scarp_mul(r, scarp_mul(g.x, g.z)), -scarp_mul(r, scarp_mul(g.y, g.z))));
+}
+
+/* What a feature adds before the root; the gradient without the factor 8, the Hessian too. */
+fn scarp_soft_term(f: ScarpFeature) -> ScarpSample {
+    let a: f32 = select(0.0f, scarp_sub(1.0f, f.s), f.s < 1.0f);
+    let a2: f32 = scarp_mul(a, a);
+    let a4: f32 = scarp_mul(a2, a2);
+    let a6: f32 = scarp_mul(a4, a2);
+    let a7: f32 = scarp_mul(a6, a);
+    let b: vec3f = scarp_mul3(scarp_mul(14.0f, a6), f.d);
+    return scarp_sample_of(
+        scarp_mul(a4, a4), scarp_mul3(a7, f.d),
+        vec3f(scarp_sub(scarp_mul(b.x, f.d.x), a7), scarp_sub(scarp_mul(b.y, f.d.y), a7), scarp_sub(scarp_mul(b.z, f.d.z), a7)),
+        vec3f(scarp_mul(b.x, f.d.y), scarp_mul(b.x, f.d.z), scarp_mul(b.y, f.d.z)));
+}
+
+/* 2^-120: below this, V^2 counts as 0. */
+const SCARP_NO_SUM: f32 = 7.52316385e-37f;
+
+fn scarp_soft_second(q: f32, r: f32, gi: f32, gj: f32, sum: f32) -> f32 {
+    return scarp_sub(scarp_mul(q, scarp_mul(gi, gj)), scarp_mul(r, sum));
+}
+
+fn scarp_soft_root(sum: ScarpSample) -> ScarpSample {
+    let v: f32 = scarp_root(sum.value);
+    let r: f32 = select(scarp_mul(8.0f, scarp_inverse(v)), 0.0f, sum.value <= SCARP_NO_SUM);
+    let q: f32 = scarp_mul(0.125f, r);
+    let g: vec3f = scarp_mul3(r, sum.gradient);
+    return scarp_sample_of(-v, g,
+                     vec3f(scarp_soft_second(q, r, g.x, g.x, sum.diagonal.x),
+                             scarp_soft_second(q, r, g.y, g.y, sum.diagonal.y),
+                             scarp_soft_second(q, r, g.z, g.z, sum.diagonal.z)),
+                     vec3f(scarp_soft_second(q, r, g.x, g.y, sum.mixed.x),
+                             scarp_soft_second(q, r, g.x, g.z, sum.mixed.y),
+                             scarp_soft_second(q, r, g.y, g.z, sum.mixed.z)));
+}
+
+fn scarp_soft_at(o: ScarpOctave, p: ScarpPlace, dimensions: i32) -> ScarpSample {
+    let depth: i32 = select(0, 1, dimensions == 3);
+    var sum: ScarpSample = scarp_constant(0.0f);
+    for (var z: i32 = -depth; z <= depth; z++) {
+        for (var y: i32 = -1; y <= 1; y++) {
+            for (var x: i32 = -1; x <= 1; x++) {
+                sum = scarp_sum_of(sum, scarp_soft_term(scarp_feature_at(o, p, x, y, z, dimensions)));
+            }
+        }
+    }
+    return scarp_soft_root(sum);
+}
+
+fn scarp_negated(n: ScarpSample) -> ScarpSample {
+    return scarp_sample_of(-n.value, vec3f(-n.gradient.x, -n.gradient.y, -n.gradient.z),
+                     vec3f(-n.diagonal.x, -n.diagonal.y, -n.diagonal.z),
+                     vec3f(-n.mixed.x, -n.mixed.y, -n.mixed.z));
+}
+
+/* The middle of the interval, o.turn.y, becomes 0. */
+fn scarp_cells_at(o: ScarpOctave, basis: u32, p: ScarpPlace, dimensions: i32) -> ScarpSample {
+    var s: ScarpSample;
+    if (basis == SCARP_CELL_SOFT) {
+        s = scarp_soft_at(o, p, dimensions);
+        s.value = scarp_add(s.value, o.turn.y);
+    } else {
+        let n: ScarpNearest = scarp_nearest_at(o, p, dimensions);
+        if (basis == SCARP_CELL_VALUE) {
+            s = scarp_constant(scarp_lattice_value(n.first.hash * SCARP_FEATURE_ID));
+        } else {
+            let first: ScarpSample = scarp_distance_to(n.first);
+            s = scarp_distance_to(n.second);
+            if (basis == SCARP_CELL_F1) {
+                s = first;
+            }
+            if (basis == SCARP_CELL_EDGE) {
+                s = scarp_sum_of(s, scarp_negated(first));
+            }
+            s.value = scarp_sub(s.value, o.turn.y);
+        }
+    }
+    return s;
+}
+
+/* One octave of noise with gradient and Hessian, in units of cells. */
+
+fn scarp_basis_at(o: ScarpOctave, l: ScarpLevel, p: ScarpPlace, dimensions: i32) -> ScarpSample {
+    var s: ScarpSample;
+    if (l.basis == SCARP_GRADIENT) {
+        s = scarp_gradient_at(o, l, p, dimensions);
+    } else if (l.basis == SCARP_VALUE) {
+        s = scarp_value_at(o, l, p, dimensions);
+    } else if (l.basis == SCARP_SIMPLEX) {
+        if (dimensions == 2) {
+            s = scarp_simplex_at2(o, p);
+        } else {
+            s = scarp_simplex_at3(o, p);
+        }
+    } else {
+        s = scarp_cells_at(o, l.basis, p, dimensions);
+    }
+    return s;
+}
+
+/* What fractals make of an octave, but for those that bend. */
+
+fn scarp_jacobian_of(o: ScarpOctave) -> ScarpRows {
+    return scarp_transposed(scarp_rows_of(o.jacobian_x, o.jacobian_y, o.jacobian_z));
+}
+
+/* The vector v, in the octave's axes, in those of the input: J^T v, or f v. */
+fn scarp_to_input(o: ScarpOctave, turned: bool, v: vec3f, dimensions: i32) -> vec3f {
+    var r: vec3f = scarp_mul3(o.frequency, v);
+    if (turned) {
+        r = scarp_times(scarp_jacobian_of(o), v, dimensions);
+    }
+    return r;
+}
+
+/* The Hessian of `n` with A^T (H B), the columns of A and B being rows here. */
+fn scarp_with_hessian(n: ScarpSample, a: ScarpRows, b: ScarpRows, h: ScarpRows, dimensions: i32) -> ScarpSample {
+    let hb: ScarpRows = scarp_transposed(
+        scarp_rows_of(scarp_times(b, h.x, dimensions), scarp_times(b, h.y, dimensions), scarp_times(b, h.z, dimensions)));
+    var s: ScarpSample = n;
+    s.diagonal =
+        vec3f(scarp_dot(a.x, hb.x, dimensions), scarp_dot(a.y, hb.y, dimensions), scarp_dot(a.z, hb.z, dimensions));
+    s.mixed =
+        vec3f(scarp_dot(a.x, hb.y, dimensions), scarp_dot(a.x, hb.z, dimensions), scarp_dot(a.y, hb.z, dimensions));
+    return s;
+}
+
+/* The octave times its amplitude, in the axes of the input. */
+fn scarp_in_input(o: ScarpOctave, turned: bool, n: ScarpSample, dimensions: i32) -> ScarpSample {
+    var s: ScarpSample = scarp_scaled(n, o.amplitude, o.slope, o.curvature);
+    if (turned) {
+        let scaled_jacobian: ScarpRows =
+            scarp_transposed(scarp_rows_of(o.gradient_x, o.gradient_y, o.gradient_z));
+        s.gradient = scarp_times(scaled_jacobian, n.gradient, dimensions);
+        s = scarp_with_hessian(s, scaled_jacobian, scarp_jacobian_of(o), scarp_hessian_of(n), dimensions);
+    }
+    return s;
+}
+
+/* sign(n) a, and 0 where n is 0. */
+fn scarp_with_sign(a: f32, n: f32) -> f32 {
+    return select(scarp_with_bit(a, bitcast<u32>(n) >> 31u), 0.0f, n == 0.0f);
+}
+
+fn scarp_with_sign3(a: vec3f, n: f32) -> vec3f {
+    return vec3f(scarp_with_sign(a.x, n), scarp_with_sign(a.y, n), scarp_with_sign(a.z, n));
+}
+
+/* |n|: turbulence */
+fn scarp_magnitude_of(n: ScarpSample) -> ScarpSample {
+    return scarp_sample_of(scarp_with_sign(n.value, n.value), scarp_with_sign3(n.gradient, n.value),
+                     scarp_with_sign3(n.diagonal, n.value), scarp_with_sign3(n.mixed, n.value));
+}
+
+/* Ping-pong. The derivatives lack their factor 2 sharpness, which comes with the weight. */
+fn scarp_pingpong(n: ScarpSample, sharpness: f32) -> ScarpSample {
+    let t: f32 = scarp_mul(scarp_add(n.value, 1.0f), sharpness);
+    let e: f32 = scarp_sub(1.0f, scarp_sub(t, scarp_mul(2.0f, floor(scarp_mul(t, 0.5f)))));
+    let value: f32 = scarp_sub(1.0f, scarp_mul(2.0f, scarp_magnitude(e)));
+    let falling: f32 = select(1.0f, -1.0f, scarp_is_negative(e));
+    let slope: f32 = select(falling, 0.0f, scarp_magnitude(value) == 1.0f);
+    return scarp_sample_of(value, scarp_with_sign3(n.gradient, slope), scarp_with_sign3(n.diagonal, slope),
+                     scarp_with_sign3(n.mixed, slope));
+}
+
+/* Ridged noise: v r^2 with v = weight and r = 1 - m. */
+fn scarp_ridge_first(v: f32, vi: f32, r: f32, mi: f32) -> f32 {
+    return scarp_sub(scarp_mul(scarp_mul(r, r), vi), scarp_mul(scarp_mul(scarp_mul(2.0f, v), r), mi));
+}
+
+fn scarp_ridge_first3(v: f32, vi: vec3f, r: f32, mi: vec3f) -> vec3f {
+    return vec3f(scarp_ridge_first(v, vi.x, r, mi.x), scarp_ridge_first(v, vi.y, r, mi.y),
+                   scarp_ridge_first(v, vi.z, r, mi.z));
+}
+
+/* vi mj + vj mi, for the elements of the diagonal and the others. */
+fn scarp_crossed_diagonal(v: vec3f, m: vec3f) -> vec3f {
+    return vec3f(scarp_add(scarp_mul(v.x, m.x), scarp_mul(v.x, m.x)), scarp_add(scarp_mul(v.y, m.y), scarp_mul(v.y, m.y)),
+                   scarp_add(scarp_mul(v.z, m.z), scarp_mul(v.z, m.z)));
+}
+
+fn scarp_crossed_mixed(v: vec3f, m: vec3f) -> vec3f {
+    return vec3f(scarp_add(scarp_mul(v.x, m.y), scarp_mul(v.y, m.x)), scarp_add(scarp_mul(v.x, m.z), scarp_mul(v.z, m.x)),
+                   scarp_add(scarp_mul(v.y, m.z), scarp_mul(v.z, m.y)));
+}
+
+/* `cross` is vi mj + vj mi, `mm` is mi mj. */
+fn scarp_ridge_second(v: f32, r: f32, vij: f32, mij: f32, cross: f32, mm: f32) -> f32 {
+    return scarp_add(scarp_sub(scarp_mul(scarp_mul(r, r), vij), scarp_mul(scarp_mul(2.0f, r), cross)),
+               scarp_sub(scarp_mul(scarp_mul(2.0f, v), mm), scarp_mul(scarp_mul(scarp_mul(2.0f, v), r), mij)));
+}
+
+fn scarp_ridge(weight: ScarpSample, n: ScarpSample) -> ScarpSample {
+    let m: ScarpSample = scarp_magnitude_of(n);
+    let a: vec3f = scarp_crossed_diagonal(weight.gradient, m.gradient);
+    let b: vec3f = scarp_crossed_mixed(weight.gradient, m.gradient);
+    let g: vec3f = m.gradient;
+    let vd: vec3f = weight.diagonal;
+    let vm: vec3f = weight.mixed;
+    let v: f32 = weight.value;
+    let r: f32 = scarp_sub(1.0f, m.value);
+    return scarp_sample_of(scarp_mul(v, scarp_mul(r, r)), scarp_ridge_first3(v, weight.gradient, r, g),
+                     vec3f(scarp_ridge_second(v, r, vd.x, m.diagonal.x, a.x, scarp_mul(g.x, g.x)),
+                             scarp_ridge_second(v, r, vd.y, m.diagonal.y, a.y, scarp_mul(g.y, g.y)),
+                             scarp_ridge_second(v, r, vd.z, m.diagonal.z, a.z, scarp_mul(g.z, g.z))),
+                     vec3f(scarp_ridge_second(v, r, vm.x, m.mixed.x, b.x, scarp_mul(g.x, g.y)),
+                             scarp_ridge_second(v, r, vm.y, m.mixed.y, b.y, scarp_mul(g.x, g.z)),
+                             scarp_ridge_second(v, r, vm.z, m.mixed.z, b.z, scarp_mul(g.y, g.z))));
+}
+
+/* The weight of the octave after one of ridged noise: 2 s, but 1 where that is more. */
+fn scarp_ridge_weight(s: ScarpSample) -> ScarpSample {
+    var weight: ScarpSample = scarp_constant(1.0f);
+    if (scarp_mul(2.0f, s.value) < 1.0f) {
+        weight = scarp_scaled(s, 2.0f, 2.0f, 2.0f);
+    }
+    return weight;
+}
+
+/* Hybrid noise: v r with v = weight and r = n + sharpness. */
+fn scarp_hybrid(weight: ScarpSample, n: ScarpSample, sharpness: f32) -> ScarpSample {
+    let v: f32 = weight.value;
+    let r: f32 = scarp_add(n.value, sharpness);
+    let diagonal: vec3f = scarp_add3(scarp_mul3(r, weight.diagonal), scarp_mul3(v, n.diagonal));
+    let mixed: vec3f = scarp_add3(scarp_mul3(r, weight.mixed), scarp_mul3(v, n.mixed));
+    return scarp_sample_of(scarp_mul(v, r), scarp_add3(scarp_mul3(r, weight.gradient), scarp_mul3(v, n.gradient)),
+                     scarp_add3(diagonal, scarp_crossed_diagonal(weight.gradient, n.gradient)),
+                     scarp_add3(mixed, scarp_crossed_mixed(weight.gradient, n.gradient)));
+}
+
+/* The weight of the octave after one of hybrid noise: share u, but 1 or -1 where that is beyond. */
+fn scarp_hybrid_weight(u: ScarpSample, share: f32) -> ScarpSample {
+    let t: f32 = scarp_mul(share, u.value);
+    var weight: ScarpSample = scarp_constant(select(1.0f, -1.0f, t < 0.0f));
+    if (scarp_magnitude(t) < 1.0f) {
+        weight = scarp_scaled(u, share, share, share);
+    }
+    return weight;
+}
+
+/* What slopes add up to, with the rows of the Jacobian. */
+struct ScarpSlopes {
+    d: vec3f,
+    jacobian: ScarpRows,
+}
+
+fn scarp_sum_of_rows(a: ScarpRows, b: ScarpRows) -> ScarpRows {
+    return scarp_rows_of(scarp_add3(a.x, b.x), scarp_add3(a.y, b.y), scarp_add3(a.z, b.z));
+}
+
+/* The slopes with those of an octave n, in its own axes: they become steeper. */
+fn scarp_steeper(slopes: ScarpSlopes, o: ScarpOctave, turned: bool, n: ScarpSample, dimensions: i32) -> ScarpSlopes {
+    let h: ScarpRows = scarp_hessian_of(n);
+    var s: ScarpSlopes;
+    s.d = scarp_add3(slopes.d, n.gradient);
+    s.jacobian = scarp_sum_of_rows(slopes.jacobian, scarp_rows_of(scarp_to_input(o, turned, h.x, dimensions),
+                                                      scarp_to_input(o, turned, h.y, dimensions),
+                                                      scarp_to_input(o, turned, h.z, dimensions)));
+    return s;
+}
+
+/* An octave n of erosion; `slopes` have it, and `gradient` is its own in the axes of the input. */
+fn scarp_eroded(slopes: ScarpSlopes, erosion: f32, n: f32, gradient: vec3f, dimensions: i32) -> ScarpSample {
+    let q: f32 = scarp_inverse(scarp_add(1.0f, scarp_mul(erosion, scarp_dot(slopes.d, slopes.d, dimensions))));
+    let damping: f32 = scarp_mul(scarp_mul(scarp_mul(2.0f, erosion), n), scarp_mul(q, q));
+    let steepening: vec3f = scarp_times(scarp_transposed(slopes.jacobian), slopes.d, dimensions);
+    var s: ScarpSample = scarp_constant(scarp_mul(q, n));
+    s.gradient = scarp_sub3(scarp_mul3(q, gradient), scarp_mul3(damping, steepening));
+    return s;
+}
+
+/* The fractals that bend. */
+
+/* What goes from octave to octave. `weight`: ridged and hybrid noise; `slopes`: erosion and those
+   that bend; `left`: how much of the octaves Swiss noise leaves, with its gradient. */
+struct ScarpState {
+    sum: ScarpSample,
+    weight: ScarpSample,
+    slopes: ScarpSlopes,
+    left: f32,
+    left_by: vec3f,
+}
+
+/* The vector g by bent positions, by x: A^T g with A = I + reach (Jacobian of the slopes). */
+fn scarp_unbent(slopes: ScarpSlopes, reach: f32, g: vec3f, dimensions: i32) -> vec3f {
+    return scarp_add3(g, scarp_mul3(reach, scarp_times(scarp_transposed(slopes.jacobian), g, dimensions)));
+}
+
+/* A row of the Jacobian with what a component of the slope adds; `row` is that of the Hessian. */
+fn scarp_bent_row(jacobian: vec3f, by: vec3f, slope: f32, product: f32, row: vec3f) -> vec3f {
+    return scarp_add3(jacobian, scarp_add3(scarp_mul3(slope, by), scarp_mul3(product, row)));
+}
+
+/* The slopes with factor n times the slope g / f of an octave; `by` is the gradient of factor n. */
+fn scarp_with_slope(slopes: ScarpSlopes, o: ScarpOctave, n: ScarpSample, product: f32, by: vec3f, dimensions: i32) -> ScarpSlopes {
+    let h: ScarpRows = scarp_hessian_of(n);
+    let slope: vec3f = scarp_mul3(o.inverse, n.gradient);
+    let x: vec3f = scarp_mul3(o.inverse, scarp_unbent(slopes, o.reach, h.x, dimensions));
+    let y: vec3f = scarp_mul3(o.inverse, scarp_unbent(slopes, o.reach, h.y, dimensions));
+    let z: vec3f = scarp_mul3(o.inverse, scarp_unbent(slopes, o.reach, h.z, dimensions));
+    var s: ScarpSlopes;
+    s.d = scarp_add3(slopes.d, scarp_mul3(product, slope));
+    s.jacobian = scarp_rows_of(scarp_bent_row(slopes.jacobian.x, by, slope.x, product, x),
+                         scarp_bent_row(slopes.jacobian.y, by, slope.y, product, y),
+                         scarp_bent_row(slopes.jacobian.z, by, slope.z, product, z));
+    return s;
+}
+
+fn scarp_swiss(state: ScarpState, o: ScarpOctave, inverse_weight: f32, n: ScarpSample, dimensions: i32) -> ScarpState {
+    let share: f32 = scarp_mul(o.weight, inverse_weight);
+    let u: f32 = state.left;
+    let rest: f32 = scarp_sub(1.0f, scarp_magnitude(n.value));
+    let v: f32 = select(rest, 0.0f, rest < 0.0f);
+    let nj: vec3f = scarp_unbent(state.slopes, o.reach, n.gradient, dimensions);
+    let none: vec3f = vec3f(0.0f, 0.0f, 0.0f);
+    var vj: vec3f = scarp_with_sign3(nj, n.value);
+    if (rest < 0.0f) {
+        vj = none;
+    }
+    var s: ScarpState = state;
+    let term: vec3f = scarp_mul3(o.weight, scarp_sub3(scarp_mul3(v, state.left_by), scarp_mul3(u, vj)));
+    s.sum.gradient = scarp_add3(state.sum.gradient, term);
+    s.sum.value = scarp_add(state.sum.value, scarp_mul(o.weight, scarp_mul(u, v)));
+    let by: vec3f = scarp_mul3(-share, scarp_add3(scarp_mul3(n.value, state.left_by), scarp_mul3(u, nj)));
+    s.slopes = scarp_with_slope(state.slopes, o, n, scarp_mul(-share, scarp_mul(u, n.value)), by, dimensions);
+    let sum: f32 = scarp_mul(s.sum.value, inverse_weight);
+    if (sum < 1.0f) {
+        s.left_by = scarp_add3(scarp_mul3(sum, state.left_by), scarp_mul3(u, scarp_mul3(inverse_weight, s.sum.gradient)));
+        s.left = scarp_mul(u, sum);
+    }
+    return s;
+}
+
+fn scarp_jordan(state: ScarpState, o: ScarpOctave, erosion: f32, first: bool, n: ScarpSample, dimensions: i32) -> ScarpState {
+    let square: f32 = scarp_mul(n.value, n.value);
+    let p: f32 = scarp_inverse(scarp_add(1.0f, scarp_dot(state.slopes.d, state.slopes.d, dimensions)));
+    let q: f32 = select(scarp_sub(1.0f, scarp_mul(erosion, p)), 1.0f, first);
+    let damping: f32 = select(scarp_mul(scarp_mul(scarp_mul(2.0f, erosion), scarp_mul(p, p)), square), 0.0f, first);
+    let by: vec3f = scarp_unbent(state.slopes, o.reach, n.gradient, dimensions);
+    let steepening: vec3f = scarp_times(scarp_transposed(state.slopes.jacobian), state.slopes.d, dimensions);
+    let term: vec3f = scarp_add3(scarp_mul3(damping, steepening), scarp_mul3(scarp_mul(2.0f, q), scarp_mul3(n.value, by)));
+    var s: ScarpState = state;
+    s.sum.gradient = scarp_add3(state.sum.gradient, scarp_mul3(o.weight, term));
+    s.sum.value = scarp_add(state.sum.value, scarp_mul(o.weight, scarp_mul(q, square)));
+    s.slopes = scarp_with_slope(state.slopes, o, n, n.value, by, dimensions);
+    return s;
+}
+
+/* The sum of the octaves at one point. */
+
+fn scarp_octave_of(plan: u32, k: u32) -> ScarpOctave {
+    return scarp_plan[plan].octave[k];
+}
+
+fn scarp_level_of(plan: u32, i: i32) -> ScarpLevel {
+    var l: ScarpLevel = scarp_plan[plan].level[i];
+    l.basis = scarp_only_basis_of(l.basis);
+    l.fractal = scarp_only_fractal_of(l.fractal);
+    return l;
+}
+
+fn scarp_bends(l: ScarpLevel) -> bool {
+    return l.fractal == SCARP_SWISS || l.fractal == SCARP_JORDAN;
+}
+
+/* The octave n, in the axes of the input, as the fractal adds it to the sum; n is not bent. */
+fn scarp_shaped(state: ScarpState, o: ScarpOctave, l: ScarpLevel, n: ScarpSample) -> ScarpState {
+    var s: ScarpState = state;
+    var term: ScarpSample = n;
+    var slope: f32 = o.weight;
+    if (l.fractal == SCARP_TURBULENCE) {
+        term = scarp_magnitude_of(n);
+    }
+    if (l.fractal == SCARP_RIDGED) {
+        term = scarp_ridge(state.weight, n);
+        s.weight = scarp_ridge_weight(term);
+    }
+    if (l.fractal == SCARP_PINGPONG) {
+        term = scarp_pingpong(n, l.sharpness);
+        slope = scarp_mul(o.weight, scarp_mul(2.0f, l.sharpness));
+    }
+    if (l.fractal == SCARP_HYBRID) {
+        term = scarp_hybrid(state.weight, n, l.sharpness);
+        s.weight = scarp_hybrid_weight(term, o.share);
+    }
+    if (l.fractal != SCARP_FBM) {
+        term = scarp_scaled(term, o.weight, slope, slope);
+    }
+    s.sum = scarp_sum_of(state.sum, term);
+    return s;
+}
+
+/* The same of erosion; n is the octave of the basis, in its own axes. */
+fn scarp_erosion(state: ScarpState, o: ScarpOctave, strength: f32, n: ScarpSample, turned: bool, dimensions: i32) -> ScarpState {
+    let own: ScarpSample = scarp_scaled(n, o.amplitude, o.amplitude, o.amplitude);
+    let gradient: vec3f = scarp_to_input(o, turned, own.gradient, dimensions);
+    var s: ScarpState = state;
+    s.slopes = scarp_steeper(state.slopes, o, turned, own, dimensions);
+    let term: ScarpSample = scarp_eroded(s.slopes, strength, own.value, gradient, dimensions);
+    s.sum = scarp_sum_of(state.sum, scarp_scaled(term, o.weight, o.weight, o.weight));
+    return s;
+}
+
+/* Adds octave k of level l at x. */
+fn scarp_with_octave(state: ScarpState, o: ScarpOctave, l: ScarpLevel, k: u32, x: vec3f, dimensions: i32) -> ScarpState {
+    let turned: bool = l.rotate != 0u && k > 0u;
+    var y: vec3f = x;
+    if (scarp_bends(l) && k > 0u) {
+        y = scarp_add3(x, scarp_mul3(o.reach, state.slopes.d));
+    }
+    let p: ScarpPlace = scarp_place_of(o, l.basis, turned, y, dimensions);
+    let own: ScarpSample = scarp_basis_at(o, l, p, dimensions);
+    var s: ScarpState;
+    if (l.fractal == SCARP_EROSION) {
+        s = scarp_erosion(state, o, l.erosion, own, turned, dimensions);
+    } else {
+        let n: ScarpSample = scarp_in_input(o, turned, own, dimensions);
+        if (l.fractal == SCARP_SWISS) {
+            s = scarp_swiss(state, o, l.inverse_weight, n, dimensions);
+        } else if (l.fractal == SCARP_JORDAN) {
+            s = scarp_jordan(state, o, l.erosion, k == 0u, n, dimensions);
+        } else {
+            s = scarp_shaped(state, o, l, n);
+        }
+    }
+    return s;
+}
+
+/* The noise of a level, or of a component of it, without warps. */
+fn scarp_octaves_at(plan: u32, l: ScarpLevel, component: i32, x: vec3f, dimensions: i32) -> ScarpSample {
+    let none: vec3f = vec3f(0.0f, 0.0f, 0.0f);
+    let first: u32 = l.first + bitcast<u32>(component) * l.octaves;
+    var state: ScarpState;
+    state.sum = scarp_constant(0.0f);
+    state.weight = scarp_constant(1.0f);
+    state.slopes.d = none;
+    state.slopes.jacobian = scarp_rows_of(none, none, none);
+    state.left = 1.0f;
+    state.left_by = none;
+    for (var k: u32 = 0u; k < l.octaves; k++) {
+        state = scarp_with_octave(state, scarp_octave_of(plan, first + k), l, k, x, dimensions);
+    }
+    return state.sum;
+}
+
+/* Noise with warps, as scalar/warp. */
+
+/* The coordinates of displaced positions, with their derivatives: how far they are displaced. */
+struct ScarpDisplaced {
+    x: ScarpSample,
+    y: ScarpSample,
+    z: ScarpSample,
+}
+
+/* A component of a sum of products with `v`: what each coordinate's derivative `a` adds. */
+fn scarp_weighed(v: vec3f, a: ScarpRows, dimensions: i32) -> vec3f {
+    return scarp_times(scarp_transposed(a), v, dimensions);
+}
+
+/* A sample at y with its derivatives by y becomes one with its derivatives by x. */
+fn scarp_composed(s: ScarpSample, y: ScarpDisplaced, dimensions: i32) -> ScarpSample {
+    let j: ScarpRows = scarp_transposed(scarp_rows_of(y.x.gradient, y.y.gradient, y.z.gradient));
+    let diagonal: vec3f =
+        scarp_weighed(s.gradient, scarp_rows_of(y.x.diagonal, y.y.diagonal, y.z.diagonal), dimensions);
+    let mixed: vec3f = scarp_weighed(s.gradient, scarp_rows_of(y.x.mixed, y.y.mixed, y.z.mixed), dimensions);
+    var r: ScarpSample = scarp_with_hessian(s, j, j, scarp_hessian_of(s), dimensions);
+    r.gradient = scarp_times(j, s.gradient, dimensions);
+    r.diagonal = scarp_add3(r.diagonal, diagonal);
+    r.mixed = scarp_add3(r.mixed, mixed);
+    return r;
+}
+
+/* The components of a level, each at `at`, by x; `y` says how that depends on x, unless the level
+   is the deepest. */
+fn scarp_level_at(plan: u32, i: i32, deepest: bool, at: vec3f, y: ScarpDisplaced, dimensions: i32) -> ScarpDisplaced {
+    let l: ScarpLevel = scarp_level_of(plan, i);
+    let components: i32 = select(1, dimensions, i > 0);
+    var d: ScarpDisplaced = y;
+    for (var c: i32 = 0; c < components; c++) {
+        var s: ScarpSample = scarp_octaves_at(plan, l, c, at, dimensions);
+        if (!deepest) {
+            s = scarp_composed(s, y, dimensions);
+        }
+        if (c == 0) {
+            d.x = s;
+        } else if (c == 1) {
+            d.y = s;
+        } else {
+            d.z = s;
+        }
+    }
+    return d;
+}
+
+fn scarp_noise_at(plan: u32, x: vec3f, dimensions: i32) -> ScarpSample {
+    let depth: i32 = bitcast<i32>(scarp_only_depth_of(scarp_plan[plan].depth));
+    var at: vec3f = x;
+    var y: ScarpDisplaced;
+    y.x = scarp_constant(0.0f);
+    y.y = y.x;
+    y.z = y.x;
+    for (var i: i32 = depth; i >= 0; i--) {
+        y = scarp_level_at(plan, i, i == depth, at, y, dimensions);
+        if (i > 0) {
+            y.x.gradient.x = scarp_add(y.x.gradient.x, 1.0f);
+            y.y.gradient.y = scarp_add(y.y.gradient.y, 1.0f);
+            y.z.gradient.z = scarp_add(y.z.gradient.z, 1.0f);
+            at = scarp_add3(x, vec3f(y.x.value, y.y.value, y.z.value));
+        }
+    }
+    return y.x;
+}
+
+/* What scarp_sample2 gives at (x, y); outputs along z mean nothing. */
+fn scarp_sample2(plan: u32, x: f32, y: f32) -> ScarpSample {
+    return scarp_noise_at(plan, vec3f(x, y, 0.0f), 2);
+}
+
+/* What scarp_sample3 gives at (x, y, z). */
+fn scarp_sample3(plan: u32, x: f32, y: f32, z: f32) -> ScarpSample {
+    return scarp_noise_at(plan, vec3f(x, y, z), 3);
+}
+
+/* A coordinate of test point i. */
+fn scarp_test_coordinate(plan: u32, i: u32, axis: u32) -> f32 {
+    var key: vec3u;
+    key.x = 0u;
+    key.y = 0u;
+    key.z = 0u;
+    let cells: i32 = bitcast<i32>(scarp_hash2(key, i, axis) >> 12u) - 524288;
+    return scarp_mul(f32(cells), scarp_plan[plan].unit);
+}
+
+/* The hash h with an output; what is below 2^-120 counts as 0. */
+fn scarp_hash_with(h: u32, a: f32) -> u32 {
+    let magnitude_bits: u32 = bitcast<u32>(a) & 0x7fffffffu;
+    let bits: u32 = select(bitcast<u32>(a), 0u, magnitude_bits < 0x03800000u);
+    return (((h << 5u) | (h >> 27u)) ^ bits) * SCARP_HASH_K;
+}
+
+/* The self-test: a hash of the outputs at test point i up to an order, which is answer i of
+   scarp_gpu_answers where the shader has the bits of the library. */
+fn scarp_answer2(plan: u32, order: u32, i: u32) -> u32 {
+    let s: ScarpSample =
+        scarp_sample2(plan, scarp_test_coordinate(plan, i, 0u), scarp_test_coordinate(plan, i, 1u));
+    var h: u32 = scarp_hash_with(0u, s.value);
+    if (order > 0u) {
+        h = scarp_hash_with(scarp_hash_with(h, s.gradient.x), s.gradient.y);
+    }
+    if (order > 1u) {
+        h = scarp_hash_with(scarp_hash_with(scarp_hash_with(h, s.diagonal.x), s.mixed.x), s.diagonal.y);
+    }
+    return h;
+}
+
+fn scarp_answer3(plan: u32, order: u32, i: u32) -> u32 {
+    let s: ScarpSample = scarp_sample3(plan, scarp_test_coordinate(plan, i, 0u),
+                                    scarp_test_coordinate(plan, i, 1u), scarp_test_coordinate(plan, i, 2u));
+    var h: u32 = scarp_hash_with(0u, s.value);
+    if (order > 0u) {
+        h = scarp_hash_with(scarp_hash_with(scarp_hash_with(h, s.gradient.x), s.gradient.y), s.gradient.z);
+    }
+    if (order > 1u) {
+        h = scarp_hash_with(scarp_hash_with(scarp_hash_with(h, s.diagonal.x), s.mixed.x), s.mixed.y);
+        h = scarp_hash_with(scarp_hash_with(scarp_hash_with(h, s.diagonal.y), s.mixed.z), s.diagonal.z);
+    }
+    return h;
+}
