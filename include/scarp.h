@@ -858,6 +858,110 @@ SCARP_API enum scarp_status scarp_plan_make(const struct scarp_noise *noise, int
                                             struct scarp_plan *plan);
 
 /*
+ * Shaders
+ *
+ * scarp.glsl, scarp.hlsl and scarp.wgsl lie beside this header, and compute noise on the GPU: all
+ * bases and fractals, with periods, phases and warps; values, gradients and Hessians, but not
+ * dphase. They read the constants of the noise from a uniform buffer, a struct scarp_gpu_plan. File
+ * and plan must be of the same version of the library.
+ *
+ * Equal bits. A shader gives the bits of scarp_sample2 and scarp_sample3, with float coordinates,
+ * on drivers that round sums, differences and products to the nearest float, and fuse none of them.
+ * Vulkan promises that with NoContraction, which scarp.glsl asks for, and with the execution mode
+ * RoundingModeRTE of 32 bits. What must hold: coordinates are finite; |p_k| < 2^31; the coordinates
+ * of first octaves, f_0 times x, or in noise with warps times y, are 0 or at least 2^-24 in
+ * magnitude. Results below 2^-120 in magnitude may be 0, the sign of 0 is not promised, and nor are
+ * results that overflow.
+ *
+ * WGSL and D3D promise less on paper: compilers may fuse or reorder there, and flush or round
+ * otherwise. So a program asks each driver at its start: it has a shader compute scarp_answer2 or
+ * scarp_answer3 for i < SCARP_GPU_ANSWERS, and compares with what scarp_gpu_answers gives. If all
+ * are equal, the driver keeps the promise for this noise, as far as 4,096 points can tell. If not,
+ * the program uploads what has to be equal as tiles that it computes here. The shader still draws
+ * the noise, but for rounding, where nothing depends on its bits.
+ */
+
+/* An octave, in the layout std140 of uniform buffers: 160 bytes. See struct scarp_noise. */
+struct scarp_gpu_octave {
+    uint32_t key[3];      /* keys of the lattice hash, by axis */
+    float frequency;      /* f_k */
+    float weight;         /* a_k */
+    float amplitude;      /* what multiplies the basis: 1 / supremum, in fBm times a_k */
+    float slope;          /* amplitude f_k */
+    float curvature;      /* amplitude f_k^2 */
+    uint32_t last[3];     /* the last cell of a period along each axis; 2^32 - 1 without period */
+    float share;          /* gain^k */
+    float turn[4];        /* with a phase: cosine and sine of the angle, then of twice that. Simplex
+                             and cellular noise: how far features stray, in units of 2^-32 cells;
+                             what is subtracted from distances; rows of the lattice per unit of p_y;
+                             0. Other noise: 0. */
+    float jacobian[3][4]; /* [i][0] to [i][2]: row i of J_k where axes are turned (not in octave 0),
+                             else 0. [i][3]: component i of o_k. */
+    float gradient[3][4]; /* [i][0] to [i][2]: amplitude times that row. [0][3] and [1][3]: 1 / f_k
+                             and c_k of fractals that bend, else 0. [2][3]: 0. */
+};
+
+/* What the octaves of a noise share: 48 bytes. */
+struct scarp_gpu_level {
+    uint32_t basis, fade, fractal; /* the enumerators */
+    uint32_t octaves;              /* K */
+    uint32_t rotate;               /* 1: axes of all octaves but octave 0 are turned; else 0 */
+    uint32_t flows;                /* 1: there is a phase other than 0; else 0 */
+    uint32_t first; /* where its octaves begin: component i of a warp has K from first + i K on */
+    uint32_t spare0;
+    float erosion, sharpness; /* defaults filled in; sharpness: 0 for fractals that have none */
+    float inverse_weight;     /* 1 / a_0, within floats, of fractals that bend, else 0 */
+    float spare1;
+};
+
+/* The constants of a noise: 5376 bytes, so that three fit into the 16 KiB which every uniform
+   buffer may have. What is not used is 0. */
+struct scarp_gpu_plan {
+    uint32_t depth; /* how many warps: level[0] is the noise, level[1] its warp, level[2] that of
+                       the warp */
+    uint32_t dimensions;
+    uint32_t zero; /* 0, which compilers do not know: it keeps them from fusing */
+    float unit;    /* the power of two nearest 1 / (256 frequency), for scarp_gpu_answers */
+    struct scarp_gpu_level level[5];
+    struct scarp_gpu_octave octave[32];
+};
+
+#define SCARP_GPU_ANSWERS 4096
+
+/*
+ * scarp_gpu_plan - the constants of a noise, for shaders
+ *
+ * *plan is for shaders that sample the noise in 2 or 3 `dimensions`. The same noise gives the same
+ * bytes on every machine, but for their order in a word.
+ *
+ * A plan has 32 octaves in all: those of the noise, and of a warp `dimensions` times as many as it
+ * says. Noise with warps that need more is SCARP_ERROR_UNSUPPORTED, with "warp" as *member.
+ *
+ * Returns SCARP_ERROR_NULL if `noise` or `plan` is NULL; otherwise as scarp_noise_check, of which
+ * `member` is, too: it may be NULL. On an error *plan is left as it was.
+ */
+SCARP_API enum scarp_status scarp_gpu_plan(const struct scarp_noise *noise, int dimensions,
+                                           struct scarp_gpu_plan *plan, const char **member);
+
+/*
+ * scarp_gpu_answers - what a shader must answer, computed here: a test for the start of a program
+ *
+ * answer[i], for i < SCARP_GPU_ANSWERS, is a hash of the results at test point i: the value, and
+ * the derivatives up to `order`, which is 0, 1 or 2. It depends on all of their bits, but takes 0
+ * for results below 2^-120 in magnitude. scarp_answer2(plan, order, i), or scarp_answer3, in a
+ * shader gives the same number.
+ *
+ * Coordinates are multiples of plan.unit, from -2^19 of them to 2^19 - 1, so points lie some
+ * thousand cells around the origin. The call takes as long as sampling 4,096 points.
+ *
+ * Returns SCARP_ERROR_NULL if `noise` or `answer` is NULL; otherwise what scarp_gpu_plan returns;
+ * then SCARP_ERROR_PARAMETER for an `order` that does not exist, SCARP_ERROR_UNSUPPORTED for one
+ * that the noise, or a warp, does not have.
+ */
+SCARP_API enum scarp_status scarp_gpu_answers(const struct scarp_noise *noise, int dimensions,
+                                              int order, uint32_t *answer);
+
+/*
  * scarp_basis_name, scarp_fade_name, scarp_fractal_name - the enumerators as words
  *
  * "gradient", "value", "simplex", "cell-f1", "cell-f2", "cell-edge", "cell-soft", "cell-value";

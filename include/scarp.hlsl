@@ -365,15 +365,32 @@ float scarp_lattice_value(uint hash)
     return scarp_add(high, scarp_float_of_uint(hash & 0xffffu));
 }
 
-/* The cell `steps` further along an axis, within the period whose last cell is `last`. */
+/* The cells after and before one along an axis, within the period whose last cell is `last`. */
+uint scarp_cell_after(uint last, uint cell)
+{
+    return scarp_pick_uint(cell == last, 0u, cell + 1u);
+}
+
+uint scarp_cell_before(uint last, uint cell)
+{
+    return scarp_pick_uint(cell == 0u, last, cell - 1u);
+}
+
+/* The cell that is `steps` further, -2 to 2. */
 uint scarp_cell_beside(uint last, uint cell, int steps)
 {
     uint c = cell;
-    for (int i = 0; i < steps; i++) {
-        c = scarp_pick_uint(c == last, 0u, c + 1u);
+    if (steps > 0) {
+        c = scarp_cell_after(last, c);
     }
-    for (int i = 0; i > steps; i--) {
-        c = scarp_pick_uint(c == 0u, last, c - 1u);
+    if (steps > 1) {
+        c = scarp_cell_after(last, c);
+    }
+    if (steps < 0) {
+        c = scarp_cell_before(last, c);
+    }
+    if (steps < -1) {
+        c = scarp_cell_before(last, c);
     }
     return c;
 }
@@ -445,14 +462,14 @@ ScarpPlace scarp_place_of(ScarpOctave o, uint basis, bool turned, float3 x,
     at.cell.x = sx.cell;
     at.cell.y = sy.cell;
     at.cell.z = 0u;
-    at.next.x = scarp_cell_beside(o.last.x, sx.cell, 1);
-    at.next.y = scarp_cell_beside(o.last.y, sy.cell, 1);
+    at.next.x = scarp_cell_after(o.last.x, sx.cell);
+    at.next.y = scarp_cell_after(o.last.y, sy.cell);
     at.next.z = 0u;
     if (dimensions == 3) {
         ScarpSplit sz = scarp_split(p.z, o.last.z);
         at.t.z = sz.t;
         at.cell.z = sz.cell;
-        at.next.z = scarp_cell_beside(o.last.z, sz.cell, 1);
+        at.next.z = scarp_cell_after(o.last.z, sz.cell);
     }
     return at;
 }

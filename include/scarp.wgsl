@@ -309,14 +309,29 @@ fn scarp_lattice_value(hash: u32) -> f32 {
     return scarp_add(high, f32(hash & 0xffffu));
 }
 
-/* The cell `steps` further along an axis, within the period whose last cell is `last`. */
+/* The cells after and before one along an axis, within the period whose last cell is `last`. */
+fn scarp_cell_after(last: u32, cell: u32) -> u32 {
+    return select(cell + 1u, 0u, cell == last);
+}
+
+fn scarp_cell_before(last: u32, cell: u32) -> u32 {
+    return select(cell - 1u, last, cell == 0u);
+}
+
+/* The cell that is `steps` further, -2 to 2. */
 fn scarp_cell_beside(last: u32, cell: u32, steps: i32) -> u32 {
     var c: u32 = cell;
-    for (var i: i32 = 0; i < steps; i++) {
-        c = select(c + 1u, 0u, c == last);
+    if (steps > 0) {
+        c = scarp_cell_after(last, c);
     }
-    for (var i: i32 = 0; i > steps; i--) {
-        c = select(c - 1u, last, c == 0u);
+    if (steps > 1) {
+        c = scarp_cell_after(last, c);
+    }
+    if (steps < 0) {
+        c = scarp_cell_before(last, c);
+    }
+    if (steps < -1) {
+        c = scarp_cell_before(last, c);
     }
     return c;
 }
@@ -383,14 +398,14 @@ fn scarp_place_of(o: ScarpOctave, basis: u32, turned: bool, x: vec3f, dimensions
     at.cell.x = sx.cell;
     at.cell.y = sy.cell;
     at.cell.z = 0u;
-    at.next.x = scarp_cell_beside(o.last.x, sx.cell, 1);
-    at.next.y = scarp_cell_beside(o.last.y, sy.cell, 1);
+    at.next.x = scarp_cell_after(o.last.x, sx.cell);
+    at.next.y = scarp_cell_after(o.last.y, sy.cell);
     at.next.z = 0u;
     if (dimensions == 3) {
         let sz: ScarpSplit = scarp_split(p.z, o.last.z);
         at.t.z = sz.t;
         at.cell.z = sz.cell;
-        at.next.z = scarp_cell_beside(o.last.z, sz.cell, 1);
+        at.next.z = scarp_cell_after(o.last.z, sz.cell);
     }
     return at;
 }

@@ -105,6 +105,32 @@ struct scarp_call_plan {
     struct scarp_warps warps;
 };
 
+/* What an octave of a fractal that bends needs: 1 / f_k, its weight, the inverse of octave 0's, and
+   c_k (scarp.h, struct scarp_noise). */
+struct bend_octave {
+    float inverse, weight, inverse_weight, reach;
+};
+
+/* 1 / a_0, but finite where a_0 is so small that it is not. */
+static inline float inverse_of(float weight)
+{
+    const double inverse = 1.0 / (double)weight;
+    return (float)(inverse > FLT_MAX ? FLT_MAX : inverse < -FLT_MAX ? -FLT_MAX : inverse);
+}
+
+static inline struct bend_octave bend_octave_of(const struct scarp_call_plan *plan, int k)
+{
+    const struct scarp_octave *const o = &plan->octave[k];
+    const double f = plan->fractal == SCARP_SWISS ? plan->octave[0].frequency64 : o->frequency64;
+    const struct bend_octave b = {
+        .inverse = (float)(1.0 / o->frequency64),
+        .weight = o->weight,
+        .inverse_weight = inverse_of(plan->octave[0].weight),
+        .reach = (float)((double)plan->sharpness / f),
+    };
+    return b;
+}
+
 /* Makes the checks of scarp_noise_check, for all calls. Always writes *member. */
 enum scarp_status scarp_plan_check(const struct scarp_noise *noise, int dimensions,
                                    const char **member);

@@ -153,6 +153,24 @@ static __attribute__((noinline)) enum scarp_status range_in_mode(const struct mo
     return status;
 }
 
+/* What the library gives to shaders. */
+struct for_shaders {
+    struct scarp_gpu_plan plan;
+    uint32_t answer[SCARP_GPU_ANSWERS];
+};
+
+static __attribute__((noinline)) enum scarp_status gpu_in_mode(const struct mode *mode,
+                                                               const struct scarp_noise *noise,
+                                                               struct for_shaders *to,
+                                                               struct mode_control *after)
+{
+    const struct mode_control before = mode_enter(mode);
+    const enum scarp_status a = scarp_gpu_plan(noise, 3, &to->plan, NULL);
+    const enum scarp_status b = scarp_gpu_answers(noise, 3, 2, to->answer);
+    *after = mode_leave(before);
+    return a != SCARP_OK ? a : b;
+}
+
 static void expect_control(const struct mode *mode, const struct mode_control *after,
                            const char *what)
 {
@@ -234,6 +252,20 @@ static void test_flows(const struct mode *mode)
     }
 }
 
+/* Compares plans and answers for shaders in `mode` with those in the default mode. */
+static void test_shaders(const struct mode *mode)
+{
+    static struct for_shaders in_default, in_mode;
+    struct mode_control after;
+    for (int n = 0; n < NOISES; n += 3) {
+        const enum scarp_status a = gpu_in_mode(&mode_default, &noises[n], &in_default, &after);
+        const enum scarp_status b = gpu_in_mode(mode, &noises[n], &in_mode, &after);
+        CHECK(a == SCARP_OK && b == SCARP_OK, "%s, scarp_gpu_plan", mode->name);
+        expect_control(mode, &after, "scarp_gpu_plan");
+        CHECK(memcmp(&in_default, &in_mode, sizeof in_mode) == 0, "%s, scarp_gpu_plan", mode->name);
+    }
+}
+
 /* Bad parameters are refused without a trap. Denormal ones, which are too small, are refused too:
    they are not taken for 0, which means the default. */
 static void test_errors(const struct mode *mode)
@@ -307,6 +339,7 @@ int main(int argc, char **argv)
         }
         test_results(&start);
         test_flows(&start);
+        test_shaders(&start);
         test_errors(&start);
     }
     int modes = 0;
@@ -314,6 +347,7 @@ int main(int argc, char **argv)
         if (mode_works(&modes_all[i])) {
             test_results(&modes_all[i]);
             test_flows(&modes_all[i]);
+            test_shaders(&modes_all[i]);
             test_errors(&modes_all[i]);
             modes++;
         } else {

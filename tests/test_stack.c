@@ -28,7 +28,7 @@ static size_t stack_bytes(void)
 /* One call. */
 struct job {
     struct scarp_noise noise;
-    enum { NOTHING, POINTS, GRID, CHAIN, FLOW, OTHERS } kind;
+    enum { NOTHING, POINTS, GRID, CHAIN, FLOW, SHADER, OTHERS } kind;
     int order, dimensions;
     enum function function;
     enum chain chain;
@@ -79,6 +79,11 @@ static void *run(void *opaque)
         break;
     }
     case FLOW: job->status = flow_call(job); break;
+    case SHADER: {
+        static uint32_t answer[SCARP_GPU_ANSWERS];
+        job->status = scarp_gpu_answers(&job->noise, job->dimensions, job->order, answer);
+        break;
+    }
     case OTHERS:
         scarp_normals(job->count, job->in->f[0], job->in->f[1], 1.0f, out.value, out.dx, out.dy);
         scarp_range(&job->noise, 2, &lowest, &highest);
@@ -162,6 +167,18 @@ static void measure_grids(const struct guarded *stack, struct job *job, struct w
     }
 }
 
+/* The answers for shaders, which take room for points beside that of their samples. */
+static void measure_shaders(const struct guarded *stack, struct job *job, struct worst *worst)
+{
+    static struct scarp_gpu_plan plan;
+    job->kind = SHADER;
+    for (job->dimensions = 2; job->dimensions <= 3; job->dimensions++) {
+        if (scarp_gpu_plan(&job->noise, job->dimensions, &plan, NULL) == SCARP_OK) {
+            measure(stack, job, worst, "scarp_gpu_answers");
+        }
+    }
+}
+
 /* Noise with warps takes the most with those that bend, and with those that flow. */
 static void measure_warped(const struct guarded *stack, struct job *job, struct worst *worst)
 {
@@ -178,6 +195,7 @@ static void measure_warped(const struct guarded *stack, struct job *job, struct 
         job->order = noise_order(&job->noise);
         measure_points(stack, job, worst);
         measure_grids(stack, job, worst);
+        measure_shaders(stack, job, worst);
     }
 }
 
@@ -216,7 +234,7 @@ int main(int argc, char **argv)
     const struct guarded stack = guarded_make(stack_bytes());
     struct job job = {
         .kind = NOTHING, .dimensions = 2, .in = &in, .x = {f[0], f[1], f[2]}, .out = &out};
-    struct worst worst = {.nothing = touched(&stack, &job)}, flows = worst;
+    struct worst worst = {.nothing = touched(&stack, &job)}, flows = worst, shaders = worst;
     for (int i = 0; scarp_basis_name((enum scarp_basis)i) != NULL; i++) {
         /* Fractals do the same with all octaves. */
         const int fractals = i <= SCARP_VALUE ? count_names(fractal_name) : 1;
@@ -231,6 +249,7 @@ int main(int argc, char **argv)
                 if (job.order <= noise_order(&job.noise)) {
                     measure_points(&stack, &job, &worst);
                     measure_grids(&stack, &job, &worst);
+                    measure_shaders(&stack, &job, &shaders);
                 }
                 if (job.order < 2 || k < SCARP_EROSION) {
                     measure_flows(&stack, &job, &flows);
@@ -250,6 +269,7 @@ int main(int argc, char **argv)
     printf("%s: at most %zu bytes of stack: %s; a thread alone has %zu\n", argv[1], worst.bytes,
            worst.what, worst.nothing);
     printf("%s: at most %zu bytes: %s\n", argv[1], flows.bytes, flows.what);
+    printf("%s: at most %zu bytes: %s\n", argv[1], shaders.bytes, shaders.what);
     outputs_free(&out);
     return check_done();
 }

@@ -43,15 +43,32 @@ static inline float lattice_value(uint hash)
     return add(high, float_of_uint(hash & 0xffffu));
 }
 
-/* The cell `steps` further along an axis, within the period whose last cell is `last`. */
+/* The cells after and before one along an axis, within the period whose last cell is `last`. */
+static inline uint cell_after(uint last, uint cell)
+{
+    return pick_uint(cell == last, 0u, cell + 1u);
+}
+
+static inline uint cell_before(uint last, uint cell)
+{
+    return pick_uint(cell == 0u, last, cell - 1u);
+}
+
+/* The cell that is `steps` further, -2 to 2. */
 static inline uint cell_beside(uint last, uint cell, int steps)
 {
     uint c = cell;
-    for (int i = 0; i < steps; i++) {
-        c = pick_uint(c == last, 0u, c + 1u);
+    if (steps > 0) {
+        c = cell_after(last, c);
     }
-    for (int i = 0; i > steps; i--) {
-        c = pick_uint(c == 0u, last, c - 1u);
+    if (steps > 1) {
+        c = cell_after(last, c);
+    }
+    if (steps < 0) {
+        c = cell_before(last, c);
+    }
+    if (steps < -1) {
+        c = cell_before(last, c);
     }
     return c;
 }
@@ -123,14 +140,14 @@ static inline struct place place_of(struct octave o, uint basis, bool turned, ve
     at.cell.x = sx.cell;
     at.cell.y = sy.cell;
     at.cell.z = 0u;
-    at.next.x = cell_beside(o.last.x, sx.cell, 1);
-    at.next.y = cell_beside(o.last.y, sy.cell, 1);
+    at.next.x = cell_after(o.last.x, sx.cell);
+    at.next.y = cell_after(o.last.y, sy.cell);
     at.next.z = 0u;
     if (dimensions == 3) {
         const struct split sz = split(p.z, o.last.z);
         at.t.z = sz.t;
         at.cell.z = sz.cell;
-        at.next.z = cell_beside(o.last.z, sz.cell, 1);
+        at.next.z = cell_after(o.last.z, sz.cell);
     }
     return at;
 }

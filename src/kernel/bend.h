@@ -8,8 +8,6 @@
 #ifndef SCARP_KERNEL_BEND_H
 #define SCARP_KERNEL_BEND_H
 
-#include <float.h>
-
 #include "chunk.h"
 
 /* A matrix by columns; z is unset in 2D. */
@@ -85,13 +83,13 @@ VEC_INLINE void bend_store(vf *to, const struct bend *b, struct variant v)
     }
 }
 
-/* What a pass needs: the octave's noise, with one order more than is asked for, and numbers as in
-   scalar/bend.h. */
+/* What a pass needs: the octave's noise, with one order more than is asked for, and its numbers. */
 struct bending {
     const struct scarp_outputs *noise;
     vf *state;
     size_t blocks;
-    float inverse, weight, inverse_weight, reach, erosion;
+    struct bend_octave octave;
+    float erosion;
     int is_first;
 };
 
@@ -152,7 +150,7 @@ VEC_INLINE void add_slope(struct bend *b, const struct bending *at, const struct
                           vf product, struct vector by, struct variant v)
 {
     const int d = v.dimensions;
-    const vf inverse = vf_set(at->inverse), reach = vf_set(at->reach);
+    const vf inverse = vf_set(at->octave.inverse), reach = vf_set(at->octave.reach);
     const struct vector slope = vector_times(gradient_of(n, d), inverse, d);
     if (v.order > 0) {
         /* rows of H A / f: by symmetry their components are its columns, too */
@@ -198,8 +196,8 @@ VEC_INLINE vf swiss_along(vf *sum, const struct bending *at, const struct bend *
     const vf rest = 1.0f - with_sign(n, sign);
     const vu below = (vu)(rest < zero);
     const vf w = either(below, zero, rest), wj = either(below, zero, with_sign(nj, sign));
-    const vf share = vf_set(at->weight * at->inverse_weight);
-    *sum += vf_set(at->weight) * (w * uj - b->left * wj);
+    const vf share = vf_set(at->octave.weight * at->octave.inverse_weight);
+    *sum += vf_set(at->octave.weight) * (w * uj - b->left * wj);
     return -share * (uj * n + b->left * nj);
 }
 
@@ -212,8 +210,8 @@ VEC_INLINE vf left_along(vu less, vf sum, vf sum_j, vf u, vf uj, vf inverse_weig
 VEC_INLINE void swiss(struct bend *b, const struct bending *at, const struct sample *n,
                       struct vector nx, struct variant v)
 {
-    const vf zero = vf_set(0.0f), u = b->left, inverse_weight = vf_set(at->inverse_weight);
-    const vf share = vf_set(at->weight * at->inverse_weight);
+    const vf zero = vf_set(0.0f), u = b->left, inverse_weight = vf_set(at->octave.inverse_weight);
+    const vf share = vf_set(at->octave.weight * at->octave.inverse_weight);
     const vf rest = 1.0f - with_sign(n->value, sign_of(n->value));
     const vf w = either((vu)(rest < zero), zero, rest);
     struct vector by = nx;
@@ -224,7 +222,7 @@ VEC_INLINE void swiss(struct bend *b, const struct bending *at, const struct sam
             by.z = swiss_along(&b->sum.dz, at, b, n->value, nx.z, b->left_by.z);
         }
     }
-    b->sum.value += vf_set(at->weight) * (u * w);
+    b->sum.value += vf_set(at->octave.weight) * (u * w);
     add_slope(b, at, n, -share * (u * n->value), by, v);
     const vf sum = b->sum.value * inverse_weight;
     const vu less = (vu)(sum < vf_set(1.0f));
@@ -242,7 +240,7 @@ VEC_INLINE void swiss(struct bend *b, const struct bending *at, const struct sam
 VEC_INLINE void jordan(struct bend *b, const struct bending *at, const struct sample *n,
                        struct vector nx, struct variant v)
 {
-    const vf square = n->value * n->value, weight = vf_set(at->weight);
+    const vf square = n->value * n->value, weight = vf_set(at->octave.weight);
     const vf p = 1.0f / (1.0f + dot(b->s, b->s, v.dimensions));
     const vf q = at->is_first ? vf_set(1.0f) : 1.0f - vf_set(at->erosion) * p;
     const vf damping = at->is_first ? vf_set(0.0f) : vf_set(2.0f * at->erosion) * (p * p) * square;
@@ -270,7 +268,7 @@ VEC_INLINE void bend_run(const struct bending *at, enum scarp_fractal fractal, s
         const struct sample n = sample_at(numbers.noise, i * VEC_LANES, noise);
         struct vector nx = gradient_of(&n, v.dimensions); /* by x, where it is needed */
         if (v.order > 0) {
-            nx = bent_vector(&b, nx, vf_set(numbers.reach), v.dimensions);
+            nx = bent_vector(&b, nx, vf_set(numbers.octave.reach), v.dimensions);
         }
         if (fractal == SCARP_SWISS) {
             swiss(&b, &numbers, &n, nx, v);
@@ -313,7 +311,7 @@ static void bend_positions(const struct chunked *w, const struct bending *at, in
     for (int i = 0; i < w->f.dimensions; i++) {
         const vf *from = at->state + s + i;
         for (size_t b = 0; b < at->blocks; b++, from += size) {
-            displace(w, i, b * VEC_LANES, vf_set(at->reach) * *from);
+            displace(w, i, b * VEC_LANES, vf_set(at->octave.reach) * *from);
         }
     }
 }
@@ -336,13 +334,6 @@ static void points_within(const struct scarp_call_plan *plan, size_t count,
                           const void *const position[3], const struct scarp_outputs *out,
                           struct frame f, struct workspace work);
 
-/* 1 / a_0, held within floats. */
-static float inverse_weight(float weight)
-{
-    const double inverse = 1.0 / (double)weight;
-    return (float)(inverse > FLT_MAX ? FLT_MAX : inverse < -FLT_MAX ? -FLT_MAX : inverse);
-}
-
 /* Adds up the octaves at a chunk. */
 static void bend_chunk(struct chunked *w, const struct scarp_call_plan *plan,
                        const struct chunk *chunk, struct bending *at)
@@ -350,27 +341,21 @@ static void bend_chunk(struct chunked *w, const struct scarp_call_plan *plan,
     const void *const bent[3] = {w->position[0], w->position[1], w->position[2]};
     bend_pass *const pass =
         bend_passes[plan->fractal == SCARP_JORDAN][w->f.dimensions - 2][plan->order];
-    const struct scarp_octave *const first = &plan->octave[0];
     struct scarp_call_plan one = *plan;
     one.fractal = SCARP_FBM;
     one.order++;
     one.octaves = 1;
     at->blocks = whole_blocks(chunk_count(chunk)) / VEC_LANES;
-    at->inverse_weight = inverse_weight(first->weight);
     bend_begin(at, w->f.dimensions, plan->order);
     find_input(w, chunk);
     for (int k = 0; k < plan->octaves; k++) {
-        const struct scarp_octave *const o = &plan->octave[k];
-        const double f = plan->fractal == SCARP_SWISS ? first->frequency64 : o->frequency64;
-        at->inverse = (float)(1.0 / o->frequency64);
-        at->weight = o->weight;
-        at->reach = (float)((double)plan->sharpness / f);
+        at->octave = bend_octave_of(plan, k);
         at->is_first = k == 0;
         if (k > 0) {
             find_input(w, chunk);
             bend_positions(w, at, plan->order);
         }
-        one.octave = o;
+        one.octave = &plan->octave[k];
         one.first = k;
         points_within(&one, at->blocks * VEC_LANES, k > 0 ? bent : w->input, at->noise, w->f,
                       w->passes);

@@ -6,8 +6,6 @@
 #ifndef SCARP_SCALAR_BEND_H
 #define SCARP_SCALAR_BEND_H
 
-#include <float.h>
-
 #include "driver.h"
 
 /* What goes from octave to octave: the sum of slopes s with jacobian[m][j] = d s_m / d x_j; how
@@ -17,31 +15,6 @@ struct bend {
     float left, left_by[3];
     struct sample sum;
 };
-
-/* What an octave needs: 1 / f_k, its weight and the inverse of octave 0's, and the w before it. */
-struct bend_octave {
-    float inverse, weight, inverse_weight, reach;
-};
-
-/* 1 / a_0, but finite where a_0 is so small that it is not. */
-static float inverse_of(float weight)
-{
-    const double inverse = 1.0 / (double)weight;
-    return (float)(inverse > FLT_MAX ? FLT_MAX : inverse < -FLT_MAX ? -FLT_MAX : inverse);
-}
-
-static struct bend_octave bend_octave_of(const struct scarp_call_plan *plan, int k)
-{
-    const struct scarp_octave *const o = &plan->octave[k];
-    const double f = plan->fractal == SCARP_SWISS ? plan->octave[0].frequency64 : o->frequency64;
-    const struct bend_octave b = {
-        .inverse = (float)(1.0 / o->frequency64),
-        .weight = o->weight,
-        .inverse_weight = inverse_of(plan->octave[0].weight),
-        .reach = (float)((double)plan->sharpness / f),
-    };
-    return b;
-}
 
 /* Bends x. */
 static struct point bent(const struct point *x, const struct bend *bend, float reach,

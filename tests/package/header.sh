@@ -21,6 +21,7 @@ SAME(plan_offset, offsetof(struct scarp_noise, plan), 80 + sizeof(void *));
 SAME(plan_size, sizeof(struct scarp_plan), 12288);
 SAME(samples_size, sizeof(struct scarp_samples), 16 * sizeof(float *));
 SAME(grid_size, sizeof(struct scarp_grid), 192);
+SAME(gpu_plan_size, sizeof(struct scarp_gpu_plan), 5376);
 EOF
 }
 

@@ -1,0 +1,248 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The public functions that serve shaders: the constants of a noise as a uniform buffer, and the
+ * answers that a shader must give.
+ */
+#include "fpmode.h"
+#include "kept.h"
+#include "outputs.h"
+#include "plan.h"
+#include "scalar/lattice.h"
+#include "scarp.h"
+
+#define NOINLINE __attribute__((noinline))
+#define AT(type, member, bytes) (offsetof(struct scarp_gpu_##type, member) == (bytes))
+
+/* The layout is that of std140, and the shaders declare it once more. */
+_Static_assert(AT(octave, frequency, 12) && AT(octave, weight, 16) && AT(octave, last, 32) &&
+                   AT(octave, turn, 48) && AT(octave, jacobian, 64) && AT(octave, gradient, 112) &&
+                   sizeof(struct scarp_gpu_octave) == 160,
+               "struct scarp_gpu_octave has 10 vectors of 16 bytes");
+_Static_assert(AT(level, rotate, 16) && AT(level, erosion, 32) &&
+                   sizeof(struct scarp_gpu_level) == 48,
+               "struct scarp_gpu_level has 3 vectors of 16 bytes");
+_Static_assert(AT(plan, level, 16) && AT(plan, octave, 256) &&
+                   sizeof(struct scarp_gpu_plan) == 5376,
+               "struct scarp_gpu_plan has 336 vectors of 16 bytes");
+_Static_assert(sizeof((struct scarp_gpu_plan *)0)->level / sizeof(struct scarp_gpu_level) ==
+                       1 + SCARP_MAX_WARPS &&
+                   sizeof((struct scarp_gpu_plan *)0)->octave / sizeof(struct scarp_gpu_octave) ==
+                       SCARP_MAX_OCTAVES,
+               "there is room for all levels, and for as many octaves as a plan has");
+
+/* What depends on the basis: the turn of gradients that flow, or the numbers of bases that take
+   places. */
+static void set_turn(float turn[4], const struct scarp_call_plan *plan,
+                     const struct scarp_octave *o)
+{
+    if (!blends_corners(plan->basis)) {
+        turn[0] = o->jitter;
+        turn[1] = o->middle;
+        turn[2] = (float)o->stretch;
+    } else if (plan->flows) {
+        memcpy(turn, o->turn, sizeof o->turn);
+    }
+}
+
+/* Writes octave k over zeros. */
+static void set_octave(struct scarp_gpu_octave *to, const struct scarp_call_plan *plan, int k,
+                       int dimensions)
+{
+    const struct scarp_octave *const o = &plan->octave[k];
+    memcpy(to->key, o->key, sizeof to->key);
+    to->frequency = o->frequency;
+    to->weight = o->weight;
+    to->amplitude = o->amplitude;
+    to->slope = o->slope;
+    to->curvature = o->curvature;
+    to->last[2] = UINT32_MAX; /* in 2D, too */
+    to->share = o->share;
+    set_turn(to->turn, plan, o);
+    for (int i = 0; i < dimensions; i++) {
+        to->last[i] = o->last[i];
+        to->jacobian[i][3] = (float)o->offset[i];
+        for (int j = 0; plan->rotate && k > 0 && j < dimensions; j++) {
+            to->jacobian[i][j] = o->jacobian[i][j];
+            to->gradient[i][j] = o->gradient[i][j];
+        }
+    }
+    if (fractal_bends(plan->fractal)) {
+        const struct bend_octave bend = bend_octave_of(plan, k);
+        to->gradient[0][3] = bend.inverse;
+        to->gradient[1][3] = bend.reach;
+    }
+}
+
+/* Writes what the components of a level share over zeros. */
+static void set_level(struct scarp_gpu_level *to, const struct scarp_call_plan *plan, int first)
+{
+    to->basis = plan->basis;
+    to->fade = plan->fade;
+    to->fractal = plan->fractal;
+    to->octaves = (uint32_t)plan->octaves;
+    to->rotate = plan->rotate != 0;
+    to->flows = plan->flows != 0;
+    to->first = (uint32_t)first;
+    to->erosion = plan->erosion;
+    to->sharpness = plan->sharpness;
+    if (fractal_bends(plan->fractal)) {
+        to->inverse_weight = bend_octave_of(plan, 0).inverse_weight;
+    }
+}
+
+/* The power of two nearest 1 / (256 frequency). */
+static float unit_of(double frequency)
+{
+    const double exact = 0x1p-8 / frequency;
+    uint64_t bits;
+    double power;
+    memcpy(&bits, &exact, sizeof bits);
+    bits = (bits + (UINT64_C(1) << 51)) & ~((UINT64_C(1) << 52) - 1);
+    memcpy(&power, &bits, sizeof power);
+    return (float)power;
+}
+
+static void set_plan(struct scarp_gpu_plan *to, const struct scarp_call_plan *plan, int dimensions)
+{
+    const struct scarp_kind values = {.dimensions = dimensions};
+    const int depth = plan->warps.depth;
+    int count = 0;
+    memset(to, 0, sizeof *to);
+    to->depth = (uint32_t)depth;
+    to->dimensions = (uint32_t)dimensions;
+    for (int level = 0; level <= depth; level++) {
+        struct scarp_call_plan component = *plan;
+        for (int i = 0; i < (level == 0 ? 1 : dimensions); i++) {
+            if (depth > 0) {
+                scarp_plan_level(&component, &plan->warps, values, level, i);
+            }
+            if (i == 0) {
+                set_level(&to->level[level], &component, count);
+            }
+            to->unit = level == 0 ? unit_of(component.octave[0].frequency64) : to->unit;
+            for (int k = 0; k < component.octaves; k++) {
+                set_octave(&to->octave[count++], &component, k, dimensions);
+            }
+        }
+    }
+}
+
+/* Makes the plan, whose octaves need some KiB of stack. It is out of line, so that none of its
+   arithmetic can be moved across the change of floating-point mode. */
+static NOINLINE enum scarp_status make(struct scarp_gpu_plan *to, const struct scarp_noise *noise,
+                                       int dimensions, const char **member)
+{
+    const struct scarp_kind values = {.dimensions = dimensions};
+    struct scarp_call_plan plan;
+    struct scarp_octave space[SCARP_MAX_OCTAVES];
+    enum scarp_status status = scarp_plan_check(noise, dimensions, member);
+    if (status != SCARP_OK || (status = scarp_plan_call(&plan, space, noise, values)) != SCARP_OK) {
+        return status;
+    }
+    if (plan.warps.depth > 0 && !plan.warps.has_all) {
+        *member = "warp";
+        return SCARP_ERROR_UNSUPPORTED;
+    }
+    set_plan(to, &plan, dimensions);
+    return SCARP_OK;
+}
+
+enum scarp_status scarp_gpu_plan(const struct scarp_noise *noise, int dimensions,
+                                 struct scarp_gpu_plan *plan, const char **member)
+{
+    const char *found = NULL;
+    enum scarp_status status = SCARP_ERROR_NULL;
+    if (noise != NULL && plan != NULL) {
+        const struct fpmode caller = fpmode_enter();
+        status = make(plan, noise, dimensions, &found);
+        fpmode_leave(caller);
+    }
+    if (member != NULL) {
+        *member = found;
+    }
+    return status;
+}
+
+/* Finds the unit, with the same checks. */
+static NOINLINE enum scarp_status find_unit(float *unit, const struct scarp_noise *noise,
+                                            int dimensions)
+{
+    struct scarp_gpu_plan plan;
+    const char *member;
+    const enum scarp_status status = make(&plan, noise, dimensions, &member);
+    *unit = status == SCARP_OK ? plan.unit : 0.0f;
+    return status;
+}
+
+/* A coordinate of a test point. Every operation is exact, whatever the floating-point mode. */
+static float coordinate(uint32_t point, uint32_t axis, float unit)
+{
+    static const uint32_t key[3] = {0, 0, 0};
+    const int32_t c = (int32_t)(hash2(key, point, axis) >> 12) - 524288;
+    return (float)c * unit;
+}
+
+/* The hash, with one output more. */
+static uint32_t joined(uint32_t hash, float output)
+{
+    uint32_t bits;
+    memcpy(&bits, &output, sizeof bits);
+    bits = (bits & 0x7fffffffu) < 0x03800000u ? 0 : bits; /* 2^-120 */
+    return ((hash << 5 | hash >> 27) ^ bits) * 0x9e3779b9u;
+}
+
+/* The arrays of `out` in the order of struct scarp_samples, which scarp.c has an assertion for. */
+static struct scarp_outputs *list_of(struct scarp_samples *out)
+{
+    return (struct scarp_outputs *)out;
+}
+
+#define CHUNK 64 /* points of a call. With more of them, the stack would be too large. */
+
+/* Answers for a chunk of test points. Outputs take the place of the coordinates. */
+static NOINLINE enum scarp_status answer_chunk(uint32_t answer[CHUNK],
+                                               const struct scarp_noise *noise, int dimensions,
+                                               int order, uint32_t first, float unit)
+{
+    const unsigned along_z = 1u << DZ | 1u << DXZ | 1u << DYZ | 1u << DZZ;
+    const unsigned absent = dimensions == 2 ? along_z : 0;
+    float array[DPHASE][CHUNK];
+    struct scarp_samples out = {0};
+    for (uint32_t i = 0; i < CHUNK; i++) {
+        for (int axis = 0; axis < 3; axis++) {
+            array[axis][i] = coordinate(first + i, (uint32_t)axis, unit);
+        }
+    }
+    for (int i = 0; i < OUTPUTS_UP_TO(order); i++) {
+        list_of(&out)->array[i] = (absent >> i & 1) == 0 ? array[i] : NULL;
+    }
+    const enum scarp_status status =
+        dimensions == 2 ? scarp_sample2(noise, CHUNK, array[0], array[1], &out)
+                        : scarp_sample3(noise, CHUNK, array[0], array[1], array[2], &out);
+    for (int i = 0; status == SCARP_OK && i < CHUNK; i++) {
+        answer[i] = 0;
+        for (int j = 0; j < OUTPUTS_UP_TO(order); j++) {
+            answer[i] = (absent >> j & 1) == 0 ? joined(answer[i], array[j][i]) : answer[i];
+        }
+    }
+    return status;
+}
+
+enum scarp_status scarp_gpu_answers(const struct scarp_noise *noise, int dimensions, int order,
+                                    uint32_t *answer)
+{
+    if (noise == NULL || answer == NULL) {
+        return SCARP_ERROR_NULL;
+    }
+    float unit;
+    const struct fpmode caller = fpmode_enter();
+    enum scarp_status status = find_unit(&unit, noise, dimensions);
+    fpmode_leave(caller);
+    if (status == SCARP_OK && (order < 0 || order > 2)) {
+        status = SCARP_ERROR_PARAMETER;
+    }
+    for (uint32_t i = 0; status == SCARP_OK && i < SCARP_GPU_ANSWERS; i += CHUNK) {
+        status = answer_chunk(answer + i, noise, dimensions, order, i, unit);
+    }
+    return status;
+}

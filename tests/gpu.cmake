@@ -1,0 +1,17 @@
+# SPDX-License-Identifier: MIT
+# Tests the noise of shaders: what the library gives to them.
+
+scarp_test_program(test_gpu_plan INTERNAL)
+scarp_add_test(gpu.plan gpu test_gpu_plan)
+scarp_test_program(test_gpu_answers)
+scarp_add_isa_tests(gpu.answers gpu test_gpu_answers)
+
+# The source of the shaders as C, and whether the files made of it are current.
+scarp_test_program(test_gpu_source)
+if(speed STREQUAL "full")
+  scarp_add_test(gpu.source gpu test_gpu_source)
+else()
+  scarp_add_test(gpu.source gpu test_gpu_source few)
+endif()
+scarp_add_test(gpu.shaders gpu NEEDS python3 COMMAND
+               ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/src/gpu/shaders.py --check)
