@@ -17,13 +17,15 @@ find_package(Python3 COMPONENTS Interpreter QUIET)
 set(THREADS_PREFER_PTHREAD_FLAG ON)
 find_package(Threads QUIET)
 find_program(SCARP_BASH NAMES bash)
+find_program(SCARP_GLSLANG NAMES glslangValidator glslang)
 find_program(SCARP_GROFF NAMES groff)
 find_program(SCARP_PKG_CONFIG NAMES pkg-config pkgconf)
 find_program(SCARP_SH NAMES sh)
+find_program(SCARP_SPIRV_DIS NAMES spirv-dis)
 find_program(SCARP_STRACE NAMES strace)
 find_program(SCARP_VALGRIND NAMES valgrind)
-mark_as_advanced(SCARP_BASH SCARP_GROFF SCARP_PKG_CONFIG SCARP_SH SCARP_STRACE
-                 SCARP_VALGRIND)
+mark_as_advanced(SCARP_BASH SCARP_GLSLANG SCARP_GROFF SCARP_PKG_CONFIG SCARP_SH SCARP_SPIRV_DIS
+                 SCARP_STRACE SCARP_VALGRIND)
 
 # The C++ compiler that belongs to the C compiler: g++-12 to gcc-12, aarch64-linux-gnu-g++ to
 # aarch64-linux-gnu-gcc. Its headers may be missing.
@@ -54,6 +56,28 @@ function(scarp_find_cxx)
 endfunction()
 scarp_find_cxx()
 
+# Whether there is a Vulkan device: its driver may be missing where the library is not. Drivers are
+# not for programs with instruments in them, nor for emulators.
+function(scarp_find_vulkan)
+  find_package(Vulkan QUIET)
+  set(works OFF)
+  if(Vulkan_FOUND AND NOT CMAKE_CROSSCOMPILING AND NOT CMAKE_CROSSCOMPILING_EMULATOR
+     AND NOT CMAKE_C_FLAGS MATCHES "-fsanitize")
+    set(CMAKE_C_STANDARD 11)
+    set(CMAKE_TRY_COMPILE_CONFIGURATION Release)
+    try_run(status compiled ${CMAKE_CURRENT_BINARY_DIR}/probe
+            ${CMAKE_CURRENT_SOURCE_DIR}/gpu/probe.c LINK_LIBRARIES Vulkan::Vulkan)
+    if(compiled AND status EQUAL 0)
+      set(works ON)
+    else()
+      unset(status CACHE) # it may come
+      unset(compiled CACHE)
+    endif()
+  endif()
+  set(vulkan_works ${works} PARENT_SCOPE)
+endfunction()
+scarp_find_vulkan()
+
 # Whether the library is optimised, and has no instruments in it.
 set(optimised OFF)
 if(SCARP_OPTIMIZE AND NOT CMAKE_C_FLAGS MATCHES "-fsanitize")
@@ -63,6 +87,7 @@ endif()
 scarp_tool(bash SCARP_BASH)
 scarp_tool(c++ cxx_works)
 scarp_tool(full-speed speed STREQUAL "full")
+scarp_tool(glslang SCARP_GLSLANG)
 scarp_tool(groff SCARP_GROFF)
 scarp_tool(linux CMAKE_SYSTEM_NAME STREQUAL "Linux")
 scarp_tool(nm CMAKE_NM)
@@ -76,8 +101,10 @@ scarp_tool(scarp TARGET scarp-cli)
 scarp_tool(scarp-bench TARGET scarp-bench)
 scarp_tool(scarp-install SCARP_INSTALL)
 scarp_tool(sh SCARP_SH)
+scarp_tool(spirv-tools SCARP_SPIRV_DIS)
 scarp_tool(strace SCARP_STRACE)
 scarp_tool(valgrind SCARP_VALGRIND)
+scarp_tool(vulkan vulkan_works)
 
 add_executable(test_skip test_skip.c) # without the library: it says nothing about it
 scarp_compile_rules(test_skip)

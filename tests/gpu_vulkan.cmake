@@ -1,0 +1,70 @@
+# SPDX-License-Identifier: MIT
+# The shaders give the bits of the library on a Vulkan device. GLSL and HLSL are compiled to SPIR-V
+# with the project, since the installed files must compile.
+
+set(gpu_points 4099)
+if(SCARP_TEST_THOROUGHLY)
+  set(gpu_points 40003)
+endif()
+set(gpu_dir ${CMAKE_CURRENT_SOURCE_DIR}/gpu)
+set(gpu_shaders ${CMAKE_CURRENT_BINARY_DIR}/gpu)
+file(MAKE_DIRECTORY ${gpu_shaders})
+
+# scarp_gpu_shader(NAME SOURCE LANGUAGE options...): gpu/NAME-2d.spv and gpu/NAME-3d.spv, or
+# gpu/NAME-2d-rounded.spv and so on if the options have -DROUNDED
+function(scarp_gpu_shader name source language)
+  set(ending .spv)
+  if("-DROUNDED" IN_LIST ARGN)
+    set(ending -rounded.spv)
+  endif()
+  foreach(d 2 3)
+    set(output ${gpu_shaders}/${name}-${d}d${ending})
+    add_custom_command(OUTPUT ${output}
+      COMMAND ${SCARP_GLSLANG} --quiet -V -S comp ${ARGN} -DDIMENSIONS=${d}
+              -I${PROJECT_SOURCE_DIR}/include -o ${output} ${gpu_dir}/${source}
+      DEPENDS ${gpu_dir}/${source} ${PROJECT_SOURCE_DIR}/include/scarp.${language}
+      COMMENT "Compiling gpu/${name}-${d}d${ending}"
+      VERBATIM)
+    set_property(GLOBAL APPEND PROPERTY gpu_files ${output})
+  endforeach()
+endfunction()
+
+if(SCARP_GLSLANG)
+  scarp_gpu_shader(glsl main.comp glsl)
+  scarp_gpu_shader(glsl main.comp glsl -DROUNDED)
+  scarp_gpu_shader(glsl-fused main.comp glsl -DSCARP_FUSE)
+  scarp_gpu_shader(hlsl main.hlsl hlsl -D -e main)
+  scarp_gpu_shader(hlsl-fused main.hlsl hlsl -D -e main -DSCARP_FUSE)
+  get_property(gpu_files GLOBAL PROPERTY gpu_files)
+  add_custom_target(gpu_shaders ALL DEPENDS ${gpu_files})
+endif()
+
+# Of every shader the driver gets to see: nothing may be fused, but for the control.
+foreach(language glsl hlsl)
+  set(contraction ${Python3_EXECUTABLE} ${gpu_dir}/contraction.py)
+  set(name ${gpu_shaders}/${language})
+  scarp_add_test(gpu.contraction.${language} gpu NEEDS glslang python3 spirv-tools
+                 COMMAND ${contraction} ${SCARP_SPIRV_DIS} ${name}-2d.spv ${name}-3d.spv)
+  scarp_add_test(gpu.contraction.${language}.control gpu NEEDS glslang python3 spirv-tools
+                 COMMAND ${contraction} --must-find ${SCARP_SPIRV_DIS} ${name}-fused-2d.spv
+                 ${name}-fused-3d.spv)
+endforeach()
+
+if("vulkan" IN_LIST scarp_found)
+  add_executable(gpu_vulkan gpu/vulkan.c)
+  scarp_compile_rules(gpu_vulkan)
+  target_link_libraries(gpu_vulkan PRIVATE scarp Vulkan::Vulkan ${SCARP_LIBM})
+endif()
+
+# scarp_add_gpu_test(NAME argument...): what the driver keeps of compiled shaders stays here
+function(scarp_add_gpu_test name)
+  scarp_add_test(${name} gpu NEEDS glslang vulkan COMMAND gpu_vulkan ${ARGN})
+  set_tests_properties(${name} PROPERTIES
+                       ENVIRONMENT MESA_SHADER_CACHE_DIR=${gpu_shaders}/cache)
+endfunction()
+
+scarp_add_gpu_test(gpu.glsl ${gpu_shaders}/glsl ${gpu_points} hessian)
+scarp_add_gpu_test(gpu.glsl.value ${gpu_shaders}/glsl ${gpu_points} value)
+scarp_add_gpu_test(gpu.hlsl ${gpu_shaders}/hlsl ${gpu_points} hessian)
+scarp_add_gpu_test(gpu.glsl.answers ${gpu_shaders}/glsl ${gpu_points} answers)
+scarp_add_gpu_test(gpu.control --must-differ ${gpu_shaders}/glsl-fused ${gpu_points} hessian)
