@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Installs the header, the library, and what find_package(scarp) and pkg-config need. (The program
+# Installs the header and the shaders, the library, and what find_package(scarp) and pkg-config need. (The program
 # installs itself: src/cli.) Nothing installed names a directory of the build: the prefix may be
 # moved, unless the user chose absolute directories.
 
@@ -9,7 +9,8 @@ install(TARGETS scarp EXPORT scarp
   RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR}
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
-install(FILES include/scarp.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(FILES include/scarp.h include/scarp.glsl include/scarp.hlsl include/scarp.wgsl
+  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 
 # find_package(scarp). While the major version is 0, every minor version may change the interface.
 if(PROJECT_VERSION_MAJOR EQUAL 0)

@@ -35,6 +35,13 @@ if(SCARP_GLSLANG)
   scarp_gpu_shader(glsl-fused main.comp glsl -DSCARP_FUSE)
   scarp_gpu_shader(hlsl main.hlsl hlsl -D -e main)
   scarp_gpu_shader(hlsl-fused main.hlsl hlsl -D -e main -DSCARP_FUSE)
+  add_custom_command(OUTPUT ${gpu_shaders}/picture.spv
+    COMMAND ${SCARP_GLSLANG} --quiet -V -I${PROJECT_SOURCE_DIR}/include
+            -o ${gpu_shaders}/picture.spv ${gpu_dir}/picture.comp
+    DEPENDS ${gpu_dir}/picture.comp ${PROJECT_SOURCE_DIR}/include/scarp.glsl
+    COMMENT "Compiling gpu/picture.spv"
+    VERBATIM)
+  set_property(GLOBAL APPEND PROPERTY gpu_files ${gpu_shaders}/picture.spv)
   get_property(gpu_files GLOBAL PROPERTY gpu_files)
   add_custom_target(gpu_shaders ALL DEPENDS ${gpu_files})
 endif()
@@ -43,28 +50,36 @@ endif()
 foreach(language glsl hlsl)
   set(contraction ${Python3_EXECUTABLE} ${gpu_dir}/contraction.py)
   set(name ${gpu_shaders}/${language})
-  scarp_add_test(gpu.contraction.${language} gpu NEEDS glslang python3 spirv-tools
+  scarp_add_test(gpu.contraction.${language} shader NEEDS glslang python3 spirv-tools
                  COMMAND ${contraction} ${SCARP_SPIRV_DIS} ${name}-2d.spv ${name}-3d.spv)
-  scarp_add_test(gpu.contraction.${language}.control gpu NEEDS glslang python3 spirv-tools
+  scarp_add_test(gpu.contraction.${language}.control shader NEEDS glslang python3 spirv-tools
                  COMMAND ${contraction} --must-find ${SCARP_SPIRV_DIS} ${name}-fused-2d.spv
                  ${name}-fused-3d.spv)
 endforeach()
 
 if("vulkan" IN_LIST scarp_found)
-  add_executable(gpu_vulkan gpu/vulkan.c)
-  scarp_compile_rules(gpu_vulkan)
-  target_link_libraries(gpu_vulkan PRIVATE scarp Vulkan::Vulkan ${SCARP_LIBM})
+  foreach(program vulkan picture)
+    add_executable(gpu_${program} gpu/${program}.c)
+    scarp_compile_rules(gpu_${program})
+    target_link_libraries(gpu_${program} PRIVATE scarp Vulkan::Vulkan ${SCARP_LIBM})
+  endforeach()
 endif()
 
-# scarp_add_gpu_test(NAME argument...): what the driver keeps of compiled shaders stays here
+# scarp_add_gpu_test(NAME COMMAND argument...): what the driver keeps of compiled shaders stays here
 function(scarp_add_gpu_test name)
-  scarp_add_test(${name} gpu NEEDS glslang vulkan COMMAND gpu_vulkan ${ARGN})
+  scarp_add_test(${name} shader NEEDS glslang vulkan COMMAND ${ARGN})
   set_tests_properties(${name} PROPERTIES
                        ENVIRONMENT MESA_SHADER_CACHE_DIR=${gpu_shaders}/cache)
 endfunction()
 
-scarp_add_gpu_test(gpu.glsl ${gpu_shaders}/glsl ${gpu_points} hessian)
-scarp_add_gpu_test(gpu.glsl.value ${gpu_shaders}/glsl ${gpu_points} value)
-scarp_add_gpu_test(gpu.hlsl ${gpu_shaders}/hlsl ${gpu_points} hessian)
-scarp_add_gpu_test(gpu.glsl.answers ${gpu_shaders}/glsl ${gpu_points} answers)
-scarp_add_gpu_test(gpu.control --must-differ ${gpu_shaders}/glsl-fused ${gpu_points} hessian)
+scarp_add_gpu_test(gpu.glsl gpu_vulkan ${gpu_shaders}/glsl ${gpu_points} hessian)
+scarp_add_gpu_test(gpu.glsl.value gpu_vulkan ${gpu_shaders}/glsl ${gpu_points} value)
+scarp_add_gpu_test(gpu.hlsl gpu_vulkan ${gpu_shaders}/hlsl ${gpu_points} hessian)
+scarp_add_gpu_test(gpu.glsl.answers gpu_vulkan ${gpu_shaders}/glsl ${gpu_points} answers)
+scarp_add_gpu_test(gpu.control gpu_vulkan --must-differ ${gpu_shaders}/glsl-fused ${gpu_points} hessian)
+scarp_add_gpu_test(gpu.picture gpu_picture ${gpu_shaders}/picture.spv --small)
+
+# The README's example compiles.
+scarp_add_test(gpu.readme shader NEEDS glslang python3 COMMAND ${Python3_EXECUTABLE}
+               ${gpu_dir}/readme.py ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/include
+               ${SCARP_GLSLANG})

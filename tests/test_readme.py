@@ -39,6 +39,7 @@ FRAGMENT = """#include <scarp.h>
 void fragment(struct scarp_noise noise, struct scarp_samples out);
 void fragment(struct scarp_noise noise, struct scarp_samples out)
 {
+    (void)noise, (void)out;
 %s}
 int main(void)
 {
