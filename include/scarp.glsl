@@ -12,9 +12,9 @@
 //     ScarpSample n = scarp_sample2(0u, x, y);  // of scarp_plan[0]: n.value, n.gradient.xy
 //
 // scarp_gpu_plan (scarp.h) makes the bytes of a plan, and says what is promised. What a shader does
-// not use of a sample costs nothing. Smaller and faster shaders fix what their plans have in common:
-// SCARP_ONLY_BASIS and SCARP_ONLY_FRACTAL, an enumerator of scarp.h as 2u, and SCARP_ONLY_DEPTH, how
-// many warps there are, as 0u. SCARP_FUSE gives the equal bits up.
+// not use of a sample costs nothing. Smaller and faster shaders fix what all plans have in common:
+// SCARP_ONLY_BASIS and SCARP_ONLY_FRACTAL, an enumerator of scarp.h as 2u, and SCARP_ONLY_DEPTH,
+// how many warps there are, as 0u. SCARP_FUSE gives the equal bits up.
 #ifndef SCARP_GLSL
 #define SCARP_GLSL
 
@@ -189,7 +189,8 @@ float scarp_mul(float a, float b)
 #define scarp_rough_inverse(a) (1.0 / (a))
 #define scarp_rough_root(a) sqrt(a)
 
-/* Arithmetic with vectors and symmetric matrices, and the two operations that shading languages only approximate. */
+/* Arithmetic with vectors and symmetric matrices, and the two operations that shading languages
+   only approximate. */
 
 #define SCARP_SIGN 0x80000000u
 
@@ -253,13 +254,14 @@ ScarpRows scarp_rows_of(vec3 x, vec3 y, vec3 z)
 ScarpRows scarp_transposed(ScarpRows m)
 {
     return scarp_rows_of(scarp_vec3_of(m.x.x, m.y.x, m.z.x), scarp_vec3_of(m.x.y, m.y.y, m.z.y),
-                   scarp_vec3_of(m.x.z, m.y.z, m.z.z));
+            scarp_vec3_of(m.x.z, m.y.z, m.z.z));
 }
 
 /* Each row of m times v. */
 vec3 scarp_times(ScarpRows m, vec3 v, int dimensions)
 {
-    return scarp_vec3_of(scarp_dot(m.x, v, dimensions), scarp_dot(m.y, v, dimensions), scarp_dot(m.z, v, dimensions));
+    return scarp_vec3_of(scarp_dot(m.x, v, dimensions), scarp_dot(m.y, v, dimensions),
+            scarp_dot(m.z, v, dimensions));
 }
 
 /* Noise at a point. diagonal: the derivatives xx, yy, zz; mixed: xy, xz, yz. */
@@ -289,22 +291,21 @@ ScarpSample scarp_constant(float value)
 /* The Hessian. */
 ScarpRows scarp_hessian_of(ScarpSample s)
 {
-    return scarp_rows_of(scarp_vec3_of(s.diagonal.x, s.mixed.x, s.mixed.y),
-                   scarp_vec3_of(s.mixed.x, s.diagonal.y, s.mixed.z),
-                   scarp_vec3_of(s.mixed.y, s.mixed.z, s.diagonal.z));
+    return scarp_rows_of(scarp_vec3_of(s.diagonal.x, s.mixed.x, s.mixed.y), scarp_vec3_of(s.mixed.x,
+            s.diagonal.y, s.mixed.z), scarp_vec3_of(s.mixed.y, s.mixed.z, s.diagonal.z));
 }
 
 ScarpSample scarp_sum_of(ScarpSample a, ScarpSample b)
 {
     return scarp_sample_of(scarp_add(a.value, b.value), scarp_add3(a.gradient, b.gradient),
-                     scarp_add3(a.diagonal, b.diagonal), scarp_add3(a.mixed, b.mixed));
+            scarp_add3(a.diagonal, b.diagonal), scarp_add3(a.mixed, b.mixed));
 }
 
 /* Multiplies the outputs of each order by a factor of their own. */
 ScarpSample scarp_scaled(ScarpSample n, float value, float gradient, float hessian)
 {
-    return scarp_sample_of(scarp_mul(value, n.value), scarp_mul3(gradient, n.gradient), scarp_mul3(hessian, n.diagonal),
-                     scarp_mul3(hessian, n.mixed));
+    return scarp_sample_of(scarp_mul(value, n.value), scarp_mul3(gradient, n.gradient),
+            scarp_mul3(hessian, n.diagonal), scarp_mul3(hessian, n.mixed));
 }
 
 /*
@@ -339,7 +340,8 @@ float scarp_root(float x)
     uint e = bits >> 23u;
     uint even = 1u - (e & 1u);
     uint m = ((bits & 0x7fffffu) | 0x800000u) << even;
-    float estimate = scarp_rough_root(scarp_float_of_bits((bits & 0x7fffffu) + ((127u + even) << 23u)));
+    float estimate = scarp_rough_root(scarp_float_of_bits((bits
+            & 0x7fffffu) + ((127u + even) << 23u)));
     uint q = scarp_uint_of(scarp_whole_of(scarp_mul(estimate, 8388608.0f)));
     int r = scarp_int_of((m << 23u) - q * q);
     for (int i = 0; i < 16 && (r < 0 || r > scarp_int_of(2u * q)); i++) {
@@ -372,7 +374,8 @@ uint scarp_hash2(uvec3 key, uint x, uint y)
 
 uint scarp_joined3(uvec3 key, uint x, uint y, uint z)
 {
-    return scarp_hash_axis(x, SCARP_HASH_X, key.x) ^ scarp_hash_axis(y, SCARP_HASH_Y, key.y) ^ scarp_hash_axis(z, SCARP_HASH_Z, key.z);
+    return scarp_hash_axis(x, SCARP_HASH_X, key.x) ^ scarp_hash_axis(y, SCARP_HASH_Y, key.y)
+            ^ scarp_hash_axis(z, SCARP_HASH_Z, key.z);
 }
 
 uint scarp_hash3(uvec3 key, uint x, uint y, uint z)
@@ -471,8 +474,7 @@ vec3 scarp_position_of(ScarpOctave o, bool turned, vec3 x, int dimensions)
 }
 
 /* Along y, triangles of simplex noise count their rows. */
-ScarpPlace scarp_place_of(ScarpOctave o, uint basis, bool turned, vec3 x,
-                                    int dimensions)
+ScarpPlace scarp_place_of(ScarpOctave o, uint basis, bool turned, vec3 x, int dimensions)
 {
     vec3 p = scarp_position_of(o, turned, x, dimensions);
     if (basis == SCARP_SIMPLEX && dimensions == 2) {
@@ -576,7 +578,8 @@ float scarp_across(ScarpSlope l, ScarpSlope r, ScarpBetween p)
 
 float scarp_across_dx(ScarpSlope l, ScarpSlope r, ScarpBetween p)
 {
-    float step = scarp_mul(p.f.du, scarp_sub(scarp_at(r, p.before, p.level), scarp_at(l, p.x, p.level)));
+    float step = scarp_mul(p.f.du, scarp_sub(scarp_at(r, p.before, p.level), scarp_at(l, p.x,
+            p.level)));
     if (!p.level) {
         step = scarp_add(scarp_mix(l.a, r.a, p.f.u), step);
     }
@@ -585,26 +588,27 @@ float scarp_across_dx(ScarpSlope l, ScarpSlope r, ScarpBetween p)
 
 float scarp_across_dxx(ScarpSlope l, ScarpSlope r, ScarpBetween p)
 {
-    float bend = scarp_mul(p.f.ddu, scarp_sub(scarp_at(r, p.before, p.level), scarp_at(l, p.x, p.level)));
+    float bend = scarp_mul(p.f.ddu, scarp_sub(scarp_at(r, p.before, p.level), scarp_at(l, p.x,
+            p.level)));
     if (!p.level) {
         bend = scarp_add(scarp_mul(scarp_mul(2.0f, p.f.du), scarp_sub(r.a, l.a)), bend);
     }
     return bend;
 }
 
-ScarpSample scarp_join(ScarpColumn l, ScarpColumn r, float x, ScarpFade f,
-                                 bool level)
+ScarpSample scarp_join(ScarpColumn l, ScarpColumn r, float x, ScarpFade f, bool level)
 {
     ScarpBetween p;
     p.x = x;
     p.before = scarp_sub(x, 1.0f);
     p.f = f;
     p.level = level;
-    return scarp_sample_of(
-        scarp_across(l.value, r.value, p),
-        scarp_vec3_of(scarp_across_dx(l.value, r.value, p), scarp_across(l.y, r.y, p), scarp_across(l.z, r.z, p)),
-        scarp_vec3_of(scarp_across_dxx(l.value, r.value, p), scarp_across(l.yy, r.yy, p), scarp_across(l.zz, r.zz, p)),
-        scarp_vec3_of(scarp_across_dx(l.y, r.y, p), scarp_across_dx(l.z, r.z, p), scarp_across(l.yz, r.yz, p)));
+    return scarp_sample_of( scarp_across(l.value, r.value, p),
+            scarp_vec3_of(scarp_across_dx(l.value, r.value, p), scarp_across(l.y, r.y, p),
+            scarp_across(l.z, r.z, p)), scarp_vec3_of(scarp_across_dxx(l.value, r.value, p),
+            scarp_across(l.yy, r.yy, p), scarp_across(l.zz, r.zz, p)),
+            scarp_vec3_of(scarp_across_dx(l.y, r.y, p), scarp_across_dx(l.z, r.z, p),
+            scarp_across(l.yz, r.yz, p)));
 }
 
 /* Gradient noise. */
@@ -621,7 +625,8 @@ float scarp_cosine(uint i)
 vec3 scarp_direction2(uint i)
 {
     uint k = (i >> 1u) & 3u;
-    return scarp_vec3_of(scarp_with_bit(scarp_cosine(k), (i >> 3u) & 1u), scarp_with_bit(scarp_cosine(3u - k), i & 1u), 0.0f);
+    return scarp_vec3_of(scarp_with_bit(scarp_cosine(k), (i >> 3u) & 1u),
+            scarp_with_bit(scarp_cosine(3u - k), i & 1u), 0.0f);
 }
 
 /* One of the 12 edges of a cube, twice as long: 0 along z, y or x. */
@@ -630,9 +635,8 @@ vec3 scarp_direction3(uint i)
     uint axes = i >> 2u;
     float first = scarp_with_bit(2.0f, (i >> 1u) & 1u);
     float second = scarp_with_bit(2.0f, i & 1u);
-    return scarp_vec3_of(scarp_pick(axes == 2u, 0.0f, first),
-                   scarp_pick(axes == 0u, second, scarp_pick(axes == 1u, 0.0f, first)),
-                   scarp_pick(axes == 0u, 0.0f, second));
+    return scarp_vec3_of(scarp_pick(axes == 2u, 0.0f, first), scarp_pick(axes == 0u, second,
+            scarp_pick(axes == 1u, 0.0f, first)), scarp_pick(axes == 0u, 0.0f, second));
 }
 
 /* An edge after a quarter of a turn: 1, 2, -1 or -2 along each axis, in two bits per edge. */
@@ -665,9 +669,10 @@ vec3 scarp_turned3(uint i, vec4 turn)
 {
     bool quick = ((0x93cu >> i) & 1u) != 0u;
     vec3 g = scarp_direction3(i);
-    vec3 q = scarp_mul3(SCARP_TWO_OVER_ROOT_3, scarp_vec3_of(scarp_quarter3(SCARP_QUARTERS_X, i), scarp_quarter3(SCARP_QUARTERS_Y, i),
-                                                 scarp_quarter3(SCARP_QUARTERS_Z, i)));
-    return scarp_add3(scarp_mul3(scarp_pick(quick, turn.z, turn.x), g), scarp_mul3(scarp_pick(quick, turn.w, turn.y), q));
+    vec3 q = scarp_mul3(SCARP_TWO_OVER_ROOT_3, scarp_vec3_of(scarp_quarter3(SCARP_QUARTERS_X, i),
+            scarp_quarter3(SCARP_QUARTERS_Y, i), scarp_quarter3(SCARP_QUARTERS_Z, i)));
+    return scarp_add3(scarp_mul3(scarp_pick(quick, turn.z, turn.x), g), scarp_mul3(scarp_pick(quick,
+            turn.w, turn.y), q));
 }
 
 /* What draws directions: the octave's keys, and how far directions are turned, if they are. */
@@ -703,8 +708,7 @@ vec3 scarp_drawn3(ScarpTurning t, uint x, uint y, uint z)
 }
 
 /* Column x of the cell: v is the fade along y. */
-ScarpColumn scarp_gradient_column2(ScarpTurning t, uint x, ScarpPlace p,
-                                             ScarpFade v)
+ScarpColumn scarp_gradient_column2(ScarpTurning t, uint x, ScarpPlace p, ScarpFade v)
 {
     vec3 g0 = scarp_drawn2(t, x, p.cell.y);
     vec3 g1 = scarp_drawn2(t, x, p.next.y);
@@ -713,9 +717,12 @@ ScarpColumn scarp_gradient_column2(ScarpTurning t, uint x, ScarpPlace p,
     float dot1 = scarp_mul(g1.y, scarp_sub(p.t.y, 1.0f));
     float ddot = scarp_sub(dot1, dot0);
     ScarpColumn c;
-    c.value = scarp_slope_of(scarp_add(g0.x, scarp_mul(v.u, dg.x)), scarp_add(dot0, scarp_mul(v.u, ddot)));
-    c.y = scarp_slope_of(scarp_mul(v.du, dg.x), scarp_add(scarp_mix(g0.y, g1.y, v.u), scarp_mul(v.du, ddot)));
-    c.yy = scarp_slope_of(scarp_mul(v.ddu, dg.x), scarp_add(scarp_mul(scarp_mul(2.0f, v.du), dg.y), scarp_mul(v.ddu, ddot)));
+    c.value = scarp_slope_of(scarp_add(g0.x, scarp_mul(v.u, dg.x)), scarp_add(dot0, scarp_mul(v.u,
+            ddot)));
+    c.y = scarp_slope_of(scarp_mul(v.du, dg.x), scarp_add(scarp_mix(g0.y, g1.y, v.u),
+            scarp_mul(v.du, ddot)));
+    c.yy = scarp_slope_of(scarp_mul(v.ddu, dg.x), scarp_add(scarp_mul(scarp_mul(2.0f, v.du), dg.y),
+            scarp_mul(v.ddu, ddot)));
     c.z = scarp_slope_of(0.0f, 0.0f);
     c.yz = scarp_slope_of(0.0f, 0.0f);
     c.zz = scarp_slope_of(0.0f, 0.0f);
@@ -734,8 +741,7 @@ struct ScarpEdge {
 };
 
 /* The edge at column x and row y of cells, ty from it along y; w is the fade along z. */
-ScarpEdge scarp_gradient_edge(ScarpTurning t, uint x, uint y, float ty, ScarpPlace p,
-                                        ScarpFade w)
+ScarpEdge scarp_gradient_edge(ScarpTurning t, uint x, uint y, float ty, ScarpPlace p, ScarpFade w)
 {
     vec3 g0 = scarp_drawn3(t, x, y, p.cell.z);
     vec3 g1 = scarp_drawn3(t, x, y, p.next.z);
@@ -744,7 +750,8 @@ ScarpEdge scarp_gradient_edge(ScarpTurning t, uint x, uint y, float ty, ScarpPla
     float dot1 = scarp_add(scarp_mul(g1.y, ty), scarp_mul(g1.z, scarp_sub(p.t.z, 1.0f)));
     float ddot = scarp_sub(dot1, dot0);
     ScarpEdge e;
-    e.value = scarp_slope_of(scarp_add(g0.x, scarp_mul(w.u, dg.x)), scarp_add(dot0, scarp_mul(w.u, ddot)));
+    e.value = scarp_slope_of(scarp_add(g0.x, scarp_mul(w.u, dg.x)), scarp_add(dot0, scarp_mul(w.u,
+            ddot)));
     e.z = scarp_add(scarp_add(g0.z, scarp_mul(w.u, dg.z)), scarp_mul(w.du, ddot));
     e.zz = scarp_add(scarp_mul(scarp_mul(2.0f, w.du), dg.z), scarp_mul(w.ddu, ddot));
     e.gy = scarp_add(g0.y, scarp_mul(w.u, dg.y));
@@ -753,8 +760,7 @@ ScarpEdge scarp_gradient_edge(ScarpTurning t, uint x, uint y, float ty, ScarpPla
     return e;
 }
 
-ScarpColumn scarp_gradient_column3(ScarpTurning t, uint x, ScarpPlace p,
-                                             ScarpFade v, ScarpFade w)
+ScarpColumn scarp_gradient_column3(ScarpTurning t, uint x, ScarpPlace p, ScarpFade v, ScarpFade w)
 {
     ScarpEdge e0 = scarp_gradient_edge(t, x, p.cell.y, p.t.y, p, w);
     ScarpEdge e1 = scarp_gradient_edge(t, x, p.next.y, scarp_sub(p.t.y, 1.0f), p, w);
@@ -765,17 +771,20 @@ ScarpColumn scarp_gradient_column3(ScarpTurning t, uint x, ScarpPlace p,
     float ddgx = scarp_sub(e1.dgx, e0.dgx);
     float dgx = scarp_add(e0.dgx, scarp_mul(v.u, ddgx));
     ScarpColumn c;
-    c.value = scarp_slope_of(scarp_add(e0.value.a, scarp_mul(v.u, da)), scarp_add(e0.value.b, scarp_mul(v.u, db)));
-    c.y = scarp_slope_of(scarp_mul(v.du, da), scarp_add(scarp_add(e0.gy, scarp_mul(v.u, dgy)), scarp_mul(v.du, db)));
+    c.value = scarp_slope_of(scarp_add(e0.value.a, scarp_mul(v.u, da)), scarp_add(e0.value.b,
+            scarp_mul(v.u, db)));
+    c.y = scarp_slope_of(scarp_mul(v.du, da), scarp_add(scarp_add(e0.gy, scarp_mul(v.u, dgy)),
+            scarp_mul(v.du, db)));
     c.z = scarp_slope_of(scarp_mul(w.du, dgx), scarp_add(e0.z, scarp_mul(v.u, dz)));
-    c.yy = scarp_slope_of(scarp_mul(v.ddu, da), scarp_add(scarp_mul(scarp_mul(2.0f, v.du), dgy), scarp_mul(v.ddu, db)));
-    c.yz = scarp_slope_of(scarp_mul(v.du, scarp_mul(w.du, ddgx)), scarp_add(scarp_mix(e0.dgy, e1.dgy, v.u), scarp_mul(v.du, dz)));
+    c.yy = scarp_slope_of(scarp_mul(v.ddu, da), scarp_add(scarp_mul(scarp_mul(2.0f, v.du), dgy),
+            scarp_mul(v.ddu, db)));
+    c.yz = scarp_slope_of(scarp_mul(v.du, scarp_mul(w.du, ddgx)), scarp_add(scarp_mix(e0.dgy,
+            e1.dgy, v.u), scarp_mul(v.du, dz)));
     c.zz = scarp_slope_of(scarp_mul(w.ddu, dgx), scarp_mix(e0.zz, e1.zz, v.u));
     return c;
 }
 
-ScarpSample scarp_gradient_at(ScarpOctave o, ScarpLevel l, ScarpPlace p,
-                                        int dimensions)
+ScarpSample scarp_gradient_at(ScarpOctave o, ScarpLevel l, ScarpPlace p, int dimensions)
 {
     ScarpFade f = scarp_fade(l.fade, p.t.x);
     ScarpFade v = scarp_fade(l.fade, p.t.y);
@@ -818,8 +827,7 @@ ScarpColumn scarp_value_column2(uvec3 key, uint x, ScarpPlace p, ScarpFade v)
     return c;
 }
 
-ScarpColumn scarp_value_column3(uvec3 key, uint x, ScarpPlace p, ScarpFade v,
-                                          ScarpFade w)
+ScarpColumn scarp_value_column3(uvec3 key, uint x, ScarpPlace p, ScarpFade v, ScarpFade w)
 {
     float c00 = scarp_lattice_value(scarp_hash3(key, x, p.cell.y, p.cell.z));
     float c01 = scarp_lattice_value(scarp_hash3(key, x, p.cell.y, p.next.z));
@@ -842,8 +850,7 @@ ScarpColumn scarp_value_column3(uvec3 key, uint x, ScarpPlace p, ScarpFade v,
     return c;
 }
 
-ScarpSample scarp_value_at(ScarpOctave o, ScarpLevel l, ScarpPlace p,
-                                     int dimensions)
+ScarpSample scarp_value_at(ScarpOctave o, ScarpLevel l, ScarpPlace p, int dimensions)
 {
     ScarpFade f = scarp_fade(l.fade, p.t.x);
     ScarpFade v = scarp_fade(l.fade, p.t.y);
@@ -886,14 +893,16 @@ ScarpSample scarp_vertex_at(vec3 d, vec3 g, float r2, int dimensions)
     float w3 = scarp_mul(8.0f, scarp_mul(w2, w));
     float bend = scarp_mul(scarp_mul(48.0f, w2), q);
     vec3 twice = scarp_mul3(2.0f, g);
-    vec3 diagonal = scarp_vec3_of(scarp_vertex_second(bend, w3, d.x, d.x, scarp_add(scarp_mul(twice.x, d.x), q)),
-                                  scarp_vertex_second(bend, w3, d.y, d.y, scarp_add(scarp_mul(twice.y, d.y), q)),
-                                  scarp_vertex_second(bend, w3, d.z, d.z, scarp_add(scarp_mul(twice.z, d.z), q)));
-    vec3 mixed =
-        scarp_vec3_of(scarp_vertex_second(bend, w3, d.x, d.y, scarp_add(scarp_mul(g.x, d.y), scarp_mul(g.y, d.x))),
-                scarp_vertex_second(bend, w3, d.x, d.z, scarp_add(scarp_mul(g.x, d.z), scarp_mul(g.z, d.x))),
-                scarp_vertex_second(bend, w3, d.y, d.z, scarp_add(scarp_mul(g.y, d.z), scarp_mul(g.z, d.y))));
-    return scarp_sample_of(scarp_mul(w4, q), scarp_sub3(scarp_mul3(w4, g), scarp_mul3(scarp_mul(w3, q), d)), diagonal, mixed);
+    vec3 diagonal = scarp_vec3_of(scarp_vertex_second(bend, w3, d.x, d.x,
+            scarp_add(scarp_mul(twice.x, d.x), q)), scarp_vertex_second(bend, w3, d.y, d.y,
+            scarp_add(scarp_mul(twice.y, d.y), q)), scarp_vertex_second(bend, w3, d.z, d.z,
+            scarp_add(scarp_mul(twice.z, d.z), q)));
+    vec3 mixed = scarp_vec3_of(scarp_vertex_second(bend, w3, d.x, d.y, scarp_add(scarp_mul(g.x,
+            d.y), scarp_mul(g.y, d.x))), scarp_vertex_second(bend, w3, d.x, d.z,
+            scarp_add(scarp_mul(g.x, d.z), scarp_mul(g.z, d.x))), scarp_vertex_second(bend, w3, d.y,
+            d.z, scarp_add(scarp_mul(g.y, d.z), scarp_mul(g.z, d.y))));
+    return scarp_sample_of(scarp_mul(w4, q), scarp_sub3(scarp_mul3(w4, g), scarp_mul3(scarp_mul(w3,
+            q), d)), diagonal, mixed);
 }
 
 #define SCARP_ROW_HEIGHT 0.866025404f
@@ -903,7 +912,8 @@ ScarpSample scarp_vertex_at(vec3 d, vec3 g, float r2, int dimensions)
 ScarpSample scarp_vertex2(ScarpOctave o, ScarpPlace p, int column, uint y, vec3 d)
 {
     uint x = scarp_cell_beside(o.last.x, p.cell.x, column);
-    return scarp_vertex_at(d, scarp_direction2(scarp_hash2(o.key, x, y) >> 28u), SCARP_TRIANGLE_R2, 2);
+    return scarp_vertex_at(d, scarp_direction2(scarp_hash2(o.key, x, y) >> 28u), SCARP_TRIANGLE_R2,
+            2);
 }
 
 ScarpSample scarp_simplex_at2(ScarpOctave o, ScarpPlace p)
@@ -918,11 +928,13 @@ ScarpSample scarp_simplex_at2(ScarpOctave o, ScarpPlace p)
     bool lower = scarp_add(x, shift) < 1.0f;
     float y = scarp_mul(SCARP_ROW_HEIGHT, p.t.y);
     float y_above = scarp_sub(y, SCARP_ROW_HEIGHT);
-    ScarpSample a = scarp_vertex2(o, p, k + 1, p.cell.y, scarp_vec3_of(scarp_sub(x, 1.0f), y, 0.0f));
-    ScarpSample b = scarp_vertex2(o, p, above, p.next.y, scarp_vec3_of(scarp_sub(x, 0.5f), y_above, 0.0f));
-    ScarpSample c =
-        scarp_vertex2(o, p, scarp_pick_int(lower, k, above + 1), scarp_pick_uint(lower, p.cell.y, p.next.y),
-                scarp_vec3_of(scarp_pick(lower, x, scarp_sub(x, 1.5f)), scarp_pick(lower, y, y_above), 0.0f));
+    ScarpSample a = scarp_vertex2(o, p, k + 1, p.cell.y, scarp_vec3_of(scarp_sub(x, 1.0f), y,
+            0.0f));
+    ScarpSample b = scarp_vertex2(o, p, above, p.next.y, scarp_vec3_of(scarp_sub(x, 0.5f), y_above,
+            0.0f));
+    ScarpSample c = scarp_vertex2(o, p, scarp_pick_int(lower, k, above + 1), scarp_pick_uint(lower,
+            p.cell.y, p.next.y), scarp_vec3_of(scarp_pick(lower, x, scarp_sub(x, 1.5f)),
+            scarp_pick(lower, y, y_above), 0.0f));
     return scarp_sum_of(scarp_sum_of(a, b), c);
 }
 
@@ -939,10 +951,10 @@ struct ScarpVertex {
 
 ScarpSample scarp_vertex3(ScarpOctave o, ScarpPlace p, ScarpVertex v, uint hash_k)
 {
-    uint h =
-        scarp_joined3(o.key, scarp_cell_beside(o.last.x, p.cell.x, v.x), scarp_cell_beside(o.last.y, p.cell.y, v.y),
-                scarp_cell_beside(o.last.z, p.cell.z, v.z));
-    return scarp_vertex_at(v.d, scarp_direction3(scarp_edge_of(h * (h + hash_k))), SCARP_TETRAHEDRON_R2, 3);
+    uint h = scarp_joined3(o.key, scarp_cell_beside(o.last.x, p.cell.x, v.x),
+            scarp_cell_beside(o.last.y, p.cell.y, v.y), scarp_cell_beside(o.last.z, p.cell.z, v.z));
+    return scarp_vertex_at(v.d, scarp_direction3(scarp_edge_of(h * (h + hash_k))),
+            SCARP_TETRAHEDRON_R2, 3);
 }
 
 /* A cube's two centres and two corners along an axis: what `t`, from the centre, makes of each. */
@@ -990,15 +1002,15 @@ ScarpSample scarp_simplex_at3(ScarpOctave o, ScarpPlace p)
     ScarpEnds y = scarp_ends_of(t.y, far_y, near_y);
     ScarpEnds z = scarp_ends_of(t.z, !far_x && !far_y, near_z);
     ScarpVertex centre0 = scarp_vertex_of(0, 0, 0, t);
-    ScarpVertex centre1 =
-        scarp_vertex_of(x.centre, y.centre, z.centre, scarp_vec3_of(x.d_centre, y.d_centre, z.d_centre));
+    ScarpVertex centre1 = scarp_vertex_of(x.centre, y.centre, z.centre, scarp_vec3_of(x.d_centre,
+            y.d_centre, z.d_centre));
     ScarpVertex corner0 = scarp_vertex_of(x.up, y.up, z.up, scarp_vec3_of(x.d_up, y.d_up, z.d_up));
-    ScarpVertex corner1 =
-        scarp_vertex_of(x.corner, y.corner, z.corner, scarp_vec3_of(x.d_corner, y.d_corner, z.d_corner));
-    ScarpSample centres =
-        scarp_sum_of(scarp_vertex3(o, p, centre0, SCARP_HASH_CENTRE), scarp_vertex3(o, p, centre1, SCARP_HASH_CENTRE));
-    ScarpSample corners =
-        scarp_sum_of(scarp_vertex3(o, p, corner0, SCARP_HASH_K), scarp_vertex3(o, p, corner1, SCARP_HASH_K));
+    ScarpVertex corner1 = scarp_vertex_of(x.corner, y.corner, z.corner, scarp_vec3_of(x.d_corner,
+            y.d_corner, z.d_corner));
+    ScarpSample centres = scarp_sum_of(scarp_vertex3(o, p, centre0, SCARP_HASH_CENTRE),
+            scarp_vertex3(o, p, centre1, SCARP_HASH_CENTRE));
+    ScarpSample corners = scarp_sum_of(scarp_vertex3(o, p, corner0, SCARP_HASH_K), scarp_vertex3(o,
+            p, corner1, SCARP_HASH_K));
     return scarp_sum_of(corners, centres);
 }
 
@@ -1023,8 +1035,7 @@ float scarp_feature_distance(float t, int step, float jitter, uint v)
 }
 
 /* The feature of the cell that is (x, y, z) away from that of p. */
-ScarpFeature scarp_feature_at(ScarpOctave o, ScarpPlace p, int x, int y, int z,
-                                        int dimensions)
+ScarpFeature scarp_feature_at(ScarpOctave o, ScarpPlace p, int x, int y, int z, int dimensions)
 {
     uint cx = scarp_cell_beside(o.last.x, p.cell.x, x);
     uint cy = scarp_cell_beside(o.last.y, p.cell.y, y);
@@ -1034,7 +1045,7 @@ ScarpFeature scarp_feature_at(ScarpOctave o, ScarpPlace p, int x, int y, int z,
         f.hash = scarp_hash3(o.key, cx, cy, scarp_cell_beside(o.last.z, p.cell.z, z));
     }
     f.d = scarp_vec3_of(scarp_feature_distance(p.t.x, x, o.turn.x, f.hash),
-                  scarp_feature_distance(p.t.y, y, o.turn.x, f.hash * SCARP_FEATURE_Y), 0.0f);
+            scarp_feature_distance(p.t.y, y, o.turn.x, f.hash * SCARP_FEATURE_Y), 0.0f);
     float across2 = scarp_mul(f.d.y, f.d.y);
     if (dimensions == 3) {
         f.d.z = scarp_feature_distance(p.t.z, z, o.turn.x, f.hash * SCARP_FEATURE_Z);
@@ -1076,7 +1087,8 @@ float scarp_gap2(float t, int step)
 /* Whether a cell, and so its feature, is further away than s, by more than rounding. */
 bool scarp_is_beyond(ScarpPlace p, int x, int y, int z, float s)
 {
-    float gap = scarp_add(scarp_add(scarp_gap2(p.t.x, x), scarp_gap2(p.t.y, y)), scarp_gap2(p.t.z, z));
+    float gap = scarp_add(scarp_add(scarp_gap2(p.t.x, x), scarp_gap2(p.t.y, y)), scarp_gap2(p.t.z,
+            z));
     return gap > scarp_mul(1.001f, s);
 }
 
@@ -1119,11 +1131,10 @@ ScarpSample scarp_distance_to(ScarpFeature f)
     float distance = scarp_root(f.s);
     float r = scarp_pick(f.s <= SCARP_NO_DISTANCE, 0.0f, scarp_inverse(distance));
     vec3 g = scarp_vec3_of(scarp_mul(f.d.x, r), scarp_mul(f.d.y, r), scarp_mul(f.d.z, r));
-    return scarp_sample_of(
-        distance, g,
-        scarp_vec3_of(scarp_mul(r, scarp_sub(1.0f, scarp_mul(g.x, g.x))), scarp_mul(r, scarp_sub(1.0f, scarp_mul(g.y, g.y))),
-                scarp_mul(r, scarp_sub(1.0f, scarp_mul(g.z, g.z)))),
-        scarp_vec3_of(-scarp_mul(r, scarp_mul(g.x, g.y)), -scarp_mul(r, scarp_mul(g.x, g.z)), -scarp_mul(r, scarp_mul(g.y, g.z))));
+    return scarp_sample_of( distance, g, scarp_vec3_of(scarp_mul(r, scarp_sub(1.0f, scarp_mul(g.x,
+            g.x))), scarp_mul(r, scarp_sub(1.0f, scarp_mul(g.y, g.y))), scarp_mul(r, scarp_sub(1.0f,
+            scarp_mul(g.z, g.z)))), scarp_vec3_of(-scarp_mul(r, scarp_mul(g.x, g.y)), -scarp_mul(r,
+            scarp_mul(g.x, g.z)), -scarp_mul(r, scarp_mul(g.y, g.z))));
 }
 
 /* What a feature adds before the root; the gradient without the factor 8, the Hessian too. */
@@ -1135,10 +1146,10 @@ ScarpSample scarp_soft_term(ScarpFeature f)
     float a6 = scarp_mul(a4, a2);
     float a7 = scarp_mul(a6, a);
     vec3 b = scarp_mul3(scarp_mul(14.0f, a6), f.d);
-    return scarp_sample_of(
-        scarp_mul(a4, a4), scarp_mul3(a7, f.d),
-        scarp_vec3_of(scarp_sub(scarp_mul(b.x, f.d.x), a7), scarp_sub(scarp_mul(b.y, f.d.y), a7), scarp_sub(scarp_mul(b.z, f.d.z), a7)),
-        scarp_vec3_of(scarp_mul(b.x, f.d.y), scarp_mul(b.x, f.d.z), scarp_mul(b.y, f.d.z)));
+    return scarp_sample_of( scarp_mul(a4, a4), scarp_mul3(a7, f.d),
+            scarp_vec3_of(scarp_sub(scarp_mul(b.x, f.d.x), a7), scarp_sub(scarp_mul(b.y, f.d.y),
+            a7), scarp_sub(scarp_mul(b.z, f.d.z), a7)), scarp_vec3_of(scarp_mul(b.x, f.d.y),
+            scarp_mul(b.x, f.d.z), scarp_mul(b.y, f.d.z)));
 }
 
 /* 2^-120: below this, V^2 counts as 0. */
@@ -1155,13 +1166,11 @@ ScarpSample scarp_soft_root(ScarpSample sum)
     float r = scarp_pick(sum.value <= SCARP_NO_SUM, 0.0f, scarp_mul(8.0f, scarp_inverse(v)));
     float q = scarp_mul(0.125f, r);
     vec3 g = scarp_mul3(r, sum.gradient);
-    return scarp_sample_of(-v, g,
-                     scarp_vec3_of(scarp_soft_second(q, r, g.x, g.x, sum.diagonal.x),
-                             scarp_soft_second(q, r, g.y, g.y, sum.diagonal.y),
-                             scarp_soft_second(q, r, g.z, g.z, sum.diagonal.z)),
-                     scarp_vec3_of(scarp_soft_second(q, r, g.x, g.y, sum.mixed.x),
-                             scarp_soft_second(q, r, g.x, g.z, sum.mixed.y),
-                             scarp_soft_second(q, r, g.y, g.z, sum.mixed.z)));
+    return scarp_sample_of(-v, g, scarp_vec3_of(scarp_soft_second(q, r, g.x, g.x, sum.diagonal.x),
+            scarp_soft_second(q, r, g.y, g.y, sum.diagonal.y), scarp_soft_second(q, r, g.z, g.z,
+            sum.diagonal.z)), scarp_vec3_of(scarp_soft_second(q, r, g.x, g.y, sum.mixed.x),
+            scarp_soft_second(q, r, g.x, g.z, sum.mixed.y), scarp_soft_second(q, r, g.y, g.z,
+            sum.mixed.z)));
 }
 
 ScarpSample scarp_soft_at(ScarpOctave o, ScarpPlace p, int dimensions)
@@ -1171,7 +1180,8 @@ ScarpSample scarp_soft_at(ScarpOctave o, ScarpPlace p, int dimensions)
     for (int z = -depth; z <= depth; z++) {
         for (int y = -1; y <= 1; y++) {
             for (int x = -1; x <= 1; x++) {
-                sum = scarp_sum_of(sum, scarp_soft_term(scarp_feature_at(o, p, x, y, z, dimensions)));
+                sum = scarp_sum_of(sum, scarp_soft_term(scarp_feature_at(o, p, x, y, z,
+                        dimensions)));
             }
         }
     }
@@ -1181,8 +1191,8 @@ ScarpSample scarp_soft_at(ScarpOctave o, ScarpPlace p, int dimensions)
 ScarpSample scarp_negated(ScarpSample n)
 {
     return scarp_sample_of(-n.value, scarp_vec3_of(-n.gradient.x, -n.gradient.y, -n.gradient.z),
-                     scarp_vec3_of(-n.diagonal.x, -n.diagonal.y, -n.diagonal.z),
-                     scarp_vec3_of(-n.mixed.x, -n.mixed.y, -n.mixed.z));
+            scarp_vec3_of(-n.diagonal.x, -n.diagonal.y, -n.diagonal.z), scarp_vec3_of(-n.mixed.x,
+            -n.mixed.y, -n.mixed.z));
 }
 
 /* The middle of the interval, o.turn.y, becomes 0. */
@@ -1213,8 +1223,7 @@ ScarpSample scarp_cells_at(ScarpOctave o, uint basis, ScarpPlace p, int dimensio
 
 /* One octave of noise with gradient and Hessian, in units of cells. */
 
-ScarpSample scarp_basis_at(ScarpOctave o, ScarpLevel l, ScarpPlace p,
-                                     int dimensions)
+ScarpSample scarp_basis_at(ScarpOctave o, ScarpLevel l, ScarpPlace p, int dimensions)
 {
     ScarpSample s;
     if (l.basis == SCARP_GRADIENT) {
@@ -1251,16 +1260,15 @@ vec3 scarp_to_input(ScarpOctave o, bool turned, vec3 v, int dimensions)
 }
 
 /* The Hessian of `n` with A^T (H B), the columns of A and B being rows here. */
-ScarpSample scarp_with_hessian(ScarpSample n, ScarpRows a, ScarpRows b,
-                                         ScarpRows h, int dimensions)
+ScarpSample scarp_with_hessian(ScarpSample n, ScarpRows a, ScarpRows b, ScarpRows h, int dimensions)
 {
-    ScarpRows hb = scarp_transposed(
-        scarp_rows_of(scarp_times(b, h.x, dimensions), scarp_times(b, h.y, dimensions), scarp_times(b, h.z, dimensions)));
+    ScarpRows hb = scarp_transposed( scarp_rows_of(scarp_times(b, h.x, dimensions), scarp_times(b,
+            h.y, dimensions), scarp_times(b, h.z, dimensions)));
     ScarpSample s = n;
-    s.diagonal =
-        scarp_vec3_of(scarp_dot(a.x, hb.x, dimensions), scarp_dot(a.y, hb.y, dimensions), scarp_dot(a.z, hb.z, dimensions));
-    s.mixed =
-        scarp_vec3_of(scarp_dot(a.x, hb.y, dimensions), scarp_dot(a.x, hb.z, dimensions), scarp_dot(a.y, hb.z, dimensions));
+    s.diagonal = scarp_vec3_of(scarp_dot(a.x, hb.x, dimensions), scarp_dot(a.y, hb.y, dimensions),
+            scarp_dot(a.z, hb.z, dimensions));
+    s.mixed = scarp_vec3_of(scarp_dot(a.x, hb.y, dimensions), scarp_dot(a.x, hb.z, dimensions),
+            scarp_dot(a.y, hb.z, dimensions));
     return s;
 }
 
@@ -1269,10 +1277,11 @@ ScarpSample scarp_in_input(ScarpOctave o, bool turned, ScarpSample n, int dimens
 {
     ScarpSample s = scarp_scaled(n, o.amplitude, o.slope, o.curvature);
     if (turned) {
-        ScarpRows scaled_jacobian =
-            scarp_transposed(scarp_rows_of(o.gradient_x, o.gradient_y, o.gradient_z));
+        ScarpRows scaled_jacobian = scarp_transposed(scarp_rows_of(o.gradient_x, o.gradient_y,
+                o.gradient_z));
         s.gradient = scarp_times(scaled_jacobian, n.gradient, dimensions);
-        s = scarp_with_hessian(s, scaled_jacobian, scarp_jacobian_of(o), scarp_hessian_of(n), dimensions);
+        s = scarp_with_hessian(s, scaled_jacobian, scarp_jacobian_of(o), scarp_hessian_of(n),
+                dimensions);
     }
     return s;
 }
@@ -1292,7 +1301,7 @@ vec3 scarp_with_sign3(vec3 a, float n)
 ScarpSample scarp_magnitude_of(ScarpSample n)
 {
     return scarp_sample_of(scarp_with_sign(n.value, n.value), scarp_with_sign3(n.gradient, n.value),
-                     scarp_with_sign3(n.diagonal, n.value), scarp_with_sign3(n.mixed, n.value));
+            scarp_with_sign3(n.diagonal, n.value), scarp_with_sign3(n.mixed, n.value));
 }
 
 /* Ping-pong. The derivatives lack their factor 2 sharpness, which comes with the weight. */
@@ -1303,40 +1312,44 @@ ScarpSample scarp_pingpong(ScarpSample n, float sharpness)
     float value = scarp_sub(1.0f, scarp_mul(2.0f, scarp_magnitude(e)));
     float falling = scarp_pick(scarp_is_negative(e), -1.0f, 1.0f);
     float slope = scarp_pick(scarp_magnitude(value) == 1.0f, 0.0f, falling);
-    return scarp_sample_of(value, scarp_with_sign3(n.gradient, slope), scarp_with_sign3(n.diagonal, slope),
-                     scarp_with_sign3(n.mixed, slope));
+    return scarp_sample_of(value, scarp_with_sign3(n.gradient, slope), scarp_with_sign3(n.diagonal,
+            slope), scarp_with_sign3(n.mixed, slope));
 }
 
 /* Ridged noise: v r^2 with v = weight and r = 1 - m. */
 float scarp_ridge_first(float v, float vi, float r, float mi)
 {
-    return scarp_sub(scarp_mul(scarp_mul(r, r), vi), scarp_mul(scarp_mul(scarp_mul(2.0f, v), r), mi));
+    return scarp_sub(scarp_mul(scarp_mul(r, r), vi), scarp_mul(scarp_mul(scarp_mul(2.0f, v), r),
+            mi));
 }
 
 vec3 scarp_ridge_first3(float v, vec3 vi, float r, vec3 mi)
 {
     return scarp_vec3_of(scarp_ridge_first(v, vi.x, r, mi.x), scarp_ridge_first(v, vi.y, r, mi.y),
-                   scarp_ridge_first(v, vi.z, r, mi.z));
+            scarp_ridge_first(v, vi.z, r, mi.z));
 }
 
 /* vi mj + vj mi, for the elements of the diagonal and the others. */
 vec3 scarp_crossed_diagonal(vec3 v, vec3 m)
 {
-    return scarp_vec3_of(scarp_add(scarp_mul(v.x, m.x), scarp_mul(v.x, m.x)), scarp_add(scarp_mul(v.y, m.y), scarp_mul(v.y, m.y)),
-                   scarp_add(scarp_mul(v.z, m.z), scarp_mul(v.z, m.z)));
+    return scarp_vec3_of(scarp_add(scarp_mul(v.x, m.x), scarp_mul(v.x, m.x)),
+            scarp_add(scarp_mul(v.y, m.y), scarp_mul(v.y, m.y)), scarp_add(scarp_mul(v.z, m.z),
+            scarp_mul(v.z, m.z)));
 }
 
 vec3 scarp_crossed_mixed(vec3 v, vec3 m)
 {
-    return scarp_vec3_of(scarp_add(scarp_mul(v.x, m.y), scarp_mul(v.y, m.x)), scarp_add(scarp_mul(v.x, m.z), scarp_mul(v.z, m.x)),
-                   scarp_add(scarp_mul(v.y, m.z), scarp_mul(v.z, m.y)));
+    return scarp_vec3_of(scarp_add(scarp_mul(v.x, m.y), scarp_mul(v.y, m.x)),
+            scarp_add(scarp_mul(v.x, m.z), scarp_mul(v.z, m.x)), scarp_add(scarp_mul(v.y, m.z),
+            scarp_mul(v.z, m.y)));
 }
 
 /* `cross` is vi mj + vj mi, `mm` is mi mj. */
 float scarp_ridge_second(float v, float r, float vij, float mij, float cross, float mm)
 {
-    return scarp_add(scarp_sub(scarp_mul(scarp_mul(r, r), vij), scarp_mul(scarp_mul(2.0f, r), cross)),
-               scarp_sub(scarp_mul(scarp_mul(2.0f, v), mm), scarp_mul(scarp_mul(scarp_mul(2.0f, v), r), mij)));
+    return scarp_add(scarp_sub(scarp_mul(scarp_mul(r, r), vij), scarp_mul(scarp_mul(2.0f, r),
+            cross)), scarp_sub(scarp_mul(scarp_mul(2.0f, v), mm),
+            scarp_mul(scarp_mul(scarp_mul(2.0f, v), r), mij)));
 }
 
 ScarpSample scarp_ridge(ScarpSample weight, ScarpSample n)
@@ -1349,13 +1362,13 @@ ScarpSample scarp_ridge(ScarpSample weight, ScarpSample n)
     vec3 vm = weight.mixed;
     float v = weight.value;
     float r = scarp_sub(1.0f, m.value);
-    return scarp_sample_of(scarp_mul(v, scarp_mul(r, r)), scarp_ridge_first3(v, weight.gradient, r, g),
-                     scarp_vec3_of(scarp_ridge_second(v, r, vd.x, m.diagonal.x, a.x, scarp_mul(g.x, g.x)),
-                             scarp_ridge_second(v, r, vd.y, m.diagonal.y, a.y, scarp_mul(g.y, g.y)),
-                             scarp_ridge_second(v, r, vd.z, m.diagonal.z, a.z, scarp_mul(g.z, g.z))),
-                     scarp_vec3_of(scarp_ridge_second(v, r, vm.x, m.mixed.x, b.x, scarp_mul(g.x, g.y)),
-                             scarp_ridge_second(v, r, vm.y, m.mixed.y, b.y, scarp_mul(g.x, g.z)),
-                             scarp_ridge_second(v, r, vm.z, m.mixed.z, b.z, scarp_mul(g.y, g.z))));
+    return scarp_sample_of(scarp_mul(v, scarp_mul(r, r)), scarp_ridge_first3(v, weight.gradient, r,
+            g), scarp_vec3_of(scarp_ridge_second(v, r, vd.x, m.diagonal.x, a.x, scarp_mul(g.x,
+            g.x)), scarp_ridge_second(v, r, vd.y, m.diagonal.y, a.y, scarp_mul(g.y, g.y)),
+            scarp_ridge_second(v, r, vd.z, m.diagonal.z, a.z, scarp_mul(g.z, g.z))),
+            scarp_vec3_of(scarp_ridge_second(v, r, vm.x, m.mixed.x, b.x, scarp_mul(g.x, g.y)),
+            scarp_ridge_second(v, r, vm.y, m.mixed.y, b.y, scarp_mul(g.x, g.z)),
+            scarp_ridge_second(v, r, vm.z, m.mixed.z, b.z, scarp_mul(g.y, g.z))));
 }
 
 /* The weight of the octave after one of ridged noise: 2 s, but 1 where that is more. */
@@ -1375,9 +1388,9 @@ ScarpSample scarp_hybrid(ScarpSample weight, ScarpSample n, float sharpness)
     float r = scarp_add(n.value, sharpness);
     vec3 diagonal = scarp_add3(scarp_mul3(r, weight.diagonal), scarp_mul3(v, n.diagonal));
     vec3 mixed = scarp_add3(scarp_mul3(r, weight.mixed), scarp_mul3(v, n.mixed));
-    return scarp_sample_of(scarp_mul(v, r), scarp_add3(scarp_mul3(r, weight.gradient), scarp_mul3(v, n.gradient)),
-                     scarp_add3(diagonal, scarp_crossed_diagonal(weight.gradient, n.gradient)),
-                     scarp_add3(mixed, scarp_crossed_mixed(weight.gradient, n.gradient)));
+    return scarp_sample_of(scarp_mul(v, r), scarp_add3(scarp_mul3(r, weight.gradient), scarp_mul3(v,
+            n.gradient)), scarp_add3(diagonal, scarp_crossed_diagonal(weight.gradient, n.gradient)),
+            scarp_add3(mixed, scarp_crossed_mixed(weight.gradient, n.gradient)));
 }
 
 /* The weight of the octave after one of hybrid noise: share u, but 1 or -1 where that is beyond. */
@@ -1403,23 +1416,23 @@ ScarpRows scarp_sum_of_rows(ScarpRows a, ScarpRows b)
 }
 
 /* The slopes with those of an octave n, in its own axes: they become steeper. */
-ScarpSlopes scarp_steeper(ScarpSlopes slopes, ScarpOctave o, bool turned,
-                                    ScarpSample n, int dimensions)
+ScarpSlopes scarp_steeper(ScarpSlopes slopes, ScarpOctave o, bool turned, ScarpSample n,
+        int dimensions)
 {
     ScarpRows h = scarp_hessian_of(n);
     ScarpSlopes s;
     s.d = scarp_add3(slopes.d, n.gradient);
-    s.jacobian = scarp_sum_of_rows(slopes.jacobian, scarp_rows_of(scarp_to_input(o, turned, h.x, dimensions),
-                                                      scarp_to_input(o, turned, h.y, dimensions),
-                                                      scarp_to_input(o, turned, h.z, dimensions)));
+    s.jacobian = scarp_sum_of_rows(slopes.jacobian, scarp_rows_of(scarp_to_input(o, turned, h.x,
+            dimensions), scarp_to_input(o, turned, h.y, dimensions), scarp_to_input(o, turned, h.z,
+            dimensions)));
     return s;
 }
 
 /* An octave n of erosion; `slopes` have it, and `gradient` is its own in the axes of the input. */
-ScarpSample scarp_eroded(ScarpSlopes slopes, float erosion, float n, vec3 gradient,
-                                   int dimensions)
+ScarpSample scarp_eroded(ScarpSlopes slopes, float erosion, float n, vec3 gradient, int dimensions)
 {
-    float q = scarp_inverse(scarp_add(1.0f, scarp_mul(erosion, scarp_dot(slopes.d, slopes.d, dimensions))));
+    float q = scarp_inverse(scarp_add(1.0f, scarp_mul(erosion, scarp_dot(slopes.d, slopes.d,
+            dimensions))));
     float damping = scarp_mul(scarp_mul(scarp_mul(2.0f, erosion), n), scarp_mul(q, q));
     vec3 steepening = scarp_times(scarp_transposed(slopes.jacobian), slopes.d, dimensions);
     ScarpSample s = scarp_constant(scarp_mul(q, n));
@@ -1442,7 +1455,8 @@ struct ScarpState {
 /* The vector g by bent positions, by x: A^T g with A = I + reach (Jacobian of the slopes). */
 vec3 scarp_unbent(ScarpSlopes slopes, float reach, vec3 g, int dimensions)
 {
-    return scarp_add3(g, scarp_mul3(reach, scarp_times(scarp_transposed(slopes.jacobian), g, dimensions)));
+    return scarp_add3(g, scarp_mul3(reach, scarp_times(scarp_transposed(slopes.jacobian), g,
+            dimensions)));
 }
 
 /* A row of the Jacobian with what a component of the slope adds; `row` is that of the Hessian. */
@@ -1452,8 +1466,8 @@ vec3 scarp_bent_row(vec3 jacobian, vec3 by, float slope, float product, vec3 row
 }
 
 /* The slopes with factor n times the slope g / f of an octave; `by` is the gradient of factor n. */
-ScarpSlopes scarp_with_slope(ScarpSlopes slopes, ScarpOctave o, ScarpSample n,
-                                       float product, vec3 by, int dimensions)
+ScarpSlopes scarp_with_slope(ScarpSlopes slopes, ScarpOctave o, ScarpSample n, float product,
+        vec3 by, int dimensions)
 {
     ScarpRows h = scarp_hessian_of(n);
     vec3 slope = scarp_mul3(o.inverse, n.gradient);
@@ -1463,13 +1477,13 @@ ScarpSlopes scarp_with_slope(ScarpSlopes slopes, ScarpOctave o, ScarpSample n,
     ScarpSlopes s;
     s.d = scarp_add3(slopes.d, scarp_mul3(product, slope));
     s.jacobian = scarp_rows_of(scarp_bent_row(slopes.jacobian.x, by, slope.x, product, x),
-                         scarp_bent_row(slopes.jacobian.y, by, slope.y, product, y),
-                         scarp_bent_row(slopes.jacobian.z, by, slope.z, product, z));
+            scarp_bent_row(slopes.jacobian.y, by, slope.y, product, y),
+            scarp_bent_row(slopes.jacobian.z, by, slope.z, product, z));
     return s;
 }
 
-ScarpState scarp_swiss(ScarpState state, ScarpOctave o, float inverse_weight,
-                                 ScarpSample n, int dimensions)
+ScarpState scarp_swiss(ScarpState state, ScarpOctave o, float inverse_weight, ScarpSample n,
+        int dimensions)
 {
     float share = scarp_mul(o.weight, inverse_weight);
     float u = state.left;
@@ -1486,25 +1500,30 @@ ScarpState scarp_swiss(ScarpState state, ScarpOctave o, float inverse_weight,
     s.sum.gradient = scarp_add3(state.sum.gradient, term);
     s.sum.value = scarp_add(state.sum.value, scarp_mul(o.weight, scarp_mul(u, v)));
     vec3 by = scarp_mul3(-share, scarp_add3(scarp_mul3(n.value, state.left_by), scarp_mul3(u, nj)));
-    s.slopes = scarp_with_slope(state.slopes, o, n, scarp_mul(-share, scarp_mul(u, n.value)), by, dimensions);
+    s.slopes = scarp_with_slope(state.slopes, o, n, scarp_mul(-share, scarp_mul(u, n.value)), by,
+            dimensions);
     float sum = scarp_mul(s.sum.value, inverse_weight);
     if (sum < 1.0f) {
-        s.left_by = scarp_add3(scarp_mul3(sum, state.left_by), scarp_mul3(u, scarp_mul3(inverse_weight, s.sum.gradient)));
+        s.left_by = scarp_add3(scarp_mul3(sum, state.left_by), scarp_mul3(u,
+                scarp_mul3(inverse_weight, s.sum.gradient)));
         s.left = scarp_mul(u, sum);
     }
     return s;
 }
 
-ScarpState scarp_jordan(ScarpState state, ScarpOctave o, float erosion, bool first,
-                                  ScarpSample n, int dimensions)
+ScarpState scarp_jordan(ScarpState state, ScarpOctave o, float erosion, bool first, ScarpSample n,
+        int dimensions)
 {
     float square = scarp_mul(n.value, n.value);
     float p = scarp_inverse(scarp_add(1.0f, scarp_dot(state.slopes.d, state.slopes.d, dimensions)));
     float q = scarp_pick(first, 1.0f, scarp_sub(1.0f, scarp_mul(erosion, p)));
-    float damping = scarp_pick(first, 0.0f, scarp_mul(scarp_mul(scarp_mul(2.0f, erosion), scarp_mul(p, p)), square));
+    float damping = scarp_pick(first, 0.0f, scarp_mul(scarp_mul(scarp_mul(2.0f, erosion),
+            scarp_mul(p, p)), square));
     vec3 by = scarp_unbent(state.slopes, o.reach, n.gradient, dimensions);
-    vec3 steepening = scarp_times(scarp_transposed(state.slopes.jacobian), state.slopes.d, dimensions);
-    vec3 term = scarp_add3(scarp_mul3(damping, steepening), scarp_mul3(scarp_mul(2.0f, q), scarp_mul3(n.value, by)));
+    vec3 steepening = scarp_times(scarp_transposed(state.slopes.jacobian), state.slopes.d,
+            dimensions);
+    vec3 term = scarp_add3(scarp_mul3(damping, steepening), scarp_mul3(scarp_mul(2.0f, q),
+            scarp_mul3(n.value, by)));
     ScarpState s = state;
     s.sum.gradient = scarp_add3(state.sum.gradient, scarp_mul3(o.weight, term));
     s.sum.value = scarp_add(state.sum.value, scarp_mul(o.weight, scarp_mul(q, square)));
@@ -1533,8 +1552,7 @@ bool scarp_bends(ScarpLevel l)
 }
 
 /* The octave n, in the axes of the input, as the fractal adds it to the sum; n is not bent. */
-ScarpState scarp_shaped(ScarpState state, ScarpOctave o, ScarpLevel l,
-                                  ScarpSample n)
+ScarpState scarp_shaped(ScarpState state, ScarpOctave o, ScarpLevel l, ScarpSample n)
 {
     ScarpState s = state;
     ScarpSample term = n;
@@ -1562,8 +1580,8 @@ ScarpState scarp_shaped(ScarpState state, ScarpOctave o, ScarpLevel l,
 }
 
 /* The same of erosion; n is the octave of the basis, in its own axes. */
-ScarpState scarp_erosion(ScarpState state, ScarpOctave o, float strength,
-                                   ScarpSample n, bool turned, int dimensions)
+ScarpState scarp_erosion(ScarpState state, ScarpOctave o, float strength, ScarpSample n,
+        bool turned, int dimensions)
 {
     ScarpSample own = scarp_scaled(n, o.amplitude, o.amplitude, o.amplitude);
     vec3 gradient = scarp_to_input(o, turned, own.gradient, dimensions);
@@ -1575,8 +1593,8 @@ ScarpState scarp_erosion(ScarpState state, ScarpOctave o, float strength,
 }
 
 /* Adds octave k of level l at x. */
-ScarpState scarp_with_octave(ScarpState state, ScarpOctave o, ScarpLevel l, uint k,
-                                       vec3 x, int dimensions)
+ScarpState scarp_with_octave(ScarpState state, ScarpOctave o, ScarpLevel l, uint k, vec3 x,
+        int dimensions)
 {
     bool turned = l.rotate != 0u && k > 0u;
     vec3 y = x;
@@ -1602,8 +1620,7 @@ ScarpState scarp_with_octave(ScarpState state, ScarpOctave o, ScarpLevel l, uint
 }
 
 /* The noise of a level, or of a component of it, without warps. */
-ScarpSample scarp_octaves_at(uint plan, ScarpLevel l, int component, vec3 x,
-                                       int dimensions)
+ScarpSample scarp_octaves_at(uint plan, ScarpLevel l, int component, vec3 x, int dimensions)
 {
     vec3 none = scarp_vec3_of(0.0f, 0.0f, 0.0f);
     uint first = l.first + scarp_uint_of(component) * l.octaves;
@@ -1639,9 +1656,10 @@ vec3 scarp_weighed(vec3 v, ScarpRows a, int dimensions)
 ScarpSample scarp_composed(ScarpSample s, ScarpDisplaced y, int dimensions)
 {
     ScarpRows j = scarp_transposed(scarp_rows_of(y.x.gradient, y.y.gradient, y.z.gradient));
-    vec3 diagonal =
-        scarp_weighed(s.gradient, scarp_rows_of(y.x.diagonal, y.y.diagonal, y.z.diagonal), dimensions);
-    vec3 mixed = scarp_weighed(s.gradient, scarp_rows_of(y.x.mixed, y.y.mixed, y.z.mixed), dimensions);
+    vec3 diagonal = scarp_weighed(s.gradient, scarp_rows_of(y.x.diagonal, y.y.diagonal,
+            y.z.diagonal), dimensions);
+    vec3 mixed = scarp_weighed(s.gradient, scarp_rows_of(y.x.mixed, y.y.mixed, y.z.mixed),
+            dimensions);
     ScarpSample r = scarp_with_hessian(s, j, j, scarp_hessian_of(s), dimensions);
     r.gradient = scarp_times(j, s.gradient, dimensions);
     r.diagonal = scarp_add3(r.diagonal, diagonal);
@@ -1652,7 +1670,7 @@ ScarpSample scarp_composed(ScarpSample s, ScarpDisplaced y, int dimensions)
 /* The components of a level, each at `at`, by x; `y` says how that depends on x, unless the level
    is the deepest. */
 ScarpDisplaced scarp_level_at(uint plan, int i, bool deepest, vec3 at, ScarpDisplaced y,
-                                        int dimensions)
+        int dimensions)
 {
     ScarpLevel l = scarp_level_of(plan, i);
     int components = scarp_pick_int(i > 0, dimensions, 1);
@@ -1728,14 +1746,15 @@ uint scarp_hash_with(uint h, float a)
    scarp_gpu_answers where the shader has the bits of the library. */
 uint scarp_answer2(uint plan, uint order, uint i)
 {
-    ScarpSample s =
-        scarp_sample2(plan, scarp_test_coordinate(plan, i, 0u), scarp_test_coordinate(plan, i, 1u));
+    ScarpSample s = scarp_sample2(plan, scarp_test_coordinate(plan, i, 0u),
+            scarp_test_coordinate(plan, i, 1u));
     uint h = scarp_hash_with(0u, s.value);
     if (order > 0u) {
         h = scarp_hash_with(scarp_hash_with(h, s.gradient.x), s.gradient.y);
     }
     if (order > 1u) {
-        h = scarp_hash_with(scarp_hash_with(scarp_hash_with(h, s.diagonal.x), s.mixed.x), s.diagonal.y);
+        h = scarp_hash_with(scarp_hash_with(scarp_hash_with(h, s.diagonal.x), s.mixed.x),
+                s.diagonal.y);
     }
     return h;
 }
@@ -1743,14 +1762,17 @@ uint scarp_answer2(uint plan, uint order, uint i)
 uint scarp_answer3(uint plan, uint order, uint i)
 {
     ScarpSample s = scarp_sample3(plan, scarp_test_coordinate(plan, i, 0u),
-                                    scarp_test_coordinate(plan, i, 1u), scarp_test_coordinate(plan, i, 2u));
+            scarp_test_coordinate(plan, i, 1u), scarp_test_coordinate(plan, i, 2u));
     uint h = scarp_hash_with(0u, s.value);
     if (order > 0u) {
-        h = scarp_hash_with(scarp_hash_with(scarp_hash_with(h, s.gradient.x), s.gradient.y), s.gradient.z);
+        h = scarp_hash_with(scarp_hash_with(scarp_hash_with(h, s.gradient.x), s.gradient.y),
+                s.gradient.z);
     }
     if (order > 1u) {
-        h = scarp_hash_with(scarp_hash_with(scarp_hash_with(h, s.diagonal.x), s.mixed.x), s.mixed.y);
-        h = scarp_hash_with(scarp_hash_with(scarp_hash_with(h, s.diagonal.y), s.mixed.z), s.diagonal.z);
+        h = scarp_hash_with(scarp_hash_with(scarp_hash_with(h, s.diagonal.x), s.mixed.x),
+                s.mixed.y);
+        h = scarp_hash_with(scarp_hash_with(scarp_hash_with(h, s.diagonal.y), s.mixed.z),
+                s.diagonal.z);
     }
     return h;
 }

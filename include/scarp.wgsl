@@ -132,7 +132,8 @@ fn scarp_rough_inverse(a: f32) -> f32 {
     return 1.0f / a;
 }
 
-/* Arithmetic with vectors and symmetric matrices, and the two operations that shading languages only approximate. */
+/* Arithmetic with vectors and symmetric matrices, and the two operations that shading languages
+   only approximate. */
 
 const SCARP_SIGN: u32 = 0x80000000u;
 
@@ -186,13 +187,14 @@ fn scarp_rows_of(x: vec3f, y: vec3f, z: vec3f) -> ScarpRows {
 }
 
 fn scarp_transposed(m: ScarpRows) -> ScarpRows {
-    return scarp_rows_of(vec3f(m.x.x, m.y.x, m.z.x), vec3f(m.x.y, m.y.y, m.z.y),
-                   vec3f(m.x.z, m.y.z, m.z.z));
+    return scarp_rows_of(vec3f(m.x.x, m.y.x, m.z.x), vec3f(m.x.y, m.y.y, m.z.y), vec3f(m.x.z, m.y.z,
+            m.z.z));
 }
 
 /* Each row of m times v. */
 fn scarp_times(m: ScarpRows, v: vec3f, dimensions: i32) -> vec3f {
-    return vec3f(scarp_dot(m.x, v, dimensions), scarp_dot(m.y, v, dimensions), scarp_dot(m.z, v, dimensions));
+    return vec3f(scarp_dot(m.x, v, dimensions), scarp_dot(m.y, v, dimensions), scarp_dot(m.z, v,
+            dimensions));
 }
 
 /* Noise at a point. diagonal: the derivatives xx, yy, zz; mixed: xy, xz, yz. */
@@ -219,20 +221,19 @@ fn scarp_constant(value: f32) -> ScarpSample {
 
 /* The Hessian. */
 fn scarp_hessian_of(s: ScarpSample) -> ScarpRows {
-    return scarp_rows_of(vec3f(s.diagonal.x, s.mixed.x, s.mixed.y),
-                   vec3f(s.mixed.x, s.diagonal.y, s.mixed.z),
-                   vec3f(s.mixed.y, s.mixed.z, s.diagonal.z));
+    return scarp_rows_of(vec3f(s.diagonal.x, s.mixed.x, s.mixed.y), vec3f(s.mixed.x, s.diagonal.y,
+            s.mixed.z), vec3f(s.mixed.y, s.mixed.z, s.diagonal.z));
 }
 
 fn scarp_sum_of(a: ScarpSample, b: ScarpSample) -> ScarpSample {
     return scarp_sample_of(scarp_add(a.value, b.value), scarp_add3(a.gradient, b.gradient),
-                     scarp_add3(a.diagonal, b.diagonal), scarp_add3(a.mixed, b.mixed));
+            scarp_add3(a.diagonal, b.diagonal), scarp_add3(a.mixed, b.mixed));
 }
 
 /* Multiplies the outputs of each order by a factor of their own. */
 fn scarp_scaled(n: ScarpSample, value: f32, gradient: f32, hessian: f32) -> ScarpSample {
-    return scarp_sample_of(scarp_mul(value, n.value), scarp_mul3(gradient, n.gradient), scarp_mul3(hessian, n.diagonal),
-                     scarp_mul3(hessian, n.mixed));
+    return scarp_sample_of(scarp_mul(value, n.value), scarp_mul3(gradient, n.gradient),
+            scarp_mul3(hessian, n.diagonal), scarp_mul3(hessian, n.mixed));
 }
 
 /*
@@ -295,7 +296,8 @@ fn scarp_hash2(key: vec3u, x: u32, y: u32) -> u32 {
 }
 
 fn scarp_joined3(key: vec3u, x: u32, y: u32, z: u32) -> u32 {
-    return scarp_hash_axis(x, SCARP_HASH_X, key.x) ^ scarp_hash_axis(y, SCARP_HASH_Y, key.y) ^ scarp_hash_axis(z, SCARP_HASH_Z, key.z);
+    return scarp_hash_axis(x, SCARP_HASH_X, key.x) ^ scarp_hash_axis(y, SCARP_HASH_Y, key.y)
+            ^ scarp_hash_axis(z, SCARP_HASH_Z, key.z);
 }
 
 fn scarp_hash3(key: vec3u, x: u32, y: u32, z: u32) -> u32 {
@@ -386,7 +388,8 @@ fn scarp_position_of(o: ScarpOctave, turned: bool, x: vec3f, dimensions: i32) ->
 }
 
 /* Along y, triangles of simplex noise count their rows. */
-fn scarp_place_of(o: ScarpOctave, basis: u32, turned: bool, x: vec3f, dimensions: i32) -> ScarpPlace {
+fn scarp_place_of(o: ScarpOctave, basis: u32, turned: bool, x: vec3f,
+        dimensions: i32) -> ScarpPlace {
     var p: vec3f = scarp_position_of(o, turned, x, dimensions);
     if (basis == SCARP_SIMPLEX && dimensions == 2) {
         p.y = scarp_mul(p.y, o.turn.z);
@@ -483,7 +486,8 @@ fn scarp_across(l: ScarpSlope, r: ScarpSlope, p: ScarpBetween) -> f32 {
 }
 
 fn scarp_across_dx(l: ScarpSlope, r: ScarpSlope, p: ScarpBetween) -> f32 {
-    var step: f32 = scarp_mul(p.f.du, scarp_sub(scarp_at(r, p.before, p.level), scarp_at(l, p.x, p.level)));
+    var step: f32 = scarp_mul(p.f.du, scarp_sub(scarp_at(r, p.before, p.level), scarp_at(l, p.x,
+            p.level)));
     if (!p.level) {
         step = scarp_add(scarp_mix(l.a, r.a, p.f.u), step);
     }
@@ -491,7 +495,8 @@ fn scarp_across_dx(l: ScarpSlope, r: ScarpSlope, p: ScarpBetween) -> f32 {
 }
 
 fn scarp_across_dxx(l: ScarpSlope, r: ScarpSlope, p: ScarpBetween) -> f32 {
-    var bend: f32 = scarp_mul(p.f.ddu, scarp_sub(scarp_at(r, p.before, p.level), scarp_at(l, p.x, p.level)));
+    var bend: f32 = scarp_mul(p.f.ddu, scarp_sub(scarp_at(r, p.before, p.level), scarp_at(l, p.x,
+            p.level)));
     if (!p.level) {
         bend = scarp_add(scarp_mul(scarp_mul(2.0f, p.f.du), scarp_sub(r.a, l.a)), bend);
     }
@@ -504,11 +509,11 @@ fn scarp_join(l: ScarpColumn, r: ScarpColumn, x: f32, f: ScarpFade, level: bool)
     p.before = scarp_sub(x, 1.0f);
     p.f = f;
     p.level = level;
-    return scarp_sample_of(
-        scarp_across(l.value, r.value, p),
-        vec3f(scarp_across_dx(l.value, r.value, p), scarp_across(l.y, r.y, p), scarp_across(l.z, r.z, p)),
-        vec3f(scarp_across_dxx(l.value, r.value, p), scarp_across(l.yy, r.yy, p), scarp_across(l.zz, r.zz, p)),
-        vec3f(scarp_across_dx(l.y, r.y, p), scarp_across_dx(l.z, r.z, p), scarp_across(l.yz, r.yz, p)));
+    return scarp_sample_of( scarp_across(l.value, r.value, p), vec3f(scarp_across_dx(l.value,
+            r.value, p), scarp_across(l.y, r.y, p), scarp_across(l.z, r.z, p)),
+            vec3f(scarp_across_dxx(l.value, r.value, p), scarp_across(l.yy, r.yy, p),
+            scarp_across(l.zz, r.zz, p)), vec3f(scarp_across_dx(l.y, r.y, p), scarp_across_dx(l.z,
+            r.z, p), scarp_across(l.yz, r.yz, p)));
 }
 
 /* Gradient noise. */
@@ -523,7 +528,8 @@ fn scarp_cosine(i: u32) -> f32 {
 /* One of the 16 directions of the plane. */
 fn scarp_direction2(i: u32) -> vec3f {
     let k: u32 = (i >> 1u) & 3u;
-    return vec3f(scarp_with_bit(scarp_cosine(k), (i >> 3u) & 1u), scarp_with_bit(scarp_cosine(3u - k), i & 1u), 0.0f);
+    return vec3f(scarp_with_bit(scarp_cosine(k), (i >> 3u) & 1u),
+            scarp_with_bit(scarp_cosine(3u - k), i & 1u), 0.0f);
 }
 
 /* One of the 12 edges of a cube, twice as long: 0 along z, y or x. */
@@ -531,9 +537,8 @@ fn scarp_direction3(i: u32) -> vec3f {
     let axes: u32 = i >> 2u;
     let first: f32 = scarp_with_bit(2.0f, (i >> 1u) & 1u);
     let second: f32 = scarp_with_bit(2.0f, i & 1u);
-    return vec3f(select(first, 0.0f, axes == 2u),
-                   select(select(first, 0.0f, axes == 1u), second, axes == 0u),
-                   select(second, 0.0f, axes == 0u));
+    return vec3f(select(first, 0.0f, axes == 2u), select(select(first, 0.0f, axes == 1u), second,
+            axes == 0u), select(second, 0.0f, axes == 0u));
 }
 
 /* An edge after a quarter of a turn: 1, 2, -1 or -2 along each axis, in two bits per edge. */
@@ -563,9 +568,10 @@ fn scarp_turned2(drawn: u32, turn: vec4f) -> vec3f {
 fn scarp_turned3(i: u32, turn: vec4f) -> vec3f {
     let quick: bool = ((0x93cu >> i) & 1u) != 0u;
     let g: vec3f = scarp_direction3(i);
-    let q: vec3f = scarp_mul3(SCARP_TWO_OVER_ROOT_3, vec3f(scarp_quarter3(SCARP_QUARTERS_X, i), scarp_quarter3(SCARP_QUARTERS_Y, i),
-                                                 scarp_quarter3(SCARP_QUARTERS_Z, i)));
-    return scarp_add3(scarp_mul3(select(turn.x, turn.z, quick), g), scarp_mul3(select(turn.y, turn.w, quick), q));
+    let q: vec3f = scarp_mul3(SCARP_TWO_OVER_ROOT_3, vec3f(scarp_quarter3(SCARP_QUARTERS_X, i),
+            scarp_quarter3(SCARP_QUARTERS_Y, i), scarp_quarter3(SCARP_QUARTERS_Z, i)));
+    return scarp_add3(scarp_mul3(select(turn.x, turn.z, quick), g), scarp_mul3(select(turn.y,
+            turn.w, quick), q));
 }
 
 /* What draws directions: the octave's keys, and how far directions are turned, if they are. */
@@ -606,9 +612,12 @@ fn scarp_gradient_column2(t: ScarpTurning, x: u32, p: ScarpPlace, v: ScarpFade) 
     let dot1: f32 = scarp_mul(g1.y, scarp_sub(p.t.y, 1.0f));
     let ddot: f32 = scarp_sub(dot1, dot0);
     var c: ScarpColumn;
-    c.value = scarp_slope_of(scarp_add(g0.x, scarp_mul(v.u, dg.x)), scarp_add(dot0, scarp_mul(v.u, ddot)));
-    c.y = scarp_slope_of(scarp_mul(v.du, dg.x), scarp_add(scarp_mix(g0.y, g1.y, v.u), scarp_mul(v.du, ddot)));
-    c.yy = scarp_slope_of(scarp_mul(v.ddu, dg.x), scarp_add(scarp_mul(scarp_mul(2.0f, v.du), dg.y), scarp_mul(v.ddu, ddot)));
+    c.value = scarp_slope_of(scarp_add(g0.x, scarp_mul(v.u, dg.x)), scarp_add(dot0, scarp_mul(v.u,
+            ddot)));
+    c.y = scarp_slope_of(scarp_mul(v.du, dg.x), scarp_add(scarp_mix(g0.y, g1.y, v.u),
+            scarp_mul(v.du, ddot)));
+    c.yy = scarp_slope_of(scarp_mul(v.ddu, dg.x), scarp_add(scarp_mul(scarp_mul(2.0f, v.du), dg.y),
+            scarp_mul(v.ddu, ddot)));
     c.z = scarp_slope_of(0.0f, 0.0f);
     c.yz = scarp_slope_of(0.0f, 0.0f);
     c.zz = scarp_slope_of(0.0f, 0.0f);
@@ -627,7 +636,8 @@ struct ScarpEdge {
 }
 
 /* The edge at column x and row y of cells, ty from it along y; w is the fade along z. */
-fn scarp_gradient_edge(t: ScarpTurning, x: u32, y: u32, ty: f32, p: ScarpPlace, w: ScarpFade) -> ScarpEdge {
+fn scarp_gradient_edge(t: ScarpTurning, x: u32, y: u32, ty: f32, p: ScarpPlace,
+        w: ScarpFade) -> ScarpEdge {
     let g0: vec3f = scarp_drawn3(t, x, y, p.cell.z);
     let g1: vec3f = scarp_drawn3(t, x, y, p.next.z);
     let dg: vec3f = scarp_sub3(g1, g0);
@@ -635,7 +645,8 @@ fn scarp_gradient_edge(t: ScarpTurning, x: u32, y: u32, ty: f32, p: ScarpPlace, 
     let dot1: f32 = scarp_add(scarp_mul(g1.y, ty), scarp_mul(g1.z, scarp_sub(p.t.z, 1.0f)));
     let ddot: f32 = scarp_sub(dot1, dot0);
     var e: ScarpEdge;
-    e.value = scarp_slope_of(scarp_add(g0.x, scarp_mul(w.u, dg.x)), scarp_add(dot0, scarp_mul(w.u, ddot)));
+    e.value = scarp_slope_of(scarp_add(g0.x, scarp_mul(w.u, dg.x)), scarp_add(dot0, scarp_mul(w.u,
+            ddot)));
     e.z = scarp_add(scarp_add(g0.z, scarp_mul(w.u, dg.z)), scarp_mul(w.du, ddot));
     e.zz = scarp_add(scarp_mul(scarp_mul(2.0f, w.du), dg.z), scarp_mul(w.ddu, ddot));
     e.gy = scarp_add(g0.y, scarp_mul(w.u, dg.y));
@@ -644,7 +655,8 @@ fn scarp_gradient_edge(t: ScarpTurning, x: u32, y: u32, ty: f32, p: ScarpPlace, 
     return e;
 }
 
-fn scarp_gradient_column3(t: ScarpTurning, x: u32, p: ScarpPlace, v: ScarpFade, w: ScarpFade) -> ScarpColumn {
+fn scarp_gradient_column3(t: ScarpTurning, x: u32, p: ScarpPlace, v: ScarpFade,
+        w: ScarpFade) -> ScarpColumn {
     let e0: ScarpEdge = scarp_gradient_edge(t, x, p.cell.y, p.t.y, p, w);
     let e1: ScarpEdge = scarp_gradient_edge(t, x, p.next.y, scarp_sub(p.t.y, 1.0f), p, w);
     let da: f32 = scarp_sub(e1.value.a, e0.value.a);
@@ -654,11 +666,15 @@ fn scarp_gradient_column3(t: ScarpTurning, x: u32, p: ScarpPlace, v: ScarpFade, 
     let ddgx: f32 = scarp_sub(e1.dgx, e0.dgx);
     let dgx: f32 = scarp_add(e0.dgx, scarp_mul(v.u, ddgx));
     var c: ScarpColumn;
-    c.value = scarp_slope_of(scarp_add(e0.value.a, scarp_mul(v.u, da)), scarp_add(e0.value.b, scarp_mul(v.u, db)));
-    c.y = scarp_slope_of(scarp_mul(v.du, da), scarp_add(scarp_add(e0.gy, scarp_mul(v.u, dgy)), scarp_mul(v.du, db)));
+    c.value = scarp_slope_of(scarp_add(e0.value.a, scarp_mul(v.u, da)), scarp_add(e0.value.b,
+            scarp_mul(v.u, db)));
+    c.y = scarp_slope_of(scarp_mul(v.du, da), scarp_add(scarp_add(e0.gy, scarp_mul(v.u, dgy)),
+            scarp_mul(v.du, db)));
     c.z = scarp_slope_of(scarp_mul(w.du, dgx), scarp_add(e0.z, scarp_mul(v.u, dz)));
-    c.yy = scarp_slope_of(scarp_mul(v.ddu, da), scarp_add(scarp_mul(scarp_mul(2.0f, v.du), dgy), scarp_mul(v.ddu, db)));
-    c.yz = scarp_slope_of(scarp_mul(v.du, scarp_mul(w.du, ddgx)), scarp_add(scarp_mix(e0.dgy, e1.dgy, v.u), scarp_mul(v.du, dz)));
+    c.yy = scarp_slope_of(scarp_mul(v.ddu, da), scarp_add(scarp_mul(scarp_mul(2.0f, v.du), dgy),
+            scarp_mul(v.ddu, db)));
+    c.yz = scarp_slope_of(scarp_mul(v.du, scarp_mul(w.du, ddgx)), scarp_add(scarp_mix(e0.dgy,
+            e1.dgy, v.u), scarp_mul(v.du, dz)));
     c.zz = scarp_slope_of(scarp_mul(w.ddu, dgx), scarp_mix(e0.zz, e1.zz, v.u));
     return c;
 }
@@ -703,7 +719,8 @@ fn scarp_value_column2(key: vec3u, x: u32, p: ScarpPlace, v: ScarpFade) -> Scarp
     return c;
 }
 
-fn scarp_value_column3(key: vec3u, x: u32, p: ScarpPlace, v: ScarpFade, w: ScarpFade) -> ScarpColumn {
+fn scarp_value_column3(key: vec3u, x: u32, p: ScarpPlace, v: ScarpFade,
+        w: ScarpFade) -> ScarpColumn {
     let c00: f32 = scarp_lattice_value(scarp_hash3(key, x, p.cell.y, p.cell.z));
     let c01: f32 = scarp_lattice_value(scarp_hash3(key, x, p.cell.y, p.next.z));
     let c10: f32 = scarp_lattice_value(scarp_hash3(key, x, p.next.y, p.cell.z));
@@ -765,14 +782,15 @@ fn scarp_vertex_at(d: vec3f, g: vec3f, r2: f32, dimensions: i32) -> ScarpSample 
     let w3: f32 = scarp_mul(8.0f, scarp_mul(w2, w));
     let bend: f32 = scarp_mul(scarp_mul(48.0f, w2), q);
     let twice: vec3f = scarp_mul3(2.0f, g);
-    let diagonal: vec3f = vec3f(scarp_vertex_second(bend, w3, d.x, d.x, scarp_add(scarp_mul(twice.x, d.x), q)),
-                                  scarp_vertex_second(bend, w3, d.y, d.y, scarp_add(scarp_mul(twice.y, d.y), q)),
-                                  scarp_vertex_second(bend, w3, d.z, d.z, scarp_add(scarp_mul(twice.z, d.z), q)));
-    let mixed: vec3f =
-        vec3f(scarp_vertex_second(bend, w3, d.x, d.y, scarp_add(scarp_mul(g.x, d.y), scarp_mul(g.y, d.x))),
-                scarp_vertex_second(bend, w3, d.x, d.z, scarp_add(scarp_mul(g.x, d.z), scarp_mul(g.z, d.x))),
-                scarp_vertex_second(bend, w3, d.y, d.z, scarp_add(scarp_mul(g.y, d.z), scarp_mul(g.z, d.y))));
-    return scarp_sample_of(scarp_mul(w4, q), scarp_sub3(scarp_mul3(w4, g), scarp_mul3(scarp_mul(w3, q), d)), diagonal, mixed);
+    let diagonal: vec3f = vec3f(scarp_vertex_second(bend, w3, d.x, d.x, scarp_add(scarp_mul(twice.x,
+            d.x), q)), scarp_vertex_second(bend, w3, d.y, d.y, scarp_add(scarp_mul(twice.y, d.y),
+            q)), scarp_vertex_second(bend, w3, d.z, d.z, scarp_add(scarp_mul(twice.z, d.z), q)));
+    let mixed: vec3f = vec3f(scarp_vertex_second(bend, w3, d.x, d.y, scarp_add(scarp_mul(g.x, d.y),
+            scarp_mul(g.y, d.x))), scarp_vertex_second(bend, w3, d.x, d.z, scarp_add(scarp_mul(g.x,
+            d.z), scarp_mul(g.z, d.x))), scarp_vertex_second(bend, w3, d.y, d.z,
+            scarp_add(scarp_mul(g.y, d.z), scarp_mul(g.z, d.y))));
+    return scarp_sample_of(scarp_mul(w4, q), scarp_sub3(scarp_mul3(w4, g), scarp_mul3(scarp_mul(w3,
+            q), d)), diagonal, mixed);
 }
 
 const SCARP_ROW_HEIGHT: f32 = 0.866025404f;
@@ -781,7 +799,8 @@ const SCARP_TRIANGLE_R2: f32 = 0.75f;
 /* The vertex `column` to the right of the cell, in row y. */
 fn scarp_vertex2(o: ScarpOctave, p: ScarpPlace, column: i32, y: u32, d: vec3f) -> ScarpSample {
     let x: u32 = scarp_cell_beside(o.last.x, p.cell.x, column);
-    return scarp_vertex_at(d, scarp_direction2(scarp_hash2(o.key, x, y) >> 28u), SCARP_TRIANGLE_R2, 2);
+    return scarp_vertex_at(d, scarp_direction2(scarp_hash2(o.key, x, y) >> 28u), SCARP_TRIANGLE_R2,
+            2);
 }
 
 fn scarp_simplex_at2(o: ScarpOctave, p: ScarpPlace) -> ScarpSample {
@@ -796,10 +815,10 @@ fn scarp_simplex_at2(o: ScarpOctave, p: ScarpPlace) -> ScarpSample {
     let y: f32 = scarp_mul(SCARP_ROW_HEIGHT, p.t.y);
     let y_above: f32 = scarp_sub(y, SCARP_ROW_HEIGHT);
     let a: ScarpSample = scarp_vertex2(o, p, k + 1, p.cell.y, vec3f(scarp_sub(x, 1.0f), y, 0.0f));
-    let b: ScarpSample = scarp_vertex2(o, p, above, p.next.y, vec3f(scarp_sub(x, 0.5f), y_above, 0.0f));
-    let c: ScarpSample =
-        scarp_vertex2(o, p, select(above + 1, k, lower), select(p.next.y, p.cell.y, lower),
-                vec3f(select(scarp_sub(x, 1.5f), x, lower), select(y_above, y, lower), 0.0f));
+    let b: ScarpSample = scarp_vertex2(o, p, above, p.next.y, vec3f(scarp_sub(x, 0.5f), y_above,
+            0.0f));
+    let c: ScarpSample = scarp_vertex2(o, p, select(above + 1, k, lower), select(p.next.y, p.cell.y,
+            lower), vec3f(select(scarp_sub(x, 1.5f), x, lower), select(y_above, y, lower), 0.0f));
     return scarp_sum_of(scarp_sum_of(a, b), c);
 }
 
@@ -815,10 +834,10 @@ struct ScarpVertex {
 }
 
 fn scarp_vertex3(o: ScarpOctave, p: ScarpPlace, v: ScarpVertex, hash_k: u32) -> ScarpSample {
-    let h: u32 =
-        scarp_joined3(o.key, scarp_cell_beside(o.last.x, p.cell.x, v.x), scarp_cell_beside(o.last.y, p.cell.y, v.y),
-                scarp_cell_beside(o.last.z, p.cell.z, v.z));
-    return scarp_vertex_at(v.d, scarp_direction3(scarp_edge_of(h * (h + hash_k))), SCARP_TETRAHEDRON_R2, 3);
+    let h: u32 = scarp_joined3(o.key, scarp_cell_beside(o.last.x, p.cell.x, v.x),
+            scarp_cell_beside(o.last.y, p.cell.y, v.y), scarp_cell_beside(o.last.z, p.cell.z, v.z));
+    return scarp_vertex_at(v.d, scarp_direction3(scarp_edge_of(h * (h + hash_k))),
+            SCARP_TETRAHEDRON_R2, 3);
 }
 
 /* A cube's two centres and two corners along an axis: what `t`, from the centre, makes of each. */
@@ -863,15 +882,15 @@ fn scarp_simplex_at3(o: ScarpOctave, p: ScarpPlace) -> ScarpSample {
     let y: ScarpEnds = scarp_ends_of(t.y, far_y, near_y);
     let z: ScarpEnds = scarp_ends_of(t.z, !far_x && !far_y, near_z);
     let centre0: ScarpVertex = scarp_vertex_of(0, 0, 0, t);
-    let centre1: ScarpVertex =
-        scarp_vertex_of(x.centre, y.centre, z.centre, vec3f(x.d_centre, y.d_centre, z.d_centre));
+    let centre1: ScarpVertex = scarp_vertex_of(x.centre, y.centre, z.centre, vec3f(x.d_centre,
+            y.d_centre, z.d_centre));
     let corner0: ScarpVertex = scarp_vertex_of(x.up, y.up, z.up, vec3f(x.d_up, y.d_up, z.d_up));
-    let corner1: ScarpVertex =
-        scarp_vertex_of(x.corner, y.corner, z.corner, vec3f(x.d_corner, y.d_corner, z.d_corner));
-    let centres: ScarpSample =
-        scarp_sum_of(scarp_vertex3(o, p, centre0, SCARP_HASH_CENTRE), scarp_vertex3(o, p, centre1, SCARP_HASH_CENTRE));
-    let corners: ScarpSample =
-        scarp_sum_of(scarp_vertex3(o, p, corner0, SCARP_HASH_K), scarp_vertex3(o, p, corner1, SCARP_HASH_K));
+    let corner1: ScarpVertex = scarp_vertex_of(x.corner, y.corner, z.corner, vec3f(x.d_corner,
+            y.d_corner, z.d_corner));
+    let centres: ScarpSample = scarp_sum_of(scarp_vertex3(o, p, centre0, SCARP_HASH_CENTRE),
+            scarp_vertex3(o, p, centre1, SCARP_HASH_CENTRE));
+    let corners: ScarpSample = scarp_sum_of(scarp_vertex3(o, p, corner0, SCARP_HASH_K),
+            scarp_vertex3(o, p, corner1, SCARP_HASH_K));
     return scarp_sum_of(corners, centres);
 }
 
@@ -895,7 +914,8 @@ fn scarp_feature_distance(t: f32, step: i32, jitter: f32, v: u32) -> f32 {
 }
 
 /* The feature of the cell that is (x, y, z) away from that of p. */
-fn scarp_feature_at(o: ScarpOctave, p: ScarpPlace, x: i32, y: i32, z: i32, dimensions: i32) -> ScarpFeature {
+fn scarp_feature_at(o: ScarpOctave, p: ScarpPlace, x: i32, y: i32, z: i32,
+        dimensions: i32) -> ScarpFeature {
     let cx: u32 = scarp_cell_beside(o.last.x, p.cell.x, x);
     let cy: u32 = scarp_cell_beside(o.last.y, p.cell.y, y);
     var f: ScarpFeature;
@@ -903,8 +923,8 @@ fn scarp_feature_at(o: ScarpOctave, p: ScarpPlace, x: i32, y: i32, z: i32, dimen
     if (dimensions == 3) {
         f.hash = scarp_hash3(o.key, cx, cy, scarp_cell_beside(o.last.z, p.cell.z, z));
     }
-    f.d = vec3f(scarp_feature_distance(p.t.x, x, o.turn.x, f.hash),
-                  scarp_feature_distance(p.t.y, y, o.turn.x, f.hash * SCARP_FEATURE_Y), 0.0f);
+    f.d = vec3f(scarp_feature_distance(p.t.x, x, o.turn.x, f.hash), scarp_feature_distance(p.t.y, y,
+            o.turn.x, f.hash * SCARP_FEATURE_Y), 0.0f);
     var across2: f32 = scarp_mul(f.d.y, f.d.y);
     if (dimensions == 3) {
         f.d.z = scarp_feature_distance(p.t.z, z, o.turn.x, f.hash * SCARP_FEATURE_Z);
@@ -943,7 +963,8 @@ fn scarp_gap2(t: f32, step: i32) -> f32 {
 
 /* Whether a cell, and so its feature, is further away than s, by more than rounding. */
 fn scarp_is_beyond(p: ScarpPlace, x: i32, y: i32, z: i32, s: f32) -> bool {
-    let gap: f32 = scarp_add(scarp_add(scarp_gap2(p.t.x, x), scarp_gap2(p.t.y, y)), scarp_gap2(p.t.z, z));
+    let gap: f32 = scarp_add(scarp_add(scarp_gap2(p.t.x, x), scarp_gap2(p.t.y, y)),
+            scarp_gap2(p.t.z, z));
     return gap > scarp_mul(1.001f, s);
 }
 
@@ -983,11 +1004,10 @@ fn scarp_distance_to(f: ScarpFeature) -> ScarpSample {
     let distance: f32 = scarp_root(f.s);
     let r: f32 = select(scarp_inverse(distance), 0.0f, f.s <= SCARP_NO_DISTANCE);
     let g: vec3f = vec3f(scarp_mul(f.d.x, r), scarp_mul(f.d.y, r), scarp_mul(f.d.z, r));
-    return scarp_sample_of(
-        distance, g,
-        vec3f(scarp_mul(r, scarp_sub(1.0f, scarp_mul(g.x, g.x))), scarp_mul(r, scarp_sub(1.0f, scarp_mul(g.y, g.y))),
-                scarp_mul(r, scarp_sub(1.0f, scarp_mul(g.z, g.z)))),
-        vec3f(-scarp_mul(r, scarp_mul(g.x, g.y)), -scarp_mul(r, scarp_mul(g.x, g.z)), -scarp_mul(r, scarp_mul(g.y, g.z))));
+    return scarp_sample_of( distance, g, vec3f(scarp_mul(r, scarp_sub(1.0f, scarp_mul(g.x, g.x))),
+            scarp_mul(r, scarp_sub(1.0f, scarp_mul(g.y, g.y))), scarp_mul(r, scarp_sub(1.0f,
+            scarp_mul(g.z, g.z)))), vec3f(-scarp_mul(r, scarp_mul(g.x, g.y)), -scarp_mul(r,
+            scarp_mul(g.x, g.z)), -scarp_mul(r, scarp_mul(g.y, g.z))));
 }
 
 /* What a feature adds before the root; the gradient without the factor 8, the Hessian too. */
@@ -998,10 +1018,9 @@ fn scarp_soft_term(f: ScarpFeature) -> ScarpSample {
     let a6: f32 = scarp_mul(a4, a2);
     let a7: f32 = scarp_mul(a6, a);
     let b: vec3f = scarp_mul3(scarp_mul(14.0f, a6), f.d);
-    return scarp_sample_of(
-        scarp_mul(a4, a4), scarp_mul3(a7, f.d),
-        vec3f(scarp_sub(scarp_mul(b.x, f.d.x), a7), scarp_sub(scarp_mul(b.y, f.d.y), a7), scarp_sub(scarp_mul(b.z, f.d.z), a7)),
-        vec3f(scarp_mul(b.x, f.d.y), scarp_mul(b.x, f.d.z), scarp_mul(b.y, f.d.z)));
+    return scarp_sample_of( scarp_mul(a4, a4), scarp_mul3(a7, f.d), vec3f(scarp_sub(scarp_mul(b.x,
+            f.d.x), a7), scarp_sub(scarp_mul(b.y, f.d.y), a7), scarp_sub(scarp_mul(b.z, f.d.z),
+            a7)), vec3f(scarp_mul(b.x, f.d.y), scarp_mul(b.x, f.d.z), scarp_mul(b.y, f.d.z)));
 }
 
 /* 2^-120: below this, V^2 counts as 0. */
@@ -1016,13 +1035,11 @@ fn scarp_soft_root(sum: ScarpSample) -> ScarpSample {
     let r: f32 = select(scarp_mul(8.0f, scarp_inverse(v)), 0.0f, sum.value <= SCARP_NO_SUM);
     let q: f32 = scarp_mul(0.125f, r);
     let g: vec3f = scarp_mul3(r, sum.gradient);
-    return scarp_sample_of(-v, g,
-                     vec3f(scarp_soft_second(q, r, g.x, g.x, sum.diagonal.x),
-                             scarp_soft_second(q, r, g.y, g.y, sum.diagonal.y),
-                             scarp_soft_second(q, r, g.z, g.z, sum.diagonal.z)),
-                     vec3f(scarp_soft_second(q, r, g.x, g.y, sum.mixed.x),
-                             scarp_soft_second(q, r, g.x, g.z, sum.mixed.y),
-                             scarp_soft_second(q, r, g.y, g.z, sum.mixed.z)));
+    return scarp_sample_of(-v, g, vec3f(scarp_soft_second(q, r, g.x, g.x, sum.diagonal.x),
+            scarp_soft_second(q, r, g.y, g.y, sum.diagonal.y), scarp_soft_second(q, r, g.z, g.z,
+            sum.diagonal.z)), vec3f(scarp_soft_second(q, r, g.x, g.y, sum.mixed.x),
+            scarp_soft_second(q, r, g.x, g.z, sum.mixed.y), scarp_soft_second(q, r, g.y, g.z,
+            sum.mixed.z)));
 }
 
 fn scarp_soft_at(o: ScarpOctave, p: ScarpPlace, dimensions: i32) -> ScarpSample {
@@ -1031,7 +1048,8 @@ fn scarp_soft_at(o: ScarpOctave, p: ScarpPlace, dimensions: i32) -> ScarpSample 
     for (var z: i32 = -depth; z <= depth; z++) {
         for (var y: i32 = -1; y <= 1; y++) {
             for (var x: i32 = -1; x <= 1; x++) {
-                sum = scarp_sum_of(sum, scarp_soft_term(scarp_feature_at(o, p, x, y, z, dimensions)));
+                sum = scarp_sum_of(sum, scarp_soft_term(scarp_feature_at(o, p, x, y, z,
+                        dimensions)));
             }
         }
     }
@@ -1040,8 +1058,8 @@ fn scarp_soft_at(o: ScarpOctave, p: ScarpPlace, dimensions: i32) -> ScarpSample 
 
 fn scarp_negated(n: ScarpSample) -> ScarpSample {
     return scarp_sample_of(-n.value, vec3f(-n.gradient.x, -n.gradient.y, -n.gradient.z),
-                     vec3f(-n.diagonal.x, -n.diagonal.y, -n.diagonal.z),
-                     vec3f(-n.mixed.x, -n.mixed.y, -n.mixed.z));
+            vec3f(-n.diagonal.x, -n.diagonal.y, -n.diagonal.z), vec3f(-n.mixed.x, -n.mixed.y,
+            -n.mixed.z));
 }
 
 /* The middle of the interval, o.turn.y, becomes 0. */
@@ -1105,14 +1123,15 @@ fn scarp_to_input(o: ScarpOctave, turned: bool, v: vec3f, dimensions: i32) -> ve
 }
 
 /* The Hessian of `n` with A^T (H B), the columns of A and B being rows here. */
-fn scarp_with_hessian(n: ScarpSample, a: ScarpRows, b: ScarpRows, h: ScarpRows, dimensions: i32) -> ScarpSample {
-    let hb: ScarpRows = scarp_transposed(
-        scarp_rows_of(scarp_times(b, h.x, dimensions), scarp_times(b, h.y, dimensions), scarp_times(b, h.z, dimensions)));
+fn scarp_with_hessian(n: ScarpSample, a: ScarpRows, b: ScarpRows, h: ScarpRows,
+        dimensions: i32) -> ScarpSample {
+    let hb: ScarpRows = scarp_transposed( scarp_rows_of(scarp_times(b, h.x, dimensions),
+            scarp_times(b, h.y, dimensions), scarp_times(b, h.z, dimensions)));
     var s: ScarpSample = n;
-    s.diagonal =
-        vec3f(scarp_dot(a.x, hb.x, dimensions), scarp_dot(a.y, hb.y, dimensions), scarp_dot(a.z, hb.z, dimensions));
-    s.mixed =
-        vec3f(scarp_dot(a.x, hb.y, dimensions), scarp_dot(a.x, hb.z, dimensions), scarp_dot(a.y, hb.z, dimensions));
+    s.diagonal = vec3f(scarp_dot(a.x, hb.x, dimensions), scarp_dot(a.y, hb.y, dimensions),
+            scarp_dot(a.z, hb.z, dimensions));
+    s.mixed = vec3f(scarp_dot(a.x, hb.y, dimensions), scarp_dot(a.x, hb.z, dimensions),
+            scarp_dot(a.y, hb.z, dimensions));
     return s;
 }
 
@@ -1120,10 +1139,11 @@ fn scarp_with_hessian(n: ScarpSample, a: ScarpRows, b: ScarpRows, h: ScarpRows, 
 fn scarp_in_input(o: ScarpOctave, turned: bool, n: ScarpSample, dimensions: i32) -> ScarpSample {
     var s: ScarpSample = scarp_scaled(n, o.amplitude, o.slope, o.curvature);
     if (turned) {
-        let scaled_jacobian: ScarpRows =
-            scarp_transposed(scarp_rows_of(o.gradient_x, o.gradient_y, o.gradient_z));
+        let scaled_jacobian: ScarpRows = scarp_transposed(scarp_rows_of(o.gradient_x, o.gradient_y,
+                o.gradient_z));
         s.gradient = scarp_times(scaled_jacobian, n.gradient, dimensions);
-        s = scarp_with_hessian(s, scaled_jacobian, scarp_jacobian_of(o), scarp_hessian_of(n), dimensions);
+        s = scarp_with_hessian(s, scaled_jacobian, scarp_jacobian_of(o), scarp_hessian_of(n),
+                dimensions);
     }
     return s;
 }
@@ -1140,7 +1160,7 @@ fn scarp_with_sign3(a: vec3f, n: f32) -> vec3f {
 /* |n|: turbulence */
 fn scarp_magnitude_of(n: ScarpSample) -> ScarpSample {
     return scarp_sample_of(scarp_with_sign(n.value, n.value), scarp_with_sign3(n.gradient, n.value),
-                     scarp_with_sign3(n.diagonal, n.value), scarp_with_sign3(n.mixed, n.value));
+            scarp_with_sign3(n.diagonal, n.value), scarp_with_sign3(n.mixed, n.value));
 }
 
 /* Ping-pong. The derivatives lack their factor 2 sharpness, which comes with the weight. */
@@ -1150,35 +1170,37 @@ fn scarp_pingpong(n: ScarpSample, sharpness: f32) -> ScarpSample {
     let value: f32 = scarp_sub(1.0f, scarp_mul(2.0f, scarp_magnitude(e)));
     let falling: f32 = select(1.0f, -1.0f, scarp_is_negative(e));
     let slope: f32 = select(falling, 0.0f, scarp_magnitude(value) == 1.0f);
-    return scarp_sample_of(value, scarp_with_sign3(n.gradient, slope), scarp_with_sign3(n.diagonal, slope),
-                     scarp_with_sign3(n.mixed, slope));
+    return scarp_sample_of(value, scarp_with_sign3(n.gradient, slope), scarp_with_sign3(n.diagonal,
+            slope), scarp_with_sign3(n.mixed, slope));
 }
 
 /* Ridged noise: v r^2 with v = weight and r = 1 - m. */
 fn scarp_ridge_first(v: f32, vi: f32, r: f32, mi: f32) -> f32 {
-    return scarp_sub(scarp_mul(scarp_mul(r, r), vi), scarp_mul(scarp_mul(scarp_mul(2.0f, v), r), mi));
+    return scarp_sub(scarp_mul(scarp_mul(r, r), vi), scarp_mul(scarp_mul(scarp_mul(2.0f, v), r),
+            mi));
 }
 
 fn scarp_ridge_first3(v: f32, vi: vec3f, r: f32, mi: vec3f) -> vec3f {
     return vec3f(scarp_ridge_first(v, vi.x, r, mi.x), scarp_ridge_first(v, vi.y, r, mi.y),
-                   scarp_ridge_first(v, vi.z, r, mi.z));
+            scarp_ridge_first(v, vi.z, r, mi.z));
 }
 
 /* vi mj + vj mi, for the elements of the diagonal and the others. */
 fn scarp_crossed_diagonal(v: vec3f, m: vec3f) -> vec3f {
-    return vec3f(scarp_add(scarp_mul(v.x, m.x), scarp_mul(v.x, m.x)), scarp_add(scarp_mul(v.y, m.y), scarp_mul(v.y, m.y)),
-                   scarp_add(scarp_mul(v.z, m.z), scarp_mul(v.z, m.z)));
+    return vec3f(scarp_add(scarp_mul(v.x, m.x), scarp_mul(v.x, m.x)), scarp_add(scarp_mul(v.y, m.y),
+            scarp_mul(v.y, m.y)), scarp_add(scarp_mul(v.z, m.z), scarp_mul(v.z, m.z)));
 }
 
 fn scarp_crossed_mixed(v: vec3f, m: vec3f) -> vec3f {
-    return vec3f(scarp_add(scarp_mul(v.x, m.y), scarp_mul(v.y, m.x)), scarp_add(scarp_mul(v.x, m.z), scarp_mul(v.z, m.x)),
-                   scarp_add(scarp_mul(v.y, m.z), scarp_mul(v.z, m.y)));
+    return vec3f(scarp_add(scarp_mul(v.x, m.y), scarp_mul(v.y, m.x)), scarp_add(scarp_mul(v.x, m.z),
+            scarp_mul(v.z, m.x)), scarp_add(scarp_mul(v.y, m.z), scarp_mul(v.z, m.y)));
 }
 
 /* `cross` is vi mj + vj mi, `mm` is mi mj. */
 fn scarp_ridge_second(v: f32, r: f32, vij: f32, mij: f32, cross: f32, mm: f32) -> f32 {
-    return scarp_add(scarp_sub(scarp_mul(scarp_mul(r, r), vij), scarp_mul(scarp_mul(2.0f, r), cross)),
-               scarp_sub(scarp_mul(scarp_mul(2.0f, v), mm), scarp_mul(scarp_mul(scarp_mul(2.0f, v), r), mij)));
+    return scarp_add(scarp_sub(scarp_mul(scarp_mul(r, r), vij), scarp_mul(scarp_mul(2.0f, r),
+            cross)), scarp_sub(scarp_mul(scarp_mul(2.0f, v), mm),
+            scarp_mul(scarp_mul(scarp_mul(2.0f, v), r), mij)));
 }
 
 fn scarp_ridge(weight: ScarpSample, n: ScarpSample) -> ScarpSample {
@@ -1190,13 +1212,13 @@ fn scarp_ridge(weight: ScarpSample, n: ScarpSample) -> ScarpSample {
     let vm: vec3f = weight.mixed;
     let v: f32 = weight.value;
     let r: f32 = scarp_sub(1.0f, m.value);
-    return scarp_sample_of(scarp_mul(v, scarp_mul(r, r)), scarp_ridge_first3(v, weight.gradient, r, g),
-                     vec3f(scarp_ridge_second(v, r, vd.x, m.diagonal.x, a.x, scarp_mul(g.x, g.x)),
-                             scarp_ridge_second(v, r, vd.y, m.diagonal.y, a.y, scarp_mul(g.y, g.y)),
-                             scarp_ridge_second(v, r, vd.z, m.diagonal.z, a.z, scarp_mul(g.z, g.z))),
-                     vec3f(scarp_ridge_second(v, r, vm.x, m.mixed.x, b.x, scarp_mul(g.x, g.y)),
-                             scarp_ridge_second(v, r, vm.y, m.mixed.y, b.y, scarp_mul(g.x, g.z)),
-                             scarp_ridge_second(v, r, vm.z, m.mixed.z, b.z, scarp_mul(g.y, g.z))));
+    return scarp_sample_of(scarp_mul(v, scarp_mul(r, r)), scarp_ridge_first3(v, weight.gradient, r,
+            g), vec3f(scarp_ridge_second(v, r, vd.x, m.diagonal.x, a.x, scarp_mul(g.x, g.x)),
+            scarp_ridge_second(v, r, vd.y, m.diagonal.y, a.y, scarp_mul(g.y, g.y)),
+            scarp_ridge_second(v, r, vd.z, m.diagonal.z, a.z, scarp_mul(g.z, g.z))),
+            vec3f(scarp_ridge_second(v, r, vm.x, m.mixed.x, b.x, scarp_mul(g.x, g.y)),
+            scarp_ridge_second(v, r, vm.y, m.mixed.y, b.y, scarp_mul(g.x, g.z)),
+            scarp_ridge_second(v, r, vm.z, m.mixed.z, b.z, scarp_mul(g.y, g.z))));
 }
 
 /* The weight of the octave after one of ridged noise: 2 s, but 1 where that is more. */
@@ -1214,9 +1236,9 @@ fn scarp_hybrid(weight: ScarpSample, n: ScarpSample, sharpness: f32) -> ScarpSam
     let r: f32 = scarp_add(n.value, sharpness);
     let diagonal: vec3f = scarp_add3(scarp_mul3(r, weight.diagonal), scarp_mul3(v, n.diagonal));
     let mixed: vec3f = scarp_add3(scarp_mul3(r, weight.mixed), scarp_mul3(v, n.mixed));
-    return scarp_sample_of(scarp_mul(v, r), scarp_add3(scarp_mul3(r, weight.gradient), scarp_mul3(v, n.gradient)),
-                     scarp_add3(diagonal, scarp_crossed_diagonal(weight.gradient, n.gradient)),
-                     scarp_add3(mixed, scarp_crossed_mixed(weight.gradient, n.gradient)));
+    return scarp_sample_of(scarp_mul(v, r), scarp_add3(scarp_mul3(r, weight.gradient), scarp_mul3(v,
+            n.gradient)), scarp_add3(diagonal, scarp_crossed_diagonal(weight.gradient, n.gradient)),
+            scarp_add3(mixed, scarp_crossed_mixed(weight.gradient, n.gradient)));
 }
 
 /* The weight of the octave after one of hybrid noise: share u, but 1 or -1 where that is beyond. */
@@ -1240,19 +1262,22 @@ fn scarp_sum_of_rows(a: ScarpRows, b: ScarpRows) -> ScarpRows {
 }
 
 /* The slopes with those of an octave n, in its own axes: they become steeper. */
-fn scarp_steeper(slopes: ScarpSlopes, o: ScarpOctave, turned: bool, n: ScarpSample, dimensions: i32) -> ScarpSlopes {
+fn scarp_steeper(slopes: ScarpSlopes, o: ScarpOctave, turned: bool, n: ScarpSample,
+        dimensions: i32) -> ScarpSlopes {
     let h: ScarpRows = scarp_hessian_of(n);
     var s: ScarpSlopes;
     s.d = scarp_add3(slopes.d, n.gradient);
-    s.jacobian = scarp_sum_of_rows(slopes.jacobian, scarp_rows_of(scarp_to_input(o, turned, h.x, dimensions),
-                                                      scarp_to_input(o, turned, h.y, dimensions),
-                                                      scarp_to_input(o, turned, h.z, dimensions)));
+    s.jacobian = scarp_sum_of_rows(slopes.jacobian, scarp_rows_of(scarp_to_input(o, turned, h.x,
+            dimensions), scarp_to_input(o, turned, h.y, dimensions), scarp_to_input(o, turned, h.z,
+            dimensions)));
     return s;
 }
 
 /* An octave n of erosion; `slopes` have it, and `gradient` is its own in the axes of the input. */
-fn scarp_eroded(slopes: ScarpSlopes, erosion: f32, n: f32, gradient: vec3f, dimensions: i32) -> ScarpSample {
-    let q: f32 = scarp_inverse(scarp_add(1.0f, scarp_mul(erosion, scarp_dot(slopes.d, slopes.d, dimensions))));
+fn scarp_eroded(slopes: ScarpSlopes, erosion: f32, n: f32, gradient: vec3f,
+        dimensions: i32) -> ScarpSample {
+    let q: f32 = scarp_inverse(scarp_add(1.0f, scarp_mul(erosion, scarp_dot(slopes.d, slopes.d,
+            dimensions))));
     let damping: f32 = scarp_mul(scarp_mul(scarp_mul(2.0f, erosion), n), scarp_mul(q, q));
     let steepening: vec3f = scarp_times(scarp_transposed(slopes.jacobian), slopes.d, dimensions);
     var s: ScarpSample = scarp_constant(scarp_mul(q, n));
@@ -1274,7 +1299,8 @@ struct ScarpState {
 
 /* The vector g by bent positions, by x: A^T g with A = I + reach (Jacobian of the slopes). */
 fn scarp_unbent(slopes: ScarpSlopes, reach: f32, g: vec3f, dimensions: i32) -> vec3f {
-    return scarp_add3(g, scarp_mul3(reach, scarp_times(scarp_transposed(slopes.jacobian), g, dimensions)));
+    return scarp_add3(g, scarp_mul3(reach, scarp_times(scarp_transposed(slopes.jacobian), g,
+            dimensions)));
 }
 
 /* A row of the Jacobian with what a component of the slope adds; `row` is that of the Hessian. */
@@ -1283,7 +1309,8 @@ fn scarp_bent_row(jacobian: vec3f, by: vec3f, slope: f32, product: f32, row: vec
 }
 
 /* The slopes with factor n times the slope g / f of an octave; `by` is the gradient of factor n. */
-fn scarp_with_slope(slopes: ScarpSlopes, o: ScarpOctave, n: ScarpSample, product: f32, by: vec3f, dimensions: i32) -> ScarpSlopes {
+fn scarp_with_slope(slopes: ScarpSlopes, o: ScarpOctave, n: ScarpSample, product: f32, by: vec3f,
+        dimensions: i32) -> ScarpSlopes {
     let h: ScarpRows = scarp_hessian_of(n);
     let slope: vec3f = scarp_mul3(o.inverse, n.gradient);
     let x: vec3f = scarp_mul3(o.inverse, scarp_unbent(slopes, o.reach, h.x, dimensions));
@@ -1292,12 +1319,13 @@ fn scarp_with_slope(slopes: ScarpSlopes, o: ScarpOctave, n: ScarpSample, product
     var s: ScarpSlopes;
     s.d = scarp_add3(slopes.d, scarp_mul3(product, slope));
     s.jacobian = scarp_rows_of(scarp_bent_row(slopes.jacobian.x, by, slope.x, product, x),
-                         scarp_bent_row(slopes.jacobian.y, by, slope.y, product, y),
-                         scarp_bent_row(slopes.jacobian.z, by, slope.z, product, z));
+            scarp_bent_row(slopes.jacobian.y, by, slope.y, product, y),
+            scarp_bent_row(slopes.jacobian.z, by, slope.z, product, z));
     return s;
 }
 
-fn scarp_swiss(state: ScarpState, o: ScarpOctave, inverse_weight: f32, n: ScarpSample, dimensions: i32) -> ScarpState {
+fn scarp_swiss(state: ScarpState, o: ScarpOctave, inverse_weight: f32, n: ScarpSample,
+        dimensions: i32) -> ScarpState {
     let share: f32 = scarp_mul(o.weight, inverse_weight);
     let u: f32 = state.left;
     let rest: f32 = scarp_sub(1.0f, scarp_magnitude(n.value));
@@ -1309,27 +1337,36 @@ fn scarp_swiss(state: ScarpState, o: ScarpOctave, inverse_weight: f32, n: ScarpS
         vj = none;
     }
     var s: ScarpState = state;
-    let term: vec3f = scarp_mul3(o.weight, scarp_sub3(scarp_mul3(v, state.left_by), scarp_mul3(u, vj)));
+    let term: vec3f = scarp_mul3(o.weight, scarp_sub3(scarp_mul3(v, state.left_by), scarp_mul3(u,
+            vj)));
     s.sum.gradient = scarp_add3(state.sum.gradient, term);
     s.sum.value = scarp_add(state.sum.value, scarp_mul(o.weight, scarp_mul(u, v)));
-    let by: vec3f = scarp_mul3(-share, scarp_add3(scarp_mul3(n.value, state.left_by), scarp_mul3(u, nj)));
-    s.slopes = scarp_with_slope(state.slopes, o, n, scarp_mul(-share, scarp_mul(u, n.value)), by, dimensions);
+    let by: vec3f = scarp_mul3(-share, scarp_add3(scarp_mul3(n.value, state.left_by), scarp_mul3(u,
+            nj)));
+    s.slopes = scarp_with_slope(state.slopes, o, n, scarp_mul(-share, scarp_mul(u, n.value)), by,
+            dimensions);
     let sum: f32 = scarp_mul(s.sum.value, inverse_weight);
     if (sum < 1.0f) {
-        s.left_by = scarp_add3(scarp_mul3(sum, state.left_by), scarp_mul3(u, scarp_mul3(inverse_weight, s.sum.gradient)));
+        s.left_by = scarp_add3(scarp_mul3(sum, state.left_by), scarp_mul3(u,
+                scarp_mul3(inverse_weight, s.sum.gradient)));
         s.left = scarp_mul(u, sum);
     }
     return s;
 }
 
-fn scarp_jordan(state: ScarpState, o: ScarpOctave, erosion: f32, first: bool, n: ScarpSample, dimensions: i32) -> ScarpState {
+fn scarp_jordan(state: ScarpState, o: ScarpOctave, erosion: f32, first: bool, n: ScarpSample,
+        dimensions: i32) -> ScarpState {
     let square: f32 = scarp_mul(n.value, n.value);
-    let p: f32 = scarp_inverse(scarp_add(1.0f, scarp_dot(state.slopes.d, state.slopes.d, dimensions)));
+    let p: f32 = scarp_inverse(scarp_add(1.0f, scarp_dot(state.slopes.d, state.slopes.d,
+            dimensions)));
     let q: f32 = select(scarp_sub(1.0f, scarp_mul(erosion, p)), 1.0f, first);
-    let damping: f32 = select(scarp_mul(scarp_mul(scarp_mul(2.0f, erosion), scarp_mul(p, p)), square), 0.0f, first);
+    let damping: f32 = select(scarp_mul(scarp_mul(scarp_mul(2.0f, erosion), scarp_mul(p, p)),
+            square), 0.0f, first);
     let by: vec3f = scarp_unbent(state.slopes, o.reach, n.gradient, dimensions);
-    let steepening: vec3f = scarp_times(scarp_transposed(state.slopes.jacobian), state.slopes.d, dimensions);
-    let term: vec3f = scarp_add3(scarp_mul3(damping, steepening), scarp_mul3(scarp_mul(2.0f, q), scarp_mul3(n.value, by)));
+    let steepening: vec3f = scarp_times(scarp_transposed(state.slopes.jacobian), state.slopes.d,
+            dimensions);
+    let term: vec3f = scarp_add3(scarp_mul3(damping, steepening), scarp_mul3(scarp_mul(2.0f, q),
+            scarp_mul3(n.value, by)));
     var s: ScarpState = state;
     s.sum.gradient = scarp_add3(state.sum.gradient, scarp_mul3(o.weight, term));
     s.sum.value = scarp_add(state.sum.value, scarp_mul(o.weight, scarp_mul(q, square)));
@@ -1382,7 +1419,8 @@ fn scarp_shaped(state: ScarpState, o: ScarpOctave, l: ScarpLevel, n: ScarpSample
 }
 
 /* The same of erosion; n is the octave of the basis, in its own axes. */
-fn scarp_erosion(state: ScarpState, o: ScarpOctave, strength: f32, n: ScarpSample, turned: bool, dimensions: i32) -> ScarpState {
+fn scarp_erosion(state: ScarpState, o: ScarpOctave, strength: f32, n: ScarpSample, turned: bool,
+        dimensions: i32) -> ScarpState {
     let own: ScarpSample = scarp_scaled(n, o.amplitude, o.amplitude, o.amplitude);
     let gradient: vec3f = scarp_to_input(o, turned, own.gradient, dimensions);
     var s: ScarpState = state;
@@ -1393,7 +1431,8 @@ fn scarp_erosion(state: ScarpState, o: ScarpOctave, strength: f32, n: ScarpSampl
 }
 
 /* Adds octave k of level l at x. */
-fn scarp_with_octave(state: ScarpState, o: ScarpOctave, l: ScarpLevel, k: u32, x: vec3f, dimensions: i32) -> ScarpState {
+fn scarp_with_octave(state: ScarpState, o: ScarpOctave, l: ScarpLevel, k: u32, x: vec3f,
+        dimensions: i32) -> ScarpState {
     let turned: bool = l.rotate != 0u && k > 0u;
     var y: vec3f = x;
     if (scarp_bends(l) && k > 0u) {
@@ -1418,7 +1457,8 @@ fn scarp_with_octave(state: ScarpState, o: ScarpOctave, l: ScarpLevel, k: u32, x
 }
 
 /* The noise of a level, or of a component of it, without warps. */
-fn scarp_octaves_at(plan: u32, l: ScarpLevel, component: i32, x: vec3f, dimensions: i32) -> ScarpSample {
+fn scarp_octaves_at(plan: u32, l: ScarpLevel, component: i32, x: vec3f,
+        dimensions: i32) -> ScarpSample {
     let none: vec3f = vec3f(0.0f, 0.0f, 0.0f);
     let first: u32 = l.first + bitcast<u32>(component) * l.octaves;
     var state: ScarpState;
@@ -1451,9 +1491,10 @@ fn scarp_weighed(v: vec3f, a: ScarpRows, dimensions: i32) -> vec3f {
 /* A sample at y with its derivatives by y becomes one with its derivatives by x. */
 fn scarp_composed(s: ScarpSample, y: ScarpDisplaced, dimensions: i32) -> ScarpSample {
     let j: ScarpRows = scarp_transposed(scarp_rows_of(y.x.gradient, y.y.gradient, y.z.gradient));
-    let diagonal: vec3f =
-        scarp_weighed(s.gradient, scarp_rows_of(y.x.diagonal, y.y.diagonal, y.z.diagonal), dimensions);
-    let mixed: vec3f = scarp_weighed(s.gradient, scarp_rows_of(y.x.mixed, y.y.mixed, y.z.mixed), dimensions);
+    let diagonal: vec3f = scarp_weighed(s.gradient, scarp_rows_of(y.x.diagonal, y.y.diagonal,
+            y.z.diagonal), dimensions);
+    let mixed: vec3f = scarp_weighed(s.gradient, scarp_rows_of(y.x.mixed, y.y.mixed, y.z.mixed),
+            dimensions);
     var r: ScarpSample = scarp_with_hessian(s, j, j, scarp_hessian_of(s), dimensions);
     r.gradient = scarp_times(j, s.gradient, dimensions);
     r.diagonal = scarp_add3(r.diagonal, diagonal);
@@ -1463,7 +1504,8 @@ fn scarp_composed(s: ScarpSample, y: ScarpDisplaced, dimensions: i32) -> ScarpSa
 
 /* The components of a level, each at `at`, by x; `y` says how that depends on x, unless the level
    is the deepest. */
-fn scarp_level_at(plan: u32, i: i32, deepest: bool, at: vec3f, y: ScarpDisplaced, dimensions: i32) -> ScarpDisplaced {
+fn scarp_level_at(plan: u32, i: i32, deepest: bool, at: vec3f, y: ScarpDisplaced,
+        dimensions: i32) -> ScarpDisplaced {
     let l: ScarpLevel = scarp_level_of(plan, i);
     let components: i32 = select(1, dimensions, i > 0);
     var d: ScarpDisplaced = y;
@@ -1532,28 +1574,32 @@ fn scarp_hash_with(h: u32, a: f32) -> u32 {
 /* The self-test: a hash of the outputs at test point i up to an order, which is answer i of
    scarp_gpu_answers where the shader has the bits of the library. */
 fn scarp_answer2(plan: u32, order: u32, i: u32) -> u32 {
-    let s: ScarpSample =
-        scarp_sample2(plan, scarp_test_coordinate(plan, i, 0u), scarp_test_coordinate(plan, i, 1u));
+    let s: ScarpSample = scarp_sample2(plan, scarp_test_coordinate(plan, i, 0u),
+            scarp_test_coordinate(plan, i, 1u));
     var h: u32 = scarp_hash_with(0u, s.value);
     if (order > 0u) {
         h = scarp_hash_with(scarp_hash_with(h, s.gradient.x), s.gradient.y);
     }
     if (order > 1u) {
-        h = scarp_hash_with(scarp_hash_with(scarp_hash_with(h, s.diagonal.x), s.mixed.x), s.diagonal.y);
+        h = scarp_hash_with(scarp_hash_with(scarp_hash_with(h, s.diagonal.x), s.mixed.x),
+                s.diagonal.y);
     }
     return h;
 }
 
 fn scarp_answer3(plan: u32, order: u32, i: u32) -> u32 {
     let s: ScarpSample = scarp_sample3(plan, scarp_test_coordinate(plan, i, 0u),
-                                    scarp_test_coordinate(plan, i, 1u), scarp_test_coordinate(plan, i, 2u));
+            scarp_test_coordinate(plan, i, 1u), scarp_test_coordinate(plan, i, 2u));
     var h: u32 = scarp_hash_with(0u, s.value);
     if (order > 0u) {
-        h = scarp_hash_with(scarp_hash_with(scarp_hash_with(h, s.gradient.x), s.gradient.y), s.gradient.z);
+        h = scarp_hash_with(scarp_hash_with(scarp_hash_with(h, s.gradient.x), s.gradient.y),
+                s.gradient.z);
     }
     if (order > 1u) {
-        h = scarp_hash_with(scarp_hash_with(scarp_hash_with(h, s.diagonal.x), s.mixed.x), s.mixed.y);
-        h = scarp_hash_with(scarp_hash_with(scarp_hash_with(h, s.diagonal.y), s.mixed.z), s.diagonal.z);
+        h = scarp_hash_with(scarp_hash_with(scarp_hash_with(h, s.diagonal.x), s.mixed.x),
+                s.mixed.y);
+        h = scarp_hash_with(scarp_hash_with(scarp_hash_with(h, s.diagonal.y), s.mixed.z),
+                s.diagonal.z);
     }
     return h;
 }

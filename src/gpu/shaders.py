@@ -11,6 +11,7 @@ needs around it.
 import pathlib
 import re
 import sys
+import textwrap
 
 HERE = pathlib.Path(__file__).resolve().parent
 INCLUDE = HERE.parent.parent / "include"
@@ -40,7 +41,8 @@ def source(name):
     text = (HERE / f"{name}.h").read_text()
     title = re.search(r"\* Shaders: ([^;.]*)[;.]", text).group(1)
     title = " ".join(title.replace("\n *", " ").split())
-    text = re.sub(r"\A/\*.*?\*/\n", f"/* {title[0].upper()}{title[1:]}. */\n", text, flags=re.S)
+    title = textwrap.fill(f"{title[0].upper()}{title[1:]}. */", 94, subsequent_indent="   ")
+    text = re.sub(r"\A/\*.*?\*/\n", f"/* {title}\n", text, flags=re.S)
     text = re.sub(r"(?m)^#(ifndef|include|endif).*\n|^#define \w+_H\n", "", text)
     return re.sub(r"\n{3,}", "\n\n", text).strip() + "\n"
 
@@ -90,8 +92,8 @@ def wgsl(text, types):
     text = re.sub(rf"static inline {kind} (\w+)\(([^)]*)\)\n\{{", function, text)
     text = re.sub(r"(?m)^#define (\w+) (\S+u)$", r"const \1: u32 = \2;", text)
     text = re.sub(r"(?m)^#define (\w+) (\S+f)$", r"const \1: f32 = \2;", text)
-    text = re.sub(rf"(?m)^(\s+)const {kind} (\w+) =", lambda m: f"{m[1]}let {m[3]}: {typed(m[2])} =",
-                  text)
+    text = re.sub(rf"(?m)^(\s+)const {kind} (\w+) =",
+                  lambda m: f"{m[1]}let {m[3]}: {typed(m[2])} =", text)
     text = re.sub(rf"(?m)^(\s+){kind} (\w+)( =|;)",
                   lambda m: f"{m[1]}var {m[3]}: {typed(m[2])}{m[4]}", text)
     text = re.sub(rf"for \({kind} (\w+) =", lambda m: f"for (var {m[2]}: {typed(m[1])} =", text)
@@ -118,6 +120,32 @@ def picks(text):
     return text
 
 
+def wrapped(line):
+    """A line, broken after commas, "=" and before operators, so that it has at most 100 columns."""
+    indent = re.match(" *", line).group(0) + "        "
+    lines = []
+    while len(line) > 100:
+        at = max(m.end() for m in re.finditer(r"\S([,=] | (?=[&^|]+ ))", line[:101]))
+        lines.append(line[:at].rstrip())
+        line = indent + line[at:]
+    return lines + [line]
+
+
+def laid_out(text):
+    """The statements of a text, laid out for the names that they have now."""
+    lines, statement = [], ""
+    for line in text.split("\n"):
+        if not statement and line.lstrip().startswith(("#", "/*", "*")):
+            lines.append(line)
+            continue
+        statement = f"{statement} {line.strip()}" if statement else line
+        unfinished = statement.count("(") > statement.count(")") or statement[-1:] in tuple("=^|&")
+        if not unfinished:
+            lines += wrapped(statement)
+            statement = ""
+    return "\n".join(lines)
+
+
 def shader(language):
     hooks = DEFINED.findall((HERE / "c.h").read_text())
     parts = ["\n".join(map(source, names)) for names in (STRUCTURES, FUNCTIONS)]
@@ -128,7 +156,7 @@ def shader(language):
         part = prefixed(part, functions, macros)
         types = TYPES[language]
         part = picks(wgsl(part, types)) if language == "wgsl" else like_c(part, types)
-        text = text.replace(name + "\n", part)
+        text = text.replace(name + "\n", laid_out(part))
     return text
 
 
