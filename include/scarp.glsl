@@ -32,7 +32,7 @@ precision highp int;
 #define SCARP_BINDING 0
 #endif
 
-/* The constants of a noise, member by member as in ScarpScarpGpuPlan (scarp. */
+/* The constants of a noise, member by member as scarp_gpu_plan gives them. */
 
 /* turn: with a phase the cosine and sine of the angle, then of twice that; of bases that take
    places the jitter, the middle and the stretch. */

@@ -22,7 +22,7 @@
 #define SCARP_REGISTER b0
 #endif
 
-/* The constants of a noise, member by member as in ScarpScarpGpuPlan (scarp. */
+/* The constants of a noise, member by member as scarp_gpu_plan gives them. */
 
 /* turn: with a phase the cosine and sine of the angle, then of twice that; of bases that take
    places the jitter, the middle and the stretch. */

@@ -19,7 +19,7 @@ override scarp_only_basis: u32 = 0xffffffffu;
 override scarp_only_fractal: u32 = 0xffffffffu;
 override scarp_only_depth: u32 = 0xffffffffu;
 
-/* The constants of a noise, member by member as in ScarpScarpGpuPlan (scarp. */
+/* The constants of a noise, member by member as scarp_gpu_plan gives them. */
 
 /* turn: with a phase the cosine and sine of the angle, then of twice that; of bases that take
    places the jitter, the middle and the stretch. */

@@ -17,6 +17,7 @@ find_package(Python3 COMPONENTS Interpreter QUIET)
 set(THREADS_PREFER_PTHREAD_FLAG ON)
 find_package(Threads QUIET)
 find_program(SCARP_BASH NAMES bash)
+find_program(SCARP_CHROMIUM NAMES chromium google-chrome chromium-browser)
 find_program(SCARP_GLSLANG NAMES glslangValidator glslang)
 find_program(SCARP_GROFF NAMES groff)
 find_program(SCARP_PKG_CONFIG NAMES pkg-config pkgconf)
@@ -24,8 +25,8 @@ find_program(SCARP_SH NAMES sh)
 find_program(SCARP_SPIRV_DIS NAMES spirv-dis)
 find_program(SCARP_STRACE NAMES strace)
 find_program(SCARP_VALGRIND NAMES valgrind)
-mark_as_advanced(SCARP_BASH SCARP_GLSLANG SCARP_GROFF SCARP_PKG_CONFIG SCARP_SH SCARP_SPIRV_DIS
-                 SCARP_STRACE SCARP_VALGRIND)
+mark_as_advanced(SCARP_BASH SCARP_CHROMIUM SCARP_GLSLANG SCARP_GROFF SCARP_PKG_CONFIG SCARP_SH
+                 SCARP_SPIRV_DIS SCARP_STRACE SCARP_VALGRIND)
 
 # The C++ compiler that belongs to the C compiler: g++-12 to gcc-12, aarch64-linux-gnu-g++ to
 # aarch64-linux-gnu-gcc. Its headers may be missing.
@@ -84,8 +85,15 @@ if(SCARP_OPTIMIZE AND NOT CMAKE_C_FLAGS MATCHES "-fsanitize")
   set(optimised ON)
 endif()
 
+# Whether a browser of this machine tests the shaders, of which other builds say nothing new.
+set(browser OFF)
+if(SCARP_CHROMIUM AND NOT CMAKE_CROSSCOMPILING AND NOT CMAKE_C_FLAGS MATCHES "-fsanitize")
+  set(browser ON)
+endif()
+
 scarp_tool(bash SCARP_BASH)
 scarp_tool(c++ cxx_works)
+scarp_tool(chromium browser)
 scarp_tool(full-speed speed STREQUAL "full")
 scarp_tool(glslang SCARP_GLSLANG)
 scarp_tool(groff SCARP_GROFF)

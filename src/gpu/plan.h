@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Shaders: the constants of a noise, member by member as in struct scarp_gpu_plan (scarp.h), whose
- * bytes these have. Included by c.h.
+ * Shaders: the constants of a noise, member by member as scarp_gpu_plan gives them. Included by
+ * c.h.
  */
 #ifndef SCARP_GPU_PLAN_H
 #define SCARP_GPU_PLAN_H

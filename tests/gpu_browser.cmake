@@ -1,0 +1,16 @@
+# SPDX-License-Identifier: MIT
+# Tests scarp.wgsl (WebGPU) and scarp.glsl (WebGL 2) in headless Chromium: every bit against the
+# library. It has a GPU in software, so this runs on any machine.
+
+add_executable(gpu_write_cases gpu/write_cases.c)
+scarp_compile_rules(gpu_write_cases)
+target_link_libraries(gpu_write_cases PRIVATE scarp ${SCARP_LIBM})
+
+foreach(test wgsl:wgsl webgl:webgl browser_control:control)
+  string(REPLACE ":" ";" test ${test})
+  list(GET test 0 name)
+  list(GET test 1 what)
+  scarp_add_test(gpu.${name} shader NEEDS chromium posix python3
+                 COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/gpu/browser.py ${what}
+                 ${SCARP_CHROMIUM} $<TARGET_FILE:gpu_write_cases> ${PROJECT_SOURCE_DIR})
+endforeach()
