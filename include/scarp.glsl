@@ -15,8 +15,16 @@
 // not use of a sample costs nothing. Smaller and faster shaders fix what all plans have in common:
 // SCARP_ONLY_BASIS and SCARP_ONLY_FRACTAL, an enumerator of scarp.h as 2u, and SCARP_ONLY_DEPTH,
 // how many warps there are, as 0u. SCARP_FUSE gives the equal bits up.
+//
+// With SCARP_ROUND, Vulkan promises to round to the nearest float, which most devices do anyway: for
+// devices that have shaderRoundingModeRTEFloat32. The file must then come before any declaration.
 #ifndef SCARP_GLSL
 #define SCARP_GLSL
+
+#ifdef SCARP_ROUND
+#extension GL_EXT_spirv_intrinsics : require
+spirv_execution_mode(extensions = ["SPV_KHR_float_controls"], capabilities = [4467], 4462, 32);
+#endif
 
 #ifdef GL_ES
 precision highp float;

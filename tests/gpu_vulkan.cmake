@@ -11,10 +11,10 @@ set(gpu_shaders ${CMAKE_CURRENT_BINARY_DIR}/gpu)
 file(MAKE_DIRECTORY ${gpu_shaders})
 
 # scarp_gpu_shader(NAME SOURCE LANGUAGE options...): gpu/NAME-2d.spv and gpu/NAME-3d.spv, or
-# gpu/NAME-2d-rounded.spv and so on if the options have -DROUNDED
+# gpu/NAME-2d-rounded.spv and so on if the options have -DSCARP_ROUND
 function(scarp_gpu_shader name source language)
   set(ending .spv)
-  if("-DROUNDED" IN_LIST ARGN)
+  if("-DSCARP_ROUND" IN_LIST ARGN)
     set(ending -rounded.spv)
   endif()
   foreach(d 2 3)
@@ -31,7 +31,7 @@ endfunction()
 
 if(SCARP_GLSLANG)
   scarp_gpu_shader(glsl main.comp glsl)
-  scarp_gpu_shader(glsl main.comp glsl -DROUNDED)
+  scarp_gpu_shader(glsl main.comp glsl -DSCARP_ROUND)
   scarp_gpu_shader(glsl-fused main.comp glsl -DSCARP_FUSE)
   scarp_gpu_shader(hlsl main.hlsl hlsl -D -e main)
   scarp_gpu_shader(hlsl-fused main.hlsl hlsl -D -e main -DSCARP_FUSE)

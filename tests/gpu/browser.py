@@ -102,8 +102,10 @@ def browse(chromium, url, messages, scratch):
     if hasattr(os, "geteuid") and os.geteuid() == 0:
         flags.append("--no-sandbox")
     with open(os.path.join(scratch, "log"), "w+b") as log:
+        # A browser that is killed leaves temporary files behind.
         browser = subprocess.Popen([chromium, *flags, url], stdin=subprocess.DEVNULL, stdout=log,
-                                   stderr=log, start_new_session=True)
+                                   stderr=log, start_new_session=True,
+                                   env=dict(os.environ, TMPDIR=scratch))
         try:
             status = follow(messages, browser)
         finally:

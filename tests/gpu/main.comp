@@ -1,14 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Samples noise at points for vulkan.c. DIMENSIONS is 2 or 3. With ROUNDED, the device must round to
-// the nearest float, which is not otherwise promised.
+// Samples noise at points for vulkan.c. DIMENSIONS is 2 or 3.
 #version 450
 #extension GL_GOOGLE_include_directive : require
-
-#ifdef ROUNDED
-#extension GL_EXT_spirv_intrinsics : require
-spirv_execution_mode(extensions = ["SPV_KHR_float_controls"], capabilities = [4467], 4462, 32);
-#endif
 
 #include "scarp.glsl"
 
