@@ -929,7 +929,7 @@ struct scarp_gpu_plan {
 #define SCARP_GPU_ANSWERS 4096
 
 /*
- * scarp_gpu_plan - the constants of a noise, for shaders
+ * scarp_gpu_plan_make - the constants of a noise, for shaders
  *
  * *plan is for shaders that sample the noise in 2 or 3 `dimensions`. The same noise gives the same
  * bytes on every machine, but for their order in a word.
@@ -940,8 +940,8 @@ struct scarp_gpu_plan {
  * Returns SCARP_ERROR_NULL if `noise` or `plan` is NULL; otherwise as scarp_noise_check, of which
  * `member` is, too: it may be NULL. On an error *plan is left as it was.
  */
-SCARP_API enum scarp_status scarp_gpu_plan(const struct scarp_noise *noise, int dimensions,
-                                           struct scarp_gpu_plan *plan, const char **member);
+SCARP_API enum scarp_status scarp_gpu_plan_make(const struct scarp_noise *noise, int dimensions,
+                                                struct scarp_gpu_plan *plan, const char **member);
 
 /*
  * scarp_gpu_answers - what a shader must answer, computed here: a test for the start of a program
@@ -954,9 +954,9 @@ SCARP_API enum scarp_status scarp_gpu_plan(const struct scarp_noise *noise, int 
  * Coordinates are multiples of plan.unit, from -2^19 of them to 2^19 - 1, so points lie some
  * thousand cells around the origin. The call takes as long as sampling 4,096 points.
  *
- * Returns SCARP_ERROR_NULL if `noise` or `answer` is NULL; otherwise what scarp_gpu_plan returns;
- * then SCARP_ERROR_PARAMETER for an `order` that does not exist, SCARP_ERROR_UNSUPPORTED for one
- * that the noise, or a warp, does not have.
+ * Returns SCARP_ERROR_NULL if `noise` or `answer` is NULL; otherwise what scarp_gpu_plan_make
+ * returns; then SCARP_ERROR_PARAMETER for an `order` that does not exist, SCARP_ERROR_UNSUPPORTED
+ * for one that the noise, or a warp, does not have.
  */
 SCARP_API enum scarp_status scarp_gpu_answers(const struct scarp_noise *noise, int dimensions,
                                               int order, uint32_t *answer);

@@ -8,7 +8,7 @@
 //     ...
 //     let n = scarp_sample2(0u, x, y);  // of scarp_plan[0]: n.value, n.gradient.xy
 //
-// scarp_gpu_plan (scarp.h) makes the bytes of a plan, and says what is promised. What a shader does
+// scarp_gpu_plan_make (scarp.h) makes the bytes of a plan, and says what is promised. What a shader does
 // not use of a sample costs nothing. Constants of the pipeline: scarp_only_basis,
 // scarp_only_fractal, scarp_only_depth fix what all plans have in common, for smaller and faster
 // shaders: an enumerator of scarp.h, and how many warps there are. WGSL lets compilers fuse
@@ -19,7 +19,7 @@ override scarp_only_basis: u32 = 0xffffffffu;
 override scarp_only_fractal: u32 = 0xffffffffu;
 override scarp_only_depth: u32 = 0xffffffffu;
 
-/* The constants of a noise, member by member as scarp_gpu_plan gives them. */
+/* The constants of a noise, member by member as scarp_gpu_plan_make gives them. */
 
 /* turn: with a phase the cosine and sine of the angle, then of twice that; of bases that take
    places the jitter, the middle and the stretch. */

@@ -147,8 +147,8 @@ static NOINLINE enum scarp_status make(struct scarp_gpu_plan *to, const struct s
     return SCARP_OK;
 }
 
-enum scarp_status scarp_gpu_plan(const struct scarp_noise *noise, int dimensions,
-                                 struct scarp_gpu_plan *plan, const char **member)
+enum scarp_status scarp_gpu_plan_make(const struct scarp_noise *noise, int dimensions,
+                                      struct scarp_gpu_plan *plan, const char **member)
 {
     const char *found = NULL;
     enum scarp_status status = SCARP_ERROR_NULL;

@@ -165,7 +165,7 @@ static __attribute__((noinline)) enum scarp_status gpu_in_mode(const struct mode
                                                                struct mode_control *after)
 {
     const struct mode_control before = mode_enter(mode);
-    const enum scarp_status a = scarp_gpu_plan(noise, 3, &to->plan, NULL);
+    const enum scarp_status a = scarp_gpu_plan_make(noise, 3, &to->plan, NULL);
     const enum scarp_status b = scarp_gpu_answers(noise, 3, 2, to->answer);
     *after = mode_leave(before);
     return a != SCARP_OK ? a : b;
@@ -260,9 +260,10 @@ static void test_shaders(const struct mode *mode)
     for (int n = 0; n < NOISES; n += 3) {
         const enum scarp_status a = gpu_in_mode(&mode_default, &noises[n], &in_default, &after);
         const enum scarp_status b = gpu_in_mode(mode, &noises[n], &in_mode, &after);
-        CHECK(a == SCARP_OK && b == SCARP_OK, "%s, scarp_gpu_plan", mode->name);
-        expect_control(mode, &after, "scarp_gpu_plan");
-        CHECK(memcmp(&in_default, &in_mode, sizeof in_mode) == 0, "%s, scarp_gpu_plan", mode->name);
+        CHECK(a == SCARP_OK && b == SCARP_OK, "%s, scarp_gpu_plan_make", mode->name);
+        expect_control(mode, &after, "scarp_gpu_plan_make");
+        CHECK(memcmp(&in_default, &in_mode, sizeof in_mode) == 0, "%s, scarp_gpu_plan_make",
+              mode->name);
     }
 }
 

@@ -42,7 +42,7 @@ static enum scarp_status points_compute(const struct scarp_noise *noise, int dim
     struct scarp_samples out = {0};
     float **const list = (float **)&out;
     struct scarp_gpu_plan plan;
-    enum scarp_status status = scarp_gpu_plan(noise, dimensions, &plan, NULL);
+    enum scarp_status status = scarp_gpu_plan_make(noise, dimensions, &plan, NULL);
     for (int i = 0; i < count; i++) {
         list[dimensions == 2 ? planar[i] : i] = points.of[i];
     }

@@ -60,7 +60,7 @@ static struct scarp_gpu_plan plan_of(const struct scarp_noise *noise, int dimens
     struct scarp_gpu_plan plan;
     const char *member = "";
     memset(&plan, POISON, sizeof plan);
-    const enum scarp_status status = scarp_gpu_plan(noise, dimensions, &plan, &member);
+    const enum scarp_status status = scarp_gpu_plan_make(noise, dimensions, &plan, &member);
     CHECK(status == SCARP_OK && member == NULL, "status %d, %s", (int)status, member);
     return plan;
 }
@@ -256,7 +256,7 @@ static void test_same(void)
     noise.plan = &kept;
     const struct scarp_gpu_plan of_kept = plan_of(&noise, 2);
     compare_words(&of_kept, &expected, sizeof expected, "kept", "plan", 0);
-    CHECK(scarp_gpu_plan(&noise, 2, &(struct scarp_gpu_plan){0}, NULL) == SCARP_OK,
+    CHECK(scarp_gpu_plan_make(&noise, 2, &(struct scarp_gpu_plan){0}, NULL) == SCARP_OK,
           "without member");
 }
 
@@ -288,11 +288,11 @@ static void expect_refused(const struct scarp_noise *noise, int dimensions,
     memset(&untouched, POISON, sizeof untouched);
     memset(answer, POISON, sizeof answer);
     const char *const name = member == NULL ? "no member" : member;
-    const enum scarp_status status = scarp_gpu_plan(noise, dimensions, &plan, &found);
+    const enum scarp_status status = scarp_gpu_plan_make(noise, dimensions, &plan, &found);
     const int same = found == member || (found != NULL && member != NULL && !strcmp(found, member));
     CHECK(status == expected && same, "%s: status %d, %s", name, (int)status, found);
     CHECK(memcmp(&plan, &untouched, sizeof plan) == 0, "%s: the plan has changed", name);
-    CHECK(scarp_gpu_plan(noise, dimensions, &plan, NULL) == expected, "%s, member NULL", name);
+    CHECK(scarp_gpu_plan_make(noise, dimensions, &plan, NULL) == expected, "%s, member NULL", name);
     CHECK(scarp_gpu_answers(noise, dimensions, 0, answer) == expected, "%s: answers", name);
     CHECK(scarp_gpu_answers(noise, dimensions, 3, answer) == expected, "%s: order 3", name);
     for (int i = 0; i < SCARP_GPU_ANSWERS; i++) {
@@ -313,9 +313,9 @@ static void test_errors(void)
     const char *member = "";
     struct scarp_gpu_plan plan;
     expect_refused(NULL, 2, SCARP_ERROR_NULL, NULL);
-    CHECK(scarp_gpu_plan(&gain, 2, NULL, &member) == SCARP_ERROR_NULL && member == NULL,
+    CHECK(scarp_gpu_plan_make(&gain, 2, NULL, &member) == SCARP_ERROR_NULL && member == NULL,
           "plan NULL: %s", member);
-    CHECK(scarp_gpu_plan(NULL, 7, NULL, NULL) == SCARP_ERROR_NULL, "all NULL");
+    CHECK(scarp_gpu_plan_make(NULL, 7, NULL, NULL) == SCARP_ERROR_NULL, "all NULL");
     CHECK(scarp_gpu_answers(&fine, 2, 0, NULL) == SCARP_ERROR_NULL, "answer NULL");
     expect_refused(&basis, 2, SCARP_ERROR_ENUM, "basis");
     expect_refused(&gain, 3, SCARP_ERROR_PARAMETER, "gain");
@@ -325,7 +325,7 @@ static void test_errors(void)
     expect_refused(&phase, 2, SCARP_ERROR_UNSUPPORTED, "phase");
     expect_refused(&warp, 2, SCARP_ERROR_PARAMETER, "warp");
     expect_refused(&warps, 2, SCARP_ERROR_UNSUPPORTED, "warp"); /* five */
-    CHECK(scarp_gpu_plan(&deepest, 2, &plan, NULL) == SCARP_OK, "four warps");
+    CHECK(scarp_gpu_plan_make(&deepest, 2, &plan, NULL) == SCARP_OK, "four warps");
 }
 
 /* Octaves of all levels and components: 32 in all fit, and no more. */

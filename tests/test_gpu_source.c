@@ -120,7 +120,7 @@ static void compare(const struct scarp_noise *noise, int dimensions, uint64_t *r
             x[axis][i] = coordinate(random, i);
         }
     }
-    CHECK(scarp_gpu_plan(noise, dimensions, &gpu, &member) == SCARP_OK, "%s", member);
+    CHECK(scarp_gpu_plan_make(noise, dimensions, &gpu, &member) == SCARP_OK, "%s", member);
     memcpy(&plan, &gpu, sizeof plan);
     scarp_plan = &plan;
     CHECK((dimensions == 2 ? scarp_sample2(noise, POINTS, x[0], x[1], &out)
@@ -171,7 +171,7 @@ static void compare_answers(void)
         for (int order = 0; order <= 2; order++) {
             struct scarp_gpu_plan gpu;
             struct plan plan;
-            CHECK(scarp_gpu_plan(&noise, dimensions, &gpu, NULL) == SCARP_OK &&
+            CHECK(scarp_gpu_plan_make(&noise, dimensions, &gpu, NULL) == SCARP_OK &&
                       scarp_gpu_answers(&noise, dimensions, order, answers) == SCARP_OK,
                   "answered");
             memcpy(&plan, &gpu, sizeof plan);

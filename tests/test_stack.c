@@ -173,7 +173,7 @@ static void measure_shaders(const struct guarded *stack, struct job *job, struct
     static struct scarp_gpu_plan plan;
     job->kind = SHADER;
     for (job->dimensions = 2; job->dimensions <= 3; job->dimensions++) {
-        if (scarp_gpu_plan(&job->noise, job->dimensions, &plan, NULL) == SCARP_OK) {
+        if (scarp_gpu_plan_make(&job->noise, job->dimensions, &plan, NULL) == SCARP_OK) {
             measure(stack, job, worst, "scarp_gpu_answers");
         }
     }

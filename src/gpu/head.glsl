@@ -11,7 +11,7 @@
 //     ...
 //     ScarpSample n = scarp_sample2(0u, x, y);  // of scarp_plan[0]: n.value, n.gradient.xy
 //
-// scarp_gpu_plan (scarp.h) makes the bytes of a plan, and says what is promised. What a shader does
+// scarp_gpu_plan_make (scarp.h) makes the bytes of a plan, and says what is promised. What a shader does
 // not use of a sample costs nothing. Smaller and faster shaders fix what all plans have in common:
 // SCARP_ONLY_BASIS and SCARP_ONLY_FRACTAL, an enumerator of scarp.h as 2u, and SCARP_ONLY_DEPTH,
 // how many warps there are, as 0u. SCARP_FUSE gives the equal bits up.

@@ -76,8 +76,8 @@ int main(int argc, char **argv)
     }
     gpu_open(&gpu, sizes);
     struct scarp_gpu_plan *const plans = gpu.buffers[GPU_PLAN].bytes;
-    if (scarp_gpu_plan(&far, 2, &plans[0], NULL) != SCARP_OK ||
-        scarp_gpu_plan(&near, 2, &plans[1], NULL) != SCARP_OK) {
+    if (scarp_gpu_plan_make(&far, 2, &plans[0], NULL) != SCARP_OK ||
+        scarp_gpu_plan_make(&near, 2, &plans[1], NULL) != SCARP_OK) {
         return 1;
     }
     const VkPipeline pipeline = gpu_make_pipeline(&gpu, argv[1], 0);

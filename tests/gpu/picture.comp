@@ -1,9 +1,9 @@
 #version 460
 // SPDX-License-Identifier: MIT
 //
-// A landscape, raymarched: the picture of the README. For each pixel, where its ray meets the ground,
-// with height and slopes there, so that picture.c can compare them with the library's; then the
-// color. Plan 0 is the ground for rays, plan 1 has more octaves of the same sum for the light.
+// A landscape, raymarched: the picture of the README. For each pixel, where its ray meets the
+// ground, with height and slopes there, so that picture.c can compare them with the library's; then
+// the color. Plan 0 is the ground for rays, plan 1 has more octaves of the same sum for the light.
 #extension GL_GOOGLE_include_directive : require
 #define SCARP_PLANS 2
 #define SCARP_ONLY_DEPTH 0u
@@ -76,7 +76,8 @@ void main()
     }
     uint height = count / width;
     vec2 at = (vec2(i % width, i / width) + 0.5 - 0.5 * vec2(width, height)) / float(height);
-    vec3 ahead = normalize(vec3(0.72, 0.66, -0.24)), right = normalize(vec3(ahead.y, -ahead.x, 0.0));
+    vec3 ahead = normalize(vec3(0.72, 0.66, -0.24));
+    vec3 right = normalize(vec3(ahead.y, -ahead.x, 0.0));
     vec3 ray = normalize(1.15 * ahead + at.x * right - at.y * cross(right, ahead));
     float t = meets(EYE, ray, 1.0, FAR, 400);
     vec3 p = EYE + t * ray, color = sky_along(ray);
@@ -86,7 +87,8 @@ void main()
         color = mix(light_at(vec3(p.xy, s.value), s), vec3(0.60, 0.69, 0.80), haze);
     }
     color = pow(color / (1.0 + 0.35 * color), vec3(1.0 / 2.2));
-    float of_pixel[8] = float[8](p.x, p.y, s.value, s.gradient.x, s.gradient.y, color.r, color.g, color.b);
+    float of_pixel[8] = float[8](p.x, p.y, s.value, s.gradient.x, s.gradient.y, color.r, color.g,
+                                 color.b);
     for (uint k = 0u; k < 8u; k++) {
         pixels[k * count + i] = of_pixel[k];
     }

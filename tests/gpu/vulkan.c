@@ -134,7 +134,7 @@ static void run_case(struct run *run, const struct gpu_case *c)
     const struct scarp_noise noise = gpu_noise_of(c);
     struct scarp_gpu_plan plan;
     const char *member = "";
-    const enum scarp_status status = scarp_gpu_plan(&noise, c->dimensions, &plan, &member);
+    const enum scarp_status status = scarp_gpu_plan_make(&noise, c->dimensions, &plan, &member);
     CHECK(status == SCARP_OK, "%s: %s: %s", c->name, member, scarp_status_text(status));
     if (status != SCARP_OK) {
         return;

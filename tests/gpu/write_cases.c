@@ -92,7 +92,7 @@ static void write_case(int number, const struct gpu_case *c)
 {
     const struct scarp_noise noise = gpu_noise_of(c);
     struct scarp_gpu_plan plan;
-    must(scarp_gpu_plan(&noise, c->dimensions, &plan, NULL), c, "scarp_gpu_plan");
+    must(scarp_gpu_plan_make(&noise, c->dimensions, &plan, NULL), c, "scarp_gpu_plan_make");
     write_file(number, "plan", &plan, sizeof plan);
     write_outputs(number, c, &noise);
     write_answers(number, c, &noise);
