@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-# Installs the header and the shaders, the library, and what find_package(scarp) and pkg-config need. (The program
-# installs itself: src/cli.) Nothing installed names a directory of the build: the prefix may be
-# moved, unless the user chose absolute directories.
+# Installs the header and the shaders, the library, and what find_package(scarp) and pkg-config need.
+# (The program installs itself: src/cli.) Nothing installed names a directory of the build: the prefix
+# may be moved, unless the user chose absolute directories.
 
 include(CMakePackageConfigHelpers)
 

@@ -868,10 +868,10 @@ SCARP_API enum scarp_status scarp_plan_make(const struct scarp_noise *noise, int
  * Equal bits. A shader gives the bits of scarp_sample2 and scarp_sample3, with float coordinates,
  * on drivers that round sums, differences and products to the nearest float, and fuse none of them.
  * Vulkan promises that with NoContraction, which scarp.glsl asks for, and with the execution mode
- * RoundingModeRTE of 32 bits. What must hold: coordinates are finite; |p_k| < 2^31; the coordinates
- * of first octaves, f_0 times x, or in noise with warps times y, are 0 or at least 2^-24 in
- * magnitude. Results below 2^-120 in magnitude may be 0, the sign of 0 is not promised, and nor are
- * results that overflow.
+ * RoundingModeRTE of 32 bits, for which SCARP_ROUND asks. What must hold: all p_k are
+ * finite; the coordinates of first octaves, f_0 times x, or in noise with warps times y, are 0 or
+ * at least 2^-24 in magnitude. Results below 2^-120 in magnitude may be 0, the sign of 0 is not
+ * promised, and nor are results that overflow.
  *
  * WGSL and D3D promise less on paper: compilers may fuse or reorder there, and flush or round
  * otherwise. So a program asks each driver at its start: it has a shader compute scarp_answer2 or

@@ -212,7 +212,7 @@ float scarp_dot(float3 a, float3 b, int dimensions)
     return d;
 }
 
-/* Rows. */
+/* A matrix of 3 rows. */
 struct ScarpRows {
     float3 x;
     float3 y;
@@ -234,11 +234,17 @@ ScarpRows scarp_transposed(ScarpRows m)
             scarp_vec3_of(m.x.z, m.y.z, m.z.z));
 }
 
-/* Each row of m times v. */
+/* m v */
 float3 scarp_times(ScarpRows m, float3 v, int dimensions)
 {
     return scarp_vec3_of(scarp_dot(m.x, v, dimensions), scarp_dot(m.y, v, dimensions),
             scarp_dot(m.z, v, dimensions));
+}
+
+/* The transpose of m, times v. */
+float3 scarp_transposed_times(ScarpRows m, float3 v, int dimensions)
+{
+    return scarp_times(scarp_transposed(m), v, dimensions);
 }
 
 /* Noise at a point. diagonal: the derivatives xx, yy, zz; mixed: xy, xz, yz. */
@@ -521,7 +527,7 @@ ScarpSlope scarp_slope_of(float a, float b)
     return s;
 }
 
-/* What a lattice column contributes. Those of value noise are level: all a are 0. */
+/* What a lattice column contributes. Those of value noise are flat: all a are 0. */
 struct ScarpColumn {
     ScarpSlope value;
     ScarpSlope y;
@@ -536,13 +542,13 @@ struct ScarpBetween {
     float x;
     float before;
     ScarpFade f;
-    bool level;
+    bool is_flat;
 };
 
-float scarp_at(ScarpSlope s, float x, bool level)
+float scarp_at(ScarpSlope s, float x, bool is_flat)
 {
     float value = s.b;
-    if (!level) {
+    if (!is_flat) {
         value = scarp_add(scarp_mul(s.a, x), s.b);
     }
     return value;
@@ -550,14 +556,14 @@ float scarp_at(ScarpSlope s, float x, bool level)
 
 float scarp_across(ScarpSlope l, ScarpSlope r, ScarpBetween p)
 {
-    return scarp_mix(scarp_at(l, p.x, p.level), scarp_at(r, p.before, p.level), p.f.u);
+    return scarp_mix(scarp_at(l, p.x, p.is_flat), scarp_at(r, p.before, p.is_flat), p.f.u);
 }
 
 float scarp_across_dx(ScarpSlope l, ScarpSlope r, ScarpBetween p)
 {
-    float step = scarp_mul(p.f.du, scarp_sub(scarp_at(r, p.before, p.level), scarp_at(l, p.x,
-            p.level)));
-    if (!p.level) {
+    float step = scarp_mul(p.f.du, scarp_sub(scarp_at(r, p.before, p.is_flat), scarp_at(l, p.x,
+            p.is_flat)));
+    if (!p.is_flat) {
         step = scarp_add(scarp_mix(l.a, r.a, p.f.u), step);
     }
     return step;
@@ -565,21 +571,21 @@ float scarp_across_dx(ScarpSlope l, ScarpSlope r, ScarpBetween p)
 
 float scarp_across_dxx(ScarpSlope l, ScarpSlope r, ScarpBetween p)
 {
-    float bend = scarp_mul(p.f.ddu, scarp_sub(scarp_at(r, p.before, p.level), scarp_at(l, p.x,
-            p.level)));
-    if (!p.level) {
+    float bend = scarp_mul(p.f.ddu, scarp_sub(scarp_at(r, p.before, p.is_flat), scarp_at(l, p.x,
+            p.is_flat)));
+    if (!p.is_flat) {
         bend = scarp_add(scarp_mul(scarp_mul(2.0f, p.f.du), scarp_sub(r.a, l.a)), bend);
     }
     return bend;
 }
 
-ScarpSample scarp_join(ScarpColumn l, ScarpColumn r, float x, ScarpFade f, bool level)
+ScarpSample scarp_join(ScarpColumn l, ScarpColumn r, float x, ScarpFade f, bool is_flat)
 {
     ScarpBetween p;
     p.x = x;
     p.before = scarp_sub(x, 1.0f);
     p.f = f;
-    p.level = level;
+    p.is_flat = is_flat;
     return scarp_sample_of( scarp_across(l.value, r.value, p),
             scarp_vec3_of(scarp_across_dx(l.value, r.value, p), scarp_across(l.y, r.y, p),
             scarp_across(l.z, r.z, p)), scarp_vec3_of(scarp_across_dxx(l.value, r.value, p),
@@ -1236,7 +1242,7 @@ float3 scarp_to_input(ScarpOctave o, bool turned, float3 v, int dimensions)
     return r;
 }
 
-/* The Hessian of `n` with A^T (H B), the columns of A and B being rows here. */
+/* `n` with the Hessian A^T (H B); `a` and `b` are the transposes of A and B. */
 ScarpSample scarp_with_hessian(ScarpSample n, ScarpRows a, ScarpRows b, ScarpRows h, int dimensions)
 {
     ScarpRows hb = scarp_transposed( scarp_rows_of(scarp_times(b, h.x, dimensions), scarp_times(b,
@@ -1392,7 +1398,7 @@ ScarpRows scarp_sum_of_rows(ScarpRows a, ScarpRows b)
     return scarp_rows_of(scarp_add3(a.x, b.x), scarp_add3(a.y, b.y), scarp_add3(a.z, b.z));
 }
 
-/* The slopes with those of an octave n, in its own axes: they become steeper. */
+/* The slopes, to which those of an octave n, in its own axes, are added. */
 ScarpSlopes scarp_steeper(ScarpSlopes slopes, ScarpOctave o, bool turned, ScarpSample n,
         int dimensions)
 {
@@ -1412,7 +1418,7 @@ ScarpSample scarp_eroded(ScarpSlopes slopes, float erosion, float n, float3 grad
     float q = scarp_inverse(scarp_add(1.0f, scarp_mul(erosion, scarp_dot(slopes.d, slopes.d,
             dimensions))));
     float damping = scarp_mul(scarp_mul(scarp_mul(2.0f, erosion), n), scarp_mul(q, q));
-    float3 steepening = scarp_times(scarp_transposed(slopes.jacobian), slopes.d, dimensions);
+    float3 steepening = scarp_transposed_times(slopes.jacobian, slopes.d, dimensions);
     ScarpSample s = scarp_constant(scarp_mul(q, n));
     s.gradient = scarp_sub3(scarp_mul3(q, gradient), scarp_mul3(damping, steepening));
     return s;
@@ -1430,11 +1436,11 @@ struct ScarpState {
     float3 left_by;
 };
 
-/* The vector g by bent positions, by x: A^T g with A = I + reach (Jacobian of the slopes). */
+/* A gradient by bent positions becomes one by x: A^T g with A = I + reach (Jacobian of the slopes).
+ */
 float3 scarp_unbent(ScarpSlopes slopes, float reach, float3 g, int dimensions)
 {
-    return scarp_add3(g, scarp_mul3(reach, scarp_times(scarp_transposed(slopes.jacobian), g,
-            dimensions)));
+    return scarp_add3(g, scarp_mul3(reach, scarp_transposed_times(slopes.jacobian, g, dimensions)));
 }
 
 /* A row of the Jacobian with what a component of the slope adds; `row` is that of the Hessian. */
@@ -1499,8 +1505,7 @@ ScarpState scarp_jordan(ScarpState state, ScarpOctave o, float erosion, bool fir
     float damping = scarp_pick(first, 0.0f, scarp_mul(scarp_mul(scarp_mul(2.0f, erosion),
             scarp_mul(p, p)), square));
     float3 by = scarp_unbent(state.slopes, o.reach, n.gradient, dimensions);
-    float3 steepening = scarp_times(scarp_transposed(state.slopes.jacobian), state.slopes.d,
-            dimensions);
+    float3 steepening = scarp_transposed_times(state.slopes.jacobian, state.slopes.d, dimensions);
     float3 term = scarp_add3(scarp_mul3(damping, steepening), scarp_mul3(scarp_mul(2.0f, q),
             scarp_mul3(n.value, by)));
     ScarpState s = state;
@@ -1625,20 +1630,15 @@ struct ScarpDisplaced {
     ScarpSample z;
 };
 
-/* A component of a sum of products with `v`: what each coordinate's derivative `a` adds. */
-float3 scarp_weighed(float3 v, ScarpRows a, int dimensions)
-{
-    return scarp_times(scarp_transposed(a), v, dimensions);
-}
-
-/* A sample at y with its derivatives by y becomes one with its derivatives by x. */
+/* A sample at y with its derivatives by y becomes one with its derivatives by x: with the Jacobian
+   J of y, the gradient is J^T g, the Hessian J^T (H J) + sum_m g_m (Hessian of y_m). */
 ScarpSample scarp_composed(ScarpSample s, ScarpDisplaced y, int dimensions)
 {
     ScarpRows j = scarp_transposed(scarp_rows_of(y.x.gradient, y.y.gradient, y.z.gradient));
-    float3 diagonal = scarp_weighed(s.gradient, scarp_rows_of(y.x.diagonal, y.y.diagonal,
-            y.z.diagonal), dimensions);
-    float3 mixed = scarp_weighed(s.gradient, scarp_rows_of(y.x.mixed, y.y.mixed, y.z.mixed),
-            dimensions);
+    float3 diagonal = scarp_transposed_times(scarp_rows_of(y.x.diagonal, y.y.diagonal,
+            y.z.diagonal), s.gradient, dimensions);
+    float3 mixed = scarp_transposed_times(scarp_rows_of(y.x.mixed, y.y.mixed, y.z.mixed),
+            s.gradient, dimensions);
     ScarpSample r = scarp_with_hessian(s, j, j, scarp_hessian_of(s), dimensions);
     r.gradient = scarp_times(j, s.gradient, dimensions);
     r.diagonal = scarp_add3(r.diagonal, diagonal);

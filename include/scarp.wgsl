@@ -171,7 +171,7 @@ fn scarp_dot(a: vec3f, b: vec3f, dimensions: i32) -> f32 {
     return d;
 }
 
-/* Rows. */
+/* A matrix of 3 rows. */
 struct ScarpRows {
     x: vec3f,
     y: vec3f,
@@ -191,10 +191,15 @@ fn scarp_transposed(m: ScarpRows) -> ScarpRows {
             m.z.z));
 }
 
-/* Each row of m times v. */
+/* m v */
 fn scarp_times(m: ScarpRows, v: vec3f, dimensions: i32) -> vec3f {
     return vec3f(scarp_dot(m.x, v, dimensions), scarp_dot(m.y, v, dimensions), scarp_dot(m.z, v,
             dimensions));
+}
+
+/* The transpose of m, times v. */
+fn scarp_transposed_times(m: ScarpRows, v: vec3f, dimensions: i32) -> vec3f {
+    return scarp_times(scarp_transposed(m), v, dimensions);
 }
 
 /* Noise at a point. diagonal: the derivatives xx, yy, zz; mixed: xy, xz, yz. */
@@ -455,7 +460,7 @@ fn scarp_slope_of(a: f32, b: f32) -> ScarpSlope {
     return s;
 }
 
-/* What a lattice column contributes. Those of value noise are level: all a are 0. */
+/* What a lattice column contributes. Those of value noise are flat: all a are 0. */
 struct ScarpColumn {
     value: ScarpSlope,
     y: ScarpSlope,
@@ -470,45 +475,45 @@ struct ScarpBetween {
     x: f32,
     before: f32,
     f: ScarpFade,
-    level: bool,
+    is_flat: bool,
 }
 
-fn scarp_at(s: ScarpSlope, x: f32, level: bool) -> f32 {
+fn scarp_at(s: ScarpSlope, x: f32, is_flat: bool) -> f32 {
     var value: f32 = s.b;
-    if (!level) {
+    if (!is_flat) {
         value = scarp_add(scarp_mul(s.a, x), s.b);
     }
     return value;
 }
 
 fn scarp_across(l: ScarpSlope, r: ScarpSlope, p: ScarpBetween) -> f32 {
-    return scarp_mix(scarp_at(l, p.x, p.level), scarp_at(r, p.before, p.level), p.f.u);
+    return scarp_mix(scarp_at(l, p.x, p.is_flat), scarp_at(r, p.before, p.is_flat), p.f.u);
 }
 
 fn scarp_across_dx(l: ScarpSlope, r: ScarpSlope, p: ScarpBetween) -> f32 {
-    var step: f32 = scarp_mul(p.f.du, scarp_sub(scarp_at(r, p.before, p.level), scarp_at(l, p.x,
-            p.level)));
-    if (!p.level) {
+    var step: f32 = scarp_mul(p.f.du, scarp_sub(scarp_at(r, p.before, p.is_flat), scarp_at(l, p.x,
+            p.is_flat)));
+    if (!p.is_flat) {
         step = scarp_add(scarp_mix(l.a, r.a, p.f.u), step);
     }
     return step;
 }
 
 fn scarp_across_dxx(l: ScarpSlope, r: ScarpSlope, p: ScarpBetween) -> f32 {
-    var bend: f32 = scarp_mul(p.f.ddu, scarp_sub(scarp_at(r, p.before, p.level), scarp_at(l, p.x,
-            p.level)));
-    if (!p.level) {
+    var bend: f32 = scarp_mul(p.f.ddu, scarp_sub(scarp_at(r, p.before, p.is_flat), scarp_at(l, p.x,
+            p.is_flat)));
+    if (!p.is_flat) {
         bend = scarp_add(scarp_mul(scarp_mul(2.0f, p.f.du), scarp_sub(r.a, l.a)), bend);
     }
     return bend;
 }
 
-fn scarp_join(l: ScarpColumn, r: ScarpColumn, x: f32, f: ScarpFade, level: bool) -> ScarpSample {
+fn scarp_join(l: ScarpColumn, r: ScarpColumn, x: f32, f: ScarpFade, is_flat: bool) -> ScarpSample {
     var p: ScarpBetween;
     p.x = x;
     p.before = scarp_sub(x, 1.0f);
     p.f = f;
-    p.level = level;
+    p.is_flat = is_flat;
     return scarp_sample_of( scarp_across(l.value, r.value, p), vec3f(scarp_across_dx(l.value,
             r.value, p), scarp_across(l.y, r.y, p), scarp_across(l.z, r.z, p)),
             vec3f(scarp_across_dxx(l.value, r.value, p), scarp_across(l.yy, r.yy, p),
@@ -1122,7 +1127,7 @@ fn scarp_to_input(o: ScarpOctave, turned: bool, v: vec3f, dimensions: i32) -> ve
     return r;
 }
 
-/* The Hessian of `n` with A^T (H B), the columns of A and B being rows here. */
+/* `n` with the Hessian A^T (H B); `a` and `b` are the transposes of A and B. */
 fn scarp_with_hessian(n: ScarpSample, a: ScarpRows, b: ScarpRows, h: ScarpRows,
         dimensions: i32) -> ScarpSample {
     let hb: ScarpRows = scarp_transposed( scarp_rows_of(scarp_times(b, h.x, dimensions),
@@ -1261,7 +1266,7 @@ fn scarp_sum_of_rows(a: ScarpRows, b: ScarpRows) -> ScarpRows {
     return scarp_rows_of(scarp_add3(a.x, b.x), scarp_add3(a.y, b.y), scarp_add3(a.z, b.z));
 }
 
-/* The slopes with those of an octave n, in its own axes: they become steeper. */
+/* The slopes, to which those of an octave n, in its own axes, are added. */
 fn scarp_steeper(slopes: ScarpSlopes, o: ScarpOctave, turned: bool, n: ScarpSample,
         dimensions: i32) -> ScarpSlopes {
     let h: ScarpRows = scarp_hessian_of(n);
@@ -1279,7 +1284,7 @@ fn scarp_eroded(slopes: ScarpSlopes, erosion: f32, n: f32, gradient: vec3f,
     let q: f32 = scarp_inverse(scarp_add(1.0f, scarp_mul(erosion, scarp_dot(slopes.d, slopes.d,
             dimensions))));
     let damping: f32 = scarp_mul(scarp_mul(scarp_mul(2.0f, erosion), n), scarp_mul(q, q));
-    let steepening: vec3f = scarp_times(scarp_transposed(slopes.jacobian), slopes.d, dimensions);
+    let steepening: vec3f = scarp_transposed_times(slopes.jacobian, slopes.d, dimensions);
     var s: ScarpSample = scarp_constant(scarp_mul(q, n));
     s.gradient = scarp_sub3(scarp_mul3(q, gradient), scarp_mul3(damping, steepening));
     return s;
@@ -1297,10 +1302,10 @@ struct ScarpState {
     left_by: vec3f,
 }
 
-/* The vector g by bent positions, by x: A^T g with A = I + reach (Jacobian of the slopes). */
+/* A gradient by bent positions becomes one by x: A^T g with A = I + reach (Jacobian of the slopes).
+ */
 fn scarp_unbent(slopes: ScarpSlopes, reach: f32, g: vec3f, dimensions: i32) -> vec3f {
-    return scarp_add3(g, scarp_mul3(reach, scarp_times(scarp_transposed(slopes.jacobian), g,
-            dimensions)));
+    return scarp_add3(g, scarp_mul3(reach, scarp_transposed_times(slopes.jacobian, g, dimensions)));
 }
 
 /* A row of the Jacobian with what a component of the slope adds; `row` is that of the Hessian. */
@@ -1363,7 +1368,7 @@ fn scarp_jordan(state: ScarpState, o: ScarpOctave, erosion: f32, first: bool, n:
     let damping: f32 = select(scarp_mul(scarp_mul(scarp_mul(2.0f, erosion), scarp_mul(p, p)),
             square), 0.0f, first);
     let by: vec3f = scarp_unbent(state.slopes, o.reach, n.gradient, dimensions);
-    let steepening: vec3f = scarp_times(scarp_transposed(state.slopes.jacobian), state.slopes.d,
+    let steepening: vec3f = scarp_transposed_times(state.slopes.jacobian, state.slopes.d,
             dimensions);
     let term: vec3f = scarp_add3(scarp_mul3(damping, steepening), scarp_mul3(scarp_mul(2.0f, q),
             scarp_mul3(n.value, by)));
@@ -1483,18 +1488,14 @@ struct ScarpDisplaced {
     z: ScarpSample,
 }
 
-/* A component of a sum of products with `v`: what each coordinate's derivative `a` adds. */
-fn scarp_weighed(v: vec3f, a: ScarpRows, dimensions: i32) -> vec3f {
-    return scarp_times(scarp_transposed(a), v, dimensions);
-}
-
-/* A sample at y with its derivatives by y becomes one with its derivatives by x. */
+/* A sample at y with its derivatives by y becomes one with its derivatives by x: with the Jacobian
+   J of y, the gradient is J^T g, the Hessian J^T (H J) + sum_m g_m (Hessian of y_m). */
 fn scarp_composed(s: ScarpSample, y: ScarpDisplaced, dimensions: i32) -> ScarpSample {
     let j: ScarpRows = scarp_transposed(scarp_rows_of(y.x.gradient, y.y.gradient, y.z.gradient));
-    let diagonal: vec3f = scarp_weighed(s.gradient, scarp_rows_of(y.x.diagonal, y.y.diagonal,
-            y.z.diagonal), dimensions);
-    let mixed: vec3f = scarp_weighed(s.gradient, scarp_rows_of(y.x.mixed, y.y.mixed, y.z.mixed),
-            dimensions);
+    let diagonal: vec3f = scarp_transposed_times(scarp_rows_of(y.x.diagonal, y.y.diagonal,
+            y.z.diagonal), s.gradient, dimensions);
+    let mixed: vec3f = scarp_transposed_times(scarp_rows_of(y.x.mixed, y.y.mixed, y.z.mixed),
+            s.gradient, dimensions);
     var r: ScarpSample = scarp_with_hessian(s, j, j, scarp_hessian_of(s), dimensions);
     r.gradient = scarp_times(j, s.gradient, dimensions);
     r.diagonal = scarp_add3(r.diagonal, diagonal);

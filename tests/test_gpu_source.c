@@ -95,7 +95,8 @@ static int same(float a, float b)
 
 static float coordinate(uint64_t *random, int i)
 {
-    return i % 4 == 0   ? (float)((int)(check_random(random) % 65) - 32) * 0.5f
+    return i % 16 == 15 ? check_random_float(random, 1e20f)
+           : i % 4 == 0 ? (float)((int)(check_random(random) % 65) - 32) * 0.5f
            : i % 4 == 1 ? check_random_float(random, 40000.0f)
                         : check_random_float(random, 100.0f);
 }

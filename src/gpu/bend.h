@@ -17,10 +17,11 @@ struct state {
     vec3 left_by;
 };
 
-/* The vector g by bent positions, by x: A^T g with A = I + reach (Jacobian of the slopes). */
+/* A gradient by bent positions becomes one by x: A^T g with A = I + reach (Jacobian of the slopes).
+ */
 static inline vec3 unbent(struct slopes slopes, float reach, vec3 g, int dimensions)
 {
-    return add3(g, mul3(reach, times(transposed(slopes.jacobian), g, dimensions)));
+    return add3(g, mul3(reach, transposed_times(slopes.jacobian, g, dimensions)));
 }
 
 /* A row of the Jacobian with what a component of the slope adds; `row` is that of the Hessian. */
@@ -81,7 +82,7 @@ static inline struct state jordan(struct state state, struct octave o, float ero
     const float q = pick(first, 1.0f, sub(1.0f, mul(erosion, p)));
     const float damping = pick(first, 0.0f, mul(mul(mul(2.0f, erosion), mul(p, p)), square));
     const vec3 by = unbent(state.slopes, o.reach, n.gradient, dimensions);
-    const vec3 steepening = times(transposed(state.slopes.jacobian), state.slopes.d, dimensions);
+    const vec3 steepening = transposed_times(state.slopes.jacobian, state.slopes.d, dimensions);
     const vec3 term = add3(mul3(damping, steepening), mul3(mul(2.0f, q), mul3(n.value, by)));
     struct state s = state;
     s.sum.gradient = add3(state.sum.gradient, mul3(o.weight, term));

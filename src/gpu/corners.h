@@ -51,7 +51,7 @@ static inline struct slope slope_of(float a, float b)
     return s;
 }
 
-/* What a lattice column contributes. Those of value noise are level: all a are 0. */
+/* What a lattice column contributes. Those of value noise are flat: all a are 0. */
 struct column {
     struct slope value;
     struct slope y;
@@ -66,13 +66,13 @@ struct between {
     float x;
     float before;
     struct fade f;
-    bool level;
+    bool is_flat;
 };
 
-static inline float at(struct slope s, float x, bool level)
+static inline float at(struct slope s, float x, bool is_flat)
 {
     float value = s.b;
-    if (!level) {
+    if (!is_flat) {
         value = add(mul(s.a, x), s.b);
     }
     return value;
@@ -80,13 +80,13 @@ static inline float at(struct slope s, float x, bool level)
 
 static inline float across(struct slope l, struct slope r, struct between p)
 {
-    return mix(at(l, p.x, p.level), at(r, p.before, p.level), p.f.u);
+    return mix(at(l, p.x, p.is_flat), at(r, p.before, p.is_flat), p.f.u);
 }
 
 static inline float across_dx(struct slope l, struct slope r, struct between p)
 {
-    float step = mul(p.f.du, sub(at(r, p.before, p.level), at(l, p.x, p.level)));
-    if (!p.level) {
+    float step = mul(p.f.du, sub(at(r, p.before, p.is_flat), at(l, p.x, p.is_flat)));
+    if (!p.is_flat) {
         step = add(mix(l.a, r.a, p.f.u), step);
     }
     return step;
@@ -94,21 +94,21 @@ static inline float across_dx(struct slope l, struct slope r, struct between p)
 
 static inline float across_dxx(struct slope l, struct slope r, struct between p)
 {
-    float bend = mul(p.f.ddu, sub(at(r, p.before, p.level), at(l, p.x, p.level)));
-    if (!p.level) {
+    float bend = mul(p.f.ddu, sub(at(r, p.before, p.is_flat), at(l, p.x, p.is_flat)));
+    if (!p.is_flat) {
         bend = add(mul(mul(2.0f, p.f.du), sub(r.a, l.a)), bend);
     }
     return bend;
 }
 
 static inline struct sample join(struct column l, struct column r, float x, struct fade f,
-                                 bool level)
+                                 bool is_flat)
 {
     struct between p;
     p.x = x;
     p.before = sub(x, 1.0f);
     p.f = f;
-    p.level = level;
+    p.is_flat = is_flat;
     return sample_of(
         across(l.value, r.value, p),
         vec3_of(across_dx(l.value, r.value, p), across(l.y, r.y, p), across(l.z, r.z, p)),

@@ -15,19 +15,15 @@ struct displaced {
     struct sample z;
 };
 
-/* A component of a sum of products with `v`: what each coordinate's derivative `a` adds. */
-static inline vec3 weighed(vec3 v, struct rows a, int dimensions)
-{
-    return times(transposed(a), v, dimensions);
-}
-
-/* A sample at y with its derivatives by y becomes one with its derivatives by x. */
+/* A sample at y with its derivatives by y becomes one with its derivatives by x: with the Jacobian
+   J of y, the gradient is J^T g, the Hessian J^T (H J) + sum_m g_m (Hessian of y_m). */
 static inline struct sample composed(struct sample s, struct displaced y, int dimensions)
 {
     const struct rows j = transposed(rows_of(y.x.gradient, y.y.gradient, y.z.gradient));
     const vec3 diagonal =
-        weighed(s.gradient, rows_of(y.x.diagonal, y.y.diagonal, y.z.diagonal), dimensions);
-    const vec3 mixed = weighed(s.gradient, rows_of(y.x.mixed, y.y.mixed, y.z.mixed), dimensions);
+        transposed_times(rows_of(y.x.diagonal, y.y.diagonal, y.z.diagonal), s.gradient, dimensions);
+    const vec3 mixed =
+        transposed_times(rows_of(y.x.mixed, y.y.mixed, y.z.mixed), s.gradient, dimensions);
     struct sample r = with_hessian(s, j, j, hessian_of(s), dimensions);
     r.gradient = times(j, s.gradient, dimensions);
     r.diagonal = add3(r.diagonal, diagonal);

@@ -49,7 +49,7 @@ static inline float dot(vec3 a, vec3 b, int dimensions)
     return d;
 }
 
-/* Rows. */
+/* A matrix of 3 rows. */
 struct rows {
     vec3 x;
     vec3 y;
@@ -71,10 +71,16 @@ static inline struct rows transposed(struct rows m)
                    vec3_of(m.x.z, m.y.z, m.z.z));
 }
 
-/* Each row of m times v. */
+/* m v */
 static inline vec3 times(struct rows m, vec3 v, int dimensions)
 {
     return vec3_of(dot(m.x, v, dimensions), dot(m.y, v, dimensions), dot(m.z, v, dimensions));
+}
+
+/* The transpose of m, times v. */
+static inline vec3 transposed_times(struct rows m, vec3 v, int dimensions)
+{
+    return times(transposed(m), v, dimensions);
 }
 
 /* Noise at a point. diagonal: the derivatives xx, yy, zz; mixed: xy, xz, yz. */

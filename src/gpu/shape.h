@@ -23,7 +23,7 @@ static inline vec3 to_input(struct octave o, bool turned, vec3 v, int dimensions
     return r;
 }
 
-/* The Hessian of `n` with A^T (H B), the columns of A and B being rows here. */
+/* `n` with the Hessian A^T (H B); `a` and `b` are the transposes of A and B. */
 static inline struct sample with_hessian(struct sample n, struct rows a, struct rows b,
                                          struct rows h, int dimensions)
 {
@@ -175,7 +175,7 @@ static inline struct rows sum_of_rows(struct rows a, struct rows b)
     return rows_of(add3(a.x, b.x), add3(a.y, b.y), add3(a.z, b.z));
 }
 
-/* The slopes with those of an octave n, in its own axes: they become steeper. */
+/* The slopes, to which those of an octave n, in its own axes, are added. */
 static inline struct slopes steeper(struct slopes slopes, struct octave o, bool turned,
                                     struct sample n, int dimensions)
 {
@@ -194,7 +194,7 @@ static inline struct sample eroded(struct slopes slopes, float erosion, float n,
 {
     const float q = inverse(add(1.0f, mul(erosion, dot(slopes.d, slopes.d, dimensions))));
     const float damping = mul(mul(mul(2.0f, erosion), n), mul(q, q));
-    const vec3 steepening = times(transposed(slopes.jacobian), slopes.d, dimensions);
+    const vec3 steepening = transposed_times(slopes.jacobian, slopes.d, dimensions);
     struct sample s = constant(mul(q, n));
     s.gradient = sub3(mul3(q, gradient), mul3(damping, steepening));
     return s;

@@ -176,6 +176,10 @@ static const struct gpu_case gpu_cases[] = {
     {"3d/coarse/turned",
      3,
      {.rotate = 1, .octaves = 7.75f, .frequency = 0.0031, .lacunarity = 1.1f, .amplitude = 1e-3f}},
+
+    /* positions of small octaves beyond 2^31 cells */
+    {"2d/gradient/turned/28", 2, {.rotate = 1, .octaves = 28.0f}},
+    {"3d/value/28", 3, {.basis = SCARP_VALUE, .octaves = 28.0f, .frequency = 0.37}},
 };
 
 enum { GPU_CASES = sizeof gpu_cases / sizeof gpu_cases[0] };
