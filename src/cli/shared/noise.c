@@ -302,6 +302,14 @@ bool noise_make(const struct noise_options *options, const struct warp_options *
     return warp->reach == 0.0f || check(&made[1], dimensions, "warp-");
 }
 
+bool noise_make_part(const struct noise_options *options, const char *prefix, int dimensions,
+                     struct scarp_noise *made)
+{
+    *made = noise_of(options);
+    made->amplitude = 1.0f;
+    return check(made, dimensions, prefix);
+}
+
 /* The bit of a row in struct option_given */
 static uint32_t bit_of(const char *name)
 {
@@ -312,25 +320,32 @@ static uint32_t bit_of(const char *name)
     return bit;
 }
 
-bool warp_complete(struct warp_options *warp, const struct noise_options *noise)
+bool noise_part_complete(const struct noise_part *part, const struct noise_options *first)
 {
-    if (warp->reach == 0.0f) {
+    if (!part->is_there) {
         for (int i = 0; i < NOISE_OPTION_COUNT; i++) {
-            if ((warp->given.typed >> i & 1) != 0) {
-                cli_error("%s: needs a --warp-reach above 0",
-                          option_name_of("warp-", &noise_option_rows[i]).text);
+            if ((part->given->typed >> i & 1) != 0) {
+                cli_error("%s: needs %s", option_name_of(part->prefix, &noise_option_rows[i]).text,
+                          part->needs);
                 return false;
             }
         }
         return true;
     }
-    if ((warp->given.set & bit_of("--seed")) == 0) {
-        warp->noise.seed = noise->seed;
+    if ((part->given->set & bit_of("--seed")) == 0) {
+        part->noise->seed = first->seed;
     }
-    if ((warp->given.set & bit_of("--frequency")) == 0) {
-        warp->noise.frequency = noise->frequency;
+    if ((part->given->set & bit_of("--frequency")) == 0) {
+        part->noise->frequency = first->frequency;
     }
     return true;
+}
+
+bool warp_complete(struct warp_options *warp, const struct noise_options *noise)
+{
+    const struct noise_part part = {"warp-", "a --warp-reach above 0", &warp->noise, &warp->given,
+                                    warp->reach != 0.0f};
+    return noise_part_complete(&part, noise);
 }
 
 /* A quotient of frequencies that is meant to be whole is so but for some roundings. */

@@ -59,6 +59,24 @@ struct warp_options {
     "octave and the gain 0.5 unless told otherwise."
 extern const struct option warp_option_rows[1];
 
+/* A noise beside the first one, whose options have a prefix */
+struct noise_part {
+    const char *prefix;
+    const char *needs; /* what there must be, so that there is such a noise: "a --base-amplitude" */
+    struct noise_options *noise;
+    const struct option_given *given;
+    bool is_there;
+};
+
+/* Gives it the seed and the frequency of the first one where it has none of its own. False, with a
+   line on stderr, if it is not there and options of it were typed. */
+bool noise_part_complete(const struct noise_part *part, const struct noise_options *first);
+
+/* Makes it, complete, with the amplitude 1. `prefix` stands in a message as in its options. False,
+   with a line on stderr, if the numbers do not go together. */
+bool noise_make_part(const struct noise_options *options, const char *prefix, int dimensions,
+                     struct scarp_noise *made);
+
 /* Gives a warp the seed and the frequency of the noise where it has none of its own. False, with a
    line on stderr, if options of a warp were typed for no warp. */
 bool warp_complete(struct warp_options *warp, const struct noise_options *noise);

@@ -28,7 +28,7 @@ void compare_sample(const struct surface *surface, struct block *block)
     float *const slope_y = block->value;
     difference(surface, block, 1, 0, slope_x);
     difference(surface, block, 0, 1, slope_y);
-    scarp_normals(block->columns * block->rows, slope_x, slope_y, surface->height_scale,
+    scarp_normals(block->columns * block->rows, slope_x, slope_y, surface->ground.height_scale,
                   block->differences_x, block->differences_y, block->differences_z);
     surface_values(surface, block, 0, 0, block->value);
 }

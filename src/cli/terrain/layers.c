@@ -45,7 +45,7 @@ static void encode_heights(const struct surface *surface, const struct strip *st
     const size_t count = strip->count;
     const float *const value = strip->block->value + strip->first;
     if (kind == SAMPLE_F32) {
-        const float scale = surface->height_scale;
+        const float scale = surface->ground.height_scale;
         for (size_t i = 0; i < count; i++) {
             put_float(to + 4 * i, scale * value[i]);
         }
@@ -137,7 +137,7 @@ static void encode_gradient(const struct surface *surface, const struct strip *s
     const size_t count = strip->count;
     const float *const dx = strip->block->dx + strip->first;
     const float *const dy = strip->block->dy + strip->first;
-    const float scale = surface->height_scale;
+    const float scale = surface->ground.height_scale;
     for (size_t i = 0; i < count; i++) {
         put_float(to + 8 * i, scale * dx[i]);
         put_float(to + 8 * i + 4, scale * dy[i]);

@@ -6,23 +6,16 @@
 
 #include <stdlib.h>
 
-static float within(float value, const struct surface *surface)
-{
-    return value < surface->lowest    ? surface->lowest
-           : value > surface->highest ? surface->highest
-                                      : value;
-}
+#include "shared/sine.h"
 
-void surface_set_range(struct surface *surface, float sea_level, float plateau)
+void surface_set_scale(struct surface *surface)
 {
-    scarp_range(surface->noise, 2, &surface->lowest, &surface->highest);
-    surface->floor = within(sea_level, surface);
-    surface->ceiling = within(plateau, surface);
-    const double left = (double)surface->ceiling - (double)surface->floor;
+    const struct ground *const ground = &surface->ground;
+    const double left = (double)ground->ceiling - (double)ground->floor;
     surface->steps_per_value = left > 0.0 ? 65535.0 / left : 0.0;
     /* Adding 0 leaves no zero negative: these numbers are for readers. */
-    surface->zero_height = surface->height_scale * surface->floor + 0.0f;
-    surface->full_height = surface->height_scale * surface->ceiling + 0.0f;
+    surface->zero_height = ground->height_scale * ground->floor + 0.0f;
+    surface->full_height = ground->height_scale * ground->ceiling + 0.0f;
 }
 
 bool block_open(struct block *block, const struct surface *surface, unsigned needs)
@@ -74,21 +67,6 @@ void block_close(struct block *block)
     *block = (struct block){0};
 }
 
-/* What the sea covers or the plateau cuts off is flat: its gradient is that of what is returned. */
-static void clamp(const struct surface *surface, size_t count, const struct scarp_samples *out)
-{
-    for (size_t i = 0; i < count; i++) {
-        const float value = out->value[i];
-        if (value >= surface->floor && value <= surface->ceiling) {
-            continue;
-        }
-        out->value[i] = value < surface->floor ? surface->floor : surface->ceiling;
-        if (out->dx != NULL) {
-            out->dx[i] = out->dy[i] = 0.0f;
-        }
-    }
-}
-
 /* Rows go down and y goes up, so the grid's step along them is negative. Its origin and step are
    those of the whole raster whatever the block: samples have the same bits in every tile. */
 static void sample(const struct surface *surface, const struct block *block, int right, int up,
@@ -101,11 +79,7 @@ static void sample(const struct surface *surface, const struct block *block, int
                   (int64_t)block->row - up - (int64_t)(surface->height - 1), 0},
         .count = {block->columns, block->rows, 1},
     };
-    /* Cannot fail: the noise was checked, and what the options allow of places lies within 2^53. */
-    scarp_grid2(surface->noise, &grid, out);
-    if (surface->floor > surface->lowest || surface->ceiling < surface->highest) {
-        clamp(surface, block->columns * block->rows, out);
-    }
+    ground_grid(&surface->ground, &grid, out);
 }
 
 void surface_values(const struct surface *surface, const struct block *block, int right, int up,
@@ -120,30 +94,13 @@ void surface_sample(const struct surface *surface, struct block *block)
            &(struct scarp_samples){.value = block->value, .dx = block->dx, .dy = block->dy});
     const size_t count = block->columns * block->rows;
     if (block->nx != NULL) {
-        scarp_normals(count, block->dx, block->dy, surface->height_scale, block->nx, block->ny,
-                      block->nz);
+        scarp_normals(count, block->dx, block->dy, surface->ground.height_scale, block->nx,
+                      block->ny, block->nz);
     }
     if (block->shade_x != block->nx) {
-        scarp_normals(count, block->dx, block->dy, surface->height_scale * surface->z_factor,
+        scarp_normals(count, block->dx, block->dy, surface->ground.height_scale * surface->z_factor,
                       block->shade_x, block->shade_y, block->shade_z);
     }
-}
-
-/* sin(degrees), of 0 to 540. The C library's sine is not the same everywhere; this one is, and
-   within 2^-52 of the exact one. */
-static double sine(double degrees)
-{
-    const int quarters = (int)(degrees / 90.0 + 0.5);
-    const double rest = degrees - 90.0 * quarters; /* exact: in [-45, 45] */
-    const double x = rest * 0.017453292519943295;  /* pi / 180 */
-    /* Taylor's series from its smallest term on: of the sine, of the cosine after odd quarters */
-    const bool odd = quarters % 2 != 0;
-    double sum = 1.0;
-    for (int n = odd ? 18 : 19; n > 1; n -= 2) {
-        sum = 1.0 - x * x / (double)(n * (n - 1)) * sum;
-    }
-    const double magnitude = odd ? sum : x * sum;
-    return quarters % 4 < 2 ? magnitude : -magnitude;
 }
 
 void surface_light(double azimuth, double altitude, double light[3])

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The terrain as a surface: which noise, where, how high, how lit; and blocks of its samples.
+ * The terrain as a raster: which ground, where, how lit; and blocks of its samples.
  * Included by the layers, which turn samples into bytes, and by what runs them.
  *
  * Column c and row r of the raster lie at x = x0 + c step and y = y0 + (height - 1 - r) step: x
@@ -12,27 +12,24 @@
 #include <stdbool.h>
 #include <stddef.h>
 
+#include "ground/ground.h"
 #include "scarp.h"
 
 struct surface {
-    struct scarp_noise noise[2]; /* of noise_make */
-    size_t width, height;        /* samples of the whole raster */
+    struct ground ground;
+    size_t width, height; /* samples of the whole raster */
     double x0, y0, step;
-    float lowest, highest;  /* the range of the noise */
-    float floor, ceiling;   /* what sea and plateau leave of it: values beyond become these */
     double steps_per_value; /* of 16-bit heights: 65535 / (ceiling - floor); 0 if these are equal */
     float zero_height;      /* what 0 and 65535 stand for in 16-bit heights, in units of x and y: */
     float full_height;      /* the floats of floor and ceiling */
-    float height_scale;     /* units of x and y per 1 of value */
     float z_factor;         /* for the hillshade only: multiplies heights */
     float normal_y;         /* 1 or -1: multiplies the second component of normals */
     double light[3];        /* unit vector to the light: east, north, up */
     size_t zoom;            /* of the comparison: pixels per sample */
 };
 
-/* Sets the members from `lowest` to `full_height`; noise and height_scale are set. The levels are
-   taken into the range of the noise. */
-void surface_set_range(struct surface *surface, float sea_level, float plateau);
+/* Sets the members from `steps_per_value` to `full_height`; the ground is set. */
+void surface_set_scale(struct surface *surface);
 
 /* What a block needs to hold, or'ed */
 enum surface_need {
@@ -71,7 +68,8 @@ void surface_values(const struct surface *surface, const struct block *block, in
 static inline unsigned surface_quantise(const struct surface *surface, float value)
 {
     /* By way of int, for which processors have a vector instruction */
-    return (unsigned)(int)(((double)value - (double)surface->floor) * surface->steps_per_value +
+    return (unsigned)(int)(((double)value - (double)surface->ground.floor) *
+                               surface->steps_per_value +
                            0.5);
 }
 

@@ -35,19 +35,14 @@ static bool make_surface(const struct terrain_options *options, struct surface *
         .x0 = options->origin.x,
         .y0 = options->origin.y,
         .step = options->step,
-        .height_scale = options->height,
         .z_factor = options->z_factor,
         .normal_y = options->normal_down ? -1.0f : 1.0f,
         .zoom = options->compare,
     };
-    if (!noise_make(&options->noise, &options->warp, 2, surface->noise)) {
+    if (!ground_make(&options->ground, &surface->ground)) {
         return false;
     }
-    if (options->plateau < options->sea_level) {
-        cli_error("--plateau: lies below --sea-level");
-        return false;
-    }
-    surface_set_range(surface, options->sea_level, options->plateau);
+    surface_set_scale(surface);
     surface_light(options->azimuth, options->altitude, surface->light);
     return true;
 }
@@ -87,21 +82,36 @@ static void print_heights(const struct job *job, FILE *stream)
     }
 }
 
+static void print_cells(const char *of, const struct noise_options *noise, FILE *stream)
+{
+    fprintf(stream, "%s %.9g, %u x %u", of, noise->frequency, (unsigned)noise->period[0],
+            (unsigned)noise->period[1]);
+}
+
 /* The frequency may be another than was asked for. */
 static void print_period(const struct terrain_options *options, FILE *stream)
 {
+    const struct ground_options *const ground = &options->ground;
     const struct option_size period = options->tileable ? options->size : options->period;
-    if (period.width != 0) {
-        fprintf(stream, "repeats after %zux%zu samples: frequency %.9g, %u x %u cells",
-                period.width, period.height, options->noise.frequency,
-                (unsigned)options->noise.period[0], (unsigned)options->noise.period[1]);
-        if (options->warp.reach != 0.0f) {
-            const struct noise_options *const warp = &options->warp.noise;
-            fprintf(stream, "; warp %.9g, %u x %u", warp->frequency, (unsigned)warp->period[0],
-                    (unsigned)warp->period[1]);
-        }
-        fputc('\n', stream);
+    if (period.width == 0) {
+        return;
     }
+    fprintf(stream, "repeats after %zux%zu samples", period.width, period.height);
+    print_cells(": frequency", &ground->noise, stream);
+    fputs(" cells", stream);
+    if (ground->warp.reach != 0.0f) {
+        print_cells("; warp", &ground->warp.noise, stream);
+    }
+    if (ground->base.amplitude != 0.0f) {
+        print_cells("; base", &ground->base.noise, stream);
+    }
+    if (ground->mask.band.x != ground->mask.band.y) {
+        print_cells("; mask", &ground->mask.noise, stream);
+    }
+    if (ground->stretch != 1.0) {
+        fprintf(stream, "; stretch %.9g", ground->stretch);
+    }
+    fputc('\n', stream);
 }
 
 static void print_summary(const struct job *job, double duration)
@@ -160,16 +170,13 @@ static int prepare(struct job *job)
 
 int cli_terrain(char **argv)
 {
-    struct terrain_options options = {.noise = NOISE_OPTIONS_UNSET,
-                                      .warp = WARP_OPTIONS_UNSET,
-                                      .sea_level = -INFINITY,
-                                      .plateau = INFINITY};
+    struct terrain_options options = {.ground = GROUND_OPTIONS_UNSET};
     switch (options_parse(&terrain_table, argv, &options)) {
     case OPTIONS_HELP: return CLI_SUCCESS;
     case OPTIONS_BAD: return CLI_USAGE;
     default: break;
     }
-    if (!warp_complete(&options.warp, &options.noise) || !terrain_repeat(&options)) {
+    if (!ground_options_complete(&options.ground) || !terrain_repeat(&options)) {
         return CLI_USAGE;
     }
     struct job job = {.options = &options};

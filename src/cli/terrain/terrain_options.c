@@ -6,8 +6,8 @@
 
 #include <stddef.h>
 
+#include "ground/presets.h"
 #include "shared/crew.h"
-#include "terrain/presets.h"
 
 #define FIELD(name) offsetof(struct terrain_options, name)
 
@@ -52,33 +52,6 @@ static const struct option raster_rows[] = {
     {.name = "--tileable",
      .help = "--period with the raster's own size: copies fit side by side",
      .offset = FIELD(tileable)},
-    {.name = "--height",
-     .argument = "F",
-     .standard = "120",
-     .allowed = "a number from 0 to 2^24",
-     .help = "vertical size of noise value 1, in the unit of x and y,\nfrom 0 to 2^24",
-     .parse = option_float,
-     .offset = FIELD(height),
-     .lowest = 0,
-     .highest = 0x1p24},
-    {.name = "--sea-level",
-     .argument = "F",
-     .allowed = "a number from -2^24 to 2^24",
-     .help = "noise values below F become F, flat as water; taken into the\ninterval of the noise, "
-             "from -2^24 to 2^24 [no sea]",
-     .parse = option_float,
-     .offset = FIELD(sea_level),
-     .lowest = -0x1p24,
-     .highest = 0x1p24},
-    {.name = "--plateau",
-     .argument = "F",
-     .allowed = "a number from -2^24 to 2^24",
-     .help = "noise values above F become F, flat as a table; no lower than\nthe sea, from -2^24 "
-             "to 2^24 [no plateau]",
-     .parse = option_float,
-     .offset = FIELD(plateau),
-     .lowest = -0x1p24,
-     .highest = 0x1p24},
 };
 
 #define FILE_ALLOWED "a file name, of which the extension tells the format"
@@ -218,18 +191,6 @@ static const struct option tile_rows[] = {
      .of_run = 1},
 };
 
-static const struct option preset_rows[] = {
-    {.name = "--preset",
-     .argument = "NAME",
-     .standard = "none",
-     .allowed = PRESET_NAMES,
-     .help = "other defaults for a kind of terrain, told below:\n" PRESETS_FIRST "\n" PRESETS_LAST,
-     .parse = option_choice,
-     .offset = FIELD(preset),
-     .choices = preset_names,
-     .of_run = 1},
-};
-
 static const struct option running_rows[] = {
     {.name = "--threads",
      .argument = "N",
@@ -261,15 +222,9 @@ static const struct option_group groups[] = {
     OPTION_GROUP("files, any of which may be asked for together", file_rows, 0),
     OPTION_GROUP("how they look", look_rows, 0),
     OPTION_GROUP("tiles", tile_rows, 0),
-    OPTION_GROUP("the noise", preset_rows, 0),
-    OPTION_GROUP(NULL, noise_option_rows, FIELD(noise)),
-    WARP_GROUPS("the warp", FIELD(warp)),
+    GROUND_GROUPS(FIELD(ground)),
     OPTION_GROUP("running", running_rows, 0),
 };
-
-/* With the frequency 1 and the step 1, all samples would be lattice points. */
-static option_words standard = {"--seed", "1",      "--frequency", "0.0025", "--octaves",
-                                "9",      "--gain", "0.4",         NULL};
 
 const struct option_table terrain_table = {
     .command = "terrain",
@@ -334,7 +289,7 @@ const struct option_table terrain_table = {
         "\n" PRESET_HELP,
     .groups = groups,
     .count = sizeof groups / sizeof groups[0],
-    .standard = standard,
+    .standard = ground_standard,
     .presets = preset_words,
-    .preset_offset = FIELD(preset),
+    .preset_offset = FIELD(ground.preset),
 };

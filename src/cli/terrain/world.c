@@ -61,8 +61,8 @@ static void add_derived(const struct surface *surface, const struct tiling *tili
                         struct text *text)
 {
     text_add(text, "  \"derived\": {\n    \"tiles\": [%zu, %zu],\n", tiling->across, tiling->down);
-    text_add(text, "    \"range\": [%.9g, %.9g],\n", (double)surface->lowest,
-             (double)surface->highest);
+    text_add(text, "    \"range\": [%.9g, %.9g],\n", (double)surface->ground.lowest,
+             (double)surface->ground.highest);
     text_add(text, "    \"16-bit heights\": [%.9g, %.9g]\n  }\n", (double)surface->zero_height,
              (double)surface->full_height);
 }

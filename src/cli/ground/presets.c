@@ -2,7 +2,7 @@
  *
  * The presets. The README shows what they look like.
  */
-#include "terrain/presets.h"
+#include "ground/presets.h"
 
 #include <stddef.h>
 

@@ -1,0 +1,52 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The terrain: a height for every place, with its exact gradient. Included by every command that
+ * shows a terrain.
+ *
+ *     value = terraces(base(p) + mask(p) noise(p)), at least `floor` and at most `ceiling`
+ *
+ * with p in units of input, and height = height_scale * value. Positions of the noise are stretched
+ * across the wind. The mask is 0 to 1. What is not asked for is left out.
+ *
+ * All of it is the same on every machine, to the bit.
+ */
+#ifndef SCARP_CLI_GROUND_H
+#define SCARP_CLI_GROUND_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "ground/ground_options.h"
+#include "scarp.h"
+
+/* Points to itself: not to be copied by assignment, but by ground_limit. */
+struct ground {
+    struct scarp_noise noise[2]; /* of noise_make */
+    struct scarp_noise base, mask;
+    bool has_base, has_mask;
+    float mask_from, mask_to;
+    float terraces, terrace_riser, terrace_strength; /* no terraces: 0 */
+    bool is_stretched, is_aligned; /* aligned: the noise's axes are those of positions */
+    double along[2], across[2];    /* the noise's coordinates are products with these */
+    float lowest, highest;         /* values never leave this interval, sea and plateau aside */
+    float floor, ceiling;          /* the sea and the plateau, taken into that interval */
+    float height_scale;            /* units of x and y per 1 of value */
+};
+
+/* Makes the ground of complete options. False, with a line on stderr, if the numbers do not go
+   together. */
+bool ground_make(const struct ground_options *options, struct ground *ground);
+
+/* Samples values, and gradients if out->dx and out->dy are there, as scarp_grid2 does. */
+void ground_grid(const struct ground *ground, const struct scarp_grid *grid,
+                 const struct scarp_samples *out);
+
+/* The same at points */
+void ground_points(const struct ground *ground, size_t count, const double *x, const double *y,
+                   const struct scarp_samples *out);
+
+/* Makes the same ground without the octaves whose cells are smaller than `finest` units; the last
+   one that is left fades in. What is left is as it was: amplitudes do not change. */
+void ground_limit(const struct ground *ground, double finest, struct ground *limited);
+
+#endif
