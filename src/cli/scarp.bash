@@ -1,17 +1,20 @@
 # SPDX-License-Identifier: MIT
 # Completion of scarp's commands, options and their words for bash. The options come from the
-# program's own help, where those of the warp stand side by side. Installed where bash-completion finds it.
+# program's own help, where those of warp, base and mask stand side by side. Installed where bash-completion finds it.
 
 _scarp_options()
 {
-    "$1" help "$2" 2>/dev/null | sed -n -e 's/^  \(--[a-z-]*\).*/\1/p' -e '/^ \{18\}--warp-/p'
+    "$1" help "$2" 2>/dev/null | sed -n -e 's/^  \(--[a-z-]*\).*/\1/p' -e '/^ \{18\}--\(warp\|base\|mask\)-/p'
 }
 
 _scarp()
 {
     local program=${COMP_WORDS[0]} word=${COMP_WORDS[COMP_CWORD]}
     local before=${COMP_WORDS[COMP_CWORD - 1]} command=${COMP_WORDS[1]}
-    local words= row=${before/#--warp-/--}
+    local words= row=$before
+    case $before in
+    --warp-* | --base-* | --mask-*) row=--${before#--*-} ;;
+    esac
 
     COMPREPLY=()
     if [ "$COMP_CWORD" -eq 1 ]; then

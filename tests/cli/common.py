@@ -34,15 +34,21 @@ SPEED = os.environ.get("SCARP_SPEED", "full")
 NAMES = ("height", "normal", "hillshade")
 WARP = ("seed", "basis", "jitter", "fade", "fractal", "erosion", "sharpness", "frequency",
         "octaves", "of-octaves", "lacunarity", "gain", "phase", "rotate")  # of a warp, too
-OPTIONS = ("size", "origin", "step", "period", "tileable", "height", "sea-level", "plateau",
+NOISES = ("warp", "base", "mask")  # what else has options of a noise
+OPTIONS = ("size", "origin", "step", "period", "tileable",
            "heights", "normals", "hillshade", "gradient", "output", "compare",
            "normal-y", "azimuth", "altitude", "z-factor",
            "tile", "tiles", "share", "overlap", "resume",
-           "preset", "seed", "basis", "jitter", "fade", "fractal", "erosion", "sharpness",
+           "preset", "height", "sea-level", "plateau", "stretch", "wind",
+           "terraces", "terrace-riser", "terrace-strength",
+           "seed", "basis", "jitter", "fade", "fractal", "erosion", "sharpness",
            "frequency", "octaves", "of-octaves", "lacunarity", "gain", "phase", "rotate", "amplitude",
            "warp-reach", *("warp-" + name for name in WARP),
+           "base-amplitude", *("base-" + name for name in WARP),
+           "mask-band", *("mask-" + name for name in WARP),
            "threads", "isa", "quiet", "help")
-FLAGS = ("tileable", "resume", "rotate", "warp-rotate", "quiet", "help")
+FLAGS = ("tileable", "resume", "rotate", "warp-rotate", "base-rotate", "mask-rotate", "quiet",
+         "help")
 FRACTALS = ("fbm", "turbulence", "ridged", "erosion", "pingpong", "hybrid", "swiss", "jordan")
 FLOWING = FRACTALS[:6]  # those with a derivative by the phase
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir, os.pardir)

@@ -70,7 +70,7 @@ class Completion(Case):
         if len(common.PROGRAM) != 1:
             self.skipTest("needs a program that runs by itself")
         for command in COMMANDS:
-            lines = re.findall(r"(?m)^  (--[a-z-]+)|^ {18}(--warp-[a-z -]+)",
+            lines = re.findall(r"(?m)^  (--[a-z-]+)|^ {18}(--(?:warp|base|mask)-[a-z -]+)",
                                text_of("help", command))
             options = [word for line in lines for word in "".join(line).split()]
             for option in ("--help",) + ("--warp-reach", "--warp-rotate") * (command != "info"):

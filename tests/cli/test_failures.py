@@ -79,9 +79,9 @@ class FullDisk(Case):
                      preexec_fn=common.file_limit(6400 - 1))
         self.check_one_line(result, 1, "--heights", "h_1_0.r32")
         self.assertEqual(self.files(), [])
-        result = run("terrain", "--size", "180x100", "--tile", "160x20", "--tiles", "1:2,0:5",
+        result = run("terrain", "--size", "250x200", "--tile", "200x40", "--tiles", "1:2,0:5",
                      "--heights", "h.r32", cwd=self.directory,
-                     preexec_fn=common.file_limit(1600))
+                     preexec_fn=common.file_limit(8000))
         self.assertEqual((result.returncode, len(self.files())), (0, 1 + 5))
 
     @POSIX
