@@ -125,11 +125,11 @@ class Selection(Case):
         self.assertFalse([name for name in names if "erosion" in name and "hessian" in name])
         self.assertIn("normals", names)
         for noise in ("fbm9/preset-none/%s/1024/step0.0025",
-                      "ridged7/turned/preset-alps/%s/1024/step0.0035",
-                      "ridged2/turned/preset-dunes/%s/1024/step0.0022",
+                      "ridged7/turned/terrain-ridged/%s/1024/step0.0035",
+                      "ridged2/turned/terrain-waves/%s/1024/step0.0022",
                       "erosion8/turned/preset-islands/%s/1024/step0.0045",
-                      "turbulence8/turned/preset-canyon/%s/1024/step0.004",
-                      "swiss8/turned/preset-crests/%s/1024/step0.0045"):
+                      "turbulence8/turned/terrain-turbulence/%s/1024/step0.004",
+                      "swiss8/turned/terrain-swiss/%s/1024/step0.0045"):
             for output in ("value", "+gradient"):
                 self.assertIn("grid2/gradient/" + noise % output, names)
         for noise in ("cell-soft/erosion8/turned/preset-cirques/%s/1024/step0.004",
@@ -400,17 +400,17 @@ class Results(Case):
         """All take part with the nearest that they have, and say what it is."""
         if not has_peers():
             self.skipTest("no peer was found")
-        rows = report_of(*QUICK, "--isa", "scalar", "--work", "preset-,quick-noise,"
+        rows = report_of(*QUICK, "--isa", "scalar", "--work", "preset-,terrain-,quick-noise,"
                          "points3/gradient/value", "--peers")["rows"]
         self.check_rows(rows)
         everyone = {row["library"] for row in rows if row["work"] == "points3/gradient/value"}
-        fractals = {"none": "", "alps": "axes not turned", "dunes": "axes not turned",
-                    "islands": "fBm, axes not turned", "canyon": "axes not turned",
-                    "karst": "axes not turned", "crests": "fBm, axes not turned"}
-        without = {"canyon": {"FastNoiseLite"}, "karst": {"stb_perlin", "libnoise"}}
+        fractals = {"none": "", "ridged": "axes not turned", "waves": "axes not turned",
+                    "islands": "fBm, axes not turned", "turbulence": "axes not turned",
+                    "karst": "axes not turned", "swiss": "fBm, axes not turned"}
+        without = {"turbulence": {"FastNoiseLite"}, "karst": {"stb_perlin", "libnoise"}}
         for row in rows:
             with self.subTest(row=row):
-                preset = re.search(r"/preset-(\w+)/", row["work"])
+                preset = re.search(r"/(?:preset|terrain)-(\w+)/", row["work"])
                 if row["library"] == "scarp" or row["work"].startswith("points3"):
                     self.assertNotIn("note", row)
                     continue
@@ -418,10 +418,10 @@ class Results(Case):
                 notes = [fractals[preset.group(1)] if preset else ""]
                 notes += ["in 3D"] * (row["library"] in ("stb_perlin", "libnoise"))
                 self.assertEqual(row.get("note", ""), ", ".join(filter(None, notes)))
-        for word in [*fractals, "quick-noise"]:
+        for word in [*("-%s/" % name for name in fractals), "quick-noise"]:
             self.assertEqual({row["library"] for row in rows
                               if word in row["work"] and "/+" not in row["work"]},
-                             everyone - without.get(word, set()))
+                             everyone - without.get(word.strip("-/"), set()))
 
     def test_peers_of_few_points(self):
         if not has_peers():

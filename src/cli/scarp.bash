@@ -26,7 +26,7 @@ _scarp()
         --basis) words="gradient value simplex cell-f1 cell-f2 cell-edge cell-soft cell-value" ;;
         --fade) words="quintic cubic" ;;
         --fractal) words="fbm turbulence ridged erosion pingpong hybrid swiss jordan" ;;
-        --preset) words="none alps dunes islands canyon cirques karst crests hills folds" ;;
+        --preset) words="none alps dunes islands canyon badlands hills volcanic highlands cirques karst crests folds" ;;
         --isa) words="scalar sse4.1 avx2 avx512 neon generic" ;;
         --normal-y) words="up down" ;;
         --dims) words="2 3" ;;

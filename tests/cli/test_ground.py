@@ -11,7 +11,7 @@ CHEAP = [*SMALL, "--octaves", "2"]
 BASED = [*CHEAP, "--base-amplitude", "0.5", "--base-seed", "9", "--base-octaves", "2"]
 MASKED = [*CHEAP, "--mask-band", "-0.1,0.3", "--mask-seed", "9", "--mask-octaves", "2"]
 ALL = [*BASED, "--mask-band", "-0.2,0.2", "--mask-frequency", "0.02", "--terraces", "7",
-       "--stretch", "3", "--wind", "240", "--sea-level", "-0.1"]
+       "--stretch", "3", "--wind", "240", "--crater", "0.15", "--sea-level", "-0.1"]
 
 
 class Ground(Case):
@@ -62,6 +62,20 @@ class Ground(Case):
         turned = self.values(*MASKED, "--mask-band", "0.3,-0.1")
         self.check_close([a + b for a, b in zip(turned, expected)], self.values(*CHEAP), 1e-6)
 
+    def test_crater(self):
+        """What is above the rim is as far below it, before mask and base; the rest stays."""
+        plain = self.values(*CHEAP)
+        made = self.values(*CHEAP, "--crater", "0.2")
+        self.check_close(made, [0.2 - abs(v - 0.2) for v in plain], 1e-6)
+        self.assertEqual([m for m, v in zip(made, plain) if v <= 0.2],
+                         [v for v in plain if v <= 0.2])
+        self.assertGreater(sum(v > 0.2 for v in plain), 50)
+        slopes = [self.floats("--gradient", *CHEAP, *crater, "--height", "1")
+                  for crater in ([], ["--crater", "0.2"])]
+        for value, before, after in zip(plain, slopes[0][::2], slopes[1][::2]):
+            self.assertEqual(after, before if value <= 0.2 else -before)
+        self.assertNotEqual(self.values(*BASED, "--crater", "0.2"), self.values(*BASED))
+
     def test_terraces(self):
         """Treads are level where strength is 1, and values move by half a step at most."""
         plain = self.values(*CHEAP)
@@ -92,7 +106,7 @@ class Ground(Case):
     def test_gradient(self):
         """It is that of the heights, through mask, base, terraces and wind."""
         fine = ["--step", "0.0078125", "--height", "1"]
-        for arguments in (BASED, MASKED, ALL[:-2], [*CHEAP, "--stretch", "3"],
+        for arguments in (BASED, MASKED, ALL[:-4], [*CHEAP, "--stretch", "3"],
                           [*CHEAP, "--stretch", "0.25", "--wind", "30"],
                           [*CHEAP, "--terraces", "9"]):
             for origin in ("3,4", "100,-70"):
@@ -114,6 +128,7 @@ class Ground(Case):
         """Values stay in the interval that 16-bit heights are mapped to."""
         for arguments in (BASED, MASKED, ALL, [*MASKED, "--fractal", "ridged"],
                           [*CHEAP, "--fractal", "ridged", "--terraces", "1.9"],
+                          [*CHEAP, "--crater", "-0.4"], [*CHEAP, "--crater", "0.1"],
                           [*BASED, "--base-fractal", "ridged", "--base-amplitude", "-2"]):
             self.quietly(*arguments, "--height", "1", "--size", "200x150", "--step", "9", "--tile",
                          "200x150", "--heights", "h.r32")
@@ -127,7 +142,7 @@ class Ground(Case):
             values = struct.unpack("<30000f", data)
             self.assertGreaterEqual(min(values), lowest)
             self.assertLessEqual(max(values), highest)
-            self.assertGreater(max(values) - min(values), 0.3 * (highest - lowest))
+            self.assertGreater(max(values) - min(values), 0.2 * (highest - lowest))
 
     def test_tiles_and_threads(self):
         for arguments in (ALL, [*ALL, "--wind", "270"]):
@@ -180,6 +195,7 @@ class GroundRefused(Case):
                 ("--base-amplitude", "0 or a number whose", ("", "x", "nan", "inf", "5e-8", "2e7")),
                 ("--mask-band", "two numbers A,B from -16 to 16",
                  ("", "1", "0,x", "0,17", "nan,1", "0,1,2")),
+                ("--crater", "a number from -2^24 to 2^24", ("x", "nan", "inf", "16777217")),
                 ("--stretch", "a number from 1/16 to 16", ("0", "-1", "0.06", "17", "nan")),
                 ("--wind", "a number from 0 to 360", ("-1", "361", "west")),
                 ("--terraces", "a number from 0 to 2^16", ("-1", "65537", "nan")),

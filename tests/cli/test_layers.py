@@ -134,7 +134,7 @@ class Layers(Case):
                 (("--sea-level", "-2", "--plateau", "7"), -120, 120),
                 (("--sea-level", "-0.125", "--plateau", "0.25"), -15, 30),
                 (("--preset", "islands"), rounded(170 * rounded(0.05)), 170),
-                (("--preset", "canyon"), 0, rounded(260 * rounded(0.22))),
+                (("--preset", "canyon"), 0, 400),
                 (("--sea-level", "1.5"), 120, 120), (("--plateau", "-9"), -120, -120),
                 (("--sea-level", "0.1", "--plateau", "0.1"), rounded(120 * rounded(0.1)),
                  rounded(120 * rounded(0.1)))):

@@ -99,7 +99,7 @@ class Period(Case):
                 ("--rotate", ["--period", "8x8", "--rotate"]),
                 ("--period", ["--period", "100x99", "--frequency", "0.01"]),
                 ("--tileable", ["--tileable", "--size", "100x99", "--frequency", "0.01"]),
-                ("--lacunarity", ["--tileable", "--preset", "dunes"]),
+                ("--lacunarity", ["--tileable", "--preset", "hills", "--lacunarity", "2.5"]),
                 ("--lacunarity", ["--tileable", "--lacunarity", "0.5"]),
                 ("--period", ["--period", "1x1", "--frequency", "2e9"]),
                 ("--warp-rotate", ["--tileable", "--warp-reach", "3", "--warp-rotate"]),

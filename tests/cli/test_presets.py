@@ -34,8 +34,9 @@ class Presets(Case):
         entry = re.search(r"\n  --preset (?s:.*?)(?=\n  --)", text).group()
         names = re.search(r"(\w+(, \w+)+ or \w+)", " ".join(entry.split())).group()
         self.assertEqual(re.findall(r"\w+", names.replace(" or ", ", ")), ["none", *told()])
-        self.assertEqual(list(told()), ["alps", "dunes", "islands", "canyon", "cirques",
-                                          "karst", "crests", "hills", "folds"])
+        self.assertEqual(list(told()), ["alps", "dunes", "islands", "canyon", "badlands",
+                                        "hills", "volcanic", "highlands", "cirques", "karst",
+                                        "crests", "folds"])
 
     def test_options_are_told(self):
         plain = self.make()
@@ -73,8 +74,8 @@ class Presets(Case):
     def test_unknown(self):
         for name in ("Alps", "alp", "alps ", "", "1"):
             result = run("terrain", *SIZE, "--preset", name, cwd=self.directory)
-            self.check_one_line(result, 2, "--preset", "none, alps, dunes, islands, canyon, "
-                                "cirques, karst, crests, hills or folds")
+            self.check_one_line(result, 2, "--preset", "none, alps, dunes, islands, canyon, badlands, "
+                                "hills, volcanic, highlands, cirques, karst, crests or folds")
         self.assertEqual(self.files(), [])
 
     def test_bad_option_beside(self):

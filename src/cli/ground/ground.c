@@ -45,6 +45,11 @@ static void set_range(struct ground *ground, float sea_level, float plateau)
 {
     float lowest, highest;
     scarp_range(ground->noise, 2, &lowest, &highest);
+    if (highest > ground->rim) {
+        const float turned = 2.0f * ground->rim - highest;
+        lowest = turned < lowest ? turned : lowest;
+        highest = ground->rim;
+    }
     if (ground->has_mask) {
         lowest = lowest < 0.0f ? lowest : 0.0f;
         highest = highest > 0.0f ? highest : 0.0f;
@@ -83,6 +88,7 @@ bool ground_make(const struct ground_options *options, struct ground *ground)
         .has_mask = options->mask.band.x != options->mask.band.y,
         .mask_from = (float)options->mask.band.x,
         .mask_to = (float)options->mask.band.y,
+        .rim = options->crater,
         .terraces = options->terraces,
         .terrace_riser = options->terrace_riser,
         .terrace_strength = options->terrace_strength,
@@ -208,6 +214,10 @@ static void combine(const struct ground *ground, size_t count, sample_piece_fn *
 {
     struct piece memory;
     const struct scarp_samples other = samples_of(&memory, out->dx != NULL);
+    if (ground->rim < INFINITY) {
+        scarp_affine(count, out, -1.0f, 2.0f * ground->rim, &other);
+        scarp_min(count, out, &other, out);
+    }
     if (ground->has_mask) {
         sample(piece, &ground->mask, &other);
         scarp_smoothstep(count, &other, ground->mask_from, ground->mask_to, &other);
@@ -225,7 +235,8 @@ static void combine(const struct ground *ground, size_t count, sample_piece_fn *
 
 static bool is_plain(const struct ground *ground)
 {
-    return !ground->has_mask && !ground->has_base && ground->terraces == 0.0f;
+    return !ground->has_mask && !ground->has_base && ground->terraces == 0.0f &&
+           ground->rim == INFINITY;
 }
 
 static void sample_piece_of_grid(const void *piece, const struct scarp_noise *noise,

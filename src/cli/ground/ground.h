@@ -3,7 +3,7 @@
  * The terrain: a height for every place, with its exact gradient. Included by every command that
  * shows a terrain.
  *
- *     value = terraces(base(p) + mask(p) noise(p)), at least `floor` and at most `ceiling`
+ *     value = terraces(base(p) + mask(p) crater(noise(p))), at least `floor` and at most `ceiling`
  *
  * with p in units of input, and height = height_scale * value. Positions of the noise are stretched
  * across the wind. The mask is 0 to 1. What is not asked for is left out.
@@ -25,6 +25,7 @@ struct ground {
     struct scarp_noise base, mask;
     bool has_base, has_mask;
     float mask_from, mask_to;
+    float rim; /* of craters: what is higher is turned down; no craters: infinity */
     float terraces, terrace_riser, terrace_strength; /* no terraces: 0 */
     bool is_stretched, is_aligned; /* aligned: the noise's axes are those of positions */
     double along[2], across[2];    /* the noise's coordinates are products with these */

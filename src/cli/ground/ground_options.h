@@ -29,7 +29,7 @@ struct ground_options {
     struct base_options base;
     struct mask_options mask;
     double stretch, wind;
-    float height, sea_level, plateau;                /* no sea: -infinity; no plateau: infinity */
+    float height, sea_level, plateau, crater;        /* no sea: -infinity; else infinity for none */
     float terraces, terrace_riser, terrace_strength; /* no terraces: 0 */
     int preset;
 };
@@ -38,11 +38,11 @@ struct ground_options {
     {                                                                                              \
         .noise = NOISE_OPTIONS_UNSET, .warp = WARP_OPTIONS_UNSET,                                  \
         .base = {.noise = NOISE_OPTIONS_UNSET}, .mask = {.noise = NOISE_OPTIONS_UNSET},            \
-        .sea_level = -INFINITY, .plateau = INFINITY                                                \
+        .sea_level = -INFINITY, .plateau = INFINITY, .crater = INFINITY                            \
     }
 
 #define GROUND_PRESET_ROWS 1
-#define GROUND_SHAPE_ROWS 5
+#define GROUND_SHAPE_ROWS 6
 #define GROUND_TERRACE_ROWS 3
 extern const struct option ground_preset_rows[GROUND_PRESET_ROWS];
 extern const struct option ground_shape_rows[GROUND_SHAPE_ROWS];

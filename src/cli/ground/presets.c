@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The presets. The README shows what they look like.
+ * The presets. The README of the program shows what they look like.
  */
 #include "ground/presets.h"
 
@@ -9,24 +9,157 @@
 #include "shared/options.h"
 
 static option_words none = {NULL};
-static option_words alps = {"--fractal", "ridged", "--rotate", "--frequency", "0.0035", "--octaves",
-                            "7",         "--gain", "0.42",     "--height",    "100",    NULL};
 
-/* The gain makes the second octave the dunes; the first one, faint, is where v_1 of ridged noise
-   lets them be. A third octave would hide both. */
-static option_words dunes = {"--fractal", "ridged",   "--rotate",     "--frequency", "0.0022",
-                             "--octaves", "2",        "--lacunarity", "3.5",         "--gain",
-                             "8",         "--height", "42",           NULL};
+/* Ridges on high ground alone: the mask is the first octaves of the base, a hybrid, whose low
+   ground is flat. */
+static option_words alps = {"--fractal",
+                            "swiss",
+                            "--rotate",
+                            "--frequency",
+                            "0.005",
+                            "--octaves",
+                            "9",
+                            "--gain",
+                            "0.45",
+                            "--height",
+                            "110",
+                            "--warp-reach",
+                            "55",
+                            "--warp-octaves",
+                            "5",
+                            "--base-amplitude",
+                            "1.4",
+                            "--base-fractal",
+                            "hybrid",
+                            "--base-rotate",
+                            "--base-frequency",
+                            "0.0016",
+                            "--base-octaves",
+                            "8",
+                            "--base-gain",
+                            "0.42",
+                            "--mask-band",
+                            "-0.5,0.25",
+                            "--mask-rotate",
+                            "--mask-frequency",
+                            "0.0016",
+                            "--mask-octaves",
+                            "3",
+                            NULL};
+
+/* Each octave but the first would draw its own dunes across those of the others. */
+static option_words dunes = {"--fractal",
+                             "ridged",
+                             "--frequency",
+                             "0.012",
+                             "--octaves",
+                             "1",
+                             "--height",
+                             "24",
+                             "--stretch",
+                             "3",
+                             "--wind",
+                             "250",
+                             "--warp-reach",
+                             "40",
+                             "--warp-frequency",
+                             "0.008",
+                             "--warp-octaves",
+                             "2",
+                             "--base-amplitude",
+                             "0.5",
+                             "--base-frequency",
+                             "0.003",
+                             "--base-octaves",
+                             "2",
+                             "--mask-band",
+                             "-0.7,0.2",
+                             "--mask-frequency",
+                             "0.004",
+                             NULL};
 
 static option_words islands = {"--fractal", "erosion",     "--erosion", "0.25",
                                "--rotate",  "--frequency", "0.0045",    "--octaves",
                                "8",         "--gain",      "0.46",      "--height",
                                "170",       "--sea-level", "0.05",      NULL};
 
-/* Valleys are where the noise changes its sign; the plateau leaves nothing else. */
-static option_words canyon = {"--fractal", "turbulence", "--rotate", "--frequency", "0.004",
-                              "--octaves", "8",          "--gain",   "0.36",        "--height",
-                              "260",       "--plateau",  "0.22",     NULL};
+/* Valleys are where the noise changes its sign; terraces are the strata of their walls. */
+static option_words canyon = {
+    "--fractal", "turbulence",       "--rotate", "--frequency",        "0.0022", "--octaves",
+    "8",         "--gain",           "0.36",     "--height",           "400",    "--warp-reach",
+    "80",        "--warp-frequency", "0.004",    "--warp-octaves",     "4",      "--terraces",
+    "14",        "--terrace-riser",  "0.4",      "--terrace-strength", "0.7",    NULL};
+
+static option_words badlands = {"--fractal",   "swiss",
+                                "--sharpness", "0.25",
+                                "--rotate",    "--frequency",
+                                "0.008",       "--octaves",
+                                "8",           "--gain",
+                                "0.45",        "--height",
+                                "55",          "--warp-reach",
+                                "25",          "--warp-octaves",
+                                "3",           "--base-amplitude",
+                                "0.6",         "--base-frequency",
+                                "0.002",       "--base-octaves",
+                                "3",           "--terraces",
+                                "16",          "--terrace-strength",
+                                "0.5",         NULL};
+
+static option_words hills = {"--fractal", "erosion",        "--erosion", "0.5",
+                             "--rotate",  "--frequency",    "0.004",     "--octaves",
+                             "9",         "--gain",         "0.38",      "--height",
+                             "95",        "--warp-reach",   "30",        "--warp-frequency",
+                             "0.006",     "--warp-octaves", "3",         NULL};
+
+/* The noise is 0 at the features of cells and -1 far from them: cones, down to the sea. */
+static option_words volcanic = {"--basis",
+                                "cell-f1",
+                                "--fractal",
+                                "swiss",
+                                "--rotate",
+                                "--frequency",
+                                "0.0016",
+                                "--octaves",
+                                "8",
+                                "--gain",
+                                "0.38",
+                                "--amplitude",
+                                "-1",
+                                "--crater",
+                                "-0.11",
+                                "--height",
+                                "330",
+                                "--sea-level",
+                                "-0.6",
+                                "--warp-reach",
+                                "30",
+                                "--warp-frequency",
+                                "0.004",
+                                "--warp-octaves",
+                                "3",
+                                "--base-amplitude",
+                                "0.2",
+                                "--base-fractal",
+                                "erosion",
+                                "--base-rotate",
+                                "--base-frequency",
+                                "0.006",
+                                "--base-octaves",
+                                "8",
+                                "--base-gain",
+                                "0.44",
+                                NULL};
+
+/* The warp makes ranges of what would be round hills. */
+static option_words highlands = {"--fractal", "jordan",
+                                 "--erosion", "0.8",
+                                 "--rotate",  "--frequency",
+                                 "0.005",     "--octaves",
+                                 "8",         "--gain",
+                                 "0.42",      "--height",
+                                 "170",       "--warp-reach",
+                                 "60",        "--warp-octaves",
+                                 "3",         NULL};
 
 /* The soft distance is low at features and high between them: basins in a net of crests. */
 static option_words cirques = {"--basis",   "cell-soft", "--fractal", "erosion",
@@ -39,20 +172,10 @@ static option_words karst = {"--basis",   "cell-f1",  "--rotate", "--frequency",
                              "--octaves", "8",        "--gain",   "0.36",        "--amplitude",
                              "-1",        "--height", "110",      NULL};
 
-static option_words crests = {"--fractal", "swiss",     "--rotate", "--frequency",
-                              "0.0045",    "--octaves", "8",        "--gain",
-                              "0.45",      "--height",  "65",       NULL};
-
-/* The warp makes ranges of what would be round hills. */
-static option_words hills = {"--fractal", "jordan",
-                             "--erosion", "0.8",
-                             "--rotate",  "--frequency",
-                             "0.005",     "--octaves",
-                             "8",         "--gain",
-                             "0.42",      "--height",
-                             "170",       "--warp-reach",
-                             "60",        "--warp-octaves",
-                             "3",         NULL};
+static option_words crests = {
+    "--fractal", "swiss",        "--sharpness", "0.25",           "--rotate", "--frequency",
+    "0.0045",    "--octaves",    "8",           "--gain",         "0.45",     "--height",
+    "90",        "--warp-reach", "40",          "--warp-octaves", "4",        NULL};
 
 /* The cirques, bent with all their layers */
 static option_words folds = {
@@ -61,7 +184,9 @@ static option_words folds = {
     "0.42",     "--height",    "130",       "--warp-reach", "80",        "--warp-octaves",
     "3",        NULL};
 
-const char *const preset_names[] = {"none",  "alps",   "dunes", "islands", "canyon", "cirques",
-                                    "karst", "crests", "hills", "folds",   NULL};
-const char *const *const preset_words[] = {none,    alps,  dunes,  islands, canyon,
-                                           cirques, karst, crests, hills,   folds};
+const char *const preset_names[] = {"none",     "alps",   "dunes",    "islands",   "canyon",
+                                    "badlands", "hills",  "volcanic", "highlands", "cirques",
+                                    "karst",    "crests", "folds",    NULL};
+const char *const *const preset_words[] = {none,     alps,   dunes,    islands,   canyon,
+                                           badlands, hills,  volcanic, highlands, cirques,
+                                           karst,    crests, folds};
