@@ -24,7 +24,9 @@ static option_words alps = {"--fractal",
                             "--height",
                             "110",
                             "--warp-reach",
-                            "55",
+                            "75",
+                            "--warp-frequency",
+                            "0.0035",
                             "--warp-octaves",
                             "5",
                             "--base-amplitude",
@@ -97,19 +99,27 @@ static option_words badlands = {"--fractal",   "swiss",
                                 "8",           "--gain",
                                 "0.45",        "--height",
                                 "55",          "--warp-reach",
-                                "25",          "--warp-octaves",
-                                "3",           "--base-amplitude",
+                                "50",          "--warp-frequency",
+                                "0.005",       "--warp-octaves",
+                                "4",           "--warp-gain",
+                                "0.4",         "--base-amplitude",
                                 "0.6",         "--base-frequency",
                                 "0.002",       "--base-octaves",
                                 "3",           "--terraces",
                                 "16",          "--terrace-strength",
                                 "0.5",         NULL};
 
-static option_words hills = {"--fractal", "erosion",        "--erosion", "0.5",
-                             "--rotate",  "--frequency",    "0.004",     "--octaves",
-                             "9",         "--gain",         "0.38",      "--height",
-                             "95",        "--warp-reach",   "30",        "--warp-frequency",
-                             "0.006",     "--warp-octaves", "3",         NULL};
+static option_words hills = {"--fractal", "erosion",
+                             "--erosion", "0.5",
+                             "--rotate",  "--frequency",
+                             "0.004",     "--octaves",
+                             "9",         "--gain",
+                             "0.38",      "--height",
+                             "95",        "--warp-reach",
+                             "90",        "--warp-frequency",
+                             "0.003",     "--warp-octaves",
+                             "4",         "--warp-gain",
+                             "0.4",       NULL};
 
 /* The noise is 0 at the features of cells and -1 far from them: cones, down to the sea. */
 static option_words volcanic = {"--basis",
@@ -172,10 +182,11 @@ static option_words karst = {"--basis",   "cell-f1",  "--rotate", "--frequency",
                              "--octaves", "8",        "--gain",   "0.36",        "--amplitude",
                              "-1",        "--height", "110",      NULL};
 
-static option_words crests = {
-    "--fractal", "swiss",        "--sharpness", "0.25",           "--rotate", "--frequency",
-    "0.0045",    "--octaves",    "8",           "--gain",         "0.45",     "--height",
-    "90",        "--warp-reach", "40",          "--warp-octaves", "4",        NULL};
+static option_words crests = {"--fractal", "swiss",          "--sharpness", "0.25",
+                              "--rotate",  "--frequency",    "0.0045",      "--octaves",
+                              "8",         "--gain",         "0.45",        "--height",
+                              "90",        "--warp-reach",   "60",          "--warp-frequency",
+                              "0.0035",    "--warp-octaves", "4",           NULL};
 
 /* The cirques, bent with all their layers */
 static option_words folds = {

@@ -17,10 +17,10 @@ extern const char *const *const preset_words[]; /* by name: options, as they wou
     "presets    are options that go before those of the command line, wherever --preset "          \
     "stands:\n"                                                                                    \
     "  alps      --fractal swiss --rotate --frequency 0.005 --octaves 9 --gain 0.45\n"             \
-    "            --height 110 --warp-reach 55 --warp-octaves 5 --base-amplitude 1.4\n"             \
-    "            --base-fractal hybrid --base-rotate --base-frequency 0.0016 --base-octaves 8\n"   \
-    "            --base-gain 0.42 --mask-band -0.5,0.25 --mask-rotate --mask-frequency 0.0016\n"   \
-    "            --mask-octaves 3\n"                                                               \
+    "            --height 110 --warp-reach 75 --warp-frequency 0.0035 --warp-octaves 5\n"          \
+    "            --base-amplitude 1.4 --base-fractal hybrid --base-rotate\n"                       \
+    "            --base-frequency 0.0016 --base-octaves 8 --base-gain 0.42\n"                      \
+    "            --mask-band -0.5,0.25 --mask-rotate --mask-frequency 0.0016 --mask-octaves 3\n"   \
     "  dunes     --fractal ridged --frequency 0.012 --octaves 1 --height 24 --stretch 3\n"         \
     "            --wind 250 --warp-reach 40 --warp-frequency 0.008 --warp-octaves 2\n"             \
     "            --base-amplitude 0.5 --base-frequency 0.003 --base-octaves 2\n"                   \
@@ -31,11 +31,12 @@ extern const char *const *const preset_words[]; /* by name: options, as they wou
     "            --height 400 --warp-reach 80 --warp-frequency 0.004 --warp-octaves 4\n"           \
     "            --terraces 14 --terrace-riser 0.4 --terrace-strength 0.7\n"                       \
     "  badlands  --fractal swiss --sharpness 0.25 --rotate --frequency 0.008 --octaves 8\n"        \
-    "            --gain 0.45 --height 55 --warp-reach 25 --warp-octaves 3 --base-amplitude 0.6\n"  \
-    "            --base-frequency 0.002 --base-octaves 3 --terraces 16 --terrace-strength 0.5\n"   \
+    "            --gain 0.45 --height 55 --warp-reach 50 --warp-frequency 0.005\n"                 \
+    "            --warp-octaves 4 --warp-gain 0.4 --base-amplitude 0.6 --base-frequency 0.002\n"   \
+    "            --base-octaves 3 --terraces 16 --terrace-strength 0.5\n"                          \
     "  hills     --fractal erosion --erosion 0.5 --rotate --frequency 0.004 --octaves 9\n"         \
-    "            --gain 0.38 --height 95 --warp-reach 30 --warp-frequency 0.006\n"                 \
-    "            --warp-octaves 3\n"                                                               \
+    "            --gain 0.38 --height 95 --warp-reach 90 --warp-frequency 0.003\n"                 \
+    "            --warp-octaves 4 --warp-gain 0.4\n"                                               \
     "  volcanic  --basis cell-f1 --fractal swiss --rotate --frequency 0.0016 --octaves 8\n"        \
     "            --gain 0.38 --amplitude -1 --crater -0.11 --height 330 --sea-level -0.6\n"        \
     "            --warp-reach 30 --warp-frequency 0.004 --warp-octaves 3 --base-amplitude 0.2\n"   \
@@ -48,7 +49,8 @@ extern const char *const *const preset_words[]; /* by name: options, as they wou
     "  karst     --basis cell-f1 --rotate --frequency 0.0045 --octaves 8 --gain 0.36\n"            \
     "            --amplitude -1 --height 110\n"                                                    \
     "  crests    --fractal swiss --sharpness 0.25 --rotate --frequency 0.0045 --octaves 8\n"       \
-    "            --gain 0.45 --height 90 --warp-reach 40 --warp-octaves 4\n"                       \
+    "            --gain 0.45 --height 90 --warp-reach 60 --warp-frequency 0.0035\n"                \
+    "            --warp-octaves 4\n"                                                               \
     "  folds     --basis cell-soft --fractal erosion --erosion 0.3 --rotate --frequency 0.004\n"   \
     "            --octaves 8 --gain 0.42 --height 130 --warp-reach 80 --warp-octaves 3"
 
