@@ -16,6 +16,7 @@
     X(AVX2, avx2, "avx2", SCARP_X86_AVX)                                                           \
     X(SSE41, sse41, "sse4.1", SCARP_X86)                                                           \
     X(NEON, neon, "neon", SCARP_AARCH64)                                                           \
+    X(WASM128, wasm128, "wasm128", SCARP_WASM128)                                                  \
     X(GENERIC, generic, "generic", SCARP_GENERIC)
 
 /* All sets: the vector ones, and the reference, which runs everywhere. */
@@ -45,6 +46,13 @@
 #define SCARP_AARCH64 1
 #else
 #define SCARP_AARCH64 0
+#endif
+
+/* -msimd128 makes a module of vectors, which an engine without them rejects as a whole. */
+#ifdef __wasm_simd128__
+#define SCARP_WASM128 1
+#else
+#define SCARP_WASM128 0
 #endif
 
 /* The generic set needs vector extensions with conversions between them (gcc 9). It is left out
