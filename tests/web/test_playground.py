@@ -92,8 +92,20 @@ class Playground(unittest.TestCase):
         self.page.console.clear()
 
     def open(self, words=(), **view):
-        self.page.open(self.url + (fragment(words, **view) if words or view else ""))
+        """Opens the page anew, or if it is there, what the part of the URL behind # tells."""
+        hash = fragment(words, **view)
+        if self.page.run("globalThis.playground === undefined"):
+            self.page.open(self.url + hash)
+        else:
+            self.page.run(f"""new Promise(done => {{
+                addEventListener("hashchange", done, {{once: true}});
+                location.hash = "{hash}&once={self.page.number}";
+            }})""")
         self.ready()
+
+    def leave(self):
+        self.page.call("Page.navigate", url="about:blank")
+        self.page.wait("location.href === 'about:blank'")
 
     def ready(self):
         notice = "document.getElementById('notice')?.textContent"
@@ -165,6 +177,18 @@ class Playground(unittest.TestCase):
         for name, words in CASES.items():
             with self.subTest(name):
                 self.same(PLACE + words)
+
+    def test_relief_has_the_bytes_of_the_program(self):
+        if "--relief" not in subprocess.run([PROGRAM, "help", "terrain"], check=True, text=True,
+                                            stdout=subprocess.PIPE).stdout:
+            self.skipTest("this program has no relief")
+        for name in presets.presets(PROGRAM):
+            with self.subTest(name):
+                words = ["--preset", name, "--step", "5", "--size", "120x90", "--z-factor", "1.5"]
+                self.open(words, view="relief")
+                expected = program(*words, "--relief", "ppm:-").split(b"\n255\n", 1)[1]
+                self.assertTrue(bytes(self.page.run("""[...playground.whole.pixels].flatMap(
+                    p => [p & 255, p >> 8 & 255, p >> 16 & 255])""")) == expected)
 
     def test_large_raster_is_whole(self):
         self.same(["--preset", "islands", "--size", "700x501"])
@@ -302,6 +326,7 @@ class Playground(unittest.TestCase):
         before = self.hash(), self.greys()
         self.page.run("playground.flushHash()")
         url = self.page.run("location.href")
+        self.leave()
         self.page.open(url)
         self.ready()
         self.assertEqual(self.page.run("playground.flushHash(), location.href"), url)
@@ -323,6 +348,7 @@ class Playground(unittest.TestCase):
                 self.ready()
                 self.assertEqual(self.hash(), hash_of(words + PLACE), "copies stay true")
         # A sample that is wrong must be told.
+        self.addCleanup(self.leave)
         self.page.run("""(() => {
             const sample = playground.gpu.sample.bind(playground.gpu);
             playground.gpu.sample = async (...all) => {
@@ -356,7 +382,9 @@ class Playground(unittest.TestCase):
         self.page.wait("!playground.world.flying")
         self.assertNotEqual(self.page.run(look)[2], before)
         camera = self.page.run("playground.flushHash(), location.hash.match(/camera=([^&]*)/)[1]")
-        self.page.open(self.page.run("location.href"))
+        url = self.page.run("location.href")
+        self.leave()
+        self.page.open(url)
         self.ready()
         self.assertEqual(self.page.run("Object.values(playground.world.pose).flat().map("
                                        "n => n.toFixed(3)).join(',')"), camera)
@@ -457,6 +485,7 @@ class Playground(unittest.TestCase):
 
     def test_without_simd(self):
         """The page says so, and the bits stay."""
+        self.leave()
         script = self.page.call("Page.addScriptToEvaluateOnNewDocument",
                                 source="WebAssembly.validate = () => false;")["identifier"]
         try:
@@ -465,6 +494,7 @@ class Playground(unittest.TestCase):
             self.assertNotIn("wasm128", self.shown("#status-kernels"))
         finally:
             self.page.call("Page.removeScriptToEvaluateOnNewDocument", identifier=script)
+            self.leave()
         self.open(["--preset", "hills", *PLACE])
         self.assertTrue(self.page.run("document.getElementById('no-simd').hidden"))
         self.assertIn("wasm128", self.shown("#status-kernels"))

@@ -121,9 +121,10 @@ export class Controls {
         this.fields = [];
         for (const group of GROUPS) {
             const fields = group.rows.map(row => new Field(row, change));
+            const box = element("div", {role: "group", "aria-label": group.title},
+                ...fields.map(field => field.box));
             const details = element("details", {class: "group", id: `g-${group.id}`,
-                open: Boolean(group.open)}, element("summary", {}, group.title),
-            ...fields.map(field => field.box));
+                open: Boolean(group.open)}, element("summary", {}, group.title), box);
             form.append(details);
             this.fields.push(...fields);
         }

@@ -15,7 +15,7 @@ import {PRESETS} from "./presets.js";
 import {VIEWS, fromHash, textOf, toHash} from "./state.js";
 import {View3d, poseOf, poseText} from "./view3d.js";
 
-const FRAME_MS = 30; // what a frame may take while something is dragged
+const FRAME_MS = 20; // what a frame may take while something is dragged
 const SAMPLES_MAX = 1.6e6; // of a raster that fits the window
 const byId = id => document.getElementById(id);
 

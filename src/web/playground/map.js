@@ -33,7 +33,7 @@ export class MapView {
             canvas.height = height;
         }
         const bytes = new Uint8ClampedArray(pixels.buffer);
-        canvas.getContext("2d", {alpha: false}).putImageData(
+        canvas.getContext("2d", {alpha: false, willReadFrequently: true}).putImageData(
             new ImageData(bytes, width, height), 0, 0);
         this.raster = whole;
     }

@@ -33,7 +33,8 @@ export function makeRelief(palette, spread, light) {
     const squares = colour => colour.map(byte).map(c => f32(c * c));
     const {low, middle, high, sea, deep} = spread;
     return {
-        stops: palette.stops.map(([height, ...colour]) => [f32(height), ...colour.map(byte)]),
+        stops: [0, 1, 2, 3].map(c => Float32Array.from(palette.stops, stop =>
+            c === 0 ? stop[0] : stop[c] / 255)),
         ...steps(palette, ["rockSlope", "rockHeight", "snowHeight", "snowSlope", "sandHeight"]),
         rock: squares(palette.rock), highRock: squares(palette.highRock),
         snow: squares(palette.snow), sand: squares(palette.sand),
@@ -50,37 +51,42 @@ export function makeRelief(palette, spread, light) {
 const height = new Float32Array(RUN), share = new Float32Array(RUN);
 const ground = [0, 1, 2].map(() => new Float32Array(RUN));
 
-function takeRamp(stops, count) {
-    const [red, green, blue] = ground;
+// Neighbours lie between the same stops, mostly: the search begins where the last one ended.
+function takeRamp([at, r, g, b], count) {
+    const [red, green, blue] = ground, last = at.length - 1;
     let next = 0; // the first stop above the height
     for (let i = 0; i < count; i++) {
         const h = height[i];
-        while (next < stops.length && stops[next][0] <= h) {
+        while (next <= last && at[next] <= h) {
             next++;
         }
-        while (next > 0 && stops[next - 1][0] > h) {
+        while (next > 0 && at[next - 1] > h) {
             next--;
         }
-        const b = stops[next < stops.length ? next : stops.length - 1];
-        const a = next === 0 ? b : stops[next - 1];
-        const t = a === b ? 0 : f32(f32(h - a[0]) / f32(b[0] - a[0]));
-        const r = f32(a[1] + f32(f32(b[1] - a[1]) * t));
-        const g = f32(a[2] + f32(f32(b[2] - a[2]) * t));
-        const l = f32(a[3] + f32(f32(b[3] - a[3]) * t));
-        red[i] = r * r;
-        green[i] = g * g;
-        blue[i] = l * l;
+        const to = next <= last ? next : last, from = next > 0 ? next - 1 : 0;
+        const t = from === to ? 0 : f32(f32(h - at[from]) / f32(at[to] - at[from]));
+        const x = f32(r[from] + f32(f32(r[to] - r[from]) * t));
+        const y = f32(g[from] + f32(f32(g[to] - g[from]) * t));
+        const z = f32(b[from] + f32(f32(b[to] - b[from]) * t));
+        red[i] = x * x;
+        green[i] = y * y;
+        blue[i] = z * z;
     }
 }
 
-// Mixes the pixels with a colour.
+// Mixes the pixels with a colour. Where all shares are 0 that would change nothing.
 function mix(count, colour) {
-    for (let c = 0; c < 3; c++) {
+    let any = false;
+    for (let i = 0; i < count; i++) {
+        any = any || share[i] !== 0;
+    }
+    for (let c = 0; any && c < 3; c++) {
         const to = ground[c], square = colour[c];
         for (let i = 0; i < count; i++) {
             to[i] = to[i] + f32(f32(square - to[i]) * share[i]);
         }
     }
+    return any;
 }
 
 function takeGround(relief, nx, ny, nz, first, count) {
@@ -94,11 +100,15 @@ function takeGround(relief, nx, ny, nz, first, count) {
     for (let i = 0; i < count; i++) {
         share[i] = rockSlope.at(nz[first + i]);
     }
-    mix(count, relief.rock);
-    for (let i = 0; i < count; i++) {
-        share[i] = share[i] * rockHeight.at(height[i]);
+    if (mix(count, relief.rock)) {
+        for (let i = 0; i < count; i++) {
+            share[i] = share[i] * rockHeight.at(height[i]);
+        }
+        mix(count, relief.highRock);
     }
-    mix(count, relief.highRock);
+    if (snowHeight.from > 2) {
+        return; // a palette without snow
+    }
     for (let i = 0; i < count; i++) {
         const z = nz[first + i];
         const lower = f32(f32(f32(east * nx[first + i]) + f32(north * ny[first + i])) +
@@ -132,15 +142,62 @@ function byteOf(square) {
     return f32(f32(f32(Math.sqrt(soft)) * 255) + 0.5) | 0;
 }
 
+// byteOf() by tables, since it grows: the least square of each byte, and the byte at which to begin
+// the search.
+const PER = 2048; // beginnings per 1 of square
+const SQUARE_MAX = 4; // of what there are beginnings for
+const least = new Float32Array(257).fill(Infinity);
+const begin = new Uint8Array(PER * SQUARE_MAX + 1);
+
+function fillTables() {
+    const bits = new Uint32Array(1), number = new Float32Array(bits.buffer);
+    const at = n => {
+        bits[0] = n;
+        return number[0];
+    };
+    let low = 0; // floats, by their bits, grow as these
+    for (let byte = 1; byte < 256; byte++) {
+        let high = 0x42000000; // 32
+        if (byteOf(at(high)) < byte) {
+            break;
+        }
+        while (low + 1 < high) {
+            const middle = low + high >>> 1;
+            if (byteOf(at(middle)) < byte) {
+                low = middle;
+            } else {
+                high = middle;
+            }
+        }
+        least[byte] = at(high);
+    }
+    for (let i = 0, byte = 0; i < begin.length; i++) {
+        while (least[byte + 1] <= i / PER) {
+            byte++;
+        }
+        begin[i] = byte;
+    }
+}
+fillTables();
+
+function fastByteOf(square) {
+    let byte = begin[square < SQUARE_MAX ? square * PER | 0 : PER * SQUARE_MAX];
+    while (square >= least[byte + 1]) {
+        byte++;
+    }
+    return byte;
+}
+
 function takeLight({light: [east, north, up]}, [x, y, z], first, count, pixels) {
     const [red, green, blue] = ground;
+    const [sunRed, sunGreen, sunBlue] = SUN, [skyRed, skyGreen, skyBlue] = SKY;
     for (let i = 0; i < count; i++) {
-        const k = first + i;
-        const lit = f32(f32(f32(east * x[k]) + f32(north * y[k])) + f32(up * z[k]));
-        const direct = lit > 0 ? lit : 0, open = f32(0.5 + f32(0.5 * z[k]));
-        const r = byteOf(f32(red[i] * f32(f32(SUN[0] * direct) + f32(SKY[0] * open))));
-        const g = byteOf(f32(green[i] * f32(f32(SUN[1] * direct) + f32(SKY[1] * open))));
-        const b = byteOf(f32(blue[i] * f32(f32(SUN[2] * direct) + f32(SKY[2] * open))));
+        const k = first + i, level = z[k];
+        const lit = f32(f32(f32(east * x[k]) + f32(north * y[k])) + f32(up * level));
+        const direct = lit > 0 ? lit : 0, open = f32(0.5 + f32(0.5 * level));
+        const r = fastByteOf(f32(red[i] * f32(f32(sunRed * direct) + f32(skyRed * open))));
+        const g = fastByteOf(f32(green[i] * f32(f32(sunGreen * direct) + f32(skyGreen * open))));
+        const b = fastByteOf(f32(blue[i] * f32(f32(sunBlue * direct) + f32(skyBlue * open))));
         pixels[k] = r | g << 8 | b << 16 | OPAQUE;
     }
 }
