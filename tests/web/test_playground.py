@@ -5,7 +5,8 @@
 
 The environment tells where things are: SCARP_PROGRAM, SCARP_CHROMIUM, SCARP_PLAYGROUND (the
 assembled page), SCARP_CC and SCARP_LIBRARY (a C compiler, and the folder of the shared library),
-SCARP_NODE, which may be empty.
+SCARP_NODE, which may be empty. SCARP_REQUIRE_TOOLS with "chromium" in it turns a skipped test into
+a failure.
 """
 import hashlib
 import os
@@ -531,6 +532,7 @@ def pixels(png):
 if __name__ == "__main__":
     for tool, path in (("chromium", CHROMIUM), ("the page", SITE), ("the program", PROGRAM)):
         if not os.path.exists(path):
-            print(f"skipped: {tool} is missing")
-            sys.exit(SKIPPED)
+            is_required = "chromium" in os.environ.get("SCARP_REQUIRE_TOOLS", "").split(",")
+            print(f"{'FAILED (required)' if is_required else 'skipped'}: {tool} is missing")
+            sys.exit(1 if is_required else SKIPPED)
     unittest.main()

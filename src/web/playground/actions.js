@@ -91,8 +91,8 @@ export function connectActions(page) {
     on("help-open", () => byId("help").showModal());
     on("copy-link", async () => {
         page.flushHash();
-        byId("copy-link").textContent = await toClipboard(location.href) ? "Copied" : "Copy link";
-        setTimeout(() => byId("copy-link").textContent = "Copy link", 1500);
+        byId("copy-link").textContent = await toClipboard(location.href) ? "Copied" : "Link";
+        setTimeout(() => byId("copy-link").textContent = "Link", 1500);
     });
     for (const button of document.querySelectorAll("[data-copy]")) {
         button.addEventListener("click", () => copy(page, button.dataset.copy));

@@ -94,7 +94,7 @@ export class View3d {
         this.keys = new Set();
         this.fingers = new Map();
         this.frame = null;
-        this.pose = {eye: [0, -0.88, 0.5], yaw: 0, pitch: -0.52};
+        this.pose = {eye: [0, -0.85, 0.5], yaw: 0, pitch: -0.6};
         if (this.gl !== null) {
             this.prepare();
             this.listen();
