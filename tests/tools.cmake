@@ -57,6 +57,23 @@ function(scarp_find_cxx)
 endfunction()
 scarp_find_cxx()
 
+# A Python that has NumPy: that of the tests, or the system's, which has the packages of the system.
+function(scarp_find_numpy)
+  foreach(python IN ITEMS "${SCARP_NUMPY}" "${Python3_EXECUTABLE}" /usr/bin/python3)
+    if(python)
+      execute_process(COMMAND ${python} -c "import numpy" RESULT_VARIABLE status
+                      OUTPUT_QUIET ERROR_QUIET)
+      if(status EQUAL 0)
+        set(SCARP_NUMPY ${python} CACHE FILEPATH "A Python that has NumPy" FORCE)
+        mark_as_advanced(SCARP_NUMPY)
+        return()
+      endif()
+    endif()
+  endforeach()
+  unset(SCARP_NUMPY CACHE) # it may come
+endfunction()
+scarp_find_numpy()
+
 # Whether there is a Vulkan device: its driver may be missing where the library is not. Drivers are
 # not for programs with instruments in them, nor for emulators.
 function(scarp_find_vulkan)
@@ -99,6 +116,7 @@ scarp_tool(glslang SCARP_GLSLANG)
 scarp_tool(groff SCARP_GROFF)
 scarp_tool(linux CMAKE_SYSTEM_NAME STREQUAL "Linux")
 scarp_tool(nm CMAKE_NM)
+scarp_tool(numpy SCARP_NUMPY)
 scarp_tool(objdump CMAKE_OBJDUMP)
 scarp_tool(optimised optimised)
 scarp_tool(pkg-config SCARP_PKG_CONFIG)

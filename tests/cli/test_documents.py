@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What is written about the program beside its help: man page, completion, README."""
+"""What is written about the program beside its help: man page, completion, the manual's sessions."""
 import os
 import re
 import subprocess
@@ -95,10 +95,10 @@ class Completion(Case):
                 count = told.count(", ") + told.count(" or ")
                 self.assertTrue(len(words) <= count + 1, (words, told))
 
-    def test_sample_in_readme(self):
-        """The README's session with scarp sample prints what it says."""
+    def test_sample_in_manual(self):
+        """The manual's session with scarp sample prints what it says."""
         command, printed = re.search(r"(?m)^\$ (printf .*\| scarp sample .*)\n((?:.+\n)+)```",
-                                     read("README.md")).groups()
+                                     read("src", "cli", "README.md")).groups()
         words = command.split("| scarp ")[1].split()
         points = subprocess.run(["bash", "-c", command.split(" | ")[0]], stdout=subprocess.PIPE,
                                 check=True).stdout
