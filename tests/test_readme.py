@@ -149,7 +149,9 @@ class Examples:
             skip("Python needs the shared library of its own processor")
         # A structure that is too short has whatever follows it in memory for reserved members.
         sizes = ("assert c.sizeof(Noise) == c.sizeof(Grid) == 192\n"
-                 "assert c.sizeof(Samples) == 16 * c.sizeof(c.c_void_p)\n")
+                 "assert c.sizeof(Samples) == 16 * c.sizeof(c.c_void_p)\n"
+                 "assert Noise.phase.offset == 52 and Noise.reserved.offset == 56\n"
+                 "assert Grid.reserved.offset == 72 + 5 * c.sizeof(c.c_size_t)\n")
         environment = dict(os.environ, LD_LIBRARY_PATH=self.folder)
         for stem, (code, told) in self.samples("python", lambda d: d.programs("python")):
             printed = subprocess.run([self.compiler, "-c", code + sizes], check=True, text=True,

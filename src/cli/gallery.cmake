@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-# Makes the pictures of the gallery again: runs the commands that the documents tell, and copies what
-# they show of them. `cmake --build build --target gallery` calls this with PROGRAM (scarp), DOCUMENTS
-# (the list of them), SCRATCH (a directory to work in) and GALLERY (where the pictures go).
+# Makes the pictures of the gallery again: runs the commands that the documents tell, and copies
+# what they show of them. `cmake --build build --target gallery` calls this with PROGRAM (scarp),
+# DOCUMENTS (the list of them), SCRATCH (a directory to work in) and GALLERY (where the pictures go).
 #
 # A test compares the committed pictures with what the commands make, sample by sample.
 

@@ -30,6 +30,16 @@ class Documents(Case):
         self.assertEqual(read("src", "cli", "scarp.1"), expected,
                          "cmake --build build --target manual")
 
+    def test_info_in_manual(self):
+        """The manual's `scarp info` has the same lines, and with zlib the same formats."""
+        printed = re.search(r"(?m)^```\n(scarp \d.*\n(?:.*\n)+?)```",
+                            read("src", "cli", "README.md"))
+        lines, told = text_of("info").splitlines(), printed.group(1).splitlines()
+        self.assertEqual([line[:16] for line in lines[:-3]], [line[:16] for line in told[:-3]])
+        if common.has_png():
+            self.assertEqual(lines[-1], told[-1])
+
+
 class Roff(Case):
     """Needs groff."""
 

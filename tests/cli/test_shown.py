@@ -85,14 +85,21 @@ class Shown(Case):
                 with self.subTest(command=" ".join(words)):
                     self.run_shown(words)
 
+    def sides(self, words):
+        """The edges of raster and tile, which are squares."""
+        both = [words[words.index(option) + 1].split("x") for option in ("--size", "--tile")]
+        self.assertEqual([width for width, _ in both], [height for _, height in both])
+        return [int(width) for width, _ in both]
+
     def tiles(self, words, name):
         """Runs a command, and gives the rows of its 2 x 2 tiles, by their places in the pattern,
         and how many samples they have along an edge."""
+        size, tile = self.sides(words)
+        self.assertEqual(size, 2 * tile)  # before it is divided
         told = self.run_shown(words)
         self.assertIn("16-bit heights: 0 is 0, 65535 is 100", told)
         words = self.smaller(words)
-        size, tile = (int(words[words.index(option) + 1].split("x")[0])
-                      for option in ("--size", "--tile"))
+        size, tile = self.sides(words)
         overlap = int(words[words.index("--overlap") + 1]) if "--overlap" in words else 0
         self.assertEqual(size, 2 * tile)
         side, found = tile + overlap, {}
@@ -116,8 +123,7 @@ class Shown(Case):
         for document in DOCUMENTS:
             self.enter(document)
             words = self.engine(document, "unity/")
-            tile = words[words.index("--tile") + 1].split("x")[0]
-            self.assertEqual(bin(int(tile)).count("1"), 1)
+            self.assertEqual(bin(self.sides(words)[1]).count("1"), 1)
             tiles, side = self.tiles(words, "unity/alps_%d_%d.raw")
             for i in range(2):
                 self.assertEqual([row[-2:] for row in tiles[0, i]],
@@ -152,8 +158,9 @@ class Shown(Case):
         tiles, _ = self.tiles(words, "composition/alps_x%d_y%d.r16")
         self.assertEqual([row[-2:] for row in tiles[0, 0]], [row[:2] for row in tiles[1, 0]])
         self.assertEqual(tiles[0, 0][-1], tiles[0, 1][0])
-        parts, side = self.tiles(self.engine("src/cli/README.md", "partition/"),
-                                 "partition/alps_x%d_y%d.r16")
+        words = self.engine("src/cli/README.md", "partition/")
+        self.assertNotIn("--overlap", words)
+        parts, side = self.tiles(words, "partition/alps_x%d_y%d.r16")
         self.assertEqual([row[:2 * side] for row in tiles[0, 1][:side]], parts[0, 1])
         for document in DOCUMENTS:
             words = self.engine(document, "unreal.r16")
