@@ -22,14 +22,13 @@ def shown_commands(name):
     the gallery and of farms, which have tests of their own, and those of cmake."""
     with open(os.path.join(ROOT, name), encoding="utf-8") as file:
         text = re.sub(r"(?ms)^## Farms\n.*?^## ", "## ", file.read())
-    commands = []
+    commands, pictures = [], gallery_commands().values()
     for block in re.findall(r"(?ms)^```sh\n(.*?)^```$", text):
         for line in block.replace("\\\n", "").splitlines():
             if not re.match("scarp |gdaldem ", line):
                 continue
             words = shlex.split(line, comments=True)
-            stem = words[words.index("--output") + 1] if "--output" in words else None
-            if stem is None or stem not in gallery_commands():
+            if words[1:] not in pictures:
                 commands.append(words)
     return commands
 
