@@ -61,8 +61,7 @@ class Gallery(Case):
         for name in made:
             with self.subTest(name=name):
                 committed = read_picture(os.path.join(GALLERY, name))
-                color = len(committed.rows[0]) == 3 * committed.width
-                file = os.path.splitext(name)[0] + self.extensions[1 if color else 0]
+                file = os.path.splitext(name)[0] + self.extensions[committed.channels == 3]
                 words = [file if word == name else word for word in commands[name]]
                 result = run(*words, "--quiet", cwd=self.directory)
                 self.assertEqual((result.returncode, result.stderr), (0, b""))
