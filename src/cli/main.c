@@ -24,7 +24,7 @@ static const char usage[] =
     "\n"
     "Lattice noise and its exact derivatives, sampled in bulk.\n"
     "\n"
-    "  terrain    render a terrain: heights, normals, hillshade, gradient; whole or in tiles\n"
+    "  terrain    render a terrain: heights, normals, hillshade, relief, gradient; whole or tiles\n"
     "  sample     read points, write the noise at each of them and its derivatives\n"
     "  info       tell the version, the instruction sets and the libraries found\n"
     "  help       print this, or with the name of a command what it takes\n"

@@ -29,9 +29,13 @@ _scarp()
         --preset) words="none alps dunes islands canyon badlands hills volcanic highlands cirques karst crests folds" ;;
         --isa) words="scalar sse4.1 avx2 avx512 neon generic" ;;
         --normal-y) words="up down" ;;
+        --palette)
+            mapfile -t COMPREPLY < <(compgen -W "alpine temperate desert arctic grey" -f -- "$word")
+            return
+            ;;
         --dims) words="2 3" ;;
         --input-format | --output-format) words="csv text npy" ;;
-        --heights | --normals | --hillshade | --gradient | --input | --output)
+        --heights | --normals | --hillshade | --relief | --gradient | --input | --output)
             mapfile -t COMPREPLY < <(compgen -f -- "$word")
             return
             ;;

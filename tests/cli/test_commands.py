@@ -63,7 +63,8 @@ class Commands(Case):
                           if name[:4] not in NOISES or name[5:] not in WARP])
         self.assertLessEqual(max(len(line) for line in text.split("\n")), 90)
         self.assertEqual(re.findall(r"(?m)^(\w[^-\n]*):$", text), GROUPS)
-        for word in ("STEM-height", "STEM-normal", "STEM-hillshade", "STEM-compare"):
+        for word in ("STEM-height", "STEM-normal", "STEM-hillshade", "STEM-relief",
+                     "STEM-compare"):
             self.assertIn(word, text)
         stem = re.search(r"\n  --output (?s:.*?)(?=\n  --)", text).group()
         for end in set(self.extensions):

@@ -22,6 +22,7 @@ struct job {
     /* Set before: */
     const struct terrain_options *options;
     struct surface surface;
+    struct palette palette;    /* of the relief */
     struct outputs outputs[2]; /* the same ones: of the tile at hand, and of the one before */
     struct tiling tiling;
     struct manifest manifest;

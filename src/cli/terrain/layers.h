@@ -32,7 +32,15 @@ struct layer {
                    uint8_t *to);
 };
 
-enum { LAYER_HEIGHTS, LAYER_NORMALS, LAYER_HILLSHADE, LAYER_GRADIENT, LAYER_COMPARE, LAYER_COUNT };
+enum {
+    LAYER_HEIGHTS,
+    LAYER_NORMALS,
+    LAYER_HILLSHADE,
+    LAYER_RELIEF,
+    LAYER_GRADIENT,
+    LAYER_COMPARE,
+    LAYER_COUNT
+};
 
 extern const struct layer layers[LAYER_COUNT];
 

@@ -130,8 +130,9 @@ bool outputs_add(struct outputs *outputs, const struct layer *layer, const char 
 
 bool outputs_add_stem(struct outputs *outputs, const char *stem, bool compare)
 {
-    static const int stem_layers[] = {LAYER_HEIGHTS, LAYER_NORMALS, LAYER_HILLSHADE, LAYER_COMPARE};
-    for (size_t i = 0; i < (compare ? 4 : 3); i++) {
+    static const int stem_layers[] = {LAYER_HEIGHTS, LAYER_NORMALS, LAYER_HILLSHADE, LAYER_RELIEF,
+                                      LAYER_COMPARE};
+    for (size_t i = 0; i < (compare ? 5 : 4); i++) {
         const struct layer *const layer = &layers[stem_layers[i]];
         const char *const extension = layer->channels == 1 ? GREY_EXTENSION : COLOUR_EXTENSION;
         char *const path =

@@ -11,6 +11,8 @@
 #include <stdio.h>
 #include <time.h>
 
+#include "ground/presets.h"
+#include "ground/spread.h"
 #include "shared/error.h"
 #include "terrain/job.h"
 #include "terrain/repeat.h"
@@ -43,7 +45,7 @@ static bool make_surface(const struct terrain_options *options, struct surface *
         return false;
     }
     surface_set_scale(surface);
-    surface_light(options->azimuth, options->altitude, surface->light);
+    relief_light(options->azimuth, options->altitude, surface->light);
     return true;
 }
 
@@ -52,6 +54,7 @@ static bool make_outputs(const struct terrain_options *options, struct outputs *
     const char *const files[] = {[LAYER_HEIGHTS] = options->heights,
                                  [LAYER_NORMALS] = options->normals,
                                  [LAYER_HILLSHADE] = options->hillshade,
+                                 [LAYER_RELIEF] = options->relief,
                                  [LAYER_GRADIENT] = options->gradient};
     for (int i = 0; i < LAYER_COMPARE; i++) {
         if (files[i] != NULL && !outputs_add(outputs, &layers[i], files[i])) {
@@ -150,6 +153,36 @@ static bool needs_manifest(const struct job *job)
     return job->tiling.numbered || (job->options->resume && outputs_are_files(&job->outputs[0]));
 }
 
+/* Without --palette, that of the preset */
+static bool make_relief(struct job *job)
+{
+    const struct terrain_options *const options = job->options;
+    struct surface *const surface = &job->surface;
+    const bool is_wanted = (outputs_needs(&job->outputs[0]) & SURFACE_BED) != 0;
+    const char *const palette =
+        options->palette != NULL ? options->palette : preset_palettes[options->ground.preset];
+    if (!palette_open(&job->palette, "--palette", palette)) {
+        return false;
+    }
+    if (is_wanted) {
+        struct spread spread;
+        ground_spread(&surface->ground, &spread);
+        surface->relief = (struct relief){
+            .palette = &job->palette,
+            .low = spread.low,
+            .middle = spread.middle,
+            .high = spread.high,
+            .sea = spread.sea,
+            .deep = spread.deep,
+            .height_scale = surface->ground.height_scale,
+            .light = {surface->light[0], surface->light[1], surface->light[2]},
+        };
+        palette_resolve(&job->palette, spread.low * surface->ground.height_scale,
+                        spread.high * surface->ground.height_scale);
+    }
+    return true;
+}
+
 static int prepare(struct job *job)
 {
     const struct terrain_options *const options = job->options;
@@ -159,8 +192,8 @@ static int prepare(struct job *job)
         return CLI_FAILURE;
     }
     if (!make_surface(options, &job->surface) || !make_outputs(options, &job->outputs[0]) ||
-        !make_outputs(options, &job->outputs[1]) || !tiling_make(options, &job->tiling) ||
-        !outputs_check(&job->outputs[0], &job->tiling)) {
+        !make_outputs(options, &job->outputs[1]) || !make_relief(job) ||
+        !tiling_make(options, &job->tiling) || !outputs_check(&job->outputs[0], &job->tiling)) {
         return CLI_USAGE;
     }
     return needs_manifest(job)
@@ -192,6 +225,7 @@ int cli_terrain(char **argv)
     manifest_close(&job.manifest, status == CLI_SUCCESS || job.written > 0);
     outputs_free(&job.outputs[0]);
     outputs_free(&job.outputs[1]);
+    palette_free(&job.palette);
     crew_close(job.crew);
     return status;
 }

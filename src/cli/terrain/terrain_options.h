@@ -18,7 +18,8 @@ struct terrain_options {
     float z_factor;
     size_t compare, overlap, threads; /* all threads: 0 */
     int tileable, normal_down, resume, isa, quiet;
-    const char *heights, *normals, *hillshade, *gradient, *output;
+    const char *heights, *normals, *hillshade, *relief, *gradient, *output;
+    const char *palette; /* NULL: that of the preset */
 };
 
 extern const struct option_table terrain_table;
