@@ -36,7 +36,7 @@ def prose(text):
 
 
 def anchors(text):
-    """The names that GitHub gives to headings: letters, digits, - and _, in lower case."""
+    """The names that pages of Markdown give to headings: letters, digits, - and _, in lower case."""
     found = set()
     without_code = re.sub(r"(?ms)^```.*?^```$", "", text)
     for heading in re.findall(r"(?m)^#{1,6} +(.*?) *$", without_code):
