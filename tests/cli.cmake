@@ -13,7 +13,7 @@ block()
                          "SCARP_SPEED=${speed};PYTHONDONTWRITEBYTECODE=1")
   endfunction()
 
-  foreach(test commands:Commands options:Errors formats:Formats formats:Names layers:Layers relief:Relief relief:Palettes
+  foreach(test commands:Commands options:Errors formats:Formats formats:Names layers:Layers relief:Relief relief:Palettes sheet:Sheet
                pictures:Pictures compare:Compare warp:Warp warp:WarpRefused ground:Ground ground:GroundRefused gallery:Gallery shown:Shown period:Period phase:Phase phase:Flow phase:PhaseRefused documents:Documents tiles:Tiles tiles:Resume
                world:Manifest world:Patterns world:Shares world:Limits
                presets:Presets files:Files shared:Shared failures:FullDisk failures:Pipes failures:Refused

@@ -17,6 +17,7 @@
 #include "shared/error.h"
 #include "shared/interrupt.h"
 #include "shared/stack.h"
+#include "sheet/sheet.h"
 #include "terrain/terrain.h"
 
 static const char usage[] =
@@ -25,6 +26,7 @@ static const char usage[] =
     "Lattice noise and its exact derivatives, sampled in bulk.\n"
     "\n"
     "  terrain    render a terrain: heights, normals, hillshade, relief, gradient; whole or tiles\n"
+    "  sheet      draw many small maps of a terrain that differ in one or two parameters\n"
     "  sample     read points, write the noise at each of them and its derivatives\n"
     "  info       tell the version, the instruction sets and the libraries found\n"
     "  help       print this, or with the name of a command what it takes\n"
@@ -36,7 +38,8 @@ static const char usage[] =
 static const struct {
     const char *name;
     int (*run)(char **argv);
-} commands[] = {{"terrain", cli_terrain}, {"sample", cli_sample}, {"info", cli_info}};
+} commands[] = {
+    {"terrain", cli_terrain}, {"sheet", cli_sheet}, {"sample", cli_sample}, {"info", cli_info}};
 
 static int run_command(const char *name, char **argv)
 {

@@ -18,9 +18,9 @@ _scarp()
 
     COMPREPLY=()
     if [ "$COMP_CWORD" -eq 1 ]; then
-        words="terrain sample info help --help --version"
+        words="terrain sheet sample info help --help --version"
     elif [ "$command" = help ]; then
-        [ "$COMP_CWORD" -eq 2 ] && words="terrain sample info"
+        [ "$COMP_CWORD" -eq 2 ] && words="terrain sheet sample info"
     else
         case $row in
         --basis) words="gradient value simplex cell-f1 cell-f2 cell-edge cell-soft cell-value" ;;
@@ -33,6 +33,7 @@ _scarp()
             mapfile -t COMPREPLY < <(compgen -W "alpine temperate desert arctic grey" -f -- "$word")
             return
             ;;
+        --layer) words="relief hillshade" ;;
         --dims) words="2 3" ;;
         --input-format | --output-format) words="csv text npy" ;;
         --heights | --normals | --hillshade | --relief | --gradient | --input | --output)

@@ -10,11 +10,11 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "raster/surface.h"
 #include "shared/crew.h"
 #include "shared/progress.h"
 #include "terrain/manifest.h"
 #include "terrain/outputs.h"
-#include "terrain/surface.h"
 #include "terrain/terrain_options.h"
 #include "terrain/tiling.h"
 

@@ -10,7 +10,7 @@
 #include <stddef.h>
 
 #include "formats/writer.h"
-#include "terrain/layers.h"
+#include "raster/layers.h"
 #include "terrain/tiling.h"
 
 /* A file that was asked for, of which there is one per tile */

@@ -11,8 +11,6 @@
 #include <stdio.h>
 #include <time.h>
 
-#include "ground/presets.h"
-#include "ground/spread.h"
 #include "shared/error.h"
 #include "terrain/job.h"
 #include "terrain/repeat.h"
@@ -37,7 +35,6 @@ static bool make_surface(const struct terrain_options *options, struct surface *
         .x0 = options->origin.x,
         .y0 = options->origin.y,
         .step = options->step,
-        .z_factor = options->z_factor,
         .normal_y = options->normal_down ? -1.0f : 1.0f,
         .zoom = options->compare,
     };
@@ -45,7 +42,7 @@ static bool make_surface(const struct terrain_options *options, struct surface *
         return false;
     }
     surface_set_scale(surface);
-    relief_light(options->azimuth, options->altitude, surface->light);
+    surface_set_light(surface, &options->look);
     return true;
 }
 
@@ -153,32 +150,14 @@ static bool needs_manifest(const struct job *job)
     return job->tiling.numbered || (job->options->resume && outputs_are_files(&job->outputs[0]));
 }
 
-/* Without --palette, that of the preset */
 static bool make_relief(struct job *job)
 {
     const struct terrain_options *const options = job->options;
-    struct surface *const surface = &job->surface;
-    const bool is_wanted = (outputs_needs(&job->outputs[0]) & SURFACE_BED) != 0;
-    const char *const palette =
-        options->palette != NULL ? options->palette : preset_palettes[options->ground.preset];
-    if (!palette_open(&job->palette, "--palette", palette)) {
+    if (!surface_open_palette(&options->look, options->ground.preset, &job->palette)) {
         return false;
     }
-    if (is_wanted) {
-        struct spread spread;
-        ground_spread(&surface->ground, &spread);
-        surface->relief = (struct relief){
-            .palette = &job->palette,
-            .low = spread.low,
-            .middle = spread.middle,
-            .high = spread.high,
-            .sea = spread.sea,
-            .deep = spread.deep,
-            .height_scale = surface->ground.height_scale,
-            .light = {surface->light[0], surface->light[1], surface->light[2]},
-        };
-        palette_resolve(&job->palette, spread.low * surface->ground.height_scale,
-                        spread.high * surface->ground.height_scale);
+    if ((outputs_needs(&job->outputs[0]) & SURFACE_BED) != 0) {
+        surface_set_relief(&job->surface, &job->palette);
     }
     return true;
 }

@@ -7,7 +7,6 @@
 #include <stddef.h>
 
 #include "ground/presets.h"
-#include "look/palette.h"
 #include "shared/crew.h"
 
 #define FIELD(name) offsetof(struct terrain_options, name)
@@ -124,43 +123,6 @@ static const struct option look_rows[] = {
      .parse = option_choice,
      .offset = FIELD(normal_down),
      .choices = directions},
-    {.name = "--palette",
-     .argument = "NAME",
-     .allowed = PALETTE_NAMES ", or a file",
-     .help = "colours of the relief: alpine, temperate, desert, arctic or grey;\nor a FILE of "
-             "GDAL's or "
-             "GMT's form; told below [that of the preset]",
-     .parse = option_text,
-     .offset = FIELD(palette),
-     .of_run = 1},
-    {.name = "--azimuth",
-     .argument = "F",
-     .standard = "315",
-     .allowed = "a number from 0 to 360",
-     .help = "where the light comes from, in degrees\nclockwise from north, from 0 "
-             "to 360",
-     .parse = option_double,
-     .offset = FIELD(azimuth),
-     .lowest = 0,
-     .highest = 360},
-    {.name = "--altitude",
-     .argument = "F",
-     .standard = "45",
-     .allowed = "a number from 0 to 90",
-     .help = "its height above the horizon, in degrees, from 0 to 90",
-     .parse = option_double,
-     .offset = FIELD(altitude),
-     .lowest = 0,
-     .highest = 90},
-    {.name = "--z-factor",
-     .argument = "F",
-     .standard = "1",
-     .allowed = "a number from 0 to 2^24",
-     .help = "exaggerates heights, for hillshade and relief only, from 0 to 2^24",
-     .parse = option_float,
-     .offset = FIELD(z_factor),
-     .lowest = 0,
-     .highest = 0x1p24},
 };
 
 static const struct option tile_rows[] = {
@@ -238,6 +200,7 @@ static const struct option_group groups[] = {
     OPTION_GROUP("the raster", raster_rows, 0),
     OPTION_GROUP("files, any of which may be asked for together", file_rows, 0),
     OPTION_GROUP("how they look", look_rows, 0),
+    LOOK_GROUPS(NULL, FIELD(look)),
     OPTION_GROUP("tiles", tile_rows, 0),
     GROUND_GROUPS(FIELD(ground)),
     OPTION_GROUP("running", running_rows, 0),

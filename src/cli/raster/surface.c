@@ -1,11 +1,15 @@
 /* SPDX-License-Identifier: MIT
  *
- * Sampling a block. All of it is the same on every machine, to the bit.
+ * How a terrain is scaled, lit and coloured, and blocks of samples. All of it is the same on every
+ * machine, to the bit.
  */
-#include "terrain/surface.h"
+#include "raster/surface.h"
 
 #include <stdlib.h>
 #include <string.h>
+
+#include "ground/presets.h"
+#include "ground/spread.h"
 
 void surface_set_scale(struct surface *surface)
 {
@@ -15,6 +19,36 @@ void surface_set_scale(struct surface *surface)
     /* Adding 0 leaves no zero negative: these numbers are for readers. */
     surface->zero_height = ground->height_scale * ground->floor + 0.0f;
     surface->full_height = ground->height_scale * ground->ceiling + 0.0f;
+}
+
+void surface_set_light(struct surface *surface, const struct look_options *look)
+{
+    surface->z_factor = look->z_factor;
+    relief_light(look->azimuth, look->altitude, surface->light);
+}
+
+bool surface_open_palette(const struct look_options *look, int preset, struct palette *palette)
+{
+    return palette_open(palette, "--palette",
+                        look->palette != NULL ? look->palette : preset_palettes[preset]);
+}
+
+void surface_set_relief(struct surface *surface, struct palette *palette)
+{
+    const float scale = surface->ground.height_scale;
+    struct spread spread;
+    ground_spread(&surface->ground, &spread);
+    palette_resolve(palette, spread.low * scale, spread.high * scale);
+    surface->relief = (struct relief){
+        .palette = palette,
+        .low = spread.low,
+        .middle = spread.middle,
+        .high = spread.high,
+        .sea = spread.sea,
+        .deep = spread.deep,
+        .height_scale = scale,
+        .light = {surface->light[0], surface->light[1], surface->light[2]},
+    };
 }
 
 bool block_open(struct block *block, const struct surface *surface, unsigned needs)

@@ -10,7 +10,7 @@
 #include <stdint.h>
 
 #include "formats/writer.h"
-#include "terrain/surface.h"
+#include "raster/surface.h"
 
 /* Samples of a block that lie in one row of the raster */
 struct strip {

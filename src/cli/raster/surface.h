@@ -13,6 +13,7 @@
 #include <stddef.h>
 
 #include "ground/ground.h"
+#include "look/look_options.h"
 #include "look/relief.h"
 #include "scarp.h"
 
@@ -32,6 +33,16 @@ struct surface {
 
 /* Sets the members from `steps_per_value` to `full_height`; the ground is set. */
 void surface_set_scale(struct surface *surface);
+
+/* Sets the z-factor and the light. */
+void surface_set_light(struct surface *surface, const struct look_options *look);
+
+/* Reads the palette, without --palette that of the preset. False, with a line on stderr, if it
+   cannot be. Free it in any case. */
+bool surface_open_palette(const struct look_options *look, int preset, struct palette *palette);
+
+/* Resolves the palette and sets the relief, which points to it; ground and light are set. */
+void surface_set_relief(struct surface *surface, struct palette *palette);
 
 /* What a block needs to hold, or'ed */
 enum surface_need {

@@ -3,7 +3,7 @@
  * The encodings. All of them are exact enough in double that every platform writes the same bytes.
  * Their loops are such as compilers turn into vector code.
  */
-#include "terrain/layers.h"
+#include "raster/layers.h"
 
 #include <string.h>
 
