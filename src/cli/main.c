@@ -18,6 +18,7 @@
 #include "shared/interrupt.h"
 #include "shared/stack.h"
 #include "terrain/terrain.h"
+#include "view/view.h"
 
 static const char usage[] =
     "usage: scarp <command> [options]\n"
@@ -25,6 +26,7 @@ static const char usage[] =
     "Lattice noise and its exact derivatives, sampled in bulk.\n"
     "\n"
     "  terrain    render a terrain: heights, normals, hillshade, relief, gradient; whole or tiles\n"
+    "  view       look at a terrain from a camera: a picture with light, shadows and haze\n"
     "  sample     read points, write the noise at each of them and its derivatives\n"
     "  info       tell the version, the instruction sets and the libraries found\n"
     "  help       print this, or with the name of a command what it takes\n"
@@ -36,7 +38,8 @@ static const char usage[] =
 static const struct {
     const char *name;
     int (*run)(char **argv);
-} commands[] = {{"terrain", cli_terrain}, {"sample", cli_sample}, {"info", cli_info}};
+} commands[] = {
+    {"terrain", cli_terrain}, {"view", cli_view}, {"sample", cli_sample}, {"info", cli_info}};
 
 static int run_command(const char *name, char **argv)
 {

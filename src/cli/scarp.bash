@@ -18,9 +18,9 @@ _scarp()
 
     COMPREPLY=()
     if [ "$COMP_CWORD" -eq 1 ]; then
-        words="terrain sample info help --help --version"
+        words="terrain view sample info help --help --version"
     elif [ "$command" = help ]; then
-        [ "$COMP_CWORD" -eq 2 ] && words="terrain sample info"
+        [ "$COMP_CWORD" -eq 2 ] && words="terrain view sample info"
     else
         case $row in
         --basis) words="gradient value simplex cell-f1 cell-f2 cell-edge cell-soft cell-value" ;;

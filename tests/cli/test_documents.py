@@ -7,7 +7,7 @@ import subprocess
 import common
 from common import ROOT, Case, run, text_of
 
-COMMANDS = ("terrain", "sample", "info")
+COMMANDS = ("terrain", "view", "sample", "info")
 
 
 def read(*path):
@@ -25,7 +25,7 @@ class Documents(Case):
         """The man page was made again when the help or the version changed."""
         expected = read("src", "cli", "scarp.1.in")
         expected = expected.replace("@VERSION@", text_of("--version").split()[1])
-        for command in ("terrain", "sample"):
+        for command in COMMANDS[:-1]:
             expected = expected.replace("@%s@" % command.upper(), roff(text_of("help", command)))
         self.assertEqual(read("src", "cli", "scarp.1"), expected,
                          "cmake --build build --target manual")
@@ -92,7 +92,7 @@ class Completion(Case):
 
     def test_completion_of_words(self):
         """The words that the help has for an option, which stand there as "a, b or c"."""
-        for command in ("terrain", "sample"):
+        for command in COMMANDS[:-1]:
             text = re.sub(r"\n {18}", " ", text_of("help", command))
             for option in re.findall(r"(?m)^  (--[a-z-]+) NAME", text):
                 words = self.complete(command, option, "")
