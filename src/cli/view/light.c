@@ -10,7 +10,8 @@
 #include "view/water.h"
 
 #define TREE_HEIGHT 1.6f
-#define ROUGH_HEIGHT 1.5f
+#define ROUGH_HEIGHT 2.4f
+#define CLOUD_HEIGHT 1500.0f /* above the camera */
 
 static struct vector ray_of(const struct rays *rays, uint32_t ray)
 {
@@ -198,11 +199,44 @@ static void light_piece(struct light *light, const struct scene *scene, size_t b
     }
 }
 
-static void light_sky(const struct scene *scene, const struct rays *rays, struct colour *colours)
+/* Clouds lie on a plane high above the camera; their light comes by the slope of their density. */
+static void light_sky_piece(struct light *light, const struct scene *scene, const struct rays *rays,
+                            struct colour *colours)
 {
+    float *const density = light->texture[TEXTURE_CLOUDS];
+    for (size_t i = 0; i < light->count; i++) {
+        const struct vector ray = ray_of(rays, light->point[i]);
+        const float distance = CLOUD_HEIGHT / (ray.z > 0.01f ? ray.z : 0.01f);
+        light->u[i] = scene->camera.x + (double)(ray.x * distance);
+        light->v[i] = scene->camera.y + (double)(ray.y * distance);
+    }
+    texture_sample(TEXTURE_CLOUDS, 0.0f, light->count, light->u, light->v,
+                   &(struct scarp_samples){.value = density,
+                                           .dx = light->texture_dx[TEXTURE_CLOUDS],
+                                           .dy = light->texture_dy[TEXTURE_CLOUDS]});
+    count_call(light);
+    for (size_t i = 0; i < light->count; i++) {
+        const uint32_t n = light->point[i];
+        const struct vector ray = ray_of(rays, n);
+        const float rises = light->texture_dx[TEXTURE_CLOUDS][i] * scene->sun.x +
+                            light->texture_dy[TEXTURE_CLOUDS][i] * scene->sun.y;
+        const float lit = clamp(0.75f - 300.0f * rises, 0.0f, 1.3f);
+        const float cloud = 0.85f * ramp(-0.02f, 0.55f, density[i]) * ramp(0.015f, 0.16f, ray.z);
+        colours[n] = sky_cloudy(scene, ray, cloud, lit);
+    }
+}
+
+static void light_sky(struct light *light, const struct scene *scene, const struct rays *rays,
+                      struct colour *colours)
+{
+    light->count = 0;
     for (size_t i = 0; i < rays->count; i++) {
         if (rays->distance[i] == INFINITY) {
-            colours[i] = sky_clear(scene, ray_of(rays, (uint32_t)i));
+            light->point[light->count++] = (uint32_t)i;
+        }
+        if (light->count == LIGHT_MOST || (i + 1 == rays->count && light->count > 0)) {
+            light_sky_piece(light, scene, rays, colours);
+            light->count = 0;
         }
     }
 }
@@ -210,7 +244,7 @@ static void light_sky(const struct scene *scene, const struct rays *rays, struct
 void light_rays(struct light *light, const struct scene *scene, const struct rays *rays,
                 struct colour *colours)
 {
-    light_sky(scene, rays, colours);
+    light_sky(light, scene, rays, colours);
     for (size_t b = 0; b < BANDS; b++) {
         for (size_t i = rays->first_hit[b]; i < rays->first_hit[b + 1]; i += light->count) {
             const size_t left = rays->first_hit[b + 1] - i;

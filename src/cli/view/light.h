@@ -27,6 +27,7 @@ struct light {
     float texture_dx[TEXTURE_COUNT][LIGHT_MOST], texture_dy[TEXTURE_COUNT][LIGHT_MOST];
     float sun[LIGHT_MOST]; /* the part of it that is seen */
     float other[3][LIGHT_MOST];
+    uint32_t point[LIGHT_MOST]; /* rays of the sky */
     struct shadow shadow;
     uint64_t calls, points;
 };

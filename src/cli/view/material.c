@@ -5,7 +5,10 @@
  */
 #include "view/material.h"
 
-#define SHORE 2.2f /* units of height that are sand */
+#define SHORE 2.2f       /* units of height that are sand */
+#define SNOW_LINE 0.70f  /* where snow begins, as a part of the relief; */
+#define SNOW_LEAST 60.0f /* but not below so many units above its foot */
+#define ROUGH_MEAN 0.3f  /* of the texture */
 
 /* What the material is made of; each is from 0 to 1. */
 static struct material cover(struct material material, struct colour colour, float roughness,
@@ -16,12 +19,13 @@ static struct material cover(struct material material, struct colour colour, flo
     return material;
 }
 
-static struct material rock_at(const struct scene *scene, const struct site *site)
+/* Layers, cracks between them, and regions of one kind of rock or another */
+static struct material rock_at(const struct scene *scene, const struct site *site, float rough)
 {
     const struct colours *const colours = &scene->colours;
-    const float dark = clamp(0.45f + 0.55f * site->layers + 0.35f * site->rough, 0.0f, 1.0f);
-    const struct colour colour = colour_mix(colours->rock, colours->dark_rock, dark);
-    return (struct material){colour_scaled(colour, 1.0f + 0.25f * site->patches), 1.0f, 0.0f};
+    const float dark =
+        clamp(0.5f + 1.0f * site->layers + 0.7f * site->patches - 0.8f * rough, 0.0f, 1.0f);
+    return (struct material){colour_mix(colours->rock, colours->dark_rock, dark), 1.0f, 0.0f};
 }
 
 struct material material_at(const struct scene *scene, const struct site *site)
@@ -29,35 +33,40 @@ struct material material_at(const struct scene *scene, const struct site *site)
     const struct colours *const colours = &scene->colours;
     const struct relief *const relief = &scene->relief;
     const float up = (site->height - relief->low) / (relief->high - relief->low);
-    const float broken = 0.6f * site->patches + 0.25f * site->rough;
+    const float rough = site->rough - ROUGH_MEAN;
+    const float broken = 0.7f * site->patches + 0.35f * rough;
     const float slope = 0.55f * site->slope + 0.45f * site->broad;
-    struct material material = rock_at(scene, site);
+    struct material material = rock_at(scene, site, rough);
 
     /* Earth and debris where it is less steep, then grass, which the height makes dry. */
     const float bare = clamp(relief->steep, 0.45f, 1.0f);
-    const float steep = slope + 0.22f * bare * broken - 0.006f * site->hollow;
-    material = cover(material, colour_scaled(colours->earth, 1.0f + 0.35f * broken), 0.7f,
-                     ramp(1.1f * bare, 0.85f * bare, steep));
-    const float dry = ramp(0.25f, 0.75f, up + 0.35f * broken);
-    const struct colour grass = colour_scaled(colour_mix(colours->meadow, colours->dry_grass, dry),
-                                              1.0f + 0.3f * site->rough);
+    const float steep = slope + 0.35f * bare * broken - 0.006f * site->hollow;
+    material = cover(material, colour_scaled(colours->earth, 1.0f + 0.5f * broken), 0.7f,
+                     ramp(1.05f * bare, 0.92f * bare, steep));
+    const float dry = ramp(0.2f, 0.75f, up + 0.5f * broken);
+    const struct colour grass =
+        colour_scaled(colour_mix(colours->meadow, colours->dry_grass, dry), 1.0f + 0.5f * rough);
     material =
         cover(material, grass, 0.45f,
-              ramp(0.95f * bare, 0.7f * bare, steep) * ramp(0.86f, 0.66f, up + 0.16f * broken));
+              ramp(0.90f * bare, 0.78f * bare, steep) * ramp(0.84f, 0.72f, up + 0.25f * broken));
 
     /* Trees in places, below their line, not where it is steep or wet. */
     const float wood =
-        ramp(-0.02f, 0.10f, site->patches - 0.12f) * ramp(0.50f, 0.40f, up + 0.14f * site->rough) *
-        ramp(0.85f * bare, 0.65f * bare, steep) *
+        ramp(-0.02f, 0.08f, site->patches - 0.05f + 0.25f * rough) *
+        ramp(0.48f, 0.40f, up + 0.2f * rough) * ramp(0.85f * bare, 0.70f * bare, steep) *
         (scene->has_sea ? ramp(1.0f, 3.0f, (site->height - scene->sea) / SHORE) : 1.0f);
-    const struct colour tree = colour_scaled(colours->forest, 1.25f - 0.6f * site->trees);
+    const struct colour tree = colour_scaled(colours->forest, 1.15f - 0.4f * site->trees);
     material = cover(material, tree, 0.35f, wood);
     material.trees = wood;
 
     /* Snow lies where it is high, deeper in hollows, and slides off where it is steep. */
-    const float cold = up + 0.10f * site->patches + 0.03f * site->rough + 0.003f * site->hollow;
-    const float snow = ramp(0.64f, 0.74f, cold) *
-                       ramp(1.25f * bare + 0.25f, 0.9f * bare + 0.1f, slope + 0.25f * site->rough);
+    const float line = SNOW_LINE * (relief->high - relief->low) > SNOW_LEAST
+                           ? SNOW_LINE
+                           : SNOW_LEAST / (relief->high - relief->low);
+    const float cold = up + 0.16f * site->patches + 0.10f * rough + 0.003f * site->hollow;
+    const float snow =
+        ramp(line - 0.02f, line + 0.02f, cold) *
+        ramp(1.2f * bare + 0.2f, 1.0f * bare + 0.1f, slope + 0.5f * rough - 0.6f * (cold - line));
     material = cover(material, colours->snow, 0.12f, snow);
     material.trees *= 1.0f - snow;
 

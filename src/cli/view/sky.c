@@ -7,8 +7,8 @@
 
 #define HAZE_FADES 0.6f /* from this part of the farthest distance on, all becomes haze */
 
-static const struct colour zenith = {0.105f, 0.235f, 0.560f};
-static const struct colour horizon = {0.560f, 0.700f, 0.880f};
+static const struct colour zenith = {0.090f, 0.215f, 0.560f};
+static const struct colour horizon = {0.780f, 0.920f, 1.080f};
 
 /* How much of each colour the air leaves: blue goes first, and the more so the lower the sun is. */
 struct colour sky_sunlight(struct vector sun)
@@ -33,7 +33,7 @@ struct colour sky_clear(const struct scene *scene, struct vector ray)
     const struct colour sun = scene->sunlight;
     /* The pale band above the horizon takes the colour of a low sun. */
     const struct colour band = colour_mix(
-        horizon, colour_scaled(colour_product(horizon, sun), 0.36f), 0.55f * (1.0f - scene->sun.z));
+        horizon, colour_scaled(colour_product(horizon, sun), 0.42f), 0.45f * (1.0f - scene->sun.z));
     const struct colour sky = colour_mix(zenith, band, low4 * low);
     return colour_sum(sky, colour_scaled(sun, glow(ray, scene->sun)));
 }
@@ -42,8 +42,8 @@ struct colour sky_cloudy(const struct scene *scene, struct vector ray, float clo
 {
     const struct colour clear = sky_clear(scene, ray);
     const struct colour sun = scene->sunlight;
-    const struct colour shade = colour_scaled(horizon, 0.85f);
-    const struct colour light = colour_sum(shade, colour_scaled(sun, 0.28f * lit));
+    const struct colour shade = colour_scaled(horizon, 0.80f);
+    const struct colour light = colour_sum(shade, colour_scaled(sun, 0.42f * lit));
     return colour_mix(clear, light, cloud);
 }
 

@@ -31,6 +31,7 @@ struct trial {
 /* Heights of the ground on a fan */
 struct fan {
     float height[RAYS][LOOKS];
+    float light[RAYS][LOOKS]; /* from 0, in the shadow */
     float distance[LOOKS];
 };
 
@@ -38,6 +39,31 @@ static double turned(double azimuth, double by)
 {
     const double sum = azimuth + by;
     return sum < 0.0 ? sum + 360.0 : sum > 360.0 ? sum - 360.0 : sum;
+}
+
+/* The light on places along a ray, whose slopes are there: of shadows, only the long ones */
+static void light_ray(const struct scene *scene, const double *x, const double *y,
+                      const float *height, const float *dx, const float *dy, float *light)
+{
+    for (int look = 0; look < LOOKS; look++) {
+        const struct vector normal = {-dx[look], -dy[look], 1.0f};
+        light[look] = clamp(dot(unit(normal), scene->sun), 0.0f, 1.0f);
+    }
+    for (float distance = 12.0f; distance < 500.0f; distance *= 2.0f) {
+        const struct vector way = scaled(scene->sun, distance);
+        double px[LOOKS], py[LOOKS];
+        float value[LOOKS];
+        for (int look = 0; look < LOOKS; look++) {
+            px[look] = x[look] + (double)way.x;
+            py[look] = y[look] + (double)way.y;
+        }
+        ground_points(&scene->smooth[0], LOOKS, px, py, &(struct scarp_samples){.value = value});
+        for (int look = 0; look < LOOKS; look++) {
+            if (scene->height_scale * value[look] > height[look] + way.z) {
+                light[look] = 0.0f;
+            }
+        }
+    }
 }
 
 static void sample_fan(const struct scene *scene, const struct trial *trial, double fov,
@@ -55,11 +81,15 @@ static void sample_fan(const struct scene *scene, const struct trial *trial, dou
             x[look] = trial->x + (double)(way.x * fan->distance[look]);
             y[look] = trial->y + (double)(way.y * fan->distance[look]);
         }
-        ground_points(&scene->ground, LOOKS, x, y,
-                      &(struct scarp_samples){.value = fan->height[ray]});
+        float dx[LOOKS], dy[LOOKS];
+        const struct scarp_samples out = {.value = fan->height[ray], .dx = dx, .dy = dy};
+        ground_points(&scene->ground, LOOKS, x, y, &out);
         for (int look = 0; look < LOOKS; look++) {
             fan->height[ray][look] *= scene->height_scale;
+            dx[look] *= scene->height_scale;
+            dy[look] *= scene->height_scale;
         }
+        light_ray(scene, x, y, fan->height[ray], dx, dy, fan->light[ray]);
     }
 }
 
@@ -80,25 +110,25 @@ static float ground_around(const struct scene *scene, double x, double y)
     return highest;
 }
 
-/* What the camera sees: ground in the middle distance, that rises and falls; nothing that stands
-   in the way; a sun that comes from the side. */
+/* What the camera sees: ground in the middle distance, in the light, that rises and falls; not
+   much of what is near; a sun that is not behind it. */
 static void judge(const struct scene *scene, const struct fan *fan, struct trial *trial)
 {
     const float range = scene->relief.high - scene->relief.low;
-    float seen = 0.0f, blocked = 0.0f, horizons = 0.0f, squares = 0.0f, risen = 0.0f;
+    float seen = 0.0f, lit = 0.0f, near = 0.0f, horizons = 0.0f, squares = 0.0f, risen = 0.0f;
     for (int ray = 0; ray < RAYS; ray++) {
-        float horizon = -1e9f, lowest = 1e9f;
+        float horizon = -0.25f, lowest = 1e9f; /* the first one is about where the picture ends */
         for (int look = 0; look < LOOKS; look++) {
-            const float distance = fan->distance[look];
-            const float height = fan->height[ray][look];
+            const float distance = fan->distance[look], height = fan->height[ray][look];
             const float tangent = (height - trial->height) / distance;
             if (tangent <= horizon) {
                 continue;
             }
             if (distance < MIDDLE) {
-                blocked += tangent > -0.06f ? tangent + 0.06f : 0.0f;
+                near += tangent - horizon;
             } else if (distance < BEYOND) {
-                seen += 1.0f;
+                seen += tangent - horizon;
+                lit += (tangent - horizon) * ramp(0.05f, 0.3f, fan->light[ray][look]);
                 lowest = height < lowest ? height : lowest;
                 risen = height - lowest > risen ? height - lowest : risen;
             }
@@ -110,12 +140,14 @@ static void judge(const struct scene *scene, const struct fan *fan, struct trial
     const float mean = horizons / RAYS;
     const float spread = sqrtf(clamp(squares / RAYS - mean * mean, 0.0f, 1.0f));
     const struct vector look = direction_of(trial->azimuth, 0.0);
-    const float across = sqrtf(scene->sun.x * scene->sun.x + scene->sun.y * scene->sun.y) + 1e-6f;
+    const float across = sqrtf(1.0f - scene->sun.z * scene->sun.z) + 1e-6f;
     const float towards = (look.x * scene->sun.x + look.y * scene->sun.y) / across;
     trial->horizon = mean;
-    trial->score = seen / (RAYS * 10.0f) + risen / range + 14.0f * clamp(spread, 0.0f, 0.05f) -
-                   6.0f * blocked / RAYS - 0.5f * (towards - 0.1f) * (towards - 0.1f) -
-                   0.5f * (trial->height - trial->ground) / range;
+    trial->score = seen / (seen + near + 0.05f * RAYS) + 1.3f * lit / (seen + near + 0.05f * RAYS) +
+                   0.5f * clamp(risen / range, 0.0f, 1.3f) + 8.0f * clamp(spread, 0.0f, 0.06f) -
+                   1.3f * (towards - 0.1f) * (towards - 0.1f) -
+                   0.4f * (trial->height - trial->ground) / range -
+                   3.0f * clamp(mean - 0.12f, 0.0f, 1.0f);
 }
 
 /* An angle in degrees from its tangent, within 0.1 of it up to 35 degrees */
