@@ -5,9 +5,8 @@
  * A ray p(t) = camera + t d, with d of length 1, is above the ground by c(t) = p_z - height(p_x,
  * p_y). If no slope is steeper than s, then c falls by less than (s |d_xy| - d_z) per unit of t. So
  * the ray may go on by c / (s |d_xy| - d_z) without meeting anything, and without end if that is
- * negative. Where that is less than a
- * part of what a pixel shows at this distance, it goes on by this part: what it then passes over is
- * smaller than a pixel.
+ * negative. It takes steps of at least 1 / s of the width of a pixel there: what can rise and fall
+ * again within such a step is less than half a pixel high.
  *
  * All rays of a batch take a step together, since the library is fast for many points at a time:
  *
@@ -16,18 +15,22 @@
  *             sample the ground below all of them: one call
  *             ray by ray: below the ground? it hits; else take a step; is it still in the band?
  *
- * The rays that are left stay together at the front of their arrays, so that calls have no points
- * in vain. The bands have fewer octaves the farther they are. They come one after the other, so a
- * call has one ground for all its points.
+ * The rays that are left fill the front of their arrays, so that calls have no points in vain. The
+ * bands have fewer octaves the farther they are. They come one after the other, so a call has one
+ * ground for all its points.
  *
  * At the end of a band, the hits are refined between the last point above the ground and the first
  * one below it, all together once more. What becomes of a ray depends on no other ray.
+ *
+ * A pixel may need more rays. At the distance t, they are within r t of its first ray, with r
+ * small, and their c is at least that of the first ray less (1 + s) r t. As long as that is
+ * positive, the first ray takes steps that are safe for all of them; where it ends, the others
+ * begin.
  */
 #include "view/march.h"
 
 #include <stdlib.h>
 
-#define LEAST_STEP 0.5f /* in pixels */
 #define REFINEMENTS 4
 
 static void take_list(struct march_list *list, float **numbers, uint32_t **rays, size_t most)
@@ -65,10 +68,9 @@ void march_close(struct march *march)
     free(march->memory);
 }
 
-/* Appends ray number `i` of a list to another one, or moves it to the front within the same. */
-static void move(struct march_list *to, const struct march_list *from, size_t i)
+/* Writes ray number `i` of a list to place `n` of another one, or of the same. */
+static void copy(struct march_list *to, size_t n, const struct march_list *from, size_t i)
 {
-    const size_t n = to->count++;
     to->ray[n] = from->ray[i];
     to->x[n] = from->x[i];
     to->y[n] = from->y[i];
@@ -76,6 +78,15 @@ static void move(struct march_list *to, const struct march_list *from, size_t i)
     to->at[n] = from->at[i];
     to->before[n] = from->before[i];
     to->above[n] = from->above[i];
+}
+
+/* Takes ray number `i` out of a list, whose last ray takes its place, to another one or to none. */
+static void move(struct march_list *from, size_t i, struct march_list *to)
+{
+    if (to != NULL) {
+        copy(to, to->count++, from, i);
+    }
+    copy(from, i, from, --from->count);
 }
 
 /* Has every ray begin where it may first meet the ground: below the highest one. */
@@ -87,7 +98,7 @@ static void enter(struct march *march, const struct scene *scene, const struct r
     for (size_t i = 0; i < rays->count; i++) {
         const float z = rays->z[i];
         rays->distance[i] = INFINITY;
-        if (over >= 0.0f && z >= 0.0f) {
+        if (over >= 0.0f && z >= rays->spread) {
             continue;
         }
         const size_t n = list->count++;
@@ -95,7 +106,9 @@ static void enter(struct march *march, const struct scene *scene, const struct r
         list->x[n] = rays->x[i];
         list->y[n] = rays->y[i];
         list->z[n] = z;
-        list->at[n] = list->before[n] = over > 0.0f ? over / -z : 0.0f;
+        const float enters = over > 0.0f ? over / (rays->spread - z) : 0.0f;
+        rays->begin[i] = rays->begin[i] > enters ? rays->begin[i] : enters;
+        list->at[n] = list->before[n] = rays->begin[i];
         list->above[n] = 0.0f;
     }
 }
@@ -121,30 +134,40 @@ static float clearance(const struct march *march, const struct scene *scene,
     return scene->camera.z + list->z[i] * list->at[i] - scene->height_scale * march->value[i];
 }
 
-/* Takes the live rays on by a step, and sorts out those that are done here. */
-static void step(struct march *march, const struct scene *scene, const struct band *band)
+/* Takes the live rays on by a step, and sorts out those that are done here. Counts down: what takes
+   the place of a ray has been looked at. */
+static void step(struct march *march, const struct scene *scene, const struct band *band,
+                 const struct rays *rays)
 {
     struct march_list *const live = &march->live;
-    const size_t count = live->count;
-    const float least = LEAST_STEP * scene->camera.pixel;
+    const float least = scene->camera.pixel / (band->slope > 1.0f ? band->slope : 1.0f);
+    const float around = (1.0f + band->slope) * rays->spread;
     sample(march, scene, band, live);
-    live->count = 0;
-    for (size_t i = 0; i < count; i++) {
+    for (size_t i = live->count; i-- > 0;) {
         const float above = clearance(march, scene, live, i), z = live->z[i], at = live->at[i];
+        float *const begin = &rays->begin[live->ray[i]];
         if (above <= 0.0f) {
-            move(&march->hit, live, i);
+            move(live, i, &march->hit);
             continue;
         }
-        const float falls = band->slope * sqrtf(1.0f - z * z) - z; /* the clearance, at most */
-        const float safe = falls > 0.0f ? above / falls : INFINITY;
-        const float next = at + (safe > least * at ? safe : least * at);
         if (z >= 0.0f && scene->camera.z + z * at >= scene->top) {
-            continue; /* the sky */
+            move(live, i, NULL); /* the sky */
+            continue;
         }
+        const bool is_wide = *begin == live->before[i] && above > around * at;
+        if (is_wide) {
+            *begin = at;
+        }
+        const float room = above - (is_wide ? around * at : 0.0f);
+        const float falls = band->slope * sqrtf(1.0f - z * z) - z + (is_wide ? around : 0.0f);
+        const float safe = falls > 0.0f ? room / falls : INFINITY;
+        const float next = at + (safe > least * at ? safe : least * at);
         live->before[i] = at;
         live->above[i] = above;
         live->at[i] = next < band->end ? next : band->end;
-        move(next < band->end ? live : &march->waiting, live, i);
+        if (next >= band->end) {
+            move(live, i, &march->waiting);
+        }
     }
 }
 
@@ -152,10 +175,11 @@ static void step(struct march *march, const struct scene *scene, const struct ba
 static void begin_band(struct march *march, const struct band *band)
 {
     struct march_list *const waiting = &march->waiting;
-    const size_t count = waiting->count;
-    march->live.count = march->hit.count = waiting->count = 0;
-    for (size_t i = 0; i < count; i++) {
-        move(waiting->at[i] < band->end ? &march->live : waiting, waiting, i);
+    march->live.count = march->hit.count = 0;
+    for (size_t i = waiting->count; i-- > 0;) {
+        if (waiting->at[i] < band->end) {
+            move(waiting, i, &march->live);
+        }
     }
 }
 
@@ -204,7 +228,7 @@ void march_rays(struct march *march, const struct scene *scene, struct rays *ray
         const struct band *const band = &scene->band[b];
         begin_band(march, band);
         while (march->live.count > 0) {
-            step(march, scene, band);
+            step(march, scene, band, rays);
         }
         rays->first_hit[b] = hits;
         if (march->hit.count > 0) {

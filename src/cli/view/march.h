@@ -14,6 +14,8 @@
 struct rays {
     size_t count;
     float *x, *y, *z; /* unit vectors */
+    float *begin;     /* where each begins; then how far the rays around it, too, meet nothing */
+    float spread;     /* sine of the angle between a ray and those around it; 0: there are none */
     float *distance;  /* to the ground; that of the sky is infinite */
 
     /* The rays that meet the ground, band by band: those of band b are the numbers hit[i] with

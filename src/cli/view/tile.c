@@ -8,6 +8,7 @@
 
 #include <stdlib.h>
 
+#define SPREAD 0.75f /* in pixels: from the middle of a pixel to its corners, and some more */
 #define DIFFERENT                                                                                  \
     0.02f /* from this difference on, of colours from 0 to 1, pixels get more rays                 \
            */
@@ -22,6 +23,7 @@ struct tile *tile_open(void)
     tile->rays = (struct rays){.x = tile->ray_x,
                                .y = tile->ray_y,
                                .z = tile->ray_z,
+                               .begin = tile->begin,
                                .distance = tile->distance,
                                .hit = tile->hit};
     return tile;
@@ -44,13 +46,15 @@ static void place_sample(size_t sample, float *column, float *row)
     *row = v - floorf(v);
 }
 
-static void add_ray(struct tile *tile, const struct scene *scene, float column, float row)
+static void add_ray(struct tile *tile, const struct scene *scene, float column, float row,
+                    float begin)
 {
     const struct vector ray = camera_ray(&scene->camera, column, row);
     const size_t n = tile->rays.count++;
     tile->rays.x[n] = ray.x;
     tile->rays.y[n] = ray.y;
     tile->rays.z[n] = ray.z;
+    tile->rays.begin[n] = begin;
 }
 
 /* A curve like that of film: shadows have a toe, lights a shoulder (Narkowicz 2015, an
@@ -127,13 +131,17 @@ void tile_paint(struct tile *tile, const struct scene *scene, size_t samples, si
     const size_t rows = camera->height - row < TILE_HEIGHT ? camera->height - row : TILE_HEIGHT;
     const size_t across = columns + 2;
     tile->rays.count = 0;
+    tile->rays.spread = samples > 1 ? SPREAD * camera->pixel : 0.0f;
     for (size_t i = 0; i < across * (rows + 2); i++) {
-        add_ray(tile, scene, (float)(column + i % across) - 0.5f, (float)(row + i / across) - 0.5f);
+        add_ray(tile, scene, (float)(column + i % across) - 0.5f, (float)(row + i / across) - 0.5f,
+                0.0f);
     }
     trace(tile, scene);
     for (size_t i = 0; i < tile->rays.count; i++) {
         tile->pixel[i] = tile->colour[i];
+        tile->clear[i] = tile->begin[i];
     }
+    tile->rays.spread = 0.0f;
     const size_t edges = samples > 1 ? list_edges(tile, columns, rows) : 0;
     for (size_t sample = 1; sample < samples && edges > 0; sample++) {
         float u, v;
@@ -142,7 +150,7 @@ void tile_paint(struct tile *tile, const struct scene *scene, size_t samples, si
         for (size_t n = 0; n < edges; n++) {
             const size_t i = tile->which[n];
             add_ray(tile, scene, (float)(column + i % across - 1) + u,
-                    (float)(row + i / across - 1) + v);
+                    (float)(row + i / across - 1) + v, tile->clear[i]);
         }
         trace(tile, scene);
         for (size_t n = 0; n < edges; n++) {

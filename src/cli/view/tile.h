@@ -22,6 +22,7 @@ struct tile {
     struct colour pixel[TILE_RAYS];           /* as shown, before the curve of the screen */
     uint32_t which[TILE_WIDTH * TILE_HEIGHT]; /* pixels that need more rays */
     float ray_x[TILE_RAYS], ray_y[TILE_RAYS], ray_z[TILE_RAYS], distance[TILE_RAYS];
+    float begin[TILE_RAYS], clear[TILE_RAYS]; /* the latter of pixels */
     uint32_t hit[TILE_RAYS];
     uint64_t count; /* of rays so far */
 };

@@ -191,10 +191,9 @@ const struct option_table view_table = {
         "far        nothing is shown that is farther away than 20 times the view, or 20 times the\n"
         "           height of the camera above the lowest ground. Haze hides that end.\n"
         "rays       the rays of a pixel are one, and all of --samples where its neighbours differ\n"
-        "           from it. A ray takes steps that no slope seen in the picture can cut short,\n"
-        "           but at least half a pixel. Octaves whose cells are smaller than "
-        "a\n"
-        "           pixel are left out there, as --of-octaves has it.\n"
+        "           from it. A ray takes steps that no slope seen in the picture can cut short;\n"
+        "           what it passes over is less than half a pixel high. Octaves whose cells are\n"
+        "           smaller than a pixel are left out there, as --of-octaves has it.\n"
         "\n" PRESET_HELP,
     .groups = groups,
     .count = sizeof groups / sizeof groups[0],
