@@ -46,7 +46,8 @@ scarp_add_test(cli.words cli NEEDS scarp COMMAND test_cli_words)
 
 if("scarp" IN_LIST scarp_found)
   set(cli ${PROJECT_SOURCE_DIR}/src/cli)
-  scarp_test_program(test_view_march SOURCES ${cli}/ground/ground.c ${cli}/shared/error.c
+  scarp_test_program(test_view_march SOURCES ${cli}/ground/ground.c ${cli}/ground/spread.c
+                     ${cli}/shared/error.c
                      ${cli}/shared/noise.c ${cli}/shared/number.c ${cli}/shared/options.c
                      ${cli}/shared/sine.c ${cli}/shared/values.c ${cli}/view/camera.c
                      ${cli}/view/march.c ${cli}/view/scene.c)

@@ -15,8 +15,8 @@ COAST = ("--seed", "3", "--frequency", "0.004", "--octaves", "6", "--sea-level",
          "--height", "150")
 PEAKS = ("--fractal", "erosion", "--rotate", "--octaves", "7", "--height", "200",
          "--camera", "0,0,180", "--look", "45,-12")
-COAST_CRC = 0x58987c91
-PEAKS_CRC = 0x02a40710
+COAST_CRC = 0x6ce50ea2
+PEAKS_CRC = 0xd5f71c06
 
 
 class View(Case):
@@ -94,6 +94,21 @@ class View(Case):
                      ("--mask-band", "-0.5,0.5"), ("--terraces", "12")):
             self.assertNotEqual(self.view(*PEAKS, *more), expected, more)
 
+    def test_palettes(self):
+        """Each has colours of its own; a preset has one; a file has those of heights."""
+        with open(self.path("red.txt"), "w", encoding="utf-8") as file:
+            file.write("0% 255 0 0\n100% 250 5 5\n")
+        with open(self.path("steps.txt"), "w", encoding="utf-8") as file:
+            file.write("0% 0 255 0\n30% 0 250 0\n40% 255 0 0\n100% 250 5 5\n")
+        names = ("alpine", "temperate", "desert", "arctic", "grey", "red.txt", "steps.txt")
+        pictures = {name: self.view(*PEAKS, "--palette", name) for name in names}
+        self.assertEqual(len(set(pictures.values())), len(names))
+        self.assertEqual(pictures["alpine"], self.view(*PEAKS))
+        self.assertEqual(self.view(*PEAKS, "--preset", "dunes"),
+                         self.view(*PEAKS, "--preset", "dunes", "--palette", "desert"))
+        for red, green, _ in self.picture(*PEAKS, "--haze", "0", "--palette", "red.txt").rows[-1]:
+            self.assertGreaterEqual(red, green)
+
     def test_closing_lines(self):
         """The camera is told as options, which give the same picture again."""
         result = run("view", *SMALL, "--output", "v.ppm", cwd=self.directory)
@@ -156,6 +171,15 @@ class ViewRefused(Case):
                 "--preset": ("moon",)}.items():
             for value in values:
                 self.check("--output", "v.ppm", option, value, words=(option,))
+
+    def test_palette(self):
+        self.check("--output", "v.ppm", "--palette", "none.txt", words=("--palette", "none.txt"))
+        with open(self.path("bad.txt"), "w", encoding="utf-8") as file:
+            file.write("0 1 2 3\n5 blue\nx\n")
+        result = run("view", *SMALL, "--output", "v.ppm", "--palette", "bad.txt",
+                     cwd=self.directory)
+        self.check_one_line(result, 2, "--palette", "bad.txt", "3")
+        self.assertEqual(self.files(), ["bad.txt"])
 
     def test_camera_under_the_ground(self):
         """The height of the ground is told, and is where the camera may not be."""

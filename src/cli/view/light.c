@@ -69,7 +69,7 @@ static void sample_ground(struct light *light, const struct scene *scene, size_t
         light->smooth_dy[i] *= scale;
         for (int j = 0; j < 2; j++) {
             light->hollow[j][i] =
-                scale * light->hollow[j][i] - scene->relief.smoothed[j] - light->height[i];
+                scale * light->hollow[j][i] - scene->survey.smoothed[j] - light->height[i];
         }
     }
     for (int i = 0; i < 4; i++) {

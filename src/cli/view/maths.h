@@ -8,10 +8,7 @@
 
 #include <math.h>
 
-/* Linear light, red, green and blue */
-struct colour {
-    float r, g, b;
-};
+#include "look/palette.h" /* struct colour: here, linear light */
 
 struct vector {
     float x, y, z;

@@ -10,7 +10,7 @@
 #define FAR (20.0f * (float)VIEW_SIZE)
 #define CELL_PIXELS 1.5f /* cells of octaves are not smaller than so many pixels */
 
-/* The relief: samples along each side of the view */
+/* The survey: samples along each side of the view */
 #define SIDE 40
 #define PLACES (SIDE * SIDE)
 
@@ -26,7 +26,7 @@ static int compare(const void *a, const void *b)
     return first < second ? -1 : first > second ? 1 : 0;
 }
 
-/* The number that `share` of the numbers, which become sorted, are below */
+/* The number that a part of the numbers, which become sorted, are below */
 static float quantile(float *numbers, float share)
 {
     qsort(numbers, PLACES, sizeof *numbers, compare);
@@ -42,7 +42,7 @@ static float mean(const float *numbers)
     return sum / (float)PLACES;
 }
 
-static void measure_relief(struct scene *scene, double x, double y)
+static void make_survey(struct scene *scene, double x, double y)
 {
     float value[PLACES], dx[PLACES], dy[PLACES];
     const double step = VIEW_SIZE / SIDE;
@@ -50,25 +50,25 @@ static void measure_relief(struct scene *scene, double x, double y)
         .origin = {x, y}, .step = {step, step}, .count = {SIDE, SIDE, 1}};
     const struct scarp_samples out = {.value = value, .dx = dx, .dy = dy};
     const float scale = scene->height_scale;
-    struct relief *const relief = &scene->relief;
+    struct survey *const survey = &scene->survey;
+    struct spread spread;
+    ground_spread(&scene->ground, &spread);
+    survey->low = scale * spread.low;
+    survey->high = scale * spread.high;
+    if (!(survey->high - survey->low > 1.0f)) {
+        survey->high = survey->low + 1.0f;
+    }
     ground_grid(&scene->ground, &grid, &out);
     const float height = mean(value);
     for (int i = 0; i < 2; i++) {
         float smooth[PLACES];
         ground_grid(&scene->smooth[i], &grid, &(struct scarp_samples){.value = smooth});
-        relief->smoothed[i] = scale * (mean(smooth) - height);
+        survey->smoothed[i] = scale * (mean(smooth) - height);
     }
     for (size_t i = 0; i < PLACES; i++) {
         dx[i] = scale * sqrtf(dx[i] * dx[i] + dy[i] * dy[i]);
-        value[i] *= scale;
     }
-    relief->low = scene->has_sea ? scene->sea : quantile(value, 0.01f);
-    relief->high = quantile(value, 0.99f);
-    if (!(relief->high - relief->low > 1.0f)) {
-        relief->high = relief->low + 1.0f;
-    }
-    relief->gentle = quantile(dx, 0.5f);
-    relief->steep = quantile(dx, 0.8f);
+    survey->steep = quantile(dx, 0.8f);
 }
 
 void scene_set_ground(struct scene *scene, const struct ground *ground, double x, double y)
@@ -83,7 +83,7 @@ void scene_set_ground(struct scene *scene, const struct ground *ground, double x
     scene->bottom = ground->height_scale * ground->floor;
     scene->has_sea = ground->floor > ground->lowest;
     scene->sea = scene->bottom;
-    measure_relief(scene, x, y);
+    make_survey(scene, x, y);
 }
 
 /* The steepest slope of the band's ground that rays of the picture pass over, with a margin for

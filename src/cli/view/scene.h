@@ -10,6 +10,7 @@
 #include <stdbool.h>
 
 #include "ground/ground.h"
+#include "ground/spread.h"
 #include "view/camera.h"
 #include "view/colours.h"
 
@@ -22,11 +23,10 @@ struct band {
     float slope;          /* nothing that the picture shows of it rises faster */
 };
 
-/* What there is on the ground of the view, for colours */
-struct relief {
-    float low, high;   /* heights; a few places are lower or higher */
-    float gentle;      /* the slope that half of the places have */
-    float steep;       /* and one that a fifth of them exceed */
+/* What colours depend on */
+struct survey {
+    float low, high;   /* usual heights, those of `scarp terrain --relief`; low may be the sea */
+    float steep;       /* the slope that a fifth of the places in the view exceed */
     float smoothed[2]; /* the mean height that scene.smooth has and the ground has not */
 };
 
@@ -43,7 +43,7 @@ struct scene {
     struct band band[BANDS + 1]; /* the last one is behind the far end */
     struct ground smooth[2];     /* the ground without its hills, and without its slopes */
     struct ground bed;           /* the ground as it is below the sea */
-    struct relief relief;
+    struct survey survey;
 
     struct vector sun;      /* towards it */
     struct colour sunlight; /* of sky_sunlight */

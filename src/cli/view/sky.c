@@ -5,7 +5,7 @@
  */
 #include "view/sky.h"
 
-#define HAZE_FADES 0.6f /* from this part of the farthest distance on, all becomes haze */
+#define HAZE_FADES 0.25f /* from this part of the farthest distance on, all becomes haze */
 
 static const struct colour zenith = {0.090f, 0.215f, 0.560f};
 static const struct colour horizon = {0.780f, 0.920f, 1.080f};
@@ -57,12 +57,12 @@ struct colour sky_light(const struct scene *scene, struct vector normal)
                       0.5f + 0.5f * normal.z);
 }
 
-/* The optical depth of the way: haze is half as dense a relief higher, on the way from the camera
+/* The optical depth of the way: haze thins with height, on the way from the camera
    with the exponential of the mean. */
 static float depth(const struct scene *scene, struct vector ray, float distance)
 {
-    const float thins = 0.45f / (scene->relief.high - scene->relief.low + 40.0f);
-    const float start = thins * (scene->camera.z - scene->relief.low);
+    const float thins = 0.45f / (scene->survey.high - scene->survey.low + 40.0f);
+    const float start = thins * (scene->camera.z - scene->survey.low);
     const float rise = thins * ray.z * distance;
     const float along =
         rise * rise < 1e-4f ? 1.0f - 0.5f * rise : (1.0f - exponential(-rise)) / rise;
@@ -72,12 +72,12 @@ static float depth(const struct scene *scene, struct vector ray, float distance)
 struct colour sky_haze(const struct scene *scene, struct vector ray, float distance,
                        struct colour behind)
 {
-    const float end = ramp(HAZE_FADES, 1.0f, distance / scene->far);
+    const float end = ramp(HAZE_FADES, 0.9f, distance / scene->far);
     const float thick = scene->haze > 0.0f ? depth(scene, ray, distance) : 0.0f;
     const struct vector level = unit((struct vector){ray.x, ray.y, ray.z > 0.02f ? ray.z : 0.02f});
     const struct colour air = sky_clear(scene, level);
-    const struct colour left = {exponential(-0.62f * thick), exponential(-0.88f * thick),
-                                exponential(-1.35f * thick)};
+    const struct colour left = {exponential(-0.75f * thick), exponential(-0.95f * thick),
+                                exponential(-1.25f * thick)};
     const struct colour seen = {mix(air.r, behind.r, left.r), mix(air.g, behind.g, left.g),
                                 mix(air.b, behind.b, left.b)};
     return colour_mix(seen, air, end);

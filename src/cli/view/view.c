@@ -12,6 +12,7 @@
 #include <time.h>
 
 #include "formats/choose.h"
+#include "ground/presets.h"
 #include "shared/error.h"
 #include "shared/interrupt.h"
 #include "view/picture.h"
@@ -64,21 +65,24 @@ static bool check_camera(const struct view_options *options, const struct scene 
     return true;
 }
 
-static bool make_scene(struct view_options *options, struct scene *scene)
+static bool make_scene(struct view_options *options, struct palette *palette, struct scene *scene)
 {
     struct ground ground;
     if (options->haze != 0.0f && options->haze < 1.0f) {
         cli_error("--haze: is not 0 or a number from 1 to 2^24");
         return false;
     }
-    if (!ground_make(&options->ground, &ground)) {
+    const char *const name =
+        options->palette != NULL ? options->palette : preset_palettes[options->ground.preset];
+    if (!ground_make(&options->ground, &ground) || !palette_open(palette, "--palette", name)) {
         return false;
     }
-    scene->colours = colours_alpine;
     scene->haze = options->haze;
     scene->sun = direction_of(options->sun.azimuth, options->sun.elevation);
     scene->sunlight = sky_sunlight(scene->sun);
     scene_set_ground(scene, &ground, options->origin.x, options->origin.y);
+    palette_resolve(palette, scene->survey.low, scene->survey.high);
+    colours_make(palette, &scene->colours);
     viewpoint_choose(options, scene);
     if (!check_camera(options, scene)) {
         return false;
@@ -176,11 +180,14 @@ int cli_view(char **argv)
     }
     scarp_isa_select((enum scarp_isa)options.isa);
     const double start = seconds();
-    if (!make_scene(&options, &scene)) {
+    struct palette palette = {.name = NULL};
+    if (!make_scene(&options, &palette, &scene)) {
+        palette_free(&palette);
         return CLI_USAGE;
     }
     struct crew *const crew = crew_open(options.threads != 0 ? options.threads : crew_processors());
     if (crew == NULL) {
+        palette_free(&palette);
         cli_error("--threads: no memory");
         return CLI_FAILURE;
     }
@@ -190,6 +197,7 @@ int cli_view(char **argv)
         print_summary(&options, &writer, crew, &counts, seconds() - start);
     }
     writer_discard(&writer);
+    palette_free(&palette);
     crew_close(crew);
     return status;
 }

@@ -7,6 +7,7 @@
 #include <stddef.h>
 
 #include "ground/presets.h"
+#include "look/palette.h"
 #include "shared/crew.h"
 #include "shared/number.h"
 
@@ -120,6 +121,13 @@ static const struct option camera_rows[] = {
 };
 
 static const struct option light_rows[] = {
+    {.name = "--palette",
+     .argument = "NAME",
+     .allowed = PALETTE_NAMES ", or a file",
+     .help = "colours of the ground: alpine, temperate, desert, arctic or grey;\nor a FILE with "
+             "colours of heights, see scarp help terrain [that of\nthe preset]",
+     .parse = option_text,
+     .offset = FIELD(palette)},
     {.name = "--sun",
      .argument = "AZ,ALT",
      .standard = "225,24",
@@ -169,8 +177,10 @@ static const struct option running_rows[] = {
 };
 
 static const struct option_group groups[] = {
-    OPTION_GROUP("the picture", picture_rows, 0), OPTION_GROUP("the camera", camera_rows, 0),
-    OPTION_GROUP("light and air", light_rows, 0), GROUND_GROUPS(FIELD(ground)),
+    OPTION_GROUP("the picture", picture_rows, 0),
+    OPTION_GROUP("the camera", camera_rows, 0),
+    OPTION_GROUP("colours, light and air", light_rows, 0),
+    GROUND_GROUPS(FIELD(ground)),
     OPTION_GROUP("running", running_rows, 0),
 };
 
@@ -183,8 +193,10 @@ const struct option_table view_table = {
         "FILE       its extension tells the format, or what stands before it: ppm:FILE. FILE may\n"
         "           be - for standard output, as in ppm:-. .png is there with zlib only.\n"
         "units      one unit of x and y is taken for some ten metres: so large are trees, and so\n"
-        "           wide is the line of the shore. Snow, trees and rock go by the heights and\n"
-        "           slopes in the view, which begins at --origin.\n"
+        "           wide is the line of the shore. Snow and trees go by the usual heights of the\n"
+        "           terrain, those of scarp terrain --relief, rock by the slopes in the view, "
+        "which\n"
+        "           begins at --origin.\n"
         "camera     without --camera it stands where most of the terrain is seen, looks over the\n"
         "           view, and has the sun at its side, if there is such a place. The closing line\n"
         "           tells it as options.\n"

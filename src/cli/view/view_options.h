@@ -27,7 +27,7 @@ struct view_options {
     float haze;
     size_t samples, threads; /* all threads: 0 */
     int isa, quiet;
-    const char *output;
+    const char *output, *palette; /* that of the preset: NULL */
 };
 
 #define VIEW_OPTIONS_UNSET                                                                         \

@@ -114,7 +114,7 @@ static float ground_around(const struct scene *scene, double x, double y)
    much of what is near; a sun that is not behind it. */
 static void judge(const struct scene *scene, const struct fan *fan, struct trial *trial)
 {
-    const float range = scene->relief.high - scene->relief.low;
+    const float range = scene->survey.high - scene->survey.low;
     float seen = 0.0f, lit = 0.0f, near = 0.0f, horizons = 0.0f, squares = 0.0f, risen = 0.0f;
     for (int ray = 0; ray < RAYS; ray++) {
         float horizon = -0.25f, lowest = 1e9f; /* the first one is about where the picture ends */
@@ -167,7 +167,7 @@ static void try(const struct scene *scene, const struct view_options *options, s
 {
     static const float over[] = {0.12f, 0.22f, 0.36f, 0.55f};
     const bool has_place = options->camera.x != INFINITY;
-    const float range = scene->relief.high - scene->relief.low;
+    const float range = scene->survey.high - scene->survey.low;
     struct fan fan;
     sample_fan(scene, trial, options->fov, &fan);
     for (int i = 0; i < (has_place ? 1 : 4); i++) {
