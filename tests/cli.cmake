@@ -18,7 +18,7 @@ block()
                world:Manifest world:Patterns world:Shares world:Limits
                presets:Presets files:Files shared:Shared failures:FullDisk failures:Pipes failures:Refused
                failures:Closed interrupt:Interrupt
-               progress:Progress memory:Memory same:Threads)
+               progress:Progress memory:Memory same:Threads view:View view:ViewRefused)
     string(REPLACE ":" ";" test ${test})
     list(GET test 0 file)
     list(GET test 1 class)
@@ -43,6 +43,17 @@ if("scarp" IN_LIST scarp_found)
   target_include_directories(test_cli_words PRIVATE ${PROJECT_SOURCE_DIR}/src/cli)
 endif()
 scarp_add_test(cli.words cli NEEDS scarp COMMAND test_cli_words)
+
+if("scarp" IN_LIST scarp_found)
+  set(cli ${PROJECT_SOURCE_DIR}/src/cli)
+  scarp_test_program(test_view_march SOURCES ${cli}/ground/ground.c ${cli}/ground/spread.c
+                     ${cli}/shared/error.c
+                     ${cli}/shared/noise.c ${cli}/shared/number.c ${cli}/shared/options.c
+                     ${cli}/shared/sine.c ${cli}/shared/values.c ${cli}/view/camera.c
+                     ${cli}/view/march.c ${cli}/view/scene.c)
+  target_include_directories(test_view_march PRIVATE ${cli})
+endif()
+scarp_add_test(cli.view_march cli NEEDS scarp COMMAND test_view_march)
 
 if(UNIX)
   scarp_test_program(test_interrupt SOURCES ${PROJECT_SOURCE_DIR}/src/cli/shared/interrupt.c)

@@ -19,6 +19,7 @@
 #include "shared/stack.h"
 #include "sheet/sheet.h"
 #include "terrain/terrain.h"
+#include "view/view.h"
 
 static const char usage[] =
     "usage: scarp <command> [options]\n"
@@ -26,6 +27,7 @@ static const char usage[] =
     "Lattice noise and its exact derivatives, sampled in bulk.\n"
     "\n"
     "  terrain    render a terrain: heights, normals, hillshade, relief, gradient; whole or tiles\n"
+    "  view       look at a terrain from a camera: a picture with light, shadows and haze\n"
     "  sheet      draw many small maps of a terrain that differ in one or two parameters\n"
     "  sample     read points, write the noise at each of them and its derivatives\n"
     "  info       tell the version, the instruction sets and the libraries found\n"
@@ -39,7 +41,8 @@ static const struct {
     const char *name;
     int (*run)(char **argv);
 } commands[] = {
-    {"terrain", cli_terrain}, {"sheet", cli_sheet}, {"sample", cli_sample}, {"info", cli_info}};
+    {"terrain", cli_terrain}, {"view", cli_view}, {"sheet", cli_sheet},
+    {"sample", cli_sample},   {"info", cli_info}};
 
 static int run_command(const char *name, char **argv)
 {

@@ -18,9 +18,9 @@ _scarp()
 
     COMPREPLY=()
     if [ "$COMP_CWORD" -eq 1 ]; then
-        words="terrain sheet sample info help --help --version"
+        words="terrain view sheet sample info help --help --version"
     elif [ "$command" = help ]; then
-        [ "$COMP_CWORD" -eq 2 ] && words="terrain sheet sample info"
+        [ "$COMP_CWORD" -eq 2 ] && words="terrain view sheet sample info"
     else
         case $row in
         --basis) words="gradient value simplex cell-f1 cell-f2 cell-edge cell-soft cell-value" ;;

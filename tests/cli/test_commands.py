@@ -46,11 +46,11 @@ class Commands(Case):
 
     def test_help(self):
         usage = text_of("--help")
-        for command in ("terrain", "sheet", "sample", "info", "help"):
+        for command in ("terrain", "view", "sheet", "sample", "info", "help"):
             self.assertRegex(usage, r"(?m)^  %s " % command)
         self.assertEqual(text_of("help"), usage)
         self.assertEqual(text_of("-h"), usage)
-        for command in ("terrain", "sheet", "sample", "info"):
+        for command in ("terrain", "view", "sheet", "sample", "info"):
             help_text = text_of(command, "--help")
             self.assertTrue(help_text.startswith("usage: scarp " + command))
             self.assertEqual(text_of("help", command), help_text)

@@ -7,7 +7,7 @@ import subprocess
 import common
 from common import ROOT, Case, run, text_of
 
-COMMANDS = ("terrain", "sheet", "sample", "info")
+COMMANDS = ("terrain", "view", "sheet", "sample", "info")
 
 
 def read(*path):
