@@ -6,13 +6,11 @@ import shlex
 
 import common
 from common import ROOT, Case, run
-from rasters import read_bytes, read_picture
+from rasters import read_picture
 
 # Where pictures are shown, and how many each shows of the gallery, at least
 DOCUMENTS = {"README.md": 5, "src/cli/README.md": 18}
 GALLERY = os.path.join(ROOT, "src", "cli", "gallery")
-# Pictures that no command of a document makes, and what they are copies of
-COPIES = {"landscape.png": os.path.join(ROOT, "src", "gpu", "landscape.png")}
 
 
 def read_documents():
@@ -52,12 +50,15 @@ class Gallery(Case):
             shown.update(found)
         self.assertEqual(sorted(os.listdir(GALLERY)), sorted(shown))
         self.assertLess(sum(os.path.getsize(os.path.join(GALLERY, name)) for name in shown),
-                        3000000)
+                        6000000)
 
     def test_commands(self):
         commands = gallery_commands()
-        made = sorted(set(os.listdir(GALLERY)) - set(COPIES))
-        self.assertGreaterEqual(len(made), 24)
+        made = sorted(os.listdir(GALLERY))
+        self.assertGreaterEqual(len(made), 30)
+        if os.environ.get("SCARP_SPEED", "full") != "full":  # of pictures with millions of rays
+            made = [name for name in made if commands[name][0] != "view"]
+            self.assertGreaterEqual(len(made), 20)
         for name in made:
             with self.subTest(name=name):
                 committed = read_picture(os.path.join(GALLERY, name))
@@ -66,10 +67,6 @@ class Gallery(Case):
                 result = run(*words, "--quiet", cwd=self.directory)
                 self.assertEqual((result.returncode, result.stderr), (0, b""))
                 self.check_rows(read_picture(self.path(file)).rows, committed.rows)
-
-    def test_copies(self):
-        for name, source in COPIES.items():
-            self.assertEqual(read_bytes(os.path.join(GALLERY, name)), read_bytes(source), name)
 
 
 if __name__ == "__main__":
