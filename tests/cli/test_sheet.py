@@ -3,9 +3,10 @@
 import math
 import os
 import re
+import unittest
 
 import common
-from common import ROOT, Case, has_png, has_threads, run
+from common import ROOT, Case, has_png, has_threads, run, start
 from rasters import read_picture
 
 GROUND = ("--frequency", "0.05", "--octaves", "3")
@@ -227,6 +228,31 @@ class Sheet(Case):
         self.assertGreater(len(page[0]), 50 * 16)
         page = self.sheet("--cell", "1024x1024", *ONE, "--octaves", "1", "--sheet", "seed=1")
         self.assertGreater(len(page), 1024)
+
+    @unittest.skipUnless(common.resource, "needs POSIX")
+    def test_full_disk(self):
+        """A file that fails leaves nothing, and one that was there stays."""
+        for name in ("s.ppm",) + (("s.png",) if has_png() else ()):
+            with open(self.path(name), "wb") as file:
+                file.write(b"old")
+            result = run("sheet", *CELL, *GROUND, "--output", name, cwd=self.directory,
+                         preexec_fn=common.file_limit(1000))
+            self.check_one_line(result, 1, "--output", name)
+            self.assertEqual(self.all_bytes(), {name: b"old"})
+            os.remove(self.path(name))
+
+    @unittest.skipUnless(common.signal, "needs POSIX")
+    def test_interrupt(self):
+        process = start("sheet", "--cell", "1024x1024", "--samples", "8", "--octaves", "32",
+                        "--lacunarity", "1.1", "--sheet", "seed=1..30", "--output", "s.ppm",
+                        cwd=self.directory)
+        self.addCleanup(process.communicate)
+        self.addCleanup(process.kill)
+        self.wait_for_unfinished("s.ppm")
+        process.send_signal(common.signal.SIGINT)
+        self.assertEqual(process.wait(common.PATIENCE), -common.signal.SIGINT)
+        self.assertRegex(process.stderr.read().decode(), r"\Ascarp: interrupted: [^\n]*\n\Z")
+        self.assertEqual(self.files(), [])
 
     def check_bad(self, *arguments, words=()):
         with self.subTest(arguments=arguments):
