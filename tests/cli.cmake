@@ -48,10 +48,11 @@ if("scarp" IN_LIST scarp_found)
   set(cli ${PROJECT_SOURCE_DIR}/src/cli)
   scarp_test_program(test_view_march SOURCES ${cli}/ground/ground.c ${cli}/ground/spread.c
                      ${cli}/shared/error.c
-                     ${cli}/shared/noise.c ${cli}/shared/number.c ${cli}/shared/options.c
-                     ${cli}/shared/sine.c ${cli}/shared/values.c ${cli}/view/camera.c
+                     ${cli}/shared/interrupt.c ${cli}/shared/noise.c ${cli}/shared/number.c
+                     ${cli}/shared/options.c ${cli}/shared/sine.c ${cli}/shared/values.c ${cli}/view/camera.c
                      ${cli}/view/march.c ${cli}/view/scene.c)
   target_include_directories(test_view_march PRIVATE ${cli})
+  target_compile_definitions(test_view_march PRIVATE _XOPEN_SOURCE=700)
 endif()
 scarp_add_test(cli.view_march cli NEEDS scarp COMMAND test_view_march)
 

@@ -132,6 +132,26 @@ class View(Case):
                          ("--origin", "-123456,7891011"), ("--sea-level", "2")):
                 self.view("--size", "8x6", "--seed", str(seed), *more)
 
+    def test_extremes(self):
+        """Whatever the numbers are, there is a picture, soon."""
+        for more in (("--height", "16777216"), ("--height", "0"), ("--fov", "150"),
+                     ("--fov", "1", "--size", "40x3"), ("--frequency", "1e-6"),
+                     ("--frequency", "5000", "--octaves", "12"), ("--octaves", "32"),
+                     ("--height", "16777216", "--amplitude", "16777216", "--frequency", "1000"),
+                     ("--camera", "0,0,16777216", "--look", "0,-89"),
+                     ("--camera", "1e12,-1e12,500", "--look", "360,89"),
+                     ("--sun", "0,90"), ("--sun", "360,1"), ("--sea-level", "3"),
+                     ("--plateau", "-2"), ("--haze", "16777216"), ("--haze", "1")):
+            self.view("--size", "12x7", *more)
+
+    @unittest.skipIf(common.pty is None, "needs POSIX")
+    def test_progress(self):
+        status, shown = self.on_terminal("view", "--size", "300x200", "--samples", "1",
+                                         "--output", "v.ppm", cwd=self.directory)
+        self.assertEqual(status, 0)
+        self.assertTrue(shown.startswith("0...10...20...30...40...50...60...70...80...90...100 - "
+                                         "done."), shown)
+
     @unittest.skipIf(common.signal is None, "needs POSIX")
     def test_interrupt(self):
         process = start("view", "--size", "4000x4000", "--samples", "256", "--output", "v.ppm",

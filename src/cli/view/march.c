@@ -6,7 +6,8 @@
  * p_y). If no slope is steeper than s, then c falls by less than (s |d_xy| - d_z) per unit of t. So
  * the ray may go on by c / (s |d_xy| - d_z) without meeting anything, and without end if that is
  * negative. It takes steps of at least 1 / s of the width of a pixel there: what can rise and fall
- * again within such a step is less than half a pixel high.
+ * again within such a step is less than half a pixel high. (Walls steeper than STEEPEST count as
+ * that, or steps would be without number.)
  *
  * All rays of a batch take a step together, since the library is fast for many points at a time:
  *
@@ -31,7 +32,12 @@
 
 #include <stdlib.h>
 
+#include "shared/interrupt.h"
+
 #define REFINEMENTS 4
+#define STEEPEST 16.0f       /* 86 degrees */
+#define FINEST_STEP 0x1p-20f /* of the distance, so that it is not lost when it is added */
+#define NEAREST 0.0625f      /* below this distance, pixels are as wide as there */
 
 static void take_list(struct march_list *list, float **numbers, uint32_t **rays, size_t most)
 {
@@ -140,7 +146,8 @@ static void step(struct march *march, const struct scene *scene, const struct ba
                  const struct rays *rays)
 {
     struct march_list *const live = &march->live;
-    const float least = scene->camera.pixel / (band->slope > 1.0f ? band->slope : 1.0f);
+    const float width = scene->camera.pixel / clamp(band->slope, 1.0f, STEEPEST);
+    const float least = width > FINEST_STEP ? width : FINEST_STEP; /* of the distance */
     const float around = (1.0f + band->slope) * rays->spread;
     sample(march, scene, band, live);
     for (size_t i = live->count; i-- > 0;) {
@@ -161,7 +168,8 @@ static void step(struct march *march, const struct scene *scene, const struct ba
         const float room = above - (is_wide ? around * at : 0.0f);
         const float falls = band->slope * sqrtf(1.0f - z * z) - z + (is_wide ? around : 0.0f);
         const float safe = falls > 0.0f ? room / falls : INFINITY;
-        const float next = at + (safe > least * at ? safe : least * at);
+        const float short_step = least * (at > NEAREST ? at : NEAREST);
+        const float next = at + (safe > short_step ? safe : short_step);
         live->before[i] = at;
         live->above[i] = above;
         live->at[i] = next < band->end ? next : band->end;
@@ -227,7 +235,7 @@ void march_rays(struct march *march, const struct scene *scene, struct rays *ray
     for (size_t b = 0; b < BANDS; b++) {
         const struct band *const band = &scene->band[b];
         begin_band(march, band);
-        while (march->live.count > 0) {
+        while (march->live.count > 0 && !interrupted()) {
             step(march, scene, band, rays);
         }
         rays->first_hit[b] = hits;

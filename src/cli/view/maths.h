@@ -14,9 +14,10 @@ struct vector {
     float x, y, z;
 };
 
+/* `lowest` of what is no number */
 static inline float clamp(float value, float lowest, float highest)
 {
-    return value < lowest ? lowest : value > highest ? highest : value;
+    return value > lowest ? value < highest ? value : highest : lowest;
 }
 
 /* 0 at `from`, 1 at `to`, smooth between them; `from` may be the larger one. */

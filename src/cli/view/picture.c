@@ -49,6 +49,12 @@ static size_t quotient_up(size_t a, size_t b)
     return (a + b - 1) / b;
 }
 
+uint64_t picture_tiles(const struct scene *scene)
+{
+    return (uint64_t)quotient_up(scene->camera.width, TILE_WIDTH) *
+           quotient_up(scene->camera.height, TILE_HEIGHT);
+}
+
 /* A thread without memory is done without, unless it is the only one. */
 static bool open_threads(struct picture *picture)
 {

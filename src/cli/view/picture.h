@@ -20,6 +20,9 @@ struct picture_counts {
     uint64_t light_calls, light_points;
 };
 
+/* How many tiles it has: what the progress counts */
+uint64_t picture_tiles(const struct scene *scene);
+
 /* Writes the picture to an open writer. After PICTURE_FAILED, errno tells why. */
 enum picture_result picture_write(const struct scene *scene, size_t samples, struct writer *writer,
                                   struct crew *crew, struct progress *progress,

@@ -150,9 +150,7 @@ static int write_picture(const struct view_options *options, const struct scene 
         return is_usage ? CLI_USAGE : CLI_FAILURE;
     }
     struct progress progress;
-    const uint64_t tiles =
-        ((uint64_t)options->size.width + 127) / 128 * (((uint64_t)options->size.height + 63) / 64);
-    progress_start(&progress, tiles, options->quiet != 0);
+    progress_start(&progress, picture_tiles(scene), options->quiet != 0);
     enum picture_result result =
         picture_write(scene, options->samples, writer, crew, &progress, counts);
     if (result == PICTURE_DONE &&
