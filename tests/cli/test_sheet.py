@@ -229,6 +229,15 @@ class Sheet(Case):
         page = self.sheet("--cell", "1024x1024", *ONE, "--octaves", "1", "--sheet", "seed=1")
         self.assertGreater(len(page), 1024)
 
+    @unittest.skipUnless(common.pty, "needs POSIX")
+    def test_progress(self):
+        """On a terminal, unless it is to be quiet"""
+        arguments = ("sheet", *CELL, *GROUND, "--output", self.path("s.ppm"))
+        status, shown = self.on_terminal(*arguments)
+        self.assertEqual(status, 0)
+        self.assertRegex(shown, r"\A0\.\.\.10\.\.\..*\.\.\.100 - done\.\r\n\Z")
+        self.assertEqual(self.on_terminal(*arguments, "--quiet"), (0, ""))
+
     @unittest.skipUnless(common.resource, "needs POSIX")
     def test_full_disk(self):
         """A file that fails leaves nothing, and one that was there stays."""
