@@ -20,8 +20,9 @@
  * bands have fewer octaves the farther they are. They come one after the other, so a call has one
  * ground for all its points.
  *
- * At the end of a band, the hits are refined between the last point above the ground and the first
- * one below it, all together once more. What becomes of a ray depends on no other ray.
+ * A ray crosses the ground between the last point above it and the first one below. These are so
+ * close that a straight line between them tells where, within a part of a pixel. What becomes of a
+ * ray depends on no other ray.
  *
  * A pixel may need more rays. At the distance t, they are within r t of its first ray, with r
  * small, and their c is at least that of the first ray less (1 + s) r t. As long as that is
@@ -34,7 +35,6 @@
 
 #include "shared/interrupt.h"
 
-#define REFINEMENTS 4
 #define STEEPEST 16.0f       /* 86 degrees */
 #define FINEST_STEP 0x1p-20f /* of the distance, so that it is not lost when it is added */
 #define NEAREST 0.0625f      /* below this distance, pixels are as wide as there */
@@ -154,6 +154,9 @@ static void step(struct march *march, const struct scene *scene, const struct ba
         const float above = clearance(march, scene, live, i), z = live->z[i], at = live->at[i];
         float *const begin = &rays->begin[live->ray[i]];
         if (above <= 0.0f) {
+            const float between = live->above[i] - above; /* the last point and this one */
+            const float part = between > 0.0f ? live->above[i] / between : 1.0f;
+            live->at[i] = mix(live->before[i], at, part);
             move(live, i, &march->hit);
             continue;
         }
@@ -191,43 +194,6 @@ static void begin_band(struct march *march, const struct band *band)
     }
 }
 
-/* Finds where the rays that hit cross the ground, by the rule of false position with Illinois
-   weights. */
-static void refine(struct march *march, const struct scene *scene, const struct band *band)
-{
-    struct march_list *const hit = &march->hit;
-    float *const below = march->live.above; /* the list is empty */
-    float *const after = march->live.at;
-    sample(march, scene, band, hit);
-    for (size_t i = 0; i < hit->count; i++) {
-        after[i] = hit->at[i];
-        below[i] = clearance(march, scene, hit, i);
-    }
-    for (int round = 0;; round++) {
-        for (size_t i = 0; i < hit->count; i++) {
-            const float whole = hit->above[i] - below[i];
-            const float part = whole > 0.0f ? hit->above[i] / whole : 1.0f;
-            hit->at[i] = mix(hit->before[i], after[i], part);
-        }
-        if (round == REFINEMENTS) {
-            return;
-        }
-        sample(march, scene, band, hit);
-        for (size_t i = 0; i < hit->count; i++) {
-            const float above = clearance(march, scene, hit, i);
-            if (above > 0.0f) {
-                hit->before[i] = hit->at[i];
-                hit->above[i] = above;
-                below[i] *= 0.5f;
-            } else {
-                after[i] = hit->at[i];
-                below[i] = above;
-                hit->above[i] *= 0.5f;
-            }
-        }
-    }
-}
-
 void march_rays(struct march *march, const struct scene *scene, struct rays *rays)
 {
     size_t hits = 0;
@@ -239,9 +205,6 @@ void march_rays(struct march *march, const struct scene *scene, struct rays *ray
             step(march, scene, band, rays);
         }
         rays->first_hit[b] = hits;
-        if (march->hit.count > 0) {
-            refine(march, scene, band);
-        }
         for (size_t i = 0; i < march->hit.count; i++) {
             rays->hit[hits++] = march->hit.ray[i];
             rays->distance[march->hit.ray[i]] = march->hit.at[i];
