@@ -5,6 +5,12 @@ if(NOT WIN32 OR MINGW)
   set(SCARP_LIBM m)
 endif()
 
+# Messages that consumers of the project see, too: what this build leaves out.
+if(MINGW AND CMAKE_C_COMPILER_ID STREQUAL "GNU" AND CMAKE_SIZEOF_VOID_P EQUAL 8)
+  message(STATUS "No kernels for AVX2 and AVX-512: gcc for Windows does not align its stack for "
+                 "them (GCC bug 54412); clang builds them")
+endif()
+
 set(warnings -Wall -Wextra -Wshadow -Wundef -Wvla -Wconversion -Wstrict-prototypes
              -Wmissing-prototypes)
 
@@ -22,6 +28,15 @@ function(scarp_compile_rules target)
     LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/lib
     ARCHIVE_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/lib)
   target_compile_options(${target} PRIVATE ${warnings} $<$<BOOL:${SCARP_WERROR}>:-Werror>)
+  if(MINGW)
+    # printf and strtod as C11 has them, and no DLLs of the compiler.
+    target_compile_definitions(${target} PRIVATE __USE_MINGW_ANSI_STDIO=1)
+    target_link_options(${target} PRIVATE -static)
+    if(CMAKE_C_COMPILER_ID STREQUAL "GNU")
+      # isnan and isfinite of mingw's headers convert what they do not use.
+      target_compile_options(${target} PRIVATE -Wno-float-conversion)
+    endif()
+  endif()
   if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(i.86|x86|x86_64|AMD64)$" AND CMAKE_SIZEOF_VOID_P EQUAL 4)
     target_compile_options(${target} PRIVATE -msse2 -mfpmath=sse)
   endif()
