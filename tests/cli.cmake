@@ -13,18 +13,28 @@ block()
                          "SCARP_SPEED=${speed};PYTHONDONTWRITEBYTECODE=1")
   endfunction()
 
+  # What these look at is not there on Windows: signals and limits of POSIX, symbolic links,
+  # permissions, terminals.
+  set(posix_classes FullDisk Pipes Closed Interrupt Progress Memory Shared)
   foreach(test commands:Commands options:Errors formats:Formats formats:Names layers:Layers
                pictures:Pictures compare:Compare warp:Warp warp:WarpRefused ground:Ground ground:GroundRefused gallery:Gallery period:Period phase:Phase phase:Flow phase:PhaseRefused documents:Documents tiles:Tiles tiles:Resume
                world:Manifest world:Patterns world:Shares world:Limits
                presets:Presets files:Files shared:Shared failures:FullDisk failures:Pipes failures:Refused
                failures:Closed interrupt:Interrupt
-               progress:Progress memory:Memory same:Threads)
+               progress:Progress memory:Memory same:Threads golden:Golden)
     string(REPLACE ":" ";" test ${test})
     list(GET test 0 file)
     list(GET test 1 class)
     string(TOLOWER ${class} name)
-    scarp_add_cli_test(${file} ${class} ${name})
+    set(tools)
+    if(class IN_LIST posix_classes)
+      set(tools posix)
+    endif()
+    scarp_add_cli_test(${file} ${class} ${name} ${tools})
   endforeach()
+  if(WIN32)
+    scarp_add_cli_test(windows Windows windows)
+  endif()
   # ThreadSanitizer runs the tests with this label.
   set_tests_properties(cli.threads cli.interrupt PROPERTIES LABELS "cli;threads")
   foreach(isa IN LISTS isas)

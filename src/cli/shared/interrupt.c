@@ -20,16 +20,32 @@ static HANDLE first_thread;
 
 #define ALARM 1000 /* milliseconds */
 
-/* The system calls this in a thread of its own, for Ctrl-C and Ctrl-Break, and when the console is
-   closed or the user logs off. After the last two it ends the program as soon as this returns. A
-   write that waits is ended, as often as there is one. */
-static BOOL WINAPI remember(DWORD event)
+/* Ends a write of the first thread that waits, as often as there is one. */
+static DWORD WINAPI end_waits(void *unused)
 {
-    (void)event;
-    requested = SIGINT;
+    (void)unused;
     while (requested != 0) {
         Sleep(ALARM);
         CancelSynchronousIo(first_thread);
+    }
+    return 0;
+}
+
+/* The system calls this in a thread of its own: for Ctrl-C and Ctrl-Break, of which the second one
+   ends the program at once, and when the console is closed or the user logs off. Then the program
+   is ended as soon as this returns. */
+static BOOL WINAPI remember(DWORD event)
+{
+    const bool is_key = event == CTRL_C_EVENT || event == CTRL_BREAK_EVENT;
+    if (atomic_exchange(&requested, SIGINT) != 0 && is_key) {
+        return FALSE;
+    }
+    const HANDLE thread = CreateThread(NULL, 0, end_waits, NULL, 0, NULL);
+    if (thread != NULL) {
+        CloseHandle(thread);
+    }
+    if (!is_key) {
+        Sleep(INFINITE);
     }
     return TRUE;
 }
