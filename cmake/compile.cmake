@@ -14,6 +14,10 @@ endif()
 set(warnings -Wall -Wextra -Wshadow -Wundef -Wvla -Wconversion -Wstrict-prototypes
              -Wmissing-prototypes)
 
+if(CMAKE_C_COMPILER_FRONTEND_VARIANT STREQUAL "MSVC")
+  list(TRANSFORM warnings PREPEND /clang:) # -Wall would be every warning there is
+endif()
+
 # C11 without extensions, and the same bits everywhere: gcc and clang contract a * b + c into a fused
 # multiply-add wherever the target has one, -ffast-math may come from the environment, and on 32-bit
 # x86 floats would be computed in wider registers. These flags are target options, so they stand
@@ -46,6 +50,7 @@ function(scarp_compile_rules target)
   endif()
   if(CMAKE_C_COMPILER_FRONTEND_VARIANT STREQUAL "MSVC")
     target_compile_options(${target} PRIVATE /clang:-fno-fast-math /clang:-ffp-contract=off)
+    target_compile_definitions(${target} PRIVATE _CRT_SECURE_NO_WARNINGS _CRT_NONSTDC_NO_WARNINGS)
   else()
     target_compile_options(${target} PRIVATE -fno-fast-math -ffp-contract=off)
     # Linking with -ffast-math adds start-up code that flushes denormals in the whole process.
