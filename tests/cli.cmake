@@ -34,6 +34,10 @@ block()
   endforeach()
   if(WIN32)
     scarp_add_cli_test(windows Windows windows)
+    scarp_test_program(test_windows_paths SOURCES
+                       ${PROJECT_SOURCE_DIR}/src/cli/shared/windows_files.c)
+    target_include_directories(test_windows_paths PRIVATE ${PROJECT_SOURCE_DIR}/src/cli)
+    scarp_add_test(cli.paths cli COMMAND test_windows_paths)
   endif()
   # ThreadSanitizer runs the tests with this label.
   set_tests_properties(cli.threads cli.interrupt PROPERTIES LABELS "cli;threads")

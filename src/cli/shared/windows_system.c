@@ -34,7 +34,6 @@ bool windows_start(int *argc, char ***argv)
         complete = narrow[i] != NULL;
     }
     LocalFree(wide);
-    _setmode(0, _O_BINARY);
     _setmode(1, _O_BINARY);
     _setmode(2, _O_BINARY);
     if (windows_is_console() && GetConsoleOutputCP() != CP_UTF8) {
