@@ -13,18 +13,32 @@ block()
                          "SCARP_SPEED=${speed};PYTHONDONTWRITEBYTECODE=1")
   endfunction()
 
+  # What these look at is not there on Windows: signals and limits of POSIX, symbolic links,
+  # permissions, terminals.
+  set(posix_classes FullDisk Pipes Closed Interrupt Progress Memory Shared)
   foreach(test commands:Commands options:Errors formats:Formats formats:Names layers:Layers relief:Relief relief:Palettes sheet:Sheet
                pictures:Pictures compare:Compare warp:Warp warp:WarpRefused ground:Ground ground:GroundRefused gallery:Gallery shown:Shown period:Period phase:Phase phase:Flow phase:PhaseRefused documents:Documents tiles:Tiles tiles:Resume
                world:Manifest world:Patterns world:Shares world:Limits
                presets:Presets files:Files shared:Shared failures:FullDisk failures:Pipes failures:Refused
                failures:Closed interrupt:Interrupt
-               progress:Progress memory:Memory same:Threads view:View view:ViewRefused)
+               progress:Progress memory:Memory same:Threads view:View view:ViewRefused golden:Golden)
     string(REPLACE ":" ";" test ${test})
     list(GET test 0 file)
     list(GET test 1 class)
     string(TOLOWER ${class} name)
-    scarp_add_cli_test(${file} ${class} ${name})
+    set(tools)
+    if(class IN_LIST posix_classes)
+      set(tools posix)
+    endif()
+    scarp_add_cli_test(${file} ${class} ${name} ${tools})
   endforeach()
+  if(WIN32)
+    scarp_add_cli_test(windows Windows windows)
+    scarp_test_program(test_windows_paths SOURCES
+                       ${PROJECT_SOURCE_DIR}/src/cli/shared/windows_files.c)
+    target_include_directories(test_windows_paths PRIVATE ${PROJECT_SOURCE_DIR}/src/cli)
+    scarp_add_test(cli.paths cli COMMAND test_windows_paths)
+  endif()
   # ThreadSanitizer runs the tests with this label.
   set_tests_properties(cli.threads cli.interrupt PROPERTIES LABELS "cli;threads")
   foreach(isa IN LISTS isas)
@@ -61,7 +75,7 @@ if(UNIX)
   target_include_directories(test_interrupt PRIVATE ${PROJECT_SOURCE_DIR}/src/cli)
   target_compile_definitions(test_interrupt PRIVATE _XOPEN_SOURCE=700)
 endif()
-if("scarp" IN_LIST scarp_found AND "pthreads" IN_LIST scarp_found)
+if(UNIX AND "scarp" IN_LIST scarp_found AND "pthreads" IN_LIST scarp_found)
   scarp_test_program(test_crew)
   target_include_directories(test_crew PRIVATE ${PROJECT_SOURCE_DIR}/src/cli)
   target_compile_definitions(test_crew PRIVATE SCARP_CLI_THREADS)

@@ -6,16 +6,13 @@
 #include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
-#ifndef _WIN32
-#include <fcntl.h>
-#include <unistd.h>
-#endif
 
 #include "info.h"
 #include "sample/sample.h"
 #include "scarp.h"
 #include "shared/error.h"
 #include "shared/interrupt.h"
+#include "shared/posix.h"
 #include "shared/stack.h"
 #include "sheet/sheet.h"
 #include "terrain/terrain.h"
@@ -85,11 +82,22 @@ static int run(int argc, char **argv)
     return CLI_SUCCESS;
 }
 
+#ifdef _WIN32
+static bool start(int *argc, char ***argv)
+{
+    const bool started = windows_start(argc, argv);
+    if (!started) {
+        cli_error("no memory for the arguments");
+    }
+    return started;
+}
+#else
 /* A file that got the number of a standard stream which the caller has closed would take in what
    is printed. What takes those numbers here can neither be written nor be read. */
-static void occupy_standard_streams(void)
+static bool start(int *argc, char ***argv)
 {
-#ifndef _WIN32
+    (void)argc;
+    (void)argv;
     int descriptor;
     do {
         descriptor = open("/", O_RDONLY);
@@ -97,12 +105,15 @@ static void occupy_standard_streams(void)
     if (descriptor >= 0) {
         close(descriptor);
     }
-#endif
+    return true;
 }
+#endif
 
 int main(int argc, char **argv)
 {
-    occupy_standard_streams();
+    if (!start(&argc, &argv)) {
+        return CLI_FAILURE;
+    }
     interrupt_install();
     const int status = stack_reserve() ? run(argc, argv) : CLI_FAILURE;
     interrupt_end();

@@ -12,6 +12,7 @@
 #include <time.h>
 
 #include "shared/error.h"
+#include "shared/posix.h"
 #include "terrain/job.h"
 #include "terrain/repeat.h"
 #include "terrain/world.h"
@@ -19,7 +20,7 @@
 static double seconds(void)
 {
     struct timespec now = {0, 0}; /* stays so without a clock */
-#ifdef CLOCK_MONOTONIC
+#if defined(CLOCK_MONOTONIC) && !defined(_WIN32)
     clock_gettime(CLOCK_MONOTONIC, &now);
 #else
     timespec_get(&now, TIME_UTC);
