@@ -108,7 +108,8 @@ enum scarp_isa {
     SCARP_ISA_AVX2,
     SCARP_ISA_AVX512,
     SCARP_ISA_NEON,
-    SCARP_ISA_GENERIC /* portable vector code; the best wherever no other set runs */
+    SCARP_ISA_GENERIC, /* portable vector code; the best wherever no other set runs */
+    SCARP_ISA_WASM128  /* the vectors of WebAssembly */
 };
 
 /*
@@ -1003,7 +1004,8 @@ SCARP_API int scarp_isa_supported(enum scarp_isa isa);
 SCARP_API enum scarp_status scarp_isa_select(enum scarp_isa isa);
 
 /*
- * scarp_isa_name - "none", "scalar", "sse4.1", "avx2", "avx512", "neon", "generic"
+ * scarp_isa_name - "none", "scalar", "sse4.1", "avx2", "avx512", "neon", "generic",
+ * "wasm128"
  *
  * Numbers that are no enumerator give NULL, so this loop visits all kernel sets, whether this build
  * has them or not:

@@ -68,10 +68,12 @@ int scarp_cpu_has(enum scarp_isa isa)
 
 #else
 
-/* NEON is part of the AArch64 baseline, and is built nowhere else. */
+/* NEON is part of the AArch64 baseline, and is built nowhere else. Where a module of WebAssembly
+   runs, all that it was built with does. */
 int scarp_cpu_has(enum scarp_isa isa)
 {
-    return isa == SCARP_ISA_SCALAR || isa == SCARP_ISA_GENERIC || isa == SCARP_ISA_NEON;
+    return isa == SCARP_ISA_SCALAR || isa == SCARP_ISA_GENERIC || isa == SCARP_ISA_NEON ||
+           isa == SCARP_ISA_WASM128;
 }
 
 #endif

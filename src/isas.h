@@ -16,10 +16,16 @@
     X(AVX2, avx2, "avx2", SCARP_X86_AVX)                                                           \
     X(SSE41, sse41, "sse4.1", SCARP_X86)                                                           \
     X(NEON, neon, "neon", SCARP_AARCH64)                                                           \
+    X(WASM128, wasm128, "wasm128", SCARP_WASM128)                                                  \
     X(GENERIC, generic, "generic", SCARP_GENERIC)
 
-/* All sets: the vector ones, and the reference, which runs everywhere. */
-#define SCARP_ISA_LIST(X) SCARP_ISA_VECTORS(X) X(SCALAR, scalar, "scalar", 1)
+/* All sets: the vector ones, and the reference, which runs everywhere. A build that must be small
+   may leave out the generic set, and the reference if it has another that runs everywhere. */
+#define SCARP_ISA_LIST(X) SCARP_ISA_VECTORS(X) X(SCALAR, scalar, "scalar", SCARP_SCALAR)
+
+#ifndef SCARP_SCALAR
+#define SCARP_SCALAR 1
+#endif
 
 /* SCARP_WHERE(condition, text) gives the text if the condition is 1, nothing if it is 0. */
 #define SCARP_WHERE(condition, ...) SCARP_WHERE_EXPANDED(condition, __VA_ARGS__)
@@ -47,10 +53,18 @@
 #define SCARP_AARCH64 0
 #endif
 
+/* -msimd128 makes a module of vectors, which an engine without them rejects as a whole. */
+#ifdef __wasm_simd128__
+#define SCARP_WASM128 1
+#else
+#define SCARP_WASM128 0
+#endif
+
 /* The generic set needs vector extensions with conversions between them (gcc 9). It is left out
    where vectors flush denormals in every floating-point mode: 32-bit Arm with NEON, PowerPC with
    AltiVec alone. */
-#if defined(__ARM_NEON) && !defined(__aarch64__)
+#ifdef SCARP_GENERIC /* 0: a build without it */
+#elif defined(__ARM_NEON) && !defined(__aarch64__)
 #define SCARP_GENERIC 0
 #elif defined(__ALTIVEC__) && !defined(__VSX__)
 #define SCARP_GENERIC 0

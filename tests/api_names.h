@@ -73,8 +73,8 @@ static inline void test_names(void)
         [SCARP_EROSION] = "erosion", [SCARP_PINGPONG] = "pingpong",     [SCARP_HYBRID] = "hybrid",
         [SCARP_SWISS] = "swiss",     [SCARP_JORDAN] = "jordan",         [SCARP_JORDAN + 1] = NULL,
     };
-    static const char *const isas[] = {"none",   "scalar", "sse4.1",  "avx2",
-                                       "avx512", "neon",   "generic", NULL};
+    static const char *const isas[] = {"none", "scalar",  "sse4.1",  "avx2", "avx512",
+                                       "neon", "generic", "wasm128", NULL};
     expect_names("basis", basis_name, bases);
     expect_names("fade", fade_name, fades);
     expect_names("fractal", fractal_name, fractals);

@@ -24,7 +24,7 @@ PROGRAM = []
 OPTIONS = ("work", "isa", "peers", "min-time", "repeat", "json", "svg", "markdown", "from", "list",
            "quiet", "help")
 FLAGS = ("peers", "markdown", "list", "quiet", "help")
-ISAS = ["scalar", "sse4.1", "avx2", "avx512", "neon", "generic"]
+ISAS = ["scalar", "sse4.1", "avx2", "avx512", "neon", "generic", "wasm128"]
 # The least that can be measured
 QUICK = ["--min-time", "0.001", "--repeat", "1"]
 ONE = [*QUICK, "--work", "points2/gradient/value"]

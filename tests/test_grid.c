@@ -28,9 +28,9 @@ struct grid_case {
 static struct outputs got, expected;
 static double *coordinate[3];
 
-static uint64_t pick(uint64_t *state, uint64_t n)
+static uint32_t pick(uint64_t *state, uint64_t n)
 {
-    return check_random(state) % n;
+    return (uint32_t)(check_random(state) % n);
 }
 
 /* Periods come with straight axes and an integral lacunarity. */

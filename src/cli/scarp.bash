@@ -27,7 +27,7 @@ _scarp()
         --fade) words="quintic cubic" ;;
         --fractal) words="fbm turbulence ridged erosion pingpong hybrid swiss jordan" ;;
         --preset) words="none alps dunes islands canyon badlands hills volcanic highlands cirques karst crests folds" ;;
-        --isa) words="scalar sse4.1 avx2 avx512 neon generic" ;;
+        --isa) words="scalar sse4.1 avx2 avx512 neon generic wasm128" ;;
         --normal-y) words="up down" ;;
         --palette)
             mapfile -t COMPREPLY < <(compgen -W "alpine temperate desert arctic grey" -f -- "$word")

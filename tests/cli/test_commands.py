@@ -20,7 +20,7 @@ class Commands(Case):
         self.assertNotIn("warning", text)
         rows = re.findall(r"^(\S+) +(yes|no) +(yes|no)$", text, re.MULTILINE)
         self.assertEqual([row[0] for row in rows],
-                         ["scalar", "sse4.1", "avx2", "avx512", "neon", "generic"])
+                         ["scalar", "sse4.1", "avx2", "avx512", "neon", "generic", "wasm128"])
         self.assertEqual(rows[0][1], "yes")
         active = [row for row in rows if row[2] == "yes"]
         self.assertEqual(len(active), 1)

@@ -65,7 +65,7 @@ struct option_given {
     }
 
 /* What option_isa takes; tests/test_cli_words.c compares it with the library's names. */
-#define OPTION_ISAS "scalar, sse4.1, avx2, avx512, neon or generic"
+#define OPTION_ISAS "scalar, sse4.1, avx2, avx512, neon, generic or wasm128"
 
 /* Options as they would be typed, one word each and NULL at the end: names, each followed by its
    value unless it is a flag */

@@ -1,0 +1,51 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Part of the modules of the npm package: holds what layout.mjs says about structures. A change
+ * there must be made in both files.
+ */
+#include "scarp.h"
+
+#define AT(type, member, offset)                                                                   \
+    _Static_assert(offsetof(struct scarp_##type, member) == (offset), #type "." #member)
+#define SIZE(type, size) _Static_assert(sizeof(struct scarp_##type) == (size), #type)
+
+SIZE(noise, 192);
+AT(noise, basis, 0);
+AT(noise, fade, 4);
+AT(noise, fractal, 8);
+AT(noise, rotate, 12);
+AT(noise, seed, 16);
+AT(noise, frequency, 24);
+AT(noise, octaves, 32);
+AT(noise, lacunarity, 36);
+AT(noise, gain, 40);
+AT(noise, amplitude, 44);
+AT(noise, erosion, 48);
+AT(noise, phase, 52);
+AT(noise, jitter, 56);
+AT(noise, sharpness, 60);
+AT(noise, period, 64);
+AT(noise, of_octaves, 76);
+AT(noise, warp, 80);
+AT(noise, plan, 84);
+
+SIZE(grid, 192);
+AT(grid, origin, 0);
+AT(grid, step, 24);
+AT(grid, first, 48);
+AT(grid, count, 72);
+AT(grid, row_stride, 84);
+AT(grid, slice_stride, 88);
+
+SIZE(samples, 64);
+AT(samples, dphase, 40);
+SIZE(cells, 64);
+AT(cells, dz2, 44);
+SIZE(flow, 64);
+AT(flow, vzz, 44);
+SIZE(partials, 32);
+AT(partials, fbb, 20);
+
+SIZE(plan, 12288);
+SIZE(gpu_plan, 5376);
+_Static_assert(SCARP_GPU_ANSWERS == 4096, "answers");

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: MIT
+
+/** Perlin's gradient noise, value noise, simplex noise, and five kinds of cellular noise. */
+export type Basis =
+    | 'gradient'
+    | 'value'
+    | 'simplex'
+    | 'cell-f1'
+    | 'cell-f2'
+    | 'cell-edge'
+    | 'cell-soft'
+    | 'cell-value';
+export type Fade = 'quintic' | 'cubic';
+export type Fractal =
+    'fbm' | 'turbulence' | 'ridged' | 'erosion' | 'pingpong' | 'hybrid' | 'swiss' | 'jordan';
+export type Dimensions = 2 | 3;
+
+/** What to sample. A member that is left out, or a number that is 0, means its default. */
+export interface Noise {
+    basis?: Basis | number;
+    fade?: Fade | number;
+    fractal?: Fractal | number;
+    /** Turns the axes between octaves, which hides the directions of the lattice. */
+    rotate?: boolean;
+    /** All 64 bits count. Beyond 2^53 - 1 it must be a BigInt. */
+    seed?: number | bigint;
+    /** Lattice cells per unit of input; 1 by default. */
+    frequency?: number;
+    /** In (0, 32]; 1 by default. A fraction fades the last octave in. */
+    octaves?: number;
+    /** Frequency ratio between octaves, in [1/16, 16]; 2 by default. */
+    lacunarity?: number;
+    /** Amplitude ratio between octaves, in [1/16, 16]; 0.5 by default. */
+    gain?: number;
+    /** Scales every output; its magnitude in [2^-24, 2^24]; 1 by default. */
+    amplitude?: number;
+    /** Of 'erosion' and 'jordan'; 1 by default. */
+    erosion?: number;
+    /** Turns of the gradients, which lets noise flow; of 'gradient' alone. */
+    phase?: number;
+    /** Of cellular noise, in (0, 1]; 1 by default. */
+    jitter?: number;
+    /** Of 'pingpong', 'hybrid', 'swiss' and 'jordan'. */
+    sharpness?: number;
+    /** Cells of the first octave after which the noise repeats along each axis; 0: never. */
+    period?: readonly number[];
+    /** Amplitudes are those of a sum of this many octaves: for levels of detail. */
+    ofOctaves?: number;
+    /** Displaces positions; up to four deep. */
+    warp?: Noise | null;
+}
+
+/** A noise that is checked and ready, for many calls with few points. */
+export interface Plan {
+    readonly dimensions: Dimensions;
+}
+
+/** A uniform grid: sample (i, j, k) lies at origin + (first + index) * step along each axis. */
+export interface Grid {
+    count: readonly number[];
+    /** 0 by default. */
+    origin?: readonly number[];
+    /** 1 by default. */
+    step?: readonly number[];
+    /** 0 by default. */
+    first?: readonly (number | bigint)[];
+    /** Elements from one row, or slice, to the next; by default they follow each other. */
+    rowStride?: number;
+    sliceStride?: number;
+}
+
+/** Arrays of values and of their derivatives. Members that are left out are not computed. */
+export interface Samples {
+    value?: Float32Array | null;
+    dx?: Float32Array | null;
+    dy?: Float32Array | null;
+    dz?: Float32Array | null;
+    dxx?: Float32Array | null;
+    dxy?: Float32Array | null;
+    dxz?: Float32Array | null;
+    dyy?: Float32Array | null;
+    dyz?: Float32Array | null;
+    dzz?: Float32Array | null;
+    dphase?: Float32Array | null;
+}
+
+/** What is near a point: distances, the cell's number, the feature's position, gradients. */
+export interface Cells {
+    f1?: Float32Array | null;
+    f2?: Float32Array | null;
+    id?: Uint32Array | null;
+    x?: Float32Array | null;
+    y?: Float32Array | null;
+    z?: Float32Array | null;
+    dx1?: Float32Array | null;
+    dy1?: Float32Array | null;
+    dz1?: Float32Array | null;
+    dx2?: Float32Array | null;
+    dy2?: Float32Array | null;
+    dz2?: Float32Array | null;
+}
+
+/** A velocity and its Jacobian: vxy is the derivative of vx by y. */
+export interface Flow {
+    vx?: Float32Array | null;
+    vy?: Float32Array | null;
+    vz?: Float32Array | null;
+    vxx?: Float32Array | null;
+    vxy?: Float32Array | null;
+    vxz?: Float32Array | null;
+    vyx?: Float32Array | null;
+    vyy?: Float32Array | null;
+    vyz?: Float32Array | null;
+    vzx?: Float32Array | null;
+    vzy?: Float32Array | null;
+    vzz?: Float32Array | null;
+}
+
+export interface Normals {
+    nx?: Float32Array | null;
+    ny?: Float32Array | null;
+    nz?: Float32Array | null;
+}
+
+/** A function of a, or of a and b, at each point, with its partial derivatives. */
+export interface Partials {
+    f?: Float32Array | null;
+    fa?: Float32Array | null;
+    fb?: Float32Array | null;
+    faa?: Float32Array | null;
+    fab?: Float32Array | null;
+    fbb?: Float32Array | null;
+}
+
+export declare const STATUS: Readonly<{
+    OK: 0;
+    NULL: 1;
+    ENUM: 2;
+    PARAMETER: 3;
+    SIZE: 4;
+    UNSUPPORTED: 5;
+}>;
+
+/** A request that the library refuses. Nothing was written. */
+export declare class ScarpError extends Error {
+    constructor(status: number, text: string, member?: string | null);
+    /** As in STATUS. */
+    readonly status: number;
+    /** As the C header spells it: 'SCARP_ERROR_PARAMETER'. */
+    readonly code: string;
+    /** The member at fault: 'octaves', 'period[1]'; null if none is. */
+    readonly member: string | null;
+}
+
+/** Coordinates: all Float32Array, or all Float64Array, which keep detail far from the origin. */
+export type Coordinates = Float32Array | Float64Array;
+
+export interface Scarp {
+    /** Of the library: 'major.minor.patch'. */
+    readonly version: string;
+    readonly bases: readonly Basis[];
+    readonly fades: readonly Fade[];
+    readonly fractals: readonly Fractal[];
+    /** The kernel set in use: 'wasm128', or 'scalar' where engines have no vectors. */
+    readonly isa: string;
+    readonly isas: readonly string[];
+    selectIsa(name: string | null): void;
+
+    /** An array that calls read and write in place, filled with 0. */
+    alloc(type: Float32ArrayConstructor, length: number): Float32Array;
+    alloc(type: Float64ArrayConstructor, length: number): Float64Array;
+    alloc(type: Uint32ArrayConstructor, length: number): Uint32Array;
+    /** Gives the memory back; the array must not be used any more. */
+    free(array: Coordinates | Uint32Array): void;
+
+    sample2<T extends Samples>(noise: Noise | Plan, x: Coordinates, y: Coordinates, out: T): T;
+    sample3<T extends Samples>(
+        noise: Noise | Plan,
+        x: Coordinates,
+        y: Coordinates,
+        z: Coordinates,
+        out: T,
+    ): T;
+    grid2<T extends Samples>(noise: Noise | Plan, grid: Grid, out: T): T;
+    grid3<T extends Samples>(noise: Noise | Plan, grid: Grid, out: T): T;
+    cells2<T extends Cells>(noise: Noise | Plan, x: Coordinates, y: Coordinates, out: T): T;
+    cells3<T extends Cells>(
+        noise: Noise | Plan,
+        x: Coordinates,
+        y: Coordinates,
+        z: Coordinates,
+        out: T,
+    ): T;
+    curl2<T extends Flow>(noise: Noise | Plan, x: Coordinates, y: Coordinates, out: T): T;
+    curl3<T extends Flow>(
+        noise: Noise | Plan,
+        x: Coordinates,
+        y: Coordinates,
+        z: Coordinates,
+        out: T,
+    ): T;
+    /** Unit normals of the surface z = heightScale * value. */
+    normals<T extends Normals>(dx: Float32Array, dy: Float32Array, heightScale: number, out: T): T;
+
+    affine<T extends Samples>(a: Samples, scale: number, offset: number, out: T): T;
+    add<T extends Samples>(a: Samples, b: Samples, out: T): T;
+    multiply<T extends Samples>(a: Samples, b: Samples, out: T): T;
+    /** a + m (b - a) */
+    mix<T extends Samples>(a: Samples, b: Samples, m: Samples, out: T): T;
+    min<T extends Samples>(a: Samples, b: Samples, out: T): T;
+    max<T extends Samples>(a: Samples, b: Samples, out: T): T;
+    smoothMin<T extends Samples>(a: Samples, b: Samples, k: number, out: T): T;
+    smoothMax<T extends Samples>(a: Samples, b: Samples, k: number, out: T): T;
+    clamp<T extends Samples>(a: Samples, lo: number, hi: number, out: T): T;
+    abs<T extends Samples>(a: Samples, out: T): T;
+    smoothstep<T extends Samples>(a: Samples, lo: number, hi: number, out: T): T;
+    terrace<T extends Samples>(
+        a: Samples,
+        steps: number,
+        riser: number,
+        strength: number,
+        out: T,
+    ): T;
+    /** Any other function, given at each point. */
+    apply1<T extends Samples>(a: Samples, f: Partials, out: T): T;
+    apply2<T extends Samples>(a: Samples, b: Samples, f: Partials, out: T): T;
+
+    /** What calls would throw for this noise, or null. */
+    noiseCheck(noise: Noise | Plan, dimensions: Dimensions): ScarpError | null;
+    /** The interval that values never leave: [lowest, highest]. */
+    range(noise: Noise | Plan, dimensions: Dimensions): [number, number];
+    plan(noise: Noise, dimensions: Dimensions): Plan;
+    freePlan(plan: Plan): void;
+    /** The constants for scarp.wgsl and its like: the bytes of a uniform buffer. */
+    gpuPlan(noise: Noise | Plan, dimensions: Dimensions): Uint8Array;
+    /** What a shader must answer: 4,096 numbers. */
+    gpuAnswers(noise: Noise | Plan, dimensions: Dimensions, order: 0 | 1 | 2): Uint32Array;
+}
+
+export interface Options {
+    /** false does without vectors; by default they are used where the engine has them. */
+    simd?: boolean;
+    /** Bytes for alloc(); 64 MiB by default. They take memory when they are used. */
+    memory?: number;
+}
+
+export declare function load(options?: Options): Promise<Scarp>;

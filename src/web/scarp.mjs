@@ -1,0 +1,548 @@
+// SPDX-License-Identifier: MIT
+//
+// scarp for JavaScript: const scarp = await load(). The calls are those of scarp.h, on typed
+// arrays. An array may be any; those of scarp.alloc() are not copied. Everything is checked before
+// anything is written.
+import {
+    ARRAYS_SIZE,
+    CELLS,
+    FLOW,
+    GPU_ANSWERS,
+    GPU_PLAN_SIZE,
+    GRID_SIZE,
+    LEVELS,
+    NOISE_SIZE,
+    PARTIALS,
+    PLAN_SIZE,
+    SAMPLES,
+    STATUS,
+    ScarpError,
+    checkMembers,
+    checkNumber,
+    putGrid,
+    putNoise,
+    putPlan,
+    readGrid,
+} from './layout.mjs';
+import { compile, hasVectors } from './compile.mjs';
+import { Memory, checkArray, checkOverlaps, isArray } from './memory.mjs';
+
+export { STATUS, ScarpError };
+
+// A noise that is checked and ready, for many calls with few points.
+class Plan {
+    constructor(at, dimensions) {
+        this.at = at;
+        this.dimensions = dimensions;
+        Object.freeze(this);
+    }
+}
+
+class Scarp {
+    #exports;
+    #memory;
+    #words; // of the enumerators
+    #at; // where structures are
+    #plans = new Set();
+
+    constructor(exports, bytes) {
+        const sizes = {
+            noise: LEVELS * NOISE_SIZE,
+            grid: GRID_SIZE,
+            out: ARRAYS_SIZE,
+            a: ARRAYS_SIZE,
+            b: ARRAYS_SIZE,
+            m: ARRAYS_SIZE,
+            pointers: ARRAYS_SIZE,
+        };
+        const fixed = Object.values(sizes).reduce((sum, size) => sum + size, 0);
+        this.#exports = exports;
+        this.#memory = new Memory(exports.memory, exports.__heap_base.value, fixed, bytes);
+        this.#at = {};
+        let at = this.#memory.base;
+        for (const [name, size] of Object.entries(sizes)) {
+            this.#at[name] = at;
+            at += size;
+        }
+        const names = (call) => {
+            const list = [];
+            for (let name; (name = this.#memory.text(call(list.length))) !== null;) {
+                list.push(name);
+            }
+            return Object.freeze(list);
+        };
+        this.#words = {
+            basis: names(exports.scarp_basis_name),
+            fade: names(exports.scarp_fade_name),
+            fractal: names(exports.scarp_fractal_name),
+            isa: names(exports.scarp_isa_name),
+        };
+    }
+
+    get version() {
+        return this.#memory.text(this.#exports.scarp_version());
+    }
+    get bases() {
+        return this.#words.basis;
+    }
+    get fades() {
+        return this.#words.fade;
+    }
+    get fractals() {
+        return this.#words.fractal;
+    }
+
+    // Kernel sets: the one in use, and all that run here.
+    get isa() {
+        return this.#words.isa[this.#exports.scarp_isa_active()];
+    }
+    get isas() {
+        return this.#words.isa.filter((_, isa) => this.#exports.scarp_isa_supported(isa));
+    }
+    selectIsa(name) {
+        const isa = name === null ? 0 : this.#words.isa.indexOf(name);
+        this.#expect(this.#exports.scarp_isa_select(isa));
+    }
+
+    // Arrays in the module's memory, which calls read and write in place.
+    alloc(type, length) {
+        if (![Float32Array, Float64Array, Uint32Array].includes(type)) {
+            throw new TypeError('alloc() makes a Float32Array, a Float64Array or a Uint32Array');
+        }
+        if (!Number.isSafeInteger(length) || length < 0) {
+            throw new RangeError('a length is an integer, and not negative');
+        }
+        const at = this.#memory.allocate(length * type.BYTES_PER_ELEMENT);
+        return new type(this.#memory.buffer, at, length).fill(0);
+    }
+    free(array) {
+        if (!ArrayBuffer.isView(array) || !this.#memory.holds(array)) {
+            throw new TypeError('this is no array of alloc(), or it was freed before');
+        }
+        this.#memory.release(array.byteOffset);
+    }
+
+    #text(status) {
+        return this.#memory.text(this.#exports.scarp_status_text(status));
+    }
+
+    // Throws what a status says; of a noise, with the member at fault.
+    #expect(status, noise = 0, dimensions = 0) {
+        if (status !== STATUS.OK) {
+            const fault = noise === 0 ? null : this.#fault(noise, dimensions);
+            throw fault !== null && fault.status === status
+                ? fault
+                : new ScarpError(status, this.#text(status));
+        }
+    }
+
+    #fault(noise, dimensions) {
+        const { view } = this.#memory,
+            member = this.#at.pointers;
+        const status = this.#exports.scarp_noise_check(noise, dimensions, member);
+        return status === STATUS.OK
+            ? null
+            : new ScarpError(
+                  status,
+                  this.#text(status),
+                  this.#member(view.getUint32(member, true)),
+              );
+    }
+
+    // A member as it is called here, from the name that the library gives.
+    #member(at) {
+        return this.#memory.text(at)?.replace(/_(.)/g, (_, letter) => letter.toUpperCase()) ?? null;
+    }
+
+    // Where the noise is: a plan lies where it was made, others are written.
+    #noise(noise) {
+        if (noise instanceof Plan) {
+            if (!this.#plans.has(noise)) {
+                throw new TypeError('the plan was freed, or is of another load()');
+            }
+            return noise.at;
+        }
+        putNoise(this.#memory.view, this.#at.noise, noise, this.#words);
+        return this.#at.noise;
+    }
+
+    // What memory.run() wants to know of the members of a structure of arrays.
+    #arrays(what, object, names, slots, out, length) {
+        checkMembers(what, object, names);
+        new Uint8Array(this.#memory.buffer, slots, ARRAYS_SIZE).fill(0);
+        const uses = [];
+        names.forEach((name, i) => {
+            const array = object[name];
+            if (array !== undefined && array !== null) {
+                checkArray(
+                    `${what}.${name}`,
+                    array,
+                    names === CELLS && name === 'id' ? 'Uint32Array' : 'Float32Array',
+                    length,
+                );
+                uses.push({ name: `${what}.${name}`, array, slot: slots + 4 * i, out });
+            }
+        });
+        return uses;
+    }
+
+    #coordinates(list) {
+        const type = isArray(list[0], 'Float64Array') ? 'Float64Array' : 'Float32Array';
+        return list.map((array, axis) => {
+            checkArray('xyz'[axis], array, type, list[0]?.length);
+            return { name: 'xyz'[axis], array, slot: this.#at.pointers + 4 * axis, out: false };
+        });
+    }
+
+    // A call with points: scarp_<stem><dimensions>, with _f64 if coordinates are doubles.
+    #points(stem, noise, position, out, names) {
+        const dimensions = position.length;
+        const at = this.#noise(noise);
+        const uses = this.#coordinates(position);
+        const count = position[0].length;
+        uses.push(...this.#arrays('out', out, names, this.#at.out, true, count));
+        checkOverlaps(uses);
+        const suffix = isArray(position[0], 'Float64Array') ? '_f64' : '';
+        const call = this.#exports[`scarp_${stem}${dimensions}${suffix}`];
+        const { u32 } = this.#memory,
+            first = this.#at.pointers >> 2;
+        this.#memory.run(count, uses, (n) => {
+            const pointers = Array.from(u32.subarray(first, first + dimensions));
+            this.#expect(call(at, n, ...pointers, this.#at.out), at, dimensions);
+        });
+        return out;
+    }
+
+    sample2(noise, x, y, out) {
+        return this.#points('sample', noise, [x, y], out, SAMPLES);
+    }
+    sample3(noise, x, y, z, out) {
+        return this.#points('sample', noise, [x, y, z], out, SAMPLES);
+    }
+    cells2(noise, x, y, out) {
+        return this.#points('cells', noise, [x, y], out, CELLS);
+    }
+    cells3(noise, x, y, z, out) {
+        return this.#points('cells', noise, [x, y, z], out, CELLS);
+    }
+    curl2(noise, x, y, out) {
+        return this.#points('curl', noise, [x, y], out, FLOW);
+    }
+    curl3(noise, x, y, z, out) {
+        return this.#points('curl', noise, [x, y, z], out, FLOW);
+    }
+
+    grid2(noise, grid, out) {
+        return this.#grid(2, noise, grid, out);
+    }
+    grid3(noise, grid, out) {
+        return this.#grid(3, noise, grid, out);
+    }
+
+    #grid(dimensions, noise, members, out) {
+        const at = this.#noise(noise);
+        const grid = readGrid(members, dimensions);
+        const uses = this.#gridArrays(out, grid);
+        checkOverlaps(uses);
+        if (grid.empty) {
+            return out;
+        }
+        const call = (from, size, rowStride, sliceStride) => {
+            putGrid(this.#memory.view, this.#at.grid, grid, from, size, rowStride, sliceStride);
+            const status = this.#exports[`scarp_grid${dimensions}`](
+                at,
+                this.#at.grid,
+                this.#at.out,
+            );
+            this.#expect(status, at, dimensions);
+        };
+        if (uses.every(({ array }) => this.#memory.holds(array))) {
+            this.#memory.point(uses, [], 0, 0);
+            call([0, 0, 0], grid.count, grid.rowStride, dimensions === 3 ? grid.sliceStride : 0);
+        } else {
+            this.#memory.runGrid(grid, uses, call);
+        }
+        return out;
+    }
+
+    // Arrays of a grid may be longer than what is written.
+    #gridArrays(out, grid) {
+        checkMembers('out', out, SAMPLES);
+        const uses = [];
+        new Uint8Array(this.#memory.buffer, this.#at.out, ARRAYS_SIZE).fill(0);
+        SAMPLES.forEach((name, i) => {
+            const array = out[name];
+            if (array === undefined || array === null) {
+                return;
+            }
+            checkArray(`out.${name}`, array, 'Float32Array', array.length);
+            if (array.length < grid.length) {
+                throw new RangeError(
+                    `out.${name} has ${array.length} elements, not ${grid.length}`,
+                );
+            }
+            uses.push({
+                name: `out.${name}`,
+                array,
+                slot: this.#at.out + 4 * i,
+                out: true,
+                length: grid.length,
+            });
+        });
+        return uses;
+    }
+
+    normals(dx, dy, heightScale, out) {
+        const uses = [dx, dy].map((array, i) => {
+            checkArray(['dx', 'dy'][i], array, 'Float32Array', dx?.length);
+            return { name: ['dx', 'dy'][i], array, slot: this.#at.pointers + 4 * i, out: false };
+        });
+        uses.push(...this.#arrays('out', out, ['nx', 'ny', 'nz'], this.#at.out, true, dx.length));
+        checkOverlaps(uses);
+        checkNumber('heightScale', heightScale);
+        const { u32 } = this.#memory,
+            slope = this.#at.pointers >> 2,
+            normal = this.#at.out >> 2;
+        this.#memory.run(dx.length, uses, (n) =>
+            this.#expect(
+                this.#exports.scarp_normals(
+                    n,
+                    u32[slope],
+                    u32[slope + 1],
+                    heightScale,
+                    u32[normal],
+                    u32[normal + 1],
+                    u32[normal + 2],
+                ),
+            ),
+        );
+        return out;
+    }
+
+    // A function of samples. `inputs`: [name, samples]...; `names` are the last one's members.
+    #chain(stem, inputs, numbers, out, names = SAMPLES) {
+        Object.entries(numbers).forEach(([name, value]) => checkNumber(name, value));
+        const length = Object.values(out ?? {}).find((array) => array)?.length ?? 0;
+        const slots = [this.#at.a, this.#at.b, this.#at.m];
+        const uses = inputs.flatMap(([name, samples], i) =>
+            this.#arrays(
+                name,
+                samples,
+                i === inputs.length - 1 ? names : SAMPLES,
+                slots[i],
+                false,
+                length,
+            ),
+        );
+        uses.push(...this.#arrays('out', out, SAMPLES, this.#at.out, true, length));
+        checkOverlaps(uses);
+        const rest = [...slots.slice(0, inputs.length), ...Object.values(numbers), this.#at.out];
+        const call = this.#exports[`scarp_${stem}`];
+        this.#memory.run(length, uses, (n) => this.#expect(call(n, ...rest)));
+        return out;
+    }
+
+    affine(a, scale, offset, out) {
+        return this.#chain('affine', [['a', a]], { scale, offset }, out);
+    }
+    add(a, b, out) {
+        return this.#chain(
+            'add',
+            [
+                ['a', a],
+                ['b', b],
+            ],
+            {},
+            out,
+        );
+    }
+    multiply(a, b, out) {
+        return this.#chain(
+            'multiply',
+            [
+                ['a', a],
+                ['b', b],
+            ],
+            {},
+            out,
+        );
+    }
+    mix(a, b, m, out) {
+        return this.#chain(
+            'mix',
+            [
+                ['a', a],
+                ['b', b],
+                ['m', m],
+            ],
+            {},
+            out,
+        );
+    }
+    min(a, b, out) {
+        return this.#chain(
+            'min',
+            [
+                ['a', a],
+                ['b', b],
+            ],
+            {},
+            out,
+        );
+    }
+    max(a, b, out) {
+        return this.#chain(
+            'max',
+            [
+                ['a', a],
+                ['b', b],
+            ],
+            {},
+            out,
+        );
+    }
+    smoothMin(a, b, k, out) {
+        return this.#chain(
+            'smooth_min',
+            [
+                ['a', a],
+                ['b', b],
+            ],
+            { k },
+            out,
+        );
+    }
+    smoothMax(a, b, k, out) {
+        return this.#chain(
+            'smooth_max',
+            [
+                ['a', a],
+                ['b', b],
+            ],
+            { k },
+            out,
+        );
+    }
+    clamp(a, lo, hi, out) {
+        return this.#chain('clamp', [['a', a]], { lo, hi }, out);
+    }
+    abs(a, out) {
+        return this.#chain('abs', [['a', a]], {}, out);
+    }
+    smoothstep(a, lo, hi, out) {
+        return this.#chain('smoothstep', [['a', a]], { lo, hi }, out);
+    }
+    terrace(a, steps, riser, strength, out) {
+        return this.#chain('terrace', [['a', a]], { steps, riser, strength }, out);
+    }
+    apply1(a, f, out) {
+        return this.#chain(
+            'apply1',
+            [
+                ['a', a],
+                ['f', f],
+            ],
+            {},
+            out,
+            PARTIALS,
+        );
+    }
+    apply2(a, b, f, out) {
+        return this.#chain(
+            'apply2',
+            [
+                ['a', a],
+                ['b', b],
+                ['f', f],
+            ],
+            {},
+            out,
+            PARTIALS,
+        );
+    }
+
+    // What calls would throw for this noise, or null.
+    noiseCheck(noise, dimensions) {
+        try {
+            return this.#fault(this.#noise(noise), dimensions);
+        } catch (error) {
+            if (error instanceof ScarpError) {
+                return error;
+            }
+            throw error;
+        }
+    }
+
+    range(noise, dimensions) {
+        const at = this.#noise(noise),
+            to = this.#at.pointers;
+        this.#expect(this.#exports.scarp_range(at, dimensions, to, to + 4), at, dimensions);
+        return [this.#memory.view.getFloat32(to, true), this.#memory.view.getFloat32(to + 4, true)];
+    }
+
+    // A noise for many calls with few points: give it to them in place of the noise, then free it.
+    plan(noise, dimensions) {
+        const { view } = this.#memory;
+        putNoise(view, this.#at.noise, noise, this.#words);
+        const fault = this.#fault(this.#at.noise, dimensions);
+        if (fault !== null) {
+            throw fault;
+        }
+        const at = this.#memory.allocate(LEVELS * NOISE_SIZE + PLAN_SIZE);
+        putNoise(view, at, noise, this.#words);
+        this.#exports.scarp_plan_make(at, dimensions, at + LEVELS * NOISE_SIZE);
+        putPlan(view, at, at + LEVELS * NOISE_SIZE);
+        const plan = new Plan(at, dimensions);
+        this.#plans.add(plan);
+        return plan;
+    }
+    freePlan(plan) {
+        if (!this.#plans.delete(plan)) {
+            throw new TypeError('this is no plan of plan(), or it was freed before');
+        }
+        this.#memory.release(plan.at);
+    }
+
+    // The constants for shaders, and what shaders must answer.
+    gpuPlan(noise, dimensions) {
+        const to = this.#gpuPlan(noise, dimensions);
+        return new Uint8Array(this.#memory.buffer, to, GPU_PLAN_SIZE).slice();
+    }
+    gpuAnswers(noise, dimensions, order) {
+        const to = this.#gpuPlan(noise, dimensions);
+        const at = this.#noise(noise);
+        this.#expect(
+            this.#exports.scarp_gpu_answers(at, dimensions, checkNumber('order', order), to),
+        );
+        return new Uint32Array(this.#memory.buffer, to, GPU_ANSWERS).slice();
+    }
+
+    // A noise that calls take may have too many octaves for shaders: the member tells.
+    #gpuPlan(noise, dimensions) {
+        const { stage, view } = this.#memory,
+            member = this.#at.pointers;
+        const status = this.#exports.scarp_gpu_plan_make(
+            this.#noise(noise),
+            dimensions,
+            stage,
+            member,
+        );
+        if (status !== STATUS.OK) {
+            throw new ScarpError(
+                status,
+                this.#text(status),
+                this.#member(view.getUint32(member, true)),
+            );
+        }
+        return stage;
+    }
+}
+
+// load({ simd, memory }): `memory` bytes are for alloc(), `simd` false does without vectors.
+export async function load({
+    simd = hasVectors(),
+    memory = 64 * 2 ** 20,
+} = {}) {
+    const instance = await WebAssembly.instantiate(await compile(simd), {});
+    return new Scarp(instance.exports, memory);
+}

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: MIT
+//
+// What the package adds to the calls of the library: modules, memory, words, plans.
+import assert from 'node:assert/strict';
+import { readFile } from 'node:fs/promises';
+import { test } from 'node:test';
+import { load } from '../scarp.mjs';
+
+const scarp = await load({ memory: 2 ** 20 });
+
+for (const name of ['scarp-simd', 'scarp-scalar']) {
+    test(`${name} imports nothing`, async () => {
+        const bytes = await readFile(new URL(`../${name}.wasm`, import.meta.url));
+        assert.deepEqual(WebAssembly.Module.imports(await WebAssembly.compile(bytes)), []);
+    });
+}
+
+test('without vectors, the other module is taken', async () => {
+    const { validate } = WebAssembly;
+    try {
+        WebAssembly.validate = () => false;
+        assert.equal((await load()).isa, 'scalar');
+    } finally {
+        WebAssembly.validate = validate;
+    }
+    assert.equal((await load()).isa, 'wasm128');
+});
+
+test('words and versions', async () => {
+    const { version } = JSON.parse(await readFile(new URL('../package.json', import.meta.url)));
+    assert.equal(scarp.version, version);
+    assert.equal(scarp.bases[0], 'gradient');
+    assert.equal(scarp.bases.at(-1), 'cell-value');
+    assert.deepEqual(scarp.fades, ['quintic', 'cubic']);
+    assert.equal(scarp.fractals.at(-1), 'jordan');
+    assert.deepEqual(scarp.isas, ['wasm128']);
+    scarp.selectIsa('wasm128');
+    scarp.selectIsa(null);
+    assert.throws(() => scarp.selectIsa('avx2'), { code: 'SCARP_ERROR_UNSUPPORTED' });
+    assert.throws(() => scarp.selectIsa('abc'), { code: 'SCARP_ERROR_ENUM' });
+});
+
+test('numbers serve as enumerators', () => {
+    const x = Float32Array.of(0.3, 4.7),
+        y = Float32Array.of(1.1, 2.6);
+    const word = scarp.sample2({ basis: 'simplex', fractal: 'ridged' }, x, y, {
+        value: new Float32Array(2),
+    });
+    const number = scarp.sample2({ basis: 2, fractal: 2 }, x, y, { value: new Float32Array(2) });
+    assert.deepEqual(number, word);
+});
+
+test('outputs may replace inputs', () => {
+    const noise = { octaves: 3 };
+    const at = Float32Array.from({ length: 200000 }, (_, i) => i / 7);
+    const expected = scarp.sample2(noise, at, at, { value: new Float32Array(200000) }).value;
+    const x = at.slice();
+    scarp.sample2(noise, x, at, { value: x });
+    assert.deepEqual(x, expected);
+    const a = { value: expected.slice() };
+    scarp.affine(a, 2, 1, a);
+    assert.deepEqual(
+        a.value,
+        expected.map((v) => Math.fround(Math.fround(2 * v) + 1)),
+    );
+});
+
+test('blocks are reused, join, and are aligned', () => {
+    const all = 2 ** 20 - 64;
+    const blocks = Array.from({ length: 8 }, () => scarp.alloc(Float32Array, 1000));
+    for (const block of blocks) {
+        assert.equal(block.byteOffset % 64, 0);
+        assert.ok(block.every((v) => v === 0));
+        block.fill(1);
+    }
+    assert.throws(() => scarp.alloc(Uint32Array, all / 4), RangeError);
+    for (const i of [3, 1, 2, 7, 0, 5, 6, 4]) {
+        scarp.free(blocks[i]);
+        assert.throws(() => scarp.free(blocks[i]), TypeError);
+    }
+    const large = scarp.alloc(Uint32Array, all / 4); // in one piece again
+    assert.ok(large.every((v) => v === 0));
+    scarp.free(large);
+    scarp.free(scarp.alloc(Float64Array, 0));
+    assert.throws(() => scarp.free(new Float32Array(1)), TypeError);
+    assert.throws(() => scarp.alloc(Int8Array, 4), TypeError);
+    assert.throws(() => scarp.alloc(Float32Array, -1), RangeError);
+});
+
+test('plans change no bit', () => {
+    const noise = { basis: 'simplex', octaves: 5, seed: 8n, warp: { seed: 4 } };
+    const x = Float64Array.of(0.3, 4.7, 1e6),
+        y = Float64Array.of(1.1, 2.6, -3e6);
+    for (const warp of [null, noise.warp]) {
+        const plan = scarp.plan({ ...noise, warp }, 2);
+        scarp.sample2({}, x, y, { value: new Float32Array(3) }); // another noise in between
+        const kept = scarp.sample2(plan, x, y, { value: new Float32Array(3) });
+        assert.deepEqual(
+            kept,
+            scarp.sample2({ ...noise, warp }, x, y, { value: new Float32Array(3) }),
+        );
+        assert.deepEqual(scarp.range(plan, 2), scarp.range({ ...noise, warp }, 2));
+        scarp.freePlan(plan);
+        assert.throws(() => scarp.freePlan(plan), TypeError);
+        assert.throws(() => scarp.sample2(plan, x, y, { value: new Float32Array(3) }), TypeError);
+    }
+});
+
+test('no points, no samples', () => {
+    const none = new Float32Array(0);
+    scarp.sample2({}, none, none, { value: none });
+    scarp.grid2({}, { count: [0, 5] }, { value: none });
+    scarp.grid3({}, { count: [4, 5, 0] }, {});
+    scarp.add({}, {}, {});
+    const out = {};
+    assert.equal(scarp.sample2({}, Float32Array.of(1), Float32Array.of(2), out), out);
+});
+
+test('noiseCheck', () => {
+    assert.equal(scarp.noiseCheck({ octaves: 8 }, 2), null);
+    assert.equal(scarp.noiseCheck({ octaves: 99 }, 2).member, 'octaves');
+    assert.equal(scarp.noiseCheck({ octaves: 4, ofOctaves: 3 }, 3).member, 'ofOctaves');
+    assert.equal(scarp.noiseCheck({ octaves: 9, period: [0, 2 ** 29] }, 2).member, 'period[1]');
+    assert.equal(scarp.noiseCheck({ basis: 'cell' }, 2).member, 'basis');
+    assert.equal(scarp.noiseCheck({ warp: { gain: -1 } }, 2).member, 'warp');
+    assert.equal(scarp.noiseCheck({}, 4).member, null);
+    assert.equal(scarp.noiseCheck({}, 4).code, 'SCARP_ERROR_PARAMETER');
+});

@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: MIT
+//
+// The cases of expected.c, computed with the package: lines(scarp, copied) gives what that prints.
+// Arrays are copied, or lie in the module's memory.
+
+const POINTS = 301,
+    MOST = 1024,
+    ROW = 23,
+    ROWS = 9,
+    SLICE = ROW * ROWS + 4;
+const SAMPLES = ['value', 'dx', 'dy', 'dz', 'dxx', 'dxy', 'dxz', 'dyy', 'dyz', 'dzz'];
+const CELLS = ['f1', 'f2', 'id', 'x', 'y', 'z', 'dx1', 'dy1', 'dz1', 'dx2', 'dy2', 'dz2'];
+const FLOW = ['vx', 'vy', 'vz', 'vxx', 'vxy', 'vxz', 'vyx', 'vyy', 'vyz', 'vzx', 'vzy', 'vzz'];
+
+function* random(state) {
+    for (;;) {
+        state ^= state << 13;
+        state ^= state >>> 17;
+        state ^= state << 5;
+        yield state >>> 0;
+    }
+}
+
+function hashWords(hash, array) {
+    for (const word of new Uint32Array(array.buffer, array.byteOffset, array.byteLength / 4)) {
+        hash = Math.imul(hash ^ word, 16777619);
+        hash ^= hash >>> 15;
+    }
+    return hash;
+}
+
+const hex = (hash) => (hash >>> 0).toString(16).padStart(8, '0');
+
+export function lines(scarp, copied) {
+    const text = [];
+    const allocated = [];
+    const make = (type, length) => {
+        if (copied) {
+            return new type(length);
+        }
+        allocated.push(scarp.alloc(type, length));
+        return allocated.at(-1);
+    };
+    const line = (name, more, hash) => text.push(`${name}${more} ${hex(hash)}`);
+
+    const single = [],
+        double = [],
+        random32 = random(20240229);
+    for (let axis = 0; axis < 3; axis++) {
+        single.push(make(Float32Array, POINTS));
+        double.push(make(Float64Array, POINTS));
+        for (let i = 0; i < POINTS; i++) {
+            const x = ((random32.next().value >>> 8) - 2 ** 23) * 2 ** -14;
+            single[axis][i] = x;
+            double[axis][i] = x * 4097;
+        }
+    }
+    const sets = [0, 1, 2].map(() => Array.from({ length: 16 }, () => make(Float32Array, MOST)));
+    const clear = (set) => set.forEach((array) => array.fill(0));
+    const hashArrays = (set) => set.reduce(hashWords, 2166136261);
+    const points = (array) => array.subarray(0, POINTS);
+
+    const ask = (set, dimensions, order, dphase, cut) => {
+        clear(set);
+        const out = {};
+        SAMPLES.forEach((name, i) => {
+            if (
+                name === 'value' ||
+                (name.length - 1 <= order && !(dimensions === 2 && name.includes('z')))
+            ) {
+                out[name] = cut(set[i]);
+            }
+        });
+        if (dphase) {
+            out.dphase = cut(set[10]);
+        }
+        return out;
+    };
+
+    const visitNoise = (noise, d, more) => {
+        const order = ['erosion', 'swiss', 'jordan'].includes(noise.fractal) ? 1 : 2;
+        const dphase =
+            (noise.basis ?? 'gradient') === 'gradient' &&
+            !['swiss', 'jordan'].includes(noise.fractal);
+        const out = ask(sets[0], d, order, dphase, points);
+        scarp[`sample${d}`](noise, ...single.slice(0, d), out);
+        line(`sample${d}`, more, hashArrays(sets[0]));
+        scarp[`sample${d}`](noise, ...double.slice(0, d), out);
+        line(`sample${d}_f64`, more, hashArrays(sets[0]));
+        const grid = {
+            origin: [-1.25, -1.25, -1.25],
+            step: [0.0625, 0.125, 0.1875],
+            first: [-3, 5, 2],
+            count: [21, ROWS, 3],
+            rowStride: ROW,
+        };
+        for (const name of ['origin', 'step', 'first', 'count']) {
+            grid[name] = grid[name].slice(0, d);
+        }
+        if (d === 3) {
+            grid.sliceStride = SLICE;
+        }
+        scarp[`grid${d}`](
+            noise,
+            grid,
+            ask(sets[0], d, order, dphase, (array) => array),
+        );
+        line(`grid${d}`, more, hashArrays(sets[0]));
+    };
+
+    const visitBases = (d) => {
+        scarp.bases.forEach((basis, b) =>
+            scarp.fractals.forEach((fractal, f) => {
+                const n = ((d - 2) * 8 + b) * 8 + f;
+                const noise = {
+                    basis,
+                    fractal,
+                    fade: scarp.fades[n % 2],
+                    rotate: n % 3 === 0,
+                    seed: BigInt.asUintN(64, 0x9e3779b97f4a7c15n * BigInt(n + 1)),
+                    frequency: 0.37,
+                    octaves: 3.5,
+                };
+                if (basis === 'gradient' && n % 2 === 1) {
+                    noise.phase = 0.3125;
+                }
+                if (n % 4 === 2) {
+                    noise.jitter = 0.75;
+                }
+                if (n % 5 === 1) {
+                    noise.gain = 0.4375;
+                    noise.lacunarity = 1.9375;
+                }
+                visitNoise(noise, d, ` ${basis} ${fractal}`);
+            }),
+        );
+    };
+
+    const visitSpecial = (d) => {
+        const deep = { basis: 'value', seed: 3, amplitude: 0.5 };
+        const warp = { basis: 'simplex', octaves: 2, warp: deep };
+        visitNoise({ octaves: 3, amplitude: 2, warp }, d, ' warped');
+        visitNoise(
+            { octaves: 3, period: [3, 5, 7], ofOctaves: 6, seed: 2n ** 64n - 1n },
+            d,
+            ' periodic',
+        );
+        visitNoise(
+            { fractal: 'pingpong', octaves: 2, sharpness: 1.5, amplitude: -3 },
+            d,
+            ' folded',
+        );
+        visitNoise({ fractal: 'erosion', octaves: 5, erosion: 0.3 }, d, ' eroded');
+    };
+
+    const visitFields = (d) => {
+        const noise = { frequency: 0.25, seed: 11, jitter: 0.875 };
+        const pick = (names) =>
+            Object.fromEntries(
+                names
+                    .map((name, i) => [name, points(sets[0][i])])
+                    .filter(([name]) => d === 3 || !name.includes('z'))
+                    .map(([name, a]) => [
+                        name,
+                        name === 'id' ? new Uint32Array(a.buffer, a.byteOffset, POINTS) : a,
+                    ]),
+            );
+        for (const [stem, names] of [
+            ['cells', CELLS],
+            ['curl', FLOW],
+        ]) {
+            clear(sets[0]);
+            scarp[`${stem}${d}`](noise, ...single.slice(0, d), pick(names));
+            line(`${stem}${d}`, '', hashArrays(sets[0]));
+            scarp[`${stem}${d}`](noise, ...double.slice(0, d), pick(names));
+            line(`${stem}${d}_f64`, '', hashArrays(sets[0]));
+        }
+    };
+
+    const visitChain = () => {
+        const [a, b] = [sets[0], sets[1]].map((set) => ask(set, 3, 2, false, points));
+        scarp.sample3({ octaves: 2 }, ...single, a);
+        scarp.sample3({ basis: 'simplex' }, ...single, b);
+        const partials = { f: a.value, fa: a.dx, fb: a.dy, faa: b.dx, fab: b.dy, fbb: b.dz };
+        const calls = {
+            affine: [a, 1.7, -0.3],
+            add: [a, b],
+            multiply: [a, b],
+            mix: [a, b, a],
+            min: [a, b],
+            max: [a, b],
+            smoothMin: [a, b, 0.3],
+            smoothMax: [a, b, 0.3],
+            clamp: [a, -0.2, 0.1],
+            abs: [a],
+            smoothstep: [a, 0.25, -0.25],
+            terrace: [a, 7, 0.4, 0.8],
+            apply1: [a, partials],
+            apply2: [a, b, partials],
+        };
+        for (const [name, args] of Object.entries(calls)) {
+            const out = ask(sets[2], 3, 2, false, points);
+            scarp[name](...args, out);
+            line(name, '', hashArrays(sets[2]));
+        }
+        clear(sets[2]);
+        const [nx, ny, nz] = sets[2].map(points);
+        scarp.normals(a.dx, a.dy, 1.9, { nx, ny, nz });
+        line('normals', '', hashArrays(sets[2]));
+    };
+
+    const visitRest = () => {
+        const noise = { fractal: 'hybrid', octaves: 4.5, warp: { basis: 'simplex', seed: 5 } };
+        for (const d of [2, 3]) {
+            line('range', ` ${d}`, hashWords(2166136261, Float32Array.from(scarp.range(noise, d))));
+            line('gpuPlan', ` ${d}`, hashWords(2166136261, scarp.gpuPlan(noise, d)));
+            line('gpuAnswers', ` ${d}`, hashWords(2166136261, scarp.gpuAnswers(noise, d, 2)));
+        }
+    };
+
+    for (const d of [2, 3]) {
+        visitBases(d);
+        visitSpecial(d);
+        visitFields(d);
+    }
+    visitChain();
+    visitRest();
+    allocated.forEach((array) => scarp.free(array));
+    return text;
+}

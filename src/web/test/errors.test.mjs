@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: MIT
+//
+// What is wrong throws before anything is written.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { STATUS, ScarpError, load } from '../scarp.mjs';
+
+const scarp = await load();
+const x = new Float32Array(8),
+    y = new Float32Array(8),
+    z = new Float32Array(8);
+const out = (length = 8) => ({ value: new Float32Array(length).fill(7) });
+
+// Checks what a call throws, and that it leaves `given` as it was.
+function refuses(what, call, expected) {
+    test(what, () => {
+        const given = out();
+        assert.throws(() => call(given), expected);
+        assert.ok(
+            given.value.every((v) => v === 7),
+            'something was written',
+        );
+    });
+}
+
+const noises = {
+    octaves: 33,
+    lacunarity: 17,
+    gain: NaN,
+    amplitude: Infinity,
+    frequency: -1,
+    jitter: 2,
+    sharpness: 1e9,
+    erosion: -1,
+    phase: Infinity,
+};
+for (const [member, value] of Object.entries(noises)) {
+    refuses(`${member} ${value}`, (o) => scarp.sample2({ [member]: value }, x, y, o), {
+        name: 'ScarpError',
+        status: STATUS.PARAMETER,
+        code: 'SCARP_ERROR_PARAMETER',
+        member,
+    });
+}
+for (const [member, value] of [
+    ['basis', 'perlin'],
+    ['fade', 'linear'],
+    ['fractal', 'fBm'],
+    ['basis', 8],
+    ['fade', -1],
+    ['fractal', 0.5],
+    ['basis', null],
+]) {
+    refuses(`${member} ${value}`, (o) => scarp.sample2({ [member]: value }, x, y, o), {
+        name: 'ScarpError',
+        status: STATUS.ENUM,
+        member,
+    });
+}
+for (const seed of [-1, 0.5, 2 ** 53, -1n, 2n ** 64n, NaN]) {
+    refuses(`seed ${seed}`, (o) => scarp.sample2({ seed }, x, y, o), {
+        name: 'ScarpError',
+        status: STATUS.PARAMETER,
+        member: 'seed',
+    });
+}
+refuses('period -1', (o) => scarp.sample2({ period: [4, -1] }, x, y, o), { member: 'period[1]' });
+refuses('period 2^30 + 1', (o) => scarp.sample2({ period: [2 ** 30 + 1, 0] }, x, y, o), {
+    member: 'period[0]',
+});
+refuses('a period along one axis', (o) => scarp.sample2({ period: [4] }, x, y, o), TypeError);
+refuses('an octave as text', (o) => scarp.sample2({ octaves: '3' }, x, y, o), TypeError);
+refuses(
+    'a misspelt member',
+    (o) => scarp.sample2({ octave: 3 }, x, y, o),
+    /no member "octave"; there are basis/,
+);
+refuses(
+    'a misspelt member of a warp',
+    (o) => scarp.sample2({ warp: { sed: 3 } }, x, y, o),
+    /"sed"/,
+);
+refuses(
+    'five warps',
+    (o) => scarp.sample2({ warp: { warp: { warp: { warp: { warp: {} } } } } }, x, y, o),
+    { status: STATUS.UNSUPPORTED, member: 'warp' },
+);
+refuses(
+    'a warp of itself',
+    (o) => {
+        const noise = {};
+        noise.warp = noise;
+        scarp.sample2(noise, x, y, o);
+    },
+    { status: STATUS.UNSUPPORTED, member: 'warp' },
+);
+refuses(
+    'a phase of simplex noise',
+    (o) => scarp.sample2({ basis: 'simplex', phase: 0.5 }, x, y, o),
+    { status: STATUS.UNSUPPORTED, member: 'phase' },
+);
+for (const noise of [null, undefined, 3, 'gradient', new Float32Array(4)]) {
+    refuses(`the noise ${noise}`, (o) => scarp.sample2(noise, x, y, o), TypeError);
+}
+
+refuses(
+    'dz in 2D',
+    (o) => scarp.sample2({}, x, y, { ...o, dz: new Float32Array(8) }),
+    (error) =>
+        error instanceof ScarpError && error.status === STATUS.UNSUPPORTED && error.member === null,
+);
+refuses(
+    'a Hessian of erosion',
+    (o) => scarp.sample3({ fractal: 'erosion' }, x, y, z, { ...o, dxx: new Float32Array(8) }),
+    { status: STATUS.UNSUPPORTED },
+);
+refuses(
+    'a misspelt output',
+    (o) => scarp.sample2({}, x, y, { ...o, values: new Float32Array(8) }),
+    TypeError,
+);
+refuses(
+    'doubles as output',
+    (o) => scarp.sample2({}, x, y, { ...o, dx: new Float64Array(8) }),
+    TypeError,
+);
+refuses(
+    'a list as output',
+    (o) => scarp.sample2({}, x, y, { ...o, dx: [0, 0, 0, 0, 0, 0, 0, 0] }),
+    TypeError,
+);
+refuses('a list as coordinate', (o) => scarp.sample2({}, [1], [2], o), TypeError);
+refuses('no coordinates', (o) => scarp.sample2({}, undefined, undefined, o), TypeError);
+refuses('two types of coordinates', (o) => scarp.sample2({}, x, new Float64Array(8), o), TypeError);
+refuses('a short coordinate', (o) => scarp.sample2({}, x, new Float32Array(7), o), RangeError);
+refuses(
+    'a short output',
+    (o) => scarp.sample2({}, x, y, { ...o, dx: new Float32Array(7) }),
+    RangeError,
+);
+refuses(
+    'a long output',
+    (o) => scarp.sample2({}, x, y, { ...o, dx: new Float32Array(9) }),
+    RangeError,
+);
+refuses('the outputs forgotten', () => scarp.sample2({}, x, y), TypeError);
+refuses('an id of floats', () => scarp.cells2({}, x, y, { id: new Float32Array(8) }), TypeError);
+
+for (const where of ['beside it', 'in the module']) {
+    test(`arrays that overlap, ${where}`, () => {
+        const all = where === 'beside it' ? new Float32Array(20) : scarp.alloc(Float32Array, 20);
+        const a = all.subarray(0, 8),
+            b = all.subarray(4, 12),
+            c = all.subarray(8, 16);
+        scarp.sample2({}, x, y, { value: a, dx: c });
+        scarp.sample2({}, a, a, { value: c });
+        const before = all.slice();
+        assert.throws(() => scarp.sample2({}, x, y, { value: a, dx: b }), RangeError);
+        assert.throws(() => scarp.sample2({}, x, y, { value: a, dx: a }), RangeError);
+        assert.throws(() => scarp.sample2({}, a, y, { value: b }), RangeError);
+        assert.throws(
+            () => scarp.grid2({}, { count: [3, 2], rowStride: 5 }, { value: a, dx: b }),
+            RangeError,
+        );
+        assert.deepEqual(all, before);
+    });
+}
+
+const grids = [
+    [{ count: [4, 2], first: [2n ** 53n - 2n, 0] }, { member: 'first[0]' }],
+    [{ count: [4, 2], first: [0, 0.5] }, { member: 'first[1]' }],
+    [{ count: [4, -2] }, { member: 'count[1]' }],
+    [{ count: [4, 2], rowStride: 3 }, { member: 'rowStride' }],
+    [
+        { count: [4, 2], step: [1, Infinity] },
+        { status: STATUS.PARAMETER, member: null },
+    ],
+    [
+        { count: [4, 2], origin: [NaN, 0] },
+        { status: STATUS.PARAMETER, member: null },
+    ],
+    [{ count: [4, 2], steps: [1, 1] }, TypeError],
+    [{ count: [4, 2, 1] }, TypeError],
+    [{ count: [4, 2], step: 1 }, TypeError],
+    [{ count: 8 }, TypeError],
+    [{}, TypeError],
+    [{ count: [4, 3] }, RangeError],
+    [{ count: [4, 2], rowStride: 5 }, RangeError],
+];
+grids.forEach(([grid, expected], i) => {
+    refuses(`grid ${i}`, (o) => scarp.grid2({}, grid, o), expected);
+});
+refuses('a short slice', (o) => scarp.grid3({}, { count: [2, 2, 2], sliceStride: 3 }, o), {
+    member: 'sliceStride',
+});
+
+refuses('a chain without values', (o) => scarp.multiply({ dx: x }, { dx: y }, o), {
+    status: STATUS.NULL,
+});
+refuses(
+    'a chain of two lengths',
+    (o) => scarp.add({ value: x }, { value: new Float32Array(7) }, o),
+    RangeError,
+);
+refuses('k of 0', (o) => scarp.smoothMin({ value: x }, { value: y }, 0, o), {
+    status: STATUS.PARAMETER,
+});
+refuses('no k', (o) => scarp.smoothMin({ value: x }, { value: y }, o), TypeError);
+refuses('lo above hi', (o) => scarp.clamp({ value: x }, 1, 0, o), { status: STATUS.PARAMETER });
+refuses('a partial misspelt', (o) => scarp.apply1({}, { fx: x }, o), TypeError);
+refuses('an infinite height', () => scarp.normals(x, y, Infinity, { nx: z }), {
+    status: STATUS.PARAMETER,
+});
+
+test('shaders', () => {
+    const many = { octaves: 20, warp: { octaves: 20 } };
+    assert.throws(() => scarp.gpuPlan(many, 2), { status: STATUS.UNSUPPORTED, member: 'warp' });
+    assert.throws(() => scarp.gpuAnswers({}, 2, 3), { status: STATUS.PARAMETER });
+    assert.throws(() => scarp.gpuAnswers({ fractal: 'swiss' }, 2, 2), {
+        status: STATUS.UNSUPPORTED,
+    });
+    assert.throws(() => scarp.range({ gain: 99 }, 2), { member: 'gain' });
+    assert.throws(() => scarp.plan({ gain: 99 }, 2), { member: 'gain' });
+});
