@@ -9,6 +9,10 @@ list(JOIN CMAKE_CROSSCOMPILING_EMULATOR " " emulator)
 file(GENERATE OUTPUT ${package_settings} CONTENT "# Written by package.cmake
 cmake='${CMAKE_COMMAND}'
 ctest='${CMAKE_CTEST_COMMAND}'
+cpack='${CMAKE_CPACK_COMMAND}'
+abidiff='${SCARP_ABIDIFF}'
+abidw='${SCARP_ABIDW}'
+install_prefix='${CMAKE_INSTALL_PREFIX}'
 generator='${CMAKE_GENERATOR}'
 make_program='${CMAKE_MAKE_PROGRAM}'
 toolchain='${CMAKE_TOOLCHAIN_FILE}'
@@ -93,3 +97,9 @@ scarp_add_package_test(find_package CXX AFTER package_prefix NEEDS scarp-install
 scarp_add_package_test(pkg_config AFTER package_prefix NEEDS scarp-install pkg-config)
 scarp_add_package_test(pkg_config CXX AFTER package_prefix NEEDS scarp-install pkg-config)
 scarp_add_package_test(python AFTER package_prefix NEEDS scarp-install python3)
+
+# The other forms in which it is given away
+scarp_add_package_test(single)
+scarp_add_package_test(archive NEEDS scarp-install)
+scarp_add_package_test(abi NEEDS abidiff)
+scarp_add_package_test(recipes NEEDS python3)
