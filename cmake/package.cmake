@@ -5,7 +5,7 @@
 # An archive, .tar.gz, has everything, and may be unpacked anywhere. Where the prefix is /usr, packages
 # for Debian are made instead, which need dpkg-dev and `file`:
 #
-#   libscarp0.2    the shared library; its name tells its binary interface
+#   libscarp0.2    the shared library; the number is that of the SONAME
 #   libscarp-dev   headers, shaders, and what find_package and pkg-config read
 #   scarp          the program, its man page and its completion
 
@@ -45,6 +45,8 @@ set(CPACK_PACKAGE_CONTACT "the scarp authors <scarp@example.org>" CACHE STRING
 set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
 set(CPACK_VERBATIM_VARIABLES ON)
 set(CPACK_STRIP_FILES ON)
+set(CPACK_SOURCE_GENERATOR TGZ)
+set(CPACK_SOURCE_IGNORE_FILES "/build[^/]*/" "/[.]git/")
 set(CPACK_COMPONENTS_GROUPING ALL_COMPONENTS_IN_ONE)
 
 if(NOT CMAKE_INSTALL_PREFIX STREQUAL "/usr")
