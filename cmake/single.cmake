@@ -8,8 +8,8 @@
 # defines. The kernels stand there once; the file includes itself for each set, in its target region.
 # SCARP_PART is the part that such an inclusion asks for.
 cmake_minimum_required(VERSION 3.25)
-cmake_policy(SET CMP0007 NEW)
 
+get_filename_component(SOURCE ${SOURCE} ABSOLUTE)
 set(src ${SOURCE}/src)
 
 # Headers that stand at several places, and the parts that they are
@@ -21,7 +21,9 @@ set(part_end 5)   # takes that, and the macros of the kernels, back
 
 # Appends the text of an inclusion of a part to `variable`.
 function(include_part variable part)
-  set(${variable} "${${variable}}\n#undef SCARP_PART\n#define SCARP_PART ${part}\n#include SCARP_SINGLE\n" PARENT_SCOPE)
+  string(APPEND ${variable}
+         "\n#undef SCARP_PART\n#define SCARP_PART ${part}\n#include SCARP_SINGLE\n")
+  set(${variable} "${${variable}}" PARENT_SCOPE)
 endfunction()
 
 # Reads a file, without the licence, which stands at the top of the whole.
@@ -289,9 +291,12 @@ file(WRITE ${file} "${head}${shared}${once}${each}
 #endif
 ")
 set(number 0)
-foreach(part types vec table begin end)
+foreach(part "types|the types of vectors" "vec|the operations of vectors" "table|the kernels"
+        "begin|names with the suffix of a set" "end|names as they were")
   math(EXPR number "${number} + 1")
-  file(APPEND ${file} "\n#elif SCARP_PART == ${number}\n${${part}}")
+  string(REGEX MATCH "(.*)[|](.*)" all "${part}")
+  file(APPEND ${file}
+       "\n#elif SCARP_PART == ${number} /* ${CMAKE_MATCH_2} */\n${${CMAKE_MATCH_1}}")
 endforeach()
 file(APPEND ${file} "\n#endif\n")
 file(COPY ${SOURCE}/include/scarp.h DESTINATION ${OUTPUT})
