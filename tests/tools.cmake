@@ -16,6 +16,8 @@ endmacro()
 find_package(Python3 COMPONENTS Interpreter QUIET)
 set(THREADS_PREFER_PTHREAD_FLAG ON)
 find_package(Threads QUIET)
+find_program(SCARP_ABIDIFF NAMES abidiff)
+find_program(SCARP_ABIDW NAMES abidw)
 find_program(SCARP_BASH NAMES bash)
 find_program(SCARP_CHROMIUM NAMES chromium google-chrome chromium-browser)
 find_program(SCARP_GLSLANG NAMES glslangValidator glslang)
@@ -25,7 +27,7 @@ find_program(SCARP_SH NAMES sh)
 find_program(SCARP_SPIRV_DIS NAMES spirv-dis)
 find_program(SCARP_STRACE NAMES strace)
 find_program(SCARP_VALGRIND NAMES valgrind)
-mark_as_advanced(SCARP_BASH SCARP_CHROMIUM SCARP_GLSLANG SCARP_GROFF SCARP_PKG_CONFIG SCARP_SH
+mark_as_advanced(SCARP_ABIDIFF SCARP_ABIDW SCARP_BASH SCARP_CHROMIUM SCARP_GLSLANG SCARP_GROFF SCARP_PKG_CONFIG SCARP_SH
                  SCARP_SPIRV_DIS SCARP_STRACE SCARP_VALGRIND)
 
 # The C++ compiler that belongs to the C compiler: g++-12 to gcc-12, aarch64-linux-gnu-g++ to
@@ -108,6 +110,7 @@ if(SCARP_CHROMIUM AND NOT CMAKE_CROSSCOMPILING AND NOT CMAKE_C_FLAGS MATCHES "-f
   set(browser ON)
 endif()
 
+scarp_tool(abidiff SCARP_ABIDIFF AND SCARP_ABIDW)
 scarp_tool(bash SCARP_BASH)
 scarp_tool(c++ cxx_works)
 scarp_tool(chromium browser)
