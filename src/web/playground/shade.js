@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: MIT
+//
+// From samples to pixels: the hillshade of `scarp terrain` to the byte; value, slope and curvature
+// through ramps.
+import {sine} from "./ground.js";
+import {CURVATURE_RAMP, SLOPE_RAMP, VALUE_RAMP} from "./palettes.js";
+
+const OPAQUE = 0xff000000;
+
+// The unit vector to the light: east, north, up
+export function lightOf(azimuth, altitude) {
+    const horizontal = sine(90 - altitude);
+    return [sine(azimuth) * horizontal, sine(azimuth + 90) * horizontal, sine(altitude)];
+}
+
+export function hillshade([x, y, z], [east, north, up], pixels) {
+    for (let i = 0; i < pixels.length; i++) {
+        const light = east * x[i] + north * y[i] + up * z[i];
+        const shade = Math.max(0, Math.trunc(light * 255 + 0.5));
+        pixels[i] = shade * 0x010101 | OPAQUE;
+    }
+}
+
+const indexOf = t => t <= 0 ? 0 : t >= 1 ? 255 : Math.trunc(255 * t + 0.5);
+
+export function valueColours(value, {low, high}, pixels) {
+    const per = 1 / (high - low);
+    for (let i = 0; i < pixels.length; i++) {
+        pixels[i] = VALUE_RAMP[indexOf((value[i] - low) * per)];
+    }
+}
+
+// Angles from 0 to 60 degrees and more
+export function slopeColours(normalZ, pixels) {
+    const per = 1 / (Math.PI / 3);
+    for (let i = 0; i < pixels.length; i++) {
+        pixels[i] = SLOPE_RAMP[indexOf(Math.acos(Math.min(normalZ[i], 1)) * per)];
+    }
+}
+
+// Mean curvature of z = s * value: hollows are blue, crests red. `unit` is what is half coloured.
+export function curvatureColours({dx, dy, dxx, dxy, dyy}, s, unit, pixels) {
+    for (let i = 0; i < pixels.length; i++) {
+        const p = s * dx[i], q = s * dy[i], length = 1 + p * p + q * q;
+        const mean = s * ((1 + q * q) * dxx[i] - 2 * p * q * dxy[i] + (1 + p * p) * dyy[i]) /
+            (2 * length * Math.sqrt(length));
+        const t = -mean / unit;
+        pixels[i] = CURVATURE_RAMP[indexOf(0.5 + 0.5 * t / (1 + Math.abs(t)))];
+    }
+}
