@@ -17,7 +17,8 @@ if(SCARP_DLLTOOL AND CMAKE_SIZEOF_VOID_P EQUAL 8)
     BYPRODUCTS ${exports} ${import_library}
     VERBATIM)
   if(SCARP_INSTALL)
-    install(FILES ${exports} ${import_library} DESTINATION ${CMAKE_INSTALL_LIBDIR})
+    install(FILES ${exports} ${import_library} DESTINATION ${CMAKE_INSTALL_LIBDIR}
+            COMPONENT development)
   endif()
 else()
   message(STATUS "No scarp.lib for Microsoft's linker: no dlltool found")
