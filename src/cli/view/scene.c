@@ -18,7 +18,7 @@
 #define RAYS_ACROSS 64
 #define RAYS_DOWN 32
 #define PLACES_ALONG 8
-#define SLOPE_MARGIN 1.5f
+#define SLOPE_MARGIN 1.25f
 
 static int compare(const void *a, const void *b)
 {

@@ -8,7 +8,7 @@
 #include "view/shadow.h"
 
 #define RADIUS 0.011f /* of the sun, as its tangent */
-#define LONGER 1.2f   /* from one distance to the next */
+#define LONGER 1.26f  /* from one distance to the next */
 #define DETAIL 0.03f  /* cells that count, as a part of the distance from the point */
 
 /* Looks at one distance, and keeps the points that are not dark yet. Returns how many. */

@@ -116,6 +116,7 @@ static void judge(const struct scene *scene, const struct fan *fan, struct trial
 {
     const float range = scene->survey.high - scene->survey.low;
     float seen = 0.0f, lit = 0.0f, near = 0.0f, horizons = 0.0f, squares = 0.0f, risen = 0.0f;
+    float walls = 0.0f; /* what hides much of the sky */
     for (int ray = 0; ray < RAYS; ray++) {
         float horizon = -0.25f, lowest = 1e9f; /* the first one is about where the picture ends */
         for (int look = 0; look < LOOKS; look++) {
@@ -135,6 +136,7 @@ static void judge(const struct scene *scene, const struct fan *fan, struct trial
             horizon = tangent;
         }
         horizons += horizon;
+        walls += clamp(horizon - 0.2f, 0.0f, 1.0f);
         squares += horizon * horizon;
     }
     const float mean = horizons / RAYS;
@@ -147,7 +149,7 @@ static void judge(const struct scene *scene, const struct fan *fan, struct trial
                    0.5f * clamp(risen / range, 0.0f, 1.3f) + 8.0f * clamp(spread, 0.0f, 0.06f) -
                    1.3f * (towards - 0.1f) * (towards - 0.1f) -
                    0.4f * (trial->height - trial->ground) / range -
-                   3.0f * clamp(mean - 0.12f, 0.0f, 1.0f);
+                   3.0f * clamp(mean - 0.12f, 0.0f, 1.0f) - 12.0f * walls / RAYS;
 }
 
 /* An angle in degrees from its tangent, within 0.1 of it up to 35 degrees */
