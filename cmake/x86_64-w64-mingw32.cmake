@@ -14,8 +14,9 @@ set(CMAKE_FIND_ROOT_PATH_MODE_LIBRARY ONLY)
 set(CMAKE_FIND_ROOT_PATH_MODE_INCLUDE ONLY)
 
 # Debian's `wine` prints advice about 32-bit programs with every start.
+# In other locales than those of UTF-8, arguments would lose characters.
 find_program(SCARP_WINE NAMES wine64 wine HINTS /usr/lib/wine)
 mark_as_advanced(SCARP_WINE)
 if(SCARP_WINE)
-  set(CMAKE_CROSSCOMPILING_EMULATOR env WINEDEBUG=-all ${SCARP_WINE})
+  set(CMAKE_CROSSCOMPILING_EMULATOR env WINEDEBUG=-all LC_ALL=C.UTF-8 ${SCARP_WINE})
 endif()

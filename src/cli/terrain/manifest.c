@@ -240,11 +240,17 @@ static int open_or_make(struct manifest *manifest)
     return refuse(manifest, "is made and removed by other runs all the time");
 }
 
-static void leave(struct manifest *manifest)
+static void end_claims(struct manifest *manifest)
 {
     if (manifest->is_open && manifest->descriptor >= 0) {
         close(manifest->descriptor);
     }
+    manifest->descriptor = -1;
+}
+
+static void leave(struct manifest *manifest)
+{
+    end_claims(manifest);
     manifest->is_open = false;
     manifest->is_first = false;
     free(manifest->file);
@@ -298,6 +304,7 @@ void manifest_close(struct manifest *manifest, bool keep)
 {
     if (manifest->is_first && !keep && manifest_is_there(manifest)) {
         remove(manifest->file != NULL ? manifest->file : manifest->path);
+        end_claims(manifest); /* Windows keeps the name of a file that is open */
         path_remove_directories(manifest->path, manifest->made);
     }
     leave(manifest);
