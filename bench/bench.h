@@ -18,7 +18,7 @@ enum bench_exit {
 
 /* Prints "scarp-bench: ", the message and a newline on stderr. It stays one line whatever the
    arguments hold: control characters become '?'. */
-#if defined(__GNUC__) || defined(__clang__)
+#if defined(__clang__) || (defined(__GNUC__) && !defined(_WIN32))
 __attribute__((format(printf, 1, 2)))
 #endif
 void bench_error(const char *format, ...);

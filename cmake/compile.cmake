@@ -5,8 +5,18 @@ if(NOT WIN32 OR MINGW)
   set(SCARP_LIBM m)
 endif()
 
+# Messages that consumers of the project see, too: what this build leaves out.
+if(MINGW AND CMAKE_C_COMPILER_ID STREQUAL "GNU" AND CMAKE_SIZEOF_VOID_P EQUAL 8)
+  message(STATUS "No kernels for AVX2 and AVX-512: gcc for Windows does not align its stack for "
+                 "them (GCC bug 54412); clang builds them")
+endif()
+
 set(warnings -Wall -Wextra -Wshadow -Wundef -Wvla -Wconversion -Wstrict-prototypes
              -Wmissing-prototypes)
+
+if(CMAKE_C_COMPILER_FRONTEND_VARIANT STREQUAL "MSVC")
+  list(TRANSFORM warnings PREPEND /clang:) # -Wall would be every warning there is
+endif()
 
 # C11 without extensions, and the same bits everywhere: gcc and clang contract a * b + c into a fused
 # multiply-add wherever the target has one, -ffast-math may come from the environment, and on 32-bit
@@ -22,6 +32,15 @@ function(scarp_compile_rules target)
     LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/lib
     ARCHIVE_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/lib)
   target_compile_options(${target} PRIVATE ${warnings} $<$<BOOL:${SCARP_WERROR}>:-Werror>)
+  if(MINGW)
+    # printf and strtod as C11 has them, and no DLLs of the compiler.
+    target_compile_definitions(${target} PRIVATE __USE_MINGW_ANSI_STDIO=1)
+    target_link_options(${target} PRIVATE -static)
+    if(CMAKE_C_COMPILER_ID STREQUAL "GNU")
+      # isnan and isfinite of mingw's headers convert what they do not use.
+      target_compile_options(${target} PRIVATE -Wno-float-conversion)
+    endif()
+  endif()
   if(CMAKE_SYSTEM_PROCESSOR MATCHES "^(i.86|x86|x86_64|AMD64)$" AND CMAKE_SIZEOF_VOID_P EQUAL 4)
     target_compile_options(${target} PRIVATE -msse2 -mfpmath=sse)
   endif()
@@ -31,6 +50,7 @@ function(scarp_compile_rules target)
   endif()
   if(CMAKE_C_COMPILER_FRONTEND_VARIANT STREQUAL "MSVC")
     target_compile_options(${target} PRIVATE /clang:-fno-fast-math /clang:-ffp-contract=off)
+    target_compile_definitions(${target} PRIVATE _CRT_SECURE_NO_WARNINGS _CRT_NONSTDC_NO_WARNINGS)
   else()
     target_compile_options(${target} PRIVATE -fno-fast-math -ffp-contract=off)
     # Linking with -ffast-math adds start-up code that flushes denormals in the whole process.

@@ -6,11 +6,11 @@
 include(CMakePackageConfigHelpers)
 
 install(TARGETS scarp EXPORT scarp
-  RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR}
-  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
-  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT library
+  LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library NAMELINK_COMPONENT development
+  ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
 install(FILES include/scarp.h include/scarp.glsl include/scarp.hlsl include/scarp.wgsl
-  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
 
 # find_package(scarp). While the major version is 0, every minor version may change the interface.
 if(PROJECT_VERSION_MAJOR EQUAL 0)
@@ -23,16 +23,21 @@ configure_package_config_file(cmake/scarpConfig.cmake.in scarpConfig.cmake
   INSTALL_DESTINATION ${package_dir}
   NO_SET_AND_CHECK_MACRO)
 write_basic_package_version_file(scarpConfigVersion.cmake COMPATIBILITY ${compatibility})
-install(EXPORT scarp NAMESPACE scarp:: FILE scarpTargets.cmake DESTINATION ${package_dir})
+install(EXPORT scarp NAMESPACE scarp:: FILE scarpTargets.cmake DESTINATION ${package_dir}
+  COMPONENT development)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/scarpConfig.cmake
               ${CMAKE_CURRENT_BINARY_DIR}/scarpConfigVersion.cmake
-        DESTINATION ${package_dir})
+        DESTINATION ${package_dir} COMPONENT development)
 
 # pkg-config. The prefix is found from the place of scarp.pc itself; an absolute library directory
-# may lie anywhere, so there the prefix is the configured one.
+# may lie anywhere, so there the prefix is the configured one. So it is in /usr, which does not move:
+# pkg-config leaves out the system's directories if they have no .. in them.
 if(IS_ABSOLUTE "${CMAKE_INSTALL_LIBDIR}")
   set(pc_prefix "${CMAKE_INSTALL_PREFIX}")
   set(pc_libdir "${CMAKE_INSTALL_LIBDIR}")
+elseif(CMAKE_INSTALL_PREFIX STREQUAL "/usr")
+  set(pc_prefix /usr)
+  set(pc_libdir "\${prefix}/${CMAKE_INSTALL_LIBDIR}")
 else()
   file(RELATIVE_PATH up "/prefix/${CMAKE_INSTALL_LIBDIR}/pkgconfig" /prefix)
   string(REGEX REPLACE "/$" "" up "${up}")
@@ -50,4 +55,4 @@ if(SCARP_LIBM)
 endif()
 configure_file(cmake/scarp.pc.in scarp.pc @ONLY)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/scarp.pc
-        DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
+        DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig COMPONENT development)

@@ -48,6 +48,19 @@ extern "C" {
  * number that is not 0, a pointer that is not NULL) returns SCARP_ERROR_UNSUPPORTED: so a program
  * that was built for a later version is refused by this one, and never misunderstood. Later
  * versions give meanings to reserved members; sizes, and the places of members, stay.
+ *
+ * What versions promise, once the major version is 1:
+ *
+ * - Source: a program that compiles with a version compiles with later ones of the same major
+ *   version. Names that start with scarp_ and SCARP_ may be added.
+ * - Binary interface: a program runs, without being built again, with a shared library of the same
+ *   major version that is not older than the one it was built for. The SONAME tells that version.
+ * - Bits: a noise has the same values and derivatives, to the bit, in all versions of the same
+ *   major version, so a world can be continued. Another order of operations, another hash, or the
+ *   correction of a wrong value is a new major version.
+ *
+ * While the major version is 0, a minor version counts as a major one: 0.2.1 keeps all of that,
+ * 0.3.0 may not. The changelog says what changed.
  */
 
 enum scarp_status {

@@ -55,7 +55,7 @@ endif()
 scarp_add_test(threads threads NEEDS pthreads COMMAND test_threads)
 
 # The header's promise about the stack holds for optimised builds without instruments.
-if("pthreads" IN_LIST scarp_found AND "optimised" IN_LIST scarp_found)
+if(UNIX AND "pthreads" IN_LIST scarp_found AND "optimised" IN_LIST scarp_found)
   scarp_test_program(test_stack)
   target_link_libraries(test_stack PRIVATE Threads::Threads)
 endif()

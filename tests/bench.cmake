@@ -15,7 +15,7 @@ if("scarp" IN_LIST scarp_found AND "scarp-bench" IN_LIST scarp_found)
     ${PROJECT_SOURCE_DIR}/bench/work.c ${cli}/shared/json.c ${cli}/shared/noise.c
     ${cli}/shared/number.c ${cli}/shared/options.c ${cli}/shared/options_describe.c
     ${cli}/shared/text.c ${cli}/shared/values.c ${cli}/ground/ground_options.c
-    ${cli}/ground/presets.c ${cli}/terrain/terrain_options.c)
+    ${cli}/ground/presets.c ${cli}/look/look_options.c ${cli}/terrain/terrain_options.c)
   target_include_directories(test_bench_presets PRIVATE ${cli})
 endif()
 scarp_add_test(bench.presets bench NEEDS scarp scarp-bench COMMAND test_bench_presets)

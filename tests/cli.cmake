@@ -13,18 +13,32 @@ block()
                          "SCARP_SPEED=${speed};PYTHONDONTWRITEBYTECODE=1")
   endfunction()
 
-  foreach(test commands:Commands options:Errors formats:Formats formats:Names layers:Layers
-               pictures:Pictures compare:Compare warp:Warp warp:WarpRefused ground:Ground ground:GroundRefused gallery:Gallery period:Period phase:Phase phase:Flow phase:PhaseRefused documents:Documents tiles:Tiles tiles:Resume
+  # What these look at is not there on Windows: signals and limits of POSIX, symbolic links,
+  # permissions, terminals.
+  set(posix_classes FullDisk Pipes Closed Interrupt Progress Memory Shared)
+  foreach(test commands:Commands options:Errors formats:Formats formats:Names layers:Layers relief:Relief relief:Palettes sheet:Sheet
+               pictures:Pictures compare:Compare warp:Warp warp:WarpRefused ground:Ground ground:GroundRefused gallery:Gallery shown:Shown period:Period phase:Phase phase:Flow phase:PhaseRefused documents:Documents tiles:Tiles tiles:Resume
                world:Manifest world:Patterns world:Shares world:Limits
                presets:Presets files:Files shared:Shared failures:FullDisk failures:Pipes failures:Refused
                failures:Closed interrupt:Interrupt
-               progress:Progress memory:Memory same:Threads)
+               progress:Progress memory:Memory same:Threads view:View view:ViewRefused golden:Golden)
     string(REPLACE ":" ";" test ${test})
     list(GET test 0 file)
     list(GET test 1 class)
     string(TOLOWER ${class} name)
-    scarp_add_cli_test(${file} ${class} ${name})
+    set(tools)
+    if(class IN_LIST posix_classes)
+      set(tools posix)
+    endif()
+    scarp_add_cli_test(${file} ${class} ${name} ${tools})
   endforeach()
+  if(WIN32)
+    scarp_add_cli_test(windows Windows windows)
+    scarp_test_program(test_windows_paths SOURCES
+                       ${PROJECT_SOURCE_DIR}/src/cli/shared/windows_files.c)
+    target_include_directories(test_windows_paths PRIVATE ${PROJECT_SOURCE_DIR}/src/cli)
+    scarp_add_test(cli.paths cli COMMAND test_windows_paths)
+  endif()
   # ThreadSanitizer runs the tests with this label.
   set_tests_properties(cli.threads cli.interrupt PROPERTIES LABELS "cli;threads")
   foreach(isa IN LISTS isas)
@@ -44,12 +58,24 @@ if("scarp" IN_LIST scarp_found)
 endif()
 scarp_add_test(cli.words cli NEEDS scarp COMMAND test_cli_words)
 
+if("scarp" IN_LIST scarp_found)
+  set(cli ${PROJECT_SOURCE_DIR}/src/cli)
+  scarp_test_program(test_view_march SOURCES ${cli}/ground/ground.c ${cli}/ground/spread.c
+                     ${cli}/shared/error.c
+                     ${cli}/shared/interrupt.c ${cli}/shared/noise.c ${cli}/shared/number.c
+                     ${cli}/shared/options.c ${cli}/shared/sine.c ${cli}/shared/values.c ${cli}/view/camera.c
+                     ${cli}/view/march.c ${cli}/view/scene.c)
+  target_include_directories(test_view_march PRIVATE ${cli})
+  target_compile_definitions(test_view_march PRIVATE _XOPEN_SOURCE=700)
+endif()
+scarp_add_test(cli.view_march cli NEEDS scarp COMMAND test_view_march)
+
 if(UNIX)
   scarp_test_program(test_interrupt SOURCES ${PROJECT_SOURCE_DIR}/src/cli/shared/interrupt.c)
   target_include_directories(test_interrupt PRIVATE ${PROJECT_SOURCE_DIR}/src/cli)
   target_compile_definitions(test_interrupt PRIVATE _XOPEN_SOURCE=700)
 endif()
-if("scarp" IN_LIST scarp_found AND "pthreads" IN_LIST scarp_found)
+if(UNIX AND "scarp" IN_LIST scarp_found AND "pthreads" IN_LIST scarp_found)
   scarp_test_program(test_crew)
   target_include_directories(test_crew PRIVATE ${PROJECT_SOURCE_DIR}/src/cli)
   target_compile_definitions(test_crew PRIVATE SCARP_CLI_THREADS)

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
-# Runs the README's recipes for farms as they stand there, with processes that are killed: one test
-# per file farm/test_*.py. `SCARP_TEST_FARM=1 ctest -L farm` also runs those that start daemons, and
-# fails where a tool is missing.
+# Runs the recipes for farms of src/cli/README.md as they stand there, with processes that are
+# killed: one test per file farm/test_*.py. `SCARP_TEST_FARM=1 ctest -L farm` also runs those that
+# start daemons, and fails where a tool is missing.
 
 if(CMAKE_SYSTEM_NAME STREQUAL "Linux")
   add_library(without_locks MODULE farm/without_locks.c)
@@ -12,7 +12,7 @@ foreach(name same locks mpirun parallel kubernetes levels gdal slurm)
   file(REAL_PATH farm/test_${name}.py script)
   scarp_add_test(farm.${name} farm NEEDS scarp python3 linux full-speed COMMAND
                  ${Python3_EXECUTABLE} -B ${script}
-                 $<TARGET_FILE:scarp-cli> ${PROJECT_SOURCE_DIR}/README.md
+                 $<TARGET_FILE:scarp-cli> ${PROJECT_SOURCE_DIR}/src/cli/README.md
                  ${CMAKE_CURRENT_BINARY_DIR}/farm $<TARGET_FILE:without_locks>)
   # They keep all cores busy, and wait for each other's processes.
   set_tests_properties(farm.${name} PROPERTIES PROCESSORS 2 TIMEOUT 300)

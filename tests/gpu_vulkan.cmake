@@ -79,7 +79,7 @@ scarp_add_gpu_test(gpu.glsl.answers gpu_vulkan ${gpu_shaders}/glsl ${gpu_points}
 scarp_add_gpu_test(gpu.control gpu_vulkan --must-differ ${gpu_shaders}/glsl-fused ${gpu_points} hessian)
 scarp_add_gpu_test(gpu.picture gpu_picture ${gpu_shaders}/picture.spv --small)
 
-# The README's example compiles.
+# The sample of src/gpu/README.md compiles.
 scarp_add_test(gpu.readme shader NEEDS glslang python3 COMMAND ${Python3_EXECUTABLE}
-               ${gpu_dir}/readme.py ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/include
+               ${gpu_dir}/readme.py ${PROJECT_SOURCE_DIR}/src/gpu/README.md ${PROJECT_SOURCE_DIR}/include
                ${SCARP_GLSLANG})

@@ -9,6 +9,10 @@ list(JOIN CMAKE_CROSSCOMPILING_EMULATOR " " emulator)
 file(GENERATE OUTPUT ${package_settings} CONTENT "# Written by package.cmake
 cmake='${CMAKE_COMMAND}'
 ctest='${CMAKE_CTEST_COMMAND}'
+cpack='${CMAKE_CPACK_COMMAND}'
+abidiff='${SCARP_ABIDIFF}'
+abidw='${SCARP_ABIDW}'
+install_prefix='${CMAKE_INSTALL_PREFIX}'
 generator='${CMAKE_GENERATOR}'
 make_program='${CMAKE_MAKE_PROGRAM}'
 toolchain='${CMAKE_TOOLCHAIN_FILE}'
@@ -22,6 +26,7 @@ c_compiler='${CMAKE_C_COMPILER}'
 c_compiler_id='${CMAKE_C_COMPILER_ID}'
 cxx_compiler='${SCARP_CXX}'
 c_flags='${CMAKE_C_FLAGS}'
+werror='$<$<BOOL:${SCARP_WERROR}>:-Werror>'
 link_flags='${CMAKE_EXE_LINKER_FLAGS}'
 nm='${CMAKE_NM}'
 objdump='${CMAKE_OBJDUMP}'
@@ -93,3 +98,9 @@ scarp_add_package_test(find_package CXX AFTER package_prefix NEEDS scarp-install
 scarp_add_package_test(pkg_config AFTER package_prefix NEEDS scarp-install pkg-config)
 scarp_add_package_test(pkg_config CXX AFTER package_prefix NEEDS scarp-install pkg-config)
 scarp_add_package_test(python AFTER package_prefix NEEDS scarp-install python3)
+
+# The other forms in which it is given away
+scarp_add_package_test(single)
+scarp_add_package_test(archive NEEDS scarp-install)
+scarp_add_package_test(abi NEEDS abidiff)
+scarp_add_package_test(recipes NEEDS python3)

@@ -1,23 +1,27 @@
 # SPDX-License-Identifier: MIT
-# Compiles and runs the README's examples as they stand there.
+# Compiles and runs the samples of the documents as they stand there.
 
-# scarp_add_readme_test(LANGUAGE COMPILER [tool...]): the examples in this language
+# scarp_add_readme_test(LANGUAGE COMPILER [tool...]): the samples in this language
 function(scarp_add_readme_test language compiler)
   scarp_add_test(readme.${language} package NEEDS python3 ${ARGN}
                  COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/test_readme.py
-                 ${language} ${PROJECT_SOURCE_DIR}/README.md $<TARGET_FILE:scarp>
+                 ${language} ${PROJECT_SOURCE_DIR} $<TARGET_FILE:scarp>
                  ${PROJECT_SOURCE_DIR}/include ${CMAKE_CURRENT_BINARY_DIR}/readme-${language}
                  "${CMAKE_C_COMPILER_ID}" "flags: ${CMAKE_C_FLAGS}" ${compiler}
                  ${CMAKE_CROSSCOMPILING_EMULATOR})
 endfunction()
 scarp_add_readme_test(c ${CMAKE_C_COMPILER})
 scarp_add_readme_test(cxx ${SCARP_CXX} c++)
-scarp_add_readme_test(python -)
+scarp_add_readme_test(python "${SCARP_NUMPY}" numpy)
 
-# The recipe of the shell, which needs the program in the place of the library
+# The animation in the shell, which needs the program in the place of the library
 scarp_add_test(readme.sh package NEEDS python3 scarp sh
                COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/test_readme.py
-               sh ${PROJECT_SOURCE_DIR}/README.md $<TARGET_FILE:scarp-cli>
+               sh ${PROJECT_SOURCE_DIR} $<TARGET_FILE:scarp-cli>
                ${PROJECT_SOURCE_DIR}/include ${CMAKE_CURRENT_BINARY_DIR}/readme-sh
                "${CMAKE_C_COMPILER_ID}" "flags: ${CMAKE_C_FLAGS}" sh
                ${CMAKE_CROSSCOMPILING_EMULATOR})
+
+# Links, pictures and anchors of all documents; the table of calls
+scarp_add_test(documents package NEEDS python3 COMMAND ${Python3_EXECUTABLE}
+               ${CMAKE_CURRENT_SOURCE_DIR}/test_links.py ${PROJECT_SOURCE_DIR})

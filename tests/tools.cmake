@@ -16,6 +16,8 @@ endmacro()
 find_package(Python3 COMPONENTS Interpreter QUIET)
 set(THREADS_PREFER_PTHREAD_FLAG ON)
 find_package(Threads QUIET)
+find_program(SCARP_ABIDIFF NAMES abidiff)
+find_program(SCARP_ABIDW NAMES abidw)
 find_program(SCARP_BASH NAMES bash)
 find_program(SCARP_CHROMIUM NAMES chromium google-chrome chromium-browser)
 find_program(SCARP_GLSLANG NAMES glslangValidator glslang)
@@ -25,7 +27,7 @@ find_program(SCARP_SH NAMES sh)
 find_program(SCARP_SPIRV_DIS NAMES spirv-dis)
 find_program(SCARP_STRACE NAMES strace)
 find_program(SCARP_VALGRIND NAMES valgrind)
-mark_as_advanced(SCARP_BASH SCARP_CHROMIUM SCARP_GLSLANG SCARP_GROFF SCARP_PKG_CONFIG SCARP_SH
+mark_as_advanced(SCARP_ABIDIFF SCARP_ABIDW SCARP_BASH SCARP_CHROMIUM SCARP_GLSLANG SCARP_GROFF SCARP_PKG_CONFIG SCARP_SH
                  SCARP_SPIRV_DIS SCARP_STRACE SCARP_VALGRIND)
 
 # The C++ compiler that belongs to the C compiler: g++-12 to gcc-12, aarch64-linux-gnu-g++ to
@@ -56,6 +58,23 @@ function(scarp_find_cxx)
   endif()
 endfunction()
 scarp_find_cxx()
+
+# A Python that has NumPy: that of the tests, or the system's, which has the packages of the system.
+function(scarp_find_numpy)
+  foreach(python IN ITEMS "${SCARP_NUMPY}" "${Python3_EXECUTABLE}" /usr/bin/python3)
+    if(python)
+      execute_process(COMMAND ${python} -c "import numpy" RESULT_VARIABLE status
+                      OUTPUT_QUIET ERROR_QUIET)
+      if(status EQUAL 0)
+        set(SCARP_NUMPY ${python} CACHE FILEPATH "A Python that has NumPy" FORCE)
+        mark_as_advanced(SCARP_NUMPY)
+        return()
+      endif()
+    endif()
+  endforeach()
+  unset(SCARP_NUMPY CACHE) # it may come
+endfunction()
+scarp_find_numpy()
 
 # Whether there is a Vulkan device: its driver may be missing where the library is not. Drivers are
 # not for programs with instruments in them, nor for emulators.
@@ -91,6 +110,7 @@ if(SCARP_CHROMIUM AND NOT CMAKE_CROSSCOMPILING AND NOT CMAKE_C_FLAGS MATCHES "-f
   set(browser ON)
 endif()
 
+scarp_tool(abidiff SCARP_ABIDIFF AND SCARP_ABIDW)
 scarp_tool(bash SCARP_BASH)
 scarp_tool(c++ cxx_works)
 scarp_tool(chromium browser)
@@ -99,6 +119,7 @@ scarp_tool(glslang SCARP_GLSLANG)
 scarp_tool(groff SCARP_GROFF)
 scarp_tool(linux CMAKE_SYSTEM_NAME STREQUAL "Linux")
 scarp_tool(nm CMAKE_NM)
+scarp_tool(numpy SCARP_NUMPY)
 scarp_tool(objdump CMAKE_OBJDUMP)
 scarp_tool(optimised optimised)
 scarp_tool(pkg-config SCARP_PKG_CONFIG)

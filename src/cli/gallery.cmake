@@ -1,21 +1,33 @@
 # SPDX-License-Identifier: MIT
-# Makes the pictures of the README's gallery again: runs the commands that the README tells, and
-# copies what it shows of them. `cmake --build build --target gallery` calls this with PROGRAM
-# (scarp), README, SCRATCH (a directory to work in) and GALLERY (where the pictures go).
+# Makes the pictures of the gallery again: runs the commands that the documents tell, and copies
+# what they show of them. `cmake --build build --target gallery` calls this with PROGRAM (scarp),
+# DOCUMENTS (the list of them), SCRATCH (a directory to work in) and GALLERY (where the pictures go).
 #
-# A test compares the committed pictures with what the README's commands make, sample by sample.
+# A test compares the committed pictures with what the commands make, sample by sample.
 
 cmake_minimum_required(VERSION 3.25)
-file(READ ${README} readme)
-string(REPLACE "\\\n" "" readme "${readme}")
+set(text "")
+foreach(document IN LISTS DOCUMENTS)
+  file(READ ${document} part)
+  string(APPEND text "${part}")
+endforeach()
+string(REPLACE "\\\n" "" text "${text}")
 file(MAKE_DIRECTORY ${SCRATCH})
 
+# A command makes a picture that it names, or STEM-....png after --output STEM.
+string(REGEX MATCHALL "gallery/[a-z-]+\\.png" pictures "${text}")
+list(TRANSFORM pictures REPLACE "gallery/" "")
+list(REMOVE_DUPLICATES pictures)
+string(REGEX MATCHALL "\nscarp [^\n`;]*" commands "${text}")
+
 set(count 0)
-string(REGEX MATCHALL "scarp terrain [^\n`;]*--output [a-z-]+" commands "${readme}")
-foreach(command IN LISTS commands)
-  string(REGEX REPLACE ".* " "" stem "${command}")
-  if(readme MATCHES "/gallery/(${stem}-(hillshade|compare)\\.png)")
-    set(picture ${CMAKE_MATCH_1})
+foreach(picture IN LISTS pictures)
+  string(REGEX REPLACE "-[a-z]+\\.png$" "" stem ${picture})
+  set(found ${commands})
+  list(FILTER found INCLUDE REGEX " (--output ${stem}|${picture})( |$)")
+  if(found)
+    list(GET found -1 command)
+    string(STRIP "${command}" command)
     separate_arguments(words UNIX_COMMAND "${command}")
     list(POP_FRONT words)
     file(REMOVE ${SCRATCH}/${picture})
@@ -26,6 +38,8 @@ foreach(command IN LISTS commands)
     endif()
     file(COPY ${SCRATCH}/${picture} DESTINATION ${GALLERY})
     math(EXPR count "${count} + 1")
+  else()
+    message("No command makes ${picture}")
   endif()
 endforeach()
 message("${count} pictures are in ${GALLERY}")

@@ -6,25 +6,26 @@
 #include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
-#ifndef _WIN32
-#include <fcntl.h>
-#include <unistd.h>
-#endif
 
 #include "info.h"
 #include "sample/sample.h"
 #include "scarp.h"
 #include "shared/error.h"
 #include "shared/interrupt.h"
+#include "shared/posix.h"
 #include "shared/stack.h"
+#include "sheet/sheet.h"
 #include "terrain/terrain.h"
+#include "view/view.h"
 
 static const char usage[] =
     "usage: scarp <command> [options]\n"
     "\n"
     "Lattice noise and its exact derivatives, sampled in bulk.\n"
     "\n"
-    "  terrain    render a terrain: heights, normals, hillshade, gradient; whole or in tiles\n"
+    "  terrain    render a terrain: heights, normals, hillshade, relief, gradient; whole or tiles\n"
+    "  view       look at a terrain from a camera: a picture with light, shadows and haze\n"
+    "  sheet      draw many small maps of a terrain that differ in one or two parameters\n"
     "  sample     read points, write the noise at each of them and its derivatives\n"
     "  info       tell the version, the instruction sets and the libraries found\n"
     "  help       print this, or with the name of a command what it takes\n"
@@ -36,7 +37,9 @@ static const char usage[] =
 static const struct {
     const char *name;
     int (*run)(char **argv);
-} commands[] = {{"terrain", cli_terrain}, {"sample", cli_sample}, {"info", cli_info}};
+} commands[] = {
+    {"terrain", cli_terrain}, {"view", cli_view}, {"sheet", cli_sheet},
+    {"sample", cli_sample},   {"info", cli_info}};
 
 static int run_command(const char *name, char **argv)
 {
@@ -79,11 +82,22 @@ static int run(int argc, char **argv)
     return CLI_SUCCESS;
 }
 
+#ifdef _WIN32
+static bool start(int *argc, char ***argv)
+{
+    const bool started = windows_start(argc, argv);
+    if (!started) {
+        cli_error("no memory for the arguments");
+    }
+    return started;
+}
+#else
 /* A file that got the number of a standard stream which the caller has closed would take in what
    is printed. What takes those numbers here can neither be written nor be read. */
-static void occupy_standard_streams(void)
+static bool start(int *argc, char ***argv)
 {
-#ifndef _WIN32
+    (void)argc;
+    (void)argv;
     int descriptor;
     do {
         descriptor = open("/", O_RDONLY);
@@ -91,12 +105,15 @@ static void occupy_standard_streams(void)
     if (descriptor >= 0) {
         close(descriptor);
     }
-#endif
+    return true;
 }
+#endif
 
 int main(int argc, char **argv)
 {
-    occupy_standard_streams();
+    if (!start(&argc, &argv)) {
+        return CLI_FAILURE;
+    }
     interrupt_install();
     const int status = stack_reserve() ? run(argc, argv) : CLI_FAILURE;
     interrupt_end();

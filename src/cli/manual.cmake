@@ -18,5 +18,7 @@ execute_process(COMMAND ${PROGRAM} --version OUTPUT_VARIABLE VERSION
                 OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
 string(REPLACE "scarp " "" VERSION "${VERSION}")
 help_of(terrain TERRAIN)
+help_of(view VIEW)
+help_of(sheet SHEET)
 help_of(sample SAMPLE)
 configure_file(${TEMPLATE} ${MANUAL} @ONLY NEWLINE_STYLE UNIX)

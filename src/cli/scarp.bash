@@ -18,9 +18,9 @@ _scarp()
 
     COMPREPLY=()
     if [ "$COMP_CWORD" -eq 1 ]; then
-        words="terrain sample info help --help --version"
+        words="terrain view sheet sample info help --help --version"
     elif [ "$command" = help ]; then
-        [ "$COMP_CWORD" -eq 2 ] && words="terrain sample info"
+        [ "$COMP_CWORD" -eq 2 ] && words="terrain view sheet sample info"
     else
         case $row in
         --basis) words="gradient value simplex cell-f1 cell-f2 cell-edge cell-soft cell-value" ;;
@@ -29,9 +29,14 @@ _scarp()
         --preset) words="none alps dunes islands canyon badlands hills volcanic highlands cirques karst crests folds" ;;
         --isa) words="scalar sse4.1 avx2 avx512 neon generic wasm128" ;;
         --normal-y) words="up down" ;;
+        --palette)
+            mapfile -t COMPREPLY < <(compgen -W "alpine temperate desert arctic grey" -f -- "$word")
+            return
+            ;;
+        --layer) words="relief hillshade" ;;
         --dims) words="2 3" ;;
         --input-format | --output-format) words="csv text npy" ;;
-        --heights | --normals | --hillshade | --gradient | --input | --output)
+        --heights | --normals | --hillshade | --relief | --gradient | --input | --output)
             mapfile -t COMPREPLY < <(compgen -f -- "$word")
             return
             ;;

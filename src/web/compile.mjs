@@ -11,7 +11,7 @@ export const hasVectors = () => WebAssembly.validate(Uint8Array.from(PROBE.split
 export async function compile(simd) {
     const url = simd
         ? new URL('./scarp-simd.wasm', import.meta.url)
-        : new URL('./scarp-scalar.wasm', import.meta.url);
+        : new URL('./scarp-fallback.wasm', import.meta.url);
     if (url.protocol === 'file:') {
         // node, whose fetch() does not read files
         const { readFile } = await import(

@@ -161,7 +161,7 @@ export interface Scarp {
     readonly bases: readonly Basis[];
     readonly fades: readonly Fade[];
     readonly fractals: readonly Fractal[];
-    /** The kernel set in use: 'wasm128', or 'scalar' where engines have no vectors. */
+    /** The kernel set in use: 'wasm128', or 'generic' where engines have no vectors. */
     readonly isa: string;
     readonly isas: readonly string[];
     selectIsa(name: string | null): void;

@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The version, help and facts; and the README's session with `scarp sample`.
+# The version, help and facts; and the manual's session with `scarp sample`.
 . ./common.sh
 
 version=$(sed -n 's/^#define SCARP_VERSION_[A-Z]* //p' "$source_dir/include/scarp.h" |
@@ -17,12 +17,12 @@ for command in terrain sample info; do
 done
 
 # shellcheck disable=SC2016 # the dollar is the prompt
-sed -n '/^\$ printf .*scarp sample/,/^```$/{p;/^```$/q;}' "$source_dir/README.md" >"$notes/session"
+sed -n '/^\$ printf .*scarp sample/,/^```$/{p;/^```$/q;}' "$source_dir/src/cli/README.md" >"$notes/session"
 command=$(sed -n '1s/^\$ //p' "$notes/session")
 sed '1d;$d' "$notes/session" >"$notes/expected"
-[ "$(wc -l <"$notes/expected")" -ge 3 ] || fail "the README has no session with scarp sample"
+[ "$(wc -l <"$notes/expected")" -ge 3 ] || fail "src/cli/README.md has no session with scarp sample"
 eval "$command" >"$notes/printed"
-diff "$notes/expected" "$notes/printed" || fail "$command prints (>) not what the README says (<)"
+diff "$notes/expected" "$notes/printed" || fail "$command prints (>) not what the manual says (<)"
 
 # From a file to a file, as from standard input to standard output
 printf '1.5 2.25 3\n-4 0.5 6\n' >points.txt

@@ -31,13 +31,13 @@ PROGRAM = []
 SKIPPED = 77
 PATIENCE = 60  # seconds
 SPEED = os.environ.get("SCARP_SPEED", "full")
-NAMES = ("height", "normal", "hillshade")
+NAMES = ("height", "normal", "hillshade", "relief")
 WARP = ("seed", "basis", "jitter", "fade", "fractal", "erosion", "sharpness", "frequency",
         "octaves", "of-octaves", "lacunarity", "gain", "phase", "rotate")  # of a warp, too
 NOISES = ("warp", "base", "mask")  # what else has options of a noise
 OPTIONS = ("size", "origin", "step", "period", "tileable",
-           "heights", "normals", "hillshade", "gradient", "output", "compare",
-           "normal-y", "azimuth", "altitude", "z-factor",
+           "heights", "normals", "hillshade", "relief", "gradient", "output", "compare",
+           "normal-y", "palette", "azimuth", "altitude", "z-factor",
            "tile", "tiles", "share", "overlap", "resume",
            "preset", "height", "sea-level", "plateau", "crater", "stretch", "wind",
            "terraces", "terrace-riser", "terrace-strength",
@@ -90,7 +90,7 @@ def has_threads():
 
 
 def extensions():
-    return [".png"] * 3 if has_png() else [".pgm", ".ppm", ".pgm"]
+    return [".png"] * 4 if has_png() else [".pgm", ".ppm", ".pgm", ".ppm"]
 
 
 def limits(**values):
@@ -157,7 +157,7 @@ class Case(unittest.TestCase):
                          arguments)
 
     def terrain(self, *arguments, stem="t"):
-        """Runs `scarp terrain`; returns the bytes of the three files."""
+        """Runs `scarp terrain`; returns the bytes of the four files."""
         self.quietly(*arguments, "--output", stem)
         return [self.bytes(name) for name in self.names(stem)]
 

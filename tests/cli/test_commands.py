@@ -46,11 +46,11 @@ class Commands(Case):
 
     def test_help(self):
         usage = text_of("--help")
-        for command in ("terrain", "info", "help"):
+        for command in ("terrain", "view", "sheet", "sample", "info", "help"):
             self.assertRegex(usage, r"(?m)^  %s " % command)
         self.assertEqual(text_of("help"), usage)
         self.assertEqual(text_of("-h"), usage)
-        for command in ("terrain", "info"):
+        for command in ("terrain", "view", "sheet", "sample", "info"):
             help_text = text_of(command, "--help")
             self.assertTrue(help_text.startswith("usage: scarp " + command))
             self.assertEqual(text_of("help", command), help_text)
@@ -63,7 +63,8 @@ class Commands(Case):
                           if name[:4] not in NOISES or name[5:] not in WARP])
         self.assertLessEqual(max(len(line) for line in text.split("\n")), 90)
         self.assertEqual(re.findall(r"(?m)^(\w[^-\n]*):$", text), GROUPS)
-        for word in ("STEM-height", "STEM-normal", "STEM-hillshade", "STEM-compare"):
+        for word in ("STEM-height", "STEM-normal", "STEM-hillshade", "STEM-relief",
+                     "STEM-compare"):
             self.assertIn(word, text)
         stem = re.search(r"\n  --output (?s:.*?)(?=\n  --)", text).group()
         for end in set(self.extensions):

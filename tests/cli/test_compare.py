@@ -33,7 +33,7 @@ class Compare(Case):
     def test_gradient_half(self):
         """Every sample of the normals, enlarged."""
         for pixels in (1, 2, 7):
-            (_, normal, _), left, _ = self.compare(pixels, "--size", "19x11", *self.RIDGED)
+            (_, normal, *_), left, _ = self.compare(pixels, "--size", "19x11", *self.RIDGED)
             self.check_rows(left, [[sample for sample in row for _ in range(pixels)]
                                    for row in normal.rows for _ in range(pixels)])
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What is written about the program beside its help: man page, completion, README."""
+"""What is written about the program beside its help: man page, completion, the manual's sessions."""
 import os
 import re
 import subprocess
@@ -7,7 +7,7 @@ import subprocess
 import common
 from common import ROOT, Case, run, text_of
 
-COMMANDS = ("terrain", "sample", "info")
+COMMANDS = ("terrain", "view", "sheet", "sample", "info")
 
 
 def read(*path):
@@ -25,10 +25,20 @@ class Documents(Case):
         """The man page was made again when the help or the version changed."""
         expected = read("src", "cli", "scarp.1.in")
         expected = expected.replace("@VERSION@", text_of("--version").split()[1])
-        for command in ("terrain", "sample"):
+        for command in COMMANDS[:-1]:
             expected = expected.replace("@%s@" % command.upper(), roff(text_of("help", command)))
         self.assertEqual(read("src", "cli", "scarp.1"), expected,
                          "cmake --build build --target manual")
+
+    def test_info_in_manual(self):
+        """The manual's `scarp info` has the same lines, and with zlib the same formats."""
+        printed = re.search(r"(?m)^```\n(scarp \d.*\n(?:.*\n)+?)```",
+                            read("src", "cli", "README.md"))
+        lines, told = text_of("info").splitlines(), printed.group(1).splitlines()
+        self.assertEqual([line[:16] for line in lines[:-3]], [line[:16] for line in told[:-3]])
+        if common.has_png():
+            self.assertEqual(lines[-1], told[-1])
+
 
 class Roff(Case):
     """Needs groff."""
@@ -82,7 +92,7 @@ class Completion(Case):
 
     def test_completion_of_words(self):
         """The words that the help has for an option, which stand there as "a, b or c"."""
-        for command in ("terrain", "sample"):
+        for command in COMMANDS[:-1]:
             text = re.sub(r"\n {18}", " ", text_of("help", command))
             for option in re.findall(r"(?m)^  (--[a-z-]+) NAME", text):
                 words = self.complete(command, option, "")
@@ -95,10 +105,10 @@ class Completion(Case):
                 count = told.count(", ") + told.count(" or ")
                 self.assertTrue(len(words) <= count + 1, (words, told))
 
-    def test_sample_in_readme(self):
-        """The README's session with scarp sample prints what it says."""
+    def test_sample_in_manual(self):
+        """The manual's session with scarp sample prints what it says."""
         command, printed = re.search(r"(?m)^\$ (printf .*\| scarp sample .*)\n((?:.+\n)+)```",
-                                     read("README.md")).groups()
+                                     read("src", "cli", "README.md")).groups()
         words = command.split("| scarp ")[1].split()
         points = subprocess.run(["bash", "-c", command.split(" | ")[0]], stdout=subprocess.PIPE,
                                 check=True).stdout

@@ -22,7 +22,7 @@ class Files(Case):
                 pictures = [read_picture(self.path(name)) for name in self.names("t")]
                 self.assertEqual([picture.shape() for picture in pictures],
                                  [(width, height, 1, 16), (width, height, 3, 8),
-                                  (width, height, 1, 8)])
+                                  (width, height, 1, 8), (width, height, 3, 8)])
 
     def test_replaces(self):
         first = self.terrain(*SMALL, "--seed", "3")
@@ -43,6 +43,7 @@ class Files(Case):
         old = self.terrain(*SMALL)[0]
         os.remove(self.path(names[1]))
         os.remove(self.path(names[2]))
+        os.remove(self.path(names[3]))
         os.mkdir(self.path(names[1]))
         result = run("terrain", *SMALL, "--seed", "9", "--output", self.path("t"))
         self.check_one_line(result, 2, "--output", names[1])

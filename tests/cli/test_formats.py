@@ -166,7 +166,7 @@ class Formats(Case):
             with self.subTest(format=kind):
                 name = "T." + kind.upper()
                 self.assertEqual(self.layer("--heights", name, *PLACE),
-                                 self.layer("--heights", "t." + kind, *PLACE))
+                                 self.layer("--heights", "u." + kind, *PLACE))
 
     def test_together(self):
         """Files made in one pass are those made one by one."""

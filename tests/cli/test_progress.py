@@ -83,7 +83,7 @@ class Progress(Case):
     def test_quiet(self):
         result = run("terrain", *SMALL, "--quiet", "--output", self.path("t"))
         self.assertEqual((result.returncode, result.stdout, result.stderr), (0, b"", b""))
-        self.assertEqual(len(self.files()), 3)
+        self.assertEqual(len(self.files()), 4)
 
     @unittest.skipUnless(common.pty, "needs POSIX")
     def test_terminal(self):

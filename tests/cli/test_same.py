@@ -26,8 +26,9 @@ class Isa(Case):
 # Every layer, and every kind of sample that it can have
 LAYERS = (("--heights", "h.r32"), ("--heights", "h.r16"), ("--heights", "h.pgm"),
           ("--heights", "h.pfm"), ("--normals", "n.npy"), ("--normals", "n.ppm"),
-          ("--hillshade", "s.pgm"), ("--gradient", "g.npy"))
-PICTURES = (("--heights", "h.png"), ("--normals", "n.png"), ("--hillshade", "s.png"))
+          ("--hillshade", "s.pgm"), ("--relief", "c.ppm"), ("--gradient", "g.npy"))
+PICTURES = (("--heights", "h.png"), ("--normals", "n.png"), ("--hillshade", "s.png"),
+            ("--relief", "c.png"))
 
 
 class Threads(Case):

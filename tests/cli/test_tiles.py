@@ -216,7 +216,7 @@ class Resume(TileCase):
         """It is one tile."""
         self.quietly(*place(), "--output", "t", "--resume")
         before = self.state()
-        self.assertEqual(len(before), 3)
+        self.assertEqual(len(before), 4)
         self.quietly(*place(), "--output", "t", "--resume")
         self.assertEqual(self.state(), before)
 

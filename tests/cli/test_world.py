@@ -79,7 +79,7 @@ class Manifest(WorldCase):
                 ("octaves", 1), ("of-octaves", None), ("lacunarity", 2), ("gain", 0.5),
                 ("phase", None), ("rotate", False))},
             "warp-reach": 0, "base-amplitude": 0, "mask-band": [0, 0], "heights": "w_{y}_{x}.r32", "normals": "npy:n_{y}_{x}.v1",
-            "hillshade": "s_{y}_{x}.img", "gradient": None, "output": None})
+            "hillshade": "s_{y}_{x}.img", "relief": None, "palette": None, "gradient": None, "output": None})
         self.assertEqual(derived["tiles"], [4, 3])
         self.assertEqual(derived["range"], [-3, 3])
         self.assertEqual([common.rounded(height) for height in derived["16-bit heights"]],
@@ -111,6 +111,7 @@ class Manifest(WorldCase):
                    "mask-band": ("0,0.5", "[0, 0]", "[0, 0.5]"),
                    "warp-reach": ("5", "0", "5"), "gradient": ("g.npy", "null", '"g_{y}_{x}.npy"'),
                    "hillshade": ("s.npy", "null", '"s_{y}_{x}.npy"'),
+                   "relief": ("c.npy", "null", '"c_{y}_{x}.npy"'),
                    "output": ("t", "null", '"t-height_{y}_{x}' + self.extensions[0] + '"')}
         same = {"tiles": "0:1,0:1", "share": "0/2", "threads": "1", "isa": "scalar",
                 "preset": "none"}
@@ -127,8 +128,8 @@ class Manifest(WorldCase):
         self.refused(*TERRAIN, "--heights", "w.r32", words=('"n_{y}_{x}.npy" there and null here',))
         self.refused(*TERRAIN, "--heights", "w.r32", "--normals", "npy:n", "--resume",
                      words=('"n_{y}_{x}.npy" there and "npy:n_{y}_{x}" here',))
-        # test_period.py has --tileable, which is no option for this size.
-        rest = {"tileable", *(part + "-" + name for part in common.NOISES for name in common.WARP),
+        # test_period.py has --tileable, which is no option for this size, test_relief.py --palette.
+        rest = {"tileable", "palette", *(part + "-" + name for part in common.NOISES for name in common.WARP),
                 "heights", "normals", "compare", "resume", "quiet", "help"}
         self.assertEqual(set(common.OPTIONS), set(changes) | set(same) | rest)
 

@@ -1,10 +1,10 @@
 # SPDX-License-Identifier: MIT
-"""What the tests of farms share: the README's recipes, a small world, processes to kill.
+"""What the tests of farms share: the recipes of src/cli/README.md, a small world, processes to kill.
 
-    test_NAME.py PROGRAM README SCRATCH [LIBRARY]
+    test_NAME.py PROGRAM DOCUMENT SCRATCH [LIBRARY]
 
-Each runs recipes of the README as they stand there, in a directory of its own below SCRATCH, and
-prints what happens. The world alone is smaller than the README's. LIBRARY is for test_locks.py.
+Each runs recipes of the document as they stand there, in a directory of its own below SCRATCH, and
+prints what happens. The world alone is smaller than there. LIBRARY is for test_locks.py.
 With SCARP_TEST_FARM=1 in the environment a missing tool is a failure, and daemons may be started;
 else such a test is skipped.
 """
@@ -22,7 +22,7 @@ from rasters import decode_envi_header, read_bytes, read_picture  # noqa: E402
 
 SKIPPED = 77
 REQUIRED = os.environ.get("SCARP_TEST_FARM") == "1"
-# The blocks of the README's section, by the first word or words of the comment that opens them
+# The blocks of the section, by the first word or words of the comment that opens them
 RECIPES = ("The world", "The simplest farm", "world.sbatch", "Slurm", "srun", "Open MPI",
            "GNU parallel", "Kubernetes", "Levels", "GDAL")
 STARTED = time.monotonic()
@@ -37,16 +37,16 @@ def check(condition, *message):
         raise SystemExit("FAILED: " + " ".join(str(word) for word in message))
 
 
-def recipes(readme):
+def recipes(document):
     """The fenced blocks of the section "Farms", all of them known here, by their names."""
-    with open(readme, encoding="utf-8") as file:
+    with open(document, encoding="utf-8") as file:
         section = re.search(r"^## Farms\n(.*?)^## ", file.read(), re.MULTILINE | re.DOTALL).group(1)
     found = {}
     for body in re.findall(r"^```\w+\n(.*?)^```$", section, re.MULTILINE | re.DOTALL):
         name = re.match(r"(?:#!.*\n)?# ([^:\n]*):", body).group(1)
         check(name not in found, "two recipes are called", name)
         found[name] = body
-    check(sorted(found) == sorted(RECIPES), "recipes in the README:", sorted(found),
+    check(sorted(found) == sorted(RECIPES), "recipes in the document:", sorted(found),
           "known to the tests:", sorted(RECIPES))
     return found
 
@@ -142,9 +142,9 @@ class Farm:
     SLOW = {"--octaves": "32", "--isa": "scalar"}
 
     def __init__(self, name, slow=True, layers=(("--hillshade", "shades/{y}/{x}"),), tile=128):
-        program, readme, scratch = sys.argv[1:4]
+        program, document, scratch = sys.argv[1:4]
         self.program = os.path.realpath(program)
-        self.recipes = recipes(readme)
+        self.recipes = recipes(document)
         self.directory = os.path.join(os.path.realpath(scratch), name)
         shutil.rmtree(self.directory, ignore_errors=True)
         os.makedirs(self.directory)
@@ -157,7 +157,7 @@ class Farm:
                          for option, path in layers], slow)
 
     def make_world(self, layers, slow):
-        """What the README's world becomes: smaller, with more layers."""
+        """What the document's world becomes: smaller, with more layers."""
         self.run("The world")
         words = read_bytes(self.path("world")).decode().split()
         self.options = dict(zip(words[::2], words[1::2]))
@@ -262,7 +262,7 @@ class Farm:
         before = self.state()
         command = self.start_shell(self.recipes["The simplest farm"].replace(" --quiet", ""))
         check(command.communicate()[0] == b"nothing to do: all files are there\n" and
-              self.state() == before, "the README's proof that a world is complete")
+              self.state() == before, "the proof that a world is complete")
 
     def whole(self, option):
         return "whole" + option + os.path.splitext(dict(self.layers)[option])[1]

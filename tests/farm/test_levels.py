@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Each sample of a level of detail is, to the bit, a sample of the world: by the README's recipe,
+"""Each sample of a level of detail is, to the bit, a sample of the world: by the document's recipe,
 and by its formula for the origin."""
 from farm import check, envi_rows, main, rows_of, tell
 

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Where no file can be locked, equal commands do some work twice, and the world is right.
 
-    test_locks.py PROGRAM README SCRATCH LIBRARY    LIBRARY makes all locks fail
+    test_locks.py PROGRAM DOCUMENT SCRATCH LIBRARY    LIBRARY makes all locks fail
 """
 import re
 import signal

@@ -103,7 +103,7 @@ def check_array(farm, cluster, first, second):
 
 
 def check_steps(farm):
-    """srun, and what the README says of -n without it"""
+    """srun, and what the document says of -n without it"""
     farm.run("srun")
     tell("srun has run four tasks: " + farm.story())
     farm.output("sbatch", "--wait", "-n", "3", "--output=tasks.txt", "--wrap",

@@ -4,9 +4,9 @@
     browser.py TEST CHROMIUM WRITE_CASES SOURCE [OPTION]      TEST: wgsl, webgl, control
 
 WRITE_CASES is the program that writes what to compare with; SOURCE the top of the repository, with
-the shaders and the README, whose example must compile. The page tells how it went: the exit status
-is 0, 1, or 77 where the browser lacks WebGPU or WebGL 2. OPTION no-barrier lets compilers fuse
-operations.
+the shaders and src/gpu/README.md, whose sample must compile. The page tells how it went: the exit
+status is 0, 1, or 77 where the browser lacks WebGPU or WebGL 2. OPTION no-barrier lets compilers
+fuse operations.
 """
 import http.server
 import os
@@ -135,7 +135,7 @@ def main():
         cases = os.path.join(scratch, "cases")
         os.mkdir(cases)
         subprocess.run([write_cases, cases], check=True)
-        with open(os.path.join(source, "README.md"), encoding="utf-8") as readme, \
+        with open(os.path.join(source, "src", "gpu", "README.md"), encoding="utf-8") as readme, \
                 open(os.path.join(cases, "example.wgsl"), "w", encoding="utf-8") as example:
             example.write(re.search(r"^```wgsl\n(.*?)^```$", readme.read(), re.M | re.S).group(1))
         folders = {"": HERE, "shaders": os.path.join(source, "include"), "cases": cases}

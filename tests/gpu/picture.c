@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Renders the picture of the README with picture.comp, and compares what the shader says of the
- * ground at each pixel with the library, to the bit.
+ * Renders the picture of src/gpu/README.md with picture.comp, and compares what the shader says of
+ * the ground at each pixel with the library, to the bit.
  *
  *     gpu_picture SHADER > landscape.ppm
  *     gpu_picture SHADER --small    only compares, at a quarter of the height

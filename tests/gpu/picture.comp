@@ -1,9 +1,9 @@
 #version 460
 // SPDX-License-Identifier: MIT
 //
-// A landscape, raymarched: the picture of the README. For each pixel, where its ray meets the
-// ground, with height and slopes there, so that picture.c can compare them with the library's; then
-// the color. Plan 0 is the ground for rays, plan 1 has more octaves of the same sum for the light.
+// A landscape, raymarched: the picture of src/gpu/README.md. For each pixel, where its ray meets
+// the ground, with height and slopes there, so that picture.c can compare them with the library's;
+// then the color. Plan 0 is the ground for rays, plan 1 has more octaves of the same sum for the light.
 #extension GL_GOOGLE_include_directive : require
 #define SCARP_PLANS 2
 #define SCARP_ONLY_DEPTH 0u

@@ -122,7 +122,7 @@ class Webgpu {
     }
 }
 
-// Compiles the README's example, whose pipeline fixes what it can: that is fast.
+// Compiles the sample of src/gpu/README.md, whose pipeline fixes what it can: that is fast.
 async function compileExample(gpu, source) {
     const example = await (await get("/cases/example.wgsl")).text();
     await gpu.createComputePipelineAsync({

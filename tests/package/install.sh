@@ -7,6 +7,7 @@
 case $libdir$includedir in
 /* | *//*) skip "absolute installation directories were chosen" ;;
 esac
+[ "$install_prefix" != /usr ] || skip "what is made for /usr does not move"
 
 fresh install
 "$cmake" --install "$build_dir" --config "$config" --prefix "$dir/prefix"

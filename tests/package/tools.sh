@@ -8,7 +8,7 @@ fresh tools
 # What find_program and find_package find, they do not look for where they are told that it is OFF.
 set -- -DCMAKE_NM=OFF -DCMAKE_OBJDUMP=OFF -DSCARP_CXX=OFF -DSCARP_BUILD_CLI=OFF \
     -DSCARP_BUILD_BENCH=OFF -DSCARP_INSTALL=OFF
-for tool in BASH GROFF PKG_CONFIG SH VALGRIND; do
+for tool in ABIDIFF BASH GROFF PKG_CONFIG SH VALGRIND; do
     set -- "$@" "-DSCARP_$tool=OFF"
 done
 for package in Python3 Threads; do
@@ -41,7 +41,7 @@ expect()
     fi
 }
 unset SCARP_REQUIRE_TOOLS
-for pair in bash:cli.completion c++:package.header.cxx groff:cli.roff nm:package.symbols \
+for pair in abidiff:package.abi bash:cli.completion c++:package.header.cxx groff:cli.roff nm:package.symbols \
     objdump:package.audit pkg-config:package.pkg_config pthreads:threads python3:readme.c \
     scarp:cli.formats scarp-bench:bench.results scarp-install:package.install \
     sh:package.direct valgrind:cost; do

@@ -286,14 +286,15 @@ class Chosen(Coordinates):
 
 
 class Readme(Case):
-    """The README's examples of `scarp sample` print what it says."""
+    """The manual's examples of `scarp sample` print what it says."""
 
     @unittest.skipUnless(shutil.which("bash"), "needs bash")
     def test_examples(self):
-        with open(os.path.join(ROOT, "README.md"), encoding="utf-8") as file:
+        with open(os.path.join(ROOT, "src", "cli", "README.md"), encoding="utf-8") as file:
             fences = re.findall(r"(?ms)^```sh\n(.*?)^```$", file.read())
         example = re.compile(r"(?m)^\$ (.*\| scarp sample .*)\n((?:[^$\n].*\n)+)")
         examples = [found for fence in fences for found in example.findall(fence)]
+        self.assertGreaterEqual(len(examples), 2)
         self.assertTrue(any("--columns" in command for command, _ in examples), examples)
         for command, printed in examples:
             script = 'scarp() { "${program[@]}" "$@"; }; program=("$@"); ' + command

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "formats/formats.h"
+#include "shared/posix.h"
 #include "shared/text.h"
 
 /* NAME.hdr for NAME.img, in capitals or not; for any other NAME too. */

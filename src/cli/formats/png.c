@@ -11,6 +11,7 @@
 #include <zlib.h>
 
 #include "formats/formats.h"
+#include "shared/posix.h"
 
 /* How fractal terrain is best packed: each sample less the mean of its neighbours, then Huffman
    codes and runs only, since there is little to be found twice. Measured on heights, normals and

@@ -113,8 +113,7 @@ bool ground_make(const struct ground_options *options, struct ground *ground)
     return true;
 }
 
-/* What the sea covers or the plateau cuts off is flat: its gradient is that of what is returned. */
-static void clamp(const struct ground *ground, size_t count, const struct scarp_samples *out)
+void ground_cut(const struct ground *ground, size_t count, const struct scarp_samples *out)
 {
     if (ground->floor <= ground->lowest && ground->ceiling >= ground->highest) {
         return;
@@ -265,14 +264,20 @@ static void combine_grid(const struct ground *ground, const struct scarp_grid *g
     }
 }
 
-void ground_grid(const struct ground *ground, const struct scarp_grid *grid,
-                 const struct scarp_samples *out)
+void ground_uncut_grid(const struct ground *ground, const struct scarp_grid *grid,
+                       const struct scarp_samples *out)
 {
     sample_grid(ground, grid, out);
     if (!is_plain(ground)) {
         combine_grid(ground, grid, out);
     }
-    clamp(ground, grid->count[0] * grid->count[1], out);
+}
+
+void ground_grid(const struct ground *ground, const struct scarp_grid *grid,
+                 const struct scarp_samples *out)
+{
+    ground_uncut_grid(ground, grid, out);
+    ground_cut(ground, grid->count[0] * grid->count[1], out);
 }
 
 struct points {
@@ -287,8 +292,8 @@ static void sample_piece_of_points(const void *piece, const struct scarp_noise *
     scarp_sample2_f64(noise, points->count, points->x, points->y, out);
 }
 
-void ground_points(const struct ground *ground, size_t count, const double *x, const double *y,
-                   const struct scarp_samples *out)
+void ground_uncut_points(const struct ground *ground, size_t count, const double *x,
+                         const double *y, const struct scarp_samples *out)
 {
     sample_points(ground, count, x, y, out);
     for (size_t first = 0; first < count && !is_plain(ground); first += PIECE) {
@@ -297,7 +302,13 @@ void ground_points(const struct ground *ground, size_t count, const double *x, c
         const struct scarp_samples part = samples_from(out, first);
         combine(ground, piece.count, sample_piece_of_points, &piece, &part);
     }
-    clamp(ground, count, out);
+}
+
+void ground_points(const struct ground *ground, size_t count, const double *x, const double *y,
+                   const struct scarp_samples *out)
+{
+    ground_uncut_points(ground, count, x, y, out);
+    ground_cut(ground, count, out);
 }
 
 /* How many octaves have cells of at least `finest` units. Between two numbers of octaves, linear in

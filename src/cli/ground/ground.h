@@ -46,6 +46,16 @@ void ground_grid(const struct ground *ground, const struct scarp_grid *grid,
 void ground_points(const struct ground *ground, size_t count, const double *x, const double *y,
                    const struct scarp_samples *out);
 
+/* The same before the sea and the plateau cut off what is beyond them */
+void ground_uncut_grid(const struct ground *ground, const struct scarp_grid *grid,
+                       const struct scarp_samples *out);
+void ground_uncut_points(const struct ground *ground, size_t count, const double *x,
+                         const double *y, const struct scarp_samples *out);
+
+/* Cuts off what the sea covers and what is above the plateau: it is flat there, so the gradient is
+   0. */
+void ground_cut(const struct ground *ground, size_t count, const struct scarp_samples *out);
+
 /* Makes the same ground without the octaves whose cells are smaller than `finest` units; the last
    one that is left fades in. What is left is as it was: amplitudes do not change. */
 void ground_limit(const struct ground *ground, double finest, struct ground *limited);

@@ -201,3 +201,7 @@ const char *const preset_names[] = {"none",     "alps",   "dunes",    "islands",
 const char *const *const preset_words[] = {none,     alps,   dunes,    islands,   canyon,
                                            badlands, hills,  volcanic, highlands, cirques,
                                            karst,    crests, folds};
+
+const char *const preset_palettes[] = {"alpine",    "alpine",    "desert", "temperate", "desert",
+                                       "desert",    "temperate", "alpine", "alpine",    "alpine",
+                                       "temperate", "alpine",    "alpine"};

@@ -11,6 +11,7 @@
 
 extern const char *const preset_names[];        /* ends with NULL */
 extern const char *const *const preset_words[]; /* by name: options, as they would be typed */
+extern const char *const preset_palettes[];     /* by name: the palette that suits it */
 
 /* The help; a test holds it against preset_words. */
 #define PRESET_HELP                                                                                \

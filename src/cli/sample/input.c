@@ -5,25 +5,14 @@
 #include "sample/input.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <stdlib.h>
 #include <string.h>
-#ifdef _WIN32
-#include <io.h>
-#define STDIN_DESCRIPTOR 0
-#define OPEN(path) _open(path, _O_RDONLY | _O_BINARY)
-#define READ(descriptor, bytes, size) _read(descriptor, bytes, (unsigned)(size))
-#define CLOSE(descriptor) _close(descriptor)
-#else
-#include <unistd.h>
-#define STDIN_DESCRIPTOR STDIN_FILENO
-#define OPEN(path) open(path, O_RDONLY)
-#define READ(descriptor, bytes, size) read(descriptor, bytes, size)
-#define CLOSE(descriptor) close(descriptor)
-#endif
 
 #include "shared/error.h"
 #include "shared/interrupt.h"
+#include "shared/posix.h"
+
+#define STDIN_DESCRIPTOR 0
 
 bool input_open(struct input *input, const char *path)
 {
@@ -34,13 +23,10 @@ bool input_open(struct input *input, const char *path)
         return false;
     }
     if (standard) {
-#ifdef _WIN32
-        _setmode(STDIN_DESCRIPTOR, _O_BINARY);
-#endif
         input->descriptor = STDIN_DESCRIPTOR;
         return true;
     }
-    input->descriptor = OPEN(path);
+    input->descriptor = open(path, O_RDONLY);
     if (input->descriptor < 0) {
         const int reason = errno;
         free(input->bytes);
@@ -62,7 +48,7 @@ bool input_more(struct input *input)
     }
     long long count = -1;
     for (errno = EINTR; count < 0 && errno == EINTR && !interrupted();) {
-        count = READ(input->descriptor, input->bytes + input->end, INPUT_SIZE - input->end);
+        count = read(input->descriptor, input->bytes + input->end, INPUT_SIZE - input->end);
     }
     if (count <= 0) {
         input->error = count == 0 ? 0 : errno;
@@ -110,7 +96,7 @@ int input_status(const struct input *input)
 void input_close(struct input *input)
 {
     if (input->bytes != NULL && input->descriptor != STDIN_DESCRIPTOR) {
-        CLOSE(input->descriptor);
+        close(input->descriptor);
     }
     free(input->bytes);
     input->bytes = NULL;

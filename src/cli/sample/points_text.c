@@ -87,7 +87,7 @@ static enum line_state next_row(struct points *points, bool wait)
 }
 
 /* The line at hand is malformed: notes why, or counts it if such lines are left out. */
-#if defined(__GNUC__) || defined(__clang__)
+#if defined(__clang__) || (defined(__GNUC__) && !defined(_WIN32))
 __attribute__((format(printf, 2, 3)))
 #endif
 static bool

@@ -9,14 +9,12 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#ifndef _WIN32
-#include <fcntl.h>
-#endif
 
 #include "formats/npy.h"
 #include "shared/error.h"
 #include "shared/interrupt.h"
 #include "shared/number.h"
+#include "shared/posix.h"
 
 #define BUFFER_SIZE ((size_t)1 << 16)
 
@@ -247,12 +245,10 @@ static bool is_counted(const struct points *points)
    shell appends, and not behind what others wrote. */
 static bool can_rewind(struct file *file)
 {
-#ifndef _WIN32
     const int flags = fcntl(fileno(file->stream), F_GETFL);
     if (flags != -1 && (flags & O_APPEND) != 0) {
         return false;
     }
-#endif
     return ftell(file->stream) == 0 && file_seek(file, 0);
 }
 

@@ -21,6 +21,9 @@
 #ifdef __linux__
 #include <sched.h>
 #endif
+#ifdef _WIN32
+typedef int sigset_t; /* no thread gets signals there */
+#endif
 
 #include "shared/stack.h"
 
@@ -85,9 +88,13 @@ size_t crew_processors(void)
         count = CPU_COUNT_S(sizeof sets, sets);
     }
 #endif
+#ifdef _WIN32
+    count = pthread_num_processors_np();
+#else
     if (count < 1) {
         count = sysconf(_SC_NPROCESSORS_ONLN);
     }
+#endif
     return count < 1 ? 1 : count > THREADS_MAX ? THREADS_MAX : (size_t)count;
 }
 
@@ -135,27 +142,60 @@ static void *serve(void *argument)
     return NULL;
 }
 
-/* Starts a thread, which inherits what is blocked: every signal but those that tell of a mistake of
-   its own. */
-static bool start_thread(pthread_t *thread, void *(*function)(void *argument), void *argument)
+#ifdef _WIN32
+static size_t least_stack(void)
+{
+    return 0;
+}
+
+static bool block_signals(sigset_t *before)
+{
+    *before = 0;
+    return true;
+}
+
+static void unblock_signals(const sigset_t *before)
+{
+    (void)before;
+}
+#else
+static size_t least_stack(void)
+{
+    const long least = sysconf(_SC_THREAD_STACK_MIN);
+    return least > 0 ? (size_t)least : 0;
+}
+
+/* Blocks every signal but those that tell of a thread's own mistake. */
+static bool block_signals(sigset_t *before)
 {
     static const int own[] = {SIGSEGV, SIGBUS, SIGILL, SIGFPE, SIGABRT, SIGTRAP, SIGSYS};
-    const long least = sysconf(_SC_THREAD_STACK_MIN);
-    const size_t stack = least > (long)STACK_BYTES ? (size_t)least : STACK_BYTES;
-    pthread_attr_t attributes;
-    sigset_t blocked, before;
+    sigset_t blocked;
     sigfillset(&blocked);
     for (size_t i = 0; i < sizeof own / sizeof own[0]; i++) {
         sigdelset(&blocked, own[i]);
     }
+    return pthread_sigmask(SIG_BLOCK, &blocked, before) == 0;
+}
+
+static void unblock_signals(const sigset_t *before)
+{
+    pthread_sigmask(SIG_SETMASK, before, NULL);
+}
+#endif
+
+/* Starts a thread, which inherits what is blocked. */
+static bool start_thread(pthread_t *thread, void *(*function)(void *argument), void *argument)
+{
+    const size_t least = least_stack(), stack = least > STACK_BYTES ? least : STACK_BYTES;
+    pthread_attr_t attributes;
+    sigset_t before;
     if (pthread_attr_init(&attributes) != 0) {
         return false;
     }
     bool is_started = false;
-    if (pthread_attr_setstacksize(&attributes, stack) == 0 &&
-        pthread_sigmask(SIG_BLOCK, &blocked, &before) == 0) {
+    if (pthread_attr_setstacksize(&attributes, stack) == 0 && block_signals(&before)) {
         is_started = pthread_create(thread, &attributes, function, argument) == 0;
-        pthread_sigmask(SIG_SETMASK, &before, NULL);
+        unblock_signals(&before);
     }
     pthread_attr_destroy(&attributes);
     return is_started;

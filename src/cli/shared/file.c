@@ -7,29 +7,11 @@
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <sys/types.h>
-#include <time.h>
 
 #include "shared/interrupt.h"
 #include "shared/path.h"
+#include "shared/posix.h"
 #include "shared/unfinished.h"
-
-#ifdef _WIN32
-#include <fcntl.h>
-#include <io.h>
-#define SEEK_SET_64(stream, offset) _fseeki64(stream, (__int64)(offset), SEEK_SET)
-#ifndef S_ISREG
-#define S_ISREG(mode) (((mode)&_S_IFMT) == _S_IFREG)
-#endif
-#ifndef S_ISCHR
-#define S_ISCHR(mode) (((mode)&_S_IFMT) == _S_IFCHR)
-#endif
-#else
-#include <fcntl.h>
-#include <unistd.h>
-#define SEEK_SET_64(stream, offset) fseeko(stream, (off_t)(offset), SEEK_SET)
-#endif
 
 static bool is_standard_output(const char *path)
 {
@@ -46,13 +28,11 @@ bool file_is_older(struct file_time a, struct file_time b)
     return a.seconds < b.seconds || (a.seconds == b.seconds && a.nanoseconds < b.nanoseconds);
 }
 
-#ifndef _WIN32
 static struct file_time earlier(const struct timespec *a, const struct timespec *b)
 {
     const struct file_time first = {a->tv_sec, a->tv_nsec}, second = {b->tv_sec, b->tv_nsec};
     return file_is_older(first, second) ? first : second;
 }
-#endif
 
 bool file_look(const char *path, uint64_t *size, struct file_time *time)
 {
@@ -63,8 +43,6 @@ bool file_look(const char *path, uint64_t *size, struct file_time *time)
     *size = (uint64_t)status.st_size;
 #if defined(__APPLE__)
     *time = earlier(&status.st_mtimespec, &status.st_ctimespec);
-#elif defined(_WIN32)
-    *time = (struct file_time){status.st_mtime, 0};
 #else
     *time = earlier(&status.st_mtim, &status.st_ctim);
 #endif
@@ -79,7 +57,7 @@ bool file_is_special(const char *path)
 
 bool file_is_same(const struct file *a, const struct file *b)
 {
-    return a->unfinished != NULL && b->unfinished != NULL && strcmp(a->path, b->path) == 0;
+    return a->unfinished != NULL && b->unfinished != NULL && path_is_same(a->path, b->path);
 }
 
 /* Finds out whether writes wait. Then nothing is buffered, which closing the file would wait for.
@@ -114,21 +92,16 @@ static bool open_ordinary(struct file *file)
     unfinished_sweep(file->path);
     const unsigned mode = replaces ? (unsigned)old.st_mode & 0777 : 0666;
     file->unfinished = unfinished_make(file->path, mode, &file->stream);
-#ifndef _WIN32
     if (file->unfinished != NULL && replaces) {
         /* What the umask took away. Some file systems have no permissions. */
         (void)!fchmod(fileno(file->stream), old.st_mode & 07777);
     }
-#endif
     return file->unfinished != NULL;
 }
 
 bool file_open(struct file *file, const char *path)
 {
     if (is_standard_output(path)) {
-#ifdef _WIN32
-        _setmode(_fileno(stdout), _O_BINARY);
-#endif
         file->stream = stdout;
         return prepare(file);
     }
@@ -168,7 +141,6 @@ bool file_open_making_directories(struct file *file, const char *path)
 bool file_write(struct file *file, const void *bytes, size_t count)
 {
     const char *next = bytes;
-#ifndef _WIN32
     while (file->waits && count > 0) {
         if (interrupted()) {
             errno = EINTR;
@@ -181,7 +153,6 @@ bool file_write(struct file *file, const void *bytes, size_t count)
         next += written < 0 ? 0 : written;
         count -= written < 0 ? 0 : (size_t)written;
     }
-#endif
     return count == 0 || fwrite(next, 1, count, file->stream) == count;
 }
 
@@ -189,39 +160,28 @@ bool file_write(struct file *file, const void *bytes, size_t count)
    contents do not. Not every file system can tell. */
 static bool synchronise(FILE *stream)
 {
-#ifdef _WIN32
-    return _commit(_fileno(stream)) == 0;
-#else
 #ifdef F_FULLFSYNC
     if (fcntl(fileno(stream), F_FULLFSYNC) == 0) {
         return true;
     }
 #endif
     return path_sync(fileno(stream));
-#endif
 }
 
 /* The lock of an unfinished file lasts until it has its final name: see unfinished.h. */
 static void keep_lock(struct file *file, FILE *stream)
 {
-#ifndef _WIN32
     if (file->unfinished != NULL) {
         file->lock = dup(fileno(stream));
         file->is_locked = file->lock >= 0;
     }
-#else
-    (void)file;
-    (void)stream;
-#endif
 }
 
 static void end_lock(struct file *file)
 {
-#ifndef _WIN32
     if (file->is_locked) {
         close(file->lock);
     }
-#endif
     file->is_locked = false;
 }
 
@@ -260,9 +220,6 @@ bool file_publish(struct file *file)
     }
     /* Not when it was opened: another run may have written the file since. */
     file->replaces = stat(file->path, &old) == 0;
-#ifdef _WIN32
-    remove(file->path); /* where rename does not replace */
-#endif
     if (rename(file->unfinished, file->path) != 0) {
         return false;
     }
@@ -275,9 +232,6 @@ bool file_publish(struct file *file)
    name is reserved first. */
 static bool publish_by_link(struct file *file)
 {
-#ifdef _WIN32
-    return rename(file->unfinished, file->path) == 0; /* replaces nothing there */
-#else
     struct stat status;
     if (link(file->unfinished, file->path) == 0 ||
         (errno == EEXIST && stat(file->unfinished, &status) == 0 && status.st_nlink == 2)) {
@@ -299,7 +253,6 @@ static bool publish_by_link(struct file *file)
         return false;
     }
     return true;
-#endif
 }
 
 bool file_publish_new(struct file *file)
@@ -354,5 +307,5 @@ const char *file_reason(int reason)
 
 bool file_seek(struct file *file, uint64_t offset)
 {
-    return SEEK_SET_64(file->stream, offset) == 0;
+    return fseeko(file->stream, (off_t)offset, SEEK_SET) == 0;
 }

@@ -7,21 +7,63 @@
 #include <signal.h>
 #include <stdatomic.h>
 #include <stddef.h>
-#ifndef _WIN32
+#ifdef _WIN32
+#include <windows.h>
+#else
 #include <unistd.h>
 #endif
 
 static atomic_int requested; /* number of the signal; all threads look at it */
 
 #ifdef _WIN32
-static void remember(int number)
+static HANDLE first_thread;
+
+#define ALARM 1000 /* milliseconds */
+
+/* Ends a write of the first thread that waits, as often as there is one. */
+static DWORD WINAPI end_waits(void *unused)
 {
-    requested = number;
+    (void)unused;
+    while (requested != 0) {
+        Sleep(ALARM);
+        CancelSynchronousIo(first_thread);
+    }
+    return 0;
 }
 
-static void watch(int number)
+/* The system calls this in a thread of its own: for Ctrl-C and Ctrl-Break, of which the second one
+   ends the program at once, and when the console is closed or the user logs off. Then the program
+   is ended as soon as this returns. */
+static BOOL WINAPI remember(DWORD event)
 {
-    signal(number, remember);
+    const bool is_key = event == CTRL_C_EVENT || event == CTRL_BREAK_EVENT;
+    if (atomic_exchange(&requested, SIGINT) != 0 && is_key) {
+        return FALSE;
+    }
+    const HANDLE thread = CreateThread(NULL, 0, end_waits, NULL, 0, NULL);
+    if (thread != NULL) {
+        CloseHandle(thread);
+    }
+    if (!is_key) {
+        Sleep(INFINITE);
+    }
+    return TRUE;
+}
+
+void interrupt_install(void)
+{
+    const HANDLE process = GetCurrentProcess();
+    if (DuplicateHandle(process, GetCurrentThread(), process, &first_thread, 0, FALSE,
+                        DUPLICATE_SAME_ACCESS)) {
+        SetConsoleCtrlHandler(remember, TRUE);
+    }
+}
+
+void interrupt_end(void)
+{
+    if (requested != 0) {
+        ExitProcess((UINT)CONTROL_C_EXIT); /* as the system does it */
+    }
 }
 #else
 static volatile sig_atomic_t ignores_alarm; /* asked to, when the program was started */
@@ -70,20 +112,17 @@ static void watch_alarm(void)
     sigaddset(&alarms, SIGALRM);
     sigprocmask(SIG_UNBLOCK, &alarms, NULL);
 }
-#endif
 
 void interrupt_install(void)
 {
     watch(SIGINT);
     watch(SIGTERM);
-#ifndef _WIN32
     /* Batch systems send the last three before they kill: at the end of what a job may take. */
     static const int more[] = {SIGHUP, SIGQUIT, SIGUSR1, SIGUSR2, SIGXCPU};
     for (size_t i = 0; i < sizeof more / sizeof more[0]; i++) {
         watch(more[i]);
     }
     watch_alarm();
-#endif
 #ifdef SIGPIPE
     signal(SIGPIPE, SIG_IGN);
 #endif
@@ -92,15 +131,16 @@ void interrupt_install(void)
 #endif
 }
 
-bool interrupted(void)
-{
-    return requested != 0;
-}
-
 void interrupt_end(void)
 {
     if (requested != 0) {
         signal(requested, SIG_DFL);
         raise(requested);
     }
+}
+#endif
+
+bool interrupted(void)
+{
+    return requested != 0;
 }

@@ -139,6 +139,17 @@ static struct target find_option(const struct option_table *table, const char *w
     return (struct target){.option = NULL};
 }
 
+const struct option *options_find(const struct option_table *table, size_t first, size_t end,
+                                  const char *name, void *values, void **field)
+{
+    struct option_table part = *table;
+    part.groups = table->groups + first;
+    part.count = end - first;
+    const struct target target = find_option(&part, name, values);
+    *field = target.field;
+    return target.option;
+}
+
 static bool set_value(const struct target *target, const char *text)
 {
     const struct option *const option = target->option;

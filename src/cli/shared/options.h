@@ -132,6 +132,11 @@ struct option_name {
 };
 struct option_name option_name_of(const char *prefix, const struct option *option);
 
+/* The option `name`, with its dashes, of the groups from number `first` to the one before `end`.
+   Sets *field to where its value goes in `values`. NULL if there is none. */
+const struct option *options_find(const struct option_table *table, size_t first, size_t end,
+                                  const char *name, void *values, void **field);
+
 /* Fills `values` with the defaults, then with what `argv` holds, which ends with NULL. */
 enum options_outcome options_parse(const struct option_table *table, char **argv, void *values);
 

@@ -1,30 +1,17 @@
 /* SPDX-License-Identifier: MIT
  *
- * Handles paths by the calls of POSIX. On Windows, links are not followed and directories are not
- * synchronised.
+ * Handles paths by the calls of POSIX. On Windows, a link to a file that is not there is not
+ * followed, and directories cannot be synchronised.
  */
 #include "shared/path.h"
 
 #include <errno.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 
 #include "shared/interrupt.h"
+#include "shared/posix.h"
 #include "shared/text.h"
-
-#ifdef _WIN32
-#include <direct.h>
-#define MAKE_DIRECTORY(path) _mkdir(path)
-#define REMOVE_DIRECTORY(path) _rmdir(path)
-#define WORKING_DIRECTORY(path, size) _getcwd(path, (int)(size))
-#else
-#include <fcntl.h>
-#include <unistd.h>
-#define MAKE_DIRECTORY(path) mkdir(path, 0777)
-#define REMOVE_DIRECTORY(path) rmdir(path)
-#define WORKING_DIRECTORY(path, size) getcwd(path, size)
-#endif
 
 static bool is_separator(char c)
 {
@@ -51,11 +38,27 @@ const char *path_extension(const char *path)
     return dot != NULL && dot != name ? dot : path + strlen(path);
 }
 
+#ifdef _WIN32
+static char *make_absolute(const char *path)
+{
+    return windows_absolute(path);
+}
+
+static size_t root_length(const char *path)
+{
+    return windows_root_length(path);
+}
+
+bool path_is_same(const char *a, const char *b)
+{
+    return windows_is_same(a, b);
+}
+#else
 /* `path` from the root on, without "." and ".." and doubled separators. */
 static char *make_absolute(const char *path)
 {
     char here[4096] = "";
-    if (!is_separator(path[0]) && WORKING_DIRECTORY(here, sizeof here) == NULL) {
+    if (!is_separator(path[0]) && getcwd(here, sizeof here) == NULL) {
         return NULL;
     }
     char *const whole = text_join((const char *const[]){here, "/", path, NULL});
@@ -82,6 +85,19 @@ static char *make_absolute(const char *path)
     return whole;
 }
 
+/* How much of `path` names what nobody can make. */
+static size_t root_length(const char *path)
+{
+    (void)path;
+    return 0;
+}
+
+bool path_is_same(const char *a, const char *b)
+{
+    return strcmp(a, b) == 0;
+}
+#endif
+
 char *path_relative(const char *path, const char *from)
 {
     char *const to = make_absolute(path), *const base = make_absolute(from);
@@ -91,7 +107,9 @@ char *path_relative(const char *path, const char *from)
         for (size_t i = 0; to[i] == base[i] && to[i] != '\0'; i++) {
             common = to[i] == '/' ? i + 1 : common;
         }
-        for (const char *c = strchr(base + common, '/'); c != NULL; c = strchr(c + 1, '/')) {
+        /* On Windows there is no way from one drive to another. */
+        const char *c = common > 0 ? strchr(base + common, '/') : NULL;
+        for (; c != NULL; c = strchr(c + 1, '/')) {
             text_add(&relative, "../");
         }
         text_add(&relative, "%s", to + common);
@@ -107,7 +125,7 @@ static int make_one(char *path, size_t length)
 {
     const char after = path[length];
     path[length] = '\0';
-    const int made = MAKE_DIRECTORY(path) == 0 ? 1 : errno == EEXIST || errno == EISDIR ? 0 : -1;
+    const int made = mkdir(path, 0777) == 0 ? 1 : errno == EEXIST || errno == EISDIR ? 0 : -1;
     path[length] = after;
     return made;
 }
@@ -127,7 +145,7 @@ int path_make_directories(const char *path)
         return 0;
     }
     copy[end] = path[end];
-    for (size_t i = 1; i < end; i++) {
+    for (size_t i = 1 + root_length(path); i < end; i++) {
         if (!is_separator(path[i]) || is_separator(path[i - 1])) {
             continue;
         }
@@ -151,7 +169,7 @@ void path_remove_directories(const char *path, int count)
     size_t end = copy != NULL ? path_directory_length(copy) : 0;
     for (; count > 0 && end > 1; count--) {
         copy[end - 1] = '\0';
-        if (REMOVE_DIRECTORY(copy) != 0) {
+        if (rmdir(copy) != 0) {
             break;
         }
         end = path_directory_length(copy);
@@ -159,18 +177,6 @@ void path_remove_directories(const char *path, int count)
     free(copy);
 }
 
-#ifdef _WIN32
-char *path_resolve(const char *path)
-{
-    return _fullpath(NULL, path, 0);
-}
-
-bool path_sync_directory(const char *path)
-{
-    (void)path;
-    return true;
-}
-#else
 /* What the link `path` says, after the directory of `path` unless it is absolute; NULL if it is no
    link. */
 static char *read_link(const char *path)
@@ -252,4 +258,3 @@ bool path_sync_directory(const char *path)
     errno = reason;
     return synced;
 }
-#endif

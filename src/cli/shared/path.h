@@ -24,6 +24,10 @@ char *path_relative(const char *path, const char *from);
    frees; NULL, with errno, if it cannot be told. */
 char *path_resolve(const char *path);
 
+/* Whether two paths without symbolic links are of one file: on Windows, upper and lower case are
+   the same. */
+bool path_is_same(const char *a, const char *b);
+
 /* Makes the directories that lead to the file `path`. Returns how many were made, the deepest
    ones, or -1 with errno; those that were made by then are removed again. */
 int path_make_directories(const char *path);
@@ -33,7 +37,7 @@ int path_make_directories(const char *path);
 void path_remove_directories(const char *path, int count);
 
 /* Waits until all that was written to an open file is on the disk. False, with errno, only if the
-   system tried and failed; not every file system can. Not on Windows. */
+   system tried and failed; not every file system can. */
 bool path_sync(int descriptor);
 
 /* Sees to it that the names in the file's directory survive a power cut. Like path_sync. */

@@ -5,11 +5,12 @@
 #include "shared/progress.h"
 
 #include <stdio.h>
+
+#include "shared/posix.h"
+
 #ifdef _WIN32
-#include <io.h>
-#define STDERR_IS_TERMINAL() (_isatty(2) != 0)
+#define STDERR_IS_TERMINAL() windows_is_console()
 #else
-#include <unistd.h>
 #define STDERR_IS_TERMINAL() (isatty(STDERR_FILENO) != 0)
 #endif
 

@@ -24,7 +24,7 @@ struct text {
 };
 
 /* Adds what printf would print. */
-#if defined(__GNUC__) || defined(__clang__)
+#if defined(__clang__) || (defined(__GNUC__) && !defined(_WIN32))
 __attribute__((format(printf, 2, 3)))
 #endif
 void text_add(struct text *text, const char *format, ...);

@@ -7,37 +7,16 @@
 #include "shared/unfinished.h"
 
 #include <errno.h>
-#include <fcntl.h>
 #include <inttypes.h>
 #include <stdint.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
 #include <time.h>
 
 #include "shared/path.h"
+#include "shared/posix.h"
 #include "shared/text.h"
-
-#ifdef _WIN32
-#include <io.h>
-#include <process.h>
-#define OPEN_NEW(path, mode)                                                                       \
-    _open(path, _O_WRONLY | _O_CREAT | _O_EXCL | _O_BINARY | _O_NOINHERIT, _S_IREAD | _S_IWRITE)
-#define OPEN_STREAM(descriptor) _fdopen(descriptor, "wb")
-#define CLOSE(descriptor) _close(descriptor)
-#define PROCESS() ((long)_getpid())
-#else
-#include <dirent.h>
-#include <signal.h>
-#include <sys/file.h>
-#include <unistd.h>
-#define OPEN_NEW(path, mode)                                                                       \
-    open(path, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, (mode_t)(mode))
-#define OPEN_STREAM(descriptor) fdopen(descriptor, "wb")
-#define CLOSE(descriptor) close(descriptor)
-#define PROCESS() ((long)getpid())
-#endif
 
 #define HOST_MAX 64 /* characters of the machine's name that are used */
 #define NAME_MAX_USED                                                                              \
@@ -50,14 +29,9 @@
 static void get_host(char host[HOST_MAX + 1])
 {
     memset(host, 0, HOST_MAX + 1);
-#ifdef _WIN32
-    const char *const name = getenv("COMPUTERNAME");
-    strncpy(host, name != NULL ? name : "", HOST_MAX);
-#else
     if (gethostname(host, HOST_MAX) != 0) {
         host[0] = '\0';
     }
-#endif
     for (char *c = host; *c != '\0'; c++) {
         const bool plain = (*c >= 'a' && *c <= 'z') || (*c >= 'A' && *c <= 'Z') ||
                            (*c >= '0' && *c <= '9') || *c == '.';
@@ -100,12 +74,17 @@ static size_t used_length(const char *path)
     return used;
 }
 
+static long own_process(void)
+{
+    return (long)getpid();
+}
+
 static char *make_name(const char *path)
 {
     static uint32_t files;
     char host[HOST_MAX + 1], end[HOST_MAX + 64];
     get_host(host);
-    snprintf(end, sizeof end, ".%s-%ld-%08" PRIx32 "%08" PRIx32 UNFINISHED_END, host, PROCESS(),
+    snprintf(end, sizeof end, ".%s-%ld-%08" PRIx32 "%08" PRIx32 UNFINISHED_END, host, own_process(),
              own_number(), files++);
     return text_join_part(path, used_length(path), end);
 }
@@ -113,29 +92,26 @@ static char *make_name(const char *path)
 /* The lock is for unfinished_sweep of a process that cannot see this one. */
 static void lock(int descriptor)
 {
-#ifndef _WIN32
     while (flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EINTR) {
     }
-#else
-    (void)descriptor;
-#endif
 }
 
 char *unfinished_make(const char *path, unsigned mode, FILE **stream)
 {
     for (int i = 0; i < TRIES; i++) {
         char *const name = make_name(path);
-        const int descriptor = name != NULL ? OPEN_NEW(name, mode) : -1;
+        const int flags = O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC;
+        const int descriptor = name != NULL ? open(name, flags, (mode_t)mode) : -1;
         if (descriptor >= 0) {
             lock(descriptor);
-            *stream = OPEN_STREAM(descriptor);
+            *stream = fdopen(descriptor, "wb");
             if (*stream != NULL) {
                 return name;
             }
         }
         const int reason = errno;
         if (descriptor >= 0) {
-            CLOSE(descriptor);
+            close(descriptor);
             remove(name);
         }
         free(name);
@@ -147,12 +123,6 @@ char *unfinished_make(const char *path, unsigned mode, FILE **stream)
     return NULL;
 }
 
-#ifdef _WIN32
-void unfinished_sweep(const char *path)
-{
-    (void)path;
-}
-#else
 /* The process of this machine that a file belongs to, and its number; 0 if `name` is none of those
    names. */
 static long owner(const char *name, const char *host, uint32_t *number)
@@ -227,7 +197,7 @@ static void sweep(const char *path, DIR *directory)
         uint32_t number = 0;
         const long process = owner(entry->d_name, host, &number);
         /* In a container that is started again, a process may be called as its predecessor was. */
-        const bool is_namesake = process == PROCESS() && number != own_number();
+        const bool is_namesake = process == own_process() && number != own_number();
         if (process > 0 && (is_namesake || has_ended(process))) {
             char *const name = text_join_part(path, path_directory_length(path), entry->d_name);
             if (name != NULL) {
@@ -244,17 +214,17 @@ static void sweep(const char *path, DIR *directory)
 static bool is_new(const struct stat *status)
 {
     static struct {
-        dev_t device;
-        ino_t file;
+        uint64_t device, file;
     } seen[SEEN_MAX];
     static size_t next;
     for (size_t i = 0; i < SEEN_MAX; i++) {
-        if (seen[i].device == status->st_dev && seen[i].file == status->st_ino) {
+        if (seen[i].device == (uint64_t)status->st_dev &&
+            seen[i].file == (uint64_t)status->st_ino) {
             return false;
         }
     }
-    seen[next].device = status->st_dev;
-    seen[next].file = status->st_ino;
+    seen[next].device = (uint64_t)status->st_dev;
+    seen[next].file = (uint64_t)status->st_ino;
     next = (next + 1) % SEEN_MAX;
     return true;
 }
@@ -273,4 +243,3 @@ void unfinished_sweep(const char *path)
     }
     free(name);
 }
-#endif

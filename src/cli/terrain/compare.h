@@ -6,7 +6,7 @@
 #ifndef SCARP_CLI_COMPARE_H
 #define SCARP_CLI_COMPARE_H
 
-#include "terrain/surface.h"
+#include "raster/surface.h"
 
 /* Adds these normals to a block that was sampled and has room for them. */
 void compare_sample(const struct surface *surface, struct block *block);

@@ -10,11 +10,11 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "raster/surface.h"
 #include "shared/crew.h"
 #include "shared/progress.h"
 #include "terrain/manifest.h"
 #include "terrain/outputs.h"
-#include "terrain/surface.h"
 #include "terrain/terrain_options.h"
 #include "terrain/tiling.h"
 
@@ -22,6 +22,7 @@ struct job {
     /* Set before: */
     const struct terrain_options *options;
     struct surface surface;
+    struct palette palette;    /* of the relief */
     struct outputs outputs[2]; /* the same ones: of the tile at hand, and of the one before */
     struct tiling tiling;
     struct manifest manifest;

@@ -8,19 +8,13 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <sys/stat.h>
-#include <time.h>
 
 #include "shared/error.h"
 #include "shared/json.h"
 #include "shared/path.h"
+#include "shared/posix.h"
 #include "shared/text.h"
 #include "shared/unfinished.h"
-
-#ifndef _WIN32
-#include <fcntl.h>
-#include <unistd.h>
-#endif
 
 #define VERSION 1 /* of the form of manifests */
 #define SIZE_MOST ((size_t)1 << 16)
@@ -172,32 +166,6 @@ static int make(struct manifest *manifest, bool replaces)
     return result;
 }
 
-#ifdef _WIN32
-static int open_claims(const char *path)
-{
-    (void)path;
-    return -1;
-}
-
-bool manifest_is_there(const struct manifest *manifest)
-{
-    (void)manifest;
-    return true;
-}
-
-bool manifest_claim(const struct manifest *manifest, size_t tile)
-{
-    (void)manifest;
-    (void)tile;
-    return true;
-}
-
-void manifest_release(const struct manifest *manifest, size_t tile)
-{
-    (void)manifest;
-    (void)tile;
-}
-#else
 /* Where it may only be read there are no claims, but it can be recognised. */
 static int open_claims(const char *path)
 {
@@ -232,15 +200,12 @@ void manifest_release(const struct manifest *manifest, size_t tile)
 {
     set_lock(manifest, tile, F_UNLCK);
 }
-#endif
 
 #define TRIES 40 /* how often an empty manifest is looked at again: 2 seconds */
 
 static void pause_shortly(void)
 {
-#ifndef _WIN32
     nanosleep(&(struct timespec){.tv_nsec = 50000000}, NULL);
-#endif
 }
 
 /* Compares with what is there, or makes it. An empty file is one that a run reserves where there
@@ -275,13 +240,17 @@ static int open_or_make(struct manifest *manifest)
     return refuse(manifest, "is made and removed by other runs all the time");
 }
 
-static void leave(struct manifest *manifest)
+static void end_claims(struct manifest *manifest)
 {
-#ifndef _WIN32
     if (manifest->is_open && manifest->descriptor >= 0) {
         close(manifest->descriptor);
     }
-#endif
+    manifest->descriptor = -1;
+}
+
+static void leave(struct manifest *manifest)
+{
+    end_claims(manifest);
     manifest->is_open = false;
     manifest->is_first = false;
     free(manifest->file);
@@ -335,6 +304,7 @@ void manifest_close(struct manifest *manifest, bool keep)
 {
     if (manifest->is_first && !keep && manifest_is_there(manifest)) {
         remove(manifest->file != NULL ? manifest->file : manifest->path);
+        end_claims(manifest); /* Windows keeps the name of a file that is open */
         path_remove_directories(manifest->path, manifest->made);
     }
     leave(manifest);

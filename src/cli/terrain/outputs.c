@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Finds which format a file name asks for and what it becomes for a tile, and refuses equal names.
+ * Finds what a file name becomes for a tile, and refuses equal names.
  */
 #include "terrain/outputs.h"
 
@@ -9,9 +9,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "formats/formats.h"
+#include "formats/choose.h"
 #include "shared/error.h"
-#include "shared/path.h"
 #include "shared/text.h"
 #include "shared/unfinished.h"
 #include "terrain/pattern.h"
@@ -24,31 +23,6 @@
 #define COLOUR_EXTENSION ".ppm"
 #endif
 
-/* Whether the `length` characters at `word` are `name`, in capitals or not. */
-static bool is_word(const char *word, size_t length, const char *name)
-{
-    if (strlen(name) != length) {
-        return false;
-    }
-    for (size_t i = 0; i < length; i++) {
-        const char c = word[i] >= 'A' && word[i] <= 'Z' ? (char)(word[i] - 'A' + 'a') : word[i];
-        if (c != name[i]) {
-            return false;
-        }
-    }
-    return true;
-}
-
-static const struct format *find_format(const char *word, size_t length)
-{
-    for (size_t i = 0; formats_known[i] != NULL; i++) {
-        if (is_word(word, length, formats_known[i]->name)) {
-            return formats_known[i];
-        }
-    }
-    return NULL;
-}
-
 /* The best kind of samples that both know; 0 if there is none. */
 static enum sample_kind common_kind(const struct layer *layer, const struct format *format)
 {
@@ -58,19 +32,6 @@ static enum sample_kind common_kind(const struct layer *layer, const struct form
         }
     }
     return (enum sample_kind)0;
-}
-
-static void format_error(const struct layer *layer, const char *text)
-{
-    char names[128] = "";
-    for (size_t i = 0; formats_known[i] != NULL; i++) {
-        if (common_kind(layer, formats_known[i]) != 0) {
-            strcat(strcat(names, " ."), formats_known[i]->name);
-        }
-    }
-    cli_error("%s: '%.200s' has no extension for %s, which are%s%s", layer->option, text,
-              layer->content, names,
-              find_format("png", 3) == NULL ? " (this program was built without zlib)" : "");
 }
 
 static bool add(struct outputs *outputs, const struct layer *layer, const char *option,
@@ -100,44 +61,27 @@ static bool add(struct outputs *outputs, const struct layer *layer, const char *
 
 bool outputs_add(struct outputs *outputs, const struct layer *layer, const char *text)
 {
-    /* A colon after the name of a format: what follows is the path, whatever its extension. */
-    const size_t prefix = strcspn(text, ":");
-    const char *path = text;
-    const struct format *format = text[prefix] == ':' ? find_format(text, prefix) : NULL;
-    if (format != NULL) {
-        path = text + prefix + 1;
-    } else {
-        const char *const dot = path_extension(text);
-        format = *dot == '.' ? find_format(dot + 1, strlen(dot + 1)) : NULL;
+    struct wanted wanted = {
+        .option = layer->option, .content = layer->content, .channels = layer->channels};
+    for (size_t i = 0; layer->kinds[i] != 0; i++) {
+        wanted.kinds |= layer->kinds[i];
     }
-    const size_t length = strlen(path);
-    const size_t end = strlen(UNFINISHED_END);
-    if (length > end && strcmp(path + length - end, UNFINISHED_END) == 0) {
-        cli_error("%s: '%.200s' is a name for what is not complete yet", layer->option, path);
-        return false;
-    }
-    if (format == NULL || common_kind(layer, format) == 0 || length == 0) {
-        format_error(layer, text);
-        return false;
-    }
-    if (format->needs_file && strcmp(path, "-") == 0) {
-        cli_error("%s: %s cannot go to standard output, only to a file", layer->option,
-                  format->name);
-        return false;
-    }
-    return add(outputs, layer, layer->option, format, path);
+    const char *path;
+    const struct format *const format = format_choose(&wanted, text, &path);
+    return format != NULL && add(outputs, layer, layer->option, format, path);
 }
 
 bool outputs_add_stem(struct outputs *outputs, const char *stem, bool compare)
 {
-    static const int stem_layers[] = {LAYER_HEIGHTS, LAYER_NORMALS, LAYER_HILLSHADE, LAYER_COMPARE};
-    for (size_t i = 0; i < (compare ? 4 : 3); i++) {
+    static const int stem_layers[] = {LAYER_HEIGHTS, LAYER_NORMALS, LAYER_HILLSHADE, LAYER_RELIEF,
+                                      LAYER_COMPARE};
+    for (size_t i = 0; i < (compare ? 5 : 4); i++) {
         const struct layer *const layer = &layers[stem_layers[i]];
         const char *const extension = layer->channels == 1 ? GREY_EXTENSION : COLOUR_EXTENSION;
         char *const path =
             text_join((const char *const[]){stem, "-", layer->name, extension, NULL});
         const bool added =
-            path != NULL && add(outputs, layer, "--output", find_format(extension + 1, 3), path);
+            path != NULL && add(outputs, layer, "--output", format_find(extension + 1, 3), path);
         free(path);
         if (!added) {
             return false;

@@ -10,7 +10,7 @@
 #include <stddef.h>
 
 #include "formats/writer.h"
-#include "terrain/layers.h"
+#include "raster/layers.h"
 #include "terrain/tiling.h"
 
 /* A file that was asked for, of which there is one per tile */
@@ -29,8 +29,8 @@ struct output {
     bool failed;
 };
 
-/* Every layer but the comparison may be asked for by itself and, as three of them, by --output. */
-#define OUTPUTS_MAX (LAYER_COMPARE + 4)
+/* Every layer but the comparison may be asked for by itself and, as four of them, by --output. */
+#define OUTPUTS_MAX (LAYER_COMPARE + 5)
 
 struct outputs {
     struct output list[OUTPUTS_MAX];
@@ -40,7 +40,7 @@ struct outputs {
 /* Adds the file `text`: PATH, or FORMAT:PATH. False, with a line on stderr, if it cannot be. */
 bool outputs_add(struct outputs *outputs, const struct layer *layer, const char *text);
 
-/* Adds STEM-height, STEM-normal and STEM-hillshade, and STEM-compare if `compare`. */
+/* Adds STEM-height, STEM-normal, STEM-hillshade and STEM-relief, and STEM-compare if `compare`. */
 bool outputs_add_stem(struct outputs *outputs, const char *stem, bool compare);
 
 bool outputs_to_standard_output(const struct outputs *outputs);

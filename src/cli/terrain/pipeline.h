@@ -6,10 +6,10 @@
 #ifndef SCARP_CLI_PIPELINE_H
 #define SCARP_CLI_PIPELINE_H
 
+#include "raster/surface.h"
 #include "shared/crew.h"
 #include "shared/progress.h"
 #include "terrain/outputs.h"
-#include "terrain/surface.h"
 
 enum pipeline_result {
     PIPELINE_DONE,

@@ -12,6 +12,7 @@
 #include <time.h>
 
 #include "shared/error.h"
+#include "shared/posix.h"
 #include "terrain/job.h"
 #include "terrain/repeat.h"
 #include "terrain/world.h"
@@ -19,7 +20,7 @@
 static double seconds(void)
 {
     struct timespec now = {0, 0}; /* stays so without a clock */
-#ifdef CLOCK_MONOTONIC
+#if defined(CLOCK_MONOTONIC) && !defined(_WIN32)
     clock_gettime(CLOCK_MONOTONIC, &now);
 #else
     timespec_get(&now, TIME_UTC);
@@ -35,7 +36,6 @@ static bool make_surface(const struct terrain_options *options, struct surface *
         .x0 = options->origin.x,
         .y0 = options->origin.y,
         .step = options->step,
-        .z_factor = options->z_factor,
         .normal_y = options->normal_down ? -1.0f : 1.0f,
         .zoom = options->compare,
     };
@@ -43,7 +43,7 @@ static bool make_surface(const struct terrain_options *options, struct surface *
         return false;
     }
     surface_set_scale(surface);
-    surface_light(options->azimuth, options->altitude, surface->light);
+    surface_set_light(surface, &options->look);
     return true;
 }
 
@@ -52,6 +52,7 @@ static bool make_outputs(const struct terrain_options *options, struct outputs *
     const char *const files[] = {[LAYER_HEIGHTS] = options->heights,
                                  [LAYER_NORMALS] = options->normals,
                                  [LAYER_HILLSHADE] = options->hillshade,
+                                 [LAYER_RELIEF] = options->relief,
                                  [LAYER_GRADIENT] = options->gradient};
     for (int i = 0; i < LAYER_COMPARE; i++) {
         if (files[i] != NULL && !outputs_add(outputs, &layers[i], files[i])) {
@@ -150,6 +151,18 @@ static bool needs_manifest(const struct job *job)
     return job->tiling.numbered || (job->options->resume && outputs_are_files(&job->outputs[0]));
 }
 
+static bool make_relief(struct job *job)
+{
+    const struct terrain_options *const options = job->options;
+    if (!surface_open_palette(&options->look, options->ground.preset, &job->palette)) {
+        return false;
+    }
+    if ((outputs_needs(&job->outputs[0]) & SURFACE_BED) != 0) {
+        surface_set_relief(&job->surface, &job->palette);
+    }
+    return true;
+}
+
 static int prepare(struct job *job)
 {
     const struct terrain_options *const options = job->options;
@@ -159,8 +172,8 @@ static int prepare(struct job *job)
         return CLI_FAILURE;
     }
     if (!make_surface(options, &job->surface) || !make_outputs(options, &job->outputs[0]) ||
-        !make_outputs(options, &job->outputs[1]) || !tiling_make(options, &job->tiling) ||
-        !outputs_check(&job->outputs[0], &job->tiling)) {
+        !make_outputs(options, &job->outputs[1]) || !make_relief(job) ||
+        !tiling_make(options, &job->tiling) || !outputs_check(&job->outputs[0], &job->tiling)) {
         return CLI_USAGE;
     }
     return needs_manifest(job)
@@ -192,6 +205,7 @@ int cli_terrain(char **argv)
     manifest_close(&job.manifest, status == CLI_SUCCESS || job.written > 0);
     outputs_free(&job.outputs[0]);
     outputs_free(&job.outputs[1]);
+    palette_free(&job.palette);
     crew_close(job.crew);
     return status;
 }

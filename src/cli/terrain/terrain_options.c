@@ -78,6 +78,13 @@ static const struct option file_rows[] = {
      .parse = option_text,
      .offset = FIELD(hillshade),
      .of_run = 1},
+    {.name = "--relief",
+     .argument = "FILE",
+     .allowed = FILE_ALLOWED,
+     .help = "the ground in colours, lit: .png .ppm .img .npy (8-bit)",
+     .parse = option_text,
+     .offset = FIELD(relief),
+     .of_run = 1},
     {.name = "--gradient",
      .argument = "FILE",
      .allowed = FILE_ALLOWED,
@@ -88,8 +95,9 @@ static const struct option file_rows[] = {
     {.name = "--output",
      .argument = "STEM",
      .allowed = "the beginning of file names: not empty, no separator at its end",
-     .help = "short for STEM-height, STEM-normal and STEM-hillshade: .png,\nor without zlib .pgm "
-             "and .ppm [terrain, if no file is asked for]",
+     .help =
+         "short for STEM-height, STEM-normal, STEM-hillshade and\nSTEM-relief: .png, or without "
+         "zlib .pgm and .ppm [terrain, if no\nfile is asked for]",
      .parse = option_stem,
      .offset = FIELD(output),
      .of_run = 1},
@@ -115,35 +123,6 @@ static const struct option look_rows[] = {
      .parse = option_choice,
      .offset = FIELD(normal_down),
      .choices = directions},
-    {.name = "--azimuth",
-     .argument = "F",
-     .standard = "315",
-     .allowed = "a number from 0 to 360",
-     .help =
-         "where the light of the hillshade comes from, in degrees\nclockwise from north, from 0 "
-         "to 360",
-     .parse = option_double,
-     .offset = FIELD(azimuth),
-     .lowest = 0,
-     .highest = 360},
-    {.name = "--altitude",
-     .argument = "F",
-     .standard = "45",
-     .allowed = "a number from 0 to 90",
-     .help = "its height above the horizon, in degrees, from 0 to 90",
-     .parse = option_double,
-     .offset = FIELD(altitude),
-     .lowest = 0,
-     .highest = 90},
-    {.name = "--z-factor",
-     .argument = "F",
-     .standard = "1",
-     .allowed = "a number from 0 to 2^24",
-     .help = "exaggerates heights, for the hillshade only, from 0 to 2^24",
-     .parse = option_float,
-     .offset = FIELD(z_factor),
-     .lowest = 0,
-     .highest = 0x1p24},
 };
 
 static const struct option tile_rows[] = {
@@ -221,6 +200,7 @@ static const struct option_group groups[] = {
     OPTION_GROUP("the raster", raster_rows, 0),
     OPTION_GROUP("files, any of which may be asked for together", file_rows, 0),
     OPTION_GROUP("how they look", look_rows, 0),
+    LOOK_GROUPS(NULL, FIELD(look)),
     OPTION_GROUP("tiles", tile_rows, 0),
     GROUND_GROUPS(FIELD(ground)),
     OPTION_GROUP("running", running_rows, 0),
@@ -230,7 +210,7 @@ const struct option_table terrain_table = {
     .command = "terrain",
     .purpose =
         "Samples a terrain (a sum of octaves of noise) with its exact gradient and writes its\n"
-        "heights, normals, hillshade and gradient to files.",
+        "heights, normals, hillshade, relief in colours and gradient to files.",
     .notes =
         "FILE       its extension tells the format, or what stands before it: r32:FILE. FILE may\n"
         "           be - for standard output, as in pgm:-. Files appear under their name when "
@@ -268,6 +248,30 @@ const struct option_table terrain_table = {
         "           is east, green north, blue up. Bytes are floor(127.5 n + 128).\n"
         "hillshade  round(255 n.light), 0 where that is negative, of normals whose slopes are\n"
         "           multiplied by the z-factor.\n"
+        "relief     A height is 0 where 2 % of the places are lower, 0.4 where half of them are, "
+        "1\n"
+        "           where 2 % are higher, and linear between; with a sea, the places are those of\n"
+        "           the land, and 0 is the sea. There are 4096 places, in a square of 64 cells\n"
+        "           around 0,0 whatever the raster, so every raster and every tile of a terrain\n"
+        "           has the same colours. The palette has a colour for each height. Rock shows\n"
+        "           where it is steep. Snow lies high up, lower on level ground and away from the\n"
+        "           light. Sand lies on flat shores. Water is darker where its bed is deeper.\n"
+        "           Colours are mixed as squares of sRGB, and multiplied by the light, 1.06 1.00\n"
+        "           0.90 max(0, n.light) + 0.27 0.30 0.36 (1 + n_z) / 2, with the normals of the\n"
+        "           hillshade. What is x above 3/4 becomes 1 - 1 / (16 x - 8). Bytes are the\n"
+        "           roots.\n"
+        "palette    Without --palette, it is temperate with the presets islands, hills and karst,\n"
+        "           desert with dunes, canyon and badlands, and alpine with others. A FILE has\n"
+        "           colours of heights in the unit of x and y, linear between, without rock, "
+        "snow,\n"
+        "           sand and water, but lit. Its lines are those of gdaldem color-relief, height\n"
+        "           red green blue [alpha], or a height and a name (white, black, red, green,\n"
+        "           blue, yellow, magenta, cyan, aqua, grey, lightgrey, darkgrey, orange, brown,\n"
+        "           purple, violet, indigo); 50% is the height in the middle between 0 and 1 of\n"
+        "           above; alpha and lines of nv are not used. Or they are GMT's, if FILE ends\n"
+        "           with .cpt or a comment tells the COLOR_MODEL, which must be RGB: z0 red green\n"
+        "           blue z1 red green blue, or red/green/blue or names; B and F for what is below\n"
+        "           and above; N is not used. A line that begins with # is a comment.\n"
         "gradient   dx and dy.\n"
         "compare    on the left the normals, on the right normals of the same places with dx and\n"
         "           dy by central differences of the 16-bit heights, two steps apart.\n"

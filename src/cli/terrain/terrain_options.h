@@ -6,6 +6,7 @@
 #define SCARP_CLI_TERRAIN_OPTIONS_H
 
 #include "ground/ground_options.h"
+#include "look/look_options.h"
 #include "shared/options.h"
 
 struct terrain_options {
@@ -14,11 +15,11 @@ struct terrain_options {
     struct option_range tiles;             /* all: end 0 */
     struct option_share share;             /* all: count 0 */
     struct option_point origin;
-    double step, azimuth, altitude;
-    float z_factor;
+    struct look_options look;
+    double step;
     size_t compare, overlap, threads; /* all threads: 0 */
     int tileable, normal_down, resume, isa, quiet;
-    const char *heights, *normals, *hillshade, *gradient, *output;
+    const char *heights, *normals, *hillshade, *relief, *gradient, *output;
 };
 
 extern const struct option_table terrain_table;

@@ -41,7 +41,7 @@ static bool add_files(const struct output *output, bool numbered, const char *ma
 static bool add_all_files(const struct outputs *outputs, bool numbered, const char *manifest,
                           struct text *text)
 {
-    static const char *const options[] = {"--heights",  "--normals", "--hillshade",
+    static const char *const options[] = {"--heights",  "--normals", "--hillshade", "--relief",
                                           "--gradient", "--output",  NULL};
     for (const char *const *option = options; *option != NULL; option++) {
         size_t i = 0;
@@ -55,6 +55,20 @@ static bool add_all_files(const struct outputs *outputs, bool numbered, const ch
         }
     }
     return true;
+}
+
+/* What the relief depends on beside the ground and the light */
+static void add_palette(const struct relief *relief, struct text *text)
+{
+    const struct palette *const palette = relief->palette;
+    if (palette == NULL) {
+        text_add(text, "  \"palette\": null,\n");
+    } else if (palette->name != NULL) {
+        text_add(text, "  \"palette\": \"%s\",\n", palette->name);
+    } else {
+        text_add(text, "  \"palette\": \"a file with the FNV-1a hash %08lx\",\n",
+                 (unsigned long)palette->sum);
+    }
 }
 
 static void add_derived(const struct surface *surface, const struct tiling *tiling,
@@ -80,6 +94,7 @@ int world_open(struct manifest *manifest, const struct terrain_options *options,
     options_describe(&terrain_table, options, &text);
     int status = CLI_FAILURE;
     if (path != NULL && add_all_files(outputs, tiling->numbered, path, &text)) {
+        add_palette(&surface->relief, &text);
         add_derived(surface, tiling, &text);
         text_add(&text, "}\n");
     } else {

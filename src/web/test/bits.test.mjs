@@ -13,10 +13,10 @@ const expected = file.trimEnd().split('\n');
 
 for (const simd of [true, false]) {
     for (const copied of [true, false]) {
-        const name = `bits, ${simd ? 'vectors' : 'scalar'}, ${copied ? 'copied' : 'in place'}`;
+        const name = `bits, ${simd ? 'vectors' : 'fallback'}, ${copied ? 'copied' : 'in place'}`;
         test(name, async () => {
             const scarp = await load({ simd });
-            assert.equal(scarp.isa, simd ? 'wasm128' : 'scalar');
+            assert.equal(scarp.isa, simd ? 'wasm128' : 'generic');
             assert.deepEqual(lines(scarp, copied), expected);
         });
     }

@@ -8,7 +8,7 @@ import { load } from '../scarp.mjs';
 
 const scarp = await load({ memory: 2 ** 20 });
 
-for (const name of ['scarp-simd', 'scarp-scalar']) {
+for (const name of ['scarp-simd', 'scarp-fallback']) {
     test(`${name} imports nothing`, async () => {
         const bytes = await readFile(new URL(`../${name}.wasm`, import.meta.url));
         assert.deepEqual(WebAssembly.Module.imports(await WebAssembly.compile(bytes)), []);
@@ -19,7 +19,7 @@ test('without vectors, the other module is taken', async () => {
     const { validate } = WebAssembly;
     try {
         WebAssembly.validate = () => false;
-        assert.equal((await load()).isa, 'scalar');
+        assert.equal((await load()).isa, 'generic');
     } finally {
         WebAssembly.validate = validate;
     }

@@ -15,7 +15,7 @@ const FILES = [
     'layout.mjs',
     'memory.mjs',
     'package.json',
-    'scarp-scalar.wasm',
+    'scarp-fallback.wasm',
     'scarp-simd.wasm',
     'scarp.d.ts',
     'scarp.mjs',

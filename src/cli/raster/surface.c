@@ -1,12 +1,15 @@
 /* SPDX-License-Identifier: MIT
  *
- * Sampling a block, and the light. All of it is the same on every machine, to the bit.
+ * How a terrain is scaled, lit and coloured, and blocks of samples. All of it is the same on every
+ * machine, to the bit.
  */
-#include "terrain/surface.h"
+#include "raster/surface.h"
 
 #include <stdlib.h>
+#include <string.h>
 
-#include "shared/sine.h"
+#include "ground/presets.h"
+#include "ground/spread.h"
 
 void surface_set_scale(struct surface *surface)
 {
@@ -16,6 +19,36 @@ void surface_set_scale(struct surface *surface)
     /* Adding 0 leaves no zero negative: these numbers are for readers. */
     surface->zero_height = ground->height_scale * ground->floor + 0.0f;
     surface->full_height = ground->height_scale * ground->ceiling + 0.0f;
+}
+
+void surface_set_light(struct surface *surface, const struct look_options *look)
+{
+    surface->z_factor = look->z_factor;
+    relief_light(look->azimuth, look->altitude, surface->light);
+}
+
+bool surface_open_palette(const struct look_options *look, int preset, struct palette *palette)
+{
+    return palette_open(palette, "--palette",
+                        look->palette != NULL ? look->palette : preset_palettes[preset]);
+}
+
+void surface_set_relief(struct surface *surface, struct palette *palette)
+{
+    const float scale = surface->ground.height_scale;
+    struct spread spread;
+    ground_spread(&surface->ground, &spread);
+    palette_resolve(palette, spread.low * scale, spread.high * scale);
+    surface->relief = (struct relief){
+        .palette = palette,
+        .low = spread.low,
+        .middle = spread.middle,
+        .high = spread.high,
+        .sea = spread.sea,
+        .deep = spread.deep,
+        .height_scale = scale,
+        .light = {surface->light[0], surface->light[1], surface->light[2]},
+    };
 }
 
 bool block_open(struct block *block, const struct surface *surface, unsigned needs)
@@ -31,14 +64,17 @@ bool block_open(struct block *block, const struct surface *surface, unsigned nee
                               &block->shade_z,
                               &block->differences_x,
                               &block->differences_y,
-                              &block->differences_z};
+                              &block->differences_z,
+                              &block->bed};
     const bool own_shade = (needs & SURFACE_SHADE) != 0 && surface->z_factor != 1.0f;
     const bool normals =
         (needs & SURFACE_NORMALS) != 0 || ((needs & SURFACE_SHADE) != 0 && !own_shade);
     const bool differences = (needs & SURFACE_DIFFERENCES) != 0;
     const bool gradient = needs != 0;
-    const bool wanted[] = {true,      gradient,  gradient,  normals,     normals,     normals,
-                           own_shade, own_shade, own_shade, differences, differences, differences};
+    const bool bed = (needs & SURFACE_BED) != 0 && surface->ground.floor > surface->ground.lowest;
+    const bool wanted[] = {true,        gradient,    gradient,  normals,   normals,
+                           normals,     own_shade,   own_shade, own_shade, differences,
+                           differences, differences, bed};
     const size_t most = sizeof arrays / sizeof arrays[0];
     size_t count = 0;
     for (size_t i = 0; i < most; i++) {
@@ -69,30 +105,35 @@ void block_close(struct block *block)
 
 /* Rows go down and y goes up, so the grid's step along them is negative. Its origin and step are
    those of the whole raster whatever the block: samples have the same bits in every tile. */
-static void sample(const struct surface *surface, const struct block *block, int right, int up,
-                   const struct scarp_samples *out)
+static struct scarp_grid grid_of(const struct surface *surface, const struct block *block,
+                                 int right, int up)
 {
-    const struct scarp_grid grid = {
+    return (struct scarp_grid){
         .origin = {surface->x0, surface->y0, 0.0},
         .step = {surface->step, -surface->step, 0.0},
         .first = {(int64_t)block->column + right,
                   (int64_t)block->row - up - (int64_t)(surface->height - 1), 0},
         .count = {block->columns, block->rows, 1},
     };
-    ground_grid(&surface->ground, &grid, out);
 }
 
 void surface_values(const struct surface *surface, const struct block *block, int right, int up,
                     float *value)
 {
-    sample(surface, block, right, up, &(struct scarp_samples){.value = value});
+    const struct scarp_grid grid = grid_of(surface, block, right, up);
+    ground_grid(&surface->ground, &grid, &(struct scarp_samples){.value = value});
 }
 
 void surface_sample(const struct surface *surface, struct block *block)
 {
-    sample(surface, block, 0, 0,
-           &(struct scarp_samples){.value = block->value, .dx = block->dx, .dy = block->dy});
+    const struct scarp_grid grid = grid_of(surface, block, 0, 0);
+    const struct scarp_samples out = {.value = block->value, .dx = block->dx, .dy = block->dy};
     const size_t count = block->columns * block->rows;
+    ground_uncut_grid(&surface->ground, &grid, &out);
+    if (block->bed != NULL) {
+        memcpy(block->bed, block->value, count * sizeof *block->bed);
+    }
+    ground_cut(&surface->ground, count, &out);
     if (block->nx != NULL) {
         scarp_normals(count, block->dx, block->dy, surface->ground.height_scale, block->nx,
                       block->ny, block->nz);
@@ -101,12 +142,4 @@ void surface_sample(const struct surface *surface, struct block *block)
         scarp_normals(count, block->dx, block->dy, surface->ground.height_scale * surface->z_factor,
                       block->shade_x, block->shade_y, block->shade_z);
     }
-}
-
-void surface_light(double azimuth, double altitude, double light[3])
-{
-    const double horizontal = sine(90.0 - altitude);
-    light[0] = sine(azimuth) * horizontal;
-    light[1] = sine(azimuth + 90.0) * horizontal;
-    light[2] = sine(altitude);
 }

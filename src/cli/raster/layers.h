@@ -10,7 +10,7 @@
 #include <stdint.h>
 
 #include "formats/writer.h"
-#include "terrain/surface.h"
+#include "raster/surface.h"
 
 /* Samples of a block that lie in one row of the raster */
 struct strip {
@@ -32,7 +32,15 @@ struct layer {
                    uint8_t *to);
 };
 
-enum { LAYER_HEIGHTS, LAYER_NORMALS, LAYER_HILLSHADE, LAYER_GRADIENT, LAYER_COMPARE, LAYER_COUNT };
+enum {
+    LAYER_HEIGHTS,
+    LAYER_NORMALS,
+    LAYER_HILLSHADE,
+    LAYER_RELIEF,
+    LAYER_GRADIENT,
+    LAYER_COMPARE,
+    LAYER_COUNT
+};
 
 extern const struct layer layers[LAYER_COUNT];
 

@@ -13,6 +13,8 @@
 #include <stddef.h>
 
 #include "ground/ground.h"
+#include "look/look_options.h"
+#include "look/relief.h"
 #include "scarp.h"
 
 struct surface {
@@ -26,10 +28,21 @@ struct surface {
     float normal_y;         /* 1 or -1: multiplies the second component of normals */
     double light[3];        /* unit vector to the light: east, north, up */
     size_t zoom;            /* of the comparison: pixels per sample */
+    struct relief relief;   /* set where it is asked for */
 };
 
 /* Sets the members from `steps_per_value` to `full_height`; the ground is set. */
 void surface_set_scale(struct surface *surface);
+
+/* Sets the z-factor and the light. */
+void surface_set_light(struct surface *surface, const struct look_options *look);
+
+/* Reads the palette, without --palette that of the preset. False, with a line on stderr, if it
+   cannot be. Free it in any case. */
+bool surface_open_palette(const struct look_options *look, int preset, struct palette *palette);
+
+/* Resolves the palette and sets the relief, which points to it; ground and light are set. */
+void surface_set_relief(struct surface *surface, struct palette *palette);
 
 /* What a block needs to hold, or'ed */
 enum surface_need {
@@ -37,6 +50,7 @@ enum surface_need {
     SURFACE_NORMALS = 2,
     SURFACE_SHADE = 4,       /* normals with the z-factor */
     SURFACE_DIFFERENCES = 8, /* normals from differences of heights */
+    SURFACE_BED = 16,        /* values before the sea covers them, if there is a sea */
 };
 
 #define BLOCK_SAMPLES 32768 /* at most: 128 KiB of each array that is needed */
@@ -46,6 +60,7 @@ struct block {
     size_t column, row; /* of its first sample, in the raster or beyond its edges */
     size_t columns, rows;
     float *value, *dx, *dy;
+    float *bed;
     float *nx, *ny, *nz;
     float *shade_x, *shade_y, *shade_z; /* the normals themselves where the z-factor is 1 */
     float *differences_x, *differences_y, *differences_z;
@@ -72,9 +87,5 @@ static inline unsigned surface_quantise(const struct surface *surface, float val
                                surface->steps_per_value +
                            0.5);
 }
-
-/* The unit vector to a light `azimuth` degrees clockwise from north, `altitude` degrees above the
-   horizon. */
-void surface_light(double azimuth, double altitude, double light[3]);
 
 #endif

@@ -3,7 +3,7 @@
  * The encodings. All of them are exact enough in double that every platform writes the same bytes.
  * Their loops are such as compilers turn into vector code.
  */
-#include "terrain/layers.h"
+#include "raster/layers.h"
 
 #include <string.h>
 
@@ -130,6 +130,21 @@ static void encode_hillshade(const struct surface *surface, const struct strip *
     }
 }
 
+static void encode_relief(const struct surface *surface, const struct strip *strip,
+                          enum sample_kind kind, uint8_t *to)
+{
+    (void)kind;
+    const struct block *const block = strip->block;
+    const size_t first = strip->first;
+    const struct relief_samples samples = {
+        .value = block->value + first,
+        .bed = block->bed != NULL ? block->bed + first : NULL,
+        .normal = {block->nx + first, block->ny + first, block->nz + first},
+        .shade = {block->shade_x + first, block->shade_y + first, block->shade_z + first},
+    };
+    relief_colours(&surface->relief, &samples, strip->count, to);
+}
+
 static void encode_gradient(const struct surface *surface, const struct strip *strip,
                             enum sample_kind kind, uint8_t *to)
 {
@@ -192,6 +207,13 @@ const struct layer layers[LAYER_COUNT] = {
                          .kinds = {SAMPLE_U8},
                          .needs = SURFACE_GRADIENT | SURFACE_SHADE,
                          .encode = encode_hillshade},
+    [LAYER_RELIEF] = {.option = "--relief",
+                      .name = "relief",
+                      .content = "relief",
+                      .channels = 3,
+                      .kinds = {SAMPLE_U8},
+                      .needs = SURFACE_GRADIENT | SURFACE_NORMALS | SURFACE_SHADE | SURFACE_BED,
+                      .encode = encode_relief},
     [LAYER_GRADIENT] = {.option = "--gradient",
                         .name = "gradient",
                         .content = "gradient",

@@ -1,0 +1,43 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The colours of a terrain seen from above: samples become pixels.
+ *
+ *     pixel = sqrt(ground light),  ground = colours of the palette, squared
+ *     light = sun max(0, n.l) + sky (1 + n_z) / 2
+ *
+ * Both are written out in relief.c, and in the help of `scarp terrain`.
+ */
+#ifndef SCARP_CLI_RELIEF_H
+#define SCARP_CLI_RELIEF_H
+
+#include <stddef.h>
+#include <stdint.h>
+
+#include "look/palette.h"
+
+/* The same for all samples of a terrain */
+struct relief {
+    const struct palette *palette; /* resolved */
+    float low, middle, high;       /* values that are the fractions 0, 0.4 and 1 of height */
+    float sea, deep;               /* values: of the sea, and where water is deep; no sea: equal */
+    float height_scale;            /* units per 1 of value */
+    double light[3];               /* unit vector to the light: east, north, up */
+};
+
+/* Arrays with one number per pixel */
+struct relief_samples {
+    const float *value;
+    const float *bed;       /* values below the sea, too; NULL: there is no sea */
+    const float *normal[3]; /* of the ground */
+    const float *shade[3];  /* of the ground, exaggerated: these are lit */
+};
+
+/* Writes red, green and blue of `count` samples. */
+void relief_colours(const struct relief *relief, const struct relief_samples *samples, size_t count,
+                    uint8_t *rgb);
+
+/* The unit vector to a light `azimuth` degrees clockwise from north, `altitude` degrees above the
+   horizon. */
+void relief_light(double azimuth, double altitude, double light[3]);
+
+#endif

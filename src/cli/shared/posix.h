@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The calls of POSIX that handle files, by their own names on every system. Windows gets them from
+ * windows_files.c and windows_system.c: there, a path is UTF-8, may be of any length, and names
+ * what it names on POSIX systems. Included by every file that opens, looks for, locks, renames or
+ * removes files.
+ */
+#ifndef SCARP_CLI_POSIX_H
+#define SCARP_CLI_POSIX_H
+
+#ifdef _WIN32
+#include "shared/windows.h"
+#else
+#include <dirent.h>
+#include <fcntl.h>
+#include <signal.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <sys/types.h>
+#include <time.h>
+#include <unistd.h>
+#endif
+
+#endif

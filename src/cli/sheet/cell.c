@@ -1,0 +1,207 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Cells are made of command lines: that of the sheet, and after it the options that differ. Samples
+ * become bytes as those of `scarp terrain` do, and pixels are means of them.
+ */
+#include "sheet/cell.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "raster/layers.h"
+#include "shared/error.h"
+#include "shared/text.h"
+
+/* The option of an axis, if a sheet can vary it */
+static const struct option *find(const struct axis *axis, struct sheet_options *options,
+                                 void **field)
+{
+    char name[AXIS_NAME_SIZE + 2] = "--";
+    strcat(name, axis->name);
+    return options_find(&sheet_table, SHEET_VARIED_FIRST, sheet_table.count - 1, name, options,
+                        field);
+}
+
+static bool set_flag(const struct axis *axis, const char *value, int *flag)
+{
+    *flag = strcmp(value, "on") == 0;
+    if (!*flag && strcmp(value, "off") != 0) {
+        cli_error("--sheet: '%.60s' of %s is not off or on", value, axis->name);
+        return false;
+    }
+    return true;
+}
+
+/* What says how far a noise counts may be 0 in some cells: the noise's own options do not matter
+   there, and are no mistake. */
+static void forgive(const struct axes *axes, struct ground_options *ground)
+{
+    for (size_t i = 0; i < axes->count; i++) {
+        const char *const name = axes->list[i].name;
+        if (strcmp(name, "warp-reach") == 0 || strcmp(name, "preset") == 0) {
+            ground->warp.given.typed = 0;
+        }
+        if (strcmp(name, "base-amplitude") == 0 || strcmp(name, "preset") == 0) {
+            ground->base.given.typed = 0;
+        }
+        if (strcmp(name, "mask-band") == 0 || strcmp(name, "preset") == 0) {
+            ground->mask.given.typed = 0;
+        }
+    }
+}
+
+/* Reads the command line and the values behind it. Options without a value are set afterwards. */
+static bool read_options(struct cell *cell, char **argv, const struct axes *axes, const size_t *at)
+{
+    struct sheet_options *const options = &cell->options;
+    size_t count = 0;
+    while (argv[count] != NULL) {
+        count++;
+    }
+    char **const words = calloc(count + AXES_MAX + 1, sizeof *words);
+    bool is_valid = words != NULL;
+    for (size_t i = 0; i < count && is_valid; i++) {
+        words[i] = argv[i];
+    }
+    for (size_t i = 0; i < axes->count && is_valid; i++) {
+        const struct axis *const axis = &axes->list[i];
+        void *field;
+        const struct option *const option = find(axis, options, &field);
+        if (option->parse != NULL) {
+            cell->typed[i] =
+                text_join((const char *const[]){"--", axis->name, "=", axis->values[at[i]], NULL});
+            is_valid = cell->typed[i] != NULL;
+            words[count++] = cell->typed[i];
+        }
+    }
+    if (!is_valid) {
+        cli_error("--sheet: no memory");
+    }
+    is_valid = is_valid && options_parse(&sheet_table, words, options) == OPTIONS_RUN;
+    for (size_t i = 0; i < axes->count && is_valid; i++) {
+        void *field;
+        if (find(&axes->list[i], options, &field)->parse == NULL) {
+            is_valid = set_flag(&axes->list[i], axes->list[i].values[at[i]], field);
+        }
+    }
+    free(words);
+    return is_valid;
+}
+
+bool cell_make(struct cell *cell, char **argv, const struct axes *axes, const size_t *at)
+{
+    struct sheet_options *const options = &cell->options;
+    *cell = (struct cell){.options = SHEET_OPTIONS_UNSET};
+    for (size_t i = 0; i < axes->count; i++) {
+        void *field;
+        if (find(&axes->list[i], options, &field) == NULL) {
+            cli_error("--sheet: %s is no parameter of cells; see: scarp sheet --help",
+                      axes->list[i].name);
+            return false;
+        }
+    }
+    if (!read_options(cell, argv, axes, at)) {
+        return false;
+    }
+    forgive(axes, &options->ground);
+    const size_t samples = options->samples;
+    const double step = options->step / (double)samples;
+    const double aside = 0.5 * (double)(samples - 1) * step; /* pixels are around their place */
+    cell->surface = (struct surface){
+        .width = options->cell.width * samples,
+        .height = options->cell.height * samples,
+        .x0 = options->origin.x - aside,
+        .y0 = options->origin.y - aside,
+        .step = step,
+        .normal_y = 1.0f,
+    };
+    if (!ground_options_complete(&options->ground) ||
+        !ground_make(&options->ground, &cell->surface.ground) ||
+        !surface_open_palette(&options->look, options->ground.preset, &cell->palette)) {
+        return false;
+    }
+    surface_set_scale(&cell->surface);
+    surface_set_light(&cell->surface, &options->look);
+    surface_set_relief(&cell->surface, &cell->palette);
+    return true;
+}
+
+void cell_free(struct cell *cell)
+{
+    palette_free(&cell->palette);
+    for (size_t i = 0; i < AXES_MAX; i++) {
+        free(cell->typed[i]);
+    }
+}
+
+static uint8_t mean(const uint8_t *bytes, size_t samples, size_t channels, size_t stride)
+{
+    uint32_t sum = 0;
+    for (size_t row = 0; row < samples; row++) {
+        for (size_t i = 0; i < samples; i++) {
+            const uint32_t byte = bytes[row * stride + i * channels];
+            sum += byte * byte;
+        }
+    }
+    return (uint8_t)(sqrt((double)sum / (double)(samples * samples)) + 0.5);
+}
+
+/* Means of samples * samples bytes each, for `width` pixels side by side; grey becomes three bytes.
+ */
+static void put_means(const uint8_t *bytes, size_t samples, size_t width, size_t channels,
+                      uint8_t *to)
+{
+    const size_t stride = width * samples * channels;
+    for (size_t i = 0; i < width; i++) {
+        const uint8_t *const pixel = bytes + i * samples * channels;
+        for (size_t c = 0; c < 3; c++) {
+            to[3 * i + c] = c < channels ? mean(pixel + c, samples, channels, stride) : to[3 * i];
+        }
+    }
+}
+
+/* Draws the block, whose samples were taken, from the pixel `to` on. */
+static void draw_block(const struct cell *cell, const struct layer *layer,
+                       const struct block *block, uint8_t *bytes, uint8_t *to, size_t stride)
+{
+    const size_t samples = cell->options.samples;
+    for (size_t row = 0; row < block->rows; row++) {
+        const struct strip strip = {block, row * block->columns, block->columns, block->columns};
+        layer->encode(&cell->surface, &strip, SAMPLE_U8,
+                      bytes + row * block->columns * layer->channels);
+    }
+    for (size_t row = 0; row < block->rows; row += samples) {
+        put_means(bytes + row * block->columns * layer->channels, samples, block->columns / samples,
+                  layer->channels, to + row / samples * stride);
+    }
+}
+
+static size_t smaller(size_t a, size_t b)
+{
+    return a < b ? a : b;
+}
+
+bool cell_draw(const struct cell *cell, size_t row, uint8_t *to, size_t stride)
+{
+    const struct sheet_options *const options = &cell->options;
+    const size_t samples = options->samples;
+    const size_t rows = smaller(CELL_BAND, options->cell.height - row);
+    const size_t across = BLOCK_SAMPLES / (CELL_BAND * samples * samples); /* pixels of a block */
+    const struct layer *const layer =
+        &layers[options->layer == SHEET_RELIEF ? LAYER_RELIEF : LAYER_HILLSHADE];
+    struct block block = {.memory = NULL};
+    uint8_t *const bytes = malloc(3 * BLOCK_SAMPLES);
+    const bool is_open = bytes != NULL && block_open(&block, &cell->surface, layer->needs);
+    for (size_t column = 0; column < options->cell.width && is_open; column += across) {
+        block.column = column * samples;
+        block.row = row * samples;
+        block.columns = smaller(across, options->cell.width - column) * samples;
+        block.rows = rows * samples;
+        surface_sample(&cell->surface, &block);
+        draw_block(cell, layer, &block, bytes, to + row * stride + 3 * column, stride);
+    }
+    free(bytes);
+    block_close(&block);
+    return is_open;
+}

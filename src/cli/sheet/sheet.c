@@ -1,0 +1,215 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * `scarp sheet`: from the options to the file. The parameters that cells differ in are read in
+ * axes.c, cells are made and drawn in cell.c, and the page they stand on is that of page.c.
+ */
+#include "sheet/sheet.h"
+
+#include <errno.h>
+#include <stdatomic.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+#include <time.h>
+
+#include "formats/choose.h"
+#include "formats/whole.h"
+#include "shared/crew.h"
+#include "shared/error.h"
+#include "shared/interrupt.h"
+#include "shared/progress.h"
+#include "sheet/cell.h"
+#include "sheet/page.h"
+
+#ifdef SCARP_CLI_PNG
+#define STANDARD_OUTPUT "sheet.png"
+#else
+#define STANDARD_OUTPUT "sheet.ppm"
+#endif
+
+struct sheet {
+    struct sheet_options options;
+    struct axes axes;
+    struct page page;
+    struct cell *cells;
+    size_t count;
+    struct crew *crew;
+    struct writer writer;
+    size_t row;             /* of cells: what is drawn */
+    atomic_bool has_failed; /* for want of memory */
+};
+
+static double seconds(void)
+{
+    struct timespec now = {0, 0}; /* stays so without a clock */
+#ifdef CLOCK_MONOTONIC
+    clock_gettime(CLOCK_MONOTONIC, &now);
+#else
+    timespec_get(&now, TIME_UTC);
+#endif
+    return (double)now.tv_sec + (double)now.tv_nsec * 1e-9;
+}
+
+static bool choose_format(struct sheet *sheet)
+{
+    static const struct wanted wanted = {
+        .option = "--output", .content = "sheets", .channels = 3, .kinds = SAMPLE_U8};
+    const char *const output = sheet->options.output;
+    struct writer *const writer = &sheet->writer;
+    writer->format =
+        format_choose(&wanted, output != NULL ? output : STANDARD_OUTPUT, &writer->path);
+    writer->raster = (struct raster){.width = sheet->page.width,
+                                     .height = sheet->page.height,
+                                     .channels = 3,
+                                     .kind = SAMPLE_U8,
+                                     .step = 1.0,
+                                     .content = "sheet",
+                                     .times = 1};
+    return writer->format != NULL;
+}
+
+/* All cells, so that none is drawn if there is a mistake in one */
+static int make_cells(struct sheet *sheet, char **argv)
+{
+    sheet->count = sheet->axes.list[0].count;
+    sheet->count *= sheet->axes.count > 1 ? sheet->axes.list[1].count : 1;
+    sheet->cells = calloc(sheet->count, sizeof *sheet->cells);
+    if (sheet->cells == NULL) {
+        cli_error("--sheet: no memory");
+        return CLI_FAILURE;
+    }
+    for (size_t n = 0; n < sheet->count; n++) {
+        size_t at[AXES_MAX];
+        page_values(&sheet->page, &sheet->axes, n, at);
+        if (!cell_make(&sheet->cells[n], argv, &sheet->axes, at)) {
+            return CLI_USAGE;
+        }
+    }
+    return CLI_SUCCESS;
+}
+
+/* Draws bands of the cells of a row, as they come. */
+static void draw(void *context, size_t number)
+{
+    struct sheet *const sheet = context;
+    const struct page *const page = &sheet->page;
+    const size_t bands = (page->cell_height + CELL_BAND - 1) / CELL_BAND;
+    const size_t first = sheet->row * page->columns;
+    const size_t left = sheet->count - first;
+    const size_t tasks = bands * (left < page->columns ? left : page->columns);
+    (void)number;
+    for (size_t n; (n = crew_next(sheet->crew)) < tasks && !interrupted();) {
+        const size_t cell = first + n / bands;
+        if (!cell_draw(&sheet->cells[cell], n % bands * CELL_BAND, page_cell(page, cell),
+                       3 * page->width)) {
+            atomic_store(&sheet->has_failed, true);
+        }
+    }
+}
+
+static int tell_failure(const struct sheet *sheet, int reason)
+{
+    if (interrupted()) {
+        cli_error("interrupted: the unfinished file is removed");
+    } else if (reason == ENOMEM) {
+        cli_error("no memory for %zux%zu pixels", sheet->page.width, sheet->page.height);
+    } else {
+        cli_error("--output: %s: %s", file_name(sheet->writer.path), file_reason(reason));
+    }
+    return CLI_FAILURE;
+}
+
+/* Draws all cells. False, with errno, without memory or when interrupted. */
+static bool draw_all(struct sheet *sheet, struct progress *progress)
+{
+    if (!page_open(&sheet->page, &sheet->axes)) {
+        errno = ENOMEM;
+        return false;
+    }
+    for (sheet->row = 0; sheet->row < sheet->page.rows && !interrupted(); sheet->row++) {
+        crew_run(sheet->crew, crew_most(sheet->crew), draw, sheet);
+        progress_add(progress, 1);
+    }
+    errno = ENOMEM;
+    return !atomic_load(&sheet->has_failed) && !interrupted();
+}
+
+/* Draws the sheet and writes it to a file that appears when it is whole. */
+static int write_sheet(struct sheet *sheet)
+{
+    struct writer *const writer = &sheet->writer;
+    errno = 0;
+    if (!writer_open(writer)) {
+        const bool is_usage = !interrupted() && errno != EPIPE;
+        tell_failure(sheet, errno);
+        return is_usage ? CLI_USAGE : CLI_FAILURE;
+    }
+    struct progress progress;
+    progress_start(&progress, sheet->page.rows, sheet->options.quiet != 0);
+    const bool is_drawn = draw_all(sheet, &progress);
+    const bool is_written = is_drawn && writer_write_whole(writer, sheet->crew, sheet->page.rgb) &&
+                            writer_close(writer) && writer_publish(writer) && writer_settle(writer);
+    const int reason = errno;
+    progress_end(&progress, is_written);
+    return is_written ? CLI_SUCCESS : tell_failure(sheet, reason);
+}
+
+static void print_summary(const struct sheet *sheet, double duration)
+{
+    const char *const path = sheet->writer.path;
+    const bool is_file = strcmp(path, "-") != 0 && !file_is_special(path);
+    const size_t threads = crew_size(sheet->crew);
+    fprintf(is_file ? stdout : stderr,
+            "%zu cell%s of %zux%zu pixels in %.3f s (%s, %zu thread%s)\n", sheet->count,
+            sheet->count == 1 ? "" : "s", sheet->page.cell_width, sheet->page.cell_height, duration,
+            scarp_isa_name(scarp_isa_active()), threads, threads == 1 ? "" : "s");
+}
+
+static int prepare(struct sheet *sheet, char **argv)
+{
+    const struct sheet_options *const options = &sheet->options;
+    if (!axes_parse(options->sheet, &sheet->axes)) {
+        return CLI_USAGE;
+    }
+    page_arrange(&sheet->page, &sheet->axes, options->cell.width, options->cell.height);
+    if (!choose_format(sheet)) {
+        return CLI_USAGE;
+    }
+    scarp_isa_select((enum scarp_isa)options->isa);
+    const int status = make_cells(sheet, argv);
+    if (status != CLI_SUCCESS) {
+        return status;
+    }
+    sheet->crew = crew_open(options->threads != 0 ? options->threads : crew_processors());
+    if (sheet->crew == NULL) {
+        cli_error("--threads: no memory");
+        return CLI_FAILURE;
+    }
+    return CLI_SUCCESS;
+}
+
+int cli_sheet(char **argv)
+{
+    static struct sheet sheet = {.options = SHEET_OPTIONS_UNSET}; /* large for a stack */
+    switch (options_parse(&sheet_table, argv, &sheet.options)) {
+    case OPTIONS_HELP: return CLI_SUCCESS;
+    case OPTIONS_BAD: return CLI_USAGE;
+    default: break;
+    }
+    const double start = seconds();
+    int status = prepare(&sheet, argv);
+    if (status == CLI_SUCCESS) {
+        status = write_sheet(&sheet);
+    }
+    if (status == CLI_SUCCESS && !sheet.options.quiet) {
+        print_summary(&sheet, seconds() - start);
+    }
+    writer_discard(&sheet.writer);
+    for (size_t n = 0; n < sheet.count && sheet.cells != NULL; n++) {
+        cell_free(&sheet.cells[n]);
+    }
+    free(sheet.cells);
+    page_close(&sheet.page);
+    crew_close(sheet.crew);
+    return status;
+}

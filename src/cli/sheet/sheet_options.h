@@ -1,0 +1,35 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The options of `scarp sheet`, parsed.
+ */
+#ifndef SCARP_CLI_SHEET_OPTIONS_H
+#define SCARP_CLI_SHEET_OPTIONS_H
+
+#include "ground/ground_options.h"
+#include "look/look_options.h"
+#include "shared/options.h"
+
+struct sheet_options {
+    struct ground_options ground;
+    struct look_options look;
+    struct option_size cell; /* pixels */
+    struct option_point origin;
+    double step;             /* between pixels */
+    size_t samples, threads; /* across a pixel; all threads: 0 */
+    int layer, isa, quiet;   /* layer: SHEET_RELIEF or SHEET_HILLSHADE */
+    const char *sheet, *output;
+};
+
+enum { SHEET_RELIEF, SHEET_HILLSHADE };
+
+#define SHEET_OPTIONS_UNSET                                                                        \
+    {                                                                                              \
+        .ground = GROUND_OPTIONS_UNSET                                                             \
+    }
+
+extern const struct option_table sheet_table;
+
+/* The groups whose options a sheet can vary: from the first one to the one before the last */
+enum { SHEET_VARIED_FIRST = 1 };
+
+#endif

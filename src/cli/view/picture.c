@@ -1,0 +1,245 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Bands of tiles. Threads paint the tiles of a band, then pack its rows, if the format packs; the
+ * first thread writes them. Most pictures are one band.
+ *
+ * Memory: a band and what it is packed to, BAND_BYTES each unless one row of tiles is more; one
+ * tile and one packer per thread.
+ */
+#include "view/picture.h"
+
+#include <errno.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "shared/interrupt.h"
+#include "view/tile.h"
+
+#define BAND_BYTES ((size_t)24 << 20)
+
+struct picture {
+    const struct scene *scene;
+    size_t samples;
+    struct writer *writer;
+    struct crew *crew;
+    struct progress *progress;
+
+    size_t rows, stride;           /* of a band, and bytes of a row */
+    uint8_t *memory, *bytes;       /* those of the band, after the row above it */
+    const struct packing *packing; /* NULL: rows go to the file as they are; else: */
+    size_t part_rows, room;
+    struct part *part;
+    uint8_t *packed;
+    size_t wanted, threads; /* threads that there is work for, and memory */
+    struct tile **tile;
+    void **packer;
+
+    size_t row; /* where the band begins */
+    enum picture_result result;
+    int reason; /* errno of what failed */
+};
+
+static size_t smaller(size_t a, size_t b)
+{
+    return a < b ? a : b;
+}
+
+static size_t quotient_up(size_t a, size_t b)
+{
+    return (a + b - 1) / b;
+}
+
+uint64_t picture_tiles(const struct scene *scene)
+{
+    return (uint64_t)quotient_up(scene->camera.width, TILE_WIDTH) *
+           quotient_up(scene->camera.height, TILE_HEIGHT);
+}
+
+/* A thread without memory is done without, unless it is the only one. */
+static bool open_threads(struct picture *picture)
+{
+    const size_t wanted = picture->wanted;
+    picture->tile = calloc(wanted, sizeof *picture->tile);
+    picture->packer = calloc(wanted, sizeof *picture->packer);
+    if (picture->tile == NULL || picture->packer == NULL) {
+        return false;
+    }
+    for (size_t i = 0; i < wanted; i++) {
+        picture->tile[i] = tile_open();
+        picture->packer[i] = picture->packing != NULL ? picture->packing->open() : NULL;
+        if (picture->tile[i] == NULL || (picture->packing != NULL && picture->packer[i] == NULL)) {
+            break;
+        }
+        picture->threads++;
+    }
+    return picture->threads > 0;
+}
+
+static bool open_picture(struct picture *picture)
+{
+    const struct raster *const raster = &picture->writer->raster;
+    picture->packing = picture->writer->format->packing;
+    picture->stride = raster_row_bytes(raster);
+    const size_t affordable = BAND_BYTES / picture->stride / TILE_HEIGHT * TILE_HEIGHT;
+    size_t unit = TILE_HEIGHT;
+    if (picture->packing != NULL) {
+        picture->part_rows = picture->packing->part_rows(raster);
+        unit = picture->part_rows > unit ? picture->part_rows : unit; /* powers of two */
+    }
+    picture->rows =
+        smaller(affordable / unit > 0 ? affordable / unit * unit : unit, raster->height);
+    picture->memory = calloc(1 + picture->rows, picture->stride);
+    if (picture->memory == NULL) {
+        return false;
+    }
+    picture->bytes = picture->memory + picture->stride;
+    if (picture->packing != NULL) {
+        const size_t parts = quotient_up(picture->rows, picture->part_rows);
+        picture->room = picture->packing->room(raster, picture->part_rows);
+        picture->packed = picture->room <= SIZE_MAX / parts ? malloc(parts * picture->room) : NULL;
+        picture->part = calloc(parts, sizeof *picture->part);
+        if (picture->packed == NULL || picture->part == NULL) {
+            return false;
+        }
+    }
+    const size_t tiles =
+        quotient_up(raster->width, TILE_WIDTH) * quotient_up(picture->rows, TILE_HEIGHT);
+    picture->wanted = smaller(crew_most(picture->crew), tiles);
+    return open_threads(picture);
+}
+
+static void close_picture(struct picture *picture)
+{
+    for (size_t i = 0; i < picture->wanted && picture->tile != NULL && picture->packer != NULL;
+         i++) {
+        tile_close(picture->tile[i]);
+        if (picture->packer[i] != NULL) {
+            picture->packing->close(picture->packer[i]);
+        }
+    }
+    free(picture->tile);
+    free(picture->packer);
+    free(picture->part);
+    free(picture->packed);
+    free(picture->memory);
+}
+
+static size_t rows_of_band(const struct picture *picture)
+{
+    return smaller(picture->rows, picture->writer->raster.height - picture->row);
+}
+
+static void paint(const struct picture *picture, size_t n, struct tile *tile)
+{
+    const size_t across = quotient_up(picture->writer->raster.width, TILE_WIDTH);
+    const size_t column = n % across * TILE_WIDTH, row = n / across * TILE_HEIGHT;
+    tile_paint(tile, picture->scene, picture->samples, column, picture->row + row,
+               picture->bytes + row * picture->stride + 3 * column, picture->stride);
+}
+
+static void pack(const struct picture *picture, size_t n, void *packer)
+{
+    const size_t row = n * picture->part_rows;
+    struct part *const part = &picture->part[n];
+    *part = (struct part){.samples = picture->bytes + row * picture->stride,
+                          .row = picture->row + row,
+                          .rows = smaller(picture->part_rows, rows_of_band(picture) - row),
+                          .bytes = picture->packed + n * picture->room};
+    picture->packing->pack(packer, &picture->writer->raster, part);
+}
+
+static size_t parts_of_band(const struct picture *picture)
+{
+    return picture->packing != NULL ? quotient_up(rows_of_band(picture), picture->part_rows) : 0;
+}
+
+/* Writes the band, and begins the next one. */
+static void write_band(struct picture *picture)
+{
+    const size_t rows = rows_of_band(picture), parts = parts_of_band(picture);
+    bool written = true;
+    errno = 0;
+    if (interrupted()) {
+        picture->result = PICTURE_INTERRUPTED;
+        return;
+    }
+    if (picture->packing == NULL) {
+        written = writer_write(picture->writer, picture->bytes, picture->row, rows);
+    }
+    for (size_t n = 0; n < parts && written; n++) {
+        written = writer_write_part(picture->writer, &picture->part[n]);
+    }
+    if (!written) {
+        picture->reason = errno;
+        picture->result = interrupted() ? PICTURE_INTERRUPTED : PICTURE_FAILED;
+        return;
+    }
+    memcpy(picture->memory, picture->bytes + (rows - 1) * picture->stride, picture->stride);
+    picture->row += rows;
+}
+
+/* What each thread does. The first one writes: signals go to it, and end a write that waits. It
+   also shows the progress, of the tiles that it finds done. */
+static void work(void *context, size_t number)
+{
+    struct picture *const picture = context;
+    while (picture->row < picture->writer->raster.height && picture->result == PICTURE_DONE) {
+        const size_t across = quotient_up(picture->writer->raster.width, TILE_WIDTH);
+        const size_t tiles = across * quotient_up(rows_of_band(picture), TILE_HEIGHT);
+        const size_t parts = parts_of_band(picture);
+        size_t shown = 0;
+        for (size_t n; (n = crew_next(picture->crew)) < tiles && !interrupted();) {
+            paint(picture, n, picture->tile[number]);
+            if (number == 0) {
+                progress_add(picture->progress, n - shown);
+                shown = n;
+            }
+        }
+        if (number == 0) {
+            progress_add(picture->progress, tiles - shown);
+        }
+        crew_meet(picture->crew, NULL);
+        for (size_t n; (n = crew_next(picture->crew)) < parts && !interrupted();) {
+            pack(picture, n, picture->packer[number]);
+        }
+        crew_meet(picture->crew, NULL);
+        if (number == 0) {
+            write_band(picture);
+        }
+        crew_meet(picture->crew, NULL);
+    }
+}
+
+static void add_counts(const struct picture *picture, struct picture_counts *counts)
+{
+    for (size_t i = 0; i < picture->threads; i++) {
+        const struct tile *const tile = picture->tile[i];
+        counts->rays += tile->count;
+        counts->march_calls += tile->march.calls;
+        counts->march_points += tile->march.points;
+        counts->shadow_calls += tile->light.shadow.calls;
+        counts->shadow_points += tile->light.shadow.points;
+        counts->light_calls += tile->light.calls;
+        counts->light_points += tile->light.points;
+    }
+}
+
+enum picture_result picture_write(const struct scene *scene, size_t samples, struct writer *writer,
+                                  struct crew *crew, struct progress *progress,
+                                  struct picture_counts *counts)
+{
+    struct picture picture = {.scene = scene,
+                              .samples = samples,
+                              .writer = writer,
+                              .crew = crew,
+                              .progress = progress,
+                              .result = PICTURE_NO_MEMORY};
+    if (open_picture(&picture)) {
+        picture.result = PICTURE_DONE;
+        crew_run(crew, picture.threads, work, &picture);
+        add_counts(&picture, counts);
+    }
+    close_picture(&picture);
+    errno = picture.reason;
+    return picture.result;
+}

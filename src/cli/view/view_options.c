@@ -1,0 +1,215 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The options of `scarp view` and its help.
+ */
+#include "view/view_options.h"
+
+#include <stddef.h>
+
+#include "ground/presets.h"
+#include "look/palette.h"
+#include "shared/crew.h"
+#include "shared/number.h"
+
+#define FIELD(name) offsetof(struct view_options, name)
+
+/* Reads numbers with commas between them, each in its interval, and nothing else. */
+static bool read_numbers(const char *text, size_t count, const double (*bounds)[2], double *numbers)
+{
+    for (size_t i = 0; i < count; i++) {
+        if (i > 0 && *text++ != ',') {
+            return false;
+        }
+        text = number_read(text, &numbers[i]);
+        if (text == NULL || !(numbers[i] >= bounds[i][0] && numbers[i] <= bounds[i][1])) {
+            return false;
+        }
+    }
+    return *text == '\0';
+}
+
+static enum option_result parse_camera(const struct option *option, const char *text, void *field)
+{
+    const double bounds[3][2] = {
+        {-0x1p40, 0x1p40}, {-0x1p40, 0x1p40}, {option->lowest, option->highest}};
+    double numbers[3];
+    if (!read_numbers(text, 3, bounds, numbers)) {
+        return OPTION_INVALID;
+    }
+    *(struct view_camera *)field = (struct view_camera){numbers[0], numbers[1], numbers[2]};
+    return OPTION_VALID;
+}
+
+static enum option_result parse_direction(const struct option *option, const char *text,
+                                          void *field)
+{
+    const double bounds[2][2] = {{0, 360}, {option->lowest, option->highest}};
+    double numbers[2];
+    if (!read_numbers(text, 2, bounds, numbers)) {
+        return OPTION_INVALID;
+    }
+    *(struct view_direction *)field = (struct view_direction){numbers[0], numbers[1]};
+    return OPTION_VALID;
+}
+
+static const struct option picture_rows[] = {
+    {.name = "--output",
+     .argument = "FILE",
+     .allowed = "a file name, of which the extension tells the format",
+     .help = "the picture: .png .ppm .img .npy; must be given",
+     .parse = option_text,
+     .offset = FIELD(output),
+     .of_run = 1},
+    {.name = "--size",
+     .argument = "WxH",
+     .standard = "960x540",
+     .allowed = "WIDTHxHEIGHT with both from 1 to 16384",
+     .help = "pixels across and down, each from 1 to 16384",
+     .parse = option_size,
+     .offset = FIELD(size),
+     .lowest = 1,
+     .highest = 16384},
+    {.name = "--samples",
+     .argument = "N",
+     .standard = "4",
+     .allowed = "an integer from 1 to 256",
+     .help = "rays for each pixel where it needs them, from 1 to 256",
+     .parse = option_count,
+     .offset = FIELD(samples),
+     .lowest = 1,
+     .highest = 256},
+};
+
+static const struct option camera_rows[] = {
+    {.name = "--camera",
+     .argument = "X,Y,H",
+     .allowed = "three numbers X,Y,H, X and Y from -2^40 to 2^40 and H from -2^24 to 2^24",
+     .help = "where it stands: H is the height, in the unit of x and y, which\nmust be above the "
+             "ground [where there is much to see]",
+     .parse = parse_camera,
+     .offset = FIELD(camera),
+     .lowest = -0x1p24,
+     .highest = 0x1p24},
+    {.name = "--look",
+     .argument = "AZ,EL",
+     .allowed = "two numbers AZ,EL, AZ from 0 to 360 and EL from -89 to 89",
+     .help = "where it looks: degrees clockwise from north, from 0 to 360, and\nabove the horizon, "
+             "from -89 to 89 [over the view, so that the\nhorizon is in the upper third]",
+     .parse = parse_direction,
+     .offset = FIELD(look),
+     .lowest = -89,
+     .highest = 89},
+    {.name = "--fov",
+     .argument = "F",
+     .standard = "56",
+     .allowed = "a number from 1 to 150",
+     .help = "how much it sees from left to right, in degrees, from 1 to 150",
+     .parse = option_double,
+     .offset = FIELD(fov),
+     .lowest = 1,
+     .highest = 150},
+    {.name = "--origin",
+     .argument = "X,Y",
+     .standard = "0,0",
+     .allowed = "two numbers X,Y from -2^40 to 2^40",
+     .help = "the bottom left corner of the view: the 1024 by 1024 units that a\ncamera without "
+             "--camera looks over, each from -2^40 to 2^40",
+     .parse = option_point,
+     .offset = FIELD(origin),
+     .lowest = -0x1p40,
+     .highest = 0x1p40},
+};
+
+static const struct option light_rows[] = {
+    {.name = "--palette",
+     .argument = "NAME",
+     .allowed = PALETTE_NAMES ", or a file",
+     .help = "colours of the ground: alpine, temperate, desert, arctic or grey;\nor a FILE with "
+             "colours of heights, see scarp help terrain [that of\nthe preset]",
+     .parse = option_text,
+     .offset = FIELD(palette)},
+    {.name = "--sun",
+     .argument = "AZ,ALT",
+     .standard = "225,24",
+     .allowed = "two numbers AZ,ALT, AZ from 0 to 360 and ALT from 1 to 90",
+     .help = "where the sun stands: degrees clockwise from north, from 0 to\n360, and above the "
+             "horizon, from 1 to 90",
+     .parse = parse_direction,
+     .offset = FIELD(sun),
+     .lowest = 1,
+     .highest = 90},
+    {.name = "--haze",
+     .argument = "F",
+     .standard = "4000",
+     .allowed = "0 or a number from 1 to 2^24",
+     .help = "the distance at which haze takes most of the light, in units,\nfrom 1 to 2^24; 0: "
+             "clear air",
+     .parse = option_float,
+     .offset = FIELD(haze),
+     .lowest = 0,
+     .highest = 0x1p24},
+};
+
+static const struct option running_rows[] = {
+    {.name = "--threads",
+     .argument = "N",
+     .help = "how many threads work, at most, from 1 to 1024, without POSIX\nthreads 1; the "
+             "picture does not depend on it [one per processor]",
+#ifdef SCARP_CLI_THREADS
+     .allowed = "an integer from 1 to 1024",
+     .highest = THREADS_MAX,
+#else
+     .allowed = "1: this program was built without threads",
+     .highest = 1,
+#endif
+     .parse = option_count,
+     .offset = FIELD(threads),
+     .lowest = 1,
+     .of_run = 1},
+    {.name = "--isa",
+     .argument = "NAME",
+     .allowed = OPTION_ISAS,
+     .help = "instruction set: " OPTION_ISAS ";\nthe picture does not depend on it [the best one]",
+     .parse = option_isa,
+     .offset = FIELD(isa),
+     .of_run = 1},
+    {.name = "--quiet", .help = "print nothing but errors", .offset = FIELD(quiet), .of_run = 1},
+};
+
+static const struct option_group groups[] = {
+    OPTION_GROUP("the picture", picture_rows, 0),
+    OPTION_GROUP("the camera", camera_rows, 0),
+    OPTION_GROUP("colours, light and air", light_rows, 0),
+    GROUND_GROUPS(FIELD(ground)),
+    OPTION_GROUP("running", running_rows, 0),
+};
+
+const struct option_table view_table = {
+    .command = "view",
+    .purpose =
+        "Looks at a terrain from a camera, and writes what it sees to a file. Options of the\n"
+        "terrain are those of scarp terrain.",
+    .notes =
+        "FILE       its extension tells the format, or what stands before it: ppm:FILE. FILE may\n"
+        "           be - for standard output, as in ppm:-. .png is there with zlib only.\n"
+        "units      one unit of x and y is taken for some ten metres: so large are trees, and so\n"
+        "           wide is the line of the shore. Snow and trees go by the usual heights of the\n"
+        "           terrain, those of scarp terrain --relief, rock by the slopes in the view, "
+        "which\n"
+        "           begins at --origin.\n"
+        "camera     without --camera it stands where most of the terrain is seen, looks over the\n"
+        "           view, and has the sun at its side, if there is such a place. The closing line\n"
+        "           tells it as options.\n"
+        "far        nothing is shown that is farther away than 20 times the view, or 20 times the\n"
+        "           height of the camera above the lowest ground. Haze hides that end.\n"
+        "rays       the rays of a pixel are one, and all of --samples where its neighbours differ\n"
+        "           from it. A ray takes steps that no slope seen in the picture can cut short;\n"
+        "           what it passes over is less than half a pixel high. Octaves whose cells are\n"
+        "           smaller than a pixel are left out there, as --of-octaves has it.\n"
+        "\n" PRESET_HELP,
+    .groups = groups,
+    .count = sizeof groups / sizeof groups[0],
+    .standard = ground_standard,
+    .presets = preset_words,
+    .preset_offset = FIELD(ground.preset),
+};

@@ -1,0 +1,150 @@
+# SPDX-License-Identifier: MIT
+"""The example src/examples/cloud.c: what it draws, and what it refuses.
+
+    test_cloud.py Arguments|Picture|isa=NAME [EMULATOR...] PROGRAM
+
+Where the picture is meant to change, this writes src/examples/cloud.png anew, and prints what SMALL
+has to be:
+
+    test_cloud.py --write PROGRAM
+"""
+import hashlib
+import os
+import struct
+import subprocess
+import sys
+import tempfile
+import unittest
+import zlib
+
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "cli"))
+from rasters import decode_png, decode_pnm
+
+SKIPPED = 77
+PICTURE = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "src", "examples",
+                       "cloud.png")
+LARGEST_FILE = 500 * 1000
+# SHA-256 of small pictures, on every machine; where code runs slowly, the smallest is enough
+SMALL = {"32x18": "7b447340771cfc4db51f94542124b8f39ffbec4311b55aa55593a1ca4bcbc113",
+         "96x54": "f0d89c54f585aea39c292b40962a2294b40f583d692ce42b0fc6f118b15b8fb9"}
+SIZES = sorted(SMALL) if os.environ.get("SCARP_SPEED") == "full" else ["32x18"]
+PROGRAM = []
+
+
+def run(*arguments):
+    return subprocess.run(PROGRAM + list(arguments), stdout=subprocess.PIPE,
+                          stderr=subprocess.PIPE)
+
+
+def sha256(data):
+    return hashlib.sha256(data).hexdigest()
+
+
+class Isa(unittest.TestCase):
+    name = None
+
+    def test_bytes(self):
+        for size in SIZES:
+            drawn = run("--isa", self.name, size)
+            self.assertEqual((drawn.returncode, drawn.stderr), (0, b""))
+            self.assertEqual(sha256(drawn.stdout), SMALL[size], size)
+
+
+class Arguments(unittest.TestCase):
+    def refused(self, *arguments):
+        result = run(*arguments)
+        self.assertEqual((result.returncode, result.stdout), (2, b""), arguments)
+        self.assertRegex(result.stderr, rb"\Acloud: [^\n]+\n\Z")
+        return result.stderr.decode()
+
+    def test_sizes(self):
+        for size in ("1x1", "5x2", "2x7"):
+            drawn = run(size)
+            self.assertEqual((drawn.returncode, drawn.stderr), (0, b""))
+            picture = decode_pnm(drawn.stdout)
+            self.assertEqual("%dx%d" % (picture.width, picture.height), size)
+
+    def test_file(self):
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "cloud.ppm")
+            written = run(path, "5x2")
+            self.assertEqual((written.returncode, written.stdout, written.stderr), (0, b"", b""))
+            with open(path, "rb") as file:
+                self.assertEqual(file.read(), run("5x2").stdout)
+            failed = run("5x2", os.path.join(folder, "missing", "cloud.ppm"))
+            self.assertEqual((failed.returncode, failed.stdout), (1, b""))
+            self.assertRegex(failed.stderr, rb"\Acloud: [^\n]+\n\Z")
+
+    def test_refused(self):
+        for size in ("0x5", "5x0", "960", "960x", "960x540x2", "16385x1", "1x16385", "9e9x1",
+                     "99999999999999999999x1", "1x99999999999999999999", "5 x5", "5x-5"):
+            self.assertIn("16384", self.refused(size))
+        for arguments in (["--isa"], ["--help"], ["-"], ["a.ppm", "b.ppm"], ["5x2", "--isa"]):
+            self.assertIn("usage", self.refused(*arguments))
+        self.assertIn("--isa", self.refused("--isa", "abacus", "5x2"))
+        self.assertIn("--isa", self.refused("--isa", "", "5x2"))
+
+
+class Picture(unittest.TestCase):
+    def test_pixels(self):
+        with open(PICTURE, "rb") as file:
+            committed = file.read()
+        self.assertLess(len(committed), LARGEST_FILE)
+        drawn, shown = decode_pnm(run().stdout), decode_png(committed)
+        self.assertEqual(shown.shape(), (960, 540, 3, 8))
+        self.assertEqual(drawn.shape(), shown.shape())
+        self.assertTrue(drawn.rows == shown.rows, "src/examples/cloud.png is another picture")
+
+
+def filtered(kind, line, above):
+    """A row of a PNG, less what its neighbours predict: nothing, left, above, mean, Paeth."""
+    def predict(a, b, c):
+        nearest = min((abs(b - c), 0, a), (abs(a - c), 1, b), (abs(a + b - 2 * c), 2, c))[2]
+        return (0, a, b, (a + b) // 2, nearest)[kind]
+
+    left, corner = bytes(3) + line, bytes(3) + above
+    return bytes((x - predict(a, b, c)) & 255 for x, a, b, c in zip(line, left, above, corner))
+
+
+def encode_png(ppm):
+    _, size, _, pixels = ppm.split(b"\n", 3)
+    width, height = map(int, size.split())
+    above, rows = bytes(3 * width), []
+    for y in range(height):
+        line = pixels[3 * width * y:3 * width * (y + 1)]
+        rows.append(min((bytes([kind]) + filtered(kind, line, above) for kind in range(5)),
+                        key=lambda row: sum(min(byte, 256 - byte) for byte in row[1:])))
+        above = line
+    png = b"\x89PNG\r\n\x1a\n"
+    for name, data in ((b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)),
+                       (b"IDAT", zlib.compress(b"".join(rows), 9)), (b"IEND", b"")):
+        png += struct.pack(">I", len(data)) + name + data
+        png += struct.pack(">I", zlib.crc32(name + data))
+    return png
+
+
+def write():
+    with open(PICTURE, "wb") as file:
+        file.write(encode_png(run().stdout))
+    print("SMALL =", {size: sha256(run(size).stdout) for size in sorted(SMALL)})
+
+
+def main():
+    group, PROGRAM[:] = sys.argv[1], sys.argv[2:]
+    if group == "--write":
+        return write()
+    if group.startswith("isa="):
+        Isa.name = group[len("isa="):]
+        group = "Isa"
+        if run("--isa", Isa.name, "1x1").returncode == 2:
+            required = Isa.name in os.environ.get("SCARP_REQUIRE_ISAS", "").split(",")
+            print("%s cannot run here: %s" % (Isa.name, "FAILED (required)" if required else
+                                              "skipped"))
+            sys.exit(1 if required else SKIPPED)
+    tests = unittest.defaultTestLoader.loadTestsFromTestCase(globals()[group])
+    result = unittest.TextTestRunner(stream=sys.stdout, verbosity=2).run(tests)
+    sys.exit(0 if result.wasSuccessful() else 1)
+
+
+if __name__ == "__main__":
+    main()
