@@ -89,8 +89,9 @@ class Playground(unittest.TestCase):
         cls.url = f"http://127.0.0.1:{cls.server.server_port}/index.html"
 
     def tearDown(self):
-        self.assertEqual(self.page.console, [], "the console is silent")
+        said = list(self.page.console)
         self.page.console.clear()
+        self.assertEqual(said, [], "the console is silent")
 
     def open(self, words=(), **view):
         """Opens the page anew, or if it is there, what the part of the URL behind # tells."""
@@ -258,6 +259,23 @@ class Playground(unittest.TestCase):
                         return new Set(new Uint32Array(data.buffer)).size;
                     })()""")
                     self.assertGreater(colours, 16)
+
+    def test_screen_readers_have_names_for_all(self):
+        self.open(["--preset", "alps", "--size", "32x32"])
+        self.page.run("document.querySelectorAll('details').forEach(d => d.open = true)")
+        self.page.call("Accessibility.enable")
+        nodes = self.page.call("Accessibility.getFullAXTree")["nodes"]
+        self.page.call("Accessibility.disable")
+        roles = {"button", "slider", "textbox", "checkbox", "combobox", "radio", "image",
+                 "spinbutton", "group", "radiogroup", "dialog"}
+        found = [(node["role"]["value"], node.get("name", {}).get("value", "")) for node in nodes
+                 if not node["ignored"] and node["role"]["value"] in roles]
+        self.assertGreater(len(found), 150)
+        self.assertEqual([role for role, name in found if name == "" and role != "group"], [])
+        for what in (("slider", "Gain"), ("textbox", "Gain"), ("group", "Warp"),
+                     ("button", "Copy as JavaScript"), ("radio", "relief"),
+                     ("image", "Map of the terrain alps, seed 1, relief")):
+            self.assertIn(what, found)
 
     def test_wrong_numbers_are_marked(self):
         words = ["--size", "64x64"]
