@@ -182,7 +182,7 @@ static void look_everywhere(struct brute *brute)
                 const bool is_sky =
                     rays->z[ray] >= 0.0f && scene->camera.z + rays->z[ray] * at >= scene->top;
                 /* To be seen, the ground has to be a part of a pixel nearer. */
-                if (at < rays->distance[ray] * (1.0f - 0.5f * pixel) && at < scene->far &&
+                if (at < rays->distance[ray] * (1.0f - 0.5f * pixel) && at < scene->farthest &&
                     !is_sky) {
                     brute->ray[left] = ray;
                     brute->at[left++] = at;

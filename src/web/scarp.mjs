@@ -539,10 +539,12 @@ class Scarp {
 }
 
 // load({ simd, memory }): `memory` bytes are for alloc(), `simd` false does without vectors.
-export async function load({
-    simd = hasVectors(),
-    memory = 64 * 2 ** 20,
-} = {}) {
+export async function load(options = {}) {
+    checkMembers('load()', options, ['simd', 'memory']);
+    const { simd = hasVectors(), memory = 64 * 2 ** 20 } = options;
+    if (!Number.isSafeInteger(memory) || memory < 0) {
+        throw new RangeError('memory is a number of bytes');
+    }
     const instance = await WebAssembly.instantiate(await compile(simd), {});
     return new Scarp(instance.exports, memory);
 }

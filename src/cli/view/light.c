@@ -81,16 +81,16 @@ static void sample_ground(struct light *light, const struct scene *scene, size_t
 static void sample_texture(struct light *light, const struct scene *scene, size_t band,
                            enum texture texture, const double *x, const double *y)
 {
-    const struct scarp_samples near = {.value = light->texture[texture],
-                                       .dx = light->texture_dx[texture],
-                                       .dy = light->texture_dy[texture]};
-    const struct scarp_samples far = {
+    const struct scarp_samples first = {.value = light->texture[texture],
+                                        .dx = light->texture_dx[texture],
+                                        .dy = light->texture_dy[texture]};
+    const struct scarp_samples second = {
         .value = light->other[0], .dx = light->other[1], .dy = light->other[2]};
-    texture_sample(texture, scene->band[band].finest, light->count, x, y, &near);
-    texture_sample(texture, scene->band[band + 1].finest, light->count, x, y, &far);
-    blend(light, near.value, far.value, 1.0f);
-    blend(light, near.dx, far.dx, 1.0f);
-    blend(light, near.dy, far.dy, 1.0f);
+    texture_sample(texture, scene->band[band].finest, light->count, x, y, &first);
+    texture_sample(texture, scene->band[band + 1].finest, light->count, x, y, &second);
+    blend(light, first.value, second.value, 1.0f);
+    blend(light, first.dx, second.dx, 1.0f);
+    blend(light, first.dy, second.dy, 1.0f);
     count_call(light);
     count_call(light);
 }

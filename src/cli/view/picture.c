@@ -131,10 +131,18 @@ static size_t rows_of_band(const struct picture *picture)
 
 static void paint(const struct picture *picture, size_t n, struct tile *tile)
 {
-    const size_t across = quotient_up(picture->writer->raster.width, TILE_WIDTH);
+    const size_t width = picture->writer->raster.width;
+    const size_t across = quotient_up(width, TILE_WIDTH);
     const size_t column = n % across * TILE_WIDTH, row = n / across * TILE_HEIGHT;
-    tile_paint(tile, picture->scene, picture->samples, column, picture->row + row,
-               picture->bytes + row * picture->stride + 3 * column, picture->stride);
+    const struct tile_area area = {
+        .column = column,
+        .row = picture->row + row,
+        .columns = smaller(width - column, TILE_WIDTH),
+        .rows = smaller(rows_of_band(picture) - row, TILE_HEIGHT),
+        .bytes = picture->bytes + row * picture->stride + 3 * column,
+        .stride = picture->stride,
+    };
+    tile_paint(tile, picture->scene, picture->samples, &area);
 }
 
 static void pack(const struct picture *picture, size_t n, void *packer)

@@ -74,8 +74,9 @@ static void make_survey(struct scene *scene, double x, double y)
 void scene_set_ground(struct scene *scene, const struct ground *ground, double x, double y)
 {
     ground_limit(ground, 0.0, &scene->ground);
-    ground_limit(ground, 16.0, &scene->smooth[0]);
-    ground_limit(ground, 90.0, &scene->smooth[1]);
+    for (int i = 0; i < 2; i++) {
+        ground_limit(ground, SMOOTH_CELLS[i], &scene->smooth[i]);
+    }
     ground_limit(ground, 0.0, &scene->bed);
     scene->bed.floor = scene->bed.lowest;
     scene->height_scale = ground->height_scale;
@@ -123,8 +124,8 @@ void scene_set_bands(struct scene *scene)
 {
     const float above = scene->camera.z - scene->bottom;
     const float pixel = CELL_PIXELS * scene->camera.pixel;
-    scene->far = above > (float)VIEW_SIZE ? 20.0f * above : FAR;
-    float end = scene->far;
+    scene->farthest = above > (float)VIEW_SIZE ? 20.0f * above : FAR;
+    float end = scene->farthest;
     for (size_t i = BANDS; i-- > 0; end *= 0.5f) {
         struct band *const band = &scene->band[i];
         band->slope = 0.0f;
@@ -134,7 +135,7 @@ void scene_set_bands(struct scene *scene)
         ground_limit(&scene->ground, band->finest, &band->ground);
     }
     struct band *const last = &scene->band[BANDS];
-    last->finest = pixel * scene->far;
+    last->finest = pixel * scene->farthest;
     ground_limit(&scene->ground, last->finest, &last->ground);
     /* What a band does not show may begin just behind it. */
     float slope[BANDS + 2] = {0.0f};

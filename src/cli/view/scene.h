@@ -23,6 +23,9 @@ struct band {
     float slope;          /* nothing that the picture shows of it rises faster */
 };
 
+/* What a hill as a whole is, and a range of them: cells in units */
+#define SMOOTH_CELLS ((const double[2]){16.0, 90.0})
+
 /* What colours depend on */
 struct survey {
     float low, high;   /* usual heights, those of `scarp terrain --relief`; low may be the sea */
@@ -36,12 +39,12 @@ struct scene {
     float height_scale; /* units of height per 1 of value */
     float top;          /* no ground is higher */
     float bottom;       /* or lower */
-    float far;          /* nothing is looked for beyond */
+    float farthest;     /* nothing is looked for beyond */
     bool has_sea;
     float sea; /* its height */
 
     struct band band[BANDS + 1]; /* the last one is behind the far end */
-    struct ground smooth[2];     /* the ground without its hills, and without its slopes */
+    struct ground smooth[2];     /* the ground without cells smaller than SMOOTH_CELLS */
     struct ground bed;           /* the ground as it is below the sea */
     struct survey survey;
 

@@ -48,7 +48,7 @@ void shadow_points(struct shadow *shadow, const struct scene *scene, size_t band
         }
     }
     float distance = scene->band[band].finest;
-    for (; count > 0 && distance < scene->far; distance *= LONGER) {
+    for (; count > 0 && distance < scene->farthest; distance *= LONGER) {
         while (band < BANDS && scene->band[band + 1].finest < DETAIL * distance) {
             band++;
         }

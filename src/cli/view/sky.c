@@ -72,7 +72,7 @@ static float depth(const struct scene *scene, struct vector ray, float distance)
 struct colour sky_haze(const struct scene *scene, struct vector ray, float distance,
                        struct colour behind)
 {
-    const float end = ramp(HAZE_FADES, 0.9f, distance / scene->far);
+    const float end = ramp(HAZE_FADES, 0.9f, distance / scene->farthest);
     const float thick = scene->haze > 0.0f ? depth(scene, ray, distance) : 0.0f;
     const struct vector level = unit((struct vector){ray.x, ray.y, ray.z > 0.02f ? ray.z : 0.02f});
     const struct colour air = sky_clear(scene, level);

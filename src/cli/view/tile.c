@@ -101,14 +101,29 @@ static uint8_t byte_of(float light, size_t column, size_t row)
     return (uint8_t)(255.0f * screen(light) * 0.99999f + threshold);
 }
 
-/* Lists the pixels of the tile that differ from a neighbour. `across` is the number of columns of
-   tile->pixel. */
-static size_t list_edges(struct tile *tile, size_t columns, size_t rows)
+/* Traces one ray through the middle of each pixel, and of those around the tile. `across` is how
+   many of these are side by side. */
+static void paint_middles(struct tile *tile, const struct scene *scene,
+                          const struct tile_area *area, size_t across)
 {
-    const size_t across = columns + 2;
+    tile->rays.count = 0;
+    for (size_t i = 0; i < across * (area->rows + 2); i++) {
+        add_ray(tile, scene, (float)(area->column + i % across) - 0.5f,
+                (float)(area->row + i / across) - 0.5f, 0.0f);
+    }
+    trace(tile, scene);
+    for (size_t i = 0; i < tile->rays.count; i++) {
+        tile->pixel[i] = tile->colour[i];
+        tile->clear[i] = tile->begin[i];
+    }
+}
+
+/* Lists the pixels of the tile that differ from a neighbour. */
+static size_t list_edges(struct tile *tile, const struct tile_area *area, size_t across)
+{
     size_t count = 0;
-    for (size_t row = 1; row <= rows; row++) {
-        for (size_t column = 1; column <= columns; column++) {
+    for (size_t row = 1; row <= area->rows; row++) {
+        for (size_t column = 1; column <= area->columns; column++) {
             const size_t i = row * across + column;
             const struct colour here = tile->pixel[i];
             if (difference(here, tile->pixel[i - 1]) > DIFFERENT ||
@@ -122,49 +137,44 @@ static size_t list_edges(struct tile *tile, size_t columns, size_t rows)
     return count;
 }
 
-void tile_paint(struct tile *tile, const struct scene *scene, size_t samples, size_t column,
-                size_t row, uint8_t *bytes, size_t stride)
+/* Traces one more ray through each pixel of the list. */
+static void add_sample(struct tile *tile, const struct scene *scene, const struct tile_area *area,
+                       size_t edges, size_t sample)
 {
-    const struct camera *const camera = &scene->camera;
-    const size_t columns =
-        camera->width - column < TILE_WIDTH ? camera->width - column : TILE_WIDTH;
-    const size_t rows = camera->height - row < TILE_HEIGHT ? camera->height - row : TILE_HEIGHT;
-    const size_t across = columns + 2;
+    const size_t across = area->columns + 2;
+    float u, v;
+    place_sample(sample, &u, &v);
     tile->rays.count = 0;
-    tile->rays.spread = samples > 1 ? SPREAD * camera->pixel : 0.0f;
-    for (size_t i = 0; i < across * (rows + 2); i++) {
-        add_ray(tile, scene, (float)(column + i % across) - 0.5f, (float)(row + i / across) - 0.5f,
-                0.0f);
+    for (size_t n = 0; n < edges; n++) {
+        const size_t i = tile->which[n];
+        add_ray(tile, scene, (float)(area->column + i % across - 1) + u,
+                (float)(area->row + i / across - 1) + v, tile->clear[i]);
     }
     trace(tile, scene);
-    for (size_t i = 0; i < tile->rays.count; i++) {
-        tile->pixel[i] = tile->colour[i];
-        tile->clear[i] = tile->begin[i];
+    for (size_t n = 0; n < edges; n++) {
+        struct colour *const pixel = &tile->pixel[tile->which[n]];
+        *pixel = colour_mix(*pixel, tile->colour[n], 1.0f / (float)(sample + 1));
     }
+}
+
+void tile_paint(struct tile *tile, const struct scene *scene, size_t samples,
+                const struct tile_area *area)
+{
+    const size_t across = area->columns + 2;
+    tile->rays.spread = samples > 1 ? SPREAD * scene->camera.pixel : 0.0f;
+    paint_middles(tile, scene, area, across);
     tile->rays.spread = 0.0f;
-    const size_t edges = samples > 1 ? list_edges(tile, columns, rows) : 0;
+    const size_t edges = samples > 1 ? list_edges(tile, area, across) : 0;
     for (size_t sample = 1; sample < samples && edges > 0; sample++) {
-        float u, v;
-        place_sample(sample, &u, &v);
-        tile->rays.count = 0;
-        for (size_t n = 0; n < edges; n++) {
-            const size_t i = tile->which[n];
-            add_ray(tile, scene, (float)(column + i % across - 1) + u,
-                    (float)(row + i / across - 1) + v, tile->clear[i]);
-        }
-        trace(tile, scene);
-        for (size_t n = 0; n < edges; n++) {
-            struct colour *const pixel = &tile->pixel[tile->which[n]];
-            *pixel = colour_mix(*pixel, tile->colour[n], 1.0f / (float)(sample + 1));
-        }
+        add_sample(tile, scene, area, edges, sample);
     }
-    for (size_t r = 0; r < rows; r++) {
-        for (size_t c = 0; c < columns; c++) {
-            const struct colour pixel = tile->pixel[(r + 1) * across + c + 1];
-            uint8_t *const to = bytes + r * stride + 3 * c;
-            to[0] = byte_of(pixel.r, column + c, row + r);
-            to[1] = byte_of(pixel.g, column + c, row + r);
-            to[2] = byte_of(pixel.b, column + c, row + r);
+    for (size_t row = 0; row < area->rows; row++) {
+        for (size_t column = 0; column < area->columns; column++) {
+            const struct colour pixel = tile->pixel[(row + 1) * across + column + 1];
+            uint8_t *const to = area->bytes + row * area->stride + 3 * column;
+            to[0] = byte_of(pixel.r, area->column + column, area->row + row);
+            to[1] = byte_of(pixel.g, area->column + column, area->row + row);
+            to[2] = byte_of(pixel.b, area->column + column, area->row + row);
         }
     }
 }

@@ -31,9 +31,16 @@ struct tile {
 struct tile *tile_open(void);
 void tile_close(struct tile *tile);
 
-/* Paints the tile whose first pixel is (column, row). `bytes` is where that goes, red, green, blue;
-   rows are `stride` bytes apart. */
-void tile_paint(struct tile *tile, const struct scene *scene, size_t samples, size_t column,
-                size_t row, uint8_t *bytes, size_t stride);
+/* A tile of the picture: its first pixel, its size, and where its bytes go: red, green, blue. Rows
+   are `stride` bytes apart. */
+struct tile_area {
+    size_t column, row, columns, rows;
+    uint8_t *bytes;
+    size_t stride;
+};
+
+/* Paints a tile with at most so many rays per pixel. */
+void tile_paint(struct tile *tile, const struct scene *scene, size_t samples,
+                const struct tile_area *area);
 
 #endif

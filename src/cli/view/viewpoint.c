@@ -41,25 +41,31 @@ static double turned(double azimuth, double by)
     return sum < 0.0 ? sum + 360.0 : sum > 360.0 ? sum - 360.0 : sum;
 }
 
-/* The light on places along a ray, whose slopes are there: of shadows, only the long ones */
-static void light_ray(const struct scene *scene, const double *x, const double *y,
-                      const float *height, const float *dx, const float *dy, float *light)
+/* Heights, slopes and places along a ray of a fan */
+struct profile {
+    double x[LOOKS], y[LOOKS];
+    float *height;
+    float dx[LOOKS], dy[LOOKS];
+};
+
+/* The light on these places: of shadows, only the long ones */
+static void light_profile(const struct scene *scene, const struct profile *profile, float *light)
 {
     for (int look = 0; look < LOOKS; look++) {
-        const struct vector normal = {-dx[look], -dy[look], 1.0f};
+        const struct vector normal = {-profile->dx[look], -profile->dy[look], 1.0f};
         light[look] = clamp(dot(unit(normal), scene->sun), 0.0f, 1.0f);
     }
     for (float distance = 12.0f; distance < 500.0f; distance *= 2.0f) {
         const struct vector way = scaled(scene->sun, distance);
-        double px[LOOKS], py[LOOKS];
+        double x[LOOKS], y[LOOKS];
         float value[LOOKS];
         for (int look = 0; look < LOOKS; look++) {
-            px[look] = x[look] + (double)way.x;
-            py[look] = y[look] + (double)way.y;
+            x[look] = profile->x[look] + (double)way.x;
+            y[look] = profile->y[look] + (double)way.y;
         }
-        ground_points(&scene->smooth[0], LOOKS, px, py, &(struct scarp_samples){.value = value});
+        ground_points(&scene->smooth[0], LOOKS, x, y, &(struct scarp_samples){.value = value});
         for (int look = 0; look < LOOKS; look++) {
-            if (scene->height_scale * value[look] > height[look] + way.z) {
+            if (scene->height_scale * value[look] > profile->height[look] + way.z) {
                 light[look] = 0.0f;
             }
         }
@@ -74,22 +80,22 @@ static void sample_fan(const struct scene *scene, const struct trial *trial, dou
         fan->distance[look] = distance;
     }
     for (int ray = 0; ray < RAYS; ray++) {
-        double x[LOOKS], y[LOOKS];
+        struct profile profile = {.height = fan->height[ray]};
         const struct vector way = direction_of(
             turned(trial->azimuth, fov * 0.96 * ((double)ray / (RAYS - 1) - 0.5)), 0.0);
         for (int look = 0; look < LOOKS; look++) {
-            x[look] = trial->x + (double)(way.x * fan->distance[look]);
-            y[look] = trial->y + (double)(way.y * fan->distance[look]);
+            profile.x[look] = trial->x + (double)(way.x * fan->distance[look]);
+            profile.y[look] = trial->y + (double)(way.y * fan->distance[look]);
         }
-        float dx[LOOKS], dy[LOOKS];
-        const struct scarp_samples out = {.value = fan->height[ray], .dx = dx, .dy = dy};
-        ground_points(&scene->ground, LOOKS, x, y, &out);
+        const struct scarp_samples out = {
+            .value = profile.height, .dx = profile.dx, .dy = profile.dy};
+        ground_points(&scene->ground, LOOKS, profile.x, profile.y, &out);
         for (int look = 0; look < LOOKS; look++) {
-            fan->height[ray][look] *= scene->height_scale;
-            dx[look] *= scene->height_scale;
-            dy[look] *= scene->height_scale;
+            profile.height[look] *= scene->height_scale;
+            profile.dx[look] *= scene->height_scale;
+            profile.dy[look] *= scene->height_scale;
         }
-        light_ray(scene, x, y, fan->height[ray], dx, dy, fan->light[ray]);
+        light_profile(scene, &profile, fan->light[ray]);
     }
 }
 
@@ -115,7 +121,7 @@ static float ground_around(const struct scene *scene, double x, double y)
 static void judge(const struct scene *scene, const struct fan *fan, struct trial *trial)
 {
     const float range = scene->survey.high - scene->survey.low;
-    float seen = 0.0f, lit = 0.0f, near = 0.0f, horizons = 0.0f, squares = 0.0f, risen = 0.0f;
+    float seen = 0.0f, lit = 0.0f, close = 0.0f, horizons = 0.0f, squares = 0.0f, risen = 0.0f;
     float walls = 0.0f; /* what hides much of the sky */
     for (int ray = 0; ray < RAYS; ray++) {
         float horizon = -0.25f, lowest = 1e9f; /* the first one is about where the picture ends */
@@ -126,7 +132,7 @@ static void judge(const struct scene *scene, const struct fan *fan, struct trial
                 continue;
             }
             if (distance < MIDDLE) {
-                near += tangent - horizon;
+                close += tangent - horizon;
             } else if (distance < BEYOND) {
                 seen += tangent - horizon;
                 lit += (tangent - horizon) * ramp(0.05f, 0.3f, fan->light[ray][look]);
@@ -145,7 +151,8 @@ static void judge(const struct scene *scene, const struct fan *fan, struct trial
     const float across = sqrtf(1.0f - scene->sun.z * scene->sun.z) + 1e-6f;
     const float towards = (look.x * scene->sun.x + look.y * scene->sun.y) / across;
     trial->horizon = mean;
-    trial->score = seen / (seen + near + 0.05f * RAYS) + 1.3f * lit / (seen + near + 0.05f * RAYS) +
+    trial->score = seen / (seen + close + 0.05f * RAYS) +
+                   1.3f * lit / (seen + close + 0.05f * RAYS) +
                    0.5f * clamp(risen / range, 0.0f, 1.3f) + 8.0f * clamp(spread, 0.0f, 0.06f) -
                    1.3f * (towards - 0.1f) * (towards - 0.1f) -
                    0.4f * (trial->height - trial->ground) / range -
@@ -164,8 +171,8 @@ static double rounded(double number, double parts)
     return floor(number * parts + 0.5) / parts;
 }
 
-static void try(const struct scene *scene, const struct view_options *options, struct trial *trial,
-                struct trial *best)
+static void try_heights(const struct scene *scene, const struct view_options *options,
+                        struct trial *trial, struct trial *best)
 {
     static const float over[] = {0.12f, 0.22f, 0.36f, 0.55f};
     const bool has_place = options->camera.x != INFINITY;
@@ -204,7 +211,7 @@ void viewpoint_choose(struct view_options *options, const struct scene *scene)
                     : rounded(options->origin.y + VIEW_SIZE * (0.5 - back[j] * (double)look.y),
                               1.0);
             trial.ground = ground_around(scene, trial.x, trial.y);
-            try(scene, options, &trial, &best);
+            try_heights(scene, options, &trial, &best);
         }
     }
     if (!has_place) {

@@ -212,6 +212,16 @@ refuses('an infinite height', () => scarp.normals(x, y, Infinity, { nx: z }), {
     status: STATUS.PARAMETER,
 });
 
+test('load', async () => {
+    await assert.rejects(load({ SIMD: false }), TypeError);
+    for (const memory of [-1, NaN, 0.5, '1', 2 ** 53, 2 ** 33]) {
+        await assert.rejects(load({ memory }), RangeError);
+    }
+    const none = await load({ memory: 0 });
+    assert.throws(() => none.alloc(Float32Array, 1), RangeError);
+    none.sample2({}, x, y, out());
+});
+
 test('shaders', () => {
     const many = { octaves: 20, warp: { octaves: 20 } };
     assert.throws(() => scarp.gpuPlan(many, 2), { status: STATUS.UNSUPPORTED, member: 'warp' });
