@@ -381,12 +381,13 @@ class Playground(unittest.TestCase):
             playground.gpu.sample = async (...all) => {
                 const given = await sample(...all);
                 given.noise.value[4711] += 0.25;
+                given.noise.dx[4712] *= 1 + 2 ** -23;
                 return given;
             };
             playground.update();
         })()""")
         self.page.wait("document.querySelector('#gpu-sign.differs') !== null", 60)
-        self.assertIn("1 of 19,200 pixels and 1 of ", self.shown("#gpu-sign"))
+        self.assertIn("1 of 19,200 pixels and 2 of 57,600 ", self.shown("#gpu-sign"))
 
     def test_space(self):
         self.open(["--preset", "alps", "--size", "128x96", "--step", "8"], space="3d")
@@ -519,6 +520,7 @@ class Playground(unittest.TestCase):
             self.open(["--preset", "hills", *PLACE])
             self.assertFalse(self.page.run("document.getElementById('no-simd').hidden"))
             self.assertNotIn("wasm128", self.shown("#status-kernels"))
+            self.assertEqual(self.hash(), hash_of(["--preset", "hills", *PLACE]))
         finally:
             self.page.call("Page.removeScriptToEvaluateOnNewDocument", identifier=script)
             self.leave()
