@@ -46,6 +46,8 @@ CASES = {
     "fractals": ["--fractal", "pingpong", "--sharpness", "1.1", "--octaves", "4.4",
                  "--base-amplitude", "-0.3", "--base-fractal", "hybrid", "--mask-band", "0.4,-0.3",
                  "--mask-basis", "value", "--mask-seed", "77", "--crater", "0.2"],
+    "defaults": ["--seed", "0", "--frequency", "1", "--octaves", "1", "--gain", "0.5",
+                 "--base-amplitude", "1", "--step", "0.125"],
     "far": ["--origin", "1e12,-3e11", "--step", "0.125", "--seed", "0xfedcba9876543210",
             "--fractal", "jordan", "--erosion", "0.9", "--z-factor", "2", "--azimuth", "117",
             "--altitude", "30"],
@@ -219,14 +221,30 @@ class Playground(unittest.TestCase):
         words = ["--preset", "hills", "--size", "256x256"]
         self.open(words, view="hillshade")
         x, y, _ = self.centre("#map")
+
+        def under(x, y):
+            """The place that the page tells of a point of the map"""
+            self.page.mouse("mouseMoved", x, y)
+            words = self.shown("#readout").split()
+            self.assertEqual(words[::2], ["x", "y", "height"])
+            return [float(word) for word in words[1::2]]
+
+        before = under(x, y)
         self.page.mouse("mousePressed", x, y)
         for i in range(5):
             self.page.mouse("mouseMoved", x - 15 * i, y + 10 * i, buttons=1)
         self.page.mouse("mouseReleased", x - 60, y + 40)
+        self.ready()
+        after = under(x - 60, y + 40)
+        self.assertLessEqual(max(abs(a - b) for a, b in zip(before[:2], after[:2])), 1.01)
+        x, y = x + 130, y - 210
+        before = under(x, y)
         self.page.call("Input.dispatchMouseEvent", type="mouseWheel", x=x, y=y, deltaX=0,
                        deltaY=-100)
         self.page.wait("document.getElementById('p-step').value !== '1'")
         self.ready()
+        after = under(x, y)
+        self.assertLessEqual(max(abs(a - b) for a, b in zip(before[:2], after[:2])), 1.01)
         origin, step = [self.page.run(f"document.getElementById('p-{name}').value")
                         for name in ("origin", "step")]
         self.assertNotEqual(origin, "0,0")
@@ -485,8 +503,22 @@ class Playground(unittest.TestCase):
             with open(os.path.join(folder, "heights.r32"), "rb") as file:
                 self.assertEqual(hashlib.sha256(file.read()).hexdigest(), self.hash())
 
+    def test_the_clipboard(self):
+        self.open(["--preset", "hills", "--size", "32x32", "--gain", "0.4"])
+        self.page.call("Browser.grantPermissions",
+                       permissions=["clipboardReadWrite", "clipboardSanitizedWrite"])
+        text = self.copied("command")
+        self.assertEqual(self.page.run("navigator.clipboard.readText()"), text)
+        self.assertIn("Copied", self.shown("#code-note"))
+        self.click("#copy-link")
+        self.page.wait("document.getElementById('copy-link').textContent === 'Copied'")
+        self.assertEqual(self.page.run("navigator.clipboard.readText()"),
+                         self.page.run("location.href"))
+        self.assertIn("gain=0.4", self.page.run("location.href"))
+        self.page.call("Browser.resetPermissions")
+
     def test_downloads(self):
-        words = ["--preset", "islands", *PLACE]
+        words = ["--preset", "islands", "--phase", "0", *PLACE]  # a phase has its own range
         self.open(words)
         folder = os.path.join(self.scratch, "downloads")
         self.page.call("Browser.setDownloadBehavior", behavior="allowAndName",

@@ -37,6 +37,9 @@ function noiseText(name, noise, warp) {
     if (warp) {
         list.push(".warp = &warp");
     }
+    if (list.length === 0) {
+        list.push(".seed = 0"); // ISO C has no empty initialiser
+    }
     const lines = [];
     for (const text of list) {
         const last = lines.length - 1;

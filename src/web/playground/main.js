@@ -27,6 +27,7 @@ class Page {
         this.last = null; // the last frame
         this.whole = null; // the last frame that is no preview
         this.frames = 0;
+        this.wishes = 0; // frames that were asked for
         this.sampleMs = 2e-4; // what a sample takes, learnt from frames
         this.isDragging = false;
         this.pool = new Pool(frame => this.show(frame), message => this.fail(message));
@@ -91,8 +92,10 @@ class Page {
             this.notice(null);
             this.request();
         } else {
-            const [name, message] = [...this.checked.messages][0];
-            this.notice(`${ROWS.get(name).label}: ${message}`);
+            const [name, message] = [...this.checked.messages][0], row = ROWS.get(name);
+            const isTold = message.startsWith(`${row.member ?? row.name}:`);
+            const of = row.prefix ? `${row.prefix.slice(0, -1)}: ` : "";
+            this.notice(of + (isTold ? message : `${row.label}: ${message}`));
         }
     }
 
@@ -107,7 +110,7 @@ class Page {
         const raster = {...terrain.raster, width: Math.ceil(width / every),
             height: Math.ceil(height / every), step: step * every};
         document.documentElement.dataset.ready = "no";
-        const job = {terrain: {...terrain, raster}, whole: terrain, every,
+        const job = {number: ++this.wishes, terrain: {...terrain, raster}, whole: terrain, every,
             view: this.state.view, preset: this.state.preset};
         if (this.state.gpu && this.gpu) {
             this.requestGpu({...job, verify: !this.isDragging});
@@ -215,7 +218,7 @@ class Page {
         byId("heights-range").textContent = `16-bit heights: 0 is ${Number(low.toPrecision(9))}, ` +
             `65535 is ${Number(high.toPrecision(9))}`;
         const isWaiting = this.state.gpu && this.gpu === undefined; // for a device
-        if (!this.pool.isBusy && !isWaiting) {
+        if (whole.job.number === this.wishes && !isWaiting) {
             document.documentElement.dataset.ready = "yes";
         }
     }
@@ -314,8 +317,8 @@ async function main() {
     const isSimd = scarp.isa === "wasm128";
     byId("status-kernels").textContent = `scarp ${scarp.version}, ${scarp.isa}`;
     byId("no-simd").hidden = isSimd;
-    addEventListener("hashchange", () => {
-        page.state = fromHash(location.hash);
+    addEventListener("hashchange", event => { // saveHash() may have changed the URL since
+        page.state = fromHash(new URL(event.newURL).hash);
         page.update();
     });
     page.findGpu();
