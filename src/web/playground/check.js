@@ -57,7 +57,16 @@ function checkNoises(scarp, terrain, messages) {
     }
 }
 
+// The page keeps whole rasters in memory, and paints them at once.
+const SIDE_MAX = 16384;
+const SAMPLES_MAX = 2 ** 24;
+
 function checkTerrain(options, messages) {
+    const [width, height] = options.size;
+    if (Math.max(width, height) > SIDE_MAX || width * height > SAMPLES_MAX) {
+        messages.set("size", "the page shows at most 2^24 samples and 16384 along a side; the " +
+            "command line makes more");
+    }
     const {plateau, "sea-level": sea, "mask-band": band} = options;
     if (plateau !== null && sea !== null && plateau < sea) {
         messages.set("plateau", "lies below the sea level");

@@ -129,8 +129,7 @@ class Page {
             try {
                 this.pool.request({...now, given: await this.gpu.sample(now.terrain, now.view)});
             } catch (error) {
-                this.sign(`WebGPU cannot sample this: ${error.message}`, "differs");
-                this.pool.request(now);
+                this.pool.request({...now, failure: error.message});
             }
         }
         this.gpuIsBusy = false;
@@ -145,7 +144,8 @@ class Page {
     async findGpu() {
         this.gpu = await openGpu(this.scarp).catch(() => null);
         byId("gpu").hidden = this.gpu === null;
-        if (this.gpu && this.state.gpu) {
+        if (this.state.gpu) {
+            this.sign(null);
             this.update();
         }
     }
@@ -158,18 +158,21 @@ class Page {
 
     // Says whether the GPU's pixels are those of the CPU.
     showComparison({job, compared}) {
-        if (!job.given) {
-            if (!this.state.gpu || !this.gpu) {
-                this.sign(null);
-            }
+        if (job.failure) {
+            this.sign(`WebGPU cannot sample this: ${job.failure}`, "differs");
+        } else if (!job.given) {
+            const isOn = this.state.gpu && this.gpu !== null;
+            this.sign(isOn ? "WebGPU starts …" : null, "");
         } else if (!compared) {
             this.sign("WebGPU draws …", "");
-        } else if (compared.differing + compared.wrong === 0) {
-            this.sign(`WebGPU: all ${compared.pixels} pixels and ${compared.values} ` +
-                "values equal the CPU's, bit for bit", "equal");
         } else {
-            this.sign(`WebGPU: ${compared.differing} of ${compared.pixels} pixels and ` +
-                `${compared.wrong} of ${compared.values} values differ from the CPU's`, "differs");
+            const [pixels, differing, values, wrong] = ["pixels", "differing", "values", "wrong"]
+                .map(name => compared[name].toLocaleString("en"));
+            const isEqual = compared.differing + compared.wrong === 0;
+            const text = isEqual ? `all ${pixels} pixels and ${values} values equal the CPU's`
+                : `${differing} of ${pixels} pixels and ${wrong} of ${values} values differ ` +
+                "from the CPU's";
+            this.sign(`WebGPU: ${text}`, isEqual ? "equal" : "differs");
         }
     }
 
@@ -211,7 +214,8 @@ class Page {
         byId("status-hash").dataset.hash = hash ?? "";
         byId("heights-range").textContent = `16-bit heights: 0 is ${Number(low.toPrecision(9))}, ` +
             `65535 is ${Number(high.toPrecision(9))}`;
-        if (!this.pool.isBusy) {
+        const isWaiting = this.state.gpu && this.gpu === undefined; // for a device
+        if (!this.pool.isBusy && !isWaiting) {
             document.documentElement.dataset.ready = "yes";
         }
     }

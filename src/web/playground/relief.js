@@ -1,221 +1,55 @@
 // SPDX-License-Identifier: MIT
 //
-// The colours of the relief, as src/cli/look/relief.c: the palette's ramp at the height, mixed with
-// sand, rock and snow, or water; then the light of sun and sky. All numbers are floats, and every
-// operation rounds as it does there, so the bytes are those of `scarp terrain --relief`.
+// The colours of the relief: a module of the program's own code, relief.c.
+import {hasVectors} from "./compile.mjs";
 
-const f32 = Math.fround;
-const RUN = 256; // pixels that go through the passes at once
-const SUN = [1.06, 1.00, 0.90].map(f32);
-const SKY = [0.27, 0.30, 0.36].map(f32);
-const OPAQUE = 0xff000000;
+const COUNT = 32768; // pixels at once
+const VALUE = 0, BED = 1, NORMAL = 2, SHADE = 5, ARRAYS = 8; // as in relief.c
 
-const byte = number => f32(number / 255);
-
-// A number that grows from 0 to 1 between two others, squared off
-class Step {
-    constructor([from, to]) {
-        this.from = f32(from);
-        this.per = f32(1 / f32(f32(to) - this.from));
-    }
-
-    at(x) {
-        const t = f32(f32(x - this.from) * this.per), u = t < 0 ? 0 : t > 1 ? 1 : t;
-        return f32(f32(u * u) * f32(3 - f32(2 * u)));
-    }
+export async function loadRelief() {
+    const name = hasVectors() ? "./relief-simd.wasm" : "./relief-fallback.wasm";
+    const response = await fetch(new URL(name, import.meta.url));
+    const {instance} = await WebAssembly.instantiate(await response.arrayBuffer(), {});
+    return new Relief(instance.exports);
 }
 
-const steps = (palette, names) => Object.fromEntries(names.map(name =>
-    [name, new Step(palette[name])]));
-
-// What is the same for all pixels
-export function makeRelief(palette, spread, light) {
-    const squares = colour => colour.map(byte).map(c => f32(c * c));
-    const {low, middle, high, sea, deep} = spread;
-    return {
-        stops: [0, 1, 2, 3].map(c => Float32Array.from(palette.stops, stop =>
-            c === 0 ? stop[0] : stop[c] / 255)),
-        ...steps(palette, ["rockSlope", "rockHeight", "snowHeight", "snowSlope", "sandHeight"]),
-        rock: squares(palette.rock), highRock: squares(palette.highRock),
-        snow: squares(palette.snow), sand: squares(palette.sand),
-        shallow: palette.shallow.map(byte), deep: palette.deep.map(byte),
-        east: f32(f32(palette.snowSun) * f32(light[0])),
-        north: f32(f32(palette.snowSun) * f32(light[1])), steep: f32(palette.snowSteep),
-        light: light.map(f32), hasSea: spread.hasSea, middle, sea,
-        below: f32(f32(0.4) / f32(middle - low)), above: f32(f32(0.6) / f32(high - middle)),
-        perDepth: f32(1 / f32(sea - deep)),
-    };
-}
-
-// Arrays of a run, which are used again and again
-const height = new Float32Array(RUN), share = new Float32Array(RUN);
-const ground = [0, 1, 2].map(() => new Float32Array(RUN));
-
-// Neighbours lie between the same stops, mostly: the search begins where the last one ended.
-function takeRamp([at, r, g, b], count) {
-    const [red, green, blue] = ground, last = at.length - 1;
-    let next = 0; // the first stop above the height
-    for (let i = 0; i < count; i++) {
-        const h = height[i];
-        while (next <= last && at[next] <= h) {
-            next++;
-        }
-        while (next > 0 && at[next - 1] > h) {
-            next--;
-        }
-        const to = next <= last ? next : last, from = next > 0 ? next - 1 : 0;
-        const t = from === to ? 0 : f32(f32(h - at[from]) / f32(at[to] - at[from]));
-        const x = f32(r[from] + f32(f32(r[to] - r[from]) * t));
-        const y = f32(g[from] + f32(f32(g[to] - g[from]) * t));
-        const z = f32(b[from] + f32(f32(b[to] - b[from]) * t));
-        red[i] = x * x;
-        green[i] = y * y;
-        blue[i] = z * z;
-    }
-}
-
-// Mixes the pixels with a colour. Where all shares are 0 that would change nothing.
-function mix(count, colour) {
-    let any = false;
-    for (let i = 0; i < count; i++) {
-        any = any || share[i] !== 0;
-    }
-    for (let c = 0; any && c < 3; c++) {
-        const to = ground[c], square = colour[c];
-        for (let i = 0; i < count; i++) {
-            to[i] = to[i] + f32(f32(square - to[i]) * share[i]);
+class Relief {
+    constructor(calls) {
+        const {buffer} = calls.memory;
+        this.calls = calls;
+        this.arrays = Array.from({length: ARRAYS}, (_, i) =>
+            new Float32Array(buffer, calls.page_array(i), COUNT));
+        this.pixels = new Uint32Array(buffer, calls.page_pixels(), COUNT);
+        this.palettes = [];
+        for (let i = 0, at; (at = calls.page_palette_name(i)) !== 0; i++) {
+            const bytes = new Uint8Array(buffer, at);
+            this.palettes.push(new TextDecoder().decode(bytes.slice(0, bytes.indexOf(0))));
         }
     }
-    return any;
-}
 
-function takeGround(relief, nx, ny, nz, first, count) {
-    const {east, north, steep, rockSlope, rockHeight, snowHeight, snowSlope, sandHeight} = relief;
-    if (relief.hasSea) {
-        for (let i = 0; i < count; i++) {
-            share[i] = sandHeight.at(height[i]);
-        }
-        mix(count, relief.sand);
+    // What is the same for all pixels: the name of a palette, the unit vector to the light, usual
+    // values
+    set(palette, light, {low, middle, high, sea, deep}) {
+        this.calls.page_set_look(this.palettes.indexOf(palette), ...light);
+        this.calls.page_set_spread(low, middle, high, sea, deep);
     }
-    for (let i = 0; i < count; i++) {
-        share[i] = rockSlope.at(nz[first + i]);
-    }
-    if (mix(count, relief.rock)) {
-        for (let i = 0; i < count; i++) {
-            share[i] = share[i] * rockHeight.at(height[i]);
-        }
-        mix(count, relief.highRock);
-    }
-    if (snowHeight.from > 2) {
-        return; // a palette without snow
-    }
-    for (let i = 0; i < count; i++) {
-        const z = nz[first + i];
-        const lower = f32(f32(f32(east * nx[first + i]) + f32(north * ny[first + i])) +
-            f32(steep * f32(1 - z)));
-        share[i] = snowHeight.at(f32(height[i] - lower)) * snowSlope.at(z);
-    }
-    mix(count, relief.snow);
-}
 
-function takeWater({sea, perDepth, shallow, deep}, bed, first, count) {
-    const quarter = f32(0.25);
-    for (let i = 0; i < count; i++) {
-        const b = bed[first + i];
-        if (b < sea) {
-            const under = f32(f32(sea - b) * perDepth), depth = under > 0 ? under : 0;
-            const share = f32(f32(1.25 * depth) / f32(depth + quarter));
-            const t = share < 1 ? share : 1;
-            for (let c = 0; c < 3; c++) {
-                const colour = f32(shallow[c] + f32(f32(deep[c] - shallow[c]) * t));
-                ground[c][i] = colour * colour;
+    // `bed` has the values below the sea, too, or is null; `shade` are the normals that are lit.
+    paint({value, bed, normal, shade}, pixels) {
+        const {arrays, calls} = this, hasShade = shade !== normal;
+        for (let first = 0; first < pixels.length; first += COUNT) {
+            const last = Math.min(first + COUNT, pixels.length);
+            const put = (i, array) => arrays[i].set(array.subarray(first, last));
+            put(VALUE, value);
+            normal.forEach((array, i) => put(NORMAL + i, array));
+            if (bed !== null) {
+                put(BED, bed);
             }
-        }
-    }
-}
-
-// The byte of a pixel: what is up to 3/4 stays, and all that is brighter is brought below 1.
-function byteOf(square) {
-    const four = f32(f32(4 * square) - 3), over = four > 0 ? four : 0;
-    const kept = square < 0.75 ? square : 0.75;
-    const soft = f32(kept + f32(0.25 * f32(over / f32(1 + over))));
-    return f32(f32(f32(Math.sqrt(soft)) * 255) + 0.5) | 0;
-}
-
-// byteOf() by tables, since it grows: the least square of each byte, and the byte at which to begin
-// the search.
-const PER = 2048; // beginnings per 1 of square
-const SQUARE_MAX = 4; // of what there are beginnings for
-const least = new Float32Array(257).fill(Infinity);
-const begin = new Uint8Array(PER * SQUARE_MAX + 1);
-
-function fillTables() {
-    const bits = new Uint32Array(1), number = new Float32Array(bits.buffer);
-    const at = n => {
-        bits[0] = n;
-        return number[0];
-    };
-    let low = 0; // floats, by their bits, grow as these
-    for (let byte = 1; byte < 256; byte++) {
-        let high = 0x42000000; // 32
-        if (byteOf(at(high)) < byte) {
-            break;
-        }
-        while (low + 1 < high) {
-            const middle = low + high >>> 1;
-            if (byteOf(at(middle)) < byte) {
-                low = middle;
-            } else {
-                high = middle;
+            if (hasShade) {
+                shade.forEach((array, i) => put(SHADE + i, array));
             }
+            calls.page_paint(last - first, bed !== null, hasShade);
+            pixels.set(this.pixels.subarray(0, last - first), first);
         }
-        least[byte] = at(high);
-    }
-    for (let i = 0, byte = 0; i < begin.length; i++) {
-        while (least[byte + 1] <= i / PER) {
-            byte++;
-        }
-        begin[i] = byte;
-    }
-}
-fillTables();
-
-function fastByteOf(square) {
-    let byte = begin[square < SQUARE_MAX ? square * PER | 0 : PER * SQUARE_MAX];
-    while (square >= least[byte + 1]) {
-        byte++;
-    }
-    return byte;
-}
-
-function takeLight({light: [east, north, up]}, [x, y, z], first, count, pixels) {
-    const [red, green, blue] = ground;
-    const [sunRed, sunGreen, sunBlue] = SUN, [skyRed, skyGreen, skyBlue] = SKY;
-    for (let i = 0; i < count; i++) {
-        const k = first + i, level = z[k];
-        const lit = f32(f32(f32(east * x[k]) + f32(north * y[k])) + f32(up * level));
-        const direct = lit > 0 ? lit : 0, open = f32(0.5 + f32(0.5 * level));
-        const r = fastByteOf(f32(red[i] * f32(f32(sunRed * direct) + f32(skyRed * open))));
-        const g = fastByteOf(f32(green[i] * f32(f32(sunGreen * direct) + f32(skyGreen * open))));
-        const b = fastByteOf(f32(blue[i] * f32(f32(sunBlue * direct) + f32(skyBlue * open))));
-        pixels[k] = r | g << 8 | b << 16 | OPAQUE;
-    }
-}
-
-// `bed` has the values below the sea, too; normals are those of the ground, `shade` is lit.
-export function reliefColours(relief, {value, bed, normal, shade}, pixels) {
-    const {middle, below, above} = relief, lowest = f32(0.4);
-    for (let first = 0; first < pixels.length; first += RUN) {
-        const count = Math.min(RUN, pixels.length - first);
-        for (let i = 0; i < count; i++) {
-            const over = f32(value[first + i] - middle);
-            height[i] = lowest + f32(over * (over < 0 ? below : above));
-        }
-        takeRamp(relief.stops, count);
-        takeGround(relief, normal[0], normal[1], normal[2], first, count);
-        if (relief.hasSea) {
-            takeWater(relief, bed, first, count);
-        }
-        takeLight(relief, shade, first, count, pixels);
     }
 }

@@ -4,14 +4,14 @@
 import {Sampler, floatPlaces, gridOf, makeGround, piecesOf, withoutHessian} from "./ground.js";
 import {load} from "./scarp.mjs";
 import {paletteOf} from "./palettes.js";
-import {makeRelief, reliefColours} from "./relief.js";
+import {loadRelief} from "./relief.js";
 import {curvatureColours, hillshade, lightOf, slopeColours, valueColours} from "./shade.js";
 import {spreadOf} from "./spread.js";
 
 const STRIP = 32768; // samples that are computed at once: they stay in the cache
 const NORMALS = ["nx", "ny", "nz"];
 
-let scarp = null;
+let scarp = null, relief = null;
 let made = {key: null}; // what depends on the terrain alone, and stays while the map moves
 
 function groundOf(terrain) {
@@ -55,8 +55,11 @@ function lookOf(job, ground) {
     if (view === "relief" || view === "value") {
         made.spread ??= spreadOf(scarp, ground);
     }
-    const relief = view === "relief" ? makeRelief(paletteOf(preset), made.spread, light) : null;
-    return {view, light, relief, spread: made.spread, hasHessian: withoutHessian(ground) === null};
+    if (view === "relief") {
+        relief.set(paletteOf(preset), light, made.spread);
+    }
+    const hasBed = view === "relief" && made.spread.hasSea;
+    return {view, light, spread: made.spread, hasBed, hasHessian: withoutHessian(ground) === null};
 }
 
 function paint(look, job, samples, bed, pixels) {
@@ -79,7 +82,7 @@ function paint(look, job, samples, bed, pixels) {
     if (look.view === "hillshade") {
         hillshade(shade, look.light, pixels);
     } else {
-        reliefColours(look.relief, {value: samples.value, bed, normal, shade}, pixels);
+        relief.paint({value: samples.value, bed, normal, shade}, pixels);
     }
 }
 
@@ -114,7 +117,7 @@ class Comparison {
         const own = new Uint32Array(pixels.length);
         const out = arrays(Object.keys(given.noise), own.length);
         sampler.uncutGiven(expected, out);
-        const bed = out.value.slice();
+        const bed = look.hasBed ? out.value.slice() : null;
         sampler.clamp(out);
         paint(look, job, out, bed, own);
         result.pixels += own.length;
@@ -137,7 +140,7 @@ function workGiven(job) {
             [name, piecesOf(samples, first, last)]));
         const out = arrays(Object.keys(given.noise), last - first);
         sampler.uncutGiven(strip, out);
-        const bed = out.value.slice(), painted = pixels.subarray(first, last);
+        const bed = look.hasBed ? out.value.slice() : null, painted = pixels.subarray(first, last);
         sampler.clamp(out);
         paint(look, job, out, bed, painted);
         if (job.verify) {
@@ -171,7 +174,7 @@ function work(job) {
         if (edge === 1) {
             differences(whole, width, raster.step);
         }
-        const bed = look.relief && look.spread.hasSea ? part.value.slice() : part.value;
+        const bed = look.hasBed ? part.value.slice() : null;
         sampler.clamp(part);
         const first = (row - from) * width, last = (end - from) * width;
         paint(look, job, part, bed, pixels.subarray(first, last));
@@ -183,7 +186,9 @@ function work(job) {
 
 onmessage = async ({data}) => {
     try {
-        scarp ??= await load();
+        if (relief === null) {
+            [scarp, relief] = await Promise.all([load(), loadRelief()]);
+        }
         const result = data.given ? workGiven(data) : work(data);
         postMessage({id: data.id, from: data.from, ...result},
             [result.values.buffer, result.pixels.buffer]);

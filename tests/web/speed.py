@@ -1,0 +1,65 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: MIT
+"""Measures how many frames a second the playground shows while a slider is dragged.
+
+    speed.py CHROMIUM PLAYGROUND [OPTION...]
+
+PLAYGROUND is the folder with the assembled page; options go to the browser. Frames are whole here,
+as large as the raster; the page itself shows previews with fewer samples where there is no time.
+"""
+import shutil
+import sys
+import tempfile
+
+from chromium import Chromium, serve
+
+CASES = ("512x512", "1024x1024")
+VIEWS = ("hillshade", "relief")
+DRAG = """new Promise(done => {
+    const slider = document.getElementById("p-gain-slider"), page = globalThis.playground;
+    const show = page.show.bind(page), begin = performance.now();
+    let shown = 0, ms = 0, moves = 0;
+    page.sampleMs = 0;
+    page.pool.onFrame = frame => {
+        shown++;
+        ms += frame.ms;
+        show(frame);
+        page.sampleMs = 1e-9; // so fast that there is no need of previews
+    };
+    const move = () => {
+        slider.value = 0.4 + 0.2 * Math.sin(moves++ / 20);
+        slider.dispatchEvent(new Event("input", {bubbles: true}));
+        const seconds = (performance.now() - begin) / 1000;
+        if (seconds < 5) {
+            requestAnimationFrame(move);
+        } else {
+            page.pool.onFrame = show;
+            done([shown / seconds, ms / shown, page.pool.workers.length]);
+        }
+    };
+    move();
+})"""
+
+
+def main():
+    scratch = tempfile.mkdtemp(prefix="scarp-web-")
+    server = serve(sys.argv[2])
+    browser = Chromium(sys.argv[1], scratch, *sys.argv[3:])
+    try:
+        browser.size(1200, 800)
+        for size in CASES:
+            for view in VIEWS:
+                browser.open(f"http://127.0.0.1:{server.server_port}/index.html"
+                             f"#preset=none&octaves=8&size={size}&view={view}")
+                browser.wait("document.documentElement?.dataset.ready === 'yes'")
+                frames, ms, workers = browser.run(DRAG)
+                print(f"{size} {view}: {frames:.1f} frames a second, of which each takes "
+                      f"{workers} workers {ms:.1f} ms", flush=True)
+    finally:
+        browser.close()
+        server.shutdown()
+        shutil.rmtree(scratch, ignore_errors=True)
+
+
+if __name__ == "__main__":
+    main()
