@@ -421,7 +421,8 @@ static const struct vec_operations *operations_of(enum scarp_isa isa)
 #define TABLE(ISA, table, name, here) SCARP_WHERE(here, &scarp_kernels_##table##_operations, )
     static const struct vec_operations *const tables[] = {SCARP_ISA_VECTORS(TABLE)};
 #undef TABLE
-    for (size_t i = 0; i < sizeof tables / sizeof tables[0]; i++) {
+    const size_t count = sizeof tables / sizeof tables[0]; /* 0 on 32-bit Arm */
+    for (size_t i = 0; i != count; i++) {
         if (tables[i]->isa == isa) {
             return tables[i];
         }
