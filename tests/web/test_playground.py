@@ -10,6 +10,7 @@ a failure.
 """
 import hashlib
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -32,6 +33,8 @@ PROGRAM, CHROMIUM, SITE, CC, LIBRARY, NODE = (
     os.environ.get("SCARP_" + name, "")
     for name in ("PROGRAM", "CHROMIUM", "PLAYGROUND", "CC", "LIBRARY", "NODE"))
 
+WITHOUT_HESSIAN = ("alps", "islands", "badlands", "hills", "volcanic", "highlands", "cirques",
+                   "crests", "folds")
 # Rasters that do not lie at the origin, and are no squares
 PLACE = ["--size", "160x120", "--origin", "-37.5,19", "--step", "2.5"]
 # Each case has what others have not.
@@ -182,17 +185,17 @@ class Playground(unittest.TestCase):
             with self.subTest(name):
                 self.same(PLACE + words)
 
+    def assert_relief(self, words):
+        expected = program(*words, "--relief", "ppm:-").split(b"\n255\n", 1)[1]
+        self.assertTrue(bytes(self.page.run("""[...playground.whole.pixels].flatMap(
+            p => [p & 255, p >> 8 & 255, p >> 16 & 255])""")) == expected)
+
     def test_relief_has_the_bytes_of_the_program(self):
-        if "--relief" not in subprocess.run([PROGRAM, "help", "terrain"], check=True, text=True,
-                                            stdout=subprocess.PIPE).stdout:
-            self.skipTest("this program has no relief")
         for name in presets.presets(PROGRAM):
             with self.subTest(name):
                 words = ["--preset", name, "--step", "5", "--size", "120x90", "--z-factor", "1.5"]
                 self.open(words, view="relief")
-                expected = program(*words, "--relief", "ppm:-").split(b"\n255\n", 1)[1]
-                self.assertTrue(bytes(self.page.run("""[...playground.whole.pixels].flatMap(
-                    p => [p & 255, p >> 8 & 255, p >> 16 & 255])""")) == expected)
+                self.assert_relief(words)
 
     def test_large_raster_is_whole(self):
         """Slopes that round otherwise change a pixel in some hundred thousand."""
@@ -279,6 +282,9 @@ class Playground(unittest.TestCase):
                         return new Set(new Uint32Array(data.buffer)).size;
                     })()""")
                     self.assertGreater(colours, 16)
+                    note = self.shown("#status-note")
+                    self.assertEqual("has no Hessian" in note,
+                                     view == "curvature" and name in WITHOUT_HESSIAN, name)
 
     def test_screen_readers_have_names_for_all(self):
         self.open(["--preset", "alps", "--size", "32x32"])
@@ -544,19 +550,31 @@ class Playground(unittest.TestCase):
                 self.assertTrue(got == expected)
 
     def test_without_simd(self):
-        """The page says so, and the bits stay."""
+        """Where engines have no vectors the page says so, and the bits stay, also in workers."""
+        site = os.path.join(self.scratch, "without-simd")
+        shutil.copytree(SITE, site)
+        with open(os.path.join(site, "compile.mjs"), "r+", encoding="utf-8") as file:
+            text, count = re.subn(r"hasVectors = \(\) =>[^;]*;", "hasVectors = () => false;",
+                                  file.read())
+            self.assertEqual(count, 1)
+            file.seek(0)
+            file.truncate()
+            file.write(text)
+        for name in ("scarp-simd.wasm", "relief-simd.wasm"):
+            os.remove(os.path.join(site, name))
+        server = serve(site)
+        self.addCleanup(server.shutdown)
+        self.addCleanup(self.leave)
+        words = ["--preset", "islands", *PLACE]
+        self.page.open(f"http://127.0.0.1:{server.server_port}/index.html" +
+                       fragment(words, view="relief"))
+        self.ready()
+        self.assertFalse(self.page.run("document.getElementById('no-simd').hidden"))
+        self.assertNotIn("wasm128", self.shown("#status-kernels"))
+        self.assertEqual(self.hash(), hash_of(words))
+        self.assert_relief(words)
         self.leave()
-        script = self.page.call("Page.addScriptToEvaluateOnNewDocument",
-                                source="WebAssembly.validate = () => false;")["identifier"]
-        try:
-            self.open(["--preset", "hills", *PLACE])
-            self.assertFalse(self.page.run("document.getElementById('no-simd').hidden"))
-            self.assertNotIn("wasm128", self.shown("#status-kernels"))
-            self.assertEqual(self.hash(), hash_of(["--preset", "hills", *PLACE]))
-        finally:
-            self.page.call("Page.removeScriptToEvaluateOnNewDocument", identifier=script)
-            self.leave()
-        self.open(["--preset", "hills", *PLACE])
+        self.open(["--preset", "hills", "--size", "32x32"])
         self.assertTrue(self.page.run("document.getElementById('no-simd').hidden"))
         self.assertIn("wasm128", self.shown("#status-kernels"))
 

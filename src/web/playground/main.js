@@ -6,6 +6,7 @@ import {Controls} from "./controls.js";
 import {connectActions} from "./actions.js";
 import {heightsOf, heightRange, sha256} from "./export.js";
 import {openGpu} from "./gpu.js";
+import {withoutHessian} from "./ground.js";
 import {connectKeys} from "./keys.js";
 import {load} from "./scarp.mjs";
 import {MapView, placeOf} from "./map.js";
@@ -189,6 +190,9 @@ class Page {
         this.showComparison(frame);
         this.showWorld();
         const preview = job.every > 1 ? " (preview)" : "";
+        const without = this.state.view === "curvature" ? withoutHessian(job.terrain) : null;
+        byId("status-note").textContent = without === null ? ""
+            : `${without} noise has no Hessian: bends are differences of exact slopes`;
         byId("status-size").textContent = `${width} × ${height}${preview}`;
         byId("status-time").textContent = `${ms < 100 ? ms.toFixed(1) : Math.round(ms)} ms`;
         if (job.every > 1 || (job.given && !job.verify)) {
