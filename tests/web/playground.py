@@ -1,0 +1,173 @@
+# SPDX-License-Identifier: MIT
+"""What the tests of the playground share: the program, the browser, and what the page shows.
+
+    test_NAME.py [CLASS.TEST...]
+
+The environment tells where things are: SCARP_PROGRAM, SCARP_CHROMIUM, SCARP_PLAYGROUND (the
+assembled page), SCARP_CC and SCARP_LIBRARY (a C compiler, and the folder of the shared library),
+SCARP_NODE, which may be empty. SCARP_REQUIRE_TOOLS with "chromium" in it turns a skipped test into
+a failure.
+"""
+import hashlib
+import os
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+import urllib.parse
+
+from chromium import Chromium, serve
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+ROOT = os.path.join(HERE, os.pardir, os.pardir)
+PAGE = os.path.join(ROOT, "src", "web", "playground")
+sys.path.insert(0, PAGE)
+sys.dont_write_bytecode = True
+import presets  # noqa: E402
+
+SKIPPED = 77
+PATIENCE = 20  # seconds for a picture
+PROGRAM, CHROMIUM, SITE, CC, LIBRARY, NODE = (
+    os.environ.get("SCARP_" + name, "")
+    for name in ("PROGRAM", "CHROMIUM", "PLAYGROUND", "CC", "LIBRARY", "NODE"))
+
+# Rasters that do not lie at the origin, and are no squares
+PLACE = ["--size", "160x120", "--origin", "-37.5,19", "--step", "2.5"]
+# Each case has what others have not.
+CASES = {
+    "turned wind": ["--stretch", "2.5", "--wind", "200", "--base-amplitude", "0.5"],
+    "aligned wind": ["--stretch", "0.5", "--fractal", "erosion", "--sea-level", "-0.1"],
+    "cut": ["--preset", "alps", "--sea-level", "0.2", "--plateau", "0.9", "--terraces", "5"],
+    "flow": ["--phase", "0.3", "--fade", "cubic", "--lacunarity", "1.9", "--of-octaves", "12"],
+    "no flow": ["--phase", "0", "--amplitude", "-0.7"],
+    "cells": ["--basis", "cell-edge", "--jitter", "0.6", "--warp-reach", "20", "--warp-gain",
+              "0.3", "--warp-octaves", "2.5", "--warp-basis", "simplex", "--warp-rotate"],
+    "fractals": ["--fractal", "pingpong", "--sharpness", "1.1", "--octaves", "4.4",
+                 "--base-amplitude", "-0.3", "--base-fractal", "hybrid", "--mask-band", "0.4,-0.3",
+                 "--mask-basis", "value", "--mask-seed", "77", "--crater", "0.2"],
+    "defaults": ["--seed", "0", "--frequency", "1", "--octaves", "1", "--gain", "0.5",
+                 "--base-amplitude", "1", "--step", "0.125"],
+    "far": ["--origin", "1e12,-3e11", "--step", "0.125", "--seed", "0xfedcba9876543210",
+            "--fractal", "jordan", "--erosion", "0.9", "--z-factor", "2", "--azimuth", "117",
+            "--altitude", "30"],
+    "repeats": ["--preset", "alps", "--period", "256x128", "--step", "8"],
+    "repeats in the wind": ["--preset", "dunes", "--period", "300x200", "--step", "4"],
+}
+
+
+def program(*words, cwd=None):
+    return subprocess.run([PROGRAM, "terrain", *words, "--quiet"], check=True, cwd=cwd,
+                          stdout=subprocess.PIPE).stdout
+
+
+def hash_of(words):
+    return hashlib.sha256(program(*words, "--heights", "r32:-")).hexdigest()
+
+
+def hillshade_of(words):
+    """The bytes of the picture, without the head of the file."""
+    return program(*words, "--hillshade", "pgm:-").split(b"\n255\n", 1)[1]
+
+
+def fragment(words, **view):
+    pairs = list(presets.options(words).items())
+    pairs = [(name, "1" if value is True else value) for name, value in pairs]
+    if "preset" not in dict(pairs):
+        pairs.append(("preset", "none"))
+    return "#" + urllib.parse.urlencode(pairs + list(view.items()))
+
+
+class Playground(unittest.TestCase):
+    """A class of tests, with a browser of its own"""
+
+    @classmethod
+    def setUpClass(cls):
+        cls.scratch = tempfile.mkdtemp(prefix="scarp-web-")
+        cls.addClassCleanup(shutil.rmtree, cls.scratch, ignore_errors=True)
+        cls.server = serve(SITE)
+        cls.addClassCleanup(cls.server.shutdown)
+        cls.page = Chromium(CHROMIUM, cls.scratch)
+        cls.addClassCleanup(cls.page.close)
+        cls.page.size(1200, 800)
+        cls.url = f"http://127.0.0.1:{cls.server.server_port}/index.html"
+
+    def tearDown(self):
+        said = list(self.page.console)
+        self.page.console.clear()
+        self.assertEqual(said, [], "the console is silent")
+
+    def open(self, words=(), **view):
+        """Opens the page anew, or if it is there, what the part of the URL behind # tells."""
+        hash = fragment(words, **view)
+        if self.page.run("globalThis.playground === undefined"):
+            self.page.open(self.url + hash)
+        else:
+            self.page.run(f"""new Promise(done => {{
+                addEventListener("hashchange", done, {{once: true}});
+                location.hash = "{hash}&once={self.page.number}";
+            }})""")
+        self.ready()
+
+    def leave(self):
+        self.page.call("Page.navigate", url="about:blank")
+        self.page.wait("location.href === 'about:blank'")
+
+    def ready(self):
+        notice = "document.getElementById('notice')?.textContent"
+        self.page.wait("document.documentElement?.dataset.ready === 'yes' || "
+                       f"{notice}?.length > 0", PATIENCE)
+        self.assertEqual(self.page.run(notice), "")
+
+    def hash(self):
+        return self.page.run("document.getElementById('status-hash').dataset.hash")
+
+    def greys(self):
+        """The red of the pixels that the map shows, after a look at the others."""
+        text = self.page.run("""(() => {
+            const map = document.getElementById("map");
+            const {data} = map.getContext("2d").getImageData(0, 0, map.width, map.height);
+            let text = "";
+            for (let i = 0; i < data.length; i += 4) {
+                const isGrey = data[i] === data[i + 1] && data[i] === data[i + 2];
+                text += isGrey && data[i + 3] === 255 ? String.fromCharCode(data[i]) : "?????";
+            }
+            return text;
+        })()""")
+        return text.encode("latin-1")
+
+    def same(self, words):
+        self.open(words, view="hillshade")
+        self.assertEqual(self.hash(), hash_of(words), "the heights are those of the program")
+        self.assertTrue(self.greys() == hillshade_of(words), "so is every pixel of the hillshade")
+
+    def centre(self, element):
+        return self.page.run(f"""(() => {{
+            const element = document.querySelector({element!r});
+            element.scrollIntoView({{block: "center"}});
+            const box = element.getBoundingClientRect();
+            return [box.x + box.width / 2, box.y + box.height / 2, box.width];
+        }})()""")
+
+    def click(self, element):
+        x, y, _ = self.centre(element)
+        self.page.mouse("mousePressed", x, y)
+        self.page.mouse("mouseReleased", x, y)
+
+    def shown(self, element):
+        return self.page.run(f"document.querySelector({element!r}).textContent")
+
+    def assert_relief(self, words):
+        expected = program(*words, "--relief", "ppm:-").split(b"\n255\n", 1)[1]
+        self.assertTrue(bytes(self.page.run("""[...playground.whole.pixels].flatMap(
+            p => [p & 255, p >> 8 & 255, p >> 16 & 255])""")) == expected)
+
+
+def main():
+    """Runs the tests of the program that was started, if what they need is there."""
+    for tool, path in (("chromium", CHROMIUM), ("the page", SITE), ("the program", PROGRAM)):
+        if not os.path.exists(path):
+            is_required = "chromium" in os.environ.get("SCARP_REQUIRE_TOOLS", "").split(",")
+            print(f"{'FAILED (required)' if is_required else 'skipped'}: {tool} is missing")
+            sys.exit(1 if is_required else SKIPPED)
+    unittest.main()
