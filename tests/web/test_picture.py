@@ -59,6 +59,39 @@ class Picture(Playground):
                     self.assertEqual("has no Hessian" in note,
                                      view == "curvature" and name in WITHOUT_HESSIAN, name)
 
+    def test_hessians_are_those_of_the_gradients(self):
+        """Second derivatives of all that makes a terrain, against differences of first ones"""
+        self.open(["--stretch", "2", "--wind", "200", "--frequency", "0.03", "--octaves", "3",
+                   "--base-amplitude", "0.5", "--base-fractal", "hybrid", "--mask-band", "-0.6,0.7",
+                   "--warp-reach", "9", "--crater", "0.4", "--terraces", "3",
+                   "--terrace-strength", "0.4", "--step", "0.02", "--size", "200x150"])
+        shares = self.page.run("""(async () => {
+            const {Sampler, differences, gridOf, makeGround} = await import("./ground.js");
+            const {terrain} = playground.checked, {width, height, step} = terrain.raster;
+            const sampler = new Sampler(playground.scarp, makeGround(playground.scarp, terrain));
+            const names = ["value", "dx", "dy", "dxx", "dxy", "dyy"];
+            const exact = Object.fromEntries(names.map(name =>
+                [name, new Float32Array(width * height)]));
+            sampler.uncutGrid(gridOf(terrain.raster), exact);
+            const other = {...exact, dxx: exact.dxx.slice(), dxy: exact.dxy.slice(),
+                dyy: exact.dyy.slice()};
+            differences(other, width, step);
+            return ["dxx", "dxy", "dyy"].map(name => {
+                let differing = 0, all = 0; // creases differ, but are few
+                for (let i = 0; i < width * height; i++) {
+                    const column = i % width, row = Math.floor(i / width);
+                    if (column * row > 0 && column < width - 1 && row < height - 1) {
+                        differing += Math.abs(exact[name][i] - other[name][i]);
+                        all += Math.abs(exact[name][i]);
+                    }
+                }
+                return differing / all;
+            });
+        })()""")
+        for share in shares:
+            self.assertGreater(share, 0)
+            self.assertLess(share, 0.02, shares)
+
     def test_webgpu_says_whether_its_pixels_are_equal(self):
         self.open(["--size", "8x8"])
         self.page.wait("playground.gpu !== undefined")

@@ -235,6 +235,20 @@ export function placesOf(grid) {
     return {x, y};
 }
 
+// Second derivatives as differences of exact first ones, along rows and down columns. The first
+// and the last row are there for their neighbours alone.
+export function differences(out, width, step) {
+    const rows = out.value.length / width;
+    for (let i = 0; i < out.value.length; i++) {
+        const column = i % width, row = Math.floor(i / width);
+        const a = column > 0 ? i - 1 : i, b = column < width - 1 ? i + 1 : i;
+        const c = row > 0 ? i - width : i, d = row < rows - 1 ? i + width : i; // above, below
+        out.dxx[i] = (out.dx[b] - out.dx[a]) / ((b - a || 1) * step);
+        out.dyy[i] = (out.dy[c] - out.dy[d]) / (((d - c) / width || 1) * step);
+        out.dxy[i] = (out.dy[b] - out.dy[a]) / ((b - a || 1) * step);
+    }
+}
+
 // Rows `from` to `to` of a raster. Rows go down and y goes up, so the step along them is negative.
 export function gridOf({width, height, origin, step}, from = 0, to = height) {
     return {origin: [...origin], step: [step, -step], first: [0, from - (height - 1)],

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // A worker: samples bands of rows of a terrain and makes pixels of them.
-import {Sampler, floatPlaces, gridOf, makeGround, piecesOf, withoutHessian} from "./ground.js";
+import {Sampler, differences, floatPlaces, gridOf, makeGround, piecesOf,
+    withoutHessian} from "./ground.js";
 import {load} from "./scarp.mjs";
 import {paletteOf} from "./palettes.js";
 import {loadRelief} from "./relief.js";
@@ -33,20 +34,6 @@ function normalsOf(samples, scale, count) {
     const normals = arrays(NORMALS, count);
     scarp.normals(samples.dx, samples.dy, scale, normals);
     return NORMALS.map(name => normals[name]);
-}
-
-// Second derivatives as differences of exact first ones, along rows and down columns. The first
-// and the last row are there for their neighbours alone.
-function differences(out, width, step) {
-    const rows = out.value.length / width;
-    for (let i = 0; i < out.value.length; i++) {
-        const column = i % width, row = Math.floor(i / width);
-        const a = column > 0 ? i - 1 : i, b = column < width - 1 ? i + 1 : i;
-        const c = row > 0 ? i - width : i, d = row < rows - 1 ? i + width : i; // above, below
-        out.dxx[i] = (out.dx[b] - out.dx[a]) / ((b - a || 1) * step);
-        out.dyy[i] = (out.dy[c] - out.dy[d]) / (((d - c) / width || 1) * step);
-        out.dxy[i] = (out.dy[b] - out.dy[a]) / ((b - a || 1) * step);
-    }
 }
 
 // What the views need to know of the whole terrain
