@@ -37,9 +37,11 @@ static const char usage[] =
 static const struct {
     const char *name;
     int (*run)(char **argv);
-} commands[] = {
-    {"terrain", cli_terrain}, {"view", cli_view}, {"sheet", cli_sheet},
-    {"sample", cli_sample},   {"info", cli_info}};
+} commands[] = {{"terrain", cli_terrain},
+                {"view", cli_view},
+                {"sheet", cli_sheet},
+                {"sample", cli_sample},
+                {"info", cli_info}};
 
 static int run_command(const char *name, char **argv)
 {
