@@ -27,7 +27,7 @@ sys.dont_write_bytecode = True
 import presets  # noqa: E402
 
 SKIPPED = 77
-PATIENCE = 20  # seconds for a picture
+PATIENCE = 60  # seconds for a picture
 PROGRAM, CHROMIUM, SITE, CC, LIBRARY, NODE = (
     os.environ.get("SCARP_" + name, "")
     for name in ("PROGRAM", "CHROMIUM", "PLAYGROUND", "CC", "LIBRARY", "NODE"))
