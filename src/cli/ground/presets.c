@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The presets. The README of the program shows what they look like.
+ * The presets. cli/README.md shows what they look like.
  */
 #include "ground/presets.h"
 
