@@ -8,23 +8,18 @@
 
 #ifdef __cplusplus
 extern "C" {
-#define ZERO                                                                                       \
-    {                                                                                              \
-    }
-#else
-#define ZERO                                                                                       \
-    {                                                                                              \
-        0                                                                                          \
-    }
 #endif
 
 int start(void);
 int _fltused; /* Microsoft's compilers want it of programs with floating-point numbers */
 
+/* The loader fills these with zeros. On the stack the compiler would call memset, of a C library.
+ */
+static struct scarp_noise noise;
+static struct scarp_samples samples;
+
 int start(void)
 {
-    struct scarp_noise noise = ZERO;
-    struct scarp_samples samples = ZERO;
     float x = 0.5f, y = 0.25f, value = 7, dx = 7;
     samples.value = &value;
     samples.dx = &dx;
