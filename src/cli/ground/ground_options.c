@@ -110,21 +110,6 @@ const struct option ground_terrace_rows[GROUND_TERRACE_ROWS] = {
      .highest = 1},
 };
 
-/* Refuses also what is no amplitude but not 0. */
-static enum option_result parse_amplitude(const struct option *option, const char *text,
-                                          void *field)
-{
-    float number;
-    if (option_float(option, text, &number) != OPTION_VALID) {
-        return OPTION_INVALID;
-    }
-    if (number != 0.0f && fabsf(number) < 0x1p-24f) {
-        return OPTION_INVALID;
-    }
-    *(float *)field = number + 0.0f; /* no negative 0 */
-    return OPTION_VALID;
-}
-
 const struct option ground_base_rows[1] = {
     {.name = "--base-amplitude",
      .argument = "F",
@@ -132,7 +117,7 @@ const struct option ground_base_rows[1] = {
      .allowed = "0 or a number whose magnitude is from 2^-24 to 2^24",
      .help = "how far another noise, which is added, moves values: 0, which is\nno base, or a "
              "magnitude from 2^-24 to 2^24",
-     .parse = parse_amplitude,
+     .parse = noise_parse_amplitude,
      .like = option_float,
      .offset = FIELD(base.amplitude),
      .lowest = -0x1p24,

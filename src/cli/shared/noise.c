@@ -181,12 +181,11 @@ const struct option noise_option_rows[NOISE_OPTION_COUNT] = {
      .highest = 0x1p24},
 };
 
-/* Refuses also what is no amplitude but not 0. */
-static enum option_result parse_reach(const struct option *option, const char *text, void *field)
+enum option_result noise_parse_amplitude(const struct option *option, const char *text, void *field)
 {
     double number;
     if (option_double(option, text, &number) != OPTION_VALID ||
-        (number != 0.0 && number < 0x1p-24)) {
+        (number != 0.0 && fabs(number) < 0x1p-24)) {
         return OPTION_INVALID;
     }
     *(float *)field = (float)number + 0.0f; /* no negative 0 */
@@ -200,7 +199,7 @@ const struct option warp_option_rows[1] = {
      .allowed = "0 or a number from 2^-24 to 2^24",
      .help = "how far positions are displaced along each axis, at most, in the\nunit of the "
              "coordinates: 0, which is no warp, or from 2^-24 to 2^24",
-     .parse = parse_reach,
+     .parse = noise_parse_amplitude,
      .like = option_float,
      .offset = offsetof(struct warp_options, reach),
      .lowest = 0,

@@ -59,6 +59,10 @@ struct warp_options {
     "octave and the gain 0.5 unless told otherwise."
 extern const struct option warp_option_rows[1];
 
+/* float: 0, for a noise that is not there, or a number in [lowest, highest] whose magnitude is one
+   of an amplitude. Like option_float. */
+option_parse_fn noise_parse_amplitude;
+
 /* A noise beside the first one, whose options have a prefix */
 struct noise_part {
     const char *prefix;

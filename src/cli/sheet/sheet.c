@@ -10,7 +10,6 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
-#include <time.h>
 
 #include "formats/choose.h"
 #include "formats/whole.h"
@@ -18,6 +17,7 @@
 #include "shared/error.h"
 #include "shared/interrupt.h"
 #include "shared/progress.h"
+#include "shared/running.h"
 #include "sheet/cell.h"
 #include "sheet/page.h"
 
@@ -38,17 +38,6 @@ struct sheet {
     size_t row;             /* of cells: what is drawn */
     atomic_bool has_failed; /* for want of memory */
 };
-
-static double seconds(void)
-{
-    struct timespec now = {0, 0}; /* stays so without a clock */
-#ifdef CLOCK_MONOTONIC
-    clock_gettime(CLOCK_MONOTONIC, &now);
-#else
-    timespec_get(&now, TIME_UTC);
-#endif
-    return (double)now.tv_sec + (double)now.tv_nsec * 1e-9;
-}
 
 static bool choose_format(struct sheet *sheet)
 {
@@ -145,7 +134,7 @@ static int write_sheet(struct sheet *sheet)
         return is_usage ? CLI_USAGE : CLI_FAILURE;
     }
     struct progress progress;
-    progress_start(&progress, sheet->page.rows, sheet->options.quiet != 0);
+    progress_start(&progress, sheet->page.rows, sheet->options.running.quiet != 0);
     const bool is_drawn = draw_all(sheet, &progress);
     const bool is_written = is_drawn && writer_write_whole(writer, sheet->crew, sheet->page.rgb) &&
                             writer_close(writer) && writer_publish(writer) && writer_settle(writer);
@@ -158,11 +147,11 @@ static void print_summary(const struct sheet *sheet, double duration)
 {
     const char *const path = sheet->writer.path;
     const bool is_file = strcmp(path, "-") != 0 && !file_is_special(path);
-    const size_t threads = crew_size(sheet->crew);
-    fprintf(is_file ? stdout : stderr,
-            "%zu cell%s of %zux%zu pixels in %.3f s (%s, %zu thread%s)\n", sheet->count,
-            sheet->count == 1 ? "" : "s", sheet->page.cell_width, sheet->page.cell_height, duration,
-            scarp_isa_name(scarp_isa_active()), threads, threads == 1 ? "" : "s");
+    FILE *const stream = is_file ? stdout : stderr;
+    fprintf(stream, "%zu cell%s of %zux%zu pixels in %.3f s", sheet->count,
+            sheet->count == 1 ? "" : "s", sheet->page.cell_width, sheet->page.cell_height,
+            duration);
+    running_print(stream, sheet->crew);
 }
 
 static int prepare(struct sheet *sheet, char **argv)
@@ -175,17 +164,8 @@ static int prepare(struct sheet *sheet, char **argv)
     if (!choose_format(sheet)) {
         return CLI_USAGE;
     }
-    scarp_isa_select((enum scarp_isa)options->isa);
-    const int status = make_cells(sheet, argv);
-    if (status != CLI_SUCCESS) {
-        return status;
-    }
-    sheet->crew = crew_open(options->threads != 0 ? options->threads : crew_processors());
-    if (sheet->crew == NULL) {
-        cli_error("--threads: no memory");
-        return CLI_FAILURE;
-    }
-    return CLI_SUCCESS;
+    sheet->crew = running_begin(&options->running);
+    return sheet->crew != NULL ? make_cells(sheet, argv) : CLI_FAILURE;
 }
 
 int cli_sheet(char **argv)
@@ -196,13 +176,13 @@ int cli_sheet(char **argv)
     case OPTIONS_BAD: return CLI_USAGE;
     default: break;
     }
-    const double start = seconds();
+    const double start = running_seconds();
     int status = prepare(&sheet, argv);
     if (status == CLI_SUCCESS) {
         status = write_sheet(&sheet);
     }
-    if (status == CLI_SUCCESS && !sheet.options.quiet) {
-        print_summary(&sheet, seconds() - start);
+    if (status == CLI_SUCCESS && !sheet.options.running.quiet) {
+        print_summary(&sheet, running_seconds() - start);
     }
     writer_discard(&sheet.writer);
     for (size_t n = 0; n < sheet.count && sheet.cells != NULL; n++) {

@@ -7,7 +7,6 @@
 #include <stddef.h>
 
 #include "ground/presets.h"
-#include "shared/crew.h"
 
 #define FIELD(name) offsetof(struct sheet_options, name)
 
@@ -78,34 +77,12 @@ static const struct option place_rows[] = {
      .highest = 0x1p48},
 };
 
-static const struct option running_rows[] = {
-    {.name = "--threads",
-     .argument = "N",
-     .help = "how many threads work, at most, from 1 to 1024, without POSIX\nthreads 1; the file "
-             "does not depend on it [one per processor]",
-#ifdef SCARP_CLI_THREADS
-     .allowed = "an integer from 1 to 1024",
-     .highest = THREADS_MAX,
-#else
-     .allowed = "1: this program was built without threads",
-     .highest = 1,
-#endif
-     .parse = option_count,
-     .offset = FIELD(threads),
-     .lowest = 1},
-    {.name = "--isa",
-     .argument = "NAME",
-     .allowed = OPTION_ISAS,
-     .help = "instruction set: " OPTION_ISAS ";\nthe file does not depend on it [the best one]",
-     .parse = option_isa,
-     .offset = FIELD(isa)},
-    {.name = "--quiet", .help = "print nothing but errors", .offset = FIELD(quiet)},
-};
-
 static const struct option_group groups[] = {
-    OPTION_GROUP("the sheet", sheet_rows, 0), OPTION_GROUP("what cells show", place_rows, 0),
-    LOOK_GROUPS(NULL, FIELD(look)),           GROUND_GROUPS(FIELD(ground)),
-    OPTION_GROUP("running", running_rows, 0),
+    OPTION_GROUP("the sheet", sheet_rows, 0),
+    OPTION_GROUP("what cells show", place_rows, 0),
+    LOOK_GROUPS(NULL, FIELD(look)),
+    GROUND_GROUPS(FIELD(ground)),
+    RUNNING_GROUP(FIELD(running)),
 };
 
 const struct option_table sheet_table = {

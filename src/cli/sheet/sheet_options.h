@@ -8,15 +8,17 @@
 #include "ground/ground_options.h"
 #include "look/look_options.h"
 #include "shared/options.h"
+#include "shared/running_options.h"
 
 struct sheet_options {
     struct ground_options ground;
     struct look_options look;
     struct option_size cell; /* pixels */
     struct option_point origin;
-    double step;             /* between pixels */
-    size_t samples, threads; /* across a pixel; all threads: 0 */
-    int layer, isa, quiet;   /* layer: SHEET_RELIEF or SHEET_HILLSHADE */
+    double step; /* between pixels */
+    struct running_options running;
+    size_t samples; /* across a pixel */
+    int layer;      /* SHEET_RELIEF or SHEET_HILLSHADE */
     const char *sheet, *output;
 };
 

@@ -172,7 +172,7 @@ int job_run(struct job *job)
     for (size_t n = job->tiling.begin; n < job->tiling.end; n++) {
         rows += tiling_at(&job->tiling, n).height;
     }
-    progress_start(&job->progress, rows, job->options->quiet != 0);
+    progress_start(&job->progress, rows, job->options->running.quiet != 0);
     int status = visit_tiles(job);
     if (status == CLI_SUCCESS && job->busy > 0) {
         /* The run that had them may have ended without writing them. */

@@ -9,24 +9,13 @@
 #include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
-#include <time.h>
 
 #include "shared/error.h"
 #include "shared/posix.h"
+#include "shared/running.h"
 #include "terrain/job.h"
 #include "terrain/repeat.h"
 #include "terrain/world.h"
-
-static double seconds(void)
-{
-    struct timespec now = {0, 0}; /* stays so without a clock */
-#if defined(CLOCK_MONOTONIC) && !defined(_WIN32)
-    clock_gettime(CLOCK_MONOTONIC, &now);
-#else
-    timespec_get(&now, TIME_UTC);
-#endif
-    return (double)now.tv_sec + (double)now.tv_nsec * 1e-9;
-}
 
 static bool make_surface(const struct terrain_options *options, struct surface *surface)
 {
@@ -138,11 +127,9 @@ static void print_summary(const struct job *job, double duration)
         fprintf(stream, "%zux%zu", job->surface.width, job->surface.height);
     }
     /* No clock resolves the smallest rasters. */
-    const size_t threads = crew_size(job->crew);
     const double rate = (double)job->samples / (duration > 1e-9 ? duration : 1e-9);
-    fprintf(stream, " samples in %.3f s: %.1f million samples per second (%s, %zu thread%s)\n",
-            duration, rate * 1e-6, scarp_isa_name(scarp_isa_active()), threads,
-            threads == 1 ? "" : "s");
+    fprintf(stream, " samples in %.3f s: %.1f million samples per second", duration, rate * 1e-6);
+    running_print(stream, job->crew);
 }
 
 /* Whether other runs may have to do with the same files: then they must be of one world. */
@@ -166,9 +153,8 @@ static bool make_relief(struct job *job)
 static int prepare(struct job *job)
 {
     const struct terrain_options *const options = job->options;
-    job->crew = crew_open(options->threads != 0 ? options->threads : crew_processors());
+    job->crew = running_begin(&options->running);
     if (job->crew == NULL) {
-        cli_error("--threads: no memory");
         return CLI_FAILURE;
     }
     if (!make_surface(options, &job->surface) || !make_outputs(options, &job->outputs[0]) ||
@@ -195,11 +181,10 @@ int cli_terrain(char **argv)
     struct job job = {.options = &options};
     int status = prepare(&job);
     if (status == CLI_SUCCESS) {
-        scarp_isa_select((enum scarp_isa)options.isa);
-        const double start = seconds();
+        const double start = running_seconds();
         status = job_run(&job);
-        if (status == CLI_SUCCESS && !options.quiet) {
-            print_summary(&job, seconds() - start);
+        if (status == CLI_SUCCESS && !options.running.quiet) {
+            print_summary(&job, running_seconds() - start);
         }
     }
     manifest_close(&job.manifest, status == CLI_SUCCESS || job.written > 0);

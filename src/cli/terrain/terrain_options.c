@@ -7,7 +7,6 @@
 #include <stddef.h>
 
 #include "ground/presets.h"
-#include "shared/crew.h"
 
 #define FIELD(name) offsetof(struct terrain_options, name)
 
@@ -170,32 +169,6 @@ static const struct option tile_rows[] = {
      .of_run = 1},
 };
 
-static const struct option running_rows[] = {
-    {.name = "--threads",
-     .argument = "N",
-     .help = "how many threads work, at most, from 1 to 1024, without POSIX\nthreads 1; the files "
-             "do not depend on it [one per processor]",
-#ifdef SCARP_CLI_THREADS
-     .allowed = "an integer from 1 to 1024",
-     .highest = THREADS_MAX,
-#else
-     .allowed = "1: this program was built without threads",
-     .highest = 1,
-#endif
-     .parse = option_count,
-     .offset = FIELD(threads),
-     .lowest = 1,
-     .of_run = 1},
-    {.name = "--isa",
-     .argument = "NAME",
-     .allowed = OPTION_ISAS,
-     .help = "instruction set: " OPTION_ISAS ";\nthe files do not depend on it [the best one]",
-     .parse = option_isa,
-     .offset = FIELD(isa),
-     .of_run = 1},
-    {.name = "--quiet", .help = "print nothing but errors", .offset = FIELD(quiet), .of_run = 1},
-};
-
 static const struct option_group groups[] = {
     OPTION_GROUP("the raster", raster_rows, 0),
     OPTION_GROUP("files, any of which may be asked for together", file_rows, 0),
@@ -203,7 +176,7 @@ static const struct option_group groups[] = {
     LOOK_GROUPS(NULL, FIELD(look)),
     OPTION_GROUP("tiles", tile_rows, 0),
     GROUND_GROUPS(FIELD(ground)),
-    OPTION_GROUP("running", running_rows, 0),
+    RUNNING_GROUP(FIELD(running)),
 };
 
 const struct option_table terrain_table = {

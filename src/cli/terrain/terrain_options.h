@@ -8,6 +8,7 @@
 #include "ground/ground_options.h"
 #include "look/look_options.h"
 #include "shared/options.h"
+#include "shared/running_options.h"
 
 struct terrain_options {
     struct ground_options ground;
@@ -17,8 +18,9 @@ struct terrain_options {
     struct option_point origin;
     struct look_options look;
     double step;
-    size_t compare, overlap, threads; /* all threads: 0 */
-    int tileable, normal_down, resume, isa, quiet;
+    struct running_options running;
+    size_t compare, overlap;
+    int tileable, normal_down, resume;
     const char *heights, *normals, *hillshade, *relief, *gradient, *output;
 };
 

@@ -9,27 +9,16 @@
 #include <stdbool.h>
 #include <stdio.h>
 #include <string.h>
-#include <time.h>
 
 #include "formats/choose.h"
 #include "ground/presets.h"
 #include "shared/error.h"
 #include "shared/interrupt.h"
+#include "shared/running.h"
 #include "view/picture.h"
 #include "view/sky.h"
 #include "view/view_options.h"
 #include "view/viewpoint.h"
-
-static double seconds(void)
-{
-    struct timespec now = {0, 0}; /* stays so without a clock */
-#ifdef CLOCK_MONOTONIC
-    clock_gettime(CLOCK_MONOTONIC, &now);
-#else
-    timespec_get(&now, TIME_UTC);
-#endif
-    return (double)now.tv_sec + (double)now.tv_nsec * 1e-9;
-}
 
 static bool choose_format(const struct view_options *options, struct writer *writer)
 {
@@ -110,7 +99,6 @@ static void print_summary(const struct view_options *options, const struct write
 {
     const bool is_file = strcmp(writer->path, "-") != 0 && !file_is_special(writer->path);
     FILE *const stream = is_file ? stdout : stderr;
-    const size_t threads = crew_size(crew);
     const double time = duration > 1e-9 ? duration : 1e-9;
     print_calls(stream, "marching", counts->march_calls, counts->march_points);
     print_calls(stream, "shadows", counts->shadow_calls, counts->shadow_points);
@@ -118,12 +106,10 @@ static void print_summary(const struct view_options *options, const struct write
     fprintf(stream, "camera: --camera %.9g,%.9g,%.9g --look %.9g,%.9g\n", options->camera.x,
             options->camera.y, options->camera.height, options->look.azimuth,
             options->look.elevation);
-    fprintf(stream,
-            "%zux%zu pixels, %.1f million rays in %.3f s: %.1f million rays per second (%s, %zu "
-            "thread%s)\n",
+    fprintf(stream, "%zux%zu pixels, %.1f million rays in %.3f s: %.1f million rays per second",
             options->size.width, options->size.height, (double)counts->rays * 1e-6, duration,
-            (double)counts->rays / time * 1e-6, scarp_isa_name(scarp_isa_active()), threads,
-            threads == 1 ? "" : "s");
+            (double)counts->rays / time * 1e-6);
+    running_print(stream, crew);
 }
 
 static int tell_failure(const struct writer *writer, enum picture_result result)
@@ -150,7 +136,7 @@ static int write_picture(const struct view_options *options, const struct scene 
         return is_usage ? CLI_USAGE : CLI_FAILURE;
     }
     struct progress progress;
-    progress_start(&progress, picture_tiles(scene), options->quiet != 0);
+    progress_start(&progress, picture_tiles(scene), options->running.quiet != 0);
     enum picture_result result =
         picture_write(scene, options->samples, writer, crew, &progress, counts);
     if (result == PICTURE_DONE &&
@@ -176,23 +162,18 @@ int cli_view(char **argv)
     if (!ground_options_complete(&options.ground) || !choose_format(&options, &writer)) {
         return CLI_USAGE;
     }
-    scarp_isa_select((enum scarp_isa)options.isa);
-    const double start = seconds();
-    struct palette palette = {.name = NULL};
-    if (!make_scene(&options, &palette, &scene)) {
-        palette_free(&palette);
-        return CLI_USAGE;
-    }
-    struct crew *const crew = crew_open(options.threads != 0 ? options.threads : crew_processors());
+    struct crew *const crew = running_begin(&options.running);
     if (crew == NULL) {
-        palette_free(&palette);
-        cli_error("--threads: no memory");
         return CLI_FAILURE;
     }
+    const double start = running_seconds();
+    struct palette palette = {.name = NULL};
     struct picture_counts counts = {.rays = 0};
-    const int status = write_picture(&options, &scene, &writer, crew, &counts);
-    if (status == CLI_SUCCESS && !options.quiet) {
-        print_summary(&options, &writer, crew, &counts, seconds() - start);
+    const int status = make_scene(&options, &palette, &scene)
+                           ? write_picture(&options, &scene, &writer, crew, &counts)
+                           : CLI_USAGE;
+    if (status == CLI_SUCCESS && !options.running.quiet) {
+        print_summary(&options, &writer, crew, &counts, running_seconds() - start);
     }
     writer_discard(&writer);
     palette_free(&palette);

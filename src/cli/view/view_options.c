@@ -8,7 +8,6 @@
 
 #include "ground/presets.h"
 #include "look/palette.h"
-#include "shared/crew.h"
 #include "shared/number.h"
 
 #define FIELD(name) offsetof(struct view_options, name)
@@ -150,38 +149,12 @@ static const struct option light_rows[] = {
      .highest = 0x1p24},
 };
 
-static const struct option running_rows[] = {
-    {.name = "--threads",
-     .argument = "N",
-     .help = "how many threads work, at most, from 1 to 1024, without POSIX\nthreads 1; the "
-             "picture does not depend on it [one per processor]",
-#ifdef SCARP_CLI_THREADS
-     .allowed = "an integer from 1 to 1024",
-     .highest = THREADS_MAX,
-#else
-     .allowed = "1: this program was built without threads",
-     .highest = 1,
-#endif
-     .parse = option_count,
-     .offset = FIELD(threads),
-     .lowest = 1,
-     .of_run = 1},
-    {.name = "--isa",
-     .argument = "NAME",
-     .allowed = OPTION_ISAS,
-     .help = "instruction set: " OPTION_ISAS ";\nthe picture does not depend on it [the best one]",
-     .parse = option_isa,
-     .offset = FIELD(isa),
-     .of_run = 1},
-    {.name = "--quiet", .help = "print nothing but errors", .offset = FIELD(quiet), .of_run = 1},
-};
-
 static const struct option_group groups[] = {
     OPTION_GROUP("the picture", picture_rows, 0),
     OPTION_GROUP("the camera", camera_rows, 0),
     OPTION_GROUP("colours, light and air", light_rows, 0),
     GROUND_GROUPS(FIELD(ground)),
-    OPTION_GROUP("running", running_rows, 0),
+    RUNNING_GROUP(FIELD(running)),
 };
 
 const struct option_table view_table = {

@@ -7,6 +7,7 @@
 
 #include "ground/ground_options.h"
 #include "shared/options.h"
+#include "shared/running_options.h"
 
 struct view_camera {
     double x, y, height;
@@ -25,8 +26,8 @@ struct view_options {
     struct view_direction look, sun;
     double fov;
     float haze;
-    size_t samples, threads; /* all threads: 0 */
-    int isa, quiet;
+    struct running_options running;
+    size_t samples;
     const char *output, *palette; /* that of the preset: NULL */
 };
 

@@ -1,0 +1,36 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The rows of the options that say how a command runs.
+ */
+#include "shared/running_options.h"
+
+#include "shared/crew.h"
+
+#define FIELD(name) offsetof(struct running_options, name)
+
+const struct option running_option_rows[RUNNING_ROWS] = {
+    {.name = "--threads",
+     .argument = "N",
+     .help = "how many threads work, at most, from 1 to 1024, without POSIX\nthreads 1; what is "
+             "written does not depend on it [one per processor]",
+#ifdef SCARP_CLI_THREADS
+     .allowed = "an integer from 1 to 1024",
+     .highest = THREADS_MAX,
+#else
+     .allowed = "1: this program was built without threads",
+     .highest = 1,
+#endif
+     .parse = option_count,
+     .offset = FIELD(threads),
+     .lowest = 1,
+     .of_run = 1},
+    {.name = "--isa",
+     .argument = "NAME",
+     .allowed = OPTION_ISAS,
+     .help =
+         "instruction set: " OPTION_ISAS ";\nwhat is written does not depend on it [the best one]",
+     .parse = option_isa,
+     .offset = FIELD(isa),
+     .of_run = 1},
+    {.name = "--quiet", .help = "print nothing but errors", .offset = FIELD(quiet), .of_run = 1},
+};
