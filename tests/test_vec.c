@@ -111,6 +111,23 @@ static void test_rounding(void)
     run_fd("d from f", ops->d_from_f, d_from_f, number_f, numbers_f);
 }
 
+/* Each bit of the result is odd where an odd number of the three is set: all eight combinations
+   stand in the eight lowest bits of each lane. */
+static void test_xor3(void)
+{
+    uint32_t a[LANES_MAX], b[LANES_MAX], c[LANES_MAX], result[LANES_MAX];
+    for (int i = 0; i < LANES_MAX; i++) {
+        const uint32_t high = (uint32_t)(i + 1) * 0x9e377900u;
+        a[i] = 0xf0u | (high & 0xffffff00u);
+        b[i] = 0xccu | ((high >> 3) & 0xffffff00u);
+        c[i] = 0xaau | ((high << 5) & 0xffffff00u);
+    }
+    ops->xor3(result, a, b, c);
+    for (int i = 0; i < lanes; i++) {
+        CHECK_BITS(result[i] == (a[i] ^ b[i] ^ c[i]), "xor3, lane %d: %08x", i, result[i]);
+    }
+}
+
 static void test_bits_of_lanes(void)
 {
     uint32_t numbers[LANES_MAX];
@@ -444,6 +461,7 @@ int main(int argc, char **argv)
     make_numbers();
     test_rounding();
     test_bits_of_lanes();
+    test_xor3();
     test_operators();
     test_exact_fma();
     test_exact_components();

@@ -131,6 +131,7 @@ struct call {
     int dimensions, basis_order;
     enum layout layout; /* of the positions */
     int takes_places;   /* struct basis */
+    enum kept kept;     /* of corners, by a basis that takes hashes */
     const struct basis *basis;
     lattice_pass *const *lattice_passes; /* by axes; of a basis that takes hashes */
     points_pass *points_pass;
@@ -157,7 +158,8 @@ VEC_INLINE void call_begin(struct call *call, const struct scarp_call_plan *plan
     call->dimensions = dimensions;
     call->basis_order = order;
     call->layout = layout;
-    call->lattice_passes = lattice_passes[d][layout];
+    call->kept = kept_of(plan->basis);
+    call->lattice_passes = lattice_passes[call->kept][d][layout];
     call->points_pass = basis->points[d][order];
     call->rows_pass = layout == ROW ? basis->rows[d][order] : NULL;
     call->turn_pass = turns ? turn_passes[d][plan->order - 1] : NULL;
@@ -252,8 +254,8 @@ VEC_INLINE void place_part(const struct call *call, const struct part *part, int
     struct positions at = part->at;
     if (axes == AXES_TURNED) {
         at.array[1] = part->y;
-        turned_passes[call->dimensions - 2](part->placed.lattice, o, part->placed.extent,
-                                            &part->turned, &at);
+        turned_passes[call->kept][call->dimensions - 2](part->placed.lattice, o,
+                                                        part->placed.extent, &part->turned, &at);
         return;
     }
     for (size_t r = 0; r < part->placed.extent.rows; r++) {

@@ -90,13 +90,14 @@ VEC_INLINE struct split few_split(const struct scarp_octave *o, int axis, const 
 VEC_INLINE struct sample few_basis(const struct scarp_octave *o, enum scarp_fade fade,
                                    const struct few_block *x, struct frame f, struct variant v)
 {
-    struct lattice3 lattice; /* or struct lattice2, which is smaller */
+    vf lattice[LATTICE_SIZE3];
     struct split s[3];
     for (int d = 0; d < f.dimensions; d++) {
         s[d] = few_split(o, d, x, f);
     }
-    lattice_put((vf *)&lattice, o, s, AXES_STRAIGHT, f.dimensions);
-    return basis_sample((const vf *)&lattice, fade, NULL, v);
+    const struct mixed m = lattice_put_places(lattice, o, s, AXES_STRAIGHT, f.dimensions);
+    lattice_put_corners(lattice, &m, f.dimensions, kept_of(v.basis));
+    return basis_sample(lattice, fade, NULL, v);
 }
 
 /* What goes from octave to octave: the weight of ridged and hybrid noise, the slope d of erosion.

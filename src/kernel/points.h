@@ -112,7 +112,7 @@ static void points_many(const struct scarp_call_plan *plan, size_t count,
 }
 
 /* What a block of points_plain needs: its lattice, then its sum. */
-#define PLAIN_VECTORS (sizeof(struct lattice3) / sizeof(vf) + 1)
+#define PLAIN_VECTORS (LATTICE_SIZE3 + 1)
 
 /* Does the same with whole blocks for the values of fBm with straight axes: with so little to
    prepare, 64 points take a tenth less time. */
@@ -121,7 +121,8 @@ static void points_plain(const struct scarp_call_plan *plan, size_t count,
                          struct frame f, struct workspace work)
 {
     const int dimensions = f.dimensions;
-    lattice_pass *const *const passes = lattice_passes[dimensions - 2][f.layout];
+    lattice_pass *const *const passes =
+        lattice_passes[kept_of(plan->basis)][dimensions - 2][f.layout];
     points_pass *const pass = bases[plan->basis].points[dimensions - 2][0];
     const size_t bytes = f.layout == DOUBLES ? sizeof(double) : sizeof(float);
     const size_t most = least(PART_BLOCKS, work.vectors / PLAIN_VECTORS);
@@ -206,15 +207,20 @@ static void points_more(const struct scarp_call_plan *plan, size_t count,
     }
 }
 
+/* The most blocks of floats for which single octaves take less time block by block than in passes.
+ */
+#define ONE_BLOCKS 4
+
 VEC_INLINE void points(const struct scarp_call_plan *plan, size_t count,
                        const void *const position[3], const struct scarp_outputs *out,
                        int dimensions, enum layout layout)
 {
-    if (layout == FLOATS && few_plain(plan) && plan->octaves == 1 && count <= 2 * VEC_LANES) {
+    if (layout == FLOATS && few_plain(plan) && plan->octaves == 1 &&
+        count <= ONE_BLOCKS * VEC_LANES) {
         few_pass *const one = few_passes[plan->basis][dimensions - 2][FEW_ONE];
-        const size_t first = count <= VEC_LANES ? 0 : VEC_LANES;
-        if (first > 0) {
-            one(plan, first, position, out, 0, layout);
+        size_t first = 0;
+        for (; count - first > VEC_LANES; first += VEC_LANES) {
+            one(plan, first + VEC_LANES, position, out, first, layout);
         }
         one(plan, count, position, out, first, layout);
         return;

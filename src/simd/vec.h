@@ -215,6 +215,22 @@ VEC_INLINE vu vu_turn8(vu a)
 }
 #endif
 
+/* The same lanes, in a register: a compiler may load an operand anew wherever it is used. */
+#ifndef VU_IN_REGISTER_OWN
+VEC_INLINE vu vu_in_register(vu a)
+{
+    return a;
+}
+#endif
+
+/* a ^ b ^ c. */
+#ifndef VU_XOR3_OWN
+VEC_INLINE vu vu_xor3(vu a, vu b, vu c)
+{
+    return a ^ (b ^ c); /* callers share b ^ c */
+}
+#endif
+
 /*
  * Rounding and conversion.
  */

@@ -171,6 +171,11 @@ static void turn8(uint32_t *out, const uint32_t *in)
     vu_store(out, vu_turn8(vu_load(in)));
 }
 
+static void xor3(uint32_t *out, const uint32_t *a, const uint32_t *b, const uint32_t *c)
+{
+    vu_store(out, vu_xor3(vu_load(a), vu_load(b), vu_load(c)));
+}
+
 static void multiply(uint32_t *out, const uint32_t *a, const uint32_t *b)
 {
     vu_store(out, vu_load(a) * vu_load(b));
@@ -285,6 +290,7 @@ const struct vec_operations VEC_OPERATIONS(KERNELS) = {
     .where = where,
     .exact_fma = exact_fma,
     .turn8 = turn8,
+    .xor3 = xor3,
     .any = any,
     .multiply = multiply,
     .shift = shift,

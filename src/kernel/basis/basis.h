@@ -75,17 +75,51 @@ VEC_INLINE struct column basis_column(const struct corners *h, const struct acro
 }
 #endif
 
-VEC_INLINE struct corners corners2(const struct lattice2 *at, int side)
+/* The corners of both columns of a block that stands on the lattice. */
+VEC_INLINE void corners_of(struct corners side[2], const vf *lattice, struct variant v)
 {
-    const struct corners h = {{{(vu)at->hash[side][0]}, {(vu)at->hash[side][1]}}};
-    return h;
+    if (kept_of(v.basis) == KEPT_HASHES) {
+        for (int i = 0; i < 2; i++) {
+            const vf *const h = lattice + v.dimensions + (i << (v.dimensions - 1));
+            if (v.dimensions == 2) {
+                side[i].h[0][0] = (vu)h[0], side[i].h[1][0] = (vu)h[1];
+            } else {
+                side[i].h[0][0] = (vu)h[0], side[i].h[0][1] = (vu)h[1];
+                side[i].h[1][0] = (vu)h[2], side[i].h[1][1] = (vu)h[3];
+            }
+        }
+        return;
+    }
+    const struct axis x = axis_of(lattice, 0, v.dimensions);
+    const struct axis y = axis_of(lattice, 1, v.dimensions);
+    for (int i = 0; i < 2; i++) {
+        const vu h = i == 0 ? x.h0 : x.h1;
+        if (v.dimensions == 2) {
+            side[i].h[0][0] = hash_corner(h, y.h0);
+            side[i].h[1][0] = hash_corner(h, y.h1);
+        } else {
+            const struct axis z = axis_of(lattice, 2, 3);
+            side[i].h[0][0] = hash_corner3(h, y.h0, z.h0);
+            side[i].h[0][1] = hash_corner3(h, y.h0, z.h1);
+            side[i].h[1][0] = hash_corner3(h, y.h1, z.h0);
+            side[i].h[1][1] = hash_corner3(h, y.h1, z.h1);
+        }
+    }
 }
 
-VEC_INLINE struct corners corners3(const struct lattice3 *at, int side)
+/* The columns on both sides of a block. */
+VEC_INLINE void basis_columns(struct column c[2], const struct corners side[2],
+                              const struct across *p, struct variant v)
 {
-    const struct corners h = {{{(vu)at->hash[side][0][0], (vu)at->hash[side][0][1]},
-                               {(vu)at->hash[side][1][0], (vu)at->hash[side][1][1]}}};
-    return h;
+    if (v.basis == SCARP_GRADIENT && v.dimensions == 2 && !VEC_SMALL) {
+        struct gradients2 g[2];
+        gradients2_of_both(g, &side[0], &side[1], p, v);
+        c[0] = gradient_column2(g[0], p, v);
+        c[1] = gradient_column2(g[1], p, v);
+    } else {
+        c[0] = basis_column(&side[0], p, v);
+        c[1] = basis_column(&side[1], p, v);
+    }
 }
 
 /* The basis at a block of positions on the lattice. `directions` are for a variant that flows. */
@@ -94,35 +128,18 @@ VEC_INLINE struct sample basis_sample(const vf *lattice, enum scarp_fade kind,
 {
     struct across p;
     p.directions = directions;
-    struct corners left, right;
-    vf x;
-    if (v.dimensions == 2) {
-        const struct lattice2 *const at = (const struct lattice2 *)lattice;
-        x = at->t[0];
-        p.y = at->t[1];
-        left = corners2(at, 0);
-        right = corners2(at, 1);
-    } else {
-        const struct lattice3 *const at = (const struct lattice3 *)lattice;
-        x = at->t[0];
-        p.y = at->t[1];
-        p.z = at->t[2];
+    struct corners side[2];
+    corners_of(side, lattice, v);
+    const vf x = lattice[0];
+    p.y = lattice[1];
+    if (v.dimensions == 3) {
+        p.z = lattice[2];
         p.w = fade(kind, p.z);
-        left = corners3(at, 0);
-        right = corners3(at, 1);
     }
     p.v = fade(kind, p.y);
-    struct column l, r;
-    if (v.basis == SCARP_GRADIENT && v.dimensions == 2 && !VEC_SMALL) {
-        struct gradients2 g[2];
-        gradients2_of_both(g, &left, &right, &p, v);
-        l = gradient_column2(g[0], &p, v);
-        r = gradient_column2(g[1], &p, v);
-    } else {
-        l = basis_column(&left, &p, v);
-        r = basis_column(&right, &p, v);
-    }
-    return join(&l, &r, x, fade(kind, x), v);
+    struct column c[2];
+    basis_columns(c, side, &p, v);
+    return join(&c[0], &c[1], x, fade(kind, x), v);
 }
 
 /* Positions on the lattice of an octave. */
@@ -150,6 +167,7 @@ VEC_INLINE void points_run(const struct placed *at, enum scarp_fade fade,
     struct outputs to;
     struct directions directions;
     const vf *lattice = at->lattice;
+    const size_t size = lattice_size(v.dimensions);
     outputs_copy(&to, outputs, v);
     if (v.flows) { /* nothing that is stored can alias a copy */
         struct directions made;
@@ -159,9 +177,9 @@ VEC_INLINE void points_run(const struct placed *at, enum scarp_fade fade,
         }
     }
     for (size_t r = 0; r < extent.rows; r++) {
-        const vf *const end = lattice + extent.blocks * lattice_size(v.dimensions);
+        const vf *const end = lattice + extent.blocks * size;
         size_t to_at = 0;
-        for (; lattice < end; lattice += lattice_size(v.dimensions)) {
+        for (; lattice < end; lattice += size) {
             const struct sample n = basis_sample(lattice, fade, &directions, v);
             add_sample(&to, to_at, &w, &n, v, put);
             to_at += to.block;
