@@ -25,11 +25,13 @@
 /* On Zen 4, a block of 16 points of eight octaves takes 220 to 360 ns, one of 8 points in AVX2 170
    to 260. (In AVX2, one point takes no longer than in SSE4.1.) */
 #define KERNELS_NARROWER scarp_kernels_avx2
-#define FEW_ORDER 0  /* few points with gradients are AVX2's, too */
-#define PART_ROWS 32 /* frames are large */
-#ifdef __clang__     /* whose frames are larger still; gradients of fBm on grids take up to 15 %   \
-                        longer */
-#define SCRATCH_BYTES (26 * 1024 + 256)
+#define FEW_ORDER 0 /* few points with gradients are AVX2's, too */
+#ifdef __clang__    /* whose frames are larger still; gradients of fBm on grids take up to 15 %    \
+                       longer */
+#define PART_ROWS 32
+#define SCRATCH_BYTES (25 * 1024 + 256)
+#else
+#define PART_ROWS 48 /* frames are large */
 #endif
 #include KERNELS_BODY
 

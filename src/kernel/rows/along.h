@@ -13,7 +13,7 @@
    so that a call stays below 48 KiB of stack. */
 #define STRIP_BLOCKS 32
 #ifndef PART_ROWS
-#define PART_ROWS 64
+#define PART_ROWS 96
 #endif
 
 /* Blocks of columns that a table reads. */

@@ -167,7 +167,7 @@ VEC_INLINE void table_row(const struct along_x *x, const struct tables *t,
         }
         slid = base + VEC_LANES;
         for (; block < end; block++) {
-            const struct sides s = get_sides(&l, (vu)block->index, 0, v);
+            const struct sides s = get_sides(&l, vu_in_register((vu)block->index), 0, v);
             const struct sample n = join_sides(block, &s, v);
             put_any_sample(&to, to_at, &w, &n, v, put);
             to_at += to.block;
@@ -186,8 +186,11 @@ VEC_INLINE void wide_row(const struct along_x *x, const struct along_row *row,
     const vf *hash = x->hash;
     size_t to_at = 0;
     for (; block < end; block++) {
-        const struct sides s = {row_column((vu)hash[0], row, v), row_column((vu)hash[1], row, v)};
-        const struct sample n = join_sides(block, &s, v);
+        const struct corners side[2] = {row_corners((vu)hash[0], row, v.dimensions),
+                                        row_corners((vu)hash[1], row, v.dimensions)};
+        struct column c[2];
+        basis_columns(c, side, &row->at, v);
+        const struct sample n = join(&c[0], &c[1], block->t, block->fade, v);
         add_sample(&to, to_at, &w, &n, v, put);
         to_at += to.block;
         hash += 2;

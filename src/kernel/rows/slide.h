@@ -48,7 +48,7 @@ VEC_INLINE void slide_row(const struct along_x *x, const struct along_row *row,
             slide(&l, x, next++, row, v);
         }
         for (const struct along_block *const end = block + stretch->blocks; block < end; block++) {
-            const struct sides s = get_sides(&l, (vu)block->index, 0, v);
+            const struct sides s = get_sides(&l, vu_in_register((vu)block->index), 0, v);
             const struct sample n = join_sides(block, &s, v);
             put_any_sample(&to, to_at, &w, &n, v, put);
             to_at += to.block;
