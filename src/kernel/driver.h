@@ -129,9 +129,9 @@ static const struct basis *basis_of(const struct scarp_call_plan *plan)
 struct call {
     const struct scarp_call_plan *plan;
     int dimensions, basis_order;
-    enum layout layout; /* of the positions */
-    int takes_places;   /* struct basis */
-    enum kept kept;     /* of corners, by a basis that takes hashes */
+    enum layout layout;     /* of the positions */
+    int takes_places;       /* struct basis */
+    enum corners_kept kept; /* of corners, by a basis that takes hashes */
     const struct basis *basis;
     lattice_pass *const *lattice_passes; /* by axes; of a basis that takes hashes */
     points_pass *points_pass;

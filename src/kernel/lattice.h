@@ -12,9 +12,9 @@
    [x][y] or [x][y][z]; or, to be hashed there, the two lattice coordinates along each axis, mixed
    (struct axis). The latter suits value noise, which has little else to do: it takes 6 to 14 % less
    time so. Gradient noise takes up to 10 % more (Zen 5). */
-enum kept { KEPT_HASHES, KEPT_AXES, KEPT_KINDS };
+enum corners_kept { KEPT_HASHES, KEPT_AXES, KEPT_KINDS };
 
-static enum kept kept_of(enum scarp_basis basis)
+static enum corners_kept kept_of(enum scarp_basis basis)
 {
     return basis == SCARP_VALUE ? KEPT_AXES : KEPT_HASHES;
 }
@@ -115,7 +115,7 @@ VEC_INLINE struct axis axis_of(const vf *lattice, int i, int dimensions)
 
 /* Puts what is kept of the corners of a block of cells after the places inside. */
 VEC_INLINE void lattice_put_corners(vf *lattice, const struct mixed *m, int dimensions,
-                                    enum kept kept)
+                                    enum corners_kept kept)
 {
     const struct axis x = m->axis[0], y = m->axis[1];
     vf *const to = lattice + dimensions;
@@ -156,7 +156,7 @@ VEC_INLINE struct mixed lattice_put_places(vf *lattice, const struct scarp_octav
 /* Does once more what lattice_run does with periods and floats, of which some are far. */
 static __attribute__((noinline, cold)) void lattice_far(vf *lattice, const struct scarp_octave *o,
                                                         size_t blocks, const struct positions *at,
-                                                        int dimensions, enum kept kept)
+                                                        int dimensions, enum corners_kept kept)
 {
     const struct frame f = {FLOATS, AXES_PERIODS, dimensions};
     for (size_t b = 0; b < blocks; b++) {
@@ -189,7 +189,8 @@ VEC_INLINE struct mixed lattice_block(vf *lattice, const struct scarp_octave *o,
 }
 
 VEC_INLINE void lattice_run(vf *lattice, const struct scarp_octave *octave, size_t blocks,
-                            const struct positions *positions, struct frame f, enum kept kept)
+                            const struct positions *positions, struct frame f,
+                            enum corners_kept kept)
 {
     const struct scarp_octave o = *octave; /* copies: nothing that is stored can alias them */
     const struct positions at = *positions;
@@ -264,29 +265,34 @@ static __attribute__((noinline)) void hash_blocks3(vf *lattice, size_t blocks)
         run(lattice, octave, blocks, at, __VA_ARGS__);                                             \
     }
 #if VEC_LANES == 16
-#define LATTICE_HASHES(name, d, layout, kind)                                                      \
-    LATTICE_KEEPS(hashes##d##_##layout##_##name, hashes_run, d, layout, kind, f)
+#define LATTICE_HASHES(name, axes_name, d, layout, axes)                                           \
+    LATTICE_KEEPS(name, hashes_run, d, layout, axes, f)
 #else
-#define LATTICE_HASHES(name, d, layout, kind)                                                      \
-    static void hashes##d##_##layout##_##name(vf *lattice, const struct scarp_octave *octave,      \
-                                              size_t blocks, const struct positions *at)           \
+#define LATTICE_HASHES(name, axes_name, d, layout, axes)                                           \
+    static void name(vf *lattice, const struct scarp_octave *octave, size_t blocks,                \
+                     const struct positions *at)                                                   \
     {                                                                                              \
-        axes##d##_##layout##_##name(lattice, octave, blocks, at);                                  \
+        axes_name(lattice, octave, blocks, at);                                                    \
         hash_blocks##d(lattice, blocks);                                                           \
     }
 #endif
 /* A pass that keeps axes, and one that keeps hashes. */
-#define LATTICE_PASS(name, d, layout, kind)                                                        \
-    LATTICE_KEEPS(axes##d##_##layout##_##name, lattice_run, d, layout, kind, f, KEPT_AXES)         \
-    LATTICE_HASHES(name, d, layout, kind)
+#define LATTICE_PASS(axes_name, hashes_name, d, layout, axes)                                      \
+    LATTICE_KEEPS(axes_name, lattice_run, d, layout, axes, f, KEPT_AXES)                           \
+    LATTICE_HASHES(hashes_name, axes_name, d, layout, axes)
 #define LATTICE_STRAIGHT(d, layout)                                                                \
-    LATTICE_PASS(first, d, layout, AXES_FIRST)                                                     \
-    LATTICE_PASS(straight, d, layout, AXES_STRAIGHT)
+    LATTICE_PASS(unhashed##d##_##layout##_first, hashed##d##_##layout##_first, d, layout,          \
+                 AXES_FIRST)                                                                       \
+    LATTICE_PASS(unhashed##d##_##layout##_straight, hashed##d##_##layout##_straight, d, layout,    \
+                 AXES_STRAIGHT)
 #define LATTICE_PASSES(d, layout)                                                                  \
     LATTICE_STRAIGHT(d, layout)                                                                    \
-    LATTICE_PASS(turned, d, layout, AXES_TURNED)                                                   \
-    LATTICE_PASS(powers, d, layout, AXES_POWERS)                                                   \
-    LATTICE_PASS(periods, d, layout, AXES_PERIODS)
+    LATTICE_PASS(unhashed##d##_##layout##_turned, hashed##d##_##layout##_turned, d, layout,        \
+                 AXES_TURNED)                                                                      \
+    LATTICE_PASS(unhashed##d##_##layout##_powers, hashed##d##_##layout##_powers, d, layout,        \
+                 AXES_POWERS)                                                                      \
+    LATTICE_PASS(unhashed##d##_##layout##_periods, hashed##d##_##layout##_periods, d, layout,      \
+                 AXES_PERIODS)
 #define STRAIGHT_NAMES(name, d, layout)                                                            \
     [AXES_FIRST] = name##d##_##layout##_first, [AXES_STRAIGHT] = name##d##_##layout##_straight
 #define ANY_NAMES(name, d, layout)                                                                 \
@@ -316,8 +322,8 @@ LATTICE_STRAIGHT(3, ROW)
 /* By [kept][dimensions - 2][layout][axes]. Rows with turned axes are placed by rows/turned.h, those
    with periods by rows/along.h: a basis that has periods has a rows pass. */
 static lattice_pass *const lattice_passes[KEPT_KINDS][2][LAYOUTS][AXES_KINDS] = {
-    [KEPT_HASHES] = LATTICE_NAMES(hashes),
-    [KEPT_AXES] = LATTICE_NAMES(axes),
+    [KEPT_HASHES] = LATTICE_NAMES(hashed),
+    [KEPT_AXES] = LATTICE_NAMES(unhashed),
 };
 
 #undef LATTICE_KEEPS

@@ -34,8 +34,15 @@ mutant(positions.period_f64 IN kernel TEXT [[(lower + vd_set(0.5))]]
        BECOMES [[(lower + vd_set(MUTANT ? 0.0 : 0.5))]] SEEN_BY bits)
 mutant(rows.period IN kernel TEXT [[next = next == o->last[0] ? 0 : next + 1]]
        BECOMES [[next = !MUTANT && next == o->last[0] ? 0 : next + 1]] SEEN_BY grid)
-mutant(positions.hash IN kernel TEXT [[y.h1 ^ z.h1]]
-       BECOMES [[(MUTANT ? y.h1 + z.h1 : y.h1 ^ z.h1)]] SEEN_BY bits)
+mutant(positions.hash IN kernel/lattice.h TEXT [[hash_corner3(h, y.h1, z.h1)]]
+       BECOMES [[hash_corner3(h, y.h1, MUTANT ? z.h0 : z.h1)]] SEEN_BY bits)
+mutant(positions.hash_of_axes IN kernel/basis TEXT [[hash_corner3(h, y.h1, z.h1)]]
+       BECOMES [[hash_corner3(h, y.h1, MUTANT ? z.h0 : z.h1)]] SEEN_BY bits)
+mutant(positions.hash_loop IN kernel/lattice.h TEXT [[m.axis[i] = axis_of(lattice, i, dimensions);]]
+       BECOMES [[m.axis[i] = axis_of(lattice, MUTANT ? 0 : i, dimensions);]]
+       SEEN_BY bits SETS sse4.1 avx2 neon wasm128 generic)
+mutant(rows.hash IN kernel/lattice.h TEXT [[y.h1 ^ z.h1]]
+       BECOMES [[(MUTANT ? y.h1 + z.h1 : y.h1 ^ z.h1)]] SEEN_BY grid)
 mutant(positions.reference IN scalar TEXT [[fabsf(p) < 0x1p31f]]
        BECOMES [[fabsf(p) < (MUTANT ? 0x1p30f : 0x1p31f)]] SEEN_BY golden SETS scalar)
 

@@ -134,7 +134,7 @@ VEC_INLINE void put_places(vf *lattice, vu cell[3], vd p[3][2], int dimensions)
    out-of-order windows hold only two blocks of it. */
 VEC_INLINE void put_turned_row(vf *lattice, const struct scarp_octave *o, size_t blocks,
                                const struct turned_x *t, const struct turned_row row[3],
-                               int dimensions, enum kept kept)
+                               int dimensions, enum corners_kept kept)
 {
     const size_t size = lattice_size(dimensions);
     vu cell[3], next[3];
@@ -158,7 +158,7 @@ VEC_INLINE void put_turned_row(vf *lattice, const struct scarp_octave *o, size_t
 /* Does the same where neighbours may share hashes. */
 VEC_INLINE void put_sharing_row(vf *lattice, const struct scarp_octave *o, size_t blocks,
                                 const struct turned_x *t, const struct turned_row row[3],
-                                int dimensions, enum kept kept)
+                                int dimensions, enum corners_kept kept)
 {
     const size_t size = lattice_size(dimensions);
     struct row_cells cells;
@@ -187,7 +187,7 @@ VEC_INLINE void put_sharing_row(vf *lattice, const struct scarp_octave *o, size_
 /* Puts rows on the lattice, whose y are given, at that z. */
 VEC_INLINE void turned_run(vf *lattice, const struct scarp_octave *octave, struct extent extent,
                            const struct turned_x *x, const struct positions *at, int dimensions,
-                           enum kept kept)
+                           enum corners_kept kept)
 {
     const struct scarp_octave o = *octave; /* a copy: nothing that is stored can alias it */
     const struct turned_x t = *x;
