@@ -470,6 +470,7 @@ int main(int argc, char **argv)
     test_lookup();
     test_lookup_four();
     test_sixteen();
+    test_among();
     test_twelfth();
     test_permute();
     return check_done();

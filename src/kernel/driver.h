@@ -34,7 +34,7 @@
    of stack. Parts have fewer blocks where a block needs much. A set whose frames are larger has
    less. */
 #ifndef SCRATCH_BYTES
-#define SCRATCH_BYTES (27 * 1024)
+#define SCRATCH_BYTES (26 * 1024)
 #endif
 
 struct scratch {

@@ -21,6 +21,12 @@
 #define VEC_SMALL 0
 #endif
 
+/* Whether a table of products that one vector holds is looked up as fast as one of the factors: the
+   set has at least eight lanes, and vf_among in one instruction. */
+#ifndef VEC_DOTS
+#define VEC_DOTS 0
+#endif
+
 /* Initialisers: a number for every lane of a vf, one for every lane of a vd, the lanes' numbers. */
 #if VEC_LANES == 4
 #define VEC_EACH(a) a, a, a, a

@@ -235,6 +235,13 @@ VEC_INLINE vf vf_lookup(const struct lookup *table, vu hash)
     return (vf)_mm256_permutevar8x32_ps(eight, (__m256i)index);
 }
 
+#define VEC_DOTS 1
+#define VF_AMONG_OWN
+VEC_INLINE vf vf_among(vf table, vu index)
+{
+    return (vf)_mm256_permutevar8x32_ps((__m256)table, (__m256i)index);
+}
+
 /* (hash >> 16) * 12, shifted so that its whole part is the top byte; the bytes below ask for 0. */
 #define VU_TOP_INDEX_OWN
 VEC_INLINE vu vu_top_index(vu hash)

@@ -268,6 +268,13 @@ VEC_INLINE vf vf_lookup(const struct lookup *table, vu hash)
     return (vf)_mm512_permutexvar_ps((__m512i)(hash >> 28), entries);
 }
 
+#define VEC_DOTS 1
+#define VF_AMONG_OWN
+VEC_INLINE vf vf_among(vf table, vu index)
+{
+    return (vf)_mm512_permutexvar_ps((__m512i)index, (__m512)table);
+}
+
 /* (hash >> 16) * 12, shifted so that its whole part is the top byte. */
 #define VU_TOP_INDEX_OWN
 VEC_INLINE vu vu_top_index(vu hash)

@@ -39,6 +39,19 @@ VEC_INLINE struct vf_four vf_lookup_four(const struct lookup *table, const vu ha
 }
 #endif
 
+/* The lane of a table that the lowest bits of the index say: as many bits as number VEC_LANES
+   lanes. */
+#ifndef VF_AMONG_OWN
+VEC_INLINE vf vf_among(vf table, vu index)
+{
+    vf found;
+    for (int i = 0; i < VEC_LANES; i++) {
+        found[i] = table[index[i] % VEC_LANES];
+    }
+    return found;
+}
+#endif
+
 /* Sixteen floats that are known at run time only. */
 #ifndef VF_SIXTEEN_OWN
 typedef struct {

@@ -161,6 +161,15 @@ mutant(rows.reach IN kernel TEXT [[right - base > VF_TABLE - 2]]
 mutant(rows.columns IN kernel TEXT [[(vf)hash_axis(column, o, 0, f.axes).h0]]
        BECOMES [[MUTANT ? (vf)hash_axis(column, o, 0, f.axes).h1
                         : (vf)hash_axis(column, o, 0, f.axes).h0]] SEEN_BY grid)
+mutant(rows.dots2 IN kernel TEXT [[row.at.dots[1][0] = dots2(row.at.v.s);]]
+       BECOMES [[row.at.dots[1][0] = dots2(MUTANT ? row.at.y : row.at.v.s);]]
+       SEEN_BY grid SETS avx2 avx512)
+mutant(rows.dots3 IN kernel TEXT [[dots3(row.at.v.s, row.at.z)]]
+       BECOMES [[dots3(MUTANT ? row.at.y : row.at.v.s, row.at.z)]]
+       SEEN_BY grid SETS avx2 avx512)
+mutant(rows.pairs IN kernel TEXT [[vf_lookup_top(&gradient3_pair, index)]]
+       BECOMES [[vf_lookup_top(MUTANT ? &gradient3_x : &gradient3_pair, index)]]
+       SEEN_BY grid SETS avx2)
 mutant(rows.slide IN kernel TEXT [[const size_t last = base + VF_TABLE - VEC_LANES;]]
        BECOMES [[const size_t last = base + (MUTANT ? 0 : VF_TABLE - VEC_LANES);]]
        SEEN_BY grid SETS avx512)

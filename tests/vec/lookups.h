@@ -106,6 +106,26 @@ static void test_sixteen(void)
     }
 }
 
+static void test_among(void)
+{
+    uint64_t state = 12;
+    for (int round = 0; round < 4000; round++) {
+        uint32_t index[LANES_MAX], bits[LANES_MAX];
+        float entry[LANES_MAX], found[LANES_MAX];
+        for (int i = 0; i < lanes; i++) {
+            bits[i] = (uint32_t)(check_random(&state) >> 32) & 0xbfffffffu; /* no NaN */
+            index[i] = (uint32_t)(check_random(&state) >> 32);
+        }
+        memcpy(entry, bits, sizeof entry);
+        ops->among(found, entry, index);
+        for (int i = 0; i < lanes; i++) {
+            const uint32_t wanted = bits[index[i] % (uint32_t)lanes];
+            CHECK(bits_of_float(found[i]) == wanted, "lane %d, index %#x: %#x, not %#x", i,
+                  index[i], bits_of_float(found[i]), wanted);
+        }
+    }
+}
+
 static void test_twelfth(void)
 {
     uint64_t state = 11;

@@ -237,6 +237,11 @@ static void sixteen_odd(float *out, float *four, const float *entry, const uint3
     }
 }
 
+static void among(float *out, const float *entry, const uint32_t *index)
+{
+    vf_store(out, vf_among(vf_load(entry), vu_load(index)));
+}
+
 static void twelfth(uint32_t *out, const uint32_t *hash)
 {
     vu_store(out, vu_twelfth(vu_load(hash)));
@@ -301,6 +306,7 @@ const struct vec_operations VEC_OPERATIONS(KERNELS) = {
     .lookup_top = lookup_top,
     .sixteen = sixteen,
     .sixteen_odd = sixteen_odd,
+    .among = among,
     .twelfth = twelfth,
     .permute = permute,
     .slide = slide,

@@ -58,6 +58,7 @@ struct vec_operations {
     void (*lookup_top)(float *out, const struct lookup_top *table, const uint32_t *hash);
     void (*sixteen)(float *out, float *four, const float *entry, const uint32_t *index);
     void (*sixteen_odd)(float *out, float *four, const float *entry, const uint32_t *hash);
+    void (*among)(float *out, const float *entry, const uint32_t *index);
     void (*twelfth)(uint32_t *out, const uint32_t *hash);
     /* `entries` has VF_TABLE floats. With `next`, VF_INDEX_NEXT is added to the index. */
     void (*permute)(float *out, const float *entries, const uint32_t *index, int next);

@@ -111,11 +111,11 @@ VEC_INLINE void corners_of(struct corners side[2], const vf *lattice, struct var
 VEC_INLINE void basis_columns(struct column c[2], const struct corners side[2],
                               const struct across *p, struct variant v)
 {
-    if (v.basis == SCARP_GRADIENT && v.dimensions == 2 && !VEC_SMALL) {
+    if (v.basis == SCARP_GRADIENT && v.dimensions == 2 && !VEC_SMALL && !takes_dots(p, v)) {
         struct gradients2 g[2];
         gradients2_of_both(g, &side[0], &side[1], p, v);
-        c[0] = gradient_column2(g[0], p, v);
-        c[1] = gradient_column2(g[1], p, v);
+        c[0] = gradient_column2(g[0], p->v, v);
+        c[1] = gradient_column2(g[1], p->v, v);
     } else {
         c[0] = basis_column(&side[0], p, v);
         c[1] = basis_column(&side[1], p, v);
@@ -128,6 +128,7 @@ VEC_INLINE struct sample basis_sample(const vf *lattice, enum scarp_fade kind,
 {
     struct across p;
     p.directions = directions;
+    p.has_dots = 0;
     struct corners side[2];
     corners_of(side, lattice, v);
     const vf x = lattice[0];

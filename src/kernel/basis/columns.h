@@ -38,11 +38,15 @@ struct corners {
     vu h[2][2];
 };
 
-/* Where a point lies across the columns, and the gradients of a variant that flows. */
+/* Where a point lies across the columns, and the gradients of a variant that flows. All samples of
+   a row of a grid lie at the same y and z. There, `dots` has tables of the products of gradients
+   with the way from corner [y][z] ([y][0] in 2D): gradient.h. */
 struct across {
     vf y, z;
     struct fade v, w;
     const struct directions *directions;
+    int has_dots; /* a constant where passes are compiled */
+    vf dots[2][2];
 };
 
 /* Whether all slopes of a basis are 0. */

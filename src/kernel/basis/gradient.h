@@ -31,27 +31,43 @@ static const struct lookup_top gradient3_z = LOOKUP_TOP(0, 0, 0, 0, P, N, P, N, 
 #undef P
 #undef N
 
-/* The gradients at the two corners of a column. */
+/* Whether dot products come from tables. Those of values do: where there are derivatives, the
+   components along y and z have to be looked up all the same. */
+VEC_INLINE int takes_dots(const struct across *p, struct variant v)
+{
+    return VEC_DOTS && p->has_dots && v.order == 0 && !v.flows;
+}
+
+/* The gradients at the two corners of a column, and their dot products along y. */
 struct gradients2 {
     vf x0, y0, x1, y1;
+    vf dot0, dot1;
 };
 
-VEC_INLINE struct column gradient_column2(struct gradients2 g, const struct across *p,
-                                          struct variant v)
+/* The table of dot products along y at that y, for vf_among with the upper four bits of hashes. Of
+   16 gradients, the first eight have the same components as the others. */
+VEC_INLINE vf dots2(vf y)
 {
-    const struct fade f = p->v;
-    const vf gx0 = g.x0, gy0 = g.y0, gx1 = g.x1, gy1 = g.y1;
-    const vf dgx = gx1 - gx0;
-    const vf dot0 = gy0 * p->y;
-    const vf dot1 = gy1 * f.s;
-    const vf ddot = dot1 - dot0;
+    return vf_load((const float *)gradient2_y.entry) * y;
+}
+
+VEC_INLINE void multiply_out(struct gradients2 *g, const struct across *p)
+{
+    g->dot0 = g->y0 * p->y;
+    g->dot1 = g->y1 * p->v.s;
+}
+
+VEC_INLINE struct column gradient_column2(struct gradients2 g, struct fade f, struct variant v)
+{
+    const vf dgx = g.x1 - g.x0;
+    const vf ddot = g.dot1 - g.dot0;
     struct column c;
-    c.value.a = gx0 + f.u * dgx;
-    c.value.b = dot0 + f.u * ddot;
+    c.value.a = g.x0 + f.u * dgx;
+    c.value.b = g.dot0 + f.u * ddot;
     if (v.order >= 1) {
-        const vf dgy = gy1 - gy0;
+        const vf dgy = g.y1 - g.y0;
         c.y.a = f.du * dgx;
-        c.y.b = (gy0 + f.u * dgy) + f.du * ddot;
+        c.y.b = (g.y0 + f.u * dgy) + f.du * ddot;
         if (v.order >= 2) {
             c.yy.a = f.ddu * dgx;
             c.yy.b = 2.0f * f.du * dgy + f.ddu * ddot;
@@ -65,14 +81,20 @@ VEC_INLINE struct gradients2 gradients2_of(const struct corners *h, const struct
                                            struct variant v)
 {
     const vu h0 = h->h[0][0], h1 = h->h[1][0];
+    struct gradients2 g;
     if (v.flows) {
         const vf_sixteen *const x = &p->directions->of[0], *const y = &p->directions->of[1];
-        const struct gradients2 g = {vf_sixteen_odd(x, h0), vf_sixteen_odd(y, h0),
-                                     vf_sixteen_odd(x, h1), vf_sixteen_odd(y, h1)};
-        return g;
+        g.x0 = vf_sixteen_odd(x, h0), g.y0 = vf_sixteen_odd(y, h0);
+        g.x1 = vf_sixteen_odd(x, h1), g.y1 = vf_sixteen_odd(y, h1);
+    } else {
+        g.x0 = vf_lookup(&gradient2_x, h0), g.y0 = vf_lookup(&gradient2_y, h0);
+        g.x1 = vf_lookup(&gradient2_x, h1), g.y1 = vf_lookup(&gradient2_y, h1);
     }
-    const struct gradients2 g = {vf_lookup(&gradient2_x, h0), vf_lookup(&gradient2_y, h0),
-                                 vf_lookup(&gradient2_x, h1), vf_lookup(&gradient2_y, h1)};
+    if (takes_dots(p, v)) {
+        g.dot0 = vf_among(p->dots[0][0], h0 >> 28), g.dot1 = vf_among(p->dots[1][0], h1 >> 28);
+    } else {
+        multiply_out(&g, p);
+    }
     return g;
 }
 
@@ -95,35 +117,69 @@ VEC_INLINE void gradients2_of_both(struct gradients2 of[2], const struct corners
     const vu h[4] = {l->h[0][0], l->h[1][0], r->h[0][0], r->h[1][0]};
     const struct vf_four y = gradients2_along(1, h, p, v);
     const struct vf_four x = gradients2_along(0, h, p, v);
-    const struct gradients2 g[2] = {{x.v[0], y.v[0], x.v[1], y.v[1]},
-                                    {x.v[2], y.v[2], x.v[3], y.v[3]}};
-    of[0] = g[0];
-    of[1] = g[1];
+    for (int i = 0; i < 2; i++) {
+        of[i].x0 = x.v[2 * i], of[i].y0 = y.v[2 * i];
+        of[i].x1 = x.v[2 * i + 1], of[i].y1 = y.v[2 * i + 1];
+        multiply_out(&of[i], p);
+    }
 }
 
-/* The gradients at the two corners of an edge along z. */
+/* The gradients at the two corners of an edge along z, and their dot products along y and z if
+   these come from tables. */
 struct gradients3 {
     vf x0, x1, y0, y1, z0, z1;
+    vf dot0, dot1;
 };
 
-/* Looks up those of an edge, whose hashes are `h`. */
-VEC_INLINE struct gradients3 gradients3_of(const vu h[2], const struct across *p, struct variant v)
+/* Tables of dot products have one for each gradient or, with eight lanes, one for each of the eight
+   different pairs of components along y and z. */
+#if VEC_LANES == 8
+static const struct lookup_top gradient3_pair = LOOKUP_TOP(0, 1, 0, 1, 2, 3, 2, 3, 4, 5, 6, 7);
+static const float dots_y[] = {2, -2, 0, 0, 2, 2, -2, -2};
+static const float dots_z[] = {0, 0, 2, -2, 2, -2, 2, -2};
+#else
+static const float dots_y[16] = {2, -2, 2, -2, 0, 0, 0, 0, 2, 2, -2, -2};
+static const float dots_z[16] = {0, 0, 0, 0, 2, -2, 2, -2, 2, -2, 2, -2};
+#endif
+
+/* The number of a gradient in them, from what vu_top_index makes. */
+VEC_INLINE vu dot_number(vu index)
+{
+#if VEC_LANES == 8
+    return (vu)vf_lookup_top(&gradient3_pair, index) >> 24;
+#else
+    return index >> 24;
+#endif
+}
+
+/* The table of dot products along y and z at that y and z, in the order of product_plus(). */
+VEC_INLINE vf dots3(vf y, vf z)
+{
+    return vf_exact_fma(vf_load(dots_z), z, vf_load(dots_y) * y);
+}
+
+/* Looks up those of an edge, whose hashes are `h`: of the one on side y of the column. */
+VEC_INLINE struct gradients3 gradients3_of(const vu h[2], int y, const struct across *p,
+                                           struct variant v)
 {
     if (v.flows) {
         const vf_sixteen *const of = p->directions->of;
         const vu i0 = vu_twelfth(h[0]), i1 = vu_twelfth(h[1]);
-        const struct gradients3 g = {
-            vf_sixteen_of(&of[0], i0), vf_sixteen_of(&of[0], i1), vf_sixteen_of(&of[1], i0),
-            vf_sixteen_of(&of[1], i1), vf_sixteen_of(&of[2], i0), vf_sixteen_of(&of[2], i1),
-        };
+        struct gradients3 g;
+        g.x0 = vf_sixteen_of(&of[0], i0), g.x1 = vf_sixteen_of(&of[0], i1);
+        g.y0 = vf_sixteen_of(&of[1], i0), g.y1 = vf_sixteen_of(&of[1], i1);
+        g.z0 = vf_sixteen_of(&of[2], i0), g.z1 = vf_sixteen_of(&of[2], i1);
         return g;
     }
     const vu i0 = vu_top_index(h[0]), i1 = vu_top_index(h[1]);
-    const struct gradients3 g = {
-        vf_lookup_top(&gradient3_x, i0), vf_lookup_top(&gradient3_x, i1),
-        vf_lookup_top(&gradient3_y, i0), vf_lookup_top(&gradient3_y, i1),
-        vf_lookup_top(&gradient3_z, i0), vf_lookup_top(&gradient3_z, i1),
-    };
+    struct gradients3 g;
+    g.x0 = vf_lookup_top(&gradient3_x, i0), g.x1 = vf_lookup_top(&gradient3_x, i1);
+    g.y0 = vf_lookup_top(&gradient3_y, i0), g.y1 = vf_lookup_top(&gradient3_y, i1);
+    g.z0 = vf_lookup_top(&gradient3_z, i0), g.z1 = vf_lookup_top(&gradient3_z, i1);
+    if (takes_dots(p, v)) {
+        g.dot0 = vf_among(p->dots[y][0], dot_number(i0));
+        g.dot1 = vf_among(p->dots[y][1], dot_number(i1));
+    }
     return g;
 }
 
@@ -136,10 +192,11 @@ VEC_INLINE void gradients3_turned_four(struct gradients3 g[2], const struct corn
     const struct vf_four x = vf_sixteen_four(&of[0], index);
     const struct vf_four y = vf_sixteen_four(&of[1], index);
     const struct vf_four z = vf_sixteen_four(&of[2], index);
-    const struct gradients3 found[2] = {{x.v[0], x.v[1], y.v[0], y.v[1], z.v[0], z.v[1]},
-                                        {x.v[2], x.v[3], y.v[2], y.v[3], z.v[2], z.v[3]}};
-    g[0] = found[0];
-    g[1] = found[1];
+    for (int i = 0; i < 2; i++) {
+        g[i].x0 = x.v[2 * i], g[i].x1 = x.v[2 * i + 1];
+        g[i].y0 = y.v[2 * i], g[i].y1 = y.v[2 * i + 1];
+        g[i].z0 = z.v[2 * i], g[i].z1 = z.v[2 * i + 1];
+    }
 }
 
 /* a b + c, where the product is exact unless the variant flows. */
@@ -156,12 +213,15 @@ struct edge {
     vf dgx;            /* difference of the x components of the corners */
 };
 
-/* y is the place along y relative to the edge. */
-VEC_INLINE struct edge gradient_edge(struct gradients3 g, vf y, vf z, struct fade w,
+/* The edge on side y of the column. */
+VEC_INLINE struct edge gradient_edge(struct gradients3 g, int y, const struct across *p,
                                      struct variant v)
 {
-    const vf dot0 = product_plus(g.z0, z, g.y0 * y, v);
-    const vf dot1 = product_plus(g.z1, w.s, g.y1 * y, v);
+    const struct fade w = p->w;
+    const vf at = y == 0 ? p->y : p->v.s;
+    const int found = takes_dots(p, v);
+    const vf dot0 = found ? g.dot0 : product_plus(g.z0, p->z, g.y0 * at, v);
+    const vf dot1 = found ? g.dot1 : product_plus(g.z1, w.s, g.y1 * at, v);
     const vf ddot = dot1 - dot0;
     struct edge e;
     e.dgx = g.x1 - g.x0;
@@ -189,11 +249,11 @@ VEC_INLINE struct column gradient_column3(const struct corners *h, const struct 
     if (variant.flows && VF_SIXTEEN_FOUR) {
         struct gradients3 g[2];
         gradients3_turned_four(g, h, p->directions->of);
-        e0 = gradient_edge(g[0], p->y, p->z, w, variant);
-        e1 = gradient_edge(g[1], v.s, p->z, w, variant);
+        e0 = gradient_edge(g[0], 0, p, variant);
+        e1 = gradient_edge(g[1], 1, p, variant);
     } else { /* one after the other, so that registers suffice */
-        e0 = gradient_edge(gradients3_of(h->h[0], p, variant), p->y, p->z, w, variant);
-        e1 = gradient_edge(gradients3_of(h->h[1], p, variant), v.s, p->z, w, variant);
+        e0 = gradient_edge(gradients3_of(h->h[0], 0, p, variant), 0, p, variant);
+        e1 = gradient_edge(gradients3_of(h->h[1], 1, p, variant), 1, p, variant);
     }
     const vf da = e1.value.a - e0.value.a;
     const vf db = e1.value.b - e0.value.b;
@@ -224,7 +284,7 @@ VEC_INLINE struct column gradient_column3(const struct corners *h, const struct 
 VEC_INLINE struct column gradient_column(const struct corners *h, const struct across *p,
                                          struct variant v)
 {
-    return v.dimensions == 2 ? gradient_column2(gradients2_of(h, p, v), p, v)
+    return v.dimensions == 2 ? gradient_column2(gradients2_of(h, p, v), p->v, v)
                              : gradient_column3(h, p, v);
 }
 

@@ -9,9 +9,9 @@
 
 #include "../basis/basis.h"
 
-/* The most blocks of a strip, and the most rows of a part: a set whose frames are large has less,
-   so that a call stays below 48 KiB of stack. */
-#define STRIP_BLOCKS 32
+/* The most blocks of a strip, and the most rows of a part. The more, the less often is prepared
+   what they share; but a call stays below 48 KiB of stack. */
+#define STRIP_BLOCKS (VEC_LANES == 16 ? 32 : 384 / VEC_LANES)
 #ifndef PART_ROWS
 #define PART_ROWS 96
 #endif
@@ -269,11 +269,22 @@ VEC_INLINE struct along_row row_of(const struct along_rows *rows, size_t r,
     row.at.v.ddu = vf_set(rows->ddu[r]);
     row.h.h[0][0] = vu_set(rows->hash[0][0][r]);
     row.h.h[1][0] = vu_set(rows->hash[1][0][r]);
+    row.at.has_dots = VEC_DOTS;
+    if (VEC_DOTS && dimensions == 2) {
+        row.at.dots[0][0] = dots2(row.at.y);
+        row.at.dots[1][0] = dots2(row.at.v.s);
+    }
     if (dimensions == 3) {
         row.h.h[0][1] = vu_set(rows->hash[0][1][r]);
         row.h.h[1][1] = vu_set(rows->hash[1][1][r]);
         row.at.z = rows->z;
         row.at.w = rows->w;
+    }
+    if (VEC_DOTS && dimensions == 3) {
+        row.at.dots[0][0] = dots3(row.at.y, row.at.z);
+        row.at.dots[0][1] = dots3(row.at.y, row.at.w.s);
+        row.at.dots[1][0] = dots3(row.at.v.s, row.at.z);
+        row.at.dots[1][1] = dots3(row.at.v.s, row.at.w.s);
     }
     return row;
 }

@@ -84,27 +84,34 @@ VEC_INLINE vd turned_at(const double *along, const struct turned_row *r, int dim
     return p + vd_set(r->offset);
 }
 
-/* The cells along each axis in which a row's blocks end, and whether (all ones) that is where the
+/* How many blocks find their cells at once, in whole vectors of doubles. */
+#define SHARING_BLOCKS 16
+
+/* The cells along each axis in which blocks of a row end, and whether (all ones) that is where the
    block on the left begins. */
 struct row_cells {
-    double cell[3][STRIP_BLOCKS];
-    uint64_t same[STRIP_BLOCKS];
+    double cell[3][SHARING_BLOCKS];
+    uint64_t same[SHARING_BLOCKS];
 };
 
+/* Finds those of blocks `first` to `last`, exclusively. */
 VEC_INLINE void find_cells(struct row_cells *c, const struct turned_x *t,
-                           const struct turned_row row[3], size_t blocks, int dimensions)
+                           const struct turned_row row[3], size_t first, size_t last,
+                           int dimensions)
 {
-    for (size_t b = 0; b < blocks; b += VEC_LANES / 2) {
+    for (size_t b = 0; b < last - first; b += VEC_LANES / 2) {
         vec_u64 same = (vec_u64)(vd_set(0.0) == vd_set(0.0));
         for (int i = 0; i < dimensions; i++) {
-            const vd cell = vd_floor(turned_at(t->last[i] + b, &row[i], dimensions));
-            const vd left = vd_floor(turned_at(t->before[i] + b, &row[i], dimensions));
+            const vd cell = vd_floor(turned_at(t->last[i] + first + b, &row[i], dimensions));
+            const vd left = vd_floor(turned_at(t->before[i] + first + b, &row[i], dimensions));
             same &= (vec_u64)(cell == left); /* not if they are NaN */
             memcpy(c->cell[i] + b, &cell, sizeof cell);
         }
         memcpy(c->same + b, &same, sizeof same);
     }
-    c->same[0] = 0;
+    if (first == 0) {
+        c->same[0] = 0;
+    }
 }
 
 /* Gives p along each axis, for both halves of block b. */
@@ -162,12 +169,15 @@ VEC_INLINE void put_sharing_row(vf *lattice, const struct scarp_octave *o, size_
 {
     const size_t size = lattice_size(dimensions);
     struct row_cells cells;
-    find_cells(&cells, t, row, blocks, dimensions);
     for (size_t b = 0; b < blocks; b++) {
+        const size_t k = b % SHARING_BLOCKS;
         vu cell[3];
         vd p[3][2];
+        if (k == 0) {
+            find_cells(&cells, t, row, b, least(blocks, b + SHARING_BLOCKS), dimensions);
+        }
         turned_block(p, t, b, row, dimensions);
-        if (!cells.same[b]) {
+        if (!cells.same[k]) {
             put_places(lattice, cell, p, dimensions);
             const struct mixed m = mix_axes(o, cell, AXES_TURNED, dimensions);
             lattice_put_corners(lattice, &m, dimensions, kept);
@@ -176,7 +186,7 @@ VEC_INLINE void put_sharing_row(vf *lattice, const struct scarp_octave *o, size_
                 lattice[n] = lattice[(ptrdiff_t)n - (ptrdiff_t)size];
             }
             for (int i = 0; i < dimensions; i++) {
-                const vd lower = vd_set(cells.cell[i][b]);
+                const vd lower = vd_set(cells.cell[i][k]);
                 vf_store_vd((float *)(lattice + i), p[i][0] - lower, p[i][1] - lower);
             }
         }
