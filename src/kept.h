@@ -35,32 +35,13 @@ static inline int repeats(const struct scarp_noise *noise, int dimensions)
     return (noise->period[0] | noise->period[1] | (dimensions == 3 ? noise->period[2] : 0)) != 0;
 }
 
-static inline int is_power_of_two(uint32_t a)
-{
-    return (a & (a - 1)) == 0;
-}
-
-/* A lacunarity that goes with periods is an integer. */
-static inline enum scarp_repeat repeat_of(const struct scarp_noise *noise, int octaves,
-                                          int dimensions)
-{
-    if (!repeats(noise, dimensions)) {
-        return SCARP_REPEAT_NEVER;
-    }
-    const float lacunarity = noise->lacunarity == 0.0f || octaves == 1 ? 2.0f : noise->lacunarity;
-    int powers = is_power_of_two((uint32_t)lacunarity);
-    for (int i = 0; i < dimensions; i++) {
-        powers = powers && is_power_of_two(noise->period[i]);
-    }
-    return powers ? SCARP_REPEAT_POWERS : SCARP_REPEAT_ANY;
-}
-
-/* What is in a struct scarp_plan. All else that a kernel needs comes from the noise of the call, so
-   that no plan makes a kernel leave its arrays. */
+/* What is in a struct scarp_plan. */
 struct kept {
     uint64_t mark; /* the version, and for how many dimensions it is */
     struct scarp_noise noise;
     struct scarp_octave octave[SCARP_MAX_OCTAVES];
+    struct scarp_call_plan values; /* of a call that asks for values. It does not point at the
+                                      octaves: plans are copied. */
 };
 
 _Static_assert(sizeof(struct kept) <= sizeof(struct scarp_plan) &&
@@ -121,28 +102,6 @@ static inline float sharpness_of(const struct scarp_noise *noise)
     return noise->sharpness == 0.0f ? standard : noise->sharpness;
 }
 
-/* Fills in what the noise says without its octaves. */
-static inline void plan_describe(struct scarp_call_plan *plan, const struct scarp_noise *noise,
-                                 struct scarp_kind kind)
-{
-    plan->basis = noise->basis;
-    plan->fade = noise->fade;
-    plan->fractal = noise->fractal;
-    plan->erosion = noise->erosion == 0.0f ? 1.0f : noise->erosion;
-    plan->sharpness = noise->fractal > SCARP_EROSION ? sharpness_of(noise) : 0.0f;
-    plan->order = kind.order;
-    plan->octaves = octaves_in(noise);
-    plan->first = 0;
-    plan->rotate = is_rotated(noise, plan->octaves);
-    plan->repeat = repeat_of(noise, plan->octaves, kind.dimensions);
-    plan->dphase = kind.dphase;
-    plan->flows = kind.dphase || noise->phase != 0.0f;
-    plan->warps.depth = 0;
-    plan->warps.vector = 0;
-    plan->plain = plan->repeat == SCARP_REPEAT_NEVER && !plan->flows &&
-                  blends_corners(noise->basis) && !fractal_bends(noise->fractal);
-}
-
 /* Whether the noise, without its warp, has what is asked for. */
 static inline int has_outputs(const struct scarp_noise *noise, struct scarp_kind kind)
 {
@@ -163,8 +122,13 @@ static inline int plan_kept(struct scarp_call_plan *plan, const struct scarp_noi
         !same_noise(noise, &kept->noise) || !has_outputs(noise, kind)) {
         return 0;
     }
-    plan_describe(plan, noise, kind);
+    *plan = kept->values;
     plan->octave = kept->octave;
+    plan->order = kind.order;
+    if (kind.dphase) {
+        plan->dphase = plan->flows = 1;
+        plan->plain = 0;
+    }
     return 1;
 }
 

@@ -11,6 +11,47 @@
 #include "octaves.h"
 #include "phase.h"
 
+static int is_power_of_two(uint32_t a)
+{
+    return (a & (a - 1)) == 0;
+}
+
+/* A lacunarity that goes with periods is an integer. */
+static enum scarp_repeat repeat_of(const struct scarp_noise *noise, int octaves, int dimensions)
+{
+    if (!repeats(noise, dimensions)) {
+        return SCARP_REPEAT_NEVER;
+    }
+    const float lacunarity = noise->lacunarity == 0.0f || octaves == 1 ? 2.0f : noise->lacunarity;
+    int powers = is_power_of_two((uint32_t)lacunarity);
+    for (int i = 0; i < dimensions; i++) {
+        powers = powers && is_power_of_two(noise->period[i]);
+    }
+    return powers ? SCARP_REPEAT_POWERS : SCARP_REPEAT_ANY;
+}
+
+/* Fills in what the noise says without its octaves. */
+static void plan_describe(struct scarp_call_plan *plan, const struct scarp_noise *noise,
+                          struct scarp_kind kind)
+{
+    plan->basis = noise->basis;
+    plan->fade = noise->fade;
+    plan->fractal = noise->fractal;
+    plan->erosion = noise->erosion == 0.0f ? 1.0f : noise->erosion;
+    plan->sharpness = noise->fractal > SCARP_EROSION ? sharpness_of(noise) : 0.0f;
+    plan->order = kind.order;
+    plan->octaves = octaves_in(noise);
+    plan->first = 0;
+    plan->rotate = is_rotated(noise, plan->octaves);
+    plan->repeat = repeat_of(noise, plan->octaves, kind.dimensions);
+    plan->dphase = kind.dphase;
+    plan->flows = kind.dphase || noise->phase != 0.0f;
+    plan->warps.depth = 0;
+    plan->warps.vector = 0;
+    plan->plain = plan->repeat == SCARP_REPEAT_NEVER && !plan->flows &&
+                  blends_corners(noise->basis) && !fractal_bends(noise->fractal);
+}
+
 /* Checks the noise and computes its octaves, but for the phase. It is out of line for the sake of
    calls that keep theirs. */
 static __attribute__((noinline)) enum scarp_status
@@ -33,6 +74,9 @@ enum scarp_status scarp_plan_keep(struct scarp_plan *plan, const struct scarp_no
         if (noise->warp == NULL && blends_corners(noise->basis)) {
             scarp_phase_set(kept->octave, octaves_in(noise), noise->phase);
         }
+        const struct scarp_kind values = {.dimensions = dimensions};
+        memset(&kept->values, 0, sizeof kept->values);
+        plan_describe(&kept->values, noise, values);
         kept->mark = noise->warp == NULL ? mark_of(dimensions) : 0;
         memcpy(&kept->noise, noise, sizeof *noise);
     }

@@ -58,11 +58,12 @@ static struct scarp_plan plan_of(const struct scarp_noise *noise, int dimensions
     return plan;
 }
 
-/* Changes every constant in the plan: what follows the noise that it was made of. */
+/* Changes constants of octave 0 and 1: what follows the noise that the plan was made of. */
 static void plan_spoil(struct scarp_plan *plan)
 {
     unsigned char *const bytes = (unsigned char *)plan;
-    for (size_t i = 8 + sizeof(struct scarp_noise); i < sizeof *plan; i++) {
+    const size_t noise_end = 8 + sizeof(struct scarp_noise);
+    for (size_t i = noise_end; i < noise_end + 400; i++) {
         bytes[i] ^= 0x10;
     }
 }
