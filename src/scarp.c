@@ -62,11 +62,12 @@ static const struct scarp_outputs *outputs_of(const struct scarp_samples *out)
 /* A member of struct scarp_samples, as a number. */
 typedef uintptr_t __attribute__((may_alias)) array_word;
 
-/* Whether members of `out` from one to before another are asked for. (Copies of them would be
-   written in narrow stores and read in wide ones, which takes 20 ns.) */
+/* Whether members of `out` from one to before another are asked for. They are volatile, so that
+   they are read one by one: what a caller has just written in narrower stores, or in wide ones that
+   begin elsewhere, takes 15 cycles longer to read. */
 static int any_asked(const struct scarp_samples *out, int from, int end)
 {
-    const array_word *const members = (const array_word *)out;
+    const volatile array_word *const members = (const volatile array_word *)out;
     uintptr_t bits = 0;
     for (int i = from; i < end; i++) {
         bits |= members[i];
