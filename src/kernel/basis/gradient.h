@@ -51,6 +51,7 @@ VEC_INLINE vf dots2(vf y)
     return vf_load((const float *)gradient2_y.entry) * y;
 }
 
+/* Makes the dot products where they do not come from tables. */
 VEC_INLINE void multiply_out(struct gradients2 *g, const struct across *p)
 {
     g->dot0 = g->y0 * p->y;
