@@ -863,7 +863,7 @@ SCARP_API enum scarp_status scarp_noise_check(const struct scarp_noise *noise, i
  * its own, byte for byte but for `plan`. Where that, the dimensions or the version of the library
  * differ, the call does without it. So a plan may stay where it is while the noise is changed, and
  * the bytes of *plan may be any before they are first made (zeros, or what was in memory): any, but
- * those of a good plan that was changed in part.
+ * those of a good plan that was changed in part, with which the behaviour is undefined.
  *
  * No other thread may use *plan while it is made. On an error it is left as it was. Returns
  * SCARP_ERROR_NULL if `noise` or `plan` is NULL; otherwise as scarp_noise_check.
