@@ -92,8 +92,8 @@ mutant(flow.hybrid IN kernel TEXT [[hybrid_first(weight, r, moving[0], turning[0
 mutant(flow.erosion IN kernel TEXT [[vf_set(2.0f * erosion) * noise]]
        BECOMES [[vf_set((MUTANT ? 1.0f : 2.0f) * erosion) * noise]] SEEN_BY bits)
 # vf_exact_fma where the product is rounded: the sets that fuse it must show that.
-mutant(basis.inexact_2d IN kernel TEXT [[c.value.b = dot0 + f.u * ddot;]]
-       BECOMES [[c.value.b = MUTANT ? vf_exact_fma(f.u, ddot, dot0) : dot0 + f.u * ddot;]]
+mutant(basis.inexact_2d IN kernel TEXT [[c.value.b = g.dot0 + f.u * ddot;]]
+       BECOMES [[c.value.b = MUTANT ? vf_exact_fma(f.u, ddot, g.dot0) : g.dot0 + f.u * ddot;]]
        SEEN_BY bits SETS avx2 avx512 neon)
 mutant(basis.inexact_six IN kernel TEXT [[e0.dgx + v.u * ddgx;]]
        BECOMES [[MUTANT ? vf_exact_fma(v.u, ddgx, e0.dgx) : e0.dgx + v.u * ddgx;]]
