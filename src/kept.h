@@ -110,6 +110,15 @@ static inline int has_outputs(const struct scarp_noise *noise, struct scarp_kind
            (!kind.dphase || (noise->basis == SCARP_GRADIENT && !bends));
 }
 
+/* Makes the plan of a call that asks for values into one for what is asked for. */
+static inline void plan_ask(struct scarp_call_plan *plan, struct scarp_kind kind)
+{
+    plan->order = kind.order;
+    plan->dphase = kind.dphase;
+    plan->flows |= kind.dphase;
+    plan->plain &= !kind.dphase;
+}
+
 /* Makes the plan of a call of the plan that the noise brings. Returns 0 if that does not fit, or if
    the noise does not have what is asked for. No plan fits a noise with a warp, which may have
    changed. */
@@ -124,11 +133,7 @@ static inline int plan_kept(struct scarp_call_plan *plan, const struct scarp_noi
     }
     *plan = kept->values;
     plan->octave = kept->octave;
-    plan->order = kind.order;
-    if (kind.dphase) {
-        plan->dphase = plan->flows = 1;
-        plan->plain = 0;
-    }
+    plan_ask(plan, kind);
     return 1;
 }
 

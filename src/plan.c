@@ -30,24 +30,20 @@ static enum scarp_repeat repeat_of(const struct scarp_noise *noise, int octaves,
     return powers ? SCARP_REPEAT_POWERS : SCARP_REPEAT_ANY;
 }
 
-/* Fills in what the noise says without its octaves. */
+/* Fills in what the noise says without its octaves, for a call that asks for values. */
 static void plan_describe(struct scarp_call_plan *plan, const struct scarp_noise *noise,
-                          struct scarp_kind kind)
+                          int dimensions)
 {
+    memset(plan, 0, sizeof *plan);
     plan->basis = noise->basis;
     plan->fade = noise->fade;
     plan->fractal = noise->fractal;
     plan->erosion = noise->erosion == 0.0f ? 1.0f : noise->erosion;
     plan->sharpness = noise->fractal > SCARP_EROSION ? sharpness_of(noise) : 0.0f;
-    plan->order = kind.order;
     plan->octaves = octaves_in(noise);
-    plan->first = 0;
     plan->rotate = is_rotated(noise, plan->octaves);
-    plan->repeat = repeat_of(noise, plan->octaves, kind.dimensions);
-    plan->dphase = kind.dphase;
-    plan->flows = kind.dphase || noise->phase != 0.0f;
-    plan->warps.depth = 0;
-    plan->warps.vector = 0;
+    plan->repeat = repeat_of(noise, plan->octaves, dimensions);
+    plan->flows = noise->phase != 0.0f;
     plan->plain = plan->repeat == SCARP_REPEAT_NEVER && !plan->flows &&
                   blends_corners(noise->basis) && !fractal_bends(noise->fractal);
 }
@@ -74,9 +70,7 @@ enum scarp_status scarp_plan_keep(struct scarp_plan *plan, const struct scarp_no
         if (noise->warp == NULL && blends_corners(noise->basis)) {
             scarp_phase_set(kept->octave, octaves_in(noise), noise->phase);
         }
-        const struct scarp_kind values = {.dimensions = dimensions};
-        memset(&kept->values, 0, sizeof kept->values);
-        plan_describe(&kept->values, noise, values);
+        plan_describe(&kept->values, noise, dimensions);
         kept->mark = noise->warp == NULL ? mark_of(dimensions) : 0;
         memcpy(&kept->noise, noise, sizeof *noise);
     }
@@ -140,7 +134,8 @@ void scarp_plan_level(struct scarp_call_plan *plan, const struct scarp_warps *wa
                    component);
     }
     kind.dphase = level == 0 ? kind.dphase : 0;
-    plan_describe(plan, noise, kind);
+    plan_describe(plan, noise, kind.dimensions);
+    plan_ask(plan, kind);
     plan->octave = octave;
 }
 
@@ -158,7 +153,8 @@ static enum scarp_status plan_levels(struct scarp_call_plan *plan, struct scarp_
         }
         depth++;
     }
-    plan_describe(plan, noise, kind);
+    plan_describe(plan, noise, kind.dimensions);
+    plan_ask(plan, kind);
     plan->plain = 0;
     plan->octave = NULL;
     plan->warps =
@@ -183,7 +179,8 @@ enum scarp_status scarp_plan_call(struct scarp_call_plan *plan, struct scarp_oct
     if (noise->warp != NULL) {
         return plan_levels(plan, space, noise, kind, 0);
     }
-    plan_describe(plan, noise, kind);
+    plan_describe(plan, noise, kind.dimensions);
+    plan_ask(plan, kind);
     if (plan->flows) {
         scarp_phase_set(space, plan->octaves, noise->phase);
     }

@@ -63,8 +63,8 @@ static const struct scarp_outputs *outputs_of(const struct scarp_samples *out)
 typedef uintptr_t __attribute__((may_alias)) array_word;
 
 /* Whether members of `out` from one to before another are asked for. They are volatile, so that
-   they are read one by one: what a caller has just written in narrower stores, or in wide ones that
-   begin elsewhere, takes 15 cycles longer to read. */
+   they are read one by one: to read in wide loads what a caller has just written in other pieces
+   takes a call of one point 8 cycles longer (Zen 5). */
 static int any_asked(const struct scarp_samples *out, int from, int end)
 {
     const volatile array_word *const members = (const volatile array_word *)out;

@@ -115,7 +115,7 @@ VEC_INLINE struct axis axis_of(const vf *lattice, int i, int dimensions)
 
 /* Puts what is kept of the corners of a block of cells after the places inside. (corners_of() makes
    the same hashes for the pass of a basis. If both shared a function with loops, gradient noise in
-   2D would take 17 % longer with AVX2 and gcc 12.) */
+   2D would lose 17 % of its speed with AVX2 and gcc 12.) */
 VEC_INLINE void lattice_put_corners(vf *lattice, const struct mixed *m, int dimensions,
                                     enum corners_kept kept)
 {

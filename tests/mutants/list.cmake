@@ -282,6 +282,9 @@ mutant(plan.stale_spare IN kept.h TEXT [[differences(a, b, plan + sizeof(uintptr
        SEEN_BY plan SETS scalar)
 mutant(plan.dimensions IN kept.h TEXT [[kept->mark != mark_of(kind.dimensions)]]
        BECOMES [[(kept->mark ^ mark_of(kind.dimensions)) > (uint64_t)MUTANT]] SEEN_BY plan SETS scalar)
+mutant(plan.kept_dphase IN kept.h TEXT [[plan_ask(plan, kind);]]
+       BECOMES [[plan_ask(plan, MUTANT ? (struct scarp_kind){kind.dimensions, kind.order, 0} : kind);]]
+       SEEN_BY plan SETS scalar avx2)
 
 # warps
 mutant(warp.diagonal IN kernel TEXT [[w->y[i].array[DX + i][at] += 1.0f;]]

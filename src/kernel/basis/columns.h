@@ -45,7 +45,7 @@ struct across {
     vf y, z;
     struct fade v, w;
     const struct directions *directions;
-    int has_dots; /* a constant where passes are compiled */
+    int has_dots; /* a constant in each pass */
     vf dots[2][2];
 };
 
