@@ -394,9 +394,9 @@ static void add_by_groups(const struct call *call, struct part *part, int k)
         part->state = state + r * state_of_row;
         part->moving = moving + r * moving_of_row;
         add_octave(call, part, k, part->to);
-        outputs_move(part->to, call->plan->order, here);
+        outputs_move(part->to, call->plan->order, (ptrdiff_t)here);
     }
-    outputs_move(part->to, call->plan->order, 0 - rows);
+    outputs_move(part->to, call->plan->order, -(ptrdiff_t)rows);
     part->placed.extent.rows = rows;
     part->y = y;
     part->state = state;

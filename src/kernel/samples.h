@@ -103,13 +103,14 @@ VEC_INLINE void outputs_next_row(struct outputs *outputs, struct variant v)
 #undef DO
 }
 
-/* Moves on by that many rows; back, if these are a number modulo 2^n. */
-static __attribute__((noinline)) void outputs_move(struct outputs *outputs, int order, size_t rows)
+/* Moves on by that many rows; back, if they are negative. */
+static __attribute__((noinline)) void outputs_move(struct outputs *outputs, int order,
+                                                   ptrdiff_t rows)
 {
     for (int i = 0; i < OUTPUTS_UP_TO(order); i++) {
-        outputs->array[i] += rows * outputs->row[i];
+        outputs->array[i] += rows * (ptrdiff_t)outputs->row[i];
     }
-    outputs->array[DPHASE] += rows * outputs->row[DPHASE];
+    outputs->array[DPHASE] += rows * (ptrdiff_t)outputs->row[DPHASE];
 }
 
 /* Describes samples of `size` vectors that are stored one after the other, `blocks` to a row.
