@@ -105,6 +105,7 @@ static inline struct inputs cases_inputs(const struct cases_points *points, size
 /* One case: the noise, the function, and the outputs that it is asked for. */
 struct cases_call {
     char name[80];
+    char group[80]; /* the same without order and precision: what golden.txt has a line for */
     struct scarp_noise noise;
     enum function function;
     unsigned wanted; /* outputs, by bits */
@@ -286,9 +287,13 @@ static inline int cases_make_call(struct cases_call *call, enum cases_class clas
         (call->wanted & ~outputs_of(noise, call->function)) != 0) {
         return 0;
     }
-    snprintf(call->name, sizeof call->name, "%dd/%s/%s/o%d/%s/%s%s/%s", dimensions,
-             basis_name((int)noise->basis), fade_name((int)noise->fade), order,
-             function_doubles(call->function) ? "f64" : "f32", fractal_name((int)noise->fractal),
+    const char *const basis = basis_name((int)noise->basis);
+    const char *const fade = fade_name((int)noise->fade);
+    const char *const fractal = fractal_name((int)noise->fractal);
+    snprintf(call->name, sizeof call->name, "%dd/%s/%s/o%d/%s/%s%s/%s", dimensions, basis, fade,
+             order, function_doubles(call->function) ? "f64" : "f32", fractal,
+             setting_names[setting], class_names[class]);
+    snprintf(call->group, sizeof call->group, "%dd/%s/%s/%s%s/%s", dimensions, basis, fade, fractal,
              setting_names[setting], class_names[class]);
     noise->seed = fnv_text(call->name);
     cases_set(noise, (enum cases_octaves)setting);
