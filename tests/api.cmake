@@ -4,13 +4,9 @@
 scarp_test_program(test_api)
 scarp_add_isa_tests(api api test_api)
 
-set(special_stride 1)
-if(speed STREQUAL "emulated")
-  set(special_stride 11) # emulators are two orders of magnitude slower
-endif()
 scarp_test_program(test_special SOURCES ${oracle_sources})
-foreach(isa IN LISTS isas)
-  scarp_add_test(special.${isa} api test_special ${isa} ${special_stride})
+foreach(isa IN LISTS isas) # sizes are strides here
+  scarp_add_sized_test(special.${isa} api SIZES 1 3 1 11 COMMAND test_special ${isa} {})
 endforeach()
 
 scarp_test_program(test_fpmode)

@@ -1,13 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Every kernel gives the bits of the scalar reference.
 
-set(bits_points_emulated 259)
-set(bits_points_slow 1003)
-set(bits_points_full 12007)
-if(SCARP_TEST_THOROUGHLY)
-  set(bits_points_full 40003)
-endif()
-set(bits_points ${bits_points_${speed}})
 # Slow builds try some lengths of short calls, since full ones try all; NEON has no full one.
 set(bits_step_emulated 5)
 set(bits_step_slow 7)
@@ -20,6 +13,11 @@ foreach(isa IN LISTS isas)
     if(isa STREQUAL neon)
       set(step 1)
     endif()
-    scarp_add_test(bits.${isa} bits test_bits ${isa} ${bits_points} ${step})
+    set(full 12007)
+    if(isa MATCHES "avx") # what most processors take
+      set(full 40003)
+    endif()
+    scarp_add_sized_test(bits.${isa} bits SIZES ${full} 3001 1003 259
+                         COMMAND test_bits ${isa} {} ${step})
   endif()
 endforeach()

@@ -9,8 +9,10 @@ block()
   function(scarp_add_cli_test file class name)
     scarp_add_test(cli.${name} cli NEEDS scarp python3 ${ARGN} COMMAND ${Python3_EXECUTABLE}
                    ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/cli/test_${file}.py ${class} ${program})
-    set_tests_properties(cli.${name} PROPERTIES ENVIRONMENT
-                         "SCARP_SPEED=${speed};PYTHONDONTWRITEBYTECODE=1")
+    if(TEST cli.${name})
+      set_tests_properties(cli.${name} PROPERTIES ENVIRONMENT
+                           "SCARP_SPEED=${speed};PYTHONDONTWRITEBYTECODE=1")
+    endif()
   endfunction()
 
   # What these look at is not there on Windows: signals and limits of POSIX, symbolic links,
@@ -40,7 +42,11 @@ block()
     scarp_add_test(cli.paths cli COMMAND test_windows_paths)
   endif()
   # ThreadSanitizer runs the tests with this label.
-  set_tests_properties(cli.threads cli.interrupt PROPERTIES LABELS "cli;threads")
+  foreach(name cli.threads cli.interrupt)
+    if(TEST ${name})
+      set_property(TEST ${name} APPEND PROPERTY LABELS threads)
+    endif()
+  endforeach()
   foreach(isa IN LISTS isas)
     scarp_add_cli_test(same isa=${isa} isa.${isa})
   endforeach()

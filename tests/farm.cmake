@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Runs the recipes for farms of src/cli/README.md as they stand there, with processes that are
-# killed: one test per file farm/test_*.py. `SCARP_TEST_FARM=1 ctest -L farm` also runs those that
-# start daemons, and fails where a tool is missing.
+# killed: one test per file farm/test_*.py. SCARP_TEST_FARM=1 in the environment also runs
+# those that start daemons, and fails where a tool is missing.
 
 if(CMAKE_SYSTEM_NAME STREQUAL "Linux")
   add_library(without_locks MODULE farm/without_locks.c)

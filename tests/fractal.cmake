@@ -3,30 +3,20 @@
 # octaves, and checks their ranges. test_bits holds every instruction set to the same bits, so one
 # will do. Emulated processors are about 100 times slower.
 
-set(fractal_points_full 9000) # 12 cases each: more than 10^5 points
-set(fractal_points_slow 2000)
-set(fractal_points_emulated 1000)
-set(fractal_points ${fractal_points_${speed}})
-
+# 12 cases each in full: more than 10^5 points
 scarp_test_program(test_fractal SOURCES ${oracle_sources})
-scarp_add_test(fractal.accuracy fractal test_fractal ${fractal_points})
-
-set(fractal_exact_full 26000) # 4 cases each: more than 10^5 points
-set(fractal_exact_slow 4000)
-set(fractal_exact_emulated 1000)
+scarp_add_sized_test(fractal.accuracy fractal SIZES 9000 3000 2000 1000 COMMAND test_fractal {})
+# 4 cases
 scarp_test_program(test_fractal_exact SOURCES ${oracle_sources})
-scarp_add_test(fractal.exact fractal test_fractal_exact ${fractal_exact_${speed}})
+scarp_add_sized_test(fractal.exact fractal SIZES 26000 7000 4000 1000 COMMAND test_fractal_exact {})
 
-set(fractal_blocks_full 10000)
-set(fractal_blocks_slow 2000)
-set(fractal_blocks_emulated 1000)
 scarp_test_program(test_fractal_rebuild)
-scarp_add_test(fractal.rebuild fractal test_fractal_rebuild ${fractal_blocks_${speed}})
+scarp_add_sized_test(fractal.rebuild fractal SIZES 10000 3000 2000 1000
+                     COMMAND test_fractal_rebuild {})
 scarp_test_program(test_fractal_published SOURCES ${oracle_sources})
-scarp_add_test(fractal.published fractal test_fractal_published ${fractal_blocks_${speed}})
+scarp_add_sized_test(fractal.published fractal SIZES 10000 5000 2000 1000
+                     COMMAND test_fractal_published {})
 
-set(fractal_range_full 100000)
-set(fractal_range_slow 100000)
-set(fractal_range_emulated 10000)
 scarp_test_program(test_fractal_range)
-scarp_add_test(fractal.range fractal test_fractal_range ${fractal_range_${speed}})
+scarp_add_sized_test(fractal.range fractal SIZES 100000 100000 100000 10000
+                     COMMAND test_fractal_range {})

@@ -3,9 +3,6 @@
 # with the project, since the installed files must compile.
 
 set(gpu_points 4099)
-if(SCARP_TEST_THOROUGHLY)
-  set(gpu_points 40003)
-endif()
 set(gpu_dir ${CMAKE_CURRENT_SOURCE_DIR}/gpu)
 set(gpu_shaders ${CMAKE_CURRENT_BINARY_DIR}/gpu)
 file(MAKE_DIRECTORY ${gpu_shaders})
@@ -73,6 +70,11 @@ function(scarp_add_gpu_test name)
 endfunction()
 
 scarp_add_gpu_test(gpu.glsl gpu_vulkan ${gpu_shaders}/glsl ${gpu_points} hessian)
+if(SCARP_TEST_THOROUGH)
+  foreach(language glsl hlsl)
+    scarp_add_gpu_test(gpu.${language}.full gpu_vulkan ${gpu_shaders}/${language} 40003 hessian)
+  endforeach()
+endif()
 scarp_add_gpu_test(gpu.glsl.value gpu_vulkan ${gpu_shaders}/glsl ${gpu_points} value)
 scarp_add_gpu_test(gpu.hlsl gpu_vulkan ${gpu_shaders}/hlsl ${gpu_points} hessian)
 scarp_add_gpu_test(gpu.glsl.answers gpu_vulkan ${gpu_shaders}/glsl ${gpu_points} answers)

@@ -1,15 +1,13 @@
 # SPDX-License-Identifier: MIT
 # Grids have the bits of the point calls.
 
-set(grid_cases 4000)
-if(speed STREQUAL "slow")
-  set(grid_cases 800)
-elseif(speed STREQUAL "emulated")
-  set(grid_cases 150)
-endif()
 scarp_test_program(test_grid)
 foreach(isa IN LISTS isas)
-  scarp_add_test(grid.${isa} grid test_grid ${isa} ${grid_cases})
+  set(quick 4000)
+  if(isa STREQUAL "scalar") # its grids are its points, one after the other
+    set(quick 150)
+  endif()
+  scarp_add_sized_test(grid.${isa} grid SIZES 4000 ${quick} 800 150 COMMAND test_grid ${isa} {})
 endforeach()
 
 scarp_test_program(test_grid_safety)

@@ -26,6 +26,7 @@ c_compiler='${CMAKE_C_COMPILER}'
 c_compiler_id='${CMAKE_C_COMPILER_ID}'
 cxx_compiler='${SCARP_CXX}'
 c_flags='${CMAKE_C_FLAGS}'
+thorough='$<$<BOOL:${SCARP_TEST_THOROUGH}>:ON>'
 werror='$<$<BOOL:${SCARP_WERROR}>:-Werror>'
 link_flags='${CMAKE_EXE_LINKER_FLAGS}'
 nm='${CMAKE_NM}'
@@ -46,19 +47,21 @@ unfused_objects='${package_dir}/unfused-$<CONFIG>.txt'
 ")
 file(GENERATE OUTPUT ${package_dir}/objects-$<CONFIG>.txt
      CONTENT "$<JOIN:$<TARGET_OBJECTS:scarp>,\n>\n")
-file(GENERATE OUTPUT ${package_dir}/unfused-$<CONFIG>.txt
-     CONTENT "$<JOIN:$<TARGET_OBJECTS:scarp_unfused>,\n>\n")
 
 # The kernels whose vf_exact_fma is fused, as the library has them but for that operation.
-set(unfused_sources ${scarp_sources})
-list(FILTER unfused_sources INCLUDE REGEX "kernels_(avx2|avx512|neon)")
-list(TRANSFORM unfused_sources PREPEND ${PROJECT_SOURCE_DIR}/)
-add_library(scarp_unfused OBJECT ${unfused_sources})
-scarp_compile_rules(scarp_unfused)
-scarp_library_rules(scarp_unfused)
-target_compile_definitions(scarp_unfused PRIVATE VEC_UNFUSED)
-if(CMAKE_C_FLAGS MATCHES "-fsanitize")
-  target_compile_options(scarp_unfused PRIVATE -fno-sanitize=all) # nobody runs it
+if(SCARP_TEST_THOROUGH)
+  set(unfused_sources ${scarp_sources})
+  list(FILTER unfused_sources INCLUDE REGEX "kernels_(avx2|avx512|neon)")
+  list(TRANSFORM unfused_sources PREPEND ${PROJECT_SOURCE_DIR}/)
+  add_library(scarp_unfused OBJECT ${unfused_sources})
+  scarp_compile_rules(scarp_unfused)
+  scarp_library_rules(scarp_unfused)
+  target_compile_definitions(scarp_unfused PRIVATE VEC_UNFUSED)
+  if(CMAKE_C_FLAGS MATCHES "-fsanitize")
+    target_compile_options(scarp_unfused PRIVATE -fno-sanitize=all) # nobody runs it
+  endif()
+  file(GENERATE OUTPUT ${package_dir}/unfused-$<CONFIG>.txt
+       CONTENT "$<JOIN:$<TARGET_OBJECTS:scarp_unfused>,\n>\n")
 endif()
 
 # scarp_add_package_test(SCRIPT [CXX] [SETUP fixture] [AFTER fixture] [NEEDS tool...]):
@@ -74,9 +77,11 @@ function(scarp_add_package_test script)
   endif()
   scarp_add_test(${name} package NEEDS posix sh ${arg_NEEDS}
                  COMMAND sh ${script}.sh ${package_settings} ${language})
-  set_tests_properties(${name} PROPERTIES
-    WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/package
-    FIXTURES_SETUP "${arg_SETUP}" FIXTURES_REQUIRED "${arg_AFTER}")
+  if(TEST ${name})
+    set_tests_properties(${name} PROPERTIES
+      WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}/package
+      FIXTURES_SETUP "${arg_SETUP}" FIXTURES_REQUIRED "${arg_AFTER}")
+  endif()
 endfunction()
 
 scarp_add_package_test(tools)
@@ -85,6 +90,7 @@ scarp_add_package_test(header)
 scarp_add_package_test(header CXX)
 scarp_add_package_test(symbols NEEDS nm objdump)
 scarp_add_package_test(audit NEEDS objdump)
+scarp_add_package_test(unfused NEEDS objdump)
 scarp_add_package_test(direct)
 
 # The library is compiled once for both.

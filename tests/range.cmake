@@ -2,13 +2,8 @@
 # Tests the guaranteed ranges: proves the suprema, and searches for values outside the ranges.
 # Emulated processors are about 100 times slower.
 
-set(range_points 10000000)
-if(NOT speed STREQUAL full)
-  set(range_points 50000)
-endif()
-
 scarp_test_program(test_range SOURCES ${oracle_sources})
-scarp_add_test(range range test_range ${range_points})
+scarp_add_sized_test(range range SIZES 10000000 2000000 50000 50000 COMMAND test_range {})
 
 set(suprema_slack 1e-12 1e-9) # of simplex and cellular noise, relatively
 if(speed STREQUAL emulated)

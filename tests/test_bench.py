@@ -80,6 +80,19 @@ class Case(unittest.TestCase):
         for word in words:
             self.assertIn(word, error)
 
+    def check_rows(self, rows):
+        for row in rows:
+            with self.subTest(row=row):
+                self.assertTrue(1e-3 < row["ns_per_point"] < 1e7)
+                self.assertTrue(0 < row["fastest_ns_per_point"] <= row["ns_per_point"] * 1.00001)
+                self.assertAlmostEqual(row["mpoints_per_s"] * row["ns_per_point"] / 1000, 1, 4)
+                self.assertGreaterEqual(row["spread"], 0)
+                size = re.search(r"/n=(\d+)$", row["work"])
+                grid = re.match(r"grid(\d)/.*/(\d+)/step[\d.]+$", row["work"])
+                self.assertEqual(row["work"].startswith("grid"), grid is not None)
+                self.assertEqual(row["points"], int(size.group(1)) if size else
+                                 int(grid.group(2)) ** int(grid.group(1)) if grid else 65536)
+
 
 class Selection(Case):
     """Which workloads and instruction sets are chosen."""
@@ -179,19 +192,6 @@ class Selection(Case):
 class Results(Case):
     """What is measured and how it is told."""
 
-    def check_rows(self, rows):
-        for row in rows:
-            with self.subTest(row=row):
-                self.assertTrue(1e-3 < row["ns_per_point"] < 1e7)
-                self.assertTrue(0 < row["fastest_ns_per_point"] <= row["ns_per_point"] * 1.00001)
-                self.assertAlmostEqual(row["mpoints_per_s"] * row["ns_per_point"] / 1000, 1, 4)
-                self.assertGreaterEqual(row["spread"], 0)
-                size = re.search(r"/n=(\d+)$", row["work"])
-                grid = re.match(r"grid(\d)/.*/(\d+)/step[\d.]+$", row["work"])
-                self.assertEqual(row["work"].startswith("grid"), grid is not None)
-                self.assertEqual(row["points"], int(size.group(1)) if size else
-                                 int(grid.group(2)) ** int(grid.group(1)) if grid else 65536)
-
     def test_json(self):
         report = report_of(*ONE)
         for key in ("version", "date", "cpu", "isas", "compiler", "flags"):
@@ -203,29 +203,6 @@ class Results(Case):
         for row in report["rows"]:
             self.assertEqual((row["library"], row["spread"]), ("scarp", 0))
             self.assertNotIn("note", row)
-
-    @unittest.skipIf(sys.argv[3:], "emulated processors are about 100 times slower")
-    def test_every_workload(self):
-        best = report_of(*ONE)["isas"].split()[-1]
-        names = [name for name in names_of() if not LARGE.match(name)]
-        rows = report_of("--min-time", "0.000001", "--repeat", "1", "--isa", best,
-                         "--work", ",".join(names))["rows"]
-        self.assertEqual([row["work"] for row in rows], names)
-        self.check_rows(rows)
-        for row in rows:
-            output = row["work"].split("/")[-1]
-            note = output.replace("-", " ") if output.endswith("-differences") else None
-            self.assertEqual((row["library"], row["isa"], row.get("note")), ("scarp", best, note))
-
-    @unittest.skipIf(sys.argv[3:], "emulated processors are about 100 times slower")
-    def test_large_grid(self):
-        """A call that is longer than its slice; and arrays of different sizes"""
-        best = report_of(*ONE)["isas"].split()[-1]
-        work = ["points2/gradient/+hessian", "grid2/gradient/value/4096/step0.01"]
-        rows = report_of("--min-time", "0.001", "--repeat", "7", "--isa", best,
-                         "--work", ",".join(work))["rows"]
-        self.assertEqual([row["work"] for row in rows], work)
-        self.check_rows(rows)
 
     def test_files(self):
         text = text_of(*ONE, "--repeat", "3", "--json", self.path("a.json"), "--svg",
@@ -433,6 +410,33 @@ class Results(Case):
         if libraries[0] == {"scarp"}:
             self.skipTest("no peer that was found takes one point at a time")
         self.assertEqual(libraries, 4 * [libraries[0]])
+
+
+class Every(Case):
+    """What takes long: all workloads, and a large one."""
+
+    @unittest.skipIf(sys.argv[3:], "emulated processors are about 100 times slower")
+    def test_every_workload(self):
+        best = report_of(*ONE)["isas"].split()[-1]
+        names = [name for name in names_of() if not LARGE.match(name)]
+        rows = report_of("--min-time", "0.000001", "--repeat", "1", "--isa", best,
+                         "--work", ",".join(names))["rows"]
+        self.assertEqual([row["work"] for row in rows], names)
+        self.check_rows(rows)
+        for row in rows:
+            output = row["work"].split("/")[-1]
+            note = output.replace("-", " ") if output.endswith("-differences") else None
+            self.assertEqual((row["library"], row["isa"], row.get("note")), ("scarp", best, note))
+
+    @unittest.skipIf(sys.argv[3:], "emulated processors are about 100 times slower")
+    def test_large_grid(self):
+        """A call that is longer than its slice; and arrays of different sizes"""
+        best = report_of(*ONE)["isas"].split()[-1]
+        work = ["points2/gradient/+hessian", "grid2/gradient/value/4096/step0.01"]
+        rows = report_of("--min-time", "0.001", "--repeat", "7", "--isa", best,
+                         "--work", ",".join(work))["rows"]
+        self.assertEqual([row["work"] for row in rows], work)
+        self.check_rows(rows)
 
 
 class Errors(Case):

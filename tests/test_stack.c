@@ -139,11 +139,12 @@ static void measure(const struct guarded *stack, struct job *job, struct worst *
 static void measure_points(const struct guarded *stack, struct job *job, struct worst *worst)
 {
     static const size_t counts[] = {1, 7, 100, MOST_POINTS};
+    const size_t lengths = scarp_isa_active() == SCARP_ISA_SCALAR ? 2 : 4; /* one by one */
     job->kind = POINTS;
     for (int f = 0; f < FUNCTIONS; f++) {
         job->function = (enum function)f;
         job->dimensions = function_dimensions(job->function);
-        for (size_t i = 0; i < sizeof counts / sizeof counts[0]; i++) {
+        for (size_t i = 0; i < lengths; i++) {
             job->count = counts[i];
             measure(stack, job, worst, function_names[f]);
         }
@@ -154,8 +155,9 @@ static void measure_grids(const struct guarded *stack, struct job *job, struct w
 {
     static const size_t sizes[][2] = {{3, 40}, {33, 5}, {700, 5}};
     static const double steps[] = {0.01, -0.3, 5.0};
+    const size_t shapes = scarp_isa_active() == SCARP_ISA_SCALAR ? 6 : 18; /* row by row */
     job->kind = GRID;
-    for (size_t i = 0; i < 18; i++) {
+    for (size_t i = 0; i < shapes; i++) {
         struct scarp_grid grid = {.count = {sizes[i / 6][0], sizes[i / 6][1], 2}};
         job->dimensions = 2 + (int)(i % 2);
         for (int axis = 0; axis < 3; axis++) {
@@ -208,7 +210,8 @@ static void measure_flows(const struct guarded *stack, struct job *job, struct w
         job->function = (enum function)(i % FUNCTIONS);
         job->dimensions = function_dimensions(job->function);
         job->noise.warp = i < FUNCTIONS ? NULL : &warp;
-        for (job->count = 7; job->count < MOST_POINTS; job->count += 1000) {
+        const size_t most = scarp_isa_active() == SCARP_ISA_SCALAR ? 8 : MOST_POINTS;
+        for (job->count = 7; job->count < most; job->count += 1000) {
             measure(stack, job, worst, "scarp_curl2 and its like");
         }
     }

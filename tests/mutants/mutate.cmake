@@ -1,8 +1,7 @@
 # SPDX-License-Identifier: MIT
-# Copies the library's sources with every mistake of list.cmake in them, each behind a condition of
-# its own, so that one compilation serves all of them; and writes mutants.c, which switches on the
-# one that SCARP_MUTANT in the environment names. If the text of a mistake is not found exactly
-# once, the programs that are asked for that mistake fail.
+# Copies the library's sources with every mistake of list.cmake in them, each behind a switch of its
+# own, so that one compilation serves all of them; and writes mutants.c, the table of these switches.
+# If the text of a mistake is not found exactly once, the programs that have to see it fail.
 #
 #   cmake -D FROM=src -D TO=folder -D FILES=a.c;kernel/b.h -P mutate.cmake
 
@@ -57,7 +56,11 @@ function(mutant name)
   else()
     set(problem "its text is found more than once")
   endif()
-  string(APPEND table "    {\"${name}\", \"${problem}\"},\n")
+  if(NOT arg_SETS)
+    set(arg_SETS sse4.1 avx2 avx512 neon wasm128 generic)
+  endif()
+  string(REPLACE ";" "," sets "${arg_SETS}")
+  string(APPEND table "    {\"${name}\", \"${problem}\", \"${arg_SEEN_BY}\", \"${sets}\"},\n")
   set(table "${table}" PARENT_SCOPE)
   set(number ${number} PARENT_SCOPE)
 endfunction()
@@ -72,35 +75,10 @@ foreach(file IN LISTS FILES)
   file(WRITE ${TO}/${file} "${content}")
 endforeach()
 file(WRITE ${TO}/mutants.c "/* Written by mutate.cmake. */
-#include <stdio.h>
-#include <stdlib.h>
-#include <string.h>
+#include \"mutants.h\"
 
-extern int scarp_mutant[];
-int scarp_mutant[${number} + 1]; /* from 1 on; 1 for the one that is switched on */
-
-static const struct {
-    const char *name, *problem;
-} mutants[] = {
+int scarp_mutant[${number} + 1];
+const int scarp_mutant_count = ${number};
+const struct mutant scarp_mutants[] = {
 ${table}};
-
-/* Before main, so that test programs need not know. */
-__attribute__((constructor)) static void switch_on(void)
-{
-    const char *const name = getenv(\"SCARP_MUTANT\");
-    const int count = (int)(sizeof mutants / sizeof mutants[0]);
-    int i = 0;
-    if (name == NULL) {
-        return;
-    }
-    while (i < count && strcmp(mutants[i].name, name) != 0) {
-        i++;
-    }
-    const char *const problem = i < count ? mutants[i].problem : \"it does not exist\";
-    if (*problem != '\\0') {
-        printf(\"mutant %s: %s\\n\", name, problem);
-        exit(EXIT_FAILURE);
-    }
-    scarp_mutant[i + 1] = 1;
-}
 ")

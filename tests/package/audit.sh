@@ -1,49 +1,8 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # Instructions: what the audit in audit.awk forbids is not in the library. First the audit must find
-# each of these things in objects that are made to have them. vf_exact_fma of src/simd/vec.h is the
-# only operation that may fuse: the kernels compiled once more without it have nothing fused.
-. ./common.sh
-! sanitized || skip "sanitized code says nothing about the library"
-case $config in
-Debug) skip "code that is not optimised says nothing about the library" ;;
-esac
-exact='kernels_(avx2|avx512|neon)[.]c[.]o'
-control_flags=
-fusing= # the sets whose vf_exact_fma fuses
-case $processor in
-x86_64 | AMD64) control_flags=-mfma fusing='avx2 avx512' ;;
-aarch64) fusing=neon ;;
-riscv64) ;;
-s390x) control_flags=-fexcess-precision=fast ;;
-*) skip "no rules for $processor" ;;
-esac
-# Flags for one machine, or for whole programs, move instructions across files: then only the rules
-# that hold for the whole library are checked.
-files=1
-case "$c_flags " in
-*-march=* | *-mavx* | *-msse4* | *-flto* | *-m32*) files=0 ;;
-esac
-
-disassemble()
-{
-    "$objdump" -d --no-show-raw-insn "$@"
-}
-
-audit() # FILES [EXACT]
-{
-    awk -v processor="$processor" -v files="$1" -v exact="${2-}" -f audit.awk
-}
-
-# control RULE OBJECT [EXACT]: the audit reports RULE
-control()
-{
-    if disassemble "$2" | audit 1 "${3-}" >"$dir/report" || ! grep -q "$1" "$dir/report"; then
-        cat "$dir/report"
-        fail "the audit does not report '$1'"
-    fi
-    echo "the audit finds: $(grep -c '' "$dir/report") x $1"
-}
+# each of these things in objects that are made to have them.
+. ./audit_common.sh
 
 fresh audit
 # The kernels under a wrong name: the library's own, which saves seconds, unless flags change them.
@@ -82,22 +41,9 @@ if [ -e "$dir/estimate.c" ]; then
     control 'estimate' "$dir/estimate.o"
 fi
 
-disassemble_all() # LIST
-{
-    tr '\n' '\0' <"$1" | xargs -0 "$objdump" -d --no-show-raw-insn
-}
-
 disassemble_all "$objects" >"$dir/objects.s"
 audit $files "$exact" <"$dir/objects.s" || fail "in the objects"
 disassemble "$library" | audit 0 . || fail "in the library"
-if [ -n "$fusing" ]; then
-    for set in $fusing; do
-        control 'fused multiply-add' "$(grep "kernels_$set\\.c\\.o" "$objects")"
-    done
-    [ "$(grep -cE "$exact" "$unfused_objects")" = "$(grep -cE "$exact" "$objects")" ] ||
-        fail "not all kernels that fuse are there without vf_exact_fma"
-    disassemble_all "$unfused_objects" | audit $files || fail "in the kernels without vf_exact_fma"
-fi
 if [ $files = 1 ] && [ "$control_flags" = -mfma ]; then
     for width in kernels_avx2:ymm kernels_avx512:zmm; do
         awk -v object="${width%:*}" -v name="%${width#*:}" '

@@ -1,12 +1,12 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# Without any tool the suite has the same tests (but for mutants, which need none and may be left
-# out). Those that need one are skipped by name, and fail where SCARP_REQUIRE_TOOLS names it.
+# Without any tool the suite has the same tests. Those that need one are skipped by name, and fail
+# where SCARP_REQUIRE_TOOLS names it.
 . ./common.sh
 fresh tools
 
 # What find_program and find_package find, they do not look for where they are told that it is OFF.
-set -- -DCMAKE_NM=OFF -DCMAKE_OBJDUMP=OFF -DSCARP_CXX=OFF -DSCARP_BUILD_CLI=OFF \
+set -- -DSCARP_TEST_THOROUGH="$thorough" -DCMAKE_NM=OFF -DCMAKE_OBJDUMP=OFF -DSCARP_CXX=OFF -DSCARP_BUILD_CLI=OFF \
     -DSCARP_BUILD_BENCH=OFF -DSCARP_INSTALL=OFF
 for tool in ABIDIFF BASH GROFF PKG_CONFIG SH VALGRIND; do
     set -- "$@" "-DSCARP_$tool=OFF"
@@ -24,8 +24,7 @@ names() # BUILD_DIR
 {
     mkdir -p "$dir/list"
     echo "subdirs(\"$1\")" >"$dir/list/CTestTestfile.cmake"
-    "$ctest" --test-dir "$dir/list" -C "$config" -N | sed -n 's/^ *Test *#[0-9]*: //p' |
-        grep -v '^mutant[.]' | sort
+    "$ctest" --test-dir "$dir/list" -C "$config" -N | sed -n 's/^ *Test *#[0-9]*: //p' | sort
 }
 names "$build_dir" >"$dir/with"
 names "$dir/build" >"$dir/without"
@@ -43,8 +42,8 @@ expect()
 unset SCARP_REQUIRE_TOOLS
 for pair in abidiff:package.abi bash:cli.completion c++:package.header.cxx groff:cli.roff nm:package.symbols \
     objdump:package.audit pkg-config:package.pkg_config pthreads:threads python3:readme.c \
-    scarp:cli.formats scarp-bench:bench.results scarp-install:package.install \
-    sh:package.direct valgrind:cost; do
+    scarp:cli.formats scarp-bench:bench.results scarp-install:package.install sh:package.duration \
+    ${thorough:+valgrind:cost}; do
     tool=${pair%:*} test=${pair#*:}
     expect Skipped "skipped: $tool is missing" "$test"
     SCARP_REQUIRE_TOOLS=cmake expect Failed "cmake is no tool of any test" "$test"
