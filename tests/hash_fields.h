@@ -6,7 +6,7 @@
 #ifndef SCARP_TESTS_HASH_FIELDS_H
 #define SCARP_TESTS_HASH_FIELDS_H
 
-#include "../src/plan.h"
+#include "../src/plan/plan.h"
 #include "../src/scalar/lattice.h"
 #include "check.h"
 

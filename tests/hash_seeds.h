@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT
  *
  * The statistics that tests/test_hash.c takes between seeds and between octaves: whether keys and
- * offsets are drawn well (src/octaves.c).
+ * offsets are drawn well (src/plan/octaves.c).
  */
 #ifndef SCARP_TESTS_HASH_SEEDS_H
 #define SCARP_TESTS_HASH_SEEDS_H
 
-#include "../src/kernels.h"
+#include "../src/dispatch/kernels.h"
 #include "hash_sets.h"
 
 /* Compares the indices of two lattices at the same points: w->base has those of the one, and those

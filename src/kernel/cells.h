@@ -6,7 +6,7 @@
 #ifndef SCARP_KERNEL_CELLS_H
 #define SCARP_KERNEL_CELLS_H
 
-#include "../kernels.h"
+#include "../dispatch/kernels.h"
 #include "basis/cells.h"
 
 /* How many blocks are placed on cells at once. */

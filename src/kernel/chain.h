@@ -13,8 +13,8 @@
 
 #include <string.h>
 
-#include "../chain.h"
-#include "../kernels.h"
+#include "../dispatch/kernels.h"
+#include "../plan/chain.h"
 #include "basis/fade.h"
 
 #define CHAIN_POINTS 256 /* a multiple of VEC_LANES */

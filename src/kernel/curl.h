@@ -8,7 +8,7 @@
 #ifndef SCARP_KERNEL_CURL_H
 #define SCARP_KERNEL_CURL_H
 
-#include "../kernels.h"
+#include "../dispatch/kernels.h"
 #include "warp.h"
 
 /* What is done with a derivative that an output has a term of. */

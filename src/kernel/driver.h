@@ -14,8 +14,7 @@
 
 #include <string.h>
 
-#include "../kernels.h"
-#include "../names.h"
+#include "../dispatch/kernels.h"
 #include "rows/rows.h"
 #include "rows/turned.h"
 #include "shape/shape.h"

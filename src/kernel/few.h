@@ -11,7 +11,6 @@
 #ifndef SCARP_KERNEL_FEW_H
 #define SCARP_KERNEL_FEW_H
 
-#include "../names.h"
 #include "driver.h"
 
 /* The most blocks that take less time here than in passes: with 4, values of eight octaves take 5

@@ -8,7 +8,7 @@
 
 #include <string.h>
 
-#include "../kernels.h"
+#include "../dispatch/kernels.h"
 
 struct normal {
     vd x, y, z;

@@ -10,7 +10,7 @@
 
 #include <math.h>
 
-#include "../chain.h"
+#include "../plan/chain.h"
 #include "fade.h"
 
 /* The value of a function and its partial derivatives, as far as it has them. */

@@ -5,7 +5,7 @@
 #ifndef SCARP_KERNEL_BASIS_FADE_H
 #define SCARP_KERNEL_BASIS_FADE_H
 
-#include "../../plan.h"
+#include "../../plan/plan.h"
 
 /* s is t - 1, which the caller needs too. */
 struct fade {

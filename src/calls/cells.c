@@ -5,12 +5,12 @@
  */
 #include <string.h>
 
-#include "dispatch.h"
-#include "fpmode.h"
-#include "kept.h"
-#include "plan.h"
+#include "../dispatch/dispatch.h"
+#include "../dispatch/fpmode.h"
+#include "../plan/kept.h"
+#include "../plan/plan.h"
+#include "../plan/suprema.h"
 #include "scarp.h"
-#include "suprema.h"
 
 _Static_assert(sizeof(struct scarp_cells) == 16 * sizeof(float *) &&
                    sizeof(uint32_t *) == sizeof(float *),
@@ -59,7 +59,7 @@ struct cell_points {
 };
 
 /* Makes the plan, and of it that of the first octave alone; then runs the kernel. This is out of
-   line for the same reason as run() of scarp.c. */
+   line for the same reason as run() in scarp.c. */
 static __attribute__((noinline)) enum scarp_status run(const struct scarp_kernels *kernels,
                                                        const struct scarp_noise *noise,
                                                        const struct cell_points *points,

@@ -23,6 +23,12 @@
 #error "scarp needs FLT_EVAL_METHOD 0: x86 -msse2 -mfpmath=sse, s390x -fexcess-precision=fast"
 #endif
 
+/* How many enumerators scarp.h has of each kind. Numbers below have names and pass the checks. New
+   enumerators are appended, so the last one stands here. */
+#define SCARP_BASES (SCARP_CELL_VALUE + 1)
+#define SCARP_FADES (SCARP_CUBIC + 1)
+#define SCARP_FRACTALS (SCARP_JORDAN + 1)
+
 #define SCARP_MAX_OCTAVES 32
 
 struct scarp_octave {

@@ -5,7 +5,6 @@
 #include <stddef.h>
 #include <string.h>
 
-#include "names.h"
 #include "parameters.h"
 #include "phase.h"
 #include "plan.h"

@@ -3,9 +3,9 @@
  * The public functions that give velocities. They check the arguments, make the plan of the
  * potentials and call the active kernel table.
  */
-#include "dispatch.h"
-#include "fpmode.h"
-#include "plan.h"
+#include "../dispatch/dispatch.h"
+#include "../dispatch/fpmode.h"
+#include "../plan/plan.h"
 #include "scarp.h"
 
 _Static_assert(sizeof(struct scarp_flow) == 16 * sizeof(float *),
@@ -56,7 +56,7 @@ struct flow_points {
     int dimensions, doubles;
 };
 
-/* Makes the plan, and runs the kernel. This is out of line for the same reason as run() of scarp.c.
+/* Makes the plan, and runs the kernel. This is out of line for the same reason as run() in scarp.c.
  */
 static __attribute__((noinline)) enum scarp_status run(const struct scarp_kernels *kernels,
                                                        const struct scarp_noise *noise,

@@ -6,10 +6,10 @@
 #ifndef SCARP_KERNELS_H
 #define SCARP_KERNELS_H
 
-#include "chain.h"
+#include "../plan/chain.h"
+#include "../plan/outputs.h"
+#include "../plan/plan.h"
 #include "isas.h"
-#include "outputs.h"
-#include "plan.h"
 
 /* Evaluates `count` > 0 points. `position` holds one array per dimension, floats or doubles as the
    table's member says; outputs in `out` above plan->order, and along z in 2D, are NULL. */

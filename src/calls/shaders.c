@@ -3,11 +3,11 @@
  * The public functions that serve shaders: the constants of a noise as a uniform buffer, and the
  * answers that a shader must give.
  */
-#include "fpmode.h"
-#include "kept.h"
-#include "outputs.h"
-#include "plan.h"
-#include "scalar/lattice.h"
+#include "../dispatch/fpmode.h"
+#include "../plan/kept.h"
+#include "../plan/outputs.h"
+#include "../plan/plan.h"
+#include "../scalar/lattice.h"
 #include "scarp.h"
 
 #define NOINLINE __attribute__((noinline))

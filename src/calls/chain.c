@@ -7,8 +7,8 @@
 #include <stdint.h>
 #include <string.h>
 
-#include "dispatch.h"
-#include "fpmode.h"
+#include "../dispatch/dispatch.h"
+#include "../dispatch/fpmode.h"
 #include "scarp.h"
 
 #define SCALE_MIN 0x1p-60f
@@ -208,7 +208,7 @@ static int asks_for_something(const struct scarp_chain *call)
     return bits != 0;
 }
 
-/* It is out of line for the same reason as run() of scarp.c. */
+/* It is out of line for the same reason as run() in scarp.c. */
 static __attribute__((noinline)) enum scarp_status run(const struct arguments *arguments,
                                                        size_t count)
 {

@@ -3,9 +3,10 @@
  * Words for the enumerators of scarp.h. Clients iterate over them until they meet NULL, so no list
  * may have a gap; tests/api_names.h looks for one.
  */
-#include "names.h"
-
 #include <stddef.h>
+
+#include "../dispatch/isas.h"
+#include "../plan/plan.h"
 
 static const char *const bases[SCARP_BASES] = {
     [SCARP_GRADIENT] = "gradient",   [SCARP_VALUE] = "value",

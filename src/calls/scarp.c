@@ -6,11 +6,10 @@
 
 #include <string.h>
 
-#include "dispatch.h"
-#include "fpmode.h"
-#include "kept.h"
-#include "names.h"
-#include "plan.h"
+#include "../dispatch/dispatch.h"
+#include "../dispatch/fpmode.h"
+#include "../plan/kept.h"
+#include "../plan/plan.h"
 
 #define NOINLINE __attribute__((noinline))
 #define ALWAYS_INLINE inline __attribute__((always_inline))
