@@ -1,11 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * The public functions that give velocities. They check the arguments, make the plan of the
- * potentials and call the active kernel table.
+ * The public functions that give velocities.
  */
-#include "../dispatch/dispatch.h"
-#include "../dispatch/fpmode.h"
-#include "../plan/plan.h"
+#include "run.h"
 #include "scarp.h"
 
 _Static_assert(sizeof(struct scarp_flow) == 16 * sizeof(float *),
@@ -27,8 +24,9 @@ static const struct scarp_flow_arrays *arrays_of(const struct scarp_flow *out)
 }
 
 /* Whether something is asked for that does not exist: what is along z in 2D, reserved members. */
-static int asks_too_much(const struct scarp_flow *out, int dimensions)
+static int asks_too_much(const void *arrays, int dimensions)
 {
+    const struct scarp_flow *const out = arrays;
     for (size_t i = 0; i < sizeof out->spare / sizeof out->spare[0]; i++) {
         if (out->spare[i] != NULL) {
             return 1;
@@ -38,93 +36,51 @@ static int asks_too_much(const struct scarp_flow *out, int dimensions)
                                out->vzx != NULL || out->vzy != NULL || out->vzz != NULL);
 }
 
-/* The derivatives of potentials that are needed: second ones for the Jacobian. */
-static short order_of(const struct scarp_flow *out)
+/* The derivatives of potentials that are needed: second ones for the Jacobian. In space there is a
+   potential for each axis. */
+static struct scarp_kind kind_of(const void *out, int dimensions)
 {
     const struct scarp_flow_arrays *const arrays = arrays_of(out);
-    short order = 1;
+    struct scarp_kind kind = {.dimensions = dimensions, .order = 1, .vector = dimensions == 3};
     for (int i = FLOW_JACOBIAN; i < FLOW_OUTPUTS; i++) {
-        order = arrays->array[i] != NULL ? 2 : order;
+        kind.order = arrays->array[i] != NULL ? 2 : kind.order;
     }
-    return order;
+    return kind;
 }
 
-/* What the points of a call are. */
-struct flow_points {
-    size_t count;
-    const void *position[3];
-    int dimensions, doubles;
-};
-
-/* Makes the plan, and runs the kernel. This is out of line for the same reason as run() in scarp.c.
- */
-static __attribute__((noinline)) enum scarp_status run(const struct scarp_kernels *kernels,
-                                                       const struct scarp_noise *noise,
-                                                       const struct flow_points *points,
-                                                       const struct scarp_flow *out)
+static void run(const struct scarp_call_plan *plan, const void *opaque)
 {
-    const struct scarp_kind kind = {.dimensions = points->dimensions, .order = order_of(out)};
-    struct scarp_call_plan plan;
-    struct scarp_octave space[SCARP_MAX_OCTAVES];
-    const enum scarp_status status = scarp_plan_potentials(&plan, space, noise, kind);
-    if (status == SCARP_OK) {
-        kernels->curl(&plan, points->count, points->position, arrays_of(out), points->dimensions,
-                      points->doubles);
-    }
-    return status;
+    const struct scarp_find *const call = opaque;
+    call->kernels->curl(plan, call->at->count, call->at->position, arrays_of(call->out),
+                        call->at->dimensions, call->at->doubles);
 }
 
-static __attribute__((noinline)) enum scarp_status find_flow(const struct scarp_noise *noise,
-                                                             const struct flow_points *points,
-                                                             const struct scarp_flow *out)
-{
-    if (points->count == 0) {
-        return SCARP_OK;
-    }
-    if (noise == NULL || out == NULL) {
-        return SCARP_ERROR_NULL;
-    }
-    for (int i = 0; i < points->dimensions; i++) {
-        if (points->position[i] == NULL) {
-            return SCARP_ERROR_NULL;
-        }
-    }
-    if (points->count > PTRDIFF_MAX / (points->doubles ? sizeof(double) : sizeof(float))) {
-        return SCARP_ERROR_SIZE;
-    }
-    if (asks_too_much(out, points->dimensions)) {
-        return SCARP_ERROR_UNSUPPORTED;
-    }
-    const struct fpmode caller = fpmode_enter();
-    const enum scarp_status status = run(scarp_dispatch_for(points->count), noise, points, out);
-    fpmode_leave(caller);
-    return status;
-}
+static const struct scarp_finder flow_finder = {asks_too_much, kind_of, run};
 
 enum scarp_status scarp_curl2(const struct scarp_noise *noise, size_t count, const float *x,
                               const float *y, const struct scarp_flow *out)
 {
-    const struct flow_points points = {count, {x, y, NULL}, 2, 0};
-    return find_flow(noise, &points, out);
+    const struct scarp_at at = {count, {x, y, NULL}, 2, 0};
+    return scarp_find(&flow_finder, noise, &at, out);
 }
 
 enum scarp_status scarp_curl3(const struct scarp_noise *noise, size_t count, const float *x,
                               const float *y, const float *z, const struct scarp_flow *out)
 {
-    const struct flow_points points = {count, {x, y, z}, 3, 0};
-    return find_flow(noise, &points, out);
+    const struct scarp_at at = {count, {x, y, z}, 3, 0};
+    return scarp_find(&flow_finder, noise, &at, out);
 }
 
 enum scarp_status scarp_curl2_f64(const struct scarp_noise *noise, size_t count, const double *x,
                                   const double *y, const struct scarp_flow *out)
 {
-    const struct flow_points points = {count, {x, y, NULL}, 2, 1};
-    return find_flow(noise, &points, out);
+    const struct scarp_at at = {count, {x, y, NULL}, 2, 1};
+    return scarp_find(&flow_finder, noise, &at, out);
 }
 
 enum scarp_status scarp_curl3_f64(const struct scarp_noise *noise, size_t count, const double *x,
                                   const double *y, const double *z, const struct scarp_flow *out)
 {
-    const struct flow_points points = {count, {x, y, z}, 3, 1};
-    return find_flow(noise, &points, out);
+    const struct scarp_at at = {count, {x, y, z}, 3, 1};
+    return scarp_find(&flow_finder, noise, &at, out);
 }

@@ -7,7 +7,7 @@
 #ifndef SCARP_KERNEL_POSITIONS_H
 #define SCARP_KERNEL_POSITIONS_H
 
-#include "../plan/plan.h"
+#include "../plan/call.h"
 
 /* How an octave places x: p = f x (octave 0, since adding its offset of 0 would cost 3 to 5 % of a
    single octave), p = f x + o, or p = J x + o. On a lattice that repeats it is p = f x + o, and

@@ -6,8 +6,8 @@
 #ifndef SCARP_KERNEL_SAMPLES_H
 #define SCARP_KERNEL_SAMPLES_H
 
+#include "../plan/call.h"
 #include "../plan/outputs.h"
-#include "../plan/plan.h"
 
 /* What a pass is compiled for; a constant wherever it is passed on. */
 struct variant {

@@ -7,6 +7,7 @@
 #include <stddef.h>
 #include <string.h>
 
+#include "check.h"
 #include "kept.h"
 #include "octaves.h"
 #include "phase.h"
@@ -48,48 +49,39 @@ static void plan_describe(struct scarp_call_plan *plan, const struct scarp_noise
                   blends_corners(noise->basis) && !fractal_bends(noise->fractal);
 }
 
-/* Checks the noise and computes its octaves, but for the phase. It is out of line for the sake of
-   calls that keep theirs. */
-static __attribute__((noinline)) enum scarp_status
-octaves_of(struct scarp_octave *octave, const struct scarp_noise *noise, int dimensions)
-{
-    const char *member;
-    const enum scarp_status status = scarp_plan_check(noise, dimensions, &member);
-    if (status == SCARP_OK && noise->warp == NULL) {
-        scarp_octaves_make(octave, noise, dimensions);
-    }
-    return status;
-}
-
 enum scarp_status scarp_plan_keep(struct scarp_plan *plan, const struct scarp_noise *noise,
                                   int dimensions)
 {
     struct kept *const kept = (struct kept *)plan;
-    const enum scarp_status status = octaves_of(kept->octave, noise, dimensions);
-    if (status == SCARP_OK) {
-        if (noise->warp == NULL && blends_corners(noise->basis)) {
+    const char *member;
+    const enum scarp_status status = scarp_plan_check(noise, dimensions, &member);
+    if (status != SCARP_OK) {
+        return status;
+    }
+    if (noise->warp == NULL) {
+        scarp_octaves_make(kept->octave, noise, dimensions);
+        if (blends_corners(noise->basis)) {
             scarp_phase_set(kept->octave, octaves_in(noise), noise->phase);
         }
-        plan_describe(&kept->values, noise, dimensions);
-        kept->mark = noise->warp == NULL ? mark_of(dimensions) : 0;
-        memcpy(&kept->noise, noise, sizeof *noise);
     }
-    return status;
+    plan_describe(&kept->values, noise, dimensions);
+    kept->mark = noise->warp == NULL ? mark_of(dimensions) : 0;
+    memcpy(&kept->noise, noise, sizeof *noise);
+    return SCARP_OK;
 }
 
-/* How many components a level has, and whether they have seeds of their own. */
-static int components_of(const struct scarp_warps *warps, int level, int dimensions)
+/* Whether a level has a component for each axis, with seeds of their own. */
+static int has_components(const struct scarp_warps *warps, int level)
 {
-    return level > 0 || warps->vector ? dimensions : 1;
+    return level > 0 || warps->vector;
 }
 
-/* Computes the octaves of a component of a level, which the noise describes; of level 0 without
-   components, if there are none. */
-static void make_level(struct scarp_octave *octave, const struct scarp_noise *described,
-                       int dimensions, int components, int component)
+/* Computes the octaves of a component, or of a noise that has none. */
+static void make_component(struct scarp_octave *octave, const struct scarp_noise *described,
+                           int dimensions, int is_component, int component)
 {
     struct scarp_noise noise = *described;
-    if (components > 1) {
+    if (is_component) {
         noise.seed = scarp_component_seed(noise.seed, component);
     }
     scarp_octaves_make(octave, &noise, dimensions);
@@ -98,105 +90,99 @@ static void make_level(struct scarp_octave *octave, const struct scarp_noise *de
     }
 }
 
-/* Makes the octaves of all levels and components, if there is room for them: one component after
-   the other. */
-static void make_levels(struct scarp_warps *warps, int dimensions)
+/* Does what struct scarp_levels says of `fetch`. */
+static void fetch_component(const struct scarp_warps *warps, int level, int component)
 {
-    const struct scarp_noise *noise = warps->noise;
-    int count = 0;
-    for (int level = 0; level <= warps->depth; level++, noise = noise->warp) {
-        count += octaves_in(noise) * components_of(warps, level, dimensions);
+    const struct scarp_levels *const levels = warps->levels;
+    const struct scarp_noise *noise = levels->noise;
+    for (int i = 0; i < level; i++) {
+        noise = noise->warp;
     }
-    warps->has_all = count <= SCARP_MAX_OCTAVES;
-    struct scarp_octave *octave = warps->space;
-    noise = warps->noise;
-    for (int level = 0; warps->has_all && level <= warps->depth; level++, noise = noise->warp) {
-        const int components = components_of(warps, level, dimensions);
-        for (int i = 0; i < components; i++) {
-            make_level(octave, noise, dimensions, components, i);
-            octave += octaves_in(noise);
-        }
-    }
-}
-
-void scarp_plan_level(struct scarp_call_plan *plan, const struct scarp_warps *warps,
-                      struct scarp_kind kind, int level, int component)
-{
-    const struct scarp_noise *noise = warps->noise;
-    struct scarp_octave *octave = warps->space;
-    for (int i = 0; i < level; i++, noise = noise->warp) {
-        octave += octaves_in(noise) * components_of(warps, i, kind.dimensions);
-    }
-    octave += octaves_in(noise) * component;
-    if (!warps->has_all) {
-        octave = warps->space;
-        make_level(octave, noise, kind.dimensions, components_of(warps, level, kind.dimensions),
+    make_component(levels->octave, noise, levels->dimensions, has_components(warps, level),
                    component);
-    }
-    kind.dphase = level == 0 ? kind.dphase : 0;
-    plan_describe(plan, noise, kind.dimensions);
-    plan_ask(plan, kind);
-    plan->octave = octave;
 }
 
-/* Makes the plan of a noise with warps, if these have what is asked for, too; or of potentials,
-   with or without. */
-static enum scarp_status plan_levels(struct scarp_call_plan *plan, struct scarp_octave *space,
-                                     const struct scarp_noise *noise, struct scarp_kind kind,
-                                     int vector)
+/* Makes the plans of all levels, and the octaves of their components if there is room for them. */
+static void make_levels(struct scarp_levels *levels, const struct scarp_warps *warps,
+                        struct scarp_kind kind)
 {
     const struct scarp_kind of_warp = {.dimensions = kind.dimensions, .order = kind.order};
-    int depth = 0;
-    for (const struct scarp_noise *w = noise->warp; w != NULL; w = w->warp) {
-        if (!has_outputs(w, of_warp)) {
-            return SCARP_ERROR_UNSUPPORTED;
-        }
-        depth++;
+    const struct scarp_noise *noise = levels->noise;
+    struct scarp_octave *octave = levels->octave;
+    int count = 0;
+    for (int level = 0; level <= warps->depth; level++, noise = noise->warp) {
+        struct scarp_call_plan *const plan = &levels->plan[level];
+        plan_describe(plan, noise, kind.dimensions);
+        plan_ask(plan, level == 0 ? kind : of_warp);
+        count += plan->octaves * (has_components(warps, level) ? kind.dimensions : 1);
     }
-    plan_describe(plan, noise, kind.dimensions);
-    plan_ask(plan, kind);
+    levels->fetch = count > SCARP_MAX_OCTAVES ? fetch_component : NULL;
+    noise = levels->noise;
+    for (int level = 0; level <= warps->depth; level++, noise = noise->warp) {
+        const int has = has_components(warps, level);
+        levels->plan[level].octave = octave;
+        for (int i = 0; levels->fetch == NULL && i < (has ? kind.dimensions : 1); i++) {
+            make_component(octave, noise, kind.dimensions, has, i);
+            octave += levels->plan[level].octaves;
+        }
+    }
+}
+
+/* Whether the warps of a noise have what is asked for, too. */
+static int warps_have_outputs(const struct scarp_noise *noise, struct scarp_kind kind)
+{
+    const struct scarp_kind of_warp = {.dimensions = kind.dimensions, .order = kind.order};
+    int have = 1;
+    for (const struct scarp_noise *w = noise->warp; w != NULL; w = w->warp) {
+        have &= has_outputs(w, of_warp);
+    }
+    return have;
+}
+
+/* Makes the plan of a checked noise with warps, or of potentials. */
+static void plan_levels(struct scarp_call_plan *plan, struct scarp_octave *octave,
+                        struct scarp_levels *levels, const struct scarp_noise *noise,
+                        struct scarp_kind kind)
+{
+    struct scarp_warps warps = {.vector = kind.vector, .levels = levels};
+    for (const struct scarp_noise *w = noise->warp; w != NULL; w = w->warp) {
+        warps.depth++;
+    }
+    levels->noise = noise;
+    levels->octave = octave;
+    levels->dimensions = kind.dimensions;
+    make_levels(levels, &warps, kind);
+    *plan = levels->plan[0];
     plan->plain = 0;
     plan->octave = NULL;
-    plan->warps =
-        (struct scarp_warps){.depth = depth, .vector = vector, .space = space, .noise = noise};
-    make_levels(&plan->warps, kind.dimensions);
-    return SCARP_OK;
+    plan->warps = warps;
 }
 
-enum scarp_status scarp_plan_call(struct scarp_call_plan *plan, struct scarp_octave *space,
-                                  const struct scarp_noise *noise, struct scarp_kind kind)
+enum scarp_status scarp_plan_call(struct scarp_call_plan *plan, struct scarp_octave *octave,
+                                  struct scarp_levels *levels, const struct scarp_noise *noise,
+                                  struct scarp_kind kind)
 {
-    if (plan_kept(plan, noise, kind)) {
+    if (!kind.vector && plan_kept(plan, noise, kind)) {
         return SCARP_OK;
-    }
-    const enum scarp_status status = octaves_of(space, noise, kind.dimensions);
-    if (status != SCARP_OK) {
-        return status;
-    }
-    if (!has_outputs(noise, kind)) {
-        return SCARP_ERROR_UNSUPPORTED;
-    }
-    if (noise->warp != NULL) {
-        return plan_levels(plan, space, noise, kind, 0);
-    }
-    plan_describe(plan, noise, kind.dimensions);
-    plan_ask(plan, kind);
-    if (plan->flows) {
-        scarp_phase_set(space, plan->octaves, noise->phase);
-    }
-    plan->octave = space;
-    return SCARP_OK;
-}
-
-enum scarp_status scarp_plan_potentials(struct scarp_call_plan *plan, struct scarp_octave *space,
-                                        const struct scarp_noise *noise, struct scarp_kind kind)
-{
-    if (kind.dimensions == 2) {
-        return scarp_plan_call(plan, space, noise, kind);
     }
     const char *member;
     const enum scarp_status status = scarp_plan_check(noise, kind.dimensions, &member);
-    return status != SCARP_OK          ? status
-           : !has_outputs(noise, kind) ? SCARP_ERROR_UNSUPPORTED
-                                       : plan_levels(plan, space, noise, kind, 1);
+    if (status != SCARP_OK) {
+        return status;
+    }
+    if (!has_outputs(noise, kind) || !warps_have_outputs(noise, kind)) {
+        return SCARP_ERROR_UNSUPPORTED;
+    }
+    if (scarp_has_levels(noise, kind)) {
+        plan_levels(plan, octave, levels, noise, kind);
+        return SCARP_OK;
+    }
+    scarp_octaves_make(octave, noise, kind.dimensions);
+    plan_describe(plan, noise, kind.dimensions);
+    plan_ask(plan, kind);
+    if (plan->flows) {
+        scarp_phase_set(octave, plan->octaves, noise->phase);
+    }
+    plan->octave = octave;
+    return SCARP_OK;
 }

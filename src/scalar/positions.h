@@ -8,7 +8,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "../plan/plan.h"
+#include "../plan/call.h"
 
 /* A point's coordinates, floats or doubles. */
 struct point {

@@ -283,7 +283,7 @@ mutant(plan.stale_spare IN plan/kept.h TEXT [[differences(a, b, plan + sizeof(ui
 mutant(plan.dimensions IN plan/kept.h TEXT [[kept->mark != mark_of(kind.dimensions)]]
        BECOMES [[(kept->mark ^ mark_of(kind.dimensions)) > (uint64_t)MUTANT]] SEEN_BY plan SETS scalar)
 mutant(plan.kept_dphase IN plan/kept.h TEXT [[plan_ask(plan, kind);]]
-       BECOMES [[plan_ask(plan, MUTANT ? (struct scarp_kind){kind.dimensions, kind.order, 0} : kind);]]
+       BECOMES [[plan_ask(plan, MUTANT ? (struct scarp_kind){.dimensions = kind.dimensions, .order = kind.order} : kind);]]
        SEEN_BY plan SETS scalar avx2)
 
 # warps
@@ -300,8 +300,8 @@ mutant(warp.reference IN scalar
 mutant(warp.seeds IN plan/plan.c TEXT [[scarp_component_seed(noise.seed, component)]]
        BECOMES [[scarp_component_seed(noise.seed, component - (MUTANT ? SCARP_MAX_OCTAVES : 0))]]
        SEEN_BY golden SETS generic)
-mutant(warp.components IN plan/plan.c TEXT [[octave += octaves_in(noise) * component;]]
-       BECOMES [[octave += octaves_in(noise) * (MUTANT ? 0 : component);]] SEEN_BY golden SETS generic)
+mutant(warp.components IN plan/call.h TEXT [[found.octave += found.octaves * component;]]
+       BECOMES [[found.octave += found.octaves * (MUTANT ? 0 : component);]] SEEN_BY golden SETS generic)
 
 # fractals that bend
 mutant(bend.left_by IN kernel

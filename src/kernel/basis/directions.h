@@ -6,7 +6,7 @@
 #ifndef SCARP_KERNEL_BASIS_DIRECTIONS_H
 #define SCARP_KERNEL_BASIS_DIRECTIONS_H
 
-#include "../../plan/phase.h"
+#include "../../plan/call.h"
 
 /* The components of 16 gradients; of 12 in 3D, where the others are not used. */
 struct directions {

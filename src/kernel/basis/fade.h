@@ -5,7 +5,7 @@
 #ifndef SCARP_KERNEL_BASIS_FADE_H
 #define SCARP_KERNEL_BASIS_FADE_H
 
-#include "../../plan/plan.h"
+#include "../../plan/call.h"
 
 /* s is t - 1, which the caller needs too. */
 struct fade {
