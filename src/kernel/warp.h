@@ -4,12 +4,12 @@
  * looks at the input, to the noise itself, which looks at y(x). The coordinates of y are kept as
  * samples: their values are how far they are displaced, their derivatives those of y by x. Points
  * and grids go the same way, but that the deepest warp of a grid takes the passes of grids.
- * Included by curl.h; the reference is scalar/warp.h.
+ * The reference is scalar/warp.h.
  */
 #ifndef SCARP_KERNEL_WARP_H
 #define SCARP_KERNEL_WARP_H
 
-#include "points.h"
+#include "bend.h"
 
 /* Scratch space for the chunk and the passes together. It is less than SCRATCH_BYTES, since there
    are more frames on the stack. */
@@ -171,7 +171,7 @@ static void evaluate_input(const struct warped *w, const struct scarp_call_plan 
     const struct chunked *const c = &w->chunked;
     const size_t count = chunk_count(chunk), end = whole_blocks(count);
     if (c->source.grid == NULL || fractal_bends(plan->fractal)) {
-        points_within(plan, end, c->input, to, c->f, c->passes);
+        points_unwarped(plan, end, c->input, to, c->f, c->passes);
         return;
     }
     struct scarp_grid grid = *c->source.grid;
@@ -196,7 +196,7 @@ static void evaluate(const struct warped *w, const struct scarp_call_plan *plan,
 {
     const struct chunked *const c = &w->chunked;
     const void *const position[3] = {c->position[0], c->position[1], c->position[2]};
-    points_within(plan, count, position, to, c->f, c->passes);
+    points_unwarped(plan, count, position, to, c->f, c->passes);
 }
 
 /* Computes the coordinates y(x) of a level, and displaces the positions. */
