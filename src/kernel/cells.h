@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * What scarp_cells2 and its like give: the features that are nearest to points. Included by
- * table.h.
+ * What scarp_cells2 and its like give: the features that are nearest to points.
  */
 #ifndef SCARP_KERNEL_CELLS_H
 #define SCARP_KERNEL_CELLS_H

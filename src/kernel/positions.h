@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Stage 1, positions: the coordinates of a block of points in the frame of an octave, split into
- * the cell of the lattice and the place inside. Included by lattice.h; the reference is
- * scalar/positions.h.
+ * the cell of the lattice and the place inside. The reference is scalar/positions.h.
  */
 #ifndef SCARP_KERNEL_POSITIONS_H
 #define SCARP_KERNEL_POSITIONS_H

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * The outputs at a block of VEC_LANES points, and where they come from and go to: what the stages
- * hand to each other. Included by basis/columns.h.
+ * hand to each other.
  */
 #ifndef SCARP_KERNEL_SAMPLES_H
 #define SCARP_KERNEL_SAMPLES_H

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Reference: the chain rule over samples, one point at a time. Included by table.c.
+ * Reference: the chain rule over samples, one point at a time.
  *
  * The order of operations is that of the expressions here. What depends on the numbers of a call
  * alone (1 / k and the like) is computed once, in chain.c.

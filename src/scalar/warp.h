@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Reference: noise at displaced positions. The coordinates of y(x) are samples themselves: their
- * values are how far they are displaced, their derivatives those of y by x. Included by table.c.
+ * values are how far they are displaced, their derivatives those of y by x.
  */
 #ifndef SCARP_SCALAR_WARP_H
 #define SCARP_SCALAR_WARP_H

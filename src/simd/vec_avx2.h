@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The operations of vec.h on AVX2 and FMA: 8 lanes. Included by kernels_avx2.c inside its target
- * region.
+ * The operations of vec.h on AVX2 and FMA: 8 lanes.
  */
 #ifndef SCARP_SIMD_VEC_AVX2_H
 #define SCARP_SIMD_VEC_AVX2_H

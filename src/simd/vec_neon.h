@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The operations of vec.h on NEON (AArch64, little endian): 4 lanes. Included by kernels_neon.c.
+ * The operations of vec.h on NEON (AArch64, little endian): 4 lanes.
  */
 #ifndef SCARP_SIMD_VEC_NEON_H
 #define SCARP_SIMD_VEC_NEON_H

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The operations of vec.h on SSE4.1: 4 lanes. Included by kernels_sse41.c inside its target region.
+ * The operations of vec.h on SSE4.1: 4 lanes.
  */
 #ifndef SCARP_SIMD_VEC_SSE41_H
 #define SCARP_SIMD_VEC_SSE41_H

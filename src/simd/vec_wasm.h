@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * The operations of vec.h on the vectors of WebAssembly (SIMD128, not relaxed): 4 lanes. Included
- * by kernels_wasm128.c. Loads, stores and splats are as the compiler makes them of vec.h.
+ * The operations of vec.h on the vectors of WebAssembly (SIMD128, not relaxed): 4 lanes. Loads,
+ * stores and splats are as the compiler makes them of vec.h.
  */
 #ifndef SCARP_SIMD_VEC_WASM_H
 #define SCARP_SIMD_VEC_WASM_H
