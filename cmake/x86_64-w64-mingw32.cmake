@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 # Toolchain file: 64-bit Windows, by Debian's mingw-w64 gcc; programs run through wine. gcc has no
-# kernels above SSE4.1 there: see src/isas.h, and x86_64-w64-mingw32-clang.cmake.
+# kernels above SSE4.1 there: see src/dispatch/isas.h, and x86_64-w64-mingw32-clang.cmake.
 
 set(CMAKE_SYSTEM_NAME Windows)
 set(CMAKE_SYSTEM_PROCESSOR x86_64)

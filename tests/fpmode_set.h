@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Setting floating-point modes, for tests/test_fpmode.c: MXCSR on x86, FPCR on AArch64, the
- * rounding direction elsewhere. Independent of src/fpmode.h.
+ * rounding direction elsewhere. Independent of src/dispatch/fpmode.h.
  */
 #ifndef SCARP_TESTS_FPMODE_SET_H
 #define SCARP_TESTS_FPMODE_SET_H

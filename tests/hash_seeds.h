@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT
  *
  * The statistics that tests/test_hash.c takes between seeds and between octaves: whether keys and
- * offsets are drawn well (src/octaves.c).
+ * offsets are drawn well (src/plan/octaves.c).
  */
 #ifndef SCARP_TESTS_HASH_SEEDS_H
 #define SCARP_TESTS_HASH_SEEDS_H
 
-#include "../src/kernels.h"
+#include "../src/dispatch/kernels.h"
 #include "hash_sets.h"
 
 /* Compares the indices of two lattices at the same points: w->base has those of the one, and those
@@ -154,7 +154,7 @@ static inline void sample_patch(uint64_t seed, enum scarp_basis kind, enum octav
     struct scarp_octave all[SCARP_MAX_OCTAVES], two[2];
     struct scarp_call_plan plan;
     const struct scarp_kind asked = {.dimensions = 2};
-    CHECK(scarp_plan_call(&plan, all, &noise, asked) == SCARP_OK && plan.octaves == OCTAVES,
+    CHECK(scarp_plan_call(&plan, all, NULL, &noise, asked) == SCARP_OK && plan.octaves == OCTAVES,
           "plan");
     if (octaves == OCTAVES_ALIKE) {
         make_alike(all);

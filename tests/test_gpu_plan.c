@@ -6,9 +6,9 @@
  */
 #include "check.h"
 
-#include "../src/octaves.h"
-#include "../src/parameters.h"
-#include "../src/phase.h"
+#include "../src/plan/octaves.h"
+#include "../src/plan/parameters.h"
+#include "../src/plan/phase.h"
 
 #define POISON 0xa5
 

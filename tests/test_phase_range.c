@@ -6,7 +6,7 @@
  * Arguments: how much of the suprema the proof may add in 2D (1e-11) and in 3D (0: nothing). It
  * takes longer, the less there is.
  */
-#include "../src/phase.h"
+#include "../src/plan/phase.h"
 #include "oracle.h"
 #include "proof.h"
 

@@ -9,7 +9,7 @@
 
 #define BLOCK 1000
 #define CELLS 1000000              /* in 2D one in 32768 has gradients that reach an end */
-#define HEADROOM (1.0 - 0x1p-17)   /* of src/plan.c */
+#define HEADROOM (1.0 - 0x1p-17)   /* of src/plan/octaves.c */
 #define FOUR_PI 12.566370614359173 /* rounded up */
 
 static double points[3][BLOCK];

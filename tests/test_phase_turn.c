@@ -5,12 +5,12 @@
  * axes at every phase, as far as moments of the directions tell. Argument: the number of random
  * phases.
  */
-#include "../src/phase.h"
+#include "../src/plan/phase.h"
 #include "../src/scalar/gradient.h"
 #include "check.h"
 
 #define TAU 6.283185307179586476925286766559005768L
-#define TURN_MIN 0x1p-60 /* of src/phase.c: what is smaller becomes 0 */
+#define TURN_MIN 0x1p-60 /* of src/plan/phase.c: what is smaller becomes 0 */
 
 static struct scarp_octave octaves[SCARP_MAX_OCTAVES];
 

@@ -74,7 +74,7 @@ static double first_order(const struct proof *proof, const double m[3], double h
     return largest;
 }
 
-/* Where S has its maximum, to the digits that src/plan.c states. */
+/* Where S has its maximum, to the digits that src/plan/suprema.c states. */
 static const double *maximiser(int dimensions, enum scarp_fade fade)
 {
     static const double at[2][2][3] = {{{0.5, 0.5266}, {0.4667, 0.5}},
@@ -287,7 +287,7 @@ static void search_maximisers(int dimensions, enum scarp_fade fade, long samples
  * head-room they would leave the range: they are greater than HEADROOM, but not than 1. (The 2D
  * quintic noise happens to round down at its places.)
  */
-#define HEADROOM (1.0f - 0x1p-17f) /* of src/plan.c */
+#define HEADROOM (1.0f - 0x1p-17f) /* of src/plan/octaves.c */
 
 static void search_headroom(int dimensions, enum scarp_fade fade)
 {

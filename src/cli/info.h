@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The command `scarp info`. Included by main.c.
+ * The command `scarp info`.
  */
 #ifndef SCARP_CLI_INFO_H
 #define SCARP_CLI_INFO_H

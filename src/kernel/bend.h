@@ -3,12 +3,13 @@
  * The fractals that bend, whose octaves look at y = x + w S, where S is what the slopes of the
  * octaves before add up to: Swiss and Jordan noise (de Carpentier 2012). Each octave is computed as
  * noise of its own at the positions of a chunk of points; a pass then adds it up and moves S on.
- * Included by points.h; the reference is scalar/bend.h.
+ * The reference is scalar/bend.h.
  */
 #ifndef SCARP_KERNEL_BEND_H
 #define SCARP_KERNEL_BEND_H
 
 #include "chunk.h"
+#include "points.h"
 
 /* A matrix by columns; z is unset in 2D. */
 struct matrix {
@@ -330,10 +331,6 @@ static void bend_begin(const struct bending *at, int dimensions, int order)
     }
 }
 
-static void points_within(const struct scarp_call_plan *plan, size_t count,
-                          const void *const position[3], const struct scarp_outputs *out,
-                          struct frame f, struct workspace work);
-
 /* Adds up the octaves at a chunk. */
 static void bend_chunk(struct chunked *w, const struct scarp_call_plan *plan,
                        const struct chunk *chunk, struct bending *at)
@@ -384,6 +381,18 @@ static __attribute__((noinline)) void bend_points(const struct scarp_call_plan *
         const struct chunk chunk = {{first, 0, 0}, least(count - first, w.most), 1};
         bend_chunk(&w, plan, &chunk, &at);
         copy_out(out, first, &sums, 0, chunk.columns);
+    }
+}
+
+/* Computes points of a noise without its warps. */
+static void points_unwarped(const struct scarp_call_plan *plan, size_t count,
+                            const void *const position[3], const struct scarp_outputs *out,
+                            struct frame f, struct workspace work)
+{
+    if (fractal_bends(plan->fractal)) {
+        bend_points(plan, count, position, out, f, work);
+    } else {
+        points_within(plan, count, position, out, f, work);
     }
 }
 

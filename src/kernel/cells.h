@@ -1,12 +1,11 @@
 /* SPDX-License-Identifier: MIT
  *
- * What scarp_cells2 and its like give: the features that are nearest to points. Included by
- * table.h.
+ * What scarp_cells2 and its like give: the features that are nearest to points.
  */
 #ifndef SCARP_KERNEL_CELLS_H
 #define SCARP_KERNEL_CELLS_H
 
-#include "../kernels.h"
+#include "../dispatch/kernels.h"
 #include "basis/cells.h"
 
 /* How many blocks are placed on cells at once. */

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
  * The chain rule over samples, a block of points at a time; the reference is scalar/chain.h.
- * Included by table.h.
  *
  * Each output is a line: a loop over one array, or a few, which writes another. Lines of functions
  * that are given by partial derivatives take these from arrays, which are made first (or come from
@@ -13,8 +12,8 @@
 
 #include <string.h>
 
-#include "../chain.h"
-#include "../kernels.h"
+#include "../dispatch/kernels.h"
+#include "../plan/chain.h"
 #include "basis/fade.h"
 
 #define CHAIN_POINTS 256 /* a multiple of VEC_LANES */

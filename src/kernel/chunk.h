@@ -2,7 +2,7 @@
  *
  * Chunks of a call whose positions are displaced before noise is computed there: some samples, with
  * arrays of their own for positions and for what is between the passes. The passes get what is left
- * of the scratch space. Included by bend.h.
+ * of the scratch space.
  */
 #ifndef SCARP_KERNEL_CHUNK_H
 #define SCARP_KERNEL_CHUNK_H

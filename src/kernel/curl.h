@@ -2,13 +2,13 @@
  *
  * Velocity from potentials, chunk by chunk: the derivatives of one potential after the other are
  * added to the outputs or subtracted. Each output has at most two terms, so that their order makes
- * no difference. Outputs may be where coordinates are: those of a chunk are copied before. Included
- * by table.h; the reference, and the formulas, are in scalar/curl.h.
+ * no difference. Outputs may be where coordinates are: those of a chunk are copied before. The
+ * reference, and the formulas, are in scalar/curl.h.
  */
 #ifndef SCARP_KERNEL_CURL_H
 #define SCARP_KERNEL_CURL_H
 
-#include "../kernels.h"
+#include "../dispatch/kernels.h"
 #include "warp.h"
 
 /* What is done with a derivative that an output has a term of. */

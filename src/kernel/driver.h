@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * The only loop over octaves, for points and grids alike. It takes a part of a call, rows of
- * blocks, through the stages: positions, basis, shape, and sums. Included by points.h and grid.h.
+ * blocks, through the stages: positions, basis, shape, and sums.
  *
  * Each stage is a pass of its own over the part. One pass that did all would be a single chain of
  * some 25 dependent operations per block, and out-of-order windows hold only two or three blocks of
@@ -14,8 +14,7 @@
 
 #include <string.h>
 
-#include "../kernels.h"
-#include "../names.h"
+#include "../dispatch/kernels.h"
 #include "rows/rows.h"
 #include "rows/turned.h"
 #include "shape/shape.h"

@@ -2,7 +2,7 @@
  *
  * Evaluates few points, and the remainder of many: a block at a time goes through all stages and
  * all octaves in registers. Passes over whole parts (driver.h) do more per second, but what they
- * need to begin takes longer than a block. Included by points.h.
+ * need to begin takes longer than a block.
  *
  * One pass serves values of a single octave, in a straight line without loops; one serves values of
  * fBm with straight axes; and one all else but Hessians, the gradients of erosion, periods and
@@ -11,7 +11,6 @@
 #ifndef SCARP_KERNEL_FEW_H
 #define SCARP_KERNEL_FEW_H
 
-#include "../names.h"
 #include "driver.h"
 
 /* The most blocks that take less time here than in passes: with 4, values of eight octaves take 5

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Evaluates grids. Included by table.h.
+ * Evaluates grids of a noise that neither bends nor has warps.
  *
  * A slice is cut into strips, some blocks wide, and each strip into parts, some rows high. Octaves
  * are added up in the caller's arrays, but for `stores`. Parts of fBm with straight axes are large,
@@ -288,40 +288,6 @@ static __attribute__((noinline)) void grid_within(const struct scarp_call_plan *
     if (g.streams) {
         vf_stream_end();
     }
-}
-
-static __attribute__((noinline)) void grid_scratch(const struct scarp_call_plan *plan,
-                                                   const struct scarp_grid *described,
-                                                   const struct scarp_outputs *out, int dimensions)
-{
-    struct scratch scratch;
-    const struct workspace work = {scratch.space, sizeof scratch / sizeof(vf)};
-    grid_within(plan, described, out, dimensions, work);
-}
-
-static void warp_grid(const struct scarp_call_plan *plan, const struct scarp_grid *grid,
-                      const struct scarp_outputs *out, int dimensions);
-
-static void grid(const struct scarp_call_plan *plan, const struct scarp_grid *described,
-                 const struct scarp_outputs *out, int dimensions)
-{
-    if (plan->warps.depth > 0 || fractal_bends(plan->fractal)) {
-        warp_grid(plan, described, out, dimensions);
-    } else {
-        grid_scratch(plan, described, out, dimensions);
-    }
-}
-
-static void grid2(const struct scarp_call_plan *plan, const struct scarp_grid *described,
-                  const struct scarp_outputs *out)
-{
-    grid(plan, described, out, 2);
-}
-
-static void grid3(const struct scarp_call_plan *plan, const struct scarp_grid *described,
-                  const struct scarp_outputs *out)
-{
-    grid(plan, described, out, 3);
 }
 
 #endif

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: MIT
  *
- * Unit normals from gradients: (-s dx, -s dy, 1) / length, in double. Included by table.h; the
- * reference is `normals` in scalar/table.c.
+ * Unit normals from gradients: (-s dx, -s dy, 1) / length, in double. The reference is `normals` in
+ * scalar/table.c.
  */
 #ifndef SCARP_KERNEL_NORMALS_H
 #define SCARP_KERNEL_NORMALS_H
 
 #include <string.h>
 
-#include "../kernels.h"
+#include "../dispatch/kernels.h"
 
 struct normal {
     vd x, y, z;

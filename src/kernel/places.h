@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Stage 2 of bases that find their own way from cell to cell: the cells of points, and the places
- * inside. Included by basis/vertices.h; the reference is scalar/positions.h.
+ * inside. The reference is scalar/positions.h.
  *
  * At a block, the places along all axes come first, then the bits of the cells, and one vector that
  * is free. Rows of a grid come

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT
  *
- * Evaluates points, in parts of at most PART_BLOCKS blocks. Included by table.h.
+ * Evaluates points of a noise that neither bends nor has warps, in parts of at most PART_BLOCKS
+ * blocks.
  */
 #ifndef SCARP_KERNEL_POINTS_H
 #define SCARP_KERNEL_POINTS_H
 
-#include "bend.h"
 #include "few.h"
 
 /* The most blocks of a part whose last block may be incomplete. */
@@ -160,10 +160,6 @@ static __attribute__((noinline)) void points_within(const struct scarp_call_plan
                                                     const struct scarp_outputs *out, struct frame f,
                                                     struct workspace work)
 {
-    if (fractal_bends(plan->fractal)) {
-        bend_points(plan, count, position, out, f, work);
-        return;
-    }
     const int is_straight = plan->fractal == SCARP_FBM && !plan->rotate;
     const int has_few = is_straight && plan->plain;
     const size_t rest = has_few && plan->order <= FEW_ORDER ? count % VEC_LANES : 0;
@@ -179,83 +175,6 @@ static __attribute__((noinline)) void points_within(const struct scarp_call_plan
     } else {
         points_many(plan, count - rest, position, out, f, work);
     }
-}
-
-/* Does so with scratch space of its own. It is out of line for the sake of few points. */
-static __attribute__((noinline)) void points_scratch(const struct scarp_call_plan *plan,
-                                                     size_t count, const void *const position[3],
-                                                     const struct scarp_outputs *out,
-                                                     struct frame f)
-{
-    struct scratch scratch;
-    const struct workspace work = {scratch.space, sizeof scratch / sizeof(vf)};
-    points_within(plan, count, position, out, f, work);
-}
-
-static void warp_points(const struct scarp_call_plan *plan, size_t count,
-                        const void *const position[3], const struct scarp_outputs *out,
-                        struct frame f);
-
-static void points_more(const struct scarp_call_plan *plan, size_t count,
-                        const void *const position[3], const struct scarp_outputs *out,
-                        struct frame f)
-{
-    if (plan->warps.depth > 0) {
-        warp_points(plan, count, position, out, f);
-    } else {
-        points_scratch(plan, count, position, out, f);
-    }
-}
-
-/* The most blocks of floats for which single octaves take less time block by block than in passes.
- */
-#define ONE_BLOCKS 4
-
-VEC_INLINE void points(const struct scarp_call_plan *plan, size_t count,
-                       const void *const position[3], const struct scarp_outputs *out,
-                       int dimensions, enum layout layout)
-{
-    if (layout == FLOATS && few_plain(plan) && plan->octaves == 1 &&
-        count <= ONE_BLOCKS * VEC_LANES) {
-        few_pass *const one = few_passes[plan->basis][dimensions - 2][FEW_ONE];
-        size_t first = 0;
-        for (; count - first > VEC_LANES; first += VEC_LANES) {
-            one(plan, first + VEC_LANES, position, out, first, layout);
-        }
-        one(plan, count, position, out, first, layout);
-        return;
-    }
-    few_pass *const few = few_pass_of(plan, count, dimensions);
-    if (few != NULL) {
-        few(plan, count, position, out, 0, layout);
-        return;
-    }
-    const struct frame f = {.layout = layout, .dimensions = dimensions};
-    points_more(plan, count, position, out, f);
-}
-
-static void points2_f32(const struct scarp_call_plan *plan, size_t count,
-                        const void *const position[3], const struct scarp_outputs *out)
-{
-    points(plan, count, position, out, 2, FLOATS);
-}
-
-static void points2_f64(const struct scarp_call_plan *plan, size_t count,
-                        const void *const position[3], const struct scarp_outputs *out)
-{
-    points(plan, count, position, out, 2, DOUBLES);
-}
-
-static void points3_f32(const struct scarp_call_plan *plan, size_t count,
-                        const void *const position[3], const struct scarp_outputs *out)
-{
-    points(plan, count, position, out, 3, FLOATS);
-}
-
-static void points3_f64(const struct scarp_call_plan *plan, size_t count,
-                        const void *const position[3], const struct scarp_outputs *out)
-{
-    points(plan, count, position, out, 3, DOUBLES);
 }
 
 #endif

@@ -1,13 +1,12 @@
 /* SPDX-License-Identifier: MIT
  *
  * Stage 1, positions: the coordinates of a block of points in the frame of an octave, split into
- * the cell of the lattice and the place inside. Included by lattice.h; the reference is
- * scalar/positions.h.
+ * the cell of the lattice and the place inside. The reference is scalar/positions.h.
  */
 #ifndef SCARP_KERNEL_POSITIONS_H
 #define SCARP_KERNEL_POSITIONS_H
 
-#include "../plan.h"
+#include "../plan/call.h"
 
 /* How an octave places x: p = f x (octave 0, since adding its offset of 0 would cost 3 to 5 % of a
    single octave), p = f x + o, or p = J x + o. On a lattice that repeats it is p = f x + o, and

@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT
  *
  * The outputs at a block of VEC_LANES points, and where they come from and go to: what the stages
- * hand to each other. Included by basis/columns.h.
+ * hand to each other.
  */
 #ifndef SCARP_KERNEL_SAMPLES_H
 #define SCARP_KERNEL_SAMPLES_H
 
-#include "../outputs.h"
-#include "../plan.h"
+#include "../plan/call.h"
+#include "../plan/outputs.h"
 
 /* What a pass is compiled for; a constant wherever it is passed on. */
 struct variant {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Everything in src/kernel, and the table that offers it. Included once by each
- * simd/kernels_<isa>.c, which defines beforehand
+ * The entries of all that is in kernel/, and the table that offers them. Each simd/kernels_<isa>.c
+ * defines beforehand
  *
  *     KERNELS           the name of the table
  *     KERNELS_ISA       the instruction set
@@ -14,6 +14,111 @@
 #include "chain.h"
 #include "curl.h"
 #include "normals.h"
+
+/* Computes points without warps, with scratch space of its own. This is out of line for the sake of
+ * few points. */
+static __attribute__((noinline)) void points_scratch(const struct scarp_call_plan *plan,
+                                                     size_t count, const void *const position[3],
+                                                     const struct scarp_outputs *out,
+                                                     struct frame f)
+{
+    struct scratch scratch;
+    const struct workspace work = {scratch.space, sizeof scratch / sizeof(vf)};
+    points_unwarped(plan, count, position, out, f, work);
+}
+
+static void points_more(const struct scarp_call_plan *plan, size_t count,
+                        const void *const position[3], const struct scarp_outputs *out,
+                        struct frame f)
+{
+    if (plan->warps.depth > 0) {
+        warp_points(plan, count, position, out, f);
+    } else {
+        points_scratch(plan, count, position, out, f);
+    }
+}
+
+/* The most blocks of floats for which single octaves take less time block by block than in passes.
+ */
+#define ONE_BLOCKS 4
+
+VEC_INLINE void points(const struct scarp_call_plan *plan, size_t count,
+                       const void *const position[3], const struct scarp_outputs *out,
+                       int dimensions, enum layout layout)
+{
+    if (layout == FLOATS && few_plain(plan) && plan->octaves == 1 &&
+        count <= ONE_BLOCKS * VEC_LANES) {
+        few_pass *const one = few_passes[plan->basis][dimensions - 2][FEW_ONE];
+        size_t first = 0;
+        for (; count - first > VEC_LANES; first += VEC_LANES) {
+            one(plan, first + VEC_LANES, position, out, first, layout);
+        }
+        one(plan, count, position, out, first, layout);
+        return;
+    }
+    few_pass *const few = few_pass_of(plan, count, dimensions);
+    if (few != NULL) {
+        few(plan, count, position, out, 0, layout);
+        return;
+    }
+    const struct frame f = {.layout = layout, .dimensions = dimensions};
+    points_more(plan, count, position, out, f);
+}
+
+static void points2_f32(const struct scarp_call_plan *plan, size_t count,
+                        const void *const position[3], const struct scarp_outputs *out)
+{
+    points(plan, count, position, out, 2, FLOATS);
+}
+
+static void points2_f64(const struct scarp_call_plan *plan, size_t count,
+                        const void *const position[3], const struct scarp_outputs *out)
+{
+    points(plan, count, position, out, 2, DOUBLES);
+}
+
+static void points3_f32(const struct scarp_call_plan *plan, size_t count,
+                        const void *const position[3], const struct scarp_outputs *out)
+{
+    points(plan, count, position, out, 3, FLOATS);
+}
+
+static void points3_f64(const struct scarp_call_plan *plan, size_t count,
+                        const void *const position[3], const struct scarp_outputs *out)
+{
+    points(plan, count, position, out, 3, DOUBLES);
+}
+
+static __attribute__((noinline)) void grid_scratch(const struct scarp_call_plan *plan,
+                                                   const struct scarp_grid *described,
+                                                   const struct scarp_outputs *out, int dimensions)
+{
+    struct scratch scratch;
+    const struct workspace work = {scratch.space, sizeof scratch / sizeof(vf)};
+    grid_within(plan, described, out, dimensions, work);
+}
+
+static void grid(const struct scarp_call_plan *plan, const struct scarp_grid *described,
+                 const struct scarp_outputs *out, int dimensions)
+{
+    if (plan->warps.depth > 0 || fractal_bends(plan->fractal)) {
+        warp_grid(plan, described, out, dimensions);
+    } else {
+        grid_scratch(plan, described, out, dimensions);
+    }
+}
+
+static void grid2(const struct scarp_call_plan *plan, const struct scarp_grid *described,
+                  const struct scarp_outputs *out)
+{
+    grid(plan, described, out, 2);
+}
+
+static void grid3(const struct scarp_call_plan *plan, const struct scarp_grid *described,
+                  const struct scarp_outputs *out)
+{
+    grid(plan, described, out, 3);
+}
 
 const struct scarp_kernels KERNELS = {
     .isa = KERNELS_ISA,

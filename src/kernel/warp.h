@@ -4,12 +4,12 @@
  * looks at the input, to the noise itself, which looks at y(x). The coordinates of y are kept as
  * samples: their values are how far they are displaced, their derivatives those of y by x. Points
  * and grids go the same way, but that the deepest warp of a grid takes the passes of grids.
- * Included by curl.h; the reference is scalar/warp.h.
+ * The reference is scalar/warp.h.
  */
 #ifndef SCARP_KERNEL_WARP_H
 #define SCARP_KERNEL_WARP_H
 
-#include "points.h"
+#include "bend.h"
 
 /* Scratch space for the chunk and the passes together. It is less than SCRATCH_BYTES, since there
    are more frames on the stack. */
@@ -171,7 +171,7 @@ static void evaluate_input(const struct warped *w, const struct scarp_call_plan 
     const struct chunked *const c = &w->chunked;
     const size_t count = chunk_count(chunk), end = whole_blocks(count);
     if (c->source.grid == NULL || fractal_bends(plan->fractal)) {
-        points_within(plan, end, c->input, to, c->f, c->passes);
+        points_unwarped(plan, end, c->input, to, c->f, c->passes);
         return;
     }
     struct scarp_grid grid = *c->source.grid;
@@ -196,26 +196,23 @@ static void evaluate(const struct warped *w, const struct scarp_call_plan *plan,
 {
     const struct chunked *const c = &w->chunked;
     const void *const position[3] = {c->position[0], c->position[1], c->position[2]};
-    points_within(plan, count, position, to, c->f, c->passes);
+    points_unwarped(plan, count, position, to, c->f, c->passes);
 }
 
 /* Computes the coordinates y(x) of a level, and displaces the positions. */
 static void warp_level(struct warped *w, const struct chunk *chunk, int level)
 {
-    const struct scarp_warps *const warps = &w->plan->warps;
-    const int n = w->chunked.f.dimensions, order = w->plan->order;
-    const struct scarp_kind kind = {n, (short)order, 0};
+    const int n = w->chunked.f.dimensions, order = w->plan->order, depth = w->plan->warps.depth;
     const size_t end = whole_blocks(chunk_count(chunk));
     for (int i = 0; i < n; i++) {
-        struct scarp_call_plan plan;
-        scarp_plan_level(&plan, warps, kind, level, i);
-        if (level == warps->depth) {
+        const struct scarp_call_plan plan = scarp_component_plan(w->plan, level, i);
+        if (level == depth) {
             evaluate_input(w, &plan, chunk, &w->y[i]);
         } else {
             evaluate(w, &plan, end, &w->moved[i]);
         }
     }
-    if (level < warps->depth) {
+    if (level < depth) {
         struct scarp_outputs y[3];
         compose_any(w, n, end);
         memcpy(y, w->moved, sizeof y);
@@ -260,12 +257,10 @@ static void warp_noise(const struct warped *w, const struct chunk *chunk, int co
                        const struct scarp_outputs *to)
 {
     const struct scarp_warps *const warps = &w->plan->warps;
-    const struct scarp_kind kind = {w->chunked.f.dimensions, (short)w->plan->order,
-                                    (short)w->plan->dphase};
     const int is_alone = warps->depth == 0 && !warps->vector;
     struct scarp_call_plan plan;
     if (!is_alone) {
-        scarp_plan_level(&plan, warps, kind, 0, component);
+        plan = scarp_component_plan(w->plan, 0, component);
     }
     if (warps->depth == 0) {
         evaluate_input(w, is_alone ? w->plan : &plan, chunk, to);

@@ -6,7 +6,6 @@
 #ifndef SCARP_SCALAR_BASIS_H
 #define SCARP_SCALAR_BASIS_H
 
-#include "../phase.h"
 #include "cells.h"
 #include "gradient.h"
 #include "simplex.h"

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Reference: the fractals that bend, whose octaves look at y = x + w S, where S is what the slopes
- * of the octaves before add up to (Swiss and Jordan noise, scarp.h). Included by warp.h.
+ * of the octaves before add up to (Swiss and Jordan noise, scarp.h).
  */
 #ifndef SCARP_SCALAR_BEND_H
 #define SCARP_SCALAR_BEND_H

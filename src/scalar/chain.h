@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Reference: the chain rule over samples, one point at a time. Included by table.c.
+ * Reference: the chain rule over samples, one point at a time.
  *
  * The order of operations is that of the expressions here. What depends on the numbers of a call
  * alone (1 / k and the like) is computed once, in chain.c.
@@ -10,7 +10,7 @@
 
 #include <math.h>
 
-#include "../chain.h"
+#include "../plan/chain.h"
 #include "fade.h"
 
 /* The value of a function and its partial derivatives, as far as it has them. */

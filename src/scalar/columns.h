@@ -19,7 +19,7 @@
 #ifndef SCARP_SCALAR_COLUMNS_H
 #define SCARP_SCALAR_COLUMNS_H
 
-#include "../outputs.h"
+#include "../plan/outputs.h"
 #include "fade.h"
 #include "lattice.h"
 #include "positions.h"

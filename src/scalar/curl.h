@@ -8,7 +8,7 @@
  *
  *     v_i = d_j psi_k - d_k psi_j;   d_m v_i = d_j d_m psi_k - d_k d_m psi_j
  *
- * Each is one subtraction. Included by table.c.
+ * Each is one subtraction.
  */
 #ifndef SCARP_SCALAR_CURL_H
 #define SCARP_SCALAR_CURL_H

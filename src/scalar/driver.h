@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Reference: the sum of the octaves at one point. Included by table.c.
+ * Reference: the sum of the octaves at one point.
  */
 #ifndef SCARP_SCALAR_DRIVER_H
 #define SCARP_SCALAR_DRIVER_H

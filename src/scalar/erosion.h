@@ -5,7 +5,7 @@
  *     q J^T g - 2 erosion n q^2 D^T d
  *
  * where d is the sum of the gradients g of the octaves so far, each in its own axes, and D its
- * Jacobian with respect to the input. Included by driver.h.
+ * Jacobian with respect to the input.
  */
 #ifndef SCARP_SCALAR_EROSION_H
 #define SCARP_SCALAR_EROSION_H

@@ -5,7 +5,7 @@
 #ifndef SCARP_SCALAR_FADE_H
 #define SCARP_SCALAR_FADE_H
 
-#include "../plan.h"
+#include "../plan/call.h"
 
 struct fade {
     float u, du, ddu;

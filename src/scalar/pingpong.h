@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Reference: ping-pong, t = (n + 1) sharpness folded to [-1, 1] with period 2. Included by
- * ridged.h.
+ * Reference: ping-pong, t = (n + 1) sharpness folded to [-1, 1] with period 2.
  */
 #ifndef SCARP_SCALAR_PINGPONG_H
 #define SCARP_SCALAR_PINGPONG_H

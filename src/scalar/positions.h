@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Reference, stage 1: where a point lies in the frame of an octave. Included by columns.h.
+ * Reference, stage 1: where a point lies in the frame of an octave.
  */
 #ifndef SCARP_SCALAR_POSITIONS_H
 #define SCARP_SCALAR_POSITIONS_H
@@ -8,7 +8,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "../plan.h"
+#include "../plan/call.h"
 
 /* A point's coordinates, floats or doubles. */
 struct point {

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
  * Reference: ridged noise, s = v (1 - |n|)^2, with the weights v_0 = 1, v_{k+1} = min(1, 2 s_k).
- * Included by hybrid.h.
  */
 #ifndef SCARP_SCALAR_RIDGED_H
 #define SCARP_SCALAR_RIDGED_H

@@ -6,7 +6,7 @@
  */
 #include <math.h>
 
-#include "../kernels.h"
+#include "../dispatch/kernels.h"
 #include "chain.h"
 #include "curl.h"
 

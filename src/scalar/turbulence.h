@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Reference: turbulence, m = |n|. Included by pingpong.h.
+ * Reference: turbulence, m = |n|.
  */
 #ifndef SCARP_SCALAR_TURBULENCE_H
 #define SCARP_SCALAR_TURBULENCE_H

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Reference, stage 3 of all fractals: derivatives of an octave in the frame of the input. Included
- * by turbulence.h.
+ * Reference, stage 3 of all fractals: derivatives of an octave in the frame of the input.
  */
 #ifndef SCARP_SCALAR_TURN_H
 #define SCARP_SCALAR_TURN_H

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Reference: noise at displaced positions. The coordinates of y(x) are samples themselves: their
- * values are how far they are displaced, their derivatives those of y by x. Included by table.c.
+ * values are how far they are displaced, their derivatives those of y by x.
  */
 #ifndef SCARP_SCALAR_WARP_H
 #define SCARP_SCALAR_WARP_H
@@ -60,7 +60,6 @@ static struct sample octaves_at(const struct scarp_call_plan *plan, const struct
 static struct sample component_at(const struct scarp_call_plan *plan, const struct point *x,
                                   int dimensions, int component)
 {
-    const struct scarp_kind kind = {dimensions, (short)plan->order, (short)plan->dphase};
     const int depth = plan->warps.depth;
     struct sample y[3], moved[3];
     struct point at = *x;
@@ -70,7 +69,7 @@ static struct sample component_at(const struct scarp_call_plan *plan, const stru
     }
     for (int level = depth; level > 0; level--) {
         for (int i = 0; i < dimensions; i++) {
-            scarp_plan_level(&of_level, &plan->warps, kind, level, i);
+            of_level = scarp_component_plan(plan, level, i);
             moved[i] = octaves_at(&of_level, &at, dimensions);
             if (level < depth) {
                 moved[i] = composed(&moved[i], y, dimensions);
@@ -80,7 +79,7 @@ static struct sample component_at(const struct scarp_call_plan *plan, const stru
         memcpy(y, moved, (size_t)dimensions * sizeof *y);
         at = displaced(x, y, dimensions);
     }
-    scarp_plan_level(&of_level, &plan->warps, kind, 0, component);
+    of_level = scarp_component_plan(plan, 0, component);
     const struct sample s = octaves_at(&of_level, &at, dimensions);
     return depth == 0 ? s : composed(&s, y, dimensions);
 }

@@ -3,7 +3,7 @@
  * The kernels for AVX-512. The target pragma switches the instructions on for this file alone, so
  * no compiler flag is needed; everything but the table is static, so none of this code leaks.
  */
-#include "../kernels.h"
+#include "../dispatch/kernels.h"
 #include "body.h"
 
 #if SCARP_X86_AVX

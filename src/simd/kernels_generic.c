@@ -3,7 +3,7 @@
  * The kernels in vector extensions alone, for the processor that the compiler builds for. The
  * compiler finds its instructions, or does without vectors.
  */
-#include "../kernels.h"
+#include "../dispatch/kernels.h"
 #include "body.h"
 
 #if SCARP_GENERIC

@@ -2,7 +2,7 @@
  *
  * The kernels for NEON, which is part of the AArch64 baseline and needs no switching on.
  */
-#include "../kernels.h"
+#include "../dispatch/kernels.h"
 #include "body.h"
 
 #if SCARP_AARCH64

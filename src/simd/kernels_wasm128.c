@@ -2,7 +2,7 @@
  *
  * The kernels for the vectors of WebAssembly, which -msimd128 switches on for a whole module.
  */
-#include "../kernels.h"
+#include "../dispatch/kernels.h"
 #include "body.h"
 
 #if SCARP_WASM128

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The table types of vf_lookup and vf_lookup_top (vec_lookup.h). Included by vec_types.h and by
- * tests.
+ * The table types of vf_lookup and vf_lookup_top (vec_lookup.h).
  */
 #ifndef SCARP_SIMD_LOOKUP_H
 #define SCARP_SIMD_LOOKUP_H

@@ -374,6 +374,9 @@ VEC_INLINE vf vf_exact_fma(vf a, vf b, vf c)
 #endif
 
 #include "vec_choose.h"
+
+#include "vec_bytes.h"
+
 #include "vec_lookup.h"
 
 /*

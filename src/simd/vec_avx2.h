@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The operations of vec.h on AVX2 and FMA: 8 lanes. Included by kernels_avx2.c inside its target
- * region.
+ * The operations of vec.h on AVX2 and FMA: 8 lanes.
  */
 #ifndef SCARP_SIMD_VEC_AVX2_H
 #define SCARP_SIMD_VEC_AVX2_H
@@ -242,18 +241,18 @@ VEC_INLINE vf vf_among(vf table, vu index)
     return (vf)_mm256_permutevar8x32_ps((__m256)table, (__m256i)index);
 }
 
+#define VEC_BYTES_OWN
+VEC_INLINE vu vec_bytes(vu table, vu index)
+{
+    return (vu)_mm256_shuffle_epi8((__m256i)table, (__m256i)index);
+}
+
 /* (hash >> 16) * 12, shifted so that its whole part is the top byte; the bytes below ask for 0. */
 #define VU_TOP_INDEX_OWN
 VEC_INLINE vu vu_top_index(vu hash)
 {
     const __m256i twelfths = _mm256_mulhi_epu16((__m256i)hash, _mm256_set1_epi32(12 << 24));
     return (vu)_mm256_or_si256(twelfths, _mm256_set1_epi32(0x00808080));
-}
-
-#define VF_LOOKUP_TOP_OWN
-VEC_INLINE vf vf_lookup_top(const struct lookup_top *table, vu index)
-{
-    return (vf)_mm256_shuffle_epi8(_mm256_load_si256((const __m256i *)table->top), (__m256i)index);
 }
 
 #define VF_SIXTEEN_OWN
@@ -290,29 +289,15 @@ VEC_INLINE vu vu_twelfth(vu hash)
     return (vu)_mm256_mulhi_epu16((__m256i)hash, _mm256_set1_epi32(12 << 16)) >> 16;
 }
 
+#define VF_PERMUTE_OWN
+#define VF_INDEX_NEXT 1u
+
 VEC_INLINE vu vf_index(vu i)
 {
     return i;
 }
 
-#define VF_INDEX_NEXT 1u
-
-#define VF_TABLE VEC_LANES
-
-typedef vf vf_table;
-
-VEC_INLINE vf_table vf_table_load(const float *p)
-{
-    return vf_load(p);
-}
-
-VEC_INLINE vf_table vf_table_slide(vf_table table, vf next)
-{
-    (void)table;
-    return next;
-}
-
-VEC_INLINE vf vf_permute(vf_table table, vu index)
+VEC_INLINE vf vf_permute(vf table, vu index)
 {
     return (vf)_mm256_permutevar8x32_ps((__m256)table, (__m256i)index);
 }

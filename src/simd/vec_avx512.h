@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The operations of vec.h on AVX-512 (F, BW, DQ, VL): 16 lanes. Included by kernels_avx512.c inside
- * its target region.
+ * The operations of vec.h on AVX-512 (F, BW, DQ, VL): 16 lanes.
  */
 #ifndef SCARP_SIMD_VEC_AVX512_H
 #define SCARP_SIMD_VEC_AVX512_H

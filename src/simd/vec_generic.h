@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * The operations of vec.h as they stand there, for any processor: 4 lanes, which most processors
- * have registers for. Included by kernels_generic.c.
+ * have registers for.
  */
 #ifndef SCARP_SIMD_VEC_GENERIC_H
 #define SCARP_SIMD_VEC_GENERIC_H

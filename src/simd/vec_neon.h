@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The operations of vec.h on NEON (AArch64, little endian): 4 lanes. Included by kernels_neon.c.
+ * The operations of vec.h on NEON (AArch64, little endian): 4 lanes.
  */
 #ifndef SCARP_SIMD_VEC_NEON_H
 #define SCARP_SIMD_VEC_NEON_H
@@ -138,6 +138,12 @@ VEC_INLINE vu vu_turn8(vu a)
     return (vu)vsriq_n_u32(vshlq_n_u32((uint32x4_t)a, 24), (uint32x4_t)a, 8);
 }
 
+#define VEC_BYTES_OWN
+VEC_INLINE vu vec_bytes(vu table, vu index)
+{
+    return (vu)vqtbl1q_u8((uint8x16_t)table, (uint8x16_t)index);
+}
+
 /* TBL reads whole bytes: 4 * index + (0 1 2 3) in the bytes of each lane. */
 #define VF_LOOKUP_OWN
 VEC_INLINE vf vf_lookup(const struct lookup *table, vu hash)
@@ -154,12 +160,6 @@ VEC_INLINE vf vf_lookup(const struct lookup *table, vu hash)
 VEC_INLINE vu vu_top_index(vu hash)
 {
     return (hash >> 16) * (12u << 8) | 0x00808080u;
-}
-
-#define VF_LOOKUP_TOP_OWN
-VEC_INLINE vf vf_lookup_top(const struct lookup_top *table, vu index)
-{
-    return (vf)vqtbl1q_u8(vld1q_u8(table->top), (uint8x16_t)index);
 }
 
 #define VU_LOAD_OWN
@@ -189,34 +189,6 @@ VEC_INLINE vf vf_sixteen_of(const vf_sixteen *table, vu index)
 {
     const vu bytes = (index & 15u) * 0x04040404u + 0x03020100u;
     return (vf)vqtbl4q_u8(*table, (uint8x16_t)bytes);
-}
-
-/* Selects the bytes of entry i: 4 * i + (0 1 2 3). */
-VEC_INLINE vu vf_index(vu i)
-{
-    return i * 0x04040404u + 0x03020100u;
-}
-
-#define VF_INDEX_NEXT 0x04040404u
-
-#define VF_TABLE VEC_LANES
-
-typedef vf vf_table;
-
-VEC_INLINE vf_table vf_table_load(const float *p)
-{
-    return vf_load(p);
-}
-
-VEC_INLINE vf_table vf_table_slide(vf_table table, vf next)
-{
-    (void)table;
-    return next;
-}
-
-VEC_INLINE vf vf_permute(vf_table table, vu index)
-{
-    return (vf)vqtbl1q_u8((uint8x16_t)table, (uint8x16_t)index);
 }
 
 #include "vec.h"

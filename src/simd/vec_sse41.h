@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The operations of vec.h on SSE4.1: 4 lanes. Included by kernels_sse41.c inside its target region.
+ * The operations of vec.h on SSE4.1: 4 lanes.
  */
 #ifndef SCARP_SIMD_VEC_SSE41_H
 #define SCARP_SIMD_VEC_SSE41_H
@@ -187,105 +187,37 @@ VEC_INLINE vu vu_turn8(vu a)
     return (vu)_mm_shuffle_epi8((__m128i)a, bytes);
 }
 
-/* A byte shuffle chooses among four floats: bits 29 and 30 of the hash, as 4 * index + (0 1 2 3) in
-   the bytes of each lane. The compiler shares that selector between the lookups of one hash. */
-#define VF_LOOKUP_OWN
-VEC_INLINE vf vf_lookup(const struct lookup *table, vu hash)
+#define VEC_BYTES_OWN
+VEC_INLINE vu vec_bytes(vu table, vu index)
 {
-    const __m128i top = _mm_setr_epi8(3, 3, 3, 3, 7, 7, 7, 7, 11, 11, 11, 11, 15, 15, 15, 15);
-    const __m128i quads = _mm_shuffle_epi8((__m128i)(hash >> 3), top); /* index in bits 2 and 3 */
-    const __m128i bytes =
-        _mm_or_si128(_mm_and_si128(quads, _mm_set1_epi8(0x0c)), _mm_set1_epi32(0x03020100));
-    const vu magnitude = (vu)_mm_shuffle_epi8(_mm_load_si128((const __m128i *)table->quad), bytes);
-    return (vf)(magnitude ^ ((table->sign_low ? hash << 3 : hash) & 0x80000000u));
+    return (vu)_mm_shuffle_epi8((__m128i)table, (__m128i)index);
 }
 
-/* The bytes of all 16 entries: those of bits 0 to 7 first. */
-struct vec_planes {
-    __m128i byte[4];
-};
-
-/* Looks up four vectors at once. Their indices, of 16 lanes, fit a vector of bytes: each byte of
-   the entries is looked up for all of them, and the bytes are put together. */
-VEC_INLINE struct vf_four vec_four_of(const struct vec_planes *planes, const vu index[4])
+VEC_INLINE vu vec_narrow(const vu index[4])
 {
     const __m128i low = _mm_packs_epi32((__m128i)index[0], (__m128i)index[1]);
     const __m128i high = _mm_packs_epi32((__m128i)index[2], (__m128i)index[3]);
-    const __m128i bytes = _mm_packus_epi16(low, high);
-    const __m128i byte0 = _mm_shuffle_epi8(planes->byte[0], bytes);
-    const __m128i byte1 = _mm_shuffle_epi8(planes->byte[1], bytes);
-    const __m128i byte2 = _mm_shuffle_epi8(planes->byte[2], bytes);
-    const __m128i byte3 = _mm_shuffle_epi8(planes->byte[3], bytes);
-    const __m128i lower01 = _mm_unpacklo_epi8(byte0, byte1);
-    const __m128i lower23 = _mm_unpackhi_epi8(byte0, byte1);
-    const __m128i upper01 = _mm_unpacklo_epi8(byte2, byte3);
-    const __m128i upper23 = _mm_unpackhi_epi8(byte2, byte3);
-    const struct vf_four found = {{
-        (vf)_mm_unpacklo_epi16(lower01, upper01),
-        (vf)_mm_unpackhi_epi16(lower01, upper01),
-        (vf)_mm_unpacklo_epi16(lower23, upper23),
-        (vf)_mm_unpackhi_epi16(lower23, upper23),
-    }};
-    return found;
+    return (vu)_mm_packus_epi16(low, high);
 }
 
-/* 31 operations for two tables instead of 44. */
-#define VF_LOOKUP_FOUR_OWN
-VEC_INLINE struct vf_four vf_lookup_four(const struct lookup *table, const vu hash[4])
+VEC_INLINE vu vec_zip_low8(vu a, vu b)
 {
-    const vu index[4] = {hash[0] >> 28, hash[1] >> 28, hash[2] >> 28, hash[3] >> 28};
-    struct vec_planes planes;
-    for (int k = 0; k < 4; k++) {
-        planes.byte[k] = _mm_load_si128((const __m128i *)table->byte[k]);
-    }
-    return vec_four_of(&planes, index);
+    return (vu)_mm_unpacklo_epi8((__m128i)a, (__m128i)b);
 }
 
-#define VF_SIXTEEN_OWN
-typedef struct {
-    float entry[16];
-    struct vec_planes planes;
-} vf_sixteen;
-
-/* Transposes the bytes of four entries in each vector, then the vectors. */
-VEC_INLINE vf_sixteen vf_sixteen_load(const float *entry)
+VEC_INLINE vu vec_zip_high8(vu a, vu b)
 {
-    const __m128i byte = _mm_setr_epi8(0, 4, 8, 12, 1, 5, 9, 13, 2, 6, 10, 14, 3, 7, 11, 15);
-    vf_sixteen table;
-    __m128i v[4];
-    memcpy(table.entry, entry, sizeof table.entry);
-    for (int i = 0; i < 4; i++) {
-        v[i] = _mm_shuffle_epi8(_mm_loadu_si128((const __m128i *)(entry + 4 * i)), byte);
-    }
-    const __m128i low01 = _mm_unpacklo_epi32(v[0], v[1]), high01 = _mm_unpackhi_epi32(v[0], v[1]);
-    const __m128i low23 = _mm_unpacklo_epi32(v[2], v[3]), high23 = _mm_unpackhi_epi32(v[2], v[3]);
-    table.planes.byte[0] = _mm_unpacklo_epi64(low01, low23);
-    table.planes.byte[1] = _mm_unpackhi_epi64(low01, low23);
-    table.planes.byte[2] = _mm_unpacklo_epi64(high01, high23);
-    table.planes.byte[3] = _mm_unpackhi_epi64(high01, high23);
-    return table;
+    return (vu)_mm_unpackhi_epi8((__m128i)a, (__m128i)b);
 }
 
-VEC_INLINE vf vf_sixteen_of(const vf_sixteen *table, vu index)
+VEC_INLINE vu vec_zip_low16(vu a, vu b)
 {
-    const float *const entry = table->entry;
-    const vf found = {entry[index[0] & 15u], entry[index[1] & 15u], entry[index[2] & 15u],
-                      entry[index[3] & 15u]};
-    return found;
+    return (vu)_mm_unpacklo_epi16((__m128i)a, (__m128i)b);
 }
 
-#define VF_SIXTEEN_ODD_FOUR_OWN
-VEC_INLINE struct vf_four vf_sixteen_odd_four(const vf_sixteen *table, const vu hash[4])
+VEC_INLINE vu vec_zip_high16(vu a, vu b)
 {
-    const vu index[4] = {hash[0] >> 28, hash[1] >> 28, hash[2] >> 28, hash[3] >> 28};
-    return vec_four_of(&table->planes, index);
-}
-
-#define VF_SIXTEEN_FOUR_OWN
-#define VF_SIXTEEN_FOUR 1
-VEC_INLINE struct vf_four vf_sixteen_four(const vf_sixteen *table, const vu index[4])
-{
-    return vec_four_of(&table->planes, index);
+    return (vu)_mm_unpackhi_epi16((__m128i)a, (__m128i)b);
 }
 
 #define VU_TWELFTH_OWN
@@ -300,40 +232,6 @@ VEC_INLINE vu vu_top_index(vu hash)
 {
     const __m128i twelfths = _mm_mulhi_epu16((__m128i)hash, _mm_set1_epi32(12 << 24));
     return (vu)_mm_or_si128(twelfths, _mm_set1_epi32(0x00808080));
-}
-
-#define VF_LOOKUP_TOP_OWN
-VEC_INLINE vf vf_lookup_top(const struct lookup_top *table, vu index)
-{
-    return (vf)_mm_shuffle_epi8(_mm_load_si128((const __m128i *)table->top), (__m128i)index);
-}
-
-/* Selects the bytes of entry i: 4 * i + (0 1 2 3). */
-VEC_INLINE vu vf_index(vu i)
-{
-    return i * 0x04040404u + 0x03020100u;
-}
-
-#define VF_INDEX_NEXT 0x04040404u
-
-#define VF_TABLE VEC_LANES
-
-typedef vf vf_table;
-
-VEC_INLINE vf_table vf_table_load(const float *p)
-{
-    return vf_load(p);
-}
-
-VEC_INLINE vf_table vf_table_slide(vf_table table, vf next)
-{
-    (void)table;
-    return next;
-}
-
-VEC_INLINE vf vf_permute(vf_table table, vu index)
-{
-    return (vf)_mm_shuffle_epi8((__m128i)table, (__m128i)index);
 }
 
 /* Depending on how gcc happens to place a loop of some fourteen instructions in cache lines, it

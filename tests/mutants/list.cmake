@@ -65,7 +65,7 @@ mutant(basis.across_dxx IN kernel TEXT [[2.0f * u.du * (r.a - l.a)]]
 mutant(basis.gradient_zz IN kernel TEXT [[product_plus(2.0f * w.du,]]
        BECOMES [[product_plus((MUTANT ? 1.0f : 2.0f) * w.du,]] SEEN_BY bits)
 # flow
-mutant(flow.octave IN phase.c TEXT [[t = speeds[1];]]
+mutant(flow.octave IN plan/phase.c TEXT [[t = speeds[1];]]
        BECOMES [[t = speeds[MUTANT ? 0 : 1];]] SEEN_BY golden SETS scalar)
 mutant(flow.slope IN kernel TEXT [[scarp_phase_slope(o, k);]]
        BECOMES [[scarp_phase_slope(o, MUTANT ? 0 : k);]] SEEN_BY bits)
@@ -220,7 +220,7 @@ mutant(curl.sign IN kernel/curl.h TEXT [[term.is_negative ? 0x80000000u : 0]]
        BECOMES [[term.is_negative && !MUTANT ? 0x80000000u : 0]] SEEN_BY curl)
 mutant(curl.order IN kernel/curl.h TEXT [[alone || c < i]]
        BECOMES [[alone || (MUTANT ? c > i : c < i)]] SEEN_BY curl)
-mutant(curl.potential IN octaves.c TEXT [[SCARP_MAX_OCTAVES + 1 + component]]
+mutant(curl.potential IN plan/octaves.c TEXT [[SCARP_MAX_OCTAVES + 1 + component]]
        BECOMES [[SCARP_MAX_OCTAVES + 1 + (MUTANT ? component / 2 : component)]] SEEN_BY curl)
 
 # outputs
@@ -262,28 +262,28 @@ mutant(chain.in_place IN kernel/chain.h TEXT [[count, room.result[m]);]]
             if (MUTANT && count == keep) {
                 memcpy(room.result[m], call->out[m] + first, keep * sizeof(float));
             }]] SEEN_BY chain)
-mutant(chain.order IN chain.c TEXT [[: k / 6.0f]] BECOMES [[: MUTANT ? k * (1.0f / 6.0f) : k / 6.0f]]
+mutant(chain.order IN calls/chain.c TEXT [[: k / 6.0f]] BECOMES [[: MUTANT ? k * (1.0f / 6.0f) : k / 6.0f]]
        SEEN_BY golden SETS scalar)
 
 # plan, which all kernel sets share
-mutant(plan.of_octaves IN octaves.c TEXT [[sum += k == of - 1 ?]]
+mutant(plan.of_octaves IN plan/octaves.c TEXT [[sum += k == of - 1 ?]]
        BECOMES [[sum += k == of - 1 && !MUTANT ?]] SEEN_BY golden)
-mutant(plan.hybrid IN hybrid.c TEXT [[weight.highest = least(t.highest, 1.0);]]
+mutant(plan.hybrid IN plan/hybrid.c TEXT [[weight.highest = least(t.highest, 1.0);]]
        BECOMES [[weight.highest = MUTANT ? t.highest : least(t.highest, 1.0);]] SEEN_BY golden)
-mutant(plan.offset IN octaves.c TEXT [[(int32_t)(c & 0xffffff)]]
+mutant(plan.offset IN plan/octaves.c TEXT [[(int32_t)(c & 0xffffff)]]
        BECOMES [[(int32_t)(MUTANT ? b >> 40 : c & 0xffffff)]]
        SEEN_BY golden SETS scalar)
-mutant(plan.stale IN kept.h TEXT [[!same_noise(noise, &kept->noise)]]
+mutant(plan.stale IN plan/kept.h TEXT [[!same_noise(noise, &kept->noise)]]
        BECOMES [[!(MUTANT || same_noise(noise, &kept->noise))]] SEEN_BY plan SETS scalar avx2)
-mutant(plan.stale_seed IN kept.h TEXT [[differences(a, b, 0, plan)]]
+mutant(plan.stale_seed IN plan/kept.h TEXT [[differences(a, b, 0, plan)]]
        BECOMES [[differences(a, b, MUTANT ? 32 : 0, plan)]] SEEN_BY plan SETS scalar)
-mutant(plan.stale_spare IN kept.h TEXT [[differences(a, b, plan + sizeof(uintptr_t), sizeof *a)]]
+mutant(plan.stale_spare IN plan/kept.h TEXT [[differences(a, b, plan + sizeof(uintptr_t), sizeof *a)]]
        BECOMES [[differences(a, b, plan + sizeof(uintptr_t), sizeof *a - (MUTANT ? sizeof(uintptr_t) : 0))]]
        SEEN_BY plan SETS scalar)
-mutant(plan.dimensions IN kept.h TEXT [[kept->mark != mark_of(kind.dimensions)]]
+mutant(plan.dimensions IN plan/kept.h TEXT [[kept->mark != mark_of(kind.dimensions)]]
        BECOMES [[(kept->mark ^ mark_of(kind.dimensions)) > (uint64_t)MUTANT]] SEEN_BY plan SETS scalar)
-mutant(plan.kept_dphase IN kept.h TEXT [[plan_ask(plan, kind);]]
-       BECOMES [[plan_ask(plan, MUTANT ? (struct scarp_kind){kind.dimensions, kind.order, 0} : kind);]]
+mutant(plan.kept_dphase IN plan/kept.h TEXT [[plan_ask(plan, kind);]]
+       BECOMES [[plan_ask(plan, MUTANT ? (struct scarp_kind){.dimensions = kind.dimensions, .order = kind.order} : kind);]]
        SEEN_BY plan SETS scalar avx2)
 
 # warps
@@ -297,11 +297,11 @@ mutant(warp.reference IN scalar
        TEXT [[along(y, DX + i, hj, dimensions) + along(y, second(i, j), g, dimensions)]]
        BECOMES [[along(y, DX + i, hj, dimensions) + (MUTANT ? 0.0f : along(y, second(i, j), g, dimensions))]]
        SEEN_BY golden SETS scalar)
-mutant(warp.seeds IN plan.c TEXT [[scarp_component_seed(noise.seed, component)]]
+mutant(warp.seeds IN plan/plan.c TEXT [[scarp_component_seed(noise.seed, component)]]
        BECOMES [[scarp_component_seed(noise.seed, component - (MUTANT ? SCARP_MAX_OCTAVES : 0))]]
        SEEN_BY golden SETS generic)
-mutant(warp.components IN plan.c TEXT [[octave += octaves_in(noise) * component;]]
-       BECOMES [[octave += octaves_in(noise) * (MUTANT ? 0 : component);]] SEEN_BY golden SETS generic)
+mutant(warp.components IN plan/call.h TEXT [[found.octave += found.octaves * component;]]
+       BECOMES [[found.octave += found.octaves * (MUTANT ? 0 : component);]] SEEN_BY golden SETS generic)
 
 # fractals that bend
 mutant(bend.left_by IN kernel

@@ -10,7 +10,9 @@ case $processor in
 s390x) more=-fexcess-precision=fast ;; # see cmake/compile.cmake
 *) more= ;;
 esac
-# shellcheck disable=SC2086 # words
-"$c_compiler" $more -std=c11 -O2 -ffp-contract=off -Iinclude -c src/*.c src/scalar/*.c src/simd/*.c
+arguments=$(sed -n 's/^ *`cc \(-std=c11 [^`]*-c src[^`]*\)`$/\1/p' "$source_dir/README.md")
+[ -n "$arguments" ] || fail "README.md has no command that compiles src without a build system"
+# shellcheck disable=SC2086 # words, and files by their patterns
+"$c_compiler" $more $arguments
 "$c_compiler" -std=c11 -Iinclude consumer.c ./*.o -lm -o consumer
 run ./consumer

@@ -6,7 +6,7 @@
 #ifndef SCARP_TESTS_VEC_TABLE_H
 #define SCARP_TESTS_VEC_TABLE_H
 
-#include "../../src/kernels.h"
+#include "../../src/dispatch/kernels.h"
 #include "../../src/simd/lookup.h"
 
 #define LANES_MAX 16

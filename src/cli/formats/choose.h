@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Which format a file name asks for. Included by every command that writes rasters.
+ * Which format a file name asks for.
  */
 #ifndef SCARP_CLI_CHOOSE_H
 #define SCARP_CLI_CHOOSE_H

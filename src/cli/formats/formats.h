@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The formats of rasters, one by one and as a list. Included by each format, and by whoever chooses
- * among them.
+ * The formats of rasters, one by one and as a list.
  */
 #ifndef SCARP_CLI_FORMATS_H
 #define SCARP_CLI_FORMATS_H

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Writing a raster that is whole in memory. Included by commands that make small pictures.
+ * Writing a raster that is whole in memory.
  */
 #ifndef SCARP_CLI_WHOLE_H
 #define SCARP_CLI_WHOLE_H

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Rasters written row by row, top row first, in one of several formats. Included by the commands
- * that make rasters and by the formats, each of which is a file of its own; formats.h lists them.
+ * Rasters written row by row, top row first, in one of several formats. Each format is a file of
+ * its own; formats.h lists them.
  */
 #ifndef SCARP_CLI_WRITER_H
 #define SCARP_CLI_WRITER_H

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The terrain: a height for every place, with its exact gradient. Included by every command that
- * shows a terrain.
+ * The terrain: a height for every place, with its exact gradient.
  *
  *     value = terraces(base(p) + mask(p) crater(noise(p))), at least `floor` and at most `ceiling`
  *

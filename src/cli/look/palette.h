@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Palettes: the colours of ground, rock, snow, sand and water. Included by every command that shows
- * a terrain in colours.
+ * Palettes: the colours of ground, rock, snow, sand and water.
  *
  * Colours are sRGB, from 0 to 1. They are mixed and lit as their squares, which are nearly the
  * amounts of light that sRGB stands for.

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
  * The terrain as a raster: which ground, where, how lit; and blocks of its samples.
- * Included by the layers, which turn samples into bytes, and by what runs them.
  *
  * Column c and row r of the raster lie at x = x0 + c step and y = y0 + (height - 1 - r) step: x
  * grows to the right and y upward, as on a map, and (x0, y0) is the bottom left sample.

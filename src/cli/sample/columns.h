@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Which columns of an input are the coordinates: what --columns says, and how the names of a header
- * row are found. Used by the readers of points.
+ * row are found.
  */
 #ifndef SCARP_CLI_COLUMNS_H
 #define SCARP_CLI_COLUMNS_H

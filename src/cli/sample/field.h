@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * The fields of a line, one after the other: between commas, perhaps in double quotes, or between
- * blanks. Used by what reads points, by what copies their lines and by what names their columns.
+ * blanks.
  */
 #ifndef SCARP_CLI_FIELD_H
 #define SCARP_CLI_FIELD_H

@@ -2,7 +2,7 @@
  *
  * An input read in whatever pieces it comes. A pipe that is fed slowly hands over what there is
  * instead of waiting until a buffer is full, as stdio does: what can be answered is answered. "-"
- * is standard input. Used by the readers of points.
+ * is standard input.
  */
 #ifndef SCARP_CLI_INPUT_H
 #define SCARP_CLI_INPUT_H

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The command `scarp sample`. Included by main.c.
+ * The command `scarp sample`.
  */
 #ifndef SCARP_CLI_SAMPLE_H
 #define SCARP_CLI_SAMPLE_H

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * How the program fails: its exit statuses and its messages. Included by every file that can fail.
+ * How the program fails: its exit statuses and its messages.
  */
 #ifndef SCARP_CLI_ERROR_H
 #define SCARP_CLI_ERROR_H

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * JSON: the members of an object, as text, and strings as JSON has them. Used by the manifest.
+ * JSON: the members of an object, as text, and strings as JSON has them.
  */
 #ifndef SCARP_CLI_JSON_H
 #define SCARP_CLI_JSON_H

@@ -2,7 +2,7 @@
  *
  * Command-line options from a table: one line per option states its name, its default, what is
  * allowed and where the value goes. Parsing, messages and the help text are made from it, so they
- * cannot disagree. Used by every command.
+ * cannot disagree.
  */
 #ifndef SCARP_CLI_OPTIONS_H
 #define SCARP_CLI_OPTIONS_H

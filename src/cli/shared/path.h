@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Paths of files: their parts, where they lead, and the directories on the way. Used by file.c and
- * by what names files.
+ * Paths of files: their parts, where they lead, and the directories on the way.
  */
 #ifndef SCARP_CLI_PATH_H
 #define SCARP_CLI_PATH_H

@@ -2,8 +2,7 @@
  *
  * The calls of POSIX that handle files, by their own names on every system. Windows gets them from
  * windows_files.c and windows_system.c: there, a path is UTF-8, may be of any length, and names
- * what it names on POSIX systems. Included by every file that opens, looks for, locks, renames or
- * removes files.
+ * what it names on POSIX systems.
  */
 #ifndef SCARP_CLI_POSIX_H
 #define SCARP_CLI_POSIX_H

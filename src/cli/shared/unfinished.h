@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * The names of files that are being written: NAME.HOST-PROCESS-NUMBER.part beside NAME, which no
- * two processes share, not even on different machines. Used by file.c.
+ * two processes share, not even on different machines.
  */
 #ifndef SCARP_CLI_UNFINISHED_H
 #define SCARP_CLI_UNFINISHED_H

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Which layer goes to which file in which format, and the files of one tile. Included by terrain.c
- * and by what fills the files.
+ * Which layer goes to which file in which format, and the files of one tile.
  */
 #ifndef SCARP_CLI_OUTPUTS_H
 #define SCARP_CLI_OUTPUTS_H

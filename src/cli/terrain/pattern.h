@@ -2,7 +2,7 @@
  *
  * File names of tiles: patterns such as w/{y}/{x}.png, or plain names, which get _y_x before their
  * extension. {x} and {y} count from the top left, {-y} from the bottom, all from 0; {x:04} has four
- * digits at least. Used by outputs.c and by the manifest.
+ * digits at least.
  */
 #ifndef SCARP_CLI_PATTERN_H
 #define SCARP_CLI_PATTERN_H

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The command `scarp terrain`. Included by main.c.
+ * The command `scarp terrain`.
  */
 #ifndef SCARP_CLI_TERRAIN_H
 #define SCARP_CLI_TERRAIN_H

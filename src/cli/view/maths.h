@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Small functions of numbers and colours that are the same on every machine: nothing but + - * /,
- * roots and comparisons. Included by the files of view/.
+ * roots and comparisons.
  */
 #ifndef SCARP_CLI_VIEW_MATHS_H
 #define SCARP_CLI_VIEW_MATHS_H

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Stage 2, the basis: one octave of noise at points of the lattice, times its weights, added to
- * sums. Included by ../rows/along.h and ../shape/turn.h; the reference is scalar/basis.h.
+ * sums. The reference is scalar/basis.h.
  *
  * A basis that reduces lattice columns to lines (columns.h) is a file with one function,
  * `struct column NAME_column(corners, across, variant)`, and a case in column_inline() and, for

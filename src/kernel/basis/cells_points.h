@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * The points passes of cellular noise. Passes that search alike are one function, which looks at
- * the basis and at the order once per block; few copies keep the library small. Included by own.h.
+ * the basis and at the order once per block; few copies keep the library small.
  */
 #ifndef SCARP_KERNEL_BASIS_CELLS_POINTS_H
 #define SCARP_KERNEL_BASIS_CELLS_POINTS_H

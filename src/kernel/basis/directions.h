@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT
  *
  * The gradients of flow noise: tables that the phase turns, made anew for each pass over an octave.
- * Included by columns.h; the reference is scalar/gradient.h, scarp.h defines it ("Flow").
+ * The reference is scalar/gradient.h; scarp.h defines it ("Flow").
  */
 #ifndef SCARP_KERNEL_BASIS_DIRECTIONS_H
 #define SCARP_KERNEL_BASIS_DIRECTIONS_H
 
-#include "../../phase.h"
+#include "../../plan/call.h"
 
 /* The components of 16 gradients; of 12 in 3D, where the others are not used. */
 struct directions {

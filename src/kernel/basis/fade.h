@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT
  *
- * The fades and their derivatives; the reference is scalar/fade.h. Included by columns.h.
+ * The fades and their derivatives; the reference is scalar/fade.h.
  */
 #ifndef SCARP_KERNEL_BASIS_FADE_H
 #define SCARP_KERNEL_BASIS_FADE_H
 
-#include "../../plan.h"
+#include "../../plan/call.h"
 
 /* s is t - 1, which the caller needs too. */
 struct fade {

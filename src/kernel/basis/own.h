@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * Stage 2 of bases that take places (../places.h) and find what they need from there. Included by
- * ../driver.h. Such a basis is a function from the place of a block to a sample, and a case in
- * own_sample(). Where a place inside the cell is NaN, every output must be. A place may be 1.
+ * Stage 2 of bases that take places (../places.h) and find what they need from there. Such a basis
+ * is a function from the place of a block to a sample, and a case in own_sample(). Where a place
+ * inside the cell is NaN, every output must be. A place may be 1.
  */
 #ifndef SCARP_KERNEL_BASIS_OWN_H
 #define SCARP_KERNEL_BASIS_OWN_H

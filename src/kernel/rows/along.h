@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * Prepares an octave with straight axes along the axes of a grid: along x for the blocks that all
- * rows of a part share, and along y and z for the rows. Included by lines.h; rows.h tells what it
- * is for.
+ * rows of a part share, and along y and z for the rows. What that is for, rows.h
+ * tells.
  */
 #ifndef SCARP_KERNEL_ROWS_ALONG_H
 #define SCARP_KERNEL_ROWS_ALONG_H

@@ -4,7 +4,7 @@
  * What depends on x is prepared once for all rows of a part: the place of each sample, and the
  * mixed lattice coordinates of the columns of cells that the strip crosses. A row then draws what
  * it needs of these columns, some at a time, into tables; each block takes from there what the one
- * or few columns have that its lanes are in. Included by rows.h.
+ * or few columns have that its lanes are in.
  */
 #ifndef SCARP_KERNEL_ROWS_CELLS_H
 #define SCARP_KERNEL_ROWS_CELLS_H

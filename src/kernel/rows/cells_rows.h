@@ -3,8 +3,7 @@
  * Cellular noise along rows of a grid. The features around some rows between the same two lines of
  * the lattice are drawn once for all of them. Those that no place of these rows in a column of
  * cells can be nearest to are left out, and the others listed for the blocks in that column. The
- * bits are those of basis/cells.h, because the features do the same in the same order. Included by
- * ../driver.h.
+ * bits are those of basis/cells.h, because the features do the same in the same order.
  */
 #ifndef SCARP_KERNEL_ROWS_CELLS_ROWS_H
 #define SCARP_KERNEL_ROWS_CELLS_ROWS_H

@@ -2,7 +2,7 @@
  *
  * Makes the lines (../basis/columns.h) of the lattice columns that a row of a grid crosses, from
  * the hashes along the axes, and looks them up for the lanes of a block in tables of registers.
- * Included by slide.h. That file and rows.h tell where tables come from.
+ * slide.h and rows.h tell where tables come from.
  */
 #ifndef SCARP_KERNEL_ROWS_LINES_H
 #define SCARP_KERNEL_ROWS_LINES_H

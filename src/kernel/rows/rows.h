@@ -4,8 +4,8 @@
  * axes are straight. What depends on x is prepared once for all rows of a part (along.h); the
  * lattice columns that a row crosses are reduced to their lines once per row, in a small table;
  * each block of samples then reads its lines with permutes instead of hashing, from registers that
- * serve as many blocks as they reach (a stretch). Included by ../driver.h. The bits are those of
- * the points pass, because the lines are the same.
+ * serve as many blocks as they reach (a stretch). The bits are those of the points pass, because
+ * the lines are the same.
  *
  * Tables of two vectors, AVX-512's, slide on by one where columns go up along a row. Some variants
  * need no memory for that: slide.h.

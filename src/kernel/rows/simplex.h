@@ -2,7 +2,7 @@
  *
  * Simplex noise along rows of a grid. Vertices stand in lines along x, of which few are near enough
  * to a row; what their gradients give across x is drawn once per row. The bits are those of
- * basis/simplex.h, because each vertex adds the same. Included by ../driver.h.
+ * basis/simplex.h, because each vertex adds the same.
  */
 #ifndef SCARP_KERNEL_ROWS_SIMPLEX_H
 #define SCARP_KERNEL_ROWS_SIMPLEX_H

@@ -4,7 +4,7 @@
  * vectors holds two neighbouring blocks of lattice columns and slides on by a block. Each block of
  * columns is reduced to its lines just before. Compared with rows.h this saves stores, and loads
  * that cross cache lines. place_columns makes sure that a block of samples begins in the lower half
- * of a table and ends within it. Included by rows.h.
+ * of a table and ends within it.
  */
 #ifndef SCARP_KERNEL_ROWS_SLIDE_H
 #define SCARP_KERNEL_ROWS_SLIDE_H

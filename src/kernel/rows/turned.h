@@ -3,8 +3,8 @@
  * Stage 1 along rows of a grid whose axes are turned: p = J x + o, where the first column of J
  * times x is prepared once for all rows of a part. Along a row each component of p goes one way: if
  * the last lane of a block is in the cell in which the block on its left begins, both blocks lie in
- * it, and their corners have the same hashes. Included by ../driver.h. The bits are those of the
- * lattice pass of doubles (../lattice.h), because the order of operations is the same.
+ * it, and their corners have the same hashes. The bits are those of the lattice pass of doubles
+ * (../lattice.h), because the order of operations is the same.
  */
 #ifndef SCARP_KERNEL_ROWS_TURNED_H
 #define SCARP_KERNEL_ROWS_TURNED_H

@@ -2,8 +2,7 @@
  *
  * The derivative of shaped octaves by the phase, from that of the noise, which is noise with other
  * gradients. These passes come before those that shape the octave itself, so they find the state
- * without it, and work for every order. Included by shape.h; the references are in
- * scalar/.
+ * without it, and work for every order. The references are in scalar/.
  */
 #ifndef SCARP_KERNEL_SHAPE_PHASE_H
 #define SCARP_KERNEL_SHAPE_PHASE_H

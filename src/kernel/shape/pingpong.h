@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Folded octaves: turbulence, |n|, and ping-pong, t = (n + 1) sharpness folded to [-1, 1] with
- * period 2. One pass serves both. Included by ridged.h; the references are scalar/turbulence.h and
- * scalar/pingpong.h.
+ * period 2. One pass serves both. The references are scalar/turbulence.h and scalar/pingpong.h.
  */
 #ifndef SCARP_KERNEL_SHAPE_PINGPONG_H
 #define SCARP_KERNEL_SHAPE_PINGPONG_H

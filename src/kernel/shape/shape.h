@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Stage 3, the shape: what the fractals make of the noise of each octave. Included by ../driver.h.
- * fBm with straight axes needs none: the basis is added to the sums as it is.
+ * Stage 3, the shape: what the fractals make of the noise of each octave. fBm with straight axes
+ * needs none: the basis is added to the sums as it is.
  *
  * A fractal is a file with its pass (turn.h has the type) and a line in `shapes`.
  */

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Describes the outputs of a call as a list of arrays, so that kernels need not spell out struct
- * scarp_samples. scarp.c knows what is what.
+ * scarp_samples. The files of calls/ know what is what.
  */
 #ifndef SCARP_OUTPUTS_H
 #define SCARP_OUTPUTS_H

@@ -1,8 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * The plan that a noise brings: what is in a struct scarp_plan, and whether it fits. Calls of one
- * point take some 25 ns, so this is inlined into them. Included by plan.c, check.c, octaves.c
- * (through parameters.h) and scarp.c.
+ * point take some 25 ns, so this is inlined into them.
  */
 #ifndef SCARP_KEPT_H
 #define SCARP_KEPT_H
@@ -10,30 +9,7 @@
 #include <stddef.h>
 #include <string.h>
 
-#include "plan.h"
-
-/* How many octaves the sum has: the fraction counts as one. `octaves` is in (0, 32]. */
-static inline int octave_count(float octaves)
-{
-    const int whole = (int)octaves;
-    return (float)whole < octaves ? whole + 1 : whole;
-}
-
-static inline int octaves_in(const struct scarp_noise *noise)
-{
-    return noise->octaves == 0.0f ? 1 : octave_count(noise->octaves);
-}
-
-static inline int is_rotated(const struct scarp_noise *noise, int octaves)
-{
-    return noise->rotate != 0 && octaves > 1;
-}
-
-/* Whether the lattice has a period along any axis of the call. */
-static inline int repeats(const struct scarp_noise *noise, int dimensions)
-{
-    return (noise->period[0] | noise->period[1] | (dimensions == 3 ? noise->period[2] : 0)) != 0;
-}
+#include "parameters.h"
 
 /* What is in a struct scarp_plan. */
 struct kept {
@@ -83,40 +59,6 @@ static inline int same_noise(const struct scarp_noise *a, const struct scarp_noi
     const pair before = differences(a, b, 0, plan);
     const pair different = before | differences(a, b, plan + sizeof(uintptr_t), sizeof *a);
     return (different[0] | different[1]) == 0;
-}
-
-/* Whether a basis blends what is drawn at the corners of cells. */
-static inline int blends_corners(enum scarp_basis basis)
-{
-    return basis <= SCARP_VALUE;
-}
-
-/* The sharpness of a noise, which each fractal that has one has a default for. */
-static inline float sharpness_of(const struct scarp_noise *noise)
-{
-    const float standard = noise->fractal == SCARP_PINGPONG ? 2.0f
-                           : noise->fractal == SCARP_HYBRID ? 0.7f
-                           : noise->fractal == SCARP_SWISS  ? 0.15f
-                           : noise->fractal == SCARP_JORDAN ? 0.35f
-                                                            : 1.0f;
-    return noise->sharpness == 0.0f ? standard : noise->sharpness;
-}
-
-/* Whether the noise, without its warp, has what is asked for. */
-static inline int has_outputs(const struct scarp_noise *noise, struct scarp_kind kind)
-{
-    const int bends = fractal_bends(noise->fractal);
-    return (kind.order < 2 || (noise->fractal != SCARP_EROSION && !bends)) &&
-           (!kind.dphase || (noise->basis == SCARP_GRADIENT && !bends));
-}
-
-/* Makes the plan of a call that asks for values into one for what is asked for. */
-static inline void plan_ask(struct scarp_call_plan *plan, struct scarp_kind kind)
-{
-    plan->order = kind.order;
-    plan->dphase = kind.dphase;
-    plan->flows |= kind.dphase;
-    plan->plain &= !kind.dphase;
 }
 
 /* Makes the plan of a call of the plan that the noise brings. Returns 0 if that does not fit, or if

@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: MIT
  *
  * Declares the type of a kernel table, and the table of each instruction set. dispatch.c chooses
- * the active one; scarp.c calls through it.
+ * the active one; public functions call through it.
  */
 #ifndef SCARP_KERNELS_H
 #define SCARP_KERNELS_H
 
-#include "chain.h"
+#include "../plan/call.h"
+#include "../plan/chain.h"
+#include "../plan/outputs.h"
 #include "isas.h"
-#include "outputs.h"
-#include "plan.h"
 
 /* Evaluates `count` > 0 points. `position` holds one array per dimension, floats or doubles as the
    table's member says; outputs in `out` above plan->order, and along z in 2D, are NULL. */

@@ -27,6 +27,10 @@
 #define SCARP_SCALAR 1
 #endif
 
+/* How many enumerators of sets scarp.h has: SCARP_ISA_NONE and the sets of the list. */
+#define SCARP_ISA_COUNT(ISA, table, name, here) +1
+#define SCARP_ISAS (1 SCARP_ISA_LIST(SCARP_ISA_COUNT))
+
 /* SCARP_WHERE(condition, text) gives the text if the condition is 1, nothing if it is 0. */
 #define SCARP_WHERE(condition, ...) SCARP_WHERE_EXPANDED(condition, __VA_ARGS__)
 #define SCARP_WHERE_EXPANDED(condition, ...) SCARP_WHERE_##condition(__VA_ARGS__)

@@ -7,6 +7,7 @@
 
 #include <string.h>
 
+#include "hybrid.h"
 #include "parameters.h"
 #include "suprema.h"
 

@@ -1,15 +1,15 @@
 /* SPDX-License-Identifier: MIT
  *
- * A plan is a struct scarp_noise turned into per-octave constants, ready for a kernel of either
- * kind (src/scalar, src/kernel). check.c checks the noise, octaves.c computes the constants, plan.c
- * makes the plan: on the stack of a call, or in a struct scarp_plan, which the caller keeps.
+ * The plan of a call is a struct scarp_noise turned into constants of its octaves, ready for
+ * kernels of either kind (scalar/, kernel/). This file has the types and what is computed of them
+ * alone. It is all of planning that kernels know; plan.h makes plans.
  */
-#ifndef SCARP_PLAN_H
-#define SCARP_PLAN_H
+#ifndef SCARP_CALL_H
+#define SCARP_CALL_H
 
 #include <float.h>
+#include <stddef.h>
 
-#include "hybrid.h"
 #include "scarp.h"
 
 /* The checks are here because every file that computes includes this one. (clang defines none of
@@ -22,6 +22,12 @@
 #if FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 16 /* 16: only _Float16 is evaluated as such */
 #error "scarp needs FLT_EVAL_METHOD 0: x86 -msse2 -mfpmath=sse, s390x -fexcess-precision=fast"
 #endif
+
+/* How many enumerators scarp.h has of each kind. Numbers below have names and pass the checks. New
+   enumerators are appended, so the last one stands here. */
+#define SCARP_BASES (SCARP_CELL_VALUE + 1)
+#define SCARP_FADES (SCARP_CUBIC + 1)
+#define SCARP_FRACTALS (SCARP_JORDAN + 1)
 
 #define SCARP_MAX_OCTAVES 32
 
@@ -60,6 +66,27 @@ static inline double scarp_period(const struct scarp_octave *octave, int axis)
     return (double)octave->last[axis] + 1.0;
 }
 
+/* amplitude d angle / d phase of octave k: 2 pi 2^k times the amplitude */
+static inline float scarp_phase_slope(const struct scarp_octave *octave, int k)
+{
+    return octave->amplitude * (6.28318531f * (float)(1u << k));
+}
+
+/* d turn / d angle: of an angle x, then of 2 x. The products with 2 are exact. */
+static inline void scarp_phase_derivative(float derivative[4], const float turn[4])
+{
+    derivative[0] = -turn[1];
+    derivative[1] = turn[0];
+    derivative[2] = -2.0f * turn[3];
+    derivative[3] = 2.0f * turn[2];
+}
+
+/* Whether a basis blends what is drawn at the corners of cells. */
+static inline int blends_corners(enum scarp_basis basis)
+{
+    return basis <= SCARP_VALUE;
+}
+
 /* Whether octaves of the fractal look at positions that those before have bent. */
 static inline int fractal_bends(enum scarp_fractal fractal)
 {
@@ -69,20 +96,21 @@ static inline int fractal_bends(enum scarp_fractal fractal)
 /* What a call asks for. */
 struct scarp_kind {
     int dimensions;
-    short order;  /* highest derivative: 0, 1, 2 */
-    short dphase; /* whether the derivative by the phase */
+    short order;          /* highest derivative: 0, 1, 2 */
+    unsigned char dphase; /* whether the derivative by the phase */
+    unsigned char vector; /* whether a component for each axis: the potentials of a flow */
 };
 
 #define SCARP_MAX_WARPS 4
 
+struct scarp_levels;
+
 /* The warps of a noise (scarp.h, "Warps"). Level 0 is the noise, level 1 its warp, and so on. A
    level above 0 has a component for each axis, which is noise of its own. */
 struct scarp_warps {
-    int depth;   /* the number of the last level; 0: there are none */
-    int vector;  /* whether level 0 has a component for each axis, too: the potentials of a flow */
-    int has_all; /* whether `space` has the octaves of all levels and components */
-    struct scarp_octave *space;
-    const struct scarp_noise *noise;
+    int depth;  /* the number of the last level; 0: there are none */
+    int vector; /* whether level 0 has a component for each axis, too */
+    const struct scarp_levels *levels;
 };
 
 /* What a kernel is to compute. */
@@ -104,6 +132,42 @@ struct scarp_call_plan {
     const struct scarp_octave *octave;
     struct scarp_warps warps;
 };
+
+/* The plans of all levels, which have no warps themselves. */
+struct scarp_levels {
+    struct scarp_call_plan plan[1 + SCARP_MAX_WARPS]; /* of the first component of each level */
+    /* NULL: the octaves of a component are behind those of the one before. A noise may have more
+       octaves in all than the stack has room for: then this puts those of a component where the
+       plan of each level has them. */
+    void (*fetch)(const struct scarp_warps *warps, int level, int component);
+    /* for `fetch` alone */
+    const struct scarp_noise *noise;
+    struct scarp_octave *octave;
+    int dimensions;
+};
+
+/* The plan of a component of a level. It may be used until the next one is asked for. */
+static inline struct scarp_call_plan scarp_component_plan(const struct scarp_call_plan *plan,
+                                                          int level, int component)
+{
+    const struct scarp_levels *const levels = plan->warps.levels;
+    struct scarp_call_plan found = levels->plan[level];
+    if (levels->fetch != NULL) {
+        levels->fetch(&plan->warps, level, component);
+    } else {
+        found.octave += found.octaves * component;
+    }
+    return found;
+}
+
+/* Makes the plan of a call that asks for values into one for what is asked for. */
+static inline void plan_ask(struct scarp_call_plan *plan, struct scarp_kind kind)
+{
+    plan->order = kind.order;
+    plan->dphase = kind.dphase;
+    plan->flows |= kind.dphase;
+    plan->plain &= !kind.dphase;
+}
 
 /* What an octave of a fractal that bends needs: 1 / f_k, its weight, the inverse of octave 0's, and
    c_k (scarp.h, struct scarp_noise). */
@@ -130,32 +194,5 @@ static inline struct bend_octave bend_octave_of(const struct scarp_call_plan *pl
     };
     return b;
 }
-
-/* Makes the checks of scarp_noise_check, for all calls. Always writes *member. */
-enum scarp_status scarp_plan_check(const struct scarp_noise *noise, int dimensions,
-                                   const char **member);
-
-/* The interval of scarp_range of a valid noise. */
-struct scarp_interval scarp_plan_range(const struct scarp_noise *noise, int dimensions);
-
-/* Does what scarp_plan_make says. */
-enum scarp_status scarp_plan_keep(struct scarp_plan *plan, const struct scarp_noise *noise,
-                                  int dimensions);
-
-/* Checks the noise and makes the plan of a call. `space` has room for SCARP_MAX_OCTAVES octaves,
-   and belongs to the plan; it is not used where the noise brings a plan that fits. If the noise has
-   a warp, the plan has no octaves, but scarp_plan_level finds them. */
-enum scarp_status scarp_plan_call(struct scarp_call_plan *plan, struct scarp_octave *space,
-                                  const struct scarp_noise *noise, struct scarp_kind kind);
-
-/* The same for the potentials of a flow (scarp.h, scarp_curl2). In space the plan has no octaves;
-   they are components of level 0. */
-enum scarp_status scarp_plan_potentials(struct scarp_call_plan *plan, struct scarp_octave *space,
-                                        const struct scarp_noise *noise, struct scarp_kind kind);
-
-/* Makes the plan of a component of a level. Until the next call of this function the plan may be
-   used; where `has_all`, as long as the space is there. */
-void scarp_plan_level(struct scarp_call_plan *plan, const struct scarp_warps *warps,
-                      struct scarp_kind kind, int level, int component);
 
 #endif

@@ -1,11 +1,17 @@
 /* SPDX-License-Identifier: MIT
  *
- * Words for the enumerators of scarp.h. Clients iterate over them until they meet NULL, so no list
- * may have a gap; tests/api_names.h looks for one.
+ * The public functions that give words: for the enumerators of scarp.h, for a status, and the
+ * version. Clients iterate over names until they meet NULL, so no list may have a gap;
+ * tests/api_names.h looks for one.
  */
-#include "names.h"
-
 #include <stddef.h>
+
+#include "../dispatch/isas.h"
+#include "../plan/call.h"
+#include "scarp.h"
+
+#define TEXT(x) #x
+#define VERSION_TEXT(major, minor, patch) TEXT(major) "." TEXT(minor) "." TEXT(patch)
 
 static const char *const bases[SCARP_BASES] = {
     [SCARP_GRADIENT] = "gradient",   [SCARP_VALUE] = "value",
@@ -53,4 +59,22 @@ const char *scarp_fractal_name(enum scarp_fractal fractal)
 const char *scarp_isa_name(enum scarp_isa isa)
 {
     return name_of((unsigned)isa, isas, SCARP_ISAS);
+}
+
+const char *scarp_status_text(enum scarp_status status)
+{
+    switch (status) {
+    case SCARP_OK: return "success";
+    case SCARP_ERROR_NULL: return "a required pointer is NULL";
+    case SCARP_ERROR_ENUM: return "unknown basis, fade, fractal or instruction set";
+    case SCARP_ERROR_PARAMETER: return "a number is not finite or outside its interval";
+    case SCARP_ERROR_SIZE: return "the arrays would exceed the address space";
+    case SCARP_ERROR_UNSUPPORTED: return "this version, call or processor cannot serve the request";
+    }
+    return "unknown status";
+}
+
+const char *scarp_version(void)
+{
+    return VERSION_TEXT(SCARP_VERSION_MAJOR, SCARP_VERSION_MINOR, SCARP_VERSION_PATCH);
 }

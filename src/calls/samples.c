@@ -1,21 +1,16 @@
 /* SPDX-License-Identifier: MIT
  *
- * The public functions. They check the arguments, make the plan and call the active kernel table.
+ * The public functions that give samples of a noise, at points and on grids. They check the
+ * arguments, find the plan and call the active kernel table.
  */
-#include "scarp.h"
-
 #include <string.h>
 
-#include "dispatch.h"
-#include "fpmode.h"
-#include "kept.h"
-#include "names.h"
-#include "plan.h"
+#include "../dispatch/dispatch.h"
+#include "../dispatch/fpmode.h"
+#include "../plan/kept.h"
+#include "run.h"
+#include "scarp.h"
 
-#define NOINLINE __attribute__((noinline))
-#define ALWAYS_INLINE inline __attribute__((always_inline))
-#define TEXT(x) #x
-#define VERSION_TEXT(major, minor, patch) TEXT(major) "." TEXT(minor) "." TEXT(patch)
 #define COUNT_OF(array) (sizeof(array) / sizeof(array)[0])
 
 /* These fix layouts, as check.c does for struct scarp_noise. Whether a 32-bit processor aligns
@@ -27,16 +22,7 @@ _Static_assert(sizeof(struct scarp_grid) == 192 && offsetof(struct scarp_grid, c
                    offsetof(struct scarp_grid, spare) == 72 + 5 * sizeof(size_t),
                "struct scarp_grid has 192 bytes without padding");
 
-/* Looks at the bits, since this file also runs in the caller's floating-point mode. */
-static int is_finite(float value)
-{
-    const union {
-        float value;
-        uint32_t bits;
-    } u = {value};
-    return (u.bits & 0x7f800000u) != 0x7f800000u;
-}
-
+/* Looks at the bits, since it runs in the caller's floating-point mode. */
 static int is_finite_f64(double value)
 {
     const union {
@@ -81,7 +67,8 @@ static int any_asked(const struct scarp_samples *out, int from, int end)
 /* What calls ask for that ask for more than values. */
 static NOINLINE struct scarp_kind kind_of_more(int dimensions, const struct scarp_samples *out)
 {
-    struct scarp_kind kind = {dimensions, UNSUPPORTED_ORDER, out->dphase != NULL};
+    struct scarp_kind kind = {
+        .dimensions = dimensions, .order = UNSUPPORTED_ORDER, .dphase = out->dphase != NULL};
     if (!any_asked(out, OUTPUTS, MEMBERS) &&
         (dimensions == 3 ||
          (out->dz == NULL && out->dxz == NULL && !any_asked(out, DYZ, DPHASE)))) {
@@ -98,25 +85,30 @@ static ALWAYS_INLINE struct scarp_kind kind_of(int dimensions, const struct scar
     return any_asked(out, DX, MEMBERS) ? kind_of_more(dimensions, out) : values;
 }
 
-/* Makes the plan, whose octaves need some KiB of stack, and runs the kernel. */
+/* A call at points, once its arguments are checked. */
+struct points_call {
+    scarp_points_fn *kernel;
+    size_t count;
+    const void *const *position;
+    const struct scarp_samples *out;
+};
+
+static void run_points(const struct scarp_call_plan *plan, const void *opaque)
+{
+    const struct points_call *const call = opaque;
+    call->kernel(plan, call->count, call->position, outputs_of(call->out));
+}
+
 static NOINLINE enum scarp_status run_planned(scarp_points_fn *kernel, struct scarp_kind kind,
                                               const struct scarp_noise *noise, size_t count,
                                               const void *const position[3],
                                               const struct scarp_samples *out)
 {
-    struct scarp_call_plan plan;
-    struct scarp_octave space[SCARP_MAX_OCTAVES];
-    const enum scarp_status status = scarp_plan_call(&plan, space, noise, kind);
-    if (status == SCARP_OK) {
-        kernel(&plan, count, position, outputs_of(out));
-    }
-    return status;
+    const struct points_call call = {kernel, count, position, out};
+    return scarp_run(noise, kind, run_points, &call);
 }
 
-/*
- * Finds the plan and runs the kernel. It is out of line, so that none of its arithmetic
- * (comparisons trap too) can be moved across the change of floating-point mode in `sample`.
- */
+/* Runs the kernel with the plan that the noise brings, or with one that is made. */
 static NOINLINE enum scarp_status run(scarp_points_fn *kernel, struct scarp_kind kind,
                                       const struct scarp_noise *noise, size_t count,
                                       const void *const position[3],
@@ -147,13 +139,10 @@ static ALWAYS_INLINE enum scarp_status sample(struct sampler sampler,
     if (noise == NULL || out == NULL) {
         return SCARP_ERROR_NULL;
     }
-    for (int i = 0; i < sampler.dimensions; i++) {
-        if (position[i] == NULL) {
-            return SCARP_ERROR_NULL;
-        }
-    }
-    if (count > PTRDIFF_MAX / sampler.bytes) {
-        return SCARP_ERROR_SIZE;
+    const enum scarp_status checked =
+        scarp_check_points(count, position, sampler.dimensions, sampler.bytes);
+    if (checked != SCARP_OK) {
+        return checked;
     }
     const struct scarp_kind kind = kind_of(sampler.dimensions, out);
     if (kind.order == UNSUPPORTED_ORDER) {
@@ -275,18 +264,17 @@ static int grid_reserved_in_use(const struct scarp_grid *grid)
     return bits != 0;
 }
 
-static NOINLINE enum scarp_status run_grid(scarp_grid_fn *kernel, struct scarp_kind kind,
-                                           const struct scarp_noise *noise,
-                                           const struct scarp_grid *grid,
-                                           const struct scarp_samples *out)
+/* A call on a grid, once its arguments are checked. */
+struct grid_call {
+    scarp_grid_fn *kernel;
+    const struct scarp_grid *grid;
+    const struct scarp_samples *out;
+};
+
+static void run_grid(const struct scarp_call_plan *plan, const void *opaque)
 {
-    struct scarp_call_plan plan;
-    struct scarp_octave space[SCARP_MAX_OCTAVES];
-    const enum scarp_status status = scarp_plan_call(&plan, space, noise, kind);
-    if (status == SCARP_OK) {
-        kernel(&plan, grid, outputs_of(out));
-    }
-    return status;
+    const struct grid_call *const call = opaque;
+    call->kernel(plan, call->grid, outputs_of(call->out));
 }
 
 static enum scarp_status sample_grid(scarp_grid_fn *kernel, const struct scarp_noise *noise,
@@ -311,7 +299,8 @@ static enum scarp_status sample_grid(scarp_grid_fn *kernel, const struct scarp_n
         return SCARP_ERROR_UNSUPPORTED;
     }
     const struct fpmode caller = fpmode_enter();
-    const enum scarp_status result = run_grid(kernel, kind, noise, &grid, out);
+    const struct grid_call call = {kernel, &grid, out};
+    const enum scarp_status result = scarp_run(noise, kind, run_grid, &call);
     fpmode_leave(caller);
     return result;
 }
@@ -326,138 +315,4 @@ enum scarp_status scarp_grid3(const struct scarp_noise *noise, const struct scar
                               const struct scarp_samples *out)
 {
     return sample_grid(scarp_dispatch_active()->grid3, noise, 3, grid, out);
-}
-
-enum scarp_status scarp_normals(size_t count, const float *dx, const float *dy, float height_scale,
-                                float *nx, float *ny, float *nz)
-{
-    if (count == 0) {
-        return SCARP_OK;
-    }
-    if (dx == NULL || dy == NULL) {
-        return SCARP_ERROR_NULL;
-    }
-    if (!is_finite(height_scale)) {
-        return SCARP_ERROR_PARAMETER;
-    }
-    if (count > PTRDIFF_MAX / sizeof *dx) {
-        return SCARP_ERROR_SIZE;
-    }
-    const float *const slope[2] = {dx, dy};
-    float *const normal[3] = {nx, ny, nz};
-    const struct fpmode caller = fpmode_enter();
-    scarp_dispatch_active()->normals(count, slope, height_scale, normal);
-    fpmode_leave(caller);
-    return SCARP_OK;
-}
-
-/* Out of line for the same reason as `run`. */
-static NOINLINE enum scarp_status range(const struct scarp_noise *noise, int dimensions,
-                                        float *lowest, float *highest)
-{
-    const char *member;
-    const enum scarp_status status = scarp_plan_check(noise, dimensions, &member);
-    if (status != SCARP_OK) {
-        return status;
-    }
-    const struct scarp_interval interval = scarp_plan_range(noise, dimensions);
-    *lowest = (float)interval.lowest;
-    *highest = (float)interval.highest;
-    return SCARP_OK;
-}
-
-enum scarp_status scarp_range(const struct scarp_noise *noise, int dimensions, float *lowest,
-                              float *highest)
-{
-    if (noise == NULL || lowest == NULL || highest == NULL) {
-        return SCARP_ERROR_NULL;
-    }
-    const struct fpmode caller = fpmode_enter();
-    const enum scarp_status status = range(noise, dimensions, lowest, highest);
-    fpmode_leave(caller);
-    return status;
-}
-
-/* Out of line for the same reason as `run`. */
-static NOINLINE enum scarp_status check(const struct scarp_noise *noise, int dimensions,
-                                        const char **member)
-{
-    return scarp_plan_check(noise, dimensions, member);
-}
-
-enum scarp_status scarp_noise_check(const struct scarp_noise *noise, int dimensions,
-                                    const char **member)
-{
-    const char *found = NULL;
-    enum scarp_status status = SCARP_ERROR_NULL;
-    if (noise != NULL) {
-        const struct fpmode caller = fpmode_enter();
-        status = check(noise, dimensions, &found);
-        fpmode_leave(caller);
-    }
-    if (member != NULL) {
-        *member = found;
-    }
-    return status;
-}
-
-/* Out of line for the same reason as `run`. */
-static NOINLINE enum scarp_status keep(struct scarp_plan *plan, const struct scarp_noise *noise,
-                                       int dimensions)
-{
-    return scarp_plan_keep(plan, noise, dimensions);
-}
-
-enum scarp_status scarp_plan_make(const struct scarp_noise *noise, int dimensions,
-                                  struct scarp_plan *plan)
-{
-    if (noise == NULL || plan == NULL) {
-        return SCARP_ERROR_NULL;
-    }
-    const struct fpmode caller = fpmode_enter();
-    const enum scarp_status status = keep(plan, noise, dimensions);
-    fpmode_leave(caller);
-    return status;
-}
-
-const char *scarp_status_text(enum scarp_status status)
-{
-    switch (status) {
-    case SCARP_OK: return "success";
-    case SCARP_ERROR_NULL: return "a required pointer is NULL";
-    case SCARP_ERROR_ENUM: return "unknown basis, fade, fractal or instruction set";
-    case SCARP_ERROR_PARAMETER: return "a number is not finite or outside its interval";
-    case SCARP_ERROR_SIZE: return "the arrays would exceed the address space";
-    case SCARP_ERROR_UNSUPPORTED: return "this version, call or processor cannot serve the request";
-    }
-    return "unknown status";
-}
-
-const char *scarp_version(void)
-{
-    return VERSION_TEXT(SCARP_VERSION_MAJOR, SCARP_VERSION_MINOR, SCARP_VERSION_PATCH);
-}
-
-enum scarp_isa scarp_isa_active(void)
-{
-    return scarp_dispatch_active()->isa;
-}
-
-int scarp_isa_supported(enum scarp_isa isa)
-{
-    return scarp_dispatch_find(isa) != NULL;
-}
-
-enum scarp_status scarp_isa_select(enum scarp_isa isa)
-{
-    if ((unsigned)isa >= SCARP_ISAS) {
-        return SCARP_ERROR_ENUM;
-    }
-    const struct scarp_kernels *const table =
-        isa == SCARP_ISA_NONE ? NULL : scarp_dispatch_find(isa);
-    if (isa != SCARP_ISA_NONE && table == NULL) {
-        return SCARP_ERROR_UNSUPPORTED;
-    }
-    scarp_dispatch_use(table);
-    return SCARP_OK;
 }

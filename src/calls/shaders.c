@@ -3,14 +3,16 @@
  * The public functions that serve shaders: the constants of a noise as a uniform buffer, and the
  * answers that a shader must give.
  */
-#include "fpmode.h"
-#include "kept.h"
-#include "outputs.h"
-#include "plan.h"
-#include "scalar/lattice.h"
+#include <stddef.h>
+#include <string.h>
+
+#include "../dispatch/fpmode.h"
+#include "../plan/check.h"
+#include "../plan/outputs.h"
+#include "../scalar/lattice.h"
+#include "run.h"
 #include "scarp.h"
 
-#define NOINLINE __attribute__((noinline))
 #define AT(type, member, bytes) (offsetof(struct scarp_gpu_##type, member) == (bytes))
 
 /* The layout is that of std140, and the shaders declare it once more. */
@@ -104,7 +106,6 @@ static float unit_of(double frequency)
 
 static void set_plan(struct scarp_gpu_plan *to, const struct scarp_call_plan *plan, int dimensions)
 {
-    const struct scarp_kind values = {.dimensions = dimensions};
     const int depth = plan->warps.depth;
     int count = 0;
     memset(to, 0, sizeof *to);
@@ -114,7 +115,7 @@ static void set_plan(struct scarp_gpu_plan *to, const struct scarp_call_plan *pl
         struct scarp_call_plan component = *plan;
         for (int i = 0; i < (level == 0 ? 1 : dimensions); i++) {
             if (depth > 0) {
-                scarp_plan_level(&component, &plan->warps, values, level, i);
+                component = scarp_component_plan(plan, level, i);
             }
             if (i == 0) {
                 set_level(&to->level[level], &component, count);
@@ -127,24 +128,36 @@ static void set_plan(struct scarp_gpu_plan *to, const struct scarp_call_plan *pl
     }
 }
 
-/* Makes the plan, whose octaves need some KiB of stack. It is out of line, so that none of its
-   arithmetic can be moved across the change of floating-point mode. */
+/* Where a plan goes, and whether it has room there. */
+struct filling {
+    struct scarp_gpu_plan *to;
+    int dimensions, *fits;
+};
+
+static void run(const struct scarp_call_plan *plan, const void *opaque)
+{
+    const struct filling *const filling = opaque;
+    *filling->fits = plan->warps.depth == 0 || plan->warps.levels->fetch == NULL;
+    if (*filling->fits) {
+        set_plan(filling->to, plan, filling->dimensions);
+    }
+}
+
 static NOINLINE enum scarp_status make(struct scarp_gpu_plan *to, const struct scarp_noise *noise,
                                        int dimensions, const char **member)
 {
     const struct scarp_kind values = {.dimensions = dimensions};
-    struct scarp_call_plan plan;
-    struct scarp_octave space[SCARP_MAX_OCTAVES];
+    int fits = 0;
+    const struct filling filling = {to, dimensions, &fits};
     enum scarp_status status = scarp_plan_check(noise, dimensions, member);
-    if (status != SCARP_OK || (status = scarp_plan_call(&plan, space, noise, values)) != SCARP_OK) {
-        return status;
+    if (status == SCARP_OK) {
+        status = scarp_run(noise, values, run, &filling);
     }
-    if (plan.warps.depth > 0 && !plan.warps.has_all) {
+    if (status == SCARP_OK && !fits) {
         *member = "warp";
         return SCARP_ERROR_UNSUPPORTED;
     }
-    set_plan(to, &plan, dimensions);
-    return SCARP_OK;
+    return status;
 }
 
 enum scarp_status scarp_gpu_plan_make(const struct scarp_noise *noise, int dimensions,
@@ -191,7 +204,8 @@ static uint32_t joined(uint32_t hash, float output)
     return ((hash << 5 | hash >> 27) ^ bits) * 0x9e3779b9u;
 }
 
-/* The arrays of `out` in the order of struct scarp_samples, which scarp.c has an assertion for. */
+/* The arrays of `out` in the order of struct scarp_samples, which samples.c has an assertion for.
+ */
 static struct scarp_outputs *list_of(struct scarp_samples *out)
 {
     return (struct scarp_outputs *)out;

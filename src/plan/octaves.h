@@ -5,7 +5,7 @@
 #ifndef SCARP_OCTAVES_H
 #define SCARP_OCTAVES_H
 
-#include "plan.h"
+#include "call.h"
 
 /* Computes all octaves of a checked noise, as if it had no warp, but for what the phase sets. */
 void scarp_octaves_make(struct scarp_octave *octave, const struct scarp_noise *noise,

@@ -2,8 +2,8 @@
  *
  * Runs kernels in the default floating-point mode (round to nearest, denormals kept, exceptions
  * masked) whatever the caller's is: a program linked with -ffast-math starts with denormals
- * flushed, and some hosts unmask traps. Included by the files of public functions, which call
- * functions that are not inlined in between, so that no arithmetic moves out of the mode.
+ * flushed, and some hosts unmask traps. Public functions call functions that are not inlined in
+ * between, so that no arithmetic moves out of the mode.
  */
 #ifndef SCARP_FPMODE_H
 #define SCARP_FPMODE_H

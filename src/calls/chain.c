@@ -7,8 +7,9 @@
 #include <stdint.h>
 #include <string.h>
 
-#include "dispatch.h"
-#include "fpmode.h"
+#include "../dispatch/dispatch.h"
+#include "../dispatch/fpmode.h"
+#include "run.h"
 #include "scarp.h"
 
 #define SCALE_MIN 0x1p-60f
@@ -208,9 +209,7 @@ static int asks_for_something(const struct scarp_chain *call)
     return bits != 0;
 }
 
-/* It is out of line for the same reason as run() of scarp.c. */
-static __attribute__((noinline)) enum scarp_status run(const struct arguments *arguments,
-                                                       size_t count)
+static NOINLINE enum scarp_status run(const struct arguments *arguments, size_t count)
 {
     struct scarp_chain call = {.function = arguments->function};
     if (!take_arrays(&call, arguments)) {

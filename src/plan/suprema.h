@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT
  *
- * The suprema of the bases, by which octaves are divided. Included by check.c and octaves.c.
+ * The suprema of the bases, by which octaves are divided.
  */
 #ifndef SCARP_SUPREMA_H
 #define SCARP_SUPREMA_H
 
-#include "plan.h"
+#include "call.h"
 
 /* Rows of the triangles of 2D simplex noise per unit: 2 / sqrt(3). */
 #define SCARP_TRIANGLE_ROWS 1.1547005383792515

@@ -1,0 +1,32 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The public functions that tell and choose the instruction set.
+ */
+#include <stddef.h>
+
+#include "../dispatch/dispatch.h"
+#include "scarp.h"
+
+enum scarp_isa scarp_isa_active(void)
+{
+    return scarp_dispatch_active()->isa;
+}
+
+int scarp_isa_supported(enum scarp_isa isa)
+{
+    return scarp_dispatch_find(isa) != NULL;
+}
+
+enum scarp_status scarp_isa_select(enum scarp_isa isa)
+{
+    if ((unsigned)isa >= SCARP_ISAS) {
+        return SCARP_ERROR_ENUM;
+    }
+    const struct scarp_kernels *const table =
+        isa == SCARP_ISA_NONE ? NULL : scarp_dispatch_find(isa);
+    if (isa != SCARP_ISA_NONE && table == NULL) {
+        return SCARP_ERROR_UNSUPPORTED;
+    }
+    scarp_dispatch_use(table);
+    return SCARP_OK;
+}

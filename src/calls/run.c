@@ -1,0 +1,63 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Gives calls their plans, and makes those calls that differ in what they give alone.
+ */
+#include "run.h"
+
+#include "../dispatch/dispatch.h"
+#include "../dispatch/fpmode.h"
+#include "../plan/plan.h"
+
+static NOINLINE enum scarp_status run_in(struct scarp_levels *levels,
+                                         const struct scarp_noise *noise, struct scarp_kind kind,
+                                         scarp_run_fn *compute, const void *call)
+{
+    struct scarp_call_plan plan;
+    struct scarp_octave octave[SCARP_MAX_OCTAVES];
+    const enum scarp_status status = scarp_plan_call(&plan, octave, levels, noise, kind);
+    if (status == SCARP_OK) {
+        compute(&plan, call);
+    }
+    return status;
+}
+
+static NOINLINE enum scarp_status run_with_levels(const struct scarp_noise *noise,
+                                                  struct scarp_kind kind, scarp_run_fn *compute,
+                                                  const void *call)
+{
+    struct scarp_levels levels;
+    return run_in(&levels, noise, kind, compute, call);
+}
+
+/* Plans without levels get none: what they compute takes the most stack as it is. */
+enum scarp_status scarp_run(const struct scarp_noise *noise, struct scarp_kind kind,
+                            scarp_run_fn *compute, const void *call)
+{
+    return scarp_has_levels(noise, kind) ? run_with_levels(noise, kind, compute, call)
+                                         : run_in(NULL, noise, kind, compute, call);
+}
+
+enum scarp_status scarp_find(const struct scarp_finder *how, const struct scarp_noise *noise,
+                             const struct scarp_at *at, const void *out)
+{
+    if (at->count == 0) {
+        return SCARP_OK;
+    }
+    if (noise == NULL || out == NULL) {
+        return SCARP_ERROR_NULL;
+    }
+    const enum scarp_status status = scarp_check_points(
+        at->count, at->position, at->dimensions, at->doubles ? sizeof(double) : sizeof(float));
+    if (status != SCARP_OK) {
+        return status;
+    }
+    if (how->refuses(out, at->dimensions)) {
+        return SCARP_ERROR_UNSUPPORTED;
+    }
+    const struct scarp_find find = {scarp_dispatch_for(at->count), noise, at, out};
+    const struct fpmode caller = fpmode_enter();
+    const enum scarp_status result =
+        scarp_run(noise, how->kind(out, at->dimensions), how->compute, &find);
+    fpmode_leave(caller);
+    return result;
+}

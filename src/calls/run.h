@@ -1,0 +1,61 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * What public functions have in common: points and their checks, and a plan on the stack.
+ */
+#ifndef SCARP_RUN_H
+#define SCARP_RUN_H
+
+#include <stddef.h>
+
+#include "../dispatch/kernels.h"
+
+/* Arithmetic in the default floating-point mode stands in functions of this kind, so that none of
+   it (comparisons trap too) can be moved across the change of mode in their caller. */
+#define NOINLINE __attribute__((noinline))
+#define ALWAYS_INLINE inline __attribute__((always_inline))
+
+/* The points of a call. `doubles` says what `position` has. */
+struct scarp_at {
+    size_t count;
+    const void *position[3];
+    int dimensions, doubles;
+};
+
+/* Makes the checks of points, whose coordinates have so many bytes. */
+static ALWAYS_INLINE enum scarp_status
+scarp_check_points(size_t count, const void *const position[3], int dimensions, size_t bytes)
+{
+    for (int i = 0; i < dimensions; i++) {
+        if (position[i] == NULL) {
+            return SCARP_ERROR_NULL;
+        }
+    }
+    return count > PTRDIFF_MAX / bytes ? SCARP_ERROR_SIZE : SCARP_OK;
+}
+
+/* What a call does with its plan. */
+typedef void scarp_run_fn(const struct scarp_call_plan *plan, const void *call);
+
+/* Makes the plan of a call, whose octaves need some KiB of stack, and runs what the call does. */
+NOINLINE enum scarp_status scarp_run(const struct scarp_noise *noise, struct scarp_kind kind,
+                                     scarp_run_fn *compute, const void *call);
+
+/* What differs between calls that give arrays of their own kind at points. */
+struct scarp_finder {
+    int (*refuses)(const void *out, int dimensions); /* what does not exist */
+    struct scarp_kind (*kind)(const void *out, int dimensions);
+    scarp_run_fn *compute; /* takes a struct scarp_find */
+};
+
+struct scarp_find {
+    const struct scarp_kernels *kernels;
+    const struct scarp_noise *noise;
+    const struct scarp_at *at;
+    const void *out;
+};
+
+/* Makes such a call, with all checks. */
+enum scarp_status scarp_find(const struct scarp_finder *how, const struct scarp_noise *noise,
+                             const struct scarp_at *at, const void *out);
+
+#endif

@@ -1,0 +1,14 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The intervals of parameters, and what cannot be served.
+ */
+#ifndef SCARP_CHECK_H
+#define SCARP_CHECK_H
+
+#include "scarp.h"
+
+/* Makes the checks of scarp_noise_check, for all calls. Always writes *member. */
+enum scarp_status scarp_plan_check(const struct scarp_noise *noise, int dimensions,
+                                   const char **member);
+
+#endif

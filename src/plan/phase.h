@@ -1,0 +1,16 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The phase of flow noise (scarp.h, "Flow"): how far the gradients of each octave are turned.
+ */
+#ifndef SCARP_PHASE_H
+#define SCARP_PHASE_H
+
+#include "call.h"
+
+/* Sets `turn` of all octaves. */
+void scarp_phase_set(struct scarp_octave *octave, int octaves, float phase);
+
+/* The supremum of gradient noise over all phases. */
+double scarp_phase_supremum(enum scarp_fade fade, int dimensions);
+
+#endif

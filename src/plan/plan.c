@@ -1,0 +1,188 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Makes plans: the octaves of a noise, or of all levels and components of a noise with warps.
+ */
+#include "plan.h"
+
+#include <stddef.h>
+#include <string.h>
+
+#include "check.h"
+#include "kept.h"
+#include "octaves.h"
+#include "phase.h"
+
+static int is_power_of_two(uint32_t a)
+{
+    return (a & (a - 1)) == 0;
+}
+
+/* A lacunarity that goes with periods is an integer. */
+static enum scarp_repeat repeat_of(const struct scarp_noise *noise, int octaves, int dimensions)
+{
+    if (!repeats(noise, dimensions)) {
+        return SCARP_REPEAT_NEVER;
+    }
+    const float lacunarity = noise->lacunarity == 0.0f || octaves == 1 ? 2.0f : noise->lacunarity;
+    int powers = is_power_of_two((uint32_t)lacunarity);
+    for (int i = 0; i < dimensions; i++) {
+        powers = powers && is_power_of_two(noise->period[i]);
+    }
+    return powers ? SCARP_REPEAT_POWERS : SCARP_REPEAT_ANY;
+}
+
+/* Fills in what the noise says without its octaves, for a call that asks for values. */
+static void plan_describe(struct scarp_call_plan *plan, const struct scarp_noise *noise,
+                          int dimensions)
+{
+    memset(plan, 0, sizeof *plan);
+    plan->basis = noise->basis;
+    plan->fade = noise->fade;
+    plan->fractal = noise->fractal;
+    plan->erosion = noise->erosion == 0.0f ? 1.0f : noise->erosion;
+    plan->sharpness = noise->fractal > SCARP_EROSION ? sharpness_of(noise) : 0.0f;
+    plan->octaves = octaves_in(noise);
+    plan->rotate = is_rotated(noise, plan->octaves);
+    plan->repeat = repeat_of(noise, plan->octaves, dimensions);
+    plan->flows = noise->phase != 0.0f;
+    plan->plain = plan->repeat == SCARP_REPEAT_NEVER && !plan->flows &&
+                  blends_corners(noise->basis) && !fractal_bends(noise->fractal);
+}
+
+enum scarp_status scarp_plan_keep(struct scarp_plan *plan, const struct scarp_noise *noise,
+                                  int dimensions)
+{
+    struct kept *const kept = (struct kept *)plan;
+    const char *member;
+    const enum scarp_status status = scarp_plan_check(noise, dimensions, &member);
+    if (status != SCARP_OK) {
+        return status;
+    }
+    if (noise->warp == NULL) {
+        scarp_octaves_make(kept->octave, noise, dimensions);
+        if (blends_corners(noise->basis)) {
+            scarp_phase_set(kept->octave, octaves_in(noise), noise->phase);
+        }
+    }
+    plan_describe(&kept->values, noise, dimensions);
+    kept->mark = noise->warp == NULL ? mark_of(dimensions) : 0;
+    memcpy(&kept->noise, noise, sizeof *noise);
+    return SCARP_OK;
+}
+
+/* Whether a level has a component for each axis, with seeds of their own. */
+static int has_components(const struct scarp_warps *warps, int level)
+{
+    return level > 0 || warps->vector;
+}
+
+/* Computes the octaves of a component, or of a noise that has none. */
+static void make_component(struct scarp_octave *octave, const struct scarp_noise *described,
+                           int dimensions, int is_component, int component)
+{
+    struct scarp_noise noise = *described;
+    if (is_component) {
+        noise.seed = scarp_component_seed(noise.seed, component);
+    }
+    scarp_octaves_make(octave, &noise, dimensions);
+    if (noise.basis == SCARP_GRADIENT) {
+        scarp_phase_set(octave, octaves_in(&noise), noise.phase);
+    }
+}
+
+/* Does what struct scarp_levels says of `fetch`. */
+static void fetch_component(const struct scarp_warps *warps, int level, int component)
+{
+    const struct scarp_levels *const levels = warps->levels;
+    const struct scarp_noise *noise = levels->noise;
+    for (int i = 0; i < level; i++) {
+        noise = noise->warp;
+    }
+    make_component(levels->octave, noise, levels->dimensions, has_components(warps, level),
+                   component);
+}
+
+/* Makes the plans of all levels, and the octaves of their components if there is room for them. */
+static void make_levels(struct scarp_levels *levels, const struct scarp_warps *warps,
+                        struct scarp_kind kind)
+{
+    const struct scarp_kind of_warp = {.dimensions = kind.dimensions, .order = kind.order};
+    const struct scarp_noise *noise = levels->noise;
+    struct scarp_octave *octave = levels->octave;
+    int count = 0;
+    for (int level = 0; level <= warps->depth; level++, noise = noise->warp) {
+        struct scarp_call_plan *const plan = &levels->plan[level];
+        plan_describe(plan, noise, kind.dimensions);
+        plan_ask(plan, level == 0 ? kind : of_warp);
+        count += plan->octaves * (has_components(warps, level) ? kind.dimensions : 1);
+    }
+    levels->fetch = count > SCARP_MAX_OCTAVES ? fetch_component : NULL;
+    noise = levels->noise;
+    for (int level = 0; level <= warps->depth; level++, noise = noise->warp) {
+        const int has = has_components(warps, level);
+        levels->plan[level].octave = octave;
+        for (int i = 0; levels->fetch == NULL && i < (has ? kind.dimensions : 1); i++) {
+            make_component(octave, noise, kind.dimensions, has, i);
+            octave += levels->plan[level].octaves;
+        }
+    }
+}
+
+/* Whether the warps of a noise have what is asked for, too. */
+static int warps_have_outputs(const struct scarp_noise *noise, struct scarp_kind kind)
+{
+    const struct scarp_kind of_warp = {.dimensions = kind.dimensions, .order = kind.order};
+    int have = 1;
+    for (const struct scarp_noise *w = noise->warp; w != NULL; w = w->warp) {
+        have &= has_outputs(w, of_warp);
+    }
+    return have;
+}
+
+/* Makes the plan of a checked noise with warps, or of potentials. */
+static void plan_levels(struct scarp_call_plan *plan, struct scarp_octave *octave,
+                        struct scarp_levels *levels, const struct scarp_noise *noise,
+                        struct scarp_kind kind)
+{
+    struct scarp_warps warps = {.vector = kind.vector, .levels = levels};
+    for (const struct scarp_noise *w = noise->warp; w != NULL; w = w->warp) {
+        warps.depth++;
+    }
+    levels->noise = noise;
+    levels->octave = octave;
+    levels->dimensions = kind.dimensions;
+    make_levels(levels, &warps, kind);
+    *plan = levels->plan[0];
+    plan->plain = 0;
+    plan->octave = NULL;
+    plan->warps = warps;
+}
+
+enum scarp_status scarp_plan_call(struct scarp_call_plan *plan, struct scarp_octave *octave,
+                                  struct scarp_levels *levels, const struct scarp_noise *noise,
+                                  struct scarp_kind kind)
+{
+    if (!kind.vector && plan_kept(plan, noise, kind)) {
+        return SCARP_OK;
+    }
+    const char *member;
+    const enum scarp_status status = scarp_plan_check(noise, kind.dimensions, &member);
+    if (status != SCARP_OK) {
+        return status;
+    }
+    if (!has_outputs(noise, kind) || !warps_have_outputs(noise, kind)) {
+        return SCARP_ERROR_UNSUPPORTED;
+    }
+    if (scarp_has_levels(noise, kind)) {
+        plan_levels(plan, octave, levels, noise, kind);
+        return SCARP_OK;
+    }
+    scarp_octaves_make(octave, noise, kind.dimensions);
+    plan_describe(plan, noise, kind.dimensions);
+    plan_ask(plan, kind);
+    if (plan->flows) {
+        scarp_phase_set(octave, plan->octaves, noise->phase);
+    }
+    plan->octave = octave;
+    return SCARP_OK;
+}

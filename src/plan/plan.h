@@ -1,0 +1,28 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Makes plans (call.h) of descriptions: on the stack of a call, or in a struct scarp_plan, which
+ * the caller keeps. check.c checks the noise, octaves.c computes the constants.
+ */
+#ifndef SCARP_PLAN_H
+#define SCARP_PLAN_H
+
+#include "call.h"
+
+/* Does what scarp_plan_make says. */
+enum scarp_status scarp_plan_keep(struct scarp_plan *plan, const struct scarp_noise *noise,
+                                  int dimensions);
+
+/* Whether plans of that kind need levels: those of a noise with warps, and of potentials. */
+static inline int scarp_has_levels(const struct scarp_noise *noise, struct scarp_kind kind)
+{
+    return noise->warp != NULL || kind.vector;
+}
+
+/* Checks the noise and makes the plan of a call. `octave`, with room for SCARP_MAX_OCTAVES, and
+   `levels` belong to the plan. A plan with levels has no octaves, but its levels have them; one
+   without needs no `levels`. One that the noise brings is taken if it fits, and needs neither. */
+enum scarp_status scarp_plan_call(struct scarp_call_plan *plan, struct scarp_octave *octave,
+                                  struct scarp_levels *levels, const struct scarp_noise *noise,
+                                  struct scarp_kind kind);
+
+#endif
