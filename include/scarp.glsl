@@ -617,12 +617,11 @@ ScarpSample scarp_join(ScarpColumn l, ScarpColumn r, float x, ScarpFade f, bool 
     p.before = scarp_sub(x, 1.0f);
     p.f = f;
     p.is_flat = is_flat;
-    return scarp_sample_of( scarp_across(l.value, r.value, p),
-            scarp_vec3_of(scarp_across_dx(l.value, r.value, p), scarp_across(l.y, r.y, p),
-            scarp_across(l.z, r.z, p)), scarp_vec3_of(scarp_across_dxx(l.value, r.value, p),
-            scarp_across(l.yy, r.yy, p), scarp_across(l.zz, r.zz, p)),
-            scarp_vec3_of(scarp_across_dx(l.y, r.y, p), scarp_across_dx(l.z, r.z, p),
-            scarp_across(l.yz, r.yz, p)));
+    return scarp_sample_of(scarp_across(l.value, r.value, p), scarp_vec3_of(scarp_across_dx(l.value,
+            r.value, p), scarp_across(l.y, r.y, p), scarp_across(l.z, r.z, p)),
+            scarp_vec3_of(scarp_across_dxx(l.value, r.value, p), scarp_across(l.yy, r.yy, p),
+            scarp_across(l.zz, r.zz, p)), scarp_vec3_of(scarp_across_dx(l.y, r.y, p),
+            scarp_across_dx(l.z, r.z, p), scarp_across(l.yz, r.yz, p)));
 }
 
 /* Gradient noise. */
@@ -1145,7 +1144,7 @@ ScarpSample scarp_distance_to(ScarpFeature f)
     float distance = scarp_root(f.s);
     float r = scarp_pick(f.s <= SCARP_NO_DISTANCE, 0.0f, scarp_inverse(distance));
     vec3 g = scarp_vec3_of(scarp_mul(f.d.x, r), scarp_mul(f.d.y, r), scarp_mul(f.d.z, r));
-    return scarp_sample_of( distance, g, scarp_vec3_of(scarp_mul(r, scarp_sub(1.0f, scarp_mul(g.x,
+    return scarp_sample_of(distance, g, scarp_vec3_of(scarp_mul(r, scarp_sub(1.0f, scarp_mul(g.x,
             g.x))), scarp_mul(r, scarp_sub(1.0f, scarp_mul(g.y, g.y))), scarp_mul(r, scarp_sub(1.0f,
             scarp_mul(g.z, g.z)))), scarp_vec3_of(-scarp_mul(r, scarp_mul(g.x, g.y)), -scarp_mul(r,
             scarp_mul(g.x, g.z)), -scarp_mul(r, scarp_mul(g.y, g.z))));
@@ -1160,7 +1159,7 @@ ScarpSample scarp_soft_term(ScarpFeature f)
     float a6 = scarp_mul(a4, a2);
     float a7 = scarp_mul(a6, a);
     vec3 b = scarp_mul3(scarp_mul(14.0f, a6), f.d);
-    return scarp_sample_of( scarp_mul(a4, a4), scarp_mul3(a7, f.d),
+    return scarp_sample_of(scarp_mul(a4, a4), scarp_mul3(a7, f.d),
             scarp_vec3_of(scarp_sub(scarp_mul(b.x, f.d.x), a7), scarp_sub(scarp_mul(b.y, f.d.y),
             a7), scarp_sub(scarp_mul(b.z, f.d.z), a7)), scarp_vec3_of(scarp_mul(b.x, f.d.y),
             scarp_mul(b.x, f.d.z), scarp_mul(b.y, f.d.z)));
@@ -1276,7 +1275,7 @@ vec3 scarp_to_input(ScarpOctave o, bool turned, vec3 v, int dimensions)
 /* `n` with the Hessian A^T (H B); `a` and `b` are the transposes of A and B. */
 ScarpSample scarp_with_hessian(ScarpSample n, ScarpRows a, ScarpRows b, ScarpRows h, int dimensions)
 {
-    ScarpRows hb = scarp_transposed( scarp_rows_of(scarp_times(b, h.x, dimensions), scarp_times(b,
+    ScarpRows hb = scarp_transposed(scarp_rows_of(scarp_times(b, h.x, dimensions), scarp_times(b,
             h.y, dimensions), scarp_times(b, h.z, dimensions)));
     ScarpSample s = n;
     s.diagonal = scarp_vec3_of(scarp_dot(a.x, hb.x, dimensions), scarp_dot(a.y, hb.y, dimensions),

@@ -514,7 +514,7 @@ fn scarp_join(l: ScarpColumn, r: ScarpColumn, x: f32, f: ScarpFade, is_flat: boo
     p.before = scarp_sub(x, 1.0f);
     p.f = f;
     p.is_flat = is_flat;
-    return scarp_sample_of( scarp_across(l.value, r.value, p), vec3f(scarp_across_dx(l.value,
+    return scarp_sample_of(scarp_across(l.value, r.value, p), vec3f(scarp_across_dx(l.value,
             r.value, p), scarp_across(l.y, r.y, p), scarp_across(l.z, r.z, p)),
             vec3f(scarp_across_dxx(l.value, r.value, p), scarp_across(l.yy, r.yy, p),
             scarp_across(l.zz, r.zz, p)), vec3f(scarp_across_dx(l.y, r.y, p), scarp_across_dx(l.z,
@@ -1009,7 +1009,7 @@ fn scarp_distance_to(f: ScarpFeature) -> ScarpSample {
     let distance: f32 = scarp_root(f.s);
     let r: f32 = select(scarp_inverse(distance), 0.0f, f.s <= SCARP_NO_DISTANCE);
     let g: vec3f = vec3f(scarp_mul(f.d.x, r), scarp_mul(f.d.y, r), scarp_mul(f.d.z, r));
-    return scarp_sample_of( distance, g, vec3f(scarp_mul(r, scarp_sub(1.0f, scarp_mul(g.x, g.x))),
+    return scarp_sample_of(distance, g, vec3f(scarp_mul(r, scarp_sub(1.0f, scarp_mul(g.x, g.x))),
             scarp_mul(r, scarp_sub(1.0f, scarp_mul(g.y, g.y))), scarp_mul(r, scarp_sub(1.0f,
             scarp_mul(g.z, g.z)))), vec3f(-scarp_mul(r, scarp_mul(g.x, g.y)), -scarp_mul(r,
             scarp_mul(g.x, g.z)), -scarp_mul(r, scarp_mul(g.y, g.z))));
@@ -1023,7 +1023,7 @@ fn scarp_soft_term(f: ScarpFeature) -> ScarpSample {
     let a6: f32 = scarp_mul(a4, a2);
     let a7: f32 = scarp_mul(a6, a);
     let b: vec3f = scarp_mul3(scarp_mul(14.0f, a6), f.d);
-    return scarp_sample_of( scarp_mul(a4, a4), scarp_mul3(a7, f.d), vec3f(scarp_sub(scarp_mul(b.x,
+    return scarp_sample_of(scarp_mul(a4, a4), scarp_mul3(a7, f.d), vec3f(scarp_sub(scarp_mul(b.x,
             f.d.x), a7), scarp_sub(scarp_mul(b.y, f.d.y), a7), scarp_sub(scarp_mul(b.z, f.d.z),
             a7)), vec3f(scarp_mul(b.x, f.d.y), scarp_mul(b.x, f.d.z), scarp_mul(b.y, f.d.z)));
 }
@@ -1130,7 +1130,7 @@ fn scarp_to_input(o: ScarpOctave, turned: bool, v: vec3f, dimensions: i32) -> ve
 /* `n` with the Hessian A^T (H B); `a` and `b` are the transposes of A and B. */
 fn scarp_with_hessian(n: ScarpSample, a: ScarpRows, b: ScarpRows, h: ScarpRows,
         dimensions: i32) -> ScarpSample {
-    let hb: ScarpRows = scarp_transposed( scarp_rows_of(scarp_times(b, h.x, dimensions),
+    let hb: ScarpRows = scarp_transposed(scarp_rows_of(scarp_times(b, h.x, dimensions),
             scarp_times(b, h.y, dimensions), scarp_times(b, h.z, dimensions)));
     var s: ScarpSample = n;
     s.diagonal = vec3f(scarp_dot(a.x, hb.x, dimensions), scarp_dot(a.y, hb.y, dimensions),

@@ -1,12 +1,22 @@
 /* SPDX-License-Identifier: MIT
  *
- * The source of the shaders as C: what the heads of the three languages say in theirs. Tests
- * include it; the library does not.
+ * The source of the shaders as C: what the heads of the three languages say in theirs.
  *
- * The other files of this directory are written in the part of C that shaders.py turns into GLSL,
- * HLSL and WGSL: structures by value, one declaration to a line, no pointers, no operator ?:, no
- * number that is converted without a word. Floats are added, subtracted and multiplied by the
- * functions below alone, which every language guards against compilers that fuse or reorder.
+ * The other files of this directory are written in a part of C, which shaders.py turns into GLSL,
+ * HLSL and WGSL. The script knows the type of every expression, and refuses what is outside:
+ *
+ * - Functions are static inline, without side effects, and stand before those that call them. They
+ *   take and return numbers, vectors and structures; there are no pointers and no arrays, but those
+ *   of the plans.
+ * - Statements are declarations, assignments to variables (not to parameters), if, for with one
+ *   counter, and return. Blocks have braces.
+ * - No type becomes another without a cast, but a whole number where uint is wanted. Integers that
+ *   become floats have at most 24 bits, since shaders may round others in another way.
+ * - Floats are added, subtracted and multiplied by operators, each of which rounds once; the script
+ *   makes them calls of functions that compilers of shaders neither fuse nor reorder. inverse()
+ *   stands in for division.
+ * - ?: chooses one of two numbers. Shaders compute both.
+ * - A macro is the name of a number. No name of a variable is a word of a shading language.
  */
 #ifndef SCARP_GPU_C_H
 #define SCARP_GPU_C_H
@@ -48,40 +58,10 @@ static inline uint only_depth(uint depth)
     return depth;
 }
 
-static inline float add(float a, float b)
-{
-    return a + b;
-}
-
-static inline float sub(float a, float b)
-{
-    return a - b;
-}
-
-static inline float mul(float a, float b)
-{
-    return a * b;
-}
-
 static inline vec3 vec3_of(float x, float y, float z)
 {
     const vec3 v = {x, y, z};
     return v;
-}
-
-static inline float pick(bool condition, float yes, float no)
-{
-    return condition ? yes : no;
-}
-
-static inline int pick_int(bool condition, int yes, int no)
-{
-    return condition ? yes : no;
-}
-
-static inline uint pick_uint(bool condition, uint yes, uint no)
-{
-    return condition ? yes : no;
 }
 
 static inline float float_of_bits(uint bits)
@@ -96,34 +76,6 @@ static inline uint bits_of(float a)
     uint bits;
     memcpy(&bits, &a, sizeof bits);
     return bits;
-}
-
-/* The same bits as another type. */
-static inline int int_of(uint a)
-{
-    return (int)a;
-}
-
-static inline uint uint_of(int a)
-{
-    return (uint)a;
-}
-
-/* The same number as another type; from floats towards 0. Conversions from integers are exact here:
-   they have at most 24 bits. */
-static inline float float_of_int(int a)
-{
-    return (float)a;
-}
-
-static inline float float_of_uint(uint a)
-{
-    return (float)a;
-}
-
-static inline int whole_of(float a)
-{
-    return (int)a;
 }
 
 static inline float floor_of(float a)

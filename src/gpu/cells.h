@@ -21,8 +21,8 @@ struct feature {
 /* How far t is from the feature of the cell `step` away, along an axis on which it drew v. */
 static inline float feature_distance(float t, int step, float jitter, uint v)
 {
-    const float middle = add(float_of_int(step), 0.5f);
-    return sub(t, add(middle, mul(jitter, lattice_value(v))));
+    const float middle = (float)step + 0.5f;
+    return t - (middle + jitter * lattice_value(v));
 }
 
 /* The feature of the cell that is (x, y, z) away from that of p. */
@@ -38,12 +38,12 @@ static inline struct feature feature_at(struct octave o, struct place p, int x, 
     }
     f.d = vec3_of(feature_distance(p.t.x, x, o.turn.x, f.hash),
                   feature_distance(p.t.y, y, o.turn.x, f.hash * FEATURE_Y), 0.0f);
-    float across2 = mul(f.d.y, f.d.y);
+    float across2 = f.d.y * f.d.y;
     if (dimensions == 3) {
         f.d.z = feature_distance(p.t.z, z, o.turn.x, f.hash * FEATURE_Z);
-        across2 = add(across2, mul(f.d.z, f.d.z));
+        across2 += f.d.z * f.d.z;
     }
-    f.s = add(mul(f.d.x, f.d.x), across2);
+    f.s = f.d.x * f.d.x + across2;
     return f;
 }
 
@@ -70,17 +70,17 @@ static inline struct nearest nearest_with(struct nearest n, struct feature f)
 /* The square of the gap to a cell along an axis. */
 static inline float gap2(float t, int step)
 {
-    const float ahead = sub(float_of_int(step), t);
-    const float behind = sub(t, float_of_int(step + 1));
-    const float gap = pick(step > 0, ahead, behind);
-    return pick(step == 0, 0.0f, mul(gap, gap));
+    const float ahead = (float)step - t;
+    const float behind = t - (float)(step + 1);
+    const float gap = step > 0 ? ahead : behind;
+    return step == 0 ? 0.0f : gap * gap;
 }
 
 /* Whether a cell, and so its feature, is further away than s, by more than rounding. */
 static inline bool is_beyond(struct place p, int x, int y, int z, float s)
 {
-    const float gap = add(add(gap2(p.t.x, x), gap2(p.t.y, y)), gap2(p.t.z, z));
-    return gap > mul(1.001f, s);
+    const float gap = gap2(p.t.x, x) + gap2(p.t.y, y) + gap2(p.t.z, z);
+    return gap > 1.001f * s;
 }
 
 /* Whether the search around a point looks at a cell: first at those around, then at those two steps
@@ -99,7 +99,7 @@ static inline struct nearest nearest_at(struct octave o, struct place p, int dim
     n.first.hash = 0u;
     n.second = n.first;
     for (int ring = 1; ring <= 2; ring++) {
-        const int depth = pick_int(dimensions == 3, ring, 0);
+        const int depth = dimensions == 3 ? ring : 0;
         for (int z = -depth; z <= depth; z++) {
             for (int y = -ring; y <= ring; y++) {
                 for (int x = -ring; x <= ring; x++) {
@@ -120,28 +120,26 @@ static inline struct nearest nearest_at(struct octave o, struct place p, int dim
 static inline struct sample distance_to(struct feature f)
 {
     const float distance = root(f.s);
-    const float r = pick(f.s <= NO_DISTANCE, 0.0f, inverse(distance));
-    const vec3 g = vec3_of(mul(f.d.x, r), mul(f.d.y, r), mul(f.d.z, r));
+    const float r = f.s <= NO_DISTANCE ? 0.0f : inverse(distance);
+    const vec3 g = vec3_of(f.d.x * r, f.d.y * r, f.d.z * r);
     return sample_of(
         distance, g,
-        vec3_of(mul(r, sub(1.0f, mul(g.x, g.x))), mul(r, sub(1.0f, mul(g.y, g.y))),
-                mul(r, sub(1.0f, mul(g.z, g.z)))),
-        vec3_of(-mul(r, mul(g.x, g.y)), -mul(r, mul(g.x, g.z)), -mul(r, mul(g.y, g.z))));
+        vec3_of(r * (1.0f - g.x * g.x), r * (1.0f - g.y * g.y), r * (1.0f - g.z * g.z)),
+        vec3_of(-(r * (g.x * g.y)), -(r * (g.x * g.z)), -(r * (g.y * g.z))));
 }
 
 /* What a feature adds before the root; the gradient without the factor 8, the Hessian too. */
 static inline struct sample soft_term(struct feature f)
 {
-    const float a = pick(f.s < 1.0f, sub(1.0f, f.s), 0.0f);
-    const float a2 = mul(a, a);
-    const float a4 = mul(a2, a2);
-    const float a6 = mul(a4, a2);
-    const float a7 = mul(a6, a);
-    const vec3 b = mul3(mul(14.0f, a6), f.d);
-    return sample_of(
-        mul(a4, a4), mul3(a7, f.d),
-        vec3_of(sub(mul(b.x, f.d.x), a7), sub(mul(b.y, f.d.y), a7), sub(mul(b.z, f.d.z), a7)),
-        vec3_of(mul(b.x, f.d.y), mul(b.x, f.d.z), mul(b.y, f.d.z)));
+    const float a = f.s < 1.0f ? 1.0f - f.s : 0.0f;
+    const float a2 = a * a;
+    const float a4 = a2 * a2;
+    const float a6 = a4 * a2;
+    const float a7 = a6 * a;
+    const vec3 b = mul3(14.0f * a6, f.d);
+    return sample_of(a4 * a4, mul3(a7, f.d),
+                     vec3_of(b.x * f.d.x - a7, b.y * f.d.y - a7, b.z * f.d.z - a7),
+                     vec3_of(b.x * f.d.y, b.x * f.d.z, b.y * f.d.z));
 }
 
 /* 2^-120: below this, V^2 counts as 0. */
@@ -149,14 +147,14 @@ static inline struct sample soft_term(struct feature f)
 
 static inline float soft_second(float q, float r, float gi, float gj, float sum)
 {
-    return sub(mul(q, mul(gi, gj)), mul(r, sum));
+    return q * (gi * gj) - r * sum;
 }
 
 static inline struct sample soft_root(struct sample sum)
 {
     const float v = root(sum.value);
-    const float r = pick(sum.value <= NO_SUM, 0.0f, mul(8.0f, inverse(v)));
-    const float q = mul(0.125f, r);
+    const float r = sum.value <= NO_SUM ? 0.0f : 8.0f * inverse(v);
+    const float q = 0.125f * r;
     const vec3 g = mul3(r, sum.gradient);
     return sample_of(-v, g,
                      vec3_of(soft_second(q, r, g.x, g.x, sum.diagonal.x),
@@ -169,7 +167,7 @@ static inline struct sample soft_root(struct sample sum)
 
 static inline struct sample soft_at(struct octave o, struct place p, int dimensions)
 {
-    const int depth = pick_int(dimensions == 3, 1, 0);
+    const int depth = dimensions == 3 ? 1 : 0;
     struct sample sum = constant(0.0f);
     for (int z = -depth; z <= depth; z++) {
         for (int y = -1; y <= 1; y++) {
@@ -194,7 +192,7 @@ static inline struct sample cells_at(struct octave o, uint basis, struct place p
     struct sample s;
     if (basis == CELL_SOFT) {
         s = soft_at(o, p, dimensions);
-        s.value = add(s.value, o.turn.y);
+        s.value += o.turn.y;
     } else {
         const struct nearest n = nearest_at(o, p, dimensions);
         if (basis == CELL_VALUE) {
@@ -208,7 +206,7 @@ static inline struct sample cells_at(struct octave o, uint basis, struct place p
             if (basis == CELL_EDGE) {
                 s = sum_of(s, negated(first));
             }
-            s.value = sub(s.value, o.turn.y);
+            s.value -= o.turn.y;
         }
     }
     return s;

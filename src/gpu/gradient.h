@@ -11,9 +11,9 @@
 /* The cosine of 11.25 degrees times 1, 3, 5, 7. */
 static inline float cosine(uint i)
 {
-    const float first = pick(i == 0u, 0.980785280f, 0.831469612f);
-    const float second = pick(i == 2u, 0.555570233f, 0.195090322f);
-    return pick(i < 2u, first, second);
+    const float first = i == 0u ? 0.980785280f : 0.831469612f;
+    const float second = i == 2u ? 0.555570233f : 0.195090322f;
+    return i < 2u ? first : second;
 }
 
 /* One of the 16 directions of the plane. */
@@ -29,16 +29,15 @@ static inline vec3 direction3(uint i)
     const uint axes = i >> 2u;
     const float first = with_bit(2.0f, (i >> 1u) & 1u);
     const float second = with_bit(2.0f, i & 1u);
-    return vec3_of(pick(axes == 2u, 0.0f, first),
-                   pick(axes == 0u, second, pick(axes == 1u, 0.0f, first)),
-                   pick(axes == 0u, 0.0f, second));
+    return vec3_of(axes == 2u ? 0.0f : first, axes == 0u ? second : (axes == 1u ? 0.0f : first),
+                   axes == 0u ? 0.0f : second);
 }
 
 /* An edge after a quarter of a turn: 1, 2, -1 or -2 along each axis, in two bits per edge. */
 static inline float quarter3(uint axis, uint i)
 {
     const uint bits = axis >> (2u * i);
-    return with_bit(pick((bits & 2u) != 0u, 2.0f, 1.0f), bits & 1u);
+    return with_bit((bits & 2u) != 0u ? 2.0f : 1.0f, bits & 1u);
 }
 
 #define QUARTERS_X 0xbe0550u
@@ -50,14 +49,14 @@ static inline float quarter3(uint axis, uint i)
 static inline vec3 turned2(uint drawn, vec4 turn)
 {
     const bool opposite = drawn >= 8u;
-    const uint i = pick_uint(opposite, drawn ^ 9u, drawn);
+    const uint i = opposite ? drawn ^ 9u : drawn;
     const uint quick = (i ^ (i >> 1u) ^ (i >> 3u)) & 1u;
     const vec3 g = direction2(i);
-    const float c = pick(quick != 0u, turn.z, turn.x);
-    const float s = pick(quick != 0u, turn.w, turn.y);
-    const float x = add(mul(c, g.x), mul(s, with_bit(g.y, 1u - quick)));
-    const float y = add(mul(c, g.y), mul(s, with_bit(g.x, quick)));
-    return vec3_of(pick(opposite, -x, x), pick(opposite, -y, y), 0.0f);
+    const float c = quick != 0u ? turn.z : turn.x;
+    const float s = quick != 0u ? turn.w : turn.y;
+    const float x = c * g.x + s * with_bit(g.y, 1u - quick);
+    const float y = c * g.y + s * with_bit(g.x, quick);
+    return vec3_of(opposite ? -x : x, opposite ? -y : y, 0.0f);
 }
 
 static inline vec3 turned3(uint i, vec4 turn)
@@ -66,7 +65,7 @@ static inline vec3 turned3(uint i, vec4 turn)
     const vec3 g = direction3(i);
     const vec3 q = mul3(TWO_OVER_ROOT_3, vec3_of(quarter3(QUARTERS_X, i), quarter3(QUARTERS_Y, i),
                                                  quarter3(QUARTERS_Z, i)));
-    return add3(mul3(pick(quick, turn.z, turn.x), g), mul3(pick(quick, turn.w, turn.y), q));
+    return add3(mul3(quick ? turn.z : turn.x, g), mul3(quick ? turn.w : turn.y, q));
 }
 
 /* What draws directions: the octave's keys, and how far directions are turned, if they are. */
@@ -108,13 +107,13 @@ static inline struct column gradient_column2(struct turning t, uint x, struct pl
     const vec3 g0 = drawn2(t, x, p.cell.y);
     const vec3 g1 = drawn2(t, x, p.next.y);
     const vec3 dg = sub3(g1, g0);
-    const float dot0 = mul(g0.y, p.t.y);
-    const float dot1 = mul(g1.y, sub(p.t.y, 1.0f));
-    const float ddot = sub(dot1, dot0);
+    const float dot0 = g0.y * p.t.y;
+    const float dot1 = g1.y * (p.t.y - 1.0f);
+    const float ddot = dot1 - dot0;
     struct column c;
-    c.value = slope_of(add(g0.x, mul(v.u, dg.x)), add(dot0, mul(v.u, ddot)));
-    c.y = slope_of(mul(v.du, dg.x), add(mix(g0.y, g1.y, v.u), mul(v.du, ddot)));
-    c.yy = slope_of(mul(v.ddu, dg.x), add(mul(mul(2.0f, v.du), dg.y), mul(v.ddu, ddot)));
+    c.value = slope_of(g0.x + v.u * dg.x, dot0 + v.u * ddot);
+    c.y = slope_of(v.du * dg.x, mix(g0.y, g1.y, v.u) + v.du * ddot);
+    c.yy = slope_of(v.ddu * dg.x, 2.0f * v.du * dg.y + v.ddu * ddot);
     c.z = slope_of(0.0f, 0.0f);
     c.yz = slope_of(0.0f, 0.0f);
     c.zz = slope_of(0.0f, 0.0f);
@@ -139,15 +138,15 @@ static inline struct edge gradient_edge(struct turning t, uint x, uint y, float 
     const vec3 g0 = drawn3(t, x, y, p.cell.z);
     const vec3 g1 = drawn3(t, x, y, p.next.z);
     const vec3 dg = sub3(g1, g0);
-    const float dot0 = add(mul(g0.y, ty), mul(g0.z, p.t.z));
-    const float dot1 = add(mul(g1.y, ty), mul(g1.z, sub(p.t.z, 1.0f)));
-    const float ddot = sub(dot1, dot0);
+    const float dot0 = g0.y * ty + g0.z * p.t.z;
+    const float dot1 = g1.y * ty + g1.z * (p.t.z - 1.0f);
+    const float ddot = dot1 - dot0;
     struct edge e;
-    e.value = slope_of(add(g0.x, mul(w.u, dg.x)), add(dot0, mul(w.u, ddot)));
-    e.z = add(add(g0.z, mul(w.u, dg.z)), mul(w.du, ddot));
-    e.zz = add(mul(mul(2.0f, w.du), dg.z), mul(w.ddu, ddot));
-    e.gy = add(g0.y, mul(w.u, dg.y));
-    e.dgy = mul(w.du, dg.y);
+    e.value = slope_of(g0.x + w.u * dg.x, dot0 + w.u * ddot);
+    e.z = g0.z + w.u * dg.z + w.du * ddot;
+    e.zz = 2.0f * w.du * dg.z + w.ddu * ddot;
+    e.gy = g0.y + w.u * dg.y;
+    e.dgy = w.du * dg.y;
     e.dgx = dg.x;
     return e;
 }
@@ -156,20 +155,20 @@ static inline struct column gradient_column3(struct turning t, uint x, struct pl
                                              struct fade v, struct fade w)
 {
     const struct edge e0 = gradient_edge(t, x, p.cell.y, p.t.y, p, w);
-    const struct edge e1 = gradient_edge(t, x, p.next.y, sub(p.t.y, 1.0f), p, w);
-    const float da = sub(e1.value.a, e0.value.a);
-    const float db = sub(e1.value.b, e0.value.b);
-    const float dgy = sub(e1.gy, e0.gy);
-    const float dz = sub(e1.z, e0.z);
-    const float ddgx = sub(e1.dgx, e0.dgx);
-    const float dgx = add(e0.dgx, mul(v.u, ddgx));
+    const struct edge e1 = gradient_edge(t, x, p.next.y, p.t.y - 1.0f, p, w);
+    const float da = e1.value.a - e0.value.a;
+    const float db = e1.value.b - e0.value.b;
+    const float dgy = e1.gy - e0.gy;
+    const float dz = e1.z - e0.z;
+    const float ddgx = e1.dgx - e0.dgx;
+    const float dgx = e0.dgx + v.u * ddgx;
     struct column c;
-    c.value = slope_of(add(e0.value.a, mul(v.u, da)), add(e0.value.b, mul(v.u, db)));
-    c.y = slope_of(mul(v.du, da), add(add(e0.gy, mul(v.u, dgy)), mul(v.du, db)));
-    c.z = slope_of(mul(w.du, dgx), add(e0.z, mul(v.u, dz)));
-    c.yy = slope_of(mul(v.ddu, da), add(mul(mul(2.0f, v.du), dgy), mul(v.ddu, db)));
-    c.yz = slope_of(mul(v.du, mul(w.du, ddgx)), add(mix(e0.dgy, e1.dgy, v.u), mul(v.du, dz)));
-    c.zz = slope_of(mul(w.ddu, dgx), mix(e0.zz, e1.zz, v.u));
+    c.value = slope_of(e0.value.a + v.u * da, e0.value.b + v.u * db);
+    c.y = slope_of(v.du * da, e0.gy + v.u * dgy + v.du * db);
+    c.z = slope_of(w.du * dgx, e0.z + v.u * dz);
+    c.yy = slope_of(v.ddu * da, 2.0f * v.du * dgy + v.ddu * db);
+    c.yz = slope_of(v.du * (w.du * ddgx), mix(e0.dgy, e1.dgy, v.u) + v.du * dz);
+    c.zz = slope_of(w.ddu * dgx, mix(e0.zz, e1.zz, v.u));
     return c;
 }
 

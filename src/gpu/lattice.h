@@ -39,19 +39,19 @@ static inline uint hash3(uvec3 key, uint x, uint y, uint z)
 /* The hash as a signed number, rounded to float: only the addition rounds. */
 static inline float lattice_value(uint hash)
 {
-    const float high = mul(float_of_int(int_of(hash) >> 16u), 65536.0f);
-    return add(high, float_of_uint(hash & 0xffffu));
+    const float high = (float)((int)hash >> 16u) * 65536.0f;
+    return high + (float)(hash & 0xffffu);
 }
 
 /* The cells after and before one along an axis, within the period whose last cell is `last`. */
 static inline uint cell_after(uint last, uint cell)
 {
-    return pick_uint(cell == last, 0u, cell + 1u);
+    return cell == last ? 0u : cell + 1u;
 }
 
 static inline uint cell_before(uint last, uint cell)
 {
-    return pick_uint(cell == 0u, last, cell - 1u);
+    return cell == 0u ? last : cell - 1u;
 }
 
 /* The cell that is `steps` further, -2 to 2. */
@@ -75,7 +75,7 @@ static inline uint cell_beside(uint last, uint cell, int steps)
 
 static inline uint within_period(uint last, int cell)
 {
-    uint within = uint_of(cell);
+    uint within = (uint)cell;
     if (last != 0xffffffffu) {
         const uint period = last + 1u;
         if (cell < 0) {
@@ -97,13 +97,13 @@ static inline struct split split(float p, uint last)
 {
     struct split s;
     if (magnitude(p) < 2147483648.0f) {
-        const int whole = whole_of(p);
-        const int lower = pick_int(float_of_int(whole) > p, whole - 1, whole);
+        const int whole = (int)p;
+        const int lower = (float)whole > p ? whole - 1 : whole;
         s.cell = within_period(last, lower);
-        s.t = sub(p, float_of_int(lower));
+        s.t = p - (float)lower;
     } else {
-        s.cell = within_period(last, int_of(SIGN));
-        s.t = sub(p, p);
+        s.cell = within_period(last, (int)SIGN);
+        s.t = p - p;
     }
     return s;
 }
@@ -131,7 +131,7 @@ static inline struct place place_of(struct octave o, uint basis, bool turned, ve
 {
     vec3 p = position_of(o, turned, x, dimensions);
     if (basis == SIMPLEX && dimensions == 2) {
-        p.y = mul(p.y, o.turn.z);
+        p.y = p.y * o.turn.z;
     }
     const struct split sx = split(p.x, o.last.x);
     const struct split sy = split(p.y, o.last.y);

@@ -27,24 +27,24 @@ static inline float with_bit(float a, uint bit)
 
 static inline vec3 add3(vec3 a, vec3 b)
 {
-    return vec3_of(add(a.x, b.x), add(a.y, b.y), add(a.z, b.z));
+    return vec3_of(a.x + b.x, a.y + b.y, a.z + b.z);
 }
 
 static inline vec3 sub3(vec3 a, vec3 b)
 {
-    return vec3_of(sub(a.x, b.x), sub(a.y, b.y), sub(a.z, b.z));
+    return vec3_of(a.x - b.x, a.y - b.y, a.z - b.z);
 }
 
 static inline vec3 mul3(float a, vec3 b)
 {
-    return vec3_of(mul(a, b.x), mul(a, b.y), mul(a, b.z));
+    return vec3_of(a * b.x, a * b.y, a * b.z);
 }
 
 static inline float dot(vec3 a, vec3 b, int dimensions)
 {
-    float d = add(mul(a.x, b.x), mul(a.y, b.y));
+    float d = a.x * b.x + a.y * b.y;
     if (dimensions == 3) {
-        d = add(d, mul(a.z, b.z));
+        d += a.z * b.z;
     }
     return d;
 }
@@ -117,14 +117,14 @@ static inline struct rows hessian_of(struct sample s)
 
 static inline struct sample sum_of(struct sample a, struct sample b)
 {
-    return sample_of(add(a.value, b.value), add3(a.gradient, b.gradient),
-                     add3(a.diagonal, b.diagonal), add3(a.mixed, b.mixed));
+    return sample_of(a.value + b.value, add3(a.gradient, b.gradient), add3(a.diagonal, b.diagonal),
+                     add3(a.mixed, b.mixed));
 }
 
 /* Multiplies the outputs of each order by a factor of their own. */
 static inline struct sample scaled(struct sample n, float value, float gradient, float hessian)
 {
-    return sample_of(mul(value, n.value), mul3(gradient, n.gradient), mul3(hessian, n.diagonal),
+    return sample_of(value * n.value, mul3(gradient, n.gradient), mul3(hessian, n.diagonal),
                      mul3(hessian, n.mixed));
 }
 
@@ -139,15 +139,15 @@ static inline float inverse(float x)
     const uint m = (bits & 0x7fffffu) | 0x800000u;
     const uint e = (bits >> 23u) & 255u;
     const float estimate = rough_inverse(float_of_bits(0x3f800000u | (bits & 0x7fffffu)));
-    uint q = uint_of(whole_of(mul(estimate, 16777216.0f)));
-    int r = int_of(0u - q * m);
-    for (int i = 0; i < 16 && (r < 0 || r >= int_of(m)); i++) {
-        q = pick_uint(r < 0, q - 1u, q + 1u);
-        r = int_of(0u - q * m);
+    uint q = (uint)(int)(estimate * 16777216.0f);
+    int r = (int)(0u - q * m);
+    for (int i = 0; i < 16 && (r < 0 || r >= (int)m); i++) {
+        q = r < 0 ? q - 1u : q + 1u;
+        r = (int)(0u - q * m);
     }
-    q = pick_uint(2 * r > int_of(m), q + 1u, q);
+    q = 2 * r > (int)m ? q + 1u : q;
     const float rounded = float_of_bits(((252u - e) << 23u) + q);
-    return pick(e > 252u, 0.0f, rounded);
+    return e > 252u ? 0.0f : rounded;
 }
 
 /*
@@ -161,15 +161,15 @@ static inline float root(float x)
     const uint even = 1u - (e & 1u);
     const uint m = ((bits & 0x7fffffu) | 0x800000u) << even;
     const float estimate = rough_root(float_of_bits((bits & 0x7fffffu) + ((127u + even) << 23u)));
-    uint q = uint_of(whole_of(mul(estimate, 8388608.0f)));
-    int r = int_of((m << 23u) - q * q);
-    for (int i = 0; i < 16 && (r < 0 || r > int_of(2u * q)); i++) {
-        q = pick_uint(r < 0, q - 1u, q + 1u);
-        r = int_of((m << 23u) - q * q);
+    uint q = (uint)(int)(estimate * 8388608.0f);
+    int r = (int)((m << 23u) - q * q);
+    for (int i = 0; i < 16 && (r < 0 || r > (int)(2u * q)); i++) {
+        q = r < 0 ? q - 1u : q + 1u;
+        r = (int)((m << 23u) - q * q);
     }
-    q = pick_uint(r > int_of(q), q + 1u, q);
+    q = r > (int)q ? q + 1u : q;
     const float rounded = float_of_bits((((e + 127u) >> 1u) << 23u) + (q - 0x800000u));
-    return pick(e == 0u, 0.0f, rounded);
+    return e == 0u ? 0.0f : rounded;
 }
 
 #endif

@@ -10,35 +10,34 @@
 /* Second derivative of a vertex: `bend` i j, and what w^3 has a share in. */
 static inline float vertex_second(float bend, float w3, float di, float dj, float rest)
 {
-    return sub(mul(mul(bend, di), dj), mul(w3, rest));
+    return bend * di * dj - w3 * rest;
 }
 
 /* What a vertex adds; g is its gradient, r2 is r^2. */
 static inline struct sample vertex_at(vec3 d, vec3 g, float r2, int dimensions)
 {
-    float across2 = mul(d.y, d.y);
+    float across2 = d.y * d.y;
     if (dimensions == 3) {
-        across2 = add(across2, mul(d.z, d.z));
+        across2 += d.z * d.z;
     }
-    const float left = sub(sub(r2, across2), mul(d.x, d.x));
-    const float w = pick(left > 0.0f, left, 0.0f);
-    float q = add(mul(g.x, d.x), mul(g.y, d.y));
+    const float left = r2 - across2 - d.x * d.x;
+    const float w = left > 0.0f ? left : 0.0f;
+    float q = g.x * d.x + g.y * d.y;
     if (dimensions == 3) {
-        q = add(q, mul(g.z, d.z));
+        q += g.z * d.z;
     }
-    const float w2 = mul(w, w);
-    const float w4 = mul(w2, w2);
-    const float w3 = mul(8.0f, mul(w2, w));
-    const float bend = mul(mul(48.0f, w2), q);
+    const float w2 = w * w;
+    const float w4 = w2 * w2;
+    const float w3 = 8.0f * (w2 * w);
+    const float bend = 48.0f * w2 * q;
     const vec3 twice = mul3(2.0f, g);
-    const vec3 diagonal = vec3_of(vertex_second(bend, w3, d.x, d.x, add(mul(twice.x, d.x), q)),
-                                  vertex_second(bend, w3, d.y, d.y, add(mul(twice.y, d.y), q)),
-                                  vertex_second(bend, w3, d.z, d.z, add(mul(twice.z, d.z), q)));
-    const vec3 mixed =
-        vec3_of(vertex_second(bend, w3, d.x, d.y, add(mul(g.x, d.y), mul(g.y, d.x))),
-                vertex_second(bend, w3, d.x, d.z, add(mul(g.x, d.z), mul(g.z, d.x))),
-                vertex_second(bend, w3, d.y, d.z, add(mul(g.y, d.z), mul(g.z, d.y))));
-    return sample_of(mul(w4, q), sub3(mul3(w4, g), mul3(mul(w3, q), d)), diagonal, mixed);
+    const vec3 diagonal = vec3_of(vertex_second(bend, w3, d.x, d.x, twice.x * d.x + q),
+                                  vertex_second(bend, w3, d.y, d.y, twice.y * d.y + q),
+                                  vertex_second(bend, w3, d.z, d.z, twice.z * d.z + q));
+    const vec3 mixed = vec3_of(vertex_second(bend, w3, d.x, d.y, g.x * d.y + g.y * d.x),
+                               vertex_second(bend, w3, d.x, d.z, g.x * d.z + g.z * d.x),
+                               vertex_second(bend, w3, d.y, d.z, g.y * d.z + g.z * d.y));
+    return sample_of(w4 * q, sub3(mul3(w4, g), mul3(w3 * q, d)), diagonal, mixed);
 }
 
 #define ROW_HEIGHT 0.866025404f
@@ -54,20 +53,19 @@ static inline struct sample vertex2(struct octave o, struct place p, int column,
 static inline struct sample simplex_at2(struct octave o, struct place p)
 {
     const bool odd = (p.cell.y & 1u) != 0u;
-    const float shift = mul(0.5f, p.t.y);
-    const float start = sub(p.t.x, pick(odd, 0.5f, 0.0f));
+    const float shift = 0.5f * p.t.y;
+    const float start = p.t.x - (odd ? 0.5f : 0.0f);
     const bool before = start < shift;
-    const int k = pick_int(before, -1, 0);
-    const int above = k + pick_int(odd, 1, 0);
-    const float x = pick(before, add(start, 1.0f), start);
-    const bool lower = add(x, shift) < 1.0f;
-    const float y = mul(ROW_HEIGHT, p.t.y);
-    const float y_above = sub(y, ROW_HEIGHT);
-    const struct sample a = vertex2(o, p, k + 1, p.cell.y, vec3_of(sub(x, 1.0f), y, 0.0f));
-    const struct sample b = vertex2(o, p, above, p.next.y, vec3_of(sub(x, 0.5f), y_above, 0.0f));
-    const struct sample c =
-        vertex2(o, p, pick_int(lower, k, above + 1), pick_uint(lower, p.cell.y, p.next.y),
-                vec3_of(pick(lower, x, sub(x, 1.5f)), pick(lower, y, y_above), 0.0f));
+    const int k = before ? -1 : 0;
+    const int above = k + (odd ? 1 : 0);
+    const float x = before ? start + 1.0f : start;
+    const bool lower = x + shift < 1.0f;
+    const float y = ROW_HEIGHT * p.t.y;
+    const float y_above = y - ROW_HEIGHT;
+    const struct sample a = vertex2(o, p, k + 1, p.cell.y, vec3_of(x - 1.0f, y, 0.0f));
+    const struct sample b = vertex2(o, p, above, p.next.y, vec3_of(x - 0.5f, y_above, 0.0f));
+    const struct sample c = vertex2(o, p, lower ? k : above + 1, lower ? p.cell.y : p.next.y,
+                                    vec3_of(lower ? x : x - 1.5f, lower ? y : y_above, 0.0f));
     return sum_of(sum_of(a, b), c);
 }
 
@@ -104,12 +102,12 @@ static inline struct ends ends_of(float t, bool is_furthest, bool is_nearest)
 {
     const bool up = !(t < 0.0f);
     struct ends e;
-    e.up = pick_int(up, 1, 0);
-    e.d_up = sub(t, pick(up, 0.5f, -0.5f));
-    e.centre = pick_int(is_furthest, pick_int(up, 1, -1), 0);
-    e.d_centre = pick(is_furthest, sub(t, pick(up, 1.0f, -1.0f)), t);
-    e.corner = pick_int(is_nearest, 1 - e.up, e.up);
-    e.d_corner = pick(is_nearest, add(t, pick(up, 0.5f, -0.5f)), e.d_up);
+    e.up = up ? 1 : 0;
+    e.d_up = t - (up ? 0.5f : -0.5f);
+    e.centre = is_furthest ? (up ? 1 : -1) : 0;
+    e.d_centre = is_furthest ? t - (up ? 1.0f : -1.0f) : t;
+    e.corner = is_nearest ? 1 - e.up : e.up;
+    e.d_corner = is_nearest ? t + (up ? 0.5f : -0.5f) : e.d_up;
     return e;
 }
 
