@@ -1,42 +1,15 @@
 /* SPDX-License-Identifier: MIT
  *
  * The source of the shaders as C: what the heads of the three languages say in theirs.
- *
- * The other files of this directory are written in a part of C, which shaders.py turns into GLSL,
- * HLSL and WGSL. The script knows the type of every expression, and refuses what is outside:
- *
- * - Functions are static inline, without side effects, and stand before those that call them. They
- *   take and return numbers, vectors and structures; there are no pointers and no arrays, but those
- *   of the plans.
- * - Statements are declarations, assignments to variables (not to parameters), if, for with one
- *   counter, and return. Blocks have braces.
- * - No type becomes another without a cast, but a whole number where uint is wanted. Integers that
- *   become floats have at most 24 bits, since shaders may round others in another way.
- * - Floats are added, subtracted and multiplied by operators, each of which rounds once; the script
- *   makes them calls of functions that compilers of shaders neither fuse nor reorder. inverse()
- *   stands in for division.
- * - ?: chooses one of two numbers. Shaders compute both.
- * - A macro is the name of a number. No name of a variable is a word of a shading language.
+ * The other files of this directory keep to the part of C that ../formulas/c.h describes.
  */
 #ifndef SCARP_GPU_C_H
 #define SCARP_GPU_C_H
 
 #include <math.h>
-#include <stdbool.h>
-#include <stdint.h>
 #include <string.h>
 
-typedef uint32_t uint;
-typedef struct {
-    float x, y, z;
-} vec3;
-typedef struct {
-    uint x, y, z;
-} uvec3;
-typedef struct {
-    float x, y, z, w;
-} vec4;
-
+#include "../formulas/c.h"
 #include "plan.h"
 
 /* The plans that shaders find in their uniform buffer. */
@@ -56,12 +29,6 @@ static inline uint only_fractal(uint fractal)
 static inline uint only_depth(uint depth)
 {
     return depth;
-}
-
-static inline vec3 vec3_of(float x, float y, float z)
-{
-    const vec3 v = {x, y, z};
-    return v;
 }
 
 static inline float float_of_bits(uint bits)
@@ -97,7 +64,5 @@ static inline float rough_root(float a)
 {
     return float_of_bits(bits_of(sqrtf(a)) + (uint)(SCARP_GPU_ERROR));
 }
-
-#include "noise.h"
 
 #endif

@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Shaders: noise with warps, as scalar/warp.h, and the self-test of scarp_gpu_answers. Included by
- * c.h.
+ * Shaders: noise with warps, as scalar/warp.h, and the self-test of scarp_gpu_answers.
  */
 #ifndef SCARP_GPU_NOISE_H
 #define SCARP_GPU_NOISE_H

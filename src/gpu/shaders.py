@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Writes include/scarp.glsl, scarp.hlsl and scarp.wgsl from the C of this directory.
+"""Writes include/scarp.glsl, scarp.hlsl and scarp.wgsl from the C of src/formulas and src/gpu.
 
     shaders.py           writes them
     shaders.py --check   says which are not what it would write; exit status 1
@@ -18,11 +18,13 @@ sys.dont_write_bytecode = True  # among the sources
 from subset import (BLANK, RANK, Assign, Comment, Declare, Define, For, Function,  # noqa: E402
                     Known, Refused, Return, Source, Struct)
 
-HERE = pathlib.Path(__file__).resolve().parent
-INCLUDE = HERE.parent.parent / "include"
-STRUCTURES = ["plan"]
-FUNCTIONS = ["numbers", "lattice", "corners", "gradient", "value", "simplex", "cells", "basis",
-             "shape", "bend", "octaves", "noise"]
+SRC = pathlib.Path(__file__).resolve().parent.parent
+INCLUDE = SRC.parent / "include"
+STRUCTURES = ["gpu/plan"]
+FUNCTIONS = ["gpu/numbers", "gpu/directions", "formulas/sample", "formulas/lattice",
+             "formulas/corners", "formulas/gradient", "formulas/value", "formulas/simplex",
+             "formulas/cells", "gpu/basis", "gpu/matrices", "gpu/positions", "gpu/shape",
+             "gpu/bend", "gpu/octaves", "gpu/noise"]
 
 # The functions of the heads: operators of floats, conversions by what comes of what, and ?: .
 HOOKS = {"+": "add", "-": "sub", "*": "mul"}
@@ -32,12 +34,13 @@ PICKS = {"float": "pick", "int": "pick_int", "uint": "pick_uint"}
 
 
 def known_at_first():
-    """What c.h and the heads declare."""
+    """What the files named c.h and the heads declare."""
     known = Known()
     known.values["scarp_plan"] = "plan[]"
     head = r"static inline (\w+) (\w+)\(([^)]*)\)"
-    for type_, name, parameters in re.findall(head, (HERE / "c.h").read_text()):
-        known.functions[name] = type_, [p.split()[0] for p in parameters.split(", ")]
+    for room in ("formulas", "gpu"):
+        for type_, name, parameters in re.findall(head, (SRC / room / "c.h").read_text()):
+            known.functions[name] = type_, [p.split()[0] for p in parameters.split(", ")]
     return known
 
 
@@ -73,6 +76,10 @@ class Glsl:
     def call(self, name, arguments):
         return f"scarp_{name}({', '.join(arguments)})"
 
+    def braces(self, type_, parts):
+        """What initialises a structure or a vector."""
+        return f"{self.type(type_)}({', '.join(parts)})"
+
     # Expressions
 
     def show(self, tree):
@@ -93,6 +100,8 @@ class Glsl:
             rank = RANK[tree.text]
             left, right = self.operand(parts[0], rank), self.operand(parts[1], rank, 1)
             return f"{left} {tree.text} {right}"
+        if tree.kind == "braces":
+            return self.braces(tree.type, [self.show(part) for part in parts])
         name = {"call": tree.text, "binary": HOOKS.get(tree.text), "pick": PICKS.get(tree.type),
                 "cast": CASTS.get((tree.type, parts[0].type if parts else ""))}[tree.kind]
         return self.call(name, [self.show(part) for part in parts])
@@ -179,6 +188,9 @@ class Glsl:
 class Hlsl(Glsl):
     TYPES = {"vec3": "float3", "uvec3": "uint3", "vec4": "float4"}
 
+    def braces(self, type_, parts):
+        return f"{{{', '.join(parts)}}}"
+
 
 class Wgsl(Glsl):
     TYPES = {"float": "f32", "int": "i32", "uint": "u32", "vec3": "vec3f", "uvec3": "vec3u",
@@ -240,14 +252,14 @@ def remark(lines, comment, depth):
 
 def titled(items):
     """What a file has, with its opening comment as a title."""
-    title = re.search(r"\* Shaders: ([^;.]*)[;.]", items[0].text).group(1)
+    title = re.search(r"\* (?:Formulas|Shaders): ([^;.]*)[;.]", items[0].text).group(1)
     title = " ".join(title.replace("\n *", " ").split())
     title = textwrap.fill(f"/* {title[0].upper()}{title[1:]}. */", 97, subsequent_indent="   ")
     return [Comment(title)] + items[1:]
 
 
 def shader(language, parts):
-    text = (HERE / f"head.{language}").read_text()
+    text = (SRC / f"gpu/head.{language}").read_text()
     write = {"glsl": Glsl, "hlsl": Hlsl, "wgsl": Wgsl}[language]()
     for name, files in parts.items():
         texts = ["\n".join(write.lines(titled(items))).rstrip() + "\n" for items in files]
@@ -258,7 +270,7 @@ def shader(language, parts):
 def main():
     known, stale = known_at_first(), 0
     try:
-        parts = {name: [Source(HERE / f"{file}.h", known).file() for file in files]
+        parts = {name: [Source(SRC / f"{file}.h", known).file() for file in files]
                  for name, files in (("STRUCTURES", STRUCTURES), ("FUNCTIONS", FUNCTIONS))}
     except Refused as why:
         print(why)

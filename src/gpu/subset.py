@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
-"""Reads the part of C that the shaders are written in: text becomes trees with types.
+"""Reads the part of C that formulas and shaders are written in: text becomes trees with types.
 
-c.h describes that part. Whatever is outside of it raises Refused, with file and line: the shading
-languages either lack it or mean something else by it.
+src/formulas/c.h describes that part. Whatever is outside of it raises Refused, with file and line:
+the shading languages either lack it or mean something else by it.
 """
 import re
 from collections import namedtuple
@@ -21,7 +21,8 @@ RANK = {operator: rank for rank, level in enumerate(LEVELS) for operator in leve
 ASSIGNMENTS = ("=", "+=", "-=", "*=", "&=", "|=", "^=")
 NEGATIONS = {"-": ("float", "int"), "!": ("bool",), "~": ("int", "uint")}
 
-SCALARS = ("float", "int", "uint", "bool")
+ZEROS = {"float": "0.0f", "int": "0", "uint": "0u", "bool": "false"}
+SCALARS = tuple(ZEROS)
 VECTORS = {"vec3": dict.fromkeys("xyz", "float"), "uvec3": dict.fromkeys("xyz", "uint"),
            "vec4": dict.fromkeys("xyzw", "float")}
 CASTS = {("int", "float"), ("uint", "float"), ("float", "int"), ("uint", "int"), ("int", "uint")}
@@ -293,6 +294,55 @@ class Source:
         self.take(")")
         return Tree("call", type_, name, arguments)
 
+    def initialiser(self, type_):
+        """A structure or a vector in braces, with all members in order: what is left out is 0."""
+        members = self.known.structs.get(type_, {})
+        names, given, at = list(members), {}, 0
+        self.take("{")
+        while self.next() != "}":
+            is_named = self.next() == "."
+            if is_named:
+                at = self.designated(type_, names)
+            if at == len(names) or names[at] in given:
+                self.refuse(f"{type_} is initialised with too many numbers, or twice")
+            given[names[at]] = self.initial(members[names[at]], is_named)
+            at += 1
+            if self.next() != "}":
+                self.take(",")
+        self.take("}")
+        return Tree("braces", type_, "", [given.get(name) or self.zero(members[name])
+                                          for name in names])
+
+    def designated(self, type_, names):
+        """The number of the member that comes next with its dot."""
+        self.take(".")
+        member = self.name()
+        if member not in names:
+            self.refuse(f"{type_} has no member {member}")
+        return names.index(member)
+
+    def initial(self, type_, is_named):
+        """The value of a member. Behind its name may come a member of it, which alone is not 0."""
+        if is_named and self.next() == ".":
+            members = self.known.structs.get(type_, {})
+            parts = [self.zero(of) for of in members.values()]
+            at = self.designated(type_, list(members))
+            parts[at] = self.initial(list(members.values())[at], True)
+            return Tree("braces", type_, "", parts)
+        if is_named:
+            self.take("=")
+        if self.next() == "{":
+            return self.initialiser(type_)
+        return self.suited(type_, self.expression())
+
+    def zero(self, type_):
+        if type_ in ZEROS:
+            return Tree("name" if type_ == "bool" else "number", type_, ZEROS[type_])
+        if type_.endswith("[]"):
+            self.refuse("braces initialise no arrays")
+        members = self.known.structs[type_].values()
+        return Tree("braces", type_, "", [self.zero(of) for of in members])
+
     # Statements
 
     def declare(self):
@@ -305,7 +355,7 @@ class Source:
             name, value = self.new_name(), None
             if self.next() == "=":
                 self.take()
-                value = self.suited(type_, self.expression())
+                value = self.initial(type_, False)
             if is_const and value is None:
                 self.refuse(f"{name} is constant and has no value")
             self.scopes[-1][name] = (type_, is_const)

@@ -3,7 +3,7 @@
 """The part of C that becomes shaders: what src/gpu/subset.py refuses, each with its line and why,
 and what comes of the rest.
 
-    subset.py DIRECTORY-OF-SHADERS.PY WORK-DIRECTORY
+    subset.py DIRECTORY-OF-THE-SCRIPTS WORK-DIRECTORY
 """
 import pathlib
 import sys
@@ -56,6 +56,11 @@ REFUSED = [
     ("switch (i) {", "without switch"),
     ("for (int k = 0, n = 9; k < n; k++) {", "one variable"),
     ("for (int k = 0; k < 9; k++) {\ncontinue;", "without continue"),
+    ("vec3 w = {a, a, a, a};", "too many numbers"),
+    ("vec3 w = {.x = a, .x = a};", "twice"),
+    ("vec3 w = {.w = a};", "vec3 has no member w"),
+    ("vec3 w = {i, a, a};", "float is wanted, not int"),
+    ("return {a};", "a name is wanted, not {"),
     ("return a, a;", "; is wanted, not ,"),
     ("return a @ a;", "; is wanted, not @"),
     ("vec3 w = v->x;", "is wanted, not ->"),
@@ -83,6 +88,12 @@ struct two_numbers {
     float a, b; /* finite */
 };
 
+struct box {
+    struct two_numbers low, high;
+    vec3 middle;
+    uint count;
+};
+
 static inline float f(struct two_numbers n, uint u, int i, bool b)
 {
     /* why */
@@ -96,7 +107,8 @@ static inline float f(struct two_numbers n, uint u, int i, bool b)
     } else if (b) {
         return (float)(h & 0xff);
     }
-    return 2 * (i + 1) > 4 ? sum : 0.0f;
+    const struct box box = {n, .high.b = sum * sum, .middle = {sum, .z = 0x1.8p1f}};
+    return 2 * (i + 1) > 4 ? box.high.b : 0.0f;
 }
 """
 
@@ -107,6 +119,13 @@ const SCARP_HALF: f32 = 0.5f;
 struct ScarpTwoNumbers {
     a: f32,
     b: f32, /* finite */
+}
+
+struct ScarpBox {
+    low: ScarpTwoNumbers,
+    high: ScarpTwoNumbers,
+    middle: vec3f,
+    count: u32,
 }
 
 fn scarp_f(n: ScarpTwoNumbers, u: u32, i: i32, b: bool) -> f32 {
@@ -121,7 +140,9 @@ fn scarp_f(n: ScarpTwoNumbers, u: u32, i: i32, b: bool) -> f32 {
     } else if (b) {
         return f32(h & 0xffu);
     }
-    return select(0.0f, sum, 2 * (i + 1) > 4);
+    let box: ScarpBox = ScarpBox(n, ScarpTwoNumbers(0.0f, scarp_mul(sum, sum)), vec3f(sum, 0.0f,
+            3.0f), 0u);
+    return select(0.0f, box.high.b, 2 * (i + 1) > 4);
 }"""
 
 
