@@ -11,7 +11,7 @@
 #include <math.h>
 
 #include "../chain.h"
-#include "fade.h"
+#include "../formulas/corners.h"
 
 /* The value of a function and its partial derivatives, as far as it has them. */
 struct partials {
