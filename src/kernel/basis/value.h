@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Value noise with gradient and Hessian: see columns.h for the order of operations. Included by
- * basis.h; the reference is scalar/value.h. Lattice values are in units of 2^-31; the plan's
+ * basis.h; the reference is formulas/value.h. Lattice values are in units of 2^-31; the plan's
  * amplitudes carry the factor. Nothing of a column depends on x, so the slopes stay unset.
  */
 #ifndef SCARP_KERNEL_BASIS_VALUE_H
