@@ -74,17 +74,10 @@ struct ScarpPlan {
     ScarpOctave octave[32];
 };
 
-/* The numbers of enum scarp_basis, scarp_fade and scarp_fractal. */
+/* The numbers of enum scarp_basis, but of cellular noise, and of enum scarp_fractal. */
 #define SCARP_GRADIENT 0u
 #define SCARP_VALUE 1u
 #define SCARP_SIMPLEX 2u
-#define SCARP_CELL_F1 3u
-#define SCARP_CELL_F2 4u
-#define SCARP_CELL_EDGE 5u
-#define SCARP_CELL_SOFT 6u
-#define SCARP_CELL_VALUE 7u
-
-#define SCARP_QUINTIC 0u
 
 #define SCARP_FBM 0u
 #define SCARP_TURBULENCE 1u
@@ -166,8 +159,7 @@ float scarp_mul(float a, float b)
 #define scarp_rough_inverse(a) (1.0 / (a))
 #define scarp_rough_root(a) sqrt(a)
 
-/* Arithmetic with vectors and symmetric matrices, and the two operations that shading languages
-   only approximate. */
+/* Bits of floats, and the two operations that shading languages only approximate. */
 
 #define SCARP_SIGN 0x80000000u
 
@@ -188,107 +180,17 @@ float scarp_with_bit(float a, uint bit)
     return scarp_float_of_bits(scarp_bits_of(a) ^ (bit << 31u));
 }
 
-float3 scarp_add3(float3 a, float3 b)
+/* One of two numbers. */
+float scarp_either(bool condition, float yes, float no)
 {
-    return scarp_vec3_of(scarp_add(a.x, b.x), scarp_add(a.y, b.y), scarp_add(a.z, b.z));
+    return scarp_pick(condition, yes, no);
 }
 
-float3 scarp_sub3(float3 a, float3 b)
+/* The hash as a signed number, rounded to float, in two parts: only the addition rounds. */
+float scarp_lattice_value(uint hash)
 {
-    return scarp_vec3_of(scarp_sub(a.x, b.x), scarp_sub(a.y, b.y), scarp_sub(a.z, b.z));
-}
-
-float3 scarp_mul3(float a, float3 b)
-{
-    return scarp_vec3_of(scarp_mul(a, b.x), scarp_mul(a, b.y), scarp_mul(a, b.z));
-}
-
-float scarp_dot(float3 a, float3 b, int dimensions)
-{
-    float d = scarp_add(scarp_mul(a.x, b.x), scarp_mul(a.y, b.y));
-    if (dimensions == 3) {
-        d = scarp_add(d, scarp_mul(a.z, b.z));
-    }
-    return d;
-}
-
-/* A matrix of 3 rows. */
-struct ScarpRows {
-    float3 x;
-    float3 y;
-    float3 z;
-};
-
-ScarpRows scarp_rows_of(float3 x, float3 y, float3 z)
-{
-    ScarpRows m;
-    m.x = x;
-    m.y = y;
-    m.z = z;
-    return m;
-}
-
-ScarpRows scarp_transposed(ScarpRows m)
-{
-    return scarp_rows_of(scarp_vec3_of(m.x.x, m.y.x, m.z.x), scarp_vec3_of(m.x.y, m.y.y, m.z.y),
-            scarp_vec3_of(m.x.z, m.y.z, m.z.z));
-}
-
-/* m v */
-float3 scarp_times(ScarpRows m, float3 v, int dimensions)
-{
-    return scarp_vec3_of(scarp_dot(m.x, v, dimensions), scarp_dot(m.y, v, dimensions),
-            scarp_dot(m.z, v, dimensions));
-}
-
-/* The transpose of m, times v. */
-float3 scarp_transposed_times(ScarpRows m, float3 v, int dimensions)
-{
-    return scarp_times(scarp_transposed(m), v, dimensions);
-}
-
-/* Noise at a point. diagonal: the derivatives xx, yy, zz; mixed: xy, xz, yz. */
-struct ScarpSample {
-    float value;
-    float3 gradient;
-    float3 diagonal;
-    float3 mixed;
-};
-
-ScarpSample scarp_sample_of(float value, float3 gradient, float3 diagonal, float3 mixed)
-{
-    ScarpSample s;
-    s.value = value;
-    s.gradient = gradient;
-    s.diagonal = diagonal;
-    s.mixed = mixed;
-    return s;
-}
-
-ScarpSample scarp_constant(float value)
-{
-    float3 none = scarp_vec3_of(0.0f, 0.0f, 0.0f);
-    return scarp_sample_of(value, none, none, none);
-}
-
-/* The Hessian. */
-ScarpRows scarp_hessian_of(ScarpSample s)
-{
-    return scarp_rows_of(scarp_vec3_of(s.diagonal.x, s.mixed.x, s.mixed.y), scarp_vec3_of(s.mixed.x,
-            s.diagonal.y, s.mixed.z), scarp_vec3_of(s.mixed.y, s.mixed.z, s.diagonal.z));
-}
-
-ScarpSample scarp_sum_of(ScarpSample a, ScarpSample b)
-{
-    return scarp_sample_of(scarp_add(a.value, b.value), scarp_add3(a.gradient, b.gradient),
-            scarp_add3(a.diagonal, b.diagonal), scarp_add3(a.mixed, b.mixed));
-}
-
-/* Multiplies the outputs of each order by a factor of their own. */
-ScarpSample scarp_scaled(ScarpSample n, float value, float gradient, float hessian)
-{
-    return scarp_sample_of(scarp_mul(value, n.value), scarp_mul3(gradient, n.gradient),
-            scarp_mul3(hessian, n.diagonal), scarp_mul3(hessian, n.mixed));
+    return scarp_add(scarp_mul(scarp_float_of_int(scarp_int_of(hash) >> 16u), 65536.0f),
+            scarp_float_of_uint(hash & 0xffffu));
 }
 
 /*
@@ -336,7 +238,106 @@ float scarp_root(float x)
     return scarp_pick(e == 0u, 0.0f, rounded);
 }
 
-/* Where a point lies in the frame of an octave, and what the lattice draws there. */
+/* The directions of gradients, computed, since memory is slower. */
+
+/* The cosine of 11.25 degrees times 1, 3, 5, 7. */
+float scarp_cosine(uint i)
+{
+    float first = scarp_pick(i == 0u, 0.980785280f, 0.831469612f);
+    float second = scarp_pick(i == 2u, 0.555570233f, 0.195090322f);
+    return scarp_pick(i < 2u, first, second);
+}
+
+/* One of the 16 directions of the plane. */
+float3 scarp_direction2(uint i)
+{
+    uint k = (i >> 1u) & 3u;
+    return scarp_vec3_of(scarp_with_bit(scarp_cosine(k), (i >> 3u) & 1u),
+            scarp_with_bit(scarp_cosine(3u - k), i & 1u), 0.0f);
+}
+
+/* One of the 12 edges of a cube, twice as long: 0 along z, y or x. */
+float3 scarp_direction3(uint i)
+{
+    uint axes = i >> 2u;
+    float first = scarp_with_bit(2.0f, (i >> 1u) & 1u);
+    float second = scarp_with_bit(2.0f, i & 1u);
+    return scarp_vec3_of(scarp_pick(axes == 2u, 0.0f, first), scarp_pick(axes == 0u, second,
+            scarp_pick(axes == 1u, 0.0f, first)), scarp_pick(axes == 0u, 0.0f, second));
+}
+
+/* A component of an edge after a quarter of a turn, times sqrt(3) / 2: 1, 2, -1 or -2, of which
+   `axis` has two bits for each edge. */
+float scarp_quarter_along(uint axis, uint i)
+{
+    uint bits = axis >> (2u * i);
+    return scarp_with_bit(scarp_pick((bits & 2u) != 0u, 2.0f, 1.0f), bits & 1u);
+}
+
+#define SCARP_QUARTERS_X 0xbe0550u
+#define SCARP_QUARTERS_Y 0x50be11u
+#define SCARP_QUARTERS_Z 0x1144beu
+#define SCARP_TWO_OVER_ROOT_3 1.15470054f
+
+/* An edge after a quarter of a turn. */
+float3 scarp_quarter3(uint i)
+{
+    return scarp_vec3_of(scarp_mul(SCARP_TWO_OVER_ROOT_3, scarp_quarter_along(SCARP_QUARTERS_X, i)),
+            scarp_mul(SCARP_TWO_OVER_ROOT_3, scarp_quarter_along(SCARP_QUARTERS_Y, i)),
+            scarp_mul(SCARP_TWO_OVER_ROOT_3, scarp_quarter_along(SCARP_QUARTERS_Z, i)));
+}
+
+/* Vectors, and noise at a point. */
+
+float3 scarp_add3(float3 a, float3 b)
+{
+    return scarp_vec3_of(scarp_add(a.x, b.x), scarp_add(a.y, b.y), scarp_add(a.z, b.z));
+}
+
+float3 scarp_sub3(float3 a, float3 b)
+{
+    return scarp_vec3_of(scarp_sub(a.x, b.x), scarp_sub(a.y, b.y), scarp_sub(a.z, b.z));
+}
+
+float3 scarp_mul3(float a, float3 b)
+{
+    return scarp_vec3_of(scarp_mul(a, b.x), scarp_mul(a, b.y), scarp_mul(a, b.z));
+}
+
+/* Noise at a point. diagonal: the derivatives xx, yy, zz; mixed: xy, xz, yz. In 2D outputs along z
+   mean nothing. */
+struct ScarpSample {
+    float value;
+    float3 gradient;
+    float3 diagonal;
+    float3 mixed;
+};
+
+ScarpSample scarp_sample_of(float value, float3 gradient, float3 diagonal, float3 mixed)
+{
+    ScarpSample s = {value, gradient, diagonal, mixed};
+    return s;
+}
+
+ScarpSample scarp_constant(float value)
+{
+    float3 none = {0.0f, 0.0f, 0.0f};
+    return scarp_sample_of(value, none, none, none);
+}
+
+ScarpSample scarp_sum_of(ScarpSample a, ScarpSample b)
+{
+    return scarp_sample_of(scarp_add(a.value, b.value), scarp_add3(a.gradient, b.gradient),
+            scarp_add3(a.diagonal, b.diagonal), scarp_add3(a.mixed, b.mixed));
+}
+
+ScarpSample scarp_difference_of(ScarpSample a, ScarpSample b)
+{
+    return scarp_sample_of(scarp_sub(a.value, b.value), scarp_sub3(a.gradient, b.gradient),
+            scarp_sub3(a.diagonal, b.diagonal), scarp_sub3(a.mixed, b.mixed));
+}
+
+/* What the lattice draws at its points, and its cells. */
 
 #define SCARP_HASH_X 0x1a2012f5u
 #define SCARP_HASH_Y 0x14e84743u
@@ -365,13 +366,6 @@ uint scarp_hash3(uint3 key, uint x, uint y, uint z)
 {
     uint h = scarp_joined3(key, x, y, z);
     return h * (h + SCARP_HASH_K);
-}
-
-/* The hash as a signed number, rounded to float: only the addition rounds. */
-float scarp_lattice_value(uint hash)
-{
-    float high = scarp_mul(scarp_float_of_int(scarp_int_of(hash) >> 16u), 65536.0f);
-    return scarp_add(high, scarp_float_of_uint(hash & 0xffffu));
 }
 
 /* The cells after and before one along an axis, within the period whose last cell is `last`. */
@@ -403,6 +397,792 @@ uint scarp_cell_beside(uint last, uint cell, int steps)
     }
     return c;
 }
+
+/* A point of one octave: along each axis the lattice points on either side, modulo 2^32 or the
+   period, and the position in between, in [0, 1] (rounding can reach 1; the noise is continuous
+   there). In 2D all of z is 0. */
+struct ScarpPlace {
+    uint3 cell;
+    uint3 next;
+    float3 t;
+};
+
+/* The lattice of an octave. */
+struct ScarpLattice {
+    uint3 key; /* of the hash */
+    uint3 last; /* the last cell of the period along each axis; 2^32 - 1 without period */
+    bool flows; /* whether gradients are turned */
+    float4 turn; /* how far: the cosine and sine of an angle, then of twice that */
+    float jitter; /* how far features of cellular noise stray, in units of 2^-32 cells */
+    float middle; /* what is subtracted from distances */
+};
+
+/* Bases that interpolate between lattice points. */
+
+#define SCARP_QUINTIC 0u
+
+/* A fade with its derivatives. */
+struct ScarpFade {
+    float u;
+    float du;
+    float ddu;
+};
+
+/*
+ * quintic: u = 6t^5 - 15t^4 + 10t^3   u' = 30 t^2 (t-1)^2   u'' = 60 t (t-1) (2t-1)
+ * cubic:   u = 3t^2 - 2t^3            u' = 6 t (1-t)        u'' = 6 - 12t
+ *
+ * The quintic is evaluated as t^3 ((t-1) (6t-9) + 1), where nothing cancels. Over all floats in [0,
+ * 1] that errs by at most 1.94e-7, never exceeds 1 + 2^-23, and is exact at 0 and 1. The usual
+ * form, t^3 (t (6t-15) + 10), takes as many operations and errs by 1.1e-6.
+ */
+ScarpFade scarp_fade(uint kind, float t)
+{
+    float s = scarp_sub(t, 1.0f);
+    float ts = scarp_mul(t, s);
+    ScarpFade f;
+    if (kind == SCARP_QUINTIC) {
+        f.u = scarp_mul(scarp_mul(scarp_mul(t, t), t), scarp_add(scarp_mul(s, scarp_sub(scarp_mul(t,
+                6.0f), 9.0f)), 1.0f));
+        f.du = scarp_mul(30.0f, scarp_mul(ts, ts));
+        f.ddu = scarp_mul(scarp_mul(60.0f, ts), scarp_add(t, s));
+    } else {
+        f.u = scarp_mul(scarp_mul(t, t), scarp_sub(3.0f, scarp_mul(2.0f, t)));
+        f.du = scarp_mul(-6.0f, ts);
+        f.ddu = scarp_sub(6.0f, scarp_mul(12.0f, t));
+    }
+    return f;
+}
+
+float scarp_mix(float a, float b, float u)
+{
+    return scarp_add(a, scarp_mul(u, scarp_sub(b, a)));
+}
+
+/* a x + b */
+struct ScarpLine {
+    float a;
+    float b;
+};
+
+/* What a lattice column contributes. */
+struct ScarpColumn {
+    ScarpLine value;
+    ScarpLine y;
+    ScarpLine z;
+    ScarpLine yy;
+    ScarpLine yz;
+    ScarpLine zz;
+};
+
+/* `is_flat`: nothing depends on x, all a are 0. */
+float scarp_at(ScarpLine l, float x, bool is_flat)
+{
+    return scarp_pick(is_flat, l.b, scarp_add(scarp_mul(l.a, x), l.b));
+}
+
+/* The value and its derivatives along x, from the lines of both columns. */
+float scarp_across(ScarpLine l, ScarpLine r, float x, ScarpFade f, bool is_flat)
+{
+    return scarp_mix(scarp_at(l, x, is_flat), scarp_at(r, scarp_sub(x, 1.0f), is_flat), f.u);
+}
+
+float scarp_across_dx(ScarpLine l, ScarpLine r, float x, ScarpFade f, bool is_flat)
+{
+    float step = scarp_mul(f.du, scarp_sub(scarp_at(r, scarp_sub(x, 1.0f), is_flat), scarp_at(l, x,
+            is_flat)));
+    return scarp_pick(is_flat, step, scarp_add(scarp_mix(l.a, r.a, f.u), step));
+}
+
+float scarp_across_dxx(ScarpLine l, ScarpLine r, float x, ScarpFade f, bool is_flat)
+{
+    float bend = scarp_mul(f.ddu, scarp_sub(scarp_at(r, scarp_sub(x, 1.0f), is_flat), scarp_at(l, x,
+            is_flat)));
+    return scarp_pick(is_flat, bend, scarp_add(scarp_mul(scarp_mul(2.0f, f.du), scarp_sub(r.a,
+            l.a)), bend));
+}
+
+ScarpSample scarp_join(ScarpColumn l, ScarpColumn r, float x, ScarpFade f, bool is_flat)
+{
+    ScarpSample s = {scarp_across(l.value, r.value, x, f, is_flat), {scarp_across_dx(l.value,
+            r.value, x, f, is_flat), scarp_across(l.y, r.y, x, f, is_flat), scarp_across(l.z, r.z,
+            x, f, is_flat)}, {scarp_across_dxx(l.value, r.value, x, f, is_flat), scarp_across(l.yy,
+            r.yy, x, f, is_flat), scarp_across(l.zz, r.zz, x, f, is_flat)}, {scarp_across_dx(l.y,
+            r.y, x, f, is_flat), scarp_across_dx(l.z, r.z, x, f, is_flat), scarp_across(l.yz, r.yz,
+            x, f, is_flat)}};
+    return s;
+}
+
+/* Gradient noise (Perlin 1985, 2002). */
+
+/* The number of the direction that a hash draws. In 3D the upper half of the hash, times 12,
+   chooses: any two are drawn equally often within 1 in 5461, so that the noise is the same along
+   all axes. */
+uint scarp_direction_index2(uint hash)
+{
+    return hash >> 28u;
+}
+
+uint scarp_direction_index3(uint hash)
+{
+    return ((hash >> 16u) * 12u) >> 16u;
+}
+
+/* A direction of noise that flows: some make two turns per turn of the phase, in 2D backwards. */
+float3 scarp_turned2(uint drawn, float4 turn)
+{
+    bool is_opposite = drawn >= 8u;
+    uint i = scarp_pick_uint(is_opposite, drawn ^ 9u, drawn);
+    bool is_quick = ((i ^ (i >> 1u) ^ (i >> 3u)) & 1u) != 0u;
+    float3 g = scarp_direction2(i);
+    float c = scarp_either(is_quick, turn.z, turn.x);
+    float s = scarp_either(is_quick, -turn.w, turn.y);
+    float x = scarp_sub(scarp_mul(c, g.x), scarp_mul(s, g.y));
+    float y = scarp_add(scarp_mul(c, g.y), scarp_mul(s, g.x));
+    return scarp_vec3_of(scarp_pick(is_opposite, -x, x), scarp_pick(is_opposite, -y, y), 0.0f);
+}
+
+float3 scarp_turned3(uint i, float4 turn)
+{
+    bool is_quick = ((0x93c >> i) & 1) != 0; /* 2, 3, 4, 5, 8 and 11 */
+    float c = scarp_either(is_quick, turn.z, turn.x);
+    float s = scarp_either(is_quick, turn.w, turn.y);
+    return scarp_add3(scarp_mul3(c, scarp_direction3(i)), scarp_mul3(s, scarp_quarter3(i)));
+}
+
+float3 scarp_drawn2(ScarpLattice l, uint x, uint y)
+{
+    uint i = scarp_direction_index2(scarp_hash2(l.key, x, y));
+    float3 g = scarp_direction2(i);
+    if (l.flows) {
+        g = scarp_turned2(i, l.turn);
+    }
+    return g;
+}
+
+float3 scarp_drawn3(ScarpLattice l, uint x, uint y, uint z)
+{
+    uint i = scarp_direction_index3(scarp_hash3(l.key, x, y, z));
+    float3 g = scarp_direction3(i);
+    if (l.flows) {
+        g = scarp_turned3(i, l.turn);
+    }
+    return g;
+}
+
+/* Column x of the cell: v is the fade along y. */
+ScarpColumn scarp_gradient_column2(ScarpLattice l, uint x, ScarpPlace p, ScarpFade v)
+{
+    float3 g0 = scarp_drawn2(l, x, p.cell.y);
+    float3 g1 = scarp_drawn2(l, x, p.next.y);
+    float dgx = scarp_sub(g1.x, g0.x);
+    float dot0 = scarp_mul(g0.y, p.t.y);
+    float dot1 = scarp_mul(g1.y, scarp_sub(p.t.y, 1.0f));
+    float ddot = scarp_sub(dot1, dot0);
+    ScarpColumn c = {{scarp_add(g0.x, scarp_mul(v.u, dgx)), scarp_add(dot0, scarp_mul(v.u, ddot))},
+            {scarp_mul(v.du, dgx), scarp_add(scarp_mix(g0.y, g1.y, v.u), scarp_mul(v.du, ddot))},
+            {0.0f, 0.0f}, {scarp_mul(v.ddu, dgx), scarp_add(scarp_mul(scarp_mul(2.0f, v.du),
+            scarp_sub(g1.y, g0.y)), scarp_mul(v.ddu, ddot))}, {0.0f, 0.0f}, {0.0f, 0.0f}};
+    return c;
+}
+
+/* A lattice edge along z, interpolated over z. */
+struct ScarpEdge {
+    ScarpLine value; /* in x */
+    float z;
+    float zz; /* first and second z derivative of value.b */
+    float gy;
+    float dgy; /* y component of the gradient, and its z derivative */
+    float dgx; /* difference of the x components of the corners */
+};
+
+/* The edge at column x and row y of cells, ty from it along y; w is the fade along z. */
+ScarpEdge scarp_gradient_edge(ScarpLattice l, uint x, uint y, float ty, ScarpPlace p, ScarpFade w)
+{
+    float3 g0 = scarp_drawn3(l, x, y, p.cell.z);
+    float3 g1 = scarp_drawn3(l, x, y, p.next.z);
+    float3 dg = scarp_sub3(g1, g0);
+    float dot0 = scarp_add(scarp_mul(g0.y, ty), scarp_mul(g0.z, p.t.z));
+    float dot1 = scarp_add(scarp_mul(g1.y, ty), scarp_mul(g1.z, scarp_sub(p.t.z, 1.0f)));
+    float ddot = scarp_sub(dot1, dot0);
+    ScarpEdge e = {{scarp_add(g0.x, scarp_mul(w.u, dg.x)), scarp_add(dot0, scarp_mul(w.u, ddot))},
+            scarp_add(scarp_add(g0.z, scarp_mul(w.u, dg.z)), scarp_mul(w.du, ddot)),
+            scarp_add(scarp_mul(scarp_mul(2.0f, w.du), dg.z), scarp_mul(w.ddu, ddot)),
+            scarp_add(g0.y, scarp_mul(w.u, dg.y)), scarp_mul(w.du, dg.y), dg.x};
+    return e;
+}
+
+ScarpColumn scarp_gradient_column3(ScarpLattice l, uint x, ScarpPlace p, ScarpFade v, ScarpFade w)
+{
+    ScarpEdge e0 = scarp_gradient_edge(l, x, p.cell.y, p.t.y, p, w);
+    ScarpEdge e1 = scarp_gradient_edge(l, x, p.next.y, scarp_sub(p.t.y, 1.0f), p, w);
+    float da = scarp_sub(e1.value.a, e0.value.a);
+    float db = scarp_sub(e1.value.b, e0.value.b);
+    float dgy = scarp_sub(e1.gy, e0.gy);
+    float dz = scarp_sub(e1.z, e0.z);
+    float ddgx = scarp_sub(e1.dgx, e0.dgx);
+    float dgx = scarp_add(e0.dgx, scarp_mul(v.u, ddgx)); /* interpolated over y */
+    ScarpColumn c = {{scarp_add(e0.value.a, scarp_mul(v.u, da)), scarp_add(e0.value.b,
+            scarp_mul(v.u, db))}, {scarp_mul(v.du, da), scarp_add(scarp_add(e0.gy, scarp_mul(v.u,
+            dgy)), scarp_mul(v.du, db))}, {scarp_mul(w.du, dgx), scarp_add(e0.z, scarp_mul(v.u,
+            dz))}, {scarp_mul(v.ddu, da), scarp_add(scarp_mul(scarp_mul(2.0f, v.du), dgy),
+            scarp_mul(v.ddu, db))}, {scarp_mul(v.du, scarp_mul(w.du, ddgx)),
+            scarp_add(scarp_mix(e0.dgy, e1.dgy, v.u), scarp_mul(v.du, dz))}, {scarp_mul(w.ddu, dgx),
+            scarp_mix(e0.zz, e1.zz, v.u)}};
+    return c;
+}
+
+ScarpSample scarp_gradient_at2(ScarpLattice l, uint kind, ScarpPlace p)
+{
+    ScarpFade v = scarp_fade(kind, p.t.y);
+    return scarp_join(scarp_gradient_column2(l, p.cell.x, p, v), scarp_gradient_column2(l, p.next.x,
+            p, v), p.t.x, scarp_fade(kind, p.t.x), false);
+}
+
+ScarpSample scarp_gradient_at3(ScarpLattice l, uint kind, ScarpPlace p)
+{
+    ScarpFade v = scarp_fade(kind, p.t.y);
+    ScarpFade w = scarp_fade(kind, p.t.z);
+    return scarp_join(scarp_gradient_column3(l, p.cell.x, p, v, w), scarp_gradient_column3(l,
+            p.next.x, p, v, w), p.t.x, scarp_fade(kind, p.t.x), false);
+}
+
+ScarpSample scarp_gradient_at(ScarpLattice l, uint kind, ScarpPlace p, int dimensions)
+{
+    if (dimensions == 2) {
+        return scarp_gradient_at2(l, kind, p);
+    }
+    return scarp_gradient_at3(l, kind, p);
+}
+
+/* Value noise. */
+
+ScarpColumn scarp_value_column2(uint3 key, uint x, ScarpPlace p, ScarpFade v)
+{
+    float c0 = scarp_lattice_value(scarp_hash2(key, x, p.cell.y));
+    float c1 = scarp_lattice_value(scarp_hash2(key, x, p.next.y));
+    float d = scarp_sub(c1, c0);
+    ScarpColumn c = {{0.0f, scarp_add(c0, scarp_mul(v.u, d))}, {0.0f, scarp_mul(v.du, d)}, {0.0f,
+            0.0f}, {0.0f, scarp_mul(v.ddu, d)}, {0.0f, 0.0f}, {0.0f, 0.0f}};
+    return c;
+}
+
+ScarpColumn scarp_value_column3(uint3 key, uint x, ScarpPlace p, ScarpFade v, ScarpFade w)
+{
+    float c00 = scarp_lattice_value(scarp_hash3(key, x, p.cell.y, p.cell.z));
+    float c01 = scarp_lattice_value(scarp_hash3(key, x, p.cell.y, p.next.z));
+    float c10 = scarp_lattice_value(scarp_hash3(key, x, p.next.y, p.cell.z));
+    float c11 = scarp_lattice_value(scarp_hash3(key, x, p.next.y, p.next.z));
+    float dz0 = scarp_sub(c01, c00);
+    float dz1 = scarp_sub(c11, c10);
+    float e0 = scarp_add(c00, scarp_mul(w.u, dz0));
+    float e1 = scarp_add(c10, scarp_mul(w.u, dz1));
+    float dy = scarp_sub(e1, e0);
+    float ddz = scarp_sub(dz1, dz0);
+    float dz = scarp_add(dz0, scarp_mul(v.u, ddz)); /* interpolated over y */
+    ScarpColumn c = {{0.0f, scarp_add(e0, scarp_mul(v.u, dy))}, {0.0f, scarp_mul(v.du, dy)}, {0.0f,
+            scarp_mul(w.du, dz)}, {0.0f, scarp_mul(v.ddu, dy)}, {0.0f, scarp_mul(v.du,
+            scarp_mul(w.du, ddz))}, {0.0f, scarp_mul(w.ddu, dz)}};
+    return c;
+}
+
+ScarpSample scarp_value_at2(ScarpLattice l, uint kind, ScarpPlace p)
+{
+    ScarpFade v = scarp_fade(kind, p.t.y);
+    return scarp_join(scarp_value_column2(l.key, p.cell.x, p, v), scarp_value_column2(l.key,
+            p.next.x, p, v), p.t.x, scarp_fade(kind, p.t.x), true);
+}
+
+ScarpSample scarp_value_at3(ScarpLattice l, uint kind, ScarpPlace p)
+{
+    ScarpFade v = scarp_fade(kind, p.t.y);
+    ScarpFade w = scarp_fade(kind, p.t.z);
+    return scarp_join(scarp_value_column3(l.key, p.cell.x, p, v, w), scarp_value_column3(l.key,
+            p.next.x, p, v, w), p.t.x, scarp_fade(kind, p.t.x), true);
+}
+
+ScarpSample scarp_value_at(ScarpLattice l, uint kind, ScarpPlace p, int dimensions)
+{
+    if (dimensions == 2) {
+        return scarp_value_at2(l, kind, p);
+    }
+    return scarp_value_at3(l, kind, p);
+}
+
+/* Simplex noise (Perlin 2001, Gustavson 2005). */
+
+/* What a vertex adds; `g` is its gradient, `r2` is r^2. */
+ScarpSample scarp_vertex_at(float3 d, float3 g, float r2, int dimensions)
+{
+    float across2 = scarp_mul(d.y, d.y);
+    float across = scarp_mul(g.y, d.y);
+    if (dimensions == 3) {
+        across2 = scarp_add(across2, scarp_mul(d.z, d.z));
+        across = scarp_add(across, scarp_mul(g.z, d.z));
+    }
+    float left = scarp_sub(scarp_sub(r2, across2), scarp_mul(d.x, d.x));
+    float w = scarp_pick(left > 0.0f, left, 0.0f);
+    float q = scarp_add(scarp_mul(g.x, d.x), across);
+    float w2 = scarp_mul(w, w);
+    float w3 = scarp_mul(8.0f, scarp_mul(w2, w));
+    float w4 = scarp_mul(w2, w2);
+    float wq = scarp_mul(w3, q);
+    float bend = scarp_mul(scarp_mul(48.0f, w2), q);
+    ScarpSample s = scarp_constant(scarp_mul(w4, q));
+    s.gradient.x = scarp_sub(scarp_mul(w4, g.x), scarp_mul(wq, d.x));
+    s.gradient.y = scarp_sub(scarp_mul(w4, g.y), scarp_mul(wq, d.y));
+    s.diagonal.x = scarp_sub(scarp_mul(scarp_mul(bend, d.x), d.x), scarp_mul(w3,
+            scarp_add(scarp_mul(scarp_mul(2.0f, g.x), d.x), q)));
+    s.diagonal.y = scarp_sub(scarp_mul(scarp_mul(bend, d.y), d.y), scarp_mul(w3,
+            scarp_add(scarp_mul(scarp_mul(2.0f, g.y), d.y), q)));
+    s.mixed.x = scarp_sub(scarp_mul(scarp_mul(bend, d.x), d.y), scarp_mul(w3,
+            scarp_add(scarp_mul(g.x, d.y), scarp_mul(g.y, d.x))));
+    if (dimensions == 3) {
+        s.gradient.z = scarp_sub(scarp_mul(w4, g.z), scarp_mul(wq, d.z));
+        s.diagonal.z = scarp_sub(scarp_mul(scarp_mul(bend, d.z), d.z), scarp_mul(w3,
+                scarp_add(scarp_mul(scarp_mul(2.0f, g.z), d.z), q)));
+        s.mixed.y = scarp_sub(scarp_mul(scarp_mul(bend, d.x), d.z), scarp_mul(w3,
+                scarp_add(scarp_mul(g.x, d.z), scarp_mul(g.z, d.x))));
+        s.mixed.z = scarp_sub(scarp_mul(scarp_mul(bend, d.y), d.z), scarp_mul(w3,
+                scarp_add(scarp_mul(g.y, d.z), scarp_mul(g.z, d.y))));
+    }
+    return s;
+}
+
+/*
+ * 2D: triangles of edge 1 in rows along x, sqrt(3) / 2 apart: p.t.y and the cells along y count
+ * rows. In odd rows vertex i stands at x = i + 1/2. The triangle's lower side lies in the row below
+ * p or its upper side in the row above; two of its corners are the same for both.
+ */
+#define SCARP_ROW_HEIGHT 0.866025404f /* sqrt(3) / 2 */
+#define SCARP_TRIANGLE_R2 0.75f
+
+/* The vertex `column` to the right of the cell, in row y, at d from p. */
+ScarpSample scarp_vertex2(ScarpLattice l, ScarpPlace p, int column, uint y, float3 d)
+{
+    uint x = scarp_cell_beside(l.last.x, p.cell.x, column);
+    return scarp_vertex_at(d, scarp_direction2(scarp_direction_index2(scarp_hash2(l.key, x, y))),
+            SCARP_TRIANGLE_R2, 2);
+}
+
+ScarpSample scarp_simplex_at2(ScarpLattice l, ScarpPlace p)
+{
+    bool is_odd = (p.cell.y & 1u) != 0u;
+    float shift = scarp_mul(0.5f, p.t.y);
+    float start = scarp_sub(p.t.x, scarp_pick(is_odd, 0.5f, 0.0f));
+    bool is_before = start < shift; /* p is left of the line that vertex 0 begins */
+    int k = scarp_pick_int(is_before, -1, 0);
+    int above = scarp_pick_int(is_odd, k + 1, k);
+    float x = scarp_pick(is_before, scarp_add(start, 1.0f), start); /* from vertex k of the row below */
+    float y = scarp_mul(SCARP_ROW_HEIGHT, p.t.y);
+    float y_above = scarp_sub(y, SCARP_ROW_HEIGHT);
+    bool is_lower = scarp_add(x, shift) < 1.0f;
+    ScarpSample a = scarp_vertex2(l, p, k + 1, p.cell.y, scarp_vec3_of(scarp_sub(x, 1.0f), y,
+            0.0f));
+    ScarpSample b = scarp_vertex2(l, p, above, p.next.y, scarp_vec3_of(scarp_sub(x, 0.5f), y_above,
+            0.0f));
+    ScarpSample c = scarp_vertex2(l, p, scarp_pick_int(is_lower, k, above + 1),
+            scarp_pick_uint(is_lower, p.cell.y, p.next.y), scarp_vec3_of(scarp_pick(is_lower, x,
+            scarp_sub(x, 1.5f)), scarp_pick(is_lower, y, y_above), 0.0f));
+    return scarp_sum_of(scarp_sum_of(a, b), c);
+}
+
+/*
+ * 3D: the corners and the centres of cubes. A tetrahedron has two centres, next to each other along
+ * the axis on which p is furthest from the first; and two corners, next to each other along the
+ * axis on which it is nearest. (r^2 is a little less than 1/2, so that the other vertices add
+ * exactly 0 in float arithmetic, too: rows of grids may add any of them.)
+ */
+#define SCARP_TETRAHEDRON_R2 0.499999523f /* 1/2 - 2^-21 */
+
+/* Centres draw with another number than corners. */
+#define SCARP_HASH_CENTRE 0xbcfa3e4du
+
+/* A vertex: how many cells its own is from that of p along each axis, and where p lies from it. */
+struct ScarpVertex {
+    int x;
+    int y;
+    int z;
+    float3 d;
+};
+
+/* Draws with HASH_K or HASH_CENTRE. */
+ScarpSample scarp_vertex3(ScarpLattice l, ScarpPlace p, ScarpVertex v, uint hash_k)
+{
+    uint h = scarp_joined3(l.key, scarp_cell_beside(l.last.x, p.cell.x, v.x),
+            scarp_cell_beside(l.last.y, p.cell.y, v.y), scarp_cell_beside(l.last.z, p.cell.z, v.z));
+    float3 g = scarp_direction3(scarp_direction_index3(h * (h + hash_k)));
+    return scarp_vertex_at(v.d, g, SCARP_TETRAHEDRON_R2, 3);
+}
+
+/* The second centre, the first corner and the second one along an axis: how many cells they are
+   from that of p, and where p lies from them. */
+struct ScarpEnds {
+    int centre;
+    int corner0;
+    int corner1;
+    float d_centre;
+    float d_corner0;
+    float d_corner1;
+};
+
+/* p lies at t from the first centre. */
+ScarpEnds scarp_ends_of(float t, bool is_furthest, bool is_nearest)
+{
+    bool is_up = !(t < 0.0f);
+    float side = scarp_pick(is_up, 0.5f, -0.5f);
+    ScarpEnds e = {0, 0, 0, t, scarp_sub(t, side), scarp_sub(t, side)};
+    e.corner0 = scarp_pick_int(is_up, 1, 0);
+    e.corner1 = e.corner0;
+    if (is_furthest) {
+        e.centre = scarp_pick_int(is_up, 1, -1);
+        e.d_centre = scarp_sub(t, scarp_pick(is_up, 1.0f, -1.0f));
+    }
+    if (is_nearest) {
+        e.corner1 = 1 - e.corner0;
+        e.d_corner1 = scarp_add(t, side);
+    }
+    return e;
+}
+
+ScarpSample scarp_simplex_at3(ScarpLattice l, ScarpPlace p)
+{
+    float3 t = scarp_sub3(p.t, scarp_vec3_of(0.5f, 0.5f, 0.5f));
+    float3 m = scarp_vec3_of(scarp_magnitude(t.x), scarp_magnitude(t.y), scarp_magnitude(t.z));
+    bool far_x = m.x >= m.y && m.x >= m.z;
+    bool far_y = !far_x && m.y >= m.z;
+    bool near_z = m.z <= m.x && m.z <= m.y;
+    bool near_y = !near_z && m.y <= m.x;
+    ScarpEnds x = scarp_ends_of(t.x, far_x, !near_z && !near_y);
+    ScarpEnds y = scarp_ends_of(t.y, far_y, near_y);
+    ScarpEnds z = scarp_ends_of(t.z, !far_x && !far_y, near_z);
+    ScarpVertex centre0 = {0, 0, 0, t};
+    ScarpVertex centre1 = {x.centre, y.centre, z.centre, {x.d_centre, y.d_centre, z.d_centre}};
+    ScarpVertex corner0 = {x.corner0, y.corner0, z.corner0, {x.d_corner0, y.d_corner0,
+            z.d_corner0}};
+    ScarpVertex corner1 = {x.corner1, y.corner1, z.corner1, {x.d_corner1, y.d_corner1,
+            z.d_corner1}};
+    ScarpSample centres = scarp_sum_of(scarp_vertex3(l, p, centre0, SCARP_HASH_CENTRE),
+            scarp_vertex3(l, p, centre1, SCARP_HASH_CENTRE));
+    ScarpSample corners = scarp_sum_of(scarp_vertex3(l, p, corner0, SCARP_HASH_K), scarp_vertex3(l,
+            p, corner1, SCARP_HASH_K));
+    return scarp_sum_of(scarp_sum_of(corners, centres), scarp_constant(0.0f)); /* which turns a sum of -0 into 0 */
+}
+
+ScarpSample scarp_simplex_at(ScarpLattice l, ScarpPlace p, int dimensions)
+{
+    if (dimensions == 2) {
+        return scarp_simplex_at2(l, p);
+    }
+    return scarp_simplex_at3(l, p);
+}
+
+/* Cellular noise (Worley 1996). */
+
+/* What a cell draws beside v_0, which is its hash. */
+#define SCARP_FEATURE_Y 0xe41130e9u
+#define SCARP_FEATURE_Z 0x6ecea30du
+#define SCARP_FEATURE_ID 0xc603dc87u
+
+/* Where a point lies from the feature of a cell, and the hash of that cell. */
+struct ScarpFeature {
+    float3 d;
+    float s;
+    uint hash;
+};
+
+/* How far t is from the feature of the cell `step` away, along an axis on which it drew v. */
+float scarp_feature_distance(float t, int step, float jitter, uint v)
+{
+    float middle = scarp_add(scarp_float_of_int(step), 0.5f);
+    return scarp_sub(t, scarp_add(middle, scarp_mul(jitter, scarp_lattice_value(v))));
+}
+
+/* The feature of the cell that is (x, y, z) away from that of p. */
+ScarpFeature scarp_feature_at(ScarpLattice l, ScarpPlace p, int x, int y, int z, int dimensions)
+{
+    uint cx = scarp_cell_beside(l.last.x, p.cell.x, x);
+    uint cy = scarp_cell_beside(l.last.y, p.cell.y, y);
+    ScarpFeature f = {{0.0f, 0.0f, 0.0f}, 0.0f, scarp_hash2(l.key, cx, cy)};
+    if (dimensions == 3) {
+        f.hash = scarp_hash3(l.key, cx, cy, scarp_cell_beside(l.last.z, p.cell.z, z));
+    }
+    f.d.x = scarp_feature_distance(p.t.x, x, l.jitter, f.hash);
+    f.d.y = scarp_feature_distance(p.t.y, y, l.jitter, f.hash * SCARP_FEATURE_Y);
+    float across2 = scarp_mul(f.d.y, f.d.y);
+    if (dimensions == 3) {
+        f.d.z = scarp_feature_distance(p.t.z, z, l.jitter, f.hash * SCARP_FEATURE_Z);
+        across2 = scarp_add(across2, scarp_mul(f.d.z, f.d.z));
+    }
+    f.s = scarp_add(scarp_mul(f.d.x, f.d.x), across2);
+    return f;
+}
+
+/* 0, or NaN where a place is NaN, which a search for the least would pass over. */
+float scarp_zero_at(ScarpPlace p)
+{
+    return scarp_mul(0.0f, scarp_add(p.t.x, scarp_add(p.t.y, p.t.z)));
+}
+
+/* Further than any search ends. */
+#define SCARP_FAR_AWAY 64.0f
+
+/* The features that are nearest. */
+struct ScarpNearest {
+    ScarpFeature first;
+    ScarpFeature second;
+};
+
+/* Only what is strictly nearer takes a place. */
+ScarpNearest scarp_nearest_with(ScarpNearest n, ScarpFeature f)
+{
+    ScarpNearest m = n;
+    if (f.s < n.first.s) {
+        m.second = n.first;
+        m.first = f;
+    } else if (f.s < n.second.s) {
+        m.second = f;
+    }
+    return m;
+}
+
+/* The square of the gap to the cell `step` away along an axis. */
+float scarp_gap2(float t, int step)
+{
+    float gap = scarp_pick(step > 0, scarp_sub(scarp_float_of_int(step), t), scarp_sub(t,
+            scarp_float_of_int(step + 1)));
+    return scarp_pick(step == 0, 0.0f, scarp_mul(gap, gap));
+}
+
+/* Whether a cell, and so its feature, is further away than s, by more than rounding. */
+bool scarp_is_beyond(ScarpPlace p, int x, int y, int z, float s)
+{
+    return scarp_add(scarp_add(scarp_gap2(p.t.x, x), scarp_gap2(p.t.y, y)), scarp_gap2(p.t.z,
+            z)) > scarp_mul(1.001f, s);
+}
+
+/* Whether the search looks at a cell. */
+bool scarp_is_searched(ScarpPlace p, int ring, int x, int y, int z, float s)
+{
+    bool is_inside = x > -2 && x < 2 && y > -2 && y < 2 && z > -2 && z < 2;
+    return ring == 1 || !(is_inside || scarp_is_beyond(p, x, y, z, s));
+}
+
+/*
+ * Searches the cells around that of p, then those two steps away, of which few are near enough. No
+ * feature beyond can be one of the two: it is at least 2 away from p, and both are nearer. (3^n
+ * cells do not suffice: the nearest feature of these may be sqrt(n) away, and features two cells
+ * off a little more than 1.)
+ */
+ScarpNearest scarp_nearest_at(ScarpLattice l, ScarpPlace p, int dimensions)
+{
+    float far = scarp_add(SCARP_FAR_AWAY, scarp_zero_at(p)); /* nothing is nearer than NaN */
+    ScarpFeature none = {{far, far, far}, far, 0u};
+    ScarpNearest n = {none, none};
+    for (int ring = 1; ring <= 2; ring++) {
+        int depth = scarp_pick_int(dimensions == 3, ring, 0);
+        for (int z = -depth; z <= depth; z++) {
+            for (int y = -ring; y <= ring; y++) {
+                for (int x = -ring; x <= ring; x++) {
+                    if (scarp_is_searched(p, ring, x, y, z, n.second.s)) {
+                        n = scarp_nearest_with(n, scarp_feature_at(l, p, x, y, z, dimensions));
+                    }
+                }
+            }
+        }
+    }
+    return n;
+}
+
+/* Below this, a point lies on the feature. */
+#define SCARP_NO_DISTANCE 8.27180613e-25f
+
+/* The distance from a feature. */
+ScarpSample scarp_distance_to(ScarpFeature f)
+{
+    float distance = scarp_root(f.s);
+    float r = scarp_pick(f.s <= SCARP_NO_DISTANCE, 0.0f, scarp_inverse(distance));
+    float3 g = scarp_mul3(r, f.d);
+    ScarpSample s = {distance, g, {scarp_mul(r, scarp_sub(1.0f, scarp_mul(g.x, g.x))), scarp_mul(r,
+            scarp_sub(1.0f, scarp_mul(g.y, g.y))), scarp_mul(r, scarp_sub(1.0f, scarp_mul(g.z,
+            g.z)))}, {-scarp_mul(r, scarp_mul(g.x, g.y)), -scarp_mul(r, scarp_mul(g.x, g.z)),
+            -scarp_mul(r, scarp_mul(g.y, g.z))}};
+    return s;
+}
+
+/* What a feature adds before the root; the gradient without the factor 8, the Hessian too. */
+ScarpSample scarp_soft_term(ScarpFeature f)
+{
+    float a = scarp_pick(f.s < 1.0f, scarp_sub(1.0f, f.s), 0.0f);
+    float a2 = scarp_mul(a, a);
+    float a4 = scarp_mul(a2, a2);
+    float a6 = scarp_mul(a4, a2);
+    float a7 = scarp_mul(a6, a);
+    float3 b = scarp_mul3(scarp_mul(14.0f, a6), f.d);
+    ScarpSample s = {scarp_mul(a4, a4), scarp_mul3(a7, f.d), {scarp_sub(scarp_mul(b.x, f.d.x), a7),
+            scarp_sub(scarp_mul(b.y, f.d.y), a7), scarp_sub(scarp_mul(b.z, f.d.z), a7)},
+            {scarp_mul(b.x, f.d.y), scarp_mul(b.x, f.d.z), scarp_mul(b.y, f.d.z)}};
+    return s;
+}
+
+/* Below this, V^2 counts as 0: derivatives are no more than its rounding there. */
+#define SCARP_NO_SUM 7.52316385e-37f
+
+ScarpSample scarp_soft_root(ScarpSample sum)
+{
+    float v = scarp_root(sum.value);
+    float r = scarp_pick(sum.value <= SCARP_NO_SUM, 0.0f, scarp_mul(8.0f, scarp_inverse(v)));
+    float q = scarp_mul(0.125f, r); /* 1 / V */
+    float3 g = scarp_mul3(r, sum.gradient);
+    float3 squares = scarp_vec3_of(scarp_mul(g.x, g.x), scarp_mul(g.y, g.y), scarp_mul(g.z, g.z));
+    float3 products = scarp_vec3_of(scarp_mul(g.x, g.y), scarp_mul(g.x, g.z), scarp_mul(g.y, g.z));
+    return scarp_sample_of(-v, g, scarp_sub3(scarp_mul3(q, squares), scarp_mul3(r, sum.diagonal)),
+            scarp_sub3(scarp_mul3(q, products), scarp_mul3(r, sum.mixed)));
+}
+
+ScarpSample scarp_soft_at(ScarpLattice l, ScarpPlace p, int dimensions)
+{
+    int depth = scarp_pick_int(dimensions == 3, 1, 0);
+    float zero = scarp_zero_at(p);
+    float3 zeros = {zero, zero, zero};
+    ScarpSample sum = {zero, zeros, zeros, zeros};
+    for (int z = -depth; z <= depth; z++) {
+        for (int y = -1; y <= 1; y++) {
+            for (int x = -1; x <= 1; x++) {
+                sum = scarp_sum_of(sum, scarp_soft_term(scarp_feature_at(l, p, x, y, z,
+                        dimensions)));
+            }
+        }
+    }
+    return scarp_soft_root(sum);
+}
+
+/* Each cell's own value, in units of 2^-31; all derivatives are 0. */
+ScarpSample scarp_cell_value(ScarpFeature f)
+{
+    float zero = scarp_mul(0.0f, f.s); /* or NaN */
+    float3 zeros = {zero, zero, zero};
+    return scarp_sample_of(scarp_add(scarp_lattice_value(f.hash * SCARP_FEATURE_ID), zero), zeros,
+            zeros, zeros);
+}
+
+/* The numbers of enum scarp_basis. */
+#define SCARP_CELL_F1 3u
+#define SCARP_CELL_F2 4u
+#define SCARP_CELL_EDGE 5u
+#define SCARP_CELL_SOFT 6u
+#define SCARP_CELL_VALUE 7u
+
+ScarpSample scarp_cells_at(ScarpLattice l, uint basis, ScarpPlace p, int dimensions)
+{
+    if (basis == SCARP_CELL_SOFT) {
+        ScarpSample soft = scarp_soft_at(l, p, dimensions);
+        soft.value = scarp_add(soft.value, l.middle);
+        return soft;
+    }
+    ScarpNearest n = scarp_nearest_at(l, p, dimensions);
+    if (basis == SCARP_CELL_VALUE) {
+        return scarp_cell_value(n.first);
+    }
+    ScarpSample first = scarp_distance_to(n.first);
+    ScarpSample s = scarp_distance_to(n.second);
+    if (basis == SCARP_CELL_F1) {
+        s = first;
+    }
+    if (basis == SCARP_CELL_EDGE) {
+        s = scarp_difference_of(s, first);
+    }
+    s.value = scarp_sub(s.value, l.middle);
+    return s;
+}
+
+/* One octave of noise with gradient and Hessian, in units of cells. */
+
+/* What the formulas leave to shaders */
+
+ScarpLattice scarp_lattice_of(ScarpOctave o, ScarpLevel l)
+{
+    ScarpLattice lattice = {o.key, o.last, l.flows != 0u, o.turn, o.turn.x, o.turn.y};
+    return lattice;
+}
+
+ScarpSample scarp_basis_at(ScarpOctave o, ScarpLevel l, ScarpPlace p, int dimensions)
+{
+    ScarpLattice lattice = scarp_lattice_of(o, l);
+    ScarpSample s;
+    if (l.basis == SCARP_GRADIENT) {
+        s = scarp_gradient_at(lattice, l.fade, p, dimensions);
+    } else if (l.basis == SCARP_VALUE) {
+        s = scarp_value_at(lattice, l.fade, p, dimensions);
+    } else if (l.basis == SCARP_SIMPLEX) {
+        s = scarp_simplex_at(lattice, p, dimensions);
+    } else {
+        s = scarp_cells_at(lattice, l.basis, p, dimensions);
+    }
+    return s;
+}
+
+/* Arithmetic with vectors and symmetric matrices. */
+
+float scarp_dot(float3 a, float3 b, int dimensions)
+{
+    float d = scarp_add(scarp_mul(a.x, b.x), scarp_mul(a.y, b.y));
+    if (dimensions == 3) {
+        d = scarp_add(d, scarp_mul(a.z, b.z));
+    }
+    return d;
+}
+
+/* A matrix of 3 rows. */
+struct ScarpRows {
+    float3 x;
+    float3 y;
+    float3 z;
+};
+
+ScarpRows scarp_rows_of(float3 x, float3 y, float3 z)
+{
+    ScarpRows m;
+    m.x = x;
+    m.y = y;
+    m.z = z;
+    return m;
+}
+
+ScarpRows scarp_transposed(ScarpRows m)
+{
+    return scarp_rows_of(scarp_vec3_of(m.x.x, m.y.x, m.z.x), scarp_vec3_of(m.x.y, m.y.y, m.z.y),
+            scarp_vec3_of(m.x.z, m.y.z, m.z.z));
+}
+
+/* m v */
+float3 scarp_times(ScarpRows m, float3 v, int dimensions)
+{
+    return scarp_vec3_of(scarp_dot(m.x, v, dimensions), scarp_dot(m.y, v, dimensions),
+            scarp_dot(m.z, v, dimensions));
+}
+
+/* The transpose of m, times v. */
+float3 scarp_transposed_times(ScarpRows m, float3 v, int dimensions)
+{
+    return scarp_times(scarp_transposed(m), v, dimensions);
+}
+
+/* The Hessian. */
+ScarpRows scarp_hessian_of(ScarpSample s)
+{
+    return scarp_rows_of(scarp_vec3_of(s.diagonal.x, s.mixed.x, s.mixed.y), scarp_vec3_of(s.mixed.x,
+            s.diagonal.y, s.mixed.z), scarp_vec3_of(s.mixed.y, s.mixed.z, s.diagonal.z));
+}
+
+/* Multiplies the outputs of each order by a factor of their own. */
+ScarpSample scarp_scaled(ScarpSample n, float value, float gradient, float hessian)
+{
+    return scarp_sample_of(scarp_mul(value, n.value), scarp_mul3(gradient, n.gradient),
+            scarp_mul3(hessian, n.diagonal), scarp_mul3(hessian, n.mixed));
+}
+
+/* Where a point lies in the frame of an octave. */
 
 uint scarp_within_period(uint last, int cell)
 {
@@ -439,13 +1219,6 @@ ScarpSplit scarp_split(float p, uint last)
     return s;
 }
 
-/* A point of one octave. */
-struct ScarpPlace {
-    uint3 cell;
-    uint3 next;
-    float3 t;
-};
-
 /* Along each axis p = J x + o, where axes are turned, else p = f x + o. */
 float3 scarp_position_of(ScarpOctave o, bool turned, float3 x, int dimensions)
 {
@@ -465,14 +1238,8 @@ ScarpPlace scarp_place_of(ScarpOctave o, uint basis, bool turned, float3 x, int 
     }
     ScarpSplit sx = scarp_split(p.x, o.last.x);
     ScarpSplit sy = scarp_split(p.y, o.last.y);
-    ScarpPlace at;
-    at.t = scarp_vec3_of(sx.t, sy.t, 0.0f);
-    at.cell.x = sx.cell;
-    at.cell.y = sy.cell;
-    at.cell.z = 0u;
-    at.next.x = scarp_cell_after(o.last.x, sx.cell);
-    at.next.y = scarp_cell_after(o.last.y, sy.cell);
-    at.next.z = 0u;
+    ScarpPlace at = {{sx.cell, sy.cell, 0u}, {scarp_cell_after(o.last.x, sx.cell),
+            scarp_cell_after(o.last.y, sy.cell), 0u}, {sx.t, sy.t, 0.0f}};
     if (dimensions == 3) {
         ScarpSplit sz = scarp_split(p.z, o.last.z);
         at.t.z = sz.t;
@@ -480,749 +1247,6 @@ ScarpPlace scarp_place_of(ScarpOctave o, uint basis, bool turned, float3 x, int 
         at.next.z = scarp_cell_after(o.last.z, sz.cell);
     }
     return at;
-}
-
-/* Bases that blend what is drawn at the corners of cells. */
-
-struct ScarpFade {
-    float u;
-    float du;
-    float ddu;
-};
-
-ScarpFade scarp_fade(uint kind, float t)
-{
-    float s = scarp_sub(t, 1.0f);
-    float ts = scarp_mul(t, s);
-    ScarpFade f;
-    if (kind == SCARP_QUINTIC) {
-        float inner = scarp_add(scarp_mul(s, scarp_sub(scarp_mul(t, 6.0f), 9.0f)), 1.0f);
-        f.u = scarp_mul(scarp_mul(scarp_mul(t, t), t), inner);
-        f.du = scarp_mul(30.0f, scarp_mul(ts, ts));
-        f.ddu = scarp_mul(scarp_mul(60.0f, ts), scarp_add(t, s));
-    } else {
-        f.u = scarp_mul(scarp_mul(t, t), scarp_sub(3.0f, scarp_mul(2.0f, t)));
-        f.du = scarp_mul(-6.0f, ts);
-        f.ddu = scarp_sub(6.0f, scarp_mul(12.0f, t));
-    }
-    return f;
-}
-
-float scarp_mix(float a, float b, float u)
-{
-    return scarp_add(a, scarp_mul(u, scarp_sub(b, a)));
-}
-
-/* a x + b */
-struct ScarpSlope {
-    float a;
-    float b;
-};
-
-ScarpSlope scarp_slope_of(float a, float b)
-{
-    ScarpSlope s;
-    s.a = a;
-    s.b = b;
-    return s;
-}
-
-/* What a lattice column contributes. Those of value noise are flat: all a are 0. */
-struct ScarpColumn {
-    ScarpSlope value;
-    ScarpSlope y;
-    ScarpSlope z;
-    ScarpSlope yy;
-    ScarpSlope yz;
-    ScarpSlope zz;
-};
-
-/* Two columns, and the point between them. */
-struct ScarpBetween {
-    float x;
-    float before;
-    ScarpFade f;
-    bool is_flat;
-};
-
-float scarp_at(ScarpSlope s, float x, bool is_flat)
-{
-    float value = s.b;
-    if (!is_flat) {
-        value = scarp_add(scarp_mul(s.a, x), s.b);
-    }
-    return value;
-}
-
-float scarp_across(ScarpSlope l, ScarpSlope r, ScarpBetween p)
-{
-    return scarp_mix(scarp_at(l, p.x, p.is_flat), scarp_at(r, p.before, p.is_flat), p.f.u);
-}
-
-float scarp_across_dx(ScarpSlope l, ScarpSlope r, ScarpBetween p)
-{
-    float step = scarp_mul(p.f.du, scarp_sub(scarp_at(r, p.before, p.is_flat), scarp_at(l, p.x,
-            p.is_flat)));
-    if (!p.is_flat) {
-        step = scarp_add(scarp_mix(l.a, r.a, p.f.u), step);
-    }
-    return step;
-}
-
-float scarp_across_dxx(ScarpSlope l, ScarpSlope r, ScarpBetween p)
-{
-    float bend = scarp_mul(p.f.ddu, scarp_sub(scarp_at(r, p.before, p.is_flat), scarp_at(l, p.x,
-            p.is_flat)));
-    if (!p.is_flat) {
-        bend = scarp_add(scarp_mul(scarp_mul(2.0f, p.f.du), scarp_sub(r.a, l.a)), bend);
-    }
-    return bend;
-}
-
-ScarpSample scarp_join(ScarpColumn l, ScarpColumn r, float x, ScarpFade f, bool is_flat)
-{
-    ScarpBetween p;
-    p.x = x;
-    p.before = scarp_sub(x, 1.0f);
-    p.f = f;
-    p.is_flat = is_flat;
-    return scarp_sample_of( scarp_across(l.value, r.value, p),
-            scarp_vec3_of(scarp_across_dx(l.value, r.value, p), scarp_across(l.y, r.y, p),
-            scarp_across(l.z, r.z, p)), scarp_vec3_of(scarp_across_dxx(l.value, r.value, p),
-            scarp_across(l.yy, r.yy, p), scarp_across(l.zz, r.zz, p)),
-            scarp_vec3_of(scarp_across_dx(l.y, r.y, p), scarp_across_dx(l.z, r.z, p),
-            scarp_across(l.yz, r.yz, p)));
-}
-
-/* Gradient noise. */
-
-/* The cosine of 11.25 degrees times 1, 3, 5, 7. */
-float scarp_cosine(uint i)
-{
-    float first = scarp_pick(i == 0u, 0.980785280f, 0.831469612f);
-    float second = scarp_pick(i == 2u, 0.555570233f, 0.195090322f);
-    return scarp_pick(i < 2u, first, second);
-}
-
-/* One of the 16 directions of the plane. */
-float3 scarp_direction2(uint i)
-{
-    uint k = (i >> 1u) & 3u;
-    return scarp_vec3_of(scarp_with_bit(scarp_cosine(k), (i >> 3u) & 1u),
-            scarp_with_bit(scarp_cosine(3u - k), i & 1u), 0.0f);
-}
-
-/* One of the 12 edges of a cube, twice as long: 0 along z, y or x. */
-float3 scarp_direction3(uint i)
-{
-    uint axes = i >> 2u;
-    float first = scarp_with_bit(2.0f, (i >> 1u) & 1u);
-    float second = scarp_with_bit(2.0f, i & 1u);
-    return scarp_vec3_of(scarp_pick(axes == 2u, 0.0f, first), scarp_pick(axes == 0u, second,
-            scarp_pick(axes == 1u, 0.0f, first)), scarp_pick(axes == 0u, 0.0f, second));
-}
-
-/* An edge after a quarter of a turn: 1, 2, -1 or -2 along each axis, in two bits per edge. */
-float scarp_quarter3(uint axis, uint i)
-{
-    uint bits = axis >> (2u * i);
-    return scarp_with_bit(scarp_pick((bits & 2u) != 0u, 2.0f, 1.0f), bits & 1u);
-}
-
-#define SCARP_QUARTERS_X 0xbe0550u
-#define SCARP_QUARTERS_Y 0x50be11u
-#define SCARP_QUARTERS_Z 0x1144beu
-#define SCARP_TWO_OVER_ROOT_3 1.15470054f
-
-/* Of directions that flow, the cosine and the sine are those of the angle, or of twice that. */
-float3 scarp_turned2(uint drawn, float4 turn)
-{
-    bool opposite = drawn >= 8u;
-    uint i = scarp_pick_uint(opposite, drawn ^ 9u, drawn);
-    uint quick = (i ^ (i >> 1u) ^ (i >> 3u)) & 1u;
-    float3 g = scarp_direction2(i);
-    float c = scarp_pick(quick != 0u, turn.z, turn.x);
-    float s = scarp_pick(quick != 0u, turn.w, turn.y);
-    float x = scarp_add(scarp_mul(c, g.x), scarp_mul(s, scarp_with_bit(g.y, 1u - quick)));
-    float y = scarp_add(scarp_mul(c, g.y), scarp_mul(s, scarp_with_bit(g.x, quick)));
-    return scarp_vec3_of(scarp_pick(opposite, -x, x), scarp_pick(opposite, -y, y), 0.0f);
-}
-
-float3 scarp_turned3(uint i, float4 turn)
-{
-    bool quick = ((0x93cu >> i) & 1u) != 0u;
-    float3 g = scarp_direction3(i);
-    float3 q = scarp_mul3(SCARP_TWO_OVER_ROOT_3, scarp_vec3_of(scarp_quarter3(SCARP_QUARTERS_X, i),
-            scarp_quarter3(SCARP_QUARTERS_Y, i), scarp_quarter3(SCARP_QUARTERS_Z, i)));
-    return scarp_add3(scarp_mul3(scarp_pick(quick, turn.z, turn.x), g), scarp_mul3(scarp_pick(quick,
-            turn.w, turn.y), q));
-}
-
-/* What draws directions: the octave's keys, and how far directions are turned, if they are. */
-struct ScarpTurning {
-    uint3 key;
-    float4 turn;
-    bool flows;
-};
-
-float3 scarp_drawn2(ScarpTurning t, uint x, uint y)
-{
-    uint i = scarp_hash2(t.key, x, y) >> 28u;
-    float3 g = scarp_direction2(i);
-    if (t.flows) {
-        g = scarp_turned2(i, t.turn);
-    }
-    return g;
-}
-
-uint scarp_edge_of(uint hash)
-{
-    return ((hash >> 16u) * 12u) >> 16u;
-}
-
-float3 scarp_drawn3(ScarpTurning t, uint x, uint y, uint z)
-{
-    uint i = scarp_edge_of(scarp_hash3(t.key, x, y, z));
-    float3 g = scarp_direction3(i);
-    if (t.flows) {
-        g = scarp_turned3(i, t.turn);
-    }
-    return g;
-}
-
-/* Column x of the cell: v is the fade along y. */
-ScarpColumn scarp_gradient_column2(ScarpTurning t, uint x, ScarpPlace p, ScarpFade v)
-{
-    float3 g0 = scarp_drawn2(t, x, p.cell.y);
-    float3 g1 = scarp_drawn2(t, x, p.next.y);
-    float3 dg = scarp_sub3(g1, g0);
-    float dot0 = scarp_mul(g0.y, p.t.y);
-    float dot1 = scarp_mul(g1.y, scarp_sub(p.t.y, 1.0f));
-    float ddot = scarp_sub(dot1, dot0);
-    ScarpColumn c;
-    c.value = scarp_slope_of(scarp_add(g0.x, scarp_mul(v.u, dg.x)), scarp_add(dot0, scarp_mul(v.u,
-            ddot)));
-    c.y = scarp_slope_of(scarp_mul(v.du, dg.x), scarp_add(scarp_mix(g0.y, g1.y, v.u),
-            scarp_mul(v.du, ddot)));
-    c.yy = scarp_slope_of(scarp_mul(v.ddu, dg.x), scarp_add(scarp_mul(scarp_mul(2.0f, v.du), dg.y),
-            scarp_mul(v.ddu, ddot)));
-    c.z = scarp_slope_of(0.0f, 0.0f);
-    c.yz = scarp_slope_of(0.0f, 0.0f);
-    c.zz = scarp_slope_of(0.0f, 0.0f);
-    return c;
-}
-
-/* A lattice edge along z, interpolated over z; z and zz are derivatives of value.b, dgy is that of
-   gy, dgx the difference of the corners. */
-struct ScarpEdge {
-    ScarpSlope value;
-    float z;
-    float zz;
-    float gy;
-    float dgy;
-    float dgx;
-};
-
-/* The edge at column x and row y of cells, ty from it along y; w is the fade along z. */
-ScarpEdge scarp_gradient_edge(ScarpTurning t, uint x, uint y, float ty, ScarpPlace p, ScarpFade w)
-{
-    float3 g0 = scarp_drawn3(t, x, y, p.cell.z);
-    float3 g1 = scarp_drawn3(t, x, y, p.next.z);
-    float3 dg = scarp_sub3(g1, g0);
-    float dot0 = scarp_add(scarp_mul(g0.y, ty), scarp_mul(g0.z, p.t.z));
-    float dot1 = scarp_add(scarp_mul(g1.y, ty), scarp_mul(g1.z, scarp_sub(p.t.z, 1.0f)));
-    float ddot = scarp_sub(dot1, dot0);
-    ScarpEdge e;
-    e.value = scarp_slope_of(scarp_add(g0.x, scarp_mul(w.u, dg.x)), scarp_add(dot0, scarp_mul(w.u,
-            ddot)));
-    e.z = scarp_add(scarp_add(g0.z, scarp_mul(w.u, dg.z)), scarp_mul(w.du, ddot));
-    e.zz = scarp_add(scarp_mul(scarp_mul(2.0f, w.du), dg.z), scarp_mul(w.ddu, ddot));
-    e.gy = scarp_add(g0.y, scarp_mul(w.u, dg.y));
-    e.dgy = scarp_mul(w.du, dg.y);
-    e.dgx = dg.x;
-    return e;
-}
-
-ScarpColumn scarp_gradient_column3(ScarpTurning t, uint x, ScarpPlace p, ScarpFade v, ScarpFade w)
-{
-    ScarpEdge e0 = scarp_gradient_edge(t, x, p.cell.y, p.t.y, p, w);
-    ScarpEdge e1 = scarp_gradient_edge(t, x, p.next.y, scarp_sub(p.t.y, 1.0f), p, w);
-    float da = scarp_sub(e1.value.a, e0.value.a);
-    float db = scarp_sub(e1.value.b, e0.value.b);
-    float dgy = scarp_sub(e1.gy, e0.gy);
-    float dz = scarp_sub(e1.z, e0.z);
-    float ddgx = scarp_sub(e1.dgx, e0.dgx);
-    float dgx = scarp_add(e0.dgx, scarp_mul(v.u, ddgx));
-    ScarpColumn c;
-    c.value = scarp_slope_of(scarp_add(e0.value.a, scarp_mul(v.u, da)), scarp_add(e0.value.b,
-            scarp_mul(v.u, db)));
-    c.y = scarp_slope_of(scarp_mul(v.du, da), scarp_add(scarp_add(e0.gy, scarp_mul(v.u, dgy)),
-            scarp_mul(v.du, db)));
-    c.z = scarp_slope_of(scarp_mul(w.du, dgx), scarp_add(e0.z, scarp_mul(v.u, dz)));
-    c.yy = scarp_slope_of(scarp_mul(v.ddu, da), scarp_add(scarp_mul(scarp_mul(2.0f, v.du), dgy),
-            scarp_mul(v.ddu, db)));
-    c.yz = scarp_slope_of(scarp_mul(v.du, scarp_mul(w.du, ddgx)), scarp_add(scarp_mix(e0.dgy,
-            e1.dgy, v.u), scarp_mul(v.du, dz)));
-    c.zz = scarp_slope_of(scarp_mul(w.ddu, dgx), scarp_mix(e0.zz, e1.zz, v.u));
-    return c;
-}
-
-ScarpSample scarp_gradient_at(ScarpOctave o, ScarpLevel l, ScarpPlace p, int dimensions)
-{
-    ScarpFade f = scarp_fade(l.fade, p.t.x);
-    ScarpFade v = scarp_fade(l.fade, p.t.y);
-    ScarpTurning t;
-    ScarpColumn left;
-    ScarpColumn right;
-    t.key = o.key;
-    t.turn = o.turn;
-    t.flows = l.flows != 0u;
-    if (dimensions == 2) {
-        left = scarp_gradient_column2(t, p.cell.x, p, v);
-        right = scarp_gradient_column2(t, p.next.x, p, v);
-    } else {
-        ScarpFade w = scarp_fade(l.fade, p.t.z);
-        left = scarp_gradient_column3(t, p.cell.x, p, v, w);
-        right = scarp_gradient_column3(t, p.next.x, p, v, w);
-    }
-    return scarp_join(left, right, p.t.x, f, false);
-}
-
-/* Value noise. */
-
-ScarpSlope scarp_flat_of(float value)
-{
-    return scarp_slope_of(0.0f, value);
-}
-
-ScarpColumn scarp_value_column2(uint3 key, uint x, ScarpPlace p, ScarpFade v)
-{
-    float c0 = scarp_lattice_value(scarp_hash2(key, x, p.cell.y));
-    float c1 = scarp_lattice_value(scarp_hash2(key, x, p.next.y));
-    float d = scarp_sub(c1, c0);
-    ScarpColumn c;
-    c.value = scarp_flat_of(scarp_add(c0, scarp_mul(v.u, d)));
-    c.y = scarp_flat_of(scarp_mul(v.du, d));
-    c.yy = scarp_flat_of(scarp_mul(v.ddu, d));
-    c.z = scarp_flat_of(0.0f);
-    c.yz = scarp_flat_of(0.0f);
-    c.zz = scarp_flat_of(0.0f);
-    return c;
-}
-
-ScarpColumn scarp_value_column3(uint3 key, uint x, ScarpPlace p, ScarpFade v, ScarpFade w)
-{
-    float c00 = scarp_lattice_value(scarp_hash3(key, x, p.cell.y, p.cell.z));
-    float c01 = scarp_lattice_value(scarp_hash3(key, x, p.cell.y, p.next.z));
-    float c10 = scarp_lattice_value(scarp_hash3(key, x, p.next.y, p.cell.z));
-    float c11 = scarp_lattice_value(scarp_hash3(key, x, p.next.y, p.next.z));
-    float dz0 = scarp_sub(c01, c00);
-    float dz1 = scarp_sub(c11, c10);
-    float e0 = scarp_add(c00, scarp_mul(w.u, dz0));
-    float e1 = scarp_add(c10, scarp_mul(w.u, dz1));
-    float dy = scarp_sub(e1, e0);
-    float ddz = scarp_sub(dz1, dz0);
-    float dz = scarp_add(dz0, scarp_mul(v.u, ddz));
-    ScarpColumn c;
-    c.value = scarp_flat_of(scarp_add(e0, scarp_mul(v.u, dy)));
-    c.y = scarp_flat_of(scarp_mul(v.du, dy));
-    c.z = scarp_flat_of(scarp_mul(w.du, dz));
-    c.yy = scarp_flat_of(scarp_mul(v.ddu, dy));
-    c.yz = scarp_flat_of(scarp_mul(v.du, scarp_mul(w.du, ddz)));
-    c.zz = scarp_flat_of(scarp_mul(w.ddu, dz));
-    return c;
-}
-
-ScarpSample scarp_value_at(ScarpOctave o, ScarpLevel l, ScarpPlace p, int dimensions)
-{
-    ScarpFade f = scarp_fade(l.fade, p.t.x);
-    ScarpFade v = scarp_fade(l.fade, p.t.y);
-    ScarpColumn left;
-    ScarpColumn right;
-    if (dimensions == 2) {
-        left = scarp_value_column2(o.key, p.cell.x, p, v);
-        right = scarp_value_column2(o.key, p.next.x, p, v);
-    } else {
-        ScarpFade w = scarp_fade(l.fade, p.t.z);
-        left = scarp_value_column3(o.key, p.cell.x, p, v, w);
-        right = scarp_value_column3(o.key, p.next.x, p, v, w);
-    }
-    return scarp_join(left, right, p.t.x, f, true);
-}
-
-/* Simplex noise. */
-
-/* Second derivative of a vertex: `bend` i j, and what w^3 has a share in. */
-float scarp_vertex_second(float bend, float w3, float di, float dj, float rest)
-{
-    return scarp_sub(scarp_mul(scarp_mul(bend, di), dj), scarp_mul(w3, rest));
-}
-
-/* What a vertex adds; g is its gradient, r2 is r^2. */
-ScarpSample scarp_vertex_at(float3 d, float3 g, float r2, int dimensions)
-{
-    float across2 = scarp_mul(d.y, d.y);
-    if (dimensions == 3) {
-        across2 = scarp_add(across2, scarp_mul(d.z, d.z));
-    }
-    float left = scarp_sub(scarp_sub(r2, across2), scarp_mul(d.x, d.x));
-    float w = scarp_pick(left > 0.0f, left, 0.0f);
-    float q = scarp_add(scarp_mul(g.x, d.x), scarp_mul(g.y, d.y));
-    if (dimensions == 3) {
-        q = scarp_add(q, scarp_mul(g.z, d.z));
-    }
-    float w2 = scarp_mul(w, w);
-    float w4 = scarp_mul(w2, w2);
-    float w3 = scarp_mul(8.0f, scarp_mul(w2, w));
-    float bend = scarp_mul(scarp_mul(48.0f, w2), q);
-    float3 twice = scarp_mul3(2.0f, g);
-    float3 diagonal = scarp_vec3_of(scarp_vertex_second(bend, w3, d.x, d.x,
-            scarp_add(scarp_mul(twice.x, d.x), q)), scarp_vertex_second(bend, w3, d.y, d.y,
-            scarp_add(scarp_mul(twice.y, d.y), q)), scarp_vertex_second(bend, w3, d.z, d.z,
-            scarp_add(scarp_mul(twice.z, d.z), q)));
-    float3 mixed = scarp_vec3_of(scarp_vertex_second(bend, w3, d.x, d.y, scarp_add(scarp_mul(g.x,
-            d.y), scarp_mul(g.y, d.x))), scarp_vertex_second(bend, w3, d.x, d.z,
-            scarp_add(scarp_mul(g.x, d.z), scarp_mul(g.z, d.x))), scarp_vertex_second(bend, w3, d.y,
-            d.z, scarp_add(scarp_mul(g.y, d.z), scarp_mul(g.z, d.y))));
-    return scarp_sample_of(scarp_mul(w4, q), scarp_sub3(scarp_mul3(w4, g), scarp_mul3(scarp_mul(w3,
-            q), d)), diagonal, mixed);
-}
-
-#define SCARP_ROW_HEIGHT 0.866025404f
-#define SCARP_TRIANGLE_R2 0.75f
-
-/* The vertex `column` to the right of the cell, in row y. */
-ScarpSample scarp_vertex2(ScarpOctave o, ScarpPlace p, int column, uint y, float3 d)
-{
-    uint x = scarp_cell_beside(o.last.x, p.cell.x, column);
-    return scarp_vertex_at(d, scarp_direction2(scarp_hash2(o.key, x, y) >> 28u), SCARP_TRIANGLE_R2,
-            2);
-}
-
-ScarpSample scarp_simplex_at2(ScarpOctave o, ScarpPlace p)
-{
-    bool odd = (p.cell.y & 1u) != 0u;
-    float shift = scarp_mul(0.5f, p.t.y);
-    float start = scarp_sub(p.t.x, scarp_pick(odd, 0.5f, 0.0f));
-    bool before = start < shift;
-    int k = scarp_pick_int(before, -1, 0);
-    int above = k + scarp_pick_int(odd, 1, 0);
-    float x = scarp_pick(before, scarp_add(start, 1.0f), start);
-    bool lower = scarp_add(x, shift) < 1.0f;
-    float y = scarp_mul(SCARP_ROW_HEIGHT, p.t.y);
-    float y_above = scarp_sub(y, SCARP_ROW_HEIGHT);
-    ScarpSample a = scarp_vertex2(o, p, k + 1, p.cell.y, scarp_vec3_of(scarp_sub(x, 1.0f), y,
-            0.0f));
-    ScarpSample b = scarp_vertex2(o, p, above, p.next.y, scarp_vec3_of(scarp_sub(x, 0.5f), y_above,
-            0.0f));
-    ScarpSample c = scarp_vertex2(o, p, scarp_pick_int(lower, k, above + 1), scarp_pick_uint(lower,
-            p.cell.y, p.next.y), scarp_vec3_of(scarp_pick(lower, x, scarp_sub(x, 1.5f)),
-            scarp_pick(lower, y, y_above), 0.0f));
-    return scarp_sum_of(scarp_sum_of(a, b), c);
-}
-
-#define SCARP_TETRAHEDRON_R2 0.49999952316284180f
-#define SCARP_HASH_CENTRE 0xbcfa3e4du
-
-/* A vertex: how many cells from that of p along each axis, and where p lies from it. */
-struct ScarpVertex {
-    int x;
-    int y;
-    int z;
-    float3 d;
-};
-
-ScarpSample scarp_vertex3(ScarpOctave o, ScarpPlace p, ScarpVertex v, uint hash_k)
-{
-    uint h = scarp_joined3(o.key, scarp_cell_beside(o.last.x, p.cell.x, v.x),
-            scarp_cell_beside(o.last.y, p.cell.y, v.y), scarp_cell_beside(o.last.z, p.cell.z, v.z));
-    return scarp_vertex_at(v.d, scarp_direction3(scarp_edge_of(h * (h + hash_k))),
-            SCARP_TETRAHEDRON_R2, 3);
-}
-
-/* A cube's two centres and two corners along an axis: what `t`, from the centre, makes of each. */
-struct ScarpEnds {
-    int up;
-    int centre;
-    int corner;
-    float d_centre;
-    float d_up;
-    float d_corner;
-};
-
-ScarpEnds scarp_ends_of(float t, bool is_furthest, bool is_nearest)
-{
-    bool up = !(t < 0.0f);
-    ScarpEnds e;
-    e.up = scarp_pick_int(up, 1, 0);
-    e.d_up = scarp_sub(t, scarp_pick(up, 0.5f, -0.5f));
-    e.centre = scarp_pick_int(is_furthest, scarp_pick_int(up, 1, -1), 0);
-    e.d_centre = scarp_pick(is_furthest, scarp_sub(t, scarp_pick(up, 1.0f, -1.0f)), t);
-    e.corner = scarp_pick_int(is_nearest, 1 - e.up, e.up);
-    e.d_corner = scarp_pick(is_nearest, scarp_add(t, scarp_pick(up, 0.5f, -0.5f)), e.d_up);
-    return e;
-}
-
-ScarpVertex scarp_vertex_of(int x, int y, int z, float3 d)
-{
-    ScarpVertex v;
-    v.x = x;
-    v.y = y;
-    v.z = z;
-    v.d = d;
-    return v;
-}
-
-ScarpSample scarp_simplex_at3(ScarpOctave o, ScarpPlace p)
-{
-    float3 t = scarp_sub3(p.t, scarp_vec3_of(0.5f, 0.5f, 0.5f));
-    float3 m = scarp_vec3_of(scarp_magnitude(t.x), scarp_magnitude(t.y), scarp_magnitude(t.z));
-    bool far_x = m.x >= m.y && m.x >= m.z;
-    bool far_y = !far_x && m.y >= m.z;
-    bool near_z = m.z <= m.x && m.z <= m.y;
-    bool near_y = !near_z && m.y <= m.x;
-    ScarpEnds x = scarp_ends_of(t.x, far_x, !near_z && !near_y);
-    ScarpEnds y = scarp_ends_of(t.y, far_y, near_y);
-    ScarpEnds z = scarp_ends_of(t.z, !far_x && !far_y, near_z);
-    ScarpVertex centre0 = scarp_vertex_of(0, 0, 0, t);
-    ScarpVertex centre1 = scarp_vertex_of(x.centre, y.centre, z.centre, scarp_vec3_of(x.d_centre,
-            y.d_centre, z.d_centre));
-    ScarpVertex corner0 = scarp_vertex_of(x.up, y.up, z.up, scarp_vec3_of(x.d_up, y.d_up, z.d_up));
-    ScarpVertex corner1 = scarp_vertex_of(x.corner, y.corner, z.corner, scarp_vec3_of(x.d_corner,
-            y.d_corner, z.d_corner));
-    ScarpSample centres = scarp_sum_of(scarp_vertex3(o, p, centre0, SCARP_HASH_CENTRE),
-            scarp_vertex3(o, p, centre1, SCARP_HASH_CENTRE));
-    ScarpSample corners = scarp_sum_of(scarp_vertex3(o, p, corner0, SCARP_HASH_K), scarp_vertex3(o,
-            p, corner1, SCARP_HASH_K));
-    return scarp_sum_of(corners, centres);
-}
-
-/* Cellular noise. */
-
-#define SCARP_FEATURE_Y 0xe41130e9u
-#define SCARP_FEATURE_Z 0x6ecea30du
-#define SCARP_FEATURE_ID 0xc603dc87u
-
-/* Where a point lies from the feature of a cell, and the hash of that cell. */
-struct ScarpFeature {
-    float3 d;
-    float s;
-    uint hash;
-};
-
-/* How far t is from the feature of the cell `step` away, along an axis on which it drew v. */
-float scarp_feature_distance(float t, int step, float jitter, uint v)
-{
-    float middle = scarp_add(scarp_float_of_int(step), 0.5f);
-    return scarp_sub(t, scarp_add(middle, scarp_mul(jitter, scarp_lattice_value(v))));
-}
-
-/* The feature of the cell that is (x, y, z) away from that of p. */
-ScarpFeature scarp_feature_at(ScarpOctave o, ScarpPlace p, int x, int y, int z, int dimensions)
-{
-    uint cx = scarp_cell_beside(o.last.x, p.cell.x, x);
-    uint cy = scarp_cell_beside(o.last.y, p.cell.y, y);
-    ScarpFeature f;
-    f.hash = scarp_hash2(o.key, cx, cy);
-    if (dimensions == 3) {
-        f.hash = scarp_hash3(o.key, cx, cy, scarp_cell_beside(o.last.z, p.cell.z, z));
-    }
-    f.d = scarp_vec3_of(scarp_feature_distance(p.t.x, x, o.turn.x, f.hash),
-            scarp_feature_distance(p.t.y, y, o.turn.x, f.hash * SCARP_FEATURE_Y), 0.0f);
-    float across2 = scarp_mul(f.d.y, f.d.y);
-    if (dimensions == 3) {
-        f.d.z = scarp_feature_distance(p.t.z, z, o.turn.x, f.hash * SCARP_FEATURE_Z);
-        across2 = scarp_add(across2, scarp_mul(f.d.z, f.d.z));
-    }
-    f.s = scarp_add(scarp_mul(f.d.x, f.d.x), across2);
-    return f;
-}
-
-#define SCARP_FAR_AWAY 64.0f
-
-struct ScarpNearest {
-    ScarpFeature first;
-    ScarpFeature second;
-};
-
-/* Only what is strictly nearer takes a place. */
-ScarpNearest scarp_nearest_with(ScarpNearest n, ScarpFeature f)
-{
-    ScarpNearest m = n;
-    if (f.s < n.first.s) {
-        m.second = n.first;
-        m.first = f;
-    } else if (f.s < n.second.s) {
-        m.second = f;
-    }
-    return m;
-}
-
-/* The square of the gap to a cell along an axis. */
-float scarp_gap2(float t, int step)
-{
-    float ahead = scarp_sub(scarp_float_of_int(step), t);
-    float behind = scarp_sub(t, scarp_float_of_int(step + 1));
-    float gap = scarp_pick(step > 0, ahead, behind);
-    return scarp_pick(step == 0, 0.0f, scarp_mul(gap, gap));
-}
-
-/* Whether a cell, and so its feature, is further away than s, by more than rounding. */
-bool scarp_is_beyond(ScarpPlace p, int x, int y, int z, float s)
-{
-    float gap = scarp_add(scarp_add(scarp_gap2(p.t.x, x), scarp_gap2(p.t.y, y)), scarp_gap2(p.t.z,
-            z));
-    return gap > scarp_mul(1.001f, s);
-}
-
-/* Whether the search around a point looks at a cell: first at those around, then at those two steps
-   away that are not too far. */
-bool scarp_is_searched(ScarpPlace p, int ring, int x, int y, int z, float s)
-{
-    bool inside = x > -2 && x < 2 && y > -2 && y < 2 && z > -2 && z < 2;
-    return ring == 1 || (!inside && !scarp_is_beyond(p, x, y, z, s));
-}
-
-ScarpNearest scarp_nearest_at(ScarpOctave o, ScarpPlace p, int dimensions)
-{
-    ScarpNearest n;
-    n.first.d = scarp_vec3_of(SCARP_FAR_AWAY, SCARP_FAR_AWAY, SCARP_FAR_AWAY);
-    n.first.s = SCARP_FAR_AWAY;
-    n.first.hash = 0u;
-    n.second = n.first;
-    for (int ring = 1; ring <= 2; ring++) {
-        int depth = scarp_pick_int(dimensions == 3, ring, 0);
-        for (int z = -depth; z <= depth; z++) {
-            for (int y = -ring; y <= ring; y++) {
-                for (int x = -ring; x <= ring; x++) {
-                    if (scarp_is_searched(p, ring, x, y, z, n.second.s)) {
-                        n = scarp_nearest_with(n, scarp_feature_at(o, p, x, y, z, dimensions));
-                    }
-                }
-            }
-        }
-    }
-    return n;
-}
-
-/* 2^-80: below this, a point lies on the feature. */
-#define SCARP_NO_DISTANCE 8.27180613e-25f
-
-/* The distance from a feature. */
-ScarpSample scarp_distance_to(ScarpFeature f)
-{
-    float distance = scarp_root(f.s);
-    float r = scarp_pick(f.s <= SCARP_NO_DISTANCE, 0.0f, scarp_inverse(distance));
-    float3 g = scarp_vec3_of(scarp_mul(f.d.x, r), scarp_mul(f.d.y, r), scarp_mul(f.d.z, r));
-    return scarp_sample_of( distance, g, scarp_vec3_of(scarp_mul(r, scarp_sub(1.0f, scarp_mul(g.x,
-            g.x))), scarp_mul(r, scarp_sub(1.0f, scarp_mul(g.y, g.y))), scarp_mul(r, scarp_sub(1.0f,
-            scarp_mul(g.z, g.z)))), scarp_vec3_of(-scarp_mul(r, scarp_mul(g.x, g.y)), -scarp_mul(r,
-            scarp_mul(g.x, g.z)), -scarp_mul(r, scarp_mul(g.y, g.z))));
-}
-
-/* What a feature adds before the root; the gradient without the factor 8, the Hessian too. */
-ScarpSample scarp_soft_term(ScarpFeature f)
-{
-    float a = scarp_pick(f.s < 1.0f, scarp_sub(1.0f, f.s), 0.0f);
-    float a2 = scarp_mul(a, a);
-    float a4 = scarp_mul(a2, a2);
-    float a6 = scarp_mul(a4, a2);
-    float a7 = scarp_mul(a6, a);
-    float3 b = scarp_mul3(scarp_mul(14.0f, a6), f.d);
-    return scarp_sample_of( scarp_mul(a4, a4), scarp_mul3(a7, f.d),
-            scarp_vec3_of(scarp_sub(scarp_mul(b.x, f.d.x), a7), scarp_sub(scarp_mul(b.y, f.d.y),
-            a7), scarp_sub(scarp_mul(b.z, f.d.z), a7)), scarp_vec3_of(scarp_mul(b.x, f.d.y),
-            scarp_mul(b.x, f.d.z), scarp_mul(b.y, f.d.z)));
-}
-
-/* 2^-120: below this, V^2 counts as 0. */
-#define SCARP_NO_SUM 7.52316385e-37f
-
-float scarp_soft_second(float q, float r, float gi, float gj, float sum)
-{
-    return scarp_sub(scarp_mul(q, scarp_mul(gi, gj)), scarp_mul(r, sum));
-}
-
-ScarpSample scarp_soft_root(ScarpSample sum)
-{
-    float v = scarp_root(sum.value);
-    float r = scarp_pick(sum.value <= SCARP_NO_SUM, 0.0f, scarp_mul(8.0f, scarp_inverse(v)));
-    float q = scarp_mul(0.125f, r);
-    float3 g = scarp_mul3(r, sum.gradient);
-    return scarp_sample_of(-v, g, scarp_vec3_of(scarp_soft_second(q, r, g.x, g.x, sum.diagonal.x),
-            scarp_soft_second(q, r, g.y, g.y, sum.diagonal.y), scarp_soft_second(q, r, g.z, g.z,
-            sum.diagonal.z)), scarp_vec3_of(scarp_soft_second(q, r, g.x, g.y, sum.mixed.x),
-            scarp_soft_second(q, r, g.x, g.z, sum.mixed.y), scarp_soft_second(q, r, g.y, g.z,
-            sum.mixed.z)));
-}
-
-ScarpSample scarp_soft_at(ScarpOctave o, ScarpPlace p, int dimensions)
-{
-    int depth = scarp_pick_int(dimensions == 3, 1, 0);
-    ScarpSample sum = scarp_constant(0.0f);
-    for (int z = -depth; z <= depth; z++) {
-        for (int y = -1; y <= 1; y++) {
-            for (int x = -1; x <= 1; x++) {
-                sum = scarp_sum_of(sum, scarp_soft_term(scarp_feature_at(o, p, x, y, z,
-                        dimensions)));
-            }
-        }
-    }
-    return scarp_soft_root(sum);
-}
-
-ScarpSample scarp_negated(ScarpSample n)
-{
-    return scarp_sample_of(-n.value, scarp_vec3_of(-n.gradient.x, -n.gradient.y, -n.gradient.z),
-            scarp_vec3_of(-n.diagonal.x, -n.diagonal.y, -n.diagonal.z), scarp_vec3_of(-n.mixed.x,
-            -n.mixed.y, -n.mixed.z));
-}
-
-/* The middle of the interval, o.turn.y, becomes 0. */
-ScarpSample scarp_cells_at(ScarpOctave o, uint basis, ScarpPlace p, int dimensions)
-{
-    ScarpSample s;
-    if (basis == SCARP_CELL_SOFT) {
-        s = scarp_soft_at(o, p, dimensions);
-        s.value = scarp_add(s.value, o.turn.y);
-    } else {
-        ScarpNearest n = scarp_nearest_at(o, p, dimensions);
-        if (basis == SCARP_CELL_VALUE) {
-            s = scarp_constant(scarp_lattice_value(n.first.hash * SCARP_FEATURE_ID));
-        } else {
-            ScarpSample first = scarp_distance_to(n.first);
-            s = scarp_distance_to(n.second);
-            if (basis == SCARP_CELL_F1) {
-                s = first;
-            }
-            if (basis == SCARP_CELL_EDGE) {
-                s = scarp_sum_of(s, scarp_negated(first));
-            }
-            s.value = scarp_sub(s.value, o.turn.y);
-        }
-    }
-    return s;
-}
-
-/* One octave of noise with gradient and Hessian, in units of cells. */
-
-ScarpSample scarp_basis_at(ScarpOctave o, ScarpLevel l, ScarpPlace p, int dimensions)
-{
-    ScarpSample s;
-    if (l.basis == SCARP_GRADIENT) {
-        s = scarp_gradient_at(o, l, p, dimensions);
-    } else if (l.basis == SCARP_VALUE) {
-        s = scarp_value_at(o, l, p, dimensions);
-    } else if (l.basis == SCARP_SIMPLEX) {
-        if (dimensions == 2) {
-            s = scarp_simplex_at2(o, p);
-        } else {
-            s = scarp_simplex_at3(o, p);
-        }
-    } else {
-        s = scarp_cells_at(o, l.basis, p, dimensions);
-    }
-    return s;
 }
 
 /* What fractals make of an octave, but for those that bend. */
@@ -1245,7 +1269,7 @@ float3 scarp_to_input(ScarpOctave o, bool turned, float3 v, int dimensions)
 /* `n` with the Hessian A^T (H B); `a` and `b` are the transposes of A and B. */
 ScarpSample scarp_with_hessian(ScarpSample n, ScarpRows a, ScarpRows b, ScarpRows h, int dimensions)
 {
-    ScarpRows hb = scarp_transposed( scarp_rows_of(scarp_times(b, h.x, dimensions), scarp_times(b,
+    ScarpRows hb = scarp_transposed(scarp_rows_of(scarp_times(b, h.x, dimensions), scarp_times(b,
             h.y, dimensions), scarp_times(b, h.z, dimensions)));
     ScarpSample s = n;
     s.diagonal = scarp_vec3_of(scarp_dot(a.x, hb.x, dimensions), scarp_dot(a.y, hb.y, dimensions),

@@ -71,17 +71,10 @@ struct ScarpPlan {
     octave: array<ScarpOctave, 32>,
 }
 
-/* The numbers of enum scarp_basis, scarp_fade and scarp_fractal. */
+/* The numbers of enum scarp_basis, but of cellular noise, and of enum scarp_fractal. */
 const SCARP_GRADIENT: u32 = 0u;
 const SCARP_VALUE: u32 = 1u;
 const SCARP_SIMPLEX: u32 = 2u;
-const SCARP_CELL_F1: u32 = 3u;
-const SCARP_CELL_F2: u32 = 4u;
-const SCARP_CELL_EDGE: u32 = 5u;
-const SCARP_CELL_SOFT: u32 = 6u;
-const SCARP_CELL_VALUE: u32 = 7u;
-
-const SCARP_QUINTIC: u32 = 0u;
 
 const SCARP_FBM: u32 = 0u;
 const SCARP_TURBULENCE: u32 = 1u;
@@ -132,8 +125,7 @@ fn scarp_rough_inverse(a: f32) -> f32 {
     return 1.0f / a;
 }
 
-/* Arithmetic with vectors and symmetric matrices, and the two operations that shading languages
-   only approximate. */
+/* Bits of floats, and the two operations that shading languages only approximate. */
 
 const SCARP_SIGN: u32 = 0x80000000u;
 
@@ -151,94 +143,14 @@ fn scarp_with_bit(a: f32, bit: u32) -> f32 {
     return bitcast<f32>(bitcast<u32>(a) ^ (bit << 31u));
 }
 
-fn scarp_add3(a: vec3f, b: vec3f) -> vec3f {
-    return vec3f(scarp_add(a.x, b.x), scarp_add(a.y, b.y), scarp_add(a.z, b.z));
+/* One of two numbers. */
+fn scarp_either(condition: bool, yes: f32, no: f32) -> f32 {
+    return select(no, yes, condition);
 }
 
-fn scarp_sub3(a: vec3f, b: vec3f) -> vec3f {
-    return vec3f(scarp_sub(a.x, b.x), scarp_sub(a.y, b.y), scarp_sub(a.z, b.z));
-}
-
-fn scarp_mul3(a: f32, b: vec3f) -> vec3f {
-    return vec3f(scarp_mul(a, b.x), scarp_mul(a, b.y), scarp_mul(a, b.z));
-}
-
-fn scarp_dot(a: vec3f, b: vec3f, dimensions: i32) -> f32 {
-    var d: f32 = scarp_add(scarp_mul(a.x, b.x), scarp_mul(a.y, b.y));
-    if (dimensions == 3) {
-        d = scarp_add(d, scarp_mul(a.z, b.z));
-    }
-    return d;
-}
-
-/* A matrix of 3 rows. */
-struct ScarpRows {
-    x: vec3f,
-    y: vec3f,
-    z: vec3f,
-}
-
-fn scarp_rows_of(x: vec3f, y: vec3f, z: vec3f) -> ScarpRows {
-    var m: ScarpRows;
-    m.x = x;
-    m.y = y;
-    m.z = z;
-    return m;
-}
-
-fn scarp_transposed(m: ScarpRows) -> ScarpRows {
-    return scarp_rows_of(vec3f(m.x.x, m.y.x, m.z.x), vec3f(m.x.y, m.y.y, m.z.y), vec3f(m.x.z, m.y.z,
-            m.z.z));
-}
-
-/* m v */
-fn scarp_times(m: ScarpRows, v: vec3f, dimensions: i32) -> vec3f {
-    return vec3f(scarp_dot(m.x, v, dimensions), scarp_dot(m.y, v, dimensions), scarp_dot(m.z, v,
-            dimensions));
-}
-
-/* The transpose of m, times v. */
-fn scarp_transposed_times(m: ScarpRows, v: vec3f, dimensions: i32) -> vec3f {
-    return scarp_times(scarp_transposed(m), v, dimensions);
-}
-
-/* Noise at a point. diagonal: the derivatives xx, yy, zz; mixed: xy, xz, yz. */
-struct ScarpSample {
-    value: f32,
-    gradient: vec3f,
-    diagonal: vec3f,
-    mixed: vec3f,
-}
-
-fn scarp_sample_of(value: f32, gradient: vec3f, diagonal: vec3f, mixed: vec3f) -> ScarpSample {
-    var s: ScarpSample;
-    s.value = value;
-    s.gradient = gradient;
-    s.diagonal = diagonal;
-    s.mixed = mixed;
-    return s;
-}
-
-fn scarp_constant(value: f32) -> ScarpSample {
-    let none: vec3f = vec3f(0.0f, 0.0f, 0.0f);
-    return scarp_sample_of(value, none, none, none);
-}
-
-/* The Hessian. */
-fn scarp_hessian_of(s: ScarpSample) -> ScarpRows {
-    return scarp_rows_of(vec3f(s.diagonal.x, s.mixed.x, s.mixed.y), vec3f(s.mixed.x, s.diagonal.y,
-            s.mixed.z), vec3f(s.mixed.y, s.mixed.z, s.diagonal.z));
-}
-
-fn scarp_sum_of(a: ScarpSample, b: ScarpSample) -> ScarpSample {
-    return scarp_sample_of(scarp_add(a.value, b.value), scarp_add3(a.gradient, b.gradient),
-            scarp_add3(a.diagonal, b.diagonal), scarp_add3(a.mixed, b.mixed));
-}
-
-/* Multiplies the outputs of each order by a factor of their own. */
-fn scarp_scaled(n: ScarpSample, value: f32, gradient: f32, hessian: f32) -> ScarpSample {
-    return scarp_sample_of(scarp_mul(value, n.value), scarp_mul3(gradient, n.gradient),
-            scarp_mul3(hessian, n.diagonal), scarp_mul3(hessian, n.mixed));
+/* The hash as a signed number, rounded to float, in two parts: only the addition rounds. */
+fn scarp_lattice_value(hash: u32) -> f32 {
+    return scarp_add(scarp_mul(f32(bitcast<i32>(hash) >> 16u), 65536.0f), f32(hash & 0xffffu));
 }
 
 /*
@@ -283,7 +195,94 @@ fn scarp_root(x: f32) -> f32 {
     return select(rounded, 0.0f, e == 0u);
 }
 
-/* Where a point lies in the frame of an octave, and what the lattice draws there. */
+/* The directions of gradients, computed, since memory is slower. */
+
+/* The cosine of 11.25 degrees times 1, 3, 5, 7. */
+fn scarp_cosine(i: u32) -> f32 {
+    let first: f32 = select(0.831469612f, 0.980785280f, i == 0u);
+    let second: f32 = select(0.195090322f, 0.555570233f, i == 2u);
+    return select(second, first, i < 2u);
+}
+
+/* One of the 16 directions of the plane. */
+fn scarp_direction2(i: u32) -> vec3f {
+    let k: u32 = (i >> 1u) & 3u;
+    return vec3f(scarp_with_bit(scarp_cosine(k), (i >> 3u) & 1u),
+            scarp_with_bit(scarp_cosine(3u - k), i & 1u), 0.0f);
+}
+
+/* One of the 12 edges of a cube, twice as long: 0 along z, y or x. */
+fn scarp_direction3(i: u32) -> vec3f {
+    let axes: u32 = i >> 2u;
+    let first: f32 = scarp_with_bit(2.0f, (i >> 1u) & 1u);
+    let second: f32 = scarp_with_bit(2.0f, i & 1u);
+    return vec3f(select(first, 0.0f, axes == 2u), select(select(first, 0.0f, axes == 1u), second,
+            axes == 0u), select(second, 0.0f, axes == 0u));
+}
+
+/* A component of an edge after a quarter of a turn, times sqrt(3) / 2: 1, 2, -1 or -2, of which
+   `axis` has two bits for each edge. */
+fn scarp_quarter_along(axis: u32, i: u32) -> f32 {
+    let bits: u32 = axis >> (2u * i);
+    return scarp_with_bit(select(1.0f, 2.0f, (bits & 2u) != 0u), bits & 1u);
+}
+
+const SCARP_QUARTERS_X: u32 = 0xbe0550u;
+const SCARP_QUARTERS_Y: u32 = 0x50be11u;
+const SCARP_QUARTERS_Z: u32 = 0x1144beu;
+const SCARP_TWO_OVER_ROOT_3: f32 = 1.15470054f;
+
+/* An edge after a quarter of a turn. */
+fn scarp_quarter3(i: u32) -> vec3f {
+    return vec3f(scarp_mul(SCARP_TWO_OVER_ROOT_3, scarp_quarter_along(SCARP_QUARTERS_X, i)),
+            scarp_mul(SCARP_TWO_OVER_ROOT_3, scarp_quarter_along(SCARP_QUARTERS_Y, i)),
+            scarp_mul(SCARP_TWO_OVER_ROOT_3, scarp_quarter_along(SCARP_QUARTERS_Z, i)));
+}
+
+/* Vectors, and noise at a point. */
+
+fn scarp_add3(a: vec3f, b: vec3f) -> vec3f {
+    return vec3f(scarp_add(a.x, b.x), scarp_add(a.y, b.y), scarp_add(a.z, b.z));
+}
+
+fn scarp_sub3(a: vec3f, b: vec3f) -> vec3f {
+    return vec3f(scarp_sub(a.x, b.x), scarp_sub(a.y, b.y), scarp_sub(a.z, b.z));
+}
+
+fn scarp_mul3(a: f32, b: vec3f) -> vec3f {
+    return vec3f(scarp_mul(a, b.x), scarp_mul(a, b.y), scarp_mul(a, b.z));
+}
+
+/* Noise at a point. diagonal: the derivatives xx, yy, zz; mixed: xy, xz, yz. In 2D outputs along z
+   mean nothing. */
+struct ScarpSample {
+    value: f32,
+    gradient: vec3f,
+    diagonal: vec3f,
+    mixed: vec3f,
+}
+
+fn scarp_sample_of(value: f32, gradient: vec3f, diagonal: vec3f, mixed: vec3f) -> ScarpSample {
+    let s: ScarpSample = ScarpSample(value, gradient, diagonal, mixed);
+    return s;
+}
+
+fn scarp_constant(value: f32) -> ScarpSample {
+    let none: vec3f = vec3f(0.0f, 0.0f, 0.0f);
+    return scarp_sample_of(value, none, none, none);
+}
+
+fn scarp_sum_of(a: ScarpSample, b: ScarpSample) -> ScarpSample {
+    return scarp_sample_of(scarp_add(a.value, b.value), scarp_add3(a.gradient, b.gradient),
+            scarp_add3(a.diagonal, b.diagonal), scarp_add3(a.mixed, b.mixed));
+}
+
+fn scarp_difference_of(a: ScarpSample, b: ScarpSample) -> ScarpSample {
+    return scarp_sample_of(scarp_sub(a.value, b.value), scarp_sub3(a.gradient, b.gradient),
+            scarp_sub3(a.diagonal, b.diagonal), scarp_sub3(a.mixed, b.mixed));
+}
+
+/* What the lattice draws at its points, and its cells. */
 
 const SCARP_HASH_X: u32 = 0x1a2012f5u;
 const SCARP_HASH_Y: u32 = 0x14e84743u;
@@ -308,12 +307,6 @@ fn scarp_joined3(key: vec3u, x: u32, y: u32, z: u32) -> u32 {
 fn scarp_hash3(key: vec3u, x: u32, y: u32, z: u32) -> u32 {
     let h: u32 = scarp_joined3(key, x, y, z);
     return h * (h + SCARP_HASH_K);
-}
-
-/* The hash as a signed number, rounded to float: only the addition rounds. */
-fn scarp_lattice_value(hash: u32) -> f32 {
-    let high: f32 = scarp_mul(f32(bitcast<i32>(hash) >> 16u), 65536.0f);
-    return scarp_add(high, f32(hash & 0xffffu));
 }
 
 /* The cells after and before one along an axis, within the period whose last cell is `last`. */
@@ -342,6 +335,747 @@ fn scarp_cell_beside(last: u32, cell: u32, steps: i32) -> u32 {
     }
     return c;
 }
+
+/* A point of one octave: along each axis the lattice points on either side, modulo 2^32 or the
+   period, and the position in between, in [0, 1] (rounding can reach 1; the noise is continuous
+   there). In 2D all of z is 0. */
+struct ScarpPlace {
+    cell: vec3u,
+    next: vec3u,
+    t: vec3f,
+}
+
+/* The lattice of an octave. */
+struct ScarpLattice {
+    key: vec3u, /* of the hash */
+    last: vec3u, /* the last cell of the period along each axis; 2^32 - 1 without period */
+    flows: bool, /* whether gradients are turned */
+    turn: vec4f, /* how far: the cosine and sine of an angle, then of twice that */
+    jitter: f32, /* how far features of cellular noise stray, in units of 2^-32 cells */
+    middle: f32, /* what is subtracted from distances */
+}
+
+/* Bases that interpolate between lattice points. */
+
+const SCARP_QUINTIC: u32 = 0u;
+
+/* A fade with its derivatives. */
+struct ScarpFade {
+    u: f32,
+    du: f32,
+    ddu: f32,
+}
+
+/*
+ * quintic: u = 6t^5 - 15t^4 + 10t^3   u' = 30 t^2 (t-1)^2   u'' = 60 t (t-1) (2t-1)
+ * cubic:   u = 3t^2 - 2t^3            u' = 6 t (1-t)        u'' = 6 - 12t
+ *
+ * The quintic is evaluated as t^3 ((t-1) (6t-9) + 1), where nothing cancels. Over all floats in [0,
+ * 1] that errs by at most 1.94e-7, never exceeds 1 + 2^-23, and is exact at 0 and 1. The usual
+ * form, t^3 (t (6t-15) + 10), takes as many operations and errs by 1.1e-6.
+ */
+fn scarp_fade(kind: u32, t: f32) -> ScarpFade {
+    let s: f32 = scarp_sub(t, 1.0f);
+    let ts: f32 = scarp_mul(t, s);
+    var f: ScarpFade;
+    if (kind == SCARP_QUINTIC) {
+        f.u = scarp_mul(scarp_mul(scarp_mul(t, t), t), scarp_add(scarp_mul(s, scarp_sub(scarp_mul(t,
+                6.0f), 9.0f)), 1.0f));
+        f.du = scarp_mul(30.0f, scarp_mul(ts, ts));
+        f.ddu = scarp_mul(scarp_mul(60.0f, ts), scarp_add(t, s));
+    } else {
+        f.u = scarp_mul(scarp_mul(t, t), scarp_sub(3.0f, scarp_mul(2.0f, t)));
+        f.du = scarp_mul(-6.0f, ts);
+        f.ddu = scarp_sub(6.0f, scarp_mul(12.0f, t));
+    }
+    return f;
+}
+
+fn scarp_mix(a: f32, b: f32, u: f32) -> f32 {
+    return scarp_add(a, scarp_mul(u, scarp_sub(b, a)));
+}
+
+/* a x + b */
+struct ScarpLine {
+    a: f32,
+    b: f32,
+}
+
+/* What a lattice column contributes. */
+struct ScarpColumn {
+    value: ScarpLine,
+    y: ScarpLine,
+    z: ScarpLine,
+    yy: ScarpLine,
+    yz: ScarpLine,
+    zz: ScarpLine,
+}
+
+/* `is_flat`: nothing depends on x, all a are 0. */
+fn scarp_at(l: ScarpLine, x: f32, is_flat: bool) -> f32 {
+    return select(scarp_add(scarp_mul(l.a, x), l.b), l.b, is_flat);
+}
+
+/* The value and its derivatives along x, from the lines of both columns. */
+fn scarp_across(l: ScarpLine, r: ScarpLine, x: f32, f: ScarpFade, is_flat: bool) -> f32 {
+    return scarp_mix(scarp_at(l, x, is_flat), scarp_at(r, scarp_sub(x, 1.0f), is_flat), f.u);
+}
+
+fn scarp_across_dx(l: ScarpLine, r: ScarpLine, x: f32, f: ScarpFade, is_flat: bool) -> f32 {
+    let step: f32 = scarp_mul(f.du, scarp_sub(scarp_at(r, scarp_sub(x, 1.0f), is_flat), scarp_at(l,
+            x, is_flat)));
+    return select(scarp_add(scarp_mix(l.a, r.a, f.u), step), step, is_flat);
+}
+
+fn scarp_across_dxx(l: ScarpLine, r: ScarpLine, x: f32, f: ScarpFade, is_flat: bool) -> f32 {
+    let bend: f32 = scarp_mul(f.ddu, scarp_sub(scarp_at(r, scarp_sub(x, 1.0f), is_flat), scarp_at(l,
+            x, is_flat)));
+    return select(scarp_add(scarp_mul(scarp_mul(2.0f, f.du), scarp_sub(r.a, l.a)), bend), bend,
+            is_flat);
+}
+
+fn scarp_join(l: ScarpColumn, r: ScarpColumn, x: f32, f: ScarpFade, is_flat: bool) -> ScarpSample {
+    let s: ScarpSample = ScarpSample(scarp_across(l.value, r.value, x, f, is_flat),
+            vec3f(scarp_across_dx(l.value, r.value, x, f, is_flat), scarp_across(l.y, r.y, x, f,
+            is_flat), scarp_across(l.z, r.z, x, f, is_flat)), vec3f(scarp_across_dxx(l.value,
+            r.value, x, f, is_flat), scarp_across(l.yy, r.yy, x, f, is_flat), scarp_across(l.zz,
+            r.zz, x, f, is_flat)), vec3f(scarp_across_dx(l.y, r.y, x, f, is_flat),
+            scarp_across_dx(l.z, r.z, x, f, is_flat), scarp_across(l.yz, r.yz, x, f, is_flat)));
+    return s;
+}
+
+/* Gradient noise (Perlin 1985, 2002). */
+
+/* The number of the direction that a hash draws. In 3D the upper half of the hash, times 12,
+   chooses: any two are drawn equally often within 1 in 5461, so that the noise is the same along
+   all axes. */
+fn scarp_direction_index2(hash: u32) -> u32 {
+    return hash >> 28u;
+}
+
+fn scarp_direction_index3(hash: u32) -> u32 {
+    return ((hash >> 16u) * 12u) >> 16u;
+}
+
+/* A direction of noise that flows: some make two turns per turn of the phase, in 2D backwards. */
+fn scarp_turned2(drawn: u32, turn: vec4f) -> vec3f {
+    let is_opposite: bool = drawn >= 8u;
+    let i: u32 = select(drawn, drawn ^ 9u, is_opposite);
+    let is_quick: bool = ((i ^ (i >> 1u) ^ (i >> 3u)) & 1u) != 0u;
+    let g: vec3f = scarp_direction2(i);
+    let c: f32 = scarp_either(is_quick, turn.z, turn.x);
+    let s: f32 = scarp_either(is_quick, -turn.w, turn.y);
+    let x: f32 = scarp_sub(scarp_mul(c, g.x), scarp_mul(s, g.y));
+    let y: f32 = scarp_add(scarp_mul(c, g.y), scarp_mul(s, g.x));
+    return vec3f(select(x, -x, is_opposite), select(y, -y, is_opposite), 0.0f);
+}
+
+fn scarp_turned3(i: u32, turn: vec4f) -> vec3f {
+    let is_quick: bool = ((0x93c >> i) & 1) != 0; /* 2, 3, 4, 5, 8 and 11 */
+    let c: f32 = scarp_either(is_quick, turn.z, turn.x);
+    let s: f32 = scarp_either(is_quick, turn.w, turn.y);
+    return scarp_add3(scarp_mul3(c, scarp_direction3(i)), scarp_mul3(s, scarp_quarter3(i)));
+}
+
+fn scarp_drawn2(l: ScarpLattice, x: u32, y: u32) -> vec3f {
+    let i: u32 = scarp_direction_index2(scarp_hash2(l.key, x, y));
+    var g: vec3f = scarp_direction2(i);
+    if (l.flows) {
+        g = scarp_turned2(i, l.turn);
+    }
+    return g;
+}
+
+fn scarp_drawn3(l: ScarpLattice, x: u32, y: u32, z: u32) -> vec3f {
+    let i: u32 = scarp_direction_index3(scarp_hash3(l.key, x, y, z));
+    var g: vec3f = scarp_direction3(i);
+    if (l.flows) {
+        g = scarp_turned3(i, l.turn);
+    }
+    return g;
+}
+
+/* Column x of the cell: v is the fade along y. */
+fn scarp_gradient_column2(l: ScarpLattice, x: u32, p: ScarpPlace, v: ScarpFade) -> ScarpColumn {
+    let g0: vec3f = scarp_drawn2(l, x, p.cell.y);
+    let g1: vec3f = scarp_drawn2(l, x, p.next.y);
+    let dgx: f32 = scarp_sub(g1.x, g0.x);
+    let dot0: f32 = scarp_mul(g0.y, p.t.y);
+    let dot1: f32 = scarp_mul(g1.y, scarp_sub(p.t.y, 1.0f));
+    let ddot: f32 = scarp_sub(dot1, dot0);
+    let c: ScarpColumn = ScarpColumn(ScarpLine(scarp_add(g0.x, scarp_mul(v.u, dgx)), scarp_add(dot0,
+            scarp_mul(v.u, ddot))), ScarpLine(scarp_mul(v.du, dgx), scarp_add(scarp_mix(g0.y, g1.y,
+            v.u), scarp_mul(v.du, ddot))), ScarpLine(0.0f, 0.0f), ScarpLine(scarp_mul(v.ddu, dgx),
+            scarp_add(scarp_mul(scarp_mul(2.0f, v.du), scarp_sub(g1.y, g0.y)), scarp_mul(v.ddu,
+            ddot))), ScarpLine(0.0f, 0.0f), ScarpLine(0.0f, 0.0f));
+    return c;
+}
+
+/* A lattice edge along z, interpolated over z. */
+struct ScarpEdge {
+    value: ScarpLine, /* in x */
+    z: f32,
+    zz: f32, /* first and second z derivative of value.b */
+    gy: f32,
+    dgy: f32, /* y component of the gradient, and its z derivative */
+    dgx: f32, /* difference of the x components of the corners */
+}
+
+/* The edge at column x and row y of cells, ty from it along y; w is the fade along z. */
+fn scarp_gradient_edge(l: ScarpLattice, x: u32, y: u32, ty: f32, p: ScarpPlace,
+        w: ScarpFade) -> ScarpEdge {
+    let g0: vec3f = scarp_drawn3(l, x, y, p.cell.z);
+    let g1: vec3f = scarp_drawn3(l, x, y, p.next.z);
+    let dg: vec3f = scarp_sub3(g1, g0);
+    let dot0: f32 = scarp_add(scarp_mul(g0.y, ty), scarp_mul(g0.z, p.t.z));
+    let dot1: f32 = scarp_add(scarp_mul(g1.y, ty), scarp_mul(g1.z, scarp_sub(p.t.z, 1.0f)));
+    let ddot: f32 = scarp_sub(dot1, dot0);
+    let e: ScarpEdge = ScarpEdge(ScarpLine(scarp_add(g0.x, scarp_mul(w.u, dg.x)), scarp_add(dot0,
+            scarp_mul(w.u, ddot))), scarp_add(scarp_add(g0.z, scarp_mul(w.u, dg.z)), scarp_mul(w.du,
+            ddot)), scarp_add(scarp_mul(scarp_mul(2.0f, w.du), dg.z), scarp_mul(w.ddu, ddot)),
+            scarp_add(g0.y, scarp_mul(w.u, dg.y)), scarp_mul(w.du, dg.y), dg.x);
+    return e;
+}
+
+fn scarp_gradient_column3(l: ScarpLattice, x: u32, p: ScarpPlace, v: ScarpFade,
+        w: ScarpFade) -> ScarpColumn {
+    let e0: ScarpEdge = scarp_gradient_edge(l, x, p.cell.y, p.t.y, p, w);
+    let e1: ScarpEdge = scarp_gradient_edge(l, x, p.next.y, scarp_sub(p.t.y, 1.0f), p, w);
+    let da: f32 = scarp_sub(e1.value.a, e0.value.a);
+    let db: f32 = scarp_sub(e1.value.b, e0.value.b);
+    let dgy: f32 = scarp_sub(e1.gy, e0.gy);
+    let dz: f32 = scarp_sub(e1.z, e0.z);
+    let ddgx: f32 = scarp_sub(e1.dgx, e0.dgx);
+    let dgx: f32 = scarp_add(e0.dgx, scarp_mul(v.u, ddgx)); /* interpolated over y */
+    let c: ScarpColumn = ScarpColumn(ScarpLine(scarp_add(e0.value.a, scarp_mul(v.u, da)),
+            scarp_add(e0.value.b, scarp_mul(v.u, db))), ScarpLine(scarp_mul(v.du, da),
+            scarp_add(scarp_add(e0.gy, scarp_mul(v.u, dgy)), scarp_mul(v.du, db))),
+            ScarpLine(scarp_mul(w.du, dgx), scarp_add(e0.z, scarp_mul(v.u, dz))),
+            ScarpLine(scarp_mul(v.ddu, da), scarp_add(scarp_mul(scarp_mul(2.0f, v.du), dgy),
+            scarp_mul(v.ddu, db))), ScarpLine(scarp_mul(v.du, scarp_mul(w.du, ddgx)),
+            scarp_add(scarp_mix(e0.dgy, e1.dgy, v.u), scarp_mul(v.du, dz))),
+            ScarpLine(scarp_mul(w.ddu, dgx), scarp_mix(e0.zz, e1.zz, v.u)));
+    return c;
+}
+
+fn scarp_gradient_at2(l: ScarpLattice, kind: u32, p: ScarpPlace) -> ScarpSample {
+    let v: ScarpFade = scarp_fade(kind, p.t.y);
+    return scarp_join(scarp_gradient_column2(l, p.cell.x, p, v), scarp_gradient_column2(l, p.next.x,
+            p, v), p.t.x, scarp_fade(kind, p.t.x), false);
+}
+
+fn scarp_gradient_at3(l: ScarpLattice, kind: u32, p: ScarpPlace) -> ScarpSample {
+    let v: ScarpFade = scarp_fade(kind, p.t.y);
+    let w: ScarpFade = scarp_fade(kind, p.t.z);
+    return scarp_join(scarp_gradient_column3(l, p.cell.x, p, v, w), scarp_gradient_column3(l,
+            p.next.x, p, v, w), p.t.x, scarp_fade(kind, p.t.x), false);
+}
+
+fn scarp_gradient_at(l: ScarpLattice, kind: u32, p: ScarpPlace, dimensions: i32) -> ScarpSample {
+    if (dimensions == 2) {
+        return scarp_gradient_at2(l, kind, p);
+    }
+    return scarp_gradient_at3(l, kind, p);
+}
+
+/* Value noise. */
+
+fn scarp_value_column2(key: vec3u, x: u32, p: ScarpPlace, v: ScarpFade) -> ScarpColumn {
+    let c0: f32 = scarp_lattice_value(scarp_hash2(key, x, p.cell.y));
+    let c1: f32 = scarp_lattice_value(scarp_hash2(key, x, p.next.y));
+    let d: f32 = scarp_sub(c1, c0);
+    let c: ScarpColumn = ScarpColumn(ScarpLine(0.0f, scarp_add(c0, scarp_mul(v.u, d))),
+            ScarpLine(0.0f, scarp_mul(v.du, d)), ScarpLine(0.0f, 0.0f), ScarpLine(0.0f,
+            scarp_mul(v.ddu, d)), ScarpLine(0.0f, 0.0f), ScarpLine(0.0f, 0.0f));
+    return c;
+}
+
+fn scarp_value_column3(key: vec3u, x: u32, p: ScarpPlace, v: ScarpFade,
+        w: ScarpFade) -> ScarpColumn {
+    let c00: f32 = scarp_lattice_value(scarp_hash3(key, x, p.cell.y, p.cell.z));
+    let c01: f32 = scarp_lattice_value(scarp_hash3(key, x, p.cell.y, p.next.z));
+    let c10: f32 = scarp_lattice_value(scarp_hash3(key, x, p.next.y, p.cell.z));
+    let c11: f32 = scarp_lattice_value(scarp_hash3(key, x, p.next.y, p.next.z));
+    let dz0: f32 = scarp_sub(c01, c00);
+    let dz1: f32 = scarp_sub(c11, c10);
+    let e0: f32 = scarp_add(c00, scarp_mul(w.u, dz0));
+    let e1: f32 = scarp_add(c10, scarp_mul(w.u, dz1));
+    let dy: f32 = scarp_sub(e1, e0);
+    let ddz: f32 = scarp_sub(dz1, dz0);
+    let dz: f32 = scarp_add(dz0, scarp_mul(v.u, ddz)); /* interpolated over y */
+    let c: ScarpColumn = ScarpColumn(ScarpLine(0.0f, scarp_add(e0, scarp_mul(v.u, dy))),
+            ScarpLine(0.0f, scarp_mul(v.du, dy)), ScarpLine(0.0f, scarp_mul(w.du, dz)),
+            ScarpLine(0.0f, scarp_mul(v.ddu, dy)), ScarpLine(0.0f, scarp_mul(v.du, scarp_mul(w.du,
+            ddz))), ScarpLine(0.0f, scarp_mul(w.ddu, dz)));
+    return c;
+}
+
+fn scarp_value_at2(l: ScarpLattice, kind: u32, p: ScarpPlace) -> ScarpSample {
+    let v: ScarpFade = scarp_fade(kind, p.t.y);
+    return scarp_join(scarp_value_column2(l.key, p.cell.x, p, v), scarp_value_column2(l.key,
+            p.next.x, p, v), p.t.x, scarp_fade(kind, p.t.x), true);
+}
+
+fn scarp_value_at3(l: ScarpLattice, kind: u32, p: ScarpPlace) -> ScarpSample {
+    let v: ScarpFade = scarp_fade(kind, p.t.y);
+    let w: ScarpFade = scarp_fade(kind, p.t.z);
+    return scarp_join(scarp_value_column3(l.key, p.cell.x, p, v, w), scarp_value_column3(l.key,
+            p.next.x, p, v, w), p.t.x, scarp_fade(kind, p.t.x), true);
+}
+
+fn scarp_value_at(l: ScarpLattice, kind: u32, p: ScarpPlace, dimensions: i32) -> ScarpSample {
+    if (dimensions == 2) {
+        return scarp_value_at2(l, kind, p);
+    }
+    return scarp_value_at3(l, kind, p);
+}
+
+/* Simplex noise (Perlin 2001, Gustavson 2005). */
+
+/* What a vertex adds; `g` is its gradient, `r2` is r^2. */
+fn scarp_vertex_at(d: vec3f, g: vec3f, r2: f32, dimensions: i32) -> ScarpSample {
+    var across2: f32 = scarp_mul(d.y, d.y);
+    var across: f32 = scarp_mul(g.y, d.y);
+    if (dimensions == 3) {
+        across2 = scarp_add(across2, scarp_mul(d.z, d.z));
+        across = scarp_add(across, scarp_mul(g.z, d.z));
+    }
+    let left: f32 = scarp_sub(scarp_sub(r2, across2), scarp_mul(d.x, d.x));
+    let w: f32 = select(0.0f, left, left > 0.0f);
+    let q: f32 = scarp_add(scarp_mul(g.x, d.x), across);
+    let w2: f32 = scarp_mul(w, w);
+    let w3: f32 = scarp_mul(8.0f, scarp_mul(w2, w));
+    let w4: f32 = scarp_mul(w2, w2);
+    let wq: f32 = scarp_mul(w3, q);
+    let bend: f32 = scarp_mul(scarp_mul(48.0f, w2), q);
+    var s: ScarpSample = scarp_constant(scarp_mul(w4, q));
+    s.gradient.x = scarp_sub(scarp_mul(w4, g.x), scarp_mul(wq, d.x));
+    s.gradient.y = scarp_sub(scarp_mul(w4, g.y), scarp_mul(wq, d.y));
+    s.diagonal.x = scarp_sub(scarp_mul(scarp_mul(bend, d.x), d.x), scarp_mul(w3,
+            scarp_add(scarp_mul(scarp_mul(2.0f, g.x), d.x), q)));
+    s.diagonal.y = scarp_sub(scarp_mul(scarp_mul(bend, d.y), d.y), scarp_mul(w3,
+            scarp_add(scarp_mul(scarp_mul(2.0f, g.y), d.y), q)));
+    s.mixed.x = scarp_sub(scarp_mul(scarp_mul(bend, d.x), d.y), scarp_mul(w3,
+            scarp_add(scarp_mul(g.x, d.y), scarp_mul(g.y, d.x))));
+    if (dimensions == 3) {
+        s.gradient.z = scarp_sub(scarp_mul(w4, g.z), scarp_mul(wq, d.z));
+        s.diagonal.z = scarp_sub(scarp_mul(scarp_mul(bend, d.z), d.z), scarp_mul(w3,
+                scarp_add(scarp_mul(scarp_mul(2.0f, g.z), d.z), q)));
+        s.mixed.y = scarp_sub(scarp_mul(scarp_mul(bend, d.x), d.z), scarp_mul(w3,
+                scarp_add(scarp_mul(g.x, d.z), scarp_mul(g.z, d.x))));
+        s.mixed.z = scarp_sub(scarp_mul(scarp_mul(bend, d.y), d.z), scarp_mul(w3,
+                scarp_add(scarp_mul(g.y, d.z), scarp_mul(g.z, d.y))));
+    }
+    return s;
+}
+
+/*
+ * 2D: triangles of edge 1 in rows along x, sqrt(3) / 2 apart: p.t.y and the cells along y count
+ * rows. In odd rows vertex i stands at x = i + 1/2. The triangle's lower side lies in the row below
+ * p or its upper side in the row above; two of its corners are the same for both.
+ */
+const SCARP_ROW_HEIGHT: f32 = 0.866025404f; /* sqrt(3) / 2 */
+const SCARP_TRIANGLE_R2: f32 = 0.75f;
+
+/* The vertex `column` to the right of the cell, in row y, at d from p. */
+fn scarp_vertex2(l: ScarpLattice, p: ScarpPlace, column: i32, y: u32, d: vec3f) -> ScarpSample {
+    let x: u32 = scarp_cell_beside(l.last.x, p.cell.x, column);
+    return scarp_vertex_at(d, scarp_direction2(scarp_direction_index2(scarp_hash2(l.key, x, y))),
+            SCARP_TRIANGLE_R2, 2);
+}
+
+fn scarp_simplex_at2(l: ScarpLattice, p: ScarpPlace) -> ScarpSample {
+    let is_odd: bool = (p.cell.y & 1u) != 0u;
+    let shift: f32 = scarp_mul(0.5f, p.t.y);
+    let start: f32 = scarp_sub(p.t.x, select(0.0f, 0.5f, is_odd));
+    let is_before: bool = start < shift; /* p is left of the line that vertex 0 begins */
+    let k: i32 = select(0, -1, is_before);
+    let above: i32 = select(k, k + 1, is_odd);
+    let x: f32 = select(start, scarp_add(start, 1.0f), is_before); /* from vertex k of the row below */
+    let y: f32 = scarp_mul(SCARP_ROW_HEIGHT, p.t.y);
+    let y_above: f32 = scarp_sub(y, SCARP_ROW_HEIGHT);
+    let is_lower: bool = scarp_add(x, shift) < 1.0f;
+    let a: ScarpSample = scarp_vertex2(l, p, k + 1, p.cell.y, vec3f(scarp_sub(x, 1.0f), y, 0.0f));
+    let b: ScarpSample = scarp_vertex2(l, p, above, p.next.y, vec3f(scarp_sub(x, 0.5f), y_above,
+            0.0f));
+    let c: ScarpSample = scarp_vertex2(l, p, select(above + 1, k, is_lower), select(p.next.y,
+            p.cell.y, is_lower), vec3f(select(scarp_sub(x, 1.5f), x, is_lower), select(y_above, y,
+            is_lower), 0.0f));
+    return scarp_sum_of(scarp_sum_of(a, b), c);
+}
+
+/*
+ * 3D: the corners and the centres of cubes. A tetrahedron has two centres, next to each other along
+ * the axis on which p is furthest from the first; and two corners, next to each other along the
+ * axis on which it is nearest. (r^2 is a little less than 1/2, so that the other vertices add
+ * exactly 0 in float arithmetic, too: rows of grids may add any of them.)
+ */
+const SCARP_TETRAHEDRON_R2: f32 = 0.499999523f; /* 1/2 - 2^-21 */
+
+/* Centres draw with another number than corners. */
+const SCARP_HASH_CENTRE: u32 = 0xbcfa3e4du;
+
+/* A vertex: how many cells its own is from that of p along each axis, and where p lies from it. */
+struct ScarpVertex {
+    x: i32,
+    y: i32,
+    z: i32,
+    d: vec3f,
+}
+
+/* Draws with HASH_K or HASH_CENTRE. */
+fn scarp_vertex3(l: ScarpLattice, p: ScarpPlace, v: ScarpVertex, hash_k: u32) -> ScarpSample {
+    let h: u32 = scarp_joined3(l.key, scarp_cell_beside(l.last.x, p.cell.x, v.x),
+            scarp_cell_beside(l.last.y, p.cell.y, v.y), scarp_cell_beside(l.last.z, p.cell.z, v.z));
+    let g: vec3f = scarp_direction3(scarp_direction_index3(h * (h + hash_k)));
+    return scarp_vertex_at(v.d, g, SCARP_TETRAHEDRON_R2, 3);
+}
+
+/* The second centre, the first corner and the second one along an axis: how many cells they are
+   from that of p, and where p lies from them. */
+struct ScarpEnds {
+    centre: i32,
+    corner0: i32,
+    corner1: i32,
+    d_centre: f32,
+    d_corner0: f32,
+    d_corner1: f32,
+}
+
+/* p lies at t from the first centre. */
+fn scarp_ends_of(t: f32, is_furthest: bool, is_nearest: bool) -> ScarpEnds {
+    let is_up: bool = !(t < 0.0f);
+    let side: f32 = select(-0.5f, 0.5f, is_up);
+    var e: ScarpEnds = ScarpEnds(0, 0, 0, t, scarp_sub(t, side), scarp_sub(t, side));
+    e.corner0 = select(0, 1, is_up);
+    e.corner1 = e.corner0;
+    if (is_furthest) {
+        e.centre = select(-1, 1, is_up);
+        e.d_centre = scarp_sub(t, select(-1.0f, 1.0f, is_up));
+    }
+    if (is_nearest) {
+        e.corner1 = 1 - e.corner0;
+        e.d_corner1 = scarp_add(t, side);
+    }
+    return e;
+}
+
+fn scarp_simplex_at3(l: ScarpLattice, p: ScarpPlace) -> ScarpSample {
+    let t: vec3f = scarp_sub3(p.t, vec3f(0.5f, 0.5f, 0.5f));
+    let m: vec3f = vec3f(scarp_magnitude(t.x), scarp_magnitude(t.y), scarp_magnitude(t.z));
+    let far_x: bool = m.x >= m.y && m.x >= m.z;
+    let far_y: bool = !far_x && m.y >= m.z;
+    let near_z: bool = m.z <= m.x && m.z <= m.y;
+    let near_y: bool = !near_z && m.y <= m.x;
+    let x: ScarpEnds = scarp_ends_of(t.x, far_x, !near_z && !near_y);
+    let y: ScarpEnds = scarp_ends_of(t.y, far_y, near_y);
+    let z: ScarpEnds = scarp_ends_of(t.z, !far_x && !far_y, near_z);
+    let centre0: ScarpVertex = ScarpVertex(0, 0, 0, t);
+    let centre1: ScarpVertex = ScarpVertex(x.centre, y.centre, z.centre, vec3f(x.d_centre,
+            y.d_centre, z.d_centre));
+    let corner0: ScarpVertex = ScarpVertex(x.corner0, y.corner0, z.corner0, vec3f(x.d_corner0,
+            y.d_corner0, z.d_corner0));
+    let corner1: ScarpVertex = ScarpVertex(x.corner1, y.corner1, z.corner1, vec3f(x.d_corner1,
+            y.d_corner1, z.d_corner1));
+    let centres: ScarpSample = scarp_sum_of(scarp_vertex3(l, p, centre0, SCARP_HASH_CENTRE),
+            scarp_vertex3(l, p, centre1, SCARP_HASH_CENTRE));
+    let corners: ScarpSample = scarp_sum_of(scarp_vertex3(l, p, corner0, SCARP_HASH_K),
+            scarp_vertex3(l, p, corner1, SCARP_HASH_K));
+    return scarp_sum_of(scarp_sum_of(corners, centres), scarp_constant(0.0f)); /* which turns a sum of -0 into 0 */
+}
+
+fn scarp_simplex_at(l: ScarpLattice, p: ScarpPlace, dimensions: i32) -> ScarpSample {
+    if (dimensions == 2) {
+        return scarp_simplex_at2(l, p);
+    }
+    return scarp_simplex_at3(l, p);
+}
+
+/* Cellular noise (Worley 1996). */
+
+/* What a cell draws beside v_0, which is its hash. */
+const SCARP_FEATURE_Y: u32 = 0xe41130e9u;
+const SCARP_FEATURE_Z: u32 = 0x6ecea30du;
+const SCARP_FEATURE_ID: u32 = 0xc603dc87u;
+
+/* Where a point lies from the feature of a cell, and the hash of that cell. */
+struct ScarpFeature {
+    d: vec3f,
+    s: f32,
+    hash: u32,
+}
+
+/* How far t is from the feature of the cell `step` away, along an axis on which it drew v. */
+fn scarp_feature_distance(t: f32, step: i32, jitter: f32, v: u32) -> f32 {
+    let middle: f32 = scarp_add(f32(step), 0.5f);
+    return scarp_sub(t, scarp_add(middle, scarp_mul(jitter, scarp_lattice_value(v))));
+}
+
+/* The feature of the cell that is (x, y, z) away from that of p. */
+fn scarp_feature_at(l: ScarpLattice, p: ScarpPlace, x: i32, y: i32, z: i32,
+        dimensions: i32) -> ScarpFeature {
+    let cx: u32 = scarp_cell_beside(l.last.x, p.cell.x, x);
+    let cy: u32 = scarp_cell_beside(l.last.y, p.cell.y, y);
+    var f: ScarpFeature = ScarpFeature(vec3f(0.0f, 0.0f, 0.0f), 0.0f, scarp_hash2(l.key, cx, cy));
+    if (dimensions == 3) {
+        f.hash = scarp_hash3(l.key, cx, cy, scarp_cell_beside(l.last.z, p.cell.z, z));
+    }
+    f.d.x = scarp_feature_distance(p.t.x, x, l.jitter, f.hash);
+    f.d.y = scarp_feature_distance(p.t.y, y, l.jitter, f.hash * SCARP_FEATURE_Y);
+    var across2: f32 = scarp_mul(f.d.y, f.d.y);
+    if (dimensions == 3) {
+        f.d.z = scarp_feature_distance(p.t.z, z, l.jitter, f.hash * SCARP_FEATURE_Z);
+        across2 = scarp_add(across2, scarp_mul(f.d.z, f.d.z));
+    }
+    f.s = scarp_add(scarp_mul(f.d.x, f.d.x), across2);
+    return f;
+}
+
+/* 0, or NaN where a place is NaN, which a search for the least would pass over. */
+fn scarp_zero_at(p: ScarpPlace) -> f32 {
+    return scarp_mul(0.0f, scarp_add(p.t.x, scarp_add(p.t.y, p.t.z)));
+}
+
+/* Further than any search ends. */
+const SCARP_FAR_AWAY: f32 = 64.0f;
+
+/* The features that are nearest. */
+struct ScarpNearest {
+    first: ScarpFeature,
+    second: ScarpFeature,
+}
+
+/* Only what is strictly nearer takes a place. */
+fn scarp_nearest_with(n: ScarpNearest, f: ScarpFeature) -> ScarpNearest {
+    var m: ScarpNearest = n;
+    if (f.s < n.first.s) {
+        m.second = n.first;
+        m.first = f;
+    } else if (f.s < n.second.s) {
+        m.second = f;
+    }
+    return m;
+}
+
+/* The square of the gap to the cell `step` away along an axis. */
+fn scarp_gap2(t: f32, step: i32) -> f32 {
+    let gap: f32 = select(scarp_sub(t, f32(step + 1)), scarp_sub(f32(step), t), step > 0);
+    return select(scarp_mul(gap, gap), 0.0f, step == 0);
+}
+
+/* Whether a cell, and so its feature, is further away than s, by more than rounding. */
+fn scarp_is_beyond(p: ScarpPlace, x: i32, y: i32, z: i32, s: f32) -> bool {
+    return scarp_add(scarp_add(scarp_gap2(p.t.x, x), scarp_gap2(p.t.y, y)), scarp_gap2(p.t.z,
+            z)) > scarp_mul(1.001f, s);
+}
+
+/* Whether the search looks at a cell. */
+fn scarp_is_searched(p: ScarpPlace, ring: i32, x: i32, y: i32, z: i32, s: f32) -> bool {
+    let is_inside: bool = x > -2 && x < 2 && y > -2 && y < 2 && z > -2 && z < 2;
+    return ring == 1 || !(is_inside || scarp_is_beyond(p, x, y, z, s));
+}
+
+/*
+ * Searches the cells around that of p, then those two steps away, of which few are near enough. No
+ * feature beyond can be one of the two: it is at least 2 away from p, and both are nearer. (3^n
+ * cells do not suffice: the nearest feature of these may be sqrt(n) away, and features two cells
+ * off a little more than 1.)
+ */
+fn scarp_nearest_at(l: ScarpLattice, p: ScarpPlace, dimensions: i32) -> ScarpNearest {
+    let far: f32 = scarp_add(SCARP_FAR_AWAY, scarp_zero_at(p)); /* nothing is nearer than NaN */
+    let none: ScarpFeature = ScarpFeature(vec3f(far, far, far), far, 0u);
+    var n: ScarpNearest = ScarpNearest(none, none);
+    for (var ring: i32 = 1; ring <= 2; ring++) {
+        let depth: i32 = select(0, ring, dimensions == 3);
+        for (var z: i32 = -depth; z <= depth; z++) {
+            for (var y: i32 = -ring; y <= ring; y++) {
+                for (var x: i32 = -ring; x <= ring; x++) {
+                    if (scarp_is_searched(p, ring, x, y, z, n.second.s)) {
+                        n = scarp_nearest_with(n, scarp_feature_at(l, p, x, y, z, dimensions));
+                    }
+                }
+            }
+        }
+    }
+    return n;
+}
+
+/* Below this, a point lies on the feature. */
+const SCARP_NO_DISTANCE: f32 = 8.27180613e-25f;
+
+/* The distance from a feature. */
+fn scarp_distance_to(f: ScarpFeature) -> ScarpSample {
+    let distance: f32 = scarp_root(f.s);
+    let r: f32 = select(scarp_inverse(distance), 0.0f, f.s <= SCARP_NO_DISTANCE);
+    let g: vec3f = scarp_mul3(r, f.d);
+    let s: ScarpSample = ScarpSample(distance, g, vec3f(scarp_mul(r, scarp_sub(1.0f, scarp_mul(g.x,
+            g.x))), scarp_mul(r, scarp_sub(1.0f, scarp_mul(g.y, g.y))), scarp_mul(r, scarp_sub(1.0f,
+            scarp_mul(g.z, g.z)))), vec3f(-scarp_mul(r, scarp_mul(g.x, g.y)), -scarp_mul(r,
+            scarp_mul(g.x, g.z)), -scarp_mul(r, scarp_mul(g.y, g.z))));
+    return s;
+}
+
+/* What a feature adds before the root; the gradient without the factor 8, the Hessian too. */
+fn scarp_soft_term(f: ScarpFeature) -> ScarpSample {
+    let a: f32 = select(0.0f, scarp_sub(1.0f, f.s), f.s < 1.0f);
+    let a2: f32 = scarp_mul(a, a);
+    let a4: f32 = scarp_mul(a2, a2);
+    let a6: f32 = scarp_mul(a4, a2);
+    let a7: f32 = scarp_mul(a6, a);
+    let b: vec3f = scarp_mul3(scarp_mul(14.0f, a6), f.d);
+    let s: ScarpSample = ScarpSample(scarp_mul(a4, a4), scarp_mul3(a7, f.d),
+            vec3f(scarp_sub(scarp_mul(b.x, f.d.x), a7), scarp_sub(scarp_mul(b.y, f.d.y), a7),
+            scarp_sub(scarp_mul(b.z, f.d.z), a7)), vec3f(scarp_mul(b.x, f.d.y), scarp_mul(b.x,
+            f.d.z), scarp_mul(b.y, f.d.z)));
+    return s;
+}
+
+/* Below this, V^2 counts as 0: derivatives are no more than its rounding there. */
+const SCARP_NO_SUM: f32 = 7.52316385e-37f;
+
+fn scarp_soft_root(sum: ScarpSample) -> ScarpSample {
+    let v: f32 = scarp_root(sum.value);
+    let r: f32 = select(scarp_mul(8.0f, scarp_inverse(v)), 0.0f, sum.value <= SCARP_NO_SUM);
+    let q: f32 = scarp_mul(0.125f, r); /* 1 / V */
+    let g: vec3f = scarp_mul3(r, sum.gradient);
+    let squares: vec3f = vec3f(scarp_mul(g.x, g.x), scarp_mul(g.y, g.y), scarp_mul(g.z, g.z));
+    let products: vec3f = vec3f(scarp_mul(g.x, g.y), scarp_mul(g.x, g.z), scarp_mul(g.y, g.z));
+    return scarp_sample_of(-v, g, scarp_sub3(scarp_mul3(q, squares), scarp_mul3(r, sum.diagonal)),
+            scarp_sub3(scarp_mul3(q, products), scarp_mul3(r, sum.mixed)));
+}
+
+fn scarp_soft_at(l: ScarpLattice, p: ScarpPlace, dimensions: i32) -> ScarpSample {
+    let depth: i32 = select(0, 1, dimensions == 3);
+    let zero: f32 = scarp_zero_at(p);
+    let zeros: vec3f = vec3f(zero, zero, zero);
+    var sum: ScarpSample = ScarpSample(zero, zeros, zeros, zeros);
+    for (var z: i32 = -depth; z <= depth; z++) {
+        for (var y: i32 = -1; y <= 1; y++) {
+            for (var x: i32 = -1; x <= 1; x++) {
+                sum = scarp_sum_of(sum, scarp_soft_term(scarp_feature_at(l, p, x, y, z,
+                        dimensions)));
+            }
+        }
+    }
+    return scarp_soft_root(sum);
+}
+
+/* Each cell's own value, in units of 2^-31; all derivatives are 0. */
+fn scarp_cell_value(f: ScarpFeature) -> ScarpSample {
+    let zero: f32 = scarp_mul(0.0f, f.s); /* or NaN */
+    let zeros: vec3f = vec3f(zero, zero, zero);
+    return scarp_sample_of(scarp_add(scarp_lattice_value(f.hash * SCARP_FEATURE_ID), zero), zeros,
+            zeros, zeros);
+}
+
+/* The numbers of enum scarp_basis. */
+const SCARP_CELL_F1: u32 = 3u;
+const SCARP_CELL_F2: u32 = 4u;
+const SCARP_CELL_EDGE: u32 = 5u;
+const SCARP_CELL_SOFT: u32 = 6u;
+const SCARP_CELL_VALUE: u32 = 7u;
+
+fn scarp_cells_at(l: ScarpLattice, basis: u32, p: ScarpPlace, dimensions: i32) -> ScarpSample {
+    if (basis == SCARP_CELL_SOFT) {
+        var soft: ScarpSample = scarp_soft_at(l, p, dimensions);
+        soft.value = scarp_add(soft.value, l.middle);
+        return soft;
+    }
+    let n: ScarpNearest = scarp_nearest_at(l, p, dimensions);
+    if (basis == SCARP_CELL_VALUE) {
+        return scarp_cell_value(n.first);
+    }
+    let first: ScarpSample = scarp_distance_to(n.first);
+    var s: ScarpSample = scarp_distance_to(n.second);
+    if (basis == SCARP_CELL_F1) {
+        s = first;
+    }
+    if (basis == SCARP_CELL_EDGE) {
+        s = scarp_difference_of(s, first);
+    }
+    s.value = scarp_sub(s.value, l.middle);
+    return s;
+}
+
+/* One octave of noise with gradient and Hessian, in units of cells. */
+
+/* What the formulas leave to shaders */
+
+fn scarp_lattice_of(o: ScarpOctave, l: ScarpLevel) -> ScarpLattice {
+    let lattice: ScarpLattice = ScarpLattice(o.key, o.last, l.flows != 0u, o.turn, o.turn.x,
+            o.turn.y);
+    return lattice;
+}
+
+fn scarp_basis_at(o: ScarpOctave, l: ScarpLevel, p: ScarpPlace, dimensions: i32) -> ScarpSample {
+    let lattice: ScarpLattice = scarp_lattice_of(o, l);
+    var s: ScarpSample;
+    if (l.basis == SCARP_GRADIENT) {
+        s = scarp_gradient_at(lattice, l.fade, p, dimensions);
+    } else if (l.basis == SCARP_VALUE) {
+        s = scarp_value_at(lattice, l.fade, p, dimensions);
+    } else if (l.basis == SCARP_SIMPLEX) {
+        s = scarp_simplex_at(lattice, p, dimensions);
+    } else {
+        s = scarp_cells_at(lattice, l.basis, p, dimensions);
+    }
+    return s;
+}
+
+/* Arithmetic with vectors and symmetric matrices. */
+
+fn scarp_dot(a: vec3f, b: vec3f, dimensions: i32) -> f32 {
+    var d: f32 = scarp_add(scarp_mul(a.x, b.x), scarp_mul(a.y, b.y));
+    if (dimensions == 3) {
+        d = scarp_add(d, scarp_mul(a.z, b.z));
+    }
+    return d;
+}
+
+/* A matrix of 3 rows. */
+struct ScarpRows {
+    x: vec3f,
+    y: vec3f,
+    z: vec3f,
+}
+
+fn scarp_rows_of(x: vec3f, y: vec3f, z: vec3f) -> ScarpRows {
+    var m: ScarpRows;
+    m.x = x;
+    m.y = y;
+    m.z = z;
+    return m;
+}
+
+fn scarp_transposed(m: ScarpRows) -> ScarpRows {
+    return scarp_rows_of(vec3f(m.x.x, m.y.x, m.z.x), vec3f(m.x.y, m.y.y, m.z.y), vec3f(m.x.z, m.y.z,
+            m.z.z));
+}
+
+/* m v */
+fn scarp_times(m: ScarpRows, v: vec3f, dimensions: i32) -> vec3f {
+    return vec3f(scarp_dot(m.x, v, dimensions), scarp_dot(m.y, v, dimensions), scarp_dot(m.z, v,
+            dimensions));
+}
+
+/* The transpose of m, times v. */
+fn scarp_transposed_times(m: ScarpRows, v: vec3f, dimensions: i32) -> vec3f {
+    return scarp_times(scarp_transposed(m), v, dimensions);
+}
+
+/* The Hessian. */
+fn scarp_hessian_of(s: ScarpSample) -> ScarpRows {
+    return scarp_rows_of(vec3f(s.diagonal.x, s.mixed.x, s.mixed.y), vec3f(s.mixed.x, s.diagonal.y,
+            s.mixed.z), vec3f(s.mixed.y, s.mixed.z, s.diagonal.z));
+}
+
+/* Multiplies the outputs of each order by a factor of their own. */
+fn scarp_scaled(n: ScarpSample, value: f32, gradient: f32, hessian: f32) -> ScarpSample {
+    return scarp_sample_of(scarp_mul(value, n.value), scarp_mul3(gradient, n.gradient),
+            scarp_mul3(hessian, n.diagonal), scarp_mul3(hessian, n.mixed));
+}
+
+/* Where a point lies in the frame of an octave. */
 
 fn scarp_within_period(last: u32, cell: i32) -> u32 {
     var within: u32 = bitcast<u32>(cell);
@@ -376,13 +1110,6 @@ fn scarp_split(p: f32, last: u32) -> ScarpSplit {
     return s;
 }
 
-/* A point of one octave. */
-struct ScarpPlace {
-    cell: vec3u,
-    next: vec3u,
-    t: vec3f,
-}
-
 /* Along each axis p = J x + o, where axes are turned, else p = f x + o. */
 fn scarp_position_of(o: ScarpOctave, turned: bool, x: vec3f, dimensions: i32) -> vec3f {
     var p: vec3f = scarp_mul3(o.frequency, x);
@@ -401,14 +1128,8 @@ fn scarp_place_of(o: ScarpOctave, basis: u32, turned: bool, x: vec3f,
     }
     let sx: ScarpSplit = scarp_split(p.x, o.last.x);
     let sy: ScarpSplit = scarp_split(p.y, o.last.y);
-    var at: ScarpPlace;
-    at.t = vec3f(sx.t, sy.t, 0.0f);
-    at.cell.x = sx.cell;
-    at.cell.y = sy.cell;
-    at.cell.z = 0u;
-    at.next.x = scarp_cell_after(o.last.x, sx.cell);
-    at.next.y = scarp_cell_after(o.last.y, sy.cell);
-    at.next.z = 0u;
+    var at: ScarpPlace = ScarpPlace(vec3u(sx.cell, sy.cell, 0u), vec3u(scarp_cell_after(o.last.x,
+            sx.cell), scarp_cell_after(o.last.y, sy.cell), 0u), vec3f(sx.t, sy.t, 0.0f));
     if (dimensions == 3) {
         let sz: ScarpSplit = scarp_split(p.z, o.last.z);
         at.t.z = sz.t;
@@ -416,700 +1137,6 @@ fn scarp_place_of(o: ScarpOctave, basis: u32, turned: bool, x: vec3f,
         at.next.z = scarp_cell_after(o.last.z, sz.cell);
     }
     return at;
-}
-
-/* Bases that blend what is drawn at the corners of cells. */
-
-struct ScarpFade {
-    u: f32,
-    du: f32,
-    ddu: f32,
-}
-
-fn scarp_fade(kind: u32, t: f32) -> ScarpFade {
-    let s: f32 = scarp_sub(t, 1.0f);
-    let ts: f32 = scarp_mul(t, s);
-    var f: ScarpFade;
-    if (kind == SCARP_QUINTIC) {
-        let inner: f32 = scarp_add(scarp_mul(s, scarp_sub(scarp_mul(t, 6.0f), 9.0f)), 1.0f);
-        f.u = scarp_mul(scarp_mul(scarp_mul(t, t), t), inner);
-        f.du = scarp_mul(30.0f, scarp_mul(ts, ts));
-        f.ddu = scarp_mul(scarp_mul(60.0f, ts), scarp_add(t, s));
-    } else {
-        f.u = scarp_mul(scarp_mul(t, t), scarp_sub(3.0f, scarp_mul(2.0f, t)));
-        f.du = scarp_mul(-6.0f, ts);
-        f.ddu = scarp_sub(6.0f, scarp_mul(12.0f, t));
-    }
-    return f;
-}
-
-fn scarp_mix(a: f32, b: f32, u: f32) -> f32 {
-    return scarp_add(a, scarp_mul(u, scarp_sub(b, a)));
-}
-
-/* a x + b */
-struct ScarpSlope {
-    a: f32,
-    b: f32,
-}
-
-fn scarp_slope_of(a: f32, b: f32) -> ScarpSlope {
-    var s: ScarpSlope;
-    s.a = a;
-    s.b = b;
-    return s;
-}
-
-/* What a lattice column contributes. Those of value noise are flat: all a are 0. */
-struct ScarpColumn {
-    value: ScarpSlope,
-    y: ScarpSlope,
-    z: ScarpSlope,
-    yy: ScarpSlope,
-    yz: ScarpSlope,
-    zz: ScarpSlope,
-}
-
-/* Two columns, and the point between them. */
-struct ScarpBetween {
-    x: f32,
-    before: f32,
-    f: ScarpFade,
-    is_flat: bool,
-}
-
-fn scarp_at(s: ScarpSlope, x: f32, is_flat: bool) -> f32 {
-    var value: f32 = s.b;
-    if (!is_flat) {
-        value = scarp_add(scarp_mul(s.a, x), s.b);
-    }
-    return value;
-}
-
-fn scarp_across(l: ScarpSlope, r: ScarpSlope, p: ScarpBetween) -> f32 {
-    return scarp_mix(scarp_at(l, p.x, p.is_flat), scarp_at(r, p.before, p.is_flat), p.f.u);
-}
-
-fn scarp_across_dx(l: ScarpSlope, r: ScarpSlope, p: ScarpBetween) -> f32 {
-    var step: f32 = scarp_mul(p.f.du, scarp_sub(scarp_at(r, p.before, p.is_flat), scarp_at(l, p.x,
-            p.is_flat)));
-    if (!p.is_flat) {
-        step = scarp_add(scarp_mix(l.a, r.a, p.f.u), step);
-    }
-    return step;
-}
-
-fn scarp_across_dxx(l: ScarpSlope, r: ScarpSlope, p: ScarpBetween) -> f32 {
-    var bend: f32 = scarp_mul(p.f.ddu, scarp_sub(scarp_at(r, p.before, p.is_flat), scarp_at(l, p.x,
-            p.is_flat)));
-    if (!p.is_flat) {
-        bend = scarp_add(scarp_mul(scarp_mul(2.0f, p.f.du), scarp_sub(r.a, l.a)), bend);
-    }
-    return bend;
-}
-
-fn scarp_join(l: ScarpColumn, r: ScarpColumn, x: f32, f: ScarpFade, is_flat: bool) -> ScarpSample {
-    var p: ScarpBetween;
-    p.x = x;
-    p.before = scarp_sub(x, 1.0f);
-    p.f = f;
-    p.is_flat = is_flat;
-    return scarp_sample_of( scarp_across(l.value, r.value, p), vec3f(scarp_across_dx(l.value,
-            r.value, p), scarp_across(l.y, r.y, p), scarp_across(l.z, r.z, p)),
-            vec3f(scarp_across_dxx(l.value, r.value, p), scarp_across(l.yy, r.yy, p),
-            scarp_across(l.zz, r.zz, p)), vec3f(scarp_across_dx(l.y, r.y, p), scarp_across_dx(l.z,
-            r.z, p), scarp_across(l.yz, r.yz, p)));
-}
-
-/* Gradient noise. */
-
-/* The cosine of 11.25 degrees times 1, 3, 5, 7. */
-fn scarp_cosine(i: u32) -> f32 {
-    let first: f32 = select(0.831469612f, 0.980785280f, i == 0u);
-    let second: f32 = select(0.195090322f, 0.555570233f, i == 2u);
-    return select(second, first, i < 2u);
-}
-
-/* One of the 16 directions of the plane. */
-fn scarp_direction2(i: u32) -> vec3f {
-    let k: u32 = (i >> 1u) & 3u;
-    return vec3f(scarp_with_bit(scarp_cosine(k), (i >> 3u) & 1u),
-            scarp_with_bit(scarp_cosine(3u - k), i & 1u), 0.0f);
-}
-
-/* One of the 12 edges of a cube, twice as long: 0 along z, y or x. */
-fn scarp_direction3(i: u32) -> vec3f {
-    let axes: u32 = i >> 2u;
-    let first: f32 = scarp_with_bit(2.0f, (i >> 1u) & 1u);
-    let second: f32 = scarp_with_bit(2.0f, i & 1u);
-    return vec3f(select(first, 0.0f, axes == 2u), select(select(first, 0.0f, axes == 1u), second,
-            axes == 0u), select(second, 0.0f, axes == 0u));
-}
-
-/* An edge after a quarter of a turn: 1, 2, -1 or -2 along each axis, in two bits per edge. */
-fn scarp_quarter3(axis: u32, i: u32) -> f32 {
-    let bits: u32 = axis >> (2u * i);
-    return scarp_with_bit(select(1.0f, 2.0f, (bits & 2u) != 0u), bits & 1u);
-}
-
-const SCARP_QUARTERS_X: u32 = 0xbe0550u;
-const SCARP_QUARTERS_Y: u32 = 0x50be11u;
-const SCARP_QUARTERS_Z: u32 = 0x1144beu;
-const SCARP_TWO_OVER_ROOT_3: f32 = 1.15470054f;
-
-/* Of directions that flow, the cosine and the sine are those of the angle, or of twice that. */
-fn scarp_turned2(drawn: u32, turn: vec4f) -> vec3f {
-    let opposite: bool = drawn >= 8u;
-    let i: u32 = select(drawn, drawn ^ 9u, opposite);
-    let quick: u32 = (i ^ (i >> 1u) ^ (i >> 3u)) & 1u;
-    let g: vec3f = scarp_direction2(i);
-    let c: f32 = select(turn.x, turn.z, quick != 0u);
-    let s: f32 = select(turn.y, turn.w, quick != 0u);
-    let x: f32 = scarp_add(scarp_mul(c, g.x), scarp_mul(s, scarp_with_bit(g.y, 1u - quick)));
-    let y: f32 = scarp_add(scarp_mul(c, g.y), scarp_mul(s, scarp_with_bit(g.x, quick)));
-    return vec3f(select(x, -x, opposite), select(y, -y, opposite), 0.0f);
-}
-
-fn scarp_turned3(i: u32, turn: vec4f) -> vec3f {
-    let quick: bool = ((0x93cu >> i) & 1u) != 0u;
-    let g: vec3f = scarp_direction3(i);
-    let q: vec3f = scarp_mul3(SCARP_TWO_OVER_ROOT_3, vec3f(scarp_quarter3(SCARP_QUARTERS_X, i),
-            scarp_quarter3(SCARP_QUARTERS_Y, i), scarp_quarter3(SCARP_QUARTERS_Z, i)));
-    return scarp_add3(scarp_mul3(select(turn.x, turn.z, quick), g), scarp_mul3(select(turn.y,
-            turn.w, quick), q));
-}
-
-/* What draws directions: the octave's keys, and how far directions are turned, if they are. */
-struct ScarpTurning {
-    key: vec3u,
-    turn: vec4f,
-    flows: bool,
-}
-
-fn scarp_drawn2(t: ScarpTurning, x: u32, y: u32) -> vec3f {
-    let i: u32 = scarp_hash2(t.key, x, y) >> 28u;
-    var g: vec3f = scarp_direction2(i);
-    if (t.flows) {
-        g = scarp_turned2(i, t.turn);
-    }
-    return g;
-}
-
-fn scarp_edge_of(hash: u32) -> u32 {
-    return ((hash >> 16u) * 12u) >> 16u;
-}
-
-fn scarp_drawn3(t: ScarpTurning, x: u32, y: u32, z: u32) -> vec3f {
-    let i: u32 = scarp_edge_of(scarp_hash3(t.key, x, y, z));
-    var g: vec3f = scarp_direction3(i);
-    if (t.flows) {
-        g = scarp_turned3(i, t.turn);
-    }
-    return g;
-}
-
-/* Column x of the cell: v is the fade along y. */
-fn scarp_gradient_column2(t: ScarpTurning, x: u32, p: ScarpPlace, v: ScarpFade) -> ScarpColumn {
-    let g0: vec3f = scarp_drawn2(t, x, p.cell.y);
-    let g1: vec3f = scarp_drawn2(t, x, p.next.y);
-    let dg: vec3f = scarp_sub3(g1, g0);
-    let dot0: f32 = scarp_mul(g0.y, p.t.y);
-    let dot1: f32 = scarp_mul(g1.y, scarp_sub(p.t.y, 1.0f));
-    let ddot: f32 = scarp_sub(dot1, dot0);
-    var c: ScarpColumn;
-    c.value = scarp_slope_of(scarp_add(g0.x, scarp_mul(v.u, dg.x)), scarp_add(dot0, scarp_mul(v.u,
-            ddot)));
-    c.y = scarp_slope_of(scarp_mul(v.du, dg.x), scarp_add(scarp_mix(g0.y, g1.y, v.u),
-            scarp_mul(v.du, ddot)));
-    c.yy = scarp_slope_of(scarp_mul(v.ddu, dg.x), scarp_add(scarp_mul(scarp_mul(2.0f, v.du), dg.y),
-            scarp_mul(v.ddu, ddot)));
-    c.z = scarp_slope_of(0.0f, 0.0f);
-    c.yz = scarp_slope_of(0.0f, 0.0f);
-    c.zz = scarp_slope_of(0.0f, 0.0f);
-    return c;
-}
-
-/* A lattice edge along z, interpolated over z; z and zz are derivatives of value.b, dgy is that of
-   gy, dgx the difference of the corners. */
-struct ScarpEdge {
-    value: ScarpSlope,
-    z: f32,
-    zz: f32,
-    gy: f32,
-    dgy: f32,
-    dgx: f32,
-}
-
-/* The edge at column x and row y of cells, ty from it along y; w is the fade along z. */
-fn scarp_gradient_edge(t: ScarpTurning, x: u32, y: u32, ty: f32, p: ScarpPlace,
-        w: ScarpFade) -> ScarpEdge {
-    let g0: vec3f = scarp_drawn3(t, x, y, p.cell.z);
-    let g1: vec3f = scarp_drawn3(t, x, y, p.next.z);
-    let dg: vec3f = scarp_sub3(g1, g0);
-    let dot0: f32 = scarp_add(scarp_mul(g0.y, ty), scarp_mul(g0.z, p.t.z));
-    let dot1: f32 = scarp_add(scarp_mul(g1.y, ty), scarp_mul(g1.z, scarp_sub(p.t.z, 1.0f)));
-    let ddot: f32 = scarp_sub(dot1, dot0);
-    var e: ScarpEdge;
-    e.value = scarp_slope_of(scarp_add(g0.x, scarp_mul(w.u, dg.x)), scarp_add(dot0, scarp_mul(w.u,
-            ddot)));
-    e.z = scarp_add(scarp_add(g0.z, scarp_mul(w.u, dg.z)), scarp_mul(w.du, ddot));
-    e.zz = scarp_add(scarp_mul(scarp_mul(2.0f, w.du), dg.z), scarp_mul(w.ddu, ddot));
-    e.gy = scarp_add(g0.y, scarp_mul(w.u, dg.y));
-    e.dgy = scarp_mul(w.du, dg.y);
-    e.dgx = dg.x;
-    return e;
-}
-
-fn scarp_gradient_column3(t: ScarpTurning, x: u32, p: ScarpPlace, v: ScarpFade,
-        w: ScarpFade) -> ScarpColumn {
-    let e0: ScarpEdge = scarp_gradient_edge(t, x, p.cell.y, p.t.y, p, w);
-    let e1: ScarpEdge = scarp_gradient_edge(t, x, p.next.y, scarp_sub(p.t.y, 1.0f), p, w);
-    let da: f32 = scarp_sub(e1.value.a, e0.value.a);
-    let db: f32 = scarp_sub(e1.value.b, e0.value.b);
-    let dgy: f32 = scarp_sub(e1.gy, e0.gy);
-    let dz: f32 = scarp_sub(e1.z, e0.z);
-    let ddgx: f32 = scarp_sub(e1.dgx, e0.dgx);
-    let dgx: f32 = scarp_add(e0.dgx, scarp_mul(v.u, ddgx));
-    var c: ScarpColumn;
-    c.value = scarp_slope_of(scarp_add(e0.value.a, scarp_mul(v.u, da)), scarp_add(e0.value.b,
-            scarp_mul(v.u, db)));
-    c.y = scarp_slope_of(scarp_mul(v.du, da), scarp_add(scarp_add(e0.gy, scarp_mul(v.u, dgy)),
-            scarp_mul(v.du, db)));
-    c.z = scarp_slope_of(scarp_mul(w.du, dgx), scarp_add(e0.z, scarp_mul(v.u, dz)));
-    c.yy = scarp_slope_of(scarp_mul(v.ddu, da), scarp_add(scarp_mul(scarp_mul(2.0f, v.du), dgy),
-            scarp_mul(v.ddu, db)));
-    c.yz = scarp_slope_of(scarp_mul(v.du, scarp_mul(w.du, ddgx)), scarp_add(scarp_mix(e0.dgy,
-            e1.dgy, v.u), scarp_mul(v.du, dz)));
-    c.zz = scarp_slope_of(scarp_mul(w.ddu, dgx), scarp_mix(e0.zz, e1.zz, v.u));
-    return c;
-}
-
-fn scarp_gradient_at(o: ScarpOctave, l: ScarpLevel, p: ScarpPlace, dimensions: i32) -> ScarpSample {
-    let f: ScarpFade = scarp_fade(l.fade, p.t.x);
-    let v: ScarpFade = scarp_fade(l.fade, p.t.y);
-    var t: ScarpTurning;
-    var left: ScarpColumn;
-    var right: ScarpColumn;
-    t.key = o.key;
-    t.turn = o.turn;
-    t.flows = l.flows != 0u;
-    if (dimensions == 2) {
-        left = scarp_gradient_column2(t, p.cell.x, p, v);
-        right = scarp_gradient_column2(t, p.next.x, p, v);
-    } else {
-        let w: ScarpFade = scarp_fade(l.fade, p.t.z);
-        left = scarp_gradient_column3(t, p.cell.x, p, v, w);
-        right = scarp_gradient_column3(t, p.next.x, p, v, w);
-    }
-    return scarp_join(left, right, p.t.x, f, false);
-}
-
-/* Value noise. */
-
-fn scarp_flat_of(value: f32) -> ScarpSlope {
-    return scarp_slope_of(0.0f, value);
-}
-
-fn scarp_value_column2(key: vec3u, x: u32, p: ScarpPlace, v: ScarpFade) -> ScarpColumn {
-    let c0: f32 = scarp_lattice_value(scarp_hash2(key, x, p.cell.y));
-    let c1: f32 = scarp_lattice_value(scarp_hash2(key, x, p.next.y));
-    let d: f32 = scarp_sub(c1, c0);
-    var c: ScarpColumn;
-    c.value = scarp_flat_of(scarp_add(c0, scarp_mul(v.u, d)));
-    c.y = scarp_flat_of(scarp_mul(v.du, d));
-    c.yy = scarp_flat_of(scarp_mul(v.ddu, d));
-    c.z = scarp_flat_of(0.0f);
-    c.yz = scarp_flat_of(0.0f);
-    c.zz = scarp_flat_of(0.0f);
-    return c;
-}
-
-fn scarp_value_column3(key: vec3u, x: u32, p: ScarpPlace, v: ScarpFade,
-        w: ScarpFade) -> ScarpColumn {
-    let c00: f32 = scarp_lattice_value(scarp_hash3(key, x, p.cell.y, p.cell.z));
-    let c01: f32 = scarp_lattice_value(scarp_hash3(key, x, p.cell.y, p.next.z));
-    let c10: f32 = scarp_lattice_value(scarp_hash3(key, x, p.next.y, p.cell.z));
-    let c11: f32 = scarp_lattice_value(scarp_hash3(key, x, p.next.y, p.next.z));
-    let dz0: f32 = scarp_sub(c01, c00);
-    let dz1: f32 = scarp_sub(c11, c10);
-    let e0: f32 = scarp_add(c00, scarp_mul(w.u, dz0));
-    let e1: f32 = scarp_add(c10, scarp_mul(w.u, dz1));
-    let dy: f32 = scarp_sub(e1, e0);
-    let ddz: f32 = scarp_sub(dz1, dz0);
-    let dz: f32 = scarp_add(dz0, scarp_mul(v.u, ddz));
-    var c: ScarpColumn;
-    c.value = scarp_flat_of(scarp_add(e0, scarp_mul(v.u, dy)));
-    c.y = scarp_flat_of(scarp_mul(v.du, dy));
-    c.z = scarp_flat_of(scarp_mul(w.du, dz));
-    c.yy = scarp_flat_of(scarp_mul(v.ddu, dy));
-    c.yz = scarp_flat_of(scarp_mul(v.du, scarp_mul(w.du, ddz)));
-    c.zz = scarp_flat_of(scarp_mul(w.ddu, dz));
-    return c;
-}
-
-fn scarp_value_at(o: ScarpOctave, l: ScarpLevel, p: ScarpPlace, dimensions: i32) -> ScarpSample {
-    let f: ScarpFade = scarp_fade(l.fade, p.t.x);
-    let v: ScarpFade = scarp_fade(l.fade, p.t.y);
-    var left: ScarpColumn;
-    var right: ScarpColumn;
-    if (dimensions == 2) {
-        left = scarp_value_column2(o.key, p.cell.x, p, v);
-        right = scarp_value_column2(o.key, p.next.x, p, v);
-    } else {
-        let w: ScarpFade = scarp_fade(l.fade, p.t.z);
-        left = scarp_value_column3(o.key, p.cell.x, p, v, w);
-        right = scarp_value_column3(o.key, p.next.x, p, v, w);
-    }
-    return scarp_join(left, right, p.t.x, f, true);
-}
-
-/* Simplex noise. */
-
-/* Second derivative of a vertex: `bend` i j, and what w^3 has a share in. */
-fn scarp_vertex_second(bend: f32, w3: f32, di: f32, dj: f32, rest: f32) -> f32 {
-    return scarp_sub(scarp_mul(scarp_mul(bend, di), dj), scarp_mul(w3, rest));
-}
-
-/* What a vertex adds; g is its gradient, r2 is r^2. */
-fn scarp_vertex_at(d: vec3f, g: vec3f, r2: f32, dimensions: i32) -> ScarpSample {
-    var across2: f32 = scarp_mul(d.y, d.y);
-    if (dimensions == 3) {
-        across2 = scarp_add(across2, scarp_mul(d.z, d.z));
-    }
-    let left: f32 = scarp_sub(scarp_sub(r2, across2), scarp_mul(d.x, d.x));
-    let w: f32 = select(0.0f, left, left > 0.0f);
-    var q: f32 = scarp_add(scarp_mul(g.x, d.x), scarp_mul(g.y, d.y));
-    if (dimensions == 3) {
-        q = scarp_add(q, scarp_mul(g.z, d.z));
-    }
-    let w2: f32 = scarp_mul(w, w);
-    let w4: f32 = scarp_mul(w2, w2);
-    let w3: f32 = scarp_mul(8.0f, scarp_mul(w2, w));
-    let bend: f32 = scarp_mul(scarp_mul(48.0f, w2), q);
-    let twice: vec3f = scarp_mul3(2.0f, g);
-    let diagonal: vec3f = vec3f(scarp_vertex_second(bend, w3, d.x, d.x, scarp_add(scarp_mul(twice.x,
-            d.x), q)), scarp_vertex_second(bend, w3, d.y, d.y, scarp_add(scarp_mul(twice.y, d.y),
-            q)), scarp_vertex_second(bend, w3, d.z, d.z, scarp_add(scarp_mul(twice.z, d.z), q)));
-    let mixed: vec3f = vec3f(scarp_vertex_second(bend, w3, d.x, d.y, scarp_add(scarp_mul(g.x, d.y),
-            scarp_mul(g.y, d.x))), scarp_vertex_second(bend, w3, d.x, d.z, scarp_add(scarp_mul(g.x,
-            d.z), scarp_mul(g.z, d.x))), scarp_vertex_second(bend, w3, d.y, d.z,
-            scarp_add(scarp_mul(g.y, d.z), scarp_mul(g.z, d.y))));
-    return scarp_sample_of(scarp_mul(w4, q), scarp_sub3(scarp_mul3(w4, g), scarp_mul3(scarp_mul(w3,
-            q), d)), diagonal, mixed);
-}
-
-const SCARP_ROW_HEIGHT: f32 = 0.866025404f;
-const SCARP_TRIANGLE_R2: f32 = 0.75f;
-
-/* The vertex `column` to the right of the cell, in row y. */
-fn scarp_vertex2(o: ScarpOctave, p: ScarpPlace, column: i32, y: u32, d: vec3f) -> ScarpSample {
-    let x: u32 = scarp_cell_beside(o.last.x, p.cell.x, column);
-    return scarp_vertex_at(d, scarp_direction2(scarp_hash2(o.key, x, y) >> 28u), SCARP_TRIANGLE_R2,
-            2);
-}
-
-fn scarp_simplex_at2(o: ScarpOctave, p: ScarpPlace) -> ScarpSample {
-    let odd: bool = (p.cell.y & 1u) != 0u;
-    let shift: f32 = scarp_mul(0.5f, p.t.y);
-    let start: f32 = scarp_sub(p.t.x, select(0.0f, 0.5f, odd));
-    let before: bool = start < shift;
-    let k: i32 = select(0, -1, before);
-    let above: i32 = k + select(0, 1, odd);
-    let x: f32 = select(start, scarp_add(start, 1.0f), before);
-    let lower: bool = scarp_add(x, shift) < 1.0f;
-    let y: f32 = scarp_mul(SCARP_ROW_HEIGHT, p.t.y);
-    let y_above: f32 = scarp_sub(y, SCARP_ROW_HEIGHT);
-    let a: ScarpSample = scarp_vertex2(o, p, k + 1, p.cell.y, vec3f(scarp_sub(x, 1.0f), y, 0.0f));
-    let b: ScarpSample = scarp_vertex2(o, p, above, p.next.y, vec3f(scarp_sub(x, 0.5f), y_above,
-            0.0f));
-    let c: ScarpSample = scarp_vertex2(o, p, select(above + 1, k, lower), select(p.next.y, p.cell.y,
-            lower), vec3f(select(scarp_sub(x, 1.5f), x, lower), select(y_above, y, lower), 0.0f));
-    return scarp_sum_of(scarp_sum_of(a, b), c);
-}
-
-const SCARP_TETRAHEDRON_R2: f32 = 0.49999952316284180f;
-const SCARP_HASH_CENTRE: u32 = 0xbcfa3e4du;
-
-/* A vertex: how many cells from that of p along each axis, and where p lies from it. */
-struct ScarpVertex {
-    x: i32,
-    y: i32,
-    z: i32,
-    d: vec3f,
-}
-
-fn scarp_vertex3(o: ScarpOctave, p: ScarpPlace, v: ScarpVertex, hash_k: u32) -> ScarpSample {
-    let h: u32 = scarp_joined3(o.key, scarp_cell_beside(o.last.x, p.cell.x, v.x),
-            scarp_cell_beside(o.last.y, p.cell.y, v.y), scarp_cell_beside(o.last.z, p.cell.z, v.z));
-    return scarp_vertex_at(v.d, scarp_direction3(scarp_edge_of(h * (h + hash_k))),
-            SCARP_TETRAHEDRON_R2, 3);
-}
-
-/* A cube's two centres and two corners along an axis: what `t`, from the centre, makes of each. */
-struct ScarpEnds {
-    up: i32,
-    centre: i32,
-    corner: i32,
-    d_centre: f32,
-    d_up: f32,
-    d_corner: f32,
-}
-
-fn scarp_ends_of(t: f32, is_furthest: bool, is_nearest: bool) -> ScarpEnds {
-    let up: bool = !(t < 0.0f);
-    var e: ScarpEnds;
-    e.up = select(0, 1, up);
-    e.d_up = scarp_sub(t, select(-0.5f, 0.5f, up));
-    e.centre = select(0, select(-1, 1, up), is_furthest);
-    e.d_centre = select(t, scarp_sub(t, select(-1.0f, 1.0f, up)), is_furthest);
-    e.corner = select(e.up, 1 - e.up, is_nearest);
-    e.d_corner = select(e.d_up, scarp_add(t, select(-0.5f, 0.5f, up)), is_nearest);
-    return e;
-}
-
-fn scarp_vertex_of(x: i32, y: i32, z: i32, d: vec3f) -> ScarpVertex {
-    var v: ScarpVertex;
-    v.x = x;
-    v.y = y;
-    v.z = z;
-    v.d = d;
-    return v;
-}
-
-fn scarp_simplex_at3(o: ScarpOctave, p: ScarpPlace) -> ScarpSample {
-    let t: vec3f = scarp_sub3(p.t, vec3f(0.5f, 0.5f, 0.5f));
-    let m: vec3f = vec3f(scarp_magnitude(t.x), scarp_magnitude(t.y), scarp_magnitude(t.z));
-    let far_x: bool = m.x >= m.y && m.x >= m.z;
-    let far_y: bool = !far_x && m.y >= m.z;
-    let near_z: bool = m.z <= m.x && m.z <= m.y;
-    let near_y: bool = !near_z && m.y <= m.x;
-    let x: ScarpEnds = scarp_ends_of(t.x, far_x, !near_z && !near_y);
-    let y: ScarpEnds = scarp_ends_of(t.y, far_y, near_y);
-    let z: ScarpEnds = scarp_ends_of(t.z, !far_x && !far_y, near_z);
-    let centre0: ScarpVertex = scarp_vertex_of(0, 0, 0, t);
-    let centre1: ScarpVertex = scarp_vertex_of(x.centre, y.centre, z.centre, vec3f(x.d_centre,
-            y.d_centre, z.d_centre));
-    let corner0: ScarpVertex = scarp_vertex_of(x.up, y.up, z.up, vec3f(x.d_up, y.d_up, z.d_up));
-    let corner1: ScarpVertex = scarp_vertex_of(x.corner, y.corner, z.corner, vec3f(x.d_corner,
-            y.d_corner, z.d_corner));
-    let centres: ScarpSample = scarp_sum_of(scarp_vertex3(o, p, centre0, SCARP_HASH_CENTRE),
-            scarp_vertex3(o, p, centre1, SCARP_HASH_CENTRE));
-    let corners: ScarpSample = scarp_sum_of(scarp_vertex3(o, p, corner0, SCARP_HASH_K),
-            scarp_vertex3(o, p, corner1, SCARP_HASH_K));
-    return scarp_sum_of(corners, centres);
-}
-
-/* Cellular noise. */
-
-const SCARP_FEATURE_Y: u32 = 0xe41130e9u;
-const SCARP_FEATURE_Z: u32 = 0x6ecea30du;
-const SCARP_FEATURE_ID: u32 = 0xc603dc87u;
-
-/* Where a point lies from the feature of a cell, and the hash of that cell. */
-struct ScarpFeature {
-    d: vec3f,
-    s: f32,
-    hash: u32,
-}
-
-/* How far t is from the feature of the cell `step` away, along an axis on which it drew v. */
-fn scarp_feature_distance(t: f32, step: i32, jitter: f32, v: u32) -> f32 {
-    let middle: f32 = scarp_add(f32(step), 0.5f);
-    return scarp_sub(t, scarp_add(middle, scarp_mul(jitter, scarp_lattice_value(v))));
-}
-
-/* The feature of the cell that is (x, y, z) away from that of p. */
-fn scarp_feature_at(o: ScarpOctave, p: ScarpPlace, x: i32, y: i32, z: i32,
-        dimensions: i32) -> ScarpFeature {
-    let cx: u32 = scarp_cell_beside(o.last.x, p.cell.x, x);
-    let cy: u32 = scarp_cell_beside(o.last.y, p.cell.y, y);
-    var f: ScarpFeature;
-    f.hash = scarp_hash2(o.key, cx, cy);
-    if (dimensions == 3) {
-        f.hash = scarp_hash3(o.key, cx, cy, scarp_cell_beside(o.last.z, p.cell.z, z));
-    }
-    f.d = vec3f(scarp_feature_distance(p.t.x, x, o.turn.x, f.hash), scarp_feature_distance(p.t.y, y,
-            o.turn.x, f.hash * SCARP_FEATURE_Y), 0.0f);
-    var across2: f32 = scarp_mul(f.d.y, f.d.y);
-    if (dimensions == 3) {
-        f.d.z = scarp_feature_distance(p.t.z, z, o.turn.x, f.hash * SCARP_FEATURE_Z);
-        across2 = scarp_add(across2, scarp_mul(f.d.z, f.d.z));
-    }
-    f.s = scarp_add(scarp_mul(f.d.x, f.d.x), across2);
-    return f;
-}
-
-const SCARP_FAR_AWAY: f32 = 64.0f;
-
-struct ScarpNearest {
-    first: ScarpFeature,
-    second: ScarpFeature,
-}
-
-/* Only what is strictly nearer takes a place. */
-fn scarp_nearest_with(n: ScarpNearest, f: ScarpFeature) -> ScarpNearest {
-    var m: ScarpNearest = n;
-    if (f.s < n.first.s) {
-        m.second = n.first;
-        m.first = f;
-    } else if (f.s < n.second.s) {
-        m.second = f;
-    }
-    return m;
-}
-
-/* The square of the gap to a cell along an axis. */
-fn scarp_gap2(t: f32, step: i32) -> f32 {
-    let ahead: f32 = scarp_sub(f32(step), t);
-    let behind: f32 = scarp_sub(t, f32(step + 1));
-    let gap: f32 = select(behind, ahead, step > 0);
-    return select(scarp_mul(gap, gap), 0.0f, step == 0);
-}
-
-/* Whether a cell, and so its feature, is further away than s, by more than rounding. */
-fn scarp_is_beyond(p: ScarpPlace, x: i32, y: i32, z: i32, s: f32) -> bool {
-    let gap: f32 = scarp_add(scarp_add(scarp_gap2(p.t.x, x), scarp_gap2(p.t.y, y)),
-            scarp_gap2(p.t.z, z));
-    return gap > scarp_mul(1.001f, s);
-}
-
-/* Whether the search around a point looks at a cell: first at those around, then at those two steps
-   away that are not too far. */
-fn scarp_is_searched(p: ScarpPlace, ring: i32, x: i32, y: i32, z: i32, s: f32) -> bool {
-    let inside: bool = x > -2 && x < 2 && y > -2 && y < 2 && z > -2 && z < 2;
-    return ring == 1 || (!inside && !scarp_is_beyond(p, x, y, z, s));
-}
-
-fn scarp_nearest_at(o: ScarpOctave, p: ScarpPlace, dimensions: i32) -> ScarpNearest {
-    var n: ScarpNearest;
-    n.first.d = vec3f(SCARP_FAR_AWAY, SCARP_FAR_AWAY, SCARP_FAR_AWAY);
-    n.first.s = SCARP_FAR_AWAY;
-    n.first.hash = 0u;
-    n.second = n.first;
-    for (var ring: i32 = 1; ring <= 2; ring++) {
-        let depth: i32 = select(0, ring, dimensions == 3);
-        for (var z: i32 = -depth; z <= depth; z++) {
-            for (var y: i32 = -ring; y <= ring; y++) {
-                for (var x: i32 = -ring; x <= ring; x++) {
-                    if (scarp_is_searched(p, ring, x, y, z, n.second.s)) {
-                        n = scarp_nearest_with(n, scarp_feature_at(o, p, x, y, z, dimensions));
-                    }
-                }
-            }
-        }
-    }
-    return n;
-}
-
-/* 2^-80: below this, a point lies on the feature. */
-const SCARP_NO_DISTANCE: f32 = 8.27180613e-25f;
-
-/* The distance from a feature. */
-fn scarp_distance_to(f: ScarpFeature) -> ScarpSample {
-    let distance: f32 = scarp_root(f.s);
-    let r: f32 = select(scarp_inverse(distance), 0.0f, f.s <= SCARP_NO_DISTANCE);
-    let g: vec3f = vec3f(scarp_mul(f.d.x, r), scarp_mul(f.d.y, r), scarp_mul(f.d.z, r));
-    return scarp_sample_of( distance, g, vec3f(scarp_mul(r, scarp_sub(1.0f, scarp_mul(g.x, g.x))),
-            scarp_mul(r, scarp_sub(1.0f, scarp_mul(g.y, g.y))), scarp_mul(r, scarp_sub(1.0f,
-            scarp_mul(g.z, g.z)))), vec3f(-scarp_mul(r, scarp_mul(g.x, g.y)), -scarp_mul(r,
-            scarp_mul(g.x, g.z)), -scarp_mul(r, scarp_mul(g.y, g.z))));
-}
-
-/* What a feature adds before the root; the gradient without the factor 8, the Hessian too. */
-fn scarp_soft_term(f: ScarpFeature) -> ScarpSample {
-    let a: f32 = select(0.0f, scarp_sub(1.0f, f.s), f.s < 1.0f);
-    let a2: f32 = scarp_mul(a, a);
-    let a4: f32 = scarp_mul(a2, a2);
-    let a6: f32 = scarp_mul(a4, a2);
-    let a7: f32 = scarp_mul(a6, a);
-    let b: vec3f = scarp_mul3(scarp_mul(14.0f, a6), f.d);
-    return scarp_sample_of( scarp_mul(a4, a4), scarp_mul3(a7, f.d), vec3f(scarp_sub(scarp_mul(b.x,
-            f.d.x), a7), scarp_sub(scarp_mul(b.y, f.d.y), a7), scarp_sub(scarp_mul(b.z, f.d.z),
-            a7)), vec3f(scarp_mul(b.x, f.d.y), scarp_mul(b.x, f.d.z), scarp_mul(b.y, f.d.z)));
-}
-
-/* 2^-120: below this, V^2 counts as 0. */
-const SCARP_NO_SUM: f32 = 7.52316385e-37f;
-
-fn scarp_soft_second(q: f32, r: f32, gi: f32, gj: f32, sum: f32) -> f32 {
-    return scarp_sub(scarp_mul(q, scarp_mul(gi, gj)), scarp_mul(r, sum));
-}
-
-fn scarp_soft_root(sum: ScarpSample) -> ScarpSample {
-    let v: f32 = scarp_root(sum.value);
-    let r: f32 = select(scarp_mul(8.0f, scarp_inverse(v)), 0.0f, sum.value <= SCARP_NO_SUM);
-    let q: f32 = scarp_mul(0.125f, r);
-    let g: vec3f = scarp_mul3(r, sum.gradient);
-    return scarp_sample_of(-v, g, vec3f(scarp_soft_second(q, r, g.x, g.x, sum.diagonal.x),
-            scarp_soft_second(q, r, g.y, g.y, sum.diagonal.y), scarp_soft_second(q, r, g.z, g.z,
-            sum.diagonal.z)), vec3f(scarp_soft_second(q, r, g.x, g.y, sum.mixed.x),
-            scarp_soft_second(q, r, g.x, g.z, sum.mixed.y), scarp_soft_second(q, r, g.y, g.z,
-            sum.mixed.z)));
-}
-
-fn scarp_soft_at(o: ScarpOctave, p: ScarpPlace, dimensions: i32) -> ScarpSample {
-    let depth: i32 = select(0, 1, dimensions == 3);
-    var sum: ScarpSample = scarp_constant(0.0f);
-    for (var z: i32 = -depth; z <= depth; z++) {
-        for (var y: i32 = -1; y <= 1; y++) {
-            for (var x: i32 = -1; x <= 1; x++) {
-                sum = scarp_sum_of(sum, scarp_soft_term(scarp_feature_at(o, p, x, y, z,
-                        dimensions)));
-            }
-        }
-    }
-    return scarp_soft_root(sum);
-}
-
-fn scarp_negated(n: ScarpSample) -> ScarpSample {
-    return scarp_sample_of(-n.value, vec3f(-n.gradient.x, -n.gradient.y, -n.gradient.z),
-            vec3f(-n.diagonal.x, -n.diagonal.y, -n.diagonal.z), vec3f(-n.mixed.x, -n.mixed.y,
-            -n.mixed.z));
-}
-
-/* The middle of the interval, o.turn.y, becomes 0. */
-fn scarp_cells_at(o: ScarpOctave, basis: u32, p: ScarpPlace, dimensions: i32) -> ScarpSample {
-    var s: ScarpSample;
-    if (basis == SCARP_CELL_SOFT) {
-        s = scarp_soft_at(o, p, dimensions);
-        s.value = scarp_add(s.value, o.turn.y);
-    } else {
-        let n: ScarpNearest = scarp_nearest_at(o, p, dimensions);
-        if (basis == SCARP_CELL_VALUE) {
-            s = scarp_constant(scarp_lattice_value(n.first.hash * SCARP_FEATURE_ID));
-        } else {
-            let first: ScarpSample = scarp_distance_to(n.first);
-            s = scarp_distance_to(n.second);
-            if (basis == SCARP_CELL_F1) {
-                s = first;
-            }
-            if (basis == SCARP_CELL_EDGE) {
-                s = scarp_sum_of(s, scarp_negated(first));
-            }
-            s.value = scarp_sub(s.value, o.turn.y);
-        }
-    }
-    return s;
-}
-
-/* One octave of noise with gradient and Hessian, in units of cells. */
-
-fn scarp_basis_at(o: ScarpOctave, l: ScarpLevel, p: ScarpPlace, dimensions: i32) -> ScarpSample {
-    var s: ScarpSample;
-    if (l.basis == SCARP_GRADIENT) {
-        s = scarp_gradient_at(o, l, p, dimensions);
-    } else if (l.basis == SCARP_VALUE) {
-        s = scarp_value_at(o, l, p, dimensions);
-    } else if (l.basis == SCARP_SIMPLEX) {
-        if (dimensions == 2) {
-            s = scarp_simplex_at2(o, p);
-        } else {
-            s = scarp_simplex_at3(o, p);
-        }
-    } else {
-        s = scarp_cells_at(o, l.basis, p, dimensions);
-    }
-    return s;
 }
 
 /* What fractals make of an octave, but for those that bend. */
@@ -1130,7 +1157,7 @@ fn scarp_to_input(o: ScarpOctave, turned: bool, v: vec3f, dimensions: i32) -> ve
 /* `n` with the Hessian A^T (H B); `a` and `b` are the transposes of A and B. */
 fn scarp_with_hessian(n: ScarpSample, a: ScarpRows, b: ScarpRows, h: ScarpRows,
         dimensions: i32) -> ScarpSample {
-    let hb: ScarpRows = scarp_transposed( scarp_rows_of(scarp_times(b, h.x, dimensions),
+    let hb: ScarpRows = scarp_transposed(scarp_rows_of(scarp_times(b, h.x, dimensions),
             scarp_times(b, h.y, dimensions), scarp_times(b, h.z, dimensions)));
     var s: ScarpSample = n;
     s.diagonal = vec3f(scarp_dot(a.x, hb.x, dimensions), scarp_dot(a.y, hb.y, dimensions),

@@ -6,7 +6,7 @@ scarp_add_test(gpu.plan gpu test_gpu_plan)
 scarp_test_program(test_gpu_answers)
 scarp_add_isa_tests(gpu.answers gpu test_gpu_answers)
 
-# The source of the shaders as C, and whether the files made of it are current.
+# The source of the shaders as C; whether the files made of it are current, and what it may not have.
 scarp_test_program(test_gpu_source)
 if(speed STREQUAL "full")
   scarp_add_test(gpu.source gpu test_gpu_source)
@@ -15,3 +15,6 @@ else()
 endif()
 scarp_add_test(gpu.shaders gpu NEEDS python3 COMMAND
                ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/src/gpu/shaders.py --check)
+scarp_add_test(gpu.subset gpu NEEDS python3 COMMAND ${Python3_EXECUTABLE}
+               ${CMAKE_CURRENT_SOURCE_DIR}/gpu/subset.py ${PROJECT_SOURCE_DIR}/src/gpu
+               ${CMAKE_CURRENT_BINARY_DIR}/gpu-subset)

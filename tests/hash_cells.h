@@ -6,10 +6,8 @@
 #ifndef SCARP_TESTS_HASH_CELLS_H
 #define SCARP_TESTS_HASH_CELLS_H
 
-#include "../src/scalar/gradient.h"
-#include "hash_sets.h"
-
 #include "../src/scalar/basis.h"
+#include "hash_sets.h"
 
 /*
  * Simplex noise draws from h of a lattice point twice: h (h + HASH_K) for the corner of a cell, and

@@ -6,8 +6,8 @@
 #ifndef SCARP_TESTS_HASH_FIELDS_H
 #define SCARP_TESTS_HASH_FIELDS_H
 
+#include "../src/formulas/lattice.h"
 #include "../src/plan/plan.h"
-#include "../src/scalar/lattice.h"
 #include "check.h"
 
 /* out[i] is the hash of lattice point (x + i, y, z); 2D ignores z. */
@@ -19,12 +19,18 @@ struct hash {
     hash_row_fn *row2, *row3;
 };
 
+static inline uvec3 keys_of(const uint32_t key[3])
+{
+    const uvec3 keys = {key[0], key[1], key[2]};
+    return keys;
+}
+
 static void scarp_row2(const uint32_t key[3], uint32_t x, uint32_t y, uint32_t z, int count,
                        uint32_t *out)
 {
     (void)z;
     for (int i = 0; i < count; i++) {
-        out[i] = hash2(key, x + (uint32_t)i, y);
+        out[i] = hash2(keys_of(key), x + (uint32_t)i, y);
     }
 }
 
@@ -32,7 +38,7 @@ static void scarp_row3(const uint32_t key[3], uint32_t x, uint32_t y, uint32_t z
                        uint32_t *out)
 {
     for (int i = 0; i < count; i++) {
-        out[i] = hash3(key, x + (uint32_t)i, y, z);
+        out[i] = hash3(keys_of(key), x + (uint32_t)i, y, z);
     }
 }
 

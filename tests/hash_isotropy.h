@@ -97,7 +97,7 @@ static inline void plain_noise(direction_fn *direction, const uint32_t key[3], c
                 slope[j] *= i == j ? (side ? du[i] : -du[i]) : side ? u[i] : 1.0 - u[i];
             }
         }
-        const float *const g = direction(hash3(key, cell[0], cell[1], cell[2]));
+        const float *const g = direction(hash3(keys_of(key), cell[0], cell[1], cell[2]));
         for (int i = 0; i < 3; i++) {
             dot += (double)g[i] * (t[i] - (double)(corner >> i & 1));
         }

@@ -74,7 +74,7 @@ static inline double equal_share(const struct hash *hash, int dimensions, const 
 }
 
 /* 1 / m modulo 2^32, by Newton's method. */
-static inline uint32_t inverse(uint32_t m)
+static inline uint32_t modular_inverse(uint32_t m)
 {
     uint32_t r = m;
     for (int i = 0; i < 5; i++) {
@@ -96,7 +96,7 @@ static inline uint32_t distance(uint32_t shift)
 static inline double worst_shift(const struct hash *hash, int dimensions, int i, int j, int bits)
 {
     static const uint32_t multiplier[3] = {HASH_X, HASH_Y, HASH_Z};
-    const uint32_t step = inverse(multiplier[i]), other = inverse(multiplier[j]);
+    const uint32_t step = modular_inverse(multiplier[i]), other = modular_inverse(multiplier[j]);
     const int32_t most = 1 << bits;
     const uint32_t near = (uint32_t)(0x1p31 * sqrt(8.0 / (65.0 * 2.0 * most)));
     double worst = 0.0;

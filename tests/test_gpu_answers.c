@@ -7,7 +7,7 @@
  */
 #include "check.h"
 
-#include "../src/scalar/lattice.h"
+#include "../src/formulas/lattice.h"
 
 #define POISON 0xa5
 
@@ -37,7 +37,7 @@ static enum scarp_status points_compute(const struct scarp_noise *noise, int dim
 {
     static const int planar[] = {0, 1, 2, 4, 5, 7}; /* of value dx dy dz dxx dxy dxz dyy dyz dzz */
     static const int ends[2][3] = {{1, 3, 6}, {1, 4, 10}};
-    const uint32_t key[3] = {0, 0, 0};
+    const uvec3 key = {0, 0, 0};
     const int count = ends[dimensions - 2][order];
     struct scarp_samples out = {0};
     float **const list = (float **)&out;

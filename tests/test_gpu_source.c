@@ -10,7 +10,7 @@
 
 static int estimate_error; /* of inverses and roots, in units in the last place */
 #define SCARP_GPU_ERROR estimate_error
-#include "../src/gpu/c.h"
+#include "../src/gpu/noise.h"
 
 enum { POINTS = 48 };
 

@@ -6,7 +6,7 @@
  * phases.
  */
 #include "../src/plan/phase.h"
-#include "../src/scalar/gradient.h"
+#include "../src/scalar/basis.h"
 #include "check.h"
 
 #define TAU 6.283185307179586476925286766559005768L
@@ -149,11 +149,12 @@ static void direction_of(int dimensions, const float turn[4], int i, double g[3]
 {
     const uint32_t index = (uint32_t)i;
     const uint32_t half = (index * 65536u + 11u) / 12u; /* the first that draws this edge */
-    const struct direction d =
-        dimensions == 2 ? direction2(turn, index << 28) : direction3(turn, half << 16);
-    for (int axis = 0; axis < 3; axis++) {
-        g[axis] = (double)d.of[axis];
-    }
+    const vec4 t = {turn[0], turn[1], turn[2], turn[3]};
+    const vec3 d = dimensions == 2 ? turned2(direction_index2(index << 28), t)
+                                   : turned3(direction_index3(half << 16), t);
+    g[0] = (double)d.x;
+    g[1] = (double)d.y;
+    g[2] = (double)d.z;
 }
 
 /* What the header says of direction g without a phase: its speed, and itself a quarter of a turn

@@ -7,9 +7,9 @@
 #include <string.h>
 
 #include "../dispatch/fpmode.h"
+#include "../formulas/lattice.h"
 #include "../plan/check.h"
 #include "../plan/outputs.h"
-#include "../scalar/lattice.h"
 #include "run.h"
 #include "scarp.h"
 
@@ -190,7 +190,7 @@ static NOINLINE enum scarp_status find_unit(float *unit, const struct scarp_nois
 /* A coordinate of a test point. Every operation is exact, whatever the floating-point mode. */
 static float coordinate(uint32_t point, uint32_t axis, float unit)
 {
-    static const uint32_t key[3] = {0, 0, 0};
+    const uvec3 key = {0, 0, 0};
     const int32_t c = (int32_t)(hash2(key, point, axis) >> 12) - 524288;
     return (float)c * unit;
 }
@@ -201,7 +201,7 @@ static uint32_t joined(uint32_t hash, float output)
     uint32_t bits;
     memcpy(&bits, &output, sizeof bits);
     bits = (bits & 0x7fffffffu) < 0x03800000u ? 0 : bits; /* 2^-120 */
-    return ((hash << 5 | hash >> 27) ^ bits) * 0x9e3779b9u;
+    return ((hash << 5 | hash >> 27) ^ bits) * HASH_K;
 }
 
 /* The arrays of `out` in the order of struct scarp_samples, which samples.c has an assertion for.

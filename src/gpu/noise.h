@@ -1,7 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Shaders: noise with warps, as scalar/warp.h, and the self-test of scarp_gpu_answers. Included by
- * c.h.
+ * Shaders: noise with warps, as scalar/warp.h, and the self-test of scarp_gpu_answers.
  */
 #ifndef SCARP_GPU_NOISE_H
 #define SCARP_GPU_NOISE_H
@@ -37,7 +36,7 @@ static inline struct displaced level_at(uint plan, int i, bool deepest, vec3 at,
                                         int dimensions)
 {
     const struct level l = level_of(plan, i);
-    const int components = pick_int(i > 0, dimensions, 1);
+    const int components = i > 0 ? dimensions : 1;
     struct displaced d = y;
     for (int c = 0; c < components; c++) {
         struct sample s = octaves_at(plan, l, c, at, dimensions);
@@ -57,7 +56,7 @@ static inline struct displaced level_at(uint plan, int i, bool deepest, vec3 at,
 
 static inline struct sample noise_at(uint plan, vec3 x, int dimensions)
 {
-    const int depth = int_of(only_depth(scarp_plan[plan].depth));
+    const int depth = (int)only_depth(scarp_plan[plan].depth);
     vec3 at = x;
     struct displaced y;
     y.x = constant(0.0f);
@@ -66,9 +65,9 @@ static inline struct sample noise_at(uint plan, vec3 x, int dimensions)
     for (int i = depth; i >= 0; i--) {
         y = level_at(plan, i, i == depth, at, y, dimensions);
         if (i > 0) {
-            y.x.gradient.x = add(y.x.gradient.x, 1.0f);
-            y.y.gradient.y = add(y.y.gradient.y, 1.0f);
-            y.z.gradient.z = add(y.z.gradient.z, 1.0f);
+            y.x.gradient.x += 1.0f;
+            y.y.gradient.y += 1.0f;
+            y.z.gradient.z += 1.0f;
             at = add3(x, vec3_of(y.x.value, y.y.value, y.z.value));
         }
     }
@@ -94,15 +93,15 @@ static inline float test_coordinate(uint plan, uint i, uint axis)
     key.x = 0u;
     key.y = 0u;
     key.z = 0u;
-    const int cells = int_of(hash2(key, i, axis) >> 12u) - 524288;
-    return mul(float_of_int(cells), scarp_plan[plan].unit);
+    const int cells = (int)(hash2(key, i, axis) >> 12u) - 524288;
+    return (float)cells * scarp_plan[plan].unit;
 }
 
 /* The hash h with an output; what is below 2^-120 counts as 0. */
 static inline uint hash_with(uint h, float a)
 {
     const uint magnitude_bits = bits_of(a) & 0x7fffffffu;
-    const uint bits = pick_uint(magnitude_bits < 0x03800000u, 0u, bits_of(a));
+    const uint bits = magnitude_bits < 0x03800000u ? 0u : bits_of(a);
     return (((h << 5u) | (h >> 27u)) ^ bits) * HASH_K;
 }
 

@@ -1,123 +1,232 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Writes include/scarp.glsl, scarp.hlsl and scarp.wgsl from the C of this directory.
+"""Writes include/scarp.glsl, scarp.hlsl and scarp.wgsl from the C of src/formulas and src/gpu.
 
     shaders.py           writes them
     shaders.py --check   says which are not what it would write; exit status 1
 
-c.h says what part of C this understands. head.glsl, head.hlsl and head.wgsl are what each language
-needs around it.
+subset.py reads that C, and refuses what shaders cannot have. head.glsl, head.hlsl and head.wgsl are
+what each language needs around it: among others, functions that add, subtract and multiply floats,
+since compilers of shaders fuse and reorder operators.
 """
 import pathlib
 import re
 import sys
 import textwrap
 
-HERE = pathlib.Path(__file__).resolve().parent
-INCLUDE = HERE.parent.parent / "include"
-STRUCTURES = ["plan"]
-FUNCTIONS = ["numbers", "lattice", "corners", "gradient", "value", "simplex", "cells", "basis",
-             "shape", "bend", "octaves", "noise"]
-DEFINED = re.compile(r"static inline (?:struct )?\w+ (\w+)\(")
+sys.dont_write_bytecode = True  # among the sources
+from subset import (BLANK, RANK, Assign, Comment, Declare, Define, For, Function,  # noqa: E402
+                    Known, Refused, Return, Source, Struct)
 
-# What the languages call the types. GLSL has the names of C's typedefs.
-TYPES = {
-    "glsl": {},
-    "hlsl": {"vec3": "float3", "uvec3": "uint3", "vec4": "float4"},
-    "wgsl": {"float": "f32", "int": "i32", "uint": "u32", "bool": "bool", "vec3": "vec3f",
-             "uvec3": "vec3u", "vec4": "vec4f"},
-}
+SRC = pathlib.Path(__file__).resolve().parent.parent
+INCLUDE = SRC.parent / "include"
+STRUCTURES = ["gpu/plan"]
+FUNCTIONS = ["gpu/numbers", "gpu/directions", "formulas/sample", "formulas/lattice",
+             "formulas/corners", "formulas/gradient", "formulas/value", "formulas/simplex",
+             "formulas/cells", "gpu/basis", "gpu/matrices", "gpu/positions", "gpu/shape",
+             "gpu/bend", "gpu/octaves", "gpu/noise"]
 
-# What WGSL has in the place of functions that the heads of the others define.
-WGSL_CALLS = {"vec3_of": "vec3f", "float_of_bits": "bitcast<f32>", "bits_of": "bitcast<u32>",
-              "int_of": "bitcast<i32>", "uint_of": "bitcast<u32>", "float_of_int": "f32",
-              "float_of_uint": "f32", "whole_of": "i32", "floor_of": "floor", "rough_root": "sqrt",
-              "only_basis": "scarp_only_basis_of", "only_fractal": "scarp_only_fractal_of",
-              "only_depth": "scarp_only_depth_of"}
+# The functions of the heads: operators of floats, conversions by what comes of what, and ?: .
+HOOKS = {"+": "add", "-": "sub", "*": "mul"}
+CASTS = {("float", "int"): "float_of_int", ("float", "uint"): "float_of_uint",
+         ("int", "float"): "whole_of", ("int", "uint"): "int_of", ("uint", "int"): "uint_of"}
+PICKS = {"float": "pick", "int": "pick_int", "uint": "pick_uint"}
 
 
-def source(name):
-    """A file's text, with its opening comment as a title, without what only C needs."""
-    text = (HERE / f"{name}.h").read_text()
-    title = re.search(r"\* Shaders: ([^;.]*)[;.]", text).group(1)
-    title = " ".join(title.replace("\n *", " ").split())
-    title = textwrap.fill(f"{title[0].upper()}{title[1:]}. */", 94, subsequent_indent="   ")
-    text = re.sub(r"\A/\*.*?\*/\n", f"/* {title}\n", text, flags=re.S)
-    text = re.sub(r"(?m)^#(ifndef|include|endif).*\n|^#define \w+_H\n", "", text)
-    return re.sub(r"\n{3,}", "\n\n", text).strip() + "\n"
+def known_at_first():
+    """What the files named c.h and the heads declare."""
+    known = Known()
+    known.values["scarp_plan"] = "plan[]"
+    head = r"static inline (\w+) (\w+)\(([^)]*)\)"
+    for room in ("formulas", "gpu"):
+        for type_, name, parameters in re.findall(head, (SRC / room / "c.h").read_text()):
+            known.functions[name] = type_, [p.split()[0] for p in parameters.split(", ")]
+    return known
 
 
-def capital(match):
-    return "Scarp" + "".join(word.capitalize() for word in match.group(1).split("_"))
+def is_hooked(tree):
+    """Whether an operator becomes a call."""
+    return tree.kind == "binary" and tree.text in HOOKS and tree.type == "float"
 
 
-def prefixed(text, functions, macros):
-    """Names with the prefix of the library: struct place is ScarpPlace, at() is scarp_at()."""
-    text = re.sub(r"\bstruct (\w+)(?= \{)", lambda m: "struct " + capital(m), text)
-    text = re.sub(r"\bstruct (?!Scarp)(\w+)", capital, text)
-    text = re.sub(r"(?<![\w.])(" + "|".join(functions) + r")(?=\()", r"scarp_\1", text)
-    return re.sub(r"(?<![\w.])(" + "|".join(macros) + r")\b", r"SCARP_\1", text)
+def is_mixed(rank, own):
+    """Whether WGSL wants parentheses where C has none: around operands of shifts, of other bitwise
+    operators, and around && in ||."""
+    return rank in (0, 2, 3, 4, 7) and own not in (5, 6) and (own != rank or rank == 7)
 
 
-def like_c(text, types):
-    """GLSL and HLSL: local constants are variables, since GLSL ES wants constants to be known."""
-    text = text.replace("static inline ", "")
-    text = re.sub(r"(?m)^(\s+)const ", r"\1", text)
-    for name, other in types.items():
-        text = re.sub(rf"\b{name}\b", other, text)
-    return text
+def literal(tree):
+    """A number; hexadecimal floats are only in C."""
+    if tree.type != "float" or "x" not in tree.text.lower():
+        return tree.text
+    text = f"{float.fromhex(tree.text[:-1]):.9g}"
+    return text + ("f" if "." in text or "e" in text else ".0f")
 
 
-def wgsl(text, types):
-    for name, other in WGSL_CALLS.items():
-        text = re.sub(rf"\bscarp_{name}(?=\()", other, text)
-    text = re.sub(r"\bscarp_pick\w*\(", "scarp_pick(", text)
-    kind = r"(" + "|".join(types) + r"|Scarp\w+)"
+class Glsl:
+    """Turns trees into lines of GLSL. Local constants are variables: GLSL ES wants constants to be
+    known when it compiles."""
+    TYPES = {}
 
-    def typed(name):
-        return types.get(name, name)
+    def type(self, name):
+        capital = "Scarp" + "".join(word.capitalize() for word in name.split("_"))
+        scalars = ("float", "int", "uint", "bool", "vec3", "uvec3", "vec4")
+        return self.TYPES.get(name, name if name in scalars else capital)
 
-    def members(match):
-        body = re.sub(rf"(?m)^    {kind} (\w+)\[(\d+)\];",
-                      lambda m: f"    {m[2]}: array<{typed(m[1])}, {m[3]}>,", match[2])
-        body = re.sub(rf"(?m)^    {kind} (\w+);", lambda m: f"    {m[2]}: {typed(m[1])},", body)
-        return match[1] + body + "}"
+    def call(self, name, arguments):
+        return f"scarp_{name}({', '.join(arguments)})"
 
-    def function(match):
-        parameters = re.sub(rf"{kind} (\w+)", lambda m: f"{m[2]}: {typed(m[1])}", match[3])
-        parameters = " ".join(parameters.split())
-        return f"fn {match[2]}({parameters}) -> {typed(match[1])} {{"
+    def braces(self, type_, parts):
+        """What initialises a structure or a vector."""
+        return f"{self.type(type_)}({', '.join(parts)})"
 
-    text = re.sub(r"(struct \w+ \{\n)(.*?)\};", members, text, flags=re.S)
-    text = re.sub(rf"static inline {kind} (\w+)\(([^)]*)\)\n\{{", function, text)
-    text = re.sub(r"(?m)^#define (\w+) (\S+u)$", r"const \1: u32 = \2;", text)
-    text = re.sub(r"(?m)^#define (\w+) (\S+f)$", r"const \1: f32 = \2;", text)
-    text = re.sub(rf"(?m)^(\s+)const {kind} (\w+) =",
-                  lambda m: f"{m[1]}let {m[3]}: {typed(m[2])} =", text)
-    text = re.sub(rf"(?m)^(\s+){kind} (\w+)( =|;)",
-                  lambda m: f"{m[1]}var {m[3]}: {typed(m[2])}{m[4]}", text)
-    text = re.sub(rf"for \({kind} (\w+) =", lambda m: f"for (var {m[2]}: {typed(m[1])} =", text)
-    return text
+    # Expressions
 
+    def show(self, tree):
+        parts = tree.parts
+        if tree.kind == "number":
+            return literal(tree)
+        if tree.kind == "name":
+            return tree.text
+        if tree.kind == "constant":
+            return f"SCARP_{tree.text}"
+        if tree.kind == "member":
+            return f"{self.show(parts[0])}.{tree.text}"
+        if tree.kind == "index":
+            return f"{self.show(parts[0])}[{self.show(parts[1])}]"
+        if tree.kind == "unary":
+            return tree.text + self.operand(parts[0], len(RANK))
+        if tree.kind == "binary" and not is_hooked(tree):
+            rank = RANK[tree.text]
+            left, right = self.operand(parts[0], rank), self.operand(parts[1], rank, 1)
+            return f"{left} {tree.text} {right}"
+        if tree.kind == "braces":
+            return self.braces(tree.type, [self.show(part) for part in parts])
+        name = {"call": tree.text, "binary": HOOKS.get(tree.text), "pick": PICKS.get(tree.type),
+                "cast": CASTS.get((tree.type, parts[0].type if parts else ""))}[tree.kind]
+        return self.call(name, [self.show(part) for part in parts])
 
-def picks(text):
-    """scarp_pick(a, b, c) of WGSL is select(c, b, a)."""
-    while "scarp_pick(" in text:
-        start = text.rindex("scarp_pick(")  # none is inside of its arguments
-        at, depth, arguments = start + len("scarp_pick("), 0, [""]
-        while depth >= 0:
-            c = text[at]
-            depth += (c == "(") - (c == ")")
-            if depth < 0:
-                break
-            if c == "," and depth == 0:
-                arguments.append("")
+    def operand(self, tree, rank, is_right=0):
+        """An operand of an operator of this rank, in parentheses if it has some or needs them."""
+        text = self.show(tree)
+        if tree.kind not in ("unary", "binary") or is_hooked(tree):
+            return text
+        own = RANK[tree.text] if tree.kind == "binary" else len(RANK)
+        if tree.in_parentheses or own < rank + is_right or is_mixed(rank, own) and own < len(RANK):
+            return f"({text})"
+        return text
+
+    # Statements
+
+    def declared(self, variable, ending=";"):
+        value = f" = {self.show(variable.value)}" if variable.value else ""
+        return f"{self.type(variable.type)} {variable.name}{value}{ending}"
+
+    def assigned(self, step):
+        target = self.show(step.target)
+        return f"{target} = {self.show(step.value)}" if step.value else target + step.operator
+
+    def block(self, body, depth):
+        """The lines of a block, with its last brace."""
+        return self.lines(body, depth + 1) + ["    " * depth + "}"]
+
+    def statement(self, it, depth):
+        indent = "    " * depth
+        if isinstance(it, Declare):
+            return wrapped(indent + self.declared(it))
+        if isinstance(it, Assign):
+            return wrapped(f"{indent}{self.assigned(it)};")
+        if isinstance(it, Return):
+            return wrapped(f"{indent}return {self.show(it.value)};")
+        if isinstance(it, For):
+            head = f"{self.declared(it.start)} {self.show(it.condition)}; {self.assigned(it.step)}"
+            return wrapped(f"{indent}for ({head}) {{") + self.block(it.body, depth)
+        lines, before = [], indent
+        for condition, body in it.branches:
+            head = f"if ({self.show(condition)}) {{" if condition else "{"
+            lines += wrapped(before + head) + self.block(body, depth)
+            before = lines.pop() + " else "
+        return lines + [indent + "}"]
+
+    # Files
+
+    def defined(self, it):
+        return [f"#define SCARP_{it.name} {literal(it.value)}"]
+
+    def member(self, it):
+        return f"{self.type(it.type)} {it.name}" + (f"[{it.value.text}];" if it.value else ";")
+
+    def struct(self, it):
+        lines = [f"struct {self.type(it.name)} {{"]
+        for member in it.members:
+            if isinstance(member, Comment):
+                remark(lines, member, 1)
             else:
-                arguments[-1] += c
-            at += 1
-        condition, yes, no = (" ".join(argument.split()) for argument in arguments)
-        text = f"{text[:start]}select({no}, {yes}, {condition}){text[at + 1:]}"
-    return text
+                lines.append("    " + self.member(member))
+        return lines + ["};"]
+
+    def head(self, it):
+        parameters = ", ".join(self.declared(parameter, "") for parameter in it.parameters)
+        return wrapped(f"{self.type(it.type)} scarp_{it.name}({parameters})") + ["{"]
+
+    def lines(self, items, depth=0):
+        lines = []
+        for it in items:
+            if isinstance(it, Comment):
+                remark(lines, it, depth)
+            elif isinstance(it, Function):
+                lines += self.head(it) + self.block(it.body, 0)
+            elif isinstance(it, Struct):
+                lines += self.struct(it)
+            elif isinstance(it, Define):
+                lines += self.defined(it)
+            else:
+                lines += self.statement(it, depth)
+        return lines
+
+
+class Hlsl(Glsl):
+    TYPES = {"vec3": "float3", "uvec3": "uint3", "vec4": "float4"}
+
+    def braces(self, type_, parts):
+        return f"{{{', '.join(parts)}}}"
+
+
+class Wgsl(Glsl):
+    TYPES = {"float": "f32", "int": "i32", "uint": "u32", "vec3": "vec3f", "uvec3": "vec3u",
+             "vec4": "vec4f"}
+
+    # What WGSL has in the place of functions that the heads of the others define
+    CALLS = {"vec3_of": "vec3f", "float_of_bits": "bitcast<f32>", "bits_of": "bitcast<u32>",
+             "int_of": "bitcast<i32>", "uint_of": "bitcast<u32>", "float_of_int": "f32",
+             "float_of_uint": "f32", "whole_of": "i32", "floor_of": "floor", "rough_root": "sqrt",
+             "only_basis": "scarp_only_basis_of", "only_fractal": "scarp_only_fractal_of",
+             "only_depth": "scarp_only_depth_of"}
+
+    def call(self, name, arguments):
+        if name in PICKS.values():
+            condition, yes, no = arguments
+            return f"select({no}, {yes}, {condition})"
+        return f"{self.CALLS.get(name, 'scarp_' + name)}({', '.join(arguments)})"
+
+    def declared(self, variable, ending=";"):
+        keyword = "let" if variable.is_const else "var"
+        value = f" = {self.show(variable.value)}" if variable.value else ""
+        return f"{keyword} {variable.name}: {self.type(variable.type)}{value}{ending}"
+
+    def defined(self, it):
+        return [f"const SCARP_{it.name}: {self.type(it.value.type)} = {literal(it.value)};"]
+
+    def member(self, it):
+        type_ = self.type(it.type)
+        return f"{it.name}: " + (f"array<{type_}, {it.value.text}>," if it.value else f"{type_},")
+
+    def struct(self, it):
+        return super().struct(it)[:-1] + ["}"]
+
+    def head(self, it):
+        parameters = ", ".join(f"{p.name}: {self.type(p.type)}" for p in it.parameters)
+        return wrapped(f"fn scarp_{it.name}({parameters}) -> {self.type(it.type)} {{")
 
 
 def wrapped(line):
@@ -131,39 +240,43 @@ def wrapped(line):
     return lines + [line]
 
 
-def laid_out(text):
-    """The statements of a text, laid out for the names that they have now."""
-    lines, statement = [], ""
-    for line in text.split("\n"):
-        if not statement and line.lstrip().startswith(("#", "/*", "*")):
-            lines.append(line)
-            continue
-        statement = f"{statement} {line.strip()}" if statement else line
-        unfinished = statement.count("(") > statement.count(")") or statement[-1:] in tuple("=^|&")
-        if not unfinished:
-            lines += wrapped(statement)
-            statement = ""
-    return "\n".join(lines)
+def remark(lines, comment, depth):
+    """Adds a comment, or an empty line."""
+    if comment.is_beside:
+        lines[-1] += " " + comment.text
+    elif comment != BLANK:
+        lines += ("    " * depth + comment.text).split("\n")
+    elif lines and lines[-1] != "":
+        lines.append("")
 
 
-def shader(language):
-    hooks = DEFINED.findall((HERE / "c.h").read_text())
-    parts = ["\n".join(map(source, names)) for names in (STRUCTURES, FUNCTIONS)]
-    functions = hooks + DEFINED.findall("".join(parts))
-    macros = re.findall(r"#define (\w+) ", "".join(parts))
-    text = (HERE / f"head.{language}").read_text()
-    for name, part in zip(("@STRUCTURES@", "@FUNCTIONS@"), parts):
-        part = prefixed(part, functions, macros)
-        types = TYPES[language]
-        part = picks(wgsl(part, types)) if language == "wgsl" else like_c(part, types)
-        text = text.replace(name + "\n", laid_out(part))
+def titled(items):
+    """What a file has, with its opening comment as a title."""
+    title = re.search(r"\* (?:Formulas|Shaders): ([^;.]*)[;.]", items[0].text).group(1)
+    title = " ".join(title.replace("\n *", " ").split())
+    title = textwrap.fill(f"/* {title[0].upper()}{title[1:]}. */", 97, subsequent_indent="   ")
+    return [Comment(title)] + items[1:]
+
+
+def shader(language, parts):
+    text = (SRC / f"gpu/head.{language}").read_text()
+    write = {"glsl": Glsl, "hlsl": Hlsl, "wgsl": Wgsl}[language]()
+    for name, files in parts.items():
+        texts = ["\n".join(write.lines(titled(items))).rstrip() + "\n" for items in files]
+        text = text.replace(f"@{name}@\n", "\n".join(texts))
     return text
 
 
 def main():
-    stale = 0
-    for language in TYPES:
-        path, text = INCLUDE / f"scarp.{language}", shader(language)
+    known, stale = known_at_first(), 0
+    try:
+        parts = {name: [Source(SRC / f"{file}.h", known).file() for file in files]
+                 for name, files in (("STRUCTURES", STRUCTURES), ("FUNCTIONS", FUNCTIONS))}
+    except Refused as why:
+        print(why)
+        return 1
+    for language in ("glsl", "hlsl", "wgsl"):
+        path, text = INCLUDE / f"scarp.{language}", shader(language, parts)
         if sys.argv[1:] != ["--check"]:
             path.write_text(text)
         elif not path.exists() or path.read_text() != text:
@@ -172,4 +285,5 @@ def main():
     return stale
 
 
-sys.exit(main())
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Stage 2 of bases on a lattice: the hashes of the corners of each point's cell. The reference is
- * scalar/lattice.h, which tells why the hash is this one.
+ * formulas/lattice.h, which tells why the hash is this one.
  */
 #ifndef SCARP_KERNEL_LATTICE_H
 #define SCARP_KERNEL_LATTICE_H

@@ -13,7 +13,7 @@
 struct bend {
     float s[3], jacobian[3][3];
     float left, left_by[3];
-    struct sample sum;
+    struct outputs sum;
 };
 
 /* Bends x. */
@@ -37,14 +37,14 @@ static float bent_first(const struct bend *bend, float reach, int j, const float
 
 /* Row m of H A / f, the derivatives by x of component m of the slope. */
 static float bent_second(const struct bend *bend, const struct bend_octave *b, int m, int j,
-                         const struct sample *n, int dimensions)
+                         const struct outputs *n, int dimensions)
 {
     const float row[3] = {n->of[second(m, 0)], n->of[second(m, 1)], n->of[second(m, 2)]};
     return bent_first(bend, b->reach, j, row, dimensions) * b->inverse;
 }
 
 /* Adds factor n times the slope g / f to S, with its derivatives: `by` are those of factor n. */
-static void add_slope(struct bend *bend, const struct bend_octave *b, const struct sample *n,
+static void add_slope(struct bend *bend, const struct bend_octave *b, const struct outputs *n,
                       float product, const float by[3], int dimensions)
 {
     float next[3][3];
@@ -63,7 +63,7 @@ static void add_slope(struct bend *bend, const struct bend_octave *b, const stru
 
 /* Swiss noise adds a u v with v = max(0, 1 - |n|), n being bent; S loses (a / a_0) u n g / f, and
    u is multiplied by the sum over a_0, at most by 1. */
-static void swiss(struct bend *bend, const struct bend_octave *b, const struct sample *n,
+static void swiss(struct bend *bend, const struct bend_octave *b, const struct outputs *n,
                   int dimensions)
 {
     const float value = n->of[VALUE], share = b->weight * b->inverse_weight;
@@ -91,7 +91,7 @@ static void swiss(struct bend *bend, const struct bend_octave *b, const struct s
 /* Jordan noise adds a q n^2 with q = 1 - erosion / (1 + S.S), but 1 in octave 0; S gains n g / f.
  */
 static void jordan(struct bend *bend, const struct bend_octave *b, float erosion,
-                   const struct sample *n, int is_first, int dimensions)
+                   const struct outputs *n, int is_first, int dimensions)
 {
     const float value = n->of[VALUE], square = value * value;
     const float p = 1.0f / (1.0f + dot(bend->s, bend->s, dimensions));
@@ -108,8 +108,8 @@ static void jordan(struct bend *bend, const struct bend_octave *b, float erosion
     add_slope(bend, b, n, value, by, dimensions);
 }
 
-static struct sample bend_octaves(const struct scarp_call_plan *plan, const struct point *x,
-                                  int dimensions)
+static struct outputs bend_octaves(const struct scarp_call_plan *plan, const struct point *x,
+                                   int dimensions)
 {
     struct bend bend = {.left = 1.0f};
     for (int k = 0; k < plan->octaves; k++) {
@@ -117,8 +117,8 @@ static struct sample bend_octaves(const struct scarp_call_plan *plan, const stru
         const struct bend_octave b = bend_octave_of(plan, k);
         const struct point y = k == 0 ? *x : bent(x, &bend, b.reach, dimensions);
         const struct place place = place_of(plan, k, &y, dimensions);
-        const struct sample basis = basis_at(plan, o, &place, dimensions);
-        const struct sample n = in_input(o, is_turned(plan, k), &basis, dimensions);
+        const struct outputs basis = basis_at(plan, o, &place, dimensions);
+        const struct outputs n = in_input(o, is_turned(plan, k), &basis, dimensions);
         if (plan->fractal == SCARP_SWISS) {
             swiss(&bend, &b, &n, dimensions);
         } else {

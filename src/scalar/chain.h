@@ -10,8 +10,8 @@
 
 #include <math.h>
 
+#include "../formulas/corners.h"
 #include "../plan/chain.h"
-#include "fade.h"
 
 /* The value of a function and its partial derivatives, as far as it has them. */
 struct partials {

@@ -18,7 +18,7 @@
 static void curl2_at(float of[FLOW_OUTPUTS], const struct scarp_call_plan *plan,
                      const struct point *x)
 {
-    const struct sample psi = sample_at(plan, x, 2);
+    const struct outputs psi = sample_at(plan, x, 2);
     of[FLOW_V + 0] = psi.of[DY];
     of[FLOW_V + 1] = -psi.of[DX];
     for (int m = 0; m < 2; m++) {
@@ -31,7 +31,7 @@ static void curl2_at(float of[FLOW_OUTPUTS], const struct scarp_call_plan *plan,
 static void curl_at(float of[FLOW_OUTPUTS], const struct scarp_call_plan *plan,
                     const struct point *x, int dimensions)
 {
-    struct sample psi[3];
+    struct outputs psi[3];
     memset(of, 0, FLOW_OUTPUTS * sizeof *of);
     if (dimensions == 2) {
         curl2_at(of, plan, x);

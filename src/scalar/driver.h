@@ -9,40 +9,40 @@
 
 /* What goes from octave to octave. */
 struct state {
-    struct sample weight; /* ridged, hybrid */
-    struct slopes slopes; /* erosion */
-    float by_phase[3];    /* erosion: the derivative of the slopes d by the phase */
+    struct outputs weight; /* ridged, hybrid */
+    struct slopes slopes;  /* erosion */
+    float by_phase[3];     /* erosion: the derivative of the slopes d by the phase */
 };
 
 /* The derivative of an octave of the basis by the phase, with its gradient in its own axes; 0 where
    it is not asked for. */
-static struct sample turning_of(const struct scarp_call_plan *plan, int k,
-                                const struct place *place, int dimensions)
+static struct outputs turning_of(const struct scarp_call_plan *plan, int k,
+                                 const struct place *place, int dimensions)
 {
     const struct scarp_octave *const o = &plan->octave[k];
     const float slope = scarp_phase_slope(o, k);
     if (!plan->dphase) {
-        return (struct sample){{0.0f}};
+        return (struct outputs){{0.0f}};
     }
-    const struct sample turning = basis_turning(plan, o, place, dimensions);
+    const struct outputs turning = basis_turning(plan, o, place, dimensions);
     return scaled(&turning, slope, slope, slope);
 }
 
 /* Octave k, as it is added to the sum. */
-static struct sample octave_at(const struct scarp_call_plan *plan, int k, const struct point *x,
-                               int dimensions, struct state *state)
+static struct outputs octave_at(const struct scarp_call_plan *plan, int k, const struct point *x,
+                                int dimensions, struct state *state)
 {
     const struct scarp_octave *const o = &plan->octave[k];
     const int turned = is_turned(plan, k);
     const struct place place = place_of(plan, k, x, dimensions);
-    const struct sample turning = turning_of(plan, k, &place, dimensions);
-    struct sample basis = basis_at(plan, o, &place, dimensions);
+    const struct outputs turning = turning_of(plan, k, &place, dimensions);
+    struct outputs basis = basis_at(plan, o, &place, dimensions);
     basis.of[DPHASE] = turning.of[VALUE];
-    struct sample n = in_input(o, turned, &basis, dimensions);
+    struct outputs n = in_input(o, turned, &basis, dimensions);
     float slope = o->weight;
     switch (plan->fractal) {
     case SCARP_FBM: return n;
-    case SCARP_TURBULENCE: n = magnitude(&n); break;
+    case SCARP_TURBULENCE: n = magnitude_of(&n); break;
     case SCARP_RIDGED: n = ridge(&state->weight, &n); break;
     case SCARP_PINGPONG:
         n = pingpong(&n, plan->sharpness);
@@ -62,13 +62,13 @@ static struct sample octave_at(const struct scarp_call_plan *plan, int k, const 
     return scaled(&n, o->weight, slope, slope);
 }
 
-static struct sample sum_octaves(const struct scarp_call_plan *plan, const struct point *x,
-                                 int dimensions)
+static struct outputs sum_octaves(const struct scarp_call_plan *plan, const struct point *x,
+                                  int dimensions)
 {
     struct state state = {.weight = {{[VALUE] = 1.0f}}};
-    struct sample sum = octave_at(plan, 0, x, dimensions, &state);
+    struct outputs sum = octave_at(plan, 0, x, dimensions, &state);
     for (int k = 1; k < plan->octaves; k++) {
-        const struct sample s = octave_at(plan, k, x, dimensions, &state);
+        const struct outputs s = octave_at(plan, k, x, dimensions, &state);
         for (int i = 0; i < OUTPUTS; i++) {
             sum.of[i] += s.of[i];
         }

@@ -24,9 +24,9 @@ static inline float dot(const float a[3], const float b[3], int dimensions)
 }
 
 /* n has its gradient and its Hessian in the octave's own axes, but not DPHASE. */
-static inline struct sample erode(struct slopes *slopes, float erosion,
-                                  const struct scarp_octave *o, int turned, const struct sample *n,
-                                  int dimensions)
+static inline struct outputs erode(struct slopes *slopes, float erosion,
+                                   const struct scarp_octave *o, int turned,
+                                   const struct outputs *n, int dimensions)
 {
     float *const d = slopes->d;
     for (int i = 0; i < dimensions; i++) {
@@ -34,7 +34,7 @@ static inline struct sample erode(struct slopes *slopes, float erosion,
     }
     const float q = 1.0f / (1.0f + erosion * dot(d, d, dimensions));
     const float damping = 2.0f * erosion * n->of[VALUE] * (q * q);
-    struct sample s = {{[VALUE] = q * n->of[VALUE]}};
+    struct outputs s = {{[VALUE] = q * n->of[VALUE]}};
     for (int j = 0; j < dimensions; j++) {
         float column[3] = {0.0f, 0.0f, 0.0f}; /* column j of D */
         for (int i = 0; i < dimensions; i++) {
@@ -51,7 +51,7 @@ static inline struct sample erode(struct slopes *slopes, float erosion,
 /* The derivative of q n by the phase, with that of n, and of its gradient, in `turning`; `slopes`
    have this octave. `by_phase` is the derivative of d, which moves on. */
 static inline float erode_turning(const struct slopes *slopes, float by_phase[3], float erosion,
-                                  float n, const struct sample *turning, int dimensions)
+                                  float n, const struct outputs *turning, int dimensions)
 {
     for (int i = 0; i < dimensions; i++) {
         by_phase[i] += turning->of[DX + i];

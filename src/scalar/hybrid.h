@@ -11,12 +11,12 @@
 /* First and second derivative of v r, r = n + sharpness, along i and along i and j:
        r v_i + v n_i
        r v_ij + v n_ij + v_i n_j + v_j n_i */
-static inline float hybrid_first(const struct sample *v, const struct sample *n, float r, int i)
+static inline float hybrid_first(const struct outputs *v, const struct outputs *n, float r, int i)
 {
     return r * v->of[DX + i] + v->of[VALUE] * n->of[DX + i];
 }
 
-static inline float hybrid_second(const struct sample *v, const struct sample *n, float r, int i,
+static inline float hybrid_second(const struct outputs *v, const struct outputs *n, float r, int i,
                                   int j)
 {
     return (r * v->of[second(i, j)] + v->of[VALUE] * n->of[second(i, j)]) +
@@ -24,23 +24,23 @@ static inline float hybrid_second(const struct sample *v, const struct sample *n
 }
 
 /* share u, but 1 or -1 where that is beyond. */
-static inline struct sample hybrid_weight(const struct sample *u, float share)
+static inline struct outputs hybrid_weight(const struct outputs *u, float share)
 {
     const float t = share * u->of[VALUE];
     if (!(fabsf(t) < 1.0f)) {
-        return (struct sample){{[VALUE] = t < 0.0f ? -1.0f : 1.0f}};
+        return (struct outputs){{[VALUE] = t < 0.0f ? -1.0f : 1.0f}};
     }
-    struct sample weight = scaled(u, share, share, share);
+    struct outputs weight = scaled(u, share, share, share);
     weight.of[DPHASE] *= share;
     return weight;
 }
 
 /* `weight` is that of this octave on entry, that of the next on return. */
-static inline struct sample hybrid(struct sample *weight, const struct sample *n, float sharpness,
-                                   float share)
+static inline struct outputs hybrid(struct outputs *weight, const struct outputs *n,
+                                    float sharpness, float share)
 {
     const float r = n->of[VALUE] + sharpness;
-    struct sample u = {{[VALUE] = weight->of[VALUE] * r}};
+    struct outputs u = {{[VALUE] = weight->of[VALUE] * r}};
     u.of[DPHASE] = hybrid_first(weight, n, r, DPHASE - DX);
     for (int i = 0; i < 3; i++) {
         u.of[DX + i] = hybrid_first(weight, n, r, i);

@@ -8,6 +8,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "../formulas/lattice.h"
 #include "../plan/call.h"
 
 /* A point's coordinates, floats or doubles. */
@@ -15,26 +16,6 @@ struct point {
     int doubles;
     float f32[3];
     double f64[3];
-};
-
-/* The cell `steps` further along axis i, within the period. */
-static inline uint32_t cell_beside(const struct scarp_octave *o, int i, uint32_t cell, int steps)
-{
-    for (; steps > 0; steps--) {
-        cell = cell == o->last[i] ? 0 : cell + 1;
-    }
-    for (; steps < 0; steps++) {
-        cell = cell == 0 ? o->last[i] : cell - 1;
-    }
-    return cell;
-}
-
-/* A point of one octave: along each axis the numbers of the lattice points on either side, modulo
-   2^32 or the period, and the position in between, in [0, 1] (rounding can reach 1; the noise is
-   continuous there). */
-struct place {
-    uint32_t cell[3][2];
-    float t[3];
 };
 
 /* The remainder of a cell by the period along axis i, in [0, period), or the cell itself. */
@@ -119,18 +100,21 @@ static inline struct place place_of(const struct scarp_call_plan *plan, int k,
     const struct scarp_octave *const o = &plan->octave[k];
     const int turned = is_turned(plan, k);
     const int counts_rows = plan->basis == SCARP_SIMPLEX && dimensions == 2;
-    struct place place = {{{0}}, {0}};
+    uint32_t cell[3] = {0}, next[3] = {0};
+    float t[3] = {0.0f};
     for (int i = 0; i < dimensions; i++) {
         const double stretch = counts_rows && i == 1 ? o->stretch : 1.0;
         if (x->doubles) {
             const double p = position_f64(o, turned, x->f64, i, dimensions) * stretch;
-            split_f64(p, o, i, plan->repeat, place.cell[i], &place.t[i]);
+            split_f64(p, o, i, plan->repeat, &cell[i], &t[i]);
         } else {
             const float p = position_f32(o, turned, x->f32, i, dimensions) * (float)stretch;
-            split_f32(p, o, i, place.cell[i], &place.t[i]);
+            split_f32(p, o, i, &cell[i], &t[i]);
         }
-        place.cell[i][1] = cell_beside(o, i, place.cell[i][0], 1);
+        next[i] = cell_after(o->last[i], cell[i]);
     }
+    const struct place place = {
+        {cell[0], cell[1], cell[2]}, {next[0], next[1], next[2]}, {t[0], t[1], t[2]}};
     return place;
 }
 

@@ -11,12 +11,12 @@
    first one:
        r^2 v_i - 2 v r m_i
        r^2 v_ij - 2 r (v_i m_j + v_j m_i) + 2 v m_i m_j - 2 v r m_ij */
-static inline float ridge_first(const struct sample *v, const struct sample *m, float r, int i)
+static inline float ridge_first(const struct outputs *v, const struct outputs *m, float r, int i)
 {
     return r * r * v->of[DX + i] - 2.0f * v->of[VALUE] * r * m->of[DX + i];
 }
 
-static inline float ridge_second(const struct sample *v, const struct sample *m, float r, int i,
+static inline float ridge_second(const struct outputs *v, const struct outputs *m, float r, int i,
                                  int j)
 {
     const float vi = v->of[DX + i], vj = v->of[DX + j], vij = v->of[second(i, j)];
@@ -26,22 +26,22 @@ static inline float ridge_second(const struct sample *v, const struct sample *m,
 }
 
 /* 2 s, but 1 where that is more. */
-static inline struct sample next_weight(const struct sample *s)
+static inline struct outputs next_weight(const struct outputs *s)
 {
     if (!(2.0f * s->of[VALUE] < 1.0f)) {
-        return (struct sample){{[VALUE] = 1.0f}};
+        return (struct outputs){{[VALUE] = 1.0f}};
     }
-    struct sample weight = scaled(s, 2.0f, 2.0f, 2.0f);
+    struct outputs weight = scaled(s, 2.0f, 2.0f, 2.0f);
     weight.of[DPHASE] *= 2.0f;
     return weight;
 }
 
 /* `weight` is that of this octave on entry, that of the next on return. */
-static inline struct sample ridge(struct sample *weight, const struct sample *n)
+static inline struct outputs ridge(struct outputs *weight, const struct outputs *n)
 {
-    const struct sample m = magnitude(n);
+    const struct outputs m = magnitude_of(n);
     const float r = 1.0f - m.of[VALUE];
-    struct sample s = {{[VALUE] = weight->of[VALUE] * (r * r)}};
+    struct outputs s = {{[VALUE] = weight->of[VALUE] * (r * r)}};
     s.of[DPHASE] = ridge_first(weight, &m, r, DPHASE - DX);
     for (int i = 0; i < 3; i++) {
         s.of[DX + i] = ridge_first(weight, &m, r, i);

@@ -10,7 +10,7 @@
 #include "chain.h"
 #include "curl.h"
 
-static void put(const struct scarp_outputs *out, size_t i, const struct sample *s)
+static void put(const struct scarp_outputs *out, size_t i, const struct outputs *s)
 {
     for (int output = 0; output < OUTPUTS; output++) {
         if (out->array[output] != NULL) {
@@ -37,7 +37,7 @@ static void points(const struct scarp_call_plan *plan, size_t count, const void 
 {
     for (size_t i = 0; i < count; i++) {
         const struct point x = point_at(position, i, dimensions, doubles);
-        const struct sample sum = sample_at(plan, &x, dimensions);
+        const struct outputs sum = sample_at(plan, &x, dimensions);
         put(out, i, &sum);
     }
 }
@@ -79,7 +79,7 @@ static void grid2(const struct scarp_call_plan *plan, const struct scarp_grid *g
         x.f64[1] = coordinate(grid, 1, j);
         for (size_t i = 0; i < grid->count[0]; i++) {
             x.f64[0] = coordinate(grid, 0, i);
-            const struct sample sum = sample_at(plan, &x, 2);
+            const struct outputs sum = sample_at(plan, &x, 2);
             put(out, j * grid->row_stride + i, &sum);
         }
     }
@@ -95,7 +95,7 @@ static void grid3(const struct scarp_call_plan *plan, const struct scarp_grid *g
             x.f64[1] = coordinate(grid, 1, j);
             for (size_t i = 0; i < grid->count[0]; i++) {
                 x.f64[0] = coordinate(grid, 0, i);
-                const struct sample sum = sample_at(plan, &x, 3);
+                const struct outputs sum = sample_at(plan, &x, 3);
                 put(out, k * grid->slice_stride + j * grid->row_stride + i, &sum);
             }
         }
@@ -128,19 +128,20 @@ static void cells_near(float of[CELLS_OUTPUTS], const struct scarp_call_plan *pl
 {
     const struct scarp_octave *const o = plan->octave;
     const struct place place = place_of(plan, 0, x, dimensions);
-    const struct nearest n = nearest_at(o, &place, dimensions);
-    const struct sample first = distance_to(&n.first), second = distance_to(&n.second);
+    const struct nearest n = nearest_at(lattice_of(o, NULL), place, dimensions);
+    const struct outputs first = outputs_of(distance_to(n.first));
+    const struct outputs second = outputs_of(distance_to(n.second));
+    const float d[3] = {n.first.d.x, n.first.d.y, n.first.d.z};
     const double unit = 1.0 / o->frequency64;
     const uint32_t id = n.first.s < FAR_AWAY ? n.first.hash * FEATURE_ID : 0; /* 0 of NaN */
     memcpy(&of[CELLS_ID], &id, sizeof id);
     of[CELLS_F1] = first.of[VALUE] * (float)unit;
     of[CELLS_F2] = second.of[VALUE] * (float)unit;
     for (int i = 0; i < dimensions; i++) {
-        const float d = n.first.d[i];
         of[CELLS_DX1 + i] = first.of[DX + i];
         of[CELLS_DX2 + i] = second.of[DX + i];
         of[CELLS_X + i] =
-            x->doubles ? (float)(x->f64[i] - (double)d * unit) : x->f32[i] - d * (float)unit;
+            x->doubles ? (float)(x->f64[i] - (double)d[i] * unit) : x->f32[i] - d[i] * (float)unit;
     }
 }
 

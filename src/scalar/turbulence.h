@@ -13,9 +13,9 @@ static inline float with_sign(float a, float n)
     return n == 0.0f ? 0.0f : signbit(n) ? -a : a;
 }
 
-static inline struct sample magnitude(const struct sample *n)
+static inline struct outputs magnitude_of(const struct outputs *n)
 {
-    struct sample m;
+    struct outputs m;
     for (int i = 0; i < OUTPUTS; i++) {
         m.of[i] = with_sign(n->of[i], n->of[VALUE]);
     }

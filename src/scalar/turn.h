@@ -29,10 +29,10 @@ static inline int second(int i, int j)
 }
 
 /* Multiplies the outputs of each order by a factor of their own, but for DPHASE. */
-static inline struct sample scaled(const struct sample *n, float value, float gradient,
-                                   float hessian)
+static inline struct outputs scaled(const struct outputs *n, float value, float gradient,
+                                    float hessian)
 {
-    struct sample s;
+    struct outputs s;
     for (int i = 0; i < OUTPUTS; i++) {
         s.of[i] = (i == VALUE ? value : i < DXX ? gradient : hessian) * n->of[i];
     }
@@ -41,10 +41,10 @@ static inline struct sample scaled(const struct sample *n, float value, float gr
 }
 
 /* a n with turned axes: the gradient is (a J)^T g, the Hessian (a J)^T (H J). */
-static inline struct sample turn(const struct scarp_octave *o, const struct sample *n,
-                                 int dimensions)
+static inline struct outputs turn(const struct scarp_octave *o, const struct outputs *n,
+                                  int dimensions)
 {
-    struct sample s = {{[VALUE] = o->amplitude * n->of[VALUE], [DPHASE] = n->of[DPHASE]}};
+    struct outputs s = {{[VALUE] = o->amplitude * n->of[VALUE], [DPHASE] = n->of[DPHASE]}};
     for (int j = 0; j < dimensions; j++) {
         float hj[3] = {0.0f, 0.0f, 0.0f}; /* column j of H J */
         s.of[DX + j] = column_dot(o->gradient, j, &n->of[DX], dimensions);
@@ -60,8 +60,8 @@ static inline struct sample turn(const struct scarp_octave *o, const struct samp
 }
 
 /* a n in the frame of the input; with J = f the gradient has the factor a f, the Hessian a f^2. */
-static inline struct sample in_input(const struct scarp_octave *o, int turned,
-                                     const struct sample *n, int dimensions)
+static inline struct outputs in_input(const struct scarp_octave *o, int turned,
+                                      const struct outputs *n, int dimensions)
 {
     return turned ? turn(o, n, dimensions) : scaled(n, o->amplitude, o->slope, o->curvature);
 }

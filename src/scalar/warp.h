@@ -9,7 +9,7 @@
 #include "bend.h"
 
 /* The sum over the coordinates y_m of v_m times an output of y_m. */
-static inline float along(const struct sample y[3], int output, const float v[3], int dimensions)
+static inline float along(const struct outputs y[3], int output, const float v[3], int dimensions)
 {
     const float sum = y[0].of[output] * v[0] + y[1].of[output] * v[1];
     return dimensions == 3 ? sum + y[2].of[output] * v[2] : sum;
@@ -17,10 +17,10 @@ static inline float along(const struct sample y[3], int output, const float v[3]
 
 /* A sample at y with its derivatives by y becomes one with its derivatives by x: with the Jacobian
    J of y, the gradient is J^T g, the Hessian J^T (H J) + sum_m g_m (Hessian of y_m). */
-static struct sample composed(const struct sample *s, const struct sample y[3], int dimensions)
+static struct outputs composed(const struct outputs *s, const struct outputs y[3], int dimensions)
 {
     const float *const g = &s->of[DX];
-    struct sample r = *s;
+    struct outputs r = *s;
     for (int j = 0; j < dimensions; j++) {
         float hj[3] = {0.0f, 0.0f, 0.0f}; /* column j of H J */
         for (int m = 0; m < dimensions; m++) {
@@ -37,7 +37,7 @@ static struct sample composed(const struct sample *s, const struct sample y[3], 
 }
 
 /* Displaces x. */
-static struct point displaced(const struct point *x, const struct sample y[3], int dimensions)
+static struct point displaced(const struct point *x, const struct outputs y[3], int dimensions)
 {
     struct point at = *x;
     for (int i = 0; i < dimensions; i++) {
@@ -48,8 +48,8 @@ static struct point displaced(const struct point *x, const struct sample y[3], i
 }
 
 /* The noise of a plan without its warp. */
-static struct sample octaves_at(const struct scarp_call_plan *plan, const struct point *x,
-                                int dimensions)
+static struct outputs octaves_at(const struct scarp_call_plan *plan, const struct point *x,
+                                 int dimensions)
 {
     return fractal_bends(plan->fractal) ? bend_octaves(plan, x, dimensions)
                                         : sum_octaves(plan, x, dimensions);
@@ -57,11 +57,11 @@ static struct sample octaves_at(const struct scarp_call_plan *plan, const struct
 
 /* The noise of a plan, or a component of its potentials, with the warps: from the deepest one,
    which looks at x, to the noise. */
-static struct sample component_at(const struct scarp_call_plan *plan, const struct point *x,
-                                  int dimensions, int component)
+static struct outputs component_at(const struct scarp_call_plan *plan, const struct point *x,
+                                   int dimensions, int component)
 {
     const int depth = plan->warps.depth;
-    struct sample y[3], moved[3];
+    struct outputs y[3], moved[3];
     struct point at = *x;
     struct scarp_call_plan of_level;
     if (depth == 0 && !plan->warps.vector) {
@@ -80,12 +80,12 @@ static struct sample component_at(const struct scarp_call_plan *plan, const stru
         at = displaced(x, y, dimensions);
     }
     of_level = scarp_component_plan(plan, 0, component);
-    const struct sample s = octaves_at(&of_level, &at, dimensions);
+    const struct outputs s = octaves_at(&of_level, &at, dimensions);
     return depth == 0 ? s : composed(&s, y, dimensions);
 }
 
-static struct sample sample_at(const struct scarp_call_plan *plan, const struct point *x,
-                               int dimensions)
+static struct outputs sample_at(const struct scarp_call_plan *plan, const struct point *x,
+                                int dimensions)
 {
     return component_at(plan, x, dimensions, 0);
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Cellular noise (Worley 1996) with gradient and Hessian: features of cells, the search for the
- * nearest two, and what the noise makes of them. The reference is scalar/cells.h, which has the
+ * nearest two, and what the noise makes of them. The reference is formulas/cells.h, which has the
  * formulas.
  *
  *     feature_i = c_i + 1/2 + jitter v_i / 2^32,   d = p - feature,   s = d.d

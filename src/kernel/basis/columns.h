@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * The interpolation over x, the last step of bases that interpolate between lattice points. The
- * reference is scalar/columns.h.
+ * reference is formulas/corners.h.
  *
  * Such bases interpolate over z, then y, then x. On the lattice columns s = 0 and 1 at either side
  * of a point, what does not depend on x is reduced to lines a_s (x - s) + b_s in the fraction x,

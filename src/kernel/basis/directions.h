@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * The gradients of flow noise: tables that the phase turns, made anew for each pass over an octave.
- * The reference is scalar/gradient.h; scarp.h defines it ("Flow").
+ * The reference is formulas/gradient.h; scarp.h defines it ("Flow").
  */
 #ifndef SCARP_KERNEL_BASIS_DIRECTIONS_H
 #define SCARP_KERNEL_BASIS_DIRECTIONS_H

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The fades and their derivatives; the reference is scalar/fade.h.
+ * The fades and their derivatives; the reference is formulas/corners.h.
  */
 #ifndef SCARP_KERNEL_BASIS_FADE_H
 #define SCARP_KERNEL_BASIS_FADE_H
@@ -14,7 +14,7 @@ struct fade {
 
 /* quintic: u = 6t^5 - 15t^4 + 10t^3   u' = 30 t^2 (t-1)^2   u'' = 60 t (t-1) (2t-1)
  * cubic:   u = 3t^2 - 2t^3            u' = 6 t (1-t)        u'' = 6 - 12t
- * The quintic in a form where nothing cancels: see scalar/fade.h. In the cubic 2t is exact. */
+ * The quintic in a form where nothing cancels: see formulas/corners.h. In the cubic 2t is exact. */
 VEC_INLINE struct fade fade(enum scarp_fade kind, vf t)
 {
     const vf s = t - 1.0f;

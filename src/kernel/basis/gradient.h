@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Gradient noise (Perlin 1985, 2002) with gradient and Hessian: see columns.h for the order of
- * operations. The reference is scalar/gradient.h.
+ * operations. The reference is formulas/gradient.h.
  *
  *     n(t) = sum over corners c of W_c(t) g_c . (t - c)
  *

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Simplex noise (Perlin 2001, Gustavson 2005) with gradient and Hessian. The reference is
- * scalar/simplex.h, which has the formulas and describes the lattice.
+ * formulas/simplex.h, which has the formulas and describes the lattice.
  *
  *     n(p) = sum over vertices v of w^4 q,   w = max(0, r^2 - d.d),   q = g_v . d,   d = p - v
  */

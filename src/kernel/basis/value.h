@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * Value noise with gradient and Hessian: see columns.h for the order of operations. The reference
- * is scalar/value.h. Lattice values are in units of 2^-31; the plan's amplitudes carry the factor.
- * Nothing of a column depends on x, so the slopes stay unset.
+ * is formulas/value.h. Lattice values are in units of 2^-31; the plan's amplitudes carry the
+ * factor. Nothing of a column depends on x, so the slopes stay unset.
  */
 #ifndef SCARP_KERNEL_BASIS_VALUE_H
 #define SCARP_KERNEL_BASIS_VALUE_H

@@ -1,0 +1,82 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Shaders: where a point lies in the frame of an octave; as scalar/positions.h.
+ */
+#ifndef SCARP_GPU_POSITIONS_H
+#define SCARP_GPU_POSITIONS_H
+
+#include "../formulas/lattice.h"
+#include "matrices.h"
+#include "numbers.h"
+#include "plan.h"
+
+static inline uint within_period(uint last, int cell)
+{
+    uint within = (uint)cell;
+    if (last != 0xffffffffu) {
+        const uint period = last + 1u;
+        if (cell < 0) {
+            within = last - (~within) % period;
+        } else {
+            within = within % period;
+        }
+    }
+    return within;
+}
+
+/* A point along one axis of an octave: its cell, and where it lies inside. */
+struct split {
+    uint cell;
+    float t;
+};
+
+static inline struct split split(float p, uint last)
+{
+    struct split s;
+    if (magnitude(p) < 2147483648.0f) {
+        const int whole = (int)p;
+        const int lower = (float)whole > p ? whole - 1 : whole;
+        s.cell = within_period(last, lower);
+        s.t = p - (float)lower;
+    } else {
+        s.cell = within_period(last, (int)SIGN);
+        s.t = p - p;
+    }
+    return s;
+}
+
+/* Along each axis p = J x + o, where axes are turned, else p = f x + o. */
+static inline vec3 position_of(struct octave o, bool turned, vec3 x, int dimensions)
+{
+    vec3 p = mul3(o.frequency, x);
+    if (turned) {
+        p = times(rows_of(o.jacobian_x, o.jacobian_y, o.jacobian_z), x, dimensions);
+    }
+    return add3(p, vec3_of(o.offset_x, o.offset_y, o.offset_z));
+}
+
+/* Along y, triangles of simplex noise count their rows. */
+static inline struct place place_of(struct octave o, uint basis, bool turned, vec3 x,
+                                    int dimensions)
+{
+    vec3 p = position_of(o, turned, x, dimensions);
+    if (basis == SIMPLEX && dimensions == 2) {
+        p.y *= o.turn.z;
+    }
+    const struct split sx = split(p.x, o.last.x);
+    const struct split sy = split(p.y, o.last.y);
+    struct place at = {
+        .cell = {sx.cell, sy.cell, 0},
+        .next = {cell_after(o.last.x, sx.cell), cell_after(o.last.y, sy.cell), 0},
+        .t = {sx.t, sy.t, 0.0f},
+    };
+    if (dimensions == 3) {
+        const struct split sz = split(p.z, o.last.z);
+        at.t.z = sz.t;
+        at.cell.z = sz.cell;
+        at.next.z = cell_after(o.last.z, sz.cell);
+    }
+    return at;
+}
+
+#endif
