@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * The one list of instruction sets, and where each is compiled. The tables of dispatch.c, the names
- * of names.c, the declarations in kernels.h and the operations that tests/test_vec.c tests are made
- * from it.
+ * of calls/names.c, the declarations in kernels.h and the operations that tests/test_vec.c tests
+ * are made from it.
  */
 #ifndef SCARP_ISAS_H
 #define SCARP_ISAS_H

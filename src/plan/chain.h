@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Describes a call of the chain rule: what chain.c makes of the arguments, for kernels.
+ * Describes a call of the chain rule: what calls/chain.c makes of the arguments, for kernels.
  */
 #ifndef SCARP_CHAIN_H
 #define SCARP_CHAIN_H

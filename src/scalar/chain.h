@@ -3,7 +3,7 @@
  * Reference: the chain rule over samples, one point at a time.
  *
  * The order of operations is that of the expressions here. What depends on the numbers of a call
- * alone (1 / k and the like) is computed once, in chain.c.
+ * alone (1 / k and the like) is computed once, in calls/chain.c.
  */
 #ifndef SCARP_SCALAR_CHAIN_H
 #define SCARP_SCALAR_CHAIN_H
