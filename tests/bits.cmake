@@ -17,7 +17,7 @@ foreach(isa IN LISTS isas)
     if(isa MATCHES "avx") # what most processors take
       set(full 40003)
     endif()
-    scarp_add_sized_test(bits.${isa} bits SIZES ${full} 3001 1003 259
+    scarp_add_sized_test(bits.${isa} bits SIZES ${full} 2003 1003 259
                          COMMAND test_bits ${isa} {} ${step})
   endif()
 endforeach()
