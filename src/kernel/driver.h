@@ -1,7 +1,16 @@
 /* SPDX-License-Identifier: MIT
  *
  * The only loop over octaves, for points and grids alike. It takes a part of a call, rows of
- * blocks, through the stages: positions, basis, shape, and sums.
+ * blocks, through the stages:
+ *
+ *     x, y, z                       cells, hashes          noise            shaped
+ *        |                               |                   |                |
+ *        +--> positions.h, lattice.h ----+--> basis/ --------+--> shape/ -----+--> samples.h
+ *             or places.h                     or rows/            or turn.h        adds it to the
+ *                                                                                  sums or stores
+ *     for each octave of the part         scratch space between the stages         the outputs
+ *
+ * Sums of octaves without a shape, along straight axes, go from the basis to the sums at once.
  *
  * Each stage is a pass of its own over the part. One pass that did all would be a single chain of
  * some 25 dependent operations per block, and out-of-order windows hold only two or three blocks of
@@ -25,8 +34,8 @@
 #include "rows/simplex.h"
 #endif
 
-/* The most blocks of a part of points. Many
-   blocks share the fixed cost of a pass: with 8, AVX-512 loses 6 to 12 %. */
+/* The most blocks of a part of points. Many blocks share the fixed cost of a pass: with 8, AVX-512
+   loses 6 to 12 %. */
 #define PART_BLOCKS 32
 
 /* The scratch space holds what is between the passes. With this size, a call takes less than 48 KiB

@@ -2,10 +2,23 @@
  *
  * Evaluates grids of a noise that neither bends nor has warps.
  *
- * A slice is cut into strips, some blocks wide, and each strip into parts, some rows high. Octaves
- * are added up in the caller's arrays, but for `stores`. Parts of fBm with straight axes are large,
- * since they need nothing between the passes but tables (rows/rows.h). Other parts are as large as
- * the scratch space permits.
+ * A slice is cut into strips, some blocks wide, and each strip into parts, some rows high:
+ *
+ *              one block = VEC_LANES samples
+ *              |--|
+ *            +--+--+--+--+--+--+--+--+--+--+-     x ->
+ *          - |           |           |
+ *     part | |- - row - -|           |
+ *          | |           |           |            A strip is all parts under each other: what
+ *          - +-----------+-----------+----        depends on x is prepared once for it, what
+ *            |           |           |            depends on y once for each row of a part.
+ *       y    |  strip 0  |  strip 1  |  ...
+ *       |    |           |           |
+ *       v    +-----------+-----------+----
+ *
+ * Octaves are added up in the caller's arrays, but for `stores`. Parts of fBm with straight axes
+ * are large, since they need nothing between the passes but tables (rows/rows.h). Other parts are
+ * as large as the scratch space permits.
  */
 #ifndef SCARP_KERNEL_GRID_H
 #define SCARP_KERNEL_GRID_H

@@ -143,7 +143,8 @@ VEC_INLINE void lattice_put_corners(vf *lattice, const struct mixed *m, int dime
     }
 }
 
-/* Puts a block of positions, of which z is unset in 2D, but for the corners, and gives the axes. */
+/* Stores where the positions of a block lie inside their cells, and returns the hashes along the
+   axes. The caller stores the corners, which are made of these. In 2D, at[2] is unset. */
 VEC_INLINE struct mixed lattice_put_places(vf *lattice, const struct scarp_octave *o,
                                            const struct split at[3], enum axes axes, int dimensions)
 {
@@ -155,7 +156,7 @@ VEC_INLINE struct mixed lattice_put_places(vf *lattice, const struct scarp_octav
     return mix_axes(o, cell, axes, dimensions);
 }
 
-/* Does once more what lattice_run does with periods and floats, of which some are far. */
+/* Repeats the work of lattice_run for floats on a lattice with periods: some of them are far. */
 static __attribute__((noinline, cold)) void lattice_far(vf *lattice, const struct scarp_octave *o,
                                                         size_t blocks, const struct positions *at,
                                                         int dimensions, enum corners_kept kept)
@@ -173,8 +174,8 @@ static __attribute__((noinline, cold)) void lattice_far(vf *lattice, const struc
     }
 }
 
-/* Puts the places of block b, and gives its axes. Where floats repeat, bits of `far` are set if one
-   is far. */
+/* Stores where the positions of block b lie inside their cells, and returns the hashes along the
+   axes. If floats on a lattice with periods are far, this sets bits of `far`. */
 VEC_INLINE struct mixed lattice_block(vf *lattice, const struct scarp_octave *o, size_t b,
                                       const struct positions *at, struct frame f, vu *far)
 {

@@ -1,14 +1,16 @@
 /* SPDX-License-Identifier: MIT
  *
  * The entries of all that is in kernel/, and the table that offers them. Each simd/kernels_<isa>.c
- * defines beforehand
+ * includes the vec_<isa>.h that gives the operations of simd/vec.h, and whether the set is to be
+ * small (VEC_SMALL), and defines the parameters of this template, which are undefined at its end:
  *
  *     KERNELS           the name of the table
  *     KERNELS_ISA       the instruction set
  *     KERNELS_NARROWER  the table of the set with half as many lanes, if calls that fill no more
- *                       of a vector take less time there
- *
- * and includes the vec_<isa>.h that gives the operations of simd/vec.h.
+ *                       of a vector take less time there; may be left out
+ *     FEW_ORDER         the highest derivative of which few points go block by block (few.h); 1
+ *     PART_ROWS         the most rows of a part of a grid (rows/along.h); 96
+ *     SCRATCH_BYTES     of scratch space (driver.h); 26 KiB
  */
 #include "cells.h"
 #include "chain.h"
@@ -141,3 +143,6 @@ const struct scarp_kernels KERNELS = {
 #undef KERNELS
 #undef KERNELS_ISA
 #undef KERNELS_NARROWER
+#undef FEW_ORDER
+#undef PART_ROWS
+#undef SCRATCH_BYTES

@@ -5,8 +5,19 @@
  *
  * Such bases interpolate over z, then y, then x. On the lattice columns s = 0 and 1 at either side
  * of a point, what does not depend on x is reduced to lines a_s (x - s) + b_s in the fraction x,
- * one for the value (left and right) and one for each derivative along y and z. With u the fade of
- * x:
+ * one for the value (left and right) and one for each derivative along y and z:
+ *
+ *     value
+ *       |  *                       left  = a_0 x + b_0
+ *       |     *               *    right = a_1 (x - 1) + b_1
+ *       |        *        *
+ *       |           *  *           The value goes from left to right as u goes from 0 to 1.
+ *       |        *     *
+ *       |    *            *
+ *       +--|----------------|--> x
+ *        s = 0            s = 1
+ *
+ * With u the fade of x:
  *
  *     value  = left + u (right - left)
  *     d/dx   = a_0 + u (a_1 - a_0) + u' (right - left)

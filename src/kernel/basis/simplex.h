@@ -4,6 +4,19 @@
  * formulas/simplex.h, which has the formulas and describes the lattice.
  *
  *     n(p) = sum over vertices v of w^4 q,   w = max(0, r^2 - d.d),   q = g_v . d,   d = p - v
+ *
+ * In 2D, rows of vertices are sqrt(3) / 2 apart, and odd rows are shifted by half an edge. A point
+ * lies in a rhombus that begins at vertex k of the row below, and there in the lower triangle or in
+ * the upper one. Vertex 0 is that of the point's cell; k is -1 where the point lies before the edge
+ * that goes up from vertex 0.
+ *
+ *     row y + 1          o-----------o
+ *                       / \  upper  /
+ *                      /   \       /
+ *                     /     \     /
+ *                    / lower \   /
+ *     row y         o-----------o
+ *                   k         k + 1
  */
 #ifndef SCARP_KERNEL_BASIS_SIMPLEX_H
 #define SCARP_KERNEL_BASIS_SIMPLEX_H

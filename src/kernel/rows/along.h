@@ -1,8 +1,18 @@
 /* SPDX-License-Identifier: MIT
  *
  * Prepares an octave with straight axes along the axes of a grid: along x for the blocks that all
- * rows of a part share, and along y and z for the rows. What that is for, rows.h
- * tells.
+ * rows of a part share, and along y and z for the rows.
+ *
+ *     columns     0           1           2           3        of the lattice
+ *                 |           |           |           |
+ *     samples     |  .  .  .  |  .  .  .  |  .  .  .  |        of a row, 1/4 cell apart
+ *                 |           |           |           |
+ *     block 0        [.  .  .    .]                            each lane needs the lines of the
+ *     block 1                        [.  .    .  .]            columns at its left and right
+ *
+ * Along x, each block gets the fractions of its samples and the number of its first column; each
+ * column gets its hash. Along y and z, each row gets its two cells, fractions and fades. rows.h
+ * computes lines a x + b of the columns from these, once per row, and looks them up per block.
  */
 #ifndef SCARP_KERNEL_ROWS_ALONG_H
 #define SCARP_KERNEL_ROWS_ALONG_H

@@ -250,7 +250,7 @@ VEC_INLINE void found_copy(struct found *to, const struct found *from, struct se
     }
 }
 
-/* Takes what the search keeps of the lanes that are here. */
+/* Replaces what the search has found, in the lanes of `here`, by what another search has. */
 VEC_INLINE void found_choose(struct found *to, vm here, const struct found *from,
                              struct search search)
 {
