@@ -178,11 +178,13 @@ static void put_titles(const struct page *page, const struct axes *axes)
                  page_cell(page, column) - 3 * page->width * line_height(page->title_scale));
     }
     const struct pen beside = {page->title_scale, page->left - GAP - MARGIN, title_ink};
-    const size_t down = page->cell_height / 2 - page->title_scale * FONT_HEIGHT / 2;
+    /* Negative where the title is higher than the cell */
+    const ptrdiff_t down =
+        (ptrdiff_t)(page->cell_height / 2) - (ptrdiff_t)(page->title_scale * FONT_HEIGHT / 2);
     for (size_t row = 0; row < page->rows; row++) {
         put_value(&axes->list[1], row, text);
         put_text(page, &beside, text,
-                 page_cell(page, row * page->columns) + 3 * page->width * down -
+                 page_cell(page, row * page->columns) + 3 * (ptrdiff_t)page->width * down -
                      3 * (beside.width + GAP));
     }
 }
