@@ -86,6 +86,7 @@ endfunction()
 
 scarp_add_package_test(tools)
 scarp_add_package_test(duration)
+scarp_add_package_test(sets)
 scarp_add_package_test(header)
 scarp_add_package_test(header CXX)
 scarp_add_package_test(symbols NEEDS nm objdump)

@@ -10,7 +10,7 @@ target_include_directories(test_vec PRIVATE ${CMAKE_CURRENT_LIST_DIR})
 if(SCARP_OPTIMIZE) # as the kernels are
   target_compile_options(test_vec PRIVATE $<$<CONFIG:Release>:${optimize}>)
 endif()
-target_compile_definitions(test_vec PRIVATE "KERNELS_BODY=\"vec/operations.h\"")
+target_compile_definitions(test_vec PRIVATE ${SCARP_SET_DEFINITIONS} "KERNELS_BODY=\"vec/operations.h\"")
 foreach(isa IN LISTS isas)
   if(NOT isa STREQUAL scalar)
     scarp_add_test(vec.${isa} vec test_vec ${isa})

@@ -12,17 +12,39 @@
  * first: of those that the processor can run, the first one serves the calls.
  */
 #define SCARP_ISA_VECTORS(X)                                                                       \
-    X(AVX512, avx512, "avx512", SCARP_X86_AVX)                                                     \
-    X(AVX2, avx2, "avx2", SCARP_X86_AVX)                                                           \
-    X(SSE41, sse41, "sse4.1", SCARP_X86)                                                           \
-    X(NEON, neon, "neon", SCARP_AARCH64)                                                           \
-    X(WASM128, wasm128, "wasm128", SCARP_WASM128)                                                  \
-    X(GENERIC, generic, "generic", SCARP_GENERIC)
+    X(AVX512, avx512, "avx512", SCARP_HAS_AVX512)                                                  \
+    X(AVX2, avx2, "avx2", SCARP_HAS_AVX2)                                                          \
+    X(SSE41, sse41, "sse4.1", SCARP_HAS_SSE41)                                                     \
+    X(NEON, neon, "neon", SCARP_HAS_NEON)                                                          \
+    X(WASM128, wasm128, "wasm128", SCARP_HAS_WASM128)                                              \
+    X(GENERIC, generic, "generic", SCARP_HAS_GENERIC)
 
-/* All sets: the vector ones, and the reference, which runs everywhere. A build that must be small
-   may leave out the generic set, and the reference if it has another that runs everywhere. */
+/* All sets: the vector ones, and the reference, which runs everywhere. */
 #define SCARP_ISA_LIST(X) SCARP_ISA_VECTORS(X) X(SCALAR, scalar, "scalar", SCARP_SCALAR)
 
+/*
+ * A build leaves out a vector set where one of these macros is 0. The CMake variable SCARP_SETS
+ * defines them; the modules of web/ and users of the single file do so by hand. SCARP_SCALAR=0
+ * leaves out the reference, where the build has another set that runs everywhere.
+ */
+#ifndef SCARP_AVX512
+#define SCARP_AVX512 1
+#endif
+#ifndef SCARP_AVX2
+#define SCARP_AVX2 1
+#endif
+#ifndef SCARP_SSE41
+#define SCARP_SSE41 1
+#endif
+#ifndef SCARP_NEON
+#define SCARP_NEON 1
+#endif
+#ifndef SCARP_WASM128
+#define SCARP_WASM128 1
+#endif
+#ifndef SCARP_GENERIC
+#define SCARP_GENERIC 1
+#endif
 #ifndef SCARP_SCALAR
 #define SCARP_SCALAR 1
 #endif
@@ -50,32 +72,48 @@
 #define SCARP_X86_AVX 0
 #endif
 
-#if defined(__aarch64__) && defined(__ARM_NEON) && defined(__BYTE_ORDER__) &&                      \
-    __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__
-#define SCARP_AARCH64 1
+#if SCARP_X86_AVX && SCARP_AVX512
+#define SCARP_HAS_AVX512 1
 #else
-#define SCARP_AARCH64 0
+#define SCARP_HAS_AVX512 0
+#endif
+
+#if SCARP_X86_AVX && SCARP_AVX2
+#define SCARP_HAS_AVX2 1
+#else
+#define SCARP_HAS_AVX2 0
+#endif
+
+#if SCARP_X86 && SCARP_SSE41
+#define SCARP_HAS_SSE41 1
+#else
+#define SCARP_HAS_SSE41 0
+#endif
+
+#if defined(__aarch64__) && defined(__ARM_NEON) && defined(__BYTE_ORDER__) &&                      \
+    __BYTE_ORDER__ == __ORDER_LITTLE_ENDIAN__ && SCARP_NEON
+#define SCARP_HAS_NEON 1
+#else
+#define SCARP_HAS_NEON 0
 #endif
 
 /* -msimd128 makes a module of vectors, which an engine without them rejects as a whole. */
-#ifdef __wasm_simd128__
-#define SCARP_WASM128 1
+#if defined(__wasm_simd128__) && SCARP_WASM128
+#define SCARP_HAS_WASM128 1
 #else
-#define SCARP_WASM128 0
+#define SCARP_HAS_WASM128 0
 #endif
 
 /* The generic set needs vector extensions with conversions between them (gcc 9). It is left out
    where vectors flush denormals in every floating-point mode: 32-bit Arm with NEON, PowerPC with
    AltiVec alone. */
-#ifdef SCARP_GENERIC /* 0: a build without it */
-#elif defined(__ARM_NEON) && !defined(__aarch64__)
-#define SCARP_GENERIC 0
-#elif defined(__ALTIVEC__) && !defined(__VSX__)
-#define SCARP_GENERIC 0
+#if !SCARP_GENERIC || (defined(__ARM_NEON) && !defined(__aarch64__)) ||                            \
+    (defined(__ALTIVEC__) && !defined(__VSX__))
+#define SCARP_HAS_GENERIC 0
 #elif defined(__clang__) || (defined(__GNUC__) && __GNUC__ >= 9)
-#define SCARP_GENERIC 1
+#define SCARP_HAS_GENERIC 1
 #else
-#define SCARP_GENERIC 0
+#define SCARP_HAS_GENERIC 0
 #endif
 
 #endif

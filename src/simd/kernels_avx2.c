@@ -7,7 +7,7 @@
 #include "../dispatch/kernels.h"
 #include "body.h"
 
-#if SCARP_X86_AVX
+#if SCARP_HAS_AVX2
 
 #include <immintrin.h> /* before the region: its functions carry their own targets */
 

@@ -6,7 +6,7 @@
 #include "../dispatch/kernels.h"
 #include "body.h"
 
-#if SCARP_X86_AVX
+#if SCARP_HAS_AVX512
 
 #include <immintrin.h> /* before the region: its functions carry their own targets */
 
@@ -24,10 +24,12 @@
 #define KERNELS_ISA SCARP_ISA_AVX512
 /* On Zen 4, a block of 16 points of eight octaves takes 220 to 360 ns, one of 8 points in AVX2 170
    to 260. (In AVX2, one point takes no longer than in SSE4.1.) */
+#if SCARP_HAS_AVX2
 #define KERNELS_NARROWER scarp_kernels_avx2
 #define FEW_ORDER 0 /* few points with gradients are AVX2's, too */
-#ifdef __clang__    /* whose frames are larger still; gradients of fBm on grids take up to 15 %    \
-                       longer */
+#endif
+#ifdef __clang__ /* whose frames are larger still; gradients of fBm on grids take up to 15 %       \
+                    longer */
 #define PART_ROWS 32
 #define SCRATCH_BYTES (25 * 1024 + 256)
 #else

@@ -6,7 +6,7 @@
 #include "../dispatch/kernels.h"
 #include "body.h"
 
-#if SCARP_GENERIC
+#if SCARP_HAS_GENERIC
 
 #include "vec_generic.h"
 

@@ -5,7 +5,7 @@
 #include "../dispatch/kernels.h"
 #include "body.h"
 
-#if SCARP_AARCH64
+#if SCARP_HAS_NEON
 
 #include "vec_neon.h"
 

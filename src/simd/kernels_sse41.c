@@ -6,7 +6,7 @@
 #include "../dispatch/kernels.h"
 #include "body.h"
 
-#if SCARP_X86
+#if SCARP_HAS_SSE41
 
 #include <immintrin.h> /* before the region: its functions carry their own targets */
 

@@ -5,7 +5,7 @@
 #include "../dispatch/kernels.h"
 #include "body.h"
 
-#if SCARP_WASM128
+#if SCARP_HAS_WASM128
 
 #include "vec_wasm.h"
 
