@@ -10,6 +10,7 @@ case $processor in
 s390x) more=-fexcess-precision=fast ;; # see cmake/compile.cmake
 *) more= ;;
 esac
+# shellcheck disable=SC2016 # the backquotes are those of the README
 arguments=$(sed -n 's/^ *`cc \(-std=c11 [^`]*-c src[^`]*\)`$/\1/p' "$source_dir/README.md")
 [ -n "$arguments" ] || fail "README.md has no command that compiles src without a build system"
 # shellcheck disable=SC2086 # words, and files by their patterns
