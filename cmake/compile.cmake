@@ -59,15 +59,18 @@ function(scarp_compile_rules target)
 endfunction()
 
 # Unoptimised kernels are 20 times slower, and a parent project without a build type, or in Debug,
-# would get them without a word. (With gcc 12, -O2 costs 8 % in the mean over all kinds of call and up
-# to 70 % of few points; -Os, which MinSizeRel asks for, 20 % and a factor of 3.)
+# would get them without a word. (With gcc 12, -O2 costs kernels 8 % in the mean over all kinds of call
+# and up to 70 % of few points, and calls/samples.c 10 % of a point; -Os, which MinSizeRel asks for, 20 %
+# and a factor of 3. All else is as fast at -O2.)
 if(NOT CMAKE_C_COMPILER_FRONTEND_VARIANT STREQUAL "MSVC")
-  set(optimize -O3)
+  set(optimize -O2)
+  set(optimize_hot -O3)
 elseif(CMAKE_C_COMPILER_ID MATCHES "Clang")
-  set(optimize /clang:-O3)
+  set(optimize /clang:-O2)
+  set(optimize_hot /clang:-O3)
 endif()
 
-# SCARP_SETS as macros of src/dispatch/isas.h: those of the sets that are left out are 0.
+# SCARP_SETS as macros of src/dispatch/isas.h: 1 for the sets that are named, 0 for the others.
 set(vector_sets avx512 avx2 sse4.1 neon wasm128 generic)
 foreach(set IN LISTS SCARP_SETS)
   if(NOT set IN_LIST vector_sets AND NOT set STREQUAL "scalar")
@@ -77,12 +80,28 @@ foreach(set IN LISTS SCARP_SETS)
 endforeach()
 set(SCARP_SET_DEFINITIONS)
 foreach(set IN LISTS vector_sets)
-  if(SCARP_SETS AND NOT set IN_LIST SCARP_SETS)
+  if(SCARP_SETS)
     string(TOUPPER ${set} macro)
     string(REPLACE "." "" macro ${macro})
-    list(APPEND SCARP_SET_DEFINITIONS SCARP_${macro}=0)
+    if(set IN_LIST SCARP_SETS)
+      list(APPEND SCARP_SET_DEFINITIONS SCARP_${macro}=1)
+    else()
+      list(APPEND SCARP_SET_DEFINITIONS SCARP_${macro}=0)
+    endif()
   endif()
 endforeach()
+
+# What makes kernels larger and no faster: copies of loops and of functions for conditions that stay the
+# same (within 1 % of speed), and unwind tables: nothing unwinds through kernels, which call nothing of
+# their callers.
+set(kernel_options)
+if(CMAKE_C_COMPILER_ID STREQUAL "GNU")
+  list(APPEND kernel_options
+       -fno-unswitch-loops -fno-split-loops -fno-split-paths -fno-ipa-cp-clone)
+endif()
+if(CMAKE_C_COMPILER_ID MATCHES "GNU|Clang" AND NOT WIN32 AND NOT APPLE)
+  list(APPEND kernel_options -fno-asynchronous-unwind-tables -fno-unwind-tables)
+endif()
 
 # What else a build of the library needs; also used for the copies that tests make of it. No compile
 # features: they would be looked up in the consumer's directory, which may not know of C.
@@ -92,6 +111,16 @@ function(scarp_library_rules target)
     $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   if(SCARP_OPTIMIZE)
     target_compile_options(${target} PRIVATE $<$<NOT:$<CONFIG:MinSizeRel>>:${optimize}>)
+  endif()
+  get_target_property(sources ${target} SOURCES)
+  set(kernels ${sources})
+  list(FILTER kernels INCLUDE REGEX "(/kernels_[a-z0-9]+|scalar/table)[.]c$")
+  set_property(SOURCE ${kernels} APPEND PROPERTY COMPILE_OPTIONS ${kernel_options})
+  set(hot ${sources})
+  list(FILTER hot INCLUDE REGEX "(/kernels_[a-z0-9]+|calls/samples)[.]c$")
+  if(SCARP_OPTIMIZE)
+    set_property(SOURCE ${hot} APPEND PROPERTY COMPILE_OPTIONS
+      $<$<NOT:$<CONFIG:MinSizeRel>>:${optimize_hot}>)
   endif()
   target_compile_definitions(${target} PRIVATE ${SCARP_SET_DEFINITIONS})
   target_link_libraries(${target} PRIVATE ${SCARP_LIBM})

@@ -23,9 +23,10 @@
 #define SCARP_ISA_LIST(X) SCARP_ISA_VECTORS(X) X(SCALAR, scalar, "scalar", SCARP_SCALAR)
 
 /*
- * A build leaves out a vector set where one of these macros is 0. The CMake variable SCARP_SETS
- * defines them; the modules of web/ and users of the single file do so by hand. SCARP_SCALAR=0
- * leaves out the reference, where the build has another set that runs everywhere.
+ * A build leaves out a vector set where one of these macros is 0. Without a definition, a build has
+ * the sets that its processors can use. The CMake variable SCARP_SETS defines the macros; the
+ * modules of web/ and users of the single file do so by hand. SCARP_SCALAR=0 leaves out the
+ * reference, where the build has another set that runs everywhere.
  */
 #ifndef SCARP_AVX512
 #define SCARP_AVX512 1
@@ -42,8 +43,13 @@
 #ifndef SCARP_WASM128
 #define SCARP_WASM128 1
 #endif
-#ifndef SCARP_GENERIC
+#ifndef SCARP_GENERIC /* x86-64 processors without SSE4.1 are from before 2008: they take scalar   \
+                       */
+#ifdef __x86_64__
+#define SCARP_GENERIC 0
+#else
 #define SCARP_GENERIC 1
+#endif
 #endif
 #ifndef SCARP_SCALAR
 #define SCARP_SCALAR 1

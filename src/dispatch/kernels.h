@@ -20,11 +20,11 @@ typedef void scarp_points_fn(const struct scarp_call_plan *plan, size_t count,
 typedef void scarp_grid_fn(const struct scarp_call_plan *plan, const struct scarp_grid *grid,
                            const struct scarp_outputs *out);
 
-/* Does what scarp_normals says for `count` > 0: computes nx, ny, nz from the slopes dx, dy. */
+/* The kernel of scarp_normals, for `count` > 0: computes nx, ny, nz from the slopes dx, dy. */
 typedef void scarp_normals_fn(size_t count, const float *const slope[2], float height_scale,
                               float *const normal[3]);
 
-/* Does what scarp_cells2 and its like say for `count` > 0 points, with octave 0 of the plan.
+/* The kernel of scarp_cells2 and its like, for `count` > 0 points, with octave 0 of the plan.
    `doubles` says what `position` has; arrays along z are NULL in 2D. */
 typedef void scarp_cells_fn(const struct scarp_call_plan *plan, size_t count,
                             const void *const position[3], const struct scarp_cell_arrays *out,
@@ -33,7 +33,7 @@ typedef void scarp_cells_fn(const struct scarp_call_plan *plan, size_t count,
 /* Computes the outputs of a function of samples, one or more, at `count` > 0 points. */
 typedef void scarp_chain_fn(const struct scarp_chain *call, size_t count);
 
-/* Does what scarp_curl2 and its like say for `count` > 0 points, with the plan of potentials.
+/* The kernel of scarp_curl2 and its like, for `count` > 0 points, with the plan of potentials.
    `doubles` says what `position` has; arrays along z are NULL in 2D, the Jacobian where the plan's
    order is 1. */
 typedef void scarp_curl_fn(const struct scarp_call_plan *plan, size_t count,

@@ -1,7 +1,7 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
 # SCARP_SETS chooses kernel sets: a name that no set has stops configuring, and tests are there for
-# scalar and the sets that are chosen.
+# scalar and the sets that are chosen. Without a choice, x86-64 has no generic.
 . ./common.sh
 fresh sets
 
@@ -22,6 +22,12 @@ expect()
 }
 expect scalar
 case $processor in
-x86_64 | AMD64) expect 'scalar;sse4.1' sse4.1 ;;
-aarch64) expect neon neon ;;
+x86_64 | AMD64)
+    expect '' avx2 avx512 sse4.1
+    expect 'scalar;sse4.1;generic' generic sse4.1
+    ;;
+aarch64)
+    expect '' generic neon
+    expect neon neon
+    ;;
 esac

@@ -72,6 +72,6 @@ for set in scalar sse4.1 avx2 avx512 neon generic; do
 done
 echo "sets:$served"
 case $served in
-*scalar*generic*) ;;
+*scalar?*) ;;
 *) fail "too few sets" ;;
 esac
