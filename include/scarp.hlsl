@@ -401,7 +401,7 @@ uint scarp_cell_beside(uint last, uint cell, int steps)
 /* A point of one octave: along each axis the lattice points on either side, modulo 2^32 or the
    period, and the position in between, in [0, 1] (rounding can reach 1; the noise is continuous
    there). In 2D all of z is 0. */
-struct ScarpPlace {
+struct ScarpLocation {
     uint3 cell;
     uint3 next;
     float3 t;
@@ -571,7 +571,7 @@ float3 scarp_drawn3(ScarpLattice l, uint x, uint y, uint z)
 }
 
 /* Column x of the cell: v is the fade along y. */
-ScarpColumn scarp_gradient_column2(ScarpLattice l, uint x, ScarpPlace p, ScarpFade v)
+ScarpColumn scarp_gradient_column2(ScarpLattice l, uint x, ScarpLocation p, ScarpFade v)
 {
     float3 g0 = scarp_drawn2(l, x, p.cell.y);
     float3 g1 = scarp_drawn2(l, x, p.next.y);
@@ -597,7 +597,8 @@ struct ScarpEdge {
 };
 
 /* The edge at column x and row y of cells, ty from it along y; w is the fade along z. */
-ScarpEdge scarp_gradient_edge(ScarpLattice l, uint x, uint y, float ty, ScarpPlace p, ScarpFade w)
+ScarpEdge scarp_gradient_edge(ScarpLattice l, uint x, uint y, float ty, ScarpLocation p,
+        ScarpFade w)
 {
     float3 g0 = scarp_drawn3(l, x, y, p.cell.z);
     float3 g1 = scarp_drawn3(l, x, y, p.next.z);
@@ -612,7 +613,8 @@ ScarpEdge scarp_gradient_edge(ScarpLattice l, uint x, uint y, float ty, ScarpPla
     return e;
 }
 
-ScarpColumn scarp_gradient_column3(ScarpLattice l, uint x, ScarpPlace p, ScarpFade v, ScarpFade w)
+ScarpColumn scarp_gradient_column3(ScarpLattice l, uint x, ScarpLocation p, ScarpFade v,
+        ScarpFade w)
 {
     ScarpEdge e0 = scarp_gradient_edge(l, x, p.cell.y, p.t.y, p, w);
     ScarpEdge e1 = scarp_gradient_edge(l, x, p.next.y, scarp_sub(p.t.y, 1.0f), p, w);
@@ -632,14 +634,14 @@ ScarpColumn scarp_gradient_column3(ScarpLattice l, uint x, ScarpPlace p, ScarpFa
     return c;
 }
 
-ScarpSample scarp_gradient_at2(ScarpLattice l, uint kind, ScarpPlace p)
+ScarpSample scarp_gradient_at2(ScarpLattice l, uint kind, ScarpLocation p)
 {
     ScarpFade v = scarp_fade(kind, p.t.y);
     return scarp_join(scarp_gradient_column2(l, p.cell.x, p, v), scarp_gradient_column2(l, p.next.x,
             p, v), p.t.x, scarp_fade(kind, p.t.x), false);
 }
 
-ScarpSample scarp_gradient_at3(ScarpLattice l, uint kind, ScarpPlace p)
+ScarpSample scarp_gradient_at3(ScarpLattice l, uint kind, ScarpLocation p)
 {
     ScarpFade v = scarp_fade(kind, p.t.y);
     ScarpFade w = scarp_fade(kind, p.t.z);
@@ -647,7 +649,7 @@ ScarpSample scarp_gradient_at3(ScarpLattice l, uint kind, ScarpPlace p)
             p.next.x, p, v, w), p.t.x, scarp_fade(kind, p.t.x), false);
 }
 
-ScarpSample scarp_gradient_at(ScarpLattice l, uint kind, ScarpPlace p, int dimensions)
+ScarpSample scarp_gradient_at(ScarpLattice l, uint kind, ScarpLocation p, int dimensions)
 {
     if (dimensions == 2) {
         return scarp_gradient_at2(l, kind, p);
@@ -657,7 +659,7 @@ ScarpSample scarp_gradient_at(ScarpLattice l, uint kind, ScarpPlace p, int dimen
 
 /* Value noise. */
 
-ScarpColumn scarp_value_column2(uint3 key, uint x, ScarpPlace p, ScarpFade v)
+ScarpColumn scarp_value_column2(uint3 key, uint x, ScarpLocation p, ScarpFade v)
 {
     float c0 = scarp_lattice_value(scarp_hash2(key, x, p.cell.y));
     float c1 = scarp_lattice_value(scarp_hash2(key, x, p.next.y));
@@ -667,7 +669,7 @@ ScarpColumn scarp_value_column2(uint3 key, uint x, ScarpPlace p, ScarpFade v)
     return c;
 }
 
-ScarpColumn scarp_value_column3(uint3 key, uint x, ScarpPlace p, ScarpFade v, ScarpFade w)
+ScarpColumn scarp_value_column3(uint3 key, uint x, ScarpLocation p, ScarpFade v, ScarpFade w)
 {
     float c00 = scarp_lattice_value(scarp_hash3(key, x, p.cell.y, p.cell.z));
     float c01 = scarp_lattice_value(scarp_hash3(key, x, p.cell.y, p.next.z));
@@ -686,14 +688,14 @@ ScarpColumn scarp_value_column3(uint3 key, uint x, ScarpPlace p, ScarpFade v, Sc
     return c;
 }
 
-ScarpSample scarp_value_at2(ScarpLattice l, uint kind, ScarpPlace p)
+ScarpSample scarp_value_at2(ScarpLattice l, uint kind, ScarpLocation p)
 {
     ScarpFade v = scarp_fade(kind, p.t.y);
     return scarp_join(scarp_value_column2(l.key, p.cell.x, p, v), scarp_value_column2(l.key,
             p.next.x, p, v), p.t.x, scarp_fade(kind, p.t.x), true);
 }
 
-ScarpSample scarp_value_at3(ScarpLattice l, uint kind, ScarpPlace p)
+ScarpSample scarp_value_at3(ScarpLattice l, uint kind, ScarpLocation p)
 {
     ScarpFade v = scarp_fade(kind, p.t.y);
     ScarpFade w = scarp_fade(kind, p.t.z);
@@ -701,7 +703,7 @@ ScarpSample scarp_value_at3(ScarpLattice l, uint kind, ScarpPlace p)
             p.next.x, p, v, w), p.t.x, scarp_fade(kind, p.t.x), true);
 }
 
-ScarpSample scarp_value_at(ScarpLattice l, uint kind, ScarpPlace p, int dimensions)
+ScarpSample scarp_value_at(ScarpLattice l, uint kind, ScarpLocation p, int dimensions)
 {
     if (dimensions == 2) {
         return scarp_value_at2(l, kind, p);
@@ -758,14 +760,14 @@ ScarpSample scarp_vertex_at(float3 d, float3 g, float r2, int dimensions)
 #define SCARP_TRIANGLE_R2 0.75f
 
 /* The vertex `column` to the right of the cell, in row y, at d from p. */
-ScarpSample scarp_vertex2(ScarpLattice l, ScarpPlace p, int column, uint y, float3 d)
+ScarpSample scarp_vertex2(ScarpLattice l, ScarpLocation p, int column, uint y, float3 d)
 {
     uint x = scarp_cell_beside(l.last.x, p.cell.x, column);
     return scarp_vertex_at(d, scarp_direction2(scarp_direction_index2(scarp_hash2(l.key, x, y))),
             SCARP_TRIANGLE_R2, 2);
 }
 
-ScarpSample scarp_simplex_at2(ScarpLattice l, ScarpPlace p)
+ScarpSample scarp_simplex_at2(ScarpLattice l, ScarpLocation p)
 {
     bool is_odd = (p.cell.y & 1u) != 0u;
     float shift = scarp_mul(0.5f, p.t.y);
@@ -807,7 +809,7 @@ struct ScarpVertex {
 };
 
 /* Draws with HASH_K or HASH_CENTRE. */
-ScarpSample scarp_vertex3(ScarpLattice l, ScarpPlace p, ScarpVertex v, uint hash_k)
+ScarpSample scarp_vertex3(ScarpLattice l, ScarpLocation p, ScarpVertex v, uint hash_k)
 {
     uint h = scarp_joined3(l.key, scarp_cell_beside(l.last.x, p.cell.x, v.x),
             scarp_cell_beside(l.last.y, p.cell.y, v.y), scarp_cell_beside(l.last.z, p.cell.z, v.z));
@@ -845,7 +847,7 @@ ScarpEnds scarp_ends_of(float t, bool is_furthest, bool is_nearest)
     return e;
 }
 
-ScarpSample scarp_simplex_at3(ScarpLattice l, ScarpPlace p)
+ScarpSample scarp_simplex_at3(ScarpLattice l, ScarpLocation p)
 {
     float3 t = scarp_sub3(p.t, scarp_vec3_of(0.5f, 0.5f, 0.5f));
     float3 m = scarp_vec3_of(scarp_magnitude(t.x), scarp_magnitude(t.y), scarp_magnitude(t.z));
@@ -869,7 +871,7 @@ ScarpSample scarp_simplex_at3(ScarpLattice l, ScarpPlace p)
     return scarp_sum_of(scarp_sum_of(corners, centres), scarp_constant(0.0f)); /* which turns a sum of -0 into 0 */
 }
 
-ScarpSample scarp_simplex_at(ScarpLattice l, ScarpPlace p, int dimensions)
+ScarpSample scarp_simplex_at(ScarpLattice l, ScarpLocation p, int dimensions)
 {
     if (dimensions == 2) {
         return scarp_simplex_at2(l, p);
@@ -899,7 +901,7 @@ float scarp_feature_distance(float t, int step, float jitter, uint v)
 }
 
 /* The feature of the cell that is (x, y, z) away from that of p. */
-ScarpFeature scarp_feature_at(ScarpLattice l, ScarpPlace p, int x, int y, int z, int dimensions)
+ScarpFeature scarp_feature_at(ScarpLattice l, ScarpLocation p, int x, int y, int z, int dimensions)
 {
     uint cx = scarp_cell_beside(l.last.x, p.cell.x, x);
     uint cy = scarp_cell_beside(l.last.y, p.cell.y, y);
@@ -918,8 +920,8 @@ ScarpFeature scarp_feature_at(ScarpLattice l, ScarpPlace p, int x, int y, int z,
     return f;
 }
 
-/* 0, or NaN where a place is NaN, which a search for the least would pass over. */
-float scarp_zero_at(ScarpPlace p)
+/* 0, or NaN where a fraction is NaN, which a search for the least would pass over. */
+float scarp_zero_at(ScarpLocation p)
 {
     return scarp_mul(0.0f, scarp_add(p.t.x, scarp_add(p.t.y, p.t.z)));
 }
@@ -933,7 +935,7 @@ struct ScarpNearest {
     ScarpFeature second;
 };
 
-/* Only what is strictly nearer takes a place. */
+/* Only a strictly nearer feature replaces one. */
 ScarpNearest scarp_nearest_with(ScarpNearest n, ScarpFeature f)
 {
     ScarpNearest m = n;
@@ -955,14 +957,14 @@ float scarp_gap2(float t, int step)
 }
 
 /* Whether a cell, and so its feature, is further away than s, by more than rounding. */
-bool scarp_is_beyond(ScarpPlace p, int x, int y, int z, float s)
+bool scarp_is_beyond(ScarpLocation p, int x, int y, int z, float s)
 {
     return scarp_add(scarp_add(scarp_gap2(p.t.x, x), scarp_gap2(p.t.y, y)), scarp_gap2(p.t.z,
             z)) > scarp_mul(1.001f, s);
 }
 
 /* Whether the search looks at a cell. */
-bool scarp_is_searched(ScarpPlace p, int ring, int x, int y, int z, float s)
+bool scarp_is_searched(ScarpLocation p, int ring, int x, int y, int z, float s)
 {
     bool is_inside = x > -2 && x < 2 && y > -2 && y < 2 && z > -2 && z < 2;
     return ring == 1 || !(is_inside || scarp_is_beyond(p, x, y, z, s));
@@ -974,7 +976,7 @@ bool scarp_is_searched(ScarpPlace p, int ring, int x, int y, int z, float s)
  * cells do not suffice: the nearest feature of these may be sqrt(n) away, and features two cells
  * off a little more than 1.)
  */
-ScarpNearest scarp_nearest_at(ScarpLattice l, ScarpPlace p, int dimensions)
+ScarpNearest scarp_nearest_at(ScarpLattice l, ScarpLocation p, int dimensions)
 {
     float far = scarp_add(SCARP_FAR_AWAY, scarp_zero_at(p)); /* nothing is nearer than NaN */
     ScarpFeature none = {{far, far, far}, far, 0u};
@@ -1040,7 +1042,7 @@ ScarpSample scarp_soft_root(ScarpSample sum)
             scarp_sub3(scarp_mul3(q, products), scarp_mul3(r, sum.mixed)));
 }
 
-ScarpSample scarp_soft_at(ScarpLattice l, ScarpPlace p, int dimensions)
+ScarpSample scarp_soft_at(ScarpLattice l, ScarpLocation p, int dimensions)
 {
     int depth = scarp_pick_int(dimensions == 3, 1, 0);
     float zero = scarp_zero_at(p);
@@ -1073,7 +1075,7 @@ ScarpSample scarp_cell_value(ScarpFeature f)
 #define SCARP_CELL_SOFT 6u
 #define SCARP_CELL_VALUE 7u
 
-ScarpSample scarp_cells_at(ScarpLattice l, uint basis, ScarpPlace p, int dimensions)
+ScarpSample scarp_cells_at(ScarpLattice l, uint basis, ScarpLocation p, int dimensions)
 {
     if (basis == SCARP_CELL_SOFT) {
         ScarpSample soft = scarp_soft_at(l, p, dimensions);
@@ -1106,7 +1108,7 @@ ScarpLattice scarp_lattice_of(ScarpOctave o, ScarpLevel l)
     return lattice;
 }
 
-ScarpSample scarp_basis_at(ScarpOctave o, ScarpLevel l, ScarpPlace p, int dimensions)
+ScarpSample scarp_basis_at(ScarpOctave o, ScarpLevel l, ScarpLocation p, int dimensions)
 {
     ScarpLattice lattice = scarp_lattice_of(o, l);
     ScarpSample s;
@@ -1230,7 +1232,7 @@ float3 scarp_position_of(ScarpOctave o, bool turned, float3 x, int dimensions)
 }
 
 /* Along y, triangles of simplex noise count their rows. */
-ScarpPlace scarp_place_of(ScarpOctave o, uint basis, bool turned, float3 x, int dimensions)
+ScarpLocation scarp_location_of(ScarpOctave o, uint basis, bool turned, float3 x, int dimensions)
 {
     float3 p = scarp_position_of(o, turned, x, dimensions);
     if (basis == SCARP_SIMPLEX && dimensions == 2) {
@@ -1238,7 +1240,7 @@ ScarpPlace scarp_place_of(ScarpOctave o, uint basis, bool turned, float3 x, int 
     }
     ScarpSplit sx = scarp_split(p.x, o.last.x);
     ScarpSplit sy = scarp_split(p.y, o.last.y);
-    ScarpPlace at = {{sx.cell, sy.cell, 0u}, {scarp_cell_after(o.last.x, sx.cell),
+    ScarpLocation at = {{sx.cell, sy.cell, 0u}, {scarp_cell_after(o.last.x, sx.cell),
             scarp_cell_after(o.last.y, sy.cell), 0u}, {sx.t, sy.t, 0.0f}};
     if (dimensions == 3) {
         ScarpSplit sz = scarp_split(p.z, o.last.z);
@@ -1587,15 +1589,15 @@ ScarpState scarp_shaped(ScarpState state, ScarpOctave o, ScarpLevel l, ScarpSamp
     return s;
 }
 
-/* The same of erosion; n is the octave of the basis, in its own axes. */
+/* Adds an octave of erosion; n is the basis in the axes of the octave. */
 ScarpState scarp_erosion(ScarpState state, ScarpOctave o, float strength, ScarpSample n,
         bool turned, int dimensions)
 {
-    ScarpSample own = scarp_scaled(n, o.amplitude, o.amplitude, o.amplitude);
-    float3 gradient = scarp_to_input(o, turned, own.gradient, dimensions);
+    ScarpSample basis = scarp_scaled(n, o.amplitude, o.amplitude, o.amplitude);
+    float3 gradient = scarp_to_input(o, turned, basis.gradient, dimensions);
     ScarpState s = state;
-    s.slopes = scarp_steeper(state.slopes, o, turned, own, dimensions);
-    ScarpSample term = scarp_eroded(s.slopes, strength, own.value, gradient, dimensions);
+    s.slopes = scarp_steeper(state.slopes, o, turned, basis, dimensions);
+    ScarpSample term = scarp_eroded(s.slopes, strength, basis.value, gradient, dimensions);
     s.sum = scarp_sum_of(state.sum, scarp_scaled(term, o.weight, o.weight, o.weight));
     return s;
 }
@@ -1609,13 +1611,13 @@ ScarpState scarp_with_octave(ScarpState state, ScarpOctave o, ScarpLevel l, uint
     if (scarp_bends(l) && k > 0u) {
         y = scarp_add3(x, scarp_mul3(o.reach, state.slopes.d));
     }
-    ScarpPlace p = scarp_place_of(o, l.basis, turned, y, dimensions);
-    ScarpSample own = scarp_basis_at(o, l, p, dimensions);
+    ScarpLocation p = scarp_location_of(o, l.basis, turned, y, dimensions);
+    ScarpSample basis = scarp_basis_at(o, l, p, dimensions);
     ScarpState s;
     if (l.fractal == SCARP_EROSION) {
-        s = scarp_erosion(state, o, l.erosion, own, turned, dimensions);
+        s = scarp_erosion(state, o, l.erosion, basis, turned, dimensions);
     } else {
-        ScarpSample n = scarp_in_input(o, turned, own, dimensions);
+        ScarpSample n = scarp_in_input(o, turned, basis, dimensions);
         if (l.fractal == SCARP_SWISS) {
             s = scarp_swiss(state, o, l.inverse_weight, n, dimensions);
         } else if (l.fractal == SCARP_JORDAN) {

@@ -339,7 +339,7 @@ fn scarp_cell_beside(last: u32, cell: u32, steps: i32) -> u32 {
 /* A point of one octave: along each axis the lattice points on either side, modulo 2^32 or the
    period, and the position in between, in [0, 1] (rounding can reach 1; the noise is continuous
    there). In 2D all of z is 0. */
-struct ScarpPlace {
+struct ScarpLocation {
     cell: vec3u,
     next: vec3u,
     t: vec3f,
@@ -496,7 +496,7 @@ fn scarp_drawn3(l: ScarpLattice, x: u32, y: u32, z: u32) -> vec3f {
 }
 
 /* Column x of the cell: v is the fade along y. */
-fn scarp_gradient_column2(l: ScarpLattice, x: u32, p: ScarpPlace, v: ScarpFade) -> ScarpColumn {
+fn scarp_gradient_column2(l: ScarpLattice, x: u32, p: ScarpLocation, v: ScarpFade) -> ScarpColumn {
     let g0: vec3f = scarp_drawn2(l, x, p.cell.y);
     let g1: vec3f = scarp_drawn2(l, x, p.next.y);
     let dgx: f32 = scarp_sub(g1.x, g0.x);
@@ -522,7 +522,7 @@ struct ScarpEdge {
 }
 
 /* The edge at column x and row y of cells, ty from it along y; w is the fade along z. */
-fn scarp_gradient_edge(l: ScarpLattice, x: u32, y: u32, ty: f32, p: ScarpPlace,
+fn scarp_gradient_edge(l: ScarpLattice, x: u32, y: u32, ty: f32, p: ScarpLocation,
         w: ScarpFade) -> ScarpEdge {
     let g0: vec3f = scarp_drawn3(l, x, y, p.cell.z);
     let g1: vec3f = scarp_drawn3(l, x, y, p.next.z);
@@ -537,7 +537,7 @@ fn scarp_gradient_edge(l: ScarpLattice, x: u32, y: u32, ty: f32, p: ScarpPlace,
     return e;
 }
 
-fn scarp_gradient_column3(l: ScarpLattice, x: u32, p: ScarpPlace, v: ScarpFade,
+fn scarp_gradient_column3(l: ScarpLattice, x: u32, p: ScarpLocation, v: ScarpFade,
         w: ScarpFade) -> ScarpColumn {
     let e0: ScarpEdge = scarp_gradient_edge(l, x, p.cell.y, p.t.y, p, w);
     let e1: ScarpEdge = scarp_gradient_edge(l, x, p.next.y, scarp_sub(p.t.y, 1.0f), p, w);
@@ -558,20 +558,20 @@ fn scarp_gradient_column3(l: ScarpLattice, x: u32, p: ScarpPlace, v: ScarpFade,
     return c;
 }
 
-fn scarp_gradient_at2(l: ScarpLattice, kind: u32, p: ScarpPlace) -> ScarpSample {
+fn scarp_gradient_at2(l: ScarpLattice, kind: u32, p: ScarpLocation) -> ScarpSample {
     let v: ScarpFade = scarp_fade(kind, p.t.y);
     return scarp_join(scarp_gradient_column2(l, p.cell.x, p, v), scarp_gradient_column2(l, p.next.x,
             p, v), p.t.x, scarp_fade(kind, p.t.x), false);
 }
 
-fn scarp_gradient_at3(l: ScarpLattice, kind: u32, p: ScarpPlace) -> ScarpSample {
+fn scarp_gradient_at3(l: ScarpLattice, kind: u32, p: ScarpLocation) -> ScarpSample {
     let v: ScarpFade = scarp_fade(kind, p.t.y);
     let w: ScarpFade = scarp_fade(kind, p.t.z);
     return scarp_join(scarp_gradient_column3(l, p.cell.x, p, v, w), scarp_gradient_column3(l,
             p.next.x, p, v, w), p.t.x, scarp_fade(kind, p.t.x), false);
 }
 
-fn scarp_gradient_at(l: ScarpLattice, kind: u32, p: ScarpPlace, dimensions: i32) -> ScarpSample {
+fn scarp_gradient_at(l: ScarpLattice, kind: u32, p: ScarpLocation, dimensions: i32) -> ScarpSample {
     if (dimensions == 2) {
         return scarp_gradient_at2(l, kind, p);
     }
@@ -580,7 +580,7 @@ fn scarp_gradient_at(l: ScarpLattice, kind: u32, p: ScarpPlace, dimensions: i32)
 
 /* Value noise. */
 
-fn scarp_value_column2(key: vec3u, x: u32, p: ScarpPlace, v: ScarpFade) -> ScarpColumn {
+fn scarp_value_column2(key: vec3u, x: u32, p: ScarpLocation, v: ScarpFade) -> ScarpColumn {
     let c0: f32 = scarp_lattice_value(scarp_hash2(key, x, p.cell.y));
     let c1: f32 = scarp_lattice_value(scarp_hash2(key, x, p.next.y));
     let d: f32 = scarp_sub(c1, c0);
@@ -590,7 +590,7 @@ fn scarp_value_column2(key: vec3u, x: u32, p: ScarpPlace, v: ScarpFade) -> Scarp
     return c;
 }
 
-fn scarp_value_column3(key: vec3u, x: u32, p: ScarpPlace, v: ScarpFade,
+fn scarp_value_column3(key: vec3u, x: u32, p: ScarpLocation, v: ScarpFade,
         w: ScarpFade) -> ScarpColumn {
     let c00: f32 = scarp_lattice_value(scarp_hash3(key, x, p.cell.y, p.cell.z));
     let c01: f32 = scarp_lattice_value(scarp_hash3(key, x, p.cell.y, p.next.z));
@@ -610,20 +610,20 @@ fn scarp_value_column3(key: vec3u, x: u32, p: ScarpPlace, v: ScarpFade,
     return c;
 }
 
-fn scarp_value_at2(l: ScarpLattice, kind: u32, p: ScarpPlace) -> ScarpSample {
+fn scarp_value_at2(l: ScarpLattice, kind: u32, p: ScarpLocation) -> ScarpSample {
     let v: ScarpFade = scarp_fade(kind, p.t.y);
     return scarp_join(scarp_value_column2(l.key, p.cell.x, p, v), scarp_value_column2(l.key,
             p.next.x, p, v), p.t.x, scarp_fade(kind, p.t.x), true);
 }
 
-fn scarp_value_at3(l: ScarpLattice, kind: u32, p: ScarpPlace) -> ScarpSample {
+fn scarp_value_at3(l: ScarpLattice, kind: u32, p: ScarpLocation) -> ScarpSample {
     let v: ScarpFade = scarp_fade(kind, p.t.y);
     let w: ScarpFade = scarp_fade(kind, p.t.z);
     return scarp_join(scarp_value_column3(l.key, p.cell.x, p, v, w), scarp_value_column3(l.key,
             p.next.x, p, v, w), p.t.x, scarp_fade(kind, p.t.x), true);
 }
 
-fn scarp_value_at(l: ScarpLattice, kind: u32, p: ScarpPlace, dimensions: i32) -> ScarpSample {
+fn scarp_value_at(l: ScarpLattice, kind: u32, p: ScarpLocation, dimensions: i32) -> ScarpSample {
     if (dimensions == 2) {
         return scarp_value_at2(l, kind, p);
     }
@@ -678,13 +678,13 @@ const SCARP_ROW_HEIGHT: f32 = 0.866025404f; /* sqrt(3) / 2 */
 const SCARP_TRIANGLE_R2: f32 = 0.75f;
 
 /* The vertex `column` to the right of the cell, in row y, at d from p. */
-fn scarp_vertex2(l: ScarpLattice, p: ScarpPlace, column: i32, y: u32, d: vec3f) -> ScarpSample {
+fn scarp_vertex2(l: ScarpLattice, p: ScarpLocation, column: i32, y: u32, d: vec3f) -> ScarpSample {
     let x: u32 = scarp_cell_beside(l.last.x, p.cell.x, column);
     return scarp_vertex_at(d, scarp_direction2(scarp_direction_index2(scarp_hash2(l.key, x, y))),
             SCARP_TRIANGLE_R2, 2);
 }
 
-fn scarp_simplex_at2(l: ScarpLattice, p: ScarpPlace) -> ScarpSample {
+fn scarp_simplex_at2(l: ScarpLattice, p: ScarpLocation) -> ScarpSample {
     let is_odd: bool = (p.cell.y & 1u) != 0u;
     let shift: f32 = scarp_mul(0.5f, p.t.y);
     let start: f32 = scarp_sub(p.t.x, select(0.0f, 0.5f, is_odd));
@@ -724,7 +724,7 @@ struct ScarpVertex {
 }
 
 /* Draws with HASH_K or HASH_CENTRE. */
-fn scarp_vertex3(l: ScarpLattice, p: ScarpPlace, v: ScarpVertex, hash_k: u32) -> ScarpSample {
+fn scarp_vertex3(l: ScarpLattice, p: ScarpLocation, v: ScarpVertex, hash_k: u32) -> ScarpSample {
     let h: u32 = scarp_joined3(l.key, scarp_cell_beside(l.last.x, p.cell.x, v.x),
             scarp_cell_beside(l.last.y, p.cell.y, v.y), scarp_cell_beside(l.last.z, p.cell.z, v.z));
     let g: vec3f = scarp_direction3(scarp_direction_index3(h * (h + hash_k)));
@@ -760,7 +760,7 @@ fn scarp_ends_of(t: f32, is_furthest: bool, is_nearest: bool) -> ScarpEnds {
     return e;
 }
 
-fn scarp_simplex_at3(l: ScarpLattice, p: ScarpPlace) -> ScarpSample {
+fn scarp_simplex_at3(l: ScarpLattice, p: ScarpLocation) -> ScarpSample {
     let t: vec3f = scarp_sub3(p.t, vec3f(0.5f, 0.5f, 0.5f));
     let m: vec3f = vec3f(scarp_magnitude(t.x), scarp_magnitude(t.y), scarp_magnitude(t.z));
     let far_x: bool = m.x >= m.y && m.x >= m.z;
@@ -784,7 +784,7 @@ fn scarp_simplex_at3(l: ScarpLattice, p: ScarpPlace) -> ScarpSample {
     return scarp_sum_of(scarp_sum_of(corners, centres), scarp_constant(0.0f)); /* which turns a sum of -0 into 0 */
 }
 
-fn scarp_simplex_at(l: ScarpLattice, p: ScarpPlace, dimensions: i32) -> ScarpSample {
+fn scarp_simplex_at(l: ScarpLattice, p: ScarpLocation, dimensions: i32) -> ScarpSample {
     if (dimensions == 2) {
         return scarp_simplex_at2(l, p);
     }
@@ -812,7 +812,7 @@ fn scarp_feature_distance(t: f32, step: i32, jitter: f32, v: u32) -> f32 {
 }
 
 /* The feature of the cell that is (x, y, z) away from that of p. */
-fn scarp_feature_at(l: ScarpLattice, p: ScarpPlace, x: i32, y: i32, z: i32,
+fn scarp_feature_at(l: ScarpLattice, p: ScarpLocation, x: i32, y: i32, z: i32,
         dimensions: i32) -> ScarpFeature {
     let cx: u32 = scarp_cell_beside(l.last.x, p.cell.x, x);
     let cy: u32 = scarp_cell_beside(l.last.y, p.cell.y, y);
@@ -831,8 +831,8 @@ fn scarp_feature_at(l: ScarpLattice, p: ScarpPlace, x: i32, y: i32, z: i32,
     return f;
 }
 
-/* 0, or NaN where a place is NaN, which a search for the least would pass over. */
-fn scarp_zero_at(p: ScarpPlace) -> f32 {
+/* 0, or NaN where a fraction is NaN, which a search for the least would pass over. */
+fn scarp_zero_at(p: ScarpLocation) -> f32 {
     return scarp_mul(0.0f, scarp_add(p.t.x, scarp_add(p.t.y, p.t.z)));
 }
 
@@ -845,7 +845,7 @@ struct ScarpNearest {
     second: ScarpFeature,
 }
 
-/* Only what is strictly nearer takes a place. */
+/* Only a strictly nearer feature replaces one. */
 fn scarp_nearest_with(n: ScarpNearest, f: ScarpFeature) -> ScarpNearest {
     var m: ScarpNearest = n;
     if (f.s < n.first.s) {
@@ -864,13 +864,13 @@ fn scarp_gap2(t: f32, step: i32) -> f32 {
 }
 
 /* Whether a cell, and so its feature, is further away than s, by more than rounding. */
-fn scarp_is_beyond(p: ScarpPlace, x: i32, y: i32, z: i32, s: f32) -> bool {
+fn scarp_is_beyond(p: ScarpLocation, x: i32, y: i32, z: i32, s: f32) -> bool {
     return scarp_add(scarp_add(scarp_gap2(p.t.x, x), scarp_gap2(p.t.y, y)), scarp_gap2(p.t.z,
             z)) > scarp_mul(1.001f, s);
 }
 
 /* Whether the search looks at a cell. */
-fn scarp_is_searched(p: ScarpPlace, ring: i32, x: i32, y: i32, z: i32, s: f32) -> bool {
+fn scarp_is_searched(p: ScarpLocation, ring: i32, x: i32, y: i32, z: i32, s: f32) -> bool {
     let is_inside: bool = x > -2 && x < 2 && y > -2 && y < 2 && z > -2 && z < 2;
     return ring == 1 || !(is_inside || scarp_is_beyond(p, x, y, z, s));
 }
@@ -881,7 +881,7 @@ fn scarp_is_searched(p: ScarpPlace, ring: i32, x: i32, y: i32, z: i32, s: f32) -
  * cells do not suffice: the nearest feature of these may be sqrt(n) away, and features two cells
  * off a little more than 1.)
  */
-fn scarp_nearest_at(l: ScarpLattice, p: ScarpPlace, dimensions: i32) -> ScarpNearest {
+fn scarp_nearest_at(l: ScarpLattice, p: ScarpLocation, dimensions: i32) -> ScarpNearest {
     let far: f32 = scarp_add(SCARP_FAR_AWAY, scarp_zero_at(p)); /* nothing is nearer than NaN */
     let none: ScarpFeature = ScarpFeature(vec3f(far, far, far), far, 0u);
     var n: ScarpNearest = ScarpNearest(none, none);
@@ -944,7 +944,7 @@ fn scarp_soft_root(sum: ScarpSample) -> ScarpSample {
             scarp_sub3(scarp_mul3(q, products), scarp_mul3(r, sum.mixed)));
 }
 
-fn scarp_soft_at(l: ScarpLattice, p: ScarpPlace, dimensions: i32) -> ScarpSample {
+fn scarp_soft_at(l: ScarpLattice, p: ScarpLocation, dimensions: i32) -> ScarpSample {
     let depth: i32 = select(0, 1, dimensions == 3);
     let zero: f32 = scarp_zero_at(p);
     let zeros: vec3f = vec3f(zero, zero, zero);
@@ -975,7 +975,7 @@ const SCARP_CELL_EDGE: u32 = 5u;
 const SCARP_CELL_SOFT: u32 = 6u;
 const SCARP_CELL_VALUE: u32 = 7u;
 
-fn scarp_cells_at(l: ScarpLattice, basis: u32, p: ScarpPlace, dimensions: i32) -> ScarpSample {
+fn scarp_cells_at(l: ScarpLattice, basis: u32, p: ScarpLocation, dimensions: i32) -> ScarpSample {
     if (basis == SCARP_CELL_SOFT) {
         var soft: ScarpSample = scarp_soft_at(l, p, dimensions);
         soft.value = scarp_add(soft.value, l.middle);
@@ -1007,7 +1007,7 @@ fn scarp_lattice_of(o: ScarpOctave, l: ScarpLevel) -> ScarpLattice {
     return lattice;
 }
 
-fn scarp_basis_at(o: ScarpOctave, l: ScarpLevel, p: ScarpPlace, dimensions: i32) -> ScarpSample {
+fn scarp_basis_at(o: ScarpOctave, l: ScarpLevel, p: ScarpLocation, dimensions: i32) -> ScarpSample {
     let lattice: ScarpLattice = scarp_lattice_of(o, l);
     var s: ScarpSample;
     if (l.basis == SCARP_GRADIENT) {
@@ -1120,16 +1120,17 @@ fn scarp_position_of(o: ScarpOctave, turned: bool, x: vec3f, dimensions: i32) ->
 }
 
 /* Along y, triangles of simplex noise count their rows. */
-fn scarp_place_of(o: ScarpOctave, basis: u32, turned: bool, x: vec3f,
-        dimensions: i32) -> ScarpPlace {
+fn scarp_location_of(o: ScarpOctave, basis: u32, turned: bool, x: vec3f,
+        dimensions: i32) -> ScarpLocation {
     var p: vec3f = scarp_position_of(o, turned, x, dimensions);
     if (basis == SCARP_SIMPLEX && dimensions == 2) {
         p.y = scarp_mul(p.y, o.turn.z);
     }
     let sx: ScarpSplit = scarp_split(p.x, o.last.x);
     let sy: ScarpSplit = scarp_split(p.y, o.last.y);
-    var at: ScarpPlace = ScarpPlace(vec3u(sx.cell, sy.cell, 0u), vec3u(scarp_cell_after(o.last.x,
-            sx.cell), scarp_cell_after(o.last.y, sy.cell), 0u), vec3f(sx.t, sy.t, 0.0f));
+    var at: ScarpLocation = ScarpLocation(vec3u(sx.cell, sy.cell, 0u),
+            vec3u(scarp_cell_after(o.last.x, sx.cell), scarp_cell_after(o.last.y, sy.cell), 0u),
+            vec3f(sx.t, sy.t, 0.0f));
     if (dimensions == 3) {
         let sz: ScarpSplit = scarp_split(p.z, o.last.z);
         at.t.z = sz.t;
@@ -1450,14 +1451,14 @@ fn scarp_shaped(state: ScarpState, o: ScarpOctave, l: ScarpLevel, n: ScarpSample
     return s;
 }
 
-/* The same of erosion; n is the octave of the basis, in its own axes. */
+/* Adds an octave of erosion; n is the basis in the axes of the octave. */
 fn scarp_erosion(state: ScarpState, o: ScarpOctave, strength: f32, n: ScarpSample, turned: bool,
         dimensions: i32) -> ScarpState {
-    let own: ScarpSample = scarp_scaled(n, o.amplitude, o.amplitude, o.amplitude);
-    let gradient: vec3f = scarp_to_input(o, turned, own.gradient, dimensions);
+    let basis: ScarpSample = scarp_scaled(n, o.amplitude, o.amplitude, o.amplitude);
+    let gradient: vec3f = scarp_to_input(o, turned, basis.gradient, dimensions);
     var s: ScarpState = state;
-    s.slopes = scarp_steeper(state.slopes, o, turned, own, dimensions);
-    let term: ScarpSample = scarp_eroded(s.slopes, strength, own.value, gradient, dimensions);
+    s.slopes = scarp_steeper(state.slopes, o, turned, basis, dimensions);
+    let term: ScarpSample = scarp_eroded(s.slopes, strength, basis.value, gradient, dimensions);
     s.sum = scarp_sum_of(state.sum, scarp_scaled(term, o.weight, o.weight, o.weight));
     return s;
 }
@@ -1470,13 +1471,13 @@ fn scarp_with_octave(state: ScarpState, o: ScarpOctave, l: ScarpLevel, k: u32, x
     if (scarp_bends(l) && k > 0u) {
         y = scarp_add3(x, scarp_mul3(o.reach, state.slopes.d));
     }
-    let p: ScarpPlace = scarp_place_of(o, l.basis, turned, y, dimensions);
-    let own: ScarpSample = scarp_basis_at(o, l, p, dimensions);
+    let p: ScarpLocation = scarp_location_of(o, l.basis, turned, y, dimensions);
+    let basis: ScarpSample = scarp_basis_at(o, l, p, dimensions);
     var s: ScarpState;
     if (l.fractal == SCARP_EROSION) {
-        s = scarp_erosion(state, o, l.erosion, own, turned, dimensions);
+        s = scarp_erosion(state, o, l.erosion, basis, turned, dimensions);
     } else {
-        let n: ScarpSample = scarp_in_input(o, turned, own, dimensions);
+        let n: ScarpSample = scarp_in_input(o, turned, basis, dimensions);
         if (l.fractal == SCARP_SWISS) {
             s = scarp_swiss(state, o, l.inverse_weight, n, dimensions);
         } else if (l.fractal == SCARP_JORDAN) {

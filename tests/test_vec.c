@@ -381,13 +381,13 @@ static void test_parts(void)
         memset(out, 0x77, sizeof out);
         memset(wanted, 0x77, sizeof wanted);
         memcpy(wanted, in, (size_t)n * sizeof *in);
-        ops->part_f(out, loaded, in, (size_t)n);
+        ops->partial_f(out, loaded, in, (size_t)n);
         check_part_f(loaded, in, n, lanes);
         CHECK(memcmp(out, wanted, sizeof out) == 0, "a part of %d stored", n);
     }
     for (int n = 1; n <= lanes / 2; n++) {
         double loaded[LANES_MAX];
-        ops->part_d(loaded, in_d, (size_t)n);
+        ops->partial_d(loaded, in_d, (size_t)n);
         check_part_d(loaded, in_d, n, lanes / 2);
     }
 }

@@ -13,8 +13,8 @@
 
 #define COUNT_OF(array) (sizeof(array) / sizeof(array)[0])
 
-/* These fix layouts, as check.c does for struct scarp_noise. Whether a 32-bit processor aligns
-   doubles and int64_t to 4 or 8 bytes, a grid has the same layout. */
+/* These assertions fix layouts, as check.c does for struct scarp_noise. Whether a 32-bit processor
+   aligns doubles and int64_t to 4 or 8 bytes, a grid has the same layout. */
 _Static_assert(sizeof(struct scarp_samples) == 16 * sizeof(float *) &&
                    offsetof(struct scarp_samples, dphase) == 10 * sizeof(float *),
                "struct scarp_samples has 16 pointers");

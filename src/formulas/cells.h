@@ -40,7 +40,7 @@ static inline float feature_distance(float t, int step, float jitter, uint v)
 }
 
 /* The feature of the cell that is (x, y, z) away from that of p. */
-static inline struct feature feature_at(struct lattice l, struct place p, int x, int y, int z,
+static inline struct feature feature_at(struct lattice l, struct location p, int x, int y, int z,
                                         int dimensions)
 {
     const uint cx = cell_beside(l.last.x, p.cell.x, x);
@@ -60,8 +60,8 @@ static inline struct feature feature_at(struct lattice l, struct place p, int x,
     return f;
 }
 
-/* 0, or NaN where a place is NaN, which a search for the least would pass over. */
-static inline float zero_at(struct place p)
+/* 0, or NaN where a fraction is NaN, which a search for the least would pass over. */
+static inline float zero_at(struct location p)
 {
     return 0.0f * (p.t.x + (p.t.y + p.t.z));
 }
@@ -74,7 +74,7 @@ struct nearest {
     struct feature first, second;
 };
 
-/* Only what is strictly nearer takes a place. */
+/* Only a strictly nearer feature replaces one. */
 static inline struct nearest nearest_with(struct nearest n, struct feature f)
 {
     struct nearest m = n;
@@ -95,13 +95,13 @@ static inline float gap2(float t, int step)
 }
 
 /* Whether a cell, and so its feature, is further away than s, by more than rounding. */
-static inline bool is_beyond(struct place p, int x, int y, int z, float s)
+static inline bool is_beyond(struct location p, int x, int y, int z, float s)
 {
     return gap2(p.t.x, x) + gap2(p.t.y, y) + gap2(p.t.z, z) > 1.001f * s;
 }
 
 /* Whether the search looks at a cell. */
-static inline bool is_searched(struct place p, int ring, int x, int y, int z, float s)
+static inline bool is_searched(struct location p, int ring, int x, int y, int z, float s)
 {
     const bool is_inside = x > -2 && x < 2 && y > -2 && y < 2 && z > -2 && z < 2;
     return ring == 1 || !(is_inside || is_beyond(p, x, y, z, s));
@@ -113,7 +113,7 @@ static inline bool is_searched(struct place p, int ring, int x, int y, int z, fl
  * cells do not suffice: the nearest feature of these may be sqrt(n) away, and features two cells
  * off a little more than 1.)
  */
-static inline struct nearest nearest_at(struct lattice l, struct place p, int dimensions)
+static inline struct nearest nearest_at(struct lattice l, struct location p, int dimensions)
 {
     const float far = FAR_AWAY + zero_at(p); /* nothing is nearer than NaN */
     const struct feature none = {{far, far, far}, far, 0};
@@ -184,7 +184,7 @@ static inline struct sample soft_root(struct sample sum)
                      sub3(mul3(q, products), mul3(r, sum.mixed)));
 }
 
-static inline struct sample soft_at(struct lattice l, struct place p, int dimensions)
+static inline struct sample soft_at(struct lattice l, struct location p, int dimensions)
 {
     const int depth = dimensions == 3 ? 1 : 0;
     const float zero = zero_at(p);
@@ -215,7 +215,8 @@ static inline struct sample cell_value(struct feature f)
 #define CELL_SOFT 6u
 #define CELL_VALUE 7u
 
-static inline struct sample cells_at(struct lattice l, uint basis, struct place p, int dimensions)
+static inline struct sample cells_at(struct lattice l, uint basis, struct location p,
+                                     int dimensions)
 {
     if (basis == CELL_SOFT) {
         struct sample soft = soft_at(l, p, dimensions);

@@ -69,7 +69,7 @@ static inline vec3 drawn3(struct lattice l, uint x, uint y, uint z)
 }
 
 /* Column x of the cell: v is the fade along y. */
-static inline struct column gradient_column2(struct lattice l, uint x, struct place p,
+static inline struct column gradient_column2(struct lattice l, uint x, struct location p,
                                              struct fade v)
 {
     const vec3 g0 = drawn2(l, x, p.cell.y);
@@ -95,8 +95,8 @@ struct edge {
 };
 
 /* The edge at column x and row y of cells, ty from it along y; w is the fade along z. */
-static inline struct edge gradient_edge(struct lattice l, uint x, uint y, float ty, struct place p,
-                                        struct fade w)
+static inline struct edge gradient_edge(struct lattice l, uint x, uint y, float ty,
+                                        struct location p, struct fade w)
 {
     const vec3 g0 = drawn3(l, x, y, p.cell.z);
     const vec3 g1 = drawn3(l, x, y, p.next.z);
@@ -115,7 +115,7 @@ static inline struct edge gradient_edge(struct lattice l, uint x, uint y, float 
     return e;
 }
 
-static inline struct column gradient_column3(struct lattice l, uint x, struct place p,
+static inline struct column gradient_column3(struct lattice l, uint x, struct location p,
                                              struct fade v, struct fade w)
 {
     const struct edge e0 = gradient_edge(l, x, p.cell.y, p.t.y, p, w);
@@ -137,14 +137,14 @@ static inline struct column gradient_column3(struct lattice l, uint x, struct pl
     return c;
 }
 
-static inline struct sample gradient_at2(struct lattice l, uint kind, struct place p)
+static inline struct sample gradient_at2(struct lattice l, uint kind, struct location p)
 {
     const struct fade v = fade(kind, p.t.y);
     return join(gradient_column2(l, p.cell.x, p, v), gradient_column2(l, p.next.x, p, v), p.t.x,
                 fade(kind, p.t.x), false);
 }
 
-static inline struct sample gradient_at3(struct lattice l, uint kind, struct place p)
+static inline struct sample gradient_at3(struct lattice l, uint kind, struct location p)
 {
     const struct fade v = fade(kind, p.t.y);
     const struct fade w = fade(kind, p.t.z);
@@ -152,7 +152,8 @@ static inline struct sample gradient_at3(struct lattice l, uint kind, struct pla
                 p.t.x, fade(kind, p.t.x), false);
 }
 
-static inline struct sample gradient_at(struct lattice l, uint kind, struct place p, int dimensions)
+static inline struct sample gradient_at(struct lattice l, uint kind, struct location p,
+                                        int dimensions)
 {
     if (dimensions == 2) {
         return gradient_at2(l, kind, p);

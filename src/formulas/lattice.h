@@ -87,7 +87,7 @@ static inline uint cell_beside(uint last, uint cell, int steps)
 /* A point of one octave: along each axis the lattice points on either side, modulo 2^32 or the
    period, and the position in between, in [0, 1] (rounding can reach 1; the noise is continuous
    there). In 2D all of z is 0. */
-struct place {
+struct location {
     uvec3 cell, next;
     vec3 t;
 };

@@ -56,13 +56,13 @@ static inline struct sample vertex_at(vec3 d, vec3 g, float r2, int dimensions)
 #define TRIANGLE_R2 0.75f
 
 /* The vertex `column` to the right of the cell, in row y, at d from p. */
-static inline struct sample vertex2(struct lattice l, struct place p, int column, uint y, vec3 d)
+static inline struct sample vertex2(struct lattice l, struct location p, int column, uint y, vec3 d)
 {
     const uint x = cell_beside(l.last.x, p.cell.x, column);
     return vertex_at(d, direction2(direction_index2(hash2(l.key, x, y))), TRIANGLE_R2, 2);
 }
 
-static inline struct sample simplex_at2(struct lattice l, struct place p)
+static inline struct sample simplex_at2(struct lattice l, struct location p)
 {
     const bool is_odd = (p.cell.y & 1) != 0;
     const float shift = 0.5f * p.t.y;
@@ -99,7 +99,8 @@ struct vertex {
 };
 
 /* Draws with HASH_K or HASH_CENTRE. */
-static inline struct sample vertex3(struct lattice l, struct place p, struct vertex v, uint hash_k)
+static inline struct sample vertex3(struct lattice l, struct location p, struct vertex v,
+                                    uint hash_k)
 {
     const uint h =
         joined3(l.key, cell_beside(l.last.x, p.cell.x, v.x), cell_beside(l.last.y, p.cell.y, v.y),
@@ -134,7 +135,7 @@ static inline struct ends ends_of(float t, bool is_furthest, bool is_nearest)
     return e;
 }
 
-static inline struct sample simplex_at3(struct lattice l, struct place p)
+static inline struct sample simplex_at3(struct lattice l, struct location p)
 {
     const vec3 t = sub3(p.t, vec3_of(0.5f, 0.5f, 0.5f));
     const vec3 m = vec3_of(magnitude(t.x), magnitude(t.y), magnitude(t.z));
@@ -159,7 +160,7 @@ static inline struct sample simplex_at3(struct lattice l, struct place p)
     return sum_of(sum_of(corners, centres), constant(0.0f)); /* which turns a sum of -0 into 0 */
 }
 
-static inline struct sample simplex_at(struct lattice l, struct place p, int dimensions)
+static inline struct sample simplex_at(struct lattice l, struct location p, int dimensions)
 {
     if (dimensions == 2) {
         return simplex_at2(l, p);

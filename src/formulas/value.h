@@ -8,7 +8,7 @@
 
 #include "corners.h"
 
-static inline struct column value_column2(uvec3 key, uint x, struct place p, struct fade v)
+static inline struct column value_column2(uvec3 key, uint x, struct location p, struct fade v)
 {
     const float c0 = lattice_value(hash2(key, x, p.cell.y));
     const float c1 = lattice_value(hash2(key, x, p.next.y));
@@ -17,7 +17,7 @@ static inline struct column value_column2(uvec3 key, uint x, struct place p, str
     return c;
 }
 
-static inline struct column value_column3(uvec3 key, uint x, struct place p, struct fade v,
+static inline struct column value_column3(uvec3 key, uint x, struct location p, struct fade v,
                                           struct fade w)
 {
     const float c00 = lattice_value(hash3(key, x, p.cell.y, p.cell.z));
@@ -42,14 +42,14 @@ static inline struct column value_column3(uvec3 key, uint x, struct place p, str
     return c;
 }
 
-static inline struct sample value_at2(struct lattice l, uint kind, struct place p)
+static inline struct sample value_at2(struct lattice l, uint kind, struct location p)
 {
     const struct fade v = fade(kind, p.t.y);
     return join(value_column2(l.key, p.cell.x, p, v), value_column2(l.key, p.next.x, p, v), p.t.x,
                 fade(kind, p.t.x), true);
 }
 
-static inline struct sample value_at3(struct lattice l, uint kind, struct place p)
+static inline struct sample value_at3(struct lattice l, uint kind, struct location p)
 {
     const struct fade v = fade(kind, p.t.y);
     const struct fade w = fade(kind, p.t.z);
@@ -57,7 +57,7 @@ static inline struct sample value_at3(struct lattice l, uint kind, struct place 
                 p.t.x, fade(kind, p.t.x), true);
 }
 
-static inline struct sample value_at(struct lattice l, uint kind, struct place p, int dimensions)
+static inline struct sample value_at(struct lattice l, uint kind, struct location p, int dimensions)
 {
     if (dimensions == 2) {
         return value_at2(l, kind, p);

@@ -56,8 +56,8 @@ static inline vec3 position_of(struct octave o, bool turned, vec3 x, int dimensi
 }
 
 /* Along y, triangles of simplex noise count their rows. */
-static inline struct place place_of(struct octave o, uint basis, bool turned, vec3 x,
-                                    int dimensions)
+static inline struct location location_of(struct octave o, uint basis, bool turned, vec3 x,
+                                          int dimensions)
 {
     vec3 p = position_of(o, turned, x, dimensions);
     if (basis == SIMPLEX && dimensions == 2) {
@@ -65,7 +65,7 @@ static inline struct place place_of(struct octave o, uint basis, bool turned, ve
     }
     const struct split sx = split(p.x, o.last.x);
     const struct split sy = split(p.y, o.last.y);
-    struct place at = {
+    struct location at = {
         .cell = {sx.cell, sy.cell, 0},
         .next = {cell_after(o.last.x, sx.cell), cell_after(o.last.y, sy.cell), 0},
         .t = {sx.t, sy.t, 0.0f},

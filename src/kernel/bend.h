@@ -16,9 +16,9 @@ struct matrix {
     struct vector x, y, z;
 };
 
-/* What goes from octave to octave at a block: the noise, the sum S of slopes, and how much of the
-   octaves is left (Swiss); with derivatives by x, those of S as its Jacobian. Stored, it is the
-   noise as a stored sample, then the others in this order, what is unset left out. */
+/* The state that goes from octave to octave at a block: the noise, the sum S of slopes with its
+   Jacobian by x, and how much of the octaves is left (Swiss), with derivatives. In memory, the
+   noise comes first, as a stored sample, then the others in this order, without unset members. */
 struct bend {
     struct sample sum;
     struct vector s;
@@ -133,8 +133,8 @@ VEC_INLINE struct vector bent_vector(const struct bend *b, struct vector v, vf r
     return r;
 }
 
-/* The product of S's factor with the slope is added to S: its derivatives along one axis to a
-   column of the Jacobian, `by` being that of the factor and `second` that of the slope. */
+/* Adds the derivatives along one axis of factor * slope to a column of the Jacobian of S. `by` is
+   the derivative of the factor, `second` that of the slope. */
 VEC_INLINE void add_column(struct vector *column, vf by, const struct vector *slope, vf product,
                            const struct vector *second, int dimensions)
 {

@@ -8,7 +8,7 @@
 #include "../dispatch/kernels.h"
 #include "basis/cells.h"
 
-/* How many blocks are placed on cells at once. */
+/* How many blocks are located at once. */
 #define CELLS_BLOCKS 16
 
 /* What all points of a call share; `unit` is a cell in units of input. */
@@ -54,10 +54,11 @@ VEC_INLINE void cells_gradient(vf *to, vf square, const vf d[3], int dimensions)
 
 /* Searches at a block, whose coordinates are at `x`, and puts what is asked for into its arrays,
    from point `first` on: `count` points, of which the arrays of coordinates may have more. */
-VEC_INLINE void cells_block(const struct cells_call *call, const vf *place, const void *const x[3],
-                            size_t first, size_t count, struct search search)
+VEC_INLINE void cells_block(const struct cells_call *call, const vf *location,
+                            const void *const x[3], size_t first, size_t count,
+                            struct search search)
 {
-    const struct found found = cells_search(place, call->octave, search);
+    const struct found found = cells_search(location, call->octave, search);
     const vf unit = vf_set((float)call->unit);
     vf of[CELLS_OUTPUTS];
     for (int i = 0; i < CELLS_OUTPUTS; i++) {
@@ -89,7 +90,7 @@ VEC_INLINE void cells_block(const struct cells_call *call, const vf *place, cons
         if (array != NULL && count == VEC_LANES) {
             vf_store(array + first, of[i]);
         } else if (array != NULL) {
-            vf_store_part(array + first, of[i], count);
+            vf_store_partial(array + first, of[i], count);
         }
     }
 }
@@ -97,8 +98,8 @@ VEC_INLINE void cells_block(const struct cells_call *call, const vf *place, cons
 /* Searches at `count` points from `first` on, at most CELLS_BLOCKS whole blocks, or at less than
    one. Outputs may be where coordinates are: those of a block are read before anything is written
    there. */
-VEC_INLINE void cells_part(const struct cells_call *call, const vf *place, size_t first,
-                           size_t count, const void *const x[3], struct search search)
+VEC_INLINE void cells_blocks(const struct cells_call *call, const vf *location, size_t first,
+                             size_t count, const void *const x[3], struct search search)
 {
     const size_t bytes = call->doubles ? sizeof(double) : sizeof(float);
     for (size_t i = 0; i < count; i += VEC_LANES) {
@@ -106,21 +107,21 @@ VEC_INLINE void cells_part(const struct cells_call *call, const vf *place, size_
         for (int axis = 0; axis < search.dimensions; axis++) {
             at[axis] = (const char *)x[axis] + i * bytes;
         }
-        cells_block(call, place, at, first + i, count < VEC_LANES ? count : VEC_LANES, search);
-        place += places_size(search.dimensions);
+        cells_block(call, location, at, first + i, count < VEC_LANES ? count : VEC_LANES, search);
+        location += unhashed_size(search.dimensions);
     }
 }
 
-typedef void cells_pass(const struct cells_call *call, const vf *place, size_t first, size_t count,
-                        const void *const x[3]);
+typedef void cells_pass(const struct cells_call *call, const vf *location, size_t first,
+                        size_t count, const void *const x[3]);
 
 /* Passes that give F1 alone; all of the nearest feature; all of both. */
 #define CELLS_PASS(name, dimensions, ...)                                                          \
-    static void name(const struct cells_call *call, const vf *place, size_t first, size_t count,   \
-                     const void *const x[3])                                                       \
+    static void name(const struct cells_call *call, const vf *location, size_t first,              \
+                     size_t count, const void *const x[3])                                         \
     {                                                                                              \
         const struct search search = {dimensions, __VA_ARGS__};                                    \
-        cells_part(call, place, first, count, x, search);                                          \
+        cells_blocks(call, location, first, count, x, search);                                     \
     }
 
 CELLS_PASS(cells2_f1, 2, 0, 0, 0)
@@ -156,7 +157,7 @@ static void cells(const struct scarp_call_plan *plan, size_t count, const void *
     const struct frame frame = {doubles ? DOUBLES : FLOATS, axes_of(plan, 0), dimensions};
     const size_t bytes = doubles ? sizeof(double) : sizeof(float);
     cells_pass *const pass = cells_pass_of(out, dimensions);
-    vf place[CELLS_BLOCKS * PLACES_SIZE(3)];
+    vf location[CELLS_BLOCKS * UNHASHED_SIZE(3)];
     for (size_t first = 0, here; pass != NULL && first < count; first += here) {
         double padded[3][VEC_LANES]; /* nothing beyond an array is touched; 0 does no harm */
         struct positions at;
@@ -170,8 +171,8 @@ static void cells(const struct scarp_call_plan *plan, size_t count, const void *
                 at.array[axis] = padded[axis];
             }
         }
-        place_row(place, o, here < VEC_LANES ? 1 : here / VEC_LANES, &at, frame);
-        pass(&call, place, first, here, at.array);
+        unhashed_row(location, o, here < VEC_LANES ? 1 : here / VEC_LANES, &at, frame);
+        pass(&call, location, first, here, at.array);
     }
 }
 

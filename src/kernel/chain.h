@@ -260,8 +260,8 @@ VEC_INLINE vf chain_product(struct chain_terms a, struct chain_terms b, int orde
     if (order == 0) {
         return a.value * b.value;
     }
-    const vf plain = b.value * a.member + a.value * b.member;
-    return order == 1 ? plain : plain + (a.i * b.j + a.j * b.i);
+    const vf linear = b.value * a.member + a.value * b.member;
+    return order == 1 ? linear : linear + (a.i * b.j + a.j * b.i);
 }
 
 VEC_INLINE vf chain_multiply(const struct chain_sources *from, size_t at, int order)
@@ -304,12 +304,12 @@ VEC_INLINE vf chain_two_second(const struct chain_sources *from, size_t at, int 
     const struct chain_arrays *const a = &from->in[CHAIN_A], *const b = &from->in[CHAIN_B];
     const vf ai = vf_load(a->i + at), aj = vf_load(a->j + at);
     const vf bi = vf_load(b->i + at), bj = vf_load(b->j + at);
-    const vf plain = chain_two_first(from, at);
+    const vf linear = chain_two_first(from, at);
     const vf aa = vf_load(from->partial[PARTIAL_AA] + at);
     if (smooth) {
-        return plain + aa * (ai - bi) * (aj - bj);
+        return linear + aa * (ai - bi) * (aj - bj);
     }
-    return plain + (aa * ai * aj + vf_load(from->partial[PARTIAL_BB] + at) * bi * bj) +
+    return linear + (aa * ai * aj + vf_load(from->partial[PARTIAL_BB] + at) * bi * bj) +
            vf_load(from->partial[PARTIAL_AB] + at) * (ai * bj + aj * bi);
 }
 
@@ -374,7 +374,7 @@ static void chain_write(enum chain_line line, const struct chain_sources *from, 
 #undef CHAIN_CASE
 }
 
-/* Says where output m finds its input. What it does not need is not there. */
+/* Finds the inputs of output m. Inputs that it does not need stay unset. */
 static void chain_find(struct chain_sources *from, const struct scarp_chain *call, size_t first,
                        int m, int order)
 {
@@ -414,7 +414,7 @@ static void chain_block(const struct scarp_chain *call, size_t first, size_t cou
 static __attribute__((noinline)) void chain_copy(const float **array, float to[VEC_LANES],
                                                  size_t first, size_t count)
 {
-    vf_store(to, vf_load_part(*array + first, count));
+    vf_store(to, vf_load_partial(*array + first, count));
     *array = to;
 }
 

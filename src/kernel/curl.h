@@ -29,12 +29,12 @@ static __attribute__((noinline)) void curl_put(float *to, const float *d,
         const size_t here = least(end - at, VEC_LANES);
         vf sum = (vf)((vu)vf_load(d) ^ sign);
         if (!term.is_first) {
-            sum += here == VEC_LANES ? vf_load(to + at) : vf_load_part(to + at, here);
+            sum += here == VEC_LANES ? vf_load(to + at) : vf_load_partial(to + at, here);
         }
         if (here == VEC_LANES) {
             vf_store(to + at, sum);
         } else {
-            vf_store_part(to + at, sum, here);
+            vf_store_partial(to + at, sum, here);
         }
     }
 }
@@ -54,9 +54,9 @@ static __attribute__((noinline)) void curl_along(const struct warped *w,
     }
 }
 
-/* Adds a potential to the component of the velocity behind its own number, and subtracts it from
-   the one behind that. The terms of lower numbers are there. That of the plane is number 2, alone.
- */
+/* Adds potential i to component i + 1 of the velocity and subtracts it from component i + 2,
+   modulo 3. The terms of potentials with lower numbers are there already. In the plane there is
+   potential 2 alone. */
 static void curl_add(const struct warped *w, const struct scarp_flow_arrays *out,
                      const struct chunk *chunk, int potential)
 {

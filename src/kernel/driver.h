@@ -1,18 +1,18 @@
 /* SPDX-License-Identifier: MIT
  *
- * The only loop over octaves, for points and grids alike. It takes a part of a call, rows of
+ * The only loop over octaves, for points and grids alike. It takes a tile of a call, rows of
  * blocks, through the stages:
  *
  *     x, y, z                       cells, hashes          noise            shaped
  *        |                               |                   |                |
  *        +--> positions.h, lattice.h ----+--> basis/ --------+--> shape/ -----+--> samples.h
- *             or places.h                     or rows/            or turn.h        adds it to the
+ *             or unhashed.h                     or rows/            or turn.h        adds it to the
  *                                                                                  sums or stores
- *     for each octave of the part         scratch space between the stages         the outputs
+ *     for each octave of the tile         scratch space between the stages         the outputs
  *
  * Sums of octaves without a shape, along straight axes, go from the basis to the sums at once.
  *
- * Each stage is a pass of its own over the part. One pass that did all would be a single chain of
+ * Each stage is a pass of its own over the tile. One pass that did all would be a single chain of
  * some 25 dependent operations per block, and out-of-order windows hold only two or three blocks of
  * it: shorter chains overlap better. On Zen 5 with gcc 12 and AVX2, one pass computes 870 (2D) and
  * 400 (3D) million points of gradient noise per second, two passes 1120 and 460. (A pass over two
@@ -28,18 +28,18 @@
 #include "rows/turned.h"
 #include "shape/shape.h"
 #if VEC_SMALL
-#include "basis/own.h"
+#include "basis/simplex_points.h"
 #else
 #include "rows/cells_rows.h"
 #include "rows/simplex.h"
 #endif
 
-/* The most blocks of a part of points. Many blocks share the fixed cost of a pass: with 8, AVX-512
+/* The most blocks of a tile of points. Many blocks share the fixed cost of a pass: with 8, AVX-512
    loses 6 to 12 %. */
-#define PART_BLOCKS 32
+#define TILE_BLOCKS 32
 
 /* The scratch space holds what is between the passes. With this size, a call takes less than 48 KiB
-   of stack. Parts have fewer blocks where a block needs much. A set whose frames are larger has
+   of stack. Tiles have fewer blocks where a block needs much. A set whose frames are larger has
    less. */
 #ifndef SCRATCH_BYTES
 #define SCRATCH_BYTES (26 * 1024)
@@ -57,10 +57,11 @@ struct workspace {
 
 /* The passes of a basis, by [dimensions - 2][order]. */
 struct basis {
-    points_pass *points[2][3];
+    basis_pass *points[2][3];
     rows_pass *rows[2][3]; /* NULL: there is no fast path */
-    int takes_places;      /* whether passes take places (places.h), not hashes (lattice.h) */
-    /* Vectors for the tables of a row of so many blocks, of a basis that takes places. */
+    int takes_unhashed;    /* whether passes take unhashed.h's locations, not lattice.h's */
+    /* Vectors for the tables of a row of so many blocks, of a basis that takes unhashed
+       locations. */
     size_t (*table_size)(int dimensions, size_t blocks);
 };
 
@@ -82,16 +83,16 @@ struct basis {
             {name##3_##kind, name##3_##kind, name##3_##kind},                                      \
     }
 
-/* A basis that takes places. Small sets have no rows passes for them. */
+/* A basis that takes unhashed locations. Small sets have no rows passes for such. */
 #if VEC_SMALL
-#define OWN(points_passes, rows_passes, size)                                                      \
+#define UNHASHED(points_passes, rows_passes, size)                                                 \
     {                                                                                              \
-        .points = points_passes, .takes_places = 1                                                 \
+        .points = points_passes, .takes_unhashed = 1                                               \
     }
 #else
-#define OWN(points_passes, rows_passes, size)                                                      \
+#define UNHASHED(points_passes, rows_passes, size)                                                 \
     {                                                                                              \
-        .points = points_passes, .rows = rows_passes, .takes_places = 1, .table_size = size        \
+        .points = points_passes, .rows = rows_passes, .takes_unhashed = 1, .table_size = size      \
     }
 #endif
 #define SIMPLEX_ROWS                                                                               \
@@ -101,21 +102,29 @@ struct basis {
             simplex3_rows0, simplex3_rows1, NULL                                                   \
         }                                                                                          \
     }
-#define CELLS(passes, name) OWN(passes(name, points), passes(name, rows), cell_tables_size)
+#define FLOW_ROWS                                                                                  \
+    {                                                                                              \
+        {flow2_rows0, flow2_rows1, NULL},                                                          \
+        {                                                                                          \
+            flow3_rows0, flow3_rows1, NULL                                                         \
+        }                                                                                          \
+    }
+#define CELLS(passes, name) UNHASHED(passes(name, points), passes(name, rows), cell_tables_size)
 
-/* The line of gradient noise that flows, after those of the bases. */
+/* The line of gradient noise that flows, after those of the bases. Its Hessians are rare and large:
+   grids of them are computed as points (has_no_rows). */
 enum { FLOWING = SCARP_BASES };
 
 static const struct basis bases[] = {
     [SCARP_GRADIENT] = {.points = PASSES(gradient, points), .rows = PASSES(gradient, rows)},
     [SCARP_VALUE] = {.points = PASSES(value, points), .rows = PASSES(value, rows)},
-    [SCARP_SIMPLEX] = OWN(PASSES(simplex, points), SIMPLEX_ROWS, vertices_size),
+    [SCARP_SIMPLEX] = UNHASHED(PASSES(simplex, points), SIMPLEX_ROWS, vertices_size),
     [SCARP_CELL_F1] = CELLS(VALUE_AND_ANY, nearest),
     [SCARP_CELL_F2] = CELLS(VALUE_AND_ANY, second),
     [SCARP_CELL_EDGE] = CELLS(VALUE_AND_ANY, second),
     [SCARP_CELL_SOFT] = CELLS(PASSES, soft),
     [SCARP_CELL_VALUE] = CELLS(ANY, cell),
-    [FLOWING] = {.points = PASSES(flow, points), .rows = PASSES(flow, rows)},
+    [FLOWING] = {.points = PASSES(flow, points), .rows = FLOW_ROWS},
 };
 
 _Static_assert(sizeof bases / sizeof bases[0] == FLOWING + 1,
@@ -129,20 +138,29 @@ static const struct basis *basis_of(const struct scarp_call_plan *plan)
 #undef PASSES
 #undef VALUE_AND_ANY
 #undef ANY
-#undef OWN
+#undef UNHASHED
 #undef CELLS
 #undef SIMPLEX_ROWS
+#undef FLOW_ROWS
 
-/* What all parts of a call share: its passes, and vectors of scratch space per block. */
+/* Whether grids of the noise, without its warps, are computed as points: octaves that bend displace
+   the next ones, and flow noise has no rows pass for Hessians. */
+static int has_no_rows(const struct scarp_call_plan *plan)
+{
+    return fractal_bends(plan->fractal) ||
+           (plan->flows && plan->order + shapes[plan->fractal].extra_order > 1);
+}
+
+/* What all tiles of a call share: its passes, and vectors of scratch space per block. */
 struct call {
     const struct scarp_call_plan *plan;
     int dimensions, basis_order;
-    enum layout layout;     /* of the positions */
-    int takes_places;       /* struct basis */
-    enum corners_kept kept; /* of corners, by a basis that takes hashes */
+    enum layout layout;       /* of the positions */
+    int takes_unhashed;       /* struct basis */
+    enum corner_form corners; /* of corners, by a basis that takes hashes */
     const struct basis *basis;
     lattice_pass *const *lattice_passes; /* by axes; of a basis that takes hashes */
-    points_pass *points_pass;
+    basis_pass *basis_pass;
     rows_pass *rows_pass;  /* NULL: none, or points */
     shape_pass *turn_pass; /* NULL where no derivatives are to be turned */
     const struct shape *shape;
@@ -151,7 +169,7 @@ struct call {
     size_t lattice_size, noise_size, state_size;
     size_t turning_size, moving_size; /* struct phase_shaping */
     size_t sums_size;                 /* vectors of all outputs at a block */
-    int plain;                        /* whether it is fBm with straight axes */
+    int straight_fbm;                 /* whether it is fBm with straight axes */
 };
 
 VEC_INLINE void call_begin(struct call *call, const struct scarp_call_plan *plan, int dimensions,
@@ -159,35 +177,36 @@ VEC_INLINE void call_begin(struct call *call, const struct scarp_call_plan *plan
 {
     const struct shape *const shape = &shapes[plan->fractal];
     const int d = dimensions - 2, order = plan->order + shape->extra_order;
-    const int turns = plan->rotate && plan->order > 0 && !shape->own_axes;
+    const int turns = plan->rotate && plan->order > 0 && !shape->octave_axes;
     const struct basis *const basis = basis_of(plan);
     const int moves = plan->dphase && shape->phase[d] != NULL;
     call->plan = plan;
     call->dimensions = dimensions;
     call->basis_order = order;
     call->layout = layout;
-    call->kept = kept_of(plan->basis);
-    call->lattice_passes = lattice_passes[call->kept][d][layout];
-    call->points_pass = basis->points[d][order];
+    call->corners = corner_form_of(plan->basis);
+    call->lattice_passes = lattice_passes[call->corners][d][layout];
+    call->basis_pass = basis->points[d][order];
     call->rows_pass = layout == ROW ? basis->rows[d][order] : NULL;
     call->turn_pass = turns ? turn_passes[d][plan->order - 1] : NULL;
     call->shape = shape;
     call->shape_pass = shape->pass[d][plan->order];
     call->basis = basis;
-    call->takes_places = basis->takes_places;
-    call->lattice_size = basis->takes_places ? places_size(dimensions) : lattice_size(dimensions);
+    call->takes_unhashed = basis->takes_unhashed;
+    call->lattice_size =
+        basis->takes_unhashed ? unhashed_size(dimensions) : lattice_size(dimensions);
     call->noise_size = turns || call->shape_pass != NULL ? sample_size(dimensions, order) : 0;
     call->state_size = state_size(plan, dimensions);
     call->phase_pass = moves ? shape->phase[d] : NULL;
     call->turning_size = moves ? turning_size(plan->fractal, dimensions) : 0;
     call->moving_size = moves ? moving_size(plan->fractal, dimensions) : 0;
     call->sums_size = sample_size(dimensions, plan->order) + (plan->dphase ? 1 : 0);
-    call->plain = call->shape_pass == NULL && !plan->rotate;
+    call->straight_fbm = call->shape_pass == NULL && !plan->rotate;
 }
 
-/* A part of a call. Points count as one row. */
-struct part {
-    struct placed placed;
+/* A tile of a call. Points count as one row. */
+struct tile {
+    struct locations locations;
     struct positions at;                  /* ROW: x for all rows, and z */
     const double *y;                      /* ROW: the y of each row, padded to whole vectors */
     struct outputs *to;                   /* where octaves are added up */
@@ -225,73 +244,74 @@ static int has_rows_pass(const struct call *call, int k)
     return call->rows_pass != NULL && axes_of(call->plan, k) != AXES_TURNED;
 }
 
-/* Whether it goes through the rows pass: where it crosses many cells, points may be faster. */
-static int takes_rows_pass(const struct call *call, const struct part *part, int k)
+/* Whether octave k goes through the rows pass: points may be faster where rows cross many cells. */
+static int takes_rows_pass(const struct call *call, const struct tile *tile, int k)
 {
-    return has_rows_pass(call, k) && !(call->takes_places && part->row_octave->cells.by_points);
+    return has_rows_pass(call, k) && !(call->takes_unhashed && tile->row_octave->cells.by_points);
 }
 
-/* Places the part on the cells of an octave. */
-static void place_rows(const struct call *call, const struct part *part,
-                       const struct scarp_octave *o, enum axes axes)
+/* Finds the cells and the fractions of a tile's samples. */
+static void locate_unhashed(const struct call *call, const struct tile *tile,
+                            const struct scarp_octave *o, enum axes axes)
 {
     const struct frame f = {call->layout, axes, call->dimensions};
-    const size_t blocks = part->placed.extent.blocks;
-    struct positions at = part->at;
-    for (size_t r = 0; r < part->placed.extent.rows; r++) {
+    const size_t blocks = tile->locations.extent.blocks;
+    struct positions at = tile->at;
+    for (size_t r = 0; r < tile->locations.extent.rows; r++) {
         if (call->layout == ROW) {
-            at.shared[1] = part->y[r];
+            at.shared[1] = tile->y[r];
         }
-        place_row(part->placed.lattice + r * blocks * call->lattice_size, o, blocks, &at, f);
+        unhashed_row(tile->locations.lattice + r * blocks * call->lattice_size, o, blocks, &at, f);
     }
 }
 
-/* Places the part on the lattice of octave k. */
-VEC_INLINE void place_part(const struct call *call, const struct part *part, int k)
+/* Locates the tile's samples on the lattice of octave k. */
+VEC_INLINE void locate_tile(const struct call *call, const struct tile *tile, int k)
 {
     const enum axes axes = axes_of(call->plan, k);
     const struct scarp_octave *const o = &call->plan->octave[k];
-    if (call->takes_places) {
-        place_rows(call, part, o, axes);
+    if (call->takes_unhashed) {
+        locate_unhashed(call, tile, o, axes);
         return;
     }
     if (call->layout != ROW) {
-        call->lattice_passes[axes](part->placed.lattice, o, part->placed.extent.blocks, &part->at);
+        call->lattice_passes[axes](tile->locations.lattice, o, tile->locations.extent.blocks,
+                                   &tile->at);
         return;
     }
-    struct positions at = part->at;
+    struct positions at = tile->at;
     if (axes == AXES_TURNED) {
-        at.array[1] = part->y;
-        turned_passes[call->kept][call->dimensions - 2](part->placed.lattice, o,
-                                                        part->placed.extent, &part->turned, &at);
+        at.array[1] = tile->y;
+        turned_passes[call->corners][call->dimensions - 2](
+            tile->locations.lattice, o, tile->locations.extent, &tile->turned, &at);
         return;
     }
-    for (size_t r = 0; r < part->placed.extent.rows; r++) {
-        at.shared[1] = part->y[r];
-        call->lattice_passes[axes](part->placed.lattice +
-                                       r * part->placed.extent.blocks * call->lattice_size,
-                                   o, part->placed.extent.blocks, &at);
+    for (size_t r = 0; r < tile->locations.extent.rows; r++) {
+        at.shared[1] = tile->y[r];
+        call->lattice_passes[axes](tile->locations.lattice +
+                                       r * tile->locations.extent.blocks * call->lattice_size,
+                                   o, tile->locations.extent.blocks, &at);
     }
 }
 
 /* Adds octave k of the basis, times its weights, to `to`, or puts it there. */
-VEC_INLINE void add_basis(const struct call *call, const struct part *part, int k,
+VEC_INLINE void add_basis(const struct call *call, const struct tile *tile, int k,
                           const struct weights *weights, const struct outputs *to, enum put put)
 {
-    if (takes_rows_pass(call, part, k)) {
-        part->row_octave->turn = call->plan->octave[k].turn;
-        part->row_octave->basis = call->plan->basis;
-        part->row_octave->order = call->basis_order;
-        call->rows_pass(part->row_octave, part->placed.extent.rows, weights, to, put);
+    if (takes_rows_pass(call, tile, k)) {
+        tile->row_octave->turn = call->plan->octave[k].turn;
+        tile->row_octave->basis = call->plan->basis;
+        tile->row_octave->order = call->basis_order;
+        call->rows_pass(tile->row_octave, tile->locations.extent.rows, weights, to, put);
         return;
     }
-    place_part(call, part, k);
-    call->points_pass(&part->placed, weights, to, put);
+    locate_tile(call, tile, k);
+    call->basis_pass(&tile->locations, weights, to, put);
 }
 
-/* Adds the derivative of the basis by the phase, after add_basis, which has placed the part.
+/* Adds the derivative of the basis by the phase, after add_basis, which has located the tile.
    `order` is that of the outputs which `to` takes. */
-static void add_turning(const struct call *call, const struct part *part, int k, int order,
+static void add_turning(const struct call *call, const struct tile *tile, int k, int order,
                         const struct outputs *to, enum put put)
 {
     const struct scarp_octave *const o = &call->plan->octave[k];
@@ -301,175 +321,176 @@ static void add_turning(const struct call *call, const struct part *part, int k,
     const struct weights weights = {{slope, slope, slope}};
     float derivative[4];
     scarp_phase_derivative(derivative, o->turn);
-    if (takes_rows_pass(call, part, k)) {
-        part->row_octave->turn = derivative;
-        basis->rows[d][order](part->row_octave, part->placed.extent.rows, &weights, to, put);
+    if (takes_rows_pass(call, tile, k)) {
+        tile->row_octave->turn = derivative;
+        basis->rows[d][order](tile->row_octave, tile->locations.extent.rows, &weights, to, put);
         return;
     }
-    struct placed placed = part->placed;
-    placed.turn = derivative;
-    basis->points[d][order](&placed, &weights, to, put);
+    struct locations locations = tile->locations;
+    locations.turn = derivative;
+    basis->points[d][order](&locations, &weights, to, put);
 }
 
 /* Adds the derivative of octave k by the phase, which no shape changes. This and the next are out
    of line, so that what they need is not on the stack while other passes run. */
-static __attribute__((noinline)) void add_phase(const struct call *call, const struct part *part,
+static __attribute__((noinline)) void add_phase(const struct call *call, const struct tile *tile,
                                                 int k, const struct outputs *to, enum put put)
 {
     struct outputs phase;
     outputs_of_phase(&phase, to);
-    add_turning(call, part, k, 0, &phase, put);
+    add_turning(call, tile, k, 0, &phase, put);
 }
 
-/* Adds that of an octave that is about to be shaped. */
+/* Adds the derivative by the phase of an octave whose shape comes next. */
 static __attribute__((noinline)) void add_shaped_phase(const struct call *call,
-                                                       const struct part *part, int k,
+                                                       const struct tile *tile, int k,
                                                        const struct shaping *shaping,
                                                        const struct outputs *to, enum put put)
 {
-    const struct phase_shaping at = {*shaping, call->noise_size, call->state_size, part->turning,
-                                     part->moving};
+    const struct phase_shaping at = {*shaping, call->noise_size, call->state_size, tile->turning,
+                                     tile->moving};
     struct outputs phase;
     outputs_of_phase(&phase, to);
-    add_turning(call, part, k, call->shape->extra_order, part->turning_stored, PUT_FIRST);
+    add_turning(call, tile, k, call->shape->extra_order, tile->turning_stored, PUT_FIRST);
     call->phase_pass(&at, &phase, put);
 }
 
-/* Adds octave k shaped. The noise is stored times the weights of its outputs; times
-   the amplitude alone for shapes that take it in its own axes; as it is where the turn brings the
-   weights. */
-static void add_shaped(const struct call *call, const struct part *part, int k,
+/* Adds octave k through its shape. The stored noise has the weights of its outputs; the amplitude
+   alone if the shape takes derivatives in the octave's axes; and none if the turn applies them. */
+static void add_shaped(const struct call *call, const struct tile *tile, int k,
                        const struct outputs *to, enum put put)
 {
     const struct scarp_octave *const o = &call->plan->octave[k];
     const enum axes axes = axes_of(call->plan, k);
-    const struct shaping shaping = {call->plan,          o,           axes,
-                                    part->placed.extent, part->noise, part->state};
+    const struct shaping shaping = {call->plan,  o,          axes, tile->locations.extent,
+                                    tile->noise, tile->state};
     const int turns = axes == AXES_TURNED && call->turn_pass != NULL;
     const float a = turns ? 1.0f : o->amplitude;
-    const struct weights own = {{a, a, a}}, straight = {{o->amplitude, o->slope, o->curvature}};
-    add_basis(call, part, k, turns || call->shape->own_axes ? &own : &straight, part->stored,
-              PUT_FIRST);
+    const struct weights amplitude = {{a, a, a}},
+                         straight = {{o->amplitude, o->slope, o->curvature}};
+    add_basis(call, tile, k, turns || call->shape->octave_axes ? &amplitude : &straight,
+              tile->stored, PUT_FIRST);
     if (turns && call->shape_pass == NULL) {
         call->turn_pass(&shaping, to, put);
         if (call->plan->dphase) {
-            add_phase(call, part, k, to, put);
+            add_phase(call, tile, k, to, put);
         }
         return;
     }
     if (turns) {
-        call->turn_pass(&shaping, part->stored, PUT_FIRST);
+        call->turn_pass(&shaping, tile->stored, PUT_FIRST);
     }
     if (call->phase_pass != NULL) {
-        add_shaped_phase(call, part, k, &shaping, to, put);
+        add_shaped_phase(call, tile, k, &shaping, to, put);
     }
     call->shape_pass(&shaping, to, put);
 }
 
-/* Adds octave k on a part, or on some of its rows. */
-VEC_INLINE void add_octave(const struct call *call, const struct part *part, int k,
+/* Adds octave k on a tile, or on some of its rows. */
+VEC_INLINE void add_octave(const struct call *call, const struct tile *tile, int k,
                            const struct outputs *to)
 {
     const struct scarp_octave *const o = &call->plan->octave[k];
-    const enum put put = k > 0 ? PUT_ADD : part->put;
+    const enum put put = k > 0 ? PUT_ADD : tile->put;
     if (call->shape_pass != NULL ||
         (call->turn_pass != NULL && axes_of(call->plan, k) == AXES_TURNED)) {
-        add_shaped(call, part, k, to, put);
+        add_shaped(call, tile, k, to, put);
     } else {
         const struct weights weights = {{o->amplitude, o->slope, o->curvature}};
-        add_basis(call, part, k, &weights, to, put);
+        add_basis(call, tile, k, &weights, to, put);
         if (call->plan->dphase) {
-            add_phase(call, part, k, to, put);
+            add_phase(call, tile, k, to, put);
         }
     }
 }
 
-/* Adds octave k on a part of a grid, some rows at a time, so that what is between its passes stays
-   in the first-level cache. The part is as before in the end. (A copy of it would wait until what
+/* Adds octave k on a tile of a grid, some rows at a time, so that what is between its passes stays
+   in the first-level cache. The tile is as before in the end. (A copy of it would wait until what
    was written in narrow stores has left the core: see outputs_stored.) */
-static void add_by_groups(const struct call *call, struct part *part, int k)
+static void add_by_groups(const struct call *call, struct tile *tile, int k)
 {
-    const size_t rows = part->placed.extent.rows;
-    const size_t state_of_row = part->placed.extent.blocks * call->state_size;
-    const size_t moving_of_row = part->placed.extent.blocks * call->moving_size;
-    const double *const y = part->y;
-    vf *const state = part->state, *const moving = part->moving;
+    const size_t rows = tile->locations.extent.rows;
+    const size_t state_of_row = tile->locations.extent.blocks * call->state_size;
+    const size_t moving_of_row = tile->locations.extent.blocks * call->moving_size;
+    const double *const y = tile->y;
+    vf *const state = tile->state, *const moving = tile->moving;
     for (size_t r = 0, here; r < rows; r += here) {
-        here = least(rows - r, part->group);
-        part->placed.extent.rows = here;
-        part->row_octave->begin = r;
-        part->y = y + r;
-        part->state = state + r * state_of_row;
-        part->moving = moving + r * moving_of_row;
-        add_octave(call, part, k, part->to);
-        outputs_move(part->to, call->plan->order, (ptrdiff_t)here);
+        here = least(rows - r, tile->group);
+        tile->locations.extent.rows = here;
+        tile->row_octave->begin = r;
+        tile->y = y + r;
+        tile->state = state + r * state_of_row;
+        tile->moving = moving + r * moving_of_row;
+        add_octave(call, tile, k, tile->to);
+        outputs_move(tile->to, call->plan->order, (ptrdiff_t)here);
     }
-    outputs_move(part->to, call->plan->order, -(ptrdiff_t)rows);
-    part->placed.extent.rows = rows;
-    part->y = y;
-    part->state = state;
-    part->moving = moving;
+    outputs_move(tile->to, call->plan->order, -(ptrdiff_t)rows);
+    tile->locations.extent.rows = rows;
+    tile->y = y;
+    tile->state = state;
+    tile->moving = moving;
 }
 
-/* Prepares octave k along the axes of a grid. What depends on x is kept for the parts below if
+/* Prepares octave k along the axes of a grid. What depends on x is kept for the tiles below if
    there is no other octave. This is out of line, so that its arrays and those of the passes are not
    on the stack at the same time. */
-static __attribute__((noinline)) void prepare_rows(const struct call *call, const struct part *part,
-                                                   int k, int first_part)
+static __attribute__((noinline)) void prepare_rows(const struct call *call, const struct tile *tile,
+                                                   int k, int first_tile)
 {
     const struct scarp_call_plan *const plan = call->plan;
     const enum axes axes = axes_of(plan, k);
     double z[VEC_LANES];
     for (size_t i = 0; i < VEC_LANES; i++) {
-        z[i] = part->at.shared[2];
+        z[i] = tile->at.shared[2];
     }
-    const struct positions at = {.array = {NULL, part->y, z}};
+    const struct positions at = {.array = {NULL, tile->y, z}};
     const struct frame f = {DOUBLES, axes, call->dimensions};
-    if (call->takes_places) {
-        struct along_cells *const along = &part->row_octave->cells;
-        if (plan->octaves > 1 || first_part) {
-            along_cells_begin(along, part->along, part->placed.extent.blocks);
-            along_cells_x(along, &plan->octave[k], part->at.array[0], axes);
+    if (call->takes_unhashed) {
+        struct along_cells *const along = &tile->row_octave->cells;
+        if (plan->octaves > 1 || first_tile) {
+            along_cells_begin(along, tile->along, tile->locations.extent.blocks);
+            along_cells_x(along, &plan->octave[k], tile->at.array[0], axes);
         }
-        along_cells_rows(along, &plan->octave[k], part->placed.extent.rows, &at, axes,
+        along_cells_rows(along, &plan->octave[k], tile->locations.extent.rows, &at, axes,
                          call->dimensions);
         return;
     }
-    if (plan->octaves > 1 || first_part) {
-        along_x(&part->row_octave->x, &plan->octave[k], part->placed.extent.blocks, &part->at,
+    if (plan->octaves > 1 || first_tile) {
+        along_x(&tile->row_octave->x, &plan->octave[k], tile->locations.extent.blocks, &tile->at,
                 plan->fade, axes);
     }
-    along_rows(&part->row_octave->rows, &plan->octave[k], part->placed.extent.rows, &at, plan->fade,
-               f);
+    along_rows(&tile->row_octave->rows, &plan->octave[k], tile->locations.extent.rows, &at,
+               plan->fade, f);
 }
 
-/* Adds up all octaves of a part. */
-static void sum_octaves(const struct call *call, struct part *part, int first_part)
+/* Adds up all octaves of a tile. */
+static void sum_octaves(const struct call *call, struct tile *tile, int first_tile)
 {
     const struct scarp_call_plan *const plan = call->plan;
     if (call->state_size > 0) {
-        state_begin(plan, part->state, call->state_size,
-                    part->placed.extent.rows * part->placed.extent.blocks);
+        state_begin(plan, tile->state, call->state_size,
+                    tile->locations.extent.rows * tile->locations.extent.blocks);
     }
     for (size_t i = 0;
-         i < part->placed.extent.rows * part->placed.extent.blocks * call->moving_size; i++) {
-        part->moving[i] = vf_set(0.0f);
+         i < tile->locations.extent.rows * tile->locations.extent.blocks * call->moving_size; i++) {
+        tile->moving[i] = vf_set(0.0f);
     }
-    part->placed.basis = plan->basis;
-    part->placed.order = call->basis_order;
+    tile->locations.basis = plan->basis;
+    tile->locations.order = call->basis_order;
     for (int k = 0; k < plan->octaves; k++) {
-        part->placed.octave = &plan->octave[k];
-        part->placed.turn = plan->octave[k].turn;
+        tile->locations.octave = &plan->octave[k];
+        tile->locations.turn = plan->octave[k].turn;
         if (has_rows_pass(call, k)) {
-            prepare_rows(call, part, k, first_part);
-        } else if (call->layout == ROW && axes_of(plan, k) == AXES_TURNED && !call->takes_places) {
-            turned_begin(&part->turned, part->along, &plan->octave[k], part->placed.extent.blocks,
-                         part->at.array[0], call->dimensions);
+            prepare_rows(call, tile, k, first_tile);
+        } else if (call->layout == ROW && axes_of(plan, k) == AXES_TURNED &&
+                   !call->takes_unhashed) {
+            turned_begin(&tile->turned, tile->along, &plan->octave[k],
+                         tile->locations.extent.blocks, tile->at.array[0], call->dimensions);
         }
         if (call->layout == ROW) {
-            add_by_groups(call, part, k);
+            add_by_groups(call, tile, k);
         } else {
-            add_octave(call, part, k, part->to);
+            add_octave(call, tile, k, tile->to);
         }
     }
 }

@@ -1,12 +1,12 @@
 /* SPDX-License-Identifier: MIT
  *
- * Evaluates few points, and the remainder of many: a block at a time goes through all stages and
- * all octaves in registers. Passes over whole parts (driver.h) do more per second, but what they
- * need to begin takes longer than a block.
+ * Evaluates few points, and the remainder of many. One block at a time goes through all stages and
+ * all octaves in registers. Passes over tiles (driver.h) do more per second, but take longer to
+ * begin than a block takes here.
  *
- * One pass serves values of a single octave, in a straight line without loops; one serves values of
- * fBm with straight axes; and one all else but Hessians, the gradients of erosion, periods and
- * flow, which take the passes over parts.
+ * There are three passes: values of a single octave, without any loop; values of fBm with straight
+ * axes; and everything else but Hessians, gradients of erosion, periods and flow. Those take the
+ * passes over tiles.
  */
 #ifndef SCARP_KERNEL_FEW_H
 #define SCARP_KERNEL_FEW_H
@@ -23,8 +23,8 @@
 #define FEW_ORDER 1
 #endif
 
-/* The coordinates of a block along all axes: f32 or the two halves. The others repeat their bits.
- */
+/* The coordinates of a block along all axes: floats, or doubles in two halves. The member that is
+   not used has the same bits. */
 struct few_block {
     vf f32[3];
     vd low[3], high[3];
@@ -34,21 +34,21 @@ struct few_block {
    a point raise no floating-point exception of their own, and nothing beyond the arrays is read. */
 VEC_INLINE vf few_load_f32(const float *x, size_t count)
 {
-    return count == VEC_LANES ? vf_load(x) : vf_load_part(x, count);
+    return count == VEC_LANES ? vf_load(x) : vf_load_partial(x, count);
 }
 
 VEC_INLINE void few_load_f64(const double *x, size_t count, vd *low, vd *high)
 {
     if (count <= VEC_LANES / 2) {
-        *low = vd_load_part(x, count);
+        *low = vd_load_partial(x, count);
         *high = *low;
     } else {
         *low = vd_load(x);
-        *high = vd_load_part(x + VEC_LANES / 2, count - VEC_LANES / 2);
+        *high = vd_load_partial(x + VEC_LANES / 2, count - VEC_LANES / 2);
     }
 }
 
-/* Fills in x in place: gcc would copy a result through memory. */
+/* Fills x in. gcc would copy a result through memory. */
 VEC_INLINE void few_load(struct few_block *x, const void *const position[3], size_t first,
                          size_t count, struct frame f)
 {
@@ -71,7 +71,7 @@ static __attribute__((noinline)) void few_load_shared(struct few_block *x,
     few_load(x, position, first, count, f);
 }
 
-/* The place of a block along one axis of an octave. */
+/* The cell and the fraction of a block along one axis of an octave. */
 VEC_INLINE struct split few_split(const struct scarp_octave *o, int axis, const struct few_block *x,
                                   struct frame f)
 {
@@ -94,8 +94,8 @@ VEC_INLINE struct sample few_basis(const struct scarp_octave *o, enum scarp_fade
     for (int d = 0; d < f.dimensions; d++) {
         s[d] = few_split(o, d, x, f);
     }
-    const struct mixed m = lattice_put_places(lattice, o, s, AXES_STRAIGHT, f.dimensions);
-    lattice_put_corners(lattice, &m, f.dimensions, kept_of(v.basis));
+    const struct mixed m = lattice_put_fractions(lattice, o, s, AXES_STRAIGHT, f.dimensions);
+    lattice_put_corners(lattice, &m, f.dimensions, corner_form_of(v.basis));
     return basis_sample(lattice, fade, NULL, v);
 }
 
@@ -106,8 +106,8 @@ struct few_state {
     vf d[3];
 };
 
-/* Makes of the octave n, in the axes of the input and times its amplitude, what the fractal adds.
-   The order of v is 1 for erosion, whose n is in its own axes. */
+/* Returns what the fractal adds for the octave n, which is in the axes of the input and has its
+   amplitude. The order of v is 1 for erosion, whose n is in the axes of the octave. */
 VEC_INLINE struct sample few_shape(struct few_state *state, const struct scarp_call_plan *plan,
                                    const struct scarp_octave *o, const struct sample *n,
                                    struct variant v)
@@ -148,7 +148,7 @@ VEC_INLINE struct sample few_shape(struct few_state *state, const struct scarp_c
 VEC_INLINE struct sample few_sum(const struct scarp_call_plan *plan, const struct few_block *x,
                                  struct frame f, struct variant v)
 {
-    const int own_axes = plan->fractal == SCARP_EROSION;
+    const int octave_axes = plan->fractal == SCARP_EROSION;
     struct few_state state = {.d = {vf_set(0.0f), vf_set(0.0f), vf_set(0.0f)}};
     struct sample sum;
 #define BEGIN(i, member, rank)                                                                     \
@@ -161,10 +161,10 @@ VEC_INLINE struct sample few_sum(const struct scarp_call_plan *plan, const struc
         const int is_turned = k + plan->first > 0 && plan->rotate;
         f.axes = is_turned ? AXES_TURNED : AXES_STRAIGHT;
         struct sample n = few_basis(o, plan->fade, x, f, v);
-        if (v.order > 0 && is_turned && !own_axes) {
+        if (v.order > 0 && is_turned && !octave_axes) {
             n = turned(o, &n, v);
         } else {
-            const float factor[3] = {o->amplitude, own_axes ? o->amplitude : o->slope,
+            const float factor[3] = {o->amplitude, octave_axes ? o->amplitude : o->slope,
                                      o->curvature};
             EACH_OUTPUT(v, TIMES);
         }
@@ -185,7 +185,7 @@ VEC_INLINE void few_put(const struct scarp_outputs *out, size_t first, size_t co
         if (out->array[i] != NULL && count == VEC_LANES) {                                         \
             vf_store(out->array[i] + first, sum->member);                                          \
         } else if (out->array[i] != NULL) {                                                        \
-            vf_store_part(out->array[i] + first, sum->member, count);                              \
+            vf_store_partial(out->array[i] + first, sum->member, count);                           \
         }                                                                                          \
     } while (0)
     EACH_OUTPUT(v, PUT);
@@ -296,14 +296,14 @@ _Static_assert(sizeof few_passes / sizeof few_passes[0] == SCARP_SIMPLEX,
 #undef FEW_PASSES
 #undef FEW_NAMES
 
-/* Whether it is the values of fBm with straight axes that neither repeats nor flows. */
-static int few_plain(const struct scarp_call_plan *plan)
+/* Whether the call asks for values of a plain fBm with straight axes. */
+static int is_value_sum(const struct scarp_call_plan *plan)
 {
     return plan->order == 0 && plan->fractal == SCARP_FBM && !plan->rotate && plan->plain;
 }
 
-/* The pass that serves `count` points, or NULL if they are too many or none does. Single octaves
-   have another. */
+/* The pass that serves `count` points; NULL if they are too many, or the call is none of a pass
+   here. (table.h finds the pass of single octaves.) */
 static few_pass *few_pass_of(const struct scarp_call_plan *plan, size_t count, int dimensions)
 {
     const int order = plan->order + (plan->fractal == SCARP_EROSION); /* of the basis */

@@ -2,22 +2,22 @@
  *
  * Evaluates grids of a noise that neither bends nor has warps.
  *
- * A slice is cut into strips, some blocks wide, and each strip into parts, some rows high:
+ * A slice is cut into strips, some blocks wide, and each strip into tiles, some rows high:
  *
  *              one block = VEC_LANES samples
  *              |--|
  *            +--+--+--+--+--+--+--+--+--+--+-     x ->
  *          - |           |           |
- *     part | |- - row - -|           |
- *          | |           |           |            A strip is all parts under each other: what
+ *     tile | |- - row - -|           |
+ *          | |           |           |            A strip is all tiles under each other: what
  *          - +-----------+-----------+----        depends on x is prepared once for it, what
- *            |           |           |            depends on y once for each row of a part.
+ *            |           |           |            depends on y once for each row of a tile.
  *       y    |  strip 0  |  strip 1  |  ...
  *       |    |           |           |
  *       v    +-----------+-----------+----
  *
  * Octaves are added up in the caller's arrays, but for `stores`. Parts of fBm with straight axes
- * are large, since they need nothing between the passes but tables (rows/rows.h). Other parts are
+ * are large, since they need nothing between the passes but tables (rows/rows.h). Other tiles are
  * as large as the scratch space permits.
  */
 #ifndef SCARP_KERNEL_GRID_H
@@ -37,7 +37,7 @@
 
 #define CACHE_LINE 16 /* floats */
 
-/* A call, as all parts of the grid see it. */
+/* A call, as all tiles of the grid see it. */
 struct grid_call {
     const struct scarp_grid *grid;
     const struct scarp_outputs *out;
@@ -49,15 +49,15 @@ struct grid_call {
                     Hessians in 3D, whose ten arrays compete for lines of the first-level cache */
     int streams; /* whether outputs go past the caches, where they are aligned to a vector */
     size_t lead; /* then: how many samples of a row lie before its first cache line */
-    size_t most_rows, most_blocks; /* of a part */
-    size_t group;                  /* how many rows of a part go through the passes at once */
+    size_t most_rows, most_blocks; /* of a tile */
+    size_t group;                  /* how many rows of a tile go through the passes at once */
     size_t vectors;                /* of scratch space */
 };
 
 struct grid_scratch {
     struct workspace passes;
     struct row_octave octave;
-    double x[STRIP_BLOCKS * VEC_LANES], y[PART_ROWS];
+    double x[STRIP_BLOCKS * VEC_LANES], y[TILE_ROWS];
 };
 
 static double coordinate(const struct scarp_grid *grid, int axis, size_t index)
@@ -65,9 +65,9 @@ static double coordinate(const struct scarp_grid *grid, int axis, size_t index)
     return grid->origin[axis] + (double)(grid->first[axis] + (int64_t)index) * grid->step[axis];
 }
 
-/* Vectors of scratch space for a part, by use. `by_turns` holds what the octave at work needs:
+/* Vectors of scratch space for a tile, by use. `by_turns` holds what the octave at work needs:
    tables of lines, or positions on the lattice. */
-struct part_space {
+struct tile_space {
     size_t along, by_turns, noise, state, turning, moving, sums;
 };
 
@@ -76,24 +76,24 @@ static size_t group_of(const struct grid_call *g, size_t blocks)
 {
     const size_t size = g->call.noise_size;
     const size_t most = size * GROUP_BLOCKS > GROUP_VECTORS ? GROUP_VECTORS / size : GROUP_BLOCKS;
-    return g->direct ? PART_ROWS : blocks < most ? most / blocks : 1;
+    return g->direct ? TILE_ROWS : blocks < most ? most / blocks : 1;
 }
 
-static struct part_space space_of(const struct grid_call *g, size_t rows, size_t blocks)
+static struct tile_space space_of(const struct grid_call *g, size_t rows, size_t blocks)
 {
     const struct call *const call = &g->call;
     const size_t table = !call->rows_pass ? 0
-                         : call->takes_places
+                         : call->takes_unhashed
                              ? call->basis->table_size(call->dimensions, blocks)
                              : table_size_of(call->dimensions, call->basis_order, blocks);
     const size_t rows_at_once = least(rows, g->group);
     const size_t lattice = g->direct ? 0 : rows_at_once * blocks * call->lattice_size;
-    const size_t straight = !call->rows_pass     ? 0
-                            : call->takes_places ? along_cells_size(blocks)
-                                                 : along_size(blocks);
+    const size_t straight = !call->rows_pass       ? 0
+                            : call->takes_unhashed ? along_cells_size(blocks)
+                                                   : along_size(blocks);
     const size_t turned =
-        call->plan->rotate && !call->takes_places ? turned_size(call->dimensions, blocks) : 0;
-    const struct part_space space = {
+        call->plan->rotate && !call->takes_unhashed ? turned_size(call->dimensions, blocks) : 0;
+    const struct tile_space space = {
         .along = straight > turned ? straight : turned,
         .by_turns = table > lattice ? table : lattice,
         .noise = rows_at_once * blocks * call->noise_size,
@@ -105,10 +105,10 @@ static struct part_space space_of(const struct grid_call *g, size_t rows, size_t
     return space;
 }
 
-/* Whether the scratch space has room for a part of that size, with a spare row. */
+/* Whether the scratch space has room for a tile of that size, with a spare row. */
 static int fits(const struct grid_call *g, size_t rows, size_t blocks)
 {
-    const struct part_space s = space_of(g, rows, blocks);
+    const struct tile_space s = space_of(g, rows, blocks);
     return blocks + s.along + s.by_turns + s.noise + s.state + s.turning + s.moving + s.sums <=
            g->vectors;
 }
@@ -120,12 +120,12 @@ static size_t piece(size_t count, size_t most)
     return (count + pieces - 1) / pieces;
 }
 
-/* Decides how large parts are. What depends on x is prepared for each part, what depends on y for
-   each row of a part: so neither gets much larger than the other, but where the grid ends. */
-static void size_parts(struct grid_call *g)
+/* Decides how large tiles are. What depends on x is prepared for each tile, what depends on y for
+   each row of a tile: so neither gets much larger than the other, but where the grid ends. */
+static void size_tiles(struct grid_call *g)
 {
     const size_t rows = g->grid->count[1], blocks = g->grid->count[0] / VEC_LANES;
-    g->most_rows = least(rows, PART_ROWS);
+    g->most_rows = least(rows, TILE_ROWS);
     g->most_blocks = g->narrow ? 1 : least(blocks, STRIP_BLOCKS);
     g->group = group_of(g, g->most_blocks);
     while (!fits(g, g->most_rows, g->most_blocks)) {
@@ -140,63 +140,63 @@ static void size_parts(struct grid_call *g)
     g->most_rows = piece(rows, g->most_rows);
 }
 
-/* Gives the parts of a strip, `blocks` wide, their share of the scratch space. */
-static void place_in_scratch(const struct grid_call *g, struct part *part,
-                             struct grid_scratch *scratch, size_t blocks)
+/* Gives the tiles of a strip, `blocks` wide, their share of the scratch space. */
+static void divide_scratch(const struct grid_call *g, struct tile *tile,
+                           struct grid_scratch *scratch, size_t blocks)
 {
-    const struct part_space s = space_of(g, g->most_rows, blocks);
+    const struct tile_space s = space_of(g, g->most_rows, blocks);
     struct row_octave *const octave = &scratch->octave;
     vf *const end = scratch->passes.space + scratch->passes.vectors;
-    part->placed.extent.blocks = blocks;
-    part->placed.fade = g->call.plan->fade;
-    part->row_octave = octave;
-    part->y = scratch->y;
-    part->at.array[0] = scratch->x;
-    part->spare = scratch->passes.space;
-    part->noise = part->spare + blocks;
-    part->state = part->noise + s.noise;
-    part->turning = part->state + s.state;
-    part->moving = part->turning + s.turning;
-    part->sums_stored = part->moving + s.moving;
-    part->along = part->sums_stored + s.sums;
-    if (!g->call.takes_places) {
-        octave->x.block = (struct along_block *)part->along;
+    tile->locations.extent.blocks = blocks;
+    tile->locations.fade = g->call.plan->fade;
+    tile->row_octave = octave;
+    tile->y = scratch->y;
+    tile->at.array[0] = scratch->x;
+    tile->spare = scratch->passes.space;
+    tile->noise = tile->spare + blocks;
+    tile->state = tile->noise + s.noise;
+    tile->turning = tile->state + s.state;
+    tile->moving = tile->turning + s.turning;
+    tile->sums_stored = tile->moving + s.moving;
+    tile->along = tile->sums_stored + s.sums;
+    if (!g->call.takes_unhashed) {
+        octave->x.block = (struct along_block *)tile->along;
         octave->x.hash = (vf *)(octave->x.block + blocks);
     }
-    part->placed.lattice = part->sums_stored + s.sums + s.along;
-    octave->table = part->placed.lattice;
+    tile->locations.lattice = tile->sums_stored + s.sums + s.along;
+    octave->table = tile->locations.lattice;
     octave->table_size = (size_t)(end - octave->table);
 }
 
-/* Computes a part whose coordinates are in the scratch space. It begins with sample at[0] of row
+/* Computes a tile whose coordinates are in the scratch space. It begins with sample at[0] of row
    at[1] of slice at[2]. `count` is the length of a row that is less than a block. */
-static void grid_part(const struct grid_call *g, struct part *part, const size_t at[3],
+static void grid_tile(const struct grid_call *g, struct tile *tile, const size_t at[3],
                       size_t count)
 {
     const struct scarp_grid *const grid = g->grid;
     const size_t first = at[2] * grid->slice_stride + at[1] * grid->row_stride + at[0];
-    const size_t blocks = part->placed.extent.blocks;
+    const size_t blocks = tile->locations.extent.blocks;
     const struct call *const call = &g->call;
     struct outputs to, stored, turning;
-    outputs_stored(&stored, part->noise, call->noise_size, call->dimensions, call->basis_order,
+    outputs_stored(&stored, tile->noise, call->noise_size, call->dimensions, call->basis_order,
                    blocks);
-    part->stored = &stored;
-    outputs_stored(&turning, part->turning, call->turning_size, call->dimensions,
+    tile->stored = &stored;
+    outputs_stored(&turning, tile->turning, call->turning_size, call->dimensions,
                    call->shape->extra_order, blocks);
-    part->turning_stored = &turning;
-    part->to = &to;
-    part->group = g->group;
-    part->put = PUT_FIRST;
+    tile->turning_stored = &turning;
+    tile->to = &to;
+    tile->group = g->group;
+    tile->put = PUT_FIRST;
     if (g->stores) {
-        outputs_stored(&to, part->sums_stored, call->sums_size, call->dimensions, call->plan->order,
+        outputs_stored(&to, tile->sums_stored, call->sums_size, call->dimensions, call->plan->order,
                        blocks);
     } else {
         const int aligned = at[0] % VEC_LANES == g->lead % VEC_LANES;
-        outputs_of(&to, g->out, call->plan->order, first, grid->row_stride, part->spare);
-        part->put = g->streams && aligned ? PUT_STREAM : PUT_FIRST;
+        outputs_of(&to, g->out, call->plan->order, first, grid->row_stride, tile->spare);
+        tile->put = g->streams && aligned ? PUT_STREAM : PUT_FIRST;
     }
-    sum_octaves(&g->call, part, at[1] == 0);
-    for (size_t r = 0; g->stores && r < part->placed.extent.rows; r++) {
+    sum_octaves(&g->call, tile, at[1] == 0);
+    for (size_t r = 0; g->stores && r < tile->locations.extent.rows; r++) {
         copy_out(g->out, first + r * grid->row_stride, &to, r, count);
     }
 }
@@ -207,25 +207,25 @@ static void grid_strip(const struct grid_call *g, struct grid_scratch *scratch, 
 {
     const struct scarp_grid *const grid = g->grid;
     const size_t count = least(blocks * VEC_LANES, grid->count[0]);
-    struct part part = {0};
-    place_in_scratch(g, &part, scratch, blocks);
-    part.at.shared[2] = g->call.dimensions == 3 ? coordinate(grid, 2, k) : 0.0;
+    struct tile tile = {0};
+    divide_scratch(g, &tile, scratch, blocks);
+    tile.at.shared[2] = g->call.dimensions == 3 ? coordinate(grid, 2, k) : 0.0;
     for (size_t n = 0; n < blocks * VEC_LANES; n++) {
         scratch->x[n] = coordinate(grid, 0, i + least(n, count - 1));
     }
     for (size_t j = 0; j < grid->count[1]; j += g->most_rows) {
-        part.placed.extent.rows = least(grid->count[1] - j, g->most_rows);
-        for (size_t r = 0; r < part.placed.extent.rows || r % VEC_LANES != 0; r++) {
-            scratch->y[r] = coordinate(grid, 1, j + (r < part.placed.extent.rows ? r : 0));
+        tile.locations.extent.rows = least(grid->count[1] - j, g->most_rows);
+        for (size_t r = 0; r < tile.locations.extent.rows || r % VEC_LANES != 0; r++) {
+            scratch->y[r] = coordinate(grid, 1, j + (r < tile.locations.extent.rows ? r : 0));
         }
         const size_t at[3] = {i, j, k};
-        grid_part(g, &part, at, count);
+        grid_tile(g, &tile, at, count);
     }
 }
 
 /* How many samples from i on are cut into strips next: the rest of a row or, where rows are
    streamed, those before its first cache line, then its whole vectors, then what is left. */
-static size_t part_of_row(const struct grid_call *g, size_t i)
+static size_t run_of_row(const struct grid_call *g, size_t i)
 {
     const size_t left = g->grid->count[0] - i;
     if (!g->streams) {
@@ -245,7 +245,7 @@ static void grid_slice(const struct grid_call *g, struct grid_scratch *scratch, 
         return;
     }
     while (i < count) {
-        const size_t left = part_of_row(g, i);
+        const size_t left = run_of_row(g, i);
         size_t blocks = least((left + VEC_LANES - 1) / VEC_LANES, g->most_blocks);
         if (blocks * VEC_LANES > count) {
             blocks--; /* the remainder comes next */
@@ -259,7 +259,7 @@ static void grid_slice(const struct grid_call *g, struct grid_scratch *scratch, 
 /* Decides on `streams` and `lead`. All rows must be aligned alike. Where they do not begin with a
    cache line and end with a vector, a strip of ordinary stores comes first or last. It is a block
    or two wide, but takes as long as ten blocks: in 3D it makes rows of 512 samples slower. */
-static void place_streams(struct grid_call *call)
+static void decide_streams(struct grid_call *call)
 {
     const struct scarp_grid *const g = call->grid;
     const int solid = call->call.dimensions == 3;
@@ -275,7 +275,7 @@ static void place_streams(struct grid_call *call)
     }
     call->lead = (0 - start) % CACHE_LINE;
     const int whole = call->lead == 0 && g->count[0] % VEC_LANES == 0;
-    call->streams = VEC_STREAMS && call->call.rows_pass != NULL && call->call.plain &&
+    call->streams = VEC_STREAMS && call->call.rows_pass != NULL && call->call.straight_fbm &&
                     call->call.plan->octaves == 1 && floats >= STREAM_BYTES / sizeof(float) &&
                     apart % VEC_LANES == 0 && g->count[0] >= (whole ? 64 : 1024);
 }
@@ -290,11 +290,11 @@ static __attribute__((noinline)) void grid_within(const struct scarp_call_plan *
     struct grid_call g = {.grid = described, .out = out, .vectors = work.vectors};
     scratch.passes = work;
     call_begin(&g.call, plan, dimensions, ROW);
-    g.direct = g.call.rows_pass != NULL && g.call.plain && !g.call.takes_places;
+    g.direct = g.call.rows_pass != NULL && g.call.straight_fbm && !g.call.takes_unhashed;
     g.narrow = described->count[0] < VEC_LANES;
     g.stores = g.narrow || (dimensions == 3 && plan->order == 2 && plan->octaves > 1);
-    place_streams(&g);
-    size_parts(&g);
+    decide_streams(&g);
+    size_tiles(&g);
     for (size_t k = 0; k < (dimensions == 3 ? described->count[2] : 1); k++) {
         grid_slice(&g, &scratch, k);
     }

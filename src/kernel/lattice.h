@@ -8,18 +8,18 @@
 
 #include "positions.h"
 
-/* What a pass keeps of the corners of each point's cell for the pass of the basis: their hashes, by
-   [x][y] or [x][y][z]; or, to be hashed there, the two lattice coordinates along each axis, mixed
-   (struct axis). The latter suits value noise, which has little else to do: it takes 6 to 14 % less
-   time so. Gradient noise takes up to 10 % more (Zen 5). */
-enum corners_kept { KEPT_HASHES, KEPT_AXES, KEPT_KINDS };
+/* What a pass stores of the corners of each point's cell for the pass of the basis: their hashes,
+   by [x][y] or [x][y][z]; or, to be hashed there, the two lattice coordinates along each axis,
+   mixed (struct axis). The latter suits value noise, which has little else to do: it takes 6 to 14
+   % less time so. Gradient noise takes up to 10 % more (Zen 5). */
+enum corner_form { CORNERS_HASHED, CORNERS_MIXED, CORNER_FORMS };
 
-static enum corners_kept kept_of(enum scarp_basis basis)
+static enum corner_form corner_form_of(enum scarp_basis basis)
 {
-    return basis == SCARP_VALUE ? KEPT_AXES : KEPT_HASHES;
+    return basis == SCARP_VALUE ? CORNERS_MIXED : CORNERS_HASHED;
 }
 
-/* Vectors of a block of points on the lattice: the place inside the cell, and what is kept of the
+/* Vectors of a block of points on the lattice: the fractions, and what is stored of the
    corners, of which hashes are the most. All are vf, as all of the scratch space is. */
 #define LATTICE_SIZE2 (2 + 4)
 #define LATTICE_SIZE3 (3 + 8)
@@ -43,7 +43,7 @@ typedef void lattice_pass(vf *lattice, const struct scarp_octave *octave, size_t
 #define HASH_Z 0xec1d7da1u
 #define HASH_K 0x9e3779b9u
 
-/* Both lattice coordinates of a cell along one axis, mixed. */
+/* The two lattice coordinates of a cell along one axis, mixed. */
 struct axis {
     vu h0, h1;
 };
@@ -106,22 +106,22 @@ VEC_INLINE struct mixed mix_axes(const struct scarp_octave *o, const vu cell[3],
     return m;
 }
 
-/* Gives an axis that is kept. */
+/* Loads an axis that is stored mixed. */
 VEC_INLINE struct axis axis_of(const vf *lattice, int i, int dimensions)
 {
     const struct axis axis = {(vu)lattice[dimensions + 2 * i], (vu)lattice[dimensions + 2 * i + 1]};
     return axis;
 }
 
-/* Puts what is kept of the corners of a block of cells after the places inside. (corners_of() makes
+/* Stores the corners of a block of cells behind its fractions. (corners_of() makes
    the same hashes for the pass of a basis. If both shared a function with loops, gradient noise in
    2D would lose 17 % of its speed with AVX2 and gcc 12.) */
 VEC_INLINE void lattice_put_corners(vf *lattice, const struct mixed *m, int dimensions,
-                                    enum corners_kept kept)
+                                    enum corner_form form)
 {
     const struct axis x = m->axis[0], y = m->axis[1];
     vf *const to = lattice + dimensions;
-    if (kept == KEPT_AXES) {
+    if (form == CORNERS_MIXED) {
         for (int i = 0; i < dimensions; i++) {
             to[2 * i] = (vf)m->axis[i].h0;
             to[2 * i + 1] = (vf)m->axis[i].h1;
@@ -145,8 +145,9 @@ VEC_INLINE void lattice_put_corners(vf *lattice, const struct mixed *m, int dime
 
 /* Stores where the positions of a block lie inside their cells, and returns the hashes along the
    axes. The caller stores the corners, which are made of these. In 2D, at[2] is unset. */
-VEC_INLINE struct mixed lattice_put_places(vf *lattice, const struct scarp_octave *o,
-                                           const struct split at[3], enum axes axes, int dimensions)
+VEC_INLINE struct mixed lattice_put_fractions(vf *lattice, const struct scarp_octave *o,
+                                              const struct split at[3], enum axes axes,
+                                              int dimensions)
 {
     vu cell[3];
     for (int i = 0; i < dimensions; i++) {
@@ -159,7 +160,7 @@ VEC_INLINE struct mixed lattice_put_places(vf *lattice, const struct scarp_octav
 /* Repeats the work of lattice_run for floats on a lattice with periods: some of them are far. */
 static __attribute__((noinline, cold)) void lattice_far(vf *lattice, const struct scarp_octave *o,
                                                         size_t blocks, const struct positions *at,
-                                                        int dimensions, enum corners_kept kept)
+                                                        int dimensions, enum corner_form form)
 {
     const struct frame f = {FLOATS, AXES_PERIODS, dimensions};
     for (size_t b = 0; b < blocks; b++) {
@@ -168,8 +169,8 @@ static __attribute__((noinline, cold)) void lattice_far(vf *lattice, const struc
             s[i] = position(o, i, at, b, f);
             s[i].cell = within_far(s[i].cell, o, i);
         }
-        const struct mixed m = lattice_put_places(lattice, o, s, AXES_PERIODS, dimensions);
-        lattice_put_corners(lattice, &m, dimensions, kept);
+        const struct mixed m = lattice_put_fractions(lattice, o, s, AXES_PERIODS, dimensions);
+        lattice_put_corners(lattice, &m, dimensions, form);
         lattice += lattice_size(dimensions);
     }
 }
@@ -188,12 +189,12 @@ VEC_INLINE struct mixed lattice_block(vf *lattice, const struct scarp_octave *o,
             s[i].cell = within_f32(s[i].cell, lower, o, i);
         }
     }
-    return lattice_put_places(lattice, o, s, f.axes, f.dimensions);
+    return lattice_put_fractions(lattice, o, s, f.axes, f.dimensions);
 }
 
 VEC_INLINE void lattice_run(vf *lattice, const struct scarp_octave *octave, size_t blocks,
                             const struct positions *positions, struct frame f,
-                            enum corners_kept kept)
+                            enum corner_form form)
 {
     const struct scarp_octave o = *octave; /* copies: nothing that is stored can alias them */
     const struct positions at = *positions;
@@ -201,10 +202,10 @@ VEC_INLINE void lattice_run(vf *lattice, const struct scarp_octave *octave, size
     vf *to = lattice;
     for (size_t b = 0; b < blocks; b++, to += lattice_size(f.dimensions)) {
         const struct mixed m = lattice_block(to, &o, b, &at, f, &far);
-        lattice_put_corners(to, &m, f.dimensions, kept);
+        lattice_put_corners(to, &m, f.dimensions, form);
     }
     if (f.layout == FLOATS && f.axes == AXES_PERIODS && vu_any(far & vu_set(FAR_BITS))) {
-        lattice_far(lattice, octave, blocks, positions, f.dimensions, kept);
+        lattice_far(lattice, octave, blocks, positions, f.dimensions, form);
     }
 }
 
@@ -212,15 +213,15 @@ VEC_INLINE void lattice_run(vf *lattice, const struct scarp_octave *octave, size
  * The chain from a position to its hashes is long: out-of-order windows hold only two blocks of it.
  * Two loops take a fifth less time than one: the first puts axes, the second makes hashes of them,
  * in place. With 16 lanes they take more in 3D, since vectors of 64 bytes are stored one per cycle;
- * but to make the hashes of a block after the places of the next takes a sixth less. (Measured on
- * Zen 5. With fewer lanes that is no gain; nor is it where positions are doubles.)
+ * but to make the hashes of a block after the fractions of the next takes a sixth less. (Measured
+ * on Zen 5. With fewer lanes that is no gain; nor is it where positions are doubles.)
  */
 #if VEC_LANES == 16
 VEC_INLINE void hashes_run(vf *lattice, const struct scarp_octave *octave, size_t blocks,
                            const struct positions *positions, struct frame f)
 {
     if (f.layout != FLOATS || f.axes > AXES_STRAIGHT) {
-        lattice_run(lattice, octave, blocks, positions, f, KEPT_HASHES);
+        lattice_run(lattice, octave, blocks, positions, f, CORNERS_HASHED);
         return;
     }
     const struct scarp_octave o = *octave;
@@ -230,10 +231,10 @@ VEC_INLINE void hashes_run(vf *lattice, const struct scarp_octave *octave, size_
     struct mixed m = lattice_block(lattice, &o, 0, &at, f, &far);
     for (size_t b = 1; b < blocks; b++, lattice += size) {
         const struct mixed next = lattice_block(lattice + size, &o, b, &at, f, &far);
-        lattice_put_corners(lattice, &m, f.dimensions, KEPT_HASHES);
+        lattice_put_corners(lattice, &m, f.dimensions, CORNERS_HASHED);
         m = next;
     }
-    lattice_put_corners(lattice, &m, f.dimensions, KEPT_HASHES);
+    lattice_put_corners(lattice, &m, f.dimensions, CORNERS_HASHED);
 }
 #else
 /* Makes hashes of the axes of some blocks. */
@@ -244,7 +245,7 @@ VEC_INLINE void hash_blocks(vf *lattice, size_t blocks, int dimensions)
         for (int i = 0; i < dimensions; i++) {
             m.axis[i] = axis_of(lattice, i, dimensions);
         }
-        lattice_put_corners(lattice, &m, dimensions, KEPT_HASHES);
+        lattice_put_corners(lattice, &m, dimensions, CORNERS_HASHED);
     }
 }
 
@@ -260,7 +261,7 @@ static __attribute__((noinline)) void hash_blocks3(vf *lattice, size_t blocks)
 
 #endif
 
-#define LATTICE_KEEPS(name, run, dimensions, layout, axes, ...)                                    \
+#define LATTICE_STORES(name, run, dimensions, layout, axes, ...)                                   \
     static void name(vf *lattice, const struct scarp_octave *octave, size_t blocks,                \
                      const struct positions *at)                                                   \
     {                                                                                              \
@@ -269,7 +270,7 @@ static __attribute__((noinline)) void hash_blocks3(vf *lattice, size_t blocks)
     }
 #if VEC_LANES == 16
 #define LATTICE_HASHES(name, axes_name, d, layout, axes)                                           \
-    LATTICE_KEEPS(name, hashes_run, d, layout, axes, f)
+    LATTICE_STORES(name, hashes_run, d, layout, axes, f)
 #else
 #define LATTICE_HASHES(name, axes_name, d, layout, axes)                                           \
     static void name(vf *lattice, const struct scarp_octave *octave, size_t blocks,                \
@@ -279,22 +280,22 @@ static __attribute__((noinline)) void hash_blocks3(vf *lattice, size_t blocks)
         hash_blocks##d(lattice, blocks);                                                           \
     }
 #endif
-/* A pass that keeps axes, and one that keeps hashes. */
+/* A pass that stores mixed axes, and one that stores hashes. */
 #define LATTICE_PASS(axes_name, hashes_name, d, layout, axes)                                      \
-    LATTICE_KEEPS(axes_name, lattice_run, d, layout, axes, f, KEPT_AXES)                           \
+    LATTICE_STORES(axes_name, lattice_run, d, layout, axes, f, CORNERS_MIXED)                      \
     LATTICE_HASHES(hashes_name, axes_name, d, layout, axes)
 #define LATTICE_STRAIGHT(d, layout)                                                                \
-    LATTICE_PASS(unhashed##d##_##layout##_first, hashed##d##_##layout##_first, d, layout,          \
+    LATTICE_PASS(mixed_axes##d##_##layout##_first, hashed##d##_##layout##_first, d, layout,        \
                  AXES_FIRST)                                                                       \
-    LATTICE_PASS(unhashed##d##_##layout##_straight, hashed##d##_##layout##_straight, d, layout,    \
+    LATTICE_PASS(mixed_axes##d##_##layout##_straight, hashed##d##_##layout##_straight, d, layout,  \
                  AXES_STRAIGHT)
 #define LATTICE_PASSES(d, layout)                                                                  \
     LATTICE_STRAIGHT(d, layout)                                                                    \
-    LATTICE_PASS(unhashed##d##_##layout##_turned, hashed##d##_##layout##_turned, d, layout,        \
+    LATTICE_PASS(mixed_axes##d##_##layout##_turned, hashed##d##_##layout##_turned, d, layout,      \
                  AXES_TURNED)                                                                      \
-    LATTICE_PASS(unhashed##d##_##layout##_powers, hashed##d##_##layout##_powers, d, layout,        \
+    LATTICE_PASS(mixed_axes##d##_##layout##_powers, hashed##d##_##layout##_powers, d, layout,      \
                  AXES_POWERS)                                                                      \
-    LATTICE_PASS(unhashed##d##_##layout##_periods, hashed##d##_##layout##_periods, d, layout,      \
+    LATTICE_PASS(mixed_axes##d##_##layout##_periods, hashed##d##_##layout##_periods, d, layout,    \
                  AXES_PERIODS)
 #define STRAIGHT_NAMES(name, d, layout)                                                            \
     [AXES_FIRST] = name##d##_##layout##_first, [AXES_STRAIGHT] = name##d##_##layout##_straight
@@ -322,14 +323,14 @@ LATTICE_PASSES(3, FLOATS)
 LATTICE_PASSES(3, DOUBLES)
 LATTICE_STRAIGHT(3, ROW)
 
-/* By [kept][dimensions - 2][layout][axes]. Rows with turned axes are placed by rows/turned.h, those
-   with periods by rows/along.h: a basis that has periods has a rows pass. */
-static lattice_pass *const lattice_passes[KEPT_KINDS][2][LAYOUTS][AXES_KINDS] = {
-    [KEPT_HASHES] = LATTICE_NAMES(hashed),
-    [KEPT_AXES] = LATTICE_NAMES(unhashed),
+/* By [form][dimensions - 2][layout][axes]. Rows with turned axes are located by rows/turned.h,
+   those with periods by rows/along.h: a basis that has periods has a rows pass. */
+static lattice_pass *const lattice_passes[CORNER_FORMS][2][LAYOUTS][AXES_KINDS] = {
+    [CORNERS_HASHED] = LATTICE_NAMES(hashed),
+    [CORNERS_MIXED] = LATTICE_NAMES(mixed_axes),
 };
 
-#undef LATTICE_KEEPS
+#undef LATTICE_STORES
 #undef LATTICE_HASHES
 #undef LATTICE_PASS
 #undef LATTICE_STRAIGHT

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Evaluates points of a noise that neither bends nor has warps, in parts of at most PART_BLOCKS
+ * Evaluates points of a noise that neither bends nor has warps, in tiles of at most TILE_BLOCKS
  * blocks.
  */
 #ifndef SCARP_KERNEL_POINTS_H
@@ -8,52 +8,52 @@
 
 #include "few.h"
 
-/* The most blocks of a part whose last block may be incomplete. */
+/* The most blocks of a tile whose last block may be incomplete. */
 #define PADDED_BLOCKS 8
 
-/* Gives the part its share of the scratch space, for as many blocks as fit, and returns their
-   number. There are sums where octaves are added up, and for padded parts. */
-static size_t place_points(const struct call *call, struct part *part, struct workspace work,
-                           int padded)
+/* Gives the tile its share of the scratch space, for as many blocks as fit, and returns their
+   number. There are sums where octaves are added up, and for padded tiles. */
+static size_t divide_for_points(const struct call *call, struct tile *tile, struct workspace work,
+                                int padded)
 {
     const size_t size = call->sums_size;
     const int sums = call->plan->octaves > 1;
     const size_t each = call->lattice_size + call->noise_size + call->state_size +
                         call->turning_size + call->moving_size + 1 + (sums ? size : 0);
     const size_t room = work.vectors - (padded && !sums ? PADDED_BLOCKS * size : 0);
-    const size_t blocks = PART_BLOCKS * each <= room ? PART_BLOCKS : room / each;
-    part->placed.lattice = work.space;
-    part->noise = part->placed.lattice + blocks * call->lattice_size;
-    part->state = part->noise + blocks * call->noise_size;
-    part->turning = part->state + blocks * call->state_size;
-    part->moving = part->turning + blocks * call->turning_size;
-    part->spare = part->moving + blocks * call->moving_size;
-    part->sums_stored = part->spare + blocks;
+    const size_t blocks = TILE_BLOCKS * each <= room ? TILE_BLOCKS : room / each;
+    tile->locations.lattice = work.space;
+    tile->noise = tile->locations.lattice + blocks * call->lattice_size;
+    tile->state = tile->noise + blocks * call->noise_size;
+    tile->turning = tile->state + blocks * call->state_size;
+    tile->moving = tile->turning + blocks * call->turning_size;
+    tile->spare = tile->moving + blocks * call->moving_size;
+    tile->sums_stored = tile->spare + blocks;
     return blocks;
 }
 
 /* Computes whole blocks of points. Several octaves are added up in `sums`, since outputs may be
    where coordinates are. */
-static void points_whole(const struct call *call, struct part *part, struct outputs *sums,
+static void points_whole(const struct call *call, struct tile *tile, struct outputs *sums,
                          size_t count, const struct scarp_outputs *out, size_t first)
 {
     struct outputs to;
-    part->placed.extent.blocks = count / VEC_LANES;
+    tile->locations.extent.blocks = count / VEC_LANES;
     if (call->plan->octaves > 1) {
-        part->to = sums;
-        sum_octaves(call, part, 1);
+        tile->to = sums;
+        sum_octaves(call, tile, 1);
         copy_out(out, first, sums, 0, count);
         return;
     }
-    outputs_of(&to, out, call->plan->order, first, 0, part->spare);
-    part->to = &to;
-    sum_octaves(call, part, 1);
+    outputs_of(&to, out, call->plan->order, first, 0, tile->spare);
+    tile->to = &to;
+    sum_octaves(call, tile, 1);
 }
 
 /* Computes at most PADDED_BLOCKS blocks, of which the last one may be incomplete. Padded copies
    make sure that nothing beyond an array is touched. The padding is 0, which raises no
    floating-point exception. */
-static void points_padded(const struct call *call, struct part *part, struct outputs *sums,
+static void points_padded(const struct call *call, struct tile *tile, struct outputs *sums,
                           size_t count, const struct scarp_outputs *out, size_t first)
 {
     const size_t bytes = call->layout == DOUBLES ? sizeof(double) : sizeof(float);
@@ -61,13 +61,13 @@ static void points_padded(const struct call *call, struct part *part, struct out
     double padded[3][PADDED_BLOCKS * VEC_LANES];
     for (int d = 0; d < call->dimensions; d++) {
         char *const copy = (char *)padded[d];
-        memcpy(copy, part->at.array[d], count * bytes);
+        memcpy(copy, tile->at.array[d], count * bytes);
         memset(copy + count * bytes, 0, (blocks * VEC_LANES - count) * bytes);
-        part->at.array[d] = copy;
+        tile->at.array[d] = copy;
     }
-    part->placed.extent.blocks = blocks;
-    part->to = sums;
-    sum_octaves(call, part, 1);
+    tile->locations.extent.blocks = blocks;
+    tile->to = sums;
+    sum_octaves(call, tile, 1);
     copy_out(out, first, sums, 0, count);
 }
 
@@ -79,63 +79,63 @@ static void points_many(const struct scarp_call_plan *plan, size_t count,
     struct call call;
     call_begin(&call, plan, dimensions, f.layout);
     const size_t bytes = f.layout == DOUBLES ? sizeof(double) : sizeof(float);
-    struct part part; /* the members that only grids need stay unset */
+    struct tile tile; /* the members that only grids need stay unset */
     struct outputs sums, stored, turning;
-    part.placed.extent.rows = 1;
-    part.placed.fade = plan->fade;
-    part.put = PUT_FIRST;
-    part.stored = &stored;
-    part.turning_stored = &turning;
-    const size_t most = place_points(&call, &part, work, padded) * VEC_LANES;
+    tile.locations.extent.rows = 1;
+    tile.locations.fade = plan->fade;
+    tile.put = PUT_FIRST;
+    tile.stored = &stored;
+    tile.turning_stored = &turning;
+    const size_t most = divide_for_points(&call, &tile, work, padded) * VEC_LANES;
     if (plan->octaves > 1 || padded) {
-        outputs_stored(&sums, part.sums_stored, call.sums_size, dimensions, plan->order, 0);
+        outputs_stored(&sums, tile.sums_stored, call.sums_size, dimensions, plan->order, 0);
     }
     if (call.noise_size > 0) {
-        outputs_stored(&stored, part.noise, call.noise_size, dimensions, call.basis_order, 0);
+        outputs_stored(&stored, tile.noise, call.noise_size, dimensions, call.basis_order, 0);
     }
     if (call.turning_size > 0) {
-        outputs_stored(&turning, part.turning, call.turning_size, dimensions,
+        outputs_stored(&turning, tile.turning, call.turning_size, dimensions,
                        call.shape->extra_order, 0);
     }
     for (size_t first = 0, here; first < count; first += here) {
         here = least(count - first, most);
         for (int d = 0; d < dimensions; d++) {
-            part.at.array[d] = (const char *)position[d] + first * bytes;
+            tile.at.array[d] = (const char *)position[d] + first * bytes;
         }
         if (here % VEC_LANES == 0 || here > PADDED_BLOCKS * VEC_LANES) {
             here -= here % VEC_LANES;
-            points_whole(&call, &part, &sums, here, out, first);
+            points_whole(&call, &tile, &sums, here, out, first);
         } else {
-            points_padded(&call, &part, &sums, here, out, first);
+            points_padded(&call, &tile, &sums, here, out, first);
         }
     }
 }
 
-/* What a block of points_plain needs: its lattice, then its sum. */
-#define PLAIN_VECTORS (LATTICE_SIZE3 + 1)
+/* What a block of points_values needs: its lattice, then its sum. */
+#define VALUES_VECTORS (LATTICE_SIZE3 + 1)
 
-/* Does the same with whole blocks for the values of fBm with straight axes: with so little to
-   prepare, 64 points take a tenth less time. */
-static void points_plain(const struct scarp_call_plan *plan, size_t count,
-                         const void *const position[3], const struct scarp_outputs *out,
-                         struct frame f, struct workspace work)
+/* Computes whole blocks of values of plain fBm with straight axes. There is little to prepare, so
+   64 points take a tenth less time than with points_many(). */
+static void points_values(const struct scarp_call_plan *plan, size_t count,
+                          const void *const position[3], const struct scarp_outputs *out,
+                          struct frame f, struct workspace work)
 {
     const int dimensions = f.dimensions;
     lattice_pass *const *const passes =
-        lattice_passes[kept_of(plan->basis)][dimensions - 2][f.layout];
-    points_pass *const pass = bases[plan->basis].points[dimensions - 2][0];
+        lattice_passes[corner_form_of(plan->basis)][dimensions - 2][f.layout];
+    basis_pass *const pass = bases[plan->basis].points[dimensions - 2][0];
     const size_t bytes = f.layout == DOUBLES ? sizeof(double) : sizeof(float);
-    const size_t most = least(PART_BLOCKS, work.vectors / PLAIN_VECTORS);
-    vf *const stored = work.space + most * (PLAIN_VECTORS - 1);
+    const size_t most = least(TILE_BLOCKS, work.vectors / VALUES_VECTORS);
+    vf *const stored = work.space + most * (VALUES_VECTORS - 1);
     struct outputs sums, to;
-    struct placed placed;
-    placed.lattice = work.space;
-    placed.fade = plan->fade;
-    placed.extent.rows = 1;
+    struct locations locations;
+    locations.lattice = work.space;
+    locations.fade = plan->fade;
+    locations.extent.rows = 1;
     outputs_stored(&sums, stored, 1, dimensions, 0, 0);
     for (size_t first = 0, here; first < count; first += here) {
         here = least(count - first, most * VEC_LANES);
-        placed.extent.blocks = here / VEC_LANES;
+        locations.extent.blocks = here / VEC_LANES;
         outputs_of(&to, out, 0, first, 0, stored);
         struct positions at;
         for (int d = 0; d < dimensions; d++) {
@@ -144,8 +144,9 @@ static void points_plain(const struct scarp_call_plan *plan, size_t count,
         for (int k = 0; k < plan->octaves; k++) {
             const struct scarp_octave *const o = &plan->octave[k];
             const struct weights weights = {{o->amplitude}};
-            passes[axes_of(plan, k)](placed.lattice, o, placed.extent.blocks, &at);
-            pass(&placed, &weights, plan->octaves > 1 ? &sums : &to, k > 0 ? PUT_ADD : PUT_FIRST);
+            passes[axes_of(plan, k)](locations.lattice, o, locations.extent.blocks, &at);
+            pass(&locations, &weights, plan->octaves > 1 ? &sums : &to,
+                 k > 0 ? PUT_ADD : PUT_FIRST);
         }
         if (plan->octaves > 1) {
             copy_out(out, first, &sums, 0, here);
@@ -153,8 +154,8 @@ static void points_plain(const struct scarp_call_plan *plan, size_t count,
     }
 }
 
-/* Computes more points than passes for few points serve, which take what fBm with straight axes
-   leaves over. (All else takes less time where the last block is padded.) */
+/* Computes more points than few.h serves. few.h takes the remainder of plain fBm with straight
+   axes; for all other noise, it is faster to pad the last block. */
 static __attribute__((noinline)) void points_within(const struct scarp_call_plan *plan,
                                                     size_t count, const void *const position[3],
                                                     const struct scarp_outputs *out, struct frame f,
@@ -170,8 +171,8 @@ static __attribute__((noinline)) void points_within(const struct scarp_call_plan
     if (plan->order == 0 && out->array[VALUE] == NULL && !plan->dphase) {
         return;
     }
-    if (few_plain(plan)) {
-        points_plain(plan, count - rest, position, out, f, work);
+    if (is_value_sum(plan)) {
+        points_values(plan, count - rest, position, out, f, work);
     } else {
         points_many(plan, count - rest, position, out, f, work);
     }

@@ -1,16 +1,16 @@
 /* SPDX-License-Identifier: MIT
  *
  * Stage 1, positions: the coordinates of a block of points in the frame of an octave, split into
- * the cell of the lattice and the place inside. The reference is scalar/positions.h.
+ * the cell of the lattice and the fraction inside. The reference is scalar/positions.h.
  */
 #ifndef SCARP_KERNEL_POSITIONS_H
 #define SCARP_KERNEL_POSITIONS_H
 
 #include "../plan/call.h"
 
-/* How an octave places x: p = f x (octave 0, since adding its offset of 0 would cost 3 to 5 % of a
-   single octave), p = f x + o, or p = J x + o. On a lattice that repeats it is p = f x + o, and
-   cells are numbered within the period: powers of two, or any numbers. */
+/* How an octave takes x to its lattice: p = f x (octave 0, since adding its offset of 0 would cost
+   3 to 5 % of a single octave), p = f x + o, or p = J x + o. On a lattice that repeats it is p = f
+   x + o, and cells are numbered within the period: powers of two, or any numbers. */
 enum axes { AXES_FIRST, AXES_STRAIGHT, AXES_TURNED, AXES_POWERS, AXES_PERIODS, AXES_KINDS };
 
 /* How coordinates are given: an array for each axis; or, for a row of a grid, an array of doubles
@@ -22,7 +22,8 @@ struct positions {
     double shared[3];
 };
 
-/* How the positions of a pass are given and placed; a constant wherever it is passed on. */
+/* How the positions of a pass are given, and how they go to the lattice; a constant wherever it is
+ * passed on. */
 struct frame {
     enum layout layout;
     enum axes axes;
@@ -45,8 +46,8 @@ static int axes_repeat(enum axes axes)
     return axes == AXES_POWERS || axes == AXES_PERIODS;
 }
 
-/* The lower corner of the cell, modulo 2^32 or within the period, and the place inside, along one
-   axis. The place is in [0, 1]: rounding can reach 1. */
+/* The lower corner of the cell, modulo 2^32 or within the period, and the fraction t inside, along
+   one axis. The fraction is in [0, 1]: rounding can reach 1. */
 struct split {
     vu cell;
     vf t;
@@ -75,8 +76,9 @@ VEC_INLINE vu within_power(vu cell, const struct scarp_octave *o, int axis)
     return cell & vu_set(o->last[axis]);
 }
 
-/* The same for any period, right where |cell| < 2^22: there the error of a quotient, 2^-23 of it,
-   is less than half a cell, and (cell + 1/2) / period is at least that far from the next integer.
+/* A cell within any period. The result is right for |cell| < 2^22: there the error of a quotient,
+   2^-23 of it, is less than half a cell, and (cell + 1/2) / period is at least that far from the
+   next integer.
  */
 VEC_INLINE vu within_f32(vu cell, vf lower, const struct scarp_octave *o, int axis)
 {
@@ -92,7 +94,7 @@ VEC_INLINE vu far_bits(vu cell)
     return cell + vu_set(0x400000);
 }
 
-/* The same for any cell, lane by lane. */
+/* A cell within any period, right for every cell, lane by lane. */
 VEC_INLINE vu within_far(vu cell, const struct scarp_octave *o, int axis)
 {
     uint32_t cells[VEC_LANES];
@@ -146,7 +148,7 @@ VEC_INLINE vd turned_f64(const struct scarp_octave *o, int axis, const vd x[3], 
     return p + vd_set(o->offset[axis]);
 }
 
-/* The same in float. */
+/* p along one axis of the octave in float, as above. */
 VEC_INLINE vf straight_f32(const struct scarp_octave *o, int axis, vf x, struct frame f)
 {
     const vf p = vf_set(o->frequency) * x;
@@ -163,7 +165,7 @@ VEC_INLINE vf turned_f32(const struct scarp_octave *o, int axis, const vf x[3], 
     return p + vf_set((float)o->offset[axis]);
 }
 
-/* The same for one half of a block. */
+/* p along one axis for one half of a block of doubles. */
 VEC_INLINE vd position_f64(const struct scarp_octave *o, int axis, const struct positions *at,
                            size_t block, int half, struct frame f)
 {

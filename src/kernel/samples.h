@@ -81,7 +81,7 @@ struct outputs {
     size_t block;
 };
 
-/* The size of a part. */
+/* The size of a tile. */
 struct extent {
     size_t rows, blocks; /* blocks of each row */
 };
@@ -103,7 +103,7 @@ VEC_INLINE void outputs_next_row(struct outputs *outputs, struct variant v)
 #undef DO
 }
 
-/* Moves on by that many rows; back, if they are negative. */
+/* Moves on by `rows` rows, or back if they are negative. */
 static __attribute__((noinline)) void outputs_move(struct outputs *outputs, int order,
                                                    ptrdiff_t rows)
 {
@@ -129,8 +129,8 @@ static __attribute__((noinline)) void outputs_stored(struct outputs *to, vf *sto
     }
 }
 
-/* Describes what an output that the caller asked for has from sample `first` on, whose rows are
-   `row` floats apart, or `spare`, if nobody asked for it. */
+/* Describes the caller's array of an output from sample `first` on, with rows `row` floats apart;
+   or `spare`, if nobody asked for the output. */
 VEC_INLINE void output_of(struct outputs *to, const struct scarp_outputs *out, int i, size_t first,
                           size_t row, vf *spare)
 {
@@ -197,8 +197,8 @@ VEC_INLINE void put_sample(const struct outputs *to, size_t at, const struct wei
 #undef DO
 }
 
-/* Does the same where `put` is no constant. The branch goes the same way in a whole pass; a loop
-   for each would multiply the code. */
+/* Puts weights * s at a block where `put` is no constant. The branch goes the same way in a whole
+   pass; a loop for each would multiply the code. */
 VEC_INLINE void put_any_sample(const struct outputs *to, size_t at, const struct weights *w,
                                const struct sample *s, struct variant v, enum put put)
 {

@@ -9,7 +9,7 @@
  *     KERNELS_NARROWER  the table of the set with half as many lanes, if calls that fill no more
  *                       of a vector take less time there; may be left out
  *     FEW_ORDER         the highest derivative of which few points go block by block (few.h); 1
- *     PART_ROWS         the most rows of a part of a grid (rows/along.h); 96
+ *     TILE_ROWS         the most rows of a tile of a grid (rows/along.h); 96
  *     SCRATCH_BYTES     of scratch space (driver.h); 26 KiB
  */
 #include "cells.h"
@@ -48,7 +48,7 @@ VEC_INLINE void points(const struct scarp_call_plan *plan, size_t count,
                        const void *const position[3], const struct scarp_outputs *out,
                        int dimensions, enum layout layout)
 {
-    if (layout == FLOATS && few_plain(plan) && plan->octaves == 1 &&
+    if (layout == FLOATS && is_value_sum(plan) && plan->octaves == 1 &&
         count <= ONE_BLOCKS * VEC_LANES) {
         few_pass *const one = few_passes[plan->basis][dimensions - 2][FEW_ONE];
         size_t first = 0;
@@ -103,7 +103,7 @@ static __attribute__((noinline)) void grid_scratch(const struct scarp_call_plan 
 static void grid(const struct scarp_call_plan *plan, const struct scarp_grid *described,
                  const struct scarp_outputs *out, int dimensions)
 {
-    if (plan->warps.depth > 0 || fractal_bends(plan->fractal)) {
+    if (plan->warps.depth > 0 || has_no_rows(plan)) {
         warp_grid(plan, described, out, dimensions);
     } else {
         grid_scratch(plan, described, out, dimensions);
@@ -144,5 +144,5 @@ const struct scarp_kernels KERNELS = {
 #undef KERNELS_ISA
 #undef KERNELS_NARROWER
 #undef FEW_ORDER
-#undef PART_ROWS
+#undef TILE_ROWS
 #undef SCRATCH_BYTES

@@ -74,7 +74,7 @@ VEC_INLINE vf sum_along(vf x, vf y, vf z, struct vector v, int dimensions)
 /* The sum over the coordinates of a component of v times an output of the coordinate. */
 #define ALONG(member, v) sum_along(y->x.member, y->y.member, y->z.member, v, variant.dimensions)
 
-/* A sample at y with its derivatives by y becomes one with its derivatives by x. */
+/* Turns a sample at y with derivatives by y into one with derivatives by x. */
 VEC_INLINE struct sample composed(const struct sample *s, const struct coordinates *y,
                                   struct variant variant)
 {
@@ -125,7 +125,7 @@ VEC_INLINE void sample_put(const struct scarp_outputs *arrays, size_t at, const 
 #undef DO
 }
 
-/* Makes some samples of `moved`, which have derivatives by y, samples with derivatives by x. */
+/* Turns some samples of `moved`, with derivatives by y, into samples with derivatives by x. */
 VEC_INLINE void compose(const struct warped *w, int samples, size_t count, struct variant v)
 {
     for (int i = 0; i < samples; i++) {
@@ -170,7 +170,7 @@ static void evaluate_input(const struct warped *w, const struct scarp_call_plan 
 {
     const struct chunked *const c = &w->chunked;
     const size_t count = chunk_count(chunk), end = whole_blocks(count);
-    if (c->source.grid == NULL || fractal_bends(plan->fractal)) {
+    if (c->source.grid == NULL || has_no_rows(plan)) {
         points_unwarped(plan, end, c->input, to, c->f, c->passes);
         return;
     }
@@ -221,8 +221,9 @@ static void warp_level(struct warped *w, const struct chunk *chunk, int level)
         find_input(&w->chunked, chunk);
     }
     for (int i = 0; i < n; i++) {
-        for (size_t at = 0; order > 0 && at < end; at++) {
-            w->y[i].array[DX + i][at] += 1.0f;
+        float *const slope = w->y[i].array[DX + i];
+        for (size_t at = 0; order > 0 && at < end; at += VEC_LANES) {
+            vf_store(slope + at, vf_load(slope + at) + 1.0f);
         }
         for (size_t at = 0; at < end; at += VEC_LANES) {
             displace(&w->chunked, i, at, vf_load(w->y[i].array[VALUE] + at));
@@ -308,8 +309,8 @@ static __attribute__((noinline)) void warp_points(const struct scarp_call_plan *
     }
 }
 
-/* Computes a grid of a noise with warps, or of a fractal that bends, slice by slice in chunks of
-   some rows. */
+/* Computes a grid of a noise with warps, or of one without passes along rows, slice by slice in
+   chunks of some rows. */
 static __attribute__((noinline)) void warp_grid(const struct scarp_call_plan *plan,
                                                 const struct scarp_grid *grid,
                                                 const struct scarp_outputs *out, int dimensions)

@@ -46,7 +46,7 @@ struct scarp_octave {
     union {
         float turn[4]; /* of noise that flows: cosine and sine of the phase's angle, then of twice
                           that. In other noise that blends corners it is set in kept plans only. */
-        struct {       /* of bases that take places */
+        struct {       /* of simplex and cellular noise */
             float jitter;   /* how far features stray, in units of 2^-32 cells */
             float middle;   /* what is subtracted from distances */
             double stretch; /* what p_y is multiplied by to count rows of the lattice */
@@ -127,8 +127,7 @@ struct scarp_call_plan {
     enum scarp_repeat repeat;
     int flows;  /* whether gradients are turned by the phase, or DPHASE is asked for */
     int dphase; /* whether DPHASE is */
-    int plain;  /* whether it blends what is drawn at the corners of cells, and the lattice neither
-                   repeats nor flows nor bends */
+    int plain;  /* whether it is gradient or value noise that neither repeats nor flows nor bends */
     const struct scarp_octave *octave;
     struct scarp_warps warps;
 };

@@ -90,7 +90,7 @@ static void make_component(struct scarp_octave *octave, const struct scarp_noise
     }
 }
 
-/* Does what struct scarp_levels says of `fetch`. */
+/* The function `fetch` of struct scarp_levels. */
 static void fetch_component(const struct scarp_warps *warps, int level, int component)
 {
     const struct scarp_levels *const levels = warps->levels;

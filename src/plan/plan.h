@@ -8,7 +8,7 @@
 
 #include "call.h"
 
-/* Does what scarp_plan_make says. */
+/* Checks a noise and makes the plan that scarp_plan_make gives to its caller. */
 enum scarp_status scarp_plan_keep(struct scarp_plan *plan, const struct scarp_noise *noise,
                                   int dimensions);
 

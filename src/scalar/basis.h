@@ -61,7 +61,7 @@ static inline struct lattice lattice_of(const struct scarp_octave *o, const floa
 }
 
 static inline struct sample formula_at(const struct scarp_call_plan *plan, struct lattice l,
-                                       const struct place *p, int dimensions)
+                                       const struct location *p, int dimensions)
 {
     struct sample s = constant(0.0f);
     switch (plan->basis) { /* no default: a compiler warns of a basis that is missing */
@@ -83,20 +83,20 @@ static inline struct sample formula_at(const struct scarp_call_plan *plan, struc
 
 static inline FLATTEN struct outputs turned_basis_at2(const struct scarp_call_plan *plan,
                                                       const struct scarp_octave *o,
-                                                      const struct place *p, const float *turn)
+                                                      const struct location *p, const float *turn)
 {
     return outputs_of(formula_at(plan, lattice_of(o, turn), p, 2));
 }
 
 static inline FLATTEN struct outputs turned_basis_at3(const struct scarp_call_plan *plan,
                                                       const struct scarp_octave *o,
-                                                      const struct place *p, const float *turn)
+                                                      const struct location *p, const float *turn)
 {
     return outputs_of(formula_at(plan, lattice_of(o, turn), p, 3));
 }
 
 static inline struct outputs turned_basis_at(const struct scarp_call_plan *plan,
-                                             const struct scarp_octave *o, const struct place *p,
+                                             const struct scarp_octave *o, const struct location *p,
                                              const float *turn, int dimensions)
 {
     return dimensions == 2 ? turned_basis_at2(plan, o, p, turn)
@@ -104,7 +104,7 @@ static inline struct outputs turned_basis_at(const struct scarp_call_plan *plan,
 }
 
 static inline struct outputs basis_at(const struct scarp_call_plan *plan,
-                                      const struct scarp_octave *o, const struct place *p,
+                                      const struct scarp_octave *o, const struct location *p,
                                       int dimensions)
 {
     return turned_basis_at(plan, o, p, plan->flows ? o->turn : NULL, dimensions);
@@ -113,7 +113,7 @@ static inline struct outputs basis_at(const struct scarp_call_plan *plan,
 /* The derivative of the basis by the angle of the phase, with derivatives of its own: noise is
    linear in its gradients. */
 static inline struct outputs basis_turning(const struct scarp_call_plan *plan,
-                                           const struct scarp_octave *o, const struct place *p,
+                                           const struct scarp_octave *o, const struct location *p,
                                            int dimensions)
 {
     float derivative[4];

@@ -116,8 +116,8 @@ static struct outputs bend_octaves(const struct scarp_call_plan *plan, const str
         const struct scarp_octave *const o = &plan->octave[k];
         const struct bend_octave b = bend_octave_of(plan, k);
         const struct point y = k == 0 ? *x : bent(x, &bend, b.reach, dimensions);
-        const struct place place = place_of(plan, k, &y, dimensions);
-        const struct outputs basis = basis_at(plan, o, &place, dimensions);
+        const struct location at = location_of(plan, k, &y, dimensions);
+        const struct outputs basis = basis_at(plan, o, &at, dimensions);
         const struct outputs n = in_input(o, is_turned(plan, k), &basis, dimensions);
         if (plan->fractal == SCARP_SWISS) {
             swiss(&bend, &b, &n, dimensions);

@@ -121,12 +121,12 @@ static inline float product_of(const float a[OUTPUTS], const float b[OUTPUTS], i
     if (m == VALUE) {
         return a[VALUE] * b[VALUE];
     }
-    const float plain = b[VALUE] * a[m] + a[VALUE] * b[m];
+    const float linear = b[VALUE] * a[m] + a[VALUE] * b[m];
     if (m < DXX || m == DPHASE) {
-        return plain;
+        return linear;
     }
     const int i = scarp_chain_axes[m - DXX][0], j = scarp_chain_axes[m - DXX][1];
-    return plain + (a[i] * b[j] + a[j] * b[i]);
+    return linear + (a[i] * b[j] + a[j] * b[i]);
 }
 
 /* Output m of a function that is given by partial derivatives. */
@@ -138,19 +138,19 @@ static inline float derived_of(enum scarp_chain_function function, const struct 
     if (m == VALUE) {
         return p->f;
     }
-    const float plain = two ? p->a * a[m] + p->b * b[m] : p->a * a[m];
+    const float linear = two ? p->a * a[m] + p->b * b[m] : p->a * a[m];
     if (m < DXX || m == DPHASE || function == CHAIN_CLAMP || function == CHAIN_ABS) {
-        return plain;
+        return linear;
     }
     const int i = scarp_chain_axes[m - DXX][0], j = scarp_chain_axes[m - DXX][1];
     if (!two) {
-        return plain + p->aa * a[i] * a[j];
+        return linear + p->aa * a[i] * a[j];
     }
     if (function == CHAIN_APPLY2) {
-        return plain + (p->aa * a[i] * a[j] + p->bb * b[i] * b[j]) +
+        return linear + (p->aa * a[i] * a[j] + p->bb * b[i] * b[j]) +
                p->ab * (a[i] * b[j] + a[j] * b[i]);
     }
-    return plain + p->aa * (a[i] - b[i]) * (a[j] - b[j]);
+    return linear + p->aa * (a[i] - b[i]) * (a[j] - b[j]);
 }
 
 /* Output m at a point. */

@@ -17,14 +17,14 @@ struct state {
 /* The derivative of an octave of the basis by the phase, with its gradient in its own axes; 0 where
    it is not asked for. */
 static struct outputs turning_of(const struct scarp_call_plan *plan, int k,
-                                 const struct place *place, int dimensions)
+                                 const struct location *at, int dimensions)
 {
     const struct scarp_octave *const o = &plan->octave[k];
     const float slope = scarp_phase_slope(o, k);
     if (!plan->dphase) {
         return (struct outputs){{0.0f}};
     }
-    const struct outputs turning = basis_turning(plan, o, place, dimensions);
+    const struct outputs turning = basis_turning(plan, o, at, dimensions);
     return scaled(&turning, slope, slope, slope);
 }
 
@@ -34,9 +34,9 @@ static struct outputs octave_at(const struct scarp_call_plan *plan, int k, const
 {
     const struct scarp_octave *const o = &plan->octave[k];
     const int turned = is_turned(plan, k);
-    const struct place place = place_of(plan, k, x, dimensions);
-    const struct outputs turning = turning_of(plan, k, &place, dimensions);
-    struct outputs basis = basis_at(plan, o, &place, dimensions);
+    const struct location at = location_of(plan, k, x, dimensions);
+    const struct outputs turning = turning_of(plan, k, &at, dimensions);
+    struct outputs basis = basis_at(plan, o, &at, dimensions);
     basis.of[DPHASE] = turning.of[VALUE];
     struct outputs n = in_input(o, turned, &basis, dimensions);
     float slope = o->weight;

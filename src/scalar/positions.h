@@ -94,8 +94,8 @@ static inline double position_f64(const struct scarp_octave *o, int turned, cons
 }
 
 /* p in octave k, split into cell and fraction; along y of triangles in units of their rows. */
-static inline struct place place_of(const struct scarp_call_plan *plan, int k,
-                                    const struct point *x, int dimensions)
+static inline struct location location_of(const struct scarp_call_plan *plan, int k,
+                                          const struct point *x, int dimensions)
 {
     const struct scarp_octave *const o = &plan->octave[k];
     const int turned = is_turned(plan, k);
@@ -113,9 +113,9 @@ static inline struct place place_of(const struct scarp_call_plan *plan, int k,
         }
         next[i] = cell_after(o->last[i], cell[i]);
     }
-    const struct place place = {
+    const struct location at = {
         {cell[0], cell[1], cell[2]}, {next[0], next[1], next[2]}, {t[0], t[1], t[2]}};
-    return place;
+    return at;
 }
 
 #endif

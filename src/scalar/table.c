@@ -127,8 +127,8 @@ static void cells_near(float of[CELLS_OUTPUTS], const struct scarp_call_plan *pl
                        const struct point *x, int dimensions)
 {
     const struct scarp_octave *const o = plan->octave;
-    const struct place place = place_of(plan, 0, x, dimensions);
-    const struct nearest n = nearest_at(lattice_of(o, NULL), place, dimensions);
+    const struct location at = location_of(plan, 0, x, dimensions);
+    const struct nearest n = nearest_at(lattice_of(o, NULL), at, dimensions);
     const struct outputs first = outputs_of(distance_to(n.first));
     const struct outputs second = outputs_of(distance_to(n.second));
     const float d[3] = {n.first.d.x, n.first.d.y, n.first.d.z};

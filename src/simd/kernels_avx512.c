@@ -30,10 +30,10 @@
 #endif
 #ifdef __clang__ /* whose frames are larger still; gradients of fBm on grids take up to 15 %       \
                     longer */
-#define PART_ROWS 32
+#define TILE_ROWS 32
 #define SCRATCH_BYTES (25 * 1024 + 256)
 #else
-#define PART_ROWS 48 /* frames are large */
+#define TILE_ROWS 48 /* frames are large */
 #endif
 #include KERNELS_BODY
 

@@ -5,7 +5,7 @@
  *
  * A vec_<isa>.h defines VEC_LANES, includes vec_types.h, writes what its processor does better, and
  * includes this file last, which adds what is left. To say that an operation is there it defines a
- * macro: VF_FLOOR_OWN for vf_floor, and so on. Some go together: vf_lookup_top takes what
+ * macro: VF_FLOOR_NATIVE for vf_floor, and so on. Some go together: vf_lookup_top takes what
  * vu_top_index makes, and vf_table has a group of its own at the end.
  *
  * Everything is inlined into the functions of a kernels_<isa>.c, so this file must be included
@@ -51,7 +51,7 @@ typedef uint64_t vec_u64 __attribute__((vector_size(VEC_BYTES)));
  */
 
 /* p[0 .. VEC_LANES) */
-#ifndef VF_LOAD_OWN
+#ifndef VF_LOAD_NATIVE
 VEC_INLINE vf vf_load(const float *p)
 {
     vf v;
@@ -60,7 +60,7 @@ VEC_INLINE vf vf_load(const float *p)
 }
 #endif
 
-#ifndef VU_LOAD_OWN
+#ifndef VU_LOAD_NATIVE
 VEC_INLINE vu vu_load(const uint32_t *p)
 {
     vu v;
@@ -70,7 +70,7 @@ VEC_INLINE vu vu_load(const uint32_t *p)
 #endif
 
 /* p[0 .. VEC_LANES / 2) */
-#ifndef VD_LOAD_OWN
+#ifndef VD_LOAD_NATIVE
 VEC_INLINE vd vd_load(const double *p)
 {
     vd v;
@@ -79,14 +79,14 @@ VEC_INLINE vd vd_load(const double *p)
 }
 #endif
 
-#ifndef VF_STORE_OWN
+#ifndef VF_STORE_NATIVE
 VEC_INLINE void vf_store(float *p, vf v)
 {
     memcpy(p, &v, sizeof v);
 }
 #endif
 
-#ifndef VU_STORE_OWN
+#ifndef VU_STORE_NATIVE
 VEC_INLINE void vu_store(uint32_t *p, vu v)
 {
     memcpy(p, &v, sizeof v);
@@ -99,7 +99,7 @@ VEC_INLINE void vu_store(uint32_t *p, vu v)
 #endif
 
 /* p[0 .. VEC_LANES), aligned to a vf. */
-#ifndef VF_STREAM_OWN
+#ifndef VF_STREAM_NATIVE
 VEC_INLINE void vf_stream(float *p, vf v)
 {
     vf_store(p, v);
@@ -108,7 +108,7 @@ VEC_INLINE void vf_stream(float *p, vf v)
 
 /* Call this before other threads may learn that streamed data is there: on x86 later stores, even
    those that release, overtake it. */
-#ifndef VF_STREAM_END_OWN
+#ifndef VF_STREAM_END_NATIVE
 VEC_INLINE void vf_stream_end(void)
 {
 }
@@ -118,7 +118,7 @@ VEC_INLINE void vf_stream_end(void)
  * The same number in every lane.
  */
 
-#ifndef VF_SET_OWN
+#ifndef VF_SET_NATIVE
 VEC_INLINE vf vf_set(float a)
 {
     const vf v = {VEC_EACH(a)};
@@ -126,7 +126,7 @@ VEC_INLINE vf vf_set(float a)
 }
 #endif
 
-#ifndef VU_SET_OWN
+#ifndef VU_SET_NATIVE
 VEC_INLINE vu vu_set(uint32_t a)
 {
     const vu v = {VEC_EACH(a)};
@@ -134,7 +134,7 @@ VEC_INLINE vu vu_set(uint32_t a)
 }
 #endif
 
-#ifndef VD_SET_OWN
+#ifndef VD_SET_NATIVE
 VEC_INLINE vd vd_set(double a)
 {
     const vd v = {VEC_EACH_DOUBLE(a)};
@@ -148,8 +148,8 @@ VEC_INLINE vd vd_set(double a)
  */
 
 /* p[0 .. n) */
-#ifndef VF_LOAD_PART_OWN
-VEC_INLINE vf vf_load_part(const float *p, size_t n)
+#ifndef VF_LOAD_PART_NATIVE
+VEC_INLINE vf vf_load_partial(const float *p, size_t n)
 {
     vf v = vf_set(p[0]);
     for (size_t i = 1; i < VEC_LANES - 1; i++) {
@@ -159,8 +159,8 @@ VEC_INLINE vf vf_load_part(const float *p, size_t n)
 }
 #endif
 
-#ifndef VD_LOAD_PART_OWN
-VEC_INLINE vd vd_load_part(const double *p, size_t n)
+#ifndef VD_LOAD_PART_NATIVE
+VEC_INLINE vd vd_load_partial(const double *p, size_t n)
 {
     vd v = vd_set(p[0]);
     for (size_t i = 1; i < VEC_LANES / 2; i++) {
@@ -170,8 +170,8 @@ VEC_INLINE vd vd_load_part(const double *p, size_t n)
 }
 #endif
 
-#ifndef VF_STORE_PART_OWN
-VEC_INLINE void vf_store_part(float *p, vf v, size_t n)
+#ifndef VF_STORE_PART_NATIVE
+VEC_INLINE void vf_store_partial(float *p, vf v, size_t n)
 {
     for (size_t i = 0; i < VEC_LANES - 1; i++) {
         if (i < n) {
@@ -186,7 +186,7 @@ VEC_INLINE void vf_store_part(float *p, vf v, size_t n)
  */
 
 /* In each lane a where the mask is all ones, b where it is 0. */
-#ifndef VU_CHOOSE_OWN
+#ifndef VU_CHOOSE_NATIVE
 VEC_INLINE vu vu_choose(vu mask, vu a, vu b)
 {
     return b ^ ((a ^ b) & mask);
@@ -194,7 +194,7 @@ VEC_INLINE vu vu_choose(vu mask, vu a, vu b)
 #endif
 
 /* Whether any bit is set. */
-#ifndef VU_ANY_OWN
+#ifndef VU_ANY_NATIVE
 VEC_INLINE int vu_any(vu a)
 {
     uint32_t any = 0;
@@ -206,7 +206,7 @@ VEC_INLINE int vu_any(vu a)
 #endif
 
 /* A mask: whether bit `bit` of a is set. */
-#ifndef VU_BIT_OWN
+#ifndef VU_BIT_NATIVE
 VEC_INLINE vu vu_bit(vu a, int bit)
 {
     return (vu)((vi)(a << (31 - bit)) >> 31);
@@ -214,15 +214,15 @@ VEC_INLINE vu vu_bit(vu a, int bit)
 #endif
 
 /* Each lane's bits turned right by 8. */
-#ifndef VU_TURN8_OWN
+#ifndef VU_TURN8_NATIVE
 VEC_INLINE vu vu_turn8(vu a)
 {
     return a >> 8 | a << 24;
 }
 #endif
 
-/* The same lanes, in a register: a compiler may load an operand anew wherever it is used. */
-#ifndef VU_IN_REGISTER_OWN
+/* a in a register: a compiler may load an operand anew wherever it is used. */
+#ifndef VU_IN_REGISTER_NATIVE
 VEC_INLINE vu vu_in_register(vu a)
 {
     return a;
@@ -230,7 +230,7 @@ VEC_INLINE vu vu_in_register(vu a)
 #endif
 
 /* a ^ b ^ c. */
-#ifndef VU_XOR3_OWN
+#ifndef VU_XOR3_NATIVE
 VEC_INLINE vu vu_xor3(vu a, vu b, vu c)
 {
     return a ^ (b ^ c); /* callers share b ^ c */
@@ -244,7 +244,7 @@ VEC_INLINE vu vu_xor3(vu a, vu b, vu c)
 /* The greatest integer that is not above a. A zero keeps its sign; NaN and infinities stay. Adding
    2^23 rounds the magnitude to an integer; where that went up, 1 is subtracted. Larger magnitudes
    are integers. */
-#ifndef VF_FLOOR_OWN
+#ifndef VF_FLOOR_NATIVE
 VEC_INLINE vf vf_floor(vf a)
 {
     const vu sign = (vu)a & 0x80000000u;
@@ -255,7 +255,7 @@ VEC_INLINE vf vf_floor(vf a)
 }
 #endif
 
-#ifndef VD_FLOOR_OWN
+#ifndef VD_FLOOR_NATIVE
 VEC_INLINE vd vd_floor(vd a)
 {
     const vec_u64 sign = (vec_u64)a & UINT64_C(0x8000000000000000);
@@ -269,7 +269,7 @@ VEC_INLINE vd vd_floor(vd a)
 
 /* The two's complement of an integral float in [-2^31, 2^31), 0x80000000 of those beyond and of
    infinities, anything of NaN and fractions. C converts only what is inside. */
-#ifndef VU_FROM_VF_OWN
+#ifndef VU_FROM_VF_NATIVE
 VEC_INLINE vu vu_from_vf(vf a)
 {
     const vf magnitude = (vf)((vu)a & 0x7fffffffu);
@@ -280,7 +280,7 @@ VEC_INLINE vu vu_from_vf(vf a)
 #endif
 
 /* Rounded to nearest. */
-#ifndef VF_FROM_VI_OWN
+#ifndef VF_FROM_VI_NATIVE
 VEC_INLINE vf vf_from_vi(vi a)
 {
     return __builtin_convertvector(a, vf);
@@ -288,7 +288,7 @@ VEC_INLINE vf vf_from_vi(vi a)
 #endif
 
 /* Rounded to nearest. */
-#ifndef VF_FROM_VD_OWN
+#ifndef VF_FROM_VD_NATIVE
 VEC_INLINE vf vf_from_vd(vd low, vd high)
 {
     vf v = vf_set(0.0f);
@@ -301,7 +301,7 @@ VEC_INLINE vf vf_from_vd(vd low, vd high)
 #endif
 
 /* Stores both at p, rounded to nearest. */
-#ifndef VF_STORE_VD_OWN
+#ifndef VF_STORE_VD_NATIVE
 VEC_INLINE void vf_store_vd(float *p, vd low, vd high)
 {
     vf_store(p, vf_from_vd(low, high));
@@ -309,7 +309,7 @@ VEC_INLINE void vf_store_vd(float *p, vd low, vd high)
 #endif
 
 /* The lanes below VEC_LANES / 2, exactly. */
-#ifndef VD_FROM_LOW_OWN
+#ifndef VD_FROM_LOW_NATIVE
 VEC_INLINE vd vd_from_low(vf a)
 {
     vd v = vd_set(0.0);
@@ -321,7 +321,7 @@ VEC_INLINE vd vd_from_low(vf a)
 #endif
 
 /* The lanes from VEC_LANES / 2, exactly. */
-#ifndef VD_FROM_HIGH_OWN
+#ifndef VD_FROM_HIGH_NATIVE
 VEC_INLINE vd vd_from_high(vf a)
 {
     vd v = vd_set(0.0);
@@ -333,7 +333,7 @@ VEC_INLINE vd vd_from_high(vf a)
 #endif
 
 /* Bits 0 to 31 of each double's representation. */
-#ifndef VU_LOW_BITS_OWN
+#ifndef VU_LOW_BITS_NATIVE
 VEC_INLINE vu vu_low_bits(vd low, vd high)
 {
     vu v = vu_set(0);
@@ -349,7 +349,7 @@ VEC_INLINE vu vu_low_bits(vd low, vd high)
  * Arithmetic that no operator does. It rounds correctly, as IEEE 754 asks.
  */
 
-#ifndef VD_SQRT_OWN
+#ifndef VD_SQRT_NATIVE
 VEC_INLINE vd vd_sqrt(vd a)
 {
     vd v = a;
@@ -366,7 +366,7 @@ VEC_INLINE vd vd_sqrt(vd a)
  * and a b does not overflow; NaN and infinities are as in a b + c. VEC_UNFUSED makes it a * b + c
  * in every set: the audit of tests/package demands that no fused instruction is left then.
  */
-#ifndef VF_EXACT_FMA_OWN
+#ifndef VF_EXACT_FMA_NATIVE
 VEC_INLINE vf vf_exact_fma(vf a, vf b, vf c)
 {
     return a * b + c;
@@ -391,7 +391,7 @@ VEC_INLINE vf vf_exact_fma(vf a, vf b, vf c)
  */
 
 /* 0, 1, 2, ... VEC_LANES - 1 */
-#ifndef VU_LANES_OWN
+#ifndef VU_LANES_NATIVE
 VEC_INLINE vu vu_lanes(void)
 {
     const vu lanes = {VEC_NUMBERS};

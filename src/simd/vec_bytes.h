@@ -5,7 +5,7 @@
  *     vu vec_bytes(vu table, vu index)   each byte is the one of the table's that the index says,
  *                                        among those of its sixteen; 0 if the index has its top bit
  *
- * and VEC_BYTES_OWN. A set of four lanes without a vf_sixteen of its own defines, too,
+ * and VEC_BYTES_NATIVE. A set of four lanes without a vf_sixteen of its own defines, too,
  *
  *     vu vec_narrow(const vu index[4])     the lowest bytes of all lanes, which are below 128
  *     vu vec_zip_low8(vu a, vu b)          the lower halves of a and b, byte by byte; vec_zip_low16
@@ -17,10 +17,10 @@
 #ifndef SCARP_SIMD_VEC_BYTES_H
 #define SCARP_SIMD_VEC_BYTES_H
 
-#ifdef VEC_BYTES_OWN
+#ifdef VEC_BYTES_NATIVE
 
 /* vu_top_index has the entry's number in the top byte, and bits below that ask for 0. */
-#define VF_LOOKUP_TOP_OWN
+#define VF_LOOKUP_TOP_NATIVE
 VEC_INLINE vf vf_lookup_top(const struct lookup_top *table, vu index)
 {
     vu top;
@@ -43,7 +43,7 @@ VEC_INLINE vf_table vf_table_slide(vf_table table, vf next)
     return next;
 }
 
-#ifndef VF_PERMUTE_OWN
+#ifndef VF_PERMUTE_NATIVE
 /* Selects the bytes of entry i: 4 * i + (0 1 2 3). */
 VEC_INLINE vu vf_index(vu i)
 {
@@ -58,7 +58,7 @@ VEC_INLINE vf vf_permute(vf_table table, vu index)
 }
 #endif
 
-#ifndef VF_SIXTEEN_OWN
+#ifndef VF_SIXTEEN_NATIVE
 
 /* The bytes of a and b, numbered through, at places that are constants. */
 typedef unsigned char vec_u8 __attribute__((vector_size(16)));
@@ -70,7 +70,7 @@ typedef unsigned char vec_u8 __attribute__((vector_size(16)));
 
 /* Bits 29 and 30 of the hash choose among four floats: 4 * index + (0 1 2 3) in the bytes of each
    lane. The compiler shares that selector between the lookups of one hash. */
-#define VF_LOOKUP_OWN
+#define VF_LOOKUP_NATIVE
 VEC_INLINE vf vf_lookup(const struct lookup *table, vu hash)
 {
     const vu shifted = hash >> 3; /* index in bits 2 and 3 of the top byte */
@@ -107,7 +107,7 @@ VEC_INLINE struct vf_four vec_four_of(const struct vec_planes *planes, const vu 
 }
 
 /* 31 operations for two tables instead of 44. */
-#define VF_LOOKUP_FOUR_OWN
+#define VF_LOOKUP_FOUR_NATIVE
 VEC_INLINE struct vf_four vf_lookup_four(const struct lookup *table, const vu hash[4])
 {
     const vu index[4] = {hash[0] >> 28, hash[1] >> 28, hash[2] >> 28, hash[3] >> 28};
@@ -118,7 +118,7 @@ VEC_INLINE struct vf_four vf_lookup_four(const struct lookup *table, const vu ha
     return vec_four_of(&planes, index);
 }
 
-#define VF_SIXTEEN_OWN
+#define VF_SIXTEEN_NATIVE
 typedef struct {
     float entry[16];
     struct vec_planes planes;
@@ -171,14 +171,14 @@ VEC_INLINE vf vf_sixteen_of(const vf_sixteen *table, vu index)
     return found;
 }
 
-#define VF_SIXTEEN_ODD_FOUR_OWN
+#define VF_SIXTEEN_ODD_FOUR_NATIVE
 VEC_INLINE struct vf_four vf_sixteen_odd_four(const vf_sixteen *table, const vu hash[4])
 {
     const vu index[4] = {hash[0] >> 28, hash[1] >> 28, hash[2] >> 28, hash[3] >> 28};
     return vec_four_of(&table->planes, index);
 }
 
-#define VF_SIXTEEN_FOUR_OWN
+#define VF_SIXTEEN_FOUR_NATIVE
 #define VF_SIXTEEN_FOUR 1
 VEC_INLINE struct vf_four vf_sixteen_four(const vf_sixteen *table, const vu index[4])
 {

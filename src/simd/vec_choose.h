@@ -2,12 +2,12 @@
  *
  * The vector operations that compare and choose: contracts and portable definitions, as in vec.h,
  * which includes this. A vm is a mask, a bit or all bits for each lane; a set that has registers of
- * their own for masks defines VEC_MASK_OWN, the type and all vm_ operations.
+ * their own for masks defines VEC_MASK_NATIVE, the type and all vm_ operations.
  */
 #ifndef SCARP_SIMD_VEC_CHOOSE_H
 #define SCARP_SIMD_VEC_CHOOSE_H
 
-#ifndef VEC_MASK_OWN
+#ifndef VEC_MASK_NATIVE
 typedef vu vm;
 
 /* Whether a < b; a NaN is less than nothing. */
@@ -72,7 +72,7 @@ VEC_INLINE vu vu_add_where(vm mask, vu a, vu b)
 }
 
 /* a where the mask is set, else b. A set may have an own vm_choose alone. */
-#ifndef VM_CHOOSE_OWN
+#ifndef VM_CHOOSE_NATIVE
 VEC_INLINE vf vm_choose(vm mask, vf a, vf b)
 {
     return (vf)vu_choose(mask, (vu)a, (vu)b);
@@ -81,7 +81,7 @@ VEC_INLINE vf vm_choose(vm mask, vf a, vf b)
 #endif
 
 /* The greater of a and 0; 0 of NaN. */
-#ifndef VF_POSITIVE_OWN
+#ifndef VF_POSITIVE_NATIVE
 VEC_INLINE vf vf_positive(vf a)
 {
     return (vf)((vu)a & (vu)(a > vf_set(0.0f)));
@@ -89,7 +89,7 @@ VEC_INLINE vf vf_positive(vf a)
 #endif
 
 /* a where a < b, else b. */
-#ifndef VF_LESSER_OWN
+#ifndef VF_LESSER_NATIVE
 VEC_INLINE vf vf_lesser(vf a, vf b)
 {
     return vm_choose(vm_less(a, b), a, b);
@@ -97,7 +97,7 @@ VEC_INLINE vf vf_lesser(vf a, vf b)
 #endif
 
 /* a where a > b, else b. */
-#ifndef VF_GREATER_OWN
+#ifndef VF_GREATER_NATIVE
 VEC_INLINE vf vf_greater(vf a, vf b)
 {
     return vm_choose(vm_less(b, a), a, b);
@@ -105,7 +105,7 @@ VEC_INLINE vf vf_greater(vf a, vf b)
 #endif
 
 /* Correctly rounded. */
-#ifndef VF_SQRT_OWN
+#ifndef VF_SQRT_NATIVE
 VEC_INLINE vf vf_sqrt(vf a)
 {
     vf v = a;

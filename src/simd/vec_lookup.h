@@ -19,7 +19,7 @@ VEC_INLINE vu vec_four(vu bit0, vu bit1, vu e0, vu e1, vu e2, vu e3)
 }
 
 /* The float with the bits table->entry[hash >> 28] in each lane. */
-#ifndef VF_LOOKUP_OWN
+#ifndef VF_LOOKUP_NATIVE
 VEC_INLINE vf vf_lookup(const struct lookup *table, vu hash)
 {
     const uint32_t *const quad = table->quad;
@@ -29,8 +29,8 @@ VEC_INLINE vf vf_lookup(const struct lookup *table, vu hash)
 }
 #endif
 
-/* The same for four vectors of hashes. */
-#ifndef VF_LOOKUP_FOUR_OWN
+/* vf_lookup for four vectors of hashes. */
+#ifndef VF_LOOKUP_FOUR_NATIVE
 VEC_INLINE struct vf_four vf_lookup_four(const struct lookup *table, const vu hash[4])
 {
     const struct vf_four found = {{vf_lookup(table, hash[0]), vf_lookup(table, hash[1]),
@@ -41,7 +41,7 @@ VEC_INLINE struct vf_four vf_lookup_four(const struct lookup *table, const vu ha
 
 /* The lane of a table that the lowest bits of the index say: as many bits as number VEC_LANES
    lanes. */
-#ifndef VF_AMONG_OWN
+#ifndef VF_AMONG_NATIVE
 VEC_INLINE vf vf_among(vf table, vu index)
 {
     vf found;
@@ -53,7 +53,7 @@ VEC_INLINE vf vf_among(vf table, vu index)
 #endif
 
 /* Sixteen floats that are known at run time only. */
-#ifndef VF_SIXTEEN_OWN
+#ifndef VF_SIXTEEN_NATIVE
 typedef struct {
     float entry[16];
 } vf_sixteen;
@@ -78,15 +78,15 @@ VEC_INLINE vf vf_sixteen_of(const vf_sixteen *table, vu index)
 
 /* The entry that the top four bits of the hash say, where entry i ^ 9 is the negative of entry i.
  */
-#ifndef VF_SIXTEEN_ODD_OWN
+#ifndef VF_SIXTEEN_ODD_NATIVE
 VEC_INLINE vf vf_sixteen_odd(const vf_sixteen *table, vu hash)
 {
     return vf_sixteen_of(table, hash >> 28);
 }
 #endif
 
-/* The same for four vectors. */
-#ifndef VF_SIXTEEN_ODD_FOUR_OWN
+/* vf_sixteen_odd for four vectors of hashes. */
+#ifndef VF_SIXTEEN_ODD_FOUR_NATIVE
 VEC_INLINE struct vf_four vf_sixteen_odd_four(const vf_sixteen *table, const vu hash[4])
 {
     const struct vf_four found = {{vf_sixteen_odd(table, hash[0]), vf_sixteen_odd(table, hash[1]),
@@ -97,7 +97,7 @@ VEC_INLINE struct vf_four vf_sixteen_odd_four(const vf_sixteen *table, const vu 
 
 /* What vf_sixteen_of says for four vectors of indices below 16. VF_SIXTEEN_FOUR is 1 in a set where
    that takes less than four single ones. */
-#ifndef VF_SIXTEEN_FOUR_OWN
+#ifndef VF_SIXTEEN_FOUR_NATIVE
 #define VF_SIXTEEN_FOUR 0
 VEC_INLINE struct vf_four vf_sixteen_four(const vf_sixteen *table, const vu index[4])
 {
@@ -108,7 +108,7 @@ VEC_INLINE struct vf_four vf_sixteen_four(const vf_sixteen *table, const vu inde
 #endif
 
 /* (hash >> 16) * 12 >> 16 */
-#ifndef VU_TWELFTH_OWN
+#ifndef VU_TWELFTH_NATIVE
 VEC_INLINE vu vu_twelfth(vu hash)
 {
     const vu high = hash >> 16;
@@ -118,7 +118,7 @@ VEC_INLINE vu vu_twelfth(vu hash)
 
 /* What vf_lookup_top takes as the index of entry (hash >> 16) * 12 >> 16. The portable one has this
    number in its upper half. */
-#ifndef VU_TOP_INDEX_OWN
+#ifndef VU_TOP_INDEX_NATIVE
 VEC_INLINE vu vu_top_index(vu hash)
 {
     const vu high = hash >> 16;
@@ -127,7 +127,7 @@ VEC_INLINE vu vu_top_index(vu hash)
 #endif
 
 /* In each lane the float with the top byte table->top[i], i being the entry, and 0 below. */
-#ifndef VF_LOOKUP_TOP_OWN
+#ifndef VF_LOOKUP_TOP_NATIVE
 VEC_INLINE vu vec_top(const struct lookup_top *table, int i)
 {
     return vu_set((uint32_t)table->top[i] << 24);

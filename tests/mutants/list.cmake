@@ -26,7 +26,7 @@ mutant(positions.half_cell IN kernel TEXT [[(lower + vf_set(0.5f))]]
        BECOMES [[(lower + vf_set(MUTANT ? 0.0f : 0.5f))]] SEEN_BY bits)
 mutant(positions.far IN kernel/lattice.h TEXT [[vu_any(far & vu_set(FAR_BITS))]]
        BECOMES [[!MUTANT && vu_any(far & vu_set(FAR_BITS))]] SEEN_BY bits)
-mutant(positions.far_places IN kernel/places.h TEXT [[vu_any(far & vu_set(FAR_BITS))]]
+mutant(positions.far_unhashed IN kernel/unhashed.h TEXT [[vu_any(far & vu_set(FAR_BITS))]]
        BECOMES [[!MUTANT && vu_any(far & vu_set(FAR_BITS))]] SEEN_BY bits)
 mutant(positions.period_end IN kernel TEXT [[(vu)(cell == vu_set(o->last[i]))]]
        BECOMES [[(vu)(cell == vu_set(o->last[i] - (uint32_t)MUTANT))]] SEEN_BY bits)
@@ -79,11 +79,11 @@ mutant(flow.fused IN kernel TEXT [[v.flows ? a * b + c]]
 mutant(flow.derivative IN kernel TEXT [[scarp_phase_derivative(derivative, o->turn);]]
        BECOMES [[scarp_phase_derivative(derivative, call->plan->octave[MUTANT ? 0 : k].turn);]]
        SEEN_BY bits)
-mutant(flow.rows IN kernel TEXT [[part->row_octave->turn = call->plan->octave[k].turn;]]
-       BECOMES [[part->row_octave->turn = call->plan->octave[MUTANT ? 0 : k].turn;]] SEEN_BY grid)
-mutant(flow.groups IN kernel TEXT [[part->moving = moving + r * moving_of_row;]]
-       BECOMES [[part->moving = moving + (MUTANT ? 0 : r) * moving_of_row;]] SEEN_BY grid
-       SETS generic sse4.1 avx2 neon) # AVX-512 has few parts with several groups
+mutant(flow.rows IN kernel TEXT [[tile->row_octave->turn = call->plan->octave[k].turn;]]
+       BECOMES [[tile->row_octave->turn = call->plan->octave[MUTANT ? 0 : k].turn;]] SEEN_BY grid)
+mutant(flow.groups IN kernel TEXT [[tile->moving = moving + r * moving_of_row;]]
+       BECOMES [[tile->moving = moving + (MUTANT ? 0 : r) * moving_of_row;]] SEEN_BY grid
+       SETS generic sse4.1 avx2 neon) # AVX-512 has few tiles with several groups
 mutant(flow.ridged IN kernel TEXT [[(vu)(factor * ds) &]]
        BECOMES [[(vu)(factor * (MUTANT ? 0.5f : 1.0f) * ds) &]] SEEN_BY bits)
 mutant(flow.hybrid IN kernel TEXT [[hybrid_first(weight, r, moving[0], turning[0])]]
@@ -105,8 +105,8 @@ mutant(basis.value_yz IN kernel TEXT [[v.du * (w.du * ddz)]]
 mutant(driver.tail IN kernel TEXT [[memcpy(to, from, (size_t)(end - to) * sizeof(float))]]
        BECOMES [[memcpy(to, from, MUTANT ? 0 : (size_t)(end - to) * sizeof(float))]]
        SEEN_BY bits)
-mutant(driver.few IN kernel TEXT [[vf_load_part(x, count)]]
-       BECOMES [[vf_load_part(x, MUTANT ? 1 : count)]] SEEN_BY bits)
+mutant(driver.few IN kernel TEXT [[vf_load_partial(x, count)]]
+       BECOMES [[vf_load_partial(x, MUTANT ? 1 : count)]] SEEN_BY bits)
 mutant(driver.few_octaves IN kernel TEXT [[k < plan->octaves; k++) {
         const struct scarp_octave *const o = &plan->octave[k];
         const int is_turned]]
@@ -118,12 +118,14 @@ mutant(driver.few_turned IN kernel TEXT [[is_turned ? turned_f32(o, axis, x->f32
 mutant(driver.few_ridged IN kernel TEXT [[weighted(o, n, &state->weight,]]
        BECOMES [[weighted(o, n, MUTANT ? &(struct sample){.value = state->weight.value}
                               : &state->weight,]] SEEN_BY bits)
-mutant(driver.few_eroded IN kernel TEXT [[own_axes ? o->amplitude : o->slope]]
-       BECOMES [[own_axes && !MUTANT ? o->amplitude : o->slope]] SEEN_BY bits)
+mutant(driver.few_eroded IN kernel TEXT [[octave_axes ? o->amplitude : o->slope]]
+       BECOMES [[octave_axes && !MUTANT ? o->amplitude : o->slope]] SEEN_BY bits)
 mutant(driver.few_one IN kernel TEXT [[n.value *= vf_set(o->amplitude);]]
        BECOMES [[n.value *= vf_set(MUTANT ? o->weight : o->amplitude);]] SEEN_BY bits)
-mutant(driver.plain IN kernel TEXT [[&sums : &to, k > 0 ?]]
-       BECOMES [[&sums : &to, k > MUTANT ?]] SEEN_BY bits)
+mutant(driver.values IN kernel TEXT [[k > 0 ? PUT_ADD : PUT_FIRST);
+        }]]
+       BECOMES [[k > MUTANT ? PUT_ADD : PUT_FIRST);
+        }]] SEEN_BY bits)
 mutant(driver.group_state IN kernel TEXT [[state + r * state_of_row]]
        BECOMES [[state + (MUTANT ? 0 : r) * state_of_row]] SEEN_BY grid)
 mutant(driver.remainder IN kernel TEXT [[least(i, count - blocks * VEC_LANES)]]
@@ -249,8 +251,8 @@ mutant(outputs.normals IN kernel TEXT [[vf_from_vd(low.x, high.x)]]
 # functions of samples
 mutant(chain.tail IN kernel/chain.h TEXT [[chain_copy(&filled.in[k][m], in[k][m], first, count);]]
        BECOMES [[chain_copy(&filled.in[k][m], in[k][m], MUTANT ? 0 : first, count);]] SEEN_BY golden)
-mutant(chain.mixed IN kernel/chain.h TEXT [[plain + (a.i * b.j + a.j * b.i)]]
-       BECOMES [[plain + (a.i * b.j + (MUTANT ? a.i * b.j : a.j * b.i))]] SEEN_BY golden)
+mutant(chain.mixed IN kernel/chain.h TEXT [[linear + (a.i * b.j + a.j * b.i)]]
+       BECOMES [[linear + (a.i * b.j + (MUTANT ? a.i * b.j : a.j * b.i))]] SEEN_BY golden)
 mutant(chain.nan IN kernel/chain.h TEXT [[(vu)(greater ? a < b : b < a) | (vu)(b != b)]]
        BECOMES [[(vu)(greater ? a < b : b < a) | (MUTANT ? vu_set(0) : (vu)(b != b))]]
        SEEN_BY chain)
@@ -283,12 +285,12 @@ mutant(plan.stale_spare IN plan/kept.h TEXT [[differences(a, b, plan + sizeof(ui
 mutant(plan.dimensions IN plan/kept.h TEXT [[kept->mark != mark_of(kind.dimensions)]]
        BECOMES [[(kept->mark ^ mark_of(kind.dimensions)) > (uint64_t)MUTANT]] SEEN_BY plan SETS scalar)
 mutant(plan.kept_dphase IN plan/kept.h TEXT [[plan_ask(plan, kind);]]
-       BECOMES [[plan_ask(plan, MUTANT ? (struct scarp_kind){.dimensions = kind.dimensions, .order = kind.order} : kind);]]
+       BECOMES [[plan_ask(plan, kind), plan->flows &= !MUTANT;]]
        SEEN_BY plan SETS scalar avx2)
 
 # warps
-mutant(warp.diagonal IN kernel TEXT [[w->y[i].array[DX + i][at] += 1.0f;]]
-       BECOMES [[w->y[i].array[DX + i][at] += MUTANT ? 0.0f : 1.0f;]] SEEN_BY bits)
+mutant(warp.diagonal IN kernel TEXT [[vf_load(slope + at) + 1.0f]]
+       BECOMES [[vf_load(slope + at) + (MUTANT ? 0.0f : 1.0f)]] SEEN_BY bits)
 mutant(warp.hessian IN kernel TEXT [[r.dyy = ALONG(dy, hy) + ALONG(dyy, g);]]
        BECOMES [[r.dyy = MUTANT ? ALONG(dy, hy) : ALONG(dy, hy) + ALONG(dyy, g);]] SEEN_BY bits)
 mutant(warp.grid_chunk IN kernel TEXT [[grid.first[axis] += (int64_t)chunk->at[axis];]]

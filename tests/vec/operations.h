@@ -26,16 +26,16 @@ static void copy_d(double *out, const double *in)
     store_halves(out, vd_load(in), vd_load(in + VEC_LANES / 2));
 }
 
-static void part_f(float *out, float *loaded, const float *in, size_t n)
+static void partial_f(float *out, float *loaded, const float *in, size_t n)
 {
-    const vf v = vf_load_part(in, n);
+    const vf v = vf_load_partial(in, n);
     vf_store(loaded, v);
-    vf_store_part(out, v, n);
+    vf_store_partial(out, v, n);
 }
 
-static void part_d(double *loaded, const double *in, size_t n)
+static void partial_d(double *loaded, const double *in, size_t n)
 {
-    const vd v = vd_load_part(in, n);
+    const vd v = vd_load_partial(in, n);
     memcpy(loaded, &v, sizeof v);
 }
 
@@ -271,8 +271,8 @@ const struct vec_operations VEC_OPERATIONS(KERNELS) = {
     .copy_f = copy_f,
     .copy_u = copy_u,
     .copy_d = copy_d,
-    .part_f = part_f,
-    .part_d = part_d,
+    .partial_f = partial_f,
+    .partial_d = partial_d,
     .stream = stream,
     .set_f = set_f,
     .set_u = set_u,

@@ -20,8 +20,8 @@ struct vec_operations {
     void (*copy_d)(double *out, const double *in);
     /* Loads a part of n elements, which `loaded` gets with what is in the other lanes, and stores
        it. Half a vector is the most for doubles, which are not stored. */
-    void (*part_f)(float *out, float *loaded, const float *in, size_t n);
-    void (*part_d)(double *loaded, const double *in, size_t n);
+    void (*partial_f)(float *out, float *loaded, const float *in, size_t n);
+    void (*partial_d)(double *loaded, const double *in, size_t n);
     void (*stream)(float *out, const float *in); /* out is aligned to a vector */
     void (*set_f)(float *out, float a);
     void (*set_u)(uint32_t *out, uint32_t a);

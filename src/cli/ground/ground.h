@@ -41,11 +41,11 @@ bool ground_make(const struct ground_options *options, struct ground *ground);
 void ground_grid(const struct ground *ground, const struct scarp_grid *grid,
                  const struct scarp_samples *out);
 
-/* The same at points */
+/* Samples values and gradients at points, as scarp_points2_f64 does. */
 void ground_points(const struct ground *ground, size_t count, const double *x, const double *y,
                    const struct scarp_samples *out);
 
-/* The same before the sea and the plateau cut off what is beyond them */
+/* Samples the ground as it is before the sea and the plateau cut it off. */
 void ground_uncut_grid(const struct ground *ground, const struct scarp_grid *grid,
                        const struct scarp_samples *out);
 void ground_uncut_points(const struct ground *ground, size_t count, const double *x,

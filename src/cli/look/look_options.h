@@ -19,7 +19,7 @@ struct look_options {
 extern const struct option look_palette_rows[LOOK_PALETTE_ROWS];
 extern const struct option look_light_rows[LOOK_LIGHT_ROWS];
 
-/* Both groups, for a table; the struct is at an offset in the values. */
+/* The options of palette and relief, for a table; the struct is at an offset in the values. */
 #define LOOK_GROUPS(name, at)                                                                      \
     OPTION_GROUP(name, look_palette_rows, at), OPTION_GROUP(NULL, look_light_rows, at)
 

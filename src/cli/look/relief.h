@@ -15,7 +15,7 @@
 
 #include "look/palette.h"
 
-/* The same for all samples of a terrain */
+/* What all samples of a terrain share */
 struct relief {
     const struct palette *palette; /* resolved */
     float low, middle, high;       /* values that are the fractions 0, 0.4 and 1 of height */

@@ -203,7 +203,7 @@ bool file_close(struct file *file)
     return written && closed;
 }
 
-/* It has its final name, and is kept. */
+/* Forgets a file that has its final name, which stays. */
 static void forget_unfinished(struct file *file)
 {
     end_lock(file);

@@ -10,8 +10,8 @@
 
 #include "shared/text.h"
 
-/* Both are pieces of the text that was read; the key is without its quotes, the value as it stands
-   there. */
+/* A member of an object. Key and value point into the text that was read: the key without its
+   quotes, the value as it stands there. */
 struct json_member {
     const char *key, *value;
     size_t key_length, value_length;

@@ -380,7 +380,7 @@ static bool waits(const struct pipeline *pipeline, size_t i)
     return pipeline->outputs->list[i].writer.file.waits;
 }
 
-/* Does a task of the round. The first ones write, which keeps others waiting if it comes last. */
+/* Runs a task of the round. The first ones write, which keeps others waiting if it comes last. */
 static void do_task(const struct pipeline *pipeline, size_t n, struct scratch *scratch)
 {
     const size_t count = pipeline->outputs->count, round = pipeline->round;

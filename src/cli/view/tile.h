@@ -10,7 +10,7 @@
 
 #define TILE_WIDTH 128
 #define TILE_HEIGHT 64
-/* Its pixels, and those around it that they are compared with */
+/* The pixels of a tile, and those around it that they are compared with */
 #define TILE_RAYS ((TILE_WIDTH + 2) * (TILE_HEIGHT + 2))
 
 /* What a thread needs */

@@ -8,7 +8,7 @@
  * small sets, lines of COLUMN_PASSES and a case in basis_column(). Any other is a function from a
  * block of positions on the lattice to a sample, and a case in basis_sample().
  *
- * Where a place inside the cell is NaN, every output must be. A place may be 1.
+ * Where a fraction is NaN, every output must be. A fraction may be 1.
  */
 #ifndef SCARP_KERNEL_BASIS_H
 #define SCARP_KERNEL_BASIS_H
@@ -78,7 +78,7 @@ VEC_INLINE struct column basis_column(const struct corners *h, const struct acro
 /* The corners of both columns of a block that stands on the lattice. */
 VEC_INLINE void corners_of(struct corners side[2], const vf *lattice, struct variant v)
 {
-    if (kept_of(v.basis) == KEPT_HASHES) {
+    if (corner_form_of(v.basis) == CORNERS_HASHED) {
         for (int i = 0; i < 2; i++) {
             const vf *const h = lattice + v.dimensions + (i << (v.dimensions - 1));
             if (v.dimensions == 2) {
@@ -143,25 +143,25 @@ VEC_INLINE struct sample basis_sample(const vf *lattice, enum scarp_fade kind,
     return join(&c[0], &c[1], x, fade(kind, x), v);
 }
 
-/* Positions on the lattice of an octave. */
-struct placed {
+/* Where the samples of a tile lie on the lattice of an octave. */
+struct locations {
     vf *lattice;
     struct extent extent;
     enum scarp_fade fade;
     const float *turn;                 /* of the octave, or its derivative; for passes that flow */
-    const struct scarp_octave *octave; /* for passes that take places */
+    const struct scarp_octave *octave; /* for passes that take unhashed locations */
     enum scarp_basis basis;            /* for passes that serve several */
     int order;                         /* for passes that serve several: the highest derivative */
 };
 
 /* Adds weights * basis to `to`, or puts it there, for every output of the variant. */
-typedef void points_pass(const struct placed *at, const struct weights *weights,
-                         const struct outputs *to, enum put put);
+typedef void basis_pass(const struct locations *at, const struct weights *weights,
+                        const struct outputs *to, enum put put);
 
 /* `fade` is at->fade; a constant where the pass has a loop for each. */
-VEC_INLINE void points_run(const struct placed *at, enum scarp_fade fade,
-                           const struct weights *weights, const struct outputs *outputs,
-                           enum put put, struct variant v)
+VEC_INLINE void basis_run(const struct locations *at, enum scarp_fade fade,
+                          const struct weights *weights, const struct outputs *outputs,
+                          enum put put, struct variant v)
 {
     const struct weights w = *weights; /* copies: nothing that is stored can alias them */
     const struct extent extent = at->extent;
@@ -172,7 +172,7 @@ VEC_INLINE void points_run(const struct placed *at, enum scarp_fade fade,
     outputs_copy(&to, outputs, v);
     if (v.flows) { /* nothing that is stored can alias a copy */
         struct directions made;
-        turn_directions(&made, at->turn, v.dimensions);
+        (v.dimensions == 2 ? turn_directions2 : turn_directions3)(&made, at->turn);
         for (int axis = 0; axis < v.dimensions; axis++) {
             directions.of[axis] = made.of[axis];
         }
@@ -203,32 +203,32 @@ VEC_INLINE int loop_for_each_fade(struct variant v)
     return v.dimensions == 3 && (v.order == 0 || !v.flows);
 }
 
-#define POINTS_PASS(name, basis, dimensions, order, flows)                                         \
-    static void name(const struct placed *at, const struct weights *weights,                       \
+#define BASIS_PASS(name, basis, dimensions, order, flows)                                          \
+    static void name(const struct locations *at, const struct weights *weights,                    \
                      const struct outputs *to, enum put put)                                       \
     {                                                                                              \
         const struct variant v = {basis, dimensions, order, flows};                                \
         if (!loop_for_each_fade(v)) {                                                              \
-            points_run(at, at->fade, weights, to, put, v);                                         \
+            basis_run(at, at->fade, weights, to, put, v);                                          \
         } else if (at->fade == SCARP_QUINTIC) {                                                    \
-            points_run(at, SCARP_QUINTIC, weights, to, put, v);                                    \
+            basis_run(at, SCARP_QUINTIC, weights, to, put, v);                                     \
         } else {                                                                                   \
-            points_run(at, SCARP_CUBIC, weights, to, put, v);                                      \
+            basis_run(at, SCARP_CUBIC, weights, to, put, v);                                       \
         }                                                                                          \
     }
-#define POINTS_PASSES(name, basis, flows)                                                          \
-    POINTS_PASS(name##2_points0, basis, 2, 0, flows)                                               \
-    POINTS_PASS(name##2_points1, basis, 2, 1, flows)                                               \
-    POINTS_PASS(name##2_points2, basis, 2, 2, flows)                                               \
-    POINTS_PASS(name##3_points0, basis, 3, 0, flows)                                               \
-    POINTS_PASS(name##3_points1, basis, 3, 1, flows)                                               \
-    POINTS_PASS(name##3_points2, basis, 3, 2, flows)
+#define BASIS_PASSES(name, basis, flows)                                                           \
+    BASIS_PASS(name##2_points0, basis, 2, 0, flows)                                                \
+    BASIS_PASS(name##2_points1, basis, 2, 1, flows)                                                \
+    BASIS_PASS(name##2_points2, basis, 2, 2, flows)                                                \
+    BASIS_PASS(name##3_points0, basis, 3, 0, flows)                                                \
+    BASIS_PASS(name##3_points1, basis, 3, 1, flows)                                                \
+    BASIS_PASS(name##3_points2, basis, 3, 2, flows)
 
-POINTS_PASSES(gradient, SCARP_GRADIENT, 0)
-POINTS_PASSES(flow, SCARP_GRADIENT, 1)
-POINTS_PASSES(value, SCARP_VALUE, 0)
+BASIS_PASSES(gradient, SCARP_GRADIENT, 0)
+BASIS_PASSES(flow, SCARP_GRADIENT, 1)
+BASIS_PASSES(value, SCARP_VALUE, 0)
 
-#undef POINTS_PASS
-#undef POINTS_PASSES
+#undef BASIS_PASS
+#undef BASIS_PASSES
 
 #endif

@@ -9,8 +9,8 @@
 #ifndef SCARP_KERNEL_BASIS_CELLS_H
 #define SCARP_KERNEL_BASIS_CELLS_H
 
-#include "../places.h"
 #include "../samples.h"
+#include "../unhashed.h"
 
 /* What a cell draws beside v_0, which is its hash. */
 #define FEATURE_Y 0xe41130e9u
@@ -67,7 +67,7 @@ VEC_INLINE struct feature feature_at(const vf t[3], const vf middle[3], vf jitte
     return f;
 }
 
-/* 0, or NaN where a place is NaN, which comparisons would pass over. */
+/* 0, or NaN where a fraction is NaN, which comparisons would pass over. */
 VEC_INLINE vf zero_at(const vf t[3], int dimensions)
 {
     return 0.0f * (dimensions == 3 ? t[0] + (t[1] + t[2]) : t[0] + t[1]);
@@ -157,7 +157,7 @@ VEC_INLINE void cells_line(struct found *found, struct sample *sum, const vf t[3
 
 /* Visits the 3^n cells around that of a point. Loops across x stay loops: unrolled, their code
    would fill the first-level cache. */
-VEC_INLINE void cells_around(struct found *found, struct sample *sum, const vf *place,
+VEC_INLINE void cells_around(struct found *found, struct sample *sum, const vf *location,
                              const struct scarp_octave *o, const struct cells_task *task)
 {
     const int dimensions = task->search.dimensions;
@@ -165,8 +165,8 @@ VEC_INLINE void cells_around(struct found *found, struct sample *sum, const vf *
     vf t[3], middle[3];
     vu mixed[3][3];
     for (int i = 0; i < dimensions; i++) {
-        t[i] = place[i];
-        mixed_beside(mixed[i], (vu)place[dimensions + i], o, i);
+        t[i] = location[i];
+        mixed_beside(mixed[i], (vu)location[dimensions + i], o, i);
     }
     if (dimensions == 2) {
         middle[1] = vf_set(-0.5f);
@@ -205,7 +205,7 @@ VEC_INLINE vf ring_distance(const struct scarp_octave *o)
     return vf_set(1.0f + feature_margin(o));
 }
 
-/* How far a place is from the nearer wall of its cell. */
+/* The distance of a fraction from the nearer wall of the cell. */
 VEC_INLINE vf to_wall(vf t)
 {
     return vf_lesser(t, 1.0f - t);
@@ -306,7 +306,7 @@ VEC_INLINE void ring_add(struct found *found, const struct ring *ring, const int
 }
 
 /* Searches the cells two steps away, but for those that no lane needs. Few blocks come here. `t`
-   are the places and `cell` the cells along all axes. */
+   are the fractions and `cell` the cells along all axes. */
 static __attribute__((noinline)) void cells_ring(struct found *found, const vf *t, const vf *cell,
                                                  const struct scarp_octave *o, int dimensions,
                                                  int second)
@@ -350,14 +350,14 @@ VEC_INLINE void cells_beyond(struct found *found, const vf *t, const vf *cell,
 }
 
 /* Searches for the nearest of all features. */
-VEC_INLINE struct found cells_search(const vf *place, const struct scarp_octave *o,
+VEC_INLINE struct found cells_search(const vf *location, const struct scarp_octave *o,
                                      struct search search)
 {
     const struct cells_task task = {.search = search};
     struct found found;
-    found_begin(&found, zero_at(place, search.dimensions));
-    cells_around(&found, NULL, place, o, &task);
-    cells_beyond(&found, place, place + search.dimensions, o, search);
+    found_begin(&found, zero_at(location, search.dimensions));
+    cells_around(&found, NULL, location, o, &task);
+    cells_beyond(&found, location, location + search.dimensions, o, search);
     return found;
 }
 
@@ -448,17 +448,17 @@ VEC_INLINE struct sample soft_root(const struct sample *sum, vf middle, struct v
     return s;
 }
 
-VEC_INLINE struct sample soft_sample(const vf *place, const struct scarp_octave *o,
+VEC_INLINE struct sample soft_sample(const vf *location, const struct scarp_octave *o,
                                      struct variant v)
 {
     const struct cells_task task = {.search = {.dimensions = v.dimensions}, .soft = v};
-    const vf zero = zero_at(place, v.dimensions);
+    const vf zero = zero_at(location, v.dimensions);
     struct found unused;
     struct sample sum;
 #define BEGIN(i, member, rank) sum.member = zero
     EACH_OUTPUT(v, BEGIN);
 #undef BEGIN
-    cells_around(&unused, &sum, place, o, &task);
+    cells_around(&unused, &sum, location, o, &task);
     return soft_root(&sum, vf_set(o->middle), v);
 }
 

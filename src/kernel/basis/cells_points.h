@@ -53,7 +53,7 @@ VEC_INLINE void cells_make(const struct found *found, const struct cells_target 
     cells_put(to, &n, v);
 }
 
-/* Does the same for any order that v allows. */
+/* Makes a sample of the features found, at any order up to that of v. */
 VEC_INLINE void cells_make_any(const struct found *found, const struct cells_target *to,
                                float middle, struct variant v)
 {
@@ -77,22 +77,22 @@ VEC_INLINE struct search search_of(struct variant v)
     return search;
 }
 
-VEC_INLINE void cells_run(const struct placed *at, const struct weights *weights,
+VEC_INLINE void cells_run(const struct locations *at, const struct weights *weights,
                           const struct outputs *outputs, enum put put, struct variant v)
 {
     const volatile struct cells_kind kind = {at->basis, at->order, put};
     const struct scarp_octave *const o = at->octave;
     const struct extent extent = at->extent;
-    const vf *place = at->lattice;
+    const vf *location = at->lattice;
     for (size_t r = 0; r < extent.rows; r++) {
-        const vf *const end = place + extent.blocks * places_size(v.dimensions);
+        const vf *const end = location + extent.blocks * unhashed_size(v.dimensions);
         struct cells_target to = {outputs, weights, &kind, r, 0};
-        for (; place < end; place += places_size(v.dimensions)) {
+        for (; location < end; location += unhashed_size(v.dimensions)) {
             if (v.basis == SCARP_CELL_SOFT) {
-                const struct sample n = soft_sample(place, o, v);
+                const struct sample n = soft_sample(location, o, v);
                 cells_put(&to, &n, v);
             } else {
-                const struct found found = cells_search(place, o, search_of(v));
+                const struct found found = cells_search(location, o, search_of(v));
                 cells_make_any(&found, &to, o->middle, v);
             }
             to.at += outputs->block;
@@ -102,7 +102,7 @@ VEC_INLINE void cells_run(const struct placed *at, const struct weights *weights
 
 /* `search` is the basis that stands for all that search alike. */
 #define CELLS_PASS(name, search, dimensions, order)                                                \
-    static void name(const struct placed *at, const struct weights *weights,                       \
+    static void name(const struct locations *at, const struct weights *weights,                    \
                      const struct outputs *to, enum put put)                                       \
     {                                                                                              \
         const struct variant v = {search, dimensions, order, 0};                                   \

@@ -52,10 +52,8 @@ static const struct still still3 = {
 #undef Q
 #undef R
 
-/* Turns the gradients by the angles of `turn` (struct scarp_octave). It is out of line for the sake
-   of size: passes are many. */
-static __attribute__((noinline)) void turn_directions(struct directions *d, const float turn[4],
-                                                      int dimensions)
+/* Turns the gradients by the angles of `turn` (struct scarp_octave). */
+VEC_INLINE void turn_directions(struct directions *d, const float turn[4], int dimensions)
 {
     const struct still *const still = dimensions == 2 ? &still2 : &still3;
     for (int axis = 0; axis < dimensions; axis++) {
@@ -72,6 +70,17 @@ static __attribute__((noinline)) void turn_directions(struct directions *d, cons
         }
         d->of[axis] = vf_sixteen_load(turned);
     }
+}
+
+/* These two are out of line for the sake of size: passes are many. */
+static __attribute__((noinline)) void turn_directions2(struct directions *d, const float turn[4])
+{
+    turn_directions(d, turn, 2);
+}
+
+static __attribute__((noinline)) void turn_directions3(struct directions *d, const float turn[4])
+{
+    turn_directions(d, turn, 3);
 }
 
 #endif

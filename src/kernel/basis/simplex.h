@@ -21,7 +21,7 @@
 #ifndef SCARP_KERNEL_BASIS_SIMPLEX_H
 #define SCARP_KERNEL_BASIS_SIMPLEX_H
 
-#include "../places.h"
+#include "../unhashed.h"
 #include "gradient.h"
 
 #define ROW_HEIGHT 0.866025404f /* of triangles of edge 1: sqrt(3) / 2 */
@@ -102,8 +102,9 @@ VEC_INLINE struct sample sum_of(const struct sample *a, const struct sample *b, 
     return s;
 }
 
-/* Where a point lies in the triangles: before the line that begins at vertex 0 of its cell or not,
-   and so far from vertex k of the row below; and whether its triangle has its base there. */
+/* Where a point lies in the triangles: whether it lies before the edge that goes up from vertex 0
+   of its cell, the vector from vertex k of the row below, and whether its triangle is the lower
+   one. */
 struct triangle {
     vf x;
     vm before, lower;
@@ -166,23 +167,23 @@ triangle_hashes(const struct triangle *at, const struct scarp_octave *o, vm odd,
     return h;
 }
 
-/* Puts the hashes of a triangle in place of the cell, and x in place of that inside the cell. */
-VEC_INLINE void simplex_hash2(vf *place, const struct scarp_octave *o)
+/* Replaces the cell by the hashes of the triangle, and the fraction along x by the triangle's x. */
+VEC_INLINE void simplex_hash2(vf *location, const struct scarp_octave *o)
 {
-    const vu row = (vu)place[3];
+    const vu row = (vu)location[3];
     const vm odd = vm_bit(row, 0);
     const struct triangle at =
-        triangle_at(vf_subtract_where(odd, place[0], vf_set(0.5f)), 0.5f * place[1]);
-    const struct triangle_hashes h = triangle_hashes(&at, o, odd, (vu)place[2], row);
-    place[0] = at.x;
+        triangle_at(vf_subtract_where(odd, location[0], vf_set(0.5f)), 0.5f * location[1]);
+    const struct triangle_hashes h = triangle_hashes(&at, o, odd, (vu)location[2], row);
+    location[0] = at.x;
     for (int i = 0; i < 3; i++) {
-        place[2 + i] = (vf)h.h[i];
+        location[2 + i] = (vf)h.h[i];
     }
 }
 
-VEC_INLINE struct sample simplex_sample2(const vf *place, struct variant v)
+VEC_INLINE struct sample simplex_sample2(const vf *location, struct variant v)
 {
-    const vf at = place[0], b = place[1];
+    const vf at = location[0], b = location[1];
     const vm lower = vm_less(at + 0.5f * b, vf_set(1.0f));
     const vf y0 = ROW_HEIGHT * b, y1 = y0 - ROW_HEIGHT;
     const vf left0 = vertex_left2(y0), left1 = vertex_left2(y1);
@@ -191,7 +192,7 @@ VEC_INLINE struct sample simplex_sample2(const vf *place, struct variant v)
     const vf left[3] = {left0, left1, vm_choose(lower, left0, left1)};
     struct sample of[3];
     for (int i = 0; i < 3; i++) {
-        const vu h = (vu)place[2 + i];
+        const vu h = (vu)location[2 + i];
         const struct vertex vertex = {{x[i], y[i]},
                                       {vf_lookup(&gradient2_x, h), vf_lookup(&gradient2_y, h)}};
         of[i] = vertex_sample(&vertex, left[i], vertex_across(&vertex, v), v);
@@ -263,22 +264,22 @@ VEC_INLINE void tetrahedron_mix(vu of[4], const struct ranks *r, vf t, vu cell,
     of[3] = (vu)if_nearest(r, axis, far, near);
 }
 
-/* Puts the hashes of a tetrahedron in place of the cell, and the place from its middle in place of
+/* Replaces the cell by the hashes of the tetrahedron, and fractions by distances from the middle of
    that inside. */
-VEC_INLINE void simplex_hash3(vf *place, const struct scarp_octave *o)
+VEC_INLINE void simplex_hash3(vf *location, const struct scarp_octave *o)
 {
-    const vf t[3] = {place[0] - 0.5f, place[1] - 0.5f, place[2] - 0.5f};
+    const vf t[3] = {location[0] - 0.5f, location[1] - 0.5f, location[2] - 0.5f};
     const struct ranks r = ranks_at(t);
     vu x[4], y[4], z[4];
-    tetrahedron_mix(x, &r, t[0], (vu)place[3], o, 0);
-    tetrahedron_mix(y, &r, t[1], (vu)place[4], o, 1);
-    tetrahedron_mix(z, &r, t[2], (vu)place[5], o, 2);
+    tetrahedron_mix(x, &r, t[0], (vu)location[3], o, 0);
+    tetrahedron_mix(y, &r, t[1], (vu)location[4], o, 1);
+    tetrahedron_mix(z, &r, t[2], (vu)location[5], o, 2);
     for (int i = 0; i < 3; i++) {
-        place[i] = t[i];
+        location[i] = t[i];
     }
     for (int i = 0; i < 4; i++) {
         const vu h = x[i] ^ y[i] ^ z[i];
-        place[3 + i] = (vf)(h * (h + vu_set(i < 2 ? HASH_CENTRE : HASH_K)));
+        location[3 + i] = (vf)(h * (h + vu_set(i < 2 ? HASH_CENTRE : HASH_K)));
     }
 }
 
@@ -303,25 +304,25 @@ VEC_INLINE void vertex_gradient3(struct vertex *vertex, vu hash)
 }
 
 /* What corner i of the tetrahedron adds. */
-VEC_INLINE struct sample corner_sample3(const vf *place, vf d[4][3], int i, struct variant v)
+VEC_INLINE struct sample corner_sample3(const vf *location, vf d[4][3], int i, struct variant v)
 {
     struct vertex vertex = {.d = {d[i][0], d[i][1], d[i][2]}};
-    vertex_gradient3(&vertex, (vu)place[3 + i]);
+    vertex_gradient3(&vertex, (vu)location[3 + i]);
     return vertex_sample(&vertex, vertex_left3(vertex.d[1], vertex.d[2]), vertex_across(&vertex, v),
                          v);
 }
 
-VEC_INLINE struct sample simplex_sample3(const vf *place, struct variant v)
+VEC_INLINE struct sample simplex_sample3(const vf *location, struct variant v)
 {
-    const struct ranks r = ranks_at(place);
+    const struct ranks r = ranks_at(location);
     vf d[4][3];
     for (int axis = 0; axis < 3; axis++) {
-        tetrahedron_axis(d, &r, place[axis], axis);
+        tetrahedron_axis(d, &r, location[axis], axis);
     }
     struct sample pair[2];
     for (int i = 0; i < 2; i++) {
-        const struct sample one = corner_sample3(place, d, 2 * i, v);
-        const struct sample other = corner_sample3(place, d, 2 * i + 1, v);
+        const struct sample one = corner_sample3(location, d, 2 * i, v);
+        const struct sample other = corner_sample3(location, d, 2 * i + 1, v);
         pair[i] = sum_of(&one, &other, v);
     }
     struct sample sum = sum_of(&pair[1], &pair[0], v);
@@ -331,20 +332,20 @@ VEC_INLINE struct sample simplex_sample3(const vf *place, struct variant v)
     return sum;
 }
 
-/* Draws the hashes of a row of placed blocks: a pass of its own, since shorter chains of operations
+/* Draws the hashes of a row of located blocks: a separate pass, since shorter chains of operations
    overlap better (see ../driver.h). It is out of line, since all orders share it. */
-static __attribute__((noinline)) void simplex_hash_row(vf *place, const struct scarp_octave *octave,
-                                                       size_t blocks, int dimensions)
+static __attribute__((noinline)) void
+simplex_hash_row(vf *location, const struct scarp_octave *octave, size_t blocks, int dimensions)
 {
     const struct scarp_octave o = *octave; /* a copy: nothing that is stored can alias it */
-    vf *const end = place + blocks * places_size(dimensions);
+    vf *const end = location + blocks * unhashed_size(dimensions);
     if (dimensions == 2) {
-        for (; place < end; place += places_size(2)) {
-            simplex_hash2(place, &o);
+        for (; location < end; location += unhashed_size(2)) {
+            simplex_hash2(location, &o);
         }
     } else {
-        for (; place < end; place += places_size(3)) {
-            simplex_hash3(place, &o);
+        for (; location < end; location += unhashed_size(3)) {
+            simplex_hash3(location, &o);
         }
     }
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Prepares an octave with straight axes along the axes of a grid: along x for the blocks that all
- * rows of a part share, and along y and z for the rows.
+ * rows of a tile share, and along y and z for the rows.
  *
  *     columns     0           1           2           3        of the lattice
  *                 |           |           |           |
@@ -19,11 +19,11 @@
 
 #include "../basis/basis.h"
 
-/* The most blocks of a strip, and the most rows of a part. The more, the less often is prepared
+/* The most blocks of a strip, and the most rows of a tile. The more, the less often is prepared
    what they share; but a call stays below 48 KiB of stack. */
 #define STRIP_BLOCKS (VEC_LANES == 16 ? 32 : 384 / VEC_LANES)
-#ifndef PART_ROWS
-#define PART_ROWS 96
+#ifndef TILE_ROWS
+#define TILE_ROWS 96
 #endif
 
 /* Blocks of columns that a table reads. */
@@ -65,10 +65,10 @@ struct along_x {
     struct stretch stretch[STRIP_BLOCKS];
 };
 
-/* An octave along y on the rows of a part, and along z, where all lanes are the same. */
+/* An octave along y on the rows of a tile, and along z, where all lanes are the same. */
 struct along_rows {
-    float y[PART_ROWS], s[PART_ROWS], u[PART_ROWS], du[PART_ROWS], ddu[PART_ROWS];
-    uint32_t hash[2][2][PART_ROWS]; /* [y][z] of the lower and upper neighbours; 2D: [y][0] */
+    float y[TILE_ROWS], s[TILE_ROWS], u[TILE_ROWS], du[TILE_ROWS], ddu[TILE_ROWS];
+    uint32_t hash[2][2][TILE_ROWS]; /* [y][z] of the lower and upper neighbours; 2D: [y][0] */
     vf z;
     struct fade w;
 };
@@ -115,7 +115,7 @@ static size_t end_of_window(const uint32_t *cells, size_t b, size_t blocks)
    upwards only. Else they are as long as a table reaches. Returns WIDE if a block needs more
    columns than a table has, or if two columns for each sample cost less: if there are nearly as
    many columns as samples, or more if tables slide (measured). */
-static enum columns_kind place_columns(struct along_x *x, const uint32_t *cells, size_t blocks)
+static enum columns_kind stretch_columns(struct along_x *x, const uint32_t *cells, size_t blocks)
 {
     const size_t count = blocks * VEC_LANES;
     const int descending = (int32_t)(cells[count - 1] - cells[0]) < 0;
@@ -217,7 +217,7 @@ static void along_x(struct along_x *x, const struct scarp_octave *o, size_t bloc
         x->block[i].fade = fade(kind, s.t);
     } while (++i < blocks);
     x->kind = !VEC_SMALL && cells_in_order(o, at->array[0], blocks)
-                  ? place_columns(x, cells, blocks)
+                  ? stretch_columns(x, cells, blocks)
                   : WIDE;
     if (x->kind == WIDE) {
         hash_samples(x, o, cells, at, f);

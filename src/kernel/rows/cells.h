@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * Stage 2 along rows of a grid, the fast path of bases that take places, where axes are straight.
- * What depends on x is prepared once for all rows of a part: the place of each sample, and the
+ * Stage 2 along rows of a grid, the fast path of bases that take unhashed locations, where axes
+ * are straight.
+ * What depends on x is prepared once for all rows of a tile: the fraction of each sample, and the
  * mixed lattice coordinates of the columns of cells that the strip crosses. A row then draws what
  * it needs of these columns, some at a time, into tables; each block takes from there what the one
  * or few columns have that its lanes are in.
@@ -9,7 +10,7 @@
 #ifndef SCARP_KERNEL_ROWS_CELLS_H
 #define SCARP_KERNEL_ROWS_CELLS_H
 
-#include "../basis/own.h"
+#include "../basis/simplex_points.h"
 #include "along.h"
 
 /* Tables have a column before the first that a strip crosses, and two after the last. */
@@ -24,12 +25,12 @@ struct along_cells {
     const struct scarp_octave *octave;
     size_t blocks, column_blocks; /* of samples; of columns */
     int by_points;                /* whether rows do not pay */
-    vf *t, *column;               /* of each block: places inside, and bits of the columns */
+    vf *t, *column;               /* of each block: fractions, and bits of the columns */
     vf *hash;                     /* of each column, mixed */
     uint16_t low[STRIP_BLOCKS],
         high[STRIP_BLOCKS]; /* the columns that a block begins and ends in */
-    float y[PART_ROWS], z;
-    uint32_t cell_y[PART_ROWS], cell_z;
+    float y[TILE_ROWS], z;
+    uint32_t cell_y[TILE_ROWS], cell_z;
     uint32_t first_cell; /* of the first column, within the period */
 };
 
@@ -70,12 +71,12 @@ static void hash_cell_columns(struct along_cells *along, const struct scarp_octa
 VEC_INLINE struct split cells_split(const struct scarp_octave *o, int axis, const double *array,
                                     size_t block, enum axes axes)
 {
-    struct places at = {.axes = axes};
+    struct coordinate_arrays at = {.axes = axes};
     const struct frame f = {DOUBLES, AXES_STRAIGHT, 2};
     vu far = vu_set(0);
     at.array[axis] = array;
     at.advance[axis] = VEC_LANES;
-    return places_split(o, axis, &at, block, f, &far);
+    return unhashed_split(o, axis, &at, block, f, &far);
 }
 
 /* Prepares the octave at a strip, whose coordinates are `x`. */
@@ -112,8 +113,8 @@ static void along_cells_x(struct along_cells *along, const struct scarp_octave *
     hash_cell_columns(along, o, along->first_cell);
 }
 
-/* Prepares it at `count` coordinates along y, padded to whole blocks, and at one along z, which
-   fills a block. */
+/* Prepares the octave at `count` coordinates along y, padded to whole blocks, and at one along z,
+   which fills a block. */
 static void along_cells_rows(struct along_cells *along, const struct scarp_octave *o, size_t count,
                              const struct positions *at, enum axes axes, int dimensions)
 {

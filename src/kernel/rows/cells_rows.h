@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Cellular noise along rows of a grid. The features around some rows between the same two lines of
- * the lattice are drawn once for all of them. Those that no place of these rows in a column of
+ * the lattice are drawn once for all of them. Those that no sample of these rows in a column of
  * cells can be nearest to are left out, and the others listed for the blocks in that column. The
  * bits are those of basis/cells.h, because the features do the same in the same order.
  */
@@ -97,13 +97,13 @@ VEC_INLINE void draw_cells(struct cells_row *row, int line, int step_y, int step
     }
 }
 
-/* The most and the least that a feature is from the places of a column: squares. */
+/* The most and the least that a feature is from the samples of a column: squares. */
 struct reach {
     vf most, least;
 };
 
 /* `stray` is the table of the feature's line, from the column of the feature on, which is `step` -
-   1 columns further than that of the places. */
+   1 columns further than that of the samples. */
 VEC_INLINE struct reach reach_of(const float *stray, size_t stride, int step)
 {
     const vf x = vf_set((float)step - 0.5f) + vf_load(stray);
@@ -236,7 +236,8 @@ static __attribute__((noinline)) void cells_row_ring(struct found *found,
     cells_ring(found, t, cell, along->octave, row->search.dimensions, row->search.second);
 }
 
-/* Copies what the search keeps. gcc 12 copies a whole struct through memory, word by word. */
+/* Copies the members that the search uses. gcc 12 copies a whole struct through memory, word by
+ * word. */
 VEC_INLINE void found_copy(struct found *to, const struct found *from, struct search search)
 {
     for (int i = 0; i < 1 + search.second; i++) {

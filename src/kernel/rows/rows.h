@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Stage 2 along rows of a grid, the fast path of bases that reduce lattice columns to lines, where
- * axes are straight. What depends on x is prepared once for all rows of a part (along.h); the
+ * axes are straight. What depends on x is prepared once for all rows of a tile (along.h); the
  * lattice columns that a row crosses are reduced to their lines once per row, in a small table;
  * each block of samples then reads its lines with permutes instead of hashing, from registers that
  * serve as many blocks as they reach (a stretch). The bits are those of the points pass, because
@@ -20,7 +20,7 @@
 #include "cells.h"
 #include "slide.h"
 
-/* An octave on the rows of a part, from row `begin` on. `table` has `table_size` vectors for the
+/* An octave on the rows of a tile, from row `begin` on. `table` has `table_size` vectors for the
    lines of columns, which hold at least one row: see table_size_of(). */
 struct row_octave {
     union {
@@ -28,7 +28,7 @@ struct row_octave {
             struct along_x x;
             struct along_rows rows;
         };
-        struct along_cells cells; /* of bases that take places */
+        struct along_cells cells; /* of bases that take unhashed locations */
     };
     size_t begin;
     enum scarp_basis basis; /* for passes that serve several */
@@ -230,7 +230,7 @@ VEC_INLINE void rows_run(const struct row_octave *o, size_t rows, const struct w
     struct directions directions;
     to.directions = &directions;
     if (v.flows) {
-        turn_directions(&directions, o->turn, v.dimensions);
+        (v.dimensions == 2 ? turn_directions2 : turn_directions3)(&directions, o->turn);
     }
     const int tables =
         !VEC_SMALL && o->x.kind != WIDE && !(slides_in_registers(v) && o->x.kind == SLIDES);
@@ -253,7 +253,8 @@ VEC_INLINE void rows_run(const struct row_octave *o, size_t rows, const struct w
             if (VEC_SMALL || o->x.kind == WIDE) {
                 const struct along_row row = row_of(&o->rows, r, &directions, v.dimensions);
                 wide_row(&o->x, &row, &to, v, put);
-            } else if (v.order > 1 || v.flows) { /* there, a branch for each block costs little */
+            } else if (v.order >
+                       (v.flows ? 0 : 1)) { /* there, a branch for each block costs little */
                 put_row(o, r, &here, &to, v, put);
             } else if (put == PUT_STREAM) {
                 put_row(o, r, &here, &to, v, PUT_STREAM);
@@ -278,19 +279,23 @@ typedef void rows_pass(const struct row_octave *octave, size_t rows, const struc
         const struct variant v = {basis, dimensions, order, flows};                                \
         rows_run(octave, rows, weights, to, put, v);                                               \
     }
-#define ROWS_PASSES(name, basis, flows)                                                            \
+#define GRADIENT_ROWS(name, basis, flows)                                                          \
     ROWS_PASS(name##2_rows0, basis, 2, 0, flows)                                                   \
     ROWS_PASS(name##2_rows1, basis, 2, 1, flows)                                                   \
-    ROWS_PASS(name##2_rows2, basis, 2, 2, flows)                                                   \
     ROWS_PASS(name##3_rows0, basis, 3, 0, flows)                                                   \
-    ROWS_PASS(name##3_rows1, basis, 3, 1, flows)                                                   \
-    ROWS_PASS(name##3_rows2, basis, 3, 2, flows)
+    ROWS_PASS(name##3_rows1, basis, 3, 1, flows)
+#define HESSIAN_ROWS(name, basis)                                                                  \
+    ROWS_PASS(name##2_rows2, basis, 2, 2, 0)                                                       \
+    ROWS_PASS(name##3_rows2, basis, 3, 2, 0)
 
-ROWS_PASSES(gradient, SCARP_GRADIENT, 0)
-ROWS_PASSES(flow, SCARP_GRADIENT, 1)
-ROWS_PASSES(value, SCARP_VALUE, 0)
+GRADIENT_ROWS(gradient, SCARP_GRADIENT, 0)
+GRADIENT_ROWS(flow, SCARP_GRADIENT, 1)
+GRADIENT_ROWS(value, SCARP_VALUE, 0)
+HESSIAN_ROWS(gradient, SCARP_GRADIENT)
+HESSIAN_ROWS(value, SCARP_VALUE)
 
 #undef ROWS_PASS
-#undef ROWS_PASSES
+#undef GRADIENT_ROWS
+#undef HESSIAN_ROWS
 
 #endif

@@ -228,7 +228,7 @@ VEC_INLINE void draw_row(struct simplex_row *row, vf *table, const struct along_
     draw_vertices(&line[1], next, along, mixed_cell(along->octave, 1, cell + 1), 0, v);
 }
 
-/* A block of a row: in 2D its triangle, in 3D its place from the middle of the cell; and the
+/* A block of a row: in 2D its triangle, in 3D its distance from the middle of the cell; and the
    columns that its lanes are in. */
 struct row_block {
     struct triangle triangle;

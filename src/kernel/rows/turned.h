@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Stage 1 along rows of a grid whose axes are turned: p = J x + o, where the first column of J
- * times x is prepared once for all rows of a part. Along a row each component of p goes one way: if
+ * times x is prepared once for all rows of a tile. Along a row each component of p goes one way: if
  * the last lane of a block is in the cell in which the block on its left begins, both blocks lie in
  * it, and their corners have the same hashes. The bits are those of the lattice pass of doubles
  * (../lattice.h), because the order of operations is the same.
@@ -125,9 +125,9 @@ VEC_INLINE void turned_block(vd p[3][2], const struct turned_x *t, size_t b,
     }
 }
 
-/* Puts the places of a block inside its cells, and gives the cells. It does as split_f64(), but
-   nothing is joined that is stored at once. */
-VEC_INLINE void put_places(vf *lattice, vu cell[3], vd p[3][2], int dimensions)
+/* Stores the fractions of a block, and returns its cells in `cell`. The operations are those of
+   split_f64(), but halves are stored and not joined. */
+VEC_INLINE void put_fractions(vf *lattice, vu cell[3], vd p[3][2], int dimensions)
 {
     for (int i = 0; i < dimensions; i++) {
         const vd lower0 = vd_floor(p[i][0]), lower1 = vd_floor(p[i][1]);
@@ -137,35 +137,35 @@ VEC_INLINE void put_places(vf *lattice, vu cell[3], vd p[3][2], int dimensions)
 }
 
 /* Puts the blocks of a row on the lattice, of which neighbours share no hashes. The hashes of each
-   block come after the places of the next, since the chain from a position to its hashes is long:
-   out-of-order windows hold only two blocks of it. */
+   block come after the fractions of the next, since the chain from a position to its hashes is
+   long: out-of-order windows hold only two blocks of it. */
 VEC_INLINE void put_turned_row(vf *lattice, const struct scarp_octave *o, size_t blocks,
                                const struct turned_x *t, const struct turned_row row[3],
-                               int dimensions, enum corners_kept kept)
+                               int dimensions, enum corner_form form)
 {
     const size_t size = lattice_size(dimensions);
     vu cell[3], next[3];
     vd p[3][2];
     turned_block(p, t, 0, row, dimensions);
-    put_places(lattice, cell, p, dimensions);
+    put_fractions(lattice, cell, p, dimensions);
     for (size_t b = 1; b < blocks; b++) {
         turned_block(p, t, b, row, dimensions);
-        put_places(lattice + size, next, p, dimensions);
+        put_fractions(lattice + size, next, p, dimensions);
         const struct mixed m = mix_axes(o, cell, AXES_TURNED, dimensions);
-        lattice_put_corners(lattice, &m, dimensions, kept);
+        lattice_put_corners(lattice, &m, dimensions, form);
         for (int i = 0; i < dimensions; i++) {
             cell[i] = next[i];
         }
         lattice += size;
     }
     const struct mixed m = mix_axes(o, cell, AXES_TURNED, dimensions);
-    lattice_put_corners(lattice, &m, dimensions, kept);
+    lattice_put_corners(lattice, &m, dimensions, form);
 }
 
-/* Does the same where neighbours may share hashes. */
+/* Puts the blocks of a row on the lattice, where neighbours may share hashes. */
 VEC_INLINE void put_sharing_row(vf *lattice, const struct scarp_octave *o, size_t blocks,
                                 const struct turned_x *t, const struct turned_row row[3],
-                                int dimensions, enum corners_kept kept)
+                                int dimensions, enum corner_form form)
 {
     const size_t size = lattice_size(dimensions);
     struct row_cells cells;
@@ -178,9 +178,9 @@ VEC_INLINE void put_sharing_row(vf *lattice, const struct scarp_octave *o, size_
         }
         turned_block(p, t, b, row, dimensions);
         if (!cells.same[k]) {
-            put_places(lattice, cell, p, dimensions);
+            put_fractions(lattice, cell, p, dimensions);
             const struct mixed m = mix_axes(o, cell, AXES_TURNED, dimensions);
-            lattice_put_corners(lattice, &m, dimensions, kept);
+            lattice_put_corners(lattice, &m, dimensions, form);
         } else {
             for (size_t n = (size_t)dimensions; n < size; n++) {
                 lattice[n] = lattice[(ptrdiff_t)n - (ptrdiff_t)size];
@@ -197,7 +197,7 @@ VEC_INLINE void put_sharing_row(vf *lattice, const struct scarp_octave *o, size_
 /* Puts rows on the lattice, whose y are given, at that z. */
 VEC_INLINE void turned_run(vf *lattice, const struct scarp_octave *octave, struct extent extent,
                            const struct turned_x *x, const struct positions *at, int dimensions,
-                           enum corners_kept kept)
+                           enum corner_form form)
 {
     const struct scarp_octave o = *octave; /* a copy: nothing that is stored can alias it */
     const struct turned_x t = *x;
@@ -210,12 +210,12 @@ VEC_INLINE void turned_run(vf *lattice, const struct scarp_octave *octave, struc
             row[i].offset = o.offset[i];
         }
         if (t.shares) {
-            put_sharing_row(lattice, &o, extent.blocks, &t, row, dimensions, kept);
+            put_sharing_row(lattice, &o, extent.blocks, &t, row, dimensions, form);
         } else {
             put_turned_row(lattice, &o, extent.blocks, &t, row, dimensions,
-                           TURNED_LOOPS_TWICE ? KEPT_AXES : kept);
+                           TURNED_LOOPS_TWICE ? CORNERS_MIXED : form);
 #if TURNED_LOOPS_TWICE
-            if (kept == KEPT_HASHES) {
+            if (form == CORNERS_HASHED) {
                 (dimensions == 2 ? hash_blocks2 : hash_blocks3)(lattice, extent.blocks);
             }
 #endif
@@ -227,22 +227,22 @@ VEC_INLINE void turned_run(vf *lattice, const struct scarp_octave *octave, struc
 typedef void turned_pass(vf *lattice, const struct scarp_octave *octave, struct extent extent,
                          const struct turned_x *x, const struct positions *at);
 
-#define TURNED_PASS(name, kept, dimensions)                                                        \
+#define TURNED_PASS(name, form, dimensions)                                                        \
     static void name(vf *lattice, const struct scarp_octave *octave, struct extent extent,         \
                      const struct turned_x *x, const struct positions *at)                         \
     {                                                                                              \
-        turned_run(lattice, octave, extent, x, at, dimensions, kept);                              \
+        turned_run(lattice, octave, extent, x, at, dimensions, form);                              \
     }
 
-TURNED_PASS(turned2_hashes, KEPT_HASHES, 2)
-TURNED_PASS(turned3_hashes, KEPT_HASHES, 3)
-TURNED_PASS(turned2_axes, KEPT_AXES, 2)
-TURNED_PASS(turned3_axes, KEPT_AXES, 3)
+TURNED_PASS(turned2_hashes, CORNERS_HASHED, 2)
+TURNED_PASS(turned3_hashes, CORNERS_HASHED, 3)
+TURNED_PASS(turned2_axes, CORNERS_MIXED, 2)
+TURNED_PASS(turned3_axes, CORNERS_MIXED, 3)
 
-/* By [kept][dimensions - 2]. */
-static turned_pass *const turned_passes[KEPT_KINDS][2] = {
-    [KEPT_HASHES] = {turned2_hashes, turned3_hashes},
-    [KEPT_AXES] = {turned2_axes, turned3_axes},
+/* By [form][dimensions - 2]. */
+static turned_pass *const turned_passes[CORNER_FORMS][2] = {
+    [CORNERS_HASHED] = {turned2_hashes, turned3_hashes},
+    [CORNERS_MIXED] = {turned2_axes, turned3_axes},
 };
 
 #undef TURNED_PASS

@@ -14,7 +14,7 @@ struct shape {
     shape_pass *pass[2][3]; /* by [dimensions - 2][order]; NULL: the noise is added as it is */
     phase_pass *phase[2];   /* by [dimensions - 2] */
     int extra_order;        /* derivatives of the basis that it needs beyond those asked for */
-    int own_axes;           /* whether they are in the octave's own axes, times the amplitude */
+    int octave_axes;        /* whether they are in the octave's own axes, times the amplitude */
 };
 
 #define FOLD                                                                                       \
@@ -44,7 +44,7 @@ static const struct shape shapes[] = {
                                 {erosion3_order0, erosion3_order1, NULL}},
                        .phase = {erosion2_phase, erosion3_phase},
                        .extra_order = 1,
-                       .own_axes = 1},
+                       .octave_axes = 1},
     [SCARP_PINGPONG] = FOLD,
     [SCARP_HYBRID] = WEIGHTED,
 };
