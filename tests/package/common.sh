@@ -40,7 +40,7 @@ configure()
     "$cmake" -S "$from" -B "$to" -G "$generator" -DCMAKE_MAKE_PROGRAM="$make_program" \
         -DCMAKE_BUILD_TYPE="$config" -DCMAKE_C_COMPILER="$c_compiler" \
         -DCMAKE_C_FLAGS="$c_flags" -DCMAKE_EXE_LINKER_FLAGS="$link_flags" \
-        -DCMAKE_SHARED_LINKER_FLAGS="$link_flags" "$@"
+        -DCMAKE_SHARED_LINKER_FLAGS="$link_flags" -DSCARP_SETS="$sets" "$@"
 }
 
 # configure_consumer SOURCE BUILD OPTION...: a project in $language alone, C or CXX
