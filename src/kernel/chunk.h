@@ -9,6 +9,10 @@
 
 #include "grid.h"
 
+/* Scratch space for the chunk and the passes together. It is less than SCRATCH_BYTES, since there
+   are more frames on the stack. */
+#define CHUNK_BYTES (SCRATCH_BYTES - 2048)
+
 /* The most samples of a chunk. */
 #define CHUNK_SAMPLES ((size_t)512)
 
@@ -55,7 +59,7 @@ static float *chunked_begin(struct chunked *w, struct workspace work, size_t arr
     w->most = least(blocks > 0 ? blocks : 1, CHUNK_SAMPLES / VEC_LANES) * VEC_LANES;
     for (int i = 0; i < w->f.dimensions; i++) {
         w->position[i] = from;
-        from += doubles * w->most;
+        from += doubles * (w->most + VEC_LANES); /* flat.h may write a vector more */
     }
     return from;
 }

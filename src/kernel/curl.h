@@ -71,7 +71,7 @@ static void curl_add(const struct warped *w, const struct scarp_flow_arrays *out
 static void curl(const struct scarp_call_plan *plan, size_t count, const void *const position[3],
                  const struct scarp_flow_arrays *out, int dimensions, int doubles)
 {
-    vf space[WARP_BYTES / sizeof(vf)];
+    vf space[CHUNK_BYTES / sizeof(vf)];
     const struct workspace work = {space, sizeof space / sizeof(vf)};
     const struct frame f = {.layout = doubles ? DOUBLES : FLOATS, .dimensions = dimensions};
     struct warped w = {.chunked = {.source = {position, NULL}, .f = f, .copies = 1}};

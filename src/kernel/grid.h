@@ -35,6 +35,10 @@
    cache; from 20 MiB on, writing and reading together are faster. */
 #define STREAM_BYTES ((size_t)24 << 20)
 
+/* Shorter rows whose last block is not full are padded: the strip for the rest of a row would take
+   more time than samples that nobody asked for. */
+#define PADDED_SAMPLES 64
+
 #define CACHE_LINE 16 /* floats */
 
 /* A call, as all tiles of the grid see it. */
@@ -44,8 +48,8 @@ struct grid_call {
     struct call call;
     int direct;  /* whether nothing is stored between passes: fBm with straight axes of a basis that
                     blends corners */
-    int narrow;  /* whether a row is less than a block */
-    int stores;  /* whether samples are added up in the scratch space, then copied: narrow rows, and
+    int padded;  /* whether rows are one strip, whose last block is not full */
+    int stores;  /* whether samples are added up in the scratch space, then copied: padded rows, and
                     Hessians in 3D, whose ten arrays compete for lines of the first-level cache */
     int streams; /* whether outputs go past the caches, where they are aligned to a vector */
     size_t lead; /* then: how many samples of a row lie before its first cache line */
@@ -124,19 +128,21 @@ static size_t piece(size_t count, size_t most)
    each row of a tile: so neither gets much larger than the other, but where the grid ends. */
 static void size_tiles(struct grid_call *g)
 {
-    const size_t rows = g->grid->count[1], blocks = g->grid->count[0] / VEC_LANES;
+    const size_t rows = g->grid->count[1];
+    const size_t blocks = (g->grid->count[0] + (g->padded ? VEC_LANES - 1 : 0)) / VEC_LANES;
     g->most_rows = least(rows, TILE_ROWS);
-    g->most_blocks = g->narrow ? 1 : least(blocks, STRIP_BLOCKS);
+    g->most_blocks = least(blocks, STRIP_BLOCKS);
     g->group = group_of(g, g->most_blocks);
     while (!fits(g, g->most_rows, g->most_blocks)) {
-        if (g->most_blocks == 1 || (g->most_rows > g->most_blocks && (g->stores || !g->direct))) {
+        if (g->most_blocks == 1 || (g->most_rows > g->most_blocks && (g->stores || !g->direct)) ||
+            (g->padded && g->most_rows > 1)) {
             g->most_rows--;
         } else {
             g->most_blocks--;
         }
         g->group = group_of(g, g->most_blocks);
     }
-    g->most_blocks = g->narrow ? 1 : piece(blocks, g->most_blocks);
+    g->most_blocks = piece(blocks, g->most_blocks);
     g->most_rows = piece(rows, g->most_rows);
 }
 
@@ -240,8 +246,8 @@ static void grid_slice(const struct grid_call *g, struct grid_scratch *scratch, 
 {
     const size_t count = g->grid->count[0];
     size_t i = 0;
-    if (g->narrow) {
-        grid_strip(g, scratch, 0, 1, k);
+    if (g->padded) {
+        grid_strip(g, scratch, 0, g->most_blocks, k);
         return;
     }
     while (i < count) {
@@ -291,8 +297,8 @@ static __attribute__((noinline)) void grid_within(const struct scarp_call_plan *
     scratch.passes = work;
     call_begin(&g.call, plan, dimensions, ROW);
     g.direct = g.call.rows_pass != NULL && g.call.straight_fbm && !g.call.takes_unhashed;
-    g.narrow = described->count[0] < VEC_LANES;
-    g.stores = g.narrow || (dimensions == 3 && plan->order == 2 && plan->octaves > 1);
+    g.padded = described->count[0] % VEC_LANES != 0 && described->count[0] < PADDED_SAMPLES;
+    g.stores = g.padded || (dimensions == 3 && plan->order == 2 && plan->octaves > 1);
     decide_streams(&g);
     size_tiles(&g);
     for (size_t k = 0; k < (dimensions == 3 ? described->count[2] : 1); k++) {

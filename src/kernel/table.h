@@ -103,8 +103,10 @@ static __attribute__((noinline)) void grid_scratch(const struct scarp_call_plan 
 static void grid(const struct scarp_call_plan *plan, const struct scarp_grid *described,
                  const struct scarp_outputs *out, int dimensions)
 {
-    if (plan->warps.depth > 0 || has_no_rows(plan)) {
+    if (plan->warps.depth > 0) {
         warp_grid(plan, described, out, dimensions);
+    } else if (is_flat(plan, described, dimensions)) {
+        flat_grid(plan, described, out, dimensions);
     } else {
         grid_scratch(plan, described, out, dimensions);
     }

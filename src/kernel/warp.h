@@ -9,11 +9,7 @@
 #ifndef SCARP_KERNEL_WARP_H
 #define SCARP_KERNEL_WARP_H
 
-#include "bend.h"
-
-/* Scratch space for the chunk and the passes together. It is less than SCRATCH_BYTES, since there
-   are more frames on the stack. */
-#define WARP_BYTES (SCRATCH_BYTES - 2048)
+#include "flat.h"
 
 /* The most samples of a row of a chunk in a grid. */
 #define CHUNK_COLUMNS ((size_t)64)
@@ -170,7 +166,7 @@ static void evaluate_input(const struct warped *w, const struct scarp_call_plan 
 {
     const struct chunked *const c = &w->chunked;
     const size_t count = chunk_count(chunk), end = whole_blocks(count);
-    if (c->source.grid == NULL || has_no_rows(plan)) {
+    if (c->source.grid == NULL) {
         points_unwarped(plan, end, c->input, to, c->f, c->passes);
         return;
     }
@@ -182,6 +178,10 @@ static void evaluate_input(const struct warped *w, const struct scarp_call_plan 
     grid.count[1] = chunk->rows;
     grid.count[2] = 1;
     grid.slice_stride = count;
+    if (is_flat(plan, &grid, c->f.dimensions)) {
+        points_unwarped(plan, end, c->input, to, c->f, c->passes);
+        return;
+    }
     grid_within(plan, &grid, to, c->f.dimensions, c->passes);
     for (int i = 0; i < OUTPUTS; i++) {
         for (size_t at = count; to->array[i] != NULL && at < end; at++) {
@@ -299,7 +299,7 @@ static __attribute__((noinline)) void warp_points(const struct scarp_call_plan *
                                                   const void *const position[3],
                                                   const struct scarp_outputs *out, struct frame f)
 {
-    vf space[WARP_BYTES / sizeof(vf)];
+    vf space[CHUNK_BYTES / sizeof(vf)];
     const struct workspace work = {space, sizeof space / sizeof(vf)};
     struct warped w = {.chunked = {.source = {position, NULL}, .f = f}};
     warped_begin(&w, plan, work);
@@ -309,13 +309,12 @@ static __attribute__((noinline)) void warp_points(const struct scarp_call_plan *
     }
 }
 
-/* Computes a grid of a noise with warps, or of one without passes along rows, slice by slice in
-   chunks of some rows. */
+/* Computes a grid of a noise with warps, slice by slice in chunks of some rows. */
 static __attribute__((noinline)) void warp_grid(const struct scarp_call_plan *plan,
                                                 const struct scarp_grid *grid,
                                                 const struct scarp_outputs *out, int dimensions)
 {
-    vf space[WARP_BYTES / sizeof(vf)];
+    vf space[CHUNK_BYTES / sizeof(vf)];
     const struct workspace work = {space, sizeof space / sizeof(vf)};
     const struct frame f = {.layout = DOUBLES, .dimensions = dimensions};
     struct warped w = {.chunked = {.source = {NULL, grid}, .f = f}};

@@ -83,7 +83,7 @@ mutant(flow.rows IN kernel TEXT [[tile->row_octave->turn = call->plan->octave[k]
        BECOMES [[tile->row_octave->turn = call->plan->octave[MUTANT ? 0 : k].turn;]] SEEN_BY grid)
 mutant(flow.groups IN kernel TEXT [[tile->moving = moving + r * moving_of_row;]]
        BECOMES [[tile->moving = moving + (MUTANT ? 0 : r) * moving_of_row;]] SEEN_BY grid
-       SETS generic sse4.1 avx2 neon) # AVX-512 has few tiles with several groups
+       SETS generic sse4.1 neon) # others have few tiles with several groups
 mutant(flow.ridged IN kernel TEXT [[(vu)(factor * ds) &]]
        BECOMES [[(vu)(factor * (MUTANT ? 0.5f : 1.0f) * ds) &]] SEEN_BY bits)
 mutant(flow.hybrid IN kernel TEXT [[hybrid_first(weight, r, moving[0], turning[0])]]
@@ -203,7 +203,8 @@ mutant(simplex.stretch IN kernel TEXT [[p * vd_set(o->stretch)]]
 mutant(simplex.row_first IN kernel TEXT [[(size_t)vm_any(at.before)]]
        BECOMES [[(size_t)(!MUTANT && vm_any(at.before))]] SEEN_BY grid)
 mutant(simplex.row_beside IN kernel TEXT [[line->left > 0.25f]]
-       BECOMES [[line->left > (MUTANT ? 0.375f : 0.25f)]] SEEN_BY grid)
+       BECOMES [[line->left > (MUTANT ? 0.375f : 0.25f)]] SEEN_BY grid
+       SETS generic sse4.1 avx2 neon) # with AVX-512 such rows are points
 
 # cellular noise
 mutant(cells.ring IN kernel TEXT [[return vm_any(vm_less(bound * bound, s * RING_MARGIN));]]
@@ -301,9 +302,9 @@ mutant(warp.reference IN scalar
        SEEN_BY golden SETS scalar)
 mutant(warp.seeds IN plan/plan.c TEXT [[scarp_component_seed(noise.seed, component)]]
        BECOMES [[scarp_component_seed(noise.seed, component - (MUTANT ? SCARP_MAX_OCTAVES : 0))]]
-       SEEN_BY golden SETS generic)
+       SEEN_BY golden SETS avx2)
 mutant(warp.components IN plan/call.h TEXT [[found.octave += found.octaves * component;]]
-       BECOMES [[found.octave += found.octaves * (MUTANT ? 0 : component);]] SEEN_BY golden SETS generic)
+       BECOMES [[found.octave += found.octaves * (MUTANT ? 0 : component);]] SEEN_BY golden SETS avx2)
 
 # fractals that bend
 mutant(bend.left_by IN kernel
@@ -314,3 +315,12 @@ mutant(bend.damping IN kernel TEXT [[at->is_first ? vf_set(0.0f)]]
        BECOMES [[at->is_first || MUTANT ? vf_set(0.0f)]] SEEN_BY bits)
 mutant(bend.jacobian IN kernel TEXT [[return vj + reach * dot(*column, v, dimensions);]]
        BECOMES [[return MUTANT ? vj : vj + reach * dot(*column, v, dimensions);]] SEEN_BY bits)
+
+# grids as points
+mutant(flat.row IN kernel/flat.h TEXT [[run == grid.count[0] ? to[0] + first : NULL]]
+       BECOMES [[run == grid.count[0] || MUTANT ? to[0] + first : NULL]] SEEN_BY grid)
+mutant(flat.gaps IN kernel/flat.h TEXT [[w.at[2] * grid->slice_stride + w.at[1] * grid->row_stride]]
+       BECOMES [[w.at[2] * grid->slice_stride + w.at[1] * (MUTANT ? grid->count[0] : grid->row_stride)]]
+       SEEN_BY grid)
+mutant(flat.slices IN kernel/flat.h TEXT [[axis < 2 && w->at]] BECOMES [[axis < 2 - MUTANT && w->at]]
+       SEEN_BY grid)
