@@ -652,6 +652,10 @@ SCARP_API enum scarp_status scarp_normals(size_t count, const float *dx, const f
  * not affected. scarp_min and scarp_max take a value that is NaN before any number, with its
  * derivatives. Infinities make NaN where they cancel, or are multiplied by 0.
  *
+ * Products by 0: in scarp_multiply and scarp_mix, a term that is a product is 0 (+0) where one of
+ * its two factors is 0, whatever the other one is, NaN and infinities too. So a mask hides what is
+ * behind it, where it is 0 and level.
+ *
  * Smoothness: a function is called C2 where the Hessian of the result is continuous if those of the
  * inputs are, and C0 where the result is continuous and has creases. Those that are called neither
  * have as many derivatives as their inputs.
@@ -672,17 +676,34 @@ SCARP_API enum scarp_status scarp_add(size_t count, const struct scarp_samples *
                                       const struct scarp_samples *b,
                                       const struct scarp_samples *out);
 
-/* scarp_multiply - a b. Derivatives: b a_i + a b_i and (b a_ij + a b_ij) + (a_i b_j + a_j b_i). */
+/*
+ * scarp_multiply - a b
+ *
+ * Derivatives are b a_i + a b_i and (b a_ij + a b_ij) + (a_i b_j + a_j b_i). The value and each of
+ * these products are 0 where a factor is 0: b a_i where b is 0 or a_i is. Where b is 0 with all its
+ * derivatives, all outputs are 0.
+ */
 SCARP_API enum scarp_status scarp_multiply(size_t count, const struct scarp_samples *a,
                                            const struct scarp_samples *b,
                                            const struct scarp_samples *out);
 
 /*
- * scarp_mix - a + m (b - a): a where m is 0, b where m is 1 (but for rounding)
+ * scarp_mix - a + m (b - a), computed from the nearer end
  *
- * m is samples, too: its slopes are part of those of the result. It may leave [0, 1]. With d = b -
- * a, in all members, derivatives are a_i + (m d_i + d m_i) and
- * a_ij + ((m d_ij + d m_ij) + (m_i d_j + m_j d_i)).
+ * m is samples, too: its slopes are part of those of the result. It may leave [0, 1]. Let d = a - b
+ * in all members; e = b and w = m - 1 where m > 1/2, else e = a and w = m. Then
+ *
+ *     value   e - w d
+ *     first   e_i - (w d_i + d m_i)
+ *     second  e_ij - ((w d_ij + d m_ij) + (d_i m_j + d_j m_i))
+ *
+ * and each product is 0 where a factor is 0: w d_i where w is 0 or d_i is, d m_i where d is 0 or
+ * m_i is. So where m is 0, the value is that of a, to the bit; the derivative by i is that of a
+ * where m_i is 0, too, and the second one by i and j where m_i, m_j and m_ij are 0. Where m is 1,
+ * the same holds for b. What the other input is, even NaN, is not seen there.
+ *
+ * With m in [0, 1] the value never leaves the interval between a and b, rounding included, if a - b
+ * is finite.
  */
 SCARP_API enum scarp_status scarp_mix(size_t count, const struct scarp_samples *a,
                                       const struct scarp_samples *b, const struct scarp_samples *m,
@@ -876,8 +897,10 @@ SCARP_API enum scarp_status scarp_plan_make(const struct scarp_noise *noise, int
  *
  * scarp.glsl, scarp.hlsl and scarp.wgsl lie beside this header, and compute noise on the GPU: all
  * bases and fractals, with periods, phases and warps; values, gradients and Hessians, but not
- * dphase. They read the constants of the noise from a uniform buffer, a struct scarp_gpu_plan. File
- * and plan must be of the same version of the library.
+ * dphase, and not the chain rule: a shader that combines samples, and wants the bits of scarp_mix
+ * or scarp_multiply, computes the terms that are told there, with 0 for products by 0. They read
+ * the constants of the noise from a uniform buffer, a struct scarp_gpu_plan. File and plan must be
+ * of the same version of the library.
  *
  * Equal bits. A shader gives the bits of scarp_sample2 and scarp_sample3, with float coordinates,
  * on drivers that round sums, differences and products to the nearest float, and fuse none of them.

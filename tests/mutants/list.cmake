@@ -251,8 +251,14 @@ mutant(outputs.normals IN kernel TEXT [[vf_from_vd(low.x, high.x)]]
 # functions of samples
 mutant(chain.tail IN kernel/chain.h TEXT [[chain_copy(&filled.in[k][m], in[k][m], first, count);]]
        BECOMES [[chain_copy(&filled.in[k][m], in[k][m], MUTANT ? 0 : first, count);]] SEEN_BY golden)
-mutant(chain.mixed IN kernel/chain.h TEXT [[linear + (a.i * b.j + a.j * b.i)]]
-       BECOMES [[linear + (a.i * b.j + (MUTANT ? a.i * b.j : a.j * b.i))]] SEEN_BY golden)
+mutant(chain.mixed IN kernel/chain.h TEXT [[vf_term(a.j, b.i));]]
+       BECOMES [[(MUTANT ? vf_term(a.i, b.j) : vf_term(a.j, b.i)));]] SEEN_BY golden)
+mutant(chain.zero IN kernel/chain.h TEXT [[return vf_term(a.value, b.value);]]
+       BECOMES [[return MUTANT ? a.value * b.value : vf_term(a.value, b.value);]] SEEN_BY chain)
+mutant(chain.zero_slope IN kernel/chain.h TEXT [[+ vf_term(a.value, b.member);]]
+       BECOMES [[+ (MUTANT ? a.value * b.member : vf_term(a.value, b.member));]] SEEN_BY chain)
+mutant(chain.nearer IN kernel/chain.h TEXT [[vm_less(vf_set(0.5f), share.value)]]
+       BECOMES [[vm_less(vf_set(MUTANT ? 0.25f : 0.5f), share.value)]] SEEN_BY chain)
 mutant(chain.nan IN kernel/chain.h TEXT [[(vu)(greater ? a < b : b < a) | (vu)(b != b)]]
        BECOMES [[(vu)(greater ? a < b : b < a) | (MUTANT ? vu_set(0) : (vu)(b != b))]]
        SEEN_BY chain)
