@@ -169,15 +169,15 @@ enum scarp_isa {
  *                 gradient = sum_k a_k 2 sharpness sign(e_k) G_k, and likewise the Hessian, but 0
  *                 where 1 - 2 |e_k| is 1 or -1. (FastNoise Lite's PingPong, whose strength is the
  *                 sharpness, with a weighted strength of 0.)
- *     hybrid      value = sum_k a_k u_k,   u_k = v_k (n_k + sharpness),   v_0 = 1,
+ *     hybrid      value = sum_k a_k u_k,   u_k = v_k ((1 - 2^-17) n_k + sharpness),   v_0 = 1,
  *                 v_(k+1) = gain^k u_k, but 1 where that is more and -1 where it is less.
  *                 The derivatives are those of this expression, those of v_(k+1) 0 where it is 1
- *                 or -1. Amplitudes have another divisor and more head-room:
- *                 a_k = amplitude (1 - 2^-12) w_k / U, where U is what w_0 u_0 + ... +
- *                 w_(K-1) u_(K-1) is if every n_k is 1. (Musgrave's hybrid multifractal, whose
- *                 offset is the sharpness, 0.7 as he has it, with gain = lacunarity^-H; his H of
- *                 0.25 is a gain of 0.84. He lets weights fall below -1, which they do with gains
- *                 near 1 and above; his values have no bound then.)
+ *                 or -1. Amplitudes have another divisor and head-room:
+ *                 a_k = amplitude (1 - 2^-16) w_k / U, where U is what w_0 u_0 + ... +
+ *                 w_(K-1) u_(K-1) is if every (1 - 2^-17) n_k is 1. (Musgrave's hybrid
+ *                 multifractal, whose offset is the sharpness, 0.7 as he has it, with gain =
+ *                 lacunarity^-H; his H of 0.25 is a gain of 0.84. He lets weights fall below -1,
+ *                 which they do with gains near 1 and above; his values have no bound then.)
  *
  * Octaves of two fractals (de Carpentier 2012) are bent: octave k looks at p_k = J_k y_k + o_k with
  * y_k = x + c_k S_k. S_k adds up slopes of the octaves before: with m_i = (gradient of n_i by y_i)
@@ -830,11 +830,11 @@ SCARP_API enum scarp_status scarp_apply2(size_t count, const struct scarp_sample
  * erosion and ping-pong have the interval from -|amplitude| to |amplitude|, turbulence, ridged,
  * Swiss and Jordan noise the one between 0 and amplitude. That of hybrid noise goes from amplitude
  * across 0, to -0.23 amplitude at most with the default sharpness and gains up to 0.5; with a
- * sharpness of 1 or more it ends at 0 or before. With a phase that is not 0, all but ridged, Swiss
- * and ping-pong noise reach further: see "Flow". With `of_octaves` it is that of the longer sum, of
- * which fewer octaves reach less; but the lower end of hybrid noise with a sharpness above 1 is
- * that of the octaves summed. Use it to map heights to integers: all tiles then agree, and so do
- * levels of detail, and the frames of a loop from phase 1 to 2.
+ * sharpness of 1 it ends at 0, with more before that. With a phase that is not 0, all but ridged,
+ * Swiss and ping-pong noise reach further: see "Flow". With `of_octaves` it is that of the longer
+ * sum, of which fewer octaves reach less; but the lower end of hybrid noise with a sharpness above
+ * 1 is that of the octaves summed. Use it to map heights to integers: all tiles then agree, and so
+ * do levels of detail, and the frames of a loop from phase 1 to 2.
  *
  * Returns SCARP_ERROR_NULL if a pointer is NULL; otherwise as scarp_noise_check.
  */
@@ -923,7 +923,8 @@ struct scarp_gpu_octave {
     uint32_t key[3];      /* keys of the lattice hash, by axis */
     float frequency;      /* f_k */
     float weight;         /* a_k */
-    float amplitude;      /* what multiplies the basis: 1 / supremum, in fBm times a_k */
+    float amplitude;      /* what multiplies the basis: 1 / supremum, in fBm times a_k, in hybrid
+                             noise times 1 - 2^-17 */
     float slope;          /* amplitude f_k */
     float curvature;      /* amplitude f_k^2 */
     uint32_t last[3];     /* the last cell of a period along each axis; 2^32 - 1 without period */

@@ -158,6 +158,13 @@ static double share_of(const struct scarp_noise *noise, const struct parameters 
            scarp_hybrid_interval(p->sharpness, p->gain, p->of_octaves, 1.0).highest;
 }
 
+/* What an octave's noise, which reaches 1, is multiplied by before anything else. The head-room of
+   hybrid noise, which adds the sharpness to it, is here; `weighted` has that of others. */
+static double factor_of(enum scarp_fractal fractal, double weighted)
+{
+    return fractal == SCARP_FBM ? weighted : fractal == SCARP_HYBRID ? HEADROOM : 1.0;
+}
+
 void scarp_octaves_make(struct scarp_octave *octave, const struct scarp_noise *noise,
                         int dimensions)
 {
@@ -173,7 +180,7 @@ void scarp_octaves_make(struct scarp_octave *octave, const struct scarp_noise *n
     for (int k = 0; k < octaves; k++) {
         struct scarp_octave *const o = &octave[k];
         const double weighted = weights[k] * scale;
-        const double factor = (noise->fractal == SCARP_FBM ? weighted : 1.0) / supremum;
+        const double factor = factor_of(noise->fractal, weighted) / supremum;
         factors[k] = factor;
         o->weight = (float)weighted;
         o->amplitude = (float)factor;

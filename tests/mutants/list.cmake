@@ -278,6 +278,8 @@ mutant(plan.of_octaves IN plan/octaves.c TEXT [[sum += k == of - 1 ?]]
        BECOMES [[sum += k == of - 1 && !MUTANT ?]] SEEN_BY golden)
 mutant(plan.hybrid IN plan/hybrid.c TEXT [[weight.highest = least(t.highest, 1.0);]]
        BECOMES [[weight.highest = MUTANT ? t.highest : least(t.highest, 1.0);]] SEEN_BY golden)
+mutant(plan.hybrid_reach IN plan/octaves.c TEXT [[fractal == SCARP_HYBRID ? HEADROOM]]
+       BECOMES [[fractal == SCARP_HYBRID && !MUTANT ? HEADROOM]] SEEN_BY golden)
 mutant(plan.offset IN plan/octaves.c TEXT [[(int32_t)(c & 0xffffff)]]
        BECOMES [[(int32_t)(MUTANT ? b >> 40 : c & 0xffffff)]]
        SEEN_BY golden SETS scalar)
