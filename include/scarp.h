@@ -239,7 +239,7 @@ enum scarp_isa {
  * have the same bits if both are exact as floats, and phase 0 has those of calls without one. Small
  * octaves move faster: octave k makes 2^k loops a turn, its fastest gradients 2^(k+1). What flows
  * reaches further than what stands still: |n_k| is at most 1.0169038 and 1.0162356 in 2D (quintic,
- * cubic), 1.1233462 and 1.1165551 in 3D, and scarp_range tells it. dphase is the derivative of the
+ * cubic), 1.1100620 and 1.1037150 in 3D, and scarp_range tells it. dphase is the derivative of the
  * value by the phase, and may be asked for beside any other output. For fBm and turbulence,
  * |dphase| is at most 4 pi sum_k 2^k |a_k| times those numbers, for ping-pong that times 2
  * sharpness. Value noise has no gradients to turn, and the gradients of simplex noise do not: a
