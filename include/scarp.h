@@ -496,7 +496,7 @@ struct scarp_flow {
  * have most of the Jacobian. Take a gain below 1 / lacunarity, so that large eddies carry the small
  * ones; lacunarity^(-4/3), which is 0.4 for 2, is that of turbulent flow (Kolmogorov 1941). One
  * octave of gradient noise with amplitude and frequency 1 has a speed of 1.27 (the root of the mean
- * of squares), simplex noise 3.0. No interval is promised that velocities never leave: scarp_range
+ * of squares), simplex noise 2.98. No interval is promised that velocities never leave: scarp_range
  * is that of the potential.
  *
  * All bases and fractals serve, with periods, phases and warps. Where the gradient jumps (creases
@@ -532,7 +532,7 @@ SCARP_API enum scarp_status scarp_curl2(const struct scarp_noise *noise, size_t 
  * each of which is one subtraction of floats that have the bits of scarp_sample3. So the trace
  * vxx + vyy + vzz is 0 but for the rounding of these three: exactly computed it is at most
  * 2^-24 (|vxx| + |vyy| + |vzz|). One octave of gradient noise with amplitude and frequency 1 has a
- * speed of 1.66, simplex noise 4.33. A call takes as long as three of scarp_sample3, and does
+ * speed of 1.66, simplex noise 4.30. A call takes as long as three of scarp_sample3, and does
  * without noise.plan.
  */
 SCARP_API enum scarp_status scarp_curl3(const struct scarp_noise *noise, size_t count,
