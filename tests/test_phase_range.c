@@ -105,10 +105,13 @@ static struct turned turned_at(double thirds, int rates)
     static const double edges[GRADIENTS][3] = {{1, -1, 0},  {-1, 0, 1}, {0, 1, -1},  {1, 1, 0},
                                                {-1, 0, -1}, {0, -1, 1}, {-1, -1, 0}, {1, 0, -1},
                                                {0, 1, 1},   {-1, 1, 0}, {1, 0, 1},   {0, -1, -1}};
+    const double angle = thirds * THIRD;
+    const double cosines[2] = {cos(angle), cos(2.0 * angle)};
+    const double sines[2] = {sin(angle), sin(2.0 * angle)};
     struct turned t;
     for (int i = 0; i < GRADIENTS; i++) {
-        const double speed = i < 6 ? 1.0 : 2.0, *const d = diagonals[i / 3], *const e = edges[i];
-        const double angle = speed * thirds * THIRD, c = cos(angle), s = sin(angle);
+        const double speed = i < 6 ? 1.0 : 2.0, c = cosines[i / 6], s = sines[i / 6];
+        const double *const d = diagonals[i / 3], *const e = edges[i];
         for (int k = 0; k < 3; k++) {
             const int l = (k + 1) % 3, n = (k + 2) % 3;
             const double ahead = (d[l] * e[n] - d[n] * e[l]) / sqrt(3.0);
