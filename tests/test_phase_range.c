@@ -153,20 +153,27 @@ static double curvature_at(const struct proof *proof, const double *m, double h)
 static void add_corner(double sums[16], const struct turned *turned, const double w[4],
                        const double off[3], double h)
 {
-    double moved[GRADIENTS];
-    for (int i = 0; i < GRADIENTS; i++) {
-        moved[i] = h * w[0] * dot(turned->by_phase[i], off);
-    }
-    for (int signs = 0; signs < (h > 0.0 ? 8 : 1); signs++) {
-        double v[3], back = -HUGE_VAL, ahead = -HUGE_VAL;
-        direction_of(v, w, off, 3, h, signs);
-        for (int i = 0; i < GRADIENTS; i++) {
-            const double product = dot(turned->g[i], v);
-            back = product - moved[i] > back ? product - moved[i] : back;
-            ahead = product + moved[i] > ahead ? product + moved[i] : ahead;
+    double v[3][8], back[8], ahead[8];
+    for (int signs = 0; signs < 8; signs++) {
+        double of_signs[3];
+        direction_of(of_signs, w, off, 3, h, signs);
+        for (int i = 0; i < 3; i++) {
+            v[i][signs] = of_signs[i];
         }
-        sums[signs] += back;
-        sums[8 + signs] += ahead;
+        back[signs] = ahead[signs] = -HUGE_VAL;
+    }
+    for (int i = 0; i < GRADIENTS; i++) {
+        const double moved = h * w[0] * dot(turned->by_phase[i], off), *const g = turned->g[i];
+        for (int signs = 0; signs < 8; signs++) {
+            const double product = g[0] * v[0][signs] + g[1] * v[1][signs] + g[2] * v[2][signs];
+            const double less = product - moved, more = product + moved;
+            back[signs] = less > back[signs] ? less : back[signs];
+            ahead[signs] = more > ahead[signs] ? more : ahead[signs];
+        }
+    }
+    for (int signs = 0; signs < 8; signs++) {
+        sums[signs] += back[signs];
+        sums[8 + signs] += ahead[signs];
     }
 }
 
