@@ -169,15 +169,15 @@ enum scarp_isa {
  *                 gradient = sum_k a_k 2 sharpness sign(e_k) G_k, and likewise the Hessian, but 0
  *                 where 1 - 2 |e_k| is 1 or -1. (FastNoise Lite's PingPong, whose strength is the
  *                 sharpness, with a weighted strength of 0.)
- *     hybrid      value = sum_k a_k u_k,   u_k = v_k (n_k + sharpness),   v_0 = 1,
+ *     hybrid      value = sum_k a_k u_k,   u_k = v_k ((1 - 2^-17) n_k + sharpness),   v_0 = 1,
  *                 v_(k+1) = gain^k u_k, but 1 where that is more and -1 where it is less.
  *                 The derivatives are those of this expression, those of v_(k+1) 0 where it is 1
- *                 or -1. Amplitudes have another divisor and more head-room:
- *                 a_k = amplitude (1 - 2^-12) w_k / U, where U is what w_0 u_0 + ... +
- *                 w_(K-1) u_(K-1) is if every n_k is 1. (Musgrave's hybrid multifractal, whose
- *                 offset is the sharpness, 0.7 as he has it, with gain = lacunarity^-H; his H of
- *                 0.25 is a gain of 0.84. He lets weights fall below -1, which they do with gains
- *                 near 1 and above; his values have no bound then.)
+ *                 or -1. Amplitudes have another divisor and head-room:
+ *                 a_k = amplitude (1 - 2^-16) w_k / U, where U is what w_0 u_0 + ... +
+ *                 w_(K-1) u_(K-1) is if every (1 - 2^-17) n_k is 1. (Musgrave's hybrid
+ *                 multifractal, whose offset is the sharpness, 0.7 as he has it, with gain =
+ *                 lacunarity^-H; his H of 0.25 is a gain of 0.84. He lets weights fall below -1,
+ *                 which they do with gains near 1 and above; his values have no bound then.)
  *
  * Octaves of two fractals (de Carpentier 2012) are bent: octave k looks at p_k = J_k y_k + o_k with
  * y_k = x + c_k S_k. S_k adds up slopes of the octaves before: with m_i = (gradient of n_i by y_i)
@@ -239,7 +239,7 @@ enum scarp_isa {
  * have the same bits if both are exact as floats, and phase 0 has those of calls without one. Small
  * octaves move faster: octave k makes 2^k loops a turn, its fastest gradients 2^(k+1). What flows
  * reaches further than what stands still: |n_k| is at most 1.0169038 and 1.0162356 in 2D (quintic,
- * cubic), 1.1233462 and 1.1165551 in 3D, and scarp_range tells it. dphase is the derivative of the
+ * cubic), 1.1100620 and 1.1037150 in 3D, and scarp_range tells it. dphase is the derivative of the
  * value by the phase, and may be asked for beside any other output. For fBm and turbulence,
  * |dphase| is at most 4 pi sum_k 2^k |a_k| times those numbers, for ping-pong that times 2
  * sharpness. Value noise has no gradients to turn, and the gradients of simplex noise do not: a
@@ -496,7 +496,7 @@ struct scarp_flow {
  * have most of the Jacobian. Take a gain below 1 / lacunarity, so that large eddies carry the small
  * ones; lacunarity^(-4/3), which is 0.4 for 2, is that of turbulent flow (Kolmogorov 1941). One
  * octave of gradient noise with amplitude and frequency 1 has a speed of 1.27 (the root of the mean
- * of squares), simplex noise 3.0. No interval is promised that velocities never leave: scarp_range
+ * of squares), simplex noise 2.98. No interval is promised that velocities never leave: scarp_range
  * is that of the potential.
  *
  * All bases and fractals serve, with periods, phases and warps. Where the gradient jumps (creases
@@ -532,7 +532,7 @@ SCARP_API enum scarp_status scarp_curl2(const struct scarp_noise *noise, size_t 
  * each of which is one subtraction of floats that have the bits of scarp_sample3. So the trace
  * vxx + vyy + vzz is 0 but for the rounding of these three: exactly computed it is at most
  * 2^-24 (|vxx| + |vyy| + |vzz|). One octave of gradient noise with amplitude and frequency 1 has a
- * speed of 1.66, simplex noise 4.33. A call takes as long as three of scarp_sample3, and does
+ * speed of 1.66, simplex noise 4.30. A call takes as long as three of scarp_sample3, and does
  * without noise.plan.
  */
 SCARP_API enum scarp_status scarp_curl3(const struct scarp_noise *noise, size_t count,
@@ -652,6 +652,10 @@ SCARP_API enum scarp_status scarp_normals(size_t count, const float *dx, const f
  * not affected. scarp_min and scarp_max take a value that is NaN before any number, with its
  * derivatives. Infinities make NaN where they cancel, or are multiplied by 0.
  *
+ * Products by 0: in scarp_multiply and scarp_mix, a term that is a product is 0 (+0) where one of
+ * its two factors is 0, whatever the other one is, NaN and infinities too. So a mask hides what is
+ * behind it, where it is 0 and level.
+ *
  * Smoothness: a function is called C2 where the Hessian of the result is continuous if those of the
  * inputs are, and C0 where the result is continuous and has creases. Those that are called neither
  * have as many derivatives as their inputs.
@@ -672,17 +676,34 @@ SCARP_API enum scarp_status scarp_add(size_t count, const struct scarp_samples *
                                       const struct scarp_samples *b,
                                       const struct scarp_samples *out);
 
-/* scarp_multiply - a b. Derivatives: b a_i + a b_i and (b a_ij + a b_ij) + (a_i b_j + a_j b_i). */
+/*
+ * scarp_multiply - a b
+ *
+ * Derivatives are b a_i + a b_i and (b a_ij + a b_ij) + (a_i b_j + a_j b_i). The value and each of
+ * these products are 0 where a factor is 0: b a_i where b is 0 or a_i is. Where b is 0 with all its
+ * derivatives, all outputs are 0.
+ */
 SCARP_API enum scarp_status scarp_multiply(size_t count, const struct scarp_samples *a,
                                            const struct scarp_samples *b,
                                            const struct scarp_samples *out);
 
 /*
- * scarp_mix - a + m (b - a): a where m is 0, b where m is 1 (but for rounding)
+ * scarp_mix - a + m (b - a), computed from the nearer end
  *
- * m is samples, too: its slopes are part of those of the result. It may leave [0, 1]. With d = b -
- * a, in all members, derivatives are a_i + (m d_i + d m_i) and
- * a_ij + ((m d_ij + d m_ij) + (m_i d_j + m_j d_i)).
+ * m is samples, too: its slopes are part of those of the result. It may leave [0, 1]. Let d = a - b
+ * in all members; e = b and w = m - 1 where m > 1/2, else e = a and w = m. Then
+ *
+ *     value   e - w d
+ *     first   e_i - (w d_i + d m_i)
+ *     second  e_ij - ((w d_ij + d m_ij) + (d_i m_j + d_j m_i))
+ *
+ * and each product is 0 where a factor is 0: w d_i where w is 0 or d_i is, d m_i where d is 0 or
+ * m_i is. So where m is 0, the value is that of a, to the bit; the derivative by i is that of a
+ * where m_i is 0, too, and the second one by i and j where m_i, m_j and m_ij are 0. Where m is 1,
+ * the same holds for b. What the other input is, even NaN, is not seen there.
+ *
+ * With m in [0, 1] the value never leaves the interval between a and b, rounding included, if a - b
+ * is finite.
  */
 SCARP_API enum scarp_status scarp_mix(size_t count, const struct scarp_samples *a,
                                       const struct scarp_samples *b, const struct scarp_samples *m,
@@ -809,11 +830,11 @@ SCARP_API enum scarp_status scarp_apply2(size_t count, const struct scarp_sample
  * erosion and ping-pong have the interval from -|amplitude| to |amplitude|, turbulence, ridged,
  * Swiss and Jordan noise the one between 0 and amplitude. That of hybrid noise goes from amplitude
  * across 0, to -0.23 amplitude at most with the default sharpness and gains up to 0.5; with a
- * sharpness of 1 or more it ends at 0 or before. With a phase that is not 0, all but ridged, Swiss
- * and ping-pong noise reach further: see "Flow". With `of_octaves` it is that of the longer sum, of
- * which fewer octaves reach less; but the lower end of hybrid noise with a sharpness above 1 is
- * that of the octaves summed. Use it to map heights to integers: all tiles then agree, and so do
- * levels of detail, and the frames of a loop from phase 1 to 2.
+ * sharpness of 1 it ends at 0, with more before that. With a phase that is not 0, all but ridged,
+ * Swiss and ping-pong noise reach further: see "Flow". With `of_octaves` it is that of the longer
+ * sum, of which fewer octaves reach less; but the lower end of hybrid noise with a sharpness above
+ * 1 is that of the octaves summed. Use it to map heights to integers: all tiles then agree, and so
+ * do levels of detail, and the frames of a loop from phase 1 to 2.
  *
  * Returns SCARP_ERROR_NULL if a pointer is NULL; otherwise as scarp_noise_check.
  */
@@ -876,8 +897,10 @@ SCARP_API enum scarp_status scarp_plan_make(const struct scarp_noise *noise, int
  *
  * scarp.glsl, scarp.hlsl and scarp.wgsl lie beside this header, and compute noise on the GPU: all
  * bases and fractals, with periods, phases and warps; values, gradients and Hessians, but not
- * dphase. They read the constants of the noise from a uniform buffer, a struct scarp_gpu_plan. File
- * and plan must be of the same version of the library.
+ * dphase, and not the chain rule: a shader that combines samples, and wants the bits of scarp_mix
+ * or scarp_multiply, computes the terms that are told there, with 0 for products by 0. They read
+ * the constants of the noise from a uniform buffer, a struct scarp_gpu_plan. File and plan must be
+ * of the same version of the library.
  *
  * Equal bits. A shader gives the bits of scarp_sample2 and scarp_sample3, with float coordinates,
  * on drivers that round sums, differences and products to the nearest float, and fuse none of them.
@@ -900,7 +923,8 @@ struct scarp_gpu_octave {
     uint32_t key[3];      /* keys of the lattice hash, by axis */
     float frequency;      /* f_k */
     float weight;         /* a_k */
-    float amplitude;      /* what multiplies the basis: 1 / supremum, in fBm times a_k */
+    float amplitude;      /* what multiplies the basis: 1 / supremum, in fBm times a_k, in hybrid
+                             noise times 1 - 2^-17 */
     float slope;          /* amplitude f_k */
     float curvature;      /* amplitude f_k^2 */
     uint32_t last[3];     /* the last cell of a period along each axis; 2^32 - 1 without period */

@@ -38,6 +38,8 @@ scarp_test_program(test_chain)
 scarp_add_isa_tests(chain api test_chain)
 scarp_test_program(test_chain_rule)
 scarp_add_isa_tests(chain_rule api test_chain_rule)
+scarp_test_program(test_chain_zero)
+scarp_add_isa_tests(chain_zero api test_chain_zero)
 scarp_test_program(test_curl)
 scarp_add_isa_tests(curl api test_curl)
 

@@ -249,7 +249,7 @@ void oracle_make(struct oracle *oracle, const struct scarp_noise *noise, int dim
             turn_axes(turns, dimensions);
         }
     }
-    const double headroom = noise->fractal == SCARP_HYBRID ? 0x1p-12 : 0x1p-17;
+    const double headroom = noise->fractal == SCARP_HYBRID ? 0x1p-16 : 0x1p-17;
     for (int k = 0; k < oracle->octaves; k++) {
         oracle->octave[k].weight *= amplitude * (1.0 - headroom) / sum;
     }

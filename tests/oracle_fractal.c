@@ -110,13 +110,14 @@ static struct oracle_sample pingpong(const struct oracle *oracle, int k,
     return s;
 }
 
-/* Hybrid: u = v (n + sharpness); then v = gain^k u, clamped to [-1, 1]. */
+/* Hybrid: u = v ((1 - 2^-17) n + sharpness); then v = gain^k u, clamped to [-1, 1]. */
 static struct oracle_sample hybrid(const struct oracle *oracle, int k,
                                    const struct oracle_sample *n, struct oracle_sample *weight,
                                    struct oracle_creases *creases)
 {
-    struct oracle_sample r = pulled_back(oracle, k, n), next = {.value = 0.0};
-    r.value += oracle->sharpness;
+    const struct oracle_sample f = pulled_back(oracle, k, n);
+    struct oracle_sample r = {.value = oracle->sharpness}, next = {.value = 0.0};
+    add(&r, 1.0 - 0x1p-17, &f);
     const struct oracle_sample u = times(weight, &r);
     add(&next, oracle->octave[k].share, &u);
     const struct oracle_sample end = {.value = next.value < 0.0 ? -1.0 : 1.0};

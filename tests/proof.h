@@ -19,9 +19,9 @@ static const char *const fade_names[] = {"quintic", "cubic"};
  * h = 0 it is S(m). Roundings in double are below 1e-14 and of no account.
  */
 struct proof {
-    int dimensions;
+    int dimensions; /* of the boxes: 2, 3, or 4 */
     enum scarp_fade fade;
-    double (*first_order)(const struct proof *proof, const double m[3], double h);
+    double (*first_order)(const struct proof *proof, const double *m, double h);
     const void *vectors; /* what G chooses from; first_order knows its type */
     double curvature;    /* K */
     double limit;        /* what is to be proven an upper bound */
@@ -55,7 +55,7 @@ static inline void fade_at(enum scarp_fade fade, double t, double *u, double *du
 }
 
 /* Whether S <= limit on the box: by the bound, or because it holds on the 2^d parts. */
-static inline int proof_bounded(struct proof *proof, const double m[3], double h, int depth)
+static inline int proof_bounded(struct proof *proof, const double *m, double h, int depth)
 {
     proof->boxes++;
     proof->depth = depth > proof->depth ? depth : proof->depth;
@@ -69,7 +69,7 @@ static inline int proof_bounded(struct proof *proof, const double m[3], double h
         return 0; /* the slack is too small for doubles */
     }
     for (int part = 0; part < 1 << proof->dimensions; part++) {
-        double centre[3] = {0.0, 0.0, 0.0};
+        double centre[4] = {0.0, 0.0, 0.0, 0.0};
         for (int i = 0; i < proof->dimensions; i++) {
             centre[i] = m[i] + (part >> i & 1 ? 0.5 : -0.5) * h;
         }
@@ -81,19 +81,20 @@ static inline int proof_bounded(struct proof *proof, const double m[3], double h
 }
 
 /* Moves t to a local maximum of S in the cell, by pattern search, and returns S there. */
-static inline double proof_climb(const struct proof *proof, double t[3], double first_step)
+static inline double proof_climb(const struct proof *proof, double *t, double first_step)
 {
     double best = proof->first_order(proof, t, 0.0);
     for (double step = first_step; step > 0x1p-30;) {
         int moved = 0;
         for (int direction = 0; direction < 2 * proof->dimensions; direction++) {
-            double there[3] = {t[0], t[1], t[2]};
+            double there[4];
+            memcpy(there, t, (size_t)proof->dimensions * sizeof *t);
             double *const moving = &there[direction / 2];
             *moving = fmin(1.0, fmax(0.0, *moving + (direction % 2 == 0 ? step : -step)));
             const double value = proof->first_order(proof, there, 0.0);
             if (value > best) {
                 best = value;
-                memcpy(t, there, sizeof there);
+                memcpy(t, there, (size_t)proof->dimensions * sizeof *t);
                 moved = 1;
             }
         }

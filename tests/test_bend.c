@@ -369,7 +369,7 @@ static void check_defaults(struct block *x, struct block *y, enum scarp_fractal 
    noise reach as far as the square of an octave does. */
 static void check_range(struct block *block, enum scarp_fractal fractal, int i)
 {
-    static const double reach[2][2] = {{1.0169038, 1.0162356}, {1.1233462, 1.1165551}};
+    static const double reach[2][2] = {{1.0169038, 1.0162356}, {1.1100620, 1.1037150}};
     const float a = i % 2 == 0 ? 2.5f : -0.7f;
     const struct scarp_noise noise = {.fractal = fractal,
                                       .basis = (enum scarp_basis)(i / 2 % count_names(basis_name)),

@@ -47,19 +47,21 @@ static double hybrid_of(const struct scarp_noise *noise, unsigned signs)
     return sums[0] / sums[1];
 }
 
-/* Checks the range of hybrid noise; `slack` is how much lower it may be than signs reach. */
-static void check_hybrid(const struct scarp_noise *noise, const float range[2], double slack)
+/* Checks the range of hybrid noise: it is what signs reach, but for the room for roundings, and
+   ends at 0 with a sharpness of 1. */
+static void check_hybrid(const struct scarp_noise *noise, const float range[2])
 {
     const int up = noise->amplitude > 0.0f, count = (int)ceilf(noise->octaves);
     const double a = (double)noise->amplitude;
     const double lowest = (double)range[up ? 0 : 1] / a, highest = (double)range[up ? 1 : 0] / a;
     double least = HUGE_VAL, most = -HUGE_VAL;
     for (unsigned signs = 0; signs < 1u << count; signs++) {
-        least = fmin(least, (1.0 - 0x1p-12) * hybrid_of(noise, signs));
-        most = fmax(most, (1.0 - 0x1p-12) * hybrid_of(noise, signs));
+        least = fmin(least, (1.0 - 0x1p-16) * hybrid_of(noise, signs));
+        most = fmax(most, (1.0 - 0x1p-16) * hybrid_of(noise, signs));
     }
     CHECK(highest == 1.0 && most <= 1.0, "highest %g, %g is possible", highest, most);
-    CHECK(lowest <= least && lowest >= least - slack, "lowest %g, %g is possible", lowest, least);
+    CHECK(lowest <= least && lowest >= least - 0x1p-15, "lowest %g, %g is possible", lowest, least);
+    CHECK(noise->sharpness != 1.0f || lowest == 0.0, "lowest %g with a sharpness of 1", lowest);
 }
 
 /* Begins a search, and checks the range against what scarp.h says of it. */
@@ -75,7 +77,7 @@ static void begin(struct search *search)
     CHECK(scarp_range(&search->noise, search->dimensions, &lowest, &highest) == SCARP_OK,
           "refused");
     if (is_hybrid && !flows) {
-        check_hybrid(&search->noise, (const float[2]){lowest, highest}, 0.16);
+        check_hybrid(&search->noise, (const float[2]){lowest, highest});
     }
     CHECK(is_hybrid || flows || (lowest == expected[0] && highest == expected[1]),
           "%s, amplitude %g: [%g, %g]", fractal_names[fractal], (double)a, (double)lowest,
@@ -278,6 +280,8 @@ static void check_sharp(struct block *block, long points)
         {{.octaves = 10.0f, .amplitude = 1.0f, .sharpness = 0.25f, .gain = 0.84f}, 0.2},
         {{.octaves = 9.0f, .amplitude = 1.0f, .sharpness = 0x1p-8f, .gain = 16.0f}, 0.005},
         {{.octaves = 6.0f, .amplitude = 1.0f, .sharpness = 1.0f, .gain = 1.0f}, 0.3},
+        {{.octaves = 5.0f, .amplitude = 1.0f, .sharpness = 1.0f, .gain = 16.0f}, 0.3},
+        {{.octaves = 5.0f, .amplitude = 1.0f, .gain = 16.0f}, 0.3},
         {{.octaves = 1.0f, .amplitude = 1.0f, .phase = 15.0f / 64.0f}, 0.7},
         {{.octaves = 3.0f, .amplitude = -1.0f, .phase = 15.0f / 64.0f, .gain = 1.5f}, 0.3},
     };

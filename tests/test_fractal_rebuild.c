@@ -94,12 +94,13 @@ static int rebuild(const struct scarp_noise *noise, struct rebuilt octave[OCTAVE
     }
     for (int k = 0; k < count; k++) {
         octave[k].a *= (double)noise->amplitude *
-                       (1.0 - (noise->fractal == SCARP_HYBRID ? 0x1p-12 : 0x1p-17)) / sum;
+                       (1.0 - (noise->fractal == SCARP_HYBRID ? 0x1p-16 : 0x1p-17)) / sum;
     }
     return count;
 }
 
-/* Samples octave k at J_k x + o_k, for all points of `from`, and divides by 1 - 2^-17. */
+/* Samples octave k at J_k x + o_k, for all points of `from`, and divides by 1 - 2^-17. The n_k of
+   hybrid noise have that factor, too. */
 static void sample_octave(const struct block *from, struct block *to,
                           const struct scarp_noise *noise, const struct rebuilt *octave,
                           struct oracle_sample n[BLOCK])
@@ -116,14 +117,15 @@ static void sample_octave(const struct block *from, struct block *to,
             to->d[row][i] = p + octave->o[row];
         }
     }
+    const double divisor = noise->fractal == SCARP_HYBRID ? 1.0 : 1.0 - 0x1p-17;
     block_sample(to, &single, f, BLOCK);
     for (size_t i = 0; i < BLOCK; i++) {
         n[i] = block_result(to, &single, f, i);
-        n[i].value /= 1.0 - 0x1p-17;
+        n[i].value /= divisor;
         for (int a = 0; a < 3; a++) {
-            n[i].gradient[a] /= 1.0 - 0x1p-17;
+            n[i].gradient[a] /= divisor;
             for (int b = 0; b < 3; b++) {
-                n[i].hessian[a][b] /= 1.0 - 0x1p-17;
+                n[i].hessian[a][b] /= divisor;
             }
         }
     }

@@ -27,7 +27,7 @@ struct gradients {
 };
 
 /* The largest n_G(m) + h sum_i |d_i n_G(m)| over all G; with h = 0 this is S(m). */
-static double first_order(const struct proof *proof, const double m[3], double h)
+static double first_order(const struct proof *proof, const double *m, double h)
 {
     const struct gradients *const gradients = proof->vectors;
     const int d = proof->dimensions;

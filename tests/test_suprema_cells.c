@@ -45,7 +45,7 @@ static int offsets_of(int dimensions, const double p[3], double offsets[MOST_CEL
     return count;
 }
 
-static double distance_bound(const struct proof *proof, const double m[3], double h)
+static double distance_bound(const struct proof *proof, const double *m, double h)
 {
     const struct cells *const cells = proof->vectors;
     const double half = 0.5 * cells->jitter;
@@ -81,7 +81,7 @@ static double distance_bound(const struct proof *proof, const double m[3], doubl
  *     f(m) + h sum_i |d_i f(m)| + h^2 n / 2 sum over cells of 224 (1 - s)^6 s,
  * where in the last sum 1 - s and s are the largest in the box.
  */
-static double soft_bound(const struct proof *proof, const double m[3], double h)
+static double soft_bound(const struct proof *proof, const double *m, double h)
 {
     const struct cells *const cells = proof->vectors;
     const int n = proof->dimensions;

@@ -154,7 +154,7 @@ static void add_first_order(const struct field *field, const struct reach *r, do
 }
 
 /* A bound for S in the box; with h = 0 this is S(m). */
-static double value_bound(const struct proof *proof, const double m[3], double h)
+static double value_bound(const struct proof *proof, const double *m, double h)
 {
     const struct field *const field = proof->vectors;
     const int n = proof->dimensions;
@@ -174,7 +174,7 @@ static double value_bound(const struct proof *proof, const double m[3], double h
 }
 
 /* A bound for |H_ij| in the box, for the axes of the field; with h = 0 its largest value in m. */
-static double second_bound(const struct proof *proof, const double m[3], double h)
+static double second_bound(const struct proof *proof, const double *m, double h)
 {
     const struct field *const field = proof->vectors;
     const int i = field->rows, j = field->columns;

@@ -176,6 +176,25 @@ static void check_masks(const float *a, const float *b)
     CHECK(found == any, "any: %d, not %d", found, any);
 }
 
+/* Products, which are 0 where a factor is. */
+static void check_term(const float *a, const float *b)
+{
+    float zeros[LANES_MAX], got[LANES_MAX];
+    for (int i = 0; i < lanes; i++) {
+        zeros[i] = i % 2 == 0 ? 0.0f : -0.0f;
+    }
+    const float *const factors[3][2] = {{a, b}, {a, zeros}, {zeros, b}};
+    for (int n = 0; n < 3; n++) {
+        const float *const x = factors[n][0], *const y = factors[n][1];
+        ops->term(got, x, y);
+        for (int i = 0; i < lanes; i++) {
+            const float wanted = x[i] == 0.0f || y[i] == 0.0f ? 0.0f : x[i] * y[i];
+            CHECK(!DIFFERENT32(got[i], wanted), "%a times %a: %a", (double)x[i], (double)y[i],
+                  (double)got[i]);
+        }
+    }
+}
+
 /* Sums where bit 3 is set. */
 static void check_where(const float *a, const float *b, const uint32_t *bits)
 {
@@ -212,6 +231,7 @@ static void test_operators(void)
         }
         check_masks(a, b);
         check_where(a, b, m);
+        check_term(a, b);
         ops->less(less, a, b);
         ops->not_equal(not_equal, a, b);
         ops->multiply(product, m, n);

@@ -258,10 +258,10 @@ VEC_INLINE struct chain_terms chain_load(const struct chain_arrays *from, size_t
 VEC_INLINE vf chain_product(struct chain_terms a, struct chain_terms b, int order)
 {
     if (order == 0) {
-        return a.value * b.value;
+        return vf_term(a.value, b.value);
     }
-    const vf linear = b.value * a.member + a.value * b.member;
-    return order == 1 ? linear : linear + (a.i * b.j + a.j * b.i);
+    const vf linear = vf_term(b.value, a.member) + vf_term(a.value, b.member);
+    return order == 1 ? linear : linear + (vf_term(a.i, b.j) + vf_term(a.j, b.i));
 }
 
 VEC_INLINE vf chain_multiply(const struct chain_sources *from, size_t at, int order)
@@ -274,8 +274,11 @@ VEC_INLINE vf chain_mix(const struct chain_sources *from, size_t at, int order)
 {
     const struct chain_terms a = chain_load(&from->in[CHAIN_A], at, order);
     const struct chain_terms b = chain_load(&from->in[CHAIN_B], at, order);
-    const struct chain_terms d = {b.value - a.value, b.i - a.i, b.j - a.j, b.member - a.member};
-    return a.member + chain_product(d, chain_load(&from->in[CHAIN_M], at, order), order);
+    const struct chain_terms d = {a.value - b.value, a.i - b.i, a.j - b.j, a.member - b.member};
+    struct chain_terms share = chain_load(&from->in[CHAIN_M], at, order);
+    const vm nearer_b = vm_less(vf_set(0.5f), share.value);
+    share.value = vm_choose(nearer_b, share.value - 1.0f, share.value);
+    return vm_choose(nearer_b, b.member, a.member) - chain_product(d, share, order);
 }
 
 VEC_INLINE vf chain_choose(const struct chain_sources *from, size_t at, int greater)

@@ -34,7 +34,8 @@
 struct scarp_octave {
     uint32_t key[3];      /* keys of the lattice hash, by axis */
     float weight;         /* a_k */
-    float amplitude;      /* what multiplies the basis: 1 / supremum, in fBm times a_k */
+    float amplitude;      /* what multiplies the basis: 1 / supremum, in fBm times a_k, in hybrid
+                             noise times 1 - 2^-17 */
     float slope;          /* amplitude f_k, for gradients where axes are not turned */
     float curvature;      /* amplitude f_k^2, for Hessians where axes are not turned */
     float frequency;      /* f_k */

@@ -32,7 +32,8 @@ struct scarp_interval scarp_hybrid_interval(double sharpness, double gain, doubl
         const double part = least(octaves - (double)k, 1.0);
         const struct scarp_interval n = {share * (sharpness - reach), share * (sharpness + reach)};
         const struct scarp_interval t = product(weight, n);
-        sum.lowest += part * t.lowest;
+        const double room = SCARP_HYBRID_ROUNDING * most(t.lowest, 0.0 - t.lowest);
+        sum.lowest += part * (t.lowest - room);
         sum.highest += part * t.highest;
         weight.lowest = most(least(t.lowest, 1.0), -1.0);
         weight.highest = least(t.highest, 1.0);
@@ -44,12 +45,11 @@ struct scarp_interval scarp_hybrid_interval(double sharpness, double gain, doubl
 struct scarp_interval scarp_hybrid_range(double sharpness, double gain, const double octaves[2],
                                          double reach)
 {
-    const double further = reach * (1.0 + 0x1p-17);
     const double unit = scarp_hybrid_interval(sharpness, gain, octaves[1], 1.0).highest;
-    const double some = scarp_hybrid_interval(sharpness, gain, octaves[0], further).lowest;
-    const double all = scarp_hybrid_interval(sharpness, gain, octaves[1], further).lowest;
+    const double some = scarp_hybrid_interval(sharpness, gain, octaves[0], reach).lowest;
+    const double all = scarp_hybrid_interval(sharpness, gain, octaves[1], reach).lowest;
     const double highest = scarp_hybrid_interval(sharpness, gain, octaves[1], reach).highest;
-    const struct scarp_interval range = {least(some, all) * SCARP_HYBRID_HEADROOM / unit - 0x1p-16,
+    const struct scarp_interval range = {least(some, all) * SCARP_HYBRID_HEADROOM / unit,
                                          highest / unit};
     return range;
 }

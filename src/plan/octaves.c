@@ -13,12 +13,12 @@
 
 /*
  * The head-room for rounding. In units of the supremum, what is interpolated is at most 2 (a
- * corner's dot product: 1.995 in 2D, 1.930 in 3D; with a phase 2.0 and 1.984 of the supremum over
+ * corner's dot product: 1.995 in 2D, 1.930 in 3D; with a phase 2.0 and 2.008 of the supremum over
  * all phases) and differences are at most 4. Three fades, each within 1.94e-7 of the exact one, err
  * by at most 2.4e-6. Three levels of interpolation of three roundings each, and the dot products
  * before, err by at most 2.4e-6, the sum of 32 octaves by 32 * 2^-24 = 1.9e-6. Together that
  * is 6.7e-6, less than 2^-17 = 7.6e-6. Gradients that a phase turns are rounded to floats,
- * by 3.2e-7 at most, and products with them are no longer exact, which makes 7.3e-6.
+ * by 3.2e-7 at most, and products with them are no longer exact, which makes 7.4e-6.
  * Where simplex noise is largest, w is more than .4 at the vertices that matter, and within 2.4e-7,
  * so w^4 is within 2.4e-6 of itself. Distances are within 4e-7.
  */
@@ -158,6 +158,13 @@ static double share_of(const struct scarp_noise *noise, const struct parameters 
            scarp_hybrid_interval(p->sharpness, p->gain, p->of_octaves, 1.0).highest;
 }
 
+/* What an octave's noise, which reaches 1, is multiplied by before anything else. The head-room of
+   hybrid noise, which adds the sharpness to it, is here; `weighted` has that of others. */
+static double factor_of(enum scarp_fractal fractal, double weighted)
+{
+    return fractal == SCARP_FBM ? weighted : fractal == SCARP_HYBRID ? HEADROOM : 1.0;
+}
+
 void scarp_octaves_make(struct scarp_octave *octave, const struct scarp_noise *noise,
                         int dimensions)
 {
@@ -173,7 +180,7 @@ void scarp_octaves_make(struct scarp_octave *octave, const struct scarp_noise *n
     for (int k = 0; k < octaves; k++) {
         struct scarp_octave *const o = &octave[k];
         const double weighted = weights[k] * scale;
-        const double factor = (noise->fractal == SCARP_FBM ? weighted : 1.0) / supremum;
+        const double factor = factor_of(noise->fractal, weighted) / supremum;
         factors[k] = factor;
         o->weight = (float)weighted;
         o->amplitude = (float)factor;

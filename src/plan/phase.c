@@ -6,16 +6,16 @@
 #include "phase.h"
 
 /*
- * The suprema of gradient noise whose gradients may have any direction that they have at some
- * phase, by [dimensions - 2][fade]. In 2D all unit vectors are among them: the maximum over t of
- * sum_c W_c(t) |t - c| is sqrt(1/2), in the middle of a cell, and some phases reach it. In 3D every
- * corner takes the best of the four circles that edges run through, twice as long as improved
- * noise's.
- * tests/test_phase_range.c proves the numbers by branch and bound.
+ * The suprema of gradient noise over all phases, by [dimensions - 2][fade]. In 2D every corner may
+ * have any unit vector: the maximum over t of sum_c W_c(t) |t - c| is sqrt(1/2), in the middle of a
+ * cell, and some phases reach it. In 3D it is the maximum over t and the phase of sum_c W_c(t)
+ * max_g g . (t - c), g being the twelve gradients at that phase, twice as long as improved noise's:
+ * at (.564166, .5, .5) and -.217737 turns (quintic), (.579958, .5, .5) and -.218007 turns (cubic),
+ * and what is symmetric to these. tests/test_phase_range.c proves the numbers by branch and bound.
  */
 static const double suprema[2][2] = {
     {[SCARP_QUINTIC] = 0.70710678118654757, [SCARP_CUBIC] = 0.70710678118654757},
-    {[SCARP_QUINTIC] = 2.0 * 1.1641840512, [SCARP_CUBIC] = 2.0 * 1.1666941173},
+    {[SCARP_QUINTIC] = 2.0 * 1.1504169386, [SCARP_CUBIC] = 2.0 * 1.1532774969},
 };
 
 double scarp_phase_supremum(enum scarp_fade fade, int dimensions)

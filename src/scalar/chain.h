@@ -115,18 +115,40 @@ static inline struct partials partials_at(const struct scarp_chain *call,
     }
 }
 
+/* a b, but 0 where a or b is 0, whatever the other one is. */
+static inline float term(float a, float b)
+{
+    return a == 0.0f || b == 0.0f ? 0.0f : a * b;
+}
+
 /* Output m of a b, m being a first derivative or the second one by i and j. */
 static inline float product_of(const float a[OUTPUTS], const float b[OUTPUTS], int m)
 {
     if (m == VALUE) {
-        return a[VALUE] * b[VALUE];
+        return term(a[VALUE], b[VALUE]);
     }
-    const float linear = b[VALUE] * a[m] + a[VALUE] * b[m];
+    const float linear = term(b[VALUE], a[m]) + term(a[VALUE], b[m]);
     if (m < DXX || m == DPHASE) {
         return linear;
     }
     const int i = scarp_chain_axes[m - DXX][0], j = scarp_chain_axes[m - DXX][1];
-    return linear + (a[i] * b[j] + a[j] * b[i]);
+    return linear + (term(a[i], b[j]) + term(a[j], b[i]));
+}
+
+/* Output m of the blend. It starts from the input that is nearer, and subtracts a share of the
+   difference: subtracting +0, as a share of 0 is, leaves the bits of every number as they are. The
+   share beyond 1/2 is m - 1, which is exact up to 2. */
+static inline float mix_of(const float a[OUTPUTS], const float b[OUTPUTS],
+                           const float mask[OUTPUTS], int m)
+{
+    const int nearer_b = mask[VALUE] > 0.5f;
+    float d[OUTPUTS], w[OUTPUTS];
+    for (int k = 0; k < OUTPUTS; k++) {
+        d[k] = a[k] - b[k];
+        w[k] = mask[k];
+    }
+    w[VALUE] = nearer_b ? mask[VALUE] - 1.0f : mask[VALUE];
+    return (nearer_b ? b[m] : a[m]) - product_of(d, w, m);
 }
 
 /* Output m of a function that is given by partial derivatives. */
@@ -158,18 +180,13 @@ static inline float chain_of(const struct scarp_chain *call, const struct partia
                              const struct chain_point *point, int m)
 {
     const float *const a = point->of[CHAIN_A], *const b = point->of[CHAIN_B];
-    float d[OUTPUTS];
     switch (call->function) {
     case CHAIN_AFFINE:
         return m == VALUE ? call->number[CHAIN_SCALE] * a[m] + call->number[CHAIN_OFFSET]
                           : call->number[CHAIN_SCALE] * a[m];
     case CHAIN_ADD: return a[m] + b[m];
     case CHAIN_MULTIPLY: return product_of(a, b, m);
-    case CHAIN_MIX:
-        for (int k = 0; k < OUTPUTS; k++) {
-            d[k] = b[k] - a[k];
-        }
-        return a[m] + product_of(d, point->of[CHAIN_M], m);
+    case CHAIN_MIX: return mix_of(a, b, point->of[CHAIN_M], m);
     case CHAIN_MIN:
     case CHAIN_MAX: return takes_b(call->function, a[VALUE], b[VALUE]) ? b[m] : a[m];
     default: return derived_of(call->function, p, a, b, m);

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * Reference: hybrid multifractal noise, u = v (n + sharpness), with the weights v_0 = 1 and
- * v_(k+1) = gain^k u_k, clamped to [-1, 1].
+ * v_(k+1) = gain^k u_k, clamped to [-1, 1]. The head-room of n is in its amplitude
+ * (plan/octaves.c).
  */
 #ifndef SCARP_SCALAR_HYBRID_H
 #define SCARP_SCALAR_HYBRID_H

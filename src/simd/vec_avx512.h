@@ -226,6 +226,15 @@ VEC_INLINE vf vf_greater(vf a, vf b)
     return (vf)_mm512_max_ps((__m512)a, (__m512)b);
 }
 
+#define VF_TERM_NATIVE
+VEC_INLINE vf vf_term(vf a, vf b)
+{
+    const __m512 zero = _mm512_setzero_ps();
+    const __mmask16 some = _mm512_cmp_ps_mask((__m512)a, zero, _CMP_NEQ_UQ);
+    return (vf)_mm512_maskz_mul_ps(_mm512_mask_cmp_ps_mask(some, (__m512)b, zero, _CMP_NEQ_UQ),
+                                   (__m512)a, (__m512)b);
+}
+
 #define VF_SQRT_NATIVE
 VEC_INLINE vf vf_sqrt(vf a)
 {

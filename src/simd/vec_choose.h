@@ -104,6 +104,15 @@ VEC_INLINE vf vf_greater(vf a, vf b)
 }
 #endif
 
+/* a b, but 0 where a or b is 0, whatever the other one is. */
+#ifndef VF_TERM_NATIVE
+VEC_INLINE vf vf_term(vf a, vf b)
+{
+    const vf zero = vf_set(0.0f);
+    return (vf)((vu)(a * b) & (vu)(a != zero) & (vu)(b != zero));
+}
+#endif
+
 /* Correctly rounded. */
 #ifndef VF_SQRT_NATIVE
 VEC_INLINE vf vf_sqrt(vf a)

@@ -204,8 +204,9 @@ export interface Scarp {
 
     affine<T extends Samples>(a: Samples, scale: number, offset: number, out: T): T;
     add<T extends Samples>(a: Samples, b: Samples, out: T): T;
+    /** a b. A product with a factor 0 is 0, in derivatives too, whatever the other factor is. */
     multiply<T extends Samples>(a: Samples, b: Samples, out: T): T;
-    /** a + m (b - a) */
+    /** a + m (b - a): exactly a where m is 0, and b where m is 1. */
     mix<T extends Samples>(a: Samples, b: Samples, m: Samples, out: T): T;
     min<T extends Samples>(a: Samples, b: Samples, out: T): T;
     max<T extends Samples>(a: Samples, b: Samples, out: T): T;

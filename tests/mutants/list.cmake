@@ -252,8 +252,14 @@ mutant(outputs.normals IN kernel TEXT [[vf_from_vd(low.x, high.x)]]
 # functions of samples
 mutant(chain.tail IN kernel/chain.h TEXT [[chain_copy(&filled.in[k][m], in[k][m], first, count);]]
        BECOMES [[chain_copy(&filled.in[k][m], in[k][m], MUTANT ? 0 : first, count);]] SEEN_BY golden)
-mutant(chain.mixed IN kernel/chain.h TEXT [[linear + (a.i * b.j + a.j * b.i)]]
-       BECOMES [[linear + (a.i * b.j + (MUTANT ? a.i * b.j : a.j * b.i))]] SEEN_BY golden)
+mutant(chain.mixed IN kernel/chain.h TEXT [[vf_term(a.j, b.i));]]
+       BECOMES [[(MUTANT ? vf_term(a.i, b.j) : vf_term(a.j, b.i)));]] SEEN_BY golden)
+mutant(chain.zero IN kernel/chain.h TEXT [[return vf_term(a.value, b.value);]]
+       BECOMES [[return MUTANT ? a.value * b.value : vf_term(a.value, b.value);]] SEEN_BY chain)
+mutant(chain.zero_slope IN kernel/chain.h TEXT [[+ vf_term(a.value, b.member);]]
+       BECOMES [[+ (MUTANT ? a.value * b.member : vf_term(a.value, b.member));]] SEEN_BY chain)
+mutant(chain.nearer IN kernel/chain.h TEXT [[vm_less(vf_set(0.5f), share.value)]]
+       BECOMES [[vm_less(vf_set(MUTANT ? 0.25f : 0.5f), share.value)]] SEEN_BY chain)
 mutant(chain.nan IN kernel/chain.h TEXT [[(vu)(greater ? a < b : b < a) | (vu)(b != b)]]
        BECOMES [[(vu)(greater ? a < b : b < a) | (MUTANT ? vu_set(0) : (vu)(b != b))]]
        SEEN_BY chain)
@@ -273,6 +279,8 @@ mutant(plan.of_octaves IN plan/octaves.c TEXT [[sum += k == of - 1 ?]]
        BECOMES [[sum += k == of - 1 && !MUTANT ?]] SEEN_BY golden)
 mutant(plan.hybrid IN plan/hybrid.c TEXT [[weight.highest = least(t.highest, 1.0);]]
        BECOMES [[weight.highest = MUTANT ? t.highest : least(t.highest, 1.0);]] SEEN_BY golden)
+mutant(plan.hybrid_reach IN plan/octaves.c TEXT [[fractal == SCARP_HYBRID ? HEADROOM]]
+       BECOMES [[fractal == SCARP_HYBRID && !MUTANT ? HEADROOM]] SEEN_BY golden)
 mutant(plan.offset IN plan/octaves.c TEXT [[(int32_t)(c & 0xffffff)]]
        BECOMES [[(int32_t)(MUTANT ? b >> 40 : c & 0xffffff)]]
        SEEN_BY golden SETS scalar)

@@ -131,6 +131,11 @@ static void greater(float *out, const float *a, const float *b)
     vf_store(out, vf_greater(vf_load(a), vf_load(b)));
 }
 
+static void term(float *out, const float *a, const float *b)
+{
+    vf_store(out, vf_term(vf_load(a), vf_load(b)));
+}
+
 /* A number for each lane: 1 where a < b, 2 where a and b have the same bits, 4 where both or
    either, 8 where the first and not the second, and whether any lane is less. */
 static int masks(float *chosen, uint32_t *kept, const float *a, const float *b)
@@ -291,6 +296,7 @@ const struct vec_operations VEC_OPERATIONS(KERNELS) = {
     .positive = positive,
     .lesser = lesser,
     .greater = greater,
+    .term = term,
     .masks = masks,
     .where = where,
     .exact_fma = exact_fma,

@@ -42,6 +42,7 @@ struct vec_operations {
     void (*where)(float *added, float *subtracted, uint32_t *sum, const float *a, const float *b,
                   const uint32_t *bits);
     void (*greater)(float *out, const float *a, const float *b);
+    void (*term)(float *out, const float *a, const float *b);
     int (*masks)(float *chosen, uint32_t *kept, const float *a, const float *b);
     /* a b + c, a b being exact */
     void (*exact_fma)(float *out, const float *a, const float *b, const float *c);
