@@ -39,6 +39,12 @@ enum bench_pattern {
     BENCH_SAME_CELL   /* uniform in [0, 1) */
 };
 
+enum bench_request {
+    BENCH_ALWAYS,
+    BENCH_BY_WORK, /* measured only if --work is given: many */
+    BENCH_BY_NAME  /* measured only if --work gives the whole name: large */
+};
+
 enum { BENCH_WARP_NONE, BENCH_WARP_GRADIENT, BENCH_WARP_VALUE }; /* by which noise */
 #define BENCH_WARP_REACH 0.5f
 
@@ -61,7 +67,8 @@ struct bench_work {
     float phase;       /* of flow noise */
     int warp;          /* positions are displaced, by half a cell at most: by BENCH_WARP_... */
     int f64;           /* double coordinates */
-    int on_request;    /* measured only if --work gives the whole name: large */
+    int as_points;     /* the samples of a grid, as arrays of double coordinates */
+    enum bench_request request;
     size_t points;
     size_t grid[3];  /* of BENCH_GRID: samples along each axis, x innermost */
     float origin[3]; /* of BENCH_GRID: the first sample, in cells */

@@ -576,8 +576,10 @@ struct scarp_grid {
  * between the rows is touched.
  *
  * Grids are much faster than arrays of points where neighbouring samples share lattice cells, axes
- * are not turned, and rows are longer than a few dozen samples. Single octaves of fBm of 24 MiB and
- * more are written fastest where arrays, and their rows, begin at multiples of 64 bytes.
+ * are not turned, and rows are longer than a few dozen samples. So let x be the long axis: a chunk
+ * of 256 x 16 x 16 samples takes down to a quarter of the time of one of 16 x 256 x 16. Single
+ * octaves of fBm of 24 MiB and more are written fastest where arrays, and their rows, begin at
+ * multiples of 64 bytes.
  *
  * Returns SCARP_ERROR_NULL if `noise`, `grid` or `out` is NULL; SCARP_OK if a count is 0, whatever
  * the other members are; SCARP_ERROR_PARAMETER for an origin or step that is not finite, an index
