@@ -207,7 +207,7 @@ enum scarp_isa {
  * The cubic fade has a Hessian that jumps between cells. So gradients of erosion jump there, and
  * with more than one octave those of Swiss and Jordan noise: the surface has creases.
  *
- * Jumps. The value jumps in these cases, and in no others:
+ * Jumps. But for rounding, the value jumps in these cases, and in no others:
  *
  *     basis                          fractal                 K    where
  *     cell-value                     any                     any  on borders between cells
