@@ -204,6 +204,23 @@ enum scarp_isa {
  * and may overflow. So may the positions of Swiss noise where gain^K comes near 2^120; where |a_0|
  * is below 2^-128, all its octaves but the first may vanish.)
  *
+ * The cubic fade has a Hessian that jumps between cells. So gradients of erosion jump there, and
+ * with more than one octave those of Swiss and Jordan noise: the surface has creases.
+ *
+ * Jumps. But for rounding, the value jumps in these cases, and in no others:
+ *
+ *     basis                          fractal                 K    where
+ *     cell-value                     any                     any  on borders between cells
+ *     cell-f1, cell-f2, cell-edge    erosion, Swiss, Jordan  > 1  where a gradient of the basis
+ *                                                                 jumps: see "Cells"
+ *     cell-edge                      erosion                 1    where F2 is the distance from two
+ *                                                                 features, and at features
+ *     cell-f1                        erosion                 1    at features, which are points
+ *
+ * Erosion, Swiss and Jordan noise have gradients of the basis in their values: a crease of the
+ * basis becomes a jump. A noise jumps also where its warp does; creases of a warp become creases.
+ * Gradients and Hessians know nothing of a jump: they are those of one side.
+ *
  * An octave is noise of its own: n_k at x is, but for rounding, single-octave noise of the seed
  * s_k, frequency 1, the same basis and fade, and 2^k times the phase, at p_k, divided by 1 - 2^-17.
  * With splitmix64(z) the generator of Steele, Lea and Flood (2014) started at z, s_0 is `seed`, and

@@ -20,3 +20,7 @@ scarp_add_sized_test(fractal.published fractal SIZES 10000 5000 2000 1000
 scarp_test_program(test_fractal_range)
 scarp_add_sized_test(fractal.range fractal SIZES 100000 100000 100000 10000
                      COMMAND test_fractal_range {})
+
+# Lines of each case
+scarp_test_program(test_continuity)
+scarp_add_sized_test(fractal.continuity fractal SIZES 1000 64 64 32 COMMAND test_continuity {})

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """A preset is the options that the help tells, before those of the command line."""
 import re
+import struct
 
 import common
 from common import Case, run, text_of
@@ -21,6 +22,19 @@ def told():
         elif words:
             presets[list(presets)[-1]] += words.split()
     return presets
+
+
+def jumps(words, part):
+    """Whether the noise of a part, "" or "base-", jumps, as scarp.h says under "Jumps"."""
+    def value(name, standard):
+        option = "--" + part + name
+        return words[words.index(option) + 1] if option in words else standard
+    basis, fractal = value("basis", "gradient"), value("fractal", "fbm")
+    octaves = float(value("octaves", "8"))
+    by_slopes = fractal in ("erosion", "swiss", "jordan")
+    return (basis == "cell-value" or
+            basis in ("cell-f1", "cell-f2", "cell-edge") and by_slopes and octaves > 1 or
+            basis == "cell-edge" and fractal == "erosion")
 
 
 class Presets(Case):
@@ -49,6 +63,19 @@ class Presets(Case):
                 self.check_same_files(self.make("--preset=" + name), made)
                 self.assertNotIn(made["h.r32"], seen)
                 seen.append(made["h.r32"])
+
+    def test_no_jumps(self):
+        """By the rule; and rows of samples 0.01 units apart have no step of a tenth of a unit."""
+        self.assertTrue(jumps(["--basis", "cell-f1", "--fractal", "swiss"], ""))
+        for name, words in told().items():
+            for part in ("", "warp-", "base-", "mask-"):
+                self.assertFalse(jumps(words, part), (name, part))
+            for seed in range(1, 5):
+                self.quietly("--preset", name, "--seed", str(seed), "--size", "16384x1", "--step",
+                             "0.01", "--origin", f"{97 * seed},{31 * seed}", "--heights", "h.r32")
+                row = struct.unpack("<16384f", self.all_bytes()["h.r32"])
+                most = max(abs(b - a) for a, b in zip(row, row[1:]))
+                self.assertLess(most, 0.1, (name, seed))
 
     def test_options_win(self):
         """Wherever they stand, also where they say what would be so without a preset."""

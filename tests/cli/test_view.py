@@ -15,8 +15,12 @@ COAST = ("--seed", "3", "--frequency", "0.004", "--octaves", "6", "--sea-level",
          "--height", "150")
 PEAKS = ("--fractal", "erosion", "--rotate", "--octaves", "7", "--height", "200",
          "--camera", "0,0,180", "--look", "45,-12")
+# Flat ground and cliffs
+MESAS = ("--basis", "cell-value", "--frequency", "0.02", "--octaves", "1", "--height", "60",
+         "--seed", "12")
 COAST_CRC = 0xabcb198a
 PEAKS_CRC = 0x076ba4cd
+MESAS_CRC = 0x86378db8
 
 
 class View(Case):
@@ -33,7 +37,8 @@ class View(Case):
 
     def test_bytes(self):
         """The same on every machine."""
-        for arguments, checksum in ((COAST, COAST_CRC), (PEAKS, PEAKS_CRC)):
+        for arguments, checksum in ((COAST, COAST_CRC), (PEAKS, PEAKS_CRC),
+                                    (MESAS, MESAS_CRC)):
             with self.subTest(arguments=arguments):
                 self.assertEqual("%#010x" % zlib.crc32(self.view(*arguments)),
                                  "%#010x" % checksum)
@@ -56,6 +61,15 @@ class View(Case):
         bottom = picture.rows[-1]
         spread = [max(p[1] for p in row) - min(p[1] for p in row) for row in (top, bottom)]
         self.assertLess(2 * spread[0], spread[1])
+
+    def test_cliffs(self):
+        """They are rock as a whole. Where rays end in front of them or behind them, there are
+        stripes, of the grass above and below: 7 changes in each column."""
+        rows = self.picture(*MESAS, "--size", "192x108").rows[54:]
+        green = [[p[1] > p[0] and p[1] > p[2] for p in row] for row in rows]
+        changes = sum(a != b for above, row in zip(green, green[1:])
+                      for a, b in zip(above, row))
+        self.assertLess(changes, 3 * 192)
 
     def test_png(self):
         if not has_png():

@@ -264,7 +264,7 @@ class Use(Playground):
     def test_a_command_line_without_what_the_preset_has(self):
         """Flags of a preset cannot be taken back on a command line: it is told without its name."""
         self.open(["--preset", "volcanic", *PLACE])
-        self.page.run("playground.change({rotate: '0', crater: null})")
+        self.page.run("playground.change({'base-rotate': '0', crater: null})")
         self.ready()
         text = self.copied("command")
         self.assertNotIn("--preset", text)

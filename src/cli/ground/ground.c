@@ -113,6 +113,25 @@ bool ground_make(const struct ground_options *options, struct ground *ground)
     return true;
 }
 
+/* The points where one octave of cell-f1 jumps are not looked at. */
+static bool noise_jumps(const struct scarp_noise *noise)
+{
+    const bool is_creased = noise->basis == SCARP_CELL_F1 || noise->basis == SCARP_CELL_F2 ||
+                            noise->basis == SCARP_CELL_EDGE;
+    const bool has_slopes = noise->fractal == SCARP_EROSION || noise->fractal == SCARP_SWISS ||
+                            noise->fractal == SCARP_JORDAN;
+    return noise->basis == SCARP_CELL_VALUE ||
+           (is_creased && has_slopes && noise->octaves > 1.0f) ||
+           (noise->basis == SCARP_CELL_EDGE && noise->fractal == SCARP_EROSION) ||
+           (noise->warp != NULL && noise_jumps(noise->warp));
+}
+
+bool ground_jumps(const struct ground *ground)
+{
+    return noise_jumps(ground->noise) || (ground->has_base && noise_jumps(&ground->base)) ||
+           (ground->has_mask && noise_jumps(&ground->mask));
+}
+
 void ground_cut(const struct ground *ground, size_t count, const struct scarp_samples *out)
 {
     if (ground->floor <= ground->lowest && ground->ceiling >= ground->highest) {

@@ -37,6 +37,9 @@ struct ground {
    together. */
 bool ground_make(const struct ground_options *options, struct ground *ground);
 
+/* Whether heights jump: the table of scarp.h under "Jumps" */
+bool ground_jumps(const struct ground *ground);
+
 /* Samples values, and gradients if out->dx and out->dy are there, as scarp_grid2 does. */
 void ground_grid(const struct ground *ground, const struct scarp_grid *grid,
                  const struct scarp_samples *out);

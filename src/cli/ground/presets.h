@@ -38,11 +38,11 @@ extern const char *const preset_palettes[];     /* by name: the palette that sui
     "  hills     --fractal erosion --erosion 0.5 --rotate --frequency 0.004 --octaves 9\n"         \
     "            --gain 0.38 --height 95 --warp-reach 90 --warp-frequency 0.003\n"                 \
     "            --warp-octaves 4 --warp-gain 0.4\n"                                               \
-    "  volcanic  --basis cell-f1 --fractal swiss --rotate --frequency 0.0016 --octaves 8\n"        \
-    "            --gain 0.38 --amplitude -1 --crater -0.11 --height 330 --sea-level -0.6\n"        \
-    "            --warp-reach 30 --warp-frequency 0.004 --warp-octaves 3 --base-amplitude 0.2\n"   \
-    "            --base-fractal erosion --base-rotate --base-frequency 0.006 --base-octaves 8\n"   \
-    "            --base-gain 0.44\n"                                                               \
+    "  volcanic  --basis cell-f1 --fractal jordan --octaves 1 --frequency 0.0016\n"                \
+    "            --crater 0.77 --height 280 --sea-level 0.1 --warp-reach 80\n"                     \
+    "            --warp-frequency 0.003 --warp-octaves 7 --warp-gain 0.48\n"                       \
+    "            --base-amplitude 0.28 --base-fractal erosion --base-rotate\n"                     \
+    "            --base-frequency 0.006 --base-octaves 8 --base-gain 0.44\n"                       \
     "  highlands --fractal jordan --erosion 0.8 --rotate --frequency 0.005 --octaves 8\n"          \
     "            --gain 0.42 --height 170 --warp-reach 60 --warp-octaves 3\n"                      \
     "  cirques   --basis cell-soft --fractal erosion --erosion 0.3 --rotate --frequency 0.004\n"   \

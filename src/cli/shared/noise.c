@@ -84,7 +84,8 @@ const struct option noise_option_rows[NOISE_OPTION_COUNT] = {
      .argument = "NAME",
      .standard = "fbm",
      .allowed = FRACTALS,
-     .help = "how octaves are summed: " FRACTALS_HELP,
+     .help = "how octaves are summed (erosion, swiss and jordan of cell-f1,\n"
+             "cell-f2 and cell-edge have cliffs): " FRACTALS_HELP,
      .parse = option_choice,
      .offset = FIELD(fractal),
      .choice = fractal_word},

@@ -11,6 +11,7 @@
 
 #define TREE_HEIGHT 1.6f
 #define ROUGH_HEIGHT 2.4f
+#define CLIFF_NEAREST 0.0625f
 #define CLOUD_HEIGHT 1500.0f /* above the camera */
 
 static struct vector ray_of(const struct rays *rays, uint32_t ray)
@@ -43,9 +44,55 @@ static void blend(const struct light *light, float *a, const float *b, float sca
     }
 }
 
+/* How wide a pixel is at a distance, but not 0 */
+static float pixel_at(const struct scene *scene, float distance)
+{
+    return scene->camera.pixel * (distance > CLIFF_NEAREST ? distance : CLIFF_NEAREST);
+}
+
+/* Points on cliffs are as high as their rays. Their slopes are those of the ground a pixel around
+   them, by its mean difference along 16 directions. */
+static void sample_cliffs(struct light *light, const struct scene *scene, size_t band,
+                          const struct rays *rays)
+{
+    static const float cosines[16] = {1.0f,  0.92387953f,  0.70710678f,  0.38268343f,
+                                      0.0f,  -0.38268343f, -0.70710678f, -0.92387953f,
+                                      -1.0f, -0.92387953f, -0.70710678f, -0.38268343f,
+                                      0.0f,  0.38268343f,  0.70710678f,  0.92387953f};
+    uint32_t *const cliff = light->point;
+    size_t count = 0;
+    for (size_t i = 0; i < light->count; i++) {
+        const uint32_t ray = light->ray[i];
+        if (rays->cliff[ray]) {
+            light->height[i] = scene->camera.z + rays->z[ray] * rays->distance[ray];
+            light->dx[i] = light->dy[i] = 0.0f;
+            cliff[count++] = (uint32_t)i;
+        }
+    }
+    for (size_t k = 0; k < 16 && count > 0; k++) {
+        const float x = cosines[k], y = cosines[(k + 12) % 16];
+        for (size_t n = 0; n < count; n++) {
+            const float reach = pixel_at(scene, rays->distance[light->ray[cliff[n]]]);
+            light->u[n] = light->x[cliff[n]] + (double)(reach * x);
+            light->v[n] = light->y[cliff[n]] + (double)(reach * y);
+        }
+        ground_points(&scene->band[band].ground, count, light->u, light->v,
+                      &(struct scarp_samples){.value = light->other[0]});
+        light->calls++;
+        light->points += count;
+        for (size_t n = 0; n < count; n++) {
+            const float reach = pixel_at(scene, rays->distance[light->ray[cliff[n]]]);
+            const float rises = scene->height_scale * light->other[0][n] / (8.0f * reach);
+            light->dx[cliff[n]] += x * rises;
+            light->dy[cliff[n]] += y * rises;
+        }
+    }
+}
+
 /* The ground of the band and the one of the next band, blended by distance, so that no octave ends
    at a line that is seen; and the ground with fewer octaves, for hills as a whole. */
-static void sample_ground(struct light *light, const struct scene *scene, size_t band)
+static void sample_ground(struct light *light, const struct scene *scene, size_t band,
+                          const struct rays *rays)
 {
     const float scale = scene->height_scale;
     float *const value = light->other[0], *const dx = light->other[1], *const dy = light->other[2];
@@ -59,6 +106,7 @@ static void sample_ground(struct light *light, const struct scene *scene, size_t
     }
     blend(light, light->dx, dx, scale);
     blend(light, light->dy, dy, scale);
+    sample_cliffs(light, scene, band, rays);
     ground_points(&scene->smooth[0], light->count, light->x, light->y,
                   &(struct scarp_samples){
                       .value = light->hollow[0], .dx = light->smooth_dx, .dy = light->smooth_dy});
@@ -178,7 +226,7 @@ static void light_piece(struct light *light, const struct scene *scene, size_t b
                         const struct rays *rays, struct colour *colours)
 {
     place(light, scene, &scene->band[band], rays);
-    sample_ground(light, scene, band);
+    sample_ground(light, scene, band, rays);
     sample_textures(light, scene, band);
     shade(light, scene, band);
     for (size_t i = 0; i < light->count; i++) {

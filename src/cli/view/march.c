@@ -24,6 +24,10 @@
  * close that a straight line between them tells where, within a part of a pixel. What becomes of a
  * ray depends on no other ray.
  *
+ * Ground that jumps has cliffs, which steps know nothing of. So a ray that is below such ground
+ * after a step bisects the step, as one of the batch. It ends where it finds the ground, or at a
+ * cliff, just in front of it, where all that is left of the step is shorter than FINEST_STEP.
+ *
  * A pixel may need more rays. At the distance t, they are within r t of its first ray, with r
  * small, and their c is at least that of the first ray less (1 + s) r t. As long as that is
  * positive, the first ray takes steps that are safe for all of them; where it ends, the others
@@ -37,11 +41,13 @@
 
 #define STEEPEST 16.0f       /* 86 degrees */
 #define FINEST_STEP 0x1p-20f /* of the distance, so that it is not lost when it is added */
+#define LEVEL 0.5f           /* in pixels: steps that fall more are bisected */
 #define NEAREST 0.0625f      /* below this distance, pixels are as wide as there */
 
 static void take_list(struct march_list *list, float **numbers, uint32_t **rays, size_t most)
 {
-    float **const arrays[] = {&list->x, &list->y, &list->z, &list->at, &list->before, &list->above};
+    float **const arrays[] = {&list->x,      &list->y,     &list->z,     &list->at,
+                              &list->before, &list->above, &list->beyond};
     for (size_t i = 0; i < sizeof arrays / sizeof arrays[0]; i++) {
         *arrays[i] = *numbers;
         *numbers += most;
@@ -53,7 +59,7 @@ static void take_list(struct march_list *list, float **numbers, uint32_t **rays,
 bool march_open(struct march *march, size_t most)
 {
     *march =
-        (struct march){.memory = malloc(most * (2 * sizeof(double) + (3 * 6 + 1) * sizeof(float) +
+        (struct march){.memory = malloc(most * (2 * sizeof(double) + (3 * 7 + 1) * sizeof(float) +
                                                 3 * sizeof(uint32_t)))};
     if (march->memory == NULL) {
         return false;
@@ -62,7 +68,7 @@ bool march_open(struct march *march, size_t most)
     march->y = march->x + most;
     march->value = (float *)(march->y + most);
     float *numbers = march->value + most;
-    uint32_t *rays = (uint32_t *)(numbers + 3 * 6 * most);
+    uint32_t *rays = (uint32_t *)(numbers + 3 * 7 * most);
     take_list(&march->live, &numbers, &rays, most);
     take_list(&march->waiting, &numbers, &rays, most);
     take_list(&march->hit, &numbers, &rays, most);
@@ -84,6 +90,7 @@ static void copy(struct march_list *to, size_t n, const struct march_list *from,
     to->at[n] = from->at[i];
     to->before[n] = from->before[i];
     to->above[n] = from->above[i];
+    to->beyond[n] = from->beyond[i];
 }
 
 /* Takes ray number `i` out of a list, whose last ray takes its place, to another one or to none. */
@@ -104,6 +111,7 @@ static void enter(struct march *march, const struct scene *scene, const struct r
     for (size_t i = 0; i < rays->count; i++) {
         const float z = rays->z[i];
         rays->distance[i] = INFINITY;
+        rays->cliff[i] = false;
         if (over >= 0.0f && z >= rays->spread) {
             continue;
         }
@@ -115,7 +123,7 @@ static void enter(struct march *march, const struct scene *scene, const struct r
         const float enters = over > 0.0f ? over / (rays->spread - z) : 0.0f;
         rays->begin[i] = rays->begin[i] > enters ? rays->begin[i] : enters;
         list->at[n] = list->before[n] = rays->begin[i];
-        list->above[n] = 0.0f;
+        list->above[n] = list->beyond[n] = 0.0f;
     }
 }
 
@@ -140,6 +148,40 @@ static float clearance(const struct march *march, const struct scene *scene,
     return scene->camera.z + list->z[i] * list->at[i] - scene->height_scale * march->value[i];
 }
 
+/* Has ray number `i` bisect its step, if it must: it is below the ground, or was so further on. A
+   ray that begins below it begins again with the band. False if the ray goes on as on any ground.
+ */
+static bool bisect(struct march *march, const struct scene *scene, const struct band *band,
+                   const struct rays *rays, size_t i, float above)
+{
+    struct march_list *const live = &march->live;
+    const float at = live->at[i], level = LEVEL * scene->camera.pixel * at;
+    const bool is_below = above <= 0.0f;
+    if (is_below ? live->above[i] - above <= level : live->beyond[i] == 0.0f) {
+        return false;
+    }
+    if (is_below && live->before[i] == at && at > band->begin) {
+        live->at[i] = live->before[i] = band->begin;
+        return true;
+    }
+    if (is_below) {
+        live->beyond[i] = at;
+    } else {
+        live->before[i] = at;
+        live->above[i] = above;
+    }
+    if (live->beyond[i] - live->before[i] <= FINEST_STEP * (at > NEAREST ? at : NEAREST)) {
+        live->at[i] = live->before[i];
+        rays->cliff[live->ray[i]] = true;
+        move(live, i, &march->hit);
+    } else if (!is_below && above < 0.5f * level) {
+        move(live, i, &march->hit);
+    } else {
+        live->at[i] = 0.5f * (live->before[i] + live->beyond[i]);
+    }
+    return true;
+}
+
 /* Takes the live rays on by a step, and sorts out those that are done here. Counts down: what takes
    the place of a ray has been looked at. */
 static void step(struct march *march, const struct scene *scene, const struct band *band,
@@ -153,6 +195,9 @@ static void step(struct march *march, const struct scene *scene, const struct ba
     for (size_t i = live->count; i-- > 0;) {
         const float above = clearance(march, scene, live, i), z = live->z[i], at = live->at[i];
         float *const begin = &rays->begin[live->ray[i]];
+        if (band->jumps && bisect(march, scene, band, rays, i, above)) {
+            continue;
+        }
         if (above <= 0.0f) {
             const float between = live->above[i] - above; /* the last point and this one */
             const float part = between > 0.0f ? live->above[i] / between : 1.0f;

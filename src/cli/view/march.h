@@ -17,6 +17,7 @@ struct rays {
     float *begin;     /* where each begins; then how far the rays around it, too, meet nothing */
     float spread;     /* sine of the angle between a ray and those around it; 0: there are none */
     float *distance;  /* to the ground; that of the sky is infinite */
+    bool *cliff;      /* whether it ends at a cliff, between what is below and above it */
 
     /* The rays that meet the ground, band by band: those of band b are the numbers hit[i] with
        first_hit[b] <= i < first_hit[b + 1] */
@@ -32,6 +33,7 @@ struct march_list {
     float *at;        /* the distance that is looked at next */
     float *before;    /* the one that was looked at last, where the ray was above the ground */
     float *above;     /* and how far above it was */
+    float *beyond;    /* of a ray that bisects: where it was below the ground; else 0 */
 };
 
 /* What a thread needs to march, and how often it called the library */

@@ -4,6 +4,7 @@
  */
 #include "view/scene.h"
 
+#include <stdint.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -19,6 +20,13 @@
 #define RAYS_DOWN 32
 #define PLACES_ALONG 8
 #define SLOPE_MARGIN 1.25f
+
+/* Ground that jumps has cliffs, near which few slopes are far steeper than all others: steps are no
+   shorter for these. Without a slope of at least GENTLEST, steps would pass over cliffs. */
+#define GENTLEST 3.0f
+#define COUNTED 64.0f /* slopes that are counted per 1 */
+#define COUNTS 1024   /* up to 16 */
+#define RARE 82       /* of the 16384 slopes of a band, so many may be steeper */
 
 static int compare(const void *a, const void *b)
 {
@@ -87,6 +95,22 @@ void scene_set_ground(struct scene *scene, const struct ground *ground, double x
     make_survey(scene, x, y);
 }
 
+static void count_slope(uint32_t counts[COUNTS], float slope)
+{
+    const float place = COUNTED * slope;
+    counts[place < (float)(COUNTS - 1) ? (size_t)place : COUNTS - 1]++;
+}
+
+/* The slope that no more than RARE of them exceed */
+static float usual_slope(const uint32_t counts[COUNTS])
+{
+    size_t place = COUNTS;
+    for (uint32_t steeper = 0; place > 1 && steeper + counts[place - 1] <= RARE; place--) {
+        steeper += counts[place - 1];
+    }
+    return (float)place / COUNTED;
+}
+
 /* The steepest slope of the band's ground that rays of the picture pass over, with a margin for
    what lies between the places looked at */
 static float measure_slope(const struct scene *scene, const struct band *band)
@@ -96,6 +120,7 @@ static float measure_slope(const struct scene *scene, const struct band *band)
         dy[RAYS_ACROSS * PLACES_ALONG];
     const struct camera *const camera = &scene->camera;
     float steepest = 0.0f;
+    uint32_t counts[COUNTS] = {0};
     for (size_t row = 0; row < RAYS_DOWN; row++) {
         for (size_t i = 0; i < RAYS_ACROSS * PLACES_ALONG; i++) {
             const float column = (float)(i / PLACES_ALONG) + 0.5f;
@@ -114,7 +139,12 @@ static float measure_slope(const struct scene *scene, const struct band *band)
         for (size_t i = 0; i < RAYS_ACROSS * PLACES_ALONG; i++) {
             const float slope = dx[i] * dx[i] + dy[i] * dy[i];
             steepest = slope > steepest ? slope : steepest;
+            count_slope(counts, scene->height_scale * sqrtf(slope));
         }
+    }
+    if (band->jumps) {
+        const float usual = SLOPE_MARGIN * usual_slope(counts);
+        return usual > GENTLEST ? usual : GENTLEST;
     }
     return SLOPE_MARGIN * scene->height_scale * sqrtf(steepest);
 }
@@ -133,6 +163,7 @@ void scene_set_bands(struct scene *scene)
         band->end = end;
         band->finest = 0.5f * pixel * end;
         ground_limit(&scene->ground, band->finest, &band->ground);
+        band->jumps = ground_jumps(&band->ground);
     }
     struct band *const last = &scene->band[BANDS];
     last->finest = pixel * scene->farthest;

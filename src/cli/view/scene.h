@@ -20,7 +20,8 @@ struct band {
     float begin, end;     /* distances from the camera */
     float finest;         /* the ground has no smaller cells */
     struct ground ground; /* for normals also that of the next band, the more so towards its end */
-    float slope;          /* nothing that the picture shows of it rises faster */
+    float slope;          /* nothing that the picture shows of it rises faster, cliffs aside */
+    bool jumps;           /* there may be cliffs */
 };
 
 /* What a hill as a whole is, and a range of them: cells in units */

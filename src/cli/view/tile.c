@@ -25,6 +25,7 @@ struct tile *tile_open(void)
                                .z = tile->ray_z,
                                .begin = tile->begin,
                                .distance = tile->distance,
+                               .cliff = tile->cliff,
                                .hit = tile->hit};
     return tile;
 }

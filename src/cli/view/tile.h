@@ -23,6 +23,7 @@ struct tile {
     uint32_t which[TILE_WIDTH * TILE_HEIGHT]; /* pixels that need more rays */
     float ray_x[TILE_RAYS], ray_y[TILE_RAYS], ray_z[TILE_RAYS], distance[TILE_RAYS];
     float begin[TILE_RAYS], clear[TILE_RAYS]; /* the latter of pixels */
+    bool cliff[TILE_RAYS];
     uint32_t hit[TILE_RAYS];
     uint64_t count; /* of rays so far */
 };

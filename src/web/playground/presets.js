@@ -39,10 +39,10 @@ export const PRESETS = {
         "warp-frequency": "0.003", "warp-octaves": "4", "warp-gain": "0.4"
     },
     volcanic: {
-        "basis": "cell-f1", "fractal": "swiss", "rotate": true, "frequency": "0.0016",
-        "octaves": "8", "gain": "0.38", "amplitude": "-1", "crater": "-0.11", "height": "330",
-        "sea-level": "-0.6", "warp-reach": "30", "warp-frequency": "0.004", "warp-octaves": "3",
-        "base-amplitude": "0.2", "base-fractal": "erosion", "base-rotate": true,
+        "basis": "cell-f1", "fractal": "jordan", "octaves": "1", "frequency": "0.0016",
+        "crater": "0.77", "height": "280", "sea-level": "0.1", "warp-reach": "80",
+        "warp-frequency": "0.003", "warp-octaves": "7", "warp-gain": "0.48",
+        "base-amplitude": "0.28", "base-fractal": "erosion", "base-rotate": true,
         "base-frequency": "0.006", "base-octaves": "8", "base-gain": "0.44"
     },
     highlands: {
