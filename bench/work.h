@@ -15,7 +15,7 @@ extern "C" {
 #endif
 
 /* Holds every name of a workload, with the 0 at its end. */
-#define BENCH_NAME_SIZE 160
+#define BENCH_NAME_SIZE 256
 
 enum bench_layout {
     BENCH_POINTS,
