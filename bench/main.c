@@ -43,12 +43,11 @@ static int is_wanted(const struct bench_options *options, const char *name)
     return options->work == NULL;
 }
 
-/* Workloads on request are listed like all others, but measured only if --work asks for them. */
+/* Workloads on request are listed like all others, but measured only by their whole name. */
 static int is_selected(const struct bench_options *options, const struct bench_work *work)
 {
-    if (options->list || work->request != BENCH_BY_NAME) {
-        return is_wanted(options, work->name) &&
-               (options->list || options->work != NULL || work->request == BENCH_ALWAYS);
+    if (options->list || !work->on_request) {
+        return is_wanted(options, work->name);
     }
     const char *list = options->work;
     char name[128];

@@ -125,30 +125,11 @@ void bench_arrays_free(struct bench_arrays *arrays)
 /* Callers of few points at a time keep a plan, as those of the peers keep their objects. */
 #define FEW_POINTS 64
 
-/* Coordinates of all samples of a grid, an array for each axis */
-static int make_coordinates(struct bench_subject *subject)
-{
-    const struct bench_work *const work = &subject->work;
-    const size_t n = work->points, columns = work->grid[0], rows = work->grid[1];
-    double *const x = make_array(3 * n, sizeof *x);
-    subject->state = x;
-    for (size_t i = 0; x != NULL && i < n; i++) {
-        const size_t at[3] = {i % columns, i / columns % rows, i / columns / rows};
-        for (int d = 0; d < 3; d++) {
-            x[(size_t)d * n + i] = (double)work->origin[d] + (double)at[d] * (double)work->step;
-        }
-    }
-    return x != NULL;
-}
-
 static int make_scarp(struct bench_subject *subject, const struct bench_work *work)
 {
     subject->noise = bench_work_noise(work);
     if (!scarp_isa_supported(subject->isa)) {
         return 0;
-    }
-    if (work->as_points) {
-        return make_coordinates(subject);
     }
     if (work->points <= FEW_POINTS) {
         struct scarp_plan *const plan = malloc(sizeof *plan);
@@ -202,8 +183,7 @@ static int make_peer(struct bench_subject *subject, const struct bench_work *wor
         return 0;
     }
     if (work->layout == BENCH_GRID) {
-        if (peer->grid == NULL || work->output != BENCH_VALUE || work->as_points ||
-            work->request == BENCH_BY_NAME) {
+        if (peer->grid == NULL || work->output != BENCH_VALUE || work->on_request) {
             return 0;
         }
     } else if (work->output != BENCH_VALUE && work->output != BENCH_PLUS_GRADIENT) {
@@ -319,11 +299,6 @@ static enum scarp_status run_scarp(const struct bench_subject *subject,
     }
     if (work->layout == BENCH_PRODUCT) {
         return run_product(subject, out);
-    }
-    if (work->as_points) {
-        const double *const at = subject->state;
-        return work->dimensions == 2 ? scarp_sample2_f64(noise, n, at, at + n, out)
-                                     : scarp_sample3_f64(noise, n, at, at + n, at + 2 * n, out);
     }
     if (work->layout == BENCH_GRID) {
         return run_grid(subject, out);

@@ -27,7 +27,7 @@ struct bench_subject {
     const struct bench_peer *peer; /* NULL: scarp itself */
     enum scarp_isa isa;
     struct scarp_noise noise;
-    void *state;   /* the peer's, or scarp's plan, or the coordinates of a grid as points */
+    void *state;   /* the peer's, or scarp's plan */
     char note[40]; /* how what the peer does differs from a workload with a title */
     const struct bench_arrays *arrays;
     unsigned long iterations; /* of one timed slice */

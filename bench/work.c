@@ -37,8 +37,6 @@ struct product {
     const size_t *sizes[2]; /* in 2D and 3D: numbers of points, or of samples along an edge of a
                                grid. They end in 0; NULL: the standard */
     const float *steps;     /* of a grid; likewise */
-    const size_t (
-        *shapes[2])[3]; /* in place of sizes: samples along each axis of grids; likewise */
 };
 
 static const size_t standard_sizes[] = {STANDARD_POINTS, 0};
@@ -49,15 +47,6 @@ static const size_t other_sizes[] = {1, 4, 16, 64, 256, 4096, 1048576, 0};
 static const size_t squares[] = {256, 1024, 4096, 0}, huge_square[] = {16384, 0};
 static const size_t cubes[] = {64, 256, 0}, large_cube[] = {256, 0};
 static const size_t product_sizes[] = {4096, 1048576, 0}; /* a chunk, and far beyond the caches */
-/* Chunks of voxels, with and without a sample more on each side, and tiles of height maps. */
-static const size_t shapes2[][3] = {{17, 17, 1}, {33, 33, 1}, {65, 65, 1}, {129, 129, 1}, {0}};
-static const size_t shapes3[][3] = {{16, 16, 16}, {17, 17, 17},  {18, 18, 18},  {34, 34, 34},
-                                    {5, 33, 5},   {16, 256, 16}, {256, 16, 16}, {0}};
-static const float shape_steps[] = {0.05f, 0};
-#define SHAPES                                                                                     \
-    .bases = BOTH_BASES | SIMPLEX | CELL_F1, .outputs = UP_TO_GRADIENT, .steps = shape_steps,      \
-    .shapes = {shapes2, shapes3}
-
 static const float other_steps[] = {0.1f, 0.3f, 1.7f, 0};
 static const float none_steps[] = {0.0025f, 0}, alps_steps[] = {0.0035f, 0};
 static const float dunes_steps[] = {0.0022f, 0}, islands_steps[] = {0.0045f, 0};
@@ -144,16 +133,10 @@ static const struct product products[] = {
     {{.layout = BENCH_GRID}, .bases = SIMPLEX | CELLS, .outputs = UP_TO_GRADIENT},
     {{.layout = BENCH_GRID, .octaves = 8}, .bases = SIMPLEX | CELL_F1, .outputs = UP_TO_GRADIENT},
     /* 1 GB is far beyond all caches. */
-    {{.layout = BENCH_GRID, .dimensions = 2, .request = BENCH_BY_NAME},
+    {{.layout = BENCH_GRID, .dimensions = 2, .on_request = 1},
      .bases = GRADIENT,
      .outputs = ONLY_VALUE,
      .sizes = {huge_square, NULL}},
-    /* Grids of the shapes that programs have, and the same samples as points. */
-    {{.layout = BENCH_GRID, .request = BENCH_BY_WORK}, SHAPES},
-    {{.layout = BENCH_GRID, .as_points = 1, .request = BENCH_BY_WORK}, SHAPES},
-    {{.layout = BENCH_GRID, .octaves = 4, .turned = 1, .request = BENCH_BY_WORK}, SHAPES},
-    {{.layout = BENCH_GRID, .octaves = 4, .turned = 1, .as_points = 1, .request = BENCH_BY_WORK},
-     SHAPES},
     {{.layout = BENCH_NORMALS, .dimensions = 2}, .bases = GRADIENT, .outputs = ONLY_VALUE},
     {{.layout = BENCH_PRODUCT},
      .bases = GRADIENT,
@@ -252,20 +235,6 @@ static const char *const warp_names[] = {"", "/warped", "/warped-by-value"};
 static const char *const output_names[] = {"value",   "+gradient",           "+hessian",
                                            "+dphase", "forward-differences", "central-differences"};
 
-/* The edges of a grid: one number if they are equal */
-static void write_edges(char *text, size_t size, const struct bench_work *work)
-{
-    const size_t *const n = work->grid;
-    const int in_space = work->dimensions == 3;
-    if (n[0] == n[1] && (!in_space || n[1] == n[2])) {
-        snprintf(text, size, "%zu", n[0]);
-    } else if (!in_space) {
-        snprintf(text, size, "%zux%zu", n[0], n[1]);
-    } else {
-        snprintf(text, size, "%zux%zux%zu", n[0], n[1], n[2]);
-    }
-}
-
 static void write_name(struct bench_work *work)
 {
     if (work->layout == BENCH_NORMALS) {
@@ -277,8 +246,7 @@ static void write_name(struct bench_work *work)
                  work->dimensions, output_names[work->output], work->points);
         return;
     }
-    char fade[16] = "", fractal[32] = "", title[32] = "", size[72] = "", period[24] = "", edges[32];
-    write_edges(edges, sizeof edges, work);
+    char fade[16] = "", fractal[32] = "", title[32] = "", size[32] = "", period[24] = "";
     if (work->fade != SCARP_QUINTIC) {
         snprintf(fade, sizeof fade, "/%s", scarp_fade_name(work->fade));
     }
@@ -290,8 +258,7 @@ static void write_name(struct bench_work *work)
         snprintf(title, sizeof title, "/%s", work->title);
     }
     if (work->layout == BENCH_GRID) {
-        snprintf(size, sizeof size, "/%s%s/step%g", edges, work->as_points ? "/as-points" : "",
-                 (double)work->step);
+        snprintf(size, sizeof size, "/%zu/step%g", work->grid[0], (double)work->step);
     } else if (work->points != STANDARD_POINTS) {
         snprintf(size, sizeof size, "/n=%zu", work->points);
     }
@@ -305,8 +272,8 @@ static void write_name(struct bench_work *work)
              output_names[work->output], size);
 }
 
-/* Completes a workload that has its size. */
-static void complete(struct bench_work *work)
+/* Completes the workload; `size` is one of those in struct product. */
+static void complete(struct bench_work *work, size_t size)
 {
     /* The origin is off the lattice planes. Grids that begin on one have samples that miss others
        by rounding alone; where it is by less than 1e-12, fades are denormal numbers, which slow
@@ -316,9 +283,13 @@ static void complete(struct bench_work *work)
     work->lacunarity = work->lacunarity != 0.0f ? work->lacunarity : 2.0f;
     work->gain = work->gain != 0.0f ? work->gain : 0.5f;
     work->erosion = work->erosion != 0.0f ? work->erosion : 1.0f;
+    work->points = size;
     if (work->layout == BENCH_GRID) {
-        memcpy(work->origin, origin, sizeof work->origin);
-        work->points = work->grid[0] * work->grid[1] * work->grid[2];
+        for (int d = 0; d < 3; d++) {
+            work->origin[d] = origin[d];
+            work->grid[d] = d < work->dimensions ? size : 1;
+        }
+        work->points = size * size * work->grid[2];
     }
     write_name(work);
 }
@@ -335,26 +306,11 @@ static const size_t *sizes_of(const struct product *product, int dimensions)
     return standard_sizes;
 }
 
-/* Gives the workload size number n of its product. Returns 0 where there are no more. */
-static int set_size(const struct product *product, size_t n, struct bench_work *work)
-{
-    const size_t(*const shapes)[3] = product->shapes[work->dimensions - 2];
-    if (shapes != NULL) {
-        memcpy(work->grid, shapes[n], sizeof work->grid);
-        return shapes[n][0] != 0;
-    }
-    work->points = sizes_of(product, work->dimensions)[n];
-    for (int d = 0; d < 3; d++) {
-        work->grid[d] = d < work->dimensions ? work->points : 1;
-    }
-    return work->points != 0;
-}
-
 /* Like get_from_product, but keeps the basis and the dimensions that `work` has. */
 static int get_from_sizes(const struct product *product, size_t *index, struct bench_work *work)
 {
     const float *const steps = product->steps != NULL ? product->steps : standard_steps;
-    for (size_t n = 0; set_size(product, n, work); n++) {
+    for (const size_t *size = sizes_of(product, work->dimensions); *size != 0; size++) {
         for (const float *step = steps; *step > 0; step++) {
             for (unsigned output = 0; output < COUNT_OF(output_names); output++) {
                 if (!(product->outputs >> output & 1) || (*index)-- > 0) {
@@ -362,7 +318,7 @@ static int get_from_sizes(const struct product *product, size_t *index, struct b
                 }
                 work->step = *step;
                 work->output = (enum bench_output)output;
-                complete(work);
+                complete(work, *size);
                 return 1;
             }
         }

@@ -15,7 +15,7 @@ extern "C" {
 #endif
 
 /* Holds every name of a workload, with the 0 at its end. */
-#define BENCH_NAME_SIZE 256
+#define BENCH_NAME_SIZE 160
 
 enum bench_layout {
     BENCH_POINTS,
@@ -37,12 +37,6 @@ enum bench_pattern {
     BENCH_RANDOM,     /* uniform in [-1000, 1000) */
     BENCH_SEQUENTIAL, /* along a row, 0.01 cells apart */
     BENCH_SAME_CELL   /* uniform in [0, 1) */
-};
-
-enum bench_request {
-    BENCH_ALWAYS,
-    BENCH_BY_WORK, /* measured only if --work is given: many */
-    BENCH_BY_NAME  /* measured only if --work gives the whole name: large */
 };
 
 enum { BENCH_WARP_NONE, BENCH_WARP_GRADIENT, BENCH_WARP_VALUE }; /* by which noise */
@@ -67,8 +61,7 @@ struct bench_work {
     float phase;       /* of flow noise */
     int warp;          /* positions are displaced, by half a cell at most: by BENCH_WARP_... */
     int f64;           /* double coordinates */
-    int as_points;     /* the samples of a grid, as arrays of double coordinates */
-    enum bench_request request;
+    int on_request;    /* measured only if --work gives the whole name: large */
     size_t points;
     size_t grid[3];  /* of BENCH_GRID: samples along each axis, x innermost */
     float origin[3]; /* of BENCH_GRID: the first sample, in cells */
