@@ -52,6 +52,24 @@ static const struct {
 #define CHAIN_STEPS_WEAK 2.5f
 #define CHAIN_STRENGTH_WEAK 0.6f
 
+/* Samples whose members are arrays of `points` numbers, one after the other; 0: one array */
+static inline struct scarp_samples chain_samples(float *m, size_t points)
+{
+    const struct scarp_samples s = {m,
+                                    m + points,
+                                    m + 2 * points,
+                                    m + 3 * points,
+                                    m + 4 * points,
+                                    m + 5 * points,
+                                    m + 6 * points,
+                                    m + 7 * points,
+                                    m + 8 * points,
+                                    m + 9 * points,
+                                    m + 10 * points,
+                                    {NULL}};
+    return s;
+}
+
 static inline enum scarp_status chain_call(enum chain f, size_t count,
                                            const struct scarp_samples in[CHAIN_INPUTS],
                                            const struct scarp_partials *partials,
@@ -87,21 +105,13 @@ static inline struct scarp_partials chain_any_partials(const struct scarp_sample
     return p;
 }
 
-/* Samples all of whose members are one array. */
-static inline struct scarp_samples chain_samples(float *array)
-{
-    const struct scarp_samples s = {array, array, array, array, array, array,
-                                    array, array, array, array, array, {NULL}};
-    return s;
-}
-
 /* Calls f with three arrays as the members of its inputs: in turn, so that they differ. */
 static inline enum scarp_status chain_call_arrays(enum chain f, size_t count, float *const x[3],
                                                   const struct scarp_samples *out)
 {
     struct scarp_samples in[CHAIN_INPUTS];
     for (int k = 0; k < CHAIN_INPUTS; k++) {
-        in[k] = chain_samples(x[k]);
+        in[k] = chain_samples(x[k], 0);
         in[k].dx = in[k].dyz = x[(k + 1) % 3];
         in[k].dy = in[k].dzz = x[(k + 2) % 3];
     }

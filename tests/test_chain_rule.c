@@ -16,18 +16,12 @@ static float in[CHAIN_INPUTS][OUTPUTS][POINTS];
 static float partials[CHAIN_PARTIALS][POINTS];
 static struct outputs out;
 
-static struct scarp_samples samples_of(float (*m)[POINTS])
-{
-    const struct scarp_samples s = {m[0], m[1], m[2], m[3], m[4],  m[5],
-                                    m[6], m[7], m[8], m[9], m[10], {NULL}};
-    return s;
-}
-
 /* Calls f for all points, with all outputs. */
 static void call_all(enum chain f)
 {
-    const struct scarp_samples inputs[CHAIN_INPUTS] = {samples_of(in[0]), samples_of(in[1]),
-                                                       samples_of(in[2])};
+    const struct scarp_samples inputs[CHAIN_INPUTS] = {chain_samples(in[0][0], POINTS),
+                                                       chain_samples(in[1][0], POINTS),
+                                                       chain_samples(in[2][0], POINTS)};
     const struct scarp_partials p = {partials[0], partials[1], partials[2], partials[3],
                                      partials[4], partials[5], {NULL}};
     const struct scarp_samples all = outputs_subset(&out, (1u << OUTPUTS) - 1);

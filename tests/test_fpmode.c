@@ -108,7 +108,7 @@ static __attribute__((noinline)) enum scarp_status chain_in_mode(const struct mo
 static __attribute__((noinline)) int refused_in_mode(const struct mode *mode, const float *number,
                                                      struct mode_control *after)
 {
-    const struct scarp_samples a = chain_samples(x32[0]), out = {.value = got.array[0]};
+    const struct scarp_samples a = chain_samples(x32[0], 0), out = {.value = got.array[0]};
     const float *const n = number;
     const struct mode_control before = mode_enter(mode);
     const int refused = scarp_smooth_min(POINTS, &a, &a, *n, &out) == SCARP_ERROR_PARAMETER &&

@@ -43,8 +43,7 @@
 #ifndef SCARP_WASM128
 #define SCARP_WASM128 1
 #endif
-#ifndef SCARP_GENERIC /* x86-64 processors without SSE4.1 are from before 2008: they take scalar   \
-                       */
+#ifndef SCARP_GENERIC /* x86-64 without SSE4.1, from before 2008, takes scalar */
 #ifdef __x86_64__
 #define SCARP_GENERIC 0
 #else

@@ -59,7 +59,7 @@ static float *chunked_begin(struct chunked *w, struct workspace work, size_t arr
     w->most = least(blocks > 0 ? blocks : 1, CHUNK_SAMPLES / VEC_LANES) * VEC_LANES;
     for (int i = 0; i < w->f.dimensions; i++) {
         w->position[i] = from;
-        from += doubles * (w->most + VEC_LANES); /* flat.h may write a vector more */
+        from += doubles * (w->most + VEC_LANES); /* coordinates of grids may be a vector more */
     }
     return from;
 }
@@ -83,7 +83,25 @@ static void take_arrays(struct scarp_outputs *arrays, float **from, size_t most,
     }
 }
 
-/* Fills in the coordinates of a chunk of a grid along an axis. */
+/* Copies `count` doubles, and up to a vector more. */
+VEC_INLINE void copy_doubles(double *to, const double *from, size_t count)
+{
+    for (size_t i = 0; i < count; i += VEC_LANES / 2) {
+        const vd x = vd_load(from + i);
+        memcpy(to + i, &x, sizeof x);
+    }
+}
+
+/* Puts a number `count` times, and up to a vector more. */
+VEC_INLINE void fill_doubles(double *to, double number, size_t count)
+{
+    const vd x = vd_set(number);
+    for (size_t i = 0; i < count; i += VEC_LANES / 2) {
+        memcpy(to + i, &x, sizeof x);
+    }
+}
+
+/* Fills in the coordinates of a chunk of a grid along an axis, and up to a vector more. */
 static void grid_coordinates(double *to, const struct scarp_grid *grid, const struct chunk *chunk,
                              int axis)
 {
@@ -92,14 +110,11 @@ static void grid_coordinates(double *to, const struct scarp_grid *grid, const st
         to[i] = coordinate(grid, 0, chunk->at[0] + i);
     }
     for (size_t r = axis == 0; r < chunk->rows; r++) {
-        double *const row = to + r * columns;
-        const double shared =
-            axis == 0 ? 0.0 : coordinate(grid, axis, chunk->at[axis] + (axis == 1 ? r : 0));
         if (axis == 0) {
-            memcpy(row, to, columns * sizeof *row);
-        }
-        for (size_t i = 0; axis > 0 && i < columns; i++) {
-            row[i] = shared;
+            copy_doubles(to + r * columns, to, columns);
+        } else {
+            const size_t at = chunk->at[axis] + (axis == 1 ? r : 0);
+            fill_doubles(to + r * columns, coordinate(grid, axis, at), columns);
         }
     }
 }

@@ -35,24 +35,6 @@ static size_t walk_run(const struct walk *w, size_t count)
     return least(count, w->grid->count[0] - w->at[0]);
 }
 
-/* Copies `count` doubles, and up to a vector more. */
-VEC_INLINE void copy_doubles(double *to, const double *from, size_t count)
-{
-    for (size_t i = 0; i < count; i += VEC_LANES / 2) {
-        const vd x = vd_load(from + i);
-        memcpy(to + i, &x, sizeof x);
-    }
-}
-
-/* Puts a number `count` times, and up to a vector more. */
-VEC_INLINE void fill_doubles(double *to, double number, size_t count)
-{
-    const vd x = vd_set(number);
-    for (size_t i = 0; i < count; i += VEC_LANES / 2) {
-        memcpy(to + i, &x, sizeof x);
-    }
-}
-
 /* Fills in the coordinates of the next `count` samples, and moves on. Each axis may get a vector
    more. Whole rows after the first are copies of it along x. */
 VEC_INLINE void walk_fill(double *const to[3], struct walk *walk, size_t count, int dimensions)
@@ -61,7 +43,7 @@ VEC_INLINE void walk_fill(double *const to[3], struct walk *walk, size_t count, 
     const struct scarp_grid grid = *walk->grid;
     const double *row = NULL;
     for (size_t first = 0, run; first < count; first += run) {
-        run = least(count - first, grid.count[0] - w.at[0]);
+        run = walk_run(&w, count - first);
         if (row != NULL) {
             copy_doubles(to[0] + first, row, run);
         } else {
@@ -143,7 +125,7 @@ static int rows_are_short(const struct scarp_call_plan *plan, const struct scarp
 {
     const size_t count = grid->count[0], rest = count % VEC_LANES;
     if (blends_corners(plan->basis) && !plan->rotate) {
-        return 20 * count < (plan->order > 0 ? 16 : 13) * (size_t)VEC_LANES;
+        return count < VEC_LANES && 20 * count < (plan->order > 0 ? 16 : 13) * (size_t)VEC_LANES;
     }
     const size_t samples = count - rest + (rest > 0 ? VEC_LANES : 0);
     const float strips = rest == 0 || count < PADDED_SAMPLES ? 1.0f : 2.0f;

@@ -48,7 +48,7 @@ struct grid_call {
     struct call call;
     int direct;  /* whether nothing is stored between passes: fBm with straight axes of a basis that
                     blends corners */
-    int padded;  /* whether rows are one strip, whose last block is not full */
+    int padded;  /* whether the last block of a row is not full */
     int stores;  /* whether samples are added up in the scratch space, then copied: padded rows, and
                     Hessians in 3D, whose ten arrays compete for lines of the first-level cache */
     int streams; /* whether outputs go past the caches, where they are aligned to a vector */
@@ -207,12 +207,13 @@ static void grid_tile(const struct grid_call *g, struct tile *tile, const size_t
     }
 }
 
-/* Computes the strip of slice k that begins with sample i and is `blocks` blocks wide. */
+/* Computes the strip of slice k that begins with sample i and is `blocks` blocks wide, of which the
+   last one may reach beyond the row. */
 static void grid_strip(const struct grid_call *g, struct grid_scratch *scratch, size_t i,
                        size_t blocks, size_t k)
 {
     const struct scarp_grid *const grid = g->grid;
-    const size_t count = least(blocks * VEC_LANES, grid->count[0]);
+    const size_t count = least(blocks * VEC_LANES, grid->count[0] - i);
     struct tile tile = {0};
     divide_scratch(g, &tile, scratch, blocks);
     tile.at.shared[2] = g->call.dimensions == 3 ? coordinate(grid, 2, k) : 0.0;
@@ -240,23 +241,19 @@ static size_t run_of_row(const struct grid_call *g, size_t i)
     return i < g->lead ? g->lead - i : left < VEC_LANES ? left : left - left % VEC_LANES;
 }
 
-/* Computes a slice strip by strip. A remainder that fills no block is computed with the samples on
-   its left, which get the same bits once more. */
+/* Computes a slice strip by strip. A remainder that fills no block is padded, or computed with the
+   samples on its left, which get the same bits once more. */
 static void grid_slice(const struct grid_call *g, struct grid_scratch *scratch, size_t k)
 {
     const size_t count = g->grid->count[0];
     size_t i = 0;
-    if (g->padded) {
-        grid_strip(g, scratch, 0, g->most_blocks, k);
-        return;
-    }
     while (i < count) {
         const size_t left = run_of_row(g, i);
         size_t blocks = least((left + VEC_LANES - 1) / VEC_LANES, g->most_blocks);
-        if (blocks * VEC_LANES > count) {
+        if (!g->padded && blocks * VEC_LANES > count) {
             blocks--; /* the remainder comes next */
         }
-        const size_t from = least(i, count - blocks * VEC_LANES);
+        const size_t from = g->padded ? i : least(i, count - blocks * VEC_LANES);
         grid_strip(g, scratch, from, blocks, k);
         i = least(from + blocks * VEC_LANES, i + left);
     }

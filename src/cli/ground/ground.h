@@ -44,11 +44,11 @@ bool ground_jumps(const struct ground *ground);
 void ground_grid(const struct ground *ground, const struct scarp_grid *grid,
                  const struct scarp_samples *out);
 
-/* Samples values and gradients at points, as scarp_points2_f64 does. */
+/* Samples values, and gradients if they are asked for, as scarp_sample2_f64 does. */
 void ground_points(const struct ground *ground, size_t count, const double *x, const double *y,
                    const struct scarp_samples *out);
 
-/* Samples the ground as it is before the sea and the plateau cut it off. */
+/* Sample the ground as it is before the sea and the plateau cut it off. */
 void ground_uncut_grid(const struct ground *ground, const struct scarp_grid *grid,
                        const struct scarp_samples *out);
 void ground_uncut_points(const struct ground *ground, size_t count, const double *x,
