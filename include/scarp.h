@@ -420,6 +420,13 @@ SCARP_API enum scarp_status scarp_sample3(const struct scarp_noise *noise, size_
  * 12 bits. Cells wrap modulo 2^32 up to |p_k| = 2^51; beyond, the low bits of the cell are lost
  * but the result remains defined and the same everywhere. Outputs are floats and cannot be in
  * place.
+ *
+ * Where axes are turned, p_k is the sum of two parts: what depends on the first coordinate, and
+ * what depends on the others, with o_k. What is said of p_k above, and of positions that overflow,
+ * holds for both parts. Each is rounded to a multiple of 2^-24 cells (in 2D simplex noise, along y,
+ * of rows of its lattice), so p_k is off by at most 2^-24 cells, and samples of a grid share what
+ * is computed of their column and their row. Points take down to half the speed where they are 2^26
+ * cells of an octave from the origin, or in a call with a few such points.
  */
 SCARP_API enum scarp_status scarp_sample2_f64(const struct scarp_noise *noise, size_t count,
                                               const double *x, const double *y,

@@ -233,6 +233,7 @@ void oracle_make(struct oracle *oracle, const struct scarp_noise *noise, int dim
         struct oracle_octave *const octave = &oracle->octave[k];
         draw_octave(octave, noise->seed, k);
         turn_gradients(octave, dimensions, (double)noise->phase, k);
+        octave->turned = noise->rotate != 0 && k > 0;
         octave->frequency = k == 0 ? frequency : octave[-1].frequency * lacunarity;
         octave->share = octave->weight = pow(gain, k);
         if (k == oracle->octaves - 1 && octaves != floor(octaves)) {
@@ -292,6 +293,30 @@ static double position(const struct oracle *oracle, int k, enum oracle_rounding 
     return (sum + octave->offset[i]) * stretch(oracle, i);
 }
 
+/* Rounds to a multiple of 2^-24. */
+static double rounded(double t)
+{
+    return rint(t * 0x1p24) * 0x1p-24;
+}
+
+/* Splits component i of p_k as the _f64 calls do where axes are turned: J_k x + o_k is the sum of
+   what depends on the first coordinate and of the rest. Gives the cell, and returns the fraction.
+ */
+static double place_turned(const struct oracle *oracle, int k, const double x[3], int i,
+                           double *cell)
+{
+    const struct oracle_octave *const octave = &oracle->octave[k];
+    const double *const axis = octave->axes[i], s = stretch(oracle, i);
+    const double p = axis[0] * s * x[0];
+    double q = axis[1] * s * x[1];
+    if (oracle->dimensions == 3) {
+        q += axis[2] * s * x[2];
+    }
+    const double t = rounded(p - floor(p)) + rounded(q - floor(q) + octave->offset[i] * s);
+    *cell = floor(p) + floor(q) + floor(t);
+    return t - floor(t);
+}
+
 /* Splits p_k into cell and fraction. */
 static void place(const struct oracle *oracle, int k, enum oracle_rounding rounding,
                   const double x[3], uint32_t cell[3], double t[3])
@@ -302,6 +327,12 @@ static void place(const struct oracle *oracle, int k, enum oracle_rounding round
     }
     for (int i = 0; i < oracle->dimensions; i++) {
         const int64_t period = oracle->octave[k].period[i];
+        double turned_cell;
+        if (rounding == ORACLE_F64 && oracle->octave[k].turned) {
+            t[i] = place_turned(oracle, k, x, i, &turned_cell);
+            cell[i] = inside_period(turned_cell, period);
+            continue;
+        }
         const double p = position(oracle, k, rounding, x, i), lower = floor(p);
         if (rounding == ORACLE_F32 && !(p >= -0x1p31 && p < 0x1p31)) {
             cell[i] = inside_period(-0x1p31, period);

@@ -19,7 +19,8 @@
 enum oracle_rounding {
     ORACLE_EXACT, /* nothing: p_k and its fraction are double */
     ORACLE_F32,   /* as the float calls: J_k, o_k, every operation of p_k, and the fraction */
-    ORACLE_F64    /* as the _f64 calls: p_k is double, its fraction is rounded to float */
+    ORACLE_F64 /* as the _f64 calls: p_k is double, its fraction is rounded to float; where axes are
+                  turned, both parts of p_k are rounded to multiples of 2^-24 */
 };
 
 /* Value, gradient and Hessian, the derivative by the phase, and that of the gradient, which only
@@ -39,6 +40,7 @@ struct oracle_octave {
     double share;                           /* gain^k */
     double frequency;                       /* f_k */
     double axes[3][3];                      /* J_k */
+    int turned;                             /* whether its axes are not those of x */
     double offset[3];                       /* o_k */
     int64_t period[3];                      /* in cells of this octave; 2^32 without one */
     double gradient[16][3], turning[16][3]; /* what the lattice draws from; by the phase */

@@ -18,6 +18,7 @@ static int dimensions;
 /* What the header defines per octave. */
 struct rebuilt {
     uint64_t seed;
+    int turned; /* whether its axes are not those of x */
     double a, o[3], j[3][3];
 };
 
@@ -76,6 +77,7 @@ static int rebuild(const struct scarp_noise *noise, struct rebuilt octave[OCTAVE
     for (int k = 0; k < count; k++) {
         struct rebuilt *const o = &octave[k];
         *o = (struct rebuilt){.seed = seed_of(noise->seed, k)};
+        o->turned = noise->rotate != 0 && k > 0;
         o->a = pow((double)noise->gain, k);
         if (k == count - 1 && fraction > 0.0) {
             o->a *= fraction;
@@ -99,6 +101,19 @@ static int rebuild(const struct scarp_noise *noise, struct rebuilt octave[OCTAVE
     return count;
 }
 
+/* Component i of J_k x + o_k. Where axes are turned, it is the sum of two parts, each of which is
+   rounded to a multiple of 2^-24 (scarp.h, scarp_sample2_f64). */
+static double rebuild_position(const struct rebuilt *octave, const struct block *from, int i,
+                               size_t at)
+{
+    const double *const j = octave->j[i];
+    const double first = j[0] * from->d[0][at];
+    double rest = j[1] * from->d[1][at] + (dimensions == 3 ? j[2] * from->d[2][at] : 0.0);
+    rest += octave->o[i];
+    return octave->turned ? rint(first * 0x1p24) * 0x1p-24 + rint(rest * 0x1p24) * 0x1p-24
+                          : first + rest;
+}
+
 /* Samples octave k at J_k x + o_k, for all points of `from`, and divides by 1 - 2^-17. The n_k of
    hybrid noise have that factor, too. */
 static void sample_octave(const struct block *from, struct block *to,
@@ -110,11 +125,7 @@ static void sample_octave(const struct block *from, struct block *to,
         .basis = noise->basis, .fade = noise->fade, .seed = octave->seed};
     for (size_t i = 0; i < BLOCK; i++) {
         for (int row = 0; row < dimensions; row++) {
-            double p = 0.0;
-            for (int l = 0; l < dimensions; l++) {
-                p += octave->j[row][l] * from->d[l][i];
-            }
-            to->d[row][i] = p + octave->o[row];
+            to->d[row][i] = rebuild_position(octave, from, row, i);
         }
     }
     const double divisor = noise->fractal == SCARP_HYBRID ? 1.0 : 1.0 - 0x1p-17;

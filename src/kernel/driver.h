@@ -161,6 +161,7 @@ struct call {
     const struct basis *basis;
     lattice_pass *const *lattice_passes; /* by axes; of a basis that takes hashes */
     basis_pass *basis_pass;
+    enum turned_form turned_form;
     rows_pass *rows_pass;  /* NULL: none, or points */
     shape_pass *turn_pass; /* NULL where no derivatives are to be turned */
     const struct shape *shape;
@@ -186,6 +187,9 @@ VEC_INLINE void call_begin(struct call *call, const struct scarp_call_plan *plan
     call->layout = layout;
     call->corners = corner_form_of(plan->basis);
     call->lattice_passes = lattice_passes[call->corners][d][layout];
+    call->turned_form = basis->takes_unhashed             ? TURNED_CELLS
+                        : call->corners == CORNERS_HASHED ? TURNED_HASHED
+                                                          : TURNED_MIXED;
     call->basis_pass = basis->points[d][order];
     call->rows_pass = layout == ROW ? basis->rows[d][order] : NULL;
     call->turn_pass = turns ? turn_passes[d][plan->order - 1] : NULL;
@@ -213,9 +217,10 @@ struct tile {
     const struct outputs *stored;         /* the noise before it is shaped, at `noise` */
     const struct outputs *turning_stored; /* its derivative by the phase, at `turning` */
     enum put put;                         /* how the first octave is put */
+    int is_far;                           /* DOUBLES with turned axes: far.h, for some octave */
     size_t group;                         /* ROW: how many rows go through the passes at once */
     struct row_octave *row_octave;        /* of a ROW */
-    struct turned_x turned;               /* of a ROW with turned axes */
+    struct turned_tile turned;            /* of a ROW with turned axes */
     vf *along;                            /* where these two keep what depends on x */
     vf *noise, *state, *spare, *sums_stored;
     vf *turning, *moving; /* struct phase_shaping */
@@ -268,29 +273,33 @@ static void locate_unhashed(const struct call *call, const struct tile *tile,
 /* Locates the tile's samples on the lattice of octave k. */
 VEC_INLINE void locate_tile(const struct call *call, const struct tile *tile, int k)
 {
-    const enum axes axes = axes_of(call->plan, k);
     const struct scarp_octave *const o = &call->plan->octave[k];
+    const struct extent extent = tile->locations.extent;
+    const enum axes axes = axes_of(call->plan, k);
+    if (call->layout == ROW && axes == AXES_TURNED) {
+        turned_passes[call->turned_form][call->dimensions - 2](
+            tile->locations.lattice, o, &tile->turned, tile->row_octave->begin, extent.rows);
+        return;
+    }
+    if (call->layout == DOUBLES && axes == AXES_TURNED && tile->is_far &&
+        is_far(o->frequency64, extent.blocks * VEC_LANES, tile->at.array, call->dimensions)) {
+        far_row(tile->locations.lattice, o, extent.blocks, &tile->at, call->dimensions,
+                call->turned_form);
+        return;
+    }
     if (call->takes_unhashed) {
         locate_unhashed(call, tile, o, axes);
         return;
     }
     if (call->layout != ROW) {
-        call->lattice_passes[axes](tile->locations.lattice, o, tile->locations.extent.blocks,
-                                   &tile->at);
+        call->lattice_passes[axes](tile->locations.lattice, o, extent.blocks, &tile->at);
         return;
     }
     struct positions at = tile->at;
-    if (axes == AXES_TURNED) {
-        at.array[1] = tile->y;
-        turned_passes[call->corners][call->dimensions - 2](
-            tile->locations.lattice, o, tile->locations.extent, &tile->turned, &at);
-        return;
-    }
-    for (size_t r = 0; r < tile->locations.extent.rows; r++) {
+    for (size_t r = 0; r < extent.rows; r++) {
         at.shared[1] = tile->y[r];
-        call->lattice_passes[axes](tile->locations.lattice +
-                                       r * tile->locations.extent.blocks * call->lattice_size,
-                                   o, tile->locations.extent.blocks, &at);
+        call->lattice_passes[axes](tile->locations.lattice + r * extent.blocks * call->lattice_size,
+                                   o, extent.blocks, &at);
     }
 }
 
@@ -463,6 +472,18 @@ static __attribute__((noinline)) void prepare_rows(const struct call *call, cons
                plan->fade, f);
 }
 
+/* The same of an octave whose axes are turned. */
+static void prepare_turned(const struct call *call, struct tile *tile, int k)
+{
+    const struct scarp_octave *const o = &call->plan->octave[k];
+    const double stretch = call->takes_unhashed ? o->stretch : 1.0;
+    tile->turned.blocks = tile->locations.extent.blocks;
+    tile->turned.at = tile->at;
+    tile->turned.at.array[1] = tile->y;
+    turned_begin(&tile->turned, tile->along, o, stretch, tile->locations.extent.rows,
+                 call->dimensions);
+}
+
 /* Adds up all octaves of a tile. */
 static void sum_octaves(const struct call *call, struct tile *tile, int first_tile)
 {
@@ -482,10 +503,8 @@ static void sum_octaves(const struct call *call, struct tile *tile, int first_ti
         tile->locations.turn = plan->octave[k].turn;
         if (has_rows_pass(call, k)) {
             prepare_rows(call, tile, k, first_tile);
-        } else if (call->layout == ROW && axes_of(plan, k) == AXES_TURNED &&
-                   !call->takes_unhashed) {
-            turned_begin(&tile->turned, tile->along, &plan->octave[k],
-                         tile->locations.extent.blocks, tile->at.array[0], call->dimensions);
+        } else if (call->layout == ROW && axes_of(plan, k) == AXES_TURNED) {
+            prepare_turned(call, tile, k);
         }
         if (call->layout == ROW) {
             add_by_groups(call, tile, k);

@@ -80,9 +80,9 @@ VEC_INLINE struct split few_split(const struct scarp_octave *o, int axis, const 
         return split_f32(is_turned ? turned_f32(o, axis, x->f32, f)
                                    : straight_f32(o, axis, x->f32[axis], f));
     }
-    return split_f64(
-        is_turned ? turned_f64(o, axis, x->low, f) : straight_f64(o, axis, x->low[axis], f),
-        is_turned ? turned_f64(o, axis, x->high, f) : straight_f64(o, axis, x->high[axis], f));
+    return is_turned ? split_turned_f64(o, axis, 1.0, x->low, x->high, f)
+                     : split_f64(straight_f64(o, axis, x->low[axis], f),
+                                 straight_f64(o, axis, x->high[axis], f));
 }
 
 /* The basis of an octave at a block. */

@@ -95,8 +95,7 @@ static struct tile_space space_of(const struct grid_call *g, size_t rows, size_t
     const size_t straight = !call->rows_pass       ? 0
                             : call->takes_unhashed ? along_cells_size(blocks)
                                                    : along_size(blocks);
-    const size_t turned =
-        call->plan->rotate && !call->takes_unhashed ? turned_size(call->dimensions, blocks) : 0;
+    const size_t turned = call->plan->rotate ? turned_size(call->dimensions, rows, blocks) : 0;
     const struct tile_space space = {
         .along = straight > turned ? straight : turned,
         .by_turns = table > lattice ? table : lattice,

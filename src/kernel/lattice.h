@@ -182,7 +182,8 @@ VEC_INLINE struct mixed lattice_block(vf *lattice, const struct scarp_octave *o,
 {
     struct split s[3];
     for (int i = 0; i < f.dimensions; i++) {
-        s[i] = position(o, i, at, b, f);
+        const int is_turned = f.layout != FLOATS && f.axes == AXES_TURNED;
+        s[i] = is_turned ? position_turned(o, i, at, b, f) : position(o, i, at, b, f);
         if (f.layout == FLOATS && f.axes == AXES_PERIODS) {
             *far |= far_bits(s[i].cell);
             const vf lower = vf_floor(position_f32(o, i, at, b, f));

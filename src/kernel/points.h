@@ -76,6 +76,8 @@ static void points_many(const struct scarp_call_plan *plan, size_t count,
                         struct frame f, struct workspace work)
 {
     const int dimensions = f.dimensions, padded = count % VEC_LANES != 0;
+    const int may_be_far = f.layout == DOUBLES && turns_axes(plan);
+    const double highest = highest_frequency(plan);
     struct call call;
     call_begin(&call, plan, dimensions, f.layout);
     const size_t bytes = f.layout == DOUBLES ? sizeof(double) : sizeof(float);
@@ -102,6 +104,7 @@ static void points_many(const struct scarp_call_plan *plan, size_t count,
         for (int d = 0; d < dimensions; d++) {
             tile.at.array[d] = (const char *)position[d] + first * bytes;
         }
+        tile.is_far = may_be_far && is_far(highest, here, tile.at.array, dimensions);
         if (here % VEC_LANES == 0 || here > PADDED_BLOCKS * VEC_LANES) {
             here -= here % VEC_LANES;
             points_whole(&call, &tile, &sums, here, out, first);

@@ -130,25 +130,79 @@ VEC_INLINE vd load_f64(const struct positions *at, int axis, size_t block, int h
                    (size_t)half * (VEC_LANES / 2));
 }
 
-/* p along one axis of the octave, in double: where axes are straight, of the coordinate x along
-   that axis, and where they are turned, of the point x. */
+/* p along a straight axis of the octave, in double. */
 VEC_INLINE vd straight_f64(const struct scarp_octave *o, int axis, vd x, struct frame f)
 {
     const vd p = vd_set(o->frequency64) * x;
     return f.axes == AXES_FIRST ? p : p + vd_set(o->offset[axis]);
 }
 
-VEC_INLINE vd turned_f64(const struct scarp_octave *o, int axis, const vd x[3], struct frame f)
+/*
+ * Turned axes at doubles: p = J x + o is the sum of what a column of a grid shares, J_0 x, and of
+ * what a row shares, (J_1 y + J_2 z) + o. Each is rounded to a multiple of 2^-24 cells, so that the
+ * sum is exact, however many samples share a part. A sum with 1.5 * 2^28 is rounded so, and its
+ * bits count the multiples: a difference of such bits is one of parts. That holds below 2^27 cells;
+ * far.h has what lies beyond.
+ */
+#define TURNED_SHIFT 0x1.8p28
+
+/* An axis of an octave: J, and the shift less the offset, where cells are 1 / stretch long. */
+struct turned_axis {
+    double j[3], shift;
+};
+
+VEC_INLINE struct turned_axis turned_axis_of(const struct scarp_octave *o, int axis, double stretch)
 {
     const double *const j = o->jacobian64[axis];
-    vd p = vd_set(j[0]) * x[0] + vd_set(j[1]) * x[1];
-    if (f.dimensions == 3) {
-        p += vd_set(j[2]) * x[2];
-    }
-    return p + vd_set(o->offset[axis]);
+    const struct turned_axis a = {{j[0] * stretch, j[1] * stretch, j[2] * stretch},
+                                  TURNED_SHIFT - o->offset[axis] * stretch};
+    return a;
 }
 
-/* p along one axis of the octave in float, as above. */
+/* What a row shares, but for the offset. */
+VEC_INLINE vd turned_row_f64(const struct turned_axis *a, vd y, vd z, int dimensions)
+{
+    const vd p = vd_set(a->j[1]) * y;
+    return dimensions == 3 ? p + vd_set(a->j[2]) * z : p;
+}
+
+/* The sum of both parts at half a block, in units of 2^-24 cells. */
+VEC_INLINE vec_u64 turned_sum(const struct turned_axis *a, vd column, vd row)
+{
+    return (vec_u64)(column + vd_set(TURNED_SHIFT)) - (vec_u64)(vd_set(a->shift) - row);
+}
+
+/* The fraction that so many multiples of 2^-24 cells are, without whole cells. */
+VEC_INLINE vf turned_fraction(vu multiples)
+{
+    return vf_from_vi((vi)(multiples & 0xffffff)) * vf_set(0x1p-24f);
+}
+
+/* The cells and the fractions of both halves of a block, given in units of 2^-24 cells. */
+VEC_INLINE struct split split_turned(vec_u64 low, vec_u64 high)
+{
+    const struct split s = {vu_low_bits((vd)(low >> 24), (vd)(high >> 24)),
+                            turned_fraction(vu_low_bits((vd)low, (vd)high))};
+    return s;
+}
+
+/* p at half a block, in units of 2^-24 cells. In 2D, x[2] is unset. */
+VEC_INLINE vec_u64 turned_f64(const struct turned_axis *a, const vd x[3], struct frame f)
+{
+    const vd column = vd_set(a->j[0]) * x[0];
+    return turned_sum(a, column, turned_row_f64(a, x[1], x[f.dimensions - 1], f.dimensions));
+}
+
+/* The cell and the fraction of a block along a turned axis, of which both halves are given. */
+VEC_INLINE struct split split_turned_f64(const struct scarp_octave *o, int axis, double stretch,
+                                         const vd low[3], const vd high[3], struct frame f)
+{
+    const struct turned_axis a = turned_axis_of(o, axis, stretch);
+    return split_turned(turned_f64(&a, low, f), turned_f64(&a, high, f));
+}
+
+/* p along one axis of the octave in float: where axes are straight, of the coordinate x along that
+   axis, and where they are turned, of the point x. */
 VEC_INLINE vf straight_f32(const struct scarp_octave *o, int axis, vf x, struct frame f)
 {
     const vf p = vf_set(o->frequency) * x;
@@ -165,20 +219,6 @@ VEC_INLINE vf turned_f32(const struct scarp_octave *o, int axis, const vf x[3], 
     return p + vf_set((float)o->offset[axis]);
 }
 
-/* p along one axis for one half of a block of doubles. */
-VEC_INLINE vd position_f64(const struct scarp_octave *o, int axis, const struct positions *at,
-                           size_t block, int half, struct frame f)
-{
-    if (f.axes != AXES_TURNED) {
-        return straight_f64(o, axis, load_f64(at, axis, block, half, f), f);
-    }
-    vd x[3] = {load_f64(at, 0, block, half, f), load_f64(at, 1, block, half, f)};
-    if (f.dimensions == 3) {
-        x[2] = load_f64(at, 2, block, half, f);
-    }
-    return turned_f64(o, axis, x, f);
-}
-
 VEC_INLINE vf position_f32(const struct scarp_octave *o, int axis, const struct positions *at,
                            size_t block, struct frame f)
 {
@@ -192,7 +232,20 @@ VEC_INLINE vf position_f32(const struct scarp_octave *o, int axis, const struct 
     return turned_f32(o, axis, x, f);
 }
 
-/* Cells of FLOATS within AXES_PERIODS are left as they are: see within_f32. */
+/* Along a turned axis, of doubles. */
+VEC_INLINE struct split position_turned(const struct scarp_octave *o, int axis,
+                                        const struct positions *at, size_t block, struct frame f)
+{
+    vd low[3], high[3];
+    for (int i = 0; i < f.dimensions; i++) {
+        low[i] = load_f64(at, i, block, 0, f);
+        high[i] = load_f64(at, i, block, 1, f);
+    }
+    return split_turned_f64(o, axis, 1.0, low, high, f);
+}
+
+/* Along any other axis. Cells of FLOATS within AXES_PERIODS are left as they are: see within_f32.
+ */
 VEC_INLINE struct split position(const struct scarp_octave *o, int axis, const struct positions *at,
                                  size_t block, struct frame f)
 {
@@ -200,8 +253,8 @@ VEC_INLINE struct split position(const struct scarp_octave *o, int axis, const s
     if (f.layout == FLOATS) {
         s = split_f32(position_f32(o, axis, at, block, f));
     } else {
-        const vd p0 = position_f64(o, axis, at, block, 0, f);
-        const vd p1 = position_f64(o, axis, at, block, 1, f);
+        const vd p0 = straight_f64(o, axis, load_f64(at, axis, block, 0, f), f);
+        const vd p1 = straight_f64(o, axis, load_f64(at, axis, block, 1, f), f);
         s = split_f64(p0, p1);
         if (f.axes == AXES_PERIODS) {
             s.cell = vu_low_bits(within_f64(vd_floor(p0), o, axis) + 0x1.8p52,

@@ -62,7 +62,8 @@ VEC_INLINE void points(const struct scarp_call_plan *plan, size_t count,
         return;
     }
     few_pass *const few = few_pass_of(plan, count, dimensions);
-    if (few != NULL) {
+    if (few != NULL && !(layout == DOUBLES && turns_axes(plan) &&
+                         is_far(highest_frequency(plan), count, position, dimensions))) {
         few(plan, count, position, out, 0, layout);
         return;
     }

@@ -72,17 +72,20 @@ VEC_INLINE vd unhashed_f64(const struct scarp_octave *o, int axis,
                            const struct coordinate_arrays *at, size_t block, int half,
                            struct frame f)
 {
-    vd p;
-    if (f.axes == AXES_TURNED) {
-        vd x[3] = {load_f64_of(at, 0, block, half), load_f64_of(at, 1, block, half)};
-        if (f.dimensions == 3) {
-            x[2] = load_f64_of(at, 2, block, half);
-        }
-        p = turned_f64(o, axis, x, f);
-    } else {
-        p = straight_f64(o, axis, load_f64_of(at, axis, block, half), f);
-    }
+    const vd p = straight_f64(o, axis, load_f64_of(at, axis, block, half), f);
     return axis == 1 ? p * vd_set(o->stretch) : p;
+}
+
+VEC_INLINE struct split unhashed_turned_f64(const struct scarp_octave *o, int axis,
+                                            const struct coordinate_arrays *at, size_t block,
+                                            struct frame f)
+{
+    vd low[3], high[3];
+    for (int i = 0; i < f.dimensions; i++) {
+        low[i] = load_f64_of(at, i, block, 0);
+        high[i] = load_f64_of(at, i, block, 1);
+    }
+    return split_turned_f64(o, axis, axis == 1 ? o->stretch : 1.0, low, high, f);
 }
 
 /* Where a block lies along an axis. `far` collects the bits of cells that within_f32 may have got
@@ -99,6 +102,8 @@ VEC_INLINE struct split unhashed_split(const struct scarp_octave *o, int axis,
             *far |= far_bits(s.cell);
             s.cell = within_f32(s.cell, vf_floor(p), o, axis);
         }
+    } else if (f.axes == AXES_TURNED) {
+        s = unhashed_turned_f64(o, axis, at, block, f);
     } else {
         const vd p0 = unhashed_f64(o, axis, at, block, 0, f);
         const vd p1 = unhashed_f64(o, axis, at, block, 1, f);

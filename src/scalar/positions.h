@@ -82,15 +82,37 @@ static inline float position_f32(const struct scarp_octave *o, int turned, const
     return p + (float)o->offset[i];
 }
 
-static inline double position_f64(const struct scarp_octave *o, int turned, const double x[3],
-                                  int i, int dimensions)
+/* The sum of a double and an offset of at most 2, rounded to a multiple of 2^-24, in units of that
+   and modulo 2^56. Neither difference is rounded where it matters, but the sum with 1.5 * 2^28 is,
+   to such a multiple. The sum with 1.5 * 2^52 has the cell, modulo 2^32, in its low bits. */
+static inline uint64_t fixed_of(double a, double offset)
+{
+    const double cell = floor(a + 0.5);
+    const double rest = (a - cell) + (0x1.8p28 + offset), shifted = cell + 0x1.8p52;
+    uint64_t bits;
+    memcpy(&bits, &shifted, sizeof bits);
+    return (bits << 24) + (uint64_t)(int64_t)((rest - 0x1.8p28) * 0x1p24);
+}
+
+/* Double positions where axes are turned. p is the sum of what a column of a grid shares and of
+   what a row shares, each rounded to a multiple of 2^-24 cells, so that the sum is exact. */
+static inline void split_turned_f64(const struct scarp_octave *o, const double x[3], int i,
+                                    double stretch, int dimensions, uint32_t *cell, float *t)
 {
     const double *const j = o->jacobian64[i];
-    double p = turned ? j[0] * x[0] + j[1] * x[1] : o->frequency64 * x[i];
-    if (turned && dimensions == 3) {
-        p += j[2] * x[2];
+    const double column = j[0] * stretch * x[0];
+    double row = j[1] * stretch * x[1];
+    if (dimensions == 3) {
+        row += j[2] * stretch * x[2];
     }
-    return p + o->offset[i];
+    if (isfinite(column) && isfinite(row)) {
+        const uint64_t p = fixed_of(column, 0.0) + fixed_of(row, o->offset[i] * stretch);
+        *cell = (uint32_t)(p >> 24);
+        *t = (float)(p & 0xffffff) * 0x1p-24f;
+    } else {
+        *cell = 0;
+        *t = NAN;
+    }
 }
 
 /* p in octave k, split into cell and fraction; along y of triangles in units of their rows. */
@@ -104,8 +126,10 @@ static inline struct location location_of(const struct scarp_call_plan *plan, in
     float t[3] = {0.0f};
     for (int i = 0; i < dimensions; i++) {
         const double stretch = counts_rows && i == 1 ? o->stretch : 1.0;
-        if (x->doubles) {
-            const double p = position_f64(o, turned, x->f64, i, dimensions) * stretch;
+        if (x->doubles && turned) {
+            split_turned_f64(o, x->f64, i, stretch, dimensions, &cell[i], &t[i]);
+        } else if (x->doubles) {
+            const double p = (o->frequency64 * x->f64[i] + o->offset[i]) * stretch;
             split_f64(p, o, i, plan->repeat, &cell[i], &t[i]);
         } else {
             const float p = position_f32(o, turned, x->f32, i, dimensions) * (float)stretch;

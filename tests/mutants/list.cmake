@@ -17,8 +17,16 @@
 # positions
 mutant(positions.offset IN kernel TEXT [[p : p + vd_set(o->offset[axis])]]
        BECOMES [[p : p + vd_set(o->offset[MUTANT ? 0 : axis])]] SEEN_BY bits)
-mutant(positions.turned_offset IN kernel TEXT [[return p + vd_set(o->offset[axis]);]]
-       BECOMES [[return p + vd_set(o->offset[MUTANT ? 0 : axis]);]] SEEN_BY bits)
+mutant(positions.turned_offset IN kernel TEXT [[TURNED_SHIFT - o->offset[axis] * stretch]]
+       BECOMES [[TURNED_SHIFT - (MUTANT ? 0.0 : o->offset[axis] * stretch)]] SEEN_BY bits)
+mutant(positions.turned_stretch IN kernel/unhashed.h TEXT [[o, axis, axis == 1 ? o->stretch : 1.0, low]]
+       BECOMES [[o, axis, !MUTANT && axis == 1 ? o->stretch : 1.0, low]] SEEN_BY bits)
+mutant(positions.turned_far IN kernel TEXT [[is_far(highest, here,]]
+       BECOMES [[!MUTANT && is_far(highest, here,]] SEEN_BY bits)
+mutant(positions.turned_far_few IN kernel TEXT [[is_far(highest_frequency(plan), count,]]
+       BECOMES [[!MUTANT && is_far(highest_frequency(plan), count,]] SEEN_BY bits)
+mutant(positions.turned_far_cell IN kernel TEXT [[return vd_floor(part + vd_set(0.5));]]
+       BECOMES [[return vd_floor(part + vd_set(MUTANT ? 0.0 : 0.5));]] SEEN_BY bits)
 mutant(positions.huge IN kernel TEXT [[const vf lower = vf_floor(p);]]
        BECOMES [[const vf lower = MUTANT ? vf_from_vi((vi)vu_from_vf(vf_floor(p))) : vf_floor(p);]]
        SEEN_BY bits)
@@ -176,8 +184,16 @@ mutant(rows.slide IN kernel TEXT [[const size_t last = base + VF_TABLE - VEC_LAN
        BECOMES [[const size_t last = base + (MUTANT ? 0 : VF_TABLE - VEC_LANES);]]
        SEEN_BY grid SETS avx512)
 
-mutant(rows.turned_same IN kernel TEXT [[(vec_u64)(cell == left)]]
-       BECOMES [[(MUTANT && i > 0 ? same : (vec_u64)(cell == left))]] SEEN_BY grid)
+mutant(rows.turned_same IN kernel TEXT [[turned_at(&t->last[i], b, &row[i]).cell ^]]
+       BECOMES [[turned_at(MUTANT && i > 0 ? &t->before[i] : &t->last[i], b, &row[i]).cell ^]]
+       SEEN_BY grid)
+mutant(rows.turned_carry IN kernel TEXT [[cell + (rest >> 24)]]
+       BECOMES [[cell + (MUTANT ? vu_set(0) : rest >> 24)]] SEEN_BY grid)
+mutant(rows.turned_row IN kernel TEXT [[parts->rest + at) + row->rest]]
+       BECOMES [[parts->rest + at) + (MUTANT ? vu_set(0) : row->rest)]] SEEN_BY grid)
+mutant(rows.turned_offset IN kernel TEXT [[far_sum(&a, zero, low), far_sum(&a, zero, high)]]
+       BECOMES [[far_sum(MUTANT ? &t->axis[0] : &a, zero, low),
+                  far_sum(MUTANT ? &t->axis[0] : &a, zero, high)]] SEEN_BY grid)
 mutant(rows.turned_next IN kernel TEXT [[cell[i] = next[i];]]
        BECOMES [[cell[i] = MUTANT ? cell[i] : next[i];]] SEEN_BY grid)
 

@@ -1,14 +1,16 @@
 /* SPDX-License-Identifier: MIT
  *
- * Stage 1 along rows of a grid whose axes are turned: p = J x + o, where the first column of J
- * times x is prepared once for all rows of a tile. Along a row each component of p goes one way: if
- * the last lane of a block is in the cell in which the block on its left begins, both blocks lie in
- * it, and their corners have the same hashes. The bits are those of the lattice pass of doubles
- * (../lattice.h), because the order of operations is the same.
+ * Stage 1 along rows of a grid whose axes are turned: p = J x + o, where the part of p that depends
+ * on x is prepared once for all rows of a tile, and that of a row once for its samples
+ * (../positions.h). Along a row each component of p goes one way: if the last lane of a block is in
+ * the cell in which the block on its left begins, both blocks lie in it, and their corners have the
+ * same hashes. The bits are those of the passes of doubles, because both parts are rounded before
+ * they are added.
  */
 #ifndef SCARP_KERNEL_ROWS_TURNED_H
 #define SCARP_KERNEL_ROWS_TURNED_H
 
+#include "../far.h"
 #include "along.h"
 
 /* Two blocks look for a cell that they share if together they are less than that many cells wide.
@@ -19,138 +21,202 @@
    3D. */
 #define TURNED_LOOPS_TWICE (VEC_LANES == 8)
 
-/* Doubles in the scratch space, whose vectors are floats. */
-typedef double turned_double __attribute__((may_alias));
+/* Integers in the scratch space, whose vectors are floats. */
+typedef uint32_t turned_u32 __attribute__((may_alias));
 
-/* An octave along x, for each axis of its frame: the products of every sample; then, for each
-   block, those of its last lane and of the first lane of the block on its left, padded to whole
-   vectors. */
-struct turned_x {
-    turned_double *along[3], *last[3], *before[3];
-    int shares; /* whether two blocks may lie in one cell */
+/* Parts of p along an axis: cells, modulo 2^32, and multiples of 2^-24 cells, below a whole one. */
+struct turned_parts {
+    turned_u32 *cell, *rest;
 };
 
-/* Doubles for the ends of that many blocks. */
-static size_t ends_size(size_t blocks)
+/* An octave at the samples of a tile, for each axis of its frame: the parts of each column; then,
+   for each block, those of its last lane and of the first lane of the block on its left, padded to
+   whole vectors; and the parts of each row. */
+struct turned_tile {
+    struct turned_axis axis[3];
+    size_t blocks; /* of a row */
+    struct turned_parts column[3], last[3], before[3], row[3];
+    struct positions at; /* x of the columns, y of the rows, and z */
+    int shares;          /* whether two blocks may lie in one cell */
+    int overflows;       /* whether some part is infinite or NaN */
+};
+
+/* That many integers, padded to whole vectors. */
+static size_t turned_padded(size_t count)
 {
-    return (blocks + VEC_LANES / 2 - 1) / (VEC_LANES / 2) * (VEC_LANES / 2);
+    return (count + VEC_LANES - 1) / VEC_LANES * VEC_LANES;
 }
 
-/* Vectors that turned_x needs for a strip. */
-static size_t turned_size(int dimensions, size_t blocks)
+/* Vectors of scratch space for a tile. */
+static size_t turned_size(int dimensions, size_t rows, size_t blocks)
 {
-    return (size_t)dimensions * (blocks * VEC_LANES + 2 * ends_size(blocks)) * sizeof(double) /
-           sizeof(vf);
+    const size_t parts = blocks * VEC_LANES + 2 * turned_padded(blocks) + turned_padded(rows);
+    return (size_t)dimensions * 2 * parts / VEC_LANES;
 }
 
-/* Prepares an octave at x, in `space`. */
-static void turned_begin(struct turned_x *t, vf *space, const struct scarp_octave *o, size_t blocks,
-                         const double *x, int dimensions)
+/* Takes arrays of `count` parts from the space at *from. */
+static struct turned_parts take_parts(turned_u32 **from, size_t count)
 {
-    turned_double *next = (turned_double *)space;
-    t->shares = blocks > 1;
+    const struct turned_parts parts = {*from, *from + count};
+    *from += 2 * count;
+    return parts;
+}
+
+/* Puts a block of parts, given in units of 2^-24 cells. */
+VEC_INLINE void put_parts(const struct turned_parts *to, size_t block, vec_u64 low, vec_u64 high)
+{
+    vu_store((uint32_t *)to->cell + block * VEC_LANES,
+             vu_low_bits((vd)(low >> 24), (vd)(high >> 24)));
+    vu_store((uint32_t *)to->rest + block * VEC_LANES,
+             vu_low_bits((vd)low, (vd)high) & vu_set(0xffffff));
+}
+
+/* Prepares the columns along an axis. Returns 0, or NaN if a part is infinite or NaN. */
+VEC_INLINE vd put_columns(const struct turned_tile *t, int axis)
+{
+    const struct turned_parts to = t->column[axis];
+    const double *const x = t->at.array[0];
+    const vd j = vd_set(t->axis[axis].j[0]), zero = vd_set(0.0);
+    const struct turned_axis none = {.shift = TURNED_SHIFT}; /* rows have the offset */
+    vd nan = zero;
+    for (size_t b = 0; b < t->blocks; b++) {
+        const vd low = j * vd_load(x + b * VEC_LANES);
+        const vd high = j * vd_load(x + b * VEC_LANES + VEC_LANES / 2);
+        put_parts(&to, b, far_sum(&none, low, zero), far_sum(&none, high, zero));
+        nan += far_nan(low, high);
+    }
+    return nan;
+}
+
+/* The same of rows. */
+VEC_INLINE vd put_rows(const struct turned_tile *t, int axis, size_t rows, int dimensions)
+{
+    const struct turned_parts to = t->row[axis];
+    const struct turned_axis a = t->axis[axis];
+    const double *const y = t->at.array[1];
+    const vd z = vd_set(t->at.shared[2]), zero = vd_set(0.0);
+    vd nan = zero;
+    for (size_t r = 0; r < rows; r += VEC_LANES) {
+        const vd low = turned_row_f64(&a, vd_load(y + r), z, dimensions);
+        const vd high = turned_row_f64(&a, vd_load(y + r + VEC_LANES / 2), z, dimensions);
+        put_parts(&to, r / VEC_LANES, far_sum(&a, zero, low), far_sum(&a, zero, high));
+        nan += far_nan(low, high);
+    }
+    return nan;
+}
+
+/* Puts what blocks compare with their neighbours. */
+static void put_ends(const struct turned_tile *t, int axis)
+{
+    const struct turned_parts from = t->column[axis];
+    for (size_t b = 0; b < turned_padded(t->blocks); b++) {
+        const size_t block = least(b, t->blocks - 1);
+        const size_t last = block * VEC_LANES + VEC_LANES - 1;
+        const size_t before = block > 0 ? (block - 1) * VEC_LANES : 0;
+        t->last[axis].cell[b] = from.cell[last];
+        t->last[axis].rest[b] = from.rest[last];
+        t->before[axis].cell[b] = from.cell[before];
+        t->before[axis].rest[b] = from.rest[before];
+    }
+}
+
+/* Whether two blocks may lie in one cell along an axis, and cells go up or down along x without a
+   break. */
+static int may_share(const struct turned_tile *t, int axis)
+{
+    const double *const x = t->at.array[0];
+    const double j = t->axis[axis].j[0];
+    const double first = j * x[0], last = j * x[t->blocks * VEC_LANES - 1];
+    const double width = t->blocks > 1 ? j * x[2 * VEC_LANES - 1] - first : SHARING_WIDTH;
+    return width > -SHARING_WIDTH && width < SHARING_WIDTH && first > -0x1p50 && first < 0x1p50 &&
+           last > -0x1p50 && last < 0x1p50;
+}
+
+/* Prepares an octave, whose stretch along y is given, for `rows` rows. The arrays are in `space`;
+   t->at and t->blocks are set. */
+static __attribute__((noinline)) void turned_begin(struct turned_tile *t, vf *space,
+                                                   const struct scarp_octave *o, double stretch,
+                                                   size_t rows, int dimensions)
+{
+    turned_u32 *next = (turned_u32 *)space;
+    vd nan = vd_set(0.0);
+    t->shares = 1;
+    VEC_ROLLED_LOOP
     for (int i = 0; i < dimensions; i++) {
-        turned_double *const along = next, *const last = along + blocks * VEC_LANES;
-        turned_double *const before = last + ends_size(blocks);
-        const double j = o->jacobian64[i][0];
-        for (size_t n = 0; n < blocks * VEC_LANES; n++) {
-            along[n] = j * x[n];
-        }
-        for (size_t b = 0; b < ends_size(blocks); b++) {
-            const size_t block = least(b, blocks - 1);
-            last[b] = along[block * VEC_LANES + VEC_LANES - 1];
-            before[b] = along[block > 0 ? (block - 1) * VEC_LANES : 0];
-        }
-        const double width = blocks > 1 ? last[1] - before[1] : 0.0;
-        t->shares &= width > -SHARING_WIDTH && width < SHARING_WIDTH;
-        t->along[i] = along;
-        t->last[i] = last;
-        t->before[i] = before;
-        next = before + ends_size(blocks);
+        t->axis[i] = turned_axis_of(o, i, i == 1 ? stretch : 1.0);
+        t->column[i] = take_parts(&next, t->blocks * VEC_LANES);
+        t->last[i] = take_parts(&next, turned_padded(t->blocks));
+        t->before[i] = take_parts(&next, turned_padded(t->blocks));
+        t->row[i] = take_parts(&next, turned_padded(rows));
+        nan += put_columns(t, i) + put_rows(t, i, rows, dimensions);
+        t->shares &= may_share(t, i);
     }
+    for (int i = 0; i < dimensions && t->shares; i++) {
+        put_ends(t, i);
+    }
+    t->overflows = vu_any((vu)(nan != nan));
 }
 
-/* What all samples of a row share along an axis. */
+/* The part of a row along an axis, in all lanes. */
 struct turned_row {
-    double y, z, offset;
+    vu cell, rest;
 };
 
-VEC_INLINE vd turned_at(const double *along, const struct turned_row *r, int dimensions)
+/* Adds the parts of a block. */
+VEC_INLINE struct split turned_at(const struct turned_parts *parts, size_t at,
+                                  const struct turned_row *row)
 {
-    vd p = vd_load(along) + vd_set(r->y);
-    if (dimensions == 3) {
-        p += vd_set(r->z);
-    }
-    return p + vd_set(r->offset);
+    const vu rest = vu_load((const uint32_t *)parts->rest + at) + row->rest;
+    const vu cell = vu_load((const uint32_t *)parts->cell + at) + row->cell;
+    const struct split s = {cell + (rest >> 24), turned_fraction(rest)};
+    return s;
 }
 
-/* How many blocks find their cells at once, in whole vectors of doubles. */
+/* How many blocks find their cells at once, in whole vectors. */
 #define SHARING_BLOCKS 16
 
-/* The cells along each axis in which blocks of a row end, and whether (all ones) that is where the
-   block on the left begins. */
-struct row_cells {
-    double cell[3][SHARING_BLOCKS];
-    uint64_t same[SHARING_BLOCKS];
-};
-
-/* Finds those of blocks `first` to `last`, exclusively. */
-VEC_INLINE void find_cells(struct row_cells *c, const struct turned_x *t,
+/* Finds for each block from `first` to before `last` bits that are 0 if it shares a cell with the
+   block on its left. */
+VEC_INLINE void find_cells(uint32_t differ[SHARING_BLOCKS], const struct turned_tile *t,
                            const struct turned_row row[3], size_t first, size_t last,
                            int dimensions)
 {
-    for (size_t b = 0; b < last - first; b += VEC_LANES / 2) {
-        vec_u64 same = (vec_u64)(vd_set(0.0) == vd_set(0.0));
+    for (size_t b = first; b < last; b += VEC_LANES) {
+        vu bits = vu_set(0);
         for (int i = 0; i < dimensions; i++) {
-            const vd cell = vd_floor(turned_at(t->last[i] + first + b, &row[i], dimensions));
-            const vd left = vd_floor(turned_at(t->before[i] + first + b, &row[i], dimensions));
-            same &= (vec_u64)(cell == left); /* not if they are NaN */
-            memcpy(c->cell[i] + b, &cell, sizeof cell);
+            bits |=
+                turned_at(&t->last[i], b, &row[i]).cell ^ turned_at(&t->before[i], b, &row[i]).cell;
         }
-        memcpy(c->same + b, &same, sizeof same);
+        vu_store(differ + (b - first), bits);
     }
     if (first == 0) {
-        c->same[0] = 0;
+        differ[0] = 1;
     }
 }
 
-/* Gives p along each axis, for both halves of block b. */
-VEC_INLINE void turned_block(vd p[3][2], const struct turned_x *t, size_t b,
+/* Stores the fractions of a block, and returns its cells in `cell`. */
+VEC_INLINE void turned_block(vf *to, vu cell[3], const struct turned_tile *t, size_t block,
                              const struct turned_row row[3], int dimensions)
 {
     for (int i = 0; i < dimensions; i++) {
-        const turned_double *const along = t->along[i] + b * VEC_LANES;
-        p[i][0] = turned_at(along, &row[i], dimensions);
-        p[i][1] = turned_at(along + VEC_LANES / 2, &row[i], dimensions);
-    }
-}
-
-/* Stores the fractions of a block, and returns its cells in `cell`. The operations are those of
-   split_f64(), but halves are stored and not joined. */
-VEC_INLINE void put_fractions(vf *lattice, vu cell[3], vd p[3][2], int dimensions)
-{
-    for (int i = 0; i < dimensions; i++) {
-        const vd lower0 = vd_floor(p[i][0]), lower1 = vd_floor(p[i][1]);
-        cell[i] = vu_low_bits(lower0 + 0x1.8p52, lower1 + 0x1.8p52);
-        vf_store_vd((float *)(lattice + i), p[i][0] - lower0, p[i][1] - lower1);
+        const struct split s = turned_at(&t->column[i], block * VEC_LANES, &row[i]);
+        cell[i] = s.cell;
+        to[i] = s.t;
     }
 }
 
 /* Puts the blocks of a row on the lattice, of which neighbours share no hashes. The hashes of each
    block come after the fractions of the next, since the chain from a position to its hashes is
    long: out-of-order windows hold only two blocks of it. */
-VEC_INLINE void put_turned_row(vf *lattice, const struct scarp_octave *o, size_t blocks,
-                               const struct turned_x *t, const struct turned_row row[3],
+VEC_INLINE void put_turned_row(vf *lattice, const struct scarp_octave *o,
+                               const struct turned_tile *t, const struct turned_row row[3],
                                int dimensions, enum corner_form form)
 {
     const size_t size = lattice_size(dimensions);
     vu cell[3], next[3];
-    vd p[3][2];
-    turned_block(p, t, 0, row, dimensions);
-    put_fractions(lattice, cell, p, dimensions);
-    for (size_t b = 1; b < blocks; b++) {
-        turned_block(p, t, b, row, dimensions);
-        put_fractions(lattice + size, next, p, dimensions);
+    turned_block(lattice, cell, t, 0, row, dimensions);
+    for (size_t b = 1; b < t->blocks; b++) {
+        turned_block(lattice + size, next, t, b, row, dimensions);
         const struct mixed m = mix_axes(o, cell, AXES_TURNED, dimensions);
         lattice_put_corners(lattice, &m, dimensions, form);
         for (int i = 0; i < dimensions; i++) {
@@ -163,86 +229,121 @@ VEC_INLINE void put_turned_row(vf *lattice, const struct scarp_octave *o, size_t
 }
 
 /* Puts the blocks of a row on the lattice, where neighbours may share hashes. */
-VEC_INLINE void put_sharing_row(vf *lattice, const struct scarp_octave *o, size_t blocks,
-                                const struct turned_x *t, const struct turned_row row[3],
+VEC_INLINE void put_sharing_row(vf *lattice, const struct scarp_octave *o,
+                                const struct turned_tile *t, const struct turned_row row[3],
                                 int dimensions, enum corner_form form)
 {
     const size_t size = lattice_size(dimensions);
-    struct row_cells cells;
-    for (size_t b = 0; b < blocks; b++) {
-        const size_t k = b % SHARING_BLOCKS;
+    uint32_t differ[SHARING_BLOCKS];
+    for (size_t b = 0; b < t->blocks; b++) {
         vu cell[3];
-        vd p[3][2];
-        if (k == 0) {
-            find_cells(&cells, t, row, b, least(blocks, b + SHARING_BLOCKS), dimensions);
+        if (b % SHARING_BLOCKS == 0) {
+            find_cells(differ, t, row, b, least(t->blocks, b + SHARING_BLOCKS), dimensions);
         }
-        turned_block(p, t, b, row, dimensions);
-        if (!cells.same[k]) {
-            put_fractions(lattice, cell, p, dimensions);
+        turned_block(lattice, cell, t, b, row, dimensions);
+        if (differ[b % SHARING_BLOCKS] != 0) {
             const struct mixed m = mix_axes(o, cell, AXES_TURNED, dimensions);
             lattice_put_corners(lattice, &m, dimensions, form);
         } else {
             for (size_t n = (size_t)dimensions; n < size; n++) {
                 lattice[n] = lattice[(ptrdiff_t)n - (ptrdiff_t)size];
             }
-            for (int i = 0; i < dimensions; i++) {
-                const vd lower = vd_set(cells.cell[i][k]);
-                vf_store_vd((float *)(lattice + i), p[i][0] - lower, p[i][1] - lower);
-            }
         }
         lattice += size;
     }
 }
 
-/* Puts rows on the lattice, whose y are given, at that z. */
-VEC_INLINE void turned_run(vf *lattice, const struct scarp_octave *octave, struct extent extent,
-                           const struct turned_x *x, const struct positions *at, int dimensions,
-                           enum corner_form form)
+/* Puts the blocks of a row, unhashed. */
+VEC_INLINE void put_unhashed_row(vf *to, const struct turned_tile *t,
+                                 const struct turned_row row[3], int dimensions)
 {
-    const struct scarp_octave o = *octave; /* a copy: nothing that is stored can alias it */
-    const struct turned_x t = *x;
-    const double *const y = at->array[1];
-    for (size_t r = 0; r < extent.rows; r++) {
-        struct turned_row row[3];
+    for (size_t b = 0; b < t->blocks; b++) {
+        vu cell[3];
+        turned_block(to, cell, t, b, row, dimensions);
         for (int i = 0; i < dimensions; i++) {
-            row[i].y = o.jacobian64[i][1] * y[r];
-            row[i].z = o.jacobian64[i][2] * at->shared[2];
-            row[i].offset = o.offset[i];
+            to[dimensions + i] = (vf)cell[i];
         }
-        if (t.shares) {
-            put_sharing_row(lattice, &o, extent.blocks, &t, row, dimensions, form);
-        } else {
-            put_turned_row(lattice, &o, extent.blocks, &t, row, dimensions,
-                           TURNED_LOOPS_TWICE ? CORNERS_MIXED : form);
-#if TURNED_LOOPS_TWICE
-            if (form == CORNERS_HASHED) {
-                (dimensions == 2 ? hash_blocks2 : hash_blocks3)(lattice, extent.blocks);
-            }
-#endif
-        }
-        lattice += extent.blocks * lattice_size(dimensions);
+        to += unhashed_size(dimensions);
     }
 }
 
-typedef void turned_pass(vf *lattice, const struct scarp_octave *octave, struct extent extent,
-                         const struct turned_x *x, const struct positions *at);
+/* Makes NaN of the fractions of samples whose p overflows. Blocks have `size` vectors. */
+static __attribute__((noinline, cold)) void put_overflows(vf *to, size_t size,
+                                                          const struct turned_tile *t, size_t begin,
+                                                          size_t rows, int dimensions)
+{
+    const double *const x = t->at.array[0], *const y = t->at.array[1];
+    const vd z = vd_set(t->at.shared[2]);
+    for (size_t r = begin; r < begin + rows; r++) {
+        for (size_t b = 0; b < t->blocks; b++, to += size) {
+            for (int i = 0; i < dimensions; i++) {
+                const vd row = turned_row_f64(&t->axis[i], vd_set(y[r]), z, dimensions);
+                const vd j = vd_set(t->axis[i].j[0]);
+                const vd low = j * vd_load(x + b * VEC_LANES);
+                const vd high = j * vd_load(x + b * VEC_LANES + VEC_LANES / 2);
+                to[i] += vf_from_vd(far_nan(low, row), far_nan(high, row));
+            }
+        }
+    }
+}
 
-#define TURNED_PASS(name, form, dimensions)                                                        \
-    static void name(vf *lattice, const struct scarp_octave *octave, struct extent extent,         \
-                     const struct turned_x *x, const struct positions *at)                         \
+/* Puts `rows` rows of a tile from row `begin` on. */
+VEC_INLINE void turned_run(vf *to, const struct scarp_octave *octave,
+                           const struct turned_tile *tile, size_t begin, size_t rows,
+                           int dimensions, enum turned_form form)
+{
+    const struct scarp_octave o = *octave; /* copies: nothing that is stored can alias them */
+    const struct turned_tile t = *tile;
+    const enum corner_form corners = form == TURNED_HASHED ? CORNERS_HASHED : CORNERS_MIXED;
+    const size_t size = form == TURNED_CELLS ? unhashed_size(dimensions) : lattice_size(dimensions);
+    vf *next = to;
+    for (size_t r = begin; r < begin + rows; r++, next += t.blocks * size) {
+        struct turned_row row[3];
+        for (int i = 0; i < dimensions; i++) {
+            row[i].cell = vu_set(t.row[i].cell[r]);
+            row[i].rest = vu_set(t.row[i].rest[r]);
+        }
+        if (form == TURNED_CELLS) {
+            put_unhashed_row(next, &t, row, dimensions);
+        } else if (t.shares) {
+            put_sharing_row(next, &o, &t, row, dimensions, corners);
+        } else {
+            put_turned_row(next, &o, &t, row, dimensions,
+                           TURNED_LOOPS_TWICE ? CORNERS_MIXED : corners);
+#if TURNED_LOOPS_TWICE
+            if (form == TURNED_HASHED) {
+                (dimensions == 2 ? hash_blocks2 : hash_blocks3)(next, t.blocks);
+            }
+#endif
+        }
+    }
+    if (t.overflows) {
+        put_overflows(to, size, tile, begin, rows, dimensions);
+    }
+}
+
+typedef void turned_pass(vf *to, const struct scarp_octave *octave, const struct turned_tile *tile,
+                         size_t begin, size_t rows);
+
+#define TURNED_PASS(name, form, d)                                                                 \
+    static void name(vf *to, const struct scarp_octave *octave, const struct turned_tile *tile,    \
+                     size_t begin, size_t rows)                                                    \
     {                                                                                              \
-        turned_run(lattice, octave, extent, x, at, dimensions, form);                              \
+        turned_run(to, octave, tile, begin, rows, d, form);                                        \
     }
 
-TURNED_PASS(turned2_hashes, CORNERS_HASHED, 2)
-TURNED_PASS(turned3_hashes, CORNERS_HASHED, 3)
-TURNED_PASS(turned2_axes, CORNERS_MIXED, 2)
-TURNED_PASS(turned3_axes, CORNERS_MIXED, 3)
+TURNED_PASS(turned2_hashes, TURNED_HASHED, 2)
+TURNED_PASS(turned3_hashes, TURNED_HASHED, 3)
+TURNED_PASS(turned2_axes, TURNED_MIXED, 2)
+TURNED_PASS(turned3_axes, TURNED_MIXED, 3)
+TURNED_PASS(turned2_cells, TURNED_CELLS, 2)
+TURNED_PASS(turned3_cells, TURNED_CELLS, 3)
 
 /* By [form][dimensions - 2]. */
-static turned_pass *const turned_passes[CORNER_FORMS][2] = {
-    [CORNERS_HASHED] = {turned2_hashes, turned3_hashes},
-    [CORNERS_MIXED] = {turned2_axes, turned3_axes},
+static turned_pass *const turned_passes[TURNED_FORMS][2] = {
+    [TURNED_HASHED] = {turned2_hashes, turned3_hashes},
+    [TURNED_MIXED] = {turned2_axes, turned3_axes},
+    [TURNED_CELLS] = {turned2_cells, turned3_cells},
 };
 
 #undef TURNED_PASS
