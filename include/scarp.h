@@ -785,6 +785,17 @@ SCARP_API enum scarp_status scarp_abs(size_t count, const struct scarp_samples *
                                       const struct scarp_samples *out);
 
 /*
+ * scarp_smooth_abs - sqrt(a^2 + round^2), |a| with a round floor
+ *
+ * `round` is the value where a is 0, in [2^-60, 2^60]; far from there the result is above |a| by
+ * round^2 / (2 |a|). Infinitely smooth. It makes valleys of smooth noise, and ridges with the sign
+ * changed (scarp_affine): where a is 0 lies a line without ends, so that valleys hang together. A
+ * magnitude of a above 2^63 is squared to infinity.
+ */
+SCARP_API enum scarp_status scarp_smooth_abs(size_t count, const struct scarp_samples *a,
+                                             float round, const struct scarp_samples *out);
+
+/*
  * scarp_smoothstep - from 0 where a is `lo` or beyond, to 1 where it is `hi` or beyond
  *
  * S(t) = 6t^5 - 15t^4 + 10t^3 with t = (a - lo) / (hi - lo), held within [0, 1]. C2, and values are
@@ -848,6 +859,168 @@ SCARP_API enum scarp_status scarp_apply2(size_t count, const struct scarp_sample
                                          const struct scarp_samples *b,
                                          const struct scarp_partials *function,
                                          const struct scarp_samples *out);
+
+/*
+ * Gullies
+ *
+ * Gullies and spurs that run down the slope of a base, branch, and leave its large forms: erosion
+ * as a function of the place. They read the base's value and gradient, and its Hessian where
+ * derivatives are asked for, so that these are exact. The base is any samples: of noise, or
+ * combined by the chain rule. The result is the base plus a displacement.
+ *
+ * With h = base / amplitude, g = its gradient and lengths in cells of the base, S(z) = z^2 (3 - 2
+ * z) of z = (h - low) / (high - low), held within [0, 1], the slope is
+ *
+ *     s = g / sqrt(g.g + slope_low^2 (1 - S) + slope^2 S),   M = s.s in [0, 1),
+ *
+ * so M is 1/2 where |g| is `slope` on crests, or `slope_low` on floors. Exposure begins with v = 1
+ * - (1 - S) (1 + floor). Octave k of gullies has f_k = cells lacunarity^k cells per cell of the
+ * base, R^k, p_k and o_k as a noise of this seed has them (see struct scarp_noise), and the weight
+ * w_k = depth gain^k / (sum of gain^k). It draws waves with stripes along the slope. Across it is
+ * t; at each corner c of the cell of p_k the lattice draws the phase psi_c, the hash of value noise
+ * as a signed number over 2^32; W_c are the weights of value noise with the quintic fade; and
+ *
+ *     t = (-s_y, s_x) / sqrt(s.s + 0.05^2)
+ *     Z = sum of W_c e^(2 pi i (psi_c + stripes (R^k t).(p_k - c)))
+ *     C + i S' = Z / sqrt(|Z|^2 + 0.5^2)
+ *     P = 1 - 2 (sqrt((1 - C) / 2 + round^2) - round) / (sqrt(1 + round^2) - round)
+ *     m = M (1 - keep v^2), without `keep` where k = 0
+ *     v := v + m (P - v),   s := s - branch m S' t
+ *
+ * The displacement is amplitude times the sum of the w_k v_k. P is 1 on sharp crests and -1 on
+ * round floors. Of flat ground, the displacement is depth v: crests rise, floors sink by `floor` of
+ * it. The steering s is as defined, and is not the slope of the result, so that the base's Hessian
+ * is all that derivatives need.
+ *
+ * Bases. Gradients of the result are continuous where the Hessian of the base is: gradient and
+ * value noise with the quintic fade, simplex noise, cell-soft, sums of these, and what
+ * scarp_smooth_abs, scarp_smooth_min and scarp_smooth_max make of them. A base with creases
+ * (ridged, turbulence, cellular noise, scarp_abs) makes the height itself tear there: gullies on
+ * both sides run in other directions. Detail as fine as gullies turns their directions within a
+ * cell: a base of three octaves is good, one of five crumples. Add finer detail to the result, with
+ * scarp_add. Gullies end where the base has a dip: valleys that hang together, as those of
+ * scarp_smooth_abs do, drain.
+ *
+ * All members are multiples of what the base is, so that a terrain scales as a whole. 0 is the
+ * default everywhere; for an effect that is not wanted give 2^-24.
+ */
+struct scarp_gullies {
+    uint64_t seed;    /* all 64 bits count */
+    double frequency; /* of the base: cells per unit of input, in [2^-32, 2^48]. Default 1. */
+    float amplitude;  /* of the base: half the height from its floors to its crests, in
+                         [2^-24, 2^24]. Default 1. */
+    float octaves;    /* in (0, 32]. Default 5. A fraction fades in. */
+    float of_octaves; /* weights are those of a sum of this many octaves, in [octaves, 32].
+                         0: octaves. */
+    float lacunarity; /* frequency ratio between octaves, in [1/16, 16]. Default 2. */
+    float gain;       /* weight ratio between octaves, in [1/16, 16]. Default 0.45: 0.6 is rough. */
+    float depth;      /* how far the base is displaced at most, in amplitudes, in [2^-24, 2^10].
+                         Default 0.25. */
+    float cells;      /* cells of the first gullies per cell of the base, in [2^-6, 2^6].
+                         Default 3. */
+    float slope;      /* where gullies of crests have half their depth: in amplitudes per cell of
+                         the base, in [2^-5, 2^5]. Default 1.125: less makes peaks sharper. */
+    float slope_low;  /* the same of floors. Default 1.75: more makes floors wider. */
+    float low;        /* the heights of floors and of crests, in amplitudes, in [-2^10, 2^10], at */
+    float high;       /* least 2^-10 apart. Defaults -1 and 1. */
+    float floor;      /* how far floors sink, in [-1, 1]: 1 as deep as gullies, -1 filled up.
+                         Default 0.5. */
+    float stripes;    /* gullies per cell, in [2^-10, 8]. Default 1.5. */
+    float branch;     /* how far octaves turn those after them, in [2^-24, 8]. Default 0.8: 0.3 runs
+                         parallel. */
+    float round;      /* of crests, in [2^-8, 2^8]: 0.05 is an arete, 1 rolling. Default 0.15. */
+    float keep;       /* how much crests and floors of an octave are spared by the next one, in
+                         [2^-24, 1]. Default 1. */
+
+    uint32_t period[2]; /* cells of the base after which gullies repeat along each axis; 0: never.
+                           `cells` times a period is whole, and at most 2^30. See "Periods". */
+    uint32_t rotate;    /* nonzero: turn the axes between octaves */
+
+    uint32_t spare[9]; /* reserved: 0. 128 bytes in all. */
+};
+
+/* Where results go: arrays of `count` floats. A NULL member is skipped; a call that asks for no
+   derivative does not pay for derivatives. */
+struct scarp_eroded {
+    float *value, *dx, *dy;                                  /* the base plus the displacement */
+    float *displacement, *displacement_dx, *displacement_dy; /* in [-1, 1] times depth amplitude:
+                                                                a map of ridges and gullies */
+    float *spare[10]; /* reserved: NULL. 16 pointers in all. */
+};
+
+/*
+ * scarp_gullies2 - draw gullies into a base at points of the plane
+ *
+ * `base` holds value, dx and dy of the base at the points, and dxx, dxy, dyy where a derivative is
+ * asked for; its other members are not read.
+ *
+ * Arrays: every array holds at least `count` elements. An output may be the very same array as any
+ * array of the base or a coordinate; outputs must not overlap anything else.
+ *
+ * Derivatives are within 2e-4 of the exact ones, in amplitudes per cell of the base, with a root
+ * mean square of 2e-6 (defaults, double coordinates); with float coordinates of some cells, within
+ * 2e-3, and 5e-5. Sharp crests have more: 0.03 and 2e-4 with `round` 0.02.
+ *
+ * Where a coordinate is NaN or infinite, or the base's value or gradient, every output of that
+ * point is NaN; so are derivatives where something of its Hessian is. Where |g| passes 2^63, the
+ * ground counts as flat. Other points are not affected.
+ *
+ * Range: see scarp_gullies_range.
+ *
+ * Returns SCARP_ERROR_NULL if count > 0 and an argument, or an array of the base that is needed, is
+ * NULL; SCARP_ERROR_SIZE if the arrays would exceed the address space; SCARP_ERROR_UNSUPPORTED if a
+ * reserved member of `base` or `out` is in use; otherwise as scarp_gullies_check. A count of 0
+ * succeeds, whatever the other arguments are.
+ */
+SCARP_API enum scarp_status scarp_gullies2(const struct scarp_gullies *gullies, size_t count,
+                                           const float *x, const float *y,
+                                           const struct scarp_samples *base,
+                                           const struct scarp_eroded *out);
+
+/* scarp_gullies2_f64 - like scarp_gullies2, but with double coordinates, as scarp_sample2_f64.
+   Outputs may be arrays of the base, and not coordinates. */
+SCARP_API enum scarp_status scarp_gullies2_f64(const struct scarp_gullies *gullies, size_t count,
+                                               const double *x, const double *y,
+                                               const struct scarp_samples *base,
+                                               const struct scarp_eroded *out);
+
+/*
+ * scarp_gullies_grid2 - draw gullies into a base on a uniform grid of the plane
+ *
+ * Arrays of the base, and outputs, are as scarp_grid2 has them: element j * row_stride + i of each
+ * becomes, to the bit, what scarp_gullies2_f64 gives at the coordinates of sample (i, j). Nothing
+ * between the rows is touched. Returns what scarp_grid2 says of grids; otherwise as scarp_gullies2.
+ */
+SCARP_API enum scarp_status scarp_gullies_grid2(const struct scarp_gullies *gullies,
+                                                const struct scarp_grid *grid,
+                                                const struct scarp_samples *base,
+                                                const struct scarp_eroded *out);
+
+/*
+ * scarp_gullies_range - the interval that values never leave
+ *
+ * *lowest <= value <= *highest, rounding included, for a base in [base_lowest, base_highest]: these
+ * less and plus depth amplitude, since every v is between -1 and 1.
+ *
+ * Returns SCARP_ERROR_NULL if a pointer is NULL; otherwise as scarp_gullies_check.
+ */
+SCARP_API enum scarp_status scarp_gullies_range(const struct scarp_gullies *gullies,
+                                                float base_lowest, float base_highest,
+                                                float *lowest, float *highest);
+
+/*
+ * scarp_gullies_check - whether calls take gullies, and if not, which member is at fault
+ *
+ * *member becomes the name of a member at fault, as this header spells it, or NULL. It is always
+ * written, also on an error; the text is static. `member` may be NULL.
+ *
+ * Returns SCARP_ERROR_NULL if `gullies` is NULL; SCARP_ERROR_PARAMETER for a number outside its
+ * interval, a frequency of gullies outside those of a noise, and a period that is not whole in
+ * octave 0 or all later ones; SCARP_ERROR_UNSUPPORTED for a reserved member in use, and for turned
+ * axes with a period.
+ */
+SCARP_API enum scarp_status scarp_gullies_check(const struct scarp_gullies *gullies,
+                                                const char **member);
 
 /*
  * scarp_range - the interval that values never leave

@@ -6,6 +6,9 @@
 scarp_test_program(oracle_check SOURCES ${oracle_sources} oracle_perlin.c)
 scarp_add_test(accuracy.oracle accuracy oracle_check)
 
+scarp_test_program(test_gullies_exact SOURCES ${oracle_sources} oracle_gullies.c)
+scarp_add_sized_test(accuracy.gullies accuracy SIZES 20000 1000 1000 200 COMMAND test_gullies_exact {})
+
 scarp_test_program(test_accuracy SOURCES ${oracle_sources})
 foreach(isa IN LISTS isas)
   set(sizes 20000 4000 1000 1000)

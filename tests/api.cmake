@@ -42,6 +42,8 @@ scarp_test_program(test_chain_zero)
 scarp_add_isa_tests(chain_zero api test_chain_zero)
 scarp_test_program(test_curl)
 scarp_add_isa_tests(curl api test_curl)
+scarp_test_program(test_gullies)
+scarp_add_isa_tests(gullies api test_gullies)
 
 scarp_test_program(test_memory)
 scarp_add_isa_tests(memory api test_memory)

@@ -23,6 +23,7 @@
     FUNCTION(smooth_max, 2, 0)                                                                     \
     FUNCTION(clamp, 1, 0)                                                                          \
     FUNCTION(abs, 1, 0)                                                                            \
+    FUNCTION(smooth_abs, 1, 0)                                                                     \
     FUNCTION(smoothstep, 1, 0)                                                                     \
     FUNCTION(smoothstep_falling, 1, 0)                                                             \
     FUNCTION(terrace, 1, 0)                                                                        \
@@ -45,6 +46,7 @@ static const struct {
 #define CHAIN_SCALE 1.7f
 #define CHAIN_OFFSET (-0.3f)
 #define CHAIN_K 0.6f
+#define CHAIN_ROUND 0.35f
 #define CHAIN_LO (-0.4f)
 #define CHAIN_HI 0.3f
 #define CHAIN_STEPS 4.0f
@@ -87,6 +89,7 @@ static inline enum scarp_status chain_call(enum chain f, size_t count,
     case CHAIN_smooth_max: return scarp_smooth_max(count, a, b, CHAIN_K, out);
     case CHAIN_clamp: return scarp_clamp(count, a, CHAIN_LO, CHAIN_HI, out);
     case CHAIN_abs: return scarp_abs(count, a, out);
+    case CHAIN_smooth_abs: return scarp_smooth_abs(count, a, CHAIN_ROUND, out);
     case CHAIN_smoothstep: return scarp_smoothstep(count, a, CHAIN_LO, CHAIN_HI, out);
     case CHAIN_smoothstep_falling: return scarp_smoothstep(count, a, CHAIN_HI, CHAIN_LO, out);
     case CHAIN_terrace: return scarp_terrace(count, a, CHAIN_STEPS, CHAIN_RISER, 1.0f, out);

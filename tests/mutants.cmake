@@ -34,7 +34,7 @@ if(CMAKE_C_FLAGS MATCHES "-fsanitize")
   target_compile_options(scarp_mutants PRIVATE -fno-sanitize=all) # it is meant to do what is wrong
 endif()
 
-foreach(test bits chain curl golden grid plan)
+foreach(test bits chain curl golden grid gullies plan)
   add_library(mutant_${test}_test OBJECT test_${test}.c)
   scarp_compile_rules(mutant_${test}_test)
   target_include_directories(mutant_${test}_test PRIVATE ${PROJECT_SOURCE_DIR}/include)

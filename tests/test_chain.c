@@ -266,6 +266,7 @@ static void test_null(void)
         expect(scarp_smooth_max(n, NULL, b, 1.0f, &out), wanted, "smooth_max");
         expect(scarp_clamp(n, NULL, 0.0f, 1.0f, &out), wanted, "clamp");
         expect(scarp_abs(n, NULL, &out), wanted, "abs");
+        expect(scarp_smooth_abs(n, NULL, 1.0f, &out), wanted, "smooth_abs");
         expect(scarp_smoothstep(n, NULL, 0.0f, 1.0f, &out), wanted, "smoothstep");
         expect(scarp_terrace(n, NULL, 1.0f, 1.0f, 1.0f, &out), wanted, "terrace");
         expect(scarp_apply1(n, NULL, &good.partials, &out), wanted, "apply1");
@@ -291,7 +292,8 @@ static enum scarp_status call_with(int place, float number, const struct scarp_s
     case 6: return scarp_smooth_min(9, a, b, number, out);
     case 7: return scarp_smooth_max(9, a, b, number, out);
     case 8: return scarp_terrace(9, a, number, 1.0f, 1.0f, out);
-    case 9: return scarp_terrace(9, a, 1.0f, number, 1.0f, out);
+    case 9: return scarp_smooth_abs(9, a, number, out);
+    case 10: return scarp_terrace(9, a, 1.0f, number, 1.0f, out);
     default: return scarp_terrace(9, a, 1.0f, 1.0f, number, out);
     }
 }
@@ -305,9 +307,9 @@ static void test_numbers(void)
     } intervals[] = {
         {0, 3, {0.0f, -3e38f, 1e-45f}, {NAN, NAN, NAN, NAN}},
         {4, 5, {0x1p-60f, -0x1p60f, -0x1p-60f}, {0.0f, -0.0f, 0x1.fffffep-61f, -0x1.000002p60f}},
-        {6, 8, {0x1p-60f, 0x1p60f, 1.0f}, {0.0f, -1.0f, 0x1.fffffep-61f, 0x1.000002p60f}},
-        {9, 9, {0x1p-20f, 1.0f, 0.5f}, {0.0f, -1.0f, 0x1.fffffep-21f, 0x1.000002p0f}},
-        {10, 10, {0.0f, 1.0f, 1e-45f}, {-1e-45f, -1.0f, 2.0f, 0x1.000002p0f}},
+        {6, 9, {0x1p-60f, 0x1p60f, 1.0f}, {0.0f, -1.0f, 0x1.fffffep-61f, 0x1.000002p60f}},
+        {10, 10, {0x1p-20f, 1.0f, 0.5f}, {0.0f, -1.0f, 0x1.fffffep-21f, 0x1.000002p0f}},
+        {11, 11, {0.0f, 1.0f, 1e-45f}, {-1e-45f, -1.0f, 2.0f, 0x1.000002p0f}},
     };
     const struct scarp_samples out = outputs_subset(&tested, (1u << OUTPUTS) - 1);
     for (size_t i = 0; i < sizeof intervals / sizeof intervals[0]; i++) {

@@ -67,6 +67,7 @@ static double formula(enum chain f, double a, double b, double m)
     case CHAIN_smooth_max: return -smooth_min(-a, -b, k);
     case CHAIN_clamp: return fmin(fmax(a, lo), hi);
     case CHAIN_abs: return fabs(a);
+    case CHAIN_smooth_abs: return hypot(a, (double)CHAIN_ROUND);
     case CHAIN_smoothstep: return smoothstep(a, lo, hi);
     case CHAIN_smoothstep_falling: return smoothstep(a, hi, lo);
     case CHAIN_terrace: return terrace(a, (double)CHAIN_STEPS, (double)CHAIN_RISER, 1.0);
@@ -228,6 +229,7 @@ static void test_no_jumps(void)
     const double riser = (double)CHAIN_RISER, strength = (double)CHAIN_STRENGTH_WEAK;
     test_no_jump(CHAIN_smooth_min, -0.97f, 1.0 / (k * k));
     test_no_jump(CHAIN_smooth_max, -0.97f, 1.0 / (k * k));
+    test_no_jump(CHAIN_smooth_abs, -0.97f, 1.0 / (double)(CHAIN_ROUND * CHAIN_ROUND));
     test_no_jump(CHAIN_smoothstep, -0.97f, 60.0 / (width * width * width));
     test_no_jump(CHAIN_smoothstep_falling, -0.97f, 60.0 / (width * width * width));
     test_no_jump(CHAIN_terrace, -0.97f, 60.0 * steps * steps / (riser * riser * riser));

@@ -12,6 +12,7 @@
  */
 #include "chain.h"
 #include "fpmode_set.h"
+#include "gullies.h"
 
 #define POINTS 203
 
@@ -252,6 +253,51 @@ static void test_flows(const struct mode *mode)
     }
 }
 
+static __attribute__((noinline)) enum scarp_status
+gullies_in_mode(const struct mode *mode, const struct scarp_gullies *gullies,
+                const struct outputs *o, struct mode_control *after)
+{
+    const struct scarp_samples base = base_of_two(x32[0], x32[1]);
+    const struct scarp_eroded out = eroded_of(o->array, OUT_ALL);
+    const struct mode_control before = mode_enter(mode);
+    const enum scarp_status status = scarp_gullies2(gullies, POINTS, x32[0], x32[1], &base, &out);
+    *after = mode_leave(before);
+    return status;
+}
+
+static __attribute__((noinline)) enum scarp_status
+gullies_checked_in_mode(const struct mode *mode, const struct scarp_gullies *gullies,
+                        struct mode_control *after)
+{
+    const struct mode_control before = mode_enter(mode);
+    const enum scarp_status status = scarp_gullies_check(gullies, NULL);
+    *after = mode_leave(before);
+    return status;
+}
+
+/* Compares gullies in `mode` with those in the default mode. A depth that is no number, or
+   denormal, is refused without a trap. */
+static void test_gullies(const struct mode *mode)
+{
+    struct mode_control after;
+    for (size_t n = 0; n < DESCRIPTIONS; n++) {
+        const enum scarp_status a =
+            gullies_in_mode(&mode_default, &descriptions[n], &expected, &after);
+        const enum scarp_status b = gullies_in_mode(mode, &descriptions[n], &got, &after);
+        CHECK(a == SCARP_OK && b == SCARP_OK, "%s, scarp_gullies2", mode->name);
+        expect_control(mode, &after, "scarp_gullies2");
+        compare_outputs(mode, "scarp_gullies2", OUT_ALL);
+    }
+    for (uint32_t bits = 1; bits != 0x7f800003u; bits = bits == 1 ? 0x7f800001u : bits + 1) {
+        struct scarp_gullies bad = {0};
+        const float number = float_of_bits(bits);
+        memcpy(&bad.depth, &number, sizeof number);
+        CHECK(gullies_checked_in_mode(mode, &bad, &after) == SCARP_ERROR_PARAMETER, "%s: %#x",
+              mode->name, bits);
+        expect_control(mode, &after, "scarp_gullies_check");
+    }
+}
+
 /* Compares plans and answers for shaders in `mode` with those in the default mode. */
 static void test_shaders(const struct mode *mode)
 {
@@ -340,6 +386,7 @@ int main(int argc, char **argv)
         }
         test_results(&start);
         test_flows(&start);
+        test_gullies(&start);
         test_shaders(&start);
         test_errors(&start);
     }
@@ -348,6 +395,7 @@ int main(int argc, char **argv)
         if (mode_works(&modes_all[i])) {
             test_results(&modes_all[i]);
             test_flows(&modes_all[i]);
+            test_gullies(&modes_all[i]);
             test_shaders(&modes_all[i]);
             test_errors(&modes_all[i]);
             modes++;

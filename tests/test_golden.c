@@ -13,6 +13,7 @@
  */
 #include "cases.h"
 #include "chain.h"
+#include "gullies.h"
 
 /* The cases of a group differ in what is asked for and in the precision of coordinates. One hash
    goes over all their outputs. */
@@ -95,6 +96,30 @@ static void visit_chain(enum cases_class class, const struct cases_points *point
     outputs_free(&o);
 }
 
+/* Gullies in a noise at the points of a class, by floats, then by doubles. */
+static void visit_gullies(enum cases_class class, const struct cases_points *points)
+{
+    const struct scarp_noise noise = {.seed = 4, .octaves = 2.0f};
+    struct outputs base = outputs_make(POINTS), o = outputs_make(POINTS);
+    const struct scarp_samples in = outputs_subset(&base, OUTPUTS_ALL2);
+    const struct scarp_eroded out = eroded_of(o.array, OUT_ALL);
+    char name[80];
+    CHECK(scarp_sample2(&noise, POINTS, points->f[0], points->f[1], &in) == SCARP_OK, "a base");
+    for (size_t n = 0; n < DESCRIPTIONS && !check_enough(); n++) {
+        const struct scarp_gullies *const g = &descriptions[n];
+        snprintf(name, sizeof name, "gullies/%d/%s", (int)g->seed, class_names[class]);
+        CHECK(scarp_gullies2(g, POINTS, points->f[0], points->f[1], &in, &out) == SCARP_OK, "%s",
+              name);
+        uint64_t hash = outputs_hash(FNV_BASIS, &o, OUT_ALL, POINTS);
+        CHECK(scarp_gullies2_f64(g, POINTS, points->d[0], points->d[1], &in, &out) == SCARP_OK,
+              "%s", name);
+        hash = outputs_hash(hash, &o, OUT_ALL, POINTS);
+        visit(name, hash);
+    }
+    outputs_free(&base);
+    outputs_free(&o);
+}
+
 static int every = 1; /* one of so many groups is computed */
 
 /* A group of cases that follow each other, those of other dimensions in between. */
@@ -157,6 +182,7 @@ static void visit_class(enum cases_class class)
           "%s", name);
     visit(name, outputs_hash(FNV_BASIS, &o, 7, POINTS));
     visit_chain(class, &points);
+    visit_gullies(class, &points);
     outputs_free(&o);
     cases_free(&points);
 }

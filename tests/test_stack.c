@@ -8,6 +8,7 @@
 #include "guarded.h"
 
 #include "chain.h"
+#include "gullies.h"
 
 #include <pthread.h>
 
@@ -28,7 +29,7 @@ static size_t stack_bytes(void)
 /* One call. */
 struct job {
     struct scarp_noise noise;
-    enum { NOTHING, POINTS, GRID, CHAIN, FLOW, SHADER, OTHERS } kind;
+    enum { NOTHING, POINTS, GRID, CHAIN, FLOW, GULLIES, GULLY_GRID, SHADER, OTHERS } kind;
     int order, dimensions;
     enum function function;
     enum chain chain;
@@ -59,6 +60,22 @@ static enum scarp_status flow_call(const struct job *job)
     }
 }
 
+/* Gullies; of order 1, with derivatives. The arrays stand for any. */
+static enum scarp_status gully_call(const struct job *job)
+{
+    static const struct scarp_gullies gullies = {.octaves = 3.0f, .rotate = 1};
+    const struct inputs *const in = job->in;
+    const struct scarp_samples base = base_of_two(job->x[0], job->x[1]);
+    const struct scarp_eroded out =
+        eroded_of(job->out->array, job->order > 0 ? OUT_ALL : OUT_VALUES);
+    if (job->kind == GULLY_GRID) {
+        return scarp_gullies_grid2(&gullies, &job->grid, &base, &out);
+    }
+    return job->function == SAMPLE2
+               ? scarp_gullies2(&gullies, job->count, in->f[0], in->f[1], &base, &out)
+               : scarp_gullies2_f64(&gullies, job->count, in->d[0], in->d[1], &base, &out);
+}
+
 static void *run(void *opaque)
 {
     struct job *const job = opaque;
@@ -79,6 +96,8 @@ static void *run(void *opaque)
         break;
     }
     case FLOW: job->status = flow_call(job); break;
+    case GULLIES:
+    case GULLY_GRID: job->status = gully_call(job); break;
     case SHADER: {
         static uint32_t answer[SCARP_GPU_ANSWERS];
         job->status = scarp_gpu_answers(&job->noise, job->dimensions, job->order, answer);
@@ -218,6 +237,23 @@ static void measure_flows(const struct guarded *stack, struct job *job, struct w
     job->noise.warp = NULL;
 }
 
+static void measure_gullies(const struct guarded *stack, struct job *job, struct worst *worst)
+{
+    static const enum function functions[2] = {SAMPLE2, SAMPLE2_F64};
+    const size_t most = scarp_isa_active() == SCARP_ISA_SCALAR ? 8 : MOST_POINTS;
+    for (int i = 0; i < 4; i++) {
+        job->order = i / 2;
+        job->kind = GULLIES;
+        job->function = functions[i % 2];
+        for (job->count = 7; job->count < most; job->count += 1000) {
+            measure(stack, job, worst, "scarp_gullies2 and its like");
+        }
+        job->kind = GULLY_GRID;
+        job->grid = (struct scarp_grid){.step = {0.1, 0.1}, .count = {33, i % 2 == 0 ? 1 : 33}};
+        measure(stack, job, worst, "scarp_gullies_grid2");
+    }
+}
+
 int main(int argc, char **argv)
 {
     if (argc != 2) {
@@ -237,7 +273,8 @@ int main(int argc, char **argv)
     const struct guarded stack = guarded_make(stack_bytes());
     struct job job = {
         .kind = NOTHING, .dimensions = 2, .in = &in, .x = {f[0], f[1], f[2]}, .out = &out};
-    struct worst worst = {.nothing = touched(&stack, &job)}, flows = worst, shaders = worst;
+    struct worst worst = {.nothing = touched(&stack, &job)}, flows = worst, shaders = worst,
+                 gullies = worst;
     for (int i = 0; scarp_basis_name((enum scarp_basis)i) != NULL; i++) {
         /* Fractals do the same with all octaves. */
         const int fractals = i <= SCARP_VALUE ? count_names(fractal_name) : 1;
@@ -266,12 +303,14 @@ int main(int argc, char **argv)
         job.count = i % 2 == 0 ? 7 : MOST_POINTS;
         measure(&stack, &job, &worst, chain_names[i / 2]);
     }
+    measure_gullies(&stack, &job, &gullies);
     measure_warped(&stack, &job, &worst);
     job.kind = OTHERS;
     measure(&stack, &job, &worst, "scarp_normals, scarp_range and scarp_noise_check");
     printf("%s: at most %zu bytes of stack: %s; a thread alone has %zu\n", argv[1], worst.bytes,
            worst.what, worst.nothing);
     printf("%s: at most %zu bytes: %s\n", argv[1], flows.bytes, flows.what);
+    printf("%s: at most %zu bytes: %s\n", argv[1], gullies.bytes, gullies.what);
     printf("%s: at most %zu bytes: %s\n", argv[1], shaders.bytes, shaders.what);
     outputs_free(&out);
     return check_done();

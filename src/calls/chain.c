@@ -156,6 +156,13 @@ static int take_smooth(float to[CHAIN_NUMBERS], float k, int maximum)
     return 1;
 }
 
+static int take_round(float to[CHAIN_NUMBERS], float round)
+{
+    to[CHAIN_ROUND] = round;
+    to[CHAIN_ROUND2] = round * round;
+    return is_scale(round);
+}
+
 static int take_terrace(float to[CHAIN_NUMBERS], const float given[3])
 {
     const float steps = given[0], riser = given[1], strength = given[2];
@@ -191,6 +198,7 @@ static int take_numbers(struct scarp_chain *to, const struct arguments *call)
     case CHAIN_SMOOTH_MAX:
         return take_smooth(to->number, first, call->function == CHAIN_SMOOTH_MAX);
     case CHAIN_TERRACE: return take_terrace(to->number, call->number);
+    case CHAIN_SMOOTH_ABS: return take_round(to->number, first);
     case CHAIN_SMOOTHSTEP: return take_step(to->number, first, second);
     default: break;
     }
@@ -320,6 +328,13 @@ enum scarp_status scarp_abs(size_t count, const struct scarp_samples *a,
                             const struct scarp_samples *out)
 {
     const struct arguments call = {CHAIN_ABS, 1, {a}, .out = out};
+    return apply(&call, count);
+}
+
+enum scarp_status scarp_smooth_abs(size_t count, const struct scarp_samples *a, float round,
+                                   const struct scarp_samples *out)
+{
+    const struct arguments call = {CHAIN_SMOOTH_ABS, 1, {a}, .out = out, .number = {round}};
     return apply(&call, count);
 }
 

@@ -8,31 +8,14 @@
 #include "../dispatch/dispatch.h"
 #include "../dispatch/fpmode.h"
 #include "../plan/kept.h"
+#include "grid.h"
 #include "run.h"
 #include "scarp.h"
 
-#define COUNT_OF(array) (sizeof(array) / sizeof(array)[0])
-
-/* These assertions fix layouts, as check.c does for struct scarp_noise. Whether a 32-bit processor
-   aligns doubles and int64_t to 4 or 8 bytes, a grid has the same layout. */
+/* This fixes the layout, as check.c does for struct scarp_noise. */
 _Static_assert(sizeof(struct scarp_samples) == 16 * sizeof(float *) &&
                    offsetof(struct scarp_samples, dphase) == 10 * sizeof(float *),
                "struct scarp_samples has 16 pointers");
-_Static_assert(sizeof(struct scarp_grid) == 192 && offsetof(struct scarp_grid, count) == 72 &&
-                   offsetof(struct scarp_grid, spare) == 72 + 5 * sizeof(size_t),
-               "struct scarp_grid has 192 bytes without padding");
-
-/* Looks at the bits, since it runs in the caller's floating-point mode. */
-static int is_finite_f64(double value)
-{
-    const union {
-        double value;
-        uint64_t bits;
-    } u = {value};
-    const uint64_t exponent = UINT64_C(0x7ff0000000000000);
-    return (u.bits & exponent) != exponent;
-}
-
 /* The arrays of `out` as a list. No other place knows them by name. */
 static const struct scarp_outputs *outputs_of(const struct scarp_samples *out)
 {
@@ -199,71 +182,6 @@ enum scarp_status scarp_sample3_f64(const struct scarp_noise *noise, size_t coun
     return sample(sampler, noise, count, position, out);
 }
 
-/* Largest magnitude of an index, so that it is exact in double. */
-#define INDEX_MAX (INT64_C(1) << 53)
-
-/* Whether origin, step and indices are within the documented intervals along an axis. */
-static int axis_valid(const struct scarp_grid *grid, int axis)
-{
-    const int64_t first = grid->first[axis];
-    return is_finite_f64(grid->origin[axis]) && is_finite_f64(grid->step[axis]) &&
-           first >= -INDEX_MAX && first <= INDEX_MAX &&
-           grid->count[axis] - 1 <= (uint64_t)(INDEX_MAX - first);
-}
-
-/* Counts the elements from the first to the last of n rows of `row` elements that are `stride`
-   apart. Returns 0 if they are more than an array can have. */
-static size_t extent(size_t n, size_t row, size_t stride)
-{
-    const size_t limit = PTRDIFF_MAX / sizeof(float);
-    return row > limit || (n > 1 && stride > (limit - row) / (n - 1)) ? 0 : (n - 1) * stride + row;
-}
-
-/* Fills in the strides of a grid without empty axes, and checks it. */
-static enum scarp_status grid_check(struct scarp_grid *grid, int dimensions)
-{
-    for (int axis = 0; axis < dimensions; axis++) {
-        if (!axis_valid(grid, axis)) {
-            return SCARP_ERROR_PARAMETER;
-        }
-    }
-    if (grid->row_stride == 0) {
-        grid->row_stride = grid->count[0];
-    }
-    const size_t slice = extent(grid->count[1], grid->count[0], grid->row_stride);
-    if (grid->row_stride < grid->count[0]) {
-        return SCARP_ERROR_PARAMETER;
-    }
-    if (slice == 0) {
-        return SCARP_ERROR_SIZE;
-    }
-    if (dimensions == 2) {
-        return SCARP_OK;
-    }
-    if (grid->slice_stride == 0 && grid->count[2] == 1) {
-        grid->slice_stride = slice;
-    }
-    if (grid->slice_stride == 0) {
-        if (extent(grid->count[1] + 1, 0, grid->row_stride) == 0) {
-            return SCARP_ERROR_SIZE;
-        }
-        grid->slice_stride = grid->count[1] * grid->row_stride;
-    }
-    if (grid->slice_stride < slice) {
-        return SCARP_ERROR_PARAMETER;
-    }
-    return extent(grid->count[2], slice, grid->slice_stride) == 0 ? SCARP_ERROR_SIZE : SCARP_OK;
-}
-
-static int grid_reserved_in_use(const struct scarp_grid *grid)
-{
-    uint32_t bits = 0;
-    for (size_t i = 0; i < COUNT_OF(grid->spare); i++) {
-        bits |= grid->spare[i];
-    }
-    return bits != 0;
-}
-
 /* A call on a grid, once its arguments are checked. */
 struct grid_call {
     scarp_grid_fn *kernel;
@@ -290,12 +208,12 @@ static enum scarp_status sample_grid(scarp_grid_fn *kernel, const struct scarp_n
             return SCARP_OK;
         }
     }
-    const enum scarp_status status = grid_check(&grid, dimensions);
+    const enum scarp_status status = scarp_check_grid(&grid, dimensions);
     if (status != SCARP_OK) {
         return status;
     }
     const struct scarp_kind kind = kind_of(dimensions, out);
-    if (kind.order == UNSUPPORTED_ORDER || grid_reserved_in_use(&grid)) {
+    if (kind.order == UNSUPPORTED_ORDER || scarp_grid_reserved_in_use(&grid)) {
         return SCARP_ERROR_UNSUPPORTED;
     }
     const struct fpmode caller = fpmode_enter();

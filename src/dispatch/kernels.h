@@ -8,6 +8,7 @@
 
 #include "../plan/call.h"
 #include "../plan/chain.h"
+#include "../plan/gullies.h"
 #include "../plan/outputs.h"
 #include "isas.h"
 
@@ -40,6 +41,10 @@ typedef void scarp_curl_fn(const struct scarp_call_plan *plan, size_t count,
                            const void *const position[3], const struct scarp_flow_arrays *out,
                            int dimensions, int doubles);
 
+/* Computes gullies of at least one point; `plan` is that of their lattice. */
+typedef void scarp_gullies_fn(const struct scarp_gully_call *call,
+                              const struct scarp_call_plan *plan);
+
 struct scarp_kernels {
     enum scarp_isa isa;
     /* Serves calls of at most `narrower_most` points in less time; NULL, 0: no other table does. */
@@ -52,6 +57,7 @@ struct scarp_kernels {
     scarp_cells_fn *cells;
     scarp_chain_fn *chain;
     scarp_curl_fn *curl;
+    scarp_gullies_fn *gullies;
 };
 
 /* Declared everywhere, defined where isas.h says so. */

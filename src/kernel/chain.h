@@ -51,6 +51,7 @@ static const unsigned char chain_lines[][3] = {
     [CHAIN_SMOOTH_MAX] = {LINE_COPY, LINE_TWO_FIRST, LINE_SMOOTH_SECOND},
     [CHAIN_CLAMP] = {LINE_COPY, LINE_ONE_FIRST, LINE_ONE_FIRST},
     [CHAIN_ABS] = {LINE_COPY, LINE_ONE_FIRST, LINE_ONE_FIRST},
+    [CHAIN_SMOOTH_ABS] = {LINE_COPY, LINE_ONE_FIRST, LINE_ONE_SECOND},
     [CHAIN_SMOOTHSTEP] = {LINE_COPY, LINE_ONE_FIRST, LINE_ONE_SECOND},
     [CHAIN_TERRACE] = {LINE_COPY, LINE_ONE_FIRST, LINE_ONE_SECOND},
     [CHAIN_APPLY1] = {LINE_COPY, LINE_ONE_FIRST, LINE_ONE_SECOND},
@@ -133,6 +134,15 @@ VEC_INLINE struct chain_partials chain_abs(vf v)
     return p;
 }
 
+VEC_INLINE struct chain_partials chain_smooth_abs(const struct scarp_chain *call, vf v)
+{
+    const vf f = vf_sqrt(v * v + call->number[CHAIN_ROUND2]);
+    const vf inverse_f = 1.0f / f;
+    const vf share = call->number[CHAIN_ROUND] * inverse_f;
+    const struct chain_partials p = {.f = f, .a = v * inverse_f, .aa = share * share * inverse_f};
+    return p;
+}
+
 VEC_INLINE struct chain_partials chain_smoothstep(const struct scarp_chain *call, vf v)
 {
     const vf inverse = vf_set(call->number[CHAIN_INVERSE]);
@@ -165,6 +175,7 @@ VEC_INLINE struct chain_partials chain_partials_of(const struct scarp_chain *cal
     case CHAIN_SMOOTH_MAX: return chain_smooth(call, a, b, 1);
     case CHAIN_CLAMP: return chain_clamp(call, a);
     case CHAIN_ABS: return chain_abs(a);
+    case CHAIN_SMOOTH_ABS: return chain_smooth_abs(call, a);
     case CHAIN_SMOOTHSTEP: return chain_smoothstep(call, a);
     default: return chain_terrace(call, a);
     }
@@ -210,6 +221,7 @@ static void chain_take_partials(const float *at[PARTIALS], const struct scarp_ch
         CHAIN_CASE(CHAIN_SMOOTH_MAX)
         CHAIN_CASE(CHAIN_CLAMP)
         CHAIN_CASE(CHAIN_ABS)
+        CHAIN_CASE(CHAIN_SMOOTH_ABS)
         CHAIN_CASE(CHAIN_SMOOTHSTEP)
         CHAIN_CASE(CHAIN_TERRACE)
     default:

@@ -16,6 +16,7 @@
 #include "cells.h"
 #include "chain.h"
 #include "curl.h"
+#include "gullies.h"
 #include "normals.h"
 
 /* Computes points without warps, with scratch space of its own. This is out of line for the sake of
@@ -144,6 +145,7 @@ const struct scarp_kernels KERNELS = {
     .cells = cells,
     .chain = chain,
     .curl = curl,
+    .gullies = gullies,
 };
 
 #undef KERNELS

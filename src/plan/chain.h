@@ -18,6 +18,7 @@ enum scarp_chain_function {
     CHAIN_SMOOTH_MAX,
     CHAIN_CLAMP,
     CHAIN_ABS,
+    CHAIN_SMOOTH_ABS,
     CHAIN_SMOOTHSTEP,
     CHAIN_TERRACE,
     CHAIN_APPLY1,
@@ -43,6 +44,8 @@ enum {
     CHAIN_INVERSE,   /* smoothstep: 1 / (hi - lo); smooth minimum and maximum: 1 / k */
     CHAIN_DEPTH,     /* the latter: k / 6, negative for the maximum */
     CHAIN_BEND,      /* -1 / k, positive for the maximum */
+    CHAIN_ROUND = 0, /* smooth magnitude */
+    CHAIN_ROUND2,    /* and its square */
     CHAIN_STEPS = 0, /* terrace */
     CHAIN_HEIGHT,    /* 1 / steps */
     CHAIN_STEEP,     /* 1 / riser */

@@ -72,6 +72,15 @@ static inline struct partials clamp_at(const struct scarp_chain *call, float v)
     return p;
 }
 
+static inline struct partials smooth_abs_at(const struct scarp_chain *call, float v)
+{
+    const float f = sqrtf(v * v + call->number[CHAIN_ROUND2]);
+    const float inverse_f = 1.0f / f;
+    const float share = call->number[CHAIN_ROUND] * inverse_f;
+    const struct partials p = {.f = f, .a = v * inverse_f, .aa = share * share * inverse_f};
+    return p;
+}
+
 static inline struct partials smoothstep_at(const struct scarp_chain *call, float v)
 {
     const float inverse = call->number[CHAIN_INVERSE];
@@ -109,6 +118,7 @@ static inline struct partials partials_at(const struct scarp_chain *call,
     case CHAIN_SMOOTH_MAX: return smooth_at(call, a, point->of[CHAIN_B][VALUE]);
     case CHAIN_CLAMP: return clamp_at(call, a);
     case CHAIN_ABS: return sign;
+    case CHAIN_SMOOTH_ABS: return smooth_abs_at(call, a);
     case CHAIN_SMOOTHSTEP: return smoothstep_at(call, a);
     case CHAIN_TERRACE: return terrace_at(call, a);
     default: return point->given;

@@ -24,6 +24,11 @@ static inline float root(float a)
     return sqrtf(a);
 }
 
+static inline float floor_of(float a)
+{
+    return floorf(a);
+}
+
 /* One of two numbers, without a branch: where a hash decides, half of them are mispredicted. */
 static inline float either(bool condition, float yes, float no)
 {

@@ -9,6 +9,7 @@
 #include "../dispatch/kernels.h"
 #include "chain.h"
 #include "curl.h"
+#include "gullies.h"
 
 static void put(const struct scarp_outputs *out, size_t i, const struct outputs *s)
 {
@@ -182,6 +183,23 @@ static void curl(const struct scarp_call_plan *plan, size_t count, const void *c
     }
 }
 
+static void gullies(const struct scarp_gully_call *call, const struct scarp_call_plan *plan)
+{
+    struct point x = {.doubles = 1};
+    for (size_t i = 0; call->grid == NULL && i < call->count; i++) {
+        x = point_at((const void *const[3]){call->position[0], call->position[1], NULL}, i, 2,
+                     call->doubles);
+        gullies_at(call, plan, i, &x);
+    }
+    for (size_t j = 0; call->grid != NULL && j < call->grid->count[1]; j++) {
+        x.f64[1] = coordinate(call->grid, 1, j);
+        for (size_t i = 0; i < call->grid->count[0]; i++) {
+            x.f64[0] = coordinate(call->grid, 0, i);
+            gullies_at(call, plan, j * call->grid->row_stride + i, &x);
+        }
+    }
+}
+
 const struct scarp_kernels scarp_kernels_scalar = {
     .isa = SCARP_ISA_SCALAR,
     .points2_f32 = points2_f32,
@@ -194,4 +212,5 @@ const struct scarp_kernels scarp_kernels_scalar = {
     .cells = cells,
     .chain = chain,
     .curl = curl,
+    .gullies = gullies,
 };

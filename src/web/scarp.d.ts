@@ -214,6 +214,8 @@ export interface Scarp {
     smoothMax<T extends Samples>(a: Samples, b: Samples, k: number, out: T): T;
     clamp<T extends Samples>(a: Samples, lo: number, hi: number, out: T): T;
     abs<T extends Samples>(a: Samples, out: T): T;
+    /** sqrt(a^2 + round^2) */
+    smoothAbs<T extends Samples>(a: Samples, round: number, out: T): T;
     smoothstep<T extends Samples>(a: Samples, lo: number, hi: number, out: T): T;
     terrace<T extends Samples>(
         a: Samples,

@@ -429,6 +429,9 @@ class Scarp {
     abs(a, out) {
         return this.#chain('abs', [['a', a]], {}, out);
     }
+    smoothAbs(a, round, out) {
+        return this.#chain('smooth_abs', [['a', a]], { round }, out);
+    }
     smoothstep(a, lo, hi, out) {
         return this.#chain('smoothstep', [['a', a]], { lo, hi }, out);
     }

@@ -8,7 +8,8 @@
 # TEXT       what is replaced; short, so that it outlives changes nearby
 # BECOMES    what stands in its place, where MUTANT is 1 if this mutant is switched on, or else 0
 # SEEN_BY    bits (results of points differ from the scalar kernels'), chain (those of functions of
-#            samples), curl (velocities from those of their potentials), plan (those of kept plans from
+#            samples), curl (velocities from those of their potentials),
+#            gullies (those of sets from the scalar kernels'), plan (those of kept plans from
 #            those without), grid (results of grids from those of points), large (the same, large grids
 #            alone), golden (hashes from golden.txt), or crash
 #            (the library crashes in the one call where only that can tell; see test_grid.c)
@@ -348,3 +349,48 @@ mutant(flat.gaps IN kernel/flat.h TEXT [[w.at[2] * grid->slice_stride + w.at[1] 
        SEEN_BY grid)
 mutant(flat.slices IN kernel/flat.h TEXT [[axis < 2 && w->at]] BECOMES [[axis < 2 - MUTANT && w->at]]
        SEEN_BY grid)
+
+# gullies
+mutant(gullies.step IN kernel/gullies/gully.h TEXT [=[by * base[BASE_DX], by * base[BASE_DY]]=]
+       BECOMES [=[(MUTANT ? 0.0f : 1.0f) * by * base[BASE_DX], by * base[BASE_DY]]=] SEEN_BY gullies)
+mutant(gullies.hessian IN kernel/gullies/gully.h TEXT [[0.5f * unit * (g->slope2 - g->slope2_low)]]
+       BECOMES [[(MUTANT ? 0.0f : 0.5f) * unit * (g->slope2 - g->slope2_low)]] SEEN_BY gullies)
+mutant(gullies.steep IN kernel/gullies/gully.h TEXT [[2.0f * dot2(s, sy)]]
+       BECOMES [[(MUTANT ? 1.0f : 2.0f) * dot2(s, sy)]] SEEN_BY gullies)
+mutant(gullies.sine IN kernel/gullies/gully.h TEXT [[+ 81.6010040f]]
+       BECOMES [[+ (MUTANT ? 81.6010132f : 81.6010040f)]] SEEN_BY gullies)
+mutant(gullies.fold IN kernel/gullies/gully.h TEXT [[vf_lesser(a, 0.5f - a)]]
+       BECOMES [[(MUTANT ? a : vf_lesser(a, 0.5f - a))]] SEEN_BY gullies)
+mutant(gullies.soft IN kernel/gullies/gully.h TEXT [[dot2(s->value, s->value) + GULLY_TAU2]]
+       BECOMES [[dot2(s->value, s->value) + (MUTANT ? 0.00250001f : GULLY_TAU2)]] SEEN_BY gullies)
+mutant(gullies.across IN kernel/gullies/gully.h TEXT [[ey.x - t.y * by]]
+       BECOMES [[ey.x - t.y * (MUTANT ? bx : by)]] SEEN_BY gullies)
+mutant(gullies.corner IN kernel/gullies/gully.h TEXT [[corner_wave(lattice[5], waves_y - q.x)]]
+       BECOMES [[corner_wave(lattice[MUTANT ? 3 : 5], waves_y - q.x)]] SEEN_BY gullies)
+mutant(gullies.moment IN kernel/gullies/gully.h TEXT [[difference2(scaled2(y, z), scaled2(fy.u, top))]]
+       BECOMES [[difference2(scaled2(y, z), scaled2(MUTANT ? fx.u : fy.u, top))]] SEEN_BY gullies)
+mutant(gullies.turned IN kernel/gullies/gully.h TEXT [[combined2(ax, m->moment_y, less_ay, m->moment_x)]]
+       BECOMES [[combined2(ax, m->moment_y, MUTANT ? ay : less_ay, m->moment_x)]] SEEN_BY gullies)
+mutant(gullies.stretch IN kernel/gullies/gully.h TEXT [[o->stretch * t->value.y]]
+       BECOMES [[(o->stretch * (MUTANT ? 0.0f : 1.0f)) * t->value.y]] SEEN_BY gullies)
+mutant(gullies.length IN kernel/gullies/gully.h TEXT [[scaled2(dot2(w, e), w)]]
+       BECOMES [[scaled2(MUTANT ? vf_set(0.0f) : dot2(w, e), w)]] SEEN_BY gullies)
+mutant(gullies.profile IN kernel/gullies/gully.h TEXT [[0.25f * g->fall * inverse(r)]]
+       BECOMES [[(MUTANT ? 0.5f : 0.25f) * g->fall * inverse(r)]] SEEN_BY gullies)
+mutant(gullies.keep IN kernel/gullies/gully.h TEXT [[1.0f - kept * v.value]]
+       BECOMES [[1.0f - (MUTANT ? 0.0f : 1.0f) * kept * v.value]] SEEN_BY gullies)
+mutant(gullies.keep_slope IN kernel/gullies/gully.h TEXT [[2.0f * state->steep.value * kept]]
+       BECOMES [[(MUTANT ? 1.0f : 2.0f) * state->steep.value * kept]] SEEN_BY gullies)
+mutant(gullies.branch IN kernel/gullies/gully.h TEXT [[0.0f - g->branch * m * w.value.y]]
+       BECOMES [[(MUTANT ? 1.0f : 0.0f) - g->branch * m * w.value.y]] SEEN_BY gullies)
+mutant(gullies.tail IN kernel/gullies.h TEXT [[load_up_to(c.base[i] + at, here)]]
+       BECOMES [[load_up_to(c.base[i] + (MUTANT ? 0 : at), here)]] SEEN_BY gullies)
+mutant(gullies.rows IN kernel/gullies.h TEXT [[chunk.base[i] = w->copy + (size_t)i * w->most;]]
+       BECOMES [[chunk.base[i] = w->copy + (size_t)(MUTANT && i == BASE_DXX ? BASE_DYY : i) * w->most;]]
+       SEEN_BY gullies)
+mutant(gullies.weights IN plan/gullies.c TEXT [[to->weight = plan->octave[k].weight;]]
+       BECOMES [[to->weight = plan->octave[MUTANT ? 0 : k].weight;]] SEEN_BY golden SETS scalar)
+mutant(gullies.first_keep IN plan/gullies.c TEXT [[k == 0 ? 0.0f : (float)p->keep]]
+       BECOMES [[k == 0 && !MUTANT ? 0.0f : (float)p->keep]] SEEN_BY golden SETS scalar)
+mutant(gullies.reference IN formulas/gullies.h TEXT [[scaled2(fx.u, right)]]
+       BECOMES [[scaled2(MUTANT ? fy.u : fx.u, right)]] SEEN_BY golden SETS scalar)

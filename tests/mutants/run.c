@@ -43,6 +43,8 @@ static const struct {
     {"grid", "grid", {"--must-differ", "ISA", "2000"}}, /* at most */
     {"grid", "large", {"--must-differ", "ISA", "0"}},
     {"grid", "crash", {"--must-crash", "ISA", "0"}},
+    {"gullies", "", {"ISA"}},
+    {"gullies", "gullies", {"--must-differ", "ISA"}},
     {"plan", "", {"ISA"}},
     {"plan", "plan", {"--must-differ", "ISA"}},
 };

@@ -193,6 +193,7 @@ export function lines(scarp, copied) {
             smoothMax: [a, b, 0.3],
             clamp: [a, -0.2, 0.1],
             abs: [a],
+            smoothAbs: [a, 0.15],
             smoothstep: [a, 0.25, -0.25],
             terrace: [a, 7, 0.4, 0.8],
             apply1: [a, partials],

@@ -248,6 +248,7 @@ static void visit_chain(void)
     CHAIN("smoothMax", scarp_smooth_max(n, a, b, 0.3f, out));
     CHAIN("clamp", scarp_clamp(n, a, -0.2f, 0.1f, out));
     CHAIN("abs", scarp_abs(n, a, out));
+    CHAIN("smoothAbs", scarp_smooth_abs(n, a, 0.15f, out));
     CHAIN("smoothstep", scarp_smoothstep(n, a, 0.25f, -0.25f, out));
     CHAIN("terrace", scarp_terrace(n, a, 7.0f, 0.4f, 0.8f, out));
     CHAIN("apply1", scarp_apply1(n, a, &partials, out));

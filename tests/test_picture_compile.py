@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The examples compile without a warning as their first lines say, outside of the project.
 
-    test_cloud_compile.py SOURCE_DIR LIBRARY SCRATCH_DIR COMPILER_ID FLAGS COMPILER [EMULATOR...]
+    test_picture_compile.py SOURCE_DIR LIBRARY SCRATCH_DIR COMPILER_ID FLAGS COMPILER [EMULATOR...]
 
 The compiler may fuse operations here, so bytes may differ a little from those of the tests.
 """
@@ -26,15 +26,16 @@ def main():
     if "-fsanitize" in flags:
         skip("the examples are not sanitized here")
     os.makedirs(scratch, exist_ok=True)
-    folder, program = os.path.dirname(library), os.path.join(scratch, "cloud")
-    for standard in ("-std=c11", "-std=gnu17"):
+    folder = os.path.dirname(library)
+    for name, standard in (("cloud", "-std=c11"), ("mountains", "-std=gnu17")):
+        program = os.path.join(scratch, name)
         subprocess.run([compiler, standard, "-O3", *WARNINGS, "-I", os.path.join(source, "include"),
-                        os.path.join(source, "src", "examples", "cloud.c"), "-L", folder, "-lscarp",
-                        "-lm", "-Wl,-rpath," + folder, "-o", program], check=True)
+                        os.path.join(source, "src", "examples", name + ".c"), "-L", folder,
+                        "-lscarp", "-lm", "-Wl,-rpath," + folder, "-o", program], check=True)
         drawn = subprocess.run(emulator + [program, "16x9"], check=True, stdout=subprocess.PIPE)
         head = b"P6\n16 9\n255\n"
         if not drawn.stdout.startswith(head) or len(drawn.stdout) != len(head) + 3 * 16 * 9:
-            sys.exit("the program draws no picture of 16 x 9 pixels")
+            sys.exit(name + " draws no picture of 16 x 9 pixels")
     print("the examples compile")
 
 

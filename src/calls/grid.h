@@ -1,0 +1,15 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The checks of grids. They run in the caller's floating-point mode.
+ */
+#ifndef SCARP_GRID_H
+#define SCARP_GRID_H
+
+#include "scarp.h"
+
+/* Fills in the strides of a grid without empty axes, and checks it. */
+enum scarp_status scarp_check_grid(struct scarp_grid *grid, int dimensions);
+
+int scarp_grid_reserved_in_use(const struct scarp_grid *grid);
+
+#endif

@@ -1,0 +1,177 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Checks the description of gullies, and computes their constants: in double and in one fixed
+ * order, so that every platform computes the same.
+ */
+#include "gullies.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "check.h"
+#include "parameters.h"
+
+_Static_assert(offsetof(struct scarp_gullies, amplitude) == 16 &&
+                   offsetof(struct scarp_gullies, period) == 80 &&
+                   offsetof(struct scarp_gullies, spare) == 92 &&
+                   sizeof(struct scarp_gullies) == 128,
+               "struct scarp_gullies has 128 bytes without padding");
+
+#define TWO_PI 6.283185307179586
+
+/* Numbers of gullies, with their defaults filled in. */
+struct filled {
+    double frequency, amplitude, depth, cells, slope, slope_low, low, high;
+    double floor, stripes, branch, round, keep;
+};
+
+static struct filled filled_of(const struct scarp_gullies *g)
+{
+    const struct filled p = {
+        .frequency = value_or(g->frequency, 1.0),
+        .amplitude = value_or((double)g->amplitude, 1.0),
+        .depth = value_or((double)g->depth, 0.25),
+        .cells = value_or((double)g->cells, 3.0),
+        .slope = value_or((double)g->slope, 1.125),
+        .slope_low = value_or((double)g->slope_low, 1.75),
+        .low = value_or((double)g->low, -1.0),
+        .high = value_or((double)g->high, 1.0),
+        .floor = value_or((double)g->floor, 0.5),
+        .stripes = value_or((double)g->stripes, 1.5),
+        .branch = value_or((double)g->branch, 0.8),
+        .round = value_or((double)g->round, 0.15),
+        .keep = value_or((double)g->keep, 1.0),
+    };
+    return p;
+}
+
+/* A NaN is not within. */
+static int within(double value, double lowest, double highest)
+{
+    return value >= lowest && value <= highest;
+}
+
+static const char *outside_member(const struct filled *p)
+{
+    return !within(p->frequency, 0x1p-32, 0x1p48)   ? "frequency"
+           : !within(p->amplitude, 0x1p-24, 0x1p24) ? "amplitude"
+           : !within(p->depth, 0x1p-24, 0x1p10)     ? "depth"
+           : !within(p->cells, 0x1p-6, 0x1p6)       ? "cells"
+           : !within(p->slope, 0x1p-5, 0x1p5)       ? "slope"
+           : !within(p->slope_low, 0x1p-5, 0x1p5)   ? "slope_low"
+           : !within(p->low, -0x1p10, 0x1p10)       ? "low"
+           : !within(p->high, -0x1p10, 0x1p10)      ? "high"
+           : !(p->high - p->low >= 0x1p-10)         ? "high"
+           : !within(p->floor, -1.0, 1.0)           ? "floor"
+           : !within(p->stripes, 0x1p-10, 8.0)      ? "stripes"
+           : !within(p->branch, 0x1p-24, 8.0)       ? "branch"
+           : !within(p->round, 0x1p-8, 0x1p8)       ? "round"
+           : !within(p->keep, 0x1p-24, 1.0)         ? "keep"
+                                                    : NULL;
+}
+
+static int reserved_in_use(const struct scarp_gullies *g)
+{
+    uint32_t bits = 0;
+    for (size_t i = 0; i < sizeof g->spare / sizeof g->spare[0]; i++) {
+        bits |= g->spare[i];
+    }
+    return bits != 0;
+}
+
+/* A period of the base in cells of the gullies; 0 if that is not a whole number. */
+static uint32_t period_of(uint32_t cells_of_base, double cells)
+{
+    const double period = (double)cells_of_base * cells;
+    return period <= PERIOD_MAX && period == (double)(uint32_t)period ? (uint32_t)period : 0;
+}
+
+struct scarp_noise scarp_gullies_lattice(const struct scarp_gullies *gullies)
+{
+    const struct filled p = filled_of(gullies);
+    const struct scarp_noise lattice = {
+        .rotate = gullies->rotate,
+        .seed = gullies->seed,
+        .frequency = p.frequency * p.cells,
+        .octaves = gullies->octaves == 0.0f ? 5.0f : gullies->octaves,
+        .lacunarity = gullies->lacunarity,
+        .gain = gullies->gain == 0.0f ? 0.45f : gullies->gain,
+        .amplitude = (float)p.depth,
+        .period = {period_of(gullies->period[0], p.cells), period_of(gullies->period[1], p.cells)},
+        .of_octaves = gullies->of_octaves,
+    };
+    return lattice;
+}
+
+enum scarp_status scarp_gullies_verify(const struct scarp_gullies *gullies, const char **member)
+{
+    const struct filled p = filled_of(gullies);
+    if ((*member = outside_member(&p)) != NULL) {
+        return SCARP_ERROR_PARAMETER;
+    }
+    if (reserved_in_use(gullies)) {
+        *member = "spare";
+        return SCARP_ERROR_UNSUPPORTED;
+    }
+    for (int i = 0; i < 2; i++) {
+        if (gullies->period[i] != 0 && period_of(gullies->period[i], p.cells) == 0) {
+            *member = i == 0 ? "period[0]" : "period[1]";
+            return SCARP_ERROR_PARAMETER;
+        }
+    }
+    const struct scarp_noise lattice = scarp_gullies_lattice(gullies);
+    return scarp_plan_check(&lattice, 2, member);
+}
+
+/* The turn R of octave k in 2D. */
+static void turn_of(double turn[2], const struct scarp_call_plan *plan, int k)
+{
+    const struct scarp_octave *const o = &plan->octave[k];
+    turn[0] = plan->rotate ? o->jacobian64[0][0] / o->frequency64 : 1.0;
+    turn[1] = plan->rotate ? o->jacobian64[1][0] / o->frequency64 : 0.0;
+}
+
+static void set_octave(struct scarp_gully_octave *to, const struct scarp_call_plan *plan, int k,
+                       const struct filled *p)
+{
+    const double cells = plan->octave[k].frequency64 / p->frequency;
+    double turn[2];
+    turn_of(turn, plan, k);
+    to->weight = plan->octave[k].weight;
+    to->keep = k == 0 ? 0.0f : (float)p->keep;
+    for (int i = 0; i < 2; i++) {
+        to->waves[i] = (float)(p->stripes * turn[i]);
+        to->angles[i] = (float)(TWO_PI * p->stripes * turn[i]);
+        to->cells[i] = (float)(cells * turn[i]);
+    }
+    to->stretch = (float)(TWO_PI * p->stripes * cells);
+}
+
+void scarp_gullies_plan(struct scarp_gully_plan *g, const struct scarp_gullies *gullies,
+                        const struct scarp_call_plan *plan)
+{
+    const struct filled p = filled_of(gullies);
+    g->of_base[0] = (float)(1.0 / p.amplitude);
+    g->of_base[1] = (float)(1.0 / (p.amplitude * p.frequency));
+    g->of_base[2] = (float)(1.0 / (p.amplitude * p.frequency * p.frequency));
+    g->of_sum[0] = (float)p.amplitude;
+    g->of_sum[1] = (float)(p.amplitude * p.frequency);
+    g->low = (float)p.low;
+    g->steepness = (float)(1.0 / (p.high - p.low));
+    g->slope2 = (float)(p.slope * p.slope);
+    g->slope2_low = (float)(p.slope_low * p.slope_low);
+    g->lowered = (float)(1.0 + p.floor);
+    g->round = (float)p.round;
+    g->round2 = (float)(p.round * p.round);
+    g->fall = (float)(2.0 / (sqrt(1.0 + p.round * p.round) - p.round));
+    g->branch = (float)p.branch;
+    for (int k = 0; k < plan->octaves; k++) {
+        set_octave(&g->octave[k], plan, k, &p);
+    }
+}
+
+double scarp_gullies_depth(const struct scarp_gullies *gullies)
+{
+    const struct filled p = filled_of(gullies);
+    return p.amplitude * p.depth;
+}
