@@ -9,10 +9,6 @@
 
 #include "grid.h"
 
-/* Scratch space for the chunk and the passes together. It is less than SCRATCH_BYTES, since there
-   are more frames on the stack. */
-#define CHUNK_BYTES (SCRATCH_BYTES - 2048)
-
 /* The most samples of a chunk. */
 #define CHUNK_SAMPLES ((size_t)512)
 

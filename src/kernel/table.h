@@ -25,8 +25,8 @@ static __attribute__((noinline)) void points_scratch(const struct scarp_call_pla
                                                      const struct scarp_outputs *out,
                                                      struct frame f)
 {
-    struct scratch scratch;
-    const struct workspace work = {scratch.space, sizeof scratch / sizeof(vf)};
+    vf space[SCRATCH_BYTES / sizeof(vf)];
+    const struct workspace work = {space, sizeof space / sizeof(vf)};
     points_unwarped(plan, count, position, out, f, work);
 }
 
@@ -98,8 +98,8 @@ static __attribute__((noinline)) void grid_scratch(const struct scarp_call_plan 
                                                    const struct scarp_grid *described,
                                                    const struct scarp_outputs *out, int dimensions)
 {
-    struct scratch scratch;
-    const struct workspace work = {scratch.space, sizeof scratch / sizeof(vf)};
+    vf space[GRID_BYTES / sizeof(vf)];
+    const struct workspace work = {space, sizeof space / sizeof(vf)};
     grid_within(plan, described, out, dimensions, work);
 }
 

@@ -32,7 +32,7 @@
 #ifdef __clang__ /* whose frames are larger still; gradients of fBm on grids take up to 15 %       \
                     longer */
 #define TILE_ROWS 32
-#define SCRATCH_BYTES (25 * 1024 + 256)
+#define SCRATCH_BYTES (25 * 1024)
 #else
 #define TILE_ROWS 48 /* frames are large */
 #endif
