@@ -254,6 +254,13 @@ int main(int argc, char **argv)
                     measure_grids(&stack, &job, &worst);
                     measure_shaders(&stack, &job, &shaders);
                 }
+                /* With so many, octaves take more of the stack. */
+                job.noise.octaves = 13.0f;
+                if (job.noise.rotate && job.order == noise_order(&job.noise) && j % 2 != 0) {
+                    measure_points(&stack, &job, &worst);
+                    measure_grids(&stack, &job, &worst);
+                }
+                job.noise.octaves = j % 2 != 0 ? 3.0f : 1.0f;
                 if (job.order < 2 || k < SCARP_EROSION) {
                     measure_flows(&stack, &job, &flows);
                 }

@@ -41,13 +41,15 @@
 /* The scratch space holds what is between the passes. With these sizes, a call takes less than 45
    KiB of stack as the library is built by default, and less than the promised 48 where it is
    compiled with -O1 or hardened. Tiles have fewer blocks where a block needs much. A set whose
-   frames are larger has less; so have grids, which keep what their rows share on the stack, and
-   chunks, in which there are more calls within each other. */
+   frames are larger has less. So have chunks, in which there are more calls within each other,
+   grids that are computed as points, and grids of so many octaves that these need much of the
+   stack. */
 #ifndef SCRATCH_BYTES
 #define SCRATCH_BYTES (26 * 1024)
 #endif
-#define GRID_BYTES (SCRATCH_BYTES - 2560)
-#define CHUNK_BYTES (SCRATCH_BYTES - 3328)
+#define CHUNK_BYTES (SCRATCH_BYTES - 2048)
+#define FLAT_BYTES (SCRATCH_BYTES - 2048)
+#define GRID_BYTES_MANY (SCRATCH_BYTES - 2560)
 
 /* Scratch space, or what is left of it. */
 struct workspace {

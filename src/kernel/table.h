@@ -98,7 +98,16 @@ static __attribute__((noinline)) void grid_scratch(const struct scarp_call_plan 
                                                    const struct scarp_grid *described,
                                                    const struct scarp_outputs *out, int dimensions)
 {
-    vf space[GRID_BYTES / sizeof(vf)];
+    vf space[SCRATCH_BYTES / sizeof(vf)];
+    const struct workspace work = {space, sizeof space / sizeof(vf)};
+    grid_within(plan, described, out, dimensions, work);
+}
+
+static __attribute__((noinline)) void grid_many(const struct scarp_call_plan *plan,
+                                                const struct scarp_grid *described,
+                                                const struct scarp_outputs *out, int dimensions)
+{
+    vf space[GRID_BYTES_MANY / sizeof(vf)];
     const struct workspace work = {space, sizeof space / sizeof(vf)};
     grid_within(plan, described, out, dimensions, work);
 }
@@ -110,6 +119,8 @@ static void grid(const struct scarp_call_plan *plan, const struct scarp_grid *de
         warp_grid(plan, described, out, dimensions);
     } else if (is_flat(plan, described, dimensions)) {
         flat_grid(plan, described, out, dimensions);
+    } else if (plan->octaves > SCARP_FEW_OCTAVES) {
+        grid_many(plan, described, out, dimensions);
     } else {
         grid_scratch(plan, described, out, dimensions);
     }
