@@ -39,7 +39,7 @@ static NOINLINE enum scarp_status run_with_levels(const struct scarp_noise *nois
                                                   const void *call)
 {
     struct scarp_levels levels;
-    struct scarp_octave octave[SCARP_LEVEL_OCTAVES];
+    struct scarp_octave octave[SCARP_MAX_OCTAVES];
     return run_in(octave, &levels, noise, kind, compute, call);
 }
 

@@ -134,20 +134,10 @@ struct filling {
     int dimensions, *fits;
 };
 
-/* Octaves of all levels and their components. */
-static int count_octaves(const struct scarp_call_plan *plan, int dimensions)
-{
-    int count = plan->octaves;
-    for (int level = 1; level <= plan->warps.depth; level++) {
-        count += plan->warps.levels->plan[level].octaves * dimensions;
-    }
-    return count;
-}
-
 static void run(const struct scarp_call_plan *plan, const void *opaque)
 {
     const struct filling *const filling = opaque;
-    *filling->fits = count_octaves(plan, filling->dimensions) <= SCARP_MAX_OCTAVES;
+    *filling->fits = plan->warps.depth == 0 || plan->warps.levels->fetch == NULL;
     if (*filling->fits) {
         set_plan(filling->to, plan, filling->dimensions);
     }

@@ -141,51 +141,52 @@ static float rows_samples(const struct scarp_grid *grid, float overhead)
     return (float)samples + overhead * (rest == 0 || count < PADDED_SAMPLES ? 1.0f : 2.0f);
 }
 
-/* How far samples of a row are apart, in cells: the mean of all octaves. */
-static float mean_step(const struct scarp_call_plan *plan, const struct scarp_grid *grid)
+/* How far samples of a row are apart, in cells of octave k. */
+static float step_of(const struct scarp_call_plan *plan, const struct scarp_grid *grid, int k)
 {
-    double sum = 0.0;
-    for (int k = 0; k < plan->octaves; k++) {
-        sum += plan->octave[k].frequency64;
-    }
-    sum *= grid->step[0] / plan->octaves;
-    sum = sum < 0.0 ? -sum : sum;
-    return sum < 1e6 ? (float)sum : 1e6f;
+    const double step = grid->step[0] * plan->octave[k].frequency64;
+    const double apart = step < 0.0 ? -step : step;
+    return apart < 1e6 ? (float)apart : 1e6f;
 }
 
 #if !VEC_SMALL
 /* What a sample along rows takes, for one of crossing.h: `sample`, and `cell` for each cell from
-   one sample to the next; and what a strip takes, in samples. */
+   one sample to the next, but `points` where rows are computed as points (COLUMNS_PER_BLOCK); and
+   what a strip takes, in samples. */
 struct rows_time {
-    float sample, cell, overhead;
+    float sample, cell, points, overhead;
 };
 
-/* Measured on Zen 4 with rows of 5 to 129 samples, 0.01 to 0.2 cells apart (corners up to 1), of
-   one and of four octaves. */
+/* Measured on Zen 4 with SSE4.1, AVX2 and AVX-512: rows of 5 to 1,024 samples, 0.01 to 0.2 cells
+   apart (corners up to 1), of one, four and eight octaves. */
 static struct rows_time rows_time_of(const struct scarp_call_plan *plan, int dimensions)
 {
-    enum { SET = VEC_LANES == 4 ? 0 : VEC_LANES == 8 ? 1 : 2 }; /* SSE4.1, AVX2, AVX-512 */
-    static const float corners[3][2][2] = {                     /* by [set][one octave][in space] */
+    enum { SET = VEC_LANES == 4 ? 0 : VEC_LANES == 8 ? 1 : 2 };
+    static const float corners[3][2][2] = {/* by [set][one octave][in space] */
                                            {{0.6f, 0.6f}, {0.82f, 0.82f}},
                                            {{0.5f, 0.66f}, {0.74f, 0.66f}},
                                            {{0.36f, 0.36f}, {0.7f, 0.58f}}};
-    static const struct rows_time simplex[2][2] = {/* by [in space][values alone] */
-                                                   {{1.3f, 1.0f, 0.0f}, {0.5f, 2.0f, 16.0f}},
-                                                   {{1.3f, 10.0f, 0.0f}, {0.65f, 1.0f, 8.0f}}};
-    static const struct rows_time cells[2][2] = {/* by [in space][two features] */
-                                                 {{0.25f, 6.0f, 0.0f}, {0.3f, 10.0f, 0.0f}},
-                                                 {{0.2f, 2.5f, 3.0f}, {0.25f, 4.0f, 0.0f}}};
-    static const float gain[3] = {1.4f, 1.0f, 0.8f}; /* of rows, from set to set */
+    static const struct rows_time simplex[2][2] = {
+        /* by [in space][values alone] */
+        {{0.8f, 4.0f, 1.1f, 12.0f}, {0.6f, 2.0f, 1.4f, 8.0f}},
+        {{0.6f, 4.0f, 1.4f, 20.0f}, {0.4f, 1.0f, 1.0f, 20.0f}}};
+    static const struct rows_time cells[2][2] = {
+        /* by [in space][two features] */
+        {{0.15f, 8.0f, 1.0f, 0.0f}, {0.3f, 8.0f, 0.9f, 4.0f}},
+        {{0.15f, 4.0f, 0.9f, 0.0f}, {0.25f, 4.0f, 1.1f, 2.0f}}};
+    static const float gain[3] = {1.3f, 1.0f, 0.82f}; /* of rows, from set to set */
     const int finds_two = plan->basis == SCARP_CELL_F2 || plan->basis == SCARP_CELL_EDGE;
     const int in_space = dimensions == 3;
     if (blends_corners(plan->basis)) {
-        const struct rows_time t = {corners[SET][plan->octaves == 1][in_space], 0.05f, 0.0f};
+        const struct rows_time t = {.sample = corners[SET][plan->octaves == 1][in_space],
+                                    .cell = 0.05f};
         return t;
     }
     struct rows_time t = plan->basis == SCARP_SIMPLEX ? simplex[in_space][plan->order == 0]
                                                       : cells[in_space][finds_two];
     t.sample /= gain[SET];
     t.cell /= gain[SET];
+    t.points /= gain[SET];
     return t;
 }
 
@@ -194,8 +195,13 @@ static int crossing_is_faster(const struct scarp_call_plan *plan, const struct s
                               int dimensions)
 {
     const struct rows_time t = rows_time_of(plan, dimensions);
-    return (float)grid->count[0] <
-           (t.sample + t.cell * mean_step(plan, grid)) * rows_samples(grid, t.overhead);
+    float sum = 0.0f;
+    for (int k = 0; k < plan->octaves; k++) {
+        const float step = step_of(plan, grid, k);
+        const int by_points = !blends_corners(plan->basis) && step * VEC_LANES > COLUMNS_PER_BLOCK;
+        sum += by_points ? t.points : t.sample + t.cell * step;
+    }
+    return (float)(grid->count[0] * (size_t)plan->octaves) < sum * rows_samples(grid, t.overhead);
 }
 #endif
 
@@ -230,7 +236,7 @@ static struct rows_speed rows_speed_of(const struct scarp_call_plan *plan,
         const struct rows_speed cells = {VEC_LANES == 4 ? 1.13f : 1.04f, 1.5f};
         return cells;
     }
-    const int few_cells = mean_step(plan, grid) * VEC_LANES < 1.0f;
+    const int few_cells = step_of(plan, grid, plan->octaves - 1) * VEC_LANES <= 2.0f;
     const struct rows_speed s = {in_space || few_cells ? 1.2f : 0.95f, 3.0f};
     return s;
 }

@@ -116,7 +116,7 @@ static void make_levels(struct scarp_levels *levels, const struct scarp_warps *w
         plan_ask(plan, level == 0 ? kind : of_warp);
         count += plan->octaves * (has_components(warps, level) ? kind.dimensions : 1);
     }
-    levels->fetch = count > SCARP_LEVEL_OCTAVES ? fetch_component : NULL;
+    levels->fetch = count > SCARP_MAX_OCTAVES ? fetch_component : NULL;
     noise = levels->noise;
     for (int level = 0; level <= warps->depth; level++, noise = noise->warp) {
         const int has = has_components(warps, level);

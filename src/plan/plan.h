@@ -19,7 +19,7 @@ static inline int scarp_has_levels(const struct scarp_noise *noise, struct scarp
 }
 
 /* Checks the noise and makes the plan of a call. `octave`, with room for all of them, or
-   for SCARP_LEVEL_OCTAVES with levels, and `levels` belong to the plan. A plan with levels has no
+   for SCARP_MAX_OCTAVES with levels, and `levels` belong to the plan. A plan with levels has no
    octaves, but its levels have them; one without needs no `levels`. One that the noise brings is
    taken if it fits, and needs neither. */
 enum scarp_status scarp_plan_call(struct scarp_call_plan *plan, struct scarp_octave *octave,
