@@ -43,11 +43,12 @@ static int is_wanted(const struct bench_options *options, const char *name)
     return options->work == NULL;
 }
 
-/* Workloads on request are listed like all others, but measured only by their whole name. */
+/* Workloads on request are listed like all others, but measured only if --work asks for them. */
 static int is_selected(const struct bench_options *options, const struct bench_work *work)
 {
-    if (options->list || !work->on_request) {
-        return is_wanted(options, work->name);
+    if (options->list || work->request != BENCH_BY_NAME) {
+        return is_wanted(options, work->name) &&
+               (options->list || options->work != NULL || work->request == BENCH_ALWAYS);
     }
     const char *list = options->work;
     char name[128];
@@ -187,6 +188,12 @@ static int prepare(struct selection *selection, struct bench_report *report)
         struct bench_subject *const subject = &selection->subjects[i];
         struct bench_row *const row = &report->rows[i];
         subject->arrays = &selection->arrays;
+        if (subject->work.as_points) {
+            subject->samples_at = bench_arrays_samples(&selection->arrays, &subject->work);
+            if (subject->samples_at == NULL) {
+                return no_memory();
+            }
+        }
         subject->samples = selection->samples + i * repeat;
         subject->row = row;
         snprintf(row->work, sizeof row->work, "%s", subject->work.name);

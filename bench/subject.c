@@ -15,113 +15,6 @@
 /* Keeps the compiler from dropping work whose result nobody reads. */
 static volatile uint32_t consumed;
 
-static uint64_t splitmix64(uint64_t *state)
-{
-    uint64_t z = (*state += UINT64_C(0x9e3779b97f4a7c15));
-    z = (z ^ (z >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
-    z = (z ^ (z >> 27)) * UINT64_C(0x94d049bb133111eb);
-    return z ^ (z >> 31);
-}
-
-/* Draws a multiple of 2^-24, uniform in [0, 1). */
-static float uniform(uint64_t *state)
-{
-    return (float)(splitmix64(state) >> 40) * 0x1p-24f;
-}
-
-static void fill_points(const struct bench_arrays *arrays, size_t count)
-{
-    static const float row[3] = {0.0f, 0.37f, 0.71f};
-    uint64_t state = 1;
-    for (size_t i = 0; i < count; i++) {
-        for (int d = 0; d < 3; d++) {
-            const float random = uniform(&state);
-            arrays->points[BENCH_RANDOM][d][i] = random * 2000.0f - 1000.0f;
-            arrays->points[BENCH_SEQUENTIAL][d][i] = d == 0 ? (float)i * 0.01f : row[d];
-            arrays->points[BENCH_SAME_CELL][d][i] = random;
-            arrays->points_f64[d][i] = (double)random * 2000.0 - 1000.0;
-        }
-    }
-}
-
-/* Counts the output arrays up to the last one that the workload writes. */
-static int count_outputs(const struct bench_work *work)
-{
-    if (work->layout == BENCH_NORMALS) {
-        return 3;
-    }
-    return work->output == BENCH_VALUE          ? 1
-           : work->output == BENCH_PLUS_PHASE   ? 2
-           : work->output == BENCH_PLUS_HESSIAN ? 10
-                                                : 1 + work->dimensions;
-}
-
-void bench_sizes_raise(struct bench_sizes *sizes, const struct bench_work *work)
-{
-    if (work->layout != BENCH_GRID && work->points > sizes->points) {
-        sizes->points = work->points;
-    }
-    for (int i = 0; i < count_outputs(work); i++) {
-        if (work->points > sizes->outputs[i]) {
-            sizes->outputs[i] = work->points;
-        }
-    }
-}
-
-#define CACHE_LINE 64
-
-/* Makes an array that begins with a cache line (not on Windows), by which large grids gain. It is
-   zeroed, so that its pages exist before anything is timed, and never empty, so that NULL always
-   means an error. */
-static void *make_array(size_t count, size_t element)
-{
-    const size_t size = (count * element / CACHE_LINE + 1) * CACHE_LINE;
-#ifdef _WIN32
-    void *const array = malloc(size); /* memory that free() takes */
-#else
-    void *const array = aligned_alloc(CACHE_LINE, size);
-#endif
-    if (array != NULL) {
-        memset(array, 0, size);
-    }
-    return array;
-}
-
-int bench_arrays_make(struct bench_arrays *arrays, const struct bench_sizes *sizes)
-{
-    memset(arrays, 0, sizeof *arrays);
-    int complete = 1;
-    for (int d = 0; d < 3; d++) {
-        for (int pattern = 0; pattern < 3; pattern++) {
-            arrays->points[pattern][d] = make_array(sizes->points, sizeof(float));
-            complete &= arrays->points[pattern][d] != NULL;
-        }
-        arrays->points_f64[d] = make_array(sizes->points, sizeof(double));
-        complete &= arrays->points_f64[d] != NULL;
-    }
-    for (int i = 0; i < 10; i++) {
-        arrays->outputs[i] = make_array(sizes->outputs[i], sizeof(float));
-        complete &= arrays->outputs[i] != NULL;
-    }
-    if (complete) {
-        fill_points(arrays, sizes->points);
-    }
-    return complete;
-}
-
-void bench_arrays_free(struct bench_arrays *arrays)
-{
-    for (int d = 0; d < 3; d++) {
-        for (int pattern = 0; pattern < 3; pattern++) {
-            free(arrays->points[pattern][d]);
-        }
-        free(arrays->points_f64[d]);
-    }
-    for (int i = 0; i < 10; i++) {
-        free(arrays->outputs[i]);
-    }
-}
-
 /* Callers of few points at a time keep a plan, as those of the peers keep their objects. */
 #define FEW_POINTS 64
 
@@ -183,7 +76,8 @@ static int make_peer(struct bench_subject *subject, const struct bench_work *wor
         return 0;
     }
     if (work->layout == BENCH_GRID) {
-        if (peer->grid == NULL || work->output != BENCH_VALUE || work->on_request) {
+        if (peer->grid == NULL || work->output != BENCH_VALUE || work->as_points ||
+            work->request == BENCH_BY_NAME) {
             return 0;
         }
     } else if (work->output != BENCH_VALUE && work->output != BENCH_PLUS_GRADIENT) {
@@ -300,6 +194,11 @@ static enum scarp_status run_scarp(const struct bench_subject *subject,
     if (work->layout == BENCH_PRODUCT) {
         return run_product(subject, out);
     }
+    if (work->as_points) {
+        double *const *const at = subject->samples_at->axis;
+        return work->dimensions == 2 ? scarp_sample2_f64(noise, n, at[0], at[1], out)
+                                     : scarp_sample3_f64(noise, n, at[0], at[1], at[2], out);
+    }
     if (work->layout == BENCH_GRID) {
         return run_grid(subject, out);
     }
@@ -358,7 +257,7 @@ static void run_peer(const struct bench_subject *subject)
 static void consume(const struct bench_subject *subject)
 {
     uint32_t sum = 0;
-    for (int i = 0; i < count_outputs(&subject->work); i++) {
+    for (int i = 0; i < bench_count_outputs(&subject->work); i++) {
         uint32_t first, last;
         memcpy(&first, subject->arrays->outputs[i], sizeof first);
         memcpy(&last, subject->arrays->outputs[i] + subject->work.points - 1, sizeof last);

@@ -6,21 +6,10 @@
 #ifndef SCARP_BENCH_SUBJECT_H
 #define SCARP_BENCH_SUBJECT_H
 
+#include "arrays.h"
 #include "bench.h"
 #include "peer.h"
 #include "work.h"
-
-/* Arrays for the largest workloads, shared by all subjects */
-struct bench_arrays {
-    float *points[3][3];   /* by pattern, then axis */
-    double *points_f64[3]; /* random */
-    float *outputs[10];    /* in the order of struct scarp_samples */
-};
-
-/* How many elements the arrays need: grids read no points, and few workloads write all outputs. */
-struct bench_sizes {
-    size_t points, outputs[10];
-};
 
 struct bench_subject {
     struct bench_work work;
@@ -30,22 +19,16 @@ struct bench_subject {
     void *state;   /* the peer's, or scarp's plan */
     char note[40]; /* how what the peer does differs from a workload with a title */
     const struct bench_arrays *arrays;
-    unsigned long iterations; /* of one timed slice */
-    int turns;                /* how many slices are timed: as many as repeats, or fewer */
-    int timed;                /* how many have been */
-    double *samples;          /* nanoseconds per point, one per timed slice */
-    struct bench_row *row;    /* where the result goes */
+    const struct bench_coordinates *samples_at; /* of a grid as points */
+    unsigned long iterations;                   /* of one timed slice */
+    int turns;             /* how many slices are timed: as many as repeats, or fewer */
+    int timed;             /* how many have been */
+    double *samples;       /* nanoseconds per point, one per timed slice */
+    struct bench_row *row; /* where the result goes */
 };
 
-/* Raises the sizes to what the workload needs. */
-void bench_sizes_raise(struct bench_sizes *sizes, const struct bench_work *work);
-
-/* Makes and fills arrays. Returns 0 without memory; bench_arrays_free is needed anyway. */
-int bench_arrays_make(struct bench_arrays *arrays, const struct bench_sizes *sizes);
-void bench_arrays_free(struct bench_arrays *arrays);
-
 /* Whether scarp, or the peer, can do the workload with the instruction set; if so, *subject is
-   ready but for `arrays`, `samples` and `row`. */
+   ready but for `arrays`, `samples_at`, `samples` and `row`. */
 int bench_subject_make(struct bench_subject *subject, const struct bench_work *work,
                        const struct bench_peer *peer, enum scarp_isa isa);
 void bench_subject_free(struct bench_subject *subject);

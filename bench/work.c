@@ -1,17 +1,14 @@
 /* SPDX-License-Identifier: MIT
  *
  * The list of workloads. A row of the table is a product: every basis times every number of
- * dimensions times every size times every step times every output it names. Names are made from the
- * same fields that the measurement reads, so they cannot disagree. A new fractal or layout is a new
- * row.
+ * dimensions times every size times every step times every output it names. A new fractal or layout
+ * is a new row.
  */
 #include "work.h"
 
-#include <stdio.h>
 #include <string.h>
 
 #define COUNT_OF(array) (sizeof(array) / sizeof(array)[0])
-#define STANDARD_POINTS 65536
 #define STANDARD_STEP 0.01f
 
 enum {
@@ -22,6 +19,7 @@ enum {
     CELL_F1 = 1 << SCARP_CELL_F1,
     CELLS = CELL_F1 | 1 << SCARP_CELL_F2 | 1 << SCARP_CELL_EDGE | 1 << SCARP_CELL_SOFT |
             1 << SCARP_CELL_VALUE,
+    ALL_BASES = BOTH_BASES | SIMPLEX | CELLS,
 
     ONLY_VALUE = 1 << BENCH_VALUE,
     ONLY_GRADIENT = 1 << BENCH_PLUS_GRADIENT,
@@ -31,15 +29,20 @@ enum {
     DIFFERENCES = 1 << BENCH_FORWARD_DIFFERENCES | 1 << BENCH_CENTRAL_DIFFERENCES
 };
 
+struct shape {
+    size_t count[3]; /* samples along each axis */
+};
+
 struct product {
     struct bench_work work; /* what all have in common; 0 means the default */
     unsigned bases, outputs;
     const size_t *sizes[2]; /* in 2D and 3D: numbers of points, or of samples along an edge of a
                                grid. They end in 0; NULL: the standard */
     const float *steps;     /* of a grid; likewise */
+    const struct shape *shapes[2]; /* of grids, in place of sizes; likewise */
 };
 
-static const size_t standard_sizes[] = {STANDARD_POINTS, 0};
+static const size_t standard_sizes[] = {BENCH_STANDARD_POINTS, 0};
 static const size_t standard_squares[] = {1024, 0}, standard_cubes[] = {64, 0};
 static const float standard_steps[] = {STANDARD_STEP, 0};
 
@@ -47,6 +50,17 @@ static const size_t other_sizes[] = {1, 4, 16, 64, 256, 4096, 1048576, 0};
 static const size_t squares[] = {256, 1024, 4096, 0}, huge_square[] = {16384, 0};
 static const size_t cubes[] = {64, 256, 0}, large_cube[] = {256, 0};
 static const size_t product_sizes[] = {4096, 1048576, 0}; /* a chunk, and far beyond the caches */
+/* Chunks of voxels, with and without a sample more on each side, and tiles of height maps. */
+static const struct shape shapes2[] = {
+    {{17, 17, 1}}, {{33, 33, 1}}, {{65, 65, 1}}, {{129, 129, 1}}, {{0, 0, 0}}};
+static const struct shape shapes3[] = {{{16, 16, 16}},  {{17, 17, 17}}, {{18, 18, 18}},
+                                       {{34, 34, 34}},  {{5, 33, 5}},   {{16, 256, 16}},
+                                       {{256, 16, 16}}, {{0, 0, 0}}};
+static const float shape_steps[] = {0.05f, 0};
+#define SHAPES                                                                                     \
+    .bases = ALL_BASES, .outputs = UP_TO_GRADIENT, .steps = shape_steps,                           \
+    .shapes = {shapes2, shapes3}
+
 static const float other_steps[] = {0.1f, 0.3f, 1.7f, 0};
 static const float none_steps[] = {0.0025f, 0}, alps_steps[] = {0.0035f, 0};
 static const float dunes_steps[] = {0.0022f, 0}, islands_steps[] = {0.0045f, 0};
@@ -133,10 +147,18 @@ static const struct product products[] = {
     {{.layout = BENCH_GRID}, .bases = SIMPLEX | CELLS, .outputs = UP_TO_GRADIENT},
     {{.layout = BENCH_GRID, .octaves = 8}, .bases = SIMPLEX | CELL_F1, .outputs = UP_TO_GRADIENT},
     /* 1 GB is far beyond all caches. */
-    {{.layout = BENCH_GRID, .dimensions = 2, .on_request = 1},
+    {{.layout = BENCH_GRID, .dimensions = 2, .request = BENCH_BY_NAME},
      .bases = GRADIENT,
      .outputs = ONLY_VALUE,
      .sizes = {huge_square, NULL}},
+    /* Grids of the shapes that programs have, and the same samples as points. */
+    {{.layout = BENCH_GRID, .request = BENCH_BY_WORK}, SHAPES},
+    {{.layout = BENCH_GRID, .octaves = 4, .request = BENCH_BY_WORK}, SHAPES},
+    {{.layout = BENCH_GRID, .octaves = 4, .turned = 1, .request = BENCH_BY_WORK}, SHAPES},
+    {{.layout = BENCH_GRID, .as_points = 1, .request = BENCH_BY_WORK}, SHAPES},
+    {{.layout = BENCH_GRID, .octaves = 4, .as_points = 1, .request = BENCH_BY_WORK}, SHAPES},
+    {{.layout = BENCH_GRID, .octaves = 4, .turned = 1, .as_points = 1, .request = BENCH_BY_WORK},
+     SHAPES},
     {{.layout = BENCH_NORMALS, .dimensions = 2}, .bases = GRADIENT, .outputs = ONLY_VALUE},
     {{.layout = BENCH_PRODUCT},
      .bases = GRADIENT,
@@ -229,51 +251,8 @@ static const struct product products[] = {
      .steps = quick_noise_steps},
 };
 
-static const char *const layout_names[] = {"points", "grid", "normals", "product"};
-static const char *const pattern_names[] = {"", "/sequential", "/same-cell"};
-static const char *const warp_names[] = {"", "/warped", "/warped-by-value"};
-static const char *const output_names[] = {"value",   "+gradient",           "+hessian",
-                                           "+dphase", "forward-differences", "central-differences"};
-
-static void write_name(struct bench_work *work)
-{
-    if (work->layout == BENCH_NORMALS) {
-        snprintf(work->name, sizeof work->name, "%s", layout_names[work->layout]);
-        return;
-    }
-    if (work->layout == BENCH_PRODUCT) {
-        snprintf(work->name, sizeof work->name, "%s%d/%s/n=%zu", layout_names[work->layout],
-                 work->dimensions, output_names[work->output], work->points);
-        return;
-    }
-    char fade[16] = "", fractal[32] = "", title[32] = "", size[32] = "", period[24] = "";
-    if (work->fade != SCARP_QUINTIC) {
-        snprintf(fade, sizeof fade, "/%s", scarp_fade_name(work->fade));
-    }
-    if (work->octaves > 1) {
-        snprintf(fractal, sizeof fractal, "/%s%d", scarp_fractal_name(work->fractal),
-                 work->octaves);
-    }
-    if (work->title != NULL) {
-        snprintf(title, sizeof title, "/%s", work->title);
-    }
-    if (work->layout == BENCH_GRID) {
-        snprintf(size, sizeof size, "/%zu/step%g", work->grid[0], (double)work->step);
-    } else if (work->points != STANDARD_POINTS) {
-        snprintf(size, sizeof size, "/n=%zu", work->points);
-    }
-    if (work->period != 0) {
-        snprintf(period, sizeof period, "/period%u", work->period);
-    }
-    snprintf(work->name, sizeof work->name, "%s%d/%s%s%s%s%s%s%s%s%s%s/%s%s",
-             layout_names[work->layout], work->dimensions, scarp_basis_name(work->basis), fade,
-             fractal, work->turned ? "/turned" : "", period, work->phase != 0.0f ? "/flow" : "",
-             warp_names[work->warp], title, work->f64 ? "/f64" : "", pattern_names[work->pattern],
-             output_names[work->output], size);
-}
-
-/* Completes the workload; `size` is one of those in struct product. */
-static void complete(struct bench_work *work, size_t size)
+/* Completes a workload that has its size. */
+static void complete(struct bench_work *work)
 {
     /* The origin is off the lattice planes. Grids that begin on one have samples that miss others
        by rounding alone; where it is by less than 1e-12, fades are denormal numbers, which slow
@@ -283,15 +262,11 @@ static void complete(struct bench_work *work, size_t size)
     work->lacunarity = work->lacunarity != 0.0f ? work->lacunarity : 2.0f;
     work->gain = work->gain != 0.0f ? work->gain : 0.5f;
     work->erosion = work->erosion != 0.0f ? work->erosion : 1.0f;
-    work->points = size;
     if (work->layout == BENCH_GRID) {
-        for (int d = 0; d < 3; d++) {
-            work->origin[d] = origin[d];
-            work->grid[d] = d < work->dimensions ? size : 1;
-        }
-        work->points = size * size * work->grid[2];
+        memcpy(work->origin, origin, sizeof work->origin);
+        work->points = work->grid[0] * work->grid[1] * work->grid[2];
     }
-    write_name(work);
+    bench_work_write_name(work);
 }
 
 static const size_t *sizes_of(const struct product *product, int dimensions)
@@ -306,19 +281,34 @@ static const size_t *sizes_of(const struct product *product, int dimensions)
     return standard_sizes;
 }
 
+/* Gives the workload size number n of its product. Returns 0 where there are no more. */
+static int set_size(const struct product *product, size_t n, struct bench_work *work)
+{
+    const struct shape *const shapes = product->shapes[work->dimensions - 2];
+    if (shapes != NULL) {
+        memcpy(work->grid, shapes[n].count, sizeof work->grid);
+        return work->grid[0] != 0;
+    }
+    work->points = sizes_of(product, work->dimensions)[n];
+    for (int d = 0; d < 3; d++) {
+        work->grid[d] = d < work->dimensions ? work->points : 1;
+    }
+    return work->points != 0;
+}
+
 /* Like get_from_product, but keeps the basis and the dimensions that `work` has. */
 static int get_from_sizes(const struct product *product, size_t *index, struct bench_work *work)
 {
     const float *const steps = product->steps != NULL ? product->steps : standard_steps;
-    for (const size_t *size = sizes_of(product, work->dimensions); *size != 0; size++) {
+    for (size_t n = 0; set_size(product, n, work); n++) {
         for (const float *step = steps; *step > 0; step++) {
-            for (unsigned output = 0; output < COUNT_OF(output_names); output++) {
+            for (unsigned output = 0; output < BENCH_OUTPUTS; output++) {
                 if (!(product->outputs >> output & 1) || (*index)-- > 0) {
                     continue;
                 }
                 work->step = *step;
                 work->output = (enum bench_output)output;
-                complete(work, *size);
+                complete(work);
                 return 1;
             }
         }
@@ -379,41 +369,4 @@ struct scarp_noise bench_work_noise(const struct bench_work *work)
                                 .amplitude = work->amplitude,
                                 .erosion = work->erosion,
                                 .warp = work->warp != 0 ? &warps[work->warp] : NULL};
-}
-
-static int glob(const char *pattern, const char *text)
-{
-    for (; *pattern != '\0' && *pattern != '*'; pattern++, text++) {
-        if (*text == '\0' || (*pattern != '?' && *pattern != *text)) {
-            return 0;
-        }
-    }
-    if (*pattern == '\0') {
-        return *text == '\0';
-    }
-    while (!glob(pattern + 1, text)) {
-        if (*text++ == '\0') {
-            return 0;
-        }
-    }
-    return 1;
-}
-
-static int is_name(const char *pattern)
-{
-    struct bench_work work;
-    for (size_t i = 0; bench_work_get(i, &work); i++) {
-        if (strcmp(pattern, work.name) == 0) {
-            return 1;
-        }
-    }
-    return 0;
-}
-
-int bench_work_matches(const char *pattern, const char *name)
-{
-    if (strpbrk(pattern, "*?") != NULL) {
-        return glob(pattern, name);
-    }
-    return is_name(pattern) ? strcmp(pattern, name) == 0 : strstr(name, pattern) != NULL;
 }

@@ -14,8 +14,11 @@
 extern "C" {
 #endif
 
+/* The points of workloads whose name says nothing of them */
+#define BENCH_STANDARD_POINTS 65536
+
 /* Holds every name of a workload, with the 0 at its end. */
-#define BENCH_NAME_SIZE 160
+#define BENCH_NAME_SIZE 224
 
 enum bench_layout {
     BENCH_POINTS,
@@ -30,7 +33,8 @@ enum bench_output {
     BENCH_PLUS_HESSIAN,        /* value, gradient and Hessian */
     BENCH_PLUS_PHASE,          /* value and its derivative by the phase */
     BENCH_FORWARD_DIFFERENCES, /* value and gradient, from dimensions + 1 values */
-    BENCH_CENTRAL_DIFFERENCES  /* value and gradient, from 2 dimensions + 1 values */
+    BENCH_CENTRAL_DIFFERENCES, /* value and gradient, from 2 dimensions + 1 values */
+    BENCH_OUTPUTS
 };
 
 enum bench_pattern {
@@ -39,11 +43,17 @@ enum bench_pattern {
     BENCH_SAME_CELL   /* uniform in [0, 1) */
 };
 
+enum bench_request {
+    BENCH_ALWAYS,
+    BENCH_BY_WORK, /* measured only if --work is given: many */
+    BENCH_BY_NAME  /* measured only if --work gives the whole name: large */
+};
+
 enum { BENCH_WARP_NONE, BENCH_WARP_GRADIENT, BENCH_WARP_VALUE }; /* by which noise */
 #define BENCH_WARP_REACH 0.5f
 
 struct bench_work {
-    char name[BENCH_NAME_SIZE]; /* made from the rest by work.c */
+    char name[BENCH_NAME_SIZE]; /* made from the rest by names.c */
     enum bench_layout layout;
     enum bench_output output;
     enum bench_pattern pattern;
@@ -61,7 +71,8 @@ struct bench_work {
     float phase;       /* of flow noise */
     int warp;          /* positions are displaced, by half a cell at most: by BENCH_WARP_... */
     int f64;           /* double coordinates */
-    int on_request;    /* measured only if --work gives the whole name: large */
+    int as_points;     /* the samples of a grid, as arrays of double coordinates */
+    enum bench_request request;
     size_t points;
     size_t grid[3];  /* of BENCH_GRID: samples along each axis, x innermost */
     float origin[3]; /* of BENCH_GRID: the first sample, in cells */
@@ -73,6 +84,9 @@ int bench_work_get(size_t index, struct bench_work *work);
 
 /* The noise of a workload, in cells */
 struct scarp_noise bench_work_noise(const struct bench_work *work);
+
+/* Makes the name of a workload from its other members. */
+void bench_work_write_name(struct bench_work *work);
 
 /* Whether `pattern` means the workload `name`: `*` is any text and `?` any character of a whole
    name; a pattern without either is a name or, where no workload is called that, a part of one. */

@@ -54,10 +54,16 @@ if("pthreads" IN_LIST scarp_found)
 endif()
 scarp_add_test(threads threads NEEDS pthreads COMMAND test_threads)
 
-# The header's promise about the stack holds for optimised builds without instruments.
+# The header's promise about the stack, 48 KiB, holds for optimised builds without instruments, whatever
+# their flags. In builds with flags of the project alone, calls take at most 45: other flags get the rest.
+set(stack_kib 48)
+if(SCARP_OPTIMIZE AND NOT CMAKE_C_FLAGS AND NOT CMAKE_BUILD_TYPE STREQUAL "MinSizeRel")
+  set(stack_kib 45)
+endif()
 if(UNIX AND "pthreads" IN_LIST scarp_found AND "optimised" IN_LIST scarp_found)
   scarp_test_program(test_stack)
   target_link_libraries(test_stack PRIVATE Threads::Threads)
+  target_compile_definitions(test_stack PRIVATE STACK_KIB=${stack_kib})
 endif()
 foreach(isa IN LISTS isas)
   scarp_add_test(stack.${isa} api NEEDS pthreads posix optimised COMMAND test_stack ${isa})

@@ -12,7 +12,7 @@ endforeach()
 if("scarp" IN_LIST scarp_found AND "scarp-bench" IN_LIST scarp_found)
   set(cli ${PROJECT_SOURCE_DIR}/src/cli)
   scarp_test_program(test_bench_presets SOURCES
-    ${PROJECT_SOURCE_DIR}/bench/work.c ${cli}/shared/json.c ${cli}/shared/noise.c
+    ${PROJECT_SOURCE_DIR}/bench/names.c ${PROJECT_SOURCE_DIR}/bench/work.c ${cli}/shared/json.c ${cli}/shared/noise.c
     ${cli}/shared/number.c ${cli}/shared/options.c ${cli}/shared/options_describe.c
     ${cli}/shared/running_options.c ${cli}/shared/text.c ${cli}/shared/values.c ${cli}/ground/ground_options.c
     ${cli}/ground/presets.c ${cli}/look/look_options.c ${cli}/terrain/terrain_options.c)

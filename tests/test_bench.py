@@ -7,6 +7,7 @@ PROGRAM may begin with an emulator. Nothing here depends on how fast anything is
 """
 import fnmatch
 import json
+import math
 import os
 import re
 import subprocess
@@ -31,6 +32,10 @@ ONE = [*QUICK, "--work", "points2/gradient/value"]
 # Grids that take long in instrumented builds, and one that is measured only by its whole name
 LARGE = re.compile(r"grid2/.*/(4096|16384)/|grid3/.*/256/")
 ON_REQUEST = "grid2/gradient/value/16384/step0.01"
+BASES = ("gradient", "value", "simplex", "cell-f1", "cell-f2", "cell-edge", "cell-soft",
+         "cell-value")
+SHAPES = {"2": ("17", "33", "65", "129"),
+          "3": ("16", "17", "18", "34", "5x33x5", "16x256x16", "256x16x16")}
 SVG = "{http://www.w3.org/2000/svg}"
 
 
@@ -53,6 +58,16 @@ def report_of(*arguments):
 
 def names_of(*arguments):
     return text_of("--list", *arguments).splitlines()
+
+
+def samples_of(name):
+    """The samples of a grid, None of other workloads"""
+    grid = re.match(r"grid(\d)/.*/([\dx]+)(/as-points)?/step[\d.]+$", name)
+    if grid is None:
+        assert not name.startswith("grid"), name
+        return None
+    edges = [int(edge) for edge in grid.group(2).split("x")]
+    return math.prod(edges * int(grid.group(1)) if len(edges) == 1 else edges)
 
 
 def has_peers():
@@ -88,10 +103,8 @@ class Case(unittest.TestCase):
                 self.assertAlmostEqual(row["mpoints_per_s"] * row["ns_per_point"] / 1000, 1, 4)
                 self.assertGreaterEqual(row["spread"], 0)
                 size = re.search(r"/n=(\d+)$", row["work"])
-                grid = re.match(r"grid(\d)/.*/(\d+)/step[\d.]+$", row["work"])
-                self.assertEqual(row["work"].startswith("grid"), grid is not None)
-                self.assertEqual(row["points"], int(size.group(1)) if size else
-                                 int(grid.group(2)) ** int(grid.group(1)) if grid else 65536)
+                self.assertEqual(row["points"], samples_of(row["work"]) or
+                                 (int(size.group(1)) if size else 65536))
 
 
 class Selection(Case):
@@ -150,6 +163,14 @@ class Selection(Case):
             for output in ("value", "+gradient"):
                 self.assertIn("grid2/" + noise % output, names)
         self.assertIn("grid2/gradient/fbm3/quick-noise/value/1024/step0.0078125", names)
+        for basis in BASES:
+            for kind in ("", "/fbm4", "/fbm4/turned"):
+                for output in ("value", "+gradient"):
+                    for d, shapes in SHAPES.items():
+                        for shape in shapes:
+                            name = "grid%s/%s%s/%s/%s" % (d, basis, kind, output, shape)
+                            self.assertIn(name + "/step0.05", names)
+                            self.assertIn(name + "/as-points/step0.05", names)
 
     def test_patterns(self):
         names = names_of()
@@ -170,6 +191,13 @@ class Selection(Case):
         rows = report_of(*QUICK, "--isa", "scalar", "--work", "grid2/gradient/value/1*/step0.01")
         self.assertEqual([row["work"] for row in rows["rows"]],
                          ["grid2/gradient/value/1024/step0.01"])
+
+    def test_shapes(self):
+        """Grids of many shapes, and the same samples as points"""
+        name = "grid3/simplex/value/5x33x5%s/step0.05"
+        rows = report_of(*QUICK, "--isa", "scalar", "--work", "grid3/simplex/value/5x*")["rows"]
+        self.assertEqual([(row["work"], row["points"]) for row in rows],
+                         [(name % "", 825), (name % "/as-points", 825)])
 
     def test_isas(self):
         report = report_of(*ONE)

@@ -265,6 +265,27 @@ static void test_on_planes(uint64_t *state)
     test_points(&c);
 }
 
+/* Samples a grid of short rows that has more samples than are added up at once (CROSSING_SAMPLES of
+   kernel/crossing.h). */
+static void test_short_rows(uint64_t *state)
+{
+    struct grid_case c = {.dimensions = 2 + (int)pick(state, 2), .order = (int)pick(state, 2)};
+    c.noise.basis = (enum scarp_basis)pick(state, 8);
+    c.noise.octaves = (float)(1 + pick(state, 2));
+    c.noise.seed = check_random(state);
+    c.grid.count[0] = 1 + pick(state, 19);
+    c.grid.count[1] = c.dimensions == 2 ? 1 : 1 + pick(state, 50);
+    c.grid.count[c.dimensions - 1] = 20000 / (c.grid.count[0] * c.grid.count[1]);
+    c.grid.count[2] += c.dimensions == 2;
+    for (int axis = 0; axis < 3; axis++) {
+        c.grid.origin[axis] = check_random_double(state, 100.0);
+        c.grid.step[axis] = check_random_double(state, 0.2);
+    }
+    c.wanted = outputs_up_to(c.order, c.dimensions);
+    got.capacity = expected.capacity = floats_of(&c);
+    test_points(&c);
+}
+
 /* A grid whose outputs are more than STREAM_BYTES (kernel/grid.h), 24 MiB. */
 struct large_case {
     int dimensions, order;
@@ -504,6 +525,9 @@ int main(int argc, char **argv)
             test_tiles(&c, &state);
         }
         test_on_planes(&state);
+        if (i % 100 == 0) {
+            test_short_rows(&state);
+        }
     }
     test_all_large(check_enough() ? 0 : cases < 1000 ? LARGE_CASES_FEW : LARGE_CASES);
     got.capacity = expected.capacity = FLOATS_MAX;

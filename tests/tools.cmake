@@ -98,9 +98,11 @@ function(scarp_find_vulkan)
 endfunction()
 scarp_find_vulkan()
 
-# Whether the library is optimised, and has no instruments in it.
+# Whether the library is optimised, by the project or by the flags of the build type, and has no
+# instruments in it.
+string(TOUPPER "CMAKE_C_FLAGS_${CMAKE_BUILD_TYPE}" flags_of_type)
 set(optimised OFF)
-if(SCARP_OPTIMIZE AND NOT CMAKE_C_FLAGS MATCHES "-fsanitize")
+if((SCARP_OPTIMIZE OR "${${flags_of_type}}" MATCHES "-O[1-3]") AND NOT CMAKE_C_FLAGS MATCHES "-fsanitize")
   set(optimised ON)
 endif()
 

@@ -8,12 +8,11 @@
 #include "../dispatch/fpmode.h"
 #include "../plan/plan.h"
 
-static NOINLINE enum scarp_status run_in(struct scarp_levels *levels,
-                                         const struct scarp_noise *noise, struct scarp_kind kind,
-                                         scarp_run_fn *compute, const void *call)
+static enum scarp_status run_in(struct scarp_octave *octave, struct scarp_levels *levels,
+                                const struct scarp_noise *noise, struct scarp_kind kind,
+                                scarp_run_fn *compute, const void *call)
 {
     struct scarp_call_plan plan;
-    struct scarp_octave octave[SCARP_MAX_OCTAVES];
     const enum scarp_status status = scarp_plan_call(&plan, octave, levels, noise, kind);
     if (status == SCARP_OK) {
         compute(&plan, call);
@@ -21,20 +20,36 @@ static NOINLINE enum scarp_status run_in(struct scarp_levels *levels,
     return status;
 }
 
+static NOINLINE enum scarp_status run_few(const struct scarp_noise *noise, struct scarp_kind kind,
+                                          scarp_run_fn *compute, const void *call)
+{
+    struct scarp_octave octave[SCARP_FEW_OCTAVES];
+    return run_in(octave, NULL, noise, kind, compute, call);
+}
+
+static NOINLINE enum scarp_status run_many(const struct scarp_noise *noise, struct scarp_kind kind,
+                                           scarp_run_fn *compute, const void *call)
+{
+    struct scarp_octave octave[SCARP_MAX_OCTAVES];
+    return run_in(octave, NULL, noise, kind, compute, call);
+}
+
 static NOINLINE enum scarp_status run_with_levels(const struct scarp_noise *noise,
                                                   struct scarp_kind kind, scarp_run_fn *compute,
                                                   const void *call)
 {
     struct scarp_levels levels;
-    return run_in(&levels, noise, kind, compute, call);
+    struct scarp_octave octave[SCARP_MAX_OCTAVES];
+    return run_in(octave, &levels, noise, kind, compute, call);
 }
 
-/* Plans without levels get none: what they compute takes the most stack as it is. */
+/* Each kind of plan has a frame of its own size: what they compute takes much stack as it is. */
 enum scarp_status scarp_run(const struct scarp_noise *noise, struct scarp_kind kind,
                             scarp_run_fn *compute, const void *call)
 {
-    return scarp_has_levels(noise, kind) ? run_with_levels(noise, kind, compute, call)
-                                         : run_in(NULL, noise, kind, compute, call);
+    return scarp_has_levels(noise, kind)         ? run_with_levels(noise, kind, compute, call)
+           : noise->octaves <= SCARP_FEW_OCTAVES ? run_few(noise, kind, compute, call)
+                                                 : run_many(noise, kind, compute, call);
 }
 
 enum scarp_status scarp_find(const struct scarp_finder *how, const struct scarp_noise *noise,

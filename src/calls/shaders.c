@@ -211,7 +211,7 @@ static struct scarp_outputs *list_of(struct scarp_samples *out)
     return (struct scarp_outputs *)out;
 }
 
-#define CHUNK 64 /* points of a call. With more of them, the stack would be too large. */
+#define CHUNK 32 /* points of a call. With more of them, the stack would be too large. */
 
 /* Answers for a chunk of test points. Outputs take the place of the coordinates. */
 static NOINLINE enum scarp_status answer_chunk(uint32_t answer[CHUNK],

@@ -9,10 +9,6 @@
 
 #include "grid.h"
 
-/* Scratch space for the chunk and the passes together. It is less than SCRATCH_BYTES, since there
-   are more frames on the stack. */
-#define CHUNK_BYTES (SCRATCH_BYTES - 2048)
-
 /* The most samples of a chunk. */
 #define CHUNK_SAMPLES ((size_t)512)
 
@@ -54,7 +50,7 @@ static size_t whole_blocks(size_t count)
 static float *chunked_begin(struct chunked *w, struct workspace work, size_t arrays)
 {
     const size_t doubles = w->f.layout == DOUBLES ? 2 : 1;
-    const size_t blocks = work.vectors * 9 / 16 / (arrays + (size_t)w->f.dimensions * doubles);
+    const size_t blocks = work.vectors * 19 / 32 / (arrays + (size_t)w->f.dimensions * doubles);
     float *from = (float *)work.space;
     w->most = least(blocks > 0 ? blocks : 1, CHUNK_SAMPLES / VEC_LANES) * VEC_LANES;
     for (int i = 0; i < w->f.dimensions; i++) {

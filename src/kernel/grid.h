@@ -69,6 +69,13 @@ static double coordinate(const struct scarp_grid *grid, int axis, size_t index)
     return grid->origin[axis] + (double)(grid->first[axis] + (int64_t)index) * grid->step[axis];
 }
 
+/* Whether the caller's arrays have gaps between rows. */
+static int has_row_gaps(const struct scarp_grid *grid, int dimensions)
+{
+    return grid->row_stride != grid->count[0] ||
+           (dimensions == 3 && grid->slice_stride != grid->count[0] * grid->count[1]);
+}
+
 /* Vectors of scratch space for a tile, by use. `by_turns` holds what the octave at work needs:
    tables of lines, or positions on the lattice. */
 struct tile_space {

@@ -265,23 +265,24 @@ static void gully_points(const struct gully_work *w)
     }
 }
 
-/* Copies the samples of a chunk of a grid: bases from the caller's arrays, or outputs to them. */
-static void gully_copy(const struct gully_work *w, struct walk walk, struct gully_chunk *chunk,
-                       int outputs)
+/* Copies the samples of the chunk of a grid that begins with sample `first`: bases from the
+   caller's arrays, or outputs to them. */
+static void gully_copy(const struct gully_work *w, size_t first, size_t count, int outputs)
 {
+    const size_t row = w->call->grid->count[0];
     struct gully_chunk rows;
-    for (size_t first = 0, run; first < chunk->count; first += run) {
-        run = walk_run(&walk, chunk->count - first);
-        gully_arrays(&rows, w, walk.at[1] * w->call->grid->row_stride + walk.at[0]);
+    size_t run = least(row - first % row, count);
+    for (size_t done = 0; done < count; done += run, run = least(row, count - done)) {
+        const size_t at = first + done;
+        gully_arrays(&rows, w, at / row * w->call->grid->row_stride + at % row);
         for (int i = 0; i < BASE_INPUTS; i++) {
-            float *const copy = w->copy + (size_t)i * w->most + first;
+            float *const copy = w->copy + (size_t)i * w->most + done;
             if (outputs && rows.out[i] != NULL) {
                 memcpy(rows.out[i], copy, run * sizeof *copy);
             } else if (!outputs && rows.base[i] != NULL) {
                 memcpy(copy, rows.base[i], run * sizeof *copy);
             }
         }
-        walk_on(&walk, run);
     }
 }
 
@@ -291,21 +292,20 @@ static void gully_grid(const struct gully_work *w)
 {
     const struct scarp_grid *const grid = w->call->grid;
     const size_t count = grid->count[0] * grid->count[1];
-    double *const fill[3] = {w->position[0], w->position[1], NULL};
-    const void *const position[2] = {fill[0], fill[1]};
+    double *const x = w->position[0], *const y = w->position[1];
+    const void *const position[2] = {x, y};
     struct gully_chunk chunk = {.gullies = w->call->gullies};
-    struct walk walk = {grid, {0, 0, 0}};
     for (int i = 0; i < BASE_INPUTS; i++) {
         chunk.base[i] = w->copy + (size_t)i * w->most;
         chunk.out[i] = w->call->out[i] != NULL ? w->copy + (size_t)i * w->most : NULL;
     }
     for (size_t first = 0; first < count; first += chunk.count) {
-        const struct walk begin = walk;
         chunk.count = least(count - first, w->most);
-        walk_fill2(fill, &walk, chunk.count);
-        gully_copy(w, begin, &chunk, 0);
+        flat_fill_x(x, grid, first % grid->count[0], chunk.count);
+        flat_fill_runs(y, grid, 1, first, chunk.count);
+        gully_copy(w, first, chunk.count, 0);
         gully_run(w, position, &chunk);
-        gully_copy(w, begin, &chunk, 1);
+        gully_copy(w, first, chunk.count, 1);
     }
 }
 

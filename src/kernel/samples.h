@@ -86,8 +86,9 @@ struct extent {
     size_t rows, blocks; /* blocks of each row */
 };
 
-/* Copies what a pass of that variant uses: nothing that it stores can alias a copy. Where one function
-   serves all orders, all is copied: gcc warns of what lies behind a comparison with the order. */
+/* Copies what a pass of that variant uses: nothing that it stores can alias a copy. Where one
+   function serves all orders, all is copied: gcc warns of what lies behind a comparison with the
+   order. */
 VEC_INLINE void outputs_copy(struct outputs *to, const struct outputs *from, struct variant v)
 {
 #if VEC_SMALL

@@ -18,9 +18,10 @@ static inline int scarp_has_levels(const struct scarp_noise *noise, struct scarp
     return noise->warp != NULL || kind.vector;
 }
 
-/* Checks the noise and makes the plan of a call. `octave`, with room for SCARP_MAX_OCTAVES, and
-   `levels` belong to the plan. A plan with levels has no octaves, but its levels have them; one
-   without needs no `levels`. One that the noise brings is taken if it fits, and needs neither. */
+/* Checks the noise and makes the plan of a call. `octave`, with room for all of them, or
+   for SCARP_MAX_OCTAVES with levels, and `levels` belong to the plan. A plan with levels has no
+   octaves, but its levels have them; one without needs no `levels`. One that the noise brings is
+   taken if it fits, and needs neither. */
 enum scarp_status scarp_plan_call(struct scarp_call_plan *plan, struct scarp_octave *octave,
                                   struct scarp_levels *levels, const struct scarp_noise *noise,
                                   struct scarp_kind kind);

@@ -22,7 +22,6 @@
 
 #define KERNELS scarp_kernels_avx512
 #define KERNELS_ISA SCARP_ISA_AVX512
-#define ONE_BLOCKS 2 /* with 4, 64 points take 10 % more (Zen 4) */
 /* On Zen 4, a block of 16 points of eight octaves takes 220 to 360 ns, one of 8 points in AVX2 170
    to 260. (In AVX2, one point takes no longer than in SSE4.1.) */
 #if SCARP_HAS_AVX2
@@ -32,7 +31,7 @@
 #ifdef __clang__ /* whose frames are larger still; gradients of fBm on grids take up to 15 %       \
                     longer */
 #define TILE_ROWS 32
-#define SCRATCH_BYTES (25 * 1024 + 256)
+#define SCRATCH_BYTES (25 * 1024)
 #else
 #define TILE_ROWS 48 /* frames are large */
 #endif

@@ -342,13 +342,24 @@ mutant(bend.jacobian IN kernel TEXT [[return vj + reach * dot(*column, v, dimens
        BECOMES [[return MUTANT ? vj : vj + reach * dot(*column, v, dimensions);]] SEEN_BY bits)
 
 # grids as points
-mutant(flat.row IN kernel/flat.h TEXT [[run == grid.count[0] ? to[0] + first : NULL]]
-       BECOMES [[run == grid.count[0] || MUTANT ? to[0] + first : NULL]] SEEN_BY grid)
-mutant(flat.gaps IN kernel/flat.h TEXT [[w.at[2] * grid->slice_stride + w.at[1] * grid->row_stride]]
-       BECOMES [[w.at[2] * grid->slice_stride + w.at[1] * (MUTANT ? grid->count[0] : grid->row_stride)]]
-       SEEN_BY grid)
-mutant(flat.slices IN kernel/flat.h TEXT [[axis < 2 && w->at]] BECOMES [[axis < 2 - MUTANT && w->at]]
-       SEEN_BY grid)
+mutant(flat.row IN kernel/flat.h TEXT [[first = first + 1 < row ? first + 1 : 0;]]
+       BECOMES [[first = first + 1 < row || MUTANT ? first + 1 : 0;]] SEEN_BY grid)
+mutant(flat.gaps IN kernel/flat.h TEXT [[r % grid->count[1] * grid->row_stride]]
+       BECOMES [[r % grid->count[1] * (MUTANT ? grid->count[0] : grid->row_stride)]] SEEN_BY grid)
+mutant(flat.slices IN kernel/flat.h TEXT [[index = index + 1 < grid->count[axis] ? index + 1 : 0;]]
+       BECOMES [[index = index + 1 < grid->count[axis] || MUTANT ? index + 1 : 0;]] SEEN_BY grid)
+mutant(flat.chunk IN kernel/flat.h TEXT [[p->repeats[1] ? first % slice : 0]]
+       BECOMES [[p->repeats[1] && !MUTANT ? first % slice : 0]] SEEN_BY grid)
+mutant(crossing.rows IN kernel/crossing.h TEXT [[crossing_switch(&y, mask, &a.table[1], j, form);]]
+       BECOMES [[crossing_switch(&y, mask, &a.table[MUTANT ? 0 : 1], j, form);]] SEEN_BY grid)
+mutant(crossing.slices IN kernel/crossing.h TEXT [[crossing_switch(&z, mask, &a.table[2], ++k, form);]]
+       BECOMES [[crossing_switch(&z, mask, &a.table[2], MUTANT ? k++ : ++k, form);]] SEEN_BY grid)
+mutant(crossing.continued IN kernel/crossing.h TEXT [[i < count + VEC_LANES; i += count]]
+       BECOMES [[i < count + VEC_LANES && (!MUTANT || i == count); i += count]] SEEN_BY grid)
+mutant(crossing.parts IN kernel/crossing.h TEXT [[some.first[axis] += (int64_t)at;]]
+       BECOMES [[some.first[axis] += MUTANT ? 0 : (int64_t)at;]] SEEN_BY grid)
+mutant(crossing.rest IN kernel/crossing.h TEXT [[copy_out(out, whole, &stored, 0, count - whole);]]
+       BECOMES [[copy_out(out, whole, &stored, 0, MUTANT ? 0 : count - whole);]] SEEN_BY grid)
 
 # gullies
 mutant(gullies.step IN kernel/gullies/gully.h TEXT [=[by * base[BASE_DX], by * base[BASE_DY]]=]

@@ -20,7 +20,7 @@
 #include "../basis/basis.h"
 
 /* The most blocks of a strip, and the most rows of a tile. The more, the less often is prepared
-   what they share; but a call stays below 48 KiB of stack. */
+   what they share; but the stack is small: driver.h. */
 #define STRIP_BLOCKS (VEC_LANES == 16 ? 32 : 384 / VEC_LANES)
 #ifndef TILE_ROWS
 #define TILE_ROWS 96
