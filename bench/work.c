@@ -142,6 +142,8 @@ static const struct product products[] = {
      .bases = GRADIENT,
      .outputs = ONLY_GRADIENT,
      .sizes = {product_sizes, product_sizes}},
+    {{.layout = BENCH_VECTOR}, .bases = BOTH_BASES | SIMPLEX, .outputs = ONLY_VALUE},
+    {{.layout = BENCH_CURL}, .bases = BOTH_BASES | SIMPLEX, .outputs = ONLY_VALUE},
     /* What `scarp terrain` samples: heights alone, or with what lights them. Those of presets,
        which are one noise, tests/test_bench_presets.c holds to the program's. */
     {{.layout = BENCH_GRID, .title = "preset-none", .octaves = 9, .gain = 0.4f, .dimensions = 2},
@@ -229,7 +231,8 @@ static const struct product products[] = {
      .steps = quick_noise_steps},
 };
 
-static const char *const layout_names[] = {"points", "grid", "normals", "product"};
+static const char *const layout_names[] = {"points",  "grid",   "normals",
+                                           "product", "vector", "curl"};
 static const char *const pattern_names[] = {"", "/sequential", "/same-cell"};
 static const char *const warp_names[] = {"", "/warped", "/warped-by-value"};
 static const char *const output_names[] = {"value",   "+gradient",           "+hessian",

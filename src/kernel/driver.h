@@ -24,6 +24,7 @@
 #include <string.h>
 
 #include "../dispatch/kernels.h"
+#include "basis/components.h"
 #include "rows/rows.h"
 #include "rows/turned.h"
 #include "shape/shape.h"
@@ -161,6 +162,7 @@ struct call {
     const struct basis *basis;
     lattice_pass *const *lattice_passes; /* by axes; of a basis that takes hashes */
     basis_pass *basis_pass;
+    int by_rows;           /* whether that takes one row */
     rows_pass *rows_pass;  /* NULL: none, or points */
     shape_pass *turn_pass; /* NULL where no derivatives are to be turned */
     const struct shape *shape;
@@ -172,8 +174,10 @@ struct call {
     int straight_fbm;                 /* whether it is fBm with straight axes */
 };
 
-VEC_INLINE void call_begin(struct call *call, const struct scarp_call_plan *plan, int dimensions,
-                           enum layout layout)
+/* This, and what takes a tile through an octave, is out of line for the sake of size. */
+static __attribute__((noinline)) void call_begin(struct call *call,
+                                                 const struct scarp_call_plan *plan, int dimensions,
+                                                 enum layout layout)
 {
     const struct shape *const shape = &shapes[plan->fractal];
     const int d = dimensions - 2, order = plan->order + shape->extra_order;
@@ -186,7 +190,9 @@ VEC_INLINE void call_begin(struct call *call, const struct scarp_call_plan *plan
     call->layout = layout;
     call->corners = corner_form_of(plan->basis);
     call->lattice_passes = lattice_passes[call->corners][d][layout];
-    call->basis_pass = basis->points[d][order];
+    call->by_rows = plan->component > 0 && plan->basis == SCARP_VALUE;
+    call->basis_pass =
+        call->by_rows ? components_passes[SCARP_VALUE][d][order] : basis->points[d][order];
     call->rows_pass = layout == ROW ? basis->rows[d][order] : NULL;
     call->turn_pass = turns ? turn_passes[d][plan->order - 1] : NULL;
     call->shape = shape;
@@ -213,6 +219,7 @@ struct tile {
     const struct outputs *stored;         /* the noise before it is shaped, at `noise` */
     const struct outputs *turning_stored; /* its derivative by the phase, at `turning` */
     enum put put;                         /* how the first octave is put */
+    int is_located;                       /* whether the samples are on the lattice already */
     size_t group;                         /* ROW: how many rows go through the passes at once */
     struct row_octave *row_octave;        /* of a ROW */
     struct turned_x turned;               /* of a ROW with turned axes */
@@ -265,15 +272,10 @@ static void locate_unhashed(const struct call *call, const struct tile *tile,
     }
 }
 
-/* Locates the tile's samples on the lattice of octave k. */
-VEC_INLINE void locate_tile(const struct call *call, const struct tile *tile, int k)
+/* Finds the corners of the cells of a tile's samples. */
+VEC_INLINE void locate_corners(const struct call *call, const struct tile *tile,
+                               const struct scarp_octave *o, enum axes axes)
 {
-    const enum axes axes = axes_of(call->plan, k);
-    const struct scarp_octave *const o = &call->plan->octave[k];
-    if (call->takes_unhashed) {
-        locate_unhashed(call, tile, o, axes);
-        return;
-    }
     if (call->layout != ROW) {
         call->lattice_passes[axes](tile->locations.lattice, o, tile->locations.extent.blocks,
                                    &tile->at);
@@ -294,6 +296,29 @@ VEC_INLINE void locate_tile(const struct call *call, const struct tile *tile, in
     }
 }
 
+/* Moves the hashes of a tile of gradient noise on to the next component of vector noise. */
+static void tile_next_component(const struct call *call, const struct tile *tile)
+{
+    const size_t blocks = tile->locations.extent.rows * tile->locations.extent.blocks;
+    (call->dimensions == 2 ? next_component2 : next_component3)(tile->locations.lattice, blocks);
+}
+
+/* Locates the tile's samples on the lattice of octave k. */
+static __attribute__((noinline)) void locate_tile(const struct call *call, const struct tile *tile,
+                                                  int k)
+{
+    const enum axes axes = axes_of(call->plan, k);
+    const struct scarp_octave *const o = &call->plan->octave[k];
+    if (call->takes_unhashed) {
+        locate_unhashed(call, tile, o, axes);
+        return;
+    }
+    locate_corners(call, tile, o, axes);
+    for (int i = 0; i < call->plan->component && call->plan->basis == SCARP_GRADIENT; i++) {
+        tile_next_component(call, tile);
+    }
+}
+
 /* Adds octave k of the basis, times its weights, to `to`, or puts it there. */
 VEC_INLINE void add_basis(const struct call *call, const struct tile *tile, int k,
                           const struct weights *weights, const struct outputs *to, enum put put)
@@ -305,8 +330,14 @@ VEC_INLINE void add_basis(const struct call *call, const struct tile *tile, int 
         call->rows_pass(tile->row_octave, tile->locations.extent.rows, weights, to, put);
         return;
     }
-    locate_tile(call, tile, k);
-    call->basis_pass(&tile->locations, weights, to, put);
+    if (!tile->is_located) {
+        locate_tile(call, tile, k);
+    }
+    if (call->by_rows) {
+        component_rows(call->basis_pass, &tile->locations, weights, to, put, call->lattice_size);
+    } else {
+        call->basis_pass(&tile->locations, weights, to, put);
+    }
 }
 
 /* Adds the derivative of the basis by the phase, after add_basis, which has located the tile.
@@ -386,14 +417,20 @@ static void add_shaped(const struct call *call, const struct tile *tile, int k,
     call->shape_pass(&shaping, to, put);
 }
 
+/* Whether octave k is stored before it is added to the outputs. */
+static int is_stored(const struct call *call, int k)
+{
+    return call->shape_pass != NULL ||
+           (call->turn_pass != NULL && axes_of(call->plan, k) == AXES_TURNED);
+}
+
 /* Adds octave k on a tile, or on some of its rows. */
-VEC_INLINE void add_octave(const struct call *call, const struct tile *tile, int k,
-                           const struct outputs *to)
+static __attribute__((noinline)) void add_octave(const struct call *call, const struct tile *tile,
+                                                 int k, const struct outputs *to)
 {
     const struct scarp_octave *const o = &call->plan->octave[k];
     const enum put put = k > 0 ? PUT_ADD : tile->put;
-    if (call->shape_pass != NULL ||
-        (call->turn_pass != NULL && axes_of(call->plan, k) == AXES_TURNED)) {
+    if (is_stored(call, k)) {
         add_shaped(call, tile, k, to, put);
     } else {
         const struct weights weights = {{o->amplitude, o->slope, o->curvature}};
@@ -459,6 +496,7 @@ static __attribute__((noinline)) void prepare_rows(const struct call *call, cons
         along_x(&tile->row_octave->x, &plan->octave[k], tile->locations.extent.blocks, &tile->at,
                 plan->fade, axes);
     }
+    tile->row_octave->rows.component = plan->component;
     along_rows(&tile->row_octave->rows, &plan->octave[k], tile->locations.extent.rows, &at,
                plan->fade, f);
 }
@@ -477,6 +515,8 @@ static void sum_octaves(const struct call *call, struct tile *tile, int first_ti
     }
     tile->locations.basis = plan->basis;
     tile->locations.order = call->basis_order;
+    tile->locations.component = plan->component;
+    tile->locations.component_end = plan->component + 1;
     for (int k = 0; k < plan->octaves; k++) {
         tile->locations.octave = &plan->octave[k];
         tile->locations.turn = plan->octave[k].turn;

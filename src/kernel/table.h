@@ -17,6 +17,7 @@
 #include "chain.h"
 #include "curl.h"
 #include "normals.h"
+#include "vector.h"
 
 /* Computes points without warps, with scratch space of its own. This is out of line for the sake of
  * few points. */
@@ -142,6 +143,7 @@ const struct scarp_kernels KERNELS = {
     .normals = normals,
     .cells = cells,
     .chain = chain,
+    .components = components,
     .curl = curl,
 };
 

@@ -45,6 +45,8 @@ static const struct {
     {"grid", "crash", {"--must-crash", "ISA", "0"}},
     {"plan", "", {"ISA"}},
     {"plan", "plan", {"--must-differ", "ISA"}},
+    {"vector", "", {"ISA"}},
+    {"vector", "vector", {"--must-differ", "ISA"}},
 };
 
 static int call_test(int run, char *isa, char *file)
