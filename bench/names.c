@@ -8,7 +8,8 @@
 #include <stdio.h>
 #include <string.h>
 
-static const char *const layout_names[] = {"points", "grid", "normals", "product"};
+static const char *const layout_names[] = {"points",  "grid",   "normals",
+                                           "product", "vector", "curl"};
 static const char *const pattern_names[] = {"", "/sequential", "/same-cell"};
 static const char *const warp_names[] = {"", "/warped", "/warped-by-value"};
 static const char *const output_names[BENCH_OUTPUTS] = {

@@ -68,8 +68,7 @@ static int make_peer(struct bench_subject *subject, const struct bench_work *wor
     if (work->title != NULL) {
         return make_nearest(subject, work);
     }
-    if (work->layout == BENCH_NORMALS || work->layout == BENCH_PRODUCT ||
-        work->fade != SCARP_QUINTIC || work->turned || work->f64) {
+    if (work->layout >= BENCH_NORMALS || work->fade != SCARP_QUINTIC || work->turned || work->f64) {
         return 0;
     }
     if ((work->period != 0 && work->layout != BENCH_GRID) || work->phase != 0.0f) {
@@ -178,6 +177,24 @@ static enum scarp_status run_product(const struct bench_subject *subject,
     return scarp_multiply(subject->work.points, &a, &b, out);
 }
 
+/* Values of the components of vector noise, or velocities. */
+static enum scarp_status run_vector(const struct bench_subject *subject)
+{
+    float *const *const x = subject->arrays->points[subject->work.pattern];
+    float *const *const to = subject->arrays->outputs;
+    const struct scarp_noise *const noise = &subject->noise;
+    const size_t n = subject->work.points;
+    const int in_space = subject->work.dimensions == 3;
+    const struct scarp_samples out[3] = {{.value = to[0]}, {.value = to[1]}, {.value = to[2]}};
+    const struct scarp_flow flow = {.vx = to[0], .vy = to[1], .vz = in_space ? to[2] : NULL};
+    if (subject->work.layout == BENCH_VECTOR) {
+        return in_space ? scarp_vector3(noise, n, x[0], x[1], x[2], out)
+                        : scarp_vector2(noise, n, x[0], x[1], out);
+    }
+    return in_space ? scarp_curl3(noise, n, x[0], x[1], x[2], &flow)
+                    : scarp_curl2(noise, n, x[0], x[1], &flow);
+}
+
 /* One call; `out` is made before, as callers of few points at a time do. */
 static enum scarp_status run_scarp(const struct bench_subject *subject,
                                    const struct scarp_samples *out)
@@ -193,6 +210,9 @@ static enum scarp_status run_scarp(const struct bench_subject *subject,
     }
     if (work->layout == BENCH_PRODUCT) {
         return run_product(subject, out);
+    }
+    if (work->layout == BENCH_VECTOR || work->layout == BENCH_CURL) {
+        return run_vector(subject);
     }
     if (work->as_points) {
         double *const *const at = subject->samples_at->axis;

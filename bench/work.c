@@ -164,6 +164,8 @@ static const struct product products[] = {
      .bases = GRADIENT,
      .outputs = ONLY_GRADIENT,
      .sizes = {product_sizes, product_sizes}},
+    {{.layout = BENCH_VECTOR}, .bases = BOTH_BASES | SIMPLEX, .outputs = ONLY_VALUE},
+    {{.layout = BENCH_CURL}, .bases = BOTH_BASES | SIMPLEX, .outputs = ONLY_VALUE},
     /* What `scarp terrain` samples: heights alone, or with what lights them. Those of presets,
        which are one noise, tests/test_bench_presets.c holds to the program's. */
     {{.layout = BENCH_GRID, .title = "preset-none", .octaves = 9, .gain = 0.4f, .dimensions = 2},

@@ -24,7 +24,9 @@ enum bench_layout {
     BENCH_POINTS,
     BENCH_GRID,
     BENCH_NORMALS,
-    BENCH_PRODUCT /* of two samples, by scarp_multiply */
+    BENCH_PRODUCT, /* of two samples, by scarp_multiply */
+    BENCH_VECTOR,  /* values of all components of vector noise */
+    BENCH_CURL     /* velocities */
 };
 
 enum bench_output {

@@ -68,6 +68,8 @@ struct ScarpOctave {
     float spare;
 };
 
+/* component: 0 here; octaves_at() sets it to that of vector noise whose components share a lattice.
+ */
 struct ScarpLevel {
     uint basis;
     uint fade;
@@ -76,7 +78,7 @@ struct ScarpLevel {
     uint rotate;
     uint flows;
     uint first;
-    uint spare0;
+    uint component;
     float erosion;
     float sharpness;
     float inverse_weight;
@@ -399,6 +401,41 @@ uint scarp_hash3(uvec3 key, uint x, uint y, uint z)
     return h * (h + SCARP_HASH_K);
 }
 
+/*
+ * Vector noise has components that draw from one hash of each lattice point: these give the hash
+ * that stands in for h in the draws of a component, 0, 1 or 2. Component 0 draws as noise with one
+ * component does.
+ *
+ * Draws are made of the top of a hash, and so are these: the low bits of h (h + k) depend on those
+ * of neighbours. In 2D, gradients are drawn by four bits, and components take four bits each. In
+ * 3D, the upper half times 12 has the number of the gradient above its fraction, of which the next
+ * component makes the same again. Values take all bits. There the halves change places, so that the
+ * upper one moves every bit of the product. tests/hash_components.h has statistics of all pairs of
+ * components.
+ */
+#define SCARP_HASH_VALUES_1 0x9e3779b1u
+#define SCARP_HASH_VALUES_2 0x85ebca6bu
+
+uint scarp_component_hash2(uint hash, uint component)
+{
+    return hash << (4u * component);
+}
+
+uint scarp_component_hash3(uint hash, uint component)
+{
+    uint twelves = scarp_pick_uint(component == 0u, 1u, scarp_pick_uint(component == 1u, 12u,
+            144u));
+    return ((hash >> 16u) * twelves) << 16u;
+}
+
+uint scarp_component_hash_values(uint hash, uint component)
+{
+    uint turned = (hash >> 16u) | (hash << 16u);
+    uint product = turned * scarp_pick_uint(component == 1u, SCARP_HASH_VALUES_1,
+            SCARP_HASH_VALUES_2);
+    return scarp_pick_uint(component == 0u, hash, product);
+}
+
 /* The cells after and before one along an axis, within the period whose last cell is `last`. */
 uint scarp_cell_after(uint last, uint cell)
 {
@@ -446,6 +483,7 @@ struct ScarpLattice {
     vec4 turn; /* how far: the cosine and sine of an angle, then of twice that */
     float jitter; /* how far features of cellular noise stray, in units of 2^-32 cells */
     float middle; /* what is subtracted from distances */
+    uint component; /* which component of vector noise; 0 of noise that has one */
 };
 
 /* Bases that interpolate between lattice points. */
@@ -583,7 +621,7 @@ vec3 scarp_turned3(uint i, vec4 turn)
 
 vec3 scarp_drawn2(ScarpLattice l, uint x, uint y)
 {
-    uint i = scarp_direction_index2(scarp_hash2(l.key, x, y));
+    uint i = scarp_direction_index2(scarp_component_hash2(scarp_hash2(l.key, x, y), l.component));
     vec3 g = scarp_direction2(i);
     if (l.flows) {
         g = scarp_turned2(i, l.turn);
@@ -593,7 +631,8 @@ vec3 scarp_drawn2(ScarpLattice l, uint x, uint y)
 
 vec3 scarp_drawn3(ScarpLattice l, uint x, uint y, uint z)
 {
-    uint i = scarp_direction_index3(scarp_hash3(l.key, x, y, z));
+    uint i = scarp_direction_index3(scarp_component_hash3(scarp_hash3(l.key, x, y, z),
+            l.component));
     vec3 g = scarp_direction3(i);
     if (l.flows) {
         g = scarp_turned3(i, l.turn);
@@ -692,10 +731,21 @@ ScarpSample scarp_gradient_at(ScarpLattice l, uint kind, ScarpLocation p, int di
 
 /* Value noise. */
 
-ScarpColumn scarp_value_column2(uvec3 key, uint x, ScarpLocation p, ScarpFade v)
+float scarp_value2(ScarpLattice l, uint x, uint y)
 {
-    float c0 = scarp_lattice_value(scarp_hash2(key, x, p.cell.y));
-    float c1 = scarp_lattice_value(scarp_hash2(key, x, p.next.y));
+    return scarp_lattice_value(scarp_component_hash_values(scarp_hash2(l.key, x, y), l.component));
+}
+
+float scarp_value3(ScarpLattice l, uint x, uint y, uint z)
+{
+    return scarp_lattice_value(scarp_component_hash_values(scarp_hash3(l.key, x, y, z),
+            l.component));
+}
+
+ScarpColumn scarp_value_column2(ScarpLattice l, uint x, ScarpLocation p, ScarpFade v)
+{
+    float c0 = scarp_value2(l, x, p.cell.y);
+    float c1 = scarp_value2(l, x, p.next.y);
     float d = scarp_sub(c1, c0);
     ScarpColumn c = ScarpColumn(ScarpLine(0.0f, scarp_add(c0, scarp_mul(v.u, d))), ScarpLine(0.0f,
             scarp_mul(v.du, d)), ScarpLine(0.0f, 0.0f), ScarpLine(0.0f, scarp_mul(v.ddu, d)),
@@ -703,12 +753,12 @@ ScarpColumn scarp_value_column2(uvec3 key, uint x, ScarpLocation p, ScarpFade v)
     return c;
 }
 
-ScarpColumn scarp_value_column3(uvec3 key, uint x, ScarpLocation p, ScarpFade v, ScarpFade w)
+ScarpColumn scarp_value_column3(ScarpLattice l, uint x, ScarpLocation p, ScarpFade v, ScarpFade w)
 {
-    float c00 = scarp_lattice_value(scarp_hash3(key, x, p.cell.y, p.cell.z));
-    float c01 = scarp_lattice_value(scarp_hash3(key, x, p.cell.y, p.next.z));
-    float c10 = scarp_lattice_value(scarp_hash3(key, x, p.next.y, p.cell.z));
-    float c11 = scarp_lattice_value(scarp_hash3(key, x, p.next.y, p.next.z));
+    float c00 = scarp_value3(l, x, p.cell.y, p.cell.z);
+    float c01 = scarp_value3(l, x, p.cell.y, p.next.z);
+    float c10 = scarp_value3(l, x, p.next.y, p.cell.z);
+    float c11 = scarp_value3(l, x, p.next.y, p.next.z);
     float dz0 = scarp_sub(c01, c00);
     float dz1 = scarp_sub(c11, c10);
     float e0 = scarp_add(c00, scarp_mul(w.u, dz0));
@@ -726,16 +776,16 @@ ScarpColumn scarp_value_column3(uvec3 key, uint x, ScarpLocation p, ScarpFade v,
 ScarpSample scarp_value_at2(ScarpLattice l, uint kind, ScarpLocation p)
 {
     ScarpFade v = scarp_fade(kind, p.t.y);
-    return scarp_join(scarp_value_column2(l.key, p.cell.x, p, v), scarp_value_column2(l.key,
-            p.next.x, p, v), p.t.x, scarp_fade(kind, p.t.x), true);
+    return scarp_join(scarp_value_column2(l, p.cell.x, p, v), scarp_value_column2(l, p.next.x, p,
+            v), p.t.x, scarp_fade(kind, p.t.x), true);
 }
 
 ScarpSample scarp_value_at3(ScarpLattice l, uint kind, ScarpLocation p)
 {
     ScarpFade v = scarp_fade(kind, p.t.y);
     ScarpFade w = scarp_fade(kind, p.t.z);
-    return scarp_join(scarp_value_column3(l.key, p.cell.x, p, v, w), scarp_value_column3(l.key,
-            p.next.x, p, v, w), p.t.x, scarp_fade(kind, p.t.x), true);
+    return scarp_join(scarp_value_column3(l, p.cell.x, p, v, w), scarp_value_column3(l, p.next.x, p,
+            v, w), p.t.x, scarp_fade(kind, p.t.x), true);
 }
 
 ScarpSample scarp_value_at(ScarpLattice l, uint kind, ScarpLocation p, int dimensions)
@@ -1141,7 +1191,8 @@ ScarpSample scarp_cells_at(ScarpLattice l, uint basis, ScarpLocation p, int dime
 
 ScarpLattice scarp_lattice_of(ScarpOctave o, ScarpLevel l)
 {
-    ScarpLattice lattice = ScarpLattice(o.key, o.last, l.flows != 0u, o.turn, o.turn.x, o.turn.y);
+    ScarpLattice lattice = ScarpLattice(o.key, o.last, l.flows != 0u, o.turn, o.turn.x, o.turn.y,
+            l.component);
     return lattice;
 }
 
@@ -1664,12 +1715,18 @@ ScarpState scarp_with_octave(ScarpState state, ScarpOctave o, ScarpLevel l, uint
     return s;
 }
 
-/* The noise of a level, or of a component of it, without warps. */
-ScarpSample scarp_octaves_at(uint plan, ScarpLevel l, int component, vec3 x, int dimensions)
+/* The noise of a component of a level, without warps; component 0 of a level that has one. */
+ScarpSample scarp_octaves_at(uint plan, ScarpLevel given, uint component, vec3 x, int dimensions)
 {
     vec3 none = scarp_vec3_of(0.0f, 0.0f, 0.0f);
-    uint first = l.first + scarp_uint_of(component) * l.octaves;
+    bool shares_lattice = given.basis == SCARP_GRADIENT || given.basis == SCARP_VALUE;
+    ScarpLevel l = given;
     ScarpState state;
+    if (shares_lattice) {
+        l.component = component;
+    } else {
+        l.first = given.first + component * given.octaves;
+    }
     state.sum = scarp_constant(0.0f);
     state.weight = scarp_constant(1.0f);
     state.slopes.d = none;
@@ -1677,7 +1734,7 @@ ScarpSample scarp_octaves_at(uint plan, ScarpLevel l, int component, vec3 x, int
     state.left = 1.0f;
     state.left_by = none;
     for (uint k = 0u; k < l.octaves; k++) {
-        state = scarp_with_octave(state, scarp_octave_of(plan, first + k), l, k, x, dimensions);
+        state = scarp_with_octave(state, scarp_octave_of(plan, l.first + k), l, k, x, dimensions);
     }
     return state.sum;
 }
@@ -1716,7 +1773,7 @@ ScarpDisplaced scarp_level_at(uint plan, int i, bool deepest, vec3 at, ScarpDisp
     int components = scarp_pick_int(i > 0, dimensions, 1);
     ScarpDisplaced d = y;
     for (int c = 0; c < components; c++) {
-        ScarpSample s = scarp_octaves_at(plan, l, c, at, dimensions);
+        ScarpSample s = scarp_octaves_at(plan, l, scarp_uint_of(c), at, dimensions);
         if (!deepest) {
             s = scarp_composed(s, y, dimensions);
         }

@@ -263,18 +263,33 @@ enum scarp_isa {
  * sharpness. Value noise has no gradients to turn, and the gradients of simplex noise do not: a
  * phase, and dphase, is SCARP_ERROR_UNSUPPORTED with all but gradient noise.
  *
- * Warps. With noise.warp = &w, the noise is n(y), y = x + d(x). Component i of d (0, 1, 2) is the
- * noise w with the seed number 33 + i of splitmix64(first number of splitmix64(w.seed)), which no
- * octave has. It is in units of input: scarp_range of w says how far x may be displaced along each
- * axis, with turbulence and its like to one side. Derivatives go through the Jacobian J = I +
- * D: the gradient is J^T g, the Hessian J^T H J + sum_i g_i H_i, where g and H are those of n at y,
- * D and H_i those of d at x. w may have a warp, too, up to four in all: with e the warp of w, d is
- * w at x + e(x). Points of floats are displaced in float; doubles, and grids, in double. A warp
- * changes no range. Derivatives are products, which overflow where those of the warps and of the
- * noise are too large together. If warp and noise repeat after the same lengths of input, the whole
- * does. dphase is the derivative by the noise's own phase. A warp must have derivatives of the
- * order that is asked for, else calls return SCARP_ERROR_UNSUPPORTED. On grids the deepest warp is
- * as fast as grids are, the rest as fast as points.
+ * Vector noise. What displaces the positions of a warp, what scarp_curl3 takes as potentials, and
+ * what scarp_vector2 and its like give, has a component for each axis, 0, 1 and 2. Components of a
+ * noise w have all that w has but its seed. With t_j number j of splitmix64(first number of
+ * splitmix64(w.seed)), a number that no octave has from j = 33 on:
+ *
+ *     gradient, value  All components are made on the lattice of the seed t_33. Component 0 is the
+ *                      noise w with that seed. Components 1 and 2 draw other gradients, or values,
+ *                      at the same lattice points, from the same hashes: as uniform as those of
+ *                      component 0, and independent of them. No seed has them as its noise.
+ *     other bases      Component i is the noise w with the seed t_(33 + i).
+ *
+ * Each component is in the range of w. One call for all components takes less time than a call for
+ * each: they have cells, fractions and hashes in common where they share a lattice, unless octaves
+ * bend, since each component bends its own.
+ *
+ * Warps. With noise.warp = &w, the noise is n(y), y = x + d(x), where d is the vector noise w, in
+ * every bit what scarp_vector2 and its like give of w. It is in units of input: scarp_range of w
+ * says how far x may be displaced along each axis, with turbulence and its like to one side.
+ * Derivatives go through the Jacobian J = I + D: the gradient is J^T g, the Hessian J^T H J + sum_i
+ * g_i H_i, where g and H are those of n at y, D and H_i those of d at x. w may have a warp, too, up
+ * to four in all: with e the warp of w, d is w at x + e(x). Points of floats are displaced in
+ * float; doubles, and grids, in double. A warp changes no range. Derivatives are products, which
+ * overflow where those of the warps and of the noise are too large together. If warp and noise
+ * repeat after the same lengths of input, the whole does. dphase is the derivative by the noise's
+ * own phase. A warp must have derivatives of the order that is asked for, else calls return
+ * SCARP_ERROR_UNSUPPORTED. On grids the deepest warp is as fast as grids are, the rest as fast as
+ * points.
  *
  * Simplex (Perlin 2001, Gustavson 2005). Vertices v draw gradients g_v, of the same kind as those
  * of gradient noise. With d = p - v and w = max(0, r^2 - d.d), all vertices together make the raw
@@ -438,6 +453,45 @@ SCARP_API enum scarp_status scarp_sample3_f64(const struct scarp_noise *noise, s
                                               const double *x, const double *y, const double *z,
                                               const struct scarp_samples *out);
 
+/*
+ * scarp_vector2 - sample all components of vector noise at points of the plane
+ *
+ * For each i < count, out[c].value[i] is component c (0, 1) of the vector noise that `noise` makes,
+ * with its warp, at (x[i], y[i]), and out[c].dx[i] and so on are the exact derivatives of that
+ * value. See "Vector noise". A warp moves points by it: noise that has the warp w has the value, in
+ * every bit, that it has without the warp at x[i] + out[0].value[i], y[i] + out[1].value[i], with
+ * out of a call for w. So any expression of several noises can be bent at once, and its gradient
+ * follows by the Jacobian of these sums.
+ *
+ * `out` has two elements. What is asked for may differ between components; each pays for the
+ * highest derivative of all. Where only some components are wanted, the others' arrays are NULL,
+ * but are computed. An output may be the very same array as an input (in place); outputs must not
+ * overlap anything else.
+ *
+ * Arrays, coordinates, range and errors are as for scarp_sample2, the errors of an element of `out`
+ * being those of any. The call does without noise.plan.
+ */
+SCARP_API enum scarp_status scarp_vector2(const struct scarp_noise *noise, size_t count,
+                                          const float *x, const float *y,
+                                          const struct scarp_samples out[2]);
+
+/* scarp_vector3 - like scarp_vector2, but in space: three components, with all outputs */
+SCARP_API enum scarp_status scarp_vector3(const struct scarp_noise *noise, size_t count,
+                                          const float *x, const float *y, const float *z,
+                                          const struct scarp_samples out[3]);
+
+/* scarp_vector2_f64 - like scarp_vector2, but with double coordinates, as scarp_sample2_f64.
+   Outputs cannot be in place. */
+SCARP_API enum scarp_status scarp_vector2_f64(const struct scarp_noise *noise, size_t count,
+                                              const double *x, const double *y,
+                                              const struct scarp_samples out[2]);
+
+/* scarp_vector3_f64 - like scarp_vector3, but with double coordinates, as scarp_sample3_f64.
+   Outputs cannot be in place. */
+SCARP_API enum scarp_status scarp_vector3_f64(const struct scarp_noise *noise, size_t count,
+                                              const double *x, const double *y, const double *z,
+                                              const struct scarp_samples out[3]);
+
 /* What is near a point: arrays of `count` elements. A NULL member is skipped; calls that ask for f1
    alone, or for nothing of the second feature, take less time. */
 struct scarp_cells {
@@ -548,17 +602,16 @@ SCARP_API enum scarp_status scarp_curl2(const struct scarp_noise *noise, size_t 
 /*
  * scarp_curl3 - like scarp_curl2, but in space, with all outputs
  *
- * There are three potentials. psi_i (0, 1, 2) is the noise with the seed number 33 + i of
- * splitmix64(first number of splitmix64(seed)), as for components of warps; all have the warp of
- * the noise. With i, j, k = 0, 1, 2 in turn,
+ * There are three potentials psi_0, psi_1, psi_2: the components of the vector noise that the noise
+ * makes, each with the warp of the noise. With i, j, k = 0, 1, 2 in turn,
  *
  *     v_i = d_j psi_k - d_k psi_j,   Jacobian d_m v_i = d_j d_m psi_k - d_k d_m psi_j,
  *
- * each of which is one subtraction of floats that have the bits of scarp_sample3. So the trace
+ * each of which is one subtraction of floats that have the bits of scarp_vector3. So the trace
  * vxx + vyy + vzz is 0 but for the rounding of these three: exactly computed it is at most
  * 2^-24 (|vxx| + |vyy| + |vzz|). One octave of gradient noise with amplitude and frequency 1 has a
- * speed of 1.66, simplex noise 4.30. A call takes as long as three of scarp_sample3, and does
- * without noise.plan.
+ * speed of 1.66, simplex noise 4.30. A call takes as long as one of scarp_vector3, and does without
+ * noise.plan.
  */
 SCARP_API enum scarp_status scarp_curl3(const struct scarp_noise *noise, size_t count,
                                         const float *x, const float *y, const float *z,
@@ -1145,7 +1198,8 @@ struct scarp_gpu_level {
     uint32_t octaves;              /* K */
     uint32_t rotate;               /* 1: axes of all octaves but octave 0 are turned; else 0 */
     uint32_t flows;                /* 1: there is a phase other than 0; else 0 */
-    uint32_t first; /* where its octaves begin: component i of a warp has K from first + i K on */
+    uint32_t first; /* where its octaves begin. Components of a warp by gradient or value noise
+                       share K octaves; of other warps, component i has K from first + i K on. */
     uint32_t spare0;
     float erosion, sharpness; /* defaults filled in; sharpness: 0 for fractals that have none */
     float inverse_weight;     /* 1 / a_0, within floats, of fractals that bend, else 0 */
@@ -1172,8 +1226,9 @@ struct scarp_gpu_plan {
  * *plan is for shaders that sample the noise in 2 or 3 `dimensions`. The same noise gives the same
  * bytes on every machine, but for their order in a word.
  *
- * A plan has 32 octaves in all: those of the noise, and of a warp `dimensions` times as many as it
- * says. Noise with warps that need more is SCARP_ERROR_UNSUPPORTED, with "warp" as *member.
+ * A plan has 32 octaves in all: those of the noise and of each warp, and of a warp by other than
+ * gradient and value noise `dimensions` times as many as it says. Noise with warps that need more
+ * is SCARP_ERROR_UNSUPPORTED, with "warp" as *member.
  *
  * Returns SCARP_ERROR_NULL if `noise` or `plan` is NULL; otherwise as scarp_noise_check, of which
  * `member` is, too: it may be NULL. On an error *plan is left as it was.

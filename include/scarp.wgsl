@@ -47,6 +47,8 @@ struct ScarpOctave {
     spare: f32,
 }
 
+/* component: 0 here; octaves_at() sets it to that of vector noise whose components share a lattice.
+ */
 struct ScarpLevel {
     basis: u32,
     fade: u32,
@@ -55,7 +57,7 @@ struct ScarpLevel {
     rotate: u32,
     flows: u32,
     first: u32,
-    spare0: u32,
+    component: u32,
     erosion: f32,
     sharpness: f32,
     inverse_weight: f32,
@@ -309,6 +311,36 @@ fn scarp_hash3(key: vec3u, x: u32, y: u32, z: u32) -> u32 {
     return h * (h + SCARP_HASH_K);
 }
 
+/*
+ * Vector noise has components that draw from one hash of each lattice point: these give the hash
+ * that stands in for h in the draws of a component, 0, 1 or 2. Component 0 draws as noise with one
+ * component does.
+ *
+ * Draws are made of the top of a hash, and so are these: the low bits of h (h + k) depend on those
+ * of neighbours. In 2D, gradients are drawn by four bits, and components take four bits each. In
+ * 3D, the upper half times 12 has the number of the gradient above its fraction, of which the next
+ * component makes the same again. Values take all bits. There the halves change places, so that the
+ * upper one moves every bit of the product. tests/hash_components.h has statistics of all pairs of
+ * components.
+ */
+const SCARP_HASH_VALUES_1: u32 = 0x9e3779b1u;
+const SCARP_HASH_VALUES_2: u32 = 0x85ebca6bu;
+
+fn scarp_component_hash2(hash: u32, component: u32) -> u32 {
+    return hash << (4u * component);
+}
+
+fn scarp_component_hash3(hash: u32, component: u32) -> u32 {
+    let twelves: u32 = select(select(144u, 12u, component == 1u), 1u, component == 0u);
+    return ((hash >> 16u) * twelves) << 16u;
+}
+
+fn scarp_component_hash_values(hash: u32, component: u32) -> u32 {
+    let turned: u32 = (hash >> 16u) | (hash << 16u);
+    let product: u32 = turned * select(SCARP_HASH_VALUES_2, SCARP_HASH_VALUES_1, component == 1u);
+    return select(product, hash, component == 0u);
+}
+
 /* The cells after and before one along an axis, within the period whose last cell is `last`. */
 fn scarp_cell_after(last: u32, cell: u32) -> u32 {
     return select(cell + 1u, 0u, cell == last);
@@ -353,6 +385,7 @@ struct ScarpLattice {
     turn: vec4f, /* how far: the cosine and sine of an angle, then of twice that */
     jitter: f32, /* how far features of cellular noise stray, in units of 2^-32 cells */
     middle: f32, /* what is subtracted from distances */
+    component: u32, /* which component of vector noise; 0 of noise that has one */
 }
 
 /* Bases that interpolate between lattice points. */
@@ -478,7 +511,8 @@ fn scarp_turned3(i: u32, turn: vec4f) -> vec3f {
 }
 
 fn scarp_drawn2(l: ScarpLattice, x: u32, y: u32) -> vec3f {
-    let i: u32 = scarp_direction_index2(scarp_hash2(l.key, x, y));
+    let i: u32 = scarp_direction_index2(scarp_component_hash2(scarp_hash2(l.key, x, y),
+            l.component));
     var g: vec3f = scarp_direction2(i);
     if (l.flows) {
         g = scarp_turned2(i, l.turn);
@@ -487,7 +521,8 @@ fn scarp_drawn2(l: ScarpLattice, x: u32, y: u32) -> vec3f {
 }
 
 fn scarp_drawn3(l: ScarpLattice, x: u32, y: u32, z: u32) -> vec3f {
-    let i: u32 = scarp_direction_index3(scarp_hash3(l.key, x, y, z));
+    let i: u32 = scarp_direction_index3(scarp_component_hash3(scarp_hash3(l.key, x, y, z),
+            l.component));
     var g: vec3f = scarp_direction3(i);
     if (l.flows) {
         g = scarp_turned3(i, l.turn);
@@ -580,9 +615,18 @@ fn scarp_gradient_at(l: ScarpLattice, kind: u32, p: ScarpLocation, dimensions: i
 
 /* Value noise. */
 
-fn scarp_value_column2(key: vec3u, x: u32, p: ScarpLocation, v: ScarpFade) -> ScarpColumn {
-    let c0: f32 = scarp_lattice_value(scarp_hash2(key, x, p.cell.y));
-    let c1: f32 = scarp_lattice_value(scarp_hash2(key, x, p.next.y));
+fn scarp_value2(l: ScarpLattice, x: u32, y: u32) -> f32 {
+    return scarp_lattice_value(scarp_component_hash_values(scarp_hash2(l.key, x, y), l.component));
+}
+
+fn scarp_value3(l: ScarpLattice, x: u32, y: u32, z: u32) -> f32 {
+    return scarp_lattice_value(scarp_component_hash_values(scarp_hash3(l.key, x, y, z),
+            l.component));
+}
+
+fn scarp_value_column2(l: ScarpLattice, x: u32, p: ScarpLocation, v: ScarpFade) -> ScarpColumn {
+    let c0: f32 = scarp_value2(l, x, p.cell.y);
+    let c1: f32 = scarp_value2(l, x, p.next.y);
     let d: f32 = scarp_sub(c1, c0);
     let c: ScarpColumn = ScarpColumn(ScarpLine(0.0f, scarp_add(c0, scarp_mul(v.u, d))),
             ScarpLine(0.0f, scarp_mul(v.du, d)), ScarpLine(0.0f, 0.0f), ScarpLine(0.0f,
@@ -590,12 +634,12 @@ fn scarp_value_column2(key: vec3u, x: u32, p: ScarpLocation, v: ScarpFade) -> Sc
     return c;
 }
 
-fn scarp_value_column3(key: vec3u, x: u32, p: ScarpLocation, v: ScarpFade,
+fn scarp_value_column3(l: ScarpLattice, x: u32, p: ScarpLocation, v: ScarpFade,
         w: ScarpFade) -> ScarpColumn {
-    let c00: f32 = scarp_lattice_value(scarp_hash3(key, x, p.cell.y, p.cell.z));
-    let c01: f32 = scarp_lattice_value(scarp_hash3(key, x, p.cell.y, p.next.z));
-    let c10: f32 = scarp_lattice_value(scarp_hash3(key, x, p.next.y, p.cell.z));
-    let c11: f32 = scarp_lattice_value(scarp_hash3(key, x, p.next.y, p.next.z));
+    let c00: f32 = scarp_value3(l, x, p.cell.y, p.cell.z);
+    let c01: f32 = scarp_value3(l, x, p.cell.y, p.next.z);
+    let c10: f32 = scarp_value3(l, x, p.next.y, p.cell.z);
+    let c11: f32 = scarp_value3(l, x, p.next.y, p.next.z);
     let dz0: f32 = scarp_sub(c01, c00);
     let dz1: f32 = scarp_sub(c11, c10);
     let e0: f32 = scarp_add(c00, scarp_mul(w.u, dz0));
@@ -612,15 +656,15 @@ fn scarp_value_column3(key: vec3u, x: u32, p: ScarpLocation, v: ScarpFade,
 
 fn scarp_value_at2(l: ScarpLattice, kind: u32, p: ScarpLocation) -> ScarpSample {
     let v: ScarpFade = scarp_fade(kind, p.t.y);
-    return scarp_join(scarp_value_column2(l.key, p.cell.x, p, v), scarp_value_column2(l.key,
-            p.next.x, p, v), p.t.x, scarp_fade(kind, p.t.x), true);
+    return scarp_join(scarp_value_column2(l, p.cell.x, p, v), scarp_value_column2(l, p.next.x, p,
+            v), p.t.x, scarp_fade(kind, p.t.x), true);
 }
 
 fn scarp_value_at3(l: ScarpLattice, kind: u32, p: ScarpLocation) -> ScarpSample {
     let v: ScarpFade = scarp_fade(kind, p.t.y);
     let w: ScarpFade = scarp_fade(kind, p.t.z);
-    return scarp_join(scarp_value_column3(l.key, p.cell.x, p, v, w), scarp_value_column3(l.key,
-            p.next.x, p, v, w), p.t.x, scarp_fade(kind, p.t.x), true);
+    return scarp_join(scarp_value_column3(l, p.cell.x, p, v, w), scarp_value_column3(l, p.next.x, p,
+            v, w), p.t.x, scarp_fade(kind, p.t.x), true);
 }
 
 fn scarp_value_at(l: ScarpLattice, kind: u32, p: ScarpLocation, dimensions: i32) -> ScarpSample {
@@ -1003,7 +1047,7 @@ fn scarp_cells_at(l: ScarpLattice, basis: u32, p: ScarpLocation, dimensions: i32
 
 fn scarp_lattice_of(o: ScarpOctave, l: ScarpLevel) -> ScarpLattice {
     let lattice: ScarpLattice = ScarpLattice(o.key, o.last, l.flows != 0u, o.turn, o.turn.x,
-            o.turn.y);
+            o.turn.y, l.component);
     return lattice;
 }
 
@@ -1489,12 +1533,18 @@ fn scarp_with_octave(state: ScarpState, o: ScarpOctave, l: ScarpLevel, k: u32, x
     return s;
 }
 
-/* The noise of a level, or of a component of it, without warps. */
-fn scarp_octaves_at(plan: u32, l: ScarpLevel, component: i32, x: vec3f,
+/* The noise of a component of a level, without warps; component 0 of a level that has one. */
+fn scarp_octaves_at(plan: u32, given: ScarpLevel, component: u32, x: vec3f,
         dimensions: i32) -> ScarpSample {
     let none: vec3f = vec3f(0.0f, 0.0f, 0.0f);
-    let first: u32 = l.first + bitcast<u32>(component) * l.octaves;
+    let shares_lattice: bool = given.basis == SCARP_GRADIENT || given.basis == SCARP_VALUE;
+    var l: ScarpLevel = given;
     var state: ScarpState;
+    if (shares_lattice) {
+        l.component = component;
+    } else {
+        l.first = given.first + component * given.octaves;
+    }
     state.sum = scarp_constant(0.0f);
     state.weight = scarp_constant(1.0f);
     state.slopes.d = none;
@@ -1502,7 +1552,7 @@ fn scarp_octaves_at(plan: u32, l: ScarpLevel, component: i32, x: vec3f,
     state.left = 1.0f;
     state.left_by = none;
     for (var k: u32 = 0u; k < l.octaves; k++) {
-        state = scarp_with_octave(state, scarp_octave_of(plan, first + k), l, k, x, dimensions);
+        state = scarp_with_octave(state, scarp_octave_of(plan, l.first + k), l, k, x, dimensions);
     }
     return state.sum;
 }
@@ -1539,7 +1589,7 @@ fn scarp_level_at(plan: u32, i: i32, deepest: bool, at: vec3f, y: ScarpDisplaced
     let components: i32 = select(1, dimensions, i > 0);
     var d: ScarpDisplaced = y;
     for (var c: i32 = 0; c < components; c++) {
-        var s: ScarpSample = scarp_octaves_at(plan, l, c, at, dimensions);
+        var s: ScarpSample = scarp_octaves_at(plan, l, bitcast<u32>(c), at, dimensions);
         if (!deepest) {
             s = scarp_composed(s, y, dimensions);
         }

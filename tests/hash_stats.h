@@ -28,6 +28,7 @@ enum topic {
     TOPIC_TETRAHEDRA, /* the corners and centres of a tetrahedron jointly */
     TOPIC_FEATURES,   /* the numbers of one feature of cellular noise */
     TOPIC_NEIGHBOURS, /* the numbers of two features */
+    TOPIC_COMPONENTS, /* the components of vector noise, in pairs and all three */
     TOPICS
 };
 
@@ -46,7 +47,8 @@ static const char *const topic_names[TOPICS] = {"uniform index",
                                                 "centres",
                                                 "tetrahedra",
                                                 "features",
-                                                "neighbouring features"};
+                                                "neighbouring features",
+                                                "components"};
 
 struct report {
     double worst[TOPICS], lowest[TOPICS];

@@ -34,8 +34,9 @@ if(CMAKE_C_FLAGS MATCHES "-fsanitize")
   target_compile_options(scarp_mutants PRIVATE -fno-sanitize=all) # it is meant to do what is wrong
 endif()
 
-foreach(test bits chain curl golden grid gullies plan)
-  add_library(mutant_${test}_test OBJECT test_${test}.c)
+set(mutants_beside_vector ${oracle_sources})
+foreach(test bits chain curl golden grid gullies plan vector)
+  add_library(mutant_${test}_test OBJECT test_${test}.c ${mutants_beside_${test}})
   scarp_compile_rules(mutant_${test}_test)
   target_include_directories(mutant_${test}_test PRIVATE ${PROJECT_SOURCE_DIR}/include)
   target_compile_definitions(mutant_${test}_test PRIVATE main=test_main)

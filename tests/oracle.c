@@ -78,6 +78,26 @@ static uint32_t hash(const struct oracle_lattice *lattice, const uint32_t point[
     return oracle_hash(oracle_mixed(lattice, point, here));
 }
 
+/* What a component draws is what noise with one draws of another hash. Gradients of the plane: each
+   component has four bits, from the top on. In space: the upper half is a number with 16 digits
+   behind the point, and each component takes the whole part of 12 times what the one before has
+   left. Values: the halves of the hash change places, and a multiplier goes with each component. */
+static uint32_t component_drawn(uint32_t h, int component, int is_value, int dimensions)
+{
+    static const uint64_t multiplier[3] = {0, 0x9e3779b1, 0x85ebca6b};
+    if (component == 0) {
+        return h;
+    }
+    if (is_value) {
+        return (uint32_t)(multiplier[component] * (h / 65536 + h % 65536 * 65536ull));
+    }
+    uint32_t left = h / 65536;
+    for (int i = 0; i < component; i++) {
+        left = left * (dimensions == 2 ? 16 : 12) % 65536;
+    }
+    return left * 65536;
+}
+
 const double *oracle_gradient_drawn(const struct oracle_lattice *lattice, uint32_t drawn)
 {
     /* The upper 16 bits, as a fraction, choose among equally likely gradients. */
@@ -87,7 +107,10 @@ const double *oracle_gradient_drawn(const struct oracle_lattice *lattice, uint32
 
 static void draw_gradient(const void *opaque, const uint32_t point[3], double corner[3])
 {
-    const double *const gradient = oracle_gradient_drawn(opaque, hash(opaque, point));
+    const struct oracle_lattice *const lattice = opaque;
+    const uint32_t drawn =
+        component_drawn(hash(lattice, point), lattice->component, 0, lattice->dimensions);
+    const double *const gradient = oracle_gradient_drawn(lattice, drawn);
     corner[0] = gradient[0];
     corner[1] = gradient[1];
     corner[2] = gradient[2];
@@ -96,7 +119,8 @@ static void draw_gradient(const void *opaque, const uint32_t point[3], double co
 /* The hash as a signed number, rounded to float, in units of 2^-31. */
 static void draw_value(const void *opaque, const uint32_t point[3], double corner[3])
 {
-    const double all = (double)hash(opaque, point);
+    const struct oracle_lattice *const lattice = opaque;
+    const double all = (double)component_drawn(hash(lattice, point), lattice->component, 1, 0);
     corner[0] = (double)(float)(all >= 0x1p31 ? all - 0x1p32 : all) * 0x1p-31;
 }
 
@@ -217,6 +241,7 @@ void oracle_make(struct oracle *oracle, const struct scarp_noise *noise, int dim
                         : noise->fractal == SCARP_PINGPONG ? 2.0
                                                            : (double)0.7f;
     oracle->dimensions = dimensions;
+    oracle->component = 0;
     oracle->octaves = (int)ceil(octaves);
     oracle->jitter = noise->jitter != 0.0f ? (double)noise->jitter : 1.0;
     scale_basis(oracle);
@@ -257,6 +282,20 @@ void oracle_make(struct oracle *oracle, const struct scarp_noise *noise, int dim
     if (oracle->fractal == SCARP_SWISS || oracle->fractal == SCARP_JORDAN) {
         set_bends(oracle, noise);
     }
+}
+
+void oracle_make_component(struct oracle *oracle, const struct scarp_noise *noise, int dimensions,
+                           int component)
+{
+    const int shares = noise->basis == SCARP_GRADIENT || noise->basis == SCARP_VALUE;
+    struct scarp_noise of_component = *noise;
+    uint64_t state = noise->seed;
+    state = next(&state);
+    for (int i = 0; i < 33 + (shares ? 0 : component); i++) {
+        of_component.seed = next(&state);
+    }
+    oracle_make(oracle, &of_component, dimensions);
+    oracle->component = shares ? component : 0;
 }
 
 static uint32_t inside_period(double cell, int64_t period)
@@ -350,6 +389,7 @@ static void basis_at(const struct oracle *oracle, const struct oracle_octave *oc
     struct oracle_lattice lattice = {.key = octave->key,
                                      .period = octave->period,
                                      .dimensions = oracle->dimensions,
+                                     .component = oracle->component,
                                      .gradient = octave->gradient};
     struct oracle_sample turning;
     switch (oracle->basis) {

@@ -52,6 +52,7 @@ struct oracle {
     enum scarp_fractal fractal;
     double erosion, jitter, sharpness;
     int dimensions, octaves;
+    int component;   /* of vector noise whose components draw from one lattice; else 0 */
     double supremum; /* of |basis - middle|, which scarp divides by */
     double middle;   /* what it subtracts before */
     struct oracle_octave octave[ORACLE_OCTAVES];
@@ -66,6 +67,7 @@ struct oracle_lattice {
     const uint32_t *key;
     const int64_t *period;
     int dimensions;
+    int component; /* of the oracle */
     const double (*gradient)[3];
 };
 
@@ -97,6 +99,10 @@ void oracle_gradient_turned(int dimensions, unsigned index, double turns, double
 double oracle_lattice_value(const struct oracle *oracle, int k, const uint32_t point[3]);
 
 void oracle_make(struct oracle *oracle, const struct scarp_noise *noise, int dimensions);
+
+/* Likewise of a component of vector noise, without the warp of the noise. */
+void oracle_make_component(struct oracle *oracle, const struct scarp_noise *noise, int dimensions,
+                           int component);
 
 void oracle_evaluate(const struct oracle *oracle, enum oracle_rounding rounding, const double x[3],
                      struct oracle_sample *sum);

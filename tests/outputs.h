@@ -141,6 +141,19 @@ static inline enum scarp_status function_call(enum function f, const struct scar
     }
 }
 
+/* The call for vector noise that takes the same points. */
+static inline enum scarp_status vector_call(enum function f, const struct scarp_noise *noise,
+                                            size_t count, const struct inputs *in,
+                                            const struct scarp_samples *out)
+{
+    switch (f) {
+    case SAMPLE2: return scarp_vector2(noise, count, in->f[0], in->f[1], out);
+    case SAMPLE3: return scarp_vector3(noise, count, in->f[0], in->f[1], in->f[2], out);
+    case SAMPLE2_F64: return scarp_vector2_f64(noise, count, in->d[0], in->d[1], out);
+    default: return scarp_vector3_f64(noise, count, in->d[0], in->d[1], in->d[2], out);
+    }
+}
+
 static inline enum scarp_status grid_call(int dimensions, const struct scarp_noise *noise,
                                           const struct scarp_grid *grid,
                                           const struct scarp_samples *out)

@@ -47,11 +47,15 @@ static void random_periods(struct scarp_noise *noise, uint64_t *state)
     }
 }
 
-/* One that takes the passes of grids, one that bends, and two of them. */
-static const struct scarp_noise warps[3] = {
+/* One that takes the passes of grids, one that bends, and two of them; turned value noise, and
+   gradients that flow. */
+#define WARPS 5
+static const struct scarp_noise warps[WARPS] = {
     {.octaves = 2.0f, .frequency = 0.7, .amplitude = 0.75f},
     {.fractal = SCARP_SWISS, .seed = 2, .octaves = 3.0f, .rotate = 1},
     {.basis = SCARP_VALUE, .seed = 3, .octaves = 2.5f, .frequency = 0.3, .warp = &warps[0]},
+    {.basis = SCARP_VALUE, .fade = SCARP_CUBIC, .seed = 4, .octaves = 3.0f, .rotate = 1},
+    {.fractal = SCARP_RIDGED, .seed = 5, .octaves = 2.0f, .rotate = 1, .phase = 0.4f},
 };
 
 static void random_noise(struct scarp_noise *noise, uint64_t *state)
@@ -121,7 +125,7 @@ static void random_case(struct grid_case *c, uint64_t *state)
         c->grid.slice_stride = c->grid.count[1] * c->grid.row_stride + pick(state, 50);
     }
     if (pick(state, 8) == 0) {
-        c->noise.warp = &warps[pick(state, 3)];
+        c->noise.warp = &warps[pick(state, WARPS)];
         c->grid.count[1] = c->grid.count[1] > 8 ? 8 : c->grid.count[1]; /* they take their time */
     }
     c->order = c->order > noise_order(&c->noise) ? noise_order(&c->noise) : c->order;

@@ -8,13 +8,14 @@
  * fixed, so what passes once passes always. Each statistic must also reject a hash that is known to
  * be bad, by twice its bound. hash_sets.h has those of single blocks, hash_seeds.h those of seeds
  * and octaves, hash_lines.h those of lattice lines, hash_isotropy.h those of the
- * directions of 3D gradients, hash_cells.h those of simplex and cellular noise; hash_repeats.h
- * looks for parts of the lattice elsewhere.
+ * directions of 3D gradients, hash_cells.h those of simplex and cellular noise, hash_components.h
+ * those of the components of vector noise; hash_repeats.h looks for parts of the lattice elsewhere.
  *
  * Only too little uniformity counts, not too much: multiplication spreads neighbours out more
  * evenly than chance would (low z), which does noise no harm.
  */
 #include "hash_cells.h"
+#include "hash_components.h"
 #include "hash_isotropy.h"
 #include "hash_lines.h"
 #include "hash_repeats.h"
@@ -154,6 +155,12 @@ static void test_bad_lattices(int bits, unsigned *rejected)
     test_features(&report, &sum_hash, &scarp_features, bits);
     check_rejected(&report, sum_hash.name, BIT(TOPIC_NEIGHBOURS), rejected);
     report_reset(&report);
+    test_components(&report, &field_draws, bits);
+    check_rejected(&report, field_draws.name, BIT(TOPIC_COMPONENTS), rejected);
+    report_reset(&report);
+    test_components(&report, &alike_draws, bits);
+    check_rejected(&report, alike_draws.name, BIT(TOPIC_COMPONENTS), rejected);
+    report_reset(&report);
     test_octaves(&report, OCTAVES_ALIKE, bits);
     check_rejected(&report, "known bad octaves: alike", BIT(TOPIC_OCTAVES), rejected);
     report_reset(&report);
@@ -172,6 +179,25 @@ static void test_bad(int bits)
     test_bad_repeats(bits);
 }
 
+/* Tests the hashes that components draw from as if each were the hash of the lattice. Those of
+   gradients have upper halves alone. */
+static void test_component_hashes(int bits)
+{
+    for (size_t i = 0; i < sizeof component_hashes / sizeof component_hashes[0]; i++) {
+        const struct hash *const hash = &component_hashes[i];
+        struct report report;
+        report_reset(&report);
+        test_blocks(&report, hash, bits);
+        report_print(&report, hash->name);
+        for (int topic = 0; topic < TOPICS; topic++) {
+            CHECK(report.tests[topic] == 0 || report.worst[topic] <= bound_of(topic) ||
+                      (topic == TOPIC_VALUE && i < 2),
+                  "%s, %s: %.1f, for %s", hash->name, topic_names[topic], report.worst[topic],
+                  report.where[topic]);
+        }
+    }
+}
+
 int main(int argc, char **argv)
 {
     const int bits = argc > 1 ? atoi(argv[1]) : 20;
@@ -184,8 +210,12 @@ int main(int argc, char **argv)
     test_line_pairs(&report, &scarp_hash, bits);
     test_centres(&report, &centre_hash, bits);
     test_features(&report, &scarp_hash, &scarp_features, bits);
+    for (size_t i = 0; i < sizeof scarp_draws / sizeof scarp_draws[0]; i++) {
+        test_components(&report, &scarp_draws[i], bits - 2);
+    }
     report_print(&report, scarp_hash.name);
     check_report(&report);
+    test_component_hashes(bits - 3);
     test_far(bits);
     test_distinct_keys(bits);
     test_spectral();

@@ -300,10 +300,29 @@ static enum scarp_status find_flow(enum function f, const struct scarp_noise *no
     }
 }
 
-static void test_flows(enum function f, const struct scarp_noise *noise)
+/* Some outputs of each component of vector noise, the last of which the plane does not have. */
+static enum scarp_status find_vector(enum function f, const struct scarp_noise *noise, size_t count,
+                                     const struct inputs *points, const struct outputs *o)
 {
-    const unsigned mask = function_dimensions(f) == 2 ? 0xf : 0x1ff;
-    CHECK(find_flow(f, noise, POINTS, &in, &whole) == SCARP_OK, "all");
+    float *const *const a = o->array;
+    const struct scarp_samples out[3] = {
+        {.value = a[0], .dx = a[1]}, {.value = a[2], .dxy = a[3]}, {.dx = a[4], .dz = a[5]}};
+    return vector_call(f, noise, count, points, out);
+}
+
+/* Such a call, and its outputs in the plane and in space, by bits. */
+struct caller {
+    enum scarp_status (*find)(enum function f, const struct scarp_noise *noise, size_t count,
+                              const struct inputs *points, const struct outputs *o);
+    unsigned masks[2];
+    const char *name;
+};
+
+static void test_callers(enum function f, const struct scarp_noise *noise,
+                         const struct caller *caller)
+{
+    const unsigned mask = caller->masks[function_dimensions(f) - 2];
+    CHECK(caller->find(f, noise, POINTS, &in, &whole) == SCARP_OK, "all");
     for (size_t c = 0; c < COUNTS; c++) {
         const size_t count = count_at(c);
         for (int p = 0; p < PLACES; p++) {
@@ -311,8 +330,8 @@ static void test_flows(enum function f, const struct scarp_noise *noise)
             const size_t first = count * 7 % (POINTS - LONGEST);
             const struct inputs points = place_inputs(f, place, first, count);
             const struct outputs o = place_outputs(place, mask, count);
-            CHECK(find_flow(f, noise, count, &points, &o) == SCARP_OK, "%zu points", count);
-            check_outputs(&o, mask, &whole, first, count, place, "scarp_curl2 and its like");
+            CHECK(caller->find(f, noise, count, &points, &o) == SCARP_OK, "%zu points", count);
+            check_outputs(&o, mask, &whole, first, count, place, caller->name);
         }
     }
 }
@@ -342,6 +361,14 @@ static void test_gullies(unsigned wanted)
             check_outputs(&o, wanted, &whole, first, count, place, "scarp_gullies2");
         }
     }
+}
+
+static void test_flows(enum function f, const struct scarp_noise *noise)
+{
+    const struct caller flow = {find_flow, {0xf, 0x1ff}, "scarp_curl2 and its like"};
+    const struct caller vector = {find_vector, {0xf, 0x3f}, "scarp_vector2 and its like"};
+    test_callers(f, noise, &flow);
+    test_callers(f, noise, &vector);
 }
 
 int main(int argc, char **argv)

@@ -29,7 +29,7 @@ static size_t stack_bytes(void)
 /* One call. */
 struct job {
     struct scarp_noise noise;
-    enum { NOTHING, POINTS, GRID, CHAIN, FLOW, GULLIES, GULLY_GRID, SHADER, OTHERS } kind;
+    enum { NOTHING, POINTS, GRID, CHAIN, VECTOR, FLOW, GULLIES, GULLY_GRID, SHADER, OTHERS } kind;
     int order, dimensions;
     enum function function;
     enum chain chain;
@@ -89,6 +89,11 @@ static void *run(void *opaque)
     case POINTS:
         job->status = function_call(job->function, &job->noise, job->count, job->in, &out);
         break;
+    case VECTOR: {
+        const struct scarp_samples all[3] = {out, out, out}; /* the arrays stand for any */
+        job->status = vector_call(job->function, &job->noise, job->count, job->in, all);
+        break;
+    }
     case GRID: job->status = grid_call(job->dimensions, &job->noise, &job->grid, &out); break;
     case CHAIN: {
         const struct scarp_samples all = outputs_subset(job->out, (1u << OUTPUTS) - 1);
@@ -231,6 +236,9 @@ static void measure_flows(const struct guarded *stack, struct job *job, struct w
         job->noise.warp = i < FUNCTIONS ? NULL : &warp;
         const size_t most = scarp_isa_active() == SCARP_ISA_SCALAR ? 8 : MOST_POINTS;
         for (job->count = 7; job->count < most; job->count += 1000) {
+            job->kind = VECTOR;
+            measure(stack, job, worst, "scarp_vector2 and its like");
+            job->kind = FLOW;
             measure(stack, job, worst, "scarp_curl2 and its like");
         }
     }

@@ -83,6 +83,21 @@ static uint32_t turn8(uint32_t a)
     return a >> 8 | (a & 0xffu) << 24;
 }
 
+static uint32_t turn16(uint32_t a)
+{
+    return a >> 16 | (a & 0xffffu) << 16;
+}
+
+static uint32_t upper_times12(uint32_t a)
+{
+    return ((a >> 16) * 12u & 0xffffu) << 16;
+}
+
+static uint32_t upper_times144(uint32_t a)
+{
+    return ((a >> 16) * 144u & 0xffffu) << 16;
+}
+
 static float positive(float a)
 {
     return a > 0.0f ? a : 0.0f;
@@ -133,6 +148,9 @@ static void test_bits_of_lanes(void)
     uint32_t numbers[LANES_MAX];
     run_du("low bits", ops->low_bits, low_bits, number_d, numbers_d);
     run_uu("turn by 8", ops->turn8, turn8, number_bits32, numbers32);
+    run_uu("turn by 16", ops->turn16, turn16, number_bits32, numbers32);
+    run_uu("upper half times 12", ops->upper_times12, upper_times12, number_bits32, numbers32);
+    run_uu("upper half times 144", ops->upper_times144, upper_times144, number_bits32, numbers32);
     run_dd("square root", ops->sqrt_d, sqrt, number_d, numbers_d);
     run_ff("square root of floats", ops->sqrt_f, sqrtf, number_f, numbers_f);
     run_ff("positive", ops->positive, positive, number_f, numbers_f);

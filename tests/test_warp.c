@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * Rebuilds noise with warps from calls without one, as the text of scarp.h says: values and dphase
- * to the bit, gradients and Hessians through the Jacobian in double. Periods, coordinates that are
+ * Rebuilds noise with warps from calls without one, scarp_vector2 and its like for the warps, as
+ * the text of scarp.h says: values and dphase to the bit, gradients and Hessians through the
+ * Jacobian in double. Periods, coordinates that are
  * not finite, calls in place, what a warp changes nothing of. (test_grid.c has grids of it,
  * test_warp_exact.c compares gradients with differences, test_warp_api.c has errors and plans.)
  * Argument: the instruction set.
@@ -33,17 +34,6 @@ static struct rebuilt rebuilt_of(const struct block *block, const struct scarp_n
         }
     }
     return r;
-}
-
-/* The seed number 33 + i of splitmix64(first number of splitmix64(seed)). */
-static uint64_t component_seed(uint64_t seed, int i)
-{
-    uint64_t state = seed, number = 0;
-    state = check_random(&state);
-    for (int k = 0; k < 33 + i; k++) {
-        number = check_random(&state);
-    }
-    return number;
 }
 
 /* J^T g and J^T H J + sum_m g_m H_m, with J = I + (gradients of d). */
@@ -81,46 +71,104 @@ static void displace(struct block *y, const struct block *x, int axis, size_t i,
     y->d[axis][i] = x->d[axis][i] + d;
 }
 
+/* Displaces x by d to y. */
+static void displace_all(struct block *y, const struct places *x, struct rebuilt *const d[3])
+{
+    for (int axis = 0; axis < x->dimensions; axis++) {
+        for (size_t i = 0; i < BLOCK; i++) {
+            displace(y, x->at, axis, i, d[axis][i].n.value);
+        }
+    }
+}
+
+/* Turns samples at x + d into samples by x. */
+static void compose_all(struct rebuilt *out, struct rebuilt *const d[3], int dimensions)
+{
+    for (size_t i = 0; i < BLOCK; i++) {
+        struct oracle_sample n[3] = {{.value = 0.0}}, size[3] = {{.value = 0.0}};
+        struct rebuilt composed = {.n = {.value = 0.0}};
+        for (int axis = 0; axis < dimensions; axis++) {
+            n[axis] = d[axis][i].n;
+            size[axis] = d[axis][i].size;
+        }
+        compose(&composed.n, &out[i].n, n, dimensions);
+        compose(&composed.size, &out[i].size, size, dimensions);
+        out[i] = composed;
+    }
+}
+
+/* Samples the components of a noise without its warp. */
+static void sample_vector(const struct scarp_noise *noise, const struct places *x,
+                          struct rebuilt *const out[3])
+{
+    struct block *const of[3] = {block_make(), block_make(), block_make()};
+    struct scarp_samples samples[3];
+    const struct inputs in = {{x->at->f[0], x->at->f[1], x->at->f[2]},
+                              {x->at->d[0], x->at->d[1], x->at->d[2]}};
+    for (int axis = 0; axis < 3; axis++) {
+        samples[axis] = outputs_subset(&of[axis]->out, outputs_of(noise, x->function));
+    }
+    const enum scarp_status status = vector_call(x->function, noise, BLOCK, &in, samples);
+    CHECK(status == SCARP_OK, "%s", scarp_status_text(status));
+    for (int axis = 0; axis < x->dimensions; axis++) {
+        for (size_t i = 0; i < BLOCK; i++) {
+            out[axis][i] = rebuilt_of(of[axis], noise, x->function, i);
+        }
+    }
+    for (int axis = 0; axis < 3; axis++) {
+        block_free(of[axis]);
+    }
+}
+
+static void vector_free(struct rebuilt *const d[3])
+{
+    for (int axis = 0; axis < 3; axis++) {
+        free(d[axis]);
+    }
+}
+
+/* Makes room for components, and rebuilds those of a noise with its warps. */
+static void rebuild_vector(const struct scarp_noise *noise, const struct places *x,
+                           struct rebuilt *out[3])
+{
+    struct scarp_noise plain = *noise;
+    plain.warp = NULL;
+    for (int axis = 0; axis < 3; axis++) {
+        out[axis] = check_allocate(BLOCK * sizeof *out[axis]);
+    }
+    if (noise->warp == NULL) {
+        sample_vector(noise, x, out);
+        return;
+    }
+    struct block *const y = block_make();
+    const struct places at = {x->function, x->dimensions, y};
+    struct rebuilt *d[3];
+    rebuild_vector(noise->warp, x, d);
+    displace_all(y, x, d);
+    sample_vector(&plain, &at, out);
+    for (int axis = 0; axis < x->dimensions; axis++) {
+        compose_all(out[axis], d, x->dimensions);
+    }
+    vector_free(d);
+    block_free(y);
+}
+
 /* Samples a noise, with its warps, by calls without any. */
 static void sample_rebuilt(const struct scarp_noise *noise, const struct places *x,
                            struct rebuilt *out)
 {
     struct scarp_noise plain = *noise;
     plain.warp = NULL;
-    if (noise->warp == NULL) {
-        block_sample(x->at, noise, x->function, BLOCK);
-        for (size_t i = 0; i < BLOCK; i++) {
-            out[i] = rebuilt_of(x->at, noise, x->function, i);
-        }
-        return;
-    }
     struct block *const y = block_make();
-    const struct places at = {x->function, x->dimensions, y};
-    struct rebuilt *d[3] = {NULL, NULL, NULL};
-    for (int axis = 0; axis < x->dimensions; axis++) {
-        struct scarp_noise component = *noise->warp;
-        component.seed = component_seed(component.seed, axis);
-        d[axis] = check_allocate(BLOCK * sizeof *d[axis]);
-        sample_rebuilt(&component, x, d[axis]);
-        for (size_t i = 0; i < BLOCK; i++) {
-            displace(y, x->at, axis, i, d[axis][i].n.value);
-        }
-    }
-    sample_rebuilt(&plain, &at, out);
+    struct rebuilt *d[3];
+    rebuild_vector(noise->warp, x, d);
+    displace_all(y, x, d);
+    block_sample(y, &plain, x->function, BLOCK);
     for (size_t i = 0; i < BLOCK; i++) {
-        struct oracle_sample n[3] = {{.value = 0.0}}, size[3] = {{.value = 0.0}};
-        struct rebuilt composed = {.n = {.value = 0.0}};
-        for (int axis = 0; axis < x->dimensions; axis++) {
-            n[axis] = d[axis][i].n;
-            size[axis] = d[axis][i].size;
-        }
-        compose(&composed.n, &out[i].n, n, x->dimensions);
-        compose(&composed.size, &out[i].size, size, x->dimensions);
-        out[i] = composed;
+        out[i] = rebuilt_of(y, &plain, x->function, i);
     }
-    for (int axis = 0; axis < x->dimensions; axis++) {
-        free(d[axis]);
-    }
+    compose_all(out, d, x->dimensions);
+    vector_free(d);
     block_free(y);
 }
 

@@ -24,13 +24,7 @@ static void chain_make(struct chain *chain, const struct scarp_noise *noise, int
     for (chain->depth = 0; (noise = noise->warp) != NULL;) {
         chain->depth++;
         for (int i = 0; i < dimensions; i++) {
-            struct scarp_noise component = *noise;
-            uint64_t state = noise->seed;
-            state = check_random(&state);
-            for (int k = 0; k < 33 + i; k++) {
-                component.seed = check_random(&state);
-            }
-            oracle_make(&chain->level[chain->depth][i], &component, dimensions);
+            oracle_make_component(&chain->level[chain->depth][i], noise, dimensions, i);
         }
     }
 }

@@ -7,6 +7,9 @@ scarp_add_isa_tests(warp warp test_warp)
 scarp_test_program(test_warp_api)
 scarp_add_test(warp.api warp test_warp_api)
 
+scarp_test_program(test_vector SOURCES ${oracle_sources})
+scarp_add_isa_tests(vector warp test_vector)
+
 scarp_test_program(test_warp_exact SOURCES ${oracle_sources})
 scarp_add_sized_test(warp.exact warp SIZES 4000 2000 2000 1000 COMMAND test_warp_exact {})
 

@@ -33,6 +33,16 @@ scarp_check_points(size_t count, const void *const position[3], int dimensions, 
     return count > PTRDIFF_MAX / bytes ? SCARP_ERROR_SIZE : SCARP_OK;
 }
 
+/* The order of a call that asks for something that does not exist: in 2D for derivatives along z,
+   for reserved members. */
+#define SCARP_UNSUPPORTED_ORDER 3
+
+/* What is asked for by a call for samples. */
+struct scarp_kind scarp_kind_of_samples(int dimensions, const struct scarp_samples *out);
+
+/* The arrays of `out` as a list. */
+const struct scarp_outputs *scarp_outputs_of(const struct scarp_samples *out);
+
 /* What a call does with its plan. */
 typedef void scarp_run_fn(const struct scarp_call_plan *plan, const void *call);
 

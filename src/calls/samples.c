@@ -16,8 +16,9 @@
 _Static_assert(sizeof(struct scarp_samples) == 16 * sizeof(float *) &&
                    offsetof(struct scarp_samples, dphase) == 10 * sizeof(float *),
                "struct scarp_samples has 16 pointers");
-/* The arrays of `out` as a list. No other place knows them by name. */
-static const struct scarp_outputs *outputs_of(const struct scarp_samples *out)
+
+/* No other place knows the arrays by name. */
+const struct scarp_outputs *scarp_outputs_of(const struct scarp_samples *out)
 {
 #define AT(output, member) (offsetof(struct scarp_samples, member) == (output) * sizeof(float *))
     _Static_assert(AT(VALUE, value) && AT(DX, dx) && AT(DY, dy) && AT(DZ, dz) && AT(DXX, dxx) &&
@@ -44,14 +45,13 @@ static int any_asked(const struct scarp_samples *out, int from, int end)
     return bits != 0;
 }
 
-#define UNSUPPORTED_ORDER 3
 #define MEMBERS (int)(sizeof(struct scarp_samples) / sizeof(float *))
 
 /* What calls ask for that ask for more than values. */
 static NOINLINE struct scarp_kind kind_of_more(int dimensions, const struct scarp_samples *out)
 {
     struct scarp_kind kind = {
-        .dimensions = dimensions, .order = UNSUPPORTED_ORDER, .dphase = out->dphase != NULL};
+        .dimensions = dimensions, .order = SCARP_UNSUPPORTED_ORDER, .dphase = out->dphase != NULL};
     if (!any_asked(out, OUTPUTS, MEMBERS) &&
         (dimensions == 3 ||
          (out->dz == NULL && out->dxz == NULL && !any_asked(out, DYZ, DPHASE)))) {
@@ -60,12 +60,18 @@ static NOINLINE struct scarp_kind kind_of_more(int dimensions, const struct scar
     return kind;
 }
 
-/* What is asked for; its order is UNSUPPORTED_ORDER if something does not exist. In 2D derivatives
-   along z do not; reserved members never do. Most calls are decided by the first question. */
+/* What is asked for; its order is SCARP_UNSUPPORTED_ORDER if something does not exist. In 2D
+   derivatives along z do not; reserved members never do. Most calls are decided by the first
+   question. */
 static ALWAYS_INLINE struct scarp_kind kind_of(int dimensions, const struct scarp_samples *out)
 {
     const struct scarp_kind values = {.dimensions = dimensions};
     return any_asked(out, DX, MEMBERS) ? kind_of_more(dimensions, out) : values;
+}
+
+struct scarp_kind scarp_kind_of_samples(int dimensions, const struct scarp_samples *out)
+{
+    return kind_of(dimensions, out);
 }
 
 /* A call at points, once its arguments are checked. */
@@ -79,7 +85,7 @@ struct points_call {
 static void run_points(const struct scarp_call_plan *plan, const void *opaque)
 {
     const struct points_call *const call = opaque;
-    call->kernel(plan, call->count, call->position, outputs_of(call->out));
+    call->kernel(plan, call->count, call->position, scarp_outputs_of(call->out));
 }
 
 static NOINLINE enum scarp_status run_planned(scarp_points_fn *kernel, struct scarp_kind kind,
@@ -101,7 +107,7 @@ static NOINLINE enum scarp_status run(scarp_points_fn *kernel, struct scarp_kind
     if (!plan_kept(&plan, noise, kind)) {
         return run_planned(kernel, kind, noise, count, position, out);
     }
-    kernel(&plan, count, position, outputs_of(out));
+    kernel(&plan, count, position, scarp_outputs_of(out));
     return SCARP_OK;
 }
 
@@ -128,7 +134,7 @@ static ALWAYS_INLINE enum scarp_status sample(struct sampler sampler,
         return checked;
     }
     const struct scarp_kind kind = kind_of(sampler.dimensions, out);
-    if (kind.order == UNSUPPORTED_ORDER) {
+    if (kind.order == SCARP_UNSUPPORTED_ORDER) {
         return SCARP_ERROR_UNSUPPORTED;
     }
     const struct fpmode caller = fpmode_enter();
@@ -192,7 +198,7 @@ struct grid_call {
 static void run_grid(const struct scarp_call_plan *plan, const void *opaque)
 {
     const struct grid_call *const call = opaque;
-    call->kernel(plan, call->grid, outputs_of(call->out));
+    call->kernel(plan, call->grid, scarp_outputs_of(call->out));
 }
 
 static enum scarp_status sample_grid(scarp_grid_fn *kernel, const struct scarp_noise *noise,
@@ -213,7 +219,7 @@ static enum scarp_status sample_grid(scarp_grid_fn *kernel, const struct scarp_n
         return status;
     }
     const struct scarp_kind kind = kind_of(dimensions, out);
-    if (kind.order == UNSUPPORTED_ORDER || scarp_grid_reserved_in_use(&grid)) {
+    if (kind.order == SCARP_UNSUPPORTED_ORDER || scarp_grid_reserved_in_use(&grid)) {
         return SCARP_ERROR_UNSUPPORTED;
     }
     const struct fpmode caller = fpmode_enter();

@@ -113,9 +113,13 @@ static void set_plan(struct scarp_gpu_plan *to, const struct scarp_call_plan *pl
     to->dimensions = (uint32_t)dimensions;
     for (int level = 0; level <= depth; level++) {
         struct scarp_call_plan component = *plan;
-        for (int i = 0; i < (level == 0 ? 1 : dimensions); i++) {
+        int sets = 1;
+        for (int i = 0; i < sets; i++) {
             if (depth > 0) {
                 component = scarp_component_plan(plan, level, i);
+            }
+            if (level > 0 && !components_share_lattice(component.basis)) {
+                sets = dimensions;
             }
             if (i == 0) {
                 set_level(&to->level[level], &component, count);

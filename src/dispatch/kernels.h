@@ -34,6 +34,13 @@ typedef void scarp_cells_fn(const struct scarp_call_plan *plan, size_t count,
 /* Computes the outputs of a function of samples, one or more, at `count` > 0 points. */
 typedef void scarp_chain_fn(const struct scarp_chain *call, size_t count);
 
+/* The kernel of scarp_vector2 and its like, for `count` > 0 points, with the plan of vector noise.
+   `out` has the outputs of each component, which are as above. */
+typedef void scarp_components_fn(const struct scarp_call_plan *plan, size_t count,
+                                 const void *const position[3],
+                                 const struct scarp_outputs *const out[3], int dimensions,
+                                 int doubles);
+
 /* The kernel of scarp_curl2 and its like, for `count` > 0 points, with the plan of potentials.
    `doubles` says what `position` has; arrays along z are NULL in 2D, the Jacobian where the plan's
    order is 1. */
@@ -56,6 +63,7 @@ struct scarp_kernels {
     scarp_normals_fn *normals;
     scarp_cells_fn *cells;
     scarp_chain_fn *chain;
+    scarp_components_fn *components;
     scarp_curl_fn *curl;
     scarp_gullies_fn *gullies;
 };

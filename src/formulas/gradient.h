@@ -50,7 +50,7 @@ static inline vec3 turned3(uint i, vec4 turn)
 
 static inline vec3 drawn2(struct lattice l, uint x, uint y)
 {
-    const uint i = direction_index2(hash2(l.key, x, y));
+    const uint i = direction_index2(component_hash2(hash2(l.key, x, y), l.component));
     vec3 g = direction2(i);
     if (l.flows) {
         g = turned2(i, l.turn);
@@ -60,7 +60,7 @@ static inline vec3 drawn2(struct lattice l, uint x, uint y)
 
 static inline vec3 drawn3(struct lattice l, uint x, uint y, uint z)
 {
-    const uint i = direction_index3(hash3(l.key, x, y, z));
+    const uint i = direction_index3(component_hash3(hash3(l.key, x, y, z), l.component));
     vec3 g = direction3(i);
     if (l.flows) {
         g = turned3(i, l.turn);

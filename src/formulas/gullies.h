@@ -176,7 +176,7 @@ static inline struct pair wave_of(float u)
 }
 
 /* The direction across the slope. */
-static inline struct pair_jet across_of(struct pair_jet s)
+static inline struct pair_jet across_slope(struct pair_jet s)
 {
     const float unit = inverse(root(dot2(s.value, s.value) + GULLY_TAU2));
     const struct pair t = {s.value.y * (0.0f - unit), s.value.x * unit};
@@ -271,7 +271,7 @@ static inline struct jet profile_of(struct gully_shape g, struct pair_jet w)
 static inline struct gully gully_octave_at(struct gully_shape g, struct gully_octave o,
                                            struct lattice l, struct location p, struct gully state)
 {
-    const struct pair_jet t = across_of(state.slope);
+    const struct pair_jet t = across_slope(state.slope);
     const struct pair_jet w = normalised(blend_of(l, o, p, t));
     const struct jet height = profile_of(g, w);
     const struct jet v = state.exposure;

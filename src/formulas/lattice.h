@@ -54,6 +54,39 @@ static inline uint hash3(uvec3 key, uint x, uint y, uint z)
     return h * (h + HASH_K);
 }
 
+/*
+ * Vector noise has components that draw from one hash of each lattice point: these give the hash
+ * that stands in for h in the draws of a component, 0, 1 or 2. Component 0 draws as noise with one
+ * component does.
+ *
+ * Draws are made of the top of a hash, and so are these: the low bits of h (h + k) depend on those
+ * of neighbours. In 2D, gradients are drawn by four bits, and components take four bits each. In
+ * 3D, the upper half times 12 has the number of the gradient above its fraction, of which the next
+ * component makes the same again. Values take all bits. There the halves change places, so that the
+ * upper one moves every bit of the product. tests/hash_components.h has statistics of all pairs of
+ * components.
+ */
+#define HASH_VALUES_1 0x9e3779b1u
+#define HASH_VALUES_2 0x85ebca6bu
+
+static inline uint component_hash2(uint hash, uint component)
+{
+    return hash << (4u * component);
+}
+
+static inline uint component_hash3(uint hash, uint component)
+{
+    const uint twelves = component == 0u ? 1u : (component == 1u ? 12u : 144u);
+    return (hash >> 16) * twelves << 16;
+}
+
+static inline uint component_hash_values(uint hash, uint component)
+{
+    const uint turned = hash >> 16 | hash << 16;
+    const uint product = turned * (component == 1u ? HASH_VALUES_1 : HASH_VALUES_2);
+    return component == 0u ? hash : product;
+}
+
 /* The cells after and before one along an axis, within the period whose last cell is `last`. */
 static inline uint cell_after(uint last, uint cell)
 {
@@ -94,12 +127,13 @@ struct location {
 
 /* The lattice of an octave. */
 struct lattice {
-    uvec3 key;    /* of the hash */
-    uvec3 last;   /* the last cell of the period along each axis; 2^32 - 1 without period */
-    bool flows;   /* whether gradients are turned */
-    vec4 turn;    /* how far: the cosine and sine of an angle, then of twice that */
-    float jitter; /* how far features of cellular noise stray, in units of 2^-32 cells */
-    float middle; /* what is subtracted from distances */
+    uvec3 key;      /* of the hash */
+    uvec3 last;     /* the last cell of the period along each axis; 2^32 - 1 without period */
+    bool flows;     /* whether gradients are turned */
+    vec4 turn;      /* how far: the cosine and sine of an angle, then of twice that */
+    float jitter;   /* how far features of cellular noise stray, in units of 2^-32 cells */
+    float middle;   /* what is subtracted from distances */
+    uint component; /* which component of vector noise; 0 of noise that has one */
 };
 
 #endif

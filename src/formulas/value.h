@@ -8,22 +8,33 @@
 
 #include "corners.h"
 
-static inline struct column value_column2(uvec3 key, uint x, struct location p, struct fade v)
+static inline float value2(struct lattice l, uint x, uint y)
 {
-    const float c0 = lattice_value(hash2(key, x, p.cell.y));
-    const float c1 = lattice_value(hash2(key, x, p.next.y));
+    return lattice_value(component_hash_values(hash2(l.key, x, y), l.component));
+}
+
+static inline float value3(struct lattice l, uint x, uint y, uint z)
+{
+    return lattice_value(component_hash_values(hash3(l.key, x, y, z), l.component));
+}
+
+static inline struct column value_column2(struct lattice l, uint x, struct location p,
+                                          struct fade v)
+{
+    const float c0 = value2(l, x, p.cell.y);
+    const float c1 = value2(l, x, p.next.y);
     const float d = c1 - c0;
     const struct column c = {.value.b = c0 + v.u * d, .y.b = v.du * d, .yy.b = v.ddu * d};
     return c;
 }
 
-static inline struct column value_column3(uvec3 key, uint x, struct location p, struct fade v,
-                                          struct fade w)
+static inline struct column value_column3(struct lattice l, uint x, struct location p,
+                                          struct fade v, struct fade w)
 {
-    const float c00 = lattice_value(hash3(key, x, p.cell.y, p.cell.z));
-    const float c01 = lattice_value(hash3(key, x, p.cell.y, p.next.z));
-    const float c10 = lattice_value(hash3(key, x, p.next.y, p.cell.z));
-    const float c11 = lattice_value(hash3(key, x, p.next.y, p.next.z));
+    const float c00 = value3(l, x, p.cell.y, p.cell.z);
+    const float c01 = value3(l, x, p.cell.y, p.next.z);
+    const float c10 = value3(l, x, p.next.y, p.cell.z);
+    const float c11 = value3(l, x, p.next.y, p.next.z);
     const float dz0 = c01 - c00;
     const float dz1 = c11 - c10;
     const float e0 = c00 + w.u * dz0;
@@ -45,7 +56,7 @@ static inline struct column value_column3(uvec3 key, uint x, struct location p, 
 static inline struct sample value_at2(struct lattice l, uint kind, struct location p)
 {
     const struct fade v = fade(kind, p.t.y);
-    return join(value_column2(l.key, p.cell.x, p, v), value_column2(l.key, p.next.x, p, v), p.t.x,
+    return join(value_column2(l, p.cell.x, p, v), value_column2(l, p.next.x, p, v), p.t.x,
                 fade(kind, p.t.x), true);
 }
 
@@ -53,8 +64,8 @@ static inline struct sample value_at3(struct lattice l, uint kind, struct locati
 {
     const struct fade v = fade(kind, p.t.y);
     const struct fade w = fade(kind, p.t.z);
-    return join(value_column3(l.key, p.cell.x, p, v, w), value_column3(l.key, p.next.x, p, v, w),
-                p.t.x, fade(kind, p.t.x), true);
+    return join(value_column3(l, p.cell.x, p, v, w), value_column3(l, p.next.x, p, v, w), p.t.x,
+                fade(kind, p.t.x), true);
 }
 
 static inline struct sample value_at(struct lattice l, uint kind, struct location p, int dimensions)

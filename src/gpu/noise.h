@@ -39,7 +39,7 @@ static inline struct displaced level_at(uint plan, int i, bool deepest, vec3 at,
     const int components = i > 0 ? dimensions : 1;
     struct displaced d = y;
     for (int c = 0; c < components; c++) {
-        struct sample s = octaves_at(plan, l, c, at, dimensions);
+        struct sample s = octaves_at(plan, l, (uint)c, at, dimensions);
         if (!deepest) {
             s = composed(s, y, dimensions);
         }

@@ -1,9 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * Velocity from potentials, chunk by chunk: the derivatives of one potential after the other are
- * added to the outputs or subtracted. Each output has at most two terms, so that their order makes
- * no difference. Outputs may be where coordinates are: those of a chunk are copied before. The
- * reference, and the formulas, are in scalar/curl.h.
+ * Velocity from potentials, chunk by chunk: each output is a difference of two derivatives, in the
+ * plane one derivative. Outputs may be where coordinates are: those of a chunk are copied before.
+ * The reference, and the formulas, are in scalar/curl.h.
  */
 #ifndef SCARP_KERNEL_CURL_H
 #define SCARP_KERNEL_CURL_H
@@ -11,66 +10,60 @@
 #include "../dispatch/kernels.h"
 #include "warp.h"
 
-/* What is done with a derivative that an output has a term of. */
-struct curl_term {
-    int is_first;    /* whether the output has no other term yet */
-    int is_negative; /* whether it is subtracted */
-    size_t first, count;
+/* What a component of the velocity is made of: the derivative of the potential `plus` along an
+   axis, and that of `minus`, which is subtracted. -1: there is none. */
+struct curl_terms {
+    int plus, plus_along, minus, minus_along;
 };
 
-/* Adds a term to an output, if that is asked for. Derivatives are padded to whole blocks. */
-static __attribute__((noinline)) void curl_put(float *to, const float *d,
-                                               const struct curl_term *described)
+/* Puts plus - minus, either of which may be NULL. Derivatives are padded to whole blocks. */
+static __attribute__((noinline)) void curl_put(float *to, const float *plus, const float *minus,
+                                               size_t count)
 {
-    const struct curl_term term = *described; /* which no store can change */
-    const vu sign = vu_set(term.is_negative ? 0x80000000u : 0);
-    const size_t end = to == NULL ? 0 : term.first + term.count;
-    for (size_t at = term.first; at < end; at += VEC_LANES, d += VEC_LANES) {
-        const size_t here = least(end - at, VEC_LANES);
-        vf sum = (vf)((vu)vf_load(d) ^ sign);
-        if (!term.is_first) {
-            sum += here == VEC_LANES ? vf_load(to + at) : vf_load_partial(to + at, here);
-        }
-        if (here == VEC_LANES) {
-            vf_store(to + at, sum);
+    for (size_t at = 0; at < count; at += VEC_LANES) {
+        vf v;
+        if (minus == NULL) {
+            v = vf_load(plus + at);
+        } else if (plus == NULL) {
+            v = -vf_load(minus + at);
         } else {
-            vf_store_partial(to + at, sum, here);
+            v = vf_load(plus + at) - vf_load(minus + at);
+        }
+        if (count - at >= VEC_LANES) {
+            vf_store(to + at, v);
+        } else {
+            vf_store_partial(to + at, v, count - at);
         }
     }
 }
 
-/* Adds the derivative of psi along an axis to component i of the velocity, and the derivatives of
-   that to the Jacobian. */
-static __attribute__((noinline)) void curl_along(const struct warped *w,
-                                                 const struct scarp_flow_arrays *out, int i,
-                                                 int axis, const struct curl_term *term)
+/* The array of an output of a potential, if there is a potential. */
+static const float *curl_term(const struct warped *w, int potential, int output)
+{
+    return potential < 0 ? NULL : w->moved[potential].array[output];
+}
+
+/* Puts component i of the velocity, and its derivatives, of the points of a chunk. */
+static void curl_component(const struct warped *w, const struct scarp_flow_arrays *out,
+                           const struct chunk *chunk, int i, const struct curl_terms *terms)
 {
     static const unsigned char second[3][3] = {{DXX, DXY, DXZ}, {DXY, DYY, DYZ}, {DXZ, DYZ, DZZ}};
-    const struct scarp_outputs *const psi = &w->moved[0];
-    curl_put(out->array[FLOW_V + i], psi->array[DX + axis], term);
-    VEC_ROLLED_LOOP
-    for (int m = 0; m < w->chunked.f.dimensions; m++) {
-        curl_put(out->array[FLOW_JACOBIAN + 3 * i + m], psi->array[second[axis][m]], term);
+    for (int m = -1; m < w->chunked.f.dimensions; m++) {
+        float *const to = out->array[m < 0 ? FLOW_V + i : FLOW_JACOBIAN + 3 * i + m];
+        const int plus = m < 0 ? DX + terms->plus_along : second[terms->plus_along][m];
+        const int minus = m < 0 ? DX + terms->minus_along : second[terms->minus_along][m];
+        if (to != NULL) {
+            curl_put(to + chunk->at[0], curl_term(w, terms->plus, plus),
+                     curl_term(w, terms->minus, minus), chunk->columns);
+        }
     }
-}
-
-/* Adds potential i to component i + 1 of the velocity and subtracts it from component i + 2,
-   modulo 3. The terms of potentials with lower numbers are there already. In the plane there is
-   potential 2 alone. */
-static void curl_add(const struct warped *w, const struct scarp_flow_arrays *out,
-                     const struct chunk *chunk, int potential)
-{
-    const int alone = w->chunked.f.dimensions == 2, c = alone ? 2 : potential;
-    const int i = (c + 1) % 3, j = (c + 2) % 3;
-    const struct curl_term plus = {alone || c < j, 0, chunk->at[0], chunk->columns};
-    const struct curl_term minus = {alone || c < i, 1, chunk->at[0], chunk->columns};
-    curl_along(w, out, i, j, &plus);
-    curl_along(w, out, j, i, &minus);
 }
 
 static void curl(const struct scarp_call_plan *plan, size_t count, const void *const position[3],
                  const struct scarp_flow_arrays *out, int dimensions, int doubles)
 {
+    static const struct curl_terms plane[2] = {{0, 1, -1, 0}, {-1, 0, 0, 0}};
+    static const struct curl_terms solid[3] = {{2, 1, 1, 2}, {0, 2, 2, 0}, {1, 0, 0, 1}};
     vf space[CHUNK_BYTES / sizeof(vf)];
     const struct workspace work = {space, sizeof space / sizeof(vf)};
     const struct frame f = {.layout = doubles ? DOUBLES : FLOATS, .dimensions = dimensions};
@@ -79,9 +72,9 @@ static void curl(const struct scarp_call_plan *plan, size_t count, const void *c
     for (size_t first = 0; first < count; first += w.chunked.most) {
         const struct chunk chunk = {{first, 0, 0}, least(count - first, w.chunked.most), 1};
         warp_positions(&w, &chunk);
-        for (int c = 0; c < (dimensions == 3 ? 3 : 1); c++) {
-            warp_noise(&w, &chunk, c, &w.moved[0]);
-            curl_add(&w, out, &chunk, c);
+        warp_noise(&w, &chunk, w.moved);
+        for (int i = 0; i < dimensions; i++) {
+            curl_component(&w, out, &chunk, i, dimensions == 2 ? &plane[i] : &solid[i]);
         }
     }
 }

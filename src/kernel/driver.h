@@ -24,6 +24,7 @@
 #include <string.h>
 
 #include "../dispatch/kernels.h"
+#include "basis/components.h"
 #include "rows/rows.h"
 #include "rows/turned.h"
 #include "shape/shape.h"
@@ -164,6 +165,7 @@ struct call {
     lattice_pass *const *lattice_passes; /* by axes; of a basis that takes hashes */
     basis_pass *basis_pass;
     enum turned_form turned_form;
+    int by_rows;           /* whether that takes one row */
     rows_pass *rows_pass;  /* NULL: none, or points */
     shape_pass *turn_pass; /* NULL where no derivatives are to be turned */
     const struct shape *shape;
@@ -175,8 +177,10 @@ struct call {
     int straight_fbm;                 /* whether it is fBm with straight axes */
 };
 
-VEC_INLINE void call_begin(struct call *call, const struct scarp_call_plan *plan, int dimensions,
-                           enum layout layout)
+/* This, and what takes a tile through an octave, is out of line for the sake of size. */
+static __attribute__((noinline)) void call_begin(struct call *call,
+                                                 const struct scarp_call_plan *plan, int dimensions,
+                                                 enum layout layout)
 {
     const struct shape *const shape = &shapes[plan->fractal];
     const int d = dimensions - 2, order = plan->order + shape->extra_order;
@@ -192,7 +196,9 @@ VEC_INLINE void call_begin(struct call *call, const struct scarp_call_plan *plan
     call->turned_form = basis->takes_unhashed             ? TURNED_CELLS
                         : call->corners == CORNERS_HASHED ? TURNED_HASHED
                                                           : TURNED_MIXED;
-    call->basis_pass = basis->points[d][order];
+    call->by_rows = plan->component > 0 && plan->basis == SCARP_VALUE;
+    call->basis_pass =
+        call->by_rows ? components_passes[SCARP_VALUE][d][order] : basis->points[d][order];
     call->rows_pass = layout == ROW ? basis->rows[d][order] : NULL;
     call->turn_pass = turns ? turn_passes[d][plan->order - 1] : NULL;
     call->shape = shape;
@@ -220,6 +226,7 @@ struct tile {
     const struct outputs *turning_stored; /* its derivative by the phase, at `turning` */
     enum put put;                         /* how the first octave is put */
     int is_far;                           /* DOUBLES with turned axes: far.h, for some octave */
+    int is_located;                       /* whether the samples are on the lattice already */
     size_t group;                         /* ROW: how many rows go through the passes at once */
     struct row_octave *row_octave;        /* of a ROW */
     struct turned_tile turned;            /* of a ROW with turned axes */
@@ -272,27 +279,11 @@ static void locate_unhashed(const struct call *call, const struct tile *tile,
     }
 }
 
-/* Locates the tile's samples on the lattice of octave k. */
-VEC_INLINE void locate_tile(const struct call *call, const struct tile *tile, int k)
+/* Finds the corners of the cells of a tile's samples. */
+VEC_INLINE void locate_corners(const struct call *call, const struct tile *tile,
+                               const struct scarp_octave *o, enum axes axes)
 {
-    const struct scarp_octave *const o = &call->plan->octave[k];
     const struct extent extent = tile->locations.extent;
-    const enum axes axes = axes_of(call->plan, k);
-    if (call->layout == ROW && axes == AXES_TURNED) {
-        turned_passes[call->turned_form][call->dimensions - 2](
-            tile->locations.lattice, o, &tile->turned, tile->row_octave->begin, extent.rows);
-        return;
-    }
-    if (call->layout == DOUBLES && axes == AXES_TURNED && tile->is_far &&
-        is_far(o->frequency64, extent.blocks * VEC_LANES, tile->at.array, call->dimensions)) {
-        far_row(tile->locations.lattice, o, extent.blocks, &tile->at, call->dimensions,
-                call->turned_form);
-        return;
-    }
-    if (call->takes_unhashed) {
-        locate_unhashed(call, tile, o, axes);
-        return;
-    }
     if (call->layout != ROW) {
         call->lattice_passes[axes](tile->locations.lattice, o, extent.blocks, &tile->at);
         return;
@@ -302,6 +293,38 @@ VEC_INLINE void locate_tile(const struct call *call, const struct tile *tile, in
         at.shared[1] = tile->y[r];
         call->lattice_passes[axes](tile->locations.lattice + r * extent.blocks * call->lattice_size,
                                    o, extent.blocks, &at);
+    }
+}
+
+/* Moves the hashes of a tile of gradient noise on to the next component of vector noise. */
+static void tile_next_component(const struct call *call, const struct tile *tile)
+{
+    const size_t blocks = tile->locations.extent.rows * tile->locations.extent.blocks;
+    (call->dimensions == 2 ? next_component2 : next_component3)(tile->locations.lattice, blocks);
+}
+
+/* Locates the tile's samples on the lattice of octave k. */
+static __attribute__((noinline)) void locate_tile(const struct call *call, const struct tile *tile,
+                                                  int k)
+{
+    const enum axes axes = axes_of(call->plan, k);
+    const struct scarp_octave *const o = &call->plan->octave[k];
+    const struct extent extent = tile->locations.extent;
+    if (call->layout == ROW && axes == AXES_TURNED) {
+        turned_passes[call->turned_form][call->dimensions - 2](
+            tile->locations.lattice, o, &tile->turned, tile->row_octave->begin, extent.rows);
+    } else if (call->layout == DOUBLES && axes == AXES_TURNED && tile->is_far &&
+               is_far(o->frequency64, extent.blocks * VEC_LANES, tile->at.array,
+                      call->dimensions)) {
+        far_row(tile->locations.lattice, o, extent.blocks, &tile->at, call->dimensions,
+                call->turned_form);
+    } else if (call->takes_unhashed) {
+        locate_unhashed(call, tile, o, axes);
+    } else {
+        locate_corners(call, tile, o, axes);
+    }
+    for (int i = 0; i < call->plan->component && call->plan->basis == SCARP_GRADIENT; i++) {
+        tile_next_component(call, tile);
     }
 }
 
@@ -316,8 +339,14 @@ VEC_INLINE void add_basis(const struct call *call, const struct tile *tile, int 
         call->rows_pass(tile->row_octave, tile->locations.extent.rows, weights, to, put);
         return;
     }
-    locate_tile(call, tile, k);
-    call->basis_pass(&tile->locations, weights, to, put);
+    if (!tile->is_located) {
+        locate_tile(call, tile, k);
+    }
+    if (call->by_rows) {
+        component_rows(call->basis_pass, &tile->locations, weights, to, put, call->lattice_size);
+    } else {
+        call->basis_pass(&tile->locations, weights, to, put);
+    }
 }
 
 /* Adds the derivative of the basis by the phase, after add_basis, which has located the tile.
@@ -397,14 +426,20 @@ static void add_shaped(const struct call *call, const struct tile *tile, int k,
     call->shape_pass(&shaping, to, put);
 }
 
+/* Whether octave k is stored before it is added to the outputs. */
+static int is_stored(const struct call *call, int k)
+{
+    return call->shape_pass != NULL ||
+           (call->turn_pass != NULL && axes_of(call->plan, k) == AXES_TURNED);
+}
+
 /* Adds octave k on a tile, or on some of its rows. */
-VEC_INLINE void add_octave(const struct call *call, const struct tile *tile, int k,
-                           const struct outputs *to)
+static __attribute__((noinline)) void add_octave(const struct call *call, const struct tile *tile,
+                                                 int k, const struct outputs *to)
 {
     const struct scarp_octave *const o = &call->plan->octave[k];
     const enum put put = k > 0 ? PUT_ADD : tile->put;
-    if (call->shape_pass != NULL ||
-        (call->turn_pass != NULL && axes_of(call->plan, k) == AXES_TURNED)) {
+    if (is_stored(call, k)) {
         add_shaped(call, tile, k, to, put);
     } else {
         const struct weights weights = {{o->amplitude, o->slope, o->curvature}};
@@ -470,6 +505,7 @@ static __attribute__((noinline)) void prepare_rows(const struct call *call, cons
         along_x(&tile->row_octave->x, &plan->octave[k], tile->locations.extent.blocks, &tile->at,
                 plan->fade, axes);
     }
+    tile->row_octave->rows.component = plan->component;
     along_rows(&tile->row_octave->rows, &plan->octave[k], tile->locations.extent.rows, &at,
                plan->fade, f);
 }
@@ -500,6 +536,8 @@ static void sum_octaves(const struct call *call, struct tile *tile, int first_ti
     }
     tile->locations.basis = plan->basis;
     tile->locations.order = call->basis_order;
+    tile->locations.component = plan->component;
+    tile->locations.component_end = plan->component + 1;
     for (int k = 0; k < plan->octaves; k++) {
         tile->locations.octave = &plan->octave[k];
         tile->locations.turn = plan->octave[k].turn;

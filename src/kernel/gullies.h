@@ -61,7 +61,7 @@ VEC_INLINE void gully_across_run(struct gully_wave *wave, const struct gully *st
                                  int order)
 {
     for (size_t b = 0; b < blocks; b++) {
-        wave[b].t = across_of(&state[b].slope, order);
+        wave[b].t = across_slope(&state[b].slope, order);
     }
 }
 

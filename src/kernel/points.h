@@ -86,6 +86,7 @@ static void points_many(const struct scarp_call_plan *plan, size_t count,
     tile.locations.extent.rows = 1;
     tile.locations.fade = plan->fade;
     tile.put = PUT_FIRST;
+    tile.is_located = 0;
     tile.stored = &stored;
     tile.turning_stored = &turning;
     const size_t most = divide_for_points(&call, &tile, work, padded) * VEC_LANES;

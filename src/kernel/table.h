@@ -17,6 +17,7 @@
 #include "curl.h"
 #include "gullies.h"
 #include "normals.h"
+#include "vector.h"
 
 /* Computes points without warps, with scratch space of its own. This is out of line for the sake of
  * few points. */
@@ -152,6 +153,7 @@ const struct scarp_kernels KERNELS = {
     .normals = normals,
     .cells = cells,
     .chain = chain,
+    .components = components,
     .curl = curl,
     .gullies = gullies,
 };

@@ -10,6 +10,7 @@
 #define SCARP_KERNEL_WARP_H
 
 #include "flat.h"
+#include "vector_points.h"
 
 /* The most samples of a row of a chunk in a grid. */
 #define CHUNK_COLUMNS ((size_t)64)
@@ -20,9 +21,15 @@ struct warped {
     const struct scarp_call_plan *plan;
     struct scarp_outputs y[3];     /* the coordinates, by x */
     struct scarp_outputs moved[3]; /* those of the level at work, by its positions; at level 0 the
-                                      first is the noise */
-    float *dphase;                 /* of the noise, if it is asked for */
+                                      noise, or its components */
+    float *dphase;                 /* of the noise, if it is asked for, component by component */
 };
+
+/* How many components level 0 has. */
+static int noise_components(const struct scarp_call_plan *plan, int dimensions)
+{
+    return plan->warps.vector ? dimensions : 1;
+}
 
 /* Shares the scratch space out. */
 static void warped_begin(struct warped *w, const struct scarp_call_plan *plan,
@@ -30,9 +37,11 @@ static void warped_begin(struct warped *w, const struct scarp_call_plan *plan,
 {
     struct chunked *const c = &w->chunked;
     const int n = c->f.dimensions, y = plan->warps.depth > 0 ? n : 0;
-    const int moved = plan->warps.depth > 1 ? n : 1;
+    const int components = noise_components(plan, n);
+    const int moved = plan->warps.depth > 1 ? n : components;
     const size_t size = sample_size(n, plan->order);
-    float *from = chunked_begin(c, work, (size_t)(y + moved) * size + (plan->dphase ? 1 : 0));
+    const size_t dphases = plan->dphase ? (size_t)components : 0;
+    float *from = chunked_begin(c, work, (size_t)(y + moved) * size + dphases);
     w->plan = plan;
     for (int i = 0; i < y; i++) {
         take_arrays(&w->y[i], &from, c->most, n, plan->order);
@@ -41,7 +50,7 @@ static void warped_begin(struct warped *w, const struct scarp_call_plan *plan,
         take_arrays(&w->moved[i], &from, c->most, n, plan->order);
     }
     w->dphase = plan->dphase ? from : NULL;
-    chunked_end(c, work, from + (plan->dphase ? c->most : 0));
+    chunked_end(c, work, from + dphases * c->most);
 }
 
 /* The three coordinates at a block. */
@@ -159,30 +168,26 @@ static void compose_any(const struct warped *w, int samples, size_t count)
     }
 }
 
-/* Computes the deepest warp, or noise without one, at the input of a chunk: on a grid as a grid, if
-   that is faster. Its samples are then padded to whole blocks, as the others are. */
-static void evaluate_input(const struct warped *w, const struct scarp_call_plan *plan,
-                           const struct chunk *chunk, const struct scarp_outputs *to)
+/* The grid that the samples of a chunk of a grid make, one after the other. */
+static void chunk_grid(struct scarp_grid *grid, const struct warped *w, const struct chunk *chunk)
 {
-    const struct chunked *const c = &w->chunked;
-    const size_t count = chunk_count(chunk), end = whole_blocks(count);
-    if (c->source.grid == NULL) {
-        points_unwarped(plan, end, c->input, to, c->f, c->passes);
-        return;
-    }
-    struct scarp_grid grid = *c->source.grid;
+    *grid = *w->chunked.source.grid;
     for (int axis = 0; axis < 3; axis++) {
-        grid.first[axis] += (int64_t)chunk->at[axis];
+        grid->first[axis] += (int64_t)chunk->at[axis];
     }
-    grid.count[0] = grid.row_stride = chunk->columns;
-    grid.count[1] = chunk->rows;
-    grid.count[2] = 1;
-    grid.slice_stride = count;
-    if (is_flat(plan, &grid, c->f.dimensions)) {
-        points_unwarped(plan, end, c->input, to, c->f, c->passes);
-        return;
-    }
-    grid_within(plan, &grid, to, c->f.dimensions, c->passes);
+    grid->count[0] = grid->row_stride = chunk->columns;
+    grid->count[1] = chunk->rows;
+    grid->count[2] = 1;
+    grid->slice_stride = chunk_count(chunk);
+}
+
+/* Computes noise without warps on a chunk of a grid, as a grid. Its samples are then padded to
+   whole blocks, as those of points are. */
+static void evaluate_rows(const struct warped *w, const struct scarp_call_plan *plan,
+                          const struct scarp_grid *grid, const struct scarp_outputs *to)
+{
+    const size_t count = grid->slice_stride, end = whole_blocks(count);
+    grid_within(plan, grid, to, w->chunked.f.dimensions, w->chunked.passes);
     for (int i = 0; i < OUTPUTS; i++) {
         for (size_t at = count; to->array[i] != NULL && at < end; at++) {
             to->array[i][at] = 0.0f;
@@ -190,13 +195,48 @@ static void evaluate_input(const struct warped *w, const struct scarp_call_plan 
     }
 }
 
-/* Computes noise without its warp at the displaced positions. */
-static void evaluate(const struct warped *w, const struct scarp_call_plan *plan, size_t count,
+/* The plan of a component of a level. This is out of line for the sake of size. */
+static __attribute__((noinline)) void
+plan_component(struct scarp_call_plan *plan, const struct warped *w, int level, int component)
+{
+    const struct scarp_warps *const warps = &w->plan->warps;
+    const int is_alone = warps->depth == 0 && !warps->vector;
+    *plan = is_alone ? *w->plan : scarp_component_plan(w->plan, level, component);
+}
+
+/* Computes `count` components of a level, which are all that it has, without its warps, to `to`: at
+   the input of the chunk if the level is the deepest, on a grid as a grid if that is faster; else
+   at the displaced positions. */
+static void evaluate(const struct warped *w, const struct chunk *chunk, int level, int count,
                      const struct scarp_outputs *to)
 {
     const struct chunked *const c = &w->chunked;
-    const void *const position[3] = {c->position[0], c->position[1], c->position[2]};
-    points_unwarped(plan, count, position, to, c->f, c->passes);
+    const int is_deepest = level == w->plan->warps.depth, n = c->f.dimensions;
+    const void *const displaced[3] = {c->position[0], c->position[1], c->position[2]};
+    const void *const *const position = is_deepest ? c->input : displaced;
+    const size_t end = whole_blocks(chunk_count(chunk));
+    struct scarp_call_plan plan;
+    struct scarp_grid grid;
+    plan_component(&plan, w, level, 0);
+    int has_rows = is_deepest && c->source.grid != NULL;
+    if (has_rows) {
+        chunk_grid(&grid, w, chunk);
+        has_rows = !is_flat(&plan, &grid, n);
+    }
+    if (!has_rows && count > 1 && shares_lattice_pass(&plan)) {
+        vector_points(&plan, end, position, to, c->f, c->passes);
+        return;
+    }
+    for (int i = 0; i < count; i++) {
+        if (i > 0) {
+            plan_component(&plan, w, level, i);
+        }
+        if (has_rows) {
+            evaluate_rows(w, &plan, &grid, &to[i]);
+        } else {
+            points_unwarped(&plan, end, position, &to[i], c->f, c->passes);
+        }
+    }
 }
 
 /* Computes the coordinates y(x) of a level, and displaces the positions. */
@@ -204,14 +244,7 @@ static void warp_level(struct warped *w, const struct chunk *chunk, int level)
 {
     const int n = w->chunked.f.dimensions, order = w->plan->order, depth = w->plan->warps.depth;
     const size_t end = whole_blocks(chunk_count(chunk));
-    for (int i = 0; i < n; i++) {
-        const struct scarp_call_plan plan = scarp_component_plan(w->plan, level, i);
-        if (level == depth) {
-            evaluate_input(w, &plan, chunk, &w->y[i]);
-        } else {
-            evaluate(w, &plan, end, &w->moved[i]);
-        }
-    }
+    evaluate(w, chunk, level, n, level == depth ? w->y : w->moved);
     if (level < depth) {
         struct scarp_outputs y[3];
         compose_any(w, n, end);
@@ -231,14 +264,14 @@ static void warp_level(struct warped *w, const struct chunk *chunk, int level)
     }
 }
 
-/* Copies what the caller asked for, from `first` on. */
-static void give(const struct warped *w, const struct scarp_outputs *out, const struct chunk *chunk,
-                 size_t first, size_t row_stride)
+/* Copies what the caller asked for of a component, from `first` on. */
+static void give(const struct scarp_outputs *component, const struct scarp_outputs *out,
+                 const struct chunk *chunk, size_t first, size_t row_stride)
 {
     for (int i = 0; i < OUTPUTS; i++) {
         for (size_t r = 0; out->array[i] != NULL && r < chunk->rows; r++) {
-            memcpy(out->array[i] + first + r * row_stride,
-                   w->moved[0].array[i] + r * chunk->columns, chunk->columns * sizeof(float));
+            memcpy(out->array[i] + first + r * row_stride, component->array[i] + r * chunk->columns,
+                   chunk->columns * sizeof(float));
         }
     }
 }
@@ -252,22 +285,15 @@ static void warp_positions(struct warped *w, const struct chunk *chunk)
     }
 }
 
-/* Computes the noise there, or a component of potentials. Values go to `to`, derivatives by x to
-   moved[0], which `to` is then. */
-static void warp_noise(const struct warped *w, const struct chunk *chunk, int component,
+/* Computes the noise there, or its components. Values go to `to`, derivatives by x to `moved`,
+   which `to` is then. */
+static void warp_noise(const struct warped *w, const struct chunk *chunk,
                        const struct scarp_outputs *to)
 {
-    const struct scarp_warps *const warps = &w->plan->warps;
-    const int is_alone = warps->depth == 0 && !warps->vector;
-    struct scarp_call_plan plan;
-    if (!is_alone) {
-        plan = scarp_component_plan(w->plan, 0, component);
-    }
-    if (warps->depth == 0) {
-        evaluate_input(w, is_alone ? w->plan : &plan, chunk, to);
-    } else {
-        evaluate(w, &plan, whole_blocks(chunk_count(chunk)), to);
-        compose_any(w, 1, whole_blocks(chunk_count(chunk)));
+    const int components = noise_components(w->plan, w->chunked.f.dimensions);
+    evaluate(w, chunk, 0, components, to);
+    if (w->plan->warps.depth > 0) {
+        compose_any(w, components, whole_blocks(chunk_count(chunk)));
     }
 }
 
@@ -285,12 +311,12 @@ static void warp_chunk(struct warped *w, const struct scarp_outputs *out, const 
     warp_positions(w, chunk);
     if (gives_values(w, out, chunk)) {
         const struct scarp_outputs values = {.array = {out->array[VALUE] + first}};
-        warp_noise(w, chunk, 0, &values);
+        warp_noise(w, chunk, &values);
         return;
     }
     w->moved[0].array[DPHASE] = w->dphase;
-    warp_noise(w, chunk, 0, &w->moved[0]);
-    give(w, out, chunk, first, row_stride);
+    warp_noise(w, chunk, w->moved);
+    give(&w->moved[0], out, chunk, first, row_stride);
     w->moved[0].array[DPHASE] = NULL;
 }
 

@@ -92,6 +92,12 @@ static inline int blends_corners(enum scarp_basis basis)
     return basis <= SCARP_VALUE;
 }
 
+/* Whether the components of vector noise draw from one lattice; else each has a seed of its own. */
+static inline int components_share_lattice(enum scarp_basis basis)
+{
+    return blends_corners(basis);
+}
+
 /* Whether octaves of the fractal look at positions that those before have bent. */
 static inline int fractal_bends(enum scarp_fractal fractal)
 {
@@ -111,7 +117,7 @@ struct scarp_kind {
 struct scarp_levels;
 
 /* The warps of a noise (scarp.h, "Warps"). Level 0 is the noise, level 1 its warp, and so on. A
-   level above 0 has a component for each axis, which is noise of its own. */
+   level above 0 has a component for each axis. */
 struct scarp_warps {
     int depth;  /* the number of the last level; 0: there are none */
     int vector; /* whether level 0 has a component for each axis, too */
@@ -130,9 +136,11 @@ struct scarp_call_plan {
     int first;   /* the number of octave[0] in the noise: 0, but where octaves are taken one by one
                   */
     enum scarp_repeat repeat;
-    int flows;  /* whether gradients are turned by the phase, or DPHASE is asked for */
-    int dphase; /* whether DPHASE is */
-    int plain;  /* whether it is gradient or value noise that neither repeats nor flows nor bends */
+    int flows;     /* whether gradients are turned by the phase, or DPHASE is asked for */
+    int dphase;    /* whether DPHASE is */
+    int component; /* which component of vector noise, if these share a lattice; else 0 */
+    int plain; /* whether it is gradient or value noise that neither repeats nor flows nor bends,
+                  and component 0 */
     const struct scarp_octave *octave;
     struct scarp_warps warps;
 };
@@ -140,9 +148,9 @@ struct scarp_call_plan {
 /* The plans of all levels, which have no warps themselves. */
 struct scarp_levels {
     struct scarp_call_plan plan[1 + SCARP_MAX_WARPS]; /* of the first component of each level */
-    /* NULL: the octaves of a component are behind those of the one before. A noise may have more
-       octaves in all than the stack has room for: then this puts those of a component where the
-       plan of each level has them. */
+    /* NULL: all octaves are there. Those of components that share no lattice are behind those of
+       the component before. A noise may have more octaves in all than the stack has room for: then
+       this puts those of a component where the plan of each level has them. */
     void (*fetch)(const struct scarp_warps *warps, int level, int component);
     /* for `fetch` alone */
     const struct scarp_noise *noise;
@@ -158,8 +166,12 @@ static inline struct scarp_call_plan scarp_component_plan(const struct scarp_cal
     struct scarp_call_plan found = levels->plan[level];
     if (levels->fetch != NULL) {
         levels->fetch(&plan->warps, level, component);
-    } else {
+    } else if (!components_share_lattice(found.basis)) {
         found.octave += found.octaves * component;
+    }
+    if (components_share_lattice(found.basis)) {
+        found.component = component;
+        found.plain &= component == 0;
     }
     return found;
 }

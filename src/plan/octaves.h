@@ -11,7 +11,8 @@
 void scarp_octaves_make(struct scarp_octave *octave, const struct scarp_noise *noise,
                         int dimensions);
 
-/* The seed of a component of a warp, or of a potential: a number that no octave has. */
+/* The seed of a component of vector noise: a number that no octave has. Components that share a
+   lattice have the seed of component 0. */
 uint64_t scarp_component_seed(uint64_t seed, int component);
 
 #endif

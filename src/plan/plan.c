@@ -70,10 +70,17 @@ enum scarp_status scarp_plan_keep(struct scarp_plan *plan, const struct scarp_no
     return SCARP_OK;
 }
 
-/* Whether a level has a component for each axis, with seeds of their own. */
+/* Whether a level has a component for each axis. */
 static int has_components(const struct scarp_warps *warps, int level)
 {
     return level > 0 || warps->vector;
+}
+
+/* How many sets of octaves a level has. */
+static int octave_sets(const struct scarp_warps *warps, int level, enum scarp_basis basis,
+                       int dimensions)
+{
+    return has_components(warps, level) && !components_share_lattice(basis) ? dimensions : 1;
 }
 
 /* Computes the octaves of a component, or of a noise that has none. */
@@ -82,7 +89,8 @@ static void make_component(struct scarp_octave *octave, const struct scarp_noise
 {
     struct scarp_noise noise = *described;
     if (is_component) {
-        noise.seed = scarp_component_seed(noise.seed, component);
+        const int own = components_share_lattice(noise.basis) ? 0 : component;
+        noise.seed = scarp_component_seed(noise.seed, own);
     }
     scarp_octaves_make(octave, &noise, dimensions);
     if (noise.basis == SCARP_GRADIENT) {
@@ -114,14 +122,15 @@ static void make_levels(struct scarp_levels *levels, const struct scarp_warps *w
         struct scarp_call_plan *const plan = &levels->plan[level];
         plan_describe(plan, noise, kind.dimensions);
         plan_ask(plan, level == 0 ? kind : of_warp);
-        count += plan->octaves * (has_components(warps, level) ? kind.dimensions : 1);
+        count += plan->octaves * octave_sets(warps, level, plan->basis, kind.dimensions);
     }
     levels->fetch = count > SCARP_MAX_OCTAVES ? fetch_component : NULL;
     noise = levels->noise;
     for (int level = 0; level <= warps->depth; level++, noise = noise->warp) {
         const int has = has_components(warps, level);
+        const int sets = octave_sets(warps, level, noise->basis, kind.dimensions);
         levels->plan[level].octave = octave;
-        for (int i = 0; levels->fetch == NULL && i < (has ? kind.dimensions : 1); i++) {
+        for (int i = 0; levels->fetch == NULL && i < sets; i++) {
             make_component(octave, noise, kind.dimensions, has, i);
             octave += levels->plan[level].octaves;
         }

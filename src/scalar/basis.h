@@ -45,7 +45,8 @@ static inline struct outputs outputs_of(struct sample s)
 }
 
 /* `turn` is how far gradients are turned; NULL: they are at rest. */
-static inline struct lattice lattice_of(const struct scarp_octave *o, const float *turn)
+static inline struct lattice lattice_of(const struct scarp_octave *o, const float *turn,
+                                        int component)
 {
     struct lattice l = {
         .key = {o->key[0], o->key[1], o->key[2]},
@@ -53,6 +54,7 @@ static inline struct lattice lattice_of(const struct scarp_octave *o, const floa
         .flows = turn != NULL,
         .jitter = o->jitter,
         .middle = o->middle,
+        .component = (uint)component,
     };
     if (turn != NULL) {
         l.turn = (vec4){turn[0], turn[1], turn[2], turn[3]};
@@ -85,14 +87,14 @@ static inline FLATTEN struct outputs turned_basis_at2(const struct scarp_call_pl
                                                       const struct scarp_octave *o,
                                                       const struct location *p, const float *turn)
 {
-    return outputs_of(formula_at(plan, lattice_of(o, turn), p, 2));
+    return outputs_of(formula_at(plan, lattice_of(o, turn, plan->component), p, 2));
 }
 
 static inline FLATTEN struct outputs turned_basis_at3(const struct scarp_call_plan *plan,
                                                       const struct scarp_octave *o,
                                                       const struct location *p, const float *turn)
 {
-    return outputs_of(formula_at(plan, lattice_of(o, turn), p, 3));
+    return outputs_of(formula_at(plan, lattice_of(o, turn, plan->component), p, 3));
 }
 
 static inline struct outputs turned_basis_at(const struct scarp_call_plan *plan,

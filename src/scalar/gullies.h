@@ -51,7 +51,7 @@ static void gullies_at(const struct scarp_gully_call *call, const struct scarp_c
     for (int k = 0; k < plan->octaves; k++) {
         const struct location at = location_of(plan, k, x, 2);
         state = gully_octave_at(shape, gully_octave_of(&g->octave[k]),
-                                lattice_of(&plan->octave[k], NULL), at, state);
+                                lattice_of(&plan->octave[k], NULL, 0), at, state);
     }
     const float displacement[3] = {g->of_sum[0] * state.sum.value, g->of_sum[1] * state.sum.d.x,
                                    g->of_sum[1] * state.sum.d.y};

@@ -129,7 +129,7 @@ static void cells_near(float of[CELLS_OUTPUTS], const struct scarp_call_plan *pl
 {
     const struct scarp_octave *const o = plan->octave;
     const struct location at = location_of(plan, 0, x, dimensions);
-    const struct nearest n = nearest_at(lattice_of(o, NULL), at, dimensions);
+    const struct nearest n = nearest_at(lattice_of(o, NULL, 0), at, dimensions);
     const struct outputs first = outputs_of(distance_to(n.first));
     const struct outputs second = outputs_of(distance_to(n.second));
     const float d[3] = {n.first.d.x, n.first.d.y, n.first.d.z};
@@ -165,6 +165,23 @@ static void chain(const struct scarp_chain *call, size_t count)
 {
     for (size_t i = 0; i < count; i++) {
         chain_at(call, i);
+    }
+}
+
+static void components(const struct scarp_call_plan *plan, size_t count,
+                       const void *const position[3], const struct scarp_outputs *const out[3],
+                       int dimensions, int doubles)
+{
+    for (size_t i = 0; i < count; i++) {
+        const struct point x = point_at(position, i, dimensions, doubles);
+        struct outputs of[3];
+        for (int c = 0; c < dimensions;
+             c++) { /* all, before an output takes a coordinate's place */
+            of[c] = component_at(plan, &x, dimensions, c);
+        }
+        for (int c = 0; c < dimensions; c++) {
+            put(out[c], i, &of[c]);
+        }
     }
 }
 
@@ -211,6 +228,7 @@ const struct scarp_kernels scarp_kernels_scalar = {
     .normals = normals,
     .cells = cells,
     .chain = chain,
+    .components = components,
     .curl = curl,
     .gullies = gullies,
 };

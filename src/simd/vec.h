@@ -221,6 +221,22 @@ VEC_INLINE vu vu_turn8(vu a)
 }
 #endif
 
+/* Each lane's halves, with their places changed. */
+#ifndef VU_TURN16_NATIVE
+VEC_INLINE vu vu_turn16(vu a)
+{
+    return a >> 16 | a << 16;
+}
+#endif
+
+/* ((a >> 16) * factor) << 16 */
+#ifndef VU_UPPER_TIMES_NATIVE
+VEC_INLINE vu vu_upper_times(vu a, uint32_t factor)
+{
+    return (a & vu_set(0xffff0000u)) * vu_set(factor);
+}
+#endif
+
 /* a in a register: a compiler may load an operand anew wherever it is used. */
 #ifndef VU_IN_REGISTER_NATIVE
 VEC_INLINE vu vu_in_register(vu a)

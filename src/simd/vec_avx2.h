@@ -225,6 +225,19 @@ VEC_INLINE vu vu_turn8(vu a)
     return (vu)_mm256_shuffle_epi8((__m256i)a, _mm256_broadcastsi128_si256(bytes));
 }
 
+#define VU_TURN16_NATIVE
+VEC_INLINE vu vu_turn16(vu a)
+{
+    const __m128i bytes = _mm_setr_epi8(2, 3, 0, 1, 6, 7, 4, 5, 10, 11, 8, 9, 14, 15, 12, 13);
+    return (vu)_mm256_shuffle_epi8((__m256i)a, _mm256_broadcastsi128_si256(bytes));
+}
+
+#define VU_UPPER_TIMES_NATIVE
+VEC_INLINE vu vu_upper_times(vu a, uint32_t factor)
+{
+    return (vu)_mm256_mullo_epi16((__m256i)a, (__m256i)vu_set(factor << 16));
+}
+
 /* The permute reads the low three bits of each index and ignores the others. */
 #define VF_LOOKUP_NATIVE
 VEC_INLINE vf vf_lookup(const struct lookup *table, vu hash)

@@ -255,6 +255,18 @@ VEC_INLINE vu vu_turn8(vu a)
     return (vu)_mm512_ror_epi32((__m512i)a, 8);
 }
 
+#define VU_TURN16_NATIVE
+VEC_INLINE vu vu_turn16(vu a)
+{
+    return (vu)_mm512_ror_epi32((__m512i)a, 16);
+}
+
+#define VU_UPPER_TIMES_NATIVE
+VEC_INLINE vu vu_upper_times(vu a, uint32_t factor)
+{
+    return (vu)_mm512_mullo_epi16((__m512i)a, (__m512i)vu_set(factor << 16));
+}
+
 /* gcc 12 loads the index of four permutes three times, which takes 3 to 6 % of a row's time. */
 #define VU_IN_REGISTER_NATIVE
 VEC_INLINE vu vu_in_register(vu a)

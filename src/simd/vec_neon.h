@@ -138,6 +138,18 @@ VEC_INLINE vu vu_turn8(vu a)
     return (vu)vsriq_n_u32(vshlq_n_u32((uint32x4_t)a, 24), (uint32x4_t)a, 8);
 }
 
+#define VU_TURN16_NATIVE
+VEC_INLINE vu vu_turn16(vu a)
+{
+    return (vu)vrev32q_u16((uint16x8_t)a);
+}
+
+#define VU_UPPER_TIMES_NATIVE
+VEC_INLINE vu vu_upper_times(vu a, uint32_t factor)
+{
+    return (vu)vmulq_u16((uint16x8_t)a, (uint16x8_t)vdupq_n_u32(factor << 16));
+}
+
 #define VEC_BYTES_NATIVE
 VEC_INLINE vu vec_bytes(vu table, vu index)
 {

@@ -187,6 +187,19 @@ VEC_INLINE vu vu_turn8(vu a)
     return (vu)_mm_shuffle_epi8((__m128i)a, bytes);
 }
 
+#define VU_TURN16_NATIVE
+VEC_INLINE vu vu_turn16(vu a)
+{
+    const __m128i bytes = _mm_setr_epi8(2, 3, 0, 1, 6, 7, 4, 5, 10, 11, 8, 9, 14, 15, 12, 13);
+    return (vu)_mm_shuffle_epi8((__m128i)a, bytes);
+}
+
+#define VU_UPPER_TIMES_NATIVE
+VEC_INLINE vu vu_upper_times(vu a, uint32_t factor)
+{
+    return (vu)_mm_mullo_epi16((__m128i)a, (__m128i)vu_set(factor << 16));
+}
+
 #define VEC_BYTES_NATIVE
 VEC_INLINE vu vec_bytes(vu table, vu index)
 {

@@ -137,6 +137,19 @@ VEC_INLINE vu vu_turn8(vu a)
                                   14, 15, 12);
 }
 
+#define VU_TURN16_NATIVE
+VEC_INLINE vu vu_turn16(vu a)
+{
+    return (vu)wasm_i8x16_shuffle((v128_t)a, (v128_t)a, 2, 3, 0, 1, 6, 7, 4, 5, 10, 11, 8, 9, 14,
+                                  15, 12, 13);
+}
+
+#define VU_UPPER_TIMES_NATIVE
+VEC_INLINE vu vu_upper_times(vu a, uint32_t factor)
+{
+    return (vu)wasm_i16x8_mul((v128_t)a, wasm_u32x4_splat(factor << 16));
+}
+
 #define VEC_BYTES_NATIVE
 VEC_INLINE vu vec_bytes(vu table, vu index)
 {

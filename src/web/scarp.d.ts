@@ -181,6 +181,20 @@ export interface Scarp {
         z: Coordinates,
         out: T,
     ): T;
+    /** The components of vector noise: what a warp displaces points by. */
+    vector2<T extends [Samples, Samples]>(
+        noise: Noise | Plan,
+        x: Coordinates,
+        y: Coordinates,
+        out: T,
+    ): T;
+    vector3<T extends [Samples, Samples, Samples]>(
+        noise: Noise | Plan,
+        x: Coordinates,
+        y: Coordinates,
+        z: Coordinates,
+        out: T,
+    ): T;
     grid2<T extends Samples>(noise: Noise | Plan, grid: Grid, out: T): T;
     grid3<T extends Samples>(noise: Noise | Plan, grid: Grid, out: T): T;
     cells2<T extends Cells>(noise: Noise | Plan, x: Coordinates, y: Coordinates, out: T): T;

@@ -49,7 +49,7 @@ class Scarp {
         const sizes = {
             noise: LEVELS * NOISE_SIZE,
             grid: GRID_SIZE,
-            out: ARRAYS_SIZE,
+            out: 3 * ARRAYS_SIZE, // vector noise has one for each component
             a: ARRAYS_SIZE,
             b: ARRAYS_SIZE,
             m: ARRAYS_SIZE,
@@ -196,11 +196,34 @@ class Scarp {
 
     // A call with points: scarp_<stem><dimensions>, with _f64 if coordinates are doubles.
     #points(stem, noise, position, out, names) {
-        const dimensions = position.length;
         const at = this.#noise(noise);
         const uses = this.#coordinates(position);
         const count = position[0].length;
         uses.push(...this.#arrays('out', out, names, this.#at.out, true, count));
+        this.#runPoints(stem, at, position, uses);
+        return out;
+    }
+
+    // The same with a structure of arrays for each axis.
+    #vector(noise, position, out) {
+        const dimensions = position.length;
+        if (!Array.isArray(out) || out.length !== dimensions) {
+            throw new TypeError(`out must be an array of ${dimensions} objects`);
+        }
+        const at = this.#noise(noise);
+        const uses = this.#coordinates(position);
+        const count = position[0].length;
+        out.forEach((samples, i) => {
+            const slots = this.#at.out + i * ARRAYS_SIZE;
+            uses.push(...this.#arrays(`out[${i}]`, samples, SAMPLES, slots, true, count));
+        });
+        this.#runPoints('vector', at, position, uses);
+        return out;
+    }
+
+    #runPoints(stem, at, position, uses) {
+        const dimensions = position.length;
+        const count = position[0].length;
         checkOverlaps(uses);
         const suffix = isArray(position[0], 'Float64Array') ? '_f64' : '';
         const call = this.#exports[`scarp_${stem}${dimensions}${suffix}`];
@@ -210,7 +233,6 @@ class Scarp {
             const pointers = Array.from(u32.subarray(first, first + dimensions));
             this.#expect(call(at, n, ...pointers, this.#at.out), at, dimensions);
         });
-        return out;
     }
 
     sample2(noise, x, y, out) {
@@ -218,6 +240,12 @@ class Scarp {
     }
     sample3(noise, x, y, z, out) {
         return this.#points('sample', noise, [x, y, z], out, SAMPLES);
+    }
+    vector2(noise, x, y, out) {
+        return this.#vector(noise, [x, y], out);
+    }
+    vector3(noise, x, y, z, out) {
+        return this.#vector(noise, [x, y, z], out);
     }
     cells2(noise, x, y, out) {
         return this.#points('cells', noise, [x, y], out, CELLS);

@@ -8,9 +8,10 @@
 # TEXT       what is replaced; short, so that it outlives changes nearby
 # BECOMES    what stands in its place, where MUTANT is 1 if this mutant is switched on, or else 0
 # SEEN_BY    bits (results of points differ from the scalar kernels'), chain (those of functions of
-#            samples), curl (velocities from those of their potentials),
-#            gullies (those of sets from the scalar kernels'), plan (those of kept plans from
-#            those without), grid (results of grids from those of points), large (the same, large grids
+#            samples), curl (velocities from those of their potentials), gullies (those of sets from the
+#            scalar kernels'), vector (components of vector
+#            noise from those of the scalar kernels, or from samples and warps), plan (those of kept
+#            plans from those without), grid (results of grids from those of points), large (the same, large grids
 #            alone), golden (hashes from golden.txt), or crash
 #            (the library crashes in the one call where only that can tell; see test_grid.c)
 # SETS       the kernel sets that it is in; all but scalar if this is left out
@@ -236,12 +237,39 @@ mutant(cells.row_left_out IN kernel TEXT [[row->search.second ? second : first]]
        BECOMES [[row->search.second && !MUTANT ? second : first]] SEEN_BY grid)
 
 # velocities
-mutant(curl.sign IN kernel/curl.h TEXT [[term.is_negative ? 0x80000000u : 0]]
-       BECOMES [[term.is_negative && !MUTANT ? 0x80000000u : 0]] SEEN_BY curl)
-mutant(curl.order IN kernel/curl.h TEXT [[alone || c < i]]
-       BECOMES [[alone || (MUTANT ? c > i : c < i)]] SEEN_BY curl)
-mutant(curl.potential IN plan/octaves.c TEXT [[SCARP_MAX_OCTAVES + 1 + component]]
-       BECOMES [[SCARP_MAX_OCTAVES + 1 + (MUTANT ? component / 2 : component)]] SEEN_BY curl)
+mutant(curl.sign IN kernel/curl.h TEXT [[v = -vf_load(minus + at);]]
+       BECOMES [[v = MUTANT ? vf_load(minus + at) : -vf_load(minus + at);]] SEEN_BY curl)
+mutant(curl.difference IN kernel/curl.h TEXT [[vf_load(plus + at) - vf_load(minus + at)]]
+       BECOMES [[vf_load(plus + at) - (MUTANT ? vf_load(plus + at) : vf_load(minus + at))]]
+       SEEN_BY curl)
+mutant(curl.potentials IN kernel/curl.h TEXT [[curl_component(&w, out, &chunk, i,]]
+       BECOMES [[curl_component(&w, out, &chunk, MUTANT ? (i + 1) % dimensions : i,]] SEEN_BY curl)
+
+# the components of vector noise
+mutant(components.seeds IN plan/octaves.c TEXT [[SCARP_MAX_OCTAVES + 1 + component]]
+       BECOMES [[SCARP_MAX_OCTAVES + 1 + (MUTANT ? component / 2 : component)]] SEEN_BY vector)
+mutant(components.octaves IN plan/call.h TEXT [[found.octave += found.octaves * component;]]
+       BECOMES [[found.octave += found.octaves * (MUTANT ? 0 : component);]] SEEN_BY vector)
+mutant(components.number IN plan/call.h TEXT [[found.component = component;]]
+       BECOMES [[found.component = MUTANT ? 0 : component;]] SEEN_BY vector)
+mutant(components.gradients2 IN kernel TEXT [[h << (4 * component)]]
+       BECOMES [[h << ((MUTANT ? 3 : 4) * component)]] SEEN_BY vector)
+mutant(components.gradients3 IN kernel TEXT [[vu_upper_times(h, twelves[component])]]
+       BECOMES [[vu_upper_times(h, twelves[MUTANT ? component / 2 : component])]] SEEN_BY vector)
+mutant(components.values IN kernel TEXT [[vu_turn16(h) * vu_set(values[component])]]
+       BECOMES [[(MUTANT ? h : vu_turn16(h)) * vu_set(values[component])]] SEEN_BY vector)
+mutant(components.next IN kernel TEXT [[component_hash((vu)lattice[i], 1, v)]]
+       BECOMES [[component_hash((vu)lattice[i], MUTANT ? 0 : 1, v)]] SEEN_BY vector)
+mutant(components.rows IN kernel TEXT [[r->component > 0 ? component_corners]]
+       BECOMES [[r->component > MUTANT ? component_corners]] SEEN_BY grid)
+mutant(components.turned_rows IN kernel TEXT [[row.lattice += at->extent.blocks * size;]]
+       BECOMES [[row.lattice += MUTANT ? 0 : at->extent.blocks * size;]] SEEN_BY grid)
+mutant(components.state IN kernel/vector_points.h TEXT [[state + (size_t)i * vector->state]]
+       BECOMES [[state + (MUTANT ? 0 : (size_t)i * vector->state)]] SEEN_BY vector)
+mutant(components.dphase IN kernel/vector.h TEXT [[w.dphase + (size_t)i * w.chunked.most]]
+       BECOMES [[w.dphase + (MUTANT ? 0 : (size_t)i * w.chunked.most)]] SEEN_BY vector)
+mutant(components.reference IN formulas TEXT [[hash << (4u * component)]]
+       BECOMES [[hash << ((MUTANT ? 3u : 4u) * component)]] SEEN_BY golden SETS scalar)
 
 # outputs
 mutant(outputs.lanes IN kernel TEXT [[put_block(float *to, vf term, enum put put)
@@ -319,17 +347,15 @@ mutant(warp.diagonal IN kernel TEXT [[vf_load(slope + at) + 1.0f]]
        BECOMES [[vf_load(slope + at) + (MUTANT ? 0.0f : 1.0f)]] SEEN_BY bits)
 mutant(warp.hessian IN kernel TEXT [[r.dyy = ALONG(dy, hy) + ALONG(dyy, g);]]
        BECOMES [[r.dyy = MUTANT ? ALONG(dy, hy) : ALONG(dy, hy) + ALONG(dyy, g);]] SEEN_BY bits)
-mutant(warp.grid_chunk IN kernel TEXT [[grid.first[axis] += (int64_t)chunk->at[axis];]]
-       BECOMES [[grid.first[axis] += MUTANT ? 0 : (int64_t)chunk->at[axis];]] SEEN_BY grid)
+mutant(warp.grid_chunk IN kernel TEXT [[grid->first[axis] += (int64_t)chunk->at[axis];]]
+       BECOMES [[grid->first[axis] += MUTANT ? 0 : (int64_t)chunk->at[axis];]] SEEN_BY grid)
 mutant(warp.reference IN scalar
        TEXT [[along(y, DX + i, hj, dimensions) + along(y, second(i, j), g, dimensions)]]
        BECOMES [[along(y, DX + i, hj, dimensions) + (MUTANT ? 0.0f : along(y, second(i, j), g, dimensions))]]
        SEEN_BY golden SETS scalar)
-mutant(warp.seeds IN plan/plan.c TEXT [[scarp_component_seed(noise.seed, component)]]
-       BECOMES [[scarp_component_seed(noise.seed, component - (MUTANT ? SCARP_MAX_OCTAVES : 0))]]
+mutant(warp.seeds IN plan/plan.c TEXT [[scarp_component_seed(noise.seed, own)]]
+       BECOMES [[scarp_component_seed(noise.seed, own - (MUTANT ? SCARP_MAX_OCTAVES : 0))]]
        SEEN_BY golden SETS avx2)
-mutant(warp.components IN plan/call.h TEXT [[found.octave += found.octaves * component;]]
-       BECOMES [[found.octave += found.octaves * (MUTANT ? 0 : component);]] SEEN_BY golden SETS avx2)
 
 # fractals that bend
 mutant(bend.left_by IN kernel

@@ -47,6 +47,8 @@ static const struct {
     {"gullies", "gullies", {"--must-differ", "ISA"}},
     {"plan", "", {"ISA"}},
     {"plan", "plan", {"--must-differ", "ISA"}},
+    {"vector", "", {"ISA"}},
+    {"vector", "vector", {"--must-differ", "ISA"}},
 };
 
 static int call_test(int run, char *isa, char *file)

@@ -176,6 +176,21 @@ static void turn8(uint32_t *out, const uint32_t *in)
     vu_store(out, vu_turn8(vu_load(in)));
 }
 
+static void turn16(uint32_t *out, const uint32_t *in)
+{
+    vu_store(out, vu_turn16(vu_load(in)));
+}
+
+static void upper_times12(uint32_t *out, const uint32_t *in)
+{
+    vu_store(out, vu_upper_times(vu_load(in), 12));
+}
+
+static void upper_times144(uint32_t *out, const uint32_t *in)
+{
+    vu_store(out, vu_upper_times(vu_load(in), 144));
+}
+
 static void xor3(uint32_t *out, const uint32_t *a, const uint32_t *b, const uint32_t *c)
 {
     vu_store(out, vu_xor3(vu_load(a), vu_load(b), vu_load(c)));
@@ -301,6 +316,9 @@ const struct vec_operations VEC_OPERATIONS(KERNELS) = {
     .where = where,
     .exact_fma = exact_fma,
     .turn8 = turn8,
+    .turn16 = turn16,
+    .upper_times12 = upper_times12,
+    .upper_times144 = upper_times144,
     .xor3 = xor3,
     .any = any,
     .multiply = multiply,

@@ -47,6 +47,9 @@ struct vec_operations {
     /* a b + c, a b being exact */
     void (*exact_fma)(float *out, const float *a, const float *b, const float *c);
     void (*turn8)(uint32_t *out, const uint32_t *in);
+    void (*turn16)(uint32_t *out, const uint32_t *in);
+    void (*upper_times12)(uint32_t *out, const uint32_t *in);
+    void (*upper_times144)(uint32_t *out, const uint32_t *in);
     void (*xor3)(uint32_t *out, const uint32_t *a, const uint32_t *b, const uint32_t *c);
     int (*any)(const uint32_t *in);
     void (*multiply)(uint32_t *out, const uint32_t *a, const uint32_t *b);

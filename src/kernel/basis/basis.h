@@ -122,22 +122,29 @@ VEC_INLINE void basis_columns(struct column c[2], const struct corners side[2],
     }
 }
 
+/* Where a block that stands on the lattice lies across its columns. */
+VEC_INLINE void across_of(struct across *p, const vf *lattice, enum scarp_fade kind,
+                          const struct directions *directions, struct variant v)
+{
+    p->directions = directions;
+    p->has_dots = 0;
+    p->y = lattice[1];
+    if (v.dimensions == 3) {
+        p->z = lattice[2];
+        p->w = fade(kind, p->z);
+    }
+    p->v = fade(kind, p->y);
+}
+
 /* The basis at a block of positions on the lattice. `directions` are for a variant that flows. */
 VEC_INLINE struct sample basis_sample(const vf *lattice, enum scarp_fade kind,
                                       const struct directions *directions, struct variant v)
 {
     struct across p;
-    p.directions = directions;
-    p.has_dots = 0;
     struct corners side[2];
     corners_of(side, lattice, v);
     const vf x = lattice[0];
-    p.y = lattice[1];
-    if (v.dimensions == 3) {
-        p.z = lattice[2];
-        p.w = fade(kind, p.z);
-    }
-    p.v = fade(kind, p.y);
+    across_of(&p, lattice, kind, directions, v);
     struct column c[2];
     basis_columns(c, side, &p, v);
     return join(&c[0], &c[1], x, fade(kind, x), v);
@@ -152,6 +159,7 @@ struct locations {
     const struct scarp_octave *octave; /* for passes that take unhashed locations */
     enum scarp_basis basis;            /* for passes that serve several */
     int order;                         /* for passes that serve several: the highest derivative */
+    int component, component_end;      /* for passes of components: the first, and before which */
 };
 
 /* Adds weights * basis to `to`, or puts it there, for every output of the variant. */

@@ -49,6 +49,30 @@ struct corners {
     vu h[2][2];
 };
 
+/* The hash that stands in for h in what a component of vector noise draws: components.h. The
+   reference is formulas/lattice.h. */
+VEC_INLINE vu component_hash(vu h, int component, struct variant v)
+{
+    static const uint32_t values[3] = {1, 0x9e3779b1u, 0x85ebca6bu}, twelves[3] = {1, 12, 144};
+    if (v.basis == SCARP_VALUE) {
+        return component == 0 ? h : vu_turn16(h) * vu_set(values[component]);
+    }
+    return v.dimensions == 2 ? h << (4 * component) : vu_upper_times(h, twelves[component]);
+}
+
+VEC_INLINE struct corners component_corners(const struct corners *c, int component,
+                                            struct variant v)
+{
+    struct corners of;
+    for (int y = 0; y < 2; y++) {
+        of.h[y][0] = component_hash(c->h[y][0], component, v);
+        if (v.dimensions == 3) {
+            of.h[y][1] = component_hash(c->h[y][1], component, v);
+        }
+    }
+    return of;
+}
+
 /* Where a point lies across the columns, and the gradients of a variant that flows. All samples of
    a row of a grid lie at the same y and z. There, `dots` has tables of the products of gradients
    with the way from corner [y][z] ([y][0] in 2D): gradient.h. */

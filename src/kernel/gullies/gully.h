@@ -155,7 +155,7 @@ VEC_INLINE struct pair wave_of(vf u)
                    sine_of_quarter((vf)((vu)folded | ((vu)v & 0x80000000u))));
 }
 
-VEC_INLINE struct pair_jet across_of(const struct pair_jet *s, int order)
+VEC_INLINE struct pair_jet across_slope(const struct pair_jet *s, int order)
 {
     const vf unit = inverse(vf_sqrt(dot2(s->value, s->value) + GULLY_TAU2));
     const struct pair t = {s->value.y * (0.0f - unit), s->value.x * unit};

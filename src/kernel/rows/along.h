@@ -71,6 +71,7 @@ struct along_rows {
     uint32_t hash[2][2][TILE_ROWS]; /* [y][z] of the lower and upper neighbours; 2D: [y][0] */
     vf z;
     struct fade w;
+    int component; /* of vector noise, which rows are of */
 };
 
 /* Vectors that along_x needs for a strip. */
@@ -265,12 +266,14 @@ static void along_rows(struct along_rows *rows, const struct scarp_octave *o, si
 struct along_row {
     struct across at;
     struct corners_yz h;
+    int component;
 };
 
 VEC_INLINE struct along_row row_of(const struct along_rows *rows, size_t r,
                                    const struct directions *directions, int dimensions)
 {
     struct along_row row;
+    row.component = rows->component;
     row.at.directions = directions;
     row.at.y = vf_set(rows->y[r]);
     row.at.v.s = vf_set(rows->s[r]);

@@ -31,21 +31,21 @@ enum { LINE_VALUE, LINE_Y, LINE_Z, LINE_YY, LINE_YZ, LINE_ZZ, LINES };
     } while (0)
 
 /* The hashes, and the lines, of the columns whose mixed coordinates are `h`, on a row. */
-VEC_INLINE struct corners row_corners(vu h, const struct along_row *r, int dimensions)
+VEC_INLINE struct corners row_corners(vu h, const struct along_row *r, struct variant v)
 {
     struct corners c;
     c.h[0][0] = hash_corner(h, r->h.h[0][0]);
     c.h[1][0] = hash_corner(h, r->h.h[1][0]);
-    if (dimensions == 3) {
+    if (v.dimensions == 3) {
         c.h[0][1] = hash_corner(h, r->h.h[0][1]);
         c.h[1][1] = hash_corner(h, r->h.h[1][1]);
     }
-    return c;
+    return r->component > 0 ? component_corners(&c, r->component, v) : c;
 }
 
 VEC_INLINE struct column row_column(vu h, const struct along_row *r, struct variant v)
 {
-    const struct corners c = row_corners(h, r, v.dimensions);
+    const struct corners c = row_corners(h, r, v);
     return basis_column(&c, &r->at, v);
 }
 

@@ -186,8 +186,8 @@ VEC_INLINE void wide_row(const struct along_x *x, const struct along_row *row,
     const vf *hash = x->hash;
     size_t to_at = 0;
     for (; block < end; block++) {
-        const struct corners side[2] = {row_corners((vu)hash[0], row, v.dimensions),
-                                        row_corners((vu)hash[1], row, v.dimensions)};
+        const struct corners side[2] = {row_corners((vu)hash[0], row, v),
+                                        row_corners((vu)hash[1], row, v)};
         struct column c[2];
         basis_columns(c, side, &row->at, v);
         const struct sample n = join(&c[0], &c[1], block->t, block->fade, v);

@@ -177,6 +177,19 @@ export function lines(scarp, copied) {
         }
     };
 
+    const visitVector = (d) => {
+        const noise = { octaves: 2, seed: 5, warp: { basis: 'value', seed: 6 } };
+        const out = sets.slice(0, d).map((set) => ask(set, d, 2, true, points));
+        for (const [more, position] of [
+            ['', single],
+            ['_f64', double],
+        ]) {
+            scarp[`vector${d}`](noise, ...position.slice(0, d), out);
+            const hash = sets.slice(0, d).reduce((h, set) => set.reduce(hashWords, h), 2166136261);
+            line(`vector${d}${more}`, '', hash);
+        }
+    };
+
     const visitChain = () => {
         const [a, b] = [sets[0], sets[1]].map((set) => ask(set, 3, 2, false, points));
         scarp.sample3({ octaves: 2 }, ...single, a);
@@ -223,6 +236,7 @@ export function lines(scarp, copied) {
         visitBases(d);
         visitSpecial(d);
         visitFields(d);
+        visitVector(d);
     }
     visitChain();
     visitRest();

@@ -222,6 +222,31 @@ static void visit_fields(int dimensions)
     line(dimensions == 2 ? "curl2_f64" : "curl3_f64", "", hash_arrays(0));
 }
 
+/* The components of vector noise, all in one hash. */
+static void visit_vector(int dimensions)
+{
+    const struct scarp_noise warp = {.basis = SCARP_VALUE, .seed = 6};
+    const struct scarp_noise noise = {.octaves = 2.0f, .seed = 5, .warp = &warp};
+    const float *const x = coordinate[0], *const y = coordinate[1], *const z = coordinate[2];
+    const double *const xd = coordinate_f64[0], *const yd = coordinate_f64[1],
+                        *const zd = coordinate_f64[2];
+    for (int doubles = 0; doubles < 2; doubles++) {
+        uint32_t hash = 2166136261u;
+        for (int c = 0; c < dimensions; c++) {
+            ask(c, dimensions, 2, 1);
+        }
+        expect_ok(dimensions == 2 ? doubles ? scarp_vector2_f64(&noise, POINTS, xd, yd, samples)
+                                            : scarp_vector2(&noise, POINTS, x, y, samples)
+                  : doubles ? scarp_vector3_f64(&noise, POINTS, xd, yd, zd, samples)
+                                  : scarp_vector3(&noise, POINTS, x, y, z, samples),
+                  "vector");
+        for (int i = 0; i < 16 * dimensions; i++) {
+            hash = hash_words(hash, array[i / 16][i % 16], MOST);
+        }
+        line(dimensions == 2 ? "vector2" : "vector3", doubles ? "_f64" : "", hash);
+    }
+}
+
 #define CHAIN(name, call)                                                                          \
     memset(array[2], 0, sizeof array[2]);                                                          \
     expect_ok(call, name);                                                                         \
@@ -291,6 +316,7 @@ int main(int argc, char **argv)
         visit_bases(dimensions);
         visit_special(dimensions);
         visit_fields(dimensions);
+        visit_vector(dimensions);
     }
     visit_chain();
     visit_rest();
