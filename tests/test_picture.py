@@ -28,8 +28,8 @@ WIDTH_HEIGHT = {"cloud": (960, 540), "mountains": (640, 360)}
 SMALL = {
     "cloud": {"32x18": "7b447340771cfc4db51f94542124b8f39ffbec4311b55aa55593a1ca4bcbc113",
               "96x54": "f0d89c54f585aea39c292b40962a2294b40f583d692ce42b0fc6f118b15b8fb9"},
-    "mountains": {"32x18": "559732087029b2f73f2d48e95a49ab5fe5dd0da0a9e005b9f2cb8ce723f5a93b",
-                  "96x54": "406cbe66131f54448577c133c7f89821b57efc05689ea47da8c4d67f8dc3051a"},
+    "mountains": {"32x18": "9e061547d276b03910eda45293476b0f9c436f4355701788599dc47665b87489",
+                  "96x54": "346e8874722b87193411b19a17332852d4a20f9111fb501f66cec8a6c67acdcb"},
 }
 SIZES = ["32x18", "96x54"] if os.environ.get("SCARP_SPEED") == "full" else ["32x18"]
 EXAMPLE = sys.argv[1]
