@@ -165,7 +165,7 @@ static struct rows_time rows_time_of(const struct scarp_call_plan *plan, int dim
     static const float corners[3][2][2] = {/* by [set][one octave][in space] */
                                            {{0.6f, 0.6f}, {0.82f, 0.82f}},
                                            {{0.5f, 0.66f}, {0.74f, 0.66f}},
-                                           {{0.36f, 0.36f}, {0.7f, 0.58f}}};
+                                           {{0.36f, 0.36f}, {0.66f, 0.58f}}};
     static const struct rows_time simplex[2][2] = {
         /* by [in space][values alone] */
         {{0.8f, 4.0f, 1.1f, 12.0f}, {0.6f, 2.0f, 1.4f, 8.0f}},

@@ -9,6 +9,7 @@
  *     KERNELS_NARROWER  the table of the set with half as many lanes, if calls that fill no more
  *                       of a vector take less time there; may be left out
  *     FEW_ORDER         the highest derivative of which few points go block by block (few.h); 1
+ *     ONE_BLOCKS        the most blocks of single octaves that go block by block (below); 4
  *     TILE_ROWS         the most rows of a tile of a grid (rows/along.h); 96
  *     SCRATCH_BYTES     of scratch space (driver.h); 26 KiB
  */
@@ -43,8 +44,10 @@ static void points_more(const struct scarp_call_plan *plan, size_t count,
 }
 
 /* The most blocks of floats for which single octaves take less time block by block than in passes.
-   (With 2, 32 to 64 points take 3 to 39 % more with AVX-512.) */
+ */
+#ifndef ONE_BLOCKS
 #define ONE_BLOCKS 4
+#endif
 
 VEC_INLINE void points(const struct scarp_call_plan *plan, size_t count,
                        const void *const position[3], const struct scarp_outputs *out,
@@ -162,5 +165,6 @@ const struct scarp_kernels KERNELS = {
 #undef KERNELS_ISA
 #undef KERNELS_NARROWER
 #undef FEW_ORDER
+#undef ONE_BLOCKS
 #undef TILE_ROWS
 #undef SCRATCH_BYTES
