@@ -168,8 +168,8 @@ static struct rows_time rows_time_of(const struct scarp_call_plan *plan, int dim
                                            {{0.36f, 0.36f}, {0.66f, 0.58f}}};
     static const struct rows_time simplex[2][2] = {
         /* by [in space][values alone] */
-        {{0.8f, 4.0f, 1.1f, 12.0f}, {0.6f, 2.0f, 1.4f, 8.0f}},
-        {{0.6f, 4.0f, 1.4f, 20.0f}, {0.4f, 1.0f, 1.0f, 20.0f}}};
+        {{0.7f, 4.0f, 1.1f, 12.0f}, {0.6f, 2.0f, 1.4f, 8.0f}},
+        {{0.5f, 4.0f, 1.4f, 20.0f}, {0.4f, 1.0f, 1.0f, 20.0f}}};
     static const struct rows_time cells[2][2] = {
         /* by [in space][two features] */
         {{0.15f, 8.0f, 1.0f, 0.0f}, {0.3f, 8.0f, 0.9f, 4.0f}},
