@@ -20,9 +20,10 @@
  * - ?: chooses one of two numbers. Shaders compute both.
  * - A macro is the name of a number. No name of a variable is a word of a shading language.
  *
- * Some functions are not the same in C and in shaders: magnitude(), floor_of(), either(), inverse(),
- * root() and lattice_value() of numbers.h, direction2(), direction3() and quarter3() of directions.h. These
- * files are in src/scalar and in src/gpu; one of each must be included before the formulas.
+ * Some functions are not the same in C and in shaders: magnitude(), floor_of(), either(),
+ * inverse(), root() and lattice_value() of numbers.h, direction2(), direction3() and quarter3() of
+ * directions.h. These files are in src/scalar and in src/gpu; one of each must be included before
+ * the formulas.
  */
 #ifndef SCARP_FORMULAS_C_H
 #define SCARP_FORMULAS_C_H
