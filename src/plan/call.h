@@ -31,8 +31,8 @@
 
 #define SCARP_MAX_OCTAVES 32
 
-/* Octaves of a call take up to 8 KiB of stack. Noise without warps that has no more than these takes
-   less of it, and grids of such have more scratch space. */
+/* Octaves of a call take up to 8 KiB of stack. Noise without warps that has no more than these
+   takes less of it, and grids of such have more scratch space. */
 #define SCARP_FEW_OCTAVES 12
 
 struct scarp_octave {
