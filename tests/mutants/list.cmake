@@ -222,7 +222,7 @@ mutant(simplex.row_first IN kernel TEXT [[(size_t)vm_any(at.before)]]
        BECOMES [[(size_t)(!MUTANT && vm_any(at.before))]] SEEN_BY grid)
 mutant(simplex.row_beside IN kernel TEXT [[line->left > 0.25f]]
        BECOMES [[line->left > (MUTANT ? 0.375f : 0.25f)]] SEEN_BY grid
-       SETS generic sse4.1 avx2 neon) # with AVX-512 such rows are points
+       SETS generic sse4.1 neon) # with more lanes, such rows are points
 
 # cellular noise
 mutant(cells.ring IN kernel TEXT [[return vm_any(vm_less(bound * bound, s * RING_MARGIN));]]
@@ -381,7 +381,8 @@ mutant(crossing.rows IN kernel/crossing.h TEXT [[crossing_switch(&y, mask, &a.ta
 mutant(crossing.slices IN kernel/crossing.h TEXT [[crossing_switch(&z, mask, &a.table[2], ++k, form);]]
        BECOMES [[crossing_switch(&z, mask, &a.table[2], MUTANT ? k++ : ++k, form);]] SEEN_BY grid)
 mutant(crossing.continued IN kernel/crossing.h TEXT [[i < count + VEC_LANES; i += count]]
-       BECOMES [[i < count + VEC_LANES && (!MUTANT || i == count); i += count]] SEEN_BY grid)
+       BECOMES [[i < count + VEC_LANES && (!MUTANT || i == count); i += count]] SEEN_BY grid
+       SETS avx2 avx512) # blocks of 4 never begin where a second copy would be read
 mutant(crossing.parts IN kernel/crossing.h TEXT [[some.first[axis] += (int64_t)at;]]
        BECOMES [[some.first[axis] += MUTANT ? 0 : (int64_t)at;]] SEEN_BY grid)
 mutant(crossing.rest IN kernel/crossing.h TEXT [[copy_out(out, whole, &stored, 0, count - whole);]]
