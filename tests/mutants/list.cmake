@@ -23,7 +23,7 @@ mutant(positions.turned_offset IN kernel TEXT [[TURNED_SHIFT - o->offset[axis] *
        BECOMES [[TURNED_SHIFT - (MUTANT ? 0.0 : o->offset[axis] * stretch)]] SEEN_BY bits)
 mutant(positions.turned_stretch IN kernel/unhashed.h TEXT [[o, axis, axis == 1 ? o->stretch : 1.0, low]]
        BECOMES [[o, axis, !MUTANT && axis == 1 ? o->stretch : 1.0, low]] SEEN_BY bits)
-mutant(positions.turned_far IN kernel TEXT [[is_far(highest, here,]]
+mutant(positions.turned_far IN kernel/points.h TEXT [[is_far(highest, here,]]
        BECOMES [[!MUTANT && is_far(highest, here,]] SEEN_BY bits)
 mutant(positions.turned_far_few IN kernel TEXT [[is_far(highest_frequency(plan), count,]]
        BECOMES [[!MUTANT && is_far(highest_frequency(plan), count,]] SEEN_BY bits)
