@@ -39,7 +39,8 @@ static void fill_points(const struct bench_arrays *arrays, size_t count)
 
 int bench_count_outputs(const struct bench_work *work)
 {
-    if (work->layout == BENCH_NORMALS || work->layout >= BENCH_VECTOR) {
+    if (work->layout == BENCH_NORMALS || work->layout == BENCH_VECTOR ||
+        work->layout == BENCH_CURL) {
         return 3;
     }
     return work->output == BENCH_VALUE          ? 1

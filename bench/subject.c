@@ -195,6 +195,25 @@ static enum scarp_status run_vector(const struct bench_subject *subject)
                     : scarp_curl2(noise, n, x[0], x[1], &flow);
 }
 
+/* The base is uniform in [0, 1), as are its derivatives. What is timed does not depend on it. */
+static enum scarp_status run_gullies(const struct bench_subject *subject)
+{
+    const struct bench_work *const work = &subject->work;
+    const struct scarp_gullies gullies = {.octaves = (float)work->octaves,
+                                          .rotate = (uint32_t)work->turned};
+    float *const *const b = subject->arrays->points[BENCH_SAME_CELL];
+    float *const *const to = subject->arrays->outputs;
+    float *const *const x = subject->arrays->points[work->pattern];
+    double *const *const w = subject->arrays->points_f64;
+    const int slopes = work->output == BENCH_PLUS_GRADIENT;
+    const struct scarp_samples base = {
+        .value = b[0], .dx = b[1], .dy = b[2], .dxx = b[0], .dxy = b[1], .dyy = b[2]};
+    const struct scarp_eroded out = {
+        .value = to[0], .dx = slopes ? to[1] : NULL, .dy = slopes ? to[2] : NULL};
+    return work->f64 ? scarp_gullies2_f64(&gullies, work->points, w[0], w[1], &base, &out)
+                     : scarp_gullies2(&gullies, work->points, x[0], x[1], &base, &out);
+}
+
 /* One call; `out` is made before, as callers of few points at a time do. */
 static enum scarp_status run_scarp(const struct bench_subject *subject,
                                    const struct scarp_samples *out)
@@ -213,6 +232,9 @@ static enum scarp_status run_scarp(const struct bench_subject *subject,
     }
     if (work->layout == BENCH_VECTOR || work->layout == BENCH_CURL) {
         return run_vector(subject);
+    }
+    if (work->layout == BENCH_GULLIES) {
+        return run_gullies(subject);
     }
     if (work->as_points) {
         double *const *const at = subject->samples_at->axis;

@@ -26,7 +26,8 @@ enum bench_layout {
     BENCH_NORMALS,
     BENCH_PRODUCT, /* of two samples, by scarp_multiply */
     BENCH_VECTOR,  /* values of all components of vector noise */
-    BENCH_CURL     /* velocities */
+    BENCH_CURL,    /* velocities */
+    BENCH_GULLIES  /* in a base whose arrays are any that there are */
 };
 
 enum bench_output {

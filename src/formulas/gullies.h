@@ -33,61 +33,61 @@
 #define GULLY_EPS2 0.25f   /* of eps = 0.5, where waves of corners cancel */
 
 /* Two numbers along x and y, or the parts of a complex number. */
-struct pair {
+struct pair2 {
     float x, y;
 };
 
 /* A number with its derivatives along x and y. */
 struct jet {
     float value;
-    struct pair d;
+    struct pair2 d;
 };
 
 /* A pair with its derivatives. */
 struct pair_jet {
-    struct pair value, dx, dy;
+    struct pair2 value, dx, dy;
 };
 
-static inline struct pair pair_of(float x, float y)
+static inline struct pair2 pair_of(float x, float y)
 {
-    const struct pair p = {x, y};
+    const struct pair2 p = {x, y};
     return p;
 }
 
-static inline struct pair sum2(struct pair a, struct pair b)
+static inline struct pair2 sum2(struct pair2 a, struct pair2 b)
 {
     return pair_of(a.x + b.x, a.y + b.y);
 }
 
-static inline struct pair difference2(struct pair a, struct pair b)
+static inline struct pair2 difference2(struct pair2 a, struct pair2 b)
 {
     return pair_of(a.x - b.x, a.y - b.y);
 }
 
-static inline struct pair scaled2(float a, struct pair b)
+static inline struct pair2 scaled2(float a, struct pair2 b)
 {
     return pair_of(a * b.x, a * b.y);
 }
 
-static inline float dot2(struct pair a, struct pair b)
+static inline float dot2(struct pair2 a, struct pair2 b)
 {
     return a.x * b.x + a.y * b.y;
 }
 
 /* a + u (b - a) */
-static inline struct pair mix2(struct pair a, struct pair b, float u)
+static inline struct pair2 mix2(struct pair2 a, struct pair2 b, float u)
 {
     return sum2(a, scaled2(u, difference2(b, a)));
 }
 
 /* a p + b q */
-static inline struct pair combined2(float a, struct pair p, float b, struct pair q)
+static inline struct pair2 combined2(float a, struct pair2 p, float b, struct pair2 q)
 {
     return sum2(scaled2(a, p), scaled2(b, q));
 }
 
 /* The product of complex numbers; of a turn and a vector: the vector, turned. */
-static inline struct pair product2(struct pair a, struct pair b)
+static inline struct pair2 product2(struct pair2 a, struct pair2 b)
 {
     return pair_of(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
 }
@@ -104,12 +104,12 @@ struct gully_shape {
 
 /* The constants of an octave, whose axes are turned by R. */
 struct gully_octave {
-    float weight;       /* of v_k */
-    float keep;         /* 0 of the first octave */
-    struct pair waves;  /* stripes R */
-    struct pair angles; /* 2 pi stripes R */
-    struct pair cells;  /* f_k R */
-    float stretch;      /* 2 pi stripes f_k */
+    float weight;        /* of v_k */
+    float keep;          /* 0 of the first octave */
+    struct pair2 waves;  /* stripes R */
+    struct pair2 angles; /* 2 pi stripes R */
+    struct pair2 cells;  /* f_k R */
+    float stretch;       /* 2 pi stripes f_k */
 };
 
 /* What goes from octave to octave. */
@@ -137,16 +137,16 @@ static inline struct jet height_of(struct gully_shape g, struct gully_base b)
 static inline struct gully gully_begin(struct gully_shape g, struct gully_base b)
 {
     const struct jet h = height_of(g, b);
-    const struct pair gradient = {b.dx, b.dy};
+    const struct pair2 gradient = {b.dx, b.dy};
     const float rest = 1.0f - h.value;
     const float slope2 = rest * g.slope2_low + h.value * g.slope2;
     const float unit = inverse(root(dot2(gradient, gradient) + slope2));
-    const struct pair s = scaled2(unit, gradient);
+    const struct pair2 s = scaled2(unit, gradient);
     const float by = 0.5f * unit * (g.slope2 - g.slope2_low);
     const float hx = s.x * b.dxx + s.y * b.dxy + by * h.d.x;
     const float hy = s.x * b.dxy + s.y * b.dyy + by * h.d.y;
-    const struct pair sx = scaled2(unit, pair_of(b.dxx - s.x * hx, b.dxy - s.y * hx));
-    const struct pair sy = scaled2(unit, pair_of(b.dxy - s.x * hy, b.dyy - s.y * hy));
+    const struct pair2 sx = scaled2(unit, pair_of(b.dxx - s.x * hx, b.dxy - s.y * hx));
+    const struct pair2 sy = scaled2(unit, pair_of(b.dxy - s.x * hy, b.dyy - s.y * hy));
     const struct gully state = {
         .slope = {s, sx, sy},
         .steep = {dot2(s, s), {2.0f * dot2(s, sx), 2.0f * dot2(s, sy)}},
@@ -165,7 +165,7 @@ static inline float sine_of_quarter(float b)
 }
 
 /* e^(2 pi i u), |u| < 2^22 */
-static inline struct pair wave_of(float u)
+static inline struct pair2 wave_of(float u)
 {
     const float v = u - floor_of(u + 0.5f);
     const float a = magnitude(v);
@@ -179,9 +179,9 @@ static inline struct pair wave_of(float u)
 static inline struct pair_jet across_slope(struct pair_jet s)
 {
     const float unit = inverse(root(dot2(s.value, s.value) + GULLY_TAU2));
-    const struct pair t = {s.value.y * (0.0f - unit), s.value.x * unit};
-    const struct pair ex = scaled2(unit, s.dx);
-    const struct pair ey = scaled2(unit, s.dy);
+    const struct pair2 t = {s.value.y * (0.0f - unit), s.value.x * unit};
+    const struct pair2 ex = scaled2(unit, s.dx);
+    const struct pair2 ey = scaled2(unit, s.dy);
     const float bx = t.y * ex.x - t.x * ex.y;
     const float by = t.y * ey.x - t.x * ey.y;
     const struct pair_jet across = {
@@ -193,17 +193,17 @@ static inline struct pair_jet across_slope(struct pair_jet s)
 }
 
 /* The wave of a corner: `waves` is how many lie between the point and it. */
-static inline struct pair corner_wave(uint hash, float waves)
+static inline struct pair2 corner_wave(uint hash, float waves)
 {
     return wave_of(lattice_value(hash) * 0x1p-32f + waves);
 }
 
 /* The derivative of Z along an axis: of the weights, and of the waves, which turn with t and with
    its derivative d. */
-static inline struct pair blend_slope(struct pair by_weights, float t, struct pair d, struct pair z,
-                                      struct pair moment_x, struct pair moment_y)
+static inline struct pair2 blend_slope(struct pair2 by_weights, float t, struct pair2 d,
+                                       struct pair2 z, struct pair2 moment_x, struct pair2 moment_y)
 {
-    const struct pair turn = sum2(scaled2(t, z), combined2(d.x, moment_x, d.y, moment_y));
+    const struct pair2 turn = sum2(scaled2(t, z), combined2(d.x, moment_x, d.y, moment_y));
     return pair_of(by_weights.x - turn.y, by_weights.y + turn.x);
 }
 
@@ -213,28 +213,28 @@ static inline struct pair_jet blend_of(struct lattice l, struct gully_octave o, 
 {
     const struct fade fx = fade(QUINTIC, p.t.x);
     const struct fade fy = fade(QUINTIC, p.t.y);
-    const struct pair q = product2(o.waves, t.value);
+    const struct pair2 q = product2(o.waves, t.value);
     const float waves = q.x * p.t.x + q.y * p.t.y;
     const float waves_y = waves - q.y;
-    const struct pair c00 = corner_wave(hash2(l.key, p.cell.x, p.cell.y), waves);
-    const struct pair c10 = corner_wave(hash2(l.key, p.next.x, p.cell.y), waves - q.x);
-    const struct pair c01 = corner_wave(hash2(l.key, p.cell.x, p.next.y), waves_y);
-    const struct pair c11 = corner_wave(hash2(l.key, p.next.x, p.next.y), waves_y - q.x);
-    const struct pair left = mix2(c00, c01, fy.u);
-    const struct pair right = mix2(c10, c11, fy.u);
-    const struct pair z = mix2(left, right, fx.u);
-    const struct pair top = mix2(c01, c11, fx.u);
-    const struct pair by_x = scaled2(fx.du, difference2(right, left));
-    const struct pair by_y =
+    const struct pair2 c00 = corner_wave(hash2(l.key, p.cell.x, p.cell.y), waves);
+    const struct pair2 c10 = corner_wave(hash2(l.key, p.next.x, p.cell.y), waves - q.x);
+    const struct pair2 c01 = corner_wave(hash2(l.key, p.cell.x, p.next.y), waves_y);
+    const struct pair2 c11 = corner_wave(hash2(l.key, p.next.x, p.next.y), waves_y - q.x);
+    const struct pair2 left = mix2(c00, c01, fy.u);
+    const struct pair2 right = mix2(c10, c11, fy.u);
+    const struct pair2 z = mix2(left, right, fx.u);
+    const struct pair2 top = mix2(c01, c11, fx.u);
+    const struct pair2 by_x = scaled2(fx.du, difference2(right, left));
+    const struct pair2 by_y =
         scaled2(fy.du, mix2(difference2(c01, c00), difference2(c11, c10), fx.u));
     /* the sums of W (p - c) */
-    const struct pair moment_x = difference2(scaled2(p.t.x, z), scaled2(fx.u, right));
-    const struct pair moment_y = difference2(scaled2(p.t.y, z), scaled2(fy.u, top));
+    const struct pair2 moment_x = difference2(scaled2(p.t.x, z), scaled2(fx.u, right));
+    const struct pair2 moment_y = difference2(scaled2(p.t.y, z), scaled2(fy.u, top));
     /* in the axes of the input */
-    const struct pair mx = combined2(o.angles.x, moment_x, o.angles.y, moment_y);
-    const struct pair my = combined2(o.angles.x, moment_y, 0.0f - o.angles.y, moment_x);
-    const struct pair wx = combined2(o.cells.x, by_x, o.cells.y, by_y);
-    const struct pair wy = combined2(o.cells.x, by_y, 0.0f - o.cells.y, by_x);
+    const struct pair2 mx = combined2(o.angles.x, moment_x, o.angles.y, moment_y);
+    const struct pair2 my = combined2(o.angles.x, moment_y, 0.0f - o.angles.y, moment_x);
+    const struct pair2 wx = combined2(o.cells.x, by_x, o.cells.y, by_y);
+    const struct pair2 wy = combined2(o.cells.x, by_y, 0.0f - o.cells.y, by_x);
     const struct pair_jet blend = {
         z,
         blend_slope(wx, o.stretch * t.value.x, t.dx, z, mx, my),
@@ -244,16 +244,16 @@ static inline struct pair_jet blend_of(struct lattice l, struct gully_octave o, 
 }
 
 /* The derivative d of a blend, once this is divided by its length: `w` is the quotient. */
-static inline struct pair quotient_slope(struct pair w, struct pair d, float unit)
+static inline struct pair2 quotient_slope(struct pair2 w, struct pair2 d, float unit)
 {
-    const struct pair e = scaled2(unit, d);
+    const struct pair2 e = scaled2(unit, d);
     return difference2(e, scaled2(dot2(w, e), w));
 }
 
 static inline struct pair_jet normalised(struct pair_jet z)
 {
     const float unit = inverse(root(dot2(z.value, z.value) + GULLY_EPS2));
-    const struct pair w = scaled2(unit, z.value);
+    const struct pair2 w = scaled2(unit, z.value);
     const struct pair_jet n = {w, quotient_slope(w, z.dx, unit), quotient_slope(w, z.dy, unit)};
     return n;
 }
@@ -279,7 +279,7 @@ static inline struct gully gully_octave_at(struct gully_shape g, struct gully_oc
     const float rest = 1.0f - kept * v.value;
     const float m = state.steep.value * rest;
     const float fall = 2.0f * state.steep.value * kept;
-    const struct pair dm = combined2(rest, state.steep.d, 0.0f - fall, v.d);
+    const struct pair2 dm = combined2(rest, state.steep.d, 0.0f - fall, v.d);
     const float d = height.value - v.value;
     const struct jet next = {
         v.value + m * d,

@@ -313,10 +313,10 @@ static void gullies(const struct scarp_gully_call *call, const struct scarp_call
 {
     vf space[CHUNK_BYTES / sizeof(vf)];
     const struct workspace work = {space, sizeof space / sizeof(vf)};
-    struct gully_work w = {.call = call,
-                           .plan = plan,
+    struct gully_work w = {.plan = plan,
                            .passes = &gully_passes[call->base[BASE_DXX] != NULL],
                            .layout = call->doubles ? DOUBLES : FLOATS};
+    w.call = call;
     gully_divide(&w, work);
     if (call->grid != NULL) {
         gully_grid(&w);

@@ -13,17 +13,17 @@
 #define GULLY_EPS2 0.25f
 
 /* Two numbers along x and y, or the parts of a complex number. */
-struct pair {
+struct pair2 {
     vf x, y;
 };
 
 /* A number, or a pair, with its derivatives along x and y. */
 struct jet {
     vf value;
-    struct pair d;
+    struct pair2 d;
 };
 struct pair_jet {
-    struct pair value, dx, dy;
+    struct pair2 value, dx, dy;
 };
 
 /* What goes from octave to octave. Where no derivatives are asked for, these are unset. */
@@ -37,51 +37,51 @@ struct gully {
 struct gully_wave {
     struct pair_jet t;
     union {
-        struct pair corner[2][2]; /* by x and y */
+        struct pair2 corner[2][2]; /* by x and y */
         struct pair_jet blend;
     };
 };
 
-VEC_INLINE struct pair pair_of(vf x, vf y)
+VEC_INLINE struct pair2 pair_of(vf x, vf y)
 {
-    const struct pair p = {x, y};
+    const struct pair2 p = {x, y};
     return p;
 }
 
-VEC_INLINE struct pair sum2(struct pair a, struct pair b)
+VEC_INLINE struct pair2 sum2(struct pair2 a, struct pair2 b)
 {
     return pair_of(a.x + b.x, a.y + b.y);
 }
 
-VEC_INLINE struct pair difference2(struct pair a, struct pair b)
+VEC_INLINE struct pair2 difference2(struct pair2 a, struct pair2 b)
 {
     return pair_of(a.x - b.x, a.y - b.y);
 }
 
-VEC_INLINE struct pair scaled2(vf a, struct pair b)
+VEC_INLINE struct pair2 scaled2(vf a, struct pair2 b)
 {
     return pair_of(a * b.x, a * b.y);
 }
 
-VEC_INLINE vf dot2(struct pair a, struct pair b)
+VEC_INLINE vf dot2(struct pair2 a, struct pair2 b)
 {
     return a.x * b.x + a.y * b.y;
 }
 
 /* a + u (b - a) */
-VEC_INLINE struct pair mix2(struct pair a, struct pair b, vf u)
+VEC_INLINE struct pair2 mix2(struct pair2 a, struct pair2 b, vf u)
 {
     return sum2(a, scaled2(u, difference2(b, a)));
 }
 
 /* a p + b q */
-VEC_INLINE struct pair combined2(vf a, struct pair p, vf b, struct pair q)
+VEC_INLINE struct pair2 combined2(vf a, struct pair2 p, vf b, struct pair2 q)
 {
     return sum2(scaled2(a, p), scaled2(b, q));
 }
 
 /* The product of complex numbers. */
-VEC_INLINE struct pair product2(struct pair a, struct pair b)
+VEC_INLINE struct pair2 product2(struct pair2 a, struct pair2 b)
 {
     return pair_of(a.x * b.x - a.y * b.y, a.x * b.y + a.y * b.x);
 }
@@ -111,11 +111,11 @@ VEC_INLINE void gully_begin(struct gully *state, const struct scarp_gully_plan *
 {
     const vf dxx = base[BASE_DXX], dxy = base[BASE_DXY], dyy = base[BASE_DYY];
     const struct jet h = gully_height(g, base);
-    const struct pair gradient = {base[BASE_DX], base[BASE_DY]};
+    const struct pair2 gradient = {base[BASE_DX], base[BASE_DY]};
     const vf rest = 1.0f - h.value;
     const vf slope2 = rest * g->slope2_low + h.value * g->slope2;
     const vf unit = inverse(vf_sqrt(dot2(gradient, gradient) + slope2));
-    const struct pair s = scaled2(unit, gradient);
+    const struct pair2 s = scaled2(unit, gradient);
     state->slope.value = s;
     state->steep.value = dot2(s, s);
     state->exposure.value = 1.0f - rest * g->lowered;
@@ -124,8 +124,8 @@ VEC_INLINE void gully_begin(struct gully *state, const struct scarp_gully_plan *
         const vf by = 0.5f * unit * (g->slope2 - g->slope2_low);
         const vf hx = s.x * dxx + s.y * dxy + by * h.d.x;
         const vf hy = s.x * dxy + s.y * dyy + by * h.d.y;
-        const struct pair sx = scaled2(unit, pair_of(dxx - s.x * hx, dxy - s.y * hx));
-        const struct pair sy = scaled2(unit, pair_of(dxy - s.x * hy, dyy - s.y * hy));
+        const struct pair2 sx = scaled2(unit, pair_of(dxx - s.x * hx, dxy - s.y * hx));
+        const struct pair2 sy = scaled2(unit, pair_of(dxy - s.x * hy, dyy - s.y * hy));
         state->slope.dx = sx;
         state->slope.dy = sy;
         state->steep.d = pair_of(2.0f * dot2(s, sx), 2.0f * dot2(s, sy));
@@ -146,7 +146,7 @@ VEC_INLINE vf sine_of_quarter(vf b)
 }
 
 /* u is no negative 0, so v has the sign that it is compared with 0 for. */
-VEC_INLINE struct pair wave_of(vf u)
+VEC_INLINE struct pair2 wave_of(vf u)
 {
     const vf v = u - vf_floor(u + 0.5f);
     const vf a = (vf)((vu)v & 0x7fffffffu);
@@ -158,11 +158,11 @@ VEC_INLINE struct pair wave_of(vf u)
 VEC_INLINE struct pair_jet across_slope(const struct pair_jet *s, int order)
 {
     const vf unit = inverse(vf_sqrt(dot2(s->value, s->value) + GULLY_TAU2));
-    const struct pair t = {s->value.y * (0.0f - unit), s->value.x * unit};
+    const struct pair2 t = {s->value.y * (0.0f - unit), s->value.x * unit};
     struct pair_jet across;
     across.value = t;
     if (order > 0) {
-        const struct pair ex = scaled2(unit, s->dx), ey = scaled2(unit, s->dy);
+        const struct pair2 ex = scaled2(unit, s->dx), ey = scaled2(unit, s->dy);
         const vf bx = t.y * ex.x - t.x * ex.y, by = t.y * ey.x - t.x * ey.y;
         across.dx = pair_of(0.0f - (t.x * bx + ex.y), ex.x - t.y * bx);
         across.dy = pair_of(0.0f - (t.x * by + ey.y), ey.x - t.y * by);
@@ -171,21 +171,21 @@ VEC_INLINE struct pair_jet across_slope(const struct pair_jet *s, int order)
 }
 
 /* The wave of a corner: `waves` is how many lie between the point and it. */
-VEC_INLINE struct pair corner_wave(vf hash, vf waves)
+VEC_INLINE struct pair2 corner_wave(vf hash, vf waves)
 {
     return wave_of(vf_from_vi((vi)hash) * 0x1p-32f + waves);
 }
 
-VEC_INLINE struct pair blend_slope(struct pair by_weights, vf t, struct pair d, struct pair z,
-                                   const struct pair moment[2])
+VEC_INLINE struct pair2 blend_slope(struct pair2 by_weights, vf t, struct pair2 d, struct pair2 z,
+                                    const struct pair2 moment[2])
 {
-    const struct pair turn = sum2(scaled2(t, z), combined2(d.x, moment[0], d.y, moment[1]));
+    const struct pair2 turn = sum2(scaled2(t, z), combined2(d.x, moment[0], d.y, moment[1]));
     return pair_of(by_weights.x - turn.y, by_weights.y + turn.x);
 }
 
 /* What derivatives of a blend are made of: those of its weights, and the sums of W (p - c). */
 struct gully_moments {
-    struct pair by_x, by_y, moment_x, moment_y;
+    struct pair2 by_x, by_y, moment_x, moment_y;
 };
 
 VEC_INLINE void blend_slopes(struct pair_jet *blend, const struct gully_moments *m,
@@ -194,11 +194,11 @@ VEC_INLINE void blend_slopes(struct pair_jet *blend, const struct gully_moments 
     const vf ax = vf_set(o->angles[0]), ay = vf_set(o->angles[1]);
     const vf cx = vf_set(o->cells[0]), cy = vf_set(o->cells[1]);
     const vf less_ay = vf_set(0.0f - o->angles[1]), less_cy = vf_set(0.0f - o->cells[1]);
-    const struct pair moment[2] = {combined2(ax, m->moment_x, ay, m->moment_y),
-                                   combined2(ax, m->moment_y, less_ay, m->moment_x)};
-    const struct pair wx = combined2(cx, m->by_x, cy, m->by_y);
-    const struct pair wy = combined2(cx, m->by_y, less_cy, m->by_x);
-    const struct pair z = blend->value;
+    const struct pair2 moment[2] = {combined2(ax, m->moment_x, ay, m->moment_y),
+                                    combined2(ax, m->moment_y, less_ay, m->moment_x)};
+    const struct pair2 wx = combined2(cx, m->by_x, cy, m->by_y);
+    const struct pair2 wy = combined2(cx, m->by_y, less_cy, m->by_x);
+    const struct pair2 z = blend->value;
     blend->dx = blend_slope(wx, o->stretch * t->value.x, t->dx, z, moment);
     blend->dy = blend_slope(wy, o->stretch * t->value.y, t->dy, z, moment);
 }
@@ -209,8 +209,8 @@ VEC_INLINE void gully_corners(struct gully_wave *wave, const vf *lattice,
                               const struct scarp_gully_octave *o)
 {
     const vf x = lattice[0], y = lattice[1];
-    const struct pair turn = {vf_set(o->waves[0]), vf_set(o->waves[1])};
-    const struct pair q = product2(turn, wave->t.value);
+    const struct pair2 turn = {vf_set(o->waves[0]), vf_set(o->waves[1])};
+    const struct pair2 q = product2(turn, wave->t.value);
     const vf waves = q.x * x + q.y * y, waves_y = waves - q.y;
     wave->corner[0][0] = corner_wave(lattice[2], waves);
     wave->corner[1][0] = corner_wave(lattice[4], waves - q.x);
@@ -224,15 +224,15 @@ VEC_INLINE struct pair_jet blend_of(const struct gully_wave *wave, const vf *lat
 {
     const vf x = lattice[0], y = lattice[1];
     const struct fade fx = fade(SCARP_QUINTIC, x), fy = fade(SCARP_QUINTIC, y);
-    const struct pair c00 = wave->corner[0][0], c01 = wave->corner[0][1];
-    const struct pair c10 = wave->corner[1][0], c11 = wave->corner[1][1];
-    const struct pair left = mix2(c00, c01, fy.u), right = mix2(c10, c11, fy.u);
-    const struct pair z = mix2(left, right, fx.u);
+    const struct pair2 c00 = wave->corner[0][0], c01 = wave->corner[0][1];
+    const struct pair2 c10 = wave->corner[1][0], c11 = wave->corner[1][1];
+    const struct pair2 left = mix2(c00, c01, fy.u), right = mix2(c10, c11, fy.u);
+    const struct pair2 z = mix2(left, right, fx.u);
     struct pair_jet blend;
     blend.value = z;
     if (order > 0) {
-        const struct pair top = mix2(c01, c11, fx.u);
-        const struct pair step = mix2(difference2(c01, c00), difference2(c11, c10), fx.u);
+        const struct pair2 top = mix2(c01, c11, fx.u);
+        const struct pair2 step = mix2(difference2(c01, c00), difference2(c11, c10), fx.u);
         const struct gully_moments m = {
             scaled2(fx.du, difference2(right, left)),
             scaled2(fy.du, step),
@@ -244,9 +244,9 @@ VEC_INLINE struct pair_jet blend_of(const struct gully_wave *wave, const vf *lat
     return blend;
 }
 
-VEC_INLINE struct pair quotient_slope(struct pair w, struct pair d, vf unit)
+VEC_INLINE struct pair2 quotient_slope(struct pair2 w, struct pair2 d, vf unit)
 {
-    const struct pair e = scaled2(unit, d);
+    const struct pair2 e = scaled2(unit, d);
     return difference2(e, scaled2(dot2(w, e), w));
 }
 
@@ -294,7 +294,7 @@ VEC_INLINE void gully_add(struct gully *state, const struct gully_wave *wave,
     state->slope.value = sum2(state->slope.value, scaled2(by, t.value));
     if (order > 0) {
         const vf fall = 2.0f * state->steep.value * kept;
-        const struct pair dm = combined2(rest, state->steep.d, 0.0f - fall, v.d);
+        const struct pair2 dm = combined2(rest, state->steep.d, 0.0f - fall, v.d);
         const vf by_x = 0.0f - g->branch * (dm.x * w.value.y + m * w.dx.y);
         const vf by_y = 0.0f - g->branch * (dm.y * w.value.y + m * w.dy.y);
         state->exposure.d = sum2(v.d, combined2(d, dm, m, difference2(height.d, v.d)));
