@@ -384,7 +384,7 @@ static void test_arguments(void)
     }
     struct scarp_eroded all = eroded_of(out, OUT_ALL);
     const struct scarp_eroded values = eroded_of(out, OUT_VALUES);
-    const struct scarp_eroded nothing = {NULL};
+    const struct scarp_eroded nothing = {.value = NULL};
     struct scarp_grid empty = grid;
     const float *const x = x32[0], *const y = x32[1];
     float lowest = 5.0f, highest = 5.0f;
