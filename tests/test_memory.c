@@ -310,6 +310,20 @@ static enum scarp_status find_vector(enum function f, const struct scarp_noise *
     return vector_call(f, noise, count, points, out);
 }
 
+/* Gullies of floats, in a base whose arrays are the coordinates. */
+static enum scarp_status find_gullies(enum function f, const struct scarp_noise *noise,
+                                      size_t count, const struct inputs *points,
+                                      const struct outputs *o)
+{
+    static const struct scarp_gullies gullies = {.octaves = 2.0f, .rotate = 1};
+    float *const x = (float *)(uintptr_t)points->f[0], *const y = (float *)(uintptr_t)points->f[1];
+    const struct scarp_samples base = base_of_two(x, y);
+    const struct scarp_eroded out = eroded_of(o->array, OUT_ALL);
+    (void)f;
+    (void)noise;
+    return scarp_gullies2(&gullies, count, x, y, &base, &out);
+}
+
 /* Such a call, and its outputs in the plane and in space, by bits. */
 struct caller {
     enum scarp_status (*find)(enum function f, const struct scarp_noise *noise, size_t count,
@@ -336,33 +350,6 @@ static void test_callers(enum function f, const struct scarp_noise *noise,
     }
 }
 
-/* Gullies of floats, in a base whose arrays are the coordinates. */
-static enum scarp_status erode(size_t count, const struct inputs *points, const struct outputs *o,
-                               unsigned wanted)
-{
-    static const struct scarp_gullies gullies = {.octaves = 2.0f, .rotate = 1};
-    float *const x = (float *)(uintptr_t)points->f[0], *const y = (float *)(uintptr_t)points->f[1];
-    const struct scarp_samples base = base_of_two(x, y);
-    const struct scarp_eroded out = eroded_of(o->array, wanted);
-    return scarp_gullies2(&gullies, count, x, y, &base, &out);
-}
-
-static void test_gullies(unsigned wanted)
-{
-    CHECK(erode(POINTS, &in, &whole, wanted) == SCARP_OK, "all");
-    for (size_t c = 0; c < COUNTS; c++) {
-        const size_t count = count_at(c);
-        for (int p = 0; p < PLACES; p++) {
-            const enum place place = (enum place)p;
-            const size_t first = count * 7 % (POINTS - LONGEST);
-            const struct inputs points = place_inputs(SAMPLE2, place, first, count);
-            const struct outputs o = place_outputs(place, wanted, count);
-            CHECK(erode(count, &points, &o, wanted) == SCARP_OK, "%zu points", count);
-            check_outputs(&o, wanted, &whole, first, count, place, "scarp_gullies2");
-        }
-    }
-}
-
 static void test_flows(enum function f, const struct scarp_noise *noise)
 {
     const struct caller flow = {find_flow, {0xf, 0x1ff}, "scarp_curl2 and its like"};
@@ -373,6 +360,8 @@ static void test_flows(enum function f, const struct scarp_noise *noise)
 
 int main(int argc, char **argv)
 {
+    const struct caller gullies = {find_gullies, {OUT_ALL}, "scarp_gullies2"},
+                        gully_values = {find_gullies, {OUT_VALUES}, "scarp_gullies2"};
     const struct scarp_noise warp = {.seed = 1}, plain = {.octaves = 2.0f},
                              warped = {.warp = &warp};
     check_select_isa(argc > 1 ? argv[1] : "scalar");
@@ -393,8 +382,8 @@ int main(int argc, char **argv)
     for (int f = 0; f < CHAINS; f++) {
         test_chain((enum chain)f);
     }
-    test_gullies(OUT_ALL);
-    test_gullies(OUT_VALUES);
+    test_callers(SAMPLE2, &plain, &gullies);
+    test_callers(SAMPLE2, &plain, &gully_values);
     for (int f = 0; f < FUNCTIONS; f++) {
         test_flows((enum function)f, &plain);
         test_flows((enum function)f, &warped);

@@ -17,7 +17,7 @@ _Static_assert(sizeof(struct scarp_samples) == 16 * sizeof(float *) &&
                    offsetof(struct scarp_samples, dphase) == 10 * sizeof(float *),
                "struct scarp_samples has 16 pointers");
 
-/* No other place knows the arrays by name. */
+/* The structure is that list. */
 const struct scarp_outputs *scarp_outputs_of(const struct scarp_samples *out)
 {
 #define AT(output, member) (offsetof(struct scarp_samples, member) == (output) * sizeof(float *))

@@ -59,24 +59,21 @@ static void curl_component(const struct warped *w, const struct scarp_flow_array
     }
 }
 
-static void curl(const struct scarp_call_plan *plan, size_t count, const void *const position[3],
-                 const struct scarp_flow_arrays *out, int dimensions, int doubles)
+static void curl_components(const struct warped *w, const void *out, const struct chunk *chunk)
 {
     static const struct curl_terms plane[2] = {{0, 1, -1, 0}, {-1, 0, 0, 0}};
     static const struct curl_terms solid[3] = {{2, 1, 1, 2}, {0, 2, 2, 0}, {1, 0, 0, 1}};
-    vf space[CHUNK_BYTES / sizeof(vf)];
-    const struct workspace work = {space, sizeof space / sizeof(vf)};
-    const struct frame f = {.layout = doubles ? DOUBLES : FLOATS, .dimensions = dimensions};
-    struct warped w = {.chunked = {.source = {position, NULL}, .f = f, .copies = 1}};
-    warped_begin(&w, plan, work);
-    for (size_t first = 0; first < count; first += w.chunked.most) {
-        const struct chunk chunk = {{first, 0, 0}, least(count - first, w.chunked.most), 1};
-        warp_positions(&w, &chunk);
-        warp_noise(&w, &chunk, w.moved);
-        for (int i = 0; i < dimensions; i++) {
-            curl_component(&w, out, &chunk, i, dimensions == 2 ? &plane[i] : &solid[i]);
-        }
+    const int n = w->chunked.f.dimensions;
+    for (int i = 0; i < n; i++) {
+        curl_component(w, out, chunk, i, n == 2 ? &plane[i] : &solid[i]);
     }
+}
+
+static void curl(const struct scarp_call_plan *plan, size_t count, const void *const position[3],
+                 const struct scarp_flow_arrays *out, int dimensions, int doubles)
+{
+    const struct frame f = {.layout = doubles ? DOUBLES : FLOATS, .dimensions = dimensions};
+    warp_components(plan, count, position, f, curl_components, out);
 }
 
 #endif

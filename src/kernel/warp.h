@@ -335,6 +335,34 @@ static __attribute__((noinline)) void warp_points(const struct scarp_call_plan *
     }
 }
 
+/* Takes the components of a chunk of points, which are in w->moved. */
+typedef void take_components(const struct warped *w, const void *out, const struct chunk *chunk);
+
+/* Computes the components of vector noise at points, chunk by chunk. Outputs may be where
+   coordinates are: those of a chunk are copied before. */
+static __attribute__((noinline)) void warp_components(const struct scarp_call_plan *plan,
+                                                      size_t count, const void *const position[3],
+                                                      struct frame f, take_components *take,
+                                                      const void *out)
+{
+    vf space[CHUNK_BYTES / sizeof(vf)];
+    const struct workspace work = {space, sizeof space / sizeof(vf)};
+    struct warped w = {.chunked = {.source = {position, NULL}, .f = f, .copies = 1}};
+    warped_begin(&w, plan, work);
+    for (size_t first = 0; first < count; first += w.chunked.most) {
+        const struct chunk chunk = {{first, 0, 0}, least(count - first, w.chunked.most), 1};
+        warp_positions(&w, &chunk);
+        for (int i = 0; i < f.dimensions; i++) {
+            w.moved[i].array[DPHASE] = plan->dphase ? w.dphase + (size_t)i * w.chunked.most : NULL;
+        }
+        warp_noise(&w, &chunk, w.moved);
+        take(&w, out, &chunk);
+        for (int i = 0; i < f.dimensions; i++) {
+            w.moved[i].array[DPHASE] = NULL;
+        }
+    }
+}
+
 /* Computes a grid of a noise with warps, slice by slice in chunks of some rows. */
 static __attribute__((noinline)) void warp_grid(const struct scarp_call_plan *plan,
                                                 const struct scarp_grid *grid,

@@ -175,8 +175,8 @@ static void components(const struct scarp_call_plan *plan, size_t count,
     for (size_t i = 0; i < count; i++) {
         const struct point x = point_at(position, i, dimensions, doubles);
         struct outputs of[3];
-        for (int c = 0; c < dimensions;
-             c++) { /* all, before an output takes a coordinate's place */
+        /* All of them come before an output takes the place of a coordinate. */
+        for (int c = 0; c < dimensions; c++) {
             of[c] = component_at(plan, &x, dimensions, c);
         }
         for (int c = 0; c < dimensions; c++) {

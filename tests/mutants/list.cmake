@@ -242,8 +242,8 @@ mutant(curl.sign IN kernel/curl.h TEXT [[v = -vf_load(minus + at);]]
 mutant(curl.difference IN kernel/curl.h TEXT [[vf_load(plus + at) - vf_load(minus + at)]]
        BECOMES [[vf_load(plus + at) - (MUTANT ? vf_load(plus + at) : vf_load(minus + at))]]
        SEEN_BY curl)
-mutant(curl.potentials IN kernel/curl.h TEXT [[curl_component(&w, out, &chunk, i,]]
-       BECOMES [[curl_component(&w, out, &chunk, MUTANT ? (i + 1) % dimensions : i,]] SEEN_BY curl)
+mutant(curl.potentials IN kernel/curl.h TEXT [[curl_component(w, out, chunk, i,]]
+       BECOMES [[curl_component(w, out, chunk, MUTANT ? (i + 1) % n : i,]] SEEN_BY curl)
 
 # the components of vector noise
 mutant(components.seeds IN plan/octaves.c TEXT [[SCARP_MAX_OCTAVES + 1 + component]]
@@ -266,7 +266,7 @@ mutant(components.turned_rows IN kernel TEXT [[row.lattice += at->extent.blocks 
        BECOMES [[row.lattice += MUTANT ? 0 : at->extent.blocks * size;]] SEEN_BY grid)
 mutant(components.state IN kernel/vector_points.h TEXT [[state + (size_t)i * vector->state]]
        BECOMES [[state + (MUTANT ? 0 : (size_t)i * vector->state)]] SEEN_BY vector)
-mutant(components.dphase IN kernel/vector.h TEXT [[w.dphase + (size_t)i * w.chunked.most]]
+mutant(components.dphase IN kernel/warp.h TEXT [[w.dphase + (size_t)i * w.chunked.most]]
        BECOMES [[w.dphase + (MUTANT ? 0 : (size_t)i * w.chunked.most)]] SEEN_BY vector)
 mutant(components.reference IN formulas TEXT [[hash << (4u * component)]]
        BECOMES [[hash << ((MUTANT ? 3u : 4u) * component)]] SEEN_BY golden SETS scalar)
