@@ -14,10 +14,12 @@
 #include "cases.h"
 #include "chain.h"
 #include "gullies.h"
+#include "vectors.h"
 
 /* The cases of a group differ in what is asked for and in the precision of coordinates. One hash
    goes over all their outputs. */
-#define POINTS 1031 /* two whole parts of the widest vectors, and a tail */
+#define POINTS 1031       /* two whole parts of the widest vectors, and a tail */
+#define VECTOR_POINTS 263 /* the same of vectors that are half as wide */
 #define LINES_MAX 65536
 
 struct line {
@@ -120,6 +122,36 @@ static void visit_gullies(enum cases_class class, const struct cases_points *poi
     outputs_free(&o);
 }
 
+/* All components of vector noise, by floats, then by doubles, in 2D, then in 3D */
+static void visit_vectors(enum cases_class class, const struct cases_points *points)
+{
+    struct outputs o[3];
+    char name[80];
+    const struct inputs in = cases_inputs(points, 0);
+    for (int i = 0; i < 3; i++) {
+        o[i] = outputs_make(VECTOR_POINTS);
+    }
+    for (int n = 0; n < VECTORS && !check_enough(); n++) {
+        uint64_t hash = FNV_BASIS;
+        snprintf(name, sizeof name, "vector/%d/%s", n, class_names[class]);
+        for (int f = 0; f < FUNCTIONS; f++) {
+            const enum function function = (enum function)f;
+            const unsigned all = outputs_of(&vector_noises[n], function);
+            const struct scarp_samples out[3] = {
+                outputs_subset(&o[0], all), outputs_subset(&o[1], all), outputs_subset(&o[2], all)};
+            CHECK(vector_call(function, &vector_noises[n], VECTOR_POINTS, &in, out) == SCARP_OK,
+                  "%s", name);
+            for (int i = 0; i < function_dimensions(function); i++) {
+                hash = outputs_hash(hash, &o[i], all, VECTOR_POINTS);
+            }
+        }
+        visit(name, hash);
+    }
+    for (int i = 0; i < 3; i++) {
+        outputs_free(&o[i]);
+    }
+}
+
 static int every = 1; /* one of so many groups is computed */
 
 /* A group of cases that follow each other, those of other dimensions in between. */
@@ -183,6 +215,7 @@ static void visit_class(enum cases_class class)
     visit(name, outputs_hash(FNV_BASIS, &o, 7, POINTS));
     visit_chain(class, &points);
     visit_gullies(class, &points);
+    visit_vectors(class, &points);
     outputs_free(&o);
     cases_free(&points);
 }

@@ -10,34 +10,7 @@
  *     test_vector --must-differ ISA   the same, but sets, or warps, must differ: for mutants
  */
 #include "fractal.h"
-
-#define NOISES 19
-
-static const struct scarp_noise deep = {.seed = 21, .amplitude = 0.25f, .frequency = 0.5},
-                                warp = {.seed = 22, .amplitude = 0.5f, .octaves = 2.0f},
-                                warped_warp = {.seed = 23, .basis = SCARP_SIMPLEX, .warp = &deep};
-
-static const struct scarp_noise noises[NOISES] = {
-    {.seed = 1},
-    {.seed = 2, .basis = SCARP_VALUE},
-    {.seed = 3, .basis = SCARP_VALUE, .fade = SCARP_CUBIC, .octaves = 3.0f, .rotate = 1},
-    {.seed = 4, .octaves = 3.5f, .gain = 0.4f, .frequency = 0.37, .amplitude = 2.5f},
-    {.seed = 5, .fade = SCARP_CUBIC, .octaves = 10.0f, .rotate = 1},
-    {.seed = 6, .octaves = 32.0f, .lacunarity = 1.25f, .basis = SCARP_VALUE},
-    {.seed = 7, .fade = SCARP_CUBIC, .octaves = 2.0f, .phase = 0.3f},
-    {.seed = 8, .octaves = 3.0f, .period = {4, 7, 5}, .phase = -0.2f},
-    {.seed = 9, .octaves = 2.0f, .period = {4, 8, 16}, .basis = SCARP_VALUE},
-    {.seed = 10, .fractal = SCARP_RIDGED, .octaves = 3.0f},
-    {.seed = 11, .fractal = SCARP_TURBULENCE, .octaves = 2.0f, .basis = SCARP_VALUE, .rotate = 1},
-    {.seed = 12, .fractal = SCARP_EROSION, .octaves = 3.0f, .rotate = 1},
-    {.seed = 13, .fractal = SCARP_SWISS, .octaves = 3.0f},
-    {.seed = 14, .fractal = SCARP_JORDAN, .octaves = 3.0f, .basis = SCARP_VALUE, .warp = &warp},
-    {.seed = 15, .fractal = SCARP_HYBRID, .octaves = 3.0f, .phase = 0.6f},
-    {.seed = 16, .basis = SCARP_SIMPLEX, .octaves = 2.0f, .rotate = 1},
-    {.seed = 17, .basis = SCARP_CELL_SOFT, .warp = &warp},
-    {.seed = 18, .octaves = 2.0f, .warp = &warped_warp},
-    {.seed = 19, .octaves = 3.0f, .warp = &warp, .phase = 0.7f, .basis = SCARP_GRADIENT},
-};
+#include "vectors.h"
 
 static struct outputs here[3], there[3];
 static struct block *points;
@@ -322,8 +295,8 @@ int main(int argc, char **argv)
         here[i] = outputs_make(BLOCK);
         there[i] = outputs_make(BLOCK);
     }
-    for (int i = 0; i < NOISES * FUNCTIONS && !check_enough(); i++) {
-        const struct scarp_noise *const noise = &noises[i / FUNCTIONS];
+    for (int i = 0; i < VECTORS * FUNCTIONS && !check_enough(); i++) {
+        const struct scarp_noise *const noise = &vector_noises[i / FUNCTIONS];
         const enum function f = (enum function)(i % FUNCTIONS);
         block_random(points, &random, 64.0f);
         test_bits(noise, f, isa);

@@ -137,11 +137,11 @@ class Process:
 
 class Farm:
     """A directory in which recipes run."""
-    WIDTH, HEIGHT = 2000, 2100
     # Dear samples, so that runs can be killed
     SLOW = {"--octaves": "32", "--isa": "scalar"}
 
-    def __init__(self, name, slow=True, layers=(("--hillshade", "shades/{y}/{x}"),), tile=128):
+    def __init__(self, name, slow=True, layers=(("--hillshade", "shades/{y}/{x}"),), tile=128,
+                 size=(2000, 2100)):
         program, document, scratch = sys.argv[1:4]
         self.program = os.path.realpath(program)
         self.recipes = recipes(document)
@@ -151,6 +151,7 @@ class Farm:
         self.environment = dict(os.environ, LC_ALL="C", PATH=os.path.dirname(self.program) +
                                 os.pathsep + os.environ["PATH"])
         self.runs = []
+        self.width, self.height = size
         self.tile = tile  # those at the right and at the bottom are smaller
         has_png = re.search(rb"(?m)^formats .*\bpng\b", self.output("scarp", "info"))
         self.make_world([(option, path + (".png" if has_png else ".pgm"))
@@ -163,7 +164,7 @@ class Farm:
         self.options = dict(zip(words[::2], words[1::2]))
         check({"--size", "--tile", "--heights"} <= set(self.options), "options of the world:",
               words)
-        self.options["--size"] = "%dx%d" % (self.WIDTH, self.HEIGHT)
+        self.options["--size"] = "%dx%d" % (self.width, self.height)
         self.options["--tile"] = "%dx%d" % (self.tile, self.tile)
         self.options.update(self.SLOW if slow else {})
         self.heights = self.options["--heights"]
@@ -228,7 +229,7 @@ class Farm:
         return len(glob.glob(self.path(re.sub("{[^}]*}", "*", self.heights))))
 
     def all_tiles(self):
-        return -(-self.WIDTH // self.tile) * -(-self.HEIGHT // self.tile)
+        return -(-self.width // self.tile) * -(-self.height // self.tile)
 
     def victim(self, among=lambda process: True):
         """A process that is stopped in the middle of a tile, when some tiles are there."""
@@ -258,7 +259,7 @@ class Farm:
         for option, pattern in self.layers:
             compare_tiles(self, pattern, self.whole(option))
             tell("%s: all %d samples are those of one file without tiles" % (
-                pattern, self.WIDTH * self.HEIGHT))
+                pattern, self.width * self.height))
         before = self.state()
         command = self.start_shell(self.recipes["The simplest farm"].replace(" --quiet", ""))
         check(command.communicate()[0] == b"nothing to do: all files are there\n" and
@@ -299,7 +300,7 @@ def rows_of(path):
 
 def compare_tiles(farm, pattern, name):
     width, height, rows = rows_of(farm.path(name))
-    check((width, height) == (farm.WIDTH, farm.HEIGHT), name, "has", width, "x", height, "samples")
+    check((width, height) == (farm.width, farm.height), name, "has", width, "x", height, "samples")
     unit = len(rows[0]) // width
     for y in range(-(-height // farm.tile)):
         for x in range(-(-width // farm.tile)):

@@ -13,7 +13,7 @@ def test(new_farm):
         farm.run(name)
     farm.make_whole()
     band, = json.loads(farm.output("gdalinfo", "-json", "tiles.vrt"))["bands"]
-    expected = [[-(-farm.WIDTH // step), -(-farm.HEIGHT // step)] for step in (2, 4, 8, 16)]
+    expected = [[-(-farm.width // step), -(-farm.height // step)] for step in (2, 4, 8, 16)]
     check([overview["size"] for overview in band["overviews"]] == expected, "overviews:", band)
     farm.output("gdal_translate", "-q", "-of", "ENVI", "tiles.vrt", "all.img")
     check(read_bytes(farm.path("all.img")) == read_bytes(farm.path(farm.whole("--heights"))),

@@ -24,7 +24,7 @@ def recipe(new_farm):
     farm.make_whole()
     _, _, rows = envi_rows(farm.path(farm.whole("--heights")))
     for step in STEPS:
-        width, height = up(farm.WIDTH, step), up(farm.HEIGHT, step)
+        width, height = up(farm.width, step), up(farm.height, step)
         level = []
         for y in range(up(height, farm.tile)):
             tiles = [rows_of(farm.path("level%d" % step, str(y), "%d.img" % x))[2]
@@ -33,7 +33,7 @@ def recipe(new_farm):
         check((len(level[0]) // 4, len(level)) == (width, height), "size of level", step)
         check_level(rows, level, step, 4, "the recipe")
     tell("the recipe: levels of steps %s have the samples of %d x %d" % (
-        ", ".join(map(str, STEPS)), farm.WIDTH, farm.HEIGHT))
+        ", ".join(map(str, STEPS)), farm.width, farm.height))
 
 
 def formula(new_farm):

@@ -11,7 +11,7 @@ from farm import check, main, tell, wait_for
 
 
 def test(new_farm):
-    farm = new_farm("locks", layers=(), tile=256)
+    farm = new_farm("locks", layers=(), tile=160, size=(1250, 1310))
     command = farm.recipes["The simplest farm"].replace(" --quiet", "")
     numbers = []
     for environment in ({}, {"LD_PRELOAD": sys.argv[4]}):
