@@ -27,6 +27,11 @@ struct bench_peer {
     /* Writes the noise on the grid of the workload that the state was opened for. NULL if the peer
        has no grids. */
     void (*grid)(const void *state, const struct bench_work *work, float *value);
+
+    /* Draws gullies at (x[0][i], x[1][i]) into a base, with derivatives where `out` has arrays for
+       them. NULL if the peer has none. */
+    void (*gullies)(const void *state, size_t count, const float *const x[2],
+                    const struct scarp_samples *base, const struct scarp_eroded *out);
 };
 
 /* The peer number `index`, counted from 0; NULL when there are no more */
@@ -36,6 +41,7 @@ extern const struct bench_peer bench_peer_stb_perlin;
 extern const struct bench_peer bench_peer_libnoise;
 extern const struct bench_peer bench_peer_fastnoiselite;
 extern const struct bench_peer bench_peer_fastnoise2;
+extern const struct bench_peer bench_peer_plain;
 
 #ifdef __cplusplus
 }

@@ -57,4 +57,5 @@ static void stb_points(const void *opaque, size_t count, const float *const x[3]
     }
 }
 
-const struct bench_peer bench_peer_stb_perlin = {"stb_perlin", stb_open, free, stb_points, NULL};
+const struct bench_peer bench_peer_stb_perlin = {"stb_perlin", stb_open, free,
+                                                 stb_points,   NULL,     NULL};

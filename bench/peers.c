@@ -18,6 +18,9 @@ static const struct bench_peer *const peers[] = {
 #ifdef SCARP_BENCH_FASTNOISE2
     &bench_peer_fastnoise2,
 #endif
+#ifdef SCARP_BENCH_PLAIN
+    &bench_peer_plain,
+#endif
     NULL};
 
 const struct bench_peer *bench_peer_get(size_t index)

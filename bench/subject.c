@@ -68,6 +68,10 @@ static int make_peer(struct bench_subject *subject, const struct bench_work *wor
     if (work->title != NULL) {
         return make_nearest(subject, work);
     }
+    if (work->layout == BENCH_GULLIES && peer->gullies != NULL && !work->turned && !work->f64) {
+        subject->state = peer->open(work, subject->isa);
+        return subject->state != NULL;
+    }
     if (work->layout >= BENCH_NORMALS || work->fade != SCARP_QUINTIC || work->turned || work->f64) {
         return 0;
     }
@@ -112,7 +116,8 @@ const char *bench_subject_note(const struct bench_subject *subject)
         return "forward differences";
     }
     const int differences = output == BENCH_CENTRAL_DIFFERENCES ||
-                            (subject->peer != NULL && output == BENCH_PLUS_GRADIENT);
+                            (subject->peer != NULL && output == BENCH_PLUS_GRADIENT &&
+                             subject->work.layout != BENCH_GULLIES);
     return differences ? "central differences" : "";
 }
 
@@ -195,7 +200,8 @@ static enum scarp_status run_vector(const struct bench_subject *subject)
                     : scarp_curl2(noise, n, x[0], x[1], &flow);
 }
 
-/* The base is uniform in [0, 1), as are its derivatives. What is timed does not depend on it. */
+/* By scarp or by a peer. The base is uniform in [0, 1), as are its derivatives. What is timed does
+   not depend on it. */
 static enum scarp_status run_gullies(const struct bench_subject *subject)
 {
     const struct bench_work *const work = &subject->work;
@@ -210,6 +216,11 @@ static enum scarp_status run_gullies(const struct bench_subject *subject)
         .value = b[0], .dx = b[1], .dy = b[2], .dxx = b[0], .dxy = b[1], .dyy = b[2]};
     const struct scarp_eroded out = {
         .value = to[0], .dx = slopes ? to[1] : NULL, .dy = slopes ? to[2] : NULL};
+    if (subject->peer != NULL) {
+        const float *const from[2] = {x[0], x[1]};
+        subject->peer->gullies(subject->state, work->points, from, &base, &out);
+        return SCARP_OK;
+    }
     return work->f64 ? scarp_gullies2_f64(&gullies, work->points, w[0], w[1], &base, &out)
                      : scarp_gullies2(&gullies, work->points, x[0], x[1], &base, &out);
 }
@@ -284,7 +295,9 @@ static void run_peer(const struct bench_subject *subject)
     float *const *const to = subject->arrays->outputs;
     float *const *const x = subject->arrays->points[work->pattern];
     const float *const from[3] = {x[0], x[1], x[2]};
-    if (work->layout == BENCH_GRID && subject->peer->grid == NULL) {
+    if (work->layout == BENCH_GULLIES) {
+        run_gullies(subject);
+    } else if (work->layout == BENCH_GRID && subject->peer->grid == NULL) {
         run_grid_of_points(subject);
     } else if (work->layout == BENCH_GRID) {
         subject->peer->grid(subject->state, work, to[0]);

@@ -71,7 +71,10 @@ def samples_of(name):
 
 
 def has_peers():
-    return run("--list", "--peers").returncode == 0
+    """Whether there is another library. "plain C", which draws gullies alone, is none."""
+    result = run(*QUICK, "--work", "points3/gradient/value", "--peers", "--json", "-")
+    return result.returncode == 0 and any(row["library"] != "scarp"
+                                          for row in json.loads(result.stdout)["rows"])
 
 
 class Case(unittest.TestCase):
@@ -359,8 +362,9 @@ class Results(Case):
         return shown.decode()
 
     def test_peers(self):
-        if not has_peers():
+        if run("--list", "--peers").returncode != 0:
             self.check_one_line(run(*ONE, "--peers"), 2, "--peers")
+        if not has_peers():
             self.skipTest("no peer was found")
         work = "points3/gradient/value,points3/gradient/+gradient"
         rows = report_of(*QUICK, "--work", work, "--peers")["rows"]
@@ -427,6 +431,19 @@ class Results(Case):
             self.assertEqual({row["library"] for row in rows
                               if word in row["work"] and "/+" not in row["work"]},
                              everyone - without.get(word.strip("-/"), set()))
+
+    def test_plain_gullies(self):
+        """The formulas by the compiler's vectors, in closed form as well: floats, straight axes."""
+        if run("--list", "--peers").returncode != 0:
+            self.skipTest("no peer was found")
+        rows = report_of(*QUICK, "--work", "gullies2/*/n=4096", "--peers")["rows"]
+        self.check_rows(rows)
+        plain = {row["work"] for row in rows if row["library"] == "plain C"}
+        if plain:
+            self.assertEqual(plain, {row["work"] for row in rows if "f64" not in row["work"]})
+        self.assertLessEqual({row["library"] for row in rows}, {"scarp", "plain C"})
+        for row in rows:
+            self.assertNotIn("note", row)
 
     def test_peers_of_few_points(self):
         if not has_peers():
