@@ -8,8 +8,9 @@
  *                                         every line a group, in any order; the hashes are equal
  *     test_golden FILE ISA EVERY          the same for one of EVERY groups; lines may be left over
  *     test_golden --must-differ FILE ISA  the same, but hashes must differ: for mutants
- *     test_golden --print                 writes such a file; for new cases, or if results are
- *                                         meant to change
+ *     test_golden --frozen FILE           the lines of version 0.2 are as they were released
+ *     test_golden --renew FILE            writes FILE again, for new cases. Names that it lacks get
+ *                                         a third word: their lines are not of 0.2
  */
 #include "cases.h"
 #include "chain.h"
@@ -23,25 +24,39 @@
 #define LINES_MAX 65536
 
 struct line {
-    char name[80];
+    char name[80], mark[8]; /* the third word, "" of lines of 0.2 */
     unsigned long long hash;
     int used;
 };
 
-static struct line *lines; /* NULL to print */
-static size_t line_count;
+/* The lines of 0.2: how many there are, and a hash of their names and hashes. Results of released
+   versions do not change, so neither do these. */
+#define FROZEN_LINES 2022
+#define FROZEN_HASH 0xf76780efbec2a0caull
 
-static void read_lines(FILE *golden)
+static struct line *lines;
+static size_t line_count;
+static FILE *renewed; /* what is written instead of comparing; NULL: nothing */
+
+static void read_lines(const char *path)
 {
     char text[256];
+    FILE *const golden = fopen(path, "r");
+    if (golden == NULL) {
+        printf("cannot read %s\n", path);
+        exit(EXIT_FAILURE);
+    }
     lines = check_allocate(LINES_MAX * sizeof *lines);
     while (fgets(text, sizeof text, golden) != NULL) {
         struct line *const line = &lines[line_count];
         line->used = 0;
-        CHECK(line_count < LINES_MAX - 1 && sscanf(text, "%79s %llx", line->name, &line->hash) == 2,
+        line->mark[0] = '\0';
+        CHECK(line_count < LINES_MAX - 1 &&
+                  sscanf(text, "%79s %llx %7s", line->name, &line->hash, line->mark) >= 2,
               "line %zu: %s", line_count + 1, text);
         line_count += check_failures == 0;
     }
+    fclose(golden);
 }
 
 /* The first line of this name that no case has used. */
@@ -60,11 +75,13 @@ static struct line *find_line(const char *name)
 
 static void visit(const char *name, uint64_t hash)
 {
-    if (lines == NULL) {
-        printf("%s %016llx\n", name, (unsigned long long)hash);
+    const struct line *const line = find_line(name);
+    if (renewed != NULL) {
+        fprintf(renewed, "%s %016llx%s%s\n", name, (unsigned long long)hash,
+                line != NULL && line->mark[0] == '\0' ? "" : " ",
+                line == NULL ? "added" : line->mark);
         return;
     }
-    const struct line *const line = find_line(name);
     CHECK(line != NULL, "%s has no line", name);
     CHECK_BITS(line == NULL || line->hash == hash, "%s: %016llx, golden: %016llx", name,
                (unsigned long long)hash, line->hash);
@@ -225,29 +242,64 @@ static void visit_all(void)
     for (int class = 0; class < CASES_CLASSES && !check_enough(); class ++) {
         visit_class((enum cases_class) class);
     }
-    for (size_t i = 0; i < line_count && every == 1 && !check_enough(); i++) {
+    for (size_t i = 0; i < line_count && every == 1 && renewed == NULL && !check_enough(); i++) {
         CHECK(lines[i].used, "%s has no group, or more than one line", lines[i].name);
     }
 }
 
+/* What the file says of 0.2 has to be all that it said. */
+static void check_frozen(void)
+{
+    uint64_t hash = FNV_BASIS;
+    int count = 0;
+    for (size_t i = 0; i < line_count; i++) {
+        if (lines[i].mark[0] == '\0') {
+            hash = (hash ^ fnv_text(lines[i].name) ^ lines[i].hash) * UINT64_C(0x100000001b3);
+            count++;
+        }
+    }
+    CHECK(count == FROZEN_LINES && hash == FROZEN_HASH,
+          "%d lines of 0.2 with the hash %#llx, released: %d, %#llx", count,
+          (unsigned long long)hash, FROZEN_LINES, FROZEN_HASH);
+}
+
+/* The file is there as it was until all of the new one is. */
+static int renew(const char *path)
+{
+    char unfinished[4096];
+    snprintf(unfinished, sizeof unfinished, "%s.new", path);
+    read_lines(path);
+    renewed = fopen(unfinished, "w");
+    if (renewed == NULL) {
+        printf("cannot write %s\n", unfinished);
+        return EXIT_FAILURE;
+    }
+    scarp_isa_select(SCARP_ISA_SCALAR);
+    visit_all();
+    return fclose(renewed) == 0 && check_failures == 0 && rename(unfinished, path) == 0
+               ? EXIT_SUCCESS
+               : EXIT_FAILURE;
+}
+
 int main(int argc, char **argv)
 {
-    if (argc == 2 && strcmp(argv[1], "--print") == 0) {
-        scarp_isa_select(SCARP_ISA_SCALAR);
-        visit_all();
-        return check_failures == 0 ? EXIT_SUCCESS : EXIT_FAILURE;
+    if (argc == 3 && strcmp(argv[1], "--frozen") == 0) {
+        read_lines(argv[2]);
+        check_frozen();
+        return check_done();
+    }
+    if (argc == 3 && strcmp(argv[1], "--renew") == 0) {
+        return renew(argv[2]);
     }
     argc = check_take_aim(argc, &argv);
     every = argc == 4 ? atoi(argv[3]) : 1;
-    FILE *const golden = argc >= 3 && every > 0 ? fopen(argv[1], "r") : NULL;
-    if (golden == NULL) {
-        printf("usage: test_golden [--must-differ] FILE ISA [EVERY] | --print (FILE must be "
-               "readable)\n");
+    if (argc < 3 || argc > 4 || every < 1) {
+        printf("usage: test_golden [--must-differ] FILE ISA [EVERY] | --frozen FILE | "
+               "--renew FILE\n");
         return EXIT_FAILURE;
     }
     check_select_isa(argv[2]);
-    read_lines(golden);
-    fclose(golden);
+    read_lines(argv[1]);
     visit_all();
     free(lines);
     return check_done();
