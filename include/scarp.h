@@ -283,13 +283,18 @@ enum scarp_isa {
  * says how far x may be displaced along each axis, with turbulence and its like to one side.
  * Derivatives go through the Jacobian J = I + D: the gradient is J^T g, the Hessian J^T H J + sum_i
  * g_i H_i, where g and H are those of n at y, D and H_i those of d at x. w may have a warp, too, up
- * to four in all: with e the warp of w, d is w at x + e(x). Points of floats are displaced in
- * float; doubles, and grids, in double. A warp changes no range. Derivatives are products, which
- * overflow where those of the warps and of the noise are too large together. If warp and noise
- * repeat after the same lengths of input, the whole does. dphase is the derivative by the noise's
- * own phase. A warp must have derivatives of the order that is asked for, else calls return
- * SCARP_ERROR_UNSUPPORTED. On grids the deepest warp is as fast as grids are, the rest as fast as
- * points.
+ * to four in all: with e the warp of w, d is w at x + e(x). A warp changes no range. Derivatives
+ * are products, which overflow where those of the warps and of the noise are too large together. If
+ * warp and noise repeat after the same lengths of input, the whole does. dphase is the derivative
+ * by the noise's own phase. A warp must have derivatives of the order that is asked for, else calls
+ * return SCARP_ERROR_UNSUPPORTED. On grids the deepest warp is as fast as grids are, the rest as
+ * fast as points.
+ *
+ * Points of floats are displaced in float: y is a float. Points of doubles, and of grids, are
+ * displaced within the cells of each octave: J_k x + o_k is computed in double and split into cell
+ * and fraction, J_k d in float and split likewise, and the fractions are added in float; where
+ * their sum is 1 or more, the cell goes up by 1. So a displacement is as exact far from the origin
+ * as near. Octaves of Swiss and Jordan noise are bent in the same way: c_k S_k is added to d.
  *
  * Simplex (Perlin 2001, Gustavson 2005). Vertices v draw gradients g_v, of the same kind as those
  * of gradient noise. With d = p - v and w = max(0, r^2 - d.d), all vertices together make the raw

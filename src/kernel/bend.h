@@ -88,6 +88,7 @@ VEC_INLINE void bend_store(vf *to, const struct bend *b, struct variant v)
 struct bending {
     const struct scarp_outputs *noise;
     vf *state;
+    float *by[3]; /* of doubles: how far positions are displaced */
     size_t blocks;
     struct bend_octave octave;
     float erosion;
@@ -304,15 +305,23 @@ static bend_pass *const bend_passes[2][2][2] = {
     {{jordan2_order0, jordan2_order1}, {jordan3_order0, jordan3_order1}},
 };
 
-/* Bends the positions of a chunk. */
-static void bend_positions(const struct chunked *w, const struct bending *at, int order)
+/* Bends the positions of a chunk: floats themselves, or how far doubles are displaced, which is
+   `by` without bending. */
+static void bend_positions(const struct chunked *w, const struct bending *at,
+                           const float *const by[3], int order)
 {
     const size_t size = bend_size(w->f.dimensions, order);
     const size_t s = sample_size(w->f.dimensions, order);
     for (int i = 0; i < w->f.dimensions; i++) {
         const vf *from = at->state + s + i;
         for (size_t b = 0; b < at->blocks; b++, from += size) {
-            displace(w, i, b * VEC_LANES, vf_set(at->octave.reach) * *from);
+            const vf bent = vf_set(at->octave.reach) * *from;
+            if (w->f.layout == FLOATS) {
+                displace(w, i, b * VEC_LANES, bent);
+            } else {
+                const vf d = by[i] != NULL ? vf_load(by[i] + b * VEC_LANES) : vf_set(0.0f);
+                vf_store(at->by[i] + b * VEC_LANES, d + bent);
+            }
         }
     }
 }
@@ -331,11 +340,32 @@ static void bend_begin(const struct bending *at, int dimensions, int order)
     }
 }
 
+/* Computes octave k at a chunk, `one` being its plan. `by` is how far doubles are displaced before
+   they bend; NULL: not at all. */
+static void bent_noise(struct chunked *w, const struct scarp_call_plan *one,
+                       const struct chunk *chunk, const struct bending *at,
+                       const float *const by[3])
+{
+    const int doubles = w->f.layout == DOUBLES, bends = one->first > 0;
+    const size_t count = at->blocks * VEC_LANES;
+    const void *position[3] = {w->input[0], w->input[1], w->input[2]};
+    const float *const bent[3] = {at->by[0], at->by[1], at->by[2]};
+    struct moved_axis axis[3];
+    struct frame f = w->f;
+    if (doubles && (bends || by[0] != NULL)) {
+        moved_input(axis, w, chunk, bends ? bent : by);
+        f.layout = MOVED;
+    }
+    for (int i = 0; i < f.dimensions; i++) {
+        position[i] = f.layout == MOVED ? &axis[i] : bends ? w->position[i] : w->input[i];
+    }
+    points_within(one, count, position, at->noise, f, w->passes);
+}
+
 /* Adds up the octaves at a chunk. */
 static void bend_chunk(struct chunked *w, const struct scarp_call_plan *plan,
-                       const struct chunk *chunk, struct bending *at)
+                       const struct chunk *chunk, struct bending *at, const float *const by[3])
 {
-    const void *const bent[3] = {w->position[0], w->position[1], w->position[2]};
     bend_pass *const pass =
         bend_passes[plan->fractal == SCARP_JORDAN][w->f.dimensions - 2][plan->order];
     struct scarp_call_plan one = *plan;
@@ -349,18 +379,19 @@ static void bend_chunk(struct chunked *w, const struct scarp_call_plan *plan,
         at->octave = bend_octave_of(plan, k);
         at->is_first = k == 0;
         if (k > 0) {
-            find_input(w, chunk);
-            bend_positions(w, at, plan->order);
+            if (w->f.layout == FLOATS) {
+                find_input(w, chunk);
+            }
+            bend_positions(w, at, by, plan->order);
         }
         one.octave = &plan->octave[k];
         one.first = k;
-        points_within(&one, at->blocks * VEC_LANES, k > 0 ? bent : w->input, at->noise, w->f,
-                      w->passes);
+        bent_noise(w, &one, chunk, at, by);
         pass(at);
     }
 }
 
-/* Computes points of a fractal that bends. */
+/* Computes points of a fractal that bends. Where they are displaced, they are no rows of a grid. */
 static __attribute__((noinline)) void bend_points(const struct scarp_call_plan *plan, size_t count,
                                                   const void *const position[3],
                                                   const struct scarp_outputs *out, struct frame f,
@@ -368,19 +399,37 @@ static __attribute__((noinline)) void bend_points(const struct scarp_call_plan *
 {
     const size_t size = sample_size(f.dimensions, plan->order + 1);
     const size_t state = bend_size(f.dimensions, plan->order);
-    struct chunked w = {.source = {position, NULL}, .f = f};
+    const void *from_position[3] = {position[0], position[1], position[2]};
+    const float *displaced[3] = {NULL, NULL, NULL};
+    for (int i = 0; i < f.dimensions && f.layout == MOVED; i++) {
+        const struct moved_axis *const axis = position[i];
+        from_position[i] = axis->x;
+        displaced[i] = axis->by;
+    }
+    f.layout = f.layout == FLOATS ? FLOATS : DOUBLES;
+    struct chunked w = {.source = {from_position, NULL}, .f = f, .keep = keep_of(f.layout, count)};
     struct scarp_outputs noise;
     struct bending at = {.noise = &noise, .erosion = plan->erosion};
     struct outputs sums;
-    float *from = chunked_begin(&w, work, size + state);
+    const size_t moves = f.layout == DOUBLES ? (size_t)f.dimensions : 0;
+    float *from = chunked_begin(&w, work, size + state + moves);
     take_arrays(&noise, &from, w.most, f.dimensions, plan->order + 1);
+    for (size_t i = 0; i < moves; i++) {
+        at.by[i] = from;
+        from += w.most;
+    }
     at.state = (vf *)from;
     chunked_end(&w, work, (float *)(at.state + w.most / VEC_LANES * state));
     outputs_stored(&sums, at.state, state, f.dimensions, plan->order, 0);
     for (size_t first = 0; first < count; first += w.most) {
-        const struct chunk chunk = {{first, 0, 0}, least(count - first, w.most), 1};
-        bend_chunk(&w, plan, &chunk, &at);
-        copy_out(out, first, &sums, 0, chunk.columns);
+        const size_t here = least(count - first, w.most);
+        const struct chunk chunk = {{first, 0, 0}, here, 1, here};
+        const float *by[3] = {NULL, NULL, NULL};
+        for (int i = 0; i < 3 && displaced[i] != NULL; i++) {
+            by[i] = displaced[i] + first;
+        }
+        bend_chunk(&w, plan, &chunk, &at, by);
+        copy_out(out, first, &sums, 0, here);
     }
 }
 

@@ -9,8 +9,11 @@
 
 #include "grid.h"
 
-/* The most samples of a chunk. */
-#define CHUNK_SAMPLES ((size_t)512)
+/* The most samples of a chunk; of one that is rows of a grid the most samples of a row, and the
+   most rows. */
+#define CHUNK_SAMPLES ((size_t)1408)
+#define CHUNK_COLUMNS ((size_t)128)
+#define CHUNK_ROWS ((size_t)32)
 
 /* Where the samples of a call are: points, or a grid. */
 struct source {
@@ -21,22 +24,30 @@ struct source {
 /* Some of them: points from at[0] on, which are one row, or rows of a slice of the grid. */
 struct chunk {
     size_t at[3], columns, rows;
+    size_t pitch; /* from a row to the next, in samples */
 };
+
+/* What a chunk keeps of the coordinates it begins with: nothing, as the caller's arrays have whole
+   blocks; those of each sample; or, of a grid of doubles, those of each column, each row and the
+   slice. Floats are displaced where they are kept. */
+enum keep { KEEP_NONE, KEEP_SAMPLES, KEEP_ROWS };
 
 /* What all chunks of a call share. Arrays have `most` elements. */
 struct chunked {
     struct source source;
-    struct frame f;          /* how positions are given to the passes */
+    struct frame f; /* how the coordinates are given: FLOATS or DOUBLES */
+    enum keep keep;
+    int copies;              /* whether coordinates are always copied: outputs may be there */
     size_t most;             /* samples of a chunk: whole blocks */
-    void *position[3];       /* of the level at work: floats or doubles */
+    void *position[3];       /* what is kept */
     const void *input[3];    /* of the chunk: where the caller has it, or `position` */
-    int copies;              /* whether it is always copied: outputs may be there */
     struct workspace passes; /* what the passes have */
 };
 
+/* The samples of a chunk, with what is between rows. */
 static size_t chunk_count(const struct chunk *chunk)
 {
-    return chunk->rows * chunk->columns;
+    return chunk->rows * chunk->pitch;
 }
 
 static size_t whole_blocks(size_t count)
@@ -44,18 +55,35 @@ static size_t whole_blocks(size_t count)
     return (count + VEC_LANES - 1) / VEC_LANES * VEC_LANES;
 }
 
-/* Decides how large chunks are that have `arrays` floats for each sample beside the positions, and
-   takes these. The arrays have somewhat more than half of the space. Returns where the rest of it
-   begins. */
+/* What is kept of the coordinates of so many points. */
+static enum keep keep_of(enum layout layout, size_t count)
+{
+    return layout == DOUBLES && count % VEC_LANES == 0 ? KEEP_NONE : KEEP_SAMPLES;
+}
+
+/* Floats that are kept along an axis. Coordinates of grids may be a vector more. */
+static size_t kept_size(const struct chunked *w, int axis)
+{
+    const size_t rows[3] = {CHUNK_COLUMNS, CHUNK_ROWS, VEC_LANES};
+    const size_t count = w->keep == KEEP_ROWS      ? rows[axis]
+                         : w->keep == KEEP_SAMPLES ? w->most + VEC_LANES
+                                                   : 0;
+    return count * (w->f.layout == DOUBLES ? 2 : 1);
+}
+
+/* Decides how large chunks are that have `arrays` floats for each sample beside the coordinates,
+   and takes these. The arrays have somewhat more than half of the space. Returns where the rest of
+   it begins. */
 static float *chunked_begin(struct chunked *w, struct workspace work, size_t arrays)
 {
     const size_t doubles = w->f.layout == DOUBLES ? 2 : 1;
-    const size_t blocks = work.vectors * 19 / 32 / (arrays + (size_t)w->f.dimensions * doubles);
+    const size_t kept = w->keep == KEEP_SAMPLES ? (size_t)w->f.dimensions * doubles : 0;
+    const size_t blocks = work.vectors * 19 / 32 / (arrays + kept);
     float *from = (float *)work.space;
     w->most = least(blocks > 0 ? blocks : 1, CHUNK_SAMPLES / VEC_LANES) * VEC_LANES;
     for (int i = 0; i < w->f.dimensions; i++) {
         w->position[i] = from;
-        from += doubles * (w->most + VEC_LANES); /* coordinates of grids may be a vector more */
+        from += kept_size(w, i);
     }
     return from;
 }
@@ -115,12 +143,32 @@ static void grid_coordinates(double *to, const struct scarp_grid *grid, const st
     }
 }
 
-/* Finds the input of a chunk. Where it is not whole blocks of points, it is put where the positions
-   are, padded. */
+/* Fills in the coordinates of the columns, the rows and the slice of a chunk of a grid, each padded
+   to whole blocks with copies of the last one. */
+static void row_coordinates(struct chunked *w, const struct chunk *chunk)
+{
+    const struct scarp_grid *const grid = w->source.grid;
+    const size_t counts[3] = {chunk->columns, chunk->rows, 1};
+    for (int axis = 0; axis < w->f.dimensions; axis++) {
+        const size_t last = counts[axis] - 1;
+        double *const to = w->position[axis];
+        for (size_t i = 0; i < whole_blocks(counts[axis]); i++) {
+            to[i] = coordinate(grid, axis, chunk->at[axis] + least(i, last));
+        }
+        w->input[axis] = to;
+    }
+}
+
+/* Finds the coordinates that a chunk begins with. Where samples are kept that are not whole blocks
+   of points, coordinates are copied, and padded. */
 static void find_input(struct chunked *w, const struct chunk *chunk)
 {
     const size_t count = chunk_count(chunk), end = whole_blocks(count);
     const size_t bytes = w->f.layout == DOUBLES ? sizeof(double) : sizeof(float);
+    if (w->keep == KEEP_ROWS) {
+        row_coordinates(w, chunk);
+        return;
+    }
     for (int axis = 0; axis < w->f.dimensions; axis++) {
         char *const to = (char *)w->position[axis];
         w->input[axis] = to;
@@ -140,19 +188,22 @@ static void find_input(struct chunked *w, const struct chunk *chunk)
     }
 }
 
-/* Sets the positions at a block to the displaced input. */
+/* Sets the positions at a block of floats to the displaced input. */
 VEC_INLINE void displace(const struct chunked *w, int axis, size_t at, vf by)
 {
-    if (w->f.layout == FLOATS) {
-        const vf x = vf_load((const float *)w->input[axis] + at);
-        vf_store((float *)w->position[axis] + at, x + by);
-    } else {
-        const double *const x = (const double *)w->input[axis] + at;
-        double *const p = (double *)w->position[axis] + at;
-        const vd low = vd_load(x) + vd_from_low(by);
-        const vd high = vd_load(x + VEC_LANES / 2) + vd_from_high(by);
-        memcpy(p, &low, sizeof low);
-        memcpy(p + VEC_LANES / 2, &high, sizeof high);
+    const vf x = vf_load((const float *)w->input[axis] + at);
+    vf_store((float *)w->position[axis] + at, x + by);
+}
+
+/* Describes the positions of a chunk of doubles that is displaced by `by`, for passes over MOVED
+   positions. */
+static void moved_input(struct moved_axis axis[3], const struct chunked *w,
+                        const struct chunk *chunk, const float *const by[3])
+{
+    for (int i = 0; i < w->f.dimensions; i++) {
+        axis[i].x = w->input[i];
+        axis[i].by = by[i];
+        axis[i].row_blocks = w->keep == KEEP_ROWS ? chunk->pitch / VEC_LANES : 0;
     }
 }
 

@@ -26,6 +26,7 @@
 #include "../dispatch/kernels.h"
 #include "bases.h"
 #include "basis/components.h"
+#include "moved.h"
 #include "rows/turned.h"
 
 /* The most blocks of a tile of points. Many blocks share the fixed cost of a pass: with 8, AVX-512
@@ -89,7 +90,7 @@ static __attribute__((noinline)) void call_begin(struct call *call,
     call->basis_order = order;
     call->layout = layout;
     call->corners = corner_form_of(plan->basis);
-    call->lattice_passes = lattice_passes[call->corners][d][layout];
+    call->lattice_passes = layout == MOVED ? NULL : lattice_passes[call->corners][d][layout];
     call->turned_form = basis->takes_unhashed             ? TURNED_CELLS
                         : call->corners == CORNERS_HASHED ? TURNED_HASHED
                                                           : TURNED_MIXED;
@@ -118,6 +119,7 @@ struct tile {
     struct locations locations;
     struct positions at;                  /* ROW: x for all rows, and z */
     const double *y;                      /* ROW: the y of each row, padded to whole vectors */
+    size_t first;                         /* MOVED: the first block, counted from `at` */
     struct outputs *to;                   /* where octaves are added up */
     const struct outputs *stored;         /* the noise before it is shaped, at `noise` */
     const struct outputs *turning_stored; /* its derivative by the phase, at `turning` */
@@ -127,7 +129,7 @@ struct tile {
     size_t group;                         /* ROW: how many rows go through the passes at once */
     struct row_octave *row_octave;        /* of a ROW */
     struct turned_tile turned;            /* of a ROW with turned axes */
-    vf *along;                            /* where these two keep what depends on x */
+    vf *along; /* where these two keep what depends on x; MOVED: where columns are split */
     vf *noise, *state, *spare, *sums_stored;
     vf *turning, *moving; /* struct phase_shaping */
 };
@@ -176,6 +178,21 @@ static void locate_unhashed(const struct call *call, const struct tile *tile,
     }
 }
 
+/* Locates the tile's samples, which are displaced. */
+static __attribute__((noinline)) void locate_displaced(const struct call *call,
+                                                       const struct tile *tile, int k)
+{
+    struct moved m = {.columns = tile->along,
+                      .corners = call->corners,
+                      .dimensions = call->dimensions,
+                      .takes_unhashed = call->takes_unhashed};
+    for (int i = 0; i < call->dimensions; i++) {
+        m.axis[i] = tile->at.array[i];
+    }
+    locate_octave(tile->locations.lattice, &m, call->plan, k, tile->first,
+                  tile->locations.extent.blocks);
+}
+
 /* Finds the corners of the cells of a tile's samples. */
 VEC_INLINE void locate_corners(const struct call *call, const struct tile *tile,
                                const struct scarp_octave *o, enum axes axes)
@@ -207,7 +224,9 @@ static __attribute__((noinline)) void locate_tile(const struct call *call, const
     const enum axes axes = axes_of(call->plan, k);
     const struct scarp_octave *const o = &call->plan->octave[k];
     const struct extent extent = tile->locations.extent;
-    if (call->layout == ROW && axes == AXES_TURNED) {
+    if (call->layout == MOVED) {
+        locate_displaced(call, tile, k);
+    } else if (call->layout == ROW && axes == AXES_TURNED) {
         turned_passes[call->turned_form][call->dimensions - 2](
             tile->locations.lattice, o, &tile->turned, tile->row_octave->begin, extent.rows);
     } else if (call->layout == DOUBLES && axes == AXES_TURNED && tile->is_far &&

@@ -71,6 +71,17 @@ static void points_padded(const struct call *call, struct tile *tile, struct out
     copy_out(out, first, sums, 0, count);
 }
 
+/* Begins a tile `first` points from where the call begins. */
+static void tile_at(struct tile *tile, const void *const position[3], size_t first, struct frame f)
+{
+    const size_t bytes = f.layout == DOUBLES ? sizeof(double) : sizeof(float);
+    tile->first = first / VEC_LANES;
+    for (int d = 0; d < f.dimensions; d++) {
+        tile->at.array[d] = (const char *)position[d] + (f.layout == MOVED ? 0 : first * bytes);
+    }
+}
+
+/* Where positions are displaced, `count` is a multiple of VEC_LANES. */
 static void points_many(const struct scarp_call_plan *plan, size_t count,
                         const void *const position[3], const struct scarp_outputs *out,
                         struct frame f, struct workspace work)
@@ -80,9 +91,12 @@ static void points_many(const struct scarp_call_plan *plan, size_t count,
     const double highest = highest_frequency(plan);
     struct call call;
     call_begin(&call, plan, dimensions, f.layout);
-    const size_t bytes = f.layout == DOUBLES ? sizeof(double) : sizeof(float);
     struct tile tile; /* the members that only grids need stay unset */
     struct outputs sums, stored, turning;
+    if (f.layout == MOVED) {
+        work.vectors -= moved_size(position[0]);
+        tile.along = work.space + work.vectors;
+    }
     tile.locations.extent.rows = 1;
     tile.locations.fade = plan->fade;
     tile.put = PUT_FIRST;
@@ -102,9 +116,7 @@ static void points_many(const struct scarp_call_plan *plan, size_t count,
     }
     for (size_t first = 0, here; first < count; first += here) {
         here = least(count - first, most);
-        for (int d = 0; d < dimensions; d++) {
-            tile.at.array[d] = (const char *)position[d] + first * bytes;
-        }
+        tile_at(&tile, position, first, f);
         tile.is_far = may_be_far && is_far(highest, here, tile.at.array, dimensions);
         if (here % VEC_LANES == 0 || here > PADDED_BLOCKS * VEC_LANES) {
             here -= here % VEC_LANES;
@@ -175,7 +187,7 @@ static __attribute__((noinline)) void points_within(const struct scarp_call_plan
     if (plan->order == 0 && out->array[VALUE] == NULL && !plan->dphase) {
         return;
     }
-    if (is_value_sum(plan)) {
+    if (is_value_sum(plan) && f.layout != MOVED) {
         points_values(plan, count - rest, position, out, f, work);
     } else {
         points_many(plan, count - rest, position, out, f, work);

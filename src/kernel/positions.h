@@ -14,8 +14,9 @@
 enum axes { AXES_FIRST, AXES_STRAIGHT, AXES_TURNED, AXES_POWERS, AXES_PERIODS, AXES_KINDS };
 
 /* How coordinates are given: an array for each axis; or, for a row of a grid, an array of doubles
-   for x, and for y and z numbers that the whole row shares. */
-enum layout { FLOATS, DOUBLES, ROW, LAYOUTS };
+   for x, and for y and z numbers that the whole row shares; or, for each axis, a struct moved_axis
+   (moved.h). */
+enum layout { FLOATS, DOUBLES, ROW, LAYOUTS, MOVED = LAYOUTS };
 
 struct positions {
     const void *array[3];
@@ -67,6 +68,17 @@ VEC_INLINE struct split split_f64(vd p0, vd p1)
     const vd lower1 = vd_floor(p1);
     const struct split s = {vu_low_bits(lower0 + 0x1.8p52, lower1 + 0x1.8p52),
                             vf_from_vd(p0 - lower0, p1 - lower1)};
+    return s;
+}
+
+/* The sum of two positions that are split: adds the fractions, and carries 1 where the sum is 1 or
+   more. */
+VEC_INLINE struct split split_sum(struct split a, struct split b)
+{
+    const vf t = a.t + b.t;
+    const vm carry = vm_less(vf_set(0x1.fffffep-1f), t); /* there is no float between this and 1 */
+    const struct split s = {vu_add_where(carry, a.cell + b.cell, vu_set(1)),
+                            vf_subtract_where(carry, t, vf_set(1.0f))};
     return s;
 }
 
@@ -209,14 +221,21 @@ VEC_INLINE vf straight_f32(const struct scarp_octave *o, int axis, vf x, struct 
     return f.axes == AXES_FIRST ? p : p + vf_set((float)o->offset[axis]);
 }
 
-VEC_INLINE vf turned_f32(const struct scarp_octave *o, int axis, const vf x[3], struct frame f)
+/* J x along one axis. */
+VEC_INLINE vf along_turned_f32(const struct scarp_octave *o, int axis, const vf x[3],
+                               struct frame f)
 {
     const float *const j = o->jacobian[axis];
     vf p = vf_set(j[0]) * x[0] + vf_set(j[1]) * x[1];
     if (f.dimensions == 3) {
         p += vf_set(j[2]) * x[2];
     }
-    return p + vf_set((float)o->offset[axis]);
+    return p;
+}
+
+VEC_INLINE vf turned_f32(const struct scarp_octave *o, int axis, const vf x[3], struct frame f)
+{
+    return along_turned_f32(o, axis, x, f) + vf_set((float)o->offset[axis]);
 }
 
 VEC_INLINE vf position_f32(const struct scarp_octave *o, int axis, const struct positions *at,

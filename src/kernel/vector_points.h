@@ -77,12 +77,15 @@ static __attribute__((noinline)) void vector_points(const struct scarp_call_plan
                                                     struct workspace work)
 {
     const int n = f.dimensions;
-    const size_t bytes = f.layout == DOUBLES ? sizeof(double) : sizeof(float);
     struct call call;
     struct vector_tile vector; /* the members that only grids need stay unset */
     struct tile *const tile = &vector.tile;
     struct outputs stored;
     call_begin(&call, plan, n, f.layout);
+    if (f.layout == MOVED) {
+        work.vectors -= moved_size(position[0]);
+        tile->along = work.space + work.vectors;
+    }
     vector.pass = plan->flows ? NULL : components_passes[plan->basis][n - 2][call.basis_order];
     if (plan->basis == SCARP_VALUE) {
         call.basis_pass = vector.pass;
@@ -104,8 +107,8 @@ static __attribute__((noinline)) void vector_points(const struct scarp_call_plan
         here = least(count - first, most);
         tile->locations.extent.blocks = here / VEC_LANES;
         vector.state = tile->locations.extent.blocks * call.state_size;
+        tile_at(tile, position, first, f);
         for (int i = 0; i < n; i++) {
-            tile->at.array[i] = (const char *)position[i] + first * bytes;
             outputs_of(&vector.to[i], &out[i], plan->order, first, 0, tile->spare);
         }
         tile->is_far = may_be_far && is_far(highest, here, tile->at.array, n);

@@ -12,9 +12,6 @@
 #include "flat.h"
 #include "vector_points.h"
 
-/* The most samples of a row of a chunk in a grid. */
-#define CHUNK_COLUMNS ((size_t)64)
-
 /* A chunk of noise with warps. */
 struct warped {
     struct chunked chunked;
@@ -38,7 +35,8 @@ static void warped_begin(struct warped *w, const struct scarp_call_plan *plan,
     struct chunked *const c = &w->chunked;
     const int n = c->f.dimensions, y = plan->warps.depth > 0 ? n : 0;
     const int components = noise_components(plan, n);
-    const int moved = plan->warps.depth > 1 ? n : components;
+    const int in_place = plan->warps.depth == 1 && plan->order == 0 && !plan->warps.vector;
+    const int moved = in_place ? 0 : plan->warps.depth > 1 ? n : components;
     const size_t size = sample_size(n, plan->order);
     const size_t dphases = plan->dphase ? (size_t)components : 0;
     float *from = chunked_begin(c, work, (size_t)(y + moved) * size + dphases);
@@ -48,6 +46,9 @@ static void warped_begin(struct warped *w, const struct scarp_call_plan *plan,
     }
     for (int i = 0; i < moved; i++) {
         take_arrays(&w->moved[i], &from, c->most, n, plan->order);
+    }
+    if (in_place) { /* values replace the displacements that they are computed with, tile by tile */
+        memcpy(&w->moved[0], &w->y[0], sizeof w->y[0]);
     }
     w->dphase = plan->dphase ? from : NULL;
     chunked_end(c, work, from + dphases * c->most);
@@ -168,6 +169,26 @@ static void compose_any(const struct warped *w, int samples, size_t count)
     }
 }
 
+/* Fills the padding of each row of a chunk with 0, and what is left of the last block. */
+static void pad_outputs(const struct scarp_outputs *to, const struct chunk *chunk)
+{
+    const size_t count = chunk_count(chunk), end = whole_blocks(count);
+    for (int i = 0; i < OUTPUTS; i++) {
+        float *const array = to->array[i];
+        if (array == NULL) {
+            continue;
+        }
+        for (size_t at = count; at < end; at++) {
+            array[at] = 0.0f;
+        }
+        for (size_t r = 0; chunk->columns < chunk->pitch && r < chunk->rows; r++) {
+            for (size_t at = chunk->columns; at < chunk->pitch; at++) {
+                array[r * chunk->pitch + at] = 0.0f;
+            }
+        }
+    }
+}
+
 /* The grid that the samples of a chunk of a grid make, one after the other. */
 static void chunk_grid(struct scarp_grid *grid, const struct warped *w, const struct chunk *chunk)
 {
@@ -175,24 +196,11 @@ static void chunk_grid(struct scarp_grid *grid, const struct warped *w, const st
     for (int axis = 0; axis < 3; axis++) {
         grid->first[axis] += (int64_t)chunk->at[axis];
     }
-    grid->count[0] = grid->row_stride = chunk->columns;
+    grid->count[0] = chunk->columns;
+    grid->row_stride = chunk->pitch;
     grid->count[1] = chunk->rows;
     grid->count[2] = 1;
     grid->slice_stride = chunk_count(chunk);
-}
-
-/* Computes noise without warps on a chunk of a grid, as a grid. Its samples are then padded to
-   whole blocks, as those of points are. */
-static void evaluate_rows(const struct warped *w, const struct scarp_call_plan *plan,
-                          const struct scarp_grid *grid, const struct scarp_outputs *to)
-{
-    const size_t count = grid->slice_stride, end = whole_blocks(count);
-    grid_within(plan, grid, to, w->chunked.f.dimensions, w->chunked.passes);
-    for (int i = 0; i < OUTPUTS; i++) {
-        for (size_t at = count; to->array[i] != NULL && at < end; at++) {
-            to->array[i][at] = 0.0f;
-        }
-    }
 }
 
 /* The plan of a component of a level. This is out of line for the sake of size. */
@@ -204,27 +212,49 @@ plan_component(struct scarp_call_plan *plan, const struct warped *w, int level, 
     *plan = is_alone ? *w->plan : scarp_component_plan(w->plan, level, component);
 }
 
+/* Describes the positions of a level that is displaced by y: doubles by arrays of their own. */
+static struct frame displaced_input(const void *position[3], struct moved_axis axis[3],
+                                    const struct warped *w, const struct chunk *chunk)
+{
+    const struct chunked *const c = &w->chunked;
+    const float *by[3] = {NULL, NULL, NULL};
+    struct frame f = c->f;
+    for (int i = 0; i < f.dimensions; i++) {
+        by[i] = w->y[i].array[VALUE];
+        position[i] = f.layout == DOUBLES ? (const void *)&axis[i] : c->position[i];
+    }
+    if (f.layout == DOUBLES) {
+        f.layout = MOVED;
+        moved_input(axis, c, chunk, by);
+    }
+    return f;
+}
+
 /* Computes `count` components of a level, which are all that it has, without its warps, to `to`: at
-   the input of the chunk if the level is the deepest, on a grid as a grid if that is faster; else
-   at the displaced positions. */
+   the input of the chunk if the level is the deepest, on a grid as a grid if that is faster, and
+   then padded as rows of the chunk are; else at the displaced positions. */
 static void evaluate(const struct warped *w, const struct chunk *chunk, int level, int count,
                      const struct scarp_outputs *to)
 {
     const struct chunked *const c = &w->chunked;
-    const int is_deepest = level == w->plan->warps.depth, n = c->f.dimensions;
-    const void *const displaced[3] = {c->position[0], c->position[1], c->position[2]};
-    const void *const *const position = is_deepest ? c->input : displaced;
+    const int is_deepest = level == w->plan->warps.depth;
     const size_t end = whole_blocks(chunk_count(chunk));
+    const void *position[3] = {c->input[0], c->input[1], c->input[2]};
+    struct moved_axis axis[3];
+    struct frame f = c->f;
     struct scarp_call_plan plan;
     struct scarp_grid grid;
     plan_component(&plan, w, level, 0);
     int has_rows = is_deepest && c->source.grid != NULL;
     if (has_rows) {
         chunk_grid(&grid, w, chunk);
-        has_rows = !is_flat(&plan, &grid, n);
+        has_rows = c->keep == KEEP_ROWS || !is_flat(&plan, &grid, f.dimensions);
+    }
+    if (!is_deepest) {
+        f = displaced_input(position, axis, w, chunk);
     }
     if (!has_rows && count > 1 && shares_lattice_pass(&plan)) {
-        vector_points(&plan, end, position, to, c->f, c->passes);
+        vector_points(&plan, end, position, to, f, c->passes);
         return;
     }
     for (int i = 0; i < count; i++) {
@@ -232,17 +262,19 @@ static void evaluate(const struct warped *w, const struct chunk *chunk, int leve
             plan_component(&plan, w, level, i);
         }
         if (has_rows) {
-            evaluate_rows(w, &plan, &grid, &to[i]);
+            grid_within(&plan, &grid, &to[i], f.dimensions, c->passes);
+            pad_outputs(&to[i], chunk);
         } else {
-            points_unwarped(&plan, end, position, &to[i], c->f, c->passes);
+            points_unwarped(&plan, end, position, &to[i], f, c->passes);
         }
     }
 }
 
-/* Computes the coordinates y(x) of a level, and displaces the positions. */
+/* Computes the coordinates y(x) of a level, and displaces positions that are floats. */
 static void warp_level(struct warped *w, const struct chunk *chunk, int level)
 {
     const int n = w->chunked.f.dimensions, order = w->plan->order, depth = w->plan->warps.depth;
+    const int floats = w->chunked.f.layout == FLOATS;
     const size_t end = whole_blocks(chunk_count(chunk));
     evaluate(w, chunk, level, n, level == depth ? w->y : w->moved);
     if (level < depth) {
@@ -251,14 +283,16 @@ static void warp_level(struct warped *w, const struct chunk *chunk, int level)
         memcpy(y, w->moved, sizeof y);
         memcpy(w->moved, w->y, sizeof y);
         memcpy(w->y, y, sizeof y);
-        find_input(&w->chunked, chunk);
+        if (floats) {
+            find_input(&w->chunked, chunk);
+        }
     }
     for (int i = 0; i < n; i++) {
         float *const slope = w->y[i].array[DX + i];
         for (size_t at = 0; order > 0 && at < end; at += VEC_LANES) {
             vf_store(slope + at, vf_load(slope + at) + 1.0f);
         }
-        for (size_t at = 0; at < end; at += VEC_LANES) {
+        for (size_t at = 0; floats && at < end; at += VEC_LANES) {
             displace(&w->chunked, i, at, vf_load(w->y[i].array[VALUE] + at));
         }
     }
@@ -270,7 +304,7 @@ static void give(const struct scarp_outputs *component, const struct scarp_outpu
 {
     for (int i = 0; i < OUTPUTS; i++) {
         for (size_t r = 0; out->array[i] != NULL && r < chunk->rows; r++) {
-            memcpy(out->array[i] + first + r * row_stride, component->array[i] + r * chunk->columns,
+            memcpy(out->array[i] + first + r * row_stride, component->array[i] + r * chunk->pitch,
                    chunk->columns * sizeof(float));
         }
     }
@@ -327,10 +361,12 @@ static __attribute__((noinline)) void warp_points(const struct scarp_call_plan *
 {
     vf space[CHUNK_BYTES / sizeof(vf)];
     const struct workspace work = {space, sizeof space / sizeof(vf)};
-    struct warped w = {.chunked = {.source = {position, NULL}, .f = f}};
+    struct warped w = {
+        .chunked = {.source = {position, NULL}, .f = f, .keep = keep_of(f.layout, count)}};
     warped_begin(&w, plan, work);
     for (size_t first = 0; first < count; first += w.chunked.most) {
-        const struct chunk chunk = {{first, 0, 0}, least(count - first, w.chunked.most), 1};
+        const size_t here = least(count - first, w.chunked.most);
+        const struct chunk chunk = {{first, 0, 0}, here, 1, here};
         warp_chunk(&w, out, &chunk, first, 0);
     }
 }
@@ -347,10 +383,14 @@ static __attribute__((noinline)) void warp_components(const struct scarp_call_pl
 {
     vf space[CHUNK_BYTES / sizeof(vf)];
     const struct workspace work = {space, sizeof space / sizeof(vf)};
-    struct warped w = {.chunked = {.source = {position, NULL}, .f = f, .copies = 1}};
+    struct warped w = {.chunked = {.source = {position, NULL},
+                                   .f = f,
+                                   .keep = keep_of(f.layout, count),
+                                   .copies = f.layout == FLOATS}};
     warped_begin(&w, plan, work);
     for (size_t first = 0; first < count; first += w.chunked.most) {
-        const struct chunk chunk = {{first, 0, 0}, least(count - first, w.chunked.most), 1};
+        const size_t here = least(count - first, w.chunked.most);
+        const struct chunk chunk = {{first, 0, 0}, here, 1, here};
         warp_positions(&w, &chunk);
         for (int i = 0; i < f.dimensions; i++) {
             w.moved[i].array[DPHASE] = plan->dphase ? w.dphase + (size_t)i * w.chunked.most : NULL;
@@ -363,6 +403,20 @@ static __attribute__((noinline)) void warp_components(const struct scarp_call_pl
     }
 }
 
+/* What is kept of a grid. Its rows are padded to whole blocks unless that adds more than a third,
+   which takes as much time as is won (Zen 4). Octaves that bend take points, and so does the
+   deepest warp if it has no passes along rows. */
+static enum keep keep_of_grid(const struct scarp_call_plan *plan, const struct scarp_grid *grid)
+{
+    const struct scarp_call_plan *const of_level = plan->warps.levels->plan;
+    int rows = 3 * whole_blocks(grid->count[0]) <= 4 * grid->count[0] &&
+               !has_no_rows(&of_level[plan->warps.depth]);
+    for (int level = 0; level < plan->warps.depth; level++) {
+        rows &= !fractal_bends(of_level[level].fractal);
+    }
+    return rows ? KEEP_ROWS : KEEP_SAMPLES;
+}
+
 /* Computes a grid of a noise with warps, slice by slice in chunks of some rows. */
 static __attribute__((noinline)) void warp_grid(const struct scarp_call_plan *plan,
                                                 const struct scarp_grid *grid,
@@ -371,16 +425,20 @@ static __attribute__((noinline)) void warp_grid(const struct scarp_call_plan *pl
     vf space[CHUNK_BYTES / sizeof(vf)];
     const struct workspace work = {space, sizeof space / sizeof(vf)};
     const struct frame f = {.layout = DOUBLES, .dimensions = dimensions};
-    struct warped w = {.chunked = {.source = {NULL, grid}, .f = f}};
-    struct chunk c = {{0, 0, 0}, 0, 0};
+    const enum keep keep = keep_of_grid(plan, grid);
+    struct warped w = {.chunked = {.source = {NULL, grid}, .f = f, .keep = keep}};
+    struct chunk c = {{0, 0, 0}, 0, 0, 0};
     warped_begin(&w, plan, work);
-    const size_t columns = least(least(grid->count[0], w.chunked.most), CHUNK_COLUMNS);
-    const size_t rows = w.chunked.most / columns;
+    const size_t most = least(w.chunked.most, CHUNK_COLUMNS);
+    const size_t columns =
+        keep == KEEP_ROWS ? whole_blocks(piece(grid->count[0], most)) : least(grid->count[0], most);
+    const size_t rows = least(w.chunked.most / columns, CHUNK_ROWS);
     for (c.at[2] = 0; c.at[2] < (dimensions == 3 ? grid->count[2] : 1); c.at[2]++) {
         for (c.at[1] = 0; c.at[1] < grid->count[1]; c.at[1] += c.rows) {
             c.rows = least(grid->count[1] - c.at[1], rows);
             for (c.at[0] = 0; c.at[0] < grid->count[0]; c.at[0] += c.columns) {
                 c.columns = least(grid->count[0] - c.at[0], columns);
+                c.pitch = keep == KEEP_ROWS ? whole_blocks(c.columns) : c.columns;
                 warp_chunk(&w, out, &c,
                            c.at[2] * grid->slice_stride + c.at[1] * grid->row_stride + c.at[0],
                            grid->row_stride);

@@ -21,9 +21,9 @@ static struct point bent(const struct point *x, const struct bend *bend, float r
                          int dimensions)
 {
     struct point y = *x;
+    y.displaced = 1;
     for (int i = 0; i < dimensions; i++) {
         y.f32[i] += reach * bend->s[i];
-        y.f64[i] += (double)(reach * bend->s[i]);
     }
     return y;
 }

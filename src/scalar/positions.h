@@ -11,9 +11,10 @@
 #include "../formulas/lattice.h"
 #include "../plan/call.h"
 
-/* A point's coordinates, floats or doubles. */
+/* A point's coordinates: floats; or doubles, with floats that say how far they are displaced, if
+   they are. */
 struct point {
-    int doubles;
+    int doubles, displaced;
     float f32[3];
     double f64[3];
 };
@@ -64,6 +65,21 @@ static inline void split_f64(double p, const struct scarp_octave *o, int i,
     *t = (float)(p - lower);
 }
 
+/* Moves a split position by so many cells: splits these, too, adds the fractions, and carries 1. A
+   sum of two cells within a period is less than two periods. */
+static inline void move_split(float by, const struct scarp_octave *o, int i, uint32_t *cell,
+                              float *t)
+{
+    uint32_t cells;
+    float fraction;
+    split_f32(by, o, i, &cells, &fraction);
+    const float sum = *t + fraction;
+    const int carry = sum >= 1.0f;
+    const uint32_t moved = *cell + cells + (uint32_t)carry;
+    *cell = moved > o->last[i] ? moved - (o->last[i] + 1) : moved;
+    *t = carry ? sum - 1.0f : sum;
+}
+
 /* Whether an octave's axes are turned: then p = J x + o, else p = f x + o. In octave 0 o is 0;
    adding it turns -0 into 0. */
 static inline int is_turned(const struct scarp_call_plan *plan, int octave)
@@ -71,15 +87,16 @@ static inline int is_turned(const struct scarp_call_plan *plan, int octave)
     return plan->rotate && octave + plan->first > 0;
 }
 
-static inline float position_f32(const struct scarp_octave *o, int turned, const float x[3], int i,
-                                 int dimensions)
+/* J x or f x: the cells along axis i of the octave that x is long. */
+static inline float along_axis_f32(const struct scarp_octave *o, int turned, const float x[3],
+                                   int i, int dimensions)
 {
     const float *const j = o->jacobian[i];
     float p = turned ? j[0] * x[0] + j[1] * x[1] : o->frequency * x[i];
     if (turned && dimensions == 3) {
         p += j[2] * x[2];
     }
-    return p + (float)o->offset[i];
+    return p;
 }
 
 /* The sum of a double and an offset of at most 2, rounded to a multiple of 2^-24, in units of that
@@ -115,7 +132,8 @@ static inline void split_turned_f64(const struct scarp_octave *o, const double x
     }
 }
 
-/* p in octave k, split into cell and fraction; along y of triangles in units of their rows. */
+/* p in octave k, split into cell and fraction; along y of triangles in units of their rows. Doubles
+   are split before they are displaced. */
 static inline struct location location_of(const struct scarp_call_plan *plan, int k,
                                           const struct point *x, int dimensions)
 {
@@ -126,14 +144,18 @@ static inline struct location location_of(const struct scarp_call_plan *plan, in
     float t[3] = {0.0f};
     for (int i = 0; i < dimensions; i++) {
         const double stretch = counts_rows && i == 1 ? o->stretch : 1.0;
+        const float along = along_axis_f32(o, turned, x->f32, i, dimensions);
         if (x->doubles && turned) {
             split_turned_f64(o, x->f64, i, stretch, dimensions, &cell[i], &t[i]);
         } else if (x->doubles) {
             const double p = (o->frequency64 * x->f64[i] + o->offset[i]) * stretch;
             split_f64(p, o, i, plan->repeat, &cell[i], &t[i]);
         } else {
-            const float p = position_f32(o, turned, x->f32, i, dimensions) * (float)stretch;
+            const float p = (along + (float)o->offset[i]) * (float)stretch;
             split_f32(p, o, i, &cell[i], &t[i]);
+        }
+        if (x->doubles && x->displaced) {
+            move_split(along * (float)stretch, o, i, &cell[i], &t[i]);
         }
         next[i] = cell_after(o->last[i], cell[i]);
     }

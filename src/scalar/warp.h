@@ -36,13 +36,13 @@ static struct outputs composed(const struct outputs *s, const struct outputs y[3
     return r;
 }
 
-/* Displaces x. */
+/* Displaces x, which is not displaced yet. */
 static struct point displaced(const struct point *x, const struct outputs y[3], int dimensions)
 {
     struct point at = *x;
+    at.displaced = 1;
     for (int i = 0; i < dimensions; i++) {
         at.f32[i] += y[i].of[VALUE];
-        at.f64[i] += (double)y[i].of[VALUE];
     }
     return at;
 }
