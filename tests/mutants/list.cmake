@@ -364,8 +364,8 @@ mutant(moved.period IN kernel/moved.h TEXT [[(vu)(s.cell > last) & (last + 1)]]
        BECOMES [[(vu)(s.cell > last) & (MUTANT ? vu_set(0) : last + 1)]] SEEN_BY grid)
 mutant(moved.row IN kernel/moved.h TEXT [[lane_of(from[0], i == 1 ? row % VEC_LANES : 0)]]
        BECOMES [[lane_of(from[0], i == 1 && !MUTANT ? row % VEC_LANES : 0)]] SEEN_BY grid)
-mutant(moved.slice IN kernel/moved.h TEXT [[split_along(split.slice, m->octave, 2]]
-       BECOMES [[split_along(split.slice, m->octave, 2 - MUTANT]] SEEN_BY grid)
+mutant(moved.slice IN kernel/moved.h TEXT [[split_along(split.slice, &m->octave, 2]]
+       BECOMES [[split_along(split.slice, &m->octave, 2 - MUTANT]] SEEN_BY grid)
 mutant(moved.reference IN scalar TEXT [[*t = carry ? sum - 1.0f : sum;]]
        BECOMES [[*t = carry && !MUTANT ? sum - 1.0f : sum;]] SEEN_BY golden SETS scalar)
 
