@@ -361,7 +361,7 @@ mutant(warp.seeds IN plan/plan.c TEXT [[scarp_component_seed(noise.seed, own)]]
 mutant(moved.carry IN kernel/positions.h TEXT [[vf_subtract_where(carry, t, vf_set(1.0f))]]
        BECOMES [[vf_subtract_where(carry, t, vf_set(MUTANT ? 0.0f : 1.0f))]] SEEN_BY bits)
 mutant(moved.period IN kernel/moved.h TEXT [[(vu)(s.cell > last) & (last + 1)]]
-       BECOMES [[(vu)(s.cell > last) & (MUTANT ? vu_set(0) : last + 1)]] SEEN_BY grid)
+       BECOMES [[(vu)(s.cell > last) & (MUTANT ? vu_set(0) : last + 1)]] SEEN_BY vector)
 mutant(moved.row IN kernel/moved.h TEXT [[lane_of(from[0], i == 1 ? row % VEC_LANES : 0)]]
        BECOMES [[lane_of(from[0], i == 1 && !MUTANT ? row % VEC_LANES : 0)]] SEEN_BY grid)
 mutant(moved.slice IN kernel/moved.h TEXT [[split_along(split.slice, &m->octave, 2]]
