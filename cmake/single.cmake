@@ -73,7 +73,7 @@ endfunction()
 function(is_shared header variable)
   get_filename_component(folder ${header} DIRECTORY)
   set(shared OFF)
-  if(folder MATCHES "^${src}/(calls|plan|dispatch)$" OR header STREQUAL "${src}/simd/lookup.h")
+  if(folder MATCHES "^${src}/(calls|plan|dispatch|recipe)$" OR header STREQUAL "${src}/simd/lookup.h")
     set(shared ON)
   endif()
   set(${variable} ${shared} PARENT_SCOPE)
@@ -189,8 +189,9 @@ function(renamed variable)
 endfunction()
 
 set_property(GLOBAL PROPERTY seen "")
-file(GLOB shared_headers ${src}/plan/*.h ${src}/dispatch/*.h ${src}/calls/*.h)
-file(GLOB sources ${src}/calls/*.c ${src}/plan/*.c ${src}/dispatch/*.c ${src}/scalar/*.c)
+file(GLOB shared_headers ${src}/plan/*.h ${src}/dispatch/*.h ${src}/calls/*.h ${src}/recipe/*.h)
+file(GLOB sources ${src}/calls/*.c ${src}/plan/*.c ${src}/dispatch/*.c ${src}/recipe/*.c
+     ${src}/scalar/*.c)
 
 # What files share
 set(shared "")

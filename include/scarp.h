@@ -886,6 +886,73 @@ SCARP_API enum scarp_status scarp_terrace(size_t count, const struct scarp_sampl
                                           float riser, float strength,
                                           const struct scarp_samples *out);
 
+/*
+ * scarp_divide - a / b
+ *
+ * The value is one division. Derivatives are those of scarp_apply2, with f = a / b and r = 1 / b:
+ * fa = r, fb = -(f r), faa = 0, fab = -(r r), fbb = 2 (f r) r. Where b is 0, values are infinite or
+ * NaN.
+ */
+SCARP_API enum scarp_status scarp_divide(size_t count, const struct scarp_samples *a,
+                                         const struct scarp_samples *b,
+                                         const struct scarp_samples *out);
+
+/*
+ * scarp_sqrt - the square root of a, and 0 where a is less than 0
+ *
+ * The value is rounded once; f_a = 1 / (2 value), f_aa = -f_a / (2 a), both 0 where a is 0 or less.
+ * Slopes have no bound above 0.
+ */
+SCARP_API enum scarp_status scarp_sqrt(size_t count, const struct scarp_samples *a,
+                                       const struct scarp_samples *out);
+
+/*
+ * scarp_sine - sin(2 pi a): a counts turns
+ *
+ * Computed in double and rounded once: within 1 unit in the last place, and exactly 0, 1 or -1 at
+ * multiples of a quarter. An infinite a gives NaN.
+ */
+SCARP_API enum scarp_status scarp_sine(size_t count, const struct scarp_samples *a,
+                                       const struct scarp_samples *out);
+
+/*
+ * scarp_pulse - a folded to and fro between -1 and 1, with the period 2
+ *
+ * 1 - 2 |e| with e = 1 - (a - 2 floor(a / 2)): -1 at even numbers, 1 at odd ones, straight between.
+ * f_a is 2 or -2, and 0 at whole numbers. C0: creases there. An infinite a gives NaN.
+ */
+SCARP_API enum scarp_status scarp_pulse(size_t count, const struct scarp_samples *a,
+                                        const struct scarp_samples *out);
+
+#define SCARP_CURVE_KNOTS 64
+
+/*
+ * scarp_curve - a smooth curve through knots
+ *
+ * The curve has value[k] where a is x[k]. It is level before the first knot and behind the last
+ * one, and a cubic between two: the monotone one (Fritsch and Butland 1984), whose slope at a knot
+ * is the harmonic mean of the slopes of the chords at both sides, or 0 where these have different
+ * signs and at both ends. So it never overshoots: between two knots values lie between theirs. The
+ * gradient is continuous, the Hessian jumps at knots.
+ *
+ * There are from 2 to SCARP_CURVE_KNOTS `knots`. All numbers are in [-2^60, 2^60], and x[k + 1] -
+ * x[k] is 2^-60 at least; SCARP_ERROR_NULL if `x` or `value` is NULL.
+ */
+SCARP_API enum scarp_status scarp_curve(size_t count, const struct scarp_samples *a, size_t knots,
+                                        const float *x, const float *value,
+                                        const struct scarp_samples *out);
+
+/*
+ * scarp_slope - the length of the gradient of a
+ *
+ * value = sqrt(dx^2 + dy^2), with dz^2 if a->dz is there. Derivatives are (a_x a_xi + a_y a_yi +
+ * a_z a_zi) / value, and 0 where that is 0, where slopes have the tip of a cone. The value needs dx
+ * and dy, not the value of a; a derivative needs the second ones of a along its axis, too. Second
+ * derivatives, and dphase, are SCARP_ERROR_UNSUPPORTED.
+ */
+SCARP_API enum scarp_status scarp_slope(size_t count, const struct scarp_samples *a,
+                                        const struct scarp_samples *out);
+
 /* A function at `count` points: its value, and its partial derivatives by one or two arguments. */
 struct scarp_partials {
     const float *f;
@@ -1149,6 +1216,279 @@ SCARP_API enum scarp_status scarp_noise_check(const struct scarp_noise *noise, i
  */
 SCARP_API enum scarp_status scarp_plan_make(const struct scarp_noise *noise, int dimensions,
                                             struct scarp_plan *plan);
+
+/*
+ * Recipes
+ *
+ * A recipe is a composition of noises as a text, which a program can load and an editor can change:
+ *
+ *     recipe 1
+ *     param height = 110 [0, 10000]
+ *     bend   = noise(size=286, octaves=5, amplitude=75)
+ *     ridges = warp(noise(swiss, rotate, size=200, octaves=9, gain=0.45), bend)
+ *     ground = noise(hybrid, rotate, size=625, octaves=8, gain=0.42, amplitude=1.4)
+ *     high   = smoothstep(noise(rotate, size=625, octaves=3), -0.5, 0.25)
+ *     out alps = height * (ridges * high + ground)
+ *
+ * src/recipe/README.md teaches the language, and has the formula, the derivatives and the interval
+ * of each function. What is said at the top of this file holds for recipes, too: exact derivatives
+ * through the whole expression, the same bits everywhere, a promised range, no allocation. A text
+ * gives the same bits in all versions of the library of the same major version.
+ *
+ *     static struct scarp_recipe recipe;
+ *     struct scarp_recipe_error error;
+ *     if (scarp_recipe_parse(text, strlen(text), &recipe, &error, 1, NULL) != SCARP_OK) {
+ *         fprintf(stderr, "%d:%d: %s\n", (int)error.line, (int)error.column, error.text);
+ *     }
+ *     struct scarp_samples out = {.value = height, .dx = dx, .dy = dy};
+ *     struct scarp_recipe_outputs outputs = {.count = 1, .out = &out};
+ *     static uint64_t memory[65536 / 8];
+ *     struct scarp_scratch scratch = {.memory = memory, .size = sizeof memory};
+ *     scarp_recipe_grid(&recipe, &grid, &outputs, &scratch);
+ *
+ * Calls that read a recipe may run in any number of threads at a time, each with scratch memory of
+ * its own. They take up to 2 KiB more of the stack than other calls, and 8 KiB more than that
+ * without scratch memory, so threads with 64 KiB will do.
+ */
+
+/* A text and what it was compiled to: 64 KiB. Its bytes have no meaning to others; it belongs to
+   the caller, who may copy it, as a whole, to wherever a uint64_t may stand. It does not belong on
+   a small stack. */
+struct scarp_recipe {
+    uint64_t first;
+    unsigned char rest[65536 - 8];
+};
+
+/* What is wrong with a text, and where. */
+struct scarp_recipe_error {
+    size_t from, to;      /* bytes of the text, `to` excluded */
+    int32_t line, column; /* of `from`, counted from 1; columns are bytes */
+    const char *text;     /* static: a clause without a full stop */
+    const char
+        *member;    /* static: the member of a noise, or the argument, that is at fault; or NULL */
+    double nearest; /* a number that would do there; 0: none is told */
+    uint32_t spare[6];
+};
+
+/*
+ * scarp_recipe_parse - read a text
+ *
+ * `text` has `length` bytes, at most 16,384, and may go away afterwards. Parameters have the values
+ * that the text gives them, the seed of the world is 0.
+ *
+ * *found becomes the number of errors in the text, which may be more than one: reading goes on
+ * behind each. The first `capacity` of them, in the order of the text, are written to `errors`.
+ * `errors` and `found` may be NULL.
+ *
+ * Returns SCARP_ERROR_NULL if `text` or `recipe` is NULL; SCARP_ERROR_SIZE for a text that is too
+ * long; else, if there is an error, SCARP_ERROR_SIZE if a limit of recipes is passed (512
+ * expressions, 96 names, 256 fields, 48 noises, 16 outputs, 32 places), SCARP_ERROR_PARAMETER if
+ * not. In these two last cases *recipe has what could be read, for editors: it may be described,
+ * and statements without an error may be sampled by number. Otherwise *recipe is untouched.
+ */
+SCARP_API enum scarp_status scarp_recipe_parse(const char *text, size_t length,
+                                               struct scarp_recipe *recipe,
+                                               struct scarp_recipe_error *errors, size_t capacity,
+                                               size_t *found);
+
+/*
+ * scarp_recipe_seed - set the seed of the world
+ *
+ * All noises follow: those without a seed, or with seed=0, take it, others a number that is made of
+ * it and theirs. Returns SCARP_ERROR_NULL, or SCARP_ERROR_PARAMETER if *recipe is none, or has
+ * errors.
+ */
+SCARP_API enum scarp_status scarp_recipe_seed(struct scarp_recipe *recipe, uint64_t seed);
+
+/*
+ * scarp_recipe_set - set a parameter
+ *
+ * `name` is that of a `param`, or "finest": then octaves whose cells are smaller than so many units
+ * are left out, 0 for none, and large forms stay to the bit. The recipe is compiled again, which
+ * takes some microseconds.
+ *
+ * Returns SCARP_ERROR_NULL if `recipe` or `name` is NULL; SCARP_ERROR_PARAMETER if *recipe is none,
+ * or has errors, for a name that does not exist, a value outside its interval, and one with which
+ * the text has an error, which is written to *error (may be NULL); SCARP_ERROR_SIZE as
+ * scarp_recipe_parse. On an error the old value stays.
+ */
+SCARP_API enum scarp_status scarp_recipe_set(struct scarp_recipe *recipe, const char *name,
+                                             double value, struct scarp_recipe_error *error);
+
+/* Memory that a call uses while it runs, of any alignment. Its size changes speed, never a bit. */
+struct scarp_scratch {
+    void *memory;
+    size_t size;
+    uint32_t spare[12]; /* reserved: 0 */
+};
+
+/* Results of a call: of each of `count` outputs, an element of `out`. */
+struct scarp_recipe_outputs {
+    const struct scarp_samples *out;
+    const int32_t *which; /* NULL: the outputs of the text, in its order, from the first one on.
+                             Else numbers of statements, as scarp_recipe_entry_at counts them, or
+                             SCARP_RECIPE_PARTS plus the number of a part: any field, as it is where
+                             nothing is transformed. */
+    int32_t count;        /* from 1 to 16 */
+    uint32_t spare[9];    /* reserved: 0 */
+};
+
+#define SCARP_RECIPE_PARTS 65536
+#define SCARP_RECIPE_OUTPUT (-1)
+
+/*
+ * scarp_recipe_sample - sample a recipe at points
+ *
+ * For each i < count, element i of each array is the output at (x[i], y[i]), in space at (x[i],
+ * y[i], z[i]), with its exact derivatives. z is not read in the plane. Arrays have at least `count`
+ * elements, and none that is written may overlap another one.
+ *
+ * Positions are computed in float, as scarp_sample2 has them: these are the bits of shaders. Where
+ * a coordinate is NaN or infinite, outputs are NaN, but for what a mask that is 0 hides.
+ *
+ * `scratch` may be NULL, or have NULL for memory: then the call takes 8 KiB more of the stack, and
+ * small chunks. scarp_recipe_scratch_size has the size for chunks of so many points; about 1,000
+ * are best.
+ *
+ * Returns SCARP_ERROR_NULL if count > 0 and `recipe`, `outputs`, outputs->out or a coordinate is
+ * NULL; SCARP_ERROR_PARAMETER if *recipe is none, or has errors that this call meets, for a number
+ * of outputs, or one in `which`, that does not exist; SCARP_ERROR_UNSUPPORTED for a derivative that
+ * an output does not have (along z in the plane; by the phase; a second one of erosion, Swiss and
+ * Jordan noise, of gullies, slopes and distances in cells), or a reserved member in use;
+ * SCARP_ERROR_SIZE if arrays would exceed the address space, or no chunk fits into the scratch
+ * memory. A count of 0 succeeds, whatever the other arguments are.
+ */
+SCARP_API enum scarp_status scarp_recipe_sample(const struct scarp_recipe *recipe, size_t count,
+                                                const float *x, const float *y, const float *z,
+                                                const struct scarp_recipe_outputs *outputs,
+                                                const struct scarp_scratch *scratch);
+
+/* scarp_recipe_sample_f64 - like scarp_recipe_sample, but with double coordinates, as
+   scarp_sample2_f64: transforms are computed in double, too, so worlds may be large */
+SCARP_API enum scarp_status scarp_recipe_sample_f64(const struct scarp_recipe *recipe, size_t count,
+                                                    const double *x, const double *y,
+                                                    const double *z,
+                                                    const struct scarp_recipe_outputs *outputs,
+                                                    const struct scarp_scratch *scratch);
+
+/*
+ * scarp_recipe_grid - sample a recipe on a uniform grid, in the plane or in space
+ *
+ * Arrays are as scarp_grid2, or scarp_grid3, has them, and have, to the bit, what
+ * scarp_recipe_sample_f64 gives at the coordinates of each sample. Noise that no function
+ * transforms is as fast as on grids, and what does not depend on z is computed once per column.
+ * Returns what scarp_grid2 says of grids; otherwise as scarp_recipe_sample.
+ */
+SCARP_API enum scarp_status scarp_recipe_grid(const struct scarp_recipe *recipe,
+                                              const struct scarp_grid *grid,
+                                              const struct scarp_recipe_outputs *outputs,
+                                              const struct scarp_scratch *scratch);
+
+/* scarp_recipe_scratch_size - bytes of scratch memory for chunks of so many points, with
+   derivatives up to an order from 0 to 2, of the outputs of the text. 0 for what does not exist. */
+SCARP_API size_t scarp_recipe_scratch_size(const struct scarp_recipe *recipe, int order,
+                                           size_t points);
+
+/* A box of points; the plane ignores the elements 2. */
+struct scarp_box {
+    double lowest[3], highest[3];
+};
+
+/*
+ * scarp_recipe_range - the interval that values never leave
+ *
+ * `which` is as in struct scarp_recipe_outputs, or SCARP_RECIPE_OUTPUT for the first output.
+ * *lowest
+ * <= value <= *highest, rounding included, at all points, or those in the box if there is one. The
+ * interval follows from those of all parts, so it may be wider than need be; it is infinite where
+ * coordinates count and there is no box.
+ *
+ * Returns SCARP_ERROR_NULL if `recipe`, `lowest` or `highest` is NULL; SCARP_ERROR_PARAMETER as
+ * scarp_recipe_sample, and for a box whose ends are NaN or out of order.
+ */
+SCARP_API enum scarp_status scarp_recipe_range(const struct scarp_recipe *recipe, int32_t which,
+                                               const struct scarp_box *box, float *lowest,
+                                               float *highest);
+
+/* What a statement, or a part of one, is. */
+enum scarp_recipe_kind {
+    SCARP_RECIPE_BAD,    /* it has an error, or something that it uses has one */
+    SCARP_RECIPE_NUMBER, /* the same everywhere: numbers, parameters, and what is made of them */
+    SCARP_RECIPE_FIELD,  /* has a value at each point */
+    SCARP_RECIPE_NOISE,  /* a field that warp() may displace by */
+    SCARP_RECIPE_WORD,   /* a bare word among arguments */
+    SCARP_RECIPE_KNOT    /* x: value */
+};
+
+/* A statement: param, out or name = expression. Spans are bytes of the text, the second excluded.
+ */
+struct scarp_recipe_entry {
+    uint32_t span[2], name[2];
+    int32_t kind;     /* enum scarp_recipe_kind */
+    int32_t is_param; /* 1 for param, else 0 */
+    int32_t output;   /* the number of the output that it is, or -1 */
+    int32_t part;     /* the number of its expression; -1 for param */
+    double value;     /* of numbers */
+    double slider[2]; /* of param: the interval that the text gives, else that of all numbers */
+    float range[2];   /* of fields: the interval that values never leave */
+    uint32_t axes;    /* of fields: on which they depend: 1 x, 2 y, 4 z */
+    uint32_t order;   /* of fields: the highest order of their derivatives */
+    uint64_t hash;    /* the same as before an edit if nothing has to be drawn anew */
+    uint32_t spare[8];
+};
+
+/* A part of an expression. Parts are counted from 0; a call, and a sign, stands in front of the
+   parts that it has, other operators stand behind theirs. */
+struct scarp_recipe_part {
+    uint32_t span[2];
+    uint32_t name[2];     /* of a name, or of the function that is called; else empty */
+    uint32_t argument[2]; /* the name that it has as an argument; else empty */
+    int32_t kind;         /* enum scarp_recipe_kind */
+    int32_t function;     /* of a call: its number, as scarp_recipe_function_at counts; else -1 */
+    int32_t entry;        /* of a name: the statement that it stands for; else -1 */
+    int32_t parent;       /* the part around it; -1: it is a whole expression */
+    int32_t operation;    /* one of '+', '-', '*', '/', '^'; 0 for all else */
+    uint32_t axes, order;
+    float range[2];
+    double value;
+    uint64_t hash;
+    uint32_t spare[8];
+};
+
+/* An argument of a function. */
+struct scarp_recipe_argument {
+    const char *name, *text; /* text: what it does, without a full stop */
+    int32_t kind;            /* enum scarp_recipe_kind: what is expected */
+    int32_t is_needed;
+    double otherwise;         /* of numbers: the value without the argument */
+    double lowest, highest;   /* of numbers: the interval for a slider; more may be valid */
+    const char *const *words; /* of words: those that it may be, and NULL; else NULL */
+    uint32_t spare[4];
+};
+
+struct scarp_recipe_function {
+    const char *name, *text; /* text: a sentence */
+    const struct scarp_recipe_argument *argument;
+    int32_t
+        arguments; /* the last one may be given again and again if its kind is SCARP_RECIPE_KNOT */
+    uint32_t spare[5];
+};
+
+/*
+ * scarp_recipe_entry_at, scarp_recipe_part_at, scarp_recipe_function_at - what editors show
+ *
+ * They fill in what is number `index`, of statements, of parts, and of the functions of the
+ * language. Recipes with errors may be described, too. Spare members become 0.
+ *
+ * Return SCARP_ERROR_NULL if a pointer is NULL; SCARP_ERROR_PARAMETER if *recipe is none, and for
+ * the first index that does not exist, and all behind it.
+ */
+SCARP_API enum scarp_status scarp_recipe_entry_at(const struct scarp_recipe *recipe, size_t index,
+                                                  struct scarp_recipe_entry *entry);
+SCARP_API enum scarp_status scarp_recipe_part_at(const struct scarp_recipe *recipe, size_t index,
+                                                 struct scarp_recipe_part *part);
+SCARP_API enum scarp_status scarp_recipe_function_at(size_t index,
+                                                     struct scarp_recipe_function *function);
 
 /*
  * Shaders

@@ -26,6 +26,7 @@ DOCUMENTS = {
     "src/examples/README.md": {"program": 5, "fragment": 2, "wrapper in C++": 1},
     "src/cli/README.md": {"animation": 1},
     "src/gpu/README.md": {"fragment": 1},
+    "src/recipe/README.md": {"program": 1},
 }
 # What uses the functions that a document wraps the library in.
 WRAPPED = """

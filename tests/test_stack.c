@@ -10,11 +10,14 @@
 
 #include "chain.h"
 #include "gullies.h"
+#include "recipes.h"
 
 #include <pthread.h>
 
 #define STACK_BYTES 65536L
 #define PERMITTED ((size_t)STACK_KIB << 10) /* by the build: tests/api.cmake */
+#define RECIPES ((size_t)2 << 10)           /* more, of recipes, */
+#define SCRATCH ((size_t)8 << 10)           /* and more without scratch memory */
 #define PAINT 0xa5
 
 #define MOST_POINTS 1100
@@ -30,12 +33,36 @@ static size_t stack_bytes(void)
 /* One call. */
 struct job {
     struct scarp_noise noise;
-    enum { NOTHING, POINTS, GRID, CHAIN, VECTOR, FLOW, GULLIES, GULLY_GRID, SHADER, OTHERS } kind;
+    enum {
+        NOTHING,
+        POINTS,
+        GRID,
+        CHAIN,
+        VECTOR,
+        FLOW,
+        GULLIES,
+        GULLY_GRID,
+        SHADER,
+        RECIPE,
+        OTHERS
+    } kind;
     int order, dimensions;
     enum function function;
     enum chain chain;
     size_t count;
     struct scarp_grid grid;
+    enum {
+        PARSE,
+        SET,
+        SAMPLE,
+        SAMPLE_PART,
+        GRID_OF_RECIPE,
+        GRID_OF_EROSION,
+        RANGE,
+        DESCRIBE
+    } recipe_call;
+    const char *text;
+    const struct scarp_scratch *scratch;
     const struct inputs *in;
     float *x[3]; /* of a function of samples */
     const struct outputs *out;
@@ -77,6 +104,37 @@ static enum scarp_status gully_call(const struct job *job)
                : scarp_gullies2_f64(&gullies, job->count, in->d[0], in->d[1], &base, &out);
 }
 
+static struct scarp_recipe recipe;
+
+/* A call of a recipe, which is parsed already but for PARSE. */
+static enum scarp_status recipe_call(const struct job *job, const struct scarp_samples *out)
+{
+    const int32_t part[1] = {SCARP_RECIPE_PARTS};
+    struct scarp_recipe_outputs outputs = {.out = out, .count = 1};
+    struct scarp_recipe_error error;
+    struct scarp_recipe_entry entry;
+    const double *const *const x = (const double *const *)job->in->d;
+    float lowest, highest;
+    switch (job->recipe_call) {
+    case PARSE: return scarp_recipe_parse(job->text, strlen(job->text), &recipe, &error, 1, NULL);
+    case SET: return scarp_recipe_set(&recipe, "finest", 0.01, &error);
+    case RANGE: {
+        static const struct scarp_box box = {.highest = {1.0, 1.0, 1.0}};
+        return scarp_recipe_range(&recipe, SCARP_RECIPE_OUTPUT, &box, &lowest, &highest);
+    }
+    case DESCRIBE: return scarp_recipe_entry_at(&recipe, 0, &entry);
+    case GRID_OF_RECIPE: return scarp_recipe_grid(&recipe, &job->grid, &outputs, job->scratch);
+    case SAMPLE_PART: outputs.which = part; break;
+    case GRID_OF_EROSION: {
+        const int32_t statement[1] = {1};
+        outputs.which = statement;
+        return scarp_recipe_grid(&recipe, &job->grid, &outputs, job->scratch);
+    }
+    default: break;
+    }
+    return scarp_recipe_sample_f64(&recipe, job->count, x[0], x[1], x[2], &outputs, job->scratch);
+}
+
 static void *run(void *opaque)
 {
     struct job *const job = opaque;
@@ -104,6 +162,7 @@ static void *run(void *opaque)
     case FLOW: job->status = flow_call(job); break;
     case GULLIES:
     case GULLY_GRID: job->status = gully_call(job); break;
+    case RECIPE: job->status = recipe_call(job, &out); break;
     case SHADER: {
         static uint32_t answer[SCARP_GPU_ANSWERS];
         job->status = scarp_gpu_answers(&job->noise, job->dimensions, job->order, answer);
@@ -156,7 +215,10 @@ static void measure(const struct guarded *stack, struct job *job, struct worst *
         return;
     }
     const size_t bytes = touched(stack, job) - worst->nothing;
-    CHECK(bytes < PERMITTED, "%s, %s %s, order %d, octaves %g, turned %d: %zu bytes", what,
+    const size_t more = job->kind != RECIPE    ? 0
+                        : job->scratch == NULL ? RECIPES + SCRATCH
+                                               : RECIPES;
+    CHECK(bytes < PERMITTED + more, "%s, %s %s, order %d, octaves %g, turned %d: %zu bytes", what,
           scarp_basis_name(job->noise.basis), scarp_fractal_name(job->noise.fractal), job->order,
           (double)job->noise.octaves, job->noise.rotate, bytes);
     if (bytes > worst->bytes) {
@@ -269,6 +331,69 @@ static void measure_gullies(const struct guarded *stack, struct job *job, struct
     }
 }
 
+/* A recipe as deep as they may be, of noise that takes much stack itself. */
+static void write_deep_recipe(struct recipe_writer *w, int is_space)
+{
+    memset(w, 0, sizeof *w);
+    recipe_put(w,
+               "recipe 1\n%sout n = noise(value, hybrid, rotate, octaves=13)\n"
+               "out e = noise(erosion, octaves=3) + noise(swiss, octaves=3)\n",
+               is_space ? "space 3\n" : "");
+    recipe_put(w,
+               "w = warp(noise(octaves=3, rotate), noise(ridged, octaves=13, rotate))\nf0 = n\n");
+    for (int i = 1; i <= 6; i++) {
+        recipe_put(w,
+                   "f%d = warp(curve(mix(f%d, clamp(terrace(f%d, 3), -1, 1), smoothstep(n, 0, 1)), "
+                   "0: 0, 1: 2, 3: 4), w) + blend(n, 0: f%d, 1: turn(n, 30))\n",
+                   i, i - 1, i - 1, i - 1);
+    }
+    recipe_put(w, "%s\n", is_space ? "" : "g = gullies(f1)\nslopes = slope(warp(slope(n), w))");
+}
+
+static void measure_recipes(const struct guarded *stack, struct job *job, struct worst *worst,
+                            struct worst *alone)
+{
+    static uint64_t memory[1 << 16];
+    static const struct scarp_scratch scratch = {.memory = memory, .size = sizeof memory};
+    static struct recipe_writer w;
+    job->kind = RECIPE;
+    for (int i = 0; i < 4; i++) {
+        write_deep_recipe(&w, i % 2);
+        job->text = w.text;
+        job->order = i < 2 ? 2 : 0;
+        job->dimensions = i % 2 == 0 ? 2 : 3;
+        job->scratch = NULL;
+        job->recipe_call = PARSE;
+        measure(stack, job, alone, "scarp_recipe_parse");
+        (void)recipe_call(job, NULL); /* whatever calls are left out */
+        job->recipe_call = SET;
+        measure(stack, job, alone, "scarp_recipe_set");
+        const enum scarp_isa isa = scarp_isa_active();
+        for (int k = 0; k < 2; k++) {
+            struct worst *const of = k == 0 ? worst : alone;
+            job->scratch = k == 0 ? &scratch : NULL;
+            job->grid = (struct scarp_grid){.step = {0.1, 0.1, 0.1},
+                                            .count = {isa == SCARP_ISA_SCALAR ? 9 : 33, 5, 3}};
+            job->count = isa == SCARP_ISA_SCALAR ? 7 : MOST_POINTS;
+            job->recipe_call = SAMPLE;
+            measure(stack, job, of, "scarp_recipe_sample_f64");
+            job->recipe_call = SAMPLE_PART;
+            measure(stack, job, of, "scarp_recipe_sample_f64 of a part");
+            job->recipe_call = GRID_OF_RECIPE;
+            measure(stack, job, of, "scarp_recipe_grid");
+            const int order = job->order;
+            job->order = order < 1 ? order : 1;
+            job->recipe_call = GRID_OF_EROSION;
+            measure(stack, job, of, "scarp_recipe_grid of erosion");
+            job->order = order;
+            job->recipe_call = RANGE;
+            measure(stack, job, of, "scarp_recipe_range");
+            job->recipe_call = DESCRIBE;
+            measure(stack, job, of, "scarp_recipe_entry_at");
+        }
+    }
+}
+
 int main(int argc, char **argv)
 {
     every = argc == 3 ? atoi(argv[2]) : 1;
@@ -290,7 +415,7 @@ int main(int argc, char **argv)
     struct job job = {
         .kind = NOTHING, .dimensions = 2, .in = &in, .x = {f[0], f[1], f[2]}, .out = &out};
     struct worst worst = {.nothing = touched(&stack, &job)}, flows = worst, shaders = worst,
-                 gullies = worst;
+                 gullies = worst, recipes = worst, alone = worst;
     for (int i = 0; scarp_basis_name((enum scarp_basis)i) != NULL; i++) {
         /* Fractals do the same with all octaves. */
         const int fractals = i <= SCARP_VALUE ? count_names(fractal_name) : 1;
@@ -327,6 +452,7 @@ int main(int argc, char **argv)
         measure(&stack, &job, &worst, chain_names[i / 2]);
     }
     measure_gullies(&stack, &job, &gullies);
+    measure_recipes(&stack, &job, &recipes, &alone);
     measure_warped(&stack, &job, &worst);
     job.kind = OTHERS;
     measure(&stack, &job, &worst, "scarp_normals, scarp_range and scarp_noise_check");
@@ -335,6 +461,8 @@ int main(int argc, char **argv)
     printf("%s: at most %zu bytes: %s\n", argv[1], flows.bytes, flows.what);
     printf("%s: at most %zu bytes: %s\n", argv[1], gullies.bytes, gullies.what);
     printf("%s: at most %zu bytes: %s\n", argv[1], shaders.bytes, shaders.what);
+    printf("%s: at most %zu bytes: %s\n", argv[1], recipes.bytes, recipes.what);
+    printf("%s: at most %zu bytes without scratch memory: %s\n", argv[1], alone.bytes, alone.what);
     outputs_free(&out);
     return check_done();
 }

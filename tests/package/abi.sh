@@ -22,7 +22,8 @@ cd "$dir"
 "$c_compiler" -std=c11 -g -O0 -fPIC -fvisibility=hidden -DSCARP_BUILDING_SHARED \
     -ffile-prefix-map="$source_dir/=" \
     -I"$source_dir/include" -shared -Wl,-soname,"$soname" -Wl,--version-script="$source_dir/cmake/scarp.map" \
-    "$source_dir"/src/calls/*.c "$source_dir"/src/plan/*.c "$source_dir"/src/dispatch/*.c -o libscarp.so
+    "$source_dir"/src/calls/*.c "$source_dir"/src/plan/*.c "$source_dir"/src/dispatch/*.c \
+    "$source_dir"/src/recipe/*.c -o libscarp.so
 options='--exported-interfaces-only --drop-private-types --no-corpus-path --no-comp-dir-path'
 options="$options --no-show-locs --no-elf-needed --no-architecture"
 # shellcheck disable=SC2086 # words

@@ -30,7 +30,7 @@ fi
 # Names that compilers and sanitizers add: positions, stack protection, atomics, instrumentation.
 added='_GLOBAL_OFFSET_TABLE_|__x86\..*|__stack_chk_.*|__aarch64_.*|__gcov_.*'
 added="$added|_?__(odr_)?[atu]?[a-z]*san_.*|__sanitizer_.*|__odr_asan.*"
-needed='mem(cpy|set|move|cmp)|floorf?|sqrtf?|fe[gs]etround'
+needed='mem(cpy|set|move|cmp)|str(cmp|ncmp|len)|floorf?|sqrtf?|fe[gs]etround'
 
 # The objects, so that static and shared libraries are looked at in the same way.
 tr '\n' '\0' <"$objects" | xargs -0 "$nm" -g >"$dir/symbols"

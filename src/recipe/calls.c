@@ -1,0 +1,371 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The public functions of recipes that parse, set and sample; describe.c has those that tell.
+ */
+#include <string.h>
+
+#include "../calls/grid.h"
+#include "../calls/run.h"
+#include "../dispatch/fpmode.h"
+#include "compile.h"
+#include "evaluate.h"
+#include "interval.h"
+#include "schedule.h"
+
+#define STACK_BYTES 8192 /* of scratch memory, if the caller has none */
+
+static NOINLINE enum scarp_status parse(const char *text, size_t length,
+                                        struct scarp_recipe *recipe, struct recipe_errors *errors)
+{
+    struct recipe *const r = scarp_recipe_inside(recipe);
+    memset(recipe, 0, sizeof *recipe);
+    r->version = RECIPE_VERSION;
+    r->length = (int16_t)length;
+    memcpy(r->text, text, length);
+    scarp_recipe_read(r, errors);
+    scarp_recipe_compile(r, errors);
+    return errors->found == 0 ? SCARP_OK
+           : errors->is_size  ? SCARP_ERROR_SIZE
+                              : SCARP_ERROR_PARAMETER;
+}
+
+enum scarp_status scarp_recipe_parse(const char *text, size_t length, struct scarp_recipe *recipe,
+                                     struct scarp_recipe_error *errors, size_t capacity,
+                                     size_t *found)
+{
+    struct recipe_errors to = {.list = errors, .capacity = errors == NULL ? 0 : capacity};
+    if (found != NULL) {
+        *found = 0;
+    }
+    if (recipe == NULL || (text == NULL && length > 0)) {
+        return SCARP_ERROR_NULL;
+    }
+    if (length > RECIPE_TEXT) {
+        return SCARP_ERROR_SIZE;
+    }
+    const struct fpmode caller = fpmode_enter();
+    const enum scarp_status status = parse(length > 0 ? text : "", length, recipe, &to);
+    fpmode_leave(caller);
+    if (found != NULL) {
+        *found = to.found;
+    }
+    return status;
+}
+
+static int is_recipe(const struct scarp_recipe *recipe)
+{
+    return recipe != NULL && scarp_recipe_of(recipe)->version == RECIPE_VERSION;
+}
+
+static NOINLINE void compile_again(struct recipe *r, struct recipe_errors *errors)
+{
+    scarp_recipe_compile(r, errors);
+}
+
+enum scarp_status scarp_recipe_seed(struct scarp_recipe *recipe, uint64_t seed)
+{
+    if (!is_recipe(recipe)) {
+        return recipe == NULL ? SCARP_ERROR_NULL : SCARP_ERROR_PARAMETER;
+    }
+    struct recipe *const r = scarp_recipe_inside(recipe);
+    struct recipe_errors errors = {.capacity = 0};
+    if (r->is_bad) {
+        return SCARP_ERROR_PARAMETER;
+    }
+    r->seed = seed;
+    const struct fpmode caller = fpmode_enter();
+    compile_again(r, &errors);
+    fpmode_leave(caller);
+    return SCARP_OK;
+}
+
+/* Where the number of a name is: a parameter's, or "finest". NULL: there is none. */
+static double *number_of(struct recipe *r, const char *name)
+{
+    if (strcmp(name, "finest") == 0) {
+        return &r->finest;
+    }
+    for (int i = 0; i < r->statements; i++) {
+        if (r->statement[i].type == STATEMENT_PARAM &&
+            scarp_recipe_is(r, r->statement[i].name, name)) {
+            return &r->statement[i].value;
+        }
+    }
+    return NULL;
+}
+
+static NOINLINE enum scarp_status set(struct recipe *r, const char *name, double value,
+                                      struct scarp_recipe_error *error)
+{
+    struct recipe_errors errors = {.list = error, .capacity = error != NULL};
+    double *const number = number_of(r, name);
+    double lowest = 0.0, highest = 1e60; /* of "finest" */
+    for (int i = 0; i < r->statements; i++) {
+        if (number == &r->statement[i].value) {
+            lowest = r->statement[i].lowest;
+            highest = r->statement[i].highest;
+        }
+    }
+    if (number == NULL || !(value >= lowest && value <= highest)) {
+        return SCARP_ERROR_PARAMETER;
+    }
+    const double before = *number;
+    *number = value;
+    scarp_recipe_compile(r, &errors);
+    if (errors.found == 0) {
+        return SCARP_OK;
+    }
+    struct recipe_errors none = {.capacity = 0};
+    *number = before;
+    scarp_recipe_compile(r, &none);
+    return errors.is_size ? SCARP_ERROR_SIZE : SCARP_ERROR_PARAMETER;
+}
+
+enum scarp_status scarp_recipe_set(struct scarp_recipe *recipe, const char *name, double value,
+                                   struct scarp_recipe_error *error)
+{
+    if (error != NULL) {
+        memset(error, 0, sizeof *error);
+    }
+    if (recipe == NULL || name == NULL) {
+        return SCARP_ERROR_NULL;
+    }
+    if (!is_recipe(recipe) || scarp_recipe_of(recipe)->is_bad) {
+        return SCARP_ERROR_PARAMETER;
+    }
+    const struct fpmode caller = fpmode_enter();
+    const enum scarp_status status = set(scarp_recipe_inside(recipe), name, value, error);
+    fpmode_leave(caller);
+    return status;
+}
+
+/* The node of an output that is named by number, or -1. */
+static int node_of(const struct recipe *r, int32_t which)
+{
+    int e = -1;
+    if (which >= SCARP_RECIPE_PARTS && which - SCARP_RECIPE_PARTS < r->expressions) {
+        e = which - SCARP_RECIPE_PARTS;
+    } else if (which >= 0 && which < r->statements) {
+        e = r->statement[which].expression;
+    }
+    if (e < 0 || (r->expression[e].kind != SCARP_RECIPE_FIELD &&
+                  r->expression[e].kind != SCARP_RECIPE_NOISE)) {
+        return e >= 0 && r->expression[e].kind == SCARP_RECIPE_NUMBER && !r->is_bad
+                   ? r->expression[e].node
+                   : -1;
+    }
+    return r->expression[e].node;
+}
+
+static enum scarp_status take_roots(const struct recipe *r, int outputs, const int32_t *which,
+                                    int16_t root[RECIPE_OUTPUTS])
+{
+    if (outputs < 1 || outputs > (which == NULL ? r->outputs : RECIPE_OUTPUTS) ||
+        (which == NULL && r->is_bad)) {
+        return SCARP_ERROR_PARAMETER;
+    }
+    for (int i = 0; i < outputs; i++) {
+        root[i] = (int16_t)node_of(r, which == NULL ? r->output[i] : which[i]);
+        if (root[i] < 0) {
+            return SCARP_ERROR_PARAMETER;
+        }
+    }
+    return SCARP_OK;
+}
+
+static NOINLINE enum scarp_status evaluate_on_stack(struct recipe_evaluation *call)
+{
+    uint64_t memory[STACK_BYTES / sizeof(uint64_t)];
+    call->memory = memory;
+    call->size = sizeof memory;
+    return scarp_recipe_evaluate(call);
+}
+
+static enum scarp_status evaluate_in(struct recipe_evaluation *call,
+                                     const struct scarp_scratch *scratch)
+{
+    if (scratch == NULL || scratch->memory == NULL) {
+        return evaluate_on_stack(call);
+    }
+    call->memory = scratch->memory;
+    call->size = scratch->size;
+    return scarp_recipe_evaluate(call);
+}
+
+/* Others than the outputs have a plan of their own, on the stack. */
+static NOINLINE enum scarp_status evaluate_others(struct recipe_evaluation *call,
+                                                  const struct scarp_scratch *scratch)
+{
+    struct recipe_schedule schedule;
+    scarp_recipe_schedule(call->recipe, call->root, call->outputs, &schedule);
+    call->schedule = &schedule;
+    return evaluate_in(call, scratch);
+}
+
+static NOINLINE enum scarp_status evaluate(struct recipe_evaluation *call, const int32_t *which,
+                                           const struct scarp_scratch *scratch)
+{
+    const enum scarp_status status = take_roots(call->recipe, call->outputs, which, call->root);
+    if (status != SCARP_OK) {
+        return status;
+    }
+    if (which != NULL || call->outputs != call->recipe->outputs) {
+        return evaluate_others(call, scratch);
+    }
+    call->schedule = &call->recipe->schedule;
+    return evaluate_in(call, scratch);
+}
+
+static int reserved_in_use(const struct scarp_recipe_outputs *outputs,
+                           const struct scarp_scratch *scratch)
+{
+    uint32_t used = 0;
+    for (size_t i = 0; scratch != NULL && i < sizeof scratch->spare / sizeof scratch->spare[0];
+         i++) {
+        used |= scratch->spare[i];
+    }
+    for (size_t i = 0; i < sizeof outputs->spare / sizeof outputs->spare[0]; i++) {
+        used |= outputs->spare[i];
+    }
+    return used != 0;
+}
+
+/* Runs a call whose points are there. */
+static enum scarp_status run(struct recipe_evaluation *call,
+                             const struct scarp_recipe_outputs *outputs,
+                             const struct scarp_scratch *scratch)
+{
+    if (reserved_in_use(outputs, scratch)) {
+        return SCARP_ERROR_UNSUPPORTED;
+    }
+    call->outputs = outputs->count;
+    call->out = outputs->out;
+    const struct fpmode caller = fpmode_enter();
+    const enum scarp_status status = evaluate(call, outputs->which, scratch);
+    fpmode_leave(caller);
+    return status;
+}
+
+static enum scarp_status sample(const struct scarp_recipe *recipe, const struct scarp_at *points,
+                                const struct scarp_recipe_outputs *outputs,
+                                const struct scarp_scratch *scratch)
+{
+    if (points->count == 0) {
+        return SCARP_OK;
+    }
+    if (recipe == NULL || outputs == NULL || outputs->out == NULL) {
+        return SCARP_ERROR_NULL;
+    }
+    if (!is_recipe(recipe)) {
+        return SCARP_ERROR_PARAMETER;
+    }
+    const struct recipe *const r = scarp_recipe_of(recipe);
+    const enum scarp_status status =
+        scarp_check_points(points->count, points->position, r->dimensions,
+                           points->doubles ? sizeof(double) : sizeof(float));
+    struct recipe_evaluation call = {
+        .recipe = r,
+        .has_doubles = points->doubles,
+        .count = points->count,
+        .at = {points->position[0], points->position[1], points->position[2]}};
+    return status != SCARP_OK ? status : run(&call, outputs, scratch);
+}
+
+enum scarp_status scarp_recipe_sample(const struct scarp_recipe *recipe, size_t count,
+                                      const float *x, const float *y, const float *z,
+                                      const struct scarp_recipe_outputs *outputs,
+                                      const struct scarp_scratch *scratch)
+{
+    const struct scarp_at points = {.count = count, .position = {x, y, z}};
+    return sample(recipe, &points, outputs, scratch);
+}
+
+enum scarp_status scarp_recipe_sample_f64(const struct scarp_recipe *recipe, size_t count,
+                                          const double *x, const double *y, const double *z,
+                                          const struct scarp_recipe_outputs *outputs,
+                                          const struct scarp_scratch *scratch)
+{
+    const struct scarp_at points = {.count = count, .position = {x, y, z}, .doubles = 1};
+    return sample(recipe, &points, outputs, scratch);
+}
+
+enum scarp_status scarp_recipe_grid(const struct scarp_recipe *recipe,
+                                    const struct scarp_grid *grid,
+                                    const struct scarp_recipe_outputs *outputs,
+                                    const struct scarp_scratch *scratch)
+{
+    if (recipe == NULL || grid == NULL || outputs == NULL || outputs->out == NULL) {
+        return SCARP_ERROR_NULL;
+    }
+    if (!is_recipe(recipe)) {
+        return SCARP_ERROR_PARAMETER;
+    }
+    const struct recipe *const r = scarp_recipe_of(recipe);
+    struct scarp_grid whole = *grid;
+    for (int i = 0; i < r->dimensions; i++) {
+        if (grid->count[i] == 0) {
+            return SCARP_OK;
+        }
+    }
+    const enum scarp_status status = scarp_check_grid(&whole, r->dimensions);
+    if (status != SCARP_OK) {
+        return status;
+    }
+    if (scarp_grid_reserved_in_use(grid)) {
+        return SCARP_ERROR_UNSUPPORTED;
+    }
+    struct recipe_evaluation call = {.recipe = r, .has_doubles = 1, .grid = &whole};
+    return run(&call, outputs, scratch);
+}
+
+size_t scarp_recipe_scratch_size(const struct scarp_recipe *recipe, int order, size_t points)
+{
+    if (!is_recipe(recipe) || order < 0 || order > 2 || points > SIZE_MAX / 65536) {
+        return 0;
+    }
+    const struct recipe *const r = scarp_recipe_of(recipe);
+    return r->is_bad ? 0 : scarp_recipe_bytes(r, &r->schedule, order, points);
+}
+
+static NOINLINE void find_range(const struct recipe *r, int node, const struct scarp_box *box,
+                                struct recipe_interval *range)
+{
+    *range = r->node[node].interval;
+    if (box != NULL) {
+        *range = scarp_recipe_interval_in(r, node, box);
+    }
+}
+
+static int is_box(const struct scarp_box *box, int dimensions)
+{
+    for (int i = 0; i < dimensions; i++) {
+        if (!(box->lowest[i] <= box->highest[i])) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+enum scarp_status scarp_recipe_range(const struct scarp_recipe *recipe, int32_t which,
+                                     const struct scarp_box *box, float *lowest, float *highest)
+{
+    if (recipe == NULL || lowest == NULL || highest == NULL) {
+        return SCARP_ERROR_NULL;
+    }
+    if (!is_recipe(recipe)) {
+        return SCARP_ERROR_PARAMETER;
+    }
+    const struct recipe *const r = scarp_recipe_of(recipe);
+    const int node = node_of(r, which == SCARP_RECIPE_OUTPUT ? r->output[0] : which);
+    if (node < 0 || (which == SCARP_RECIPE_OUTPUT && r->is_bad) ||
+        (box != NULL && !is_box(box, r->dimensions))) {
+        return SCARP_ERROR_PARAMETER;
+    }
+    struct recipe_interval range;
+    const struct fpmode caller = fpmode_enter();
+    find_range(r, node, box, &range);
+    fpmode_leave(caller);
+    *lowest = range.lowest;
+    *highest = range.highest;
+    return SCARP_OK;
+}

@@ -1,0 +1,360 @@
+/* SPDX-License-Identifier: MIT */
+#include "evaluate.h"
+
+#include <string.h>
+
+#include "../calls/run.h"
+#include "graph.h"
+#include "machine.h"
+
+#define ALIGNMENT 64
+#define GRANULE 16       /* registers have room for a multiple of this many points */
+#define PIECE 64         /* columns of a grid that go through the steps together */
+#define MOST_POINTS 4096 /* of a register: more would leave the caches */
+
+/* The machine lies in the scratch memory, too, since kernels need nearly all the stack of a call.
+ */
+#define MACHINE_BYTES ((sizeof(struct recipe_machine) + ALIGNMENT - 1) / ALIGNMENT * ALIGNMENT)
+
+/* How many arrays derivatives up to an order have. */
+static size_t arrays_of(int dimensions, int order)
+{
+    static const unsigned char count[2][3] = {{1, 3, 6}, {1, 4, 10}};
+    return count[dimensions - 2][order];
+}
+
+#define MEMBERS 10
+
+static float *member(const struct scarp_samples *samples, int i)
+{
+    float *array;
+    memcpy(&array, (const char *)samples + (size_t)i * sizeof array, sizeof array);
+    return array;
+}
+
+static struct scarp_samples shifted(const struct scarp_samples *samples, size_t by)
+{
+    struct scarp_samples s = {0};
+    for (int i = 0; i < MEMBERS; i++) {
+        float *array = member(samples, i);
+        array = array == NULL ? NULL : array + by;
+        memcpy((char *)&s + (size_t)i * sizeof array, &array, sizeof array);
+    }
+    return s;
+}
+
+struct scarp_samples scarp_recipe_samples(const struct recipe_machine *m, int node)
+{
+    for (int i = 0; m->directs >> i != 0; i++) {
+        if ((m->directs >> i & 1) != 0 && m->root[i] == node) {
+            return shifted(&m->out[i], m->direct_from);
+        }
+    }
+    const int order = m->order_of[node], is_space = m->recipe->node[node].dimensions == 3;
+    float *const at = m->registers + (size_t)m->schedule->register_of[node] * m->floats * m->room;
+    struct scarp_samples s = {.value = at};
+    float *next = at;
+    if (order >= 1) {
+        s.dx = next += m->room;
+        s.dy = next += m->room;
+        s.dz = is_space ? next += m->room : NULL;
+    }
+    if (order >= 2) {
+        s.dxx = next += m->room;
+        s.dxy = next += m->room;
+        s.dxz = is_space ? next += m->room : NULL;
+        s.dyy = next += m->room;
+        s.dyz = is_space ? next += m->room : NULL;
+        s.dzz = is_space ? next + m->room : NULL;
+    }
+    return s;
+}
+
+int scarp_recipe_order_of(const struct scarp_samples *out, int dimensions)
+{
+    const struct scarp_kind kind = scarp_kind_of_samples(dimensions, out);
+    return kind.dphase || kind.order == SCARP_UNSUPPORTED_ORDER ? -1 : kind.order;
+}
+
+static size_t bytes_for(size_t registers, size_t floats, int dimensions, size_t points)
+{
+    const size_t room = (points + GRANULE - 1) / GRANULE * GRANULE;
+    return room * (registers * floats * sizeof(float) + (size_t)dimensions * sizeof(double)) +
+           MACHINE_BYTES + ALIGNMENT;
+}
+
+size_t scarp_recipe_bytes(const struct recipe *recipe, const struct recipe_schedule *schedule,
+                          int order, size_t points)
+{
+    const int highest = order + schedule->extra < 2 ? order + schedule->extra : 2;
+    return bytes_for((size_t)schedule->registers, arrays_of(recipe->dimensions, highest),
+                     recipe->dimensions, points);
+}
+
+/* Which derivatives are computed of each node. Returns the highest order, or -1 if a node does not
+   have what is asked of it. */
+static int set_orders(struct recipe_machine *m, const struct recipe_evaluation *call)
+{
+    const struct recipe *const r = call->recipe;
+    int highest = 0;
+    for (int i = 0; i < call->outputs; i++) {
+        const int order = scarp_recipe_order_of(&call->out[i], r->dimensions);
+        if (order < 0) {
+            return -1;
+        }
+        if (m->order_of[call->root[i]] < order) {
+            m->order_of[call->root[i]] = (uint8_t)order;
+        }
+    }
+    for (int k = m->schedule->steps - 1; k >= 0; k--) {
+        int16_t reads[RECIPE_READS];
+        const int n = m->schedule->step[k], count = scarp_recipe_reads(r, n, reads);
+        const int operation = r->node[n].operation, order = m->order_of[n];
+        if (order > r->node[n].order) {
+            return -1;
+        }
+        for (int i = 0; i < count; i++) {
+            const int is_base = (operation == OP_SLOPE || operation == OP_GULLIES) && i == 0;
+            if (m->order_of[reads[i]] < order + is_base) {
+                m->order_of[reads[i]] = (uint8_t)(order + is_base);
+            }
+        }
+        highest = order > highest ? order : highest;
+    }
+    return highest;
+}
+
+/* Divides what is left of the scratch memory into registers and positions. Returns 0 if no point
+   fits in. */
+static int set_memory(struct recipe_machine *m, int dimensions, int order, size_t size)
+{
+    m->floats = arrays_of(dimensions, order);
+    const size_t each = bytes_for((size_t)m->schedule->registers, m->floats, dimensions, GRANULE) -
+                        MACHINE_BYTES - ALIGNMENT;
+    m->room = size / each * GRANULE;
+    m->room = m->room < MOST_POINTS ? m->room : MOST_POINTS;
+    char *at = (char *)m + MACHINE_BYTES;
+    for (int i = 0; i < dimensions; i++) {
+        m->position[i] = at;
+        at += m->room * sizeof(double);
+    }
+    m->registers = (float *)(void *)at;
+    return m->room > 0;
+}
+
+static void run_steps(struct recipe_machine *m, const struct recipe_chunk *chunk, int from, int to)
+{
+    m->chunk = chunk;
+    memset(m->state, GUARD_UNKNOWN, sizeof m->state);
+    for (int k = from; k < to; k++) {
+        const int n = m->schedule->step[k];
+        if (m->schedule->guard_of[n] != 0 &&
+            scarp_recipe_is_left_out(m, m->schedule->guard_of[n])) {
+            continue;
+        }
+        if (m->recipe->node[n].place >= 0) {
+            scarp_recipe_run_placed(m, n);
+        } else if (m->recipe->node[n].operation != OP_COMPONENT) {
+            scarp_recipe_run_operation(m, n);
+        }
+    }
+}
+
+/* Whether an output has exactly the members that are computed of its node. */
+static int has_all_members(const struct recipe_machine *m, int node,
+                           const struct scarp_samples *out)
+{
+    const struct scarp_samples s = scarp_recipe_samples(m, node);
+    for (int i = 0; i < MEMBERS; i++) {
+        if ((member(&s, i) == NULL) != (member(out, i) == NULL)) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+static int is_read(const struct recipe_machine *m, int node)
+{
+    for (int k = 0; k < m->schedule->steps; k++) {
+        int16_t reads[RECIPE_READS];
+        const int count = scarp_recipe_reads(m->recipe, m->schedule->step[k], reads);
+        for (int i = 0; i < count; i++) {
+            if (reads[i] == node) {
+                return 1;
+            }
+        }
+    }
+    return 0;
+}
+
+/* The outputs that can be computed where the caller wants them; the others are copied there. */
+static unsigned find_directs(const struct recipe_machine *m, const struct recipe_evaluation *call)
+{
+    unsigned directs = 0;
+    for (int i = 0; i < call->outputs; i++) {
+        int is_alone =
+            has_all_members(m, call->root[i], &call->out[i]) && !is_read(m, call->root[i]);
+        for (int j = 0; j < call->outputs; j++) {
+            is_alone = is_alone && (i == j || call->root[i] != call->root[j]);
+        }
+        directs |= (unsigned)is_alone << i;
+    }
+    return directs;
+}
+
+/* Copies outputs that are in registers: `width` elements, `step` apart from the next ones. */
+struct target {
+    size_t from; /* the first element */
+    size_t width, rows, slices, row_stride, slice_stride;
+};
+
+static void copy_outputs(const struct recipe_machine *m, const struct recipe_evaluation *call,
+                         unsigned directs, const struct target *to)
+{
+    for (int i = 0; i < call->outputs; i++) {
+        if ((directs >> i & 1) != 0) {
+            continue;
+        }
+        const struct scarp_samples s = scarp_recipe_samples(m, call->root[i]);
+        for (int k = 0; k < MEMBERS; k++) {
+            const float *source = member(&s, k);
+            float *const array = member(&call->out[i], k);
+            for (size_t row = 0; array != NULL && row < to->rows * to->slices; row++) {
+                memcpy(array + to->from + row % to->rows * to->row_stride +
+                           row / to->rows * to->slice_stride,
+                       source, to->width * sizeof *array);
+                source += to->width;
+            }
+        }
+    }
+}
+
+static void run_points(struct recipe_machine *m, const struct recipe_evaluation *call)
+{
+    const unsigned directs = find_directs(m, call);
+    const size_t bytes = call->has_doubles ? sizeof(double) : sizeof(float);
+    for (size_t i = 0; i < call->count; i += m->room) {
+        struct recipe_chunk chunk = {.count =
+                                         call->count - i < m->room ? call->count - i : m->room};
+        for (int axis = 0; axis < call->recipe->dimensions; axis++) {
+            chunk.at[axis] = (const char *)call->at[axis] + i * bytes;
+        }
+        m->directs = directs;
+        m->direct_from = i;
+        run_steps(m, &chunk, 0, m->schedule->steps);
+        copy_outputs(m, call, directs,
+                     &(struct target){.from = i, .width = chunk.count, .rows = 1, .slices = 1});
+    }
+}
+
+/* Repeats what was computed of the first slice for all slices of a column. */
+static void repeat_columns(const struct recipe_machine *m, size_t points, size_t slices)
+{
+    for (int k = 0; k < m->schedule->columns; k++) {
+        const struct scarp_samples s = scarp_recipe_samples(m, m->schedule->step[k]);
+        for (int i = 0; i < MEMBERS; i++) {
+            float *const array = member(&s, i);
+            for (size_t slice = 1; array != NULL && slice < slices; slice++) {
+                memcpy(array + slice * points, array, points * sizeof *array);
+            }
+        }
+    }
+}
+
+/* A piece of a grid: whole columns of it, as many slices at once as there is room for. */
+static void run_piece(struct recipe_machine *m, const struct recipe_evaluation *call,
+                      unsigned directs, const struct scarp_grid *piece)
+{
+    const struct scarp_grid *const g = call->grid;
+    const size_t points = piece->count[0] * piece->count[1];
+    const size_t slices = call->recipe->dimensions == 3 ? g->count[2] : 1;
+    const size_t most = m->room / points < slices ? m->room / points : slices;
+    const size_t from = (size_t)(piece->first[1] - g->first[1]) * g->row_stride +
+                        (size_t)(piece->first[0] - g->first[0]);
+    struct scarp_grid part = *piece;
+    struct recipe_chunk chunk = {.count = points, .grid = &part};
+    const int columns = call->recipe->dimensions == 3 ? m->schedule->columns : 0;
+    const int is_whole = piece->count[0] == g->row_stride || piece->count[1] == 1;
+    part.count[2] = 1;
+    if (columns > 0) {
+        m->directs = 0;
+        run_steps(m, &chunk, 0, columns);
+        repeat_columns(m, points, most);
+    }
+    for (size_t slice = 0; slice < slices; slice += most) {
+        part.first[2] = g->first[2] + (int64_t)slice;
+        part.count[2] = slices - slice < most ? slices - slice : most;
+        chunk.count = points * part.count[2];
+        const struct target to = {.from = from + slice * g->slice_stride,
+                                  .width = piece->count[0],
+                                  .rows = piece->count[1],
+                                  .slices = part.count[2],
+                                  .row_stride = g->row_stride,
+                                  .slice_stride = g->slice_stride};
+        const int is_tight = is_whole && (part.count[2] == 1 || g->slice_stride == points);
+        const unsigned chosen = is_tight ? directs : 0;
+        m->directs = chosen;
+        m->direct_from = to.from;
+        run_steps(m, &chunk, columns, m->schedule->steps);
+        copy_outputs(m, call, chosen, &to);
+    }
+}
+
+static void run_grid(struct recipe_machine *m, const struct recipe_evaluation *call)
+{
+    const struct scarp_grid *const g = call->grid;
+    const size_t slices = call->recipe->dimensions == 3 ? g->count[2] : 1;
+    const size_t most = m->room < PIECE ? m->room : PIECE;
+    const size_t width = g->count[0] < most ? g->count[0] : most;
+    /* In space, a piece is as deep as it is high, if there is room. */
+    size_t rows = m->room / width;
+    while (slices > 1 && rows > 1 && rows * rows > m->room / width) {
+        rows = rows / 2;
+    }
+    rows = rows < g->count[1] ? rows : g->count[1];
+    unsigned directs = find_directs(m, call);
+    for (int i = 0; i < call->outputs; i++) { /* what is computed once per column is copied */
+        for (int k = 0; k < m->schedule->columns; k++) {
+            directs &= ~((unsigned)(m->schedule->step[k] == call->root[i]) << i);
+        }
+    }
+    for (size_t row = 0; row < g->count[1]; row += rows) {
+        for (size_t column = 0; column < g->count[0]; column += width) {
+            struct scarp_grid piece = *g;
+            piece.row_stride = piece.slice_stride = 0;
+            piece.first[0] += (int64_t)column;
+            piece.first[1] += (int64_t)row;
+            piece.count[0] = g->count[0] - column < width ? g->count[0] - column : width;
+            piece.count[1] = g->count[1] - row < rows ? g->count[1] - row : rows;
+            run_piece(m, call, directs, &piece);
+        }
+    }
+}
+
+enum scarp_status scarp_recipe_evaluate(const struct recipe_evaluation *call)
+{
+    const size_t lost = -(uintptr_t)call->memory % ALIGNMENT;
+    if (call->size < lost + MACHINE_BYTES) {
+        return SCARP_ERROR_SIZE;
+    }
+    struct recipe_machine *const m = (void *)((char *)call->memory + lost);
+    memset(m, 0, sizeof *m);
+    m->recipe = call->recipe;
+    m->schedule = call->schedule;
+    m->has_doubles = call->has_doubles != 0;
+    m->out = call->out;
+    m->root = call->root;
+    const int order = set_orders(m, call);
+    if (order < 0) {
+        return SCARP_ERROR_UNSUPPORTED;
+    }
+    if (!set_memory(m, call->recipe->dimensions, order, call->size - lost - MACHINE_BYTES)) {
+        return SCARP_ERROR_SIZE;
+    }
+    if (call->grid != NULL) {
+        run_grid(m, call);
+    } else {
+        run_points(m, call);
+    }
+    return SCARP_OK;
+}

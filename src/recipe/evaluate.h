@@ -1,0 +1,37 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Runs the steps of a recipe over points or a grid, chunk by chunk.
+ */
+#ifndef SCARP_RECIPE_EVALUATE_H
+#define SCARP_RECIPE_EVALUATE_H
+
+#include <stddef.h>
+
+#include "recipe.h"
+
+/* A call, once its arguments are checked. */
+struct recipe_evaluation {
+    const struct recipe *recipe;
+    const struct recipe_schedule *schedule;
+    int outputs;
+    int16_t root[RECIPE_OUTPUTS]; /* nodes */
+    const struct scarp_samples *out;
+    int has_doubles;
+    size_t count;
+    const void *at[3];
+    const struct scarp_grid *grid; /* with strides; NULL: points */
+    void *memory;
+    size_t size;
+};
+
+/* Checks what is asked for, and the scratch memory, and evaluates. */
+enum scarp_status scarp_recipe_evaluate(const struct recipe_evaluation *call);
+
+/* The order of what a call asks for; -1: something that does not exist. */
+int scarp_recipe_order_of(const struct scarp_samples *out, int dimensions);
+
+/* Bytes that registers for so many points take, with derivatives up to an order. */
+size_t scarp_recipe_bytes(const struct recipe *recipe, const struct recipe_schedule *schedule,
+                          int order, size_t points);
+
+#endif

@@ -1,0 +1,38 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Nodes, places, noises and gullies of a recipe: equal ones stand there once. What is added to a
+ * full list is -1.
+ */
+#ifndef SCARP_RECIPE_GRAPH_H
+#define SCARP_RECIPE_GRAPH_H
+
+#include "recipe.h"
+
+/* Adds a node: its operation, what it reads, and its numbers. The rest follows from these. */
+int scarp_recipe_add_node(struct recipe *recipe, struct recipe_node node);
+
+/* Adds a place. Its dimensions are there; m and t are 0 beyond them. */
+int scarp_recipe_add_place(struct recipe *recipe, struct recipe_place place);
+
+/* Adds a noise with a warp, or -1. */
+int scarp_recipe_add_noise(struct recipe *recipe, const struct scarp_noise *noise, int warp);
+
+int scarp_recipe_add_gullies(struct recipe *recipe, const struct scarp_gullies *gullies);
+
+/* Adds knots of a curve: the index of the first. */
+int scarp_recipe_add_knots(struct recipe *recipe, int count, float (*knots)[2]);
+
+/* A noise with its warps, which are in noise[1] and on. */
+void scarp_recipe_spell_noise(const struct recipe *recipe, int index, struct scarp_noise noise[5]);
+
+/* All nodes that a node reads: operands, and coordinates of its place. At most RECIPE_READS. */
+enum { RECIPE_READS = 3 + 3 * (RECIPE_FRAMES + 1) };
+int scarp_recipe_reads(const struct recipe *recipe, int node, int16_t reads[RECIPE_READS]);
+
+/* The dimensions of a frame, which is a place, or -1 for the points. */
+int scarp_recipe_frame_dimensions(const struct recipe *recipe, int frame);
+
+/* The matrix of a place by the coordinates of the points, without what fields displace. */
+void scarp_recipe_matrix(const struct recipe *recipe, int place, double matrix[3][3]);
+
+#endif

@@ -1,0 +1,24 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Interval arithmetic: what the values of nodes never leave.
+ *
+ * Intervals are computed in float, by the operations that compute values. These keep order,
+ * rounding included, so the ends bound what floats give. Operations that do not have a little room.
+ */
+#ifndef SCARP_RECIPE_INTERVAL_H
+#define SCARP_RECIPE_INTERVAL_H
+
+#include "recipe.h"
+
+/* The interval of a node, of those of the nodes that it reads: in `of`, or if that is NULL, in the
+   nodes themselves. Coordinates of points are in the box, or if that is NULL, any. */
+struct recipe_interval scarp_recipe_interval_of(const struct recipe *recipe,
+                                                const struct recipe_node *node,
+                                                const struct recipe_interval *of,
+                                                const struct scarp_box *box);
+
+/* The interval of a node for points in a box. */
+struct recipe_interval scarp_recipe_interval_in(const struct recipe *recipe, int node,
+                                                const struct scarp_box *box);
+
+#endif

@@ -1,0 +1,53 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * What runs a recipe: registers for a chunk of points, and where these points are.
+ */
+#ifndef SCARP_RECIPE_MACHINE_H
+#define SCARP_RECIPE_MACHINE_H
+
+#include <stdbool.h>
+#include <stddef.h>
+
+#include "recipe.h"
+
+/* Points that go through the steps together: of arrays, or of a grid. */
+struct recipe_chunk {
+    size_t count;
+    const void *at[3];             /* of floats or doubles; not read if there is a grid */
+    const struct scarp_grid *grid; /* without gaps between rows and slices; NULL: arrays */
+};
+
+struct recipe_machine {
+    const struct recipe *recipe;
+    const struct recipe_schedule *schedule;
+    bool has_doubles;
+    size_t room;   /* points of a register */
+    size_t floats; /* of a register, for each point */
+    float *registers;
+    void *position[3];              /* arrays of `room` doubles */
+    uint8_t order_of[RECIPE_NODES]; /* of the derivatives that are computed */
+    uint8_t state[RECIPE_GUARDS + 1];
+    const struct recipe_chunk *chunk;
+    struct scarp_noise noise[5];     /* of the step that runs, with its warps */
+    const struct scarp_samples *out; /* the caller's arrays */
+    const int16_t *root;             /* their nodes */
+    unsigned directs;                /* a bit for each output that is computed there, */
+    size_t direct_from;              /* from this element on */
+};
+
+/* Whether what a guard has is left out for this chunk. */
+enum { GUARD_UNKNOWN, GUARD_OPEN, GUARD_LEFT_OUT };
+
+/* Where a node is: the members that are computed of it, others are NULL. */
+struct scarp_samples scarp_recipe_samples(const struct recipe_machine *m, int node);
+
+/* positions.c: nodes that have a place. */
+void scarp_recipe_run_placed(struct recipe_machine *m, int node);
+
+/* operations.c: nodes that combine others. */
+void scarp_recipe_run_operation(struct recipe_machine *m, int node);
+
+/* Whether a guard's nodes are left out. */
+bool scarp_recipe_is_left_out(struct recipe_machine *m, int guard);
+
+#endif

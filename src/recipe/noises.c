@@ -1,0 +1,512 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Noises, vector noise, cells and gullies: their members, and the nodes that sample them.
+ */
+#include <math.h>
+#include <string.h>
+
+#include "compile.h"
+#include "graph.h"
+
+static const struct recipe_value nothing = {SCARP_RECIPE_BAD, -1, 0.0};
+
+/* Arguments of noise(), in their order; words come first. */
+enum {
+    NOISE_BASIS,
+    NOISE_FRACTAL,
+    NOISE_FADE,
+    NOISE_ROTATE,
+    NOISE_SIZE,
+    NOISE_FREQUENCY,
+    NOISE_SEED,
+    NOISE_OCTAVES,
+    NOISE_OF_OCTAVES,
+    NOISE_PHASE = 13,
+    NOISE_PERIOD = 16,
+    NOISE_PERIOD_X
+};
+
+/* Arguments of gullies(). */
+enum { GULLIES_SIZE = 1, GULLIES_FREQUENCY, GULLIES_SEED, GULLIES_AMPLITUDE, GULLIES_ROTATE = 20 };
+
+static uint64_t splitmix(uint64_t start, uint64_t number)
+{
+    uint64_t z = start + number * UINT64_C(0x9E3779B97F4A7C15);
+    z = (z ^ z >> 30) * UINT64_C(0xBF58476D1CE4E5B9);
+    z = (z ^ z >> 27) * UINT64_C(0x94D049BB133111EB);
+    return z ^ z >> 31;
+}
+
+/* Numbers up to 63 belong to octaves, warps and curls. */
+uint64_t scarp_recipe_seed_of(uint64_t world, double number)
+{
+    return number == 0.0 ? world : splitmix(splitmix(world, 1), 64 + (uint64_t)number);
+}
+
+static int take_seed(struct recipe_compiler *c, int e, uint64_t *seed)
+{
+    double number;
+    if (!scarp_recipe_take_number(c, e, &number)) {
+        return 0;
+    }
+    if (!(number >= 0.0 && number <= 0x1p53) || (double)(uint64_t)number != number) {
+        return scarp_recipe_bad(c, e, "a seed is a whole number from 0 to 2^53", NULL), 0;
+    }
+    *seed = scarp_recipe_seed_of(c->recipe->seed, number);
+    return 1;
+}
+
+/* A frequency, given as such or as the length of a cell. */
+static int take_frequency(struct recipe_compiler *c, int size, int frequency, double *to)
+{
+    double number;
+    if (size >= 0 && frequency >= 0) {
+        return scarp_recipe_bad(c, frequency, "size and frequency say the same", NULL), 0;
+    }
+    if (size < 0 && frequency < 0) {
+        return 1;
+    }
+    if (!scarp_recipe_take_number(c, size >= 0 ? size : frequency, &number)) {
+        return 0;
+    }
+    *to = size >= 0 ? 1.0 / number : number;
+    if (!(*to >= 0x1p-32 && *to <= 0x1p48)) {
+        return scarp_recipe_bad(c, size >= 0 ? size : frequency,
+                                "a frequency is from 2^-32 to 2^48, and a size 1 over that", NULL),
+               0;
+    }
+    return 1;
+}
+
+static int take_words(struct recipe_compiler *c, const int16_t argument[RECIPE_ARGUMENTS],
+                      struct scarp_noise *noise)
+{
+    const struct scarp_recipe_function *const f = scarp_recipe_function_number(FUNCTION_NOISE);
+    int word[NOISE_SIZE];
+    for (int i = 0; i < NOISE_SIZE; i++) {
+        word[i] = argument[i] < 0
+                      ? -1
+                      : scarp_recipe_word_of(c->recipe, c->recipe->expression[argument[i]].name,
+                                             &f->argument[i]);
+    }
+    noise->basis = (enum scarp_basis)(word[NOISE_BASIS] < 0 ? 0 : word[NOISE_BASIS]);
+    noise->fractal = (enum scarp_fractal)(word[NOISE_FRACTAL] < 0 ? 0 : word[NOISE_FRACTAL]);
+    noise->fade = (enum scarp_fade)(word[NOISE_FADE] < 0 ? 0 : word[NOISE_FADE]);
+    noise->rotate = word[NOISE_ROTATE] == 0;
+    return 1;
+}
+
+static int take_periods(struct recipe_compiler *c, const int16_t argument[RECIPE_ARGUMENTS],
+                        struct scarp_noise *noise)
+{
+    for (int i = NOISE_PERIOD; i < NOISE_PERIOD_X + 3; i++) {
+        double number;
+        if (argument[i] < 0) {
+            continue;
+        }
+        if (!scarp_recipe_take_number(c, argument[i], &number)) {
+            return 0;
+        }
+        if (!(number >= 0.0 && number <= 0x1p30) || (double)(uint32_t)number != number) {
+            return scarp_recipe_bad(c, argument[i],
+                                    "a period is a whole number of cells, up to 2^30", NULL),
+                   0;
+        }
+        for (int axis = 0; axis < c->recipe->dimensions; axis++) {
+            if (i == NOISE_PERIOD || i == NOISE_PERIOD_X + axis) {
+                noise->period[axis] = (uint32_t)number;
+            }
+        }
+    }
+    return 1;
+}
+
+static int take_members(struct recipe_compiler *c, const int16_t argument[RECIPE_ARGUMENTS],
+                        struct scarp_noise *noise)
+{
+    float *const member[] = {&noise->octaves, &noise->of_octaves, &noise->lacunarity,
+                             &noise->gain,    &noise->amplitude,  &noise->erosion,
+                             &noise->phase,   &noise->jitter,     &noise->sharpness};
+    for (int i = NOISE_OCTAVES; i < NOISE_PERIOD; i++) {
+        double number;
+        if (argument[i] < 0) {
+            continue;
+        }
+        if (!scarp_recipe_take_number(c, argument[i], &number)) {
+            return 0;
+        }
+        if ((float)number == 0.0f && i != NOISE_PHASE && i != NOISE_OF_OCTAVES) {
+            return scarp_recipe_bad(c, argument[i], "this member of a noise must not be 0", NULL),
+                   0;
+        }
+        *member[i - NOISE_OCTAVES] = (float)number;
+    }
+    return take_frequency(c, argument[NOISE_SIZE], argument[NOISE_FREQUENCY], &noise->frequency) &&
+           (argument[NOISE_SEED] < 0 || take_seed(c, argument[NOISE_SEED], &noise->seed)) &&
+           take_periods(c, argument, noise);
+}
+
+static int described(struct recipe_compiler *c, int call)
+{
+    int16_t argument[RECIPE_ARGUMENTS];
+    int knots;
+    struct scarp_noise noise;
+    memset(&noise, 0, sizeof noise); /* padding, too: noises are compared */
+    noise.seed = c->recipe->seed;
+    if (!scarp_recipe_bind(c, call, FUNCTION_NOISE, argument, &knots) ||
+        !take_words(c, argument, &noise) || !take_members(c, argument, &noise)) {
+        return -2;
+    }
+    const char *member = NULL;
+    if (scarp_noise_check(&noise, c->recipe->dimensions, &member) != SCARP_OK) {
+        const struct scarp_recipe_function *const f = scarp_recipe_function_number(FUNCTION_NOISE);
+        int at = call;
+        for (int i = 0; i < f->arguments; i++) {
+            at = member != NULL && argument[i] >= 0 && strcmp(f->argument[i].name, member) == 0
+                     ? argument[i]
+                     : at;
+        }
+        return scarp_recipe_bad(c, at, "this noise does not exist: a member is at fault", member),
+               -2;
+    }
+    const int added = scarp_recipe_add_noise(c->recipe, &noise, -1);
+    return added < 0 ? (scarp_recipe_full(c, call), -2) : added;
+}
+
+/* warp(n, w) of noises is the noise n with the warp w, if it has none. */
+static int warped(struct recipe_compiler *c, int call)
+{
+    const int first = c->recipe->expression[call].a;
+    const int second = first < 0 ? -1 : c->recipe->expression[first].next;
+    if (second < 0) {
+        return -1;
+    }
+    const int n = scarp_recipe_noise_of(c, first), w = scarp_recipe_noise_of(c, second);
+    if (n < 0 || w < 0 || c->recipe->noise[n].warp >= 0) {
+        return n == -2 || w == -2 ? -2 : -1;
+    }
+    struct scarp_noise noise[5];
+    scarp_recipe_spell_noise(c->recipe, n, noise);
+    const int added = scarp_recipe_add_noise(c->recipe, &noise[0], w);
+    return added < 0 ? (scarp_recipe_full(c, call), -2) : added;
+}
+
+static int noise_of_name(struct recipe_compiler *c, int e)
+{
+    const struct recipe *const r = c->recipe;
+    const int i = scarp_recipe_find(r, r->expression[e].name, r->statements);
+    if (i < 0 || r->statement[i].span.to > r->expression[e].name.from ||
+        r->statement[i].type != STATEMENT_FIELD) {
+        return -1;
+    }
+    if (r->statement[i].expression < 0) {
+        return -2;
+    }
+    if (c->noise[i] == 0) {
+        c->noise[i] = (int16_t)(scarp_recipe_noise_of(c, r->statement[i].expression) + 3);
+    }
+    return c->noise[i] - 3;
+}
+
+int scarp_recipe_noise_of(struct recipe_compiler *c, int e)
+{
+    struct recipe_expression *const x = &c->recipe->expression[e];
+    int noise = -1;
+    if (c->depth == RECIPE_DEPTH) {
+        return scarp_recipe_bad(c, e, "expressions are nested more than 40 deep, through names",
+                                NULL),
+               -2;
+    }
+    c->depth++;
+    if (x->type == EXPRESSION_NAME) {
+        noise = noise_of_name(c, e);
+    } else if (x->type == EXPRESSION_CALL && scarp_recipe_is(c->recipe, x->name, "noise")) {
+        noise = described(c, e);
+    } else if (x->type == EXPRESSION_CALL && scarp_recipe_is(c->recipe, x->name, "warp")) {
+        noise = warped(c, e);
+    }
+    c->depth--;
+    if (noise >= 0) {
+        x->kind = SCARP_RECIPE_NOISE;
+    }
+    return noise;
+}
+
+/* Octaves whose cells are smaller than `finest` units of the place are left out; the last one fades
+   in. */
+static void limit(struct scarp_noise *noise, double finest)
+{
+    const double lacunarity = noise->lacunarity != 0.0f ? (double)noise->lacunarity : 2.0;
+    const double octaves = noise->octaves != 0.0f ? (double)noise->octaves : 1.0;
+    double cell = 1.0 / (noise->frequency != 0.0 ? noise->frequency : 1.0), kept = 1.0;
+    while (lacunarity > 1.0 && kept < octaves && cell / lacunarity >= finest) {
+        cell /= lacunarity;
+        kept += 1.0;
+    }
+    if (lacunarity > 1.0 && kept < octaves) {
+        const double fraction = (cell - finest) / (cell - cell / lacunarity);
+        kept += fraction > 0.0 ? fraction : 0.0;
+    }
+    if (kept < octaves) {
+        noise->of_octaves = noise->of_octaves != 0.0f ? noise->of_octaves : (float)octaves;
+        noise->octaves = (float)kept;
+    }
+}
+
+/* The period along an axis in cells, of a tile. Returns 0 on an error. */
+static int fit_tile(struct recipe_compiler *c, int e, int axis, const double matrix[3][3],
+                    double frequency, uint32_t *period)
+{
+    for (int i = 0; i < 3; i++) {
+        if (i != axis && matrix[axis][i] != 0.0) {
+            return scarp_recipe_bad(
+                       c, e, "what is turned does not repeat, and the recipe has a tile", NULL),
+                   0;
+        }
+    }
+    const double cells =
+        c->recipe->tile[axis] * fabs(matrix[axis][axis]) * (frequency != 0.0 ? frequency : 1.0);
+    const double whole = cells < 1.0      ? 1.0
+                         : cells > 0x1p30 ? 0x1p30
+                                          : (double)(uint32_t)(cells + 0.5);
+    if (!(fabs(cells - whole) <= 1e-9 * whole)) {
+        if (c->errors != NULL) {
+            c->errors->nearest = c->recipe->tile[axis] * fabs(matrix[axis][axis]) / whole;
+        }
+        return scarp_recipe_bad(c, e,
+                                "the tile is no whole number of cells; the nearest size that "
+                                "fits is told",
+                                NULL),
+               0;
+    }
+    *period = (uint32_t)whole;
+    return 1;
+}
+
+/* How many units of a place one unit of the points has, at most. */
+static double scale_of(const double matrix[3][3])
+{
+    double most = 0.0;
+    for (int i = 0; i < 3; i++) {
+        const double square =
+            matrix[i][0] * matrix[i][0] + matrix[i][1] * matrix[i][1] + matrix[i][2] * matrix[i][2];
+        most = square > most ? square : most;
+    }
+    return sqrt(most);
+}
+
+/* A noise as it is at a place: with the period of the tile, and without what is too fine. */
+static int finished(struct recipe_compiler *c, int e, int noise, int place)
+{
+    struct recipe *const r = c->recipe;
+    struct scarp_noise levels[5];
+    double matrix[3][3];
+    if (noise < 0 || (r->finest == 0.0 && !r->is_tiled)) {
+        return noise;
+    }
+    const int warp = finished(c, e, r->noise[noise].warp, place);
+    scarp_recipe_matrix(r, place, matrix);
+    scarp_recipe_spell_noise(r, noise, levels);
+    for (int axis = 0; r->is_tiled && axis < r->place[place].dimensions; axis++) {
+        if (!fit_tile(c, e, axis, (const double(*)[3])matrix, levels[0].frequency,
+                      &levels[0].period[axis])) {
+            return -2;
+        }
+    }
+    if (r->finest != 0.0) {
+        limit(&levels[0], r->finest * scale_of((const double(*)[3])matrix));
+    }
+    const int added = warp == -2 ? -2 : scarp_recipe_add_noise(r, &levels[0], warp);
+    return added == -1 ? (scarp_recipe_full(c, e), -2) : added;
+}
+
+static int depth_of(const struct recipe *recipe, int noise)
+{
+    int depth = -1;
+    for (; noise >= 0; noise = recipe->noise[noise].warp) {
+        depth++;
+    }
+    return depth;
+}
+
+/* Moves warps of the place into the noise, which the library bends by itself, and spells out what
+   is left of them. Returns 0 on an error. */
+static int settle(struct recipe_compiler *c, int e, int *noise, int *place)
+{
+    struct recipe *const r = c->recipe;
+    struct scarp_noise levels[5];
+    while (r->place[*place].warp >= 0 && r->noise[*noise].warp < 0 &&
+           depth_of(r, r->place[*place].warp) < 4) {
+        scarp_recipe_spell_noise(r, *noise, levels);
+        *noise = scarp_recipe_add_noise(r, &levels[0], r->place[*place].warp);
+        *place = r->place[*place].before;
+        if (*noise < 0) {
+            return scarp_recipe_full(c, e), 0;
+        }
+    }
+    *place = scarp_recipe_spelled_out(c, e, *place);
+    *noise = *place < 0 ? -2 : finished(c, e, *noise, *place);
+    if (*noise < 0) {
+        return 0;
+    }
+    const char *member;
+    scarp_recipe_spell_noise(r, *noise, levels);
+    if (scarp_noise_check(&levels[0], r->place[*place].dimensions, &member) != SCARP_OK) {
+        return scarp_recipe_bad(c, e, "this noise does not exist: a member is at fault", member), 0;
+    }
+    return 1;
+}
+
+struct recipe_value scarp_recipe_sampled(struct recipe_compiler *c, int e, int noise, int place)
+{
+    if (!settle(c, e, &noise, &place)) {
+        return nothing;
+    }
+    struct recipe_node node = scarp_recipe_operation(OP_NOISE, -1, -1);
+    node.index = (int16_t)noise;
+    node.place = (int16_t)place;
+    return scarp_recipe_node(c, e, node);
+}
+
+int scarp_recipe_components(struct recipe_compiler *c, int e, int noise, int place,
+                            int16_t component[3])
+{
+    if (!settle(c, e, &noise, &place)) {
+        return 0;
+    }
+    struct recipe_node node = scarp_recipe_operation(OP_VECTOR, -1, -1);
+    node.index = (int16_t)noise;
+    node.place = (int16_t)place;
+    component[0] = (int16_t)scarp_recipe_node(c, e, node).node;
+    for (int i = 1; i < c->recipe->place[place].dimensions && component[i - 1] >= 0; i++) {
+        struct recipe_node other = scarp_recipe_operation(OP_COMPONENT, component[0], -1);
+        other.detail = (uint8_t)i;
+        component[i] = (int16_t)scarp_recipe_node(c, e, other).node;
+    }
+    return component[c->recipe->place[place].dimensions - 1] >= 0;
+}
+
+struct recipe_value scarp_recipe_cell(struct recipe_compiler *c, int e, int noise, int what,
+                                      int place)
+{
+    struct recipe *const r = c->recipe;
+    struct scarp_noise levels[5];
+    scarp_recipe_spell_noise(r, noise, levels);
+    levels[0].octaves = 1.0f; /* others change nothing */
+    noise = scarp_recipe_add_noise(r, &levels[0], -1);
+    place = scarp_recipe_spelled_out(c, e, place);
+    if (noise < 0 || place < 0) {
+        return noise < 0 ? scarp_recipe_full(c, e) : nothing;
+    }
+    struct recipe_node node = scarp_recipe_operation(OP_CELL, -1, -1);
+    node.index = (int16_t)finished(c, e, noise, place);
+    node.place = (int16_t)place;
+    node.detail = (uint8_t)what;
+    return node.index < 0 ? nothing : scarp_recipe_node(c, e, node);
+}
+
+/* Effects that are not wanted are 0 in recipes, where the library takes 0 for a default. */
+static int take_gullies(struct recipe_compiler *c, int call,
+                        const int16_t argument[RECIPE_ARGUMENTS], struct scarp_gullies *g)
+{
+    float *const member[] = {&g->amplitude, &g->octaves, &g->of_octaves, &g->lacunarity,
+                             &g->gain,      &g->depth,   &g->cells,      &g->slope,
+                             &g->slope_low, &g->low,     &g->high,       &g->floor,
+                             &g->stripes,   &g->branch,  &g->round,      &g->keep};
+    for (int i = GULLIES_AMPLITUDE; i < GULLIES_ROTATE; i++) {
+        double number;
+        if (argument[i] < 0) {
+            continue;
+        }
+        if (!scarp_recipe_take_number(c, argument[i], &number)) {
+            return 0;
+        }
+        float *const to = member[i - GULLIES_AMPLITUDE];
+        const int is_effect = to == &g->depth || to == &g->low || to == &g->high ||
+                              to == &g->floor || to == &g->branch || to == &g->keep;
+        *to = (float)number;
+        if (*to == 0.0f && to != &g->of_octaves) {
+            if (!is_effect) {
+                return scarp_recipe_bad(c, argument[i], "this member of gullies must not be 0",
+                                        NULL),
+                       0;
+            }
+            *to = 0x1p-24f;
+        }
+    }
+    g->rotate = argument[GULLIES_ROTATE] >= 0;
+    if (!take_frequency(c, argument[GULLIES_SIZE], argument[GULLIES_FREQUENCY], &g->frequency) ||
+        (argument[GULLIES_SEED] >= 0 && !take_seed(c, argument[GULLIES_SEED], &g->seed))) {
+        return 0;
+    }
+    const char *member_at_fault;
+    if (scarp_gullies_check(g, &member_at_fault) != SCARP_OK) {
+        return scarp_recipe_bad(c, call, "these gullies do not exist: a member is at fault",
+                                member_at_fault),
+               0;
+    }
+    return 1;
+}
+
+/* The members of gullies at a place: an index, or -1 on an error. */
+static int gullies_at(struct recipe_compiler *c, int call, int place)
+{
+    int16_t argument[RECIPE_ARGUMENTS];
+    int knots;
+    double matrix[3][3];
+    struct scarp_gullies g;
+    memset(&g, 0, sizeof g);
+    g.seed = c->recipe->seed;
+    if (!scarp_recipe_bind(c, call, FUNCTION_GULLIES, argument, &knots) ||
+        !take_gullies(c, call, argument, &g)) {
+        return -1;
+    }
+    scarp_recipe_matrix(c->recipe, place, matrix);
+    for (int axis = 0; c->recipe->is_tiled && axis < 2; axis++) {
+        if (!fit_tile(c, call, axis, (const double(*)[3])matrix, g.frequency, &g.period[axis])) {
+            return -1;
+        }
+    }
+    const char *member;
+    if (scarp_gullies_check(&g, &member) != SCARP_OK) {
+        return scarp_recipe_bad(c, call, "these gullies do not exist: a member is at fault", member)
+            .node;
+    }
+    const int added = scarp_recipe_add_gullies(c->recipe, &g);
+    return added < 0 ? scarp_recipe_full(c, call).node : added;
+}
+
+struct recipe_value scarp_recipe_gullies(struct recipe_compiler *c, int call, int place,
+                                         int is_displacement)
+{
+    struct recipe *const r = c->recipe;
+    const int framed = scarp_recipe_framed(c, call, place);
+    if (framed < 0) {
+        return nothing;
+    }
+    if (r->place[framed].dimensions != 2) {
+        return scarp_recipe_bad(c, call, "gullies are of the plane: see flat", NULL);
+    }
+    const int f = r->expression[call].a;
+    const int base = scarp_recipe_field(c, f, scarp_recipe_value(c, f, framed));
+    if (base < 0) {
+        return nothing;
+    }
+    if (r->node[base].order < 2) {
+        return scarp_recipe_bad(c, f,
+                                "gullies need a base with second derivatives, which erosion, "
+                                "swiss, jordan, slope and gullies do not have",
+                                NULL);
+    }
+    struct recipe_node node = scarp_recipe_operation(OP_GULLIES, base, -1);
+    node.place = (int16_t)framed;
+    node.index = (int16_t)gullies_at(c, call, framed);
+    if (node.index < 0) {
+        return nothing;
+    }
+    struct recipe_value value = scarp_recipe_node(c, call, node);
+    if (value.kind != SCARP_RECIPE_BAD && !is_displacement) {
+        value = scarp_recipe_node(c, call, scarp_recipe_operation(OP_ADD, base, value.node));
+    }
+    return scarp_recipe_pulled(c, call, place, value);
+}

@@ -1,0 +1,433 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Nodes that have a place: noise, cells, gullies, coordinates. The place is computed point by
+ * point, and derivatives by its coordinates u become derivatives by those of the frame, x, with the
+ * Jacobian J = m + grad rest:
+ *
+ *     gradient J^T g,   Hessian J^T H J + sum_k g_k (Hessian of rest_k)
+ */
+#include <string.h>
+
+#include "graph.h"
+#include "machine.h"
+
+#define BLOCK 64 /* points */
+
+/* The second derivative by axes i <= j, as members of struct scarp_samples are in order. */
+static float *second(const struct scarp_samples *s, int i, int j)
+{
+    float *const all[3][3] = {
+        {s->dxx, s->dxy, s->dxz}, {s->dxy, s->dyy, s->dyz}, {s->dxz, s->dyz, s->dzz}};
+    return all[i][j];
+}
+
+static float *first(const struct scarp_samples *s, int i)
+{
+    return i == 0 ? s->dx : i == 1 ? s->dy : s->dz;
+}
+
+/* Whether the coordinates of a place are those of the points, in every bit. */
+static bool is_points(const struct recipe_machine *m, int place)
+{
+    (void)m;
+    return place == 0;
+}
+
+static void spread_grid(const struct recipe_machine *m)
+{
+    const struct scarp_grid *const g = m->chunk->grid;
+    double *const x = m->position[0], *const y = m->position[1], *const z = m->position[2];
+    const size_t slices = m->recipe->dimensions == 3 ? g->count[2] : 1;
+    size_t i = 0;
+    for (size_t slice = 0; slice < slices; slice++) {
+        const double at_z = g->origin[2] + (double)(g->first[2] + (int64_t)slice) * g->step[2];
+        for (size_t row = 0; row < g->count[1]; row++) {
+            const double at_y = g->origin[1] + (double)(g->first[1] + (int64_t)row) * g->step[1];
+            for (size_t column = 0; column < g->count[0]; column++, i++) {
+                x[i] = g->origin[0] + (double)(g->first[0] + (int64_t)column) * g->step[0];
+                y[i] = at_y;
+                if (m->recipe->dimensions == 3) {
+                    z[i] = at_z;
+                }
+            }
+        }
+    }
+}
+
+/* Coordinates of the points, in arrays of the machine. */
+static void spread(const struct recipe_machine *m)
+{
+    if (m->chunk->grid != NULL) {
+        spread_grid(m);
+        return;
+    }
+    const size_t bytes = m->chunk->count * (m->has_doubles ? sizeof(double) : sizeof(float));
+    for (int i = 0; i < m->recipe->dimensions; i++) {
+        memcpy(m->position[i], m->chunk->at[i], bytes);
+    }
+}
+
+/* Both loops are the same, in double and in float. */
+#define TRANSFORM(type)                                                                            \
+    static void transform_##type(const struct recipe_machine *m, const struct recipe_place *p,     \
+                                 int from, const float *const rest[3])                             \
+    {                                                                                              \
+        type *const x = m->position[0], *const y = m->position[1], *const z = m->position[2];      \
+        type k[3][3], t[3];                                                                        \
+        for (int i = 0; i < 3; i++) {                                                              \
+            for (int j = 0; j < 3; j++) {                                                          \
+                k[i][j] = (type)p->m[i][j];                                                        \
+            }                                                                                      \
+            t[i] = (type)p->t[i];                                                                  \
+        }                                                                                          \
+        for (size_t i = 0; i < m->chunk->count; i++) {                                             \
+            const type a = x[i], b = y[i];                                                         \
+            if (from == 3) {                                                                       \
+                const type c = z[i];                                                               \
+                x[i] = k[0][0] * a + k[0][1] * b + k[0][2] * c + t[0];                             \
+                y[i] = k[1][0] * a + k[1][1] * b + k[1][2] * c + t[1];                             \
+                z[i] = k[2][0] * a + k[2][1] * b + k[2][2] * c + t[2];                             \
+            } else {                                                                               \
+                x[i] = k[0][0] * a + k[0][1] * b + t[0];                                           \
+                y[i] = k[1][0] * a + k[1][1] * b + t[1];                                           \
+            }                                                                                      \
+        }                                                                                          \
+        for (int j = 0; j < p->dimensions; j++) {                                                  \
+            type *const u = m->position[j];                                                        \
+            for (size_t i = 0; rest[j] != NULL && i < m->chunk->count; i++) {                      \
+                u[i] += (type)rest[j][i];                                                          \
+            }                                                                                      \
+        }                                                                                          \
+    }
+
+TRANSFORM(double)
+TRANSFORM(float)
+
+/* The coordinates of a place, in arrays of the machine. */
+static void find_positions(const struct recipe_machine *m, int place)
+{
+    const struct recipe_place *const p = &m->recipe->place[place];
+    const float *rest[3] = {NULL, NULL, NULL};
+    if (p->frame >= 0) {
+        find_positions(m, p->frame);
+    } else {
+        spread(m);
+    }
+    if (is_points(m, place)) {
+        return;
+    }
+    for (int i = 0; i < p->dimensions; i++) {
+        if (p->rest[i] >= 0) {
+            rest[i] = scarp_recipe_samples(m, p->rest[i]).value;
+        }
+    }
+    const int from = scarp_recipe_frame_dimensions(m->recipe, p->frame);
+    if (m->has_doubles) {
+        transform_double(m, p, from, rest);
+    } else {
+        transform_float(m, p, from, rest);
+    }
+}
+
+/* What is known of a place for the chain rule. */
+struct jacobian {
+    const struct recipe_place *place;
+    int from, to; /* dimensions of u and of x */
+    int order;
+    struct scarp_samples rest[3];
+};
+
+static void pull_block(const struct jacobian *by, size_t at, size_t count,
+                       const struct scarp_samples *in, const struct scarp_samples *out)
+{
+    float j[3][3][BLOCK], g[3][BLOCK], r[9][BLOCK];
+    for (int k = 0; k < by->from; k++) {
+        for (int i = 0; i < by->to; i++) {
+            const float m = (float)by->place->m[k][i];
+            const float *const rest = by->place->rest[k] >= 0 ? first(&by->rest[k], i) : NULL;
+            for (size_t n = 0; n < count; n++) {
+                j[k][i][n] = rest != NULL ? m + rest[at + n] : m;
+            }
+        }
+        memcpy(g[k], first(in, k) + at, count * sizeof(float));
+    }
+    for (int i = 0; i < by->to; i++) {
+        for (size_t n = 0; n < count; n++) {
+            r[i][n] = by->from == 3
+                          ? j[0][i][n] * g[0][n] + j[1][i][n] * g[1][n] + j[2][i][n] * g[2][n]
+                          : j[0][i][n] * g[0][n] + j[1][i][n] * g[1][n];
+        }
+    }
+    int seconds = 3;
+    for (int a = 0; a < by->to && by->order == 2; a++) {
+        for (int b = a; b < by->to; b++, seconds++) {
+            float *const sum = r[seconds];
+            memset(sum, 0, count * sizeof *sum);
+            for (int k = 0; k < by->from; k++) {
+                for (int l = 0; l < by->from; l++) {
+                    const float *const h = second(in, k, l) + at;
+                    for (size_t n = 0; n < count; n++) {
+                        sum[n] += j[k][a][n] * (h[n] * j[l][b][n]);
+                    }
+                }
+                const float *const rest =
+                    by->place->rest[k] >= 0 ? second(&by->rest[k], a, b) : NULL;
+                for (size_t n = 0; rest != NULL && n < count; n++) {
+                    sum[n] += g[k][n] * rest[at + n];
+                }
+            }
+        }
+    }
+    seconds = 3;
+    for (int a = 0; a < by->to; a++) {
+        memcpy(first(out, a) + at, r[a], count * sizeof(float));
+        for (int b = a; b < by->to && by->order == 2; b++, seconds++) {
+            memcpy(second(out, a, b) + at, r[seconds], count * sizeof(float));
+        }
+    }
+}
+
+/* Brings derivatives from the coordinates of a place to those of its frame. `in` and `out` may be
+   the same. */
+static void pull(const struct recipe_machine *m, int place, int order,
+                 const struct scarp_samples *in, const struct scarp_samples *out)
+{
+    struct jacobian by = {.place = &m->recipe->place[place], .order = order};
+    by.from = by.place->dimensions;
+    by.to = scarp_recipe_frame_dimensions(m->recipe, by.place->frame);
+    for (int k = 0; k < by.from; k++) {
+        if (by.place->rest[k] >= 0) {
+            by.rest[k] = scarp_recipe_samples(m, by.place->rest[k]);
+        }
+    }
+    for (size_t at = 0; order > 0 && at < m->chunk->count; at += BLOCK) {
+        const size_t left = m->chunk->count - at;
+        pull_block(&by, at, left < BLOCK ? left : BLOCK, in, out);
+    }
+}
+
+/* Whether derivatives by u are those by x. */
+static bool is_frame(const struct recipe_machine *m, int place)
+{
+    const struct recipe_place *const p = &m->recipe->place[place];
+    bool same = p->dimensions == scarp_recipe_frame_dimensions(m->recipe, p->frame);
+    for (int i = 0; i < p->dimensions; i++) {
+        same = same && p->rest[i] < 0;
+        for (int j = 0; j < 3; j++) {
+            same = same && p->m[i][j] == (i == j ? 1.0 : 0.0);
+        }
+    }
+    return same;
+}
+
+/* The arrays of a node that a call in so many dimensions may write. */
+static struct scarp_samples in_dimensions(struct scarp_samples s, int dimensions)
+{
+    if (dimensions == 2) {
+        s.dz = s.dxz = s.dyz = s.dzz = NULL;
+    }
+    return s;
+}
+
+/* Where the points of a call are: of a place. */
+struct points {
+    size_t count;
+    const void *at[3];
+};
+
+static struct points points_of(const struct recipe_machine *m, int place)
+{
+    struct points p = {.count = m->chunk->count};
+    const bool is_given = is_points(m, place) && m->chunk->grid == NULL;
+    if (!is_given) {
+        find_positions(m, place);
+    }
+    for (int i = 0; i < 3; i++) {
+        p.at[i] = is_given ? m->chunk->at[i] : m->position[i];
+    }
+    return p;
+}
+
+static void run_noise(struct recipe_machine *m, const struct recipe_node *n,
+                      const struct scarp_samples *out)
+{
+    struct scarp_noise *const noise = m->noise;
+    const int dimensions = m->recipe->place[n->place].dimensions;
+    scarp_recipe_spell_noise(m->recipe, n->index, noise);
+    if (is_points(m, n->place) && m->chunk->grid != NULL) {
+        (void)(dimensions == 2 ? scarp_grid2(noise, m->chunk->grid, out)
+                               : scarp_grid3(noise, m->chunk->grid, out));
+        return;
+    }
+    const struct points p = points_of(m, n->place);
+    if (m->has_doubles) {
+        (void)(dimensions == 2 ? scarp_sample2_f64(noise, p.count, p.at[0], p.at[1], out)
+                               : scarp_sample3_f64(noise, p.count, p.at[0], p.at[1], p.at[2], out));
+    } else {
+        (void)(dimensions == 2 ? scarp_sample2(noise, p.count, p.at[0], p.at[1], out)
+                               : scarp_sample3(noise, p.count, p.at[0], p.at[1], p.at[2], out));
+    }
+}
+
+/* The nodes of the components that are computed; -1: not. */
+static void find_components(const struct recipe_machine *m, int node, int component[3])
+{
+    component[0] = node;
+    component[1] = component[2] = -1;
+    for (int k = 0; k < m->schedule->steps; k++) {
+        const int other = m->schedule->step[k];
+        const struct recipe_node *const o = &m->recipe->node[other];
+        if (o->operation == OP_COMPONENT && o->in[0] == node) {
+            component[o->detail] = other;
+        }
+    }
+}
+
+static void run_vector(struct recipe_machine *m, int node)
+{
+    const struct recipe_node *const n = &m->recipe->node[node];
+    struct scarp_noise *const noise = m->noise;
+    struct scarp_samples out[3] = {{0}}, all[3] = {{0}};
+    int component[3];
+    const int dimensions = m->recipe->place[n->place].dimensions;
+    scarp_recipe_spell_noise(m->recipe, n->index, noise);
+    find_components(m, node, component);
+    for (int i = 0; i < dimensions; i++) {
+        if (component[i] >= 0) {
+            all[i] = scarp_recipe_samples(m, component[i]);
+            out[i] = in_dimensions(all[i], dimensions);
+        }
+    }
+    const struct points p = points_of(m, n->place);
+    if (m->has_doubles) {
+        (void)(dimensions == 2 ? scarp_vector2_f64(noise, p.count, p.at[0], p.at[1], out)
+                               : scarp_vector3_f64(noise, p.count, p.at[0], p.at[1], p.at[2], out));
+    } else {
+        (void)(dimensions == 2 ? scarp_vector2(noise, p.count, p.at[0], p.at[1], out)
+                               : scarp_vector3(noise, p.count, p.at[0], p.at[1], p.at[2], out));
+    }
+    for (int i = 0; i < dimensions && !is_frame(m, n->place); i++) {
+        if (component[i] >= 0) {
+            pull(m, n->place, m->order_of[component[i]], &out[i], &all[i]);
+        }
+    }
+}
+
+static void set_numbers(size_t count, float *array)
+{
+    for (size_t i = 0; i < count; i++) {
+        uint32_t id;
+        memcpy(&id, &array[i], sizeof id);
+        array[i] = (float)((double)(int32_t)id * 0x1p-31);
+    }
+}
+
+static void run_cell(struct recipe_machine *m, const struct recipe_node *n,
+                     const struct scarp_samples *out)
+{
+    struct scarp_noise *const noise = m->noise;
+    const int dimensions = m->recipe->place[n->place].dimensions;
+    struct scarp_cells to = {0};
+    scarp_recipe_spell_noise(m->recipe, n->index, noise);
+    if (n->detail == 0) {
+        to.id = (uint32_t *)(void *)out->value;
+    } else if (n->detail == 1) {
+        to = (struct scarp_cells){.f1 = out->value, .dx1 = out->dx, .dy1 = out->dy, .dz1 = out->dz};
+    } else {
+        to = (struct scarp_cells){.f2 = out->value, .dx2 = out->dx, .dy2 = out->dy, .dz2 = out->dz};
+    }
+    const struct points p = points_of(m, n->place);
+    if (m->has_doubles) {
+        (void)(dimensions == 2 ? scarp_cells2_f64(noise, p.count, p.at[0], p.at[1], &to)
+                               : scarp_cells3_f64(noise, p.count, p.at[0], p.at[1], p.at[2], &to));
+    } else {
+        (void)(dimensions == 2 ? scarp_cells2(noise, p.count, p.at[0], p.at[1], &to)
+                               : scarp_cells3(noise, p.count, p.at[0], p.at[1], p.at[2], &to));
+    }
+    if (n->detail == 0) {
+        set_numbers(p.count, out->value);
+        for (int i = 0; i < 3; i++) {
+            if (first(out, i) != NULL) {
+                memset(first(out, i), 0, p.count * sizeof(float));
+            }
+            for (int j = i; j < 3; j++) {
+                if (second(out, i, j) != NULL) {
+                    memset(second(out, i, j), 0, p.count * sizeof(float));
+                }
+            }
+        }
+    }
+}
+
+static void run_gullies(const struct recipe_machine *m, const struct recipe_node *n,
+                        const struct scarp_samples *out)
+{
+    const struct scarp_gullies *const g = &m->recipe->gully[n->index];
+    const struct scarp_samples base = scarp_recipe_samples(m, n->in[0]);
+    const struct scarp_eroded to = {
+        .displacement = out->value, .displacement_dx = out->dx, .displacement_dy = out->dy};
+    if (is_points(m, n->place) && m->chunk->grid != NULL) {
+        (void)scarp_gullies_grid2(g, m->chunk->grid, &base, &to);
+        return;
+    }
+    const struct points p = points_of(m, n->place);
+    if (m->has_doubles) {
+        (void)scarp_gullies2_f64(g, p.count, p.at[0], p.at[1], &base, &to);
+    } else {
+        (void)scarp_gullies2(g, p.count, p.at[0], p.at[1], &base, &to);
+    }
+}
+
+static void run_coordinate(const struct recipe_machine *m, const struct recipe_node *n, int order,
+                           const struct scarp_samples *out)
+{
+    const struct recipe_place *const place = &m->recipe->place[n->place];
+    const int axis = n->detail, to = scarp_recipe_frame_dimensions(m->recipe, place->frame);
+    const size_t count = m->chunk->count;
+    const struct points p = points_of(m, n->place);
+    struct scarp_samples rest = {0};
+    if (place->rest[axis] >= 0) {
+        rest = scarp_recipe_samples(m, place->rest[axis]);
+    }
+    for (size_t i = 0; i < count; i++) {
+        out->value[i] = m->has_doubles ? (float)((const double *)p.at[axis])[i]
+                                       : ((const float *)p.at[axis])[i];
+    }
+    for (int a = 0; a < to && order > 0; a++) {
+        const float slope = (float)place->m[axis][a];
+        const float *const by = first(&rest, a);
+        for (size_t i = 0; i < count; i++) {
+            first(out, a)[i] = by != NULL ? slope + by[i] : slope;
+        }
+        for (int b = a; b < to && order > 1; b++) {
+            const float *const of = second(&rest, a, b);
+            for (size_t i = 0; i < count; i++) {
+                second(out, a, b)[i] = of != NULL ? of[i] : 0.0f;
+            }
+        }
+    }
+}
+
+void scarp_recipe_run_placed(struct recipe_machine *m, int node)
+{
+    const struct recipe_node *const n = &m->recipe->node[node];
+    const struct scarp_samples all = scarp_recipe_samples(m, node);
+    const struct scarp_samples out = in_dimensions(all, m->recipe->place[n->place].dimensions);
+    const int order = m->order_of[node];
+    switch (n->operation) {
+    case OP_COORDINATE: run_coordinate(m, n, order, &all); return;
+    case OP_VECTOR: run_vector(m, node); return;
+    case OP_GULLIES: run_gullies(m, n, &all); return; /* which stand in a frame */
+    case OP_PULL: {
+        const struct scarp_samples in = scarp_recipe_samples(m, n->in[0]);
+        memcpy(all.value, in.value, m->chunk->count * sizeof(float));
+        pull(m, n->place, order, &in, &all);
+        return;
+    }
+    case OP_CELL: run_cell(m, n, n->detail == 0 ? &all : &out); break;
+    default: run_noise(m, n, &out); break;
+    }
+    if (!is_frame(m, n->place) && !(n->operation == OP_CELL && n->detail == 0)) {
+        pull(m, n->place, order, &out, &all);
+    }
+}
