@@ -1,12 +1,17 @@
 # SPDX-License-Identifier: MIT
 # The programs of src/examples draw the committed pictures, and compile as a reader would do it.
 
-# scarp_add_picture_test(EXAMPLE NAME CLASS [tool...]): CLASS of test_picture.py
+# scarp_add_picture_test(EXAMPLE NAME CLASS [tool...]): CLASS of test_picture.py; PROGRAM, if it is set,
+# has the name of the program
 function(scarp_add_picture_test example name class)
+  set(program ${example})
+  if(PROGRAM)
+    set(program ${PROGRAM})
+  endif()
   set(test example.${example}.${name})
   scarp_add_test(${test} example NEEDS python3 ${ARGN}
                  COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/test_picture.py ${example} ${class}
-                 ${CMAKE_CROSSCOMPILING_EMULATOR} $<TARGET_FILE:${example}>)
+                 ${CMAKE_CROSSCOMPILING_EMULATOR} $<TARGET_FILE:${program}>)
   if(TEST ${test})
     set_tests_properties(${test} PROPERTIES ENVIRONMENT
                          "SCARP_SPEED=${speed};PYTHONDONTWRITEBYTECODE=1")
@@ -19,6 +24,16 @@ foreach(example cloud mountains)
   scarp_add_picture_test(${example} arguments Arguments)
   scarp_add_picture_test(${example} picture Picture full-speed)
 endforeach()
+
+# The recipes; on all sets, tests/recipe.cmake compares their like
+block()
+  set(PROGRAM paint)
+  foreach(recipe alps clouds marble overworld range)
+    scarp_add_picture_test(${recipe} small Small)
+    scarp_add_picture_test(${recipe} picture Picture full-speed)
+  endforeach()
+  scarp_add_picture_test(range arguments Arguments)
+endblock()
 
 scarp_add_test(example.compile package NEEDS python3
                COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/test_picture_compile.py

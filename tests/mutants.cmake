@@ -35,7 +35,7 @@ if(CMAKE_C_FLAGS MATCHES "-fsanitize")
 endif()
 
 set(mutants_beside_vector ${oracle_sources})
-foreach(test bits chain curl golden grid gullies plan vector)
+foreach(test bits chain curl golden grid gullies plan recipe_bits vector)
   add_library(mutant_${test}_test OBJECT test_${test}.c ${mutants_beside_${test}})
   scarp_compile_rules(mutant_${test}_test)
   target_include_directories(mutant_${test}_test PRIVATE ${PROJECT_SOURCE_DIR}/include)
@@ -44,7 +44,8 @@ foreach(test bits chain curl golden grid gullies plan vector)
   add_executable(mutant_${test} mutants/run.c $<TARGET_OBJECTS:mutant_${test}_test>)
   scarp_compile_rules(mutant_${test})
   target_include_directories(mutant_${test} PRIVATE mutants)
-  target_compile_definitions(mutant_${test} PRIVATE _POSIX_C_SOURCE=200809L TEST="${test}")
+  target_compile_definitions(mutant_${test} PRIVATE _POSIX_C_SOURCE=200809L TEST="${test}"
+                             RECIPES_FILE="${CMAKE_CURRENT_SOURCE_DIR}/recipes.txt")
   target_link_libraries(mutant_${test} PRIVATE scarp_mutants ${SCARP_LIBM})
   set(program_of_${test} ${test}) # of a word after SEEN_BY
 endforeach()

@@ -1,10 +1,11 @@
 # SPDX-License-Identifier: MIT
 """The examples src/examples/*.c that draw pictures: what they draw, and what they refuse.
 
-    test_picture.py EXAMPLE Arguments|Picture|isa=NAME [EMULATOR...] PROGRAM
+    test_picture.py EXAMPLE Arguments|Picture|Small|isa=NAME [EMULATOR...] PROGRAM
 
-Where a picture is meant to change, this writes src/examples/EXAMPLE.png anew, and prints what its
-line of SMALL has to be:
+An EXAMPLE may be one of the recipes in src/examples/recipes, which the program paint draws.
+Where a picture is meant to change, this writes EXAMPLE.png anew, and prints what its line of SMALL
+has to be:
 
     test_picture.py EXAMPLE --write PROGRAM
 """
@@ -23,17 +24,33 @@ from rasters import decode_png, decode_pnm
 SKIPPED = 77
 PICTURES = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "src", "examples")
 LARGEST_FILE = 500 * 1000
-WIDTH_HEIGHT = {"cloud": (960, 540), "mountains": (640, 360)}
+WIDTH_HEIGHT = {"cloud": (960, 540)}
+# How the recipes are drawn
+RECIPES = {"alps": "--units 1600 --seed 3", "overworld": "--units 6000 --seed 7",
+           "range": "--units 5000 --seed 0", "marble": "--units 3 --tones --seed 1",
+           "clouds": "--units 6000 --seed 2"}
 # SHA-256 of small pictures, on every machine; where code runs slowly, the smallest is enough
 SMALL = {
     "cloud": {"32x18": "7b447340771cfc4db51f94542124b8f39ffbec4311b55aa55593a1ca4bcbc113",
               "96x54": "f0d89c54f585aea39c292b40962a2294b40f583d692ce42b0fc6f118b15b8fb9"},
     "mountains": {"32x18": "9e061547d276b03910eda45293476b0f9c436f4355701788599dc47665b87489",
                   "96x54": "346e8874722b87193411b19a17332852d4a20f9111fb501f66cec8a6c67acdcb"},
+    "alps": {"32x18": "1636fe91e583abe034dda31d3f840150057b1e5e9d9ad26c8c52535543d20599",
+               "96x54": "79cbaf5a1f00df476c3fd30f281bbc15a8b482ea0d1be8422a3f35599706962e"},
+    "overworld": {"32x18": "5f5726b6d8c49912364446a68748fcccb6f06dcc11b0f1f9554c406da9caa7fd",
+               "96x54": "33019f513a0c2b8bfbf4e899201ef2b50b764c370218f24ba22faf9cf3e84893"},
+    "range": {"32x18": "0cdd26f925ffb1957e07d4e35aea9f4dbbbd53a2acce5a441dbe9a9db92b4a97",
+               "96x54": "00796f88b43fc8ec0b5d99eb4569302ff55aafdc90df5a65f4e619e120ca2786"},
+    "marble": {"32x18": "3aeea5ac01d6e19adec690fa2e59036b416fd018bf40ccb9d2af054f846f6ba7",
+               "96x54": "71dd35046e99ee18b5d2537b8e2c19bccd2983b7f15e3e76f28bc8aef01e2049"},
+    "clouds": {"32x18": "0a82dddf215896ad8b64c6f38822cc4ca7a8b4eaf3623d5f4a44d895d5370dc0",
+               "96x54": "7f10a21fb78696cd9029ddb63c4b15d3d823e07cea07ec7e82ad65cdf33e0c10"},
 }
 SIZES = ["32x18", "96x54"] if os.environ.get("SCARP_SPEED") == "full" else ["32x18"]
 EXAMPLE = sys.argv[1]
-PICTURE = os.path.join(PICTURES, EXAMPLE + ".png")
+NAME = "paint" if EXAMPLE in RECIPES else EXAMPLE  # of the program
+FOLDER = os.path.join(PICTURES, "recipes") if EXAMPLE in RECIPES else PICTURES
+PICTURE = os.path.join(FOLDER, EXAMPLE + ".png")
 PROGRAM = []
 
 
@@ -56,11 +73,17 @@ class Isa(unittest.TestCase):
             self.assertEqual(sha256(drawn.stdout), SMALL[EXAMPLE][size], size)
 
 
+class Small(unittest.TestCase):
+    def test_bytes(self):
+        for size in SIZES:
+            self.assertEqual(sha256(run(size).stdout), SMALL[EXAMPLE][size], size)
+
+
 class Arguments(unittest.TestCase):
     def refused(self, *arguments):
         result = run(*arguments)
         self.assertEqual((result.returncode, result.stdout), (2, b""), arguments)
-        self.assertRegex(result.stderr.decode(), EXAMPLE + r": [^\n]+\n\Z")
+        self.assertRegex(result.stderr.decode(), NAME + r": [^\n]+\n\Z")
         return result.stderr.decode()
 
     def test_sizes(self):
@@ -79,7 +102,7 @@ class Arguments(unittest.TestCase):
                 self.assertEqual(file.read(), run("5x2").stdout)
             failed = run("5x2", os.path.join(folder, "missing", "picture.ppm"))
             self.assertEqual((failed.returncode, failed.stdout), (1, b""))
-            self.assertRegex(failed.stderr.decode(), EXAMPLE + r": [^\n]+\n\Z")
+            self.assertRegex(failed.stderr.decode(), NAME + r": [^\n]+\n\Z")
 
     def test_refused(self):
         for size in ("0x5", "5x0", "960", "960x", "960x540x2", "16385x1", "1x16385", "9e9x1",
@@ -97,7 +120,7 @@ class Picture(unittest.TestCase):
             committed = file.read()
         self.assertLess(len(committed), LARGEST_FILE)
         drawn, shown = decode_pnm(run().stdout), decode_png(committed)
-        self.assertEqual(shown.shape(), (*WIDTH_HEIGHT[EXAMPLE], 3, 8))
+        self.assertEqual(shown.shape(), (*WIDTH_HEIGHT.get(EXAMPLE, (640, 360)), 3, 8))
         self.assertEqual(drawn.shape(), shown.shape())
         self.assertTrue(drawn.rows == shown.rows, PICTURE + " is another picture")
 
@@ -137,6 +160,8 @@ def write():
 
 def main():
     group, PROGRAM[:] = sys.argv[2], sys.argv[3:]
+    if EXAMPLE in RECIPES:
+        PROGRAM.extend(RECIPES[EXAMPLE].split() + [os.path.join(FOLDER, EXAMPLE + ".recipe")])
     if group == "--write":
         return write()
     if group.startswith("isa="):

@@ -27,12 +27,14 @@ def main():
         skip("the examples are not sanitized here")
     os.makedirs(scratch, exist_ok=True)
     folder = os.path.dirname(library)
-    for name, standard in (("cloud", "-std=c11"), ("mountains", "-std=gnu17")):
+    alps = os.path.join(source, "src", "examples", "recipes", "alps.recipe")
+    for name, standard, *more in (("cloud", "-std=c11"), ("mountains", "-std=gnu17"),
+                                  ("paint", "-std=c11", alps)):
         program = os.path.join(scratch, name)
         subprocess.run([compiler, standard, "-O3", *WARNINGS, "-I", os.path.join(source, "include"),
                         os.path.join(source, "src", "examples", name + ".c"), "-L", folder,
                         "-lscarp", "-lm", "-Wl,-rpath," + folder, "-o", program], check=True)
-        drawn = subprocess.run(emulator + [program, "16x9"], check=True, stdout=subprocess.PIPE)
+        drawn = subprocess.run(emulator + [program, "16x9", *more], check=True, stdout=subprocess.PIPE)
         head = b"P6\n16 9\n255\n"
         if not drawn.stdout.startswith(head) or len(drawn.stdout) != len(head) + 3 * 16 * 9:
             sys.exit(name + " draws no picture of 16 x 9 pixels")

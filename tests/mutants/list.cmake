@@ -12,7 +12,8 @@
 #            scalar kernels'), vector (components of vector
 #            noise from those of the scalar kernels, or from samples and warps), plan (those of kept
 #            plans from those without), grid (results of grids from those of points), large (the same, large grids
-#            alone), golden (hashes from golden.txt), or crash
+#            alone), golden (hashes from golden.txt), recipe_bits (recipes on grids from those at points, and
+#            hashes from recipes.txt), or crash
 #            (the library crashes in the one call where only that can tell; see test_grid.c)
 # SETS       the kernel sets that it is in; all but scalar if this is left out
 
@@ -444,3 +445,30 @@ mutant(gullies.first_keep IN plan/gullies.c TEXT [[k == 0 ? 0.0f : (float)p->kee
        BECOMES [[k == 0 && !MUTANT ? 0.0f : (float)p->keep]] SEEN_BY golden SETS scalar)
 mutant(gullies.reference IN formulas/gullies.h TEXT [[scaled2(fx.u, right)]]
        BECOMES [[scaled2(MUTANT ? fy.u : fx.u, right)]] SEEN_BY golden SETS scalar)
+
+# recipes
+mutant(recipe.seed IN recipe TEXT [[64 + (uint64_t)number]] BECOMES [[64 + MUTANT + (uint64_t)number]]
+       SEEN_BY recipe_bits SETS scalar)
+mutant(recipe.displacement IN recipe TEXT [[u[i] += (type)rest[j][i];]]
+       BECOMES [[u[i] += (type)(MUTANT ? 0.0f : rest[j][i]);]] SEEN_BY recipe_bits SETS scalar)
+mutant(recipe.jacobian IN recipe TEXT [[rest != NULL ? m + rest[at + n] : m]]
+       BECOMES [[rest != NULL && !MUTANT ? m + rest[at + n] : m]] SEEN_BY recipe_bits SETS scalar)
+mutant(recipe.curvature IN recipe TEXT [[sum[n] += g[k][n] * rest[at + n];]]
+       BECOMES [[sum[n] += MUTANT ? 0.0f : g[k][n] * rest[at + n];]] SEEN_BY recipe_bits SETS scalar)
+mutant(recipe.frame IN recipe TEXT [[if (p < 0 || is_frame(c->recipe, p)) {]]
+       BECOMES [[if (MUTANT || p < 0 || is_frame(c->recipe, p)) {]] SEEN_BY recipe_bits SETS scalar)
+mutant(recipe.left_out IN recipe TEXT [[copy(count, &in[!operand], out);]]
+       BECOMES [[copy(count, &in[MUTANT ? operand : !operand], out);]] SEEN_BY recipe_bits SETS scalar)
+mutant(recipe.columns IN recipe TEXT [[for (size_t slice = 1; array != NULL]]
+       BECOMES [[for (size_t slice = MUTANT ? 2 : 1; array != NULL]] SEEN_BY recipe_bits SETS scalar)
+mutant(recipe.registers IN recipe TEXT [=[(stays || r.last[reads[i]] == steps ? steps : k)]=]
+       BECOMES [=[((stays && !MUTANT) || r.last[reads[i]] == steps ? steps : k)]=]
+       SEEN_BY recipe_bits SETS scalar)
+mutant(recipe.guard IN recipe TEXT [[if (has(&below, n) && !has(&outside, n)]]
+       BECOMES [[if (has(&below, n) && (MUTANT || !has(&outside, n))]] SEEN_BY recipe_bits SETS scalar)
+mutant(recipe.piece IN recipe TEXT [[piece.first[1] += (int64_t)row;]]
+       BECOMES [[piece.first[1] += MUTANT ? 0 : (int64_t)row;]] SEEN_BY recipe_bits SETS scalar)
+mutant(recipe.shared IN recipe TEXT [[a->index == b->index]]
+       BECOMES [[(MUTANT || a->index == b->index)]] SEEN_BY recipe_bits SETS scalar)
+mutant(shapes.curve IN calls TEXT [[2.0f * (s / (s + t)) * t]]
+       BECOMES [[(MUTANT ? 0.5f * (s + t) : 2.0f * (s / (s + t)) * t)]] SEEN_BY recipe_bits SETS scalar)

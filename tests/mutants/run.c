@@ -26,7 +26,8 @@
 
 int test_main(int argc, char **argv);
 
-/* How a test program is called so that it ends soon. "ISA" and "FILE" stand for the arguments. */
+/* How a test program is called so that it ends soon. "ISA" and "FILE" stand for the
+   arguments, "RECIPES" for the hashes of recipes. */
 static const struct {
     const char *test, *seen_by; /* seen_by "": no mistake is switched on */
     const char *arguments[WORDS];
@@ -47,20 +48,24 @@ static const struct {
     {"gullies", "gullies", {"--must-differ", "ISA"}},
     {"plan", "", {"ISA"}},
     {"plan", "plan", {"--must-differ", "ISA"}},
+    {"recipe_bits", "", {"ISA", "5", "RECIPES"}},
+    {"recipe_bits", "recipe_bits", {"--must-differ", "ISA", "60", "RECIPES"}},
     {"vector", "", {"ISA"}},
     {"vector", "vector", {"--must-differ", "ISA"}},
 };
 
 static int call_test(int run, char *isa, char *file)
 {
-    static char program[] = "test";
+    static char program[] = "test", recipes[] = RECIPES_FILE;
     char *argv[WORDS + 2] = {program};
     int argc = 1;
     for (; argc <= WORDS && runs[run].arguments[argc - 1] != NULL; argc++) {
         const char *const word = runs[run].arguments[argc - 1];
         argv[argc] = strcmp(word, "ISA") == 0    ? isa
                      : strcmp(word, "FILE") == 0 ? file
-                                                 : (char *)(size_t)word; /* nobody writes to it */
+                     : strcmp(word, "RECIPES") == 0
+                         ? recipes
+                         : (char *)(size_t)word; /* nobody writes to it */
     }
     return test_main(argc, argv);
 }
