@@ -51,7 +51,8 @@ int bench_count_outputs(const struct bench_work *work)
 
 void bench_sizes_raise(struct bench_sizes *sizes, const struct bench_work *work)
 {
-    if (work->layout != BENCH_GRID && work->points > sizes->points) {
+    if (work->layout != BENCH_GRID && work->layout != BENCH_RECIPE_GRID &&
+        work->points > sizes->points) {
         sizes->points = work->points;
     }
     for (int i = 0; i < bench_count_outputs(work); i++) {

@@ -8,8 +8,8 @@
 #include <stdio.h>
 #include <string.h>
 
-static const char *const layout_names[] = {"points", "grid", "normals", "product",
-                                           "vector", "curl", "gullies"};
+static const char *const layout_names[] = {"points", "grid",    "normals", "product",    "vector",
+                                           "curl",   "gullies", "recipe",  "recipe-grid"};
 static const char *const pattern_names[] = {"", "/sequential", "/same-cell"};
 static const char *const warp_names[] = {"", "/warped", "/warped-by-value"};
 static const char *const output_names[BENCH_OUTPUTS] = {
@@ -45,6 +45,17 @@ void bench_work_write_name(struct bench_work *work)
                  layout_names[work->layout], work->dimensions, work->octaves,
                  work->turned ? "/turned" : "", work->f64 ? "/f64" : "", output_names[work->output],
                  work->points);
+        return;
+    }
+    if (work->layout == BENCH_RECIPE) {
+        snprintf(work->name, sizeof work->name, "%s%d/%s%s/%s/n=%zu", layout_names[work->layout],
+                 work->dimensions, work->title, work->f64 ? "/f64" : "", output_names[work->output],
+                 work->points);
+        return;
+    }
+    if (work->layout == BENCH_RECIPE_GRID) {
+        snprintf(work->name, sizeof work->name, "%s%d/%s/%s/%zu", layout_names[work->layout],
+                 work->dimensions, work->title, output_names[work->output], work->grid[0]);
         return;
     }
     char fade[16] = "", fractal[32] = "", title[32] = "", size[72] = "", period[24] = "", edges[32];

@@ -32,6 +32,11 @@ struct bench_peer {
        them. NULL if the peer has none. */
     void (*gullies)(const void *state, size_t count, const float *const x[2],
                     const struct scarp_samples *base, const struct scarp_eroded *out);
+
+    /* Evaluates the recipe of the workload: on its grid, or at points, which are floats or doubles
+       as the workload says. NULL if the peer has none. */
+    void (*recipe)(void *state, const struct bench_work *work, const void *const x[3],
+                   const struct scarp_samples *out);
 };
 
 /* The peer number `index`, counted from 0; NULL when there are no more */
@@ -42,6 +47,7 @@ extern const struct bench_peer bench_peer_libnoise;
 extern const struct bench_peer bench_peer_fastnoiselite;
 extern const struct bench_peer bench_peer_fastnoise2;
 extern const struct bench_peer bench_peer_plain;
+extern const struct bench_peer bench_peer_hand;
 
 #ifdef __cplusplus
 }

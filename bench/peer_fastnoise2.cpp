@@ -5,6 +5,8 @@
  * Its build options decide whether it fuses multiplications into additions; the strict build is
  * told apart by name.
  */
+#include <cstring>
+
 #include <FastNoise/FastNoise.h>
 
 #include "peer.h"
@@ -94,9 +96,49 @@ FastNoise::SmartNode<FastNoise::Generator> sum(FastSIMD::FeatureSet set,
     return node;
 }
 
+FastNoise::SmartNode<FastNoise::Generator> fbm(FastSIMD::FeatureSet set, float scale, int octaves)
+{
+    auto perlin = FastNoise::New<FastNoise::Perlin>(set);
+    auto sum = FastNoise::New<FastNoise::FractalFBm>(set);
+    if (!perlin || !sum) {
+        return nullptr;
+    }
+    perlin->SetScale(scale);
+    sum->SetSource(perlin);
+    sum->SetOctaveCount(octaves);
+    sum->SetGain(0.5f);
+    sum->SetLacunarity(2.0f);
+    return sum;
+}
+
+/* The recipe that it can do, too: two sums of octaves, faded by a third. */
+void *open_fade(const bench_work *work, FastSIMD::FeatureSet set)
+{
+    auto fade = FastNoise::New<FastNoise::Fade>(set);
+    auto product = FastNoise::New<FastNoise::Multiply>(set);
+    auto soft = fbm(set, 400.0f, 6), hard = fbm(set, 250.0f, 8), where = fbm(set, 900.0f, 3);
+    if (!fade || !product || !soft || !hard || !where || fade->GetActiveFeatureSet() != set) {
+        return nullptr;
+    }
+    fade->SetA(soft);
+    fade->SetB(hard);
+    fade->SetFade(where);
+    fade->SetFadeMin(-0.2f);
+    fade->SetFadeMax(0.2f);
+    fade->SetInterpolation(FastNoise::Fade::Interpolation::Quintic);
+    product->SetLHS(fade);
+    product->SetRHS(100.0f);
+    return new State{product, work->dimensions};
+}
+
 void *open(const bench_work *work, scarp_isa isa)
 {
     const FastSIMD::FeatureSet set = level(isa);
+    if (work->layout == BENCH_RECIPE || work->layout == BENCH_RECIPE_GRID) {
+        const bool can = std::strcmp(work->title, "fade") == 0 && work->output == BENCH_VALUE &&
+                         !work->f64 && set != FastSIMD::FeatureSet::Invalid;
+        return can ? open_fade(work, set) : nullptr;
+    }
     if (set == FastSIMD::FeatureSet::Invalid || work->fractal > SCARP_RIDGED ||
         (work->period != 0 && work->dimensions != 2)) {
         return nullptr;
@@ -160,6 +202,17 @@ void grid(const void *opaque, const bench_work *work, float *value)
     }
 }
 
+void recipe(void *state, const bench_work *work, const void *const x[3], const scarp_samples *out)
+{
+    if (work->layout == BENCH_RECIPE_GRID) {
+        grid(state, work, out->value);
+        return;
+    }
+    const float *const at[3] = {static_cast<const float *>(x[0]), static_cast<const float *>(x[1]),
+                                static_cast<const float *>(x[2])};
+    points(state, work->points, at, out->value);
+}
+
 #if defined(FASTSIMD_IS_RELAXED) && FASTSIMD_IS_RELAXED
 const char *const library = "FastNoise2";
 #else
@@ -168,4 +221,5 @@ const char *const library = "FastNoise2-strict";
 
 } // namespace
 
-extern "C" const bench_peer bench_peer_fastnoise2 = {library, open, close, points, grid};
+extern "C" const bench_peer bench_peer_fastnoise2 = {library, open,    close, points,
+                                                     grid,    nullptr, recipe};

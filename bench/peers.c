@@ -18,6 +18,7 @@ static const struct bench_peer *const peers[] = {
 #ifdef SCARP_BENCH_FASTNOISE2
     &bench_peer_fastnoise2,
 #endif
+    &bench_peer_hand,
 #ifdef SCARP_BENCH_PLAIN
     &bench_peer_plain,
 #endif

@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "differences.h"
+#include "recipes.h"
 
 /* Keeps the compiler from dropping work whose result nobody reads. */
 static volatile uint32_t consumed;
@@ -18,11 +19,20 @@ static volatile uint32_t consumed;
 /* Callers of few points at a time keep a plan, as those of the peers keep their objects. */
 #define FEW_POINTS 64
 
+static int is_recipe(const struct bench_work *work)
+{
+    return work->layout == BENCH_RECIPE || work->layout == BENCH_RECIPE_GRID;
+}
+
 static int make_scarp(struct bench_subject *subject, const struct bench_work *work)
 {
     subject->noise = bench_work_noise(work);
     if (!scarp_isa_supported(subject->isa)) {
         return 0;
+    }
+    if (is_recipe(work)) {
+        subject->state = bench_recipe_make(work);
+        return subject->state != NULL;
     }
     if (work->points <= FEW_POINTS) {
         struct scarp_plan *const plan = malloc(sizeof *plan);
@@ -65,6 +75,10 @@ static int make_nearest(struct bench_subject *subject, const struct bench_work *
 static int make_peer(struct bench_subject *subject, const struct bench_work *work)
 {
     const struct bench_peer *const peer = subject->peer;
+    if (is_recipe(work)) {
+        subject->state = peer->recipe != NULL ? peer->open(work, subject->isa) : NULL;
+        return subject->state != NULL;
+    }
     if (work->title != NULL) {
         return make_nearest(subject, work);
     }
@@ -99,7 +113,9 @@ int bench_subject_make(struct bench_subject *subject, const struct bench_work *w
 
 void bench_subject_free(struct bench_subject *subject)
 {
-    if (subject->peer == NULL) {
+    if (subject->peer == NULL && is_recipe(&subject->work)) {
+        bench_recipe_free(subject->state);
+    } else if (subject->peer == NULL) {
         free(subject->state);
     } else if (subject->state != NULL) {
         subject->peer->close(subject->state);
@@ -117,7 +133,7 @@ const char *bench_subject_note(const struct bench_subject *subject)
     }
     const int differences = output == BENCH_CENTRAL_DIFFERENCES ||
                             (subject->peer != NULL && output == BENCH_PLUS_GRADIENT &&
-                             subject->work.layout != BENCH_GULLIES);
+                             subject->work.layout != BENCH_GULLIES && !is_recipe(&subject->work));
     return differences ? "central differences" : "";
 }
 
@@ -162,12 +178,7 @@ static enum scarp_status run_grid(const struct bench_subject *subject,
                                   const struct scarp_samples *out)
 {
     const struct bench_work *const work = &subject->work;
-    struct scarp_grid grid = {.row_stride = 0};
-    for (int d = 0; d < 3; d++) {
-        grid.origin[d] = (double)work->origin[d];
-        grid.step[d] = (double)work->step;
-        grid.count[d] = work->grid[d];
-    }
+    const struct scarp_grid grid = bench_work_grid(work);
     return work->dimensions == 2 ? scarp_grid2(&subject->noise, &grid, out)
                                  : scarp_grid3(&subject->noise, &grid, out);
 }
@@ -225,6 +236,23 @@ static enum scarp_status run_gullies(const struct bench_subject *subject)
                      : scarp_gullies2(&gullies, work->points, x[0], x[1], &base, &out);
 }
 
+/* By scarp or by a peer. */
+static enum scarp_status run_recipe(const struct bench_subject *subject,
+                                    const struct scarp_samples *out)
+{
+    const struct bench_work *const work = &subject->work;
+    float *const *const x = subject->arrays->points[work->pattern];
+    double *const *const w = subject->arrays->points_f64;
+    const void *const at[3] = {work->f64 ? (const void *)w[0] : x[0],
+                               work->f64 ? (const void *)w[1] : x[1],
+                               work->f64 ? (const void *)w[2] : x[2]};
+    if (subject->peer != NULL) {
+        subject->peer->recipe(subject->state, work, at, out);
+        return SCARP_OK;
+    }
+    return bench_recipe_run(subject->state, work, at, out);
+}
+
 /* One call; `out` is made before, as callers of few points at a time do. */
 static enum scarp_status run_scarp(const struct bench_subject *subject,
                                    const struct scarp_samples *out)
@@ -246,6 +274,9 @@ static enum scarp_status run_scarp(const struct bench_subject *subject,
     }
     if (work->layout == BENCH_GULLIES) {
         return run_gullies(subject);
+    }
+    if (is_recipe(work)) {
+        return run_recipe(subject, out);
     }
     if (work->as_points) {
         double *const *const at = subject->samples_at->axis;
@@ -295,7 +326,10 @@ static void run_peer(const struct bench_subject *subject)
     float *const *const to = subject->arrays->outputs;
     float *const *const x = subject->arrays->points[work->pattern];
     const float *const from[3] = {x[0], x[1], x[2]};
-    if (work->layout == BENCH_GULLIES) {
+    if (is_recipe(work)) {
+        const struct scarp_samples out = choose_outputs(subject);
+        run_recipe(subject, &out);
+    } else if (work->layout == BENCH_GULLIES) {
         run_gullies(subject);
     } else if (work->layout == BENCH_GRID && subject->peer->grid == NULL) {
         run_grid_of_points(subject);
@@ -329,9 +363,9 @@ enum scarp_status bench_subject_try(const struct bench_subject *subject)
 
 void bench_subject_run(const struct bench_subject *subject, unsigned long iterations)
 {
+    (void)scarp_isa_select(subject->isa); /* a peer may be the same calls of scarp by hand */
     if (subject->peer == NULL) {
         const struct scarp_samples out = choose_outputs(subject);
-        scarp_isa_select(subject->isa);
         for (unsigned long i = 0; i < iterations; i++) {
             run_scarp(subject, &out);
         }

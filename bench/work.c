@@ -50,6 +50,9 @@ static const size_t other_sizes[] = {1, 4, 16, 64, 256, 4096, 1048576, 0};
 static const size_t squares[] = {256, 1024, 4096, 0}, huge_square[] = {16384, 0};
 static const size_t cubes[] = {64, 256, 0}, large_cube[] = {256, 0};
 static const size_t product_sizes[] = {4096, 1048576, 0}; /* a chunk, and far beyond the caches */
+static const size_t recipe_squares[] = {512, 0}, recipe_cubes[] = {64, 0};
+static const size_t recipe_points[] = {16384, 0}, recipe_few[] = {16, 64, 16384, 0};
+static const float terrain_steps[] = {2, 0}, marble_steps[] = {0.005f, 0}, cloud_steps[] = {20, 0};
 /* Chunks of voxels, with and without a sample more on each side, and tiles of height maps. */
 static const struct shape shapes2[] = {
     {{17, 17, 1}}, {{33, 33, 1}}, {{65, 65, 1}}, {{129, 129, 1}}, {{0, 0, 0}}};
@@ -178,6 +181,40 @@ static const struct product products[] = {
      .bases = GRADIENT,
      .outputs = UP_TO_GRADIENT,
      .sizes = {product_sizes, NULL}},
+    /* Recipes, beside the same calls by hand. */
+    {{.layout = BENCH_RECIPE_GRID, .title = "fade", .dimensions = 2},
+     .bases = GRADIENT,
+     .outputs = UP_TO_GRADIENT,
+     .sizes = {recipe_squares, recipe_cubes},
+     .steps = terrain_steps},
+    {{.layout = BENCH_RECIPE_GRID, .title = "alps", .dimensions = 2},
+     .bases = GRADIENT,
+     .outputs = UP_TO_GRADIENT,
+     .sizes = {recipe_squares, recipe_cubes},
+     .steps = terrain_steps},
+    {{.layout = BENCH_RECIPE_GRID, .title = "overworld", .dimensions = 2},
+     .bases = GRADIENT,
+     .outputs = UP_TO_GRADIENT,
+     .sizes = {recipe_squares, recipe_cubes},
+     .steps = terrain_steps},
+    {{.layout = BENCH_RECIPE_GRID, .title = "marble", .dimensions = 2},
+     .bases = GRADIENT,
+     .outputs = UP_TO_GRADIENT,
+     .sizes = {recipe_squares, recipe_cubes},
+     .steps = marble_steps},
+    {{.layout = BENCH_RECIPE_GRID, .title = "cloud", .dimensions = 3},
+     .bases = GRADIENT,
+     .outputs = UP_TO_GRADIENT,
+     .sizes = {recipe_squares, recipe_cubes},
+     .steps = cloud_steps},
+    {{.layout = BENCH_RECIPE, .title = "fade", .dimensions = 2},
+     .bases = GRADIENT,
+     .outputs = ONLY_VALUE,
+     .sizes = {recipe_points, NULL}},
+    {{.layout = BENCH_RECIPE, .title = "alps", .dimensions = 2, .f64 = 1},
+     .bases = GRADIENT,
+     .outputs = UP_TO_GRADIENT,
+     .sizes = {recipe_few, NULL}},
     /* What `scarp terrain` samples: heights alone, or with what lights them. Those of presets,
        which are one noise, tests/test_bench_presets.c holds to the program's. */
     {{.layout = BENCH_GRID, .title = "preset-none", .octaves = 9, .gain = 0.4f, .dimensions = 2},
@@ -266,6 +303,11 @@ static const struct product products[] = {
 };
 
 /* Completes a workload that has its size. */
+static int is_grid(const struct bench_work *work)
+{
+    return work->layout == BENCH_GRID || work->layout == BENCH_RECIPE_GRID;
+}
+
 static void complete(struct bench_work *work)
 {
     /* The origin is off the lattice planes. Grids that begin on one have samples that miss others
@@ -276,7 +318,7 @@ static void complete(struct bench_work *work)
     work->lacunarity = work->lacunarity != 0.0f ? work->lacunarity : 2.0f;
     work->gain = work->gain != 0.0f ? work->gain : 0.5f;
     work->erosion = work->erosion != 0.0f ? work->erosion : 1.0f;
-    if (work->layout == BENCH_GRID) {
+    if (is_grid(work)) {
         memcpy(work->origin, origin, sizeof work->origin);
         work->points = work->grid[0] * work->grid[1] * work->grid[2];
     }
@@ -289,7 +331,7 @@ static const size_t *sizes_of(const struct product *product, int dimensions)
     if (sizes != NULL) {
         return sizes;
     }
-    if (product->work.layout == BENCH_GRID) {
+    if (is_grid(&product->work)) {
         return dimensions == 2 ? standard_squares : standard_cubes;
     }
     return standard_sizes;

@@ -27,7 +27,9 @@ enum bench_layout {
     BENCH_PRODUCT, /* of two samples, by scarp_multiply */
     BENCH_VECTOR,  /* values of all components of vector noise */
     BENCH_CURL,    /* velocities */
-    BENCH_GULLIES  /* in a base whose arrays are any that there are */
+    BENCH_GULLIES, /* in a base whose arrays are any that there are */
+    BENCH_RECIPE,  /* of the title, at points */
+    BENCH_RECIPE_GRID
 };
 
 enum bench_output {
@@ -67,8 +69,8 @@ struct bench_work {
     int octaves;
     float lacunarity, gain, erosion; /* as in struct scarp_noise, defaults filled in */
     float amplitude;                 /* 0: 1 */
-    const char *title; /* whose work this is: a preset's, or what another library tells the time of;
-                          peers do the nearest that they have. Else NULL */
+    const char *title; /* the recipe; or whose work this is: a preset's, or what another library
+                          tells the time of; peers do the nearest that they have. Else NULL */
     int turned;        /* the axes turn between octaves */
     unsigned period;   /* cells after which the noise repeats along each axis; 0: never */
     float phase;       /* of flow noise */
@@ -77,9 +79,9 @@ struct bench_work {
     int as_points;     /* the samples of a grid, as arrays of double coordinates */
     enum bench_request request;
     size_t points;
-    size_t grid[3];  /* of BENCH_GRID: samples along each axis, x innermost */
-    float origin[3]; /* of BENCH_GRID: the first sample, in cells */
-    float step;      /* of BENCH_GRID and BENCH_SEQUENTIAL: cells between samples */
+    size_t grid[3];  /* of grids: samples along each axis, x innermost */
+    float origin[3]; /* of grids: the first sample, in cells, or units of recipes */
+    float step;      /* of grids and BENCH_SEQUENTIAL: cells or units between samples */
 };
 
 /* Puts workload number `index`, counted from 0, into *work. Returns 0 when there are no more. */

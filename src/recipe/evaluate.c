@@ -91,35 +91,54 @@ size_t scarp_recipe_bytes(const struct recipe *recipe, const struct recipe_sched
                      recipe->dimensions, points);
 }
 
+/* Raises the orders of what nodes read to what these need of it. */
+static void raise_orders(struct recipe_machine *m)
+{
+    for (int k = m->schedule->steps - 1; k >= 0; k--) {
+        int16_t reads[RECIPE_READS];
+        const int n = m->schedule->step[k], count = scarp_recipe_reads(m->recipe, n, reads);
+        const int operation = m->recipe->node[n].operation;
+        for (int i = 0; i < count; i++) {
+            const int is_base = (operation == OP_SLOPE || operation == OP_GULLIES) && i == 0;
+            if (m->order_of[reads[i]] < m->order_of[n] + is_base) {
+                m->order_of[reads[i]] = (uint8_t)(m->order_of[n] + is_base);
+            }
+        }
+    }
+}
+
 /* Which derivatives are computed of each node. Returns the highest order, or -1 if a node does not
    have what is asked of it. */
 static int set_orders(struct recipe_machine *m, const struct recipe_evaluation *call)
 {
     const struct recipe *const r = call->recipe;
-    int highest = 0;
+    int least = 2, most = 0, highest = 0;
     for (int i = 0; i < call->outputs; i++) {
         const int order = scarp_recipe_order_of(&call->out[i], r->dimensions);
-        if (order < 0) {
-            return -1;
-        }
-        if (m->order_of[call->root[i]] < order) {
-            m->order_of[call->root[i]] = (uint8_t)order;
-        }
+        least = order < least ? order : least;
+        most = order > most ? order : most;
     }
-    for (int k = m->schedule->steps - 1; k >= 0; k--) {
-        int16_t reads[RECIPE_READS];
-        const int n = m->schedule->step[k], count = scarp_recipe_reads(r, n, reads);
-        const int operation = r->node[n].operation, order = m->order_of[n];
+    if (least < 0) {
+        return -1;
+    }
+    for (int k = 0; k < m->schedule->steps; k++) {
+        const int n = m->schedule->step[k];
+        m->order_of[n] = (uint8_t)(least == most ? most + m->schedule->extra_of[n] : 0);
+    }
+    if (least != most) {
+        for (int i = 0; i < call->outputs; i++) {
+            const int order = scarp_recipe_order_of(&call->out[i], r->dimensions);
+            uint8_t *const of = &m->order_of[call->root[i]];
+            *of = (uint8_t)(order > *of ? order : *of);
+        }
+        raise_orders(m);
+    }
+    for (int k = 0; k < m->schedule->steps; k++) {
+        const int n = m->schedule->step[k], order = m->order_of[n];
+        highest = order > highest ? order : highest;
         if (order > r->node[n].order) {
             return -1;
         }
-        for (int i = 0; i < count; i++) {
-            const int is_base = (operation == OP_SLOPE || operation == OP_GULLIES) && i == 0;
-            if (m->order_of[reads[i]] < order + is_base) {
-                m->order_of[reads[i]] = (uint8_t)(order + is_base);
-            }
-        }
-        highest = order > highest ? order : highest;
     }
     return highest;
 }
@@ -173,31 +192,13 @@ static int has_all_members(const struct recipe_machine *m, int node,
     return 1;
 }
 
-static int is_read(const struct recipe_machine *m, int node)
-{
-    for (int k = 0; k < m->schedule->steps; k++) {
-        int16_t reads[RECIPE_READS];
-        const int count = scarp_recipe_reads(m->recipe, m->schedule->step[k], reads);
-        for (int i = 0; i < count; i++) {
-            if (reads[i] == node) {
-                return 1;
-            }
-        }
-    }
-    return 0;
-}
-
 /* The outputs that can be computed where the caller wants them; the others are copied there. */
 static unsigned find_directs(const struct recipe_machine *m, const struct recipe_evaluation *call)
 {
     unsigned directs = 0;
     for (int i = 0; i < call->outputs; i++) {
-        int is_alone =
-            has_all_members(m, call->root[i], &call->out[i]) && !is_read(m, call->root[i]);
-        for (int j = 0; j < call->outputs; j++) {
-            is_alone = is_alone && (i == j || call->root[i] != call->root[j]);
-        }
-        directs |= (unsigned)is_alone << i;
+        const int is_alone = m->schedule->alone >> i & 1;
+        directs |= (unsigned)(is_alone && has_all_members(m, call->root[i], &call->out[i])) << i;
     }
     return directs;
 }
@@ -338,7 +339,7 @@ enum scarp_status scarp_recipe_evaluate(const struct recipe_evaluation *call)
         return SCARP_ERROR_SIZE;
     }
     struct recipe_machine *const m = (void *)((char *)call->memory + lost);
-    memset(m, 0, sizeof *m);
+    m->directs = 0;
     m->recipe = call->recipe;
     m->schedule = call->schedule;
     m->has_doubles = call->has_doubles != 0;

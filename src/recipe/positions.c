@@ -378,20 +378,56 @@ static void run_gullies(const struct recipe_machine *m, const struct recipe_node
     }
 }
 
+/* One coordinate of a place that no field displaces, in double: as the others would be computed. */
+static void set_coordinate(const struct recipe_machine *m, const struct recipe_place *p, int axis,
+                           float *to)
+{
+    const double *const k = p->m[axis], t = p->t[axis];
+    const bool is_space = m->recipe->dimensions == 3, is_plain = p == m->recipe->place;
+    const struct scarp_grid *const g = m->chunk->grid;
+    if (g == NULL) {
+        const double *const x = m->chunk->at[0], *const y = m->chunk->at[1],
+                            *const z = m->chunk->at[2];
+        const double *const own = m->chunk->at[axis];
+        for (size_t i = 0; i < m->chunk->count; i++) {
+            const double sum = k[0] * x[i] + k[1] * y[i];
+            to[i] = (float)(is_plain ? own[i] : (is_space ? sum + k[2] * z[i] : sum) + t);
+        }
+        return;
+    }
+    for (size_t slice = 0; slice < (is_space ? g->count[2] : 1); slice++) {
+        const double z = g->origin[2] + (double)(g->first[2] + (int64_t)slice) * g->step[2];
+        for (size_t row = 0; row < g->count[1]; row++) {
+            const double y = g->origin[1] + (double)(g->first[1] + (int64_t)row) * g->step[1];
+            for (size_t column = 0; column < g->count[0]; column++) {
+                const double x =
+                    g->origin[0] + (double)(g->first[0] + (int64_t)column) * g->step[0];
+                const double sum = k[0] * x + k[1] * y;
+                const double own = axis == 0 ? x : axis == 1 ? y : z;
+                *to++ = (float)(is_plain ? own : (is_space ? sum + k[2] * z : sum) + t);
+            }
+        }
+    }
+}
+
 static void run_coordinate(const struct recipe_machine *m, const struct recipe_node *n, int order,
                            const struct scarp_samples *out)
 {
     const struct recipe_place *const place = &m->recipe->place[n->place];
     const int axis = n->detail, to = scarp_recipe_frame_dimensions(m->recipe, place->frame);
     const size_t count = m->chunk->count;
-    const struct points p = points_of(m, n->place);
     struct scarp_samples rest = {0};
     if (place->rest[axis] >= 0) {
         rest = scarp_recipe_samples(m, place->rest[axis]);
     }
-    for (size_t i = 0; i < count; i++) {
-        out->value[i] = m->has_doubles ? (float)((const double *)p.at[axis])[i]
-                                       : ((const float *)p.at[axis])[i];
+    if (m->has_doubles && place->frame < 0 && place->rest[axis] < 0) {
+        set_coordinate(m, place, axis, out->value);
+    } else {
+        const struct points p = points_of(m, n->place);
+        for (size_t i = 0; i < count; i++) {
+            out->value[i] = m->has_doubles ? (float)((const double *)p.at[axis])[i]
+                                           : ((const float *)p.at[axis])[i];
+        }
     }
     for (int a = 0; a < to && order > 0; a++) {
         const float slope = (float)place->m[axis][a];

@@ -161,6 +161,7 @@ struct recipe_guard {
 struct recipe_schedule {
     int16_t steps, registers;
     int16_t columns; /* the first steps do not depend on z */
+    uint16_t alone;  /* a bit for each root that no step reads, and that is no other root, too */
     uint8_t guards;
     uint8_t extra; /* the highest order of a register is this much above that of the outputs */
     uint8_t step[RECIPE_NODES];        /* nodes */

@@ -323,6 +323,22 @@ static void set_registers(struct scheduler *s, const int16_t *roots, int count)
     s->to->registers = (int16_t)r.count;
 }
 
+/* Finds the roots that may be computed where the caller wants them. */
+static void find_alone(struct scheduler *s, const int16_t *roots, int count)
+{
+    struct set read = {{0}};
+    for (int k = 0; k < s->to->steps; k++) {
+        put_reads(s, &read, s->to->step[k], -1);
+    }
+    for (int i = 0; i < count; i++) {
+        int is_alone = !has(&read, roots[i]);
+        for (int j = 0; j < count; j++) {
+            is_alone = is_alone && (i == j || roots[i] != roots[j]);
+        }
+        s->to->alone = (uint16_t)(s->to->alone | is_alone << i);
+    }
+}
+
 void scarp_recipe_schedule(const struct recipe *recipe, const int16_t *roots, int count,
                            struct recipe_schedule *schedule)
 {
@@ -333,4 +349,5 @@ void scarp_recipe_schedule(const struct recipe *recipe, const int16_t *roots, in
     add_all(&s, roots, count);
     add_guards(&s, roots, count);
     set_registers(&s, roots, count);
+    find_alone(&s, roots, count);
 }
