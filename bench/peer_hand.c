@@ -221,22 +221,29 @@ static void marble(struct hand *h)
 {
     const struct scarp_noise rough = {
         .fractal = SCARP_TURBULENCE, .frequency = 1 / 0.7, .octaves = 6, .seed = seed(1)};
-    const double coarse[3] = {5 * 0.9063077870366499, 5 * 0.42261826174069944, 0};
-    const double fine[3] = {20 * 0.6427876096865394, -20 * 0.766044443118978, 0};
+    const double coarse[3] = {0.9063077870366499, 0.42261826174069944, 0};
+    const double fine[3] = {0.6427876096865394, -0.766044443118978, 0};
     const struct scarp_samples a = in(h, 0), b = in(h, 1), r = in(h, 2), s = in(h, 3);
     sample(h, &rough, 2);
     ramp(h, coarse, 0, 0);
+    affine(h, 0, 5, 0);
     scarp_affine(h->count, &r, 1.8f, 0, &s);
     add(h, 0, 3);
     scarp_sine(h->count, &a, &a);
-    affine(h, 0, -0.5f, 0.5f); /* 1 - coarse */
+    affine(h, 0, 1, 1);
+    affine(h, 0, 0.5f, 0);
+    affine(h, 0, -1, 1);
     scarp_multiply(h->count, &a, &a, &s);
     multiply(h, 0, 3);
     ramp(h, fine, 0, 1);
+    affine(h, 1, 20, 0);
     affine(h, 2, 3.6f, 0);
     add(h, 1, 2);
     scarp_sine(h->count, &b, &b);
-    affine(h, 1, 0.1f, 0.9f);
+    affine(h, 1, 1, 1);
+    affine(h, 1, 0.5f, 0);
+    affine(h, 1, 0.2f, 0);
+    affine(h, 1, 1, 0.8f);
     multiply(h, 0, 1);
     affine(h, 0, -1, 1);
 }

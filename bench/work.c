@@ -51,7 +51,7 @@ static const size_t squares[] = {256, 1024, 4096, 0}, huge_square[] = {16384, 0}
 static const size_t cubes[] = {64, 256, 0}, large_cube[] = {256, 0};
 static const size_t product_sizes[] = {4096, 1048576, 0}; /* a chunk, and far beyond the caches */
 static const size_t recipe_squares[] = {512, 0}, recipe_cubes[] = {64, 0};
-static const size_t recipe_points[] = {16384, 0}, recipe_few[] = {16, 64, 16384, 0};
+static const size_t recipe_points[] = {8192, 0}, recipe_few[] = {16, 64, 8192, 0};
 static const float terrain_steps[] = {2, 0}, marble_steps[] = {0.005f, 0}, cloud_steps[] = {20, 0};
 /* Chunks of voxels, with and without a sample more on each side, and tiles of height maps. */
 static const struct shape shapes2[] = {
