@@ -52,7 +52,7 @@ static const size_t cubes[] = {64, 256, 0}, large_cube[] = {256, 0};
 static const size_t product_sizes[] = {4096, 1048576, 0}; /* a chunk, and far beyond the caches */
 static const size_t recipe_squares[] = {512, 0}, recipe_cubes[] = {64, 0};
 static const size_t recipe_points[] = {8192, 0}, recipe_few[] = {16, 64, 8192, 0};
-static const float terrain_steps[] = {2, 0}, marble_steps[] = {0.005f, 0}, cloud_steps[] = {20, 0};
+static const float terrain_steps[] = {2, 0}, marble_steps[] = {0.005f, 0}, cloud_steps[] = {40, 0};
 /* Chunks of voxels, with and without a sample more on each side, and tiles of height maps. */
 static const struct shape shapes2[] = {
     {{17, 17, 1}}, {{33, 33, 1}}, {{65, 65, 1}}, {{129, 129, 1}}, {{0, 0, 0}}};
