@@ -7,7 +7,7 @@ scarp_add_test(recipe recipe COMMAND test_recipe)
 
 scarp_test_program(test_recipe_bits)
 foreach(isa IN LISTS isas)
-  scarp_add_sized_test(recipe.bits.${isa} recipe SIZES 2000 150 40 5
+  scarp_add_sized_test(recipe.bits.${isa} recipe SIZES 600 100 20 1
                        COMMAND test_recipe_bits ${isa} {} ${CMAKE_CURRENT_LIST_DIR}/recipes.txt)
 endforeach()
 
@@ -15,7 +15,7 @@ scarp_test_program(test_recipe_oracle SOURCES oracle_recipe.c oracle_gullies.c $
 scarp_add_sized_test(recipe.oracle recipe SIZES 10000 400 100 10 COMMAND test_recipe_oracle {})
 
 scarp_test_program(fuzz_recipe)
-scarp_add_sized_test(recipe.fuzz recipe SIZES 1000000 40000 4000 400 COMMAND fuzz_recipe {})
+scarp_add_sized_test(recipe.fuzz recipe SIZES 300000 40000 4000 400 COMMAND fuzz_recipe {})
 
 # The functions of samples that recipes brought along
 scarp_test_program(test_shapes)
