@@ -561,6 +561,64 @@ static void check_ranges(void)
     CHECK(scarp_recipe_range(&recipe, 0, &box, NULL, &highest) == SCARP_ERROR_NULL, "NULL");
 }
 
+/* Fields of coordinates reach the ends of their ranges, and go no further. */
+static void check_reached_ranges(void)
+{
+#define XY "recipe 1\nu = clamp(x, -1, 0.7)\nv = clamp(y, -0.4, 1)\nw = clamp(y, 0.5, 2)\na = "
+    static const char *const texts[] = {
+        XY "u + v",
+        XY "u - v",
+        XY "u * v",
+        XY "u^2 + v",
+        XY "u^4",
+        XY "-2 * u + 1",
+        XY "u / w",
+        XY "w / (2 + u)",
+        XY "min(u, v)",
+        XY "max(u, v)",
+        XY "min(u, 0.2 * v - 0.92, smooth=0.6)",
+        XY "max(u, v - 0.3, smooth=0.6)",
+        XY "abs(u)",
+        XY "abs(w)",
+        XY "smooth_abs(u, 0.1)",
+        XY "clamp(u, -0.5, 0.3)",
+        XY "smoothstep(v, -2, 2)",
+        XY "smoothstep(v, 2, -2)",
+        XY "terrace(0.9 * u, 3, riser=0.2, strength=1)",
+        XY "terrace(v, 2.5, riser=0.2, strength=1)",
+        XY "mix(u, w, smoothstep(x, -1, 1))",
+        XY "curve(u, -0.5: 3, 0: -1, 0.5: 4)",
+        XY "curve(u, -2: 3, 2: -1)",
+        XY "blend(u, -0.5: v, 0.5: w)",
+        XY "sqrt(w - 0.75)",
+        XY "sine(3 * u)",
+        XY "pulse(4 * u)",
+        XY "turn(u, 30) + scale(v, 0.25)",
+        XY "at(u, 2 * x - y, y)",
+    };
+    static float field[201 * 201];
+    const struct scarp_grid grid = {.origin = {-2, -2}, .step = {0.02, 0.02}, .count = {201, 201}};
+    const struct scarp_samples out = {.value = field};
+    const struct scarp_recipe_outputs outputs = {.out = &out, .count = 1};
+    for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++) {
+        float lowest = 0.0f, highest = 0.0f, least = INFINITY, most = -INFINITY;
+        (void)parses(texts[i]);
+        (void)scarp_recipe_range(&recipe, SCARP_RECIPE_OUTPUT, NULL, &lowest, &highest);
+        (void)scarp_recipe_grid(&recipe, &grid, &outputs, &scratch);
+        for (int k = 0; k < 201 * 201; k++) {
+            least = field[k] < least ? field[k] : least;
+            most = field[k] > most ? field[k] : most;
+        }
+        CHECK(lowest <= least && most <= highest, "%s: [%g, %g] is promised, and [%g, %g] met",
+              texts[i], (double)lowest, (double)highest, (double)least, (double)most);
+        const float room = 0.04f * (highest - lowest);
+        const int is_terrace = strstr(texts[i], "terrace") != NULL;
+        CHECK(is_terrace || (least <= lowest + room && most >= highest - room),
+              "%s: [%g, %g] is promised, and only [%g, %g] met", texts[i], (double)lowest,
+              (double)highest, (double)least, (double)most);
+    }
+}
+
 static int spans(const char *text, const uint32_t span[2], const char *word)
 {
     return strlen(word) == span[1] - span[0] && strncmp(text + span[0], word, strlen(word)) == 0;
@@ -730,6 +788,7 @@ int main(void)
     check_tile();
     check_finest();
     check_ranges();
+    check_reached_ranges();
     check_descriptions();
     check_words();
     check_hashes();

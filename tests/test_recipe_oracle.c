@@ -117,6 +117,30 @@ static void check_range(const char *name)
     }
 }
 
+/* Looks for values outside of the range that is promised everywhere: from all points uphill, then
+   downhill, along the gradient. */
+static void search_range(const char *name, int is_space)
+{
+    const float *const slopes[3] = {array[1], array[2], array[3]};
+    float lowest, highest;
+    (void)scarp_recipe_range(&recipe, SCARP_RECIPE_OUTPUT, NULL, &lowest, &highest);
+    for (int step = 0; step < 60; step++) {
+        const double length = (step < 30 ? 0.25 : -0.25) / (double)(1 + step % 30 / 3);
+        sample(1, is_space);
+        for (int i = 0; i < POINTS; i++) {
+            CHECK(array[0][i] >= lowest && array[0][i] <= highest, "%s: %g is outside [%g, %g]",
+                  name, (double)array[0][i], (double)lowest, (double)highest);
+            double square = 1e-30;
+            for (int a = 0; a < 2 + is_space; a++) {
+                square += (double)slopes[a][i] * (double)slopes[a][i];
+            }
+            for (int a = 0; a < 2 + is_space; a++) {
+                position[a][i] += length * (double)slopes[a][i] / sqrt(square);
+            }
+        }
+    }
+}
+
 /* `off` points may be wrong; the rest is within the tolerance of its order. */
 static void check_text(const char *name, const char *text, int off, const double tolerance[3])
 {
@@ -151,6 +175,9 @@ static void check_text(const char *name, const char *text, int off, const double
         }
     }
     check_range(name);
+    if (order > 0 && off <= 1) {
+        search_range(name, is_space);
+    }
 }
 
 int main(int argc, char **argv)
