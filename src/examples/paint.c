@@ -156,9 +156,9 @@ static void add_row(struct painter *p, struct colour *pixels, long row)
         for (size_t i = 0; i < grid.count[0]; i++) {
             struct colour *const pixel = &pixels[((size_t)x + i) / SIDE];
             const struct colour c = p->tones ? tone_at(p, i) : land_at(p, i);
-            pixel->red += c.red / (SIDE * SIDE);
-            pixel->green += c.green / (SIDE * SIDE);
-            pixel->blue += c.blue / (SIDE * SIDE);
+            pixel->red += c.red / (float)(SIDE * SIDE);
+            pixel->green += c.green / (float)(SIDE * SIDE);
+            pixel->blue += c.blue / (float)(SIDE * SIDE);
         }
     }
 }
@@ -167,7 +167,7 @@ static void add_row(struct painter *p, struct colour *pixels, long row)
 static void add_sight(struct painter *p, struct colour *pixels, long row)
 {
     static const struct colour high = {0.10f, 0.22f, 0.48f}, low = {0.45f, 0.58f, 0.75f};
-    const double step = p->units / (double)p->width, far = p->units / DEPTH;
+    const double step = p->units / (double)p->width, far = p->units / (double)DEPTH;
     const float thick = (float)far / 60; /* how much a density of 1 hides over that length */
     const struct colour sky = mix(high, low, (float)row / (float)p->height);
     for (long x = 0; x < p->width; x += PIECE / DEPTH) {
