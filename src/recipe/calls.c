@@ -12,7 +12,7 @@
 #include "interval.h"
 #include "schedule.h"
 
-#define STACK_BYTES 8192 /* of scratch memory, if the caller has none */
+#define STACK_BYTES 7168 /* of scratch memory, if the caller has none */
 
 static NOINLINE enum scarp_status parse(const char *text, size_t length,
                                         struct scarp_recipe *recipe, struct recipe_errors *errors)

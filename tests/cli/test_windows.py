@@ -96,10 +96,10 @@ class Windows(Case):
         process = start("terrain", "--size", "9000x9000", "--tile", "9000x9000", "--octaves",
                         "16", "--rotate", "--heights", "made/by/it/{x}-{y}.r32", cwd=self.directory)
         made = self.path("made/by/it")
-        self.wait_for(lambda: os.path.isdir(made) and self.unfinished(made), made)
+        self.wait_for(lambda: os.path.isdir(made) and self.being_written(made), made)
         return process
 
-    def unfinished(self, made):
+    def being_written(self, made):
         """What it writes; the description of all tiles may stand beside that, finished or not."""
         return [name for name in os.listdir(made) if name.startswith("0-0.r32") and name.endswith(".part")]
 
@@ -122,9 +122,9 @@ class Windows(Case):
         process = self.start_long()
         self.kill(process)
         made = self.path("made/by/it")
-        self.assertEqual(len(self.unfinished(made)), 1)
+        self.assertEqual(len(self.being_written(made)), 1)
         self.quietly(*SMALL, "--heights", "made/by/it/other.r32")
-        self.assertEqual(self.unfinished(made), [])
+        self.assertEqual(self.being_written(made), [])
         self.assertIn("other.r32", os.listdir(made))
 
     def test_living_files_stay(self):
