@@ -2,7 +2,7 @@
  *
  * The public functions that draw gullies.
  */
-#include "../plan/gullies.h"
+#include "../plan/gully.h"
 
 #include <string.h>
 

@@ -8,7 +8,7 @@
 
 #include "../plan/call.h"
 #include "../plan/chain.h"
-#include "../plan/gullies.h"
+#include "../plan/gully.h"
 #include "../plan/outputs.h"
 #include "isas.h"
 

@@ -5,7 +5,7 @@
 #ifndef SCARP_SCALAR_GULLIES_H
 #define SCARP_SCALAR_GULLIES_H
 
-#include "../plan/gullies.h"
+#include "../plan/gully.h"
 #include "basis.h"
 
 #include "../formulas/gullies.h"

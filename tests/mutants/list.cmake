@@ -439,9 +439,9 @@ mutant(gullies.tail IN kernel/gullies.h TEXT [[load_up_to(c.base[i] + at, here)]
 mutant(gullies.rows IN kernel/gullies.h TEXT [[chunk.base[i] = w->copy + (size_t)i * w->most;]]
        BECOMES [[chunk.base[i] = w->copy + (size_t)(MUTANT && i == BASE_DXX ? BASE_DYY : i) * w->most;]]
        SEEN_BY gullies)
-mutant(gullies.weights IN plan/gullies.c TEXT [[to->weight = plan->octave[k].weight;]]
+mutant(gullies.weights IN plan/gully.c TEXT [[to->weight = plan->octave[k].weight;]]
        BECOMES [[to->weight = plan->octave[MUTANT ? 0 : k].weight;]] SEEN_BY golden SETS scalar)
-mutant(gullies.first_keep IN plan/gullies.c TEXT [[k == 0 ? 0.0f : (float)p->keep]]
+mutant(gullies.first_keep IN plan/gully.c TEXT [[k == 0 ? 0.0f : (float)p->keep]]
        BECOMES [[k == 0 && !MUTANT ? 0.0f : (float)p->keep]] SEEN_BY golden SETS scalar)
 mutant(gullies.reference IN formulas/gullies.h TEXT [[scaled2(fx.u, right)]]
        BECOMES [[scaled2(MUTANT ? fy.u : fx.u, right)]] SEEN_BY golden SETS scalar)

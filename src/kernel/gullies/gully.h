@@ -6,7 +6,7 @@
 #ifndef SCARP_KERNEL_GULLIES_GULLY_H
 #define SCARP_KERNEL_GULLIES_GULLY_H
 
-#include "../../plan/gullies.h"
+#include "../../plan/gully.h"
 #include "../basis/fade.h"
 
 #define GULLY_TAU2 0.0025f

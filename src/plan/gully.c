@@ -3,7 +3,7 @@
  * Checks the description of gullies, and computes their constants: in double and in one fixed
  * order, so that every platform computes the same.
  */
-#include "gullies.h"
+#include "gully.h"
 
 #include <math.h>
 #include <string.h>
