@@ -62,6 +62,12 @@ static const struct recipe_text recipe_texts[] = {
     {"warp_turned", PLANE "w = noise(amplitude=0.3, seed=2)\na = warp(turn(n, 40), w)", 0},
     {"at", PLANE "a = at(n - m, x + 0.5 * m, 2 * y - x / 3 + 0.2 * n)", 0},
     {"at3", SPACE "a = at(n - m, z, x + 0.5 * m, y * 2 - x / 3)", 0},
+    {"at_column",
+     SPACE "a = at(m * smoothstep(y / 4, -1, 1), x + clamp(n, -1, 1), y - x / 4, z / 2)", 1},
+    {"at_order",
+     PLANE "a = at(n * y, x + noise(swiss, octaves=2), y) + at(slope(n), x + "
+           "noise(swiss), y - m)",
+     1},
     {"flat", SPACE "a = flat(n) * m + turn(flat(m), 30, x)", 0},
     {"slope_warped", PLANE "w = noise(amplitude=0.3)\na = warp(slope(n), w) + scale(slope(m), 3)",
      1},

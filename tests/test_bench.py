@@ -64,7 +64,9 @@ def samples_of(name):
     """The samples of a grid, None of other workloads"""
     grid = re.match(r"grid(\d)/.*/([\dx]+)(/as-points)?/step[\d.]+$", name)
     if grid is None:
-        assert not name.startswith("grid"), name
+        grid = re.match(r"recipe-grid(\d)/.*/([\dx]+)$", name)
+    if grid is None:
+        assert "grid" not in name.split("/")[0], name
         return None
     edges = [int(edge) for edge in grid.group(2).split("x")]
     return math.prod(edges * int(grid.group(1)) if len(edges) == 1 else edges)

@@ -33,7 +33,8 @@ static uint64_t hash_of_node(const struct recipe *r, int node, const uint64_t *o
     const struct recipe_node *const n = &r->node[node];
     uint64_t hash = UINT64_C(0xcbf29ce484222325);
     int16_t reads[RECIPE_READS];
-    const int count = scarp_recipe_reads(r, node, reads);
+    int slopes;
+    const int count = scarp_recipe_reads(r, node, reads, &slopes);
     hash = mixed(hash, &n->operation, sizeof n->operation);
     hash = mixed(hash, &n->detail, sizeof n->detail);
     hash = mixed(hash, n->k, sizeof n->k);

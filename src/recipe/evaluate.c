@@ -96,9 +96,11 @@ static void raise_orders(struct recipe_machine *m)
 {
     for (int k = m->schedule->steps - 1; k >= 0; k--) {
         int16_t reads[RECIPE_READS];
-        const int n = m->schedule->step[k], count = scarp_recipe_reads(m->recipe, n, reads);
+        int slopes;
+        const int n = m->schedule->step[k],
+                  count = scarp_recipe_reads(m->recipe, n, reads, &slopes);
         const int operation = m->recipe->node[n].operation;
-        for (int i = 0; i < count; i++) {
+        for (int i = 0; i < count && i < slopes; i++) {
             const int is_base = (operation == OP_SLOPE || operation == OP_GULLIES) && i == 0;
             if (m->order_of[reads[i]] < m->order_of[n] + is_base) {
                 m->order_of[reads[i]] = (uint8_t)(m->order_of[n] + is_base);
@@ -112,27 +114,19 @@ static void raise_orders(struct recipe_machine *m)
 static int set_orders(struct recipe_machine *m, const struct recipe_evaluation *call)
 {
     const struct recipe *const r = call->recipe;
-    int least = 2, most = 0, highest = 0;
+    int highest = 0;
+    for (int k = 0; k < m->schedule->steps; k++) {
+        m->order_of[m->schedule->step[k]] = 0;
+    }
     for (int i = 0; i < call->outputs; i++) {
         const int order = scarp_recipe_order_of(&call->out[i], r->dimensions);
-        least = order < least ? order : least;
-        most = order > most ? order : most;
-    }
-    if (least < 0) {
-        return -1;
-    }
-    for (int k = 0; k < m->schedule->steps; k++) {
-        const int n = m->schedule->step[k];
-        m->order_of[n] = (uint8_t)(least == most ? most + m->schedule->extra_of[n] : 0);
-    }
-    if (least != most) {
-        for (int i = 0; i < call->outputs; i++) {
-            const int order = scarp_recipe_order_of(&call->out[i], r->dimensions);
-            uint8_t *const of = &m->order_of[call->root[i]];
-            *of = (uint8_t)(order > *of ? order : *of);
+        if (order < 0) {
+            return -1;
         }
-        raise_orders(m);
+        uint8_t *const of = &m->order_of[call->root[i]];
+        *of = (uint8_t)(order > *of ? order : *of);
     }
+    raise_orders(m);
     for (int k = 0; k < m->schedule->steps; k++) {
         const int n = m->schedule->step[k], order = m->order_of[n];
         highest = order > highest ? order : highest;

@@ -30,7 +30,28 @@ void scarp_recipe_matrix(const struct recipe *recipe, int place, double matrix[3
     }
 }
 
-int scarp_recipe_reads(const struct recipe *recipe, int node, int16_t reads[RECIPE_READS])
+/* Whether derivatives of a node depend on those of a rest of its place. */
+static int has_slopes_of(const struct recipe_node *n, int axis)
+{
+    return n->operation != OP_COORDINATE || n->detail == axis;
+}
+
+/* Adds the rests of a place: those that derivatives depend on, or the others. */
+static int add_rests(const struct recipe *recipe, const struct recipe_node *n, int slopes,
+                     int16_t *reads)
+{
+    const struct recipe_place *const p = &recipe->place[n->place];
+    int count = 0;
+    for (int i = 0; i < p->dimensions; i++) {
+        if (p->rest[i] >= 0 && has_slopes_of(n, i) == slopes) {
+            reads[count++] = p->rest[i];
+        }
+    }
+    return count;
+}
+
+int scarp_recipe_reads(const struct recipe *recipe, int node, int16_t reads[RECIPE_READS],
+                       int *slopes)
 {
     const struct recipe_node *const n = &recipe->node[node];
     int count = 0;
@@ -39,14 +60,21 @@ int scarp_recipe_reads(const struct recipe *recipe, int node, int16_t reads[RECI
             reads[count++] = n->in[i];
         }
     }
-    for (int p = n->place; p >= 0; p = recipe->place[p].frame) {
+    if (n->place < 0) {
+        *slopes = count;
+        return count;
+    }
+    count += add_rests(recipe, n, 1, reads + count);
+    *slopes = count;
+    count += add_rests(recipe, n, 0, reads + count);
+    if (n->operation == OP_PULL) { /* positions are no matter, only the Jacobian */
+        return count;
+    }
+    for (int p = recipe->place[n->place].frame; p >= 0; p = recipe->place[p].frame) {
         for (int i = 0; i < recipe->place[p].dimensions; i++) {
             if (recipe->place[p].rest[i] >= 0) {
                 reads[count++] = recipe->place[p].rest[i];
             }
-        }
-        if (n->operation == OP_PULL) { /* positions are no matter, only the Jacobian */
-            break;
         }
     }
     return count;
@@ -108,12 +136,19 @@ static void fill_in(const struct recipe *recipe, struct recipe_node *n)
         const struct recipe_place *const p = &recipe->place[n->place];
         dimensions = scarp_recipe_frame_dimensions(recipe, p->frame);
         for (int i = 0; i < p->dimensions; i++) {
-            if (n->operation != OP_COORDINATE || i == n->detail) {
+            if (has_slopes_of(n, i)) {
                 axes |= axes_of_coordinate(recipe, n->place, i);
                 const int rest = p->rest[i];
                 order = rest >= 0 && recipe->node[rest].order < order ? recipe->node[rest].order
                                                                       : order;
             }
+        }
+    }
+    for (int p = n->place; p >= 0;
+         p = recipe->place[p].frame) { /* all that is read, needed or not */
+        for (int i = 0; i < recipe->place[p].dimensions; i++) {
+            const int rest = recipe->place[p].rest[i];
+            axes |= rest >= 0 ? recipe->node[rest].axes : 0;
         }
     }
     n->order = (uint8_t)order;

@@ -25,9 +25,11 @@ int scarp_recipe_add_knots(struct recipe *recipe, int count, float (*knots)[2]);
 /* A noise with its warps, which are in noise[1] and on. */
 void scarp_recipe_spell_noise(const struct recipe *recipe, int index, struct scarp_noise noise[5]);
 
-/* All nodes that a node reads: operands, and coordinates of its place. At most RECIPE_READS. */
+/* All nodes that a node reads: operands, and coordinates of its place. The first `slopes` of them
+   are those whose derivatives it needs for its own; of others it reads values. */
 enum { RECIPE_READS = 3 + 3 * (RECIPE_FRAMES + 1) };
-int scarp_recipe_reads(const struct recipe *recipe, int node, int16_t reads[RECIPE_READS]);
+int scarp_recipe_reads(const struct recipe *recipe, int node, int16_t reads[RECIPE_READS],
+                       int *slopes);
 
 /* The dimensions of a frame, which is a place, or -1 for the points. */
 int scarp_recipe_frame_dimensions(const struct recipe *recipe, int frame);

@@ -46,11 +46,13 @@ static void find_live(struct scheduler *s, const int16_t *roots, int count)
     }
     for (int n = s->recipe->nodes - 1; n >= 0; n--) {
         int16_t reads[RECIPE_READS];
-        const int read = has(&s->live, n) ? scarp_recipe_reads(s->recipe, n, reads) : 0;
+        int slopes;
+        slopes = 0;
+        const int read = has(&s->live, n) ? scarp_recipe_reads(s->recipe, n, reads, &slopes) : 0;
         const uint8_t operation = s->recipe->node[n].operation;
         for (int i = 0; i < read; i++) {
             const int is_base = (operation == OP_SLOPE || operation == OP_GULLIES) && i == 0;
-            const int extra = s->to->extra_of[n] + is_base;
+            const int extra = i < slopes ? s->to->extra_of[n] + is_base : 0;
             put(&s->live, reads[i]);
             if (s->to->extra_of[reads[i]] < extra) {
                 s->to->extra_of[reads[i]] = (uint8_t)extra;
@@ -66,7 +68,8 @@ static void find_needs(struct scheduler *s)
 {
     for (int n = 0; n < s->recipe->nodes; n++) {
         int16_t reads[RECIPE_READS];
-        const int count = scarp_recipe_reads(s->recipe, n, reads);
+        int slopes;
+        const int count = scarp_recipe_reads(s->recipe, n, reads, &slopes);
         int most = 1, equal = 0;
         for (int i = 0; i < count; i++) {
             const int need = s->need[reads[i]];
@@ -110,7 +113,8 @@ static int mask_of(const struct recipe *recipe, int n)
 /* What a node reads: masks first, then what needs most registers. */
 static int in_order(const struct scheduler *s, int n, int16_t reads[RECIPE_READS])
 {
-    const int count = scarp_recipe_reads(s->recipe, n, reads);
+    int slopes;
+    const int count = scarp_recipe_reads(s->recipe, n, reads, &slopes);
     const int mask = mask_of(s->recipe, n);
     for (int i = 1; i < count; i++) {
         const int16_t moved = reads[i];
@@ -182,7 +186,8 @@ static int is_worth_it(const struct recipe_node *node)
 static void put_reads(const struct scheduler *s, struct set *set, int n, int but)
 {
     int16_t reads[RECIPE_READS];
-    const int count = scarp_recipe_reads(s->recipe, n, reads);
+    int slopes;
+    const int count = scarp_recipe_reads(s->recipe, n, reads, &slopes);
     for (int i = 0; i < count; i++) {
         if (i != but) {
             put(set, reads[i]);
@@ -275,7 +280,8 @@ static void take_register(struct scheduler *s, struct registers *r, int node)
 static void free_reads(const struct scheduler *s, struct registers *r, int step)
 {
     int16_t reads[RECIPE_READS];
-    const int n = s->to->step[step], count = scarp_recipe_reads(s->recipe, n, reads);
+    int slopes;
+    const int n = s->to->step[step], count = scarp_recipe_reads(s->recipe, n, reads, &slopes);
     for (int i = 0; i < count; i++) {
         if (r->last[reads[i]] == step) {
             r->busy[s->to->register_of[reads[i]]] = 0;
@@ -289,7 +295,8 @@ static void set_registers(struct scheduler *s, const int16_t *roots, int count)
     const int steps = s->to->steps;
     for (int k = 0; k < steps; k++) {
         int16_t reads[RECIPE_READS];
-        const int n = s->to->step[k], read = scarp_recipe_reads(s->recipe, n, reads);
+        int slopes;
+        const int n = s->to->step[k], read = scarp_recipe_reads(s->recipe, n, reads, &slopes);
         r.last[n] = (int16_t)k;
         for (int i = 0; i < read; i++) { /* what is computed once per column stays */
             const int stays = s->position[reads[i]] < s->to->columns && k >= s->to->columns;
