@@ -38,7 +38,7 @@ static const struct recipe_text recipe_texts[] = {
     {"smoothstep", PLANE "a = smoothstep(n, -0.3, 0.3) - smoothstep(m, 0.3, -0.2)", 0},
     {"terrace", PLANE "a = terrace(n, 4) + terrace(m, 3, riser=0.8, strength=0.5)", 0},
     {"mix", PLANE "a = mix(n, m, smoothstep(n - m, -0.3, 0.3))", 0},
-    {"curve", PLANE "a = curve(n, -0.4: 0.2, -0.1: 0.5, 0: 0.6, 0.3: 0.1)", 1},
+    {"curve", PLANE "a = curve(n, -0.4: 0.2, -0.1: 0.5, 0: 0.7, 0.3: 0.1)", 1},
     {"blend", PLANE "a = blend(n, -0.3: m, -0.05: n * m, 0.2: 0.5, 0.4: m^2)", 0},
     {"sqrt", PLANE "a = sqrt(1.5 + n)", 0},
     {"sine", PLANE "a = sine(n + x / 3)", 0},

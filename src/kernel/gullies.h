@@ -301,8 +301,8 @@ static void gully_grid(const struct gully_work *w)
     }
     for (size_t first = 0; first < count; first += chunk.count) {
         chunk.count = least(count - first, w->most);
-        flat_fill_x(x, grid, first % grid->count[0], chunk.count);
-        flat_fill_runs(y, grid, 1, first, chunk.count);
+        flat_fill_x(x, grid, first % grid->count[0], whole_blocks(chunk.count));
+        flat_fill_runs(y, grid, 1, first, whole_blocks(chunk.count));
         gully_copy(w, first, chunk.count, 0);
         gully_run(w, position, &chunk);
         gully_copy(w, first, chunk.count, 1);

@@ -100,17 +100,15 @@ struct recipe_value scarp_recipe_affine(struct recipe_compiler *c, int e, int a,
 
 static struct recipe_value folded(struct recipe_compiler *c, int e, int type, double a, double b)
 {
+    if (type == EXPRESSION_DIVIDE && b == 0.0) {
+        return scarp_recipe_bad(c, e, "a division by 0", NULL);
+    }
     const double r = type == EXPRESSION_ADD        ? a + b
                      : type == EXPRESSION_SUBTRACT ? a - b
                      : type == EXPRESSION_MULTIPLY ? a * b
                                                    : a / b;
-    if (!(fabs(r) <= 1e60)) {
-        return scarp_recipe_bad(c, e,
-                                b == 0.0 && type == EXPRESSION_DIVIDE ? "a division by 0"
-                                                                      : "a number is too large",
-                                NULL);
-    }
-    return scarp_recipe_number(r);
+    return fabs(r) <= 1e60 ? scarp_recipe_number(r)
+                           : scarp_recipe_bad(c, e, "a number is too large", NULL);
 }
 
 static struct recipe_value divided(struct recipe_compiler *c, int e, struct recipe_value a,

@@ -69,7 +69,7 @@ static int take_frequency(struct recipe_compiler *c, int size, int frequency, do
     if (!scarp_recipe_take_number(c, size >= 0 ? size : frequency, &number)) {
         return 0;
     }
-    *to = size >= 0 ? 1.0 / number : number;
+    *to = size < 0 ? number : number > 0.0 ? 1.0 / number : 0.0;
     if (!(*to >= 0x1p-32 && *to <= 0x1p48)) {
         return scarp_recipe_bad(c, size >= 0 ? size : frequency,
                                 "a frequency is from 2^-32 to 2^48, and a size 1 over that", NULL),

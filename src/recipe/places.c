@@ -316,7 +316,7 @@ static int take_transform(struct recipe_compiler *c, int call, int function, int
         break;
     case FUNCTION_WIND:
         good = set_factors(a, across, dimensions) && fabs(k[0]) <= 0x1p40;
-        set_wind(a, good ? k[0] : 0.0, k[1]);
+        set_wind(a, good ? k[0] : 0.0, good ? k[1] : 1.0);
         break;
     default: good = set_factors(a, function == FUNCTION_SCALE ? equal : k, dimensions); break;
     }

@@ -27,8 +27,9 @@ if [ "$library_type" = SHARED_LIBRARY ]; then
     "$objdump" -p "$library" | grep -E "^ *SONAME +$soname\$" || fail "the SONAME is not $soname"
 fi
 
-# Names that compilers and sanitizers add: positions, stack protection, atomics, instrumentation.
-added='_GLOBAL_OFFSET_TABLE_|__x86\..*|__stack_chk_.*|__aarch64_.*|__gcov_.*'
+# Names that compilers and sanitizers add: positions, stack protection, atomics, instrumentation, and
+# clang's for a memcmp() that is compared with 0.
+added='_GLOBAL_OFFSET_TABLE_|bcmp|__x86\..*|__stack_chk_.*|__aarch64_.*|__gcov_.*'
 added="$added|_?__(odr_)?[atu]?[a-z]*san_.*|__sanitizer_.*|__odr_asan.*"
 needed='mem(cpy|set|move|cmp)|str(cmp|ncmp|len)|floorf?|sqrtf?|fe[gs]etround'
 
