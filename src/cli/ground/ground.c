@@ -1,36 +1,200 @@
 /* SPDX-License-Identifier: MIT
  *
- * Sampling the terrain: the noise, whole; then mask, base and terraces in pieces that stay in the
- * cache, by the library's chain rule.
+ * Reads the recipe of a terrain, with a tile and a scale written into its text, and samples it.
  */
 #include "ground/ground.h"
 
+#include <float.h>
 #include <math.h>
-#include <stdint.h>
+#include <stdio.h>
+#include <string.h>
 
-#include "shared/error.h"
-#include "shared/sine.h"
+#define TEXT_MOST 16384
+#define ADDED_MOST 256           /* bytes of the lines that are added to a text */
+#define SCRATCH_SIZE (256 << 10) /* about 1,000 points of a large recipe */
 
-#define PIECE 1024 /* points that are combined at once */
+/* The name of the statement that is added to a text for its scale */
+#define SCALED "scarp_scaled"
 
-/* Arrays of one more sample */
-struct piece {
-    float value[PIECE], dx[PIECE], dy[PIECE];
+/* A text with lines added */
+struct edited {
+    char bytes[TEXT_MOST + ADDED_MOST];
+    size_t length;
+    size_t at, added; /* behind the first line, so many bytes were put in */
 };
 
-static struct scarp_samples samples_of(struct piece *piece, bool has_gradient)
+static enum ground_problem fail(enum ground_problem problem, const char *text,
+                                struct scarp_recipe_error *error)
 {
-    return (struct scarp_samples){.value = piece->value,
-                                  .dx = has_gradient ? piece->dx : NULL,
-                                  .dy = has_gradient ? piece->dy : NULL};
+    *error = (struct scarp_recipe_error){.text = text};
+    return problem;
 }
 
-/* `out` from its point number `first` on */
-static struct scarp_samples samples_from(const struct scarp_samples *out, size_t first)
+static void put(struct edited *text, const char *bytes, size_t length)
 {
-    return (struct scarp_samples){.value = out->value + first,
-                                  .dx = out->dx != NULL ? out->dx + first : NULL,
-                                  .dy = out->dy != NULL ? out->dy + first : NULL};
+    memcpy(text->bytes + text->length, bytes, length);
+    text->length += length;
+}
+
+/* Where the line `recipe 1` ends, which comments may stand before; the length if there is no other
+   line */
+static size_t end_of_version(const char *text, size_t length)
+{
+    size_t at = 0;
+    while (at < length) {
+        const char *const newline = memchr(text + at, '\n', length - at);
+        const size_t end = newline != NULL ? (size_t)(newline - text) + 1 : length;
+        while (at < end && (text[at] == ' ' || text[at] == '\t' || text[at] == '\r')) {
+            at++;
+        }
+        if (at < end && text[at] != '#' && text[at] != '\n') {
+            return end;
+        }
+        at = end;
+    }
+    return length;
+}
+
+/* Copies the text, with a setting behind its version if the terrain has a tile. */
+static void edit(const struct ground_source *source, struct edited *text)
+{
+    text->length = 0;
+    text->at = end_of_version(source->text, source->length);
+    put(text, source->text, text->at);
+    text->added = 0;
+    if (source->tile[0] != 0.0) {
+        char line[ADDED_MOST / 2];
+        const int size =
+            snprintf(line, sizeof line, "tile %.17g, %.17g\n", source->tile[0], source->tile[1]);
+        text->added = (size_t)size;
+        put(text, line, text->added);
+    }
+    put(text, source->text + text->at, source->length - text->at);
+}
+
+/* Tells where an error is in the text as it was. */
+static void restore(const struct edited *text, struct scarp_recipe_error *error)
+{
+    if (text->added > 0 && error->from >= text->at + text->added) {
+        error->from -= text->added;
+        error->to -= text->added;
+        error->line--;
+    } else if (text->added > 0 && error->from >= text->at) {
+        error->from = error->to = text->at;
+    }
+}
+
+/* The first output of a recipe, or its last statement without any */
+static bool find_height(const struct scarp_recipe *recipe, int32_t *number,
+                        struct scarp_recipe_entry *entry)
+{
+    struct scarp_recipe_entry each;
+    bool is_output = false;
+    *number = -1;
+    for (size_t i = 0; scarp_recipe_entry_at(recipe, i, &each) == SCARP_OK && !is_output; i++) {
+        is_output = each.output == 0;
+        if (!each.is_param && (is_output || each.output < 0)) {
+            *number = (int32_t)i;
+            *entry = each;
+        }
+    }
+    return *number >= 0;
+}
+
+static bool is_text(const char *text, const uint32_t span[2], const char *word)
+{
+    return span[1] - span[0] == strlen(word) && memcmp(text + span[0], word, strlen(word)) == 0;
+}
+
+/* Adds a statement that is the height of the terrain, larger. */
+static bool add_scale(struct edited *text, const struct scarp_recipe_entry *height, double scale)
+{
+    char line[ADDED_MOST / 2];
+    const int size =
+        snprintf(line, sizeof line, "\n" SCALED " = %.17g * scale(%.*s, %.17g)\n", scale,
+                 (int)(height->name[1] - height->name[0]), text->bytes + height->name[0], scale);
+    const bool fits = size > 0 && (size_t)size < sizeof line;
+    if (fits) {
+        put(text, line, (size_t)size);
+    }
+    return fits;
+}
+
+/* The parameter `name`. False if there is none. */
+static bool find_parameter(const struct scarp_recipe *recipe, const char *text, const char *name,
+                           struct scarp_recipe_entry *entry)
+{
+    for (size_t i = 0; scarp_recipe_entry_at(recipe, i, entry) == SCARP_OK; i++) {
+        if (entry->is_param && is_text(text, entry->name, name)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* The members of a noise in a text that its cells and its jumps depend on */
+struct call {
+    double frequency, octaves;
+    bool is_value, is_edge, is_creased, has_slopes, is_erosion;
+};
+
+static void read_word(const char *text, const uint32_t span[2], struct call *call)
+{
+    call->is_value |= is_text(text, span, "cell_value");
+    call->is_edge |= is_text(text, span, "cell_edge");
+    call->is_creased |= is_text(text, span, "cell_f1") || is_text(text, span, "cell_f2") ||
+                        is_text(text, span, "cell_edge");
+    call->is_erosion |= is_text(text, span, "erosion");
+    call->has_slopes |= is_text(text, span, "erosion") || is_text(text, span, "swiss") ||
+                        is_text(text, span, "jordan");
+}
+
+static struct call read_call(const struct scarp_recipe *recipe, const char *text, int32_t number)
+{
+    struct scarp_recipe_part part;
+    struct call call = {.frequency = 1.0, .octaves = 1.0};
+    for (size_t i = (size_t)number + 1; scarp_recipe_part_at(recipe, i, &part) == SCARP_OK; i++) {
+        if (part.parent != number) {
+            continue;
+        }
+        if (is_text(text, part.argument, "size")) {
+            call.frequency = 1.0 / part.value;
+        } else if (is_text(text, part.argument, "frequency")) {
+            call.frequency = part.value;
+        } else if (is_text(text, part.argument, "octaves")) {
+            call.octaves = part.value;
+        } else if (part.kind == SCARP_RECIPE_WORD) {
+            read_word(text, part.span, &call);
+        }
+    }
+    return call;
+}
+
+/* The points where one octave of cell_f1 jumps are not looked at. */
+static bool call_jumps(const struct call *call)
+{
+    return call->is_value || (call->is_creased && call->has_slopes && call->octaves > 1.0) ||
+           (call->is_edge && call->is_erosion);
+}
+
+/* Finds the largest cells, and whether something jumps, from the calls of the text. */
+static void look_at_calls(struct ground *ground, const char *text, double scale)
+{
+    struct scarp_recipe_part part;
+    double lowest = INFINITY;
+    ground->jumps = false;
+    for (size_t i = 0; scarp_recipe_part_at(&ground->recipe, i, &part) == SCARP_OK; i++) {
+        if (part.function < 0) {
+            continue;
+        }
+        const bool is_noise = is_text(text, part.name, "noise");
+        const struct call call = read_call(&ground->recipe, text, (int32_t)i);
+        if (is_noise && call.frequency < lowest) {
+            lowest = call.frequency;
+        }
+        ground->jumps |= (is_noise && call_jumps(&call)) || is_text(text, part.name, "cell");
+    }
+    ground->cell = (lowest < INFINITY ? 1.0 / lowest : 1.0) * scale;
 }
 
 static float within(float value, float lowest, float highest)
@@ -38,333 +202,177 @@ static float within(float value, float lowest, float highest)
     return value < lowest ? lowest : value > highest ? highest : value;
 }
 
-/* Sums and products of numbers in intervals round to numbers in the intervals of sums and products,
-   since rounding keeps the order. Terraces leave a value between the two multiples of 1 / terraces
-   that are nearest. */
-static void set_range(struct ground *ground, float sea_level, float plateau)
+/* Finds the range, and the level of the sea within it. False if there is no bound. */
+static bool set_range(struct ground *ground, const char *text, double scale)
 {
-    float lowest, highest;
-    scarp_range(ground->noise, 2, &lowest, &highest);
-    if (highest > ground->rim) {
-        const float turned = 2.0f * ground->rim - highest;
-        lowest = turned < lowest ? turned : lowest;
-        highest = ground->rim;
-    }
-    if (ground->has_mask) {
-        lowest = lowest < 0.0f ? lowest : 0.0f;
-        highest = highest > 0.0f ? highest : 0.0f;
-    }
-    if (ground->has_base) {
-        float below, above;
-        scarp_range(&ground->base, 2, &below, &above);
-        lowest += below;
-        highest += above;
-    }
-    if (ground->terraces != 0.0f) {
-        lowest = floorf(lowest * ground->terraces) / ground->terraces;
-        highest = ceilf(highest * ground->terraces) / ground->terraces;
-    }
-    ground->lowest = lowest;
-    ground->highest = highest;
-    ground->floor = within(sea_level, lowest, highest);
-    ground->ceiling = within(plateau, lowest, highest);
-}
-
-/* Coordinates of the noise are those of a frame that has the wind along its first axis. */
-static void set_stretch(struct ground *ground, double stretch, double wind)
-{
-    ground->is_stretched = stretch != 1.0;
-    ground->is_aligned = wind == 270.0;
-    ground->along[0] = -sine(wind);
-    ground->along[1] = -sine(wind + 90.0);
-    ground->across[0] = sine(wind + 90.0) / stretch;
-    ground->across[1] = -sine(wind) / stretch;
-}
-
-bool ground_make(const struct ground_options *options, struct ground *ground)
-{
-    *ground = (struct ground){
-        .has_base = options->base.amplitude != 0.0f,
-        .has_mask = options->mask.band.x != options->mask.band.y,
-        .mask_from = (float)options->mask.band.x,
-        .mask_to = (float)options->mask.band.y,
-        .rim = options->crater,
-        .terraces = options->terraces,
-        .terrace_riser = options->terrace_riser,
-        .terrace_strength = options->terrace_strength,
-        .height_scale = options->height,
-    };
-    if (!noise_make(&options->noise, &options->warp, 2, ground->noise) ||
-        (ground->has_base && !noise_make_part(&options->base.noise, "base-", 2, &ground->base)) ||
-        (ground->has_mask && !noise_make_part(&options->mask.noise, "mask-", 2, &ground->mask))) {
+    struct scarp_recipe_entry sea;
+    if (scarp_recipe_range(&ground->recipe, ground->height, NULL, &ground->lowest,
+                           &ground->highest) != SCARP_OK ||
+        !(ground->highest - ground->lowest <= FLT_MAX)) {
         return false;
     }
-    ground->base.amplitude = options->base.amplitude;
-    if (ground->has_mask && !(fabsf(ground->mask_to - ground->mask_from) >= 0x1p-60f)) {
-        cli_error("--mask-band: the numbers are closer than 2^-60, and not equal");
-        return false;
+    ground->floor = ground->lowest;
+    if (find_parameter(&ground->recipe, text, "sea", &sea)) {
+        ground->floor = within((float)(sea.value * scale), ground->lowest, ground->highest);
     }
-    if (options->plateau < options->sea_level) {
-        cli_error("--plateau: lies below --sea-level");
-        return false;
-    }
-    set_stretch(ground, options->stretch, options->wind);
-    set_range(ground, options->sea_level, options->plateau);
     return true;
 }
 
-/* The points where one octave of cell-f1 jumps are not looked at. */
-static bool noise_jumps(const struct scarp_noise *noise)
+static enum ground_problem parse(struct ground *ground, const struct edited *text,
+                                 struct scarp_recipe_error *error)
 {
-    const bool is_creased = noise->basis == SCARP_CELL_F1 || noise->basis == SCARP_CELL_F2 ||
-                            noise->basis == SCARP_CELL_EDGE;
-    const bool has_slopes = noise->fractal == SCARP_EROSION || noise->fractal == SCARP_SWISS ||
-                            noise->fractal == SCARP_JORDAN;
-    return noise->basis == SCARP_CELL_VALUE ||
-           (is_creased && has_slopes && noise->octaves > 1.0f) ||
-           (noise->basis == SCARP_CELL_EDGE && noise->fractal == SCARP_EROSION) ||
-           (noise->warp != NULL && noise_jumps(noise->warp));
-}
-
-bool ground_jumps(const struct ground *ground)
-{
-    return noise_jumps(ground->noise) || (ground->has_base && noise_jumps(&ground->base)) ||
-           (ground->has_mask && noise_jumps(&ground->mask));
-}
-
-void ground_cut(const struct ground *ground, size_t count, const struct scarp_samples *out)
-{
-    if (ground->floor <= ground->lowest && ground->ceiling >= ground->highest) {
-        return;
+    *error = (struct scarp_recipe_error){.text = "the text is longer than 16,384 bytes"};
+    if (scarp_recipe_parse(text->bytes, text->length, &ground->recipe, error, 1, NULL) ==
+        SCARP_OK) {
+        return GROUND_FINE;
     }
-    for (size_t i = 0; i < count; i++) {
-        const float value = out->value[i];
-        if (value >= ground->floor && value <= ground->ceiling) {
-            continue;
+    restore(text, error);
+    return GROUND_BAD_TEXT;
+}
+
+/* Finds the height, and scales it. The text has the statement that does so at its end. */
+static enum ground_problem set_height(struct ground *ground, struct edited *text, double scale,
+                                      struct scarp_recipe_error *error)
+{
+    struct scarp_recipe_entry height = {.kind = SCARP_RECIPE_BAD};
+    if (!find_height(&ground->recipe, &ground->height, &height) ||
+        (height.kind != SCARP_RECIPE_FIELD && height.kind != SCARP_RECIPE_NOISE)) {
+        return fail(GROUND_BAD_TERRAIN, "there is no height that depends on the place", error);
+    }
+    if ((height.axes & 4) != 0) {
+        return fail(GROUND_BAD_TERRAIN, "the height depends on z, and a terrain is of the plane",
+                    error);
+    }
+    if (scale == 1.0) {
+        return GROUND_FINE;
+    }
+    if (!add_scale(text, &height, scale)) {
+        return fail(GROUND_BAD_TERRAIN, "the name of the height is too long to be scaled", error);
+    }
+    const enum ground_problem problem = parse(ground, text, error);
+    for (int32_t i = ground->height;
+         scarp_recipe_entry_at(&ground->recipe, (size_t)i, &height) == SCARP_OK; i++) {
+        ground->height = i; /* the last one */
+    }
+    return problem;
+}
+
+static enum ground_problem set_values(struct ground *ground, const struct ground_source *source,
+                                      const char *text, struct scarp_recipe_error *error)
+{
+    for (size_t i = 0; i < source->count; i++) {
+        struct scarp_recipe_entry entry;
+        const struct ground_value *const set = &source->values[i];
+        enum ground_problem problem = GROUND_FINE;
+        *error = (struct scarp_recipe_error){.text = NULL};
+        if (!find_parameter(&ground->recipe, text, set->name, &entry)) {
+            problem = GROUND_BAD_NAME;
+        } else if (scarp_recipe_set(&ground->recipe, set->name, set->value, error) != SCARP_OK) {
+            problem = GROUND_BAD_VALUE;
         }
-        out->value[i] = value < ground->floor ? ground->floor : ground->ceiling;
-        if (out->dx != NULL) {
-            out->dx[i] = out->dy[i] = 0.0f;
-        }
-    }
-}
-
-/* Turns slopes along the axes of the noise to those along x and y. */
-static void turn_gradient(const struct ground *ground, size_t count,
-                          const struct scarp_samples *out)
-{
-    if (out->dx == NULL) {
-        return;
-    }
-    const float along_x = (float)ground->along[0], along_y = (float)ground->along[1];
-    const float across_x = (float)ground->across[0], across_y = (float)ground->across[1];
-    for (size_t i = 0; i < count; i++) {
-        const float u = out->dx[i], v = out->dy[i];
-        out->dx[i] = along_x * u + across_x * v;
-        out->dy[i] = along_y * u + across_y * v;
-    }
-}
-
-/* The noise at points; no call of the library here can fail: the noises were checked, and what
-   options allow of places lies within 2^53. */
-static void sample_points(const struct ground *ground, size_t count, const double *x,
-                          const double *y, const struct scarp_samples *out)
-{
-    if (!ground->is_stretched) {
-        scarp_sample2_f64(ground->noise, count, x, y, out);
-        return;
-    }
-    double u[PIECE], v[PIECE];
-    for (size_t first = 0; first < count; first += PIECE) {
-        const size_t n = count - first < PIECE ? count - first : PIECE;
-        for (size_t i = 0; i < n; i++) {
-            u[i] = ground->along[0] * x[first + i] + ground->along[1] * y[first + i];
-            v[i] = ground->across[0] * x[first + i] + ground->across[1] * y[first + i];
-        }
-        const struct scarp_samples piece = samples_from(out, first);
-        scarp_sample2_f64(ground->noise, n, u, v, &piece);
-    }
-    turn_gradient(ground, count, out);
-}
-
-/* The noise on a grid whose axes the wind turns: the points of the grid, one by one */
-static void sample_turned(const struct ground *ground, const struct scarp_grid *grid,
-                          const struct scarp_samples *out)
-{
-    double x[PIECE], y[PIECE];
-    const size_t across = grid->count[0], count = across * grid->count[1];
-    for (size_t first = 0; first < count; first += PIECE) {
-        const size_t n = count - first < PIECE ? count - first : PIECE;
-        for (size_t i = 0; i < n; i++) {
-            const int64_t column = grid->first[0] + (int64_t)((first + i) % across);
-            const int64_t row = grid->first[1] + (int64_t)((first + i) / across);
-            x[i] = grid->origin[0] + grid->step[0] * (double)column;
-            y[i] = grid->origin[1] + grid->step[1] * (double)row;
-        }
-        const struct scarp_samples piece = samples_from(out, first);
-        sample_points(ground, n, x, y, &piece);
-    }
-}
-
-static void sample_grid(const struct ground *ground, const struct scarp_grid *grid,
-                        const struct scarp_samples *out)
-{
-    if (!ground->is_stretched) {
-        scarp_grid2(ground->noise, grid, out);
-    } else if (ground->is_aligned) {
-        struct scarp_grid stretched = *grid;
-        stretched.origin[1] *= ground->across[1];
-        stretched.step[1] *= ground->across[1];
-        scarp_grid2(ground->noise, &stretched, out);
-        turn_gradient(ground, grid->count[0] * grid->count[1], out);
-    } else {
-        sample_turned(ground, grid, out);
-    }
-}
-
-/* Combines a piece of the noise, in `out`, with the mask and the base, of which `sample` gives the
-   same piece of a noise. */
-typedef void sample_piece_fn(const void *piece, const struct scarp_noise *noise,
-                             const struct scarp_samples *out);
-
-static void combine(const struct ground *ground, size_t count, sample_piece_fn *sample,
-                    const void *piece, const struct scarp_samples *out)
-{
-    struct piece memory;
-    const struct scarp_samples other = samples_of(&memory, out->dx != NULL);
-    if (ground->rim < INFINITY) {
-        scarp_affine(count, out, -1.0f, 2.0f * ground->rim, &other);
-        scarp_min(count, out, &other, out);
-    }
-    if (ground->has_mask) {
-        sample(piece, &ground->mask, &other);
-        scarp_smoothstep(count, &other, ground->mask_from, ground->mask_to, &other);
-        scarp_multiply(count, out, &other, out);
-    }
-    if (ground->has_base) {
-        sample(piece, &ground->base, &other);
-        scarp_add(count, out, &other, out);
-    }
-    if (ground->terraces != 0.0f) {
-        scarp_terrace(count, out, ground->terraces, ground->terrace_riser, ground->terrace_strength,
-                      out);
-    }
-}
-
-static bool is_plain(const struct ground *ground)
-{
-    return !ground->has_mask && !ground->has_base && ground->terraces == 0.0f &&
-           ground->rim == INFINITY;
-}
-
-static void sample_piece_of_grid(const void *piece, const struct scarp_noise *noise,
-                                 const struct scarp_samples *out)
-{
-    scarp_grid2(noise, piece, out);
-}
-
-/* Combines the samples of a grid: some rows at a time, or parts of a row that is longer. */
-static void combine_grid(const struct ground *ground, const struct scarp_grid *grid,
-                         const struct scarp_samples *out)
-{
-    const size_t columns = grid->count[0], rows = grid->count[1];
-    const size_t wide = columns < PIECE ? columns : PIECE;
-    const size_t high = wide < PIECE ? PIECE / wide : 1;
-    for (size_t row = 0; row < rows; row += high) {
-        for (size_t column = 0; column < columns; column += wide) {
-            struct scarp_grid piece = *grid;
-            piece.first[0] += (int64_t)column;
-            piece.first[1] += (int64_t)row;
-            piece.count[0] = columns - column < wide ? columns - column : wide;
-            piece.count[1] = rows - row < high ? rows - row : high;
-            const struct scarp_samples part = samples_from(out, row * columns + column);
-            combine(ground, piece.count[0] * piece.count[1], sample_piece_of_grid, &piece, &part);
+        if (problem != GROUND_FINE) {
+            error->from = error->to = i;
+            return problem;
         }
     }
+    return GROUND_FINE;
 }
 
-void ground_uncut_grid(const struct ground *ground, const struct scarp_grid *grid,
-                       const struct scarp_samples *out)
+enum ground_problem ground_open(struct ground *ground, const struct ground_source *source,
+                                struct scarp_recipe_error *error)
 {
-    sample_grid(ground, grid, out);
-    if (!is_plain(ground)) {
-        combine_grid(ground, grid, out);
+    struct edited text;
+    const double scale = source->scale != 0.0 ? source->scale : 1.0;
+    if (source->length > TEXT_MOST) {
+        return fail(GROUND_BAD_TEXT, "the text is longer than 16,384 bytes", error);
     }
-}
-
-void ground_grid(const struct ground *ground, const struct scarp_grid *grid,
-                 const struct scarp_samples *out)
-{
-    ground_uncut_grid(ground, grid, out);
-    ground_cut(ground, grid->count[0] * grid->count[1], out);
-}
-
-struct points {
-    size_t count;
-    const double *x, *y;
-};
-
-static void sample_piece_of_points(const void *piece, const struct scarp_noise *noise,
-                                   const struct scarp_samples *out)
-{
-    const struct points *const points = piece;
-    scarp_sample2_f64(noise, points->count, points->x, points->y, out);
-}
-
-void ground_uncut_points(const struct ground *ground, size_t count, const double *x,
-                         const double *y, const struct scarp_samples *out)
-{
-    sample_points(ground, count, x, y, out);
-    for (size_t first = 0; first < count && !is_plain(ground); first += PIECE) {
-        const struct points piece = {count - first < PIECE ? count - first : PIECE, x + first,
-                                     y + first};
-        const struct scarp_samples part = samples_from(out, first);
-        combine(ground, piece.count, sample_piece_of_points, &piece, &part);
+    edit(source, &text);
+    enum ground_problem problem = parse(ground, &text, error);
+    if (problem == GROUND_FINE) {
+        problem = set_height(ground, &text, scale, error);
     }
-}
-
-void ground_points(const struct ground *ground, size_t count, const double *x, const double *y,
-                   const struct scarp_samples *out)
-{
-    ground_uncut_points(ground, count, x, y, out);
-    ground_cut(ground, count, out);
-}
-
-/* How many octaves have cells of at least `finest` units. Between two numbers of octaves, linear in
-   the size of the cell, which needs no logarithm. */
-static void limit(struct scarp_noise *noise, double finest)
-{
-    const float whole = noise->octaves;
-    const double lacunarity = (double)noise->lacunarity;
-    double cell = 1.0 / noise->frequency;
-    float octaves = 1.0f;
-    if (lacunarity <= 1.0) {
-        return;
+    if (problem == GROUND_FINE) {
+        problem = set_values(ground, source, text.bytes, error);
     }
-    while (octaves < whole && cell / lacunarity >= finest) {
-        cell /= lacunarity;
-        octaves += 1.0f;
+    if (problem != GROUND_FINE) {
+        return problem;
     }
-    if (octaves < whole && cell > finest) {
-        octaves += (float)((cell / finest - 1.0) / (lacunarity - 1.0));
-    }
-    if (octaves < whole) {
-        noise->of_octaves = noise->of_octaves != 0.0f ? noise->of_octaves : whole;
-        noise->octaves = octaves;
-    }
+    (void)scarp_recipe_seed(&ground->recipe, source->seed);
+    look_at_calls(ground, text.bytes, scale);
+    return set_range(ground, text.bytes, scale)
+               ? GROUND_FINE
+               : fail(GROUND_BAD_TERRAIN, "heights have no bound, since they grow with x or y",
+                      error);
 }
 
 void ground_limit(const struct ground *ground, double finest, struct ground *limited)
 {
     *limited = *ground;
-    if (ground->noise[0].warp != NULL) {
-        limited->noise[0].warp = &limited->noise[1];
+    (void)scarp_recipe_set(&limited->recipe, "finest", finest, NULL);
+}
+
+#if defined(__wasm__)
+#define PER_THREAD static
+#else
+#define PER_THREAD static _Thread_local
+#endif
+
+/* Memory of this thread, of which results do not depend */
+static const struct scarp_scratch *scratch(void)
+{
+    PER_THREAD uint64_t memory[SCRATCH_SIZE / sizeof(uint64_t)];
+    PER_THREAD struct scarp_scratch scratch;
+    scratch.memory = memory;
+    scratch.size = sizeof memory;
+    return &scratch;
+}
+
+bool ground_dry_grid(const struct ground *ground, const struct scarp_grid *grid,
+                     const struct scarp_samples *out)
+{
+    const struct scarp_recipe_outputs outputs = {.out = out, .which = &ground->height, .count = 1};
+    return scarp_recipe_grid(&ground->recipe, grid, &outputs, scratch()) == SCARP_OK;
+}
+
+bool ground_dry_points(const struct ground *ground, size_t count, const double *x, const double *y,
+                       const struct scarp_samples *out)
+{
+    const struct scarp_recipe_outputs outputs = {.out = out, .which = &ground->height, .count = 1};
+    return scarp_recipe_sample_f64(&ground->recipe, count, x, y, NULL, &outputs, scratch()) ==
+           SCARP_OK;
+}
+
+bool ground_grid(const struct ground *ground, const struct scarp_grid *grid,
+                 const struct scarp_samples *out)
+{
+    const bool is_done = ground_dry_grid(ground, grid, out);
+    ground_cover(ground, grid->count[0] * grid->count[1], out);
+    return is_done;
+}
+
+bool ground_points(const struct ground *ground, size_t count, const double *x, const double *y,
+                   const struct scarp_samples *out)
+{
+    const bool is_done = ground_dry_points(ground, count, x, y, out);
+    ground_cover(ground, count, out);
+    return is_done;
+}
+
+void ground_cover(const struct ground *ground, size_t count, const struct scarp_samples *out)
+{
+    float *const derivatives[] = {out->dx, out->dy, out->dxx, out->dxy, out->dyy};
+    if (!ground_has_sea(ground)) {
+        return;
     }
-    limit(&limited->noise[0], finest);
-    if (limited->has_base) {
-        limit(&limited->base, finest);
-    }
-    if (limited->has_mask) {
-        limit(&limited->mask, finest);
+    for (size_t i = 0; i < count; i++) {
+        if (!(out->value[i] < ground->floor)) {
+            continue;
+        }
+        out->value[i] = ground->floor;
+        for (size_t d = 0; d < sizeof derivatives / sizeof derivatives[0]; d++) {
+            if (derivatives[d] != NULL) {
+                derivatives[d][i] = 0.0f;
+            }
+        }
     }
 }

@@ -1,62 +1,82 @@
 /* SPDX-License-Identifier: MIT
  *
- * The terrain: a height for every place, with its exact gradient.
+ * The terrain: a recipe whose first output is the height, in units of x and y. Where the recipe has
+ * `param sea`, water stands up to that height, and the ground below it is the bed.
  *
- *     value = terraces(base(p) + mask(p) crater(noise(p))), at least `floor` and at most `ceiling`
- *
- * with p in units of input, and height = height_scale * value. Positions of the noise are stretched
- * across the wind. The mask is 0 to 1. What is not asked for is left out.
- *
- * All of it is the same on every machine, to the bit.
+ * All of it is the same on every machine, to the bit. Nothing here needs more than scarp.h and the
+ * C library.
  */
 #ifndef SCARP_CLI_GROUND_H
 #define SCARP_CLI_GROUND_H
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <stdint.h>
 
-#include "ground/ground_options.h"
 #include "scarp.h"
 
-/* Points to itself: not to be copied by assignment, but by ground_limit. */
-struct ground {
-    struct scarp_noise noise[2]; /* of noise_make */
-    struct scarp_noise base, mask;
-    bool has_base, has_mask;
-    float mask_from, mask_to;
-    float rim; /* of craters: what is higher is turned down; no craters: infinity */
-    float terraces, terrace_riser, terrace_strength; /* no terraces: 0 */
-    bool is_stretched, is_aligned; /* aligned: the noise's axes are those of positions */
-    double along[2], across[2];    /* the noise's coordinates are products with these */
-    float lowest, highest;         /* values never leave this interval, sea and plateau aside */
-    float floor, ceiling;          /* the sea and the plateau, taken into that interval */
-    float height_scale;            /* units of x and y per 1 of value */
+/* A parameter of the recipe, and its value */
+struct ground_value {
+    const char *name;
+    double value;
 };
 
-/* Makes the ground of complete options. False, with a line on stderr, if the numbers do not go
-   together. */
-bool ground_make(const struct ground_options *options, struct ground *ground);
+/* What a terrain is made of. A member that is 0 changes nothing. */
+struct ground_source {
+    const char *text; /* a recipe */
+    size_t length;    /* its bytes */
+    const struct ground_value *values;
+    size_t count;   /* of values */
+    uint64_t seed;  /* of the world */
+    double scale;   /* makes the whole terrain so many times larger, places and heights */
+    double tile[2]; /* the terrain repeats after so many units along x and y */
+};
 
-/* Whether heights jump: the table of scarp.h under "Jumps" */
-bool ground_jumps(const struct ground *ground);
+/* 64 KiB: not for small stacks. It may be copied. */
+struct ground {
+    struct scarp_recipe recipe;
+    int32_t height;        /* the number of the statement that is the height */
+    float lowest, highest; /* heights never leave this interval, the sea aside */
+    float floor;           /* the sea, taken into that interval; without one, `lowest` */
+    double cell;           /* units of the largest cells of all noises */
+    bool jumps;            /* heights jump somewhere: the table of scarp.h under "Jumps" */
+};
 
-/* Samples values, and gradients if out->dx and out->dy are there, as scarp_grid2 does. */
-void ground_grid(const struct ground *ground, const struct scarp_grid *grid,
+/* What kept a ground from being made */
+enum ground_problem {
+    GROUND_FINE,
+    GROUND_BAD_TEXT,    /* the text has an error; lines and bytes are those of the text */
+    GROUND_BAD_TERRAIN, /* it is no terrain */
+    GROUND_BAD_NAME,    /* no parameter has the name of a value, which is number error->from */
+    GROUND_BAD_VALUE    /* a parameter cannot have that value, which is number error->from */
+};
+
+/* Makes the ground; if it is not GROUND_FINE, *error tells why. */
+enum ground_problem ground_open(struct ground *ground, const struct ground_source *source,
+                                struct scarp_recipe_error *error);
+
+/* Whether there is water */
+static inline bool ground_has_sea(const struct ground *ground)
+{
+    return ground->floor > ground->lowest;
+}
+
+/* Sample heights, and slopes if out->dx and out->dy are there, as scarp_grid2 and
+   scarp_sample2_f64 do. The sea is flat. `out` may have second derivatives, too, where the recipe
+   has them; false if not. */
+bool ground_grid(const struct ground *ground, const struct scarp_grid *grid,
                  const struct scarp_samples *out);
-
-/* Samples values, and gradients if they are asked for, as scarp_sample2_f64 does. */
-void ground_points(const struct ground *ground, size_t count, const double *x, const double *y,
+bool ground_points(const struct ground *ground, size_t count, const double *x, const double *y,
                    const struct scarp_samples *out);
 
-/* Sample the ground as it is before the sea and the plateau cut it off. */
-void ground_uncut_grid(const struct ground *ground, const struct scarp_grid *grid,
+/* Sample the ground with the bed of the sea in place of the water. */
+bool ground_dry_grid(const struct ground *ground, const struct scarp_grid *grid,
+                     const struct scarp_samples *out);
+bool ground_dry_points(const struct ground *ground, size_t count, const double *x, const double *y,
                        const struct scarp_samples *out);
-void ground_uncut_points(const struct ground *ground, size_t count, const double *x,
-                         const double *y, const struct scarp_samples *out);
 
-/* Cuts off what the sea covers and what is above the plateau: it is flat there, so the gradient is
-   0. */
-void ground_cut(const struct ground *ground, size_t count, const struct scarp_samples *out);
+/* Covers samples of the dry ground with the sea: it is flat there, so derivatives are 0. */
+void ground_cover(const struct ground *ground, size_t count, const struct scarp_samples *out);
 
 /* Makes the same ground without the octaves whose cells are smaller than `finest` units; the last
    one that is left fades in. What is left is as it was: amplitudes do not change. */

@@ -23,42 +23,23 @@ static float within(float value, float lowest, float highest)
     return value < lowest ? lowest : value > highest ? highest : value;
 }
 
-static double smallest_frequency(const struct ground *ground)
-{
-    double frequency = ground->noise[0].frequency;
-    if (ground->has_base && ground->base.frequency < frequency) {
-        frequency = ground->base.frequency;
-    }
-    if (ground->has_mask && ground->mask.frequency < frequency) {
-        frequency = ground->mask.frequency;
-    }
-    return frequency;
-}
-
-/* A noise that flows becomes that of a whole turn: all frames have the same colours. */
-static void stop(struct scarp_noise *noise)
-{
-    noise->phase = noise->phase != 0.0f ? 1.0f : 0.0f;
-}
-
 static void sample(const struct ground *ground, float value[PLACES])
 {
     static const double steps[2] = {0.7548776662466927, 0.5698402909980532};
     struct ground still;
     double x[PIECE], y[PIECE];
     ground_limit(ground, 0.0, &still);
-    stop(&still.noise[0]);
-    stop(&still.noise[1]);
-    stop(&still.base);
-    stop(&still.mask);
-    const double size = CELLS / smallest_frequency(ground);
+    /* A noise that flows becomes that of a whole turn: all frames have the same colours. */
+    (void)scarp_recipe_set(&still.recipe, "phase", 1.0, NULL);
+    const double size = CELLS * ground->cell;
     for (int first = 0; first < PLACES; first += PIECE) {
         for (int i = 0; i < PIECE; i++) {
             const double u = (first + i) * steps[0], v = (first + i) * steps[1];
             x[i] = (u - floor(u) - 0.5) * size;
             y[i] = (v - floor(v) - 0.5) * size;
         }
-        ground_uncut_points(&still, PIECE, x, y, &(struct scarp_samples){.value = value + first});
+        (void)ground_dry_points(&still, PIECE, x, y,
+                                &(struct scarp_samples){.value = value + first});
     }
 }
 
@@ -68,7 +49,7 @@ void ground_spread(const struct ground *ground, struct spread *spread)
     sample(ground, value);
     qsort(value, PLACES, sizeof value[0], compare);
     size_t below = 0; /* places in the sea */
-    const bool has_sea = ground->floor > ground->lowest;
+    const bool has_sea = ground_has_sea(ground);
     while (has_sea && below < PLACES && value[below] < ground->floor) {
         below++;
     }
@@ -77,7 +58,7 @@ void ground_spread(const struct ground *ground, struct spread *spread)
     const float highest = value[PLACES - 1 - above / 50];
     spread->sea = ground->floor;
     spread->low = has_sea ? ground->floor : value[PLACES / 50];
-    spread->high = highest < ground->ceiling ? highest : ground->ceiling;
+    spread->high = highest;
     spread->deep = below > 0 ? value[below / 10] : ground->lowest;
     if (!(spread->low < spread->high)) { /* no land, or all of it level */
         spread->high = spread->low + (1.0f + fabsf(spread->low));
