@@ -230,16 +230,22 @@ static enum ground_problem parse(struct ground *ground, const struct edited *tex
     return GROUND_BAD_TEXT;
 }
 
-/* Finds the height, and scales it. The text has the statement that does so at its end. */
-static enum ground_problem set_height(struct ground *ground, struct edited *text, double scale,
-                                      struct scarp_recipe_error *error)
+static double scale_of(const struct ground_source *source)
 {
+    return source->scale != 0.0 ? source->scale : 1.0;
+}
+
+/* Finds the height, and scales it. The text has the statement that does so at its end. */
+static enum ground_problem set_height(struct ground *ground, const struct ground_source *source,
+                                      struct edited *text, struct scarp_recipe_error *error)
+{
+    const double scale = scale_of(source);
     struct scarp_recipe_entry height = {.kind = SCARP_RECIPE_BAD};
     if (!find_height(&ground->recipe, &ground->height, &height) ||
         (height.kind != SCARP_RECIPE_FIELD && height.kind != SCARP_RECIPE_NOISE)) {
         return fail(GROUND_BAD_TERRAIN, "there is no height that depends on the place", error);
     }
-    if ((height.axes & 4) != 0) {
+    if ((height.axes & 4) != 0 && !source->is_any) {
         return fail(GROUND_BAD_TERRAIN, "the height depends on z, and a terrain is of the plane",
                     error);
     }
@@ -282,14 +288,14 @@ enum ground_problem ground_open(struct ground *ground, const struct ground_sourc
                                 struct scarp_recipe_error *error)
 {
     struct edited text;
-    const double scale = source->scale != 0.0 ? source->scale : 1.0;
+    const double scale = scale_of(source);
     if (source->length > TEXT_MOST) {
         return fail(GROUND_BAD_TEXT, "the text is longer than 16,384 bytes", error);
     }
     edit(source, &text);
     enum ground_problem problem = parse(ground, &text, error);
     if (problem == GROUND_FINE) {
-        problem = set_height(ground, &text, scale, error);
+        problem = set_height(ground, source, &text, error);
     }
     if (problem == GROUND_FINE) {
         problem = set_values(ground, source, text.bytes, error);
@@ -299,7 +305,7 @@ enum ground_problem ground_open(struct ground *ground, const struct ground_sourc
     }
     (void)scarp_recipe_seed(&ground->recipe, source->seed);
     look_at_calls(ground, text.bytes, scale);
-    return set_range(ground, text.bytes, scale)
+    return set_range(ground, text.bytes, scale) || source->is_any
                ? GROUND_FINE
                : fail(GROUND_BAD_TERRAIN, "heights have no bound, since they grow with x or y",
                       error);
@@ -317,8 +323,7 @@ void ground_limit(const struct ground *ground, double finest, struct ground *lim
 #define PER_THREAD static _Thread_local
 #endif
 
-/* Memory of this thread, of which results do not depend */
-static const struct scarp_scratch *scratch(void)
+const struct scarp_scratch *ground_scratch(void)
 {
     PER_THREAD uint64_t memory[SCRATCH_SIZE / sizeof(uint64_t)];
     PER_THREAD struct scarp_scratch scratch;
@@ -331,15 +336,15 @@ bool ground_dry_grid(const struct ground *ground, const struct scarp_grid *grid,
                      const struct scarp_samples *out)
 {
     const struct scarp_recipe_outputs outputs = {.out = out, .which = &ground->height, .count = 1};
-    return scarp_recipe_grid(&ground->recipe, grid, &outputs, scratch()) == SCARP_OK;
+    return scarp_recipe_grid(&ground->recipe, grid, &outputs, ground_scratch()) == SCARP_OK;
 }
 
 bool ground_dry_points(const struct ground *ground, size_t count, const double *x, const double *y,
                        const struct scarp_samples *out)
 {
     const struct scarp_recipe_outputs outputs = {.out = out, .which = &ground->height, .count = 1};
-    return scarp_recipe_sample_f64(&ground->recipe, count, x, y, NULL, &outputs, scratch()) ==
-           SCARP_OK;
+    return scarp_recipe_sample_f64(&ground->recipe, count, x, y, NULL, &outputs,
+                                   ground_scratch()) == SCARP_OK;
 }
 
 bool ground_grid(const struct ground *ground, const struct scarp_grid *grid,

@@ -30,6 +30,7 @@ struct ground_source {
     uint64_t seed;  /* of the world */
     double scale;   /* makes the whole terrain so many times larger, places and heights */
     double tile[2]; /* the terrain repeats after so many units along x and y */
+    bool is_any;    /* any field will do: it may be one of space, and have no bound */
 };
 
 /* 64 KiB: not for small stacks. It may be copied. */
@@ -74,6 +75,9 @@ bool ground_dry_grid(const struct ground *ground, const struct scarp_grid *grid,
                      const struct scarp_samples *out);
 bool ground_dry_points(const struct ground *ground, size_t count, const double *x, const double *y,
                        const struct scarp_samples *out);
+
+/* Memory of this thread for calls of recipes */
+const struct scarp_scratch *ground_scratch(void);
 
 /* Covers samples of the dry ground with the sea: it is flat there, so derivatives are 0. */
 void ground_cover(const struct ground *ground, size_t count, const struct scarp_samples *out);

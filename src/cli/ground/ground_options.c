@@ -5,150 +5,126 @@
 #include "ground/ground_options.h"
 
 #include <stddef.h>
+#include <string.h>
 
 #include "ground/presets.h"
 
 #define FIELD(name) offsetof(struct ground_options, name)
 
-const struct option ground_preset_rows[GROUND_PRESET_ROWS] = {
+const struct option ground_recipe_rows[GROUND_RECIPE_ROWS] = {
     {.name = "--preset",
      .argument = "NAME",
      .standard = "none",
      .allowed = PRESET_NAMES,
-     .help = "other defaults for a kind of terrain, told below:\n" PRESETS_FIRST "\n" PRESETS_LAST,
+     .help = "a recipe of the program, told below:\n" PRESET_NAMES_HELP,
      .parse = option_choice,
      .offset = FIELD(preset),
      .choices = preset_names,
      .of_run = 1},
+    {.name = "--recipe",
+     .argument = "FILE",
+     .allowed = "the name of a file with a recipe",
+     .help = "a recipe: a composition of noises whose first output is the\nheight; - is standard "
+             "input; see scarp help recipe",
+     .parse = option_text,
+     .offset = FIELD(recipe),
+     .of_run = 1},
+    {.name = "--set",
+     .argument = "NAME=VALUE",
+     .allowed = "a parameter of the recipe and its number: NAME=VALUE, at most 64 times",
+     .help = "set a parameter of the recipe; once for each of them",
+     .parse = option_list,
+     .offset = FIELD(set),
+     .of_run = 1},
+    {.name = "--scale",
+     .argument = "F",
+     .standard = "1",
+     .allowed = "a number from 2^-20 to 2^20",
+     .help = "makes the terrain so many times larger, its places and its\nheights, from 2^-20 to "
+             "2^20",
+     .parse = option_double,
+     .offset = FIELD(scale),
+     .lowest = 0x1p-20,
+     .highest = 0x1p20},
+    {.name = "--print-recipe",
+     .help = "print the recipe in place of all else",
+     .offset = FIELD(print_recipe),
+     .of_run = 1},
 };
 
-const struct option ground_shape_rows[GROUND_SHAPE_ROWS] = {
+const struct option ground_period_rows[GROUND_PERIOD_ROWS] = {
+    {.name = "--period",
+     .argument = "WxH",
+     .allowed = "WIDTHxHEIGHT with both from 1 to 1000000",
+     .help = "repeat after so many samples (with scarp view, units), both from 1,\nwithout a seam; "
+             "the frequency of one noise becomes the nearest that\nhas whole cells there [it never "
+             "does]",
+     .parse = option_size,
+     .offset = FIELD(period),
+     .lowest = 1,
+     .highest = 1e6},
+};
+
+const struct option ground_height_rows[GROUND_HEIGHT_ROWS] = {
     {.name = "--height",
      .argument = "F",
      .standard = "120",
      .allowed = "a number from 0 to 2^24",
-     .help = "vertical size of noise value 1, in the unit of x and y,\nfrom 0 to 2^24",
+     .help = "height of noise value 1, in the unit of x and y, from 0 to 2^24",
      .parse = option_float,
+     .of_run = 1,
      .offset = FIELD(height),
      .lowest = 0,
      .highest = 0x1p24},
     {.name = "--sea-level",
      .argument = "F",
-     .allowed = "a number from -2^24 to 2^24",
-     .help = "noise values below F become F, flat as water; taken into the\ninterval of the noise, "
-             "from -2^24 to 2^24 [no sea]",
+     .allowed = "a number from -2^48 to 2^48",
+     .help = "the height of the sea, from -2^48 to 2^48 [no sea]",
      .parse = option_float,
+     .of_run = 1,
      .offset = FIELD(sea_level),
-     .lowest = -0x1p24,
-     .highest = 0x1p24},
+     .lowest = -0x1p48,
+     .highest = 0x1p48},
     {.name = "--plateau",
      .argument = "F",
-     .allowed = "a number from -2^24 to 2^24",
-     .help = "noise values above F become F, flat as a table; no lower than\nthe sea, from -2^24 "
-             "to 2^24 [no plateau]",
+     .allowed = "a number from -2^48 to 2^48",
+     .help = "what is higher becomes so high, flat as a table, from -2^48 to 2^48\n[no plateau]",
      .parse = option_float,
+     .of_run = 1,
      .offset = FIELD(plateau),
-     .lowest = -0x1p24,
-     .highest = 0x1p24},
-    {.name = "--crater",
-     .argument = "F",
-     .allowed = "a number from -2^24 to 2^24",
-     .help = "what the noise has above F is turned down, a crater in each\nsummit, before mask and "
-             "base, from -2^24 to 2^24 [no craters]",
-     .parse = option_float,
-     .offset = FIELD(crater),
-     .lowest = -0x1p24,
-     .highest = 0x1p24},
-    {.name = "--stretch",
-     .argument = "F",
-     .standard = "1",
-     .allowed = "a number from 1/16 to 16",
-     .help = "how many times longer the noise is across the wind than along it,\nfrom 1/16 to 16",
-     .parse = option_double,
-     .offset = FIELD(stretch),
-     .lowest = 0.0625,
-     .highest = 16},
-    {.name = "--wind",
-     .argument = "F",
-     .standard = "270",
-     .allowed = "a number from 0 to 360",
-     .help = "where the wind comes from, in degrees clockwise from north, from\n0 to 360; a "
-             "stretched terrain is fastest with 270",
-     .parse = option_double,
-     .offset = FIELD(wind),
-     .lowest = 0,
-     .highest = 360},
-};
-
-const struct option ground_terrace_rows[GROUND_TERRACE_ROWS] = {
-    {.name = "--terraces",
-     .argument = "F",
-     .standard = "0",
-     .allowed = "a number from 0 to 2^16",
-     .help = "terraces per 1 of value, from 0, which is none, to 2^16",
-     .parse = option_float,
-     .offset = FIELD(terraces),
-     .lowest = 0,
-     .highest = 0x1p16},
-    {.name = "--terrace-riser",
-     .argument = "F",
-     .standard = "0.5",
-     .allowed = "a number from 2^-20 to 1",
-     .help = "the part of a terrace that rises, from 2^-20 to 1",
-     .parse = option_float,
-     .offset = FIELD(terrace_riser),
-     .lowest = 0x1p-20,
-     .highest = 1},
-    {.name = "--terrace-strength",
-     .argument = "F",
-     .standard = "0.75",
-     .allowed = "a number from 0 to 1",
-     .help = "how level the rest of it is, from 0, as without, to 1",
-     .parse = option_float,
-     .offset = FIELD(terrace_strength),
-     .lowest = 0,
-     .highest = 1},
-};
-
-const struct option ground_base_rows[1] = {
-    {.name = "--base-amplitude",
-     .argument = "F",
-     .standard = "0",
-     .allowed = "0 or a number whose magnitude is from 2^-24 to 2^24",
-     .help = "how far another noise, which is added, moves values: 0, which is\nno base, or a "
-             "magnitude from 2^-24 to 2^24",
-     .parse = noise_parse_amplitude,
-     .like = option_float,
-     .offset = FIELD(base.amplitude),
-     .lowest = -0x1p24,
-     .highest = 0x1p24},
-};
-
-const struct option ground_mask_rows[1] = {
-    {.name = "--mask-band",
-     .argument = "A,B",
-     .standard = "0,0",
-     .allowed = "two numbers A,B from -16 to 16",
-     .help = "the noise is multiplied by a number that is 0 where another\nnoise, the mask, is at "
-             "most A, 1 where it is B or more, and smooth\nbetween; if A is more than B, the other "
-             "way round; both from -16\nto 16; equal: no mask",
-     .parse = option_point,
-     .offset = FIELD(mask.band),
-     .lowest = -16,
-     .highest = 16},
+     .lowest = -0x1p48,
+     .highest = 0x1p48},
 };
 
 option_words ground_standard = {"--seed", "1",      "--frequency", "0.0025", "--octaves",
                                 "9",      "--gain", "0.4",         NULL};
 
-bool ground_options_complete(struct ground_options *options)
+#define ADVICE(expression) "write " expression " in a recipe; see: scarp help recipe"
+
+const struct option_removed ground_removed[] = {
+    {"--base-", ADVICE("a + b")},
+    {"--mask-", ADVICE("a * smoothstep(mask, from, to)")},
+    {"--warp-", ADVICE("warp(a, noise(amplitude=reach))")},
+    {"--terrace", ADVICE("terrace(a, steps, riser=0.5, strength=0.75)")},
+    {"--wind", ADVICE("wind(a, from, by)")},
+    {"--stretch", ADVICE("wind(a, from, by)")},
+    {"--crater", ADVICE("min(a, 2 * rim - a)")},
+    {NULL, NULL},
+};
+
+static const char *typed(uint32_t bits, const struct option *rows, size_t count)
 {
-    const struct noise_part base = {"base-", "a --base-amplitude", &options->base.noise,
-                                    &options->base.given, options->base.amplitude != 0.0f};
-    const struct noise_part mask = {"mask-", "a --mask-band", &options->mask.noise,
-                                    &options->mask.given,
-                                    options->mask.band.x != options->mask.band.y};
-    return warp_complete(&options->warp, &options->noise) &&
-           noise_part_complete(&base, &options->noise) &&
-           noise_part_complete(&mask, &options->noise);
+    for (size_t i = 0; i < count; i++) {
+        if ((bits >> i & 1) != 0 && strcmp(rows[i].name, "--seed") != 0) {
+            return rows[i].name;
+        }
+    }
+    return NULL;
+}
+
+const char *ground_noise_option(const struct ground_options *options)
+{
+    const char *const name = typed(options->noise_typed, noise_option_rows, NOISE_OPTION_COUNT);
+    return name != NULL ? name
+                        : typed(options->height_typed, ground_height_rows, GROUND_HEIGHT_ROWS);
 }

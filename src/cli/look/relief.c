@@ -194,9 +194,7 @@ static void take_run(const struct relief *relief, const struct relief_samples *s
     float height[RUN];
     if (relief->palette->in_units) {
         for (size_t i = 0; i < count; i++) {
-            /* Of the sea, its bed; of a plateau, what it leaves */
-            const float bed = samples->bed != NULL ? samples->bed[i] : samples->value[i];
-            height[i] = relief->height_scale * (bed < samples->value[i] ? bed : samples->value[i]);
+            height[i] = samples->bed != NULL ? samples->bed[i] : samples->value[i];
         }
         take_ramp(relief->palette, height, count, &pixels);
     } else {

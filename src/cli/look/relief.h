@@ -18,16 +18,15 @@
 /* What all samples of a terrain share */
 struct relief {
     const struct palette *palette; /* resolved */
-    float low, middle, high;       /* values that are the fractions 0, 0.4 and 1 of height */
-    float sea, deep;               /* values: of the sea, and where water is deep; no sea: equal */
-    float height_scale;            /* units per 1 of value */
+    float low, middle, high;       /* heights that are the fractions 0, 0.4 and 1 */
+    float sea, deep;               /* of the sea, and where water is deep; no sea: equal */
     double light[3];               /* unit vector to the light: east, north, up */
 };
 
 /* Arrays with one number per pixel */
 struct relief_samples {
     const float *value;
-    const float *bed;       /* values below the sea, too; NULL: there is no sea */
+    const float *bed;       /* heights below the sea, too; NULL: there is no sea */
     const float *normal[3]; /* of the ground */
     const float *shade[3];  /* of the ground, exaggerated: these are lit */
 };

@@ -45,9 +45,8 @@ static void encode_heights(const struct surface *surface, const struct strip *st
     const size_t count = strip->count;
     const float *const value = strip->block->value + strip->first;
     if (kind == SAMPLE_F32) {
-        const float scale = surface->ground.height_scale;
         for (size_t i = 0; i < count; i++) {
-            put_float(to + 4 * i, scale * value[i]);
+            put_float(to + 4 * i, value[i]);
         }
         return;
     }
@@ -152,10 +151,10 @@ static void encode_gradient(const struct surface *surface, const struct strip *s
     const size_t count = strip->count;
     const float *const dx = strip->block->dx + strip->first;
     const float *const dy = strip->block->dy + strip->first;
-    const float scale = surface->ground.height_scale;
+    (void)surface;
     for (size_t i = 0; i < count; i++) {
-        put_float(to + 8 * i, scale * dx[i]);
-        put_float(to + 8 * i + 4, scale * dy[i]);
+        put_float(to + 8 * i, dx[i]);
+        put_float(to + 8 * i + 4, dy[i]);
     }
 }
 

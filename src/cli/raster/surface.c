@@ -8,17 +8,13 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "ground/presets.h"
 #include "ground/spread.h"
 
 void surface_set_scale(struct surface *surface)
 {
     const struct ground *const ground = &surface->ground;
-    const double left = (double)ground->ceiling - (double)ground->floor;
-    surface->steps_per_value = left > 0.0 ? 65535.0 / left : 0.0;
-    /* Adding 0 leaves no zero negative: these numbers are for readers. */
-    surface->zero_height = ground->height_scale * ground->floor + 0.0f;
-    surface->full_height = ground->height_scale * ground->ceiling + 0.0f;
+    const double left = (double)ground->highest - (double)ground->floor;
+    surface->steps_per_unit = left > 0.0 ? 65535.0 / left : 0.0;
 }
 
 void surface_set_light(struct surface *surface, const struct look_options *look)
@@ -27,18 +23,11 @@ void surface_set_light(struct surface *surface, const struct look_options *look)
     relief_light(look->azimuth, look->altitude, surface->light);
 }
 
-bool surface_open_palette(const struct look_options *look, int preset, struct palette *palette)
-{
-    return palette_open(palette, "--palette",
-                        look->palette != NULL ? look->palette : preset_palettes[preset]);
-}
-
 void surface_set_relief(struct surface *surface, struct palette *palette)
 {
-    const float scale = surface->ground.height_scale;
     struct spread spread;
     ground_spread(&surface->ground, &spread);
-    palette_resolve(palette, spread.low * scale, spread.high * scale);
+    palette_resolve(palette, spread.low, spread.high);
     surface->relief = (struct relief){
         .palette = palette,
         .low = spread.low,
@@ -46,7 +35,6 @@ void surface_set_relief(struct surface *surface, struct palette *palette)
         .high = spread.high,
         .sea = spread.sea,
         .deep = spread.deep,
-        .height_scale = scale,
         .light = {surface->light[0], surface->light[1], surface->light[2]},
     };
 }
@@ -71,7 +59,7 @@ bool block_open(struct block *block, const struct surface *surface, unsigned nee
         (needs & SURFACE_NORMALS) != 0 || ((needs & SURFACE_SHADE) != 0 && !own_shade);
     const bool differences = (needs & SURFACE_DIFFERENCES) != 0;
     const bool gradient = needs != 0;
-    const bool bed = (needs & SURFACE_BED) != 0 && surface->ground.floor > surface->ground.lowest;
+    const bool bed = (needs & SURFACE_BED) != 0 && ground_has_sea(&surface->ground);
     const bool wanted[] = {true,        gradient,    gradient,  normals,   normals,
                            normals,     own_shade,   own_shade, own_shade, differences,
                            differences, differences, bed};
@@ -121,7 +109,7 @@ void surface_values(const struct surface *surface, const struct block *block, in
                     float *value)
 {
     const struct scarp_grid grid = grid_of(surface, block, right, up);
-    ground_grid(&surface->ground, &grid, &(struct scarp_samples){.value = value});
+    (void)ground_grid(&surface->ground, &grid, &(struct scarp_samples){.value = value});
 }
 
 void surface_sample(const struct surface *surface, struct block *block)
@@ -129,17 +117,16 @@ void surface_sample(const struct surface *surface, struct block *block)
     const struct scarp_grid grid = grid_of(surface, block, 0, 0);
     const struct scarp_samples out = {.value = block->value, .dx = block->dx, .dy = block->dy};
     const size_t count = block->columns * block->rows;
-    ground_uncut_grid(&surface->ground, &grid, &out);
+    (void)ground_dry_grid(&surface->ground, &grid, &out);
     if (block->bed != NULL) {
         memcpy(block->bed, block->value, count * sizeof *block->bed);
     }
-    ground_cut(&surface->ground, count, &out);
+    ground_cover(&surface->ground, count, &out);
     if (block->nx != NULL) {
-        scarp_normals(count, block->dx, block->dy, surface->ground.height_scale, block->nx,
-                      block->ny, block->nz);
+        scarp_normals(count, block->dx, block->dy, 1.0f, block->nx, block->ny, block->nz);
     }
     if (block->shade_x != block->nx) {
-        scarp_normals(count, block->dx, block->dy, surface->ground.height_scale * surface->z_factor,
-                      block->shade_x, block->shade_y, block->shade_z);
+        scarp_normals(count, block->dx, block->dy, surface->z_factor, block->shade_x,
+                      block->shade_y, block->shade_z);
     }
 }

@@ -20,25 +20,19 @@ struct surface {
     struct ground ground;
     size_t width, height; /* samples of the whole raster */
     double x0, y0, step;
-    double steps_per_value; /* of 16-bit heights: 65535 / (ceiling - floor); 0 if these are equal */
-    float zero_height;      /* what 0 and 65535 stand for in 16-bit heights, in units of x and y: */
-    float full_height;      /* the floats of floor and ceiling */
-    float z_factor;         /* for the hillshade only: multiplies heights */
-    float normal_y;         /* 1 or -1: multiplies the second component of normals */
-    double light[3];        /* unit vector to the light: east, north, up */
-    size_t zoom;            /* of the comparison: pixels per sample */
-    struct relief relief;   /* set where it is asked for */
+    double steps_per_unit; /* of 16-bit heights: 65535 / (highest - floor); 0 if these are equal */
+    float z_factor;        /* for the hillshade only: multiplies heights */
+    float normal_y;        /* 1 or -1: multiplies the second component of normals */
+    double light[3];       /* unit vector to the light: east, north, up */
+    size_t zoom;           /* of the comparison: pixels per sample */
+    struct relief relief;  /* set where it is asked for */
 };
 
-/* Sets the members from `steps_per_value` to `full_height`; the ground is set. */
+/* Sets `steps_per_unit`; the ground is set. */
 void surface_set_scale(struct surface *surface);
 
 /* Sets the z-factor and the light. */
 void surface_set_light(struct surface *surface, const struct look_options *look);
-
-/* Reads the palette, without --palette that of the preset. False, with a line on stderr, if it
-   cannot be. Free it in any case. */
-bool surface_open_palette(const struct look_options *look, int preset, struct palette *palette);
 
 /* Resolves the palette and sets the relief, which points to it; ground and light are set. */
 void surface_set_relief(struct surface *surface, struct palette *palette);
@@ -78,12 +72,12 @@ void surface_sample(const struct surface *surface, struct block *block);
 void surface_values(const struct surface *surface, const struct block *block, int right, int up,
                     float *value);
 
-/* The 16-bit integer of a value: 0 at `floor`, 65535 at `ceiling`, rounded to the nearest. */
-static inline unsigned surface_quantise(const struct surface *surface, float value)
+/* The 16-bit integer of a height: 0 at `floor`, 65535 at `highest`, rounded to the nearest. */
+static inline unsigned surface_quantise(const struct surface *surface, float height)
 {
     /* By way of int, for which processors have a vector instruction */
-    return (unsigned)(int)(((double)value - (double)surface->ground.floor) *
-                               surface->steps_per_value +
+    return (unsigned)(int)(((double)height - (double)surface->ground.floor) *
+                               surface->steps_per_unit +
                            0.5);
 }
 

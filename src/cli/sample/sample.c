@@ -10,17 +10,16 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "ground/source.h"
 #include "sample/points.h"
 #include "sample/results.h"
 #include "scarp.h"
 #include "shared/error.h"
 #include "shared/interrupt.h"
-#include "shared/noise.h"
 #include "shared/options.h"
 
 struct sample_options {
-    struct noise_options noise;
-    struct warp_options warp;
+    struct ground_options ground; /* of it: the noise, the recipe and its values */
     const char *input, *output;
     int input_format, output_format; /* an enum points_format */
     struct columns columns;
@@ -108,7 +107,7 @@ static const struct option period_rows[] = {
              "which is never, to 2^30; without --rotate, and with\na whole number as lacunarity "
              "[it never does]",
      .parse = option_periods,
-     .offset = FIELD(noise.period),
+     .offset = FIELD(ground.noise.period),
      .lowest = 0,
      .highest = 0x1p30},
 };
@@ -128,9 +127,10 @@ static const struct option running_rows[] = {
 static const struct option_group groups[] = {
     OPTION_GROUP("points", point_rows, 0),
     OPTION_GROUP("results", result_rows, 0),
-    OPTION_GROUP("noise", noise_option_rows, FIELD(noise)),
+    OPTION_GROUP("a recipe", ground_recipe_rows, FIELD(ground)),
+    OPTION_GROUP_TYPED("one noise, without --preset and --recipe", noise_option_rows,
+                       FIELD(ground.noise), FIELD(ground.noise_typed)),
     OPTION_GROUP(NULL, period_rows, 0),
-    WARP_GROUPS("warp", FIELD(warp)),
     OPTION_GROUP("running", running_rows, 0),
 };
 
@@ -161,6 +161,8 @@ static const struct option_table table = {
         "           is asked for, their numbers must be given. All lines have as many columns as\n"
         "           the first; but without a header row and --keep, --dims and --columns ignore\n"
         "           what stands behind the coordinates.\n"
+        "recipe     With a recipe, the value is its first output, and there is no dphase; where\n"
+        "           it has `param sea`, values are the sea's where they would be lower.\n"
         "malformed  are points with a coordinate that is not a finite number, so with nan or inf,\n"
         "           also in .npy, and lines with too few or too many columns.\n"
         "\n"
@@ -170,6 +172,7 @@ static const struct option_table table = {
         "standard output has then got the rows of the points before.",
     .groups = groups,
     .count = sizeof groups / sizeof groups[0],
+    .removed = ground_removed,
 };
 
 #define BY_PHASE 3
@@ -196,7 +199,9 @@ static const struct result {
 
 /* What a run needs, too large for the stack */
 struct sample {
-    struct scarp_noise noise[2]; /* of noise_make */
+    struct scarp_noise noise; /* one noise, or else: */
+    bool has_recipe, is_space;
+    struct ground ground;
     struct scarp_samples samples;
     struct points points;
     struct results results;
@@ -222,45 +227,93 @@ static void choose_results(struct sample *sample, const struct sample_options *o
     }
 }
 
+static enum scarp_status sample_recipe(const struct ground *ground, size_t count, const double *x,
+                                       const double *y, const double *z,
+                                       const struct scarp_samples *out)
+{
+    const struct scarp_recipe_outputs outputs = {.out = out, .which = &ground->height, .count = 1};
+    return scarp_recipe_sample_f64(&ground->recipe, count, x, y, z, &outputs, ground_scratch());
+}
+
 static enum scarp_status sample_block(struct sample *sample)
 {
     const struct points_block *const block = &sample->block;
+    const double *const x = block->position[0], *const y = block->position[1],
+                        *const z = block->position[2];
+    if (sample->has_recipe) {
+        const enum scarp_status status =
+            sample_recipe(&sample->ground, block->count, x, y, z, &sample->samples);
+        ground_cover(&sample->ground, block->count, &sample->samples);
+        return status;
+    }
     return sample->points.dims == 3
-               ? scarp_sample3_f64(sample->noise, block->count, block->position[0],
-                                   block->position[1], block->position[2], &sample->samples)
-               : scarp_sample2_f64(sample->noise, block->count, block->position[0],
-                                   block->position[1], &sample->samples);
+               ? scarp_sample3_f64(&sample->noise, block->count, x, y, z, &sample->samples)
+               : scarp_sample2_f64(&sample->noise, block->count, x, y, &sample->samples);
 }
 
-/* Whether the library gives these outputs of a noise, but for its warp */
+/* Whether the library gives these outputs of a noise */
 static bool has(const struct scarp_noise *noise, const struct scarp_samples *out)
 {
-    struct scarp_noise alone = *noise;
     const double origin = 0;
-    alone.warp = NULL;
-    return scarp_sample3_f64(&alone, 1, &origin, &origin, &origin, out) == SCARP_OK;
+    return scarp_sample3_f64(noise, 1, &origin, &origin, &origin, out) == SCARP_OK;
 }
 
-/* Whether the library can give what is asked for; all else was checked before. */
-static bool check_results(const struct scarp_noise made[2], const struct sample_options *options)
+/* Whether the library can give what is asked for of one noise; all else was checked before. */
+static bool check_results(const struct scarp_noise *noise, const struct sample_options *options)
 {
     float result;
     const struct scarp_samples second = {.dxx = &result}, flow = {.dphase = &result};
-    for (int i = 0; i < 2 && options->hessian; i++) {
-        if (!has(&made[i], &second)) {
-            cli_error("--hessian: --%sfractal %s has no second derivatives", i == 0 ? "" : "warp-",
-                      scarp_fractal_name(made[i].fractal));
-            return false;
-        }
+    if (options->hessian && !has(noise, &second)) {
+        cli_error("--hessian: --fractal %s has no second derivatives",
+                  scarp_fractal_name(noise->fractal));
+        return false;
     }
-    if (options->dphase && !has(&made[0], &flow)) {
-        if (made[0].basis == SCARP_GRADIENT) {
+    if (options->dphase && !has(noise, &flow)) {
+        if (noise->basis == SCARP_GRADIENT) {
             cli_error("--dphase: --fractal %s has no derivative by the phase",
-                      scarp_fractal_name(made[0].fractal));
+                      scarp_fractal_name(noise->fractal));
         } else {
             cli_error("--dphase: only the gradients of --basis gradient turn; leave it out or "
                       "take that");
         }
+        return false;
+    }
+    return true;
+}
+
+/* The same of a recipe */
+static bool check_recipe(struct sample *sample, const struct source *source,
+                         const struct sample_options *options)
+{
+    float result;
+    const double origin = 0;
+    const struct scarp_samples first = {.value = &result}, second = {.dxx = &result};
+    struct ground *const ground = &sample->ground;
+    if (options->dphase) {
+        cli_error("--dphase: is for one noise; leave it out with %s", source->option);
+        return false;
+    }
+    if (!source_ground(source, ground)) {
+        return false;
+    }
+    sample->is_space = sample_recipe(ground, 1, &origin, &origin, NULL, &first) == SCARP_ERROR_NULL;
+    if (options->hessian &&
+        sample_recipe(ground, 1, &origin, &origin, &origin, &second) != SCARP_OK) {
+        cli_error("--hessian: %s has no second derivatives", source->name);
+        return false;
+    }
+    return true;
+}
+
+/* A recipe is of the plane, or of space. */
+static bool check_dimensions(const struct sample *sample, const struct source *source)
+{
+    if (sample->is_space && sample->points.dims == 2) {
+        cli_error("%s: %s is of space, and points have no z", source->option, source->name);
+        return false;
+    }
+    if (!sample->is_space && sample->points.dims == 3) {
+        cli_error("%s: %s is of the plane; --dims 2 leaves z out", source->option, source->name);
         return false;
     }
     return true;
@@ -289,7 +342,8 @@ static int format_by_name(const char *path, int otherwise)
     return otherwise;
 }
 
-static int open_both(struct sample *sample, const struct sample_options *options)
+static int open_both(struct sample *sample, const struct source *source,
+                     const struct sample_options *options)
 {
     struct points *const points = &sample->points;
     struct results *const results = &sample->results;
@@ -311,7 +365,9 @@ static int open_both(struct sample *sample, const struct sample_options *options
         return status;
     }
     /* Some noise is there in space alone. */
-    if (points->dims == 2 && !noise_make(&options->noise, &options->warp, 2, sample->noise)) {
+    if (sample->has_recipe
+            ? !check_dimensions(sample, source)
+            : points->dims == 2 && !noise_make(&options->ground.noise, 2, &sample->noise)) {
         return CLI_USAGE;
     }
     if (results->format == POINTS_UNKNOWN) {
@@ -344,9 +400,10 @@ static int sample_all(struct sample *sample)
     }
 }
 
-static int run(struct sample *sample, const struct sample_options *options)
+static int run(struct sample *sample, const struct source *source,
+               const struct sample_options *options)
 {
-    int status = open_both(sample, options);
+    int status = open_both(sample, source, options);
     if (status == CLI_SUCCESS) {
         status = sample_all(sample);
     }
@@ -368,36 +425,62 @@ static void tell_malformed(const struct points *points)
     }
 }
 
+/* One noise has no text here: it has dphase, and a period in cells. */
+static bool prepare(struct sample *sample, struct source *source, struct sample_options *options)
+{
+    struct ground_options *const ground = &options->ground;
+    sample->has_recipe = ground->preset != 0 || ground->recipe != NULL;
+    if (sample->has_recipe) {
+        if (ground->noise.period[0] != 0 || ground->noise.period[1] != 0 ||
+            ground->noise.period[2] != 0) {
+            cli_error("--period: is for one noise; a recipe has a line: tile X, Y");
+            return false;
+        }
+        if (source_open(source, ground, 1.0) != CLI_SUCCESS) {
+            return false;
+        }
+        source->ground.is_any = true;
+        return ground->print_recipe || check_recipe(sample, source, options);
+    }
+    if (ground->set.count > 0 || ground->scale != 1.0 || ground->print_recipe) {
+        cli_error("%s: needs --preset or --recipe", ground->set.count > 0  ? "--set"
+                                                    : ground->print_recipe ? "--print-recipe"
+                                                                           : "--scale");
+        return false;
+    }
+    return noise_make(&ground->noise, 3, &sample->noise) && check_results(&sample->noise, options);
+}
+
 int cli_sample(char **argv)
 {
-    struct sample_options options = {.noise = NOISE_OPTIONS_UNSET,
-                                     .warp = WARP_OPTIONS_UNSET,
-                                     .input_format = POINTS_UNKNOWN,
-                                     .output_format = POINTS_UNKNOWN};
+    static struct sample_options options = {.ground = GROUND_OPTIONS_UNSET,
+                                            .input_format = POINTS_UNKNOWN,
+                                            .output_format = POINTS_UNKNOWN};
     switch (options_parse(&table, argv, &options)) {
     case OPTIONS_HELP: return CLI_SUCCESS;
     case OPTIONS_BAD: return CLI_USAGE;
     default: break;
     }
-    struct scarp_noise made[2] = {{.seed = 0}, {.seed = 0}};
-    if (!check_columns(&options) || !warp_complete(&options.warp, &options.noise) ||
-        !warp_repeat(&options.warp, &options.noise) ||
-        !noise_make(&options.noise, &options.warp, 3, made) || !check_results(made, &options)) {
-        return CLI_USAGE;
-    }
-    scarp_isa_select((enum scarp_isa)options.isa);
     struct sample *const sample = calloc(1, sizeof *sample);
     if (sample == NULL) {
         cli_error("no memory for a block of points");
         return CLI_FAILURE;
     }
-    sample->noise[0] = made[0];
-    sample->noise[1] = made[1];
-    sample->noise[0].warp = made[0].warp == NULL ? NULL : &sample->noise[1];
-    const int status = run(sample, &options);
+    struct source source = {.name = NULL};
+    int status = CLI_USAGE;
+    if (check_columns(&options) && prepare(sample, &source, &options)) {
+        scarp_isa_select((enum scarp_isa)options.isa);
+        if (options.ground.print_recipe) {
+            source_print(&source);
+            status = CLI_SUCCESS;
+        } else {
+            status = run(sample, &source, &options);
+        }
+    }
     if (status == CLI_SUCCESS && !options.quiet) {
         tell_malformed(&sample->points);
     }
+    source_close(&source);
     free(sample);
     return status;
 }

@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "shared/error.h"
+#include "shared/number.h"
 
 #define FIELD(name) offsetof(struct noise_options, name)
 
@@ -59,6 +60,7 @@ const struct option noise_option_rows[NOISE_OPTION_COUNT] = {
      .help = "noise of an octave: " BASES_HELP,
      .parse = option_choice,
      .offset = FIELD(basis),
+     .of_run = 1,
      .choice = basis_word},
     {.name = "--jitter",
      .argument = "F",
@@ -70,6 +72,7 @@ const struct option noise_option_rows[NOISE_OPTION_COUNT] = {
      .parse = parse_positive,
      .like = option_float,
      .offset = FIELD(jitter),
+     .of_run = 1,
      .lowest = 0,
      .highest = 1},
     {.name = "--fade",
@@ -79,6 +82,7 @@ const struct option noise_option_rows[NOISE_OPTION_COUNT] = {
      .help = "blend between lattice points: " FADES,
      .parse = option_choice,
      .offset = FIELD(fade),
+     .of_run = 1,
      .choice = fade_word},
     {.name = "--fractal",
      .argument = "NAME",
@@ -88,6 +92,7 @@ const struct option noise_option_rows[NOISE_OPTION_COUNT] = {
              "cell-f2 and cell-edge have cliffs): " FRACTALS_HELP,
      .parse = option_choice,
      .offset = FIELD(fractal),
+     .of_run = 1,
      .choice = fractal_word},
     {.name = "--erosion",
      .argument = "F",
@@ -97,6 +102,7 @@ const struct option noise_option_rows[NOISE_OPTION_COUNT] = {
              "them flat ground lacks, at most 1; from 2^-24\nto 2^24",
      .parse = option_float,
      .offset = FIELD(erosion),
+     .of_run = 1,
      .lowest = 0x1p-24,
      .highest = 0x1p24},
     {.name = "--sharpness",
@@ -107,6 +113,7 @@ const struct option noise_option_rows[NOISE_OPTION_COUNT] = {
              "2^-8 to 2^8",
      .parse = option_float,
      .offset = FIELD(sharpness),
+     .of_run = 1,
      .lowest = 0x1p-8,
      .highest = 0x1p8},
     {.name = "--frequency",
@@ -116,6 +123,7 @@ const struct option noise_option_rows[NOISE_OPTION_COUNT] = {
      .help = "lattice cells of the first octave per unit of the coordinates,\nfrom 2^-32 to 2^48",
      .parse = option_double,
      .offset = FIELD(frequency),
+     .of_run = 1,
      .lowest = 0x1p-32,
      .highest = 0x1p48},
     {.name = "--octaves",
@@ -127,6 +135,7 @@ const struct option noise_option_rows[NOISE_OPTION_COUNT] = {
      .parse = parse_positive,
      .like = option_float,
      .offset = FIELD(octaves),
+     .of_run = 1,
      .lowest = 0,
      .highest = 32},
     {.name = "--of-octaves",
@@ -138,6 +147,7 @@ const struct option noise_option_rows[NOISE_OPTION_COUNT] = {
      .parse = parse_positive,
      .like = option_float,
      .offset = FIELD(of_octaves),
+     .of_run = 1,
      .lowest = 0,
      .highest = 32},
     {.name = "--lacunarity",
@@ -147,6 +157,7 @@ const struct option noise_option_rows[NOISE_OPTION_COUNT] = {
      .help = "frequency ratio from octave to octave, from 1/16 to 16",
      .parse = option_float,
      .offset = FIELD(lacunarity),
+     .of_run = 1,
      .lowest = 0.0625,
      .highest = 16},
     {.name = "--gain",
@@ -156,6 +167,7 @@ const struct option noise_option_rows[NOISE_OPTION_COUNT] = {
      .help = "amplitude ratio from octave to octave, from 1/16 to 16",
      .parse = option_float,
      .offset = FIELD(gain),
+     .of_run = 1,
      .lowest = 0.0625,
      .highest = 16},
     {.name = "--phase",
@@ -165,11 +177,13 @@ const struct option noise_option_rows[NOISE_OPTION_COUNT] = {
              "where it is, and loops after 1; only with --basis\ngradient [it stands still]",
      .parse = option_float,
      .offset = FIELD(phase),
+     .of_run = 1,
      .lowest = -0x1.fffffep127,
      .highest = 0x1.fffffep127},
     {.name = "--rotate",
      .help = "turn the axes between octaves: hides the lattice's directions",
-     .offset = FIELD(rotate)},
+     .offset = FIELD(rotate),
+     .of_run = 1},
     {.name = "--amplitude",
      .argument = "F",
      .standard = "1",
@@ -178,65 +192,34 @@ const struct option noise_option_rows[NOISE_OPTION_COUNT] = {
              "2^24",
      .parse = option_magnitude,
      .offset = FIELD(amplitude),
+     .of_run = 1,
      .lowest = 0x1p-24,
      .highest = 0x1p24},
 };
 
-enum option_result noise_parse_amplitude(const struct option *option, const char *text, void *field)
-{
-    double number;
-    if (option_double(option, text, &number) != OPTION_VALID ||
-        (number != 0.0 && fabs(number) < 0x1p-24)) {
-        return OPTION_INVALID;
-    }
-    *(float *)field = (float)number + 0.0f; /* no negative 0 */
-    return OPTION_VALID;
-}
-
-const struct option warp_option_rows[1] = {
-    {.name = "--warp-reach",
-     .argument = "F",
-     .standard = "0",
-     .allowed = "0 or a number from 2^-24 to 2^24",
-     .help = "how far positions are displaced along each axis, at most, in the\nunit of the "
-             "coordinates: 0, which is no warp, or from 2^-24 to 2^24",
-     .parse = noise_parse_amplitude,
-     .like = option_float,
-     .offset = offsetof(struct warp_options, reach),
-     .lowest = 0,
-     .highest = 0x1p24},
-};
-
-/* Each number was checked by itself; what is left is how they go together. `of` stands in names of
-   options behind their dashes. */
-static void refuse(const char *member, bool simplex, const char *of)
+/* Each number was checked by itself; what is left is how they go together. */
+static void refuse(const char *member, bool simplex)
 {
     if (strcmp(member, "lacunarity") == 0) {
-        cli_error("--%slacunarity: is no whole number from 1 to 16, which noise with a period "
-                  "needs",
-                  of);
+        cli_error("--lacunarity: is no whole number from 1 to 16, which noise with a period needs");
     } else if (strcmp(member, "of_octaves") == 0) {
-        cli_error("--%sof-octaves: is less than --%soctaves", of, of);
+        cli_error("--of-octaves: is less than --octaves");
     } else if (strcmp(member, "erosion") == 0) {
-        cli_error("--%serosion: is more than 1, which is the most with --%sfractal jordan", of, of);
+        cli_error("--erosion: is more than 1, which is the most with --fractal jordan");
     } else if (strcmp(member, "rotate") == 0) {
-        cli_error("--%srotate: axes that are turned do not repeat; leave it out with --period", of);
+        cli_error("--rotate: axes that are turned do not repeat; leave it out with --period");
     } else if (strcmp(member, "phase") == 0) {
-        cli_error("--%sphase: only the gradients of --%sbasis gradient turn; leave it out or take "
-                  "that",
-                  of, of);
+        cli_error(
+            "--phase: only the gradients of --basis gradient turn; leave it out or take that");
     } else if (strcmp(member, "period[1]") == 0 && simplex) {
         cli_error("--period: simplex noise repeats along x only in 2D; leave it out or take "
-                  "another --%sbasis",
-                  of);
+                  "another --basis");
     } else if (strncmp(member, "period", 6) == 0) {
-        cli_error("--period: has more than 2^30 cells in the last octave; fewer --%soctaves or a "
-                  "lower --%slacunarity will do",
-                  of, of);
+        cli_error("--period: has more than 2^30 cells in the last octave; fewer --octaves or a "
+                  "lower --lacunarity will do");
     } else {
-        cli_error("--%sfrequency, --%slacunarity, --%soctaves: the frequency of the last octave is "
-                  "not from 2^-32 to 2^48",
-                  of, of, of);
+        cli_error("--frequency, --lacunarity, --octaves: the frequency of the last octave is not "
+                  "from 2^-32 to 2^48");
     }
 }
 
@@ -276,96 +259,70 @@ static struct scarp_noise noise_of(const struct noise_options *options)
     return noise;
 }
 
-/* Whether the library takes the noise, by itself */
-static bool check(const struct scarp_noise *noise, int dimensions, const char *of)
+bool noise_make(const struct noise_options *options, int dimensions, struct scarp_noise *made)
 {
     const char *member = NULL;
-    const enum scarp_status status = scarp_noise_check(noise, dimensions, &member);
+    *made = noise_of(options);
+    const enum scarp_status status = scarp_noise_check(made, dimensions, &member);
     if (status != SCARP_OK) {
-        refuse(member, status == SCARP_ERROR_UNSUPPORTED && noise->basis == SCARP_SIMPLEX, of);
+        refuse(member, status == SCARP_ERROR_UNSUPPORTED && made->basis == SCARP_SIMPLEX);
     }
     return status == SCARP_OK;
 }
 
-bool noise_make(const struct noise_options *options, const struct warp_options *warp,
-                int dimensions, struct scarp_noise made[2])
+/* Adds a comma, but for the first argument, and a word, of which `-` becomes `_`. */
+static void add_word(struct text *text, bool *is_first, const char *word)
 {
-    made[0] = noise_of(options);
-    if (!check(&made[0], dimensions, "")) {
-        return false;
+    text_add(text, "%s", *is_first ? "" : ", ");
+    *is_first = false;
+    for (; *word != '\0'; word++) {
+        text_add(text, "%c", *word == '-' ? '_' : *word);
     }
-    if (warp->reach != 0.0f) {
-        made[1] = noise_of(&warp->noise);
-        made[1].amplitude = warp->reach;
-        made[0].warp = &made[1];
-    }
-    return warp->reach == 0.0f || check(&made[1], dimensions, "warp-");
 }
 
-bool noise_make_part(const struct noise_options *options, const char *prefix, int dimensions,
-                     struct scarp_noise *made)
+static void add_member(struct text *text, bool *is_first, const char *name, double value,
+                       bool is_float)
 {
-    *made = noise_of(options);
-    made->amplitude = 1.0f;
-    return check(made, dimensions, prefix);
+    char number[NUMBER_SIZE];
+    number_write_shortest(number, value, is_float);
+    add_word(text, is_first, name);
+    text_add(text, "=%s", number);
 }
 
-/* The bit of a row in struct option_given */
-static uint32_t bit_of(const char *name)
+void noise_write(const struct noise_options *options, struct text *text)
 {
-    uint32_t bit = 1;
-    for (int i = 0; strcmp(noise_option_rows[i].name, name) != 0; i++) {
-        bit <<= 1;
+    const struct noise_options *const o = options;
+    const struct {
+        const char *name;
+        float value, standard;
+    } members[] = {
+        {"octaves", o->octaves, 1.0f},       {"of_octaves", o->of_octaves, NOISE_UNSET},
+        {"lacunarity", o->lacunarity, 2.0f}, {"gain", o->gain, 0.5f},
+        {"amplitude", o->amplitude, 1.0f},   {"erosion", o->erosion, 1.0f},
+        {"jitter", o->jitter, 1.0f},         {"sharpness", o->sharpness, NOISE_UNSET},
+    };
+    bool is_first = true;
+    text_add(text, "noise(");
+    if (o->basis != SCARP_GRADIENT) {
+        add_word(text, &is_first, basis_word(o->basis));
     }
-    return bit;
-}
-
-bool noise_part_complete(const struct noise_part *part, const struct noise_options *first)
-{
-    if (!part->is_there) {
-        for (int i = 0; i < NOISE_OPTION_COUNT; i++) {
-            if ((part->given->typed >> i & 1) != 0) {
-                cli_error("%s: needs %s", option_name_of(part->prefix, &noise_option_rows[i]).text,
-                          part->needs);
-                return false;
-            }
+    if (o->fractal != SCARP_FBM) {
+        add_word(text, &is_first, fractal_word(o->fractal));
+    }
+    if (o->fade != SCARP_QUINTIC) {
+        add_word(text, &is_first, fade_word(o->fade));
+    }
+    if (o->rotate) {
+        add_word(text, &is_first, "rotate");
+    }
+    add_member(text, &is_first, "frequency", o->frequency, false);
+    for (size_t i = 0; i < sizeof members / sizeof members[0]; i++) {
+        if (members[i].value != members[i].standard) {
+            add_member(text, &is_first, members[i].name, (double)members[i].value, true);
         }
-        return true;
     }
-    if ((part->given->set & bit_of("--seed")) == 0) {
-        part->noise->seed = first->seed;
+    if (o->phase != NOISE_UNSET) {
+        add_word(text, &is_first, "phase=phase");
     }
-    if ((part->given->set & bit_of("--frequency")) == 0) {
-        part->noise->frequency = first->frequency;
-    }
-    return true;
-}
-
-bool warp_complete(struct warp_options *warp, const struct noise_options *noise)
-{
-    const struct noise_part part = {"warp-", "a --warp-reach above 0", &warp->noise, &warp->given,
-                                    warp->reach != 0.0f};
-    return noise_part_complete(&part, noise);
-}
-
-/* A quotient of frequencies that is meant to be whole is so but for some roundings. */
-#define WHOLE_WITHIN 0x1p-48
-
-bool warp_repeat(struct warp_options *warp, const struct noise_options *noise)
-{
-    for (int i = 0; i < 3 && warp->reach != 0.0f; i++) {
-        const double cells = (double)noise->period[i] * warp->noise.frequency / noise->frequency;
-        const double whole = floor(cells + 0.5);
-        if (noise->period[i] == 0) {
-            continue;
-        }
-        if (whole < 1.0 || whole > 0x1p30 || fabs(cells - whole) > WHOLE_WITHIN * whole) {
-            cli_error("--warp-frequency: the warp has %.9g cells where the noise has the %u of "
-                      "--period, and must have a whole number of them, from 1 to 2^30",
-                      cells, (unsigned)noise->period[i]);
-            return false;
-        }
-        warp->noise.period[i] = (uint32_t)whole;
-    }
-    return true;
+    text_add(text, ")");
 }

@@ -37,3 +37,14 @@ char *number_write_double(char *to, double value)
 {
     return write_number(to, 17, value);
 }
+
+char *number_write_shortest(char *to, double value, int is_float)
+{
+    int length = 0;
+    double again = NAN;
+    for (int digits = 6; digits <= 17 && again != value; digits++) {
+        length = snprintf(to, NUMBER_SIZE, "%.*g", digits, value);
+        again = is_float ? (double)strtof(to, NULL) : strtod(to, NULL);
+    }
+    return to + length;
+}

@@ -17,4 +17,8 @@ const char *number_read(const char *text, double *value);
 char *number_write_float(char *to, float value);
 char *number_write_double(char *to, double value);
 
+/* Writes the shortest text of six digits or more that reads back as the same double, or the same
+   float if `is_float`, of a finite number. Returns the end. */
+char *number_write_shortest(char *to, double value, int is_float);
+
 #endif

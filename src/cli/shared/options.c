@@ -11,7 +11,6 @@
 #include "shared/error.h"
 
 #define HELP_COLUMN 18 /* where the help's explanations begin */
-#define HELP_WIDTH 84  /* where names in lines end */
 
 /* One option of the help: name and value on the left, the lines of the explanation on the right. */
 static void print_option(const char *name, const char *argument, const char *help,
@@ -39,39 +38,15 @@ static void print_option(const char *name, const char *argument, const char *hel
 }
 
 /* The default of an option: the row's, unless the table has another. */
-static const char *standard_of(const struct option_table *table, const char *name,
-                               const struct option *option)
+static const char *standard_of(const struct option_table *table, const struct option *option)
 {
     const char *standard = option->standard;
     for (const char *const *word = table->standard; word != NULL && *word != NULL; word++) {
-        if (strcmp(*word, name) == 0) {
+        if (strcmp(*word, option->name) == 0) {
             standard = word[1];
         }
     }
     return standard;
-}
-
-struct option_name option_name_of(const char *prefix, const struct option *option)
-{
-    struct option_name name;
-    snprintf(name.text, sizeof name.text, "--%s%s", prefix != NULL ? prefix : "", option->name + 2);
-    return name;
-}
-
-/* What a group with a prefix is about, and the names of its options, in lines. */
-static void print_names(const struct option_group *group)
-{
-    print_option("", NULL, group->about, NULL);
-    int column = 0;
-    for (size_t i = 0; i < group->count; i++) {
-        const struct option_name name = option_name_of(group->prefix, &group->options[i]);
-        if (column + 1 + (int)strlen(name.text) > HELP_WIDTH) {
-            putchar('\n');
-            column = 0;
-        }
-        column += printf("%*s%s", column == 0 ? HELP_COLUMN : 1, "", name.text);
-    }
-    putchar('\n');
 }
 
 static void print_help(const struct option_table *table)
@@ -82,13 +57,9 @@ static void print_help(const struct option_table *table)
         if (group->title != NULL) {
             printf("\n%s:\n", group->title);
         }
-        for (size_t i = 0; i < group->count && group->prefix == NULL; i++) {
+        for (size_t i = 0; i < group->count; i++) {
             const struct option *const option = &group->options[i];
-            print_option(option->name, option->argument, option->help,
-                         standard_of(table, option->name, option));
-        }
-        if (group->prefix != NULL) {
-            print_names(group);
+            print_option(option->name, option->argument, option->help, standard_of(table, option));
         }
     }
     print_option("--help", NULL, "print this", NULL);
@@ -97,12 +68,11 @@ static void print_help(const struct option_table *table)
     }
 }
 
-/* An option, its name, and the field that its value goes to */
+/* An option, and the field that its value goes to */
 struct target {
     const struct option *option; /* NULL: there is no such option */
-    struct option_name name;
     void *field;
-    struct option_given *given; /* NULL: nobody wants to know */
+    uint32_t *typed; /* NULL: nobody wants to know */
     uint32_t bit;
 };
 
@@ -110,13 +80,10 @@ struct target {
 static struct target target_of(const struct option_group *group, size_t i, void *values)
 {
     const struct option *const option = &group->options[i];
-    struct target target = {
-        .option = option,
-        .name = option_name_of(group->prefix, option),
-        .field = (char *)values + group->offset + option->offset,
-    };
-    if (group->prefix != NULL) {
-        target.given = (struct option_given *)((char *)values + group->given);
+    struct target target = {.option = option,
+                            .field = (char *)values + group->offset + option->offset};
+    if (group->typed != 0) {
+        target.typed = (uint32_t *)((char *)values + group->typed);
         target.bit = UINT32_C(1) << i;
     }
     return target;
@@ -130,8 +97,8 @@ static struct target find_option(const struct option_table *table, const char *w
         const struct option_group *const group = &table->groups[g];
         for (size_t i = 0; i < group->count; i++) {
             const struct target target = target_of(group, i, values);
-            if (strlen(target.name.text) == length &&
-                strncmp(target.name.text, word, length) == 0) {
+            if (strlen(target.option->name) == length &&
+                strncmp(target.option->name, word, length) == 0) {
                 return target;
             }
         }
@@ -153,7 +120,7 @@ const struct option *options_find(const struct option_table *table, size_t first
 static bool set_value(const struct target *target, const char *text)
 {
     const struct option *const option = target->option;
-    const char *const name = target->name.text;
+    const char *const name = option->name;
     switch (option->parse(option, text, target->field)) {
     case OPTION_VALID: return true;
     case OPTION_UNAVAILABLE:
@@ -163,21 +130,22 @@ static bool set_value(const struct target *target, const char *text)
     }
 }
 
-/* Who the words are of */
-enum source { FROM_TABLE, FROM_PRESET, FROM_USER };
-
-static void note_given(const struct target *target, enum source source)
+/* Tells that there is no such option, and what does its work. */
+static void refuse_name(const struct option_table *table, const char *word)
 {
-    if (target->given != NULL && source != FROM_TABLE) {
-        target->given->set |= target->bit;
-        target->given->typed |= source == FROM_USER ? target->bit : 0;
+    for (const struct option_removed *r = table->removed; r != NULL && r->name != NULL; r++) {
+        if (strncmp(word, r->name, strlen(r->name)) == 0) {
+            cli_error("%.60s: is no option any more: %s", word, r->advice);
+            return;
+        }
     }
+    cli_error("%.60s: unknown option; see: scarp %s --help", word, table->command);
 }
 
 /* Reads the option at words[0] and its value. Returns how many words that took, 0 after an error.
    The words end with NULL. */
-static int read_option(const struct option_table *table, const char *const *words,
-                       enum source source, void *values)
+static int read_option(const struct option_table *table, const char *const *words, bool is_typed,
+                       void *values)
 {
     const char *const word = words[0];
     if (word[0] != '-') {
@@ -186,15 +154,17 @@ static int read_option(const struct option_table *table, const char *const *word
     }
     const struct target target = find_option(table, word, values);
     if (target.option == NULL) {
-        cli_error("%.60s: unknown option; see: scarp %s --help", word, table->command);
+        refuse_name(table, word);
         return 0;
     }
     const struct option *const option = target.option;
     const char *const joined = strchr(word, '=');
-    note_given(&target, source);
+    if (target.typed != NULL && is_typed) {
+        *target.typed |= target.bit;
+    }
     if (option->parse == NULL) {
         if (joined != NULL) {
-            cli_error("%s: takes no value", target.name.text);
+            cli_error("%s: takes no value", target.option->name);
             return 0;
         }
         *(int *)target.field = 1;
@@ -204,17 +174,17 @@ static int read_option(const struct option_table *table, const char *const *word
         return set_value(&target, joined + 1) ? 1 : 0;
     }
     if (words[1] == NULL || strncmp(words[1], "--", 2) == 0) {
-        cli_error("%s: has no value; it takes %s", target.name.text, option->allowed);
+        cli_error("%s: has no value; it takes %s", target.option->name, option->allowed);
         return 0;
     }
     return set_value(&target, words[1]) ? 2 : 0;
 }
 
-static bool set_words(const struct option_table *table, const char *const *words,
-                      enum source source, void *values)
+static bool set_words(const struct option_table *table, const char *const *words, bool is_typed,
+                      void *values)
 {
     while (words != NULL && *words != NULL) {
-        const int count = read_option(table, words, source, values);
+        const int count = read_option(table, words, is_typed, values);
         if (count == 0) {
             return false;
         }
@@ -235,7 +205,7 @@ static bool set_defaults(const struct option_table *table, void *values)
             }
         }
     }
-    return set_words(table, table->standard, FROM_TABLE, values);
+    return set_words(table, table->standard, false, values);
 }
 
 enum options_outcome options_parse(const struct option_table *table, char **argv, void *values)
@@ -247,16 +217,6 @@ enum options_outcome options_parse(const struct option_table *table, char **argv
         }
     }
     const char *const *const words = (const char *const *)argv;
-    if (!set_defaults(table, values) || !set_words(table, words, FROM_USER, values)) {
-        return OPTIONS_BAD;
-    }
-    if (table->presets != NULL) {
-        /* Wherever it stands on the command line, what else stands there changes the preset. */
-        const int preset = *(const int *)((const char *)values + table->preset_offset);
-        if (!set_words(table, table->presets[preset], FROM_PRESET, values) ||
-            !set_words(table, words, FROM_USER, values)) {
-            return OPTIONS_BAD;
-        }
-    }
-    return OPTIONS_RUN;
+    return set_defaults(table, values) && set_words(table, words, true, values) ? OPTIONS_RUN
+                                                                                : OPTIONS_BAD;
 }

@@ -37,7 +37,8 @@ struct option {
     const char *const *choices; /* of option_choice, ending in NULL */
     const char *(*choice)(int); /* of option_choice in place of `choices`: the words for 0, 1, ...,
                                    NULL past the last */
-    int of_run; /* it concerns this run or the names of files, not what files hold */
+    int of_run; /* it concerns this run or the names of files, not what files hold, or a recipe has
+                   it */
 };
 
 /* Options that a structure holds, itself part of what receives the values */
@@ -46,22 +47,15 @@ struct option_group {
     const struct option *options;
     size_t count;
     size_t offset; /* of the structure */
-
-    /* Rows that another group has, too, go by other names here: "warp-" makes --warp-seed of
-       --seed. The help has `about` in their place, and their names. NULL: rows as they are. */
-    const char *prefix, *about;
-    size_t given; /* with a prefix: offset of the struct option_given in the values */
+    size_t typed; /* offset of a uint32_t in the values, of which bit i is set if row i is typed; 0:
+                     nobody wants to know */
 };
 
-/* Which rows of a group with a prefix were given: bit i is row i. */
-struct option_given {
-    uint32_t typed; /* on the command line */
-    uint32_t set;   /* there or by a preset */
-};
-
-#define OPTION_GROUP(name, rows, at)                                                               \
+#define OPTION_GROUP(name, rows, at) OPTION_GROUP_TYPED(name, rows, at, 0)
+#define OPTION_GROUP_TYPED(name, rows, at, bits)                                                   \
     {                                                                                              \
-        .title = name, .options = rows, .count = sizeof(rows) / sizeof(rows)[0], .offset = at      \
+        .title = name, .options = rows, .count = sizeof(rows) / sizeof(rows)[0], .offset = at,     \
+        .typed = bits                                                                              \
     }
 
 /* What option_isa takes; tests/test_cli_words.c compares it with the library's names. */
@@ -71,7 +65,11 @@ struct option_given {
    value unless it is a flag */
 typedef const char *const option_words[];
 
-#define OPTION_NAME_SIZE 32
+/* Options that earlier versions had */
+struct option_removed {
+    const char *name;   /* with its dashes; those that begin like it are meant, too */
+    const char *advice; /* what to write in its place */
+};
 
 struct option_table {
     const char *command;
@@ -79,15 +77,18 @@ struct option_table {
     const char *notes;   /* the help: after the options */
     const struct option_group *groups;
     size_t count;
-    const char *const *standard; /* defaults in place of those of the rows; NULL: none */
-    /* Words that go before the user's; which ones, tells the int at `preset_offset` in the values.
-       NULL: none. */
-    const char *const *const *presets;
-    size_t preset_offset;
+    const char *const *standard;          /* defaults in place of those of the rows; NULL: none */
+    const struct option_removed *removed; /* ends with a NULL name; NULL: none */
 };
 
 struct option_size {
     size_t width, height;
+};
+
+#define OPTION_LIST_MOST 64
+struct option_list {
+    const char *texts[OPTION_LIST_MOST];
+    size_t count;
 };
 
 struct option_point {
@@ -107,6 +108,7 @@ option_parse_fn option_count;     /* size_t in [lowest, highest] */
 option_parse_fn option_double;    /* double in [lowest, highest] */
 option_parse_fn option_float;     /* float in [lowest, highest]; the bounds are floats */
 option_parse_fn option_isa;       /* int: an enum scarp_isa that can run here */
+option_parse_fn option_list;      /* struct option_list: texts, one each time the option is typed */
 option_parse_fn option_magnitude; /* float, its magnitude in [lowest, highest], which are floats */
 option_parse_fn option_periods;   /* uint32_t[3], "X,Y" or "X,Y,Z", all in [lowest, highest] */
 option_parse_fn option_point;     /* struct option_point, "X,Y", both in [lowest, highest] */
@@ -125,12 +127,6 @@ enum options_outcome {
 
 /* The word number `index` of an option that is read by option_choice; NULL past the last. */
 const char *option_choice_word(const struct option *option, int index);
-
-/* The name of a row in a group with the prefix: NULL, or what stands behind its dashes. */
-struct option_name {
-    char text[OPTION_NAME_SIZE];
-};
-struct option_name option_name_of(const char *prefix, const struct option *option);
 
 /* The option `name`, with its dashes, of the groups from number `first` to the one before `end`.
    Sets *field to where its value goes in `values`. NULL if there is none. */

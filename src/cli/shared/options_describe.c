@@ -4,23 +4,17 @@
  */
 #include <math.h>
 #include <stdint.h>
-#include <stdio.h>
 #include <stdlib.h>
 
 #include "shared/json.h"
+#include "shared/number.h"
 #include "shared/options.h"
 
-#define NUMBER_SIZE 32
-
-/* The shortest text of six digits or more that reads back as the same double, or float if `single`
- */
 static void add_number(struct text *text, double value, int single)
 {
     char number[NUMBER_SIZE] = "null"; /* JSON has no infinity */
-    double again = NAN;
-    for (int digits = 6; isfinite(value) && digits <= 17 && again != value; digits++) {
-        snprintf(number, sizeof number, "%.*g", digits, value);
-        again = single ? (double)strtof(number, NULL) : strtod(number, NULL);
+    if (isfinite(value)) {
+        number_write_shortest(number, value, single);
     }
     text_add(text, "%s", number);
 }
@@ -64,7 +58,7 @@ void options_describe(const struct option_table *table, const void *values, stru
         for (size_t i = 0; i < group->count; i++) {
             const struct option *const option = &group->options[i];
             if (!option->of_run) {
-                text_add(text, "  \"%s\": ", option_name_of(group->prefix, option).text + 2);
+                text_add(text, "  \"%s\": ", option->name + 2);
                 add_value(option, (const char *)values + group->offset + option->offset, text);
                 text_add(text, ",\n");
             }

@@ -227,3 +227,14 @@ enum option_result option_text(const struct option *option, const char *text, vo
     *(const char **)field = text;
     return OPTION_VALID;
 }
+
+enum option_result option_list(const struct option *option, const char *text, void *field)
+{
+    struct option_list *const list = field;
+    if (list->count == OPTION_LIST_MOST) {
+        return OPTION_INVALID;
+    }
+    const enum option_result result = option_text(option, text, &list->texts[list->count]);
+    list->count += result == OPTION_VALID ? 1 : 0;
+    return result;
+}

@@ -17,7 +17,8 @@
 
 #define STANDARD_COUNT 4 /* values of a range of numbers that are not whole */
 
-static const char name_letters[] = "abcdefghijklmnopqrstuvwxyz-";
+static const char name_letters[] =
+    "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789_-";
 
 /* How long the name of a parameter at `text` is; 0 if no equals sign follows. */
 static size_t name_length(const char *text)

@@ -9,11 +9,12 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "ground/source.h"
 #include "raster/layers.h"
 #include "shared/error.h"
 #include "shared/text.h"
 
-/* The option of an axis, if a sheet can vary it */
+/* The option of an axis, if a sheet can vary it. All other names are those of parameters. */
 static const struct option *find(const struct axis *axis, struct sheet_options *options,
                                  void **field)
 {
@@ -33,24 +34,6 @@ static bool set_flag(const struct axis *axis, const char *value, int *flag)
     return true;
 }
 
-/* What says how far a noise counts may be 0 in some cells: the noise's own options do not matter
-   there, and are no mistake. */
-static void forgive(const struct axes *axes, struct ground_options *ground)
-{
-    for (size_t i = 0; i < axes->count; i++) {
-        const char *const name = axes->list[i].name;
-        if (strcmp(name, "warp-reach") == 0 || strcmp(name, "preset") == 0) {
-            ground->warp.given.typed = 0;
-        }
-        if (strcmp(name, "base-amplitude") == 0 || strcmp(name, "preset") == 0) {
-            ground->base.given.typed = 0;
-        }
-        if (strcmp(name, "mask-band") == 0 || strcmp(name, "preset") == 0) {
-            ground->mask.given.typed = 0;
-        }
-    }
-}
-
 /* Reads the command line and the values behind it. Options without a value are set afterwards. */
 static bool read_options(struct cell *cell, char **argv, const struct axes *axes, const size_t *at)
 {
@@ -68,9 +51,9 @@ static bool read_options(struct cell *cell, char **argv, const struct axes *axes
         const struct axis *const axis = &axes->list[i];
         void *field;
         const struct option *const option = find(axis, options, &field);
-        if (option->parse != NULL) {
-            cell->typed[i] =
-                text_join((const char *const[]){"--", axis->name, "=", axis->values[at[i]], NULL});
+        if (option == NULL || option->parse != NULL) {
+            cell->typed[i] = text_join((const char *const[]){
+                option == NULL ? "--set=" : "--", axis->name, "=", axis->values[at[i]], NULL});
             is_valid = cell->typed[i] != NULL;
             words[count++] = cell->typed[i];
         }
@@ -81,7 +64,8 @@ static bool read_options(struct cell *cell, char **argv, const struct axes *axes
     is_valid = is_valid && options_parse(&sheet_table, words, options) == OPTIONS_RUN;
     for (size_t i = 0; i < axes->count && is_valid; i++) {
         void *field;
-        if (find(&axes->list[i], options, &field)->parse == NULL) {
+        const struct option *const option = find(&axes->list[i], options, &field);
+        if (option != NULL && option->parse == NULL) {
             is_valid = set_flag(&axes->list[i], axes->list[i].values[at[i]], field);
         }
     }
@@ -93,18 +77,9 @@ bool cell_make(struct cell *cell, char **argv, const struct axes *axes, const si
 {
     struct sheet_options *const options = &cell->options;
     *cell = (struct cell){.options = SHEET_OPTIONS_UNSET};
-    for (size_t i = 0; i < axes->count; i++) {
-        void *field;
-        if (find(&axes->list[i], options, &field) == NULL) {
-            cli_error("--sheet: %s is no parameter of cells; see: scarp sheet --help",
-                      axes->list[i].name);
-            return false;
-        }
-    }
     if (!read_options(cell, argv, axes, at)) {
         return false;
     }
-    forgive(axes, &options->ground);
     const size_t samples = options->samples;
     const double step = options->step / (double)samples;
     const double aside = 0.5 * (double)(samples - 1) * step; /* pixels are around their place */
@@ -116,9 +91,12 @@ bool cell_make(struct cell *cell, char **argv, const struct axes *axes, const si
         .step = step,
         .normal_y = 1.0f,
     };
-    if (!ground_options_complete(&options->ground) ||
-        !ground_make(&options->ground, &cell->surface.ground) ||
-        !surface_open_palette(&options->look, options->ground.preset, &cell->palette)) {
+    struct source source = {.name = NULL};
+    const bool is_made = source_open(&source, &options->ground, options->step) == CLI_SUCCESS &&
+                         source_ground(&source, &cell->surface.ground) &&
+                         source_open_palette(&source, options->look.palette, &cell->palette);
+    source_close(&source);
+    if (!is_made) {
         return false;
     }
     surface_set_scale(&cell->surface);

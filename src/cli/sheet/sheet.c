@@ -13,6 +13,7 @@
 
 #include "formats/choose.h"
 #include "formats/whole.h"
+#include "ground/source.h"
 #include "shared/crew.h"
 #include "shared/error.h"
 #include "shared/interrupt.h"
@@ -168,6 +169,17 @@ static int prepare(struct sheet *sheet, char **argv)
     return sheet->crew != NULL ? make_cells(sheet, argv) : CLI_FAILURE;
 }
 
+static int print_recipe(const struct sheet_options *options)
+{
+    struct source source = {.name = NULL};
+    const int status = source_open(&source, &options->ground, options->step);
+    if (status == CLI_SUCCESS) {
+        source_print(&source);
+    }
+    source_close(&source);
+    return status;
+}
+
 int cli_sheet(char **argv)
 {
     static struct sheet sheet = {.options = SHEET_OPTIONS_UNSET}; /* large for a stack */
@@ -175,6 +187,9 @@ int cli_sheet(char **argv)
     case OPTIONS_HELP: return CLI_SUCCESS;
     case OPTIONS_BAD: return CLI_USAGE;
     default: break;
+    }
+    if (sheet.options.ground.print_recipe) {
+        return print_recipe(&sheet.options);
     }
     const double start = running_seconds();
     int status = prepare(&sheet, argv);

@@ -90,8 +90,8 @@ const struct option_table sheet_table = {
     .purpose =
         "Draws many small maps of a terrain side by side, which differ in one or two parameters.",
     .notes =
-        "NAME       any option from --origin to the last one of the mask, without its dashes:\n"
-        "           seed, gain, warp-reach, preset, palette, step.\n"
+        "NAME       a parameter of the recipe, or any option from --origin to --plateau, without\n"
+        "           its dashes: seed, gain, preset, palette, step.\n"
         "VALUES     1..4 are 1, 2, 3 and 4; 0.3..0.6/7 are 7 values, equally far from each other\n"
         "           and rounded to six digits; 0.3..0.6 are 4. fbm|ridged|swiss are these three;\n"
         "           off|on is without and with an option that has no value. There are at most\n"
@@ -106,6 +106,5 @@ const struct option_table sheet_table = {
     .groups = groups,
     .count = sizeof groups / sizeof groups[0],
     .standard = ground_standard,
-    .presets = preset_words,
-    .preset_offset = FIELD(ground.preset),
+    .removed = ground_removed,
 };

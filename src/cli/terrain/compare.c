@@ -12,7 +12,7 @@ static void difference(const struct surface *surface, const struct block *block,
     float *const after = block->differences_y;
     surface_values(surface, block, -right, -up, before);
     surface_values(surface, block, right, up, after);
-    const double distance = 2.0 * surface->step * surface->steps_per_value; /* 0: all are alike */
+    const double distance = 2.0 * surface->step * surface->steps_per_unit; /* 0: all are alike */
     for (size_t i = 0; i < block->columns * block->rows; i++) {
         const int steps =
             (int)surface_quantise(surface, after[i]) - (int)surface_quantise(surface, before[i]);
@@ -28,7 +28,7 @@ void compare_sample(const struct surface *surface, struct block *block)
     float *const slope_y = block->value;
     difference(surface, block, 1, 0, slope_x);
     difference(surface, block, 0, 1, slope_y);
-    scarp_normals(block->columns * block->rows, slope_x, slope_y, surface->ground.height_scale,
-                  block->differences_x, block->differences_y, block->differences_z);
+    scarp_normals(block->columns * block->rows, slope_x, slope_y, 1.0f, block->differences_x,
+                  block->differences_y, block->differences_z);
     surface_values(surface, block, 0, 0, block->value);
 }

@@ -10,6 +10,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "ground/source.h"
 #include "raster/surface.h"
 #include "shared/crew.h"
 #include "shared/progress.h"
@@ -21,6 +22,7 @@
 struct job {
     /* Set before: */
     const struct terrain_options *options;
+    const struct source *source;
     struct surface surface;
     struct palette palette;    /* of the relief */
     struct outputs outputs[2]; /* the same ones: of the tile at hand, and of the one before */

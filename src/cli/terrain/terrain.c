@@ -6,7 +6,6 @@
  */
 #include "terrain/terrain.h"
 
-#include <math.h>
 #include <stdbool.h>
 #include <stdio.h>
 
@@ -14,10 +13,10 @@
 #include "shared/posix.h"
 #include "shared/running.h"
 #include "terrain/job.h"
-#include "terrain/repeat.h"
 #include "terrain/world.h"
 
-static bool make_surface(const struct terrain_options *options, struct surface *surface)
+static bool make_surface(const struct terrain_options *options, const struct source *source,
+                         struct surface *surface)
 {
     *surface = (struct surface){
         .width = options->size.width,
@@ -28,7 +27,7 @@ static bool make_surface(const struct terrain_options *options, struct surface *
         .normal_y = options->normal_down ? -1.0f : 1.0f,
         .zoom = options->compare,
     };
-    if (!ground_make(&options->ground, &surface->ground)) {
+    if (!source_ground(source, &surface->ground)) {
         return false;
     }
     surface_set_scale(surface);
@@ -68,38 +67,22 @@ static void print_heights(const struct job *job, FILE *stream)
     }
     if (are_integers) {
         fprintf(stream, "16-bit heights: 0 is %.9g, 65535 is %.9g\n",
-                (double)job->surface.zero_height, (double)job->surface.full_height);
+                (double)(job->surface.ground.floor + 0.0f), /* no zero is negative */
+                (double)(job->surface.ground.highest + 0.0f));
     }
 }
 
-static void print_cells(const char *of, const struct noise_options *noise, FILE *stream)
-{
-    fprintf(stream, "%s %.9g, %u x %u", of, noise->frequency, (unsigned)noise->period[0],
-            (unsigned)noise->period[1]);
-}
-
 /* The frequency may be another than was asked for. */
-static void print_period(const struct terrain_options *options, FILE *stream)
+static void print_period(const struct job *job, FILE *stream)
 {
-    const struct ground_options *const ground = &options->ground;
-    const struct option_size period = options->tileable ? options->size : options->period;
+    const struct option_size period = job->options->ground.period;
     if (period.width == 0) {
         return;
     }
     fprintf(stream, "repeats after %zux%zu samples", period.width, period.height);
-    print_cells(": frequency", &ground->noise, stream);
-    fputs(" cells", stream);
-    if (ground->warp.reach != 0.0f) {
-        print_cells("; warp", &ground->warp.noise, stream);
-    }
-    if (ground->base.amplitude != 0.0f) {
-        print_cells("; base", &ground->base.noise, stream);
-    }
-    if (ground->mask.band.x != ground->mask.band.y) {
-        print_cells("; mask", &ground->mask.noise, stream);
-    }
-    if (ground->stretch != 1.0) {
-        fprintf(stream, "; stretch %.9g", ground->stretch);
+    if (job->source->nearest != 0.0) {
+        fprintf(stream, ": frequency %.9g, %u x %u cells", job->source->nearest,
+                (unsigned)job->source->cells[0], (unsigned)job->source->cells[1]);
     }
     fputc('\n', stream);
 }
@@ -109,7 +92,7 @@ static void print_summary(const struct job *job, double duration)
     /* A device may be standard output by another name. */
     FILE *const stream = outputs_are_files(&job->outputs[0]) ? stdout : stderr;
     print_heights(job, stream);
-    print_period(job->options, stream);
+    print_period(job, stream);
     if (job->busy > 0) {
         fprintf(stream, "%zu tile%s left to other runs\n", job->busy, job->busy == 1 ? "" : "s");
     }
@@ -141,7 +124,7 @@ static bool needs_manifest(const struct job *job)
 static bool make_relief(struct job *job)
 {
     const struct terrain_options *const options = job->options;
-    if (!surface_open_palette(&options->look, options->ground.preset, &job->palette)) {
+    if (!source_open_palette(job->source, options->look.palette, &job->palette)) {
         return false;
     }
     if ((outputs_needs(&job->outputs[0]) & SURFACE_BED) != 0) {
@@ -157,33 +140,25 @@ static int prepare(struct job *job)
     if (job->crew == NULL) {
         return CLI_FAILURE;
     }
-    if (!make_surface(options, &job->surface) || !make_outputs(options, &job->outputs[0]) ||
-        !make_outputs(options, &job->outputs[1]) || !make_relief(job) ||
-        !tiling_make(options, &job->tiling) || !outputs_check(&job->outputs[0], &job->tiling)) {
+    if (!make_surface(options, job->source, &job->surface) ||
+        !make_outputs(options, &job->outputs[0]) || !make_outputs(options, &job->outputs[1]) ||
+        !make_relief(job) || !tiling_make(options, &job->tiling) ||
+        !outputs_check(&job->outputs[0], &job->tiling)) {
         return CLI_USAGE;
     }
-    return needs_manifest(job)
-               ? world_open(&job->manifest, options, &job->surface, &job->tiling, &job->outputs[0])
-               : CLI_SUCCESS;
+    return needs_manifest(job) ? world_open(job) : CLI_SUCCESS;
 }
 
-int cli_terrain(char **argv)
+static int run(const struct terrain_options *options, const struct source *source)
 {
-    struct terrain_options options = {.ground = GROUND_OPTIONS_UNSET};
-    switch (options_parse(&terrain_table, argv, &options)) {
-    case OPTIONS_HELP: return CLI_SUCCESS;
-    case OPTIONS_BAD: return CLI_USAGE;
-    default: break;
-    }
-    if (!ground_options_complete(&options.ground) || !terrain_repeat(&options)) {
-        return CLI_USAGE;
-    }
-    struct job job = {.options = &options};
+    static struct job job; /* large for a stack */
+    job.options = options;
+    job.source = source;
     int status = prepare(&job);
     if (status == CLI_SUCCESS) {
         const double start = running_seconds();
         status = job_run(&job);
-        if (status == CLI_SUCCESS && !options.running.quiet) {
+        if (status == CLI_SUCCESS && !options->running.quiet) {
             print_summary(&job, running_seconds() - start);
         }
     }
@@ -192,5 +167,39 @@ int cli_terrain(char **argv)
     outputs_free(&job.outputs[1]);
     palette_free(&job.palette);
     crew_close(job.crew);
+    return status;
+}
+
+static bool set_tileable(struct terrain_options *options)
+{
+    struct option_size *const period = &options->ground.period;
+    if (options->tileable && period->width != 0) {
+        cli_error("--tileable: is --period %zux%zu; leave one of them out", options->size.width,
+                  options->size.height);
+        return false;
+    }
+    *period = options->tileable ? options->size : *period;
+    return true;
+}
+
+int cli_terrain(char **argv)
+{
+    static struct terrain_options options = {.ground = GROUND_OPTIONS_UNSET};
+    switch (options_parse(&terrain_table, argv, &options)) {
+    case OPTIONS_HELP: return CLI_SUCCESS;
+    case OPTIONS_BAD: return CLI_USAGE;
+    default: break;
+    }
+    if (!set_tileable(&options)) {
+        return CLI_USAGE;
+    }
+    struct source source = {.name = NULL};
+    int status = source_open(&source, &options.ground, options.step);
+    if (status == CLI_SUCCESS && options.ground.print_recipe) {
+        source_print(&source);
+    } else if (status == CLI_SUCCESS) {
+        status = run(&options, &source);
+    }
+    source_close(&source);
     return status;
 }

@@ -38,16 +38,6 @@ static const struct option raster_rows[] = {
      .offset = FIELD(step),
      .lowest = 0x1p-48,
      .highest = 0x1p48},
-    {.name = "--period",
-     .argument = "WxH",
-     .allowed = "WIDTHxHEIGHT with both from 1 to 1000000",
-     .help = "repeat after so many samples, both from 1, without a seam; the\nfrequency becomes "
-             "the nearest that has whole cells there, and a\npreset's axes are not turned [it "
-             "never does]",
-     .parse = option_size,
-     .offset = FIELD(period),
-     .lowest = 1,
-     .highest = 1e6},
     {.name = "--tileable",
      .help = "--period with the raster's own size: copies fit side by side",
      .offset = FIELD(tileable)},
@@ -267,6 +257,5 @@ const struct option_table terrain_table = {
     .groups = groups,
     .count = sizeof groups / sizeof groups[0],
     .standard = ground_standard,
-    .presets = preset_words,
-    .preset_offset = FIELD(ground.preset),
+    .removed = ground_removed,
 };

@@ -12,9 +12,9 @@
 
 struct terrain_options {
     struct ground_options ground;
-    struct option_size size, tile, period; /* no tile, no period: 0 x 0 */
-    struct option_range tiles;             /* all: end 0 */
-    struct option_share share;             /* all: count 0 */
+    struct option_size size, tile; /* no tile: 0 x 0 */
+    struct option_range tiles;     /* all: end 0 */
+    struct option_share share;     /* all: count 0 */
     struct option_point origin;
     struct look_options look;
     double step;

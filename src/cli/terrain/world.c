@@ -77,25 +77,26 @@ static void add_derived(const struct surface *surface, const struct tiling *tili
     text_add(text, "  \"derived\": {\n    \"tiles\": [%zu, %zu],\n", tiling->across, tiling->down);
     text_add(text, "    \"range\": [%.9g, %.9g],\n", (double)surface->ground.lowest,
              (double)surface->ground.highest);
-    text_add(text, "    \"16-bit heights\": [%.9g, %.9g]\n  }\n", (double)surface->zero_height,
-             (double)surface->full_height);
+    text_add(text, "    \"16-bit heights\": [%.9g, %.9g]\n  }\n",
+             (double)(surface->ground.floor + 0.0f), (double)(surface->ground.highest + 0.0f));
 }
 
-int world_open(struct manifest *manifest, const struct terrain_options *options,
-               const struct surface *surface, const struct tiling *tiling,
-               const struct outputs *outputs)
+int world_open(struct job *job)
 {
+    const struct outputs *const outputs = &job->outputs[0];
     const struct output *const first = &outputs->list[0];
+    struct manifest *const manifest = &job->manifest;
     struct text text = {0};
     char *const path = pattern_manifest(first->path);
     manifest->option = first->option;
     manifest->makes_directories = pattern_is(first->path);
     text_add(&text, "{\n  \"manifest\": 1,\n  \"scarp\": \"%s\",\n", scarp_version());
-    options_describe(&terrain_table, options, &text);
+    options_describe(&terrain_table, job->options, &text);
+    source_describe(job->source, &text);
     int status = CLI_FAILURE;
-    if (path != NULL && add_all_files(outputs, tiling->numbered, path, &text)) {
-        add_palette(&surface->relief, &text);
-        add_derived(surface, tiling, &text);
+    if (path != NULL && add_all_files(outputs, job->tiling.numbered, path, &text)) {
+        add_palette(&job->surface.relief, &text);
+        add_derived(&job->surface, &job->tiling, &text);
         text_add(&text, "}\n");
     } else {
         text.failed = true;

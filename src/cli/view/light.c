@@ -37,10 +37,10 @@ static void place(struct light *light, const struct scene *scene, const struct b
     }
 }
 
-static void blend(const struct light *light, float *a, const float *b, float scale)
+static void blend(const struct light *light, float *a, const float *b)
 {
     for (size_t i = 0; i < light->count; i++) {
-        a[i] = scale * mix(a[i], b[i], light->along[i]);
+        a[i] = mix(a[i], b[i], light->along[i]);
     }
 }
 
@@ -82,7 +82,7 @@ static void sample_cliffs(struct light *light, const struct scene *scene, size_t
         light->points += count;
         for (size_t n = 0; n < count; n++) {
             const float reach = pixel_at(scene, rays->distance[light->ray[cliff[n]]]);
-            const float rises = scene->height_scale * light->other[0][n] / (8.0f * reach);
+            const float rises = light->other[0][n] / (8.0f * reach);
             light->dx[cliff[n]] += x * rises;
             light->dy[cliff[n]] += y * rises;
         }
@@ -94,18 +94,14 @@ static void sample_cliffs(struct light *light, const struct scene *scene, size_t
 static void sample_ground(struct light *light, const struct scene *scene, size_t band,
                           const struct rays *rays)
 {
-    const float scale = scene->height_scale;
     float *const value = light->other[0], *const dx = light->other[1], *const dy = light->other[2];
     ground_points(
         &scene->band[band].ground, light->count, light->x, light->y,
         &(struct scarp_samples){.value = light->height, .dx = light->dx, .dy = light->dy});
     ground_points(&scene->band[band + 1].ground, light->count, light->x, light->y,
                   &(struct scarp_samples){.value = value, .dx = dx, .dy = dy});
-    for (size_t i = 0; i < light->count; i++) {
-        light->height[i] *= scale;
-    }
-    blend(light, light->dx, dx, scale);
-    blend(light, light->dy, dy, scale);
+    blend(light, light->dx, dx);
+    blend(light, light->dy, dy);
     sample_cliffs(light, scene, band, rays);
     ground_points(&scene->smooth[0], light->count, light->x, light->y,
                   &(struct scarp_samples){
@@ -113,11 +109,8 @@ static void sample_ground(struct light *light, const struct scene *scene, size_t
     ground_points(&scene->smooth[1], light->count, light->x, light->y,
                   &(struct scarp_samples){.value = light->hollow[1]});
     for (size_t i = 0; i < light->count; i++) {
-        light->smooth_dx[i] *= scale;
-        light->smooth_dy[i] *= scale;
         for (int j = 0; j < 2; j++) {
-            light->hollow[j][i] =
-                scale * light->hollow[j][i] - scene->survey.smoothed[j] - light->height[i];
+            light->hollow[j][i] -= scene->survey.smoothed[j] + light->height[i];
         }
     }
     for (int i = 0; i < 4; i++) {
@@ -136,9 +129,9 @@ static void sample_texture(struct light *light, const struct scene *scene, size_
         .value = light->other[0], .dx = light->other[1], .dy = light->other[2]};
     texture_sample(texture, scene->band[band].finest, light->count, x, y, &first);
     texture_sample(texture, scene->band[band + 1].finest, light->count, x, y, &second);
-    blend(light, first.value, second.value, 1.0f);
-    blend(light, first.dx, second.dx, 1.0f);
-    blend(light, first.dy, second.dy, 1.0f);
+    blend(light, first.value, second.value);
+    blend(light, first.dx, second.dx);
+    blend(light, first.dy, second.dy);
     count_call(light);
     count_call(light);
 }
@@ -234,7 +227,7 @@ static void light_piece(struct light *light, const struct scene *scene, size_t b
         const struct vector direction = ray_of(rays, ray);
         struct colour colour;
         if (is_sea(light, scene, i)) {
-            const struct water water = {.depth = scene->sea - scene->height_scale * light->bed[i],
+            const struct water water = {.depth = scene->sea - light->bed[i],
                                         .distance = rays->distance[ray],
                                         .sun = light->sun[i],
                                         .dx = light->texture_dx[TEXTURE_WAVES][i],

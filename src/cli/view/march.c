@@ -145,7 +145,7 @@ static void sample(struct march *march, const struct scene *scene, const struct 
 static float clearance(const struct march *march, const struct scene *scene,
                        const struct march_list *list, size_t i)
 {
-    return scene->camera.z + list->z[i] * list->at[i] - scene->height_scale * march->value[i];
+    return scene->camera.z + list->z[i] * list->at[i] - march->value[i];
 }
 
 /* Has ray number `i` bisect its step, if it must: it is below the ground, or was so further on. A

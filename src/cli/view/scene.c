@@ -57,12 +57,11 @@ static void make_survey(struct scene *scene, double x, double y)
     const struct scarp_grid grid = {
         .origin = {x, y}, .step = {step, step}, .count = {SIDE, SIDE, 1}};
     const struct scarp_samples out = {.value = value, .dx = dx, .dy = dy};
-    const float scale = scene->height_scale;
     struct survey *const survey = &scene->survey;
     struct spread spread;
     ground_spread(&scene->ground, &spread);
-    survey->low = scale * spread.low;
-    survey->high = scale * spread.high;
+    survey->low = spread.low;
+    survey->high = spread.high;
     if (!(survey->high - survey->low > 1.0f)) {
         survey->high = survey->low + 1.0f;
     }
@@ -71,10 +70,10 @@ static void make_survey(struct scene *scene, double x, double y)
     for (int i = 0; i < 2; i++) {
         float smooth[PLACES];
         ground_grid(&scene->smooth[i], &grid, &(struct scarp_samples){.value = smooth});
-        survey->smoothed[i] = scale * (mean(smooth) - height);
+        survey->smoothed[i] = mean(smooth) - height;
     }
     for (size_t i = 0; i < PLACES; i++) {
-        dx[i] = scale * sqrtf(dx[i] * dx[i] + dy[i] * dy[i]);
+        dx[i] = sqrtf(dx[i] * dx[i] + dy[i] * dy[i]);
     }
     survey->steep = quantile(dx, 0.8f);
 }
@@ -87,10 +86,9 @@ void scene_set_ground(struct scene *scene, const struct ground *ground, double x
     }
     ground_limit(ground, 0.0, &scene->bed);
     scene->bed.floor = scene->bed.lowest;
-    scene->height_scale = ground->height_scale;
-    scene->top = ground->height_scale * ground->ceiling;
-    scene->bottom = ground->height_scale * ground->floor;
-    scene->has_sea = ground->floor > ground->lowest;
+    scene->top = ground->highest;
+    scene->bottom = ground->floor;
+    scene->has_sea = ground_has_sea(ground);
     scene->sea = scene->bottom;
     make_survey(scene, x, y);
 }
@@ -139,14 +137,14 @@ static float measure_slope(const struct scene *scene, const struct band *band)
         for (size_t i = 0; i < RAYS_ACROSS * PLACES_ALONG; i++) {
             const float slope = dx[i] * dx[i] + dy[i] * dy[i];
             steepest = slope > steepest ? slope : steepest;
-            count_slope(counts, scene->height_scale * sqrtf(slope));
+            count_slope(counts, sqrtf(slope));
         }
     }
     if (band->jumps) {
         const float usual = SLOPE_MARGIN * usual_slope(counts);
         return usual > GENTLEST ? usual : GENTLEST;
     }
-    return SLOPE_MARGIN * scene->height_scale * sqrtf(steepest);
+    return SLOPE_MARGIN * sqrtf(steepest);
 }
 
 /* Distances double from band to band. */
@@ -163,7 +161,7 @@ void scene_set_bands(struct scene *scene)
         band->end = end;
         band->finest = 0.5f * pixel * end;
         ground_limit(&scene->ground, band->finest, &band->ground);
-        band->jumps = ground_jumps(&band->ground);
+        band->jumps = band->ground.jumps;
     }
     struct band *const last = &scene->band[BANDS];
     last->finest = pixel * scene->farthest;

@@ -37,10 +37,9 @@ struct survey {
 struct scene {
     struct camera camera;
     struct ground ground;
-    float height_scale; /* units of height per 1 of value */
-    float top;          /* no ground is higher */
-    float bottom;       /* or lower */
-    float farthest;     /* nothing is looked for beyond */
+    float top;      /* no ground is higher */
+    float bottom;   /* or lower */
+    float farthest; /* nothing is looked for beyond */
     bool has_sea;
     float sea; /* its height */
 

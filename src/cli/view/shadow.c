@@ -28,7 +28,7 @@ static size_t look(struct shadow *shadow, const struct scene *scene, const struc
     for (size_t i = 0; i < count; i++) {
         const uint32_t point = shadow->point[i];
         const float height = points->height[point] + way.z;
-        const float above = height - scene->height_scale * shadow->value[i];
+        const float above = height - shadow->value[i];
         const float seen = ramp(-RADIUS * distance, RADIUS * distance, above);
         points->seen[point] = seen < points->seen[point] ? seen : points->seen[point];
         if (seen > 0.0f && height < scene->top) {

@@ -11,7 +11,7 @@
 #include <string.h>
 
 #include "formats/choose.h"
-#include "ground/presets.h"
+#include "ground/source.h"
 #include "shared/error.h"
 #include "shared/interrupt.h"
 #include "shared/running.h"
@@ -45,25 +45,24 @@ static bool check_camera(const struct view_options *options, const struct scene 
     float value;
     ground_points(&scene->ground, 1, &options->camera.x, &options->camera.y,
                   &(struct scarp_samples){.value = &value});
-    const float ground = scene->height_scale * value;
-    if ((float)options->camera.height <= ground) {
+    if ((float)options->camera.height <= value) {
         cli_error("--camera: the height %.9g is not above the ground, which is %.9g high there",
-                  options->camera.height, (double)ground);
+                  options->camera.height, (double)value);
         return false;
     }
     return true;
 }
 
-static bool make_scene(struct view_options *options, struct palette *palette, struct scene *scene)
+static bool make_scene(struct view_options *options, const struct source *source,
+                       struct palette *palette, struct scene *scene)
 {
     struct ground ground;
     if (options->haze != 0.0f && options->haze < 1.0f) {
         cli_error("--haze: is not 0 or a number from 1 to 2^24");
         return false;
     }
-    const char *const name =
-        options->palette != NULL ? options->palette : preset_palettes[options->ground.preset];
-    if (!ground_make(&options->ground, &ground) || !palette_open(palette, "--palette", name)) {
+    if (!source_ground(source, &ground) ||
+        !source_open_palette(source, options->palette, palette)) {
         return false;
     }
     scene->haze = options->haze;
@@ -149,34 +148,47 @@ static int write_picture(const struct view_options *options, const struct scene 
     return result == PICTURE_DONE ? CLI_SUCCESS : tell_failure(writer, result);
 }
 
-int cli_view(char **argv)
+static int run(struct view_options *options, const struct source *source)
 {
-    struct view_options options = VIEW_OPTIONS_UNSET;
-    switch (options_parse(&view_table, argv, &options)) {
-    case OPTIONS_HELP: return CLI_SUCCESS;
-    case OPTIONS_BAD: return CLI_USAGE;
-    default: break;
-    }
     static struct scene scene; /* too large for a stack */
     struct writer writer = {.path = NULL};
-    if (!ground_options_complete(&options.ground) || !choose_format(&options, &writer)) {
+    if (!choose_format(options, &writer)) {
         return CLI_USAGE;
     }
-    struct crew *const crew = running_begin(&options.running);
+    struct crew *const crew = running_begin(&options->running);
     if (crew == NULL) {
         return CLI_FAILURE;
     }
     const double start = running_seconds();
     struct palette palette = {.name = NULL};
     struct picture_counts counts = {.rays = 0};
-    const int status = make_scene(&options, &palette, &scene)
-                           ? write_picture(&options, &scene, &writer, crew, &counts)
+    const int status = make_scene(options, source, &palette, &scene)
+                           ? write_picture(options, &scene, &writer, crew, &counts)
                            : CLI_USAGE;
-    if (status == CLI_SUCCESS && !options.running.quiet) {
-        print_summary(&options, &writer, crew, &counts, running_seconds() - start);
+    if (status == CLI_SUCCESS && !options->running.quiet) {
+        print_summary(options, &writer, crew, &counts, running_seconds() - start);
     }
     writer_discard(&writer);
     palette_free(&palette);
     crew_close(crew);
+    return status;
+}
+
+int cli_view(char **argv)
+{
+    static struct view_options options = VIEW_OPTIONS_UNSET;
+    switch (options_parse(&view_table, argv, &options)) {
+    case OPTIONS_HELP: return CLI_SUCCESS;
+    case OPTIONS_BAD: return CLI_USAGE;
+    default: break;
+    }
+    struct source source = {.name = NULL};
+    int status = source_open(&source, &options.ground, 1.0);
+    if (status == CLI_SUCCESS && options.ground.print_recipe) {
+        source_print(&source);
+    } else if (status == CLI_SUCCESS) {
+        status = run(&options, &source);
+    }
+    source_close(&source);
     return status;
 }

@@ -184,6 +184,5 @@ const struct option_table view_table = {
     .groups = groups,
     .count = sizeof groups / sizeof groups[0],
     .standard = ground_standard,
-    .presets = preset_words,
-    .preset_offset = FIELD(ground.preset),
+    .removed = ground_removed,
 };

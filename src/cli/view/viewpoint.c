@@ -65,7 +65,7 @@ static void light_profile(const struct scene *scene, const struct profile *profi
         }
         ground_points(&scene->smooth[0], LOOKS, x, y, &(struct scarp_samples){.value = value});
         for (int look = 0; look < LOOKS; look++) {
-            if (scene->height_scale * value[look] > profile->height[look] + way.z) {
+            if (value[look] > profile->height[look] + way.z) {
                 light[look] = 0.0f;
             }
         }
@@ -90,11 +90,6 @@ static void sample_fan(const struct scene *scene, const struct trial *trial, dou
         const struct scarp_samples out = {
             .value = profile.height, .dx = profile.dx, .dy = profile.dy};
         ground_points(&scene->ground, LOOKS, profile.x, profile.y, &out);
-        for (int look = 0; look < LOOKS; look++) {
-            profile.height[look] *= scene->height_scale;
-            profile.dx[look] *= scene->height_scale;
-            profile.dy[look] *= scene->height_scale;
-        }
         light_profile(scene, &profile, fan->light[ray]);
     }
 }
@@ -110,7 +105,7 @@ static float ground_around(const struct scene *scene, double x, double y)
     }
     ground_points(&scene->ground, 25, px, py, &(struct scarp_samples){.value = value});
     for (int i = 0; i < 25; i++) {
-        const float height = scene->height_scale * value[i];
+        const float height = value[i];
         highest = height > highest ? height : highest;
     }
     return highest;

@@ -1,0 +1,20 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The recipes of the program: the files in presets/, which the build puts into it.
+ */
+#ifndef SCARP_CLI_PRESETS_H
+#define SCARP_CLI_PRESETS_H
+
+#include <stddef.h>
+
+#include "presets_words.h" /* written by presets.cmake: PRESET_NAMES and what help says */
+
+struct preset {
+    const char *text; /* not ended by a NUL */
+    size_t length;
+};
+
+extern const char *const preset_names[];  /* "none" first, NULL at the end */
+extern const struct preset preset_list[]; /* by number; that of "none" is empty */
+
+#endif

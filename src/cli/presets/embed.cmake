@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: MIT
+# Writes presets.c and presets_words.h, the recipes of the program and what help says of them, to the
+# directory TO. FROM is that of the recipes, PRESETS the list of their names.
+#
+#   cmake -D FROM=src/cli/presets -D TO=folder "-DPRESETS=alps;dunes" -P embed.cmake
+
+cmake_minimum_required(VERSION 3.25)
+
+set(names "none")
+set(help "presets    are recipes; scarp recipe NAME prints one and what its parameters are:")
+foreach(name IN LISTS PRESETS)
+  file(READ ${FROM}/${name}.recipe text HEX)
+  string(REGEX REPLACE "(..)" "0x\\1," bytes "${text}")
+  string(REGEX REPLACE "(0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,0x..,)" "\\1\n" bytes "${bytes}")
+  string(APPEND arrays "static const char ${name}[] = {\n${bytes}\n};\n")
+  string(APPEND list "    {${name}, sizeof ${name}},\n")
+  string(APPEND words "\"${name}\", ")
+  list(APPEND names ${name})
+  # The first comment says what it is.
+  file(STRINGS ${FROM}/${name}.recipe about LIMIT_COUNT 1)
+  string(REGEX REPLACE "^# *" "" about "${about}")
+  string(SUBSTRING "${name}         " 0 9 padded)
+  string(APPEND help "\n  ${padded} ${about}")
+endforeach()
+
+list(POP_BACK names last)
+list(JOIN names ", " first)
+string(REPLACE "\n" "\\n" help "${help}")
+# In help, a line has up to 66 characters.
+set(lines "")
+set(line "")
+foreach(name IN LISTS names)
+  string(LENGTH "${line} ${name}," length)
+  if(length GREATER 60)
+    string(APPEND lines "${line}\\n")
+    set(line "")
+  endif()
+  string(APPEND line "${name}, ")
+endforeach()
+string(REGEX REPLACE ", $" " or ${last}" line "${line}")
+
+function(write path content)
+  set(old)
+  if(EXISTS ${path})
+    file(READ ${path} old)
+  endif()
+  if(NOT old STREQUAL content)
+    file(WRITE ${path} "${content}")
+  endif()
+endfunction()
+
+write(${TO}/presets_words.h "/* Written by embed.cmake. */
+#define PRESET_NAMES \"${first} or ${last}\"
+#define PRESET_NAMES_HELP \"${lines}${line}\"
+#define PRESET_HELP \"${help}\"
+")
+write(${TO}/presets.c "/* Written by embed.cmake. */
+#include \"ground/presets.h\"
+
+${arrays}
+const char *const preset_names[] = {\"none\", ${words}NULL};
+const struct preset preset_list[] = {
+    {NULL, 0},
+${list}};
+")
