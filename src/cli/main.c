@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "info.h"
+#include "recipe/recipe.h"
 #include "sample/sample.h"
 #include "scarp.h"
 #include "shared/error.h"
@@ -27,6 +28,7 @@ static const char usage[] =
     "  view       look at a terrain from a camera: a picture with light, shadows and haze\n"
     "  sheet      draw many small maps of a terrain that differ in one or two parameters\n"
     "  sample     read points, write the noise at each of them and its derivatives\n"
+    "  recipe     print a recipe, check it, and tell its parameters, outputs, values and cost\n"
     "  info       tell the version, the instruction sets and the libraries found\n"
     "  help       print this, or with the name of a command what it takes\n"
     "\n"
@@ -37,11 +39,8 @@ static const char usage[] =
 static const struct {
     const char *name;
     int (*run)(char **argv);
-} commands[] = {{"terrain", cli_terrain},
-                {"view", cli_view},
-                {"sheet", cli_sheet},
-                {"sample", cli_sample},
-                {"info", cli_info}};
+} commands[] = {{"terrain", cli_terrain}, {"view", cli_view},     {"sheet", cli_sheet},
+                {"sample", cli_sample},   {"recipe", cli_recipe}, {"info", cli_info}};
 
 static int run_command(const char *name, char **argv)
 {

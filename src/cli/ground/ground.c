@@ -381,3 +381,13 @@ void ground_cover(const struct ground *ground, size_t count, const struct scarp_
         }
     }
 }
+
+bool ground_is_space(const struct ground *ground)
+{
+    float value;
+    const double origin = 0.0;
+    const struct scarp_samples out = {.value = &value};
+    const struct scarp_recipe_outputs outputs = {.out = &out, .which = &ground->height, .count = 1};
+    return scarp_recipe_sample_f64(&ground->recipe, 1, &origin, &origin, NULL, &outputs,
+                                   ground_scratch()) == SCARP_ERROR_NULL;
+}

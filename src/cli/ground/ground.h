@@ -62,6 +62,9 @@ static inline bool ground_has_sea(const struct ground *ground)
     return ground->floor > ground->lowest;
 }
 
+/* Whether it is of space, and so no terrain: is_any allows that. */
+bool ground_is_space(const struct ground *ground);
+
 /* Sample heights, and slopes if out->dx and out->dy are there, as scarp_grid2 and
    scarp_sample2_f64 do. The sea is flat. `out` may have second derivatives, too, where the recipe
    has them; false if not. */

@@ -287,7 +287,7 @@ static bool check_recipe(struct sample *sample, const struct source *source,
 {
     float result;
     const double origin = 0;
-    const struct scarp_samples first = {.value = &result}, second = {.dxx = &result};
+    const struct scarp_samples second = {.dxx = &result};
     struct ground *const ground = &sample->ground;
     if (options->dphase) {
         cli_error("--dphase: is for one noise; leave it out with %s", source->option);
@@ -296,7 +296,7 @@ static bool check_recipe(struct sample *sample, const struct source *source,
     if (!source_ground(source, ground)) {
         return false;
     }
-    sample->is_space = sample_recipe(ground, 1, &origin, &origin, NULL, &first) == SCARP_ERROR_NULL;
+    sample->is_space = ground_is_space(ground);
     if (options->hessian &&
         sample_recipe(ground, 1, &origin, &origin, &origin, &second) != SCARP_OK) {
         cli_error("--hessian: %s has no second derivatives", source->name);

@@ -51,7 +51,9 @@ static const char *standard_of(const struct option_table *table, const struct op
 
 static void print_help(const struct option_table *table)
 {
-    printf("usage: scarp %s [options]\n\n%s\n", table->command, table->purpose);
+    printf("usage: scarp %s%s%s [options]\n\n%s\n", table->command,
+           table->operand != NULL ? " " : "", table->operand != NULL ? table->operand : "",
+           table->purpose);
     for (size_t g = 0; g < table->count; g++) {
         const struct option_group *const group = &table->groups[g];
         if (group->title != NULL) {

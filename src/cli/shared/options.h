@@ -73,6 +73,7 @@ struct option_removed {
 
 struct option_table {
     const char *command;
+    const char *operand; /* what stands before the options; NULL: nothing */
     const char *purpose; /* the help: before the options */
     const char *notes;   /* the help: after the options */
     const struct option_group *groups;
