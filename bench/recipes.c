@@ -4,6 +4,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "presets/presets.h"
+
 #define CHUNK 1024 /* points that go through the steps of a recipe together */
 
 /* As in src/examples/recipes, but for `fade`, which FastNoise2 can do, too. */
@@ -56,16 +58,38 @@ struct bench_recipe {
     struct scarp_scratch scratch;
 };
 
+/* The text of a title: of a preset, with "terrain-" before its name, or of those above. NULL if
+   there is none. */
+static const char *find_text(const char *title, size_t *length)
+{
+    static const char terrain[] = "terrain-";
+    const size_t prefix = strlen(terrain);
+    if (strncmp(title, terrain, prefix) == 0) {
+        for (int i = 1; preset_names[i] != NULL; i++) {
+            if (strcmp(preset_names[i], title + prefix) == 0) {
+                *length = preset_list[i].length;
+                return preset_list[i].text;
+            }
+        }
+    }
+    for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++) {
+        if (strcmp(texts[i].title, title) == 0) {
+            *length = strlen(texts[i].text);
+            return texts[i].text;
+        }
+    }
+    return NULL;
+}
+
 struct bench_recipe *bench_recipe_make(const struct bench_work *work)
 {
-    struct bench_recipe *const made = calloc(1, sizeof *made);
-    for (size_t i = 0; made != NULL && i < sizeof texts / sizeof texts[0]; i++) {
-        if (strcmp(texts[i].title, work->title) == 0 &&
-            scarp_recipe_parse(texts[i].text, strlen(texts[i].text), &made->recipe, NULL, 0,
-                               NULL) == SCARP_OK) {
-            made->scratch.size = scarp_recipe_scratch_size(&made->recipe, 1, CHUNK);
-            made->scratch.memory = malloc(made->scratch.size);
-        }
+    size_t length = 0;
+    const char *const text = find_text(work->title, &length);
+    struct bench_recipe *const made = text != NULL ? calloc(1, sizeof *made) : NULL;
+    if (made != NULL &&
+        scarp_recipe_parse(text, length, &made->recipe, NULL, 0, NULL) == SCARP_OK) {
+        made->scratch.size = scarp_recipe_scratch_size(&made->recipe, 1, CHUNK);
+        made->scratch.memory = malloc(made->scratch.size);
     }
     if (made == NULL || made->scratch.memory == NULL) {
         free(made);

@@ -207,6 +207,17 @@ static const struct product products[] = {
      .outputs = UP_TO_GRADIENT,
      .sizes = {recipe_squares, recipe_cubes},
      .steps = cloud_steps},
+/* The presets of the program */
+#define TERRAIN(name)                                                                              \
+    {                                                                                              \
+        {.layout = BENCH_RECIPE_GRID, .title = "terrain-" name, .dimensions = 2},                  \
+            .bases = GRADIENT, .outputs = UP_TO_GRADIENT, .sizes = {recipe_squares, recipe_cubes}, \
+            .steps = terrain_steps                                                                 \
+    }
+    TERRAIN("alps"),
+    TERRAIN("range"),
+    TERRAIN("overworld"),
+#undef TERRAIN
     {{.layout = BENCH_RECIPE, .title = "fade", .dimensions = 2},
      .bases = GRADIENT,
      .outputs = ONLY_VALUE,
@@ -215,9 +226,8 @@ static const struct product products[] = {
      .bases = GRADIENT,
      .outputs = UP_TO_GRADIENT,
      .sizes = {recipe_few, NULL}},
-    /* What `scarp terrain` samples: heights alone, or with what lights them. Those of presets,
-       which are one noise, tests/test_bench_presets.c holds to the program's. */
-    {{.layout = BENCH_GRID, .title = "preset-none", .octaves = 9, .gain = 0.4f, .dimensions = 2},
+    /* One noise, as terrains have it: heights alone, or with what lights them. */
+    {{.layout = BENCH_GRID, .title = "terrain-fbm", .octaves = 9, .gain = 0.4f, .dimensions = 2},
      .bases = GRADIENT,
      .outputs = UP_TO_GRADIENT,
      .steps = none_steps},
@@ -243,7 +253,7 @@ static const struct product products[] = {
      .outputs = UP_TO_GRADIENT,
      .steps = dunes_steps},
     {{.layout = BENCH_GRID,
-      .title = "preset-islands",
+      .title = "terrain-erosion",
       .fractal = SCARP_EROSION,
       .octaves = 8,
       .gain = 0.46f,
@@ -264,7 +274,7 @@ static const struct product products[] = {
      .outputs = UP_TO_GRADIENT,
      .steps = canyon_steps},
     {{.layout = BENCH_GRID,
-      .title = "preset-cirques",
+      .title = "terrain-soft",
       .fractal = SCARP_EROSION,
       .octaves = 8,
       .gain = 0.44f,
@@ -275,7 +285,7 @@ static const struct product products[] = {
      .outputs = UP_TO_GRADIENT,
      .steps = canyon_steps},
     {{.layout = BENCH_GRID,
-      .title = "preset-karst",
+      .title = "terrain-cells",
       .octaves = 8,
       .gain = 0.36f,
       .amplitude = -1.0f,

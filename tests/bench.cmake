@@ -9,13 +9,9 @@ foreach(group Selection Results Every Errors)
                  COMMAND ${Python3_EXECUTABLE} ${script} ${group} ${program})
 endforeach()
 
-if("scarp" IN_LIST scarp_found AND "scarp-bench" IN_LIST scarp_found)
-  set(cli ${PROJECT_SOURCE_DIR}/src/cli)
-  scarp_test_program(test_bench_presets SOURCES
-    ${PROJECT_SOURCE_DIR}/bench/names.c ${PROJECT_SOURCE_DIR}/bench/work.c ${cli}/shared/json.c ${cli}/shared/noise.c
-    ${cli}/shared/number.c ${cli}/shared/options.c ${cli}/shared/options_describe.c
-    ${cli}/shared/running_options.c ${cli}/shared/text.c ${cli}/shared/values.c ${cli}/ground/ground_options.c
-    ${cli}/ground/presets.c ${cli}/look/look_options.c ${cli}/terrain/terrain_options.c)
-  target_include_directories(test_bench_presets PRIVATE ${cli})
+if("scarp-bench" IN_LIST scarp_found)
+  scarp_test_program(test_bench_presets SOURCES ${PROJECT_SOURCE_DIR}/bench/names.c
+                     ${PROJECT_SOURCE_DIR}/bench/work.c)
+  target_link_libraries(test_bench_presets PRIVATE scarp-presets)
 endif()
-scarp_add_test(bench.presets bench NEEDS scarp scarp-bench COMMAND test_bench_presets)
+scarp_add_test(bench.presets bench NEEDS scarp-bench COMMAND test_bench_presets)

@@ -155,16 +155,16 @@ class Selection(Case):
             self.assertIn("points2/%s/erosion8/turned/+gradient" % basis, names)
         self.assertFalse([name for name in names if "erosion" in name and "hessian" in name])
         self.assertIn("normals", names)
-        for noise in ("fbm9/preset-none/%s/1024/step0.0025",
+        for noise in ("fbm9/terrain-fbm/%s/1024/step0.0025",
                       "ridged7/turned/terrain-ridged/%s/1024/step0.0035",
                       "ridged2/turned/terrain-waves/%s/1024/step0.0022",
-                      "erosion8/turned/preset-islands/%s/1024/step0.0045",
+                      "erosion8/turned/terrain-erosion/%s/1024/step0.0045",
                       "turbulence8/turned/terrain-turbulence/%s/1024/step0.004",
                       "swiss8/turned/terrain-swiss/%s/1024/step0.0045"):
             for output in ("value", "+gradient"):
                 self.assertIn("grid2/gradient/" + noise % output, names)
-        for noise in ("cell-soft/erosion8/turned/preset-cirques/%s/1024/step0.004",
-                      "cell-f1/fbm8/turned/preset-karst/%s/1024/step0.0045"):
+        for noise in ("cell-soft/erosion8/turned/terrain-soft/%s/1024/step0.004",
+                      "cell-f1/fbm8/turned/terrain-cells/%s/1024/step0.0045"):
             for output in ("value", "+gradient"):
                 self.assertIn("grid2/" + noise % output, names)
         self.assertIn("grid2/gradient/fbm3/quick-noise/value/1024/step0.0078125", names)

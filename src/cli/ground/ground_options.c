@@ -7,7 +7,7 @@
 #include <stddef.h>
 #include <string.h>
 
-#include "ground/presets.h"
+#include "presets/presets.h"
 
 #define FIELD(name) offsetof(struct ground_options, name)
 

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "ground/presets.h"
+#include "presets/presets.h"
 #include "ground/repeat.h"
 #include "shared/error.h"
 #include "shared/file.h"

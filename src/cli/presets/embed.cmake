@@ -39,23 +39,13 @@ foreach(name IN LISTS names)
 endforeach()
 string(REGEX REPLACE ", $" " or ${last}" line "${line}")
 
-function(write path content)
-  set(old)
-  if(EXISTS ${path})
-    file(READ ${path} old)
-  endif()
-  if(NOT old STREQUAL content)
-    file(WRITE ${path} "${content}")
-  endif()
-endfunction()
-
-write(${TO}/presets_words.h "/* Written by embed.cmake. */
+file(WRITE ${TO}/presets_words.h "/* Written by embed.cmake. */
 #define PRESET_NAMES \"${first} or ${last}\"
 #define PRESET_NAMES_HELP \"${lines}${line}\"
 #define PRESET_HELP \"${help}\"
 ")
-write(${TO}/presets.c "/* Written by embed.cmake. */
-#include \"ground/presets.h\"
+file(WRITE ${TO}/presets.c "/* Written by embed.cmake. */
+#include \"presets/presets.h\"
 
 ${arrays}
 const char *const preset_names[] = {\"none\", ${words}NULL};

@@ -10,7 +10,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "ground/presets.h"
+#include "presets/presets.h"
 #include "ground/source.h"
 #include "recipe/measure.h"
 #include "shared/error.h"

@@ -6,7 +6,7 @@
 
 #include <stddef.h>
 
-#include "ground/presets.h"
+#include "presets/presets.h"
 
 #define FIELD(name) offsetof(struct terrain_options, name)
 

@@ -15,7 +15,7 @@ static const struct scarp_noise noises[TEXTURE_COUNT] = {
                        .octaves = 9,
                        .gain = 0.56f,
                        .rotate = 1},
-    [TEXTURE_TREES] = {.seed = 103, .basis = SCARP_CELL_F1, .frequency = 1.0 / 1.5, .octaves = 1},
+    [TEXTURE_TREES] = {.seed = 103, .basis = SCARP_CELL_F1, .frequency = 1.0 / 5, .octaves = 1},
     [TEXTURE_LAYERS] = {.seed = 104, .frequency = 1.0 / 16, .octaves = 5, .gain = 0.7f},
     [TEXTURE_WAVES] = {.seed = 105, .frequency = 1.0 / 24, .octaves = 8, .gain = 0.5f, .rotate = 1},
     [TEXTURE_CLOUDS] =

@@ -6,7 +6,7 @@
 
 #include <stddef.h>
 
-#include "ground/presets.h"
+#include "presets/presets.h"
 #include "look/palette.h"
 #include "shared/number.h"
 
@@ -165,7 +165,7 @@ const struct option_table view_table = {
     .notes =
         "FILE       its extension tells the format, or what stands before it: ppm:FILE. FILE may\n"
         "           be - for standard output, as in ppm:-. .png is there with zlib only.\n"
-        "units      one unit of x and y is taken for some ten metres: so large are trees, and so\n"
+        "units      one unit of x and y is taken for a metre: so large are trees, and so\n"
         "           wide is the line of the shore. Snow and trees go by the usual heights of the\n"
         "           terrain, those of scarp terrain --relief, rock by the slopes in the view, "
         "which\n"
