@@ -195,6 +195,10 @@ static void step(struct march *march, const struct scene *scene, const struct ba
     for (size_t i = live->count; i-- > 0;) {
         const float above = clearance(march, scene, live, i), z = live->z[i], at = live->at[i];
         float *const begin = &rays->begin[live->ray[i]];
+        if (rays->is_scout && !(*begin == live->before[i] && above > around * at)) {
+            move(live, i, NULL);
+            continue;
+        }
         if (band->jumps && bisect(march, scene, band, rays, i, above)) {
             continue;
         }

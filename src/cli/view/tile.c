@@ -102,15 +102,48 @@ static uint8_t byte_of(float light, size_t column, size_t row)
     return (uint8_t)(255.0f * screen(light) * 0.99999f + threshold);
 }
 
+/* The blocks of pixels that the tile and the pixels around it touch. They are those of the picture,
+   so that no pixel depends on where tiles end. */
+struct blocks {
+    size_t column, row, across; /* one more than the number of the first, which may be -1 */
+};
+
+static struct blocks scout(struct tile *tile, const struct scene *scene,
+                           const struct tile_area *area)
+{
+    const struct blocks blocks = {.column = (area->column + SCOUT - 1) / SCOUT,
+                                  .row = (area->row + SCOUT - 1) / SCOUT,
+                                  .across = (area->column + area->columns) / SCOUT + 2 -
+                                            (area->column + SCOUT - 1) / SCOUT};
+    const size_t down = (area->row + area->rows) / SCOUT + 2 - blocks.row;
+    tile->rays.count = 0;
+    for (size_t i = 0; i < blocks.across * down; i++) {
+        add_ray(tile, scene, ((float)(blocks.column + i % blocks.across) - 0.5f) * SCOUT,
+                ((float)(blocks.row + i / blocks.across) - 0.5f) * SCOUT, 0.0f);
+    }
+    tile->rays.spread = SPREAD * SCOUT * scene->camera.pixel;
+    tile->rays.is_scout = true;
+    march_rays(&tile->march, scene, &tile->rays);
+    tile->rays.is_scout = false;
+    for (size_t i = 0; i < tile->rays.count; i++) {
+        tile->block_begin[i] = tile->rays.begin[i];
+    }
+    return blocks;
+}
+
 /* Traces one ray through the middle of each pixel, and of those around the tile. `across` is how
    many of these are side by side. */
 static void paint_middles(struct tile *tile, const struct scene *scene,
-                          const struct tile_area *area, size_t across)
+                          const struct tile_area *area, size_t across, float spread)
 {
+    const struct blocks blocks = scout(tile, scene, area);
     tile->rays.count = 0;
+    tile->rays.spread = spread;
     for (size_t i = 0; i < across * (area->rows + 2); i++) {
-        add_ray(tile, scene, (float)(area->column + i % across) - 0.5f,
-                (float)(area->row + i / across) - 0.5f, 0.0f);
+        const size_t column = area->column + i % across, row = area->row + i / across;
+        const size_t block = ((row + SCOUT - 1) / SCOUT - blocks.row) * blocks.across +
+                             (column + SCOUT - 1) / SCOUT - blocks.column;
+        add_ray(tile, scene, (float)column - 0.5f, (float)row - 0.5f, tile->block_begin[block]);
     }
     trace(tile, scene);
     for (size_t i = 0; i < tile->rays.count; i++) {
@@ -162,8 +195,8 @@ void tile_paint(struct tile *tile, const struct scene *scene, size_t samples,
                 const struct tile_area *area)
 {
     const size_t across = area->columns + 2;
-    tile->rays.spread = samples > 1 ? SPREAD * scene->camera.pixel : 0.0f;
-    paint_middles(tile, scene, area, across);
+    const float spread = samples > 1 ? SPREAD * scene->camera.pixel : 0.0f;
+    paint_middles(tile, scene, area, across, spread);
     tile->rays.spread = 0.0f;
     const size_t edges = samples > 1 ? list_edges(tile, area, across) : 0;
     for (size_t sample = 1; sample < samples && edges > 0; sample++) {

@@ -13,6 +13,10 @@
 /* The pixels of a tile, and those around it that they are compared with */
 #define TILE_RAYS ((TILE_WIDTH + 2) * (TILE_HEIGHT + 2))
 
+/* Pixels that one ray scouts for: SCOUT by SCOUT. As many blocks of them as a tile may touch. */
+#define SCOUT 4
+#define TILE_BLOCKS ((TILE_WIDTH / SCOUT + 2) * (TILE_HEIGHT / SCOUT + 2))
+
 /* What a thread needs */
 struct tile {
     struct rays rays;
@@ -23,6 +27,7 @@ struct tile {
     uint32_t which[TILE_WIDTH * TILE_HEIGHT]; /* pixels that need more rays */
     float ray_x[TILE_RAYS], ray_y[TILE_RAYS], ray_z[TILE_RAYS], distance[TILE_RAYS];
     float begin[TILE_RAYS], clear[TILE_RAYS]; /* the latter of pixels */
+    float block_begin[TILE_BLOCKS];
     bool cliff[TILE_RAYS];
     uint32_t hit[TILE_RAYS];
     uint64_t count; /* of rays so far */
