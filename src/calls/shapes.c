@@ -133,7 +133,7 @@ static void fill_curve(size_t count, const float *a, const float *b, const struc
         const float highest = y[n] < y[n + 1] ? y[n + 1] : y[n];
         const float v = y[n] + t * (s0 + t * (c2 + t * c3));
         const float held = v < lowest ? lowest : v > highest ? highest : v;
-        const int before = a[i] < x[0], behind = a[i] >= x[curve->knots - 1]; /* neither of NaN */
+        const int before = a[i] <= x[0], behind = a[i] >= x[curve->knots - 1]; /* neither of NaN */
         const int level = before || behind;
         to->f[i] = before ? y[0] : behind ? y[curve->knots - 1] : held;
         to->fa[i] = level ? 0.0f : (s0 + t * (2.0f * c2 + t * (3.0f * c3))) * inverse;
