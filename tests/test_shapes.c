@@ -58,6 +58,16 @@ static void set_inputs(void)
     }
 }
 
+/* Points at the knots of the curve, and close to them */
+static void set_knots(void)
+{
+    for (int k = 0; k < KNOTS; k++) {
+        a.array[0][3 * k] = knot_x[k];
+        a.array[0][3 * k + 1] = nextafterf(knot_x[k], -9.0f);
+        a.array[0][3 * k + 2] = nextafterf(knot_x[k], 9.0f);
+    }
+}
+
 /* f and its derivatives by a and b, in double */
 struct partials {
     double f, fa, fb, faa, fab, fbb;
@@ -302,6 +312,8 @@ int main(void)
         check_special((enum shape)shape);
         check_errors((enum shape)shape);
     }
+    set_knots();
+    check_shape(CURVE);
     check_knots();
     check_slope(2);
     check_slope(3);

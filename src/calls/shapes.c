@@ -133,9 +133,9 @@ static void fill_curve(size_t count, const float *a, const float *b, const struc
         const float highest = y[n] < y[n + 1] ? y[n + 1] : y[n];
         const float v = y[n] + t * (s0 + t * (c2 + t * c3));
         const float held = v < lowest ? lowest : v > highest ? highest : v;
-        const int before = t <= 0.0f, behind = t >= 1.0f; /* neither of NaN */
+        const int before = a[i] <= x[0], behind = a[i] >= x[curve->knots - 1]; /* neither of NaN */
         const int level = before || behind;
-        to->f[i] = before ? y[n] : behind ? y[n + 1] : held;
+        to->f[i] = before ? y[0] : behind ? y[curve->knots - 1] : held;
         to->fa[i] = level ? 0.0f : (s0 + t * (2.0f * c2 + t * (3.0f * c3))) * inverse;
         to->faa[i] = level ? 0.0f : ((2.0f * c2 + t * (6.0f * c3)) * inverse) * inverse;
     }
