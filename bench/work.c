@@ -216,7 +216,13 @@ static const struct product products[] = {
     }
     TERRAIN("alps"),
     TERRAIN("range"),
-    TERRAIN("overworld"),
+    TERRAIN("hills"),
+    TERRAIN("badlands"),
+    TERRAIN("canyon"),
+    TERRAIN("mesas"),
+    TERRAIN("dunes"),
+    TERRAIN("volcanic"),
+    TERRAIN("islands"),
 #undef TERRAIN
     {{.layout = BENCH_RECIPE, .title = "fade", .dimensions = 2},
      .bases = GRADIENT,

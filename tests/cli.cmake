@@ -59,7 +59,7 @@ endblock()
 if("scarp" IN_LIST scarp_found)
   set(shared ${PROJECT_SOURCE_DIR}/src/cli/shared)
   scarp_test_program(test_cli_words SOURCES ${shared}/noise.c ${shared}/number.c ${shared}/options.c
-                     ${shared}/values.c)
+                     ${shared}/text.c ${shared}/values.c)
   target_include_directories(test_cli_words PRIVATE ${PROJECT_SOURCE_DIR}/src/cli)
 endif()
 scarp_add_test(cli.words cli NEEDS scarp COMMAND test_cli_words)
@@ -68,8 +68,7 @@ if("scarp" IN_LIST scarp_found)
   set(cli ${PROJECT_SOURCE_DIR}/src/cli)
   scarp_test_program(test_view_march SOURCES ${cli}/ground/ground.c ${cli}/ground/spread.c
                      ${cli}/shared/error.c
-                     ${cli}/shared/interrupt.c ${cli}/shared/noise.c ${cli}/shared/number.c
-                     ${cli}/shared/options.c ${cli}/shared/sine.c ${cli}/shared/values.c ${cli}/view/camera.c
+                     ${cli}/shared/interrupt.c ${cli}/shared/sine.c ${cli}/view/camera.c
                      ${cli}/view/march.c ${cli}/view/scene.c)
   target_include_directories(test_view_march PRIVATE ${cli})
   target_compile_definitions(test_view_march PRIVATE _XOPEN_SOURCE=700)

@@ -178,17 +178,17 @@ static void transform(double *re, double *im, size_t stride)
     }
 }
 
-/* Power by direction, of waves from 64 to 512 samples long: adds what lies within 7.5 degrees of
-   the axes, and all of it, each with the number of its waves. */
+/* Power by direction, of waves from 64 to 512 samples long: how much more waves within 7.5 degrees
+   of the axes have than others of their length, a sum over lengths and maps. */
 struct directions {
-    double axes, all;
-    int axis_waves, waves;
+    double ratio;
+    int count;
 };
 
 static void add_directions(struct directions *sum)
 {
     static double re[WAVES * WAVES], im[WAVES * WAVES];
-    double mean = 0.0, axes = 0.0, all = 0.0;
+    double mean = 0.0;
     for (size_t i = 0; i < (size_t)WAVES * WAVES; i++) {
         mean += (double)height[i] / (WAVES * WAVES);
     }
@@ -205,33 +205,27 @@ static void add_directions(struct directions *sum)
     for (size_t i = 0; i < 17; i++) { /* longer waves along x than these are not asked for */
         transform(re + i, im + i, WAVES);
     }
-    int axis_waves = 0, waves = 0;
-    for (int y = -16; y <= 16; y++) {
-        for (int x = 0; x <= 16; x++) {
+    for (int ring = 2; ring < 16; ring++) {
+        double axes = 0.0, all = 0.0;
+        int axis_waves = 0, waves = 0;
+        for (int i = 0; i < 33 * 17; i++) {
+            const int x = i % 17, y = i / 17 - 16;
             const double length = hypot(x, y);
             const size_t at = (size_t)((y + WAVES) % WAVES) * WAVES + (size_t)x;
-            if (length < 2.0 || length > 16.0) {
+            if (length < ring || length >= ring + 1) {
                 continue;
             }
-            const double power = (re[at] * re[at] + im[at] * im[at]) * length * length;
+            const double power = re[at] * re[at] + im[at] * im[at];
             const double aside = (double)(abs(x) < abs(y) ? abs(x) : abs(y)) / length;
+            const int is_axis = aside <= sin(7.5 / 180.0 * 3.14159265358979323846);
             waves++;
             all += power;
-            if (aside <= sin(7.5 / 180.0 * 3.14159265358979323846)) {
-                axis_waves++;
-                axes += power;
-            }
+            axis_waves += is_axis;
+            axes += is_axis ? power : 0.0;
         }
+        sum->ratio += axes / axis_waves / (all / waves);
+        sum->count++;
     }
-    sum->axes += axes / all; /* so that each seed counts the same */
-    sum->all += 1.0;
-    sum->axis_waves = axis_waves;
-    sum->waves = waves;
-}
-
-static double ratio_of(const struct directions *d)
-{
-    return d->axes / d->all * d->waves / d->axis_waves;
 }
 
 /* The steepest slope, but for one sample in a thousand, in degrees */
@@ -251,8 +245,9 @@ static double steepest(size_t count)
     return degree / 100.0;
 }
 
-/* Looks closely at the neighbours whose heights differ most from what their slopes say: between them,
-   heights change by many small steps, or by one jump. Returns the share of the largest step. */
+/* Looks closely at the neighbours whose heights differ most from what their slopes say: between
+   them, heights change by many small steps, or by one jump. Returns the share of the largest step.
+ */
 static double worst_jump(size_t side)
 {
     enum { POINTS = 257 };
@@ -286,7 +281,7 @@ static double worst_jump(size_t side)
 static void look_at(const struct preset_text *preset, int seeds, int prints)
 {
     double most = 0.0, sum = 0.0, steep = 0.0, jump = 0.0;
-    struct directions directions = {.all = 0.0};
+    struct directions directions = {.count = 0};
     for (int seed = 1; seed <= seeds; seed++) {
         scarp_recipe_seed(&recipe, (uint64_t)seed);
         sample(SIDE, STEP);
@@ -308,11 +303,13 @@ static void look_at(const struct preset_text *preset, int seeds, int prints)
     if (prints) {
         printf("%-10s basins %.2f %% at most, %.2f mean; axes %.2f; steepest %.1f degrees; jump "
                "%.4f\n",
-               preset->name, 100.0 * most, 100.0 * sum / seeds, ratio_of(&directions), steep, jump);
+               preset->name, 100.0 * most, 100.0 * sum / seeds, directions.ratio / directions.count,
+               steep, jump);
     }
     if (!preset->is_directed && seeds >= 12) { /* few seeds have few waves */
-        CHECK(ratio_of(&directions) <= 1.15, "%s: the axes have %.2f times the mean power",
-              preset->name, ratio_of(&directions));
+        CHECK(directions.ratio / directions.count <= 1.15,
+              "%s: the axes have %.2f times the mean power", preset->name,
+              directions.ratio / directions.count);
     }
     if (preset->is_sand) {
         CHECK(steep <= 34.0, "%s: sand lies at %.1f degrees", preset->name, steep);
@@ -357,6 +354,28 @@ static void check_comments(const struct preset_text *preset)
     CHECK(is_known, "%s: no palette of the program", preset->name);
 }
 
+/* Each noise has a seed of its own, so no two of them are equal, in no preset. */
+static void check_seeds(void)
+{
+    static int seen[10000];
+    static struct preset_text preset;
+    for (int i = 1; preset_names[i] != NULL; i++) {
+        read_preset(i, &preset);
+        for (const char *at = preset.text; (at = strstr(at, "seed=")) != NULL; at++) {
+            const int seed = atoi(at + 5);
+            CHECK(seed > 0 && seed < 10000 && !seen[seed], "%s: seed %d stands twice", preset.name,
+                  seed);
+            seen[seed] = 1;
+        }
+        for (const char *at = preset.text; (at = strstr(at, "noise(")) != NULL; at++) {
+            const size_t length = strcspn(at, ")");
+            const char *const seed = strstr(at, "seed=");
+            CHECK(seed != NULL && seed < at + length, "%s: a noise has no seed of its own",
+                  preset.name);
+        }
+    }
+}
+
 int main(int argc, char **argv)
 {
     static struct preset_text preset;
@@ -365,6 +384,7 @@ int main(int argc, char **argv)
         fprintf(stderr, "usage: test_presets SEEDS [--print] [NAME]\n");
         return 2;
     }
+    check_seeds();
     for (int i = 1; preset_names[i] != NULL; i++) {
         if (argc > 3 && strcmp(argv[3], preset_names[i]) != 0) {
             continue;

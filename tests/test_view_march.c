@@ -15,120 +15,54 @@
 
 struct case_of {
     const char *name;
-    struct scarp_noise noise;
-    float height, sea;
+    const char *height; /* the recipe's output */
+    uint64_t seed;
     float camera_over; /* the ground */
     double azimuth, elevation;
 };
 
 static const struct case_of cases[] = {
-    {"fbm", {.seed = 1, .frequency = 0.0025, .octaves = 9, .gain = 0.4f}, 120, -2, 30, 330, -6},
-    {"ridged",
-     {.seed = 1,
-      .fractal = SCARP_RIDGED,
-      .rotate = 1,
-      .frequency = 0.0035,
-      .octaves = 7,
-      .gain = 0.42f},
-     100,
-     -2,
-     12,
-     165,
+    {"fbm", "120 * noise(frequency=0.0025, octaves=9, gain=0.4)", 1, 30, 330, -6},
+    {"ridged", "100 * noise(ridged, rotate, frequency=0.0035, octaves=7, gain=0.42)", 1, 12, 165,
      -5},
-    {"turbulence",
-     {.seed = 2,
-      .fractal = SCARP_TURBULENCE,
-      .rotate = 1,
-      .frequency = 0.004,
-      .octaves = 8,
-      .gain = 0.36f},
-     260,
-     -2,
-     25,
-     30,
-     -8},
+    {"turbulence", "260 * noise(turbulence, rotate, frequency=0.004, octaves=8, gain=0.36)", 2, 25,
+     30, -8},
     {"erosion",
-     {.seed = 3,
-      .fractal = SCARP_EROSION,
-      .erosion = 0.25f,
-      .rotate = 1,
-      .frequency = 0.0045,
-      .octaves = 8,
-      .gain = 0.46f},
-     170,
-     0.05f,
-     40,
-     100,
-     -7},
-    {"swiss",
-     {.seed = 4,
-      .fractal = SCARP_SWISS,
-      .rotate = 1,
-      .frequency = 0.0045,
-      .octaves = 8,
-      .gain = 0.45f},
-     65,
-     -2,
-     20,
-     200,
-     -10},
-    {"rough", {.seed = 5, .frequency = 0.01, .octaves = 10, .gain = 0.6f}, 100, -2, 15, 10, -25},
-    {"cells",
-     {.seed = 6,
-      .basis = SCARP_CELL_F1,
-      .rotate = 1,
-      .frequency = 0.0045,
-      .octaves = 8,
-      .gain = 0.36f},
-     -110,
-     -2,
-     30,
-     270,
+     "170 * noise(erosion, rotate, frequency=0.0045, octaves=8, gain=0.46, erosion=0.25)", 3, 40,
+     100, -7},
+    {"swiss", "65 * noise(swiss, rotate, frequency=0.0045, octaves=8, gain=0.45)", 4, 20, 200, -10},
+    {"rough", "100 * noise(frequency=0.01, octaves=10, gain=0.6)", 5, 15, 10, -25},
+    {"cells", "-110 * noise(cell_f1, rotate, frequency=0.0045, octaves=8, gain=0.36)", 6, 30, 270,
      -6},
-    {"cliffs",
-     {.seed = 12,
-      .basis = SCARP_CELL_EDGE,
-      .fractal = SCARP_EROSION,
-      .rotate = 1,
-      .frequency = 0.004,
-      .octaves = 6},
-     120,
-     -2,
-     40,
-     315,
+    {"gullies",
+     "600 * gullies(smooth_abs(noise(size=900, octaves=2, rotate), 0.1), size=800, octaves=8, "
+     "amplitude=0.4, depth=0.2)",
+     3, 30, 45, -6},
+    {"cliffs", "120 * noise(cell_edge, erosion, rotate, frequency=0.004, octaves=6)", 12, 40, 315,
      -8},
-    {"mesas",
-     {.seed = 12, .basis = SCARP_CELL_VALUE, .frequency = 0.01, .octaves = 4},
-     60,
-     -2,
-     10,
-     315,
-     -8},
-    {"low", {.seed = 7, .frequency = 0.0025, .octaves = 9, .gain = 0.4f}, 120, -2, 1, 80, 2},
+    {"mesas", "60 * noise(cell_value, frequency=0.01, octaves=4)", 12, 10, 315, -8},
+    {"low", "120 * noise(frequency=0.0025, octaves=9, gain=0.4)", 7, 1, 80, 2},
 };
 
 static void make_scene(const struct case_of *of, size_t width, struct scene *scene)
 {
-    struct ground ground = {.noise = {of->noise}, .height_scale = of->height};
-    ground.noise[0].lacunarity = 2.0f; /* whoever limits octaves has to know it */
-    scarp_range(ground.noise, 2, &ground.lowest, &ground.highest);
-    if (of->height < 0.0f) { /* turned over */
-        ground.noise[0].amplitude = -1.0f;
-        ground.height_scale = -of->height;
-        scarp_range(ground.noise, 2, &ground.lowest, &ground.highest);
+    static struct ground ground;
+    struct scarp_recipe_error error;
+    char text[512];
+    const int length = snprintf(text, sizeof text, "recipe 1\nparam sea = %s\nout height = %s\n",
+                                strcmp(of->name, "erosion") == 0 ? "8.5" : "-1000", of->height);
+    const struct ground_source source = {.text = text, .length = (size_t)length, .seed = of->seed};
+    if (ground_open(&ground, &source, &error) != GROUND_FINE) {
+        printf("%s: %s\n", of->name, error.text);
+        exit(1);
     }
-    ground.floor = of->sea > ground.lowest ? of->sea : ground.lowest;
-    ground.ceiling = ground.highest;
-    *scene = (struct scene){.haze = 0.0f};
+    memset(scene, 0, sizeof *scene);
     scene_set_ground(scene, &ground, 0.0, 0.0);
     const double x = 500.0, y = 500.0;
     float value;
     ground_points(&scene->ground, 1, &x, &y, &(struct scarp_samples){.value = &value});
-    scene->camera = (struct camera){.x = x,
-                                    .y = y,
-                                    .z = scene->height_scale * value + of->camera_over,
-                                    .width = width,
-                                    .height = width * 9 / 16};
+    scene->camera = (struct camera){
+        .x = x, .y = y, .z = value + of->camera_over, .width = width, .height = width * 9 / 16};
     camera_turn(&scene->camera, of->azimuth, of->elevation, 56.0);
     scene_set_bands(scene);
 }
@@ -141,7 +75,7 @@ static float below(const struct scene *scene, const struct band *band, const str
     const double y = scene->camera.y + (double)(rays->y[ray] * distance);
     float value;
     ground_points(&band->ground, 1, &x, &y, &(struct scarp_samples){.value = &value});
-    const float over = scene->camera.z + rays->z[ray] * distance - scene->height_scale * value;
+    const float over = scene->camera.z + rays->z[ray] * distance - value;
     return -over / (scene->camera.pixel * distance);
 }
 
@@ -191,8 +125,7 @@ static void look_everywhere(struct brute *brute)
                 const uint32_t ray = brute->ray[i];
                 float at = brute->at[i];
                 if (at < band->end) {
-                    const float over = scene->camera.z + rays->z[ray] * at -
-                                       scene->height_scale * brute->value[n++];
+                    const float over = scene->camera.z + rays->z[ray] * at - brute->value[n++];
                     const float depth = -over / (pixel * at);
                     if (depth > brute->deepest[ray]) {
                         brute->deepest[ray] = depth;
@@ -280,7 +213,7 @@ static int check(const struct case_of *of, size_t width, bool figures)
             (double)(march.points - first_points) / (double)rays.count, half, whole, off, cliffs);
     }
     march_close(&march);
-    const bool jumps = ground_jumps(&scene.ground);
+    const bool jumps = scene.ground.jumps;
     const size_t allowed = jumps ? rays.count / 50 : 0; /* edges that steps pass over */
     const bool is_slow = first_points > 400 * rays.count;
     if (figures || (half <= 2 * allowed && off <= allowed && (cliffs > 0) == jumps && !is_slow &&
