@@ -19,9 +19,9 @@ block()
   # permissions, terminals.
   set(posix_classes FullDisk Pipes Closed Interrupt Progress Memory Shared)
   foreach(test commands:Commands options:Errors formats:Formats formats:Names layers:Layers relief:Relief relief:Palettes sheet:Sheet
-               pictures:Pictures compare:Compare warp:Warp warp:WarpRefused ground:Ground ground:GroundRefused gallery:Gallery shown:Shown period:Period phase:Phase phase:Flow phase:PhaseRefused documents:Documents tiles:Tiles tiles:Resume
+               pictures:Pictures compare:Compare recipe:Recipes recipe:RecipesRefused recipe:Command gallery:Gallery shown:Shown period:Period phase:Phase phase:Flow phase:PhaseRefused documents:Documents tiles:Tiles tiles:Resume
                world:Manifest world:Patterns world:Shares world:Limits
-               presets:Presets files:Files shared:Shared failures:FullDisk failures:Pipes failures:Refused
+               files:Files shared:Shared failures:FullDisk failures:Pipes failures:Refused
                failures:Closed interrupt:Interrupt
                progress:Progress memory:Memory same:Threads view:View view:ViewRefused golden:Golden)
     string(REPLACE ":" ";" test ${test})

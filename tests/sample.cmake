@@ -10,7 +10,7 @@ block()
     set(library $<TARGET_FILE:scarp>)
   endif()
   set(program ${CMAKE_CROSSCOMPILING_EMULATOR} $<TARGET_FILE:scarp-cli>)
-  foreach(test values:Help values:Formats values:Values values:Numbers values:Options lines:Lines
+  foreach(test values:Help values:Formats values:Values values:Recipes values:Numbers values:Options lines:Lines
                lines:Malformed lines:Columns columns:Header columns:Chosen columns:Readme npy:Npy
                npy:Description npy:NotFinite streams:Streams streams:Files)
     string(REPLACE ":" ";" test ${test})

@@ -32,23 +32,15 @@ SKIPPED = 77
 PATIENCE = 60  # seconds
 SPEED = os.environ.get("SCARP_SPEED", "full")
 NAMES = ("height", "normal", "hillshade", "relief")
-WARP = ("seed", "basis", "jitter", "fade", "fractal", "erosion", "sharpness", "frequency",
-        "octaves", "of-octaves", "lacunarity", "gain", "phase", "rotate")  # of a warp, too
-NOISES = ("warp", "base", "mask")  # what else has options of a noise
-OPTIONS = ("size", "origin", "step", "period", "tileable",
+OPTIONS = ("size", "origin", "step", "tileable",
            "heights", "normals", "hillshade", "relief", "gradient", "output", "compare",
            "normal-y", "palette", "azimuth", "altitude", "z-factor",
            "tile", "tiles", "share", "overlap", "resume",
-           "preset", "height", "sea-level", "plateau", "crater", "stretch", "wind",
-           "terraces", "terrace-riser", "terrace-strength",
+           "preset", "recipe", "set", "scale", "print-recipe", "period",
            "seed", "basis", "jitter", "fade", "fractal", "erosion", "sharpness",
            "frequency", "octaves", "of-octaves", "lacunarity", "gain", "phase", "rotate", "amplitude",
-           "warp-reach", *("warp-" + name for name in WARP),
-           "base-amplitude", *("base-" + name for name in WARP),
-           "mask-band", *("mask-" + name for name in WARP),
-           "threads", "isa", "quiet", "help")
-FLAGS = ("tileable", "resume", "rotate", "warp-rotate", "base-rotate", "mask-rotate", "quiet",
-         "help")
+           "height", "sea-level", "plateau", "threads", "isa", "quiet", "help")
+FLAGS = ("tileable", "resume", "rotate", "print-recipe", "quiet", "help")
 FRACTALS = ("fbm", "turbulence", "ridged", "erosion", "pingpong", "hybrid", "swiss", "jordan")
 FLOWING = FRACTALS[:6]  # those with a derivative by the phase
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir, os.pardir)

@@ -5,11 +5,12 @@ import re
 import unittest
 
 import common
-from common import NOISES, OPTIONS, WARP, Case, has_threads, run, text_of
+from common import OPTIONS, Case, has_threads, run, text_of
 
 FORMATS = ["pgm", "ppm", "r16", "r32", "pfm", "img", "npy"]
 GROUPS = ["the raster", "files, any of which may be asked for together", "how they look", "tiles",
-          "the terrain", "the noise", "the warp", "the base", "the mask", "running"]
+          "the terrain", "one noise, without --preset and --recipe", "running"]
+
 
 class Commands(Case):
     """What is asked for help and facts."""
@@ -46,11 +47,11 @@ class Commands(Case):
 
     def test_help(self):
         usage = text_of("--help")
-        for command in ("terrain", "view", "sheet", "sample", "info", "help"):
+        for command in ("terrain", "view", "sheet", "sample", "recipe", "info", "help"):
             self.assertRegex(usage, r"(?m)^  %s " % command)
         self.assertEqual(text_of("help"), usage)
         self.assertEqual(text_of("-h"), usage)
-        for command in ("terrain", "view", "sheet", "sample", "info"):
+        for command in ("terrain", "view", "sheet", "sample", "recipe", "info"):
             help_text = text_of(command, "--help")
             self.assertTrue(help_text.startswith("usage: scarp " + command))
             self.assertEqual(text_of("help", command), help_text)
@@ -58,11 +59,9 @@ class Commands(Case):
 
     def test_terrain_help(self):
         text = text_of("terrain", "--help")
-        self.assertEqual(re.findall(r"(?m)^  --(\S+)", text),
-                         [name for name in OPTIONS
-                          if name[:4] not in NOISES or name[5:] not in WARP])
+        self.assertEqual(re.findall(r"(?m)^  --(\S+)", text), list(OPTIONS))
         self.assertLessEqual(max(len(line) for line in text.split("\n")), 90)
-        self.assertEqual(re.findall(r"(?m)^(\w[^-\n]*):$", text), GROUPS)
+        self.assertEqual(re.findall(r"(?m)^(\w[^\n]*):$", text), GROUPS)
         for word in ("STEM-height", "STEM-normal", "STEM-hillshade", "STEM-relief",
                      "STEM-compare"):
             self.assertIn(word, text)

@@ -22,7 +22,7 @@ CASES = (
     ("pictures", ["terrain", *NOISE, "--fractal", "ridged", "--basis", "simplex", "--heights",
                   "h.pgm", "--normals", "n.ppm", "--hillshade", "s.img"], b"",
      ("h.pgm", "n.ppm", "s.img", "s.hdr")),
-    ("floats", ["terrain", *NOISE, "--basis", "cell-f1", "--warp-reach", "9", "--heights", "h.pfm",
+    ("floats", ["terrain", *NOISE, "--basis", "cell-f1", "--rotate", "--heights", "h.pfm",
                 "--normals", "n.img"], b"", ("h.pfm", "n.img", "n.hdr")),
     ("stream", ["terrain", *NOISE, "--fractal", "erosion", "--heights", "r16:-"], b"", ()),
     ("text", ["sample", "--octaves", "3", "--columns", "x,y", "--gradient", "--hessian", "--keep"],

@@ -43,12 +43,8 @@ class Period(Case):
     def test_copies(self):
         """To the bit where sides and steps are powers of two."""
         self.check_copies(64, 32)
-        for arguments in (["--preset", "alps"], ["--preset", "islands", "--frequency", "0.03"],
-                          ["--preset", "canyon", "--frequency", "0.05"],
-                          ["--preset", "dunes", "--lacunarity", "3"],
-                          ["--warp-reach", "7", "--warp-frequency", "0.08", "--warp-octaves", "3",
-                           "--frequency", "0.1"],
-                          ["--preset", "hills", "--frequency", "0.05"],
+        for arguments in (["--fractal", "swiss", "--octaves", "6", "--frequency", "0.05"],
+                          ["--fractal", "erosion", "--sea-level", "0.05", "--frequency", "0.03"],
                           ["--basis", "value", "--lacunarity", "3", "--octaves", "5",
                            "--frequency", "0.1"]):
             with self.subTest(arguments=arguments):
@@ -86,10 +82,6 @@ class Period(Case):
                      "h.r32", cwd=self.directory)
         self.assertIn(b"repeats after 64x32 samples: frequency 0.09375, 6 x 3 cells\n",
                       result.stdout)
-        result = run("terrain", "--size", "64x32", "--frequency", "0.1", "--tileable", "--heights",
-                     "h.r32", "--warp-reach", "3", "--warp-frequency", "0.2", cwd=self.directory)
-        self.assertIn(b"repeats after 64x32 samples: frequency 0.09375, 6 x 3 cells; "
-                      b"warp 0.1875, 12 x 6\n", result.stdout)
 
     def test_refused(self):
         small = ["terrain", "--size", "64x64", "--heights", "h.r32"]
@@ -98,16 +90,10 @@ class Period(Case):
                 ("--rotate", ["--tileable", "--rotate"]),
                 ("--rotate", ["--period", "8x8", "--rotate"]),
                 ("--period", ["--period", "100x99", "--frequency", "0.01"]),
-                ("--tileable", ["--tileable", "--size", "100x99", "--frequency", "0.01"]),
-                ("--lacunarity", ["--tileable", "--preset", "hills", "--lacunarity", "2.5"]),
+                ("--period", ["--tileable", "--size", "100x99", "--frequency", "0.01"]),
+                ("--lacunarity", ["--tileable", "--octaves", "2", "--lacunarity", "2.5"]),
                 ("--lacunarity", ["--tileable", "--lacunarity", "0.5"]),
                 ("--period", ["--period", "1x1", "--frequency", "2e9"]),
-                ("--warp-rotate", ["--tileable", "--warp-reach", "3", "--warp-rotate"]),
-                ("--warp-lacunarity", ["--tileable", "--warp-reach", "3", "--warp-lacunarity",
-                                       "2.5", "--warp-octaves", "2"]),
-                ("--period", ["--period", "100x99", "--frequency", "0.5", "--warp-reach", "3",
-                              "--warp-frequency", "0.01"]),
-                ("--period", ["--tileable", "--warp-reach", "3", "--warp-octaves", "32"]),
                 ("--period", ["--tileable", "--octaves", "32"])):
             with self.subTest(words=words):
                 self.refused(name, small + words)
@@ -140,27 +126,6 @@ class Period(Case):
         self.assertEqual(len(lines), 5)
         self.assertEqual(lines[0:1] * 4, lines[:4])
         self.assertNotEqual(lines[0], lines[4])
-
-    def test_warped_points(self):
-        """A warp repeats where the noise does: it needs whole cells there."""
-        points = b"1,2,0.5\n17,2,0.5\n1,-22,0.5\n1,2,8.5\n5,2,0.5\n9,2,0.5\n"
-        words = ["--period", "4,6,2", "--frequency", "0.25", "--octaves", "3", "--hessian",
-                 "--warp-reach", "3", "--warp-octaves", "2"]
-        for frequency in ([], ["--warp-frequency", "0.125"], ["--warp-frequency", "0.5"]):
-            result = run("sample", *words, *frequency, input=points)
-            lines = result.stdout.decode().splitlines()
-            self.assertEqual((result.returncode, len(lines)), (0, 6), result.stderr)
-            self.assertEqual(lines[0:1] * 4, lines[:4], frequency)
-            self.assertEqual(len(set(lines)), 3)
-        # 0.1 is no double; 3 times it is not that of 0.3.
-        result = run("sample", "--period", "1,7", "--frequency", "0.1", "--warp-frequency", "0.3",
-                     "--warp-reach", "1", input=b"1 2\n")
-        self.assertEqual((result.returncode, result.stderr), (0, b""))
-        for frequency, told in (("0.2", "3.2 cells where the noise has the 4"),
-                                ("0.03125", "0.5 cells"), ("1e9", "from 1 to 2^30"),
-                                ("0.2500001", "4.0000016 cells")):
-            result = run("sample", *words, "--warp-frequency", frequency, input=b"")
-            self.check_one_line(result, 2, "scarp: --warp-frequency: ", told)
 
 
 common.main(globals())

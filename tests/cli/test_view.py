@@ -18,9 +18,9 @@ PEAKS = ("--fractal", "erosion", "--rotate", "--octaves", "7", "--height", "200"
 # Flat ground and cliffs
 MESAS = ("--basis", "cell-value", "--frequency", "0.02", "--octaves", "1", "--height", "60",
          "--seed", "12")
-COAST_CRC = 0xabcb198a
-PEAKS_CRC = 0x076ba4cd
-MESAS_CRC = 0x86378db8
+COAST_CRC = 0x2f35c480
+PEAKS_CRC = 0xad9c16a8
+MESAS_CRC = 0xb0ae8d14
 
 
 class View(Case):
@@ -103,9 +103,8 @@ class View(Case):
         expected = self.view(*PEAKS)
         for more in (("--sun", "90,40"), ("--haze", "0"), ("--haze", "500"), ("--fov", "30"),
                      ("--samples", "5"), ("--look", "50,-12"), ("--camera", "0,0,190"),
-                     ("--seed", "9"), ("--origin", "5000,0"), ("--warp-reach", "20"),
-                     ("--sea-level", "0.1"), ("--base-amplitude", "0.2"),
-                     ("--mask-band", "-0.5,0.5"), ("--terraces", "12")):
+                     ("--seed", "9"), ("--origin", "5000,0"), ("--scale", "2"),
+                     ("--sea-level", "0.1"), ("--plateau", "0.2")):
             self.assertNotEqual(self.view(*PEAKS, *more), expected, more)
 
     def test_palettes(self):
@@ -118,8 +117,10 @@ class View(Case):
         pictures = {name: self.view(*PEAKS, "--palette", name) for name in names}
         self.assertEqual(len(set(pictures.values())), len(names))
         self.assertEqual(pictures["alpine"], self.view(*PEAKS))
-        self.assertEqual(self.view(*PEAKS, "--preset", "dunes"),
-                         self.view(*PEAKS, "--preset", "dunes", "--palette", "desert"))
+        with open(self.path("sand.recipe"), "w", encoding="utf-8") as file:
+            file.write("#: palette desert\n" + common.text_of("terrain", *PEAKS[:-4],
+                                                              "--print-recipe"))
+        self.assertEqual(self.view(*PEAKS[-4:], "--recipe", "sand.recipe"), pictures["desert"])
         for red, green, _ in self.picture(*PEAKS, "--haze", "0", "--palette", "red.txt").rows[-1]:
             self.assertGreaterEqual(red, green)
 
@@ -230,7 +231,7 @@ class ViewRefused(Case):
     def test_terrain_options(self):
         """What scarp terrain refuses of its terrain, scarp view refuses, too."""
         for arguments, words in ((("--plateau", "-1", "--sea-level", "0"), ("--plateau",)),
-                                 (("--warp-gain", "0.3"), ("--warp-gain",)),
+                                 (("--warp-gain", "0.3"), ("--warp-gain", "recipe")),
                                  (("--frequency", "0"), ("--frequency",)),
                                  (("--heights", "h.png"), ("--heights",))):
             self.check("--output", "v.ppm", *arguments, words=words)

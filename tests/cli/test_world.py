@@ -68,20 +68,15 @@ class Manifest(WorldCase):
             "manifest": 1, "scarp": re.search(r"[\d.]+", common.text_of("--version")).group(),
             "size": [40, 30], "tile": [10, 10], "overlap": 1, "origin": [-7.25, 1e9], "step": 1,
             "period": [0, 0], "tileable": False, "height": 0.1, "sea-level": -0.25, "plateau": None,
-            "crater": None, "stretch": 1, "wind": 270, "terraces": 0, "terrace-riser": 0.5,
-            "terrace-strength": 0.75, "compare": 0, "normal-y": "down",
+            "scale": 1, "recipe": None, "set": {}, "compare": 0, "normal-y": "down",
             "azimuth": 315, "altitude": 45, "z-factor": 1, "seed": 18446744073709551615,
             "basis": "gradient", "jitter": 1, "fade": "quintic", "fractal": "fbm", "erosion": 1,
             "sharpness": None, "frequency": 0.03, "octaves": 3, "of-octaves": None, "lacunarity": 2, "gain": 0.4, "amplitude": -3,
-            "phase": None, "rotate": True, **{part + "-" + name: value for part in ("warp", "base", "mask") for name, value in (
-                ("seed", 0), ("basis", "gradient"), ("jitter", 1), ("fade", "quintic"),
-                ("fractal", "fbm"), ("erosion", 1), ("sharpness", None), ("frequency", 1),
-                ("octaves", 1), ("of-octaves", None), ("lacunarity", 2), ("gain", 0.5),
-                ("phase", None), ("rotate", False))},
-            "warp-reach": 0, "base-amplitude": 0, "mask-band": [0, 0], "heights": "w_{y}_{x}.r32", "normals": "npy:n_{y}_{x}.v1",
+            "phase": None, "rotate": True, "heights": "w_{y}_{x}.r32", "normals": "npy:n_{y}_{x}.v1",
             "hillshade": "s_{y}_{x}.img", "relief": None, "palette": None, "gradient": None, "output": None})
         self.assertEqual(derived["tiles"], [4, 3])
-        self.assertEqual(derived["range"], [-3, 3])
+        self.assertEqual([common.rounded(height) for height in derived["range"]],
+                         [common.rounded(-0.3), common.rounded(0.3)])
         self.assertEqual([common.rounded(height) for height in derived["16-bit heights"]],
                          [common.rounded(-0.025), common.rounded(0.3)])
 
@@ -104,12 +99,7 @@ class Manifest(WorldCase):
                    "frequency": ("0.5", "0.03", "0.5"), "octaves": ("2.5", "3", "2.5"),
                    "lacunarity": ("3", "2", "3"), "gain": ("0.25", "0.4", "0.25"),
                    "amplitude": ("-1", "1", "-1"), "phase": ("0", "null", "0"), "rotate": (None, "false", "true"),
-                   "crater": ("0.25", "null", "0.25"), "stretch": ("3", "1", "3"), "wind": ("0", "270", "0"),
-                   "terraces": ("9", "0", "9"), "terrace-riser": ("0.25", "0.5", "0.25"),
-                   "terrace-strength": ("1", "0.75", "1"),
-                   "base-amplitude": ("-0.5", "0", "-0.5"),
-                   "mask-band": ("0,0.5", "[0, 0]", "[0, 0.5]"),
-                   "warp-reach": ("5", "0", "5"), "gradient": ("g.npy", "null", '"g_{y}_{x}.npy"'),
+                   "scale": ("3", "1", "3"), "gradient": ("g.npy", "null", '"g_{y}_{x}.npy"'),
                    "hillshade": ("s.npy", "null", '"s_{y}_{x}.npy"'),
                    "relief": ("c.npy", "null", '"c_{y}_{x}.npy"'),
                    "output": ("t", "null", '"t-height_{y}_{x}' + self.extensions[0] + '"')}
@@ -128,45 +118,10 @@ class Manifest(WorldCase):
         self.refused(*TERRAIN, "--heights", "w.r32", words=('"n_{y}_{x}.npy" there and null here',))
         self.refused(*TERRAIN, "--heights", "w.r32", "--normals", "npy:n", "--resume",
                      words=('"n_{y}_{x}.npy" there and "npy:n_{y}_{x}" here',))
-        # test_period.py has --tileable, which is no option for this size, test_relief.py --palette.
-        rest = {"tileable", "palette", *(part + "-" + name for part in common.NOISES for name in common.WARP),
-                "heights", "normals", "compare", "resume", "quiet", "help"}
+        # test_period.py has --tileable, which is no option for this size, test_relief.py --palette,
+        # test_recipe.py recipes.
+        rest = {"tileable", "palette", "recipe", "set", "print-recipe", "heights", "normals", "compare", "resume", "quiet", "help"}
         self.assertEqual(set(common.OPTIONS), set(changes) | set(same) | rest)
-
-    def test_every_option_of_a_warp(self):
-        self.check_every_option_of("warp", "--warp-reach", "5", "6")
-
-    def test_every_option_of_a_base(self):
-        self.check_every_option_of("base", "--base-amplitude", "5", "6")
-
-    def test_every_option_of_a_mask(self):
-        self.check_every_option_of("mask", "--mask-band", "0,5", "0,6")
-
-    def check_every_option_of(self, part, option, value, other):
-        """Seed and frequency are those of the noise where the part has none of its own."""
-        warped = (*TERRAIN, option, value, "--heights", "w.r32")
-        self.quietly(*warped)
-        found = self.manifest()
-        self.assertEqual([found[part + "-seed"], found[part + "-frequency"]], [1, 0.03])
-        changes = {"seed": ("2", "1", "2"), "basis": ("value", '"gradient"', '"value"'),
-                   "jitter": ("0.5", "1", "0.5"), "fade": ("cubic", '"quintic"', '"cubic"'),
-                   "fractal": ("ridged", '"fbm"', '"ridged"'), "erosion": ("2", "1", "2"),
-                   "sharpness": ("2", "null", "2"), "of-octaves": ("4", "null", "4"),
-                   "frequency": ("0.5", "0.03", "0.5"), "octaves": ("2.5", "1", "2.5"),
-                   "lacunarity": ("3", "2", "3"), "gain": ("0.25", "0.5", "0.25"),
-                   "phase": ("0", "null", "0"), "rotate": (None, "false", "true")}
-        self.assertEqual(set(changes), set(common.WARP))
-        for name, (value, there, here) in changes.items():
-            with self.subTest(option=name):
-                self.refused(*warped, "--resume", "--%s-%s" % (part, name),
-                             *([value] if value else []),
-                             words=("--%s-%s is %s there and %s here" % (part, name, there, here),))
-        self.refused(*warped, option, other, words=(option + " is ",))
-        self.refused(*warped, "--seed", "2", words=("--seed is 1 there and 2 here; --%s-seed is 1 "
-                                                    "there and 2 here" % part,))
-        before = self.walk()
-        self.quietly(*warped, "--%s-seed" % part, "1", "--%s-frequency" % part, "0.03", "--resume")
-        self.check_same_files(self.walk(), before)
 
     def test_several_differences(self):
         self.quietly(*TERRAIN, "--heights", "w.r32")

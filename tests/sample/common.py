@@ -36,15 +36,6 @@ TYPED = ("--seed 0x123456789abcdef0 --basis value --fade cubic --fractal ridged 
 MEANT = {"seed": 0x123456789abcdef0, "basis": 1, "fade": 1, "fractal": 2, "frequency": 0.37,
          "octaves": 3.5, "lacunarity": 2.5, "gain": 0.625, "amplitude": -3, "erosion": 2,
          "rotate": 1}
-# The same of a warp
-WARPED = ("--frequency 0.4 --octaves 2 --warp-reach 2.5 --warp-seed 9 --warp-basis simplex "
-          "--warp-fade cubic --warp-fractal pingpong --warp-sharpness 3 --warp-frequency 0.23 "
-          "--warp-octaves 2.5 --warp-of-octaves 4 --warp-lacunarity 1.75 --warp-gain 0.7 "
-          "--warp-rotate").split()
-WARPED_MEANT = {"frequency": 0.4, "octaves": 2}
-WARP_MEANT = {"amplitude": 2.5, "seed": 9, "basis": 2, "fade": 1, "fractal": 4, "sharpness": 3,
-              "frequency": 0.23, "octaves": 2.5, "of_octaves": 4, "lacunarity": 1.75, "gain": 0.7,
-              "rotate": 1}
 # And what is for gradient noise only
 FLOWING = "--seed 77 --fade cubic --frequency 0.21 --octaves 3 --phase -0.15625 --dphase".split()
 FLOWING_MEANT = {"seed": 77, "fade": 1, "frequency": 0.21, "octaves": 3, "phase": -0.15625}
@@ -83,11 +74,8 @@ class Samples(ctypes.Structure):
         ("reserved", ctypes.c_void_p * 5)]
 
 
-def reference(points, names, warp=None, **noise):
+def reference(points, names, **noise):
     """What the library itself gives at the points: a list of rows."""
-    if warp is not None:
-        warp = Noise(**warp)
-        noise["warp"] = ctypes.addressof(warp)
     dims, count = len(points[0]), len(points)
     arrays = {name: (ctypes.c_float * count)() for name in names}
     axes = [(ctypes.c_double * count)(*axis) for axis in zip(*points)]

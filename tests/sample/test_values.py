@@ -14,21 +14,22 @@ import unittest
 import common
 from common import (run, float32, reference, npy, read_npy, make_input, read_output,
                     some_points, Case, BLOCK, KINDS, ENDS, RESULTS, BY_PHASE, TYPED, MEANT,
-                    FLOWING, FLOWING_MEANT, WARPED, WARPED_MEANT, WARP_MEANT)
+                    FLOWING, FLOWING_MEANT)
 
 
 class Help(Case):
     OPTIONS = ("input input-format columns dims skip-bad keep output output-format gradient "
-               "hessian dphase seed basis jitter fade fractal erosion sharpness frequency "
+               "hessian dphase preset recipe set scale print-recipe seed basis jitter fade fractal erosion sharpness frequency "
                "octaves of-octaves lacunarity gain "
-               "phase rotate amplitude period warp-reach isa quiet help").split()
+               "phase rotate amplitude period isa quiet help").split()
 
     def test_help(self):
         text = self.text(b"", "--help")
         self.assertTrue(text.startswith("usage: scarp sample [options]\n"))
         self.assertEqual(re.findall(r"(?m)^  --(\S+)", text), self.OPTIONS)
-        self.assertEqual(re.findall(r"(?m)^(\w+):$", text),
-                         ["points", "results", "noise", "warp", "running"])
+        self.assertEqual(re.findall(r"(?m)^(\w[^\n]*):$", text),
+                         ["points", "results", "a recipe",
+                          "one noise, without --preset and --recipe", "running"])
         self.assertLessEqual(max(len(line) for line in text.split("\n")), 90)
         for dims in (2, 3):
             self.assertIn("  in %dD  %s\n" % (dims, " ".join((*RESULTS[dims], BY_PHASE))), text)
@@ -141,32 +142,6 @@ class Values(Case):
             rows = read_output("npy", self.sample(npy(points)))[1]
             self.assertEqual(rows == reference(points, ["value"]), True)
 
-    @unittest.skipUnless(sys.argv[2:3] != ["-"], "the library cannot be loaded")
-    def test_warp(self):
-        """Every option of a warp, and its defaults: seed and frequency are the noise's."""
-        for dims in (2, 3):
-            points = some_points(dims, 500)
-            for typed, noise, warp in (
-                    (WARPED, WARPED_MEANT, WARP_MEANT),
-                    (["--seed", "7", "--frequency", "0.3", "--octaves", "3", "--gain", "0.6",
-                      "--rotate", "--warp-reach", "3"],
-                     {"seed": 7, "frequency": 0.3, "octaves": 3, "gain": 0.6, "rotate": 1},
-                     {"seed": 7, "frequency": 0.3, "amplitude": 3}),
-                    (["--warp-reach", "1", "--warp-basis", "cell-soft", "--warp-jitter", "0.5"],
-                     {}, {"basis": 6, "jitter": 0.5}),
-                    (["--warp-reach", "1", "--warp-phase", "0.3"], {}, {"phase": 0.3})):
-                out = self.sample(npy(points), *typed, "--gradient", "--hessian")
-                expected = reference(points, RESULTS[dims], warp, **noise)
-                self.assertEqual(read_output("npy", out)[1] == expected, True, typed)
-            typed = ["--warp-reach", "1", "--warp-fractal", "erosion", "--warp-erosion", "0.5",
-                     "--gradient"]
-            out = self.sample(npy(points), *typed)
-            expected = reference(points, RESULTS[dims][:dims + 1],
-                                 {"fractal": 3, "erosion": 0.5})
-            self.assertEqual(read_output("npy", out)[1] == expected, True)
-            self.assertEqual(self.sample(npy(points), "--warp-reach", "0"),
-                             self.sample(npy(points)))
-
     def test_differences(self):
         """The gradient and the Hessian are those of the values and of the gradient."""
         h = 2.0 ** -8
@@ -210,6 +185,71 @@ class Values(Case):
         self.assertIn("scalar", isas)
         outputs = {self.sample(points, *TYPED, "--hessian", "--isa", isa) for isa in isas}
         self.assertEqual(len(outputs), 1)
+
+
+class Recipes(Case):
+    """Presets and recipes at points"""
+
+    def terrain(self, *arguments):
+        """Heights and slopes of `scarp terrain` at 4 by 3 places, from the bottom left one"""
+        subprocess.run(common.PROGRAM + ["terrain", "--size", "4x3", "--step", "250", "--origin",
+                                         "1000,500", "--quiet", *arguments, "--heights", "h.r32",
+                                         "--gradient", "g.img"], cwd=self.directory, check=True)
+        heights = struct.unpack("<12f", self.read("h.r32"))
+        slopes = struct.unpack("<24f", self.read("g.img"))
+        flat = [[h, slopes[2 * i], slopes[2 * i + 1]] for i, h in enumerate(heights)]
+        return [row for line in (flat[8:], flat[4:8], flat[:4]) for row in line]
+
+    POINTS = [(1000.0 + 250 * i, 500.0 + 250 * j) for j in range(3) for i in range(4)]
+
+    def test_terrain(self):
+        """The same as of `scarp terrain`, the sea included"""
+        for words in (["--preset", "islands"], ["--preset", "alps", "--seed", "7"],
+                      ["--preset", "dunes", "--set", "height=5", "--scale", "2"]):
+            rows = read_output("npy", self.sample(npy(self.POINTS), *words, "--gradient"))[1]
+            self.assertEqual(rows, self.terrain(*words), words)
+
+    def test_hessian(self):
+        text = "recipe 1\nout a = noise(size=9, octaves=3)^2 - %s\n"
+        self.write("r.recipe", (text % "0").encode())
+        words = ["--recipe", self.path("r.recipe"), "--seed", "5", "--gradient", "--hessian"]
+        points = some_points(2, 40)
+        rows = read_output("npy", self.sample(npy(points), *words))[1]
+        noise = read_output("npy", self.sample(npy(points), "--seed", "5", "--octaves", "3",
+                                               "--frequency", repr(1 / 9), *words[4:]))[1]
+        for row, (v, dx, dy, dxx, dxy, dyy) in zip(rows, noise):
+            for found, meant in zip(row, (v * v, 2 * v * dx, 2 * v * dy, 2 * (v * dxx + dx * dx),
+                                          2 * (v * dxy + dx * dy), 2 * (v * dyy + dy * dy))):
+                self.assertAlmostEqual(found, meant, delta=2e-6)
+
+    def test_space(self):
+        self.write("s.recipe", b"recipe 1\nspace 3\nout a = noise(octaves=2) + z\n")
+        points = some_points(3, 40)
+        rows = read_output("npy", self.sample(npy(points), "--recipe", self.path("s.recipe"),
+                                              "--gradient"))[1]
+        noise = read_output("npy", self.sample(npy(points), "--seed", "1", "--octaves", "2",
+                                               "--gradient"))[1]
+        for row, one, point in zip(rows, noise, points):
+            self.assertEqual(row[1:3], one[1:3])
+            self.assertAlmostEqual(row[0], one[0] + point[2], delta=1e-5)
+
+    def test_refused(self):
+        self.write("s.recipe", b"recipe 1\nspace 3\nout a = noise()\n")
+        self.write("e.recipe", b"recipe 1\nout a = noise(erosion, octaves=2)\n")
+        space, erosion = self.path("s.recipe"), self.path("e.recipe")
+        for points, words, told in (
+                ("1 2\n", ["--recipe", space], "points have no z"),
+                ("1 2 3\n", ["--preset", "alps"], "--dims 2"),
+                ("1 2\n", ["--recipe", erosion, "--hessian"], "no second derivatives"),
+                ("1 2\n", ["--preset", "alps", "--dphase"], "--dphase"),
+                ("1 2\n", ["--preset", "alps", "--octaves", "3"], "--octaves"),
+                ("1 2\n", ["--preset", "alps", "--period", "4,4"], "--period"),
+                ("1 2\n", ["--preset", "alps", "--set", "x=1"], "no parameter 'x'"),
+                ("1 2\n", ["--set", "x=1"], "needs --preset"),
+                ("1 2\n", ["--scale", "2"], "needs --preset"),
+                ("1 2\n", ["--recipe", "no.recipe"], "no.recipe"),
+                ("1 2\n", ["--warp-reach", "2"], "warp(")):
+            self.check_refused(points, told, arguments=words)
 
 
 class Numbers(Case):
@@ -346,11 +386,9 @@ class Options(Case):
     def test_hessian_of_erosion(self):
         for fractal in ("erosion", "swiss", "jordan"):
             self.check("--hessian", "--fractal", fractal)
-            self.check("--hessian", "--warp-reach", "2", "--warp-fractal", fractal)
             self.sample("1 2\n", "--gradient", "--fractal", fractal)
         for fractal in ("swiss", "jordan"):
             self.check("--dphase", "--fractal", fractal)
-            self.sample("1 2\n", "--dphase", "--warp-reach", "2", "--warp-fractal", fractal)
 
     def test_erosion_of_jordan(self):
         self.check("--erosion=1.5", "--fractal", "jordan")

@@ -209,6 +209,7 @@ static bool set_range(struct ground *ground, const char *text, double scale)
     if (scarp_recipe_range(&ground->recipe, ground->height, NULL, &ground->lowest,
                            &ground->highest) != SCARP_OK ||
         !(ground->highest - ground->lowest <= FLT_MAX)) {
+        ground->floor = ground->lowest = -INFINITY;
         return false;
     }
     ground->floor = ground->lowest;

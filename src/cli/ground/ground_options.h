@@ -43,6 +43,8 @@ extern const struct option ground_height_rows[GROUND_HEIGHT_ROWS];
                            GROUND_FIELD(at, noise), GROUND_FIELD(at, noise_typed)),                \
         OPTION_GROUP_TYPED(NULL, ground_height_rows, at, GROUND_FIELD(at, height_typed))
 
+#define GROUND_NOISE_GROUPS 2 /* the last ones are those of one noise */
+
 /* With the frequency 1, all samples at a distance of 1 would be lattice points. */
 extern option_words ground_standard;
 

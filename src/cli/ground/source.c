@@ -10,8 +10,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "presets/presets.h"
 #include "ground/repeat.h"
+#include "presets/presets.h"
 #include "shared/error.h"
 #include "shared/file.h"
 #include "shared/json.h"
@@ -34,28 +34,31 @@ static void add_number(struct text *text, const char *before, double number, boo
     text_add(text, "%s%s%s", before, digits, after);
 }
 
-/* Writes the recipe of one noise. */
+static float within(float value, float lowest, float highest)
+{
+    return value < lowest ? lowest : value > highest ? highest : value;
+}
+
+/* Writes the recipe of one noise. Sea and plateau are noise values, taken into its interval. */
 static void write_noise(struct text *text, const struct ground_options *options,
-                        const struct noise_options *noise, const double tile[2])
+                        const struct noise_options *noise, const struct scarp_noise *made)
 {
     const bool has_plateau = options->plateau != INFINITY;
-    text_add(text, "recipe 1\n");
-    if (tile[0] != 0.0) {
-        add_number(text, "tile ", tile[0], false, ", ");
-        add_number(text, "", tile[1], false, "\n");
-    }
+    float lowest, highest;
+    scarp_range(made, 2, &lowest, &highest);
     if (options->sea_level != -INFINITY) {
-        add_number(text, "param sea = ", (double)options->sea_level, true, "\n");
+        const float sea = within(options->sea_level, lowest, highest);
+        add_number(text, "param sea = ", (double)(options->height * sea), true, "\n");
     }
     if (noise->phase != NOISE_UNSET) { /* phase 0 is a turn later: noise.c has why */
         add_number(text, "param phase = ", noise->phase == 0.0f ? 1.0 : (double)noise->phase, true,
                    "\n");
     }
-    add_number(text, has_plateau ? "out height = min(" : "out height = ", (double)options->height,
-               true, " * ");
+    add_number(text, "out height = ", (double)options->height, true,
+               has_plateau ? " * min(" : " * ");
     noise_write(noise, text);
     if (has_plateau) {
-        add_number(text, ", ", (double)options->plateau, true, ")");
+        add_number(text, ", ", (double)within(options->plateau, lowest, highest), true, ")");
     }
     text_add(text, "\n");
 }
@@ -81,7 +84,12 @@ static int open_noise(struct source *source, const struct ground_options *option
     if (!noise_make(&noise, 2, &made)) {
         return CLI_USAGE;
     }
-    write_noise(&source->text, options, &noise, tile);
+    text_add(&source->text, "recipe 1\n");
+    if (tile[0] != 0.0) {
+        add_number(&source->text, "tile ", tile[0], false, ", ");
+        add_number(&source->text, "", tile[1], false, "\n");
+    }
+    write_noise(&source->text, options, &noise, &made);
     return source->text.failed ? tell_no_memory(source) : CLI_SUCCESS;
 }
 
@@ -169,6 +177,7 @@ static int open_text(struct source *source, const struct ground_options *options
         return CLI_USAGE;
     }
     if (!has_preset && options->recipe == NULL) {
+        source->is_noise = true;
         source->option = "--fractal";
         source->name = "one noise";
         return open_noise(source, options, step);
@@ -314,7 +323,7 @@ void source_describe(const struct source *source, struct text *text)
     const char *before = "";
     bool is_first = true;
     text_add(text, "  \"recipe\": ");
-    json_add_string(text, source->text.bytes);
+    json_add_string(text, source->is_noise ? NULL : source->text.bytes);
     text_add(text, ",\n  \"set\": {");
     for (;;) {
         const struct ground_value *next = NULL;

@@ -18,6 +18,7 @@
 /* Zero-initialise; close it. */
 struct source {
     const char *option, *name; /* what messages begin with: "--recipe", and the file */
+    bool is_noise;             /* the text was written for options of one noise */
     struct text text;
     struct text names; /* those of `values`, each ended by a NUL */
     struct ground_value values[OPTION_LIST_MOST];
@@ -45,7 +46,8 @@ bool source_open_palette(const struct source *source, const char *name, struct p
 /* Tells on stderr what is wrong in the text. */
 void source_refuse(const struct source *source, const struct scarp_recipe_error *error);
 
-/* Adds the recipe and the values as members of an object of JSON, a line each. */
+/* Adds the recipe, which is null for one noise, and the values as members of an object of JSON, a
+   line each. */
 void source_describe(const struct source *source, struct text *text);
 
 #endif

@@ -30,8 +30,8 @@ static const struct palette_stop temperate_stops[] = {
 /* Sand that gets redder, then strata of rock */
 static const struct palette_stop desert_stops[] = {
     {0.00f, RGB(222, 192, 142), false}, {0.25f, RGB(216, 180, 126), false},
-    {0.45f, RGB(206, 163, 108), false},  {0.62f, RGB(197, 149, 102), false},
-    {0.80f, RGB(199, 152, 111), false},  {1.00f, RGB(222, 186, 148), false},
+    {0.45f, RGB(206, 163, 108), false}, {0.62f, RGB(197, 149, 102), false},
+    {0.80f, RGB(199, 152, 111), false}, {1.00f, RGB(222, 186, 148), false},
 };
 
 /* Tundra, frozen ground, ice */

@@ -7,7 +7,7 @@
 cmake_minimum_required(VERSION 3.25)
 
 set(names "none")
-set(help "presets    are recipes; scarp recipe NAME prints one and what its parameters are:")
+set(help "presets    are recipes; scarp recipe NAME prints one and tells its parameters")
 foreach(name IN LISTS PRESETS)
   file(READ ${FROM}/${name}.recipe text HEX)
   string(REGEX REPLACE "(..)" "0x\\1," bytes "${text}")

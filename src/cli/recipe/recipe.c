@@ -10,8 +10,8 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "presets/presets.h"
 #include "ground/source.h"
+#include "presets/presets.h"
 #include "recipe/measure.h"
 #include "shared/error.h"
 

@@ -161,7 +161,9 @@ static const struct option_table table = {
         "           is asked for, their numbers must be given. All lines have as many columns as\n"
         "           the first; but without a header row and --keep, --dims and --columns ignore\n"
         "           what stands behind the coordinates.\n"
-        "recipe     With a recipe, the value is its first output, and there is no dphase; where\n"
+        "recipe     With a recipe, the value is its first output, and there is no dphase; the "
+        "seed\n"
+        "           is 1 unless it is given, as of scarp terrain; where\n"
         "           it has `param sea`, values are the sea's where they would be lower.\n"
         "malformed  are points with a coordinate that is not a finite number, so with nan or inf,\n"
         "           also in .npy, and lines with too few or too many columns.\n"
@@ -431,6 +433,9 @@ static bool prepare(struct sample *sample, struct source *source, struct sample_
     struct ground_options *const ground = &options->ground;
     sample->has_recipe = ground->preset != 0 || ground->recipe != NULL;
     if (sample->has_recipe) {
+        if ((ground->noise_typed & 1) == 0) { /* bit 0 is --seed, which is 1 for all terrain */
+            ground->noise.seed = 1;
+        }
         if (ground->noise.period[0] != 0 || ground->noise.period[1] != 0 ||
             ground->noise.period[2] != 0) {
             cli_error("--period: is for one noise; a recipe has a line: tile X, Y");

@@ -37,8 +37,7 @@ struct option {
     const char *const *choices; /* of option_choice, ending in NULL */
     const char *(*choice)(int); /* of option_choice in place of `choices`: the words for 0, 1, ...,
                                    NULL past the last */
-    int of_run; /* it concerns this run or the names of files, not what files hold, or a recipe has
-                   it */
+    int of_run; /* it concerns this run or the names of files, not what files hold */
 };
 
 /* Options that a structure holds, itself part of what receives the values */

@@ -14,14 +14,17 @@
 #include "shared/error.h"
 #include "shared/text.h"
 
-/* The option of an axis, if a sheet can vary it. All other names are those of parameters. */
-static const struct option *find(const struct axis *axis, struct sheet_options *options,
-                                 void **field)
+/* The option of an axis, if a sheet can vary it. All other names are those of parameters, and with
+   a recipe those of one noise, too. */
+static const struct option *find(const struct axis *axis, bool has_recipe,
+                                 struct sheet_options *options, void **field)
 {
     char name[AXIS_NAME_SIZE + 2] = "--";
     strcat(name, axis->name);
-    return options_find(&sheet_table, SHEET_VARIED_FIRST, sheet_table.count - 1, name, options,
-                        field);
+    const size_t end = has_recipe && strcmp(axis->name, "seed") != 0
+                           ? sheet_table.count - 1 - GROUND_NOISE_GROUPS
+                           : sheet_table.count - 1;
+    return options_find(&sheet_table, SHEET_VARIED_FIRST, end, name, options, field);
 }
 
 static bool set_flag(const struct axis *axis, const char *value, int *flag)
@@ -35,7 +38,8 @@ static bool set_flag(const struct axis *axis, const char *value, int *flag)
 }
 
 /* Reads the command line and the values behind it. Options without a value are set afterwards. */
-static bool read_options(struct cell *cell, char **argv, const struct axes *axes, const size_t *at)
+static bool read_options(struct cell *cell, char **argv, bool has_recipe, const struct axes *axes,
+                         const size_t *at)
 {
     struct sheet_options *const options = &cell->options;
     size_t count = 0;
@@ -50,7 +54,7 @@ static bool read_options(struct cell *cell, char **argv, const struct axes *axes
     for (size_t i = 0; i < axes->count && is_valid; i++) {
         const struct axis *const axis = &axes->list[i];
         void *field;
-        const struct option *const option = find(axis, options, &field);
+        const struct option *const option = find(axis, has_recipe, options, &field);
         if (option == NULL || option->parse != NULL) {
             cell->typed[i] = text_join((const char *const[]){
                 option == NULL ? "--set=" : "--", axis->name, "=", axis->values[at[i]], NULL});
@@ -64,7 +68,7 @@ static bool read_options(struct cell *cell, char **argv, const struct axes *axes
     is_valid = is_valid && options_parse(&sheet_table, words, options) == OPTIONS_RUN;
     for (size_t i = 0; i < axes->count && is_valid; i++) {
         void *field;
-        const struct option *const option = find(&axes->list[i], options, &field);
+        const struct option *const option = find(&axes->list[i], has_recipe, options, &field);
         if (option != NULL && option->parse == NULL) {
             is_valid = set_flag(&axes->list[i], axes->list[i].values[at[i]], field);
         }
@@ -73,11 +77,12 @@ static bool read_options(struct cell *cell, char **argv, const struct axes *axes
     return is_valid;
 }
 
-bool cell_make(struct cell *cell, char **argv, const struct axes *axes, const size_t *at)
+bool cell_make(struct cell *cell, char **argv, bool has_recipe, const struct axes *axes,
+               const size_t *at)
 {
     struct sheet_options *const options = &cell->options;
     *cell = (struct cell){.options = SHEET_OPTIONS_UNSET};
-    if (!read_options(cell, argv, axes, at)) {
+    if (!read_options(cell, argv, has_recipe, axes, at)) {
         return false;
     }
     const size_t samples = options->samples;

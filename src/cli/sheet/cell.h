@@ -24,9 +24,11 @@ struct cell {
     char *typed[AXES_MAX]; /* the options of its values, to which the others may point */
 };
 
-/* Makes a cell of the command line `argv`, which ends with NULL, and of the value number at[i] of
-   each axis i. False, with a line on stderr, if these do not go together. Free it in any case. */
-bool cell_make(struct cell *cell, char **argv, const struct axes *axes, const size_t *at);
+/* Makes a cell of the command line `argv`, which ends with NULL and may ask for a recipe, and of
+   the value number at[i] of each axis i. False, with a line on stderr, if these do not go together.
+   Free it in any case. */
+bool cell_make(struct cell *cell, char **argv, bool has_recipe, const struct axes *axes,
+               const size_t *at);
 void cell_free(struct cell *cell);
 
 /* Draws CELL_BAND rows of pixels, or what is left of them, from `row` on. `to` is where the cell's

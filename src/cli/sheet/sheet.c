@@ -61,6 +61,8 @@ static bool choose_format(struct sheet *sheet)
 /* All cells, so that none is drawn if there is a mistake in one */
 static int make_cells(struct sheet *sheet, char **argv)
 {
+    const struct ground_options *const ground = &sheet->options.ground;
+    const bool has_recipe = ground->preset != 0 || ground->recipe != NULL;
     sheet->count = sheet->axes.list[0].count;
     sheet->count *= sheet->axes.count > 1 ? sheet->axes.list[1].count : 1;
     sheet->cells = calloc(sheet->count, sizeof *sheet->cells);
@@ -71,7 +73,7 @@ static int make_cells(struct sheet *sheet, char **argv)
     for (size_t n = 0; n < sheet->count; n++) {
         size_t at[AXES_MAX];
         page_values(&sheet->page, &sheet->axes, n, at);
-        if (!cell_make(&sheet->cells[n], argv, &sheet->axes, at)) {
+        if (!cell_make(&sheet->cells[n], argv, has_recipe, &sheet->axes, at)) {
             return CLI_USAGE;
         }
     }

@@ -17,7 +17,7 @@
 #include "shared/unfinished.h"
 
 #define VERSION 1 /* of the form of manifests */
-#define SIZE_MOST ((size_t)1 << 16)
+#define SIZE_MOST ((size_t)1 << 17)
 #define MEMBERS_MOST 100
 
 static int refuse(const struct manifest *manifest, const char *what)
@@ -84,7 +84,12 @@ static void compare_member(const struct json_member *our, const struct json_memb
          memcmp(value_of(our), value_of(their), (size_t)value_length(our)) == 0)) {
         return;
     }
-    text_add(differences, "%s%s%s is %.*s there and %.*s here", differences->length > 0 ? "; " : "",
+    const char *const separator = differences->length > 0 ? "; " : "";
+    if (strcmp(key, "recipe") == 0) {
+        text_add(differences, "%s--recipe has another text there", separator);
+        return;
+    }
+    text_add(differences, "%s%s%s is %.*s there and %.*s here", separator,
              strcmp(key, "scarp") == 0 ? "" : "--", key, value_length(their), value_of(their),
              value_length(our), value_of(our));
 }

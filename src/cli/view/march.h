@@ -16,9 +16,9 @@ struct rays {
     float *x, *y, *z; /* unit vectors */
     float *begin;     /* where each begins; then how far the rays around it, too, meet nothing */
     float spread;     /* sine of the angle between a ray and those around it; 0: there are none */
-    bool is_scout;    /* only `begin` is wanted: rays end where one around them may meet something */
-    float *distance;  /* to the ground; that of the sky is infinite */
-    bool *cliff;      /* whether it ends at a cliff, between what is below and above it */
+    bool is_scout;   /* only `begin` is wanted: rays end where one around them may meet something */
+    float *distance; /* to the ground; that of the sky is infinite */
+    bool *cliff;     /* whether it ends at a cliff, between what is below and above it */
 
     /* The rays that meet the ground, band by band: those of band b are the numbers hit[i] with
        first_hit[b] <= i < first_hit[b + 1] */

@@ -6,8 +6,8 @@
 
 #include <stddef.h>
 
-#include "presets/presets.h"
 #include "look/palette.h"
+#include "presets/presets.h"
 #include "shared/number.h"
 
 #define FIELD(name) offsetof(struct view_options, name)
