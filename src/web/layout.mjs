@@ -128,7 +128,7 @@ function integer(name, value, least, most) {
 }
 
 // A seed may be any of 64 bits. Numbers beyond 2^53 may have been rounded, which nobody wants.
-function seedOf(seed) {
+export function seedOf(seed) {
     if (typeof seed === 'number' && !Number.isSafeInteger(seed)) {
         throw new ScarpError(
             STATUS.PARAMETER,

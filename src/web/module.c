@@ -46,6 +46,22 @@ AT(flow, vzz, 44);
 SIZE(partials, 32);
 AT(partials, fbb, 20);
 
+SIZE(recipe, 65536);
+SIZE(recipe_error, 56);
+AT(recipe_error, text, 16);
+AT(recipe_error, nearest, 24);
+SIZE(recipe_entry, 112);
+AT(recipe_entry, name, 8);
+AT(recipe_entry, is_param, 20);
+AT(recipe_entry, output, 24);
+AT(recipe_entry, value, 32);
+AT(recipe_entry, slider, 40);
+AT(recipe_entry, range, 56);
+SIZE(recipe_outputs, 48);
+AT(recipe_outputs, count, 8);
+SIZE(scratch, 56);
+AT(scratch, size, 4);
+
 SIZE(plan, 12288);
 SIZE(gpu_plan, 5376);
 _Static_assert(SCARP_GPU_ANSWERS == 4096, "answers");

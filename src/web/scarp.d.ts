@@ -242,6 +242,9 @@ export interface Scarp {
     apply1<T extends Samples>(a: Samples, f: Partials, out: T): T;
     apply2<T extends Samples>(a: Samples, b: Samples, f: Partials, out: T): T;
 
+    /** A composition of noises; throws a RecipeError. Free it when it is no longer needed. */
+    recipe(text: string): Recipe;
+
     /** What calls would throw for this noise, or null. */
     noiseCheck(noise: Noise | Plan, dimensions: Dimensions): ScarpError | null;
     /** The interval that values never leave: [lowest, highest]. */
@@ -252,6 +255,50 @@ export interface Scarp {
     gpuPlan(noise: Noise | Plan, dimensions: Dimensions): Uint8Array;
     /** What a shader must answer: 4,096 numbers. */
     gpuAnswers(noise: Noise | Plan, dimensions: Dimensions, order: 0 | 1 | 2): Uint32Array;
+}
+
+/** One thing that is wrong in the text of a recipe; lines and columns count from 1. */
+export interface RecipeFault {
+    line: number;
+    column: number;
+    /** Bytes of the text, `to` excluded. */
+    from: number;
+    to: number;
+    text: string;
+    /** The member of a noise, or the argument, at fault. */
+    member: string | null;
+    /** A number that would do there. */
+    nearest: number | null;
+}
+
+export declare class RecipeError extends ScarpError {
+    readonly errors: RecipeFault[];
+}
+
+/** A composition of noises as a text: src/recipe/README.md of scarp has the language. */
+export interface Recipe {
+    /** Parameters, with the intervals that the text gives. */
+    readonly params: { name: string; value: number; lowest: number; highest: number }[];
+    /** Outputs, with the intervals that values never leave. */
+    readonly outputs: { name: string; range: [number, number] }[];
+    /** Whether it is of space. */
+    readonly isSpace: boolean;
+    /** The seed of the world; give a BigInt for more than 53 bits. */
+    get seed(): bigint;
+    set seed(seed: number | bigint);
+    /** Sets a parameter; "finest" leaves out octaves with cells smaller than that. */
+    set(name: string, value: number): this;
+    range(output?: number): [number, number];
+    /** `out` has arrays of the first output, or an array of objects those of the first ones. */
+    grid<T extends Samples | Samples[]>(grid: Grid, out: T): T;
+    sample2<T extends Samples | Samples[]>(x: Coordinates, y: Coordinates, out: T): T;
+    sample3<T extends Samples | Samples[]>(
+        x: Coordinates,
+        y: Coordinates,
+        z: Coordinates,
+        out: T,
+    ): T;
+    free(): void;
 }
 
 export interface Options {

@@ -23,11 +23,14 @@ import {
     putNoise,
     putPlan,
     readGrid,
+    seedOf,
 } from './layout.mjs';
 import { compile, hasVectors } from './compile.mjs';
 import { Memory, checkArray, checkOverlaps, isArray } from './memory.mjs';
 
-export { STATUS, ScarpError };
+import { Recipe, RecipeError } from './recipe.mjs';
+
+export { RecipeError, STATUS, ScarpError };
 
 // A noise that is checked and ready, for many calls with few points.
 class Plan {
@@ -294,25 +297,25 @@ class Scarp {
     }
 
     // Arrays of a grid may be longer than what is written.
-    #gridArrays(out, grid) {
-        checkMembers('out', out, SAMPLES);
+    #gridArrays(out, grid, what = 'out', slots = this.#at.out) {
+        checkMembers(what, out, SAMPLES);
         const uses = [];
-        new Uint8Array(this.#memory.buffer, this.#at.out, ARRAYS_SIZE).fill(0);
+        new Uint8Array(this.#memory.buffer, slots, ARRAYS_SIZE).fill(0);
         SAMPLES.forEach((name, i) => {
             const array = out[name];
             if (array === undefined || array === null) {
                 return;
             }
-            checkArray(`out.${name}`, array, 'Float32Array', array.length);
+            checkArray(`${what}.${name}`, array, 'Float32Array', array.length);
             if (array.length < grid.length) {
                 throw new RangeError(
-                    `out.${name} has ${array.length} elements, not ${grid.length}`,
+                    `${what}.${name} has ${array.length} elements, not ${grid.length}`,
                 );
             }
             uses.push({
-                name: `out.${name}`,
+                name: `${what}.${name}`,
                 array,
-                slot: this.#at.out + 4 * i,
+                slot: slots + 4 * i,
                 out: true,
                 length: grid.length,
             });
@@ -489,6 +492,28 @@ class Scarp {
             {},
             out,
             PARTIALS,
+        );
+    }
+
+    // A composition of noises; free() it.
+    recipe(text) {
+        return new Recipe(
+            {
+                exports: this.#exports,
+                memory: this.#memory,
+                gridAt: this.#at.grid,
+                seedOf,
+                text: (status) => this.#text(status),
+                expect: (status) => this.#expect(status),
+                arrays: (...all) => this.#arrays(...all),
+                gridArrays: (what, out, slots, grid) => this.#gridArrays(out, grid, what, slots),
+                coordinates: (list) => ({
+                    uses: this.#coordinates(list),
+                    slots: list.map((_, axis) => this.#at.pointers + 4 * axis),
+                    isDouble: isArray(list[0], 'Float64Array'),
+                }),
+            },
+            text,
         );
     }
 

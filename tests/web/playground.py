@@ -10,6 +10,7 @@ a failure.
 """
 import hashlib
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -21,10 +22,7 @@ from chromium import Chromium, serve
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.join(HERE, os.pardir, os.pardir)
-PAGE = os.path.join(ROOT, "src", "web", "playground")
-sys.path.insert(0, PAGE)
 sys.dont_write_bytecode = True
-import presets  # noqa: E402
 
 SKIPPED = 77
 PATIENCE = 60  # seconds for a picture
@@ -36,24 +34,28 @@ PROGRAM, CHROMIUM, SITE, CC, LIBRARY, NODE = (
 PLACE = ["--size", "160x120", "--origin", "-37.5,19", "--step", "2.5"]
 # Each case has what others have not.
 CASES = {
-    "turned wind": ["--stretch", "2.5", "--wind", "200", "--base-amplitude", "0.5"],
-    "aligned wind": ["--stretch", "0.5", "--fractal", "erosion", "--sea-level", "-0.1"],
-    "cut": ["--preset", "alps", "--sea-level", "0.2", "--plateau", "0.9", "--terraces", "5"],
+    "cut": ["--fractal", "turbulence", "--sea-level", "0.2", "--plateau", "0.6"],
     "flow": ["--phase", "0.3", "--fade", "cubic", "--lacunarity", "1.9", "--of-octaves", "12"],
     "no flow": ["--phase", "0", "--amplitude", "-0.7"],
-    "cells": ["--basis", "cell-edge", "--jitter", "0.6", "--warp-reach", "20", "--warp-gain",
-              "0.3", "--warp-octaves", "2.5", "--warp-basis", "simplex", "--warp-rotate"],
-    "fractals": ["--fractal", "pingpong", "--sharpness", "1.1", "--octaves", "4.4",
-                 "--base-amplitude", "-0.3", "--base-fractal", "hybrid", "--mask-band", "0.4,-0.3",
-                 "--mask-basis", "value", "--mask-seed", "77", "--crater", "0.2"],
-    "defaults": ["--seed", "0", "--frequency", "1", "--octaves", "1", "--gain", "0.5",
-                 "--base-amplitude", "1", "--step", "0.125"],
+    "cells": ["--basis", "cell-edge", "--jitter", "0.6", "--rotate", "--octaves", "2.5"],
+    "fractals": ["--fractal", "pingpong", "--sharpness", "1.1", "--octaves", "4.4"],
+    "defaults": ["--seed", "0", "--frequency", "1", "--octaves", "1", "--gain", "0.5", "--step",
+                 "0.125"],
     "far": ["--origin", "1e12,-3e11", "--step", "0.125", "--seed", "0xfedcba9876543210",
             "--fractal", "jordan", "--erosion", "0.9", "--z-factor", "2", "--azimuth", "117",
             "--altitude", "30"],
-    "repeats": ["--preset", "alps", "--period", "256x128", "--step", "8"],
-    "repeats in the wind": ["--preset", "dunes", "--period", "300x200", "--step", "4"],
+    "repeats": ["--fractal", "ridged", "--period", "256x128", "--step", "8"],
+    "values": ["--preset", "alps", "--set", "height=300", "--set", "gully=0.1"],
+    "a sea": ["--preset", "islands", "--set", "sea=90", "--origin", "2000,1500", "--step", "9"],
 }
+FLAGS = ("--rotate",)
+
+
+def presets():
+    """The names of the program's presets"""
+    with open(os.path.join(ROOT, "src", "cli", "presets", "presets.cmake"),
+              encoding="utf-8") as file:
+        return re.search(r"scarp_presets ([a-z ]+)\)", file.read()).group(1).split()
 
 
 def program(*words, cwd=None):
@@ -71,9 +73,14 @@ def hillshade_of(words):
 
 
 def fragment(words, **view):
-    pairs = list(presets.options(words).items())
-    pairs = [(name, "1" if value is True else value) for name, value in pairs]
-    if "preset" not in dict(pairs):
+    """The part of the URL behind # for options of the program, and for a `text`"""
+    pairs, words = [], list(words)
+    while words:
+        name = words.pop(0)
+        pairs.append((name[2:], "1" if name in FLAGS else words.pop(0)))
+    if "text" in view:
+        pairs.append(("preset", "own"))
+    elif "preset" not in dict(pairs):
         pairs.append(("preset", "none"))
     return "#" + urllib.parse.urlencode(pairs + list(view.items()))
 

@@ -6,11 +6,10 @@
 
 #include <float.h>
 #include <math.h>
-#include <stdio.h>
 #include <string.h>
 
 #define TEXT_MOST 16384
-#define ADDED_MOST 256           /* bytes of the lines that are added to a text */
+#define ADDED_MOST 320           /* bytes of the lines that are added to a text */
 #define SCRATCH_SIZE (256 << 10) /* about 1,000 points of a large recipe */
 
 /* The name of the statement that is added to a text for its scale */
@@ -34,6 +33,11 @@ static void put(struct edited *text, const char *bytes, size_t length)
 {
     memcpy(text->bytes + text->length, bytes, length);
     text->length += length;
+}
+
+static void put_words(struct edited *text, const char *words)
+{
+    put(text, words, strlen(words));
 }
 
 /* Where the line `recipe 1` ends, which comments may stand before; the length if there is no other
@@ -61,14 +65,13 @@ static void edit(const struct ground_source *source, struct edited *text)
     text->length = 0;
     text->at = end_of_version(source->text, source->length);
     put(text, source->text, text->at);
-    text->added = 0;
-    if (source->tile[0] != 0.0) {
-        char line[ADDED_MOST / 2];
-        const int size =
-            snprintf(line, sizeof line, "tile %.17g, %.17g\n", source->tile[0], source->tile[1]);
-        text->added = (size_t)size;
-        put(text, line, text->added);
+    text->added = text->length;
+    if (source->tile != NULL) {
+        put_words(text, "tile ");
+        put_words(text, source->tile);
+        put_words(text, "\n");
     }
+    text->added = text->length - text->added;
     put(text, source->text + text->at, source->length - text->at);
 }
 
@@ -106,18 +109,26 @@ static bool is_text(const char *text, const uint32_t span[2], const char *word)
     return span[1] - span[0] == strlen(word) && memcmp(text + span[0], word, strlen(word)) == 0;
 }
 
+#define NAME_MOST 100
+
 /* Adds a statement that is the height of the terrain, larger. */
-static bool add_scale(struct edited *text, const struct scarp_recipe_entry *height, double scale)
+static bool add_scale(struct edited *text, const struct scarp_recipe_entry *height,
+                      const char *scale)
 {
-    char line[ADDED_MOST / 2];
-    const int size =
-        snprintf(line, sizeof line, "\n" SCALED " = %.17g * scale(%.*s, %.17g)\n", scale,
-                 (int)(height->name[1] - height->name[0]), text->bytes + height->name[0], scale);
-    const bool fits = size > 0 && (size_t)size < sizeof line;
-    if (fits) {
-        put(text, line, (size_t)size);
+    const size_t length = height->name[1] - height->name[0];
+    char name[NAME_MOST];
+    if (length > sizeof name) {
+        return false;
     }
-    return fits;
+    memcpy(name, text->bytes + height->name[0], length);
+    put_words(text, "\n" SCALED " = ");
+    put_words(text, scale);
+    put_words(text, " * scale(");
+    put(text, name, length);
+    put_words(text, ", ");
+    put_words(text, scale);
+    put_words(text, ")\n");
+    return true;
 }
 
 /* The parameter `name`. False if there is none. */
@@ -253,7 +264,7 @@ static enum ground_problem set_height(struct ground *ground, const struct ground
     if (scale == 1.0) {
         return GROUND_FINE;
     }
-    if (!add_scale(text, &height, scale)) {
+    if (!add_scale(text, &height, source->digits)) {
         return fail(GROUND_BAD_TERRAIN, "the name of the height is too long to be scaled", error);
     }
     const enum ground_problem problem = parse(ground, text, error);

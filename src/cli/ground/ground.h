@@ -26,11 +26,12 @@ struct ground_source {
     const char *text; /* a recipe */
     size_t length;    /* its bytes */
     const struct ground_value *values;
-    size_t count;   /* of values */
-    uint64_t seed;  /* of the world */
-    double scale;   /* makes the whole terrain so many times larger, places and heights */
-    double tile[2]; /* the terrain repeats after so many units along x and y */
-    bool is_any;    /* any field will do: it may be one of space, and have no bound */
+    size_t count;       /* of values */
+    uint64_t seed;      /* of the world */
+    const char *tile;   /* "512, 256": the terrain repeats after so many units along x and y */
+    const char *digits; /* of `scale` */
+    double scale;       /* makes it so many times larger, places and heights; 0: it does not */
+    bool is_any;        /* any field will do: it may be one of space, and have no bound */
 };
 
 /* 64 KiB: not for small stacks. It may be copied. */

@@ -212,10 +212,17 @@ int source_open(struct source *source, const struct ground_options *options, dou
     source->ground.length = source->text.length;
     source->ground.values = source->values;
     source->ground.seed = options->noise.seed;
-    source->ground.scale = options->scale;
-    if (source->nearest == 0.0) { /* one noise has its tile in its text */
-        source->ground.tile[0] = step * (double)options->period.width;
-        source->ground.tile[1] = step * (double)options->period.height;
+    if (options->scale != 1.0) {
+        number_write_double(source->scale, options->scale);
+        source->ground.digits = source->scale;
+        source->ground.scale = options->scale;
+    }
+    if (options->period.width != 0 && !source->is_noise) { /* one noise has its tile in its text */
+        char *end = number_write_double(source->tile, step * (double)options->period.width);
+        *end++ = ',';
+        *end++ = ' ';
+        number_write_double(end, step * (double)options->period.height);
+        source->ground.tile = source->tile;
     }
     return CLI_SUCCESS;
 }

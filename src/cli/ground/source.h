@@ -11,6 +11,7 @@
 #include "ground/ground.h"
 #include "ground/ground_options.h"
 #include "look/palette.h"
+#include "shared/number.h"
 #include "shared/text.h"
 
 #define SOURCE_PALETTE_SIZE 32
@@ -22,7 +23,8 @@ struct source {
     struct text text;
     struct text names; /* those of `values`, each ended by a NUL */
     struct ground_value values[OPTION_LIST_MOST];
-    struct ground_source ground;       /* of these */
+    struct ground_source ground;                        /* of these */
+    char tile[2 * NUMBER_SIZE + 2], scale[NUMBER_SIZE]; /* numbers of it, as text */
     char palette[SOURCE_PALETTE_SIZE]; /* that of the text's line `#: palette NAME`; "": none */
     double nearest;                    /* the frequency of one noise that repeats; else 0 */
     uint32_t cells[2];                 /* and its cells along the sides of the period */

@@ -1,27 +1,23 @@
 // SPDX-License-Identifier: MIT
 //
 // The buttons: seeds, copies, downloads, themes.
-import {asCommand} from "./copy.js";
-import {asC} from "./copy_c.js";
-import {asJavaScript} from "./copy_js.js";
-import {heightsOf, npy, png16, quantised, r16, save} from "./export.js";
-import {makeGround} from "./ground.js";
+import {asC, asCommand, asJavaScript, asRecipe} from "./copy.js";
+import {npy, png16, quantised, r16, save} from "./export.js";
 
 const byId = id => document.getElementById(id);
 const BINARY = "application/octet-stream";
 
 const COPIES = {
-    c: {title: "C", make: (page, ground) => asC(page.checked.terrain, ground, location.href)},
-    command: {title: "Command line", make: page => asCommand(page.state)},
-    javascript: {title: "JavaScript",
-        make: (page, ground) => asJavaScript(page.checked.terrain, ground, location.href)},
+    recipe: {title: "Recipe", make: asRecipe},
+    c: {title: "C", make: asC},
+    command: {title: "Command line", make: asCommand},
+    javascript: {title: "JavaScript", make: asJavaScript},
 };
 
 // The text of a copy; null while the options are not all valid
 export function copyText(page, kind) {
-    const {terrain} = page.checked;
     page.flushHash();
-    return terrain && COPIES[kind].make(page, makeGround(page.scarp, terrain));
+    return page.checked.source && COPIES[kind].make(page, location.href);
 }
 
 async function toClipboard(text) {
@@ -53,14 +49,13 @@ async function saveHeights(page, kind) {
     if (whole === null) {
         return;
     }
-    const {values, floor, ceiling, terrain} = whole, {width, height} = terrain.raster;
-    const name = `scarp-${page.state.preset}-${terrain.noise.seed}`;
-    const numbers = () => quantised(values, floor, ceiling);
-    const heights = () => heightsOf(values, terrain.height);
+    const {values, raster: {width, height}, numbers: {floor, highest}} = whole;
+    const name = `scarp-${page.state.preset}-${whole.job.source.seed}`;
+    const numbers = () => quantised(values, floor, highest);
     switch (kind) {
     case "png": save(await png16(numbers(), width, height), `${name}.png`); break;
     case "r16": save(new Blob([r16(numbers())], {type: BINARY}), `${name}.r16`); break;
-    case "npy": save(new Blob([npy(heights(), width, height)], {type: BINARY}), `${name}.npy`);
+    case "npy": save(new Blob([npy(values, width, height)], {type: BINARY}), `${name}.npy`);
         break;
     default: {
         const canvas = byId(page.state.space ? "world" : "map");
@@ -86,7 +81,6 @@ export function connectActions(page) {
     on("reset", () => page.setPreset(page.state.preset));
     on("fit", () => page.fit());
     on("space", () => page.setSpace(!page.state.space));
-    on("gpu", () => page.setGpu(!page.state.gpu));
     on("theme", changeTheme);
     on("help-open", () => byId("help").showModal());
     on("copy-link", async () => {

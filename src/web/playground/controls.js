@@ -2,7 +2,7 @@
 //
 // The side panel: a field for each row of the table of parameters, in groups that fold.
 import {GROUPS} from "./parameters.js";
-import {defaultText, numberOf, textOf} from "./state.js";
+import {NOISE, defaultText, numberOf, textOf} from "./state.js";
 
 const STEPS = 1000; // of a slider whose scale is logarithmic
 
@@ -63,8 +63,8 @@ class Field {
         this.input = makeInput(row, id);
         this.slider = isNumber(row) ? makeSlider(row, id) : null;
         this.message = element("p", {class: "message", id: `${id}-message`, role: "alert"});
-        this.back = element("button", {type: "button", class: "back", title: "Back to the preset",
-            "aria-label": `${row.label}: back to the preset`}, "↺");
+        this.back = element("button", {type: "button", class: "back", title: "Back to the default",
+            "aria-label": `${row.label}: back to the default`}, "↺");
         const label = element("label", {for: id, title: row.hint}, row.label);
         this.box = element("div", {class: `field ${row.kind}`, "data-name": row.name}, label,
             ...(this.slider ? [this.slider] : []), this.input, this.back, this.message);
@@ -85,40 +85,47 @@ class Field {
         return text === "" ? (this.row.unset ? null : "") : text;
     }
 
-    // Shows the state. A field that is being typed in keeps its text.
-    show(state, {options, messages, noise}) {
-        const {row, input} = this, text = textOf(state, row.name), inherited = options[row.name];
-        const shown = row.inherits && state.given[row.name] === undefined && inherited !== undefined
-            ? String(inherited) : text;
+    // Shows a text, which is the default unless it was given; null: unset. A field that is being typed
+    // in keeps its text.
+    show({text, isGiven, message}) {
+        const {row, input} = this;
         if (row.kind === "flag") {
             input.checked = text === true || text === "1";
         } else if (document.activeElement !== input || input.value.trim() === "") {
-            input.value = shown ?? "";
+            input.value = text ?? "";
         }
         if (this.slider && document.activeElement !== this.slider) {
-            this.slider.value = toSlider(row, shown === null ? (row.slider[0]) : Number(shown));
+            this.slider.value = toSlider(row, text === null ? row.slider[0] : Number(text));
         }
-        this.slider?.setAttribute("aria-valuetext", shown ?? row.unset);
-        const message = messages.get(row.name) ?? "";
+        this.slider?.setAttribute("aria-valuetext", text ?? row.unset);
         if (this.message.textContent !== message) {
             this.message.textContent = message;
         }
         input.setAttribute("aria-invalid", String(message !== ""));
         this.box.classList.toggle("wrong", message !== "");
-        const given = state.given[row.name], isGiven = given !== undefined &&
-            String(given) !== String(defaultText(state, row.name) ?? null);
         this.box.classList.toggle("given", isGiven);
-        this.box.classList.toggle("unset", shown === null);
+        this.box.classList.toggle("unset", text === null);
         this.back.disabled = !isGiven;
-        const isServed = !row.serves || !noise || row.serves(noise) || isGiven;
-        this.box.hidden = !(isServed && (!row.shown || row.shown(options))) && message === "";
     }
 }
 
-// The panel. change(name, text, isDragging) gets what is typed or dragged; undefined: take it back.
+// The row of a parameter of a recipe; its slider has the interval, or what is near its number.
+function rowOf({name, value, lowest, highest}) {
+    const far = Math.max(2 * Math.abs(value), 1);
+    const isBounded = highest - lowest < 1e9;
+    const slider = isBounded ? [lowest, highest] : [value - far, value + far];
+    const step = Number(((slider[1] - slider[0]) / 500).toPrecision(1));
+    return {name, kind: "float", label: name, slider, step,
+        hint: isBounded ? `from ${lowest} to ${highest}` : "any number"};
+}
+
+// The panel. change(name, text, isDragging) gets what is typed or dragged, setValue() that of a
+// parameter; undefined: take it back.
 export class Controls {
-    constructor(form, change) {
+    constructor(form, params, change, setValue) {
         this.fields = [];
+        this.params = {box: params, key: null, fields: []};
+        this.setValue = setValue;
         for (const group of GROUPS) {
             const fields = group.rows.map(row => new Field(row, change));
             const box = element("div", {role: "group", "aria-label": group.title},
@@ -131,20 +138,42 @@ export class Controls {
         form.addEventListener("submit", event => event.preventDefault());
     }
 
-    show(state, parsed) {
+    show(state, {messages, params}) {
+        const noise = {basis: textOf(state, "basis"), fractal: textOf(state, "fractal"),
+            octaves: numberOf(state, "octaves")};
         for (const field of this.fields) {
-            const {prefix} = field.row;
-            const noise = prefix === undefined ? null : {
-                basis: textOf(state, `${prefix}basis`), fractal: textOf(state, `${prefix}fractal`),
-                octaves: numberOf(state, `${prefix}octaves`),
-            };
-            field.show(state, {...parsed, noise});
+            const {row} = field, given = state.given[row.name];
+            const isGiven = given !== undefined &&
+                String(given) !== String(defaultText(state, row.name) ?? null);
+            const message = messages.get(row.name) ?? "";
+            field.show({text: textOf(state, row.name), isGiven, message});
+            field.box.hidden = !(!row.serves || row.serves(noise) || isGiven) && message === "";
         }
-        for (const {id, rows} of GROUPS) {
+        for (const {id, rows, ofNoise} of GROUPS) {
             const group = document.getElementById(`g-${id}`);
-            group.classList.toggle("has-wrong", rows.some(row => parsed.messages.has(row.name)));
+            group.hidden = Boolean(ofNoise) && state.preset !== NOISE;
+            group.classList.toggle("has-wrong", rows.some(row => messages.has(row.name)));
             group.classList.toggle("has-given", rows.some(row => row.name in state.given &&
                 row.name !== "seed"));
+        }
+        this.showParams(state, params, messages);
+    }
+
+    // Fields are made anew where the parameters are others. Those of a text with errors stay.
+    showParams(state, params, messages) {
+        const {box} = this.params, isNoise = state.preset === NOISE;
+        const key = JSON.stringify(params.map(({name, lowest, highest}) => [name, lowest, highest]));
+        if (key !== this.params.key && !(params.length === 0 && messages.has("recipe"))) {
+            const fields = params.map(param => new Field(rowOf(param), this.setValue));
+            box.replaceChildren(...fields.map(field => field.box));
+            Object.assign(this.params, {key, fields});
+        }
+        box.hidden = isNoise || this.params.fields.length === 0;
+        for (const field of this.params.fields) {
+            const {name} = field.row, param = params.find(each => each.name === name);
+            const given = state.values[name], standard = param ? String(param.value) : "";
+            field.show({text: given ?? standard, isGiven: given !== undefined,
+                message: messages.get(`=${name}`) ?? ""});
         }
     }
 }

@@ -2,26 +2,11 @@
 //
 // Heights as files: 16-bit PNG, R16 and NPY with the bytes or numbers that `scarp terrain` writes.
 
-const f32 = Math.fround;
-
-// Heights in the unit of x and y
-export function heightsOf(values, scale) {
-    const heights = new Float32Array(values.length);
-    for (let i = 0; i < values.length; i++) {
-        heights[i] = scale * values[i];
-    }
-    return heights;
-}
-
-// Values as integers: 0 at the floor, 65535 at the ceiling
+// Heights as integers: 0 at the floor, 65535 at the ceiling
 export function quantised(values, floor, ceiling) {
     const left = ceiling - floor, steps = left > 0 ? 65535 / left : 0;
     return Uint16Array.from(values, value => Math.trunc((value - floor) * steps + 0.5));
 }
-
-// What 0 and 65535 stand for
-export const heightRange = (scale, floor, ceiling) =>
-    [f32(scale * floor) + 0, f32(scale * ceiling) + 0];
 
 export async function sha256(bytes) {
     if (!globalThis.crypto?.subtle) {

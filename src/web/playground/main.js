@@ -4,16 +4,15 @@
 import {check} from "./check.js";
 import {Controls} from "./controls.js";
 import {connectActions} from "./actions.js";
-import {heightsOf, heightRange, sha256} from "./export.js";
-import {openGpu} from "./gpu.js";
-import {withoutHessian} from "./ground.js";
+import {hasVectors} from "./compile.mjs";
+import {sha256} from "./export.js";
 import {connectKeys} from "./keys.js";
-import {load} from "./scarp.mjs";
 import {MapView, placeOf} from "./map.js";
 import {ROWS} from "./parameters.js";
 import {Pool} from "./pool.js";
-import {PRESETS} from "./presets.js";
-import {VIEWS, fromHash, textOf, toHash} from "./state.js";
+import {loadPresets, paletteOf} from "./recipes.js";
+import {NOISE, OWN, VIEWS, fromHash, textOf, toHash} from "./state.js";
+import {loadTerrain} from "./terrain.js";
 import {View3d, poseOf, poseText} from "./view3d.js";
 
 const FRAME_MS = 20; // what a frame may take while something is dragged
@@ -21,8 +20,9 @@ const SAMPLES_MAX = 1.6e6; // of a raster that fits the window
 const byId = id => document.getElementById(id);
 
 class Page {
-    constructor(scarp) {
-        this.scarp = scarp;
+    constructor(terrain, presets) {
+        this.terrain = terrain;
+        this.presets = presets; // texts by name
         this.state = fromHash(location.hash);
         this.checked = null;
         this.last = null; // the last frame
@@ -34,8 +34,9 @@ class Page {
         this.pool = new Pool(frame => this.show(frame), message => this.fail(message));
         this.map = new MapView(byId("map"), (texts, dragging) => this.move(texts, dragging),
             at => this.hover(at));
-        this.controls = new Controls(byId("groups"),
-            (name, text, dragging) => this.change({[name]: text}, dragging));
+        this.controls = new Controls(byId("groups"), byId("params"),
+            (name, text, dragging) => this.change({[name]: text}, dragging),
+            (name, text, dragging) => this.setValue(name, text, dragging));
         this.world = null; // made when it is first looked at
     }
 
@@ -51,6 +52,23 @@ class Page {
         this.update(isDragging);
     }
 
+    // Sets a parameter of the recipe; undefined takes it back.
+    setValue(name, text, isDragging = false) {
+        if (text === undefined) {
+            delete this.state.values[name];
+        } else {
+            this.state.values[name] = text;
+        }
+        this.update(isDragging);
+    }
+
+    // A text of one's own. The last picture stays while it has errors.
+    setText(text) {
+        this.state.preset = OWN;
+        this.state.text = text;
+        this.update();
+    }
+
     move(texts, isDragging) {
         this.change(texts, isDragging);
     }
@@ -60,10 +78,13 @@ class Page {
         this.update();
     }
 
-    // A preset brings its own numbers; seed, raster and light stay.
+    // A preset brings its own numbers; seed, raster and light stay. One's own text begins with the
+    // recipe that was shown.
     setPreset(preset) {
         const stays = ["seed", "size", "origin", "step", "azimuth", "altitude", "z-factor"];
+        this.state.text = preset === OWN ? this.state.text ?? this.checked.text : null;
         this.state.preset = preset;
+        this.state.values = {};
         this.state.given = Object.fromEntries(Object.entries(this.state.given)
             .filter(([name]) => stays.includes(name)));
         this.update();
@@ -85,99 +106,35 @@ class Page {
 
     update(isDragging = false) {
         this.isDragging = isDragging;
-        this.checked = check(this.scarp, this.state);
+        this.checked = check(this.terrain, this.presets, this.state);
         this.controls.show(this.state, this.checked);
         this.showState();
         this.saveHash();
-        if (this.checked.terrain !== null) {
+        if (this.checked.source !== null) {
             this.notice(null);
             this.request();
         } else {
-            const [name, message] = [...this.checked.messages][0], row = ROWS.get(name);
-            const isTold = message.startsWith(`${row.member ?? row.name}:`);
-            const of = row.prefix ? `${row.prefix.slice(0, -1)}: ` : "";
-            this.notice(of + (isTold ? message : `${row.label}: ${message}`));
+            const [name, message] = [...this.checked.messages][0];
+            const label = ROWS.get(name)?.label ?? name.replace(/^=/, "");
+            this.notice(`${label}: ${message}`);
         }
     }
 
     // While something is dragged, as many samples as there is time for
     request() {
-        const {terrain} = this.checked, {width, height, step} = terrain.raster;
+        const {options, source, text} = this.checked, [width, height] = options.size;
+        const whole = {width, height, origin: options.origin, step: options.step};
         const ms = width * height * this.sampleMs;
         let every = 1;
         while (this.isDragging && ms / every ** 2 > FRAME_MS && every < 8) {
             every *= 2;
         }
-        const raster = {...terrain.raster, width: Math.ceil(width / every),
-            height: Math.ceil(height / every), step: step * every};
+        const raster = {...whole, width: Math.ceil(width / every), height: Math.ceil(height / every),
+            step: whole.step * every};
         document.documentElement.dataset.ready = "no";
-        const job = {number: ++this.wishes, terrain: {...terrain, raster}, whole: terrain, every,
-            view: this.state.view, preset: this.state.preset};
-        if (this.state.gpu && this.gpu) {
-            this.requestGpu({...job, verify: !this.isDragging});
-        } else {
-            this.pool.request(job);
-        }
-    }
-
-    // Lets the GPU sample, then the workers paint. Only the latest wish is kept.
-    async requestGpu(job) {
-        this.nextOfGpu = job;
-        if (this.gpuIsBusy) {
-            return;
-        }
-        this.gpuIsBusy = true;
-        while (this.nextOfGpu) {
-            const now = this.nextOfGpu;
-            this.nextOfGpu = null;
-            try {
-                this.pool.request({...now, given: await this.gpu.sample(now.terrain, now.view)});
-            } catch (error) {
-                this.pool.request({...now, failure: error.message});
-            }
-        }
-        this.gpuIsBusy = false;
-    }
-
-    async setGpu(isOn) {
-        this.state.gpu = isOn;
-        this.update();
-    }
-
-    // Offers WebGPU where it is there; opening it takes a moment.
-    async findGpu() {
-        this.gpu = await openGpu(this.scarp).catch(() => null);
-        byId("gpu").hidden = this.gpu === null;
-        if (this.state.gpu) {
-            this.sign(null);
-            this.update();
-        }
-    }
-
-    sign(text, kind) {
-        byId("gpu-sign").hidden = text === null;
-        byId("gpu-sign").className = `sign ${kind}`;
-        byId("gpu-sign").textContent = text ?? "";
-    }
-
-    // Says whether the GPU's pixels are those of the CPU.
-    showComparison({job, compared}) {
-        if (job.failure) {
-            this.sign(`WebGPU cannot sample this: ${job.failure}`, "differs");
-        } else if (!job.given) {
-            const isOn = this.state.gpu && this.gpu !== null;
-            this.sign(isOn ? "WebGPU starts …" : null, "");
-        } else if (!compared) {
-            this.sign("WebGPU draws …", "");
-        } else {
-            const [pixels, differing, values, wrong] = ["pixels", "differing", "values", "wrong"]
-                .map(name => compared[name].toLocaleString("en"));
-            const isEqual = compared.differing + compared.wrong === 0;
-            const text = isEqual ? `all ${pixels} pixels and ${values} values equal the CPU's`
-                : `${differing} of ${pixels} pixels and ${wrong} of ${values} values differ ` +
-                "from the CPU's";
-            this.sign(`WebGPU: ${text}`, isEqual ? "equal" : "differs");
-        }
+        this.pool.request({number: ++this.wishes, source, raster, whole, every,
+            view: this.state.view, palette: paletteOf(text), azimuth: options.azimuth,
+            altitude: options.altitude, zFactor: options["z-factor"]});
     }
 
     show(frame) {
@@ -185,23 +142,22 @@ class Page {
         const now = ms / (width * height);
         this.sampleMs = this.sampleMs === 2e-4 ? now : (3 * this.sampleMs + now) / 4;
         this.frames++;
-        this.map.paint(frame, job.whole.raster);
+        this.map.paint(frame, job.whole);
         this.last = frame;
-        this.showComparison(frame);
         this.showWorld();
         const preview = job.every > 1 ? " (preview)" : "";
-        const without = this.state.view === "curvature" ? withoutHessian(job.terrain) : null;
-        byId("status-note").textContent = without === null ? ""
-            : `${without} noise has no Hessian: bends are differences of exact slopes`;
+        const isWithout = job.view === "curvature" && !frame.numbers.hasHessian;
+        byId("status-note").textContent = isWithout
+            ? "this terrain has no Hessian: bends are differences of exact slopes" : "";
         byId("status-size").textContent = `${width} × ${height}${preview}`;
         byId("status-time").textContent = `${ms < 100 ? ms.toFixed(1) : Math.round(ms)} ms`;
-        if (job.every > 1 || (job.given && !job.verify)) {
+        if (job.every > 1) {
             if (!this.isDragging) {
                 this.request();
             }
             return;
         }
-        this.whole = {...frame, terrain: job.whole, values};
+        this.whole = {...frame, values};
         if (!this.pool.isBusy && this.pool.next === null) {
             clearTimeout(this.idle);
             this.idle = setTimeout(() => this.finish(), this.isDragging ? 300 : 0);
@@ -210,30 +166,26 @@ class Page {
 
     // What takes time that dragging has not: the hash of the heights
     async finish() {
-        const {whole} = this, scale = whole.terrain.height;
-        const heights = heightsOf(whole.values, scale);
-        const hash = await sha256(heights);
+        const {whole} = this, {floor, highest} = whole.numbers;
+        const hash = await sha256(whole.values);
         if (whole !== this.whole) {
             return;
         }
-        const [low, high] = heightRange(scale, whole.floor, whole.ceiling);
         byId("status-hash").textContent = hash ? `heights ${hash.slice(0, 12)}…` : "";
         byId("status-hash").dataset.hash = hash ?? "";
-        byId("heights-range").textContent = `16-bit heights: 0 is ${Number(low.toPrecision(9))}, ` +
-            `65535 is ${Number(high.toPrecision(9))}`;
-        const isWaiting = this.state.gpu && this.gpu === undefined; // for a device
-        if (whole.job.number === this.wishes && !isWaiting) {
+        const [low, high] = [floor + 0, highest + 0].map(n => Number(n.toPrecision(9)));
+        byId("heights-range").textContent = `16-bit heights: 0 is ${low}, 65535 is ${high}`;
+        if (whole.job.number === this.wishes) {
             document.documentElement.dataset.ready = "yes";
         }
     }
 
     hover(at) {
-        const readout = byId("readout"), {whole} = this;
-        const raster = whole?.terrain.raster;
-        readout.hidden = !at || raster !== this.map.raster;
+        const readout = byId("readout"), {whole} = this, raster = whole?.raster;
+        readout.hidden = !at || whole?.job.whole !== this.map.raster;
         if (!readout.hidden) {
             const [x, y] = placeOf(raster, at.column, at.row);
-            const height = whole.terrain.height * whole.values[at.row * raster.width + at.column];
+            const height = whole.values[at.row * raster.width + at.column];
             readout.textContent =
                 `x ${x.toFixed(1)}  y ${y.toFixed(1)}  height ${height.toFixed(2)}`;
         }
@@ -246,7 +198,12 @@ class Page {
         document.querySelectorAll("#views button").forEach(button =>
             button.setAttribute("aria-checked", String(button.dataset.view === state.view)));
         byId("space").setAttribute("aria-pressed", String(state.space));
-        byId("gpu").setAttribute("aria-pressed", String(state.gpu));
+        const area = byId("recipe-text"), {text, messages} = this.checked;
+        if (document.activeElement !== area || state.preset !== OWN) {
+            area.value = text ?? state.text ?? "";
+        }
+        byId("recipe-message").textContent = messages.get("recipe") ?? "";
+        area.setAttribute("aria-invalid", String(messages.has("recipe")));
         byId("map").hidden = state.space;
         byId("world").hidden = !state.space;
         this.showWorld();
@@ -301,7 +258,9 @@ class Page {
 }
 
 function makeChoices(page) {
-    byId("preset").append(...Object.keys(PRESETS).map(name => new Option(name, name)));
+    byId("preset").append(...[...page.presets.keys()].map(name => new Option(name, name)),
+        new Option("one noise", NOISE), new Option("a recipe of your own", OWN));
+    byId("recipe-text").addEventListener("input", event => page.setText(event.target.value));
     byId("preset").addEventListener("change", event => page.setPreset(event.target.value));
     byId("views").append(...VIEWS.map((view, i) => {
         const button = document.createElement("button");
@@ -314,18 +273,18 @@ function makeChoices(page) {
 }
 
 async function main() {
-    const scarp = await load(), page = new Page(scarp);
+    const [terrain, presets] = await Promise.all([loadTerrain(), loadPresets()]);
+    const page = new Page(terrain, presets);
     makeChoices(page);
     connectActions(page);
     connectKeys(page);
-    const isSimd = scarp.isa === "wasm128";
-    byId("status-kernels").textContent = `scarp ${scarp.version}, ${scarp.isa}`;
+    const isSimd = hasVectors();
+    byId("status-kernels").textContent = isSimd ? "wasm128" : "generic";
     byId("no-simd").hidden = isSimd;
     addEventListener("hashchange", event => { // saveHash() may have changed the URL since
         page.state = fromHash(new URL(event.newURL).hash);
         page.update();
     });
-    page.findGpu();
     globalThis.playground = page; // for the console, and for tests
     if (page.state.given.size === undefined) {
         page.fit();

@@ -1,11 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Which palette of `scarp terrain` a preset has, and ramps for the other views.
-
-const OF_PRESET = {islands: "temperate", hills: "temperate", karst: "temperate", dunes: "desert",
-    canyon: "desert", badlands: "desert"};
-
-export const paletteOf = preset => OF_PRESET[preset] ?? "alpine";
+// Ramps for the views that have no palette of `scarp terrain`.
 
 // A ramp as 256 colours: stops are bytes at equal distances.
 function ramp(...stops) {

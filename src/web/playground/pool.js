@@ -5,13 +5,8 @@
 
 const WORKERS_MAX = 8;
 
-// The share of a band in samples of a GPU, by noises and members
-const slices = (given, from, to) => Object.fromEntries(Object.entries(given).map(
-    ([noise, samples]) => [noise, Object.fromEntries(Object.entries(samples).map(
-        ([name, array]) => [name, array.slice(from, to)]))]));
-
 export class Pool {
-    // onFrame gets each frame {raster, values, pixels, floor, ceiling, ms, job}, onError a text.
+    // onFrame gets each frame {raster, values, pixels, numbers, ms, job}, onError a text.
     constructor(onFrame, onError) {
         const count = Math.max(1, Math.min(navigator.hardwareConcurrency || 2, WORKERS_MAX));
         this.onFrame = onFrame;
@@ -40,7 +35,7 @@ export class Pool {
     }
 
     start() {
-        const job = this.next, {width, height} = job.terrain.raster;
+        const job = this.next, {width, height} = job.raster;
         this.next = null;
         this.id++;
         const bands = Math.min(this.workers.length, height);
@@ -48,12 +43,11 @@ export class Pool {
             values: new Float32Array(width * height), pixels: new Uint32Array(width * height)};
         for (let i = 0; i < bands; i++) {
             const from = Math.floor(i * height / bands), to = Math.floor((i + 1) * height / bands);
-            const given = job.given && slices(job.given, from * width, to * width);
-            this.workers[i].postMessage({...job, id: this.id, from, to, given});
+            this.workers[i].postMessage({...job, id: this.id, from, to});
         }
     }
 
-    receive({id, error, from, values, pixels, floor, ceiling, compared}) {
+    receive({id, error, from, values, pixels, numbers}) {
         const {frame} = this;
         if (id !== this.id || frame === null) {
             return;
@@ -62,19 +56,15 @@ export class Pool {
             this.frame = null;
             this.onError(error);
         } else {
-            const first = from * frame.job.terrain.raster.width;
+            const first = from * frame.job.raster.width;
             frame.values.set(values, first);
             frame.pixels.set(pixels, first);
-            for (const [name, number] of Object.entries(compared ?? {})) {
-                frame.compared ??= {};
-                frame.compared[name] = (frame.compared[name] ?? 0) + number;
-            }
             if (--frame.left > 0) {
                 return;
             }
             this.frame = null;
             const ms = performance.now() - frame.begin;
-            this.onFrame({...frame, raster: frame.job.terrain.raster, floor, ceiling, ms});
+            this.onFrame({...frame, raster: frame.job.raster, numbers, ms});
         }
         if (this.next !== null && this.frame === null) {
             this.start();

@@ -2,16 +2,9 @@
 //
 // From samples to pixels: the hillshade of `scarp terrain` to the byte; value, slope and curvature
 // through ramps.
-import {sine} from "./ground.js";
 import {CURVATURE_RAMP, SLOPE_RAMP, VALUE_RAMP} from "./palettes.js";
 
 const OPAQUE = 0xff000000;
-
-// The unit vector to the light: east, north, up
-export function lightOf(azimuth, altitude) {
-    const horizontal = sine(90 - altitude);
-    return [sine(azimuth) * horizontal, sine(azimuth + 90) * horizontal, sine(altitude)];
-}
 
 export function hillshade([x, y, z], [east, north, up], pixels) {
     for (let i = 0; i < pixels.length; i++) {
@@ -38,11 +31,11 @@ export function slopeColours(normalZ, pixels) {
     }
 }
 
-// Mean curvature of z = s * value: hollows are blue, crests red. `unit` is what is half coloured.
-export function curvatureColours({dx, dy, dxx, dxy, dyy}, s, unit, pixels) {
+// Mean curvature of heights: hollows are blue, crests red. `unit` is what is half coloured.
+export function curvatureColours({dx, dy, dxx, dxy, dyy}, unit, pixels) {
     for (let i = 0; i < pixels.length; i++) {
-        const p = s * dx[i], q = s * dy[i], length = 1 + p * p + q * q;
-        const mean = s * ((1 + q * q) * dxx[i] - 2 * p * q * dxy[i] + (1 + p * p) * dyy[i]) /
+        const p = dx[i], q = dy[i], length = 1 + p * p + q * q;
+        const mean = ((1 + q * q) * dxx[i] - 2 * p * q * dxy[i] + (1 + p * p) * dyy[i]) /
             (2 * length * Math.sqrt(length));
         const t = -mean / unit;
         pixels[i] = CURVATURE_RAMP[indexOf(0.5 + 0.5 * t / (1 + Math.abs(t)))];

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: MIT
 //
-// The state of the page: a preset, the options that were given beside it as text, and the view.
-// Resolving it gives what `scarp terrain` makes of the same options.
-import {GROUPS, PARTS, ROWS} from "./parameters.js";
+// The state of the page: which recipe, the values of its parameters and the options that were given
+// as text, and the view.
+import {GROUPS, OF_NOISE, ROWS} from "./parameters.js";
 import {PRESETS} from "./presets.js";
-import {repeat} from "./repeat.js";
 
 export const VIEWS = ["relief", "hillshade", "value", "slope", "curvature"];
+export const NOISE = "none", OWN = "own"; // in place of a preset: one noise, a text of one's own
 const TINY = 2 ** -149;
 const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
 
 export function initialState() {
-    return {preset: "alps", given: {seed: "1"}, view: "relief", space: false, camera: null,
-        gpu: false};
+    return {preset: PRESETS[0], text: null, values: {}, given: {}, view: "relief", space: false,
+        camera: null};
 }
 
-function parseNumber(text) {
+export function parseNumber(text) {
     return NUMBER.test(text) ? Number(text) : NaN;
 }
 
@@ -58,20 +58,11 @@ const parsers = {
         const number = parseNumber(text);
         return isMagnitude(row, number) ? Math.fround(number) : undefined;
     },
-    "zero-or-more": (row, text) => {
-        const number = parseNumber(text);
-        return number === 0 || isWithin(row, number) ? Math.fround(number) + 0 : undefined;
-    },
-    "zero-or-magnitude": (row, text) => {
-        const number = parseNumber(text);
-        return number === 0 || isMagnitude(row, number) ? Math.fround(number) + 0 : undefined;
-    },
 };
 
-// What an option is without being given: that of the preset, or the default; null: unset.
+// What an option is without being given: the default; null: unset.
 export function defaultText(state, name) {
-    const row = ROWS.get(name), preset = PRESETS[state.preset] ?? {};
-    const text = preset[name] ?? row.standard ?? null;
+    const text = ROWS.get(name).standard ?? null;
     return text === null || text === true || text === false ? text : String(text);
 }
 
@@ -88,24 +79,14 @@ export function numberOf(state, name) {
     return text === null ? 0 : parseNumber(String(text));
 }
 
-// Every option of the noises that follow the first one has that of the first one where it inherits.
-function inherit(state, options) {
-    for (const prefix of Object.keys(PARTS)) {
-        for (const name of ["seed", "frequency"]) {
-            const own = prefix + name;
-            const isSet = own in state.given || own in (PRESETS[state.preset] ?? {});
-            if (!isSet) {
-                options[own] = options[name];
-            }
-        }
-    }
-}
-
-// Parses all options. `wrong` has the names of those that are not within their intervals.
+// Parses all options that count. `wrong` has the names of those that are not within their intervals.
 export function parse(state) {
     const options = {}, wrong = [];
     for (const row of ROWS.values()) {
         const text = textOf(state, row.name);
+        if (OF_NOISE.has(row.name) && state.preset !== NOISE) {
+            continue;
+        }
         if (text === null) {
             options[row.name] = null;
             continue;
@@ -116,70 +97,20 @@ export function parse(state) {
         }
         options[row.name] = value;
     }
-    inherit(state, options);
     return {options, wrong};
 }
 
-// At 0 ranges would be others than at all other phases; a whole turn later the bits are the same.
-const phaseOf = phase => phase === null ? 0 : phase === 0 ? 1 : phase;
-
-// A noise in the form that the package takes
-function noiseOf(options, prefix) {
-    const get = name => options[prefix + name];
-    return {
-        basis: get("basis"), fade: get("fade"), fractal: get("fractal"), rotate: get("rotate"),
-        seed: get("seed"), frequency: get("frequency"), octaves: get("octaves"),
-        lacunarity: get("lacunarity"), gain: get("gain"), amplitude: 1, erosion: get("erosion"),
-        phase: phaseOf(get("phase")), jitter: get("jitter"), sharpness: get("sharpness") ?? 0,
-        ofOctaves: get("of-octaves") ?? 0,
-    };
-}
-
-// The terrain of options that are all valid: plain data, which workers get. Throws an Error with
-// `option` where a period does not go together with the rest.
-export function terrainOf(options, preset) {
-    const [width, height] = options.size;
-    const terrain = {
-        noise: noiseOf(options, ""), warp: null, base: null, mask: null,
-        maskBand: options["mask-band"].map(Math.fround),
-        stretch: options.stretch, wind: options.wind, height: options.height,
-        seaLevel: options["sea-level"] ?? -Infinity, plateau: options.plateau ?? Infinity,
-        crater: options.crater ?? Infinity, terraces: options.terraces,
-        terraceRiser: options["terrace-riser"], terraceStrength: options["terrace-strength"],
-        raster: {width, height, origin: options.origin, step: options.step},
-        azimuth: options.azimuth, altitude: options.altitude, zFactor: options["z-factor"],
-    };
-    terrain.noise.amplitude = options.amplitude;
-    if (PARTS["warp-"](options)) {
-        terrain.warp = {...noiseOf(options, "warp-"), amplitude: options["warp-reach"]};
-    }
-    if (PARTS["base-"](options)) {
-        terrain.base = {...noiseOf(options, "base-"), amplitude: options["base-amplitude"]};
-    }
-    if (PARTS["mask-"](options)) {
-        terrain.mask = noiseOf(options, "mask-");
-    }
-    if (options.period !== null) {
-        repeat(terrain, options.period, PRESETS[preset] ?? {});
-    }
-    terrain.noise.warp = terrain.warp;
-    return terrain;
-}
-
-// Options as words of a command line. Flags cannot be taken back, nor can numbers that a preset
-// gives be unset: then all options of the preset that are left are told, without its name.
+// Options as words of a command line
 export function words(state) {
-    const preset = PRESETS[state.preset] ?? {};
-    const isTaken = Object.entries(state.given).some(([name, text]) =>
-        name in preset && (text === null || (ROWS.get(name).kind === "flag" && text === "0")));
-    const list = isTaken || state.preset === "none" ? [] : ["--preset", state.preset];
-    const told = isTaken ? {...preset, ...state.given} : state.given;
-    const {options} = parse(state);
+    const list = state.preset === NOISE ? []
+        : state.preset === OWN ? ["--recipe", "terrain.recipe"] : ["--preset", state.preset];
+    for (const [name, text] of Object.entries(state.values)) {
+        list.push("--set", `${name}=${text}`);
+    }
     for (const row of ROWS.values()) {
-        const text = told[row.name];
-        const prefix = Object.keys(PARTS).find(part => row.prefix === part);
-        const isLeft = text === undefined || text === null || (prefix && !PARTS[prefix](options));
-        if (isLeft) {
+        const text = state.given[row.name];
+        const isLeft = OF_NOISE.has(row.name) && state.preset !== NOISE;
+        if (text === undefined || text === null || isLeft) {
             continue;
         }
         if (row.kind === "flag") {
@@ -195,6 +126,12 @@ export function words(state) {
 export function toHash(state) {
     const query = new URLSearchParams();
     query.set("preset", state.preset);
+    if (state.preset === OWN) {
+        query.set("text", state.text);
+    }
+    for (const [name, text] of Object.entries(state.values)) {
+        query.append("set", `${name}=${text}`);
+    }
     for (const group of GROUPS) {
         for (const {name} of group.rows) {
             const text = state.given[name];
@@ -210,30 +147,30 @@ export function toHash(state) {
             query.set("camera", state.camera);
         }
     }
-    if (state.gpu) {
-        query.set("gpu", "1");
-    }
     return "#" + query.toString().replaceAll("%2C", ",");
 }
 
 // What is unknown is left out: URLs of other versions still show something.
 export function fromHash(hash) {
     const query = new URLSearchParams(hash.replace(/^#/, "")), state = initialState();
-    if ([...query].length === 0) {
-        return state;
-    }
-    state.given = {};
     for (const [name, text] of query) {
-        if (name === "preset" && text in PRESETS) {
+        if (name === "preset" && [NOISE, OWN, ...PRESETS].includes(text)) {
             state.preset = text;
+        } else if (name === "text") {
+            state.text = text;
+        } else if (name === "set" && text.includes("=")) {
+            const at = text.indexOf("=");
+            state.values[text.slice(0, at)] = text.slice(at + 1);
         } else if (name === "view" && VIEWS.includes(text)) {
             state.view = text;
         } else if (ROWS.has(name)) {
             state.given[name] = text === "unset" ? null : text;
         }
     }
+    if (state.preset === OWN && state.text === null) {
+        state.preset = PRESETS[0];
+    }
     state.space = query.get("space") === "3d";
     state.camera = query.get("camera");
-    state.gpu = query.get("gpu") === "1";
     return state;
 }

@@ -144,7 +144,7 @@ export class View3d {
             gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.indices);
             gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, indices, gl.STATIC_DRAW);
         }
-        this.frame = {raster: frame.raster, scale: frame.job.terrain.height, every,
+        this.frame = {raster: frame.raster, scale: 1, every,
             middle: meanOf(frame.values)};
         this.draw();
     }
