@@ -4,7 +4,7 @@
 import assert from 'node:assert/strict';
 import { readFile } from 'node:fs/promises';
 import { test } from 'node:test';
-import { load } from '../scarp.mjs';
+import { RecipeError, load } from '../scarp.mjs';
 
 const scarp = await load({ memory: 2 ** 20 });
 
@@ -125,4 +125,85 @@ test('noiseCheck', () => {
     assert.equal(scarp.noiseCheck({ warp: { gain: -1 } }, 2).member, 'warp');
     assert.equal(scarp.noiseCheck({}, 4).member, null);
     assert.equal(scarp.noiseCheck({}, 4).code, 'SCARP_ERROR_PARAMETER');
+});
+
+const LAND = `recipe 1
+param height = 90 [0, 400]
+param sharp = 0.25 [0.1, 1]
+bend = noise(size=300, octaves=3, amplitude=60)
+hills = warp(noise(ridged, size=200, octaves=5), bend)
+out land = height * hills
+out moist = 0.5 + 0.5 * noise(simplex, size=500)
+`;
+
+test('a recipe has parameters, outputs and an interval', () => {
+    const recipe = scarp.recipe(LAND);
+    assert.deepEqual(recipe.params, [
+        { name: 'height', value: 90, lowest: 0, highest: 400 },
+        { name: 'sharp', value: 0.25, lowest: 0.1, highest: 1 },
+    ]);
+    assert.deepEqual(
+        recipe.outputs.map(({ name }) => name),
+        ['land', 'moist'],
+    );
+    assert.deepEqual(recipe.range(), [0, 90]);
+    assert.equal(recipe.set('height', 200), recipe);
+    assert.equal(recipe.params[0].value, 200);
+    assert.deepEqual(recipe.range(0), [0, 200]);
+    assert.deepEqual(recipe.range(1), recipe.outputs[1].range);
+    assert.equal(recipe.isSpace, false);
+    recipe.free();
+    const space = scarp.recipe('recipe 1\nspace 3\nout o = noise(size=9)\n');
+    assert.equal(space.isSpace, true);
+    space.free();
+});
+
+test('grids and points of a recipe agree, with several outputs', () => {
+    const recipe = scarp.recipe(LAND),
+        count = [37, 5];
+    recipe.seed = 12n;
+    assert.equal(recipe.seed, 12n);
+    const make = () => ({
+        value: new Float32Array(185),
+        dx: new Float32Array(185),
+        dxy: new Float32Array(185),
+    });
+    const grid = [make(), make()],
+        points = [make(), make()];
+    const x = Float64Array.from({ length: 185 }, (_, i) => -40 + 8 * (i % 37)),
+        y = Float64Array.from({ length: 185 }, (_, i) => 16 * Math.floor(i / 37));
+    assert.equal(recipe.grid({ origin: [-40, 0], step: [8, 16], count }, grid), grid);
+    assert.equal(recipe.sample2(x, y, points), points);
+    assert.deepEqual(grid, points);
+    assert.ok(new Set(grid[0].value).size > 100);
+    const other = make();
+    recipe.seed = 13n;
+    recipe.sample2(x, y, other);
+    assert.notDeepEqual(other, points[0]);
+    recipe.free();
+});
+
+test('many points of a recipe are sampled in pieces', () => {
+    const recipe = scarp.recipe(LAND);
+    const n = 150000,
+        x = Float32Array.from({ length: n }, (_, i) => i / 3);
+    const { value } = recipe.sample2(x, x, { value: new Float32Array(n) });
+    for (const i of [0, 70001, n - 1]) {
+        const at = x.subarray(i, i + 1);
+        const one = recipe.sample2(at, at, { value: new Float32Array(1) });
+        assert.equal(one.value[0], value[i]);
+    }
+    recipe.free();
+});
+
+test('recipes give their memory back', () => {
+    for (let i = 0; i < 200; i++) {
+        scarp.recipe(LAND).free();
+        assert.throws(() => scarp.recipe('recipe 1\n'), RecipeError);
+    }
+    const recipe = scarp.recipe(LAND);
+    recipe.free();
+    assert.throws(() => recipe.free(), /was freed/);
+    assert.throws(() => recipe.set('height', 1), /was freed/);
+    assert.throws(() => recipe.entries, /was freed/);
 });

@@ -77,6 +77,19 @@ export function lines(scarp, copied) {
         return out;
     };
 
+    const gridOf = (d) => {
+        const grid = {
+            origin: [-1.25, -1.25, -1.25],
+            step: [0.0625, 0.125, 0.1875],
+            first: [-3, 5, 2],
+            count: [21, ROWS, 3],
+        };
+        for (const name of Object.keys(grid)) {
+            grid[name] = grid[name].slice(0, d);
+        }
+        return { ...grid, rowStride: ROW, ...(d === 3 && { sliceStride: SLICE }) };
+    };
+
     const visitNoise = (noise, d, more) => {
         const order = ['erosion', 'swiss', 'jordan'].includes(noise.fractal) ? 1 : 2;
         const dphase =
@@ -87,22 +100,9 @@ export function lines(scarp, copied) {
         line(`sample${d}`, more, hashArrays(sets[0]));
         scarp[`sample${d}`](noise, ...double.slice(0, d), out);
         line(`sample${d}_f64`, more, hashArrays(sets[0]));
-        const grid = {
-            origin: [-1.25, -1.25, -1.25],
-            step: [0.0625, 0.125, 0.1875],
-            first: [-3, 5, 2],
-            count: [21, ROWS, 3],
-            rowStride: ROW,
-        };
-        for (const name of ['origin', 'step', 'first', 'count']) {
-            grid[name] = grid[name].slice(0, d);
-        }
-        if (d === 3) {
-            grid.sliceStride = SLICE;
-        }
         scarp[`grid${d}`](
             noise,
-            grid,
+            gridOf(d),
             ask(sets[0], d, order, dphase, (array) => array),
         );
         line(`grid${d}`, more, hashArrays(sets[0]));
@@ -232,6 +232,43 @@ export function lines(scarp, copied) {
         }
     };
 
+    const visitRecipe = (statements, d) => {
+        const recipe = scarp.recipe(`recipe 1\n${statements.join('\n')}\n`);
+        recipe.seed = 2n ** 64n - 7n;
+        recipe.set('height', 2.5);
+        const out = ask(sets[0], d, 2, false, points);
+        recipe[`sample${d}`](...single.slice(0, d), out);
+        line('recipe sample', ` ${d}`, hashArrays(sets[0]));
+        recipe[`sample${d}`](...double.slice(0, d), out);
+        line('recipe sample_f64', ` ${d}`, hashArrays(sets[0]));
+        recipe.grid(
+            gridOf(d),
+            ask(sets[0], d, 2, false, (array) => array),
+        );
+        line('recipe grid', ` ${d}`, hashArrays(sets[0]));
+        recipe.free();
+    };
+
+    const visitRecipes = () => {
+        visitRecipe(
+            [
+                'param height = 1 [0, 4]',
+                'bend = noise(size=3, octaves=3, amplitude=0.5)',
+                'hills = warp(noise(ridged, size=2, octaves=5, rotate), bend)',
+                'out land = height * max(hills, noise(simplex, size=5), smooth=0.25)',
+            ],
+            2,
+        );
+        visitRecipe(
+            [
+                'space 3',
+                'param height = 1 [0, 4]',
+                'out rock = height * noise(size=3, octaves=4) - 0.25 * z',
+            ],
+            3,
+        );
+    };
+
     for (const d of [2, 3]) {
         visitBases(d);
         visitSpecial(d);
@@ -240,6 +277,7 @@ export function lines(scarp, copied) {
     }
     visitChain();
     visitRest();
+    visitRecipes();
     allocated.forEach((array) => scarp.free(array));
     return text;
 }

@@ -3,7 +3,7 @@
 // What is wrong throws before anything is written.
 import assert from 'node:assert/strict';
 import { test } from 'node:test';
-import { STATUS, ScarpError, load } from '../scarp.mjs';
+import { RecipeError, STATUS, ScarpError, load } from '../scarp.mjs';
 
 const scarp = await load();
 const x = new Float32Array(8),
@@ -231,4 +231,61 @@ test('shaders', () => {
     });
     assert.throws(() => scarp.range({ gain: 99 }, 2), { member: 'gain' });
     assert.throws(() => scarp.plan({ gain: 99 }, 2), { member: 'gain' });
+});
+
+test('errors of a recipe', () => {
+    const text = 'recipe 1\nout a = noise(size=1, octaves=99)\nout b = c + 1\n';
+    assert.throws(
+        () => scarp.recipe(text),
+        (error) => {
+            assert.ok(error instanceof RecipeError && error instanceof ScarpError);
+            assert.equal(error.status, STATUS.PARAMETER);
+            assert.deepEqual(
+                error.errors.map(({ line, column }) => [line, column]),
+                [
+                    [2, 31],
+                    [3, 9],
+                ],
+            );
+            assert.equal(text.slice(error.errors[0].from, error.errors[0].to), '99');
+            assert.equal(error.errors[0].member, 'octaves');
+            assert.equal(error.errors[0].nearest, null);
+            assert.match(error.message, /^line 2: /);
+            return true;
+        },
+    );
+    assert.throws(
+        () => scarp.recipe('recipe 1\ntile 100, 100\nout a = noise(size=30)\n'),
+        ({ errors }) => Math.abs(errors[0].nearest - 100 / 3) < 1e-9,
+    );
+    assert.throws(() => scarp.recipe('#'.repeat(70000)), { status: STATUS.SIZE });
+});
+
+const recipe = scarp.recipe('recipe 1\nparam a = 1 [0, 2]\nout o = a * noise(size=4)\n');
+const space = scarp.recipe('recipe 1\nspace 3\nout o = noise(size=4)\n');
+refuses('two outputs of a recipe with one', (o) => recipe.sample2(x, y, [o, {}]), {
+    status: STATUS.PARAMETER,
+});
+refuses('no outputs of a recipe', () => recipe.sample2(x, y, []), RangeError);
+refuses('an output of a recipe misspelt', (o) => recipe.sample2(x, y, { ...o, dX: z }), TypeError);
+refuses('dz of the plane', (o) => recipe.sample2(x, y, { ...o, dz: new Float32Array(8) }), {
+    status: STATUS.UNSUPPORTED,
+});
+refuses('an output that is a coordinate and another', (o) => recipe.sample2(x, y, [o, o]), RangeError);
+refuses('a recipe of space at points of the plane', (o) => space.sample2(x, y, o), {
+    status: STATUS.NULL,
+});
+refuses('a grid of the plane for a recipe of space', (o) => space.grid({ count: [4, 2] }, o), Error);
+refuses('a step of infinity', (o) => recipe.grid({ count: [4, 2], step: [1, Infinity] }, o), {
+    status: STATUS.PARAMETER,
+});
+test('parameters of a recipe', () => {
+    assert.throws(() => recipe.set('b', 1), { status: STATUS.PARAMETER, member: 'b' });
+    assert.throws(() => recipe.set('a', 3), { status: STATUS.PARAMETER });
+    assert.throws(() => recipe.set('a', '1'), TypeError);
+    assert.throws(() => recipe.set('a', NaN), ScarpError);
+    assert.throws(() => {
+        recipe.seed = -1;
+    }, ScarpError);
+    assert.equal(recipe.params[0].value, 1);
 });

@@ -302,6 +302,50 @@ static void visit_rest(void)
     }
 }
 
+/* A recipe of the plane and one of space: points in float and double, and a grid. */
+static void visit_recipe(const char *text, int dimensions)
+{
+    static struct scarp_recipe recipe;
+    static unsigned char bytes[256 * 1024];
+    const struct scarp_scratch scratch = {.memory = bytes, .size = sizeof bytes};
+    const struct scarp_samples *const out = ask(0, dimensions, 2, 0);
+    const struct scarp_recipe_outputs outputs = {.out = out, .count = 1};
+    const struct scarp_grid grid = grid_of(dimensions);
+    const char *const more = dimensions == 2 ? " 2" : " 3";
+    const float *const *const x =
+        (const float *const[]){coordinate[0], coordinate[1], coordinate[2]};
+    expect_ok(scarp_recipe_parse(text, strlen(text), &recipe, NULL, 0, NULL), "recipe");
+    expect_ok(scarp_recipe_seed(&recipe, UINT64_MAX - 6), "seed");
+    expect_ok(scarp_recipe_set(&recipe, "height", 2.5, NULL), "set");
+    expect_ok(scarp_recipe_sample(&recipe, POINTS, x[0], x[1], dimensions == 3 ? x[2] : NULL,
+                                  &outputs, &scratch),
+              "recipe");
+    line("recipe sample", more, hash_arrays(0));
+    expect_ok(scarp_recipe_sample_f64(&recipe, POINTS, coordinate_f64[0], coordinate_f64[1],
+                                      dimensions == 3 ? coordinate_f64[2] : NULL, &outputs,
+                                      &scratch),
+              "recipe");
+    line("recipe sample_f64", more, hash_arrays(0));
+    ask(0, dimensions, 2, 0);
+    expect_ok(scarp_recipe_grid(&recipe, &grid, &outputs, &scratch), "recipe");
+    line("recipe grid", more, hash_arrays(0));
+}
+
+static void visit_recipes(void)
+{
+    visit_recipe("recipe 1\n"
+                 "param height = 1 [0, 4]\n"
+                 "bend = noise(size=3, octaves=3, amplitude=0.5)\n"
+                 "hills = warp(noise(ridged, size=2, octaves=5, rotate), bend)\n"
+                 "out land = height * max(hills, noise(simplex, size=5), smooth=0.25)\n",
+                 2);
+    visit_recipe("recipe 1\n"
+                 "space 3\n"
+                 "param height = 1 [0, 4]\n"
+                 "out rock = height * noise(size=3, octaves=4) - 0.25 * z\n",
+                 3);
+}
+
 int main(int argc, char **argv)
 {
     if (argc > 1) {
@@ -320,6 +364,7 @@ int main(int argc, char **argv)
     }
     visit_chain();
     visit_rest();
+    visit_recipes();
     if (compared != NULL && fgetc(compared) != EOF) {
         printf("the file has more lines\n");
         failures++;

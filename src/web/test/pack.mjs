@@ -15,13 +15,14 @@ const FILES = [
     'layout.mjs',
     'memory.mjs',
     'package.json',
+    'recipe.mjs',
     'scarp-fallback.wasm',
     'scarp-simd.wasm',
     'scarp.d.ts',
     'scarp.mjs',
 ];
 
-const USE = `import { load, ScarpError, type Noise, type Scarp } from 'scarp-noise';
+const USE = `import { load, Recipe, RecipeError, ScarpError, type Noise, type Scarp } from 'scarp-noise';
 const scarp: Scarp = await load({ memory: 1 << 20 });
 const noise: Noise = { basis: 'simplex', seed: 7n, period: [4, 0, 4], warp: { octaves: 2 } };
 const out = scarp.sample3(noise, Float32Array.of(1), Float32Array.of(2), Float32Array.of(3),
@@ -29,9 +30,13 @@ const out = scarp.sample3(noise, Float32Array.of(1), Float32Array.of(2), Float32
 const z: number = out.dz[0];
 scarp.grid2(noise, { count: [2, 2], first: [-1n, 3] }, { value: new Float32Array(4) });
 const fault: ScarpError | null = scarp.noiseCheck(noise, 2);
+const recipe: Recipe = scarp.recipe('recipe 1\\nparam a = 1 [0, 2]\\nout o = a * x\\n');
+recipe.set('a', 2).grid({ count: [2, 2] }, { value: new Float32Array(4) });
+const lowest: number = recipe.params[0].lowest + recipe.range()[0];
+const lines: (e: RecipeError) => number[] = (e) => e.errors.map(({ line }) => line);
 // @ts-expect-error: there is no such word
 const wrong: Noise = { basis: 'perlin' };
-console.log(z, fault, wrong);
+console.log(z, fault, lowest, lines, wrong);
 `;
 
 const folder = mkdtempSync(join(tmpdir(), 'scarp-pack-'));
