@@ -24,9 +24,10 @@
  * close that a straight line between them tells where, within a part of a pixel. What becomes of a
  * ray depends on no other ray.
  *
- * Ground that jumps has cliffs, which steps know nothing of. So a ray that is below such ground
- * after a step bisects the step, as one of the batch. It ends where it finds the ground, or at a
- * cliff, just in front of it, where all that is left of the step is shorter than FINEST_STEP.
+ * A few places are far steeper than s, and ground that jumps has cliffs, which steps know nothing
+ * of. So a ray that is deeper below the ground than half a pixel after a step bisects the step, as
+ * one of the batch. It ends where it finds the ground, or at a cliff, just in front of it, where
+ * all that is left of the step is shorter than FINEST_STEP.
  *
  * A pixel may need more rays. At the distance t, they are within r t of its first ray, with r
  * small, and their c is at least that of the first ray less (1 + s) r t. As long as that is
@@ -149,8 +150,7 @@ static float clearance(const struct march *march, const struct scene *scene,
 }
 
 /* Has ray number `i` bisect its step, if it must: it is below the ground, or was so further on. A
-   ray that begins below it begins again with the band. False if the ray goes on as on any ground.
- */
+   ray that begins below it begins again with the band. False if the ray goes on. */
 static bool bisect(struct march *march, const struct scene *scene, const struct band *band,
                    const struct rays *rays, size_t i, float above)
 {
@@ -199,7 +199,7 @@ static void step(struct march *march, const struct scene *scene, const struct ba
             move(live, i, NULL);
             continue;
         }
-        if (band->jumps && bisect(march, scene, band, rays, i, above)) {
+        if (bisect(march, scene, band, rays, i, above)) {
             continue;
         }
         if (above <= 0.0f) {

@@ -8,7 +8,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#define FAR (20.0f * (float)VIEW_SIZE)
+#define FAR 20.0f        /* sides of the view */
 #define CELL_PIXELS 1.5f /* cells of octaves are not smaller than so many pixels */
 
 /* The survey: samples along each side of the view */
@@ -21,8 +21,9 @@
 #define PLACES_ALONG 8
 #define SLOPE_MARGIN 1.25f
 
-/* Ground that jumps has cliffs, near which few slopes are far steeper than all others: steps are no
-   shorter for these. Without a slope of at least GENTLEST, steps would pass over cliffs. */
+/* Few slopes are far steeper than all others, as those near cliffs: steps are no shorter for these,
+   which saves most of the steps. Without a slope of at least GENTLEST, steps would pass over
+   cliffs of ground that jumps. */
 #define GENTLEST 3.0f
 #define COUNTED 64.0f /* slopes that are counted per 1 */
 #define COUNTS 1024   /* up to 16 */
@@ -53,9 +54,6 @@ static float mean(const float *numbers)
 static void make_survey(struct scene *scene, double x, double y)
 {
     float value[PLACES], dx[PLACES], dy[PLACES];
-    const double step = VIEW_SIZE / SIDE;
-    const struct scarp_grid grid = {
-        .origin = {x, y}, .step = {step, step}, .count = {SIDE, SIDE, 1}};
     const struct scarp_samples out = {.value = value, .dx = dx, .dy = dy};
     struct survey *const survey = &scene->survey;
     struct spread spread;
@@ -65,6 +63,10 @@ static void make_survey(struct scene *scene, double x, double y)
     if (!(survey->high - survey->low > 1.0f)) {
         survey->high = survey->low + 1.0f;
     }
+    scene->side = clamp(HEIGHTS * (survey->high - survey->low), LEAST_SIDE, 16.0f * LEAST_SIDE);
+    const double step = (double)scene->side / SIDE;
+    const struct scarp_grid grid = {
+        .origin = {x, y}, .step = {step, step}, .count = {SIDE, SIDE, 1}};
     ground_grid(&scene->ground, &grid, &out);
     const float height = mean(value);
     for (int i = 0; i < 2; i++) {
@@ -109,15 +111,14 @@ static float usual_slope(const uint32_t counts[COUNTS])
     return (float)place / COUNTED;
 }
 
-/* The steepest slope of the band's ground that rays of the picture pass over, with a margin for
-   what lies between the places looked at */
+/* The slope that few of the band's ground exceed where rays of the picture pass over it, with a
+   margin for what lies between the places looked at */
 static float measure_slope(const struct scene *scene, const struct band *band)
 {
     double x[RAYS_ACROSS * PLACES_ALONG], y[RAYS_ACROSS * PLACES_ALONG];
     float value[RAYS_ACROSS * PLACES_ALONG], dx[RAYS_ACROSS * PLACES_ALONG],
         dy[RAYS_ACROSS * PLACES_ALONG];
     const struct camera *const camera = &scene->camera;
-    float steepest = 0.0f;
     uint32_t counts[COUNTS] = {0};
     for (size_t row = 0; row < RAYS_DOWN; row++) {
         for (size_t i = 0; i < RAYS_ACROSS * PLACES_ALONG; i++) {
@@ -135,16 +136,11 @@ static float measure_slope(const struct scene *scene, const struct band *band)
         ground_points(&band->ground, RAYS_ACROSS * PLACES_ALONG, x, y,
                       &(struct scarp_samples){.value = value, .dx = dx, .dy = dy});
         for (size_t i = 0; i < RAYS_ACROSS * PLACES_ALONG; i++) {
-            const float slope = dx[i] * dx[i] + dy[i] * dy[i];
-            steepest = slope > steepest ? slope : steepest;
-            count_slope(counts, sqrtf(slope));
+            count_slope(counts, sqrtf(dx[i] * dx[i] + dy[i] * dy[i]));
         }
     }
-    if (band->jumps) {
-        const float usual = SLOPE_MARGIN * usual_slope(counts);
-        return usual > GENTLEST ? usual : GENTLEST;
-    }
-    return SLOPE_MARGIN * sqrtf(steepest);
+    const float usual = SLOPE_MARGIN * usual_slope(counts);
+    return band->jumps && usual < GENTLEST ? GENTLEST : usual;
 }
 
 /* Distances double from band to band. */
@@ -152,7 +148,7 @@ void scene_set_bands(struct scene *scene)
 {
     const float above = scene->camera.z - scene->bottom;
     const float pixel = CELL_PIXELS * scene->camera.pixel;
-    scene->farthest = above > (float)VIEW_SIZE ? 20.0f * above : FAR;
+    scene->farthest = FAR * (above > scene->side ? above : scene->side);
     float end = scene->farthest;
     for (size_t i = BANDS; i-- > 0; end *= 0.5f) {
         struct band *const band = &scene->band[i];

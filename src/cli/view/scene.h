@@ -20,7 +20,7 @@ struct band {
     float begin, end;     /* distances from the camera */
     float finest;         /* the ground has no smaller cells */
     struct ground ground; /* for normals also that of the next band, the more so towards its end */
-    float slope;          /* nothing that the picture shows of it rises faster, cliffs aside */
+    float slope;          /* little that the picture shows of it rises faster */
     bool jumps;           /* there may be cliffs */
 };
 
@@ -37,6 +37,7 @@ struct survey {
 struct scene {
     struct camera camera;
     struct ground ground;
+    float side;     /* of the view */
     float top;      /* no ground is higher */
     float bottom;   /* or lower */
     float farthest; /* nothing is looked for beyond */
@@ -54,8 +55,9 @@ struct scene {
     struct colours colours;
 };
 
-/* The side of the square that is the view, in units: that of `scarp terrain` */
-#define VIEW_SIZE 1024.0
+/* The square that is the view: at least so wide, in units, and so many times as its usual heights */
+#define LEAST_SIDE 1024.0f
+#define HEIGHTS 4.0f
 
 /* Sets the ground, and what is told of it within the view, which begins at (x, y). */
 void scene_set_ground(struct scene *scene, const struct ground *ground, double x, double y);

@@ -20,6 +20,8 @@
 #include "view/view_options.h"
 #include "view/viewpoint.h"
 
+#define HAZE 4.0f /* sides of the view */
+
 static bool choose_format(const struct view_options *options, struct writer *writer)
 {
     static const struct wanted wanted = {
@@ -65,10 +67,10 @@ static bool make_scene(struct view_options *options, const struct source *source
         !source_open_palette(source, options->palette, palette)) {
         return false;
     }
-    scene->haze = options->haze;
     scene->sun = direction_of(options->sun.azimuth, options->sun.elevation);
     scene->sunlight = sky_sunlight(scene->sun);
     scene_set_ground(scene, &ground, options->origin.x, options->origin.y);
+    scene->haze = options->haze != INFINITY ? options->haze : HAZE * scene->side;
     palette_resolve(palette, scene->survey.low, scene->survey.high);
     colours_make(palette, &scene->colours);
     viewpoint_choose(options, scene);

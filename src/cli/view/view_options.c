@@ -111,8 +111,10 @@ static const struct option camera_rows[] = {
      .argument = "X,Y",
      .standard = "0,0",
      .allowed = "two numbers X,Y from -2^40 to 2^40",
-     .help = "the bottom left corner of the view: the 1024 by 1024 units that a\ncamera without "
-             "--camera looks over, each from -2^40 to 2^40",
+     .help = "the bottom left corner of the view, which a camera without\n--camera looks over: a "
+             "square "
+             "as wide as four times its usual\nheights, but at least 1024 units; each from -2^40 "
+             "to 2^40",
      .parse = option_point,
      .offset = FIELD(origin),
      .lowest = -0x1p40,
@@ -139,10 +141,9 @@ static const struct option light_rows[] = {
      .highest = 90},
     {.name = "--haze",
      .argument = "F",
-     .standard = "4000",
      .allowed = "0 or a number from 1 to 2^24",
      .help = "the distance at which haze takes most of the light, in units,\nfrom 1 to 2^24; 0: "
-             "clear air",
+             "clear air [four times the side of the view]",
      .parse = option_float,
      .offset = FIELD(haze),
      .lowest = 0,
@@ -176,8 +177,10 @@ const struct option_table view_table = {
         "far        nothing is shown that is farther away than 20 times the view, or 20 times the\n"
         "           height of the camera above the lowest ground. Haze hides that end.\n"
         "rays       the rays of a pixel are one, and all of --samples where its neighbours differ\n"
-        "           from it. A ray takes steps that no slope seen in the picture can cut short;\n"
-        "           what it passes over is less than half a pixel high. Octaves whose cells are\n"
+        "           from it. Steps of a ray are as long as the slopes of the picture allow, "
+        "except\n"
+        "           those of one place in 200: it may pass over the thinnest needles of rock. "
+        "Octaves whose cells are\n"
         "           smaller than a pixel are left out there, as --of-octaves has it.\n"
         "memory     52 MiB at most, and 3 MiB per thread.\n"
         "\n" PRESET_HELP,

@@ -34,6 +34,7 @@ struct view_options {
 #define VIEW_OPTIONS_UNSET                                                                         \
     {                                                                                              \
         .ground = GROUND_OPTIONS_UNSET, .camera = {.x = INFINITY}, .look = {.azimuth = INFINITY},  \
+        .haze = INFINITY,                                                                          \
     }
 
 extern const struct option_table view_table;

@@ -13,10 +13,12 @@
 #define RAYS 15  /* of a fan */
 #define LOOKS 40 /* along each ray */
 #define DIRECTIONS 24
-#define NEAREST 6.0f
-#define GROWTH 1.17f   /* from one look to the next; the last one is at 2,700 */
-#define MIDDLE 140.0f  /* where the middle distance begins */
-#define BEYOND 1500.0f /* and where it ends */
+#define GROWTH 1.17f /* from one look to the next */
+
+/* In sides of the view */
+#define NEAREST 0.006f /* the first look; the last one is at 2.7 */
+#define MIDDLE 0.14f   /* where the middle distance begins */
+#define BEYOND 1.5f    /* and where it ends */
 
 /* A camera that is tried */
 struct trial {
@@ -55,7 +57,7 @@ static void light_profile(const struct scene *scene, const struct profile *profi
         const struct vector normal = {-profile->dx[look], -profile->dy[look], 1.0f};
         light[look] = clamp(dot(unit(normal), scene->sun), 0.0f, 1.0f);
     }
-    for (float distance = 12.0f; distance < 500.0f; distance *= 2.0f) {
+    for (float distance = 0.012f * scene->side; distance < 0.5f * scene->side; distance *= 2.0f) {
         const struct vector way = scaled(scene->sun, distance);
         double x[LOOKS], y[LOOKS];
         float value[LOOKS];
@@ -75,7 +77,7 @@ static void light_profile(const struct scene *scene, const struct profile *profi
 static void sample_fan(const struct scene *scene, const struct trial *trial, double fov,
                        struct fan *fan)
 {
-    float distance = NEAREST;
+    float distance = NEAREST * scene->side;
     for (int look = 0; look < LOOKS; look++, distance *= GROWTH) {
         fan->distance[look] = distance;
     }
@@ -126,9 +128,9 @@ static void judge(const struct scene *scene, const struct fan *fan, struct trial
             if (tangent <= horizon) {
                 continue;
             }
-            if (distance < MIDDLE) {
+            if (distance < MIDDLE * scene->side) {
                 close += tangent - horizon;
-            } else if (distance < BEYOND) {
+            } else if (distance < BEYOND * scene->side) {
                 seen += tangent - horizon;
                 lit += (tangent - horizon) * ramp(0.05f, 0.3f, fan->light[ray][look]);
                 lowest = height < lowest ? height : lowest;
@@ -189,6 +191,7 @@ void viewpoint_choose(struct view_options *options, const struct scene *scene)
     static const double back[] = {0.35, 0.5, 0.65};
     const bool has_place = options->camera.x != INFINITY,
                has_look = options->look.azimuth != INFINITY;
+    const double side = (double)scene->side;
     struct trial best = {.score = -INFINITY};
     for (int i = 0; i < (has_look ? 1 : DIRECTIONS); i++) {
         const double azimuth = has_look ? options->look.azimuth : 360.0 / DIRECTIONS * i;
@@ -198,13 +201,11 @@ void viewpoint_choose(struct view_options *options, const struct scene *scene)
             trial.x =
                 has_place
                     ? options->camera.x
-                    : rounded(options->origin.x + VIEW_SIZE * (0.5 - back[j] * (double)look.x),
-                              1.0);
+                    : rounded(options->origin.x + side * (0.5 - back[j] * (double)look.x), 1.0);
             trial.y =
                 has_place
                     ? options->camera.y
-                    : rounded(options->origin.y + VIEW_SIZE * (0.5 - back[j] * (double)look.y),
-                              1.0);
+                    : rounded(options->origin.y + side * (0.5 - back[j] * (double)look.y), 1.0);
             trial.ground = ground_around(scene, trial.x, trial.y);
             try_heights(scene, options, &trial, &best);
         }
