@@ -411,17 +411,17 @@ class Results(Case):
         """All take part with the nearest that they have, and say what it is."""
         if not has_peers():
             self.skipTest("no peer was found")
-        rows = report_of(*QUICK, "--isa", "scalar", "--work", "preset-,terrain-,quick-noise,"
+        rows = report_of(*QUICK, "--isa", "scalar", "--work", "grid2/*/terrain-*,quick-noise,"
                          "points3/gradient/value", "--peers")["rows"]
         self.check_rows(rows)
         everyone = {row["library"] for row in rows if row["work"] == "points3/gradient/value"}
-        fractals = {"none": "", "ridged": "axes not turned", "waves": "axes not turned",
-                    "islands": "fBm, axes not turned", "turbulence": "axes not turned",
-                    "karst": "axes not turned", "swiss": "fBm, axes not turned"}
-        without = {"turbulence": {"FastNoiseLite"}, "karst": {"stb_perlin", "libnoise"}}
+        fractals = {"fbm": "", "ridged": "axes not turned", "waves": "axes not turned",
+                    "erosion": "fBm, axes not turned", "turbulence": "axes not turned",
+                    "cells": "axes not turned", "swiss": "fBm, axes not turned"}
+        without = {"turbulence": {"FastNoiseLite"}, "cells": {"stb_perlin", "libnoise"}}
         for row in rows:
             with self.subTest(row=row):
-                preset = re.search(r"/(?:preset|terrain)-(\w+)/", row["work"])
+                preset = re.search(r"/terrain-(\w+)/", row["work"])
                 if row["library"] == "scarp" or row["work"].startswith("points3"):
                     self.assertNotIn("note", row)
                     continue

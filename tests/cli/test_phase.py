@@ -53,7 +53,7 @@ class Phase(Case):
     def test_phase_0(self):
         """The noise is that without a phase; its 16-bit heights have the scale of the others."""
         # [0, 1], and [-1, 1] where octaves are folded
-        unscaled = {"ridged", "swiss", "pingpong", "alps", "dunes", "crests"}
+        unscaled = {"ridged", "swiss", "pingpong"}
         for arguments in KINDS:
             with self.subTest(arguments=arguments):
                 still, first = self.frame(None, *arguments), self.frame(0, *arguments)
