@@ -65,8 +65,8 @@ static const char *find_text(const char *title, size_t *length)
     static const char terrain[] = "terrain-";
     const size_t prefix = strlen(terrain);
     if (strncmp(title, terrain, prefix) == 0) {
-        for (int i = 1; preset_names[i] != NULL; i++) {
-            if (strcmp(preset_names[i], title + prefix) == 0) {
+        for (int i = 1; preset_name(i) != NULL; i++) {
+            if (strcmp(preset_name(i), title + prefix) == 0) {
                 *length = preset_list[i].length;
                 return preset_list[i].text;
             }

@@ -19,8 +19,8 @@ static int count_rows(const char *title)
 
 static int is_preset(const char *name)
 {
-    for (int i = 1; preset_names[i] != NULL; i++) {
-        if (strcmp(preset_names[i], name) == 0) {
+    for (int i = 1; preset_name(i) != NULL; i++) {
+        if (strcmp(preset_name(i), name) == 0) {
             return 1;
         }
     }
@@ -30,9 +30,9 @@ static int is_preset(const char *name)
 int main(void)
 {
     struct bench_work work;
-    for (int i = 1; preset_names[i] != NULL; i++) {
+    for (int i = 1; preset_name(i) != NULL; i++) {
         char title[64];
-        snprintf(title, sizeof title, "terrain-%s", preset_names[i]);
+        snprintf(title, sizeof title, "terrain-%s", preset_name(i));
         CHECK(count_rows(title) == 2, "%d rows of %s, not value and +gradient", count_rows(title),
               title);
     }

@@ -33,7 +33,7 @@ struct preset_text {
 
 static void read_preset(int number, struct preset_text *preset)
 {
-    preset->name = preset_names[number];
+    preset->name = preset_name(number);
     memcpy(preset->text, preset_list[number].text, preset_list[number].length);
     preset->text[preset_list[number].length] = '\0';
     preset->drains = strstr(preset->text, "#: drains") != NULL;
@@ -359,7 +359,7 @@ static void check_seeds(void)
 {
     static int seen[10000];
     static struct preset_text preset;
-    for (int i = 1; preset_names[i] != NULL; i++) {
+    for (int i = 1; preset_name(i) != NULL; i++) {
         read_preset(i, &preset);
         for (const char *at = preset.text; (at = strstr(at, "seed=")) != NULL; at++) {
             const int seed = atoi(at + 5);
@@ -385,8 +385,8 @@ int main(int argc, char **argv)
         return 2;
     }
     check_seeds();
-    for (int i = 1; preset_names[i] != NULL; i++) {
-        if (argc > 3 && strcmp(argv[3], preset_names[i]) != 0) {
+    for (int i = 1; preset_name(i) != NULL; i++) {
+        if (argc > 3 && strcmp(argv[3], preset_name(i)) != 0) {
             continue;
         }
         struct scarp_recipe_error error = {.text = NULL};

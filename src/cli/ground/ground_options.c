@@ -12,22 +12,11 @@
 #define FIELD(name) offsetof(struct ground_options, name)
 
 const struct option ground_recipe_rows[GROUND_RECIPE_ROWS] = {
-    {.name = "--preset",
-     .argument = "NAME",
-     .standard = "none",
-     .allowed = PRESET_NAMES,
-     .help = "a recipe of the program, told below:\n" PRESET_NAMES_HELP,
-     .parse = option_choice,
-     .offset = FIELD(preset),
-     .choices = preset_names,
+    {OPTION_CHOICE("--preset", preset, "none", preset_name, "a recipe of the program, told below"),
      .of_run = 1},
-    {.name = "--recipe",
-     .argument = "FILE",
-     .allowed = "the name of a file with a recipe",
-     .help = "a recipe: a composition of noises whose first output is the\nheight; - is standard "
-             "input; see scarp help recipe",
-     .parse = option_text,
-     .offset = FIELD(recipe),
+    {OPTION_TEXT("--recipe", recipe, "FILE", "the name of a file with a recipe",
+                 "a recipe: a composition of noises whose first output is the height; - is "
+                 "standard input; see scarp help recipe"),
      .of_run = 1},
     {.name = "--set",
      .argument = "NAME=VALUE",
@@ -36,63 +25,29 @@ const struct option ground_recipe_rows[GROUND_RECIPE_ROWS] = {
      .parse = option_list,
      .offset = FIELD(set),
      .of_run = 1},
-    {.name = "--scale",
-     .argument = "F",
-     .standard = "1",
-     .allowed = "a number from 2^-20 to 2^20",
-     .help = "makes the terrain so many times larger, its places and its\nheights, from 2^-20 to "
-             "2^20",
-     .parse = option_double,
-     .offset = FIELD(scale),
-     .lowest = 0x1p-20,
-     .highest = 0x1p20},
-    {.name = "--print-recipe",
-     .help = "print the recipe in place of all else",
-     .offset = FIELD(print_recipe),
+    {OPTION_DOUBLE("--scale", scale, "1", 0x1p-20, 0x1p20,
+                   "makes the terrain so many times larger, its places and its heights")},
+    {OPTION_FLAG("--print-recipe", print_recipe, "print the recipe in place of all else"),
      .of_run = 1},
 };
 
 const struct option ground_period_rows[GROUND_PERIOD_ROWS] = {
-    {.name = "--period",
-     .argument = "WxH",
-     .allowed = "WIDTHxHEIGHT with both from 1 to 1000000",
-     .help = "repeat after so many samples (with scarp view, units), both from 1,\nwithout a seam; "
-             "the frequency of one noise becomes the nearest that\nhas whole cells there [it never "
-             "does]",
-     .parse = option_size,
-     .offset = FIELD(period),
-     .lowest = 1,
-     .highest = 1e6},
+    {OPTION_SIZE("--period", period, NULL, 1, 1e6,
+                 "repeat after so many samples (with scarp view, units) without a seam; the "
+                 "frequency of one noise becomes the nearest that has whole cells there"),
+     .otherwise = "it never does"},
 };
 
 const struct option ground_height_rows[GROUND_HEIGHT_ROWS] = {
-    {.name = "--height",
-     .argument = "F",
-     .standard = "120",
-     .allowed = "a number from 0 to 2^24",
-     .help = "height of noise value 1, in the unit of x and y, from 0 to 2^24",
-     .parse = option_float,
-     .offset = FIELD(height),
-     .lowest = 0,
-     .highest = 0x1p24},
-    {.name = "--sea-level",
-     .argument = "F",
-     .allowed = "a number from -2^24 to 2^24",
-     .help = "noise values below F become F, flat as water; taken into the\ninterval of the noise, "
-             "from -2^24 to 2^24 [no sea]",
-     .parse = option_float,
-     .offset = FIELD(sea_level),
-     .lowest = -0x1p24,
-     .highest = 0x1p24},
-    {.name = "--plateau",
-     .argument = "F",
-     .allowed = "a number from -2^24 to 2^24",
-     .help = "noise values above F become F, flat as a table; no lower than\nthe sea, from -2^24 "
-             "to 2^24 [no plateau]",
-     .parse = option_float,
-     .offset = FIELD(plateau),
-     .lowest = -0x1p24,
-     .highest = 0x1p24},
+    {OPTION_FLOAT("--height", height, "120", 0, 0x1p24,
+                  "height of noise value 1, in the unit of x and y")},
+    {OPTION_FLOAT(
+         "--sea-level", sea_level, NULL, -0x1p24, 0x1p24,
+         "noise values below F become F, flat as water; taken into the interval of the noise"),
+     .otherwise = "no sea"},
+    {OPTION_FLOAT("--plateau", plateau, NULL, -0x1p24, 0x1p24,
+                  "noise values above F become F, flat as a table; no lower than the sea"),
+     .otherwise = "no plateau"},
 };
 
 option_words ground_standard = {"--seed", "1",      "--frequency", "0.0025", "--octaves",

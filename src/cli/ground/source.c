@@ -192,7 +192,7 @@ static int open_text(struct source *source, const struct ground_options *options
         source->name = strcmp(options->recipe, "-") == 0 ? "standard input" : options->recipe;
         return open_file(source, options->recipe);
     }
-    source->name = preset_names[options->preset];
+    source->name = preset_name(options->preset);
     text_add(&source->text, "%.*s", (int)preset_list[options->preset].length,
              preset_list[options->preset].text);
     return source->text.failed ? tell_no_memory(source) : CLI_SUCCESS;

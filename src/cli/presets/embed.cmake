@@ -6,7 +6,6 @@
 
 cmake_minimum_required(VERSION 3.25)
 
-set(names "none")
 set(help "presets    are recipes; scarp recipe NAME prints one and tells its parameters")
 foreach(name IN LISTS PRESETS)
   file(READ ${FROM}/${name}.recipe text HEX)
@@ -15,7 +14,6 @@ foreach(name IN LISTS PRESETS)
   string(APPEND arrays "static const char ${name}[] = {\n${bytes}\n};\n")
   string(APPEND list "    {${name}, sizeof ${name}},\n")
   string(APPEND words "\"${name}\", ")
-  list(APPEND names ${name})
   # The first comment says what it is.
   file(STRINGS ${FROM}/${name}.recipe about LIMIT_COUNT 1)
   string(REGEX REPLACE "^# *" "" about "${about}")
@@ -23,32 +21,21 @@ foreach(name IN LISTS PRESETS)
   string(APPEND help "\n  ${padded} ${about}")
 endforeach()
 
-list(POP_BACK names last)
-list(JOIN names ", " first)
 string(REPLACE "\n" "\\n" help "${help}")
-# In help, a line has up to 66 characters.
-set(lines "")
-set(line "")
-foreach(name IN LISTS names)
-  string(LENGTH "${line} ${name}," length)
-  if(length GREATER 60)
-    string(APPEND lines "${line}\\n")
-    set(line "")
-  endif()
-  string(APPEND line "${name}, ")
-endforeach()
-string(REGEX REPLACE ", $" " or ${last}" line "${line}")
-
 file(WRITE ${TO}/presets_words.h "/* Written by embed.cmake. */
-#define PRESET_NAMES \"${first} or ${last}\"
-#define PRESET_NAMES_HELP \"${lines}${line}\"
 #define PRESET_HELP \"${help}\"
 ")
 file(WRITE ${TO}/presets.c "/* Written by embed.cmake. */
 #include \"presets/presets.h\"
 
 ${arrays}
-const char *const preset_names[] = {\"none\", ${words}NULL};
+static const char *const names[] = {\"none\", ${words}NULL};
+
+const char *preset_name(int number)
+{
+    return names[number];
+}
+
 const struct preset preset_list[] = {
     {NULL, 0},
 ${list}};

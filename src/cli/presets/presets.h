@@ -7,14 +7,16 @@
 
 #include <stddef.h>
 
-#include "presets_words.h" /* written by presets.cmake: PRESET_NAMES and what help says */
+#include "presets_words.h" /* written by presets.cmake: what help says */
 
 struct preset {
     const char *text; /* not ended by a NUL */
     size_t length;
 };
 
-extern const char *const preset_names[];  /* "none" first, NULL at the end */
-extern const struct preset preset_list[]; /* by number; that of "none" is empty */
+extern const struct preset preset_list[]; /* by number; that of "none", 0, is empty */
+
+/* NULL past the last */
+const char *preset_name(int number);
 
 #endif

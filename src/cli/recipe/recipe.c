@@ -36,7 +36,7 @@ static const struct option rows[] = {
      .help = "set a parameter of the recipe; once for each of them",
      .parse = option_list,
      .offset = FIELD(ground.set)},
-    {.name = "--text", .help = "print the text alone", .offset = FIELD(text)},
+    {OPTION_FLAG("--text", text, "print the text alone")},
 };
 
 static const struct option_group groups[] = {OPTION_GROUP("a recipe", rows, 0)};
@@ -177,8 +177,8 @@ static int explain(const struct source *source)
 /* Takes the operand for a preset, or else for a file. */
 static void take_operand(const char *name, struct ground_options *options)
 {
-    for (int i = 1; preset_names[i] != NULL; i++) {
-        if (strcmp(preset_names[i], name) == 0) {
+    for (int i = 1; preset_name(i) != NULL; i++) {
+        if (strcmp(preset_name(i), name) == 0) {
             options->preset = i;
             return;
         }

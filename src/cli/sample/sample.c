@@ -28,84 +28,65 @@ struct sample_options {
 };
 
 /* In the order of enum points_format */
-static const char *const formats[] = {"csv", "text", "npy", NULL};
+static const char *format_word(int format)
+{
+    static const char *const words[] = {"csv", "text", "npy", NULL};
+    return words[format];
+}
 
 #define FIELD(name) offsetof(struct sample_options, name)
-#define FORMATS "csv, text or npy"
 
 static const struct option point_rows[] = {
-    {.name = "--input",
-     .argument = "FILE",
-     .standard = "-",
-     .allowed = "a file name, or - for standard input",
-     .help = "where the points are; - is standard input",
-     .parse = option_text,
-     .offset = FIELD(input)},
-    {.name = "--input-format",
-     .argument = "NAME",
-     .allowed = FORMATS,
-     .help = "what they are: " FORMATS " [what the input looks like]",
-     .parse = option_choice,
-     .offset = FIELD(input_format),
-     .choices = formats},
+    {OPTION_TEXT("--input", input, "FILE", "a file name, or - for standard input",
+                 "where the points are; - is standard input"),
+     .standard = "-"},
+    {OPTION_CHOICE("--input-format", input_format, NULL, format_word, "what they are"),
+     .otherwise = "what the input looks like"},
     {.name = "--columns",
      .argument = "X,Y[,Z]",
      .allowed = COLUMNS_ALLOWED,
-     .help = "which columns are the coordinates: names of CSV's header row, or\n"
-             "numbers from 1 to 65536 [with a header row those named x, y and z;\n"
-             "else the first ones, which must be all there are unless --dims is given]",
+     .help =
+         "which columns are the coordinates: names of CSV's header row, or numbers from 1 to 65536",
+     .otherwise = "with a header row those named x, y and z; else the first ones, which must be "
+                  "all there are unless --dims is given",
      .parse = option_columns,
      .offset = FIELD(columns)},
     {.name = "--dims",
      .argument = "N",
      .allowed = "2 or 3",
-     .help = "coordinates of a point, 2 or 3; 2 leaves z out [3 if there is a column\n"
-             "z, or if there are 3 columns without names]",
+     .help = "coordinates of a point, 2 or 3; 2 leaves z out",
+     .otherwise = "3 if there is a column z, or if there are 3 columns without names",
      .parse = option_count,
      .offset = FIELD(dims),
      .lowest = 2,
      .highest = 3},
-    {.name = "--skip-bad",
-     .help = "leave malformed lines, and rows of .npy, out instead of stopping at\nthe first one",
-     .offset = FIELD(skip_bad)},
-    {.name = "--keep",
-     .help = "copy the input's columns in front of the results; of .npy and to\n"
-             ".npy, which then holds doubles, the coordinates alone",
-     .offset = FIELD(keep)},
+    {OPTION_FLAG(
+        "--skip-bad", skip_bad,
+        "leave malformed lines, and rows of .npy, out instead of stopping at the first one")},
+    {OPTION_FLAG("--keep", keep,
+                 "copy the input's columns in front of the results; of .npy and to .npy, which "
+                 "then holds doubles, the coordinates alone")},
 };
 
 static const struct option result_rows[] = {
-    {.name = "--output",
-     .argument = "FILE",
-     .standard = "-",
-     .allowed = "a file name, or - for standard output",
-     .help = "where the results go; - is standard output",
-     .parse = option_text,
-     .offset = FIELD(output)},
-    {.name = "--output-format",
-     .argument = "NAME",
-     .allowed = FORMATS,
-     .help = "what they are written as: " FORMATS "\n"
-             "[what FILE ends with: .csv, .txt, .npy; else as the input]",
-     .parse = option_choice,
-     .offset = FIELD(output_format),
-     .choices = formats},
-    {.name = "--gradient",
-     .help = "after the value, its derivatives along x, y (and z)",
-     .offset = FIELD(gradient)},
-    {.name = "--hessian", .help = "after these, its second derivatives", .offset = FIELD(hessian)},
-    {.name = "--dphase",
-     .help = "after these, its derivative by the phase, per turn; only with\n--basis gradient",
-     .offset = FIELD(dphase)},
+    {OPTION_TEXT("--output", output, "FILE", "a file name, or - for standard output",
+                 "where the results go; - is standard output"),
+     .standard = "-"},
+    {OPTION_CHOICE("--output-format", output_format, NULL, format_word, "what they are written as"),
+     .otherwise = "what FILE ends with: .csv, .txt, .npy; else as the input"},
+    {OPTION_FLAG("--gradient", gradient, "after the value, its derivatives along x, y (and z)")},
+    {OPTION_FLAG("--hessian", hessian, "after these, its second derivatives")},
+    {OPTION_FLAG("--dphase", dphase,
+                 "after these, its derivative by the phase, per turn; only with --basis gradient")},
 };
 
 static const struct option period_rows[] = {
     {.name = "--period",
      .argument = "X,Y[,Z]",
      .allowed = "two or three integers X,Y[,Z] from 0 to 2^30",
-     .help = "cells of the first octave after which the noise repeats along\neach axis, from 0, "
-             "which is never, to 2^30; without --rotate, and with\na whole number as lacunarity "
-             "[it never does]",
+     .help = "cells of the first octave after which the noise repeats along each axis, from 0, "
+             "which is never, to 2^30; without --rotate, and with a whole number as lacunarity",
+     .otherwise = "it never does",
      .parse = option_periods,
      .offset = FIELD(ground.noise.period),
      .lowest = 0,
@@ -113,15 +94,8 @@ static const struct option period_rows[] = {
 };
 
 static const struct option running_rows[] = {
-    {.name = "--isa",
-     .argument = "NAME",
-     .allowed = OPTION_ISAS,
-     .help = "instruction set: " OPTION_ISAS ";\nthe results do not depend on it [the best one]",
-     .parse = option_isa,
-     .offset = FIELD(isa)},
-    {.name = "--quiet",
-     .help = "do not tell how many points --skip-bad left out",
-     .offset = FIELD(quiet)},
+    {OPTION_ISA(isa)},
+    {OPTION_FLAG("--quiet", quiet, "do not tell how many points --skip-bad left out")},
 };
 
 static const struct option_group groups[] = {
@@ -161,10 +135,9 @@ static const struct option_table table = {
         "           is asked for, their numbers must be given. All lines have as many columns as\n"
         "           the first; but without a header row and --keep, --dims and --columns ignore\n"
         "           what stands behind the coordinates.\n"
-        "recipe     With a recipe, the value is its first output, and there is no dphase; the "
-        "seed\n"
-        "           is 1 unless it is given, as of scarp terrain; where\n"
-        "           it has `param sea`, values are the sea's where they would be lower.\n"
+        "recipe     With a recipe, the value is its first output, and there is no dphase; the\n"
+        "           seed is 1 unless it is given, as of scarp terrain; where it has `param\n"
+        "           sea`, values are the sea's where they would be lower.\n"
         "malformed  are points with a coordinate that is not a finite number, so with nan or inf,\n"
         "           also in .npy, and lines with too few or too many columns.\n"
         "\n"

@@ -12,24 +12,6 @@
 
 #define FIELD(name) offsetof(struct noise_options, name)
 
-/* Help and messages spell out the library's words; tests/test_cli_words.c compares them. */
-#define BASES "gradient, value, simplex, cell-f1, cell-f2, cell-edge, cell-soft or cell-value"
-#define BASES_HELP "gradient, value, simplex,\ncell-f1, cell-f2, cell-edge, cell-soft or cell-value"
-#define FADES "quintic or cubic"
-#define FRACTALS "fbm, turbulence, ridged, erosion, pingpong, hybrid, swiss or jordan"
-#define FRACTALS_HELP "fbm, turbulence, ridged,\nerosion, pingpong, hybrid, swiss or jordan"
-
-/* Refuses also what is 0 as a float, from 2^-150 down: the library takes it for the default. */
-static enum option_result parse_positive(const struct option *option, const char *text, void *field)
-{
-    float number;
-    if (option_float(option, text, &number) != OPTION_VALID || number == 0.0f) {
-        return OPTION_INVALID;
-    }
-    *(float *)field = number;
-    return OPTION_VALID;
-}
-
 static const char *basis_word(int basis)
 {
     return scarp_basis_name((enum scarp_basis)basis);
@@ -53,134 +35,46 @@ const struct option noise_option_rows[NOISE_OPTION_COUNT] = {
      .help = "which of all noises: an integer of 64 bits, decimal or 0x...",
      .parse = option_seed,
      .offset = FIELD(seed)},
-    {.name = "--basis",
-     .argument = "NAME",
-     .standard = "gradient",
-     .allowed = BASES,
-     .help = "noise of an octave: " BASES_HELP,
-     .parse = option_choice,
-     .offset = FIELD(basis),
-     .choice = basis_word},
-    {.name = "--jitter",
-     .argument = "F",
-     .standard = "1",
-     .allowed = "a number above 2^-150, at most 1",
-     .help =
-         "with --basis cell-..., how far features stray from the middles of\ntheir cells, above "
-         "2^-150, at most 1",
-     .parse = parse_positive,
-     .like = option_float,
-     .offset = FIELD(jitter),
-     .lowest = 0,
-     .highest = 1},
-    {.name = "--fade",
-     .argument = "NAME",
-     .standard = "quintic",
-     .allowed = FADES,
-     .help = "blend between lattice points: " FADES,
-     .parse = option_choice,
-     .offset = FIELD(fade),
-     .choice = fade_word},
-    {.name = "--fractal",
-     .argument = "NAME",
-     .standard = "fbm",
-     .allowed = FRACTALS,
-     .help = "how octaves are summed (erosion, swiss and jordan of cell-f1,\n"
-             "cell-f2 and cell-edge have cliffs): " FRACTALS_HELP,
-     .parse = option_choice,
-     .offset = FIELD(fractal),
-     .choice = fractal_word},
-    {.name = "--erosion",
-     .argument = "F",
-     .standard = "1",
-     .allowed = "a number from 2^-24 to 2^24",
-     .help = "with --fractal erosion, how strongly slopes damp octaves; with\njordan, how much of "
-             "them flat ground lacks, at most 1; from 2^-24\nto 2^24",
-     .parse = option_float,
-     .offset = FIELD(erosion),
-     .lowest = 0x1p-24,
-     .highest = 0x1p24},
-    {.name = "--sharpness",
-     .argument = "F",
-     .allowed = "a number from 2^-8 to 2^8",
-     .help = "with --fractal pingpong, how often octaves are folded [2]; with\nhybrid, how high "
-             "they lie [0.7]; with swiss and jordan, how far slopes\nbend them [0.15, 0.35]; from "
-             "2^-8 to 2^8",
-     .parse = option_float,
-     .offset = FIELD(sharpness),
-     .lowest = 0x1p-8,
-     .highest = 0x1p8},
-    {.name = "--frequency",
-     .argument = "F",
-     .standard = "1",
-     .allowed = "a number from 2^-32 to 2^48",
-     .help = "lattice cells of the first octave per unit of the coordinates,\nfrom 2^-32 to 2^48",
-     .parse = option_double,
-     .offset = FIELD(frequency),
-     .lowest = 0x1p-32,
-     .highest = 0x1p48},
-    {.name = "--octaves",
-     .argument = "F",
-     .standard = "1",
-     .allowed = "a number above 2^-150, at most 32",
-     .help = "octaves that are summed, above 2^-150 (less is no float above 0),\n"
-             "at most 32; a fraction fades the last one in",
-     .parse = parse_positive,
-     .like = option_float,
-     .offset = FIELD(octaves),
-     .lowest = 0,
-     .highest = 32},
-    {.name = "--of-octaves",
-     .argument = "F",
-     .allowed = "a number above 2^-150, at most 32",
-     .help =
-         "octaves that amplitudes are meant for, of which --octaves are\nsummed: the first ones "
-         "as they are in the whole sum [--octaves]",
-     .parse = parse_positive,
-     .like = option_float,
-     .offset = FIELD(of_octaves),
-     .lowest = 0,
-     .highest = 32},
-    {.name = "--lacunarity",
-     .argument = "F",
-     .standard = "2",
-     .allowed = "a number from 1/16 to 16",
-     .help = "frequency ratio from octave to octave, from 1/16 to 16",
-     .parse = option_float,
-     .offset = FIELD(lacunarity),
-     .lowest = 0.0625,
-     .highest = 16},
-    {.name = "--gain",
-     .argument = "F",
-     .standard = "0.5",
-     .allowed = "a number from 1/16 to 16",
-     .help = "amplitude ratio from octave to octave, from 1/16 to 16",
-     .parse = option_float,
-     .offset = FIELD(gain),
-     .lowest = 0.0625,
-     .highest = 16},
+    {OPTION_CHOICE("--basis", basis, "gradient", basis_word, "noise of an octave")},
+    {OPTION_POSITIVE(
+        "--jitter", jitter, "1", 1,
+        "with --basis cell-..., how far features stray from the middles of their cells")},
+    {OPTION_CHOICE("--fade", fade, "quintic", fade_word, "blend between lattice points")},
+    {OPTION_CHOICE("--fractal", fractal, "fbm", fractal_word,
+                   "how octaves are summed (erosion, swiss and jordan of cell-f1, cell-f2 and "
+                   "cell-edge have cliffs)")},
+    {OPTION_FLOAT("--erosion", erosion, "1", 0x1p-24, 0x1p24,
+                  "with --fractal erosion, how strongly slopes damp octaves; with jordan, how much "
+                  "of them flat ground lacks, at most 1")},
+    {OPTION_FLOAT(
+        "--sharpness", sharpness, NULL, 0x1p-8, 0x1p8,
+        "with --fractal pingpong, how often octaves are folded [2]; with hybrid, how high they lie "
+        "[0.7]; with swiss and jordan, how far slopes bend them [0.15, 0.35]")},
+    {OPTION_DOUBLE("--frequency", frequency, "1", 0x1p-32, 0x1p48,
+                   "lattice cells of the first octave per unit of the coordinates")},
+    {OPTION_POSITIVE("--octaves", octaves, "1", 32,
+                     "octaves that are summed, the last one faded in by a fraction")},
+    {OPTION_POSITIVE("--of-octaves", of_octaves, NULL, 32,
+                     "octaves that amplitudes are meant for, of which --octaves are summed: the "
+                     "first ones as they are in the whole sum"),
+     .otherwise = "--octaves"},
+    {OPTION_FLOAT("--lacunarity", lacunarity, "2", 0.0625, 16,
+                  "frequency ratio from octave to octave")},
+    {OPTION_FLOAT("--gain", gain, "0.5", 0.0625, 16, "amplitude ratio from octave to octave")},
     {.name = "--phase",
      .argument = "F",
      .allowed = "a finite number, at most 2^128 - 2^104 in magnitude",
-     .help = "turns of the lattice's gradients, any finite float: as it grows,\nthe noise flows "
-             "where it is, and loops after 1; only with --basis\ngradient [it stands still]",
+     .help = "turns of the lattice's gradients, any finite float: as it grows, the noise flows "
+             "where it is, and loops after 1; only with --basis gradient",
+     .otherwise = "it stands still",
      .parse = option_float,
      .offset = FIELD(phase),
      .lowest = -0x1.fffffep127,
      .highest = 0x1.fffffep127},
-    {.name = "--rotate",
-     .help = "turn the axes between octaves: hides the lattice's directions",
-     .offset = FIELD(rotate)},
-    {.name = "--amplitude",
-     .argument = "F",
-     .standard = "1",
-     .allowed = "a number whose magnitude is from 2^-24 to 2^24",
-     .help = "scales what comes out, and turns it over if negative; its\nmagnitude from 2^-24 to "
-             "2^24",
-     .parse = option_magnitude,
-     .offset = FIELD(amplitude),
-     .lowest = 0x1p-24,
-     .highest = 0x1p24},
+    {OPTION_FLAG("--rotate", rotate,
+                 "turn the axes between octaves: hides the lattice's directions")},
+    {OPTION_MAGNITUDE("--amplitude", amplitude, "1", 0x1p-24, 0x1p24,
+                      "scales what comes out, and turns it over if negative")},
 };
 
 /* Each number was checked by itself; what is left is how they go together. */

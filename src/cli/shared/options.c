@@ -11,12 +11,29 @@
 #include "shared/error.h"
 
 #define HELP_COLUMN 18 /* where the help's explanations begin */
+#define HELP_WIDTH 84
+#define HELP_LENGTH 1024 /* of an option's explanation */
 
-/* One option of the help: name and value on the left, the lines of the explanation on the right. */
-static void print_option(const char *name, const char *argument, const char *help,
-                         const char *standard)
+/* Writes words from column `column` on, in lines that begin there, and ends the last line. */
+static void print_words(const char *text, int column)
 {
-    int column = *name != '\0' ? printf("  %s", name) : 0;
+    for (int at = column; *text != '\0';) {
+        const int length = (int)strcspn(text, " ");
+        if (at > column && at + 1 + length > HELP_WIDTH) {
+            printf("\n%*s", column, "");
+            at = column;
+        }
+        at += printf("%s%.*s", at > column ? " " : "", length, text);
+        text += length;
+        text += strspn(text, " ");
+    }
+    putchar('\n');
+}
+
+/* One option of the help: name and value on the left, the explanation on the right. */
+static void print_option(const char *name, const char *argument, const char *help)
+{
+    int column = printf("  %s", name);
     if (argument != NULL) {
         column += printf(" %s", argument);
     }
@@ -25,16 +42,7 @@ static void print_option(const char *name, const char *argument, const char *hel
         column = 0;
     }
     printf("%*s", HELP_COLUMN - column, "");
-    for (const char *c = help; *c != '\0'; c++) {
-        putchar(*c);
-        if (*c == '\n') {
-            printf("%*s", HELP_COLUMN, "");
-        }
-    }
-    if (standard != NULL) {
-        printf(" [%s]", standard);
-    }
-    putchar('\n');
+    print_words(help, HELP_COLUMN);
 }
 
 /* The default of an option: the row's, unless the table has another. */
@@ -49,6 +57,17 @@ static const char *standard_of(const struct option_table *table, const struct op
     return standard;
 }
 
+static void print_row(const struct option_table *table, const struct option *option)
+{
+    char help[HELP_LENGTH], bounds[OPTION_WORDS];
+    const char *standard = standard_of(table, option);
+    standard = standard != NULL ? standard : option->otherwise;
+    (void)snprintf(help, sizeof help, "%s%s%s%s%s", option->help, option_bounds(option, bounds),
+                   standard != NULL ? " [" : "", standard != NULL ? standard : "",
+                   standard != NULL ? "]" : "");
+    print_option(option->name, option->argument, help);
+}
+
 static void print_help(const struct option_table *table)
 {
     printf("usage: scarp %s%s%s [options]\n\n%s\n", table->command,
@@ -60,11 +79,10 @@ static void print_help(const struct option_table *table)
             printf("\n%s:\n", group->title);
         }
         for (size_t i = 0; i < group->count; i++) {
-            const struct option *const option = &group->options[i];
-            print_option(option->name, option->argument, option->help, standard_of(table, option));
+            print_row(table, &group->options[i]);
         }
     }
-    print_option("--help", NULL, "print this", NULL);
+    print_option("--help", NULL, "print this");
     if (table->notes != NULL) {
         printf("\n%s\n", table->notes);
     }
@@ -123,12 +141,15 @@ static bool set_value(const struct target *target, const char *text)
 {
     const struct option *const option = target->option;
     const char *const name = option->name;
+    char words[OPTION_WORDS];
     switch (option->parse(option, text, target->field)) {
     case OPTION_VALID: return true;
     case OPTION_UNAVAILABLE:
         cli_error("%s: '%.60s' cannot run here; see: scarp info", name, text);
         return false;
-    default: cli_error("%s: '%.60s' is not %s", name, text, option->allowed); return false;
+    default:
+        cli_error("%s: '%.60s' is not %s", name, text, option_allowed(option, words));
+        return false;
     }
 }
 
@@ -176,7 +197,8 @@ static int read_option(const struct option_table *table, const char *const *word
         return set_value(&target, joined + 1) ? 1 : 0;
     }
     if (words[1] == NULL || strncmp(words[1], "--", 2) == 0) {
-        cli_error("%s: has no value; it takes %s", target.option->name, option->allowed);
+        char allowed[OPTION_WORDS];
+        cli_error("%s: has no value; it takes %s", option->name, option_allowed(option, allowed));
         return 0;
     }
     return set_value(&target, words[1]) ? 2 : 0;

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * Command-line options from a table: one line per option states its name, its default, what is
- * allowed and where the value goes. Parsing, messages and the help text are made from it, so they
- * cannot disagree.
+ * Command-line options from a table: a row for each option states its name, its default, its
+ * bounds and where the value goes. Parsing, messages and the help are made from it, so they cannot
+ * disagree.
  */
 #ifndef SCARP_CLI_OPTIONS_H
 #define SCARP_CLI_OPTIONS_H
@@ -25,20 +25,49 @@ typedef enum option_result option_parse_fn(const struct option *option, const ch
                                            void *field);
 
 struct option {
-    const char *name;           /* with its dashes */
-    const char *argument;       /* what the help calls the value; NULL: a flag without value */
-    const char *standard;       /* the default, as it would be typed; NULL: leave the field alone */
-    const char *allowed;        /* completes the message "--name: 'text' is not ..." */
-    const char *help;           /* meaning and unit; may have several lines */
-    option_parse_fn *parse;     /* NULL for a flag, which sets an int to 1 */
-    option_parse_fn *like;      /* of values.c, whose kind of field it is, where `parse` is not */
-    size_t offset;              /* of the field in the structure that receives the values */
-    double lowest, highest;     /* the interval of numbers, bounds included */
-    const char *const *choices; /* of option_choice, ending in NULL */
-    const char *(*choice)(int); /* of option_choice in place of `choices`: the words for 0, 1, ...,
-                                   NULL past the last */
+    const char *name;       /* with its dashes */
+    const char *argument;   /* what the help calls the value; NULL: a flag without value */
+    const char *standard;   /* the default, as it would be typed; NULL: leave the field alone */
+    const char *otherwise;  /* in the help in place of a default, where `standard` is NULL */
+    const char *allowed;    /* completes the message "--name: 'text' is not ..."; NULL: the words
+                               of options_words.c, which the help then has, too */
+    const char *help;       /* meaning and unit, in one line */
+    option_parse_fn *parse; /* NULL for a flag, which sets an int to 1 */
+    size_t offset;          /* of the field in the structure that receives the values */
+    double lowest, highest; /* the interval of numbers, bounds included */
+    const char *(*choice)(int); /* the words for 0, 1, ..., NULL past the last */
     int of_run; /* it concerns this run or the names of files, not what files hold */
 };
+
+/* Rows, for braces: {OPTION_FLOAT("--gain", gain, "0.5", 0.0625, 16, "..."), .of_run = 1}. The
+   file defines FIELD(member), the offset of a member. */
+#define OPTION_ROW(kind, value, title, member, default_, explanation)                              \
+    .name = title, .argument = value, .standard = default_, .help = explanation, .parse = kind,    \
+    .offset = FIELD(member)
+#define OPTION_BETWEEN(kind, value, title, member, default_, least, most, explanation)             \
+    OPTION_ROW(kind, value, title, member, default_, explanation), .lowest = least, .highest = most
+#define OPTION_FLOAT(...) OPTION_BETWEEN(option_float, "F", __VA_ARGS__)
+#define OPTION_DOUBLE(...) OPTION_BETWEEN(option_double, "F", __VA_ARGS__)
+#define OPTION_MAGNITUDE(...) OPTION_BETWEEN(option_magnitude, "F", __VA_ARGS__)
+#define OPTION_COUNT(...) OPTION_BETWEEN(option_count, "N", __VA_ARGS__)
+#define OPTION_SIZE(...) OPTION_BETWEEN(option_size, "WxH", __VA_ARGS__)
+#define OPTION_POINT(...) OPTION_BETWEEN(option_point, "X,Y", __VA_ARGS__)
+#define OPTION_POSITIVE(title, member, default_, most, explanation)                                \
+    OPTION_BETWEEN(option_positive, "F", title, member, default_, 0, most, explanation)
+#define OPTION_CHOICE(title, member, default_, words, explanation)                                 \
+    OPTION_ROW(option_choice, "NAME", title, member, default_, explanation), .choice = words
+#define OPTION_ISA(member)                                                                         \
+    OPTION_ROW(option_isa, "NAME", "--isa", member, NULL,                                          \
+               "instruction set, which changes no result"),                                        \
+        .otherwise = "the best one", .choice = option_isa_word
+#define OPTION_FLAG(title, member, explanation)                                                    \
+    .name = title, .help = explanation, .offset = FIELD(member)
+#define OPTION_TEXT(title, member, value, takes, explanation)                                      \
+    .name = title, .argument = value, .allowed = takes, .help = explanation, .parse = option_text, \
+    .offset = FIELD(member)
+#define OPTION_FILE(title, member, explanation)                                                    \
+    OPTION_TEXT(title, member, "FILE", "a file name, of which the extension tells the format",     \
+                explanation)
 
 /* Options that a structure holds, itself part of what receives the values */
 struct option_group {
@@ -56,9 +85,6 @@ struct option_group {
         .title = name, .options = rows, .count = sizeof(rows) / sizeof(rows)[0], .offset = at,     \
         .typed = bits                                                                              \
     }
-
-/* What option_isa takes; tests/test_cli_words.c compares it with the library's names. */
-#define OPTION_ISAS "scalar, sse4.1, avx2, avx512, neon, generic or wasm128"
 
 /* Options as they would be typed, one word each and NULL at the end: names, each followed by its
    value unless it is a flag */
@@ -103,7 +129,7 @@ struct option_range {
     size_t x0, x1, y0, y1; /* x0 <= x < x1, y0 <= y < y1 */
 };
 
-option_parse_fn option_choice;    /* int: the number of the word */
+option_parse_fn option_choice;    /* int: the number of the word of `choice` */
 option_parse_fn option_count;     /* size_t in [lowest, highest] */
 option_parse_fn option_double;    /* double in [lowest, highest] */
 option_parse_fn option_float;     /* float in [lowest, highest]; the bounds are floats */
@@ -112,6 +138,7 @@ option_parse_fn option_list;      /* struct option_list: texts, one each time th
 option_parse_fn option_magnitude; /* float, its magnitude in [lowest, highest], which are floats */
 option_parse_fn option_periods;   /* uint32_t[3], "X,Y" or "X,Y,Z", all in [lowest, highest] */
 option_parse_fn option_point;     /* struct option_point, "X,Y", both in [lowest, highest] */
+option_parse_fn option_positive;  /* float in ]0, highest], as a float */
 option_parse_fn option_range;     /* struct option_range, "X0:X1,Y0:Y1", all in [lowest, highest] */
 option_parse_fn option_seed;      /* uint64_t */
 option_parse_fn option_share;     /* struct option_share, "I/N", both in [lowest, highest] */
@@ -125,8 +152,17 @@ enum options_outcome {
     OPTIONS_BAD   /* one line on stderr told why */
 };
 
-/* The word number `index` of an option that is read by option_choice; NULL past the last. */
-const char *option_choice_word(const struct option *option, int index);
+/* The words of option_isa */
+const char *option_isa_word(int index);
+
+#define OPTION_WORDS 256 /* room for what these write */
+
+/* Writes what the option takes: "a number from 0 to 1", "up or down". Returns `text`, or the row's
+   own words. */
+const char *option_allowed(const struct option *option, char text[OPTION_WORDS]);
+
+/* Writes what follows the option's help: "; from 0 to 1", ": up or down", or nothing. */
+const char *option_bounds(const struct option *option, char text[OPTION_WORDS]);
 
 /* The option `name`, with its dashes, of the groups from number `first` to the one before `end`.
    Sets *field to where its value goes in `values`. NULL if there is none. */

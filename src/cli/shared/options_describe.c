@@ -21,16 +21,16 @@ static void add_number(struct text *text, double value, int single)
 
 static void add_value(const struct option *option, const void *field, struct text *text)
 {
-    option_parse_fn *const kind = option->like != NULL ? option->like : option->parse;
+    option_parse_fn *const kind = option->parse;
     if (kind == NULL) {
         text_add(text, "%s", *(const int *)field != 0 ? "true" : "false");
     } else if (kind == option_choice) {
-        json_add_string(text, option_choice_word(option, *(const int *)field));
+        json_add_string(text, option->choice(*(const int *)field));
     } else if (kind == option_count) {
         text_add(text, "%zu", *(const size_t *)field);
     } else if (kind == option_double) {
         add_number(text, *(const double *)field, 0);
-    } else if (kind == option_float || kind == option_magnitude) {
+    } else if (kind == option_float || kind == option_magnitude || kind == option_positive) {
         add_number(text, (double)*(const float *)field, 1);
     } else if (kind == option_point) {
         const struct option_point *const point = field;

@@ -11,8 +11,9 @@
 const struct option running_option_rows[RUNNING_ROWS] = {
     {.name = "--threads",
      .argument = "N",
-     .help = "how many threads work, at most, from 1 to 1024, without POSIX\nthreads 1; what is "
-             "written does not depend on it [one per processor]",
+     .otherwise = "one per processor",
+     .help = "how many threads work, at most, from 1 to 1024 (1 without POSIX threads); what is "
+             "written does not depend on it",
 #ifdef SCARP_CLI_THREADS
      .allowed = "an integer from 1 to 1024",
      .highest = THREADS_MAX,
@@ -24,13 +25,6 @@ const struct option running_option_rows[RUNNING_ROWS] = {
      .offset = FIELD(threads),
      .lowest = 1,
      .of_run = 1},
-    {.name = "--isa",
-     .argument = "NAME",
-     .allowed = OPTION_ISAS,
-     .help =
-         "instruction set: " OPTION_ISAS ";\nwhat is written does not depend on it [the best one]",
-     .parse = option_isa,
-     .offset = FIELD(isa),
-     .of_run = 1},
-    {.name = "--quiet", .help = "print nothing but errors", .offset = FIELD(quiet), .of_run = 1},
+    {OPTION_ISA(isa), .of_run = 1},
+    {OPTION_FLAG("--quiet", quiet, "print nothing but errors"), .of_run = 1},
 };

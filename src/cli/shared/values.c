@@ -60,6 +60,16 @@ enum option_result option_magnitude(const struct option *option, const char *tex
     return OPTION_VALID;
 }
 
+enum option_result option_positive(const struct option *option, const char *text, void *field)
+{
+    float value;
+    if (option_float(option, text, &value) != OPTION_VALID || value == 0.0f) {
+        return OPTION_INVALID;
+    }
+    *(float *)field = value;
+    return OPTION_VALID;
+}
+
 enum option_result option_point(const struct option *option, const char *text, void *field)
 {
     const char *end;
@@ -178,20 +188,20 @@ enum option_result option_seed(const struct option *option, const char *text, vo
     return OPTION_VALID;
 }
 
-const char *option_choice_word(const struct option *option, int index)
-{
-    return option->choice != NULL ? option->choice(index) : option->choices[index];
-}
-
 enum option_result option_choice(const struct option *option, const char *text, void *field)
 {
-    for (int i = 0; option_choice_word(option, i) != NULL; i++) {
-        if (strcmp(text, option_choice_word(option, i)) == 0) {
+    for (int i = 0; option->choice(i) != NULL; i++) {
+        if (strcmp(text, option->choice(i)) == 0) {
             *(int *)field = i;
             return OPTION_VALID;
         }
     }
     return OPTION_INVALID;
+}
+
+const char *option_isa_word(int index)
+{
+    return scarp_isa_name((enum scarp_isa)(SCARP_ISA_NONE + 1 + index));
 }
 
 enum option_result option_isa(const struct option *option, const char *text, void *field)

@@ -10,71 +10,30 @@
 
 #define FIELD(name) offsetof(struct sheet_options, name)
 
-static const char *const layer_words[] = {"relief", "hillshade", NULL};
+static const char *layer_word(int index)
+{
+    static const char *const words[] = {"relief", "hillshade", NULL};
+    return words[index];
+}
 
 static const struct option sheet_rows[] = {
-    {.name = "--sheet",
-     .argument = "LIST",
-     .standard = "seed=1..9",
-     .allowed = "one or two parameters and their values: NAME=VALUES[,NAME=VALUES]",
-     .help = "NAME=VALUES or NAME=VALUES,NAME=VALUES: what cells differ in, first\nfrom left to "
-             "right, then "
-             "from top to bottom; told below",
-     .parse = option_text,
-     .offset = FIELD(sheet)},
-    {.name = "--output",
-     .argument = "FILE",
-     .allowed = "a file name, of which the extension tells the format",
-     .help = "the picture: .png .ppm [sheet.png, without zlib sheet.ppm]",
-     .parse = option_text,
-     .offset = FIELD(output)},
-    {.name = "--cell",
-     .argument = "WxH",
-     .standard = "256x192",
-     .allowed = "WIDTHxHEIGHT with both from 16 to 1024",
-     .help = "pixels of a cell, both from 16 to 1024",
-     .parse = option_size,
-     .offset = FIELD(cell),
-     .lowest = 16,
-     .highest = 1024},
-    {.name = "--samples",
-     .argument = "N",
-     .standard = "4",
-     .allowed = "an integer from 1 to 8",
-     .help = "samples across each pixel and down, of which it is the mean,\nfrom 1 to 8",
-     .parse = option_count,
-     .offset = FIELD(samples),
-     .lowest = 1,
-     .highest = 8},
-    {.name = "--layer",
-     .argument = "NAME",
-     .standard = "relief",
-     .allowed = "relief or hillshade",
-     .help = "what cells show: relief or hillshade, as of scarp terrain",
-     .parse = option_choice,
-     .offset = FIELD(layer),
-     .choices = layer_words},
+    {OPTION_TEXT("--sheet", sheet, "LIST",
+                 "one or two parameters and their values: NAME=VALUES[,NAME=VALUES]",
+                 "NAME=VALUES or NAME=VALUES,NAME=VALUES: what cells differ in, first from left to "
+                 "right, then from top to bottom; told below"),
+     .standard = "seed=1..9"},
+    {OPTION_FILE("--output", output, "the picture: .png .ppm"),
+     .otherwise = "sheet.png, without zlib sheet.ppm"},
+    {OPTION_SIZE("--cell", cell, "256x192", 16, 1024, "pixels of a cell")},
+    {OPTION_COUNT("--samples", samples, "4", 1, 8,
+                  "samples across each pixel and down, of which it is the mean")},
+    {OPTION_CHOICE("--layer", layer, "relief", layer_word, "what cells show, as of scarp terrain")},
 };
 
 static const struct option place_rows[] = {
-    {.name = "--origin",
-     .argument = "X,Y",
-     .standard = "0,0",
-     .allowed = "two numbers X,Y from -2^53 to 2^53",
-     .help = "position of the bottom left pixel, each from -2^53 to 2^53",
-     .parse = option_point,
-     .offset = FIELD(origin),
-     .lowest = -0x1p53,
-     .highest = 0x1p53},
-    {.name = "--step",
-     .argument = "F",
-     .standard = "4",
-     .allowed = "a number from 2^-44 to 2^48",
-     .help = "distance between pixels, in the unit of x and y,\nfrom 2^-44 to 2^48",
-     .parse = option_double,
-     .offset = FIELD(step),
-     .lowest = 0x1p-44,
-     .highest = 0x1p48},
+    {OPTION_POINT("--origin", origin, "0,0", -0x1p53, 0x1p53, "position of the bottom left pixel")},
+    {OPTION_DOUBLE("--step", step, "4", 0x1p-44, 0x1p48,
+                   "distance between pixels, in the unit of x and y")},
 };
 
 static const struct option_group groups[] = {

@@ -11,123 +11,64 @@
 #define FIELD(name) offsetof(struct terrain_options, name)
 
 static const struct option raster_rows[] = {
-    {.name = "--size",
-     .argument = "WxH",
-     .standard = "1024x1024",
-     .allowed = "WIDTHxHEIGHT with both from 1 to 1000000",
-     .help = "samples across and down, each from 1 to 1000000",
-     .parse = option_size,
-     .offset = FIELD(size),
-     .lowest = 1,
-     .highest = 1e6},
-    {.name = "--origin",
-     .argument = "X,Y",
-     .standard = "0,0",
-     .allowed = "two numbers X,Y from -2^53 to 2^53",
-     .help = "position of the bottom left sample, each from -2^53 to 2^53",
-     .parse = option_point,
-     .offset = FIELD(origin),
-     .lowest = -0x1p53,
-     .highest = 0x1p53},
-    {.name = "--step",
-     .argument = "F",
-     .standard = "1",
-     .allowed = "a number from 2^-48 to 2^48",
-     .help = "distance between samples, in the unit of x and y,\nfrom 2^-48 to 2^48",
-     .parse = option_double,
-     .offset = FIELD(step),
-     .lowest = 0x1p-48,
-     .highest = 0x1p48},
-    {.name = "--tileable",
-     .help = "--period with the raster's own size: copies fit side by side",
-     .offset = FIELD(tileable)},
+    {OPTION_SIZE("--size", size, "1024x1024", 1, 1e6, "samples across and down")},
+    {OPTION_POINT("--origin", origin, "0,0", -0x1p53, 0x1p53,
+                  "position of the bottom left sample")},
+    {OPTION_DOUBLE("--step", step, "1", 0x1p-48, 0x1p48,
+                   "distance between samples, in the unit of x and y")},
+    {OPTION_FLAG("--tileable", tileable,
+                 "--period with the raster's own size: copies fit side by side")},
 };
 
-#define FILE_ALLOWED "a file name, of which the extension tells the format"
-
 static const struct option file_rows[] = {
-    {.name = "--heights",
-     .argument = "FILE",
-     .allowed = FILE_ALLOWED,
-     .help = "heights: .png .pgm .r16 (16-bit integers), .r32 .pfm .img .npy\n(floats)",
-     .parse = option_text,
-     .offset = FIELD(heights),
+    {OPTION_FILE("--heights", heights,
+                 "heights: .png .pgm .r16 (16-bit integers), .r32 .pfm .img .npy (floats)"),
      .of_run = 1},
-    {.name = "--normals",
-     .argument = "FILE",
-     .allowed = FILE_ALLOWED,
-     .help = "unit normals: .png .ppm (8-bit red, green, blue), .pfm .img\n.npy (floats)",
-     .parse = option_text,
-     .offset = FIELD(normals),
+    {OPTION_FILE("--normals", normals,
+                 "unit normals: .png .ppm (8-bit red, green, blue), .pfm .img .npy (floats)"),
      .of_run = 1},
-    {.name = "--hillshade",
-     .argument = "FILE",
-     .allowed = FILE_ALLOWED,
-     .help = "light and shade: .png .pgm .img .npy (8-bit)",
-     .parse = option_text,
-     .offset = FIELD(hillshade),
+    {OPTION_FILE("--hillshade", hillshade, "light and shade: .png .pgm .img .npy (8-bit)"),
      .of_run = 1},
-    {.name = "--relief",
-     .argument = "FILE",
-     .allowed = FILE_ALLOWED,
-     .help = "the ground in colours, lit: .png .ppm .img .npy (8-bit)",
-     .parse = option_text,
-     .offset = FIELD(relief),
+    {OPTION_FILE("--relief", relief, "the ground in colours, lit: .png .ppm .img .npy (8-bit)"),
      .of_run = 1},
-    {.name = "--gradient",
-     .argument = "FILE",
-     .allowed = FILE_ALLOWED,
-     .help = "slopes of the heights along x and y: .img .npy (floats)",
-     .parse = option_text,
-     .offset = FIELD(gradient),
+    {OPTION_FILE("--gradient", gradient, "slopes of the heights along x and y: .img .npy (floats)"),
      .of_run = 1},
     {.name = "--output",
      .argument = "STEM",
      .allowed = "the beginning of file names: not empty, no separator at its end",
-     .help =
-         "short for STEM-height, STEM-normal, STEM-hillshade and\nSTEM-relief: .png, or without "
-         "zlib .pgm and .ppm [terrain, if no\nfile is asked for]",
+     .help = "short for STEM-height, STEM-normal, STEM-hillshade and STEM-relief: .png, or without "
+             "zlib .pgm and .ppm",
+     .otherwise = "terrain, if no file is asked for",
      .parse = option_stem,
      .offset = FIELD(output),
      .of_run = 1},
-    {.name = "--compare",
-     .argument = "N",
-     .allowed = "an integer from 1 to 7",
-     .help =
-         "with --output, also STEM-compare: N by N pixels per sample,\nfrom 1 to 7 [not written]",
-     .parse = option_count,
-     .offset = FIELD(compare),
-     .lowest = 1,
-     .highest = 7},
+    {OPTION_COUNT("--compare", compare, NULL, 1, 7,
+                  "with --output, also STEM-compare: N by N pixels per sample"),
+     .otherwise = "not written"},
 };
 
-static const char *const directions[] = {"up", "down", NULL};
+static const char *direction_word(int index)
+{
+    static const char *const words[] = {"up", "down", NULL};
+    return words[index];
+}
 
 static const struct option look_rows[] = {
-    {.name = "--normal-y",
-     .argument = "NAME",
-     .standard = "up",
-     .allowed = "up or down",
-     .help = "where the second component of normals grows, green: up\n(OpenGL) or down (DirectX)",
-     .parse = option_choice,
-     .offset = FIELD(normal_down),
-     .choices = directions},
+    {OPTION_CHOICE(
+        "--normal-y", normal_down, "up", direction_word,
+        "where the second component of normals grows, green (OpenGL: up; DirectX: down)")},
 };
 
 static const struct option tile_rows[] = {
-    {.name = "--tile",
-     .argument = "WxH",
-     .allowed = "WIDTHxHEIGHT with both from 1 to 1000000",
-     .help = "write tiles of so many samples, NAME_y_x or by patterns (see\nbelow): y counts down "
-             "from the top, x from the left, both from\n0 [one file]",
-     .parse = option_size,
-     .offset = FIELD(tile),
-     .lowest = 1,
-     .highest = 1e6},
+    {OPTION_SIZE("--tile", tile, NULL, 1, 1e6,
+                 "write tiles of so many samples, NAME_y_x or by patterns (see below): y counts "
+                 "down from the top, x from the left, both from 0"),
+     .otherwise = "one file"},
     {.name = "--tiles",
      .argument = "X0:X1,Y0:Y1",
      .allowed = "four integers X0:X1,Y0:Y1 from 0 to 1000000, X0 below X1 and Y0 below Y1",
-     .help = "only those with X0 <= x < X1 and Y0 <= y < Y1 [all]",
+     .help = "only those with X0 <= x < X1 and Y0 <= y < Y1",
+     .otherwise = "all",
      .parse = option_range,
      .offset = FIELD(tiles),
      .lowest = 0,
@@ -136,26 +77,19 @@ static const struct option tile_rows[] = {
     {.name = "--share",
      .argument = "I/N",
      .allowed = "two integers I/N, N from 1 to 1000000 and I from 0 to N - 1",
-     .help = "only share I, from 0, of N equal shares of these tiles, N from 1\nto 1000000 [all]",
+     .help = "only share I, from 0, of N equal shares of these tiles, N from 1 to 1000000",
+     .otherwise = "all",
      .parse = option_share,
      .offset = FIELD(share),
      .lowest = 0,
      .highest = 1e6,
      .of_run = 1},
-    {.name = "--overlap",
-     .argument = "N",
-     .standard = "0",
-     .allowed = "an integer from 0 to 1024",
-     .help = "samples that a tile also has of its neighbours to the right\nand below, from 0 to "
-             "1024; engines want 1",
-     .parse = option_count,
-     .offset = FIELD(overlap),
-     .lowest = 0,
-     .highest = 1024},
-    {.name = "--resume",
-     .help = "leave out tiles that are there already, and those that another\nrun is writing: runs "
-             "with the same options share the work",
-     .offset = FIELD(resume),
+    {OPTION_COUNT(
+        "--overlap", overlap, "0", 0, 1024,
+        "samples that a tile also has of its neighbours to the right and below (engines want 1)")},
+    {OPTION_FLAG("--resume", resume,
+                 "leave out tiles that are there already, and those that another run is writing: "
+                 "runs with the same options share the work"),
      .of_run = 1},
 };
 
@@ -197,15 +131,16 @@ const struct option_table terrain_table = {
         "           its fastest gradients twice as many: with N below 6 * 2^octaves detail\n"
         "           flickers, with twice that it flows smoothly. At phase 0 the noise is that\n"
         "           without --phase.\n"
-        "heights    floats are in the unit of x and y. Integers divide the interval that heights\n"
-        "           never leave, and not what occurs, so tiles of one terrain fit together: n stands\n"
-        "           for ZERO + n (FULL - ZERO) / 65535, and the run prints ZERO and FULL. Of a\n"
-        "           recipe, scarp recipe tells that interval. Of one noise it is the height times\n"
-        "           the amplitude times [-1, 1], or [0, 1] with turbulence, ridged, swiss and\n"
-        "           jordan; hybrid has its own. The sea raises its lower end, the plateau lowers\n"
-        "           its upper one. What flows reaches further, but for ridged, swiss and pingpong:\n"
-        "           with --phase, also --phase 0, the 1 is 1.0169038 (quintic) or 1.0162356\n"
-        "           (cubic), with jordan its square: all frames have one scale.\n"
+        "heights    floats are in the unit of x and y. Integers divide the interval that\n"
+        "           heights never leave, and not what occurs, so tiles of one terrain fit\n"
+        "           together: n stands for ZERO + n (FULL - ZERO) / 65535, and the run prints\n"
+        "           ZERO and FULL. Of a recipe, scarp recipe tells that interval. Of one noise\n"
+        "           it is the height times the amplitude times [-1, 1], or [0, 1] with\n"
+        "           turbulence, ridged, swiss and jordan; hybrid has its own. The sea raises\n"
+        "           its lower end, the plateau lowers its upper one. What flows reaches\n"
+        "           further, but for ridged, swiss and pingpong: with --phase, also --phase 0,\n"
+        "           the 1 is 1.0169038 (quintic) or 1.0162356 (cubic), with jordan its square:\n"
+        "           all frames have one scale.\n"
         "normals    n = (-dx, -dy, 1) / length, with dx and dy the slopes of the heights: red\n"
         "           is east, green north, blue up. Bytes are floor(127.5 n + 128).\n"
         "hillshade  round(255 n.light), 0 where that is negative, of normals whose slopes are\n"
@@ -224,15 +159,15 @@ const struct option_table terrain_table = {
         "           roots.\n"
         "palette    Without --palette it is that of the recipe, which a line `#: palette NAME`\n"
         "           tells, else alpine. A FILE has colours of heights in the unit of x and y,\n"
-        "           linear between, without rock, snow,\n"
-        "           sand and water, but lit. Its lines are those of gdaldem color-relief, height\n"
-        "           red green blue [alpha], or a height and a name (white, black, red, green,\n"
-        "           blue, yellow, magenta, cyan, aqua, grey, lightgrey, darkgrey, orange, brown,\n"
-        "           purple, violet, indigo); 50% is the height in the middle between 0 and 1 of\n"
-        "           above; alpha and lines of nv are not used. Or they are GMT's, if FILE ends\n"
-        "           with .cpt or a comment tells the COLOR_MODEL, which must be RGB: z0 red green\n"
-        "           blue z1 red green blue, or red/green/blue or names; B and F for what is below\n"
-        "           and above; N is not used. A line that begins with # is a comment.\n"
+        "           linear between, without rock, snow, sand and water, but lit. Its lines are\n"
+        "           those of gdaldem color-relief, height red green blue [alpha], or a height\n"
+        "           and a name (white, black, red, green, blue, yellow, magenta, cyan, aqua,\n"
+        "           grey, lightgrey, darkgrey, orange, brown, purple, violet, indigo); 50% is\n"
+        "           the height in the middle between 0 and 1 of above; alpha and lines of nv\n"
+        "           are not used. Or they are GMT's, if FILE ends with .cpt or a comment tells\n"
+        "           the COLOR_MODEL, which must be RGB: z0 red green blue z1 red green blue,\n"
+        "           or red/green/blue or names; B and F for what is below and above; N is not\n"
+        "           used. A line that begins with # is a comment.\n"
         "gradient   dx and dy.\n"
         "compare    on the left the normals, on the right normals of the same places with dx and\n"
         "           dy by central differences of the 16-bit heights, two steps apart.\n"

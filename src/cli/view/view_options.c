@@ -52,39 +52,19 @@ static enum option_result parse_direction(const struct option *option, const cha
 }
 
 static const struct option picture_rows[] = {
-    {.name = "--output",
-     .argument = "FILE",
-     .allowed = "a file name, of which the extension tells the format",
-     .help = "the picture: .png .ppm .img .npy; must be given",
-     .parse = option_text,
-     .offset = FIELD(output),
+    {OPTION_FILE("--output", output, "the picture: .png .ppm .img .npy; must be given"),
      .of_run = 1},
-    {.name = "--size",
-     .argument = "WxH",
-     .standard = "960x540",
-     .allowed = "WIDTHxHEIGHT with both from 1 to 16384",
-     .help = "pixels across and down, each from 1 to 16384",
-     .parse = option_size,
-     .offset = FIELD(size),
-     .lowest = 1,
-     .highest = 16384},
-    {.name = "--samples",
-     .argument = "N",
-     .standard = "4",
-     .allowed = "an integer from 1 to 256",
-     .help = "rays for each pixel where it needs them, from 1 to 256",
-     .parse = option_count,
-     .offset = FIELD(samples),
-     .lowest = 1,
-     .highest = 256},
+    {OPTION_SIZE("--size", size, "960x540", 1, 16384, "pixels across and down")},
+    {OPTION_COUNT("--samples", samples, "4", 1, 256, "rays for each pixel where it needs them")},
 };
 
 static const struct option camera_rows[] = {
     {.name = "--camera",
      .argument = "X,Y,H",
      .allowed = "three numbers X,Y,H, X and Y from -2^40 to 2^40 and H from -2^24 to 2^24",
-     .help = "where it stands: H is the height, in the unit of x and y, which\nmust be above the "
-             "ground [where there is much to see]",
+     .help =
+         "where it stands: H is the height, in the unit of x and y, which must be above the ground",
+     .otherwise = "where there is much to see",
      .parse = parse_camera,
      .offset = FIELD(camera),
      .lowest = -0x1p24,
@@ -92,48 +72,29 @@ static const struct option camera_rows[] = {
     {.name = "--look",
      .argument = "AZ,EL",
      .allowed = "two numbers AZ,EL, AZ from 0 to 360 and EL from -89 to 89",
-     .help = "where it looks: degrees clockwise from north, from 0 to 360, and\nabove the horizon, "
-             "from -89 to 89 [over the view, so that the\nhorizon is in the upper third]",
+     .help = "where it looks: degrees clockwise from north, from 0 to 360, and above the horizon, "
+             "from -89 to 89",
+     .otherwise = "over the view, so that the horizon is in the upper third",
      .parse = parse_direction,
      .offset = FIELD(look),
      .lowest = -89,
      .highest = 89},
-    {.name = "--fov",
-     .argument = "F",
-     .standard = "56",
-     .allowed = "a number from 1 to 150",
-     .help = "how much it sees from left to right, in degrees, from 1 to 150",
-     .parse = option_double,
-     .offset = FIELD(fov),
-     .lowest = 1,
-     .highest = 150},
-    {.name = "--origin",
-     .argument = "X,Y",
-     .standard = "0,0",
-     .allowed = "two numbers X,Y from -2^40 to 2^40",
-     .help = "the bottom left corner of the view, which a camera without\n--camera looks over: a "
-             "square "
-             "as wide as four times its usual\nheights, but at least 1024 units; each from -2^40 "
-             "to 2^40",
-     .parse = option_point,
-     .offset = FIELD(origin),
-     .lowest = -0x1p40,
-     .highest = 0x1p40},
+    {OPTION_DOUBLE("--fov", fov, "56", 1, 150, "how much it sees from left to right, in degrees")},
+    {OPTION_POINT("--origin", origin, "0,0", -0x1p40, 0x1p40,
+                  "the bottom left corner of the view, which a camera without --camera looks over: "
+                  "a square as wide as four times its usual heights, but at least 1024 units")},
 };
 
 static const struct option light_rows[] = {
-    {.name = "--palette",
-     .argument = "NAME",
-     .allowed = PALETTE_NAMES ", or a file",
-     .help = "colours of the ground: alpine, temperate, desert, arctic or grey;\nor a FILE with "
-             "colours of heights, see scarp help terrain [that of\nthe preset]",
-     .parse = option_text,
-     .offset = FIELD(palette)},
+    {OPTION_TEXT("--palette", palette, "NAME", PALETTE_NAMES ", or a file",
+                 "colours of the ground: alpine, temperate, desert, arctic or grey; or a FILE with "
+                 "colours of heights, see scarp help terrain"),
+     .otherwise = "that of the preset"},
     {.name = "--sun",
      .argument = "AZ,ALT",
      .standard = "225,24",
      .allowed = "two numbers AZ,ALT, AZ from 0 to 360 and ALT from 1 to 90",
-     .help = "where the sun stands: degrees clockwise from north, from 0 to\n360, and above the "
+     .help = "where the sun stands: degrees clockwise from north, from 0 to 360, and above the "
              "horizon, from 1 to 90",
      .parse = parse_direction,
      .offset = FIELD(sun),
@@ -142,8 +103,9 @@ static const struct option light_rows[] = {
     {.name = "--haze",
      .argument = "F",
      .allowed = "0 or a number from 1 to 2^24",
-     .help = "the distance at which haze takes most of the light, in units,\nfrom 1 to 2^24; 0: "
-             "clear air [four times the side of the view]",
+     .help = "the distance at which haze takes most of the light, in units, from 1 to 2^24; 0: "
+             "clear air",
+     .otherwise = "four times the side of the view",
      .parse = option_float,
      .offset = FIELD(haze),
      .lowest = 0,
@@ -166,22 +128,20 @@ const struct option_table view_table = {
     .notes =
         "FILE       its extension tells the format, or what stands before it: ppm:FILE. FILE may\n"
         "           be - for standard output, as in ppm:-. .png is there with zlib only.\n"
-        "units      one unit of x and y is taken for a metre: so large are trees, and so\n"
-        "           wide is the line of the shore. Snow and trees go by the usual heights of the\n"
-        "           terrain, those of scarp terrain --relief, rock by the slopes in the view, "
-        "which\n"
-        "           begins at --origin.\n"
+        "units      one unit of x and y is taken for a metre: so large are trees, and so wide\n"
+        "           is the line of the shore. Snow and trees go by the usual heights of the\n"
+        "           terrain, those of scarp terrain --relief, rock by the slopes in the view,\n"
+        "           which begins at --origin.\n"
         "camera     without --camera it stands where most of the terrain is seen, looks over the\n"
         "           view, and has the sun at its side, if there is such a place. The closing line\n"
         "           tells it as options.\n"
         "far        nothing is shown that is farther away than 20 times the view, or 20 times the\n"
         "           height of the camera above the lowest ground. Haze hides that end.\n"
-        "rays       the rays of a pixel are one, and all of --samples where its neighbours differ\n"
-        "           from it. Steps of a ray are as long as the slopes of the picture allow, "
-        "except\n"
-        "           those of one place in 200: it may pass over the thinnest needles of rock. "
-        "Octaves whose cells are\n"
-        "           smaller than a pixel are left out there, as --of-octaves has it.\n"
+        "rays       the rays of a pixel are one, and all of --samples where its neighbours\n"
+        "           differ from it. Steps of a ray are as long as the slopes of the picture\n"
+        "           allow, except those of one place in 200: it may pass over the thinnest\n"
+        "           needles of rock. Octaves whose cells are smaller than a pixel are left out\n"
+        "           there, as --of-octaves has it.\n"
         "memory     52 MiB at most, and 3 MiB per thread.\n"
         "\n" PRESET_HELP,
     .groups = groups,
