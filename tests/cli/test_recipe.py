@@ -162,7 +162,7 @@ class Recipes(Case):
         self.write(RECIPE)
         result = run("terrain", "--recipe", "r.recipe", "--tileable", "--size", "64x64",
                      "--heights", "h.r32", cwd=self.directory)
-        self.check_one_line(result, 2, "--recipe: r.recipe, line 6", "nearest: 64")
+        self.check_one_line(result, 2, "--period: r.recipe, line 6", "nearest: 64")
 
     def test_sheet(self):
         """A sheet varies parameters."""

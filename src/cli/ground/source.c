@@ -238,14 +238,24 @@ void source_print(const struct source *source)
     fputs(source->text.bytes, stdout);
 }
 
+/* Whether the text is at fault only because the terrain is to repeat. */
+static bool is_fault_of_tile(const struct source *source)
+{
+    struct scarp_recipe recipe;
+    return source->ground.tile != NULL &&
+           scarp_recipe_parse(source->text.bytes, source->text.length, &recipe, NULL, 0, NULL) ==
+               SCARP_OK;
+}
+
 void source_refuse(const struct source *source, const struct scarp_recipe_error *error)
 {
+    const char *const option = is_fault_of_tile(source) ? "--period" : source->option;
     char nearest[2 * NUMBER_SIZE] = "";
     if (error->nearest != 0.0) {
         snprintf(nearest, sizeof nearest, "; nearest: %.17g", error->nearest);
     }
-    cli_error("%s: %s, line %d, column %d: %s%s%s%s", source->option, source->name,
-              (int)error->line, (int)error->column, error->member != NULL ? error->member : "",
+    cli_error("%s: %s, line %d, column %d: %s%s%s%s", option, source->name, (int)error->line,
+              (int)error->column, error->member != NULL ? error->member : "",
               error->member != NULL ? ": " : "", error->text, nearest);
 }
 
