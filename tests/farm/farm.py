@@ -138,7 +138,7 @@ class Process:
 class Farm:
     """A directory in which recipes run."""
     # Dear samples, so that runs can be killed
-    SLOW = {"--octaves": "32", "--isa": "scalar"}
+    SLOW = {"--isa": "scalar"}
 
     def __init__(self, name, slow=True, layers=(("--hillshade", "shades/{y}/{x}"),), tile=128,
                  size=(2000, 2100)):
