@@ -181,6 +181,17 @@ class Sheet(Case):
         page = self.check_labels("seed=1..5", *labels[:5])
         self.assertEqual(len({place[0][1] for place in self.texts(page, *labels[:5])}), 1)
 
+    def test_recipes(self):
+        """The seed is an option with a recipe, too; other names are its parameters."""
+        page = self.sheet(*CELL, *ONE, "--preset", "alps", "--sheet", "seed=3..4,gully=0|0.3")
+        places = []
+        for gully in ("0", "0.3"):
+            for seed in ("3", "4"):
+                self.quietly("--size", "40x24", "--step", "2", "--preset", "alps", "--seed", seed,
+                             "--set", "gully=" + gully, "--relief", "t.ppm")
+                places.append(self.place(page, read_picture(self.path("t.ppm")).rows))
+        self.assertEqual(places, sorted(places, key=lambda place: (place[1], place[0])))
+
     def test_kinds_of_options(self):
         """Presets with their palettes, switches, palettes, and what stands on the command line"""
         page = self.sheet(*CELL, *ONE, "--sheet", "preset=dunes|islands")

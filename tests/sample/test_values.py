@@ -28,8 +28,9 @@ class Help(Case):
         self.assertTrue(text.startswith("usage: scarp sample [options]\n"))
         self.assertEqual(re.findall(r"(?m)^  --(\S+)", text), self.OPTIONS)
         self.assertEqual(re.findall(r"(?m)^(\w[^\n]*):$", text),
-                         ["points", "results", "a recipe",
+                         ["points", "results", "the noise",
                           "one noise, without --preset and --recipe", "running"])
+        self.assertIn("\n  --seed ", text.split("\none noise,")[0])  # recipes have one, too
         self.assertLessEqual(max(len(line) for line in text.split("\n")), 90)
         for dims in (2, 3):
             self.assertIn("  in %dD  %s\n" % (dims, " ".join((*RESULTS[dims], BY_PHASE))), text)

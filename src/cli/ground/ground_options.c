@@ -5,7 +5,6 @@
 #include "ground/ground_options.h"
 
 #include <stddef.h>
-#include <string.h>
 
 #include "presets/presets.h"
 
@@ -69,7 +68,7 @@ const struct option_removed ground_removed[] = {
 static const char *typed(uint32_t bits, const struct option *rows, size_t count)
 {
     for (size_t i = 0; i < count; i++) {
-        if ((bits >> i & 1) != 0 && strcmp(rows[i].name, "--seed") != 0) {
+        if ((bits >> i & 1) != 0) {
             return rows[i].name;
         }
     }

@@ -11,8 +11,8 @@
 
 struct ground_options {
     struct noise_options noise;
-    uint32_t noise_typed, height_typed; /* which of these rows were typed */
-    float height, sea_level, plateau;   /* no sea: -infinity; no plateau: infinity */
+    uint32_t seed_typed, noise_typed, height_typed; /* which of these rows were typed */
+    float height, sea_level, plateau;               /* no sea: -infinity; no plateau: infinity */
     double scale;
     struct option_size period; /* in samples; none: 0 x 0 */
     struct option_list set;    /* NAME=VALUE */
@@ -39,6 +39,7 @@ extern const struct option ground_height_rows[GROUND_HEIGHT_ROWS];
 #define GROUND_GROUPS(at)                                                                          \
     OPTION_GROUP("the terrain", ground_recipe_rows, at),                                           \
         OPTION_GROUP(NULL, ground_period_rows, at),                                                \
+        OPTION_GROUP(NULL, noise_seed_rows, GROUND_FIELD(at, noise)),                              \
         OPTION_GROUP_TYPED("one noise, without --preset and --recipe", noise_option_rows,          \
                            GROUND_FIELD(at, noise), GROUND_FIELD(at, noise_typed)),                \
         OPTION_GROUP_TYPED(NULL, ground_height_rows, at, GROUND_FIELD(at, height_typed))
@@ -51,7 +52,7 @@ extern option_words ground_standard;
 /* Options of compositions that recipes say better */
 extern const struct option_removed ground_removed[];
 
-/* The option of one noise that was typed; NULL if none was. Its seed is that of every terrain. */
+/* The option of one noise that was typed; NULL if none was. */
 const char *ground_noise_option(const struct ground_options *options);
 
 #endif

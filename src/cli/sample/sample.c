@@ -101,7 +101,8 @@ static const struct option running_rows[] = {
 static const struct option_group groups[] = {
     OPTION_GROUP("points", point_rows, 0),
     OPTION_GROUP("results", result_rows, 0),
-    OPTION_GROUP("a recipe", ground_recipe_rows, FIELD(ground)),
+    OPTION_GROUP("the noise", ground_recipe_rows, FIELD(ground)),
+    OPTION_GROUP_TYPED(NULL, noise_seed_rows, FIELD(ground.noise), FIELD(ground.seed_typed)),
     OPTION_GROUP_TYPED("one noise, without --preset and --recipe", noise_option_rows,
                        FIELD(ground.noise), FIELD(ground.noise_typed)),
     OPTION_GROUP(NULL, period_rows, 0),
@@ -406,7 +407,7 @@ static bool prepare(struct sample *sample, struct source *source, struct sample_
     struct ground_options *const ground = &options->ground;
     sample->has_recipe = ground->preset != 0 || ground->recipe != NULL;
     if (sample->has_recipe) {
-        if ((ground->noise_typed & 1) == 0) { /* bit 0 is --seed, which is 1 for all terrain */
+        if (ground->seed_typed == 0) { /* all terrain has 1 then */
             ground->noise.seed = 1;
         }
         if (ground->noise.period[0] != 0 || ground->noise.period[1] != 0 ||

@@ -27,7 +27,7 @@ static const char *fractal_word(int fractal)
     return scarp_fractal_name((enum scarp_fractal)fractal);
 }
 
-const struct option noise_option_rows[NOISE_OPTION_COUNT] = {
+const struct option noise_seed_rows[NOISE_SEED_ROWS] = {
     {.name = "--seed",
      .argument = "N",
      .standard = "0",
@@ -35,6 +35,9 @@ const struct option noise_option_rows[NOISE_OPTION_COUNT] = {
      .help = "which of all noises: an integer of 64 bits, decimal or 0x...",
      .parse = option_seed,
      .offset = FIELD(seed)},
+};
+
+const struct option noise_option_rows[NOISE_OPTION_COUNT] = {
     {OPTION_CHOICE("--basis", basis, "gradient", basis_word, "noise of an octave")},
     {OPTION_POSITIVE(
         "--jitter", jitter, "1", 1,

@@ -30,7 +30,9 @@ struct noise_options {
     {                                                                                              \
         .phase = NOISE_UNSET, .sharpness = NOISE_UNSET, .of_octaves = NOISE_UNSET                  \
     }
-#define NOISE_OPTION_COUNT 15
+#define NOISE_SEED_ROWS 1
+#define NOISE_OPTION_COUNT 14
+extern const struct option noise_seed_rows[NOISE_SEED_ROWS];      /* of recipes, too */
 extern const struct option noise_option_rows[NOISE_OPTION_COUNT]; /* --amplitude is the last one */
 
 /* Makes the noise for so many dimensions. False, with a line on stderr, if the numbers do not go

@@ -21,9 +21,8 @@ static const struct option *find(const struct axis *axis, bool has_recipe,
 {
     char name[AXIS_NAME_SIZE + 2] = "--";
     strcat(name, axis->name);
-    const size_t end = has_recipe && strcmp(axis->name, "seed") != 0
-                           ? sheet_table.count - 1 - GROUND_NOISE_GROUPS
-                           : sheet_table.count - 1;
+    const size_t end =
+        has_recipe ? sheet_table.count - 1 - GROUND_NOISE_GROUPS : sheet_table.count - 1;
     return options_find(&sheet_table, SHEET_VARIED_FIRST, end, name, options, field);
 }
 

@@ -55,8 +55,7 @@ struct scene {
     struct colours colours;
 };
 
-/* The square that is the view: at least so wide, in units, and so many times as its usual heights
- */
+/* How wide the square of the view is: in units at least, and in its usual heights */
 #define LEAST_SIDE 1024.0f
 #define HEIGHTS 4.0f
 
