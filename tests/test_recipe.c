@@ -511,6 +511,13 @@ static void check_finest(void)
     const struct scarp_noise scaled = {.frequency = 0.125, .octaves = 3.0f, .of_octaves = 6.0f};
     (void)scarp_sample2_f64(&scaled, POINTS, x, y, &hand);
     CHECK(memcmp(value, by_hand, sizeof value) == 0, "a place that scales divides it");
+    (void)parses("recipe 1\na = gullies(noise(size=16), size=16, octaves=6, cells=3)");
+    (void)scarp_recipe_set(&recipe, "finest", 4.0, NULL);
+    (void)sample(&recipe, &out, NULL);
+    memcpy(by_hand, value, sizeof by_hand);
+    (void)values(
+        "recipe 1\na = gullies(noise(size=16), size=16, octaves=3, of_octaves=6, cells=3)");
+    CHECK(memcmp(value, by_hand, sizeof value) == 0, "gullies count by cells of the base");
 }
 
 static void check_ranges(void)

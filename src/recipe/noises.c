@@ -232,25 +232,46 @@ int scarp_recipe_noise_of(struct recipe_compiler *c, int e)
     return noise;
 }
 
-/* Octaves whose cells are smaller than `finest` units of the place are left out; the last one fades
-   in. */
-static void limit(struct scarp_noise *noise, double finest)
+/* Octaves whose cells are smaller than `finest` are left out, and the last one that is left fades
+   in. Members that are 0 have the values that the library takes for it. */
+static void limit(double finest, double frequency, float lacunarity, float octaves, float *kept,
+                  float *of_octaves)
 {
-    const double lacunarity = noise->lacunarity != 0.0f ? (double)noise->lacunarity : 2.0;
-    const double octaves = noise->octaves != 0.0f ? (double)noise->octaves : 1.0;
-    double cell = 1.0 / (noise->frequency != 0.0 ? noise->frequency : 1.0), kept = 1.0;
-    while (lacunarity > 1.0 && kept < octaves && cell / lacunarity >= finest) {
-        cell /= lacunarity;
-        kept += 1.0;
+    const double ratio = (double)lacunarity;
+    double cell = 1.0 / (frequency != 0.0 ? frequency : 1.0), count = 1.0;
+    while (ratio > 1.0 && count < (double)octaves && cell / ratio >= finest) {
+        cell /= ratio;
+        count += 1.0;
     }
-    if (lacunarity > 1.0 && kept < octaves) {
-        const double fraction = (cell - finest) / (cell - cell / lacunarity);
-        kept += fraction > 0.0 ? fraction : 0.0;
+    if (ratio > 1.0 && count < (double)octaves) {
+        const double fraction = (cell - finest) / (cell - cell / ratio);
+        count += fraction > 0.0 ? fraction : 0.0;
     }
-    if (kept < octaves) {
-        noise->of_octaves = noise->of_octaves != 0.0f ? noise->of_octaves : (float)octaves;
-        noise->octaves = (float)kept;
+    if (count < (double)octaves) {
+        *of_octaves = *of_octaves != 0.0f ? *of_octaves : octaves;
+        *kept = (float)count;
     }
+}
+
+static float otherwise(float value, float standard)
+{
+    return value != 0.0f ? value : standard;
+}
+
+static void limit_noise(struct scarp_noise *noise, double finest)
+{
+    limit(finest, noise->frequency, otherwise(noise->lacunarity, 2.0f),
+          otherwise(noise->octaves, 1.0f), &noise->octaves, &noise->of_octaves);
+}
+
+/* Octaves of gullies count by the cells of the base, `cells` times as large as their own: the sum
+   of the smaller ones is not 0 where they are too small to be seen. Measured on sharp valleys
+   against means of blocks, with `finest` twice their side, fewer octaves are worse and more are no
+   better. */
+static void limit_gullies(struct scarp_gullies *gullies, double finest)
+{
+    limit(finest, gullies->frequency, otherwise(gullies->lacunarity, 2.0f),
+          otherwise(gullies->octaves, 5.0f), &gullies->octaves, &gullies->of_octaves);
 }
 
 /* The period along an axis in cells, of a tile. Returns 0 on an error. */
@@ -314,7 +335,7 @@ static int finished(struct recipe_compiler *c, int e, int noise, int place)
         }
     }
     if (r->finest != 0.0) {
-        limit(&levels[0], r->finest * scale_of((const double(*)[3])matrix));
+        limit_noise(&levels[0], r->finest * scale_of((const double(*)[3])matrix));
     }
     const int added = warp == -2 ? -2 : scarp_recipe_add_noise(r, &levels[0], warp);
     return added == -1 ? (scarp_recipe_full(c, e), -2) : added;
@@ -466,6 +487,9 @@ static int gullies_at(struct recipe_compiler *c, int call, int place)
         if (!fit_tile(c, call, axis, (const double(*)[3])matrix, g.frequency, &g.period[axis])) {
             return -1;
         }
+    }
+    if (c->recipe->finest != 0.0) {
+        limit_gullies(&g, c->recipe->finest * scale_of((const double(*)[3])matrix));
     }
     const char *member;
     if (scarp_gullies_check(&g, &member) != SCARP_OK) {
