@@ -135,6 +135,36 @@ class Errors(Case):
         for isa in missing:
             self.check("--isa", "--isa", isa)
 
+    def test_nearest_name(self):
+        """An unknown option suggests the one that was meant, if there is one."""
+        for word, meant in (("--octave", "--octaves"), ("--heigts=a.r32", "--heights"),
+                            ("--hillshde", "--hillshade"), ("--ocatves", "--octaves"),
+                            ("--freq", "--frequency"), ("--band", "--band-limit"),
+                            ("-seed", "--seed"), ("--qiet", "--quiet"), ("--sie", "--size"),
+                            ("--masks-", "--masks")):
+            result = run("terrain", word, "1", cwd=self.directory)
+            self.check_one_line(result, 2, word + ": unknown option",
+                                "did you mean %s? See: scarp terrain --help" % meant)
+        for word in ("--bogus", "--", "-", "-x", "--il", "--o", "--e", "x" * 40, "--" + "y" * 40):
+            error = run("terrain", word, cwd=self.directory).stderr.decode()
+            self.assertNotIn("did you mean", error, word)
+        result = run("sample", "--outptu", "a.csv", cwd=self.directory)
+        self.check_one_line(result, 2, "did you mean --output? See: scarp sample --help")
+
+    def test_twice(self):
+        """Of two files of one option the first would be forgotten."""
+        for option, value in (("--heights", "a.r32"), ("--output", "t"), ("--masks", "m"),
+                              ("--palette", "grey"), ("--recipe", "r")):
+            self.check(option, *SMALL, option, value, option + "=" + value)
+            error = run("terrain", *SMALL, option, value, option, "b.r32", cwd=self.directory)
+            self.check_one_line(error, 2, option + ": is given twice")
+        run("sample", "--input", "-", "--output", "-", cwd=self.directory, input=b"")
+        result = run("sample", "--output", "a.csv", "--output", "b.csv", cwd=self.directory,
+                     input=b"1,2\n")
+        self.check_one_line(result, 2, "--output: is given twice")
+        self.assertEqual(self.files(), [])
+        self.quietly(*SMALL, "--gain", "0.3", "--gain", "0.4", "--heights", "a.r32")  # the last one
+
     def test_first_good_then_bad(self):
         self.check("--gain", *SMALL, "--gain", "0.5", "--gain", "x")
         self.check("--bogus", "--quiet", "--bogus")

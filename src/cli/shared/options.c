@@ -92,6 +92,7 @@ static void print_help(const struct option_table *table)
 struct target {
     const struct option *option; /* NULL: there is no such option */
     void *field;
+    size_t number;   /* in the table, counted through the groups */
     uint32_t *typed; /* NULL: nobody wants to know */
     uint32_t bit;
 };
@@ -113,10 +114,12 @@ static struct target target_of(const struct option_group *group, size_t i, void 
 static struct target find_option(const struct option_table *table, const char *word, void *values)
 {
     const size_t length = strcspn(word, "=");
+    size_t number = 0;
     for (size_t g = 0; g < table->count; g++) {
         const struct option_group *const group = &table->groups[g];
         for (size_t i = 0; i < group->count; i++) {
-            const struct target target = target_of(group, i, values);
+            struct target target = target_of(group, i, values);
+            target.number = number++;
             if (strlen(target.option->name) == length &&
                 strncmp(target.option->name, word, length) == 0) {
                 return target;
@@ -153,6 +156,56 @@ static bool set_value(const struct target *target, const char *text)
     }
 }
 
+#define NAME_MOST 32 /* of names that are compared */
+
+/* How many letters must be changed, added or left out to make `b` of `a`, as V. I. Levenshtein
+   counts them (1965). More than NAME_MOST for long names */
+static size_t distance(const char *a, size_t length, const char *b)
+{
+    size_t row[NAME_MOST + 1];
+    const size_t width = strlen(b);
+    if (length > NAME_MOST || width > NAME_MOST) {
+        return NAME_MOST + 1;
+    }
+    for (size_t i = 0; i <= width; i++) {
+        row[i] = i;
+    }
+    for (size_t n = 0; n < length; n++) {
+        size_t corner = row[0]++;
+        for (size_t i = 0; i < width; i++) {
+            const size_t change = corner + (a[n] != b[i] ? 1 : 0);
+            const size_t other = (row[i] < row[i + 1] ? row[i] : row[i + 1]) + 1;
+            corner = row[i + 1];
+            row[i + 1] = change < other ? change : other;
+        }
+    }
+    return row[width];
+}
+
+/* The option that was meant: two letters away at most, or the only one that goes on as the word
+   ends. NULL: there is none. */
+static const char *nearest_option(const struct option_table *table, const char *word)
+{
+    const size_t length = strcspn(word, "=");
+    const char *nearest = NULL, *longer = NULL;
+    size_t least = length > 5 ? 3 : 2, longer_count = 0;
+    for (size_t g = 0; g < table->count; g++) {
+        for (size_t i = 0; i < table->groups[g].count; i++) {
+            const char *const name = table->groups[g].options[i].name;
+            const size_t changes = distance(word, length, name);
+            if (changes < least) {
+                least = changes;
+                nearest = name;
+            }
+            if (length > 3 && strncmp(name, word, length) == 0) {
+                longer = name;
+                longer_count++;
+            }
+        }
+    }
+    return nearest != NULL ? nearest : longer_count == 1 ? longer : NULL;
+}
+
 /* Tells that there is no such option, and what does its work. */
 static void refuse_name(const struct option_table *table, const char *word)
 {
@@ -162,13 +215,45 @@ static void refuse_name(const struct option_table *table, const char *word)
             return;
         }
     }
-    cli_error("%.60s: unknown option; see: scarp %s --help", word, table->command);
+    const char *const nearest = nearest_option(table, word);
+    if (nearest != NULL) {
+        cli_error("%.60s: unknown option; did you mean %s? See: scarp %s --help", word, nearest,
+                  table->command);
+    } else {
+        cli_error("%.60s: unknown option; see: scarp %s --help", word, table->command);
+    }
+}
+
+#define OPTIONS_MOST 256 /* of a table */
+
+/* Options that the user typed; NULL where defaults are set */
+struct given {
+    bool texts[OPTIONS_MOST];
+};
+
+/* Notes that an option is typed. False, with a line on stderr, if it may not be typed again: of two
+   files of one option the first would be forgotten. */
+static bool give(struct given *given, const struct target *target)
+{
+    option_parse_fn *const parse = target->option->parse;
+    const bool is_text = parse == option_text || parse == option_stem;
+    if (is_text && target->number < OPTIONS_MOST && given->texts[target->number]) {
+        cli_error("%s: is given twice; leave one of them out", target->option->name);
+        return false;
+    }
+    if (target->number < OPTIONS_MOST) {
+        given->texts[target->number] = true;
+    }
+    if (target->typed != NULL) {
+        *target->typed |= target->bit;
+    }
+    return true;
 }
 
 /* Reads the option at words[0] and its value. Returns how many words that took, 0 after an error.
    The words end with NULL. */
-static int read_option(const struct option_table *table, const char *const *words, bool is_typed,
-                       void *values)
+static int read_option(const struct option_table *table, const char *const *words,
+                       struct given *given, void *values)
 {
     const char *const word = words[0];
     if (word[0] != '-') {
@@ -182,8 +267,8 @@ static int read_option(const struct option_table *table, const char *const *word
     }
     const struct option *const option = target.option;
     const char *const joined = strchr(word, '=');
-    if (target.typed != NULL && is_typed) {
-        *target.typed |= target.bit;
+    if (given != NULL && !give(given, &target)) {
+        return 0;
     }
     if (option->parse == NULL) {
         if (joined != NULL) {
@@ -204,11 +289,11 @@ static int read_option(const struct option_table *table, const char *const *word
     return set_value(&target, words[1]) ? 2 : 0;
 }
 
-static bool set_words(const struct option_table *table, const char *const *words, bool is_typed,
-                      void *values)
+static bool set_words(const struct option_table *table, const char *const *words,
+                      struct given *given, void *values)
 {
     while (words != NULL && *words != NULL) {
-        const int count = read_option(table, words, is_typed, values);
+        const int count = read_option(table, words, given, values);
         if (count == 0) {
             return false;
         }
@@ -229,7 +314,7 @@ static bool set_defaults(const struct option_table *table, void *values)
             }
         }
     }
-    return set_words(table, table->standard, false, values);
+    return set_words(table, table->standard, NULL, values);
 }
 
 enum options_outcome options_parse(const struct option_table *table, char **argv, void *values)
@@ -241,6 +326,7 @@ enum options_outcome options_parse(const struct option_table *table, char **argv
         }
     }
     const char *const *const words = (const char *const *)argv;
-    return set_defaults(table, values) && set_words(table, words, true, values) ? OPTIONS_RUN
-                                                                                : OPTIONS_BAD;
+    struct given given = {.texts = {false}};
+    return set_defaults(table, values) && set_words(table, words, &given, values) ? OPTIONS_RUN
+                                                                                  : OPTIONS_BAD;
 }
