@@ -17,12 +17,13 @@ block()
 
   # What these look at is not there on Windows: signals and limits of POSIX, symbolic links,
   # permissions, terminals.
-  set(posix_classes FullDisk Pipes Closed Interrupt Progress Memory Shared)
+  set(posix_classes FullDisk Pipes Closed Interrupt Progress Memory Shared Gdal)
   foreach(test commands:Commands options:Errors formats:Formats formats:Names layers:Layers relief:Relief relief:Palettes sheet:Sheet
                pictures:Pictures compare:Compare recipe:Recipes recipe:RecipesRefused recipe:Command gallery:Gallery shown:Shown period:Period phase:Phase phase:Flow phase:PhaseRefused documents:Documents tiles:Tiles tiles:Resume
                world:Manifest world:Patterns world:Shares world:Limits
                files:Files shared:Shared failures:FullDisk failures:Pipes failures:Refused
-               failures:Closed interrupt:Interrupt
+               failures:Closed interrupt:Interrupt outputs:Fields outputs:Masks outputs:Slopes levels:Levels
+               tiff:Tiff tiff:Systems tiff:Gdal verify:Verify verify:Space
                progress:Progress memory:Memory same:Threads view:View view:ViewRefused golden:Golden)
     string(REPLACE ":" ";" test ${test})
     list(GET test 0 file)
@@ -63,6 +64,18 @@ if("scarp" IN_LIST scarp_found)
   target_include_directories(test_cli_words PRIVATE ${PROJECT_SOURCE_DIR}/src/cli)
 endif()
 scarp_add_test(cli.words cli NEEDS scarp COMMAND test_cli_words)
+
+if("scarp" IN_LIST scarp_found)
+  scarp_test_program(test_progress)
+  target_include_directories(test_progress PRIVATE ${PROJECT_SOURCE_DIR}/src/cli)
+  target_compile_definitions(test_progress PRIVATE _XOPEN_SOURCE=700)
+  if(WIN32)
+    target_sources(test_progress PRIVATE ${shared}/windows_files.c ${shared}/windows_system.c)
+    target_link_libraries(test_progress PRIVATE shell32)
+  endif()
+endif()
+scarp_add_test(cli.time_left cli NEEDS scarp COMMAND test_progress
+               ${CMAKE_CURRENT_BINARY_DIR}/progress.txt)
 
 if("scarp" IN_LIST scarp_found)
   set(cli ${PROJECT_SOURCE_DIR}/src/cli)

@@ -43,7 +43,7 @@ static void print_isas(void)
 
 static void print_optional(void)
 {
-#ifdef SCARP_CLI_PNG
+#ifdef SCARP_CLI_ZLIB
     printf("\nzlib             %s\n", png_version());
 #else
     printf("\nzlib             not found: no PNG, but PGM and PPM\n");

@@ -32,15 +32,16 @@ SKIPPED = 77
 PATIENCE = 60  # seconds
 SPEED = os.environ.get("SCARP_SPEED", "full")
 NAMES = ("height", "normal", "hillshade", "relief")
-OPTIONS = ("size", "origin", "step", "tileable",
-           "heights", "normals", "hillshade", "relief", "gradient", "output", "compare",
+OPTIONS = ("size", "origin", "step", "tileable", "levels", "band-limit", "crs",
+           "heights", "normals", "hillshade", "relief", "gradient", "slope", "curvature", "out",
+           "masks", "output", "compare",
            "normal-y", "palette", "azimuth", "altitude", "z-factor",
-           "tile", "tiles", "share", "overlap", "resume",
+           "tile", "tiles", "share", "overlap", "resume", "verify",
            "preset", "recipe", "set", "scale", "print-recipe", "period",
            "seed", "basis", "jitter", "fade", "fractal", "erosion", "sharpness",
            "frequency", "octaves", "of-octaves", "lacunarity", "gain", "phase", "rotate", "amplitude",
            "height", "sea-level", "plateau", "threads", "isa", "quiet", "help")
-FLAGS = ("tileable", "resume", "rotate", "print-recipe", "quiet", "help")
+FLAGS = ("tileable", "band-limit", "resume", "verify", "rotate", "print-recipe", "quiet", "help")
 FRACTALS = ("fbm", "turbulence", "ridged", "erosion", "pingpong", "hybrid", "swiss", "jordan")
 FLOWING = FRACTALS[:6]  # those with a derivative by the phase
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir, os.pardir)
@@ -119,7 +120,8 @@ class Case(unittest.TestCase):
         return os.path.join(self.directory, name)
 
     def files(self):
-        return sorted(os.listdir(self.directory))
+        """All of them but checksums, which test_verify.py looks at"""
+        return sorted(name for name in os.listdir(self.directory) if not name.endswith(".sums"))
 
     def clear(self):
         for name in os.listdir(self.directory):

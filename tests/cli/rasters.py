@@ -7,6 +7,7 @@ floats) and rows, top row first; a row is a list of samples, tuples where there 
 """
 import array
 import ast
+import itertools
 import re
 import struct
 import sys
@@ -85,8 +86,8 @@ def decode_png(data):
     assert chunks[0][0] == b"IHDR" and chunks[-1] == (b"IEND", b""), "first and last chunk"
     width, height, depth, colour, method, filters, interlace = struct.unpack(">IIBBBBB",
                                                                              chunks[0][1])
-    assert colour in (0, 2) and (method, filters, interlace) == (0, 0, 0), "kind"
-    channels = 1 if colour == 0 else 3
+    assert colour in (0, 2, 6) and (method, filters, interlace) == (0, 0, 0), "kind"
+    channels = {0: 1, 2: 3, 6: 4}[colour]
     raw = zlib.decompress(b"".join(body for name, body in chunks if name == b"IDAT"))
     bpp = channels * depth // 8
     stride = width * bpp
@@ -128,7 +129,7 @@ def decode_npy(data):
     fields = ast.literal_eval(header.decode("latin-1").strip())
     assert set(fields) == {"descr", "fortran_order", "shape"} and not fields["fortran_order"]
     height, width, *channels = fields["shape"]
-    assert channels in ([], [2], [3]), channels
+    assert channels in ([], [2], [3], [4]), channels
     return Picture(width, height, channels[0] if channels else 1,
                    {"<f4": FLOAT, "|u1": U8}[fields["descr"]], data[10 + length:])
 
@@ -167,8 +168,91 @@ def envi_corner(header):
     return float(x), float(y), float(size[0])
 
 
+TIFF_TYPES = {2: "s", 3: "H", 4: "I", 12: "d", 16: "Q"}
+
+
+def tiff_tags(data):
+    """The entries of the only directory, by their numbers: lists of values, or bytes. What the file
+    says of offsets must hold: the directory ends it, and no value lies beyond."""
+    assert data[:2] == b"II", "byte order"
+    version, = struct.unpack_from("<H", data, 2)
+    assert version in (42, 43), "version"
+    big = version == 43
+    if big:
+        assert struct.unpack_from("<HH", data, 4) == (8, 0), "bytes of an offset"
+    word, entry, counts = ("Q", 20, "Q") if big else ("I", 12, "H")
+    at, = struct.unpack_from("<" + word, data, 8 if big else 4)
+    assert at % 2 == 0, "directories begin at even bytes"
+    count, = struct.unpack_from("<" + counts, data, at)
+    at += struct.calcsize(counts)
+    assert at + count * entry + struct.calcsize(word) == len(data), "the directory ends the file"
+    assert data.endswith(bytes(struct.calcsize(word))), "no other directory follows"
+    tags = {}
+    for n in range(count):
+        tag, kind, length = struct.unpack_from("<HH" + word, data, at + n * entry)
+        assert not tags or tag > max(tags), "tags are sorted"
+        form = "<%d%s" % (length, TIFF_TYPES[kind])
+        place = at + n * entry + 4 + struct.calcsize(word)
+        if struct.calcsize(form) > struct.calcsize(word):
+            place, = struct.unpack_from("<" + word, data, place)
+            assert place % 2 == 0 and place + struct.calcsize(form) <= len(data), "place"
+        values = struct.unpack_from(form, data, place)
+        tags[tag] = values[0] if kind == 2 else list(values)
+    return tags
+
+
+def undo_differences(values, stride, modulus):
+    """Predictor 2 of TIFF 6.0, section 14: each value was subtracted from the one behind it."""
+    for c in range(stride):
+        values[c::stride] = [value % modulus for value in
+                             itertools.accumulate(values[c::stride])]
+    return values
+
+
+def unpredict(line, predictor, channels, size):
+    """A row of a tile as its samples' bytes"""
+    if predictor == 1:
+        return line
+    if predictor == 2:
+        if size == 1:
+            return bytes(undo_differences(list(line), channels, 256))
+        values = undo_differences(numbers(line, U16_LOW).tolist(), channels, 65536)
+        return struct.pack("<%dH" % len(values), *values)
+    planes = bytes(undo_differences(list(line), channels, 256))  # Adobe's technical note 3
+    count = len(planes) // 4
+    return bytes(planes[(3 - byte) * count + i] for i in range(count) for byte in range(4))
+
+
+def decode_tiff(data):
+    """Tiles of TIFF 6.0, section 15, with the samples of a pixel together"""
+    tags = tiff_tags(data)
+    width, height = tags[256][0], tags[257][0]
+    bits, channels = tags[258], tags[277][0]
+    assert bits == bits[:1] * channels and tags[339] == tags[339][:1] * channels, "kinds"
+    kind = {(8, 1): U8, (16, 1): U16_LOW, (32, 3): FLOAT}[bits[0], tags[339][0]]
+    assert tags[284] == [1] and tags[322] == tags[323] == [256], "planes and tiles"
+    is_colour = channels == 3 and kind == U8
+    assert tags[262] == [2 if is_colour else 1], "what colours mean"
+    assert tags.get(338, []) == [0] * (channels - (3 if is_colour else 1)), "more channels"
+    assert tags[259] in ([1], [8]), "compression"
+    predictor = tags.get(317, [1])[0]
+    assert predictor == (1 if tags[259] == [1] else 3 if kind == FLOAT else 2), "predictor"
+    pixel, across = bits[0] // 8 * channels, -(-width // 256)
+    assert len(tags[324]) == len(tags[325]) == across * -(-height // 256), "tiles"
+    lines = [[] for _ in range(height)]
+    for n, (at, size) in enumerate(zip(tags[324], tags[325])):
+        tile = data[at:at + size]
+        tile = zlib.decompress(tile) if tags[259] == [8] else tile
+        assert len(tile) == 65536 * pixel, "a whole tile"
+        for r in range(min(256, height - n // across * 256)):
+            line = unpredict(tile[r * 256 * pixel:(r + 1) * 256 * pixel], predictor, channels,
+                             bits[0] // 8)
+            lines[n // across * 256 + r].append(line[:pixel * (width - n % across * 256)])
+    return Picture(width, height, channels, kind, b"".join(b"".join(line) for line in lines))
+
+
 DECODERS = {"png": decode_png, "pgm": decode_pnm, "ppm": decode_pnm, "pfm": decode_pfm,
-            "npy": decode_npy}
+            "npy": decode_npy, "tif": decode_tiff}
 
 
 def read_bytes(path):

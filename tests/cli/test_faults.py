@@ -55,14 +55,14 @@ class PowerCut(TracedCase):
                 found.append((move[1], *map(os.path.basename, move.groups()[1:])))
         return found
 
-    def check_order(self, calls, names):
+    def check_order(self, calls, names, also=()):
         """Each file is synchronised before the first of them is renamed, and then the directory."""
         here = os.path.basename(self.directory)
         moves = [call for call in calls if call[0] != "fsync"]
         self.assertEqual([call[2] for call in moves], names)
         first = calls.index(moves[0])
         self.assertEqual(sorted(name for _, name in calls[:first]),
-                         sorted(call[1] for call in moves))
+                         sorted([*also, *(call[1] for call in moves)]))
         self.assertIn(("fsync", here), calls[calls.index(moves[-1]):])
 
     def test_raster(self):
@@ -74,12 +74,14 @@ class PowerCut(TracedCase):
         self.check_order(self.calls("sample", "--input", "p.csv", "--output", "v.csv"), ["v.csv"])
 
     def test_tiles(self):
-        """The manifest is on the disk before the first tile is renamed."""
+        """The manifest is on the disk before the first tile is renamed, and checksums are before the
+        tile that they are of."""
         calls = self.calls("terrain", "--size", "4x2", "--tile", "2x2", "--heights", "w.r32")
         manifest = next(i for i, call in enumerate(calls) if call[-1] == "w.r32.json") + 1
         self.check_order(calls[:manifest + 1], ["w.r32.json"])
-        self.check_order(calls[manifest + 1:manifest + 4], ["w_0_0.r32"])
-        self.check_order(calls[manifest + 4:], ["w_0_1.r32"])
+        sums = ["w.r32.sums"]
+        self.check_order(calls[manifest + 1:manifest + 5], ["w_0_0.r32"], sums)
+        self.check_order(calls[manifest + 5:], ["w_0_1.r32"], sums)
 
 
 class Faults(TracedCase):

@@ -15,10 +15,10 @@ PLACE = ("--size", "%dx%d" % (WIDTH, HEIGHT), "--frequency", "0.03", "--origin",
 RAW = {"r16": U16_LOW, "r32": FLOAT}
 HALF = 0.5 + 1e-6  # what rounding to the nearest may cost
 # The formats of each layer as samples: floats first
-FORMATS = {"--heights": (("r32", "pfm", "img", "npy"), ("r16", "pgm", "png")),
-           "--normals": (("npy", "pfm", "img"), ("ppm", "png")),
-           "--hillshade": ((), ("pgm", "png", "img", "npy")),
-           "--gradient": (("npy", "img"), ())}
+FORMATS = {"--heights": (("r32", "pfm", "img", "tif", "npy"), ("r16", "pgm", "png")),
+           "--normals": (("npy", "pfm", "img", "tif"), ("ppm", "png")),
+           "--hillshade": ((), ("pgm", "png", "img", "tif", "npy")),
+           "--gradient": (("npy", "img", "tif"), ())}
 
 
 def formats_of(option, floats):
@@ -240,14 +240,14 @@ class Names(Case):
     def test_kinds(self):
         """A format that has no samples of the layer's kind."""
         for option in FORMATS:
-            for kind in {"png", "pgm", "ppm", "r16", "r32", "pfm", "img", "npy"}:
+            for kind in {"png", "pgm", "ppm", "r16", "r32", "pfm", "img", "tif", "npy"}:
                 if not any(kind in kinds for kinds in FORMATS[option]):
                     self.check((option, "t." + kind), option, "t." + kind)
                     self.check((option, kind + ":t"), option)
 
     def test_standard_output(self):
-        """ENVI is two files, and PFM is not written from its start to its end."""
-        for kind in ("pfm", "img"):
+        """ENVI is two files, and PFM and TIFF are not written from their start to their end."""
+        for kind in ("pfm", "img", "tif"):
             self.check(("--heights", kind + ":-"), "--heights", kind, "standard output")
         self.check(("--heights", "r32:-", "--normals", "npy:-"), "--normals", "--heights",
                    "standard output")

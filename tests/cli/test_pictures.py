@@ -34,7 +34,7 @@ class Pictures(Case):
                 defaults[option.group(1)] = option.group(2)
         self.assertEqual([defaults.pop("--tiles"), defaults.pop("--share")], ["all", "all"])
         self.assertEqual(defaults.pop("--of-octaves"), "--octaves")
-        self.assertEqual(len(defaults), 22, defaults)
+        self.assertEqual(len(defaults), 23, defaults)
         self.assertEqual(defaults.pop("--size"), "1024x1024")
         self.assertEqual(defaults.pop("--overlap"), "0")  # which needs --tile
         explicit = [word for pair in defaults.items() for word in pair]

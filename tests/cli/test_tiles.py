@@ -126,7 +126,8 @@ class Tiles(TileCase):
                 self.quietly("--size", "4x2", "--tile", "2x2", "--heights", text)
                 for name in (*names, text.split(":")[-1] + ".json"):
                     os.remove(self.path(name))
-                self.assertEqual(super().files() + os.listdir(self.path("d.d")), ["d.d"])
+                left = super().files() + os.listdir(self.path("d.d"))
+                self.assertEqual([name for name in left if not name.endswith(".sums")], ["d.d"])
 
     def test_stem(self):
         self.quietly(*place(), "--tile", "20x30", "--output", "t", "--compare", "1")

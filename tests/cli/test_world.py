@@ -19,11 +19,13 @@ POSIX = unittest.skipUnless(common.pty, "needs POSIX")
 
 class WorldCase(Case):
     def walk(self):
-        """All files below the test's directory, with their bytes"""
+        """All files below the test's directory but checksums, with their bytes"""
         found = {}
         for directory, _, names in os.walk(self.directory):
             for name in names:
                 path = os.path.join(directory, name)
+                if name.endswith(".sums"):
+                    continue
                 with open(path, "rb") as file:
                     found[os.path.relpath(path, self.directory)] = file.read()
         return found
@@ -73,7 +75,9 @@ class Manifest(WorldCase):
             "basis": "gradient", "jitter": 1, "fade": "quintic", "fractal": "fbm", "erosion": 1,
             "sharpness": None, "frequency": 0.03, "octaves": 3, "of-octaves": None, "lacunarity": 2, "gain": 0.4, "amplitude": -3,
             "phase": None, "rotate": True, "heights": "w_{y}_{x}.r32", "normals": "npy:n_{y}_{x}.v1",
-            "hillshade": "s_{y}_{x}.img", "relief": None, "palette": None, "gradient": None, "output": None})
+            "hillshade": "s_{y}_{x}.img", "relief": None, "palette": None, "gradient": None,
+            "slope": None, "curvature": None, "out": {}, "masks": None, "output": None, "levels": 0,
+            "band-limit": False, "crs": None})
         self.assertEqual(derived["tiles"], [4, 3])
         self.assertEqual([common.rounded(height) for height in derived["range"]],
                          [common.rounded(-0.3), common.rounded(0.3)])
@@ -102,6 +106,11 @@ class Manifest(WorldCase):
                    "scale": ("3", "1", "3"), "gradient": ("g.npy", "null", '"g_{y}_{x}.npy"'),
                    "hillshade": ("s.npy", "null", '"s_{y}_{x}.npy"'),
                    "relief": ("c.npy", "null", '"c_{y}_{x}.npy"'),
+                   "slope": ("d.npy", "null", '"d_{y}_{x}.npy"'),
+                   "curvature": ("e.npy", "null", '"e_{y}_{x}.npy"'),
+                   "out": ("height=f.r32", "{}", '{"height": "f_{y}_{x}.r32"}'),
+                   "masks": ("m.npy", "null", '"m-rock_{y}_{x}.npy"'),
+                   "levels": ("2", "0", "2"), "band-limit": (None, "false", "true"),
                    "output": ("t", "null", '"t-height_{y}_{x}' + self.extensions[0] + '"')}
         same = {"tiles": "0:1,0:1", "share": "0/2", "threads": "1", "isa": "scalar",
                 "preset": "none"}
@@ -119,8 +128,9 @@ class Manifest(WorldCase):
         self.refused(*TERRAIN, "--heights", "w.r32", "--normals", "npy:n", "--resume",
                      words=('"n_{y}_{x}.npy" there and "npy:n_{y}_{x}" here',))
         # test_period.py has --tileable, which is no option for this size, test_relief.py --palette,
-        # test_recipe.py recipes.
-        rest = {"tileable", "palette", "recipe", "set", "print-recipe", "heights", "normals", "compare", "resume", "quiet", "help"}
+        # test_recipe.py recipes, test_tiff.py --crs, test_verify.py --verify.
+        rest = {"tileable", "palette", "recipe", "set", "print-recipe", "heights", "normals", "compare",
+                "crs", "resume", "verify", "quiet", "help"}
         self.assertEqual(set(common.OPTIONS), set(changes) | set(same) | rest)
 
     def test_several_differences(self):
@@ -330,7 +340,7 @@ class Patterns(WorldCase):
         for pattern, words in (
                 ("w/{y}.r32", ("no {x}", "4 tiles of a row")),
                 ("w/{x}.r32", ("no {y} or {-y}", "3 tiles of a column")),
-                ("{x}_{y}_{z}.r32", ("'{z}", "{x}, {y} or {-y}")), ("{x}_{y}_{.r32", ("'{.r32'",)),
+                ("{x}_{y}_{z}.r32", ("'{z}", "{x}, {y}, {-y}")), ("{x}_{y}_{.r32", ("'{.r32'",)),
                 ("{x:4}_{y}.r32", ("'{x:4}",)), ("{x:0}_{y}.r32", ("'{x:0}",)),
                 ("{x:019}_{y}.r32", ("'{x:019}",)), ("{x:04_{y}.r32", ("'{x:04_",)),
                 ("{-x}_{y}.r32", ("'{-x}",)), ("{X}_{y}.r32", ("'{X}",)), ("{}.r32", ("'{}",))):

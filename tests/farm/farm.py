@@ -24,7 +24,7 @@ SKIPPED = 77
 REQUIRED = os.environ.get("SCARP_TEST_FARM") == "1"
 # The blocks of the section, by the first word or words of the comment that opens them
 RECIPES = ("The world", "The simplest farm", "world.sbatch", "Slurm", "srun", "Open MPI",
-           "GNU parallel", "Kubernetes", "Levels", "GDAL")
+           "GNU parallel", "Kubernetes", "Levels", "GDAL", "Verify")
 STARTED = time.monotonic()
 
 

@@ -21,11 +21,35 @@ static char *header_path(const char *path)
     return text_join_part(path, replaces ? length - 4 : length, ".hdr");
 }
 
+bool img_knows(unsigned epsg)
+{
+    const unsigned zone = epsg % 100;
+    return (epsg / 100 == 326 || epsg / 100 == 327) && zone >= 1 && zone <= 60;
+}
+
 #define HEADER_MAX 512
+
+#define SYSTEM_MAX 48
+
+/* ENVI's name of a system of coordinates, and what follows the place. It knows EPSG's numbers only
+   by what they stand for, of which zones of UTM on WGS 84 are told here: 32601 to 32660 in the
+   north, 32701 to 32760 in the south. */
+static const char *describe_system(unsigned epsg, char more[SYSTEM_MAX])
+{
+    more[0] = '\0';
+    if (!img_knows(epsg)) {
+        return "Arbitrary";
+    }
+    snprintf(more, SYSTEM_MAX, ", %u, %s, WGS-84, units=Meters", epsg % 100,
+             epsg < 32700 ? "North" : "South");
+    return "UTM";
+}
 
 /* The place of the raster is that of the corner of its first pixel. */
 static void make_header(const struct raster *raster, char header[HEADER_MAX])
 {
+    char more[SYSTEM_MAX];
+    const char *const system = describe_system(raster->epsg, more);
     snprintf(header, HEADER_MAX,
              "ENVI\n"
              "description = { %s, by scarp terrain }\n"
@@ -37,10 +61,10 @@ static void make_header(const struct raster *raster, char header[HEADER_MAX])
              "data type = %d\n"
              "interleave = bip\n"
              "byte order = 0\n"
-             "map info = { Arbitrary, 1, 1, %.17g, %.17g, %.17g, %.17g }\n",
+             "map info = { %s, 1, 1, %.17g, %.17g, %.17g, %.17g%s }\n",
              raster->content, raster->width, raster->height, raster->channels,
-             raster->kind == SAMPLE_U8 ? 1 : 4, raster->x - 0.5 * raster->step,
-             raster->y + 0.5 * raster->step, raster->step, raster->step);
+             raster->kind == SAMPLE_U8 ? 1 : 4, system, raster->x - 0.5 * raster->step,
+             raster->y + 0.5 * raster->step, raster->step, raster->step, more);
 }
 
 static bool img_open(struct writer *writer)
@@ -76,7 +100,7 @@ static bool img_is_whole(const struct raster *raster, const char *path)
     char header[HEADER_MAX];
     make_header(raster, header);
     char *const beside = header_path(path);
-    const bool whole = writer_has_size(raster, path, 0) && holds(beside, header);
+    const bool whole = holds(beside, header);
     free(beside);
     return whole;
 }
@@ -87,4 +111,6 @@ const struct format format_img = {.name = "img",
                                   .needs_file = true,
                                   .open = img_open,
                                   .write = writer_write_raw,
+                                  .beside = header_path,
+                                  .bytes = raster_bytes,
                                   .is_whole = img_is_whole};

@@ -5,8 +5,9 @@
 #include "formats/formats.h"
 
 const struct format *const formats_known[] = {
-#ifdef SCARP_CLI_PNG
+#ifdef SCARP_CLI_ZLIB
     &format_png,
 #endif
-    &format_pgm, &format_ppm, &format_r16, &format_r32, &format_pfm, &format_img, &format_npy, NULL,
+    &format_pgm, &format_ppm, &format_r16, &format_r32, &format_pfm,
+    &format_img, &format_tif, &format_npy, NULL,
 };

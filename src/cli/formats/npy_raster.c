@@ -13,14 +13,14 @@ static bool npy_open(struct writer *writer)
                             raster->channels == 1 ? 2 : 3);
 }
 
-static bool npy_is_whole(const struct raster *raster, const char *path)
+static uint64_t npy_bytes(const struct raster *raster)
 {
-    return writer_has_size(raster, path, NPY_HEADER_SIZE);
+    return NPY_HEADER_SIZE + raster_bytes(raster);
 }
 
 #define KINDS (SAMPLE_U8 | SAMPLE_F32)
 const struct format format_npy = {.name = "npy",
-                                  .kinds = {0, KINDS, KINDS, KINDS},
+                                  .kinds = {0, KINDS, KINDS, KINDS, KINDS},
                                   .open = npy_open,
                                   .write = writer_write_raw,
-                                  .is_whole = npy_is_whole};
+                                  .bytes = npy_bytes};

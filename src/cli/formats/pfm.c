@@ -39,10 +39,10 @@ static bool pfm_write(struct writer *writer, const uint8_t *samples, size_t row,
     return true;
 }
 
-static bool pfm_is_whole(const struct raster *raster, const char *path)
+static uint64_t pfm_bytes(const struct raster *raster)
 {
     char header[HEADER_MAX];
-    return writer_has_size(raster, path, make_header(raster, header));
+    return make_header(raster, header) + raster_bytes(raster);
 }
 
 const struct format format_pfm = {.name = "pfm",
@@ -50,4 +50,4 @@ const struct format format_pfm = {.name = "pfm",
                                   .needs_file = true,
                                   .open = pfm_open,
                                   .write = pfm_write,
-                                  .is_whole = pfm_is_whole};
+                                  .bytes = pfm_bytes};

@@ -22,19 +22,19 @@ static bool pnm_open(struct writer *writer)
     return fputs(header, writer->file.stream) >= 0;
 }
 
-static bool pnm_is_whole(const struct raster *raster, const char *path)
+static uint64_t pnm_bytes(const struct raster *raster)
 {
     char header[HEADER_MAX];
-    return writer_has_size(raster, path, (size_t)make_header(raster, header));
+    return (uint64_t)make_header(raster, header) + raster_bytes(raster);
 }
 
 const struct format format_pgm = {.name = "pgm",
                                   .kinds = {[1] = SAMPLE_U8 | SAMPLE_U16_HIGH},
                                   .open = pnm_open,
                                   .write = writer_write_raw,
-                                  .is_whole = pnm_is_whole};
+                                  .bytes = pnm_bytes};
 const struct format format_ppm = {.name = "ppm",
                                   .kinds = {[3] = SAMPLE_U8},
                                   .open = pnm_open,
                                   .write = writer_write_raw,
-                                  .is_whole = pnm_is_whole};
+                                  .bytes = pnm_bytes};

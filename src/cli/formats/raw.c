@@ -11,18 +11,13 @@ static bool raw_open(struct writer *writer)
     return true;
 }
 
-static bool raw_is_whole(const struct raster *raster, const char *path)
-{
-    return writer_has_size(raster, path, 0);
-}
-
 const struct format format_r16 = {.name = "r16",
                                   .kinds = {[1] = SAMPLE_U16_LOW},
                                   .open = raw_open,
                                   .write = writer_write_raw,
-                                  .is_whole = raw_is_whole};
+                                  .bytes = raster_bytes};
 const struct format format_r32 = {.name = "r32",
                                   .kinds = {[1] = SAMPLE_F32},
                                   .open = raw_open,
                                   .write = writer_write_raw,
-                                  .is_whole = raw_is_whole};
+                                  .bytes = raster_bytes};

@@ -45,17 +45,20 @@ static bool pack_and_write(struct writer *writer, struct crew *crew, const uint8
     const size_t rows = writer->format->packing->part_rows(raster);
     const size_t room = writer->format->packing->room(raster, rows);
     struct whole whole = {.writer = writer, .crew = crew};
-    whole.count = (raster->height + rows - 1) / rows;
+    const size_t columns = packing_columns(writer->format->packing, raster);
+    const size_t across = (raster->width + columns - 1) / columns;
+    whole.count = (raster->height + rows - 1) / rows * across;
     uint8_t *const bytes = malloc(whole.count * room);
     whole.parts = calloc(whole.count, sizeof *whole.parts);
     bool is_written = bytes != NULL && whole.parts != NULL;
     errno = ENOMEM;
     for (size_t n = 0; n < whole.count && is_written; n++) {
-        const size_t left = raster->height - n * rows;
-        whole.parts[n] = (struct part){.samples = samples + n * rows * raster_row_bytes(raster),
-                                       .row = n * rows,
-                                       .rows = left < rows ? left : rows,
+        whole.parts[n] = (struct part){.row = n / across * rows,
+                                       .rows = rows,
+                                       .column = n % across * columns,
+                                       .columns = columns,
                                        .bytes = bytes + n * room};
+        part_fit(&whole.parts[n], raster, samples, 0);
     }
     if (is_written) {
         const size_t most = crew_most(crew);

@@ -5,6 +5,7 @@
 #include "formats/writer.h"
 
 #include <errno.h>
+#include <stdlib.h>
 
 size_t sample_bytes(enum sample_kind kind)
 {
@@ -27,16 +28,34 @@ bool writer_write_raw(struct writer *writer, const uint8_t *samples, size_t row,
     return file_write(&writer->file, samples, bytes);
 }
 
-static uint64_t raster_bytes(const struct raster *raster)
+uint64_t raster_bytes(const struct raster *raster)
 {
     return (uint64_t)raster->width * raster->height * raster->channels * sample_bytes(raster->kind);
 }
 
-bool writer_has_size(const struct raster *raster, const char *path, size_t before)
+size_t packing_columns(const struct packing *packing, const struct raster *raster)
 {
-    uint64_t size;
-    struct file_time time;
-    return file_look(path, &size, &time) && size == before + raster_bytes(raster);
+    return packing->part_columns != NULL ? packing->part_columns(raster) : raster->width;
+}
+
+static size_t smaller(size_t a, size_t b)
+{
+    return a < b ? a : b;
+}
+
+void part_fit(struct part *part, const struct raster *raster, const uint8_t *samples, size_t first)
+{
+    const size_t pixel = raster_row_bytes(raster) / raster->width;
+    part->rows = smaller(part->rows, raster->height / raster->times - part->row);
+    part->columns = smaller(part->columns, raster->width - part->column);
+    part->samples = samples + (part->row - first) * raster_row_bytes(raster) + part->column * pixel;
+}
+
+uint64_t writer_bytes(const struct writer *writer, bool *is_exact)
+{
+    const struct format *const format = writer->format;
+    *is_exact = format->bytes != NULL;
+    return *is_exact ? format->bytes(&writer->raster) : raster_bytes(&writer->raster);
 }
 
 bool writer_open(struct writer *writer)
@@ -52,16 +71,15 @@ bool writer_open(struct writer *writer)
     return writer->format->open(writer);
 }
 
-static bool is_newer(const char *path, struct file_time since)
-{
-    uint64_t size;
-    struct file_time time;
-    return file_look(path, &size, &time) && !file_is_older(time, since);
-}
-
 bool writer_is_there(const struct writer *writer, struct file_time since)
 {
-    return is_newer(writer->path, since) && writer->format->is_whole(&writer->raster, writer->path);
+    const struct format *const format = writer->format;
+    const struct raster *const raster = &writer->raster;
+    uint64_t size;
+    struct file_time time;
+    return file_look(writer->path, &size, &time) && !file_is_older(time, since) &&
+           (format->bytes == NULL || size == format->bytes(raster)) &&
+           (format->is_whole == NULL || format->is_whole(raster, writer->path));
 }
 
 bool writer_is_same(const struct writer *a, const struct writer *b)
@@ -113,5 +131,7 @@ void writer_discard(struct writer *writer)
     const int reason = errno;
     file_discard(&writer->header);
     file_discard(&writer->file);
+    free(writer->memory);
+    writer->memory = NULL;
     errno = reason;
 }

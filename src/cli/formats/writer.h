@@ -20,7 +20,7 @@ enum sample_kind {
     SAMPLE_F32 = 8       /* 32-bit floats, low byte first */
 };
 
-#define MAX_CHANNELS 3
+#define MAX_CHANNELS 4
 
 struct raster {
     size_t width, height;
@@ -30,14 +30,16 @@ struct raster {
     double x, y, step;
     const char *content; /* a word: "heights" */
     size_t times;        /* how often each pixel and each row is there; both sizes count that */
+    unsigned epsg;       /* the number of the system of x and y in EPSG's list; 0: none */
 };
 
 struct writer;
 
-/* Rows of a raster that are packed together, each of them once: the format repeats them. */
+/* What is packed together: rows, each of them once, which the format repeats; or a tile of them. */
 struct part {
-    const uint8_t *samples; /* of its rows; before them the row above, or zeros if there is none */
+    const uint8_t *samples; /* its first one; before them the row above, or zeros without one */
     size_t row, rows;       /* which ones, counted before they are repeated */
+    size_t column, columns; /* of these rows */
     uint8_t *bytes;         /* room for what becomes of them */
     size_t size;            /* what that took; 0: it failed */
     uint32_t sum;           /* the format's */
@@ -46,21 +48,32 @@ struct part {
 /* How rows are packed before they are written, by several threads at a time. The file depends on
    the raster alone. */
 struct packing {
-    size_t (*part_rows)(const struct raster *raster);         /* of every part but the last: 2^n */
-    size_t (*room)(const struct raster *raster, size_t rows); /* bytes that `rows` take at most */
+    size_t (*part_rows)(const struct raster *raster); /* of every part but the last: 2^n */
+    /* And columns; then parts go row by row through the raster. NULL: all of them */
+    size_t (*part_columns)(const struct raster *raster);
+    size_t (*room)(const struct raster *raster, size_t rows); /* bytes a part takes at most */
     void *(*open)(void); /* what a thread needs to pack; NULL without memory */
     void (*close)(void *packer);
     /* Packs a part to its bytes, and sets `size` and `sum`. */
     void (*pack)(void *packer, const struct raster *raster, struct part *part);
-    /* Writes the next part from the top. */
+    /* Writes the next part. */
     bool (*write)(struct writer *writer, const struct part *part);
 };
+
+/* Columns of a part; of one at the right edge there may be fewer. */
+size_t packing_columns(const struct packing *packing, const struct raster *raster);
+
+/* Cuts a part whose members but `samples` are set off at the edges of the raster, and finds its
+   first sample: `samples` are those of the raster from row `first` on. */
+void part_fit(struct part *part, const struct raster *raster, const uint8_t *samples, size_t first);
 
 /* Each function returns whether it succeeded; on failure errno may tell why. */
 struct format {
     const char *name;                 /* also its extension, without the dot */
     unsigned kinds[MAX_CHANNELS + 1]; /* by channels: the kinds it takes, or'ed */
     bool needs_file;                  /* and not a pipe: not all is written in order */
+    const char *overview; /* what GDAL adds to the name of a file for that of its next coarser
+                             level; NULL: it knows none */
     /* Writes what stands before the first row. */
     bool (*open)(struct writer *writer);
     /* Writes `rows` rows, from `row` of the raster on; calls go from the top to the bottom. */
@@ -68,8 +81,12 @@ struct format {
     const struct packing *packing; /* instead of `write`, or NULL */
     /* Writes what stands after the last row. NULL: nothing does. */
     bool (*end)(struct writer *writer);
+    char *(*beside)(const char *path); /* the file that goes with it, which the caller frees; NULL:
+                                          none does */
+    /* How many bytes a file has. NULL: that is known when it is packed. */
+    uint64_t (*bytes)(const struct raster *raster);
     /* Whether a file that took its name still is what was written there, as far as a look at its
-       size or its ends can tell. */
+       ends can tell, if its size is right. NULL: the size tells it. */
     bool (*is_whole)(const struct raster *raster, const char *path);
 };
 
@@ -82,6 +99,7 @@ struct writer {
     struct file file;
     struct file header; /* of ENVI; elsewhere not used */
     uint32_t sum;       /* the format's */
+    void *memory;       /* the format's; freed with the writer */
 };
 
 size_t sample_bytes(enum sample_kind kind);
@@ -90,8 +108,8 @@ size_t raster_row_bytes(const struct raster *raster);
 /* The `write` of formats that store samples as they come */
 bool writer_write_raw(struct writer *writer, const uint8_t *samples, size_t row, size_t rows);
 
-/* For `is_whole`: whether the file holds `before` bytes, the samples and nothing else */
-bool writer_has_size(const struct raster *raster, const char *path, size_t before);
+/* Of all samples. Formats that store nothing else have it as their `bytes`. */
+uint64_t raster_bytes(const struct raster *raster);
 
 /* All return whether they succeeded; on failure errno may tell why. */
 bool writer_open(struct writer *writer);
@@ -111,5 +129,8 @@ bool writer_is_same(const struct writer *a, const struct writer *b);
 
 /* Whether the raster is there, whole, under its final name, and was not written before `since`. */
 bool writer_is_there(const struct writer *writer, struct file_time since);
+
+/* How many bytes the file will have, if *is_exact; at most about so many, if not. */
+uint64_t writer_bytes(const struct writer *writer, bool *is_exact);
 
 #endif

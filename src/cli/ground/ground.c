@@ -9,11 +9,13 @@
 #include <string.h>
 
 #define TEXT_MOST 16384
-#define ADDED_MOST 320           /* bytes of the lines that are added to a text */
+#define NAME_MOST 100
+#define ADDED_MOST (160 + (1 + GROUND_FIELDS_MOST) * (NAME_MOST + 100)) /* bytes added to a text   \
+                                                                         */
 #define SCRATCH_SIZE (256 << 10) /* about 1,000 points of a large recipe */
 
-/* The name of the statement that is added to a text for its scale */
-#define SCALED "scarp_scaled"
+/* What the names of statements begin with that are added to a text for its scale */
+#define SCALED "scarp_scaled_"
 
 /* A text with lines added */
 struct edited {
@@ -109,21 +111,25 @@ static bool is_text(const char *text, const uint32_t span[2], const char *word)
     return span[1] - span[0] == strlen(word) && memcmp(text + span[0], word, strlen(word)) == 0;
 }
 
-#define NAME_MOST 100
-
-/* Adds a statement that is the height of the terrain, larger. */
-static bool add_scale(struct edited *text, const struct scarp_recipe_entry *height,
-                      const char *scale)
+/* Adds a statement, whose number begins with `letter`, that is another one at larger places, and
+   larger if `grows`. */
+static bool add_scale(struct edited *text, const struct scarp_recipe_entry *entry,
+                      const char *scale, char letter, bool grows)
 {
-    const size_t length = height->name[1] - height->name[0];
+    const size_t length = entry->name[1] - entry->name[0];
     char name[NAME_MOST];
     if (length > sizeof name) {
         return false;
     }
-    memcpy(name, text->bytes + height->name[0], length);
-    put_words(text, "\n" SCALED " = ");
-    put_words(text, scale);
-    put_words(text, " * scale(");
+    memcpy(name, text->bytes + entry->name[0], length);
+    put_words(text, "\n" SCALED);
+    put(text, &letter, 1);
+    put_words(text, " = ");
+    if (grows) {
+        put_words(text, scale);
+        put_words(text, " * ");
+    }
+    put_words(text, "scale(");
     put(text, name, length);
     put_words(text, ", ");
     put_words(text, scale);
@@ -247,11 +253,10 @@ static double scale_of(const struct ground_source *source)
     return source->scale != 0.0 ? source->scale : 1.0;
 }
 
-/* Finds the height, and scales it. The text has the statement that does so at its end. */
+/* Finds the height. */
 static enum ground_problem set_height(struct ground *ground, const struct ground_source *source,
-                                      struct edited *text, struct scarp_recipe_error *error)
+                                      struct scarp_recipe_error *error)
 {
-    const double scale = scale_of(source);
     struct scarp_recipe_entry height = {.kind = SCARP_RECIPE_BAD};
     if (!find_height(&ground->recipe, &ground->height, &height) ||
         (height.kind != SCARP_RECIPE_FIELD && height.kind != SCARP_RECIPE_NOISE)) {
@@ -261,18 +266,79 @@ static enum ground_problem set_height(struct ground *ground, const struct ground
         return fail(GROUND_BAD_TERRAIN, "the height depends on z, and a terrain is of the plane",
                     error);
     }
-    if (scale == 1.0) {
-        return GROUND_FINE;
+    return GROUND_FINE;
+}
+
+/* The number of the output of that name; -1 if there is none */
+static int32_t find_output(const struct scarp_recipe *recipe, const char *text, const char *name,
+                           struct scarp_recipe_entry *entry)
+{
+    for (size_t i = 0; scarp_recipe_entry_at(recipe, i, entry) == SCARP_OK; i++) {
+        if (entry->output >= 0 && is_text(text, entry->name, name)) {
+            return (int32_t)i;
+        }
     }
-    if (!add_scale(text, &height, source->digits)) {
-        return fail(GROUND_BAD_TERRAIN, "the name of the height is too long to be scaled", error);
+    return -1;
+}
+
+/* Finds the other outputs that are asked for. */
+static enum ground_problem set_fields(struct ground *ground, const struct ground_source *source,
+                                      const char *text, struct scarp_recipe_error *error)
+{
+    struct scarp_recipe_entry entry;
+    ground->field_count = source->field_count;
+    for (size_t i = 0; i < source->field_count; i++) {
+        const int32_t number = find_output(&ground->recipe, text, source->fields[i], &entry);
+        const char *const reason =
+            number < 0 ? NULL
+            : entry.kind != SCARP_RECIPE_FIELD && entry.kind != SCARP_RECIPE_NOISE
+                ? "does not depend on the place"
+            : (entry.axes & 4) != 0 ? "depends on z, and a terrain is of the plane"
+                                    : "";
+        if (reason == NULL || reason[0] != '\0') {
+            *error = (struct scarp_recipe_error){.text = reason, .from = i, .to = i};
+            return GROUND_BAD_FIELD;
+        }
+        ground->fields[i].statement = number;
     }
-    const enum ground_problem problem = parse(ground, text, error);
-    for (int32_t i = ground->height;
-         scarp_recipe_entry_at(&ground->recipe, (size_t)i, &height) == SCARP_OK; i++) {
-        ground->height = i; /* the last one */
+    return GROUND_FINE;
+}
+
+/* Scales the height and the other outputs: each becomes a statement at the end of the text. */
+static enum ground_problem scale_all(struct ground *ground, const struct ground_source *source,
+                                     struct edited *text, struct scarp_recipe_error *error)
+{
+    const int32_t height = ground->height;
+    struct scarp_recipe_entry entry;
+    int32_t next = 0;
+    while (scarp_recipe_entry_at(&ground->recipe, (size_t)next, &entry) == SCARP_OK) {
+        next++;
     }
-    return problem;
+    (void)scarp_recipe_entry_at(&ground->recipe, (size_t)height, &entry);
+    bool is_added = add_scale(text, &entry, source->digits, 'a', true);
+    ground->height = next++;
+    for (size_t i = 0; i < ground->field_count && is_added; i++) {
+        int32_t *const statement = &ground->fields[i].statement;
+        const bool is_height = *statement == height;
+        (void)scarp_recipe_entry_at(&ground->recipe, (size_t)*statement, &entry);
+        is_added = is_height || add_scale(text, &entry, source->digits, (char)('b' + i), false);
+        *statement = is_height ? ground->height : next++;
+    }
+    return is_added
+               ? parse(ground, text, error)
+               : fail(GROUND_BAD_TERRAIN, "the name of an output is too long to be scaled", error);
+}
+
+static void set_field_ranges(struct ground *ground)
+{
+    for (size_t i = 0; i < ground->field_count; i++) {
+        struct ground_field *const field = &ground->fields[i];
+        if (scarp_recipe_range(&ground->recipe, field->statement, NULL, &field->lowest,
+                               &field->highest) != SCARP_OK) {
+            field->lowest = -INFINITY;
+            field->highest = INFINITY;
+        }
+    }
 }
 
 static enum ground_problem set_values(struct ground *ground, const struct ground_source *source,
@@ -307,7 +373,13 @@ enum ground_problem ground_open(struct ground *ground, const struct ground_sourc
     edit(source, &text);
     enum ground_problem problem = parse(ground, &text, error);
     if (problem == GROUND_FINE) {
-        problem = set_height(ground, source, &text, error);
+        problem = set_height(ground, source, error);
+    }
+    if (problem == GROUND_FINE) {
+        problem = set_fields(ground, source, text.bytes, error);
+    }
+    if (problem == GROUND_FINE && scale != 1.0) {
+        problem = scale_all(ground, source, &text, error);
     }
     if (problem == GROUND_FINE) {
         problem = set_values(ground, source, text.bytes, error);
@@ -317,6 +389,7 @@ enum ground_problem ground_open(struct ground *ground, const struct ground_sourc
     }
     (void)scarp_recipe_seed(&ground->recipe, source->seed);
     look_at_calls(ground, text.bytes, scale);
+    set_field_ranges(ground);
     return set_range(ground, text.bytes, scale) || source->is_any
                ? GROUND_FINE
                : fail(GROUND_BAD_TERRAIN, "heights have no bound, since they grow with x or y",
@@ -347,7 +420,21 @@ const struct scarp_scratch *ground_scratch(void)
 bool ground_dry_grid(const struct ground *ground, const struct scarp_grid *grid,
                      const struct scarp_samples *out)
 {
-    const struct scarp_recipe_outputs outputs = {.out = out, .which = &ground->height, .count = 1};
+    return ground_fields_grid(ground, grid, out, NULL);
+}
+
+bool ground_fields_grid(const struct ground *ground, const struct scarp_grid *grid,
+                        const struct scarp_samples *out, float *const *fields)
+{
+    struct scarp_samples samples[1 + GROUND_FIELDS_MOST] = {*out};
+    int32_t which[1 + GROUND_FIELDS_MOST] = {ground->height};
+    const size_t count = fields != NULL ? ground->field_count : 0;
+    for (size_t i = 0; i < count; i++) {
+        samples[1 + i] = (struct scarp_samples){.value = fields[i]};
+        which[1 + i] = ground->fields[i].statement;
+    }
+    const struct scarp_recipe_outputs outputs = {
+        .out = samples, .which = which, .count = (int32_t)(1 + count)};
     return scarp_recipe_grid(&ground->recipe, grid, &outputs, ground_scratch()) == SCARP_OK;
 }
 

@@ -21,6 +21,8 @@ struct ground_value {
     double value;
 };
 
+#define GROUND_FIELDS_MOST 15 /* a call of the library has 16 outputs, one of them the height */
+
 /* What a terrain is made of. A member that is 0 changes nothing. */
 struct ground_source {
     const char *text; /* a recipe */
@@ -32,6 +34,14 @@ struct ground_source {
     const char *digits; /* of `scale` */
     double scale;       /* makes it so many times larger, places and heights; 0: it does not */
     bool is_any;        /* any field will do: it may be one of space, and have no bound */
+    const char *const *fields; /* names of outputs that are asked for beside the height */
+    size_t field_count;
+};
+
+/* An output of the recipe. Places grow with the scale, its values do not. */
+struct ground_field {
+    int32_t statement;
+    float lowest, highest; /* it never leaves this interval; infinite without a bound */
 };
 
 /* 64 KiB: not for small stacks. It may be copied. */
@@ -42,6 +52,9 @@ struct ground {
     float floor;           /* the sea, taken into that interval; without one, `lowest` */
     double cell;           /* units of the largest cells of all noises */
     bool jumps;            /* heights jump somewhere: the table of scarp.h under "Jumps" */
+    struct ground_field fields[GROUND_FIELDS_MOST]; /* those asked for; the height, if it is one of
+                                                       them, is the ground without water */
+    size_t field_count;
 };
 
 /* What kept a ground from being made */
@@ -50,7 +63,8 @@ enum ground_problem {
     GROUND_BAD_TEXT,    /* the text has an error; lines and bytes are those of the text */
     GROUND_BAD_TERRAIN, /* it is no terrain */
     GROUND_BAD_NAME,    /* no parameter has the name of a value, which is number error->from */
-    GROUND_BAD_VALUE    /* a parameter cannot have that value, which is number error->from */
+    GROUND_BAD_VALUE,   /* a parameter cannot have that value, which is number error->from */
+    GROUND_BAD_FIELD    /* there is no such output, or none of the plane: number error->from */
 };
 
 /* Makes the ground; if it is not GROUND_FINE, *error tells why. */
@@ -79,6 +93,10 @@ bool ground_dry_grid(const struct ground *ground, const struct scarp_grid *grid,
                      const struct scarp_samples *out);
 bool ground_dry_points(const struct ground *ground, size_t count, const double *x, const double *y,
                        const struct scarp_samples *out);
+
+/* As ground_dry_grid, with the values of each field in an array of fields; NULL: of none */
+bool ground_fields_grid(const struct ground *ground, const struct scarp_grid *grid,
+                        const struct scarp_samples *out, float *const *fields);
 
 /* Memory of this thread for calls of recipes */
 const struct scarp_scratch *ground_scratch(void);

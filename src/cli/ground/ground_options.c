@@ -23,6 +23,7 @@ const struct option ground_recipe_rows[GROUND_RECIPE_ROWS] = {
      .help = "set a parameter of the recipe; once for each of them",
      .parse = option_list,
      .offset = FIELD(set),
+     .highest = OPTION_LIST_MOST,
      .of_run = 1},
     {OPTION_DOUBLE("--scale", scale, "1", 0x1p-20, 0x1p20,
                    "makes the terrain so many times larger, its places and its heights")},

@@ -295,6 +295,29 @@ static void refuse_value(const struct source *source, enum ground_problem proble
     free(list.bytes);
 }
 
+/* Tells the outputs that there are. */
+static void refuse_field(const struct source *source, const struct scarp_recipe_error *error)
+{
+    struct scarp_recipe recipe;
+    struct scarp_recipe_entry entry;
+    struct text list = {.bytes = NULL};
+    const char *const name = source->fields[error->from], *const text = source->text.bytes;
+    if (error->text != NULL) {
+        cli_error("--out: '%.60s' of %s %s", name, source->name, error->text);
+        return;
+    }
+    (void)scarp_recipe_parse(text, source->text.length, &recipe, NULL, 0, NULL);
+    for (size_t i = 0; scarp_recipe_entry_at(&recipe, i, &entry) == SCARP_OK; i++) {
+        if (entry.output >= 0) {
+            text_add(&list, "%s%.*s", list.length > 0 ? ", " : "",
+                     (int)(entry.name[1] - entry.name[0]), text + entry.name[0]);
+        }
+    }
+    cli_error("--out: %s has no output '%.60s'; it has %.700s", source->name, name,
+              list.length > 0 ? list.bytes : "none");
+    free(list.bytes);
+}
+
 bool source_ground(const struct source *source, struct ground *ground)
 {
     struct scarp_recipe_error error;
@@ -305,6 +328,7 @@ bool source_ground(const struct source *source, struct ground *ground)
     case GROUND_BAD_TERRAIN:
         cli_error("%s: %s: %s", source->option, source->name, error.text);
         return false;
+    case GROUND_BAD_FIELD: refuse_field(source, &error); return false;
     default: refuse_value(source, problem, &error); return false;
     }
 }
@@ -321,6 +345,18 @@ bool source_open_palette(const struct source *source, const char *name, struct p
     }
     return palette_open(palette, "--palette",
                         source->palette[0] != '\0' ? source->palette : "alpine");
+}
+
+size_t source_field(struct source *source, const char *name)
+{
+    size_t i = 0;
+    while (i < source->ground.field_count && strcmp(source->fields[i], name) != 0) {
+        i++;
+    }
+    source->fields[i] = name;
+    source->ground.fields = source->fields;
+    source->ground.field_count += i == source->ground.field_count ? 1 : 0;
+    return i;
 }
 
 /* Whether a later value has the same name */

@@ -23,7 +23,8 @@ struct source {
     struct text text;
     struct text names; /* those of `values`, each ended by a NUL */
     struct ground_value values[OPTION_LIST_MOST];
-    struct ground_source ground;                        /* of these */
+    struct ground_source ground;            /* of these */
+    const char *fields[GROUND_FIELDS_MOST]; /* names of outputs, which the source does not own */
     char tile[2 * NUMBER_SIZE + 2], scale[NUMBER_SIZE]; /* numbers of it, as text */
     char palette[SOURCE_PALETTE_SIZE]; /* that of the text's line `#: palette NAME`; "": none */
     double nearest;                    /* the frequency of one noise that repeats; else 0 */
@@ -37,6 +38,10 @@ void source_close(struct source *source);
 
 /* Prints the text. */
 void source_print(const struct source *source);
+
+/* Asks for the output `name` of the recipe beside the height, and tells which of the fields it is:
+   one name is one field. */
+size_t source_field(struct source *source, const char *name);
 
 /* Makes the ground. False, with a line on stderr, if it cannot be. */
 bool source_ground(const struct source *source, struct ground *ground);

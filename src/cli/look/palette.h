@@ -24,6 +24,16 @@ struct palette_stop {
     bool is_fraction; /* of a file, until palette_resolve: 50% */
 };
 
+/* What the ground is, in the order in which masks have it */
+enum palette_ground {
+    PALETTE_ROCK,
+    PALETTE_SNOW,
+    PALETTE_SAND,
+    PALETTE_VEGETATION,
+    PALETTE_WATER,
+    PALETTE_GROUNDS
+};
+
 /* Fractions of height are 0 at the lower end of usual heights, or at the sea, and 1 at their upper
    end. Pairs are where something begins and where it is complete; between, it is smooth. */
 struct palette {
@@ -33,6 +43,7 @@ struct palette {
     struct colour below, above; /* of heights beyond the stops, */
     bool has_below, has_above;  /* or without them the first and the last colour */
     bool in_units;              /* stops are heights; there is nothing but the ramp */
+    enum palette_ground ground; /* what shows the ramp */
     struct colour rock, high_rock, snow, sand, shallow, deep;
     float rock_slope[2];  /* cosines of the angle to level ground */
     float rock_height[2]; /* fractions: high_rock in place of rock */

@@ -7,6 +7,8 @@
  *     3. water   where the ground lies below the sea
  *     4. light   of the sun and the sky
  *
+ * Masks are the shares of step 2 and the water of step 3.
+ *
  * Mixed is a + (b - a) t, with t = u u (3 - 2 u) of u, which grows from 0 to 1 between two numbers.
  * All is the same on every machine, to the bit.
  */
@@ -104,10 +106,15 @@ static void mix(struct pixels *to, const float *share, size_t count, struct colo
     }
 }
 
+/* How much of each ground covers those before it */
+struct shares {
+    float sand[RUN], rock[RUN], high_rock[RUN], snow[RUN];
+};
+
 /* Sand lies at the sea, rock shows where it is steep, and snow lies on both where it is high and
    not steep, higher up where the sun shines. */
-static void take_ground(const struct relief *relief, const struct relief_samples *samples,
-                        const float *height, size_t count, struct pixels *to)
+static void find_shares(const struct relief *relief, const struct relief_samples *samples,
+                        const float *height, size_t count, struct shares *to)
 {
     const struct palette p = *relief->palette;
     const float *const nx = samples->normal[0], *const ny = samples->normal[1];
@@ -116,27 +123,36 @@ static void take_ground(const struct relief *relief, const struct relief_samples
     const float north = p.snow_sun * (float)relief->light[1];
     const struct step rock = step_of(p.rock_slope), high_rock = step_of(p.rock_height);
     const struct step snow = step_of(p.snow_height), hold = step_of(p.snow_slope);
-    float share[RUN];
     if (samples->bed != NULL) {
         const struct step sand = step_of(p.sand_height);
         for (size_t i = 0; i < count; i++) {
-            share[i] = smooth(height[i], sand);
+            to->sand[i] = smooth(height[i], sand);
         }
-        mix(to, share, count, p.sand);
     }
     for (size_t i = 0; i < count; i++) {
-        share[i] = smooth(nz[i], rock);
+        to->rock[i] = smooth(nz[i], rock);
     }
-    mix(to, share, count, p.rock);
     for (size_t i = 0; i < count; i++) {
-        share[i] *= smooth(height[i], high_rock);
+        to->high_rock[i] = to->rock[i] * smooth(height[i], high_rock);
     }
-    mix(to, share, count, p.high_rock);
     for (size_t i = 0; i < count; i++) {
         const float lower = east * nx[i] + north * ny[i] + p.snow_steep * (1.0f - nz[i]);
-        share[i] = smooth(height[i] - lower, snow) * smooth(nz[i], hold);
+        to->snow[i] = smooth(height[i] - lower, snow) * smooth(nz[i], hold);
     }
-    mix(to, share, count, p.snow);
+}
+
+static void take_ground(const struct relief *relief, const struct relief_samples *samples,
+                        const float *height, size_t count, struct pixels *to)
+{
+    const struct palette *const p = relief->palette;
+    struct shares shares;
+    find_shares(relief, samples, height, count, &shares);
+    if (samples->bed != NULL) {
+        mix(to, shares.sand, count, p->sand);
+    }
+    mix(to, shares.rock, count, p->rock);
+    mix(to, shares.high_rock, count, p->high_rock);
+    mix(to, shares.snow, count, p->snow);
 }
 
 /* Light shallows that fade fast, then slowly. The ground at the shore is a hard edge. */
@@ -187,6 +203,18 @@ static void take_light(const struct relief *relief, const struct relief_samples 
     }
 }
 
+/* The fraction of usual heights that each height is */
+static void find_fractions(const struct relief *relief, const float *value, size_t count,
+                           float *height)
+{
+    const float middle = relief->middle;
+    const float below = 0.4f / (middle - relief->low), above = 0.6f / (relief->high - middle);
+    for (size_t i = 0; i < count; i++) {
+        const float over = value[i] - middle;
+        height[i] = 0.4f + over * (over < 0.0f ? below : above);
+    }
+}
+
 static void take_run(const struct relief *relief, const struct relief_samples *samples,
                      size_t count, uint8_t *rgb)
 {
@@ -198,12 +226,7 @@ static void take_run(const struct relief *relief, const struct relief_samples *s
         }
         take_ramp(relief->palette, height, count, &pixels);
     } else {
-        const float middle = relief->middle;
-        const float below = 0.4f / (middle - relief->low), above = 0.6f / (relief->high - middle);
-        for (size_t i = 0; i < count; i++) {
-            const float over = samples->value[i] - middle;
-            height[i] = 0.4f + over * (over < 0.0f ? below : above);
-        }
+        find_fractions(relief, samples->value, count, height);
         take_ramp(relief->palette, height, count, &pixels);
         take_ground(relief, samples, height, count, &pixels);
         if (samples->bed != NULL) {
@@ -213,19 +236,68 @@ static void take_run(const struct relief *relief, const struct relief_samples *s
     take_light(relief, samples, count, &pixels, rgb);
 }
 
+static struct relief_samples samples_at(const struct relief_samples *samples, size_t first)
+{
+    return (struct relief_samples){
+        .value = samples->value + first,
+        .bed = samples->bed != NULL ? samples->bed + first : NULL,
+        .normal = {samples->normal[0] + first, samples->normal[1] + first,
+                   samples->normal[2] + first},
+        .shade = {samples->shade[0] + first, samples->shade[1] + first, samples->shade[2] + first},
+    };
+}
+
 void relief_colours(const struct relief *relief, const struct relief_samples *samples, size_t count,
                     uint8_t *rgb)
 {
     for (size_t first = 0; first < count; first += RUN) {
-        const struct relief_samples run = {
-            .value = samples->value + first,
-            .bed = samples->bed != NULL ? samples->bed + first : NULL,
-            .normal = {samples->normal[0] + first, samples->normal[1] + first,
-                       samples->normal[2] + first},
-            .shade = {samples->shade[0] + first, samples->shade[1] + first,
-                      samples->shade[2] + first},
-        };
+        const struct relief_samples run = samples_at(samples, first);
         take_run(relief, &run, count - first < RUN ? count - first : RUN, rgb + 3 * first);
+    }
+}
+
+const char *const relief_names[PALETTE_GROUNDS] = {"rock", "snow", "sand", "vegetation", "water"};
+
+/* What covers the others has its whole share, they have what it leaves, and the ramp what they all
+   leave. Sums are rounded and not the shares, so that these are 255 together. */
+static void mask_run(const struct relief *relief, const struct relief_samples *samples,
+                     size_t count, uint8_t *masks)
+{
+    float height[RUN];
+    struct shares shares;
+    find_fractions(relief, samples->value, count, height);
+    find_shares(relief, samples, height, count, &shares);
+    for (size_t i = 0; i < count; i++) {
+        uint8_t *const to = masks + i * PALETTE_GROUNDS;
+        const bool is_water = samples->bed != NULL && samples->bed[i] < relief->sea;
+        const float bare = 1.0f - (1.0f - shares.rock[i]) * (1.0f - shares.high_rock[i]);
+        const float dry = (1.0f - shares.snow[i]) * (1.0f - bare);
+        const float sand = samples->bed != NULL ? shares.sand[i] : 0.0f;
+        float share[PALETTE_WATER] = {[PALETTE_ROCK] = (1.0f - shares.snow[i]) * bare,
+                                      [PALETTE_SNOW] = shares.snow[i],
+                                      [PALETTE_SAND] = dry * sand};
+        share[relief->palette->ground] += dry * (1.0f - sand);
+        const float land = is_water ? 0.0f : 255.0f;
+        float sum = 0.0f;
+        int before = 0;
+        for (size_t g = 0; g < PALETTE_VEGETATION; g++) {
+            sum = smaller(sum + share[g], 1.0f);
+            const int rounded = (int)(sum * land + 0.5f);
+            to[g] = (uint8_t)(rounded - before);
+            before = rounded;
+        }
+        to[PALETTE_VEGETATION] = (uint8_t)((int)land - before);
+        to[PALETTE_WATER] = (uint8_t)(255 - (int)land);
+    }
+}
+
+void relief_masks(const struct relief *relief, const struct relief_samples *samples, size_t count,
+                  uint8_t *masks)
+{
+    for (size_t first = 0; first < count; first += RUN) {
+        const struct relief_samples run = samples_at(samples, first);
+        mask_run(relief, &run, count - first < RUN ? count - first : RUN,
+                 masks + first * PALETTE_GROUNDS);
     }
 }
 

@@ -35,6 +35,13 @@ struct relief_samples {
 void relief_colours(const struct relief *relief, const struct relief_samples *samples, size_t count,
                     uint8_t *rgb);
 
+extern const char *const relief_names[PALETTE_GROUNDS];
+
+/* Writes PALETTE_GROUNDS bytes for each of `count` samples: how much of each ground the relief has
+   there. Together they are 255. The palette is a named one. */
+void relief_masks(const struct relief *relief, const struct relief_samples *samples, size_t count,
+                  uint8_t *masks);
+
 /* The unit vector to a light `azimuth` degrees clockwise from north, `altitude` degrees above the
    horizon. */
 void relief_light(double azimuth, double altitude, double light[3]);

@@ -7,6 +7,8 @@
 
 #include <string.h>
 
+#include "raster/slope.h"
+
 /* Known when this is compiled, though only the preprocessors of some compilers tell it */
 static inline bool is_low_byte_first(void)
 {
@@ -39,26 +41,79 @@ static inline void put_integer(uint8_t *to, unsigned value, bool low_byte_first)
     memcpy(to, &bits, sizeof bits);
 }
 
-static void encode_heights(const struct surface *surface, const struct strip *strip,
-                           enum sample_kind kind, uint8_t *to)
+static size_t smaller(size_t a, size_t b)
 {
-    const size_t count = strip->count;
-    const float *const value = strip->block->value + strip->first;
+    return a < b ? a : b;
+}
+
+/* Floats as they are, or as integers of a scale */
+static void put_values(const float *value, size_t count, struct surface_scale scale,
+                       enum sample_kind kind, uint8_t *to)
+{
     if (kind == SAMPLE_F32) {
         for (size_t i = 0; i < count; i++) {
             put_float(to + 4 * i, value[i]);
         }
         return;
     }
-    const struct surface scale = *surface; /* no store changes it */
     if (kind == SAMPLE_U16_LOW) {
         for (size_t i = 0; i < count; i++) {
-            put_integer(to + 2 * i, surface_quantise(&scale, value[i]), true);
+            put_integer(to + 2 * i, surface_quantise(scale, value[i]), true);
         }
         return;
     }
     for (size_t i = 0; i < count; i++) {
-        put_integer(to + 2 * i, surface_quantise(&scale, value[i]), false);
+        put_integer(to + 2 * i, surface_quantise(scale, value[i]), false);
+    }
+}
+
+static void encode_heights(const struct surface *surface, const struct strip *strip,
+                           enum sample_kind kind, uint8_t *to)
+{
+    put_values(strip->block->value + strip->first, strip->count, surface->scale, kind, to);
+}
+
+static void encode_field(const struct surface *surface, const struct strip *strip,
+                         enum sample_kind kind, uint8_t *to)
+{
+    const struct ground_field *const field = &surface->ground.fields[strip->part];
+    put_values(strip->block->fields[strip->part] + strip->first, strip->count,
+               surface_scale_of((double)field->lowest, (double)field->highest), kind, to);
+}
+
+#define RUN 256 /* samples that are computed at once */
+
+static void encode_slope(const struct surface *surface, const struct strip *strip,
+                         enum sample_kind kind, uint8_t *to)
+{
+    (void)surface;
+    const float *const dx = strip->block->dx + strip->first;
+    const float *const dy = strip->block->dy + strip->first;
+    for (size_t first = 0; first < strip->count; first += RUN) {
+        float degrees[RUN];
+        const size_t count = smaller(strip->count - first, RUN);
+        slope_degrees(count, dx + first, dy + first, degrees);
+        put_values(degrees, count, surface_scale_of(0.0, 90.0), kind,
+                   to + first * sample_bytes(kind));
+    }
+}
+
+static void encode_curvature(const struct surface *surface, const struct strip *strip,
+                             enum sample_kind kind, uint8_t *to)
+{
+    (void)surface;
+    (void)kind;
+    const struct block *const block = strip->block;
+    for (size_t first = 0; first < strip->count; first += RUN) {
+        float curvature[RUN];
+        const size_t count = smaller(strip->count - first, RUN), at = strip->first + first;
+        const struct scarp_samples samples = {.dx = block->dx + at,
+                                              .dy = block->dy + at,
+                                              .dxx = block->dxx + at,
+                                              .dxy = block->dxy + at,
+                                              .dyy = block->dyy + at};
+        slope_curvature(count, &samples, curvature);
+        put_values(curvature, count, surface_scale_of(0.0, 0.0), SAMPLE_F32, to + 4 * first);
     }
 }
 
@@ -72,8 +127,6 @@ static inline uint32_t colour(float x, float y, float z)
 {
     return component(x) | component(y) << 8 | component(z) << 16;
 }
-
-#define RUN 256 /* normals that become colours at once */
 
 /* Puts four bytes at a time, the last of which belongs to the next pixel: no compiler has vector
    code for three. */
@@ -129,19 +182,61 @@ static void encode_hillshade(const struct surface *surface, const struct strip *
     }
 }
 
+/* What the relief looks at, from sample `first` of the strip on */
+static struct relief_samples relief_samples_of(const struct strip *strip, size_t first)
+{
+    const struct block *const block = strip->block;
+    const size_t at = strip->first + first;
+    return (struct relief_samples){
+        .value = block->value + at,
+        .bed = block->bed != NULL ? block->bed + at : NULL,
+        .normal = {block->nx + at, block->ny + at, block->nz + at},
+        .shade = {block->shade_x + at, block->shade_y + at, block->shade_z + at},
+    };
+}
+
 static void encode_relief(const struct surface *surface, const struct strip *strip,
                           enum sample_kind kind, uint8_t *to)
 {
     (void)kind;
-    const struct block *const block = strip->block;
-    const size_t first = strip->first;
-    const struct relief_samples samples = {
-        .value = block->value + first,
-        .bed = block->bed != NULL ? block->bed + first : NULL,
-        .normal = {block->nx + first, block->ny + first, block->nz + first},
-        .shade = {block->shade_x + first, block->shade_y + first, block->shade_z + first},
-    };
+    const struct relief_samples samples = relief_samples_of(strip, 0);
     relief_colours(&surface->relief, &samples, strip->count, to);
+}
+
+/* One ground of five */
+static void encode_mask(const struct surface *surface, const struct strip *strip,
+                        enum sample_kind kind, uint8_t *to)
+{
+    (void)kind;
+    for (size_t first = 0; first < strip->count; first += RUN) {
+        uint8_t masks[RUN * PALETTE_GROUNDS];
+        const size_t count = smaller(strip->count - first, RUN);
+        const struct relief_samples samples = relief_samples_of(strip, first);
+        relief_masks(&surface->relief, &samples, count, masks);
+        for (size_t i = 0; i < count; i++) {
+            to[first + i] = masks[i * PALETTE_GROUNDS + strip->part];
+        }
+    }
+}
+
+/* Four grounds as red, green, blue and alpha */
+static void encode_masks(const struct surface *surface, const struct strip *strip,
+                         enum sample_kind kind, uint8_t *to)
+{
+    (void)kind;
+    for (size_t first = 0; first < strip->count; first += RUN) {
+        uint8_t masks[RUN * PALETTE_GROUNDS];
+        const size_t count = smaller(strip->count - first, RUN);
+        const struct relief_samples samples = relief_samples_of(strip, first);
+        relief_masks(&surface->relief, &samples, count, masks);
+        for (size_t i = 0; i < count; i++) {
+            for (size_t c = 0; c < 4; c++) {
+                const size_t ground = 4 * strip->part + c;
+                to[4 * (first + i) + c] =
+                    ground < PALETTE_GROUNDS ? masks[i * PALETTE_GROUNDS + ground] : 0;
+            }
+        }
+    }
 }
 
 static void encode_gradient(const struct surface *surface, const struct strip *strip,
@@ -220,6 +315,35 @@ const struct layer layers[LAYER_COUNT] = {
                         .kinds = {SAMPLE_F32},
                         .needs = SURFACE_GRADIENT,
                         .encode = encode_gradient},
+    [LAYER_SLOPE] = {.option = "--slope",
+                     .name = "slope",
+                     .content = "slope",
+                     .channels = 1,
+                     .kinds = {SAMPLE_F32, SAMPLE_U16_LOW, SAMPLE_U16_HIGH},
+                     .needs = SURFACE_GRADIENT,
+                     .encode = encode_slope},
+    [LAYER_CURVATURE] = {.option = "--curvature",
+                         .name = "curvature",
+                         .content = "curvature",
+                         .channels = 1,
+                         .kinds = {SAMPLE_F32},
+                         .needs = SURFACE_GRADIENT | SURFACE_CURVATURE,
+                         .encode = encode_curvature},
+    [LAYER_FIELD] = {.option = "--out",
+                     .channels = 1,
+                     .kinds = {SAMPLE_F32, SAMPLE_U16_LOW, SAMPLE_U16_HIGH},
+                     .needs = SURFACE_FIELDS,
+                     .encode = encode_field},
+    [LAYER_MASK] = {.option = "--masks",
+                    .channels = 1,
+                    .kinds = {SAMPLE_U8},
+                    .needs = SURFACE_GRADIENT | SURFACE_NORMALS | SURFACE_BED,
+                    .encode = encode_mask},
+    [LAYER_MASKS] = {.option = "--masks",
+                     .channels = 4,
+                     .kinds = {SAMPLE_U8},
+                     .needs = SURFACE_GRADIENT | SURFACE_NORMALS | SURFACE_BED,
+                     .encode = encode_masks},
     [LAYER_COMPARE] = {.option = "--compare",
                        .name = "compare",
                        .content = "comparison",

@@ -17,12 +17,13 @@ struct strip {
     const struct block *block;
     size_t first, count; /* of the block: its index, and how many there are */
     size_t width;        /* samples in the whole row */
+    size_t part;         /* which one of a layer that has several: a field, a mask */
 };
 
 struct layer {
     const char *option;  /* that asks for it */
     const char *name;    /* STEM-NAME.png */
-    const char *content; /* what it holds */
+    const char *content; /* what it holds; of a layer that has several, each says it itself */
     size_t channels;
     /* The kinds of samples it can be stored as, the best first; 0 at the end */
     enum sample_kind kinds[4];
@@ -38,6 +39,11 @@ enum {
     LAYER_HILLSHADE,
     LAYER_RELIEF,
     LAYER_GRADIENT,
+    LAYER_SLOPE,
+    LAYER_CURVATURE,
+    LAYER_FIELD, /* part n: field n of the ground */
+    LAYER_MASK,  /* part n: ground n of enum palette_ground */
+    LAYER_MASKS, /* part 0: grounds 0 to 3, part 1: ground 4 and three times 0 */
     LAYER_COMPARE,
     LAYER_COUNT
 };

@@ -10,11 +10,31 @@
 
 #include "ground/spread.h"
 
-void surface_set_scale(struct surface *surface)
+struct surface_scale surface_height_scale(const struct ground *ground)
 {
-    const struct ground *const ground = &surface->ground;
-    const double left = (double)ground->highest - (double)ground->floor;
-    surface->steps_per_unit = left > 0.0 ? 65535.0 / left : 0.0;
+    return surface_scale_of((double)ground->floor, (double)ground->highest);
+}
+
+/* Rows are counted from the top, so the top left samples of all levels stand for what begins at the
+   top left corner. */
+void surface_set_level(const struct surface *surface, unsigned level, bool is_limited,
+                       struct surface *to)
+{
+    const size_t side = (size_t)1 << level;
+    const double step = surface->step * (double)side;
+    const double inward = 0.5 * (step - surface->step);
+    const double top = surface->y0 + (double)(surface->height - 1) * surface->step - inward;
+    *to = *surface;
+    if (level > 0 || is_limited) {
+        ground_limit(&surface->ground, 2.0 * step, &to->ground);
+    }
+    if (level > 0) {
+        to->width = (surface->width + side - 1) >> level;
+        to->height = (surface->height + side - 1) >> level;
+        to->step = step;
+        to->x0 = surface->x0 + inward;
+        to->y0 = top - (double)(to->height - 1) * step;
+    }
 }
 
 void surface_set_light(struct surface *surface, const struct look_options *look)
@@ -39,43 +59,55 @@ void surface_set_relief(struct surface *surface, struct palette *palette)
     };
 }
 
+#define ARRAYS_MOST (20 + GROUND_FIELDS_MOST)
+
+/* The arrays that a block is to have */
+struct wanted_arrays {
+    float **list[ARRAYS_MOST];
+    size_t count;
+};
+
+static void want(struct wanted_arrays *wanted, bool is_wanted, float **array)
+{
+    *array = NULL;
+    if (is_wanted) {
+        wanted->list[wanted->count++] = array;
+    }
+}
+
+static void want_all(struct wanted_arrays *wanted, bool is_wanted, float **x, float **y, float **z)
+{
+    want(wanted, is_wanted, x);
+    want(wanted, is_wanted, y);
+    want(wanted, is_wanted, z);
+}
+
 bool block_open(struct block *block, const struct surface *surface, unsigned needs)
 {
-    float **const arrays[] = {&block->value,
-                              &block->dx,
-                              &block->dy,
-                              &block->nx,
-                              &block->ny,
-                              &block->nz,
-                              &block->shade_x,
-                              &block->shade_y,
-                              &block->shade_z,
-                              &block->differences_x,
-                              &block->differences_y,
-                              &block->differences_z,
-                              &block->bed};
-    const bool own_shade = (needs & SURFACE_SHADE) != 0 && surface->z_factor != 1.0f;
-    const bool normals =
-        (needs & SURFACE_NORMALS) != 0 || ((needs & SURFACE_SHADE) != 0 && !own_shade);
-    const bool differences = (needs & SURFACE_DIFFERENCES) != 0;
-    const bool gradient = needs != 0;
+    struct wanted_arrays wanted = {.count = 0};
+    const bool shade = (needs & SURFACE_SHADE) != 0;
+    const bool own_shade = shade && surface->z_factor != 1.0f;
+    const bool gradient = (needs & SURFACE_GRADIENT) != 0;
     const bool bed = (needs & SURFACE_BED) != 0 && ground_has_sea(&surface->ground);
-    const bool wanted[] = {true,        gradient,    gradient,  normals,   normals,
-                           normals,     own_shade,   own_shade, own_shade, differences,
-                           differences, differences, bed};
-    const size_t most = sizeof arrays / sizeof arrays[0];
-    size_t count = 0;
-    for (size_t i = 0; i < most; i++) {
-        count += wanted[i] ? 1 : 0;
+    want(&wanted, true, &block->value);
+    want(&wanted, gradient, &block->dx);
+    want(&wanted, gradient, &block->dy);
+    want(&wanted, bed, &block->bed);
+    want_all(&wanted, (needs & SURFACE_CURVATURE) != 0, &block->dxx, &block->dxy, &block->dyy);
+    want_all(&wanted, (needs & SURFACE_NORMALS) != 0 || (shade && !own_shade), &block->nx,
+             &block->ny, &block->nz);
+    want_all(&wanted, own_shade, &block->shade_x, &block->shade_y, &block->shade_z);
+    want_all(&wanted, (needs & SURFACE_DIFFERENCES) != 0, &block->differences_x,
+             &block->differences_y, &block->differences_z);
+    for (size_t i = 0; i < surface->ground.field_count; i++) {
+        want(&wanted, (needs & SURFACE_FIELDS) != 0, &block->fields[i]);
     }
-    block->memory = malloc(count * BLOCK_SAMPLES * sizeof *block->memory);
+    block->memory = malloc(wanted.count * BLOCK_SAMPLES * sizeof *block->memory);
     if (block->memory == NULL) {
         return false;
     }
-    float *next = block->memory;
-    for (size_t i = 0; i < most; i++) {
-        *arrays[i] = wanted[i] ? next : NULL;
-        next += wanted[i] ? BLOCK_SAMPLES : 0;
+    for (size_t i = 0; i < wanted.count; i++) {
+        *wanted.list[i] = block->memory + i * BLOCK_SAMPLES;
     }
     if (!own_shade) {
         block->shade_x = block->nx;
@@ -115,9 +147,15 @@ void surface_values(const struct surface *surface, const struct block *block, in
 void surface_sample(const struct surface *surface, struct block *block)
 {
     const struct scarp_grid grid = grid_of(surface, block, 0, 0);
-    const struct scarp_samples out = {.value = block->value, .dx = block->dx, .dy = block->dy};
+    const struct scarp_samples out = {.value = block->value,
+                                      .dx = block->dx,
+                                      .dy = block->dy,
+                                      .dxx = block->dxx,
+                                      .dxy = block->dxy,
+                                      .dyy = block->dyy};
     const size_t count = block->columns * block->rows;
-    (void)ground_dry_grid(&surface->ground, &grid, &out);
+    (void)ground_fields_grid(&surface->ground, &grid, &out,
+                             block->fields[0] != NULL ? block->fields : NULL);
     if (block->bed != NULL) {
         memcpy(block->bed, block->value, count * sizeof *block->bed);
     }

@@ -16,20 +16,45 @@
 #include "look/relief.h"
 #include "scarp.h"
 
+/* A scale of 16-bit integers: 0 at `zero`, 65535 at `full` */
+struct surface_scale {
+    double zero, steps; /* per unit; 0 if both ends are equal */
+};
+
+static inline struct surface_scale surface_scale_of(double zero, double full)
+{
+    return (struct surface_scale){zero, full > zero ? 65535.0 / (full - zero) : 0.0};
+}
+
+/* The integer of a value of the scale, rounded to the nearest */
+static inline unsigned surface_quantise(struct surface_scale scale, float value)
+{
+    /* By way of int, for which processors have a vector instruction */
+    return (unsigned)(int)(((double)value - scale.zero) * scale.steps + 0.5);
+}
+
 struct surface {
     struct ground ground;
     size_t width, height; /* samples of the whole raster */
     double x0, y0, step;
-    double steps_per_unit; /* of 16-bit heights: 65535 / (highest - floor); 0 if these are equal */
-    float z_factor;        /* for the hillshade only: multiplies heights */
-    float normal_y;        /* 1 or -1: multiplies the second component of normals */
-    double light[3];       /* unit vector to the light: east, north, up */
-    size_t zoom;           /* of the comparison: pixels per sample */
-    struct relief relief;  /* set where it is asked for */
+    unsigned epsg;              /* the system of x and y in EPSG's list; 0: none */
+    struct surface_scale scale; /* of heights: from the floor to the highest */
+    float z_factor;             /* for the hillshade only: multiplies heights */
+    float normal_y;             /* 1 or -1: multiplies the second component of normals */
+    double light[3];            /* unit vector to the light: east, north, up */
+    size_t zoom;                /* of the comparison: pixels per sample */
+    struct relief relief;       /* set where it is asked for */
 };
 
-/* Sets `steps_per_unit`; the ground is set. */
-void surface_set_scale(struct surface *surface);
+/* The scale of 16-bit heights */
+struct surface_scale surface_height_scale(const struct ground *ground);
+
+/* Makes the raster that of level `level`, with steps 2^level times as long, of `width` x `height`
+   samples of which each lies in the middle of those that it stands for, or of the last ones, which
+   may reach beyond the raster. Octaves that its step cannot show are left out, in level 0 too if
+   `is_limited`. */
+void surface_set_level(const struct surface *surface, unsigned level, bool is_limited,
+                       struct surface *to);
 
 /* Sets the z-factor and the light. */
 void surface_set_light(struct surface *surface, const struct look_options *look);
@@ -44,6 +69,8 @@ enum surface_need {
     SURFACE_SHADE = 4,       /* normals with the z-factor */
     SURFACE_DIFFERENCES = 8, /* normals from differences of heights */
     SURFACE_BED = 16,        /* values before the sea covers them, if there is a sea */
+    SURFACE_CURVATURE = 32,  /* second derivatives */
+    SURFACE_FIELDS = 64,     /* the other outputs of the recipe */
 };
 
 #define BLOCK_SAMPLES 32768 /* at most: 128 KiB of each array that is needed */
@@ -53,7 +80,9 @@ struct block {
     size_t column, row; /* of its first sample, in the raster or beyond its edges */
     size_t columns, rows;
     float *value, *dx, *dy;
+    float *dxx, *dxy, *dyy;
     float *bed;
+    float *fields[GROUND_FIELDS_MOST];
     float *nx, *ny, *nz;
     float *shade_x, *shade_y, *shade_z; /* the normals themselves where the z-factor is 1 */
     float *differences_x, *differences_y, *differences_z;
@@ -71,14 +100,5 @@ void surface_sample(const struct surface *surface, struct block *block);
 /* Samples values alone, of the rectangle `right` columns and `up` rows beside the block's. */
 void surface_values(const struct surface *surface, const struct block *block, int right, int up,
                     float *value);
-
-/* The 16-bit integer of a height: 0 at `floor`, 65535 at `highest`, rounded to the nearest. */
-static inline unsigned surface_quantise(const struct surface *surface, float height)
-{
-    /* By way of int, for which processors have a vector instruction */
-    return (unsigned)(int)(((double)height - (double)surface->ground.floor) *
-                               surface->steps_per_unit +
-                           0.5);
-}
 
 #endif

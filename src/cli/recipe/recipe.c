@@ -35,7 +35,8 @@ static const struct option rows[] = {
      .allowed = "a parameter of the recipe and its number: NAME=VALUE, at most 64 times",
      .help = "set a parameter of the recipe; once for each of them",
      .parse = option_list,
-     .offset = FIELD(ground.set)},
+     .offset = FIELD(ground.set),
+     .highest = OPTION_LIST_MOST},
     {OPTION_FLAG("--text", text, "print the text alone")},
 };
 

@@ -132,9 +132,11 @@ struct option_range {
 option_parse_fn option_choice;    /* int: the number of the word of `choice` */
 option_parse_fn option_count;     /* size_t in [lowest, highest] */
 option_parse_fn option_double;    /* double in [lowest, highest] */
+option_parse_fn option_epsg;      /* unsigned: N of "EPSG:N" in [lowest, highest], of no degrees */
 option_parse_fn option_float;     /* float in [lowest, highest]; the bounds are floats */
 option_parse_fn option_isa;       /* int: an enum scarp_isa that can run here */
-option_parse_fn option_list;      /* struct option_list: texts, one each time the option is typed */
+option_parse_fn option_list;      /* struct option_list: texts, one each time the option is typed,
+                                     `highest` times at most */
 option_parse_fn option_magnitude; /* float, its magnitude in [lowest, highest], which are floats */
 option_parse_fn option_periods;   /* uint32_t[3], "X,Y" or "X,Y,Z", all in [lowest, highest] */
 option_parse_fn option_point;     /* struct option_point, "X,Y", both in [lowest, highest] */
@@ -169,7 +171,8 @@ const char *option_bounds(const struct option *option, char text[OPTION_WORDS]);
 const struct option *options_find(const struct option_table *table, size_t first, size_t end,
                                   const char *name, void *values, void **field);
 
-/* Fills `values` with the defaults, then with what `argv` holds, which ends with NULL. */
+/* Fills `values` with the defaults, then with what `argv` holds, which ends with NULL. Of options
+   that come again the last one counts, but texts, such as files, may be given once only. */
 enum options_outcome options_parse(const struct option_table *table, char **argv, void *values);
 
 /* Adds "name": value, a line each, as members of an object of JSON: all options but those of the

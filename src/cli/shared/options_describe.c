@@ -30,6 +30,9 @@ static void add_value(const struct option *option, const void *field, struct tex
         text_add(text, "%zu", *(const size_t *)field);
     } else if (kind == option_double) {
         add_number(text, *(const double *)field, 0);
+    } else if (kind == option_epsg) {
+        const unsigned number = *(const unsigned *)field;
+        text_add(text, number != 0 ? "%u" : "null", number);
     } else if (kind == option_float || kind == option_magnitude || kind == option_positive) {
         add_number(text, (double)*(const float *)field, 1);
     } else if (kind == option_point) {

@@ -7,6 +7,7 @@
 #include <stdio.h>
 
 #include "shared/posix.h"
+#include "shared/running.h"
 
 #ifdef _WIN32
 #define STDERR_IS_TERMINAL() windows_is_console()
@@ -15,8 +16,30 @@
 #endif
 
 #define TICKS 40
+#define PATIENCE 10.0 /* seconds after which the time left is told */
 
-/* Prints the ticks up to what is done. */
+/* How long what is left will take: as long in proportion as what this run did. 0: that is not known
+   yet, or there is nothing left */
+static double seconds_left(const struct progress *progress)
+{
+    const double elapsed = running_seconds() - progress->start;
+    const uint64_t own = progress->done - progress->skipped;
+    const uint64_t left = progress->total - progress->done;
+    return elapsed < PATIENCE || own == 0 ? 0.0 : elapsed * (double)left / (double)own;
+}
+
+static void print_left(double seconds)
+{
+    if (seconds < 90.0) {
+        fprintf(stderr, " (%.0f s left)", seconds < 1.0 ? 1.0 : seconds);
+    } else if (seconds < 5400.0) {
+        fprintf(stderr, " (%.0f min left)", seconds / 60.0);
+    } else {
+        fprintf(stderr, " (%.1f h left)", seconds / 3600.0);
+    }
+}
+
+/* Prints the ticks up to what is done. The last of them may tell the time. */
 static void print(struct progress *progress)
 {
     if (!progress->shown) {
@@ -24,6 +47,10 @@ static void print(struct progress *progress)
     }
     const double share = (double)progress->done / (double)progress->total;
     const int ticks = (int)(TICKS * share);
+    const bool is_number = ticks % 4 == 0;
+    if (progress->ticks > ticks) {
+        return;
+    }
     for (; progress->ticks <= ticks; progress->ticks++) {
         if (progress->ticks % 4 == 0) {
             fprintf(stderr, "%d", progress->ticks / 4 * 10);
@@ -31,12 +58,18 @@ static void print(struct progress *progress)
             fputc('.', stderr);
         }
     }
+    const double left = is_number || !progress->told_left ? seconds_left(progress) : 0.0;
+    if (left > 0.0) {
+        print_left(left);
+        progress->told_left = true;
+    }
     fflush(stderr);
 }
 
 void progress_start(struct progress *progress, uint64_t total, bool quiet)
 {
-    *progress = (struct progress){.shown = !quiet && STDERR_IS_TERMINAL(), .total = total};
+    *progress = (struct progress){
+        .shown = !quiet && STDERR_IS_TERMINAL(), .total = total, .start = running_seconds()};
     print(progress);
 }
 
@@ -45,6 +78,13 @@ void progress_add(struct progress *progress, uint64_t count)
     const uint64_t left = progress->total - progress->done;
     progress->done += count < left ? count : left;
     print(progress);
+}
+
+void progress_skip(struct progress *progress, uint64_t count)
+{
+    const uint64_t before = progress->done;
+    progress_add(progress, count);
+    progress->skipped += progress->done - before;
 }
 
 void progress_end(struct progress *progress, bool succeeded)

@@ -42,6 +42,15 @@ char *text_join_part(const char *text, size_t length, const char *end)
     return joined;
 }
 
+char *text_insert(const char *text, size_t at, const char *inserted)
+{
+    char *const begin = text_join_part(text, at, inserted);
+    char *const whole =
+        begin != NULL ? text_join((const char *const[]){begin, text + at, NULL}) : NULL;
+    free(begin);
+    return whole;
+}
+
 /* Makes room for `length` more characters and a NUL. */
 static bool reserve(struct text *text, size_t length)
 {

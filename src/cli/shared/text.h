@@ -16,6 +16,9 @@ char *text_join(const char *const *texts);
 /* The first `length` characters of `text`, and `end` */
 char *text_join_part(const char *text, size_t length, const char *end);
 
+/* `text` with `inserted` behind its first `at` characters */
+char *text_insert(const char *text, size_t at, const char *inserted);
+
 /* A text that grows. Zero-initialise; free `bytes`. */
 struct text {
     char *bytes; /* NULL: nothing was added yet, or memory ran out */

@@ -188,6 +188,33 @@ enum option_result option_seed(const struct option *option, const char *text, vo
     return OPTION_VALID;
 }
 
+/* Systems whose coordinates are degrees, as far as people ask for them by mistake */
+static bool is_of_degrees(size_t number)
+{
+    static const size_t known[] = {4230, 4258, 4267, 4269, 4277, 4283, 4289, 4312, 4313,
+                                   4314, 4322, 4326, 4490, 4612, 4617, 4674, 4937, 4978,
+                                   4979, 6318, 6668, 6706, 7789, 7844, 9057, 9754};
+    for (size_t i = 0; i < sizeof known / sizeof known[0]; i++) {
+        if (known[i] == number) {
+            return true;
+        }
+    }
+    return false;
+}
+
+enum option_result option_epsg(const struct option *option, const char *text, void *field)
+{
+    char *end;
+    size_t number;
+    const bool is_prefixed = strncmp(text, "EPSG:", 5) == 0 || strncmp(text, "epsg:", 5) == 0;
+    if (!is_prefixed || !read_count(option, text + 5, &number, &end) || *end != '\0' ||
+        is_of_degrees(number)) {
+        return OPTION_INVALID;
+    }
+    *(unsigned *)field = (unsigned)number;
+    return OPTION_VALID;
+}
+
 enum option_result option_choice(const struct option *option, const char *text, void *field)
 {
     for (int i = 0; option->choice(i) != NULL; i++) {
@@ -241,7 +268,7 @@ enum option_result option_text(const struct option *option, const char *text, vo
 enum option_result option_list(const struct option *option, const char *text, void *field)
 {
     struct option_list *const list = field;
-    if (list->count == OPTION_LIST_MOST) {
+    if ((double)list->count >= option->highest) {
         return OPTION_INVALID;
     }
     const enum option_result result = option_text(option, text, &list->texts[list->count]);

@@ -99,6 +99,12 @@ ssize_t windows_write(int descriptor, const void *bytes, size_t count);
 #define read(descriptor, bytes, count) windows_read(descriptor, bytes, count)
 #define write(descriptor, bytes, count) windows_write(descriptor, bytes, count)
 
+struct statvfs {
+    uint64_t f_blocks, f_bavail, f_frsize;
+};
+int windows_statvfs(const char *path, struct statvfs *disk);
+#define statvfs(path, disk) windows_statvfs(path, disk)
+
 /* Like POSIX's, rename replaces a file that is there. */
 int windows_rename(const char *from, const char *to);
 int windows_link(const char *from, const char *to);

@@ -126,6 +126,24 @@ int windows_gethostname(char *name, size_t size)
     return GetComputerNameExA(ComputerNameDnsHostname, name, &room) ? 0 : -1;
 }
 
+int windows_statvfs(const char *path, struct statvfs *disk)
+{
+    ULARGE_INTEGER available, all;
+    wchar_t *const wide = windows_wide(path);
+    const bool is_known = wide != NULL && GetDiskFreeSpaceExW(wide, &available, &all, NULL) != 0;
+    if (wide != NULL && !is_known) {
+        windows_set_errno();
+    }
+    free(wide);
+    if (!is_known) {
+        return -1;
+    }
+    disk->f_frsize = 1;
+    disk->f_bavail = available.QuadPart;
+    disk->f_blocks = all.QuadPart;
+    return 0;
+}
+
 int windows_nanosleep(const struct timespec *duration)
 {
     Sleep((DWORD)(duration->tv_sec * 1000 + duration->tv_nsec / 1000000));

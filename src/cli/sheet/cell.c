@@ -103,7 +103,7 @@ bool cell_make(struct cell *cell, char **argv, bool has_recipe, const struct axe
     if (!is_made) {
         return false;
     }
-    surface_set_scale(&cell->surface);
+    cell->surface.scale = surface_height_scale(&cell->surface.ground);
     surface_set_light(&cell->surface, &options->look);
     surface_set_relief(&cell->surface, &cell->palette);
     return true;
@@ -149,7 +149,10 @@ static void draw_block(const struct cell *cell, const struct layer *layer,
 {
     const size_t samples = cell->options.samples;
     for (size_t row = 0; row < block->rows; row++) {
-        const struct strip strip = {block, row * block->columns, block->columns, block->columns};
+        const struct strip strip = {.block = block,
+                                    .first = row * block->columns,
+                                    .count = block->columns,
+                                    .width = block->columns};
         layer->encode(&cell->surface, &strip, SAMPLE_U8,
                       bytes + row * block->columns * layer->channels);
     }

@@ -22,7 +22,7 @@
 #include "sheet/cell.h"
 #include "sheet/page.h"
 
-#ifdef SCARP_CLI_PNG
+#ifdef SCARP_CLI_ZLIB
 #define STANDARD_OUTPUT "sheet.png"
 #else
 #define STANDARD_OUTPUT "sheet.ppm"

@@ -10,12 +10,13 @@ static void difference(const struct surface *surface, const struct block *block,
 {
     float *const before = block->differences_x;
     float *const after = block->differences_y;
+    const struct surface_scale scale = surface->scale;
     surface_values(surface, block, -right, -up, before);
     surface_values(surface, block, right, up, after);
-    const double distance = 2.0 * surface->step * surface->steps_per_unit; /* 0: all are alike */
+    const double distance = 2.0 * surface->step * surface->scale.steps; /* 0: all are alike */
     for (size_t i = 0; i < block->columns * block->rows; i++) {
         const int steps =
-            (int)surface_quantise(surface, after[i]) - (int)surface_quantise(surface, before[i]);
+            (int)surface_quantise(scale, after[i]) - (int)surface_quantise(scale, before[i]);
         slope[i] = steps != 0 ? (float)(steps / distance) : 0.0f;
     }
 }

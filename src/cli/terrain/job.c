@@ -35,11 +35,19 @@ static int tell_failure(struct job *job, const struct outputs *outputs, const st
                : CLI_FAILURE;
 }
 
+/* Before files have their names: no file of a run that is killed is without its checksum. */
+static bool keep_sums(struct job *job, struct outputs *outputs)
+{
+    const bool kept = job->manifest.file == NULL || sums_keep(&job->sums, outputs);
+    job->sums_reason = kept ? 0 : errno;
+    return kept;
+}
+
 static void finish(void *context)
 {
     struct job *const job = context;
     struct outputs *const outputs = &job->outputs[1 - job->turn];
-    const bool is_complete = outputs_complete(outputs);
+    const bool is_complete = outputs_complete(outputs) && keep_sums(job, outputs);
     job->is_orphan = is_complete && !manifest_is_there(&job->manifest);
     job->is_finished = is_complete && !job->is_orphan && outputs_publish(outputs);
 }
@@ -68,6 +76,13 @@ static void start_finishing(struct job *job, const struct tile *tile)
     }
 }
 
+static int tell_sums(struct job *job)
+{
+    progress_end(&job->progress, false);
+    cli_error("%s: %s: %s", job->manifest.option, job->sums.path, file_reason(job->sums_reason));
+    return CLI_FAILURE;
+}
+
 /* Waits until the tile before is finished. */
 static int end_finishing(struct job *job)
 {
@@ -83,7 +98,9 @@ static int end_finishing(struct job *job)
         job->samples += (uint64_t)job->last.width * job->last.height;
     } else {
         if (status == CLI_SUCCESS) {
-            status = tell_failure(job, outputs, &job->last, PIPELINE_FAILED);
+            status = job->sums_reason != 0
+                         ? tell_sums(job)
+                         : tell_failure(job, outputs, &job->last, PIPELINE_FAILED);
         }
         /* The tile at hand may lie in directories that were made for this one. */
         outputs_discard(&job->outputs[job->turn]);
@@ -98,7 +115,7 @@ static int write_tile(struct job *job, const struct tile *tile)
     struct outputs *const outputs = &job->outputs[job->turn];
     const enum pipeline_result result =
         outputs_open(outputs, job->manifest.file)
-            ? pipeline_run(&job->surface, tile, outputs, job->crew, &job->progress)
+            ? pipeline_run(&job->level, tile, outputs, job->crew, &job->progress)
             : PIPELINE_NOT_OPENED;
     int status = end_finishing(job);
     if (status == CLI_SUCCESS && result == PIPELINE_DONE) {
@@ -137,12 +154,22 @@ static enum tile_state claim(const struct job *job, const struct tile *tile)
     return TILE_MISSING;
 }
 
+const struct surface *job_level(struct job *job, unsigned level)
+{
+    if (!job->has_level || job->level_number != level) {
+        surface_set_level(&job->surface, level, job->options->band_limit != 0, &job->level);
+        job->level_number = level;
+        job->has_level = true;
+    }
+    return &job->level;
+}
+
 /* Writes tile number `n` of the range, if need be. */
 static int visit_tile(struct job *job, size_t n)
 {
     const struct tile tile = tiling_at(&job->tiling, n);
     struct outputs *const outputs = &job->outputs[job->turn];
-    if (!outputs_begin(outputs, &job->surface, &tile)) {
+    if (!outputs_begin(outputs, job_level(job, tile.level), &tile)) {
         return CLI_FAILURE;
     }
     const enum tile_state state = claim(job, &tile);
@@ -151,7 +178,7 @@ static int visit_tile(struct job *job, size_t n)
     }
     job->busy += state == TILE_BUSY ? 1 : 0;
     outputs_sweep(outputs);
-    progress_add(&job->progress, tile.height);
+    progress_skip(&job->progress, tile.height);
     return CLI_SUCCESS;
 }
 

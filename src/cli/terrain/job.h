@@ -14,8 +14,10 @@
 #include "raster/surface.h"
 #include "shared/crew.h"
 #include "shared/progress.h"
+#include "terrain/asked.h"
 #include "terrain/manifest.h"
 #include "terrain/outputs.h"
+#include "terrain/sums.h"
 #include "terrain/terrain_options.h"
 #include "terrain/tiling.h"
 
@@ -23,11 +25,13 @@ struct job {
     /* Set before: */
     const struct terrain_options *options;
     const struct source *source;
-    struct surface surface;
+    struct surface surface;    /* level 0, with all octaves */
     struct palette palette;    /* of the relief */
+    struct asked asked;        /* outputs of the recipe */
     struct outputs outputs[2]; /* the same ones: of the tile at hand, and of the one before */
     struct tiling tiling;
     struct manifest manifest;
+    struct sums sums; /* beside the manifest */
     struct crew *crew;
 
     /* What became of it: */
@@ -37,12 +41,19 @@ struct job {
 
     /* Private to job.c: */
     struct progress progress;
+    struct surface level; /* the one of the tile at hand */
+    unsigned level_number;
+    bool has_level;
     size_t turn; /* which outputs are those of the tile at hand */
     struct tile last;
     bool is_finishing; /* the tile `last` */
     bool is_finished;  /* whether that succeeded; known when it no longer goes on */
     bool is_orphan;    /* it is on the disk, but the manifest has gone */
+    int sums_reason;   /* errno, if its checksums could not be kept; else 0 */
 };
+
+/* The surface that tiles of a level are of */
+const struct surface *job_level(struct job *job, unsigned level);
 
 /* Writes the tiles of this run. Returns an exit status, after a line on stderr if it is not
    CLI_SUCCESS. */

@@ -298,6 +298,28 @@ int manifest_open(struct manifest *manifest, const char *path, const char *text)
     return join(manifest);
 }
 
+int manifest_compare(struct manifest *manifest, const char *path, const char *text)
+{
+    uint64_t size;
+    manifest->path = text_copy(path);
+    manifest->text = text_copy(text);
+    manifest->file = text_copy(path);
+    manifest->descriptor = -1;
+    if (manifest->path == NULL || manifest->text == NULL || manifest->file == NULL) {
+        cli_error("%s: no memory", manifest->option);
+        return CLI_FAILURE;
+    }
+    char *const there = read_text(path);
+    if (there == NULL) {
+        return tell_failure(manifest);
+    }
+    const int status = check(manifest, there);
+    free(there);
+    return status == CLI_SUCCESS && !file_look(path, &size, &manifest->time)
+               ? tell_failure(manifest)
+               : status;
+}
+
 int manifest_open_again(struct manifest *manifest)
 {
     leave(manifest);

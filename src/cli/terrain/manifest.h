@@ -18,8 +18,9 @@ struct manifest {
     bool makes_directories; /* those that lead to it */
     struct file_time time;  /* files that are older are not of this world */
     char *file;             /* its path without symbolic links; NULL: there is no manifest */
+    char *path;             /* its path as seen from the current directory */
     /* Private to manifest.c: */
-    char *path, *text;
+    char *text;
     bool is_open, is_first;
     int descriptor; /* for claims; -1: there are none */
     int made;       /* directories */
@@ -30,6 +31,10 @@ struct manifest {
    compared. Returns an exit status, after a line on stderr if it is not CLI_SUCCESS: CLI_USAGE if
    another world is there. */
 int manifest_open(struct manifest *manifest, const char *path, const char *text);
+
+/* Compares `text` with the manifest `path`, which must be there, and is not changed. Returns as
+   manifest_open. */
+int manifest_compare(struct manifest *manifest, const char *path, const char *text);
 
 /* Whether it is still there. A user may have removed it to begin anew, or the run that had made it,
    because it failed; and others may have made the next one. */

@@ -11,11 +11,12 @@
 
 #include "formats/choose.h"
 #include "shared/error.h"
+#include "shared/path.h"
 #include "shared/text.h"
 #include "shared/unfinished.h"
 #include "terrain/pattern.h"
 
-#ifdef SCARP_CLI_PNG
+#ifdef SCARP_CLI_ZLIB
 #define GREY_EXTENSION ".png"
 #define COLOUR_EXTENSION ".png"
 #else
@@ -34,41 +35,95 @@ static enum sample_kind common_kind(const struct layer *layer, const struct form
     return (enum sample_kind)0;
 }
 
-static bool add(struct outputs *outputs, const struct layer *layer, const char *option,
-                const struct format *format, const char *path)
+/* Adds a file of which all but the kind of samples is set, and takes `path` for its own. */
+static bool add(struct outputs *outputs, const struct output *output)
 {
+    const char *const path = output->path;
     for (size_t i = 0; i < outputs->count; i++) {
         const bool standard_output = strcmp(path, "-") == 0;
         if (strcmp(outputs->list[i].path, path) == 0 &&
             (standard_output || !file_is_special(path))) {
-            cli_error("%s: %s is already written by %s", option, file_name(path),
+            cli_error("%s: %s is already written by %s", output->option, file_name(path),
                       outputs->list[i].option);
             return false;
         }
     }
     char *const copy = text_copy(path);
     if (copy == NULL) {
-        cli_error("%s: no memory", option);
+        cli_error("%s: no memory", output->option);
         return false;
     }
-    outputs->list[outputs->count++] = (struct output){.layer = layer,
-                                                      .option = option,
-                                                      .format = format,
-                                                      .kind = common_kind(layer, format),
-                                                      .path = copy};
+    struct output *const added = &outputs->list[outputs->count++];
+    *added = *output;
+    added->kind = common_kind(output->layer, output->format);
+    added->path = copy;
     return true;
+}
+
+/* Adds a file, which has all but its format and its path. */
+static bool add_text(struct outputs *outputs, struct output *output, const char *text)
+{
+    const struct layer *const layer = output->layer;
+    struct wanted wanted = {
+        .option = output->option, .content = output->content, .channels = layer->channels};
+    const char *path;
+    for (size_t i = 0; layer->kinds[i] != 0; i++) {
+        wanted.kinds |= layer->kinds[i];
+    }
+    output->format = format_choose(&wanted, text, &path);
+    output->path = (char *)path;
+    return output->format != NULL && add(outputs, output);
 }
 
 bool outputs_add(struct outputs *outputs, const struct layer *layer, const char *text)
 {
-    struct wanted wanted = {
-        .option = layer->option, .content = layer->content, .channels = layer->channels};
-    for (size_t i = 0; layer->kinds[i] != 0; i++) {
-        wanted.kinds |= layer->kinds[i];
+    struct output output = {.layer = layer, .content = layer->content, .option = layer->option};
+    return add_text(outputs, &output, text);
+}
+
+bool outputs_add_field(struct outputs *outputs, size_t field, const char *name, const char *text)
+{
+    struct output output = {.layer = &layers[LAYER_FIELD],
+                            .part = field,
+                            .content = name,
+                            .option = layers[LAYER_FIELD].option};
+    return add_text(outputs, &output, text);
+}
+
+/* Adds STEM-NAME.EXT of a stem with an extension, or STEM-NAME and `extension`. */
+static bool add_mask(struct outputs *outputs, struct output *output, const char *stem,
+                     const char *name)
+{
+    const char *const end = path_extension(stem);
+    char *const begin = text_join_part(stem, (size_t)(end - stem), "-");
+    char *const path = begin != NULL ? text_join((const char *const[]){
+                                           begin, name, *end != '\0' ? end : GREY_EXTENSION, NULL})
+                                     : NULL;
+    if (path == NULL) {
+        cli_error("%s: no memory", output->option);
     }
-    const char *path;
-    const struct format *const format = format_choose(&wanted, text, &path);
-    return format != NULL && add(outputs, layer, layer->option, format, path);
+    const bool added = path != NULL && add_text(outputs, output, path);
+    free(begin);
+    free(path);
+    return added;
+}
+
+bool outputs_add_masks(struct outputs *outputs, const char *stem)
+{
+    const char *const end = path_extension(stem);
+    const bool is_png =
+        *end != '\0' && format_find(end + 1, strlen(end + 1)) == format_find("png", 3);
+    const struct layer *const layer = &layers[is_png ? LAYER_MASKS : LAYER_MASK];
+    static const char *const pairs[] = {"1", "2"};
+    bool added = true;
+    for (size_t i = 0; i < (is_png ? 2 : PALETTE_GROUNDS) && added; i++) {
+        struct output output = {.layer = layer,
+                                .part = i,
+                                .content = is_png ? "masks" : relief_names[i],
+                                .option = layer->option};
+        added = add_mask(outputs, &output, stem, is_png ? pairs[i] : relief_names[i]);
+    }
+    return added;
 }
 
 bool outputs_add_stem(struct outputs *outputs, const char *stem, bool compare)
@@ -78,11 +133,13 @@ bool outputs_add_stem(struct outputs *outputs, const char *stem, bool compare)
     for (size_t i = 0; i < (compare ? 5 : 4); i++) {
         const struct layer *const layer = &layers[stem_layers[i]];
         const char *const extension = layer->channels == 1 ? GREY_EXTENSION : COLOUR_EXTENSION;
-        char *const path =
-            text_join((const char *const[]){stem, "-", layer->name, extension, NULL});
-        const bool added =
-            path != NULL && add(outputs, layer, "--output", format_find(extension + 1, 3), path);
-        free(path);
+        struct output output = {.layer = layer,
+                                .content = layer->content,
+                                .option = "--output",
+                                .format = format_find(extension + 1, 3)};
+        output.path = text_join((const char *const[]){stem, "-", layer->name, extension, NULL});
+        const bool added = output.path != NULL && add(outputs, &output);
+        free(output.path);
         if (!added) {
             return false;
         }
@@ -126,6 +183,10 @@ bool outputs_check(const struct outputs *outputs, const struct tiling *tiling)
         cli_error("--tile: tiles cannot go to standard output, only to files");
         return false;
     }
+    if (tiling->level_count > 1 && outputs_to_standard_output(outputs)) {
+        cli_error("--levels: levels cannot go to standard output, only to files");
+        return false;
+    }
     for (size_t i = 0; i < outputs->count; i++) {
         if (!pattern_check(outputs->list[i].path, tiling, outputs->list[i].option)) {
             return false;
@@ -148,9 +209,38 @@ static struct raster make_raster(const struct output *output, const struct surfa
         .x = surface->x0 + (double)tile->column * surface->step,
         .y = surface->y0 + up * surface->step,
         .step = surface->step,
-        .content = output->layer->content,
+        .content = output->content,
         .times = zoom == 0 ? 1 : zoom,
+        .epsg = surface->epsg,
     };
+}
+
+/* The name of a tile; GDAL's own of a level of one file, if it has one */
+static char *path_of(const struct output *output, const struct tile *tile)
+{
+    const char *const overview = output->format->overview;
+    if (tile->level == 0 || tile->numbered || overview == NULL || pattern_has_level(output->path)) {
+        return pattern_expand(output->path, tile);
+    }
+    struct text name = {0};
+    text_add(&name, "%s", output->path);
+    for (unsigned i = 0; i < tile->level; i++) {
+        text_add(&name, "%s", overview);
+    }
+    return name.bytes;
+}
+
+void outputs_measure(const struct outputs *outputs, const struct surface *surface,
+                     const struct tile *tile, uint64_t *exact, uint64_t *most)
+{
+    for (size_t i = 0; i < outputs->count; i++) {
+        const struct output *const output = &outputs->list[i];
+        const struct writer writer = {.raster = make_raster(output, surface, tile),
+                                      .format = output->format};
+        bool is_exact;
+        const uint64_t bytes = writer_bytes(&writer, &is_exact);
+        *(is_exact ? &exact[i] : &most[i]) += bytes;
+    }
 }
 
 bool outputs_begin(struct outputs *outputs, const struct surface *surface, const struct tile *tile)
@@ -158,7 +248,7 @@ bool outputs_begin(struct outputs *outputs, const struct surface *surface, const
     for (size_t i = 0; i < outputs->count; i++) {
         struct output *const output = &outputs->list[i];
         free(output->tile_path);
-        output->tile_path = pattern_expand(output->path, tile);
+        output->tile_path = path_of(output, tile);
         if (output->tile_path == NULL) {
             cli_error("%s: no memory", output->option);
             return false;

@@ -15,7 +15,9 @@
 /* A file that was asked for, of which there is one per tile */
 struct output {
     const struct layer *layer;
-    const char *option; /* that messages name */
+    size_t part;         /* of a layer that has several */
+    const char *content; /* a word for what it holds; of a part, its name */
+    const char *option;  /* that messages name */
     const struct format *format;
     enum sample_kind kind;
     char *path; /* a pattern, or without the tile's number */
@@ -28,8 +30,9 @@ struct output {
     bool failed;
 };
 
-/* Every layer but the comparison may be asked for by itself and, as four of them, by --output. */
-#define OUTPUTS_MAX (LAYER_COMPARE + 5)
+/* Seven layers may be asked for by themselves, and five by --output; fields and masks have several
+   files. */
+#define OUTPUTS_MAX (7 + 5 + GROUND_FIELDS_MOST + PALETTE_GROUNDS)
 
 struct outputs {
     struct output list[OUTPUTS_MAX];
@@ -38,6 +41,12 @@ struct outputs {
 
 /* Adds the file `text`: PATH, or FORMAT:PATH. False, with a line on stderr, if it cannot be. */
 bool outputs_add(struct outputs *outputs, const struct layer *layer, const char *text);
+
+/* Adds the file of field number `field`, which is called `name`. */
+bool outputs_add_field(struct outputs *outputs, size_t field, const char *name, const char *text);
+
+/* Adds STEM-rock, STEM-snow and so on, or of STEM.png STEM-1.png and STEM-2.png. */
+bool outputs_add_masks(struct outputs *outputs, const char *stem);
 
 /* Adds STEM-height, STEM-normal, STEM-hillshade and STEM-relief, and STEM-compare if `compare`. */
 bool outputs_add_stem(struct outputs *outputs, const char *stem, bool compare);
@@ -71,6 +80,11 @@ bool outputs_complete(struct outputs *outputs);
 /* Gives all of them their final names. If one fails, those that replaced no older file are removed.
  */
 bool outputs_publish(struct outputs *outputs);
+
+/* How many bytes the files of a tile that are packed take at most, about, and those that are not.
+   Both arrays have an element for each output. */
+void outputs_measure(const struct outputs *outputs, const struct surface *surface,
+                     const struct tile *tile, uint64_t *exact, uint64_t *most);
 
 /* Whether one of the open files is a pipe or the like */
 bool outputs_wait(const struct outputs *outputs);

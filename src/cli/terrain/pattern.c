@@ -20,7 +20,7 @@ struct placeholder {
     size_t length;    /* from brace to brace */
 };
 
-static const char *const placeholder_names[] = {"x", "y", "-y", NULL};
+static const char *const placeholder_names[] = {"x", "y", "-y", "level", "-level", NULL};
 
 /* Reads the placeholder that begins at the brace `at`. False if there is none. */
 static bool read_placeholder(const char *at, struct placeholder *placeholder)
@@ -79,36 +79,69 @@ static bool has_axis(const char *path, char axis)
     return false;
 }
 
+static bool is_of_level(const struct placeholder *placeholder)
+{
+    return strstr(placeholder->name, "level") != NULL;
+}
+
+bool pattern_has_level(const char *path)
+{
+    struct placeholder placeholder;
+    for (const char *at = find_placeholder(path, &placeholder); at != NULL;
+         at = find_placeholder(at + placeholder.length, &placeholder)) {
+        if (is_of_level(&placeholder)) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Whether the run has what the placeholders stand for */
+static bool check_options(const char *path, const struct tiling *tiling, const char *option)
+{
+    struct placeholder placeholder;
+    for (const char *at = find_placeholder(path, &placeholder); at != NULL;
+         at = find_placeholder(at + placeholder.length, &placeholder)) {
+        const bool is_level = is_of_level(&placeholder);
+        if (is_level ? tiling->level_count == 1 : !tiling->numbered) {
+            cli_error("%s: {%s} in '%.200s' needs %s", option, placeholder.name, path,
+                      is_level ? "--levels" : "--tile");
+            return false;
+        }
+    }
+    return true;
+}
+
 bool pattern_check(const char *path, const struct tiling *tiling, const char *option)
 {
     struct placeholder placeholder;
     const char *const first = find_placeholder(path, &placeholder);
-    if (!tiling->numbered) {
-        if (first != NULL) {
-            cli_error("%s: {%s} in '%.200s' needs --tile", option, placeholder.name, path);
-        }
-        return first == NULL;
+    if (!check_options(path, tiling, option)) {
+        return false;
     }
-    for (const char *at = strchr(path, '{'); at != NULL; at = strchr(at + 1, '{')) {
+    const bool is_pattern = tiling->numbered || first != NULL;
+    for (const char *at = is_pattern ? strchr(path, '{') : NULL; at != NULL;
+         at = strchr(at + 1, '{')) {
         if (!read_placeholder(at, &placeholder)) {
-            cli_error("%s: '%.60s' does not begin with {x}, {y} or {-y}, or with digits as in "
-                      "{x:04}",
-                      option, at);
+            cli_error(
+                "%s: '%.60s' does not begin with {x}, {y}, {-y}, {level} or {-level}, or with "
+                "digits as in {x:04}",
+                option, at);
             return false;
         }
     }
     if (first == NULL) {
         return true;
     }
-    if (tiling->across > 1 && !has_axis(path, 'x')) {
+    if (tiling->levels[0].across > 1 && !has_axis(path, 'x')) {
         cli_error("%s: '%.200s' has no {x}, so the %zu tiles of a row would have one name", option,
-                  path, tiling->across);
+                  path, tiling->levels[0].across);
         return false;
     }
-    if (tiling->down > 1 && !has_axis(path, 'y')) {
+    if (tiling->levels[0].down > 1 && !has_axis(path, 'y')) {
         cli_error("%s: '%.200s' has no {y} or {-y}, so the %zu tiles of a column would have one "
                   "name",
-                  option, path, tiling->down);
+                  option, path, tiling->levels[0].down);
         return false;
     }
     return true;
@@ -130,26 +163,52 @@ char *pattern_of(const char *path, bool numbered)
     return pattern;
 }
 
-char *pattern_expand(const char *path, const struct tile *tile)
+/* `path` with -levelN before its extension */
+static char *with_level(const char *path, unsigned level)
+{
+    char text[32];
+    snprintf(text, sizeof text, "-level%u", level);
+    return text_insert(path, (size_t)(path_extension(path) - path), text);
+}
+
+static size_t number_of(const struct placeholder *placeholder, const struct tile *tile)
+{
+    const bool is_negative = placeholder->name[0] == '-';
+    switch (placeholder->name[is_negative ? 1 : 0]) {
+    case 'x': return tile->x;
+    case 'y': return is_negative ? tile->up : tile->y;
+    default: return is_negative ? tile->coarser : tile->level;
+    }
+}
+
+/* Writes numbers in place of the placeholders. */
+static char *expand(const char *pattern, const struct tile *tile)
 {
     struct text name = {0};
     struct placeholder placeholder;
-    char *const pattern = pattern_of(path, tile->numbered);
-    if (pattern == NULL) {
-        return NULL;
-    }
     const char *rest = pattern;
-    const char *at = tile->numbered ? find_placeholder(rest, &placeholder) : NULL;
-    for (; at != NULL; at = find_placeholder(rest, &placeholder)) {
-        const size_t number = placeholder.name[0] == 'x'   ? tile->x
-                              : placeholder.name[0] == 'y' ? tile->y
-                                                           : tile->up;
-        text_add(&name, "%.*s%0*zu", (int)(at - rest), rest, placeholder.digits, number);
+    for (const char *at = find_placeholder(rest, &placeholder); at != NULL;
+         at = find_placeholder(rest, &placeholder)) {
+        text_add(&name, "%.*s%0*zu", (int)(at - rest), rest, placeholder.digits,
+                 number_of(&placeholder, tile));
         rest = at + placeholder.length;
     }
     text_add(&name, "%s", rest);
-    free(pattern);
     return name.bytes;
+}
+
+char *pattern_expand(const char *path, const struct tile *tile)
+{
+    const bool tells_level = tile->level > 0 && !pattern_has_level(path);
+    char *const plain = tells_level ? with_level(path, tile->level) : text_copy(path);
+    char *const pattern = plain != NULL ? pattern_of(plain, tile->numbered) : NULL;
+    const bool is_pattern = tile->numbered || tile->level + tile->coarser > 0;
+    char *const name = pattern == NULL ? NULL
+                       : is_pattern    ? expand(pattern, tile)
+                                       : text_copy(pattern);
+    free(plain);
+    free(pattern);
+    return name;
 }
 
 /* Adds the characters up to `end`, without separators. */

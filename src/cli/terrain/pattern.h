@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
  * File names of tiles: patterns such as w/{y}/{x}.png, or plain names, which get _y_x before their
- * extension. {x} and {y} count from the top left, {-y} from the bottom, all from 0; {x:04} has four
- * digits at least.
+ * extension. {x} and {y} count from the top left, {-y} from the bottom, {level} from the finest and
+ * {-level} from the coarsest level, all from 0; {x:04} has four digits at least. Names without a
+ * level get -levelN before their extension, but for level 0.
  */
 #ifndef SCARP_CLI_PATTERN_H
 #define SCARP_CLI_PATTERN_H
@@ -12,8 +13,9 @@
 
 #include "terrain/tiling.h"
 
-/* Whether there is a placeholder in `path`. */
+/* Whether there is a placeholder in `path`, and whether one tells the level. */
 bool pattern_is(const char *path);
+bool pattern_has_level(const char *path);
 
 /* Whether `path` can name the tiles of a raster, or the raster without tiles. If not, prints why on
    stderr in one line that begins with `option`. */

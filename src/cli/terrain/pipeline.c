@@ -27,11 +27,13 @@
 /* The way of an output: its bands, by turns those with even and those with odd numbers */
 struct lane {
     uint8_t *memory[2];
-    uint8_t *bytes[2];             /* in there, after the row above the band */
-    const struct packing *packing; /* NULL: the bytes go to the file as they are; else: */
-    size_t packer;                 /* which of a thread's packers serves */
-    size_t parts, part_rows;       /* of a band; the last ones may be smaller */
-    size_t room;                   /* of a part */
+    uint8_t *bytes[2];              /* in there, after the row above the band */
+    const struct packing *packing;  /* NULL: the bytes go to the file as they are; else: */
+    size_t packer;                  /* which of a thread's packers serves */
+    size_t parts;                   /* of a band, row by row */
+    size_t across;                  /* parts side by side */
+    size_t part_rows, part_columns; /* of a part; the last ones may be smaller */
+    size_t room;                    /* of a part */
     uint8_t *packed[2];
     struct part *part[2];
 };
@@ -87,8 +89,11 @@ static size_t choose_parts(struct pipeline *pipeline)
         while (pipeline->lanes[lane->packer].packing != lane->packing) {
             lane->packer++;
         }
-        lane->part_rows = lane->packing->part_rows(&output->writer.raster);
-        lane->room = lane->packing->room(&output->writer.raster, lane->part_rows);
+        const struct raster *const raster = &output->writer.raster;
+        lane->part_rows = lane->packing->part_rows(raster);
+        lane->part_columns = packing_columns(lane->packing, raster);
+        lane->across = quotient_up(raster->width, lane->part_columns);
+        lane->room = lane->packing->room(raster, lane->part_rows);
         unit = unit < lane->part_rows ? lane->part_rows : unit;
         pipeline->lag = 2;
     }
@@ -102,9 +107,15 @@ static size_t bytes_of_row(const struct pipeline *pipeline)
     for (size_t i = 0; i < pipeline->outputs->count; i++) {
         const struct lane *const lane = &pipeline->lanes[i];
         bytes += pipeline->outputs->list[i].row_bytes;
-        bytes += lane->packing != NULL ? lane->room / lane->part_rows : 0;
+        bytes += lane->packing != NULL ? lane->room * lane->across / lane->part_rows : 0;
     }
     return bytes;
+}
+
+/* Parts of a band of so many rows */
+static size_t parts_of(const struct lane *lane, size_t rows)
+{
+    return lane->packing != NULL ? quotient_up(rows, lane->part_rows) * lane->across : 0;
 }
 
 /* Decides the sizes of bands, parts and blocks. */
@@ -126,7 +137,7 @@ static void divide(struct pipeline *pipeline)
                        quotient_up(pipeline->rows, pipeline->block_rows);
     for (size_t i = 0; i < pipeline->outputs->count; i++) {
         struct lane *const lane = &pipeline->lanes[i];
-        lane->parts = lane->packing != NULL ? quotient_up(pipeline->rows, lane->part_rows) : 0;
+        lane->parts = parts_of(lane, pipeline->rows);
         pipeline->parts += lane->parts;
     }
     /* Waiting for a thread that has nothing to do takes longer than a small raster. */
@@ -260,7 +271,11 @@ static void fill(const struct pipeline *pipeline, size_t band, size_t n, struct 
             output->layer->channels * sample_bytes(output->kind) * output->writer.raster.times;
         for (size_t r = 0; r < block->rows; r++) {
             uint8_t *const to = pipeline->lanes[i].bytes[band % 2] + (row + r) * output->row_bytes;
-            const struct strip strip = {block, r * block->columns, block->columns, tile->width};
+            const struct strip strip = {.block = block,
+                                        .first = r * block->columns,
+                                        .count = block->columns,
+                                        .width = tile->width,
+                                        .part = output->part};
             output->layer->encode(pipeline->surface, &strip, output->kind, to + column * pixel);
         }
     }
@@ -276,15 +291,17 @@ static void pack(const struct pipeline *pipeline, size_t band, size_t n,
     }
     const struct lane *const lane = &pipeline->lanes[i];
     const struct output *const output = &pipeline->outputs->list[i];
-    const size_t row = n * lane->part_rows, rows = rows_of_band(pipeline, band);
-    if (row >= rows) {
+    const size_t row = n / lane->across * lane->part_rows, first = band * pipeline->rows;
+    if (row >= rows_of_band(pipeline, band)) {
         return;
     }
     struct part *const part = &lane->part[band % 2][n];
-    *part = (struct part){.samples = lane->bytes[band % 2] + row * output->row_bytes,
-                          .row = band * pipeline->rows + row,
-                          .rows = smaller(lane->part_rows, rows - row),
+    *part = (struct part){.row = first + row,
+                          .rows = lane->part_rows,
+                          .column = n % lane->across * lane->part_columns,
+                          .columns = lane->part_columns,
                           .bytes = lane->packed[band % 2] + n * lane->room};
+    part_fit(part, &output->writer.raster, lane->bytes[band % 2], first);
     lane->packing->pack(scratch->packers[lane->packer], &output->writer.raster, part);
 }
 
@@ -310,7 +327,7 @@ static bool write_parts(const struct pipeline *pipeline, size_t band, size_t i)
 {
     struct output *const output = &pipeline->outputs->list[i];
     const struct lane *const lane = &pipeline->lanes[i];
-    const size_t parts = quotient_up(rows_of_band(pipeline, band), lane->part_rows);
+    const size_t parts = parts_of(lane, rows_of_band(pipeline, band));
     bool written = true;
     for (size_t n = 0; n < parts && written; n++) {
         written = writer_write_part(&output->writer, &lane->part[band % 2][n]);

@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * `scarp terrain`: from the options to the run, and the closing line. The options are in
- * terrain_options.c, tiles in job.c, samples in surface.c, their bytes in layers.c, files in
- * outputs.c, and what fills them in pipeline.c.
+ * terrain_options.c, which files they ask for in asked.c, tiles in job.c, samples in surface.c,
+ * their bytes in layers.c, files in outputs.c, and what fills them in pipeline.c.
  */
 #include "terrain/terrain.h"
 
@@ -13,6 +13,8 @@
 #include "shared/posix.h"
 #include "shared/running.h"
 #include "terrain/job.h"
+#include "terrain/room.h"
+#include "terrain/verify.h"
 #include "terrain/world.h"
 
 static bool make_surface(const struct terrain_options *options, const struct source *source,
@@ -24,51 +26,50 @@ static bool make_surface(const struct terrain_options *options, const struct sou
         .x0 = options->origin.x,
         .y0 = options->origin.y,
         .step = options->step,
+        .epsg = options->crs,
         .normal_y = options->normal_down ? -1.0f : 1.0f,
         .zoom = options->compare,
     };
     if (!source_ground(source, &surface->ground)) {
         return false;
     }
-    surface_set_scale(surface);
+    surface->scale = surface_height_scale(&surface->ground);
     surface_set_light(surface, &options->look);
     return true;
 }
 
-static bool make_outputs(const struct terrain_options *options, struct outputs *outputs)
+static void print_scale(FILE *stream, const char *name, float zero, float full)
 {
-    const char *const files[] = {[LAYER_HEIGHTS] = options->heights,
-                                 [LAYER_NORMALS] = options->normals,
-                                 [LAYER_HILLSHADE] = options->hillshade,
-                                 [LAYER_RELIEF] = options->relief,
-                                 [LAYER_GRADIENT] = options->gradient};
-    for (int i = 0; i < LAYER_COMPARE; i++) {
-        if (files[i] != NULL && !outputs_add(outputs, &layers[i], files[i])) {
-            return false;
-        }
-    }
-    const char *const stem =
-        options->output == NULL && outputs->count == 0 ? "terrain" : options->output;
-    if (stem == NULL && options->compare != 0) {
-        cli_error("--compare: needs --output");
-        return false;
-    }
-    return stem == NULL || outputs_add_stem(outputs, stem, options->compare != 0);
+    /* No zero is negative. */
+    fprintf(stream, "16-bit %s: 0 is %.9g, 65535 is %.9g\n", name, (double)(zero + 0.0f),
+            (double)(full + 0.0f));
 }
 
-/* Without what 0 and 65535 stand for, 16-bit heights are nothing but greys. */
-static void print_heights(const struct job *job, FILE *stream)
+static bool is_integer(const struct output *output)
+{
+    return output->kind == SAMPLE_U16_LOW || output->kind == SAMPLE_U16_HIGH;
+}
+
+/* Without what 0 and 65535 stand for, 16-bit integers are nothing but greys. */
+static void print_scales(const struct job *job, FILE *stream)
 {
     const struct outputs *const outputs = &job->outputs[0];
-    bool are_integers = false;
+    const struct ground *const ground = &job->surface.ground;
+    bool are_heights = false;
     for (size_t i = 0; i < outputs->count; i++) {
-        const enum sample_kind kind = outputs->list[i].kind;
-        are_integers |= kind == SAMPLE_U16_LOW || kind == SAMPLE_U16_HIGH;
-    }
-    if (are_integers) {
-        fprintf(stream, "16-bit heights: 0 is %.9g, 65535 is %.9g\n",
-                (double)(job->surface.ground.floor + 0.0f), /* no zero is negative */
-                (double)(job->surface.ground.highest + 0.0f));
+        const struct output *const output = &outputs->list[i];
+        const struct ground_field *const field = &ground->fields[output->part];
+        if (!is_integer(output)) {
+            continue;
+        }
+        if (output->layer == &layers[LAYER_FIELD]) {
+            print_scale(stream, output->content, field->lowest, field->highest);
+        } else if (output->layer == &layers[LAYER_SLOPE]) {
+            print_scale(stream, "slope", 0.0f, 90.0f);
+        } else if (!are_heights) {
+            print_scale(stream, "heights", ground->floor, ground->highest);
+            are_heights = true;
+        }
     }
 }
 
@@ -91,7 +92,7 @@ static void print_summary(const struct job *job, double duration)
 {
     /* A device may be standard output by another name. */
     FILE *const stream = outputs_are_files(&job->outputs[0]) ? stdout : stderr;
-    print_heights(job, stream);
+    print_scales(job, stream);
     print_period(job, stream);
     if (job->busy > 0) {
         fprintf(stream, "%zu tile%s left to other runs\n", job->busy, job->busy == 1 ? "" : "s");
@@ -108,6 +109,10 @@ static void print_summary(const struct job *job, double duration)
                 (unsigned long long)job->samples);
     } else {
         fprintf(stream, "%zux%zu", job->surface.width, job->surface.height);
+        if (job->tiling.level_count > 1) {
+            fprintf(stream, " in %u levels, %llu", job->tiling.level_count,
+                    (unsigned long long)job->samples);
+        }
     }
     /* No clock resolves the smallest rasters. */
     const double rate = (double)job->samples / (duration > 1e-9 ? duration : 1e-9);
@@ -127,10 +132,25 @@ static bool make_relief(struct job *job)
     if (!source_open_palette(job->source, options->look.palette, &job->palette)) {
         return false;
     }
+    if (options->masks != NULL && job->palette.in_units) {
+        cli_error("--masks: a --palette of a FILE has colours, and no rock, snow, sand and water");
+        return false;
+    }
     if ((outputs_needs(&job->outputs[0]) & SURFACE_BED) != 0) {
         surface_set_relief(&job->surface, &job->palette);
     }
     return true;
+}
+
+/* Opens the world, and the file for the checksums of its files. */
+static int open_world(struct job *job)
+{
+    const int status = world_open(job);
+    if (status == CLI_SUCCESS && !sums_open(&job->sums, job->manifest.path, job->options->share)) {
+        cli_error("%s: no memory", job->manifest.option);
+        return CLI_FAILURE;
+    }
+    return status;
 }
 
 static int prepare(struct job *job)
@@ -141,27 +161,43 @@ static int prepare(struct job *job)
         return CLI_FAILURE;
     }
     if (!make_surface(options, job->source, &job->surface) ||
-        !make_outputs(options, &job->outputs[0]) || !make_outputs(options, &job->outputs[1]) ||
-        !make_relief(job) || !tiling_make(options, &job->tiling) ||
-        !outputs_check(&job->outputs[0], &job->tiling)) {
+        !asked_outputs(options, &job->asked, &job->outputs[0]) ||
+        !asked_outputs(options, &job->asked, &job->outputs[1]) ||
+        !asked_check(&job->outputs[0], &job->surface) || !make_relief(job) ||
+        !tiling_make(options, &job->tiling) || !outputs_check(&job->outputs[0], &job->tiling)) {
         return CLI_USAGE;
     }
-    return needs_manifest(job) ? world_open(job) : CLI_SUCCESS;
+    if (options->verify && !needs_manifest(job)) {
+        cli_error("--verify: needs --tile or --resume, whose runs keep checksums");
+        return CLI_USAGE;
+    }
+    if (!options->verify && !room_check(job)) {
+        return CLI_USAGE;
+    }
+    return needs_manifest(job) ? open_world(job) : CLI_SUCCESS;
 }
 
-static int run(const struct terrain_options *options, const struct source *source)
+/* Writes the files. */
+static int write_files(struct job *job)
+{
+    const double start = running_seconds();
+    const int status = job_run(job);
+    if (status == CLI_SUCCESS && !job->options->running.quiet) {
+        print_summary(job, running_seconds() - start);
+    }
+    return status;
+}
+
+static int run(const struct terrain_options *options, struct source *source)
 {
     static struct job job; /* large for a stack */
     job.options = options;
     job.source = source;
-    int status = prepare(&job);
+    int status = asked_read(&job.asked, &options->out, source) ? prepare(&job) : CLI_USAGE;
     if (status == CLI_SUCCESS) {
-        const double start = running_seconds();
-        status = job_run(&job);
-        if (status == CLI_SUCCESS && !options->running.quiet) {
-            print_summary(&job, running_seconds() - start);
-        }
+        status = options->verify ? verify_files(&job) : write_files(&job);
     }
+    sums_close(&job.sums, job.written > 0);
     manifest_close(&job.manifest, status == CLI_SUCCESS || job.written > 0);
     outputs_free(&job.outputs[0]);
     outputs_free(&job.outputs[1]);

@@ -6,6 +6,7 @@
 
 #include <stddef.h>
 
+#include "ground/ground.h"
 #include "presets/presets.h"
 
 #define FIELD(name) offsetof(struct terrain_options, name)
@@ -18,20 +19,67 @@ static const struct option raster_rows[] = {
                    "distance between samples, in the unit of x and y")},
     {OPTION_FLAG("--tileable", tileable,
                  "--period with the raster's own size: copies fit side by side")},
+    {OPTION_COUNT("--levels", levels, NULL, 1, LEVELS_MOST,
+                  "N rasters, each half as wide as the one before, with the octaves that its step "
+                  "can show: NAME, NAME-level1, NAME-level2 ..."),
+     .otherwise = "1"},
+    {OPTION_FLAG("--band-limit", band_limit,
+                 "leave out octaves whose cells are smaller than two samples, in level 0, too: "
+                 "they flicker, and large forms do not need them")},
+    {.name = "--crs",
+     .argument = "EPSG:N",
+     .allowed = "EPSG:N, N from 1024 to 32766 the number of a projected system; those of degrees, "
+                "such as 4326, are none",
+     .help = "the coordinate system of x and y, for .tif; and for .img if it is a zone of UTM, "
+             "EPSG:32601 to 32660 in the north, 32701 to 32760 in the south",
+     .otherwise = "no system",
+     .parse = option_epsg,
+     .offset = FIELD(crs),
+     .lowest = 1024,
+     .highest = 32766},
 };
 
 static const struct option file_rows[] = {
     {OPTION_FILE("--heights", heights,
-                 "heights: .png .pgm .r16 (16-bit integers), .r32 .pfm .img .npy (floats)"),
+                 "heights: .png .pgm .r16 (16-bit integers), .r32 .pfm .img .tif .npy (floats)"),
      .of_run = 1},
     {OPTION_FILE("--normals", normals,
-                 "unit normals: .png .ppm (8-bit red, green, blue), .pfm .img .npy (floats)"),
+                 "unit normals: .png .ppm (8-bit red, green, blue), .pfm .img .tif .npy (floats)"),
      .of_run = 1},
-    {OPTION_FILE("--hillshade", hillshade, "light and shade: .png .pgm .img .npy (8-bit)"),
+    {OPTION_FILE("--hillshade", hillshade, "light and shade: .png .pgm .img .tif .npy (8-bit)"),
      .of_run = 1},
-    {OPTION_FILE("--relief", relief, "the ground in colours, lit: .png .ppm .img .npy (8-bit)"),
+    {OPTION_FILE("--relief", relief,
+                 "the ground in colours, lit: .png .ppm .img .tif .npy (8-bit)"),
      .of_run = 1},
-    {OPTION_FILE("--gradient", gradient, "slopes of the heights along x and y: .img .npy (floats)"),
+    {OPTION_FILE("--gradient", gradient,
+                 "slopes of the heights along x and y: .img .tif .npy (floats)"),
+     .of_run = 1},
+    {OPTION_FILE("--slope", slope,
+                 "degrees from level ground, 0 to 90: formats as heights; 16-bit integers divide "
+                 "90 degrees"),
+     .of_run = 1},
+    {OPTION_FILE("--curvature", curvature,
+                 "mean curvature in 1 / unit, above 0 on crests, where the recipe has second "
+                 "derivatives: .r32 .pfm .img .tif .npy"),
+     .of_run = 1},
+    {.name = "--out",
+     .argument = "NAME=FILE",
+     .allowed = "an output of the recipe and a file, NAME=FILE, at most 15 times",
+     .help = "the values of an output of the recipe, once for each of them: formats as heights",
+     .otherwise = "not written",
+     .parse = option_list,
+     .offset = FIELD(out),
+     .highest = GROUND_FIELDS_MOST,
+     .of_run = 1},
+    {.name = "--masks",
+     .argument = "STEM",
+     .allowed = "the beginning of file names: not empty, no separator at its end",
+     .help = "how much of 255 is rock, snow, sand, vegetation and water, as the relief has them: "
+             "STEM-rock and so on, .png or without zlib .pgm; of STEM.EXT, STEM-rock.EXT; of "
+             "STEM.png two, told below",
+     .otherwise = "not written",
+     .parse = option_stem,
+     .offset = FIELD(masks),
      .of_run = 1},
     {.name = "--output",
      .argument = "STEM",
@@ -91,6 +139,10 @@ static const struct option tile_rows[] = {
                  "leave out tiles that are there already, and those that another run is writing: "
                  "runs with the same options share the work"),
      .of_run = 1},
+    {OPTION_FLAG("--verify", verify,
+                 "write nothing, but compare the files that are there with the checksums that the "
+                 "runs which wrote them have kept"),
+     .of_run = 1},
 };
 
 static const struct option_group groups[] = {
@@ -118,6 +170,8 @@ const struct option_table terrain_table = {
         ".png       with zlib only           .pgm .ppm  netpbm's, high byte first\n"
         ".r16 .r32  no header, low byte first           .pfm  floats, bottom row first\n"
         ".img       ENVI, which GDAL opens; NAME.hdr beside NAME.img tells the raster's place\n"
+        ".tif       GeoTIFF in tiles of 256 x 256, deflated if there is zlib; more than 4 GB make\n"
+        "           it a BigTIFF\n"
         ".npy       NumPy's: height x width, or height x width x components\n"
         "\n"
         "place      column c and row r lie at x = X + c step and y = Y + (H - 1 - r) step: x "
@@ -169,6 +223,21 @@ const struct option_table terrain_table = {
         "           or red/green/blue or names; B and F for what is below and above; N is not\n"
         "           used. A line that begins with # is a comment.\n"
         "gradient   dx and dy.\n"
+        "slope      the angle whose tangent is the length of the gradient.\n"
+        "curvature  the mean curvature, 1 / R on top of a sphere of radius R. It is\n"
+        "           -((1 + dy^2) dxx - 2 dx dy dxy + (1 + dx^2) dyy) / (2 (1 + dx^2 + dy^2)^1.5).\n"
+        "           The sea has none. Erosion, swiss, jordan, gullies, slopes and distances in\n"
+        "           cells have no second derivatives.\n"
+        "out        Values are as the recipe has them, without --scale, which makes places "
+        "larger,\n"
+        "           and the height without the sea. 16-bit integers divide the interval that the\n"
+        "           output never leaves, which the run prints.\n"
+        "masks      STEM.png becomes STEM-1.png, whose red is rock, green snow, blue sand and "
+        "alpha\n"
+        "           vegetation, and STEM-2.png, whose red is water and all else 0. The five are "
+        "255\n"
+        "           together at each sample. What is none of the others, and shows the palette's\n"
+        "           ramp, is vegetation; with desert it is sand, with arctic snow.\n"
         "compare    on the left the normals, on the right normals of the same places with dx and\n"
         "           dy by central differences of the 16-bit heights, two steps apart.\n"
         "tiles      hold the same samples as one file would. Those at the right and at the bottom\n"
@@ -176,6 +245,14 @@ const struct option_table terrain_table = {
         "patterns   in FILE, {x} and {y} stand for the place of a tile from the left and from the\n"
         "           top, {-y} for that from the bottom, all from 0; {x:04} has at least four\n"
         "           digits. Directories are made. Without them tiles are called NAME_y_x.\n"
+        "levels     Each sample of level n lies in the middle of the 2^n x 2^n samples that it\n"
+        "           stands for, and octaves whose cells are smaller than two of its steps are "
+        "left\n"
+        "           out. The scale of integers and the colours are those of level 0. In FILE\n"
+        "           {level} stands for n, {-level} for the number of levels after it. Tiles of "
+        "all\n"
+        "           levels have the same size; x and y count those of their level. Of one .tif,\n"
+        "           levels are its overviews to GDAL: NAME.tif.ovr, NAME.tif.ovr.ovr and so on.\n"
         "world      FILE.json beside the tiles (y_x.png.json for w/{y}/{x}.png) tells what they "
         "all\n"
         "           depend on. The first run writes it; a run that would write other tiles is\n"
@@ -185,7 +262,10 @@ const struct option_table terrain_table = {
         "it\n"
         "           must be; PNG has to end as it must. Runs that share a world need no locks for\n"
         "           that; where locks reach, no tile is written twice.\n"
-        "memory     40 MiB and 2 MiB per thread, unless 32 rows of the files are more, 64 of PNG.\n"
+        "verify     Beside the manifest FILE.json a run keeps checksums in FILE.sums, share I of\n"
+        "           N in FILE.I-N.sums: XXH64 of each file, which xxhsum -c reads, too.\n"
+        "memory     40 MiB and 2 MiB per thread, unless 32 rows of the files are more, 64 of PNG,\n"
+        "           512 of TIFF and as much again.\n"
         "\n" PRESET_HELP,
     .groups = groups,
     .count = sizeof groups / sizeof groups[0],

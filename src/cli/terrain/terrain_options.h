@@ -10,6 +10,8 @@
 #include "shared/options.h"
 #include "shared/running_options.h"
 
+#define LEVELS_MOST 20 /* 2^20 samples are more than a raster has across */
+
 struct terrain_options {
     struct ground_options ground;
     struct option_size size, tile; /* no tile: 0 x 0 */
@@ -19,9 +21,12 @@ struct terrain_options {
     struct look_options look;
     double step;
     struct running_options running;
-    size_t compare, overlap;
-    int tileable, normal_down, resume;
-    const char *heights, *normals, *hillshade, *relief, *gradient, *output;
+    size_t compare, overlap, levels; /* one level: 0 */
+    unsigned crs;                    /* none: 0 */
+    int tileable, band_limit, normal_down, resume, verify;
+    struct option_list out; /* NAME=FILE */
+    const char *heights, *normals, *hillshade, *relief, *gradient, *slope, *curvature;
+    const char *masks, *output;
 };
 
 extern const struct option_table terrain_table;

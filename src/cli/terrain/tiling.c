@@ -11,7 +11,7 @@ static size_t quotient_up(size_t a, size_t b)
     return (a + b - 1) / b;
 }
 
-/* What only tiles have. */
+/* What only tiles have, and what does not go with levels */
 static bool check_needs(const struct terrain_options *options)
 {
     const char *const needs = options->tiles.x1 != 0      ? "--tiles"
@@ -21,6 +21,42 @@ static bool check_needs(const struct terrain_options *options)
     if (needs != NULL && options->tile.width == 0) {
         cli_error("%s: needs --tile", needs);
         return false;
+    }
+    if (options->tiles.x1 != 0 && options->levels > 1) {
+        cli_error("--tiles: tells no tiles of --levels; --share divides those of all of them");
+        return false;
+    }
+    return true;
+}
+
+/* Level `n`; the levels before it are set. */
+static struct level level_of(const struct tiling *tiling, const struct option_size *raster,
+                             unsigned n)
+{
+    const size_t side = (size_t)1 << n;
+    struct level level = {
+        .raster = {quotient_up(raster->width, side), quotient_up(raster->height, side)}};
+    const struct option_size tile = tiling->numbered ? tiling->tile : level.raster;
+    level.across = quotient_up(level.raster.width, tile.width);
+    level.down = quotient_up(level.raster.height, tile.height);
+    if (n > 0) {
+        const struct level *const before = &tiling->levels[n - 1];
+        level.first = before->first + before->across * before->down;
+    }
+    return level;
+}
+
+static bool set_levels(const struct terrain_options *options, struct tiling *tiling)
+{
+    tiling->level_count = options->levels > 1 ? (unsigned)options->levels : 1;
+    for (unsigned n = 0; n < tiling->level_count; n++) {
+        tiling->levels[n] = level_of(tiling, &options->size, n);
+        const struct option_size *const raster = &tiling->levels[n].raster;
+        if (raster->width == 1 && raster->height == 1 && n + 1 < tiling->level_count) {
+            cli_error("--levels: %zux%zu samples have %u levels, the last of which is one sample",
+                      options->size.width, options->size.height, n + 1);
+            return false;
+        }
     }
     return true;
 }
@@ -32,33 +68,36 @@ static size_t share_begin(size_t tiles, size_t index, size_t count)
     return tiles / count * index + (index < rest ? index : rest);
 }
 
+/* Tiles of the range, or of all levels */
+static size_t count_tiles(const struct tiling *tiling)
+{
+    const struct level *const last = &tiling->levels[tiling->level_count - 1];
+    const struct option_range *const range = &tiling->range;
+    return tiling->level_count > 1 ? last->first + last->across * last->down
+                                   : (range->x1 - range->x0) * (range->y1 - range->y0);
+}
+
 bool tiling_make(const struct terrain_options *options, struct tiling *tiling)
 {
-    if (!check_needs(options)) {
-        return false;
-    }
-    *tiling = (struct tiling){.raster = options->size,
-                              .tile = options->size,
+    *tiling = (struct tiling){.tile = options->tile,
                               .range = options->tiles,
                               .overlap = options->overlap,
                               .numbered = options->tile.width != 0};
-    if (tiling->numbered) {
-        tiling->tile = options->tile;
-    }
-    tiling->across = quotient_up(options->size.width, tiling->tile.width);
-    tiling->down = quotient_up(options->size.height, tiling->tile.height);
-    if (tiling->range.x1 == 0) {
-        tiling->range = (struct option_range){0, tiling->across, 0, tiling->down};
-    }
-    if (tiling->range.x1 > tiling->across || tiling->range.y1 > tiling->down) {
-        cli_error("--tiles: there are %zu x %zu tiles, so X1 is at most %zu and Y1 at most %zu",
-                  tiling->across, tiling->down, tiling->across, tiling->down);
+    if (!check_needs(options) || !set_levels(options, tiling)) {
         return false;
     }
-    const size_t tiles =
-        (tiling->range.x1 - tiling->range.x0) * (tiling->range.y1 - tiling->range.y0);
+    const struct level *const raster = &tiling->levels[0];
+    if (tiling->range.x1 == 0) {
+        tiling->range = (struct option_range){0, raster->across, 0, raster->down};
+    }
+    if (tiling->range.x1 > raster->across || tiling->range.y1 > raster->down) {
+        cli_error("--tiles: there are %zu x %zu tiles, so X1 is at most %zu and Y1 at most %zu",
+                  raster->across, raster->down, raster->across, raster->down);
+        return false;
+    }
     const struct option_share all = {0, 1};
     const struct option_share share = options->share.count != 0 ? options->share : all;
+    const size_t tiles = count_tiles(tiling);
     tiling->begin = share_begin(tiles, share.index, share.count);
     tiling->end = share_begin(tiles, share.index + 1, share.count);
     return true;
@@ -71,18 +110,28 @@ static size_t extent(size_t first, size_t length, size_t size, size_t overlap)
 
 struct tile tiling_at(const struct tiling *tiling, size_t n)
 {
-    const size_t width = tiling->range.x1 - tiling->range.x0;
-    const size_t x = tiling->range.x0 + n % width, y = tiling->range.y0 + n / width;
-    const size_t column = x * tiling->tile.width, row = y * tiling->tile.height;
+    unsigned index = tiling->level_count - 1;
+    while (index > 0 && tiling->levels[index].first > n) {
+        index--;
+    }
+    const struct level *const level = &tiling->levels[index];
+    const struct option_size tile = tiling->numbered ? tiling->tile : level->raster;
+    const struct option_range all = {0, level->across, 0, level->down};
+    const struct option_range range = tiling->level_count > 1 ? all : tiling->range;
+    const size_t width = range.x1 - range.x0, place = n - level->first;
+    const size_t x = range.x0 + place % width, y = range.y0 + place / width;
+    const size_t column = x * tile.width, row = y * tile.height;
     return (struct tile){
+        .level = index,
+        .coarser = tiling->level_count - 1 - index,
         .column = column,
         .row = row,
-        .width = extent(column, tiling->tile.width, tiling->raster.width, tiling->overlap),
-        .height = extent(row, tiling->tile.height, tiling->raster.height, tiling->overlap),
+        .width = extent(column, tile.width, level->raster.width, tiling->overlap),
+        .height = extent(row, tile.height, level->raster.height, tiling->overlap),
         .x = x,
         .y = y,
-        .up = tiling->down - 1 - y,
-        .number = y * tiling->across + x,
+        .up = level->down - 1 - y,
+        .number = level->first + y * level->across + x,
         .numbered = tiling->numbered,
     };
 }

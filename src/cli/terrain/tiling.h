@@ -11,20 +11,29 @@
 #include "shared/options.h"
 #include "terrain/terrain_options.h"
 
-struct tiling {
-    struct option_size raster, tile;
-    struct option_range range; /* of tiles, from which the share is taken */
-    size_t overlap;
-    size_t across, down; /* tiles of the whole raster */
-    size_t begin, end;   /* the share: tiles of the range, counted row by row */
-    bool numbered;       /* the raster has tiles, and their numbers are part of file names */
+/* A level of detail: level 0 is the raster, and each one after it half as wide. */
+struct level {
+    struct option_size raster; /* in samples */
+    size_t across, down;       /* tiles */
+    size_t first;              /* the number of its first tile */
 };
 
-/* Part of the raster; it may go beyond it to the right and below. */
+struct tiling {
+    struct option_size tile;
+    struct option_range range; /* of tiles, from which the share is taken, if there is one level */
+    size_t overlap;
+    struct level levels[LEVELS_MOST];
+    unsigned level_count;
+    size_t begin, end; /* the share: tiles of the range, or of all levels, counted row by row */
+    bool numbered;     /* the raster has tiles, and their numbers are part of file names */
+};
+
+/* Part of the raster of a level; it may go beyond it to the right and below. */
 struct tile {
+    unsigned level, coarser; /* and how many levels follow it */
     size_t column, row, width, height;
     size_t x, y, up; /* its place among the tiles: from the left, the top and the bottom */
-    size_t number;   /* among all tiles of the raster, row by row */
+    size_t number;   /* among all tiles of all levels, row by row */
     bool numbered;
 };
 

@@ -4,6 +4,7 @@
  */
 #include "terrain/world.h"
 
+#include <math.h>
 #include <stdlib.h>
 #include <string.h>
 
@@ -13,7 +14,7 @@
 #include "shared/text.h"
 #include "terrain/pattern.h"
 
-/* The files of one option: their pattern as seen from the manifest, after the format and a colon
+/* The files of an output: their pattern as seen from the manifest, after the format and a colon
    where the extension does not tell it. False without memory. */
 static bool add_files(const struct output *output, bool numbered, const char *manifest,
                       struct text *text)
@@ -27,9 +28,7 @@ static bool add_files(const struct output *output, bool numbered, const char *ma
                                                               told ? "" : ":", relative, NULL})
                             : NULL;
     if (whole != NULL) {
-        text_add(text, "  \"%s\": ", output->option + 2);
         json_add_string(text, whole);
-        text_add(text, ",\n");
     }
     free(pattern);
     free(relative);
@@ -37,24 +36,48 @@ static bool add_files(const struct output *output, bool numbered, const char *ma
     return whole != NULL;
 }
 
-/* Of the files of --output the first one says what the others are called. */
+/* The files of --out by the names of the outputs, which the list has in alphabetical order */
+static bool add_fields(const struct outputs *outputs, bool numbered, const char *manifest,
+                       struct text *text)
+{
+    bool is_first = true;
+    text_add(text, "  \"out\": {");
+    for (size_t i = 0; i < outputs->count; i++) {
+        const struct output *const output = &outputs->list[i];
+        if (output->layer != &layers[LAYER_FIELD]) {
+            continue;
+        }
+        text_add(text, "%s\"%s\": ", is_first ? "" : ", ", output->content);
+        if (!add_files(output, numbered, manifest, text)) {
+            return false;
+        }
+        is_first = false;
+    }
+    text_add(text, "},\n");
+    return true;
+}
+
+/* Of the files of --output and --masks the first one says what the others are called. */
 static bool add_all_files(const struct outputs *outputs, bool numbered, const char *manifest,
                           struct text *text)
 {
     static const char *const options[] = {"--heights",  "--normals", "--hillshade", "--relief",
-                                          "--gradient", "--output",  NULL};
+                                          "--gradient", "--slope",   "--curvature", "--masks",
+                                          "--output",   NULL};
     for (const char *const *option = options; *option != NULL; option++) {
         size_t i = 0;
         while (i < outputs->count && strcmp(outputs->list[i].option, *option) != 0) {
             i++;
         }
+        text_add(text, "  \"%s\": ", *option + 2);
         if (i == outputs->count) {
-            text_add(text, "  \"%s\": null,\n", *option + 2);
+            text_add(text, "null");
         } else if (!add_files(&outputs->list[i], numbered, manifest, text)) {
             return false;
         }
+        text_add(text, ",\n");
     }
-    return true;
+    return add_fields(outputs, numbered, manifest, text);
 }
 
 /* What the relief depends on beside the ground and the light */
@@ -71,14 +94,23 @@ static void add_palette(const struct relief *relief, struct text *text)
     }
 }
 
-static void add_derived(const struct surface *surface, const struct tiling *tiling,
-                        struct text *text)
+static void add_derived(const struct job *job, struct text *text)
 {
-    text_add(text, "  \"derived\": {\n    \"tiles\": [%zu, %zu],\n", tiling->across, tiling->down);
-    text_add(text, "    \"range\": [%.9g, %.9g],\n", (double)surface->ground.lowest,
-             (double)surface->ground.highest);
-    text_add(text, "    \"16-bit heights\": [%.9g, %.9g]\n  }\n",
-             (double)(surface->ground.floor + 0.0f), (double)(surface->ground.highest + 0.0f));
+    const struct ground *const ground = &job->surface.ground;
+    const struct level *const raster = &job->tiling.levels[0];
+    text_add(text, "  \"derived\": {\n    \"tiles\": [%zu, %zu],\n", raster->across, raster->down);
+    text_add(text, "    \"range\": [%.9g, %.9g],\n", (double)ground->lowest,
+             (double)ground->highest);
+    text_add(text, "    \"16-bit heights\": [%.9g, %.9g]", (double)(ground->floor + 0.0f),
+             (double)(ground->highest + 0.0f));
+    for (size_t i = 0; i < ground->field_count; i++) {
+        const struct ground_field *const field = &ground->fields[i];
+        if (isfinite(field->lowest) && isfinite(field->highest)) {
+            text_add(text, ",\n    \"16-bit %s\": [%.9g, %.9g]", job->source->fields[i],
+                     (double)(field->lowest + 0.0f), (double)(field->highest + 0.0f));
+        }
+    }
+    text_add(text, "\n  }\n");
 }
 
 int world_open(struct job *job)
@@ -96,7 +128,7 @@ int world_open(struct job *job)
     int status = CLI_FAILURE;
     if (path != NULL && add_all_files(outputs, job->tiling.numbered, path, &text)) {
         add_palette(&job->surface.relief, &text);
-        add_derived(&job->surface, &job->tiling, &text);
+        add_derived(job, &text);
         text_add(&text, "}\n");
     } else {
         text.failed = true;
@@ -104,7 +136,8 @@ int world_open(struct job *job)
     if (text.failed) {
         cli_error("%s: no memory", first->option);
     } else {
-        status = manifest_open(manifest, path, text.bytes);
+        status = job->options->verify ? manifest_compare(manifest, path, text.bytes)
+                                      : manifest_open(manifest, path, text.bytes);
     }
     free(text.bytes);
     free(path);

@@ -1,0 +1,149 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Makes the list of outputs.
+ */
+#include "terrain/asked.h"
+
+#include <math.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+#include "formats/formats.h"
+#include "shared/error.h"
+
+static bool read_field(struct asked_field *field, const char *text)
+{
+    const size_t length = strcspn(text, "=");
+    if (length == 0 || length > ASKED_NAME_MOST || text[length] == '\0' ||
+        text[length + 1] == '\0') {
+        cli_error("--out: '%.60s' is not an output of the recipe and a file: NAME=FILE", text);
+        return false;
+    }
+    memcpy(field->name, text, length);
+    field->name[length] = '\0';
+    field->file = text + length + 1;
+    return true;
+}
+
+static int compare_fields(const void *a, const void *b)
+{
+    const struct asked_field *const one = a, *const other = b;
+    const int order = strcmp(one->name, other->name);
+    return order != 0 ? order : strcmp(one->file, other->file);
+}
+
+bool asked_read(struct asked *asked, const struct option_list *list, struct source *source)
+{
+    asked->count = list->count;
+    for (size_t i = 0; i < list->count; i++) {
+        if (!read_field(&asked->fields[i], list->texts[i])) {
+            return false;
+        }
+    }
+    qsort(asked->fields, asked->count, sizeof asked->fields[0], compare_fields);
+    for (size_t i = 0; i < asked->count; i++) {
+        asked->fields[i].number = source_field(source, asked->fields[i].name);
+    }
+    return true;
+}
+
+bool asked_outputs(const struct terrain_options *options, const struct asked *asked,
+                   struct outputs *outputs)
+{
+    const char *const files[] = {
+        [LAYER_HEIGHTS] = options->heights,     [LAYER_NORMALS] = options->normals,
+        [LAYER_HILLSHADE] = options->hillshade, [LAYER_RELIEF] = options->relief,
+        [LAYER_GRADIENT] = options->gradient,   [LAYER_SLOPE] = options->slope,
+        [LAYER_CURVATURE] = options->curvature};
+    for (size_t i = 0; i < sizeof files / sizeof files[0]; i++) {
+        if (files[i] != NULL && !outputs_add(outputs, &layers[i], files[i])) {
+            return false;
+        }
+    }
+    for (size_t i = 0; i < asked->count; i++) {
+        const struct asked_field *const field = &asked->fields[i];
+        if (!outputs_add_field(outputs, field->number, field->name, field->file)) {
+            return false;
+        }
+    }
+    if (options->masks != NULL && !outputs_add_masks(outputs, options->masks)) {
+        return false;
+    }
+    const char *const stem =
+        options->output == NULL && outputs->count == 0 ? "terrain" : options->output;
+    if (stem == NULL && options->compare != 0) {
+        cli_error("--compare: needs --output");
+        return false;
+    }
+    return stem == NULL || outputs_add_stem(outputs, stem, options->compare != 0);
+}
+
+/* Integers need an interval that they can divide. */
+static bool check_field(const struct output *output, const struct ground *ground)
+{
+    const struct ground_field *const field = &ground->fields[output->part];
+    if (output->kind == SAMPLE_F32 || (isfinite(field->lowest) && isfinite(field->highest))) {
+        return true;
+    }
+    cli_error("--out: %s grows with x or y, so 16-bit integers have no scale for it; .r32, .pfm, "
+              ".img, .tif and .npy hold floats",
+              output->content);
+    return false;
+}
+
+static bool has_curvature(const struct ground *ground)
+{
+    const double origin = 0.0;
+    float values[6];
+    const struct scarp_samples out = {.value = &values[0],
+                                      .dx = &values[1],
+                                      .dy = &values[2],
+                                      .dxx = &values[3],
+                                      .dxy = &values[4],
+                                      .dyy = &values[5]};
+    return ground_dry_points(ground, 1, &origin, &origin, &out);
+}
+
+static bool check_output(const struct output *output, const struct ground *ground)
+{
+    if (output->layer == &layers[LAYER_FIELD]) {
+        return check_field(output, ground);
+    }
+    if (output->layer == &layers[LAYER_CURVATURE] && !has_curvature(ground)) {
+        cli_error("--curvature: the heights have no second derivatives; erosion, swiss, jordan, "
+                  "gullies, slopes and distances in cells have none");
+        return false;
+    }
+    return true;
+}
+
+static bool check_system(const struct outputs *outputs, unsigned epsg)
+{
+    bool has_place = false;
+    for (size_t i = 0; i < outputs->count && epsg != 0; i++) {
+        const struct format *const format = outputs->list[i].format;
+        has_place |= format == &format_tif || format == &format_img;
+        if (format == &format_img && !img_knows(epsg)) {
+            cli_error("--crs: headers of .img know zones of UTM alone, EPSG:32601 to 32660 and "
+                      "32701 to 32760; .tif knows EPSG:%u",
+                      epsg);
+            return false;
+        }
+    }
+    if (epsg != 0 && !has_place) {
+        cli_error("--crs: is for .tif and .img, and no such file is asked for");
+        return false;
+    }
+    return true;
+}
+
+bool asked_check(const struct outputs *outputs, const struct surface *surface)
+{
+    for (size_t i = 0; i < outputs->count; i++) {
+        if (!check_output(&outputs->list[i], &surface->ground)) {
+            return false;
+        }
+    }
+    return check_system(outputs, surface->epsg);
+}
