@@ -10,8 +10,8 @@
 
 #define TEXT_MOST 16384
 #define NAME_MOST 100
-#define ADDED_MOST (160 + (1 + GROUND_FIELDS_MOST) * (NAME_MOST + 100)) /* bytes added to a text   \
-                                                                         */
+/* Bytes of the lines that are added to a text */
+#define ADDED_MOST (160 + (1 + GROUND_FIELDS_MOST) * (NAME_MOST + 100))
 #define SCRATCH_SIZE (256 << 10) /* about 1,000 points of a large recipe */
 
 /* What the names of statements begin with that are added to a text for its scale */

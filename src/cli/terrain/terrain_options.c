@@ -264,8 +264,8 @@ const struct option_table terrain_table = {
         "           that; where locks reach, no tile is written twice.\n"
         "verify     Beside the manifest FILE.json a run keeps checksums in FILE.sums, share I of\n"
         "           N in FILE.I-N.sums: XXH64 of each file, which xxhsum -c reads, too.\n"
-        "memory     40 MiB and 2 MiB per thread, unless 32 rows of the files are more, 64 of PNG,\n"
-        "           512 of TIFF and as much again.\n"
+        "memory     40 MiB and 2 MiB per thread, unless 32 rows of all files together are more;\n"
+        "           64 rows with a PNG, 512 with a TIFF, and what is packed once more.\n"
         "\n" PRESET_HELP,
     .groups = groups,
     .count = sizeof groups / sizeof groups[0],
