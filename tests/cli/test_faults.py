@@ -122,6 +122,8 @@ class Faults(TracedCase):
         tiles = [name for name in left if name != "w/y_x.img.json"]
         if result.returncode == 2 or not tiles:
             self.assertEqual(left, {})
+            self.assertEqual([name for _, _, names in os.walk(self.directory) for name in names
+                              if name.endswith(".sums")], [], "checksums of nothing")
         for name in tiles:
             tile = re.search(r"(\d)\.", name)[1]
             self.assertEqual([name for name in self.expected

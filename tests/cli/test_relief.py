@@ -155,6 +155,30 @@ class Relief(Painted):
                     seen.add(tuple(self.check_palette(name, sea)))
         self.assertEqual(len(seen), 10)
 
+    def test_masks(self):
+        """Masks are the shares of these colours, rounded: the formula of the ground with a colour
+        of its own for each of five grounds."""
+        names = ("rock", "snow", "sand", "vegetation", "water")
+        unit = {name: tuple(float(name == other) for other in names) for name in names}
+        for name in PALETTES:
+            ramp = unit[{"desert": "sand", "arctic": "snow"}.get(name, "vegetation")]
+            palette = {**palette_of(name), "ramp": [(0.0, ramp), (1.0, ramp)],
+                       "rock": unit["rock"], "high_rock": unit["rock"], "snow": unit["snow"],
+                       "sand": unit["sand"], "shallow": unit["water"], "deep": unit["water"]}
+            for sea in (None, -0.0625):
+                wet = SMALL if sea is None else [*SMALL, "--sea-level", str(sea)]
+                spread, sun = self.spread(sea), light()
+                beds = [height / SCALE for height in self.floats("--heights", *SMALL)]
+                values = [height / SCALE for height in self.floats("--heights", *wet)]
+                normals = self.floats("--normals", *wet)
+                self.quietly(*wet, "--palette", name, "--masks", "m.npy")
+                masks = [read_picture(self.path("m-%s.npy" % ground)).flat() for ground in names]
+                for pixel, value, bed, normal in zip(zip(*masks), values, beds, normals):
+                    self.assertEqual(sum(pixel), 255)
+                    expected = self.ground(palette, spread, value, bed, sea, normal, sun)
+                    for part, share in zip(pixel, expected):
+                        self.assertLess(abs(part - 255 * share), 1.01, (name, sea, pixel))
+
     def test_light(self):
         """It comes from where it is asked for, and snow keeps away from it."""
         self.check_palette("arctic", None, 90.0, 20.0)

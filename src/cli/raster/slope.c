@@ -12,14 +12,14 @@
 #define HIGH 2.4142135623730949
 
 /* The angle of a tangent t from 0 on, in degrees: 0, 45 or 90 of them, and by Taylor's series that
-   of a tangent u between -LOW and LOW, to double's precision. */
+   of a tangent u between -LOW and LOW, to a part in 10^11. */
 static inline double degrees_of(double t)
 {
     const double u = t < LOW ? t : t < HIGH ? (t - 1.0) / (t + 1.0) : -1.0 / t;
     const double whole = t < LOW ? 0.0 : t < HIGH ? 45.0 : 90.0;
     const double s = u * u;
-    double sum = 1.0 / 39.0;
-    for (int n = 37; n > 0; n -= 2) {
+    double sum = 1.0 / 27.0;
+    for (int n = 25; n > 0; n -= 2) {
         sum = 1.0 / n - s * sum;
     }
     return whole + u * sum * 57.295779513082323; /* 180 / pi */
