@@ -80,8 +80,10 @@ class View(Case):
 
     def test_arrays(self):
         expected = self.picture().rows
-        for name in ("v.npy", "v.img"):
+        for name in ("v.npy", "v.img", "v.tif"):
             self.check_rows(self.picture(name=name).rows, expected)
+        wide = ("--size", "300x280", "--samples", "1", "--octaves", "2")  # four tiles of TIFF
+        self.check_rows(self.picture(*wide, name="v.tif").rows, self.picture(*wide).rows)
 
     def test_sizes(self):
         """Also those that tiles and their parts do not divide."""

@@ -42,23 +42,16 @@ static bool write_parts(struct writer *writer, const struct whole *whole)
 static bool pack_and_write(struct writer *writer, struct crew *crew, const uint8_t *samples)
 {
     const struct raster *const raster = &writer->raster;
-    const size_t rows = writer->format->packing->part_rows(raster);
-    const size_t room = writer->format->packing->room(raster, rows);
-    struct whole whole = {.writer = writer, .crew = crew};
-    const size_t columns = packing_columns(writer->format->packing, raster);
-    const size_t across = (raster->width + columns - 1) / columns;
-    whole.count = (raster->height + rows - 1) / rows * across;
-    uint8_t *const bytes = malloc(whole.count * room);
+    const struct parts parts = parts_of(writer->format->packing, raster);
+    struct whole whole = {
+        .writer = writer, .crew = crew, .count = parts_count(&parts, raster->height)};
+    uint8_t *const bytes = malloc(whole.count * parts.room);
     whole.parts = calloc(whole.count, sizeof *whole.parts);
     bool is_written = bytes != NULL && whole.parts != NULL;
     errno = ENOMEM;
     for (size_t n = 0; n < whole.count && is_written; n++) {
-        whole.parts[n] = (struct part){.row = n / across * rows,
-                                       .rows = rows,
-                                       .column = n % across * columns,
-                                       .columns = columns,
-                                       .bytes = bytes + n * room};
-        part_fit(&whole.parts[n], raster, samples, 0);
+        whole.parts[n] = parts_at(&parts, raster, samples, 0, n);
+        whole.parts[n].bytes = bytes + n * parts.room;
     }
     if (is_written) {
         const size_t most = crew_most(crew);

@@ -33,22 +33,45 @@ uint64_t raster_bytes(const struct raster *raster)
     return (uint64_t)raster->width * raster->height * raster->channels * sample_bytes(raster->kind);
 }
 
-size_t packing_columns(const struct packing *packing, const struct raster *raster)
-{
-    return packing->part_columns != NULL ? packing->part_columns(raster) : raster->width;
-}
-
 static size_t smaller(size_t a, size_t b)
 {
     return a < b ? a : b;
 }
 
-void part_fit(struct part *part, const struct raster *raster, const uint8_t *samples, size_t first)
+static size_t quotient_up(size_t a, size_t b)
 {
-    const size_t pixel = raster_row_bytes(raster) / raster->width;
-    part->rows = smaller(part->rows, raster->height / raster->times - part->row);
-    part->columns = smaller(part->columns, raster->width - part->column);
-    part->samples = samples + (part->row - first) * raster_row_bytes(raster) + part->column * pixel;
+    return (a + b - 1) / b;
+}
+
+struct parts parts_of(const struct packing *packing, const struct raster *raster)
+{
+    struct parts parts = {.rows = packing->part_rows(raster), .columns = raster->width};
+    if (packing->part_columns != NULL) {
+        parts.columns = packing->part_columns(raster);
+    }
+    parts.across = quotient_up(raster->width, parts.columns);
+    parts.room = packing->room(raster, parts.rows);
+    return parts;
+}
+
+size_t parts_count(const struct parts *parts, size_t rows)
+{
+    return quotient_up(rows, parts->rows) * parts->across;
+}
+
+struct part parts_at(const struct parts *parts, const struct raster *raster, const uint8_t *samples,
+                     size_t first, size_t n)
+{
+    const size_t row = n / parts->across * parts->rows;
+    const size_t column = n % parts->across * parts->columns;
+    const size_t stride = raster_row_bytes(raster);
+    return (struct part){
+        .samples = samples + row * stride + column * (stride / raster->width),
+        .row = first + row,
+        .rows = smaller(parts->rows, raster->height / raster->times - first - row),
+        .column = column,
+        .columns = smaller(parts->columns, raster->width - column),
+    };
 }
 
 uint64_t writer_bytes(const struct writer *writer, bool *is_exact)

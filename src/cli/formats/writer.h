@@ -60,12 +60,22 @@ struct packing {
     bool (*write)(struct writer *writer, const struct part *part);
 };
 
-/* Columns of a part; of one at the right edge there may be fewer. */
-size_t packing_columns(const struct packing *packing, const struct raster *raster);
+/* How a raster falls into parts, which are counted row by row */
+struct parts {
+    size_t rows, columns; /* of a part; at the right and at the bottom there may be fewer */
+    size_t across;        /* side by side */
+    size_t room;          /* bytes that a part takes at most */
+};
 
-/* Cuts a part whose members but `samples` are set off at the edges of the raster, and finds its
-   first sample: `samples` are those of the raster from row `first` on. */
-void part_fit(struct part *part, const struct raster *raster, const uint8_t *samples, size_t first);
+struct parts parts_of(const struct packing *packing, const struct raster *raster);
+
+/* Parts of `rows` rows */
+size_t parts_count(const struct parts *parts, size_t rows);
+
+/* Part number `n` of the rows from `first` on, whose samples begin at `samples`; its room is still
+   to be set. */
+struct part parts_at(const struct parts *parts, const struct raster *raster, const uint8_t *samples,
+                     size_t first, size_t n);
 
 /* Each function returns whether it succeeded; on failure errno may tell why. */
 struct format {

@@ -22,7 +22,7 @@ static const struct option sheet_rows[] = {
                  "NAME=VALUES or NAME=VALUES,NAME=VALUES: what cells differ in, first from left to "
                  "right, then from top to bottom; told below"),
      .standard = "seed=1..9"},
-    {OPTION_FILE("--output", output, "the picture: .png .ppm"),
+    {OPTION_FILE("--output", output, "the picture: .png .ppm .img .tif .npy"),
      .otherwise = "sheet.png, without zlib sheet.ppm"},
     {OPTION_SIZE("--cell", cell, "256x192", 16, 1024, "pixels of a cell")},
     {OPTION_COUNT("--samples", samples, "4", 1, 8,

@@ -27,13 +27,11 @@
 /* The way of an output: its bands, by turns those with even and those with odd numbers */
 struct lane {
     uint8_t *memory[2];
-    uint8_t *bytes[2];              /* in there, after the row above the band */
-    const struct packing *packing;  /* NULL: the bytes go to the file as they are; else: */
-    size_t packer;                  /* which of a thread's packers serves */
-    size_t parts;                   /* of a band, row by row */
-    size_t across;                  /* parts side by side */
-    size_t part_rows, part_columns; /* of a part; the last ones may be smaller */
-    size_t room;                    /* of a part */
+    uint8_t *bytes[2];             /* in there, after the row above the band */
+    const struct packing *packing; /* NULL: the bytes go to the file as they are; else: */
+    size_t packer;                 /* which of a thread's packers serves */
+    struct parts way;              /* how the raster falls into parts */
+    size_t parts;                  /* of a band */
     uint8_t *packed[2];
     struct part *part[2];
 };
@@ -89,12 +87,8 @@ static size_t choose_parts(struct pipeline *pipeline)
         while (pipeline->lanes[lane->packer].packing != lane->packing) {
             lane->packer++;
         }
-        const struct raster *const raster = &output->writer.raster;
-        lane->part_rows = lane->packing->part_rows(raster);
-        lane->part_columns = packing_columns(lane->packing, raster);
-        lane->across = quotient_up(raster->width, lane->part_columns);
-        lane->room = lane->packing->room(raster, lane->part_rows);
-        unit = unit < lane->part_rows ? lane->part_rows : unit;
+        lane->way = parts_of(lane->packing, &output->writer.raster);
+        unit = unit < lane->way.rows ? lane->way.rows : unit;
         pipeline->lag = 2;
     }
     return unit;
@@ -107,15 +101,9 @@ static size_t bytes_of_row(const struct pipeline *pipeline)
     for (size_t i = 0; i < pipeline->outputs->count; i++) {
         const struct lane *const lane = &pipeline->lanes[i];
         bytes += pipeline->outputs->list[i].row_bytes;
-        bytes += lane->packing != NULL ? lane->room * lane->across / lane->part_rows : 0;
+        bytes += lane->packing != NULL ? lane->way.room * lane->way.across / lane->way.rows : 0;
     }
     return bytes;
-}
-
-/* Parts of a band of so many rows */
-static size_t parts_of(const struct lane *lane, size_t rows)
-{
-    return lane->packing != NULL ? quotient_up(rows, lane->part_rows) * lane->across : 0;
 }
 
 /* Decides the sizes of bands, parts and blocks. */
@@ -137,7 +125,7 @@ static void divide(struct pipeline *pipeline)
                        quotient_up(pipeline->rows, pipeline->block_rows);
     for (size_t i = 0; i < pipeline->outputs->count; i++) {
         struct lane *const lane = &pipeline->lanes[i];
-        lane->parts = parts_of(lane, pipeline->rows);
+        lane->parts = lane->packing != NULL ? parts_count(&lane->way, pipeline->rows) : 0;
         pipeline->parts += lane->parts;
     }
     /* Waiting for a thread that has nothing to do takes longer than a small raster. */
@@ -161,7 +149,7 @@ static bool open_lane(struct pipeline *pipeline, size_t i)
         }
         /* With 32-bit addresses, enlarged rasters may need more than there are. */
         lane->packed[turn] =
-            lane->room <= SIZE_MAX / lane->parts ? malloc(lane->parts * lane->room) : NULL;
+            lane->way.room <= SIZE_MAX / lane->parts ? malloc(lane->parts * lane->way.room) : NULL;
         lane->part[turn] = calloc(lane->parts, sizeof *lane->part[turn]);
         if (lane->packed[turn] == NULL || lane->part[turn] == NULL) {
             return false;
@@ -291,17 +279,13 @@ static void pack(const struct pipeline *pipeline, size_t band, size_t n,
     }
     const struct lane *const lane = &pipeline->lanes[i];
     const struct output *const output = &pipeline->outputs->list[i];
-    const size_t row = n / lane->across * lane->part_rows, first = band * pipeline->rows;
-    if (row >= rows_of_band(pipeline, band)) {
-        return;
+    if (n >= parts_count(&lane->way, rows_of_band(pipeline, band))) {
+        return; /* the last band is lower */
     }
     struct part *const part = &lane->part[band % 2][n];
-    *part = (struct part){.row = first + row,
-                          .rows = lane->part_rows,
-                          .column = n % lane->across * lane->part_columns,
-                          .columns = lane->part_columns,
-                          .bytes = lane->packed[band % 2] + n * lane->room};
-    part_fit(part, &output->writer.raster, lane->bytes[band % 2], first);
+    *part = parts_at(&lane->way, &output->writer.raster, lane->bytes[band % 2],
+                     band * pipeline->rows, n);
+    part->bytes = lane->packed[band % 2] + n * lane->way.room;
     lane->packing->pack(scratch->packers[lane->packer], &output->writer.raster, part);
 }
 
@@ -327,7 +311,7 @@ static bool write_parts(const struct pipeline *pipeline, size_t band, size_t i)
 {
     struct output *const output = &pipeline->outputs->list[i];
     const struct lane *const lane = &pipeline->lanes[i];
-    const size_t parts = parts_of(lane, rows_of_band(pipeline, band));
+    const size_t parts = parts_count(&lane->way, rows_of_band(pipeline, band));
     bool written = true;
     for (size_t n = 0; n < parts && written; n++) {
         written = writer_write_part(&output->writer, &lane->part[band % 2][n]);

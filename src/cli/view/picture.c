@@ -27,7 +27,7 @@ struct picture {
     size_t rows, stride;           /* of a band, and bytes of a row */
     uint8_t *memory, *bytes;       /* those of the band, after the row above it */
     const struct packing *packing; /* NULL: rows go to the file as they are; else: */
-    size_t part_rows, room;
+    struct parts way;              /* how the raster falls into parts */
     struct part *part;
     uint8_t *packed;
     size_t wanted, threads; /* threads that there is work for, and memory */
@@ -83,8 +83,8 @@ static bool open_picture(struct picture *picture)
     const size_t affordable = BAND_BYTES / picture->stride / TILE_HEIGHT * TILE_HEIGHT;
     size_t unit = TILE_HEIGHT;
     if (picture->packing != NULL) {
-        picture->part_rows = picture->packing->part_rows(raster);
-        unit = picture->part_rows > unit ? picture->part_rows : unit; /* powers of two */
+        picture->way = parts_of(picture->packing, raster);
+        unit = picture->way.rows > unit ? picture->way.rows : unit; /* powers of two */
     }
     picture->rows =
         smaller(affordable / unit > 0 ? affordable / unit * unit : unit, raster->height);
@@ -94,9 +94,9 @@ static bool open_picture(struct picture *picture)
     }
     picture->bytes = picture->memory + picture->stride;
     if (picture->packing != NULL) {
-        const size_t parts = quotient_up(picture->rows, picture->part_rows);
-        picture->room = picture->packing->room(raster, picture->part_rows);
-        picture->packed = picture->room <= SIZE_MAX / parts ? malloc(parts * picture->room) : NULL;
+        const size_t parts = parts_count(&picture->way, picture->rows);
+        const size_t room = picture->way.room;
+        picture->packed = room <= SIZE_MAX / parts ? malloc(parts * room) : NULL;
         picture->part = calloc(parts, sizeof *picture->part);
         if (picture->packed == NULL || picture->part == NULL) {
             return false;
@@ -147,18 +147,15 @@ static void paint(const struct picture *picture, size_t n, struct tile *tile)
 
 static void pack(const struct picture *picture, size_t n, void *packer)
 {
-    const size_t row = n * picture->part_rows;
     struct part *const part = &picture->part[n];
-    *part = (struct part){.samples = picture->bytes + row * picture->stride,
-                          .row = picture->row + row,
-                          .rows = smaller(picture->part_rows, rows_of_band(picture) - row),
-                          .bytes = picture->packed + n * picture->room};
+    *part = parts_at(&picture->way, &picture->writer->raster, picture->bytes, picture->row, n);
+    part->bytes = picture->packed + n * picture->way.room;
     picture->packing->pack(packer, &picture->writer->raster, part);
 }
 
 static size_t parts_of_band(const struct picture *picture)
 {
-    return picture->packing != NULL ? quotient_up(rows_of_band(picture), picture->part_rows) : 0;
+    return picture->packing != NULL ? parts_count(&picture->way, rows_of_band(picture)) : 0;
 }
 
 /* Writes the band, and begins the next one. */

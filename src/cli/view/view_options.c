@@ -52,7 +52,7 @@ static enum option_result parse_direction(const struct option *option, const cha
 }
 
 static const struct option picture_rows[] = {
-    {OPTION_FILE("--output", output, "the picture: .png .ppm .img .npy; must be given"),
+    {OPTION_FILE("--output", output, "the picture: .png .ppm .img .tif .npy; must be given"),
      .of_run = 1},
     {OPTION_SIZE("--size", size, "960x540", 1, 16384, "pixels across and down")},
     {OPTION_COUNT("--samples", samples, "4", 1, 256, "rays for each pixel where it needs them")},
