@@ -183,8 +183,9 @@ bool outputs_check(const struct outputs *outputs, const struct tiling *tiling)
         cli_error("--tile: tiles cannot go to standard output, only to files");
         return false;
     }
-    if (tiling->level_count > 1 && outputs_to_standard_output(outputs)) {
-        cli_error("--levels: levels cannot go to standard output, only to files");
+    if (tiling->level_count > 1 && !outputs_are_files(outputs)) {
+        cli_error(
+            "--levels: levels can go to files only, not to standard output, pipes or devices");
         return false;
     }
     for (size_t i = 0; i < outputs->count; i++) {

@@ -19,10 +19,9 @@ static const struct option raster_rows[] = {
                    "distance between samples, in the unit of x and y")},
     {OPTION_FLAG("--tileable", tileable,
                  "--period with the raster's own size: copies fit side by side")},
-    {OPTION_COUNT("--levels", levels, NULL, 1, LEVELS_MOST,
+    {OPTION_COUNT("--levels", levels, "1", 1, LEVELS_MOST,
                   "N rasters, each half as wide as the one before, with the octaves that its step "
-                  "can show: NAME, NAME-level1, NAME-level2 ..."),
-     .otherwise = "1"},
+                  "can show: NAME, NAME-level1, NAME-level2 ...")},
     {OPTION_FLAG("--band-limit", band_limit,
                  "leave out octaves whose cells are smaller than two samples, in level 0, too: "
                  "they flicker, and large forms do not need them")},

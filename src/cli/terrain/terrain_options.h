@@ -21,7 +21,7 @@ struct terrain_options {
     struct look_options look;
     double step;
     struct running_options running;
-    size_t compare, overlap, levels; /* one level: 0 */
+    size_t compare, overlap, levels;
     unsigned crs;                    /* none: 0 */
     int tileable, band_limit, normal_down, resume, verify;
     struct option_list out; /* NAME=FILE */

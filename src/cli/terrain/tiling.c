@@ -48,7 +48,7 @@ static struct level level_of(const struct tiling *tiling, const struct option_si
 
 static bool set_levels(const struct terrain_options *options, struct tiling *tiling)
 {
-    tiling->level_count = options->levels > 1 ? (unsigned)options->levels : 1;
+    tiling->level_count = (unsigned)options->levels;
     for (unsigned n = 0; n < tiling->level_count; n++) {
         tiling->levels[n] = level_of(tiling, &options->size, n);
         const struct option_size *const raster = &tiling->levels[n].raster;
