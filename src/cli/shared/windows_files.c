@@ -245,12 +245,15 @@ static bool is_pipe(const wchar_t *path)
 /* Everybody may open, rename and remove the file meanwhile, as on POSIX systems. */
 int windows_open(const char *path, int flags, ...)
 {
-    const DWORD access = (flags & O_RDWR) != 0     ? GENERIC_READ | GENERIC_WRITE
+    /* Who may append alone writes behind the end, wherever others have brought that. */
+    const DWORD access = (flags & O_APPEND) != 0   ? GENERIC_READ | FILE_APPEND_DATA
+                         : (flags & O_RDWR) != 0   ? GENERIC_READ | GENERIC_WRITE
                          : (flags & O_WRONLY) != 0 ? GENERIC_WRITE
                                                    : GENERIC_READ;
     const DWORD share = FILE_SHARE_READ | FILE_SHARE_WRITE | FILE_SHARE_DELETE;
     const DWORD creation = (flags & O_EXCL) != 0    ? CREATE_NEW
                            : (flags & O_TRUNC) != 0 ? CREATE_ALWAYS
+                           : (flags & O_CREAT) != 0 ? OPEN_ALWAYS
                                                     : OPEN_EXISTING;
     if ((flags & O_DIRECTORY) != 0) {
         errno = EACCES;

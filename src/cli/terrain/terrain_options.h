@@ -22,7 +22,7 @@ struct terrain_options {
     double step;
     struct running_options running;
     size_t compare, overlap, levels;
-    unsigned crs;                    /* none: 0 */
+    unsigned crs; /* none: 0 */
     int tileable, band_limit, normal_down, resume, verify;
     struct option_list out; /* NAME=FILE */
     const char *heights, *normals, *hillshade, *relief, *gradient, *slope, *curvature;
