@@ -1305,8 +1305,8 @@ SCARP_API enum scarp_status scarp_recipe_seed(struct scarp_recipe *recipe, uint6
  *
  * `name` is that of a `param`, or "finest": then octaves whose cells are smaller than so many units
  * are left out, 0 for none, and large forms stay to the bit. Octaves of gullies count by cells of
- * the base, halved from octave to octave. The recipe is compiled again, which takes some
- * microseconds.
+ * the base, divided by the lacunarity from octave to octave. The recipe is compiled again, which
+ * takes some microseconds.
  *
  * Returns SCARP_ERROR_NULL if `recipe` or `name` is NULL; SCARP_ERROR_PARAMETER if *recipe is none,
  * or has errors, for a name that does not exist, a value outside its interval, and one with which

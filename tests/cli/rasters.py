@@ -129,7 +129,7 @@ def decode_npy(data):
     fields = ast.literal_eval(header.decode("latin-1").strip())
     assert set(fields) == {"descr", "fortran_order", "shape"} and not fields["fortran_order"]
     height, width, *channels = fields["shape"]
-    assert channels in ([], [2], [3], [4]), channels
+    assert channels in ([], [2], [3]), channels
     return Picture(width, height, channels[0] if channels else 1,
                    {"<f4": FLOAT, "|u1": U8}[fields["descr"]], data[10 + length:])
 

@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Files beside the height: outputs of a recipe, masks, slopes and curvature."""
+import json
 import math
 import re
 
@@ -103,9 +104,11 @@ class Fields(OutputsCase):
         outs = ("--out", "ridge=r.r32", "--out", "a=a.r32", "--out", "a=b.npy")
         world = (*SIZE, "--recipe", "r.recipe", "--tile", "20x20")
         self.quietly(*world, *outs)
+        self.assertEqual(json.loads(self.bytes("a.r32.json"))["out"],
+                         ["a=a_{y}_{x}.r32", "a=b_{y}_{x}.npy", "ridge=r_{y}_{x}.r32"])
         self.quietly(*world, *outs[4:], *outs[:4], "--resume")
         result = run("terrain", *world, *outs[2:], "--resume", cwd=self.directory)
-        self.check_one_line(result, 2, "--out is {", "ridge")
+        self.check_one_line(result, 2, "--out is [", "ridge=r_{y}_{x}.r32")
 
     def test_refused(self):
         recipe = ("--recipe", "r.recipe")

@@ -76,7 +76,7 @@ class Manifest(WorldCase):
             "sharpness": None, "frequency": 0.03, "octaves": 3, "of-octaves": None, "lacunarity": 2, "gain": 0.4, "amplitude": -3,
             "phase": None, "rotate": True, "heights": "w_{y}_{x}.r32", "normals": "npy:n_{y}_{x}.v1",
             "hillshade": "s_{y}_{x}.img", "relief": None, "palette": None, "gradient": None,
-            "slope": None, "curvature": None, "out": {}, "masks": None, "output": None, "levels": 1,
+            "slope": None, "curvature": None, "out": [], "masks": None, "output": None, "levels": 1,
             "band-limit": False, "crs": None})
         self.assertEqual(derived["tiles"], [4, 3])
         self.assertEqual([common.rounded(height) for height in derived["range"]],
@@ -108,7 +108,7 @@ class Manifest(WorldCase):
                    "relief": ("c.npy", "null", '"c_{y}_{x}.npy"'),
                    "slope": ("d.npy", "null", '"d_{y}_{x}.npy"'),
                    "curvature": ("e.npy", "null", '"e_{y}_{x}.npy"'),
-                   "out": ("height=f.r32", "{}", '{"height": "f_{y}_{x}.r32"}'),
+                   "out": ("height=f.r32", "[]", '["height=f_{y}_{x}.r32"]'),
                    "masks": ("m.npy", "null", '"m-rock_{y}_{x}.npy"'),
                    "levels": ("2", "1", "2"), "band-limit": (None, "false", "true"),
                    "output": ("t", "null", '"t-height_{y}_{x}' + self.extensions[0] + '"')}

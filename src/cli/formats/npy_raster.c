@@ -20,7 +20,7 @@ static uint64_t npy_bytes(const struct raster *raster)
 
 #define KINDS (SAMPLE_U8 | SAMPLE_F32)
 const struct format format_npy = {.name = "npy",
-                                  .kinds = {0, KINDS, KINDS, KINDS, KINDS},
+                                  .kinds = {0, KINDS, KINDS, KINDS},
                                   .open = npy_open,
                                   .write = writer_write_raw,
                                   .bytes = npy_bytes};

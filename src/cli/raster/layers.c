@@ -203,20 +203,31 @@ static void encode_relief(const struct surface *surface, const struct strip *str
     relief_colours(&surface->relief, &samples, strip->count, to);
 }
 
-/* One ground of five */
-static void encode_mask(const struct surface *surface, const struct strip *strip,
-                        enum sample_kind kind, uint8_t *to)
+/* The `channels` grounds of the strip's part, interleaved; 0 beyond the last ground */
+static void encode_grounds(const struct surface *surface, const struct strip *strip,
+                           size_t channels, uint8_t *to)
 {
-    (void)kind;
     for (size_t first = 0; first < strip->count; first += RUN) {
         uint8_t masks[RUN * PALETTE_GROUNDS];
         const size_t count = smaller(strip->count - first, RUN);
         const struct relief_samples samples = relief_samples_of(strip, first);
         relief_masks(&surface->relief, &samples, count, masks);
         for (size_t i = 0; i < count; i++) {
-            to[first + i] = masks[i * PALETTE_GROUNDS + strip->part];
+            for (size_t c = 0; c < channels; c++) {
+                const size_t ground = channels * strip->part + c;
+                to[channels * (first + i) + c] =
+                    ground < PALETTE_GROUNDS ? masks[i * PALETTE_GROUNDS + ground] : 0;
+            }
         }
     }
+}
+
+/* One ground of five */
+static void encode_mask(const struct surface *surface, const struct strip *strip,
+                        enum sample_kind kind, uint8_t *to)
+{
+    (void)kind;
+    encode_grounds(surface, strip, 1, to);
 }
 
 /* Four grounds as red, green, blue and alpha */
@@ -224,19 +235,7 @@ static void encode_masks(const struct surface *surface, const struct strip *stri
                          enum sample_kind kind, uint8_t *to)
 {
     (void)kind;
-    for (size_t first = 0; first < strip->count; first += RUN) {
-        uint8_t masks[RUN * PALETTE_GROUNDS];
-        const size_t count = smaller(strip->count - first, RUN);
-        const struct relief_samples samples = relief_samples_of(strip, first);
-        relief_masks(&surface->relief, &samples, count, masks);
-        for (size_t i = 0; i < count; i++) {
-            for (size_t c = 0; c < 4; c++) {
-                const size_t ground = 4 * strip->part + c;
-                to[4 * (first + i) + c] =
-                    ground < PALETTE_GROUNDS ? masks[i * PALETTE_GROUNDS + ground] : 0;
-            }
-        }
-    }
+    encode_grounds(surface, strip, 4, to);
 }
 
 static void encode_gradient(const struct surface *surface, const struct strip *strip,

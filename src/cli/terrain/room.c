@@ -46,10 +46,10 @@ static bool subtract_files(struct job *job, struct room *room)
     return true;
 }
 
-/* What the disk of output `i` is to take: sums of those outputs that share it */
+/* What the disk of output `i` is to take of those outputs whose sizes are known */
 struct disk {
     struct space space;
-    uint64_t exact, all;
+    uint64_t exact;
 };
 
 static bool find_disk(const struct outputs *outputs, const struct room *room, size_t i,
@@ -63,7 +63,6 @@ static bool find_disk(const struct outputs *outputs, const struct room *room, si
         struct space other;
         if (space_look(outputs->list[j].tile_path, &other) && other.device == disk->space.device) {
             disk->exact += room->exact[j];
-            disk->all += room->exact[j] + room->most[j];
         }
     }
     return true;

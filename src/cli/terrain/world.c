@@ -21,12 +21,15 @@ static bool add_files(const struct output *output, bool numbered, const char *ma
 {
     const char *const extension = path_extension(output->path);
     const bool told = *extension == '.' && strcmp(extension + 1, output->format->name) == 0;
+    const bool named = output->layer == &layers[LAYER_FIELD];
     char *const pattern = pattern_of(output->path, numbered);
     char *const relative = pattern != NULL ? path_relative(pattern, manifest) : NULL;
-    char *const whole = relative != NULL
-                            ? text_join((const char *const[]){told ? "" : output->format->name,
-                                                              told ? "" : ":", relative, NULL})
-                            : NULL;
+    char *const whole =
+        relative != NULL
+            ? text_join((const char *const[]){named ? output->content : "", named ? "=" : "",
+                                              told ? "" : output->format->name, told ? "" : ":",
+                                              relative, NULL})
+            : NULL;
     if (whole != NULL) {
         json_add_string(text, whole);
     }
@@ -36,24 +39,24 @@ static bool add_files(const struct output *output, bool numbered, const char *ma
     return whole != NULL;
 }
 
-/* The files of --out by the names of the outputs, which the list has in alphabetical order */
+/* The files of --out, sorted by the names of the outputs; an output may have several. */
 static bool add_fields(const struct outputs *outputs, bool numbered, const char *manifest,
                        struct text *text)
 {
     bool is_first = true;
-    text_add(text, "  \"out\": {");
+    text_add(text, "  \"out\": [");
     for (size_t i = 0; i < outputs->count; i++) {
         const struct output *const output = &outputs->list[i];
         if (output->layer != &layers[LAYER_FIELD]) {
             continue;
         }
-        text_add(text, "%s\"%s\": ", is_first ? "" : ", ", output->content);
+        text_add(text, "%s", is_first ? "" : ", ");
         if (!add_files(output, numbered, manifest, text)) {
             return false;
         }
         is_first = false;
     }
-    text_add(text, "},\n");
+    text_add(text, "],\n");
     return true;
 }
 
