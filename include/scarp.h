@@ -1496,10 +1496,9 @@ SCARP_API enum scarp_status scarp_recipe_function_at(size_t index,
  *
  * scarp.glsl, scarp.hlsl and scarp.wgsl lie beside this header, and compute noise on the GPU: all
  * bases and fractals, with periods, phases and warps; values, gradients and Hessians, but not
- * dphase, and not the chain rule: a shader that combines samples, and wants the bits of scarp_mix
- * or scarp_multiply, computes the terms that are told there, with 0 for products by 0. They read
- * the constants of the noise from a uniform buffer, a struct scarp_gpu_plan. File and plan must be
- * of the same version of the library.
+ * dphase; vector noise, cells and curl; the chain rule and gullies. They read the constants of the
+ * noise from a uniform buffer, a struct scarp_gpu_plan, or those of a recipe. File and constants
+ * must be of the same version of the library.
  *
  * Equal bits. A shader gives the bits of scarp_sample2 and scarp_sample3, with float coordinates,
  * on drivers that round sums, differences and products to the nearest float, and fuse none of them.
@@ -1534,8 +1533,9 @@ struct scarp_gpu_octave {
                              0. Other noise: 0. */
     float jacobian[3][4]; /* [i][0] to [i][2]: row i of J_k where axes are turned (not in octave 0),
                              else 0. [i][3]: component i of o_k. */
-    float gradient[3][4]; /* [i][0] to [i][2]: amplitude times that row. [0][3] and [1][3]: 1 / f_k
-                             and c_k of fractals that bend, else 0. [2][3]: 0. */
+    float gradient[3][4]; /* [i][0] to [i][2]: amplitude times that row. [0][3]: 1 / f_k of
+                             cellular noise and of fractals that bend, [1][3]: c_k of the latter,
+                             else 0. [2][3]: 0. */
 };
 
 /* What the octaves of a noise share: 48 bytes. */
@@ -1582,6 +1582,14 @@ struct scarp_gpu_plan {
 SCARP_API enum scarp_status scarp_gpu_plan_make(const struct scarp_noise *noise, int dimensions,
                                                 struct scarp_gpu_plan *plan, const char **member);
 
+/* scarp_gpu_vector_plan_make - likewise for the components of vector noise, as scarp_vector2 and
+   scarp_vector3 give them: for scarp_vector2, scarp_vector3 and scarp_curl3 of shaders. Level 0 has
+   octaves as those of a warp; if these are too many for a noise without a warp, *member is
+   "octaves". */
+SCARP_API enum scarp_status scarp_gpu_vector_plan_make(const struct scarp_noise *noise,
+                                                       int dimensions, struct scarp_gpu_plan *plan,
+                                                       const char **member);
+
 /*
  * scarp_gpu_answers - what a shader must answer, computed here: a test for the start of a program
  *
@@ -1599,6 +1607,76 @@ SCARP_API enum scarp_status scarp_gpu_plan_make(const struct scarp_noise *noise,
  */
 SCARP_API enum scarp_status scarp_gpu_answers(const struct scarp_noise *noise, int dimensions,
                                               int order, uint32_t *answer);
+
+/* The languages of shaders: of scarp.glsl, scarp.hlsl and scarp.wgsl. */
+enum scarp_language { SCARP_GLSL, SCARP_HLSL, SCARP_WGSL };
+
+/* What a shader of a recipe is made of. */
+struct scarp_shader {
+    int32_t language;   /* enum scarp_language */
+    int32_t order;      /* of the derivatives that outputs have: 0, 1 or 2 */
+    const char *file;   /* the text of scarp.glsl, or scarp.hlsl, or scarp.wgsl */
+    size_t length;      /* of it, in bytes */
+    uint32_t spare[12]; /* reserved: 0 */
+};
+
+/*
+ * scarp_recipe_shader - a recipe as functions of a shading language
+ *
+ * The text declares a uniform buffer, which scarp_recipe_uniforms fills, and has
+ *
+ *     ScarpRecipe scarp_recipe(x, y)         all outputs: a structure with members out0, out1, ...
+ *     ScarpSample scarp_recipe_NAME(x, y)    one of them: value, gradient, diagonal, mixed
+ *     uint scarp_answer_recipe(i)            the self-test: answer i of scarp_recipe_answers
+ *
+ * with float coordinates, in space x, y and z. Runs of underscores in a name become one. Behind
+ * them is what they use of the file, and no more. What masks hide is left out by `if`. Derivatives
+ * above `order`, or above those that an output has, mean nothing. In GLSL and HLSL the macros of
+ * the file say where the buffer is (SCARP_BINDING, SCARP_REGISTER); in WGSL the shader declares
+ *
+ *     @group(0) @binding(0) var<uniform> scarp_plan: ScarpRecipePlan;
+ *
+ * Equal bits, under the conditions above: outputs are those of scarp_recipe_sample. Where sine() is
+ * used, one result of some 10^7 may be off in the last place.
+ *
+ * scarp_recipe_seed never changes the text. scarp_recipe_set does if a number becomes, or was, one
+ * that makes a function simpler, as a factor of 1, or if there are more octaves: then the text that
+ * this call gives differs from the one before, and the shader is compiled again.
+ *
+ * *length becomes the length of the text without the 0 behind it. If that exceeds the capacity,
+ * nothing useful is written, the call returns SCARP_ERROR_SIZE, and *length + 1 is a capacity that
+ * suffices. Otherwise returns SCARP_ERROR_NULL if `recipe`, `how`, its file, or `length` is NULL,
+ * or `text` with a capacity above 0; SCARP_ERROR_PARAMETER if *recipe is none, or has errors, for
+ * an order that does not exist, or a file that is none of the three; SCARP_ERROR_ENUM for an
+ * unknown language; SCARP_ERROR_UNSUPPORTED for a reserved member in use.
+ */
+SCARP_API enum scarp_status scarp_recipe_shader(const struct scarp_recipe *recipe,
+                                                const struct scarp_shader *how, char *text,
+                                                size_t capacity, size_t *length);
+
+/*
+ * scarp_recipe_uniforms - the uniform buffer of that shader
+ *
+ * Seed and parameters are in here. The layout is that of std140: 16 bytes, vectors of 16, levels of
+ * 48 and octaves of 160 bytes (struct scarp_gpu_level, struct scarp_gpu_octave). `bytes` may stand
+ * wherever a float may. *size becomes the size; if the capacity is less, the call returns
+ * SCARP_ERROR_SIZE. Otherwise errors are as of scarp_recipe_shader. A recipe with 30 octaves takes
+ * about 6 KiB; devices have 16 KiB at least, most of them 64.
+ */
+SCARP_API enum scarp_status scarp_recipe_uniforms(const struct scarp_recipe *recipe, void *bytes,
+                                                  size_t capacity, size_t *size);
+
+/*
+ * scarp_recipe_answers - what a shader of a recipe must answer: a test for the start of a program
+ *
+ * answer[i], for i < SCARP_GPU_ANSWERS, is a hash of all outputs at test point i, up to an order
+ * from 0 to 2, or that of the output; scarp_answer_recipe(i) of a shader with this order gives the
+ * same number. Points lie around the origin, some thousand cells of the first noise away.
+ *
+ * Returns SCARP_ERROR_NULL if a pointer is NULL; SCARP_ERROR_PARAMETER as scarp_recipe_shader.
+ */
+SCARP_API enum scarp_status scarp_recipe_answers(const struct scarp_recipe *recipe, int order,
+                                                 uint32_t *answer);
 
 /*
  * scarp_basis_name, scarp_fade_name, scarp_fractal_name - the enumerators as words

@@ -94,6 +94,12 @@ cbuffer ScarpPlans : register(SCARP_REGISTER)
     ScarpPlan scarp_plan[SCARP_PLANS];
 };
 
+// 0, which compilers do not know
+uint scarp_zero()
+{
+    return scarp_plan[0].zero;
+}
+
 uint scarp_only_basis(uint basis)
 {
 #ifdef SCARP_ONLY_BASIS
@@ -238,6 +244,35 @@ float scarp_root(float x)
     q = scarp_pick_uint(r > scarp_int_of(q), q + 1u, q);
     float rounded = scarp_float_of_bits((((e + 127u) >> 1u) << 23u) + (q - 0x800000u));
     return scarp_pick(e == 0u, 0.0f, rounded);
+}
+
+/*
+ * a / b, rounded to nearest, of b that is neither 0 nor below 2^-126; 0 where that is below 2^-126.
+ * With mantissas m of a and n of b, the quotient's is q: 2^23 m / n, or 2^24 m / n where m is less
+ * than n, rounded.
+ */
+float scarp_quotient(float a, float b)
+{
+    uint m = (scarp_bits_of(a) & 0x7fffffu) | 0x800000u;
+    uint n = (scarp_bits_of(b) & 0x7fffffu) | 0x800000u;
+    uint less = scarp_pick_uint(m < n, 1u, 0u);
+    int of_a = scarp_int_of((scarp_bits_of(a) >> 23u) & 255u);
+    int of_b = scarp_int_of((scarp_bits_of(b) >> 23u) & 255u);
+    int e = of_a - of_b + 126 - scarp_int_of(less);
+    float left = scarp_float_of_bits(0x3f800000u | (m & 0x7fffffu));
+    float estimate = scarp_mul(left, scarp_rough_inverse(scarp_float_of_bits(0x3f800000u | (n
+            & 0x7fffffu))));
+    uint q = scarp_uint_of(scarp_whole_of(scarp_mul(estimate, scarp_either(m < n, 16777216.0f,
+            8388608.0f))));
+    int r = scarp_int_of((m << (23u + less)) - q * n);
+    for (int i = 0; i < 16 && (r < 0 || r >= scarp_int_of(n)); i++) {
+        q = scarp_pick_uint(r < 0, q - 1u, q + 1u);
+        r = scarp_int_of((m << (23u + less)) - q * n);
+    }
+    q = scarp_pick_uint(2 * r > scarp_int_of(n), q + 1u, q);
+    uint size = (scarp_uint_of(e) << 23u) + q;
+    uint sign = (scarp_bits_of(a) ^ scarp_bits_of(b)) & SCARP_SIGN;
+    return scarp_pick(of_a == 0 || e < 0, 0.0f, scarp_float_of_bits(size | sign));
 }
 
 /* The directions of gradients, computed, since memory is slower. */
@@ -1606,48 +1641,61 @@ ScarpLevel scarp_level_of(uint plan, int i)
     return l;
 }
 
-bool scarp_bends(ScarpLevel l)
+/* Where octave k looks, which those before have bent if it is one of a fractal that bends. */
+float3 scarp_bent(ScarpState state, ScarpOctave o, uint k, float3 x)
 {
-    return l.fractal == SCARP_SWISS || l.fractal == SCARP_JORDAN;
+    float3 y = x;
+    if (k > 0u) {
+        y = scarp_add3(x, scarp_mul3(o.reach, state.slopes.d));
+    }
+    return y;
 }
 
-/* The octave n, in the axes of the input, as the fractal adds it to the sum; n is not bent. */
-ScarpState scarp_shaped(ScarpState state, ScarpOctave o, ScarpLevel l, ScarpSample n)
+/* Each fractal adds the octave n, in the axes of the input, to the sum; n is not bent. */
+ScarpState scarp_with_fbm(ScarpState state, ScarpSample n)
 {
     ScarpState s = state;
-    ScarpSample term = n;
-    float slope = o.weight;
-    if (l.fractal == SCARP_TURBULENCE) {
-        term = scarp_magnitude_of(n);
-    }
-    if (l.fractal == SCARP_RIDGED) {
-        term = scarp_ridge(state.weight, n);
-        s.weight = scarp_ridge_weight(term);
-    }
-    if (l.fractal == SCARP_PINGPONG) {
-        term = scarp_pingpong(n, l.sharpness);
-        slope = scarp_mul(o.weight, scarp_mul(2.0f, l.sharpness));
-    }
-    if (l.fractal == SCARP_HYBRID) {
-        term = scarp_hybrid(state.weight, n, l.sharpness);
-        s.weight = scarp_hybrid_weight(term, o.share);
-    }
-    if (l.fractal != SCARP_FBM) {
-        term = scarp_scaled(term, o.weight, slope, slope);
-    }
-    s.sum = scarp_sum_of(state.sum, term);
+    s.sum = scarp_sum_of(state.sum, n);
+    return s;
+}
+
+ScarpState scarp_with_turbulence(ScarpState state, ScarpOctave o, ScarpSample n)
+{
+    return scarp_with_fbm(state, scarp_scaled(scarp_magnitude_of(n), o.weight, o.weight, o.weight));
+}
+
+ScarpState scarp_with_ridged(ScarpState state, ScarpOctave o, ScarpSample n)
+{
+    ScarpSample term = scarp_ridge(state.weight, n);
+    ScarpState s = scarp_with_fbm(state, scarp_scaled(term, o.weight, o.weight, o.weight));
+    s.weight = scarp_ridge_weight(term);
+    return s;
+}
+
+ScarpState scarp_with_pingpong(ScarpState state, ScarpOctave o, ScarpLevel l, ScarpSample n)
+{
+    float slope = scarp_mul(o.weight, scarp_mul(2.0f, l.sharpness));
+    return scarp_with_fbm(state, scarp_scaled(scarp_pingpong(n, l.sharpness), o.weight, slope,
+            slope));
+}
+
+ScarpState scarp_with_hybrid(ScarpState state, ScarpOctave o, ScarpLevel l, ScarpSample n)
+{
+    ScarpSample term = scarp_hybrid(state.weight, n, l.sharpness);
+    ScarpState s = scarp_with_fbm(state, scarp_scaled(term, o.weight, o.weight, o.weight));
+    s.weight = scarp_hybrid_weight(term, o.share);
     return s;
 }
 
 /* Adds an octave of erosion; n is the basis in the axes of the octave. */
-ScarpState scarp_erosion(ScarpState state, ScarpOctave o, float strength, ScarpSample n,
+ScarpState scarp_with_erosion(ScarpState state, ScarpOctave o, ScarpLevel l, ScarpSample n,
         bool turned, int dimensions)
 {
     ScarpSample basis = scarp_scaled(n, o.amplitude, o.amplitude, o.amplitude);
     float3 gradient = scarp_to_input(o, turned, basis.gradient, dimensions);
     ScarpState s = state;
     s.slopes = scarp_steeper(state.slopes, o, turned, basis, dimensions);
-    ScarpSample term = scarp_eroded(s.slopes, strength, basis.value, gradient, dimensions);
+    ScarpSample term = scarp_eroded(s.slopes, l.erosion, basis.value, gradient, dimensions);
     s.sum = scarp_sum_of(state.sum, scarp_scaled(term, o.weight, o.weight, o.weight));
     return s;
 }
@@ -1658,45 +1706,60 @@ ScarpState scarp_with_octave(ScarpState state, ScarpOctave o, ScarpLevel l, uint
 {
     bool turned = l.rotate != 0u && k > 0u;
     float3 y = x;
-    if (scarp_bends(l) && k > 0u) {
-        y = scarp_add3(x, scarp_mul3(o.reach, state.slopes.d));
+    if (l.fractal == SCARP_SWISS || l.fractal == SCARP_JORDAN) {
+        y = scarp_bent(state, o, k, x);
     }
     ScarpLocation p = scarp_location_of(o, l.basis, turned, y, dimensions);
     ScarpSample basis = scarp_basis_at(o, l, p, dimensions);
     ScarpState s;
     if (l.fractal == SCARP_EROSION) {
-        s = scarp_erosion(state, o, l.erosion, basis, turned, dimensions);
+        s = scarp_with_erosion(state, o, l, basis, turned, dimensions);
     } else {
         ScarpSample n = scarp_in_input(o, turned, basis, dimensions);
         if (l.fractal == SCARP_SWISS) {
             s = scarp_swiss(state, o, l.inverse_weight, n, dimensions);
         } else if (l.fractal == SCARP_JORDAN) {
             s = scarp_jordan(state, o, l.erosion, k == 0u, n, dimensions);
+        } else if (l.fractal == SCARP_TURBULENCE) {
+            s = scarp_with_turbulence(state, o, n);
+        } else if (l.fractal == SCARP_RIDGED) {
+            s = scarp_with_ridged(state, o, n);
+        } else if (l.fractal == SCARP_PINGPONG) {
+            s = scarp_with_pingpong(state, o, l, n);
+        } else if (l.fractal == SCARP_HYBRID) {
+            s = scarp_with_hybrid(state, o, l, n);
         } else {
-            s = scarp_shaped(state, o, l, n);
+            s = scarp_with_fbm(state, n);
         }
     }
     return s;
 }
 
-/* The noise of a component of a level, without warps; component 0 of a level that has one. */
-ScarpSample scarp_octaves_at(uint plan, ScarpLevel given, uint component, float3 x, int dimensions)
+/* What octave 0 adds to. */
+ScarpState scarp_no_octaves()
 {
     float3 none = scarp_vec3_of(0.0f, 0.0f, 0.0f);
-    bool shares_lattice = given.basis == SCARP_GRADIENT || given.basis == SCARP_VALUE;
-    ScarpLevel l = given;
     ScarpState state;
-    if (shares_lattice) {
-        l.component = component;
-    } else {
-        l.first = given.first + component * given.octaves;
-    }
     state.sum = scarp_constant(0.0f);
     state.weight = scarp_constant(1.0f);
     state.slopes.d = none;
     state.slopes.jacobian = scarp_rows_of(none, none, none);
     state.left = 1.0f;
     state.left_by = none;
+    return state;
+}
+
+/* The noise of a component of a level, without warps; component 0 of a level that has one. */
+ScarpSample scarp_octaves_at(uint plan, ScarpLevel given, uint component, float3 x, int dimensions)
+{
+    bool shares_lattice = given.basis == SCARP_GRADIENT || given.basis == SCARP_VALUE;
+    ScarpLevel l = given;
+    ScarpState state = scarp_no_octaves();
+    if (shares_lattice) {
+        l.component = component;
+    } else {
+        l.first = given.first + component * given.octaves;
+    }
     for (uint k = 0u; k < l.octaves; k++) {
         state = scarp_with_octave(state, scarp_octave_of(plan, l.first + k), l, k, x, dimensions);
     }
@@ -1728,13 +1791,46 @@ ScarpSample scarp_composed(ScarpSample s, ScarpDisplaced y, int dimensions)
     return r;
 }
 
-/* The components of a level, each at `at`, by x; `y` says how that depends on x, unless the level
-   is the deepest. */
-ScarpDisplaced scarp_level_at(uint plan, int i, bool deepest, float3 at, ScarpDisplaced y,
-        int dimensions)
+/* What nothing has displaced. */
+ScarpDisplaced scarp_not_displaced()
+{
+    ScarpDisplaced y;
+    y.x = scarp_constant(0.0f);
+    y.y = y.x;
+    y.z = y.x;
+    return y;
+}
+
+/* Displacements of x become positions: their derivatives are those of x, too. */
+ScarpDisplaced scarp_positions_of(ScarpDisplaced d)
+{
+    ScarpDisplaced y = d;
+    y.x.gradient.x = scarp_add(y.x.gradient.x, 1.0f);
+    y.y.gradient.y = scarp_add(y.y.gradient.y, 1.0f);
+    y.z.gradient.z = scarp_add(y.z.gradient.z, 1.0f);
+    return y;
+}
+
+float3 scarp_values_of(ScarpDisplaced y)
+{
+    return scarp_vec3_of(y.x.value, y.y.value, y.z.value);
+}
+
+ScarpDisplaced scarp_displaced_of(ScarpSample x, ScarpSample y, ScarpSample z)
+{
+    ScarpDisplaced d;
+    d.x = x;
+    d.y = y;
+    d.z = z;
+    return d;
+}
+
+/* Components of a level, each at `at`, by x; `y` says how that depends on x, unless the level is
+   the deepest. */
+ScarpDisplaced scarp_level_at(uint plan, int i, int components, bool deepest, float3 at,
+        ScarpDisplaced y, int dimensions)
 {
     ScarpLevel l = scarp_level_of(plan, i);
-    int components = scarp_pick_int(i > 0, dimensions, 1);
     ScarpDisplaced d = y;
     for (int c = 0; c < components; c++) {
         ScarpSample s = scarp_octaves_at(plan, l, scarp_uint_of(c), at, dimensions);
@@ -1752,47 +1848,59 @@ ScarpDisplaced scarp_level_at(uint plan, int i, bool deepest, float3 at, ScarpDi
     return d;
 }
 
-ScarpSample scarp_noise_at(uint plan, float3 x, int dimensions)
+/* So many components of vector noise; one is the noise. */
+ScarpDisplaced scarp_components_at(uint plan, float3 x, int components, int dimensions)
 {
     int depth = scarp_int_of(scarp_only_depth(scarp_plan[plan].depth));
     float3 at = x;
-    ScarpDisplaced y;
-    y.x = scarp_constant(0.0f);
-    y.y = y.x;
-    y.z = y.x;
+    ScarpDisplaced y = scarp_not_displaced();
     for (int i = depth; i >= 0; i--) {
-        y = scarp_level_at(plan, i, i == depth, at, y, dimensions);
+        int count = dimensions;
+        if (i == 0) {
+            count = components;
+        }
+        y = scarp_level_at(plan, i, count, i == depth, at, y, dimensions);
         if (i > 0) {
-            y.x.gradient.x = scarp_add(y.x.gradient.x, 1.0f);
-            y.y.gradient.y = scarp_add(y.y.gradient.y, 1.0f);
-            y.z.gradient.z = scarp_add(y.z.gradient.z, 1.0f);
-            at = scarp_add3(x, scarp_vec3_of(y.x.value, y.y.value, y.z.value));
+            y = scarp_positions_of(y);
+            at = scarp_add3(x, scarp_values_of(y));
         }
     }
-    return y.x;
+    return y;
 }
 
 /* What scarp_sample2 gives at (x, y); outputs along z mean nothing. */
 ScarpSample scarp_sample2(uint plan, float x, float y)
 {
-    return scarp_noise_at(plan, scarp_vec3_of(x, y, 0.0f), 2);
+    return scarp_components_at(plan, scarp_vec3_of(x, y, 0.0f), 1, 2).x;
 }
 
 /* What scarp_sample3 gives at (x, y, z). */
 ScarpSample scarp_sample3(uint plan, float x, float y, float z)
 {
-    return scarp_noise_at(plan, scarp_vec3_of(x, y, z), 3);
+    return scarp_components_at(plan, scarp_vec3_of(x, y, z), 1, 3).x;
 }
 
-/* A coordinate of test point i. */
-float scarp_test_coordinate(uint plan, uint i, uint axis)
+/* What scarp_vector2 gives, as x and y, of a plan by scarp_gpu_vector_plan_make. */
+ScarpDisplaced scarp_vector2(uint plan, float x, float y)
+{
+    return scarp_components_at(plan, scarp_vec3_of(x, y, 0.0f), 2, 2);
+}
+
+/* What scarp_vector3 gives. */
+ScarpDisplaced scarp_vector3(uint plan, float x, float y, float z)
+{
+    return scarp_components_at(plan, scarp_vec3_of(x, y, z), 3, 3);
+}
+
+/* A coordinate of test point i, in steps of a unit. */
+float scarp_test_coordinate(float unit, uint i, uint axis)
 {
     uint3 key;
     key.x = 0u;
     key.y = 0u;
     key.z = 0u;
     int cells = scarp_int_of(scarp_hash2(key, i, axis) >> 12u) - 524288;
-    return scarp_mul(scarp_float_of_int(cells), scarp_plan[plan].unit);
+    return scarp_mul(scarp_float_of_int(cells), unit);
 }
 
 /* The hash h with an output; what is below 2^-120 counts as 0. */
@@ -1803,38 +1911,1054 @@ uint scarp_hash_with(uint h, float a)
     return (((h << 5u) | (h >> 27u)) ^ bits) * SCARP_HASH_K;
 }
 
+/* The hash h with the outputs of a sample up to an order, in the order of struct scarp_samples. */
+uint scarp_hash_with_sample(uint h, ScarpSample s, uint order, int dimensions)
+{
+    bool is_space = dimensions == 3;
+    uint next = scarp_hash_with(h, s.value);
+    if (order > 0u) {
+        next = scarp_hash_with(scarp_hash_with(next, s.gradient.x), s.gradient.y);
+        if (is_space) {
+            next = scarp_hash_with(next, s.gradient.z);
+        }
+    }
+    if (order > 1u) {
+        next = scarp_hash_with(scarp_hash_with(next, s.diagonal.x), s.mixed.x);
+        if (is_space) {
+            next = scarp_hash_with(next, s.mixed.y);
+        }
+        next = scarp_hash_with(next, s.diagonal.y);
+        if (is_space) {
+            next = scarp_hash_with(scarp_hash_with(next, s.mixed.z), s.diagonal.z);
+        }
+    }
+    return next;
+}
+
 /* The self-test: a hash of the outputs at test point i up to an order, which is answer i of
    scarp_gpu_answers where the shader has the bits of the library. */
 uint scarp_answer2(uint plan, uint order, uint i)
 {
-    ScarpSample s = scarp_sample2(plan, scarp_test_coordinate(plan, i, 0u),
-            scarp_test_coordinate(plan, i, 1u));
-    uint h = scarp_hash_with(0u, s.value);
-    if (order > 0u) {
-        h = scarp_hash_with(scarp_hash_with(h, s.gradient.x), s.gradient.y);
-    }
-    if (order > 1u) {
-        h = scarp_hash_with(scarp_hash_with(scarp_hash_with(h, s.diagonal.x), s.mixed.x),
-                s.diagonal.y);
-    }
-    return h;
+    float unit = scarp_plan[plan].unit;
+    ScarpSample s = scarp_sample2(plan, scarp_test_coordinate(unit, i, 0u),
+            scarp_test_coordinate(unit, i, 1u));
+    return scarp_hash_with_sample(0u, s, order, 2);
 }
 
 uint scarp_answer3(uint plan, uint order, uint i)
 {
-    ScarpSample s = scarp_sample3(plan, scarp_test_coordinate(plan, i, 0u),
-            scarp_test_coordinate(plan, i, 1u), scarp_test_coordinate(plan, i, 2u));
-    uint h = scarp_hash_with(0u, s.value);
-    if (order > 0u) {
-        h = scarp_hash_with(scarp_hash_with(scarp_hash_with(h, s.gradient.x), s.gradient.y),
-                s.gradient.z);
+    float unit = scarp_plan[plan].unit;
+    ScarpSample s = scarp_sample3(plan, scarp_test_coordinate(unit, i, 0u),
+            scarp_test_coordinate(unit, i, 1u), scarp_test_coordinate(unit, i, 2u));
+    return scarp_hash_with_sample(0u, s, order, 3);
+}
+
+/* Cells and velocities, as scalar/table. */
+
+/* What scarp_cells2 and scarp_cells3 give: distances to the nearest feature and to the second,
+   their gradients, and the place of the nearest. */
+struct ScarpCells {
+    uint id;
+    float f1;
+    float f2;
+    float3 d1;
+    float3 d2;
+    float3 place;
+};
+
+/* The cells around a point x, which lies at p in octave o; `unit` is the length of a cell. */
+ScarpCells scarp_cells_around(ScarpOctave o, ScarpLocation p, float unit, float3 x, int dimensions)
+{
+    ScarpLattice l = {o.key, o.last, false, {0.0f, 0.0f, 0.0f, 0.0f}, 0.0f, 0.0f, 0u};
+    l.jitter = o.turn.x;
+    ScarpNearest n = scarp_nearest_at(l, p, dimensions);
+    ScarpSample first = scarp_distance_to(n.first);
+    ScarpSample second = scarp_distance_to(n.second);
+    ScarpCells c;
+    c.id = n.first.hash * SCARP_FEATURE_ID;
+    c.f1 = scarp_mul(first.value, unit);
+    c.f2 = scarp_mul(second.value, unit);
+    c.d1 = first.gradient;
+    c.d2 = second.gradient;
+    c.place = scarp_sub3(x, scarp_mul3(unit, n.first.d));
+    return c;
+}
+
+ScarpCells scarp_cells_in(uint plan, float3 x, int dimensions)
+{
+    ScarpOctave o = scarp_octave_of(plan, 0u);
+    ScarpLocation p = scarp_location_of(o, SCARP_CELL_F1, false, x, dimensions);
+    return scarp_cells_around(o, p, o.inverse, x, dimensions);
+}
+
+/* The cells of a noise whose basis is cellular. */
+ScarpCells scarp_cells2(uint plan, float x, float y)
+{
+    return scarp_cells_in(plan, scarp_vec3_of(x, y, 0.0f), 2);
+}
+
+ScarpCells scarp_cells3(uint plan, float x, float y, float z)
+{
+    return scarp_cells_in(plan, scarp_vec3_of(x, y, z), 3);
+}
+
+/* A velocity without divergence, and the rows of its Jacobian: the derivatives of each component.
+ */
+struct ScarpFlow {
+    float3 velocity;
+    float3 x;
+    float3 y;
+    float3 z;
+};
+
+/* What scarp_curl2 gives; nothing along z. */
+ScarpFlow scarp_curl2(uint plan, float x, float y)
+{
+    ScarpSample psi = scarp_sample2(plan, x, y);
+    float3 none = scarp_vec3_of(0.0f, 0.0f, 0.0f);
+    ScarpFlow f;
+    f.velocity = scarp_vec3_of(psi.gradient.y, -psi.gradient.x, 0.0f);
+    f.x = scarp_vec3_of(psi.mixed.x, psi.diagonal.y, 0.0f);
+    f.y = scarp_vec3_of(-psi.diagonal.x, -psi.mixed.x, 0.0f);
+    f.z = none;
+    return f;
+}
+
+/* What scarp_curl3 gives, of a plan by scarp_gpu_vector_plan_make. */
+ScarpFlow scarp_curl3(uint plan, float x, float y, float z)
+{
+    ScarpDisplaced psi = scarp_vector3(plan, x, y, z);
+    ScarpRows a = scarp_hessian_of(psi.x);
+    ScarpRows b = scarp_hessian_of(psi.y);
+    ScarpRows c = scarp_hessian_of(psi.z);
+    ScarpFlow f;
+    f.velocity = scarp_vec3_of(scarp_sub(psi.z.gradient.y, psi.y.gradient.z),
+            scarp_sub(psi.x.gradient.z, psi.z.gradient.x), scarp_sub(psi.y.gradient.x,
+            psi.x.gradient.y));
+    f.x = scarp_sub3(c.y, b.z);
+    f.y = scarp_sub3(a.z, c.x);
+    f.z = scarp_sub3(b.x, a.y);
+    return f;
+}
+
+/* The chain rule over samples. */
+
+/* a b, but 0 where a or b is 0, whatever the other one is. */
+float scarp_term(float a, float b)
+{
+    return scarp_either(a == 0.0f || b == 0.0f, 0.0f, scarp_mul(a, b));
+}
+
+float3 scarp_terms(float a, float3 b)
+{
+    return scarp_vec3_of(scarp_term(a, b.x), scarp_term(a, b.y), scarp_term(a, b.z));
+}
+
+/* a_i b_j + a_j b_i */
+float scarp_crossed(float ai, float aj, float bi, float bj)
+{
+    return scarp_add(scarp_term(ai, bj), scarp_term(aj, bi));
+}
+
+/* a b, as scarp_multiply */
+ScarpSample scarp_chain_multiply(ScarpSample a, ScarpSample b)
+{
+    float3 g = a.gradient;
+    float3 h = b.gradient;
+    float3 diagonal = scarp_add3(scarp_terms(b.value, a.diagonal), scarp_terms(a.value,
+            b.diagonal));
+    float3 mixed = scarp_add3(scarp_terms(b.value, a.mixed), scarp_terms(a.value, b.mixed));
+    return scarp_sample_of(scarp_term(a.value, b.value), scarp_add3(scarp_terms(b.value, g),
+            scarp_terms(a.value, h)), scarp_add3(diagonal, scarp_vec3_of(scarp_crossed(g.x, g.x,
+            h.x, h.x), scarp_crossed(g.y, g.y, h.y, h.y), scarp_crossed(g.z, g.z, h.z, h.z))),
+            scarp_add3(mixed, scarp_vec3_of(scarp_crossed(g.x, g.y, h.x, h.y), scarp_crossed(g.x,
+            g.z, h.x, h.z), scarp_crossed(g.y, g.z, h.y, h.z))));
+}
+
+/* a + m (b - a), as scarp_mix */
+ScarpSample scarp_chain_mix(ScarpSample a, ScarpSample b, ScarpSample m)
+{
+    ScarpSample nearer = a;
+    ScarpSample share = m;
+    if (m.value > 0.5f) {
+        nearer = b;
+        share.value = scarp_sub(m.value, 1.0f);
     }
-    if (order > 1u) {
-        h = scarp_hash_with(scarp_hash_with(scarp_hash_with(h, s.diagonal.x), s.mixed.x),
-                s.mixed.y);
-        h = scarp_hash_with(scarp_hash_with(scarp_hash_with(h, s.diagonal.y), s.mixed.z),
-                s.diagonal.z);
+    return scarp_difference_of(nearer, scarp_chain_multiply(scarp_difference_of(a, b), share));
+}
+
+/* scale a + offset */
+ScarpSample scarp_chain_affine(ScarpSample a, float scale, float offset)
+{
+    ScarpSample s = scarp_scaled(a, scale, scale, scale);
+    s.value = scarp_add(s.value, offset);
+    return s;
+}
+
+ScarpSample scarp_chain_min(ScarpSample a, ScarpSample b)
+{
+    ScarpSample s = a;
+    if (b.value < a.value) {
+        s = b;
     }
+    return s;
+}
+
+ScarpSample scarp_chain_max(ScarpSample a, ScarpSample b)
+{
+    ScarpSample s = a;
+    if (a.value < b.value) {
+        s = b;
+    }
+    return s;
+}
+
+/* f_aa a_i a_j of a gradient a */
+float3 scarp_squares_of(float faa, float3 a)
+{
+    return scarp_vec3_of(scarp_mul(scarp_mul(faa, a.x), a.x), scarp_mul(scarp_mul(faa, a.y), a.y),
+            scarp_mul(scarp_mul(faa, a.z), a.z));
+}
+
+float3 scarp_products_of(float faa, float3 a)
+{
+    return scarp_vec3_of(scarp_mul(scarp_mul(faa, a.x), a.y), scarp_mul(scarp_mul(faa, a.x), a.z),
+            scarp_mul(scarp_mul(faa, a.y), a.z));
+}
+
+/* f(a), of which f_a and f_aa are the derivatives; as scarp_apply1 */
+ScarpSample scarp_chain_apply1(ScarpSample a, float f, float fa, float faa)
+{
+    ScarpSample first = scarp_scaled(a, 0.0f, fa, fa);
+    return scarp_sample_of(f, first.gradient, scarp_add3(first.diagonal, scarp_squares_of(faa,
+            a.gradient)), scarp_add3(first.mixed, scarp_products_of(faa, a.gradient)));
+}
+
+/* f(a) without second derivatives of f */
+ScarpSample scarp_chain_straight(ScarpSample a, float f, float fa)
+{
+    ScarpSample s = scarp_scaled(a, 0.0f, fa, fa);
+    s.value = f;
+    return s;
+}
+
+/* The lesser, or the greater, of a and b: rounded where they differ by less than k. `inverse_k` is
+   1 / k; `depth` is k / 6 and `bend` -1 / k, of maxima with the other sign. */
+ScarpSample scarp_smooth_of(ScarpSample a, ScarpSample b, bool takes_b, float3 k)
+{
+    float left = scarp_sub(1.0f, scarp_mul(scarp_magnitude(scarp_sub(a.value, b.value)), k.x));
+    float h = scarp_either(left < 0.0f, 0.0f, left);
+    float half_weight = scarp_mul(0.5f, scarp_mul(h, h));
+    float rest = scarp_sub(1.0f, half_weight);
+    float of_a = scarp_either(takes_b, half_weight, rest);
+    float of_b = scarp_either(takes_b, rest, half_weight);
+    float3 d = scarp_sub3(a.gradient, b.gradient);
+    float bend = scarp_mul(h, k.z);
+    float3 diagonal = scarp_add3(scarp_mul3(of_a, a.diagonal), scarp_mul3(of_b, b.diagonal));
+    float3 mixed = scarp_add3(scarp_mul3(of_a, a.mixed), scarp_mul3(of_b, b.mixed));
+    return scarp_sample_of(scarp_sub(scarp_either(takes_b, b.value, a.value),
+            scarp_mul(scarp_mul(scarp_mul(h, h), h), k.y)), scarp_add3(scarp_mul3(of_a, a.gradient),
+            scarp_mul3(of_b, b.gradient)), scarp_add3(diagonal, scarp_squares_of(bend, d)),
+            scarp_add3(mixed, scarp_products_of(bend, d)));
+}
+
+/* k: 1 / k, k / 6, -1 / k of the width k */
+ScarpSample scarp_chain_smooth_min(ScarpSample a, ScarpSample b, float3 k)
+{
+    return scarp_smooth_of(a, b, b.value < a.value, k);
+}
+
+/* k: 1 / k, -k / 6, 1 / k of the width k */
+ScarpSample scarp_chain_smooth_max(ScarpSample a, ScarpSample b, float3 k)
+{
+    return scarp_smooth_of(a, b, a.value < b.value, k);
+}
+
+ScarpSample scarp_chain_clamp(ScarpSample a, float lo, float hi)
+{
+    float v = a.value;
+    float f = scarp_either(v < lo, lo, scarp_either(v > hi, hi, v));
+    return scarp_chain_straight(a, f, scarp_either(v < lo || v > hi, 0.0f, 1.0f));
+}
+
+ScarpSample scarp_chain_abs(ScarpSample a)
+{
+    float v = a.value;
+    float down = scarp_either(v < 0.0f, -1.0f, 0.0f);
+    return scarp_chain_straight(a, scarp_magnitude(v), scarp_either(v > 0.0f, 1.0f, down));
+}
+
+float scarp_within_unit(float t)
+{
+    return scarp_either(t < 0.0f, 0.0f, scarp_either(t > 1.0f, 1.0f, t));
+}
+
+/* The quintic fade may exceed 1 by 2^-23. */
+ScarpFade scarp_step_fade(float t)
+{
+    ScarpFade s = scarp_fade(SCARP_QUINTIC, t);
+    s.u = scarp_either(s.u > 1.0f, 1.0f, s.u);
+    return s;
+}
+
+/* The step from lo to hi; `by` is 1 / (hi - lo). */
+ScarpSample scarp_chain_smoothstep(ScarpSample a, float lo, float by)
+{
+    ScarpFade s = scarp_step_fade(scarp_within_unit(scarp_mul(scarp_sub(a.value, lo), by)));
+    return scarp_chain_apply1(a, s.u, scarp_mul(s.du, by), scarp_mul(scarp_mul(s.ddu, by), by));
+}
+
+/* k: how many steps, 1 / steps, 1 / riser, strength */
+ScarpSample scarp_chain_terrace(ScarpSample a, float4 k)
+{
+    float t = scarp_mul(a.value, k.x);
+    float whole = scarp_floor_of(t);
+    float u = scarp_sub(t, whole);
+    ScarpFade s = scarp_step_fade(scarp_within_unit(scarp_add(scarp_mul(scarp_sub(u, 0.5f), k.z),
+            0.5f)));
+    float rise = scarp_add(u, scarp_mul(k.w, scarp_sub(s.u, u)));
+    return scarp_chain_apply1(a, scarp_mul(scarp_add(whole, rise), k.y), scarp_add(1.0f,
+            scarp_mul(k.w, scarp_sub(scarp_mul(s.du, k.z), 1.0f))),
+            scarp_mul(scarp_mul(scarp_mul(scarp_mul(s.ddu, k.z), k.z), k.x), k.w));
+}
+
+/* sqrt(a^2 + round^2) */
+ScarpSample scarp_chain_smooth_abs(ScarpSample a, float round, float round2)
+{
+    float f = scarp_root(scarp_add(scarp_mul(a.value, a.value), round2));
+    float by = scarp_inverse(f);
+    float share = scarp_mul(round, by);
+    return scarp_chain_apply1(a, f, scarp_mul(a.value, by), scarp_mul(scarp_mul(share, share), by));
+}
+
+/* The root of a, 0 where that is negative. */
+ScarpSample scarp_chain_sqrt(ScarpSample a)
+{
+    float v = scarp_either(a.value < 0.0f, 0.0f, a.value);
+    float f = scarp_root(v);
+    bool is_flat = f == 0.0f;
+    float slope = scarp_mul(0.5f, scarp_inverse(scarp_either(is_flat, 1.0f, f)));
+    float bend = scarp_mul(slope, scarp_mul(0.5f, scarp_inverse(scarp_either(is_flat, 1.0f, v))));
+    return scarp_chain_apply1(a, f, scarp_either(is_flat, 0.0f, slope), scarp_either(is_flat, 0.0f,
+            -bend));
+}
+
+/* a / b, where b is not 0. */
+ScarpSample scarp_chain_divide(ScarpSample a, ScarpSample b)
+{
+    float by = scarp_with_bit(scarp_inverse(scarp_magnitude(b.value)),
+            scarp_bits_of(b.value) >> 31u);
+    float f = scarp_quotient(a.value, b.value);
+    float fb = -scarp_mul(f, by);
+    float fab = -scarp_mul(by, by);
+    float fbb = scarp_mul(scarp_mul(2.0f, scarp_mul(f, by)), by);
+    float3 g = a.gradient;
+    float3 h = b.gradient;
+    float3 diagonal = scarp_add3(scarp_mul3(by, a.diagonal), scarp_mul3(fb, b.diagonal));
+    float3 mixed = scarp_add3(scarp_mul3(by, a.mixed), scarp_mul3(fb, b.mixed));
+    float3 twice = scarp_vec3_of(scarp_add(scarp_mul(g.x, h.x), scarp_mul(g.x, h.x)),
+            scarp_add(scarp_mul(g.y, h.y), scarp_mul(g.y, h.y)), scarp_add(scarp_mul(g.z, h.z),
+            scarp_mul(g.z, h.z)));
+    float3 both = scarp_vec3_of(scarp_add(scarp_mul(g.x, h.y), scarp_mul(g.y, h.x)),
+            scarp_add(scarp_mul(g.x, h.z), scarp_mul(g.z, h.x)), scarp_add(scarp_mul(g.y, h.z),
+            scarp_mul(g.z, h.y)));
+    return scarp_sample_of(f, scarp_add3(scarp_mul3(by, g), scarp_mul3(fb, h)),
+            scarp_add3(scarp_add3(diagonal, scarp_squares_of(fbb, h)), scarp_mul3(fab, twice)),
+            scarp_add3(scarp_add3(mixed, scarp_products_of(fbb, h)), scarp_mul3(fab, both)));
+}
+
+/* a folded to and fro: -1 at even numbers, 1 at odd ones. All floats of 2^24 and more are even. */
+ScarpSample scarp_chain_pulse(ScarpSample a)
+{
+    float v = scarp_either(scarp_magnitude(a.value) < 16777216.0f, a.value, 0.0f);
+    float lower = scarp_floor_of(v);
+    float fraction = scarp_sub(v, lower);
+    float up = scarp_sub(scarp_mul(2.0f, fraction), 1.0f);
+    bool is_odd = (scarp_whole_of(lower) & 1) != 0;
+    float slope = scarp_either(is_odd, -2.0f, 2.0f);
+    return scarp_chain_straight(a, scarp_either(is_odd, -up, up), scarp_either(fraction == 0.0f,
+            0.0f, slope));
+}
+
+/* The length of the gradient; no Hessian. */
+ScarpSample scarp_chain_slope(ScarpSample a, int dimensions)
+{
+    ScarpRows h = scarp_hessian_of(a);
+    float length = scarp_root(scarp_dot(a.gradient, a.gradient, dimensions));
+    float by = scarp_either(length == 0.0f, 1.0f, length);
+    float3 sums = scarp_times(h, a.gradient, dimensions);
+    ScarpSample s = scarp_constant(length);
+    if (length != 0.0f) {
+        s.gradient = scarp_vec3_of(scarp_quotient(sums.x, by), scarp_quotient(sums.y, by),
+                scarp_quotient(sums.z, by));
+    }
+    return s;
+}
+
+/* A piece of a curve at a. k and l are the knots around it, `first` and `last` those at the ends:
+   x, value, slope, 1 / (the next x - x). */
+ScarpSample scarp_chain_curve(ScarpSample a, float4 k, float4 l, float4 first, float4 last)
+{
+    float width = scarp_sub(l.x, k.x);
+    float t = scarp_mul(scarp_sub(a.value, k.x), k.w);
+    float rise = scarp_sub(l.y, k.y);
+    float s0 = scarp_mul(k.z, width);
+    float s1 = scarp_mul(l.z, width);
+    float c2 = scarp_sub(scarp_sub(scarp_mul(3.0f, rise), scarp_mul(2.0f, s0)), s1);
+    float c3 = scarp_sub(scarp_add(s0, s1), scarp_mul(2.0f, rise));
+    float lowest = scarp_either(k.y < l.y, k.y, l.y);
+    float highest = scarp_either(k.y < l.y, l.y, k.y);
+    float v = scarp_add(k.y, scarp_mul(t, scarp_add(s0, scarp_mul(t, scarp_add(c2, scarp_mul(t,
+            c3))))));
+    float held = scarp_either(v < lowest, lowest, scarp_either(v > highest, highest, v));
+    bool is_before = a.value <= first.x;
+    bool is_behind = a.value >= last.x;
+    bool is_level = is_before || is_behind;
+    float slope = scarp_mul(scarp_add(s0, scarp_mul(t, scarp_add(scarp_mul(2.0f, c2), scarp_mul(t,
+            scarp_mul(3.0f, c3))))), k.w);
+    float bend = scarp_mul(scarp_mul(scarp_add(scarp_mul(2.0f, c2), scarp_mul(t, scarp_mul(6.0f,
+            c3))), k.w), k.w);
+    return scarp_chain_apply1(a, scarp_either(is_before, first.y, scarp_either(is_behind, last.y,
+            held)), scarp_either(is_level, 0.0f, slope), scarp_either(is_level, 0.0f, bend));
+}
+
+/* The sine, as calls/shapes. */
+
+/* (2^32 high + low) / 2^64, or / 2^63 where that is said. */
+struct ScarpWide {
+    uint high;
+    uint low;
+};
+
+ScarpWide scarp_wide_of(uint high, uint low)
+{
+    ScarpWide w = {high, low};
+    return w;
+}
+
+/* The product of two uints. */
+ScarpWide scarp_product_of_words(uint a, uint b)
+{
+    uint al = a & 0xffffu;
+    uint ah = a >> 16u;
+    uint bl = b & 0xffffu;
+    uint bh = b >> 16u;
+    uint low = al * bl;
+    uint left = ah * bl;
+    uint right = al * bh;
+    uint middle = (low >> 16u) + (left & 0xffffu) + (right & 0xffffu);
+    return scarp_wide_of(ah * bh + (left >> 16u) + (right >> 16u) + (middle >> 16u), (low
+            & 0xffffu) | (middle << 16u));
+}
+
+ScarpWide scarp_sum_of_wides(ScarpWide a, ScarpWide b)
+{
+    uint low = a.low + b.low;
+    uint carry = scarp_pick_uint(low < a.low, 1u, 0u);
+    return scarp_wide_of(a.high + b.high + carry, low);
+}
+
+/* a - b, which is not below 0 */
+ScarpWide scarp_difference_of_wides(ScarpWide a, ScarpWide b)
+{
+    uint borrow = scarp_pick_uint(a.low < b.low, 1u, 0u);
+    return scarp_wide_of(a.high - b.high - borrow, a.low - b.low);
+}
+
+/* a b, up to 2 units too small: without the product of the lower halves. */
+ScarpWide scarp_product_of_wides(ScarpWide a, ScarpWide b)
+{
+    ScarpWide left = scarp_product_of_words(a.high, b.low);
+    ScarpWide right = scarp_product_of_words(a.low, b.high);
+    ScarpWide sum = scarp_sum_of_wides(scarp_product_of_words(a.high, b.high), scarp_wide_of(0u,
+            left.high));
+    return scarp_sum_of_wides(sum, scarp_wide_of(0u, right.high));
+}
+
+/* c - z rest: a step of a series. `is_cosine` chooses the coefficient. */
+ScarpWide scarp_step_of_series(ScarpWide z, ScarpWide rest, bool is_cosine, ScarpWide of_sine,
+        ScarpWide of_cosine)
+{
+    ScarpWide c = of_sine;
+    if (is_cosine) {
+        c = of_cosine;
+    }
+    return scarp_difference_of_wides(c, scarp_product_of_wides(z, rest));
+}
+
+/* The Taylor series of the cosine of x, or of the sine over x, times 2^63, of z = x^2 2^64. */
+ScarpWide scarp_series_of(ScarpWide z, bool is_cosine)
+{
+    ScarpWide s = scarp_wide_of(0u, scarp_pick_uint(is_cosine, 0x0006b9fdu, 0x0000654bu));
+    s = scarp_step_of_series(z, s, is_cosine, scarp_wide_of(0x00000000u, 0x006b9fd0u),
+            scarp_wide_of(0x00000000u, 0x064e5d2au));
+    s = scarp_step_of_series(z, s, is_cosine, scarp_wide_of(0x00000000u, 0x5849184fu),
+            scarp_wide_of(0x00000004u, 0x7bb63bfeu));
+    s = scarp_step_of_series(z, s, is_cosine, scarp_wide_of(0x00000035u, 0xcc8acfebu),
+            scarp_wide_of(0x0000024fu, 0xc9f6ef14u));
+    s = scarp_step_of_series(z, s, is_cosine, scarp_wide_of(0x0000171du, 0xe3a556c7u),
+            scarp_wide_of(0x0000d00du, 0x00d00d01u));
+    s = scarp_step_of_series(z, s, is_cosine, scarp_wide_of(0x00068068u, 0x06806807u),
+            scarp_wide_of(0x002d82d8u, 0x2d82d82eu));
+    s = scarp_step_of_series(z, s, is_cosine, scarp_wide_of(0x01111111u, 0x11111111u),
+            scarp_wide_of(0x05555555u, 0x55555555u));
+    s = scarp_step_of_series(z, s, is_cosine, scarp_wide_of(0x15555555u, 0x55555555u),
+            scarp_wide_of(0x40000000u, 0x00000000u));
+    s = scarp_step_of_series(z, s, is_cosine, scarp_wide_of(0x80000000u, 0x00000000u),
+            scarp_wide_of(0x80000000u, 0x00000000u));
+    return s;
+}
+
+/* w / 2^64 times 2^e, rounded to a float. */
+float scarp_float_of_wide(ScarpWide w, int e)
+{
+    ScarpWide m = w;
+    int exponent = e;
+    for (int i = 0; i < 4 && m.high < 0x80000000u; i++) {
+        m = scarp_wide_of((m.high << 1u) | (m.low >> 31u), m.low << 1u);
+        exponent = exponent - 1;
+    }
+    uint q = (m.high >> 8u) + ((m.high >> 7u) & 1u);
+    float rounded = scarp_float_of_bits((scarp_uint_of(exponent + 125) << 23u) + q);
+    return scarp_pick(exponent < -120, 0.0f, rounded);
+}
+
+/* a / 2^steps, steps below 64; or 4 a where they are -2. */
+ScarpWide scarp_shifted(ScarpWide a, int steps)
+{
+    uint by = scarp_uint_of(steps) & 31u;
+    uint crossing = scarp_pick_uint(by == 0u, 0u, a.high << (32u - by));
+    ScarpWide w = scarp_wide_of(a.high >> by, (a.low >> by) | crossing);
+    if (steps >= 32) {
+        w = scarp_wide_of(0u, a.high >> by);
+    }
+    if (steps < 0) {
+        w = scarp_wide_of((a.high << 2u) | (a.low >> 30u), a.low << 2u);
+    }
+    return w;
+}
+
+/* (pi / 2)^2 is this times 4 / 2^64. */
+#define SCARP_PI2_HIGH 0x9de9e64du
+#define SCARP_PI2_LOW 0xf22ef2d2u
+
+/* c 2^e times the cosine of r quarters, or the sine of them, for which c is given times pi / 2;
+   -1/2 <= r <= 1/2. */
+float scarp_quarter_wave(float r, bool is_cosine, ScarpWide c, int e)
+{
+    uint bits = scarp_bits_of(r) & 0x7fffffffu;
+    int exponent = scarp_int_of(bits >> 23u) - 126; /* r is its mantissa / 2^24, times 2^exponent */
+    ScarpWide m = scarp_wide_of((bits << 8u) | 0x80000000u, 0u);
+    ScarpWide z = scarp_wide_of(0u, 0u);
+    if (exponent > -32) {
+        z = scarp_product_of_wides(scarp_product_of_wides(m, m), scarp_wide_of(SCARP_PI2_HIGH,
+                SCARP_PI2_LOW));
+        z = scarp_shifted(z, -2 * exponent - 2);
+    }
+    ScarpWide wave = scarp_product_of_wides(scarp_series_of(z, is_cosine), c);
+    float value = scarp_float_of_wide(wave, e + 1);
+    if (!is_cosine) {
+        value = scarp_with_bit(scarp_float_of_wide(scarp_product_of_wides(wave, m),
+                e + 1 + exponent), scarp_bits_of(r) >> 31u);
+    }
+    return value;
+}
+
+/* A sine of so many whole quarters and r of one, times 1, 2 pi or 4 pi^2: by `power` of 2 pi. */
+float scarp_sine_of_quarters(int whole, float r, int power)
+{
+    bool is_cosine = (whole & 1) != 0;
+    ScarpWide c = scarp_wide_of(0x80000000u, 0u); /* 1 */
+    int e = 1;
+    if (power == 0 && !is_cosine) {
+        c = scarp_wide_of(0xc90fdaa2u, 0x2168c235u);
+        e = 1;
+    }
+    if (power == 1 && is_cosine) {
+        c = scarp_wide_of(0xc90fdaa2u, 0x2168c235u);
+        e = 3;
+    }
+    if (power == 1 && !is_cosine) {
+        c = scarp_wide_of(0x9de9e64du, 0xf22ef2d2u);
+        e = 4;
+    }
+    if (power == 2 && is_cosine) {
+        c = scarp_wide_of(0x9de9e64du, 0xf22ef2d2u);
+        e = 6;
+    }
+    if (power == 2 && !is_cosine) {
+        c = scarp_wide_of(0xf80cdac9u, 0xc4ebe0f0u);
+        e = 6;
+    }
+    return scarp_with_bit(scarp_quarter_wave(r, is_cosine, c, e), (scarp_uint_of(whole) >> 1u)
+            & 1u);
+}
+
+/* The sine of a turns. All floats of 2^24 and more are whole numbers of turns. */
+ScarpSample scarp_chain_sine(ScarpSample a)
+{
+    float v = scarp_either(scarp_magnitude(a.value) < 16777216.0f, a.value, 0.0f);
+    float quarters = scarp_mul(4.0f, v);
+    int below = scarp_whole_of(quarters);
+    float rest = scarp_sub(quarters, scarp_float_of_int(below));
+    int whole = below;
+    float r = rest;
+    if (rest >= 0.5f) {
+        whole = below + 1;
+        r = scarp_sub(rest, 1.0f);
+    }
+    if (rest <= -0.5f) {
+        whole = below - 1;
+        r = scarp_add(rest, 1.0f);
+    }
+    return scarp_chain_apply1(a, scarp_sine_of_quarters(whole, r, 0),
+            scarp_sine_of_quarters(whole + 1, r, 1), -scarp_sine_of_quarters(whole, r, 2));
+}
+
+/* Gullies, which run down the slope of a base (scarp. */
+
+#define SCARP_GULLY_TAU2 0.0025f /* of tau = 0.05, where the direction of flat ground is soft */
+#define SCARP_GULLY_EPS2 0.25f /* of eps = 0.5, where waves of corners cancel */
+
+/* Two numbers along x and y, or the parts of a complex number. */
+struct ScarpPair2 {
+    float x;
+    float y;
+};
+
+/* A number with its derivatives along x and y. */
+struct ScarpJet {
+    float value;
+    ScarpPair2 d;
+};
+
+/* A pair with its derivatives. */
+struct ScarpPairJet {
+    ScarpPair2 value;
+    ScarpPair2 dx;
+    ScarpPair2 dy;
+};
+
+ScarpPair2 scarp_pair_of(float x, float y)
+{
+    ScarpPair2 p = {x, y};
+    return p;
+}
+
+ScarpPair2 scarp_sum2(ScarpPair2 a, ScarpPair2 b)
+{
+    return scarp_pair_of(scarp_add(a.x, b.x), scarp_add(a.y, b.y));
+}
+
+ScarpPair2 scarp_difference2(ScarpPair2 a, ScarpPair2 b)
+{
+    return scarp_pair_of(scarp_sub(a.x, b.x), scarp_sub(a.y, b.y));
+}
+
+ScarpPair2 scarp_scaled2(float a, ScarpPair2 b)
+{
+    return scarp_pair_of(scarp_mul(a, b.x), scarp_mul(a, b.y));
+}
+
+float scarp_dot2(ScarpPair2 a, ScarpPair2 b)
+{
+    return scarp_add(scarp_mul(a.x, b.x), scarp_mul(a.y, b.y));
+}
+
+/* a + u (b - a) */
+ScarpPair2 scarp_mix2(ScarpPair2 a, ScarpPair2 b, float u)
+{
+    return scarp_sum2(a, scarp_scaled2(u, scarp_difference2(b, a)));
+}
+
+/* a p + b q */
+ScarpPair2 scarp_combined2(float a, ScarpPair2 p, float b, ScarpPair2 q)
+{
+    return scarp_sum2(scarp_scaled2(a, p), scarp_scaled2(b, q));
+}
+
+/* The product of complex numbers; of a turn and a vector: the vector, turned. */
+ScarpPair2 scarp_product2(ScarpPair2 a, ScarpPair2 b)
+{
+    return scarp_pair_of(scarp_sub(scarp_mul(a.x, b.x), scarp_mul(a.y, b.y)),
+            scarp_add(scarp_mul(a.x, b.y), scarp_mul(a.y, b.x)));
+}
+
+/* The constants of a call. */
+struct ScarpGullyShape {
+    float low;
+    float steepness; /* where the step from floors to crests begins; 1 / its width */
+    float slope2;
+    float slope2_low; /* slopes where gullies have half their strength, squared */
+    float lowered; /* 1 + floor */
+    float round;
+    float round2; /* and its square */
+    float fall; /* 2 / (sqrt(1 + round^2) - round) */
+    float branch;
+};
+
+/* The constants of an octave, whose axes are turned by R. */
+struct ScarpGullyOctave {
+    float weight; /* of v_k */
+    float keep; /* 0 of the first octave */
+    ScarpPair2 waves; /* stripes R */
+    ScarpPair2 angles; /* 2 pi stripes R */
+    ScarpPair2 cells; /* f_k R */
+    float stretch; /* 2 pi stripes f_k */
+};
+
+/* What goes from octave to octave. */
+struct ScarpGully {
+    ScarpPairJet slope;
+    ScarpJet steep;
+    ScarpJet exposure;
+    ScarpJet sum;
+};
+
+/* The base at a point: its height, its gradient and its Hessian. */
+struct ScarpGullyBase {
+    float value;
+    float dx;
+    float dy;
+    float dxx;
+    float dxy;
+    float dyy;
+};
+
+/* The smooth step of the height from floors, 0, to crests, 1. */
+ScarpJet scarp_height_of(ScarpGullyShape g, ScarpGullyBase b)
+{
+    float raw = scarp_mul(scarp_sub(b.value, g.low), g.steepness);
+    float above = scarp_either(raw < 0.0f, 0.0f, raw);
+    float z = scarp_either(above > 1.0f, 1.0f, above);
+    float by = scarp_mul(scarp_mul(scarp_mul(6.0f, z), scarp_sub(1.0f, z)), g.steepness);
+    ScarpJet h = {scarp_mul(scarp_mul(z, z), scarp_sub(3.0f, scarp_mul(2.0f, z))), {scarp_mul(by,
+            b.dx), scarp_mul(by, b.dy)}};
     return h;
+}
+
+ScarpGully scarp_gully_begin(ScarpGullyShape g, ScarpGullyBase b)
+{
+    ScarpJet h = scarp_height_of(g, b);
+    ScarpPair2 gradient = {b.dx, b.dy};
+    float rest = scarp_sub(1.0f, h.value);
+    float slope2 = scarp_add(scarp_mul(rest, g.slope2_low), scarp_mul(h.value, g.slope2));
+    float unit = scarp_inverse(scarp_root(scarp_add(scarp_dot2(gradient, gradient), slope2)));
+    ScarpPair2 s = scarp_scaled2(unit, gradient);
+    float by = scarp_mul(scarp_mul(0.5f, unit), scarp_sub(g.slope2, g.slope2_low));
+    float hx = scarp_add(scarp_add(scarp_mul(s.x, b.dxx), scarp_mul(s.y, b.dxy)), scarp_mul(by,
+            h.d.x));
+    float hy = scarp_add(scarp_add(scarp_mul(s.x, b.dxy), scarp_mul(s.y, b.dyy)), scarp_mul(by,
+            h.d.y));
+    ScarpPair2 sx = scarp_scaled2(unit, scarp_pair_of(scarp_sub(b.dxx, scarp_mul(s.x, hx)),
+            scarp_sub(b.dxy, scarp_mul(s.y, hx))));
+    ScarpPair2 sy = scarp_scaled2(unit, scarp_pair_of(scarp_sub(b.dxy, scarp_mul(s.x, hy)),
+            scarp_sub(b.dyy, scarp_mul(s.y, hy))));
+    ScarpGully state = {{s, sx, sy}, {scarp_dot2(s, s), {scarp_mul(2.0f, scarp_dot2(s, sx)),
+            scarp_mul(2.0f, scarp_dot2(s, sy))}}, {scarp_sub(1.0f, scarp_mul(rest, g.lowered)),
+            scarp_scaled2(g.lowered, h.d)}, {0.0f, {0.0f, 0.0f}}};
+    return state;
+}
+
+/* sin(2 pi b), |b| <= 1/4; the error is at most 3.4e-9 before rounding. */
+float scarp_sine_of_quarter(float b)
+{
+    float z = scarp_mul(b, b);
+    float p = scarp_sub(scarp_mul(scarp_add(scarp_mul(scarp_sub(scarp_mul(39.5367068f, z),
+            76.5497824f), z), 81.6010040f), z), 41.3416550f);
+    return scarp_mul(scarp_add(scarp_mul(p, z), 6.28318516f), b);
+}
+
+/* e^(2 pi i u), |u| < 2^22 */
+ScarpPair2 scarp_wave_of(float u)
+{
+    float v = scarp_sub(u, scarp_floor_of(scarp_add(u, 0.5f)));
+    float a = scarp_magnitude(v);
+    float rest = scarp_sub(0.5f, a);
+    float folded = scarp_either(a < rest, a, rest);
+    return scarp_pair_of(scarp_sine_of_quarter(scarp_sub(0.25f, a)),
+            scarp_sine_of_quarter(scarp_either(v < 0.0f, scarp_sub(0.0f, folded), folded)));
+}
+
+/* The direction across the slope. */
+ScarpPairJet scarp_across_slope(ScarpPairJet s)
+{
+    float unit = scarp_inverse(scarp_root(scarp_add(scarp_dot2(s.value, s.value),
+            SCARP_GULLY_TAU2)));
+    ScarpPair2 t = {scarp_mul(s.value.y, scarp_sub(0.0f, unit)), scarp_mul(s.value.x, unit)};
+    ScarpPair2 ex = scarp_scaled2(unit, s.dx);
+    ScarpPair2 ey = scarp_scaled2(unit, s.dy);
+    float bx = scarp_sub(scarp_mul(t.y, ex.x), scarp_mul(t.x, ex.y));
+    float by = scarp_sub(scarp_mul(t.y, ey.x), scarp_mul(t.x, ey.y));
+    ScarpPairJet across = {t, {scarp_sub(0.0f, scarp_add(scarp_mul(t.x, bx), ex.y)), scarp_sub(ex.x,
+            scarp_mul(t.y, bx))}, {scarp_sub(0.0f, scarp_add(scarp_mul(t.x, by), ey.y)),
+            scarp_sub(ey.x, scarp_mul(t.y, by))}};
+    return across;
+}
+
+/* The wave of a corner: `waves` is how many lie between the point and it. */
+ScarpPair2 scarp_corner_wave(uint hash, float waves)
+{
+    return scarp_wave_of(scarp_add(scarp_mul(scarp_lattice_value(hash), 2.32830644e-10f), waves));
+}
+
+/* The derivative of Z along an axis: of the weights, and of the waves, which turn with t and with
+   its derivative d. */
+ScarpPair2 scarp_blend_slope(ScarpPair2 by_weights, float t, ScarpPair2 d, ScarpPair2 z,
+        ScarpPair2 moment_x, ScarpPair2 moment_y)
+{
+    ScarpPair2 turn = scarp_sum2(scarp_scaled2(t, z), scarp_combined2(d.x, moment_x, d.y,
+            moment_y));
+    return scarp_pair_of(scarp_sub(by_weights.x, turn.y), scarp_add(by_weights.y, turn.x));
+}
+
+/* The blend Z of an octave. */
+ScarpPairJet scarp_blend_of(ScarpLattice l, ScarpGullyOctave o, ScarpLocation p, ScarpPairJet t)
+{
+    ScarpFade fx = scarp_fade(SCARP_QUINTIC, p.t.x);
+    ScarpFade fy = scarp_fade(SCARP_QUINTIC, p.t.y);
+    ScarpPair2 q = scarp_product2(o.waves, t.value);
+    float waves = scarp_add(scarp_mul(q.x, p.t.x), scarp_mul(q.y, p.t.y));
+    float waves_y = scarp_sub(waves, q.y);
+    ScarpPair2 c00 = scarp_corner_wave(scarp_hash2(l.key, p.cell.x, p.cell.y), waves);
+    ScarpPair2 c10 = scarp_corner_wave(scarp_hash2(l.key, p.next.x, p.cell.y), scarp_sub(waves,
+            q.x));
+    ScarpPair2 c01 = scarp_corner_wave(scarp_hash2(l.key, p.cell.x, p.next.y), waves_y);
+    ScarpPair2 c11 = scarp_corner_wave(scarp_hash2(l.key, p.next.x, p.next.y), scarp_sub(waves_y,
+            q.x));
+    ScarpPair2 left = scarp_mix2(c00, c01, fy.u);
+    ScarpPair2 right = scarp_mix2(c10, c11, fy.u);
+    ScarpPair2 z = scarp_mix2(left, right, fx.u);
+    ScarpPair2 top = scarp_mix2(c01, c11, fx.u);
+    ScarpPair2 by_x = scarp_scaled2(fx.du, scarp_difference2(right, left));
+    ScarpPair2 by_y = scarp_scaled2(fy.du, scarp_mix2(scarp_difference2(c01, c00),
+            scarp_difference2(c11, c10), fx.u));
+    /* the sums of W (p - c) */
+    ScarpPair2 moment_x = scarp_difference2(scarp_scaled2(p.t.x, z), scarp_scaled2(fx.u, right));
+    ScarpPair2 moment_y = scarp_difference2(scarp_scaled2(p.t.y, z), scarp_scaled2(fy.u, top));
+    /* in the axes of the input */
+    ScarpPair2 mx = scarp_combined2(o.angles.x, moment_x, o.angles.y, moment_y);
+    ScarpPair2 my = scarp_combined2(o.angles.x, moment_y, scarp_sub(0.0f, o.angles.y), moment_x);
+    ScarpPair2 wx = scarp_combined2(o.cells.x, by_x, o.cells.y, by_y);
+    ScarpPair2 wy = scarp_combined2(o.cells.x, by_y, scarp_sub(0.0f, o.cells.y), by_x);
+    ScarpPairJet blend = {z, scarp_blend_slope(wx, scarp_mul(o.stretch, t.value.x), t.dx, z, mx,
+            my), scarp_blend_slope(wy, scarp_mul(o.stretch, t.value.y), t.dy, z, mx, my)};
+    return blend;
+}
+
+/* The derivative d of a blend, once this is divided by its length: `w` is the quotient. */
+ScarpPair2 scarp_quotient_slope(ScarpPair2 w, ScarpPair2 d, float unit)
+{
+    ScarpPair2 e = scarp_scaled2(unit, d);
+    return scarp_difference2(e, scarp_scaled2(scarp_dot2(w, e), w));
+}
+
+ScarpPairJet scarp_normalised(ScarpPairJet z)
+{
+    float unit = scarp_inverse(scarp_root(scarp_add(scarp_dot2(z.value, z.value),
+            SCARP_GULLY_EPS2)));
+    ScarpPair2 w = scarp_scaled2(unit, z.value);
+    ScarpPairJet n = {w, scarp_quotient_slope(w, z.dx, unit), scarp_quotient_slope(w, z.dy, unit)};
+    return n;
+}
+
+/* The profile of a stripe, P(C). */
+ScarpJet scarp_profile_of(ScarpGullyShape g, ScarpPairJet w)
+{
+    float r = scarp_root(scarp_add(scarp_mul(scarp_sub(1.0f, w.value.x), 0.5f), g.round2));
+    float by = scarp_mul(scarp_mul(0.25f, g.fall), scarp_inverse(r));
+    ScarpJet p = {scarp_sub(1.0f, scarp_mul(scarp_sub(r, g.round), g.fall)), {scarp_mul(by, w.dx.x),
+            scarp_mul(by, w.dy.x)}};
+    return p;
+}
+
+/* Adds an octave at a point of its lattice. */
+ScarpGully scarp_gully_octave_at(ScarpGullyShape g, ScarpGullyOctave o, ScarpLattice l,
+        ScarpLocation p, ScarpGully state)
+{
+    ScarpPairJet t = scarp_across_slope(state.slope);
+    ScarpPairJet w = scarp_normalised(scarp_blend_of(l, o, p, t));
+    ScarpJet height = scarp_profile_of(g, w);
+    ScarpJet v = state.exposure;
+    float kept = scarp_mul(o.keep, v.value);
+    float rest = scarp_sub(1.0f, scarp_mul(kept, v.value));
+    float m = scarp_mul(state.steep.value, rest);
+    float fall = scarp_mul(scarp_mul(2.0f, state.steep.value), kept);
+    ScarpPair2 dm = scarp_combined2(rest, state.steep.d, scarp_sub(0.0f, fall), v.d);
+    float d = scarp_sub(height.value, v.value);
+    ScarpJet next = {scarp_add(v.value, scarp_mul(m, d)), scarp_sum2(v.d, scarp_combined2(d, dm, m,
+            scarp_difference2(height.d, v.d)))};
+    float by = scarp_sub(0.0f, scarp_mul(scarp_mul(g.branch, m), w.value.y));
+    float by_x = scarp_sub(0.0f, scarp_mul(g.branch, scarp_add(scarp_mul(dm.x, w.value.y),
+            scarp_mul(m, w.dx.y))));
+    float by_y = scarp_sub(0.0f, scarp_mul(g.branch, scarp_add(scarp_mul(dm.y, w.value.y),
+            scarp_mul(m, w.dy.y))));
+    ScarpGully after = {{scarp_sum2(state.slope.value, scarp_scaled2(by, t.value)),
+            scarp_sum2(state.slope.dx, scarp_combined2(by_x, t.value, by, t.dx)),
+            scarp_sum2(state.slope.dy, scarp_combined2(by_y, t.value, by, t.dy))}, state.steep,
+            next, {scarp_add(state.sum.value, scarp_mul(o.weight, next.value)),
+            scarp_sum2(state.sum.d, scarp_scaled2(o.weight, next.d))}};
+    return after;
+}
+
+/* Steps of recipes, which scarp_recipe_shader calls. */
+
+/* The place of a noise: m x + t, of rows that have t as their last element. */
+float3 scarp_placed(float3 x, float4 a, float4 b, float4 c, int dimensions)
+{
+    ScarpRows m = scarp_rows_of(scarp_vec3_of(a.x, a.y, a.z), scarp_vec3_of(b.x, b.y, b.z),
+            scarp_vec3_of(c.x, c.y, c.z));
+    return scarp_add3(scarp_times(m, x, dimensions), scarp_vec3_of(a.w, b.w, c.w));
+}
+
+/* The rows m of a place, with the gradients of what displaces it. */
+ScarpRows scarp_jacobian_with(float4 a, float4 b, float4 c, ScarpDisplaced rest)
+{
+    return scarp_rows_of(scarp_add3(scarp_vec3_of(a.x, a.y, a.z), rest.x.gradient),
+            scarp_add3(scarp_vec3_of(b.x, b.y, b.z), rest.y.gradient), scarp_add3(scarp_vec3_of(c.x,
+            c.y, c.z), rest.z.gradient));
+}
+
+/* j_a (h j_b), and what the curvature of u adds along the gradient: over the axes of u. */
+float scarp_pulled_second(float3 ja, float3 jb, ScarpRows h, float3 bends, int dimensions)
+{
+    float sum = scarp_add(scarp_mul(ja.x, scarp_mul(h.x.x, jb.x)), scarp_mul(ja.x, scarp_mul(h.x.y,
+            jb.y)));
+    if (dimensions == 3) {
+        sum = scarp_add(sum, scarp_mul(ja.x, scarp_mul(h.x.z, jb.z)));
+    }
+    sum = scarp_add(sum, bends.x);
+    sum = scarp_add(sum, scarp_mul(ja.y, scarp_mul(h.y.x, jb.x)));
+    sum = scarp_add(sum, scarp_mul(ja.y, scarp_mul(h.y.y, jb.y)));
+    if (dimensions == 3) {
+        sum = scarp_add(sum, scarp_mul(ja.y, scarp_mul(h.y.z, jb.z)));
+    }
+    sum = scarp_add(sum, bends.y);
+    if (dimensions == 3) {
+        sum = scarp_add(sum, scarp_mul(ja.z, scarp_mul(h.z.x, jb.x)));
+        sum = scarp_add(sum, scarp_mul(ja.z, scarp_mul(h.z.y, jb.y)));
+        sum = scarp_add(sum, scarp_mul(ja.z, scarp_mul(h.z.z, jb.z)));
+        sum = scarp_add(sum, bends.z);
+    }
+    return sum;
+}
+
+float3 scarp_times_each(float3 a, float3 b)
+{
+    return scarp_vec3_of(scarp_mul(a.x, b.x), scarp_mul(a.y, b.y), scarp_mul(a.z, b.z));
+}
+
+/* A sample with derivatives by u, of so many dimensions, becomes one with derivatives by x: j are
+   the gradients of u by x, `rest` what displaces u. */
+ScarpSample scarp_pulled(ScarpSample s, ScarpRows j, ScarpDisplaced rest, int dimensions)
+{
+    ScarpRows h = scarp_hessian_of(s);
+    ScarpRows by = scarp_transposed(j);
+    float3 g = s.gradient;
+    ScarpDisplaced r = rest;
+    float3 xx = scarp_vec3_of(r.x.diagonal.x, r.y.diagonal.x, r.z.diagonal.x);
+    float3 yy = scarp_vec3_of(r.x.diagonal.y, r.y.diagonal.y, r.z.diagonal.y);
+    float3 zz = scarp_vec3_of(r.x.diagonal.z, r.y.diagonal.z, r.z.diagonal.z);
+    float3 xy = scarp_vec3_of(r.x.mixed.x, r.y.mixed.x, r.z.mixed.x);
+    float3 xz = scarp_vec3_of(r.x.mixed.y, r.y.mixed.y, r.z.mixed.y);
+    float3 yz = scarp_vec3_of(r.x.mixed.z, r.y.mixed.z, r.z.mixed.z);
+    return scarp_sample_of(s.value, scarp_times(by, g, dimensions),
+            scarp_vec3_of(scarp_pulled_second(by.x, by.x, h, scarp_times_each(g, xx), dimensions),
+            scarp_pulled_second(by.y, by.y, h, scarp_times_each(g, yy), dimensions),
+            scarp_pulled_second(by.z, by.z, h, scarp_times_each(g, zz), dimensions)),
+            scarp_vec3_of(scarp_pulled_second(by.x, by.y, h, scarp_times_each(g, xy), dimensions),
+            scarp_pulled_second(by.x, by.z, h, scarp_times_each(g, xz), dimensions),
+            scarp_pulled_second(by.y, by.z, h, scarp_times_each(g, yz), dimensions)));
+}
+
+/* A coordinate u of a place: its row of m, and what displaces it. */
+ScarpSample scarp_coordinate_of(float u, float4 row, ScarpSample rest)
+{
+    ScarpSample s = rest;
+    s.value = u;
+    s.gradient = scarp_add3(scarp_vec3_of(row.x, row.y, row.z), rest.gradient);
+    return s;
+}
+
+/* Whether a mask is a number, 0 or 1, with all derivatives up to an order. */
+bool scarp_is_level(ScarpSample mask, float number, int order, int dimensions)
+{
+    float3 g = mask.gradient;
+    float3 d = mask.diagonal;
+    float3 m = mask.mixed;
+    bool is_plane = dimensions == 2;
+    bool is_flat = g.x == 0.0f && g.y == 0.0f && (is_plane || g.z == 0.0f);
+    bool is_straight = d.x == 0.0f && m.x == 0.0f && d.y == 0.0f;
+    bool is_straight_up = is_plane || (m.y == 0.0f && m.z == 0.0f && d.z == 0.0f);
+    return mask.value == number && (order < 1 || is_flat) && (order < 2 || (is_straight
+            && is_straight_up));
+}
+
+/* Components of a warp at y become such at x. */
+ScarpDisplaced scarp_composed_each(ScarpDisplaced d, ScarpDisplaced y, int dimensions)
+{
+    ScarpDisplaced r = d;
+    r.x = scarp_composed(d.x, y, dimensions);
+    r.y = scarp_composed(d.y, y, dimensions);
+    if (dimensions == 3) {
+        r.z = scarp_composed(d.z, y, dimensions);
+    }
+    return r;
+}
+
+/* What cells say: 0 the number of the cell, 1 and 2 the distance to the nearest feature and to the
+   second. */
+ScarpSample scarp_cell_sample(ScarpCells c, int what)
+{
+    ScarpSample s = scarp_constant(scarp_mul(scarp_lattice_value(c.id), 4.65661287e-10f));
+    if (what == 1) {
+        s.value = c.f1;
+        s.gradient = c.d1;
+    }
+    if (what == 2) {
+        s.value = c.f2;
+        s.gradient = c.d2;
+    }
+    return s;
+}
+
+/* The constants of gullies: a is low, steepness, slope2, slope2_low; b is lowered, round, round2,
+   fall; c is branch, and what brings the base to units of the call, value, gradient, Hessian. */
+ScarpGullyShape scarp_gully_shape_of(float4 a, float4 b, float4 c)
+{
+    ScarpGullyShape g = {a.x, a.y, a.z, a.w, b.x, b.y, b.z, b.w, c.x};
+    return g;
+}
+
+ScarpGully scarp_gully_first(ScarpGullyShape g, float4 c, ScarpSample base)
+{
+    ScarpGullyBase b = {scarp_mul(base.value, c.y), scarp_mul(base.gradient.x, c.z),
+            scarp_mul(base.gradient.y, c.z), scarp_mul(base.diagonal.x, c.w),
+            scarp_mul(base.mixed.x, c.w), scarp_mul(base.diagonal.y, c.w)};
+    return scarp_gully_begin(g, b);
+}
+
+/* Octaves of gullies keep their own constants where noise has others: keep, stretch, and the pairs
+   of waves, angles and cells. */
+ScarpGully scarp_gully_with(ScarpGully state, ScarpGullyShape g, ScarpOctave o, ScarpLevel l,
+        bool turned, float3 x)
+{
+    ScarpGullyOctave own;
+    own.weight = o.weight;
+    own.keep = o.turn.x;
+    own.stretch = o.turn.y;
+    own.waves = scarp_pair_of(o.turn.z, o.turn.w);
+    own.angles = scarp_pair_of(o.gradient_x.x, o.gradient_x.y);
+    own.cells = scarp_pair_of(o.gradient_y.x, o.gradient_y.y);
+    ScarpLocation p = scarp_location_of(o, SCARP_GRADIENT, turned, x, 2);
+    return scarp_gully_octave_at(g, own, scarp_lattice_of(o, l), p, state);
+}
+
+/* What gullies add to the base; a and b bring value and gradient back to its units. */
+ScarpSample scarp_gully_displacement(ScarpGully state, float a, float b)
+{
+    ScarpSample s = scarp_constant(scarp_mul(a, state.sum.value));
+    s.gradient = scarp_vec3_of(scarp_mul(b, state.sum.d.x), scarp_mul(b, state.sum.d.y), 0.0f);
+    return s;
 }
 #endif

@@ -86,6 +86,11 @@ const SCARP_PINGPONG: u32 = 4u;
 const SCARP_HYBRID: u32 = 5u;
 const SCARP_SWISS: u32 = 6u;
 const SCARP_JORDAN: u32 = 7u;
+// 0, which compilers do not know
+fn scarp_zero() -> u32 {
+    return scarp_plan[0].zero;
+}
+
 fn scarp_only(fixed: u32, planned: u32) -> u32 {
     return select(fixed, planned, fixed == 0xffffffffu);
 }
@@ -106,7 +111,7 @@ fn scarp_only_depth_of(depth: u32) -> u32 {
 fn scarp_kept(a: f32) -> f32 {
     var kept = a;
     if (scarp_barrier) {
-        kept = bitcast<f32>(bitcast<u32>(a) ^ scarp_plan[0].zero);
+        kept = bitcast<f32>(bitcast<u32>(a) ^ scarp_zero());
     }
     return kept;
 }
@@ -195,6 +200,34 @@ fn scarp_root(x: f32) -> f32 {
     q = select(q, q + 1u, r > bitcast<i32>(q));
     let rounded: f32 = bitcast<f32>((((e + 127u) >> 1u) << 23u) + (q - 0x800000u));
     return select(rounded, 0.0f, e == 0u);
+}
+
+/*
+ * a / b, rounded to nearest, of b that is neither 0 nor below 2^-126; 0 where that is below 2^-126.
+ * With mantissas m of a and n of b, the quotient's is q: 2^23 m / n, or 2^24 m / n where m is less
+ * than n, rounded.
+ */
+fn scarp_quotient(a: f32, b: f32) -> f32 {
+    let m: u32 = (bitcast<u32>(a) & 0x7fffffu) | 0x800000u;
+    let n: u32 = (bitcast<u32>(b) & 0x7fffffu) | 0x800000u;
+    let less: u32 = select(0u, 1u, m < n);
+    let of_a: i32 = bitcast<i32>((bitcast<u32>(a) >> 23u) & 255u);
+    let of_b: i32 = bitcast<i32>((bitcast<u32>(b) >> 23u) & 255u);
+    let e: i32 = of_a - of_b + 126 - bitcast<i32>(less);
+    let left: f32 = bitcast<f32>(0x3f800000u | (m & 0x7fffffu));
+    let estimate: f32 = scarp_mul(left, scarp_rough_inverse(bitcast<f32>(0x3f800000u | (n
+            & 0x7fffffu))));
+    var q: u32 = bitcast<u32>(i32(scarp_mul(estimate, scarp_either(m < n, 16777216.0f,
+            8388608.0f))));
+    var r: i32 = bitcast<i32>((m << (23u + less)) - q * n);
+    for (var i: i32 = 0; i < 16 && (r < 0 || r >= bitcast<i32>(n)); i++) {
+        q = select(q + 1u, q - 1u, r < 0);
+        r = bitcast<i32>((m << (23u + less)) - q * n);
+    }
+    q = select(q, q + 1u, 2 * r > bitcast<i32>(n));
+    let size: u32 = (bitcast<u32>(e) << 23u) + q;
+    let sign: u32 = (bitcast<u32>(a) ^ bitcast<u32>(b)) & SCARP_SIGN;
+    return select(bitcast<f32>(size | sign), 0.0f, of_a == 0 || e < 0);
 }
 
 /* The directions of gradients, computed, since memory is slower. */
@@ -1464,45 +1497,56 @@ fn scarp_level_of(plan: u32, i: i32) -> ScarpLevel {
     return l;
 }
 
-fn scarp_bends(l: ScarpLevel) -> bool {
-    return l.fractal == SCARP_SWISS || l.fractal == SCARP_JORDAN;
+/* Where octave k looks, which those before have bent if it is one of a fractal that bends. */
+fn scarp_bent(state: ScarpState, o: ScarpOctave, k: u32, x: vec3f) -> vec3f {
+    var y: vec3f = x;
+    if (k > 0u) {
+        y = scarp_add3(x, scarp_mul3(o.reach, state.slopes.d));
+    }
+    return y;
 }
 
-/* The octave n, in the axes of the input, as the fractal adds it to the sum; n is not bent. */
-fn scarp_shaped(state: ScarpState, o: ScarpOctave, l: ScarpLevel, n: ScarpSample) -> ScarpState {
+/* Each fractal adds the octave n, in the axes of the input, to the sum; n is not bent. */
+fn scarp_with_fbm(state: ScarpState, n: ScarpSample) -> ScarpState {
     var s: ScarpState = state;
-    var term: ScarpSample = n;
-    var slope: f32 = o.weight;
-    if (l.fractal == SCARP_TURBULENCE) {
-        term = scarp_magnitude_of(n);
-    }
-    if (l.fractal == SCARP_RIDGED) {
-        term = scarp_ridge(state.weight, n);
-        s.weight = scarp_ridge_weight(term);
-    }
-    if (l.fractal == SCARP_PINGPONG) {
-        term = scarp_pingpong(n, l.sharpness);
-        slope = scarp_mul(o.weight, scarp_mul(2.0f, l.sharpness));
-    }
-    if (l.fractal == SCARP_HYBRID) {
-        term = scarp_hybrid(state.weight, n, l.sharpness);
-        s.weight = scarp_hybrid_weight(term, o.share);
-    }
-    if (l.fractal != SCARP_FBM) {
-        term = scarp_scaled(term, o.weight, slope, slope);
-    }
-    s.sum = scarp_sum_of(state.sum, term);
+    s.sum = scarp_sum_of(state.sum, n);
+    return s;
+}
+
+fn scarp_with_turbulence(state: ScarpState, o: ScarpOctave, n: ScarpSample) -> ScarpState {
+    return scarp_with_fbm(state, scarp_scaled(scarp_magnitude_of(n), o.weight, o.weight, o.weight));
+}
+
+fn scarp_with_ridged(state: ScarpState, o: ScarpOctave, n: ScarpSample) -> ScarpState {
+    let term: ScarpSample = scarp_ridge(state.weight, n);
+    var s: ScarpState = scarp_with_fbm(state, scarp_scaled(term, o.weight, o.weight, o.weight));
+    s.weight = scarp_ridge_weight(term);
+    return s;
+}
+
+fn scarp_with_pingpong(state: ScarpState, o: ScarpOctave, l: ScarpLevel,
+        n: ScarpSample) -> ScarpState {
+    let slope: f32 = scarp_mul(o.weight, scarp_mul(2.0f, l.sharpness));
+    return scarp_with_fbm(state, scarp_scaled(scarp_pingpong(n, l.sharpness), o.weight, slope,
+            slope));
+}
+
+fn scarp_with_hybrid(state: ScarpState, o: ScarpOctave, l: ScarpLevel,
+        n: ScarpSample) -> ScarpState {
+    let term: ScarpSample = scarp_hybrid(state.weight, n, l.sharpness);
+    var s: ScarpState = scarp_with_fbm(state, scarp_scaled(term, o.weight, o.weight, o.weight));
+    s.weight = scarp_hybrid_weight(term, o.share);
     return s;
 }
 
 /* Adds an octave of erosion; n is the basis in the axes of the octave. */
-fn scarp_erosion(state: ScarpState, o: ScarpOctave, strength: f32, n: ScarpSample, turned: bool,
-        dimensions: i32) -> ScarpState {
+fn scarp_with_erosion(state: ScarpState, o: ScarpOctave, l: ScarpLevel, n: ScarpSample,
+        turned: bool, dimensions: i32) -> ScarpState {
     let basis: ScarpSample = scarp_scaled(n, o.amplitude, o.amplitude, o.amplitude);
     let gradient: vec3f = scarp_to_input(o, turned, basis.gradient, dimensions);
     var s: ScarpState = state;
     s.slopes = scarp_steeper(state.slopes, o, turned, basis, dimensions);
-    let term: ScarpSample = scarp_eroded(s.slopes, strength, basis.value, gradient, dimensions);
+    let term: ScarpSample = scarp_eroded(s.slopes, l.erosion, basis.value, gradient, dimensions);
     s.sum = scarp_sum_of(state.sum, scarp_scaled(term, o.weight, o.weight, o.weight));
     return s;
 }
@@ -1512,45 +1556,59 @@ fn scarp_with_octave(state: ScarpState, o: ScarpOctave, l: ScarpLevel, k: u32, x
         dimensions: i32) -> ScarpState {
     let turned: bool = l.rotate != 0u && k > 0u;
     var y: vec3f = x;
-    if (scarp_bends(l) && k > 0u) {
-        y = scarp_add3(x, scarp_mul3(o.reach, state.slopes.d));
+    if (l.fractal == SCARP_SWISS || l.fractal == SCARP_JORDAN) {
+        y = scarp_bent(state, o, k, x);
     }
     let p: ScarpLocation = scarp_location_of(o, l.basis, turned, y, dimensions);
     let basis: ScarpSample = scarp_basis_at(o, l, p, dimensions);
     var s: ScarpState;
     if (l.fractal == SCARP_EROSION) {
-        s = scarp_erosion(state, o, l.erosion, basis, turned, dimensions);
+        s = scarp_with_erosion(state, o, l, basis, turned, dimensions);
     } else {
         let n: ScarpSample = scarp_in_input(o, turned, basis, dimensions);
         if (l.fractal == SCARP_SWISS) {
             s = scarp_swiss(state, o, l.inverse_weight, n, dimensions);
         } else if (l.fractal == SCARP_JORDAN) {
             s = scarp_jordan(state, o, l.erosion, k == 0u, n, dimensions);
+        } else if (l.fractal == SCARP_TURBULENCE) {
+            s = scarp_with_turbulence(state, o, n);
+        } else if (l.fractal == SCARP_RIDGED) {
+            s = scarp_with_ridged(state, o, n);
+        } else if (l.fractal == SCARP_PINGPONG) {
+            s = scarp_with_pingpong(state, o, l, n);
+        } else if (l.fractal == SCARP_HYBRID) {
+            s = scarp_with_hybrid(state, o, l, n);
         } else {
-            s = scarp_shaped(state, o, l, n);
+            s = scarp_with_fbm(state, n);
         }
     }
     return s;
 }
 
-/* The noise of a component of a level, without warps; component 0 of a level that has one. */
-fn scarp_octaves_at(plan: u32, given: ScarpLevel, component: u32, x: vec3f,
-        dimensions: i32) -> ScarpSample {
+/* What octave 0 adds to. */
+fn scarp_no_octaves() -> ScarpState {
     let none: vec3f = vec3f(0.0f, 0.0f, 0.0f);
-    let shares_lattice: bool = given.basis == SCARP_GRADIENT || given.basis == SCARP_VALUE;
-    var l: ScarpLevel = given;
     var state: ScarpState;
-    if (shares_lattice) {
-        l.component = component;
-    } else {
-        l.first = given.first + component * given.octaves;
-    }
     state.sum = scarp_constant(0.0f);
     state.weight = scarp_constant(1.0f);
     state.slopes.d = none;
     state.slopes.jacobian = scarp_rows_of(none, none, none);
     state.left = 1.0f;
     state.left_by = none;
+    return state;
+}
+
+/* The noise of a component of a level, without warps; component 0 of a level that has one. */
+fn scarp_octaves_at(plan: u32, given: ScarpLevel, component: u32, x: vec3f,
+        dimensions: i32) -> ScarpSample {
+    let shares_lattice: bool = given.basis == SCARP_GRADIENT || given.basis == SCARP_VALUE;
+    var l: ScarpLevel = given;
+    var state: ScarpState = scarp_no_octaves();
+    if (shares_lattice) {
+        l.component = component;
+    } else {
+        l.first = given.first + component * given.octaves;
+    }
     for (var k: u32 = 0u; k < l.octaves; k++) {
         state = scarp_with_octave(state, scarp_octave_of(plan, l.first + k), l, k, x, dimensions);
     }
@@ -1581,12 +1639,41 @@ fn scarp_composed(s: ScarpSample, y: ScarpDisplaced, dimensions: i32) -> ScarpSa
     return r;
 }
 
-/* The components of a level, each at `at`, by x; `y` says how that depends on x, unless the level
-   is the deepest. */
-fn scarp_level_at(plan: u32, i: i32, deepest: bool, at: vec3f, y: ScarpDisplaced,
+/* What nothing has displaced. */
+fn scarp_not_displaced() -> ScarpDisplaced {
+    var y: ScarpDisplaced;
+    y.x = scarp_constant(0.0f);
+    y.y = y.x;
+    y.z = y.x;
+    return y;
+}
+
+/* Displacements of x become positions: their derivatives are those of x, too. */
+fn scarp_positions_of(d: ScarpDisplaced) -> ScarpDisplaced {
+    var y: ScarpDisplaced = d;
+    y.x.gradient.x = scarp_add(y.x.gradient.x, 1.0f);
+    y.y.gradient.y = scarp_add(y.y.gradient.y, 1.0f);
+    y.z.gradient.z = scarp_add(y.z.gradient.z, 1.0f);
+    return y;
+}
+
+fn scarp_values_of(y: ScarpDisplaced) -> vec3f {
+    return vec3f(y.x.value, y.y.value, y.z.value);
+}
+
+fn scarp_displaced_of(x: ScarpSample, y: ScarpSample, z: ScarpSample) -> ScarpDisplaced {
+    var d: ScarpDisplaced;
+    d.x = x;
+    d.y = y;
+    d.z = z;
+    return d;
+}
+
+/* Components of a level, each at `at`, by x; `y` says how that depends on x, unless the level is
+   the deepest. */
+fn scarp_level_at(plan: u32, i: i32, components: i32, deepest: bool, at: vec3f, y: ScarpDisplaced,
         dimensions: i32) -> ScarpDisplaced {
     let l: ScarpLevel = scarp_level_of(plan, i);
-    let components: i32 = select(1, dimensions, i > 0);
     var d: ScarpDisplaced = y;
     for (var c: i32 = 0; c < components; c++) {
         var s: ScarpSample = scarp_octaves_at(plan, l, bitcast<u32>(c), at, dimensions);
@@ -1604,43 +1691,53 @@ fn scarp_level_at(plan: u32, i: i32, deepest: bool, at: vec3f, y: ScarpDisplaced
     return d;
 }
 
-fn scarp_noise_at(plan: u32, x: vec3f, dimensions: i32) -> ScarpSample {
+/* So many components of vector noise; one is the noise. */
+fn scarp_components_at(plan: u32, x: vec3f, components: i32, dimensions: i32) -> ScarpDisplaced {
     let depth: i32 = bitcast<i32>(scarp_only_depth_of(scarp_plan[plan].depth));
     var at: vec3f = x;
-    var y: ScarpDisplaced;
-    y.x = scarp_constant(0.0f);
-    y.y = y.x;
-    y.z = y.x;
+    var y: ScarpDisplaced = scarp_not_displaced();
     for (var i: i32 = depth; i >= 0; i--) {
-        y = scarp_level_at(plan, i, i == depth, at, y, dimensions);
+        var count: i32 = dimensions;
+        if (i == 0) {
+            count = components;
+        }
+        y = scarp_level_at(plan, i, count, i == depth, at, y, dimensions);
         if (i > 0) {
-            y.x.gradient.x = scarp_add(y.x.gradient.x, 1.0f);
-            y.y.gradient.y = scarp_add(y.y.gradient.y, 1.0f);
-            y.z.gradient.z = scarp_add(y.z.gradient.z, 1.0f);
-            at = scarp_add3(x, vec3f(y.x.value, y.y.value, y.z.value));
+            y = scarp_positions_of(y);
+            at = scarp_add3(x, scarp_values_of(y));
         }
     }
-    return y.x;
+    return y;
 }
 
 /* What scarp_sample2 gives at (x, y); outputs along z mean nothing. */
 fn scarp_sample2(plan: u32, x: f32, y: f32) -> ScarpSample {
-    return scarp_noise_at(plan, vec3f(x, y, 0.0f), 2);
+    return scarp_components_at(plan, vec3f(x, y, 0.0f), 1, 2).x;
 }
 
 /* What scarp_sample3 gives at (x, y, z). */
 fn scarp_sample3(plan: u32, x: f32, y: f32, z: f32) -> ScarpSample {
-    return scarp_noise_at(plan, vec3f(x, y, z), 3);
+    return scarp_components_at(plan, vec3f(x, y, z), 1, 3).x;
 }
 
-/* A coordinate of test point i. */
-fn scarp_test_coordinate(plan: u32, i: u32, axis: u32) -> f32 {
+/* What scarp_vector2 gives, as x and y, of a plan by scarp_gpu_vector_plan_make. */
+fn scarp_vector2(plan: u32, x: f32, y: f32) -> ScarpDisplaced {
+    return scarp_components_at(plan, vec3f(x, y, 0.0f), 2, 2);
+}
+
+/* What scarp_vector3 gives. */
+fn scarp_vector3(plan: u32, x: f32, y: f32, z: f32) -> ScarpDisplaced {
+    return scarp_components_at(plan, vec3f(x, y, z), 3, 3);
+}
+
+/* A coordinate of test point i, in steps of a unit. */
+fn scarp_test_coordinate(unit: f32, i: u32, axis: u32) -> f32 {
     var key: vec3u;
     key.x = 0u;
     key.y = 0u;
     key.z = 0u;
     let cells: i32 = bitcast<i32>(scarp_hash2(key, i, axis) >> 12u) - 524288;
-    return scarp_mul(f32(cells), scarp_plan[plan].unit);
+    return scarp_mul(f32(cells), unit);
 }
 
 /* The hash h with an output; what is below 2^-120 counts as 0. */
@@ -1650,35 +1747,980 @@ fn scarp_hash_with(h: u32, a: f32) -> u32 {
     return (((h << 5u) | (h >> 27u)) ^ bits) * SCARP_HASH_K;
 }
 
+/* The hash h with the outputs of a sample up to an order, in the order of struct scarp_samples. */
+fn scarp_hash_with_sample(h: u32, s: ScarpSample, order: u32, dimensions: i32) -> u32 {
+    let is_space: bool = dimensions == 3;
+    var next: u32 = scarp_hash_with(h, s.value);
+    if (order > 0u) {
+        next = scarp_hash_with(scarp_hash_with(next, s.gradient.x), s.gradient.y);
+        if (is_space) {
+            next = scarp_hash_with(next, s.gradient.z);
+        }
+    }
+    if (order > 1u) {
+        next = scarp_hash_with(scarp_hash_with(next, s.diagonal.x), s.mixed.x);
+        if (is_space) {
+            next = scarp_hash_with(next, s.mixed.y);
+        }
+        next = scarp_hash_with(next, s.diagonal.y);
+        if (is_space) {
+            next = scarp_hash_with(scarp_hash_with(next, s.mixed.z), s.diagonal.z);
+        }
+    }
+    return next;
+}
+
 /* The self-test: a hash of the outputs at test point i up to an order, which is answer i of
    scarp_gpu_answers where the shader has the bits of the library. */
 fn scarp_answer2(plan: u32, order: u32, i: u32) -> u32 {
-    let s: ScarpSample = scarp_sample2(plan, scarp_test_coordinate(plan, i, 0u),
-            scarp_test_coordinate(plan, i, 1u));
-    var h: u32 = scarp_hash_with(0u, s.value);
-    if (order > 0u) {
-        h = scarp_hash_with(scarp_hash_with(h, s.gradient.x), s.gradient.y);
-    }
-    if (order > 1u) {
-        h = scarp_hash_with(scarp_hash_with(scarp_hash_with(h, s.diagonal.x), s.mixed.x),
-                s.diagonal.y);
-    }
-    return h;
+    let unit: f32 = scarp_plan[plan].unit;
+    let s: ScarpSample = scarp_sample2(plan, scarp_test_coordinate(unit, i, 0u),
+            scarp_test_coordinate(unit, i, 1u));
+    return scarp_hash_with_sample(0u, s, order, 2);
 }
 
 fn scarp_answer3(plan: u32, order: u32, i: u32) -> u32 {
-    let s: ScarpSample = scarp_sample3(plan, scarp_test_coordinate(plan, i, 0u),
-            scarp_test_coordinate(plan, i, 1u), scarp_test_coordinate(plan, i, 2u));
-    var h: u32 = scarp_hash_with(0u, s.value);
-    if (order > 0u) {
-        h = scarp_hash_with(scarp_hash_with(scarp_hash_with(h, s.gradient.x), s.gradient.y),
-                s.gradient.z);
+    let unit: f32 = scarp_plan[plan].unit;
+    let s: ScarpSample = scarp_sample3(plan, scarp_test_coordinate(unit, i, 0u),
+            scarp_test_coordinate(unit, i, 1u), scarp_test_coordinate(unit, i, 2u));
+    return scarp_hash_with_sample(0u, s, order, 3);
+}
+
+/* Cells and velocities, as scalar/table. */
+
+/* What scarp_cells2 and scarp_cells3 give: distances to the nearest feature and to the second,
+   their gradients, and the place of the nearest. */
+struct ScarpCells {
+    id: u32,
+    f1: f32,
+    f2: f32,
+    d1: vec3f,
+    d2: vec3f,
+    place: vec3f,
+}
+
+/* The cells around a point x, which lies at p in octave o; `unit` is the length of a cell. */
+fn scarp_cells_around(o: ScarpOctave, p: ScarpLocation, unit: f32, x: vec3f,
+        dimensions: i32) -> ScarpCells {
+    var l: ScarpLattice = ScarpLattice(o.key, o.last, false, vec4f(0.0f, 0.0f, 0.0f, 0.0f), 0.0f,
+            0.0f, 0u);
+    l.jitter = o.turn.x;
+    let n: ScarpNearest = scarp_nearest_at(l, p, dimensions);
+    let first: ScarpSample = scarp_distance_to(n.first);
+    let second: ScarpSample = scarp_distance_to(n.second);
+    var c: ScarpCells;
+    c.id = n.first.hash * SCARP_FEATURE_ID;
+    c.f1 = scarp_mul(first.value, unit);
+    c.f2 = scarp_mul(second.value, unit);
+    c.d1 = first.gradient;
+    c.d2 = second.gradient;
+    c.place = scarp_sub3(x, scarp_mul3(unit, n.first.d));
+    return c;
+}
+
+fn scarp_cells_in(plan: u32, x: vec3f, dimensions: i32) -> ScarpCells {
+    let o: ScarpOctave = scarp_octave_of(plan, 0u);
+    let p: ScarpLocation = scarp_location_of(o, SCARP_CELL_F1, false, x, dimensions);
+    return scarp_cells_around(o, p, o.inverse, x, dimensions);
+}
+
+/* The cells of a noise whose basis is cellular. */
+fn scarp_cells2(plan: u32, x: f32, y: f32) -> ScarpCells {
+    return scarp_cells_in(plan, vec3f(x, y, 0.0f), 2);
+}
+
+fn scarp_cells3(plan: u32, x: f32, y: f32, z: f32) -> ScarpCells {
+    return scarp_cells_in(plan, vec3f(x, y, z), 3);
+}
+
+/* A velocity without divergence, and the rows of its Jacobian: the derivatives of each component.
+ */
+struct ScarpFlow {
+    velocity: vec3f,
+    x: vec3f,
+    y: vec3f,
+    z: vec3f,
+}
+
+/* What scarp_curl2 gives; nothing along z. */
+fn scarp_curl2(plan: u32, x: f32, y: f32) -> ScarpFlow {
+    let psi: ScarpSample = scarp_sample2(plan, x, y);
+    let none: vec3f = vec3f(0.0f, 0.0f, 0.0f);
+    var f: ScarpFlow;
+    f.velocity = vec3f(psi.gradient.y, -psi.gradient.x, 0.0f);
+    f.x = vec3f(psi.mixed.x, psi.diagonal.y, 0.0f);
+    f.y = vec3f(-psi.diagonal.x, -psi.mixed.x, 0.0f);
+    f.z = none;
+    return f;
+}
+
+/* What scarp_curl3 gives, of a plan by scarp_gpu_vector_plan_make. */
+fn scarp_curl3(plan: u32, x: f32, y: f32, z: f32) -> ScarpFlow {
+    let psi: ScarpDisplaced = scarp_vector3(plan, x, y, z);
+    let a: ScarpRows = scarp_hessian_of(psi.x);
+    let b: ScarpRows = scarp_hessian_of(psi.y);
+    let c: ScarpRows = scarp_hessian_of(psi.z);
+    var f: ScarpFlow;
+    f.velocity = vec3f(scarp_sub(psi.z.gradient.y, psi.y.gradient.z), scarp_sub(psi.x.gradient.z,
+            psi.z.gradient.x), scarp_sub(psi.y.gradient.x, psi.x.gradient.y));
+    f.x = scarp_sub3(c.y, b.z);
+    f.y = scarp_sub3(a.z, c.x);
+    f.z = scarp_sub3(b.x, a.y);
+    return f;
+}
+
+/* The chain rule over samples. */
+
+/* a b, but 0 where a or b is 0, whatever the other one is. */
+fn scarp_term(a: f32, b: f32) -> f32 {
+    return scarp_either(a == 0.0f || b == 0.0f, 0.0f, scarp_mul(a, b));
+}
+
+fn scarp_terms(a: f32, b: vec3f) -> vec3f {
+    return vec3f(scarp_term(a, b.x), scarp_term(a, b.y), scarp_term(a, b.z));
+}
+
+/* a_i b_j + a_j b_i */
+fn scarp_crossed(ai: f32, aj: f32, bi: f32, bj: f32) -> f32 {
+    return scarp_add(scarp_term(ai, bj), scarp_term(aj, bi));
+}
+
+/* a b, as scarp_multiply */
+fn scarp_chain_multiply(a: ScarpSample, b: ScarpSample) -> ScarpSample {
+    let g: vec3f = a.gradient;
+    let h: vec3f = b.gradient;
+    let diagonal: vec3f = scarp_add3(scarp_terms(b.value, a.diagonal), scarp_terms(a.value,
+            b.diagonal));
+    let mixed: vec3f = scarp_add3(scarp_terms(b.value, a.mixed), scarp_terms(a.value, b.mixed));
+    return scarp_sample_of(scarp_term(a.value, b.value), scarp_add3(scarp_terms(b.value, g),
+            scarp_terms(a.value, h)), scarp_add3(diagonal, vec3f(scarp_crossed(g.x, g.x, h.x, h.x),
+            scarp_crossed(g.y, g.y, h.y, h.y), scarp_crossed(g.z, g.z, h.z, h.z))),
+            scarp_add3(mixed, vec3f(scarp_crossed(g.x, g.y, h.x, h.y), scarp_crossed(g.x, g.z, h.x,
+            h.z), scarp_crossed(g.y, g.z, h.y, h.z))));
+}
+
+/* a + m (b - a), as scarp_mix */
+fn scarp_chain_mix(a: ScarpSample, b: ScarpSample, m: ScarpSample) -> ScarpSample {
+    var nearer: ScarpSample = a;
+    var share: ScarpSample = m;
+    if (m.value > 0.5f) {
+        nearer = b;
+        share.value = scarp_sub(m.value, 1.0f);
     }
-    if (order > 1u) {
-        h = scarp_hash_with(scarp_hash_with(scarp_hash_with(h, s.diagonal.x), s.mixed.x),
-                s.mixed.y);
-        h = scarp_hash_with(scarp_hash_with(scarp_hash_with(h, s.diagonal.y), s.mixed.z),
-                s.diagonal.z);
+    return scarp_difference_of(nearer, scarp_chain_multiply(scarp_difference_of(a, b), share));
+}
+
+/* scale a + offset */
+fn scarp_chain_affine(a: ScarpSample, scale: f32, offset: f32) -> ScarpSample {
+    var s: ScarpSample = scarp_scaled(a, scale, scale, scale);
+    s.value = scarp_add(s.value, offset);
+    return s;
+}
+
+fn scarp_chain_min(a: ScarpSample, b: ScarpSample) -> ScarpSample {
+    var s: ScarpSample = a;
+    if (b.value < a.value) {
+        s = b;
     }
+    return s;
+}
+
+fn scarp_chain_max(a: ScarpSample, b: ScarpSample) -> ScarpSample {
+    var s: ScarpSample = a;
+    if (a.value < b.value) {
+        s = b;
+    }
+    return s;
+}
+
+/* f_aa a_i a_j of a gradient a */
+fn scarp_squares_of(faa: f32, a: vec3f) -> vec3f {
+    return vec3f(scarp_mul(scarp_mul(faa, a.x), a.x), scarp_mul(scarp_mul(faa, a.y), a.y),
+            scarp_mul(scarp_mul(faa, a.z), a.z));
+}
+
+fn scarp_products_of(faa: f32, a: vec3f) -> vec3f {
+    return vec3f(scarp_mul(scarp_mul(faa, a.x), a.y), scarp_mul(scarp_mul(faa, a.x), a.z),
+            scarp_mul(scarp_mul(faa, a.y), a.z));
+}
+
+/* f(a), of which f_a and f_aa are the derivatives; as scarp_apply1 */
+fn scarp_chain_apply1(a: ScarpSample, f: f32, fa: f32, faa: f32) -> ScarpSample {
+    let first: ScarpSample = scarp_scaled(a, 0.0f, fa, fa);
+    return scarp_sample_of(f, first.gradient, scarp_add3(first.diagonal, scarp_squares_of(faa,
+            a.gradient)), scarp_add3(first.mixed, scarp_products_of(faa, a.gradient)));
+}
+
+/* f(a) without second derivatives of f */
+fn scarp_chain_straight(a: ScarpSample, f: f32, fa: f32) -> ScarpSample {
+    var s: ScarpSample = scarp_scaled(a, 0.0f, fa, fa);
+    s.value = f;
+    return s;
+}
+
+/* The lesser, or the greater, of a and b: rounded where they differ by less than k. `inverse_k` is
+   1 / k; `depth` is k / 6 and `bend` -1 / k, of maxima with the other sign. */
+fn scarp_smooth_of(a: ScarpSample, b: ScarpSample, takes_b: bool, k: vec3f) -> ScarpSample {
+    let left: f32 = scarp_sub(1.0f, scarp_mul(scarp_magnitude(scarp_sub(a.value, b.value)), k.x));
+    let h: f32 = scarp_either(left < 0.0f, 0.0f, left);
+    let half_weight: f32 = scarp_mul(0.5f, scarp_mul(h, h));
+    let rest: f32 = scarp_sub(1.0f, half_weight);
+    let of_a: f32 = scarp_either(takes_b, half_weight, rest);
+    let of_b: f32 = scarp_either(takes_b, rest, half_weight);
+    let d: vec3f = scarp_sub3(a.gradient, b.gradient);
+    let bend: f32 = scarp_mul(h, k.z);
+    let diagonal: vec3f = scarp_add3(scarp_mul3(of_a, a.diagonal), scarp_mul3(of_b, b.diagonal));
+    let mixed: vec3f = scarp_add3(scarp_mul3(of_a, a.mixed), scarp_mul3(of_b, b.mixed));
+    return scarp_sample_of(scarp_sub(scarp_either(takes_b, b.value, a.value),
+            scarp_mul(scarp_mul(scarp_mul(h, h), h), k.y)), scarp_add3(scarp_mul3(of_a, a.gradient),
+            scarp_mul3(of_b, b.gradient)), scarp_add3(diagonal, scarp_squares_of(bend, d)),
+            scarp_add3(mixed, scarp_products_of(bend, d)));
+}
+
+/* k: 1 / k, k / 6, -1 / k of the width k */
+fn scarp_chain_smooth_min(a: ScarpSample, b: ScarpSample, k: vec3f) -> ScarpSample {
+    return scarp_smooth_of(a, b, b.value < a.value, k);
+}
+
+/* k: 1 / k, -k / 6, 1 / k of the width k */
+fn scarp_chain_smooth_max(a: ScarpSample, b: ScarpSample, k: vec3f) -> ScarpSample {
+    return scarp_smooth_of(a, b, a.value < b.value, k);
+}
+
+fn scarp_chain_clamp(a: ScarpSample, lo: f32, hi: f32) -> ScarpSample {
+    let v: f32 = a.value;
+    let f: f32 = scarp_either(v < lo, lo, scarp_either(v > hi, hi, v));
+    return scarp_chain_straight(a, f, scarp_either(v < lo || v > hi, 0.0f, 1.0f));
+}
+
+fn scarp_chain_abs(a: ScarpSample) -> ScarpSample {
+    let v: f32 = a.value;
+    let down: f32 = scarp_either(v < 0.0f, -1.0f, 0.0f);
+    return scarp_chain_straight(a, scarp_magnitude(v), scarp_either(v > 0.0f, 1.0f, down));
+}
+
+fn scarp_within_unit(t: f32) -> f32 {
+    return scarp_either(t < 0.0f, 0.0f, scarp_either(t > 1.0f, 1.0f, t));
+}
+
+/* The quintic fade may exceed 1 by 2^-23. */
+fn scarp_step_fade(t: f32) -> ScarpFade {
+    var s: ScarpFade = scarp_fade(SCARP_QUINTIC, t);
+    s.u = scarp_either(s.u > 1.0f, 1.0f, s.u);
+    return s;
+}
+
+/* The step from lo to hi; `by` is 1 / (hi - lo). */
+fn scarp_chain_smoothstep(a: ScarpSample, lo: f32, by: f32) -> ScarpSample {
+    let s: ScarpFade = scarp_step_fade(scarp_within_unit(scarp_mul(scarp_sub(a.value, lo), by)));
+    return scarp_chain_apply1(a, s.u, scarp_mul(s.du, by), scarp_mul(scarp_mul(s.ddu, by), by));
+}
+
+/* k: how many steps, 1 / steps, 1 / riser, strength */
+fn scarp_chain_terrace(a: ScarpSample, k: vec4f) -> ScarpSample {
+    let t: f32 = scarp_mul(a.value, k.x);
+    let whole: f32 = floor(t);
+    let u: f32 = scarp_sub(t, whole);
+    let s: ScarpFade = scarp_step_fade(scarp_within_unit(scarp_add(scarp_mul(scarp_sub(u, 0.5f),
+            k.z), 0.5f)));
+    let rise: f32 = scarp_add(u, scarp_mul(k.w, scarp_sub(s.u, u)));
+    return scarp_chain_apply1(a, scarp_mul(scarp_add(whole, rise), k.y), scarp_add(1.0f,
+            scarp_mul(k.w, scarp_sub(scarp_mul(s.du, k.z), 1.0f))),
+            scarp_mul(scarp_mul(scarp_mul(scarp_mul(s.ddu, k.z), k.z), k.x), k.w));
+}
+
+/* sqrt(a^2 + round^2) */
+fn scarp_chain_smooth_abs(a: ScarpSample, round: f32, round2: f32) -> ScarpSample {
+    let f: f32 = scarp_root(scarp_add(scarp_mul(a.value, a.value), round2));
+    let by: f32 = scarp_inverse(f);
+    let share: f32 = scarp_mul(round, by);
+    return scarp_chain_apply1(a, f, scarp_mul(a.value, by), scarp_mul(scarp_mul(share, share), by));
+}
+
+/* The root of a, 0 where that is negative. */
+fn scarp_chain_sqrt(a: ScarpSample) -> ScarpSample {
+    let v: f32 = scarp_either(a.value < 0.0f, 0.0f, a.value);
+    let f: f32 = scarp_root(v);
+    let is_flat: bool = f == 0.0f;
+    let slope: f32 = scarp_mul(0.5f, scarp_inverse(scarp_either(is_flat, 1.0f, f)));
+    let bend: f32 = scarp_mul(slope, scarp_mul(0.5f, scarp_inverse(scarp_either(is_flat, 1.0f,
+            v))));
+    return scarp_chain_apply1(a, f, scarp_either(is_flat, 0.0f, slope), scarp_either(is_flat, 0.0f,
+            -bend));
+}
+
+/* a / b, where b is not 0. */
+fn scarp_chain_divide(a: ScarpSample, b: ScarpSample) -> ScarpSample {
+    let by: f32 = scarp_with_bit(scarp_inverse(scarp_magnitude(b.value)),
+            bitcast<u32>(b.value) >> 31u);
+    let f: f32 = scarp_quotient(a.value, b.value);
+    let fb: f32 = -scarp_mul(f, by);
+    let fab: f32 = -scarp_mul(by, by);
+    let fbb: f32 = scarp_mul(scarp_mul(2.0f, scarp_mul(f, by)), by);
+    let g: vec3f = a.gradient;
+    let h: vec3f = b.gradient;
+    let diagonal: vec3f = scarp_add3(scarp_mul3(by, a.diagonal), scarp_mul3(fb, b.diagonal));
+    let mixed: vec3f = scarp_add3(scarp_mul3(by, a.mixed), scarp_mul3(fb, b.mixed));
+    let twice: vec3f = vec3f(scarp_add(scarp_mul(g.x, h.x), scarp_mul(g.x, h.x)),
+            scarp_add(scarp_mul(g.y, h.y), scarp_mul(g.y, h.y)), scarp_add(scarp_mul(g.z, h.z),
+            scarp_mul(g.z, h.z)));
+    let both: vec3f = vec3f(scarp_add(scarp_mul(g.x, h.y), scarp_mul(g.y, h.x)),
+            scarp_add(scarp_mul(g.x, h.z), scarp_mul(g.z, h.x)), scarp_add(scarp_mul(g.y, h.z),
+            scarp_mul(g.z, h.y)));
+    return scarp_sample_of(f, scarp_add3(scarp_mul3(by, g), scarp_mul3(fb, h)),
+            scarp_add3(scarp_add3(diagonal, scarp_squares_of(fbb, h)), scarp_mul3(fab, twice)),
+            scarp_add3(scarp_add3(mixed, scarp_products_of(fbb, h)), scarp_mul3(fab, both)));
+}
+
+/* a folded to and fro: -1 at even numbers, 1 at odd ones. All floats of 2^24 and more are even. */
+fn scarp_chain_pulse(a: ScarpSample) -> ScarpSample {
+    let v: f32 = scarp_either(scarp_magnitude(a.value) < 16777216.0f, a.value, 0.0f);
+    let lower: f32 = floor(v);
+    let fraction: f32 = scarp_sub(v, lower);
+    let up: f32 = scarp_sub(scarp_mul(2.0f, fraction), 1.0f);
+    let is_odd: bool = (i32(lower) & 1) != 0;
+    let slope: f32 = scarp_either(is_odd, -2.0f, 2.0f);
+    return scarp_chain_straight(a, scarp_either(is_odd, -up, up), scarp_either(fraction == 0.0f,
+            0.0f, slope));
+}
+
+/* The length of the gradient; no Hessian. */
+fn scarp_chain_slope(a: ScarpSample, dimensions: i32) -> ScarpSample {
+    let h: ScarpRows = scarp_hessian_of(a);
+    let length: f32 = scarp_root(scarp_dot(a.gradient, a.gradient, dimensions));
+    let by: f32 = scarp_either(length == 0.0f, 1.0f, length);
+    let sums: vec3f = scarp_times(h, a.gradient, dimensions);
+    var s: ScarpSample = scarp_constant(length);
+    if (length != 0.0f) {
+        s.gradient = vec3f(scarp_quotient(sums.x, by), scarp_quotient(sums.y, by),
+                scarp_quotient(sums.z, by));
+    }
+    return s;
+}
+
+/* A piece of a curve at a. k and l are the knots around it, `first` and `last` those at the ends:
+   x, value, slope, 1 / (the next x - x). */
+fn scarp_chain_curve(a: ScarpSample, k: vec4f, l: vec4f, first: vec4f, last: vec4f) -> ScarpSample {
+    let width: f32 = scarp_sub(l.x, k.x);
+    let t: f32 = scarp_mul(scarp_sub(a.value, k.x), k.w);
+    let rise: f32 = scarp_sub(l.y, k.y);
+    let s0: f32 = scarp_mul(k.z, width);
+    let s1: f32 = scarp_mul(l.z, width);
+    let c2: f32 = scarp_sub(scarp_sub(scarp_mul(3.0f, rise), scarp_mul(2.0f, s0)), s1);
+    let c3: f32 = scarp_sub(scarp_add(s0, s1), scarp_mul(2.0f, rise));
+    let lowest: f32 = scarp_either(k.y < l.y, k.y, l.y);
+    let highest: f32 = scarp_either(k.y < l.y, l.y, k.y);
+    let v: f32 = scarp_add(k.y, scarp_mul(t, scarp_add(s0, scarp_mul(t, scarp_add(c2, scarp_mul(t,
+            c3))))));
+    let held: f32 = scarp_either(v < lowest, lowest, scarp_either(v > highest, highest, v));
+    let is_before: bool = a.value <= first.x;
+    let is_behind: bool = a.value >= last.x;
+    let is_level: bool = is_before || is_behind;
+    let slope: f32 = scarp_mul(scarp_add(s0, scarp_mul(t, scarp_add(scarp_mul(2.0f, c2),
+            scarp_mul(t, scarp_mul(3.0f, c3))))), k.w);
+    let bend: f32 = scarp_mul(scarp_mul(scarp_add(scarp_mul(2.0f, c2), scarp_mul(t, scarp_mul(6.0f,
+            c3))), k.w), k.w);
+    return scarp_chain_apply1(a, scarp_either(is_before, first.y, scarp_either(is_behind, last.y,
+            held)), scarp_either(is_level, 0.0f, slope), scarp_either(is_level, 0.0f, bend));
+}
+
+/* The sine, as calls/shapes. */
+
+/* (2^32 high + low) / 2^64, or / 2^63 where that is said. */
+struct ScarpWide {
+    high: u32,
+    low: u32,
+}
+
+fn scarp_wide_of(high: u32, low: u32) -> ScarpWide {
+    let w: ScarpWide = ScarpWide(high, low);
+    return w;
+}
+
+/* The product of two uints. */
+fn scarp_product_of_words(a: u32, b: u32) -> ScarpWide {
+    let al: u32 = a & 0xffffu;
+    let ah: u32 = a >> 16u;
+    let bl: u32 = b & 0xffffu;
+    let bh: u32 = b >> 16u;
+    let low: u32 = al * bl;
+    let left: u32 = ah * bl;
+    let right: u32 = al * bh;
+    let middle: u32 = (low >> 16u) + (left & 0xffffu) + (right & 0xffffu);
+    return scarp_wide_of(ah * bh + (left >> 16u) + (right >> 16u) + (middle >> 16u), (low
+            & 0xffffu) | (middle << 16u));
+}
+
+fn scarp_sum_of_wides(a: ScarpWide, b: ScarpWide) -> ScarpWide {
+    let low: u32 = a.low + b.low;
+    let carry: u32 = select(0u, 1u, low < a.low);
+    return scarp_wide_of(a.high + b.high + carry, low);
+}
+
+/* a - b, which is not below 0 */
+fn scarp_difference_of_wides(a: ScarpWide, b: ScarpWide) -> ScarpWide {
+    let borrow: u32 = select(0u, 1u, a.low < b.low);
+    return scarp_wide_of(a.high - b.high - borrow, a.low - b.low);
+}
+
+/* a b, up to 2 units too small: without the product of the lower halves. */
+fn scarp_product_of_wides(a: ScarpWide, b: ScarpWide) -> ScarpWide {
+    let left: ScarpWide = scarp_product_of_words(a.high, b.low);
+    let right: ScarpWide = scarp_product_of_words(a.low, b.high);
+    let sum: ScarpWide = scarp_sum_of_wides(scarp_product_of_words(a.high, b.high),
+            scarp_wide_of(0u, left.high));
+    return scarp_sum_of_wides(sum, scarp_wide_of(0u, right.high));
+}
+
+/* c - z rest: a step of a series. `is_cosine` chooses the coefficient. */
+fn scarp_step_of_series(z: ScarpWide, rest: ScarpWide, is_cosine: bool, of_sine: ScarpWide,
+        of_cosine: ScarpWide) -> ScarpWide {
+    var c: ScarpWide = of_sine;
+    if (is_cosine) {
+        c = of_cosine;
+    }
+    return scarp_difference_of_wides(c, scarp_product_of_wides(z, rest));
+}
+
+/* The Taylor series of the cosine of x, or of the sine over x, times 2^63, of z = x^2 2^64. */
+fn scarp_series_of(z: ScarpWide, is_cosine: bool) -> ScarpWide {
+    var s: ScarpWide = scarp_wide_of(0u, select(0x0000654bu, 0x0006b9fdu, is_cosine));
+    s = scarp_step_of_series(z, s, is_cosine, scarp_wide_of(0x00000000u, 0x006b9fd0u),
+            scarp_wide_of(0x00000000u, 0x064e5d2au));
+    s = scarp_step_of_series(z, s, is_cosine, scarp_wide_of(0x00000000u, 0x5849184fu),
+            scarp_wide_of(0x00000004u, 0x7bb63bfeu));
+    s = scarp_step_of_series(z, s, is_cosine, scarp_wide_of(0x00000035u, 0xcc8acfebu),
+            scarp_wide_of(0x0000024fu, 0xc9f6ef14u));
+    s = scarp_step_of_series(z, s, is_cosine, scarp_wide_of(0x0000171du, 0xe3a556c7u),
+            scarp_wide_of(0x0000d00du, 0x00d00d01u));
+    s = scarp_step_of_series(z, s, is_cosine, scarp_wide_of(0x00068068u, 0x06806807u),
+            scarp_wide_of(0x002d82d8u, 0x2d82d82eu));
+    s = scarp_step_of_series(z, s, is_cosine, scarp_wide_of(0x01111111u, 0x11111111u),
+            scarp_wide_of(0x05555555u, 0x55555555u));
+    s = scarp_step_of_series(z, s, is_cosine, scarp_wide_of(0x15555555u, 0x55555555u),
+            scarp_wide_of(0x40000000u, 0x00000000u));
+    s = scarp_step_of_series(z, s, is_cosine, scarp_wide_of(0x80000000u, 0x00000000u),
+            scarp_wide_of(0x80000000u, 0x00000000u));
+    return s;
+}
+
+/* w / 2^64 times 2^e, rounded to a float. */
+fn scarp_float_of_wide(w: ScarpWide, e: i32) -> f32 {
+    var m: ScarpWide = w;
+    var exponent: i32 = e;
+    for (var i: i32 = 0; i < 4 && m.high < 0x80000000u; i++) {
+        m = scarp_wide_of((m.high << 1u) | (m.low >> 31u), m.low << 1u);
+        exponent = exponent - 1;
+    }
+    let q: u32 = (m.high >> 8u) + ((m.high >> 7u) & 1u);
+    let rounded: f32 = bitcast<f32>((bitcast<u32>(exponent + 125) << 23u) + q);
+    return select(rounded, 0.0f, exponent < -120);
+}
+
+/* a / 2^steps, steps below 64; or 4 a where they are -2. */
+fn scarp_shifted(a: ScarpWide, steps: i32) -> ScarpWide {
+    let by: u32 = bitcast<u32>(steps) & 31u;
+    let crossing: u32 = select(a.high << (32u - by), 0u, by == 0u);
+    var w: ScarpWide = scarp_wide_of(a.high >> by, (a.low >> by) | crossing);
+    if (steps >= 32) {
+        w = scarp_wide_of(0u, a.high >> by);
+    }
+    if (steps < 0) {
+        w = scarp_wide_of((a.high << 2u) | (a.low >> 30u), a.low << 2u);
+    }
+    return w;
+}
+
+/* (pi / 2)^2 is this times 4 / 2^64. */
+const SCARP_PI2_HIGH: u32 = 0x9de9e64du;
+const SCARP_PI2_LOW: u32 = 0xf22ef2d2u;
+
+/* c 2^e times the cosine of r quarters, or the sine of them, for which c is given times pi / 2;
+   -1/2 <= r <= 1/2. */
+fn scarp_quarter_wave(r: f32, is_cosine: bool, c: ScarpWide, e: i32) -> f32 {
+    let bits: u32 = bitcast<u32>(r) & 0x7fffffffu;
+    let exponent: i32 = bitcast<i32>(bits >> 23u) - 126; /* r is its mantissa / 2^24, times 2^exponent */
+    let m: ScarpWide = scarp_wide_of((bits << 8u) | 0x80000000u, 0u);
+    var z: ScarpWide = scarp_wide_of(0u, 0u);
+    if (exponent > -32) {
+        z = scarp_product_of_wides(scarp_product_of_wides(m, m), scarp_wide_of(SCARP_PI2_HIGH,
+                SCARP_PI2_LOW));
+        z = scarp_shifted(z, -2 * exponent - 2);
+    }
+    let wave: ScarpWide = scarp_product_of_wides(scarp_series_of(z, is_cosine), c);
+    var value: f32 = scarp_float_of_wide(wave, e + 1);
+    if (!is_cosine) {
+        value = scarp_with_bit(scarp_float_of_wide(scarp_product_of_wides(wave, m),
+                e + 1 + exponent), bitcast<u32>(r) >> 31u);
+    }
+    return value;
+}
+
+/* A sine of so many whole quarters and r of one, times 1, 2 pi or 4 pi^2: by `power` of 2 pi. */
+fn scarp_sine_of_quarters(whole: i32, r: f32, power: i32) -> f32 {
+    let is_cosine: bool = (whole & 1) != 0;
+    var c: ScarpWide = scarp_wide_of(0x80000000u, 0u); /* 1 */
+    var e: i32 = 1;
+    if (power == 0 && !is_cosine) {
+        c = scarp_wide_of(0xc90fdaa2u, 0x2168c235u);
+        e = 1;
+    }
+    if (power == 1 && is_cosine) {
+        c = scarp_wide_of(0xc90fdaa2u, 0x2168c235u);
+        e = 3;
+    }
+    if (power == 1 && !is_cosine) {
+        c = scarp_wide_of(0x9de9e64du, 0xf22ef2d2u);
+        e = 4;
+    }
+    if (power == 2 && is_cosine) {
+        c = scarp_wide_of(0x9de9e64du, 0xf22ef2d2u);
+        e = 6;
+    }
+    if (power == 2 && !is_cosine) {
+        c = scarp_wide_of(0xf80cdac9u, 0xc4ebe0f0u);
+        e = 6;
+    }
+    return scarp_with_bit(scarp_quarter_wave(r, is_cosine, c, e), (bitcast<u32>(whole) >> 1u) & 1u);
+}
+
+/* The sine of a turns. All floats of 2^24 and more are whole numbers of turns. */
+fn scarp_chain_sine(a: ScarpSample) -> ScarpSample {
+    let v: f32 = scarp_either(scarp_magnitude(a.value) < 16777216.0f, a.value, 0.0f);
+    let quarters: f32 = scarp_mul(4.0f, v);
+    let below: i32 = i32(quarters);
+    let rest: f32 = scarp_sub(quarters, f32(below));
+    var whole: i32 = below;
+    var r: f32 = rest;
+    if (rest >= 0.5f) {
+        whole = below + 1;
+        r = scarp_sub(rest, 1.0f);
+    }
+    if (rest <= -0.5f) {
+        whole = below - 1;
+        r = scarp_add(rest, 1.0f);
+    }
+    return scarp_chain_apply1(a, scarp_sine_of_quarters(whole, r, 0),
+            scarp_sine_of_quarters(whole + 1, r, 1), -scarp_sine_of_quarters(whole, r, 2));
+}
+
+/* Gullies, which run down the slope of a base (scarp. */
+
+const SCARP_GULLY_TAU2: f32 = 0.0025f; /* of tau = 0.05, where the direction of flat ground is soft */
+const SCARP_GULLY_EPS2: f32 = 0.25f; /* of eps = 0.5, where waves of corners cancel */
+
+/* Two numbers along x and y, or the parts of a complex number. */
+struct ScarpPair2 {
+    x: f32,
+    y: f32,
+}
+
+/* A number with its derivatives along x and y. */
+struct ScarpJet {
+    value: f32,
+    d: ScarpPair2,
+}
+
+/* A pair with its derivatives. */
+struct ScarpPairJet {
+    value: ScarpPair2,
+    dx: ScarpPair2,
+    dy: ScarpPair2,
+}
+
+fn scarp_pair_of(x: f32, y: f32) -> ScarpPair2 {
+    let p: ScarpPair2 = ScarpPair2(x, y);
+    return p;
+}
+
+fn scarp_sum2(a: ScarpPair2, b: ScarpPair2) -> ScarpPair2 {
+    return scarp_pair_of(scarp_add(a.x, b.x), scarp_add(a.y, b.y));
+}
+
+fn scarp_difference2(a: ScarpPair2, b: ScarpPair2) -> ScarpPair2 {
+    return scarp_pair_of(scarp_sub(a.x, b.x), scarp_sub(a.y, b.y));
+}
+
+fn scarp_scaled2(a: f32, b: ScarpPair2) -> ScarpPair2 {
+    return scarp_pair_of(scarp_mul(a, b.x), scarp_mul(a, b.y));
+}
+
+fn scarp_dot2(a: ScarpPair2, b: ScarpPair2) -> f32 {
+    return scarp_add(scarp_mul(a.x, b.x), scarp_mul(a.y, b.y));
+}
+
+/* a + u (b - a) */
+fn scarp_mix2(a: ScarpPair2, b: ScarpPair2, u: f32) -> ScarpPair2 {
+    return scarp_sum2(a, scarp_scaled2(u, scarp_difference2(b, a)));
+}
+
+/* a p + b q */
+fn scarp_combined2(a: f32, p: ScarpPair2, b: f32, q: ScarpPair2) -> ScarpPair2 {
+    return scarp_sum2(scarp_scaled2(a, p), scarp_scaled2(b, q));
+}
+
+/* The product of complex numbers; of a turn and a vector: the vector, turned. */
+fn scarp_product2(a: ScarpPair2, b: ScarpPair2) -> ScarpPair2 {
+    return scarp_pair_of(scarp_sub(scarp_mul(a.x, b.x), scarp_mul(a.y, b.y)),
+            scarp_add(scarp_mul(a.x, b.y), scarp_mul(a.y, b.x)));
+}
+
+/* The constants of a call. */
+struct ScarpGullyShape {
+    low: f32,
+    steepness: f32, /* where the step from floors to crests begins; 1 / its width */
+    slope2: f32,
+    slope2_low: f32, /* slopes where gullies have half their strength, squared */
+    lowered: f32, /* 1 + floor */
+    round: f32,
+    round2: f32, /* and its square */
+    fall: f32, /* 2 / (sqrt(1 + round^2) - round) */
+    branch: f32,
+}
+
+/* The constants of an octave, whose axes are turned by R. */
+struct ScarpGullyOctave {
+    weight: f32, /* of v_k */
+    keep: f32, /* 0 of the first octave */
+    waves: ScarpPair2, /* stripes R */
+    angles: ScarpPair2, /* 2 pi stripes R */
+    cells: ScarpPair2, /* f_k R */
+    stretch: f32, /* 2 pi stripes f_k */
+}
+
+/* What goes from octave to octave. */
+struct ScarpGully {
+    slope: ScarpPairJet,
+    steep: ScarpJet,
+    exposure: ScarpJet,
+    sum: ScarpJet,
+}
+
+/* The base at a point: its height, its gradient and its Hessian. */
+struct ScarpGullyBase {
+    value: f32,
+    dx: f32,
+    dy: f32,
+    dxx: f32,
+    dxy: f32,
+    dyy: f32,
+}
+
+/* The smooth step of the height from floors, 0, to crests, 1. */
+fn scarp_height_of(g: ScarpGullyShape, b: ScarpGullyBase) -> ScarpJet {
+    let raw: f32 = scarp_mul(scarp_sub(b.value, g.low), g.steepness);
+    let above: f32 = scarp_either(raw < 0.0f, 0.0f, raw);
+    let z: f32 = scarp_either(above > 1.0f, 1.0f, above);
+    let by: f32 = scarp_mul(scarp_mul(scarp_mul(6.0f, z), scarp_sub(1.0f, z)), g.steepness);
+    let h: ScarpJet = ScarpJet(scarp_mul(scarp_mul(z, z), scarp_sub(3.0f, scarp_mul(2.0f, z))),
+            ScarpPair2(scarp_mul(by, b.dx), scarp_mul(by, b.dy)));
     return h;
+}
+
+fn scarp_gully_begin(g: ScarpGullyShape, b: ScarpGullyBase) -> ScarpGully {
+    let h: ScarpJet = scarp_height_of(g, b);
+    let gradient: ScarpPair2 = ScarpPair2(b.dx, b.dy);
+    let rest: f32 = scarp_sub(1.0f, h.value);
+    let slope2: f32 = scarp_add(scarp_mul(rest, g.slope2_low), scarp_mul(h.value, g.slope2));
+    let unit: f32 = scarp_inverse(scarp_root(scarp_add(scarp_dot2(gradient, gradient), slope2)));
+    let s: ScarpPair2 = scarp_scaled2(unit, gradient);
+    let by: f32 = scarp_mul(scarp_mul(0.5f, unit), scarp_sub(g.slope2, g.slope2_low));
+    let hx: f32 = scarp_add(scarp_add(scarp_mul(s.x, b.dxx), scarp_mul(s.y, b.dxy)), scarp_mul(by,
+            h.d.x));
+    let hy: f32 = scarp_add(scarp_add(scarp_mul(s.x, b.dxy), scarp_mul(s.y, b.dyy)), scarp_mul(by,
+            h.d.y));
+    let sx: ScarpPair2 = scarp_scaled2(unit, scarp_pair_of(scarp_sub(b.dxx, scarp_mul(s.x, hx)),
+            scarp_sub(b.dxy, scarp_mul(s.y, hx))));
+    let sy: ScarpPair2 = scarp_scaled2(unit, scarp_pair_of(scarp_sub(b.dxy, scarp_mul(s.x, hy)),
+            scarp_sub(b.dyy, scarp_mul(s.y, hy))));
+    let state: ScarpGully = ScarpGully(ScarpPairJet(s, sx, sy), ScarpJet(scarp_dot2(s, s),
+            ScarpPair2(scarp_mul(2.0f, scarp_dot2(s, sx)), scarp_mul(2.0f, scarp_dot2(s, sy)))),
+            ScarpJet(scarp_sub(1.0f, scarp_mul(rest, g.lowered)), scarp_scaled2(g.lowered, h.d)),
+            ScarpJet(0.0f, ScarpPair2(0.0f, 0.0f)));
+    return state;
+}
+
+/* sin(2 pi b), |b| <= 1/4; the error is at most 3.4e-9 before rounding. */
+fn scarp_sine_of_quarter(b: f32) -> f32 {
+    let z: f32 = scarp_mul(b, b);
+    let p: f32 = scarp_sub(scarp_mul(scarp_add(scarp_mul(scarp_sub(scarp_mul(39.5367068f, z),
+            76.5497824f), z), 81.6010040f), z), 41.3416550f);
+    return scarp_mul(scarp_add(scarp_mul(p, z), 6.28318516f), b);
+}
+
+/* e^(2 pi i u), |u| < 2^22 */
+fn scarp_wave_of(u: f32) -> ScarpPair2 {
+    let v: f32 = scarp_sub(u, floor(scarp_add(u, 0.5f)));
+    let a: f32 = scarp_magnitude(v);
+    let rest: f32 = scarp_sub(0.5f, a);
+    let folded: f32 = scarp_either(a < rest, a, rest);
+    return scarp_pair_of(scarp_sine_of_quarter(scarp_sub(0.25f, a)),
+            scarp_sine_of_quarter(scarp_either(v < 0.0f, scarp_sub(0.0f, folded), folded)));
+}
+
+/* The direction across the slope. */
+fn scarp_across_slope(s: ScarpPairJet) -> ScarpPairJet {
+    let unit: f32 = scarp_inverse(scarp_root(scarp_add(scarp_dot2(s.value, s.value),
+            SCARP_GULLY_TAU2)));
+    let t: ScarpPair2 = ScarpPair2(scarp_mul(s.value.y, scarp_sub(0.0f, unit)), scarp_mul(s.value.x,
+            unit));
+    let ex: ScarpPair2 = scarp_scaled2(unit, s.dx);
+    let ey: ScarpPair2 = scarp_scaled2(unit, s.dy);
+    let bx: f32 = scarp_sub(scarp_mul(t.y, ex.x), scarp_mul(t.x, ex.y));
+    let by: f32 = scarp_sub(scarp_mul(t.y, ey.x), scarp_mul(t.x, ey.y));
+    let across: ScarpPairJet = ScarpPairJet(t, ScarpPair2(scarp_sub(0.0f, scarp_add(scarp_mul(t.x,
+            bx), ex.y)), scarp_sub(ex.x, scarp_mul(t.y, bx))), ScarpPair2(scarp_sub(0.0f,
+            scarp_add(scarp_mul(t.x, by), ey.y)), scarp_sub(ey.x, scarp_mul(t.y, by))));
+    return across;
+}
+
+/* The wave of a corner: `waves` is how many lie between the point and it. */
+fn scarp_corner_wave(hash: u32, waves: f32) -> ScarpPair2 {
+    return scarp_wave_of(scarp_add(scarp_mul(scarp_lattice_value(hash), 2.32830644e-10f), waves));
+}
+
+/* The derivative of Z along an axis: of the weights, and of the waves, which turn with t and with
+   its derivative d. */
+fn scarp_blend_slope(by_weights: ScarpPair2, t: f32, d: ScarpPair2, z: ScarpPair2,
+        moment_x: ScarpPair2, moment_y: ScarpPair2) -> ScarpPair2 {
+    let turn: ScarpPair2 = scarp_sum2(scarp_scaled2(t, z), scarp_combined2(d.x, moment_x, d.y,
+            moment_y));
+    return scarp_pair_of(scarp_sub(by_weights.x, turn.y), scarp_add(by_weights.y, turn.x));
+}
+
+/* The blend Z of an octave. */
+fn scarp_blend_of(l: ScarpLattice, o: ScarpGullyOctave, p: ScarpLocation,
+        t: ScarpPairJet) -> ScarpPairJet {
+    let fx: ScarpFade = scarp_fade(SCARP_QUINTIC, p.t.x);
+    let fy: ScarpFade = scarp_fade(SCARP_QUINTIC, p.t.y);
+    let q: ScarpPair2 = scarp_product2(o.waves, t.value);
+    let waves: f32 = scarp_add(scarp_mul(q.x, p.t.x), scarp_mul(q.y, p.t.y));
+    let waves_y: f32 = scarp_sub(waves, q.y);
+    let c00: ScarpPair2 = scarp_corner_wave(scarp_hash2(l.key, p.cell.x, p.cell.y), waves);
+    let c10: ScarpPair2 = scarp_corner_wave(scarp_hash2(l.key, p.next.x, p.cell.y), scarp_sub(waves,
+            q.x));
+    let c01: ScarpPair2 = scarp_corner_wave(scarp_hash2(l.key, p.cell.x, p.next.y), waves_y);
+    let c11: ScarpPair2 = scarp_corner_wave(scarp_hash2(l.key, p.next.x, p.next.y),
+            scarp_sub(waves_y, q.x));
+    let left: ScarpPair2 = scarp_mix2(c00, c01, fy.u);
+    let right: ScarpPair2 = scarp_mix2(c10, c11, fy.u);
+    let z: ScarpPair2 = scarp_mix2(left, right, fx.u);
+    let top: ScarpPair2 = scarp_mix2(c01, c11, fx.u);
+    let by_x: ScarpPair2 = scarp_scaled2(fx.du, scarp_difference2(right, left));
+    let by_y: ScarpPair2 = scarp_scaled2(fy.du, scarp_mix2(scarp_difference2(c01, c00),
+            scarp_difference2(c11, c10), fx.u));
+    /* the sums of W (p - c) */
+    let moment_x: ScarpPair2 = scarp_difference2(scarp_scaled2(p.t.x, z), scarp_scaled2(fx.u,
+            right));
+    let moment_y: ScarpPair2 = scarp_difference2(scarp_scaled2(p.t.y, z), scarp_scaled2(fy.u, top));
+    /* in the axes of the input */
+    let mx: ScarpPair2 = scarp_combined2(o.angles.x, moment_x, o.angles.y, moment_y);
+    let my: ScarpPair2 = scarp_combined2(o.angles.x, moment_y, scarp_sub(0.0f, o.angles.y),
+            moment_x);
+    let wx: ScarpPair2 = scarp_combined2(o.cells.x, by_x, o.cells.y, by_y);
+    let wy: ScarpPair2 = scarp_combined2(o.cells.x, by_y, scarp_sub(0.0f, o.cells.y), by_x);
+    let blend: ScarpPairJet = ScarpPairJet(z, scarp_blend_slope(wx, scarp_mul(o.stretch, t.value.x),
+            t.dx, z, mx, my), scarp_blend_slope(wy, scarp_mul(o.stretch, t.value.y), t.dy, z, mx,
+            my));
+    return blend;
+}
+
+/* The derivative d of a blend, once this is divided by its length: `w` is the quotient. */
+fn scarp_quotient_slope(w: ScarpPair2, d: ScarpPair2, unit: f32) -> ScarpPair2 {
+    let e: ScarpPair2 = scarp_scaled2(unit, d);
+    return scarp_difference2(e, scarp_scaled2(scarp_dot2(w, e), w));
+}
+
+fn scarp_normalised(z: ScarpPairJet) -> ScarpPairJet {
+    let unit: f32 = scarp_inverse(scarp_root(scarp_add(scarp_dot2(z.value, z.value),
+            SCARP_GULLY_EPS2)));
+    let w: ScarpPair2 = scarp_scaled2(unit, z.value);
+    let n: ScarpPairJet = ScarpPairJet(w, scarp_quotient_slope(w, z.dx, unit),
+            scarp_quotient_slope(w, z.dy, unit));
+    return n;
+}
+
+/* The profile of a stripe, P(C). */
+fn scarp_profile_of(g: ScarpGullyShape, w: ScarpPairJet) -> ScarpJet {
+    let r: f32 = scarp_root(scarp_add(scarp_mul(scarp_sub(1.0f, w.value.x), 0.5f), g.round2));
+    let by: f32 = scarp_mul(scarp_mul(0.25f, g.fall), scarp_inverse(r));
+    let p: ScarpJet = ScarpJet(scarp_sub(1.0f, scarp_mul(scarp_sub(r, g.round), g.fall)),
+            ScarpPair2(scarp_mul(by, w.dx.x), scarp_mul(by, w.dy.x)));
+    return p;
+}
+
+/* Adds an octave at a point of its lattice. */
+fn scarp_gully_octave_at(g: ScarpGullyShape, o: ScarpGullyOctave, l: ScarpLattice, p: ScarpLocation,
+        state: ScarpGully) -> ScarpGully {
+    let t: ScarpPairJet = scarp_across_slope(state.slope);
+    let w: ScarpPairJet = scarp_normalised(scarp_blend_of(l, o, p, t));
+    let height: ScarpJet = scarp_profile_of(g, w);
+    let v: ScarpJet = state.exposure;
+    let kept: f32 = scarp_mul(o.keep, v.value);
+    let rest: f32 = scarp_sub(1.0f, scarp_mul(kept, v.value));
+    let m: f32 = scarp_mul(state.steep.value, rest);
+    let fall: f32 = scarp_mul(scarp_mul(2.0f, state.steep.value), kept);
+    let dm: ScarpPair2 = scarp_combined2(rest, state.steep.d, scarp_sub(0.0f, fall), v.d);
+    let d: f32 = scarp_sub(height.value, v.value);
+    let next: ScarpJet = ScarpJet(scarp_add(v.value, scarp_mul(m, d)), scarp_sum2(v.d,
+            scarp_combined2(d, dm, m, scarp_difference2(height.d, v.d))));
+    let by: f32 = scarp_sub(0.0f, scarp_mul(scarp_mul(g.branch, m), w.value.y));
+    let by_x: f32 = scarp_sub(0.0f, scarp_mul(g.branch, scarp_add(scarp_mul(dm.x, w.value.y),
+            scarp_mul(m, w.dx.y))));
+    let by_y: f32 = scarp_sub(0.0f, scarp_mul(g.branch, scarp_add(scarp_mul(dm.y, w.value.y),
+            scarp_mul(m, w.dy.y))));
+    let after: ScarpGully = ScarpGully(ScarpPairJet(scarp_sum2(state.slope.value, scarp_scaled2(by,
+            t.value)), scarp_sum2(state.slope.dx, scarp_combined2(by_x, t.value, by, t.dx)),
+            scarp_sum2(state.slope.dy, scarp_combined2(by_y, t.value, by, t.dy))), state.steep,
+            next, ScarpJet(scarp_add(state.sum.value, scarp_mul(o.weight, next.value)),
+            scarp_sum2(state.sum.d, scarp_scaled2(o.weight, next.d))));
+    return after;
+}
+
+/* Steps of recipes, which scarp_recipe_shader calls. */
+
+/* The place of a noise: m x + t, of rows that have t as their last element. */
+fn scarp_placed(x: vec3f, a: vec4f, b: vec4f, c: vec4f, dimensions: i32) -> vec3f {
+    let m: ScarpRows = scarp_rows_of(vec3f(a.x, a.y, a.z), vec3f(b.x, b.y, b.z), vec3f(c.x, c.y,
+            c.z));
+    return scarp_add3(scarp_times(m, x, dimensions), vec3f(a.w, b.w, c.w));
+}
+
+/* The rows m of a place, with the gradients of what displaces it. */
+fn scarp_jacobian_with(a: vec4f, b: vec4f, c: vec4f, rest: ScarpDisplaced) -> ScarpRows {
+    return scarp_rows_of(scarp_add3(vec3f(a.x, a.y, a.z), rest.x.gradient), scarp_add3(vec3f(b.x,
+            b.y, b.z), rest.y.gradient), scarp_add3(vec3f(c.x, c.y, c.z), rest.z.gradient));
+}
+
+/* j_a (h j_b), and what the curvature of u adds along the gradient: over the axes of u. */
+fn scarp_pulled_second(ja: vec3f, jb: vec3f, h: ScarpRows, bends: vec3f, dimensions: i32) -> f32 {
+    var sum: f32 = scarp_add(scarp_mul(ja.x, scarp_mul(h.x.x, jb.x)), scarp_mul(ja.x,
+            scarp_mul(h.x.y, jb.y)));
+    if (dimensions == 3) {
+        sum = scarp_add(sum, scarp_mul(ja.x, scarp_mul(h.x.z, jb.z)));
+    }
+    sum = scarp_add(sum, bends.x);
+    sum = scarp_add(sum, scarp_mul(ja.y, scarp_mul(h.y.x, jb.x)));
+    sum = scarp_add(sum, scarp_mul(ja.y, scarp_mul(h.y.y, jb.y)));
+    if (dimensions == 3) {
+        sum = scarp_add(sum, scarp_mul(ja.y, scarp_mul(h.y.z, jb.z)));
+    }
+    sum = scarp_add(sum, bends.y);
+    if (dimensions == 3) {
+        sum = scarp_add(sum, scarp_mul(ja.z, scarp_mul(h.z.x, jb.x)));
+        sum = scarp_add(sum, scarp_mul(ja.z, scarp_mul(h.z.y, jb.y)));
+        sum = scarp_add(sum, scarp_mul(ja.z, scarp_mul(h.z.z, jb.z)));
+        sum = scarp_add(sum, bends.z);
+    }
+    return sum;
+}
+
+fn scarp_times_each(a: vec3f, b: vec3f) -> vec3f {
+    return vec3f(scarp_mul(a.x, b.x), scarp_mul(a.y, b.y), scarp_mul(a.z, b.z));
+}
+
+/* A sample with derivatives by u, of so many dimensions, becomes one with derivatives by x: j are
+   the gradients of u by x, `rest` what displaces u. */
+fn scarp_pulled(s: ScarpSample, j: ScarpRows, rest: ScarpDisplaced,
+        dimensions: i32) -> ScarpSample {
+    let h: ScarpRows = scarp_hessian_of(s);
+    let by: ScarpRows = scarp_transposed(j);
+    let g: vec3f = s.gradient;
+    let r: ScarpDisplaced = rest;
+    let xx: vec3f = vec3f(r.x.diagonal.x, r.y.diagonal.x, r.z.diagonal.x);
+    let yy: vec3f = vec3f(r.x.diagonal.y, r.y.diagonal.y, r.z.diagonal.y);
+    let zz: vec3f = vec3f(r.x.diagonal.z, r.y.diagonal.z, r.z.diagonal.z);
+    let xy: vec3f = vec3f(r.x.mixed.x, r.y.mixed.x, r.z.mixed.x);
+    let xz: vec3f = vec3f(r.x.mixed.y, r.y.mixed.y, r.z.mixed.y);
+    let yz: vec3f = vec3f(r.x.mixed.z, r.y.mixed.z, r.z.mixed.z);
+    return scarp_sample_of(s.value, scarp_times(by, g, dimensions), vec3f(scarp_pulled_second(by.x,
+            by.x, h, scarp_times_each(g, xx), dimensions), scarp_pulled_second(by.y, by.y, h,
+            scarp_times_each(g, yy), dimensions), scarp_pulled_second(by.z, by.z, h,
+            scarp_times_each(g, zz), dimensions)), vec3f(scarp_pulled_second(by.x, by.y, h,
+            scarp_times_each(g, xy), dimensions), scarp_pulled_second(by.x, by.z, h,
+            scarp_times_each(g, xz), dimensions), scarp_pulled_second(by.y, by.z, h,
+            scarp_times_each(g, yz), dimensions)));
+}
+
+/* A coordinate u of a place: its row of m, and what displaces it. */
+fn scarp_coordinate_of(u: f32, row: vec4f, rest: ScarpSample) -> ScarpSample {
+    var s: ScarpSample = rest;
+    s.value = u;
+    s.gradient = scarp_add3(vec3f(row.x, row.y, row.z), rest.gradient);
+    return s;
+}
+
+/* Whether a mask is a number, 0 or 1, with all derivatives up to an order. */
+fn scarp_is_level(mask: ScarpSample, number: f32, order: i32, dimensions: i32) -> bool {
+    let g: vec3f = mask.gradient;
+    let d: vec3f = mask.diagonal;
+    let m: vec3f = mask.mixed;
+    let is_plane: bool = dimensions == 2;
+    let is_flat: bool = g.x == 0.0f && g.y == 0.0f && (is_plane || g.z == 0.0f);
+    let is_straight: bool = d.x == 0.0f && m.x == 0.0f && d.y == 0.0f;
+    let is_straight_up: bool = is_plane || (m.y == 0.0f && m.z == 0.0f && d.z == 0.0f);
+    return mask.value == number && (order < 1 || is_flat) && (order < 2 || (is_straight
+            && is_straight_up));
+}
+
+/* Components of a warp at y become such at x. */
+fn scarp_composed_each(d: ScarpDisplaced, y: ScarpDisplaced, dimensions: i32) -> ScarpDisplaced {
+    var r: ScarpDisplaced = d;
+    r.x = scarp_composed(d.x, y, dimensions);
+    r.y = scarp_composed(d.y, y, dimensions);
+    if (dimensions == 3) {
+        r.z = scarp_composed(d.z, y, dimensions);
+    }
+    return r;
+}
+
+/* What cells say: 0 the number of the cell, 1 and 2 the distance to the nearest feature and to the
+   second. */
+fn scarp_cell_sample(c: ScarpCells, what: i32) -> ScarpSample {
+    var s: ScarpSample = scarp_constant(scarp_mul(scarp_lattice_value(c.id), 4.65661287e-10f));
+    if (what == 1) {
+        s.value = c.f1;
+        s.gradient = c.d1;
+    }
+    if (what == 2) {
+        s.value = c.f2;
+        s.gradient = c.d2;
+    }
+    return s;
+}
+
+/* The constants of gullies: a is low, steepness, slope2, slope2_low; b is lowered, round, round2,
+   fall; c is branch, and what brings the base to units of the call, value, gradient, Hessian. */
+fn scarp_gully_shape_of(a: vec4f, b: vec4f, c: vec4f) -> ScarpGullyShape {
+    let g: ScarpGullyShape = ScarpGullyShape(a.x, a.y, a.z, a.w, b.x, b.y, b.z, b.w, c.x);
+    return g;
+}
+
+fn scarp_gully_first(g: ScarpGullyShape, c: vec4f, base: ScarpSample) -> ScarpGully {
+    let b: ScarpGullyBase = ScarpGullyBase(scarp_mul(base.value, c.y), scarp_mul(base.gradient.x,
+            c.z), scarp_mul(base.gradient.y, c.z), scarp_mul(base.diagonal.x, c.w),
+            scarp_mul(base.mixed.x, c.w), scarp_mul(base.diagonal.y, c.w));
+    return scarp_gully_begin(g, b);
+}
+
+/* Octaves of gullies keep their own constants where noise has others: keep, stretch, and the pairs
+   of waves, angles and cells. */
+fn scarp_gully_with(state: ScarpGully, g: ScarpGullyShape, o: ScarpOctave, l: ScarpLevel,
+        turned: bool, x: vec3f) -> ScarpGully {
+    var own: ScarpGullyOctave;
+    own.weight = o.weight;
+    own.keep = o.turn.x;
+    own.stretch = o.turn.y;
+    own.waves = scarp_pair_of(o.turn.z, o.turn.w);
+    own.angles = scarp_pair_of(o.gradient_x.x, o.gradient_x.y);
+    own.cells = scarp_pair_of(o.gradient_y.x, o.gradient_y.y);
+    let p: ScarpLocation = scarp_location_of(o, SCARP_GRADIENT, turned, x, 2);
+    return scarp_gully_octave_at(g, own, scarp_lattice_of(o, l), p, state);
+}
+
+/* What gullies add to the base; a and b bring value and gradient back to its units. */
+fn scarp_gully_displacement(state: ScarpGully, a: f32, b: f32) -> ScarpSample {
+    var s: ScarpSample = scarp_constant(scarp_mul(a, state.sum.value));
+    s.gradient = vec3f(scarp_mul(b, state.sum.d.x), scarp_mul(b, state.sum.d.y), 0.0f);
+    return s;
 }

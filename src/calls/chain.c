@@ -9,6 +9,7 @@
 
 #include "../dispatch/dispatch.h"
 #include "../dispatch/fpmode.h"
+#include "chain.h"
 #include "run.h"
 #include "scarp.h"
 
@@ -189,23 +190,21 @@ static int take_step(float to[CHAIN_NUMBERS], float lo, float hi)
     return 1;
 }
 
-/* Computes the numbers that kernels want. Returns 0 if one is outside its interval. */
-static int take_numbers(struct scarp_chain *to, const struct arguments *call)
+int scarp_chain_numbers(enum scarp_chain_function function, const float given[3],
+                        float to[CHAIN_NUMBERS])
 {
-    const float first = call->number[0], second = call->number[1];
-    switch (call->function) {
+    const float first = given[0], second = given[1];
+    switch (function) {
     case CHAIN_SMOOTH_MIN:
-    case CHAIN_SMOOTH_MAX:
-        return take_smooth(to->number, first, call->function == CHAIN_SMOOTH_MAX);
-    case CHAIN_TERRACE: return take_terrace(to->number, call->number);
-    case CHAIN_SMOOTH_ABS: return take_round(to->number, first);
-    case CHAIN_SMOOTHSTEP: return take_step(to->number, first, second);
+    case CHAIN_SMOOTH_MAX: return take_smooth(to, first, function == CHAIN_SMOOTH_MAX);
+    case CHAIN_TERRACE: return take_terrace(to, given);
+    case CHAIN_SMOOTH_ABS: return take_round(to, first);
+    case CHAIN_SMOOTHSTEP: return take_step(to, first, second);
     default: break;
     }
-    to->number[CHAIN_LO] = first; /* or the scale, and the offset */
-    to->number[CHAIN_HI] = second;
-    return is_finite(first) && is_finite(second) &&
-           (call->function != CHAIN_CLAMP || first <= second);
+    to[CHAIN_LO] = first; /* or the scale, and the offset */
+    to[CHAIN_HI] = second;
+    return is_finite(first) && is_finite(second) && (function != CHAIN_CLAMP || first <= second);
 }
 
 static int asks_for_something(const struct scarp_chain *call)
@@ -223,7 +222,7 @@ static NOINLINE enum scarp_status run(const struct arguments *arguments, size_t 
     if (!take_arrays(&call, arguments)) {
         return SCARP_ERROR_NULL;
     }
-    if (!take_numbers(&call, arguments)) {
+    if (!scarp_chain_numbers(arguments->function, arguments->number, call.number)) {
         return SCARP_ERROR_PARAMETER;
     }
     if (count > PTRDIFF_MAX / sizeof(float)) {

@@ -12,6 +12,7 @@
 #include "../plan/outputs.h"
 #include "run.h"
 #include "scarp.h"
+#include "shaders.h"
 
 #define AT(type, member, bytes) (offsetof(struct scarp_gpu_##type, member) == (bytes))
 
@@ -46,11 +47,11 @@ static void set_turn(float turn[4], const struct scarp_call_plan *plan,
     }
 }
 
-/* Writes octave k over zeros. */
 static void set_octave(struct scarp_gpu_octave *to, const struct scarp_call_plan *plan, int k,
                        int dimensions)
 {
     const struct scarp_octave *const o = &plan->octave[k];
+    memset(to, 0, sizeof *to);
     memcpy(to->key, o->key, sizeof to->key);
     to->frequency = o->frequency;
     to->weight = o->weight;
@@ -68,16 +69,18 @@ static void set_octave(struct scarp_gpu_octave *to, const struct scarp_call_plan
             to->gradient[i][j] = o->gradient[i][j];
         }
     }
+    if (fractal_bends(plan->fractal) || plan->basis >= SCARP_CELL_F1) {
+        to->gradient[0][3] = (float)(1.0 / o->frequency64);
+    }
     if (fractal_bends(plan->fractal)) {
-        const struct bend_octave bend = bend_octave_of(plan, k);
-        to->gradient[0][3] = bend.inverse;
-        to->gradient[1][3] = bend.reach;
+        to->gradient[1][3] = bend_octave_of(plan, k).reach;
     }
 }
 
-/* Writes what the components of a level share over zeros. */
+/* Writes what the components of a level share. */
 static void set_level(struct scarp_gpu_level *to, const struct scarp_call_plan *plan, int first)
 {
+    memset(to, 0, sizeof *to);
     to->basis = plan->basis;
     to->fade = plan->fade;
     to->fractal = plan->fractal;
@@ -92,8 +95,7 @@ static void set_level(struct scarp_gpu_level *to, const struct scarp_call_plan *
     }
 }
 
-/* The power of two nearest 1 / (256 frequency). */
-static float unit_of(double frequency)
+float scarp_shader_unit(double frequency)
 {
     const double exact = 0x1p-8 / frequency;
     uint64_t bits;
@@ -104,32 +106,41 @@ static float unit_of(double frequency)
     return (float)power;
 }
 
-static void set_plan(struct scarp_gpu_plan *to, const struct scarp_call_plan *plan, int dimensions)
+int scarp_shader_levels(const struct scarp_call_plan *plan, int dimensions,
+                        struct scarp_gpu_level *level, struct scarp_gpu_octave *octave, int first)
 {
     const int depth = plan->warps.depth;
+    const int has_levels = depth > 0 || plan->warps.vector;
     int count = 0;
-    memset(to, 0, sizeof *to);
-    to->depth = (uint32_t)depth;
-    to->dimensions = (uint32_t)dimensions;
-    for (int level = 0; level <= depth; level++) {
-        struct scarp_call_plan component = *plan;
+    for (int i = 0; i <= depth; i++) {
         int sets = 1;
-        for (int i = 0; i < sets; i++) {
-            if (depth > 0) {
-                component = scarp_component_plan(plan, level, i);
-            }
-            if (level > 0 && !components_share_lattice(component.basis)) {
+        for (int c = 0; c < sets; c++) {
+            const struct scarp_call_plan component =
+                has_levels ? scarp_component_plan(plan, i, c) : *plan;
+            if ((i > 0 || plan->warps.vector) && !components_share_lattice(component.basis)) {
                 sets = dimensions;
             }
-            if (i == 0) {
-                set_level(&to->level[level], &component, count);
+            if (c == 0 && level != NULL) {
+                set_level(&level[i], &component, first + count);
             }
-            to->unit = level == 0 ? unit_of(component.octave[0].frequency64) : to->unit;
-            for (int k = 0; k < component.octaves; k++) {
-                set_octave(&to->octave[count++], &component, k, dimensions);
+            for (int k = 0; k < component.octaves && octave != NULL; k++) {
+                set_octave(&octave[count + k], &component, k, dimensions);
             }
+            count += component.octaves;
         }
     }
+    return count;
+}
+
+static void set_plan(struct scarp_gpu_plan *to, const struct scarp_call_plan *plan, int dimensions)
+{
+    const int has_levels = plan->warps.depth > 0 || plan->warps.vector;
+    const struct scarp_call_plan noise = has_levels ? scarp_component_plan(plan, 0, 0) : *plan;
+    memset(to, 0, sizeof *to);
+    to->depth = (uint32_t)plan->warps.depth;
+    to->dimensions = (uint32_t)dimensions;
+    to->unit = scarp_shader_unit(noise.octave[0].frequency64);
+    (void)scarp_shader_levels(plan, dimensions, to->level, to->octave, 0);
 }
 
 /* Where a plan goes, and whether it has room there. */
@@ -141,37 +152,37 @@ struct filling {
 static void run(const struct scarp_call_plan *plan, const void *opaque)
 {
     const struct filling *const filling = opaque;
-    *filling->fits = plan->warps.depth == 0 || plan->warps.levels->fetch == NULL;
+    *filling->fits =
+        (plan->warps.depth == 0 && !plan->warps.vector) || plan->warps.levels->fetch == NULL;
     if (*filling->fits) {
         set_plan(filling->to, plan, filling->dimensions);
     }
 }
 
 static NOINLINE enum scarp_status make(struct scarp_gpu_plan *to, const struct scarp_noise *noise,
-                                       int dimensions, const char **member)
+                                       struct scarp_kind kind, const char **member)
 {
-    const struct scarp_kind values = {.dimensions = dimensions};
     int fits = 0;
-    const struct filling filling = {to, dimensions, &fits};
-    enum scarp_status status = scarp_plan_check(noise, dimensions, member);
+    const struct filling filling = {to, kind.dimensions, &fits};
+    enum scarp_status status = scarp_plan_check(noise, kind.dimensions, member);
     if (status == SCARP_OK) {
-        status = scarp_run(noise, values, run, &filling);
+        status = scarp_run(noise, kind, run, &filling);
     }
     if (status == SCARP_OK && !fits) {
-        *member = "warp";
+        *member = noise->warp != NULL ? "warp" : "octaves";
         return SCARP_ERROR_UNSUPPORTED;
     }
     return status;
 }
 
-enum scarp_status scarp_gpu_plan_make(const struct scarp_noise *noise, int dimensions,
-                                      struct scarp_gpu_plan *plan, const char **member)
+static enum scarp_status make_plan(const struct scarp_noise *noise, struct scarp_kind kind,
+                                   struct scarp_gpu_plan *plan, const char **member)
 {
     const char *found = NULL;
     enum scarp_status status = SCARP_ERROR_NULL;
     if (noise != NULL && plan != NULL) {
         const struct fpmode caller = fpmode_enter();
-        status = make(plan, noise, dimensions, &found);
+        status = make(plan, noise, kind, &found);
         fpmode_leave(caller);
     }
     if (member != NULL) {
@@ -180,27 +191,39 @@ enum scarp_status scarp_gpu_plan_make(const struct scarp_noise *noise, int dimen
     return status;
 }
 
+enum scarp_status scarp_gpu_plan_make(const struct scarp_noise *noise, int dimensions,
+                                      struct scarp_gpu_plan *plan, const char **member)
+{
+    return make_plan(noise, (struct scarp_kind){.dimensions = dimensions}, plan, member);
+}
+
+enum scarp_status scarp_gpu_vector_plan_make(const struct scarp_noise *noise, int dimensions,
+                                             struct scarp_gpu_plan *plan, const char **member)
+{
+    return make_plan(noise, (struct scarp_kind){.dimensions = dimensions, .vector = 1}, plan,
+                     member);
+}
+
 /* Finds the unit, with the same checks. */
 static NOINLINE enum scarp_status find_unit(float *unit, const struct scarp_noise *noise,
                                             int dimensions)
 {
     struct scarp_gpu_plan plan;
     const char *member;
-    const enum scarp_status status = make(&plan, noise, dimensions, &member);
+    const enum scarp_status status =
+        make(&plan, noise, (struct scarp_kind){.dimensions = dimensions}, &member);
     *unit = status == SCARP_OK ? plan.unit : 0.0f;
     return status;
 }
 
-/* A coordinate of a test point. Every operation is exact, whatever the floating-point mode. */
-static float coordinate(uint32_t point, uint32_t axis, float unit)
+float scarp_shader_coordinate(uint32_t point, uint32_t axis, float unit)
 {
     const uvec3 key = {0, 0, 0};
     const int32_t c = (int32_t)(hash2(key, point, axis) >> 12) - 524288;
     return (float)c * unit;
 }
 
-/* The hash, with one output more. */
-static uint32_t joined(uint32_t hash, float output)
+uint32_t scarp_shader_hash(uint32_t hash, float output)
 {
     uint32_t bits;
     memcpy(&bits, &output, sizeof bits);
@@ -228,7 +251,7 @@ static NOINLINE enum scarp_status answer_chunk(uint32_t answer[CHUNK],
     struct scarp_samples out = {0};
     for (uint32_t i = 0; i < CHUNK; i++) {
         for (int axis = 0; axis < 3; axis++) {
-            array[axis][i] = coordinate(first + i, (uint32_t)axis, unit);
+            array[axis][i] = scarp_shader_coordinate(first + i, (uint32_t)axis, unit);
         }
     }
     for (int i = 0; i < OUTPUTS_UP_TO(order); i++) {
@@ -240,7 +263,8 @@ static NOINLINE enum scarp_status answer_chunk(uint32_t answer[CHUNK],
     for (int i = 0; status == SCARP_OK && i < CHUNK; i++) {
         answer[i] = 0;
         for (int j = 0; j < OUTPUTS_UP_TO(order); j++) {
-            answer[i] = (absent >> j & 1) == 0 ? joined(answer[i], array[j][i]) : answer[i];
+            answer[i] =
+                (absent >> j & 1) == 0 ? scarp_shader_hash(answer[i], array[j][i]) : answer[i];
         }
     }
     return status;

@@ -142,21 +142,21 @@ static void fill_curve(size_t count, const float *a, const float *b, const struc
 }
 
 /* A point at a knot belongs to the cubic that begins there, which has the slope of the knot. */
-static int set_slopes(struct curve *c)
+int scarp_curve_slopes(size_t knots, const float *x, const float *value, float *slope)
 {
-    for (size_t k = 0; k < c->knots; k++) {
+    for (size_t k = 0; k < knots; k++) {
         const int is_in =
-            c->x[k] >= -LIMIT && c->x[k] <= LIMIT && c->value[k] >= -LIMIT && c->value[k] <= LIMIT;
-        if (!is_in || (k > 0 && !(c->x[k] - c->x[k - 1] >= 1.0f / LIMIT))) {
+            x[k] >= -LIMIT && x[k] <= LIMIT && value[k] >= -LIMIT && value[k] <= LIMIT;
+        if (!is_in || (k > 0 && !(x[k] - x[k - 1] >= 1.0f / LIMIT))) {
             return 0;
         }
-        c->slope[k] = 0.0f;
+        slope[k] = 0.0f;
     }
-    for (size_t k = 1; k + 1 < c->knots; k++) {
-        const float s = (c->value[k] - c->value[k - 1]) / (c->x[k] - c->x[k - 1]);
-        const float t = (c->value[k + 1] - c->value[k]) / (c->x[k + 1] - c->x[k]);
+    for (size_t k = 1; k + 1 < knots; k++) {
+        const float s = (value[k] - value[k - 1]) / (x[k] - x[k - 1]);
+        const float t = (value[k + 1] - value[k]) / (x[k + 1] - x[k]);
         const int same = (s > 0.0f && t > 0.0f) || (s < 0.0f && t < 0.0f);
-        c->slope[k] = same ? 2.0f * (s / (s + t)) * t : 0.0f;
+        slope[k] = same ? 2.0f * (s / (s + t)) * t : 0.0f;
     }
     return 1;
 }
@@ -282,7 +282,8 @@ enum scarp_status scarp_pulse(size_t count, const struct scarp_samples *a,
 
 static NOINLINE int make_curve(struct curve *curve)
 {
-    return curve->knots >= 2 && curve->knots <= SCARP_CURVE_KNOTS && set_slopes(curve);
+    return curve->knots >= 2 && curve->knots <= SCARP_CURVE_KNOTS &&
+           scarp_curve_slopes(curve->knots, curve->x, curve->value, curve->slope);
 }
 
 enum scarp_status scarp_curve(size_t count, const struct scarp_samples *a, size_t knots,

@@ -1,11 +1,16 @@
 /* SPDX-License-Identifier: MIT
  *
- * The sine that every platform has.
+ * What others need of the functions that are plain C.
  */
 #ifndef SCARP_SHAPES_H
 #define SCARP_SHAPES_H
 
+#include <stddef.h>
+
 /* sin(2 pi turns), within 2^-51, and exact at multiples of a quarter. |turns| is below 2^62. */
 double scarp_sine_of_turns(double turns);
+
+/* The slopes of a curve at its knots. Returns 0 if knots are out of order or too large. */
+int scarp_curve_slopes(size_t knots, const float *x, const float *value, float *slope);
 
 #endif

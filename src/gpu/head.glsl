@@ -42,16 +42,23 @@ precision highp int;
 
 @STRUCTURES@
 #if defined(VULKAN)
-layout(std140, set = SCARP_SET, binding = SCARP_BINDING)
+#define SCARP_LAYOUT layout(std140, set = SCARP_SET, binding = SCARP_BINDING)
 #elif defined(GL_ES)
-layout(std140)
+#define SCARP_LAYOUT layout(std140)
 #else
-layout(std140, binding = SCARP_BINDING)
+#define SCARP_LAYOUT layout(std140, binding = SCARP_BINDING)
 #endif
-uniform ScarpPlans
+
+SCARP_LAYOUT uniform ScarpPlans
 {
     ScarpPlan scarp_plan[SCARP_PLANS];
 };
+
+// 0, which compilers do not know
+uint scarp_zero()
+{
+    return scarp_plan[0].zero;
+}
 
 uint scarp_only_basis(uint basis)
 {
@@ -87,7 +94,7 @@ uint scarp_only_depth(uint depth)
 #define SCARP_KEPT(a) (a)
 #elif defined(GL_ES)
 #define SCARP_PRECISE
-#define SCARP_KEPT(a) uintBitsToFloat(floatBitsToUint(a) ^ scarp_plan[0].zero)
+#define SCARP_KEPT(a) uintBitsToFloat(floatBitsToUint(a) ^ scarp_zero())
 #else
 #define SCARP_PRECISE precise
 #define SCARP_KEPT(a) (a)

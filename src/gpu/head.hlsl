@@ -28,6 +28,12 @@ cbuffer ScarpPlans : register(SCARP_REGISTER)
     ScarpPlan scarp_plan[SCARP_PLANS];
 };
 
+// 0, which compilers do not know
+uint scarp_zero()
+{
+    return scarp_plan[0].zero;
+}
+
 uint scarp_only_basis(uint basis)
 {
 #ifdef SCARP_ONLY_BASIS

@@ -20,6 +20,11 @@ override scarp_only_fractal: u32 = 0xffffffffu;
 override scarp_only_depth: u32 = 0xffffffffu;
 
 @STRUCTURES@
+// 0, which compilers do not know
+fn scarp_zero() -> u32 {
+    return scarp_plan[0].zero;
+}
+
 fn scarp_only(fixed: u32, planned: u32) -> u32 {
     return select(fixed, planned, fixed == 0xffffffffu);
 }
@@ -40,7 +45,7 @@ fn scarp_only_depth_of(depth: u32) -> u32 {
 fn scarp_kept(a: f32) -> f32 {
     var kept = a;
     if (scarp_barrier) {
-        kept = bitcast<f32>(bitcast<u32>(a) ^ scarp_plan[0].zero);
+        kept = bitcast<f32>(bitcast<u32>(a) ^ scarp_zero());
     }
     return kept;
 }

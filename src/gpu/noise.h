@@ -30,13 +30,46 @@ static inline struct sample composed(struct sample s, struct displaced y, int di
     return r;
 }
 
-/* The components of a level, each at `at`, by x; `y` says how that depends on x, unless the level
-   is the deepest. */
-static inline struct displaced level_at(uint plan, int i, bool deepest, vec3 at, struct displaced y,
-                                        int dimensions)
+/* What nothing has displaced. */
+static inline struct displaced not_displaced(void)
+{
+    struct displaced y;
+    y.x = constant(0.0f);
+    y.y = y.x;
+    y.z = y.x;
+    return y;
+}
+
+/* Displacements of x become positions: their derivatives are those of x, too. */
+static inline struct displaced positions_of(struct displaced d)
+{
+    struct displaced y = d;
+    y.x.gradient.x += 1.0f;
+    y.y.gradient.y += 1.0f;
+    y.z.gradient.z += 1.0f;
+    return y;
+}
+
+static inline vec3 values_of(struct displaced y)
+{
+    return vec3_of(y.x.value, y.y.value, y.z.value);
+}
+
+static inline struct displaced displaced_of(struct sample x, struct sample y, struct sample z)
+{
+    struct displaced d;
+    d.x = x;
+    d.y = y;
+    d.z = z;
+    return d;
+}
+
+/* Components of a level, each at `at`, by x; `y` says how that depends on x, unless the level is
+   the deepest. */
+static inline struct displaced level_at(uint plan, int i, int components, bool deepest, vec3 at,
+                                        struct displaced y, int dimensions)
 {
     const struct level l = level_of(plan, i);
-    const int components = i > 0 ? dimensions : 1;
     struct displaced d = y;
     for (int c = 0; c < components; c++) {
         struct sample s = octaves_at(plan, l, (uint)c, at, dimensions);
@@ -54,47 +87,59 @@ static inline struct displaced level_at(uint plan, int i, bool deepest, vec3 at,
     return d;
 }
 
-static inline struct sample noise_at(uint plan, vec3 x, int dimensions)
+/* So many components of vector noise; one is the noise. */
+static inline struct displaced components_at(uint plan, vec3 x, int components, int dimensions)
 {
     const int depth = (int)only_depth(scarp_plan[plan].depth);
     vec3 at = x;
-    struct displaced y;
-    y.x = constant(0.0f);
-    y.y = y.x;
-    y.z = y.x;
+    struct displaced y = not_displaced();
     for (int i = depth; i >= 0; i--) {
-        y = level_at(plan, i, i == depth, at, y, dimensions);
+        int count = dimensions;
+        if (i == 0) {
+            count = components;
+        }
+        y = level_at(plan, i, count, i == depth, at, y, dimensions);
         if (i > 0) {
-            y.x.gradient.x += 1.0f;
-            y.y.gradient.y += 1.0f;
-            y.z.gradient.z += 1.0f;
-            at = add3(x, vec3_of(y.x.value, y.y.value, y.z.value));
+            y = positions_of(y);
+            at = add3(x, values_of(y));
         }
     }
-    return y.x;
+    return y;
 }
 
 /* What scarp_sample2 gives at (x, y); outputs along z mean nothing. */
 static inline struct sample sample2(uint plan, float x, float y)
 {
-    return noise_at(plan, vec3_of(x, y, 0.0f), 2);
+    return components_at(plan, vec3_of(x, y, 0.0f), 1, 2).x;
 }
 
 /* What scarp_sample3 gives at (x, y, z). */
 static inline struct sample sample3(uint plan, float x, float y, float z)
 {
-    return noise_at(plan, vec3_of(x, y, z), 3);
+    return components_at(plan, vec3_of(x, y, z), 1, 3).x;
 }
 
-/* A coordinate of test point i. */
-static inline float test_coordinate(uint plan, uint i, uint axis)
+/* What scarp_vector2 gives, as x and y, of a plan by scarp_gpu_vector_plan_make. */
+static inline struct displaced vector2(uint plan, float x, float y)
+{
+    return components_at(plan, vec3_of(x, y, 0.0f), 2, 2);
+}
+
+/* What scarp_vector3 gives. */
+static inline struct displaced vector3(uint plan, float x, float y, float z)
+{
+    return components_at(plan, vec3_of(x, y, z), 3, 3);
+}
+
+/* A coordinate of test point i, in steps of a unit. */
+static inline float test_coordinate(float unit, uint i, uint axis)
 {
     uvec3 key;
     key.x = 0u;
     key.y = 0u;
     key.z = 0u;
     const int cells = (int)(hash2(key, i, axis) >> 12u) - 524288;
-    return (float)cells * scarp_plan[plan].unit;
+    return (float)cells * unit;
 }
 
 /* The hash h with an output; what is below 2^-120 counts as 0. */
@@ -105,35 +150,46 @@ static inline uint hash_with(uint h, float a)
     return (((h << 5u) | (h >> 27u)) ^ bits) * HASH_K;
 }
 
+/* The hash h with the outputs of a sample up to an order, in the order of struct scarp_samples. */
+static inline uint hash_with_sample(uint h, struct sample s, uint order, int dimensions)
+{
+    const bool is_space = dimensions == 3;
+    uint next = hash_with(h, s.value);
+    if (order > 0u) {
+        next = hash_with(hash_with(next, s.gradient.x), s.gradient.y);
+        if (is_space) {
+            next = hash_with(next, s.gradient.z);
+        }
+    }
+    if (order > 1u) {
+        next = hash_with(hash_with(next, s.diagonal.x), s.mixed.x);
+        if (is_space) {
+            next = hash_with(next, s.mixed.y);
+        }
+        next = hash_with(next, s.diagonal.y);
+        if (is_space) {
+            next = hash_with(hash_with(next, s.mixed.z), s.diagonal.z);
+        }
+    }
+    return next;
+}
+
 /* The self-test: a hash of the outputs at test point i up to an order, which is answer i of
    scarp_gpu_answers where the shader has the bits of the library. */
 static inline uint answer2(uint plan, uint order, uint i)
 {
+    const float unit = scarp_plan[plan].unit;
     const struct sample s =
-        sample2(plan, test_coordinate(plan, i, 0u), test_coordinate(plan, i, 1u));
-    uint h = hash_with(0u, s.value);
-    if (order > 0u) {
-        h = hash_with(hash_with(h, s.gradient.x), s.gradient.y);
-    }
-    if (order > 1u) {
-        h = hash_with(hash_with(hash_with(h, s.diagonal.x), s.mixed.x), s.diagonal.y);
-    }
-    return h;
+        sample2(plan, test_coordinate(unit, i, 0u), test_coordinate(unit, i, 1u));
+    return hash_with_sample(0u, s, order, 2);
 }
 
 static inline uint answer3(uint plan, uint order, uint i)
 {
-    const struct sample s = sample3(plan, test_coordinate(plan, i, 0u),
-                                    test_coordinate(plan, i, 1u), test_coordinate(plan, i, 2u));
-    uint h = hash_with(0u, s.value);
-    if (order > 0u) {
-        h = hash_with(hash_with(hash_with(h, s.gradient.x), s.gradient.y), s.gradient.z);
-    }
-    if (order > 1u) {
-        h = hash_with(hash_with(hash_with(h, s.diagonal.x), s.mixed.x), s.mixed.y);
-        h = hash_with(hash_with(hash_with(h, s.diagonal.y), s.mixed.z), s.diagonal.z);
-    }
-    return h;
+    const float unit = scarp_plan[plan].unit;
+    const struct sample s = sample3(plan, test_coordinate(unit, i, 0u),
+                                    test_coordinate(unit, i, 1u), test_coordinate(unit, i, 2u));
+    return hash_with_sample(0u, s, order, 3);
 }
 
 #endif

@@ -82,4 +82,31 @@ static inline float root(float x)
     return e == 0u ? 0.0f : rounded;
 }
 
+/*
+ * a / b, rounded to nearest, of b that is neither 0 nor below 2^-126; 0 where that is below 2^-126.
+ * With mantissas m of a and n of b, the quotient's is q: 2^23 m / n, or 2^24 m / n where m is less
+ * than n, rounded.
+ */
+static inline float quotient(float a, float b)
+{
+    const uint m = (bits_of(a) & 0x7fffffu) | 0x800000u;
+    const uint n = (bits_of(b) & 0x7fffffu) | 0x800000u;
+    const uint less = m < n ? 1u : 0u;
+    const int of_a = (int)((bits_of(a) >> 23u) & 255u);
+    const int of_b = (int)((bits_of(b) >> 23u) & 255u);
+    const int e = of_a - of_b + 126 - (int)less;
+    const float left = float_of_bits(0x3f800000u | (m & 0x7fffffu));
+    const float estimate = left * rough_inverse(float_of_bits(0x3f800000u | (n & 0x7fffffu)));
+    uint q = (uint)(int)(estimate * either(m < n, 16777216.0f, 8388608.0f));
+    int r = (int)((m << (23u + less)) - q * n);
+    for (int i = 0; i < 16 && (r < 0 || r >= (int)n); i++) {
+        q = r < 0 ? q - 1u : q + 1u;
+        r = (int)((m << (23u + less)) - q * n);
+    }
+    q = 2 * r > (int)n ? q + 1u : q;
+    const uint size = ((uint)e << 23u) + q;
+    const uint sign = (bits_of(a) ^ bits_of(b)) & SIGN;
+    return of_a == 0 || e < 0 ? 0.0f : float_of_bits(size | sign);
+}
+
 #endif

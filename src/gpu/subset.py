@@ -490,6 +490,8 @@ class Source:
         self.result, name, parameters = self.type(), self.name(), []
         self.scopes = [{}]
         self.take("(")
+        if self.next() == "void":
+            self.take()
         while self.next() != ")":
             if parameters:
                 self.take(",")

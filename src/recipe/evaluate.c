@@ -91,19 +91,18 @@ size_t scarp_recipe_bytes(const struct recipe *recipe, const struct recipe_sched
                      recipe->dimensions, points);
 }
 
-/* Raises the orders of what nodes read to what these need of it. */
-static void raise_orders(struct recipe_machine *m)
+void scarp_recipe_raise_orders(const struct recipe *recipe, const struct recipe_schedule *schedule,
+                               uint8_t order_of[RECIPE_NODES])
 {
-    for (int k = m->schedule->steps - 1; k >= 0; k--) {
+    for (int k = schedule->steps - 1; k >= 0; k--) {
         int16_t reads[RECIPE_READS];
         int slopes;
-        const int n = m->schedule->step[k],
-                  count = scarp_recipe_reads(m->recipe, n, reads, &slopes);
-        const int operation = m->recipe->node[n].operation;
+        const int n = schedule->step[k], count = scarp_recipe_reads(recipe, n, reads, &slopes);
+        const int operation = recipe->node[n].operation;
         for (int i = 0; i < count && i < slopes; i++) {
             const int is_base = (operation == OP_SLOPE || operation == OP_GULLIES) && i == 0;
-            if (m->order_of[reads[i]] < m->order_of[n] + is_base) {
-                m->order_of[reads[i]] = (uint8_t)(m->order_of[n] + is_base);
+            if (order_of[reads[i]] < order_of[n] + is_base) {
+                order_of[reads[i]] = (uint8_t)(order_of[n] + is_base);
             }
         }
     }
@@ -126,7 +125,7 @@ static int set_orders(struct recipe_machine *m, const struct recipe_evaluation *
         uint8_t *const of = &m->order_of[call->root[i]];
         *of = (uint8_t)(order > *of ? order : *of);
     }
-    raise_orders(m);
+    scarp_recipe_raise_orders(r, m->schedule, m->order_of);
     for (int k = 0; k < m->schedule->steps; k++) {
         const int n = m->schedule->step[k], order = m->order_of[n];
         highest = order > highest ? order : highest;

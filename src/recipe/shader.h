@@ -1,0 +1,87 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * A recipe as a shader: functions as text, and one uniform buffer.
+ *
+ *     shader.c        the public functions
+ *     shader_plan.c   the buffer: a head, numbers, and levels and octaves of all noises
+ *     shader_text.c   the functions: the octaves of each kind of noise, then a line for each step
+ *     shader_steps.c  these lines
+ *     shader_cut.c    what is left of scarp.glsl and its like when it has what these use
+ */
+#ifndef SCARP_RECIPE_SHADER_H
+#define SCARP_RECIPE_SHADER_H
+
+#include <stddef.h>
+
+#include "recipe.h"
+
+#define SHADER_KINDS 128
+
+/* Where the constants of a recipe are in its buffer. */
+struct shader_layout {
+    int numbers, levels, octaves;    /* how many, at least 1 of each */
+    int16_t number_of[RECIPE_NODES]; /* by node: its first vector of numbers */
+    int16_t level_of[RECIPE_NODES];  /* by node: the level of its noise */
+    int16_t place_of[RECIPE_PLACES]; /* by place: the first of its three rows */
+    float unit;                      /* of test points */
+};
+
+/* The buffer. Arrays are NULL while a layout is made. */
+struct shader_uniforms {
+    float (*number)[4];
+    struct scarp_gpu_level *level;
+    struct scarp_gpu_octave *octave;
+};
+
+void scarp_shader_lay_out(const struct recipe *recipe, const struct shader_uniforms *to,
+                          struct shader_layout *layout);
+
+/* Text; what exceeds the capacity is counted and not written. */
+struct shader_text {
+    char *text;
+    size_t capacity, length;
+    int language; /* enum scarp_language */
+};
+
+/* Adds text in which %d is an int, %s a text. %F, %U, %V and %4 are the words of the language for
+   a number, an unsigned one, a vector of three and one of four; %L is what declares a variable that
+   does not change, and %X one that does, of a type whose name follows in the format up to a space:
+   "%LScarpSample r1 = 0;". */
+void scarp_shader_put(struct shader_text *to, const char *format, ...);
+void scarp_shader_put_span(struct shader_text *to, const char *from, size_t length);
+
+/* What is needed to write the functions. */
+struct shader_writer {
+    const struct recipe *recipe;
+    const struct shader_layout *layout;
+    struct shader_text *to;
+    uint8_t order_of[RECIPE_NODES];
+    int kinds;
+    uint32_t kind[SHADER_KINDS]; /* of noise: what its function depends on, packed */
+    int warped;                  /* a node whose warp is still known here, or -1 */
+};
+
+/* The declaration of the buffer, which stands behind the structures. */
+void scarp_shader_put_head(const struct shader_writer *w);
+
+/* The functions. */
+void scarp_shader_put_functions(struct shader_writer *w, int order);
+
+/* The number of the function for the octaves of a noise; -1: there are too many. */
+int scarp_shader_kind(struct shader_writer *w, const struct scarp_noise *noise, int dimensions);
+
+/* The body of the function that gives all outputs. */
+void scarp_shader_put_steps(struct shader_writer *w);
+
+/* What a shader uses of scarp.glsl or its like. */
+struct shader_cut {
+    const char *file;
+    size_t length;
+    size_t head; /* of the recipe's own text, this much declares the buffer */
+};
+
+/* Puts what is used around a recipe's own text, which `text` has from its beginning. Returns 0 if
+   the file is none of these. */
+int scarp_shader_cut(const struct shader_cut *cut, struct shader_text *text);
+
+#endif

@@ -1,0 +1,218 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The uniform buffer of a recipe: numbers of steps and places, and the levels and octaves of its
+ * noises, which equal noises share.
+ */
+#include <string.h>
+
+#include "../calls/chain.h"
+#include "../calls/run.h"
+#include "../calls/shaders.h"
+#include "../calls/shapes.h"
+#include "../plan/gully.h"
+#include "../plan/suprema.h"
+#include "graph.h"
+#include "shader.h"
+
+_Static_assert(sizeof(struct scarp_gpu_level) == 48 && sizeof(struct scarp_gpu_octave) == 160,
+               "arrays of levels and octaves have no gaps in std140");
+
+struct filling {
+    const struct recipe *recipe;
+    const struct shader_uniforms *to;
+    struct shader_layout *layout;
+    int dimensions;                  /* of the noise that is filled in */
+    const struct recipe_node *node;  /* whose noise that is */
+    const struct scarp_noise *noise; /* and this is it */
+};
+
+static void put_number(const struct filling *f, float a, float b, float c, float d)
+{
+    const int i = f->layout->numbers++;
+    if (f->to->number != NULL) {
+        const float number[4] = {a, b, c, d};
+        memcpy(f->to->number[i], number, sizeof number);
+    }
+}
+
+static void put_knots(const struct filling *f, const struct recipe_node *n)
+{
+    float x[SCARP_CURVE_KNOTS], y[SCARP_CURVE_KNOTS], slope[SCARP_CURVE_KNOTS];
+    for (int i = 0; i < n->knots; i++) {
+        x[i] = f->recipe->knot[n->index + i][0];
+        y[i] = f->recipe->knot[n->index + i][1];
+    }
+    (void)scarp_curve_slopes(n->knots, x, y, slope);
+    for (int i = 0; i < n->knots; i++) {
+        put_number(f, x[i], y[i], slope[i], i + 1 < n->knots ? 1.0f / (x[i + 1] - x[i]) : 0.0f);
+    }
+}
+
+/* The numbers of a function that combines others. */
+static void put_numbers(const struct filling *f, const struct recipe_node *n)
+{
+    static const struct {
+        uint8_t operation, function;
+    } chained[] = {{OP_SMOOTH_MIN, CHAIN_SMOOTH_MIN},
+                   {OP_SMOOTH_MAX, CHAIN_SMOOTH_MAX},
+                   {OP_SMOOTH_ABS, CHAIN_SMOOTH_ABS},
+                   {OP_SMOOTHSTEP, CHAIN_SMOOTHSTEP},
+                   {OP_TERRACE, CHAIN_TERRACE}};
+    float k[CHAIN_NUMBERS] = {n->k[0], n->k[1], 0.0f, 0.0f, 0.0f};
+    for (size_t i = 0; i < sizeof chained / sizeof chained[0]; i++) {
+        if (chained[i].operation == n->operation) {
+            memset(k, 0, sizeof k);
+            (void)scarp_chain_numbers((enum scarp_chain_function)chained[i].function, n->k, k);
+        }
+    }
+    switch (n->operation) {
+    case OP_CURVE: put_knots(f, n); break;
+    case OP_SMOOTH_MIN:
+    case OP_SMOOTH_MAX: put_number(f, k[CHAIN_INVERSE], k[CHAIN_DEPTH], k[CHAIN_BEND], 0.0f); break;
+    case OP_SMOOTHSTEP: put_number(f, k[CHAIN_LO], k[CHAIN_INVERSE], 0.0f, 0.0f); break;
+    case OP_CONSTANT:
+    case OP_AFFINE:
+    case OP_CLAMP:
+    case OP_SMOOTH_ABS:
+    case OP_TERRACE: put_number(f, k[0], k[1], k[2], k[3]); break;
+    default: break;
+    }
+}
+
+static void put_place(const struct filling *f, int place)
+{
+    for (; place > 0 && f->layout->place_of[place] < 0; place = f->recipe->place[place].frame) {
+        const struct recipe_place *const p = &f->recipe->place[place];
+        f->layout->place_of[place] = (int16_t)f->layout->numbers;
+        for (int i = 0; i < 3; i++) {
+            put_number(f, (float)p->m[i][0], (float)p->m[i][1], (float)p->m[i][2], (float)p->t[i]);
+        }
+    }
+}
+
+static struct scarp_gpu_level *level_at(const struct filling *f)
+{
+    return f->to->level != NULL ? f->to->level + f->layout->levels : NULL;
+}
+
+static struct scarp_gpu_octave *octave_at(const struct filling *f)
+{
+    return f->to->octave != NULL ? f->to->octave + f->layout->octaves : NULL;
+}
+
+static void put_noise(const struct scarp_call_plan *plan, const void *opaque)
+{
+    const struct filling *const f = opaque;
+    const int count =
+        scarp_shader_levels(plan, f->dimensions, level_at(f), octave_at(f), f->layout->octaves);
+    if (f->layout->octaves == 0) {
+        f->layout->unit =
+            scarp_shader_unit(plan->warps.depth > 0 || plan->warps.vector
+                                  ? scarp_component_plan(plan, 0, 0).octave[0].frequency64
+                                  : plan->octave[0].frequency64);
+    }
+    f->layout->levels += plan->warps.depth + 1;
+    f->layout->octaves += count;
+}
+
+/* The first octave, whose lattice is made of cells whatever the basis is. */
+static void put_cells(const struct scarp_call_plan *plan, const void *opaque)
+{
+    const struct filling *const f = opaque;
+    struct scarp_octave first =
+        plan->warps.depth > 0 ? scarp_component_plan(plan, 0, 0).octave[0] : plan->octave[0];
+    first.jitter = scarp_stray(f->noise);
+    first.middle = 0.0f;
+    first.stretch = 1.0;
+    const struct scarp_call_plan cells = {
+        .basis = SCARP_CELL_F1, .octaves = 1, .octave = &first, .warps = {.depth = 0}};
+    put_noise(&cells, f);
+}
+
+/* Their lattice is a noise. What it does not need has the constants of gullies. */
+static void put_gullies(const struct scarp_call_plan *plan, const void *opaque)
+{
+    const struct filling *const f = opaque;
+    struct scarp_gully_plan g;
+    struct scarp_gpu_octave *const octave = octave_at(f);
+    scarp_gullies_plan(&g, &f->recipe->gully[f->node->index], plan);
+    put_number(f, g.low, g.steepness, g.slope2, g.slope2_low);
+    put_number(f, g.lowered, g.round, g.round2, g.fall);
+    put_number(f, g.branch, g.of_base[0], g.of_base[1], g.of_base[2]);
+    put_number(f, g.of_sum[0], g.of_sum[1], 0.0f, 0.0f);
+    put_noise(plan, f);
+    for (int k = 0; octave != NULL && k < plan->octaves; k++) {
+        const struct scarp_gully_octave *const o = &g.octave[k];
+        const float turn[4] = {o->keep, o->stretch, o->waves[0], o->waves[1]};
+        memcpy(octave[k].turn, turn, sizeof turn);
+        for (int i = 0; i < 2; i++) {
+            octave[k].gradient[0][i] = o->angles[i];
+            octave[k].gradient[1][i] = o->cells[i];
+        }
+    }
+}
+
+/* An earlier step that has the same levels, or -1. */
+static int equal_step(const struct filling *f, int step)
+{
+    const struct recipe *const r = f->recipe;
+    const struct recipe_node *const n = &r->node[r->schedule.step[step]];
+    for (int k = 0; k < step; k++) {
+        const struct recipe_node *const other = &r->node[r->schedule.step[k]];
+        if (other->operation == n->operation && other->index == n->index &&
+            r->place[other->place].dimensions == r->place[n->place].dimensions) {
+            return k;
+        }
+    }
+    return -1;
+}
+
+static void put_levels(struct filling *f, int step)
+{
+    const struct recipe *const r = f->recipe;
+    const int node = r->schedule.step[step], equal = equal_step(f, step);
+    const struct recipe_node *const n = &r->node[node];
+    struct scarp_noise noise[5];
+    struct scarp_kind kind = {.dimensions = r->place[n->place].dimensions};
+    if (equal >= 0) {
+        f->layout->level_of[node] = f->layout->level_of[r->schedule.step[equal]];
+        f->layout->number_of[node] = f->layout->number_of[r->schedule.step[equal]];
+        return;
+    }
+    f->layout->level_of[node] = (int16_t)f->layout->levels;
+    f->dimensions = kind.dimensions;
+    f->node = n;
+    f->noise = noise;
+    if (n->operation == OP_GULLIES) {
+        noise[0] = scarp_gullies_lattice(&r->gully[n->index]);
+        (void)scarp_run(noise, kind, put_gullies, f);
+        return;
+    }
+    scarp_recipe_spell_noise(r, n->index, noise);
+    kind.vector = n->operation == OP_VECTOR;
+    (void)scarp_run(noise, kind, n->operation == OP_CELL ? put_cells : put_noise, f);
+}
+
+void scarp_shader_lay_out(const struct recipe *recipe, const struct shader_uniforms *to,
+                          struct shader_layout *layout)
+{
+    struct filling f = {.recipe = recipe, .to = to, .layout = layout};
+    memset(layout, 0, sizeof *layout);
+    memset(layout->place_of, 0xff, sizeof layout->place_of);
+    layout->unit = 0x1p-8f;
+    for (int k = 0; k < recipe->schedule.steps; k++) {
+        const int node = recipe->schedule.step[k];
+        const struct recipe_node *const n = &recipe->node[node];
+        put_place(&f, n->place);
+        layout->number_of[node] = (int16_t)layout->numbers;
+        if (n->operation == OP_NOISE || n->operation == OP_VECTOR || n->operation == OP_CELL ||
+            n->operation == OP_GULLIES) {
+            put_levels(&f, k);
+        } else {
+            put_numbers(&f, n);
+        }
+    }
+    layout->numbers = layout->numbers > 0 ? layout->numbers : 1;
+    layout->levels = layout->levels > 0 ? layout->levels : 1;
+    layout->octaves = layout->octaves > 0 ? layout->octaves : 1;
+}

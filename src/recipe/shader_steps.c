@@ -1,0 +1,457 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The steps of a recipe as lines of a shader: node 7 is the variable r7. Nodes that a mask may hide
+ * stand in an `if`, and have variables above all steps; where they are left out these are 0.
+ */
+#include <string.h>
+
+#include "evaluate.h"
+#include "graph.h"
+#include "shader.h"
+
+#define SAMPLE "ScarpSample"
+
+/* The dimensions that derivatives of a place are by. */
+static int frame_of(const struct recipe *r, int place)
+{
+    return scarp_recipe_frame_dimensions(r, r->place[place].frame);
+}
+
+static int has_rest(const struct recipe_place *p)
+{
+    int has = 0;
+    for (int i = 0; i < p->dimensions; i++) {
+        has |= p->rest[i] >= 0;
+    }
+    return has;
+}
+
+/* What displaces a place, as samples. */
+static void put_rest(const struct shader_writer *w, int place)
+{
+    const struct recipe_place *const p = &w->recipe->place[place];
+    if (!has_rest(p)) {
+        scarp_shader_put(w->to, "scarp_not_displaced()");
+        return;
+    }
+    scarp_shader_put(w->to, "scarp_displaced_of(");
+    for (int i = 0; i < 3; i++) {
+        scarp_shader_put(w->to, i > 0 ? ", " : "");
+        if (i < p->dimensions && p->rest[i] >= 0) {
+            scarp_shader_put(w->to, "r%d", p->rest[i]);
+        } else {
+            scarp_shader_put(w->to, "scarp_constant(0.0)");
+        }
+    }
+    scarp_shader_put(w->to, ")");
+}
+
+static void put_rows(const struct shader_writer *w, int place)
+{
+    const int first = w->layout->place_of[place];
+    scarp_shader_put(w->to, "scarp_own_number(%du), scarp_own_number(%du), scarp_own_number(%du)",
+                     first, first + 1, first + 2);
+}
+
+/* The coordinates of a place: those of its frame, transformed. Frames are three deep at most. */
+static void put_position(const struct shader_writer *w, int place)
+{
+    int chain[RECIPE_FRAMES + 2], depth = 0;
+    for (int p = place; p > 0 && depth < RECIPE_FRAMES + 2; p = w->recipe->place[p].frame) {
+        chain[depth++] = p;
+    }
+    for (int i = 0; i < depth; i++) {
+        const int rests = has_rest(&w->recipe->place[chain[i]]);
+        scarp_shader_put(w->to, rests ? "scarp_add3(scarp_placed(" : "scarp_placed(");
+    }
+    scarp_shader_put(w->to, "at");
+    while (depth-- > 0) {
+        const int p = chain[depth];
+        scarp_shader_put(w->to, ", ");
+        put_rows(w, p);
+        scarp_shader_put(w->to, ", %d)", frame_of(w->recipe, p));
+        if (has_rest(&w->recipe->place[p])) {
+            scarp_shader_put(w->to, ", scarp_values_of(");
+            put_rest(w, p);
+            scarp_shader_put(w->to, "))");
+        }
+    }
+}
+
+/* Whether derivatives by the coordinates of a place are those by its frame's. */
+static int is_frame(const struct recipe *r, int place)
+{
+    const struct recipe_place *const p = &r->place[place];
+    int same = p->dimensions == frame_of(r, place) && !has_rest(p);
+    for (int i = 0; i < p->dimensions; i++) {
+        for (int j = 0; j < 3; j++) {
+            same = same && p->m[i][j] == (i == j ? 1.0 : 0.0);
+        }
+    }
+    return same;
+}
+
+/* What stands around a sample whose derivatives are by the coordinates of a place. */
+static void put_pull(const struct shader_writer *w, int place)
+{
+    scarp_shader_put(w->to, is_frame(w->recipe, place) ? "" : "scarp_pulled(");
+}
+
+static void put_pulled(const struct shader_writer *w, int place)
+{
+    if (is_frame(w->recipe, place)) {
+        return;
+    }
+    scarp_shader_put(w->to, ", scarp_jacobian_with(");
+    put_rows(w, place);
+    scarp_shader_put(w->to, ", ");
+    put_rest(w, place);
+    scarp_shader_put(w->to, "), ");
+    put_rest(w, place);
+    scarp_shader_put(w->to, ", %d)", w->recipe->place[place].dimensions);
+}
+
+/* Begins the line that gives a node its value; nodes within an `if` have a variable. */
+static void put_variable(const struct shader_writer *w, int node, const char *letter,
+                         const char *type)
+{
+    const int is_guarded = w->recipe->schedule.guard_of[node] != 0;
+    if (is_guarded) {
+        scarp_shader_put(w->to, "        %s%d = ", letter, node);
+    } else if (strcmp(type, SAMPLE) == 0) {
+        scarp_shader_put(w->to, "    %LScarpSample %s%d = ", letter, node);
+    } else {
+        scarp_shader_put(w->to, "    %LScarpDisplaced %s%d = ", letter, node);
+    }
+}
+
+static const char *indent_of(const struct shader_writer *w, int node)
+{
+    return w->recipe->schedule.guard_of[node] != 0 ? "        " : "    ";
+}
+
+/* Whether two nodes look at the same place through the same warp. */
+static int is_warped_alike(const struct recipe *r, int a, int b)
+{
+    const struct recipe_node *const m = &r->node[a], *const n = &r->node[b];
+    return m->place == n->place && r->noise[m->index].warp == r->noise[n->index].warp;
+}
+
+/* The displacements of a noise with warps, from the deepest one: the variable y of a node, and u,
+   where it looks. Returns the node that has them, which may be an earlier one, or -1. */
+static int put_warps(struct shader_writer *w, int node, const struct scarp_noise noise[5])
+{
+    const struct recipe_node *const n = &w->recipe->node[node];
+    const int level = w->layout->level_of[node], dimensions = w->recipe->place[n->place].dimensions;
+    const char *const indent = indent_of(w, node);
+    int depth = 0;
+    while (noise[depth].warp != NULL) {
+        depth++;
+    }
+    if (depth > 0 && w->warped >= 0 && is_warped_alike(w->recipe, w->warped, node)) {
+        return w->warped;
+    }
+    scarp_shader_put(w->to, "%s%L%V u%d = ", indent, node);
+    put_position(w, n->place);
+    scarp_shader_put(w->to, ";\n");
+    for (int i = depth; i > 0; i--) {
+        const int kind = scarp_shader_kind(w, &noise[i], dimensions);
+        if (i == depth) {
+            scarp_shader_put(w->to, "%s%XScarpDisplaced y%d = ", indent, node);
+            scarp_shader_put(w->to, "scarp_positions_of(scarp_own_warp%d(%du, u%d));\n", kind,
+                             level + i, node);
+            continue;
+        }
+        scarp_shader_put(w->to, "%sy%d = scarp_positions_of(scarp_composed_each(", indent, node);
+        scarp_shader_put(w->to, "scarp_own_warp%d(%du, scarp_add3(u%d, scarp_values_of(y%d)))",
+                         kind, level + i, node, node);
+        scarp_shader_put(w->to, ", y%d, %d));\n", node, dimensions);
+    }
+    w->warped = depth > 0 ? node : w->warped;
+    return depth > 0 ? node : -1;
+}
+
+/* Level 0, which looks at u, or at what warps made of it, which `warped` has. */
+static void put_level(struct shader_writer *w, int node, const struct scarp_noise noise[5],
+                      int warped)
+{
+    const struct recipe_node *const n = &w->recipe->node[node];
+    const int dimensions = w->recipe->place[n->place].dimensions;
+    const int kind = scarp_shader_kind(w, &noise[0], dimensions);
+    const int is_vector = n->operation == OP_VECTOR;
+    if (warped >= 0) {
+        scarp_shader_put(w->to, is_vector ? "scarp_composed_each(" : "scarp_composed(");
+    }
+    scarp_shader_put(w->to, is_vector ? "scarp_own_warp%d(%du, " : "scarp_own_kind%d(%du, 0u, ",
+                     kind, w->layout->level_of[node]);
+    if (warped >= 0) {
+        scarp_shader_put(w->to, "scarp_add3(u%d, scarp_values_of(y%d))), y%d, %d)", warped, warped,
+                         warped, dimensions);
+    } else {
+        scarp_shader_put(w->to, "u%d)", node);
+    }
+}
+
+static void put_noise(struct shader_writer *w, int node)
+{
+    const struct recipe_node *const n = &w->recipe->node[node];
+    struct scarp_noise noise[5];
+    scarp_recipe_spell_noise(w->recipe, n->index, noise);
+    const int warped = put_warps(w, node, noise);
+    put_variable(w, node, "r", SAMPLE);
+    put_pull(w, n->place);
+    put_level(w, node, noise, warped);
+    put_pulled(w, n->place);
+    scarp_shader_put(w->to, ";\n");
+}
+
+/* A component of vector noise whose variable is v. */
+static void put_component(struct shader_writer *w, int node, int vector, int component)
+{
+    const int place = w->recipe->node[vector].place;
+    static const char *const axis[] = {"x", "y", "z"};
+    put_variable(w, node, "r", SAMPLE);
+    put_pull(w, place);
+    scarp_shader_put(w->to, "v%d.%s", vector, axis[component]);
+    put_pulled(w, place);
+    scarp_shader_put(w->to, ";\n");
+}
+
+static void put_vector(struct shader_writer *w, int node)
+{
+    struct scarp_noise noise[5];
+    scarp_recipe_spell_noise(w->recipe, w->recipe->node[node].index, noise);
+    const int warped = put_warps(w, node, noise);
+    put_variable(w, node, "v", "ScarpDisplaced");
+    put_level(w, node, noise, warped);
+    scarp_shader_put(w->to, ";\n");
+    put_component(w, node, node, 0);
+}
+
+static void put_cell(struct shader_writer *w, int node)
+{
+    const struct recipe_node *const n = &w->recipe->node[node];
+    const int dimensions = w->recipe->place[n->place].dimensions;
+    const char *const indent = indent_of(w, node);
+    const int octave = w->layout->level_of[node];
+    scarp_shader_put(w->to, "%s%L%V u%d = ", indent, node);
+    put_position(w, n->place);
+    scarp_shader_put(w->to, ";\n%s%LScarpOctave o%d = ", indent, node);
+    scarp_shader_put(w->to, "scarp_own_octave(scarp_own_level(%du).first);\n", octave);
+    put_variable(w, node, "r", SAMPLE);
+    put_pull(w, n->detail == 0 ? 0 : n->place);
+    scarp_shader_put(w->to,
+                     "scarp_cell_sample(scarp_cells_around(o%d, scarp_location_of(o%d, 3u, false, "
+                     "u%d, %d), o%d.inverse, u%d, %d), %d)",
+                     node, node, node, dimensions, node, node, dimensions, n->detail);
+    if (n->detail != 0) {
+        put_pulled(w, n->place);
+    }
+    scarp_shader_put(w->to, ";\n");
+}
+
+static void put_gullies(struct shader_writer *w, int node)
+{
+    const struct recipe_node *const n = &w->recipe->node[node];
+    const struct scarp_gullies *const g = &w->recipe->gully[n->index];
+    const int first = w->layout->number_of[node];
+    const char *const in = indent_of(w, node);
+    scarp_shader_put(w->to, "%s%L%V u%d = ", in, node);
+    put_position(w, n->place);
+    scarp_shader_put(w->to, ";\n%s%LScarpLevel l%d = scarp_own_level(%du);\n", in, node,
+                     w->layout->level_of[node]);
+    scarp_shader_put(w->to, "%s%LScarpGullyShape g%d = scarp_gully_shape_of(", in, node);
+    scarp_shader_put(w->to,
+                     "scarp_own_number(%du), scarp_own_number(%du), scarp_own_number(%du));\n",
+                     first, first + 1, first + 2);
+    scarp_shader_put(w->to, "%s%XScarpGully s%d = ", in, node);
+    scarp_shader_put(w->to, "scarp_gully_first(g%d, scarp_own_number(%du), r%d);\n", node,
+                     first + 2, n->in[0]);
+    scarp_shader_put(w->to, "%sfor (%Xuint k = 0u; k < l%d.octaves; k++) {\n", in, node);
+    scarp_shader_put(w->to,
+                     "%s    s%d = scarp_gully_with(s%d, g%d, scarp_own_octave(l%d.first + k), l%d, "
+                     "%s, u%d);\n%s}\n",
+                     in, node, node, node, node, node, g->rotate ? "k > 0u" : "false", node, in);
+    put_variable(w, node, "r", SAMPLE);
+    scarp_shader_put(w->to,
+                     "scarp_gully_displacement(s%d, scarp_own_number(%du).x, "
+                     "scarp_own_number(%du).y);\n",
+                     node, first + 3, first + 3);
+}
+
+static void put_coordinate(const struct shader_writer *w, int node)
+{
+    static const char *const axis[] = {"x", "y", "z"};
+    static const char *const row[] = {"1.0, 0.0, 0.0, 0.0", "0.0, 1.0, 0.0, 0.0",
+                                      "0.0, 0.0, 1.0, 0.0"};
+    const struct recipe_node *const n = &w->recipe->node[node];
+    const struct recipe_place *const p = &w->recipe->place[n->place];
+    const int rest = p->rest[n->detail];
+    const char *const in = indent_of(w, node);
+    scarp_shader_put(w->to, "%s%L%V u%d = ", in, node);
+    put_position(w, n->place);
+    scarp_shader_put(w->to, ";\n");
+    put_variable(w, node, "r", SAMPLE);
+    scarp_shader_put(w->to, "scarp_coordinate_of(u%d.%s, ", node, axis[n->detail]);
+    if (n->place == 0) {
+        scarp_shader_put(w->to, "%4(%s), ", row[n->detail]);
+    } else {
+        scarp_shader_put(w->to, "scarp_own_number(%du), ",
+                         w->layout->place_of[n->place] + n->detail);
+    }
+    if (rest >= 0) {
+        scarp_shader_put(w->to, "r%d);\n", rest);
+    } else {
+        scarp_shader_put(w->to, "scarp_constant(0.0));\n");
+    }
+}
+
+/* A curve looks for the knots around a. */
+static void put_curve(const struct shader_writer *w, int node)
+{
+    const struct recipe_node *const n = &w->recipe->node[node];
+    const int first = w->layout->number_of[node], last = first + n->knots - 1;
+    const char *const in = indent_of(w, node);
+    scarp_shader_put(w->to, "%s%Xuint k%d = %du;\n", in, node, first);
+    scarp_shader_put(w->to, "%sfor (%Xuint i = %du; i < %du; i++) {\n", in, first + 1, last);
+    scarp_shader_put(w->to, "%s    if (r%d.value >= scarp_own_number(i).x) {\n", in, n->in[0]);
+    scarp_shader_put(w->to, "%s        k%d = i;\n%s    }\n%s}\n", in, node, in, in);
+    put_variable(w, node, "r", SAMPLE);
+    scarp_shader_put(w->to,
+                     "scarp_chain_curve(r%d, scarp_own_number(k%d), scarp_own_number(k%d + 1u), "
+                     "scarp_own_number(%du), scarp_own_number(%du));\n",
+                     n->in[0], node, node, first, last);
+}
+
+/* Functions of one or two samples and some numbers; @ is the vector of numbers. */
+static void put_call(const struct shader_writer *w, int node)
+{
+    static const char *const call[] = {[OP_CONSTANT] = "scarp_constant(@.x)",
+                                       [OP_ADD] = "scarp_sum_of(a, b)",
+                                       [OP_MULTIPLY] = "scarp_chain_multiply(a, b)",
+                                       [OP_DIVIDE] = "scarp_chain_divide(a, b)",
+                                       [OP_AFFINE] = "scarp_chain_affine(a, @.x, @.y)",
+                                       [OP_MIN] = "scarp_chain_min(a, b)",
+                                       [OP_MAX] = "scarp_chain_max(a, b)",
+                                       [OP_SMOOTH_MIN] = "scarp_chain_smooth_min(a, b, @.xyz)",
+                                       [OP_SMOOTH_MAX] = "scarp_chain_smooth_max(a, b, @.xyz)",
+                                       [OP_CLAMP] = "scarp_chain_clamp(a, @.x, @.y)",
+                                       [OP_ABS] = "scarp_chain_abs(a)",
+                                       [OP_SMOOTH_ABS] = "scarp_chain_smooth_abs(a, @.x, @.y)",
+                                       [OP_SMOOTHSTEP] = "scarp_chain_smoothstep(a, @.x, @.y)",
+                                       [OP_TERRACE] = "scarp_chain_terrace(a, @)",
+                                       [OP_MIX] = "scarp_chain_mix(a, b, m)",
+                                       [OP_SQRT] = "scarp_chain_sqrt(a)",
+                                       [OP_SINE] = "scarp_chain_sine(a)",
+                                       [OP_PULSE] = "scarp_chain_pulse(a)",
+                                       [OP_SLOPE] = "scarp_chain_slope(a, d)"};
+    const struct recipe_node *const n = &w->recipe->node[node];
+    put_variable(w, node, "r", SAMPLE);
+    char before = '\0';
+    for (const char *c = call[n->operation]; *c != '\0'; before = *c++) {
+        const int is_argument = (before == '(' || before == ' ') && (c[1] == ',' || c[1] == ')');
+        if (*c == '@') {
+            scarp_shader_put(w->to, "scarp_own_number(%du)", w->layout->number_of[node]);
+        } else if (is_argument && *c == 'd') {
+            scarp_shader_put(w->to, "%d", w->recipe->node[n->in[0]].dimensions);
+        } else if (is_argument) {
+            scarp_shader_put(w->to, "r%d", n->in[*c == 'a' ? 0 : *c == 'b' ? 1 : 2]);
+        } else {
+            scarp_shader_put_span(w->to, c, 1);
+        }
+    }
+    scarp_shader_put(w->to, ";\n");
+}
+
+static void put_step(struct shader_writer *w, int node)
+{
+    const struct recipe_node *const n = &w->recipe->node[node];
+    switch (n->operation) {
+    case OP_COORDINATE: put_coordinate(w, node); break;
+    case OP_NOISE: put_noise(w, node); break;
+    case OP_VECTOR: put_vector(w, node); break;
+    case OP_COMPONENT: put_component(w, node, n->in[0], n->detail); break;
+    case OP_CELL: put_cell(w, node); break;
+    case OP_GULLIES: put_gullies(w, node); break;
+    case OP_PULL:
+        put_variable(w, node, "r", SAMPLE);
+        put_pull(w, n->place);
+        scarp_shader_put(w->to, "r%d", n->in[0]);
+        put_pulled(w, n->place);
+        scarp_shader_put(w->to, ";\n");
+        break;
+    case OP_CURVE: put_curve(w, node); break;
+    default: put_call(w, node); break;
+    }
+}
+
+/* Variables of nodes that stand in an `if` */
+static void put_variables(const struct shader_writer *w)
+{
+    const struct recipe_schedule *const s = &w->recipe->schedule;
+    for (int k = 0; k < s->steps; k++) {
+        const int node = s->step[k];
+        if (s->guard_of[node] == 0) {
+            continue;
+        }
+        scarp_shader_put(w->to, "    %XScarpSample r%d = scarp_constant(0.0);\n", node);
+        if (w->recipe->node[node].operation == OP_VECTOR) {
+            scarp_shader_put(w->to, "    %XScarpDisplaced v%d = scarp_not_displaced();\n", node);
+        }
+    }
+}
+
+/* Whether a guard is open is known once its mask is. The order of the gate says which derivatives
+   of the mask count. */
+static void put_guards(const struct shader_writer *w, int node)
+{
+    const struct recipe_schedule *const s = &w->recipe->schedule;
+    for (int i = 1; i <= s->guards; i++) {
+        const struct recipe_guard *const g = &s->guard[i];
+        if (g->mask != node) {
+            continue;
+        }
+        scarp_shader_put(w->to, s->guard_of[node] != 0 ? "        open%d = " : "    open%d = ", i);
+        if (g->parent != 0) {
+            scarp_shader_put(w->to, "open%d && ", g->parent);
+        }
+        scarp_shader_put(w->to, "!scarp_is_level(r%d, %s, %d, %d);\n", node, g->one ? "1.0" : "0.0",
+                         w->order_of[g->gate], w->recipe->node[node].dimensions);
+    }
+}
+
+void scarp_shader_put_steps(struct shader_writer *w)
+{
+    const struct recipe *const r = w->recipe;
+    const struct recipe_schedule *const s = &r->schedule;
+    const int is_space = r->dimensions == 3;
+    int open = 0;
+    w->warped = -1;
+    scarp_shader_put(w->to, "    %L%V at = %s(x, y, %s);\n",
+                     w->to->language == SCARP_WGSL ? "vec3f" : "scarp_vec3_of",
+                     is_space ? "z" : "0.0");
+    for (int i = 1; i <= s->guards; i++) {
+        scarp_shader_put(w->to, "    %Xbool open%d = false;\n", i);
+    }
+    put_variables(w);
+    for (int k = 0; k < s->steps; k++) {
+        const int node = s->step[k];
+        if (s->guard_of[node] != open) {
+            scarp_shader_put(w->to, open != 0 ? "    }\n" : "");
+            open = s->guard_of[node];
+            w->warped = -1; /* its variables end with their block */
+            if (open != 0) {
+                scarp_shader_put(w->to, "    if (open%d) {\n", open);
+            }
+        }
+        put_step(w, node);
+        put_guards(w, node);
+    }
+    scarp_shader_put(w->to, open != 0 ? "    }\n" : "");
+    scarp_shader_put(w->to, "    %XScarpRecipe all;\n");
+    for (int i = 0; i < r->outputs; i++) {
+        scarp_shader_put(w->to, "    all.out%d = r%d;\n", i,
+                         r->expression[r->statement[r->output[i]].expression].node);
+    }
+    scarp_shader_put(w->to, "    return all;\n");
+}

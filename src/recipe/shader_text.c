@@ -1,0 +1,382 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * A recipe as functions of a shading language: the buffer with its accessors, a function for the
+ * octaves of each kind of noise, and one that gives all outputs at a point.
+ */
+#include <stdarg.h>
+#include <string.h>
+
+#include "graph.h"
+#include "shader.h"
+
+/* The words of GLSL, HLSL and WGSL. */
+static const char *word_of(int language, char which)
+{
+    static const char *const words[3][4] = {{"float", "uint", "vec3", "vec4"},
+                                            {"float", "uint", "float3", "float4"},
+                                            {"f32", "u32", "vec3f", "vec4f"}};
+    return words[language][which == 'F' ? 0 : which == 'U' ? 1 : which == 'V' ? 2 : 3];
+}
+
+void scarp_shader_put_span(struct shader_text *to, const char *from, size_t length)
+{
+    if (to->length < to->capacity) {
+        const size_t room = to->capacity - to->length;
+        memcpy(to->text + to->length, from, length < room ? length : room);
+    }
+    to->length += length;
+}
+
+static void put_text(struct shader_text *to, const char *text)
+{
+    scarp_shader_put_span(to, text, strlen(text));
+}
+
+static void put_int(struct shader_text *to, int number)
+{
+    char digits[12];
+    size_t at = sizeof digits;
+    unsigned left = number < 0 ? 0u - (unsigned)number : (unsigned)number;
+    do {
+        digits[--at] = (char)('0' + left % 10u);
+        left /= 10u;
+    } while (left > 0);
+    if (number < 0) {
+        digits[--at] = '-';
+    }
+    scarp_shader_put_span(to, digits + at, sizeof digits - at);
+}
+
+/* What declares a variable whose type stands next in the format. Returns how many characters of it
+   are done with. */
+static size_t put_declaration(struct shader_text *to, const char *format, char which)
+{
+    const size_t type = strcspn(format, " ");
+    if (to->language == SCARP_WGSL) {
+        put_text(to, which == 'L' ? "let" : "var");
+        return type;
+    }
+    return 0;
+}
+
+void scarp_shader_put(struct shader_text *to, const char *format, ...)
+{
+    va_list list;
+    va_start(list, format);
+    while (*format != '\0') {
+        const size_t plain = strcspn(format, "%");
+        scarp_shader_put_span(to, format, plain);
+        format += plain;
+        if (*format == '\0') {
+            break;
+        }
+        const char which = format[1];
+        format += 2;
+        switch (which) {
+        case 'd': put_int(to, va_arg(list, int)); break;
+        case 's': put_text(to, va_arg(list, const char *)); break;
+        case 'L':
+        case 'X': format += put_declaration(to, format, which); break;
+        default: put_text(to, word_of(to->language, which)); break;
+        }
+    }
+    va_end(list);
+}
+
+/*
+ * The head
+ */
+
+static void put_block(const struct shader_writer *w)
+{
+    static const char *const begin[] = {
+        "SCARP_LAYOUT uniform ScarpRecipePlans\n{\n    uvec4 scarp_own_head;\n",
+        "cbuffer ScarpRecipePlans : register(SCARP_REGISTER)\n{\n    uint4 scarp_own_head;\n",
+        "struct ScarpRecipePlan {\n    head: vec4u,\n"};
+    struct shader_text *const to = w->to;
+    const struct shader_layout *const l = w->layout;
+    put_text(to, begin[to->language]);
+    if (to->language == SCARP_WGSL) {
+        scarp_shader_put(to, "    number: array<vec4f, %d>,\n    level: array<ScarpLevel, %d>,\n",
+                         l->numbers, l->levels);
+        scarp_shader_put(to, "    octave: array<ScarpOctave, %d>,\n}\n\n", l->octaves);
+        return;
+    }
+    scarp_shader_put(to, "    %4 scarp_own_numbers[%d];\n", l->numbers);
+    scarp_shader_put(to, "    ScarpLevel scarp_own_levels[%d];\n", l->levels);
+    scarp_shader_put(to, "    ScarpOctave scarp_own_octaves[%d];\n};\n\n", l->octaves);
+}
+
+void scarp_shader_put_head(const struct shader_writer *w)
+{
+    struct shader_text *const to = w->to;
+    put_block(w);
+    if (to->language == SCARP_WGSL) {
+        put_text(to, "fn scarp_zero() -> u32 {\n    return scarp_plan.head.x;\n}\n\n"
+                     "fn scarp_own_number(i: u32) -> vec4f {\n"
+                     "    return scarp_plan.number[i];\n}\n\n"
+                     "fn scarp_own_level(i: u32) -> ScarpLevel {\n"
+                     "    return scarp_plan.level[i];\n}\n\n"
+                     "fn scarp_own_octave(i: u32) -> ScarpOctave {\n"
+                     "    return scarp_plan.octave[i];\n}\n\n");
+        return;
+    }
+    scarp_shader_put(to, "uint scarp_zero()\n{\n    return scarp_own_head.x;\n}\n\n"
+                         "%4 scarp_own_number(uint i)\n{\n    return scarp_own_numbers[i];\n}\n\n"
+                         "ScarpLevel scarp_own_level(uint i)\n{\n"
+                         "    return scarp_own_levels[i];\n}\n\n"
+                         "ScarpOctave scarp_own_octave(uint i)\n{\n"
+                         "    return scarp_own_octaves[i];\n}\n\n");
+}
+
+/*
+ * Octaves of noise
+ */
+
+#define RECIPE_NAME 64 /* what counts of a name */
+
+enum { BASIS = 0, FRACTAL = 4, FADE = 8, ROTATE = 10, SPACE = 11 };
+
+static int part_of(uint32_t kind, int shift, uint32_t mask)
+{
+    return (int)(kind >> shift & mask);
+}
+
+int scarp_shader_kind(struct shader_writer *w, const struct scarp_noise *noise, int dimensions)
+{
+    const uint32_t kind = (uint32_t)noise->basis << BASIS | (uint32_t)noise->fractal << FRACTAL |
+                          (uint32_t)(noise->basis <= SCARP_VALUE ? noise->fade : 0) << FADE |
+                          (uint32_t)(noise->rotate != 0) << ROTATE |
+                          (uint32_t)(dimensions == 3) << SPACE;
+    int i = 0;
+    while (i < w->kinds && w->kind[i] != kind) {
+        i++;
+    }
+    if (i == w->kinds && i < SHADER_KINDS) {
+        w->kind[w->kinds++] = kind;
+    }
+    return i;
+}
+
+/* The line that adds octave `n` of the basis. */
+static void put_fractal(struct shader_text *to, int fractal, const char *turned, int dimensions)
+{
+    static const char *const line[] = {[SCARP_FBM] = "scarp_with_fbm(s, n)",
+                                       [SCARP_TURBULENCE] = "scarp_with_turbulence(s, o, n)",
+                                       [SCARP_RIDGED] = "scarp_with_ridged(s, o, n)",
+                                       [SCARP_EROSION] = "scarp_with_erosion(s, o, l, n, ",
+                                       [SCARP_PINGPONG] = "scarp_with_pingpong(s, o, l, n)",
+                                       [SCARP_HYBRID] = "scarp_with_hybrid(s, o, l, n)",
+                                       [SCARP_SWISS] = "scarp_swiss(s, o, l.inverse_weight, n, ",
+                                       [SCARP_JORDAN] =
+                                           "scarp_jordan(s, o, l.erosion, k == 0u, n, "};
+    if (fractal != SCARP_EROSION) {
+        scarp_shader_put(to, "        n = scarp_in_input(o, %s, n, %d);\n", turned, dimensions);
+    }
+    scarp_shader_put(to, "        s = %s", line[fractal]);
+    if (fractal == SCARP_EROSION) {
+        scarp_shader_put(to, "%s, ", turned);
+    }
+    if (fractal == SCARP_EROSION || fractal == SCARP_SWISS || fractal == SCARP_JORDAN) {
+        scarp_shader_put(to, "%d)", dimensions);
+    }
+    put_text(to, ";\n");
+}
+
+static void put_basis(struct shader_text *to, uint32_t kind, const char *turned, int dimensions)
+{
+    static const char *const call[] = {
+        "gradient_at(scarp_lattice_of(o, l), ", "value_at(scarp_lattice_of(o, l), ",
+        "simplex_at(scarp_lattice_of(o, l)", "cells_at(scarp_lattice_of(o, l), "};
+    const int basis = part_of(kind, BASIS, 15), fractal = part_of(kind, FRACTAL, 15);
+    const int bends = fractal == SCARP_SWISS || fractal == SCARP_JORDAN;
+    scarp_shader_put(to, "        %LScarpLocation p = scarp_location_of(o, %du, %s, %s, %d);\n",
+                     basis, turned, bends ? "scarp_bent(s, o, k, x)" : "x", dimensions);
+    scarp_shader_put(to, "        %XScarpSample n = scarp_%s",
+                     call[basis < SCARP_CELL_F1 ? basis : SCARP_CELL_F1]);
+    if (basis != SCARP_SIMPLEX) {
+        scarp_shader_put(to, "%du", basis <= SCARP_VALUE ? part_of(kind, FADE, 3) : basis);
+    }
+    scarp_shader_put(to, ", p, %d);\n", dimensions);
+    put_fractal(to, fractal, turned, dimensions);
+}
+
+static void put_kind(struct shader_text *to, int number, uint32_t kind)
+{
+    const int is_wgsl = to->language == SCARP_WGSL;
+    const int shares_lattice = part_of(kind, BASIS, 15) <= SCARP_VALUE;
+    const char *const turned = part_of(kind, ROTATE, 1) ? "k > 0u" : "false";
+    scarp_shader_put(to,
+                     is_wgsl ? "fn scarp_own_kind%d(index: u32, component: u32, x: vec3f) -> "
+                               "ScarpSample {\n"
+                             : "ScarpSample scarp_own_kind%d(uint index, uint component, %V "
+                               "x)\n{\n",
+                     number);
+    scarp_shader_put(to, "    %XScarpLevel l = scarp_own_level(index);\n"
+                         "    %XScarpState s = scarp_no_octaves();\n");
+    put_text(to, shares_lattice ? "    l.component = component;\n"
+                                : "    l.first = l.first + component * l.octaves;\n");
+    put_text(to, is_wgsl ? "    for (var k = 0u; k < l.octaves; k++) {\n"
+                         : "    for (uint k = 0u; k < l.octaves; k++) {\n");
+    scarp_shader_put(to, "        %LScarpOctave o = scarp_own_octave(l.first + k);\n");
+    put_basis(to, kind, turned, part_of(kind, SPACE, 1) ? 3 : 2);
+    put_text(to, "    }\n    return s.sum;\n}\n\n");
+}
+
+/* All components of a warp: a loop, so that compilers see the octaves once. */
+static void put_warp(struct shader_text *to, int number, uint32_t kind)
+{
+    const int is_wgsl = to->language == SCARP_WGSL;
+    scarp_shader_put(to,
+                     is_wgsl ? "fn scarp_own_warp%d(index: u32, x: vec3f) -> ScarpDisplaced {\n"
+                             : "ScarpDisplaced scarp_own_warp%d(uint index, %V x)\n{\n",
+                     number);
+    scarp_shader_put(to, "    %XScarpDisplaced d = scarp_not_displaced();\n");
+    scarp_shader_put(to, "    for (%Xuint c = 0u; c < %du; c++) {\n",
+                     part_of(kind, SPACE, 1) ? 3 : 2);
+    scarp_shader_put(to, "        %LScarpSample s = scarp_own_kind%d(index, c, x);\n", number);
+    put_text(to, "        if (c == 0u) {\n            d.x = s;\n"
+                 "        } else if (c == 1u) {\n            d.y = s;\n"
+                 "        } else {\n            d.z = s;\n        }\n    }\n    return d;\n}\n\n");
+}
+
+/* Looks which kinds there are, and writes their functions. */
+static void put_kinds(struct shader_writer *w)
+{
+    const struct recipe *const r = w->recipe;
+    uint8_t is_warp[SHADER_KINDS] = {0};
+    for (int k = 0; k < r->schedule.steps; k++) {
+        const struct recipe_node *const n = &r->node[r->schedule.step[k]];
+        struct scarp_noise noise[5];
+        if (n->operation != OP_NOISE && n->operation != OP_VECTOR) {
+            continue;
+        }
+        scarp_recipe_spell_noise(r, n->index, noise);
+        int is_component = n->operation == OP_VECTOR;
+        for (const struct scarp_noise *of = noise; of != NULL; of = of->warp) {
+            const int kind = scarp_shader_kind(w, of, r->place[n->place].dimensions);
+            if (kind < SHADER_KINDS) {
+                is_warp[kind] = (uint8_t)(is_warp[kind] | is_component);
+            }
+            is_component = 1;
+        }
+    }
+    for (int i = 0; i < w->kinds; i++) {
+        put_kind(w->to, i, w->kind[i]);
+        if (is_warp[i]) {
+            put_warp(w->to, i, w->kind[i]);
+        }
+    }
+}
+
+/*
+ * The function of a recipe
+ */
+
+/* The name of an output. Shading languages have no names with two underscores in a row. */
+static size_t name_of(const struct recipe *r, int output, char name[RECIPE_NAME])
+{
+    const struct recipe_span span = r->statement[r->output[output]].name;
+    size_t length = 0;
+    for (int i = span.from; i < span.to && length < RECIPE_NAME; i++) {
+        if (r->text[i] != '_' || (i > span.from && r->text[i - 1] != '_')) {
+            name[length++] = r->text[i];
+        }
+    }
+    return length;
+}
+
+static void put_name(const struct shader_writer *w, int output)
+{
+    char name[RECIPE_NAME];
+    scarp_shader_put_span(w->to, name, name_of(w->recipe, output, name));
+}
+
+/* Whether no output before has the same name in shaders. */
+static int has_own_name(const struct recipe *r, int output)
+{
+    char name[RECIPE_NAME], before[RECIPE_NAME];
+    const size_t length = name_of(r, output, name);
+    for (int i = 0; i < output; i++) {
+        if (name_of(r, i, before) == length && memcmp(name, before, length) == 0) {
+            return 0;
+        }
+    }
+    return 1;
+}
+
+static void put_outputs(const struct shader_writer *w)
+{
+    struct shader_text *const to = w->to;
+    put_text(to, "/* All outputs. */\nstruct ScarpRecipe {\n");
+    for (int i = 0; i < w->recipe->outputs; i++) {
+        scarp_shader_put(to,
+                         to->language == SCARP_WGSL ? "    out%d: ScarpSample, // "
+                                                    : "    ScarpSample out%d; // ",
+                         i);
+        put_name(w, i);
+        put_text(to, "\n");
+    }
+    put_text(to, to->language == SCARP_WGSL ? "}\n\n" : "};\n\n");
+}
+
+/* The head of a function of the coordinates. */
+static void put_function(const struct shader_writer *w, const char *type, int output)
+{
+    struct shader_text *const to = w->to;
+    const int is_space = w->recipe->dimensions == 3, is_wgsl = to->language == SCARP_WGSL;
+    scarp_shader_put(to, "%s scarp_recipe", is_wgsl ? "fn" : type);
+    if (output >= 0) {
+        put_text(to, "_");
+        put_name(w, output);
+    }
+    put_text(to, is_wgsl ? "(x: f32, y: f32" : "(float x, float y");
+    put_text(to, !is_space ? "" : is_wgsl ? ", z: f32" : ", float z");
+    scarp_shader_put(to, is_wgsl ? ") -> %s {\n" : ")\n{\n", type);
+}
+
+static const char *coordinates_of(const struct shader_writer *w)
+{
+    return w->recipe->dimensions == 3 ? "x, y, z" : "x, y";
+}
+
+static void put_answer(const struct shader_writer *w, int order)
+{
+    struct shader_text *const to = w->to;
+    const struct recipe *const r = w->recipe;
+    put_text(to, "/* The self-test: answer i of scarp_recipe_answers. */\n");
+    put_text(to, to->language == SCARP_WGSL ? "fn scarp_answer_recipe(i: u32) -> u32 {\n"
+                                            : "uint scarp_answer_recipe(uint i)\n{\n");
+    scarp_shader_put(to, "    %Lfloat unit = %s;\n",
+                     to->language == SCARP_WGSL   ? "bitcast<f32>(scarp_plan.head.y)"
+                     : to->language == SCARP_HLSL ? "asfloat(scarp_own_head.y)"
+                                                  : "uintBitsToFloat(scarp_own_head.y)");
+    scarp_shader_put(to, "    %LScarpRecipe r = scarp_recipe(");
+    for (int axis = 0; axis < r->dimensions; axis++) {
+        scarp_shader_put(to, "%sscarp_test_coordinate(unit, i, %du)", axis > 0 ? ", " : "", axis);
+    }
+    scarp_shader_put(to, ");\n    %Xuint h = 0u;\n");
+    for (int i = 0; i < r->outputs; i++) {
+        const int has = r->node[r->expression[r->statement[r->output[i]].expression].node].order;
+        scarp_shader_put(to, "    h = scarp_hash_with_sample(h, r.out%d, %du, %d);\n", i,
+                         order < has ? order : has, r->dimensions);
+    }
+    put_text(to, "    return h;\n}\n");
+}
+
+void scarp_shader_put_functions(struct shader_writer *w, int order)
+{
+    struct shader_text *const to = w->to;
+    put_kinds(w);
+    put_outputs(w);
+    put_function(w, "ScarpRecipe", -1);
+    scarp_shader_put_steps(w);
+    put_text(to, "}\n\n");
+    for (int i = 0; i < w->recipe->outputs; i++) {
+        if (has_own_name(w->recipe, i)) {
+            put_function(w, "ScarpSample", i);
+            scarp_shader_put(to, "    return scarp_recipe(%s).out%d;\n}\n\n", coordinates_of(w), i);
+        }
+    }
+    put_answer(w, order);
+}
