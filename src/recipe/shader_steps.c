@@ -448,7 +448,8 @@ void scarp_shader_put_steps(struct shader_writer *w)
         put_guards(w, node);
     }
     scarp_shader_put(w->to, open != 0 ? "    }\n" : "");
-    scarp_shader_put(w->to, "    %XScarpRecipe all;\n");
+    scarp_shader_put(w->to, w->to->language == SCARP_WGSL ? "    var all: ScarpRecipe;\n"
+                                                          : "    ScarpRecipe all;\n");
     for (int i = 0; i < r->outputs; i++) {
         scarp_shader_put(w->to, "    all.out%d = r%d;\n", i,
                          r->expression[r->statement[r->output[i]].expression].node);

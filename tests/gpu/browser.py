@@ -2,11 +2,12 @@
 """Runs the shaders in headless Chromium, and compares every bit with the C library.
 
     browser.py TEST CHROMIUM WRITE_CASES SOURCE [OPTION]      TEST: wgsl, webgl, control
+    browser.py TEST CHROMIUM CASES SOURCE COUNT EVERY RECIPE...    TEST: recipes.wgsl, recipes.webgl
 
-WRITE_CASES is the program that writes what to compare with; SOURCE the top of the repository, with
-the shaders and src/gpu/README.md, whose sample must compile. The page tells how it went: the exit
-status is 0, 1, or 77 where the browser lacks WebGPU or WebGL 2. OPTION no-barrier lets compilers
-fuse operations.
+WRITE_CASES is the program that writes what to compare with, of recipes gpu_recipe_cases; SOURCE the
+top of the repository, with the shaders and src/gpu/README.md, whose sample must compile. The page
+tells how it went: the exit status is 0, 1, or 77 where the browser lacks WebGPU or WebGL 2. OPTION
+no-barrier lets compilers fuse operations.
 """
 import http.server
 import os
@@ -134,7 +135,14 @@ def main():
     try:
         cases = os.path.join(scratch, "cases")
         os.mkdir(cases)
-        subprocess.run([write_cases, cases], check=True)
+        if test.startswith("recipes."):
+            count, every, *recipes = options
+            file = "scarp.wgsl" if test.endswith("wgsl") else "scarp.glsl"
+            subprocess.run([write_cases, cases, count, every,
+                            os.path.join(source, "include", file), *recipes], check=True)
+            options = []
+        else:
+            subprocess.run([write_cases, cases], check=True)
         with open(os.path.join(source, "src", "gpu", "README.md"), encoding="utf-8") as readme, \
                 open(os.path.join(cases, "example.wgsl"), "w", encoding="utf-8") as example:
             example.write(re.search(r"^```wgsl\n(.*?)^```$", readme.read(), re.M | re.S).group(1))

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
 // Runs every case that write_cases wrote through a shader, and compares all bits with those of the
-// C library. The query says what to run: ?test=wgsl, ?test=webgl or ?test=control. Lines of the
+// C library. The query says what to run: ?test=wgsl, ?test=webgl, ?test=control, or recipes by
+// ?test=recipes.wgsl and ?test=recipes.webgl. Lines of the
 // report go to /say; /end takes 0 (passed), 1 (failed) or 77 (skipped), the exit status of ctest.
 import {get} from "./get.js";
+import {compareRecipes} from "./recipes.js";
 import {openWebgpu} from "./webgpu.js";
 import {openWebgl} from "./webgl.js";
 
@@ -157,6 +159,9 @@ async function main() {
     const cases = await (await get("/cases/index.json")).json();
     if (test === "control") {
         return control(cases);
+    }
+    if (test.startsWith("recipes.")) {
+        return compareRecipes(test.slice("recipes.".length), cases, {say, words, same});
     }
     const device = await opened(OPENERS[test], cases, {barrier: !query.has("no-barrier")});
     return device ? (await runAll(device, cases) ? 0 : 1) : 77;
