@@ -12,9 +12,9 @@
 // not use of a sample costs nothing. Constants of the pipeline: scarp_only_basis,
 // scarp_only_fractal, scarp_only_depth fix what all plans have in common, for smaller and faster
 // shaders: an enumerator of scarp.h, and how many warps there are. WGSL lets compilers fuse
-// operations; scarp_barrier keeps them from it, and false gives the equal bits up.
+// operations, from which scarp_zero keeps them: without " ^ scarp_zero()" the text compiles
+// faster, and gives the equal bits up.
 
-override scarp_barrier: bool = true;
 override scarp_only_basis: u32 = 0xffffffffu;
 override scarp_only_fractal: u32 = 0xffffffffu;
 override scarp_only_depth: u32 = 0xffffffffu;
@@ -108,24 +108,16 @@ fn scarp_only_depth_of(depth: u32) -> u32 {
 }
 
 // A result goes through an exclusive or with a number that the compiler does not know: 0.
-fn scarp_kept(a: f32) -> f32 {
-    var kept = a;
-    if (scarp_barrier) {
-        kept = bitcast<f32>(bitcast<u32>(a) ^ scarp_zero());
-    }
-    return kept;
-}
-
 fn scarp_add(a: f32, b: f32) -> f32 {
-    return scarp_kept(a + b);
+    return bitcast<f32>(bitcast<u32>(a + b) ^ scarp_zero());
 }
 
 fn scarp_sub(a: f32, b: f32) -> f32 {
-    return scarp_kept(a - b);
+    return bitcast<f32>(bitcast<u32>(a - b) ^ scarp_zero());
 }
 
 fn scarp_mul(a: f32, b: f32) -> f32 {
-    return scarp_kept(a * b);
+    return bitcast<f32>(bitcast<u32>(a * b) ^ scarp_zero());
 }
 
 fn scarp_rough_inverse(a: f32) -> f32 {

@@ -13,6 +13,15 @@ if(speed STREQUAL "full")
 else()
   scarp_add_test(gpu.source gpu test_gpu_source few)
 endif()
+# What shaders have beside noise, and recipes as their text
+scarp_test_program(test_gpu_chain)
+if(speed STREQUAL "full")
+  scarp_add_test(gpu.chain gpu test_gpu_chain)
+else()
+  scarp_add_test(gpu.chain gpu test_gpu_chain few)
+endif()
+scarp_test_program(test_gpu_recipe)
+scarp_add_test(gpu.recipe gpu test_gpu_recipe ${PROJECT_SOURCE_DIR}/include)
 scarp_add_test(gpu.shaders gpu NEEDS python3 COMMAND
                ${Python3_EXECUTABLE} ${PROJECT_SOURCE_DIR}/src/gpu/shaders.py --check)
 scarp_add_test(gpu.subset gpu NEEDS python3 COMMAND ${Python3_EXECUTABLE}

@@ -14,3 +14,19 @@ foreach(test wgsl:wgsl webgl:webgl browser_control:control)
                  COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/gpu/browser.py ${what}
                  ${SCARP_CHROMIUM} $<TARGET_FILE:gpu_write_cases> ${PROJECT_SOURCE_DIR})
 endforeach()
+
+# Recipes as shaders: what is to be compared, and in the browser
+add_executable(gpu_recipe_cases gpu/recipe_cases.c)
+scarp_compile_rules(gpu_recipe_cases)
+target_link_libraries(gpu_recipe_cases PRIVATE scarp ${SCARP_LIBM})
+
+set(gpu_presets ${PROJECT_SOURCE_DIR}/src/cli/presets)
+set(gpu_examples ${PROJECT_SOURCE_DIR}/src/examples/recipes)
+set(gpu_recipes_wgsl 4 4 ${gpu_presets}/alps.recipe ${gpu_examples}/marble.recipe)
+set(gpu_recipes_webgl 2 13 ${gpu_presets}/alps.recipe)
+foreach(language wgsl webgl)
+  scarp_add_test(gpu.recipes.${language} shader NEEDS chromium posix python3
+                 COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/gpu/browser.py
+                 recipes.${language} ${SCARP_CHROMIUM} $<TARGET_FILE:gpu_recipe_cases>
+                 ${PROJECT_SOURCE_DIR} ${gpu_recipes_${language}})
+endforeach()

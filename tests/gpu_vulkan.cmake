@@ -55,7 +55,7 @@ foreach(language glsl hlsl)
 endforeach()
 
 if("vulkan" IN_LIST scarp_found)
-  foreach(program vulkan picture)
+  foreach(program vulkan picture recipes)
     add_executable(gpu_${program} gpu/${program}.c)
     scarp_compile_rules(gpu_${program})
     target_link_libraries(gpu_${program} PRIVATE scarp Vulkan::Vulkan ${SCARP_LIBM})
@@ -79,6 +79,29 @@ scarp_add_gpu_test(gpu.hlsl gpu_vulkan ${gpu_shaders}/hlsl ${gpu_points} hessian
 scarp_add_gpu_test(gpu.glsl.answers gpu_vulkan ${gpu_shaders}/glsl ${gpu_points} answers)
 scarp_add_gpu_test(gpu.control gpu_vulkan --must-differ ${gpu_shaders}/glsl-fused ${gpu_points} hessian)
 scarp_add_gpu_test(gpu.picture gpu_picture ${gpu_shaders}/picture.spv --small)
+
+# Recipes, which are compiled when a test runs
+if("vulkan" IN_LIST scarp_found)
+  set(gpu_recipes $<TARGET_FILE:gpu_recipes>)
+else()
+  set(gpu_recipes none)
+endif()
+file(GLOB gpu_files_of_recipes ${gpu_presets}/*.recipe ${gpu_examples}/*.recipe)
+function(scarp_add_recipe_test name language) # COUNT EVERY RECIPE..., before them --must-differ
+  set(control)
+  if(ARGV2 STREQUAL "--must-differ")
+    list(POP_FRONT ARGN control)
+  endif()
+  list(POP_FRONT ARGN count every)
+  scarp_add_gpu_test(${name} ${Python3_EXECUTABLE} ${gpu_dir}/recipes.py ${control}
+                     $<TARGET_FILE:gpu_recipe_cases> ${gpu_recipes} ${SCARP_GLSLANG} ${count} ${every}
+                     ${PROJECT_SOURCE_DIR}/include/scarp.${language} ${ARGN})
+endfunction()
+scarp_add_recipe_test(gpu.recipes.glsl glsl 0 10)
+scarp_add_recipe_test(gpu.recipes.control glsl --must-differ 0 100)
+scarp_add_recipe_test(gpu.recipes.glsl.full glsl 30 1 ${gpu_files_of_recipes})
+scarp_add_recipe_test(gpu.recipes.hlsl.full hlsl 10 2 ${gpu_presets}/alps.recipe
+                      ${gpu_examples}/marble.recipe)
 
 # The sample of src/gpu/README.md compiles.
 scarp_add_test(gpu.readme shader NEEDS glslang python3 COMMAND ${Python3_EXECUTABLE}

@@ -103,9 +103,12 @@ static struct scarp_gpu_octave octave_expected(const struct scarp_noise *noise, 
         }
     }
     const double sharpness = parameters_of(noise).sharpness;
+    if (noise->fractal == SCARP_SWISS || noise->fractal == SCARP_JORDAN ||
+        noise->basis >= SCARP_CELL_F1) {
+        e.gradient[0][3] = (float)(1.0 / o->frequency64);
+    }
     if (noise->fractal == SCARP_SWISS || noise->fractal == SCARP_JORDAN) {
         const int swiss = noise->fractal == SCARP_SWISS;
-        e.gradient[0][3] = (float)(1.0 / o->frequency64);
         e.gradient[1][3] = (float)(sharpness / (swiss ? first : o)->frequency64);
     }
     return e;

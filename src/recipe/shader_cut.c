@@ -245,6 +245,20 @@ static int piece_of(const struct cutter *c, const char *name)
     return -1;
 }
 
+/* What the recipe's own text has in the place of that of the file counts as seen, and goes. */
+static void set_replaced(struct cutter *c, int language, int is_seen)
+{
+    static const char *const names[] = {"scarp_zero", "scarp_plan", "scarp_add", "scarp_sub",
+                                        "scarp_mul"};
+    for (int i = 0; i < (language == SCARP_WGSL ? 5 : 2); i++) {
+        const int piece = piece_of(c, names[i]);
+        if (piece >= 0) {
+            c->piece[piece].is_seen = (uint8_t)is_seen;
+            c->piece[piece].stays = 0;
+        }
+    }
+}
+
 static size_t size_of(const struct cutter *c, int from, int to)
 {
     size_t size = 0;
@@ -273,18 +287,14 @@ int scarp_shader_cut(const struct shader_cut *cut, struct shader_text *text)
         return 0;
     }
     find_pieces(&c);
-    /* The recipe declares its buffer and what reads it, in the place of that of plans. */
-    const int zero = piece_of(&c, "scarp_zero"), plans = piece_of(&c, "scarp_plan");
+    const int zero = piece_of(&c, "scarp_zero");
     if (zero < 0 || c.is_full) {
         return 0;
     }
-    c.piece[zero].is_seen = 1;
+    set_replaced(&c, text->language, 1);
     (void)keep_named(&c, text->text, own < text->capacity ? own : text->capacity);
     keep_all(&c);
-    c.piece[zero].stays = 0;
-    if (plans >= 0) {
-        c.piece[plans].stays = 0;
-    }
+    set_replaced(&c, text->language, 0);
     const size_t all = own + size_of(&c, 0, c.pieces);
     if (all > text->capacity || own > text->capacity) {
         text->length = own > text->capacity ? own + cut->length + PIECES : all;

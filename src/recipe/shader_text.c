@@ -107,13 +107,26 @@ static void put_block(const struct shader_writer *w)
     scarp_shader_put(to, "    ScarpOctave scarp_own_octaves[%d];\n};\n\n", l->octaves);
 }
 
+/* The operations of WGSL, as the file has them but for a call in each. They are most of what there
+   is to compile: this halves the time. */
+static void put_operations(struct shader_text *to)
+{
+    static const char *const operation[][2] = {{"add", "+"}, {"sub", "-"}, {"mul", "*"}};
+    for (int i = 0; i < 3; i++) {
+        scarp_shader_put(to, "fn scarp_%s(a: f32, b: f32) -> f32 {\n", operation[i][0]);
+        scarp_shader_put(
+            to, "    return bitcast<f32>(bitcast<u32>(a %s b) ^ scarp_plan.head.x);\n}\n\n",
+            operation[i][1]);
+    }
+}
+
 void scarp_shader_put_head(const struct shader_writer *w)
 {
     struct shader_text *const to = w->to;
     put_block(w);
     if (to->language == SCARP_WGSL) {
-        put_text(to, "fn scarp_zero() -> u32 {\n    return scarp_plan.head.x;\n}\n\n"
-                     "fn scarp_own_number(i: u32) -> vec4f {\n"
+        put_operations(to);
+        put_text(to, "fn scarp_own_number(i: u32) -> vec4f {\n"
                      "    return scarp_plan.number[i];\n}\n\n"
                      "fn scarp_own_level(i: u32) -> ScarpLevel {\n"
                      "    return scarp_plan.level[i];\n}\n\n"

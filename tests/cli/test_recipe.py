@@ -296,6 +296,34 @@ class Command(Case):
         printed = run("recipe", "-", input=b"recipe 1\nspace 3\nout a = noise(size=9)\n").stdout
         self.assertIn(b"never leaves [-1, 1]", printed)
 
+    def test_shader(self):
+        """The text holds in any seed; buffer and answers are those of the library's layout."""
+        def shader(*options):
+            text = text_of("recipe", "alps", "--shader", "wgsl", "--uniforms", self.path("u"),
+                           "--answers", self.path("a"), *options)
+            with open(self.path("u"), "rb") as uniforms, open(self.path("a"), "rb") as answers:
+                return text, uniforms.read(), answers.read()
+
+        text, uniforms, answers = shader()
+        numbers, levels, octaves = (int(n) for n in re.findall(r"array<\w+, (\d+)>", text))
+        self.assertEqual(len(uniforms), 16 + 16 * numbers + 48 * levels + 160 * octaves)
+        self.assertEqual(len(answers), 4 * 4096)
+        self.assertIn("fn scarp_recipe_alps(x: f32, y: f32) -> ScarpSample {", text)
+        other = shader("--seed", "2")
+        self.assertEqual(other[0], text)
+        self.assertNotEqual(other[1], uniforms)
+        self.assertNotEqual(other[2], answers)
+        self.assertNotEqual(shader("--set", "height=700")[1], uniforms)
+        self.assertNotEqual(shader("--derivatives", "0")[2], answers)
+        for language in "glsl", "hlsl":
+            text = text_of("recipe", "alps", "--shader", language)
+            self.assertIn("ScarpSample scarp_recipe_alps(float x, float y)\n{\n", text)
+        for words in ("--shader", "metal"), ("--shader", "glsl", "--derivatives", "3"):
+            self.assertEqual(run("recipe", "alps", *words).returncode, 2)
+        result = run("recipe", "alps", "--uniforms", self.path("none/u"))
+        self.assertEqual(result.returncode, 1)
+        self.assertEqual(result.stderr.count(b"\n"), 1)
+
     def test_help(self):
         """The language is told."""
         told = text_of("help", "recipe")

@@ -148,7 +148,9 @@ export async function openWebgpu(count, {dimensions = [2, 3], barrier = true, on
     gpu.lost.then(({message}) => {
         throw new Error(`the device is lost: ${message}`);
     });
-    const source = await (await get("/shaders/scarp.wgsl")).text(), code = edit(source + MAIN);
+    const file = await (await get("/shaders/scarp.wgsl")).text();
+    const source = barrier ? file : file.replaceAll(" ^ scarp_zero()", "");
+    const code = edit(source + MAIN);
     gpu.pushErrorScope("validation");
     const module = gpu.createShaderModule({code});
     for (const {type, lineNum, linePos, message} of (await module.getCompilationInfo()).messages) {
@@ -161,7 +163,7 @@ export async function openWebgpu(count, {dimensions = [2, 3], barrier = true, on
         return {errors};
     }
     const device = new Webgpu(gpu, name + (barrier ? "" : ", without the barrier"), count);
-    const constants = {scarp_barrier: barrier ? 1 : 0};
+    const constants = {};
     for (const [name, number] of Object.entries(only)) {
         constants[`scarp_only_${name}`] = number;
     }

@@ -13,11 +13,13 @@
 #include "ground/source.h"
 #include "presets/presets.h"
 #include "recipe/measure.h"
+#include "recipe/shader.h"
 #include "shared/error.h"
 
 struct recipe_options {
     struct ground_options ground;
     int text;
+    struct shader_options shader;
 };
 
 #define FIELD(name) offsetof(struct recipe_options, name)
@@ -40,7 +42,20 @@ static const struct option rows[] = {
     {OPTION_FLAG("--text", text, "print the text alone")},
 };
 
-static const struct option_group groups[] = {OPTION_GROUP("a recipe", rows, 0)};
+static const struct option shader_rows[] = {
+    {OPTION_CHOICE("--shader", shader.language, NULL, shader_word,
+                   "print it as functions of a shading language"),
+     .otherwise = "no shader"},
+    {OPTION_COUNT("--derivatives", shader.order, "1", 0, 2,
+                  "of the shader: 0 values, 1 gradients, 2 Hessians")},
+    {OPTION_TEXT("--uniforms", shader.uniforms, "FILE", "a file name",
+                 "write the uniform buffer of the shader")},
+    {OPTION_TEXT("--answers", shader.answers, "FILE", "a file name",
+                 "write what the self-test of the shader must answer")},
+};
+
+static const struct option_group groups[] = {OPTION_GROUP("a recipe", rows, 0),
+                                             OPTION_GROUP("a shader", shader_rows, 0)};
 
 static const struct option_table table = {
     .command = "recipe",
@@ -53,6 +68,10 @@ static const struct option_table table = {
         "           status is 2 then.\n"
         "outputs    have an interval that values never leave, and the lowest, the middle and the\n"
         "           highest value of 4096 places, in a square of 64 of the largest cells.\n"
+        "shaders    have scarp_recipe(x, y), and what it uses of scarp.glsl, scarp.hlsl or\n"
+        "           scarp.wgsl. Their numbers, the seed among them, are in a uniform buffer; the\n"
+        "           self-test has 4096 numbers of 32 bits. Both are in the order of bytes of this\n"
+        "           processor.\n"
         "cost       is measured on a grid, with one thread.\n"
         "terrain    is the first output of a recipe of the plane: a height in the unit of x and "
         "y.\n"
@@ -175,6 +194,23 @@ static int explain(const struct source *source)
     return CLI_SUCCESS;
 }
 
+static bool asks_for_shader(const struct shader_options *options)
+{
+    return options->language >= 0 || options->uniforms != NULL || options->answers != NULL;
+}
+
+/* Writes what is asked for of the recipe as a shader. */
+static int write_shader(const struct source *source, const struct shader_options *options)
+{
+    struct ground ground;
+    struct scarp_recipe_error error;
+    if (ground_open(&ground, &source->ground, &error) == GROUND_BAD_TEXT) {
+        print_errors(source);
+        return CLI_USAGE;
+    }
+    return source_ground(source, &ground) ? shader_write(&ground.recipe, options) : CLI_USAGE;
+}
+
 /* Takes the operand for a preset, or else for a file. */
 static void take_operand(const char *name, struct ground_options *options)
 {
@@ -189,7 +225,8 @@ static void take_operand(const char *name, struct ground_options *options)
 
 int cli_recipe(char **argv)
 {
-    static struct recipe_options options = {.ground = GROUND_OPTIONS_UNSET};
+    static struct recipe_options options = {.ground = GROUND_OPTIONS_UNSET,
+                                            .shader = {.language = -1}};
     const bool has_operand = argv[0] != NULL && (argv[0][0] != '-' || argv[0][1] == '\0');
     switch (options_parse(&table, argv + (has_operand ? 1 : 0), &options)) {
     case OPTIONS_HELP: print_functions(); return CLI_SUCCESS;
@@ -206,6 +243,8 @@ int cli_recipe(char **argv)
     source.ground.is_any = true;
     if (status == CLI_SUCCESS && options.text) {
         source_print(&source);
+    } else if (status == CLI_SUCCESS && asks_for_shader(&options.shader)) {
+        status = write_shader(&source, &options.shader);
     } else if (status == CLI_SUCCESS) {
         status = explain(&source);
     }
