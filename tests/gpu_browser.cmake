@@ -14,3 +14,10 @@ foreach(test wgsl:wgsl webgl:webgl browser_control:control)
                  COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/gpu/browser.py ${what}
                  ${SCARP_CHROMIUM} $<TARGET_FILE:gpu_write_cases> ${PROJECT_SOURCE_DIR})
 endforeach()
+
+# The pages of src/gpu/samples
+foreach(name webgpu webgl)
+  scarp_add_test(gpu.page.${name} shader NEEDS chromium posix python3
+                 COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/gpu/pages.py ${name}
+                 ${SCARP_CHROMIUM} $<TARGET_FILE:gpu_write_relief> ${PROJECT_SOURCE_DIR})
+endforeach()

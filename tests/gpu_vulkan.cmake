@@ -91,6 +91,8 @@ block()
   scarp_add_gpu_test(gpu.relief ${Python3_EXECUTABLE} ${gpu_dir}/relief.py $<TARGET_FILE:relief>
                      ${PROJECT_BINARY_DIR}/bin/relief.spv ${gpu_shaders}/relief-fused.spv
                      ${PROJECT_SOURCE_DIR}/src/gpu/samples/relief.png)
+  scarp_add_gpu_test(gpu.engines.hlsl ${Python3_EXECUTABLE} ${gpu_dir}/engines.py hlsl
+                     ${SCARP_GLSLANG} $<TARGET_FILE:relief> ${PROJECT_SOURCE_DIR})
 endblock()
 
 # The sample of src/gpu/README.md compiles.

@@ -5,6 +5,7 @@
  *
  *     relief PICTURE.ppm relief.spv     relief.spv is relief.comp, compiled
  *     relief PICTURE.ppm                the same picture, by the library alone
+ *     relief NAME.plan                  only writes the plan, for webgpu.html and webgl.html
  */
 #include <stdint.h>
 #include <stdio.h>
@@ -289,8 +290,13 @@ int main(int argc, char **argv)
 {
     static struct relief terrain;
     if (argc != 2 && argc != 3) {
-        fprintf(stderr, "usage: relief PICTURE.ppm [relief.spv]\n");
+        fprintf(stderr, "usage: relief PICTURE.ppm [relief.spv], or relief NAME.plan\n");
         return EXIT_FAILURE;
+    }
+    const char *const ending = strrchr(argv[1], '.');
+    if (ending != NULL && strcmp(ending, ".plan") == 0) {
+        check(relief_write_plan(argv[1]), "writing the plan");
+        return EXIT_SUCCESS;
     }
     if (argc == 3) {
         compute(&terrain, argv[2]);

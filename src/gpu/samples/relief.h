@@ -38,6 +38,18 @@ static const struct scarp_noise relief_ground = {
 /* Heights of the lakes and of the snow. */
 static const float relief_water = 72.0f, relief_snow = 136.0f;
 
+/* Writes the bytes that shaders read. Returns 0 if that fails. */
+static inline int relief_write_plan(const char *path)
+{
+    struct scarp_gpu_plan plan;
+    FILE *const file = fopen(path, "wb");
+    if (file == NULL || scarp_gpu_plan_make(&relief_ground, 2, &plan, NULL) != SCARP_OK) {
+        return 0;
+    }
+    const int written = fwrite(&plan, sizeof plan, 1, file) == 1;
+    return fclose(file) == 0 && written;
+}
+
 /* What the shader computes, by the library: at the same points, not by scarp_grid2, which computes
    positions in double precision. */
 static inline enum scarp_status relief_by_library(struct relief *terrain)
