@@ -90,12 +90,16 @@ block()
   set(NEEDS_TOO python3)
   scarp_add_gpu_test(gpu.relief ${Python3_EXECUTABLE} ${gpu_dir}/relief.py $<TARGET_FILE:relief>
                      ${PROJECT_BINARY_DIR}/bin/relief.spv ${gpu_shaders}/relief-fused.spv
-                     ${PROJECT_SOURCE_DIR}/src/gpu/samples/relief.png)
+                     ${PROJECT_SOURCE_DIR}/src/gpu/samples/relief.png $<$<BOOL:${SCARP_SPIRV_OPT}>:${SCARP_SPIRV_OPT}>)
   scarp_add_gpu_test(gpu.engines.hlsl ${Python3_EXECUTABLE} ${gpu_dir}/engines.py hlsl
                      ${SCARP_GLSLANG} $<TARGET_FILE:relief> ${PROJECT_SOURCE_DIR})
 endblock()
 
-# The sample of src/gpu/README.md compiles.
+# What stands in src/gpu/README.md
 scarp_add_test(gpu.readme shader NEEDS glslang python3 COMMAND ${Python3_EXECUTABLE}
-               ${gpu_dir}/readme.py ${PROJECT_SOURCE_DIR}/src/gpu/README.md ${PROJECT_SOURCE_DIR}/include
-               ${SCARP_GLSLANG})
+               ${gpu_dir}/readme.py blocks ${PROJECT_SOURCE_DIR} ${SCARP_GLSLANG})
+block()
+  set(NEEDS_TOO pkg-config posix python3 sh)
+  scarp_add_gpu_test(gpu.readme.commands ${Python3_EXECUTABLE} ${gpu_dir}/readme.py commands
+                     ${PROJECT_SOURCE_DIR} $<TARGET_FILE:scarp>)
+endblock()

@@ -27,11 +27,12 @@ find_program(SCARP_MONO NAMES mono)
 find_program(SCARP_PKG_CONFIG NAMES pkg-config pkgconf)
 find_program(SCARP_SH NAMES sh)
 find_program(SCARP_SPIRV_DIS NAMES spirv-dis)
+find_program(SCARP_SPIRV_OPT NAMES spirv-opt)
 find_program(SCARP_STRACE NAMES strace)
 find_program(SCARP_VALGRIND NAMES valgrind)
 mark_as_advanced(SCARP_ABIDIFF SCARP_ABIDW SCARP_BASH SCARP_CHROMIUM SCARP_GLSLANG SCARP_GROFF SCARP_MCS SCARP_MONO
                  SCARP_PKG_CONFIG SCARP_SH
-                 SCARP_SPIRV_DIS SCARP_STRACE SCARP_VALGRIND)
+                 SCARP_SPIRV_DIS SCARP_SPIRV_OPT SCARP_STRACE SCARP_VALGRIND)
 
 # The C++ compiler that belongs to the C compiler: g++-12 to gcc-12, aarch64-linux-gnu-g++ to
 # aarch64-linux-gnu-gcc. Its headers may be missing.

@@ -2,11 +2,11 @@
 # SPDX-License-Identifier: MIT
 """How long drivers take to compile the shaders: the table of src/gpu/README.md. No test.
 
-    compile_times.py GPU_VULKAN GLSLANG CHROMIUM [RUNS]
+    compile_times.py GPU_VULKAN GLSLANG SPIRV_OPT CHROMIUM [RUNS]
 
 Medians of RUNS (5) in seconds, from the shader as a driver gets it to the result of one point:
-SPIR-V that glslang made in Vulkan, without Mesa's cache of shaders; WGSL in WebGPU, in a new browser
-for each run. These are seconds of a processor in the process that compiles, so that other work on
+SPIR-V in Vulkan, as glslang made it and after spirv-opt -O, without Mesa's cache of shaders; WGSL in
+WebGPU, in a new browser for each run. These are seconds of a processor in the process that compiles, so that other work on
 the machine does not count.
 """
 import json
@@ -78,8 +78,8 @@ def filled(shader, d, task):
     return shader % (d, ", ".join("x" * d), {"value": "0.0, 0.0, 0.0", "gradient": "n.gradient"}[task])
 
 
-def vulkan(gpu_vulkan, glslang, fixed, d, task):
-    """The program runs two shaders: this one in the place of that in 2D, and one that does nothing."""
+def vulkan(gpu_vulkan, glslang, optimise, fixed, d, task):
+    """`optimise` is a command. The program runs two shaders: this one in the place of that in 2D, and one that does nothing."""
     only = [f"-DSCARP_ONLY_{name.upper()}={value}u" for name, value in fixed.items()]
     with tempfile.TemporaryDirectory() as scratch:
         for name, text in (("main-2d", filled(GLSL, d, task)), ("main-3d", NOTHING)):
@@ -87,6 +87,9 @@ def vulkan(gpu_vulkan, glslang, fixed, d, task):
             source.write_text(text)
             subprocess.run([glslang, "--quiet", "-V", *only, f"-I{INCLUDE}",
                             "-o", f"{scratch}/{name}.spv", source], check=True)
+        if optimise:
+            subprocess.run([*optimise, f"{scratch}/main-2d.spv", "-o", f"{scratch}/main-2d.spv"],
+                           check=True)
         before = resource.getrusage(resource.RUSAGE_CHILDREN)
         said = subprocess.run([gpu_vulkan, f"{scratch}/main", "64", "value", "no such case"],
                               stdout=subprocess.PIPE, text=True,
@@ -129,12 +132,14 @@ def webgpu(program, fixed, d, task):
 
 
 def main():
-    gpu_vulkan, glslang, program, *runs = sys.argv[1:]
+    gpu_vulkan, glslang, spirv_opt, program, *runs = sys.argv[1:]
     for name, fixed in FIXED.items():
         for task in TASKS:
             for d in (2, 3):
                 for driver, measure in (
-                        ("llvmpipe", lambda: vulkan(gpu_vulkan, glslang, fixed, d, task)),
+                        ("llvmpipe", lambda: vulkan(gpu_vulkan, glslang, [], fixed, d, task)),
+                        ("llvmpipe after spirv-opt",
+                         lambda: vulkan(gpu_vulkan, glslang, [spirv_opt, "-O"], fixed, d, task)),
                         ("SwiftShader", lambda: webgpu(program, fixed, d, task))):
                     times = [measure() for _ in range(int(runs[0]) if runs else 5)]
                     print(f"{name}, {task} {d}D, {driver}: {statistics.median(times):.2f} "

@@ -8,6 +8,7 @@
                                                       the C# fills the constant buffer as C does
     engines.py cpp COMPILER SOURCE                    the C++ compiles
 """
+import hashlib
 import os
 import pathlib
 import subprocess
@@ -69,6 +70,9 @@ def csharp(scratch, mcs, mono, library, layout, write_relief, source):
     run(write_relief, scratch / "relief.plan", scratch / "pixels")
     plan = (scratch / "relief.plan").read_bytes()
     assert len(plan) == 5376 and (scratch / "plan").read_bytes() == plan
+    if sys.byteorder == "little":  # JavaScript writes the same: plan.mjs
+        expected = (HERE / "relief.sha256").read_text().strip()
+        assert hashlib.sha256(plan).hexdigest() == expected, "relief.sha256 is of another plan"
     print("C# lays out a noise as C, and fills the constant buffer with the same bytes")
 
 

@@ -3,7 +3,7 @@
 """The program src/gpu/samples/relief.c: its picture by a Vulkan device is, byte for byte, that by the library,
 and the one in the document. Where the shader gives other bits, it says so.
 
-    relief.py RELIEF SHADER FUSED PICTURE      FUSED is the shader with SCARP_FUSE
+    relief.py RELIEF SHADER FUSED PICTURE [SPIRV_OPT]      FUSED is the shader with SCARP_FUSE
     relief.py --write RELIEF PICTURE           writes the picture anew
 """
 import os
@@ -20,7 +20,7 @@ sys.path.insert(0, str(HERE.parent / "cli"))
 from rasters import decode_png, decode_pnm  # noqa: E402
 
 LARGEST_FILE = 800 * 1000
-RELIEF = SHADER = FUSED = PICTURE = None
+RELIEF = SHADER = FUSED = PICTURE = OPTIMISER = None
 
 
 def run(*arguments):
@@ -48,6 +48,15 @@ class Relief(unittest.TestCase):
         said, by_library = self.drawn()
         self.assertEqual(said, "")
         self.assertTrue(by_device == by_library, "the pictures differ")
+
+    def test_optimised(self):
+        """What the document advises for compile times keeps the bits."""
+        if not OPTIMISER:
+            self.skipTest("spirv-opt is missing")
+        shader = self.folder / "optimised.spv"
+        subprocess.run([OPTIMISER, "-O", SHADER, "-o", shader], check=True)
+        self.assertLess(shader.stat().st_size, pathlib.Path(SHADER).stat().st_size)
+        self.assertIn(" keeps the bits: 4096 of 4096 ", self.drawn(shader)[0])
 
     def test_fused(self):
         """The control: a shader that gives its bits up is found out by all three comparisons."""
@@ -88,5 +97,6 @@ if __name__ == "__main__":
     if sys.argv[1] == "--write":
         write(*sys.argv[2:])
     else:
-        RELIEF, SHADER, FUSED, PICTURE = sys.argv[1:]
+        RELIEF, SHADER, FUSED, PICTURE, *optimisers = sys.argv[1:]
+        OPTIMISER = optimisers[0] if optimisers else None
         unittest.main(argv=sys.argv[:1], verbosity=2)
