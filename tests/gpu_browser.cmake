@@ -30,3 +30,10 @@ foreach(language wgsl webgl)
                  recipes.${language} ${SCARP_CHROMIUM} $<TARGET_FILE:gpu_recipe_cases>
                  ${PROJECT_SOURCE_DIR} ${gpu_recipes_${language}})
 endforeach()
+
+# The pages of src/gpu/samples
+foreach(name webgpu webgl)
+  scarp_add_test(gpu.page.${name} shader NEEDS chromium posix python3
+                 COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/gpu/pages.py ${name}
+                 ${SCARP_CHROMIUM} $<TARGET_FILE:gpu_write_relief> ${PROJECT_SOURCE_DIR})
+endforeach()

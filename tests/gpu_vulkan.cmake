@@ -26,19 +26,25 @@ function(scarp_gpu_shader name source language)
   endforeach()
 endfunction()
 
+# scarp_gpu_whole_shader(NAME SOURCE options...): gpu/NAME.spv of a shader in GLSL for one purpose
+function(scarp_gpu_whole_shader name source)
+  set(output ${gpu_shaders}/${name}.spv)
+  add_custom_command(OUTPUT ${output}
+    COMMAND ${SCARP_GLSLANG} --quiet -V ${ARGN} -I${PROJECT_SOURCE_DIR}/include -o ${output} ${source}
+    DEPENDS ${source} ${PROJECT_SOURCE_DIR}/include/scarp.glsl
+    COMMENT "Compiling gpu/${name}.spv"
+    VERBATIM)
+  set_property(GLOBAL APPEND PROPERTY gpu_files ${output})
+endfunction()
+
 if(SCARP_GLSLANG)
   scarp_gpu_shader(glsl main.comp glsl)
   scarp_gpu_shader(glsl main.comp glsl -DSCARP_ROUND)
   scarp_gpu_shader(glsl-fused main.comp glsl -DSCARP_FUSE)
   scarp_gpu_shader(hlsl main.hlsl hlsl -D -e main)
   scarp_gpu_shader(hlsl-fused main.hlsl hlsl -D -e main -DSCARP_FUSE)
-  add_custom_command(OUTPUT ${gpu_shaders}/picture.spv
-    COMMAND ${SCARP_GLSLANG} --quiet -V -I${PROJECT_SOURCE_DIR}/include
-            -o ${gpu_shaders}/picture.spv ${gpu_dir}/picture.comp
-    DEPENDS ${gpu_dir}/picture.comp ${PROJECT_SOURCE_DIR}/include/scarp.glsl
-    COMMENT "Compiling gpu/picture.spv"
-    VERBATIM)
-  set_property(GLOBAL APPEND PROPERTY gpu_files ${gpu_shaders}/picture.spv)
+  scarp_gpu_whole_shader(picture ${gpu_dir}/picture.comp)
+  scarp_gpu_whole_shader(relief-fused ${PROJECT_SOURCE_DIR}/src/gpu/samples/relief.comp -DSCARP_FUSE)
   get_property(gpu_files GLOBAL PROPERTY gpu_files)
   add_custom_target(gpu_shaders ALL DEPENDS ${gpu_files})
 endif()
@@ -62,9 +68,10 @@ if("vulkan" IN_LIST scarp_found)
   endforeach()
 endif()
 
-# scarp_add_gpu_test(NAME COMMAND argument...): what the driver keeps of compiled shaders stays here
+# scarp_add_gpu_test(NAME COMMAND argument...): what the driver keeps of compiled shaders stays here.
+# NEEDS_TOO, if it is set, has more tools that it needs.
 function(scarp_add_gpu_test name)
-  scarp_add_test(${name} shader NEEDS glslang vulkan COMMAND ${ARGN})
+  scarp_add_test(${name} shader NEEDS glslang vulkan ${NEEDS_TOO} COMMAND ${ARGN})
   if(TEST ${name})
     set_tests_properties(${name} PROPERTIES
                          ENVIRONMENT MESA_SHADER_CACHE_DIR=${gpu_shaders}/cache)
@@ -79,6 +86,14 @@ scarp_add_gpu_test(gpu.hlsl gpu_vulkan ${gpu_shaders}/hlsl ${gpu_points} hessian
 scarp_add_gpu_test(gpu.glsl.answers gpu_vulkan ${gpu_shaders}/glsl ${gpu_points} answers)
 scarp_add_gpu_test(gpu.control gpu_vulkan --must-differ ${gpu_shaders}/glsl-fused ${gpu_points} hessian)
 scarp_add_gpu_test(gpu.picture gpu_picture ${gpu_shaders}/picture.spv --small)
+block()
+  set(NEEDS_TOO python3)
+  scarp_add_gpu_test(gpu.relief ${Python3_EXECUTABLE} ${gpu_dir}/relief.py $<TARGET_FILE:relief>
+                     ${PROJECT_BINARY_DIR}/bin/relief.spv ${gpu_shaders}/relief-fused.spv
+                     ${PROJECT_SOURCE_DIR}/src/gpu/samples/relief.png $<$<BOOL:${SCARP_SPIRV_OPT}>:${SCARP_SPIRV_OPT}>)
+  scarp_add_gpu_test(gpu.engines.hlsl ${Python3_EXECUTABLE} ${gpu_dir}/engines.py hlsl
+                     ${SCARP_GLSLANG} $<TARGET_FILE:relief> ${PROJECT_SOURCE_DIR})
+endblock()
 
 # Recipes, which are compiled when a test runs
 if("vulkan" IN_LIST scarp_found)
@@ -93,6 +108,7 @@ function(scarp_add_recipe_test name language) # COUNT EVERY RECIPE..., before th
     list(POP_FRONT ARGN control)
   endif()
   list(POP_FRONT ARGN count every)
+  set(NEEDS_TOO python3)
   scarp_add_gpu_test(${name} ${Python3_EXECUTABLE} ${gpu_dir}/recipes.py ${control}
                      $<TARGET_FILE:gpu_recipe_cases> ${gpu_recipes} ${SCARP_GLSLANG} ${count} ${every}
                      ${PROJECT_SOURCE_DIR}/include/scarp.${language} ${ARGN})
@@ -103,7 +119,11 @@ scarp_add_recipe_test(gpu.recipes.glsl.full glsl 30 1 ${gpu_files_of_recipes})
 scarp_add_recipe_test(gpu.recipes.hlsl.full hlsl 10 2 ${gpu_presets}/alps.recipe
                       ${gpu_examples}/marble.recipe)
 
-# The sample of src/gpu/README.md compiles.
+# What stands in src/gpu/README.md
 scarp_add_test(gpu.readme shader NEEDS glslang python3 COMMAND ${Python3_EXECUTABLE}
-               ${gpu_dir}/readme.py ${PROJECT_SOURCE_DIR}/src/gpu/README.md ${PROJECT_SOURCE_DIR}/include
-               ${SCARP_GLSLANG})
+               ${gpu_dir}/readme.py blocks ${PROJECT_SOURCE_DIR} ${SCARP_GLSLANG})
+block()
+  set(NEEDS_TOO pkg-config posix python3 sh)
+  scarp_add_gpu_test(gpu.readme.commands ${Python3_EXECUTABLE} ${gpu_dir}/readme.py commands
+                     ${PROJECT_SOURCE_DIR} $<TARGET_FILE:scarp>)
+endblock()

@@ -22,13 +22,17 @@ find_program(SCARP_BASH NAMES bash)
 find_program(SCARP_CHROMIUM NAMES chromium google-chrome chromium-browser)
 find_program(SCARP_GLSLANG NAMES glslangValidator glslang)
 find_program(SCARP_GROFF NAMES groff)
+find_program(SCARP_MCS NAMES mcs)
+find_program(SCARP_MONO NAMES mono)
 find_program(SCARP_PKG_CONFIG NAMES pkg-config pkgconf)
 find_program(SCARP_SH NAMES sh)
 find_program(SCARP_SPIRV_DIS NAMES spirv-dis)
+find_program(SCARP_SPIRV_OPT NAMES spirv-opt)
 find_program(SCARP_STRACE NAMES strace)
 find_program(SCARP_VALGRIND NAMES valgrind)
-mark_as_advanced(SCARP_ABIDIFF SCARP_ABIDW SCARP_BASH SCARP_CHROMIUM SCARP_GLSLANG SCARP_GROFF SCARP_PKG_CONFIG SCARP_SH
-                 SCARP_SPIRV_DIS SCARP_STRACE SCARP_VALGRIND)
+mark_as_advanced(SCARP_ABIDIFF SCARP_ABIDW SCARP_BASH SCARP_CHROMIUM SCARP_GLSLANG SCARP_GROFF SCARP_MCS SCARP_MONO
+                 SCARP_PKG_CONFIG SCARP_SH
+                 SCARP_SPIRV_DIS SCARP_SPIRV_OPT SCARP_STRACE SCARP_VALGRIND)
 
 # The C++ compiler that belongs to the C compiler: g++-12 to gcc-12, aarch64-linux-gnu-g++ to
 # aarch64-linux-gnu-gcc. Its headers may be missing.
@@ -120,6 +124,8 @@ scarp_tool(full-speed speed STREQUAL "full")
 scarp_tool(glslang SCARP_GLSLANG)
 scarp_tool(groff SCARP_GROFF)
 scarp_tool(linux CMAKE_SYSTEM_NAME STREQUAL "Linux")
+scarp_tool(mono SCARP_MCS AND SCARP_MONO AND NOT CMAKE_CROSSCOMPILING
+           AND NOT CMAKE_C_FLAGS MATCHES "-fsanitize")
 scarp_tool(nm CMAKE_NM)
 scarp_tool(numpy SCARP_NUMPY)
 scarp_tool(objdump CMAKE_OBJDUMP)
