@@ -1,103 +1,59 @@
 // SPDX-License-Identifier: MIT
 //
-// The terrain in space, by WebGL 2: the heights of the map as a surface with its pixels on it, and
-// a camera that flies.
+// The terrain in space, by WebGL 2: a block whose surface has the pixels of the map, with shadows,
+// under a sky, and a camera that flies.
+import {Camera} from "./camera.js";
+import {Flight} from "./flight.js";
+import {Multisampled, Texture, programOf, use} from "./gl.js";
+import {extentOf, meshOf, verticesOf} from "./mesh.js";
+import {BLOCK, GROUND, HEAVEN, PICTURE, SUNLIT, SURFACE} from "./shaders.js";
+import {sunOf, sunlight, thinned} from "./sunlight.js";
+
+export {poseOf, poseText} from "./camera.js";
 
 const GRID_MAX = 512; // vertices along a side; more samples than that are skipped
-const VERTEX = `#version 300 es
-precision highp float;
-uniform highp sampler2D heights;
-uniform mat4 camera;
-uniform vec3 scale; // of sample numbers and values
-uniform float middle; // the value at the height 0 of space
-uniform ivec2 size;
-uniform int across, every;
-uniform vec3 eye;
-out vec2 place;
-out float distance_to;
-void main() {
-    ivec2 at = min(ivec2(gl_VertexID % across, gl_VertexID / across) * every, size - 1);
-    float height = texelFetch(heights, at, 0).r - middle;
-    vec3 p = vec3(vec2(at) - 0.5 * vec2(size - 1), height) * scale * vec3(1.0, -1.0, 1.0);
-    place = (vec2(at) + 0.5) / vec2(size);
-    distance_to = length(p - eye);
-    gl_Position = camera * vec4(p, 1.0);
-}`;
-const FRAGMENT = `#version 300 es
-precision highp float;
-uniform sampler2D colours;
-uniform vec3 sky;
-in vec2 place;
-in float distance_to;
-out vec4 colour;
-void main() {
-    float haze = 1.0 - exp(-0.12 * distance_to * distance_to);
-    colour = vec4(mix(texture(colours, place).rgb, sky, 0.75 * haze), 1.0);
-}`;
+const LIT_MAX = 1024; // likewise of the lights
+const MESHES_MAX = 8; // that are kept
 
-function shader(gl, type, source) {
-    const made = gl.createShader(type);
-    gl.shaderSource(made, source);
-    gl.compileShader(made);
-    return made;
+// Frames have the first of these details that takes so few milliseconds, or the last one: one of
+// `times` vertices along a side, and samples of a pixel at edges. `cost` is what that takes of the
+// time of the first one, in a renderer in software.
+const FINE = {times: 1, samples: 4, cost: 1};
+const MOVING = {ms: 40, details: [FINE, {times: 1, samples: 0, cost: 0.4},
+    {times: 2, samples: 0, cost: 0.2}, {times: 4, samples: 0, cost: 0.1}]};
+const RESTING = {ms: 500, details: [FINE, {times: 2, samples: 4, cost: 0.35}]};
+
+// What the pixels of a view have of the sun and the sky. Other views are measurements: no shadows.
+const LIGHTS = {
+    relief: {sun: [1.06, 1, 0.9], sky: [0.27, 0.3, 0.36], isMirror: true},
+    hillshade: {sun: [1, 1, 1], sky: [0.22, 0.22, 0.22], isMirror: false},
+};
+const NOWHERE = 1e9; // the height of a sea that is not there
+
+function isNight() {
+    const {theme} = document.documentElement.dataset;
+    return (theme ?? (matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "")) === "dark";
 }
-
-function programOf(gl) {
-    const program = gl.createProgram();
-    gl.attachShader(program, shader(gl, gl.VERTEX_SHADER, VERTEX));
-    gl.attachShader(program, shader(gl, gl.FRAGMENT_SHADER, FRAGMENT));
-    gl.linkProgram(program);
-    if (!gl.getProgramParameter(program, gl.LINK_STATUS)) {
-        throw new Error(gl.getProgramInfoLog(program));
-    }
-    return program;
-}
-
-// A strip of triangles for each pair of rows
-function indicesOf(across, down) {
-    const indices = new Uint32Array((down - 1) * (2 * across + 1));
-    let n = 0;
-    for (let row = 0; row + 1 < down; row++) {
-        for (let column = 0; column < across; column++) {
-            indices[n++] = row * across + column;
-            indices[n++] = (row + 1) * across + column;
-        }
-        indices[n++] = 0xffffffff; // the strip ends
-    }
-    return indices;
-}
-
-// The mean of some thousand values
-function meanOf(values) {
-    const every = Math.ceil(values.length / 4096);
-    let sum = 0, count = 0;
-    for (let i = 0; i < values.length; i += every) {
-        sum += values[i];
-        count++;
-    }
-    return sum / count;
-}
-
-const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
-    a[0] * b[1] - a[1] * b[0]];
-const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-const scaled = (a, s) => a.map(x => x * s);
-const sum = (a, b) => a.map((x, i) => x + b[i]);
-const unit = a => scaled(a, 1 / Math.hypot(...a));
 
 export class View3d {
     // moved() is called when the camera has come to rest.
     constructor(canvas, moved) {
         this.canvas = canvas;
-        this.moved = moved;
-        this.gl = canvas.getContext("webgl2", {antialias: true, preserveDrawingBuffer: true});
-        this.keys = new Set();
-        this.fingers = new Map();
-        this.frame = null;
-        this.pose = {eye: [0, -0.85, 0.5], yaw: 0, pitch: -0.6};
+        this.gl = canvas.getContext("webgl2", {antialias: false, preserveDrawingBuffer: true});
+        this.camera = new Camera();
+        this.scene = null; // what is shown of a frame
+        this.meshes = new Map(); // by their numbers of vertices
+        this.pace = 0; // milliseconds that a frame with all vertices takes
+        this.fence = null; // that tells when a frame is there
         if (this.gl !== null) {
             this.prepare();
-            this.listen();
+            this.flight = new Flight(canvas, this.camera, {
+                moving: () => this.draw(MOVING),
+                resting: () => {
+                    this.draw();
+                    moved();
+                },
+            });
         }
     }
 
@@ -105,214 +61,172 @@ export class View3d {
         return this.gl !== null;
     }
 
-    prepare() {
-        const {gl} = this;
-        this.program = programOf(gl);
-        this.place = name => gl.getUniformLocation(this.program, name);
-        this.heights = this.texture(gl.NEAREST);
-        this.colours = this.texture(gl.LINEAR);
-        this.indices = gl.createBuffer();
-        gl.enable(gl.DEPTH_TEST);
-        new ResizeObserver(() => this.draw()).observe(this.canvas);
+    get pose() {
+        return this.camera.pose;
     }
 
-    texture(filter) {
-        const {gl} = this, texture = gl.createTexture();
-        gl.bindTexture(gl.TEXTURE_2D, texture);
-        for (const [name, value] of [[gl.TEXTURE_MIN_FILTER, filter],
-            [gl.TEXTURE_MAG_FILTER, filter], [gl.TEXTURE_WRAP_S, gl.CLAMP_TO_EDGE],
-            [gl.TEXTURE_WRAP_T, gl.CLAMP_TO_EDGE]]) {
-            gl.texParameteri(gl.TEXTURE_2D, name, value);
-        }
-        return texture;
+    get flying() {
+        return this.flight.isFlying;
+    }
+
+    prepare() {
+        const {gl} = this;
+        this.programs = {
+            sunlit: programOf(gl, PICTURE, SUNLIT), surface: programOf(gl, GROUND, SURFACE),
+            block: programOf(gl, GROUND, BLOCK), heaven: programOf(gl, PICTURE, HEAVEN),
+        };
+        const names = ["heights", "colours", "lights", "sunlit"];
+        this.textures = Object.fromEntries(names.map((name, i) =>
+            [name, new Texture(gl, i, {isSmooth: name !== "heights"})]));
+        this.target = gl.createFramebuffer();
+        this.multisampled = new Multisampled(gl);
+        gl.depthFunc(gl.LEQUAL); // the sky lies where depths end
+        gl.pixelStorei(gl.UNPACK_ALIGNMENT, 1);
+        new ResizeObserver(() => this.draw()).observe(this.canvas);
+        new MutationObserver(() => this.draw()).observe(document.documentElement,
+            {attributeFilter: ["data-theme"]});
+        matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => this.draw());
     }
 
     // Takes a frame of the pool.
     show(frame) {
-        const {gl} = this, {width, height} = frame.raster;
-        gl.bindTexture(gl.TEXTURE_2D, this.heights);
-        gl.texImage2D(gl.TEXTURE_2D, 0, gl.R32F, width, height, 0, gl.RED, gl.FLOAT, frame.values);
-        gl.bindTexture(gl.TEXTURE_2D, this.colours);
-        gl.texImage2D(gl.TEXTURE_2D, 0, gl.RGBA, width, height, 0, gl.RGBA, gl.UNSIGNED_BYTE,
-            new Uint8Array(frame.pixels.buffer));
-        const every = Math.ceil(Math.max(width, height) / GRID_MAX);
-        const [across, down] = [width, height].map(n => Math.ceil((n - 1) / every) + 1);
-        if (this.across !== across || this.down !== down) {
-            Object.assign(this, {across, down});
-            const indices = indicesOf(across, down);
-            this.count = indices.length;
-            gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.indices);
-            gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, indices, gl.STATIC_DRAW);
+        if (frame !== this.scene?.frame) {
+            this.scene = this.sceneOf(frame);
+            this.shine();
         }
-        this.frame = {raster: frame.raster, scale: 1, every,
-            middle: meanOf(frame.values)};
         this.draw();
     }
 
-    axes() {
-        const {yaw, pitch} = this.pose;
-        const ahead = [Math.sin(yaw) * Math.cos(pitch), Math.cos(yaw) * Math.cos(pitch),
-            Math.sin(pitch)];
-        const right = unit(cross(ahead, [0, 0, 1]));
-        return {ahead, right, up: cross(right, ahead)};
+    // Gives the frame to the GPU.
+    sceneOf(frame) {
+        const {gl, textures} = this, {raster, values, pixels, job, numbers} = frame;
+        const size = [raster.width, raster.height], longest = Math.max(...size);
+        const [every, litEvery] = [GRID_MAX, LIT_MAX].map(most => Math.ceil(longest / most));
+        const [grid, lit] = [every, litEvery].map(n => size.map(side => verticesOf(side, n)));
+        const sun = sunOf(job.azimuth, job.altitude), light = LIGHTS[job.view] ?? null;
+        const {lowest, mean, highest} = extentOf(values), perUnit = 1 / (longest * raster.step);
+        const lights = light && sunlight(thinned(values, raster, litEvery, lit), lit,
+            raster.step * litEvery, sun, job.zFactor);
+        textures.heights.fill(grid, [gl.R32F, gl.RED, gl.FLOAT],
+            thinned(values, raster, every, grid));
+        textures.colours.fill(size, [gl.RGBA, gl.RGBA, gl.UNSIGNED_BYTE],
+            new Uint8Array(pixels.buffer));
+        textures.lights.fill(lights ? lit : [1, 1], [gl.RG8, gl.RG, gl.UNSIGNED_BYTE],
+            lights ?? Uint8Array.of(255, 0));
+        return {frame, size, every, grid, sun, light, middle: mean, perUnit,
+            base: (lowest - mean - 0.05 * (highest - lowest)) * perUnit - 0.05,
+            sea: light?.isMirror && numbers.hasSea ? (numbers.floor - mean) * perUnit : NOWHERE};
     }
 
-    cameraMatrix() {
-        const {ahead, right, up} = this.axes(), {eye} = this.pose, {canvas} = this;
-        const near = 0.002, far = 20, focal = 1 / Math.tan(0.45);
-        const aspect = canvas.width / canvas.height, wide = focal / Math.max(aspect, 0.01);
-        const view = [right, up, scaled(ahead, -1)].map(axis => [...axis, -dot(axis, eye)]);
-        const a = (far + near) / (near - far), b = 2 * far * near / (near - far);
-        const rows = [scaled(view[0], aspect < 1 ? focal : wide),
-            scaled(view[1], aspect < 1 ? focal * aspect : focal),
-            [a * view[2][0], a * view[2][1], a * view[2][2], a * view[2][3] + b],
-            scaled(view[2], -1)];
-        return new Float32Array([0, 1, 2, 3].flatMap(c => rows.map(row => row[c])));
+    // Draws the map with its shadows into a texture. They depend on heights and sun alone, so they
+    // stay while the camera moves.
+    shine() {
+        const {gl, textures, scene} = this, {sunlit} = textures, {sun, size, light} = scene;
+        const warm = Math.max(0, 1 - sun[2] / 0.5) ** 2; // low suns are redder
+        sunlit.fill(size, [gl.RGBA8, gl.RGBA, gl.UNSIGNED_BYTE], null);
+        gl.bindFramebuffer(gl.FRAMEBUFFER, this.target);
+        gl.framebufferTexture2D(gl.FRAMEBUFFER, gl.COLOR_ATTACHMENT0, gl.TEXTURE_2D,
+            sunlit.texture, 0);
+        gl.viewport(0, 0, ...size);
+        gl.disable(gl.DEPTH_TEST);
+        use(gl, this.programs.sunlit, {colours: ["uniform1i", textures.colours.unit],
+            lights: ["uniform1i", textures.lights.unit],
+            sunlight: ["uniform3fv", light?.sun ?? [0, 0, 0]],
+            skylight: ["uniform3fv", light?.sky ?? [1, 1, 1]],
+            tint: ["uniform3f", 1 + 0.25 * warm, 1 - 0.05 * warm, 1 - 0.3 * warm]});
+        gl.drawArrays(gl.TRIANGLES, 0, 3);
+        gl.enable(gl.DEPTH_TEST);
+        gl.bindFramebuffer(gl.FRAMEBUFFER, null);
+        sunlit.reduce();
     }
 
-    draw() {
-        const {gl, canvas, frame} = this;
-        if (frame === null || canvas.hidden) {
+    // The triangles with one of `times` vertices along a side
+    mesh(times) {
+        const [across, down] = this.scene.grid.map(n => verticesOf(n, times));
+        const key = `${across} ${down}`;
+        if (!this.meshes.has(key)) {
+            if (this.meshes.size === MESHES_MAX) {
+                const [oldest, {buffer}] = this.meshes.entries().next().value;
+                this.gl.deleteBuffer(buffer);
+                this.meshes.delete(oldest);
+            }
+            this.meshes.set(key, meshOf(this.gl, across, down));
+        }
+        return this.meshes.get(key);
+    }
+
+    draw({ms, details} = RESTING) {
+        const {gl, canvas, scene} = this;
+        if (scene === null || canvas.hidden) {
             return;
         }
         const dense = Math.min(devicePixelRatio, 2);
-        const width = Math.round(canvas.clientWidth * dense);
-        const height = Math.round(canvas.clientHeight * dense);
-        if (canvas.width !== width || canvas.height !== height) {
-            Object.assign(canvas, {width, height});
+        const size = [canvas.clientWidth, canvas.clientHeight].map(n =>
+            Math.max(1, Math.round(n * dense)));
+        if (canvas.width !== size[0] || canvas.height !== size[1]) {
+            [canvas.width, canvas.height] = size;
         }
-        const isDark = matchMedia("(prefers-color-scheme: dark)").matches ? "dark" : "light";
-        const theme = document.documentElement.dataset.theme ?? isDark;
-        const sky = theme === "dark" ? [0.16, 0.2, 0.25] : [0.76, 0.83, 0.9];
-        gl.viewport(0, 0, width, height);
-        gl.clearColor(...sky, 1);
+        const begin = performance.now();
+        const detail = details.find(({cost}) => cost * this.pace <= ms) ?? details.at(-1);
+        if (detail.samples > 0) {
+            this.multisampled.begin(size, detail.samples);
+            this.drawScene(size, detail.times);
+            this.multisampled.end(size);
+        } else {
+            this.drawScene(size, detail.times);
+        }
+        this.measure(begin, detail.cost);
+    }
+
+    drawScene(size, times) {
+        const {gl, programs} = this, mesh = this.mesh(times);
+        const uniforms = this.uniforms(mesh, times, size[0] / size[1]);
+        gl.viewport(0, 0, ...size);
         gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
-        this.setUniforms(sky);
-        gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, this.indices);
-        gl.drawElements(gl.TRIANGLE_STRIP, this.count, gl.UNSIGNED_INT, 0);
+        gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, mesh.buffer);
+        use(gl, programs.surface, uniforms);
+        gl.drawElements(gl.TRIANGLE_STRIP, mesh.surface, gl.UNSIGNED_INT, 0);
+        use(gl, programs.block, {...uniforms, is_mirror: ["uniform1i", 0]});
+        gl.drawElements(gl.TRIANGLE_STRIP, mesh.block, gl.UNSIGNED_INT, 4 * mesh.surface);
+        use(gl, programs.heaven, uniforms);
+        gl.drawArrays(gl.TRIANGLES, 0, 3);
     }
 
-    setUniforms(sky) {
-        const {gl, place} = this, {raster, scale, every} = this.frame;
-        const perSample = 1 / Math.max(raster.width, raster.height);
-        gl.useProgram(this.program);
-        gl.activeTexture(gl.TEXTURE0);
-        gl.bindTexture(gl.TEXTURE_2D, this.heights);
-        gl.activeTexture(gl.TEXTURE1);
-        gl.bindTexture(gl.TEXTURE_2D, this.colours);
-        gl.activeTexture(gl.TEXTURE0);
-        gl.uniform1i(place("heights"), 0);
-        gl.uniform1i(place("colours"), 1);
-        gl.uniform1i(place("across"), this.across);
-        gl.uniform1i(place("every"), every);
-        gl.uniform2i(place("size"), raster.width, raster.height);
-        gl.uniform3f(place("scale"), perSample, perSample, scale * perSample / raster.step);
-        gl.uniform1f(place("middle"), this.frame.middle);
-        gl.uniform3f(place("sky"), ...sky);
-        gl.uniform3f(place("eye"), ...this.pose.eye);
-        gl.uniformMatrix4fv(place("camera"), false, this.cameraMatrix());
+    uniforms(mesh, times, aspect) {
+        const {size, every, grid, sun, middle, perUnit, base, sea} = this.scene, {textures} = this;
+        const perSample = 1 / Math.max(...size);
+        const low = Math.max(0, 1 - Math.max(sun[2] - 0.02, 0) / 0.48); // below 30 degrees
+        return {heights: ["uniform1i", textures.heights.unit],
+            sunlit: ["uniform1i", textures.sunlit.unit],
+            camera: ["uniformMatrix4fv", false, this.camera.matrix(aspect)],
+            rays: ["uniformMatrix3fv", false, this.camera.rays(aspect)],
+            eye: ["uniform3fv", this.pose.eye], scale: ["uniform3f", perSample, perSample, perUnit],
+            middle: ["uniform1f", middle], base: ["uniform1f", base], sea: ["uniform1f", sea],
+            is_mirror: ["uniform1i", 1],
+            size: ["uniform2iv", size], grid: ["uniform2iv", grid],
+            mesh: ["uniform2i", mesh.across, mesh.down], times: ["uniform1i", times],
+            every: ["uniform1i", every], sun: ["uniform3fv", sun],
+            low: ["uniform1f", low * low * (3 - 2 * low)], night: ["uniform1f", Number(isNight())]};
     }
 
-    // Moves along the axes of the camera, by fractions of the terrain's width.
-    fly(right, ahead, up) {
-        const axes = this.axes(), {pose} = this;
-        pose.eye = sum(sum(pose.eye, scaled(axes.right, right)),
-            sum(scaled(axes.ahead, ahead), [0, 0, up]));
-    }
-
-    look(right, up) {
-        this.pose.yaw += right;
-        this.pose.pitch = Math.max(-1.5, Math.min(1.5, this.pose.pitch + up));
-    }
-
-    listen() {
-        const {canvas} = this, moves = "wasdqe";
-        addEventListener("keydown", event => {
-            const key = event.key.toLowerCase(), typed = event.target.matches("input, textarea");
-            if (canvas.hidden || typed || event.ctrlKey || event.metaKey || event.altKey ||
-                key.length !== 1 || !moves.includes(key)) {
+    // Learns how long frames take, without waiting for them: of one at a time.
+    measure(begin, cost) {
+        const {gl} = this;
+        if (this.fence !== null) {
+            return;
+        }
+        this.fence = gl.fenceSync(gl.SYNC_GPU_COMMANDS_COMPLETE, 0);
+        gl.flush();
+        const look = () => {
+            if (gl.getSyncParameter(this.fence, gl.SYNC_STATUS) !== gl.SIGNALED) {
+                setTimeout(look, 4);
                 return;
             }
-            this.keys.add(key);
-            this.start();
-        });
-        addEventListener("keyup", event => this.keys.delete(event.key.toLowerCase()));
-        addEventListener("blur", () => this.keys.clear());
-        canvas.addEventListener("pointerdown", event => {
-            canvas.setPointerCapture(event.pointerId);
-            this.fingers.set(event.pointerId, event);
-        });
-        canvas.addEventListener("pointermove", event => this.dragged(event));
-        for (const name of ["pointerup", "pointercancel"]) {
-            canvas.addEventListener(name, event => {
-                this.fingers.delete(event.pointerId);
-                this.moved();
-            });
-        }
-        canvas.addEventListener("wheel", event => {
-            event.preventDefault();
-            this.fly(0, -Math.sign(event.deltaY) * 0.05, 0);
-            this.draw();
-            this.moved();
-        }, {passive: false});
-    }
-
-    // One finger or the mouse looks around; with Shift or the right button, or two fingers, moves.
-    dragged(event) {
-        const before = this.fingers.get(event.pointerId);
-        if (before === undefined) {
-            return;
-        }
-        const size = this.canvas.clientHeight;
-        const x = (event.clientX - before.clientX) / size;
-        const y = (event.clientY - before.clientY) / size;
-        if (this.fingers.size > 1) {
-            const [a, b] = [...this.fingers.values()];
-            const spread = Math.hypot(a.clientX - b.clientX, a.clientY - b.clientY);
-            this.fingers.set(event.pointerId, event);
-            const [c, d] = [...this.fingers.values()];
-            const now = Math.hypot(c.clientX - d.clientX, c.clientY - d.clientY);
-            this.fly(-x / 2, (now - spread) / size, y / 2);
-        } else if (event.shiftKey || event.buttons === 2) {
-            this.fly(-x, 0, y);
-        } else {
-            this.look(-1.5 * x, 1.5 * y);
-        }
-        this.fingers.set(event.pointerId, event);
-        this.draw();
-    }
-
-    // Flies as long as keys are held.
-    start() {
-        if (this.flying) {
-            return;
-        }
-        this.flying = true;
-        let last = performance.now();
-        const next = now => {
-            const far = Math.min(now - last, 100) * 0.0004, {keys} = this;
-            const axis = (plus, minus) => far * (keys.has(plus) - keys.has(minus));
-            last = now;
-            this.fly(axis("d", "a"), axis("w", "s"), axis("e", "q"));
-            this.draw();
-            this.flying = keys.size > 0 && !this.canvas.hidden;
-            if (this.flying) {
-                requestAnimationFrame(next);
-            } else {
-                this.moved();
-            }
+            gl.deleteSync(this.fence);
+            this.fence = null;
+            const ms = (performance.now() - begin) / cost;
+            this.pace = this.pace === 0 ? ms : (this.pace + ms) / 2;
         };
-        requestAnimationFrame(next);
+        setTimeout(look, 4);
     }
-}
-
-// The camera as text, for the URL, and back
-export const poseText = ({eye, yaw, pitch}) =>
-    [...eye, yaw, pitch].map(n => n.toFixed(3)).join(",");
-
-export function poseOf(text) {
-    const numbers = String(text).split(",").map(Number);
-    const [x, y, z, yaw, pitch] = numbers;
-    return numbers.length === 5 && numbers.every(n => Math.abs(n) < 1000)
-        ? {eye: [x, y, z], yaw, pitch} : null;
 }
