@@ -25,7 +25,7 @@ DOCUMENTS = {
     "README.md": {"program": 2, "fragment": 1, "program in C++": 1, "python": 1},
     "src/examples/README.md": {"program": 5, "fragment": 2, "wrapper in C++": 1},
     "src/cli/README.md": {"animation": 1},
-    "src/gpu/README.md": {"fragment": 1},
+    "src/gpu/README.md": {"fragment": 2},
     "src/recipe/README.md": {"program": 1},
 }
 # What uses the functions that a document wraps the library in.
@@ -46,6 +46,11 @@ int main()
 }
 """
 FRAGMENT = """#include <scarp.h>
+#include <string.h>
+extern struct scarp_recipe recipe;
+extern const char *wgsl;
+struct scarp_recipe recipe;
+const char *wgsl = "";
 void fragment(struct scarp_noise noise, struct scarp_samples out);
 void fragment(struct scarp_noise noise, struct scarp_samples out)
 {

@@ -28,7 +28,7 @@ Libs: -L{lib} -lscarp
 PARTS = {"js": ("webgpu.html", "webgl.html", "plan.mjs"), "hlsl": ("Relief.compute", "Relief.usf"),
          "csharp": ("Relief.cs", "Scarp.cs"), "cpp": ("Relief.cpp",)}
 # How many blocks there are that others test
-OTHERS = {"c": 1, "wgsl": 1}
+OTHERS = {"c": 2, "wgsl": 1}
 
 
 class Readme:
