@@ -1,29 +1,31 @@
 // SPDX-License-Identifier: MIT
 //
 // The page: keeps the state, asks the workers for frames, and shows what comes of them.
-import {check} from "./check.js";
-import {Controls} from "./controls.js";
 import {connectActions} from "./actions.js";
-import {hasVectors} from "./compile.mjs";
+import {hasVectors} from "../compile.mjs";
+import {Controls} from "./controls.js";
+import {readDocument} from "./document.js";
 import {sha256} from "./export.js";
 import {connectKeys} from "./keys.js";
+import {Look} from "./look.js";
 import {MapView, placeOf} from "./map.js";
-import {ROWS} from "./parameters.js";
-import {Pool} from "./pool.js";
-import {loadPresets, paletteOf} from "./recipes.js";
-import {NOISE, OWN, VIEWS, fromHash, textOf, toHash} from "./state.js";
-import {loadTerrain} from "./terrain.js";
-import {View3d, poseOf, poseText} from "./view3d.js";
+import {ROWS, parseOptions} from "./options.js";
+import {Pictures, Pool} from "./pool.js";
+import {fromHash, paletteOf, presetOf, toHash} from "./state.js";
+import {compileModule, loadTerrain} from "./terrain.js";
+import {Workspace} from "./workspace.js";
 
 const FRAME_MS = 20; // what a frame may take while something is dragged
+const SETTLE_MS = 250; // after which a drag without an end has ended
 const SAMPLES_MAX = 1.6e6; // of a raster that fits the window
 const byId = id => document.getElementById(id);
 
 class Page {
-    constructor(terrain, presets) {
+    constructor(module, terrain, state) {
         this.terrain = terrain;
-        this.presets = presets; // texts by name
-        this.state = fromHash(location.hash);
+        this.state = state;
+        this.base = state.text; // what Reset returns to
+        this.recipe = readDocument(terrain.scarp, state.text);
         this.checked = null;
         this.last = null; // the last frame
         this.whole = null; // the last frame that is no preview
@@ -31,12 +33,15 @@ class Page {
         this.wishes = 0; // frames that were asked for
         this.sampleMs = 2e-4; // what a sample takes, learnt from frames
         this.isDragging = false;
-        this.pool = new Pool(frame => this.show(frame), message => this.fail(message));
-        this.map = new MapView(byId("map"), (texts, dragging) => this.move(texts, dragging),
+        this.pool = new Pool(module, frame => this.show(frame), message => this.fail(message));
+        this.pictures = new Pictures(module);
+        this.map = new MapView(byId("map"), (texts, dragging) => this.change(texts, dragging),
             at => this.hover(at));
         this.controls = new Controls(byId("groups"), byId("params"),
             (name, text, dragging) => this.change({[name]: text}, dragging),
-            (name, text, dragging) => this.setValue(name, text, dragging));
+            (...all) => this.setParam(...all));
+        this.work = new Workspace(this);
+        this.look = new Look(this);
         this.world = null; // made when it is first looked at
     }
 
@@ -52,25 +57,30 @@ class Page {
         this.update(isDragging);
     }
 
-    // Sets a parameter of the recipe; undefined takes it back.
-    setValue(name, text, isDragging = false) {
-        if (text === undefined) {
-            delete this.state.values[name];
+    // A parameter is a number in the text. A drag is one step of the history.
+    setParam({valueSpan: [from, to]}, text, isDragging, isFirst) {
+        this.isDragging = isDragging;
+        if (this.state.text.slice(from, to) === text) {
+            this.update(isDragging);
         } else {
-            this.state.values[name] = text;
+            this.work.edit([{from, to, insert: text}], {userEvent: "input.drag", join: !isFirst});
         }
-        this.update(isDragging);
     }
 
-    // A text of one's own. The last picture stays while it has errors.
-    setText(text) {
-        this.state.preset = OWN;
-        this.state.text = text;
-        this.update();
+    // Something is dragged that does not tell its end.
+    drag() {
+        this.isDragging = true;
+        clearTimeout(this.settling);
+        this.settling = setTimeout(() => this.update(), SETTLE_MS);
     }
 
-    move(texts, isDragging) {
-        this.change(texts, isDragging);
+    // The text is another one. The last picture stays while it has errors.
+    textChanged(text) {
+        if (text !== this.state.text) {
+            this.state.text = text;
+            this.recipe = readDocument(this.terrain.scarp, text);
+            this.update(this.isDragging);
+        }
     }
 
     setView(view) {
@@ -78,16 +88,33 @@ class Page {
         this.update();
     }
 
-    // A preset brings its own numbers; seed, raster and light stay. One's own text begins with the
-    // recipe that was shown.
-    setPreset(preset) {
-        const stays = ["seed", "size", "origin", "step", "azimuth", "altitude", "z-factor"];
-        this.state.text = preset === OWN ? this.state.text ?? this.checked.text : null;
-        this.state.preset = preset;
-        this.state.values = {};
-        this.state.given = Object.fromEntries(Object.entries(this.state.given)
-            .filter(([name]) => stays.includes(name)));
+    setPane(pane) {
+        this.state.pane = pane;
         this.update();
+    }
+
+    setNode(name) {
+        this.state.node = name;
+        this.update();
+    }
+
+    setPreset(text) {
+        this.base = text;
+        this.work.setText(text);
+    }
+
+    // The text as it came, and all options as they are without being given, but for the size
+    reset() {
+        const {size} = this.state.given;
+        this.state.given = this.checked.messages.has("size") ? {} : {size};
+        if (this.state.text !== this.base) {
+            this.work.setText(this.base);
+        }
+        if (this.state.given.size === undefined) {
+            this.fit();
+        } else {
+            this.update();
+        }
     }
 
     changeSeed(by) {
@@ -104,25 +131,60 @@ class Page {
         this.change({size: sides.join("x")});
     }
 
+    // What is wrong: {options, messages, source}; `source` is what workers take, null if there are
+    // messages: by option, and "recipe" for the text.
+    check() {
+        const {options, messages} = parseOptions(this.state.given), {text} = this.state;
+        const [error] = this.recipe.errors;
+        if (error) {
+            const member = error.member ? `${error.member}: ` : "";
+            messages.set("recipe", `line ${error.line}: ${member}${error.text}`);
+        } else if (options.seed !== undefined && this.look.isTerrain) {
+            const problem = this.terrain.open({text, seed: options.seed});
+            if (problem !== null) {
+                messages.set("recipe", problem);
+            }
+        }
+        const source = messages.size === 0 ? {text, seed: options.seed} : null;
+        return {options, messages, source};
+    }
+
     update(isDragging = false) {
+        clearTimeout(this.settling);
         this.isDragging = isDragging;
-        this.checked = check(this.terrain, this.presets, this.state);
-        this.controls.show(this.state, this.checked);
+        this.look.read(this.recipe);
+        this.checked = this.check();
+        const {messages, source} = this.checked;
+        this.controls.show(this.state.given, messages, this.recipe);
+        this.work.show(this.recipe);
         this.showState();
         this.saveHash();
-        if (this.checked.source !== null) {
+        byId("map").classList.toggle("stale", source === null);
+        byId("world").classList.toggle("stale", source === null);
+        if (source !== null) {
             this.notice(null);
             this.request();
         } else {
-            const [name, message] = [...this.checked.messages][0];
-            const label = ROWS.get(name)?.label ?? name.replace(/^=/, "");
-            this.notice(`${label}: ${message}`);
+            const [name, message] = [...messages][0];
+            this.notice(`${ROWS.get(name)?.label ?? name}: ${message}`);
         }
+    }
+
+    lookAtCursor() {
+        if (this.look.isAtCursor && this.checked !== null) {
+            this.update(this.isDragging);
+        }
+    }
+
+    jobOf(raster, view, node) {
+        const {options, source} = this.checked;
+        return {source, raster, view, node, palette: paletteOf(source.text),
+            azimuth: options.azimuth, altitude: options.altitude, zFactor: options["z-factor"]};
     }
 
     // While something is dragged, as many samples as there is time for
     request() {
-        const {options, source, text} = this.checked, [width, height] = options.size;
+        const {options} = this.checked, [width, height] = options.size;
         const whole = {width, height, origin: options.origin, step: options.step};
         const ms = width * height * this.sampleMs;
         let every = 1;
@@ -132,9 +194,14 @@ class Page {
         const raster = {...whole, width: Math.ceil(width / every), height: Math.ceil(height / every),
             step: whole.step * every};
         document.documentElement.dataset.ready = "no";
-        this.pool.request({number: ++this.wishes, source, raster, whole, every,
-            view: this.state.view, palette: paletteOf(text), azimuth: options.azimuth,
-            altitude: options.altitude, zFactor: options["z-factor"]});
+        this.pool.request({...this.jobOf(raster, this.look.view, this.look.node), whole, every,
+            number: ++this.wishes, name: this.look.name});
+    }
+
+    // A small picture of a node, of the middle of what the map shows: a number of a statement, or
+    // 65536 and that of a part. callback({image, lowest, highest}); returns what takes the wish back.
+    picture(which, width, height, callback) {
+        return this.look.picture(which, width, height, callback);
     }
 
     show(frame) {
@@ -145,14 +212,11 @@ class Page {
         this.map.paint(frame, job.whole);
         this.last = frame;
         this.showWorld();
-        const preview = job.every > 1 ? " (preview)" : "";
-        const isWithout = job.view === "curvature" && !frame.numbers.hasHessian;
-        byId("status-note").textContent = isWithout
-            ? "this terrain has no Hessian: bends are differences of exact slopes" : "";
-        byId("status-size").textContent = `${width} × ${height}${preview}`;
+        this.look.show(frame);
+        byId("status-size").textContent = `${width} × ${height}${job.every > 1 ? " (preview)" : ""}`;
         byId("status-time").textContent = `${ms < 100 ? ms.toFixed(1) : Math.round(ms)} ms`;
         if (job.every > 1) {
-            if (!this.isDragging) {
+            if (!this.isDragging && this.checked.source !== null) {
                 this.request();
             }
             return;
@@ -166,14 +230,13 @@ class Page {
 
     // What takes time that dragging has not: the hash of the heights
     async finish() {
-        const {whole} = this, {floor, highest} = whole.numbers;
-        const hash = await sha256(whole.values);
+        const {whole} = this, hash = await sha256(whole.values);
         if (whole !== this.whole) {
             return;
         }
         byId("status-hash").textContent = hash ? `heights ${hash.slice(0, 12)}…` : "";
         byId("status-hash").dataset.hash = hash ?? "";
-        const [low, high] = [floor + 0, highest + 0].map(n => Number(n.toPrecision(9)));
+        const [low, high] = this.look.interval(whole).map(n => Number((n + 0).toPrecision(9)));
         byId("heights-range").textContent = `16-bit heights: 0 is ${low}, 65535 is ${high}`;
         if (whole.job.number === this.wishes) {
             document.documentElement.dataset.ready = "yes";
@@ -185,30 +248,28 @@ class Page {
         readout.hidden = !at || whole?.job.whole !== this.map.raster;
         if (!readout.hidden) {
             const [x, y] = placeOf(raster, at.column, at.row);
-            const height = whole.values[at.row * raster.width + at.column];
-            readout.textContent =
-                `x ${x.toFixed(1)}  y ${y.toFixed(1)}  height ${height.toFixed(2)}`;
+            const value = whole.values[at.row * raster.width + at.column];
+            readout.textContent = `x ${x.toFixed(1)}  y ${y.toFixed(1)}  ` +
+                (whole.job.node ? `value ${Number(value.toPrecision(4))}` :
+                    `height ${value.toFixed(2)}`);
         }
     }
 
     showState() {
-        const {state} = this;
-        byId("preset").value = state.preset;
-        byId("seed-now").textContent = textOf(state, "seed");
-        document.querySelectorAll("#views button").forEach(button =>
-            button.setAttribute("aria-checked", String(button.dataset.view === state.view)));
+        const {state} = this, preset = presetOf(state.text), seed = state.given.seed ?? "1";
+        const base = presetOf(this.base), own = byId("preset").lastElementChild;
+        own.textContent = base === null ? "your own recipe" : `${base}, edited`;
+        own.hidden = preset !== null;
+        byId("preset").value = preset ?? "";
+        byId("seed-now").textContent = seed;
         byId("space").setAttribute("aria-pressed", String(state.space));
-        const area = byId("recipe-text"), {text, messages} = this.checked;
-        if (document.activeElement !== area || state.preset !== OWN) {
-            area.value = text ?? state.text ?? "";
-        }
-        byId("recipe-message").textContent = messages.get("recipe") ?? "";
-        area.setAttribute("aria-invalid", String(messages.has("recipe")));
+        byId("recipe-message").textContent = this.checked.messages.get("recipe") ?? "";
         byId("map").hidden = state.space;
         byId("world").hidden = !state.space;
         this.showWorld();
-        byId("map").setAttribute("aria-label", `Map of the terrain ${state.preset}, ` +
-            `seed ${textOf(state, "seed")}, ${state.view}`);
+        this.look.showState();
+        byId("map").setAttribute("aria-label", `Map of ${this.look.name || "the terrain"} ` +
+            `${preset ?? own.textContent}, seed ${seed}, ${this.look.view}`);
     }
 
     // Browsers allow some changes of the URL a second.
@@ -217,9 +278,12 @@ class Page {
         this.saving = setTimeout(() => this.flushHash(), 150);
     }
 
-    flushHash() {
+    async flushHash() {
         clearTimeout(this.saving);
-        history.replaceState(null, "", toHash(this.state));
+        const {text} = this.state, hash = await toHash(this.state);
+        if (text === this.state.text) {
+            history.replaceState(null, "", hash);
+        }
     }
 
     setSpace(space) {
@@ -228,10 +292,11 @@ class Page {
     }
 
     // The frame in space, if that is what is looked at
-    showWorld() {
+    async showWorld() {
         if (!this.state.space || !this.last) {
             return;
         }
+        const {View3d, poseOf, poseText} = await import("./view3d.js");
         this.world ??= new View3d(byId("world"), () => {
             this.state.camera = poseText(this.world.pose);
             this.saveHash();
@@ -252,45 +317,46 @@ class Page {
         notice.textContent = text ?? "";
     }
 
+    // Tells what a button did, or why it did not.
+    say(text) {
+        const said = byId("said");
+        said.textContent = text;
+        said.hidden = false;
+        clearTimeout(this.saying);
+        this.saying = setTimeout(() => said.hidden = true, 6000);
+    }
+
     fail(message) {
         this.notice(`The terrain cannot be computed: ${message.split("\n")[0]}`);
     }
-}
 
-function makeChoices(page) {
-    byId("preset").append(...[...page.presets.keys()].map(name => new Option(name, name)),
-        new Option("one noise", NOISE), new Option("a recipe of your own", OWN));
-    byId("recipe-text").addEventListener("input", event => page.setText(event.target.value));
-    byId("preset").addEventListener("change", event => page.setPreset(event.target.value));
-    byId("views").append(...VIEWS.map((view, i) => {
-        const button = document.createElement("button");
-        Object.assign(button, {type: "button", textContent: view, title: `Key ${i + 1}`});
-        button.dataset.view = view;
-        button.setAttribute("role", "radio");
-        button.addEventListener("click", () => page.setView(view));
-        return button;
-    }));
+    // Another state, from the URL
+    open(state) {
+        this.base = state.text;
+        this.state = {...state, text: this.state.text};
+        this.work.setText(state.text);
+        if (state.given.size === undefined) {
+            this.fit();
+        } else {
+            this.update();
+        }
+    }
 }
 
 async function main() {
-    const [terrain, presets] = await Promise.all([loadTerrain(), loadPresets()]);
-    const page = new Page(terrain, presets);
-    makeChoices(page);
+    const module = await compileModule(), terrain = await loadTerrain(module);
+    const page = new Page(module, terrain, await fromHash(location.hash, terrain.scarp));
     connectActions(page);
     connectKeys(page);
     const isSimd = hasVectors();
     byId("status-kernels").textContent = isSimd ? "wasm128" : "generic";
     byId("no-simd").hidden = isSimd;
-    addEventListener("hashchange", event => { // saveHash() may have changed the URL since
-        page.state = fromHash(new URL(event.newURL).hash);
-        page.update();
+    addEventListener("hashchange", async event => { // saveHash() may have changed the URL since
+        page.open(await fromHash(new URL(event.newURL).hash, terrain.scarp));
     });
     globalThis.playground = page; // for the console, and for tests
-    if (page.state.given.size === undefined) {
-        page.fit();
-    } else {
-        page.update();
-    }
+    page.open(page.state);
+    await page.work.load();
 }
 
 main().catch(error => {
