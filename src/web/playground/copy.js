@@ -6,7 +6,7 @@ import {numberText, wordsOf} from "./options.js";
 import {presetOf} from "./state.js";
 
 const double = number => /[.e]/.test(String(number)) ? String(number) : `${number}.0`;
-const quoted = text => JSON.stringify(text).replaceAll("\\u", "\\\\u");
+const quoted = text => JSON.stringify(text).replaceAll("\\u", "\\\\u").replaceAll("??", "?\\?");
 
 // Words in lines of at most 76 characters
 function wrapped(list) {

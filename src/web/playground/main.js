@@ -4,19 +4,19 @@
 import {connectActions} from "./actions.js";
 import {hasVectors} from "../compile.mjs";
 import {Controls} from "./controls.js";
-import {readDocument} from "./document.js";
+import {errorText, readDocument} from "./document.js";
 import {sha256} from "./export.js";
 import {connectKeys} from "./keys.js";
 import {Look} from "./look.js";
 import {MapView, placeOf} from "./map.js";
 import {ROWS, parseOptions} from "./options.js";
 import {Pictures, Pool} from "./pool.js";
-import {fromHash, paletteOf, presetOf, toHash} from "./state.js";
+import {fromHash, initialState, paletteOf, presetOf, toHash} from "./state.js";
 import {compileModule, loadTerrain} from "./terrain.js";
 import {Workspace} from "./workspace.js";
 
 const FRAME_MS = 20; // what a frame may take while something is dragged
-const SETTLE_MS = 250; // after which a drag without an end has ended
+const SETTLE_MS = 250; // of rest, after which a drag has ended
 const SAMPLES_MAX = 1.6e6; // of a raster that fits the window
 const byId = id => document.getElementById(id);
 
@@ -67,11 +67,12 @@ class Page {
         }
     }
 
-    // Something is dragged that does not tell its end.
-    drag() {
-        this.isDragging = true;
+    // What is dragged may not tell its end, or rest.
+    settle() {
         clearTimeout(this.settling);
-        this.settling = setTimeout(() => this.update(), SETTLE_MS);
+        if (this.isDragging) {
+            this.settling = setTimeout(() => this.update(), SETTLE_MS);
+        }
     }
 
     // The text is another one. The last picture stays while it has errors.
@@ -103,10 +104,13 @@ class Page {
         this.work.setText(text);
     }
 
-    // The text as it came, and all options as they are without being given, but for the size
+    // The text as it came, and all options as at first, but for the size
     reset() {
         const {size} = this.state.given;
-        this.state.given = this.checked.messages.has("size") ? {} : {size};
+        this.state.given = initialState().given;
+        if (!this.checked.messages.has("size")) {
+            this.state.given.size = size;
+        }
         if (this.state.text !== this.base) {
             this.work.setText(this.base);
         }
@@ -137,8 +141,7 @@ class Page {
         const {options, messages} = parseOptions(this.state.given), {text} = this.state;
         const [error] = this.recipe.errors;
         if (error) {
-            const member = error.member ? `${error.member}: ` : "";
-            messages.set("recipe", `line ${error.line}: ${member}${error.text}`);
+            messages.set("recipe", `line ${error.line}: ${errorText(error)}`);
         } else if (options.seed !== undefined && this.look.isTerrain) {
             const problem = this.terrain.open({text, seed: options.seed});
             if (problem !== null) {
@@ -150,8 +153,8 @@ class Page {
     }
 
     update(isDragging = false) {
-        clearTimeout(this.settling);
         this.isDragging = isDragging;
+        this.settle();
         this.look.read(this.recipe);
         this.checked = this.check();
         const {messages, source} = this.checked;
@@ -211,7 +214,7 @@ class Page {
         this.frames++;
         this.map.paint(frame, job.whole);
         this.last = frame;
-        this.showWorld();
+        this.drawn = this.showWorld();
         this.look.show(frame);
         byId("status-size").textContent = `${width} × ${height}${job.every > 1 ? " (preview)" : ""}`;
         byId("status-time").textContent = `${ms < 100 ? ms.toFixed(1) : Math.round(ms)} ms`;
@@ -231,6 +234,7 @@ class Page {
     // What takes time that dragging has not: the hash of the heights
     async finish() {
         const {whole} = this, hash = await sha256(whole.values);
+        await this.drawn;
         if (whole !== this.whole) {
             return;
         }
@@ -352,6 +356,7 @@ async function main() {
     byId("status-kernels").textContent = isSimd ? "wasm128" : "generic";
     byId("no-simd").hidden = isSimd;
     addEventListener("hashchange", async event => { // saveHash() may have changed the URL since
+        document.documentElement.dataset.ready = "no";
         page.open(await fromHash(new URL(event.newURL).hash, terrain.scarp));
     });
     globalThis.playground = page; // for the console, and for tests

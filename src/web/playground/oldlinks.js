@@ -41,10 +41,13 @@ function wholeFrequency(frequency, period, step) {
     return Math.max(1, Math.floor(frequency * length + 0.5)) / length;
 }
 
+// The last one counts.
+const textIn = (query, name) => query.getAll(name).at(-1) ?? null;
+
 function optionsOf(query) {
-    const options = {...BEGIN, rotate: !["0", null].includes(query.get("rotate"))};
+    const options = {...BEGIN, rotate: !["0", null].includes(textIn(query, "rotate"))};
     for (const name of Object.keys(BEGIN)) {
-        const text = query.get(name), number = parseNumber(text ?? "");
+        const text = textIn(query, name), number = parseNumber(text ?? "");
         if (text === "unset") {
             options[name] = null;
         } else if (name in WORDS) {
@@ -85,8 +88,8 @@ function withValues(text, query, scarp) {
 
 // The text for a link; `text` is the one that it names.
 export function textOfOldLink(query, text, scarp) {
-    const step = parseNumber(query.get("step") ?? "1");
-    const period = /^(\d+)x(\d+)$/.exec(query.get("period") ?? "")?.slice(1).map(Number);
+    const step = parseNumber(textIn(query, "step") ?? "1");
+    const period = /^(\d+)x(\d+)$/.exec(textIn(query, "period") ?? "")?.slice(1).map(Number);
     const tile = period ? `tile ${period.map(n => numberText(n * step, false)).join(", ")}\n` : "";
     if (query.get("preset") !== "none") {
         return withValues(text.replace(/^(recipe 1[^\n]*\n)/m, `$1${tile}`), query, scarp);

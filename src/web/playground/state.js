@@ -10,8 +10,9 @@ export const VIEWS = ["relief", "hillshade", "value", "slope", "curvature"];
 export const OF_NODES = ["value", "slope"]; // views of a statement or a part
 export const TERRAIN = "", CURSOR = "*"; // in place of the name of the statement that is shown
 
-export const initialState = () => ({text: Object.values(presets)[0], given: {}, view: VIEWS[0],
-    node: TERRAIN, space: false, camera: null, pane: "text"});
+// What a page shows without a URL; the step lets a range of mountains be seen.
+export const initialState = () => ({text: Object.values(presets)[0], given: {step: "4"},
+    view: VIEWS[0], node: TERRAIN, space: false, camera: null, pane: "text"});
 
 // The preset whose text this is; null for others
 export const presetOf = text =>
@@ -66,10 +67,8 @@ const isOld = query => query.get("preset") === "none" || query.has("set") || que
 // What is unknown is left out: URLs of other versions still show something.
 export async function fromHash(hash, scarp) {
     const query = new URLSearchParams(hash.replace(/^#/, "")), state = initialState();
-    for (const [name, text] of query) {
-        if (ROWS.has(name)) {
-            state.given[name] = text;
-        }
+    if (hash.length > 1) {
+        state.given = Object.fromEntries([...query].filter(([name]) => ROWS.has(name)));
     }
     state.view = VIEWS.find(view => view === query.get("view")) ?? VIEWS[0];
     state.pane = query.get("pane") === "graph" ? "graph" : "text";

@@ -47,18 +47,18 @@ export class Workspace {
 
     // {from, to, insert} each; {join} makes them a part of the last step, as while something is dragged.
     edit(changes, options = {}) {
-        if (options.join) {
-            this.page.drag();
-        }
+        this.page.isDragging ||= options.join === true;
         if (this.editor) {
             this.editor.edit(changes, options);
-            return;
+        } else {
+            let {text} = this.page.state;
+            for (const {from, to = from, insert = ""} of
+                [...changes].sort((a, b) => b.from - a.from)) {
+                text = text.slice(0, from) + insert + text.slice(to);
+            }
+            this.page.textChanged(text);
         }
-        let {text} = this.page.state;
-        for (const {from, to = from, insert = ""} of [...changes].sort((a, b) => b.from - a.from)) {
-            text = text.slice(0, from) + insert + text.slice(to);
-        }
-        this.page.textChanged(text);
+        this.page.settle();
     }
 
     // Another text, as one step

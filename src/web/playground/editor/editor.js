@@ -11,6 +11,7 @@ import {lintGutter, lintKeymap, setDiagnostics} from "@codemirror/lint";
 import {Annotation, EditorState, Transaction} from "@codemirror/state";
 import {EditorView, drawSelection, highlightActiveLine, hoverTooltip, keymap, lineNumbers} from
     "@codemirror/view";
+import {errorText} from "../document.js";
 import {completion, helpAt, recipeLanguage} from "./language.js";
 
 const GROUP_MS = 500; // typing without a pause is one step of the history
@@ -18,12 +19,12 @@ const joined = Annotation.define();
 
 // Steps join if an edit says so, or is typed beside the last one at once.
 function historyOfAll() {
-    let last = 0;
-    return history({newGroupDelay: 2 ** 40, joinToEvent: (transaction, isAdjacent) => {
-        const time = transaction.annotation(Transaction.time), before = last;
-        last = time;
-        return transaction.annotation(joined) ?? (isAdjacent && time - before < GROUP_MS);
-    }});
+    let last = 0; // when the text changed
+    const timer = EditorView.updateListener.of(({docChanged}) => {
+        last = docChanged ? Date.now() : last;
+    });
+    return [timer, history({newGroupDelay: 2 ** 40, joinToEvent: (transaction, isAdjacent) =>
+        transaction.annotation(joined) ?? (isAdjacent && Date.now() - last < GROUP_MS)})];
 }
 
 function tooltip({from, to, title, lines}) {
@@ -42,24 +43,16 @@ function tooltip({from, to, title, lines}) {
     }};
 }
 
-// What the library says of an error, and a number that would do
-export const messageOf = ({member, text, nearest}) =>
-    `${member ? `${member}: ` : ""}${text}${nearest === null ? "" : `; nearest: ${nearest}`}`;
-
 function diagnosticOf(error, length) {
     const from = Math.min(error.from, length), to = Math.min(Math.max(error.to, from), length);
-    const use = {name: `Use ${error.nearest}`, apply: (view, from, to) =>
-        view.dispatch({changes: {from, to, insert: String(error.nearest)}})};
-    return {from, to, severity: "error", message: messageOf(error),
-        actions: error.nearest === null ? [] : [use]};
+    return {from, to, severity: "error", message: errorText(error)};
 }
 
 // on: {read(): document, changed(text, isTyped), moved(at)}
 export class Editor {
     constructor(parent, text, on) {
         this.on = on;
-        const read = on.read, isOwn = {value: false};
-        this.isOwn = isOwn;
+        const {read} = on;
         this.view = new EditorView({parent, state: EditorState.create({doc: text, extensions: [
             lineNumbers(), historyOfAll(), drawSelection(), bracketMatching(), closeBrackets(),
             highlightActiveLine(), lintGutter(), recipeLanguage,
