@@ -87,7 +87,8 @@ class Picture(Playground):
         for text, told in (("out a = x", "no bound"), ("out a = 3", "no height"),
                            ("space 3\nout a = noise(size=9)", "depends on z")):
             self.write(f"recipe 1\n{text}\n")
-            self.assertIn(told, self.shown("#notice"))
+            self.page.wait(f"document.getElementById('notice').textContent.includes('{told}')")
+            self.assertIn(told, self.shown("#recipe-message"))
             self.assertEqual(self.page.run("playground.recipe.errors.length"), 0)
         self.page.run("playground.setNode('a')")  # a cut through space at z = 0
         self.page.wait("playground.whole.job.node?.isSpace && document.documentElement."

@@ -29,7 +29,7 @@ async function toClipboard(text) {
 // Programs need a recipe without errors; the text itself may be copied as it is.
 async function copy(page, kind) {
     const {messages, source} = page.checked, [[, wrong] = []] = messages;
-    const message = wrong ?? page.terrain.open(source);
+    const message = wrong ?? page.terrain.open(source); // what is shown may be a node of no terrain
     if (message !== null && kind !== "recipe") {
         page.say(`Not copied as ${COPIES[kind].title}: ${message}`);
         page.work.goToError();

@@ -23,13 +23,16 @@ const plugin = {
     },
 };
 
-for (const name of readdirSync(page).filter(name => name.endsWith(".js"))) {
+const sheets = readdirSync(folder, {recursive: true}).filter(name => name.endsWith(".css") &&
+    !name.includes("node_modules"));
+for (const name of readdirSync(page).filter(name => /\.(js|css)$/.test(name))) {
     rmSync(join(page, name)); // chunks have other names after a change
 }
 const {metafile} = await build({
-    absWorkingDir: folder, entryPoints: ["main.js", "worker.js", "style.css"], outdir: page,
-    bundle: true, splitting: true, format: "esm", target: "es2022", minify: true,
+    absWorkingDir: folder, entryPoints: ["main.js", "worker.js", ...sheets], outdir: page,
+    entryNames: "[name]", bundle: true, splitting: true, format: "esm", target: "es2022", minify: true,
     chunkNames: "[name]-[hash]", legalComments: "none", nodePaths: [modules], plugins: [plugin],
+    alias: {"d3-transition": "./still.js", "d3-interpolate": "./still.js"},
     external: ["node:*"], metafile: true, logLevel: "warning",
 });
 

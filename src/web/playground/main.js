@@ -33,7 +33,7 @@ class Page {
         this.wishes = 0; // frames that were asked for
         this.sampleMs = 2e-4; // what a sample takes, learnt from frames
         this.isDragging = false;
-        this.pool = new Pool(module, frame => this.show(frame), message => this.fail(message));
+        this.pool = new Pool(module, frame => this.show(frame), (...all) => this.fail(...all));
         this.pictures = new Pictures(module);
         this.map = new MapView(byId("map"), (texts, dragging) => this.change(texts, dragging),
             at => this.hover(at));
@@ -43,6 +43,8 @@ class Page {
         this.work = new Workspace(this);
         this.look = new Look(this);
         this.world = null; // made when it is first looked at
+        this.fitted = null; // the size that fills the stage
+        new ResizeObserver(() => this.stageResized()).observe(byId("map").parentElement);
     }
 
     // Changes options; undefined takes one back.
@@ -132,7 +134,18 @@ class Page {
         const dense = clientWidth * clientHeight * devicePixelRatio ** 2 <= SAMPLES_MAX;
         const scale = dense ? devicePixelRatio : 1;
         const sides = [clientWidth, clientHeight].map(n => Math.max(64, Math.floor(n * scale)));
-        this.change({size: sides.join("x")});
+        this.fitted = sides.join("x");
+        this.change({size: this.fitted});
+    }
+
+    // A raster that filled the stage goes on to do so.
+    stageResized() {
+        clearTimeout(this.resizing);
+        this.resizing = setTimeout(() => {
+            if (this.state.given.size === this.fitted) {
+                this.fit();
+            }
+        }, SETTLE_MS);
     }
 
     // What is wrong: {options, messages, source}; `source` is what workers take, null if there are
@@ -142,11 +155,6 @@ class Page {
         const [error] = this.recipe.errors;
         if (error) {
             messages.set("recipe", `line ${error.line}: ${errorText(error)}`);
-        } else if (options.seed !== undefined && this.look.isTerrain) {
-            const problem = this.terrain.open({text, seed: options.seed});
-            if (problem !== null) {
-                messages.set("recipe", problem);
-            }
         }
         const source = messages.size === 0 ? {text, seed: options.seed} : null;
         return {options, messages, source};
@@ -157,20 +165,24 @@ class Page {
         this.settle();
         this.look.read(this.recipe);
         this.checked = this.check();
-        const {messages, source} = this.checked;
+        const {messages} = this.checked;
         this.controls.show(this.state.given, messages, this.recipe);
         this.work.show(this.recipe);
         this.showState();
         this.saveHash();
-        byId("map").classList.toggle("stale", source === null);
-        byId("world").classList.toggle("stale", source === null);
-        if (source !== null) {
-            this.notice(null);
+        this.tell(messages);
+        if (this.checked.source !== null) {
             this.request();
-        } else {
-            const [name, message] = [...messages][0];
-            this.notice(`${ROWS.get(name)?.label ?? name}: ${message}`);
         }
+    }
+
+    // Tells what is wrong; the last picture stays, dimmed.
+    tell(messages) {
+        const [[name, message] = []] = messages;
+        this.notice(name === undefined ? null : `${ROWS.get(name)?.label ?? name}: ${message}`);
+        byId("recipe-message").textContent = messages.get("recipe") ?? "";
+        byId("map").classList.toggle("stale", name !== undefined);
+        byId("world").classList.toggle("stale", name !== undefined);
     }
 
     lookAtCursor() {
@@ -198,7 +210,7 @@ class Page {
             step: whole.step * every};
         document.documentElement.dataset.ready = "no";
         this.pool.request({...this.jobOf(raster, this.look.view, this.look.node), whole, every,
-            number: ++this.wishes, name: this.look.name});
+            number: ++this.wishes, name: this.look.name, isDragging: this.isDragging});
     }
 
     // A small picture of a node, of the middle of what the map shows: a number of a statement, or
@@ -238,10 +250,10 @@ class Page {
         if (whole !== this.whole) {
             return;
         }
-        byId("status-hash").textContent = hash ? `heights ${hash.slice(0, 12)}…` : "";
+        byId("status-hash").textContent = hash ? `SHA-256 ${hash.slice(0, 12)}…` : "";
         byId("status-hash").dataset.hash = hash ?? "";
         const [low, high] = this.look.interval(whole).map(n => Number((n + 0).toPrecision(9)));
-        byId("heights-range").textContent = `16-bit heights: 0 is ${low}, 65535 is ${high}`;
+        byId("heights-range").textContent = `16 bits: 0 is ${low}, 65535 is ${high}`;
         if (whole.job.number === this.wishes) {
             document.documentElement.dataset.ready = "yes";
         }
@@ -267,7 +279,6 @@ class Page {
         byId("preset").value = preset ?? "";
         byId("seed-now").textContent = seed;
         byId("space").setAttribute("aria-pressed", String(state.space));
-        byId("recipe-message").textContent = this.checked.messages.get("recipe") ?? "";
         byId("map").hidden = state.space;
         byId("world").hidden = !state.space;
         this.showWorld();
@@ -330,8 +341,15 @@ class Page {
         this.saying = setTimeout(() => said.hidden = true, 6000);
     }
 
-    fail(message) {
-        this.notice(`The terrain cannot be computed: ${message.split("\n")[0]}`);
+    // A recipe that is no terrain is found by workers, as their frames are.
+    fail(message, problem = null, job = null) {
+        if (problem === null) {
+            this.notice(`The terrain cannot be computed: ${message.split("\n")[0]}`);
+        } else if (job.number === this.wishes && this.checked.source !== null) {
+            this.checked.source = null;
+            this.checked.messages.set("recipe", problem);
+            this.tell(this.checked.messages);
+        }
     }
 
     // Another state, from the URL
@@ -339,6 +357,7 @@ class Page {
         this.base = state.text;
         this.state = {...state, text: this.state.text};
         this.work.setText(state.text);
+        this.work.showPane();
         if (state.given.size === undefined) {
             this.fit();
         } else {
@@ -357,6 +376,7 @@ async function main() {
     byId("no-simd").hidden = isSimd;
     addEventListener("hashchange", async event => { // saveHash() may have changed the URL since
         document.documentElement.dataset.ready = "no";
+        page.notice(null);
         page.open(await fromHash(new URL(event.newURL).hash, terrain.scarp));
     });
     globalThis.playground = page; // for the console, and for tests

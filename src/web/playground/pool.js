@@ -5,7 +5,7 @@
 // One more worker makes small pictures, one after the other.
 
 const WORKERS_MAX = 8;
-const PATIENCE_MS = 150; // for a whole frame, when there is a newer wish
+const PATIENCE_MS = 150; // for a frame of no drag, when there is a newer wish
 
 function makeWorker(module, onMessage, onError) {
     const worker = new Worker(new URL("./worker.js", import.meta.url), {type: "module"});
@@ -16,7 +16,8 @@ function makeWorker(module, onMessage, onError) {
 }
 
 export class Pool {
-    // onFrame gets each frame {raster, values, pixels, numbers, met, ms, job}, onError a text.
+    // onFrame gets each frame {raster, values, pixels, numbers, met, ms, job}; onError a text, and why
+    // the recipe is no terrain, or null.
     constructor(module, onFrame, onError) {
         const count = Math.max(1, Math.min(navigator.hardwareConcurrency || 2, WORKERS_MAX));
         this.onFrame = onFrame;
@@ -37,7 +38,7 @@ export class Pool {
         this.next = job;
         if (this.frame === null) {
             this.start();
-        } else if (this.frame.job.every === 1) {
+        } else if (!this.frame.job.isDragging) {
             const spent = performance.now() - this.frame.begin;
             clearTimeout(this.timer);
             this.timer = setTimeout(() => this.next && this.start(),
@@ -59,14 +60,14 @@ export class Pool {
         }
     }
 
-    receive({id, error, from, values, pixels, numbers, met}) {
+    receive({id, error, problem, from, values, pixels, numbers, met}) {
         const {frame} = this;
         if (id !== this.id || frame === null) {
             return;
         }
         if (error) {
             this.frame = null;
-            this.onError(error);
+            this.onError(error, problem, frame.job);
         } else {
             const first = from * frame.job.raster.width;
             frame.values.set(values, first);

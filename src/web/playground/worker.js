@@ -26,7 +26,7 @@ function openGround({source}) {
         close();
         const problem = terrain.open(source);
         if (problem !== null) {
-            throw new Error(problem);
+            throw Object.assign(new Error(problem), {problem});
         }
         terrain.findSpread();
         made = {key, numbers: terrain.numbers()};
@@ -190,6 +190,7 @@ onmessage = async ({data}) => {
                 [values.buffer, pixels.buffer, ...(masks ? [masks.buffer] : [])]);
         }
     } catch (error) {
-        postMessage({id: data.id, error: String(error.stack ?? error)});
+        postMessage({id: data.id, problem: error.problem ?? null,
+            error: String(error.stack ?? error)});
     }
 };

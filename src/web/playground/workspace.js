@@ -20,6 +20,13 @@ export function nodeAt({entries, parts}, at) {
         : {which: inside.length > 0 ? PARTS + inside[0].index : entry.index, entry: entry.index};
 }
 
+const loadSheet = name => new Promise((done, fail) => {
+    const link = document.createElement("link");
+    Object.assign(link, {rel: "stylesheet", href: name, onload: done,
+        onerror: () => fail(new Error(`${name} is missing`))});
+    document.head.append(link);
+});
+
 export class Workspace {
     constructor(page) {
         this.page = page;
@@ -110,24 +117,29 @@ export class Workspace {
     }
 
     show(recipe) {
-        const {text, pane} = this.page.state;
+        const {text} = this.page.state;
         this.editor?.tell(recipe.errors);
         if (this.fallback.value !== text) {
             this.fallback.value = text;
         }
+        this.showPane();
+        const [undone, redone] = this.editor?.depths ?? [0, 0];
+        byId("undo").disabled = undone === 0;
+        byId("redo").disabled = redone === 0;
+        this.showGraph();
+    }
+
+    showPane() {
+        const {pane} = this.page.state;
         PANES.forEach(each => {
             byId(`tab-${each}`).setAttribute("aria-selected", String(each === pane));
             byId(`pane-${each}`).hidden = each !== pane;
         });
         document.documentElement.dataset.pane = pane;
-        const [undone, redone] = this.editor?.depths ?? [0, 0];
-        byId("undo").disabled = undone === 0;
-        byId("redo").disabled = redone === 0;
-        this.showGraph(pane);
     }
 
-    async showGraph(pane) {
-        if (pane !== "graph") {
+    async showGraph() {
+        if (this.page.state.pane !== "graph") {
             return;
         }
         if (this.graph === null) {
@@ -140,6 +152,7 @@ export class Workspace {
     async loadGraph() {
         try {
             const {createGraph} = await import("./graph/graph.js");
+            await loadSheet("graph.css");
             this.graph = createGraph(byId("pane-graph"), this.host());
             const now = nodeAt(this.page.recipe, this.cursor);
             if (now !== null) {
