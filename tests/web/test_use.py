@@ -69,6 +69,14 @@ class Use(Playground):
             self.assertEqual(self.page.run("playground.state.view"), view)
             chosen = self.shown("#views [aria-checked=true]")
             self.assertEqual(chosen, view)
+        self.page.run("document.querySelector('#views [aria-checked=true]').focus()")
+        self.page.key("ArrowRight")
+        self.ready()
+        self.assertEqual(self.page.run("playground.state.view"), "relief")
+        self.page.run("document.getElementById('split').focus()")
+        self.page.key("ArrowLeft")
+        self.assertEqual(self.page.run("document.activeElement.ariaValueNow"), "44")
+        self.assertEqual(self.shown("#seed-now"), "3")
 
     def test_keys_are_for_the_text_while_it_is_written(self):
         self.open(["--preset", "badlands", "--size", "32x32"])

@@ -335,8 +335,8 @@ class Page {
     // Tells what a button did, or why it did not.
     say(text) {
         const said = byId("said");
-        said.textContent = text;
         said.hidden = false;
+        said.textContent = text;
         clearTimeout(this.saying);
         this.saying = setTimeout(() => said.hidden = true, 6000);
     }
