@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Tests the playground as an editor of recipes: see playground.py."""
-import os
+import time
 
 from playground import PLACE, Playground, hash_of, hillshade_of, main
 
@@ -150,7 +150,10 @@ class Edit(Playground):
         edit = "playground.work.host().edit([{from: %d, to: %d, insert: '%s'}], {join: %s})"
         self.page.run(edit % (at, at + 2, "90", "false"))
         for number in ("91", "92", "93"):
+            time.sleep(0.3)  # a drag may take its time
             self.page.run(edit % (at, at + 2, number, "true"))
+        time.sleep(0.6)
+        self.page.run(edit % (at, at + 2, "93", "true"))
         self.page.run(edit % (at, at + 2, "94", "false"))
         self.assertIn("= 94 [", self.text())
         self.undo()
