@@ -97,10 +97,12 @@ class Edit(Playground):
         self.ready()
 
     def test_help_tells_what_a_word_is(self):
-        """In the words of the module"""
-        self.open(PLACE, text=TEXT)
+        """In the words of the module, with the formulas of the language's document"""
+        self.open(PLACE, text=TEXT + "out mask = smoothstep(bend, 0, 1)\n")
         for word, title, told in (
                 ("warp", "warp(f, by)", "A field, bent by a noise."),
+                ("warp", "warp(f, by)", "f looks at (x + w_0, y + w_1)"),
+                ("smooth", "smoothstep(a, lo, hi)", "value 6t^5 - 15t^4 + 10t^3 of t = (a - lo)"),
                 ("octaves", "noise: octaves", "how many octaves are summed; a fraction fades in (1 … 12"),
                 ("ridged", "noise: fractal", "how octaves are summed"),
                 ("bend)", "bend", "never outside of -20 … 20"),
@@ -115,6 +117,9 @@ class Edit(Playground):
             self.assertEqual(self.shown(".recipe-help strong"), title)
             self.assertIn(told, self.shown(".recipe-help"))
         self.page.mouse("mouseMoved", 5, 5)
+        self.put("", "warp")
+        self.press("F1", 112)
+        self.assertTrue(self.shown("#said").startswith("warp(f, by)\nA field, bent by a noise."))
 
     def test_a_slider_writes_its_number(self):
         """It follows; the picture is that of the text, and the whole drag is one step to undo."""

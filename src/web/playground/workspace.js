@@ -47,6 +47,7 @@ export class Workspace {
             read: () => this.page.recipe,
             changed: text => this.page.textChanged(text),
             moved: (at, isOurs) => this.moved(at, isOurs),
+            help: text => this.page.say(text),
         });
         this.fallback.hidden = true;
         this.show(this.page.recipe);

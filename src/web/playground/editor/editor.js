@@ -48,7 +48,7 @@ function diagnosticOf(error, length) {
     return {from, to, severity: "error", message: errorText(error)};
 }
 
-// on: {read(): document, changed(text, isTyped), moved(at)}
+// on: {read(): document, changed(text), moved(at, hasFocus), help(text)}
 export class Editor {
     constructor(parent, text, on) {
         this.on = on;
@@ -62,7 +62,8 @@ export class Editor {
                 return help && tooltip(help);
             }),
             keymap.of([...closeBracketsKeymap, ...completionKeymap, ...lintKeymap, ...historyKeymap,
-                ...defaultKeymap, {key: "Mod-]", run: indentMore}, {key: "Mod-[", run: indentLess}]),
+                ...defaultKeymap, {key: "Mod-]", run: indentMore}, {key: "Mod-[", run: indentLess},
+                {key: "F1", run: ({state}) => this.help(state.selection.main.head)}]),
             EditorView.contentAttributes.of({"aria-label": "Text of the recipe",
                 "aria-describedby": "recipe-message", autocapitalize: "off"}),
             EditorView.updateListener.of(update => this.updated(update)),
@@ -71,6 +72,14 @@ export class Editor {
 
     get text() {
         return this.view.state.doc.toString();
+    }
+
+    // Tells what the word at a place is, for those who have no pointer.
+    help(at) {
+        const help = helpAt(this.on.read(), at);
+        this.on.help(help === null ? "There is no help for this place."
+            : [help.title, ...help.lines.map(line => [line].flat().join(" "))].join("\n"));
+        return true;
     }
 
     updated({docChanged, selectionSet, state, view}) {
