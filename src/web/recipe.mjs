@@ -1,19 +1,24 @@
 // SPDX-License-Identifier: MIT
 //
 // Recipes: compositions of noises as a text. What is wrong in a text throws a RecipeError with all
-// errors of it.
+// errors of it, or is told beside what could be read. Places in the text are indices of the string;
+// the module counts bytes of UTF-8.
 import { SAMPLES, STATUS, ScarpError, checkNumber, putGrid, readGrid } from './layout.mjs';
 import { checkOverlaps } from './memory.mjs';
 
 export const RECIPE_SIZE = 65536;
 const ERROR_SIZE = 56,
-    ENTRY_SIZE = 112,
+    DESCRIPTION_SIZE = 112, // of an entry, of a part, and more than of a function
+    ARGUMENT_SIZE = 64,
+    BOX_SIZE = 48,
     OUTPUTS_SIZE = 48,
     SCRATCH_SIZE = 56;
 const ERRORS = 64; // that are told at most
 const SCRATCH = 256 * 1024; // bytes: about a thousand points of a large recipe
 const MOST = 16; // outputs
 const SAMPLES_SIZE = 64;
+const KINDS = ['bad', 'number', 'field', 'noise', 'word', 'knot'];
+export const PARTS = 65536; // the number of the first part, among nodes
 
 export class RecipeError extends ScarpError {
     constructor(status, text, errors) {
@@ -23,20 +28,78 @@ export class RecipeError extends ScarpError {
     }
 }
 
+// The index of the string at which each byte of its UTF-8 stands; null where all are the same.
+function indicesOf(text, bytes) {
+    if (bytes.length === text.length) {
+        return null;
+    }
+    const indices = new Uint32Array(bytes.length + 1);
+    let byte = 0;
+    for (let i = 0; i < text.length; i++) {
+        const code = text.codePointAt(i),
+            count = code < 0x80 ? 1 : code < 0x800 ? 2 : code < 0x10000 ? 3 : 4;
+        indices.fill(i, byte, byte + count);
+        byte += count;
+        i += code > 0xffff ? 1 : 0;
+    }
+    indices[byte] = text.length;
+    return indices;
+}
+
+// The functions of the language, as the module tells them
+export function functionsOf({ exports, memory }) {
+    const { view } = memory,
+        list = [],
+        at = memory.allocate(DESCRIPTION_SIZE);
+    const u32 = (place) => view.getUint32(place, true);
+    const argumentOf = (place) => {
+        const words = [];
+        for (let word = u32(place + 40); word !== 0 && u32(word) !== 0; word += 4) {
+            words.push(memory.text(u32(word)));
+        }
+        return Object.freeze({
+            name: memory.text(u32(place)),
+            text: memory.text(u32(place + 4)),
+            kind: KINDS[u32(place + 8)],
+            isNeeded: u32(place + 12) === 1,
+            otherwise: view.getFloat64(place + 16, true),
+            lowest: view.getFloat64(place + 24, true),
+            highest: view.getFloat64(place + 32, true),
+            words: u32(place + 40) === 0 ? null : Object.freeze(words),
+        });
+    };
+    while (exports.scarp_recipe_function_at(list.length, at) === STATUS.OK) {
+        const first = u32(at + 8);
+        const places = Array.from({ length: u32(at + 12) }, (_, i) => first + i * ARGUMENT_SIZE);
+        list.push(
+            Object.freeze({
+                name: memory.text(u32(at)),
+                text: memory.text(u32(at + 4)),
+                arguments: Object.freeze(places.map(argumentOf)),
+            }),
+        );
+    }
+    memory.release(at);
+    return Object.freeze(list);
+}
+
 export class Recipe {
     #tools; // of class Scarp
     #at; // where the recipe is; behind it what calls want
     #text;
+    #indices;
+    #faults = [];
     #seed = 0n;
 
-    constructor(tools, text) {
+    constructor(tools, text, isTolerant) {
         const { memory } = tools;
         this.#tools = tools;
-        this.#text = new TextEncoder().encode(text);
-        const rest = ERRORS * ERROR_SIZE + ENTRY_SIZE + OUTPUTS_SIZE + SCRATCH_SIZE;
-        this.#at = memory.allocate(RECIPE_SIZE + rest + MOST * SAMPLES_SIZE + SCRATCH);
+        this.#text = String(text);
+        const rest = ERRORS * ERROR_SIZE + DESCRIPTION_SIZE + OUTPUTS_SIZE + SCRATCH_SIZE;
+        const numbers = MOST * SAMPLES_SIZE + 4 * MOST + BOX_SIZE;
+        this.#at = memory.allocate(RECIPE_SIZE + rest + numbers + SCRATCH);
         try {
-            this.#parse();
+            this.#parse(isTolerant);
         } catch (error) {
             this.free();
             throw error;
@@ -47,11 +110,11 @@ export class Recipe {
     get #errors() {
         return this.#at + RECIPE_SIZE;
     }
-    get #entry() {
+    get #description() {
         return this.#errors + ERRORS * ERROR_SIZE;
     }
     get #outputs() {
-        return this.#entry + ENTRY_SIZE;
+        return this.#description + DESCRIPTION_SIZE;
     }
     get #scratch() {
         return this.#outputs + OUTPUTS_SIZE;
@@ -59,47 +122,68 @@ export class Recipe {
     get #samples() {
         return this.#scratch + SCRATCH_SIZE;
     }
+    get #which() {
+        return this.#samples + MOST * SAMPLES_SIZE;
+    }
+    get #box() {
+        return this.#which + 4 * MOST;
+    }
 
-    #parse() {
+    #parse(isTolerant) {
         const { exports, memory } = this.#tools;
+        const bytes = new TextEncoder().encode(this.#text);
         const { view } = memory,
-            length = this.#text.length,
-            text = memory.allocate(length + 1);
-        new Uint8Array(memory.buffer, text, length).set(this.#text);
+            length = bytes.length,
+            at = memory.allocate(length + 1);
+        this.#indices = indicesOf(this.#text, bytes);
+        new Uint8Array(memory.buffer, at, length).set(bytes);
         new Uint8Array(memory.buffer, this.#at + RECIPE_SIZE, SCRATCH_SIZE).fill(0);
-        const found = this.#entry;
+        const found = this.#description;
         view.setUint32(found, 0, true);
         const status = exports.scarp_recipe_parse(
-            text,
+            at,
             length,
             this.#at,
             this.#errors,
             ERRORS,
             found,
         );
-        memory.release(text);
-        if (status !== STATUS.OK) {
-            const count = Math.min(view.getUint32(found, true), ERRORS);
-            const errors = Array.from({ length: count }, (_, i) => this.#error(i));
-            throw new RecipeError(status, this.#tools.text(status), errors);
+        memory.release(at);
+        const count = Math.min(view.getUint32(found, true), ERRORS);
+        this.#faults = Array.from({ length: count }, (_, i) => this.#error(i));
+        if (status !== STATUS.OK && !(isTolerant && count > 0)) {
+            throw new RecipeError(status, this.#tools.text(status), this.#faults);
         }
         new Uint8Array(memory.buffer, this.#outputs, OUTPUTS_SIZE + SCRATCH_SIZE).fill(0);
         view.setUint32(this.#outputs, this.#samples, true);
-        view.setUint32(this.#scratch, this.#samples + MOST * SAMPLES_SIZE, true);
+        view.setUint32(this.#scratch, this.#box + BOX_SIZE, true);
         view.setUint32(this.#scratch + 4, SCRATCH, true);
+    }
+
+    #span(at) {
+        const { view } = this.#tools.memory;
+        const bytes = [view.getUint32(at, true), view.getUint32(at + 4, true)];
+        return this.#indices === null ? bytes : bytes.map((byte) => this.#indices[byte]);
+    }
+    // null for an empty one
+    #spanOrNull(at) {
+        const [from, to] = this.#span(at);
+        return to > from ? [from, to] : null;
+    }
+    #word(span) {
+        return span === null ? '' : this.#text.slice(...span);
     }
 
     #error(i) {
         const { memory } = this.#tools,
             { view } = memory,
             at = this.#errors + i * ERROR_SIZE;
-        const [from, to, line, column, text, member] = [0, 4, 8, 12, 16, 20].map((offset) =>
-            view.getUint32(at + offset, true),
-        );
+        const [from, to] = this.#span(at);
+        const [line, text, member] = [8, 16, 20].map((offset) => view.getUint32(at + offset, true));
         const nearest = view.getFloat64(at + 24, true);
         return {
             line,
-            column,
+            column: from - (from > 0 ? this.#text.lastIndexOf('\n', from - 1) : -1),
             from,
             to,
             text: memory.text(text),
@@ -108,28 +192,72 @@ export class Recipe {
         };
     }
 
-    // The statements: { name, isParam, output, value, slider, range }
-    get entries() {
-        const { exports, memory } = this.#tools,
-            { view } = memory,
+    // What is wrong with the text; only a tolerant recipe has any.
+    get errors() {
+        return this.#faults;
+    }
+
+    // What a call describes, from number 0 to the last: `read` makes an object of what lies at a place.
+    #described(call, read) {
+        const { exports } = this.#tools,
             list = [],
-            at = this.#entry;
-        const decoder = new TextDecoder();
-        while (exports.scarp_recipe_entry_at(this.#live(), list.length, at) === STATUS.OK) {
-            const name = this.#text.subarray(
-                view.getUint32(at + 8, true),
-                view.getUint32(at + 12, true),
-            );
-            list.push({
-                name: decoder.decode(name),
+            at = this.#description;
+        while (exports[call](this.#live(), list.length, at) === STATUS.OK) {
+            list.push(read(at, list.length));
+        }
+        return list;
+    }
+
+    get entries() {
+        const { view } = this.#tools.memory;
+        return this.#described('scarp_recipe_entry_at', (at, index) => {
+            const nameSpan = this.#span(at + 8);
+            return {
+                index,
+                name: this.#word(nameSpan),
+                span: this.#span(at),
+                nameSpan,
+                kind: KINDS[view.getInt32(at + 16, true)],
                 isParam: view.getInt32(at + 20, true) === 1,
                 output: view.getInt32(at + 24, true),
+                part: view.getInt32(at + 28, true),
                 value: view.getFloat64(at + 32, true),
                 slider: [view.getFloat64(at + 40, true), view.getFloat64(at + 48, true)],
                 range: [view.getFloat32(at + 56, true), view.getFloat32(at + 60, true)],
-            });
-        }
-        return list;
+                axes: view.getUint32(at + 64, true),
+                order: view.getUint32(at + 68, true),
+                hash: view.getBigUint64(at + 72, true).toString(16),
+            };
+        });
+    }
+
+    get parts() {
+        const { view } = this.#tools.memory;
+        return this.#described('scarp_recipe_part_at', (at, index) => {
+            const nameSpan = this.#spanOrNull(at + 8),
+                argumentSpan = this.#spanOrNull(at + 16);
+            const [kind, call, entry, parent, operation] = [24, 28, 32, 36, 40].map((offset) =>
+                view.getInt32(at + offset, true),
+            );
+            return {
+                index,
+                span: this.#span(at),
+                name: this.#word(nameSpan),
+                nameSpan,
+                argument: this.#word(argumentSpan),
+                argumentSpan,
+                kind: KINDS[kind],
+                function: call,
+                entry,
+                parent,
+                operation: operation === 0 ? '' : String.fromCharCode(operation),
+                axes: view.getUint32(at + 44, true),
+                order: view.getUint32(at + 48, true),
+                range: [view.getFloat32(at + 52, true), view.getFloat32(at + 56, true)],
+                value: view.getFloat64(at + 64, true),
+                hash: view.getBigUint64(at + 72, true).toString(16),
+            };
+        });
     }
 
     get params() {
@@ -171,17 +299,27 @@ export class Recipe {
         return this;
     }
 
-    // The interval that values of an output never leave
-    range(output = 0) {
-        return this.outputs[output].range;
+    // The interval that values of an output, or of a node, never leave, in a box or everywhere
+    range(output = 0, { which = null, box = null } = {}) {
+        const { exports, memory } = this.#tools,
+            to = this.#description;
+        const node = which ?? this.entries.find((entry) => entry.output === output)?.index ?? -2;
+        if (box !== null) {
+            const ends = [box.lowest, box.highest].flatMap(([x, y, z = 0]) => [x, y, z]);
+            ends.forEach((x, i) => memory.view.setFloat64(this.#box + 8 * i, x, true));
+        }
+        const at = box === null ? 0 : this.#box;
+        this.#tools.expect(exports.scarp_recipe_range(this.#live(), node, at, to, to + 4));
+        return [memory.view.getFloat32(to, true), memory.view.getFloat32(to + 4, true)];
     }
 
     // Whether it is of space
     get isSpace() {
         const { exports, memory } = this.#tools;
+        memory.view.setUint32(this.#outputs + 4, 0, true);
         memory.view.setUint32(this.#outputs + 8, 1, true);
         new Uint8Array(memory.buffer, this.#samples, SAMPLES_SIZE).fill(0);
-        const at = this.#entry; // a double of any value
+        const at = this.#description; // a double of any value
         return (
             exports.scarp_recipe_sample_f64(
                 this.#live(),
@@ -195,24 +333,37 @@ export class Recipe {
         );
     }
 
-    // Outputs of the text, from the first one on: an object of arrays, or several in an array
-    #uses(out, make) {
-        const list = Array.isArray(out) ? out : [out];
+    // Outputs of the text, from the first one on, or nodes by number: an object of arrays, or several
+    // in an array
+    #uses(out, which, make) {
+        const list = Array.isArray(out) ? out : [out],
+            { view } = this.#tools.memory;
         if (list.length < 1 || list.length > MOST) {
             throw new RangeError(`out has from 1 to ${MOST} outputs`);
         }
-        this.#tools.memory.view.setUint32(this.#outputs + 8, list.length, true);
+        const nodes = which === null || Array.isArray(which) ? which : [which];
+        if (nodes !== null && nodes.length !== list.length) {
+            throw new RangeError('which has as many numbers as there are outputs');
+        }
+        nodes?.forEach((node, i) => {
+            if (!Number.isInteger(node) || node < 0 || node >= 2 ** 31) {
+                throw new RangeError('which has numbers of statements, or PARTS plus that of a part');
+            }
+            view.setInt32(this.#which + 4 * i, node, true);
+        });
+        view.setUint32(this.#outputs + 4, nodes === null ? 0 : this.#which, true);
+        view.setUint32(this.#outputs + 8, list.length, true);
         return list.flatMap((samples, i) =>
             make(list.length > 1 ? `out[${i}]` : 'out', samples, this.#samples + i * SAMPLES_SIZE),
         );
     }
 
-    grid(members, out) {
+    grid(members, out, { which = null } = {}) {
         const { exports, memory } = this.#tools,
             dimensions = this.isSpace ? 3 : 2;
         const grid = readGrid(members, dimensions),
             at = this.#tools.gridAt;
-        const uses = this.#uses(out, (what, samples, slots) =>
+        const uses = this.#uses(out, which, (what, samples, slots) =>
             this.#tools.gridArrays(what, samples, slots, grid),
         );
         checkOverlaps(uses);
@@ -229,19 +380,19 @@ export class Recipe {
         return out;
     }
 
-    sample2(x, y, out) {
-        return this.#points([x, y], out);
+    sample2(x, y, out, { which = null } = {}) {
+        return this.#points([x, y], out, which);
     }
-    sample3(x, y, z, out) {
-        return this.#points([x, y, z], out);
+    sample3(x, y, z, out, { which = null } = {}) {
+        return this.#points([x, y, z], out, which);
     }
 
-    #points(position, out) {
+    #points(position, out, which) {
         const { exports, memory } = this.#tools;
         const { uses, slots, isDouble } = this.#tools.coordinates(position);
         const count = position[0].length;
         uses.push(
-            ...this.#uses(out, (what, samples, at) =>
+            ...this.#uses(out, which, (what, samples, at) =>
                 this.#tools.arrays(what, samples, SAMPLES, at, true, count),
             ),
         );

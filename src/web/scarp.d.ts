@@ -242,8 +242,13 @@ export interface Scarp {
     apply1<T extends Samples>(a: Samples, f: Partials, out: T): T;
     apply2<T extends Samples>(a: Samples, b: Samples, f: Partials, out: T): T;
 
-    /** A composition of noises; throws a RecipeError. Free it when it is no longer needed. */
-    recipe(text: string): Recipe;
+    /**
+     * A composition of noises; throws a RecipeError. Free it when it is no longer needed. A tolerant
+     * one has its errors in `errors`, and only a text that is too long throws.
+     */
+    recipe(text: string, options?: { tolerant?: boolean }): Recipe;
+    /** The functions of recipes. */
+    readonly recipeFunctions: readonly RecipeFunction[];
 
     /** What calls would throw for this noise, or null. */
     noiseCheck(noise: Noise | Plan, dimensions: Dimensions): ScarpError | null;
@@ -257,11 +262,14 @@ export interface Scarp {
     gpuAnswers(noise: Noise | Plan, dimensions: Dimensions, order: 0 | 1 | 2): Uint32Array;
 }
 
+/** From the first index of a string to that behind the last one. */
+export type Span = [from: number, to: number];
+
 /** One thing that is wrong in the text of a recipe; lines and columns count from 1. */
 export interface RecipeFault {
     line: number;
     column: number;
-    /** Bytes of the text, `to` excluded. */
+    /** Indices of the string, `to` excluded. */
     from: number;
     to: number;
     text: string;
@@ -275,8 +283,100 @@ export declare class RecipeError extends ScarpError {
     readonly errors: RecipeFault[];
 }
 
+/** What a statement, or a part of one, is; 'bad': it has an error, or uses what has one. */
+export type RecipeKind = 'bad' | 'number' | 'field' | 'noise' | 'word' | 'knot';
+
+/** A statement: param, out or name = expression. */
+export interface RecipeEntry {
+    readonly index: number;
+    readonly name: string;
+    /** With the comment that ends its line. */
+    readonly span: Span;
+    readonly nameSpan: Span;
+    readonly kind: RecipeKind;
+    readonly isParam: boolean;
+    /** The number of the output that it is, or -1. */
+    readonly output: number;
+    /** The number of its expression; -1 for param. */
+    readonly part: number;
+    /** Of numbers. */
+    readonly value: number;
+    /** Of param: the interval that the text gives, else that of all numbers. */
+    readonly slider: [lowest: number, highest: number];
+    /** Of fields: the interval that values never leave. */
+    readonly range: [lowest: number, highest: number];
+    /** Of fields: on which they depend: 1 x, 2 y, 4 z. */
+    readonly axes: number;
+    /** Of fields: the highest order of their derivatives. */
+    readonly order: number;
+    /** The same as before an edit if nothing has to be drawn anew. */
+    readonly hash: string;
+}
+
+/**
+ * A part of an expression. A call, and a sign, stands in front of the parts that it has, other
+ * operators stand behind theirs.
+ */
+export interface RecipePart {
+    readonly index: number;
+    readonly span: Span;
+    /** The name, or the function that is called; else ''. */
+    readonly name: string;
+    readonly nameSpan: Span | null;
+    /** The name that it has as an argument; else ''. */
+    readonly argument: string;
+    readonly argumentSpan: Span | null;
+    readonly kind: RecipeKind;
+    /** Of a call: its number in recipeFunctions; else -1. */
+    readonly function: number;
+    /** Of a name: the statement that it stands for; else -1. */
+    readonly entry: number;
+    /** The part around it; -1: it is a whole expression. */
+    readonly parent: number;
+    readonly operation: '' | '+' | '-' | '*' | '/' | '^';
+    readonly axes: number;
+    readonly order: number;
+    readonly range: [lowest: number, highest: number];
+    readonly value: number;
+    readonly hash: string;
+}
+
+export interface RecipeArgument {
+    readonly name: string;
+    /** What it does. */
+    readonly text: string;
+    /** What is expected; the last argument may be given again and again if that is 'knot'. */
+    readonly kind: RecipeKind;
+    readonly isNeeded: boolean;
+    /** Of numbers: the value without the argument, and an interval for a slider. */
+    readonly otherwise: number;
+    readonly lowest: number;
+    readonly highest: number;
+    /** Of words: those that it may be; else null. */
+    readonly words: readonly string[] | null;
+}
+
+export interface RecipeFunction {
+    readonly name: string;
+    /** A sentence. */
+    readonly text: string;
+    readonly arguments: readonly RecipeArgument[];
+}
+
+/** What to sample in place of the outputs: numbers of statements, or PARTS plus that of a part. */
+export interface Nodes {
+    which?: number | readonly number[] | null;
+}
+
+/** The number of the first part, among nodes. */
+export declare const PARTS: 65536;
+
 /** A composition of noises as a text: src/recipe/README.md of scarp has the language. */
 export interface Recipe {
+    /** What is wrong with the text of a tolerant recipe. Statements without an error may be sampled. */
+    readonly errors: readonly RecipeFault[];
+    readonly entries: RecipeEntry[];
+    readonly parts: RecipePart[];
     /** Parameters, with the intervals that the text gives. */
     readonly params: { name: string; value: number; lowest: number; highest: number }[];
     /** Outputs, with the intervals that values never leave. */
@@ -288,15 +388,28 @@ export interface Recipe {
     set seed(seed: number | bigint);
     /** Sets a parameter; "finest" leaves out octaves with cells smaller than that. */
     set(name: string, value: number): this;
-    range(output?: number): [number, number];
+    /** The interval that values of an output never leave, or those of a node, or within a box. */
+    range(
+        output?: number,
+        options?: {
+            which?: number | null;
+            box?: { lowest: readonly number[]; highest: readonly number[] } | null;
+        },
+    ): [number, number];
     /** `out` has arrays of the first output, or an array of objects those of the first ones. */
-    grid<T extends Samples | Samples[]>(grid: Grid, out: T): T;
-    sample2<T extends Samples | Samples[]>(x: Coordinates, y: Coordinates, out: T): T;
+    grid<T extends Samples | Samples[]>(grid: Grid, out: T, nodes?: Nodes): T;
+    sample2<T extends Samples | Samples[]>(
+        x: Coordinates,
+        y: Coordinates,
+        out: T,
+        nodes?: Nodes,
+    ): T;
     sample3<T extends Samples | Samples[]>(
         x: Coordinates,
         y: Coordinates,
         z: Coordinates,
         out: T,
+        nodes?: Nodes,
     ): T;
     free(): void;
 }

@@ -28,9 +28,9 @@ import {
 import { compile, hasVectors } from './compile.mjs';
 import { Memory, checkArray, checkOverlaps, isArray } from './memory.mjs';
 
-import { Recipe, RecipeError } from './recipe.mjs';
+import { PARTS, Recipe, RecipeError, functionsOf } from './recipe.mjs';
 
-export { RecipeError, STATUS, ScarpError };
+export { PARTS, RecipeError, STATUS, ScarpError };
 
 // A noise that is checked and ready, for many calls with few points.
 class Plan {
@@ -47,6 +47,7 @@ class Scarp {
     #words; // of the enumerators
     #at; // where structures are
     #plans = new Set();
+    #functions = null;
 
     constructor(exports, bytes) {
         const sizes = {
@@ -495,8 +496,15 @@ class Scarp {
         );
     }
 
-    // A composition of noises; free() it.
-    recipe(text) {
+    // The functions of recipes, with their arguments
+    get recipeFunctions() {
+        this.#functions ??= functionsOf({ exports: this.#exports, memory: this.#memory });
+        return this.#functions;
+    }
+
+    // A composition of noises; free() it. A tolerant one may have errors.
+    recipe(text, options = {}) {
+        checkMembers('recipe()', options, ['tolerant']);
         return new Recipe(
             {
                 exports: this.#exports,
@@ -514,6 +522,7 @@ class Scarp {
                 }),
             },
             text,
+            options.tolerant === true,
         );
     }
 
@@ -602,5 +611,8 @@ export async function load(options = {}) {
         throw new RangeError('memory is a number of bytes');
     }
     const instance = await WebAssembly.instantiate(await compile(simd), {});
-    return new Scarp(instance.exports, memory);
+    return bind(instance.exports, memory);
 }
+
+// The same calls for another module, which exports those of scarp.h among its own
+export const bind = (exports, memory) => new Scarp(exports, memory);

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+//
+// What the module reads in the text of a recipe, as plain data, which workers can be sent. Editors
+// show this, and nothing that they found in the text themselves.
+
+// {text, ok, errors, entries, parts, functions, isSpace}: see Recipe in scarp.d.ts. Entries of param
+// have the span of their number, too: `valueSpan`.
+export function readDocument(scarp, text) {
+    const functions = scarp.recipeFunctions;
+    let recipe = null;
+    try {
+        recipe = scarp.recipe(text, {tolerant: true});
+    } catch (error) {
+        const wrong = {line: 1, column: 1, from: 0, to: text.length, member: null, nearest: null,
+            text: error.code === "SCARP_ERROR_SIZE" ? "the text is longer than 16,384 bytes"
+                : error.message};
+        return {text, ok: false, errors: [wrong], entries: [], parts: [], functions, isSpace: false};
+    }
+    const {errors, parts, isSpace} = recipe;
+    const entries = recipe.entries.map(entry =>
+        entry.isParam ? {...entry, valueSpan: valueSpan(text, entry)} : entry);
+    recipe.free();
+    return {text, ok: errors.length === 0, errors, entries, parts, functions, isSpace};
+}
+
+// The module tells where a parameter and its name stand; its number is the next word behind "=".
+function valueSpan(text, {span, nameSpan}) {
+    const found = /^\s*=\s*([^\s[#]+)/.exec(text.slice(nameSpan[1], span[1]));
+    const to = found ? nameSpan[1] + found[0].length : span[1];
+    return found ? [to - found[1].length, to] : [to, to];
+}

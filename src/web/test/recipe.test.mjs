@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+//
+// What editors ask of a recipe: statements, parts, functions, errors, and samples of any node.
+import assert from 'node:assert/strict';
+import { test } from 'node:test';
+import { PARTS, RecipeError, load } from '../scarp.mjs';
+
+const scarp = await load({ memory: 2 ** 22 });
+
+const LAND = `# Hügel 🏔 und Täler
+recipe 1
+param height = 90 [0, 400] # für alle
+bend = noise(size=300, octaves=3, amplitude=60)
+hills = warp(noise(ridged, size=200, octaves=5), bend)
+mask = smoothstep(hills, 0.25, hi=0.5)
+out land = -height * hills^2 + 3
+out moist = mix(bend, x, mask) # 🏔
+`;
+
+// Errors of `text` are allowed.
+function withRecipe(text, use) {
+    const recipe = scarp.recipe(text, { tolerant: true });
+    try {
+        return use(recipe);
+    } finally {
+        recipe.free();
+    }
+}
+
+test('statements have their places in the string', () =>
+    withRecipe(LAND, ({ entries, errors }) => {
+        assert.deepEqual(errors, []);
+        assert.deepEqual(
+            entries.map(({ name, span }) => [name, LAND.slice(...span)]),
+            [
+                ['height', 'param height = 90 [0, 400] # für alle'],
+                ['bend', 'bend = noise(size=300, octaves=3, amplitude=60)'],
+                ['hills', 'hills = warp(noise(ridged, size=200, octaves=5), bend)'],
+                ['mask', 'mask = smoothstep(hills, 0.25, hi=0.5)'],
+                ['land', 'out land = -height * hills^2 + 3'],
+                ['moist', 'out moist = mix(bend, x, mask) # 🏔'],
+            ],
+        );
+        entries.forEach(({ index, name, nameSpan }, i) => {
+            assert.equal(index, i);
+            assert.equal(LAND.slice(...nameSpan), name);
+        });
+        assert.deepEqual(
+            entries.map(({ kind }) => kind),
+            ['number', 'noise', 'noise', 'field', 'field', 'field'],
+        );
+        assert.deepEqual(
+            entries.map(({ isParam, output }) => [isParam, output]),
+            [[true, -1], [false, -1], [false, -1], [false, -1], [false, 0], [false, 1]],
+        );
+        const [height, , , mask, land] = entries;
+        assert.equal(height.value, 90);
+        assert.deepEqual(height.slider, [0, 400]);
+        assert.equal(height.part, -1);
+        assert.deepEqual(mask.range, [0, 1]);
+        assert.equal(land.axes, 3);
+        assert.equal(land.order, 2);
+        assert.match(land.hash, /^[0-9a-f]+$/);
+    }));
+
+test('parts are a tree', () =>
+    withRecipe(LAND, ({ entries, parts }) => {
+        const whole = parts[entries[4].part];
+        assert.equal(LAND.slice(...whole.span), '-height * hills^2 + 3');
+        assert.equal(whole.operation, '+');
+        assert.equal(whole.parent, -1);
+        const inside = (of) => parts.filter(({ parent }) => parent === of.index);
+        const [product, three] = inside(whole);
+        assert.equal(product.operation, '*');
+        assert.deepEqual([three.kind, three.value], ['number', 3]);
+        const [sign, power] = inside(product);
+        assert.deepEqual([sign.operation, power.operation], ['-', '^']);
+        const [name] = inside(sign);
+        assert.deepEqual([name.name, name.entry, name.function], ['height', 0, -1]);
+        assert.equal(LAND.slice(...name.nameSpan), 'height');
+
+        const call = parts[entries[3].part];
+        assert.equal(scarp.recipeFunctions[call.function].name, 'smoothstep');
+        const given = inside(call);
+        assert.deepEqual(
+            given.map(({ argument }) => argument),
+            ['', '', 'hi'],
+        );
+        assert.equal(given[0].argumentSpan, null);
+        assert.equal(LAND.slice(...given[2].argumentSpan), 'hi');
+        parts.forEach(({ index }, i) => assert.equal(index, i));
+    }));
+
+test('the functions are those of the language', () => {
+    const functions = scarp.recipeFunctions;
+    assert.equal(functions, scarp.recipeFunctions);
+    const of = (name) => functions.find((each) => each.name === name);
+    assert.equal(of('smoothstep').text, 'A mask: from 0 at lo to 1 at hi.');
+    assert.deepEqual(of('smoothstep').arguments[1], {
+        name: 'lo',
+        text: 'the lower end',
+        kind: 'number',
+        isNeeded: true,
+        otherwise: 0,
+        lowest: -1,
+        highest: 1,
+        words: null,
+    });
+    const [basis] = of('noise').arguments;
+    assert.equal(basis.kind, 'word');
+    assert.deepEqual(basis.words, scarp.bases.map((word) => word.replace('-', '_')));
+    assert.equal(of('noise').arguments.find(({ name }) => name === 'gain').otherwise, 0.5);
+    assert.equal(of('curve').arguments.at(-1).kind, 'knot');
+    assert.equal(of('warp').arguments[1].kind, 'noise');
+    assert.ok(functions.length > 20 && functions.every(({ text }) => text.endsWith('.')));
+});
+
+test('a tolerant recipe tells what is wrong and reads the rest', () => {
+    const wrong = LAND.replace('0.25', '🏔').replace('x, mask', 'y, mask, mask');
+    withRecipe(wrong, (recipe) => {
+        const { entries, errors } = recipe;
+        assert.ok(errors.length >= 2);
+        assert.equal(errors[0].line, 6);
+        assert.equal(errors[0].from, wrong.indexOf('🏔', 12));
+        assert.equal(errors[0].column, wrong.split('\n')[5].indexOf('🏔') + 1);
+        assert.equal(errors.at(-1).line, 8);
+        const kinds = Object.fromEntries(entries.map(({ name, kind }) => [name, kind]));
+        assert.equal(kinds.hills, 'noise');
+        assert.equal(kinds.mask, 'bad');
+        const value = new Float32Array(4);
+        const hills = entries.find(({ name }) => name === 'hills').index;
+        recipe.grid({ count: [4, 1], step: [50, 50] }, { value }, { which: hills });
+        assert.equal(new Set(value).size, 4);
+        assert.throws(() => recipe.grid({ count: [4, 1] }, { value }, { which: 3 }), /\w/);
+        assert.throws(() => recipe.grid({ count: [4, 1] }, { value }), /\w/);
+    });
+    assert.throws(() => scarp.recipe(wrong), RecipeError);
+    assert.throws(() => scarp.recipe('#'.repeat(20000), { tolerant: true }), { status: 4 });
+    assert.throws(() => scarp.recipe(LAND, { lenient: true }), TypeError);
+});
+
+test('any node may be sampled', () =>
+    withRecipe(LAND, (recipe) => {
+        const { entries, parts } = recipe;
+        const x = Float64Array.from({ length: 60 }, (_, i) => 17 * i);
+        const points = (which) => recipe.sample2(x, x, { value: new Float32Array(60) }, { which });
+        const [bend, hills, mask, land] = [1, 2, 3, 4].map((n) => points(n).value);
+        assert.deepEqual(land, recipe.sample2(x, x, { value: new Float32Array(60) }).value);
+        assert.deepEqual(points(PARTS + entries[2].part).value, hills);
+        const power = parts.find(({ operation }) => operation === '^').index;
+        assert.deepEqual(points(PARTS + power).value, hills.map((v) => Math.fround(v * v)));
+        const both = [{ value: new Float32Array(60) }, { value: new Float32Array(60) }];
+        recipe.sample2(x, x, both, { which: [3, 1] });
+        assert.deepEqual([both[0].value, both[1].value], [mask, bend]);
+        const grid = { count: [60, 1], step: [17, 17] };
+        const rows = recipe.grid(grid, { value: new Float32Array(60) }, { which: 2 });
+        assert.equal(rows.value[0], hills[0]);
+        assert.deepEqual(recipe.range(0, { which: 3 }), [0, 1]);
+        const [low, high] = recipe.range(0, {
+            which: PARTS + parts.find(({ name }) => name === 'x').index,
+            box: { lowest: [-5, 0], highest: [7, 1] },
+        });
+        assert.ok(low <= -5 && low > -5.01 && high >= 7 && high < 7.01);
+        assert.deepEqual(recipe.range(1), entries[5].range);
+        for (const which of [-1, 0.5, 'land', [1, 2]]) {
+            assert.throws(() => points(which), RangeError);
+        }
+        assert.throws(() => points(99));
+        assert.throws(() => recipe.range(2));
+    }));
+
+test('hashes tell what has to be drawn anew', () => {
+    const hashes = (text) =>
+        withRecipe(text, ({ entries }) => Object.fromEntries(entries.map((e) => [e.name, e.hash])));
+    const before = hashes(LAND),
+        after = hashes(LAND.replace('octaves=3', 'octaves=4').replace('recipe 1\n', 'recipe 1\n\n'));
+    const changed = Object.keys(before).filter((name) => before[name] !== after[name]);
+    assert.deepEqual(changed, ['bend', 'hills', 'mask', 'land', 'moist']);
+    assert.deepEqual(hashes(LAND.replace('hi=0.5', 'hi=0.6')).hills, before.hills);
+});
