@@ -165,8 +165,10 @@ for (const [name, text] of texts) {
                     assert.ok(next.byName.has(result.name), offer.name);
                 }
             }
-            // A noise is expected there, which few functions are.
-            if (context.target?.slot?.kind === 'noise') {
+            // Where a noise or a number is expected, few functions fit.
+            if (context.target?.slot?.kind === 'number') {
+                assert.ok(names.has('parameter') && !names.has('terrace'), [...names].join());
+            } else if (context.target?.slot?.kind === 'noise') {
                 assert.ok(names.has('warp') && !names.has('terrace'), [...names].join());
             } else {
                 assert.ok(names.size > 3, `${names.size} offers for ${Object.keys(context)}`);

@@ -193,7 +193,7 @@ export function shortNumber(value) {
         return value < 0 ? "−∞" : value > 0 ? "∞" : "none";
     }
     const size = Math.abs(value);
-    const text = size >= 1e6 || (size > 0 && size < 1e-3) ? value.toExponential(1)
+    const text = size < 1e-9 ? "0" : size >= 1e6 || size < 1e-3 ? value.toExponential(1)
         : numberText(value, size >= 100 ? 1 : size >= 10 ? 0.1 : 0.01);
     return text.replace("-", "−");
 }

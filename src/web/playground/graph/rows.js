@@ -96,6 +96,9 @@ class Rows {
         if (signature.arguments.some(slot => slot.words !== null)) {
             this.rows.push({type: "words", part});
         }
+        // The only input of a call needs no name of one letter.
+        const isOnly = signature.arguments.filter(slot => slot.kind === "field").length === 1;
+        const labelOf = ({slot}) => slot === null || isOnly && slot.name.length === 1 ? "" : slot.name;
         const knots = part.children.filter(child => child.kind === "knot");
         if (knots.length > 0) {
             this.rows.push({type: "curve", part});
@@ -105,7 +108,7 @@ class Rows {
                 continue;
             }
             if (child.kind !== "knot") {
-                this.place(child, child.slot?.name ?? "", depth);
+                this.place(child, labelOf(child), depth);
             } else if (knots.some(({children: [, value]}) => !isNumber(value))) {
                 this.place(child.children[1], `at ${textOf(this.model, child.children[0])}`, depth);
             }
