@@ -72,6 +72,8 @@ class Chromium:
         except ProcessLookupError:
             pass
         self.browser.wait()
+        os.close(self.out)
+        os.close(self.inp)
         self.log.close()
 
     def receive(self, seconds):

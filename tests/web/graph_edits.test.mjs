@@ -167,7 +167,8 @@ for (const [name, text] of texts) {
             }
             // Where a noise or a number is expected, few functions fit.
             if (context.target?.slot?.kind === 'number') {
-                assert.ok(names.has('parameter') && !names.has('terrace'), [...names].join());
+                assert.ok(names.has(context.isWire ? 'sum' : 'parameter'), [...names].join());
+                assert.ok(!names.has('terrace'));
             } else if (context.target?.slot?.kind === 'noise') {
                 assert.ok(names.has('warp') && !names.has('terrace'), [...names].join());
             } else {

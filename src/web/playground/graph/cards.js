@@ -235,8 +235,9 @@ export class CardView {
         typeInto(this.name, statement.name, `Name instead of ${statement.name}`, name => {
             if (name !== null && name !== statement.name) {
                 desk.rename(statement, name, (model, read) => rename(model, read, statement, name));
+            } else {
+                this.element.focus({preventScroll: true});
             }
-            this.element.focus({preventScroll: true});
         });
     }
 

@@ -223,11 +223,14 @@ class Graph {
     }
 
     #resized() {
-        const {offsetWidth} = this.root, isList = offsetWidth > 0 && offsetWidth < NARROW;
-        const isFirst = this.stage.laid.size === 0;
-        if (offsetWidth > 0 && (isList !== this.isList || isFirst) && this.model) {
-            this.isList = isList;
-            this.root.classList.toggle("is-list", isList);
+        const {offsetWidth} = this.root, isList = offsetWidth < NARROW;
+        const isFirst = this.stage.laid.size === 0, hasChanged = isList !== this.isList;
+        if (offsetWidth === 0) {
+            return;
+        }
+        this.isList = isList;
+        this.root.classList.toggle("is-list", isList);
+        if (this.model && (hasChanged || isFirst)) {
             this.#render();
             if (isFirst) {
                 this.stage.layout();
@@ -296,7 +299,7 @@ class Graph {
             this.update(result.document);
         }
         if (says) {
-            this.say(`${says[0].toUpperCase()}${says.slice(1)}${says.endsWith(".") ? "" : "."}`);
+            this.say(says);
         }
         return true;
     }
@@ -348,6 +351,7 @@ class Graph {
             }
             return result;
         }, {says: `${statement.name} is called ${name} now`});
+        this.views.get(this.selectedName)?.element.focus({preventScroll: true});
     }
 
     spread(name) {

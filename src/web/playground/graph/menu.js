@@ -65,8 +65,12 @@ export class Menu {
         }
     }
 
+    // What is called as the search begins stands in front of what only tells of it.
     get found() {
-        return this.offers.filter(offer => isFound(offer, this.search.value));
+        const search = this.search.value.trim().toLowerCase();
+        const found = this.offers.filter(offer => isFound(offer, search));
+        const isCalled = offer => search !== "" && offer.name.toLowerCase().startsWith(search);
+        return [...found.filter(isCalled), ...found.filter(offer => !isCalled(offer))];
     }
 
     #show() {

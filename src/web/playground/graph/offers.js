@@ -128,7 +128,7 @@ function nameOffers(model, target) {
     return model.statements.filter(statement => statement !== target.statement &&
         target.entry !== statement.index).map(statement => ({
         name: statement.name, group: "names", isName: true,
-        text: statement.isParam ? "the parameter" : "what is there already",
+        text: statement.isParam ? "a number that is there already" : "what is there already",
         attempt: (next, read) => ({...wire(next, read, statement, target), name: statement.name}),
     }));
 }

@@ -41,11 +41,11 @@ export class Pictures {
             return;
         }
         const asked = this.asked.get(id);
-        if (asked?.key === key && asked.view === view) {
+        if (asked?.key === key && asked.view === view && asked.node === node) {
             return;
         }
         asked?.cancel?.();
-        const entry = {key, view, cancel: null};
+        const entry = {key, view, node, cancel: null};
         this.asked.set(id, entry);
         entry.cancel = this.host.picture(node, ...PICTURE, result => {
             if (this.asked.get(id) === entry) {

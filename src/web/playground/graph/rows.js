@@ -129,7 +129,7 @@ class Rows {
         inside.body(part, 0);
         this.cards.push({id, statement: this.statement, part, isSub: true, isSpread: true,
             title: isCall(part) ? functionOf(this.model, part).name : SIGNS[part.operation],
-            kind: `in ${this.statement.name}`, type: part.kind, node: PARTS + part.index,
+            kind: `in ${this.statement.name}`, type: part.kind, node: isField(part) ? PARTS + part.index : -1,
             hash: part.hash, range: part.range, rows: inside.rows, note: ""});
         return id;
     }
