@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """What the tests of the playground share: the program, the browser, and what the page shows.
 
+Pictures are asked for by the options of the program, which is what links of older pages name, too.
+
     test_NAME.py [CLASS.TEST...]
 
 The environment tells where things are: SCARP_PROGRAM, SCARP_CHROMIUM, SCARP_PLAYGROUND (the
@@ -9,6 +11,7 @@ SCARP_NODE, which may be empty. SCARP_REQUIRE_TOOLS with "chromium" in it turns 
 a failure.
 """
 import hashlib
+import json
 import os
 import re
 import shutil
@@ -116,14 +119,28 @@ class Playground(unittest.TestCase):
             }})""")
         self.ready()
 
+    def write(self, text):
+        """Makes this the text, as one step of the history."""
+        self.page.run(f"playground.work.setText({json.dumps(text)})")
+
+    def text(self):
+        return self.page.run("playground.work.editor.text")
+
+    def file(self, name, text):
+        """A file with a text"""
+        path = os.path.join(self.scratch, name)
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(text)
+        return path
+
     def leave(self):
         self.page.call("Page.navigate", url="about:blank")
         self.page.wait("location.href === 'about:blank'")
 
     def ready(self):
         notice = "document.getElementById('notice')?.textContent"
-        self.page.wait("document.documentElement?.dataset.ready === 'yes' || "
-                       f"{notice}?.length > 0", PATIENCE)
+        self.page.wait("(document.documentElement?.dataset.ready === 'yes' && "
+                       f"playground.work.editor !== null) || {notice}?.length > 0", PATIENCE)
         self.assertEqual(self.page.run(notice), "")
 
     def hash(self):

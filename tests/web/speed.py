@@ -7,16 +7,19 @@
 PLAYGROUND is the folder with the assembled page; options go to the browser. Frames are whole here,
 as large as the raster; the page itself shows previews with fewer samples where there is no time.
 """
+import itertools
 import shutil
 import sys
 import tempfile
 
 from chromium import Chromium, serve
 
-CASES = ("512x512", "1024x1024")
+PRESETS = ("hills", "alps")
+SIZES = ("512x512", "1024x1024")
 VIEWS = ("hillshade", "relief")
 DRAG = """new Promise(done => {
-    const slider = document.getElementById("p-gain-slider"), page = globalThis.playground;
+    const slider = document.getElementById("p-height-slider"), page = globalThis.playground;
+    clearTimeout(page.settling);
     const show = page.show.bind(page), begin = performance.now();
     let shown = 0, ms = 0, moves = 0;
     page.sampleMs = 0;
@@ -27,7 +30,7 @@ DRAG = """new Promise(done => {
         page.sampleMs = 1e-9; // so fast that there is no need of previews
     };
     const move = () => {
-        slider.value = 0.4 + 0.2 * Math.sin(moves++ / 20);
+        slider.value = 600 + 200 * Math.sin(moves++ / 20);
         slider.dispatchEvent(new Event("input", {bubbles: true}));
         const seconds = (performance.now() - begin) / 1000;
         if (seconds < 5) {
@@ -47,14 +50,14 @@ def main():
     browser = Chromium(sys.argv[1], scratch, *sys.argv[3:])
     try:
         browser.size(1200, 800)
-        for size in CASES:
-            for view in VIEWS:
-                browser.open(f"http://127.0.0.1:{server.server_port}/index.html"
-                             f"#preset=none&octaves=8&size={size}&view={view}")
-                browser.wait("document.documentElement?.dataset.ready === 'yes'")
-                frames, ms, workers = browser.run(DRAG)
-                print(f"{size} {view}: {frames:.1f} frames a second, of which each takes "
-                      f"{workers} workers {ms:.1f} ms", flush=True)
+        for preset, size, view in itertools.product(PRESETS, SIZES, VIEWS):
+            browser.open(f"http://127.0.0.1:{server.server_port}/index.html"
+                         f"#preset={preset}&step=4&size={size}&view={view}")
+            browser.wait("document.documentElement?.dataset.ready === 'yes' && "
+                         "playground.work.editor !== null")
+            frames, ms, workers = browser.run(DRAG)
+            print(f"{preset} {size} {view}: {frames:.1f} frames a second, of which each takes "
+                  f"{workers} workers {ms:.1f} ms", flush=True)
     finally:
         browser.close()
         server.shutdown()

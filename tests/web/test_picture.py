@@ -1,12 +1,13 @@
 # SPDX-License-Identifier: MIT
 """Tests that the playground shows the terrain of the program, to the bit: see playground.py."""
+import hashlib
 import os
-import re
 import shutil
-
+import time
 
 from chromium import serve
-from playground import CASES, PLACE, PROGRAM, SITE, Playground, fragment, hash_of, main, presets
+from playground import (CASES, PLACE, SITE, Playground, fragment, hash_of, main, presets,
+                        program)
 
 WITH_HESSIAN = ("dunes",)  # gullies have none
 
@@ -64,26 +65,117 @@ class Picture(Playground):
         """It has the bits of the program; while it has errors, they are told and the picture stays."""
         text = "recipe 1\nparam tall = 80 [0, 300]\nbend = noise(size=90, amplitude=20)\n" \
             "out a = tall * warp(noise(ridged, size=70, octaves=4), bend)\n"
-        path = os.path.join(self.scratch, "own.recipe")
-        with open(path, "w", encoding="utf-8") as file:
-            file.write(text)
+        path = self.file("own.recipe", text)
         self.open(PLACE, text=text, view="hillshade")
         self.assertEqual(self.hash(), hash_of([*PLACE, "--recipe", path]))
-        self.page.run("playground.setValue('tall', '200')")
+        self.write(text.replace("80", "200"))
         self.ready()
         self.assertEqual(self.hash(), hash_of([*PLACE, "--recipe", path, "--set", "tall=200"]))
-        before = self.greys()
-        self.page.run("playground.setText(playground.state.text.replace('warp(', 'wrap('))")
+        before, stale = self.greys(), "getComputedStyle(document.getElementById('map')).opacity"
+        self.write(text.replace("warp(", "wrap("))
         self.assertIn("line 4", self.shown("#recipe-message"))
         self.assertIn("line 4", self.shown("#notice"))
         self.assertTrue(self.greys() == before)
-        self.page.run("playground.setText(playground.state.text.replace('wrap(', 'warp('))")
+        self.assertLess(float(self.page.run(stale)), 0.6)
+        self.write(text)
         self.ready()
         self.assertEqual(self.shown("#recipe-message"), "")
-        self.page.run("playground.setValue('tall', '301')")
-        self.assertIn("tall: outside of its interval", self.shown("#notice"))
-        self.page.run("playground.setValue('tall', undefined)")
+        self.assertEqual(self.page.run(stale), "1")
+
+    def test_what_is_no_terrain_is_told(self):
+        self.open(PLACE, text="recipe 1\nout a = noise(size=70)\n")
+        for text, told in (("out a = x", "no bound"), ("out a = 3", "no height"),
+                           ("space 3\nout a = noise(size=9)", "depends on z")):
+            self.write(f"recipe 1\n{text}\n")
+            self.page.wait(f"document.getElementById('notice').textContent.includes('{told}')")
+            self.assertIn(told, self.shown("#recipe-message"))
+            self.assertEqual(self.page.run("playground.recipe.errors.length"), 0)
+        self.page.run("playground.setNode('a')")  # a cut through space at z = 0
+        self.page.wait("playground.whole.job.node?.isSpace && document.documentElement."
+                       "dataset.ready === 'yes'")
+        self.assertTrue(self.page.run("document.getElementById('notice').hidden"))
+        self.page.run("playground.setNode('')")
+        self.write("recipe 1\nout a = noise(size=70)\n")
         self.ready()
+
+    def test_statements_and_parts_are_looked_at(self):
+        """Values are those that the program writes for an output, the interval is told and met."""
+        text = "recipe 1\nbend = noise(size=90, amplitude=20)\nhigh = smoothstep(bend, -5, 5)\n" \
+            "out a = 50 * noise(size=70) * high\n"
+        self.open(PLACE, text=text, view="slope")
+
+        def expected(expression):
+            path = self.file("node.recipe", text + f"out node = {expression}\n")
+            return hashlib.sha256(program(*PLACE, "--recipe", path, "--out",
+                                          "node=r32:-")).hexdigest()
+
+        self.page.run("playground.setNode('bend')")
+        self.ready()
+        self.assertEqual(self.hash(), expected("bend"))
+        self.assertEqual(self.page.run("playground.last.job.view"), "slope")
+        self.assertRegex(self.shown("#range"), r"^bend: promised -20 … 20, met -1\d.* … 1\d.*slope")
+        self.page.run("playground.setNode('high')")
+        self.page.run("playground.setView('value')")
+        self.ready()
+        self.assertEqual(self.hash(), expected("high"))
+        self.assertIn("promised 0 … 1", self.shown("#range"))
+        greys = self.greys()
+        self.assertNotIn(b"?????", greys, "masks are grey")
+        self.assertGreater(max(greys) - min(greys), 250)
+        self.assertEqual(self.page.run("[...document.querySelectorAll('#views button')].map("
+                                       "button => button.disabled)"),
+                         [True, True, False, False, True])
+        self.page.run("playground.setNode('*')")
+        for word, expression in (("noise(size=70)", "noise(size=70)"), ("50 *", "50 * noise(size=70)"),
+                                 ("bend, -5", "bend"), ("smoothstep(", "high")):
+            at = text.index(word)
+            self.page.run(f"playground.work.editor.select({at})")
+            self.ready()
+            self.assertEqual(self.hash(), expected(expression), word)
+        self.page.run("playground.setNode('')")
+        self.ready()
+
+    def test_small_pictures(self):
+        """They show the middle of the map, and what is the same is not drawn again."""
+        self.open(["--preset", "islands", "--size", "120x90", "--step", "20"], view="relief")
+        take = """which => new Promise(done => playground.picture(which, 60, 45,
+            ({image: {data, width}, lowest, highest}) => done(
+                [width, new Set(new Uint32Array(data.buffer)).size, lowest, highest])))"""
+        entries = self.page.run("playground.recipe.entries.map(({name, kind}) => [name, kind])")
+        for index, (name, kind) in enumerate(entries):
+            if kind in ("field", "noise"):
+                width, colours, lowest, highest = self.page.run(f"({take})({index})")
+                self.assertEqual(width, 60)
+                self.assertGreater(colours, 20, name)
+                self.assertLess(lowest, highest)
+        made = self.page.run("playground.pictures.id")
+        self.page.run(f"({take})({index})")
+        self.assertEqual(self.page.run("playground.pictures.id"), made)
+        part = self.page.run("65536 + playground.recipe.parts.find(p => p.kind === 'noise').index")
+        self.assertEqual(self.page.run(f"({take})({part})")[0], 60)
+        made = self.page.run("playground.pictures.id")
+        self.page.run("playground.changeSeed(1)")
+        self.ready()
+        self.page.run(f"({take})({index})")
+        self.assertEqual(self.page.run("playground.pictures.id"), made + 1)
+        called = self.page.run("""new Promise(done => {
+            let calls = 0;
+            playground.picture(4, 61, 45, () => calls++)();
+            playground.picture(4, 62, 45, () => done(calls));
+        })""")
+        self.assertEqual(called, 0, "a wish can be taken back")
+
+    def test_a_newer_wish_replaces_an_older_one(self):
+        """Typing is never held up by a picture that takes seconds."""
+        self.open(["--preset", "alps", "--size", "96x96"])
+        self.page.run("playground.change({size: '3000x3000'})")
+        self.page.wait("playground.pool.isBusy")
+        begin = time.monotonic()
+        self.write("recipe 1\nout a = 9 * noise(size=40)\n")
+        self.page.run("playground.change({size: '96x96'})")
+        self.ready()
+        self.assertLess(time.monotonic() - begin, 2.5)
+        self.assertEqual(self.page.run("playground.whole.values.length"), 96 * 96)
 
     def test_space(self):
         self.open(["--preset", "alps", "--size", "128x96", "--step", "8"], space="3d")
@@ -105,7 +197,8 @@ class Picture(Playground):
         self.page.mouse("mouseReleased", x + 90, y + 20)
         self.page.wait("!playground.world.flying")
         self.assertNotEqual(self.page.run(look)[2], before)
-        camera = self.page.run("playground.flushHash(), location.hash.match(/camera=([^&]*)/)[1]")
+        camera = self.page.run("playground.flushHash().then(() => "
+                               "location.hash.match(/camera=([^&]*)/)[1])")
         url = self.page.run("location.href")
         self.leave()
         self.page.open(url)
@@ -117,14 +210,9 @@ class Picture(Playground):
         """Where engines have no vectors the page says so, and the bits stay, also in workers."""
         site = os.path.join(self.scratch, "without-simd")
         shutil.copytree(SITE, site)
-        with open(os.path.join(site, "compile.mjs"), "r+", encoding="utf-8") as file:
-            text, count = re.subn(r"hasVectors = \(\) =>[^;]*;", "hasVectors = () => false;",
-                                  file.read())
-            self.assertEqual(count, 1)
-            file.seek(0)
-            file.truncate()
-            file.write(text)
         os.remove(os.path.join(site, "page-simd.wasm"))
+        script = self.page.call("Page.addScriptToEvaluateOnNewDocument",
+                                source="WebAssembly.validate = () => false;")["identifier"]
         server = serve(site)
         self.addCleanup(server.shutdown)
         self.addCleanup(self.leave)
@@ -136,6 +224,7 @@ class Picture(Playground):
         self.assertNotIn("wasm128", self.shown("#status-kernels"))
         self.assertEqual(self.hash(), hash_of(words))
         self.assert_relief(words)
+        self.page.call("Page.removeScriptToEvaluateOnNewDocument", identifier=script)
         self.leave()
         self.open(["--preset", "hills", "--size", "32x32"])
         self.assertTrue(self.page.run("document.getElementById('no-simd').hidden"))

@@ -2,16 +2,11 @@
 //
 // What the page gives away: the recipe, the command line, and programs in C and JavaScript that write
 // the heights and the hillshade of the picture.
-import {numberText} from "./recipes.js";
-import {NOISE, OWN, words} from "./state.js";
+import {numberText, wordsOf} from "./options.js";
+import {presetOf} from "./state.js";
 
 const double = number => /[.e]/.test(String(number)) ? String(number) : `${number}.0`;
-const quoted = text => JSON.stringify(text).replaceAll("\\u", "\\\\u");
-
-// The text with the line that makes it repeat, as the program writes it
-function tiled({text, tile}) {
-    return tile === "" ? text : text.replace(/^(recipe 1[^\n]*\n)/m, `$1tile ${tile}\n`);
-}
+const quoted = text => JSON.stringify(text).replaceAll("\\u", "\\\\u").replaceAll("??", "?\\?");
 
 // Words in lines of at most 76 characters
 function wrapped(list) {
@@ -29,40 +24,42 @@ function wrapped(list) {
     return lines.join(" \\\n") + "\n";
 }
 
-// A command that writes heights as floats, and the hillshade
-export function asCommand({state, checked}) {
-    const file = state.preset === OWN
-        ? `cat > terrain.recipe <<'END'\n${checked.text.replace(/\n?$/, "\n")}END\n` : "";
-    return file + wrapped(["scarp", "terrain", ...words(state), "--heights", "heights.r32",
-        "--hillshade", "hillshade.pgm"]);
+const ended = text => text.replace(/\n?$/, "\n");
+
+export const asRecipe = ({state}) => ended(state.text);
+
+// A word that no line of the text is
+function endOf(text) {
+    let end = "END";
+    while (text.split("\n").includes(end)) {
+        end += "_";
+    }
+    return end;
 }
 
-// The recipe itself, with the numbers that were set
-export function asRecipe({state, checked: {source}}) {
-    let text = tiled(source).replace(/\n?$/, "\n");
-    for (const [name, value] of Object.entries(state.preset === NOISE ? {} : source.values)) {
-        const line = new RegExp(`^(param\\s+${name}\\s*=\\s*)[^\\s\\[#]+`, "m");
-        text = text.replace(line, (_, head) => head + numberText(value, false));
-    }
-    return text;
+// A command that writes heights as floats, and the hillshade
+export function asCommand({state: {text, given}}) {
+    const preset = presetOf(text), end = endOf(text);
+    const file = preset === null ? `cat > terrain.recipe <<'${end}'\n${ended(text)}${end}\n` : "";
+    const source = preset === null ? ["--recipe", "terrain.recipe"] : ["--preset", preset];
+    return file + wrapped(["scarp", "terrain", ...source, ...wordsOf(given), "--heights",
+        "heights.r32", "--hillshade", "hillshade.pgm"]);
 }
 
 const lines = text => text.replace(/\n$/, "").split("\n");
 
 // What copies have in common: the level of the sea, or null, and numbers of the raster
-function partsOf({checked}, terrain, link) {
-    const {source, options} = checked, problem = terrain.open(source), numbers = terrain.numbers();
-    if (problem !== null) {
-        throw new Error(problem.message);
-    }
+function partsOf({terrain, checked: {source, options}}) {
+    terrain.open(source);
+    const {hasSea, floor} = terrain.numbers();
     terrain.findSpread();
     terrain.setLook("alpine", options.azimuth, options.altitude);
-    return {source, options, light: terrain.light, sea: numbers.hasSea ? numbers.floor : null,
-        text: lines(tiled(source)), values: Object.entries(source.values), link};
+    return {source, options, light: terrain.light, sea: hasSea ? floor : null,
+        text: lines(source.text)};
 }
 
 export function asC(page, link) {
-    const {source, options, light, sea, text, values} = partsOf(page, page.terrain, link);
+    const {source, options, light, sea, text} = partsOf(page);
     const [width, height] = options.size, [x, y] = options.origin, {step} = options;
     const float = number => `${double(Number(numberText(number)))}f`;
     return `/* A terrain of scarp's playground:
@@ -103,8 +100,7 @@ int main(void)
         return 1;
     }
     scarp_recipe_seed(&recipe, ${source.seed}u);
-${values.map(([name, number]) => `    scarp_recipe_set(&recipe, ${quoted(name)}, ${
-        double(number)}, NULL);\n`).join("")}    const struct scarp_grid grid = {
+    const struct scarp_grid grid = {
         .origin = {${double(x)}, ${double(y)}},
         .step = {${double(step)}, ${double(-step)}},
         .first = {0, 1 - HEIGHT}, /* rows go down, y goes up */
@@ -134,7 +130,7 @@ ${sea === null ? "" : `    for (int i = 0; i < COUNT; i++) {
 }
 
 export function asJavaScript(page, link) {
-    const {source, options, light, sea, text, values} = partsOf(page, page.terrain, link);
+    const {source, options, light, sea, text} = partsOf(page);
     const [width, height] = options.size, {origin, step} = options;
     return `// A terrain of scarp's playground:
 // ${link}
@@ -153,8 +149,7 @@ const width = ${width}, height = ${height}, count = width * height;
 const scarp = await load();
 const recipe = scarp.recipe(text);
 recipe.seed = ${source.seed}n;
-${values.map(([name, number]) => `recipe.set(${JSON.stringify(name)}, ${number});\n`).join("")
-}const value = new Float32Array(count), dx = new Float32Array(count), dy = new Float32Array(count);
+const value = new Float32Array(count), dx = new Float32Array(count), dy = new Float32Array(count);
 recipe.grid({origin: [${origin.join(", ")}], step: [${step}, ${-step}], first: [0, 1 - height],
     count: [width, height]}, {value, dx, dy}); // rows go down, y goes up
 recipe.free();

@@ -29,3 +29,7 @@ function valueSpan(text, {span, nameSpan}) {
     const to = found ? nameSpan[1] + found[0].length : span[1];
     return found ? [to - found[1].length, to] : [to, to];
 }
+
+// What the library says of an error, and a number that would do
+export const errorText = ({member, text, nearest}) =>
+    `${member ? `${member}: ` : ""}${text}${nearest === null ? "" : `: ${nearest}`}`;

@@ -64,10 +64,10 @@ async function deflated(bytes) {
     return new Uint8Array(await new Response(stream).arrayBuffer());
 }
 
-// Rows are stored as differences to the row above, which deflate makes smaller.
-export async function png16(numbers, width, height) {
-    const raw = swapped(numbers, new Uint8Array(2 * numbers.length), true), row = 2 * width;
-    const rows = new Uint8Array((row + 1) * height);
+// A PNG of rows of bytes. They are stored as differences to the row above, which deflate makes
+// smaller.
+async function png(raw, {width, height, depth, colour}) {
+    const row = raw.length / height, rows = new Uint8Array((row + 1) * height);
     for (let y = 0; y < height; y++) {
         rows[y * (row + 1)] = 2;
         for (let x = 0; x < row; x++) {
@@ -78,11 +78,18 @@ export async function png16(numbers, width, height) {
     const head = new Uint8Array(13), view = new DataView(head.buffer);
     view.setUint32(0, width);
     view.setUint32(4, height);
-    head.set([16, 0, 0, 0, 0], 8);
+    head.set([depth, colour, 0, 0, 0], 8);
     const signature = new Uint8Array([0x89, 0x50, 0x4e, 0x47, 13, 10, 26, 10]);
     return new Blob([signature, chunk("IHDR", head), chunk("IDAT", await deflated(rows)),
         chunk("IEND", new Uint8Array(0))], {type: "image/png"});
 }
+
+export const png16 = (numbers, width, height) =>
+    png(swapped(numbers, new Uint8Array(2 * numbers.length), true),
+        {width, height, depth: 16, colour: 0});
+
+export const pngRgba = (bytes, width, height) =>
+    png(bytes, {width, height, depth: 8, colour: 6});
 
 export function save(blob, name) {
     const link = document.createElement("a");

@@ -7,13 +7,14 @@ const SEEDS = {ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1};
 const MOVES = {a: [-0.1, 0], d: [0.1, 0], w: [0, 0.1], s: [0, -0.1]};
 const ZOOMS = {"+": 1 / Math.SQRT2, "=": 1 / Math.SQRT2, "-": Math.SQRT2};
 
-const isField = element => element.matches("input, select, textarea, summary");
+const isField = element => element.matches("input, select, textarea, summary, [role=separator]") ||
+    element.closest(".cm-editor, #pane-graph") !== null;
 
 function press(page, key) {
     if (key in SEEDS) {
         page.changeSeed(SEEDS[key]);
     } else if (key >= "1" && key <= String(VIEWS.length)) {
-        page.setView(VIEWS[key - 1]);
+        document.querySelectorAll("#views button")[key - 1].click();
     } else if (key === "0") {
         page.setSpace(!page.state.space);
     } else if (key === "?") {
@@ -37,7 +38,7 @@ export function connectKeys(page) {
         // Views are radio buttons: there, arrows choose among them.
         const radio = event.target.closest("[role=radiogroup]");
         if (radio && event.key.startsWith("Arrow")) {
-            const buttons = [...radio.querySelectorAll("button")];
+            const buttons = [...radio.querySelectorAll("button:enabled")];
             const at = buttons.indexOf(event.target) + SEEDS[event.key];
             const next = buttons[(at + buttons.length) % buttons.length];
             next.focus();

@@ -1,29 +1,31 @@
 // SPDX-License-Identifier: MIT
 //
 // The page: keeps the state, asks the workers for frames, and shows what comes of them.
-import {check} from "./check.js";
-import {Controls} from "./controls.js";
 import {connectActions} from "./actions.js";
-import {hasVectors} from "./compile.mjs";
+import {hasVectors} from "../compile.mjs";
+import {Controls} from "./controls.js";
+import {errorText, readDocument} from "./document.js";
 import {sha256} from "./export.js";
 import {connectKeys} from "./keys.js";
+import {Look} from "./look.js";
 import {MapView, placeOf} from "./map.js";
-import {ROWS} from "./parameters.js";
-import {Pool} from "./pool.js";
-import {loadPresets, paletteOf} from "./recipes.js";
-import {NOISE, OWN, VIEWS, fromHash, textOf, toHash} from "./state.js";
-import {loadTerrain} from "./terrain.js";
-import {View3d, poseOf, poseText} from "./view3d.js";
+import {ROWS, parseOptions} from "./options.js";
+import {Pictures, Pool} from "./pool.js";
+import {fromHash, initialState, paletteOf, presetOf, toHash} from "./state.js";
+import {compileModule, loadTerrain} from "./terrain.js";
+import {Workspace} from "./workspace.js";
 
 const FRAME_MS = 20; // what a frame may take while something is dragged
+const SETTLE_MS = 250; // of rest, after which a drag has ended
 const SAMPLES_MAX = 1.6e6; // of a raster that fits the window
 const byId = id => document.getElementById(id);
 
 class Page {
-    constructor(terrain, presets) {
+    constructor(module, terrain, state) {
         this.terrain = terrain;
-        this.presets = presets; // texts by name
-        this.state = fromHash(location.hash);
+        this.state = state;
+        this.base = state.text; // what Reset returns to
+        this.recipe = readDocument(terrain.scarp, state.text);
         this.checked = null;
         this.last = null; // the last frame
         this.whole = null; // the last frame that is no preview
@@ -31,13 +33,18 @@ class Page {
         this.wishes = 0; // frames that were asked for
         this.sampleMs = 2e-4; // what a sample takes, learnt from frames
         this.isDragging = false;
-        this.pool = new Pool(frame => this.show(frame), message => this.fail(message));
-        this.map = new MapView(byId("map"), (texts, dragging) => this.move(texts, dragging),
+        this.pool = new Pool(module, frame => this.show(frame), (...all) => this.fail(...all));
+        this.pictures = new Pictures(module);
+        this.map = new MapView(byId("map"), (texts, dragging) => this.change(texts, dragging),
             at => this.hover(at));
         this.controls = new Controls(byId("groups"), byId("params"),
             (name, text, dragging) => this.change({[name]: text}, dragging),
-            (name, text, dragging) => this.setValue(name, text, dragging));
+            (...all) => this.setParam(...all));
+        this.work = new Workspace(this);
+        this.look = new Look(this);
         this.world = null; // made when it is first looked at
+        this.fitted = null; // the size that fills the stage
+        new ResizeObserver(() => this.stageResized()).observe(byId("map").parentElement);
     }
 
     // Changes options; undefined takes one back.
@@ -52,25 +59,31 @@ class Page {
         this.update(isDragging);
     }
 
-    // Sets a parameter of the recipe; undefined takes it back.
-    setValue(name, text, isDragging = false) {
-        if (text === undefined) {
-            delete this.state.values[name];
+    // A parameter is a number in the text. A drag is one step of the history.
+    setParam({valueSpan: [from, to]}, text, isDragging, isFirst) {
+        this.isDragging = isDragging;
+        if (this.state.text.slice(from, to) === text) {
+            this.update(isDragging);
         } else {
-            this.state.values[name] = text;
+            this.work.edit([{from, to, insert: text}], {userEvent: "input.drag", join: !isFirst});
         }
-        this.update(isDragging);
     }
 
-    // A text of one's own. The last picture stays while it has errors.
-    setText(text) {
-        this.state.preset = OWN;
-        this.state.text = text;
-        this.update();
+    // What is dragged may not tell its end, or rest.
+    settle() {
+        clearTimeout(this.settling);
+        if (this.isDragging) {
+            this.settling = setTimeout(() => this.update(), SETTLE_MS);
+        }
     }
 
-    move(texts, isDragging) {
-        this.change(texts, isDragging);
+    // The text is another one. The last picture stays while it has errors.
+    textChanged(text) {
+        if (text !== this.state.text) {
+            this.state.text = text;
+            this.recipe = readDocument(this.terrain.scarp, text);
+            this.update(this.isDragging);
+        }
     }
 
     setView(view) {
@@ -78,16 +91,36 @@ class Page {
         this.update();
     }
 
-    // A preset brings its own numbers; seed, raster and light stay. One's own text begins with the
-    // recipe that was shown.
-    setPreset(preset) {
-        const stays = ["seed", "size", "origin", "step", "azimuth", "altitude", "z-factor"];
-        this.state.text = preset === OWN ? this.state.text ?? this.checked.text : null;
-        this.state.preset = preset;
-        this.state.values = {};
-        this.state.given = Object.fromEntries(Object.entries(this.state.given)
-            .filter(([name]) => stays.includes(name)));
+    setPane(pane) {
+        this.state.pane = pane;
         this.update();
+    }
+
+    setNode(name) {
+        this.state.node = name;
+        this.update();
+    }
+
+    setPreset(text) {
+        this.base = text;
+        this.work.setText(text);
+    }
+
+    // The text as it came, and all options as at first, but for the size
+    reset() {
+        const {size} = this.state.given;
+        this.state.given = initialState().given;
+        if (!this.checked.messages.has("size")) {
+            this.state.given.size = size;
+        }
+        if (this.state.text !== this.base) {
+            this.work.setText(this.base);
+        }
+        if (this.state.given.size === undefined) {
+            this.fit();
+        } else {
+            this.update();
+        }
     }
 
     changeSeed(by) {
@@ -101,28 +134,72 @@ class Page {
         const dense = clientWidth * clientHeight * devicePixelRatio ** 2 <= SAMPLES_MAX;
         const scale = dense ? devicePixelRatio : 1;
         const sides = [clientWidth, clientHeight].map(n => Math.max(64, Math.floor(n * scale)));
-        this.change({size: sides.join("x")});
+        this.fitted = sides.join("x");
+        this.change({size: this.fitted});
+    }
+
+    // A raster that filled the stage goes on to do so.
+    stageResized() {
+        clearTimeout(this.resizing);
+        this.resizing = setTimeout(() => {
+            if (this.state.given.size === this.fitted) {
+                this.fit();
+            }
+        }, SETTLE_MS);
+    }
+
+    // What is wrong: {options, messages, source}; `source` is what workers take, null if there are
+    // messages: by option, and "recipe" for the text.
+    check() {
+        const {options, messages} = parseOptions(this.state.given), {text} = this.state;
+        const [error] = this.recipe.errors;
+        if (error) {
+            messages.set("recipe", `line ${error.line}: ${errorText(error)}`);
+        }
+        const source = messages.size === 0 ? {text, seed: options.seed} : null;
+        return {options, messages, source};
     }
 
     update(isDragging = false) {
         this.isDragging = isDragging;
-        this.checked = check(this.terrain, this.presets, this.state);
-        this.controls.show(this.state, this.checked);
+        this.settle();
+        this.look.read(this.recipe);
+        this.checked = this.check();
+        const {messages} = this.checked;
+        this.controls.show(this.state.given, messages, this.recipe);
+        this.work.show(this.recipe);
         this.showState();
         this.saveHash();
+        this.tell(messages);
         if (this.checked.source !== null) {
-            this.notice(null);
             this.request();
-        } else {
-            const [name, message] = [...this.checked.messages][0];
-            const label = ROWS.get(name)?.label ?? name.replace(/^=/, "");
-            this.notice(`${label}: ${message}`);
         }
+    }
+
+    // Tells what is wrong; the last picture stays, dimmed.
+    tell(messages) {
+        const [[name, message] = []] = messages;
+        this.notice(name === undefined ? null : `${ROWS.get(name)?.label ?? name}: ${message}`);
+        byId("recipe-message").textContent = messages.get("recipe") ?? "";
+        byId("map").classList.toggle("stale", name !== undefined);
+        byId("world").classList.toggle("stale", name !== undefined);
+    }
+
+    lookAtCursor() {
+        if (this.look.isAtCursor && this.checked !== null) {
+            this.update(this.isDragging);
+        }
+    }
+
+    jobOf(raster, view, node) {
+        const {options, source} = this.checked;
+        return {source, raster, view, node, palette: paletteOf(source.text),
+            azimuth: options.azimuth, altitude: options.altitude, zFactor: options["z-factor"]};
     }
 
     // While something is dragged, as many samples as there is time for
     request() {
-        const {options, source, text} = this.checked, [width, height] = options.size;
+        const {options} = this.checked, [width, height] = options.size;
         const whole = {width, height, origin: options.origin, step: options.step};
         const ms = width * height * this.sampleMs;
         let every = 1;
@@ -132,9 +209,14 @@ class Page {
         const raster = {...whole, width: Math.ceil(width / every), height: Math.ceil(height / every),
             step: whole.step * every};
         document.documentElement.dataset.ready = "no";
-        this.pool.request({number: ++this.wishes, source, raster, whole, every,
-            view: this.state.view, palette: paletteOf(text), azimuth: options.azimuth,
-            altitude: options.altitude, zFactor: options["z-factor"]});
+        this.pool.request({...this.jobOf(raster, this.look.view, this.look.node), whole, every,
+            number: ++this.wishes, name: this.look.name, isDragging: this.isDragging});
+    }
+
+    // A small picture of a node, of the middle of what the map shows: a number of a statement, or
+    // 65536 and that of a part. callback({image, lowest, highest}); returns what takes the wish back.
+    picture(which, width, height, callback) {
+        return this.look.picture(which, width, height, callback);
     }
 
     show(frame) {
@@ -144,15 +226,12 @@ class Page {
         this.frames++;
         this.map.paint(frame, job.whole);
         this.last = frame;
-        this.showWorld();
-        const preview = job.every > 1 ? " (preview)" : "";
-        const isWithout = job.view === "curvature" && !frame.numbers.hasHessian;
-        byId("status-note").textContent = isWithout
-            ? "this terrain has no Hessian: bends are differences of exact slopes" : "";
-        byId("status-size").textContent = `${width} × ${height}${preview}`;
+        this.drawn = this.showWorld();
+        this.look.show(frame);
+        byId("status-size").textContent = `${width} × ${height}${job.every > 1 ? " (preview)" : ""}`;
         byId("status-time").textContent = `${ms < 100 ? ms.toFixed(1) : Math.round(ms)} ms`;
         if (job.every > 1) {
-            if (!this.isDragging) {
+            if (!this.isDragging && this.checked.source !== null) {
                 this.request();
             }
             return;
@@ -166,15 +245,15 @@ class Page {
 
     // What takes time that dragging has not: the hash of the heights
     async finish() {
-        const {whole} = this, {floor, highest} = whole.numbers;
-        const hash = await sha256(whole.values);
+        const {whole} = this, hash = await sha256(whole.values);
+        await this.drawn;
         if (whole !== this.whole) {
             return;
         }
-        byId("status-hash").textContent = hash ? `heights ${hash.slice(0, 12)}…` : "";
+        byId("status-hash").textContent = hash ? `SHA-256 ${hash.slice(0, 12)}…` : "";
         byId("status-hash").dataset.hash = hash ?? "";
-        const [low, high] = [floor + 0, highest + 0].map(n => Number(n.toPrecision(9)));
-        byId("heights-range").textContent = `16-bit heights: 0 is ${low}, 65535 is ${high}`;
+        const [low, high] = this.look.interval(whole).map(n => Number((n + 0).toPrecision(9)));
+        byId("heights-range").textContent = `16 bits: 0 is ${low}, 65535 is ${high}`;
         if (whole.job.number === this.wishes) {
             document.documentElement.dataset.ready = "yes";
         }
@@ -185,30 +264,27 @@ class Page {
         readout.hidden = !at || whole?.job.whole !== this.map.raster;
         if (!readout.hidden) {
             const [x, y] = placeOf(raster, at.column, at.row);
-            const height = whole.values[at.row * raster.width + at.column];
-            readout.textContent =
-                `x ${x.toFixed(1)}  y ${y.toFixed(1)}  height ${height.toFixed(2)}`;
+            const value = whole.values[at.row * raster.width + at.column];
+            readout.textContent = `x ${x.toFixed(1)}  y ${y.toFixed(1)}  ` +
+                (whole.job.node ? `value ${Number(value.toPrecision(4))}` :
+                    `height ${value.toFixed(2)}`);
         }
     }
 
     showState() {
-        const {state} = this;
-        byId("preset").value = state.preset;
-        byId("seed-now").textContent = textOf(state, "seed");
-        document.querySelectorAll("#views button").forEach(button =>
-            button.setAttribute("aria-checked", String(button.dataset.view === state.view)));
+        const {state} = this, preset = presetOf(state.text), seed = state.given.seed ?? "1";
+        const base = presetOf(this.base), own = byId("preset").lastElementChild;
+        own.textContent = base === null ? "your own recipe" : `${base}, edited`;
+        own.hidden = preset !== null;
+        byId("preset").value = preset ?? "";
+        byId("seed-now").textContent = seed;
         byId("space").setAttribute("aria-pressed", String(state.space));
-        const area = byId("recipe-text"), {text, messages} = this.checked;
-        if (document.activeElement !== area || state.preset !== OWN) {
-            area.value = text ?? state.text ?? "";
-        }
-        byId("recipe-message").textContent = messages.get("recipe") ?? "";
-        area.setAttribute("aria-invalid", String(messages.has("recipe")));
         byId("map").hidden = state.space;
         byId("world").hidden = !state.space;
         this.showWorld();
-        byId("map").setAttribute("aria-label", `Map of the terrain ${state.preset}, ` +
-            `seed ${textOf(state, "seed")}, ${state.view}`);
+        this.look.showState();
+        byId("map").setAttribute("aria-label", `Map of ${this.look.name || "the terrain"} ` +
+            `${preset ?? own.textContent}, seed ${seed}, ${this.look.view}`);
     }
 
     // Browsers allow some changes of the URL a second.
@@ -217,9 +293,12 @@ class Page {
         this.saving = setTimeout(() => this.flushHash(), 150);
     }
 
-    flushHash() {
+    async flushHash() {
         clearTimeout(this.saving);
-        history.replaceState(null, "", toHash(this.state));
+        const {text} = this.state, hash = await toHash(this.state);
+        if (text === this.state.text) {
+            history.replaceState(null, "", hash);
+        }
     }
 
     setSpace(space) {
@@ -228,10 +307,11 @@ class Page {
     }
 
     // The frame in space, if that is what is looked at
-    showWorld() {
+    async showWorld() {
         if (!this.state.space || !this.last) {
             return;
         }
+        const {View3d, poseOf, poseText} = await import("./view3d.js");
         this.world ??= new View3d(byId("world"), () => {
             this.state.camera = poseText(this.world.pose);
             this.saveHash();
@@ -252,45 +332,56 @@ class Page {
         notice.textContent = text ?? "";
     }
 
-    fail(message) {
-        this.notice(`The terrain cannot be computed: ${message.split("\n")[0]}`);
+    // Tells what a button did, or why it did not.
+    say(text) {
+        const said = byId("said");
+        said.textContent = text;
+        said.hidden = false;
+        clearTimeout(this.saying);
+        this.saying = setTimeout(() => said.hidden = true, 6000);
+    }
+
+    // A recipe that is no terrain is found by workers, as their frames are.
+    fail(message, problem = null, job = null) {
+        if (problem === null) {
+            this.notice(`The terrain cannot be computed: ${message.split("\n")[0]}`);
+        } else if (job.number === this.wishes && this.checked.source !== null) {
+            this.checked.source = null;
+            this.checked.messages.set("recipe", problem);
+            this.tell(this.checked.messages);
+        }
+    }
+
+    // Another state, from the URL
+    open(state) {
+        this.base = state.text;
+        this.state = {...state, text: this.state.text};
+        this.work.setText(state.text);
+        this.work.showPane();
+        if (state.given.size === undefined) {
+            this.fit();
+        } else {
+            this.update();
+        }
     }
 }
 
-function makeChoices(page) {
-    byId("preset").append(...[...page.presets.keys()].map(name => new Option(name, name)),
-        new Option("one noise", NOISE), new Option("a recipe of your own", OWN));
-    byId("recipe-text").addEventListener("input", event => page.setText(event.target.value));
-    byId("preset").addEventListener("change", event => page.setPreset(event.target.value));
-    byId("views").append(...VIEWS.map((view, i) => {
-        const button = document.createElement("button");
-        Object.assign(button, {type: "button", textContent: view, title: `Key ${i + 1}`});
-        button.dataset.view = view;
-        button.setAttribute("role", "radio");
-        button.addEventListener("click", () => page.setView(view));
-        return button;
-    }));
-}
-
 async function main() {
-    const [terrain, presets] = await Promise.all([loadTerrain(), loadPresets()]);
-    const page = new Page(terrain, presets);
-    makeChoices(page);
+    const module = await compileModule(), terrain = await loadTerrain(module);
+    const page = new Page(module, terrain, await fromHash(location.hash, terrain.scarp));
     connectActions(page);
     connectKeys(page);
     const isSimd = hasVectors();
     byId("status-kernels").textContent = isSimd ? "wasm128" : "generic";
     byId("no-simd").hidden = isSimd;
-    addEventListener("hashchange", event => { // saveHash() may have changed the URL since
-        page.state = fromHash(new URL(event.newURL).hash);
-        page.update();
+    addEventListener("hashchange", async event => { // saveHash() may have changed the URL since
+        document.documentElement.dataset.ready = "no";
+        page.notice(null);
+        page.open(await fromHash(new URL(event.newURL).hash, terrain.scarp));
     });
     globalThis.playground = page; // for the console, and for tests
-    if (page.state.given.size === undefined) {
-        page.fit();
-    } else {
-        page.update();
-    }
+    page.open(page.state);
+    await page.work.load();
 }
 
 main().catch(error => {

@@ -13,19 +13,14 @@
 
 #define COUNT 65536 /* samples at once */
 #define TEXT_MOST 16384
-#define VALUES_MOST 64
-#define NAME_SIZE 64
 
 enum { VALUE, DX, DY, DXX, DXY, DYY, BED, NORMAL, SHADE = NORMAL + 3, ARRAYS = SHADE + 3 };
 enum { LOWEST, HIGHEST, FLOOR, HAS_SEA, HAS_HESSIAN, LOW, HIGH };
-enum { LINE, COLUMN, FROM, TO, NEAREST };
-enum { IS_PARAMETER, NAME_FROM, NAME_TO, PARAMETER, PARAMETER_LOWEST, PARAMETER_HIGHEST };
 
 static float arrays[ARRAYS][COUNT];
-static uint8_t rgb[3 * COUNT];
+static uint8_t rgb[3 * COUNT], masks[PALETTE_GROUNDS * COUNT];
 static uint32_t pixels[COUNT];
-static char text[TEXT_MOST + 1], tile[64], names[VALUES_MOST][NAME_SIZE];
-static struct ground_value values[VALUES_MOST];
+static char text[TEXT_MOST];
 static struct ground ground;
 static struct scarp_recipe_error error;
 static struct spread spread;
@@ -35,14 +30,8 @@ static bool has_hessian;
 
 /* What the page calls */
 char *page_text(void);
-char *page_name(int i);
-char *page_tile(void);
-int page_open(int length, int count, uint64_t seed);
-void page_value(int i, double value);
+int page_open(int length, uint64_t seed);
 const char *page_error_text(void);
-const char *page_error_member(void);
-double page_error(int what);
-double page_entry(int i, int what);
 double page_number(int what);
 float *page_array(int i);
 uint32_t *page_pixels(void);
@@ -55,6 +44,7 @@ void page_set_spread(void);
 void page_set_look(int i, double azimuth, double altitude);
 double page_light(int axis);
 void page_paint(int count, int has_shade);
+const uint8_t *page_masks(int count);
 
 /* Palettes of files are not for the page. */
 bool palette_read(struct palette *to, const char *option, const char *path)
@@ -65,38 +55,16 @@ bool palette_read(struct palette *to, const char *option, const char *path)
     return false;
 }
 
-/* Where the page writes a recipe, and the names of values */
+/* Where the page writes a recipe */
 char *page_text(void)
 {
     return text;
 }
 
-char *page_name(int i)
+/* Opens the recipe of `length` bytes. Returns an enum ground_problem. */
+int page_open(int length, uint64_t seed)
 {
-    return names[i];
-}
-
-void page_value(int i, double value)
-{
-    values[i].name = names[i];
-    values[i].value = value;
-}
-
-/* Where the page writes the sides of a tile; an empty text is none */
-char *page_tile(void)
-{
-    return tile;
-}
-
-/* Opens the recipe of `length` bytes with `count` values. Returns an enum ground_problem. */
-int page_open(int length, int count, uint64_t seed)
-{
-    const struct ground_source source = {.text = text,
-                                         .length = (size_t)length,
-                                         .values = values,
-                                         .count = (size_t)count,
-                                         .seed = seed,
-                                         .tile = tile[0] != '\0' ? tile : NULL};
+    const struct ground_source source = {.text = text, .length = (size_t)length, .seed = seed};
     const enum ground_problem problem = ground_open(&ground, &source, &error);
     if (problem == GROUND_FINE) {
         const double origin = 0.0;
@@ -110,40 +78,6 @@ int page_open(int length, int count, uint64_t seed)
 const char *page_error_text(void)
 {
     return error.text;
-}
-
-const char *page_error_member(void)
-{
-    return error.member;
-}
-
-double page_error(int what)
-{
-    switch (what) {
-    case LINE: return error.line;
-    case COLUMN: return error.column;
-    case FROM: return (double)error.from;
-    case TO: return (double)error.to;
-    default: return error.nearest;
-    }
-}
-
-/* What is told of statement i; -1 past the last one. Names are spans of the text, unless a tile was
-   written into it. */
-double page_entry(int i, int what)
-{
-    struct scarp_recipe_entry entry;
-    if (scarp_recipe_entry_at(&ground.recipe, (size_t)i, &entry) != SCARP_OK) {
-        return -1.0;
-    }
-    switch (what) {
-    case IS_PARAMETER: return entry.is_param;
-    case NAME_FROM: return entry.name[0];
-    case NAME_TO: return entry.name[1];
-    case PARAMETER: return entry.value;
-    case PARAMETER_LOWEST: return entry.slider[0];
-    default: return entry.slider[1];
-    }
 }
 
 double page_number(int what)
@@ -247,19 +181,33 @@ double page_light(int axis)
     return relief.light[axis];
 }
 
-/* Paints `count` pixels as a relief. Without a z-factor, what is lit are the normals. */
-void page_paint(int count, int has_shade)
+/* What the relief is made of. Without a z-factor, what is lit are the normals. */
+static struct relief_samples samples_of(int has_shade)
 {
     const int lit = has_shade ? SHADE : NORMAL;
-    const struct relief_samples samples = {
+    return (struct relief_samples){
         .value = arrays[VALUE],
         .bed = ground_has_sea(&ground) ? arrays[BED] : NULL,
         .normal = {arrays[NORMAL], arrays[NORMAL + 1], arrays[NORMAL + 2]},
         .shade = {arrays[lit], arrays[lit + 1], arrays[lit + 2]},
     };
+}
+
+/* Paints `count` pixels as a relief. */
+void page_paint(int count, int has_shade)
+{
+    const struct relief_samples samples = samples_of(has_shade);
     relief_colours(&relief, &samples, (size_t)count, rgb);
     for (int i = 0; i < count; i++) {
         pixels[i] = rgb[3 * i] | (uint32_t)rgb[3 * i + 1] << 8 | (uint32_t)rgb[3 * i + 2] << 16 |
                     UINT32_C(0xff000000);
     }
+}
+
+/* The grounds of `count` samples, five bytes each, as relief_masks has them */
+const uint8_t *page_masks(int count)
+{
+    const struct relief_samples samples = samples_of(0);
+    relief_masks(&relief, &samples, (size_t)count, masks);
+    return masks;
 }

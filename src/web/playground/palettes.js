@@ -22,3 +22,7 @@ export const SLOPE_RAMP = ramp([252, 252, 244], [250, 226, 160], [246, 180, 94],
 export const CURVATURE_RAMP = ramp([8, 48, 107], [33, 102, 172], [103, 169, 207],
     [209, 229, 240], [247, 247, 247], [253, 219, 199], [239, 138, 98], [178, 24, 43],
     [103, 0, 31]);
+// Below 0 and above it, from far to near and from near to far, and between 0 and 1: masks
+export const BELOW_RAMP = ramp([24, 36, 48], [70, 98, 120], [172, 190, 200]);
+export const ABOVE_RAMP = ramp([240, 226, 198], [196, 148, 92], [92, 52, 26]);
+export const MASK_RAMP = ramp([0, 0, 0], [255, 255, 255]);

@@ -1,25 +1,32 @@
 // SPDX-License-Identifier: MIT
 //
-// The workers of the map. They share a frame by bands of rows; while one is made, only the latest
-// wish is kept, so dragging never queues up.
+// The workers of the page. Those of the map share a frame by bands of rows. While one is made, only
+// the latest wish is kept, so dragging never queues up; a frame that takes long makes room for it.
+// One more worker makes small pictures, one after the other.
 
 const WORKERS_MAX = 8;
+const PATIENCE_MS = 150; // for a frame of no drag, when there is a newer wish
+
+function makeWorker(module, onMessage, onError) {
+    const worker = new Worker(new URL("./worker.js", import.meta.url), {type: "module"});
+    worker.postMessage(module);
+    worker.onmessage = ({data}) => onMessage(data);
+    worker.onerror = event => onError(event.message || "a worker did not start");
+    return worker;
+}
 
 export class Pool {
-    // onFrame gets each frame {raster, values, pixels, numbers, ms, job}, onError a text.
-    constructor(onFrame, onError) {
+    // onFrame gets each frame {raster, values, pixels, numbers, met, ms, job}; onError a text, and why
+    // the recipe is no terrain, or null.
+    constructor(module, onFrame, onError) {
         const count = Math.max(1, Math.min(navigator.hardwareConcurrency || 2, WORKERS_MAX));
         this.onFrame = onFrame;
         this.onError = onError;
         this.next = null;
         this.frame = null;
         this.id = 0;
-        this.workers = Array.from({length: count}, () => {
-            const worker = new Worker(new URL("./worker.js", import.meta.url), {type: "module"});
-            worker.onmessage = ({data}) => this.receive(data);
-            worker.onerror = event => this.onError(event.message || "a worker did not start");
-            return worker;
-        });
+        this.workers = Array.from({length: count}, () =>
+            makeWorker(module, data => this.receive(data), onError));
     }
 
     get isBusy() {
@@ -31,15 +38,21 @@ export class Pool {
         this.next = job;
         if (this.frame === null) {
             this.start();
+        } else if (!this.frame.job.isDragging) {
+            const spent = performance.now() - this.frame.begin;
+            clearTimeout(this.timer);
+            this.timer = setTimeout(() => this.next && this.start(),
+                Math.max(0, PATIENCE_MS - spent));
         }
     }
 
     start() {
         const job = this.next, {width, height} = job.raster;
+        clearTimeout(this.timer);
         this.next = null;
         this.id++;
         const bands = Math.min(this.workers.length, height);
-        this.frame = {job, left: bands, begin: performance.now(),
+        this.frame = {job, left: bands, begin: performance.now(), met: [Infinity, -Infinity],
             values: new Float32Array(width * height), pixels: new Uint32Array(width * height)};
         for (let i = 0; i < bands; i++) {
             const from = Math.floor(i * height / bands), to = Math.floor((i + 1) * height / bands);
@@ -47,18 +60,19 @@ export class Pool {
         }
     }
 
-    receive({id, error, from, values, pixels, numbers}) {
+    receive({id, error, problem, from, values, pixels, numbers, met}) {
         const {frame} = this;
         if (id !== this.id || frame === null) {
             return;
         }
         if (error) {
             this.frame = null;
-            this.onError(error);
+            this.onError(error, problem, frame.job);
         } else {
             const first = from * frame.job.raster.width;
             frame.values.set(values, first);
             frame.pixels.set(pixels, first);
+            frame.met = [Math.min(frame.met[0], met[0]), Math.max(frame.met[1], met[1])];
             if (--frame.left > 0) {
                 return;
             }
@@ -69,5 +83,63 @@ export class Pool {
         if (this.next !== null && this.frame === null) {
             this.start();
         }
+    }
+}
+
+const KEPT = 500; // pictures
+
+// Small pictures of nodes, and what else is made beside the map
+export class Pictures {
+    constructor(module) {
+        this.wishes = [];
+        this.running = null;
+        this.id = 0;
+        this.kept = new Map();
+        this.worker = makeWorker(module, data => this.receive(data), message =>
+            this.receive({id: this.id, error: message}));
+    }
+
+    // Makes a job in one piece: done({values, pixels, masks, numbers, met}) or done({error}). Returns
+    // what takes the wish back. Answers to the same key are kept; null: not to be kept.
+    make(job, key, done) {
+        if (key !== null && this.kept.has(key)) {
+            const answer = this.kept.get(key);
+            this.kept.delete(key);
+            this.kept.set(key, answer); // the one that was used last
+            done(answer);
+            return () => {};
+        }
+        const wish = {job, key, done};
+        this.wishes.push(wish);
+        this.start();
+        return () => {
+            wish.done = () => {};
+            this.wishes = this.wishes.filter(each => each !== wish);
+        };
+    }
+
+    start() {
+        if (this.running === null && this.wishes.length > 0) {
+            this.running = this.wishes.shift();
+            const {job} = this.running;
+            this.worker.postMessage({...job, id: ++this.id, from: 0, to: job.raster.height});
+        }
+    }
+
+    receive(data) {
+        if (data.id !== this.id || this.running === null) {
+            return;
+        }
+        const {key, done} = this.running;
+        this.running = null;
+        if (key !== null && !data.error) {
+            delete data.values;
+            this.kept.set(key, data);
+            if (this.kept.size > KEPT) {
+                this.kept.delete(this.kept.keys().next().value);
+            }
+        }
+        done(data);
+        this.start();
     }
 }

@@ -2,7 +2,8 @@
 //
 // From samples to pixels: the hillshade of `scarp terrain` to the byte; value, slope and curvature
 // through ramps.
-import {CURVATURE_RAMP, SLOPE_RAMP, VALUE_RAMP} from "./palettes.js";
+import {ABOVE_RAMP, BELOW_RAMP, CURVATURE_RAMP, MASK_RAMP, SLOPE_RAMP, VALUE_RAMP} from
+    "./palettes.js";
 
 const OPAQUE = 0xff000000;
 
@@ -39,5 +40,28 @@ export function curvatureColours({dx, dy, dxx, dxy, dyy}, unit, pixels) {
             (2 * length * Math.sqrt(length));
         const t = -mean / unit;
         pixels[i] = CURVATURE_RAMP[indexOf(0.5 + 0.5 * t / (1 + Math.abs(t)))];
+    }
+}
+
+// Values of any field, of which most lie in an interval: masks in [0, 1] from black to white; where
+// 0 lies inside, it is the edge between slate and sand.
+export function fieldColours(value, [low, high], pixels) {
+    if (low >= 0 && high <= 1) {
+        low = 0;
+        high = 1;
+    }
+    const far = Math.max(-low, high), per = 1 / (high - low || 1);
+    const ramp = low === 0 && high === 1 ? MASK_RAMP : VALUE_RAMP, isSigned = low < 0 && high > 0;
+    for (let i = 0; i < pixels.length; i++) {
+        const v = value[i];
+        pixels[i] = !isSigned ? ramp[indexOf((v - low) * per)]
+            : v < 0 ? BELOW_RAMP[indexOf(1 + v / far)] : ABOVE_RAMP[indexOf(v / far)];
+    }
+}
+
+// Lengths of gradients, from 0 to `most`
+export function steepnessColours({dx, dy}, most, pixels) {
+    for (let i = 0; i < pixels.length; i++) {
+        pixels[i] = SLOPE_RAMP[indexOf(Math.hypot(dx[i], dy[i]) / (most || 1))];
     }
 }

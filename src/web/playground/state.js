@@ -1,176 +1,88 @@
 // SPDX-License-Identifier: MIT
 //
-// The state of the page: which recipe, the values of its parameters and the options that were given
-// as text, and the view.
-import {GROUPS, OF_NOISE, ROWS} from "./parameters.js";
-import {PRESETS} from "./presets.js";
+// The state of the page: the text of the recipe, options that were given as text, and what is looked
+// at. All of it stands in the URL; the text is deflated there, unless it is a preset as it was.
+import presets from "presets";
+import {ROWS} from "./options.js";
 
+export {presets};
 export const VIEWS = ["relief", "hillshade", "value", "slope", "curvature"];
-export const NOISE = "none", OWN = "own"; // in place of a preset: one noise, a text of one's own
-const TINY = 2 ** -149;
-const NUMBER = /^[+-]?(\d+\.?\d*|\.\d+)(e[+-]?\d+)?$/i;
+export const OF_NODES = ["value", "slope"]; // views of a statement or a part
+export const TERRAIN = "", CURSOR = "*"; // in place of the name of the statement that is shown
 
-export function initialState() {
-    return {preset: PRESETS[0], text: null, values: {}, given: {}, view: "relief", space: false,
-        camera: null};
+// What a page shows without a URL; the step lets a range of mountains be seen.
+export const initialState = () => ({text: Object.values(presets)[0], given: {step: "4"},
+    view: VIEWS[0], node: TERRAIN, space: false, camera: null, pane: "text"});
+
+// The preset whose text this is; null for others
+export const presetOf = text =>
+    Object.keys(presets).find(name => presets[name] === text) ?? null;
+
+export const paletteOf = text => /^#: palette (\w+)/m.exec(text)?.[1] ?? "alpine";
+
+async function through(bytes, stream) {
+    const piped = new Blob([bytes]).stream().pipeThrough(stream);
+    return new Uint8Array(await new Response(piped).arrayBuffer());
 }
 
-export function parseNumber(text) {
-    return NUMBER.test(text) ? Number(text) : NaN;
+async function packed(text) {
+    const bytes = await through(text, new CompressionStream("deflate-raw"));
+    return btoa(String.fromCharCode(...bytes)).replaceAll("+", "-").replaceAll("/", "_")
+        .replaceAll("=", "");
 }
 
-function isWithin(row, number) {
-    if (row.lowest === TINY && Math.fround(number) === 0) {
-        return false;
-    }
-    return number >= Math.min(row.lowest, TINY === row.lowest ? 0 : row.lowest) &&
-        number <= row.highest;
-}
-
-const isMagnitude = (row, number) => isWithin(row, Math.abs(number));
-
-const parsers = {
-    choice: (row, text) => row.choices.includes(text) ? text : undefined,
-    flag: (row, text) => Boolean(text) && text !== "0",
-    seed: (row, text) => {
-        const is = /^(\d+|0x[0-9a-f]+)$/i.test(text);
-        return is && BigInt(text) < 2n ** 64n ? BigInt(text) : undefined;
-    },
-    size: (row, text) => {
-        const found = /^(\d+)x(\d+)$/.exec(text);
-        const size = found ? [Number(found[1]), Number(found[2])] : [0, 0];
-        return size.every(n => n >= 1 && n <= 1e6) ? size : undefined;
-    },
-    point: (row, text) => {
-        const numbers = String(text).split(",").map(parseNumber);
-        const is = numbers.length === 2 && numbers.every(n => isWithin(row, n));
-        return is ? numbers : undefined;
-    },
-    double: (row, text) => {
-        const number = parseNumber(text);
-        return isWithin(row, number) ? number : undefined;
-    },
-    float: (row, text) => {
-        const number = parseNumber(text);
-        return isWithin(row, number) ? Math.fround(number) : undefined;
-    },
-    magnitude: (row, text) => {
-        const number = parseNumber(text);
-        return isMagnitude(row, number) ? Math.fround(number) : undefined;
-    },
-};
-
-// What an option is without being given: the default; null: unset.
-export function defaultText(state, name) {
-    const text = ROWS.get(name).standard ?? null;
-    return text === null || text === true || text === false ? text : String(text);
-}
-
-export function textOf(state, name) {
-    return state.given[name] ?? defaultText(state, name);
-}
-
-// The number of an option as it stands, even outside its interval
-export function numberOf(state, name) {
-    const row = ROWS.get(name), text = textOf(state, name);
-    if (row.kind === "seed") {
-        return parsers.seed(row, text) ?? 0n;
-    }
-    return text === null ? 0 : parseNumber(String(text));
-}
-
-// Parses all options that count. `wrong` has the names of those that are not within their intervals.
-export function parse(state) {
-    const options = {}, wrong = [];
-    for (const row of ROWS.values()) {
-        const text = textOf(state, row.name);
-        if (OF_NOISE.has(row.name) && state.preset !== NOISE) {
-            continue;
-        }
-        if (text === null) {
-            options[row.name] = null;
-            continue;
-        }
-        const value = parsers[row.kind](row, text);
-        if (value === undefined) {
-            wrong.push(row.name);
-        }
-        options[row.name] = value;
-    }
-    return {options, wrong};
-}
-
-// Options as words of a command line
-export function words(state) {
-    const list = state.preset === NOISE ? []
-        : state.preset === OWN ? ["--recipe", "terrain.recipe"] : ["--preset", state.preset];
-    for (const [name, text] of Object.entries(state.values)) {
-        list.push("--set", `${name}=${text}`);
-    }
-    for (const row of ROWS.values()) {
-        const text = state.given[row.name];
-        const isLeft = OF_NOISE.has(row.name) && state.preset !== NOISE;
-        if (text === undefined || text === null || isLeft) {
-            continue;
-        }
-        if (row.kind === "flag") {
-            list.push(...(text !== "0" ? [`--${row.name}`] : []));
-        } else {
-            list.push(`--${row.name}`, String(text));
-        }
-    }
-    return list;
+async function unpacked(word) {
+    const bytes = atob(word.replaceAll("-", "+").replaceAll("_", "/"));
+    return new TextDecoder().decode(await through(Uint8Array.from(bytes, c => c.charCodeAt(0)),
+        new DecompressionStream("deflate-raw")));
 }
 
 // The state as the part of the URL behind #
-export function toHash(state) {
-    const query = new URLSearchParams();
-    query.set("preset", state.preset);
-    if (state.preset === OWN) {
-        query.set("text", state.text);
+export async function toHash(state) {
+    const query = new URLSearchParams(), preset = presetOf(state.text);
+    if (preset !== null) {
+        query.set("preset", preset);
+    } else {
+        query.set("recipe", await packed(state.text));
     }
-    for (const [name, text] of Object.entries(state.values)) {
-        query.append("set", `${name}=${text}`);
-    }
-    for (const group of GROUPS) {
-        for (const {name} of group.rows) {
-            const text = state.given[name];
-            if (text !== undefined) {
-                query.set(name, text ?? "unset");
-            }
+    for (const name of ROWS.keys()) {
+        if (state.given[name] !== undefined) {
+            query.set(name, state.given[name]);
         }
     }
     query.set("view", state.view);
-    if (state.space) {
-        query.set("space", "3d");
-        if (state.camera) {
-            query.set("camera", state.camera);
+    for (const [name, value, standard] of [["node", state.node, TERRAIN],
+        ["pane", state.pane, "text"], ["space", state.space ? "3d" : "", ""],
+        ["camera", state.space && state.camera ? state.camera : "", ""]]) {
+        if (value !== standard) {
+            query.set(name, value);
         }
     }
     return "#" + query.toString().replaceAll("%2C", ",");
 }
 
+// Links of older pages name the options of one noise, values of parameters, and a period.
+const isOld = query => query.get("preset") === "none" || query.has("set") || query.has("period");
+
 // What is unknown is left out: URLs of other versions still show something.
-export function fromHash(hash) {
+export async function fromHash(hash, scarp) {
     const query = new URLSearchParams(hash.replace(/^#/, "")), state = initialState();
-    for (const [name, text] of query) {
-        if (name === "preset" && [NOISE, OWN, ...PRESETS].includes(text)) {
-            state.preset = text;
-        } else if (name === "text") {
-            state.text = text;
-        } else if (name === "set" && text.includes("=")) {
-            const at = text.indexOf("=");
-            state.values[text.slice(0, at)] = text.slice(at + 1);
-        } else if (name === "view" && VIEWS.includes(text)) {
-            state.view = text;
-        } else if (ROWS.has(name)) {
-            state.given[name] = text === "unset" ? null : text;
-        }
+    if (hash.length > 1) {
+        state.given = Object.fromEntries([...query].filter(([name]) => ROWS.has(name)));
     }
-    if (state.preset === OWN && state.text === null) {
-        state.preset = PRESETS[0];
-    }
+    state.view = VIEWS.find(view => view === query.get("view")) ?? VIEWS[0];
+    state.pane = query.get("pane") === "graph" ? "graph" : "text";
+    state.node = query.get("node") ?? TERRAIN;
     state.space = query.get("space") === "3d";
     state.camera = query.get("camera");
+    state.text = presets[query.get("preset")] ?? query.get("text") ?? state.text;
+    if (query.has("recipe")) {
+        state.text = await unpacked(query.get("recipe")).catch(() => state.text);
+    }
+    if (isOld(query)) {
+        const {textOfOldLink} = await import("./oldlinks.js");
+        state.text = textOfOldLink(query, state.text, scarp);
+    }
+    state.text = state.text.replace(/\r\n?/g, "\n");
     return state;
 }

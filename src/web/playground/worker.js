@@ -1,25 +1,53 @@
 // SPDX-License-Identifier: MIT
 //
-// A worker: samples bands of rows of a terrain and makes pixels of them.
-import {STRIP, loadTerrain} from "./terrain.js";
-import {curvatureColours, hillshade, slopeColours, valueColours} from "./shade.js";
+// A worker: samples bands of rows of a terrain, or of any node of a recipe, and makes pixels of them.
+// The first message is the module, each other one a job. A job ends early when a newer one comes.
+import {GROUNDS, STRIP, loadTerrain} from "./terrain.js";
+import {curvatureColours, fieldColours, hillshade, slopeColours, steepnessColours, valueColours}
+    from "./shade.js";
 
 const ORDERS = {value: 0, curvature: 2}; // of derivatives; 1 for other views
+const LOOK = 48; // samples along a side that tell which values a node has, about
 
-let terrain = null;
-let made = {key: null}; // what depends on the terrain alone, and stays while the map moves
+let loading = null, terrain = null;
+let latest = -1; // the number of the last job
+let made = {key: null}; // what depends on the recipe alone, and stays while the map moves
 
-function open({source}) {
-    const key = JSON.stringify({...source, seed: String(source.seed)});
+const channel = new MessageChannel();
+// Lets messages come in.
+const pause = () => new Promise(done => {
+    channel.port1.onmessage = done;
+    channel.port2.postMessage(0);
+});
+
+function openGround({source}) {
+    const key = `${source.seed} ground ${source.text}`;
     if (made.key !== key) {
+        close();
         const problem = terrain.open(source);
         if (problem !== null) {
-            throw new Error(problem.message);
+            throw Object.assign(new Error(problem), {problem});
         }
         terrain.findSpread();
         made = {key, numbers: terrain.numbers()};
     }
     return made.numbers;
+}
+
+function openRecipe({source}) {
+    const key = `${source.seed} recipe ${source.text}`;
+    if (made.key !== key) {
+        close();
+        const recipe = terrain.scarp.recipe(source.text);
+        recipe.seed = source.seed;
+        made = {key, recipe};
+    }
+    return made.recipe;
+}
+
+function close() {
+    made.recipe?.free();
+    made = {key: null};
 }
 
 // Second derivatives as differences of exact first ones, along rows and down columns. The first
@@ -59,38 +87,110 @@ function paint(job, numbers, count, pixels) {
     }
 }
 
-// Samples and paints rows `from` to `to` of the job's raster.
-function work(job) {
-    const {raster, view, from, to} = job, {width} = raster, numbers = open(job);
-    const values = new Float32Array(width * (to - from)), pixels = new Uint32Array(values.length);
+// How to work on rows of the ground: strip(row, end, values, pixels, masks)
+function groundWork(job) {
+    const {raster, view} = job, {width} = raster, numbers = openGround(job);
     const edge = view === "curvature" && !numbers.hasHessian ? 1 : 0; // rows beside a strip
-    const high = Math.floor(STRIP / width) - 2 * edge, order = ORDERS[view] ?? 1;
     terrain.setLook(job.palette, job.azimuth, job.altitude);
-    for (let row = from; row < to; row += high) {
-        const end = Math.min(row + high, to), count = (end - row) * width;
-        terrain.sample(raster, row - edge, end + edge, edge === 1 ? 1 : order);
+    const strip = (row, end, values, pixels, masks) => {
+        const count = (end - row) * width, order = edge === 1 ? 1 : ORDERS[view] ?? 1;
+        terrain.sample(raster, row - edge, end + edge, order);
         if (edge === 1) {
-            const whole = count + 2 * width;
-            differences(terrain.arrays, whole, width, raster.step);
+            differences(terrain.arrays, count + 2 * width, width, raster.step);
             for (const array of Object.values(terrain.arrays)) {
                 array.copyWithin(0, width, width + count);
             }
         }
         terrain.calls.page_cover(count);
-        const first = (row - from) * width;
-        paint(job, numbers, count, pixels.subarray(first, first + count));
-        values.set(terrain.arrays.value.subarray(0, count), first);
+        paint(job, numbers, count, pixels);
+        values.set(terrain.arrays.value.subarray(0, count));
+        masks?.set(terrain.masks(count));
+    };
+    return {numbers, strip, high: Math.floor(STRIP / width) - 2 * edge};
+}
+
+const extremes = (values, of = i => values[i]) => {
+    let lowest = Infinity, highest = -Infinity;
+    for (let i = 0; i < values.length; i++) {
+        const value = of(i);
+        lowest = value < lowest ? value : lowest;
+        highest = value > highest ? value : highest;
     }
-    return {values, pixels, numbers};
+    return [lowest, highest];
+};
+
+// The same for a node {which, order, range, isSpace}. A recipe of space is cut at z = 0.
+function nodeWork(job) {
+    const {raster, node, view} = job, {width, height, origin, step} = raster;
+    const recipe = openRecipe(job), {arrays} = terrain;
+    const isSlope = view === "slope" && node.order > 0;
+    const sample = (across, rows, first, every) => {
+        const box = node.isSpace ? [0] : [];
+        const out = parts(isSlope ? {value: arrays.value, dx: arrays.dx, dy: arrays.dy}
+            : {value: arrays.value}, 0, across * rows);
+        recipe.grid({origin: [...origin, ...box], step: [step * every, -step * every, ...box.map(() =>
+            1)], first: [0, first, ...box], count: [across, rows, ...box.map(() => 1)]}, out,
+        {which: node.which});
+        return out;
+    };
+    // What most values are like is told by a look at all of the raster: bands agree.
+    const every = Math.max(1, Math.ceil(Math.max(width, height) / LOOK));
+    const [across, rows] = [width, height].map(n => Math.ceil(n / every));
+    const look = sample(across, rows, -Math.floor((height - 1) / every), every);
+    const met = extremes(look.value);
+    const [, steepest] = isSlope ? extremes(look.value, i => Math.hypot(look.dx[i], look.dy[i]))
+        : [0, 0];
+    const strip = (row, end, values, pixels) => {
+        const out = sample(width, end - row, row - (height - 1), 1);
+        if (isSlope) {
+            steepnessColours(out, steepest, pixels);
+        } else {
+            fieldColours(out.value, met, pixels);
+        }
+        values.set(out.value);
+    };
+    const [low, high] = node.range;
+    const numbers = {floor: low, lowest: low, highest: high, steepest};
+    return {numbers, strip, high: Math.floor(STRIP / width)};
+}
+
+// Rows `from` to `to` of the job's raster; null if a newer job has come.
+async function work(job) {
+    const {raster: {width}, from, to} = job;
+    const {numbers, strip, high} = job.node ? nodeWork(job) : groundWork(job);
+    const values = new Float32Array(width * (to - from)), pixels = new Uint32Array(values.length);
+    const masks = job.hasMasks ? new Uint8Array(GROUNDS * values.length) : null;
+    for (let row = from; row < to; row += high) {
+        const end = Math.min(row + high, to), first = (row - from) * width;
+        const last = first + (end - row) * width;
+        strip(row, end, values.subarray(first, last), pixels.subarray(first, last),
+            masks?.subarray(GROUNDS * first, GROUNDS * last));
+        if (end < to) {
+            await pause();
+            if (latest !== job.id) {
+                return null;
+            }
+        }
+    }
+    return {values, pixels, masks, numbers, met: extremes(values)};
 }
 
 onmessage = async ({data}) => {
+    if (data instanceof WebAssembly.Module) {
+        loading = loadTerrain(data);
+        return;
+    }
+    latest = data.id;
     try {
-        terrain ??= await loadTerrain();
-        const result = work(data);
-        postMessage({id: data.id, from: data.from, ...result},
-            [result.values.buffer, result.pixels.buffer]);
+        terrain = await loading;
+        const result = latest === data.id ? await work(data) : null;
+        if (result !== null) {
+            const {values, pixels, masks} = result;
+            postMessage({id: data.id, from: data.from, ...result},
+                [values.buffer, pixels.buffer, ...(masks ? [masks.buffer] : [])]);
+        }
     } catch (error) {
-        postMessage({id: data.id, error: String(error.stack ?? error)});
+        postMessage({id: data.id, problem: error.problem ?? null,
+            error: String(error.stack ?? error)});
     }
 };
