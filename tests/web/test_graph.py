@@ -640,7 +640,7 @@ class Phone(Graph):
 
 
 def main():
-    for tool, path in (("chromium", CHROMIUM), ("the page", PAGE)):
+    for tool, path in (("chromium", CHROMIUM), ("the page", os.path.join(PAGE, "index.html"))):
         if not os.path.exists(path):
             is_required = "chromium" in os.environ.get("SCARP_REQUIRE_TOOLS", "").split(",")
             print(f"{'FAILED (required)' if is_required else 'skipped'}: {tool} is missing")

@@ -48,7 +48,7 @@ class Graph {
         container.append(this.root);
         this.menu = new Menu(this, this.root);
         this.wires = new Wires(this, this.svg);
-        this.pictures = new Pictures(this.ground, this.host);
+        this.pictures = new Pictures(this.host);
         this.stage = new Stage(this);
         this.keys = new Keys(this);
     }
@@ -72,8 +72,7 @@ class Graph {
         this.fitButton = button("Fit", "Show all cards", () => this.stage.fit());
         return make("div", {class: "graph-tools", role: "toolbar", "aria-label": "Graph"}, add,
             this.spreadButton, this.openButton, this.tidyButton, this.fitButton,
-            button("↶", "Undo (Ctrl+Z)", () => this.undo()),
-            button("↷", "Redo (Ctrl+Shift+Z)", () => this.redo()), this.settings.element);
+            this.settings.element);
     }
 
     #listen() {
@@ -94,9 +93,6 @@ class Graph {
     // What the host calls when the text has changed
 
     update(document) {
-        if (this.model?.text === document.text && !this.isStale) {
-            return;
-        }
         const wasStale = this.isStale;
         this.isStale = !document.ok;
         this.root.classList.toggle("is-stale", this.isStale);

@@ -3,14 +3,16 @@
 // Pictures of cards: asked of the host when a card is on the screen and what it shows has changed.
 import {PICTURE} from "./cards.js";
 
+const PATIENCE = 5000; // milliseconds, after which a picture that did not come is asked for again
+
 export class Pictures {
-    constructor(root, host) {
+    constructor(host) {
         this.host = host;
         this.asked = new Map(); // of cards: {key, cancel}
         this.views = new Map(); // of elements
         this.round = 0;
         this.observer = new IntersectionObserver(entries => this.#seen(entries),
-            {root, rootMargin: "60px"});
+            {rootMargin: "60px"});
     }
 
     #seen(entries) {
@@ -41,11 +43,12 @@ export class Pictures {
             return;
         }
         const asked = this.asked.get(id);
-        if (asked?.key === key && asked.view === view && asked.node === node) {
+        const isSame = asked?.key === key && asked.view === view && asked.node === node;
+        if (isSame && performance.now() - asked.time < PATIENCE) {
             return;
         }
         asked?.cancel?.();
-        const entry = {key, view, node, cancel: null};
+        const entry = {key, view, node, time: performance.now(), cancel: null};
         this.asked.set(id, entry);
         entry.cancel = this.host.picture(node, ...PICTURE, result => {
             if (this.asked.get(id) === entry) {
