@@ -545,11 +545,29 @@ class Places(Graph):
     def test_wires_cross_no_more_than_they_need(self):
         """Sources that stand in the wrong order are sorted by the inputs that they go to."""
         crossings = self.page.run("""(() => {
-            const cards = ["a", "b", "c", "d", "sum"].map(id => ({id, width: 100, height: 60, out: 10}));
+            const {arrange} = test, cards = ["a", "b", "c", "d", "sum"].map(id => ({id, width: 100, height: 60, out: 10}));
             const wires = ["d", "b", "c", "a"].map((from, i) => ({from, to: "sum", port: 10 + 12 * i}));
-            return test.crossings(cards, wires, test.arrange(cards, wires));
+            return test.crossings(cards, wires, arrange(cards, wires).places);
         })()""")
         self.assertEqual(crossings, 0)
+
+    def test_wires_pass_between_cards(self):
+        """Wires that pass a column have a place of their own there."""
+        for name, text in recipes():
+            self.open(text)
+            hidden = self.page.run("""(() => {
+                const boxes = [...document.querySelectorAll(".graph-card")].map(card =>
+                    [card.offsetLeft, card.offsetTop, card.offsetWidth, card.offsetHeight]);
+                const paths = [...document.querySelectorAll(".graph-wires path:not(.is-hit)")];
+                return paths.filter(path => {
+                    const length = path.getTotalLength();
+                    return Array.from({length: 200}, (_, i) => path.getPointAtLength(i / 199 * length))
+                        .some(({x, y}) => boxes.some(([left, top, width, height]) => x > left + 8 &&
+                            x < left + width - 8 && y > top + 2 && y < top + height - 2));
+                }).length / paths.length;
+            })()""")
+            with self.subTest(name):
+                self.assertLessEqual(hidden, 0.1)
 
     def test_typing_moves_no_card(self):
         for name, text in list(recipes())[:4]:

@@ -123,10 +123,11 @@ class Graph {
         } else {
             this.#followNames(old, model);
         }
+        this.#measure();
         this.#render();
         if (isNew || this.stage.laid.size === 0) {
             this.stage.layout();
-            this.stage.fit();
+            this.stage.fit({isFirst: true});
         } else {
             this.stage.place();
         }
@@ -218,22 +219,24 @@ class Graph {
         this.stage.fit();
     }
 
+    // Whether there is room for wires. Returns whether that has changed.
+    #measure() {
+        const {offsetWidth} = this.root, was = this.isList;
+        this.isList = offsetWidth === 0 ? was : offsetWidth < NARROW;
+        this.root.classList.toggle("is-list", this.isList);
+        return this.isList !== was;
+    }
+
     #resized() {
-        const {offsetWidth} = this.root, isList = offsetWidth < NARROW;
-        const isFirst = this.stage.laid.size === 0, hasChanged = isList !== this.isList;
-        if (offsetWidth === 0) {
-            return;
-        }
-        this.isList = isList;
-        this.root.classList.toggle("is-list", isList);
-        if (this.model && (hasChanged || isFirst)) {
+        const hasChanged = this.#measure(), isFirst = this.stage.laid.size === 0;
+        if (this.model && this.root.offsetWidth > 0 && (hasChanged || isFirst && !this.isList)) {
             this.#render();
             if (isFirst) {
                 this.stage.layout();
             } else {
                 this.stage.place();
             }
-            this.stage.fit();
+            this.stage.fit({isFirst});
         }
     }
 

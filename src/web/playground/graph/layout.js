@@ -2,10 +2,12 @@
 //
 // Where cards lie. dagre finds ranks and a first order; then sources of a rank are sorted by the
 // inputs that they go to, which dagre does not know. Cards are {id, width, height}, wires {from, to,
-// port} with the height of the input in its card; places are a Map of ids to {x, y}.
+// port} with the height of the input in its card; places are a Map of ids to {x, y}. Wires that pass a
+// column have a place of their own in it, so that they do not go behind its cards.
 import {Graph, layout} from "@dagrejs/dagre";
 
-const GAP = 22, RANKS = 56, SWEEPS = 6;
+const GAP = 22, RANKS = 48, SWEEPS = 8;
+const WIRE = 6; // the height that a wire takes where it passes
 
 // How many pairs of wires between the same two columns cross
 export function crossings(cards, wires, places) {
@@ -98,23 +100,54 @@ function sweep(columns, wires, places, out, isBack) {
     }
 }
 
-// Places for all cards
+// Makes small cards where wires pass columns: {all, parts, passes}, with the parts that wires are cut
+// into, and for each wire what it passes.
+function cut(cards, wires, places) {
+    const columns = columnsOf(cards, places), all = [...cards], parts = [];
+    const columnOf = new Map(columns.flatMap((column, i) => column.map(({id}) => [id, i])));
+    const passes = wires.map(({from, to, port}, i) => {
+        const first = columnOf.get(from), last = columnOf.get(to), list = [];
+        let before = from;
+        for (let c = first + 1; c < last; c++) {
+            const {middle} = places.get(columns[c][0].id), share = (c - first) / (last - first);
+            const width = Math.max(...columns[c].map(card => card.width));
+            const pass = {id: `${i} passes ${c}`, width, height: WIRE, out: WIRE / 2};
+            places.set(pass.id, {x: middle - width / 2, middle, y: places.get(from).y * (1 - share) +
+                (places.get(to).y + port) * share});
+            all.push(pass);
+            list.push(pass);
+            parts.push({from: before, to: pass.id, port: WIRE / 2});
+            before = pass.id;
+        }
+        parts.push({from: before, to, port});
+        return list;
+    });
+    return {all, parts, passes};
+}
+
+// Places for all cards, and for each wire the ways [x0, x1, y] on which it passes columns
 export function arrange(cards, wires) {
     if (cards.length === 0) {
-        return new Map();
+        return {places: new Map(), ways: []};
     }
-    const out = new Map(cards.map(card => [card.id, card.out]));
-    let places = firstPlaces(cards, wires), best = places;
-    let fewest = crossings(cards, wires, places);
+    let places = firstPlaces(cards, wires);
+    const {all, parts, passes} = cut(cards, wires, places);
+    const out = new Map(all.map(card => [card.id, card.out]));
+    let best = places, fewest = Infinity;
     for (let i = 0; i < SWEEPS; i++) {
         places = new Map([...places].map(([id, place]) => [id, {...place}]));
-        sweep(columnsOf(cards, places), wires, places, out, i % 2 === 0);
-        const count = crossings(cards, wires, places);
-        if (count < fewest || (count === fewest && i === 0)) {
+        sweep(columnsOf(all, places), parts, places, out, i % 2 === 0);
+        const count = crossings(all, parts, places);
+        if (count < fewest) {
             [best, fewest] = [places, count];
         }
     }
-    return new Map([...best].map(([id, {x, y}]) => [id, {x: Math.round(x), y: Math.round(y)}]));
+    const round = id => ({x: Math.round(best.get(id).x), y: Math.round(best.get(id).y)});
+    return {places: new Map(cards.map(({id}) => [id, round(id)])),
+        ways: passes.map(list => list.map(({id, width, out: middle}) => {
+            const {x, y} = round(id);
+            return [x, x + width, y + middle];
+        }))};
 }
 
 const meet = (a, b, gap) => a.x < b.x + b.width + gap && b.x < a.x + a.width + gap &&

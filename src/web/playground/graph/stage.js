@@ -10,11 +10,15 @@ import {apart, arrange, placeBeside} from "./layout.js";
 const SETTLED = 100; // milliseconds after which a card that moves has begun to
 const NEAR = 4; // pixels that are no drag
 const EDGE = 24, ABOVE = 54; // pixels around all cards
+const READABLE = 0.62; // the least scale that a graph is shown at first
+
+const keyOf = ({from, to, row}) => `${from} ${to} ${row}`;
 
 export class Stage {
     constructor(desk) {
         this.desk = desk;
         this.laid = new Map(); // where the layout put cards
+        this.ways = new Map(); // on which wires pass columns
         this.wish = null; // {name, x, y}: where the next card shall lie
         this.transform = zoomIdentity;
         this.zoom = zoom().scaleExtent([0.15, 2.5])
@@ -49,9 +53,22 @@ export class Stage {
         }
         this.desk.root.classList.add("is-measured");
         this.desk.wires.update();
-        this.laid = arrange(this.#boxes(), this.#ports());
+        const {places, ways} = arrange(this.#boxes(), this.#ports());
+        this.laid = places;
+        this.ways = new Map(this.desk.wires.list.map((wire, i) => [wire, ways[i]]).map(([wire, way]) =>
+            [keyOf(wire), {way, ends: [wire.from, wire.to].map(id => places.get(id))}]));
         this.desk.root.classList.remove("is-measured");
         this.place();
+    }
+
+    // Where a wire passes columns, if its cards still lie where they were laid
+    wayOf(wire) {
+        const found = this.ways.get(keyOf(wire));
+        const isThere = found?.ends.every(({x, y}, i) => {
+            const {offsetLeft, offsetTop} = this.desk.views.get(i === 0 ? wire.from : wire.to).element;
+            return Math.abs(offsetLeft - x) < 2 && Math.abs(offsetTop - y) < 2;
+        });
+        return isThere ? found.way : [];
     }
 
     placeOf(id) {
@@ -102,7 +119,8 @@ export class Stage {
         this.frame ||= requestAnimationFrame(step);
     }
 
-    fit() {
+    // Shows all cards, or at first as many as can be read: the last ones.
+    fit({isFirst = false} = {}) {
         if (this.isOff || this.desk.cards.length === 0) {
             return;
         }
@@ -111,15 +129,18 @@ export class Stage {
             return {...box, x: parseFloat(style.left), y: parseFloat(style.top)};
         });
         const left = Math.min(...boxes.map(({x}) => x)), top = Math.min(...boxes.map(({y}) => y));
-        const width = Math.max(...boxes.map(box => box.x + box.width)) - left;
-        const height = Math.max(...boxes.map(box => box.y + box.height)) - top;
-        const {clientWidth, clientHeight} = this.desk.ground;
-        const scale = Math.min(1.1, (clientWidth - 2 * EDGE) / width,
-            (clientHeight - ABOVE - EDGE) / height);
+        const right = Math.max(...boxes.map(box => box.x + box.width));
+        const bottom = Math.max(...boxes.map(box => box.y + box.height));
+        const wide = this.desk.ground.clientWidth - 2 * EDGE;
+        const high = this.desk.ground.clientHeight - ABOVE - EDGE;
+        const all = Math.min(1.1, wide / (right - left), high / (bottom - top));
+        const scale = isFirst ? Math.max(all, READABLE) : all;
+        const last = boxes.find(({x, width}) => x + width === right);
+        const isHigh = scale * (bottom - top) > high + 1;
+        const x = scale * (right - left) > wide + 1 ? right - wide / scale / 2 : (left + right) / 2;
+        const y = isHigh ? last.y + last.height / 2 : (top + bottom) / 2;
         this.zoom.transform(select3(this.desk.ground), zoomIdentity
-            .translate((clientWidth - scale * width) / 2 - scale * left,
-                ABOVE + (clientHeight - ABOVE - EDGE - scale * height) / 2 - scale * top)
-            .scale(scale));
+            .translate(EDGE + wide / 2 - scale * x, ABOVE + high / 2 - scale * y).scale(scale));
     }
 
     #zoomed(transform) {

@@ -14,6 +14,16 @@ function curveTo([x0, y0], [x1, y1]) {
     return `M${x0},${y0}C${x0 + bend},${y0} ${x1 - bend},${y1} ${x1},${y1}`;
 }
 
+// Through the ways on which it passes columns
+function pathOf(start, ways, end) {
+    let path = "", at = start;
+    for (const [x0, x1, y] of ways) {
+        path += `${curveTo(at, [x0, y])}H${x1}`;
+        at = [x1, y];
+    }
+    return path + curveTo(at, end);
+}
+
 export class Wires {
     constructor(desk, svg) {
         this.desk = desk;
@@ -52,7 +62,7 @@ export class Wires {
         }
         for (const item of this.list) {
             const from = desk.views.get(item.from), to = desk.views.get(item.to);
-            const d = curveTo(this.outOf(from), this.intoRow(to, item.row));
+            const d = pathOf(this.outOf(from), desk.stage.wayOf(item), this.intoRow(to, item.row));
             const isLit = [from, to].some(({card}) => card.statement.name === selected);
             made.push(draw("path", {d, class: `is-${from.card.type}${isLit ? " is-lit" : ""}`}));
             made.push(this.#hit(d, item));
