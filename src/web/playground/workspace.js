@@ -173,7 +173,7 @@ export class Workspace {
             redo: () => this.redo(),
             selected: index => this.selected(index),
             picture: (...all) => page.picture(...all),
-            scarp: {read: text => readDocument(page.terrain.scarp, text)},
+            read: text => readDocument(page.terrain.scarp, text),
         };
     }
 }
