@@ -95,3 +95,8 @@ AT(scratch, size, 4);
 SIZE(plan, 12288);
 SIZE(gpu_plan, 5376);
 _Static_assert(SCARP_GPU_ANSWERS == 4096, "answers");
+AT(shader, order, 4);
+AT(shader, file, 8);
+AT(shader, length, 12);
+SIZE(shader, 64);
+_Static_assert(SCARP_GLSL == 0 && SCARP_HLSL == 1 && SCARP_WGSL == 2, "languages");

@@ -17,6 +17,9 @@ const ERRORS = 64; // that are told at most
 const SCRATCH = 256 * 1024; // bytes: about a thousand points of a large recipe
 const MOST = 16; // outputs
 const SAMPLES_SIZE = 64;
+const SHADER_SIZE = 64,
+    GPU_ANSWERS = 4096;
+const LANGUAGES = ['glsl', 'hlsl', 'wgsl'];
 const KINDS = ['bad', 'number', 'field', 'noise', 'word', 'knot'];
 export const PARTS = 65536; // the number of the first part, among nodes
 
@@ -405,6 +408,73 @@ export class Recipe {
             );
         });
         return out;
+    }
+
+    // What a call writes that is given a capacity and says a size: `call` takes place, capacity and
+    // where the size goes.
+    #written(call, use) {
+        const { memory } = this.#tools,
+            size = this.#description;
+        memory.view.setUint32(size, 0, true);
+        const status = call(0, 0, size);
+        if (status !== STATUS.SIZE) {
+            this.#tools.expect(status);
+        }
+        const capacity = memory.view.getUint32(size, true) + 1,
+            at = memory.allocate(capacity);
+        try {
+            this.#tools.expect(call(at, capacity, size));
+            return use(new Uint8Array(memory.buffer, at, memory.view.getUint32(size, true)));
+        } finally {
+            memory.release(at);
+        }
+    }
+
+    // The recipe as functions of a shading language: `file` is the text of scarp.wgsl, or of its like.
+    shader(language, file, { order = 1 } = {}) {
+        const { exports, memory } = this.#tools;
+        const number = LANGUAGES.indexOf(language);
+        if (number < 0) {
+            throw new TypeError(`language is one of ${LANGUAGES.join(', ')}`);
+        }
+        const bytes = new TextEncoder().encode(file),
+            how = memory.allocate(SHADER_SIZE + bytes.length);
+        try {
+            const u32 = new Uint32Array(memory.buffer, how, SHADER_SIZE / 4);
+            u32.fill(0);
+            u32.set([number, checkNumber('order', order), how + SHADER_SIZE, bytes.length]);
+            new Uint8Array(memory.buffer, how + SHADER_SIZE, bytes.length).set(bytes);
+            return this.#written(
+                (at, capacity, size) =>
+                    exports.scarp_recipe_shader(this.#live(), how, at, capacity, size),
+                (text) => new TextDecoder().decode(text),
+            );
+        } finally {
+            memory.release(how);
+        }
+    }
+
+    // The bytes of the shader's uniform buffer
+    uniforms() {
+        const { scarp_recipe_uniforms: call } = this.#tools.exports;
+        return this.#written(
+            (at, capacity, size) => call(this.#live(), at, capacity, size),
+            (bytes) => bytes.slice(),
+        );
+    }
+
+    // What the self-test of the shader must answer
+    answers(order = 1) {
+        const { exports, memory } = this.#tools,
+            at = memory.allocate(4 * GPU_ANSWERS);
+        try {
+            this.#tools.expect(
+                exports.scarp_recipe_answers(this.#live(), checkNumber('order', order), at),
+            );
+            return new Uint32Array(memory.buffer, at, GPU_ANSWERS).slice();
+        } finally {
+            memory.release(at);
+        }
     }
 
     #live() {

@@ -256,8 +256,15 @@ export interface Scarp {
     range(noise: Noise | Plan, dimensions: Dimensions): [number, number];
     plan(noise: Noise, dimensions: Dimensions): Plan;
     freePlan(plan: Plan): void;
-    /** The constants for scarp.wgsl and its like: the bytes of a uniform buffer. */
-    gpuPlan(noise: Noise | Plan, dimensions: Dimensions): Uint8Array;
+    /**
+     * The constants for scarp.wgsl and its like: the bytes of a uniform buffer; with `vector`, for
+     * vector noise and curl in space.
+     */
+    gpuPlan(
+        noise: Noise | Plan,
+        dimensions: Dimensions,
+        options?: { vector?: boolean },
+    ): Uint8Array;
     /** What a shader must answer: 4,096 numbers. */
     gpuAnswers(noise: Noise | Plan, dimensions: Dimensions, order: 0 | 1 | 2): Uint32Array;
 }
@@ -411,6 +418,19 @@ export interface Recipe {
         out: T,
         nodes?: Nodes,
     ): T;
+    /**
+     * The recipe as functions of a shading language, with what these use of `file`, the text of
+     * scarp.wgsl or its like. Outputs have derivatives up to `order`, 1 by default.
+     */
+    shader(
+        language: 'glsl' | 'hlsl' | 'wgsl',
+        file: string,
+        options?: { order?: 0 | 1 | 2 },
+    ): string;
+    /** The bytes of the shader's uniform buffer: seed and parameters are in there. */
+    uniforms(): Uint8Array;
+    /** What the shader's self-test must answer, with outputs up to an order: 4,096 numbers. */
+    answers(order?: 0 | 1 | 2): Uint32Array;
     free(): void;
 }
 

@@ -569,12 +569,12 @@ class Scarp {
     }
 
     // The constants for shaders, and what shaders must answer.
-    gpuPlan(noise, dimensions) {
-        const to = this.#gpuPlan(noise, dimensions);
+    gpuPlan(noise, dimensions, { vector = false } = {}) {
+        const to = this.#gpuPlan(noise, dimensions, vector);
         return new Uint8Array(this.#memory.buffer, to, GPU_PLAN_SIZE).slice();
     }
     gpuAnswers(noise, dimensions, order) {
-        const to = this.#gpuPlan(noise, dimensions);
+        const to = this.#gpuPlan(noise, dimensions, false);
         const at = this.#noise(noise);
         this.#expect(
             this.#exports.scarp_gpu_answers(at, dimensions, checkNumber('order', order), to),
@@ -583,10 +583,11 @@ class Scarp {
     }
 
     // A noise that calls take may have too many octaves for shaders: the member tells.
-    #gpuPlan(noise, dimensions) {
+    #gpuPlan(noise, dimensions, isVector) {
         const { stage, view } = this.#memory,
             member = this.#at.pointers;
-        const status = this.#exports.scarp_gpu_plan_make(
+        const make = isVector ? 'scarp_gpu_vector_plan_make' : 'scarp_gpu_plan_make';
+        const status = this.#exports[make](
             this.#noise(noise),
             dimensions,
             stage,

@@ -40,6 +40,8 @@ scarp.grid2(noise, { count: [2, 2], first: [-1n, 3] }, { value: new Float32Array
 const fault: ScarpError | null = scarp.noiseCheck(noise, 2);
 const recipe: Recipe = scarp.recipe('recipe 1\\nparam a = 1 [0, 2]\\nout o = a * x\\n');
 recipe.set('a', 2).grid({ count: [2, 2] }, { value: new Float32Array(4) });
+const shader: string = recipe.shader('wgsl', '', { order: 2 });
+const bytes: Uint8Array = recipe.uniforms(), answers: Uint32Array = recipe.answers(0);
 const lowest: number = recipe.params[0].lowest + recipe.range()[0];
 const lines: (e: RecipeError) => number[] = (e) => e.errors.map(({ line }) => line);
 // @ts-expect-error: there is no such word

@@ -2,6 +2,7 @@
 //
 // What editors ask of a recipe: statements, parts, functions, errors, and samples of any node.
 import assert from 'node:assert/strict';
+import { readFileSync } from 'node:fs';
 import { test } from 'node:test';
 import { PARTS, RecipeError, load } from '../scarp.mjs';
 
@@ -177,4 +178,58 @@ test('hashes tell what has to be drawn anew', () => {
     const changed = Object.keys(before).filter((name) => before[name] !== after[name]);
     assert.deepEqual(changed, ['bend', 'hills', 'mask', 'land', 'moist']);
     assert.deepEqual(hashes(LAND.replace('hi=0.5', 'hi=0.6')).hills, before.hills);
+});
+
+// The hash of header and shaders, of outputs one after the other
+function hashOf(outputs) {
+    const bits = new Uint32Array(Float32Array.from(outputs).buffer);
+    return bits.reduce((hash, word) => {
+        const counted = (word & 0x7fffffff) < 0x03800000 ? 0 : word;
+        return Math.imul(((hash << 5) | (hash >>> 27)) ^ counted, 0x9e3779b9) >>> 0;
+    }, 0);
+}
+
+test('a shader is cut to what it uses, and has its numbers in a buffer', () => {
+    const text = 'recipe 1\nparam k = 2 [0, 9]\nout land = k * noise(octaves=3, rotate)\n';
+    const files = ['glsl', 'hlsl', 'wgsl'].map((language) =>
+        readFileSync(new URL(`../scarp.${language}`, import.meta.url), 'utf8'),
+    );
+    withRecipe(text, (recipe) => {
+        const wgsl = recipe.shader('wgsl', files[2], { order: 2 });
+        assert.match(wgsl, /fn scarp_recipe_land\(x: f32, y: f32\) -> ScarpSample \{/);
+        assert.ok(wgsl.length < files[2].length / 2);
+        assert.ok(!wgsl.includes('scarp_simplex_at'));
+        assert.match(recipe.shader('glsl', files[0]), /ScarpSample scarp_recipe_land\(float x/);
+        assert.match(recipe.shader('hlsl', files[1]), /cbuffer ScarpRecipePlans/);
+        const [numbers, levels, octaves] = [...wgsl.matchAll(/array<\w+, (\d+)>/g)].map(
+            ([, count]) => Number(count),
+        );
+        const before = recipe.uniforms();
+        assert.equal(before.length, 16 + 16 * numbers + 48 * levels + 160 * octaves);
+        recipe.set('k', 3);
+        assert.notDeepEqual(recipe.uniforms(), before);
+        assert.equal(recipe.shader('wgsl', files[2], { order: 2 }), wgsl);
+        const unit = new DataView(before.buffer).getFloat32(4, true);
+        assert.equal(Math.log2(unit) % 1, 0);
+        assert.throws(() => recipe.shader('metal', files[0]), TypeError);
+        assert.throws(() => recipe.shader('wgsl', files[2], { order: 3 }), {
+            code: 'SCARP_ERROR_PARAMETER',
+        });
+        assert.throws(() => recipe.shader('wgsl', 'no shader'), { code: 'SCARP_ERROR_PARAMETER' });
+    });
+    withRecipe('recipe 1\nparam k = 1.5\nout a = k + 0 * x\n', (recipe) => {
+        assert.deepEqual([...new Set(recipe.answers(0))], [hashOf([1.5])]);
+        assert.deepEqual([...new Set(recipe.answers())], [hashOf([1.5, 0, 0])]);
+        assert.equal(recipe.answers().length, 4096);
+    });
+});
+
+test('plans of vector noise have octaves for each component', () => {
+    const noise = { basis: 'simplex', octaves: 3 };
+    const [one, all] = [false, true].map((vector) => scarp.gpuPlan(noise, 3, { vector }));
+    assert.equal(all.length, one.length);
+    assert.notDeepEqual(all, one);
+    assert.throws(() => scarp.gpuPlan({ ...noise, octaves: 11 }, 3, { vector: true }), {
+        member: 'octaves',
+    });
 });
