@@ -181,7 +181,7 @@ static void compare_quotients(uint64_t *random, int count)
     for (int i = 0; i < count; i++) {
         const float a = float_of_bits((uint)(check_random(random) >> 32 & 0xffffffu) + 0x3f000000u);
         const float b = float_of_bits((uint)(check_random(random) >> 32 & 0x80ffffffu) |
-                                      0x3e000000u + (uint)(i % 5) * 0x1000000u);
+                                      (0x3e000000u + (uint)(i % 5) * 0x1000000u));
         CHECK(quotient(a, b) == a / b, "%a / %a: %a", (double)a, (double)b, (double)quotient(a, b));
     }
     CHECK(quotient(0.0f, 3.0f) == 0.0f && quotient(-1.0f, 3.0f) == -1.0f / 3.0f, "signs");

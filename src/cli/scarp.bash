@@ -40,8 +40,9 @@ _scarp()
             ;;
         --layer) words="relief hillshade" ;;
         --dims) words="2 3" ;;
+        --shader) words="glsl hlsl wgsl" ;;
         --input-format | --output-format) words="csv text npy" ;;
-        --recipe | --heights | --normals | --hillshade | --relief | --gradient | --input | --output)
+        --recipe | --heights | --normals | --hillshade | --relief | --gradient | --input | --output | --uniforms | --answers)
             mapfile -t COMPREPLY < <(compgen -f -- "$word")
             return
             ;;

@@ -66,11 +66,21 @@ static void add_name(struct cutter *c, const char *name, size_t length, int piec
     }
 }
 
+/* Where a character is in a text; the length of the text: nowhere. */
+static size_t find(const char *text, size_t length, char which)
+{
+    size_t at = 0;
+    while (at < length && text[at] != which) {
+        at++;
+    }
+    return at;
+}
+
 /* The end of the line that begins at a place, behind its newline. */
 static size_t line_end(const struct cutter *c, size_t at)
 {
-    const char *const end = memchr(c->file + at, '\n', c->length - at);
-    return end != NULL ? (size_t)(end - c->file) + 1 : c->length;
+    const size_t end = at + find(c->file + at, c->length - at, '\n');
+    return end < c->length ? end + 1 : c->length;
 }
 
 /* The end of a piece that begins with #if. */
@@ -92,7 +102,7 @@ static size_t declaration_end(const struct cutter *c, size_t at)
     while (at < c->length) {
         const size_t end = line_end(c, at), length = end - at;
         const int closes = begins(c->file + at, length, "}");
-        has_brace |= memchr(c->file + at, '{', length) != NULL;
+        has_brace |= find(c->file + at, length, '{') < length;
         at = end;
         if (closes || (!has_brace && length >= 2 && c->file[end - 2] == ';')) {
             break;
@@ -142,14 +152,12 @@ static void add_declared(struct cutter *c, size_t at, size_t end, int piece)
     }
     const int is_block =
         begins(c->file + at, end - at, "SCARP_LAYOUT") || begins(c->file + at, end - at, "cbuffer");
-    const char *const stop = memchr(c->file + at, is_block ? '[' : '(', end - at);
-    const char *name = stop;
-    while (stop != NULL && name > c->file + at && is_in_name(name[-1])) {
-        name--;
+    const size_t stop = at + find(c->file + at, end - at, is_block ? '[' : '(');
+    size_t from = stop;
+    while (stop < end && from > at && is_in_name(c->file[from - 1])) {
+        from--;
     }
-    if (stop != NULL) {
-        add_name(c, name, (size_t)(stop - name), piece);
-    }
+    add_name(c, c->file + from, stop < end ? stop - from : 0, piece);
 }
 
 static void add_piece(struct cutter *c, size_t from, size_t at, size_t end)

@@ -18,6 +18,16 @@ static const char *word_of(int language, char which)
     return words[language][which == 'F' ? 0 : which == 'U' ? 1 : which == 'V' ? 2 : 3];
 }
 
+/* How many characters of a text come before this one, or its end. */
+static size_t length_until(const char *text, char end)
+{
+    size_t length = 0;
+    while (text[length] != '\0' && text[length] != end) {
+        length++;
+    }
+    return length;
+}
+
 void scarp_shader_put_span(struct shader_text *to, const char *from, size_t length)
 {
     if (to->length < to->capacity) {
@@ -51,7 +61,7 @@ static void put_int(struct shader_text *to, int number)
    are done with. */
 static size_t put_declaration(struct shader_text *to, const char *format, char which)
 {
-    const size_t type = strcspn(format, " ");
+    const size_t type = length_until(format, ' ');
     if (to->language == SCARP_WGSL) {
         put_text(to, which == 'L' ? "let" : "var");
         return type;
@@ -64,7 +74,7 @@ void scarp_shader_put(struct shader_text *to, const char *format, ...)
     va_list list;
     va_start(list, format);
     while (*format != '\0') {
-        const size_t plain = strcspn(format, "%");
+        const size_t plain = length_until(format, '%');
         scarp_shader_put_span(to, format, plain);
         format += plain;
         if (*format == '\0') {

@@ -38,7 +38,7 @@ static int write_shader(const struct scarp_recipe *recipe, const struct shader_o
 {
     const struct shader_file *const file = &shader_files[options->language];
     const struct scarp_shader how = {.language = options->language,
-                                     .order = options->order,
+                                     .order = (int32_t)options->order,
                                      .file = file->text,
                                      .length = file->length};
     size_t length = 0;
@@ -76,7 +76,7 @@ int shader_write(const struct scarp_recipe *recipe, const struct shader_options 
         status = write_uniforms(recipe, options->uniforms);
     }
     if (status == CLI_SUCCESS && options->answers != NULL) {
-        status = write_answers(recipe, options->order, options->answers);
+        status = write_answers(recipe, (int)options->order, options->answers);
     }
     if (status == CLI_SUCCESS && options->language >= 0) {
         status = write_shader(recipe, options);

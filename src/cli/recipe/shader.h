@@ -21,7 +21,7 @@ const char *shader_word(int language);
 /* What is asked for; a language of -1 and NULL: nothing */
 struct shader_options {
     int language;
-    int order;
+    size_t order;
     const char *uniforms, *answers; /* files */
 };
 
