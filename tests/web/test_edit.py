@@ -42,12 +42,14 @@ class Edit(Playground):
         self.put("x", ", bend")
         self.page.wait("document.querySelector('.cm-lintRange-error') !== null")
         self.assertEqual(self.marked(), "bendx")
-        self.assertEqual(self.page.run("document.querySelectorAll('.cm-lint-marker-error').length"), 1)
+        self.assertEqual(self.page.run(
+            "document.querySelectorAll('.cm-lint-marker-error').length"), 1)
         self.assertIn("line 4", self.shown("#recipe-message"))
         self.page.run("playground.work.editor.select(0)")
         self.press("F8", 119)
-        self.assertEqual(self.page.run("(({from, to}) => playground.work.editor.text.slice(from, to))"
-                                       "(playground.work.editor.view.state.selection.main)"), "bendx")
+        self.assertEqual(self.page.run(
+            "(({from, to}) => playground.work.editor.text.slice(from, to))"
+            "(playground.work.editor.view.state.selection.main)"), "bendx")
         self.undo()
         self.ready()
         self.assertEqual((self.text(), self.marked()), (TEXT, ""))
@@ -103,7 +105,8 @@ class Edit(Playground):
                 ("warp", "warp(f, by)", "A field, bent by a noise."),
                 ("warp", "warp(f, by)", "f looks at (x + w_0, y + w_1)"),
                 ("smooth", "smoothstep(a, lo, hi)", "value 6t^5 - 15t^4 + 10t^3 of t = (a - lo)"),
-                ("octaves", "noise: octaves", "how many octaves are summed; a fraction fades in (1 … 12"),
+                ("octaves", "noise: octaves",
+                 "how many octaves are summed; a fraction fades in (1 … 12"),
                 ("ridged", "noise: fractal", "how octaves are summed"),
                 ("bend)", "bend", "never outside of -20 … 20"),
                 ("tall *", "tall", "a parameter, 80, from 0 to 300")):
@@ -189,7 +192,8 @@ class Edit(Playground):
         })()""")
         self.ready()
         self.assertIn("out mesas", self.text())
-        self.assertEqual(self.hash(), hash_of(["--preset", "mesas", "--size", "32x32", "--seed", "4"]))
+        self.assertEqual(self.hash(),
+                         hash_of(["--preset", "mesas", "--size", "32x32", "--seed", "4"]))
         self.undo()
         self.assertIn("out alps", self.text())
         self.ready()

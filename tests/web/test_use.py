@@ -176,7 +176,8 @@ class Use(Playground):
             self.ready()
             self.assertEqual(self.shown("#seed-now"), "1")
             self.assertEqual(self.text(), text)
-            self.assertEqual(self.page.run("playground.state.given"), {"step": "4", "size": "48x48"})
+            self.assertEqual(self.page.run("playground.state.given"),
+                             {"step": "4", "size": "48x48"})
             self.assertEqual(self.page.run(f"document.getElementById('p-{name}').value"),
                              {"seed": "1", "azimuth": "315"}[name])
         self.page.run("playground.work.undo()")
@@ -206,7 +207,8 @@ class Use(Playground):
             self.assertEqual(self.page.run("playground.state.given.seed"), "12")
 
     def test_links_that_are_broken_show_something(self):
-        for hash in ("#recipe=!!", "#recipe=AAAA", "#preset=nothing&step=x", "#node=none&view=none"):
+        for hash in ("#recipe=!!", "#recipe=AAAA", "#preset=nothing&step=x",
+                     "#node=none&view=none"):
             self.page.run(f"location.hash = '{hash}'")
             self.page.wait("document.documentElement.dataset.ready === 'yes' || "
                            "!document.getElementById('notice').hidden")

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The state of the page: the text of the recipe, options that were given as text, and what is looked
-// at. All of it stands in the URL; the text is deflated there, unless it is a preset as it was.
+// The state of the page: the text of the recipe, options that were given as text, and what is
+// looked at. All of it stands in the URL; the text is deflated there, unless it is a preset as it
+// was.
 import presets from "presets";
 import {ROWS} from "./options.js";
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The text of the recipe in CodeMirror: errors at their place, completion, help, and one history for
-// all edits, those of sliders and of the graph among them.
+// The text of the recipe in CodeMirror: errors at their place, completion, help, and one history
+// for all edits, those of sliders and of the graph among them.
 import {autocompletion, closeBrackets, closeBracketsKeymap, completionKeymap} from
     "@codemirror/autocomplete";
 import {defaultKeymap, history, historyKeymap, indentLess, indentMore, isolateHistory, redo,

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Colours, completion and help for recipes. Here are tokens alone; what a function or a name is comes
-// from the module, in the document: see document.js. Formulas are those of src/recipe/README.md.
+// Colours, completion and help for recipes. Here are tokens alone; what a function or a name is
+// comes from the module, in the document: see document.js. Formulas are those of
+// src/recipe/README.md.
 import {snippetCompletion} from "@codemirror/autocomplete";
 import {HighlightStyle, StreamLanguage, syntaxHighlighting} from "@codemirror/language";
 import {tags} from "@lezer/highlight";
@@ -131,7 +132,8 @@ export function helpAt({text, functions, entries}, at) {
     const called = isCall && functions.find(({name}) => name === word);
     if (called) {
         return {...place, title: signature(called), lines: [called.text,
-            ...(formulas[word] ?? []), ...called.arguments.map(argument => [argument.name, argumentText(argument)])]};
+            ...(formulas[word] ?? []),
+            ...called.arguments.map(argument => [argument.name, argumentText(argument)])]};
     }
     const open = functions.find(({name}) => name === callAt(text, from));
     const argument = open?.arguments.find(({name, words}) => words?.includes(word) ||
