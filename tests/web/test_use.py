@@ -206,8 +206,25 @@ class Use(Playground):
             self.assertEqual((self.hash(), self.greys(), self.text()), before)
             self.assertEqual(self.page.run("playground.state.given.seed"), "12")
 
+    def test_a_browser_that_cannot_deflate(self):
+        text = "recipe 1\nout a = 9 * noise(size=60) # ä & b\n"
+        self.open(PLACE, text=text)
+        url = self.page.run("""(() => {
+            const {CompressionStream} = globalThis;
+            delete globalThis.CompressionStream;
+            return playground.flushHash().then(() => {
+                globalThis.CompressionStream = CompressionStream;
+                return location.href;
+            });
+        })()""")
+        self.assertIn("#text=recipe+1%0A", url)
+        self.leave()
+        self.page.open(url)
+        self.ready()
+        self.assertEqual(self.text(), text)
+
     def test_links_that_are_broken_show_something(self):
-        for hash in ("#recipe=!!", "#recipe=AAAA", "#preset=nothing&step=x",
+        for hash in ("#recipe=!!", "#recipe=AAAA", "#preset=constructor&step=x",
                      "#node=none&view=none"):
             self.page.run(f"location.hash = '{hash}'")
             self.page.wait("document.documentElement.dataset.ready === 'yes' || "
