@@ -72,6 +72,37 @@ class Edit(Playground):
         self.write(TEXT)
         self.ready()
 
+    def test_colours_and_brackets(self):
+        self.open(PLACE, text=TEXT)
+        words = {kind: self.page.run(f"[...document.querySelectorAll('.tok-{kind}')].map("
+                                     "each => each.textContent)")
+                 for kind in ("comment", "keyword", "number", "function", "argument")}
+        self.assertEqual(words["comment"], ["# Höhe 🏔"])
+        self.assertEqual(words["keyword"], ["recipe", "param", "out"])
+        self.assertEqual(words["function"], ["noise", "warp", "noise"])
+        self.assertEqual(words["argument"][:4], ["tall", "bend", "size", "amplitude"])
+        self.assertEqual(words["number"], ["1", "80", "0", "300", "90", "20", "70", "4"])
+        for at, pair in (("warp(", "()"), ("4)", "()"), ("bend)", "()"), ("80 [", "[]"), ("size", "")):
+            self.put("", at)
+            self.assertEqual("".join(sorted(self.page.run(
+                "[...document.querySelectorAll('.cm-matchingBracket')].map(each => "
+                "each.textContent)"))), pair, at)
+        self.put("", "bend)")
+        self.page.call("Input.insertText", text="(")
+        self.assertIn("bend)()", self.text(), "brackets close")
+        self.undo()
+        self.write(TEXT)
+        self.put("", "bend)")
+        self.press("/", 191, modifiers=2)
+        self.assertIn("\n# out a", self.text())
+        self.press("/", 191, modifiers=2)
+        self.assertEqual(self.text(), TEXT)
+        self.put("    ", "bend)\n")
+        self.press("Enter", 13)
+        self.assertTrue(self.text().endswith("    \n    ") or self.text().endswith("\n\n    "))
+        self.write(TEXT)
+        self.ready()
+
     def test_completion_inserts(self):
         self.open(PLACE, text=TEXT)
         self.put("\nmask = smooths", "bend)\n")

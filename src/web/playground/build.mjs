@@ -53,7 +53,8 @@ const {metafile} = await build({
     entryNames: "[name]", bundle: true, splitting: true, format: "esm", target: "es2022",
     minify: true, chunkNames: "[name]-[hash]", legalComments: "none", nodePaths: [modules],
     plugins: [plugin],
-    alias: {"d3-transition": "./still.js", "d3-interpolate": "./still.js"},
+    alias: {"d3-transition": "./still.js", "d3-interpolate": "./still.js",
+        "@codemirror/language": "./editor/plain.js", "@lezer/common": "./editor/plain.js"},
     external: ["node:*"], metafile: true, logLevel: "warning",
 });
 
