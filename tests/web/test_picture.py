@@ -61,7 +61,7 @@ class Picture(Playground):
         self.assertLess(sum(off) / len(off), 2)
 
     def test_a_recipe_of_ones_own(self):
-        """It has the bits of the program; while it has errors, they are told and the picture stays."""
+        """It has the bits of the program; with errors, they are told and the picture stays."""
         text = "recipe 1\nparam tall = 80 [0, 300]\nbend = noise(size=90, amplitude=20)\n" \
             "out a = tall * warp(noise(ridged, size=70, octaves=4), bend)\n"
         path = self.file("own.recipe", text)
@@ -125,7 +125,8 @@ class Picture(Playground):
                                        "button => button.disabled)"),
                          [True, True, False, False, True])
         self.page.run("playground.setNode('*')")
-        for word, expression in (("noise(size=70)", "noise(size=70)"), ("50 *", "50 * noise(size=70)"),
+        for word, expression in (("noise(size=70)", "noise(size=70)"),
+                                 ("50 *", "50 * noise(size=70)"),
                                  ("bend, -5", "bend"), ("smoothstep(", "high")):
             at = text.index(word)
             self.page.run(f"playground.work.editor.select({at})")

@@ -176,7 +176,8 @@ class Use(Playground):
             self.ready()
             self.assertEqual(self.shown("#seed-now"), "1")
             self.assertEqual(self.text(), text)
-            self.assertEqual(self.page.run("playground.state.given"), {"step": "4", "size": "48x48"})
+            self.assertEqual(self.page.run("playground.state.given"),
+                             {"step": "4", "size": "48x48"})
             self.assertEqual(self.page.run(f"document.getElementById('p-{name}').value"),
                              {"seed": "1", "azimuth": "315"}[name])
         self.page.run("playground.work.undo()")
@@ -205,8 +206,26 @@ class Use(Playground):
             self.assertEqual((self.hash(), self.greys(), self.text()), before)
             self.assertEqual(self.page.run("playground.state.given.seed"), "12")
 
+    def test_a_browser_that_cannot_deflate(self):
+        text = "recipe 1\nout a = 9 * noise(size=60) # ä & b\n"
+        self.open(PLACE, text=text)
+        url = self.page.run("""(() => {
+            const {CompressionStream} = globalThis;
+            delete globalThis.CompressionStream;
+            return playground.flushHash().then(() => {
+                globalThis.CompressionStream = CompressionStream;
+                return location.href;
+            });
+        })()""")
+        self.assertIn("#text=recipe+1%0A", url)
+        self.leave()
+        self.page.open(url)
+        self.ready()
+        self.assertEqual(self.text(), text)
+
     def test_links_that_are_broken_show_something(self):
-        for hash in ("#recipe=!!", "#recipe=AAAA", "#preset=nothing&step=x", "#node=none&view=none"):
+        for hash in ("#recipe=!!", "#recipe=AAAA", "#preset=constructor&step=x",
+                     "#node=none&view=none"):
             self.page.run(f"location.hash = '{hash}'")
             self.page.wait("document.documentElement.dataset.ready === 'yes' || "
                            "!document.getElementById('notice').hidden")

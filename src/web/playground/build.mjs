@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Bundles the page: node build.mjs MODULES PAGE LANGUAGE RECIPE... takes libraries from the folder
-// MODULES, where npm put them, and writes to the folder PAGE. Only what is needed at once is loaded at
-// once. LANGUAGE is the document that has the formulas of functions.
+// MODULES, where npm put them, and writes to the folder PAGE. Only what is needed at once is loaded
+// at once. LANGUAGE is the document that has the formulas of functions.
 import {readFileSync, readdirSync, rmSync, writeFileSync} from "node:fs";
 import {createRequire} from "node:module";
 import {basename, dirname, join} from "node:path";
@@ -50,9 +50,11 @@ for (const name of readdirSync(page).filter(name => /\.(js|css)$/.test(name))) {
 }
 const {metafile} = await build({
     absWorkingDir: folder, entryPoints: ["main.js", "worker.js", ...sheets], outdir: page,
-    entryNames: "[name]", bundle: true, splitting: true, format: "esm", target: "es2022", minify: true,
-    chunkNames: "[name]-[hash]", legalComments: "none", nodePaths: [modules], plugins: [plugin],
-    alias: {"d3-transition": "./still.js", "d3-interpolate": "./still.js"},
+    entryNames: "[name]", bundle: true, splitting: true, format: "esm", target: "es2022",
+    minify: true, chunkNames: "[name]-[hash]", legalComments: "none", nodePaths: [modules],
+    plugins: [plugin],
+    alias: {"d3-transition": "./still.js", "d3-interpolate": "./still.js",
+        "@codemirror/language": "./editor/plain.js", "@lezer/common": "./editor/plain.js"},
     external: ["node:*"], metafile: true, logLevel: "warning",
 });
 

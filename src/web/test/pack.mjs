@@ -26,7 +26,8 @@ const FILES = [
     'shader.d.ts',
 ];
 
-const USE = `import { load, Recipe, RecipeError, ScarpError, type Noise, type Scarp } from 'scarp-noise';
+const USE = `import { load, PARTS, Recipe, RecipeError, ScarpError, type Noise, type Scarp, type Span }
+    from 'scarp-noise';
 import wgsl from 'scarp-noise/scarp.wgsl';
 import glsl from 'scarp-noise/scarp.glsl';
 import hlsl from 'scarp-noise/scarp.hlsl';
@@ -43,10 +44,13 @@ recipe.set('a', 2).grid({ count: [2, 2] }, { value: new Float32Array(4) });
 const shader: string = recipe.shader('wgsl', '', { order: 2 });
 const bytes: Uint8Array = recipe.uniforms(), answers: Uint32Array = recipe.answers(0);
 const lowest: number = recipe.params[0].lowest + recipe.range()[0];
+const spans: Span[] = recipe.parts.map(({ span }) => span);
+recipe.sample2(out.value, out.value, [out], { which: [PARTS + spans.length - 1] });
+const words: readonly string[] | null = scarp.recipeFunctions[0].arguments[0].words;
 const lines: (e: RecipeError) => number[] = (e) => e.errors.map(({ line }) => line);
 // @ts-expect-error: there is no such word
 const wrong: Noise = { basis: 'perlin' };
-console.log(z, fault, lowest, lines, wrong, texts);
+console.log(z, fault, lowest, lines, words, wrong, texts, shader, bytes, answers);
 `;
 
 // The files that a package.json names: in exports, types and lists, and in the words of scripts

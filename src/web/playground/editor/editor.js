@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
 //
-// The text of the recipe in CodeMirror: errors at their place, completion, help, and one history for
-// all edits, those of sliders and of the graph among them.
+// The text of the recipe in CodeMirror: errors at their place, completion, help, and one history
+// for all edits, those of sliders and of the graph among them.
 import {autocompletion, closeBrackets, closeBracketsKeymap, completionKeymap} from
     "@codemirror/autocomplete";
 import {defaultKeymap, history, historyKeymap, indentLess, indentMore, isolateHistory, redo,
     redoDepth, undo, undoDepth} from "@codemirror/commands";
-import {bracketMatching} from "@codemirror/language";
 import {lintGutter, lintKeymap, setDiagnostics} from "@codemirror/lint";
 import {Annotation, EditorState, Transaction} from "@codemirror/state";
 import {EditorView, drawSelection, highlightActiveLine, hoverTooltip, keymap, lineNumbers} from
     "@codemirror/view";
 import {errorText} from "../document.js";
-import {completion, helpAt, recipeLanguage} from "./language.js";
+import {colours} from "./colours.js";
+import {completion, helpAt} from "./language.js";
 
 const GROUP_MS = 500; // typing without a pause is one step of the history
 const joined = Annotation.define();
@@ -54,8 +54,8 @@ export class Editor {
         this.on = on;
         const {read} = on;
         this.view = new EditorView({parent, state: EditorState.create({doc: text, extensions: [
-            lineNumbers(), historyOfAll(), drawSelection(), bracketMatching(), closeBrackets(),
-            highlightActiveLine(), lintGutter(), recipeLanguage,
+            lineNumbers(), historyOfAll(), drawSelection(), colours, closeBrackets(),
+            highlightActiveLine(), lintGutter(),
             autocompletion({override: [completion(read)], icons: false}),
             hoverTooltip((view, at) => {
                 const help = helpAt(read(), at);
