@@ -165,6 +165,12 @@ for (const [name, text] of texts) {
                     assert.ok(next.byName.has(result.name), offer.name);
                 }
             }
+            if (context.source && !context.target) {
+                for (const name of ['warp', 'turn', 'at', 'smoothstep', 'terrace', 'curve', 'blend',
+                    'mix', 'min', 'sum', 'product']) {
+                    assert.ok(names.has(name), `${name} comes from ${context.source.name}`);
+                }
+            }
             // Where a noise or a number is expected, few functions fit.
             if (context.target?.slot?.kind === 'number') {
                 assert.ok(names.has(context.isWire ? 'sum' : 'parameter'), [...names].join());

@@ -48,7 +48,7 @@ export class Stage {
     // Lays out all cards, closed, as they are most of the time.
     layout() {
         if (this.isOff) {
-            this.desk.wires.update();
+            this.place();
             return;
         }
         this.desk.root.classList.add("is-measured");
@@ -79,6 +79,7 @@ export class Stage {
     place() {
         this.desk.wires.update();
         if (this.isOff) {
+            this.desk.wires.paint();
             return;
         }
         const boxes = this.#boxes(), ports = this.#ports();
