@@ -65,7 +65,10 @@ function callTexts(model, f, text, range) {
     const withOthers = (others, way) => {
         const rest = [...others];
         let isFirst = true, i = 0;
-        const list = needed.map(slot => {
+        // `at` takes a third field in space.
+        const isFull = others.length > 2;
+        const slots = f.arguments.filter(slot => slot.isNeeded || isFull && slot.kind === "field");
+        const list = slots.map(slot => {
             if (isFirst && (slot.kind === "field" || slot.kind === "noise")) {
                 isFirst = false;
                 return text;
@@ -77,7 +80,7 @@ function callTexts(model, f, text, range) {
             ? [`size=${numberText(size)}`, `seed=${freshSeed(model)}`] : [];
         return `${f.name}(${[...list, ...named].join(", ")})`;
     };
-    const fills = hasKnots ? [[], []] : [["x", "y"], ["0", "0.5"], ["0", "0"]];
+    const fills = hasKnots ? [[], []] : [["x", "y"], ["x", "y", "z"], ["0", "0.5"], ["0", "0"]];
     return [...new Set(fills.map(withOthers))];
 }
 
