@@ -158,7 +158,7 @@ export function offersFor(model, {source = null, target = null, selected = null,
                 free));
             for (const slot of f.arguments.filter(({words}) => (words?.length ?? 0) > 2)) {
                 list.push(...slot.words.map(word => statementOffer(`${word} ${f.name}`,
-                    `${f.name} with another ${slot.name}`, "sources",
+                    `${f.name} whose ${slot.name} is ${word}`, "sources",
                     () => [sourceText(model, f, word, {})], free)));
             }
         }
