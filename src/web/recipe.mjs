@@ -197,7 +197,8 @@ export class Recipe {
         return this.#faults;
     }
 
-    // What a call describes, from number 0 to the last: `read` makes an object of what lies at a place.
+    // What a call describes, from number 0 to the last: `read` makes an object of what lies at a
+    // place.
     #described(call, read) {
         const { exports } = this.#tools,
             list = [],
@@ -333,8 +334,8 @@ export class Recipe {
         );
     }
 
-    // Outputs of the text, from the first one on, or nodes by number: an object of arrays, or several
-    // in an array
+    // Outputs of the text, from the first one on, or nodes by number: an object of arrays, or
+    // several in an array
     #uses(out, which, make) {
         const list = Array.isArray(out) ? out : [out],
             { view } = this.#tools.memory;
@@ -347,7 +348,9 @@ export class Recipe {
         }
         nodes?.forEach((node, i) => {
             if (!Number.isInteger(node) || node < 0 || node >= 2 ** 31) {
-                throw new RangeError('which has numbers of statements, or PARTS plus that of a part');
+                throw new RangeError(
+                    'which has numbers of statements, or PARTS plus that of a part',
+                );
             }
             view.setInt32(this.#which + 4 * i, node, true);
         });

@@ -27,6 +27,10 @@ class Handler(http.server.SimpleHTTPRequestHandler):
     def log_message(self, *_):
         pass
 
+    def end_headers(self):
+        self.send_header("Access-Control-Allow-Origin", "*")
+        super().end_headers()
+
 
 def serve(folder):
     """Serves a folder on a free port, which is returned."""

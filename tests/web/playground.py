@@ -133,6 +133,13 @@ class Playground(unittest.TestCase):
             file.write(text)
         return path
 
+    def module(self, name):
+        """The address of a module as it is before it is bundled, for import() in the page"""
+        if not hasattr(type(self), "sources"):
+            type(self).sources = serve(os.path.join(ROOT, "src", "web"))
+            self.addClassCleanup(self.sources.shutdown)
+        return f"http://127.0.0.1:{self.sources.server_port}/playground/{name}"
+
     def leave(self):
         self.page.call("Page.navigate", url="about:blank")
         self.page.wait("location.href === 'about:blank'")

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """Tests the playground as an editor of recipes: see playground.py."""
-import os
+import time
 
 from playground import PLACE, Playground, hash_of, hillshade_of, main
 
@@ -42,12 +42,14 @@ class Edit(Playground):
         self.put("x", ", bend")
         self.page.wait("document.querySelector('.cm-lintRange-error') !== null")
         self.assertEqual(self.marked(), "bendx")
-        self.assertEqual(self.page.run("document.querySelectorAll('.cm-lint-marker-error').length"), 1)
+        self.assertEqual(self.page.run(
+            "document.querySelectorAll('.cm-lint-marker-error').length"), 1)
         self.assertIn("line 4", self.shown("#recipe-message"))
         self.page.run("playground.work.editor.select(0)")
         self.press("F8", 119)
-        self.assertEqual(self.page.run("(({from, to}) => playground.work.editor.text.slice(from, to))"
-                                       "(playground.work.editor.view.state.selection.main)"), "bendx")
+        self.assertEqual(self.page.run(
+            "(({from, to}) => playground.work.editor.text.slice(from, to))"
+            "(playground.work.editor.view.state.selection.main)"), "bendx")
         self.undo()
         self.ready()
         self.assertEqual((self.text(), self.marked()), (TEXT, ""))
@@ -67,6 +69,37 @@ class Edit(Playground):
         self.page.wait("document.querySelector('.cm-diagnosticText') !== null")
         self.assertIn("33.33", self.shown(".cm-diagnosticText"))
         self.page.mouse("mouseMoved", 5, 5)
+        self.write(TEXT)
+        self.ready()
+
+    def test_colours_and_brackets(self):
+        self.open(PLACE, text=TEXT)
+        words = {kind: self.page.run(f"[...document.querySelectorAll('.tok-{kind}')].map("
+                                     "each => each.textContent)")
+                 for kind in ("comment", "keyword", "number", "function", "argument")}
+        self.assertEqual(words["comment"], ["# Höhe 🏔"])
+        self.assertEqual(words["keyword"], ["recipe", "param", "out"])
+        self.assertEqual(words["function"], ["noise", "warp", "noise"])
+        self.assertEqual(words["argument"][:4], ["tall", "bend", "size", "amplitude"])
+        self.assertEqual(words["number"], ["1", "80", "0", "300", "90", "20", "70", "4"])
+        for at, pair in (("warp(", "()"), ("4)", "()"), ("bend)", "()"), ("80 [", "[]"), ("size", "")):
+            self.put("", at)
+            self.assertEqual("".join(sorted(self.page.run(
+                "[...document.querySelectorAll('.cm-matchingBracket')].map(each => "
+                "each.textContent)"))), pair, at)
+        self.put("", "bend)")
+        self.page.call("Input.insertText", text="(")
+        self.assertIn("bend)()", self.text(), "brackets close")
+        self.undo()
+        self.write(TEXT)
+        self.put("", "bend)")
+        self.press("/", 191, modifiers=2)
+        self.assertIn("\n# out a", self.text())
+        self.press("/", 191, modifiers=2)
+        self.assertEqual(self.text(), TEXT)
+        self.put("    ", "bend)\n")
+        self.press("Enter", 13)
+        self.assertTrue(self.text().endswith("    \n    ") or self.text().endswith("\n\n    "))
         self.write(TEXT)
         self.ready()
 
@@ -97,11 +130,14 @@ class Edit(Playground):
         self.ready()
 
     def test_help_tells_what_a_word_is(self):
-        """In the words of the module"""
-        self.open(PLACE, text=TEXT)
+        """In the words of the module, with the formulas of the language's document"""
+        self.open(PLACE, text=TEXT + "out mask = smoothstep(bend, 0, 1)\n")
         for word, title, told in (
                 ("warp", "warp(f, by)", "A field, bent by a noise."),
-                ("octaves", "noise: octaves", "how many octaves are summed; a fraction fades in (1 … 12"),
+                ("warp", "warp(f, by)", "f looks at (x + w_0, y + w_1)"),
+                ("smooth", "smoothstep(a, lo, hi)", "value 6t^5 - 15t^4 + 10t^3 of t = (a - lo)"),
+                ("octaves", "noise: octaves",
+                 "how many octaves are summed; a fraction fades in (1 … 12"),
                 ("ridged", "noise: fractal", "how octaves are summed"),
                 ("bend)", "bend", "never outside of -20 … 20"),
                 ("tall *", "tall", "a parameter, 80, from 0 to 300")):
@@ -115,6 +151,9 @@ class Edit(Playground):
             self.assertEqual(self.shown(".recipe-help strong"), title)
             self.assertIn(told, self.shown(".recipe-help"))
         self.page.mouse("mouseMoved", 5, 5)
+        self.put("", "warp")
+        self.press("F1", 112)
+        self.assertTrue(self.shown("#said").startswith("warp(f, by)\nA field, bent by a noise."))
 
     def test_a_slider_writes_its_number(self):
         """It follows; the picture is that of the text, and the whole drag is one step to undo."""
@@ -150,7 +189,10 @@ class Edit(Playground):
         edit = "playground.work.host().edit([{from: %d, to: %d, insert: '%s'}], {join: %s})"
         self.page.run(edit % (at, at + 2, "90", "false"))
         for number in ("91", "92", "93"):
+            time.sleep(0.3)  # a drag may take its time
             self.page.run(edit % (at, at + 2, number, "true"))
+        time.sleep(0.6)
+        self.page.run(edit % (at, at + 2, "93", "true"))
         self.page.run(edit % (at, at + 2, "94", "false"))
         self.assertIn("= 94 [", self.text())
         self.undo()
@@ -181,7 +223,8 @@ class Edit(Playground):
         })()""")
         self.ready()
         self.assertIn("out mesas", self.text())
-        self.assertEqual(self.hash(), hash_of(["--preset", "mesas", "--size", "32x32", "--seed", "4"]))
+        self.assertEqual(self.hash(),
+                         hash_of(["--preset", "mesas", "--size", "32x32", "--seed", "4"]))
         self.undo()
         self.assertIn("out alps", self.text())
         self.ready()

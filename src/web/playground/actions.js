@@ -2,7 +2,6 @@
 //
 // The buttons: seeds, copies, downloads, themes.
 import {asC, asCommand, asJavaScript, asRecipe} from "./copy.js";
-import {element} from "./controls.js";
 import {npy, png16, pngRgba, quantised, r16, save} from "./export.js";
 import {presetOf, presets} from "./state.js";
 import {GROUNDS} from "./terrain.js";
@@ -78,7 +77,8 @@ async function saveShown(page, kind) {
         page.say("Not saved: there is no picture of this recipe yet.");
         return;
     }
-    const {values, raster: {width, height}, job} = whole, [floor, highest] = page.look.interval(whole);
+    const {values, raster: {width, height}, job} = whole;
+    const [floor, highest] = page.look.interval(whole);
     const node = job.node ? `-${job.name.replace(/\W+/g, "-")}` : "";
     const name = `scarp-${presetOf(job.source.text) ?? "recipe"}${node}-${job.source.seed}`;
     const numbers = () => quantised(values, floor, highest);
@@ -124,8 +124,8 @@ function connectSplit() {
 }
 
 function connectPresets(page) {
-    byId("preset").append(...Object.keys(presets).map(name => element("option", {value: name}, name)),
-        element("option", {value: "", disabled: true}));
+    byId("preset").append(...Object.keys(presets).map(name => new Option(name)),
+        Object.assign(new Option("", ""), {disabled: true}));
     byId("preset").addEventListener("change", event => page.setPreset(presets[event.target.value]));
 }
 

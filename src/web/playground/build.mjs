@@ -1,25 +1,45 @@
 // SPDX-License-Identifier: MIT
 //
-// Bundles the page: node build.mjs MODULES PAGE RECIPE... takes libraries from the folder MODULES,
-// where npm put them, and writes to the folder PAGE. Only what is needed at once is loaded at once.
+// Bundles the page: node build.mjs MODULES PAGE LANGUAGE RECIPE... takes libraries from the folder
+// MODULES, where npm put them, and writes to the folder PAGE. Only what is needed at once is loaded
+// at once. LANGUAGE is the document that has the formulas of functions.
 import {readFileSync, readdirSync, rmSync, writeFileSync} from "node:fs";
 import {createRequire} from "node:module";
 import {basename, dirname, join} from "node:path";
 import {fileURLToPath} from "node:url";
 
-const [modules, page, ...recipes] = process.argv.slice(2);
+const [modules, page, language, ...recipes] = process.argv.slice(2);
 const {build} = createRequire(join(modules, "here.js"))("esbuild");
 const folder = dirname(fileURLToPath(import.meta.url));
 
 // The program's recipes, by name
 const presets = Object.fromEntries(recipes.map(path =>
     [basename(path, ".recipe"), readFileSync(path, "utf8")]));
+
+// What tables of the document tell of each function: [what, text] of each column that is filled in
+const formulas = {};
+let columns = [];
+for (const line of readFileSync(language, "utf8").split("\n")) {
+    const [first, ...cells] = line.startsWith("|") ? line.split("|").slice(1, -1).map(cell =>
+        cell.replace(/[`*]/g, "").trim()) : [""];
+    columns = first === "expression" ? cells : first === "" ? [] : columns;
+    const rows = cells.map((text, i) => [columns[i], text]).filter(([what, text]) =>
+        what && text && text !== "as there");
+    for (const name of new Set([...first.matchAll(/(\w+)\(/g)].map(found => found[1]))) {
+        const isNext = name in formulas;
+        (formulas[name] ??= []).push(...rows.map(([what, text]) =>
+            [isNext ? `${first}, ${what}` : what, text]));
+    }
+}
+
+// Modules that are made here
+const virtual = {presets, formulas};
 const plugin = {
-    name: "presets",
+    name: "virtual",
     setup(on) {
-        on.onResolve({filter: /^presets$/}, ({path}) => ({path, namespace: "presets"}));
-        on.onLoad({filter: /./, namespace: "presets"}, () =>
-            ({contents: `export default ${JSON.stringify(presets)};`}));
+        on.onResolve({filter: /^(presets|formulas)$/}, ({path}) => ({path, namespace: "virtual"}));
+        on.onLoad({filter: /./, namespace: "virtual"}, ({path}) =>
+            ({contents: `export default ${JSON.stringify(virtual[path])};`}));
     },
 };
 
@@ -30,9 +50,11 @@ for (const name of readdirSync(page).filter(name => /\.(js|css)$/.test(name))) {
 }
 const {metafile} = await build({
     absWorkingDir: folder, entryPoints: ["main.js", "worker.js", ...sheets], outdir: page,
-    entryNames: "[name]", bundle: true, splitting: true, format: "esm", target: "es2022", minify: true,
-    chunkNames: "[name]-[hash]", legalComments: "none", nodePaths: [modules], plugins: [plugin],
-    alias: {"d3-transition": "./still.js", "d3-interpolate": "./still.js"},
+    entryNames: "[name]", bundle: true, splitting: true, format: "esm", target: "es2022",
+    minify: true, chunkNames: "[name]-[hash]", legalComments: "none", nodePaths: [modules],
+    plugins: [plugin],
+    alias: {"d3-transition": "./still.js", "d3-interpolate": "./still.js",
+        "@codemirror/language": "./editor/plain.js", "@lezer/common": "./editor/plain.js"},
     external: ["node:*"], metafile: true, logLevel: "warning",
 });
 

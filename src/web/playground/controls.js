@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// The panel: fields for the parameters of the recipe, and for raster and light, in groups that fold.
+// The panel: fields for the parameters of the recipe, and for raster and light, in groups that
+// fold.
 import {GROUPS, parseNumber} from "./options.js";
 
 const STEPS = 1000; // of a slider whose scale is logarithmic
 
-export function element(name, attributes = {}, ...children) {
+function element(name, attributes = {}, ...children) {
     const made = document.createElement(name);
     for (const [key, value] of Object.entries(attributes)) {
         if (value !== undefined && value !== false) {
@@ -33,14 +34,15 @@ function toSlider(row, number) {
     return Math.round(STEPS * Math.log(Math.max(number, low) / low) / Math.log(high / low));
 }
 
-// One row: a name, a slider for numbers, a text. change(name, text, isDragging) gets what is typed or
-// dragged, begin() is called when a drag begins; undefined: back to the default.
+// One row: a name, a slider for numbers, a text. change(name, text, isDragging) gets what is typed
+// or dragged, begin() is called when a drag begins; undefined: back to the default.
 class Field {
     constructor(row, change, begin = () => {}) {
         const id = `p-${row.name}`, isLog = row.scale === "log";
         this.row = row;
         this.input = element("input", {type: "text", id, spellcheck: "false", autocomplete: "off",
-            inputmode: row.kind === "seed" ? "numeric" : "text", "aria-describedby": `${id}-message`});
+            inputmode: row.kind === "seed" ? "numeric" : "text",
+            "aria-describedby": `${id}-message`});
         this.slider = row.slider && element("input", {type: "range", id: `${id}-slider`,
             "aria-label": row.label, min: isLog ? 0 : row.slider[0],
             max: isLog ? STEPS : row.slider[1], step: isLog ? 1 : row.step});
@@ -51,7 +53,8 @@ class Field {
         this.box = element("div", {class: `field ${row.kind}`, "data-name": row.name}, label,
             ...(this.slider ? [this.slider] : []), this.input, ...(this.back ? [this.back] : []),
             this.message);
-        this.input.addEventListener("input", () => change(row.name, this.input.value.trim(), false));
+        this.input.addEventListener("input", () =>
+            change(row.name, this.input.value.trim(), false));
         this.back?.addEventListener("click", () => change(row.name, undefined, false));
         for (const name of ["pointerdown", "keydown"]) {
             this.slider?.addEventListener(name, begin);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What the page gives away: the recipe, the command line, and programs in C and JavaScript that write
-// the heights and the hillshade of the picture.
+// What the page gives away: the recipe, the command line, and programs in C and JavaScript that
+// write the heights and the hillshade of the picture.
 import {numberText, wordsOf} from "./options.js";
 import {presetOf} from "./state.js";
 

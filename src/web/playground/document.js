@@ -3,8 +3,8 @@
 // What the module reads in the text of a recipe, as plain data, which workers can be sent. Editors
 // show this, and nothing that they found in the text themselves.
 
-// {text, ok, errors, entries, parts, functions, isSpace}: see Recipe in scarp.d.ts. Entries of param
-// have the span of their number, too: `valueSpan`.
+// {text, ok, errors, entries, parts, functions, isSpace}: see Recipe in scarp.d.ts. Entries of
+// param have the span of their number, too: `valueSpan`.
 export function readDocument(scarp, text) {
     const functions = scarp.recipeFunctions;
     let recipe = null;
@@ -14,7 +14,8 @@ export function readDocument(scarp, text) {
         const wrong = {line: 1, column: 1, from: 0, to: text.length, member: null, nearest: null,
             text: error.code === "SCARP_ERROR_SIZE" ? "the text is longer than 16,384 bytes"
                 : error.message};
-        return {text, ok: false, errors: [wrong], entries: [], parts: [], functions, isSpace: false};
+        return {text, ok: false, errors: [wrong], entries: [], parts: [], functions,
+            isSpace: false};
     }
     const {errors, parts, isSpace} = recipe;
     const entries = recipe.entries.map(entry =>

@@ -35,8 +35,8 @@ export function connectKeys(page) {
         if (event.ctrlKey || event.altKey || event.metaKey || isOpen || isField(event.target)) {
             return;
         }
-        // Views are radio buttons: there, arrows choose among them.
-        const radio = event.target.closest("[role=radiogroup]");
+        // Of views and panes, arrows choose the next one.
+        const radio = event.target.closest("[role=radiogroup], [role=tablist]");
         if (radio && event.key.startsWith("Arrow")) {
             const buttons = [...radio.querySelectorAll("button:enabled")];
             const at = buttons.indexOf(event.target) + SEEDS[event.key];

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What is looked at: the terrain, a statement, or the part at the cursor. Nodes are shown by value or
-// slope, with the interval that is promised and the one that is met.
+// What is looked at: the terrain, a statement, or the part at the cursor. Nodes are shown by value
+// or slope, with the interval that is promised and the one that is met.
 import {PARTS} from "../scarp.mjs";
 import {CURSOR, OF_NODES, TERRAIN, VIEWS} from "./state.js";
 import {nodeAt} from "./workspace.js";
@@ -50,7 +50,8 @@ export class Look {
         }
         const at = this.isAtCursor ? nodeAt(recipe, work.cursor)?.which
             : recipe.entries.find(({name, isParam}) => name === state.node && !isParam)?.index;
-        const found = state.node === TERRAIN || at === undefined ? null : this.described(recipe, at);
+        const isNone = state.node === TERRAIN || at === undefined;
+        const found = isNone ? null : this.described(recipe, at);
         this.node = found && isField(found) ? found : null;
         this.name = this.node === null ? "" : found.name;
     }
@@ -69,7 +70,8 @@ export class Look {
         const key = JSON.stringify(names);
         if (recipe.ok && key !== this.key) {
             list.replaceChildren(new Option("the terrain", TERRAIN),
-                new Option("the part at the cursor", CURSOR), ...names.map(name => new Option(name)));
+                new Option("the part at the cursor", CURSOR),
+                ...names.map(name => new Option(name)));
             this.key = key;
         }
         list.value = [TERRAIN, CURSOR, ...names].includes(state.node) ? state.node : TERRAIN;

@@ -206,15 +206,16 @@ class Page {
         while (this.isDragging && ms / every ** 2 > FRAME_MS && every < 8) {
             every *= 2;
         }
-        const raster = {...whole, width: Math.ceil(width / every), height: Math.ceil(height / every),
-            step: whole.step * every};
+        const raster = {...whole, width: Math.ceil(width / every),
+            height: Math.ceil(height / every), step: whole.step * every};
         document.documentElement.dataset.ready = "no";
         this.pool.request({...this.jobOf(raster, this.look.view, this.look.node), whole, every,
             number: ++this.wishes, name: this.look.name, isDragging: this.isDragging});
     }
 
     // A small picture of a node, of the middle of what the map shows: a number of a statement, or
-    // 65536 and that of a part. callback({image, lowest, highest}); returns what takes the wish back.
+    // 65536 and that of a part. callback({image, lowest, highest}); returns what takes the wish
+    // back.
     picture(which, width, height, callback) {
         return this.look.picture(which, width, height, callback);
     }
@@ -228,7 +229,8 @@ class Page {
         this.last = frame;
         this.drawn = this.showWorld();
         this.look.show(frame);
-        byId("status-size").textContent = `${width} × ${height}${job.every > 1 ? " (preview)" : ""}`;
+        byId("status-size").textContent =
+            `${width} × ${height}${job.every > 1 ? " (preview)" : ""}`;
         byId("status-time").textContent = `${ms < 100 ? ms.toFixed(1) : Math.round(ms)} ms`;
         if (job.every > 1) {
             if (!this.isDragging && this.checked.source !== null) {
@@ -335,8 +337,8 @@ class Page {
     // Tells what a button did, or why it did not.
     say(text) {
         const said = byId("said");
-        said.textContent = text;
         said.hidden = false;
+        said.textContent = text;
         clearTimeout(this.saying);
         this.saying = setTimeout(() => said.hidden = true, 6000);
     }

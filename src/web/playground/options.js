@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What a picture needs beside the text of the recipe, under the names that `scarp terrain` has, with
-// its intervals and defaults: fields, checks, the URL and the command line are made from this table.
+// What a picture needs beside the text of the recipe, under the names that `scarp terrain` has,
+// with its intervals and defaults: fields, checks, the URL and the command line are made from this
+// table.
 //
 // A row has a name (an option without its dashes), a kind, a label, an interval, and for numbers
 // what its slider covers.

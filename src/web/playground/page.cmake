@@ -2,7 +2,7 @@
 # Bundles the page into the folder TO, if its libraries are there.
 file(MAKE_DIRECTORY ${TO})
 if(EXISTS ${MODULES})
-  execute_process(COMMAND ${NODE} ${FROM}/build.mjs ${MODULES} ${TO} ${RECIPES}
+  execute_process(COMMAND ${NODE} ${FROM}/build.mjs ${MODULES} ${TO} ${LANGUAGE} ${RECIPES}
                   COMMAND_ERROR_IS_FATAL ANY)
   file(COPY ${FROM}/index.html DESTINATION ${TO})
   file(TOUCH ${TO}/index.html)

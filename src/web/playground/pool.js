@@ -16,8 +16,8 @@ function makeWorker(module, onMessage, onError) {
 }
 
 export class Pool {
-    // onFrame gets each frame {raster, values, pixels, numbers, met, ms, job}; onError a text, and why
-    // the recipe is no terrain, or null.
+    // onFrame gets each frame {raster, values, pixels, numbers, met, ms, job}; onError a text, and
+    // why the recipe is no terrain, or null.
     constructor(module, onFrame, onError) {
         const count = Math.max(1, Math.min(navigator.hardwareConcurrency || 2, WORKERS_MAX));
         this.onFrame = onFrame;
@@ -99,8 +99,8 @@ export class Pictures {
             this.receive({id: this.id, error: message}));
     }
 
-    // Makes a job in one piece: done({values, pixels, masks, numbers, met}) or done({error}). Returns
-    // what takes the wish back. Answers to the same key are kept; null: not to be kept.
+    // Makes a job in one piece: done({values, pixels, masks, numbers, met}) or done({error}).
+    // Returns what takes the wish back. Answers to the same key are kept; null: not to be kept.
     make(job, key, done) {
         if (key !== null && this.kept.has(key)) {
             const answer = this.kept.get(key);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The state of the page: the text of the recipe, options that were given as text, and what is looked
-// at. All of it stands in the URL; the text is deflated there, unless it is a preset as it was.
+// The state of the page: the text of the recipe, options that were given as text, and what is
+// looked at. All of it stands in the URL; the text is deflated there, unless it is a preset as it
+// was.
 import presets from "presets";
 import {ROWS} from "./options.js";
 
@@ -42,8 +43,10 @@ export async function toHash(state) {
     const query = new URLSearchParams(), preset = presetOf(state.text);
     if (preset !== null) {
         query.set("preset", preset);
-    } else {
+    } else if ("CompressionStream" in globalThis) {
         query.set("recipe", await packed(state.text));
+    } else {
+        query.set("text", state.text);
     }
     for (const name of ROWS.keys()) {
         if (state.given[name] !== undefined) {
@@ -75,7 +78,8 @@ export async function fromHash(hash, scarp) {
     state.node = query.get("node") ?? TERRAIN;
     state.space = query.get("space") === "3d";
     state.camera = query.get("camera");
-    state.text = presets[query.get("preset")] ?? query.get("text") ?? state.text;
+    const preset = Object.keys(presets).find(name => name === query.get("preset"));
+    state.text = presets[preset] ?? query.get("text") ?? state.text;
     if (query.has("recipe")) {
         state.text = await unpacked(query.get("recipe")).catch(() => state.text);
     }

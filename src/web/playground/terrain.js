@@ -7,7 +7,8 @@ import {bind} from "../scarp.mjs";
 
 export const STRIP = 65536; // samples at once: they stay in the cache
 export const GROUNDS = 5; // of masks
-const ARRAYS = ["value", "dx", "dy", "dxx", "dxy", "dyy", "bed", "nx", "ny", "nz", "sx", "sy", "sz"];
+const ARRAYS = ["value", "dx", "dy", "dxx", "dxy", "dyy", "bed", "nx", "ny", "nz", "sx", "sy",
+    "sz"];
 const NUMBERS = ["lowest", "highest", "floor", "hasSea", "hasHessian", "low", "high"];
 const MEMORY = 4 * 2 ** 20; // bytes for recipes
 const TEXT_MOST = 16384;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A worker: samples bands of rows of a terrain, or of any node of a recipe, and makes pixels of them.
-// The first message is the module, each other one a job. A job ends early when a newer one comes.
+// A worker: samples bands of rows of a terrain, or of any node of a recipe, and makes pixels of
+// them. The first message is the module, each other one a job. A job ends early when a newer one
+// comes.
 import {GROUNDS, STRIP, loadTerrain} from "./terrain.js";
 import {curvatureColours, fieldColours, hillshade, slopeColours, steepnessColours, valueColours}
     from "./shade.js";
@@ -128,9 +129,9 @@ function nodeWork(job) {
         const box = node.isSpace ? [0] : [];
         const out = parts(isSlope ? {value: arrays.value, dx: arrays.dx, dy: arrays.dy}
             : {value: arrays.value}, 0, across * rows);
-        recipe.grid({origin: [...origin, ...box], step: [step * every, -step * every, ...box.map(() =>
-            1)], first: [0, first, ...box], count: [across, rows, ...box.map(() => 1)]}, out,
-        {which: node.which});
+        const one = box.map(() => 1);
+        recipe.grid({origin: [...origin, ...box], step: [step * every, -step * every, ...one],
+            first: [0, first, ...box], count: [across, rows, ...one]}, out, {which: node.which});
         return out;
     };
     // What most values are like is told by a look at all of the raster: bands agree.

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Where the recipe is edited: as text and as graph. Both are loaded when the page is there. Every edit
-// goes through the editor of the text, so there is one history; before it is there, edits just happen.
+// Where the recipe is edited: as text and as graph. Both are loaded when the page is there. Every
+// edit goes through the editor of the text, so there is one history; before it is there, edits just
+// happen.
 import {readDocument} from "./document.js";
 import {PARTS} from "../scarp.mjs";
 
@@ -9,8 +10,8 @@ const byId = id => document.getElementById(id);
 const PANES = ["text", "graph"];
 const isField = ({kind}) => kind === "field" || kind === "noise";
 
-// The smallest part around a place that has a value at each point, else the statement: the numbers of
-// the node and of the statement, or null
+// The smallest part around a place that has a value at each point, else the statement: the numbers
+// of the node and of the statement, or null
 export function nodeAt({entries, parts}, at) {
     const holds = ({span}) => span[0] <= at && at <= span[1];
     const entry = entries.find(holds);
@@ -47,12 +48,14 @@ export class Workspace {
             read: () => this.page.recipe,
             changed: text => this.page.textChanged(text),
             moved: (at, isOurs) => this.moved(at, isOurs),
+            help: text => this.page.say(text),
         });
         this.fallback.hidden = true;
         this.show(this.page.recipe);
     }
 
-    // {from, to, insert} each; {join} makes them a part of the last step, as while something is dragged.
+    // {from, to, insert} each; {join} makes them a part of the last step, as while something is
+    // dragged.
     edit(changes, options = {}) {
         this.page.isDragging ||= options.join === true;
         if (this.editor) {

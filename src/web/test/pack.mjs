@@ -22,7 +22,8 @@ const FILES = [
     'scarp.mjs',
 ];
 
-const USE = `import { load, Recipe, RecipeError, ScarpError, type Noise, type Scarp } from 'scarp-noise';
+const USE = `import { load, PARTS, Recipe, RecipeError, ScarpError, type Noise, type Scarp, type Span }
+    from 'scarp-noise';
 const scarp: Scarp = await load({ memory: 1 << 20 });
 const noise: Noise = { basis: 'simplex', seed: 7n, period: [4, 0, 4], warp: { octaves: 2 } };
 const out = scarp.sample3(noise, Float32Array.of(1), Float32Array.of(2), Float32Array.of(3),
@@ -33,10 +34,13 @@ const fault: ScarpError | null = scarp.noiseCheck(noise, 2);
 const recipe: Recipe = scarp.recipe('recipe 1\\nparam a = 1 [0, 2]\\nout o = a * x\\n');
 recipe.set('a', 2).grid({ count: [2, 2] }, { value: new Float32Array(4) });
 const lowest: number = recipe.params[0].lowest + recipe.range()[0];
+const spans: Span[] = recipe.parts.map(({ span }) => span);
+recipe.sample2(out.value, out.value, [out], { which: [PARTS + spans.length - 1] });
+const words: readonly string[] | null = scarp.recipeFunctions[0].arguments[0].words;
 const lines: (e: RecipeError) => number[] = (e) => e.errors.map(({ line }) => line);
 // @ts-expect-error: there is no such word
 const wrong: Noise = { basis: 'perlin' };
-console.log(z, fault, lowest, lines, wrong);
+console.log(z, fault, lowest, lines, words, wrong);
 `;
 
 const folder = mkdtempSync(join(tmpdir(), 'scarp-pack-'));

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: MIT
 //
-// The text of the recipe in CodeMirror: errors at their place, completion, help, and one history for
-// all edits, those of sliders and of the graph among them.
+// The text of the recipe in CodeMirror: errors at their place, completion, help, and one history
+// for all edits, those of sliders and of the graph among them.
 import {autocompletion, closeBrackets, closeBracketsKeymap, completionKeymap} from
     "@codemirror/autocomplete";
 import {defaultKeymap, history, historyKeymap, indentLess, indentMore, isolateHistory, redo,
     redoDepth, undo, undoDepth} from "@codemirror/commands";
-import {bracketMatching} from "@codemirror/language";
 import {lintGutter, lintKeymap, setDiagnostics} from "@codemirror/lint";
 import {Annotation, EditorState, Transaction} from "@codemirror/state";
 import {EditorView, drawSelection, highlightActiveLine, hoverTooltip, keymap, lineNumbers} from
     "@codemirror/view";
 import {errorText} from "../document.js";
-import {completion, helpAt, recipeLanguage} from "./language.js";
+import {colours} from "./colours.js";
+import {completion, helpAt} from "./language.js";
 
 const GROUP_MS = 500; // typing without a pause is one step of the history
 const joined = Annotation.define();
@@ -48,21 +48,22 @@ function diagnosticOf(error, length) {
     return {from, to, severity: "error", message: errorText(error)};
 }
 
-// on: {read(): document, changed(text, isTyped), moved(at)}
+// on: {read(): document, changed(text), moved(at, hasFocus), help(text)}
 export class Editor {
     constructor(parent, text, on) {
         this.on = on;
         const {read} = on;
         this.view = new EditorView({parent, state: EditorState.create({doc: text, extensions: [
-            lineNumbers(), historyOfAll(), drawSelection(), bracketMatching(), closeBrackets(),
-            highlightActiveLine(), lintGutter(), recipeLanguage,
+            lineNumbers(), historyOfAll(), drawSelection(), colours, closeBrackets(),
+            highlightActiveLine(), lintGutter(),
             autocompletion({override: [completion(read)], icons: false}),
             hoverTooltip((view, at) => {
                 const help = helpAt(read(), at);
                 return help && tooltip(help);
             }),
             keymap.of([...closeBracketsKeymap, ...completionKeymap, ...lintKeymap, ...historyKeymap,
-                ...defaultKeymap, {key: "Mod-]", run: indentMore}, {key: "Mod-[", run: indentLess}]),
+                ...defaultKeymap, {key: "Mod-]", run: indentMore}, {key: "Mod-[", run: indentLess},
+                {key: "F1", run: ({state}) => this.help(state.selection.main.head)}]),
             EditorView.contentAttributes.of({"aria-label": "Text of the recipe",
                 "aria-describedby": "recipe-message", autocapitalize: "off"}),
             EditorView.updateListener.of(update => this.updated(update)),
@@ -71,6 +72,14 @@ export class Editor {
 
     get text() {
         return this.view.state.doc.toString();
+    }
+
+    // Tells what the word at a place is, for those who have no pointer.
+    help(at) {
+        const help = helpAt(this.on.read(), at);
+        this.on.help(help === null ? "There is no help for this place."
+            : [help.title, ...help.lines.map(line => [line].flat().join(" "))].join("\n"));
+        return true;
     }
 
     updated({docChanged, selectionSet, state, view}) {

@@ -1,48 +1,11 @@
 // SPDX-License-Identifier: MIT
 //
-// Colours, completion and help for recipes. Here are tokens alone; what a function or a name is comes
-// from the module, in the document: see document.js.
+// Completion and help for recipes. Here are tokens alone; what a function or a name is comes from
+// the module, in the document: see document.js. Formulas are those of src/recipe/README.md.
 import {snippetCompletion} from "@codemirror/autocomplete";
-import {HighlightStyle, StreamLanguage, syntaxHighlighting} from "@codemirror/language";
-import {tags} from "@lezer/highlight";
+import formulas from "formulas";
 
 const WORD = /^[A-Za-z_]\w*/;
-const language = StreamLanguage.define({
-    name: "recipe",
-    token(stream) {
-        if (stream.eatSpace()) {
-            return null;
-        }
-        if (stream.match(/^#.*/)) {
-            return "comment";
-        }
-        if (stream.sol() && stream.match(/^(recipe|param|out|space|tile)\b/)) {
-            return "keyword";
-        }
-        if (stream.match(/^(\d+\.?\d*|\.\d+)(e[+-]?\d+)?/i)) {
-            return "number";
-        }
-        if (stream.match(WORD)) {
-            return stream.match(/^\s*\(/, false) ? "name.function"
-                : stream.match(/^\s*=/, false) ? "propertyName" : "name";
-        }
-        stream.next();
-        return "operator";
-    },
-    tokenTable: {"name.function": tags.function(tags.name)},
-    languageData: {commentTokens: {line: "#"}, closeBrackets: {brackets: ["(", "["]}},
-});
-
-const style = HighlightStyle.define([
-    {tag: tags.comment, color: "var(--soft)", fontStyle: "italic"},
-    {tag: tags.keyword, color: "var(--keyword)", fontWeight: "600"},
-    {tag: tags.number, color: "var(--number)"},
-    {tag: tags.function(tags.name), color: "var(--accent)"},
-    {tag: tags.propertyName, color: "var(--property)"},
-    {tag: tags.operator, color: "var(--soft)"},
-]);
-
-export const recipeLanguage = [language, syntaxHighlighting(style)];
 
 // The name of the call whose parentheses are open before `at`, and "" outside of any
 function callAt(text, at) {
@@ -130,6 +93,7 @@ export function helpAt({text, functions, entries}, at) {
     const called = isCall && functions.find(({name}) => name === word);
     if (called) {
         return {...place, title: signature(called), lines: [called.text,
+            ...(formulas[word] ?? []),
             ...called.arguments.map(argument => [argument.name, argumentText(argument)])]};
     }
     const open = functions.find(({name}) => name === callAt(text, from));
