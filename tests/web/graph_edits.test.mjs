@@ -165,6 +165,12 @@ for (const [name, text] of texts) {
                     assert.ok(next.byName.has(result.name), offer.name);
                 }
             }
+            if (context.source && !context.target) {
+                for (const name of ['warp', 'turn', 'at', 'smoothstep', 'terrace', 'curve', 'blend',
+                    'mix', 'min', 'sum', 'product']) {
+                    assert.ok(names.has(name), `${name} comes from ${context.source.name}`);
+                }
+            }
             // Where a noise or a number is expected, few functions fit.
             if (context.target?.slot?.kind === 'number') {
                 assert.ok(names.has(context.isWire ? 'sum' : 'parameter'), [...names].join());
@@ -175,6 +181,64 @@ for (const [name, text] of texts) {
                 assert.ok(names.size > 3, `${names.size} offers for ${Object.keys(context)}`);
             }
         }
+    });
+}
+
+// What some gestures make of a text
+const TEXT = `recipe 1
+param tall = 90 [0, 400] # metres
+bend = noise(size=300, amplitude=60)
+# The ridges
+ridges = warp(noise(ridged, size=200), bend)
+land = tall * clamp(ridges, lo=-0.5 * tall, hi=1) - bend / 2
+
+# What is on it
+bumps = noise(size=9) # small
+all = land + bumps
+`;
+const partOf = (model, text, i = 0) =>
+    model.parts.filter((part) => model.text.slice(...part.span) === text)[i];
+const named = (model, name) => model.byName.get(name);
+const MADE = [
+    ['a wire upwards takes the line, its comment, and what it needs',
+        (m) => edits.wire(m, read, named(m, 'bumps'), partOf(m, 'bend', 0)),
+        [['ridged, size=200), bend)', 'ridged, size=200), bumps)'],
+            ['\n# What is on it\nbumps = noise(size=9) # small\n', '\n'],
+            ['# The ridges', '# What is on it\nbumps = noise(size=9) # small\n# The ridges']]],
+    ['a warp without its noise', (m) => edits.unplug(m, read, partOf(m, 'bend', 0)),
+        [['warp(noise(ridged, size=200), bend)', 'noise(ridged, size=200)']]],
+    ['a factor is 1', (m) => edits.unplug(m, read, partOf(m, 'tall', 0)),
+        [['land = tall *', 'land = 1 *']]],
+    ['a term is 0', (m) => edits.unplug(m, read, partOf(m, 'bumps')), [['land + bumps', 'land + 0']]],
+    ['a statement goes; a comment above more lines stays', (m) => edits.remove(m, read, named(m, 'ridges')),
+        [['# The ridges\nridges = warp(noise(ridged, size=200), bend)\n', '# The ridges\n'],
+            ['clamp(ridges,', 'clamp(0,']]],
+    ['a statement stands in its uses', (m) => edits.inline(m, read, named(m, 'land')),
+        [['land = tall * clamp(ridges, lo=-0.5 * tall, hi=1) - bend / 2\n', ''],
+            ['all = land', 'all = (tall * clamp(ridges, lo=-0.5 * tall, hi=1) - bend / 2)']]],
+    ['a number becomes a parameter', (m) => edits.extract(m, read, partOf(m, '300')),
+        [['\nbend', '\nparam size = 300 [1, 10000]\nbend'], ['size=300', 'size=size']]],
+    ['a part becomes a statement', (m) => edits.extract(m, read, partOf(m, '-0.5 * tall')),
+        [['\nland', '\npart = -0.5 * tall\nland'], ['lo=-0.5 * tall', 'lo=part']]],
+    ['a call is taken away', (m) => edits.bypass(m, read,
+        partOf(m, 'clamp(ridges, lo=-0.5 * tall, hi=1)')),
+        [['clamp(ridges, lo=-0.5 * tall, hi=1)', 'ridges']]],
+    ['a first operand goes', (m) => edits.dropOperand(m, read, partOf(m, 'land')),
+        [['all = land + bumps', 'all = bumps']]],
+    ['a factor more around a sum', (m) => edits.addOperand(m, read, named(m, 'all').root, '*', '1'),
+        [['all = land + bumps', 'all = (land + bumps) * 1']]],
+];
+
+for (const [what, gesture, changes] of MADE) {
+    test(what, () => {
+        const model = modelOf(read(TEXT));
+        const expected = changes.reduce((text, [old, next]) => {
+            assert.ok(text.includes(old), old);
+            return text.replace(old, next);
+        }, TEXT);
+        const result = gesture(model);
+        check(model, result, what);
+        assert.equal(result.refusal ?? applied(TEXT, result.changes), expected);
     });
 }
 

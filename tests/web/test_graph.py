@@ -73,9 +73,10 @@ class Graph(unittest.TestCase):
 
     def settle(self):
         """Waits until no card moves."""
-        self.page.run("""new Promise(done => setTimeout(function look() {
-            document.getAnimations().length > 0 ? setTimeout(look, 20) : done();
-        }, 40))""")
+        self.page.run("""new Promise(done => {
+            const look = () => document.getAnimations().length > 0 ? setTimeout(look, 20) : done();
+            setTimeout(() => requestAnimationFrame(() => requestAnimationFrame(look)), 30);
+        })""")
 
     @property
     def text(self):
@@ -176,8 +177,8 @@ class Graph(unittest.TestCase):
             const {x, y, right, bottom} = card.getBoundingClientRect();
             return [x, y, right, bottom];
         })""")
-        for y in range(70, 800 - room, 20):
-            for x in range(20, 1200 - room, 20):
+        for y in range(90, 800 - room, 20):
+            for x in range(60, 1200 - room, 20):
                 if all(right < x - 10 or left > x + room or bottom < y - 10 or top > y + room
                        for left, top, right, bottom in boxes):
                     return x, y
@@ -330,7 +331,7 @@ class Menus(Graph):
         self.press("Insert", 45)
         self.assertTrue(self.page.run("document.querySelector('.graph-menu').open"))
         self.press("Escape", 27)
-        self.assertEqual(self.page.run("document.activeElement.dataset.id"), "shape")
+        self.page.wait("document.activeElement.dataset.id === 'shape'")
         self.assertEqual(self.text, HILLS)
 
 

@@ -192,7 +192,12 @@ export class CardView {
             this.act("rename");
         });
         element.addEventListener("pointerdown", event => this.#pressed(event));
-        element.addEventListener("focusin", () => desk.keys.isPressed || desk.select(this.card));
+        element.addEventListener("focusin", () => {
+            if (!desk.keys.isPressed) {
+                desk.select(this.card);
+                desk.stage.reveal(this.card.id);
+            }
+        });
         element.addEventListener("keydown", event => desk.keys.press(event, this));
     }
 

@@ -243,9 +243,11 @@ function placeLine(model, name, x, y, place) {
     return {from: end, to: end, insert: gap + text + newline};
 }
 
-// Stores where cards lie: places are [name, x, y].
-export const setPlaces = (model, read, places) => accept(model, [places.map(([name, x, y]) =>
-    placeLine(model, name, x, y, model.places.get(name)))], read);
+// Stores where cards lie: places are [name, x, y]. `#: palette` is another line already.
+export const setPlaces = (model, read, places) => places.some(([name]) => name === "palette")
+    ? {refusal: "a card that is called palette has no line of its own"}
+    : accept(model, [places.map(([name, x, y]) =>
+        placeLine(model, name, x, y, model.places.get(name)))], read);
 
 // Forgets where cards lie, with the empty line above the first place.
 export function forgetPlaces(model, read) {

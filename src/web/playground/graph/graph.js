@@ -123,7 +123,9 @@ class Graph {
         } else {
             this.#followNames(old, model);
         }
-        this.#measure();
+        if (isNew) {
+            this.#measure();
+        }
         this.#render();
         if (isNew || this.stage.laid.size === 0) {
             this.stage.layout();
@@ -385,8 +387,16 @@ class Graph {
     }
 }
 
-// Makes the graph in a container. `host` does what README.md tells. Returns {update(document),
-// select(entryIndex), refresh(), destroy()}: refresh draws all pictures anew.
+// Makes the graph in a container. Returns {update(document), select(entryIndex), refresh(), destroy()}:
+// refresh draws all pictures anew. Documents are as readDocument() has them. The host has
+//   edit(changes, {join})   does {from, to, insert} each, as one step; with `join` it is a part of the
+//                           last one
+//   undo(), redo()
+//   read(text)              the document of a text that may be there next
+//   selected(entryIndex)    a statement was selected
+//   picture(node, width, height, callback)   asks for a picture of a statement, or of PARTS plus a
+//                           part, and returns what takes the wish back; callback({image, lowest,
+//                           highest}) gets an ImageData, or what canvases draw
 export function createGraph(container, host) {
     const graph = new Graph(container, host);
     return {update: document => graph.update(document), select: index => graph.select(index),

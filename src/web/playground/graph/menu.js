@@ -77,13 +77,13 @@ export class Menu {
         const {found} = this;
         this.at = Math.min(this.at, Math.max(0, found.length - 1));
         let group = "";
-        const items = found.map((offer, i) => {
-            const isFirst = offer.group !== group;
+        const items = found.flatMap((offer, i) => {
+            const title = offer.group === group || this.search.value !== "" ? []
+                : [make("li", {role: "presentation", class: "graph-group"}, offer.group)];
             group = offer.group;
-            return make("li", {id: `graph-offer-${i}`, role: "option", "aria-selected": i === this.at
-                ? "true" : "false", "data-group": isFirst ? group : null, class: isFirst ? "is-first"
-                : "", onclick: () => this.#choose(offer)}, make("b", {}, offer.name),
-            make("span", {}, offer.text));
+            return [...title, make("li", {id: `graph-offer-${i}`, role: "option",
+                onclick: () => this.#choose(offer)}, make("b", {}, offer.name),
+            make("span", {}, offer.text))];
         });
         this.list.replaceChildren(...items);
         this.count.textContent = found.length > 0 ? "" : this.isReady ? "Nothing of that fits here."
@@ -92,10 +92,8 @@ export class Menu {
     }
 
     #mark() {
-        [...this.list.children].forEach((item, i) => {
-            item.setAttribute("aria-selected", i === this.at ? "true" : "false");
-        });
-        const item = this.list.children[this.at];
+        const items = [...this.list.querySelectorAll("[role=option]")], item = items[this.at];
+        items.forEach(other => other.setAttribute("aria-selected", String(other === item)));
         item?.scrollIntoView({block: "nearest"});
         this.search.setAttribute("aria-activedescendant", item?.id ?? "");
     }

@@ -40,11 +40,12 @@ function sourceText(model, f, word, members) {
 const needsNothing = f => f.arguments.every(slot => !slot.isNeeded);
 const sourceOf = model => model.functions.find(needsNothing);
 
-function knotsText(range, slot, text) {
-    const [low, high] = range, step = 10 ** Math.floor(Math.log10((high - low) / 20));
+// Knots of numbers that change nothing yet, and knots of fields: one of them is right.
+function knotsTexts([low, high], text) {
+    const step = 10 ** Math.floor(Math.log10((high - low) / 20));
     const at = share => numberText(low + (high - low) * share, step);
-    return /field/.test(slot.text) ? `${at(0.3)}: ${text}, ${at(0.7)}: 0`
-        : [0, 0.5, 1].map(share => `${at(share)}: ${at(share)}`).join(", ");
+    return [`${at(0.3)}: ${text}, ${at(0.7)}: 0`,
+        [0, 0.5, 1].map(share => `${at(share)}: ${at(share)}`).join(", ")];
 }
 
 // Texts of a call whose first input is `text`, the likeliest first
@@ -60,22 +61,27 @@ function callTexts(model, f, text, range) {
     const number = (slot, i) => isOfValues
         ? numberText(range[0] + (range[1] - range[0]) * (i === 0 ? 0.35 : 0.65), 0.001)
         : numberText(likely(slot, numbers.length === 1 ? 0.6 : i === 0 ? 0.25 : 0.75));
-    const withOthers = others => {
+    const hasKnots = needed.some(slot => slot.kind === "knot"), knots = knotsTexts(range, text);
+    const withOthers = (others, way) => {
         const rest = [...others];
         let isFirst = true, i = 0;
-        const list = needed.map(slot => {
+        // `at` takes a third field in space.
+        const isFull = others.length > 2;
+        const slots = f.arguments.filter(slot => slot.isNeeded || isFull && slot.kind === "field");
+        const list = slots.map(slot => {
             if (isFirst && (slot.kind === "field" || slot.kind === "noise")) {
                 isFirst = false;
                 return text;
             }
             return slot.kind === "field" ? rest.shift() ?? "0" : slot.kind === "noise" ? fresh
-                : slot.kind === "knot" ? knotsText(range, slot, text) : number(slot, i++);
+                : slot.kind === "knot" ? knots[way] : number(slot, i++);
         });
         const named = needed.length < 2 && f.arguments.some(slot => slot.name === "size")
             ? [`size=${numberText(size)}`, `seed=${freshSeed(model)}`] : [];
         return `${f.name}(${[...list, ...named].join(", ")})`;
     };
-    return [...new Set([["x", "y"], ["0", "0.5"], ["0", "0"]].map(withOthers))];
+    const fills = hasKnots ? [[], []] : [["x", "y"], ["x", "y", "z"], ["0", "0.5"], ["0", "0"]];
+    return [...new Set(fills.map(withOthers))];
 }
 
 // A line of text at a place, which may be the end of a text without a newline
@@ -152,7 +158,7 @@ export function offersFor(model, {source = null, target = null, selected = null,
                 free));
             for (const slot of f.arguments.filter(({words}) => (words?.length ?? 0) > 2)) {
                 list.push(...slot.words.map(word => statementOffer(`${word} ${f.name}`,
-                    `${f.name} with another ${slot.name}`, "sources",
+                    `${f.name} whose ${slot.name} is ${word}`, "sources",
                     () => [sourceText(model, f, word, {})], free)));
             }
         }

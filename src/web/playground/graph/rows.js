@@ -50,7 +50,8 @@ class Rows {
         for (const child of part.children) {
             const operation = isCall(part) || isSign(part) || child === part.children[0] &&
                 child.operation === "" && label === "" ? "" : SIGNS[part.operation];
-            const own = isCall(part) ? child.slot?.name ?? "" : operation;
+            const name = child.slot?.name ?? "";
+            const own = isCall(part) ? name.length > 1 ? name : "" : operation;
             if (isLeaf(child)) {
                 this.rows.push({type: isNumber(child) ? "number" : "input", label: own, part: child,
                     isInFormula: true});

@@ -48,7 +48,7 @@ export class Stage {
     // Lays out all cards, closed, as they are most of the time.
     layout() {
         if (this.isOff) {
-            this.desk.wires.update();
+            this.place();
             return;
         }
         this.desk.root.classList.add("is-measured");
@@ -79,6 +79,7 @@ export class Stage {
     place() {
         this.desk.wires.update();
         if (this.isOff) {
+            this.desk.wires.paint();
             return;
         }
         const boxes = this.#boxes(), ports = this.#ports();
@@ -136,9 +137,11 @@ export class Stage {
         const all = Math.min(1.1, wide / (right - left), high / (bottom - top));
         const scale = isFirst ? Math.max(all, READABLE) : all;
         const last = boxes.find(({x, width}) => x + width === right);
-        const isHigh = scale * (bottom - top) > high + 1;
-        const x = scale * (right - left) > wide + 1 ? right - wide / scale / 2 : (left + right) / 2;
-        const y = isHigh ? last.y + last.height / 2 : (top + bottom) / 2;
+        // The middle of what is seen, not so far out that there is nothing
+        const middle = (wish, low, high, size) => size >= high - low ? (low + high) / 2
+            : Math.min(Math.max(wish, low + size / 2), high - size / 2);
+        const x = middle(right, left, right, wide / scale);
+        const y = middle(last.y + last.height / 2, top, bottom, high / scale);
         this.zoom.transform(select3(this.desk.ground), zoomIdentity
             .translate(EDGE + wide / 2 - scale * x, ABOVE + high / 2 - scale * y).scale(scale));
     }
@@ -165,14 +168,14 @@ export class Stage {
             view.element.scrollIntoView({block: "nearest"});
             return;
         }
-        const box = view.element.getBoundingClientRect();
-        const frame = this.desk.ground.getBoundingClientRect();
-        if (box.left < frame.left || box.top < frame.top || box.right > frame.right ||
-            box.bottom > frame.bottom) {
-            const {style, offsetWidth, offsetHeight} = view.element;
-            this.zoom.translateTo(select3(this.desk.ground), parseFloat(style.left) + offsetWidth / 2,
-                parseFloat(style.top) + offsetHeight / 2);
-        }
+        const {style, offsetWidth, offsetHeight} = view.element, {k} = this.transform;
+        const [left, top] = this.transform.apply([parseFloat(style.left), parseFloat(style.top)]);
+        const {clientWidth, clientHeight} = this.desk.ground;
+        // As little as must be; the title is seen in any case.
+        const by = (low, size, first, last) => Math.max(first - low, Math.min(0, last - low - size));
+        this.zoom.translateBy(select3(this.desk.ground),
+            by(left, offsetWidth * k, EDGE, clientWidth - EDGE) / k,
+            by(top, offsetHeight * k, ABOVE, clientHeight - EDGE) / k);
     }
 
     startDrag(event, view) {

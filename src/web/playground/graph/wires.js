@@ -51,7 +51,6 @@ export class Wires {
 
     update() {
         this.list = wiresOf(this.desk.model, this.desk.cards);
-        this.paint();
     }
 
     paint() {
