@@ -125,7 +125,7 @@ class Space(Playground):
         values = self.page.run("[...playground.whole.values]")
         random.seed(1)
         for azimuth, altitude in ((0, 20), (90, 35), (197, 12), (251.5, 28), (315, 40), (340, 5)):
-            lit = self.page.run(f"""import("./sunlight.js").then(({{sunOf, sunShares}}) =>
+            lit = self.page.run(f"""import("{self.module("sunlight.js")}").then(({{sunOf, sunShares}}) =>
                 [...sunShares(playground.whole.values, [96, 80], 24,
                     sunOf({azimuth}, {altitude}))])""")
             dark, bright, wrong = 0, 0, []
@@ -148,7 +148,7 @@ class Space(Playground):
     def test_shadows_have_soft_edges(self):
         """The farther from what casts it, the wider the edge is."""
         self.open(["--size", "32x32"])
-        widths = self.page.run("""import("./sunlight.js").then(({sunOf, sunShares}) =>
+        widths = self.page.run(f"import('{self.module('sunlight.js')}')" + """.then(({sunOf, sunShares}) =>
             [10, 40].map(high => {
                 const values = new Float32Array(256 * 3);
                 values[20] = values[276] = values[532] = high;
