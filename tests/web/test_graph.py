@@ -503,6 +503,14 @@ class Statements(Graph):
         self.assertIn("part = height * shape\nout hills = part + 20 * ridges\n", self.text)
         self.assert_undone()
 
+    def test_a_wire_out_of_a_small_card_gives_it_a_name(self):
+        self.open()
+        self.click(self.card("hills", ".graph-small[title^=Spread]"))
+        self.drag(self.centre(self.card("hills/0", ".is-out")), self.centre(self.input_row("both", 1)))
+        self.assertIn("\npart = height * shape\nout hills = part + 20 * ridges\n", self.text)
+        self.assertEqual(self.line("both"), "out both = hills + part")
+        self.assert_undone()
+
     def test_settings(self):
         text = "recipe 1\na = noise(size=64, octaves=3)\nb = a + 1\n"
         self.open(text)
@@ -639,6 +647,31 @@ class Phone(Graph):
         self.assert_undone()
         self.choose(self.input_row("both", 1) + " select", "remove from the formula")
         self.assertEqual(self.line("both"), "out both = hills")
+        self.assert_undone()
+
+    def touch(self, start, end):
+        point = lambda i: {"x": start[0] + (end[0] - start[0]) * i / 8,
+                           "y": start[1] + (end[1] - start[1]) * i / 8}
+        for i in range(9):
+            self.page.call("Input.dispatchTouchEvent", type="touchMove" if i else "touchStart",
+                           touchPoints=[point(i)])
+        self.page.call("Input.dispatchTouchEvent", type="touchEnd", touchPoints=[])
+        self.settle()
+
+    def test_fingers_drag_knots_and_sliders(self):
+        self.open()
+        self.page.call("Emulation.setTouchEmulationEnabled", enabled=True)
+        self.page.run("document.querySelector('[data-id=shape]').scrollIntoView({block: 'center'})")
+        x, y = self.centre(self.card("shape", "[data-knot='1']"))
+        self.touch((x, y), (x + 30, y - 20))
+        place, value = self.line("shape").split(", ")[2].split(": ")
+        self.assertGreater(float(place), 0.1)
+        self.assertGreater(float(value), 0.5)
+        self.assert_undone()
+        self.page.run("document.querySelector('[data-id=height]').scrollIntoView({block: 'center'})")
+        x, y, width, height = self.box(self.card("height", "input[type=range]"))
+        self.touch((x + width * 0.2, y + height / 2), (x + width * 0.8, y + height / 2))
+        self.assertGreater(float(self.line("height").split("=")[1].split("[")[0]), 350)
         self.assert_undone()
 
     def test_actions(self):
