@@ -22,8 +22,8 @@ target_link_libraries(gpu_recipe_cases PRIVATE scarp ${SCARP_LIBM})
 
 set(gpu_presets ${PROJECT_SOURCE_DIR}/src/cli/presets)
 set(gpu_examples ${PROJECT_SOURCE_DIR}/src/examples/recipes)
-set(gpu_recipes_wgsl 4 4 ${gpu_presets}/alps.recipe ${gpu_examples}/marble.recipe)
-set(gpu_recipes_webgl 2 13 ${gpu_presets}/alps.recipe)
+set(gpu_recipes_wgsl 3 7 ${gpu_presets}/alps.recipe ${gpu_examples}/marble.recipe)
+set(gpu_recipes_webgl 0 15 ${gpu_examples}/marble.recipe)
 foreach(language wgsl webgl)
   scarp_add_test(gpu.recipes.${language} shader NEEDS chromium posix python3
                  COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/gpu/browser.py

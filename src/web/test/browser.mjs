@@ -81,7 +81,7 @@ function finish(result) {
     clearTimeout(patience);
     server.close();
     server.closeAllConnections();
-    browser.once('close', () => rmSync(profile, { recursive: true, force: true, maxRetries: 9 }));
+    browser.once('close', () => rmSync(profile, { recursive: true, force: true, maxRetries: 20, retryDelay: 100 }));
     browser.kill();
 }
 
