@@ -65,7 +65,7 @@ const tellOf = ({why}) => tell(why ? {name: "off", why} : {name: "on", adapter: 
 
 async function open(module) {
     if (!navigator.gpu) {
-        throw new Refusal("this browser has no WebGPU");
+        throw new Refusal("this browser has no WebGPU for this page");
     }
     const adapter = await navigator.gpu.requestAdapter({powerPreference: "high-performance"});
     if (!adapter) {
@@ -109,7 +109,7 @@ function planOf({source, isCurved}) {
     return key === wish?.key ? wish : withRecipe(source, recipe => {
         const height = recipe.entries.find(({output}) => output === 0);
         if (!height || height.order === 0 || recipe.isSpace) {
-            return {key, why: recipe.isSpace ? "the GPU shows recipes of the plane"
+            return {key, why: recipe.isSpace ? "the GPU shows only recipes of the plane"
                 : height ? "this terrain has no gradient" : "this recipe has no output"};
         }
         const order = isCurved ? Math.min(height.order, 2) : 1;
