@@ -45,10 +45,11 @@ def serve(folder):
 class Chromium:
     """A browser with one page. `console` has what the page complained of."""
 
-    def __init__(self, program, scratch, *options):
+    def __init__(self, program, scratch, *options, without=()):
         to_browser, self.out = os.pipe()
         self.inp, from_browser = os.pipe()
-        flags = [*FLAGS, *options, "--remote-debugging-pipe",
+        flags = [flag for flag in FLAGS if flag not in without]
+        flags += [*options, "--remote-debugging-pipe",
                  "--user-data-dir=" + os.path.join(scratch, "profile")]
         if hasattr(os, "geteuid") and os.geteuid() == 0:
             flags.append("--no-sandbox")

@@ -89,7 +89,8 @@ def fragment(words, **view):
 
 
 class Playground(unittest.TestCase):
-    """A class of tests, with a browser of its own"""
+    """A class of tests, with a browser of its own, which gets the `options`, `without` some flags"""
+    options = without = ()
 
     @classmethod
     def setUpClass(cls):
@@ -97,7 +98,7 @@ class Playground(unittest.TestCase):
         cls.addClassCleanup(shutil.rmtree, cls.scratch, ignore_errors=True)
         cls.server = serve(SITE)
         cls.addClassCleanup(cls.server.shutdown)
-        cls.page = Chromium(CHROMIUM, cls.scratch)
+        cls.page = Chromium(CHROMIUM, cls.scratch, *cls.options, without=cls.without)
         cls.addClassCleanup(cls.page.close)
         cls.page.size(1200, 800)
         cls.url = f"http://127.0.0.1:{cls.server.server_port}/index.html"
@@ -196,9 +197,15 @@ class Playground(unittest.TestCase):
 
 def main():
     """Runs the tests of the program that was started, if what they need is there."""
+    def skip(why):
+        is_required = "chromium" in os.environ.get("SCARP_REQUIRE_TOOLS", "").split(",")
+        print(f"{'FAILED (required)' if is_required else 'skipped'}: {why}")
+        sys.exit(1 if is_required else SKIPPED)
+
     for tool, path in (("chromium", CHROMIUM), ("the page", SITE), ("the program", PROGRAM)):
         if not os.path.exists(path):
-            is_required = "chromium" in os.environ.get("SCARP_REQUIRE_TOOLS", "").split(",")
-            print(f"{'FAILED (required)' if is_required else 'skipped'}: {tool} is missing")
-            sys.exit(1 if is_required else SKIPPED)
-    unittest.main()
+            skip(f"{tool} is missing")
+    result = unittest.main(exit=False).result
+    if result.wasSuccessful() and result.skipped:
+        skip(result.skipped[0][1])
+    sys.exit(not result.wasSuccessful())

@@ -3,6 +3,7 @@
 import gzip
 import hashlib
 import os
+import re
 import shutil
 import struct
 import subprocess
@@ -12,7 +13,8 @@ import zlib
 from playground import (CASES, CC, LIBRARY, NODE, PLACE, PROGRAM, ROOT, SITE, Playground, hash_of,
                         hillshade_of, main, program)
 
-SIZE_MOST = 170 * 1000  # bytes of what browsers load but for WebAssembly, gzipped
+# Gzipped bytes of what browsers load: the page and its text editor, and what buttons make them load
+SIZES_MOST = {"": 145_000, "graph": 54_000, "view3d": 8_500, "gpu": 4_500}
 KINDS = ["c", "command"] + (["javascript"] if NODE else [])
 
 
@@ -201,14 +203,16 @@ class Take(Playground):
                          ("scarp-hills-1-slope.png", b"\x89PNG", (40, 30)))
 
     def test_size_of_the_page(self):
-        """All that browsers may load, but for WebAssembly, and the licences beside it"""
-        sizes = {}
+        """All that browsers may load, but for WebAssembly and shaders, by what makes them load it"""
+        sizes = dict.fromkeys(SIZES_MOST, 0)
         for name in os.listdir(SITE):
             if name.endswith((".js", ".css", ".html")):
+                part = re.match(r"graph|view3d|gpu|", name).group(0)
                 with open(os.path.join(SITE, name), "rb") as file:
-                    sizes[name] = len(gzip.compress(file.read(), 9))
-        self.assertGreater(len(sizes), 6)
-        self.assertLess(sum(sizes.values()), SIZE_MOST, sizes)
+                    sizes[part] += len(gzip.compress(file.read(), 9))
+        print(f"gzipped: {sizes}, in all {sum(sizes.values())} bytes")
+        for part, most in SIZES_MOST.items():
+            self.assertTrue(1000 < sizes[part] < most, sizes)
         with open(os.path.join(SITE, "LICENSES.txt"), encoding="utf-8") as file:
             self.assertIn("@codemirror/view", file.read())
 

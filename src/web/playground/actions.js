@@ -77,7 +77,8 @@ async function saveShown(page, kind) {
         page.say("Not saved: there is no picture of this recipe yet.");
         return;
     }
-    const {values, raster: {width, height}, job} = whole;
+    const {values, raster: {width, height}, job} =
+        /masks|view/.test(kind) ? whole : await page.exact();
     const [floor, highest] = page.look.interval(whole);
     const node = job.node ? `-${job.name.replace(/\W+/g, "-")}` : "";
     const name = `scarp-${presetOf(job.source.text) ?? "recipe"}${node}-${job.source.seed}`;
@@ -142,6 +143,7 @@ export function connectActions(page) {
     on("reset", () => page.reset());
     on("fit", () => page.fit());
     on("space", () => page.setSpace(!page.state.space));
+    on("gpu", () => page.setGpu(!page.state.gpu));
     on("theme", changeTheme);
     on("help-open", () => byId("help").showModal());
     on("copy-link", async () => {

@@ -33,6 +33,8 @@ class Page {
         this.wishes = 0; // frames that were asked for
         this.sampleMs = 2e-4; // what a sample takes, learnt from frames
         this.isDragging = false;
+        this.module = module;
+        this.waiting = []; // for exact numbers
         this.pool = new Pool(module, frame => this.show(frame), (...all) => this.fail(...all));
         this.pictures = new Pictures(module);
         this.map = new MapView(byId("map"), (texts, dragging) => this.change(texts, dragging),
@@ -222,6 +224,11 @@ class Page {
 
     show(frame) {
         const {job, values, ms} = frame, {width, height} = frame.raster;
+        if (job.isExact) {
+            this.whole = {...this.whole, values, isGpu: false};
+            this.finish();
+            return;
+        }
         const now = ms / (width * height);
         this.sampleMs = this.sampleMs === 2e-4 ? now : (3 * this.sampleMs + now) / 4;
         this.frames++;
@@ -245,13 +252,23 @@ class Page {
         }
     }
 
-    // What takes time that dragging has not: the hash of the heights
+    // What takes time that dragging has not: the hash of the heights, and these themselves if the
+    // picture is the GPU's, which has floats for places.
     async finish() {
-        const {whole} = this, hash = await sha256(whole.values);
+        const {whole} = this;
+        if (whole.isGpu) {
+            if (this.pool.isBusy || this.pool.next !== null) {
+                return; // a newer frame comes
+            }
+            this.pool.request({...whole.job, isExact: true, isDragging: false});
+            return;
+        }
+        const hash = await sha256(whole.values);
         await this.drawn;
         if (whole !== this.whole) {
             return;
         }
+        this.waiting.splice(0).forEach(done => done(whole));
         byId("status-hash").textContent = hash ? `SHA-256 ${hash.slice(0, 12)}…` : "";
         byId("status-hash").dataset.hash = hash ?? "";
         const [low, high] = this.look.interval(whole).map(n => Number((n + 0).toPrecision(9)));
@@ -259,6 +276,11 @@ class Page {
         if (whole.job.number === this.wishes) {
             document.documentElement.dataset.ready = "yes";
         }
+    }
+
+    // The last frame that is no preview, with the numbers of the module
+    exact() {
+        return this.whole.isGpu ? new Promise(done => this.waiting.push(done)) : this.whole;
     }
 
     hover(at) {
@@ -281,6 +303,7 @@ class Page {
         byId("preset").value = preset ?? "";
         byId("seed-now").textContent = seed;
         byId("space").setAttribute("aria-pressed", String(state.space));
+        byId("gpu").setAttribute("aria-pressed", String(state.gpu));
         byId("map").hidden = state.space;
         byId("world").hidden = !state.space;
         this.showWorld();
@@ -306,6 +329,29 @@ class Page {
     setSpace(space) {
         this.state.space = space;
         this.update();
+    }
+
+    setGpu(isOn) {
+        this.state.gpu = isOn;
+        this.update();
+        this.openGpu();
+    }
+
+    // Lets the GPU sample, or no more, as the state says.
+    async openGpu() {
+        if (this.state.gpu === (this.pool.gpu !== null)) {
+            return;
+        }
+        const {Gpu} = await import("./gpu.js"), {gpu} = this.pool;
+        const request = () => this.checked.source !== null && this.request();
+        if (this.state.gpu && gpu === null) {
+            this.pool.gpu = new Gpu(this.module, text => byId("status-gpu").textContent = text,
+                request);
+        } else if (!this.state.gpu && gpu !== null) {
+            this.pool.gpu = null;
+            gpu.close();
+        }
+        request();
     }
 
     // The frame in space, if that is what is looked at
@@ -360,6 +406,7 @@ class Page {
         this.state = {...state, text: this.state.text};
         this.work.setText(state.text);
         this.work.showPane();
+        this.openGpu();
         if (state.given.size === undefined) {
             this.fit();
         } else {

@@ -5,6 +5,7 @@
 // One more worker makes small pictures, one after the other.
 
 const WORKERS_MAX = 8;
+const BAND_MOST = 2 ** 20; // samples at once of the GPU
 const PATIENCE_MS = 150; // for a frame of no drag, when there is a newer wish
 
 function makeWorker(module, onMessage, onError) {
@@ -16,14 +17,15 @@ function makeWorker(module, onMessage, onError) {
 }
 
 export class Pool {
-    // onFrame gets each frame {raster, values, pixels, numbers, met, ms, job}; onError a text, and
-    // why the recipe is no terrain, or null.
+    // onFrame gets each frame {raster, values, pixels, numbers, met, ms, job, isGpu}; onError a text,
+    // and why the recipe is no terrain, or null.
     constructor(module, onFrame, onError) {
         const count = Math.max(1, Math.min(navigator.hardwareConcurrency || 2, WORKERS_MAX));
         this.onFrame = onFrame;
         this.onError = onError;
         this.next = null;
         this.frame = null;
+        this.gpu = null; // who may sample frames in place of the workers: see gpu.js
         this.id = 0;
         this.workers = Array.from({length: count}, () =>
             makeWorker(module, data => this.receive(data), onError));
@@ -39,25 +41,50 @@ export class Pool {
         if (this.frame === null) {
             this.start();
         } else if (!this.frame.job.isDragging) {
-            const spent = performance.now() - this.frame.begin;
+            const {job: {isExact}, begin} = this.frame;
             clearTimeout(this.timer);
             this.timer = setTimeout(() => this.next && this.start(),
-                Math.max(0, PATIENCE_MS - spent));
+                isExact ? 0 : Math.max(0, PATIENCE_MS - (performance.now() - begin)));
         }
     }
 
     start() {
-        const job = this.next, {width, height} = job.raster;
+        const job = this.next;
         clearTimeout(this.timer);
         this.next = null;
-        this.id++;
-        const bands = Math.min(this.workers.length, height);
-        this.frame = {job, left: bands, begin: performance.now(), met: [Infinity, -Infinity],
-            values: new Float32Array(width * height), pixels: new Uint32Array(width * height)};
-        for (let i = 0; i < bands; i++) {
-            const from = Math.floor(i * height / bands), to = Math.floor((i + 1) * height / bands);
-            this.workers[i].postMessage({...job, id: this.id, from, to});
+        this.make(job, job.isExact ? null : this.gpu);
+    }
+
+    // Has the workers make a frame, of samples of the GPU if that takes it.
+    make(job, gpu) {
+        const {width, height} = job.raster, id = ++this.id;
+        const bands = this.bandsOf(height, gpu === null ? 1 : Math.ceil(width * height / BAND_MOST));
+        this.frame = {job, left: bands.length, begin: performance.now(), isGpu: false,
+            met: [Infinity, -Infinity], values: new Float32Array(width * height),
+            pixels: new Uint32Array(width * height)};
+        const post = (i, samples) => this.workers[i % this.workers.length].postMessage(
+            {...job, id, ...bands[i], samples}, samples ? [samples.arrays.value.buffer] : []);
+        const isTaken = gpu?.sample(id, job, bands, (band, samples) => {
+            if (id !== this.id || this.frame === null) {
+                return; // there is a newer one
+            }
+            if (band === null) {
+                this.make(job, null);
+            } else {
+                this.frame.isGpu = true;
+                post(band, samples);
+            }
+        });
+        if (!isTaken) {
+            bands.forEach((_, i) => post(i, null));
         }
+    }
+
+    // Rows for each worker, or more bands than there are workers
+    bandsOf(height, least) {
+        const count = Math.min(Math.max(this.workers.length, least), height);
+        return Array.from({length: count}, (_, i) => ({from: Math.floor(i * height / count),
+            to: Math.floor((i + 1) * height / count)}));
     }
 
     receive({id, error, problem, from, values, pixels, numbers, met}) {

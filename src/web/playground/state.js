@@ -13,7 +13,7 @@ export const TERRAIN = "", CURSOR = "*"; // in place of the name of the statemen
 
 // What a page shows without a URL; the step lets a range of mountains be seen.
 export const initialState = () => ({text: Object.values(presets)[0], given: {step: "4"},
-    view: VIEWS[0], node: TERRAIN, space: false, camera: null, pane: "text"});
+    view: VIEWS[0], node: TERRAIN, space: false, gpu: false, camera: null, pane: "text"});
 
 // The preset whose text this is; null for others
 export const presetOf = text =>
@@ -56,6 +56,7 @@ export async function toHash(state) {
     query.set("view", state.view);
     for (const [name, value, standard] of [["node", state.node, TERRAIN],
         ["pane", state.pane, "text"], ["space", state.space ? "3d" : "", ""],
+        ["gpu", state.gpu ? "1" : "", ""],
         ["camera", state.space && state.camera ? state.camera : "", ""]]) {
         if (value !== standard) {
             query.set(name, value);
@@ -77,6 +78,7 @@ export async function fromHash(hash, scarp) {
     state.pane = query.get("pane") === "graph" ? "graph" : "text";
     state.node = query.get("node") ?? TERRAIN;
     state.space = query.get("space") === "3d";
+    state.gpu = query.get("gpu") === "1";
     state.camera = query.get("camera");
     const preset = Object.keys(presets).find(name => name === query.get("preset"));
     state.text = presets[preset] ?? query.get("text") ?? state.text;

@@ -81,6 +81,13 @@ class Terrain {
         this.calls.page_sample(this.place.byteOffset, from - (height - 1), width, to - from, order);
     }
 
+    // Takes samples that were made elsewhere, {value, dx, ...}, in place of sample().
+    take(samples) {
+        for (const [name, array] of Object.entries(samples)) {
+            this.arrays[name].set(array);
+        }
+    }
+
     // How much of each ground the last `count` samples have, GROUNDS bytes each
     masks(count) {
         const at = this.calls.page_masks(count);

@@ -91,11 +91,17 @@ function paint(job, numbers, count, pixels) {
 // How to work on rows of the ground: strip(row, end, values, pixels, masks)
 function groundWork(job) {
     const {raster, view} = job, {width} = raster, numbers = openGround(job);
+    const {samples} = job; // of rows from - edge to to + edge, if the GPU has made them
     const edge = view === "curvature" && !numbers.hasHessian ? 1 : 0; // rows beside a strip
     terrain.setLook(job.palette, job.azimuth, job.altitude);
     const strip = (row, end, values, pixels, masks) => {
         const count = (end - row) * width, order = edge === 1 ? 1 : ORDERS[view] ?? 1;
-        terrain.sample(raster, row - edge, end + edge, order);
+        if (samples) {
+            const first = (row - job.from) * width;
+            terrain.take(parts(samples.arrays, first, first + count + 2 * edge * width));
+        } else {
+            terrain.sample(raster, row - edge, end + edge, order);
+        }
         if (edge === 1) {
             differences(terrain.arrays, count + 2 * width, width, raster.step);
             for (const array of Object.values(terrain.arrays)) {

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+//
+// Samples of the terrain by WebGPU, where its answers agree with the module's. All of it happens in
+// a worker; until that is ready, and wherever it cannot help, the module samples.
+const FAR = 2 ** 18; // samples from the origin, where floats are off by a 64th of the step
+
+const seconds = since => Math.floor((performance.now() - since) / 1000);
+
+export class Gpu {
+    // show(text) gets what people should know, ready() is called when the GPU can take a frame.
+    constructor(module, show, ready) {
+        this.showText = show;
+        this.ready = ready;
+        this.state = {name: "loading", since: performance.now()};
+        this.frame = null; // {id, give} of the one that is being made
+        this.worker = new Worker(new URL("./gpuworker.js", import.meta.url), {type: "module"});
+        this.worker.postMessage(module);
+        this.worker.onmessage = ({data}) => this.receive(data);
+        this.worker.onerror = event => this.receive({state: {name: "off",
+            why: event.message || "its worker did not start"}});
+        this.timer = setInterval(() => this.show(), 200);
+        this.show();
+    }
+
+    close() {
+        clearInterval(this.timer);
+        this.worker.terminate();
+        this.drop();
+        this.showText("");
+    }
+
+    // Why the module makes this frame, whatever the GPU can; null if the GPU may
+    refusal({node, raster: {width, height, origin, step}}) {
+        const far = Math.max(...[width, height].flatMap((count, axis) =>
+            [Math.abs(origin[axis]), Math.abs(origin[axis] + (count - 1) * step)]));
+        return node ? "the GPU shows the terrain only" : far > FAR * step
+            ? "floats, which the GPU has for places, are too coarse so far from the origin" : null;
+    }
+
+    // Asks for a frame: true if it is taken. Then give(band, samples) is called for each band,
+    // or give(null) if there will be none. The GPU is told of frames that it cannot make yet, too:
+    // their recipes are what it gets ready for.
+    sample(id, job, bands, give) {
+        this.refused = this.refusal(job);
+        if (this.refused === null) {
+            const isTaken = this.state.name === "on";
+            const {source, raster, view} = job;
+            this.frame = isTaken ? {id, give} : null;
+            this.worker.postMessage({id, source, raster, isCurved: view === "curvature",
+                bands: isTaken ? bands : null});
+        }
+        this.show();
+        return this.refused === null && this.frame !== null;
+    }
+
+    receive({id, state, band, samples, ms}) {
+        if (state) {
+            const isNew = state.name !== this.state.name;
+            this.state = {...state, since: isNew ? performance.now() : this.state.since};
+            this.show();
+            if (state.name === "on" && isNew) {
+                this.ready();
+            }
+            if (state.name === "off") {
+                this.drop();
+            }
+        } else if (id === this.frame?.id) {
+            this.ms = ms ?? this.ms;
+            this.frame.give(band, samples);
+            this.show();
+        }
+    }
+
+    // Gives back the frame that was taken, if there is one.
+    drop() {
+        const {frame} = this;
+        this.frame = null;
+        frame?.give(null);
+    }
+
+    show() {
+        const text = this.text();
+        if (text !== this.shown) {
+            this.shown = text;
+            this.showText(text);
+        }
+    }
+
+    text() {
+        const {name, since, why, adapter} = this.state;
+        if (this.refused && name !== "off") {
+            return `wasm draws this: ${this.refused}`;
+        }
+        switch (name) {
+        case "loading": return "looking for the GPU …";
+        case "compiling": return `compiling for the GPU … ${seconds(since)} s`;
+        case "asking": return "asking the GPU …";
+        case "off": return `wasm goes on: ${why}`;
+        default: return `picture by the GPU (${adapter})` +
+            `${this.ms === undefined ? "" : ` in ${this.ms.toFixed(1)} ms`}; hash and files by wasm`;
+        }
+    }
+}
