@@ -192,7 +192,7 @@ static struct scarp_noise noise_of(uint64_t *random, unsigned basis, struct scar
     struct scarp_noise noise = {.basis = (enum scarp_basis)basis,
                                 .seed = check_random(random),
                                 .octaves = 2.0f,
-                                .rotate = (int32_t)(check_random(random) % 2),
+                                .rotate = (uint32_t)(check_random(random) % 2),
                                 .frequency = 0.37,
                                 .jitter = 0.75f};
     *warp = (struct scarp_noise){.seed = check_random(random), .octaves = 1.0f, .amplitude = 0.5f};
