@@ -84,7 +84,7 @@ class Gpu(Playground):
         at = [next(i for i, text in enumerate(texts) if text.startswith(step)) for step in steps]
         self.assertEqual(at, sorted(at))
         self.assertIn("swiftshader", texts[-1])
-        self.assertRegex(texts[-1], r" in [\d.]+ ms; hash and files by wasm$")
+        self.assertRegex(texts[-1], r" in [\d.]+ ms; hash and files by wasm in [\d.]+ ms$")
         for frame in frames:
             self.assertEqual(frame["isGpu"],
                              frame["text"].startswith("picture") and not frame["isExact"])

@@ -5,6 +5,8 @@
 const FAR = 2 ** 18; // samples from the origin, where floats are off by a 64th of the step
 
 const seconds = since => Math.floor((performance.now() - since) / 1000);
+const timeText = ms => ms === undefined ? ""
+    : ` in ${ms < 100 ? ms.toFixed(1) : Math.round(ms)} ms`;
 
 export class Gpu {
     // show(text) gets what people should know, ready() is called when the GPU can take a frame.
@@ -12,6 +14,7 @@ export class Gpu {
         this.showText = show;
         this.ready = ready;
         this.state = {name: "loading", since: performance.now()};
+        this.ms = {}; // what frames take
         this.frame = null; // {id, give} of the one that is being made
         this.worker = new Worker(new URL("./gpuworker.js", import.meta.url), {type: "module"});
         this.worker.postMessage(module);
@@ -53,7 +56,15 @@ export class Gpu {
         return this.refused === null && this.frame !== null;
     }
 
-    receive({id, state, band, samples, ms}) {
+    // Learns how long frames take: the GPU's, and the module's of the same raster.
+    note({isGpu, job, ms}) {
+        if (isGpu || job.isExact) {
+            this.ms = isGpu ? {gpu: ms} : {...this.ms, wasm: ms};
+            this.show();
+        }
+    }
+
+    receive({id, state, band, samples}) {
         if (state) {
             const isNew = state.name !== this.state.name;
             this.state = {...state, since: isNew ? performance.now() : this.state.since};
@@ -65,9 +76,7 @@ export class Gpu {
                 this.drop();
             }
         } else if (id === this.frame?.id) {
-            this.ms = ms ?? this.ms;
             this.frame.give(band, samples);
-            this.show();
         }
     }
 
@@ -87,7 +96,7 @@ export class Gpu {
     }
 
     text() {
-        const {name, since, why, adapter} = this.state;
+        const {name, since, why, adapter} = this.state, {gpu, wasm} = this.ms;
         if (this.refused && name !== "off") {
             return `wasm draws this: ${this.refused}`;
         }
@@ -96,8 +105,8 @@ export class Gpu {
         case "compiling": return `compiling for the GPU … ${seconds(since)} s`;
         case "asking": return "asking the GPU …";
         case "off": return `wasm goes on: ${why}`;
-        default: return `picture by the GPU (${adapter})` +
-            `${this.ms === undefined ? "" : ` in ${this.ms.toFixed(1)} ms`}; hash and files by wasm`;
+        default: return `picture by the GPU (${adapter})${timeText(gpu)}; ` +
+            `hash and files by wasm${timeText(wasm)}`;
         }
     }
 }

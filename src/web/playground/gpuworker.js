@@ -198,7 +198,7 @@ async function pursue() {
 // Samples bands of rows, so many at once that the GPU works while one is read. Places are rounded
 // to floats once.
 async function sample({id, raster: {width, height, origin, step}, bands}, plan, pipeline) {
-    const names = membersOf(plan.order), begin = performance.now();
+    const names = membersOf(plan.order);
     const xs = Float32Array.from({length: width}, (_, i) => origin[0] + i * step);
     const work = ({from, to}) => {
         const rows = to - from + 2 * plan.edge, count = width * rows;
@@ -207,10 +207,10 @@ async function sample({id, raster: {width, height, origin, step}, bands}, plan, 
         const wait = run(pipeline, plan, [Uint32Array.of(width, rows), xs, ys],
             [width, rows].map(n => Math.ceil(n / GROUP)), names.length * count);
         return async band => {
-            const buffer = await wait(), ms = performance.now() - begin;
+            const buffer = await wait();
             const arrays = Object.fromEntries(names.map((name, m) =>
                 [name, new Float32Array(buffer, 4 * m * count, count)]));
-            postMessage({id, band, ms, samples: {edge: plan.edge, arrays}}, [buffer]);
+            postMessage({id, band, samples: {edge: plan.edge, arrays}}, [buffer]);
         };
     };
     let last = null;

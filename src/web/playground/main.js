@@ -224,6 +224,7 @@ class Page {
 
     show(frame) {
         const {job, values, ms} = frame, {width, height} = frame.raster;
+        this.pool.gpu?.note(frame);
         if (job.isExact) {
             this.whole = {...this.whole, values, isGpu: false};
             this.finish();
