@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Drives headless Chromium by its DevTools protocol, over pipes: no package is needed."""
 import base64
+import fcntl
 import http.server
 import json
 import os
@@ -42,12 +43,20 @@ def serve(folder):
     return server
 
 
+def above_four(descriptor):
+    """The same under another number: the shell gives 3 and 4 to others, and knows one digit."""
+    other = fcntl.fcntl(descriptor, fcntl.F_DUPFD, 5)
+    os.close(descriptor)
+    return other
+
+
 class Chromium:
     """A browser with one page. `console` has what the page complained of."""
 
     def __init__(self, program, scratch, *options, without=()):
         to_browser, self.out = os.pipe()
         self.inp, from_browser = os.pipe()
+        to_browser, from_browser = above_four(to_browser), above_four(from_browser)
         flags = [flag for flag in FLAGS if flag not in without]
         flags += [*options, "--remote-debugging-pipe",
                  "--user-data-dir=" + os.path.join(scratch, "profile")]
