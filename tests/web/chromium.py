@@ -43,9 +43,9 @@ def serve(folder):
     return server
 
 
-def above_four(descriptor):
-    """The same under another number: the shell gives 3 and 4 to others, and knows one digit."""
-    other = fcntl.fcntl(descriptor, fcntl.F_DUPFD, 5)
+def out_of_the_way(descriptor):
+    """The same under a number that is neither 3 nor 4."""
+    other = fcntl.fcntl(descriptor, fcntl.F_DUPFD, 10)
     os.close(descriptor)
     return other
 
@@ -56,19 +56,21 @@ class Chromium:
     def __init__(self, program, scratch, *options, without=()):
         to_browser, self.out = os.pipe()
         self.inp, from_browser = os.pipe()
-        to_browser, from_browser = above_four(to_browser), above_four(from_browser)
+        to_browser, from_browser = out_of_the_way(to_browser), out_of_the_way(from_browser)
         flags = [flag for flag in FLAGS if flag not in without]
         flags += [*options, "--remote-debugging-pipe",
                  "--user-data-dir=" + os.path.join(scratch, "profile")]
         if hasattr(os, "geteuid") and os.geteuid() == 0:
             flags.append("--no-sandbox")
-        # The shell gives the pipes the numbers that the browser expects.
-        script = f'exec "$@" 3<&{to_browser} 4>&{from_browser}'
+        def number_pipes():
+            os.dup2(to_browser, 3)
+            os.dup2(from_browser, 4)
+
         self.log = open(os.path.join(scratch, "log"), "w+b")
         self.browser = subprocess.Popen(
-            ["sh", "-c", script, "sh", program, *flags, "about:blank"], stdin=subprocess.DEVNULL,
-            stdout=self.log, stderr=self.log, start_new_session=True,
-            pass_fds=[to_browser, from_browser], env=dict(os.environ, TMPDIR=scratch))
+            [program, *flags, "about:blank"], stdin=subprocess.DEVNULL, stdout=self.log,
+            stderr=self.log, start_new_session=True, preexec_fn=number_pipes, pass_fds=[3, 4],
+            env=dict(os.environ, TMPDIR=scratch))
         os.close(to_browser)
         os.close(from_browser)
         self.buffer, self.number, self.session = b"", 0, None
