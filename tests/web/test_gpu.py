@@ -25,8 +25,8 @@ NOTE = """(() => {
     watch.observe(status, {childList: true});
     globalThis.first ??= onFrame;
     playground.pool.onFrame = frame => {
-        noted.frames.push({isGpu: frame.isGpu, text: status.textContent, seed: frame.job.source.seed,
-            isExact: frame.job.isExact === true});
+        noted.frames.push({isGpu: frame.isGpu, text: status.textContent,
+            seed: frame.job.source.seed, isExact: frame.job.isExact === true});
         first(frame);
     };
 })()"""
@@ -96,7 +96,7 @@ class Gpu(Playground):
         self.assertEqual(self.hash(), self.expected_hash(TEXT))
         after = self.page.run("[...playground.last.pixels].map(p => p & 255)")
         self.assertLessEqual(max(abs(a - b) for a, b in zip(before, after)), 2)
-        self.assertEqual(self.page.run("playground.exact().values === playground.whole.values"), True)
+        self.assertTrue(self.page.run("playground.exact() === playground.whole"))
 
     def test_all_views_look_alike(self):
         for text in (TEXT, TEXT.replace("\nout land = ", "\nout land = 0 * noise(erosion) + ")):
@@ -199,8 +199,10 @@ class Gpu(Playground):
         before = self.hash()
         self.page.run(PRESS)
         self.page.wait(f"{STATUS}.startsWith('wasm goes on')", 120)
+        self.assertEqual(self.shown("#said"), self.shown("#status-gpu"))
         self.assertRegex(self.shown("#status-gpu"),
-                         r"^wasm goes on: the GPU computes other numbers: \d+ of 4096 answers are wrong$")
+                         r"^wasm goes on: the GPU computes other numbers: \d+ of 4096 answers "
+                         r"are wrong$")
         self.page.run("playground.changeSeed(1)")
         self.ready()
         self.assertFalse(self.page.run("playground.last.isGpu"))
