@@ -89,7 +89,7 @@ def fragment(words, **view):
 
 
 class Playground(unittest.TestCase):
-    """A class of tests, with a browser of its own, which gets the `options`, `without` some flags"""
+    """A class of tests, with a browser of its own: it gets `options`, and goes without some"""
     options = without = ()
 
     @classmethod

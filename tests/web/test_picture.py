@@ -181,8 +181,8 @@ class Picture(Playground):
                 onFrame(frame);
             };
         })()""")
-        self.write("recipe 1\nout a = 9 * noise(size=40)\n")
-        self.page.run("playground.change({size: '96x96'})")
+        self.page.run("""playground.work.setText("recipe 1\\nout a = 9 * noise(size=40)\\n");
+            playground.change({size: "96x96"})""")
         self.ready()
         self.assertEqual(self.page.run("[...new Set(shown)]"), [96])
 

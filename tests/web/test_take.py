@@ -203,7 +203,7 @@ class Take(Playground):
                          ("scarp-hills-1-slope.png", b"\x89PNG", (40, 30)))
 
     def test_size_of_the_page(self):
-        """All that browsers may load, but for WebAssembly and shaders, by what makes them load it"""
+        """All that browsers may load, but for WebAssembly and shaders, by what needs it"""
         sizes = dict.fromkeys(SIZES_MOST, 0)
         for name in os.listdir(SITE):
             if name.endswith((".js", ".css", ".html")):

@@ -49,7 +49,8 @@ for (const name of readdirSync(page).filter(name => /\.(js|css)$/.test(name))) {
     rmSync(join(page, name)); // chunks have other names after a change
 }
 const {metafile} = await build({
-    absWorkingDir: folder, entryPoints: ["main.js", "worker.js", "gpuworker.js", ...sheets], outdir: page,
+    absWorkingDir: folder, outdir: page,
+    entryPoints: ["main.js", "worker.js", "gpuworker.js", ...sheets],
     entryNames: "[name]", bundle: true, splitting: true, format: "esm", target: "es2022",
     minify: true, chunkNames: "[name]-[hash]", legalComments: "none", nodePaths: [modules],
     plugins: [plugin],

@@ -9,10 +9,10 @@ const timeText = ms => ms === undefined ? ""
     : ` in ${ms < 100 ? ms.toFixed(1) : Math.round(ms)} ms`;
 
 export class Gpu {
-    // show(text) gets what people should know, ready() is called when the GPU can take a frame.
-    constructor(module, show, ready) {
-        this.showText = show;
-        this.ready = ready;
+    // show(text) gets the state in words, say(text) what of that is news; ready() is called when
+    // the GPU can take a frame.
+    constructor(module, {show, say, ready}) {
+        Object.assign(this, {showText: show, say, ready});
         this.state = {name: "loading", since: performance.now()};
         this.ms = {}; // what frames take
         this.frame = null; // {id, give} of the one that is being made
@@ -69,10 +69,13 @@ export class Gpu {
             const isNew = state.name !== this.state.name;
             this.state = {...state, since: isNew ? performance.now() : this.state.since};
             this.show();
-            if (state.name === "on" && isNew) {
-                this.ready();
+            if (isNew && (state.name === "off" || (state.name === "on" && !this.hasDrawn))) {
+                this.say(this.text());
             }
-            if (state.name === "off") {
+            if (state.name === "on" && isNew) {
+                this.hasDrawn = true;
+                this.ready();
+            } else if (state.name === "off") {
                 this.drop();
             }
         } else if (id === this.frame?.id) {

@@ -35,8 +35,9 @@ fn page_heights(@builtin(global_invocation_id) id: vec3u) {
     }
     let s = scarp_recipe(page_raster.at[id.x], page_raster.at[width + id.y]).out0;
     let i = id.y * width + id.x;
+    let count = width * rows;
 ${membersOf(order).map((name, m) =>
-        `    page_results[${m}u * width * rows + i] = bitcast<u32>(s.${MEMBERS[name]});`).join("\n")}
+        `    page_results[${m}u * count + i] = bitcast<u32>(s.${MEMBERS[name]});`).join("\n")}
 }
 
 @compute @workgroup_size(${GROUP * GROUP})
@@ -159,9 +160,9 @@ async function compile(plan) {
     if (wrong) {
         throw new Refusal(`it does not take the shader: ${wrong.message}`);
     }
-    const pipelineLayout = device.createPipelineLayout({bindGroupLayouts: [layout]});
+    const ofPipelines = device.createPipelineLayout({bindGroupLayouts: [layout]});
     const [heights, answers] = await Promise.all(["page_heights", "page_answers"].map(entryPoint =>
-        device.createComputePipelineAsync({layout: pipelineLayout, compute: {module, entryPoint}})));
+        device.createComputePipelineAsync({layout: ofPipelines, compute: {module, entryPoint}})));
     if (wish.shader === plan.shader) {
         tell({name: "asking"});
     }

@@ -346,8 +346,9 @@ class Page {
         const {Gpu} = await import("./gpu.js"), {gpu} = this.pool;
         const request = () => this.checked.source !== null && this.request();
         if (this.state.gpu && gpu === null) {
-            this.pool.gpu = new Gpu(this.module, text => byId("status-gpu").textContent = text,
-                request);
+            const show = text => byId("status-gpu").textContent = text;
+            this.pool.gpu = new Gpu(this.module, {show, say: text => this.say(text),
+                ready: request});
         } else if (!this.state.gpu && gpu !== null) {
             this.pool.gpu = null;
             gpu.close();

@@ -17,8 +17,8 @@ function makeWorker(module, onMessage, onError) {
 }
 
 export class Pool {
-    // onFrame gets each frame {raster, values, pixels, numbers, met, ms, job, isGpu}; onError a text,
-    // and why the recipe is no terrain, or null.
+    // onFrame gets each frame {raster, values, pixels, numbers, met, ms, job, isGpu}; onError a
+    // text, and why the recipe is no terrain, or null.
     constructor(module, onFrame, onError) {
         const count = Math.max(1, Math.min(navigator.hardwareConcurrency || 2, WORKERS_MAX));
         this.onFrame = onFrame;
@@ -57,11 +57,11 @@ export class Pool {
 
     // Has the workers make a frame, of samples of the GPU if that takes it.
     make(job, gpu) {
-        const {width, height} = job.raster, id = ++this.id;
-        const bands = this.bandsOf(height, gpu === null ? 1 : Math.ceil(width * height / BAND_MOST));
+        const {width, height} = job.raster, count = width * height, id = ++this.id;
+        const bands = this.bandsOf(height, gpu === null ? 1 : Math.ceil(count / BAND_MOST));
         this.frame = {job, left: bands.length, begin: performance.now(), isGpu: false,
-            met: [Infinity, -Infinity], values: new Float32Array(width * height),
-            pixels: new Uint32Array(width * height)};
+            met: [Infinity, -Infinity], values: new Float32Array(count),
+            pixels: new Uint32Array(count)};
         const post = (i, samples) => this.workers[i % this.workers.length].postMessage(
             {...job, id, ...bands[i], samples}, samples ? [samples.arrays.value.buffer] : []);
         const isTaken = gpu?.sample(id, job, bands, (band, samples) => {
