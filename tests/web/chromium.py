@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Drives headless Chromium by its DevTools protocol, over pipes: no package is needed."""
 import base64
+import fcntl
 import http.server
 import json
 import os
@@ -42,12 +43,29 @@ def serve(folder):
     return server
 
 
+def above_4(number):
+    """The same file under a number that the browser does not want for another one. Shells may know
+    digits only, so it is as low as can be."""
+    if number > 4:
+        return number
+    moved = fcntl.fcntl(number, fcntl.F_DUPFD, 5)
+    os.close(number)
+    return moved
+
+
+def end(server):
+    """Ends what serve() returned."""
+    server.shutdown()
+    server.server_close()
+
+
 class Chromium:
     """A browser with one page. `console` has what the page complained of."""
 
     def __init__(self, program, scratch, *options, without=()):
         to_browser, self.out = os.pipe()
         self.inp, from_browser = os.pipe()
+        to_browser, from_browser = above_4(to_browser), above_4(from_browser)
         flags = [flag for flag in FLAGS if flag not in without]
         flags += [*options, "--remote-debugging-pipe",
                  "--user-data-dir=" + os.path.join(scratch, "profile")]
