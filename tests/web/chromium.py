@@ -50,6 +50,12 @@ def out_of_the_way(descriptor):
     return other
 
 
+def end(server):
+    """Ends what serve() returned."""
+    server.shutdown()
+    server.server_close()
+
+
 class Chromium:
     """A browser with one page. `console` has what the page complained of."""
 

@@ -21,7 +21,7 @@ import tempfile
 import unittest
 import urllib.parse
 
-from chromium import Chromium, serve
+from chromium import Chromium, end, serve
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.join(HERE, os.pardir, os.pardir)
@@ -97,7 +97,7 @@ class Playground(unittest.TestCase):
         cls.scratch = tempfile.mkdtemp(prefix="scarp-web-")
         cls.addClassCleanup(shutil.rmtree, cls.scratch, ignore_errors=True)
         cls.server = serve(SITE)
-        cls.addClassCleanup(cls.server.shutdown)
+        cls.addClassCleanup(end, cls.server)
         cls.page = Chromium(CHROMIUM, cls.scratch, *cls.options, without=cls.without)
         cls.addClassCleanup(cls.page.close)
         cls.page.size(1200, 800)
@@ -138,7 +138,7 @@ class Playground(unittest.TestCase):
         """The address of a module as it is before it is bundled, for import() in the page"""
         if not hasattr(type(self), "sources"):
             type(self).sources = serve(os.path.join(ROOT, "src", "web"))
-            self.addClassCleanup(self.sources.shutdown)
+            self.addClassCleanup(end, self.sources)
         return f"http://127.0.0.1:{self.sources.server_port}/playground/{name}"
 
     def leave(self):

@@ -13,7 +13,7 @@ import shutil
 import sys
 import tempfile
 
-from chromium import Chromium, serve
+from chromium import Chromium, end, serve
 
 PRESETS = ("hills", "alps")
 SIZES = ("512x512", "1024x1024")
@@ -67,7 +67,7 @@ def main():
                   f"takes {workers} workers {ms:.1f} ms", flush=True)
     finally:
         browser.close()
-        server.shutdown()
+        end(server)
         shutil.rmtree(scratch, ignore_errors=True)
 
 

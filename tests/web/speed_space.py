@@ -12,7 +12,7 @@ import shutil
 import sys
 import tempfile
 
-from chromium import Chromium, serve
+from chromium import Chromium, end, serve
 
 PRESETS = ("alps", "islands", "dunes")
 SIZE = (900, 600)
@@ -60,7 +60,7 @@ def main():
                   flush=True)
     finally:
         browser.close()
-        server.shutdown()
+        end(server)
         shutil.rmtree(scratch, ignore_errors=True)
 
 

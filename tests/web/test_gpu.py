@@ -3,7 +3,7 @@
 import os
 import shutil
 
-from chromium import serve
+from chromium import end, serve
 from playground import SITE, Playground, fragment, hash_of, main
 
 TEXT = """recipe 1
@@ -195,7 +195,7 @@ class Gpu(Playground):
         with open(path, "w", encoding="utf-8") as file:
             file.write(wrong)
         server = serve(site)
-        self.addCleanup(server.shutdown)
+        self.addCleanup(end, server)
         self.leave()
         self.page.open(f"http://127.0.0.1:{server.server_port}/index.html" +
                        fragment(PLACE, text=TEXT, view="hillshade"))

@@ -14,7 +14,7 @@ import tempfile
 import time
 import unittest
 
-from chromium import Chromium, serve
+from chromium import Chromium, end, serve
 
 sys.dont_write_bytecode = True
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir, os.pardir)
@@ -52,7 +52,7 @@ class Graph(unittest.TestCase):
         cls.addClassCleanup(shutil.rmtree, cls.scratch, ignore_errors=True)
         cls.server = serve(PAGE)
         cls.addClassCleanup(cls.server.server_close)
-        cls.addClassCleanup(cls.server.shutdown)
+        cls.addClassCleanup(end, cls.server)
         cls.page = Chromium(CHROMIUM, cls.scratch)
         cls.addClassCleanup(cls.page.close)
         cls.page.size(*cls.size, mobile=cls.size[0] < 500)

@@ -4,7 +4,7 @@ import hashlib
 import os
 import shutil
 
-from chromium import serve
+from chromium import end, serve
 from playground import (CASES, PLACE, SITE, Playground, fragment, hash_of, main, presets,
                         program)
 
@@ -223,7 +223,7 @@ class Picture(Playground):
         script = self.page.call("Page.addScriptToEvaluateOnNewDocument",
                                 source="WebAssembly.validate = () => false;")["identifier"]
         server = serve(site)
-        self.addCleanup(server.shutdown)
+        self.addCleanup(end, server)
         self.addCleanup(self.leave)
         words = ["--preset", "islands", *PLACE, "--step", "20"]
         self.page.open(f"http://127.0.0.1:{server.server_port}/index.html" +
