@@ -53,7 +53,7 @@ struct [[nodiscard]] result {
     void check() const; /* throws an error if there is one */
 };
 
-/* what() is as "3:14: gain: a number is not finite or outside its interval". */
+/* what() is as "2:24: gain: this noise does not exist: a member is at fault". */
 struct error : std::runtime_error {
     explicit error(const result &all)
         : std::runtime_error(
@@ -402,7 +402,7 @@ class recipe
         scarp_recipe_error error;
         const scarp_status status = scarp_recipe_set(c_.get(), name, value, &error);
         if (status == SCARP_ERROR_PARAMETER && error.text == nullptr) {
-            error.text = "no parameter has this name and interval";
+            error.text = "there is no such parameter, or its interval has no such value";
         }
         return told(status, error);
     }

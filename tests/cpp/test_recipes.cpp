@@ -121,7 +121,8 @@ void check_parameters()
     CHECK(value == expected);
     CHECK(fails([&] { r.set("height", 99999); }, SCARP_ERROR_PARAMETER, nullptr));
     CHECK(fails([&] { r.set("depth", 1); }, SCARP_ERROR_PARAMETER, nullptr));
-    CHECK(!std::strcmp(r.try_set("depth", 1).text, "no parameter has this name and interval"));
+    CHECK(!std::strcmp(r.try_set("depth", 1).text,
+                       "there is no such parameter, or its interval has no such value"));
     r.sample({x, y}, {.value = value});
     CHECK(value == expected);
 
