@@ -11,7 +11,8 @@
  *   are points, a span of a grid at least as many as there are from its first sample to its last.
  *   Otherwise the status is SCARP_ERROR_SIZE, and the span is named. An output whose span is empty
  *   is not computed.
- * - Functions throw a scarp::error. Those called try_ are noexcept, and return a scarp::result.
+ * - Functions throw a scarp::error, or abort where exceptions are off. Those called try_ are
+ *   noexcept, and return a scarp::result.
  * - recipe owns its memory, and kept_noise its plan. Nothing else allocates.
  *
  * Spans are used during a call and not kept. What noise.warp points to stays the caller's. Any
@@ -25,6 +26,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <cstdlib>
 #include <limits>
 #include <memory>
 #include <new>
@@ -69,7 +71,11 @@ struct error : std::runtime_error {
 inline void result::check() const
 {
     if (status != SCARP_OK) {
+#ifdef __cpp_exceptions
         throw error(*this);
+#else
+        std::abort();
+#endif
     }
 }
 

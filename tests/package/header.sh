@@ -8,8 +8,8 @@ GNU | *Clang) ;;
 *) skip "no flags known for $c_compiler_id" ;;
 esac
 
-# Twice, for the include guard, and with what no language may lay out in its own way. In C++, members
-# have defaults from C++14 on, and nothing else may come of that.
+# Twice, for the include guard, and with what no language may lay out in its own way. In C++,
+# members have defaults from C++14 on, and nothing else may come of that.
 program()
 {
     cat <<'EOF'
