@@ -101,6 +101,46 @@ void check_grids()
     }
 }
 
+/* Grids of few samples, and of long rows and columns, have scratch memory enough. */
+void check_shapes()
+{
+    constexpr std::size_t SHAPES[][3] = {{1, 1, 1},    {3, 1, 1},    {1, 3, 1},  {1, 1, 3},
+                                         {1, 1, 5000}, {5000, 1, 1}, {2, 3, 700}};
+    for (const char *const text : {FLAT, SPACE}) {
+        const c_recipe c(text);
+        for (const auto &shape : SHAPES) {
+            scarp::recipe fresh(text);
+            const scarp_grid grid{.step = {3, 4, 5}, .count = {shape[0], shape[1], shape[2]}};
+            const std::size_t size = shape[0] * shape[1] * shape[2];
+            arrays found(2, size), expected(2, size);
+            const scarp_samples s{.value = expected[0].data(), .dxx = expected[1].data()};
+            const scarp_recipe_outputs one{.out = &s, .count = 1};
+            CHECK(scarp_recipe_grid(c.recipe.get(), &grid, &one, nullptr) == SCARP_OK);
+            fresh.grid(grid, {.value = found[0], .dxx = found[1]});
+            CHECK(found == expected && !found.are_untouched());
+        }
+    }
+}
+
+/* As many outputs as there may be, and one more */
+void check_outputs()
+{
+    std::string text = "recipe 1\n";
+    for (char name = 'a'; name < 'a' + 16; name++) {
+        text += std::string("out o") + name + " = noise(size=20)\n";
+    }
+    scarp::recipe r(text);
+    const std::vector<float> x{33}, y{44};
+    arrays found(17, 1);
+    std::vector<scarp::samples> out(17);
+    for (std::size_t i = 0; i < 17; i++) {
+        out[i].value = found[i];
+    }
+    CHECK(r.try_sample({x, y}, out).status == SCARP_ERROR_PARAMETER && found.are_untouched());
+    CHECK(r.try_sample({x, y}, std::span(out).first(16)));
+    CHECK(found[15] == found[0] && found[0][0] != arrays::mark && found[16][0] == arrays::mark);
+}
+
 void check_parameters()
 {
     const c_recipe c(FLAT);
@@ -199,6 +239,8 @@ int main()
 {
     check_points();
     check_grids();
+    check_shapes();
+    check_outputs();
     check_parameters();
     check_errors();
     check_moves();
