@@ -6,7 +6,7 @@
 # for Debian are made instead, which need dpkg-dev and `file`:
 #
 #   libscarp0.2    the shared library; the number is that of the SONAME
-#   libscarp-dev   headers, shaders, and what find_package and pkg-config read
+#   libscarp-dev   headers (C, C++20), shaders, and what find_package and pkg-config read
 #   scarp          the program, its man page and its completion
 
 set(single ${PROJECT_BINARY_DIR}/single)
