@@ -163,21 +163,22 @@ def strides_of(name, array):
     return steps
 
 
-def check_overlap(outputs, inputs, may_be_same):
-    """Raises where an output shares memory with another one, or with an input. It may be the very
-    same array as one of `may_be_same`."""
+def check_overlap(outputs, inputs, in_place):
+    """Raises where an output shares memory with another one, or with an input. Where calls work in
+    place, it may be the very same array as an input."""
     written = list(outputs)
     for i, (name, array) in enumerate(written):
         for other_name, other in written[:i]:
             if shares(array, other):
                 raise ScarpError("overlaps with %s" % other_name, name)
         for other in inputs:
-            if shares(array, other) and not any(
-                    other is same or (other.ctypes.data == array.ctypes.data and
-                                      other.shape == array.shape and
-                                      other.strides == array.strides and
-                                      other.dtype == array.dtype) for same in may_be_same):
+            if shares(array, other) and not (in_place and same_place(array, other)):
                 raise ScarpError("overlaps with an input", name)
+
+
+def same_place(a, b):
+    return (a.ctypes.data == b.ctypes.data and a.shape == b.shape and a.strides == b.strides
+            and a.dtype == b.dtype)
 
 
 def shares(a, b):

@@ -2,10 +2,8 @@
 """Gullies and spurs that run down the slopes of a base."""
 import ctypes
 
-import numpy as np
-
 from ._arrays import FLOAT, Outputs, Raster, in_bands, points, readable
-from ._library import STATUS, STRUCTURES, ScarpError, complain, lib
+from ._library import STRUCTURES, ScarpError, complain, lib
 from ._numbers import integer, member, order, seed_of
 from ._samples import Samples
 

@@ -4,9 +4,9 @@ import ctypes
 
 import numpy as np
 
-from ._arrays import (FLOAT, Outputs, Points, Raster, check_overlap, in_bands, points)
-from ._library import (BASES, FADES, FRACTALS, STATUS, STRUCTURES, ScarpError, complain, lib)
-from ._numbers import integer, member, number, order, seed_of, single
+from ._arrays import Outputs, Raster, check_overlap, in_bands, points
+from ._library import BASES, FADES, FRACTALS, STATUS, STRUCTURES, ScarpError, complain, lib
+from ._numbers import integer, member, order, seed_of, single
 from ._samples import Samples, members_of
 
 _Noise, _Samples = STRUCTURES["scarp_noise"], STRUCTURES["scarp_samples"]
@@ -33,13 +33,6 @@ def enumerator(name, value):
         return integer(name, value, 0, len(words) - 1)
     except ScarpError as error:
         raise ScarpError(error.text, name, "SCARP_ERROR_ENUM") from None
-
-
-def checked(check, structure):
-    """Status and member of a call that checks a description."""
-    at_fault = ctypes.c_char_p()
-    status = check(structure, ctypes.byref(at_fault))
-    return status, at_fault.value.decode() if at_fault.value else None
 
 
 class Record:
@@ -246,7 +239,7 @@ class Noise:
         outputs = Outputs(raster.shape, members, out)
         if out is not None:
             outputs.strided()
-            check_overlap(outputs.arrays.items(), (), ())
+            check_overlap(outputs.arrays.items(), (), False)
         function = lib.scarp_grid2 if n == 2 else lib.scarp_grid3
 
         def band(start, stop):
@@ -295,8 +288,7 @@ class Noise:
         outputs = Outputs(given.shape, members, out, dtypes=dtypes)
         if out is not None:
             outputs.contiguous()
-            same = () if given.double else given.arrays
-            check_overlap(outputs.arrays.items(), [a for a in given.arrays], same)
+            check_overlap(outputs.arrays.items(), given.arrays, not given.double)
         return outputs
 
     def vector(self, x, y, z=None, *, derivatives=0, threads=1):

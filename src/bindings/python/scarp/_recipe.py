@@ -263,7 +263,7 @@ class Recipe:
         names, several_, outputs = self._prepare(output, orders, raster.shape, raster.dimensions,
                                                  out)
         if out is not None:
-            self._check_out(names, outputs, (), ())
+            self._check_out(names, outputs, ())
         plain = outputs[0]
 
         def call(recipe, start, stop, asked, room):
@@ -281,7 +281,7 @@ class Recipe:
         names, several_, outputs = self._prepare(output, orders, given.shape, len(given.arrays),
                                                  out)
         if out is not None:
-            self._check_out(names, outputs, given.arrays, None)
+            self._check_out(names, outputs, given.arrays)
         function = lib.scarp_recipe_sample_f64 if given.double else lib.scarp_recipe_sample
 
         def call(recipe, start, stop, asked, room):
@@ -293,15 +293,15 @@ class Recipe:
         return self._results(status, several_, outputs, given.shape, None)
 
     @staticmethod
-    def _check_out(names, outputs, inputs, same):
+    def _check_out(names, outputs, points_):
         """Arrays of the caller: one set of strides, no overlap."""
         arrays = []
         for name, of in zip(names, outputs):
-            of.strided() if same is not None else of.contiguous()
+            of.contiguous() if points_ else of.strided()
             arrays += [("%s.%s" % (name, member), a) for member, a in of.arrays.items()]
             if (of.row, of.slice_) != (outputs[0].row, outputs[0].slice_):
                 raise ScarpError("all arrays of a call need the same strides", "out")
-        check_overlap(arrays, inputs, ())
+        check_overlap(arrays, points_, False)
 
     def _results(self, status, several_, outputs, shape, extent):
         if status:
