@@ -181,7 +181,8 @@ def python_table(header):
 
     out = ["# SPDX-License-Identifier: MIT",
            '"""Tables of scarp.h. Made by src/bindings/interface.py; do not change them by hand.',
-           "", "Where the sizes of pointers matter, a number is two: for 4 bytes, and for 8.", '"""',
+           "", "Where the sizes of pointers matter, a number is two: for 4 bytes, and for 8.",
+           '"""',
            "VERSION = %r" % header.version, "", "CONSTANTS = {"]
     out += ["    %r: %d," % pair for pair in header.constants.items()] + ["}", "", "ENUMS = {"]
     for name, values in header.enums.items():

@@ -197,7 +197,7 @@ def shape_of(shape):
 
 
 class Raster:
-    """A uniform grid: its shape, and where it lies. step, origin and first are along x, y (and z)."""
+    """A uniform grid: its shape, and where it lies. step, origin and first are along x, y, z."""
 
     def __init__(self, shape, step, origin, first):
         self.shape = shape_of(shape)

@@ -86,8 +86,8 @@ def candidates():
     chosen = os.environ.get("SCARP_LIBRARY")
     if chosen:
         return [os.path.abspath(chosen)]
-    beside = [path for name in _names() for path in
-              sorted(glob.glob(os.path.join(HERE, name)) + glob.glob(os.path.join(HERE, name + ".*")))]
+    beside = [path for name in _names() for end in ("", ".*")
+              for path in sorted(glob.glob(os.path.join(glob.escape(HERE), name + end)))]
     found = ctypes.util.find_library("scarp")
     return beside + _names() + ([found] if found else [])
 
@@ -168,7 +168,7 @@ def isa():
 
 
 def isas():
-    """The instruction sets that this library has and this processor can run, as a tuple of words."""
+    """The instruction sets that this library has and this processor can run: a tuple of words."""
     return tuple(word for number, word in enumerate(_words(lib.scarp_isa_name))
                  if lib.scarp_isa_supported(number))
 

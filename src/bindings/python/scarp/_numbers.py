@@ -76,6 +76,8 @@ def several(name, values, count):
 
 def order(derivatives, most=2):
     """How many derivatives: 0, 1 or 2."""
+    if type(derivatives) is int and 0 <= derivatives <= most:
+        return derivatives
     if derivatives is True or derivatives is False:
         raise TypeError("derivatives must be 0, 1 or 2: the order, not True or False")
     return integer("derivatives", derivatives, 0, most)
