@@ -12,7 +12,9 @@ from common import REST, SOURCE, prepare, run
 prepare()
 import numpy as np  # noqa: E402
 import scarp  # noqa: E402
+from scarp import _arrays  # noqa: E402
 
+_arrays.BAND = 64  # so that calls in threads have bands: the grids here are small
 COUNT, SHAPE = 1031, (37, 53)
 RECIPE = os.path.join(SOURCE, "src", "cli", "presets", "alps.recipe")
 HESSIAN2 = ("value", "dx", "dy", "dxx", "dxy", "dyy")
@@ -31,6 +33,11 @@ def members(samples, names):
 
 
 class Hashes(unittest.TestCase):
+    def test_bands(self):
+        self.assertEqual(_arrays.bands(37, 53, 2), [(0, 18), (18, 37)])
+        self.assertEqual(_arrays.bands(1031, 1, 3), [(0, 343), (343, 687), (687, 1031)])
+        self.assertEqual(_arrays.bands(3, 10, 8), [(0, 3)])
+
     @classmethod
     def setUpClass(cls):
         lines = subprocess.run([*REST, RECIPE], check=True, text=True,
@@ -67,7 +74,10 @@ class Hashes(unittest.TestCase):
     def test_others(self):
         u, v = self.warp.vector(*self.f[:2], derivatives=2)
         self.same("vector2", members(u, HESSIAN2) + members(v, HESSIAN2))
-        cells = scarp.Noise("cell-f1", seed=9, jitter=0.75).cells(*self.d[:2], derivatives=1)
+        u, v = self.warp.vector(*self.f[:2], derivatives=2, threads=2)
+        self.same("vector2", members(u, HESSIAN2) + members(v, HESSIAN2))
+        cells = scarp.Noise("cell-f1", seed=9, jitter=0.75).cells(*self.d[:2], derivatives=1,
+                                                                  threads=2)
         self.assertEqual(cells.id.dtype, np.uint32)
         self.same("cells2_f64", members(cells, ("f1", "f2", "id", "x", "y", "dx1", "dy1", "dx2",
                                                 "dy2")))
@@ -80,8 +90,10 @@ class Hashes(unittest.TestCase):
             self.same("grid2", members(s, HESSIAN2))
         tile = scarp.Noise("value", "pingpong", fade="cubic", seed=3, frequency=0.25, octaves=2.5,
                            gain=0.4, sharpness=1.5, period=(8, 16, 4), of_octaves=4)
-        s = tile.grid((7, 13, 11), (0.125, 0.25, 0.5), (1, 2, 3), (1, -2, 3), derivatives=1)
-        self.same("grid3", members(s, ("value", "dx", "dy", "dz")))
+        for threads in (1, 3):
+            s = tile.grid((7, 13, 11), (0.125, 0.25, 0.5), (1, 2, 3), (1, -2, 3), derivatives=1,
+                          threads=threads)
+            self.same("grid3", members(s, ("value", "dx", "dy", "dz")))
 
     def test_chain(self):
         base = scarp.Noise(seed=4, frequency=0.02, octaves=2).grid(SHAPE, derivatives=2,
@@ -93,7 +105,7 @@ class Hashes(unittest.TestCase):
                       members(displacement, ("value", "dx", "dy")))
         x = -3 + (-20.0 + np.arange(SHAPE[1])) * 0.5
         y = 5 + (7.0 + np.arange(SHAPE[0]))[:, None] * -0.25
-        points, _ = gullies.at(base, x, y, derivatives=1)
+        points, _ = gullies.at(base, x, y, derivatives=1, threads=2)
         np.testing.assert_array_equal(points.dx, eroded.dx)
         b = self.warped.grid(SHAPE, derivatives=2, **self.where)
         self.same("chain", members(3 * (base.smooth_max(b, 0.25) * b) - 1, HESSIAN2))
@@ -109,7 +121,7 @@ class Hashes(unittest.TestCase):
             alps, worn = recipe.grid(SHAPE, derivatives=1, output=recipe.outputs, threads=threads,
                                      **self.where)
             self.same("recipe_grid", members(alps, names) + members(worn, names))
-        alps, worn = recipe.at(*self.f[:2], derivatives=1, output=["alps", "worn"])
+        alps, worn = recipe.at(*self.f[:2], derivatives=1, output=["alps", "worn"], threads=2)
         self.same("recipe_sample", members(alps, names) + members(worn, names))
 
 

@@ -18,8 +18,10 @@ from common import LIBRARY, MODULE, prepare, run
 prepare()
 import numpy as np  # noqa: E402
 import scarp  # noqa: E402
+from scarp import _arrays  # noqa: E402
 
 F = np.float32
+_arrays.BAND = 64  # so that small calls in threads have bands
 
 
 def equal(a, b):
@@ -334,8 +336,8 @@ class Chain(unittest.TestCase):
         x = np.linspace(-1, 1, 11)
         ramp = scarp.Samples(x, dx=np.ones(11), dy=np.zeros(11))
         np.testing.assert_allclose((ramp * ramp).dx, 2 * x, rtol=1e-5, atol=1e-6)
-        strided = scarp.Samples(np.zeros((4, 6), F)[:, ::2])
-        equal((strided + 1).value, np.ones((4, 3)))
+        wide = np.arange(24, dtype=F).reshape(4, 6)
+        equal((scarp.Samples(wide[:, ::2]) + 1).value, wide[:, ::2] + 1)
         back = pickle.loads(pickle.dumps(self.a))
         equal(back.dxy, self.a.dxy)
 
@@ -365,7 +367,7 @@ class Recipes(unittest.TestCase):
         self.assertEqual((again.high, again.finest), (40.0, 8.0))
         equal(again.grid((5, 6)).value, recipe.grid((5, 6)).value)
         for value in (0.5, 101, math.nan):
-            with self.assertRaises(scarp.ScarpError) as caught:
+            with self.assertRaisesRegex(scarp.ScarpError, r"not in \[1, 100\]") as caught:
                 recipe.high = value
             self.assertEqual(caught.exception.member, "high")
         self.assertEqual(recipe.high, 40.0)
@@ -380,6 +382,9 @@ class Recipes(unittest.TestCase):
         error = caught.exception
         self.assertEqual((error.line, error.column), (4, 9))
         self.assertIn("line 4, column 9", str(error))
+        with self.assertRaises(scarp.RecipeError) as caught:
+            scarp.Recipe("recipe 1\nout a = é + nose(size=3)\n# é\nb = noise(seize=3)\n")
+        self.assertEqual([(e.line, e.column) for e in caught.exception.errors], [(2, 9), (4, 11)])
         with self.assertRaises(scarp.RecipeError) as caught:
             scarp.Recipe("recipe 1\nout a = noise(size=3, octaves=99) + noise(size=2, gain=80)\n")
         self.assertEqual([e.member for e in caught.exception.errors], ["octaves", "gain"])
@@ -447,11 +452,25 @@ class Recipes(unittest.TestCase):
         for thread in pool:
             thread.start()
         for i in range(100):
+            memory = recipe._memory
+            before = bytes(memory)
             recipe.high = (10, 20)[i % 2]
+            self.assertEqual(bytes(memory), before)  # calls under way read it
         stop.set()
         for thread in pool:
             thread.join()
         self.assertEqual(wrong, [])
+
+
+class Examples(unittest.TestCase):
+    def test_bands(self):
+        """The map in bands is the map; other examples need what only they need."""
+        with tempfile.TemporaryDirectory() as folder:
+            path = os.path.join(folder, "map.npy")
+            subprocess.run([sys.executable, "-B", os.path.join(MODULE, "examples", "bands.py"),
+                            path, "300", "2"], check=True, stdout=subprocess.DEVNULL,
+                           env={**os.environ, "PYTHONPATH": MODULE})
+            equal(np.load(path), scarp.preset("alps", seed=8).grid((300, 300), 10).value)
 
 
 class Loading(unittest.TestCase):

@@ -43,11 +43,10 @@ class RecipeError(ScarpError):
         return RecipeError, (self.errors, self.status)
 
 
-def place_of(error, text):
-    """A Place of an error in C, whose columns are bytes."""
-    start = text.rfind(b"\n", 0, error.from_) + 1
-    column = len(text[start:error.from_].decode("utf-8", "replace")) + 1
-    return Place(error.line, column, error.text.decode(),
+def place_of(error):
+    """A Place of an error in C. Its columns are bytes, and characters as well: a line has no others
+    in front of its first error but those of ASCII."""
+    return Place(error.line, error.column, error.text.decode(),
                  error.member.decode() if error.member else None, error.nearest)
 
 
@@ -84,7 +83,7 @@ class Recipe:
         status = lib.scarp_recipe_parse(self._text, len(self._text), ctypes.addressof(memory),
                                         ctypes.addressof(errors), ERRORS, ctypes.byref(found))
         if found.value and status:
-            raise RecipeError([place_of(e, self._text) for e in errors[:min(found.value, ERRORS)]],
+            raise RecipeError([place_of(e) for e in errors[:min(found.value, ERRORS)]],
                               STATUS_NAMES[status])
         if status:
             raise ScarpError("a recipe has at most 16,384 bytes, not %d" % len(self._text), "text",
@@ -187,7 +186,7 @@ class Recipe:
             memory = _Words.from_buffer_copy(self._memory)
             status = call(ctypes.addressof(memory), *arguments)
             if status and error is not None and error.text:
-                raise RecipeError([place_of(error, self._text)], STATUS_NAMES[status])
+                raise RecipeError([place_of(error)], STATUS_NAMES[status])
             if status:
                 raise complain(status, at_fault)
             self._describe(memory)
