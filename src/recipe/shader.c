@@ -40,9 +40,9 @@ static NOINLINE enum scarp_status write(const struct recipe *r, const struct sca
                                         struct shader_text *text)
 {
     const struct shader_uniforms none = {NULL, NULL, NULL};
-    struct shader_layout layout;
-    struct shader_writer w = {.recipe = r, .layout = &layout, .to = text};
-    scarp_shader_lay_out(r, &none, &layout);
+    struct shader_slots slots;
+    struct shader_writer w = {.recipe = r, .slots = &slots, .to = text};
+    scarp_shader_lay_out(r, &none, &slots);
     set_orders(&w, how->order);
     scarp_shader_put_head(&w);
     const struct shader_cut cut = {how->file, how->length, text->length};
@@ -95,10 +95,10 @@ enum scarp_status scarp_recipe_shader(const struct scarp_recipe *recipe,
 static NOINLINE void fill(const struct recipe *r, void *bytes, size_t capacity, size_t *size)
 {
     const struct shader_uniforms none = {NULL, NULL, NULL};
-    struct shader_layout layout;
-    scarp_shader_lay_out(r, &none, &layout);
-    const size_t numbers = (size_t)layout.numbers * 16, levels = (size_t)layout.levels * 48;
-    *size = HEAD_BYTES + numbers + levels + (size_t)layout.octaves * 160;
+    struct shader_slots slots;
+    scarp_shader_lay_out(r, &none, &slots);
+    const size_t numbers = (size_t)slots.numbers * 16, levels = (size_t)slots.levels * 48;
+    *size = HEAD_BYTES + numbers + levels + (size_t)slots.octaves * 160;
     if (*size > capacity) {
         return;
     }
@@ -108,8 +108,8 @@ static NOINLINE void fill(const struct recipe *r, void *bytes, size_t capacity, 
         (struct scarp_gpu_level *)(void *)(at + HEAD_BYTES + numbers),
         (struct scarp_gpu_octave *)(void *)(at + HEAD_BYTES + numbers + levels)};
     memset(bytes, 0, *size);
-    memcpy(at + 4, &layout.unit, sizeof layout.unit);
-    scarp_shader_lay_out(r, &to, &layout);
+    memcpy(at + 4, &slots.unit, sizeof slots.unit);
+    scarp_shader_lay_out(r, &to, &slots);
 }
 
 enum scarp_status scarp_recipe_uniforms(const struct scarp_recipe *recipe, void *bytes,
@@ -199,9 +199,9 @@ static NOINLINE enum scarp_status answer_chunk(const struct answering *a, uint32
 static NOINLINE float unit_of(const struct recipe *r)
 {
     const struct shader_uniforms none = {NULL, NULL, NULL};
-    struct shader_layout layout;
-    scarp_shader_lay_out(r, &none, &layout);
-    return layout.unit;
+    struct shader_slots slots;
+    scarp_shader_lay_out(r, &none, &slots);
+    return slots.unit;
 }
 
 enum scarp_status scarp_recipe_answers(const struct scarp_recipe *recipe, int order,

@@ -18,7 +18,7 @@
 #define SHADER_KINDS 128
 
 /* Where the constants of a recipe are in its buffer. */
-struct shader_layout {
+struct shader_slots {
     int numbers, levels, octaves;    /* how many, at least 1 of each */
     int16_t number_of[RECIPE_NODES]; /* by node: its first vector of numbers */
     int16_t level_of[RECIPE_NODES];  /* by node: the level of its noise */
@@ -26,7 +26,7 @@ struct shader_layout {
     float unit;                      /* of test points */
 };
 
-/* The buffer. Arrays are NULL while a layout is made. */
+/* The buffer. Arrays are NULL while slots are counted. */
 struct shader_uniforms {
     float (*number)[4];
     struct scarp_gpu_level *level;
@@ -34,7 +34,7 @@ struct shader_uniforms {
 };
 
 void scarp_shader_lay_out(const struct recipe *recipe, const struct shader_uniforms *to,
-                          struct shader_layout *layout);
+                          struct shader_slots *slots);
 
 /* Text; what exceeds the capacity is counted and not written. */
 struct shader_text {
@@ -53,7 +53,7 @@ void scarp_shader_put_span(struct shader_text *to, const char *from, size_t leng
 /* What is needed to write the functions. */
 struct shader_writer {
     const struct recipe *recipe;
-    const struct shader_layout *layout;
+    const struct shader_slots *slots;
     struct shader_text *to;
     uint8_t order_of[RECIPE_NODES];
     int kinds;

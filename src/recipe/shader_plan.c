@@ -20,7 +20,7 @@ _Static_assert(sizeof(struct scarp_gpu_level) == 48 && sizeof(struct scarp_gpu_o
 struct filling {
     const struct recipe *recipe;
     const struct shader_uniforms *to;
-    struct shader_layout *layout;
+    struct shader_slots *slots;
     int dimensions;                  /* of the noise that is filled in */
     const struct recipe_node *node;  /* whose noise that is */
     const struct scarp_noise *noise; /* and this is it */
@@ -28,7 +28,7 @@ struct filling {
 
 static void put_number(const struct filling *f, float a, float b, float c, float d)
 {
-    const int i = f->layout->numbers++;
+    const int i = f->slots->numbers++;
     if (f->to->number != NULL) {
         const float number[4] = {a, b, c, d};
         memcpy(f->to->number[i], number, sizeof number);
@@ -81,9 +81,9 @@ static void put_numbers(const struct filling *f, const struct recipe_node *n)
 
 static void put_place(const struct filling *f, int place)
 {
-    for (; place > 0 && f->layout->place_of[place] < 0; place = f->recipe->place[place].frame) {
+    for (; place > 0 && f->slots->place_of[place] < 0; place = f->recipe->place[place].frame) {
         const struct recipe_place *const p = &f->recipe->place[place];
-        f->layout->place_of[place] = (int16_t)f->layout->numbers;
+        f->slots->place_of[place] = (int16_t)f->slots->numbers;
         for (int i = 0; i < 3; i++) {
             put_number(f, (float)p->m[i][0], (float)p->m[i][1], (float)p->m[i][2], (float)p->t[i]);
         }
@@ -92,27 +92,27 @@ static void put_place(const struct filling *f, int place)
 
 static struct scarp_gpu_level *level_at(const struct filling *f)
 {
-    return f->to->level != NULL ? f->to->level + f->layout->levels : NULL;
+    return f->to->level != NULL ? f->to->level + f->slots->levels : NULL;
 }
 
 static struct scarp_gpu_octave *octave_at(const struct filling *f)
 {
-    return f->to->octave != NULL ? f->to->octave + f->layout->octaves : NULL;
+    return f->to->octave != NULL ? f->to->octave + f->slots->octaves : NULL;
 }
 
 static void put_noise(const struct scarp_call_plan *plan, const void *opaque)
 {
     const struct filling *const f = opaque;
     const int count =
-        scarp_shader_levels(plan, f->dimensions, level_at(f), octave_at(f), f->layout->octaves);
-    if (f->layout->octaves == 0) {
-        f->layout->unit =
+        scarp_shader_levels(plan, f->dimensions, level_at(f), octave_at(f), f->slots->octaves);
+    if (f->slots->octaves == 0) {
+        f->slots->unit =
             scarp_shader_unit(plan->warps.depth > 0 || plan->warps.vector
                                   ? scarp_component_plan(plan, 0, 0).octave[0].frequency64
                                   : plan->octave[0].frequency64);
     }
-    f->layout->levels += plan->warps.depth + 1;
-    f->layout->octaves += count;
+    f->slots->levels += plan->warps.depth + 1;
+    f->slots->octaves += count;
 }
 
 /* The first octave, whose lattice is made of cells whatever the basis is. */
@@ -175,11 +175,11 @@ static void put_levels(struct filling *f, int step)
     struct scarp_noise noise[5];
     struct scarp_kind kind = {.dimensions = r->place[n->place].dimensions};
     if (equal >= 0) {
-        f->layout->level_of[node] = f->layout->level_of[r->schedule.step[equal]];
-        f->layout->number_of[node] = f->layout->number_of[r->schedule.step[equal]];
+        f->slots->level_of[node] = f->slots->level_of[r->schedule.step[equal]];
+        f->slots->number_of[node] = f->slots->number_of[r->schedule.step[equal]];
         return;
     }
-    f->layout->level_of[node] = (int16_t)f->layout->levels;
+    f->slots->level_of[node] = (int16_t)f->slots->levels;
     f->dimensions = kind.dimensions;
     f->node = n;
     f->noise = noise;
@@ -194,17 +194,17 @@ static void put_levels(struct filling *f, int step)
 }
 
 void scarp_shader_lay_out(const struct recipe *recipe, const struct shader_uniforms *to,
-                          struct shader_layout *layout)
+                          struct shader_slots *slots)
 {
-    struct filling f = {.recipe = recipe, .to = to, .layout = layout};
-    memset(layout, 0, sizeof *layout);
-    memset(layout->place_of, 0xff, sizeof layout->place_of);
-    layout->unit = 0x1p-8f;
+    struct filling f = {.recipe = recipe, .to = to, .slots = slots};
+    memset(slots, 0, sizeof *slots);
+    memset(slots->place_of, 0xff, sizeof slots->place_of);
+    slots->unit = 0x1p-8f;
     for (int k = 0; k < recipe->schedule.steps; k++) {
         const int node = recipe->schedule.step[k];
         const struct recipe_node *const n = &recipe->node[node];
         put_place(&f, n->place);
-        layout->number_of[node] = (int16_t)layout->numbers;
+        slots->number_of[node] = (int16_t)slots->numbers;
         if (n->operation == OP_NOISE || n->operation == OP_VECTOR || n->operation == OP_CELL ||
             n->operation == OP_GULLIES) {
             put_levels(&f, k);
@@ -212,7 +212,7 @@ void scarp_shader_lay_out(const struct recipe *recipe, const struct shader_unifo
             put_numbers(&f, n);
         }
     }
-    layout->numbers = layout->numbers > 0 ? layout->numbers : 1;
-    layout->levels = layout->levels > 0 ? layout->levels : 1;
-    layout->octaves = layout->octaves > 0 ? layout->octaves : 1;
+    slots->numbers = slots->numbers > 0 ? slots->numbers : 1;
+    slots->levels = slots->levels > 0 ? slots->levels : 1;
+    slots->octaves = slots->octaves > 0 ? slots->octaves : 1;
 }

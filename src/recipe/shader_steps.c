@@ -48,7 +48,7 @@ static void put_rest(const struct shader_writer *w, int place)
 
 static void put_rows(const struct shader_writer *w, int place)
 {
-    const int first = w->layout->place_of[place];
+    const int first = w->slots->place_of[place];
     scarp_shader_put(w->to, "scarp_own_number(%du), scarp_own_number(%du), scarp_own_number(%du)",
                      first, first + 1, first + 2);
 }
@@ -142,7 +142,7 @@ static int is_warped_alike(const struct recipe *r, int a, int b)
 static int put_warps(struct shader_writer *w, int node, const struct scarp_noise noise[5])
 {
     const struct recipe_node *const n = &w->recipe->node[node];
-    const int level = w->layout->level_of[node], dimensions = w->recipe->place[n->place].dimensions;
+    const int level = w->slots->level_of[node], dimensions = w->recipe->place[n->place].dimensions;
     const char *const indent = indent_of(w, node);
     int depth = 0;
     while (noise[depth].warp != NULL) {
@@ -183,7 +183,7 @@ static void put_level(struct shader_writer *w, int node, const struct scarp_nois
         scarp_shader_put(w->to, is_vector ? "scarp_composed_each(" : "scarp_composed(");
     }
     scarp_shader_put(w->to, is_vector ? "scarp_own_warp%d(%du, " : "scarp_own_kind%d(%du, 0u, ",
-                     kind, w->layout->level_of[node]);
+                     kind, w->slots->level_of[node]);
     if (warped >= 0) {
         scarp_shader_put(w->to, "scarp_add3(u%d, scarp_values_of(y%d))), y%d, %d)", warped, warped,
                          warped, dimensions);
@@ -233,7 +233,7 @@ static void put_cell(struct shader_writer *w, int node)
     const struct recipe_node *const n = &w->recipe->node[node];
     const int dimensions = w->recipe->place[n->place].dimensions;
     const char *const indent = indent_of(w, node);
-    const int octave = w->layout->level_of[node];
+    const int octave = w->slots->level_of[node];
     scarp_shader_put(w->to, "%s%L%V u%d = ", indent, node);
     put_position(w, n->place);
     scarp_shader_put(w->to, ";\n%s%LScarpOctave o%d = ", indent, node);
@@ -254,12 +254,12 @@ static void put_gullies(struct shader_writer *w, int node)
 {
     const struct recipe_node *const n = &w->recipe->node[node];
     const struct scarp_gullies *const g = &w->recipe->gully[n->index];
-    const int first = w->layout->number_of[node];
+    const int first = w->slots->number_of[node];
     const char *const in = indent_of(w, node);
     scarp_shader_put(w->to, "%s%L%V u%d = ", in, node);
     put_position(w, n->place);
     scarp_shader_put(w->to, ";\n%s%LScarpLevel l%d = scarp_own_level(%du);\n", in, node,
-                     w->layout->level_of[node]);
+                     w->slots->level_of[node]);
     scarp_shader_put(w->to, "%s%LScarpGullyShape g%d = scarp_gully_shape_of(", in, node);
     scarp_shader_put(w->to,
                      "scarp_own_number(%du), scarp_own_number(%du), scarp_own_number(%du));\n",
@@ -297,7 +297,7 @@ static void put_coordinate(const struct shader_writer *w, int node)
         scarp_shader_put(w->to, "%4(%s), ", row[n->detail]);
     } else {
         scarp_shader_put(w->to, "scarp_own_number(%du), ",
-                         w->layout->place_of[n->place] + n->detail);
+                         w->slots->place_of[n->place] + n->detail);
     }
     if (rest >= 0) {
         scarp_shader_put(w->to, "r%d);\n", rest);
@@ -310,7 +310,7 @@ static void put_coordinate(const struct shader_writer *w, int node)
 static void put_curve(const struct shader_writer *w, int node)
 {
     const struct recipe_node *const n = &w->recipe->node[node];
-    const int first = w->layout->number_of[node], last = first + n->knots - 1;
+    const int first = w->slots->number_of[node], last = first + n->knots - 1;
     const char *const in = indent_of(w, node);
     scarp_shader_put(w->to, "%s%Xuint k%d = %du;\n", in, node, first);
     scarp_shader_put(w->to, "%sfor (%Xuint i = %du; i < %du; i++) {\n", in, first + 1, last);
@@ -351,7 +351,7 @@ static void put_call(const struct shader_writer *w, int node)
     for (const char *c = call[n->operation]; *c != '\0'; before = *c++) {
         const int is_argument = (before == '(' || before == ' ') && (c[1] == ',' || c[1] == ')');
         if (*c == '@') {
-            scarp_shader_put(w->to, "scarp_own_number(%du)", w->layout->number_of[node]);
+            scarp_shader_put(w->to, "scarp_own_number(%du)", w->slots->number_of[node]);
         } else if (is_argument && *c == 'd') {
             scarp_shader_put(w->to, "%d", w->recipe->node[n->in[0]].dimensions);
         } else if (is_argument) {

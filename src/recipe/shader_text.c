@@ -104,7 +104,7 @@ static void put_block(const struct shader_writer *w)
         "cbuffer ScarpRecipePlans : register(SCARP_REGISTER)\n{\n    uint4 scarp_own_head;\n",
         "struct ScarpRecipePlan {\n    head: vec4u,\n"};
     struct shader_text *const to = w->to;
-    const struct shader_layout *const l = w->layout;
+    const struct shader_slots *const l = w->slots;
     put_text(to, begin[to->language]);
     if (to->language == SCARP_WGSL) {
         scarp_shader_put(to, "    number: array<vec4f, %d>,\n    level: array<ScarpLevel, %d>,\n",
