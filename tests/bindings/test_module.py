@@ -451,14 +451,16 @@ class Recipes(unittest.TestCase):
         pool = [threading.Thread(target=sample) for _ in range(2)]
         for thread in pool:
             thread.start()
-        for i in range(100):
-            memory = recipe._memory
-            before = bytes(memory)
-            recipe.high = (10, 20)[i % 2]
-            self.assertEqual(bytes(memory), before)  # calls under way read it
-        stop.set()
-        for thread in pool:
-            thread.join()
+        try:
+            for i in range(100):
+                memory = recipe._memory
+                before = bytes(memory)
+                recipe.high = (10, 20)[i % 2]
+                self.assertEqual(bytes(memory), before)  # calls under way read it
+        finally:
+            stop.set()
+            for thread in pool:
+                thread.join()
         self.assertEqual(wrong, [])
 
 
