@@ -3,16 +3,22 @@
 
 set(bindings ${CMAKE_CURRENT_SOURCE_DIR}/bindings)
 
+# Python loads no library with instruments in it, nor one of another processor.
+set(loads ON)
+if(CMAKE_C_FLAGS MATCHES "-fsanitize" OR CMAKE_CROSSCOMPILING OR CMAKE_CROSSCOMPILING_EMULATOR)
+  set(loads OFF)
+endif()
+
 # scarp_add_python_test(NAME [ARGUMENTS argument...]): bindings/test_NAME.py, by a Python that has
 # NumPy
 function(scarp_add_python_test name)
   cmake_parse_arguments(arg "" "" "ARGUMENTS" ${ARGN})
-  if(CMAKE_C_FLAGS MATCHES "-fsanitize" OR CMAKE_CROSSCOMPILING)
-    return() # Python loads neither
-  endif()
   scarp_add_test(python.${name} python NEEDS numpy posix
                  COMMAND "${SCARP_NUMPY}" -B ${bindings}/test_${name}.py ${PROJECT_SOURCE_DIR}
                  $<TARGET_FILE:scarp> ${arg_ARGUMENTS})
+  if(TEST python.${name})
+    set_tests_properties(python.${name} PROPERTIES ENVIRONMENT SCARP_LOADS=${loads})
+  endif()
 endfunction()
 
 # The description and what is made of it are current. Other compilers than gcc and clang have other

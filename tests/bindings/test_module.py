@@ -384,7 +384,7 @@ class Recipes(unittest.TestCase):
         self.assertIn("line 4, column 9", str(error))
         with self.assertRaises(scarp.RecipeError) as caught:
             scarp.Recipe("recipe 1\nout a = é + nose(size=3)\n# é\nb = noise(seize=3)\n")
-        self.assertEqual([(e.line, e.column) for e in caught.exception.errors], [(2, 9), (4, 11)])
+        self.assertEqual([(e.line, e.column) for e in caught.exception.errors], [(2, 9), (4, 17)])
         with self.assertRaises(scarp.RecipeError) as caught:
             scarp.Recipe("recipe 1\nout a = noise(size=3, octaves=99) + noise(size=2, gain=80)\n")
         self.assertEqual([e.member for e in caught.exception.errors], ["octaves", "gain"])
@@ -451,14 +451,16 @@ class Recipes(unittest.TestCase):
         pool = [threading.Thread(target=sample) for _ in range(2)]
         for thread in pool:
             thread.start()
-        for i in range(100):
-            memory = recipe._memory
-            before = bytes(memory)
-            recipe.high = (10, 20)[i % 2]
-            self.assertEqual(bytes(memory), before)  # calls under way read it
-        stop.set()
-        for thread in pool:
-            thread.join()
+        try:
+            for i in range(100):
+                memory = recipe._memory
+                before = bytes(memory)
+                recipe.high = (10, 20)[i % 2]
+                self.assertEqual(bytes(memory), before)  # calls under way read it
+        finally:
+            stop.set()
+            for thread in pool:
+                thread.join()
         self.assertEqual(wrong, [])
 
 

@@ -13,7 +13,7 @@ from common import MODULE, SOURCE, prepare, run
 
 prepare()
 import scarp  # noqa: E402
-from scarp import _gullies  # noqa: E402
+from scarp import _gullies, _interface, _noise, _samples  # noqa: E402
 
 
 def stub():
@@ -76,6 +76,19 @@ class Stubs(unittest.TestCase):
         for name in ("Samples", "Noise", "Gullies", "Recipe"):
             public = {m for m in vars(getattr(scarp, name)) if not m.startswith("_")}
             self.assertLessEqual(public, classes[name], name)
+
+    def test_members_of_the_header(self):
+        """Every member of the structures that users fill in, or read, has its place here."""
+        def of(name):
+            return {m for m, _, _ in _interface.STRUCTURES[name][1]} - {"spare"}
+
+        noise = set(inspect.signature(scarp.Noise).parameters)
+        self.assertEqual(noise | {"plan"}, of("scarp_noise"))  # plans are for C alone
+        self.assertEqual(set(_gullies.NUMBERS) | {"seed", "rotate", "period"}, of("scarp_gullies"))
+        self.assertEqual(set(_samples.MEMBERS), of("scarp_samples"))
+        self.assertEqual({n for part in _noise.CELLS[3] for n in part}, of("scarp_cells"))
+        self.assertEqual({n for part in _noise.FLOW[3] for n in part}, of("scarp_flow"))
+        self.assertEqual(len(of("scarp_eroded")), 6)
 
     def test_docstrings(self):
         for name in scarp.__all__:

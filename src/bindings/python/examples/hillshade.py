@@ -10,7 +10,7 @@ import numpy as np
 import scarp
 
 matplotlib.use("Agg")
-from matplotlib import pyplot  # noqa: E402
+from matplotlib import colormaps, colors, pyplot  # noqa: E402
 
 
 def main(path):
@@ -18,8 +18,9 @@ def main(path):
     normal = alps.normals()
     light = np.array([-1, 1, 1.2]) / np.sqrt(3.44)  # from the north-west
     shade = (normal @ light).clip(0)
-    figure, axes = pyplot.subplots(figsize=(9, 6))
-    heights = axes.imshow(alps.value, cmap="terrain", origin="lower", extent=alps.extent)
+    land = colors.ListedColormap(colormaps["terrain"](np.linspace(0.25, 1, 256)))  # without sea
+    figure, axes = pyplot.subplots(figsize=(9, 6), constrained_layout=True)
+    heights = axes.imshow(alps.value, cmap=land, origin="lower", extent=alps.extent)
     axes.imshow(shade, cmap="gray", alpha=0.5, origin="lower", extent=alps.extent)
     axes.set(xlabel="east, m", ylabel="north, m")
     figure.colorbar(heights, label="height, m")

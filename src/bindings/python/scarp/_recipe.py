@@ -8,6 +8,7 @@ from collections import namedtuple
 import numpy as np
 
 from ._arrays import Outputs, Raster, check_overlap, in_bands, points
+from ._interface import ENUMS
 from ._library import HERE, STATUS, STATUS_NAMES, STRUCTURES, ScarpError, complain, lib
 from ._numbers import number, order, seed_of, several
 from ._samples import Samples, members_of
@@ -17,7 +18,7 @@ _Error, _Entry, _Outputs, _Scratch, _Samples, _Box = (STRUCTURES["scarp_" + name
 _Words = ctypes.c_uint64 * (ctypes.sizeof(STRUCTURES["scarp_recipe"]) // 8)
 ERRORS = 32     # how many errors of a text are told
 CHUNK = 1024    # points for which scratch memory has room
-FIELDS = (2, 3)  # SCARP_RECIPE_FIELD, SCARP_RECIPE_NOISE
+FIELDS = tuple(ENUMS["scarp_recipe_kind"]["SCARP_RECIPE_" + kind] for kind in ("FIELD", "NOISE"))
 
 Param = namedtuple("Param", "value lowest highest")
 Param.__doc__ = "A parameter of a recipe: its value, and the interval that it has."

@@ -106,7 +106,7 @@ class Samples:
         units of input per unit of value."""
         if "dx" not in self._arrays or "dy" not in self._arrays:
             raise ScarpError("normals need dx and dy: ask for derivatives=1")
-        scale = number_of("height_scale", height_scale)
+        scale = single("height_scale", height_scale)
         dx, dy = (self._flat(name) for name in ("dx", "dy"))
         out = np.empty((3,) + self.shape, FLOAT)
         status = lib.scarp_normals(dx.size, dx.ctypes.data, dy.ctypes.data, scale,
@@ -130,7 +130,7 @@ class Samples:
     def constant(self, value):
         """Samples that have a number everywhere, with the members of these; derivatives are 0."""
         arrays = {name: np.zeros(self.shape, FLOAT) for name in self._arrays}
-        arrays["value"] = np.full(self.shape, number_of("value", value), FLOAT)
+        arrays["value"] = np.full(self.shape, single("value", value), FLOAT)
         return Samples._of(arrays, self.shape, self.extent)
 
     def _other(self, other):
@@ -273,10 +273,6 @@ class Samples:
                       [("fa", fa), ("fb", fb)], [("faa", faa), ("fab", fab), ("fbb", fbb)])
 
 
-def number_of(name, value):
-    return single(name, value)
-
-
 def _members(inputs, values=True):
     """Members that all inputs have, with what these need."""
     shape = inputs[0].shape
@@ -292,7 +288,7 @@ def _members(inputs, values=True):
 
 def _call(name, inputs, scalars=(), values=True):
     """A function of the chain rule, with numbers behind the samples."""
-    given = [number_of(what, value) for what, value in scalars]
+    given = [single(what, value) for what, value in scalars]
     return _run(name, inputs, _members(inputs, values), inputs[0].shape, inputs[0].extent, given,
                 ", ".join(what for what, _ in scalars) or None)
 
