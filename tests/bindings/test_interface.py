@@ -76,13 +76,15 @@ class Interface(unittest.TestCase):
         """A member, an enumerator or a call more is noticed; so is a table that was changed."""
         header = "include/scarp.h"
         for name, old, new, complaint in (
-                (header, "    float phase; /*", "    float extra, phase; /*", "a noise is"),
+                (header, "    float phase SCARP_ZERO;",
+                 "    float extra SCARP_ZERO;\n    float phase SCARP_ZERO;", "a noise is"),
                 (header, "    SCARP_CUBIC ", "    SCARP_LINEAR, SCARP_CUBIC ", "interface.json"),
                 (header, "SCARP_API int scarp_isa_supported(",
                  "SCARP_API int scarp_more(void);\nSCARP_API int scarp_isa_supported(",
                  "_interface.py"),
-                (header, "    float *dphase; ", "    float *dtime; ", "SAMPLES is"),
-                (header, "    size_t slice_stride;", "    size_t other_stride;", "a grid is"),
+                (header, "    float *dphase SCARP_ZERO;", "    float *dtime SCARP_ZERO;", "SAMPLES is"),
+                (header, "    size_t slice_stride SCARP_ZERO;",
+                 "    size_t other_stride SCARP_ZERO;", "a grid is"),
                 ("src/web/layout.mjs", "ofOctaves: 76", "ofOctaves: 72", "a noise is"),
                 ("src/web/layout.mjs", "PLAN_SIZE = 12288", "PLAN_SIZE = 12280", "PLAN_SIZE is"),
                 ("src/bindings/python/scarp/_interface.py", "'phase'", "'fase'",
