@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Installs the header and the shaders, the library, and what find_package(scarp) and pkg-config need.
+# Installs the headers and the shaders, the library, and what find_package(scarp) and pkg-config need.
 # (The program installs itself: src/cli.) Nothing installed names a directory of the build: the prefix
 # may be moved, unless the user chose absolute directories.
 
@@ -9,7 +9,7 @@ install(TARGETS scarp EXPORT scarp
   RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT library
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library NAMELINK_COMPONENT development
   ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT development)
-install(FILES include/scarp.h include/scarp.glsl include/scarp.hlsl include/scarp.wgsl
+install(FILES include/scarp.h include/scarp.hpp include/scarp.glsl include/scarp.hlsl include/scarp.wgsl
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
 
 # find_package(scarp). While the major version is 0, every minor version may change the interface.

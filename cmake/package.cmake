@@ -6,8 +6,9 @@
 # for Debian are made instead, which need dpkg-dev and `file`:
 #
 #   libscarp0.2    the shared library; the number is that of the SONAME
-#   libscarp-dev   headers, shaders, and what find_package and pkg-config read
+#   libscarp-dev   headers (C, C++20), shaders, and what find_package and pkg-config read
 #   scarp          the program, its man page and its completion
+#   python3-scarp  the module for Python (python.cmake), where the library is shared
 
 set(single ${PROJECT_BINARY_DIR}/single)
 file(GLOB_RECURSE single_sources CONFIGURE_DEPENDS
@@ -58,6 +59,9 @@ if(NOT CMAKE_INSTALL_PREFIX STREQUAL "/usr")
   set(CPACK_SYSTEM_NAME ${system})
   set(CPACK_PACKAGE_FILE_NAME scarp-${PROJECT_VERSION}-${system})
 else()
+  if(type STREQUAL "SHARED_LIBRARY")
+    list(APPEND CPACK_COMPONENTS_ALL python)
+  endif()
   include(cmake/packaging/debian.cmake)
 endif()
 include(CPack)

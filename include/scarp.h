@@ -23,6 +23,16 @@
 #define SCARP_API
 #endif
 
+/* From C++14 on, members of structures are 0 unless they are given. Elsewhere this is nothing.
+   Plans, recipes and constants of shaders, which calls write as a whole, go without: so declaring
+   one takes no time. */
+#if defined(__cplusplus) &&                                                                        \
+    (__cplusplus >= 201402L || (defined(_MSVC_LANG) && _MSVC_LANG >= 201402L))
+#define SCARP_ZERO = {}
+#else
+#define SCARP_ZERO
+#endif
+
 #ifdef __cplusplus
 extern "C" {
 #endif
@@ -45,10 +55,12 @@ extern "C" {
  *   gcc 12 and clang 14 and 19. Kernels that are compiled without optimisation take more.
  *
  * Zero a structure before you fill it in: `struct scarp_noise noise = {0};`, a designated
- * initialiser, or memset. Reserved members have no meaning yet. A call that finds one in use (a
- * number that is not 0, a pointer that is not NULL) returns SCARP_ERROR_UNSUPPORTED: so a program
- * that was built for a later version is refused by this one, and never misunderstood. Later
- * versions give meanings to reserved members; sizes, and the places of members, stay.
+ * initialiser, or memset. In C++ write `scarp_noise noise{};`, or in C++20 a designated
+ * initialiser; compilers warn of memset there. scarp.hpp has the calls with spans, for C++20.
+ * Reserved members have no meaning yet. A call that finds one in use (a number that is not 0, a
+ * pointer that is not NULL) returns SCARP_ERROR_UNSUPPORTED: so a program that was built for a
+ * later version is refused by this one, and never misunderstood. Later versions give meanings to
+ * reserved members; sizes, and the places of members, stay.
  *
  * What versions promise, once the major version is 1:
  *
@@ -339,43 +351,62 @@ enum scarp_isa {
  * here; a phase is SCARP_ERROR_UNSUPPORTED.
  */
 struct scarp_noise {
-    enum scarp_basis basis;
-    enum scarp_fade fade;
-    enum scarp_fractal fractal;
-    uint32_t rotate;  /* nonzero: turn the axes between octaves; hides the lattice's directions */
-    uint64_t seed;    /* all 64 bits count */
-    double frequency; /* lattice cells per unit of input. Default 1. Every f_k lies in
-                         [2^-32, 2^48]. */
-    float octaves;    /* in (0, 32]. Default 1. */
-    float lacunarity; /* frequency ratio between octaves, in [1/16, 16]. Default 2. */
-    float gain;       /* amplitude ratio between octaves, in [1/16, 16]. Default 0.5. */
-    float amplitude;  /* scales every output; its magnitude in [2^-24, 2^24]. Default 1. */
-    float erosion;    /* SCARP_EROSION: how strongly slopes damp octaves; SCARP_JORDAN: how much of
-                         them flat ground lacks, at most 1. In [2^-24, 2^24]. Default 1. */
+    enum scarp_basis basis SCARP_ZERO;
+    enum scarp_fade fade SCARP_ZERO;
+    enum scarp_fractal fractal SCARP_ZERO;
 
-    float phase; /* turns of the lattice's gradients, any finite number. See "Flow". */
+    /* nonzero: turn the axes between octaves; hides the lattice's directions */
+    uint32_t rotate SCARP_ZERO;
 
-    float jitter; /* cellular noise: how far features stray from the middles of their cells, in
-                     (0, 1]. Default 1. */
+    uint64_t seed SCARP_ZERO; /* all 64 bits count */
 
-    float sharpness; /* SCARP_PINGPONG: how often octaves are folded, 2 by default; SCARP_HYBRID:
-                        how high they lie, 0.7 by default; SCARP_SWISS and SCARP_JORDAN: how far
-                        they are bent, 0.15 and 0.35 by default; for these four in [2^-8, 2^8].
-                        Others ignore it, in [2^-24, 2^24]. */
+    /* lattice cells per unit of input. Default 1. Every f_k lies in [2^-32, 2^48]. */
+    double frequency SCARP_ZERO;
 
-    uint32_t period[3]; /* cells of octave 0, in [1, 2^30], after which the noise repeats along each
-                           axis; 0: never. 2D calls ignore period[2]. See "Periods". */
+    float octaves SCARP_ZERO; /* in (0, 32]. Default 1. */
 
-    float of_octaves; /* amplitudes are those of a sum of this many octaves, in [octaves, 32].
-                         0: octaves. */
+    /* frequency ratio between octaves, in [1/16, 16]. Default 2. */
+    float lacunarity SCARP_ZERO;
 
-    const struct scarp_noise *warp; /* displaces positions; NULL: none. It must be there as long as
-                                       calls use this noise. See "Warps". */
+    /* amplitude ratio between octaves, in [1/16, 16]. Default 0.5. */
+    float gain SCARP_ZERO;
 
-    const struct scarp_plan *plan; /* what scarp_plan_make made of this noise. NULL: none; results
-                                      do not depend on it. A noise with a warp does without. */
+    /* scales every output; its magnitude in [2^-24, 2^24]. Default 1. */
+    float amplitude SCARP_ZERO;
 
-    uint32_t spare[(192 - 80 - 2 * sizeof(void *)) / 4]; /* reserved: 0. 192 bytes in all. */
+    /* SCARP_EROSION: how strongly slopes damp octaves; SCARP_JORDAN: how much of them flat ground
+       lacks, at most 1. In [2^-24, 2^24]. Default 1. */
+    float erosion SCARP_ZERO;
+
+    /* turns of the lattice's gradients, any finite number. See "Flow". */
+    float phase SCARP_ZERO;
+
+    /* cellular noise: how far features stray from the middles of their cells, in (0, 1]. Default
+       1. */
+    float jitter SCARP_ZERO;
+
+    /* SCARP_PINGPONG: how often octaves are folded, 2 by default; SCARP_HYBRID: how high they lie,
+       0.7 by default; SCARP_SWISS and SCARP_JORDAN: how far they are bent, 0.15 and 0.35 by
+       default; for these four in [2^-8, 2^8]. Others ignore it, in [2^-24, 2^24]. */
+    float sharpness SCARP_ZERO;
+
+    /* cells of octave 0, in [1, 2^30], after which the noise repeats along each axis; 0: never. 2D
+       calls ignore period[2]. See "Periods". */
+    uint32_t period[3] SCARP_ZERO;
+
+    /* amplitudes are those of a sum of this many octaves, in [octaves, 32]. 0: octaves. */
+    float of_octaves SCARP_ZERO;
+
+    /* displaces positions; NULL: none. It must be there as long as calls use this noise. See
+       "Warps". */
+    const struct scarp_noise *warp SCARP_ZERO;
+
+    /* what scarp_plan_make made of this noise. NULL: none; results do not depend on it. A noise
+       with a warp does without. */
+    const struct scarp_plan *plan SCARP_ZERO;
+
+    /* reserved: 0. 192 bytes in all. */
+    uint32_t spare[(192 - 80 - 2 * sizeof(void *)) / 4] SCARP_ZERO;
 };
 
 /* The constants of a noise, which every call without a plan computes anew. Its bytes have no
@@ -390,11 +421,23 @@ struct scarp_plan {
    no derivative does not pay for derivatives; one that asks for no second derivative does not pay
    for second derivatives. */
 struct scarp_samples {
-    float *value;
-    float *dx, *dy, *dz;                      /* gradient, per unit of input */
-    float *dxx, *dxy, *dxz, *dyy, *dyz, *dzz; /* Hessian, per unit of input squared */
-    float *dphase;                            /* derivative by the phase, per turn */
-    float *spare[5];                          /* reserved: NULL. 16 pointers in all. */
+    float *value SCARP_ZERO;
+
+    /* gradient, per unit of input */
+    float *dx SCARP_ZERO;
+    float *dy SCARP_ZERO;
+    float *dz SCARP_ZERO;
+
+    /* Hessian, per unit of input squared */
+    float *dxx SCARP_ZERO;
+    float *dxy SCARP_ZERO;
+    float *dxz SCARP_ZERO;
+    float *dyy SCARP_ZERO;
+    float *dyz SCARP_ZERO;
+    float *dzz SCARP_ZERO;
+
+    float *dphase SCARP_ZERO;   /* derivative by the phase, per turn */
+    float *spare[5] SCARP_ZERO; /* reserved: NULL. 16 pointers in all. */
 };
 
 /*
@@ -500,12 +543,28 @@ SCARP_API enum scarp_status scarp_vector3_f64(const struct scarp_noise *noise, s
 /* What is near a point: arrays of `count` elements. A NULL member is skipped; calls that ask for f1
    alone, or for nothing of the second feature, take less time. */
 struct scarp_cells {
-    float *f1, *f2;         /* the distances to the nearest feature and to the second */
-    uint32_t *id;           /* a number drawn for the cell of the nearest feature */
-    float *x, *y, *z;       /* where the nearest feature is */
-    float *dx1, *dy1, *dz1; /* the gradient of f1 */
-    float *dx2, *dy2, *dz2; /* the gradient of f2 */
-    float *spare[4];        /* reserved: NULL. 16 pointers in all. */
+    /* the distances to the nearest feature and to the second */
+    float *f1 SCARP_ZERO;
+    float *f2 SCARP_ZERO;
+
+    uint32_t *id SCARP_ZERO; /* a number drawn for the cell of the nearest feature */
+
+    /* where the nearest feature is */
+    float *x SCARP_ZERO;
+    float *y SCARP_ZERO;
+    float *z SCARP_ZERO;
+
+    /* the gradient of f1 */
+    float *dx1 SCARP_ZERO;
+    float *dy1 SCARP_ZERO;
+    float *dz1 SCARP_ZERO;
+
+    /* the gradient of f2 */
+    float *dx2 SCARP_ZERO;
+    float *dy2 SCARP_ZERO;
+    float *dz2 SCARP_ZERO;
+
+    float *spare[4] SCARP_ZERO; /* reserved: NULL. 16 pointers in all. */
 };
 
 /*
@@ -556,11 +615,19 @@ SCARP_API enum scarp_status scarp_cells3_f64(const struct scarp_noise *noise, si
    y, and so on. A NULL member is skipped; a call that asks for nothing of the Jacobian does not pay
    for second derivatives. */
 struct scarp_flow {
-    float *vx, *vy, *vz;
-    float *vxx, *vxy, *vxz;
-    float *vyx, *vyy, *vyz;
-    float *vzx, *vzy, *vzz;
-    float *spare[4]; /* reserved: NULL. 16 pointers in all. */
+    float *vx SCARP_ZERO;
+    float *vy SCARP_ZERO;
+    float *vz SCARP_ZERO;
+    float *vxx SCARP_ZERO;
+    float *vxy SCARP_ZERO;
+    float *vxz SCARP_ZERO;
+    float *vyx SCARP_ZERO;
+    float *vyy SCARP_ZERO;
+    float *vyz SCARP_ZERO;
+    float *vzx SCARP_ZERO;
+    float *vzy SCARP_ZERO;
+    float *vzz SCARP_ZERO;
+    float *spare[4] SCARP_ZERO; /* reserved: NULL. 16 pointers in all. */
 };
 
 /*
@@ -640,14 +707,22 @@ SCARP_API enum scarp_status scarp_curl3_f64(const struct scarp_noise *noise, siz
  * elements 2 and slice_stride.
  */
 struct scarp_grid {
-    double origin[3], step[3]; /* finite; a step may be 0 or negative */
-    int64_t first[3];          /* every first + index lies in [-2^53, 2^53] */
-    size_t count[3];
-    size_t row_stride;   /* floats from one row to the next, at least count[0]; 0: count[0] */
-    size_t slice_stride; /* floats from one slice to the next, at least those from the first of a
-                            slice to its last; 0: count[1] rows */
+    /* finite; a step may be 0 or negative */
+    double origin[3] SCARP_ZERO;
+    double step[3] SCARP_ZERO;
 
-    uint32_t spare[(192 - 72 - 5 * sizeof(size_t)) / 4]; /* reserved: 0. 192 bytes in all. */
+    int64_t first[3] SCARP_ZERO; /* every first + index lies in [-2^53, 2^53] */
+    size_t count[3] SCARP_ZERO;
+
+    /* floats from one row to the next, at least count[0]; 0: count[0] */
+    size_t row_stride SCARP_ZERO;
+
+    /* floats from one slice to the next, at least those from the first of a slice to its last; 0:
+       count[1] rows */
+    size_t slice_stride SCARP_ZERO;
+
+    /* reserved: 0. 192 bytes in all. */
+    uint32_t spare[(192 - 72 - 5 * sizeof(size_t)) / 4] SCARP_ZERO;
 };
 
 /*
@@ -955,10 +1030,13 @@ SCARP_API enum scarp_status scarp_slope(size_t count, const struct scarp_samples
 
 /* A function at `count` points: its value, and its partial derivatives by one or two arguments. */
 struct scarp_partials {
-    const float *f;
-    const float *fa, *fb;
-    const float *faa, *fab, *fbb;
-    const float *spare[2]; /* reserved: NULL. 8 pointers in all. */
+    const float *f SCARP_ZERO;
+    const float *fa SCARP_ZERO;
+    const float *fb SCARP_ZERO;
+    const float *faa SCARP_ZERO;
+    const float *fab SCARP_ZERO;
+    const float *fbb SCARP_ZERO;
+    const float *spare[2] SCARP_ZERO; /* reserved: NULL. 8 pointers in all. */
 };
 
 /*
@@ -1031,47 +1109,81 @@ SCARP_API enum scarp_status scarp_apply2(size_t count, const struct scarp_sample
  * default everywhere; for an effect that is not wanted give 2^-24.
  */
 struct scarp_gullies {
-    uint64_t seed;    /* all 64 bits count */
-    double frequency; /* of the base: cells per unit of input, in [2^-32, 2^48]. Default 1. */
-    float amplitude;  /* of the base: half the height from its floors to its crests, in
-                         [2^-24, 2^24]. Default 1. */
-    float octaves;    /* in (0, 32]. Default 5. A fraction fades in. */
-    float of_octaves; /* weights are those of a sum of this many octaves, in [octaves, 32].
-                         0: octaves. */
-    float lacunarity; /* frequency ratio between octaves, in [1/16, 16]. Default 2. */
-    float gain;       /* weight ratio between octaves, in [1/16, 16]. Default 0.45: 0.6 is rough. */
-    float depth;      /* how far the base is displaced at most, in amplitudes, in [2^-24, 2^10].
-                         Default 0.25. */
-    float cells;      /* cells of the first gullies per cell of the base, in [2^-6, 2^6].
-                         Default 3. */
-    float slope;      /* where gullies of crests have half their depth: in amplitudes per cell of
-                         the base, in [2^-5, 2^5]. Default 1.125: less makes peaks sharper. */
-    float slope_low;  /* the same of floors. Default 1.75: more makes floors wider. */
-    float low;        /* the heights of floors and of crests, in amplitudes, in [-2^10, 2^10], at */
-    float high;       /* least 2^-10 apart. Defaults -1 and 1. */
-    float floor;      /* how far floors sink, in [-1, 1]: 1 as deep as gullies, -1 filled up.
-                         Default 0.5. */
-    float stripes;    /* gullies per cell, in [2^-10, 8]. Default 1.5. */
-    float branch;     /* how far octaves turn those after them, in [2^-24, 8]. Default 0.8: 0.3 runs
-                         parallel. */
-    float round;      /* of crests, in [2^-8, 2^8]: 0.05 is an arete, 1 rolling. Default 0.15. */
-    float keep;       /* how much crests and floors of an octave are spared by the next one, in
-                         [2^-24, 1]. Default 1. */
+    uint64_t seed SCARP_ZERO; /* all 64 bits count */
 
-    uint32_t period[2]; /* cells of the base after which gullies repeat along each axis; 0: never.
-                           `cells` times a period is whole, and at most 2^30. See "Periods". */
-    uint32_t rotate;    /* nonzero: turn the axes between octaves */
+    /* of the base: cells per unit of input, in [2^-32, 2^48]. Default 1. */
+    double frequency SCARP_ZERO;
 
-    uint32_t spare[9]; /* reserved: 0. 128 bytes in all. */
+    /* of the base: half the height from its floors to its crests, in [2^-24, 2^24]. Default 1. */
+    float amplitude SCARP_ZERO;
+
+    float octaves SCARP_ZERO; /* in (0, 32]. Default 5. A fraction fades in. */
+
+    /* weights are those of a sum of this many octaves, in [octaves, 32]. 0: octaves. */
+    float of_octaves SCARP_ZERO;
+
+    /* frequency ratio between octaves, in [1/16, 16]. Default 2. */
+    float lacunarity SCARP_ZERO;
+
+    /* weight ratio between octaves, in [1/16, 16]. Default 0.45: 0.6 is rough. */
+    float gain SCARP_ZERO;
+
+    /* how far the base is displaced at most, in amplitudes, in [2^-24, 2^10]. Default 0.25. */
+    float depth SCARP_ZERO;
+
+    /* cells of the first gullies per cell of the base, in [2^-6, 2^6]. Default 3. */
+    float cells SCARP_ZERO;
+
+    /* where gullies of crests have half their depth: in amplitudes per cell of the base, in [2^-5,
+       2^5]. Default 1.125: less makes peaks sharper. */
+    float slope SCARP_ZERO;
+
+    /* the same of floors. Default 1.75: more makes floors wider. */
+    float slope_low SCARP_ZERO;
+
+    /* the heights of floors and of crests, in amplitudes, in [-2^10, 2^10], at least 2^-10 apart.
+       Defaults -1 and 1. */
+    float low SCARP_ZERO;
+    float high SCARP_ZERO;
+
+    /* how far floors sink, in [-1, 1]: 1 as deep as gullies, -1 filled up. Default 0.5. */
+    float floor SCARP_ZERO;
+
+    float stripes SCARP_ZERO; /* gullies per cell, in [2^-10, 8]. Default 1.5. */
+
+    /* how far octaves turn those after them, in [2^-24, 8]. Default 0.8: 0.3 runs parallel. */
+    float branch SCARP_ZERO;
+
+    /* of crests, in [2^-8, 2^8]: 0.05 is an arete, 1 rolling. Default 0.15. */
+    float round SCARP_ZERO;
+
+    /* how much crests and floors of an octave are spared by the next one, in [2^-24, 1]. Default
+       1. */
+    float keep SCARP_ZERO;
+
+    /* cells of the base after which gullies repeat along each axis; 0: never. `cells` times a
+       period is whole, and at most 2^30. See "Periods". */
+    uint32_t period[2] SCARP_ZERO;
+
+    uint32_t rotate SCARP_ZERO; /* nonzero: turn the axes between octaves */
+
+    uint32_t spare[9] SCARP_ZERO; /* reserved: 0. 128 bytes in all. */
 };
 
 /* Where results go: arrays of `count` floats. A NULL member is skipped; a call that asks for no
    derivative does not pay for derivatives. */
 struct scarp_eroded {
-    float *value, *dx, *dy;                                  /* the base plus the displacement */
-    float *displacement, *displacement_dx, *displacement_dy; /* in [-1, 1] times depth amplitude:
-                                                                a map of ridges and gullies */
-    float *spare[10]; /* reserved: NULL. 16 pointers in all. */
+    /* the base plus the displacement */
+    float *value SCARP_ZERO;
+    float *dx SCARP_ZERO;
+    float *dy SCARP_ZERO;
+
+    /* in [-1, 1] times depth amplitude: a map of ridges and gullies */
+    float *displacement SCARP_ZERO;
+    float *displacement_dx SCARP_ZERO;
+    float *displacement_dy SCARP_ZERO;
+
+    float *spare[10] SCARP_ZERO; /* reserved: NULL. 16 pointers in all. */
 };
 
 /*
@@ -1261,13 +1373,21 @@ struct scarp_recipe {
 
 /* What is wrong with a text, and where. */
 struct scarp_recipe_error {
-    size_t from, to;      /* bytes of the text, `to` excluded */
-    int32_t line, column; /* of `from`, counted from 1; columns are bytes */
-    const char *text;     /* static: a clause without a full stop */
-    const char
-        *member;    /* static: the member of a noise, or the argument, that is at fault; or NULL */
-    double nearest; /* a number that would do there; 0: none is told */
-    uint32_t spare[6];
+    /* bytes of the text, `to` excluded */
+    size_t from SCARP_ZERO;
+    size_t to SCARP_ZERO;
+
+    /* of `from`, counted from 1; columns are bytes */
+    int32_t line SCARP_ZERO;
+    int32_t column SCARP_ZERO;
+
+    const char *text SCARP_ZERO; /* static: a clause without a full stop */
+
+    /* static: the member of a noise, or the argument, that is at fault; or NULL */
+    const char *member SCARP_ZERO;
+
+    double nearest SCARP_ZERO; /* a number that would do there; 0: none is told */
+    uint32_t spare[6] SCARP_ZERO;
 };
 
 /*
@@ -1318,20 +1438,22 @@ SCARP_API enum scarp_status scarp_recipe_set(struct scarp_recipe *recipe, const 
 
 /* Memory that a call uses while it runs, of any alignment. Its size changes speed, never a bit. */
 struct scarp_scratch {
-    void *memory;
-    size_t size;
-    uint32_t spare[12]; /* reserved: 0 */
+    void *memory SCARP_ZERO;
+    size_t size SCARP_ZERO;
+    uint32_t spare[12] SCARP_ZERO; /* reserved: 0 */
 };
 
 /* Results of a call: of each of `count` outputs, an element of `out`. */
 struct scarp_recipe_outputs {
-    const struct scarp_samples *out;
-    const int32_t *which; /* NULL: the outputs of the text, in its order, from the first one on.
-                             Else numbers of statements, as scarp_recipe_entry_at counts them, or
-                             SCARP_RECIPE_PARTS plus the number of a part: any field, as it is where
-                             nothing is transformed. */
-    int32_t count;        /* from 1 to 16 */
-    uint32_t spare[9];    /* reserved: 0 */
+    const struct scarp_samples *out SCARP_ZERO;
+
+    /* NULL: the outputs of the text, in its order, from the first one on. Else numbers of
+       statements, as scarp_recipe_entry_at counts them, or SCARP_RECIPE_PARTS plus the number of a
+       part: any field, as it is where nothing is transformed. */
+    const int32_t *which SCARP_ZERO;
+
+    int32_t count SCARP_ZERO;     /* from 1 to 16 */
+    uint32_t spare[9] SCARP_ZERO; /* reserved: 0 */
 };
 
 #define SCARP_RECIPE_PARTS 65536
@@ -1392,7 +1514,8 @@ SCARP_API size_t scarp_recipe_scratch_size(const struct scarp_recipe *recipe, in
 
 /* A box of points; the plane ignores the elements 2. */
 struct scarp_box {
-    double lowest[3], highest[3];
+    double lowest[3] SCARP_ZERO;
+    double highest[3] SCARP_ZERO;
 };
 
 /*
@@ -1424,55 +1547,83 @@ enum scarp_recipe_kind {
 /* A statement: param, out or name = expression. Spans are bytes of the text, the second excluded.
  */
 struct scarp_recipe_entry {
-    uint32_t span[2], name[2];
-    int32_t kind;     /* enum scarp_recipe_kind */
-    int32_t is_param; /* 1 for param, else 0 */
-    int32_t output;   /* the number of the output that it is, or -1 */
-    int32_t part;     /* the number of its expression; -1 for param */
-    double value;     /* of numbers */
-    double slider[2]; /* of param: the interval that the text gives, else that of all numbers */
-    float range[2];   /* of fields: the interval that values never leave */
-    uint32_t axes;    /* of fields: on which they depend: 1 x, 2 y, 4 z */
-    uint32_t order;   /* of fields: the highest order of their derivatives */
-    uint64_t hash;    /* the same as before an edit if nothing has to be drawn anew */
-    uint32_t spare[8];
+    uint32_t span[2] SCARP_ZERO;
+    uint32_t name[2] SCARP_ZERO;
+    int32_t kind SCARP_ZERO;     /* enum scarp_recipe_kind */
+    int32_t is_param SCARP_ZERO; /* 1 for param, else 0 */
+    int32_t output SCARP_ZERO;   /* the number of the output that it is, or -1 */
+    int32_t part SCARP_ZERO;     /* the number of its expression; -1 for param */
+    double value SCARP_ZERO;     /* of numbers */
+
+    /* of param: the interval that the text gives, else that of all numbers */
+    double slider[2] SCARP_ZERO;
+
+    float range[2] SCARP_ZERO; /* of fields: the interval that values never leave */
+    uint32_t axes SCARP_ZERO;  /* of fields: on which they depend: 1 x, 2 y, 4 z */
+    uint32_t order SCARP_ZERO; /* of fields: the highest order of their derivatives */
+
+    /* the same as before an edit if nothing has to be drawn anew */
+    uint64_t hash SCARP_ZERO;
+
+    uint32_t spare[8] SCARP_ZERO;
 };
 
 /* A part of an expression. Parts are counted from 0; a call, and a sign, stands in front of the
    parts that it has, other operators stand behind theirs. */
 struct scarp_recipe_part {
-    uint32_t span[2];
-    uint32_t name[2];     /* of a name, or of the function that is called; else empty */
-    uint32_t argument[2]; /* the name that it has as an argument; else empty */
-    int32_t kind;         /* enum scarp_recipe_kind */
-    int32_t function;     /* of a call: its number, as scarp_recipe_function_at counts; else -1 */
-    int32_t entry;        /* of a name: the statement that it stands for; else -1 */
-    int32_t parent;       /* the part around it; -1: it is a whole expression */
-    int32_t operation;    /* one of '+', '-', '*', '/', '^'; 0 for all else */
-    uint32_t axes, order;
-    float range[2];
-    double value;
-    uint64_t hash;
-    uint32_t spare[8];
+    uint32_t span[2] SCARP_ZERO;
+
+    /* of a name, or of the function that is called; else empty */
+    uint32_t name[2] SCARP_ZERO;
+
+    uint32_t argument[2] SCARP_ZERO; /* the name that it has as an argument; else empty */
+    int32_t kind SCARP_ZERO;         /* enum scarp_recipe_kind */
+
+    /* of a call: its number, as scarp_recipe_function_at counts; else -1 */
+    int32_t function SCARP_ZERO;
+
+    int32_t entry SCARP_ZERO;     /* of a name: the statement that it stands for; else -1 */
+    int32_t parent SCARP_ZERO;    /* the part around it; -1: it is a whole expression */
+    int32_t operation SCARP_ZERO; /* one of '+', '-', '*', '/', '^'; 0 for all else */
+    uint32_t axes SCARP_ZERO;
+    uint32_t order SCARP_ZERO;
+    float range[2] SCARP_ZERO;
+    double value SCARP_ZERO;
+    uint64_t hash SCARP_ZERO;
+    uint32_t spare[8] SCARP_ZERO;
 };
 
 /* An argument of a function. */
 struct scarp_recipe_argument {
-    const char *name, *text; /* text: what it does, without a full stop */
-    int32_t kind;            /* enum scarp_recipe_kind: what is expected */
-    int32_t is_needed;
-    double otherwise;         /* of numbers: the value without the argument */
-    double lowest, highest;   /* of numbers: the interval for a slider; more may be valid */
-    const char *const *words; /* of words: those that it may be, and NULL; else NULL */
-    uint32_t spare[4];
+    /* text: what it does, without a full stop */
+    const char *name SCARP_ZERO;
+    const char *text SCARP_ZERO;
+
+    int32_t kind SCARP_ZERO; /* enum scarp_recipe_kind: what is expected */
+    int32_t is_needed SCARP_ZERO;
+    double otherwise SCARP_ZERO; /* of numbers: the value without the argument */
+
+    /* of numbers: the interval for a slider; more may be valid */
+    double lowest SCARP_ZERO;
+    double highest SCARP_ZERO;
+
+    /* of words: those that it may be, and NULL; else NULL */
+    const char *const *words SCARP_ZERO;
+
+    uint32_t spare[4] SCARP_ZERO;
 };
 
 struct scarp_recipe_function {
-    const char *name, *text; /* text: a sentence */
-    const struct scarp_recipe_argument *argument;
-    int32_t
-        arguments; /* the last one may be given again and again if its kind is SCARP_RECIPE_KNOT */
-    uint32_t spare[5];
+    /* text: a sentence */
+    const char *name SCARP_ZERO;
+    const char *text SCARP_ZERO;
+
+    const struct scarp_recipe_argument *argument SCARP_ZERO;
+
+    /* the last one may be given again and again if its kind is SCARP_RECIPE_KNOT */
+    int32_t arguments SCARP_ZERO;
+
+    uint32_t spare[5] SCARP_ZERO;
 };
 
 /*
@@ -1613,11 +1764,11 @@ enum scarp_language { SCARP_GLSL, SCARP_HLSL, SCARP_WGSL };
 
 /* What a shader of a recipe is made of. */
 struct scarp_shader {
-    int32_t language;   /* enum scarp_language */
-    int32_t order;      /* of the derivatives that outputs have: 0, 1 or 2 */
-    const char *file;   /* the text of scarp.glsl, or scarp.hlsl, or scarp.wgsl */
-    size_t length;      /* of it, in bytes */
-    uint32_t spare[12]; /* reserved: 0 */
+    int32_t language SCARP_ZERO;   /* enum scarp_language */
+    int32_t order SCARP_ZERO;      /* of the derivatives that outputs have: 0, 1 or 2 */
+    const char *file SCARP_ZERO;   /* the text of scarp.glsl, or scarp.hlsl, or scarp.wgsl */
+    size_t length SCARP_ZERO;      /* of it, in bytes */
+    uint32_t spare[12] SCARP_ZERO; /* reserved: 0 */
 };
 
 /*
@@ -1733,5 +1884,7 @@ SCARP_API const char *scarp_isa_name(enum scarp_isa isa);
 #ifdef __cplusplus
 }
 #endif
+
+#undef SCARP_ZERO
 
 #endif

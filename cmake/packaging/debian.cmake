@@ -48,6 +48,16 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "${library} (>= ${PROJECT_VERSION})")
 set(CPACK_COMPONENT_PROGRAM_DESCRIPTION
     "${text}This package has the program, which renders terrain and samples points.")
 
+set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-scarp)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SOURCE scarp)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_ARCHITECTURE all)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS OFF)
+set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+    "python3 (>= 3.9), python3-numpy, ${library} (>= ${PROJECT_VERSION})")
+set(CPACK_COMPONENT_PYTHON_DESCRIPTION
+    "${text}This package has the module for Python, which makes arrays of NumPy.")
+
 if(NOT type STREQUAL "SHARED_LIBRARY")
   unset(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS)
   unset(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS)

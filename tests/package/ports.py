@@ -15,6 +15,8 @@ import unittest
 SOURCE, CMAKE, SCRATCH, VERSION = sys.argv[1:5]
 PACKAGING = os.path.join(SOURCE, "cmake", "packaging")
 
+HEADERS = ("scarp.h", "scarp.hpp")
+
 # The fields of a manifest and of its dependencies, in the reference of vcpkg.json
 FIELDS = {"name", "version", "version-semver", "version-date", "version-string", "port-version",
           "description", "homepage", "documentation", "license", "maintainers", "supports",
@@ -212,6 +214,8 @@ class Conan(unittest.TestCase):
     def test_what_is_exported_can_be_configured(self):
         recipe = self.recipe()
         recipe.export_sources()
+        for name in HEADERS:
+            self.assertTrue(os.path.exists(os.path.join(recipe.source_folder, "include", name)))
         build = os.path.join(SCRATCH, "exported-build")
         subprocess.run([CMAKE, "-S", recipe.source_folder, "-B", build, "-DSCARP_BUILD_TESTS=OFF",
                         "-DSCARP_BUILD_BENCH=OFF"], check=True, stdout=subprocess.DEVNULL)
@@ -226,6 +230,14 @@ class Conan(unittest.TestCase):
             self.assertEqual(recipe.cpp_info.libs, ["scarp"])
             self.assertEqual(hasattr(recipe.cpp_info, "defines"), shared)
             self.assertEqual(recipe.cpp_info.cmake_target_name, "scarp::scarp")
+
+
+class Headers(unittest.TestCase):
+    def test_headers_are_named(self):
+        for name in ("vcpkg/usage", "conan/conanfile.py"):
+            text = load_text(None, os.path.join(PACKAGING, name))
+            for header in HEADERS:
+                self.assertRegex(text, rf"\b{re.escape(header)}\b", name)
 
 
 class Hosts(unittest.TestCase):

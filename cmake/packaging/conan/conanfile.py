@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 # A recipe of conan 2 for the tree that it lies in: conan create cmake/packaging/conan
-"""Packages the library, and the program if the option `tools` is set."""
+"""Packages the library with its headers, scarp.h and (for C++20) scarp.hpp, and the program if the
+option `tools` is set."""
 
 import os
 import re

@@ -1,0 +1,487 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * scarp.hpp: the calls of scarp.h with spans, for C++20. It is a header alone; link the C library.
+ *
+ *     std::vector<float> x(1000), y(1000), height(1000), dx(1000);
+ *     scarp::sample({.frequency = 0.01, .octaves = 6}, {x, y}, {.value = height, .dx = dx});
+ *
+ * scarp.h has the contracts: units, ranges, errors, structures. What is added here:
+ *
+ * - Sizes are checked before anything is written. A span of points has as many elements as there
+ *   are points, a span of a grid at least as many as there are from its first sample to its last.
+ *   Otherwise the status is SCARP_ERROR_SIZE, and the span is named. An output whose span is empty
+ *   is not computed.
+ * - Functions throw a scarp::error, or abort where exceptions are off. Those called try_ are
+ *   noexcept, and return a scarp::result.
+ * - recipe owns its memory, and kept_noise its plan. Nothing else allocates.
+ *
+ * Spans are used during a call and not kept. What noise.warp points to stays the caller's. Any
+ * thread may call any function at any time, but a recipe serves one thread at a time: give each its
+ * own.
+ */
+#ifndef SCARP_HPP
+#define SCARP_HPP
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
+#include <memory>
+#include <new>
+#include <optional>
+#include <span>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <tuple>
+#include <utility>
+
+#include "scarp.h"
+
+namespace scarp
+{
+
+/* What became of a call. The texts are static. */
+struct [[nodiscard]] result {
+    scarp_status status = SCARP_OK;
+    const char *member = nullptr; /* the member, span or argument at fault; nullptr: none is told */
+    const char *text = nullptr;   /* what is wrong; nullptr: what scarp_status_text says */
+    int line = 0, column = 0;     /* where a recipe has the error, from 1, in bytes; 0: elsewhere */
+
+    explicit operator bool() const noexcept { return status == SCARP_OK; }
+    const char *what() const noexcept { return text ? text : scarp_status_text(status); }
+    void check() const; /* throws an error if there is one */
+};
+
+/* what() is as "2:24: gain: this noise does not exist: a member is at fault". */
+struct error : std::runtime_error {
+    explicit error(const result &all)
+        : std::runtime_error(
+              (all.line == 0 ? ""
+                             : std::to_string(all.line) + ":" + std::to_string(all.column) + ": ") +
+              (all.member == nullptr ? "" : std::string(all.member) + ": ") + all.what()),
+          why(all)
+    {
+    }
+    result why;
+};
+
+inline void result::check() const
+{
+    if (status != SCARP_OK) {
+#ifdef __cpp_exceptions
+        throw error(*this);
+#else
+        std::abort();
+#endif
+    }
+}
+
+/* As struct scarp_samples: outputs, and inputs of the chain rule and of gullies */
+struct samples {
+    std::span<float> value{}, dx{}, dy{}, dz{}, dxx{}, dxy{}, dxz{}, dyy{}, dyz{}, dzz{}, dphase{};
+};
+
+/* As struct scarp_cells: the features near each point */
+struct features {
+    std::span<float> f1{}, f2{};
+    std::span<std::uint32_t> id{};
+    std::span<float> x{}, y{}, z{}, dx1{}, dy1{}, dz1{}, dx2{}, dy2{}, dz2{};
+};
+
+/* As struct scarp_flow: velocities and their Jacobians */
+struct flow {
+    std::span<float> vx{}, vy{}, vz{};
+    std::span<float> vxx{}, vxy{}, vxz{}, vyx{}, vyy{}, vyz{}, vzx{}, vzy{}, vzz{};
+};
+
+/* As struct scarp_eroded: the base with gullies, and the displacement */
+struct eroded {
+    std::span<float> value{}, dx{}, dy{}, displacement{}, displacement_dx{}, displacement_dy{};
+};
+
+/* An interval that values never leave */
+struct interval {
+    float lowest = 0, highest = 0;
+};
+
+/* Coordinates in units of input: {x, y} in the plane, {x, y, z} in space. Doubles take the calls
+   that end in _f64, for large worlds. */
+struct points {
+    template <class T> using axis = std::span<const T>;
+    template <class T> using maybe = std::optional<axis<T>>;
+
+    points(axis<float> x, axis<float> y, maybe<float> z = {}) noexcept : points(x, y, z, f) {}
+    points(axis<double> x, axis<double> y, maybe<double> z = {}) noexcept : points(x, y, z, d) {}
+
+    std::array<const float *, 3> f{};
+    std::array<const double *, 3> d{};
+    std::size_t count;
+    int dimensions;
+    const char *wrong; /* the axis that has another size than x, or nullptr */
+
+  private:
+    template <class T>
+    points(axis<T> x, axis<T> y, maybe<T> z, std::array<const T *, 3> &at) noexcept
+        : count(x.size()), dimensions(z ? 3 : 2), wrong(y.size() != count               ? "y"
+                                                        : z.value_or(x).size() != count ? "z"
+                                                                                        : nullptr)
+    {
+        at = {x.data(), y.data(), z ? z->data() : nullptr};
+    }
+};
+
+namespace detail
+{
+
+/* Gives the pointers of spans, and remembers the first span whose size is wrong. */
+struct sizes {
+    std::size_t count;
+    bool is_grid = false; /* longer spans will do */
+    const char *wrong = nullptr;
+
+    template <class T> T *operator()(std::span<T> span, const char *name) noexcept
+    {
+        const bool fits = is_grid ? span.size() >= count : span.size() == count;
+        if (!span.empty() && !fits && wrong == nullptr) {
+            wrong = name;
+        }
+        return span.empty() ? nullptr : span.data();
+    }
+};
+
+inline sizes sizes_of(const points &at) noexcept { return {at.count, false, at.wrong}; }
+
+/* The elements from the first sample to the last, or the largest number if there are more */
+inline sizes sizes_of(const scarp_grid &grid, int dimensions) noexcept
+{
+    constexpr std::size_t most = std::numeric_limits<std::size_t>::max();
+    const auto sum = [](std::size_t first, std::size_t a, std::size_t b) {
+        return b != 0 && a > (most - first) / b ? most : first + a * b;
+    };
+    const std::size_t *const n = grid.count;
+    if (n[0] == 0 || n[1] == 0 || (dimensions == 3 && n[2] == 0)) {
+        return {0, true};
+    }
+    const std::size_t row = grid.row_stride != 0 ? grid.row_stride : n[0];
+    const std::size_t slice = grid.slice_stride != 0 ? grid.slice_stride : sum(0, n[1], row);
+    const std::size_t plane = sum(n[0], n[1] - 1, row);
+    return {dimensions == 3 ? sum(plane, n[2] - 1, slice) : plane, true};
+}
+
+/* What the library takes in the place of spans */
+#define SCARP_OF(name) .name = of(s.name, #name)
+inline scarp_samples c_of(const samples &s, sizes &of) noexcept
+{
+    return {SCARP_OF(value), SCARP_OF(dx),  SCARP_OF(dy),    SCARP_OF(dz),
+            SCARP_OF(dxx),   SCARP_OF(dxy), SCARP_OF(dxz),   SCARP_OF(dyy),
+            SCARP_OF(dyz),   SCARP_OF(dzz), SCARP_OF(dphase)};
+}
+inline scarp_cells c_of(const features &s, sizes &of) noexcept
+{
+    return {SCARP_OF(f1),  SCARP_OF(f2),  SCARP_OF(id),  SCARP_OF(x),
+            SCARP_OF(y),   SCARP_OF(z),   SCARP_OF(dx1), SCARP_OF(dy1),
+            SCARP_OF(dz1), SCARP_OF(dx2), SCARP_OF(dy2), SCARP_OF(dz2)};
+}
+inline scarp_flow c_of(const flow &s, sizes &of) noexcept
+{
+    return {SCARP_OF(vx),  SCARP_OF(vy),  SCARP_OF(vz),  SCARP_OF(vxx),
+            SCARP_OF(vxy), SCARP_OF(vxz), SCARP_OF(vyx), SCARP_OF(vyy),
+            SCARP_OF(vyz), SCARP_OF(vzx), SCARP_OF(vzy), SCARP_OF(vzz)};
+}
+inline scarp_eroded c_of(const eroded &s, sizes &of) noexcept
+{
+    return {SCARP_OF(value),
+            SCARP_OF(dx),
+            SCARP_OF(dy),
+            SCARP_OF(displacement),
+            SCARP_OF(displacement_dx),
+            SCARP_OF(displacement_dy)};
+}
+#undef SCARP_OF
+using sixteen = std::array<scarp_samples, 16>;
+inline sixteen c_of(std::span<const samples> s, sizes &of) noexcept
+{
+    sixteen c;
+    std::transform(s.begin(), s.begin() + std::min<std::ptrdiff_t>(std::ssize(s), 16), c.begin(),
+                   [&](const samples &each) { return c_of(each, of); });
+    return c;
+}
+inline float c_of(float number, sizes &) noexcept { return number; }
+
+template <class T> const T *argument(const T &c) noexcept { return &c; }
+inline const scarp_samples *argument(const sixteen &c) noexcept { return c.data(); }
+inline float argument(float number) noexcept { return number; }
+
+/* Calls with what the library takes in the place of arguments, if their sizes are right. */
+template <class Call, class... Arguments>
+result run(sizes of, Call call, const Arguments &...arguments) noexcept
+{
+    const std::tuple c{c_of(arguments, of)...}; /* in this order */
+    if (of.wrong != nullptr) {
+        return {SCARP_ERROR_SIZE, of.wrong,
+                of.is_grid ? "a span is shorter than the grid" : "spans have different sizes"};
+    }
+    return std::apply([&](const auto &...each) { return call(argument(each)...); }, c);
+}
+
+/* A status, with the member of the noise, or of gullies, that is at fault */
+inline result blame(scarp_status status, const scarp_noise &noise, int dimensions) noexcept
+{
+    result all{status};
+    if (status != SCARP_OK) {
+        static_cast<void>(scarp_noise_check(&noise, dimensions, &all.member));
+    }
+    return all;
+}
+inline result blame(scarp_status status, const scarp_gullies &gullies, int) noexcept
+{
+    result all{status};
+    if (status != SCARP_OK) {
+        static_cast<void>(scarp_gullies_check(&gullies, &all.member));
+    }
+    return all;
+}
+
+/* Calls the one of four functions that the points are for. */
+template <class Out, class F2, class F3, class D2, class D3>
+result at_points(const scarp_noise &noise, const points &at, const Out &out, F2 f2, F3 f3, D2 d2,
+                 D3 d3) noexcept
+{
+    const auto call = [&](auto *c) {
+        const auto [x, y, z] = at.f;
+        const auto [u, v, w] = at.d;
+        const scarp_status status = u && !w ? d2(&noise, at.count, u, v, c)
+                                    : u     ? d3(&noise, at.count, u, v, w, c)
+                                    : !z    ? f2(&noise, at.count, x, y, c)
+                                            : f3(&noise, at.count, x, y, z, c);
+        return blame(status, noise, at.dimensions);
+    };
+    return run(sizes_of(at), call, out);
+}
+
+template <class Function, class What, class... Spans>
+result on_grid(int dimensions, Function function, const What &what, const scarp_grid &grid,
+               const Spans &...spans) noexcept
+{
+    const auto call = [&](auto... c) {
+        return blame(function(&what, &grid, c...), what, dimensions);
+    };
+    return run(sizes_of(grid, dimensions), call, spans...);
+}
+
+/* The twin of a function that returns a result */
+template <class... P> struct throwing {
+    result (*function)(P...) noexcept;
+    void operator()(P... parameters) const { function(parameters...).check(); }
+};
+template <class... P> throwing(result (*)(P...) noexcept) -> throwing<P...>;
+
+/* What stands for a parameter of C */
+template <class T> struct in_place_of;
+template <> struct in_place_of<const scarp_samples *> {
+    using type = const samples &;
+};
+template <> struct in_place_of<float> {
+    using type = float;
+};
+
+} // namespace detail
+
+/* scarp_sample2 and its like */
+inline result try_sample(const scarp_noise &noise, const points &at, const samples &out) noexcept
+{
+    return detail::at_points(noise, at, out, scarp_sample2, scarp_sample3, scarp_sample2_f64,
+                             scarp_sample3_f64);
+}
+inline constexpr detail::throwing sample{try_sample};
+
+/* scarp_vector2 and its like: `out` has an element for each axis */
+inline result try_vector(const scarp_noise &noise, const points &at,
+                         std::span<const samples> out) noexcept
+{
+    if (std::ssize(out) != at.dimensions) {
+        return {SCARP_ERROR_SIZE, "out", "there must be an element for each axis"};
+    }
+    return detail::at_points(noise, at, out, scarp_vector2, scarp_vector3, scarp_vector2_f64,
+                             scarp_vector3_f64);
+}
+inline constexpr detail::throwing vector{try_vector};
+
+/* scarp_cells2 and its like */
+inline result try_cells(const scarp_noise &noise, const points &at, const features &out) noexcept
+{
+    return detail::at_points(noise, at, out, scarp_cells2, scarp_cells3, scarp_cells2_f64,
+                             scarp_cells3_f64);
+}
+inline constexpr detail::throwing cells{try_cells};
+
+/* scarp_curl2 and its like */
+inline result try_curl(const scarp_noise &noise, const points &at, const flow &out) noexcept
+{
+    return detail::at_points(noise, at, out, scarp_curl2, scarp_curl3, scarp_curl2_f64,
+                             scarp_curl3_f64);
+}
+inline constexpr detail::throwing curl{try_curl};
+
+/* scarp_grid2, scarp_grid3 */
+inline result try_grid2(const scarp_noise &noise, const scarp_grid &at, const samples &out) noexcept
+{
+    return detail::on_grid(2, scarp_grid2, noise, at, out);
+}
+inline result try_grid3(const scarp_noise &noise, const scarp_grid &at, const samples &out) noexcept
+{
+    return detail::on_grid(3, scarp_grid3, noise, at, out);
+}
+inline constexpr detail::throwing grid2{try_grid2}, grid3{try_grid3};
+
+/* scarp_gullies_grid2 */
+inline result try_gullies(const scarp_gullies &how, const scarp_grid &at, const samples &base,
+                          const eroded &out) noexcept
+{
+    return detail::on_grid(2, scarp_gullies_grid2, how, at, base, out);
+}
+inline constexpr detail::throwing gullies{try_gullies};
+
+/* The chain rule: chain(scarp_smooth_max, a, b, 0.1f, out), for functions of samples and floats.
+   All spans have the size of a.value or, without it, of a.dx. */
+template <class... P>
+result try_chain(scarp_status (*function)(std::size_t, const scarp_samples *, P...),
+                 const samples &a, typename detail::in_place_of<P>::type... others) noexcept
+{
+    const std::size_t count = std::max(a.value.size(), a.dx.size());
+    const auto call = [&](auto... c) { return result{function(count, c...)}; };
+    return detail::run({count}, call, a, others...);
+}
+template <class... P>
+void chain(scarp_status (*function)(std::size_t, const scarp_samples *, P...), const samples &a,
+           typename detail::in_place_of<P>::type... others)
+{
+    try_chain<P...>(function, a, others...).check();
+}
+
+/* A noise with its plan in 2 or 3 `dimensions`, for many calls with few points: pass it as a noise.
+   Copies share the plan, which is there as long as one of them is. */
+class kept_noise
+{
+  public:
+    kept_noise(const scarp_noise &noise, int dimensions)
+        : plan_(std::make_shared<scarp_plan>()), noise_(noise)
+    {
+        const scarp_status status = scarp_plan_make(&noise, dimensions, plan_.get());
+        detail::blame(status, noise, dimensions).check();
+        noise_.plan = plan_.get();
+    }
+    operator const scarp_noise &() const noexcept { return noise_; }
+
+  private:
+    std::shared_ptr<scarp_plan> plan_;
+    scarp_noise noise_;
+};
+
+/* A recipe, with its 64 KiB and the scratch memory that its calls take. It can be moved. One that
+   is empty, or was moved from, gives SCARP_ERROR_NULL. */
+class recipe
+{
+  public:
+    recipe() noexcept = default;
+    explicit recipe(std::string_view text) { load(text).check(); }
+
+    /* Reads a text. With errors the recipe stays what it was, and the result tells of the first. */
+    result load(std::string_view text) noexcept
+    {
+        std::unique_ptr<scarp_recipe> fresh(new (std::nothrow) scarp_recipe);
+        scarp_recipe_error first;
+        first.text = fresh ? "a recipe has at most 16384 bytes" : "there is not enough memory";
+        const scarp_status status =
+            scarp_recipe_parse(text.data(), text.size(), fresh.get(), &first, 1, nullptr);
+        if (status == SCARP_OK) {
+            c_ = std::move(fresh);
+        }
+        return told(status, first);
+    }
+
+    result try_set(const char *name, double value) noexcept /* a parameter, or "finest" */
+    {
+        scarp_recipe_error error;
+        const scarp_status status = scarp_recipe_set(c_.get(), name, value, &error);
+        if (status == SCARP_ERROR_PARAMETER && error.text == nullptr) {
+            error.text = "there is no such parameter, or its interval has no such value";
+        }
+        return told(status, error);
+    }
+    void set(const char *name, double value) { try_set(name, value).check(); }
+    void seed(std::uint64_t seed) { result{scarp_recipe_seed(c_.get(), seed)}.check(); }
+    const scarp_recipe *get() const noexcept { return c_.get(); } /* for other calls of scarp.h */
+
+    /* The interval of the first output, or of what `which` counts, everywhere or in a box */
+    interval range(std::int32_t which = SCARP_RECIPE_OUTPUT, const scarp_box *box = nullptr) const
+    {
+        interval all;
+        result{scarp_recipe_range(c_.get(), which, box, &all.lowest, &all.highest)}.check();
+        return all;
+    }
+
+    /* At points, and on a grid, of space if the recipe is. An element of `out` for each output of
+       the text, from the first one on */
+    result try_sample(const points &at, std::span<const samples> out) noexcept
+    {
+        const auto call = [&](auto *outputs, auto *scratch) {
+            const auto [x, y, z] = at.f;
+            const auto [u, v, w] = at.d;
+            return u ? scarp_recipe_sample_f64(c_.get(), at.count, u, v, w, outputs, scratch)
+                     : scarp_recipe_sample(c_.get(), at.count, x, y, z, outputs, scratch);
+        };
+        return run(detail::sizes_of(at), call, out);
+    }
+    result try_grid(const scarp_grid &grid, std::span<const samples> out) noexcept
+    {
+        const auto call = [&](auto *outputs, auto *scratch) {
+            return scarp_recipe_grid(c_.get(), &grid, outputs, scratch);
+        };
+        return run(detail::sizes_of(grid, is_flat() ? 2 : 3), call, out);
+    }
+    void sample(const points &at, const samples &out) { try_sample(at, {&out, 1}).check(); }
+    void grid(const scarp_grid &grid, const samples &out) { try_grid(grid, {&out, 1}).check(); }
+
+  private:
+    static result told(scarp_status status, const scarp_recipe_error &e) noexcept
+    {
+        return status == SCARP_OK ? result{} : result{status, e.member, e.text, e.line, e.column};
+    }
+    bool is_flat() const noexcept /* whether a box may be out of order along z */
+    {
+        const scarp_box box{.lowest = {0, 0, 1}};
+        float low, high;
+        return scarp_recipe_range(c_.get(), SCARP_RECIPE_OUTPUT, &box, &low, &high) == SCARP_OK;
+    }
+    /* Sees to the scratch memory, and calls. Without memory, calls take small chunks. */
+    template <class Call>
+    result run(detail::sizes of, Call call, std::span<const samples> out) noexcept
+    {
+        const std::size_t chunk = std::min<std::size_t>(of.count, 1024);
+        const std::size_t size = scarp_recipe_scratch_size(c_.get(), 2, chunk);
+        if (size > size_ || !scratch_) {
+            scratch_.reset(new (std::nothrow) std::byte[size]);
+            size_ = scratch_ ? size : 0;
+        }
+        const int count =
+            static_cast<int>(std::min<std::size_t>(out.size(), 17)); /* 16 are allowed */
+        const auto with_memory = [&](const scarp_samples *c) {
+            const scarp_recipe_outputs outputs{.out = c, .count = count};
+            const scarp_scratch scratch{.memory = scratch_.get(), .size = size_};
+            return result{call(&outputs, &scratch)};
+        };
+        return detail::run(of, with_memory, out);
+    }
+
+    std::unique_ptr<scarp_recipe> c_;
+    std::unique_ptr<std::byte[]> scratch_;
+    std::size_t size_ = 0;
+};
+
+} // namespace scarp
+
+#endif

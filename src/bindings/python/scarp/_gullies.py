@@ -1,0 +1,139 @@
+# SPDX-License-Identifier: MIT
+"""Gullies and spurs that run down the slopes of a base."""
+import ctypes
+
+from ._arrays import FLOAT, Outputs, Raster, in_bands, points, readable
+from ._library import STRUCTURES, ScarpError, complain, lib
+from ._numbers import integer, member, order, seed_of
+from ._samples import Samples
+
+_Gullies, _Samples, _Eroded = (STRUCTURES["scarp_" + name] for name in (
+    "gullies", "samples", "eroded"))
+NUMBERS = ("frequency", "amplitude", "octaves", "of_octaves", "lacunarity", "gain", "depth",
+           "cells", "slope", "slope_low", "low", "high", "floor", "stripes", "branch", "round",
+           "keep")
+NEEDED = (("value", "dx", "dy"), ("value", "dx", "dy", "dxx", "dxy", "dyy"))
+
+
+class Gullies:
+    """Gullies that run down a base and branch: erosion as a function of the place.
+
+    frequency   of the base: cells per unit of input. Default 1
+    amplitude   of the base: half the height from its floors to its crests. Default 1
+    octaves     in (0, 32]. Default 5
+    depth       how far the base is displaced at most, in amplitudes. Default 0.25
+    seed        an integer in [0, 2^64)
+    rotate      turn the axes between octaves
+    period      cells of the base after which gullies repeat along x and y; 0: never
+    and lacunarity (2), gain (0.45), of_octaves, cells (3), slope (1.125), slope_low (1.75),
+    low (-1), high (1), floor (0.5), stripes (1.5), branch (0.8), round (0.15), keep (1): see
+    include/scarp.h.
+
+    0 would stand for the default, so it is an error; for an effect that is not wanted give 2^-24.
+    Raises ScarpError, a ValueError, that names the member at fault.
+    """
+    __slots__ = ("_given", "_gullies")
+
+    def __init__(self, *, seed=0, rotate=False, period=None, **numbers):
+        gullies = _Gullies()
+        self._given = dict(numbers, seed=seed, rotate=rotate, period=period)
+        for name, value in numbers.items():
+            if name not in NUMBERS:
+                raise TypeError("gullies have no member %r; there are %s" % (
+                    name, ", ".join(NUMBERS)))
+            if value is not None:
+                setattr(gullies, name, member(name, value, "f8" if name == "frequency" else "f4"))
+        gullies.seed, gullies.rotate = seed_of(seed), int(bool(rotate))
+        if period is not None:
+            if not hasattr(period, "__len__") or len(period) != 2:
+                raise ScarpError("two integers are needed, one for each axis", "period")
+            gullies.period[:] = [integer("period[%d]" % i, p, 0, 2 ** 30)
+                                 for i, p in enumerate(period)]
+        self._gullies = gullies
+        at_fault = ctypes.c_char_p()
+        status = lib.scarp_gullies_check(ctypes.addressof(gullies), ctypes.byref(at_fault))
+        if status:
+            raise complain(status, at_fault.value.decode() if at_fault.value else None)
+
+    def __repr__(self):
+        return "Gullies(%s)" % ", ".join(
+            "%s=%r" % pair for pair in self._given.items() if pair[1])
+
+    def __reduce__(self):
+        return _gullies_of, (self._given,)
+
+    def range(self, base_range):
+        """(lowest, highest) of the result, for a base that stays within (lowest, highest)."""
+        lo, hi = (float(v) for v in base_range)
+        lowest, highest = ctypes.c_float(), ctypes.c_float()
+        status = lib.scarp_gullies_range(ctypes.addressof(self._gullies), lo, hi,
+                                         ctypes.byref(lowest), ctypes.byref(highest))
+        if status:
+            raise complain(status)
+        return lowest.value, highest.value
+
+    def at(self, base, x, y, *, derivatives=0, threads=1):
+        """Draws gullies into samples of a base at the points (x, y), where it was sampled.
+
+        base has value, dx and dy; for derivatives=1 its Hessian, too. x, y are as in Noise.at();
+        they broadcast to the shape of the base. Returns (eroded, displacement), two Samples:
+        the base plus the displacement, and the displacement alone."""
+        given, orders = points(x, y), order(derivatives, 1)
+        if given.shape != base.shape:
+            raise ScarpError("the base has the shape %s, the points %s" % (
+                base.shape, given.shape))
+        call = lib.scarp_gullies2_f64 if given.double else lib.scarp_gullies2
+
+        def run(start, stop, before, out):
+            return call(ctypes.addressof(self._gullies), stop - start, *given.pointers(start),
+                        ctypes.addressof(before), ctypes.addressof(out))
+
+        return self._draw(base, orders, run, given.count, 1, 1, threads, None)
+
+    def grid(self, base, step=1.0, origin=None, first=None, *, derivatives=0, threads=1):
+        """Draws gullies into samples of a base on a uniform grid of the plane.
+
+        step, origin, first are those of the base's grid, in the order x, y. base and result are
+        as in at()."""
+        raster, orders = Raster(base.shape, step, origin, first), order(derivatives, 1)
+        if raster.dimensions != 2:
+            raise ScarpError("gullies are of the plane: the base needs rows and columns")
+        plain = Outputs(raster.shape, ())
+
+        def run(start, stop, before, out):
+            grid = raster.structure(plain, start, stop)
+            return lib.scarp_gullies_grid2(ctypes.addressof(self._gullies),
+                                           ctypes.addressof(grid), ctypes.addressof(before),
+                                           ctypes.addressof(out))
+
+        return self._draw(base, orders, run, base.shape[0], base.shape[1], base.shape[1], threads,
+                          raster.extent)
+
+    def _draw(self, base, orders, run, length, each, stride, threads, extent):
+        if not isinstance(base, Samples):
+            raise TypeError("base must be Samples, not %s" % type(base).__name__)
+        for name in NEEDED[orders]:
+            if name not in base.members:
+                raise ScarpError("the base needs it: sample it with derivatives=%d" % (orders + 1),
+                                 name)
+        inputs = {name: readable(base._flat(name), FLOAT) for name in NEEDED[orders]}
+        names = ("value", "dx", "dy") if orders else ("value",)
+        moved = {"value": "displacement", "dx": "displacement_dx", "dy": "displacement_dy"}
+        outputs = Outputs(base.shape, names + tuple(moved[name] for name in names))
+
+        def band(start, stop):
+            before, at = _Samples(), start * stride
+            for name, array in inputs.items():
+                setattr(before, name, array.ctypes.data + 4 * at)
+            return run(start, stop, before, outputs.fill(_Eroded(), at))
+
+        status = in_bands(band, length, each, threads)
+        if status:
+            raise complain(status)
+        arrays = outputs.arrays
+        return (Samples._of({name: arrays[name] for name in names}, base.shape, extent),
+                Samples._of({name: arrays[moved[name]] for name in names}, base.shape, extent))
+
+
+def _gullies_of(given):
+    return Gullies(**given)
