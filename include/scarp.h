@@ -1788,7 +1788,7 @@ struct scarp_shader {
  *     @group(0) @binding(0) var<uniform> scarp_plan: ScarpRecipePlan;
  *
  * Equal bits, under the conditions above: outputs are those of scarp_recipe_sample. Where sine() is
- * used, one result of some 10^7 may be off in the last place.
+ * used, one result of some 10^8 may be off in the last place.
  *
  * scarp_recipe_seed never changes the text. scarp_recipe_set does if a number becomes, or was, one
  * that makes a function simpler, as a factor of 1, or if there are more octaves: then the text that
@@ -1798,7 +1798,7 @@ struct scarp_shader {
  * nothing useful is written, the call returns SCARP_ERROR_SIZE, and *length + 1 is a capacity that
  * suffices. Otherwise returns SCARP_ERROR_NULL if `recipe`, `how`, its file, or `length` is NULL,
  * or `text` with a capacity above 0; SCARP_ERROR_PARAMETER if *recipe is none, or has errors, for
- * an order that does not exist, or a file that is none of the three; SCARP_ERROR_ENUM for an
+ * an order that does not exist, or a file that is not that of the language; SCARP_ERROR_ENUM for an
  * unknown language; SCARP_ERROR_UNSUPPORTED for a reserved member in use.
  */
 SCARP_API enum scarp_status scarp_recipe_shader(const struct scarp_recipe *recipe,

@@ -2142,8 +2142,8 @@ ScarpSample scarp_chain_straight(ScarpSample a, float f, float fa)
     return s;
 }
 
-/* The lesser, or the greater, of a and b: rounded where they differ by less than k. `inverse_k` is
-   1 / k; `depth` is k / 6 and `bend` -1 / k, of maxima with the other sign. */
+/* The lesser, or the greater, of a and b, rounded where they differ by less than a width; k is that
+   of the two functions below. */
 ScarpSample scarp_smooth_of(ScarpSample a, ScarpSample b, bool takes_b, float3 k)
 {
     float left = scarp_sub(1.0f, scarp_mul(scarp_magnitude(scarp_sub(a.value, b.value)), k.x));

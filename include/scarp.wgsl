@@ -1950,8 +1950,8 @@ fn scarp_chain_straight(a: ScarpSample, f: f32, fa: f32) -> ScarpSample {
     return s;
 }
 
-/* The lesser, or the greater, of a and b: rounded where they differ by less than k. `inverse_k` is
-   1 / k; `depth` is k / 6 and `bend` -1 / k, of maxima with the other sign. */
+/* The lesser, or the greater, of a and b, rounded where they differ by less than a width; k is that
+   of the two functions below. */
 fn scarp_smooth_of(a: ScarpSample, b: ScarpSample, takes_b: bool, k: vec3f) -> ScarpSample {
     let left: f32 = scarp_sub(1.0f, scarp_mul(scarp_magnitude(scarp_sub(a.value, b.value)), k.x));
     let h: f32 = scarp_either(left < 0.0f, 0.0f, left);

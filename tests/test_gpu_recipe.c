@@ -224,6 +224,14 @@ static void check_errors(void)
     wrong.spare[11] = 1;
     CHECK(scarp_recipe_shader(&recipe, &wrong, text, CAPACITY, &length) == SCARP_ERROR_UNSUPPORTED,
           "a reserved member");
+    for (int i = 0; i < 9; i++) { /* a file of another language */
+        wrong = how[i / 3];
+        wrong.language = i % 3;
+        wrong.order = 1;
+        CHECK(scarp_recipe_shader(&recipe, &wrong, text, CAPACITY, &length) ==
+                  (i / 3 == i % 3 ? SCARP_OK : SCARP_ERROR_PARAMETER),
+              "file %d as language %d", i / 3, i % 3);
+    }
     wrong = how[0];
     wrong.file = "void main() {}\n";
     wrong.length = strlen(wrong.file);

@@ -59,7 +59,10 @@ struct job {
         GRID_OF_RECIPE,
         GRID_OF_EROSION,
         RANGE,
-        DESCRIBE
+        DESCRIBE,
+        SHADER_OF_RECIPE,
+        UNIFORMS,
+        ANSWERS
     } recipe_call;
     const char *text;
     const struct scarp_scratch *scratch;
@@ -106,6 +109,23 @@ static enum scarp_status gully_call(const struct job *job)
 
 static struct scarp_recipe recipe;
 
+/* As a shader, of what passes for a file: what is cut takes the same stack, however long it is. */
+static enum scarp_status shader_call(const struct job *job)
+{
+    static const char file[] = "#define scarp_pick(a) a\n#define SCARP_LAYOUT a\n"
+                               "uint scarp_zero()\n{\n}\n";
+    static char text[1 << 18];
+    static uint64_t uniforms[1 << 13];
+    static uint32_t answers[SCARP_GPU_ANSWERS];
+    const struct scarp_shader how = {.order = 2, .file = file, .length = sizeof file - 1};
+    size_t size;
+    switch (job->recipe_call) {
+    case SHADER_OF_RECIPE: return scarp_recipe_shader(&recipe, &how, text, sizeof text, &size);
+    case UNIFORMS: return scarp_recipe_uniforms(&recipe, uniforms, sizeof uniforms, &size);
+    default: return scarp_recipe_answers(&recipe, 2, answers);
+    }
+}
+
 /* A call of a recipe, which is parsed already but for PARSE. */
 static enum scarp_status recipe_call(const struct job *job, const struct scarp_samples *out)
 {
@@ -116,6 +136,9 @@ static enum scarp_status recipe_call(const struct job *job, const struct scarp_s
     const double *const *const x = (const double *const *)job->in->d;
     float lowest, highest;
     switch (job->recipe_call) {
+    case SHADER_OF_RECIPE:
+    case UNIFORMS:
+    case ANSWERS: return shader_call(job);
     case PARSE: return scarp_recipe_parse(job->text, strlen(job->text), &recipe, &error, 1, NULL);
     case SET: return scarp_recipe_set(&recipe, "finest", 0.01, &error);
     case RANGE: {
@@ -368,6 +391,12 @@ static void measure_recipes(const struct guarded *stack, struct job *job, struct
         (void)recipe_call(job, NULL); /* whatever calls are left out */
         job->recipe_call = SET;
         measure(stack, job, alone, "scarp_recipe_set");
+        job->recipe_call = SHADER_OF_RECIPE;
+        measure(stack, job, alone, "scarp_recipe_shader");
+        job->recipe_call = UNIFORMS;
+        measure(stack, job, alone, "scarp_recipe_uniforms");
+        job->recipe_call = ANSWERS;
+        measure(stack, job, alone, "scarp_recipe_answers");
         const enum scarp_isa isa = scarp_isa_active();
         for (int k = 0; k < 2; k++) {
             struct worst *const of = k == 0 ? worst : alone;

@@ -108,8 +108,8 @@ static inline struct sample chain_straight(struct sample a, float f, float fa)
     return s;
 }
 
-/* The lesser, or the greater, of a and b: rounded where they differ by less than k. `inverse_k` is
-   1 / k; `depth` is k / 6 and `bend` -1 / k, of maxima with the other sign. */
+/* The lesser, or the greater, of a and b, rounded where they differ by less than a width; k is that
+   of the two functions below. */
 static inline struct sample smooth_of(struct sample a, struct sample b, bool takes_b, vec3 k)
 {
     const float left = 1.0f - magnitude(a.value - b.value) * k.x;

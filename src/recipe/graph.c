@@ -13,6 +13,24 @@ int scarp_recipe_frame_dimensions(const struct recipe *recipe, int frame)
     return frame < 0 ? recipe->dimensions : recipe->place[frame].dimensions;
 }
 
+int scarp_recipe_output_node(const struct recipe *recipe, int output)
+{
+    return recipe->expression[recipe->statement[recipe->output[output]].expression].node;
+}
+
+int scarp_recipe_is_frame(const struct recipe *recipe, int place)
+{
+    const struct recipe_place *const p = &recipe->place[place];
+    int same = p->dimensions == scarp_recipe_frame_dimensions(recipe, p->frame);
+    for (int i = 0; i < p->dimensions; i++) {
+        same = same && p->rest[i] < 0;
+        for (int j = 0; j < 3; j++) {
+            same = same && p->m[i][j] == (i == j ? 1.0 : 0.0);
+        }
+    }
+    return same;
+}
+
 void scarp_recipe_matrix(const struct recipe *recipe, int place, double matrix[3][3])
 {
     const struct recipe_place *const p = &recipe->place[place];

@@ -31,6 +31,12 @@ enum { RECIPE_READS = 3 + 3 * (RECIPE_FRAMES + 1) };
 int scarp_recipe_reads(const struct recipe *recipe, int node, int16_t reads[RECIPE_READS],
                        int *slopes);
 
+/* The node of an output. */
+int scarp_recipe_output_node(const struct recipe *recipe, int output);
+
+/* Whether derivatives by the coordinates of a place are those by its frame's. */
+int scarp_recipe_is_frame(const struct recipe *recipe, int place);
+
 /* The dimensions of a frame, which is a place, or -1 for the points. */
 int scarp_recipe_frame_dimensions(const struct recipe *recipe, int frame);
 

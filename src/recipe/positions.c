@@ -206,20 +206,6 @@ static void pull(const struct recipe_machine *m, int place, int order,
     }
 }
 
-/* Whether derivatives by u are those by x. */
-static bool is_frame(const struct recipe_machine *m, int place)
-{
-    const struct recipe_place *const p = &m->recipe->place[place];
-    bool same = p->dimensions == scarp_recipe_frame_dimensions(m->recipe, p->frame);
-    for (int i = 0; i < p->dimensions; i++) {
-        same = same && p->rest[i] < 0;
-        for (int j = 0; j < 3; j++) {
-            same = same && p->m[i][j] == (i == j ? 1.0 : 0.0);
-        }
-    }
-    return same;
-}
-
 /* The arrays of a node that a call in so many dimensions may write. */
 static struct scarp_samples in_dimensions(struct scarp_samples s, int dimensions)
 {
@@ -306,7 +292,7 @@ static void run_vector(struct recipe_machine *m, int node)
         (void)(dimensions == 2 ? scarp_vector2(noise, p.count, p.at[0], p.at[1], out)
                                : scarp_vector3(noise, p.count, p.at[0], p.at[1], p.at[2], out));
     }
-    for (int i = 0; i < dimensions && !is_frame(m, n->place); i++) {
+    for (int i = 0; i < dimensions && !scarp_recipe_is_frame(m->recipe, n->place); i++) {
         if (component[i] >= 0) {
             pull(m, n->place, m->order_of[component[i]], &out[i], &all[i]);
         }
@@ -463,7 +449,8 @@ void scarp_recipe_run_placed(struct recipe_machine *m, int node)
     case OP_CELL: run_cell(m, n, n->detail == 0 ? &all : &out); break;
     default: run_noise(m, n, &out); break;
     }
-    if (!is_frame(m, n->place) && !(n->operation == OP_CELL && n->detail == 0)) {
+    if (!scarp_recipe_is_frame(m->recipe, n->place) &&
+        !(n->operation == OP_CELL && n->detail == 0)) {
         pull(m, n->place, order, &out, &all);
     }
 }

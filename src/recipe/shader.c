@@ -10,6 +10,7 @@
 #include "../calls/shaders.h"
 #include "../dispatch/fpmode.h"
 #include "evaluate.h"
+#include "graph.h"
 
 static enum scarp_status find_recipe(const struct scarp_recipe *recipe, const struct recipe **r)
 {
@@ -20,17 +21,12 @@ static enum scarp_status find_recipe(const struct scarp_recipe *recipe, const st
     return (*r)->version == RECIPE_VERSION && !(*r)->is_bad ? SCARP_OK : SCARP_ERROR_PARAMETER;
 }
 
-static int node_of_output(const struct recipe *r, int output)
-{
-    return r->expression[r->statement[r->output[output]].expression].node;
-}
-
 /* Which derivatives each node has, so that outputs have theirs up to an order. */
 static void set_orders(struct shader_writer *w, int order)
 {
     const struct recipe *const r = w->recipe;
     for (int i = 0; i < r->outputs; i++) {
-        const int node = node_of_output(r, i), has = r->node[node].order;
+        const int node = scarp_recipe_output_node(r, i), has = r->node[node].order;
         w->order_of[node] = (uint8_t)(order < has ? order : has);
     }
     scarp_recipe_raise_orders(r, &r->schedule, w->order_of);
@@ -47,9 +43,6 @@ static NOINLINE enum scarp_status write(const struct recipe *r, const struct sca
     scarp_shader_put_head(&w);
     const struct shader_cut cut = {how->file, how->length, text->length};
     scarp_shader_put_functions(&w, how->order);
-    if (w.kinds == SHADER_KINDS) {
-        return SCARP_ERROR_SIZE;
-    }
     return scarp_shader_cut(&cut, text) ? SCARP_OK : SCARP_ERROR_PARAMETER;
 }
 
@@ -133,7 +126,7 @@ enum scarp_status scarp_recipe_uniforms(const struct scarp_recipe *recipe, void 
  * The self-test
  */
 
-#define CHUNK 16 /* points of a call: outputs of all of them are on the stack */
+#define CHUNK 16 /* points of a call, without scratch memory */
 #define MEMBERS 10
 
 struct answering {
@@ -157,7 +150,7 @@ static void set_members(const struct recipe *r, int output, int order, float arr
 {
     static const unsigned char of[MEMBERS] = {0, 1, 1, 1, 2, 2, 2, 2, 2, 2};
     static const unsigned along_z = 1u << 3 | 1u << 6 | 1u << 8 | 1u << 9;
-    const int has = r->node[node_of_output(r, output)].order;
+    const int has = r->node[scarp_recipe_output_node(r, output)].order;
     memset(to, 0, sizeof *to);
     for (int i = 0; i < MEMBERS; i++) {
         const int is_there =

@@ -15,7 +15,8 @@
 
 #include "recipe.h"
 
-#define SHADER_KINDS 128
+/* Each noise may be sampled in the plane and in space. */
+enum { SHADER_KINDS = 2 * RECIPE_NOISES };
 
 /* Where the constants of a recipe are in its buffer. */
 struct shader_slots {
@@ -43,8 +44,8 @@ struct shader_text {
     int language; /* enum scarp_language */
 };
 
-/* Adds text in which %d is an int, %s a text. %F, %U, %V and %4 are the words of the language for
-   a number, an unsigned one, a vector of three and one of four; %L is what declares a variable that
+/* Adds text in which %d is an int from 0 on, %s a text. %V and %4 are the words of the language for
+   a vector of three numbers and one of four; %L is what declares a variable that
    does not change, and %X one that does, of a type whose name follows in the format up to a space:
    "%LScarpSample r1 = 0;". */
 void scarp_shader_put(struct shader_text *to, const char *format, ...);
@@ -67,7 +68,7 @@ void scarp_shader_put_head(const struct shader_writer *w);
 /* The functions. */
 void scarp_shader_put_functions(struct shader_writer *w, int order);
 
-/* The number of the function for the octaves of a noise; -1: there are too many. */
+/* The number of the function for the octaves of a noise. */
 int scarp_shader_kind(struct shader_writer *w, const struct scarp_noise *noise, int dimensions);
 
 /* The body of the function that gives all outputs. */

@@ -16,9 +16,10 @@ struct piece {
     uint8_t stays, is_seen;
 };
 
+/* A name, as a part of the file; its hash makes comparisons fast. */
 struct name {
-    uint32_t hash;
-    uint16_t piece;
+    uint32_t hash, from;
+    uint16_t length, piece;
 };
 
 struct cutter {
@@ -62,8 +63,15 @@ static void add_name(struct cutter *c, const char *name, size_t length, int piec
 {
     c->is_full |= c->names == NAMES;
     if (c->names < NAMES && length > 0) {
-        c->name[c->names++] = (struct name){hash_of(name, length), (uint16_t)piece};
+        c->name[c->names++] = (struct name){hash_of(name, length), (uint32_t)(name - c->file),
+                                            (uint16_t)length, (uint16_t)piece};
     }
+}
+
+static int is_name(const struct cutter *c, int i, uint32_t hash, const char *name, size_t length)
+{
+    return c->name[i].hash == hash && c->name[i].length == length &&
+           memcmp(c->file + c->name[i].from, name, length) == 0;
 }
 
 /* Where a character is in a text; the length of the text: nowhere. */
@@ -216,7 +224,7 @@ static int keep_named(struct cutter *c, const char *text, size_t length)
         const uint32_t hash = size > 5 ? hash_of(text + at, size) : 0;
         for (int i = 0; size > 5 && i < c->names; i++) {
             struct piece *const p = &c->piece[c->name[i].piece];
-            if (c->name[i].hash == hash && !p->stays) {
+            if (!p->stays && is_name(c, i, hash, text + at, size)) {
                 p->stays = 1;
                 found++;
             }
@@ -244,9 +252,10 @@ static void keep_all(struct cutter *c)
 /* The piece of a name, or -1. */
 static int piece_of(const struct cutter *c, const char *name)
 {
-    const uint32_t hash = hash_of(name, strlen(name));
+    const size_t length = strlen(name);
+    const uint32_t hash = hash_of(name, length);
     for (int i = 0; i < c->names; i++) {
-        if (c->name[i].hash == hash) {
+        if (is_name(c, i, hash, name, length)) {
             return c->name[i].piece;
         }
     }
@@ -265,6 +274,17 @@ static void set_replaced(struct cutter *c, int language, int is_seen)
             c->piece[piece].stays = 0;
         }
     }
+}
+
+/* Whether the file is of the language: of the three, WGSL has no macros, and GLSL one for layouts.
+ */
+static int is_of_language(const struct cutter *c, int language)
+{
+    const int has_macros = piece_of(c, "scarp_pick") >= 0;
+    const int has_layout = piece_of(c, "SCARP_LAYOUT") >= 0;
+    return piece_of(c, "scarp_zero") >= 0 && language == (!has_macros  ? SCARP_WGSL
+                                                          : has_layout ? SCARP_GLSL
+                                                                       : SCARP_HLSL);
 }
 
 static size_t size_of(const struct cutter *c, int from, int to)
@@ -296,7 +316,7 @@ int scarp_shader_cut(const struct shader_cut *cut, struct shader_text *text)
     }
     find_pieces(&c);
     const int zero = piece_of(&c, "scarp_zero");
-    if (zero < 0 || c.is_full) {
+    if (!is_of_language(&c, text->language) || c.is_full) {
         return 0;
     }
     set_replaced(&c, text->language, 1);

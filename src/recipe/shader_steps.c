@@ -9,8 +9,6 @@
 #include "graph.h"
 #include "shader.h"
 
-#define SAMPLE "ScarpSample"
-
 /* The dimensions that derivatives of a place are by. */
 static int frame_of(const struct recipe *r, int place)
 {
@@ -78,28 +76,15 @@ static void put_position(const struct shader_writer *w, int place)
     }
 }
 
-/* Whether derivatives by the coordinates of a place are those by its frame's. */
-static int is_frame(const struct recipe *r, int place)
-{
-    const struct recipe_place *const p = &r->place[place];
-    int same = p->dimensions == frame_of(r, place) && !has_rest(p);
-    for (int i = 0; i < p->dimensions; i++) {
-        for (int j = 0; j < 3; j++) {
-            same = same && p->m[i][j] == (i == j ? 1.0 : 0.0);
-        }
-    }
-    return same;
-}
-
 /* What stands around a sample whose derivatives are by the coordinates of a place. */
 static void put_pull(const struct shader_writer *w, int place)
 {
-    scarp_shader_put(w->to, is_frame(w->recipe, place) ? "" : "scarp_pulled(");
+    scarp_shader_put(w->to, scarp_recipe_is_frame(w->recipe, place) ? "" : "scarp_pulled(");
 }
 
 static void put_pulled(const struct shader_writer *w, int place)
 {
-    if (is_frame(w->recipe, place)) {
+    if (scarp_recipe_is_frame(w->recipe, place)) {
         return;
     }
     scarp_shader_put(w->to, ", scarp_jacobian_with(");
@@ -111,18 +96,16 @@ static void put_pulled(const struct shader_writer *w, int place)
     scarp_shader_put(w->to, ", %d)", w->recipe->place[place].dimensions);
 }
 
-/* Begins the line that gives a node its value; nodes within an `if` have a variable. */
-static void put_variable(const struct shader_writer *w, int node, const char *letter,
-                         const char *type)
+/* Begins the line that gives a node its value, a sample r, or all components of vector noise, v.
+   Nodes within an `if` have a variable. */
+static void put_variable(const struct shader_writer *w, int node, char letter)
 {
-    const int is_guarded = w->recipe->schedule.guard_of[node] != 0;
-    if (is_guarded) {
-        scarp_shader_put(w->to, "        %s%d = ", letter, node);
-    } else if (strcmp(type, SAMPLE) == 0) {
-        scarp_shader_put(w->to, "    %LScarpSample %s%d = ", letter, node);
-    } else {
-        scarp_shader_put(w->to, "    %LScarpDisplaced %s%d = ", letter, node);
-    }
+    const int is_guarded = w->recipe->schedule.guard_of[node] != 0, is_sample = letter == 'r';
+    scarp_shader_put(w->to,
+                     is_guarded  ? (is_sample ? "        r%d = " : "        v%d = ")
+                     : is_sample ? "    %LScarpSample r%d = "
+                                 : "    %LScarpDisplaced v%d = ",
+                     node);
 }
 
 static const char *indent_of(const struct shader_writer *w, int node)
@@ -198,7 +181,7 @@ static void put_noise(struct shader_writer *w, int node)
     struct scarp_noise noise[5];
     scarp_recipe_spell_noise(w->recipe, n->index, noise);
     const int warped = put_warps(w, node, noise);
-    put_variable(w, node, "r", SAMPLE);
+    put_variable(w, node, 'r');
     put_pull(w, n->place);
     put_level(w, node, noise, warped);
     put_pulled(w, n->place);
@@ -210,7 +193,7 @@ static void put_component(struct shader_writer *w, int node, int vector, int com
 {
     const int place = w->recipe->node[vector].place;
     static const char *const axis[] = {"x", "y", "z"};
-    put_variable(w, node, "r", SAMPLE);
+    put_variable(w, node, 'r');
     put_pull(w, place);
     scarp_shader_put(w->to, "v%d.%s", vector, axis[component]);
     put_pulled(w, place);
@@ -222,7 +205,7 @@ static void put_vector(struct shader_writer *w, int node)
     struct scarp_noise noise[5];
     scarp_recipe_spell_noise(w->recipe, w->recipe->node[node].index, noise);
     const int warped = put_warps(w, node, noise);
-    put_variable(w, node, "v", "ScarpDisplaced");
+    put_variable(w, node, 'v');
     put_level(w, node, noise, warped);
     scarp_shader_put(w->to, ";\n");
     put_component(w, node, node, 0);
@@ -238,7 +221,7 @@ static void put_cell(struct shader_writer *w, int node)
     put_position(w, n->place);
     scarp_shader_put(w->to, ";\n%s%LScarpOctave o%d = ", indent, node);
     scarp_shader_put(w->to, "scarp_own_octave(scarp_own_level(%du).first);\n", octave);
-    put_variable(w, node, "r", SAMPLE);
+    put_variable(w, node, 'r');
     put_pull(w, n->detail == 0 ? 0 : n->place);
     scarp_shader_put(w->to,
                      "scarp_cell_sample(scarp_cells_around(o%d, scarp_location_of(o%d, 3u, false, "
@@ -272,7 +255,7 @@ static void put_gullies(struct shader_writer *w, int node)
                      "%s    s%d = scarp_gully_with(s%d, g%d, scarp_own_octave(l%d.first + k), l%d, "
                      "%s, u%d);\n%s}\n",
                      in, node, node, node, node, node, g->rotate ? "k > 0u" : "false", node, in);
-    put_variable(w, node, "r", SAMPLE);
+    put_variable(w, node, 'r');
     scarp_shader_put(w->to,
                      "scarp_gully_displacement(s%d, scarp_own_number(%du).x, "
                      "scarp_own_number(%du).y);\n",
@@ -291,7 +274,7 @@ static void put_coordinate(const struct shader_writer *w, int node)
     scarp_shader_put(w->to, "%s%L%V u%d = ", in, node);
     put_position(w, n->place);
     scarp_shader_put(w->to, ";\n");
-    put_variable(w, node, "r", SAMPLE);
+    put_variable(w, node, 'r');
     scarp_shader_put(w->to, "scarp_coordinate_of(u%d.%s, ", node, axis[n->detail]);
     if (n->place == 0) {
         scarp_shader_put(w->to, "%4(%s), ", row[n->detail]);
@@ -316,7 +299,7 @@ static void put_curve(const struct shader_writer *w, int node)
     scarp_shader_put(w->to, "%sfor (%Xuint i = %du; i < %du; i++) {\n", in, first + 1, last);
     scarp_shader_put(w->to, "%s    if (r%d.value >= scarp_own_number(i).x) {\n", in, n->in[0]);
     scarp_shader_put(w->to, "%s        k%d = i;\n%s    }\n%s}\n", in, node, in, in);
-    put_variable(w, node, "r", SAMPLE);
+    put_variable(w, node, 'r');
     scarp_shader_put(w->to,
                      "scarp_chain_curve(r%d, scarp_own_number(k%d), scarp_own_number(k%d + 1u), "
                      "scarp_own_number(%du), scarp_own_number(%du));\n",
@@ -346,7 +329,7 @@ static void put_call(const struct shader_writer *w, int node)
                                        [OP_PULSE] = "scarp_chain_pulse(a)",
                                        [OP_SLOPE] = "scarp_chain_slope(a, d)"};
     const struct recipe_node *const n = &w->recipe->node[node];
-    put_variable(w, node, "r", SAMPLE);
+    put_variable(w, node, 'r');
     char before = '\0';
     for (const char *c = call[n->operation]; *c != '\0'; before = *c++) {
         const int is_argument = (before == '(' || before == ' ') && (c[1] == ',' || c[1] == ')');
@@ -374,7 +357,7 @@ static void put_step(struct shader_writer *w, int node)
     case OP_CELL: put_cell(w, node); break;
     case OP_GULLIES: put_gullies(w, node); break;
     case OP_PULL:
-        put_variable(w, node, "r", SAMPLE);
+        put_variable(w, node, 'r');
         put_pull(w, n->place);
         scarp_shader_put(w->to, "r%d", n->in[0]);
         put_pulled(w, n->place);
@@ -451,8 +434,7 @@ void scarp_shader_put_steps(struct shader_writer *w)
     scarp_shader_put(w->to, w->to->language == SCARP_WGSL ? "    var all: ScarpRecipe;\n"
                                                           : "    ScarpRecipe all;\n");
     for (int i = 0; i < r->outputs; i++) {
-        scarp_shader_put(w->to, "    all.out%d = r%d;\n", i,
-                         r->expression[r->statement[r->output[i]].expression].node);
+        scarp_shader_put(w->to, "    all.out%d = r%d;\n", i, scarp_recipe_output_node(r, i));
     }
     scarp_shader_put(w->to, "    return all;\n");
 }

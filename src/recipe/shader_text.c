@@ -9,13 +9,12 @@
 #include "graph.h"
 #include "shader.h"
 
-/* The words of GLSL, HLSL and WGSL. */
+/* The words of GLSL, HLSL and WGSL for a vector of three, and of four. */
 static const char *word_of(int language, char which)
 {
-    static const char *const words[3][4] = {{"float", "uint", "vec3", "vec4"},
-                                            {"float", "uint", "float3", "float4"},
-                                            {"f32", "u32", "vec3f", "vec4f"}};
-    return words[language][which == 'F' ? 0 : which == 'U' ? 1 : which == 'V' ? 2 : 3];
+    static const char *const words[3][2] = {
+        {"vec3", "vec4"}, {"float3", "float4"}, {"vec3f", "vec4f"}};
+    return words[language][which == '4'];
 }
 
 /* How many characters of a text come before this one, or its end. */
@@ -46,14 +45,11 @@ static void put_int(struct shader_text *to, int number)
 {
     char digits[12];
     size_t at = sizeof digits;
-    unsigned left = number < 0 ? 0u - (unsigned)number : (unsigned)number;
+    unsigned left = (unsigned)number; /* none is below 0 */
     do {
         digits[--at] = (char)('0' + left % 10u);
         left /= 10u;
     } while (left > 0);
-    if (number < 0) {
-        digits[--at] = '-';
-    }
     scarp_shader_put_span(to, digits + at, sizeof digits - at);
 }
 
@@ -175,7 +171,7 @@ int scarp_shader_kind(struct shader_writer *w, const struct scarp_noise *noise, 
     while (i < w->kinds && w->kind[i] != kind) {
         i++;
     }
-    if (i == w->kinds && i < SHADER_KINDS) {
+    if (i == w->kinds) {
         w->kind[w->kinds++] = kind;
     }
     return i;
@@ -278,9 +274,7 @@ static void put_kinds(struct shader_writer *w)
         int is_component = n->operation == OP_VECTOR;
         for (const struct scarp_noise *of = noise; of != NULL; of = of->warp) {
             const int kind = scarp_shader_kind(w, of, r->place[n->place].dimensions);
-            if (kind < SHADER_KINDS) {
-                is_warp[kind] = (uint8_t)(is_warp[kind] | is_component);
-            }
+            is_warp[kind] = (uint8_t)(is_warp[kind] | is_component);
             is_component = 1;
         }
     }
@@ -380,7 +374,7 @@ static void put_answer(const struct shader_writer *w, int order)
     }
     scarp_shader_put(to, ");\n    %Xuint h = 0u;\n");
     for (int i = 0; i < r->outputs; i++) {
-        const int has = r->node[r->expression[r->statement[r->output[i]].expression].node].order;
+        const int has = r->node[scarp_recipe_output_node(r, i)].order;
         scarp_shader_put(to, "    h = scarp_hash_with_sample(h, r.out%d, %du, %d);\n", i,
                          order < has ? order : has, r->dimensions);
     }
