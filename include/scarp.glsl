@@ -11,6 +11,10 @@
 //     ...
 //     ScarpSample n = scarp_sample2(0u, x, y);  // of scarp_plan[0]: n.value, n.gradient.xy
 //
+// There are scarp_sample3, scarp_cells2 and 3 (of a cellular basis), scarp_curl2, and the chain rule,
+// scarp_chain_multiply and the like; scarp_vector2 and 3 and scarp_curl3 read plans of
+// scarp_gpu_vector_plan_make.
+//
 // scarp_gpu_plan_make (scarp.h) makes the bytes of a plan, and says what is promised. What a shader does
 // not use of a sample costs nothing. Smaller and faster shaders fix what all plans have in common:
 // SCARP_ONLY_BASIS and SCARP_ONLY_FRACTAL, an enumerator of scarp.h as 2u, and SCARP_ONLY_DEPTH,

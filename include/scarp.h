@@ -1656,7 +1656,8 @@ SCARP_API enum scarp_status scarp_recipe_function_at(size_t index,
  * Vulkan promises that with NoContraction, which scarp.glsl asks for, and with the execution mode
  * RoundingModeRTE of 32 bits, for which SCARP_ROUND asks. What must hold: all p_k are
  * finite; the coordinates of first octaves, f_0 times x, or in noise with warps times y, are 0 or
- * at least 2^-24 in magnitude. Results below 2^-120 in magnitude may be 0, the sign of 0 is not
+ * at least 2^-24 in magnitude. Results below 2^-120 in magnitude may be 0, also those on the
+ * way: squares under a root, as in the slope of a gradient below 2^-60. The sign of 0 is not
  * promised, and nor are results that overflow.
  *
  * WGSL and D3D promise less on paper: compilers may fuse or reorder there, and flush or round
@@ -1794,12 +1795,13 @@ struct scarp_shader {
  * that makes a function simpler, as a factor of 1, or if there are more octaves: then the text that
  * this call gives differs from the one before, and the shader is compiled again.
  *
- * *length becomes the length of the text without the 0 behind it. If that exceeds the capacity,
- * nothing useful is written, the call returns SCARP_ERROR_SIZE, and *length + 1 is a capacity that
- * suffices. Otherwise returns SCARP_ERROR_NULL if `recipe`, `how`, its file, or `length` is NULL,
- * or `text` with a capacity above 0; SCARP_ERROR_PARAMETER if *recipe is none, or has errors, for
- * an order that does not exist, or a file that is not that of the language; SCARP_ERROR_ENUM for an
- * unknown language; SCARP_ERROR_UNSUPPORTED for a reserved member in use.
+ * *length becomes the length of the text without the 0 behind it. If there is no room for both,
+ * nothing useful is written, the call returns SCARP_ERROR_SIZE, and *length, which may be more
+ * then, plus 1 is a capacity that suffices. Otherwise returns SCARP_ERROR_NULL if `recipe`, `how`,
+ * its file, or `length` is NULL, or `text` with a capacity above 0; SCARP_ERROR_PARAMETER if
+ * *recipe is none, or has errors, for an order that does not exist, or a file that is not that of
+ * the language; SCARP_ERROR_ENUM for an unknown language; SCARP_ERROR_UNSUPPORTED for a reserved
+ * member in use.
  */
 SCARP_API enum scarp_status scarp_recipe_shader(const struct scarp_recipe *recipe,
                                                 const struct scarp_shader *how, char *text,

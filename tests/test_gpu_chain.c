@@ -2,12 +2,12 @@
  *
  *     test_gpu_chain [few]
  *
- * What shaders have beside noise, as C: the chain rule, the sine, quotients, cells, velocities and
- * gullies have the bits of the library.
+ * What shaders have beside noise, as C: the chain rule, the sine, quotients, vector noise, cells
+ * and velocities have the bits of the library. gpu.recipes has places, masks and gullies.
  */
 #include "check.h"
 
-#include "../src/gpu/recipe.h"
+#include "../src/gpu/flow.h"
 #include "../src/gpu/sine.h"
 
 enum { POINTS = 64, MEMBERS = 10 };

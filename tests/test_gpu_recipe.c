@@ -163,6 +163,12 @@ static void check_uniforms(void)
     CHECK(scarp_recipe_uniforms(&recipe, after, sizeof after, &least) == SCARP_OK &&
               least == size && memcmp(before, after, size) != 0,
           "the buffer is not");
+    CHECK(scarp_recipe_set(&recipe, "a", 1.0, NULL) == SCARP_OK, "set");
+    (void)write_shader(2, 2, other);
+    CHECK(strcmp(text, other) != 0, "a factor of 1 is another text");
+    CHECK(scarp_recipe_set(&recipe, "a", 2.0, NULL) == SCARP_OK, "set");
+    (void)write_shader(2, 2, other);
+    CHECK(strcmp(text, other) == 0, "the text is that of before again");
     (void)write_shader(2, 1, other);
     CHECK(strcmp(text, other) != 0, "the text depends on the order");
 }

@@ -105,7 +105,7 @@ static void fill_pulse(size_t count, const float *a, const float *b, const struc
         const float v = a[i] > -0x1p24f && a[i] < 0x1p24f ? a[i] : 0.0f;
         int32_t whole = (int32_t)v;
         whole -= (float)whole > v;
-        const float fraction = v - (float)whole; /* exact */
+        const float fraction = v - (float)whole;
         const float up = 2.0f * fraction - 1.0f;
         const int odd = (whole & 1) != 0;
         to->f[i] = (odd ? -up : up) + nan;

@@ -8,6 +8,10 @@
 //     ...
 //     let n = scarp_sample2(0u, x, y);  // of scarp_plan[0]: n.value, n.gradient.xy
 //
+// There are scarp_sample3, scarp_cells2 and 3 (of a cellular basis), scarp_curl2, and the chain rule,
+// scarp_chain_multiply and the like; scarp_vector2 and 3 and scarp_curl3 read plans of
+// scarp_gpu_vector_plan_make.
+//
 // scarp_gpu_plan_make (scarp.h) makes the bytes of a plan, and says what is promised. What a shader does
 // not use of a sample costs nothing. Constants of the pipeline: scarp_only_basis,
 // scarp_only_fractal, scarp_only_depth fix what all plans have in common, for smaller and faster

@@ -27,9 +27,8 @@ static float *first(const struct scarp_samples *s, int i)
 }
 
 /* Whether the coordinates of a place are those of the points, in every bit. */
-static bool is_points(const struct recipe_machine *m, int place)
+static bool is_points(int place)
 {
-    (void)m;
     return place == 0;
 }
 
@@ -113,7 +112,7 @@ static void find_positions(const struct recipe_machine *m, int place)
     } else {
         spread(m);
     }
-    if (is_points(m, place)) {
+    if (is_points(place)) {
         return;
     }
     for (int i = 0; i < p->dimensions; i++) {
@@ -224,7 +223,7 @@ struct points {
 static struct points points_of(const struct recipe_machine *m, int place)
 {
     struct points p = {.count = m->chunk->count};
-    const bool is_given = is_points(m, place) && m->chunk->grid == NULL;
+    const bool is_given = is_points(place) && m->chunk->grid == NULL;
     if (!is_given) {
         find_positions(m, place);
     }
@@ -240,7 +239,7 @@ static void run_noise(struct recipe_machine *m, const struct recipe_node *n,
     struct scarp_noise *const noise = m->noise;
     const int dimensions = m->recipe->place[n->place].dimensions;
     scarp_recipe_spell_noise(m->recipe, n->index, noise);
-    if (is_points(m, n->place) && m->chunk->grid != NULL) {
+    if (is_points(n->place) && m->chunk->grid != NULL) {
         (void)(dimensions == 2 ? scarp_grid2(noise, m->chunk->grid, out)
                                : scarp_grid3(noise, m->chunk->grid, out));
         return;
@@ -352,7 +351,7 @@ static void run_gullies(const struct recipe_machine *m, const struct recipe_node
     const struct scarp_samples base = scarp_recipe_samples(m, n->in[0]);
     const struct scarp_eroded to = {
         .displacement = out->value, .displacement_dx = out->dx, .displacement_dy = out->dy};
-    if (is_points(m, n->place) && m->chunk->grid != NULL) {
+    if (is_points(n->place) && m->chunk->grid != NULL) {
         (void)scarp_gullies_grid2(g, m->chunk->grid, &base, &to);
         return;
     }

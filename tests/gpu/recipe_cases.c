@@ -31,6 +31,7 @@ static struct described describe(const char *text)
     struct described d = {.dimensions = strstr(text, "\nspace 3") != NULL ? 3 : 2};
     struct scarp_recipe_entry entry;
     for (size_t i = 0; scarp_recipe_entry_at(&recipe, i, &entry) == SCARP_OK; i++) {
+        CHECK(entry.output < MOST, "output %d", (int)entry.output);
         if (entry.output >= 0) {
             d.order[entry.output] = (int)entry.order;
             d.outputs++;

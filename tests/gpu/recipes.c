@@ -152,6 +152,7 @@ int main(int argc, char **argv)
     fclose(index);
     printf("%lu recipes: %lu of %lu outputs differ, %lu of %lu answers\n", run.recipes,
            run.differing, run.compared, run.wrong, run.answers);
+    CHECK(run.compared > 0 && run.answers > 0, "nothing was compared");
     gpu_close(&run.gpu);
     return check_done();
 }

@@ -45,6 +45,9 @@ class Webgpu {
         gpu.addEventListener("uncapturederror", event => {
             throw new Error(event.error.message);
         });
+        gpu.lost.then(({message}) => {
+            throw new Error(`the device is lost: ${message}`);
+        });
         return {device: Object.assign(new Webgpu(), {gpu})};
     }
 
@@ -94,12 +97,14 @@ class Webgpu {
         }
         const {UNIFORM, STORAGE} = GPUBufferUsage, count = points.length / 3;
         const plan = this.buffer(uniforms.byteLength, UNIFORM, uniforms);
+        const places = this.buffer(points.byteLength, STORAGE, points);
         const {pipeline, ms} = await this.pipeline(module, "outputs");
-        const outputs = await this.run(pipeline,
-            {0: plan, 1: this.buffer(points.byteLength, STORAGE, points)}, count,
+        const outputs = await this.run(pipeline, {0: plan, 1: places}, count,
             4 * MEMBERS * item.orders.length * count);
         const tested = item.number % 8 > 0 ? null : await this.run(
             (await this.pipeline(module, "answers")).pipeline, {0: plan}, answers, 4 * answers);
+        plan.destroy();
+        places.destroy();
         return {outputs, answers: tested, ms};
     }
 }
