@@ -320,6 +320,9 @@ class Command(Case):
             self.assertIn("ScarpSample scarp_recipe_alps(float x, float y)\n{\n", text)
         for words in ("--shader", "metal"), ("--shader", "glsl", "--derivatives", "3"):
             self.assertEqual(run("recipe", "alps", *words).returncode, 2)
+        both = run("recipe", "alps", "--text", "--uniforms", self.path("both"))
+        self.assertEqual((both.returncode, both.stdout), (2, b""))
+        self.assertFalse(os.path.exists(self.path("both")))
         result = run("recipe", "alps", "--uniforms", self.path("none/u"))
         self.assertEqual(result.returncode, 1)
         self.assertEqual(result.stderr.count(b"\n"), 1)

@@ -68,8 +68,9 @@ static const struct option_table table = {
         "           status is 2 then.\n"
         "outputs    have an interval that values never leave, and the lowest, the middle and the\n"
         "           highest value of 4096 places, in a square of 64 of the largest cells.\n"
-        "shaders    have scarp_recipe(x, y), and what it uses of scarp.glsl, scarp.hlsl or\n"
-        "           scarp.wgsl. Their numbers, the seed among them, are in a uniform buffer; the\n"
+        "shaders    have scarp_recipe(x, y), in space (x, y, z), and what it uses of scarp.glsl,\n"
+        "           scarp.hlsl or scarp.wgsl. Their numbers, and the seed, are in a uniform "
+        "buffer; the\n"
         "           self-test has 4096 numbers of 32 bits. Both are in the order of bytes of this\n"
         "           processor.\n"
         "cost       is measured on a grid, with one thread.\n"
@@ -241,7 +242,10 @@ int cli_recipe(char **argv)
     struct source source = {.name = NULL};
     int status = source_open(&source, &options.ground, 1.0);
     source.ground.is_any = true;
-    if (status == CLI_SUCCESS && options.text) {
+    if (status == CLI_SUCCESS && options.text && asks_for_shader(&options.shader)) {
+        cli_error("recipe: --text and a shader exclude each other");
+        status = CLI_USAGE;
+    } else if (status == CLI_SUCCESS && options.text) {
         source_print(&source);
     } else if (status == CLI_SUCCESS && asks_for_shader(&options.shader)) {
         status = write_shader(&source, &options.shader);
