@@ -2,7 +2,7 @@
 """Gullies and spurs that run down the slopes of a base."""
 import ctypes
 
-from ._arrays import FLOAT, Outputs, Raster, in_bands, points, readable
+from ._arrays import Outputs, Raster, in_bands, points
 from ._library import STRUCTURES, ScarpError, complain, lib
 from ._numbers import integer, member, order, seed_of
 from ._samples import Samples
@@ -116,7 +116,7 @@ class Gullies:
             if name not in base.members:
                 raise ScarpError("the base needs it: sample it with derivatives=%d" % (orders + 1),
                                  name)
-        inputs = {name: readable(base._flat(name), FLOAT) for name in NEEDED[orders]}
+        inputs = {name: base._flat(name) for name in NEEDED[orders]}
         names = ("value", "dx", "dy") if orders else ("value",)
         moved = {"value": "displacement", "dx": "displacement_dx", "dy": "displacement_dy"}
         outputs = Outputs(base.shape, names + tuple(moved[name] for name in names))

@@ -322,8 +322,9 @@ class Recipe:
                                           ("lowest", "highest")):
                 for i, value in enumerate(several("box", corner, self.dimensions)):
                     ends[i] = number("box", value)
+        memory = self._memory  # held here: another thread may put a new one in its place
         status = lib.scarp_recipe_range(
-            ctypes.addressof(self._memory), self._entries[name][0],
+            ctypes.addressof(memory), self._entries[name][0],
             None if where is None else ctypes.addressof(where), ctypes.byref(lowest),
             ctypes.byref(highest))
         if status:
@@ -332,7 +333,10 @@ class Recipe:
 
 
 def _recipe_of(text, seed, finest, params):
-    return Recipe(text, seed, finest, **params)
+    recipe = Recipe(text, seed, finest)
+    for name, value in params.items():  # which may have the name of an argument
+        recipe.set(name, value)
+    return recipe
 
 
 # The recipes of the program
