@@ -374,6 +374,8 @@ class kept_noise
         detail::blame(status, noise, dimensions).check();
         noise_.plan = plan_.get();
     }
+    kept_noise(const kept_noise &) = default; /* no moves: what was moved from has a plan, too */
+    kept_noise &operator=(const kept_noise &) = default;
     operator const scarp_noise &() const noexcept { return noise_; }
 
   private:

@@ -138,6 +138,21 @@ void check_points(const scarp_noise &noise, const member<Spans, C> (&members)[N]
     call(noise, {none, none, none}, {});
 }
 
+/* One that was moved from still holds the plan that it names. */
+void check_moved_from()
+{
+    scarp_plan plan{};
+    CHECK(scarp_plan_make(&NOISE, 2, &plan) == SCARP_OK);
+    scarp::kept_noise from(NOISE, 2), other(NOISE, 3);
+    {
+        const scarp::kept_noise moved = std::move(from);
+        other = std::move(from);
+    }
+    const scarp::kept_noise third({.seed = 8}, 2), fourth(third, 3); /* these take free memory */
+    for (const scarp_noise &one : {from, other})
+        CHECK(std::memcmp(one.plan, &plan, sizeof plan) == 0);
+}
+
 void check_noise()
 {
     const auto sample = [](const auto &...all) { scarp::sample(all...); };
@@ -336,6 +351,7 @@ void check_results()
 int main()
 {
     check_noise();
+    check_moved_from();
     check_vectors();
     check_grids();
     check_gullies();
