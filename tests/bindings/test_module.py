@@ -47,7 +47,8 @@ class Mistakes(unittest.TestCase):
             self.refused("shape", lambda: self.noise.at(self.x, self.x, out=np.empty(shape, F)))
 
     def test_3_small_input(self):
-        self.refused("broadcast|mismatch", lambda: self.noise.at(self.x, self.x[:7]))
+        self.refused("broadcast|mismatch", lambda: self.noise.at(self.x, self.x[:7]),
+                     scarp.ScarpError)
 
     def test_4_forgotten_tail(self):
         from scarp import _interface, _library
@@ -207,6 +208,10 @@ class Members(unittest.TestCase):
         self.named("phase", lambda: scarp.Noise("simplex", phase=0.5))
         self.named("frequency", lambda: scarp.Gullies(frequency=-1))
         self.named("keep", lambda: scarp.Gullies(keep=0))
+        self.named("base_range", lambda: scarp.Gullies().range((-1, 0, 1)))
+        self.assertEqual(repr(scarp.Gullies(period=np.array([8, 4]))),
+                         "Gullies(period=(8, 4))")
+        self.assertRaises(TypeError, scarp.Gullies().at, np.zeros(3), np.zeros(3), np.zeros(3))
         for bad in ("1", None, [1], 1j, True):
             if bad is not None:
                 with self.assertRaises(TypeError):
@@ -341,6 +346,13 @@ class Chain(unittest.TestCase):
         back = pickle.loads(pickle.dumps(self.a))
         equal(back.dxy, self.a.dxy)
 
+    def test_numbers_of_numpy(self):
+        for number in (np.uint8(5), np.int64(5), np.float64(5), np.float16(5)):
+            equal((self.a - number).value, (self.a - 5).value)
+            self.assertEqual((self.a - number).members, self.a.members)
+        self.assertRaises(TypeError, lambda: self.a + np.bool_(True))
+        self.assertRaises(TypeError, lambda: self.a - True)
+
 
 TEXT = """recipe 1
 param high = 10 [1, 100]
@@ -366,6 +378,9 @@ class Recipes(unittest.TestCase):
         again = pickle.loads(pickle.dumps(recipe))
         self.assertEqual((again.high, again.finest), (40.0, 8.0))
         equal(again.grid((5, 6)).value, recipe.grid((5, 6)).value)
+        named = scarp.Recipe(TEXT.replace("high", "seed"))  # as an argument is
+        named.set("seed", 30)
+        self.assertEqual(pickle.loads(pickle.dumps(named)).params["seed"].value, 30.0)
         for value in (0.5, 101, math.nan):
             with self.assertRaisesRegex(scarp.ScarpError, r"not in \[1, 100\]") as caught:
                 recipe.high = value
@@ -438,15 +453,18 @@ class Recipes(unittest.TestCase):
     def test_threads(self):
         """A recipe changes while others sample it: every result is one of the two."""
         recipe = scarp.Recipe(TEXT, high=10)
-        want = {recipe.grid((40, 40)).value.tobytes()}
+        want, ranges = {recipe.grid((40, 40)).value.tobytes()}, {recipe.range()}
         recipe.high = 20
         want.add(recipe.grid((40, 40)).value.tobytes())
+        ranges.add(recipe.range())
         stop, wrong = threading.Event(), []
 
         def sample():
             while not stop.is_set():
                 if recipe.grid((40, 40)).value.tobytes() not in want:
                     wrong.append(1)
+                if recipe.range() not in ranges:
+                    wrong.append(2)
 
         pool = [threading.Thread(target=sample) for _ in range(2)]
         for thread in pool:

@@ -49,9 +49,11 @@ def version():
 
 def name_of(library):
     """The file name under which the module looks for the library beside itself."""
-    name = os.path.basename(library)
+    name, abi = os.path.basename(library), ".".join(version().split(".")[:2])
     if ".so" in name:
-        return "libscarp.so." + ".".join(version().split(".")[:2])
+        return "libscarp.so." + abi
+    if name.endswith(".dylib"):
+        return "libscarp.%s.dylib" % abi
     return name
 
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""A map that is larger than memory needs to be: bands of rows, sampled in threads, go to a file.
+"""A map that need not fit into memory: threads sample bands of rows into a file.
 
     python3 bands.py OUTPUT.npy [SIDE [THREADS]]
 

@@ -43,7 +43,11 @@ class Points:
         self.given = arrays
         self.shape = arrays[0].shape
         if any(a.shape != self.shape for a in arrays):
-            arrays = np.broadcast_arrays(*arrays)
+            try:
+                arrays = np.broadcast_arrays(*arrays)
+            except ValueError:
+                raise ScarpError("coordinates do not broadcast: their shapes are " + ", ".join(
+                    str(a.shape) for a in arrays)) from None
             self.shape = arrays[0].shape
         self.arrays = [readable(a, dtype) for a in arrays]
         self.count = self.arrays[0].size
@@ -256,8 +260,8 @@ def bands(length, each, threads):
 
 
 def in_bands(call, length, each, threads):
-    """Runs call(start, stop) for each band, in threads of its own, and gives the first status that
-    is not SCARP_OK. C runs without the lock of Python."""
+    """Runs call(start, stop) for each band, in threads of its own, and gives the greatest
+    status: SCARP_OK, which is 0, only if all have it. C runs without the lock of Python."""
     parts = bands(length, each, threads)
     if len(parts) == 1:
         return call(*parts[0])

@@ -4,7 +4,7 @@ import ctypes
 
 from ._arrays import Outputs, Raster, in_bands, points
 from ._library import STRUCTURES, ScarpError, complain, lib
-from ._numbers import integer, member, order, seed_of
+from ._numbers import integer, member, order, seed_of, several, single
 from ._samples import Samples
 
 _Gullies, _Samples, _Eroded = (STRUCTURES["scarp_" + name] for name in (
@@ -49,6 +49,7 @@ class Gullies:
                 raise ScarpError("two integers are needed, one for each axis", "period")
             gullies.period[:] = [integer("period[%d]" % i, p, 0, 2 ** 30)
                                  for i, p in enumerate(period)]
+            self._given["period"] = tuple(gullies.period)
         self._gullies = gullies
         at_fault = ctypes.c_char_p()
         status = lib.scarp_gullies_check(ctypes.addressof(gullies), ctypes.byref(at_fault))
@@ -64,7 +65,7 @@ class Gullies:
 
     def range(self, base_range):
         """(lowest, highest) of the result, for a base that stays within (lowest, highest)."""
-        lo, hi = (float(v) for v in base_range)
+        lo, hi = (single("base_range", v) for v in several("base_range", base_range, 2))
         lowest, highest = ctypes.c_float(), ctypes.c_float()
         status = lib.scarp_gullies_range(ctypes.addressof(self._gullies), lo, hi,
                                          ctypes.byref(lowest), ctypes.byref(highest))
@@ -79,6 +80,7 @@ class Gullies:
         they broadcast to the shape of the base. Returns (eroded, displacement), two Samples:
         the base plus the displacement, and the displacement alone."""
         given, orders = points(x, y), order(derivatives, 1)
+        _check_base(base)
         if given.shape != base.shape:
             raise ScarpError("the base has the shape %s, the points %s" % (
                 base.shape, given.shape))
@@ -95,6 +97,7 @@ class Gullies:
 
         step, origin, first are those of the base's grid, in the order x, y. base and result are
         as in at()."""
+        _check_base(base)
         raster, orders = Raster(base.shape, step, origin, first), order(derivatives, 1)
         if raster.dimensions != 2:
             raise ScarpError("gullies are of the plane: the base needs rows and columns")
@@ -110,8 +113,6 @@ class Gullies:
                           raster.extent)
 
     def _draw(self, base, orders, run, length, each, stride, threads, extent):
-        if not isinstance(base, Samples):
-            raise TypeError("base must be Samples, not %s" % type(base).__name__)
         for name in NEEDED[orders]:
             if name not in base.members:
                 raise ScarpError("the base needs it: sample it with derivatives=%d" % (orders + 1),
@@ -133,6 +134,11 @@ class Gullies:
         arrays = outputs.arrays
         return (Samples._of({name: arrays[name] for name in names}, base.shape, extent),
                 Samples._of({name: arrays[moved[name]] for name in names}, base.shape, extent))
+
+
+def _check_base(base):
+    if not isinstance(base, Samples):
+        raise TypeError("base must be Samples, not %s" % type(base).__name__)
 
 
 def _gullies_of(given):

@@ -268,17 +268,13 @@ class Noise:
         n = len(given.arrays)
         outputs = self._outputs(given, members_of(n, orders, dphase), out)
         function = POINTS[n, given.double]
-        if threads == 1 or given.count < 2:
-            samples = outputs.fill(_Samples())
-            status = function(self._address, given.count, *given.pointers(),
-                              ctypes.addressof(samples))
-        else:
-            def band(start, stop):
-                part = outputs.fill(_Samples(), start)
-                return function(self._address, stop - start, *given.pointers(start),
-                                ctypes.addressof(part))
 
-            status = in_bands(band, given.count, 1, threads)
+        def band(start, stop):
+            part = outputs.fill(_Samples(), start)
+            return function(self._address, stop - start, *given.pointers(start),
+                            ctypes.addressof(part))
+
+        status = in_bands(band, given.count, 1, threads)
         if status:
             self._refuse(status, n, orders, dphase)
         return Samples._of(outputs.arrays, given.shape)

@@ -10,11 +10,16 @@ from ._library import ScarpError
 LIMIT = 2 ** 53
 
 
+def is_number(value):
+    """Whether a value is a real number; truth is none."""
+    return isinstance(value, numbers.Real) and not isinstance(value, (bool, np.bool_))
+
+
 def number(name, value):
     """A real number as a float. Raises TypeError for what is none."""
     if isinstance(value, np.ndarray) and value.ndim == 0:
         value = value[()]
-    if not isinstance(value, numbers.Real) or isinstance(value, (bool, np.bool_)):
+    if not is_number(value):
         raise TypeError("%s must be a number, not %s" % (name, type(value).__name__))
     try:
         return float(value)
@@ -44,7 +49,8 @@ def member(name, value, kind):
 
 
 def integer(name, value, least, most):
-    """An integer in [least, most]. Raises TypeError for fractions, ScarpError outside."""
+    """An integer in [least, most]. Raises ScarpError for fractions and outside, TypeError for what
+    is no number."""
     if isinstance(value, (bool, np.bool_)):
         raise TypeError("%s must be an integer, not bool" % name)
     if isinstance(value, numbers.Real) and not isinstance(value, numbers.Integral):

@@ -64,7 +64,8 @@ class Recipe:
     names of the outputs. dimensions: 2, or 3 for `space 3`.
 
     Raises RecipeError, a ValueError with line and column, for a text with errors, or a value with
-    which it has one; ScarpError for a parameter that does not exist or is outside its interval.
+    which it has one; AttributeError for a parameter that does not exist; ScarpError for a value
+    outside its interval.
     Any number of threads may sample a recipe, also while another one changes it: a call uses the
     parameters that it began with.
     """

@@ -1,13 +1,12 @@
 # SPDX-License-Identifier: MIT
 """Samples: values with their derivatives, and functions of them by the chain rule."""
 import ctypes
-import numbers
 
 import numpy as np
 
 from ._arrays import FLOAT, readable, real
 from ._library import STRUCTURES, ScarpError, complain, lib
-from ._numbers import single
+from ._numbers import is_number, number, single
 
 MEMBERS = ("value", "dx", "dy", "dz", "dxx", "dxy", "dxz", "dyy", "dyz", "dzz", "dphase")
 # What must be there for each member, beside the value: a second derivative needs first ones.
@@ -78,9 +77,9 @@ class Samples:
             try:
                 return self._arrays[name]
             except KeyError:
-                raise AttributeError("%s was not computed: ask for it by derivatives=%d%s" % (
-                    name, 2 if name in SECOND else 1,
-                    "" if name != "dphase" else ", by dphase=True")) from None
+                raise AttributeError("%s was not computed: ask for it by %s" % (
+                    name, "dphase=True" if name == "dphase" else
+                    "derivatives=%d" % (2 if name in SECOND else 1))) from None
         raise AttributeError("samples have no member %r" % name)
 
     def __dir__(self):
@@ -137,9 +136,7 @@ class Samples:
         """Samples of an operand, which may be a number; None for all else."""
         if isinstance(other, Samples):
             return other
-        if isinstance(other, numbers.Real) and not isinstance(other, bool):
-            return self.constant(other)
-        return None
+        return self.constant(other) if is_number(other) else None
 
     def _needed(self, what, other):
         made = self._other(other)
@@ -161,22 +158,23 @@ class Samples:
     def __add__(self, other):
         if isinstance(other, Samples):
             return _call("scarp_add", [self, other], values=False)
-        return NotImplemented if self._other(other) is None else self.affine(1.0, other)
+        return self.affine(1.0, other) if is_number(other) else NotImplemented
 
     __radd__ = __add__
 
     def __sub__(self, other):
         if isinstance(other, Samples):
             return _call("scarp_add", [self, -other], values=False)
-        return NotImplemented if self._other(other) is None else self.affine(1.0, -other)
+        # a float: unsigned integers of NumPy wrap
+        return self.affine(1.0, -number("other", other)) if is_number(other) else NotImplemented
 
     def __rsub__(self, other):
-        return NotImplemented if self._other(other) is None else self.affine(-1.0, other)
+        return self.affine(-1.0, other) if is_number(other) else NotImplemented
 
     def __mul__(self, other):
         if isinstance(other, Samples):
             return _call("scarp_multiply", [self, other])
-        return NotImplemented if self._other(other) is None else self.affine(other)
+        return self.affine(other) if is_number(other) else NotImplemented
 
     __rmul__ = __mul__
 
