@@ -72,14 +72,13 @@ function saveMasks(page, kind, name) {
 
 // What is saved is what is shown: heights, or values of a node.
 async function saveShown(page, kind) {
-    const {whole} = page;
-    if (whole === null || page.checked.source === null) {
+    if (page.whole === null || page.checked.source === null) {
         page.say("Not saved: there is no picture of this recipe yet.");
         return;
     }
-    const {values, raster: {width, height}, job} =
-        /masks|view/.test(kind) ? whole : await page.exact();
-    const [floor, highest] = page.look.interval(whole);
+    const shown = /masks|view/.test(kind) ? page.whole : await page.exact();
+    const {values, raster: {width, height}, job} = shown;
+    const [floor, highest] = page.look.interval(shown);
     const node = job.node ? `-${job.name.replace(/\W+/g, "-")}` : "";
     const name = `scarp-${presetOf(job.source.text) ?? "recipe"}${node}-${job.source.seed}`;
     const numbers = () => quantised(values, floor, highest);

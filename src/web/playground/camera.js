@@ -9,7 +9,7 @@ const FOCAL = 1 / Math.tan(0.45); // of the shorter side
 export const cross = (a, b) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2],
     a[0] * b[1] - a[1] * b[0]];
 export const dot = (a, b) => a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-export const scaled = (a, s) => a.map(x => x * s);
+const scaled = (a, s) => a.map(x => x * s);
 export const sum = (a, b) => a.map((x, i) => x + b[i]);
 export const unit = a => scaled(a, 1 / Math.hypot(...a));
 

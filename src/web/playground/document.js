@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What the module reads in the text of a recipe, as plain data, which workers can be sent. Editors
-// show this, and nothing that they found in the text themselves.
+// What the module reads in the text of a recipe, as plain data, which workers can be sent; and
+// changes of texts.
 
 // {text, ok, errors, entries, parts, functions, isSpace}: see Recipe in scarp.d.ts. Entries of
 // param have the span of their number, too: `valueSpan`.
@@ -26,10 +26,30 @@ export function readDocument(scarp, text) {
 
 // The module tells where a parameter and its name stand; its number is the next word behind "=".
 function valueSpan(text, {span, nameSpan}) {
-    const found = /^\s*=\s*([^\s[#]+)/.exec(text.slice(nameSpan[1], span[1]));
+    const found = /^\s*=\s*(-?\s*[^\s[#]+)/.exec(text.slice(nameSpan[1], span[1]));
     const to = found ? nameSpan[1] + found[0].length : span[1];
     return found ? [to - found[1].length, to] : [to, to];
 }
+
+// The text after changes, which are {from, to, insert} of the text before
+export function applied(text, changes) {
+    let made = "", at = 0;
+    for (const {from, to, insert} of inOrder(changes)) {
+        made += text.slice(at, from) + insert;
+        at = to;
+    }
+    return made + text.slice(at);
+}
+
+// By place; what is inserted at a place stands before what is replaced there.
+export function inOrder(changes) {
+    return changes.map((change, i) => ({to: change.from, insert: "", ...change, i}))
+        .sort((a, b) => a.from - b.from || a.to - b.to || a.i - b.i)
+        .map(({from, to, insert}) => ({from, to, insert}));
+}
+
+// Whether a statement or a part has a value at each point
+export const isField = ({kind}) => kind === "field" || kind === "noise";
 
 // What the library says of an error, and a number that would do
 export const errorText = ({member, text, nearest}) =>

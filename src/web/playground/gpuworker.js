@@ -228,14 +228,16 @@ async function sample({id, raster: {width, height, origin, step}, bands}, plan, 
 
 async function take(job) {
     newest = job.id;
-    wish = planOf(job);
-    const made = madeOf(wish);
+    const plan = wish = planOf(job), made = madeOf(plan);
     if (job.bands) {
         if (made?.heights) {
-            await sample(job, wish, made.heights);
+            await sample(job, plan, made.heights);
         } else {
             postMessage({id: job.id, band: null});
         }
+    }
+    if (wish !== plan) {
+        return; // a newer frame tells how things stand
     }
     if (made) {
         tellOf(made);

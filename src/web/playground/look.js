@@ -3,11 +3,11 @@
 // What is looked at: the terrain, a statement, or the part at the cursor. Nodes are shown by value
 // or slope, with the interval that is promised and the one that is met.
 import {PARTS} from "../scarp.mjs";
+import {isField} from "./document.js";
 import {CURSOR, OF_NODES, TERRAIN, VIEWS} from "./state.js";
 import {nodeAt} from "./workspace.js";
 
 const byId = id => document.getElementById(id);
-const isField = ({kind}) => kind === "field" || kind === "noise";
 const short = number => Number.isFinite(number) ? String(Number((number + 0).toPrecision(4)))
     : number > 0 ? "∞" : "−∞";
 const interval = ([low, high]) => `${short(low)} … ${short(high)}`;
@@ -15,7 +15,7 @@ const interval = ([low, high]) => `${short(low)} … ${short(high)}`;
 export class Look {
     constructor(page) {
         this.page = page;
-        this.node = null; // {which, range, order, isSpace}
+        this.node = null; // as described() has it
         this.name = ""; // what is shown, for people; "": the terrain
         this.key = null;
         byId("node").addEventListener("change", event => page.setNode(event.target.value));

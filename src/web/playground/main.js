@@ -95,7 +95,9 @@ class Page {
 
     setPane(pane) {
         this.state.pane = pane;
-        this.update();
+        this.work.showPane();
+        this.work.showGraph();
+        this.saveHash();
     }
 
     setNode(name) {
@@ -110,18 +112,17 @@ class Page {
 
     // The text as it came, and all options as at first, but for the size
     reset() {
-        const {size} = this.state.given;
-        this.state.given = initialState().given;
-        if (!this.checked.messages.has("size")) {
-            this.state.given.size = size;
-        }
-        if (this.state.text !== this.base) {
-            this.work.setText(this.base);
-        }
-        if (this.state.given.size === undefined) {
-            this.fit();
-        } else {
+        const size = this.checked.messages.has("size") ? undefined : this.state.given.size;
+        this.state.given = {...initialState().given, size: size ?? this.sizeThatFits()};
+        this.updateWith(this.base);
+    }
+
+    // Updates once, whether the text is another one or not.
+    updateWith(text) {
+        if (text === this.state.text) {
             this.update();
+        } else {
+            this.work.setText(text);
         }
     }
 
@@ -130,14 +131,18 @@ class Page {
         this.change({seed: String(BigInt.asUintN(64, seed + BigInt(by)))});
     }
 
-    // The raster that fills the stage
     fit() {
+        this.change({size: this.sizeThatFits()});
+    }
+
+    // Of the raster that fills the stage
+    sizeThatFits() {
         const {clientWidth, clientHeight} = byId("map").parentElement;
         const dense = clientWidth * clientHeight * devicePixelRatio ** 2 <= SAMPLES_MAX;
         const scale = dense ? devicePixelRatio : 1;
         const sides = [clientWidth, clientHeight].map(n => Math.max(64, Math.floor(n * scale)));
         this.fitted = sides.join("x");
-        this.change({size: this.fitted});
+        return this.fitted;
     }
 
     // A raster that filled the stage goes on to do so.
@@ -405,15 +410,10 @@ class Page {
     // Another state, from the URL
     open(state) {
         this.base = state.text;
-        this.state = {...state, text: this.state.text};
-        this.work.setText(state.text);
-        this.work.showPane();
+        const {given} = state, size = given.size ?? this.sizeThatFits();
+        this.state = {...state, given: {...given, size}, text: this.state.text};
+        this.updateWith(state.text);
         this.openGpu();
-        if (state.given.size === undefined) {
-            this.fit();
-        } else {
-            this.update();
-        }
     }
 }
 
@@ -425,10 +425,15 @@ async function main() {
     const isSimd = hasVectors();
     byId("status-kernels").textContent = isSimd ? "wasm128" : "generic";
     byId("no-simd").hidden = isSimd;
+    let opened = 0;
     addEventListener("hashchange", async event => { // saveHash() may have changed the URL since
+        const turn = ++opened;
         document.documentElement.dataset.ready = "no";
         page.notice(null);
-        page.open(await fromHash(new URL(event.newURL).hash, terrain.scarp));
+        const state = await fromHash(new URL(event.newURL).hash, terrain.scarp);
+        if (turn === opened) { // none came meanwhile
+            page.open(state);
+        }
     });
     globalThis.playground = page; // for the console, and for tests
     page.open(page.state);

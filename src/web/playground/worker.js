@@ -92,7 +92,8 @@ function paint(job, numbers, count, pixels) {
 function groundWork(job) {
     const {raster, view} = job, {width} = raster, numbers = openGround(job);
     const {samples} = job; // of rows from - edge to to + edge, if the GPU has made them
-    const edge = view === "curvature" && !numbers.hasHessian ? 1 : 0; // rows beside a strip
+    const edge = samples?.edge ?? // rows beside a strip
+        (view === "curvature" && !numbers.hasHessian ? 1 : 0);
     terrain.setLook(job.palette, job.azimuth, job.altitude);
     const strip = (row, end, values, pixels, masks) => {
         const count = (end - row) * width, order = edge === 1 ? 1 : ORDERS[view] ?? 1;

@@ -3,12 +3,11 @@
 // Where the recipe is edited: as text and as graph. Both are loaded when the page is there. Every
 // edit goes through the editor of the text, so there is one history; before it is there, edits just
 // happen.
-import {readDocument} from "./document.js";
+import {applied, isField, readDocument} from "./document.js";
 import {PARTS} from "../scarp.mjs";
 
 const byId = id => document.getElementById(id);
 const PANES = ["text", "graph"];
-const isField = ({kind}) => kind === "field" || kind === "noise";
 
 // The smallest part around a place that has a value at each point, else the statement: the numbers
 // of the node and of the statement, or null
@@ -61,12 +60,7 @@ export class Workspace {
         if (this.editor) {
             this.editor.edit(changes, options);
         } else {
-            let {text} = this.page.state;
-            for (const {from, to = from, insert = ""} of
-                [...changes].sort((a, b) => b.from - a.from)) {
-                text = text.slice(0, from) + insert + text.slice(to);
-            }
-            this.page.textChanged(text);
+            this.page.textChanged(applied(this.page.state.text, changes));
         }
         this.page.settle();
     }

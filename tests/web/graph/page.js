@@ -3,7 +3,7 @@
 // A small host of the graph: a field of text with a history of its own, and pictures of the module,
 // in grey. globalThis.test has what tests ask for.
 import { load } from '../../../src/web/scarp.mjs';
-import { readDocument } from '../../../src/web/playground/document.js';
+import { applied, readDocument } from '../../../src/web/playground/document.js';
 import { createGraph } from '../../../src/web/playground/graph/graph.js';
 import { arrange, crossings } from '../../../src/web/playground/graph/layout.js';
 
@@ -26,15 +26,6 @@ function show(next) {
     graph.update(document);
 }
 
-function applied(changes) {
-    let made = '', at = 0;
-    for (const { from, to, insert } of changes) {
-        made += text.slice(at, from) + insert;
-        at = to;
-    }
-    return made + text.slice(at);
-}
-
 const host = {
     read,
     edit(changes, { join = false } = {}) {
@@ -43,7 +34,7 @@ const host = {
             future.length = 0;
         }
         test.edits.push(changes);
-        show(applied(changes));
+        show(applied(text, changes));
     },
     undo() {
         if (past.length > 0) {
@@ -114,7 +105,6 @@ const test = {
     },
     undo: () => host.undo(),
     select: (index) => graph.select(index),
-    refresh: () => graph.refresh(),
 };
 globalThis.test = test;
 field.addEventListener('change', () => test.type(field.value));

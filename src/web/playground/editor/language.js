@@ -106,7 +106,7 @@ export function helpAt({text, functions, entries}, at) {
     return entry ? {...place, title: word, lines: aboutEntry(entry)} : null;
 }
 
-export function aboutEntry({kind, isParam, value, slider, range, axes, order}) {
+function aboutEntry({kind, isParam, value, slider, range, axes, order}) {
     if (isParam) {
         return [`a parameter, ${numberText(value)}, from ${numberText(slider[0])} to ` +
             numberText(slider[1])];

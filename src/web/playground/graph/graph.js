@@ -372,23 +372,10 @@ class Graph {
         this.host.redo();
         this.say("Done again.");
     }
-
-    refresh() {
-        this.pictures.refresh();
-    }
-
-    destroy() {
-        this.observer.disconnect();
-        this.pictures.destroy();
-        this.stage.destroy();
-        this.keys.destroy();
-        clearTimeout(this.timer);
-        this.root.remove();
-    }
 }
 
-// Makes the graph in a container. Returns {update(document), select(entryIndex), refresh(), destroy()}:
-// refresh draws all pictures anew. Documents are as readDocument() has them. The host has
+// Makes the graph in a container. Returns {update(document), select(entryIndex)}. Documents are as
+// readDocument() has them. The host has
 //   edit(changes, {join})   does {from, to, insert} each, as one step; with `join` it is a part of the
 //                           last one
 //   undo(), redo()
@@ -399,6 +386,5 @@ class Graph {
 //                           highest}) gets an ImageData, or what canvases draw
 export function createGraph(container, host) {
     const graph = new Graph(container, host);
-    return {update: document => graph.update(document), select: index => graph.select(index),
-        refresh: () => graph.refresh(), destroy: () => graph.destroy()};
+    return {update: document => graph.update(document), select: index => graph.select(index)};
 }

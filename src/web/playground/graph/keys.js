@@ -9,7 +9,6 @@ const WAYS = {ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDow
 export class Keys {
     constructor(desk) {
         this.desk = desk;
-        this.end = new AbortController();
         desk.ground.addEventListener("keydown", event => this.#groundKey(event));
         desk.root.addEventListener("keydown", event => this.#anyKey(event));
         desk.root.addEventListener("pointerdown", () => {
@@ -18,7 +17,7 @@ export class Keys {
         for (const end of ["pointerup", "pointercancel"]) {
             addEventListener(end, () => {
                 this.isPressed = false;
-            }, {signal: this.end.signal});
+            });
         }
     }
 
@@ -104,9 +103,5 @@ export class Keys {
         if (best) {
             this.desk.stage.reveal(best.card.id);
         }
-    }
-
-    destroy() {
-        this.end.abort();
     }
 }

@@ -111,10 +111,8 @@ function statementOf(entry, model, parts, lines) {
     statement.noteAbove = statement.above.map(words).join(" ");
     if (entry.isParam) {
         const body = hash < 0 ? tail : tail.slice(0, hash), found = INTERVAL.exec(body);
-        const value = new RegExp(`=\\s*(${NUMBER})`).exec(body);
-        const place = (text, at) => [from + at, from + at + text.length];
-        statement.valueSpan = value && place(value[1], value.index + value[0].indexOf(value[1]));
-        statement.intervalSpan = found && place(found[0], found.index);
+        const at = from + (found?.index ?? 0);
+        statement.intervalSpan = found && [at, at + found[0].length];
     }
     for (const part of root ? within(root) : []) {
         part.statement = statement;
@@ -178,7 +176,6 @@ export function needsOf(model, statement, found = new Set()) {
 }
 
 export const functionOf = (model, part) => model.functions[part.function];
-export const isField = ({kind}) => kind === "field" || kind === "noise";
 
 // The shortest text of a number in some digits behind the point
 export function numberText(value, step = 1e-6) {

@@ -10,14 +10,14 @@ const POSITIONS = 200; // of a slider whose scale is logarithmic
 const DRAG = 4; // pixels of a drag for a step
 
 // How a slider maps: {low, high, isLog, step}
-export function scaleOf([low, high]) {
+function scaleOf([low, high]) {
     const isLog = low > 0 && high / low >= 100;
     const isWhole = Number.isInteger(low) && Number.isInteger(high) && high - low >= 8;
     return {low, high, isLog, step: isWhole ? 1 : 10 ** Math.floor(Math.log10((high - low) / 99))};
 }
 
 // The text of a number at a position of a slider
-export function textAtPosition(scale, position) {
+function textAtPosition(scale, position) {
     if (!scale.isLog) {
         return numberText(position, scale.step);
     }
@@ -25,7 +25,7 @@ export function textAtPosition(scale, position) {
     return numberText(Number(value.toPrecision(value >= 1000 ? 3 : 2)), 1e-9);
 }
 
-export function positionOf(scale, value) {
+function positionOf(scale, value) {
     return !scale.isLog ? value
         : POSITIONS * Math.log(Math.max(value, scale.low) / scale.low) /
             Math.log(scale.high / scale.low);

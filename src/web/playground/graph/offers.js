@@ -4,7 +4,8 @@
 // offer is an edit that is tried before it is shown, so the menu has what fits the place.
 import {freshSeed, likely} from "./arguments.js";
 import {extract, freshName, replaced, textAt, wire} from "./edits.js";
-import {functionOf, isCall, isField, isNumber, needsOf, numberText} from "./model.js";
+import {isField} from "../document.js";
+import {functionOf, isCall, isNumber, needsOf, numberText} from "./model.js";
 import {accept} from "./trial.js";
 
 const OPERATORS = [

@@ -8,9 +8,8 @@ const PATIENCE = 5000; // milliseconds, after which a picture that did not come 
 export class Pictures {
     constructor(host) {
         this.host = host;
-        this.asked = new Map(); // of cards: {key, cancel}
+        this.asked = new Map(); // of cards: {hash, view, node, time, cancel}
         this.views = new Map(); // of elements
-        this.round = 0;
         this.observer = new IntersectionObserver(entries => this.#seen(entries),
             {rootMargin: "60px"});
     }
@@ -38,21 +37,21 @@ export class Pictures {
     }
 
     #ask(view) {
-        const {id, node, hash} = view.card, key = `${hash} ${this.round}`;
-        if (!view.isVisible || view.shown === key) {
+        const {id, node, hash} = view.card;
+        if (!view.isVisible || view.shown === hash) {
             return;
         }
         const asked = this.asked.get(id);
-        const isSame = asked?.key === key && asked.view === view && asked.node === node;
+        const isSame = asked?.hash === hash && asked.view === view && asked.node === node;
         if (isSame && performance.now() - asked.time < PATIENCE) {
             return;
         }
         asked?.cancel?.();
-        const entry = {key, view, node, time: performance.now(), cancel: null};
+        const entry = {hash, view, node, time: performance.now(), cancel: null};
         this.asked.set(id, entry);
         entry.cancel = this.host.picture(node, ...PICTURE, result => {
             if (this.asked.get(id) === entry) {
-                view.shown = key;
+                view.shown = hash;
                 view.showPicture(result);
                 this.asked.delete(id);
             }
@@ -78,21 +77,5 @@ export class Pictures {
         }
         this.observer.unobserve(view.element);
         this.views.delete(view.element);
-    }
-
-    // All are drawn anew: the piece of the world, or its seed, is another.
-    refresh() {
-        this.round++;
-        for (const view of this.views.values()) {
-            this.#ask(view);
-        }
-    }
-
-    destroy() {
-        this.observer.disconnect();
-        for (const {cancel} of this.asked.values()) {
-            cancel?.();
-        }
-        this.asked.clear();
     }
 }

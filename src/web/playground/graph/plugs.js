@@ -29,7 +29,7 @@ function actionsOf(part) {
 }
 
 // Names that fit in the place of a part
-export const namesFor = (desk, part) => desk.model.statements.filter(statement =>
+const namesFor = (desk, part) => desk.model.statements.filter(statement =>
     statement.index !== part.entry && statement !== part.statement &&
     !wire(desk.model, desk.read, statement, part).refusal).map(({name}) => name);
 

@@ -3,7 +3,8 @@
 // What cards show, as data: a card for each statement, with a row for each input, number, formula or
 // call; and where a statement is spread out, a small card for each of its operators and calls.
 import {missing} from "./arguments.js";
-import {functionOf, isCall, isField, isLeaf, isNumber, isSign, textOf, within} from "./model.js";
+import {isField} from "../document.js";
+import {functionOf, isCall, isLeaf, isNumber, isSign, textOf, within} from "./model.js";
 import {kindText} from "./offers.js";
 
 export const PARTS = 65536; // the number of the first part, among nodes that have pictures

@@ -213,8 +213,4 @@ export class Stage {
             this.place();
         }
     }
-
-    destroy() {
-        cancelAnimationFrame(this.frame);
-    }
 }

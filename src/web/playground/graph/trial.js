@@ -2,24 +2,8 @@
 //
 // Edits are tried before they are done: the module reads the text that would be there, and one that
 // has more errors than now is refused with the module's sentence.
+import {applied, inOrder} from "../document.js";
 import {modelOf} from "./model.js";
-
-// The text after changes, which are {from, to, insert} of the text before
-export function applied(text, changes) {
-    let made = "", at = 0;
-    for (const {from, to, insert} of inOrder(changes)) {
-        made += text.slice(at, from) + insert;
-        at = to;
-    }
-    return made + text.slice(at);
-}
-
-// By place; what is inserted at a place stands before what is replaced there.
-export function inOrder(changes) {
-    return changes.map((change, i) => ({to: change.from, insert: "", ...change, i}))
-        .sort((a, b) => a.from - b.from || a.to - b.to || a.i - b.i)
-        .map(({from, to, insert}) => ({from, to, insert}));
-}
 
 // Where a place of the old text is in the new one
 export function moved(changes, place) {
