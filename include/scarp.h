@@ -378,7 +378,7 @@ struct scarp_noise {
        lacks, at most 1. In [2^-24, 2^24]. Default 1. */
     float erosion SCARP_ZERO;
 
-    /* turns of the lattice's gradients, any finite number. See "Flow". */
+    /* turns of the lattice's gradients, any finite number. Default 0. See "Flow". */
     float phase SCARP_ZERO;
 
     /* cellular noise: how far features stray from the middles of their cells, in (0, 1]. Default

@@ -1,19 +1,36 @@
 // SPDX-License-Identifier: MIT
 //
-// The structures of scarp.h as they lie in the memory of the module, and how noises and grids are
-// written there. module.c holds the numbers.
+// How noises and grids are written as structures of scarp.h, which lie in the memory of the module as
+// interface.mjs says.
 
-export const STATUS = Object.freeze({
-    OK: 0,
-    NULL: 1,
-    ENUM: 2,
-    PARAMETER: 3,
-    SIZE: 4,
-    UNSUPPORTED: 5,
-});
-const CODES = Object.keys(STATUS).map((name) =>
-    name === 'OK' ? 'SCARP_OK' : 'SCARP_ERROR_' + name,
+import {
+    SCARP_GPU_ANSWERS,
+    scarp_cells,
+    scarp_flow,
+    scarp_gpu_plan,
+    scarp_grid,
+    scarp_noise,
+    scarp_noise_types,
+    scarp_partials,
+    scarp_plan,
+    scarp_samples,
+    scarp_status,
+} from './interface.mjs';
+
+export const camel = (name) => name.replace(/_(.)/g, (_, letter) => letter.toUpperCase());
+
+// The members of a structure, as scarp.h spells them
+const membersOf = (structure) => Object.keys(structure).filter((name) => name !== 'SIZE');
+
+export const STATUS = Object.freeze(
+    Object.fromEntries(
+        Object.entries(scarp_status).map(([name, value]) => [
+            name.replace(/^SCARP_(ERROR_)?/, ''),
+            value,
+        ]),
+    ),
 );
+const CODES = Object.keys(scarp_status);
 
 // What a call of the library returned, if that was not SCARP_OK.
 export class ScarpError extends Error {
@@ -26,69 +43,20 @@ export class ScarpError extends Error {
     }
 }
 
-export const NOISE_SIZE = 192,
-    GRID_SIZE = 192,
-    ARRAYS_SIZE = 64,
-    PLAN_SIZE = 12288;
-export const GPU_PLAN_SIZE = 5376,
-    GPU_ANSWERS = 4096;
+export const NOISE_SIZE = scarp_noise.SIZE,
+    GRID_SIZE = scarp_grid.SIZE,
+    ARRAYS_SIZE = scarp_samples.SIZE, // of all structures of arrays: the largest
+    PLAN_SIZE = scarp_plan.SIZE,
+    GPU_PLAN_SIZE = scarp_gpu_plan.SIZE,
+    GPU_ANSWERS = SCARP_GPU_ANSWERS;
 export const LEVELS = 6; // a noise, its four warps, and one more, which the library refuses
 
-export const SAMPLES = [
-    'value',
-    'dx',
-    'dy',
-    'dz',
-    'dxx',
-    'dxy',
-    'dxz',
-    'dyy',
-    'dyz',
-    'dzz',
-    'dphase',
-];
-export const CELLS = ['f1', 'f2', 'id', 'x', 'y', 'z', 'dx1', 'dy1', 'dz1', 'dx2', 'dy2', 'dz2'];
-export const FLOW = [
-    'vx',
-    'vy',
-    'vz',
-    'vxx',
-    'vxy',
-    'vxz',
-    'vyx',
-    'vyy',
-    'vyz',
-    'vzx',
-    'vzy',
-    'vzz',
-];
-export const PARTIALS = ['f', 'fa', 'fb', 'faa', 'fab', 'fbb'];
+export const SAMPLES = membersOf(scarp_samples);
+export const CELLS = membersOf(scarp_cells);
+export const FLOW = membersOf(scarp_flow);
+export const PARTIALS = membersOf(scarp_partials);
 
-const ENUMERATORS = { basis: 0, fade: 4, fractal: 8 };
-const FLOATS = {
-    octaves: 32,
-    lacunarity: 36,
-    gain: 40,
-    amplitude: 44,
-    erosion: 48,
-    phase: 52,
-    jitter: 56,
-    sharpness: 60,
-    ofOctaves: 76,
-};
-const PERIOD = 64,
-    WARP = 80,
-    PLAN = 84;
-const NOISE_MEMBERS = [
-    ...Object.keys(ENUMERATORS),
-    'rotate',
-    'seed',
-    'frequency',
-    ...Object.keys(FLOATS),
-    'period',
-    'warp',
-];
-const GRID_MEMBERS = ['origin', 'step', 'first', 'count', 'rowStride', 'sliceStride'];
+const GRID_MEMBERS = membersOf(scarp_grid).map(camel);
 
 // Throws where an object has members that there are not: they may be misspelt.
 export function checkMembers(what, object, members) {
@@ -164,27 +132,36 @@ function putEnumerator(view, at, name, value, words) {
     view.setUint32(at, number, true);
 }
 
-// Writes one level; its warp and plan stay 0.
+// How members of a noise are written, by their types
+const WRITERS = {
+    enum: putEnumerator,
+    float: (view, at, name, value) => view.setFloat32(at, checkNumber(name, value), true),
+    double: (view, at, name, value) => view.setFloat64(at, checkNumber(name, value), true),
+    uint32_t: (view, at, name, value) => view.setUint32(at, value ? 1 : 0, true), // a switch
+    uint64_t: (view, at, name, value) => view.setBigUint64(at, seedOf(value), true),
+    'uint32_t[3]': (view, at, name, value) =>
+        numbersOf(name, value, 2, 3).forEach((cells, i) => {
+            const whole = integer(`${name}[${i}]`, cells, 0n, 2n ** 30n);
+            view.setUint32(at + 4 * i, Number(whole), true);
+        }),
+    pointer: () => {}, // its warp and its plan stay 0
+};
+const NOISE_MEMBERS = membersOf(scarp_noise).map((name) => ({
+    name: camel(name),
+    offset: scarp_noise[name],
+    write: WRITERS[scarp_noise_types[name]],
+}));
+const NOISE_NAMES = NOISE_MEMBERS.map(({ name }) => name).filter((name) => name !== 'plan');
+
+// Writes one level
 function putLevel(view, at, noise, words) {
-    checkMembers('a noise', noise, NOISE_MEMBERS);
+    checkMembers('a noise', noise, NOISE_NAMES);
     new Uint8Array(view.buffer, at, NOISE_SIZE).fill(0);
-    for (const [name, offset] of Object.entries(ENUMERATORS)) {
+    for (const { name, offset, write } of NOISE_MEMBERS) {
         if (noise[name] !== undefined) {
-            putEnumerator(view, at + offset, name, noise[name], words);
+            write(view, at + offset, name, noise[name], words);
         }
     }
-    for (const [name, offset] of Object.entries(FLOATS)) {
-        if (noise[name] !== undefined) {
-            view.setFloat32(at + offset, checkNumber(name, noise[name]), true);
-        }
-    }
-    view.setUint32(at + 12, noise.rotate ? 1 : 0, true);
-    view.setBigUint64(at + 16, seedOf(noise.seed ?? 0), true);
-    view.setFloat64(at + 24, checkNumber('frequency', noise.frequency ?? 0), true);
-    numbersOf('period', noise.period ?? [0, 0], 2, 3).forEach((cells, i) => {
-        const whole = integer(`period[${i}]`, cells, 0n, 2n ** 30n);
-        view.setUint32(at + PERIOD + 4 * i, Number(whole), true);
-    });
 }
 
 // Writes a noise with its warps, one after the other.
@@ -197,12 +174,16 @@ export function putNoise(view, at, noise, words) {
     ) {
         noise = noise.warp;
         putLevel(view, at + level * NOISE_SIZE, noise, words);
-        view.setUint32(at + (level - 1) * NOISE_SIZE + WARP, at + level * NOISE_SIZE, true);
+        view.setUint32(
+            at + (level - 1) * NOISE_SIZE + scarp_noise.warp,
+            at + level * NOISE_SIZE,
+            true,
+        );
     }
 }
 
 export function putPlan(view, at, plan) {
-    view.setUint32(at + PLAN, plan, true);
+    view.setUint32(at + scarp_noise.plan, plan, true);
 }
 
 // Reads the members of a grid, checks those that the library sees in parts only, and fills in
@@ -248,12 +229,13 @@ export function readGrid(grid, dimensions) {
 // Writes the part of a grid that begins at `from` and has `size` samples along each axis.
 export function putGrid(view, at, grid, from, size, rowStride, sliceStride) {
     new Uint8Array(view.buffer, at, GRID_SIZE).fill(0);
-    grid.origin.forEach((origin, i) => {
-        view.setFloat64(at + 8 * i, origin, true);
-        view.setFloat64(at + 24 + 8 * i, grid.step[i], true);
-        view.setBigInt64(at + 48 + 8 * i, grid.first[i] + BigInt(from[i]), true);
-        view.setUint32(at + 72 + 4 * i, size[i], true);
+    const { origin, step, first, count, row_stride, slice_stride } = scarp_grid;
+    grid.origin.forEach((value, i) => {
+        view.setFloat64(at + origin + 8 * i, value, true);
+        view.setFloat64(at + step + 8 * i, grid.step[i], true);
+        view.setBigInt64(at + first + 8 * i, grid.first[i] + BigInt(from[i]), true);
+        view.setUint32(at + count + 4 * i, size[i], true);
     });
-    view.setUint32(at + 84, rowStride, true);
-    view.setUint32(at + 88, sliceStride, true);
+    view.setUint32(at + row_stride, rowStride, true);
+    view.setUint32(at + slice_stride, sliceStride, true);
 }

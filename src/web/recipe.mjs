@@ -3,25 +3,43 @@
 // Recipes: compositions of noises as a text. What is wrong in a text throws a RecipeError with all
 // errors of it, or is told beside what could be read. Places in the text are indices of the string;
 // the module counts bytes of UTF-8.
-import { SAMPLES, STATUS, ScarpError, checkNumber, putGrid, readGrid } from './layout.mjs';
+import {
+    SCARP_RECIPE_PARTS,
+    scarp_box as BOX,
+    scarp_language,
+    scarp_recipe as RECIPE,
+    scarp_recipe_argument as ARGUMENT,
+    scarp_recipe_entry as ENTRY,
+    scarp_recipe_error as ERROR,
+    scarp_recipe_function as FUNCTION,
+    scarp_recipe_kind,
+    scarp_recipe_outputs as OUTPUTS,
+    scarp_recipe_part as PART,
+    scarp_scratch as STORE,
+    scarp_shader as SHADER,
+} from './interface.mjs';
+import {
+    ARRAYS_SIZE,
+    GPU_ANSWERS,
+    SAMPLES,
+    STATUS,
+    ScarpError,
+    checkNumber,
+    putGrid,
+    readGrid,
+} from './layout.mjs';
 import { checkOverlaps } from './memory.mjs';
 
-export const RECIPE_SIZE = 65536;
-const ERROR_SIZE = 56,
-    DESCRIPTION_SIZE = 112, // of an entry, of a part, and more than of a function
-    ARGUMENT_SIZE = 64,
-    BOX_SIZE = 48,
-    OUTPUTS_SIZE = 48,
-    SCRATCH_SIZE = 56;
+const DESCRIPTION_SIZE = Math.max(ENTRY.SIZE, PART.SIZE, FUNCTION.SIZE);
 const ERRORS = 64; // that are told at most
 const SCRATCH = 256 * 1024; // bytes: about a thousand points of a large recipe
 const MOST = 16; // outputs
-const SAMPLES_SIZE = 64;
-const SHADER_SIZE = 64,
-    GPU_ANSWERS = 4096;
-const LANGUAGES = ['glsl', 'hlsl', 'wgsl'];
-const KINDS = ['bad', 'number', 'field', 'noise', 'word', 'knot'];
-export const PARTS = 65536; // the number of the first part, among nodes
+// Names of enumerators, as they are called here: 'glsl', 'field'
+const wordsOf = (enumerators) =>
+    Object.keys(enumerators).map((name) => name.replace(/^.*_/, '').toLowerCase());
+const LANGUAGES = wordsOf(scarp_language),
+    KINDS = wordsOf(scarp_recipe_kind);
+export const PARTS = SCARP_RECIPE_PARTS; // the number of the first part, among nodes
 
 export class RecipeError extends ScarpError {
     constructor(status, text, errors) {
@@ -57,27 +75,31 @@ export function functionsOf({ exports, memory }) {
     const u32 = (place) => view.getUint32(place, true);
     const argumentOf = (place) => {
         const words = [];
-        for (let word = u32(place + 40); word !== 0 && u32(word) !== 0; word += 4) {
+        const list = u32(place + ARGUMENT.words);
+        for (let word = list; word !== 0 && u32(word) !== 0; word += 4) {
             words.push(memory.text(u32(word)));
         }
         return Object.freeze({
-            name: memory.text(u32(place)),
-            text: memory.text(u32(place + 4)),
-            kind: KINDS[u32(place + 8)],
-            isNeeded: u32(place + 12) === 1,
-            otherwise: view.getFloat64(place + 16, true),
-            lowest: view.getFloat64(place + 24, true),
-            highest: view.getFloat64(place + 32, true),
-            words: u32(place + 40) === 0 ? null : Object.freeze(words),
+            name: memory.text(u32(place + ARGUMENT.name)),
+            text: memory.text(u32(place + ARGUMENT.text)),
+            kind: KINDS[u32(place + ARGUMENT.kind)],
+            isNeeded: u32(place + ARGUMENT.is_needed) === 1,
+            otherwise: view.getFloat64(place + ARGUMENT.otherwise, true),
+            lowest: view.getFloat64(place + ARGUMENT.lowest, true),
+            highest: view.getFloat64(place + ARGUMENT.highest, true),
+            words: list === 0 ? null : Object.freeze(words),
         });
     };
     while (exports.scarp_recipe_function_at(list.length, at) === STATUS.OK) {
-        const first = u32(at + 8);
-        const places = Array.from({ length: u32(at + 12) }, (_, i) => first + i * ARGUMENT_SIZE);
+        const first = u32(at + FUNCTION.argument);
+        const places = Array.from(
+            { length: u32(at + FUNCTION.arguments) },
+            (_, i) => first + i * ARGUMENT.SIZE,
+        );
         list.push(
             Object.freeze({
-                name: memory.text(u32(at)),
-                text: memory.text(u32(at + 4)),
+                name: memory.text(u32(at + FUNCTION.name)),
+                text: memory.text(u32(at + FUNCTION.text)),
                 arguments: Object.freeze(places.map(argumentOf)),
             }),
         );
@@ -98,9 +120,9 @@ export class Recipe {
         const { memory } = tools;
         this.#tools = tools;
         this.#text = String(text);
-        const rest = ERRORS * ERROR_SIZE + DESCRIPTION_SIZE + OUTPUTS_SIZE + SCRATCH_SIZE;
-        const numbers = MOST * SAMPLES_SIZE + 4 * MOST + BOX_SIZE;
-        this.#at = memory.allocate(RECIPE_SIZE + rest + numbers + SCRATCH);
+        const rest = ERRORS * ERROR.SIZE + DESCRIPTION_SIZE + OUTPUTS.SIZE + STORE.SIZE;
+        const numbers = MOST * ARRAYS_SIZE + 4 * MOST + BOX.SIZE;
+        this.#at = memory.allocate(RECIPE.SIZE + rest + numbers + SCRATCH);
         try {
             this.#parse(isTolerant);
         } catch (error) {
@@ -111,22 +133,22 @@ export class Recipe {
 
     // Places in the block
     get #errors() {
-        return this.#at + RECIPE_SIZE;
+        return this.#at + RECIPE.SIZE;
     }
     get #description() {
-        return this.#errors + ERRORS * ERROR_SIZE;
+        return this.#errors + ERRORS * ERROR.SIZE;
     }
     get #outputs() {
         return this.#description + DESCRIPTION_SIZE;
     }
     get #scratch() {
-        return this.#outputs + OUTPUTS_SIZE;
+        return this.#outputs + OUTPUTS.SIZE;
     }
     get #samples() {
-        return this.#scratch + SCRATCH_SIZE;
+        return this.#scratch + STORE.SIZE;
     }
     get #which() {
-        return this.#samples + MOST * SAMPLES_SIZE;
+        return this.#samples + MOST * ARRAYS_SIZE;
     }
     get #box() {
         return this.#which + 4 * MOST;
@@ -140,7 +162,7 @@ export class Recipe {
             at = memory.allocate(length + 1);
         this.#indices = indicesOf(this.#text, bytes);
         new Uint8Array(memory.buffer, at, length).set(bytes);
-        new Uint8Array(memory.buffer, this.#at + RECIPE_SIZE, SCRATCH_SIZE).fill(0);
+        new Uint8Array(memory.buffer, this.#at + RECIPE.SIZE, STORE.SIZE).fill(0);
         const found = this.#description;
         view.setUint32(found, 0, true);
         const status = exports.scarp_recipe_parse(
@@ -157,10 +179,10 @@ export class Recipe {
         if (status !== STATUS.OK && !(isTolerant && count > 0)) {
             throw new RecipeError(status, this.#tools.text(status), this.#faults);
         }
-        new Uint8Array(memory.buffer, this.#outputs, OUTPUTS_SIZE + SCRATCH_SIZE).fill(0);
-        view.setUint32(this.#outputs, this.#samples, true);
-        view.setUint32(this.#scratch, this.#box + BOX_SIZE, true);
-        view.setUint32(this.#scratch + 4, SCRATCH, true);
+        new Uint8Array(memory.buffer, this.#outputs, OUTPUTS.SIZE + STORE.SIZE).fill(0);
+        view.setUint32(this.#outputs + OUTPUTS.out, this.#samples, true);
+        view.setUint32(this.#scratch + STORE.memory, this.#box + BOX.SIZE, true);
+        view.setUint32(this.#scratch + STORE.size, SCRATCH, true);
     }
 
     #span(at) {
@@ -180,10 +202,12 @@ export class Recipe {
     #error(i) {
         const { memory } = this.#tools,
             { view } = memory,
-            at = this.#errors + i * ERROR_SIZE;
-        const [from, to] = this.#span(at);
-        const [line, text, member] = [8, 16, 20].map((offset) => view.getUint32(at + offset, true));
-        const nearest = view.getFloat64(at + 24, true);
+            at = this.#errors + i * ERROR.SIZE;
+        const [from, to] = this.#span(at + ERROR.from);
+        const [line, text, member] = [ERROR.line, ERROR.text, ERROR.member].map((offset) =>
+            view.getUint32(at + offset, true),
+        );
+        const nearest = view.getFloat64(at + ERROR.nearest, true);
         return {
             line,
             column: from - (from > 0 ? this.#text.lastIndexOf('\n', from - 1) : -1),
@@ -215,22 +239,28 @@ export class Recipe {
     get entries() {
         const { view } = this.#tools.memory;
         return this.#described('scarp_recipe_entry_at', (at, index) => {
-            const nameSpan = this.#span(at + 8);
+            const nameSpan = this.#span(at + ENTRY.name);
             return {
                 index,
                 name: this.#word(nameSpan),
-                span: this.#span(at),
+                span: this.#span(at + ENTRY.span),
                 nameSpan,
-                kind: KINDS[view.getInt32(at + 16, true)],
-                isParam: view.getInt32(at + 20, true) === 1,
-                output: view.getInt32(at + 24, true),
-                part: view.getInt32(at + 28, true),
-                value: view.getFloat64(at + 32, true),
-                slider: [view.getFloat64(at + 40, true), view.getFloat64(at + 48, true)],
-                range: [view.getFloat32(at + 56, true), view.getFloat32(at + 60, true)],
-                axes: view.getUint32(at + 64, true),
-                order: view.getUint32(at + 68, true),
-                hash: view.getBigUint64(at + 72, true).toString(16),
+                kind: KINDS[view.getInt32(at + ENTRY.kind, true)],
+                isParam: view.getInt32(at + ENTRY.is_param, true) === 1,
+                output: view.getInt32(at + ENTRY.output, true),
+                part: view.getInt32(at + ENTRY.part, true),
+                value: view.getFloat64(at + ENTRY.value, true),
+                slider: [
+                    view.getFloat64(at + ENTRY.slider, true),
+                    view.getFloat64(at + ENTRY.slider + 8, true),
+                ],
+                range: [
+                    view.getFloat32(at + ENTRY.range, true),
+                    view.getFloat32(at + ENTRY.range + 4, true),
+                ],
+                axes: view.getUint32(at + ENTRY.axes, true),
+                order: view.getUint32(at + ENTRY.order, true),
+                hash: view.getBigUint64(at + ENTRY.hash, true).toString(16),
             };
         });
     }
@@ -238,14 +268,18 @@ export class Recipe {
     get parts() {
         const { view } = this.#tools.memory;
         return this.#described('scarp_recipe_part_at', (at, index) => {
-            const nameSpan = this.#spanOrNull(at + 8),
-                argumentSpan = this.#spanOrNull(at + 16);
-            const [kind, call, entry, parent, operation] = [24, 28, 32, 36, 40].map((offset) =>
-                view.getInt32(at + offset, true),
-            );
+            const nameSpan = this.#spanOrNull(at + PART.name),
+                argumentSpan = this.#spanOrNull(at + PART.argument);
+            const [kind, call, entry, parent, operation] = [
+                PART.kind,
+                PART.function,
+                PART.entry,
+                PART.parent,
+                PART.operation,
+            ].map((offset) => view.getInt32(at + offset, true));
             return {
                 index,
-                span: this.#span(at),
+                span: this.#span(at + PART.span),
                 name: this.#word(nameSpan),
                 nameSpan,
                 argument: this.#word(argumentSpan),
@@ -255,11 +289,14 @@ export class Recipe {
                 entry,
                 parent,
                 operation: operation === 0 ? '' : String.fromCharCode(operation),
-                axes: view.getUint32(at + 44, true),
-                order: view.getUint32(at + 48, true),
-                range: [view.getFloat32(at + 52, true), view.getFloat32(at + 56, true)],
-                value: view.getFloat64(at + 64, true),
-                hash: view.getBigUint64(at + 72, true).toString(16),
+                axes: view.getUint32(at + PART.axes, true),
+                order: view.getUint32(at + PART.order, true),
+                range: [
+                    view.getFloat32(at + PART.range, true),
+                    view.getFloat32(at + PART.range + 4, true),
+                ],
+                value: view.getFloat64(at + PART.value, true),
+                hash: view.getBigUint64(at + PART.hash, true).toString(16),
             };
         });
     }
@@ -267,7 +304,12 @@ export class Recipe {
     get params() {
         return this.entries
             .filter((entry) => entry.isParam)
-            .map(({ name, value, slider: [lowest, highest] }) => ({ name, value, lowest, highest }));
+            .map(({ name, value, slider: [lowest, highest] }) => ({
+                name,
+                value,
+                lowest,
+                highest,
+            }));
     }
     get outputs() {
         return this.entries
@@ -310,7 +352,7 @@ export class Recipe {
         const node = which ?? this.entries.find((entry) => entry.output === output)?.index ?? -2;
         if (box !== null) {
             const ends = [box.lowest, box.highest].flatMap(([x, y, z = 0]) => [x, y, z]);
-            ends.forEach((x, i) => memory.view.setFloat64(this.#box + 8 * i, x, true));
+            ends.forEach((x, i) => memory.view.setFloat64(this.#box + BOX.lowest + 8 * i, x, true));
         }
         const at = box === null ? 0 : this.#box;
         this.#tools.expect(exports.scarp_recipe_range(this.#live(), node, at, to, to + 4));
@@ -320,9 +362,9 @@ export class Recipe {
     // Whether it is of space
     get isSpace() {
         const { exports, memory } = this.#tools;
-        memory.view.setUint32(this.#outputs + 4, 0, true);
-        memory.view.setUint32(this.#outputs + 8, 1, true);
-        new Uint8Array(memory.buffer, this.#samples, SAMPLES_SIZE).fill(0);
+        memory.view.setUint32(this.#outputs + OUTPUTS.which, 0, true);
+        memory.view.setUint32(this.#outputs + OUTPUTS.count, 1, true);
+        new Uint8Array(memory.buffer, this.#samples, ARRAYS_SIZE).fill(0);
         const at = this.#description; // a double of any value
         return (
             exports.scarp_recipe_sample_f64(
@@ -357,10 +399,10 @@ export class Recipe {
             }
             view.setInt32(this.#which + 4 * i, node, true);
         });
-        view.setUint32(this.#outputs + 4, nodes === null ? 0 : this.#which, true);
-        view.setUint32(this.#outputs + 8, list.length, true);
+        view.setUint32(this.#outputs + OUTPUTS.which, nodes === null ? 0 : this.#which, true);
+        view.setUint32(this.#outputs + OUTPUTS.count, list.length, true);
         return list.flatMap((samples, i) =>
-            make(list.length > 1 ? `out[${i}]` : 'out', samples, this.#samples + i * SAMPLES_SIZE),
+            make(list.length > 1 ? `out[${i}]` : 'out', samples, this.#samples + i * ARRAYS_SIZE),
         );
     }
 
@@ -406,9 +448,7 @@ export class Recipe {
         const call = exports[isDouble ? 'scarp_recipe_sample_f64' : 'scarp_recipe_sample'];
         memory.run(count, uses, (n) => {
             const [x, y, z = 0] = slots.map((slot) => memory.u32[slot >> 2]);
-            this.#tools.expect(
-                call(this.#live(), n, x, y, z, this.#outputs, this.#scratch),
-            );
+            this.#tools.expect(call(this.#live(), n, x, y, z, this.#outputs, this.#scratch));
         });
         return out;
     }
@@ -441,12 +481,15 @@ export class Recipe {
             throw new TypeError(`language is one of ${LANGUAGES.join(', ')}`);
         }
         const bytes = new TextEncoder().encode(file),
-            how = memory.allocate(SHADER_SIZE + bytes.length);
+            how = memory.allocate(SHADER.SIZE + bytes.length);
         try {
-            const u32 = new Uint32Array(memory.buffer, how, SHADER_SIZE / 4);
+            const u32 = new Uint32Array(memory.buffer, how, SHADER.SIZE / 4);
             u32.fill(0);
-            u32.set([number, checkNumber('order', order), how + SHADER_SIZE, bytes.length]);
-            new Uint8Array(memory.buffer, how + SHADER_SIZE, bytes.length).set(bytes);
+            u32[SHADER.language / 4] = number;
+            u32[SHADER.order / 4] = checkNumber('order', order);
+            u32[SHADER.file / 4] = how + SHADER.SIZE;
+            u32[SHADER.length / 4] = bytes.length;
+            new Uint8Array(memory.buffer, how + SHADER.SIZE, bytes.length).set(bytes);
             return this.#written(
                 (at, capacity, size) =>
                     exports.scarp_recipe_shader(this.#live(), how, at, capacity, size),

@@ -17,6 +17,7 @@ import {
     SAMPLES,
     STATUS,
     ScarpError,
+    camel,
     checkMembers,
     checkNumber,
     putGrid,
@@ -155,7 +156,8 @@ class Scarp {
 
     // A member as it is called here, from the name that the library gives.
     #member(at) {
-        return this.#memory.text(at)?.replace(/_(.)/g, (_, letter) => letter.toUpperCase()) ?? null;
+        const name = this.#memory.text(at);
+        return name === null ? null : camel(name);
     }
 
     // Where the noise is: a plan lies where it was made, others are written.
@@ -587,12 +589,7 @@ class Scarp {
         const { stage, view } = this.#memory,
             member = this.#at.pointers;
         const make = isVector ? 'scarp_gpu_vector_plan_make' : 'scarp_gpu_plan_make';
-        const status = this.#exports[make](
-            this.#noise(noise),
-            dimensions,
-            stage,
-            member,
-        );
+        const status = this.#exports[make](this.#noise(noise), dimensions, stage, member);
         if (status !== STATUS.OK) {
             throw new ScarpError(
                 status,

@@ -74,6 +74,17 @@ const { page, expected, flags } = TESTS[process.argv[3]];
 const profile = mkdtempSync(join(tmpdir(), 'scarp-browser-'));
 let browser;
 
+// Processes of the browser write for a moment after it has ended.
+function remove(tries) {
+    try {
+        rmSync(profile, { recursive: true, force: true });
+    } catch {
+        if (tries > 0) {
+            setTimeout(remove, 100, tries - 1);
+        }
+    }
+}
+
 function finish(result) {
     console.log(result);
     const isSkipped = result.startsWith('skipped') && !REQUIRED;
@@ -81,7 +92,7 @@ function finish(result) {
     clearTimeout(patience);
     server.close();
     server.closeAllConnections();
-    browser.once('close', () => rmSync(profile, { recursive: true, force: true, maxRetries: 20, retryDelay: 100 }));
+    browser.once('close', () => remove(50));
     browser.kill();
 }
 

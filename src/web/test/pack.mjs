@@ -12,6 +12,7 @@ const FILES = [
     'LICENSE',
     'README.md',
     'compile.mjs',
+    'interface.mjs',
     'layout.mjs',
     'memory.mjs',
     'package.json',

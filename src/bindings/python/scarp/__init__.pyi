@@ -157,14 +157,15 @@ class Noise:
     period: Optional[Tuple[int, ...]]
     of_octaves: Optional[float]
     warp: Optional[Noise]
-    def __init__(self, basis: Union[str, int] = ..., fractal: Union[str, int] = ..., *,
-                 seed: int = ..., frequency: Optional[float] = ...,
+    def __init__(self, basis: Union[str, int, None] = ..., fractal: Union[str, int, None] = ...,
+                 *, fade: Union[str, int, None] = ..., rotate: Optional[bool] = ...,
+                 seed: Optional[int] = ..., frequency: Optional[float] = ...,
                  octaves: Optional[float] = ..., lacunarity: Optional[float] = ...,
                  gain: Optional[float] = ..., amplitude: Optional[float] = ...,
-                 fade: Union[str, int] = ..., rotate: bool = ..., erosion: Optional[float] = ...,
-                 sharpness: Optional[float] = ..., jitter: Optional[float] = ...,
-                 phase: float = ..., period: Optional[Sequence[int]] = ...,
-                 of_octaves: Optional[float] = ..., warp: Optional[Noise] = ...) -> None: ...
+                 erosion: Optional[float] = ..., phase: Optional[float] = ...,
+                 jitter: Optional[float] = ..., sharpness: Optional[float] = ...,
+                 period: Optional[Sequence[int]] = ..., of_octaves: Optional[float] = ...,
+                 warp: Optional[Noise] = ...) -> None: ...
     def replace(self, **changes: Any) -> Noise: ...
     def range(self, dimensions: int = ...) -> Tuple[float, float]: ...
     def grid(self, shape: Sequence[int], step: Union[float, Numbers] = ...,

@@ -2,6 +2,7 @@
 """Gullies and spurs that run down the slopes of a base."""
 import ctypes
 
+from . import _interface
 from ._arrays import Outputs, Raster, in_bands, points
 from ._library import STRUCTURES, ScarpError, complain, lib
 from ._numbers import integer, member, order, seed_of, several, single
@@ -9,9 +10,8 @@ from ._samples import Samples
 
 _Gullies, _Samples, _Eroded = (STRUCTURES["scarp_" + name] for name in (
     "gullies", "samples", "eroded"))
-NUMBERS = ("frequency", "amplitude", "octaves", "of_octaves", "lacunarity", "gain", "depth",
-           "cells", "slope", "slope_low", "low", "high", "floor", "stripes", "branch", "round",
-           "keep")
+NUMBERS = tuple(name for name, kind, _ in _interface.STRUCTURES["scarp_gullies"][1]
+                if kind in ("f4", "f8"))
 NEEDED = (("value", "dx", "dy"), ("value", "dx", "dy", "dxx", "dxy", "dyy"))
 
 

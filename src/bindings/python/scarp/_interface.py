@@ -316,6 +316,36 @@ STRUCTURES = {
     )),
 }
 
+# what 0 stands for, where that is another number
+DEFAULTS = {
+    'scarp_noise': {
+        'frequency': 1.0,
+        'octaves': 1.0,
+        'lacunarity': 2.0,
+        'gain': 0.5,
+        'amplitude': 1.0,
+        'erosion': 1.0,
+        'phase': 0.0,
+        'jitter': 1.0,
+    },
+    'scarp_gullies': {
+        'frequency': 1.0,
+        'amplitude': 1.0,
+        'octaves': 5.0,
+        'lacunarity': 2.0,
+        'gain': 0.45,
+        'depth': 0.25,
+        'cells': 3.0,
+        'slope': 1.125,
+        'slope_low': 1.75,
+        'floor': 0.5,
+        'stripes': 1.5,
+        'branch': 0.8,
+        'round': 0.15,
+        'keep': 1.0,
+    },
+}
+
 # result, then arguments
 FUNCTIONS = {
     'scarp_sample2': ('i4', (

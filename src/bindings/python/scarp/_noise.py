@@ -1,9 +1,11 @@
 # SPDX-License-Identifier: MIT
 """Noise: what to sample, and the calls that sample it."""
 import ctypes
+import inspect
 
 import numpy as np
 
+from . import _interface
 from ._arrays import Outputs, Raster, check_overlap, in_bands, points
 from ._library import BASES, FADES, FRACTALS, STATUS, STRUCTURES, ScarpError, complain, lib
 from ._numbers import integer, member, order, seed_of, single
@@ -12,9 +14,11 @@ from ._samples import Samples, members_of
 _Noise, _Samples = STRUCTURES["scarp_noise"], STRUCTURES["scarp_samples"]
 _Cells, _Flow = STRUCTURES["scarp_cells"], STRUCTURES["scarp_flow"]
 WORDS = {"basis": BASES, "fade": FADES, "fractal": FRACTALS}
-# Numbers whose 0 is a default in C, with that default; what there is beside them has its own.
-NUMBERS = {"frequency": 1.0, "octaves": 1.0, "lacunarity": 2.0, "gain": 0.5, "amplitude": 1.0,
-           "erosion": 1.0, "jitter": 1.0, "sharpness": None, "of_octaves": None}
+# The members of a noise, with their types, and what C takes where they are 0
+MEMBERS = {name: kind if not lengths else kind + "[]"
+           for name, kind, lengths in _interface.STRUCTURES["scarp_noise"][1]
+           if name not in ("plan", "spare")}
+ZEROS = _interface.DEFAULTS["scarp_noise"]
 CELLS = {2: (("f1", "f2", "id", "x", "y"), ("dx1", "dy1", "dx2", "dy2")),
          3: (("f1", "f2", "id", "x", "y", "z"), ("dx1", "dy1", "dz1", "dx2", "dy2", "dz2"))}
 FLOW = {2: (("vx", "vy"), ("vxx", "vxy", "vyx", "vyy")),
@@ -33,6 +37,59 @@ def enumerator(name, value):
         return integer(name, value, 0, len(words) - 1)
     except ScarpError as error:
         raise ScarpError(error.text, name, "SCARP_ERROR_ENUM") from None
+
+
+def default(name):
+    """What a member is that is not given: as it reads here."""
+    if name in WORDS:
+        return WORDS[name][0]
+    return ZEROS.get(name, {"u8": 0, "u4": False}.get(MEMBERS[name]))
+
+
+# How members are written, by their types: each returns what the member reads as, from then on.
+
+def write_word(noise, name, value):
+    setattr(noise, name, enumerator(name, value))
+    return WORDS[name][getattr(noise, name)]
+
+
+def write_number(noise, name, value):
+    kind = MEMBERS[name]
+    if ZEROS.get(name) == 0:
+        value = single(name, value)
+    else:
+        value = member(name, value, kind)
+    setattr(noise, name, value)
+    return value
+
+
+def write_switch(noise, name, value):
+    setattr(noise, name, int(bool(value)))
+    return bool(value)
+
+
+def write_seed(noise, name, value):
+    setattr(noise, name, seed_of(value))
+    return getattr(noise, name)
+
+
+def write_counts(noise, name, values):
+    if not hasattr(values, "__len__") or len(values) not in (2, 3):
+        raise ScarpError("two or three integers are needed, one for each axis", name)
+    counts = tuple(integer("%s[%d]" % (name, i), p, 0, 2 ** 30) for i, p in enumerate(values))
+    getattr(noise, name)[:len(counts)] = counts
+    return counts
+
+
+def write_noise(noise, name, value):
+    if not isinstance(value, Noise):
+        raise TypeError("%s must be a Noise, not %s" % (name, type(value).__name__))
+    setattr(noise, name, value._address)
+    return value
+
+
+WRITERS = {"i4": write_word, "f4": write_number, "f8": write_number, "u4": write_switch,
+           "u8": write_seed, "u4[]": write_counts, "pointer": write_noise}
 
 
 class Record:
@@ -106,37 +163,17 @@ class Noise:
     """
     __slots__ = ("_given", "_noise", "_address")
 
-    def __init__(self, basis="gradient", fractal="fbm", *, seed=0, frequency=None, octaves=None,
-                 lacunarity=None, gain=None, amplitude=None, fade="quintic", rotate=False,
-                 erosion=None, sharpness=None, jitter=None, phase=0.0, period=None,
-                 of_octaves=None, warp=None):
-        given = dict(frequency=frequency, octaves=octaves, lacunarity=lacunarity, gain=gain,
-                     amplitude=amplitude, erosion=erosion, sharpness=sharpness, jitter=jitter,
-                     of_octaves=of_octaves)
-        noise = _Noise()
-        for name, value in (("basis", basis), ("fade", fade), ("fractal", fractal)):
-            setattr(noise, name, enumerator(name, value))
-        for name, value in given.items():
-            if value is not None:
-                given[name] = member(name, value, "f8" if name == "frequency" else "f4")
-                setattr(noise, name, given[name])
-            else:
-                given[name] = NUMBERS[name]
-        noise.seed, noise.rotate = seed_of(seed), int(bool(rotate))
-        noise.phase = single("phase", phase)
-        if period is not None:
-            if not hasattr(period, "__len__") or len(period) not in (2, 3):
-                raise ScarpError("two or three integers are needed, one for each axis", "period")
-            period = tuple(integer("period[%d]" % i, p, 0, 2 ** 30) for i, p in enumerate(period))
-            noise.period[:len(period)] = period
-        if warp is not None:
-            if not isinstance(warp, Noise):
-                raise TypeError("warp must be a Noise, not %s" % type(warp).__name__)
-            noise.warp = warp._address
-        given.update(basis=BASES[noise.basis], fractal=FRACTALS[noise.fractal],
-                     fade=FADES[noise.fade], seed=noise.seed, rotate=bool(rotate),
-                     phase=noise.phase, period=period, warp=warp)
-        self._keep(given, noise)
+    def __init__(self, basis=None, fractal=None, **given):
+        given.update(basis=basis, fractal=fractal)
+        noise, kept = _Noise(), {}
+        for name in given:
+            if name not in MEMBERS:
+                raise TypeError("a noise has no member %r; there are %s" % (
+                    name, ", ".join(MEMBERS)))
+        for name, kind in MEMBERS.items():
+            value, write = given.get(name), WRITERS[kind]
+            kept[name] = default(name) if value is None else write(noise, name, value)
+        self._keep(kept, noise)
         status, at_fault = self._fault(2)
         if status and self._fault(3)[0]:  # some noises are of space alone
             raise complain(status, at_fault)
@@ -170,7 +207,7 @@ class Noise:
 
     def __repr__(self):
         shown = ["%s=%r" % (k, v) for k, v in self._given.items()
-                 if v != NUMBERS.get(k, DEFAULTS.get(k))]
+                 if v != default(k)]
         return "Noise(%s)" % ", ".join(shown)
 
     def replace(self, **changes):
@@ -337,8 +374,16 @@ class Noise:
         return kind(outputs.arrays, given.shape)
 
 
-DEFAULTS = {"basis": "gradient", "fractal": "fbm", "fade": "quintic", "seed": 0, "rotate": False,
-            "phase": 0.0}
+def _signature():
+    """What Noise() takes, for help(): its arguments are the members of C."""
+    kinds = inspect.Parameter
+    names = ["basis", "fractal"] + [m for m in MEMBERS if m not in ("basis", "fractal")]
+    return inspect.Signature([kinds("self", kinds.POSITIONAL_OR_KEYWORD)] + [
+        kinds(name, kinds.POSITIONAL_OR_KEYWORD if i < 2 else kinds.KEYWORD_ONLY,
+              default=default(name)) for i, name in enumerate(names)])
+
+
+Noise.__init__.__signature__ = _signature()
 POINTS = {(2, False): lib.scarp_sample2, (3, False): lib.scarp_sample3,
           (2, True): lib.scarp_sample2_f64, (3, True): lib.scarp_sample3_f64}
 
