@@ -13,7 +13,7 @@ scarp_test_program(test_accuracy SOURCES ${oracle_sources})
 foreach(isa IN LISTS isas)
   set(sizes 20000 4000 1000 1000)
   if(isa STREQUAL "scalar") # test_bits holds the others to it
-    set(sizes 100000 5000 5000 1000)
+    set(sizes 50000 2500 2500 1000)
   endif()
   scarp_add_sized_test(accuracy.${isa} accuracy SIZES ${sizes} COMMAND test_accuracy {} ${isa})
 endforeach()

@@ -2,14 +2,14 @@
 # Every kernel gives the bits of the scalar reference.
 
 # Slow builds try some lengths of short calls, since full ones try all.
-set(bits_step_emulated 5)
+set(bits_step_emulated 11)
 set(bits_step_slow 7)
 set(bits_step_full 1)
 
 scarp_test_program(test_bits)
 foreach(isa IN LISTS isas)
   if(NOT isa STREQUAL scalar)
-    scarp_add_sized_test(bits.${isa} bits SIZES 12007 2003 1003 259
+    scarp_add_sized_test(bits.${isa} bits SIZES 6007 1003 1003 259
                          COMMAND test_bits ${isa} {} ${bits_step_${speed}})
   endif()
 endforeach()

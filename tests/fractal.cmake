@@ -5,10 +5,10 @@
 
 # 12 cases each in full: more than 10^5 points
 scarp_test_program(test_fractal SOURCES ${oracle_sources})
-scarp_add_sized_test(fractal.accuracy fractal SIZES 9000 3000 2000 1000 COMMAND test_fractal {})
+scarp_add_sized_test(fractal.accuracy fractal SIZES 9000 2000 2000 1000 COMMAND test_fractal {})
 # 4 cases
 scarp_test_program(test_fractal_exact SOURCES ${oracle_sources})
-scarp_add_sized_test(fractal.exact fractal SIZES 26000 7000 4000 1000 COMMAND test_fractal_exact {})
+scarp_add_sized_test(fractal.exact fractal SIZES 26000 4000 4000 1000 COMMAND test_fractal_exact {})
 
 scarp_test_program(test_fractal_rebuild)
 scarp_add_sized_test(fractal.rebuild fractal SIZES 10000 3000 2000 1000

@@ -3,4 +3,4 @@
 
 scarp_test_program(test_presets)
 target_link_libraries(test_presets PRIVATE scarp-presets)
-scarp_add_sized_test(presets presets SIZES 12 1 1 1 COMMAND test_presets {})
+scarp_add_sized_test(presets presets SIZES 6 1 1 1 COMMAND test_presets {})

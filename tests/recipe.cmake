@@ -7,7 +7,7 @@ scarp_add_test(recipe recipe COMMAND test_recipe)
 
 scarp_test_program(test_recipe_bits)
 foreach(isa IN LISTS isas)
-  scarp_add_sized_test(recipe.bits.${isa} recipe SIZES 600 100 20 1
+  scarp_add_sized_test(recipe.bits.${isa} recipe SIZES 300 50 20 1
                        COMMAND test_recipe_bits ${isa} {} ${CMAKE_CURRENT_LIST_DIR}/recipes.txt)
 endforeach()
 
