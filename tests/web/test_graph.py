@@ -544,7 +544,8 @@ class Places(Graph):
             with self.subTest(name):
                 self.open(text)
                 self.assert_apart()
-                for card in self.boxes():
+                cards = list(self.boxes())
+                for card in cards[::max(1, len(cards) // 4)]:
                     self.focus(self.card(card))
                     self.assert_apart()
                 self.click(".graph-tools button:nth-child(2)")
