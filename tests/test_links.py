@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: MIT
 """The documents hold together: every relative link and picture in every *.md exists, anchors
-included, and the README's table of calls has every public function.
+included, and the table of calls has every public function.
 
     test_links.py SOURCE_DIR
 """
@@ -72,17 +72,17 @@ def check_links(source, names):
 
 
 def check_calls(source):
-    """Each public function stands in one row of the README's table of calls, and no other name."""
+    """Each public function stands in one row of the table of calls, and no other name."""
     header = re.sub(r"(?s)/\*.*?\*/", "", read(source, "include", "scarp.h"))
     public = re.findall(r"(?m)^SCARP_API [^;]*?(scarp_\w+)\(", header)
-    table = read(source, "README.md").split("\n## The calls\n")[1].split("\n#")[0]
+    table = read(source, "src", "calls", "README.md")
     told = [name for row in re.findall(r"(?m)^\| (`scarp_[^|]*) \|", table)
             for name in re.findall(r"`(scarp_\w+)`", row)]
-    complaints = ["README.md: the table of calls has no " + name
+    complaints = ["src/calls/README.md: the table has no " + name
                   for name in sorted(set(public) - set(told))]
-    complaints += ["README.md: the table of calls has %s, which is not public" % name
+    complaints += ["src/calls/README.md: the table has %s, which is not public" % name
                    for name in sorted(set(told) - set(public))]
-    complaints += ["README.md: the table of calls has %s %d times" % (name, told.count(name))
+    complaints += ["src/calls/README.md: the table has %s %d times" % (name, told.count(name))
                    for name in sorted(set(told)) if told.count(name) > 1]
     return complaints, len(public)
 

@@ -14,7 +14,8 @@ from rasters import read_bytes
 from test_gallery import gallery_commands
 
 # The documents with commands, and how many each has beside those of the gallery, at least
-DOCUMENTS = {"README.md": 4, "src/cli/README.md": 9}
+MANUAL = "src/cli/README.md"
+DOCUMENTS = {"README.md": 2, MANUAL: 9}
 
 
 def shown_commands(name):
@@ -115,9 +116,9 @@ class Shown(Case):
                 found[x, y] = [data[2 * side * row:2 * side * (row + 1)] for row in range(side)]
         return found, side
 
-    def engine(self, document, part):
-        """The one command of a document that has this part in a word."""
-        found = [words for words in shown_commands(document)
+    def engine(self, part):
+        """The one command of the manual that has this part in a word."""
+        found = [words for words in shown_commands(MANUAL)
                  if any(part in word for word in words)]
         self.assertEqual(len(found), 1, part)
         return found[0]
@@ -125,21 +126,19 @@ class Shown(Case):
     def test_unity(self):
         """The size is 2^n + 1; edges are shared, rows to the south and columns to the east; y
         counts northward; low bytes come first."""
-        for document in DOCUMENTS:
-            self.enter(document)
-            words = self.engine(document, "unity/")
-            self.assertEqual(bin(self.sides(words)[1]).count("1"), 1)
-            tiles, side = self.tiles(words, "unity/alps_%d_%d.raw")
-            for i in range(2):
-                self.assertEqual([row[-2:] for row in tiles[0, i]],
-                                 [row[:2] for row in tiles[1, i]])
-                self.assertEqual(tiles[i, 1][-1], tiles[i, 0][0])
-            self.run_shown(without(words, "--tile", "--overlap", "--heights") +
-                           ["--heights", "whole.r16"])
-            data = self.made("whole.r16")
-            width = 2 * (side - 1)
-            self.assertEqual(data[:2 * side], tiles[0, 1][0])  # north-west
-            self.assertEqual(data[2 * width * (side - 1):][:2 * side], tiles[0, 0][0])
+        self.enter("unity")
+        words = self.engine("unity/")
+        self.assertEqual(bin(self.sides(words)[1]).count("1"), 1)
+        tiles, side = self.tiles(words, "unity/alps_%d_%d.raw")
+        for i in range(2):
+            self.assertEqual([row[-2:] for row in tiles[0, i]], [row[:2] for row in tiles[1, i]])
+            self.assertEqual(tiles[i, 1][-1], tiles[i, 0][0])
+        self.run_shown(without(words, "--tile", "--overlap", "--heights") +
+                       ["--heights", "whole.r16"])
+        data = self.made("whole.r16")
+        width = 2 * (side - 1)
+        self.assertEqual(data[:2 * side], tiles[0, 1][0])  # north-west
+        self.assertEqual(data[2 * width * (side - 1):][:2 * side], tiles[0, 0][0])
         heights = struct.unpack("<%dH" % (len(data) // 2), data)
         steps = sorted(abs(a - b) for a, b in zip(heights, heights[1:]))
         self.assertLess(steps[len(steps) // 2], 8192)  # with bytes swapped they would be noise
@@ -147,7 +146,7 @@ class Shown(Case):
     def test_origin_of_unity(self):
         """With --origin 0,1 the overlap of the southernmost row lies at y = 0."""
         self.enter("origin")
-        words = self.engine("src/cli/README.md", "unity/")
+        words = self.engine("unity/")
         self.assertEqual(words[words.index("--origin") + 1], "0,1")
         tiles, side = self.tiles(words, "unity/alps_%d_%d.raw")
         self.run_shown(["scarp", "terrain", "--preset", "alps", "--size", "%dx16" % (16 * side),
@@ -158,18 +157,17 @@ class Shown(Case):
         """Names have _x and _y; tiles of World Composition are of a recommended size, and share
         edges; those of World Partition lie side by side."""
         self.enter("unreal")
-        words = self.engine("src/cli/README.md", "composition/")
+        words = self.engine("composition/")
         self.assertEqual(words[words.index("--tile") + 1], "1008x1008")
         tiles, _ = self.tiles(words, "composition/alps_x%d_y%d.r16")
         self.assertEqual([row[-2:] for row in tiles[0, 0]], [row[:2] for row in tiles[1, 0]])
         self.assertEqual(tiles[0, 0][-1], tiles[0, 1][0])
-        words = self.engine("src/cli/README.md", "partition/")
+        words = self.engine("partition/")
         self.assertNotIn("--overlap", words)
         parts, side = self.tiles(words, "partition/alps_x%d_y%d.r16")
         self.assertEqual([row[:2 * side] for row in tiles[0, 1][:side]], parts[0, 1])
-        for document in DOCUMENTS:
-            words = self.engine(document, "unreal.r16")
-            self.assertEqual(words[words.index("--size") + 1], "2017x2017")
+        words = self.engine("unreal.r16")
+        self.assertEqual(words[words.index("--size") + 1], "2017x2017")
 
 
 if __name__ == "__main__":

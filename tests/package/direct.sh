@@ -1,6 +1,6 @@
 #!/bin/sh
 # SPDX-License-Identifier: MIT
-# The library without a build system: the command that the documentation gives.
+# The library without a build system: the command that cmake/README.md gives.
 . ./common.sh
 
 fresh direct
@@ -11,8 +11,8 @@ s390x) more=-fexcess-precision=fast ;; # see cmake/compile.cmake
 *) more= ;;
 esac
 # shellcheck disable=SC2016 # the backquotes are those of the README
-arguments=$(sed -n 's/^ *`cc \(-std=c11 [^`]*-c src[^`]*\)`$/\1/p' "$source_dir/README.md")
-[ -n "$arguments" ] || fail "README.md has no command that compiles src without a build system"
+arguments=$(sed -n 's/^ *`cc \(-std=c11 [^`]*-c src[^`]*\)`$/\1/p' "$source_dir/cmake/README.md")
+[ -n "$arguments" ] || fail "cmake/README.md has no command that compiles src without a build system"
 # shellcheck disable=SC2086 # words, and files by their patterns
 # That it compiles and links is the question: without optimisation, in a quarter of the time.
 "$c_compiler" $more $arguments -O0
