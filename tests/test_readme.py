@@ -22,7 +22,8 @@ WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Werror"]
 DOCUMENTS = {
     "README.md": {"program": 2, "fragment": 1, "python": 1},
     "src/bindings/README.md": {"program in C++": 1},
-    "src/examples/README.md": {"program": 5, "fragment": 2},
+    "src/examples/published.md": {"program": 1},
+    "src/examples/README.md": {"program": 4, "fragment": 2},
     "src/cli/README.md": {"animation": 1},
     "src/gpu/README.md": {"fragment": 2},
     "src/recipe/README.md": {"program": 1},
