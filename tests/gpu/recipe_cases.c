@@ -11,15 +11,12 @@
  * value, dx, dy, dz, dxx, dxy, dxz, dyy, dyz, dzz; and N.answers. Arrays of 4-byte words in the
  * processor's order. index.json lists the recipes: their dimensions, and the order of each output.
  */
-#include "../outputs.h"
 #include "../recipes.h"
+#include "members.h"
 
-enum { POINTS = 2048, MEMBERS = 10, MOST = 16 };
+enum { POINTS = 2048, MOST = 16 };
 
 static struct scarp_recipe recipe;
-
-static const unsigned char order_of[MEMBERS] = {0, 1, 1, 1, 2, 2, 2, 2, 2, 2};
-static const unsigned char is_along_z[MEMBERS] = {0, 0, 0, 1, 0, 0, 1, 0, 1, 1};
 
 /* What is asked of a recipe: its dimensions, and the order of each output. */
 struct described {
@@ -192,9 +189,7 @@ static void write_outputs(const char *directory, int number, const struct descri
     for (int output = 0; output < d->outputs; output++) {
         for (int m = 0; m < MEMBERS; m++) {
             float *const to =
-                order_of[m] <= d->order[output] && (d->dimensions == 3 || !is_along_z[m])
-                    ? array[output][m]
-                    : NULL;
+                has_member(m, d->dimensions, d->order[output]) ? array[output][m] : NULL;
             memcpy((char *)&samples[output] + (size_t)m * sizeof to, &to, sizeof to);
         }
     }

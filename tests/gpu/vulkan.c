@@ -13,9 +13,9 @@
  */
 #include <time.h>
 
-#include "../outputs.h"
 #include "cases.h"
 #include "device.h"
+#include "members.h"
 
 enum { TASK_ANSWERS = 3 };
 
@@ -35,13 +35,6 @@ static double seconds(void)
     struct timespec now;
     timespec_get(&now, TIME_UTC);
     return (double)now.tv_sec + (double)now.tv_nsec * 1e-9;
-}
-
-/* The bits that count: 0 below 2^-120. */
-static uint32_t counted_bits(const float *value)
-{
-    const uint32_t bits = float_bits(value);
-    return (bits & 0x7fffffffu) < (uint32_t)(127 - 120) << 23 ? 0 : bits;
 }
 
 /* Compares one output of all points and returns how many differ. */
