@@ -21,6 +21,7 @@ find_program(SCARP_ABIDW NAMES abidw)
 find_program(SCARP_BASH NAMES bash)
 find_program(SCARP_CHROMIUM NAMES chromium google-chrome chromium-browser)
 find_program(SCARP_GLSLANG NAMES glslangValidator glslang)
+find_path(SCARP_GODOT_HEADERS gdextension_interface.h PATH_SUFFIXES godot DOC "The folder of Godot's header")
 find_program(SCARP_GROFF NAMES groff)
 find_program(SCARP_MCS NAMES mcs)
 find_program(SCARP_MONO NAMES mono)
@@ -30,7 +31,7 @@ find_program(SCARP_SPIRV_DIS NAMES spirv-dis)
 find_program(SCARP_SPIRV_OPT NAMES spirv-opt)
 find_program(SCARP_STRACE NAMES strace)
 find_program(SCARP_VALGRIND NAMES valgrind)
-mark_as_advanced(SCARP_ABIDIFF SCARP_ABIDW SCARP_BASH SCARP_CHROMIUM SCARP_GLSLANG SCARP_GROFF SCARP_MCS SCARP_MONO
+mark_as_advanced(SCARP_ABIDIFF SCARP_ABIDW SCARP_BASH SCARP_CHROMIUM SCARP_GLSLANG SCARP_GODOT_HEADERS SCARP_GROFF SCARP_MCS SCARP_MONO
                  SCARP_PKG_CONFIG SCARP_SH
                  SCARP_SPIRV_DIS SCARP_SPIRV_OPT SCARP_STRACE SCARP_VALGRIND)
 
@@ -122,6 +123,7 @@ scarp_tool(c++ cxx_works)
 scarp_tool(chromium browser)
 scarp_tool(full-speed speed STREQUAL "full")
 scarp_tool(glslang SCARP_GLSLANG)
+scarp_tool(godot SCARP_GODOT_HEADERS AND UNIX AND NOT CMAKE_CROSSCOMPILING)
 scarp_tool(groff SCARP_GROFF)
 scarp_tool(linux CMAKE_SYSTEM_NAME STREQUAL "Linux")
 scarp_tool(mono SCARP_MCS AND SCARP_MONO AND NOT CMAKE_CROSSCOMPILING

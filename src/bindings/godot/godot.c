@@ -1,0 +1,300 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * The class ScarpRecipe for Godot 4.2 and later: the entry point, the registration, and how calls
+ * come in. What methods do is in recipe.c.
+ */
+#include "godot.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+#include <stdlib.h>
+
+#if defined(_WIN32)
+#define EXPORTED __declspec(dllexport)
+#else
+#define EXPORTED __attribute__((visibility("default")))
+#endif
+
+#define CLASS "ScarpRecipe"
+#define PARENT "RefCounted"
+#define USAGE_DEFAULT 6 /* PROPERTY_USAGE_DEFAULT of extension_api.json */
+#define RESIZE_HASH                                                                                \
+    848867239 /* of resize(int) -> int, which all packed arrays have, in that file */
+#define VARIANT_MAX_DOUBLES 5 /* 24 bytes, or 40 where Godot is built with precision=double */
+#define FIRST_PACKED GDEXTENSION_VARIANT_TYPE_PACKED_BYTE_ARRAY
+#define LAST_PACKED GDEXTENSION_VARIANT_TYPE_PACKED_VECTOR3_ARRAY
+
+struct godot godot;
+static GDExtensionPtrBuiltInMethod resize[LAST_PACKED - FIRST_PACKED + 1];
+
+/* A StringName is one pointer. That of the class lives as long as the class is registered. */
+typedef void *string_name;
+static string_name class_name;
+
+static void new_name(string_name *name, const char *text)
+{
+    godot.string_name_new_with_latin1_chars(name, text, 0);
+}
+
+static void destroy(GDExtensionVariantType type, GDExtensionTypePtr value)
+{
+    int has_destructor = type == GDEXTENSION_VARIANT_TYPE_STRING ||
+                         type == GDEXTENSION_VARIANT_TYPE_STRING_NAME || type >= FIRST_PACKED;
+    if (has_destructor) {
+        godot.variant_get_ptr_destructor(type)(value);
+    }
+}
+
+int godot_resize(GDExtensionVariantType type, GDExtensionTypePtr array, int64_t count)
+{
+    GDExtensionConstTypePtr argument[1] = {&count};
+    int64_t error = 0;
+    resize[type - FIRST_PACKED](array, argument, &error, 1);
+    return error == 0;
+}
+
+char *godot_text(GDExtensionConstTypePtr string, size_t *length)
+{
+    GDExtensionInt bytes = godot.string_to_utf8_chars(string, NULL, 0);
+    char *text = malloc((size_t)bytes + 1);
+    if (text != NULL) {
+        godot.string_to_utf8_chars(string, text, bytes);
+        text[bytes] = 0;
+        *length = (size_t)bytes;
+    }
+    return text;
+}
+
+void godot_set_text(GDExtensionTypePtr string, const char *text)
+{
+    destroy(GDEXTENSION_VARIANT_TYPE_STRING, string);
+    godot.string_new_with_utf8_chars(string, text);
+}
+
+void godot_error(const char *function, const char *text, ...)
+{
+    char message[512];
+    va_list list;
+    va_start(list, text);
+    vsnprintf(message, sizeof message, text, list);
+    va_end(list);
+    godot.print_error(message, function, CLASS, 0, 1);
+}
+
+/* Instances */
+
+static GDExtensionObjectPtr create_instance(void *userdata)
+{
+    (void)userdata;
+    void *self = recipe_new();
+    if (self == NULL) {
+        godot_error("new", "no memory");
+        return NULL;
+    }
+    string_name parent;
+    new_name(&parent, PARENT);
+    GDExtensionObjectPtr object = godot.classdb_construct_object(&parent);
+    destroy(GDEXTENSION_VARIANT_TYPE_STRING_NAME, &parent);
+    godot.object_set_instance(object, &class_name, self);
+    return object;
+}
+
+static void free_instance(void *userdata, GDExtensionClassInstancePtr self)
+{
+    (void)userdata;
+    recipe_free(self);
+}
+
+/* Calls with typed arguments, and those with variants */
+
+static void call_typed(void *method, GDExtensionClassInstancePtr self,
+                       const GDExtensionConstTypePtr *argument, GDExtensionTypePtr result)
+{
+    ((const struct godot_method *)method)->body(self, argument, result);
+}
+
+/* Whether the variants are what the method takes; if not, *error says why. */
+static int check_variants(const struct godot_method *method,
+                          const GDExtensionConstVariantPtr *given, GDExtensionInt count,
+                          GDExtensionCallError *error)
+{
+    error->error = GDEXTENSION_CALL_OK;
+    if (count > method->count) {
+        error->error = GDEXTENSION_CALL_ERROR_TOO_MANY_ARGUMENTS;
+        error->expected = method->count;
+    } else if (count < method->count - method->optional) {
+        error->error = GDEXTENSION_CALL_ERROR_TOO_FEW_ARGUMENTS;
+        error->expected = method->count - method->optional;
+    }
+    for (int i = 0; error->error == GDEXTENSION_CALL_OK && i < count; i++) {
+        GDExtensionVariantType type = godot.variant_get_type(given[i]);
+        GDExtensionVariantType wanted = method->argument[i].type;
+        int converts =
+            (type == GDEXTENSION_VARIANT_TYPE_INT && wanted == GDEXTENSION_VARIANT_TYPE_FLOAT) ||
+            (type == GDEXTENSION_VARIANT_TYPE_STRING_NAME &&
+             wanted == GDEXTENSION_VARIANT_TYPE_STRING);
+        if (type != wanted && !converts) {
+            error->error = GDEXTENSION_CALL_ERROR_INVALID_ARGUMENT;
+            error->argument = i;
+            error->expected = (int32_t)wanted;
+        }
+    }
+    return error->error == GDEXTENSION_CALL_OK;
+}
+
+static void call_variants(void *userdata, GDExtensionClassInstancePtr self,
+                          const GDExtensionConstVariantPtr *given, GDExtensionInt count,
+                          GDExtensionVariantPtr result, GDExtensionCallError *error)
+{
+    const struct godot_method *method = userdata;
+    if (!check_variants(method, given, count, error)) {
+        return;
+    }
+    union {
+        int64_t integer;
+        double number;
+        void *two[2]; /* a packed array, which is the largest; a String has one */
+    } value[GODOT_ARGUMENTS], answer;
+    GDExtensionConstTypePtr argument[GODOT_ARGUMENTS];
+    for (int i = 0; i < method->count; i++) {
+        argument[i] = &value[i];
+        if (i < count) {
+            GDExtensionVariantPtr variant = (GDExtensionVariantPtr)given[i]; /* only read */
+            godot.get_variant_to_type_constructor(method->argument[i].type)(&value[i], variant);
+        } else {
+            godot.string_new_with_utf8_chars(&value[i], "");
+        }
+    }
+    if (method->result == GDEXTENSION_VARIANT_TYPE_NIL) {
+        method->body(self, argument, NULL);
+    } else {
+        godot.variant_get_ptr_constructor(method->result, 0)(&answer, NULL);
+        method->body(self, argument, &answer);
+        godot.variant_destroy(result);
+        godot.get_variant_from_type_constructor(method->result)(result, &answer);
+        destroy(method->result, &answer);
+    }
+    for (int i = 0; i < method->count; i++) {
+        destroy(method->argument[i].type, &value[i]);
+    }
+}
+
+/* Registration */
+
+static void register_method(GDExtensionClassLibraryPtr library, const struct godot_method *method)
+{
+    string_name empty, name, names[GODOT_ARGUMENTS];
+    void *hint;
+    new_name(&empty, "");
+    new_name(&name, method->name);
+    godot.string_new_with_utf8_chars(&hint, "");
+    GDExtensionPropertyInfo result = {method->result, &empty, &empty, 0, &hint, USAGE_DEFAULT};
+    GDExtensionPropertyInfo arguments[GODOT_ARGUMENTS];
+    GDExtensionClassMethodArgumentMetadata metadata[GODOT_ARGUMENTS] = {
+        GDEXTENSION_METHOD_ARGUMENT_METADATA_NONE};
+    for (int i = 0; i < method->count; i++) {
+        new_name(&names[i], method->argument[i].name);
+        arguments[i] = result;
+        arguments[i].type = method->argument[i].type;
+        arguments[i].name = &names[i];
+    }
+    double storage[VARIANT_MAX_DOUBLES]; /* the variant of an empty String */
+    godot.get_variant_from_type_constructor(GDEXTENSION_VARIANT_TYPE_STRING)(storage, &hint);
+    GDExtensionVariantPtr defaults[GODOT_ARGUMENTS];
+    for (int i = 0; i < method->optional; i++) {
+        defaults[i] = storage;
+    }
+
+    GDExtensionClassMethodInfo info = {
+        .name = &name,
+        .method_userdata = (void *)method,
+        .call_func = call_variants,
+        .ptrcall_func = call_typed,
+        .method_flags = method->flags,
+        .has_return_value = method->result != GDEXTENSION_VARIANT_TYPE_NIL,
+        .return_value_info = &result,
+        .return_value_metadata = GDEXTENSION_METHOD_ARGUMENT_METADATA_NONE,
+        .argument_count = (uint32_t)method->count,
+        .arguments_info = arguments,
+        .arguments_metadata = metadata,
+        .default_argument_count = (uint32_t)method->optional,
+        .default_arguments = defaults,
+    };
+    godot.classdb_register_extension_class_method(library, &class_name, &info);
+
+    godot.variant_destroy(storage);
+    for (int i = 0; i < method->count; i++) {
+        destroy(GDEXTENSION_VARIANT_TYPE_STRING_NAME, &names[i]);
+    }
+    destroy(GDEXTENSION_VARIANT_TYPE_STRING, &hint);
+    destroy(GDEXTENSION_VARIANT_TYPE_STRING_NAME, &name);
+    destroy(GDEXTENSION_VARIANT_TYPE_STRING_NAME, &empty);
+}
+
+static void initialize(void *library, GDExtensionInitializationLevel level)
+{
+    if (level != GDEXTENSION_INITIALIZATION_SCENE) {
+        return;
+    }
+    GDExtensionClassCreationInfo2 info = {
+        .is_exposed = 1,
+        .create_instance_func = create_instance,
+        .free_instance_func = free_instance,
+    };
+    string_name parent;
+    new_name(&parent, PARENT);
+    new_name(&class_name, CLASS);
+    godot.classdb_register_extension_class2(library, &class_name, &parent, &info);
+    destroy(GDEXTENSION_VARIANT_TYPE_STRING_NAME, &parent);
+    for (size_t i = 0; i < recipe_method_count; i++) {
+        register_method(library, &recipe_methods[i]);
+    }
+}
+
+static void deinitialize(void *library, GDExtensionInitializationLevel level)
+{
+    if (level == GDEXTENSION_INITIALIZATION_SCENE) {
+        godot.classdb_unregister_extension_class(library, &class_name);
+        destroy(GDEXTENSION_VARIANT_TYPE_STRING_NAME, &class_name);
+    }
+}
+
+/* The entry point, which scarp.gdextension names. Returns 0 if this Godot lacks a function. */
+EXPORTED GDExtensionBool scarp_godot_init(GDExtensionInterfaceGetProcAddress get,
+                                          GDExtensionClassLibraryPtr library,
+                                          GDExtensionInitialization *initialization);
+
+GDExtensionBool scarp_godot_init(GDExtensionInterfaceGetProcAddress get,
+                                 GDExtensionClassLibraryPtr library,
+                                 GDExtensionInitialization *initialization)
+{
+    const char *missing = NULL;
+#define GODOT_LOAD(name, type)                                                                     \
+    godot.name = (GDExtensionInterface##type)(void (*)(void))get(#name);                           \
+    missing = godot.name == NULL ? #name : missing;
+    GODOT_FUNCTIONS(GODOT_LOAD)
+#undef GODOT_LOAD
+    if (missing == NULL) {
+        string_name name;
+        new_name(&name, "resize");
+        for (int i = FIRST_PACKED; i <= LAST_PACKED; i++) {
+            GDExtensionPtrBuiltInMethod found =
+                godot.variant_get_ptr_builtin_method((GDExtensionVariantType)i, &name, RESIZE_HASH);
+            resize[i - FIRST_PACKED] = found;
+            missing = found == NULL ? "resize of packed arrays" : missing;
+        }
+        destroy(GDEXTENSION_VARIANT_TYPE_STRING_NAME, &name);
+    }
+    if (missing != NULL) {
+        if (godot.print_error != NULL) {
+            godot_error("scarp_godot_init", "scarp needs Godot 4.2 or later: there is no %s",
+                        missing);
+        }
+        return 0;
+    }
+    initialization->minimum_initialization_level = GDEXTENSION_INITIALIZATION_SCENE;
+    initialization->userdata = library;
+    initialization->initialize = initialize;
+    initialization->deinitialize = deinitialize;
+    return 1;
+}
