@@ -17,10 +17,13 @@
 
 #define CLASS "ScarpRecipe"
 #define PARENT "RefCounted"
-#define USAGE_DEFAULT 6 /* PROPERTY_USAGE_DEFAULT of extension_api.json */
-#define RESIZE_HASH                                                                                \
-    848867239 /* of resize(int) -> int, which all packed arrays have, in that file */
-#define VARIANT_MAX_DOUBLES 5 /* 24 bytes, or 40 where Godot is built with precision=double */
+
+/* Of Godot's extension_api.json: PROPERTY_USAGE_DEFAULT; the hash of resize(int) -> int, which all
+   packed arrays have; the size of a Variant, 24 bytes, or 40 with precision=double */
+#define USAGE_DEFAULT 6
+#define RESIZE_HASH 848867239
+#define VARIANT_DOUBLES 5
+
 #define FIRST_PACKED GDEXTENSION_VARIANT_TYPE_PACKED_BYTE_ARRAY
 #define LAST_PACKED GDEXTENSION_VARIANT_TYPE_PACKED_VECTOR3_ARRAY
 
@@ -198,7 +201,7 @@ static void register_method(GDExtensionClassLibraryPtr library, const struct god
         arguments[i].type = method->argument[i].type;
         arguments[i].name = &names[i];
     }
-    double storage[VARIANT_MAX_DOUBLES]; /* the variant of an empty String */
+    double storage[VARIANT_DOUBLES]; /* the variant of an empty String */
     godot.get_variant_from_type_constructor(GDEXTENSION_VARIANT_TYPE_STRING)(storage, &hint);
     GDExtensionVariantPtr defaults[GODOT_ARGUMENTS];
     for (int i = 0; i < method->optional; i++) {
