@@ -12,6 +12,11 @@ install(TARGETS scarp EXPORT scarp
 install(FILES include/scarp.h include/scarp.hpp include/scarp.glsl include/scarp.hlsl include/scarp.wgsl
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
 
+# C#: a file for a program's own sources, and what Unity wants beside it
+set(csharp ${PROJECT_SOURCE_DIR}/src/bindings/csharp)
+install(FILES ${csharp}/Scarp.cs ${csharp}/unity/Scarp.asmdef ${csharp}/unity/TerrainSample.cs
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/scarp/csharp COMPONENT development)
+
 # find_package(scarp). While the major version is 0, every minor version may change the interface.
 if(PROJECT_VERSION_MAJOR EQUAL 0)
   set(compatibility SameMinorVersion)

@@ -6,7 +6,7 @@
 # for Debian are made instead, which need dpkg-dev and `file`:
 #
 #   libscarp0.2    the shared library; the number is that of the SONAME
-#   libscarp-dev   headers (C, C++20), shaders, and what find_package and pkg-config read
+#   libscarp-dev   headers (C, C++20), shaders, Scarp.cs, and what find_package and pkg-config read
 #   scarp          the program, its man page and its completion
 #   python3-scarp  the module for Python (python.cmake), where the library is shared
 

@@ -15,9 +15,9 @@ import re
 import sys
 
 from header import Header
-from tables import python, web
+from tables import csharp, python, web
 
-TABLES = (python, web)
+TABLES = (csharp, python, web)
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
@@ -28,8 +28,8 @@ DESCRIPTION = "src/bindings/interface.json"
 # and whether names are camelCase
 DOCUMENTS = (("src/web/scarp.d.ts", "export interface Noise {", "\n}", True),
              ("src/bindings/python/scarp/__init__.pyi", "class Noise:", "-> None", False),
-             ("src/bindings/python/scarp/_noise.py", "class Noise:\n", "\n    None ", False))
-
+             ("src/bindings/python/scarp/_noise.py", "class Noise:\n", "\n    None ", False),
+             ("src/bindings/csharp/Scarp.cs", "class Noise\n", "// On its way to C", False))
 
 
 def both(four, eight):

@@ -87,6 +87,8 @@ class Interface(unittest.TestCase):
                 ("src/web/interface.mjs", "of_octaves: 76", "of_octaves: 72", "interface.mjs"),
                 ("src/web/scarp.d.ts", "jitter?: number", "jittre?: number",
                  "scarp.d.ts does not tell of jitter"),
+                ("src/bindings/csharp/Scarp.cs", "public float jitter;", "public int jitter;",
+                 "Scarp.cs is not current"),
                 ("src/bindings/python/scarp/_interface.py", "'phase'", "'fase'",
                  "_interface.py is not current")):
             with self.subTest(new):
@@ -109,6 +111,7 @@ class Interface(unittest.TestCase):
         self.assertIn({"name": "other_one", "type": "float", "offset": 56, "default": 7.0}, members)
         for table, line in (("src/web/interface.mjs", "other_one: 56"),
                             ("src/web/interface.mjs", "other_one: 'float'"),
+                            ("src/bindings/csharp/Scarp.cs", "public float other_one;"),
                             ("src/bindings/python/scarp/_interface.py", "'other_one': 7.0")):
             with open(os.path.join(SCRATCH, table), encoding="utf-8") as file:
                 self.assertIn(line, file.read())
@@ -116,7 +119,8 @@ class Interface(unittest.TestCase):
         self.assertEqual(done.stderr.splitlines(), [
             "src/web/scarp.d.ts does not tell of otherOne",
             "src/bindings/python/scarp/__init__.pyi does not tell of other_one",
-            "src/bindings/python/scarp/_noise.py does not tell of other_one"])
+            "src/bindings/python/scarp/_noise.py does not tell of other_one",
+            "src/bindings/csharp/Scarp.cs does not tell of other_one"])
 
 
 unittest.main(argv=sys.argv[:1])

@@ -19,7 +19,7 @@ top=$dir/${1%.tar.gz}
 [ -d "$top" ] || fail "$1 does not unpack into $top"
 for file in "$includedir/scarp.h" "$includedir/scarp.hpp" "$includedir/scarp.wgsl" \
     "$libdir/$library_name" "$libdir/pkgconfig/scarp.pc" "$libdir/cmake/scarp/scarpConfig.cmake" \
-    share/scarp/scarp_single.c share/scarp/scarp.h share/doc/scarp/LICENSE; do
+    share/scarp/scarp_single.c share/scarp/scarp.h share/scarp/csharp/Scarp.cs share/doc/scarp/LICENSE; do
     [ -f "$top/$file" ] || fail "$file is not in the archive"
 done
 cmp "$top/$includedir/scarp.h" "$top/share/scarp/scarp.h"

@@ -13,7 +13,7 @@ fresh install
 "$cmake" --install "$build_dir" --config "$config" --prefix "$dir/prefix"
 for file in "$includedir/scarp.h" "$includedir/scarp.hpp" "$includedir/scarp.glsl" \
     "$includedir/scarp.hlsl" "$includedir/scarp.wgsl" "$libdir/$library_name" "$libdir/pkgconfig/scarp.pc" \
-    "$libdir/cmake/scarp/scarpConfig.cmake" "$libdir/cmake/scarp/scarpConfigVersion.cmake"; do
+    share/scarp/csharp/Scarp.cs "$libdir/cmake/scarp/scarpConfig.cmake" "$libdir/cmake/scarp/scarpConfigVersion.cmake"; do
     [ -f "$dir/prefix/$file" ] || fail "$file is not installed"
 done
 
