@@ -26,7 +26,7 @@ Libs: -L{lib} -lscarp
 """
 # Samples whose parts the document shows, by the language of the block
 PARTS = {"js": ("webgpu.html", "webgl.html", "plan.mjs"), "hlsl": ("Relief.compute", "Relief.usf"),
-         "csharp": ("Relief.cs", "Scarp.cs"), "cpp": ("Relief.cpp",)}
+         "csharp": ("Relief.cs",), "cpp": ("Relief.cpp",)}
 # How many blocks there are that others test
 OTHERS = {"c": 2, "wgsl": 1}
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Runs Relief.compute in Unity. Scarp.cs has the calls of the library.
+// Runs Relief.compute in Unity. src/bindings/csharp/Scarp.cs has the calls of the library.
 using System;
+using Scarp;
 using UnityEngine;
 
 public class Relief : MonoBehaviour
@@ -12,26 +13,25 @@ public class Relief : MonoBehaviour
 
     void Start()
     {
-        var bend = new ScarpNoise { seed = 9, frequency = 1 / 190.0, octaves = 3, amplitude = 44 };
-        var ground = new ScarpNoise {
-            fractal = 6, // SCARP_SWISS
-            rotate = 1, seed = 14, frequency = 1 / 300.0, octaves = 7, amplitude = 160,
-            sharpness = 0.12f, warp = Scarp.Keep(bend)
+        var bend = new Noise { Seed = 9, Frequency = 1 / 190.0, Octaves = 3, Amplitude = 44 };
+        var ground = new Noise {
+            Fractal = Fractal.Swiss, Rotate = true, Seed = 14, Frequency = 1 / 300.0, Octaves = 7,
+            Amplitude = 160, Sharpness = 0.12f, Warp = bend
         };
 
-        uint[] plan = Scarp.Plan(ground, 2);
-        var plans = new ComputeBuffer(Scarp.PlanBytes / 16, 16, ComputeBufferType.Constant);
+        uint[] plan = ground.ShaderPlan(2);
+        var plans = new ComputeBuffer(plan.Length / 4, 16, ComputeBufferType.Constant);
         plans.SetData(plan);
-        shader.SetConstantBuffer("ScarpPlans", plans, 0, Scarp.PlanBytes);
+        shader.SetConstantBuffer("ScarpPlans", plans, 0, 4 * plan.Length);
 
         var results = new ComputeBuffer(3 * Pixels, 4);
-        uint[] answers = Run("Answers", Scarp.AnswerCount, results, new uint[Scarp.AnswerCount]);
-        uint[] expected = Scarp.Answers(ground, 2, 1);
+        uint[] expected = ground.ShaderAnswers(2, 1);
+        uint[] answers = Run("Answers", expected.Length, results, new uint[expected.Length]);
         int equal = 0;
-        for (int i = 0; i < Scarp.AnswerCount; i++) {
+        for (int i = 0; i < expected.Length; i++) {
             equal += answers[i] == expected[i] ? 1 : 0;
         }
-        Debug.Log(equal + " of " + Scarp.AnswerCount + " answers are equal");
+        Debug.Log(equal + " of " + expected.Length + " answers are equal");
 
         var terrain = new float[3 * Pixels]; // all heights, all slopes along x, all along y
         Buffer.BlockCopy(Run("Relief", Pixels, results, new uint[3 * Pixels]), 0, terrain, 0,
