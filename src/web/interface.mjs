@@ -24,15 +24,15 @@ export const scarp_fractal = {
     SCARP_FBM: 0, SCARP_TURBULENCE: 1, SCARP_RIDGED: 2, SCARP_EROSION: 3, SCARP_PINGPONG: 4,
     SCARP_HYBRID: 5, SCARP_SWISS: 6, SCARP_JORDAN: 7,
 };
-export const scarp_isa = {
-    SCARP_ISA_NONE: 0, SCARP_ISA_SCALAR: 1, SCARP_ISA_SSE41: 2, SCARP_ISA_AVX2: 3,
-    SCARP_ISA_AVX512: 4, SCARP_ISA_NEON: 5, SCARP_ISA_GENERIC: 6, SCARP_ISA_WASM128: 7,
-};
 export const scarp_recipe_kind = {
     SCARP_RECIPE_BAD: 0, SCARP_RECIPE_NUMBER: 1, SCARP_RECIPE_FIELD: 2, SCARP_RECIPE_NOISE: 3,
     SCARP_RECIPE_WORD: 4, SCARP_RECIPE_KNOT: 5,
 };
 export const scarp_language = { SCARP_GLSL: 0, SCARP_HLSL: 1, SCARP_WGSL: 2 };
+export const scarp_isa = {
+    SCARP_ISA_NONE: 0, SCARP_ISA_SCALAR: 1, SCARP_ISA_SSE41: 2, SCARP_ISA_AVX2: 3,
+    SCARP_ISA_AVX512: 4, SCARP_ISA_NEON: 5, SCARP_ISA_GENERIC: 6, SCARP_ISA_WASM128: 7,
+};
 
 export const scarp_noise = {
     SIZE: 192, basis: 0, fade: 4, fractal: 8, rotate: 12, seed: 16, frequency: 24, octaves: 32,
@@ -46,25 +46,25 @@ export const scarp_noise_types = {
     of_octaves: 'float', warp: 'pointer', plan: 'pointer',
 };
 
-export const scarp_plan = { SIZE: 12288, first: 0, rest: 8 };
-
 export const scarp_samples = {
     SIZE: 64, value: 0, dx: 4, dy: 8, dz: 12, dxx: 16, dxy: 20, dxz: 24, dyy: 28, dyz: 32, dzz: 36,
     dphase: 40,
 };
 
-export const scarp_cells = {
-    SIZE: 64, f1: 0, f2: 4, id: 8, x: 12, y: 16, z: 20, dx1: 24, dy1: 28, dz1: 32, dx2: 36,
-    dy2: 40, dz2: 44,
+export const scarp_grid = {
+    SIZE: 192, origin: 0, step: 24, first: 48, count: 72, row_stride: 84, slice_stride: 88,
 };
+
+export const scarp_plan = { SIZE: 12288, first: 0, rest: 8 };
 
 export const scarp_flow = {
     SIZE: 64, vx: 0, vy: 4, vz: 8, vxx: 12, vxy: 16, vxz: 20, vyx: 24, vyy: 28, vyz: 32, vzx: 36,
     vzy: 40, vzz: 44,
 };
 
-export const scarp_grid = {
-    SIZE: 192, origin: 0, step: 24, first: 48, count: 72, row_stride: 84, slice_stride: 88,
+export const scarp_cells = {
+    SIZE: 64, f1: 0, f2: 4, id: 8, x: 12, y: 16, z: 20, dx1: 24, dy1: 28, dz1: 32, dx2: 36,
+    dy2: 40, dz2: 44,
 };
 
 export const scarp_partials = { SIZE: 32, f: 0, fa: 4, fb: 8, faa: 12, fab: 16, fbb: 20 };

@@ -1831,19 +1831,6 @@ namespace Scarp
         Jordan = 7,
     }
 
-    /// <summary>enum scarp_isa</summary>
-    public enum Isa
-    {
-        None = 0,
-        Scalar = 1,
-        Sse41 = 2,
-        Avx2 = 3,
-        Avx512 = 4,
-        Neon = 5,
-        Generic = 6,
-        Wasm128 = 7,
-    }
-
     /// <summary>enum scarp_recipe_kind</summary>
     public enum RecipeKind
     {
@@ -1861,6 +1848,19 @@ namespace Scarp
         Glsl = 0,
         Hlsl = 1,
         Wgsl = 2,
+    }
+
+    /// <summary>enum scarp_isa</summary>
+    public enum Isa
+    {
+        None = 0,
+        Scalar = 1,
+        Sse41 = 2,
+        Avx2 = 3,
+        Avx512 = 4,
+        Neon = 5,
+        Generic = 6,
+        Wasm128 = 7,
     }
 
     /// <summary>The calls and structures of scarp.h, as it has them: for jobs, Burst, and
@@ -1897,13 +1897,6 @@ namespace Scarp
         }
 
         [StructLayout(LayoutKind.Sequential)]
-        public unsafe struct scarp_plan
-        {
-            public ulong first;
-            public fixed byte rest[12280];
-        }
-
-        [StructLayout(LayoutKind.Sequential)]
         public unsafe struct scarp_samples
         {
             public float* value;
@@ -1920,22 +1913,22 @@ namespace Scarp
             public float* spare0, spare1, spare2, spare3, spare4;
         }
 
-        [StructLayout(LayoutKind.Sequential)]
-        public unsafe struct scarp_cells
+        [StructLayout(LayoutKind.Sequential, Size = 192)]
+        public unsafe struct scarp_grid
         {
-            public float* f1;
-            public float* f2;
-            public uint* id;
-            public float* x;
-            public float* y;
-            public float* z;
-            public float* dx1;
-            public float* dy1;
-            public float* dz1;
-            public float* dx2;
-            public float* dy2;
-            public float* dz2;
-            public float* spare0, spare1, spare2, spare3;
+            public fixed double origin[3];
+            public fixed double step[3];
+            public fixed long first[3];
+            public UIntPtr count0, count1, count2;
+            public UIntPtr row_stride;
+            public UIntPtr slice_stride;
+        }
+
+        [StructLayout(LayoutKind.Sequential)]
+        public unsafe struct scarp_plan
+        {
+            public ulong first;
+            public fixed byte rest[12280];
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -1956,15 +1949,22 @@ namespace Scarp
             public float* spare0, spare1, spare2, spare3;
         }
 
-        [StructLayout(LayoutKind.Sequential, Size = 192)]
-        public unsafe struct scarp_grid
+        [StructLayout(LayoutKind.Sequential)]
+        public unsafe struct scarp_cells
         {
-            public fixed double origin[3];
-            public fixed double step[3];
-            public fixed long first[3];
-            public UIntPtr count0, count1, count2;
-            public UIntPtr row_stride;
-            public UIntPtr slice_stride;
+            public float* f1;
+            public float* f2;
+            public uint* id;
+            public float* x;
+            public float* y;
+            public float* z;
+            public float* dx1;
+            public float* dy1;
+            public float* dz1;
+            public float* dx2;
+            public float* dy2;
+            public float* dz2;
+            public float* spare0, spare1, spare2, spare3;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -2199,6 +2199,30 @@ namespace Scarp
             double* x, double* y, double* z, scarp_samples* @out);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern Status scarp_grid2(scarp_noise* noise, scarp_grid* grid,
+            scarp_samples* @out);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern Status scarp_grid3(scarp_noise* noise, scarp_grid* grid,
+            scarp_samples* @out);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern Status scarp_normals(UIntPtr count, float* dx, float* dy,
+            float height_scale, float* nx, float* ny, float* nz);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern Status scarp_range(scarp_noise* noise, int dimensions, float* lowest,
+            float* highest);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern Status scarp_noise_check(scarp_noise* noise, int dimensions,
+            byte** member);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern Status scarp_plan_make(scarp_noise* noise, int dimensions,
+            scarp_plan* plan);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern Status scarp_vector2(scarp_noise* noise, UIntPtr count, float* x,
             float* y, scarp_samples* @out);
 
@@ -2213,22 +2237,6 @@ namespace Scarp
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern Status scarp_vector3_f64(scarp_noise* noise, UIntPtr count,
             double* x, double* y, double* z, scarp_samples* @out);
-
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern Status scarp_cells2(scarp_noise* noise, UIntPtr count, float* x,
-            float* y, scarp_cells* @out);
-
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern Status scarp_cells3(scarp_noise* noise, UIntPtr count, float* x,
-            float* y, float* z, scarp_cells* @out);
-
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern Status scarp_cells2_f64(scarp_noise* noise, UIntPtr count, double* x,
-            double* y, scarp_cells* @out);
-
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern Status scarp_cells3_f64(scarp_noise* noise, UIntPtr count, double* x,
-            double* y, double* z, scarp_cells* @out);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern Status scarp_curl2(scarp_noise* noise, UIntPtr count, float* x,
@@ -2247,16 +2255,20 @@ namespace Scarp
             double* y, double* z, scarp_flow* @out);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern Status scarp_grid2(scarp_noise* noise, scarp_grid* grid,
-            scarp_samples* @out);
+        public static extern Status scarp_cells2(scarp_noise* noise, UIntPtr count, float* x,
+            float* y, scarp_cells* @out);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern Status scarp_grid3(scarp_noise* noise, scarp_grid* grid,
-            scarp_samples* @out);
+        public static extern Status scarp_cells3(scarp_noise* noise, UIntPtr count, float* x,
+            float* y, float* z, scarp_cells* @out);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern Status scarp_normals(UIntPtr count, float* dx, float* dy,
-            float height_scale, float* nx, float* ny, float* nz);
+        public static extern Status scarp_cells2_f64(scarp_noise* noise, UIntPtr count, double* x,
+            double* y, scarp_cells* @out);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern Status scarp_cells3_f64(scarp_noise* noise, UIntPtr count, double* x,
+            double* y, double* z, scarp_cells* @out);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern Status scarp_affine(UIntPtr count, scarp_samples* a, float scale,
@@ -2359,18 +2371,6 @@ namespace Scarp
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern Status scarp_gullies_check(scarp_gullies* gullies, byte** member);
-
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern Status scarp_range(scarp_noise* noise, int dimensions, float* lowest,
-            float* highest);
-
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern Status scarp_noise_check(scarp_noise* noise, int dimensions,
-            byte** member);
-
-        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern Status scarp_plan_make(scarp_noise* noise, int dimensions,
-            scarp_plan* plan);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern Status scarp_recipe_parse(byte* text, UIntPtr length,

@@ -48,16 +48,6 @@ ENUMS = {
         'SCARP_SWISS': 6,
         'SCARP_JORDAN': 7,
     },
-    'scarp_isa': {
-        'SCARP_ISA_NONE': 0,
-        'SCARP_ISA_SCALAR': 1,
-        'SCARP_ISA_SSE41': 2,
-        'SCARP_ISA_AVX2': 3,
-        'SCARP_ISA_AVX512': 4,
-        'SCARP_ISA_NEON': 5,
-        'SCARP_ISA_GENERIC': 6,
-        'SCARP_ISA_WASM128': 7,
-    },
     'scarp_recipe_kind': {
         'SCARP_RECIPE_BAD': 0,
         'SCARP_RECIPE_NUMBER': 1,
@@ -70,6 +60,16 @@ ENUMS = {
         'SCARP_GLSL': 0,
         'SCARP_HLSL': 1,
         'SCARP_WGSL': 2,
+    },
+    'scarp_isa': {
+        'SCARP_ISA_NONE': 0,
+        'SCARP_ISA_SCALAR': 1,
+        'SCARP_ISA_SSE41': 2,
+        'SCARP_ISA_AVX2': 3,
+        'SCARP_ISA_AVX512': 4,
+        'SCARP_ISA_NEON': 5,
+        'SCARP_ISA_GENERIC': 6,
+        'SCARP_ISA_WASM128': 7,
     },
 }
 
@@ -96,10 +96,6 @@ STRUCTURES = {
         ('plan', 'pointer', ()),
         ('spare', 'u4', ((26, 24),)),
     )),
-    'scarp_plan': (12288, (
-        ('first', 'u8', ()),
-        ('rest', 'u1', (12280,)),
-    )),
     'scarp_samples': ((64, 128), (
         ('value', 'pointer', ()),
         ('dx', 'pointer', ()),
@@ -114,20 +110,18 @@ STRUCTURES = {
         ('dphase', 'pointer', ()),
         ('spare', 'pointer', (5,)),
     )),
-    'scarp_cells': ((64, 128), (
-        ('f1', 'pointer', ()),
-        ('f2', 'pointer', ()),
-        ('id', 'pointer', ()),
-        ('x', 'pointer', ()),
-        ('y', 'pointer', ()),
-        ('z', 'pointer', ()),
-        ('dx1', 'pointer', ()),
-        ('dy1', 'pointer', ()),
-        ('dz1', 'pointer', ()),
-        ('dx2', 'pointer', ()),
-        ('dy2', 'pointer', ()),
-        ('dz2', 'pointer', ()),
-        ('spare', 'pointer', (4,)),
+    'scarp_grid': (192, (
+        ('origin', 'f8', (3,)),
+        ('step', 'f8', (3,)),
+        ('first', 'i8', (3,)),
+        ('count', 'size', (3,)),
+        ('row_stride', 'size', ()),
+        ('slice_stride', 'size', ()),
+        ('spare', 'u4', ((25, 20),)),
+    )),
+    'scarp_plan': (12288, (
+        ('first', 'u8', ()),
+        ('rest', 'u1', (12280,)),
     )),
     'scarp_flow': ((64, 128), (
         ('vx', 'pointer', ()),
@@ -144,14 +138,20 @@ STRUCTURES = {
         ('vzz', 'pointer', ()),
         ('spare', 'pointer', (4,)),
     )),
-    'scarp_grid': (192, (
-        ('origin', 'f8', (3,)),
-        ('step', 'f8', (3,)),
-        ('first', 'i8', (3,)),
-        ('count', 'size', (3,)),
-        ('row_stride', 'size', ()),
-        ('slice_stride', 'size', ()),
-        ('spare', 'u4', ((25, 20),)),
+    'scarp_cells': ((64, 128), (
+        ('f1', 'pointer', ()),
+        ('f2', 'pointer', ()),
+        ('id', 'pointer', ()),
+        ('x', 'pointer', ()),
+        ('y', 'pointer', ()),
+        ('z', 'pointer', ()),
+        ('dx1', 'pointer', ()),
+        ('dy1', 'pointer', ()),
+        ('dz1', 'pointer', ()),
+        ('dx2', 'pointer', ()),
+        ('dy2', 'pointer', ()),
+        ('dz2', 'pointer', ()),
+        ('spare', 'pointer', (4,)),
     )),
     'scarp_partials': ((32, 64), (
         ('f', 'pointer', ()),
@@ -360,6 +360,24 @@ FUNCTIONS = {
     'scarp_sample3_f64': ('i4', (
         'pointer', 'size', 'pointer', 'pointer', 'pointer', 'pointer',
     )),
+    'scarp_grid2': ('i4', (
+        'pointer', 'pointer', 'pointer',
+    )),
+    'scarp_grid3': ('i4', (
+        'pointer', 'pointer', 'pointer',
+    )),
+    'scarp_normals': ('i4', (
+        'size', 'pointer', 'pointer', 'f4', 'pointer', 'pointer', 'pointer',
+    )),
+    'scarp_range': ('i4', (
+        'pointer', 'i4', 'pointer', 'pointer',
+    )),
+    'scarp_noise_check': ('i4', (
+        'pointer', 'i4', 'pointer',
+    )),
+    'scarp_plan_make': ('i4', (
+        'pointer', 'i4', 'pointer',
+    )),
     'scarp_vector2': ('i4', (
         'pointer', 'size', 'pointer', 'pointer', 'pointer',
     )),
@@ -370,18 +388,6 @@ FUNCTIONS = {
         'pointer', 'size', 'pointer', 'pointer', 'pointer',
     )),
     'scarp_vector3_f64': ('i4', (
-        'pointer', 'size', 'pointer', 'pointer', 'pointer', 'pointer',
-    )),
-    'scarp_cells2': ('i4', (
-        'pointer', 'size', 'pointer', 'pointer', 'pointer',
-    )),
-    'scarp_cells3': ('i4', (
-        'pointer', 'size', 'pointer', 'pointer', 'pointer', 'pointer',
-    )),
-    'scarp_cells2_f64': ('i4', (
-        'pointer', 'size', 'pointer', 'pointer', 'pointer',
-    )),
-    'scarp_cells3_f64': ('i4', (
         'pointer', 'size', 'pointer', 'pointer', 'pointer', 'pointer',
     )),
     'scarp_curl2': ('i4', (
@@ -396,14 +402,17 @@ FUNCTIONS = {
     'scarp_curl3_f64': ('i4', (
         'pointer', 'size', 'pointer', 'pointer', 'pointer', 'pointer',
     )),
-    'scarp_grid2': ('i4', (
-        'pointer', 'pointer', 'pointer',
+    'scarp_cells2': ('i4', (
+        'pointer', 'size', 'pointer', 'pointer', 'pointer',
     )),
-    'scarp_grid3': ('i4', (
-        'pointer', 'pointer', 'pointer',
+    'scarp_cells3': ('i4', (
+        'pointer', 'size', 'pointer', 'pointer', 'pointer', 'pointer',
     )),
-    'scarp_normals': ('i4', (
-        'size', 'pointer', 'pointer', 'f4', 'pointer', 'pointer', 'pointer',
+    'scarp_cells2_f64': ('i4', (
+        'pointer', 'size', 'pointer', 'pointer', 'pointer',
+    )),
+    'scarp_cells3_f64': ('i4', (
+        'pointer', 'size', 'pointer', 'pointer', 'pointer', 'pointer',
     )),
     'scarp_affine': ('i4', (
         'size', 'pointer', 'f4', 'f4', 'pointer',
@@ -482,15 +491,6 @@ FUNCTIONS = {
     )),
     'scarp_gullies_check': ('i4', (
         'pointer', 'pointer',
-    )),
-    'scarp_range': ('i4', (
-        'pointer', 'i4', 'pointer', 'pointer',
-    )),
-    'scarp_noise_check': ('i4', (
-        'pointer', 'i4', 'pointer',
-    )),
-    'scarp_plan_make': ('i4', (
-        'pointer', 'i4', 'pointer',
     )),
     'scarp_recipe_parse': ('i4', (
         'pointer', 'size', 'pointer', 'pointer', 'size', 'pointer',
