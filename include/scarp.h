@@ -30,19 +30,19 @@
 /*
  * What holds everywhere
  *
- * Names. A call with a 2 in its name works in the plane, one with a 3 in space. Calls that end in
- * _f64 take double coordinates, for large worlds. The others take floats.
+ * Names. A call with a 2 in its name works in the plane, one with a 3 in space (but scarp_apply1
+ * and scarp_apply2 take functions of 1 and 2 arguments). Calls that end in _f64 take double
+ * coordinates, for large worlds. The others take floats.
  *
  * Arrays. A call for `count` points reads and writes arrays of at least `count` elements. An array
  * needs no alignment beyond that of its type. An output that is NULL is skipped. An output of
  * floats may be the very same array as an input of floats (in place), except in calls for recipes.
- * Outputs must not overlap anything else. Outputs are floats, so calls with double coordinates
- * cannot write over these.
+ * Outputs must not overlap anything else, double coordinates included.
  *
  * Errors. Calls that can fail return an enum scarp_status. A call checks its arguments before it
- * writes anything: on an error the outputs are untouched. Where a call writes something on an
- * error, as the name of a wrong member, its comment says so. A call for 0 points succeeds, whatever
- * its other arguments are. Three rules are not repeated below:
+ * writes anything: on an error the outputs are untouched. Some calls write something on an error,
+ * for example the name of the member at fault. Their comments say so. A call for 0 points succeeds,
+ * whatever its other arguments are. Three rules are not repeated below:
  *
  *     SCARP_ERROR_SIZE         the arrays would not fit into the address space
  *     SCARP_ERROR_UNSUPPORTED  a reserved member is in use: a number that is not 0, or a pointer
@@ -55,8 +55,8 @@
  * Bits. The same call gives the same bits on every processor, instruction set, compiler and
  * optimisation level. Only the payload of a NaN may differ.
  *
- * One value. The value at a point depends on the point alone: not on its place in the array, the
- * length of the array, the other points, or which outputs are asked for.
+ * One value. A noise has one value at a point. It does not depend on the place of the point in the
+ * array, the length of the array, the other points, or which outputs are asked for.
  *
  * Floating-point mode. The caller's mode (flush to zero, denormals are zero, rounding direction,
  * unmasked exceptions) does not change a result, and a call does not change the mode. On processors
@@ -134,13 +134,18 @@ enum scarp_status {
 
 /*
  * Noise
+ *
+ * A basis is noise on a lattice, whose cells have the edge 1. An octave is the basis at `frequency`
+ * cells per unit of input, turned and moved. Octave 0 has the largest cells and comes first. A
+ * fractal makes one value of the octaves. A warp is another noise, which displaces the point first.
+ * Input means the coordinates of the points. You choose their unit.
  */
 
 /* The noise of one octave. Each is defined on a lattice, which repeats after 2^32 cells along each
    axis. */
 enum scarp_basis {
-    SCARP_GRADIENT,  /* Perlin's gradient noise: 0 on every lattice point. See "Gradient and value
-                        noise". */
+    SCARP_GRADIENT,  /* Perlin's gradient noise: 0 on every lattice point, so with frequency 1 at
+                        all whole coordinates. See "Gradient and value noise". */
     SCARP_VALUE,     /* value noise: a value on every lattice point, uniform in [-1, 1] */
     SCARP_SIMPLEX,   /* simplex noise (Perlin 2001): gradients on triangles and tetrahedra. See
                         "Simplex". */
@@ -293,7 +298,7 @@ struct scarp_samples {
  *
  *     SCARP_ERROR_NULL         `noise`, `out`, `x` or `y` is NULL
  *     SCARP_ERROR_UNSUPPORTED  the noise does not have a derivative that is asked for
- *     those of the noise       as scarp_noise_check lists them
+ *     others                   as scarp_noise_check
  */
 SCARP_API enum scarp_status scarp_sample2(const struct scarp_noise *noise, size_t count,
                                           const float *x, const float *y,
@@ -587,7 +592,7 @@ struct scarp_flow {
  *     SCARP_ERROR_NULL         `noise`, `out`, `x` or `y` is NULL
  *     SCARP_ERROR_UNSUPPORTED  something of the Jacobian is asked for, and the noise or a warp has
  *                              no Hessian
- *     those of the noise       as scarp_noise_check lists them
+ *     others                   as scarp_noise_check
  */
 SCARP_API enum scarp_status scarp_curl2(const struct scarp_noise *noise, size_t count,
                                         const float *x, const float *y,
@@ -1291,7 +1296,7 @@ struct scarp_recipe_outputs {
 
     /* NULL: the outputs of the text, in its order, from the first one on. Else `count` numbers: of
        statements, as scarp_recipe_entry_at counts them, or SCARP_RECIPE_PARTS plus the number of a
-       part. A part may be any field, and is sampled where nothing transforms it. */
+       part. A part may be any field. It is sampled without the transforms around it. */
     const int32_t *which SCARP_ZERO;
 
     int32_t count SCARP_ZERO;     /* from 1 to 16 */
@@ -1764,15 +1769,14 @@ SCARP_API const char *scarp_isa_name(enum scarp_isa isa);
 /*
  * Formulas
  *
- * What the library computes, for whoever wants to know or to compute it again. The formulas give
+ * These sections define what the library computes, so that you can compute it again. They give
  * every number but for rounding. Bits also depend on the order of operations, which is that of
  * src/formulas and src/scalar in the source.
  *
  * Letters: n is the number of dimensions, 2 or 3. x is the input, a vector. k counts octaves from
  * 0, and K is their number. A vector is a column, J^T the transpose of J, I the identity, and a . b
- * the scalar product. Names in typewriter quotes are members of struct scarp_noise, with their
- * defaults filled in. The formulas spell frequency, lacunarity, gain, amplitude, erosion, jitter,
- * sharpness and octaves without quotes.
+ * the scalar product. Names such as frequency are members of struct scarp_noise, with their
+ * defaults filled in.
  *
  * Sections: Octaves, Fractals, Fractals that bend, Creases and overflow, Jumps, Seeds, Lattice,
  * Gradient and value noise, Simplex, Cells, Periods, Flow, Vector noise, Warps, Rounding, Gullies.
@@ -1871,7 +1875,7 @@ SCARP_API const char *scarp_isa_name(enum scarp_isa isa);
 /*
  * Creases and overflow
  *
- * The surface has a crease, where a gradient or Hessian is that of one side, in these places:
+ * Gradients and Hessians hold almost everywhere. The exceptions are creases of the surface:
  *
  *     turbulence      where an n_k is 0
  *     ridged          where an n_k is 0, or a 2 s_k is 1
@@ -1883,7 +1887,7 @@ SCARP_API const char *scarp_isa_name(enum scarp_isa isa);
  *                     cubic fade jumps
  *     cellular noise  where features are equally near, except cell-soft: see "Cells"
  *
- * Derivatives overflow only here:
+ * Derivatives may overflow here:
  *
  *     ridged          Hessians, where amplitude f_k^2 comes near 2^120
  *     ping-pong       Hessians, where amplitude f_k^2 2 sharpness comes near 2^120
@@ -1923,8 +1927,8 @@ SCARP_API const char *scarp_isa_name(enum scarp_isa isa);
  * splitmix64(z) is the generator of Steele, Lea and Flood (2014) started at z. Its numbers are
  * counted from 1. All arithmetic is modulo 2^64. Number j is
  *
- *     mix(z + j 0x9e3779b97f4a7c15),   mix(z) = z'' ^ z'' >> 31,
- *     z'' = (z' ^ z' >> 27) 0x94d049bb133111eb,   z' = (z ^ z >> 30) 0xbf58476d1ce4e5b9.
+ *     mix(z + j 0x9e3779b97f4a7c15),   mix(z) = z'' ^ (z'' >> 31),
+ *     z'' = (z' ^ (z' >> 27)) 0x94d049bb133111eb,   z' = (z ^ (z >> 30)) 0xbf58476d1ce4e5b9.
  *
  * Octave k has the seed s_k: s_0 is `seed`, and s_k is number k of splitmix64(first number of
  * splitmix64(seed)). From its seed an octave draws a, b and c, the first three numbers of
@@ -1936,17 +1940,17 @@ SCARP_API const char *scarp_isa_name(enum scarp_isa isa);
  *
  * o_0 is 0 all the same. So an octave is noise of its own: n_k at x is, but for rounding, the value
  * of single-octave noise at p_k, divided by 1 - 2^-17. That noise has the seed s_k, frequency 1,
- * 2^k times the phase, and the same basis and fade.
+ * 2^k times the phase, and the same basis, fade and jitter.
  */
 
 /*
  * Lattice
  *
- * A lattice point (i, j) or (i, j, k) of whole numbers has a hash. All arithmetic is modulo 2^32,
- * and >>> turns the bits of a number to the right:
+ * A lattice point (i, j) or (i, j, k) of whole numbers has a hash. All arithmetic is modulo 2^32.
+ * u >>> 8 is u whose 32 bits are rotated to the right by 8:
  *
- *     h    = (i 0x1a2012f5 + key_x) >>> 8  ^  (j 0x14e84743 + key_y) >>> 8
- *                                          ^  (k 0xec1d7da1 + key_z) >>> 8, in 3D alone
+ *     2D    h = ((i 0x1a2012f5 + key_x) >>> 8) ^ ((j 0x14e84743 + key_y) >>> 8)
+ *     3D    h = that ^ ((k 0xec1d7da1 + key_z) >>> 8)
  *     hash = h (h + 0x9e3779b9)
  *
  * The position p lies in the cell of the lattice point floor(p).
@@ -1962,15 +1966,15 @@ SCARP_API const char *scarp_isa_name(enum scarp_isa isa);
  *     gradient noise  raw noise sum_c W_c g_c . (t - c)
  *     value noise     n_k = sum_c W_c value_c,   value_c = hash as a signed number, over 2^31
  *
- * 2D gradients have 16 directions, 11.25 degrees + q * 22.5. With j the number of two bits 30 and
- * 29 of the hash,
+ * 2D gradients have 16 directions, 11.25 degrees + q * 22.5. With j the number that bits 30 and 29
+ * of the hash make,
  *
  *     g = (+-cos(11.25 + 22.5 j), +-sin(11.25 + 22.5 j)),
  *
  * where x is negative if bit 31 is 1 and y is negative if bit 28 is 1. 3D gradients are the 12 edge
  * directions of improved noise (Perlin 2002), each as often as any other. Number floor(12 h /
- * 2^16), h being the upper 16 bits of the hash, is drawn from (1,1,0) (1,-1,0) (-1,1,0) (-1,-1,0)
- * (1,0,1) (1,0,-1) (-1,0,1) (-1,0,-1) (0,1,1) (0,1,-1) (0,-1,1) (0,-1,-1).
+ * 2^16), h being the upper 16 bits of the hash, is drawn, counted from 0, from (1,1,0) (1,-1,0)
+ * (-1,1,0) (-1,-1,0) (1,0,1) (1,0,-1) (-1,0,1) (-1,0,-1) (0,1,1) (0,1,-1) (0,-1,1) (0,-1,-1).
  *
  * n_k of gradient noise is the raw noise divided by its supremum:
  *
@@ -2070,8 +2074,8 @@ SCARP_API const char *scarp_isa_name(enum scarp_isa isa);
  *     (-1, 1,-1)   (-1,-1,0) (1,0,-1)   (0,1,1)         2
  *     (-1,-1, 1)   (-1,1,0)  (1,0,1)    (0,-1,-1)       2
  *
- * So the noise neither moves nor changes in kind: at every phase E[g g^T] is the same, and the same
- * along all axes, and so are moments of the fourth order.
+ * So the noise does not drift, and its statistics stay: at every phase the mean of g g^T is the
+ * same, and the same along all axes, and so are the moments of the fourth order.
  *
  * Loops: a whole turn is a loop. Phases a and a + 1 have the same bits if both are exact as floats.
  * Phase 0 has the bits of calls without a phase. Small octaves move faster: octave k makes 2^k
@@ -2128,11 +2132,11 @@ SCARP_API const char *scarp_isa_name(enum scarp_isa isa);
  *
  * w may have a warp, too, up to four in all: with e the warp of w, d is w at x + e(x). If warp and
  * noise repeat after the same lengths of input, the whole does. On grids the deepest warp is as
- * fast as grids are, the rest as fast as points.
+ * fast as grids are, the other warps and the noise as fast as points.
  *
- * Points of floats are displaced in float: y is a float. Points of doubles, and of grids, are
- * displaced within the cells of each octave: J_k x + o_k is computed in double and split into cell
- * and fraction, J_k d in float and split likewise, and the fractions are added in float. Where
+ * Float coordinates are displaced in float: y is a float. Double coordinates, and those of grids,
+ * are displaced within the cells of each octave: J_k x + o_k is computed in double and split into
+ * cell and fraction, J_k d in float and split likewise, and the fractions are added in float. Where
  * their sum is 1 or more, the cell goes up by 1. So a displacement is as exact far from the origin
  * as near. Octaves of Swiss and Jordan noise are bent in the same way: c_k S_k is added to d.
  */
@@ -2149,8 +2153,8 @@ SCARP_API const char *scarp_isa_name(enum scarp_isa isa);
  * same everywhere.
  *
  * Doubles with turned axes: p_k is the sum of two parts, of which one depends on the first
- * coordinate, and the other on the other coordinates, with o_k. What is said of p_k above, and of
- * positions that overflow, holds for both parts. Each part is rounded to a multiple of 2^-24 cells
+ * coordinate, and the other on the other coordinates, with o_k. The limits above, and the rule for
+ * positions that overflow, hold for each part. Each part is rounded to a multiple of 2^-24 cells
  * (in 2D simplex noise, along y, to a multiple of 2^-24 rows of its lattice). So p_k is off by at
  * most 2^-24 cells, and the samples of a grid share what is computed for their column and their
  * row.
@@ -2177,7 +2181,7 @@ SCARP_API const char *scarp_isa_name(enum scarp_isa isa);
  *     Z = sum of W_c e^(2 pi i (psi_c + stripes (R^k t).(p_k - c)))
  *     C + i S' = Z / sqrt(|Z|^2 + 0.5^2)
  *     P = 1 - 2 (sqrt((1 - C) / 2 + round^2) - round) / (sqrt(1 + round^2) - round)
- *     m = M (1 - keep v^2), without `keep` where k = 0
+ *     m = M (1 - keep v^2), but M where k = 0
  *     v_k = v + m (P - v), which is the v of the next octave
  *     s := s - branch m S' t
  *

@@ -5,19 +5,21 @@
  *     std::vector<float> x(1000), y(1000), height(1000), dx(1000);
  *     scarp::sample({.frequency = 0.01, .octaves = 6}, {x, y}, {.value = height, .dx = dx});
  *
- * scarp.h has the contracts: units, ranges, errors, structures. What is added here:
+ * scarp.h has the contracts: units, ranges, errors, structures. Here are sample, vector, cells,
+ * curl, grid2, grid3, gullies and chain, each also as try_sample and so on, and the classes
+ * kept_noise and recipe. Other calls are used as they are in C. What is added here:
  *
  * - Sizes are checked before anything is written. A span of points has as many elements as there
  *   are points, a span of a grid at least as many as there are from its first sample to its last.
  *   Otherwise the status is SCARP_ERROR_SIZE, and the span is named. An output whose span is empty
  *   is not computed.
- * - Functions throw a scarp::error, or abort where exceptions are off. Those called try_ are
- *   noexcept, and return a scarp::result.
- * - recipe owns its memory, and kept_noise its plan. Nothing else allocates.
+ * - A function throws a scarp::error, or aborts where exceptions are off. Functions whose names
+ * begin with try_ are noexcept, and return a scarp::result.
+ * - A recipe owns its memory, and a kept_noise its plan. Nothing else allocates.
  *
- * Spans are used during a call and not kept. What noise.warp points to stays the caller's. Any
- * thread may call any function at any time, but a recipe serves one thread at a time: give each its
- * own.
+ * Calls keep no span after they return. The noise that noise.warp points to stays the caller's. Any
+ * thread may call any function at any time, but a recipe serves one thread at a time: give each
+ * thread its own.
  */
 #ifndef SCARP_HPP
 #define SCARP_HPP
@@ -43,10 +45,10 @@
 namespace scarp
 {
 
-/* What became of a call. The texts are static. */
+/* How a call ended. The texts are static. */
 struct [[nodiscard]] result {
     scarp_status status = SCARP_OK;
-    const char *member = nullptr; /* the member, span or argument at fault; nullptr: none is told */
+    const char *member = nullptr; /* the member, span or argument at fault; nullptr: unknown */
     const char *text = nullptr;   /* what is wrong; nullptr: what scarp_status_text says */
     int line = 0, column = 0;     /* where a recipe has the error, from 1, in bytes; 0: elsewhere */
 
@@ -55,7 +57,8 @@ struct [[nodiscard]] result {
     void check() const; /* throws an error if there is one */
 };
 
-/* what() is as "2:24: gain: this noise does not exist: a member is at fault". */
+/* A result that is an error. what() has the place in a recipe, if there is one, the member at fault
+   and the text: "2:24: gain: this noise does not exist: a member is at fault". */
 struct error : std::runtime_error {
     explicit error(const result &all)
         : std::runtime_error(
@@ -79,25 +82,25 @@ inline void result::check() const
     }
 }
 
-/* As struct scarp_samples: outputs, and inputs of the chain rule and of gullies */
+/* struct scarp_samples with spans: outputs, and inputs of the chain rule and of gullies */
 struct samples {
     std::span<float> value{}, dx{}, dy{}, dz{}, dxx{}, dxy{}, dxz{}, dyy{}, dyz{}, dzz{}, dphase{};
 };
 
-/* As struct scarp_cells: the features near each point */
+/* struct scarp_cells with spans: the features near each point */
 struct features {
     std::span<float> f1{}, f2{};
     std::span<std::uint32_t> id{};
     std::span<float> x{}, y{}, z{}, dx1{}, dy1{}, dz1{}, dx2{}, dy2{}, dz2{};
 };
 
-/* As struct scarp_flow: velocities and their Jacobians */
+/* struct scarp_flow with spans: velocities and their Jacobians */
 struct flow {
     std::span<float> vx{}, vy{}, vz{};
     std::span<float> vxx{}, vxy{}, vxz{}, vyx{}, vyy{}, vyz{}, vzx{}, vzy{}, vzz{};
 };
 
-/* As struct scarp_eroded: the base with gullies, and the displacement */
+/* struct scarp_eroded with spans: the base with gullies, and the displacement */
 struct eroded {
     std::span<float> value{}, dx{}, dy{}, displacement{}, displacement_dx{}, displacement_dy{};
 };
@@ -107,8 +110,8 @@ struct interval {
     float lowest = 0, highest = 0;
 };
 
-/* Coordinates in units of input: {x, y} in the plane, {x, y, z} in space. Doubles take the calls
-   that end in _f64, for large worlds. */
+/* Coordinates in units of input: {x, y} in the plane, {x, y, z} in space. With doubles, the calls
+   of C are those that end in _f64, for large worlds. */
 struct points {
     template <class T> using axis = std::span<const T>;
     template <class T> using maybe = std::optional<axis<T>>;
@@ -120,7 +123,7 @@ struct points {
     std::array<const double *, 3> d{};
     std::size_t count;
     int dimensions;
-    const char *wrong; /* the axis that has another size than x, or nullptr */
+    const char *wrong; /* the axis whose size is not that of x, or nullptr */
 
   private:
     template <class T>
@@ -139,7 +142,7 @@ namespace detail
 /* Gives the pointers of spans, and remembers the first span whose size is wrong. */
 struct sizes {
     std::size_t count;
-    bool is_grid = false; /* longer spans will do */
+    bool is_grid = false; /* spans may be longer */
     const char *wrong = nullptr;
 
     template <class T> T *operator()(std::span<T> span, const char *name) noexcept
@@ -154,7 +157,7 @@ struct sizes {
 
 inline sizes sizes_of(const points &at) noexcept { return {at.count, false, at.wrong}; }
 
-/* The elements from the first sample to the last, or the largest number if there are more */
+/* How many elements there are from the first sample to the last; the largest size_t if more */
 inline sizes sizes_of(const scarp_grid &grid, int dimensions) noexcept
 {
     constexpr std::size_t most = std::numeric_limits<std::size_t>::max();
@@ -171,7 +174,7 @@ inline sizes sizes_of(const scarp_grid &grid, int dimensions) noexcept
     return {dimensions == 3 ? sum(plane, n[2] - 1, slice) : plane, true};
 }
 
-/* What the library takes in the place of spans */
+/* The structures of C, made of those with spans */
 #define SCARP_OF(name) .name = of(s.name, #name)
 inline scarp_samples c_of(const samples &s, sizes &of) noexcept
 {
@@ -215,7 +218,7 @@ template <class T> const T *argument(const T &c) noexcept { return &c; }
 inline const scarp_samples *argument(const sixteen &c) noexcept { return c.data(); }
 inline float argument(float number) noexcept { return number; }
 
-/* Calls with what the library takes in the place of arguments, if their sizes are right. */
+/* Calls with the structures of C in the place of those with spans, if the sizes are right. */
 template <class Call, class... Arguments>
 result run(sizes of, Call call, const Arguments &...arguments) noexcept
 {
@@ -227,7 +230,7 @@ result run(sizes of, Call call, const Arguments &...arguments) noexcept
     return std::apply([&](const auto &...each) { return call(argument(each)...); }, c);
 }
 
-/* A status, with the member of the noise, or of gullies, that is at fault */
+/* A status, with the member at fault: of the noise, or of gullies */
 inline result blame(scarp_status status, const scarp_noise &noise, int dimensions) noexcept
 {
     result all{status};
@@ -279,7 +282,7 @@ template <class... P> struct throwing {
 };
 template <class... P> throwing(result (*)(P...) noexcept) -> throwing<P...>;
 
-/* What stands for a parameter of C */
+/* The type that stands in the place of a parameter of C */
 template <class T> struct in_place_of;
 template <> struct in_place_of<const scarp_samples *> {
     using type = const samples &;
@@ -345,8 +348,8 @@ inline result try_gullies(const scarp_gullies &how, const scarp_grid &at, const 
 }
 inline constexpr detail::throwing gullies{try_gullies};
 
-/* The chain rule: chain(scarp_smooth_max, a, b, 0.1f, out), for functions of samples and floats.
-   All spans have the size of a.value or, without it, of a.dx. */
+/* The chain rule: chain(scarp_smooth_max, a, b, 0.1f, out) calls a function of C that takes samples
+   and floats. All spans have the size of a.value or, without it, of a.dx. */
 template <class... P>
 result try_chain(scarp_status (*function)(std::size_t, const scarp_samples *, P...),
                  const samples &a, typename detail::in_place_of<P>::type... others) noexcept
@@ -362,8 +365,8 @@ void chain(scarp_status (*function)(std::size_t, const scarp_samples *, P...), c
     try_chain<P...>(function, a, others...).check();
 }
 
-/* A noise with its plan in 2 or 3 `dimensions`, for many calls with few points: pass it as a noise.
-   Copies share the plan, which is there as long as one of them is. */
+/* A noise with its plan in 2 or 3 `dimensions`, for many calls with few points. Pass it in the
+   place of a noise. Copies share the plan, which lives as long as one of them. */
 class kept_noise
 {
   public:
@@ -374,7 +377,7 @@ class kept_noise
         detail::blame(status, noise, dimensions).check();
         noise_.plan = plan_.get();
     }
-    kept_noise(const kept_noise &) = default; /* no moves: what was moved from has a plan, too */
+    kept_noise(const kept_noise &) = default; /* no moves: each object keeps a plan */
     kept_noise &operator=(const kept_noise &) = default;
     operator const scarp_noise &() const noexcept { return noise_; }
 
@@ -383,15 +386,15 @@ class kept_noise
     scarp_noise noise_;
 };
 
-/* A recipe, with its 64 KiB and the scratch memory that its calls take. It can be moved. One that
-   is empty, or was moved from, gives SCARP_ERROR_NULL. */
+/* A recipe, with its 64 KiB and the scratch memory that its calls use. It can be moved. Calls for
+   an empty recipe, or one that was moved from, give SCARP_ERROR_NULL. */
 class recipe
 {
   public:
     recipe() noexcept = default;
     explicit recipe(std::string_view text) { load(text).check(); }
 
-    /* Reads a text. With errors the recipe stays what it was, and the result tells of the first. */
+    /* Reads a text. If it has errors, the recipe stays as it was; the result has the first one. */
     result load(std::string_view text) noexcept
     {
         std::unique_ptr<scarp_recipe> fresh(new (std::nothrow) scarp_recipe);
@@ -418,7 +421,8 @@ class recipe
     void seed(std::uint64_t seed) { result{scarp_recipe_seed(c_.get(), seed)}.check(); }
     const scarp_recipe *get() const noexcept { return c_.get(); } /* for other calls of scarp.h */
 
-    /* The interval of the first output, or of what `which` counts, everywhere or in a box */
+    /* The interval that values never leave: of the first output, or of number `which`, a statement
+       or part as in struct scarp_recipe_outputs; everywhere, or in a box */
     interval range(std::int32_t which = SCARP_RECIPE_OUTPUT, const scarp_box *box = nullptr) const
     {
         interval all;
@@ -426,8 +430,8 @@ class recipe
         return all;
     }
 
-    /* At points, and on a grid, of space if the recipe is. An element of `out` for each output of
-       the text, from the first one on */
+    /* Samples at points, or on a grid, which are in space if the recipe is. `out` has an element
+       for each output of the text that is wanted, from the first one on. */
     result try_sample(const points &at, std::span<const samples> out) noexcept
     {
         const auto call = [&](auto *outputs, auto *scratch) {
@@ -453,13 +457,15 @@ class recipe
     {
         return status == SCARP_OK ? result{} : result{status, e.member, e.text, e.line, e.column};
     }
-    bool is_flat() const noexcept /* whether a box may be out of order along z */
+    /* Whether the recipe is of the plane. Only then a box may be out of order along z. */
+    bool is_flat() const noexcept
     {
         const scarp_box box{.lowest = {0, 0, 1}};
         float low, high;
         return scarp_recipe_range(c_.get(), SCARP_RECIPE_OUTPUT, &box, &low, &high) == SCARP_OK;
     }
-    /* Sees to the scratch memory, and calls. Without memory, calls take small chunks. */
+    /* Makes the scratch memory large enough, and calls. Without it, the call works in small chunks.
+     */
     template <class Call>
     result run(detail::sizes of, Call call, std::span<const samples> out) noexcept
     {

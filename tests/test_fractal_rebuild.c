@@ -102,7 +102,7 @@ static int rebuild(const struct scarp_noise *noise, struct rebuilt octave[OCTAVE
 }
 
 /* Component i of J_k x + o_k. Where axes are turned, it is the sum of two parts, each of which is
-   rounded to a multiple of 2^-24 (scarp.h, scarp_sample2_f64). */
+   rounded to a multiple of 2^-24 (scarp.h, "Rounding"). */
 static double rebuild_position(const struct rebuilt *octave, const struct block *from, int i,
                                size_t at)
 {

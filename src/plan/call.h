@@ -186,7 +186,7 @@ static inline void plan_ask(struct scarp_call_plan *plan, struct scarp_kind kind
 }
 
 /* What an octave of a fractal that bends needs: 1 / f_k, its weight, the inverse of octave 0's, and
-   c_k (scarp.h, struct scarp_noise). */
+   c_k (scarp.h, "Fractals that bend"). */
 struct bend_octave {
     float inverse, weight, inverse_weight, reach;
 };

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 
+// Types of scarp for JavaScript. scarp.h has the contracts, and at its end the formulas.
+
 /** Perlin's gradient noise, value noise, simplex noise, and five kinds of cellular noise. */
 export type Basis =
     | 'gradient'
@@ -10,15 +12,21 @@ export type Basis =
     | 'cell-edge'
     | 'cell-soft'
     | 'cell-value';
+/** The blend between lattice points of gradient and value noise. */
 export type Fade = 'quintic' | 'cubic';
+/** How octaves are summed. */
 export type Fractal =
     'fbm' | 'turbulence' | 'ridged' | 'erosion' | 'pingpong' | 'hybrid' | 'swiss' | 'jordan';
+/** 2: the plane; 3: space. */
 export type Dimensions = 2 | 3;
 
-/** What to sample. A member that is left out, or a number that is 0, means its default. */
+/** What to sample. A member that is left out, or a number that is 0, stands for its default. */
 export interface Noise {
+    /** The noise of one octave; 'gradient' by default. */
     basis?: Basis | number;
+    /** 'quintic' by default. */
     fade?: Fade | number;
+    /** 'fbm' by default. */
     fractal?: Fractal | number;
     /** Turns the axes between octaves, which hides the directions of the lattice. */
     rotate?: boolean;
@@ -34,23 +42,29 @@ export interface Noise {
     gain?: number;
     /** Scales every output; its magnitude in [2^-24, 2^24]; 1 by default. */
     amplitude?: number;
-    /** Of 'erosion' and 'jordan'; 1 by default. */
+    /**
+     * 'erosion': how strongly slopes damp octaves, in [2^-24, 2^24]; 'jordan': how much flat ground
+     * damps them, at most 1. 1 by default.
+     */
     erosion?: number;
-    /** Turns of the gradients, which lets noise flow; of 'gradient' alone. */
+    /** How far gradients turn, in turns, so that noise flows; only for the basis 'gradient'. */
     phase?: number;
-    /** Of cellular noise, in (0, 1]; 1 by default. */
+    /** Cellular noise: how far features stray from the middles of cells, in (0, 1]; 1 by default. */
     jitter?: number;
-    /** Of 'pingpong', 'hybrid', 'swiss' and 'jordan'. */
+    /**
+     * 'pingpong': how often octaves are folded, 2 by default; 'hybrid': how high they lie, 0.7;
+     * 'swiss' and 'jordan': how far they are bent, 0.15 and 0.35. In [2^-8, 2^8].
+     */
     sharpness?: number;
-    /** Cells of the first octave after which the noise repeats along each axis; 0: never. */
+    /** Cells of the first octave after which the noise repeats along x, y and z; 0: never. */
     period?: readonly number[];
-    /** Amplitudes are those of a sum of this many octaves: for levels of detail. */
+    /** A level of detail: amplitudes are those of a sum of this many octaves. */
     ofOctaves?: number;
-    /** Displaces positions; up to four deep. */
+    /** A noise that displaces positions. It may have a warp, too; four in all. */
     warp?: Noise | null;
 }
 
-/** A noise that is checked and ready, for many calls with few points. */
+/** A noise that is checked and whose constants are computed, for many calls with few points. */
 export interface Plan {
     readonly dimensions: Dimensions;
 }
@@ -64,8 +78,9 @@ export interface Grid {
     step?: readonly number[];
     /** 0 by default. */
     first?: readonly (number | bigint)[];
-    /** Elements from one row, or slice, to the next; by default they follow each other. */
+    /** Elements from one row to the next; by default rows follow each other. */
     rowStride?: number;
+    /** Elements from one slice to the next; by default slices follow each other. */
     sliceStride?: number;
 }
 
@@ -116,6 +131,7 @@ export interface Flow {
     vzz?: Float32Array | null;
 }
 
+/** Components of unit normals. */
 export interface Normals {
     nx?: Float32Array | null;
     ny?: Float32Array | null;
@@ -141,14 +157,14 @@ export declare const STATUS: Readonly<{
     UNSUPPORTED: 5;
 }>;
 
-/** A request that the library refuses. Nothing was written. */
+/** A request that the library refuses. The call wrote nothing. */
 export declare class ScarpError extends Error {
     constructor(status: number, text: string, member?: string | null);
     /** As in STATUS. */
     readonly status: number;
     /** As the C header spells it: 'SCARP_ERROR_PARAMETER'. */
     readonly code: string;
-    /** The member at fault: 'octaves', 'period[1]'; null if none is. */
+    /** The member at fault, such as 'octaves' or 'period[1]'; null if no member is. */
     readonly member: string | null;
 }
 
@@ -164,15 +180,17 @@ export interface Scarp {
     /** The kernel set in use: 'wasm128', or 'generic' where engines have no vectors. */
     readonly isa: string;
     readonly isas: readonly string[];
+    /** Uses a kernel set from now on; null: the best one. */
     selectIsa(name: string | null): void;
 
-    /** An array that calls read and write in place, filled with 0. */
+    /** An array in the memory of the module, filled with 0: calls use it without a copy. */
     alloc(type: Float32ArrayConstructor, length: number): Float32Array;
     alloc(type: Float64ArrayConstructor, length: number): Float64Array;
     alloc(type: Uint32ArrayConstructor, length: number): Uint32Array;
-    /** Gives the memory back; the array must not be used any more. */
+    /** Gives the memory of such an array back. Do not use the array after that. */
     free(array: Coordinates | Uint32Array): void;
 
+    /** Noise at points: the arrays of `out` get the values and derivatives. Returns `out`. */
     sample2<T extends Samples>(noise: Noise | Plan, x: Coordinates, y: Coordinates, out: T): T;
     sample3<T extends Samples>(
         noise: Noise | Plan,
@@ -195,8 +213,10 @@ export interface Scarp {
         z: Coordinates,
         out: T,
     ): T;
+    /** Noise on a grid: element j * rowStride + i is sample (i, j). */
     grid2<T extends Samples>(noise: Noise | Plan, grid: Grid, out: T): T;
     grid3<T extends Samples>(noise: Noise | Plan, grid: Grid, out: T): T;
+    /** The nearest features of cellular noise. */
     cells2<T extends Cells>(noise: Noise | Plan, x: Coordinates, y: Coordinates, out: T): T;
     cells3<T extends Cells>(
         noise: Noise | Plan,
@@ -205,6 +225,7 @@ export interface Scarp {
         z: Coordinates,
         out: T,
     ): T;
+    /** A velocity without divergence: the curl of the noise. */
     curl2<T extends Flow>(noise: Noise | Plan, x: Coordinates, y: Coordinates, out: T): T;
     curl3<T extends Flow>(
         noise: Noise | Plan,
@@ -216,21 +237,33 @@ export interface Scarp {
     /** Unit normals of the surface z = heightScale * value. */
     normals<T extends Normals>(dx: Float32Array, dy: Float32Array, heightScale: number, out: T): T;
 
+    // The chain rule: each function computes the values and derivatives that `out` has arrays for.
+
+    /** scale a + offset */
     affine<T extends Samples>(a: Samples, scale: number, offset: number, out: T): T;
+    /** a + b */
     add<T extends Samples>(a: Samples, b: Samples, out: T): T;
-    /** a b. A product with a factor 0 is 0, in derivatives too, whatever the other factor is. */
+    /** a b. A product with a factor 0 is 0, also in derivatives, even if the other factor is NaN. */
     multiply<T extends Samples>(a: Samples, b: Samples, out: T): T;
     /** a + m (b - a): exactly a where m is 0, and b where m is 1. */
     mix<T extends Samples>(a: Samples, b: Samples, m: Samples, out: T): T;
+    /** The lesser of a and b, with a crease where they are equal. */
     min<T extends Samples>(a: Samples, b: Samples, out: T): T;
+    /** The greater of a and b, with a crease where they are equal. */
     max<T extends Samples>(a: Samples, b: Samples, out: T): T;
+    /** The lesser of a and b without a crease: lower by up to k / 6 where they differ by less than k. */
     smoothMin<T extends Samples>(a: Samples, b: Samples, k: number, out: T): T;
+    /** The greater of a and b without a crease. */
     smoothMax<T extends Samples>(a: Samples, b: Samples, k: number, out: T): T;
+    /** a, but lo where a is less and hi where a is more. */
     clamp<T extends Samples>(a: Samples, lo: number, hi: number, out: T): T;
+    /** |a|, with a crease at 0. */
     abs<T extends Samples>(a: Samples, out: T): T;
-    /** sqrt(a^2 + round^2) */
+    /** sqrt(a^2 + round^2): |a| with a round floor. */
     smoothAbs<T extends Samples>(a: Samples, round: number, out: T): T;
+    /** From 0 where a is lo or beyond, to 1 where a is hi or beyond. */
     smoothstep<T extends Samples>(a: Samples, lo: number, hi: number, out: T): T;
+    /** Steps in a slope: `steps` per unit of value, of which the part `riser` rises. */
     terrace<T extends Samples>(
         a: Samples,
         steps: number,
@@ -238,13 +271,14 @@ export interface Scarp {
         strength: number,
         out: T,
     ): T;
-    /** Any other function, given at each point. */
+    /** Any other function of a: its value and its derivatives are given at each point. */
     apply1<T extends Samples>(a: Samples, f: Partials, out: T): T;
+    /** Any other function of a and b. */
     apply2<T extends Samples>(a: Samples, b: Samples, f: Partials, out: T): T;
 
     /**
-     * A composition of noises; throws a RecipeError. Free it when it is no longer needed. A tolerant
-     * one has its errors in `errors`, and only a text that is too long throws.
+     * A composition of noises. A text with errors throws a RecipeError. A tolerant recipe has its
+     * errors in `errors`, and throws only if the text is too long. Free it when you are done.
      */
     recipe(text: string, options?: { tolerant?: boolean }): Recipe;
     /** The functions of recipes. */
@@ -254,6 +288,7 @@ export interface Scarp {
     noiseCheck(noise: Noise | Plan, dimensions: Dimensions): ScarpError | null;
     /** The interval that values never leave: [lowest, highest]. */
     range(noise: Noise | Plan, dimensions: Dimensions): [number, number];
+    /** Computes the constants of a noise once, for many calls. Free the plan with freePlan(). */
     plan(noise: Noise, dimensions: Dimensions): Plan;
     freePlan(plan: Plan): void;
     /**
@@ -269,7 +304,7 @@ export interface Scarp {
     gpuAnswers(noise: Noise | Plan, dimensions: Dimensions, order: 0 | 1 | 2): Uint32Array;
 }
 
-/** From the first index of a string to that behind the last one. */
+/** The index of the first character of a string, and the one behind the last. */
 export type Span = [from: number, to: number];
 
 /** One thing that is wrong in the text of a recipe; lines and columns count from 1. */
@@ -302,7 +337,7 @@ export interface RecipeEntry {
     readonly nameSpan: Span;
     readonly kind: RecipeKind;
     readonly isParam: boolean;
-    /** The number of the output that it is, or -1. */
+    /** Which output it is, counted from 0; -1: none. */
     readonly output: number;
     /** The number of its expression; -1 for param. */
     readonly part: number;
@@ -312,7 +347,7 @@ export interface RecipeEntry {
     readonly slider: [lowest: number, highest: number];
     /** Of fields: the interval that values never leave. */
     readonly range: [lowest: number, highest: number];
-    /** Of fields: on which they depend: 1 x, 2 y, 4 z. */
+    /** Of fields: the axes that they depend on: 1 x, 2 y, 4 z, added. */
     readonly axes: number;
     /** Of fields: the highest order of their derivatives. */
     readonly order: number;
@@ -321,8 +356,8 @@ export interface RecipeEntry {
 }
 
 /**
- * A part of an expression. A call, and a sign, stands in front of the parts that it has, other
- * operators stand behind theirs.
+ * A part of an expression. In the list, a call, and a sign, stands before the parts that it has; any
+ * other operator stands behind its parts.
  */
 export interface RecipePart {
     readonly index: number;
@@ -370,12 +405,12 @@ export interface RecipeFunction {
     readonly arguments: readonly RecipeArgument[];
 }
 
-/** What to sample in place of the outputs: numbers of statements, or PARTS plus that of a part. */
+/** What to sample in place of the outputs: numbers of statements, or PARTS + numbers of parts. */
 export interface Nodes {
     which?: number | readonly number[] | null;
 }
 
-/** The number of the first part, among nodes. */
+/** What is added to the number of a part in `which`. */
 export declare const PARTS: 65536;
 
 /** A composition of noises as a text: src/recipe/README.md of scarp has the language. */
@@ -388,14 +423,14 @@ export interface Recipe {
     readonly params: { name: string; value: number; lowest: number; highest: number }[];
     /** Outputs, with the intervals that values never leave. */
     readonly outputs: { name: string; range: [number, number] }[];
-    /** Whether it is of space. */
+    /** Whether the recipe is of space. */
     readonly isSpace: boolean;
     /** The seed of the world; give a BigInt for more than 53 bits. */
     get seed(): bigint;
     set seed(seed: number | bigint);
     /** Sets a parameter; "finest" leaves out octaves with cells smaller than that. */
     set(name: string, value: number): this;
-    /** The interval that values of an output never leave, or those of a node, or within a box. */
+    /** The interval that values of an output, or of number `which`, never leave; in a box if given. */
     range(
         output?: number,
         options?: {
@@ -403,7 +438,7 @@ export interface Recipe {
             box?: { lowest: readonly number[]; highest: readonly number[] } | null;
         },
     ): [number, number];
-    /** `out` has arrays of the first output, or an array of objects those of the first ones. */
+    /** `out` has arrays for the first output. An array of such objects is for the first outputs. */
     grid<T extends Samples | Samples[]>(grid: Grid, out: T, nodes?: Nodes): T;
     sample2<T extends Samples | Samples[]>(
         x: Coordinates,
@@ -427,18 +462,20 @@ export interface Recipe {
         file: string,
         options?: { order?: 0 | 1 | 2 },
     ): string;
-    /** The bytes of the shader's uniform buffer: seed and parameters are in there. */
+    /** The bytes of the shader's uniform buffer, which has the seed and the parameters. */
     uniforms(): Uint8Array;
-    /** What the shader's self-test must answer, with outputs up to an order: 4,096 numbers. */
+    /** What the shader's self-test must answer, with derivatives up to `order`: 4,096 numbers. */
     answers(order?: 0 | 1 | 2): Uint32Array;
+    /** Gives the memory back. */
     free(): void;
 }
 
 export interface Options {
-    /** false does without vectors; by default they are used where the engine has them. */
+    /** false: without vectors. By default the module uses them where the engine has them. */
     simd?: boolean;
-    /** Bytes for alloc(); 64 MiB by default. They take memory when they are used. */
+    /** How many bytes alloc() may give; 64 MiB by default. They take memory when they are used. */
     memory?: number;
 }
 
+/** Loads the module. */
 export declare function load(options?: Options): Promise<Scarp>;
