@@ -49,7 +49,7 @@ export interface Noise {
     erosion?: number;
     /** How far gradients turn, in turns, so that noise flows; only for the basis 'gradient'. */
     phase?: number;
-    /** Cellular noise: how far features stray from the middles of cells, in (0, 1]; 1 by default. */
+    /** Cellular noise: how far features stray from middles of cells, in (0, 1]; 1 by default. */
     jitter?: number;
     /**
      * 'pingpong': how often octaves are folded, 2 by default; 'hybrid': how high they lie, 0.7;
@@ -243,7 +243,7 @@ export interface Scarp {
     affine<T extends Samples>(a: Samples, scale: number, offset: number, out: T): T;
     /** a + b */
     add<T extends Samples>(a: Samples, b: Samples, out: T): T;
-    /** a b. A product with a factor 0 is 0, also in derivatives, even if the other factor is NaN. */
+    /** a b. A product with a factor 0 is 0, also in derivatives, even if the other one is NaN. */
     multiply<T extends Samples>(a: Samples, b: Samples, out: T): T;
     /** a + m (b - a): exactly a where m is 0, and b where m is 1. */
     mix<T extends Samples>(a: Samples, b: Samples, m: Samples, out: T): T;
@@ -251,7 +251,7 @@ export interface Scarp {
     min<T extends Samples>(a: Samples, b: Samples, out: T): T;
     /** The greater of a and b, with a crease where they are equal. */
     max<T extends Samples>(a: Samples, b: Samples, out: T): T;
-    /** The lesser of a and b without a crease: lower by up to k / 6 where they differ by less than k. */
+    /** The lesser of a and b without a crease: up to k / 6 lower where they are nearer than k. */
     smoothMin<T extends Samples>(a: Samples, b: Samples, k: number, out: T): T;
     /** The greater of a and b without a crease. */
     smoothMax<T extends Samples>(a: Samples, b: Samples, k: number, out: T): T;
@@ -356,8 +356,8 @@ export interface RecipeEntry {
 }
 
 /**
- * A part of an expression. In the list, a call, and a sign, stands before the parts that it has; any
- * other operator stands behind its parts.
+ * A part of an expression. In the list, a call, and a sign, stands before the parts that it has.
+ * Any other operator stands behind its parts.
  */
 export interface RecipePart {
     readonly index: number;
@@ -430,7 +430,7 @@ export interface Recipe {
     set seed(seed: number | bigint);
     /** Sets a parameter; "finest" leaves out octaves with cells smaller than that. */
     set(name: string, value: number): this;
-    /** The interval that values of an output, or of number `which`, never leave; in a box if given. */
+    /** The interval that values of an output, or of `which`, never leave; in a box if given. */
     range(
         output?: number,
         options?: {
