@@ -7,6 +7,10 @@
 # that it declares get a suffix, by macros which are taken back at its end, like the macros that it
 # defines. The kernels stand there once; the file includes itself for each set, in its target region.
 # SCARP_PART is the part that such an inclusion asks for.
+#
+# The script finds the names that a file declares by its format: outside of functions, names start at
+# the margin. It finds headers and simd/kernels_*.c by itself. If it misses a name, the file does not
+# compile, and package.single says so.
 cmake_minimum_required(VERSION 3.25)
 
 get_filename_component(SOURCE ${SOURCE} ABSOLUTE)

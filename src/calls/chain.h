@@ -1,4 +1,7 @@
-/* SPDX-License-Identifier: MIT */
+/* SPDX-License-Identifier: MIT
+ *
+ * What others need of the calls of the chain rule.
+ */
 #ifndef SCARP_CALLS_CHAIN_H
 #define SCARP_CALLS_CHAIN_H
 

@@ -10,7 +10,8 @@
  *   take and return numbers, vectors and structures; there are no pointers and no arrays, but those
  *   of the plans of shaders.
  * - Statements are declarations, assignments to variables (not to parameters), if, for with one
- *   counter, and return. Blocks have braces. Braces initialise structures, with names of members
+ *   counter, and return. Spell out short loops: llvmpipe ends all loops of an invocation after
+ *   65,535 rounds. Blocks have braces. Braces initialise structures, with names of members
  *   or without; what they leave out is 0.
  * - No type becomes another without a cast, but a whole number where uint is wanted. Integers that
  *   become floats have at most 24 bits, since shaders may round others in another way.

@@ -1,4 +1,8 @@
-/* SPDX-License-Identifier: MIT */
+/* SPDX-License-Identifier: MIT
+ *
+ * Writes the shader of a recipe to standard output, and its uniform buffer and its answers to
+ * files.
+ */
 #include "recipe/shader.h"
 
 #include <errno.h>

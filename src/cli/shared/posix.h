@@ -2,7 +2,9 @@
  *
  * The calls of POSIX that handle files, by their own names on every system. Windows gets them from
  * windows_files.c and windows_system.c: there, a path is UTF-8, may be of any length, and names
- * what it names on POSIX systems.
+ * what it names on POSIX systems. Macros of the same names stand for the calls there. They take the
+ * wide calls of the system, and give long paths the prefix \\?\. (A manifest that sets the code
+ * page to UTF-8 would need Windows 10, and a key of the registry for long paths.)
  */
 #ifndef SCARP_CLI_POSIX_H
 #define SCARP_CLI_POSIX_H

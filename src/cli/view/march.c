@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Marching in batches.
+ * Marching in batches. Read this to march terrain of your own.
  *
  * A ray p(t) = camera + t d, with d of length 1, is above the ground by c(t) = p_z - height(p_x,
  * p_y). If no slope is steeper than s, then c falls by less than (s |d_xy| - d_z) per unit of t. So

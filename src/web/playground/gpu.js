@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
 // Samples of the terrain by WebGPU, where its answers agree with the module's. All of it happens in
-// a worker; until that is ready, and wherever it cannot help, the module samples.
+// a worker; until that is ready, and wherever it cannot help, the module samples. It serves the first
+// output of a recipe of the plane: statements, parts, small pictures and masks stay the module's.
+// Workers of the page paint its samples as they paint the module's, sea included.
+//
+// Places are floats here and doubles in the program, so the picture may differ in last places. The
+// page then has the module sample the same raster once more, for the hash, the numbers under the
+// pointer and all files but the picture. A GPU in software, as tests have, is slower than the module.
 const FAR = 2 ** 18; // samples from the origin, where floats are off by a 64th of the step
 
 const seconds = since => Math.floor((performance.now() - since) / 1000);

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The graph of a recipe: its text as cards and wires. The text is the only state; each gesture is an
-// edit of it, which the host does, and then tells the new document.
+// The graph of a recipe: its text as cards and wires. A statement is a card, and each use of a name is
+// an input of its own. The text is the only state; each gesture is an edit of it, which the host does,
+// and then tells the new document.
 import {CardView} from "./cards.js";
 import {draw, make} from "./dom.js";
 import {extract, forgetPlaces} from "./edits.js";

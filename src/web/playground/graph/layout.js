@@ -4,6 +4,10 @@
 // inputs that they go to, which dagre does not know. Cards are {id, width, height}, wires {from, to,
 // port} with the height of the input in its card; places are a Map of ids to {x, y}. Wires that pass a
 // column have a place of their own in it, so that they do not go behind its cards.
+//
+// Cards are laid out when a recipe is opened, by Tidy, and when operators are spread out. Nothing else
+// moves a card, but for those below one that opens. A card that was moved by hand has a line
+// `#: name x y` in the text.
 import {Graph, layout} from "@dagrejs/dagre";
 
 const GAP = 22, RANKS = 48, SWEEPS = 8;
