@@ -120,6 +120,17 @@ function numbersOf(what, list, least, most) {
     return Array.from(list);
 }
 
+// How many knots a curve has. The library refuses too few and too many.
+export function checkKnots(x, values) {
+    for (const [name, list] of [
+        ['x', x],
+        ['values', values],
+    ]) {
+        numbersOf(name, list, x?.length, x?.length).forEach((value) => checkNumber(name, value));
+    }
+    return x.length;
+}
+
 function putEnumerator(view, at, name, value, words) {
     const number = typeof value === 'number' ? value : words[name].indexOf(value);
     if (!Number.isInteger(number) || number < 0 || number >= words[name].length) {

@@ -271,6 +271,23 @@ export interface Scarp {
         strength: number,
         out: T,
     ): T;
+    /** a / b: infinite or NaN where b is 0. */
+    divide<T extends Samples>(a: Samples, b: Samples, out: T): T;
+    /** The square root of a, and 0 where a is less than 0. */
+    sqrt<T extends Samples>(a: Samples, out: T): T;
+    /** sin(2 pi a): a counts turns. */
+    sine<T extends Samples>(a: Samples, out: T): T;
+    /** a folded to and fro between -1 and 1, with the period 2. */
+    pulse<T extends Samples>(a: Samples, out: T): T;
+    /** A smooth curve with values[k] where a is x[k], for 2 to 64 knots, level outside of them. */
+    curve<T extends Samples>(
+        a: Samples,
+        x: ArrayLike<number>,
+        values: ArrayLike<number>,
+        out: T,
+    ): T;
+    /** The length of the gradient of a. It has first derivatives, which need a Hessian of a. */
+    slope<T extends Samples>(a: Samples, out: T): T;
     /** Any other function of a: its value and its derivatives are given at each point. */
     apply1<T extends Samples>(a: Samples, f: Partials, out: T): T;
     /** Any other function of a and b. */

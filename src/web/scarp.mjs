@@ -18,6 +18,7 @@ import {
     STATUS,
     ScarpError,
     camel,
+    checkKnots,
     checkMembers,
     checkNumber,
     putGrid,
@@ -471,6 +472,42 @@ class Scarp {
     }
     terrace(a, steps, riser, strength, out) {
         return this.#chain('terrace', [['a', a]], { steps, riser, strength }, out);
+    }
+    divide(a, b, out) {
+        return this.#chain(
+            'divide',
+            [
+                ['a', a],
+                ['b', b],
+            ],
+            {},
+            out,
+        );
+    }
+    sqrt(a, out) {
+        return this.#chain('sqrt', [['a', a]], {}, out);
+    }
+    sine(a, out) {
+        return this.#chain('sine', [['a', a]], {}, out);
+    }
+    pulse(a, out) {
+        return this.#chain('pulse', [['a', a]], {}, out);
+    }
+    slope(a, out) {
+        return this.#chain('slope', [['a', a]], {}, out);
+    }
+    // `x` and `values` are lists of numbers.
+    curve(a, x, values, out) {
+        const knots = checkKnots(x, values),
+            at = this.#memory.allocate(8 * knots);
+        try {
+            const place = new Float32Array(this.#memory.buffer, at, 2 * knots);
+            place.set(x);
+            place.set(values, knots);
+            return this.#chain('curve', [['a', a]], { knots, at, values: at + 4 * knots }, out);
+        } finally {
+            this.#memory.release(at);
+        }
     }
     apply1(a, f, out) {
         return this.#chain(

@@ -209,11 +209,17 @@ export function lines(scarp, copied) {
             smoothAbs: [a, 0.15],
             smoothstep: [a, 0.25, -0.25],
             terrace: [a, 7, 0.4, 0.8],
+            divide: [a, b],
+            sqrt: [a],
+            sine: [a],
+            pulse: [a],
+            curve: [a, [-0.25, 0.125, 0.5], [0, 1, 0.75]],
+            slope: [a],
             apply1: [a, partials],
             apply2: [a, b, partials],
         };
         for (const [name, args] of Object.entries(calls)) {
-            const out = ask(sets[2], 3, 2, false, points);
+            const out = ask(sets[2], 3, name === 'slope' ? 1 : 2, false, points);
             scarp[name](...args, out);
             line(name, '', hashArrays(sets[2]));
         }

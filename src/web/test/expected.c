@@ -259,6 +259,7 @@ static void visit_chain(void)
     const struct scarp_samples *const out = ask(2, 3, 2, 0);
     const struct scarp_partials partials = {
         .f = a->value, .fa = a->dx, .fb = a->dy, .faa = b->dx, .fab = b->dy, .fbb = b->dz};
+    const float knots[] = {-0.25f, 0.125f, 0.5f}, values[] = {0.0f, 1.0f, 0.75f};
     const size_t n = POINTS;
     expect_ok(scarp_sample3(&hills, n, coordinate[0], coordinate[1], coordinate[2], a), "hills");
     expect_ok(scarp_sample3(&mountains, n, coordinate[0], coordinate[1], coordinate[2], b),
@@ -276,6 +277,13 @@ static void visit_chain(void)
     CHAIN("smoothAbs", scarp_smooth_abs(n, a, 0.15f, out));
     CHAIN("smoothstep", scarp_smoothstep(n, a, 0.25f, -0.25f, out));
     CHAIN("terrace", scarp_terrace(n, a, 7.0f, 0.4f, 0.8f, out));
+    CHAIN("divide", scarp_divide(n, a, b, out));
+    CHAIN("sqrt", scarp_sqrt(n, a, out));
+    CHAIN("sine", scarp_sine(n, a, out));
+    CHAIN("pulse", scarp_pulse(n, a, out));
+    CHAIN("curve", scarp_curve(n, a, 3, knots, values, out));
+    CHAIN("slope", scarp_slope(n, a, ask(2, 3, 1, 0)));
+    ask(2, 3, 2, 0);
     CHAIN("apply1", scarp_apply1(n, a, &partials, out));
     CHAIN("apply2", scarp_apply2(n, a, b, &partials, out));
     memset(array[2], 0, sizeof array[2]);
