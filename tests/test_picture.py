@@ -11,14 +11,13 @@ has to be:
 """
 import hashlib
 import os
-import struct
 import subprocess
 import sys
 import tempfile
 import unittest
-import zlib
 
 sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "cli"))
+from pngs import encode_png
 from rasters import decode_png, decode_pnm
 
 SKIPPED = 77
@@ -123,33 +122,6 @@ class Picture(unittest.TestCase):
         self.assertEqual(shown.shape(), (*WIDTH_HEIGHT.get(EXAMPLE, (640, 360)), 3, 8))
         self.assertEqual(drawn.shape(), shown.shape())
         self.assertTrue(drawn.rows == shown.rows, PICTURE + " is another picture")
-
-
-def filtered(kind, line, above):
-    """A row of a PNG, less what its neighbours predict: nothing, left, above, mean, Paeth."""
-    def predict(a, b, c):
-        nearest = min((abs(b - c), 0, a), (abs(a - c), 1, b), (abs(a + b - 2 * c), 2, c))[2]
-        return (0, a, b, (a + b) // 2, nearest)[kind]
-
-    left, corner = bytes(3) + line, bytes(3) + above
-    return bytes((x - predict(a, b, c)) & 255 for x, a, b, c in zip(line, left, above, corner))
-
-
-def encode_png(ppm):
-    _, size, _, pixels = ppm.split(b"\n", 3)
-    width, height = map(int, size.split())
-    above, rows = bytes(3 * width), []
-    for y in range(height):
-        line = pixels[3 * width * y:3 * width * (y + 1)]
-        rows.append(min((bytes([kind]) + filtered(kind, line, above) for kind in range(5)),
-                        key=lambda row: sum(min(byte, 256 - byte) for byte in row[1:])))
-        above = line
-    png = b"\x89PNG\r\n\x1a\n"
-    for name, data in ((b"IHDR", struct.pack(">IIBBBBB", width, height, 8, 2, 0, 0, 0)),
-                       (b"IDAT", zlib.compress(b"".join(rows), 9)), (b"IEND", b"")):
-        png += struct.pack(">I", len(data)) + name + data
-        png += struct.pack(">I", zlib.crc32(name + data))
-    return png
 
 
 def write():

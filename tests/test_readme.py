@@ -1,49 +1,66 @@
 # SPDX-License-Identifier: MIT
-"""The samples in the documents compile without a warning and print what stands there; the animation
-is a loop.
+"""The samples in the documents compile without a warning, print what stands there, and make the
+pictures that stand there; the animation is a loop.
 
     test_readme.py LANGUAGE SOURCE_DIR LIBRARY INCLUDE_DIR SCRATCH_DIR COMPILER_ID FLAGS COMPILER
                    [EMULATOR...]
 
 LANGUAGE is c, cxx, python or sh. LIBRARY is the shared or static library; the Python sample needs
 a shared one and no emulator. COMPILER compiles the language; for python it is an interpreter with
-NumPy, for sh the shell, and LIBRARY the program.
+NumPy, for sh the shell, and LIBRARY the program. With SCARP_RENEW=1 in the environment, the
+pictures are written anew.
 """
+import json
 import os
 import re
 import shlex
+import shutil
 import subprocess
 import sys
 
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "cli"))
+from pngs import encode_png
+from rasters import read_bytes, read_picture
+
 SKIPPED = 77
-WARNINGS = ["-Wall", "-Wextra", "-Wpedantic", "-Werror"]
+OPTIONS = ["-Wall", "-Wextra", "-Wpedantic", "-Werror", "-ffp-contract=off"]
 # The documents that have samples, and how many they have of each kind, at least: a document whose
 # samples are not found must not pass.
 DOCUMENTS = {
     "README.md": {"program": 2, "fragment": 1, "python": 1},
     "src/bindings/README.md": {"program in C++": 1},
     "src/examples/published.md": {"program": 1},
-    "src/examples/README.md": {"program": 4, "fragment": 2},
+    "src/examples/README.md": {"program": 13, "python": 2, "session": 3},
     "src/cli/README.md": {"animation": 1},
     "src/gpu/README.md": {"fragment": 2},
     "src/recipe/README.md": {"program": 1},
     "src/bindings/python/README.md": {"python": 2},
 }
+# The document whose samples are short, and make pictures: the longest, in lines; who makes which
+# picture, and the largest file
+COOKBOOK = "src/examples/README.md"
+LONGEST = 25
+PICTURES = {"c": ("particles",), "python": ("biomes", "scatter"), "sh": ("paving",)}
+LARGEST_FILE = 60000
 FRAGMENT = """#include <scarp.h>
 #include <string.h>
 extern struct scarp_recipe recipe;
 extern const char *wgsl;
-struct scarp_recipe recipe;
-const char *wgsl = "";
 void fragment(struct scarp_noise noise, struct scarp_samples out);
 void fragment(struct scarp_noise noise, struct scarp_samples out)
 {
     (void)noise, (void)out;
 %s}
-int main(void)
-{
-    return 0;
-}
+"""
+# Runs samples, a list on stdin, and tells what each prints.
+INTERPRETER = """
+import contextlib, io, json, sys
+printed = []
+for code in json.load(sys.stdin):
+    with contextlib.redirect_stdout(io.StringIO()) as stream:
+        exec(code, {"__name__": "__main__"})
+    printed.append(stream.getvalue())
+json.dump(printed, sys.stdout)
 """
 
 
@@ -65,11 +82,22 @@ class Document:
         with open(os.path.join(source, name), encoding="utf-8") as file:
             self.blocks = blocks(file.read())
 
-    def programs(self, language):
-        """The whole programs, each with the block that follows: what it prints."""
+    def printing(self, language):
+        """The blocks of a language, each with what it prints: the block that follows, if that is of
+        none."""
         following = self.blocks[1:] + [("", "")]
-        return [(body, printed) for (kind, body), (_, printed) in zip(self.blocks, following)
-                if kind == language and (language == "python" or "main(" in body)]
+        return [(body, printed * (after == "")) for (kind, body), (after, printed)
+                in zip(self.blocks, following) if kind == language]
+
+    def programs(self, language):
+        """The whole programs, each with what it prints"""
+        return [(body, printed) for body, printed in self.printing(language)
+                if language == "python" or "main(" in body]
+
+    def sessions(self):
+        """What a reader types who has the program, with what it prints"""
+        return [(body, printed) for body, printed in self.printing("sh")
+                if self.name == COOKBOOK and re.search(r"(?m)^ *scarp ", body)]
 
     def pieces(self, language):
         """What is no whole program."""
@@ -80,16 +108,24 @@ class Document:
         if len(samples) < DOCUMENTS[self.name].get(kind, 0):
             sys.exit("%s has %d samples of the kind %s, not %d" % (
                 self.name, len(samples), kind, DOCUMENTS[self.name][kind]))
+        if self.name == COOKBOOK:
+            for sample in samples:
+                text = sample if isinstance(sample, str) else sample[0]
+                if text.count("\n") > LONGEST:
+                    sys.exit("%d lines are too long:\n%s" % (text.count("\n"), text))
         return samples
 
 
 class Examples:
     def __init__(self, source, library, include, scratch, compiler, emulator):
-        self.source, self.documents = source, [Document(name, source) for name in DOCUMENTS]
-        self.library, self.folder, self.include = library, os.path.dirname(library), include
-        self.scratch, self.compiler, self.emulator = scratch, compiler, emulator
+        self.documents = [Document(name, source) for name in DOCUMENTS]
+        self.source, self.library, self.include, self.scratch = (
+            os.path.abspath(path) for path in (source, library, include, scratch))
+        self.folder = os.path.dirname(self.library)
+        self.compiler, self.emulator = compiler, emulator
         self.count = 0
-        os.makedirs(scratch, exist_ok=True)
+        shutil.rmtree(scratch, ignore_errors=True)
+        os.makedirs(scratch)
 
     def samples(self, kind, of):
         """All samples of a kind, each with the name of a file."""
@@ -99,49 +135,83 @@ class Examples:
                 self.count += 1
                 yield stem, sample
 
-    def compile(self, name, text, *options):
+    def write(self, name, text):
         path = os.path.join(self.scratch, name)
         with open(path, "w", encoding="utf-8") as file:
             file.write(text)
-        subprocess.run([self.compiler, *WARNINGS, "-I", self.include, *options, path, "-x", "none",
-                        self.library, "-lm", "-Wl,-rpath," + self.folder, "-o", path + ".out"],
-                       check=True)
-        return path + ".out"
+        return path
+
+    def compile(self, *arguments):
+        subprocess.run([self.compiler, *OPTIONS, "-I", self.include, *arguments], check=True)
+
+    def check_valid(self, paths, *options):
+        """They need not run: one run of the compiler looks at all."""
+        self.compile("-fsyntax-only", *options, *paths)
 
     def check_program(self, name, text, printed, *options):
-        program = self.compile(name, text, *options)
-        output = subprocess.run(self.emulator + [program], check=True, text=True,
-                                stdout=subprocess.PIPE).stdout
+        path = self.write(name, text)
+        self.compile(*options, path, "-x", "none", self.library, "-lm", "-pthread",
+                     "-Wl,-rpath," + self.folder, "-o", path + ".out")
+        output = subprocess.run(self.emulator + [path + ".out"], cwd=self.scratch, check=True,
+                                text=True, stdout=subprocess.PIPE).stdout
+        self.check_printed(name, output, printed)
+
+    def check_printed(self, name, output, printed):
         if output != printed:
             sys.exit("%s prints\n%sbut the document says\n%s" % (name, output, printed))
 
-    def check_all_c(self, *options):
-        """Whole programs, and pieces inside a function with a noise and outputs."""
-        for stem, (text, printed) in self.samples("program", lambda d: d.programs("c")):
-            self.check_program(stem + ".c", text, printed, *options)
-        for stem, piece in self.samples("fragment", lambda d: d.pieces("c")):
-            self.compile(stem + ".c", FRAGMENT % piece, *options)
+    def check_pictures(self, language):
+        """Each has the pixels of the committed one."""
+        folder = os.path.join(self.source, os.path.dirname(COOKBOOK), "cookbook")
+        names = sorted(name + ".png" for all_of in PICTURES.values() for name in all_of)
+        if sorted(os.listdir(folder)) != names:
+            sys.exit("%s has %s, not %s" % (folder, sorted(os.listdir(folder)), names))
+        for name in PICTURES[language]:
+            path = os.path.join(folder, name + ".png")
+            made, = [os.path.join(self.scratch, file) for file in os.listdir(self.scratch)
+                     if re.fullmatch(name + "[.](png|pgm|ppm)", file)]
+            if os.environ.get("SCARP_RENEW") == "1":
+                data = read_bytes(made)
+                with open(path, "wb") as file:
+                    file.write(data if made.endswith(".png") else encode_png(data))
+            drawn, shown = read_picture(made), read_picture(path)
+            if drawn.shape() != shown.shape() or drawn.rows != shown.rows:
+                sys.exit("%s is another picture than %s" % (path, made))
+            if os.path.getsize(path) > LARGEST_FILE:
+                sys.exit("%s is too large" % path)
+
+    def pieces(self):
+        """The files of pieces, each inside a function with a noise and outputs"""
+        return [self.write(stem + ".c", FRAGMENT % piece)
+                for stem, piece in self.samples("fragment", lambda d: d.pieces("c"))]
 
     def check_c(self):
-        self.check_all_c("-std=c11")
+        for stem, (text, printed) in self.samples("program", lambda d: d.programs("c")):
+            self.check_program(stem + ".c", text, printed, "-std=c11")
+        self.check_valid(self.pieces(), "-std=c11")
+        self.check_pictures("c")
 
     def check_cxx(self):
         """The samples in C are valid in C++20, too: their designators are in order."""
-        cxx = ("-std=c++20",)
-        self.check_all_c(*cxx, "-x", "c++")
+        paths = [self.write(stem + ".c", text)
+                 for stem, (text, _) in self.samples("program", lambda d: d.programs("c"))]
+        self.check_valid(paths + self.pieces(), "-std=c++20", "-x", "c++")
         for stem, (text, printed) in self.samples("program in C++", lambda d: d.programs("cpp")):
-            self.check_program(stem + ".cpp", text, printed, *cxx)
+            self.check_program(stem + ".cpp", text, printed, "-std=c++20")
 
     def check_python(self):
         if ".so" not in os.path.basename(self.library) or self.emulator:
             skip("Python needs the shared library of its own processor")
         environment = dict(os.environ, SCARP_LIBRARY=self.library, PYTHONDONTWRITEBYTECODE="1",
                            PYTHONPATH=os.path.join(self.source, "src", "bindings", "python"))
-        for stem, (code, told) in self.samples("python", lambda d: d.programs("python")):
-            printed = subprocess.run([self.compiler, "-c", code], check=True, text=True,
-                                     env=environment, stdout=subprocess.PIPE).stdout
-            if printed != told:
-                sys.exit("%s prints\n%sbut the document says\n%s" % (stem, printed, told))
+        samples = list(self.samples("python", lambda d: d.programs("python")))
+        outputs = json.loads(subprocess.run(
+            [self.compiler, "-c", INTERPRETER], cwd=self.scratch, check=True, text=True,
+            env=environment, input=json.dumps([code for _, (code, _) in samples]),
+            stdout=subprocess.PIPE).stdout)
+        for (stem, (_, printed)), output in zip(samples, outputs):
+            self.check_printed(stem, output, printed)
+        self.check_pictures("python")
 
     def run_in_shell(self, recipe):
         """Runs a recipe in the scratch directory, with the program as `scarp`."""
@@ -154,7 +224,16 @@ class Examples:
                               env=dict(os.environ, PATH=path), stdout=subprocess.PIPE).stdout
 
     def check_sh(self):
-        """The animation is a loop: with one frame more, the last has the bytes of the first."""
+        self.has_png = re.search(rb"(?m)^formats .*\bpng\b", self.run_in_shell("scarp info"))
+        for stem, (typed, printed) in self.samples("session", lambda d: d.sessions()):
+            if not self.has_png:
+                typed = typed.replace(".png", ".pgm")
+            self.check_printed(stem, self.run_in_shell(typed).decode(), printed)
+        self.check_pictures("sh")
+        self.check_animation()
+
+    def check_animation(self):
+        """It is a loop: with one frame more, the last has the bytes of the first."""
         recipe = "".join(body for _, body in self.samples("animation", lambda d: [
             body for kind, body in d.blocks if kind == "sh" and "--phase" in body]))
         frames = "seq 0 23"
@@ -162,11 +241,8 @@ class Examples:
             sys.exit("the recipe has no 24 frames:\n" + recipe)
         recipe = recipe.replace(frames, "seq 0 24")
         end = ".png"
-        if not re.search(rb"(?m)^formats .*\bpng\b", self.run_in_shell("scarp info")):
+        if not self.has_png:
             recipe, end = recipe.replace(".png", ".pgm"), ".pgm"
-        for name in os.listdir(self.scratch):
-            if name.endswith((".png", ".pgm")):
-                os.remove(os.path.join(self.scratch, name))
         self.run_in_shell(recipe)
         for stem in ("height", "hill"):
             found = []

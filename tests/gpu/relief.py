@@ -17,6 +17,7 @@ import unittest
 sys.dont_write_bytecode = True  # among the sources
 HERE = pathlib.Path(__file__).resolve().parent
 sys.path.insert(0, str(HERE.parent / "cli"))
+from pngs import encode_png  # noqa: E402
 from rasters import decode_png, decode_pnm  # noqa: E402
 
 LARGEST_FILE = 800 * 1000
@@ -83,10 +84,7 @@ class Relief(unittest.TestCase):
 
 
 def write(relief, picture):
-    """Packs the library's picture as test_picture.py packs those of other examples."""
-    sys.path.insert(0, str(HERE.parent))
-    sys.argv[1:] = ["mountains"]
-    from test_picture import encode_png
+    """Packs the library's picture."""
     with tempfile.TemporaryDirectory() as folder:
         path = os.path.join(folder, "relief.ppm")
         subprocess.run([relief, path], check=True)
