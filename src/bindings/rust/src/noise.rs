@@ -1,0 +1,533 @@
+// SPDX-License-Identifier: MIT
+//! Noise: what to sample, and the calls that sample it.
+use crate::arrays::{Cells, Flow, Samples, Sizes};
+use crate::coordinate::Coordinate;
+use crate::error::{ready, text_of, Error, Status};
+use crate::ffi;
+use crate::grid::Grid;
+use crate::words::{Basis, Fade, Fractal};
+use std::mem::size_of;
+use std::os::raw::c_int;
+
+/// Bytes that later versions give a meaning: zeros
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
+#[repr(transparent)]
+pub struct Reserved<T>(pub(crate) T);
+
+pub(crate) const SPARE: usize = (192 - 80 - 2 * size_of::<usize>()) / 4;
+
+/// Noise with exact derivatives: a description, which calls read. `scarp.h` has all formulas.
+///
+/// ```
+/// use scarp::{Arrays, Basis, Fractal, Grid, Noise};
+///
+/// let bend = Noise { basis: Basis::Simplex, seed: 7, frequency: 0.02, amplitude: 15.0, ..Noise::default() };
+/// let noise = Noise {
+///     fractal: Fractal::Ridged,
+///     seed: 42,
+///     frequency: 0.01,
+///     octaves: 6.0,
+///     warp: Some(&bend),
+///     ..Noise::default()
+/// };
+/// let grid = Grid { origin: [100.0, 200.0], step: [0.5; 2], count: [640, 480], ..Grid::<2>::default() };
+/// let mut tile = Arrays::plane(640 * 480, 1);
+/// noise.grid2(&grid, &mut tile.samples())?;
+///
+/// let (lowest, highest) = noise.range(2)?;
+/// assert_eq!((lowest, highest), (0.0, 1.0));
+/// assert!(tile.value.iter().all(|value| (lowest..=highest).contains(value)));
+/// # Ok::<(), scarp::Error>(())
+/// ```
+///
+/// A warp is borrowed, so it cannot go away before the noise does:
+///
+/// ```compile_fail,E0597
+/// let mut noise = scarp::Noise::default();
+/// {
+///     let bend = scarp::Noise { amplitude: 15.0, ..Default::default() };
+///     noise.warp = Some(&bend);
+/// }
+/// noise.range(2).unwrap();
+/// ```
+///
+/// In C, 0 stands for the default. Here 0 is an error where that would surprise: of `frequency`,
+/// `octaves`, `lacunarity`, `gain`, `amplitude`, `erosion` and `jitter`. It has the layout of
+/// `struct scarp_noise`, so a call costs no more than in C.
+#[derive(Clone, Copy, Debug, PartialEq)]
+#[repr(C)]
+pub struct Noise<'a> {
+    /// The noise of one octave
+    pub basis: Basis,
+    /// The blend between lattice points
+    pub fade: Fade,
+    /// How octaves are summed
+    pub fractal: Fractal,
+    /// Turn the axes between octaves, which hides the lattice's directions
+    pub rotate: bool,
+    #[doc(hidden)]
+    pub reserved_of_rotate: Reserved<[u8; 3]>,
+    /// All 64 bits count.
+    pub seed: u64,
+    /// Lattice cells per unit of input. By default 1
+    pub frequency: f64,
+    /// In (0, 32]. A fraction fades the last one in. By default 1
+    pub octaves: f32,
+    /// The ratio of frequencies between octaves, in [1/16, 16]. By default 2
+    pub lacunarity: f32,
+    /// The ratio of amplitudes between octaves, in [1/16, 16]. By default 0.5
+    pub gain: f32,
+    /// Scales every output; its magnitude in [2^-24, 2^24]. By default 1
+    pub amplitude: f32,
+    /// Erosion: how strongly slopes damp octaves; Jordan noise: how much of them flat ground lacks
+    pub erosion: f32,
+    /// Turns of the gradients, so that noise flows; 1 is a loop. Gradient noise alone
+    pub phase: f32,
+    /// Cellular noise: how far features stray from the middles of their cells, in (0, 1]
+    pub jitter: f32,
+    /// Ping-pong, hybrid, Swiss and Jordan noise: see `scarp.h`. 0: the default of the fractal
+    pub sharpness: f32,
+    /// Cells of octave 0, in [1, 2^30], after which the noise repeats along each axis; 0: never
+    pub period: [u32; 3],
+    /// Amplitudes are those of a sum of so many octaves: for levels of detail. 0: `octaves`
+    pub of_octaves: f32,
+    /// Displaces positions, in units of input. Four warps at most
+    pub warp: Option<&'a Noise<'a>>,
+    /// The constants of this noise, for many calls with few points
+    pub plan: Option<&'a Plan>,
+    #[doc(hidden)]
+    pub reserved: Reserved<[u32; SPARE]>,
+}
+
+/// The constants of a noise, for many calls with few points: a call with one point takes less than
+/// half the time with it, and gives the same bits.
+///
+/// A plan knows the noise that it was made of. It does no harm to others: a call whose noise
+/// differs in any way, or has a warp, does without.
+///
+/// ```
+/// use scarp::{Noise, Plan, Samples};
+/// let noise = Noise { octaves: 8.0, ..Noise::default() };
+/// let plan = Plan::new(&noise, 2)?; // for calls of the plane
+/// let noise = Noise { plan: Some(&plan), ..noise };
+/// let mut value = [0.0];
+/// for i in 0..100 {
+///     let mut out = Samples { value: Some(&mut value), ..Samples::default() };
+///     noise.sample2(&[i as f32 / 8.0], &[0.5], &mut out)?;
+/// }
+/// # Ok::<(), scarp::Error>(())
+/// ```
+#[repr(transparent)]
+pub struct Plan(ffi::scarp_plan);
+
+impl Plan {
+    /// The plan of a noise in 2 or 3 dimensions, in 12 KiB of its own. Errors are those of
+    /// [`Noise::check`].
+    pub fn new(noise: &Noise<'_>, dimensions: usize) -> Result<Box<Plan>, Error> {
+        noise.check(dimensions)?;
+        // SAFETY: all zeros is a plan, of nothing; Plan has the layout of scarp_plan.
+        let mut plan = unsafe { crate::zeroed_box::<Plan>() };
+        // SAFETY: both pointers are valid.
+        let status = unsafe { ffi::scarp_plan_make(noise.c(), dimensions as c_int, &mut plan.0) };
+        crate::error::check(status)?;
+        Ok(plan)
+    }
+}
+
+impl PartialEq for Plan {
+    /// Whether two plans are the same one
+    fn eq(&self, other: &Plan) -> bool {
+        std::ptr::eq(self, other)
+    }
+}
+
+impl std::fmt::Debug for Plan {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str("Plan")
+    }
+}
+
+impl Default for Noise<'_> {
+    fn default() -> Self {
+        Noise::DEFAULT
+    }
+}
+
+impl<'a> Noise<'a> {
+    /// One octave of gradient noise with seed 0, one lattice cell per unit of input
+    pub const DEFAULT: Noise<'a> = Noise {
+        basis: Basis::Gradient,
+        fade: Fade::Quintic,
+        fractal: Fractal::Fbm,
+        rotate: false,
+        reserved_of_rotate: Reserved([0; 3]),
+        seed: 0,
+        frequency: 1.0,
+        octaves: 1.0,
+        lacunarity: 2.0,
+        gain: 0.5,
+        amplitude: 1.0,
+        erosion: 1.0,
+        phase: 0.0,
+        jitter: 1.0,
+        sharpness: 0.0,
+        period: [0; 3],
+        of_octaves: 0.0,
+        warp: None,
+        plan: None,
+        reserved: Reserved([0; SPARE]),
+    };
+
+    pub(crate) fn c(&self) -> *const ffi::scarp_noise {
+        // The layout is that of C: a test compares it. `rotate` is 0 or not, in any order of bytes.
+        (self as *const Noise<'a>).cast()
+    }
+
+    /// The name of a member that is 0, which C would take for the default
+    fn zero(&self) -> Option<&'static str> {
+        let numbers =
+            [self.octaves, self.lacunarity, self.gain, self.amplitude, self.erosion, self.jitter];
+        // Without branches: this runs at every call.
+        let is_zero = numbers.iter().fold(self.frequency == 0.0, |any, x| any | (*x == 0.0));
+        if !is_zero {
+            return None;
+        }
+        let names = ["octaves", "lacunarity", "gain", "amplitude", "erosion", "jitter"];
+        let at = numbers.iter().position(|number| *number == 0.0);
+        Some(at.map_or("frequency", |i| names[i]))
+    }
+
+    /// Refuses zeros, of warps as well, and a library of another version.
+    #[inline]
+    pub(crate) fn prepare(&self) -> Result<(), Error> {
+        ready()?;
+        let (mut noise, mut depth) = (self, 0);
+        loop {
+            if let Some(name) = noise.zero() {
+                let member = "warp.".repeat(depth) + name;
+                let text = "must not be 0. Leave it out for the default";
+                return Err(Error::new(Status::Parameter, member, text));
+            }
+            match noise.warp {
+                Some(warp) if depth < 5 => (noise, depth) = (warp, depth + 1),
+                _ => return Ok(()), // the library refuses more than four
+            }
+        }
+    }
+
+    /// Whether calls in 2 or 3 dimensions take this noise; if not, the error names the member at
+    /// fault, of warps as `warp.octaves`.
+    ///
+    /// ```
+    /// use scarp::Noise;
+    /// let bend = Noise { gain: f32::NAN, ..Noise::default() };
+    /// let error = Noise { warp: Some(&bend), ..Noise::default() }.check(2).unwrap_err();
+    /// assert_eq!(error.member(), Some("warp.gain"));
+    /// ```
+    pub fn check(&self, dimensions: usize) -> Result<(), Error> {
+        self.prepare()?;
+        match self.fault(dimensions) {
+            Some(error) => Err(error),
+            None => Ok(()),
+        }
+    }
+
+    /// What the library says against this noise
+    fn fault(&self, dimensions: usize) -> Option<Error> {
+        let (mut noise, mut path) = (self, String::new());
+        let mut first = ffi::SCARP_OK;
+        loop {
+            let mut member = std::ptr::null();
+            let dimensions = c_int::try_from(dimensions).unwrap_or(0);
+            // SAFETY: the noise has the layout of C, and all warps are alive.
+            let status = unsafe { ffi::scarp_noise_check(noise.c(), dimensions, &mut member) };
+            if path.is_empty() {
+                first = status;
+            }
+            if status == ffi::SCARP_OK {
+                break;
+            }
+            let name = text_of(member).unwrap_or("dimensions");
+            path += if path.is_empty() { "" } else { "." };
+            path += name;
+            match noise.warp {
+                Some(warp) if name == "warp" && path.len() < 5 * 4 => noise = warp,
+                _ => break,
+            }
+        }
+        (first != ffi::SCARP_OK).then(|| Error::of(first, path))
+    }
+
+    /// The error of a call that failed: the noise is at fault, or what was asked of it.
+    fn blame(&self, status: ffi::scarp_status, dimensions: usize) -> Result<(), Error> {
+        if status == ffi::SCARP_OK {
+            return Ok(());
+        }
+        Err(self.fault(dimensions).unwrap_or_else(|| match status {
+            ffi::SCARP_ERROR_UNSUPPORTED => Error::new(
+                Status::Unsupported,
+                "",
+                "an output does not exist here: one along z in the plane, a second derivative of \
+                 erosion, Swiss or Jordan noise or of one with such a warp, or dphase of these \
+                 two or of other than gradient noise",
+            ),
+            _ => Error::of(status, ""),
+        }))
+    }
+
+    /// The interval (lowest, highest) that values never leave, rounding included
+    pub fn range(&self, dimensions: usize) -> Result<(f32, f32), Error> {
+        self.prepare()?;
+        let (mut lowest, mut highest) = (0.0, 0.0);
+        let number = c_int::try_from(dimensions).unwrap_or(0);
+        // SAFETY: all pointers are valid.
+        let status = unsafe { ffi::scarp_range(self.c(), number, &mut lowest, &mut highest) };
+        self.blame(status, dimensions)?;
+        Ok((lowest, highest))
+    }
+
+    /// Samples at the points (x\[i\], y\[i\]) of the plane. All slices have the same length. Where a
+    /// coordinate is not finite, outputs are NaN.
+    pub fn sample2<T: Coordinate>(
+        &self,
+        x: &[T],
+        y: &[T],
+        out: &mut Samples<'_>,
+    ) -> Result<(), Error> {
+        self.plane(x, y, T::SAMPLE2, |sizes| out.c(sizes))
+    }
+
+    /// Samples at points of space, as [`Noise::sample2`]
+    ///
+    /// ```
+    /// use scarp::{Arrays, Noise};
+    /// let mut out = Arrays::space(2, 2);
+    /// Noise { seed: 5, octaves: 3.0, ..Noise::default() }
+    ///     .sample3(&[0.5, 1.5], &[2.25, 2.25], &[0.0, 9.0], &mut out.samples())?;
+    /// assert!(out.dzz.iter().all(|curvature| curvature.is_finite()));
+    /// # Ok::<(), scarp::Error>(())
+    /// ```
+    pub fn sample3<T: Coordinate>(
+        &self,
+        x: &[T],
+        y: &[T],
+        z: &[T],
+        out: &mut Samples<'_>,
+    ) -> Result<(), Error> {
+        self.space([x, y, z], T::SAMPLE3, |sizes| out.c(sizes))
+    }
+
+    /// Both components of the vector noise that this noise makes, as warps displace points by them
+    ///
+    /// ```
+    /// use scarp::{Arrays, Noise};
+    /// let (mut u, mut v) = (Arrays::plane(2, 0), Arrays::plane(2, 0));
+    /// Noise::default().vector2(&[0.5, 1.5], &[0.25, 0.75], &mut [u.samples(), v.samples()])?;
+    /// assert_ne!(u.value, v.value);
+    /// # Ok::<(), scarp::Error>(())
+    /// ```
+    pub fn vector2<T: Coordinate>(
+        &self,
+        x: &[T],
+        y: &[T],
+        out: &mut [Samples<'_>; 2],
+    ) -> Result<(), Error> {
+        let [u, v] = out;
+        self.plane(x, y, T::VECTOR2, |sizes| [u.c(sizes), v.c(sizes)])
+    }
+
+    /// All three components of vector noise in space
+    pub fn vector3<T: Coordinate>(
+        &self,
+        x: &[T],
+        y: &[T],
+        z: &[T],
+        out: &mut [Samples<'_>; 3],
+    ) -> Result<(), Error> {
+        let [u, v, w] = out;
+        self.space([x, y, z], T::VECTOR3, |sizes| [u.c(sizes), v.c(sizes), w.c(sizes)])
+    }
+
+    /// The cells of cellular noise around points of the plane, of this frequency, seed, jitter and
+    /// period; other members change nothing.
+    ///
+    /// ```
+    /// use scarp::{Cells, Noise};
+    /// let (mut distance, mut id) = ([0.0; 2], [0; 2]);
+    /// let mut out = Cells { f1: Some(&mut distance), id: Some(&mut id), ..Cells::default() };
+    /// Noise::default().cells2(&[0.5, 7.5], &[0.5, 0.5], &mut out)?;
+    /// assert_ne!(id[0], id[1]);
+    /// # Ok::<(), scarp::Error>(())
+    /// ```
+    pub fn cells2<T: Coordinate>(
+        &self,
+        x: &[T],
+        y: &[T],
+        out: &mut Cells<'_>,
+    ) -> Result<(), Error> {
+        self.plane(x, y, T::CELLS2, |sizes| out.c(sizes))
+    }
+
+    /// The cells around points of space
+    pub fn cells3<T: Coordinate>(
+        &self,
+        x: &[T],
+        y: &[T],
+        z: &[T],
+        out: &mut Cells<'_>,
+    ) -> Result<(), Error> {
+        self.space([x, y, z], T::CELLS3, |sizes| out.c(sizes))
+    }
+
+    /// A velocity without divergence at points of the plane, of which this noise is the potential
+    ///
+    /// ```
+    /// use scarp::{Flow, Noise};
+    /// let (mut vx, mut vy) = ([0.0; 2], [0.0; 2]);
+    /// let mut out = Flow { vx: Some(&mut vx), vy: Some(&mut vy), ..Flow::default() };
+    /// Noise { octaves: 3.0, gain: 0.4, ..Noise::default() }.curl2(&[0.5, 1.5], &[0.25, 0.5], &mut out)?;
+    /// # Ok::<(), scarp::Error>(())
+    /// ```
+    pub fn curl2<T: Coordinate>(&self, x: &[T], y: &[T], out: &mut Flow<'_>) -> Result<(), Error> {
+        self.plane(x, y, T::CURL2, |sizes| out.c(sizes))
+    }
+
+    /// A velocity without divergence at points of space
+    pub fn curl3<T: Coordinate>(
+        &self,
+        x: &[T],
+        y: &[T],
+        z: &[T],
+        out: &mut Flow<'_>,
+    ) -> Result<(), Error> {
+        self.space([x, y, z], T::CURL3, |sizes| out.c(sizes))
+    }
+
+    #[inline]
+    fn plane<T: Coordinate, Out, C>(
+        &self,
+        x: &[T],
+        y: &[T],
+        call: crate::coordinate::Plane<T, Out>,
+        out: impl FnOnce(&mut Sizes) -> C,
+    ) -> Result<(), Error> {
+        self.prepare()?;
+        let mut sizes = Sizes::points(x.len());
+        let y = sizes.input(y, "y");
+        let out = out(&mut sizes);
+        sizes.check()?;
+        let out: *const C = &out;
+        // SAFETY: all slices have so many elements. No output is another slice, since it is
+        // borrowed for writing. C is Out, or as many of them as the call has components.
+        let status = unsafe { call(self.c(), sizes.count, x.as_ptr(), y, out.cast()) };
+        self.blame(status, 2)
+    }
+
+    #[inline]
+    fn space<T: Coordinate, Out, C>(
+        &self,
+        at: [&[T]; 3],
+        call: crate::coordinate::Space<T, Out>,
+        out: impl FnOnce(&mut Sizes) -> C,
+    ) -> Result<(), Error> {
+        self.prepare()?;
+        let mut sizes = Sizes::points(at[0].len());
+        let (y, z) = (sizes.input(at[1], "y"), sizes.input(at[2], "z"));
+        let out = out(&mut sizes);
+        sizes.check()?;
+        let out: *const C = &out;
+        // SAFETY: as in `plane`
+        let status = unsafe { call(self.c(), sizes.count, at[0].as_ptr(), y, z, out.cast()) };
+        self.blame(status, 3)
+    }
+
+    /// Samples on a uniform grid of the plane: the bits of [`Noise::sample2`] with doubles, and
+    /// much faster. Slices have [`Grid::len`] elements or more; nothing between the rows is
+    /// touched.
+    pub fn grid2(&self, grid: &Grid<2>, out: &mut Samples<'_>) -> Result<(), Error> {
+        self.grid(grid, ffi::scarp_grid2, out)
+    }
+
+    /// Samples on a uniform grid of space
+    ///
+    /// ```
+    /// use scarp::{Arrays, Grid, Noise};
+    /// let grid = Grid { step: [0.125; 3], count: [16, 16, 16], ..Grid::<3>::default() };
+    /// let mut chunk = Arrays::space(16 * 16 * 16, 1);
+    /// Noise::default().grid3(&grid, &mut chunk.samples())?;
+    /// # Ok::<(), scarp::Error>(())
+    /// ```
+    pub fn grid3(&self, grid: &Grid<3>, out: &mut Samples<'_>) -> Result<(), Error> {
+        self.grid(grid, ffi::scarp_grid3, out)
+    }
+
+    fn grid<const D: usize>(
+        &self,
+        grid: &Grid<D>,
+        call: unsafe extern "C" fn(
+            *const ffi::scarp_noise,
+            *const ffi::scarp_grid,
+            *const ffi::scarp_samples,
+        ) -> ffi::scarp_status,
+        out: &mut Samples<'_>,
+    ) -> Result<(), Error> {
+        self.prepare()?;
+        let mut sizes = Sizes::grid(grid.needed()?);
+        let out = out.c(&mut sizes);
+        sizes.check()?;
+        // SAFETY: all slices reach from the first sample to the last.
+        let status = unsafe { call(self.c(), &grid.c(), &out) };
+        if status == ffi::SCARP_ERROR_PARAMETER && self.fault(D).is_none() {
+            let text = "an origin or step is not finite, an index is outside [-2^53, 2^53], or a \
+                        stride is too short";
+            return Err(Error::new(Status::Parameter, "grid", text));
+        }
+        self.blame(status, D)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::ptr::addr_of;
+
+    /// A noise can be handed to C as it is.
+    #[test]
+    fn layout() {
+        assert_eq!(size_of::<Noise<'_>>(), size_of::<ffi::scarp_noise>());
+        let noise = Noise::DEFAULT;
+        let c = noise.c();
+        macro_rules! same {
+            ($($member:ident)*) => {$(
+                // SAFETY: addresses are taken, and nothing is read.
+                let of_c = unsafe { addr_of!((*c).$member) } as usize;
+                assert_eq!(addr_of!(noise.$member) as usize, of_c, stringify!($member));
+                assert_eq!(std::mem::size_of_val(&noise.$member), unsafe { size(addr_of!((*c).$member)) }
+                    - if stringify!($member) == "rotate" { 3 } else { 0 });
+            )*};
+        }
+        unsafe fn size<T>(_: *const T) -> usize {
+            size_of::<T>()
+        }
+        same!(basis fade fractal rotate seed frequency octaves lacunarity gain amplitude erosion
+            phase jitter sharpness period of_octaves warp plan);
+        let turned = Noise { rotate: true, ..noise };
+        // SAFETY: the layout is that of C, and all bytes are initialised.
+        unsafe {
+            assert_eq!(((*c).rotate, (*c).lacunarity, (*c).frequency), (0, 2.0, 1.0));
+            assert_ne!((*turned.c()).rotate, 0);
+            assert!((*c).spare.iter().all(|word| *word == 0));
+        }
+    }
+
+    #[test]
+    fn threads_may_share_it() {
+        fn shared<T: Send + Sync>() {}
+        shared::<Noise<'_>>();
+        shared::<Plan>();
+        shared::<crate::Gullies>();
+        shared::<crate::Recipe>();
+        shared::<Error>();
+        shared::<crate::Bands<'_, 2>>();
+    }
+}

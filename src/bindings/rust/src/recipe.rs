@@ -1,0 +1,595 @@
+// SPDX-License-Identifier: MIT
+//! Recipes: compositions of noises as a text.
+use crate::arrays::{Samples, Sizes};
+use crate::coordinate::Coordinate;
+use crate::error::{ready, Error, Place, Status};
+use crate::ffi;
+use crate::grid::Grid;
+use std::ffi::CString;
+use std::os::raw::c_char;
+
+include!(concat!(env!("OUT_DIR"), "/presets.rs")); // PRESETS: pairs of a name and a text
+
+const MOST_OUTPUTS: usize = 16;
+const MOST_ERRORS: usize = 32;
+const CHUNK: usize = 1024; // points for which scratch memory has room
+
+/// A parameter of a recipe, and the interval that it has
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Param<'a> {
+    /// Its name in the text
+    pub name: &'a str,
+    /// Its value
+    pub value: f64,
+    /// The interval, for a slider
+    pub lowest: f64,
+    /// The end of the interval
+    pub highest: f64,
+}
+
+/// Memory that calls of recipes use while they run. Keep one for each thread: calls then allocate
+/// nothing, but for the first one.
+///
+/// ```
+/// use scarp::{Arrays, Recipe, Scratch};
+/// let recipe = Recipe::preset("hills")?;
+/// let (mut scratch, mut point) = (Scratch::new(), Arrays::plane(1, 0));
+/// for i in 0..10 {
+///     let out = &mut [("hills", point.samples())];
+///     recipe.sample2(&[f64::from(i)], &[0.0], out, &mut scratch)?;
+/// }
+/// # Ok::<(), scarp::Error>(())
+/// ```
+#[derive(Debug, Default)]
+pub struct Scratch(Vec<u64>);
+
+impl Scratch {
+    /// Without memory yet
+    pub fn new() -> Scratch {
+        Scratch::default()
+    }
+
+    fn c(&mut self, bytes: usize) -> ffi::scarp_scratch {
+        let words = bytes / 8 + 1;
+        if self.0.len() < words {
+            self.0.resize(words, 0);
+        }
+        ffi::scarp_scratch {
+            memory: self.0.as_mut_ptr().cast(),
+            size: 8 * self.0.len(),
+            ..Default::default()
+        }
+    }
+}
+
+/// A statement of the text: what does not change with parameters
+#[derive(Clone, Debug)]
+struct Entry {
+    name: String,
+    is_param: bool,
+    is_field: bool,
+    output: i32,
+}
+
+/// A composition of noises as a text, with exact derivatives and a promised range;
+/// `src/recipe/README.md` of scarp teaches the language.
+///
+/// Calls that sample read a recipe, so any number of threads may share it; each has [`Scratch`]
+/// memory of its own. Outputs are asked for by their names, and so is any other field of the text.
+///
+/// ```
+/// use scarp::{Arrays, Grid, Recipe, Scratch};
+/// let mut recipe = Recipe::new(
+///     "recipe 1
+///      param height = 110 [0, 10000]
+///      bend   = noise(size=286, octaves=5, amplitude=75)
+///      ridges = warp(noise(swiss, rotate, size=200, octaves=9, gain=0.45), bend)
+///      out alps = height * ridges",
+/// )?;
+/// recipe.set("height", 900.0)?;
+/// recipe.set_seed(8)?;
+///
+/// let grid = Grid { step: [30.0; 2], count: [64, 64], ..Grid::<2>::default() };
+/// let (mut alps, mut bend) = (Arrays::plane(64 * 64, 1), Arrays::plane(64 * 64, 0));
+/// let outputs = &mut [("alps", alps.samples()), ("bend", bend.samples())];
+/// recipe.grid2(&grid, outputs, &mut Scratch::new())?;
+///
+/// let (lowest, highest) = recipe.range("alps")?;
+/// assert!(alps.value.iter().all(|value| (lowest..=highest).contains(value)));
+/// # Ok::<(), scarp::Error>(())
+/// ```
+///
+/// Errors of the text have places:
+///
+/// ```
+/// let error = scarp::Recipe::new("recipe 1\nout a = noise(size=100, octaves=99)").unwrap_err();
+/// let place = &error.places()[0];
+/// assert_eq!((place.line, place.column, place.member), (2, 33, Some("octaves")));
+/// ```
+#[derive(Clone)]
+pub struct Recipe {
+    c: Box<ffi::scarp_recipe>,
+    text: String,
+    entries: Vec<Entry>,
+    dimensions: usize,
+    seed: u64,
+}
+
+impl std::fmt::Debug for Recipe {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("Recipe").field("text", &self.text).field("seed", &self.seed).finish()
+    }
+}
+
+impl std::str::FromStr for Recipe {
+    type Err = Error;
+
+    fn from_str(text: &str) -> Result<Recipe, Error> {
+        Recipe::new(text)
+    }
+}
+
+/// The names of the recipes that [`Recipe::preset`] has, those of the program `scarp`
+///
+/// ```
+/// assert!(scarp::presets().any(|name| name == "alps"));
+/// ```
+pub fn presets() -> impl Iterator<Item = &'static str> {
+    PRESETS.iter().map(|(name, _)| *name)
+}
+
+impl Recipe {
+    /// Reads a text of at most 16,384 bytes. The seed of the world is 0, parameters have the values
+    /// of the text. Errors have [places](Error::places), of which there may be several.
+    pub fn new(text: &str) -> Result<Recipe, Error> {
+        ready()?;
+        // SAFETY: all zeros is a recipe, though none that calls take.
+        let mut c = unsafe { crate::zeroed_box::<ffi::scarp_recipe>() };
+        let mut errors = [ffi::scarp_recipe_error::default(); MOST_ERRORS];
+        let mut found = 0;
+        // SAFETY: all pointers are valid, for as many elements as they are said to have.
+        let status = unsafe {
+            let text_at = text.as_ptr().cast();
+            let errors = errors.as_mut_ptr();
+            ffi::scarp_recipe_parse(text_at, text.len(), &mut *c, errors, MOST_ERRORS, &mut found)
+        };
+        if status != ffi::SCARP_OK && found == 0 {
+            let text = format!("a recipe has at most 16384 bytes, not {}", text.len());
+            return Err(Error::new(Status::of(status), "text", text));
+        }
+        if status != ffi::SCARP_OK {
+            let errors = &errors[..found.min(MOST_ERRORS)];
+            return Err(Error::of_places(status, errors.iter().map(Place::of).collect()));
+        }
+        let mut recipe =
+            Recipe { c, text: text.to_owned(), entries: Vec::new(), dimensions: 2, seed: 0 };
+        recipe.entries = recipe.read_entries();
+        recipe.dimensions = recipe.find_dimensions();
+        Ok(recipe)
+    }
+
+    /// A recipe of the program `scarp`. Coordinates, and most heights, are in metres.
+    ///
+    /// ```
+    /// let alps = scarp::Recipe::preset("alps")?;
+    /// assert_eq!(alps.outputs().collect::<Vec<_>>(), ["alps", "worn"]);
+    /// # Ok::<(), scarp::Error>(())
+    /// ```
+    pub fn preset(name: &str) -> Result<Recipe, Error> {
+        match PRESETS.iter().find(|(each, _)| *each == name) {
+            Some((_, text)) => Recipe::new(text),
+            None => Err(Error::new(Status::Enum, format!("{:?}", name), "there is no such preset")),
+        }
+    }
+
+    fn entry_at(&self, index: usize) -> Option<ffi::scarp_recipe_entry> {
+        let mut entry = ffi::scarp_recipe_entry::default();
+        // SAFETY: both pointers are valid.
+        let status = unsafe { ffi::scarp_recipe_entry_at(&*self.c, index, &mut entry) };
+        (status == ffi::SCARP_OK).then_some(entry)
+    }
+
+    fn read_entries(&self) -> Vec<Entry> {
+        let entries = (0..).map_while(|index| self.entry_at(index));
+        entries
+            .map(|entry| Entry {
+                name: self
+                    .text
+                    .get(entry.name[0] as usize..entry.name[1] as usize)
+                    .unwrap_or("")
+                    .to_owned(),
+                is_param: entry.is_param != 0,
+                is_field: matches!(
+                    entry.kind as u32,
+                    ffi::SCARP_RECIPE_FIELD | ffi::SCARP_RECIPE_NOISE
+                ),
+                output: entry.output,
+            })
+            .collect()
+    }
+
+    /// Whether a box may be out of order along z, as in the plane alone
+    fn find_dimensions(&self) -> usize {
+        let out_of_order = ffi::scarp_box { lowest: [0.0, 0.0, 1.0], highest: [0.0; 3] };
+        let (mut lowest, mut highest) = (0.0, 0.0);
+        // SAFETY: all pointers are valid.
+        let status = unsafe {
+            let which = ffi::SCARP_RECIPE_OUTPUT;
+            ffi::scarp_recipe_range(&*self.c, which, &out_of_order, &mut lowest, &mut highest)
+        };
+        if status == ffi::SCARP_OK {
+            2
+        } else {
+            3
+        }
+    }
+
+    /// The text
+    pub fn text(&self) -> &str {
+        &self.text
+    }
+
+    /// 2, or 3 if the text says `space 3`
+    pub fn dimensions(&self) -> usize {
+        self.dimensions
+    }
+
+    /// The names of the outputs, in the order of the text
+    pub fn outputs(&self) -> impl Iterator<Item = &str> {
+        self.entries.iter().filter(|entry| entry.output >= 0).map(|entry| entry.name.as_str())
+    }
+
+    /// The parameters, in the order of the text
+    ///
+    /// ```
+    /// let alps = scarp::Recipe::preset("alps")?;
+    /// for param in alps.params() {
+    ///     println!("{} = {} [{}, {}]", param.name, param.value, param.lowest, param.highest);
+    /// }
+    /// # Ok::<(), scarp::Error>(())
+    /// ```
+    pub fn params(&self) -> impl Iterator<Item = Param<'_>> {
+        let entries = self.entries.iter().enumerate().filter(|(_, entry)| entry.is_param);
+        entries.filter_map(move |(index, entry)| {
+            let c = self.entry_at(index)?;
+            let [lowest, highest] = c.slider;
+            Some(Param { name: &entry.name, value: c.value, lowest, highest })
+        })
+    }
+
+    /// The value of a parameter
+    pub fn get(&self, name: &str) -> Option<f64> {
+        let index = self.entries.iter().position(|each| each.is_param && each.name == name)?;
+        self.entry_at(index).map(|entry| entry.value)
+    }
+
+    /// Sets a parameter, or `finest`: octaves whose cells are smaller than so many units are left
+    /// out, 0 for none. The recipe is compiled again, which takes some microseconds. On an error
+    /// the old value stays.
+    pub fn set(&mut self, name: &str, value: f64) -> Result<(), Error> {
+        let unknown =
+            || Error::new(Status::Parameter, name.to_owned(), "there is no such parameter");
+        let c_name = CString::new(name).map_err(|_| unknown())?;
+        let mut error = ffi::scarp_recipe_error::default();
+        // SAFETY: all pointers are valid, and the name ends with a 0.
+        let status =
+            unsafe { ffi::scarp_recipe_set(&mut *self.c, c_name.as_ptr(), value, &mut error) };
+        if status == ffi::SCARP_OK {
+            return Ok(());
+        }
+        if !error.text.is_null() {
+            return Err(Error::of_places(status, vec![Place::of(&error)]));
+        }
+        let param = self.params().find(|param| param.name == name);
+        Err(match param {
+            Some(param) => {
+                let text = format!("{} is not in [{}, {}]", value, param.lowest, param.highest);
+                Error::new(Status::of(status), name.to_owned(), text)
+            }
+            None if name == "finest" => Error::of(status, "finest"),
+            None => unknown(),
+        })
+    }
+
+    /// The seed of the world
+    pub fn seed(&self) -> u64 {
+        self.seed
+    }
+
+    /// Sets the seed of the world, which all noises follow.
+    pub fn set_seed(&mut self, seed: u64) -> Result<(), Error> {
+        // SAFETY: the pointer is valid.
+        crate::error::check(unsafe { ffi::scarp_recipe_seed(&mut *self.c, seed) })?;
+        self.seed = seed;
+        Ok(())
+    }
+
+    /// The number of a statement that is a field
+    fn which(&self, name: &str) -> Result<i32, Error> {
+        let at = self.entries.iter().position(|each| each.is_field && each.name == name);
+        at.map(|index| index as i32).ok_or_else(|| {
+            Error::new(Status::Parameter, name.to_owned(), "there is no such output or field")
+        })
+    }
+
+    /// The interval (lowest, highest) that values of an output, or of another field, never leave.
+    /// It may be wider than need be, and is infinite where coordinates themselves count.
+    pub fn range(&self, name: &str) -> Result<(f32, f32), Error> {
+        self.range_of(name, std::ptr::null())
+    }
+
+    /// The same within a box, given by its lowest and its highest corner. In the plane elements 2
+    /// change nothing.
+    ///
+    /// ```
+    /// let slope = scarp::Recipe::new("recipe 1\nout a = 2 * x + y")?;
+    /// assert_eq!(slope.range("a")?.1, f32::INFINITY);
+    /// let (lowest, highest) = slope.range_in("a", [0.0; 3], [1.0, 3.0, 0.0])?;
+    /// assert!(-0.001 < lowest && lowest <= 0.0 && 5.0 <= highest && highest < 5.001);
+    /// # Ok::<(), scarp::Error>(())
+    /// ```
+    pub fn range_in(
+        &self,
+        name: &str,
+        lowest: [f64; 3],
+        highest: [f64; 3],
+    ) -> Result<(f32, f32), Error> {
+        self.range_of(name, &ffi::scarp_box { lowest, highest })
+    }
+
+    fn range_of(&self, name: &str, within: *const ffi::scarp_box) -> Result<(f32, f32), Error> {
+        let which = self.which(name)?;
+        let (mut lowest, mut highest) = (0.0, 0.0);
+        // SAFETY: all pointers are valid, or NULL where that is allowed.
+        let status =
+            unsafe { ffi::scarp_recipe_range(&*self.c, which, within, &mut lowest, &mut highest) };
+        match status {
+            ffi::SCARP_OK => Ok((lowest, highest)),
+            _ if within.is_null() => Err(Error::of(status, name.to_owned())),
+            _ => Err(Error::new(Status::of(status), "box", "its ends are NaN or out of order")),
+        }
+    }
+
+    /// Samples of outputs at points of the plane: pairs of a name and of slices, which have as many
+    /// elements as there are points. One to 16 outputs; several take little more time than one.
+    /// Coordinates of floats give the bits of shaders, those of doubles the bits of grids.
+    pub fn sample2<T: Coordinate>(
+        &self,
+        x: &[T],
+        y: &[T],
+        outputs: &mut [(&str, Samples<'_>)],
+        scratch: &mut Scratch,
+    ) -> Result<(), Error> {
+        self.of_dimensions(2)?;
+        let mut sizes = Sizes::points(x.len());
+        let at = [x.as_ptr(), sizes.input(y, "y"), std::ptr::null()];
+        self.sample(at, sizes, outputs, scratch)
+    }
+
+    /// Samples of outputs at points of space, of a recipe that says `space 3`
+    ///
+    /// ```
+    /// use scarp::{Arrays, Recipe, Scratch};
+    /// let recipe = Recipe::new("recipe 1\nspace 3\nout a = noise(size=8) - z / 4")?;
+    /// let mut out = Arrays::space(2, 1);
+    /// let (x, y, z) = ([0.5, 1.5], [2.5, 3.5], [0.0, 9.0]);
+    /// recipe.sample3(&x, &y, &z, &mut [("a", out.samples())], &mut Scratch::new())?;
+    /// # Ok::<(), scarp::Error>(())
+    /// ```
+    pub fn sample3<T: Coordinate>(
+        &self,
+        x: &[T],
+        y: &[T],
+        z: &[T],
+        outputs: &mut [(&str, Samples<'_>)],
+        scratch: &mut Scratch,
+    ) -> Result<(), Error> {
+        self.of_dimensions(3)?;
+        let mut sizes = Sizes::points(x.len());
+        let at = [x.as_ptr(), sizes.input(y, "y"), sizes.input(z, "z")];
+        self.sample(at, sizes, outputs, scratch)
+    }
+
+    fn sample<T: Coordinate>(
+        &self,
+        [x, y, z]: [*const T; 3],
+        sizes: Sizes,
+        outputs: &mut [(&str, Samples<'_>)],
+        scratch: &mut Scratch,
+    ) -> Result<(), Error> {
+        let count = sizes.count;
+        self.run(sizes, outputs, scratch, |outputs, scratch| {
+            // SAFETY: `run` has checked all slices. No output is another slice, since it is
+            // borrowed for writing.
+            unsafe { T::RECIPE(&*self.c, count, x, y, z, outputs, scratch) }
+        })
+    }
+
+    /// Samples of outputs on a grid of the plane: slices are as those of
+    /// [`Noise::grid2`](crate::Noise::grid2).
+    pub fn grid2(
+        &self,
+        grid: &Grid<2>,
+        outputs: &mut [(&str, Samples<'_>)],
+        scratch: &mut Scratch,
+    ) -> Result<(), Error> {
+        self.grid(grid, outputs, scratch)
+    }
+
+    /// Samples of outputs on a grid of space, of a recipe that says `space 3`
+    pub fn grid3(
+        &self,
+        grid: &Grid<3>,
+        outputs: &mut [(&str, Samples<'_>)],
+        scratch: &mut Scratch,
+    ) -> Result<(), Error> {
+        self.grid(grid, outputs, scratch)
+    }
+
+    fn grid<const D: usize>(
+        &self,
+        grid: &Grid<D>,
+        outputs: &mut [(&str, Samples<'_>)],
+        scratch: &mut Scratch,
+    ) -> Result<(), Error> {
+        self.of_dimensions(D)?;
+        let c = grid.c();
+        self.run(Sizes::grid(grid.needed()?), outputs, scratch, |outputs, scratch| {
+            // SAFETY: `run` has checked that all slices reach from the first sample to the last.
+            unsafe { ffi::scarp_recipe_grid(&*self.c, &c, outputs, scratch) }
+        })
+    }
+
+    fn of_dimensions(&self, dimensions: usize) -> Result<(), Error> {
+        if dimensions == self.dimensions {
+            return Ok(());
+        }
+        let text =
+            if dimensions == 2 { "the recipe is of space" } else { "the recipe is of the plane" };
+        Err(Error::new(Status::Parameter, "dimensions", text))
+    }
+
+    /// Checks the slices, sees to the scratch memory, and calls.
+    fn run(
+        &self,
+        mut sizes: Sizes,
+        outputs: &mut [(&str, Samples<'_>)],
+        scratch: &mut Scratch,
+        call: impl Fn(*const ffi::scarp_recipe_outputs, *const ffi::scarp_scratch) -> ffi::scarp_status,
+    ) -> Result<(), Error> {
+        if outputs.is_empty() || outputs.len() > MOST_OUTPUTS {
+            let text = format!("from 1 to 16 outputs, not {}", outputs.len());
+            return Err(Error::new(Status::Parameter, "outputs", text));
+        }
+        let mut out = [ffi::scarp_samples::default(); MOST_OUTPUTS];
+        let (mut which, mut order) = ([0; MOST_OUTPUTS], 0);
+        for (i, (name, samples)) in outputs.iter_mut().enumerate() {
+            which[i] = self.which(name)?;
+            out[i] = samples.c(&mut sizes);
+            order = order.max(order_of(&out[i]));
+        }
+        sizes.check()?;
+        let asked = ffi::scarp_recipe_outputs {
+            out: out.as_ptr(),
+            which: which.as_ptr(),
+            count: outputs.len() as i32,
+            ..Default::default()
+        };
+        let points = sizes.count.clamp(1, CHUNK);
+        // SAFETY: the pointer is valid.
+        let bytes = unsafe { ffi::scarp_recipe_scratch_size(&*self.c, order, points) };
+        let mut status = call(&asked, &scratch.c(bytes));
+        if status == ffi::SCARP_ERROR_SIZE {
+            // Fields that are no outputs may need more room: the call's own stack always has it.
+            status = call(&asked, std::ptr::null());
+        }
+        self.blame(status, order, outputs)
+    }
+
+    /// The error of a call that failed: the first output whose derivatives do not exist, or the
+    /// grid
+    fn blame(
+        &self,
+        status: ffi::scarp_status,
+        order: i32,
+        outputs: &[(&str, Samples<'_>)],
+    ) -> Result<(), Error> {
+        let lacks = |name: &str| {
+            let index = self.which(name).ok()?;
+            Some((self.entry_at(index as usize)?.order as i32) < order)
+        };
+        match status {
+            ffi::SCARP_OK => Ok(()),
+            ffi::SCARP_ERROR_UNSUPPORTED => {
+                let name =
+                    outputs.iter().map(|(name, _)| *name).find(|name| lacks(name) == Some(true));
+                let text = "it does not have all derivatives that are asked for";
+                Err(Error::new(Status::Unsupported, name.unwrap_or("").to_owned(), text))
+            }
+            ffi::SCARP_ERROR_PARAMETER => Err(Error::of(status, "grid")),
+            _ => Err(Error::of(status, "")),
+        }
+    }
+
+    /// The recipe as functions of a shading language. `file` is the text of `scarp.glsl`, or
+    /// `scarp.hlsl`, or `scarp.wgsl`; derivatives have an `order` of 0, 1 or 2.
+    pub fn shader(
+        &self,
+        language: crate::Language,
+        order: usize,
+        file: &str,
+    ) -> Result<String, Error> {
+        let how = ffi::scarp_shader {
+            language: language as i32,
+            order: i32::try_from(order).unwrap_or(-1),
+            file: file.as_ptr().cast(),
+            length: file.len(),
+            ..Default::default()
+        };
+        let bytes = fill(file.len() + 1, |bytes, capacity, length| {
+            let text: *mut c_char = bytes.cast();
+            // SAFETY: all pointers are valid, for as many bytes as they are said to have.
+            unsafe { ffi::scarp_recipe_shader(&*self.c, &how, text, capacity, length) }
+        })?;
+        String::from_utf8(bytes).map_err(|_| Error::new(Status::Parameter, "file", "it is no text"))
+    }
+
+    /// The uniform buffer of that shader, in the layout std140: seed and parameters are in here.
+    pub fn uniforms(&self) -> Result<Vec<u8>, Error> {
+        fill(8192, |bytes, capacity, size| {
+            // SAFETY: all pointers are valid, for as many bytes as they are said to have.
+            unsafe { ffi::scarp_recipe_uniforms(&*self.c, bytes.cast(), capacity, size) }
+        })
+    }
+
+    /// What that shader must answer, for a self-test at the start of a program: 4,096 hashes
+    ///
+    /// ```
+    /// let hills = scarp::Recipe::preset("hills")?;
+    /// assert_eq!(hills.answers(1)?.len(), 4096);
+    /// assert_eq!(hills.uniforms()?.len() % 16, 0);
+    /// # Ok::<(), scarp::Error>(())
+    /// ```
+    pub fn answers(&self, order: usize) -> Result<Vec<u32>, Error> {
+        let mut answers = vec![0; ffi::SCARP_GPU_ANSWERS as usize];
+        let order = i32::try_from(order).unwrap_or(-1);
+        // SAFETY: there is room for all answers.
+        crate::error::check(unsafe {
+            ffi::scarp_recipe_answers(&*self.c, order, answers.as_mut_ptr())
+        })?;
+        Ok(answers)
+    }
+
+    /// For the calls of [`ffi`] that describe recipes to editors. It is valid as
+    /// long as the recipe is neither changed nor moved away.
+    pub fn as_ptr(&self) -> *const ffi::scarp_recipe {
+        &*self.c
+    }
+}
+
+/// The highest order of derivatives that are asked for
+fn order_of(out: &ffi::scarp_samples) -> i32 {
+    let any = |all: &[*mut f32]| all.iter().any(|pointer| !pointer.is_null());
+    if any(&[out.dxx, out.dxy, out.dxz, out.dyy, out.dyz, out.dzz]) {
+        2
+    } else {
+        i32::from(any(&[out.dx, out.dy, out.dz]))
+    }
+}
+
+/// Calls with room for so many bytes, and once more if that was too little.
+fn fill(
+    capacity: usize,
+    call: impl Fn(*mut u8, usize, *mut usize) -> ffi::scarp_status,
+) -> Result<Vec<u8>, Error> {
+    let (mut bytes, mut length) = (vec![0; capacity], 0);
+    let mut status = call(bytes.as_mut_ptr(), bytes.len(), &mut length);
+    if status == ffi::SCARP_ERROR_SIZE {
+        bytes.resize(length + 1, 0);
+        status = call(bytes.as_mut_ptr(), bytes.len(), &mut length);
+    }
+    crate::error::check(status)?;
+    bytes.truncate(length);
+    Ok(bytes)
+}
