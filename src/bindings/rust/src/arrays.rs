@@ -3,39 +3,60 @@
 use crate::error::{Error, Status};
 use crate::ffi;
 
-/// Gives the pointers of slices, and remembers the first slice whose length is wrong.
+/// Gives the pointers of slices, and remembers those whose lengths are wrong.
 pub(crate) struct Sizes {
     pub count: usize,
     is_grid: bool, // longer slices will do
-    wrong: Option<(&'static str, usize)>,
+    wrong: Vec<(&'static str, usize)>,
 }
 
 impl Sizes {
+    #[inline]
     pub fn points(count: usize) -> Sizes {
-        Sizes { count, is_grid: false, wrong: None }
+        Sizes { count, is_grid: false, wrong: Vec::new() }
     }
 
     /// Of a grid that has so many elements from its first sample to its last
+    #[inline]
     pub fn grid(count: usize) -> Sizes {
-        Sizes { count, is_grid: true, wrong: None }
+        Sizes { count, is_grid: true, wrong: Vec::new() }
     }
 
+    /// The names of all slices that a function goes through: none is so long.
+    #[cold]
+    pub fn names<C>(through: impl FnOnce(&mut Sizes) -> C) -> Vec<&'static str> {
+        let mut sizes = Sizes::points(usize::MAX);
+        through(&mut sizes);
+        sizes.wrong.into_iter().map(|(name, _)| name).collect()
+    }
+
+    #[inline]
     fn see(&mut self, length: usize, name: &'static str) {
-        let fits = length == self.count || (self.is_grid && length > self.count);
-        if !fits && self.wrong.is_none() {
-            self.wrong = Some((name, length));
+        if length != self.count {
+            self.doubt(length, name);
         }
     }
 
+    /// A length other than the count: longer slices of grids are right.
+    #[cold]
+    fn doubt(&mut self, length: usize, name: &'static str) {
+        if !(self.is_grid && length > self.count) {
+            self.wrong.push((name, length));
+        }
+    }
+
+    #[inline]
     pub fn input<T>(&mut self, slice: &[T], name: &'static str) -> *const T {
         self.see(slice.len(), name);
         slice.as_ptr()
     }
 
+    #[inline]
     pub fn maybe_input<T>(&mut self, slice: &Option<&[T]>, name: &'static str) -> *const T {
         slice.map_or(std::ptr::null(), |slice| self.input(slice, name))
     }
 
+    #[inline]
     pub fn output<T>(&mut self, slice: &mut Option<&mut [T]>, name: &'static str) -> *mut T {
         match slice {
             Some(slice) => {
@@ -47,17 +68,22 @@ impl Sizes {
     }
 
     /// To be asked after all slices, and before the call
+    #[inline]
     pub fn check(&self) -> Result<(), Error> {
-        let (name, length) = match self.wrong {
-            None => return Ok(()),
-            Some(wrong) => wrong,
-        };
+        match self.wrong.first() {
+            None => Ok(()),
+            Some((name, length)) => Err(self.complain(name, *length)),
+        }
+    }
+
+    #[cold]
+    fn complain(&self, name: &'static str, length: usize) -> Error {
         let text = if self.is_grid {
             format!("the slice has {} elements, the grid needs {}", length, self.count)
         } else {
             format!("the slice has {} elements, and there are {} points", length, self.count)
         };
-        Err(Error::new(Status::Size, name, text))
+        Error::new(Status::Size, name, text)
     }
 }
 
@@ -97,6 +123,7 @@ macro_rules! outputs {
                 $name { $($member: self.$member.as_deref_mut(),)* }
             }
 
+            #[inline]
             pub(crate) fn c(&mut self, sizes: &mut Sizes) -> ffi::$c {
                 ffi::$c {
                     $($member: sizes.output(&mut self.$member, stringify!($member)),)*
@@ -117,6 +144,7 @@ macro_rules! inputs {
         }
 
         impl $name<'_> {
+            #[inline]
             pub(crate) fn c(&self, sizes: &mut Sizes) -> ffi::$c {
                 ffi::$c {
                     $($member: sizes.maybe_input(&self.$member, stringify!($member)) as _,)*

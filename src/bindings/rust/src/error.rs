@@ -5,7 +5,7 @@ use std::borrow::Cow;
 use std::ffi::CStr;
 use std::fmt;
 use std::os::raw::c_char;
-use std::sync::atomic::{AtomicU8, Ordering};
+use std::sync::atomic::{AtomicBool, Ordering};
 
 /// What kind of error a call met: `enum scarp_status` of C
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash)]
@@ -184,13 +184,21 @@ fn serves(told: &str, wanted: &str) -> bool {
 }
 
 /// Refuses a shared library of a version that has other structures. Asks it once.
+#[inline]
 pub(crate) fn ready() -> Result<(), Error> {
-    static STATE: AtomicU8 = AtomicU8::new(0);
-    if STATE.load(Ordering::Relaxed) == 1 {
-        return Ok(());
+    if IS_SERVED.load(Ordering::Relaxed) {
+        Ok(())
+    } else {
+        ask()
     }
+}
+
+static IS_SERVED: AtomicBool = AtomicBool::new(false);
+
+#[cold]
+fn ask() -> Result<(), Error> {
     if serves(crate::version(), ffi::VERSION) {
-        STATE.store(1, Ordering::Relaxed);
+        IS_SERVED.store(true, Ordering::Relaxed);
         return Ok(());
     }
     let text = format!("the library is {}, the crate needs {}", crate::version(), ffi::VERSION);

@@ -183,36 +183,41 @@ impl<'a> Noise<'a> {
         (self as *const Noise<'a>).cast()
     }
 
-    /// The name of a member that is 0, which C would take for the default
-    fn zero(&self) -> Option<&'static str> {
-        let numbers =
-            [self.octaves, self.lacunarity, self.gain, self.amplitude, self.erosion, self.jitter];
-        // Without branches: this runs at every call.
-        let is_zero = numbers.iter().fold(self.frequency == 0.0, |any, x| any | (*x == 0.0));
-        if !is_zero {
-            return None;
-        }
-        let names = ["octaves", "lacunarity", "gain", "amplitude", "erosion", "jitter"];
-        let at = numbers.iter().position(|number| *number == 0.0);
-        Some(at.map_or("frequency", |i| names[i]))
+    fn numbers(&self) -> [(&'static str, f32); 7] {
+        [
+            ("frequency", if self.frequency == 0.0 { 0.0 } else { 1.0 }),
+            ("octaves", self.octaves),
+            ("lacunarity", self.lacunarity),
+            ("gain", self.gain),
+            ("amplitude", self.amplitude),
+            ("erosion", self.erosion),
+            ("jitter", self.jitter),
+        ]
     }
 
-    /// Refuses zeros, of warps as well, and a library of another version.
+    /// Refuses members that are 0, which C would take for the default, also those of warps, and a
+    /// library of another version.
     #[inline]
     pub(crate) fn prepare(&self) -> Result<(), Error> {
         ready()?;
         let (mut noise, mut depth) = (self, 0);
         loop {
-            if let Some(name) = noise.zero() {
-                let member = "warp.".repeat(depth) + name;
-                let text = "must not be 0. Leave it out for the default";
-                return Err(Error::new(Status::Parameter, member, text));
+            // Without branches: this runs at every call.
+            if noise.numbers().iter().fold(false, |any, (_, number)| any | (*number == 0.0)) {
+                return Err(noise.complain_of_zero(depth));
             }
             match noise.warp {
                 Some(warp) if depth < 5 => (noise, depth) = (warp, depth + 1),
                 _ => return Ok(()), // the library refuses more than four
             }
         }
+    }
+
+    #[cold]
+    fn complain_of_zero(&self, depth: usize) -> Error {
+        let zero = self.numbers().into_iter().find(|(_, number)| *number == 0.0);
+        let member = "warp.".repeat(depth) + zero.map_or("", |(name, _)| name);
+        Error::new(Status::Parameter, member, "must not be 0. Leave it out for the default")
     }
 
     /// Whether calls in 2 or 3 dimensions take this noise; if not, the error names the member at
@@ -259,20 +264,48 @@ impl<'a> Noise<'a> {
     }
 
     /// The error of a call that failed: the noise is at fault, or what was asked of it.
-    fn blame(&self, status: ffi::scarp_status, dimensions: usize) -> Result<(), Error> {
+    #[inline]
+    fn blame(
+        &self,
+        status: ffi::scarp_status,
+        dimensions: usize,
+        names: impl FnOnce() -> Vec<&'static str>,
+    ) -> Result<(), Error> {
         if status == ffi::SCARP_OK {
             return Ok(());
         }
-        Err(self.fault(dimensions).unwrap_or_else(|| match status {
-            ffi::SCARP_ERROR_UNSUPPORTED => Error::new(
-                Status::Unsupported,
-                "",
-                "an output does not exist here: one along z in the plane, a second derivative of \
-                 erosion, Swiss or Jordan noise or of one with such a warp, or dphase of these \
-                 two or of other than gradient noise",
-            ),
-            _ => Error::of(status, ""),
-        }))
+        let names = if status == ffi::SCARP_ERROR_UNSUPPORTED { names() } else { Vec::new() };
+        Err(self.complain(status, dimensions, &names))
+    }
+
+    #[cold]
+    fn complain(
+        &self,
+        status: ffi::scarp_status,
+        dimensions: usize,
+        names: &[&'static str],
+    ) -> Error {
+        let lacked = || names.iter().find_map(|name| Some((*name, self.lack(name, dimensions)?)));
+        self.fault(dimensions).unwrap_or_else(|| match lacked() {
+            Some((name, why)) => Error::new(Status::Unsupported, name, why),
+            None => Error::of(status, ""),
+        })
+    }
+
+    /// Why this noise does not have an output
+    fn lack(&self, name: &str, dimensions: usize) -> Option<&'static str> {
+        let bends = |noise: &Noise<'_>| matches!(noise.fractal, Fractal::Swiss | Fractal::Jordan);
+        let mut levels = std::iter::successors(Some(self), |noise| noise.warp).take(5);
+        let is_second = matches!(name.as_bytes(), [b'd' | b'v', b'x'..=b'z', b'x'..=b'z']);
+        if dimensions == 2 && name.contains('z') {
+            Some("the plane has no z")
+        } else if name == "dphase" && (bends(self) || self.basis != Basis::Gradient) {
+            Some("this noise has no derivative by the phase")
+        } else if is_second && levels.any(|it| bends(it) || it.fractal == Fractal::Erosion) {
+            Some("erosion, Swiss and Jordan noise, and what they warp, have no second derivatives")
+        } else {
+            None
+        }
     }
 
     /// The interval (lowest, highest) that values never leave, rounding included
@@ -282,7 +315,7 @@ impl<'a> Noise<'a> {
         let number = c_int::try_from(dimensions).unwrap_or(0);
         // SAFETY: all pointers are valid.
         let status = unsafe { ffi::scarp_range(self.c(), number, &mut lowest, &mut highest) };
-        self.blame(status, dimensions)?;
+        self.blame(status, dimensions, Vec::new)?;
         Ok((lowest, highest))
     }
 
@@ -409,18 +442,18 @@ impl<'a> Noise<'a> {
         x: &[T],
         y: &[T],
         call: crate::coordinate::Plane<T, Out>,
-        out: impl FnOnce(&mut Sizes) -> C,
+        mut out: impl FnMut(&mut Sizes) -> C,
     ) -> Result<(), Error> {
         self.prepare()?;
         let mut sizes = Sizes::points(x.len());
         let y = sizes.input(y, "y");
-        let out = out(&mut sizes);
+        let c = out(&mut sizes);
         sizes.check()?;
-        let out: *const C = &out;
+        let c: *const C = &c;
         // SAFETY: all slices have so many elements. No output is another slice, since it is
         // borrowed for writing. C is Out, or as many of them as the call has components.
-        let status = unsafe { call(self.c(), sizes.count, x.as_ptr(), y, out.cast()) };
-        self.blame(status, 2)
+        let status = unsafe { call(self.c(), sizes.count, x.as_ptr(), y, c.cast()) };
+        self.blame(status, 2, || Sizes::names(out))
     }
 
     #[inline]
@@ -428,17 +461,17 @@ impl<'a> Noise<'a> {
         &self,
         at: [&[T]; 3],
         call: crate::coordinate::Space<T, Out>,
-        out: impl FnOnce(&mut Sizes) -> C,
+        mut out: impl FnMut(&mut Sizes) -> C,
     ) -> Result<(), Error> {
         self.prepare()?;
         let mut sizes = Sizes::points(at[0].len());
         let (y, z) = (sizes.input(at[1], "y"), sizes.input(at[2], "z"));
-        let out = out(&mut sizes);
+        let c = out(&mut sizes);
         sizes.check()?;
-        let out: *const C = &out;
+        let c: *const C = &c;
         // SAFETY: as in `plane`
-        let status = unsafe { call(self.c(), sizes.count, at[0].as_ptr(), y, z, out.cast()) };
-        self.blame(status, 3)
+        let status = unsafe { call(self.c(), sizes.count, at[0].as_ptr(), y, z, c.cast()) };
+        self.blame(status, 3, || Sizes::names(out))
     }
 
     /// Samples on a uniform grid of the plane: the bits of [`Noise::sample2`] with doubles, and
@@ -473,16 +506,16 @@ impl<'a> Noise<'a> {
     ) -> Result<(), Error> {
         self.prepare()?;
         let mut sizes = Sizes::grid(grid.needed()?);
-        let out = out.c(&mut sizes);
+        let c = out.c(&mut sizes);
         sizes.check()?;
         // SAFETY: all slices reach from the first sample to the last.
-        let status = unsafe { call(self.c(), &grid.c(), &out) };
+        let status = unsafe { call(self.c(), &grid.c(), &c) };
         if status == ffi::SCARP_ERROR_PARAMETER && self.fault(D).is_none() {
             let text = "an origin or step is not finite, an index is outside [-2^53, 2^53], or a \
                         stride is too short";
             return Err(Error::new(Status::Parameter, "grid", text));
         }
-        self.blame(status, D)
+        self.blame(status, D, || Sizes::names(|sizes| out.c(sizes)))
     }
 }
 
