@@ -19,6 +19,7 @@ find_package(Threads QUIET)
 find_program(SCARP_ABIDIFF NAMES abidiff)
 find_program(SCARP_ABIDW NAMES abidw)
 find_program(SCARP_BASH NAMES bash)
+find_program(SCARP_CARGO NAMES cargo)
 find_program(SCARP_CHROMIUM NAMES chromium google-chrome chromium-browser)
 find_program(SCARP_GLSLANG NAMES glslangValidator glslang)
 find_path(SCARP_GODOT_HEADERS gdextension_interface.h PATH_SUFFIXES godot DOC "The folder of Godot's header")
@@ -31,7 +32,7 @@ find_program(SCARP_SPIRV_DIS NAMES spirv-dis)
 find_program(SCARP_SPIRV_OPT NAMES spirv-opt)
 find_program(SCARP_STRACE NAMES strace)
 find_program(SCARP_VALGRIND NAMES valgrind)
-mark_as_advanced(SCARP_ABIDIFF SCARP_ABIDW SCARP_BASH SCARP_CHROMIUM SCARP_GLSLANG SCARP_GODOT_HEADERS SCARP_GROFF SCARP_MCS SCARP_MONO
+mark_as_advanced(SCARP_ABIDIFF SCARP_ABIDW SCARP_BASH SCARP_CARGO SCARP_CHROMIUM SCARP_GLSLANG SCARP_GODOT_HEADERS SCARP_GROFF SCARP_MCS SCARP_MONO
                  SCARP_PKG_CONFIG SCARP_SH
                  SCARP_SPIRV_DIS SCARP_SPIRV_OPT SCARP_STRACE SCARP_VALGRIND)
 
@@ -81,6 +82,22 @@ function(scarp_find_numpy)
 endfunction()
 scarp_find_numpy()
 
+# Whether cargo and its compiler are as new as the crate needs, and of this machine.
+function(scarp_find_cargo)
+  set(works OFF)
+  if(SCARP_CARGO AND NOT CMAKE_CROSSCOMPILING AND NOT CMAKE_CROSSCOMPILING_EMULATOR
+     AND NOT CMAKE_C_FLAGS MATCHES "-fsanitize")
+    get_filename_component(folder ${SCARP_CARGO} DIRECTORY)
+    execute_process(COMMAND ${folder}/rustc --version OUTPUT_VARIABLE version
+                    RESULT_VARIABLE status ERROR_QUIET)
+    if(status EQUAL 0 AND version MATCHES "^rustc ([0-9.]+)" AND CMAKE_MATCH_1 VERSION_GREATER_EQUAL 1.63)
+      set(works ON)
+    endif()
+  endif()
+  set(cargo_works ${works} PARENT_SCOPE)
+endfunction()
+scarp_find_cargo()
+
 # Whether there is a Vulkan device: its driver may be missing where the library is not. Drivers are
 # not for programs with instruments in them, nor for emulators.
 function(scarp_find_vulkan)
@@ -120,6 +137,7 @@ endif()
 scarp_tool(abidiff SCARP_ABIDIFF AND SCARP_ABIDW)
 scarp_tool(bash SCARP_BASH)
 scarp_tool(c++ cxx_works)
+scarp_tool(cargo cargo_works)
 scarp_tool(chromium browser)
 scarp_tool(full-speed speed STREQUAL "full")
 scarp_tool(glslang SCARP_GLSLANG)

@@ -15,9 +15,9 @@ import re
 import sys
 
 from header import Header
-from tables import csharp, python, web
+from tables import csharp, python, rust, web
 
-TABLES = (csharp, python, web)
+TABLES = (csharp, python, rust, web)
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
@@ -29,7 +29,8 @@ DESCRIPTION = "src/bindings/interface.json"
 DOCUMENTS = (("src/web/scarp.d.ts", "export interface Noise {", "\n}", True),
              ("src/bindings/python/scarp/__init__.pyi", "class Noise:", "-> None", False),
              ("src/bindings/python/scarp/_noise.py", "class Noise:\n", "\n    None ", False),
-             ("src/bindings/csharp/Scarp.cs", "class Noise\n", "// On its way to C", False))
+             ("src/bindings/csharp/Scarp.cs", "class Noise\n", "// On its way to C", False),
+             ("src/bindings/rust/src/noise.rs", "pub struct Noise<'a> {", "\n}", False))
 
 
 def both(four, eight):

@@ -108,6 +108,19 @@ def call(name, returns, arguments):
         name, "\n".join("        %s," % part for part in parts), result)
 
 
+def defaults(header):
+    """What 0 stands for in numbers of a description, where that is another number"""
+    out = ["", "/// What 0 stands for in members that are numbers, by structure",
+           "#[allow(non_upper_case_globals)]", "pub mod defaults {"]
+    for name, structure in header.structures.items():
+        told = [m for m in structure["members"] if m["default"]]
+        if told:
+            out += ["    pub mod %s {" % name]
+            out += ["        pub const %s: %s = %r;" % (m["name"], type_of(m["type"]), m["default"])
+                    for m in told] + ["    }"]
+    return out + ["}"]
+
+
 def table(header):
     """The content of ffi.rs."""
     out = [HEAD % header.version]
@@ -121,6 +134,7 @@ def table(header):
                 for m in structure["members"]] + ["}"]
         if not is_large(structure):
             out.append((ZERO % name).rstrip("\n"))
+    out += defaults(header)
     out += ["", 'extern "C" {']
     out += [call(name, *rest) for name, rest in header.functions.items()] + ["}", LAYOUT.rstrip()]
     for name, structure in header.structures.items():

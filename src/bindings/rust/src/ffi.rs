@@ -512,6 +512,36 @@ impl Default for scarp_shader {
     }
 }
 
+/// What 0 stands for in members that are numbers, by structure
+#[allow(non_upper_case_globals)]
+pub mod defaults {
+    pub mod scarp_noise {
+        pub const frequency: f64 = 1.0;
+        pub const octaves: f32 = 1.0;
+        pub const lacunarity: f32 = 2.0;
+        pub const gain: f32 = 0.5;
+        pub const amplitude: f32 = 1.0;
+        pub const erosion: f32 = 1.0;
+        pub const jitter: f32 = 1.0;
+    }
+    pub mod scarp_gullies {
+        pub const frequency: f64 = 1.0;
+        pub const amplitude: f32 = 1.0;
+        pub const octaves: f32 = 5.0;
+        pub const lacunarity: f32 = 2.0;
+        pub const gain: f32 = 0.45;
+        pub const depth: f32 = 0.25;
+        pub const cells: f32 = 3.0;
+        pub const slope: f32 = 1.125;
+        pub const slope_low: f32 = 1.75;
+        pub const floor: f32 = 0.5;
+        pub const stripes: f32 = 1.5;
+        pub const branch: f32 = 0.8;
+        pub const round: f32 = 0.15;
+        pub const keep: f32 = 1.0;
+    }
+}
+
 extern "C" {
     pub fn scarp_sample2(
         noise: *const scarp_noise,

@@ -3,7 +3,7 @@
 use crate::arrays::{Eroded, Sizes, View};
 use crate::coordinate::Coordinate;
 use crate::error::{ready, text_of, Error, Status};
-use crate::ffi;
+use crate::ffi::{self, defaults::scarp_gullies as defaults};
 use crate::grid::Grid;
 use crate::noise::Reserved;
 
@@ -82,23 +82,23 @@ impl Default for Gullies {
     fn default() -> Self {
         Gullies {
             seed: 0,
-            frequency: 1.0,
-            amplitude: 1.0,
-            octaves: 5.0,
+            frequency: defaults::frequency,
+            amplitude: defaults::amplitude,
+            octaves: defaults::octaves,
             of_octaves: 0.0,
-            lacunarity: 2.0,
-            gain: 0.45,
-            depth: 0.25,
-            cells: 3.0,
-            slope: 1.125,
-            slope_low: 1.75,
+            lacunarity: defaults::lacunarity,
+            gain: defaults::gain,
+            depth: defaults::depth,
+            cells: defaults::cells,
+            slope: defaults::slope,
+            slope_low: defaults::slope_low,
             low: -1.0,
             high: 1.0,
-            floor: 0.5,
-            stripes: 1.5,
-            branch: 0.8,
-            round: 0.15,
-            keep: 1.0,
+            floor: defaults::floor,
+            stripes: defaults::stripes,
+            branch: defaults::branch,
+            round: defaults::round,
+            keep: defaults::keep,
             period: [0; 2],
             rotate: false,
             reserved_of_rotate: Reserved([0; 3]),

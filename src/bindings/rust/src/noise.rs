@@ -3,7 +3,7 @@
 use crate::arrays::{Cells, Flow, Samples, Sizes};
 use crate::coordinate::Coordinate;
 use crate::error::{ready, text_of, Error, Status};
-use crate::ffi;
+use crate::ffi::{self, defaults::scarp_noise as defaults};
 use crate::grid::Grid;
 use crate::words::{Basis, Fade, Fractal};
 use std::mem::size_of;
@@ -162,14 +162,14 @@ impl<'a> Noise<'a> {
         rotate: false,
         reserved_of_rotate: Reserved([0; 3]),
         seed: 0,
-        frequency: 1.0,
-        octaves: 1.0,
-        lacunarity: 2.0,
-        gain: 0.5,
-        amplitude: 1.0,
-        erosion: 1.0,
+        frequency: defaults::frequency,
+        octaves: defaults::octaves,
+        lacunarity: defaults::lacunarity,
+        gain: defaults::gain,
+        amplitude: defaults::amplitude,
+        erosion: defaults::erosion,
         phase: 0.0,
-        jitter: 1.0,
+        jitter: defaults::jitter,
         sharpness: 0.0,
         period: [0; 3],
         of_octaves: 0.0,
@@ -550,6 +550,30 @@ mod tests {
             assert_eq!(((*c).rotate, (*c).lacunarity, (*c).frequency), (0, 2.0, 1.0));
             assert_ne!((*turned.c()).rotate, 0);
             assert!((*c).spare.iter().all(|word| *word == 0));
+        }
+    }
+
+    /// The defaults are those of C: zeros there give the same bits.
+    #[test]
+    fn zeros() {
+        let (x, y) = ([0.3f32, 1.7, 2.9], [0.1f32, 0.6, 5.2]);
+        for fractal in Fractal::ALL {
+            for basis in [Basis::Gradient, Basis::CellF1] {
+                let noise = Noise { basis, fractal: *fractal, octaves: 3.0, ..Noise::DEFAULT };
+                let zeros = ffi::scarp_noise {
+                    basis: basis as u32,
+                    fractal: *fractal as u32,
+                    octaves: 3.0,
+                    ..Default::default()
+                };
+                let (mut ours, mut theirs) = ([0.0; 3], [0.0; 3]);
+                let mut out = Samples { value: Some(&mut ours), ..Samples::default() };
+                noise.sample2(&x, &y, &mut out).unwrap();
+                let c = ffi::scarp_samples { value: theirs.as_mut_ptr(), ..Default::default() };
+                // SAFETY: all slices have three elements.
+                let status = unsafe { ffi::scarp_sample2(&zeros, 3, x.as_ptr(), y.as_ptr(), &c) };
+                assert_eq!((status, ours), (ffi::SCARP_OK, theirs), "{} {}", basis, fractal);
+            }
         }
     }
 
