@@ -112,7 +112,9 @@ class Interface(unittest.TestCase):
         for table, line in (("src/web/interface.mjs", "other_one: 56"),
                             ("src/web/interface.mjs", "other_one: 'float'"),
                             ("src/bindings/csharp/Scarp.cs", "public float other_one;"),
-                            ("src/bindings/python/scarp/_interface.py", "'other_one': 7.0")):
+                            ("src/bindings/python/scarp/_interface.py", "'other_one': 7.0"),
+                            ("src/bindings/rust/src/ffi.rs", "pub const other_one: f32 = 7.0;"),
+                            ("src/bindings/rust/src/ffi.rs", "pub other_one: f32,")):
             with open(os.path.join(SCRATCH, table), encoding="utf-8") as file:
                 self.assertIn(line, file.read())
         done = run(SCRATCH, "--check")
@@ -120,7 +122,8 @@ class Interface(unittest.TestCase):
             "src/web/scarp.d.ts does not tell of otherOne",
             "src/bindings/python/scarp/__init__.pyi does not tell of other_one",
             "src/bindings/python/scarp/_noise.py does not tell of other_one",
-            "src/bindings/csharp/Scarp.cs does not tell of other_one"])
+            "src/bindings/csharp/Scarp.cs does not tell of other_one",
+            "src/bindings/rust/src/noise.rs does not tell of other_one"])
 
 
 unittest.main(argv=sys.argv[:1])

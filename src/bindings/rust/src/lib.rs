@@ -86,3 +86,8 @@ pub(crate) unsafe fn zeroed_box<T>() -> Box<T> {
         Box::from_raw(memory.cast())
     }
 }
+
+/// What README.md shows is compiled and run with the other documents.
+#[cfg(doctest)]
+#[doc = include_str!("../README.md")]
+struct Readme;

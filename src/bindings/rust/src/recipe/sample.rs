@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: MIT
+//! Samples of recipes, at points and on grids.
+use super::Recipe;
+use crate::arrays::{Samples, Sizes};
+use crate::coordinate::Coordinate;
+use crate::error::{Error, Status};
+use crate::ffi;
+use crate::grid::Grid;
+
+const MOST_OUTPUTS: usize = 16;
+const CHUNK: usize = 1024; // points for which scratch memory has room
+
+/// Memory that calls of recipes use while they run. Keep one for each thread: calls then allocate
+/// nothing, but for the first one.
+///
+/// ```
+/// use scarp::{Arrays, Recipe, Scratch};
+/// let recipe = Recipe::preset("hills")?;
+/// let (mut scratch, mut point) = (Scratch::new(), Arrays::plane(1, 0));
+/// for i in 0..10 {
+///     let out = &mut [("hills", point.samples())];
+///     recipe.sample2(&[f64::from(i)], &[0.0], out, &mut scratch)?;
+/// }
+/// # Ok::<(), scarp::Error>(())
+/// ```
+#[derive(Debug, Default)]
+pub struct Scratch(Vec<u64>);
+
+impl Scratch {
+    /// Without memory yet
+    pub fn new() -> Scratch {
+        Scratch::default()
+    }
+
+    fn c(&mut self, bytes: usize) -> ffi::scarp_scratch {
+        let words = bytes / 8 + 1;
+        if self.0.len() < words {
+            self.0.resize(words, 0);
+        }
+        ffi::scarp_scratch {
+            memory: self.0.as_mut_ptr().cast(),
+            size: 8 * self.0.len(),
+            ..Default::default()
+        }
+    }
+}
+
+impl Recipe {
+    /// Samples of outputs at points of the plane: pairs of a name and of slices, which have as many
+    /// elements as there are points. One to 16 outputs; several take little more time than one.
+    /// Coordinates of floats give the bits of shaders, those of doubles the bits of grids.
+    pub fn sample2<T: Coordinate>(
+        &self,
+        x: &[T],
+        y: &[T],
+        outputs: &mut [(&str, Samples<'_>)],
+        scratch: &mut Scratch,
+    ) -> Result<(), Error> {
+        self.of_dimensions(2)?;
+        let mut sizes = Sizes::points(x.len());
+        let at = [x.as_ptr(), sizes.input(y, "y"), std::ptr::null()];
+        self.sample(at, sizes, outputs, scratch)
+    }
+
+    /// Samples of outputs at points of space, of a recipe that says `space 3`
+    ///
+    /// ```
+    /// use scarp::{Arrays, Recipe, Scratch};
+    /// let recipe = Recipe::new("recipe 1\nspace 3\nout a = noise(size=8) - z / 4")?;
+    /// let mut out = Arrays::space(2, 1);
+    /// let (x, y, z) = ([0.5, 1.5], [2.5, 3.5], [0.0, 9.0]);
+    /// recipe.sample3(&x, &y, &z, &mut [("a", out.samples())], &mut Scratch::new())?;
+    /// # Ok::<(), scarp::Error>(())
+    /// ```
+    pub fn sample3<T: Coordinate>(
+        &self,
+        x: &[T],
+        y: &[T],
+        z: &[T],
+        outputs: &mut [(&str, Samples<'_>)],
+        scratch: &mut Scratch,
+    ) -> Result<(), Error> {
+        self.of_dimensions(3)?;
+        let mut sizes = Sizes::points(x.len());
+        let at = [x.as_ptr(), sizes.input(y, "y"), sizes.input(z, "z")];
+        self.sample(at, sizes, outputs, scratch)
+    }
+
+    fn sample<T: Coordinate>(
+        &self,
+        [x, y, z]: [*const T; 3],
+        sizes: Sizes,
+        outputs: &mut [(&str, Samples<'_>)],
+        scratch: &mut Scratch,
+    ) -> Result<(), Error> {
+        let count = sizes.count;
+        self.run(sizes, outputs, scratch, |outputs, scratch| {
+            // SAFETY: `run` has checked all slices. No output is another slice, since it is
+            // borrowed for writing.
+            unsafe { T::RECIPE(&*self.c, count, x, y, z, outputs, scratch) }
+        })
+    }
+
+    /// Samples of outputs on a grid of the plane: slices are as those of
+    /// [`Noise::grid2`](crate::Noise::grid2).
+    pub fn grid2(
+        &self,
+        grid: &Grid<2>,
+        outputs: &mut [(&str, Samples<'_>)],
+        scratch: &mut Scratch,
+    ) -> Result<(), Error> {
+        self.grid(grid, outputs, scratch)
+    }
+
+    /// Samples of outputs on a grid of space, of a recipe that says `space 3`
+    pub fn grid3(
+        &self,
+        grid: &Grid<3>,
+        outputs: &mut [(&str, Samples<'_>)],
+        scratch: &mut Scratch,
+    ) -> Result<(), Error> {
+        self.grid(grid, outputs, scratch)
+    }
+
+    fn grid<const D: usize>(
+        &self,
+        grid: &Grid<D>,
+        outputs: &mut [(&str, Samples<'_>)],
+        scratch: &mut Scratch,
+    ) -> Result<(), Error> {
+        self.of_dimensions(D)?;
+        let c = grid.c();
+        self.run(Sizes::grid(grid.needed()?), outputs, scratch, |outputs, scratch| {
+            // SAFETY: `run` has checked that all slices reach from the first sample to the last.
+            unsafe { ffi::scarp_recipe_grid(&*self.c, &c, outputs, scratch) }
+        })
+    }
+
+    fn of_dimensions(&self, dimensions: usize) -> Result<(), Error> {
+        if dimensions == self.dimensions {
+            return Ok(());
+        }
+        let text =
+            if dimensions == 2 { "the recipe is of space" } else { "the recipe is of the plane" };
+        Err(Error::new(Status::Parameter, "dimensions", text))
+    }
+
+    /// Checks the slices, sees to the scratch memory, and calls.
+    fn run(
+        &self,
+        mut sizes: Sizes,
+        outputs: &mut [(&str, Samples<'_>)],
+        scratch: &mut Scratch,
+        call: impl Fn(*const ffi::scarp_recipe_outputs, *const ffi::scarp_scratch) -> ffi::scarp_status,
+    ) -> Result<(), Error> {
+        if outputs.is_empty() || outputs.len() > MOST_OUTPUTS {
+            let text = format!("from 1 to 16 outputs, not {}", outputs.len());
+            return Err(Error::new(Status::Parameter, "outputs", text));
+        }
+        let mut out = [ffi::scarp_samples::default(); MOST_OUTPUTS];
+        let (mut which, mut order) = ([0; MOST_OUTPUTS], 0);
+        for (i, (name, samples)) in outputs.iter_mut().enumerate() {
+            which[i] = self.which(name)?;
+            out[i] = samples.c(&mut sizes);
+            order = order.max(order_of(&out[i]));
+        }
+        sizes.check()?;
+        let asked = ffi::scarp_recipe_outputs {
+            out: out.as_ptr(),
+            which: which.as_ptr(),
+            count: outputs.len() as i32,
+            ..Default::default()
+        };
+        let points = sizes.count.clamp(1, CHUNK);
+        // SAFETY: the pointer is valid.
+        let bytes = unsafe { ffi::scarp_recipe_scratch_size(&*self.c, order, points) };
+        let mut status = call(&asked, &scratch.c(bytes));
+        if status == ffi::SCARP_ERROR_SIZE {
+            // Fields that are no outputs may need more room: the call's own stack always has it.
+            status = call(&asked, std::ptr::null());
+        }
+        self.blame(status, order, outputs)
+    }
+
+    /// The error of a call that failed: the first output whose derivatives do not exist, or the
+    /// grid
+    fn blame(
+        &self,
+        status: ffi::scarp_status,
+        order: i32,
+        outputs: &[(&str, Samples<'_>)],
+    ) -> Result<(), Error> {
+        let lacks = |name: &str| {
+            let index = self.which(name).ok()?;
+            Some((self.entry_at(index as usize)?.order as i32) < order)
+        };
+        match status {
+            ffi::SCARP_OK => Ok(()),
+            ffi::SCARP_ERROR_UNSUPPORTED => {
+                let name =
+                    outputs.iter().map(|(name, _)| *name).find(|name| lacks(name) == Some(true));
+                let text = "it does not have all derivatives that are asked for";
+                Err(Error::new(Status::Unsupported, name.unwrap_or("").to_owned(), text))
+            }
+            ffi::SCARP_ERROR_PARAMETER => Err(Error::of(status, "grid")),
+            _ => Err(Error::of(status, "")),
+        }
+    }
+}
+
+/// The highest order of derivatives that are asked for
+fn order_of(out: &ffi::scarp_samples) -> i32 {
+    let any = |all: &[*mut f32]| all.iter().any(|pointer| !pointer.is_null());
+    if any(&[out.dxx, out.dxy, out.dxz, out.dyy, out.dyz, out.dzz]) {
+        2
+    } else {
+        i32::from(any(&[out.dx, out.dy, out.dz]))
+    }
+}
