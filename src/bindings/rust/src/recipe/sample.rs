@@ -8,6 +8,7 @@ use crate::ffi;
 use crate::grid::Grid;
 
 const MOST_OUTPUTS: usize = 16;
+const MOST_SCRATCH: usize = 1 << 26; // bytes
 const CHUNK: usize = 1024; // points for which scratch memory has room
 
 /// Memory that calls of recipes use while they run. Keep one for each thread: calls then allocate
@@ -175,9 +176,11 @@ impl Recipe {
         // SAFETY: the pointer is valid.
         let bytes = unsafe { ffi::scarp_recipe_scratch_size(&*self.c, order, points) };
         let mut status = call(&asked, &scratch.c(bytes));
-        if status == ffi::SCARP_ERROR_SIZE {
-            // Fields that are no outputs may need more room: the call's own stack always has it.
-            status = call(&asked, std::ptr::null());
+        // That is the size for outputs of the text. Other fields may need more.
+        let mut more = bytes.max(8192);
+        while status == ffi::SCARP_ERROR_SIZE && more < MOST_SCRATCH {
+            more *= 2;
+            status = call(&asked, &scratch.c(more));
         }
         self.blame(status, order, outputs)
     }
