@@ -51,16 +51,6 @@ pub const SCARP_HYBRID: scarp_fractal = 5;
 pub const SCARP_SWISS: scarp_fractal = 6;
 pub const SCARP_JORDAN: scarp_fractal = 7;
 
-pub type scarp_isa = u32;
-pub const SCARP_ISA_NONE: scarp_isa = 0;
-pub const SCARP_ISA_SCALAR: scarp_isa = 1;
-pub const SCARP_ISA_SSE41: scarp_isa = 2;
-pub const SCARP_ISA_AVX2: scarp_isa = 3;
-pub const SCARP_ISA_AVX512: scarp_isa = 4;
-pub const SCARP_ISA_NEON: scarp_isa = 5;
-pub const SCARP_ISA_GENERIC: scarp_isa = 6;
-pub const SCARP_ISA_WASM128: scarp_isa = 7;
-
 pub type scarp_recipe_kind = u32;
 pub const SCARP_RECIPE_BAD: scarp_recipe_kind = 0;
 pub const SCARP_RECIPE_NUMBER: scarp_recipe_kind = 1;
@@ -73,6 +63,16 @@ pub type scarp_language = u32;
 pub const SCARP_GLSL: scarp_language = 0;
 pub const SCARP_HLSL: scarp_language = 1;
 pub const SCARP_WGSL: scarp_language = 2;
+
+pub type scarp_isa = u32;
+pub const SCARP_ISA_NONE: scarp_isa = 0;
+pub const SCARP_ISA_SCALAR: scarp_isa = 1;
+pub const SCARP_ISA_SSE41: scarp_isa = 2;
+pub const SCARP_ISA_AVX2: scarp_isa = 3;
+pub const SCARP_ISA_AVX512: scarp_isa = 4;
+pub const SCARP_ISA_NEON: scarp_isa = 5;
+pub const SCARP_ISA_GENERIC: scarp_isa = 6;
+pub const SCARP_ISA_WASM128: scarp_isa = 7;
 
 #[repr(C)]
 #[derive(Clone, Copy)]
@@ -107,13 +107,6 @@ impl Default for scarp_noise {
 
 #[repr(C)]
 #[derive(Clone, Copy)]
-pub struct scarp_plan {
-    pub first: u64,
-    pub rest: [u8; 12288 - 8],
-}
-
-#[repr(C)]
-#[derive(Clone, Copy)]
 pub struct scarp_samples {
     pub value: *mut f32,
     pub dx: *mut f32,
@@ -138,27 +131,28 @@ impl Default for scarp_samples {
 
 #[repr(C)]
 #[derive(Clone, Copy)]
-pub struct scarp_cells {
-    pub f1: *mut f32,
-    pub f2: *mut f32,
-    pub id: *mut u32,
-    pub x: *mut f32,
-    pub y: *mut f32,
-    pub z: *mut f32,
-    pub dx1: *mut f32,
-    pub dy1: *mut f32,
-    pub dz1: *mut f32,
-    pub dx2: *mut f32,
-    pub dy2: *mut f32,
-    pub dz2: *mut f32,
-    pub spare: [*mut f32; 4],
+pub struct scarp_grid {
+    pub origin: [f64; 3],
+    pub step: [f64; 3],
+    pub first: [i64; 3],
+    pub count: [usize; 3],
+    pub row_stride: usize,
+    pub slice_stride: usize,
+    pub spare: [u32; (192 - 72 - 5 * size_of::<usize>()) / 4],
 }
 
-impl Default for scarp_cells {
+impl Default for scarp_grid {
     fn default() -> Self {
         // SAFETY: numbers and pointers may be 0.
         unsafe { std::mem::zeroed() }
     }
+}
+
+#[repr(C)]
+#[derive(Clone, Copy)]
+pub struct scarp_plan {
+    pub first: u64,
+    pub rest: [u8; 12288 - 8],
 }
 
 #[repr(C)]
@@ -188,17 +182,23 @@ impl Default for scarp_flow {
 
 #[repr(C)]
 #[derive(Clone, Copy)]
-pub struct scarp_grid {
-    pub origin: [f64; 3],
-    pub step: [f64; 3],
-    pub first: [i64; 3],
-    pub count: [usize; 3],
-    pub row_stride: usize,
-    pub slice_stride: usize,
-    pub spare: [u32; (192 - 72 - 5 * size_of::<usize>()) / 4],
+pub struct scarp_cells {
+    pub f1: *mut f32,
+    pub f2: *mut f32,
+    pub id: *mut u32,
+    pub x: *mut f32,
+    pub y: *mut f32,
+    pub z: *mut f32,
+    pub dx1: *mut f32,
+    pub dy1: *mut f32,
+    pub dz1: *mut f32,
+    pub dx2: *mut f32,
+    pub dy2: *mut f32,
+    pub dz2: *mut f32,
+    pub spare: [*mut f32; 4],
 }
 
-impl Default for scarp_grid {
+impl Default for scarp_cells {
     fn default() -> Self {
         // SAFETY: numbers and pointers may be 0.
         unsafe { std::mem::zeroed() }
@@ -573,6 +573,41 @@ extern "C" {
         z: *const f64,
         out: *const scarp_samples,
     ) -> scarp_status;
+    pub fn scarp_grid2(
+        noise: *const scarp_noise,
+        grid: *const scarp_grid,
+        out: *const scarp_samples,
+    ) -> scarp_status;
+    pub fn scarp_grid3(
+        noise: *const scarp_noise,
+        grid: *const scarp_grid,
+        out: *const scarp_samples,
+    ) -> scarp_status;
+    pub fn scarp_normals(
+        count: usize,
+        dx: *const f32,
+        dy: *const f32,
+        height_scale: f32,
+        nx: *mut f32,
+        ny: *mut f32,
+        nz: *mut f32,
+    ) -> scarp_status;
+    pub fn scarp_range(
+        noise: *const scarp_noise,
+        dimensions: c_int,
+        lowest: *mut f32,
+        highest: *mut f32,
+    ) -> scarp_status;
+    pub fn scarp_noise_check(
+        noise: *const scarp_noise,
+        dimensions: c_int,
+        member: *mut *const c_char,
+    ) -> scarp_status;
+    pub fn scarp_plan_make(
+        noise: *const scarp_noise,
+        dimensions: c_int,
+        plan: *mut scarp_plan,
+    ) -> scarp_status;
     pub fn scarp_vector2(
         noise: *const scarp_noise,
         count: usize,
@@ -602,36 +637,6 @@ extern "C" {
         y: *const f64,
         z: *const f64,
         out: *const scarp_samples,
-    ) -> scarp_status;
-    pub fn scarp_cells2(
-        noise: *const scarp_noise,
-        count: usize,
-        x: *const f32,
-        y: *const f32,
-        out: *const scarp_cells,
-    ) -> scarp_status;
-    pub fn scarp_cells3(
-        noise: *const scarp_noise,
-        count: usize,
-        x: *const f32,
-        y: *const f32,
-        z: *const f32,
-        out: *const scarp_cells,
-    ) -> scarp_status;
-    pub fn scarp_cells2_f64(
-        noise: *const scarp_noise,
-        count: usize,
-        x: *const f64,
-        y: *const f64,
-        out: *const scarp_cells,
-    ) -> scarp_status;
-    pub fn scarp_cells3_f64(
-        noise: *const scarp_noise,
-        count: usize,
-        x: *const f64,
-        y: *const f64,
-        z: *const f64,
-        out: *const scarp_cells,
     ) -> scarp_status;
     pub fn scarp_curl2(
         noise: *const scarp_noise,
@@ -663,24 +668,35 @@ extern "C" {
         z: *const f64,
         out: *const scarp_flow,
     ) -> scarp_status;
-    pub fn scarp_grid2(
+    pub fn scarp_cells2(
         noise: *const scarp_noise,
-        grid: *const scarp_grid,
-        out: *const scarp_samples,
-    ) -> scarp_status;
-    pub fn scarp_grid3(
-        noise: *const scarp_noise,
-        grid: *const scarp_grid,
-        out: *const scarp_samples,
-    ) -> scarp_status;
-    pub fn scarp_normals(
         count: usize,
-        dx: *const f32,
-        dy: *const f32,
-        height_scale: f32,
-        nx: *mut f32,
-        ny: *mut f32,
-        nz: *mut f32,
+        x: *const f32,
+        y: *const f32,
+        out: *const scarp_cells,
+    ) -> scarp_status;
+    pub fn scarp_cells3(
+        noise: *const scarp_noise,
+        count: usize,
+        x: *const f32,
+        y: *const f32,
+        z: *const f32,
+        out: *const scarp_cells,
+    ) -> scarp_status;
+    pub fn scarp_cells2_f64(
+        noise: *const scarp_noise,
+        count: usize,
+        x: *const f64,
+        y: *const f64,
+        out: *const scarp_cells,
+    ) -> scarp_status;
+    pub fn scarp_cells3_f64(
+        noise: *const scarp_noise,
+        count: usize,
+        x: *const f64,
+        y: *const f64,
+        z: *const f64,
+        out: *const scarp_cells,
     ) -> scarp_status;
     pub fn scarp_affine(
         count: usize,
@@ -847,22 +863,6 @@ extern "C" {
         gullies: *const scarp_gullies,
         member: *mut *const c_char,
     ) -> scarp_status;
-    pub fn scarp_range(
-        noise: *const scarp_noise,
-        dimensions: c_int,
-        lowest: *mut f32,
-        highest: *mut f32,
-    ) -> scarp_status;
-    pub fn scarp_noise_check(
-        noise: *const scarp_noise,
-        dimensions: c_int,
-        member: *mut *const c_char,
-    ) -> scarp_status;
-    pub fn scarp_plan_make(
-        noise: *const scarp_noise,
-        dimensions: c_int,
-        plan: *mut scarp_plan,
-    ) -> scarp_status;
     pub fn scarp_recipe_parse(
         text: *const c_char,
         length: usize,
@@ -1027,12 +1027,6 @@ mod layout {
     }
 
     layout! {
-        scarp_plan: 12288, 12288;
-        first: 0, 0;
-        rest: 8, 8;
-    }
-
-    layout! {
         scarp_samples: 64, 128;
         value: 0, 0;
         dx: 4, 8;
@@ -1049,20 +1043,20 @@ mod layout {
     }
 
     layout! {
-        scarp_cells: 64, 128;
-        f1: 0, 0;
-        f2: 4, 8;
-        id: 8, 16;
-        x: 12, 24;
-        y: 16, 32;
-        z: 20, 40;
-        dx1: 24, 48;
-        dy1: 28, 56;
-        dz1: 32, 64;
-        dx2: 36, 72;
-        dy2: 40, 80;
-        dz2: 44, 88;
-        spare: 48, 96;
+        scarp_grid: 192, 192;
+        origin: 0, 0;
+        step: 24, 24;
+        first: 48, 48;
+        count: 72, 72;
+        row_stride: 84, 96;
+        slice_stride: 88, 104;
+        spare: 92, 112;
+    }
+
+    layout! {
+        scarp_plan: 12288, 12288;
+        first: 0, 0;
+        rest: 8, 8;
     }
 
     layout! {
@@ -1083,14 +1077,20 @@ mod layout {
     }
 
     layout! {
-        scarp_grid: 192, 192;
-        origin: 0, 0;
-        step: 24, 24;
-        first: 48, 48;
-        count: 72, 72;
-        row_stride: 84, 96;
-        slice_stride: 88, 104;
-        spare: 92, 112;
+        scarp_cells: 64, 128;
+        f1: 0, 0;
+        f2: 4, 8;
+        id: 8, 16;
+        x: 12, 24;
+        y: 16, 32;
+        z: 20, 40;
+        dx1: 24, 48;
+        dy1: 28, 56;
+        dz1: 32, 64;
+        dx2: 36, 72;
+        dy2: 40, 80;
+        dz2: 44, 88;
+        spare: 48, 96;
     }
 
     layout! {
