@@ -18,7 +18,7 @@
 
 static const struct option_table table = {
     .command = "info",
-    .purpose = "Tells the version, the instruction sets, what was found to build with, and the\n"
+    .purpose = "Tells the version, the instruction sets, the libraries that were found, and the\n"
                "formats of rasters.",
 };
 

@@ -22,19 +22,19 @@
 static const char usage[] =
     "usage: scarp <command> [options]\n"
     "\n"
-    "Lattice noise and its exact derivatives, sampled in bulk.\n"
+    "Noise for terrain, with exact derivatives, at many points at once.\n"
     "\n"
-    "  terrain    render a terrain: heights, normals, hillshade, relief, gradient; whole or tiles\n"
-    "  view       look at a terrain from a camera: a picture with light, shadows and haze\n"
+    "  terrain    write a terrain: heights, normals, hillshade, relief, slopes; whole or tiles\n"
+    "  view       show a terrain from a camera: a picture with light, shadows and haze\n"
     "  sheet      draw many small maps of a terrain that differ in one or two parameters\n"
-    "  sample     read points, write the noise at each of them and its derivatives\n"
+    "  sample     read points, write the noise and its derivatives at each of them\n"
     "  recipe     print a recipe, check it, and tell its parameters, outputs, values and cost\n"
-    "  info       tell the version, the instruction sets and the libraries found\n"
-    "  help       print this, or with the name of a command what it takes\n"
+    "  info       tell the version, the instruction sets and the libraries that were found\n"
+    "  help       print this, or with the name of a command its options\n"
     "\n"
     "scarp --version prints the version of the library.\n"
-    "Exit status: 0 done, 1 failed on the way, 2 bad command line or input (no file was "
-    "written).\n";
+    "Exit status: 0 done, 1 failed on the way, 2 bad command line or input, and no file was\n"
+    "written.\n";
 
 static const struct {
     const char *name;

@@ -8,7 +8,7 @@ import common
 from common import OPTIONS, Case, has_threads, run, text_of
 
 FORMATS = ["pgm", "ppm", "r16", "r32", "pfm", "img", "tif", "npy"]
-GROUPS = ["the raster", "files, any of which may be asked for together", "how they look", "tiles",
+GROUPS = ["the raster", "files, any number in one run", "how they look", "tiles",
           "the terrain", "one noise, without --preset and --recipe", "running"]
 
 

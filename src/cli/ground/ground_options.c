@@ -11,7 +11,8 @@
 #define FIELD(name) offsetof(struct ground_options, name)
 
 const struct option ground_recipe_rows[GROUND_RECIPE_ROWS] = {
-    {OPTION_CHOICE("--preset", preset, "none", preset_name, "a recipe of the program, told below"),
+    {OPTION_CHOICE("--preset", preset, "none", preset_name,
+                   "a recipe of the program, listed below"),
      .of_run = 1},
     {OPTION_TEXT("--recipe", recipe, "FILE", "the name of a file with a recipe",
                  "a recipe: a composition of noises whose first output is the height; - is "
@@ -20,30 +21,30 @@ const struct option ground_recipe_rows[GROUND_RECIPE_ROWS] = {
     {.name = "--set",
      .argument = "NAME=VALUE",
      .allowed = "a parameter of the recipe and its number: NAME=VALUE, at most 64 times",
-     .help = "set a parameter of the recipe; once for each of them",
+     .help = "set a parameter of the recipe; repeat it for others",
      .parse = option_list,
      .offset = FIELD(set),
      .highest = OPTION_LIST_MOST,
      .of_run = 1},
     {OPTION_DOUBLE("--scale", scale, "1", 0x1p-20, 0x1p20,
-                   "makes the terrain so many times larger, its places and its heights")},
-    {OPTION_FLAG("--print-recipe", print_recipe, "print the recipe in place of all else"),
+                   "make the terrain F times larger, in width and in height")},
+    {OPTION_FLAG("--print-recipe", print_recipe, "print the recipe, and do nothing else"),
      .of_run = 1},
 };
 
 const struct option ground_period_rows[GROUND_PERIOD_ROWS] = {
     {OPTION_SIZE("--period", period, NULL, 1, 1e6,
-                 "repeat after so many samples (with scarp view, units) without a seam; the "
-                 "frequency of one noise becomes the nearest that has whole cells there"),
+                 "repeat without a seam after W by H samples (with scarp view, units); one noise "
+                 "takes the nearest frequency that has whole cells there"),
      .otherwise = "it never does"},
 };
 
 const struct option ground_height_rows[GROUND_HEIGHT_ROWS] = {
     {OPTION_FLOAT("--height", height, "120", 0, 0x1p24,
                   "height of noise value 1, in the unit of x and y")},
-    {OPTION_FLOAT(
-         "--sea-level", sea_level, NULL, -0x1p24, 0x1p24,
-         "noise values below F become F, flat as water; taken into the interval of the noise"),
+    {OPTION_FLOAT("--sea-level", sea_level, NULL, -0x1p24, 0x1p24,
+                  "noise values below F become F, flat as water; an F outside their interval "
+                  "becomes its end"),
      .otherwise = "no sea"},
     {OPTION_FLOAT("--plateau", plateau, NULL, -0x1p24, 0x1p24,
                   "noise values above F become F, flat as a table; no lower than the sea"),

@@ -35,11 +35,11 @@ static const struct option rows[] = {
     {.name = "--set",
      .argument = "NAME=VALUE",
      .allowed = "a parameter of the recipe and its number: NAME=VALUE, at most 64 times",
-     .help = "set a parameter of the recipe; once for each of them",
+     .help = "set a parameter of the recipe; repeat it for others",
      .parse = option_list,
      .offset = FIELD(ground.set),
      .highest = OPTION_LIST_MOST},
-    {OPTION_FLAG("--text", text, "print the text alone")},
+    {OPTION_FLAG("--text", text, "print only the text")},
 };
 
 static const struct option shader_rows[] = {
@@ -47,11 +47,11 @@ static const struct option shader_rows[] = {
                    "print it as functions of a shading language"),
      .otherwise = "no shader"},
     {OPTION_COUNT("--derivatives", shader.order, "1", 0, 2,
-                  "of the shader: 0 values, 1 gradients, 2 Hessians")},
+                  "what the shader computes: 0 values, 1 gradients, 2 Hessians")},
     {OPTION_TEXT("--uniforms", shader.uniforms, "FILE", "a file name",
                  "write the uniform buffer of the shader")},
     {OPTION_TEXT("--answers", shader.answers, "FILE", "a file name",
-                 "write what the self-test of the shader must answer")},
+                 "write the right answers of the shader's self-test")},
 };
 
 static const struct option_group groups[] = {OPTION_GROUP("a recipe", rows, 0),
@@ -61,24 +61,20 @@ static const struct option_table table = {
     .command = "recipe",
     .operand = "NAME|FILE",
     .purpose = "Prints a recipe of the program, or of a file (- is standard input), checks it, and "
-               "tells\nwhat its parameters and outputs are, what a sample costs, and which values "
-               "occur.",
+               "tells\nits parameters and outputs, what a sample costs, and which values occur.",
     .notes =
-        "errors     are told on stderr, all of them, as FILE:LINE:COLUMN: what is wrong. The exit\n"
-        "           status is 2 then.\n"
-        "outputs    have an interval that values never leave, and the lowest, the middle and the\n"
-        "           highest value of 4096 places, in a square of 64 of the largest cells.\n"
-        "shaders    have scarp_recipe(x, y), in space (x, y, z), and what it uses of scarp.glsl,\n"
-        "           scarp.hlsl or scarp.wgsl. Their numbers, and the seed, are in a uniform "
-        "buffer; the\n"
-        "           self-test has 4096 numbers of 32 bits. Both are in the order of bytes of this\n"
-        "           processor.\n"
-        "cost       is measured on a grid, with one thread.\n"
-        "terrain    is the first output of a recipe of the plane: a height in the unit of x and "
-        "y.\n"
-        "           `param sea` is the height of water. A line `#: palette NAME` says which "
-        "colours\n"
-        "           suit it.\n"
+        "errors     All errors of the text are told on stderr, as FILE:LINE:COLUMN: what is\n"
+        "           wrong. The exit status is then 2.\n"
+        "outputs    Each has an interval that values never leave, and the lowest, the middle and\n"
+        "           the highest value of 4096 places, in a square of 64 of the largest cells.\n"
+        "shaders    The text has scarp_recipe(x, y), in space (x, y, z), and what it uses of\n"
+        "           scarp.glsl, scarp.hlsl or scarp.wgsl. Its numbers, and the seed, are in a\n"
+        "           uniform buffer. The self-test has 4096 numbers of 32 bits. Both files are in\n"
+        "           the order of bytes of this processor.\n"
+        "cost       It is measured on a grid, with one thread.\n"
+        "terrain    It is the first output of a recipe of the plane: a height in the unit of x\n"
+        "           and y. `param sea` is the height of water. A line `#: palette NAME` says\n"
+        "           which colours suit it.\n"
         "\n" PRESET_HELP,
     .groups = groups,
     .count = sizeof groups / sizeof groups[0],

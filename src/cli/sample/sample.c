@@ -40,7 +40,7 @@ static const struct option point_rows[] = {
     {OPTION_TEXT("--input", input, "FILE", "a file name, or - for standard input",
                  "where the points are; - is standard input"),
      .standard = "-"},
-    {OPTION_CHOICE("--input-format", input_format, NULL, format_word, "what they are"),
+    {OPTION_CHOICE("--input-format", input_format, NULL, format_word, "the format of the points"),
      .otherwise = "what the input looks like"},
     {.name = "--columns",
      .argument = "X,Y[,Z]",
@@ -62,7 +62,7 @@ static const struct option point_rows[] = {
      .highest = 3},
     {OPTION_FLAG(
         "--skip-bad", skip_bad,
-        "leave malformed lines, and rows of .npy, out instead of stopping at the first one")},
+        "leave out malformed lines, and rows of .npy, instead of stopping at the first one")},
     {OPTION_FLAG("--keep", keep,
                  "copy the input's columns in front of the results; of .npy and to .npy, which "
                  "then holds doubles, the coordinates alone")},
@@ -72,7 +72,8 @@ static const struct option result_rows[] = {
     {OPTION_TEXT("--output", output, "FILE", "a file name, or - for standard output",
                  "where the results go; - is standard output"),
      .standard = "-"},
-    {OPTION_CHOICE("--output-format", output_format, NULL, format_word, "what they are written as"),
+    {OPTION_CHOICE("--output-format", output_format, NULL, format_word,
+                   "the format of the results"),
      .otherwise = "what FILE ends with: .csv, .txt, .npy; else as the input"},
     {OPTION_FLAG("--gradient", gradient, "after the value, its derivatives along x, y (and z)")},
     {OPTION_FLAG("--hessian", hessian, "after these, its second derivatives")},
@@ -84,8 +85,8 @@ static const struct option period_rows[] = {
     {.name = "--period",
      .argument = "X,Y[,Z]",
      .allowed = "two or three integers X,Y[,Z] from 0 to 2^30",
-     .help = "cells of the first octave after which the noise repeats along each axis, from 0, "
-             "which is never, to 2^30; without --rotate, and with a whole number as lacunarity",
+     .help = "repeat along each axis after so many cells of the first octave, from 0, which is "
+             "never, to 2^30; without --rotate, and with a whole number as lacunarity",
      .otherwise = "it never does",
      .parse = option_periods,
      .offset = FIELD(ground.noise.period),
@@ -113,39 +114,40 @@ static const struct option_table table = {
     .command = "sample",
     .purpose = "Reads points and writes the noise at each of them, one row per point.",
     .notes =
-        "A row holds, in this order and as far as it was asked for,\n"
+        "A row holds what was asked for, in this order:\n"
         "  in 2D  value dx dy dxx dxy dyy dphase\n"
         "  in 3D  value dx dy dz dxx dxy dxz dyy dyz dzz dphase\n"
-        "Coordinates are doubles and keep their precision. Results are floats: nine digits, which\n"
-        "tell them apart, or nan where coordinate times frequency overflows.\n"
+        "Coordinates are doubles and keep their precision. Results are floats, written with the\n"
+        "nine digits that tell them apart, or nan where coordinate times frequency overflows.\n"
         "\n"
-        "csv   Fields between commas, in double quotes or not. The first line is a header row if\n"
-        "      it has x and y, or if its first two fields are no numbers; with --columns, if that\n"
-        "      has names, or if the fields that it numbers are no numbers. Results get a header\n"
-        "      row too, unless the points are CSV without.\n"
-        "text  Columns between spaces or tabs, without a header row. As in CSV, empty lines and\n"
-        "      those that begin with # are passed over.\n"
-        "npy   Arrays of NumPy. Points have the shape (n, 2) or (n, 3), or more columns with\n"
-        "      --columns or --dims, and are floats or doubles; results have the shape (n, number\n"
-        "      of results) and are floats, with --keep doubles. Points from CSV or text, or with\n"
-        "      --skip-bad, need a file for them, not a pipe.\n"
+        "csv        Fields between commas, in double quotes or not. The first line is a header\n"
+        "           row if it has x and y, or if its first two fields are no numbers. With\n"
+        "           --columns it is one if --columns has names, or if the fields that it numbers\n"
+        "           are no numbers. Results get a header row, too, unless the points are CSV\n"
+        "           without one.\n"
+        "text       Columns between spaces or tabs, without a header row. As in CSV, empty lines\n"
+        "           and lines that begin with # are passed over.\n"
+        "npy        Arrays of NumPy. Points have the shape (n, 2) or (n, 3), or more columns\n"
+        "           with --columns or --dims, and are floats or doubles. Results have the shape\n"
+        "           (n, number of results) and are floats, with --keep doubles. Points from CSV\n"
+        "           or text, or with --skip-bad, need a file for such results, not a pipe.\n"
         "\n"
-        "columns    Names are compared without blanks and quotes around them; small letters are\n"
-        "           like capitals. In --columns a name with a comma stands in double quotes.\n"
-        "           A header row without x and y needs --columns. If two columns have a name that\n"
-        "           is asked for, their numbers must be given. All lines have as many columns as\n"
-        "           the first; but without a header row and --keep, --dims and --columns ignore\n"
-        "           what stands behind the coordinates.\n"
-        "recipe     With a recipe, the value is its first output, and there is no dphase; the\n"
-        "           seed is 1 unless it is given, as of scarp terrain; where it has `param\n"
-        "           sea`, values are the sea's where they would be lower.\n"
-        "malformed  are points with a coordinate that is not a finite number, so with nan or inf,\n"
-        "           also in .npy, and lines with too few or too many columns.\n"
+        "columns    Names are compared without blanks and quotes around them, and without regard\n"
+        "           to capitals. In --columns, write a name with a comma in double quotes. A\n"
+        "           header row without x and y needs --columns. If two columns have the name,\n"
+        "           give their numbers. All lines have as many columns as the first. Without a\n"
+        "           header row and without --keep, --dims and --columns ignore what stands\n"
+        "           behind the coordinates.\n"
+        "recipe     With a recipe, the value is its first output, and there is no dphase. The\n"
+        "           seed is 1 unless it is given, as of scarp terrain. If it has `param sea`,\n"
+        "           lower values become the sea's.\n"
+        "malformed  A point is malformed if a coordinate is not a finite number, so with nan or\n"
+        "           inf, also in .npy. A line is, if it has too few or too many columns.\n"
         "\n"
         "Rows are written as soon as points are read, in blocks of at most 4096. A malformed one\n"
         "ends the run with one message and exit status 2, as does an input that cannot be read.\n"
-        "The output file, which may be that of the input, appears only when all went well;\n"
-        "standard output has then got the rows of the points before.",
+        "The output file, which may be the input file, appears only when all went well. Standard\n"
+        "output has then got the rows of the points before.",
     .groups = groups,
     .count = sizeof groups / sizeof groups[0],
     .removed = ground_removed,

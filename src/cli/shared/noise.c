@@ -32,23 +32,24 @@ const struct option noise_seed_rows[NOISE_SEED_ROWS] = {
      .argument = "N",
      .standard = "0",
      .allowed = "an integer from 0 to 2^64 - 1, decimal or 0x and hexadecimal",
-     .help = "which of all noises: an integer of 64 bits, decimal or 0x...",
+     .help = "each seed is another noise: an integer of 64 bits, decimal or 0x...",
      .parse = option_seed,
      .offset = FIELD(seed)},
 };
 
 const struct option noise_option_rows[NOISE_OPTION_COUNT] = {
-    {OPTION_CHOICE("--basis", basis, "gradient", basis_word, "noise of an octave")},
+    {OPTION_CHOICE("--basis", basis, "gradient", basis_word, "the noise of an octave")},
     {OPTION_POSITIVE(
         "--jitter", jitter, "1", 1,
-        "with --basis cell-..., how far features stray from the middles of their cells")},
-    {OPTION_CHOICE("--fade", fade, "quintic", fade_word, "blend between lattice points")},
+        "with --basis cell-..., how far features, the random points of cells, stray from the "
+        "middles of their cells")},
+    {OPTION_CHOICE("--fade", fade, "quintic", fade_word, "how lattice points are blended")},
     {OPTION_CHOICE("--fractal", fractal, "fbm", fractal_word,
                    "how octaves are summed (erosion, swiss and jordan of cell-f1, cell-f2 and "
                    "cell-edge have cliffs)")},
     {OPTION_FLOAT("--erosion", erosion, "1", 0x1p-24, 0x1p24,
-                  "with --fractal erosion, how strongly slopes damp octaves; with jordan, how much "
-                  "of them flat ground lacks, at most 1")},
+                  "with --fractal erosion, how strongly slopes damp octaves; with jordan, how "
+                  "strongly flat ground damps them, at most 1")},
     {OPTION_FLOAT(
         "--sharpness", sharpness, NULL, 0x1p-8, 0x1p8,
         "with --fractal pingpong, how often octaves are folded [2]; with hybrid, how high they lie "
@@ -58,8 +59,8 @@ const struct option noise_option_rows[NOISE_OPTION_COUNT] = {
     {OPTION_POSITIVE("--octaves", octaves, "1", 32,
                      "octaves that are summed, the last one faded in by a fraction")},
     {OPTION_POSITIVE("--of-octaves", of_octaves, NULL, 32,
-                     "octaves that amplitudes are meant for, of which --octaves are summed: the "
-                     "first ones as they are in the whole sum"),
+                     "compute the first --octaves of a sum of so many octaves, with the amplitudes "
+                     "that they have in that sum"),
      .otherwise = "--octaves"},
     {OPTION_FLOAT("--lacunarity", lacunarity, "2", 0.0625, 16,
                   "frequency ratio from octave to octave")},
@@ -67,8 +68,8 @@ const struct option noise_option_rows[NOISE_OPTION_COUNT] = {
     {.name = "--phase",
      .argument = "F",
      .allowed = "a finite number, at most 2^128 - 2^104 in magnitude",
-     .help = "turns of the lattice's gradients, any finite float: as it grows, the noise flows "
-             "where it is, and loops after 1; only with --basis gradient",
+     .help = "how far the gradients of the lattice are turned, in turns: as it grows, the noise "
+             "flows in place, and loops after 1; any finite float, only with --basis gradient",
      .otherwise = "it stands still",
      .parse = option_float,
      .offset = FIELD(phase),
@@ -77,7 +78,7 @@ const struct option noise_option_rows[NOISE_OPTION_COUNT] = {
     {OPTION_FLAG("--rotate", rotate,
                  "turn the axes between octaves: hides the lattice's directions")},
     {OPTION_MAGNITUDE("--amplitude", amplitude, "1", 0x1p-24, 0x1p24,
-                      "scales what comes out, and turns it over if negative")},
+                      "what values are multiplied by; a negative one turns them over")},
 };
 
 /* Each number was checked by itself; what is left is how they go together. */

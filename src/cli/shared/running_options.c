@@ -12,8 +12,8 @@ const struct option running_option_rows[RUNNING_ROWS] = {
     {.name = "--threads",
      .argument = "N",
      .otherwise = "one per processor",
-     .help = "how many threads work, at most, from 1 to 1024 (1 without POSIX threads); what is "
-             "written does not depend on it",
+     .help = "the most threads that work, from 1 to 1024 (1 without POSIX threads); the files "
+             "do not depend on it",
 #ifdef SCARP_CLI_THREADS
      .allowed = "an integer from 1 to 1024",
      .highest = THREADS_MAX,

@@ -17,17 +17,18 @@ static const char *layer_word(int index)
 }
 
 static const struct option sheet_rows[] = {
-    {OPTION_TEXT("--sheet", sheet, "LIST",
-                 "one or two parameters and their values: NAME=VALUES[,NAME=VALUES]",
-                 "NAME=VALUES or NAME=VALUES,NAME=VALUES: what cells differ in, first from left to "
-                 "right, then from top to bottom; told below"),
+    {OPTION_TEXT(
+         "--sheet", sheet, "LIST",
+         "one or two parameters and their values: NAME=VALUES[,NAME=VALUES]",
+         "NAME=VALUES or NAME=VALUES,NAME=VALUES: what cells differ in, the first from left "
+         "to right, the second from top to bottom; see below"),
      .standard = "seed=1..9"},
     {OPTION_FILE("--output", output, "the picture: .png .ppm .img .tif .npy"),
      .otherwise = "sheet.png, without zlib sheet.ppm"},
     {OPTION_SIZE("--cell", cell, "256x192", 16, 1024, "pixels of a cell")},
-    {OPTION_COUNT("--samples", samples, "4", 1, 8,
-                  "samples across each pixel and down, of which it is the mean")},
-    {OPTION_CHOICE("--layer", layer, "relief", layer_word, "what cells show, as of scarp terrain")},
+    {OPTION_COUNT("--samples", samples, "4", 1, 8, "a pixel is the mean of N x N samples")},
+    {OPTION_CHOICE("--layer", layer, "relief", layer_word,
+                   "what cells show, as scarp terrain makes it")},
 };
 
 static const struct option place_rows[] = {
@@ -46,20 +47,19 @@ static const struct option_group groups[] = {
 
 const struct option_table sheet_table = {
     .command = "sheet",
-    .purpose =
-        "Draws many small maps of a terrain side by side, which differ in one or two parameters.",
+    .purpose = "Draws many small maps of a terrain, cells, which differ in one or two parameters.",
     .notes =
-        "NAME       a parameter of the recipe, or any option from --origin to --plateau, without\n"
+        "NAME       A parameter of the recipe, or any option from --origin to --plateau, without\n"
         "           its dashes: seed, gain, preset, palette, step.\n"
-        "VALUES     1..4 are 1, 2, 3 and 4; 0.3..0.6/7 are 7 values, equally far from each other\n"
-        "           and rounded to six digits; 0.3..0.6 are 4. fbm|ridged|swiss are these three;\n"
+        "VALUES     1..4 are 1, 2, 3 and 4. 0.3..0.6/7 are 7 values, equally far from each other\n"
+        "           and rounded to six digits; 0.3..0.6 are 4. fbm|ridged|swiss are these three.\n"
         "           off|on is without and with an option that has no value. There are at most\n"
         "           100 cells.\n"
-        "cells      hold the pixels that scarp terrain makes of the same options and size with\n"
-        "           --samples 1. The other options are those of all cells. With one parameter,\n"
-        "           cells go on in the next row.\n"
-        "samples    lie N times as close as pixels, around them; a byte is the root of the mean\n"
-        "           of their squares.\n"
+        "cells      A cell holds the pixels that scarp terrain makes with the same options and\n"
+        "           size, if --samples is 1. All cells have the other options in common. With\n"
+        "           one parameter, cells go on in the next row.\n"
+        "samples    They lie N times as close as pixels, around them. A byte is the root of the\n"
+        "           mean of their squares.\n"
         "relief     and palette: see scarp help terrain.\n"
         "\n" PRESET_HELP,
     .groups = groups,

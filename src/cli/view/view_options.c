@@ -64,7 +64,7 @@ static const struct option camera_rows[] = {
      .allowed = "three numbers X,Y,H, X and Y from -2^40 to 2^40 and H from -2^24 to 2^24",
      .help =
          "where it stands: H is the height, in the unit of x and y, which must be above the ground",
-     .otherwise = "where there is much to see",
+     .otherwise = "where it sees most of the view",
      .parse = parse_camera,
      .offset = FIELD(camera),
      .lowest = -0x1p24,
@@ -74,21 +74,22 @@ static const struct option camera_rows[] = {
      .allowed = "two numbers AZ,EL, AZ from 0 to 360 and EL from -89 to 89",
      .help = "where it looks: degrees clockwise from north, from 0 to 360, and above the horizon, "
              "from -89 to 89",
-     .otherwise = "over the view, so that the horizon is in the upper third",
+     .otherwise = "over the view, with the horizon in the upper third",
      .parse = parse_direction,
      .offset = FIELD(look),
      .lowest = -89,
      .highest = 89},
     {OPTION_DOUBLE("--fov", fov, "56", 1, 150, "how much it sees from left to right, in degrees")},
-    {OPTION_POINT("--origin", origin, "0,0", -0x1p40, 0x1p40,
-                  "the bottom left corner of the view, which a camera without --camera looks over: "
-                  "a square as wide as four times its usual heights, but at least 1024 units")},
+    {OPTION_POINT(
+        "--origin", origin, "0,0", -0x1p40, 0x1p40,
+        "the bottom left corner of the view, a square four times as wide as the terrain is "
+        "usually high, from 1024 to 16384 units; a camera without --camera looks over it")},
 };
 
 static const struct option light_rows[] = {
     {OPTION_TEXT("--palette", palette, "NAME", PALETTE_NAMES ", or a file",
                  "colours of the ground: alpine, temperate, desert, arctic or grey; or a FILE with "
-                 "colours of heights, see scarp help terrain"),
+                 "colours of heights: see scarp help terrain"),
      .otherwise = "that of the preset"},
     {.name = "--sun",
      .argument = "AZ,ALT",
@@ -103,8 +104,8 @@ static const struct option light_rows[] = {
     {.name = "--haze",
      .argument = "F",
      .allowed = "0 or a number from 1 to 2^24",
-     .help = "the distance at which haze takes most of the light, in units, from 1 to 2^24; 0: "
-             "clear air",
+     .help = "the distance at which haze takes most of the light, in units, from 1 to 2^24; 0 "
+             "is clear air",
      .otherwise = "four times the side of the view",
      .parse = option_float,
      .offset = FIELD(haze),
@@ -123,25 +124,26 @@ static const struct option_group groups[] = {
 const struct option_table view_table = {
     .command = "view",
     .purpose =
-        "Looks at a terrain from a camera, and writes what it sees to a file. Options of the\n"
+        "Shows a terrain from a camera, and writes the picture to a file. The options of the\n"
         "terrain are those of scarp terrain.",
     .notes =
-        "FILE       its extension tells the format, or what stands before it: ppm:FILE. FILE may\n"
-        "           be - for standard output, as in ppm:-. .png is there with zlib only.\n"
-        "units      one unit of x and y is taken for a metre: so large are trees, and so wide\n"
-        "           is the line of the shore. Snow and trees go by the usual heights of the\n"
-        "           terrain, those of scarp terrain --relief, rock by the slopes in the view,\n"
-        "           which begins at --origin.\n"
-        "camera     without --camera it stands where most of the terrain is seen, looks over the\n"
-        "           view, and has the sun at its side, if there is such a place. The closing line\n"
-        "           tells it as options.\n"
-        "far        nothing is shown that is farther away than 20 times the view, or 20 times the\n"
-        "           height of the camera above the lowest ground. Haze hides that end.\n"
-        "rays       the rays of a pixel are one, and all of --samples where its neighbours\n"
-        "           differ from it. Steps of a ray are as long as the slopes of the picture\n"
-        "           allow, except those of one place in 200: it may pass over the thinnest\n"
-        "           needles of rock. Octaves whose cells are smaller than a pixel are left out\n"
-        "           there, as --of-octaves has it.\n"
+        "FILE       The extension tells the format. So does a word before the name: ppm:FILE.\n"
+        "           FILE - is standard output, as in ppm:-. .png is there with zlib only.\n"
+        "units      One unit of x and y is taken for a metre: so large are trees, and so wide is\n"
+        "           the line of the shore. Snow and trees depend on the usual heights of the\n"
+        "           terrain, which scarp help terrain tells under relief. Rock depends on the\n"
+        "           slopes in the view.\n"
+        "view       The square that begins at --origin. Without --camera, the camera stands\n"
+        "           where it sees most of it, looks over it, and has the sun at its side if\n"
+        "           there is such a place. The last line that is printed gives the camera as\n"
+        "           options.\n"
+        "far        Nothing is shown that is farther away than 20 times the view, or 20 times\n"
+        "           the height of the camera above the lowest ground. Haze hides that end.\n"
+        "rays       A pixel takes one ray, or all of --samples where its neighbours differ from\n"
+        "           it. Steps of a ray are as long as the slopes of the picture allow, except\n"
+        "           those of one place in 200. So a ray may pass over the thinnest needles of\n"
+        "           rock. Octaves whose cells are smaller than a pixel are left out there, as\n"
+        "           --of-octaves does.\n"
         "memory     52 MiB at most, and 3 MiB per thread.\n"
         "\n" PRESET_HELP,
     .groups = groups,
