@@ -42,7 +42,7 @@ expect()
 unset SCARP_REQUIRE_TOOLS
 for pair in abidiff:package.abi bash:cli.completion c++:package.header.cxx groff:cli.roff nm:package.symbols \
     objdump:package.audit pkg-config:package.pkg_config pthreads:threads python3:readme.c \
-    scarp:cli.formats scarp-bench:bench.results scarp-install:package.install sh:package.duration \
+    scarp:cli.formats scarp-bench:bench.selection scarp-install:package.install sh:package.duration \
     ${thorough:+valgrind:cost}; do
     tool=${pair%:*} test=${pair#*:}
     expect Skipped "skipped: $tool is missing" "$test"

@@ -27,7 +27,7 @@ class Help(Case):
         text = self.text(b"", "--help")
         self.assertTrue(text.startswith("usage: scarp sample [options]\n"))
         self.assertEqual(re.findall(r"(?m)^  --(\S+)", text), self.OPTIONS)
-        self.assertEqual(re.findall(r"(?m)^(\w[^\n]*):$", text),
+        self.assertEqual(re.findall(r"(?m)^([a-z][^\n]*):$", text),
                          ["points", "results", "the noise",
                           "one noise, without --preset and --recipe", "running"])
         self.assertIn("\n  --seed ", text.split("\none noise,")[0])  # recipes have one, too
