@@ -11,7 +11,7 @@ scarp_add_sized_test(accuracy.gullies accuracy SIZES 20000 1000 1000 200 COMMAND
 
 scarp_test_program(test_accuracy SOURCES ${oracle_sources})
 foreach(isa IN LISTS isas)
-  set(sizes 20000 4000 1000 1000)
+  set(sizes 20000 2000 1000 1000)
   if(isa STREQUAL "scalar") # test_bits holds the others to it
     set(sizes 50000 2500 2500 1000)
   endif()

@@ -9,7 +9,7 @@ set(bits_step_full 1)
 scarp_test_program(test_bits)
 foreach(isa IN LISTS isas)
   if(NOT isa STREQUAL scalar)
-    scarp_add_sized_test(bits.${isa} bits SIZES 6007 1003 1003 259
+    scarp_add_sized_test(bits.${isa} bits SIZES 6007 507 507 259
                          COMMAND test_bits ${isa} {} ${bits_step_${speed}})
   endif()
 endforeach()

@@ -3,7 +3,7 @@
 # Emulated processors are about 100 times slower.
 
 scarp_test_program(test_range SOURCES ${oracle_sources})
-scarp_add_sized_test(range range SIZES 10000000 2000000 50000 50000 COMMAND test_range {})
+scarp_add_sized_test(range range SIZES 10000000 1000000 50000 50000 COMMAND test_range {})
 
 set(suprema_slack 1e-12 1e-9) # of simplex and cellular noise, relatively
 if(speed STREQUAL emulated)

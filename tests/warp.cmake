@@ -11,9 +11,9 @@ scarp_test_program(test_vector SOURCES ${oracle_sources})
 scarp_add_isa_tests(vector warp test_vector)
 
 scarp_test_program(test_warp_exact SOURCES ${oracle_sources})
-scarp_add_sized_test(warp.exact warp SIZES 4000 2000 2000 1000 COMMAND test_warp_exact {})
+scarp_add_sized_test(warp.exact warp SIZES 4000 1000 1000 1000 COMMAND test_warp_exact {})
 
 scarp_test_program(test_bend)
 scarp_add_isa_tests(bend warp test_bend)
 scarp_test_program(test_bend_exact SOURCES ${oracle_sources})
-scarp_add_sized_test(bend.exact warp SIZES 4000 2000 2000 1000 COMMAND test_bend_exact {})
+scarp_add_sized_test(bend.exact warp SIZES 4000 1000 1000 1000 COMMAND test_bend_exact {})
