@@ -212,6 +212,7 @@ names_of("${shared}" shared_names shared_macros)
 get_property(shared_seen GLOBAL PROPERTY seen)
 file(READ ${SOURCE}/include/scarp.h public)
 string(REGEX REPLACE "/\\*([^*]|\\*[^/])*\\*/" "" code "${public}${shared}")
+string(REGEX REPLACE "\"[^\"\n]*\"" "" code "${code}") # texts
 string(REGEX MATCHALL "[A-Za-z_][A-Za-z_0-9]*" shared_words "${code}")
 list(REMOVE_DUPLICATES shared_words)
 

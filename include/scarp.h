@@ -13,7 +13,7 @@
  *     Noise                    struct scarp_noise: what to sample
  *     Samples                  scarp_sample2 and its like: values and derivatives at points
  *     Grids                    scarp_grid2, scarp_grid3; scarp_normals
- *     Range, check, plan       scarp_range, scarp_noise_check, scarp_plan_make
+ *     Range, check, plan       scarp_range, scarp_noise_check, scarp_noise_fault, scarp_plan_make
  *     More of a noise          scarp_vector2, scarp_curl2, scarp_cells2 and their like
  *     The chain rule           functions of samples: scarp_add, scarp_mix, scarp_smooth_max, ...
  *     Gullies                  erosion as a function of the place
@@ -437,9 +437,10 @@ SCARP_API enum scarp_status scarp_range(const struct scarp_noise *noise, int dim
  * decides. A call may still refuse its other arguments, or outputs that this noise does not have.
  *
  * *member becomes the name of the first member at fault, as this header spells it: "octaves",
- * "period[1]" ("spare" has no index). *member becomes NULL if no member is at fault: on success,
- * and if `noise` is NULL or `dimensions` is wrong. The call always writes it, also on an error. The
- * text is static. `member` may be NULL.
+ * "period[1]" ("spare" has no index). A member of a warp has its path: "warp.octaves",
+ * "warp.warp.period[1]". *member becomes NULL if no member is at fault: on success, and if `noise`
+ * is NULL or `dimensions` is wrong. The call always writes it, also on an error. The text is
+ * static. `member` may be NULL. scarp_noise_fault says why.
  *
  * Errors. The first that applies is returned:
  *
@@ -454,11 +455,39 @@ SCARP_API enum scarp_status scarp_range(const struct scarp_noise *noise, int dim
  *     SCARP_ERROR_PARAMETER    a period: see "Periods"
  *     SCARP_ERROR_UNSUPPORTED  a period where axes are turned (`rotate`, with more than one octave)
  *     SCARP_ERROR_UNSUPPORTED  a period along y of SCARP_SIMPLEX in the plane
- *     its own status           a warp is at fault. *member is "warp".
- *     SCARP_ERROR_UNSUPPORTED  there are more than four warps. *member is "warp".
+ *     its own status           a warp is at fault; the warp of the noise comes before its own warp
+ *     SCARP_ERROR_UNSUPPORTED  there are more than four warps. *member is that of the fifth one,
+ *                              "warp.warp.warp.warp.warp".
  */
 SCARP_API enum scarp_status scarp_noise_check(const struct scarp_noise *noise, int dimensions,
                                               const char **member);
+
+/*
+ * scarp_noise_fault - why calls refuse a noise, in words
+ *
+ * Returns the reason why calls in 2 or 3 `dimensions` refuse this noise: "turned axes cannot
+ * repeat", "outside (0, 32]". Returns NULL if they do not. The text is static. It is a clause about
+ * the member, without a full stop, so that "member: text" can be shown. *member becomes what
+ * scarp_noise_check says. `member` may be NULL.
+ *
+ * A noise that is not at fault may still lack what a call asks for: derivatives up to `order`,
+ * which is 0, 1 or 2, and the derivative by the phase if `dphase` is not 0. (The Jacobian of a
+ * velocity needs derivatives of order 2.) Calls return SCARP_ERROR_UNSUPPORTED then. The text says
+ * so, and *member becomes "fractal" or "basis", in a warp with its path.
+ *
+ * The text also says if `noise` is NULL, or if `dimensions` or `order` is none of these numbers.
+ */
+SCARP_API const char *scarp_noise_fault(const struct scarp_noise *noise, int dimensions, int order,
+                                        int dphase, const char **member);
+
+/*
+ * scarp_grid_fault - why calls refuse a grid, in words
+ *
+ * As scarp_noise_fault, but of the grid of a call in 2 or 3 `dimensions`. *member becomes the name
+ * of the member at fault: "step[1]", "row_stride". A grid with a count of 0 is not at fault.
+ */
+SCARP_API const char *scarp_grid_fault(const struct scarp_grid *grid, int dimensions,
+                                       const char **member);
 
 /* The constants of a noise, which every call without a plan computes anew. Its bytes are the
    library's business. The caller owns it, and may copy it, as a whole, to wherever a uint64_t may
@@ -1149,7 +1178,8 @@ SCARP_API enum scarp_status scarp_gullies_range(const struct scarp_gullies *gull
  * scarp_gullies_check - whether calls take gullies, and if not, which member is at fault
  *
  * *member becomes the name of a member at fault, as this header spells it, or NULL. The call always
- * writes it, also on an error. The text is static. `member` may be NULL.
+ * writes it, also on an error. The text is static. `member` may be NULL. scarp_gullies_fault says
+ * why.
  *
  * Errors:
  *
@@ -1162,6 +1192,10 @@ SCARP_API enum scarp_status scarp_gullies_range(const struct scarp_gullies *gull
  */
 SCARP_API enum scarp_status scarp_gullies_check(const struct scarp_gullies *gullies,
                                                 const char **member);
+
+/* scarp_gullies_fault - why calls refuse gullies, in words, as scarp_noise_fault. *member becomes
+   what scarp_gullies_check says. */
+SCARP_API const char *scarp_gullies_fault(const struct scarp_gullies *gullies, const char **member);
 
 /*
  * Recipes
@@ -1217,7 +1251,8 @@ struct scarp_recipe_error {
     int32_t line SCARP_ZERO;
     int32_t column SCARP_ZERO;
 
-    const char *text SCARP_ZERO; /* static: a clause without a full stop */
+    /* static: a clause without a full stop, about the member if there is one */
+    const char *text SCARP_ZERO;
 
     /* static: the member of a noise, or the argument, that is at fault; or NULL */
     const char *member SCARP_ZERO;
@@ -1585,7 +1620,7 @@ struct scarp_gpu_plan {
  *                              has. A warp by gradient or value noise needs as many as it says, any
  *                              other warp `dimensions` times as many. *member is "warp".
  *     others                   as scarp_noise_check, which says what *member becomes. `member` may
- *                              be NULL.
+ *                              be NULL. scarp_gpu_plan_fault says why.
  */
 SCARP_API enum scarp_status scarp_gpu_plan_make(const struct scarp_noise *noise, int dimensions,
                                                 struct scarp_gpu_plan *plan, const char **member);
@@ -1596,6 +1631,12 @@ SCARP_API enum scarp_status scarp_gpu_plan_make(const struct scarp_noise *noise,
 SCARP_API enum scarp_status scarp_gpu_vector_plan_make(const struct scarp_noise *noise,
                                                        int dimensions, struct scarp_gpu_plan *plan,
                                                        const char **member);
+
+/* scarp_gpu_plan_fault - why scarp_gpu_plan_make refuses a noise, or if `vector` is not 0
+   scarp_gpu_vector_plan_make, in words, as scarp_noise_fault. *member becomes what that call
+   says. */
+SCARP_API const char *scarp_gpu_plan_fault(const struct scarp_noise *noise, int dimensions,
+                                           int vector, const char **member);
 
 /*
  * scarp_gpu_answers - what a shader must answer, computed here: a test for the start of a program

@@ -58,7 +58,7 @@ struct [[nodiscard]] result {
 };
 
 /* A result that is an error. what() has the place in a recipe, if there is one, the member at fault
-   and the text: "2:24: gain: this noise does not exist: a member is at fault". */
+   and the text: "2:24: gain: outside [1/16, 16]". */
 struct error : std::runtime_error {
     explicit error(const result &all)
         : std::runtime_error(

@@ -22,6 +22,9 @@ if(NOT CMAKE_C_COMPILER_FRONTEND_VARIANT STREQUAL "MSVC")
   scarp_add_isa_tests(fpmode_fastmath api test_fpmode_fastmath --started)
 endif()
 
+scarp_test_program(test_faults)
+scarp_add_test(faults api COMMAND test_faults)
+
 scarp_test_program(test_plan)
 scarp_add_isa_tests(plan api test_plan)
 

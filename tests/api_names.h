@@ -150,9 +150,9 @@ static inline void test_check_order(void)
     noise.period[2] = 0;
     expect_member(&noise, 3, reserved, "rotate");
     noise.rotate = 0;
-    expect_member(&noise, 3, outside, "warp");
+    expect_member(&noise, 3, outside, "warp.octaves");
     noise.warp = &noise; /* without end */
-    expect_member(&noise, 3, reserved, "warp");
+    expect_member(&noise, 3, reserved, "warp.warp.warp.warp.warp");
     noise.warp = NULL;
     expect_member(&noise, 2, SCARP_OK, NULL);
     expect_member(&noise, 3, SCARP_OK, NULL);

@@ -327,8 +327,8 @@ static void test_errors(void)
     expect_refused(&fine, 4, SCARP_ERROR_PARAMETER, NULL);
     expect_refused(&period, 2, SCARP_ERROR_PARAMETER, "period[1]");
     expect_refused(&phase, 2, SCARP_ERROR_UNSUPPORTED, "phase");
-    expect_refused(&warp, 2, SCARP_ERROR_PARAMETER, "warp");
-    expect_refused(&warps, 2, SCARP_ERROR_UNSUPPORTED, "warp"); /* five */
+    expect_refused(&warp, 2, SCARP_ERROR_PARAMETER, "warp.octaves");
+    expect_refused(&warps, 2, SCARP_ERROR_UNSUPPORTED, "warp.warp.warp.warp.warp");
     CHECK(scarp_gpu_plan_make(&deepest, 2, &plan, NULL) == SCARP_OK, "four warps");
 }
 

@@ -5,10 +5,10 @@
 #ifndef SCARP_GRID_H
 #define SCARP_GRID_H
 
-#include "scarp.h"
+#include "../plan/refusals.h"
 
-/* Fills in the strides of a grid without empty axes, and checks it. */
-enum scarp_status scarp_check_grid(struct scarp_grid *grid, int dimensions);
+/* Fills in the strides of a grid without empty axes, and checks all but its reserved members. */
+struct scarp_fault scarp_check_grid(struct scarp_grid *grid, int dimensions);
 
 int scarp_grid_reserved_in_use(const struct scarp_grid *grid);
 

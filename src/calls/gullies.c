@@ -41,10 +41,9 @@ static void run(const struct scarp_call_plan *plan, const void *opaque)
 static NOINLINE enum scarp_status run_checked(const struct gully_run *call)
 {
     const struct scarp_kind kind = {.dimensions = 2};
-    const char *member;
-    const enum scarp_status status = scarp_gullies_verify(call->gullies, &member);
-    if (status != SCARP_OK) {
-        return status;
+    const struct scarp_fault fault = scarp_gullies_verify(call->gullies);
+    if (fault.why != REFUSED_NOT) {
+        return scarp_fault_status(fault, NULL);
     }
     const struct scarp_noise lattice = scarp_gullies_lattice(call->gullies);
     return scarp_run(&lattice, kind, run, call);
@@ -150,9 +149,9 @@ enum scarp_status scarp_gullies_grid2(const struct scarp_gullies *gullies,
     if (grid.count[0] == 0 || grid.count[1] == 0) {
         return SCARP_OK;
     }
-    const enum scarp_status status = scarp_check_grid(&grid, 2);
-    if (status != SCARP_OK) {
-        return status;
+    const struct scarp_fault fault = scarp_check_grid(&grid, 2);
+    if (fault.why != REFUSED_NOT) {
+        return scarp_fault_status(fault, NULL);
     }
     if (scarp_grid_reserved_in_use(&grid)) {
         return SCARP_ERROR_UNSUPPORTED;
@@ -161,38 +160,43 @@ enum scarp_status scarp_gullies_grid2(const struct scarp_gullies *gullies,
     return erode(&call, base, out);
 }
 
-static NOINLINE enum scarp_status check(const struct scarp_gullies *gullies, const char **member)
+static NOINLINE struct scarp_fault check(const struct scarp_gullies *gullies)
 {
-    return scarp_gullies_verify(gullies, member);
+    return scarp_gullies_verify(gullies);
+}
+
+static struct scarp_fault fault_of(const struct scarp_gullies *gullies)
+{
+    struct scarp_fault fault = {REFUSED_POINTER, 0};
+    if (gullies != NULL) {
+        const struct fpmode caller = fpmode_enter();
+        fault = check(gullies);
+        fpmode_leave(caller);
+    }
+    return fault;
 }
 
 enum scarp_status scarp_gullies_check(const struct scarp_gullies *gullies, const char **member)
 {
-    const char *found = NULL;
-    enum scarp_status status = SCARP_ERROR_NULL;
-    if (gullies != NULL) {
-        const struct fpmode caller = fpmode_enter();
-        status = check(gullies, &found);
-        fpmode_leave(caller);
-    }
-    if (member != NULL) {
-        *member = found;
-    }
-    return status;
+    return scarp_fault_status(fault_of(gullies), member);
+}
+
+const char *scarp_gullies_fault(const struct scarp_gullies *gullies, const char **member)
+{
+    return scarp_fault_told(fault_of(gullies), member);
 }
 
 /* The sums are rounded to floats as sums of samples are, so that none leaves the interval. */
 static NOINLINE enum scarp_status range(const struct scarp_gullies *gullies, const float base[2],
                                         float *lowest, float *highest)
 {
-    const char *member;
-    const enum scarp_status status = scarp_gullies_verify(gullies, &member);
-    if (status == SCARP_OK) {
+    const struct scarp_fault fault = scarp_gullies_verify(gullies);
+    if (fault.why == REFUSED_NOT) {
         const float depth = (float)scarp_gullies_depth(gullies);
         *lowest = base[0] - depth;
         *highest = base[1] + depth;
     }
-    return status;
+    return scarp_fault_status(fault, NULL);
 }
 
 enum scarp_status scarp_gullies_range(const struct scarp_gullies *gullies, float base_lowest,

@@ -6,6 +6,7 @@
 
 #include "../dispatch/fpmode.h"
 #include "../plan/check.h"
+#include "../plan/parameters.h"
 #include "../plan/plan.h"
 #include "../plan/range.h"
 #include "run.h"
@@ -14,10 +15,9 @@
 static NOINLINE enum scarp_status range(const struct scarp_noise *noise, int dimensions,
                                         float *lowest, float *highest)
 {
-    const char *member;
-    const enum scarp_status status = scarp_plan_check(noise, dimensions, &member);
-    if (status != SCARP_OK) {
-        return status;
+    const struct scarp_fault fault = scarp_plan_check(noise, dimensions);
+    if (fault.why != REFUSED_NOT) {
+        return scarp_fault_status(fault, NULL);
     }
     const struct scarp_interval interval = scarp_plan_range(noise, dimensions);
     *lowest = (float)interval.lowest;
@@ -37,26 +37,41 @@ enum scarp_status scarp_range(const struct scarp_noise *noise, int dimensions, f
     return status;
 }
 
-static NOINLINE enum scarp_status check(const struct scarp_noise *noise, int dimensions,
-                                        const char **member)
+static NOINLINE struct scarp_fault check(const struct scarp_noise *noise, int dimensions)
 {
-    return scarp_plan_check(noise, dimensions, member);
+    return scarp_plan_check(noise, dimensions);
+}
+
+static struct scarp_fault fault_of(const struct scarp_noise *noise, int dimensions)
+{
+    struct scarp_fault fault = {REFUSED_POINTER, 0};
+    if (noise != NULL) {
+        const struct fpmode caller = fpmode_enter();
+        fault = check(noise, dimensions);
+        fpmode_leave(caller);
+    }
+    return fault;
 }
 
 enum scarp_status scarp_noise_check(const struct scarp_noise *noise, int dimensions,
                                     const char **member)
 {
-    const char *found = NULL;
-    enum scarp_status status = SCARP_ERROR_NULL;
-    if (noise != NULL) {
-        const struct fpmode caller = fpmode_enter();
-        status = check(noise, dimensions, &found);
-        fpmode_leave(caller);
+    return scarp_fault_status(fault_of(noise, dimensions), member);
+}
+
+const char *scarp_noise_fault(const struct scarp_noise *noise, int dimensions, int order,
+                              int dphase, const char **member)
+{
+    struct scarp_fault fault = fault_of(noise, dimensions);
+    if (fault.why == REFUSED_NOT && (order < 0 || order > 2)) {
+        fault = (struct scarp_fault){REFUSED_ORDER, 0};
     }
-    if (member != NULL) {
-        *member = found;
+    if (fault.why == REFUSED_NOT) {
+        const struct scarp_kind asked = {
+            .dimensions = dimensions, .order = (short)order, .dphase = dphase != 0};
+        fault = outputs_fault(noise, asked);
     }
-    return status;
+    return scarp_fault_told(fault, member);
 }
 
 static NOINLINE enum scarp_status keep(struct scarp_plan *plan, const struct scarp_noise *noise,

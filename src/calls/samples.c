@@ -214,9 +214,9 @@ static enum scarp_status sample_grid(scarp_grid_fn *kernel, const struct scarp_n
             return SCARP_OK;
         }
     }
-    const enum scarp_status status = scarp_check_grid(&grid, dimensions);
-    if (status != SCARP_OK) {
-        return status;
+    const struct scarp_fault fault = scarp_check_grid(&grid, dimensions);
+    if (fault.why != REFUSED_NOT) {
+        return scarp_fault_status(fault, NULL);
     }
     const struct scarp_kind kind = kind_of(dimensions, out);
     if (kind.order == SCARP_UNSUPPORTED_ORDER || scarp_grid_reserved_in_use(&grid)) {

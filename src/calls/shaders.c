@@ -143,7 +143,7 @@ static void set_plan(struct scarp_gpu_plan *to, const struct scarp_call_plan *pl
     (void)scarp_shader_levels(plan, dimensions, to->level, to->octave, 0);
 }
 
-/* Where a plan goes, and whether it has room there. */
+/* Where a plan goes, if anywhere, and whether it has room there. */
 struct filling {
     struct scarp_gpu_plan *to;
     int dimensions, *fits;
@@ -154,41 +154,45 @@ static void run(const struct scarp_call_plan *plan, const void *opaque)
     const struct filling *const filling = opaque;
     *filling->fits =
         (plan->warps.depth == 0 && !plan->warps.vector) || plan->warps.levels->fetch == NULL;
-    if (*filling->fits) {
+    if (*filling->fits && filling->to != NULL) {
         set_plan(filling->to, plan, filling->dimensions);
     }
 }
 
-static NOINLINE enum scarp_status make(struct scarp_gpu_plan *to, const struct scarp_noise *noise,
-                                       struct scarp_kind kind, const char **member)
+/* Makes a plan of a noise, or only the checks if there is no room for a plan. */
+static NOINLINE struct scarp_fault make(struct scarp_gpu_plan *to, const struct scarp_noise *noise,
+                                        struct scarp_kind kind)
 {
     int fits = 0;
     const struct filling filling = {to, kind.dimensions, &fits};
-    enum scarp_status status = scarp_plan_check(noise, kind.dimensions, member);
-    if (status == SCARP_OK) {
-        status = scarp_run(noise, kind, run, &filling);
+    struct scarp_fault fault = scarp_plan_check(noise, kind.dimensions);
+    if (fault.why == REFUSED_NOT) {
+        (void)scarp_run(noise, kind, run, &filling);
+        fault.warp = 0;
+        fault.why = fits                  ? REFUSED_NOT
+                    : noise->warp != NULL ? REFUSED_GPU_WARP
+                                          : REFUSED_GPU_OCTAVES;
     }
-    if (status == SCARP_OK && !fits) {
-        *member = noise->warp != NULL ? "warp" : "octaves";
-        return SCARP_ERROR_UNSUPPORTED;
+    return fault;
+}
+
+static struct scarp_fault fault_of(struct scarp_gpu_plan *plan, const struct scarp_noise *noise,
+                                   struct scarp_kind kind)
+{
+    struct scarp_fault fault = {REFUSED_POINTER, 0};
+    if (noise != NULL) {
+        const struct fpmode caller = fpmode_enter();
+        fault = make(plan, noise, kind);
+        fpmode_leave(caller);
     }
-    return status;
+    return fault;
 }
 
 static enum scarp_status make_plan(const struct scarp_noise *noise, struct scarp_kind kind,
                                    struct scarp_gpu_plan *plan, const char **member)
 {
-    const char *found = NULL;
-    enum scarp_status status = SCARP_ERROR_NULL;
-    if (noise != NULL && plan != NULL) {
-        const struct fpmode caller = fpmode_enter();
-        status = make(plan, noise, kind, &found);
-        fpmode_leave(caller);
-    }
-    if (member != NULL) {
-        *member = found;
-    }
-    return status;
+    const struct scarp_fault fault = fault_of(plan, plan == NULL ? NULL : noise, kind);
+    return scarp_fault_status(fault, member);
 }
 
 enum scarp_status scarp_gpu_plan_make(const struct scarp_noise *noise, int dimensions,
@@ -204,16 +208,22 @@ enum scarp_status scarp_gpu_vector_plan_make(const struct scarp_noise *noise, in
                      member);
 }
 
+const char *scarp_gpu_plan_fault(const struct scarp_noise *noise, int dimensions, int vector,
+                                 const char **member)
+{
+    const struct scarp_kind kind = {.dimensions = dimensions, .vector = vector != 0};
+    return scarp_fault_told(fault_of(NULL, noise, kind), member);
+}
+
 /* Finds the unit, with the same checks. */
 static NOINLINE enum scarp_status find_unit(float *unit, const struct scarp_noise *noise,
                                             int dimensions)
 {
     struct scarp_gpu_plan plan;
-    const char *member;
-    const enum scarp_status status =
-        make(&plan, noise, (struct scarp_kind){.dimensions = dimensions}, &member);
-    *unit = status == SCARP_OK ? plan.unit : 0.0f;
-    return status;
+    const struct scarp_fault fault =
+        make(&plan, noise, (struct scarp_kind){.dimensions = dimensions});
+    *unit = fault.why == REFUSED_NOT ? plan.unit : 0.0f;
+    return scarp_fault_status(fault, NULL);
 }
 
 float scarp_shader_coordinate(uint32_t point, uint32_t axis, float unit)

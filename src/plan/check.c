@@ -49,25 +49,24 @@ static int within(double value, double lowest, double highest)
 }
 
 /* Compares as unsigned, since a caller may put any number into an enumeration. */
-static const char *unknown_member(const struct scarp_noise *noise)
+static enum scarp_refusal refused_word(const struct scarp_noise *noise)
 {
-    return (unsigned)noise->basis >= SCARP_BASES        ? "basis"
-           : (unsigned)noise->fade >= SCARP_FADES       ? "fade"
-           : (unsigned)noise->fractal >= SCARP_FRACTALS ? "fractal"
-                                                        : NULL;
+    return (unsigned)noise->basis >= SCARP_BASES        ? REFUSED_BASIS
+           : (unsigned)noise->fade >= SCARP_FADES       ? REFUSED_FADE
+           : (unsigned)noise->fractal >= SCARP_FRACTALS ? REFUSED_FRACTAL
+                                                        : REFUSED_NOT;
 }
 
-/* f_k is monotone in k, so the last one decides. */
-static int last_frequency_valid(const struct parameters *p)
+/* f_k is monotone in k, so the last one decides. This stands by itself, for a loop in registers:
+   inlined, gcc 12 moves the frequency to an integer register and back in each turn. */
+static __attribute__((noinline)) int last_frequency_valid(double frequency, double lacunarity,
+                                                          int octaves)
 {
-    double frequency = p->frequency;
-    for (int k = 1; k < octave_count((float)p->octaves); k++) {
-        frequency *= p->lacunarity;
+    for (int k = 1; k < octaves; k++) {
+        frequency *= lacunarity;
     }
     return within(frequency, FREQUENCY_MIN, FREQUENCY_MAX);
 }
-
-static const char *const period_names[3] = {"period[0]", "period[1]", "period[2]"};
 
 /* Whether a period of a noise of `octaves` octaves is at most PERIOD_MAX in each of them. */
 static int period_valid(double period, double lacunarity, int octaves)
@@ -79,8 +78,8 @@ static int period_valid(double period, double lacunarity, int octaves)
 }
 
 /* What makes the noise's periods impossible. `p` is valid. */
-static const char *period_member(const struct scarp_noise *noise, const struct parameters *p,
-                                 int dimensions)
+static enum scarp_refusal refused_period(const struct scarp_noise *noise,
+                                         const struct parameters *p, int dimensions)
 {
     const int octaves = octave_count((float)p->octaves);
     for (int i = 0; i < dimensions; i++) {
@@ -88,119 +87,114 @@ static const char *period_member(const struct scarp_noise *noise, const struct p
             continue;
         }
         if (octaves > 1 && p->lacunarity != (double)(int)p->lacunarity) {
-            return "lacunarity";
+            return REFUSED_LACUNARITY_PERIOD;
         }
         if (!period_valid((double)noise->period[i], p->lacunarity, octaves)) {
-            return period_names[i];
+            return (enum scarp_refusal)(REFUSED_PERIOD_X + i);
         }
     }
-    return NULL;
+    return is_rotated(noise, octaves) ? REFUSED_ROTATE
+           : noise->basis == SCARP_SIMPLEX && dimensions == 2 && noise->period[1] != 0
+               ? REFUSED_PERIOD_SIMPLEX
+               : REFUSED_NOT;
 }
 
-/* Fractals that have a sharpness narrow its interval. */
-static int sharpness_valid(const struct scarp_noise *noise, double sharpness)
-{
-    const int used = noise->fractal >= SCARP_PINGPONG;
-    return used ? within(sharpness, SHARPNESS_USED_MIN, SHARPNESS_USED_MAX)
-                : within(sharpness, SHARPNESS_MIN, SHARPNESS_MAX);
-}
-
+/* Jordan noise narrows the interval. */
 static int erosion_valid(const struct scarp_noise *noise, double erosion)
 {
     return within(erosion, EROSION_MIN, noise->fractal == SCARP_JORDAN ? 1.0 : EROSION_MAX);
 }
 
-static const char *outside_member(const struct scarp_noise *noise, const struct parameters *p)
+static enum scarp_refusal refused_erosion(double erosion)
+{
+    return within(erosion, EROSION_MIN, EROSION_MAX) ? REFUSED_EROSION_JORDAN : REFUSED_EROSION;
+}
+
+/* Fractals that have a sharpness narrow its interval. */
+static int sharpness_used(const struct scarp_noise *noise)
+{
+    return noise->fractal >= SCARP_PINGPONG;
+}
+
+static int sharpness_valid(const struct scarp_noise *noise, double sharpness)
+{
+    return sharpness_used(noise) ? within(sharpness, SHARPNESS_USED_MIN, SHARPNESS_USED_MAX)
+                                 : within(sharpness, SHARPNESS_MIN, SHARPNESS_MAX);
+}
+
+static enum scarp_refusal refused_sharpness(const struct scarp_noise *noise)
+{
+    return sharpness_used(noise) ? REFUSED_SHARPNESS_USED : REFUSED_SHARPNESS;
+}
+
+static enum scarp_refusal refused_of_octaves(const struct parameters *p)
+{
+    return p->of_octaves < p->octaves ? REFUSED_OF_OCTAVES_LOW : REFUSED_OF_OCTAVES;
+}
+
+static int frequencies_valid(const struct parameters *p)
+{
+    const int octaves = octave_count((float)p->octaves);
+    return octaves == 1 || last_frequency_valid(p->frequency, p->lacunarity, octaves);
+}
+
+static enum scarp_refusal refused_number(const struct scarp_noise *noise,
+                                         const struct parameters *p)
 {
     const double magnitude = p->amplitude < 0.0 ? -p->amplitude : p->amplitude;
-    return !within(p->frequency, FREQUENCY_MIN, FREQUENCY_MAX)     ? "frequency"
-           : !within(p->octaves, 0.0, SCARP_MAX_OCTAVES)           ? "octaves"
-           : !within(p->lacunarity, RATIO_MIN, RATIO_MAX)          ? "lacunarity"
-           : !within(p->gain, RATIO_MIN, RATIO_MAX)                ? "gain"
-           : !within(magnitude, AMPLITUDE_MIN, AMPLITUDE_MAX)      ? "amplitude"
-           : !erosion_valid(noise, p->erosion)                     ? "erosion"
-           : !within((double)noise->phase, -FLT_MAX, FLT_MAX)      ? "phase"
-           : !within(p->jitter, FLT_TRUE_MIN, 1.0)                 ? "jitter"
-           : !sharpness_valid(noise, p->sharpness)                 ? "sharpness"
-           : !within(p->of_octaves, p->octaves, SCARP_MAX_OCTAVES) ? "of_octaves"
-           : !last_frequency_valid(p)                              ? "octaves"
-                                                                   : NULL;
+    return !within(p->frequency, FREQUENCY_MIN, FREQUENCY_MAX)     ? REFUSED_FREQUENCY
+           : !within(p->octaves, 0.0, SCARP_MAX_OCTAVES)           ? REFUSED_OCTAVES
+           : !within(p->lacunarity, RATIO_MIN, RATIO_MAX)          ? REFUSED_LACUNARITY
+           : !within(p->gain, RATIO_MIN, RATIO_MAX)                ? REFUSED_GAIN
+           : !within(magnitude, AMPLITUDE_MIN, AMPLITUDE_MAX)      ? REFUSED_AMPLITUDE
+           : !erosion_valid(noise, p->erosion)                     ? refused_erosion(p->erosion)
+           : !within((double)noise->phase, -FLT_MAX, FLT_MAX)      ? REFUSED_PHASE
+           : !within(p->jitter, FLT_TRUE_MIN, 1.0)                 ? REFUSED_JITTER
+           : !sharpness_valid(noise, p->sharpness)                 ? refused_sharpness(noise)
+           : !within(p->of_octaves, p->octaves, SCARP_MAX_OCTAVES) ? refused_of_octaves(p)
+           : !frequencies_valid(p)                                 ? REFUSED_LAST_FREQUENCY
+                                                                   : REFUSED_NOT;
 }
 
 /* Whether any reserved member is not zero. Reading wide words without branches takes less time than
    reading members one by one. */
 static int reserved_in_use(const struct scarp_noise *noise)
 {
-    enum { BYTES = sizeof noise->spare, WORD = sizeof(uintptr_t), WORDS = BYTES / WORD };
-    uintptr_t words[WORDS], bits = 0;
-    memcpy(words, noise->spare, BYTES);
-    for (size_t i = 0; i < WORDS; i++) {
-        bits |= words[i];
+    uintptr_t bits = 0;
+    for (size_t i = 0; i < sizeof noise->spare; i += sizeof bits) {
+        uintptr_t word;
+        memcpy(&word, (const char *)noise->spare + i, sizeof word);
+        bits |= word;
     }
     return bits != 0;
 }
 
-static enum scarp_status check_periods(const struct scarp_noise *noise, const struct parameters *p,
-                                       int dimensions, const char **member)
-{
-    if ((*member = period_member(noise, p, dimensions)) != NULL) {
-        return SCARP_ERROR_PARAMETER;
-    }
-    if (is_rotated(noise, octave_count((float)p->octaves))) {
-        *member = "rotate";
-        return SCARP_ERROR_UNSUPPORTED;
-    }
-    if (noise->basis == SCARP_SIMPLEX && dimensions == 2 && noise->period[1] != 0) {
-        *member = period_names[1];
-        return SCARP_ERROR_UNSUPPORTED;
-    }
-    return SCARP_OK;
-}
-
-/* Makes all checks but that of the warp. `p` are the parameters of the noise. */
-static enum scarp_status check_one(const struct scarp_noise *noise, const struct parameters *p,
-                                   int dimensions, const char **member)
-{
-    if ((*member = unknown_member(noise)) != NULL) {
-        return SCARP_ERROR_ENUM;
-    }
-    if ((*member = outside_member(noise, p)) != NULL) {
-        return SCARP_ERROR_PARAMETER;
-    }
-    if (reserved_in_use(noise)) {
-        *member = "spare";
-        return SCARP_ERROR_UNSUPPORTED;
-    }
-    if (noise->phase != 0.0f && noise->basis != SCARP_GRADIENT) {
-        *member = "phase";
-        return SCARP_ERROR_UNSUPPORTED;
-    }
-    if (dimensions != 2 && dimensions != 3) {
-        return SCARP_ERROR_PARAMETER;
-    }
-    return repeats(noise, dimensions) ? check_periods(noise, p, dimensions, member) : SCARP_OK;
-}
-
-/* Makes all checks. */
-static enum scarp_status check(const struct scarp_noise *noise, const struct parameters *p,
-                               int dimensions, const char **member)
-{
-    enum scarp_status status = check_one(noise, p, dimensions, member);
-    int depth = 0;
-    for (const struct scarp_noise *w = noise->warp; status == SCARP_OK && w != NULL; w = w->warp) {
-        const struct parameters of_warp = parameters_of(w);
-        status = ++depth > SCARP_MAX_WARPS ? SCARP_ERROR_UNSUPPORTED
-                                           : check_one(w, &of_warp, dimensions, member);
-        if (status != SCARP_OK) {
-            *member = "warp";
-        }
-    }
-    return status;
-}
-
-enum scarp_status scarp_plan_check(const struct scarp_noise *noise, int dimensions,
-                                   const char **member)
+/* Makes all checks but that of the warp. */
+static enum scarp_refusal refused(const struct scarp_noise *noise, int dimensions)
 {
     const struct parameters p = parameters_of(noise);
-    return check(noise, &p, dimensions, member);
+    enum scarp_refusal why = refused_word(noise);
+    if (why == REFUSED_NOT) {
+        why = refused_number(noise, &p);
+    }
+    return why != REFUSED_NOT                                       ? why
+           : reserved_in_use(noise)                                 ? REFUSED_SPARE
+           : noise->phase != 0.0f && noise->basis != SCARP_GRADIENT ? REFUSED_PHASE_BASIS
+           : dimensions != 2 && dimensions != 3                     ? REFUSED_DIMENSIONS
+           : repeats(noise, dimensions) ? refused_period(noise, &p, dimensions)
+                                        : REFUSED_NOT;
+}
+
+struct scarp_fault scarp_plan_check(const struct scarp_noise *noise, int dimensions)
+{
+    struct scarp_fault fault = {refused(noise, dimensions), 0};
+    for (noise = noise->warp; fault.why == REFUSED_NOT && noise != NULL; noise = noise->warp) {
+        if (fault.warp == SCARP_MAX_WARPS) {
+            fault.why = REFUSED_WARP;
+        } else {
+            fault.why = refused(noise, dimensions);
+            fault.warp++;
+        }
+    }
+    return fault;
 }

@@ -5,10 +5,9 @@
 #ifndef SCARP_CHECK_H
 #define SCARP_CHECK_H
 
-#include "scarp.h"
+#include "refusals.h"
 
-/* Makes the checks of scarp_noise_check, for all calls. Always writes *member. */
-enum scarp_status scarp_plan_check(const struct scarp_noise *noise, int dimensions,
-                                   const char **member);
+/* Makes the checks of scarp_noise_check, for all calls. */
+struct scarp_fault scarp_plan_check(const struct scarp_noise *noise, int dimensions);
 
 #endif

@@ -51,23 +51,23 @@ static int within(double value, double lowest, double highest)
     return value >= lowest && value <= highest;
 }
 
-static const char *outside_member(const struct filled *p)
+static enum scarp_refusal refused_number(const struct filled *p)
 {
-    return !within(p->frequency, 0x1p-32, 0x1p48)   ? "frequency"
-           : !within(p->amplitude, 0x1p-24, 0x1p24) ? "amplitude"
-           : !within(p->depth, 0x1p-24, 0x1p10)     ? "depth"
-           : !within(p->cells, 0x1p-6, 0x1p6)       ? "cells"
-           : !within(p->slope, 0x1p-5, 0x1p5)       ? "slope"
-           : !within(p->slope_low, 0x1p-5, 0x1p5)   ? "slope_low"
-           : !within(p->low, -0x1p10, 0x1p10)       ? "low"
-           : !within(p->high, -0x1p10, 0x1p10)      ? "high"
-           : !(p->high - p->low >= 0x1p-10)         ? "high"
-           : !within(p->floor, -1.0, 1.0)           ? "floor"
-           : !within(p->stripes, 0x1p-10, 8.0)      ? "stripes"
-           : !within(p->branch, 0x1p-24, 8.0)       ? "branch"
-           : !within(p->round, 0x1p-8, 0x1p8)       ? "round"
-           : !within(p->keep, 0x1p-24, 1.0)         ? "keep"
-                                                    : NULL;
+    return !within(p->frequency, 0x1p-32, 0x1p48)   ? REFUSED_FREQUENCY
+           : !within(p->amplitude, 0x1p-24, 0x1p24) ? REFUSED_GULLIES_AMPLITUDE
+           : !within(p->depth, 0x1p-24, 0x1p10)     ? REFUSED_DEPTH
+           : !within(p->cells, 0x1p-6, 0x1p6)       ? REFUSED_CELLS
+           : !within(p->slope, 0x1p-5, 0x1p5)       ? REFUSED_SLOPE
+           : !within(p->slope_low, 0x1p-5, 0x1p5)   ? REFUSED_SLOPE_LOW
+           : !within(p->low, -0x1p10, 0x1p10)       ? REFUSED_LOW
+           : !within(p->high, -0x1p10, 0x1p10)      ? REFUSED_HIGH
+           : !(p->high - p->low >= 0x1p-10)         ? REFUSED_HIGH_LOW
+           : !within(p->floor, -1.0, 1.0)           ? REFUSED_FLOOR
+           : !within(p->stripes, 0x1p-10, 8.0)      ? REFUSED_STRIPES
+           : !within(p->branch, 0x1p-24, 8.0)       ? REFUSED_BRANCH
+           : !within(p->round, 0x1p-8, 0x1p8)       ? REFUSED_ROUND
+           : !within(p->keep, 0x1p-24, 1.0)         ? REFUSED_KEEP
+                                                    : REFUSED_NOT;
 }
 
 static int reserved_in_use(const struct scarp_gullies *g)
@@ -103,24 +103,26 @@ struct scarp_noise scarp_gullies_lattice(const struct scarp_gullies *gullies)
     return lattice;
 }
 
-enum scarp_status scarp_gullies_verify(const struct scarp_gullies *gullies, const char **member)
+struct scarp_fault scarp_gullies_verify(const struct scarp_gullies *gullies)
 {
     const struct filled p = filled_of(gullies);
-    if ((*member = outside_member(&p)) != NULL) {
-        return SCARP_ERROR_PARAMETER;
+    struct scarp_fault fault = {refused_number(&p), 0};
+    if (fault.why == REFUSED_NOT && reserved_in_use(gullies)) {
+        fault.why = REFUSED_SPARE;
     }
-    if (reserved_in_use(gullies)) {
-        *member = "spare";
-        return SCARP_ERROR_UNSUPPORTED;
-    }
-    for (int i = 0; i < 2; i++) {
+    for (int i = 0; i < 2 && fault.why == REFUSED_NOT; i++) {
         if (gullies->period[i] != 0 && period_of(gullies->period[i], p.cells) == 0) {
-            *member = i == 0 ? "period[0]" : "period[1]";
-            return SCARP_ERROR_PARAMETER;
+            fault.why = i == 0 ? REFUSED_CELLS_X : REFUSED_CELLS_Y;
         }
     }
+    if (fault.why != REFUSED_NOT) {
+        return fault;
+    }
     const struct scarp_noise lattice = scarp_gullies_lattice(gullies);
-    return scarp_plan_check(&lattice, 2, member);
+    fault = scarp_plan_check(&lattice, 2);
+    /* The frequency of the lattice is not the one that was given. */
+    fault.why = fault.why == REFUSED_FREQUENCY ? REFUSED_FREQUENCY_CELLS : fault.why;
+    return fault;
 }
 
 /* The turn R of octave k in 2D. */

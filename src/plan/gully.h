@@ -6,6 +6,7 @@
 #define SCARP_GULLIES_H
 
 #include "call.h"
+#include "refusals.h"
 
 /* The members of struct scarp_eroded, in their order, and of the base that they are made of. */
 enum {
@@ -48,8 +49,8 @@ struct scarp_gully_call {
 /* The lattice that gullies are drawn on, as a noise whose weights sum up to the depth. */
 struct scarp_noise scarp_gullies_lattice(const struct scarp_gullies *gullies);
 
-/* Makes the checks of scarp_gullies_check. Always writes *member. */
-enum scarp_status scarp_gullies_verify(const struct scarp_gullies *gullies, const char **member);
+/* Makes the checks of scarp_gullies_check. */
+struct scarp_fault scarp_gullies_verify(const struct scarp_gullies *gullies);
 
 /* Makes the constants of gullies that passed the checks; `plan` is that of their lattice. */
 void scarp_gullies_plan(struct scarp_gully_plan *g, const struct scarp_gullies *gullies,

@@ -7,6 +7,7 @@
 #define SCARP_PARAMETERS_H
 
 #include "call.h"
+#include "refusals.h"
 
 /* The most cells that a period of an octave has. */
 #define PERIOD_MAX 0x1p30
@@ -45,12 +46,34 @@ static inline float sharpness_of(const struct scarp_noise *noise)
     return noise->sharpness == 0.0f ? standard : noise->sharpness;
 }
 
-/* Whether the noise, without its warp, has what is asked for. */
-static inline int has_outputs(const struct scarp_noise *noise, struct scarp_kind kind)
+/* Why the noise, without its warp, does not have what is asked for. */
+static inline enum scarp_refusal refused_outputs(const struct scarp_noise *noise,
+                                                 struct scarp_kind kind)
 {
     const int bends = fractal_bends(noise->fractal);
-    return (kind.order < 2 || (noise->fractal != SCARP_EROSION && !bends)) &&
-           (!kind.dphase || (noise->basis == SCARP_GRADIENT && !bends));
+    return kind.order > 1 && (noise->fractal == SCARP_EROSION || bends) ? REFUSED_HESSIAN
+           : !kind.dphase                                               ? REFUSED_NOT
+           : bends                                                      ? REFUSED_DPHASE_FRACTAL
+           : noise->basis != SCARP_GRADIENT                             ? REFUSED_DPHASE_BASIS
+                                                                        : REFUSED_NOT;
+}
+
+static inline int has_outputs(const struct scarp_noise *noise, struct scarp_kind kind)
+{
+    return refused_outputs(noise, kind) == REFUSED_NOT;
+}
+
+/* The same of a noise with its warps, which have no derivative by the phase. */
+static inline struct scarp_fault outputs_fault(const struct scarp_noise *noise,
+                                               struct scarp_kind kind)
+{
+    struct scarp_fault fault = {refused_outputs(noise, kind), 0};
+    kind.dphase = 0;
+    for (noise = noise->warp; fault.why == REFUSED_NOT && noise != NULL; noise = noise->warp) {
+        fault.why = refused_outputs(noise, kind);
+        fault.warp++;
+    }
+    return fault;
 }
 
 struct parameters {

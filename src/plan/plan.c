@@ -53,10 +53,9 @@ enum scarp_status scarp_plan_keep(struct scarp_plan *plan, const struct scarp_no
                                   int dimensions)
 {
     struct kept *const kept = (struct kept *)plan;
-    const char *member;
-    const enum scarp_status status = scarp_plan_check(noise, dimensions, &member);
-    if (status != SCARP_OK) {
-        return status;
+    const struct scarp_fault fault = scarp_plan_check(noise, dimensions);
+    if (fault.why != REFUSED_NOT) {
+        return scarp_fault_status(fault, NULL);
     }
     if (noise->warp == NULL) {
         scarp_octaves_make(kept->octave, noise, dimensions);
@@ -137,17 +136,6 @@ static void make_levels(struct scarp_levels *levels, const struct scarp_warps *w
     }
 }
 
-/* Whether the warps of a noise have what is asked for, too. */
-static int warps_have_outputs(const struct scarp_noise *noise, struct scarp_kind kind)
-{
-    const struct scarp_kind of_warp = {.dimensions = kind.dimensions, .order = kind.order};
-    int have = 1;
-    for (const struct scarp_noise *w = noise->warp; w != NULL; w = w->warp) {
-        have &= has_outputs(w, of_warp);
-    }
-    return have;
-}
-
 /* Makes the plan of a checked noise with warps, or of potentials. */
 static void plan_levels(struct scarp_call_plan *plan, struct scarp_octave *octave,
                         struct scarp_levels *levels, const struct scarp_noise *noise,
@@ -174,13 +162,12 @@ enum scarp_status scarp_plan_call(struct scarp_call_plan *plan, struct scarp_oct
     if (!kind.vector && plan_kept(plan, noise, kind)) {
         return SCARP_OK;
     }
-    const char *member;
-    const enum scarp_status status = scarp_plan_check(noise, kind.dimensions, &member);
-    if (status != SCARP_OK) {
-        return status;
+    struct scarp_fault fault = scarp_plan_check(noise, kind.dimensions);
+    if (fault.why == REFUSED_NOT) {
+        fault = outputs_fault(noise, kind);
     }
-    if (!has_outputs(noise, kind) || !warps_have_outputs(noise, kind)) {
-        return SCARP_ERROR_UNSUPPORTED;
+    if (fault.why != REFUSED_NOT) {
+        return scarp_fault_status(fault, NULL);
     }
     if (scarp_has_levels(noise, kind)) {
         plan_levels(plan, octave, levels, noise, kind);

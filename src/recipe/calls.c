@@ -307,9 +307,9 @@ enum scarp_status scarp_recipe_grid(const struct scarp_recipe *recipe,
             return SCARP_OK;
         }
     }
-    const enum scarp_status status = scarp_check_grid(&whole, r->dimensions);
-    if (status != SCARP_OK) {
-        return status;
+    const struct scarp_fault fault = scarp_check_grid(&whole, r->dimensions);
+    if (fault.why != REFUSED_NOT) {
+        return scarp_fault_status(fault, NULL);
     }
     if (scarp_grid_reserved_in_use(grid)) {
         return SCARP_ERROR_UNSUPPORTED;

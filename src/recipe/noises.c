@@ -157,8 +157,9 @@ static int described(struct recipe_compiler *c, int call)
         !take_words(c, argument, &noise) || !take_members(c, argument, &noise)) {
         return -2;
     }
-    const char *member = NULL;
-    if (scarp_noise_check(&noise, c->recipe->dimensions, &member) != SCARP_OK) {
+    const char *member;
+    const char *const why = scarp_noise_fault(&noise, c->recipe->dimensions, 0, 0, &member);
+    if (why != NULL) {
         const struct scarp_recipe_function *const f = scarp_recipe_function_number(FUNCTION_NOISE);
         int at = call;
         for (int i = 0; i < f->arguments; i++) {
@@ -166,8 +167,7 @@ static int described(struct recipe_compiler *c, int call)
                      ? argument[i]
                      : at;
         }
-        return scarp_recipe_bad(c, at, "this noise does not exist: a member is at fault", member),
-               -2;
+        return scarp_recipe_bad(c, at, why, member), -2;
     }
     const int added = scarp_recipe_add_noise(c->recipe, &noise, -1);
     return added < 0 ? (scarp_recipe_full(c, call), -2) : added;
@@ -372,10 +372,9 @@ static int settle(struct recipe_compiler *c, int e, int *noise, int *place)
     }
     const char *member;
     scarp_recipe_spell_noise(r, *noise, levels);
-    if (scarp_noise_check(&levels[0], r->place[*place].dimensions, &member) != SCARP_OK) {
-        return scarp_recipe_bad(c, e, "this noise does not exist: a member is at fault", member), 0;
-    }
-    return 1;
+    const char *const why =
+        scarp_noise_fault(&levels[0], r->place[*place].dimensions, 0, 0, &member);
+    return why == NULL ? 1 : (scarp_recipe_bad(c, e, why, member), 0);
 }
 
 struct recipe_value scarp_recipe_sampled(struct recipe_compiler *c, int e, int noise, int place)
@@ -460,13 +459,9 @@ static int take_gullies(struct recipe_compiler *c, int call,
         (argument[GULLIES_SEED] >= 0 && !take_seed(c, argument[GULLIES_SEED], &g->seed))) {
         return 0;
     }
-    const char *member_at_fault;
-    if (scarp_gullies_check(g, &member_at_fault) != SCARP_OK) {
-        return scarp_recipe_bad(c, call, "these gullies do not exist: a member is at fault",
-                                member_at_fault),
-               0;
-    }
-    return 1;
+    const char *at_fault;
+    const char *const why = scarp_gullies_fault(g, &at_fault);
+    return why == NULL ? 1 : (scarp_recipe_bad(c, call, why, at_fault), 0);
 }
 
 /* The members of gullies at a place: an index, or -1 on an error. */
@@ -492,9 +487,9 @@ static int gullies_at(struct recipe_compiler *c, int call, int place)
         limit_gullies(&g, c->recipe->finest * scale_of((const double(*)[3])matrix));
     }
     const char *member;
-    if (scarp_gullies_check(&g, &member) != SCARP_OK) {
-        return scarp_recipe_bad(c, call, "these gullies do not exist: a member is at fault", member)
-            .node;
+    const char *const why = scarp_gullies_fault(&g, &member);
+    if (why != NULL) {
+        return scarp_recipe_bad(c, call, why, member).node;
     }
     const int added = scarp_recipe_add_gullies(c->recipe, &g);
     return added < 0 ? scarp_recipe_full(c, call).node : added;

@@ -2219,6 +2219,14 @@ namespace Scarp
             byte** member);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern byte* scarp_noise_fault(scarp_noise* noise, int dimensions,
+            int order, int dphase, byte** member);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern byte* scarp_grid_fault(scarp_grid* grid, int dimensions,
+            byte** member);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern Status scarp_plan_make(scarp_noise* noise, int dimensions,
             scarp_plan* plan);
 
@@ -2373,6 +2381,9 @@ namespace Scarp
         public static extern Status scarp_gullies_check(scarp_gullies* gullies, byte** member);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern byte* scarp_gullies_fault(scarp_gullies* gullies, byte** member);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern Status scarp_recipe_parse(byte* text, UIntPtr length,
             scarp_recipe* recipe, scarp_recipe_error* errors, UIntPtr capacity, UIntPtr* found);
 
@@ -2422,6 +2433,10 @@ namespace Scarp
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern Status scarp_gpu_vector_plan_make(scarp_noise* noise, int dimensions,
             scarp_gpu_plan* plan, byte** member);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern byte* scarp_gpu_plan_fault(scarp_noise* noise, int dimensions,
+            int vector, byte** member);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern Status scarp_gpu_answers(scarp_noise* noise, int dimensions,

@@ -375,6 +375,12 @@ FUNCTIONS = {
     'scarp_noise_check': ('i4', (
         'pointer', 'i4', 'pointer',
     )),
+    'scarp_noise_fault': ('text', (
+        'pointer', 'i4', 'i4', 'i4', 'pointer',
+    )),
+    'scarp_grid_fault': ('text', (
+        'pointer', 'i4', 'pointer',
+    )),
     'scarp_plan_make': ('i4', (
         'pointer', 'i4', 'pointer',
     )),
@@ -492,6 +498,9 @@ FUNCTIONS = {
     'scarp_gullies_check': ('i4', (
         'pointer', 'pointer',
     )),
+    'scarp_gullies_fault': ('text', (
+        'pointer', 'pointer',
+    )),
     'scarp_recipe_parse': ('i4', (
         'pointer', 'size', 'pointer', 'pointer', 'size', 'pointer',
     )),
@@ -530,6 +539,9 @@ FUNCTIONS = {
     )),
     'scarp_gpu_vector_plan_make': ('i4', (
         'pointer', 'i4', 'pointer', 'pointer',
+    )),
+    'scarp_gpu_plan_fault': ('text', (
+        'pointer', 'i4', 'i4', 'pointer',
     )),
     'scarp_gpu_answers': ('i4', (
         'pointer', 'i4', 'i4', 'pointer',

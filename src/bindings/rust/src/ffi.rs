@@ -603,6 +603,18 @@ extern "C" {
         dimensions: c_int,
         member: *mut *const c_char,
     ) -> scarp_status;
+    pub fn scarp_noise_fault(
+        noise: *const scarp_noise,
+        dimensions: c_int,
+        order: c_int,
+        dphase: c_int,
+        member: *mut *const c_char,
+    ) -> *const c_char;
+    pub fn scarp_grid_fault(
+        grid: *const scarp_grid,
+        dimensions: c_int,
+        member: *mut *const c_char,
+    ) -> *const c_char;
     pub fn scarp_plan_make(
         noise: *const scarp_noise,
         dimensions: c_int,
@@ -863,6 +875,10 @@ extern "C" {
         gullies: *const scarp_gullies,
         member: *mut *const c_char,
     ) -> scarp_status;
+    pub fn scarp_gullies_fault(
+        gullies: *const scarp_gullies,
+        member: *mut *const c_char,
+    ) -> *const c_char;
     pub fn scarp_recipe_parse(
         text: *const c_char,
         length: usize,
@@ -940,6 +956,12 @@ extern "C" {
         plan: *mut scarp_gpu_plan,
         member: *mut *const c_char,
     ) -> scarp_status;
+    pub fn scarp_gpu_plan_fault(
+        noise: *const scarp_noise,
+        dimensions: c_int,
+        vector: c_int,
+        member: *mut *const c_char,
+    ) -> *const c_char;
     pub fn scarp_gpu_answers(
         noise: *const scarp_noise,
         dimensions: c_int,

@@ -192,7 +192,7 @@ fn recipes() {
     assert_eq!(places[1].line, 3);
     assert_eq!(
         error.to_string().lines().next(),
-        Some("line 2, column 33: octaves: this noise does not exist: a member is at fault")
+        Some("line 2, column 33: octaves: outside (0, 32]")
     );
     refused(Recipe::new(&" ".repeat(16385)), Status::Size, "text");
     refused(Recipe::preset("alp"), Status::Enum, "\"alp\"");
