@@ -38,6 +38,7 @@
 #include <string>
 #include <string_view>
 #include <tuple>
+#include <type_traits>
 #include <utility>
 
 #include "scarp.h"
@@ -230,20 +231,43 @@ result run(sizes of, Call call, const Arguments &...arguments) noexcept
     return std::apply([&](const auto &...each) { return call(argument(each)...); }, c);
 }
 
-/* A status, with the member at fault: of the noise, or of gullies */
-inline result blame(scarp_status status, const scarp_noise &noise, int dimensions) noexcept
+/* The derivatives that `count` structures ask for */
+struct asked {
+    int order = 0;
+    bool dphase = false;
+};
+inline asked asked_of(const scarp_samples *c, int count) noexcept
 {
-    result all{status};
-    if (status != SCARP_OK) {
-        static_cast<void>(scarp_noise_check(&noise, dimensions, &all.member));
+    asked all;
+    for (int i = 0; i < count; i++, c++) {
+        const bool second = c->dxx || c->dxy || c->dxz || c->dyy || c->dyz || c->dzz;
+        all = {second ? 2 : all.order, c->dphase || all.dphase};
     }
     return all;
 }
-inline result blame(scarp_status status, const scarp_gullies &gullies, int) noexcept
+inline asked asked_of(const scarp_cells *, int) noexcept { return {}; }
+inline asked asked_of(const scarp_flow *c, int) noexcept
+{
+    return {c->vxx || c->vxy || c->vxz || c->vyx || c->vyy || c->vyz || c->vzx || c->vzy || c->vzz
+                ? 2
+                : 0};
+}
+
+/* A status, with the member at fault, of the noise or of gullies, and the reason */
+inline result blame(scarp_status status, const scarp_noise &noise, int dimensions,
+                    asked of = {}) noexcept
 {
     result all{status};
     if (status != SCARP_OK) {
-        static_cast<void>(scarp_gullies_check(&gullies, &all.member));
+        all.text = scarp_noise_fault(&noise, dimensions, of.order, of.dphase, &all.member);
+    }
+    return all;
+}
+inline result blame(scarp_status status, const scarp_gullies &gullies, int, asked = {}) noexcept
+{
+    result all{status};
+    if (status != SCARP_OK) {
+        all.text = scarp_gullies_fault(&gullies, &all.member);
     }
     return all;
 }
@@ -260,7 +284,8 @@ result at_points(const scarp_noise &noise, const points &at, const Out &out, F2 
                                     : u     ? d3(&noise, at.count, u, v, w, c)
                                     : !z    ? f2(&noise, at.count, x, y, c)
                                             : f3(&noise, at.count, x, y, z, c);
-        return blame(status, noise, at.dimensions);
+        constexpr bool is_vector = std::is_same_v<Out, std::span<const samples>>;
+        return blame(status, noise, at.dimensions, asked_of(c, is_vector ? at.dimensions : 1));
     };
     return run(sizes_of(at), call, out);
 }
@@ -269,8 +294,12 @@ template <class Function, class What, class... Spans>
 result on_grid(int dimensions, Function function, const What &what, const scarp_grid &grid,
                const Spans &...spans) noexcept
 {
-    const auto call = [&](auto... c) {
-        return blame(function(&what, &grid, c...), what, dimensions);
+    const auto call = [&](const auto *first, auto... rest) -> result {
+        result all{function(&what, &grid, first, rest...)};
+        if (all.status != SCARP_OK) {
+            all.text = scarp_grid_fault(&grid, dimensions, &all.member);
+        }
+        return all.text != nullptr ? all : blame(all.status, what, dimensions, asked_of(first, 1));
     };
     return run(sizes_of(grid, dimensions), call, spans...);
 }

@@ -230,14 +230,40 @@ class Members(unittest.TestCase):
         self.named("dimensions", lambda: columns.range(4))
 
     def test_derivatives(self):
-        self.named("derivatives", lambda: scarp.Noise(fractal="swiss").grid((2, 2), derivatives=2))
         self.named("derivatives", lambda: scarp.Noise().grid((2, 2), derivatives=3))
-        self.named("dphase", lambda: scarp.Noise("value").at(1, 2, dphase=True))
         self.named("derivatives", lambda: scarp.Noise().cells(1, 2, derivatives=2))
         with self.assertRaises(TypeError):
             scarp.Noise().grid((2, 2), derivatives=True)
         with self.assertRaisesRegex(AttributeError, "derivatives=2"):
             scarp.Noise().grid((2, 2), derivatives=1).dxx
+
+    def test_reasons(self):
+        """Errors say what the library says: which member, also of a warp, and why."""
+        swiss = scarp.Noise(fractal="swiss")
+        bent = scarp.Noise(warp=scarp.Noise(warp=swiss))
+        columns = scarp.Noise("simplex", period=(4, 4, 4))
+        no_hessian = "fractal: erosion, Swiss and Jordan noise have no Hessian"
+        for said, status, call in (
+                ("rotate: turned axes cannot repeat", "UNSUPPORTED",
+                 lambda: scarp.Noise(rotate=True, octaves=2, period=(4, 4))),
+                ("octaves: outside (0, 32]", "PARAMETER", lambda: scarp.Noise(octaves=33)),
+                ("phase: only gradient noise has a phase", "UNSUPPORTED",
+                 lambda: scarp.Noise("value", phase=1)),
+                ("warp.period[1]: simplex noise repeats along x only in 2D", "UNSUPPORTED",
+                 lambda: scarp.Noise(warp=columns).grid((2, 2))),
+                ("warp.period[1]: simplex noise repeats along x only in 2D", "UNSUPPORTED",
+                 lambda: scarp.Noise(warp=columns).range()),
+                (no_hessian, "UNSUPPORTED", lambda: swiss.grid((2, 2), derivatives=2)),
+                ("warp.warp." + no_hessian, "UNSUPPORTED", lambda: bent.at(1, 2, derivatives=2)),
+                ("warp.warp." + no_hessian, "UNSUPPORTED", lambda: bent.vector(1, 2, derivatives=2)),
+                (no_hessian, "UNSUPPORTED", lambda: swiss.curl(1, 2, derivatives=1)),
+                ("basis: only gradient noise has dphase", "UNSUPPORTED",
+                 lambda: scarp.Noise("value").at(1, 2, dphase=True)),
+                ("floor: outside [-1, 1]", "PARAMETER", lambda: scarp.Gullies(floor=2))):
+            with self.assertRaises(scarp.ScarpError) as caught:
+                call()
+            self.assertEqual(str(caught.exception), said)
+            self.assertEqual(caught.exception.status, "SCARP_ERROR_" + status)
 
     def test_grid_arguments(self):
         noise = scarp.Noise()
@@ -277,7 +303,7 @@ class Members(unittest.TestCase):
         deep = scarp.Noise()
         for _ in range(4):
             deep = scarp.Noise(warp=deep)
-        self.named("warp", lambda: scarp.Noise(warp=deep))
+        self.named("warp.warp.warp.warp.warp", lambda: scarp.Noise(warp=deep))
 
 
 class Chain(unittest.TestCase):

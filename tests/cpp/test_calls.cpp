@@ -324,6 +324,48 @@ void check_chain()
     CHECK(other.are_untouched() && found == expected);
 }
 
+bool says(const scarp::result &all, const char *text)
+{
+    const bool same = !std::strcmp(scarp::error(all).what(), text);
+    if (!same) {
+        std::printf("%s, not %s\n", scarp::error(all).what(), text);
+    }
+    return same;
+}
+
+/* Errors say which member is at fault, also in a warp, and why. */
+void check_reasons()
+{
+    const auto x = coordinates<float>(COUNT, 0.71), y = coordinates<float>(COUNT, -0.37);
+    arrays value(3, COUNT);
+    const scarp::samples out{.value = value[0]}, second{.value = value[0], .dxy = value[1]};
+    const scarp::samples phase{.dphase = value[1]}, depth{.dz = value[1]}, both[] = {out, second};
+    const scarp_noise turned{.rotate = 1, .octaves = 2, .period = {4, 0, 0}};
+    const scarp_noise above{.warp = &turned}, swiss{.fractal = SCARP_SWISS}, bent{.warp = &swiss};
+    constexpr double endless = std::numeric_limits<double>::infinity();
+    const scarp::flow velocity{.vx = value[0]}, jacobian{.vx = value[0], .vxy = value[1]};
+    CHECK(says(scarp::try_sample(turned, {x, y}, out), "rotate: turned axes cannot repeat"));
+    CHECK(says(scarp::try_sample(above, {x, y}, out), "warp.rotate: turned axes cannot repeat"));
+    CHECK(says(scarp::try_sample(bent, {x, y}, second),
+               "warp.fractal: erosion, Swiss and Jordan noise have no Hessian"));
+    CHECK(says(scarp::try_vector(swiss, {x, y}, both),
+               "fractal: erosion, Swiss and Jordan noise have no Hessian"));
+    CHECK(says(scarp::try_curl(swiss, {x, y}, jacobian),
+               "fractal: erosion, Swiss and Jordan noise have no Hessian"));
+    CHECK(scarp::try_curl(swiss, {x, y}, velocity));
+    CHECK(says(scarp::try_sample({.basis = SCARP_SIMPLEX}, {x, y}, phase),
+               "basis: only gradient noise has dphase"));
+    CHECK(
+        says(scarp::try_sample(NOISE, {x, y}, depth), scarp_status_text(SCARP_ERROR_UNSUPPORTED)));
+    CHECK(says(scarp::try_grid2(swiss, {.count = {2, 2, 0}}, second),
+               "fractal: erosion, Swiss and Jordan noise have no Hessian"));
+    CHECK(says(scarp::try_grid2({.gain = 99}, {.step = {endless, 1, 1}, .count = {2, 2, 0}}, out),
+               "step[0]: not finite"));
+    CHECK(says(scarp::try_gullies({.floor = 2}, {.count = {2, 2, 0}},
+                                  {.value = value[0], .dx = value[1], .dy = value[2]}, {}),
+               "floor: outside [-1, 1]"));
+}
+
 /* The calls that return a result throw nothing, and say what the others throw. */
 void check_results()
 {
@@ -341,8 +383,7 @@ void check_results()
     const scarp::result bad = scarp::try_sample({.gain = 99}, {x, y}, out);
     CHECK(!bad && bad.status == SCARP_ERROR_PARAMETER && !std::strcmp(bad.member, "gain"));
     CHECK(value.are_untouched());
-    CHECK(!std::strcmp(scarp::error(bad).what(),
-                       "gain: a number is not finite or outside its interval"));
+    CHECK(!std::strcmp(scarp::error(bad).what(), "gain: outside [1/16, 16]"));
     CHECK(scarp::try_sample(NOISE, {x, y}, out) && !value.are_untouched());
 }
 
@@ -356,6 +397,7 @@ int main()
     check_grids();
     check_gullies();
     check_chain();
+    check_reasons();
     check_results();
     return failures == 0 ? 0 : 1;
 }

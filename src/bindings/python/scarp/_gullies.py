@@ -4,7 +4,7 @@ import ctypes
 
 from . import _interface
 from ._arrays import Outputs, Raster, in_bands, points
-from ._library import STRUCTURES, ScarpError, complain, lib
+from ._library import STRUCTURES, ScarpError, complain, lib, told
 from ._numbers import integer, member, order, seed_of, several, single
 from ._samples import Samples
 
@@ -51,10 +51,9 @@ class Gullies:
                                  for i, p in enumerate(period)]
             self._given["period"] = tuple(gullies.period)
         self._gullies = gullies
-        at_fault = ctypes.c_char_p()
-        status = lib.scarp_gullies_check(ctypes.addressof(gullies), ctypes.byref(at_fault))
+        status = lib.scarp_gullies_check(ctypes.addressof(gullies), None)
         if status:
-            raise complain(status, at_fault.value.decode() if at_fault.value else None)
+            raise complain(status, *told(lib.scarp_gullies_fault, ctypes.addressof(gullies)))
 
     def __repr__(self):
         return "Gullies(%s)" % ", ".join(

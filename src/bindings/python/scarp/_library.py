@@ -153,6 +153,13 @@ BASES, FADES, FRACTALS = (_words(lib.scarp_basis_name), _words(lib.scarp_fade_na
 VERSION_OF_LIBRARY = lib.scarp_version().decode()
 
 
+def told(call, *arguments):
+    """(member, text): what a call of the library tells of a fault, each None if there is none."""
+    member = ctypes.c_char_p()
+    text = call(*arguments, ctypes.addressof(member))
+    return tuple(None if part is None else part.decode() for part in (member.value, text))
+
+
 def complain(status, member=None, text=None):
     """The exception for a status other than SCARP_OK."""
     if status == STATUS["SCARP_ERROR_SIZE"] and text is None and member is None:

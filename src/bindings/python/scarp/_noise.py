@@ -7,7 +7,7 @@ import numpy as np
 
 from . import _interface
 from ._arrays import Outputs, Raster, check_overlap, in_bands, points
-from ._library import BASES, FADES, FRACTALS, STATUS, STRUCTURES, ScarpError, complain, lib
+from ._library import BASES, FADES, FRACTALS, STRUCTURES, ScarpError, complain, lib, told
 from ._numbers import integer, member, order, seed_of, single
 from ._samples import Samples, members_of
 
@@ -174,9 +174,8 @@ class Noise:
             value, write = given.get(name), WRITERS[kind]
             kept[name] = default(name) if value is None else write(noise, name, value)
         self._keep(kept, noise)
-        status, at_fault = self._fault(2)
-        if status and self._fault(3)[0]:  # some noises are of space alone
-            raise complain(status, at_fault)
+        if self._status(2) and self._status(3):  # some noises are of space alone
+            raise complain(self._status(2), *self._fault(2))
 
     def _keep(self, given, noise):
         # C reads the warp by its address: _given holds it as long as this noise is there.
@@ -214,30 +213,17 @@ class Noise:
         """A noise that differs in these members."""
         return Noise(**{**self._given, **changes})
 
-    def _fault(self, dimensions):
-        at_fault = ctypes.c_char_p()
-        status = lib.scarp_noise_check(self._address, dimensions, ctypes.byref(at_fault))
-        return status, at_fault.value.decode() if at_fault.value else None
+    def _status(self, dimensions):
+        return lib.scarp_noise_check(self._address, dimensions, None)
+
+    def _fault(self, dimensions, orders=0, dphase=False):
+        """(member, text) of what makes calls refuse this noise, or has not what they ask for."""
+        return told(lib.scarp_noise_fault, self._address, dimensions, orders, int(dphase))
 
     def _refuse(self, status, dimensions, orders, dphase):
-        """Raises for a call that failed: for the noise, else for what was asked of it."""
-        of_noise, at_fault = self._fault(dimensions)
-        if of_noise:
-            raise complain(of_noise, at_fault)
-        if status == STATUS["SCARP_ERROR_UNSUPPORTED"]:
-            if dphase and orders < 2 or dphase and self._has_hessian():
-                raise complain(status, "dphase", "this noise has no derivative by the phase")
-            raise complain(status, "derivatives", "this noise, or a warp of it, has no derivatives "
-                           "of the order %d" % orders)
-        raise complain(status)
-
-    def _has_hessian(self):
-        noise = self
-        while noise is not None:
-            if noise.fractal in ("erosion", "swiss", "jordan"):
-                return False
-            noise = noise.warp
-        return True
+        """Raises for a call that failed, which asked for such derivatives of the noise."""
+        raise complain(self._status(dimensions) or status,
+                       *self._fault(dimensions, orders, dphase))
 
     def range(self, dimensions=2):
         """(lowest, highest): the interval that values never leave, rounding included."""
@@ -246,7 +232,7 @@ class Noise:
         status = lib.scarp_range(self._address, dimensions, ctypes.byref(lowest),
                                  ctypes.byref(highest))
         if status:
-            raise complain(status, self._fault(dimensions)[1])
+            raise complain(status, *self._fault(dimensions))
         return lowest.value, highest.value
 
     def grid(self, shape, step=1.0, origin=None, first=None, *, derivatives=0, dphase=False,
@@ -370,7 +356,7 @@ class Noise:
 
         status = in_bands(band, given.count, 1, threads)
         if status:
-            self._refuse(status, n, orders, False)
+            self._refuse(status, n, 2 * orders if kind is Flow else 0, False)
         return kind(outputs.arrays, given.shape)
 
 
