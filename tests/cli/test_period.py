@@ -111,11 +111,36 @@ class Period(Case):
         for text in ("4", "4,", ",4", "4,4,4,4", "4,x", "-1,4", "1073741825,1", "1.5,2"):
             self.refused("--period", ["sample", "--period", text])
 
-    def refused(self, name, words, points=b""):
+    def test_reasons(self):
+        """The one line of an error names the option and has the reason of the library."""
+        for line, words in (
+                ("--rotate: turned axes cannot repeat;", "--period 4,4 --rotate --octaves 2"),
+                ("--lacunarity: not a whole number, which octaves with a period need",
+                 "--period 4,4 --lacunarity 2.5 --octaves 2"),
+                ("--period: more than 2^30 cells in the last octave; fewer --octaves",
+                 "--period 4,536870912 --octaves 3"),
+                ("--period: simplex noise repeats along x only in 2D; leave it out",
+                 "--period 4,4 --basis simplex"),
+                ("--frequency, --lacunarity, --octaves: the frequency of the last octave is outside "
+                 "[2^-32, 2^48]",
+                 "--frequency 1e12 --octaves 20"),
+                ("--of-octaves: below octaves", "--of-octaves 2 --octaves 3"),
+                ("--erosion: Jordan noise takes 1 at most", "--fractal jordan --erosion 2"),
+                ("--phase: only gradient noise has a phase; ", "--phase 1 --basis value"),
+                ("--hessian: erosion, Swiss and Jordan noise have no Hessian",
+                 "--fractal swiss --hessian"),
+                ("--dphase: Swiss and Jordan noise have no dphase", "--fractal swiss --dphase"),
+                ("--dphase: only gradient noise has dphase; ", "--basis value --dphase")):
+            with self.subTest(words=words):
+                self.refused(line, ["sample"] + words.split(), b"1 2\n", end="")
+        self.refused("--rotate: turned axes cannot repeat;", ["terrain", "--rotate", "--octaves", "2",
+                     "--size", "8x8", "--tileable", "--heights", "a.r16"], end="")
+
+    def refused(self, name, words, points=b"", end=": "):
         result = run(*words, cwd=self.directory, input=points)
         lines = result.stderr.decode().splitlines()
         self.assertEqual((result.returncode, len(lines)), (2, 1), lines)
-        self.assertTrue(lines[0].startswith("scarp: %s: " % name), lines)
+        self.assertTrue(lines[0].startswith("scarp: %s%s" % (name, end)), lines)
         self.assertEqual(self.files(), [])
 
     def test_points(self):

@@ -31,7 +31,7 @@ bool repeat_noise(struct noise_options *noise, struct option_size period, double
     const double nearest = floor(wanted * length + 0.5);
     const double times = nearest < 1.0 ? 1.0 : nearest;
     if (noise->rotate) {
-        cli_error("--rotate: axes that are turned do not repeat; leave it out with --period");
+        cli_error("--rotate: turned axes cannot repeat; leave it out with --period");
         return false;
     }
     if (times / length > FACTOR_MAX * wanted && unit[0] > 1 && unit[1] > 1) {

@@ -229,34 +229,24 @@ static enum scarp_status sample_block(struct sample *sample)
                : scarp_sample2_f64(&sample->noise, block->count, x, y, &sample->samples);
 }
 
-/* Whether the library gives these outputs of a noise */
-static bool has(const struct scarp_noise *noise, const struct scarp_samples *out)
+/* Whether a noise that was checked has what an option asks for. `advice` tells what helps. */
+static bool has(const char *option, const struct scarp_noise *noise, int order, int dphase,
+                const char *advice)
 {
-    const double origin = 0;
-    return scarp_sample3_f64(noise, 1, &origin, &origin, &origin, out) == SCARP_OK;
+    const char *const reason = scarp_noise_fault(noise, 3, order, dphase, NULL);
+    if (reason != NULL) {
+        cli_error("%s: %s%s", option, reason, advice);
+    }
+    return reason == NULL;
 }
 
 /* Whether the library can give what is asked for of one noise; all else was checked before. */
 static bool check_results(const struct scarp_noise *noise, const struct sample_options *options)
 {
-    float result;
-    const struct scarp_samples second = {.dxx = &result}, flow = {.dphase = &result};
-    if (options->hessian && !has(noise, &second)) {
-        cli_error("--hessian: --fractal %s has no second derivatives",
-                  scarp_fractal_name(noise->fractal));
-        return false;
-    }
-    if (options->dphase && !has(noise, &flow)) {
-        if (noise->basis == SCARP_GRADIENT) {
-            cli_error("--dphase: --fractal %s has no derivative by the phase",
-                      scarp_fractal_name(noise->fractal));
-        } else {
-            cli_error("--dphase: only the gradients of --basis gradient turn; leave it out or "
-                      "take that");
-        }
-        return false;
-    }
-    return true;
+    const char *const take =
+        noise->basis == SCARP_GRADIENT ? "" : "; leave it out or take --basis gradient";
+    return (!options->hessian || has("--hessian", noise, 2, 0, "")) &&
+           (!options->dphase || has("--dphase", noise, 0, 1, take));
 }
 
 /* The same of a recipe */

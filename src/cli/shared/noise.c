@@ -81,30 +81,38 @@ const struct option noise_option_rows[NOISE_OPTION_COUNT] = {
                       "what values are multiplied by; a negative one turns them over")},
 };
 
-/* Each number was checked by itself; what is left is how they go together. */
-static void refuse(const char *member, bool simplex)
+/* Where a fault has to do with other options: these, beside that of the member, and what helps */
+static const struct {
+    const char *member;
+    enum scarp_status status;
+    const char *others, *advice;
+} advices[] = {
+    {"rotate", SCARP_ERROR_UNSUPPORTED, "", "; leave it out with --period"},
+    {"phase", SCARP_ERROR_UNSUPPORTED, "", "; leave it out or take --basis gradient"},
+    {"period", SCARP_ERROR_UNSUPPORTED, "", "; leave it out or take another --basis"},
+    {"period", SCARP_ERROR_PARAMETER, "", "; fewer --octaves or a lower --lacunarity will do"},
+    {"octaves", SCARP_ERROR_PARAMETER, "--frequency, --lacunarity, ", ""},
+};
+
+/* Each number was checked by itself; what is left is how they go together. The option is called as
+   the member, which has no index then, and `-` for `_`. */
+static void refuse(enum scarp_status status, const char *member, const char *reason)
 {
-    if (strcmp(member, "lacunarity") == 0) {
-        cli_error("--lacunarity: is no whole number from 1 to 16, which noise with a period needs");
-    } else if (strcmp(member, "of_octaves") == 0) {
-        cli_error("--of-octaves: is less than --octaves");
-    } else if (strcmp(member, "erosion") == 0) {
-        cli_error("--erosion: is more than 1, which is the most with --fractal jordan");
-    } else if (strcmp(member, "rotate") == 0) {
-        cli_error("--rotate: axes that are turned do not repeat; leave it out with --period");
-    } else if (strcmp(member, "phase") == 0) {
-        cli_error(
-            "--phase: only the gradients of --basis gradient turn; leave it out or take that");
-    } else if (strcmp(member, "period[1]") == 0 && simplex) {
-        cli_error("--period: simplex noise repeats along x only in 2D; leave it out or take "
-                  "another --basis");
-    } else if (strncmp(member, "period", 6) == 0) {
-        cli_error("--period: has more than 2^30 cells in the last octave; fewer --octaves or a "
-                  "lower --lacunarity will do");
-    } else {
-        cli_error("--frequency, --lacunarity, --octaves: the frequency of the last octave is not "
-                  "from 2^-32 to 2^48");
+    const char *others = "", *advice = "";
+    char option[16];
+    size_t length = 0;
+    while (length < sizeof option - 1 && member[length] != '\0' && member[length] != '[') {
+        option[length] = member[length] == '_' ? '-' : member[length];
+        length++;
     }
+    option[length] = '\0';
+    for (size_t i = 0; i < sizeof advices / sizeof *advices; i++) {
+        if (advices[i].status == status && strcmp(advices[i].member, option) == 0) {
+            others = advices[i].others;
+            advice = advices[i].advice;
+        }
+    }
+    cli_error("%s--%s: %s%s", others, option, reason, advice);
 }
 
 /* What flows reaches further than what stands still, so at 0 the library's range is another one
@@ -145,11 +153,11 @@ static struct scarp_noise noise_of(const struct noise_options *options)
 
 bool noise_make(const struct noise_options *options, int dimensions, struct scarp_noise *made)
 {
-    const char *member = NULL;
+    const char *member;
     *made = noise_of(options);
     const enum scarp_status status = scarp_noise_check(made, dimensions, &member);
     if (status != SCARP_OK) {
-        refuse(member, status == SCARP_ERROR_UNSUPPORTED && made->basis == SCARP_SIMPLEX);
+        refuse(status, member, scarp_noise_fault(made, dimensions, 0, 0, NULL));
     }
     return status == SCARP_OK;
 }
