@@ -39,7 +39,8 @@ export class ScarpError extends Error {
         this.name = 'ScarpError';
         this.status = status; // as in STATUS
         this.code = CODES[status] ?? 'SCARP_ERROR'; // as scarp.h spells it
-        this.member = member; // of the noise, or of the grid; null if none is at fault
+        this.member = member; // of the noise, as 'warp.octaves', or of the grid; null if none is
+        this.text = text; // what is wrong, without the member
     }
 }
 
@@ -96,15 +97,15 @@ function integer(name, value, least, most) {
 }
 
 // A seed may be any of 64 bits. Numbers beyond 2^53 may have been rounded, which nobody wants.
-export function seedOf(seed) {
+export function seedOf(seed, name = 'seed') {
     if (typeof seed === 'number' && !Number.isSafeInteger(seed)) {
         throw new ScarpError(
             STATUS.PARAMETER,
             'beyond 2^53 - 1, and for fractions, give a BigInt',
-            'seed',
+            name,
         );
     }
-    return integer('seed', seed, 0n, 2n ** 64n - 1n);
+    return integer(name, seed, 0n, 2n ** 64n - 1n);
 }
 
 function numbersOf(what, list, least, most) {
@@ -132,24 +133,25 @@ export function checkKnots(x, values) {
 }
 
 function putEnumerator(view, at, name, value, words) {
-    const number = typeof value === 'number' ? value : words[name].indexOf(value);
-    if (!Number.isInteger(number) || number < 0 || number >= words[name].length) {
+    const number = typeof value === 'number' ? value : words.indexOf(value);
+    if (!Number.isInteger(number) || number < 0 || number >= words.length) {
         throw new ScarpError(
             STATUS.ENUM,
-            `there is no ${name} ${JSON.stringify(value)}; there are ` + words[name].join(', '),
+            `there is no ${name.split('.').at(-1)} ${JSON.stringify(value)}; there are ` +
+                words.join(', '),
             name,
         );
     }
     view.setUint32(at, number, true);
 }
 
-// How members of a noise are written, by their types
+// How members of a noise are written, by their types. Names are paths, for errors.
 const WRITERS = {
     enum: putEnumerator,
     float: (view, at, name, value) => view.setFloat32(at, checkNumber(name, value), true),
     double: (view, at, name, value) => view.setFloat64(at, checkNumber(name, value), true),
     uint32_t: (view, at, name, value) => view.setUint32(at, value ? 1 : 0, true), // a switch
-    uint64_t: (view, at, name, value) => view.setBigUint64(at, seedOf(value), true),
+    uint64_t: (view, at, name, value) => view.setBigUint64(at, seedOf(value, name), true),
     'uint32_t[3]': (view, at, name, value) =>
         numbersOf(name, value, 2, 3).forEach((cells, i) => {
             const whole = integer(`${name}[${i}]`, cells, 0n, 2n ** 30n);
@@ -164,27 +166,27 @@ const NOISE_MEMBERS = membersOf(scarp_noise).map((name) => ({
 }));
 const NOISE_NAMES = NOISE_MEMBERS.map(({ name }) => name).filter((name) => name !== 'plan');
 
-// Writes one level
-function putLevel(view, at, noise, words) {
+// Writes one level; `path` leads to it
+function putLevel(view, at, noise, words, path) {
     checkMembers('a noise', noise, NOISE_NAMES);
     new Uint8Array(view.buffer, at, NOISE_SIZE).fill(0);
     for (const { name, offset, write } of NOISE_MEMBERS) {
         if (noise[name] !== undefined) {
-            write(view, at + offset, name, noise[name], words);
+            write(view, at + offset, path + name, noise[name], words[name]);
         }
     }
 }
 
 // Writes a noise with its warps, one after the other.
 export function putNoise(view, at, noise, words) {
-    putLevel(view, at, noise, words);
+    putLevel(view, at, noise, words, '');
     for (
         let level = 1;
         noise.warp !== undefined && noise.warp !== null && level < LEVELS;
         level++
     ) {
         noise = noise.warp;
-        putLevel(view, at + level * NOISE_SIZE, noise, words);
+        putLevel(view, at + level * NOISE_SIZE, noise, words, 'warp.'.repeat(level));
         view.setUint32(
             at + (level - 1) * NOISE_SIZE + scarp_noise.warp,
             at + level * NOISE_SIZE,

@@ -41,9 +41,12 @@ const LANGUAGES = wordsOf(scarp_language),
     KINDS = wordsOf(scarp_recipe_kind);
 export const PARTS = SCARP_RECIPE_PARTS; // the number of the first part, among nodes
 
+const sentenceOf = ({ line, member, text }) =>
+    `line ${line}: ${member === null ? '' : `${member}: `}${text}`;
+
 export class RecipeError extends ScarpError {
     constructor(status, text, errors) {
-        super(status, errors.length > 0 ? `line ${errors[0].line}: ${errors[0].text}` : text);
+        super(status, errors.length > 0 ? sentenceOf(errors[0]) : text);
         this.name = 'RecipeError';
         this.errors = errors; // { line, column, from, to, text, member, nearest }
     }

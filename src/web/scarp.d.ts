@@ -164,8 +164,10 @@ export declare class ScarpError extends Error {
     readonly status: number;
     /** As the C header spells it: 'SCARP_ERROR_PARAMETER'. */
     readonly code: string;
-    /** The member at fault, such as 'octaves' or 'period[1]'; null if no member is. */
+    /** The member at fault, such as 'octaves' or 'warp.period[1]'; null if no member is. */
     readonly member: string | null;
+    /** Why, without the member: 'turned axes cannot repeat'. */
+    readonly text: string;
 }
 
 /** Coordinates: all Float32Array, or all Float64Array, which keep detail far from the origin. */

@@ -34,6 +34,12 @@ import { PARTS, Recipe, RecipeError, functionsOf } from './recipe.mjs';
 
 export { PARTS, RecipeError, STATUS, ScarpError };
 
+// The derivatives that arrays ask of a noise. The Jacobian of a velocity takes those of order 2.
+function askedOf(uses) {
+    const has = (pattern) => uses.some(({ name, out }) => out && pattern.test(name));
+    return { order: has(/\.[dv][xyz]{2}$/) ? 2 : 0, dphase: has(/\.dphase$/) };
+}
+
 // A noise that is checked and ready, for many calls with few points.
 class Plan {
     constructor(at, dimensions) {
@@ -132,27 +138,37 @@ class Scarp {
         return this.#memory.text(this.#exports.scarp_status_text(status));
     }
 
-    // Throws what a status says; of a noise, with the member at fault.
-    #expect(status, noise = 0, dimensions = 0) {
+    // Throws what a status says; of a noise, with the member at fault, and why. `asked`: see #fault.
+    #expect(status, noise = 0, dimensions = 0, asked = {}) {
         if (status !== STATUS.OK) {
-            const fault = noise === 0 ? null : this.#fault(noise, dimensions);
+            const fault = noise === 0 ? null : this.#fault(noise, dimensions, asked);
             throw fault !== null && fault.status === status
                 ? fault
                 : new ScarpError(status, this.#text(status));
         }
     }
 
-    #fault(noise, dimensions) {
-        const { view } = this.#memory,
-            member = this.#at.pointers;
-        const status = this.#exports.scarp_noise_check(noise, dimensions, member);
-        return status === STATUS.OK
+    // What is wrong with a noise, or what it lacks of the derivatives that are asked for, or null
+    #fault(noise, dimensions, { order = 0, dphase = false } = {}) {
+        const own = this.#exports.scarp_noise_check(noise, dimensions, 0);
+        const lacking = [0, 1, 2].includes(order) ? STATUS.UNSUPPORTED : STATUS.PARAMETER;
+        return this.#told(
+            own === STATUS.OK ? lacking : own,
+            'scarp_noise_fault',
+            noise,
+            dimensions,
+            order,
+            dphase,
+        );
+    }
+
+    // What a call of the library, which takes a place for a member last, tells of a fault, or null
+    #told(status, call, ...parameters) {
+        const at = this.#at.pointers;
+        const text = this.#memory.text(this.#exports[call](...parameters, at));
+        return text === null
             ? null
-            : new ScarpError(
-                  status,
-                  this.#text(status),
-                  this.#member(view.getUint32(member, true)),
-              );
+            : new ScarpError(status, text, this.#member(this.#memory.view.getUint32(at, true)));
     }
 
     // A member as it is called here, from the name that the library gives.
@@ -238,7 +254,7 @@ class Scarp {
             first = this.#at.pointers >> 2;
         this.#memory.run(count, uses, (n) => {
             const pointers = Array.from(u32.subarray(first, first + dimensions));
-            this.#expect(call(at, n, ...pointers, this.#at.out), at, dimensions);
+            this.#expect(call(at, n, ...pointers, this.#at.out), at, dimensions, askedOf(uses));
         });
     }
 
@@ -289,7 +305,13 @@ class Scarp {
                 this.#at.grid,
                 this.#at.out,
             );
-            this.#expect(status, at, dimensions);
+            if (status !== STATUS.OK) {
+                const fault = this.#told(status, 'scarp_grid_fault', this.#at.grid, dimensions);
+                if (fault !== null) {
+                    throw fault;
+                }
+            }
+            this.#expect(status, at, dimensions, askedOf(uses));
         };
         if (uses.every(({ array }) => this.#memory.holds(array))) {
             this.#memory.point(uses, [], 0, 0);
@@ -617,22 +639,21 @@ class Scarp {
         const at = this.#noise(noise);
         this.#expect(
             this.#exports.scarp_gpu_answers(at, dimensions, checkNumber('order', order), to),
+            at,
+            dimensions,
+            { order },
         );
         return new Uint32Array(this.#memory.buffer, to, GPU_ANSWERS).slice();
     }
 
     // A noise that calls take may have too many octaves for shaders: the member tells.
     #gpuPlan(noise, dimensions, isVector) {
-        const { stage, view } = this.#memory,
-            member = this.#at.pointers;
+        const { stage } = this.#memory,
+            at = this.#noise(noise);
         const make = isVector ? 'scarp_gpu_vector_plan_make' : 'scarp_gpu_plan_make';
-        const status = this.#exports[make](this.#noise(noise), dimensions, stage, member);
+        const status = this.#exports[make](at, dimensions, stage, 0);
         if (status !== STATUS.OK) {
-            throw new ScarpError(
-                status,
-                this.#text(status),
-                this.#member(view.getUint32(member, true)),
-            );
+            throw this.#told(status, 'scarp_gpu_plan_fault', at, dimensions, isVector);
         }
         return stage;
     }

@@ -122,7 +122,9 @@ test('noiseCheck', () => {
     assert.equal(scarp.noiseCheck({ octaves: 4, ofOctaves: 3 }, 3).member, 'ofOctaves');
     assert.equal(scarp.noiseCheck({ octaves: 9, period: [0, 2 ** 29] }, 2).member, 'period[1]');
     assert.equal(scarp.noiseCheck({ basis: 'cell' }, 2).member, 'basis');
-    assert.equal(scarp.noiseCheck({ warp: { gain: -1 } }, 2).member, 'warp');
+    assert.equal(scarp.noiseCheck({ warp: { gain: -1 } }, 2).member, 'warp.gain');
+    assert.equal(scarp.noiseCheck({ warp: { basis: 'cell' } }, 2).member, 'warp.basis');
+    assert.equal(scarp.noiseCheck({ octaves: 99 }, 2).text, 'outside (0, 32]');
     assert.equal(scarp.noiseCheck({}, 4).member, null);
     assert.equal(scarp.noiseCheck({}, 4).code, 'SCARP_ERROR_PARAMETER');
 });

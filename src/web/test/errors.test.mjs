@@ -83,7 +83,7 @@ refuses(
 refuses(
     'five warps',
     (o) => scarp.sample2({ warp: { warp: { warp: { warp: { warp: {} } } } } }, x, y, o),
-    { status: STATUS.UNSUPPORTED, member: 'warp' },
+    { status: STATUS.UNSUPPORTED, member: 'warp.warp.warp.warp.warp' },
 );
 refuses(
     'a warp of itself',
@@ -92,7 +92,7 @@ refuses(
         noise.warp = noise;
         scarp.sample2(noise, x, y, o);
     },
-    { status: STATUS.UNSUPPORTED, member: 'warp' },
+    { status: STATUS.UNSUPPORTED, member: 'warp.warp.warp.warp.warp' },
 );
 refuses(
     'a phase of simplex noise',
@@ -114,6 +114,81 @@ refuses(
     (o) => scarp.sample3({ fractal: 'erosion' }, x, y, z, { ...o, dxx: new Float32Array(8) }),
     { status: STATUS.UNSUPPORTED },
 );
+const turned = { rotate: true, octaves: 2, period: [4, 4] };
+const noHessian = 'fractal: erosion, Swiss and Jordan noise have no Hessian';
+const dxx = new Float32Array(8);
+for (const [message, status, call] of [
+    [
+        'rotate: turned axes cannot repeat',
+        STATUS.UNSUPPORTED,
+        (o) => scarp.sample2(turned, x, y, o),
+    ],
+    [
+        'warp.rotate: turned axes cannot repeat',
+        STATUS.UNSUPPORTED,
+        (o) => scarp.sample2({ warp: turned }, x, y, o),
+    ],
+    [
+        'warp.ofOctaves: below octaves',
+        STATUS.PARAMETER,
+        (o) => scarp.sample2({ warp: { octaves: 3, ofOctaves: 2 } }, x, y, o),
+    ],
+    [
+        'warp.warp.seed: out of range [0, 18446744073709551615]',
+        STATUS.PARAMETER,
+        (o) => scarp.sample2({ warp: { warp: { seed: -1 } } }, x, y, o),
+    ],
+    [
+        noHessian,
+        STATUS.UNSUPPORTED,
+        (o) => scarp.sample2({ fractal: 'swiss' }, x, y, { ...o, dxx }),
+    ],
+    [
+        `warp.${noHessian}`,
+        STATUS.UNSUPPORTED,
+        (o) => scarp.grid2({ warp: { fractal: 'swiss' } }, { count: [4, 2] }, { ...o, dxx }),
+    ],
+    [
+        noHessian,
+        STATUS.UNSUPPORTED,
+        (o) => scarp.vector2({ fractal: 'jordan' }, x, y, [o, { dxy: dxx }]),
+    ],
+    [noHessian, STATUS.UNSUPPORTED, () => scarp.curl2({ fractal: 'jordan' }, x, y, { vxy: dxx })],
+    [
+        'basis: only gradient noise has dphase',
+        STATUS.UNSUPPORTED,
+        (o) => scarp.sample2({ basis: 'value' }, x, y, { ...o, dphase: dxx }),
+    ],
+    [
+        'step[1]: not finite',
+        STATUS.PARAMETER,
+        (o) => scarp.grid2({}, { step: [1, Infinity], count: [4, 2] }, o),
+    ],
+    [
+        'warp: more than 32 octaves in the noise and its warps',
+        STATUS.UNSUPPORTED,
+        () => scarp.gpuPlan({ octaves: 20, warp: { octaves: 20 } }, 2),
+    ],
+    [
+        'octaves: more than 32 in all components',
+        STATUS.UNSUPPORTED,
+        () => scarp.gpuPlan({ basis: 'simplex', octaves: 20 }, 2, { vector: true }),
+    ],
+    [noHessian, STATUS.UNSUPPORTED, () => scarp.gpuAnswers({ fractal: 'erosion' }, 2, 2)],
+    [
+        'the order of derivatives is not 0, 1 or 2',
+        STATUS.PARAMETER,
+        () => scarp.gpuAnswers({}, 2, 3),
+    ],
+    ['gain: outside [1/16, 16]', STATUS.PARAMETER, () => scarp.plan({ gain: 99 }, 2)],
+    ['dimensions are neither 2 nor 3', STATUS.PARAMETER, () => scarp.range({}, 4)],
+]) {
+    refuses(message, call, { name: 'ScarpError', message, status });
+}
+refuses('a bad member of a recipe', () => scarp.recipe('recipe 1\nout a = noise(gain=99)'), {
+    name: 'RecipeError',
+    message: 'line 2: gain: outside [1/16, 16]',
+});
 refuses(
     'a misspelt output',
     (o) => scarp.sample2({}, x, y, { ...o, values: new Float32Array(8) }),
@@ -173,11 +248,11 @@ const grids = [
     [{ count: [4, 2], rowStride: 3 }, { member: 'rowStride' }],
     [
         { count: [4, 2], step: [1, Infinity] },
-        { status: STATUS.PARAMETER, member: null },
+        { status: STATUS.PARAMETER, member: 'step[1]' },
     ],
     [
         { count: [4, 2], origin: [NaN, 0] },
-        { status: STATUS.PARAMETER, member: null },
+        { status: STATUS.PARAMETER, member: 'origin[0]' },
     ],
     [{ count: [4, 2], steps: [1, 1] }, TypeError],
     [{ count: [4, 2, 1] }, TypeError],
