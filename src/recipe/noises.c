@@ -146,6 +146,19 @@ static int take_members(struct recipe_compiler *c, const int16_t argument[RECIPE
            take_periods(c, argument, noise);
 }
 
+/* The argument that is called as a member, or the call itself */
+static int argument_of(int call, int function, const int16_t argument[RECIPE_ARGUMENTS],
+                       const char *member)
+{
+    const struct scarp_recipe_function *const f = scarp_recipe_function_number(function);
+    for (int i = 0; member != NULL && i < f->arguments; i++) {
+        if (argument[i] >= 0 && strcmp(f->argument[i].name, member) == 0) {
+            return argument[i];
+        }
+    }
+    return call;
+}
+
 static int described(struct recipe_compiler *c, int call)
 {
     int16_t argument[RECIPE_ARGUMENTS];
@@ -160,13 +173,7 @@ static int described(struct recipe_compiler *c, int call)
     const char *member;
     const char *const why = scarp_noise_fault(&noise, c->recipe->dimensions, 0, 0, &member);
     if (why != NULL) {
-        const struct scarp_recipe_function *const f = scarp_recipe_function_number(FUNCTION_NOISE);
-        int at = call;
-        for (int i = 0; i < f->arguments; i++) {
-            at = member != NULL && argument[i] >= 0 && strcmp(f->argument[i].name, member) == 0
-                     ? argument[i]
-                     : at;
-        }
+        const int at = argument_of(call, FUNCTION_NOISE, argument, member);
         return scarp_recipe_bad(c, at, why, member), -2;
     }
     const int added = scarp_recipe_add_noise(c->recipe, &noise, -1);
@@ -461,7 +468,11 @@ static int take_gullies(struct recipe_compiler *c, int call,
     }
     const char *at_fault;
     const char *const why = scarp_gullies_fault(g, &at_fault);
-    return why == NULL ? 1 : (scarp_recipe_bad(c, call, why, at_fault), 0);
+    if (why != NULL) {
+        const int at = argument_of(call, FUNCTION_GULLIES, argument, at_fault);
+        return scarp_recipe_bad(c, at, why, at_fault), 0;
+    }
+    return 1;
 }
 
 /* The members of gullies at a place: an index, or -1 on an error. */
