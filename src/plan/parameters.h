@@ -52,9 +52,8 @@ static inline enum scarp_refusal refused_outputs(const struct scarp_noise *noise
 {
     const int bends = fractal_bends(noise->fractal);
     return kind.order > 1 && (noise->fractal == SCARP_EROSION || bends) ? REFUSED_HESSIAN
-           : !kind.dphase                                               ? REFUSED_NOT
-           : bends                                                      ? REFUSED_DPHASE_FRACTAL
-           : noise->basis != SCARP_GRADIENT                             ? REFUSED_DPHASE_BASIS
+           : kind.dphase && bends                                       ? REFUSED_DPHASE_FRACTAL
+           : kind.dphase && noise->basis != SCARP_GRADIENT              ? REFUSED_DPHASE_BASIS
                                                                         : REFUSED_NOT;
 }
 
