@@ -541,23 +541,10 @@ namespace Scarp
         // What is wrong with a noise, or a warp of it: "Warp.Octaves". null: nothing.
         static ScarpException Fault(Native.scarp_noise* noise, int dimensions)
         {
-            string path = "";
             byte* member;
             Status status = Native.scarp_noise_check(noise, dimensions, &member);
-            if (status == Status.Ok) {
-                return null;
-            }
-            string name = Text.Member(member);
-            while (name == "Warp" && noise->warp != null) {
-                Status of = Native.scarp_noise_check(noise->warp, dimensions, &member);
-                if (of == Status.Ok) {
-                    break; // there are too many of them
-                }
-                noise = noise->warp;
-                path += "Warp.";
-                name = Text.Member(member);
-            }
-            return new ScarpException(status, name == null ? null : path + name);
+            return status == Status.Ok ? null : new ScarpException(status, Text.Member(member),
+                Text.Of(Native.scarp_noise_fault(noise, dimensions, 0, 0, null)));
         }
 
         /// <summary>Throws what calls in 2 or 3 dimensions would throw for this noise:
@@ -968,7 +955,8 @@ namespace Scarp
                     ? Native.scarp_gpu_vector_plan_make(chain, dimensions, to, &member)
                     : Native.scarp_gpu_plan_make(chain, dimensions, to, &member);
                 if (status != Status.Ok) {
-                    throw new ScarpException(status, Text.Member(member));
+                    throw new ScarpException(status, Text.Member(member), Text.Of(
+                        Native.scarp_gpu_plan_fault(chain, dimensions, isVector ? 1 : 0, null)));
                 }
             }
             return words;
@@ -2563,7 +2551,7 @@ namespace Scarp.Internal
             return Encoding.UTF8.GetString(text, length);
         }
 
-        // A member in the spelling of this file: "of_octaves" as "OfOctaves".
+        // A member in the spelling of this file: "warp.of_octaves" as "Warp.OfOctaves".
         public static string Member(byte* name)
         {
             string text = Of(name);
@@ -2578,7 +2566,7 @@ namespace Scarp.Internal
                     starts = true;
                 } else {
                     made.Append(starts ? char.ToUpperInvariant(letter) : letter);
-                    starts = false;
+                    starts = letter == '.';
                 }
             }
             return made.ToString();

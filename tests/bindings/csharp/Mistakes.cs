@@ -143,7 +143,8 @@ static class Mistakes
             new Noise { Warp = new Noise { Warp = bend } }.Check(3), Status.Parameter);
         var loop = new Noise();
         loop.Warp = loop;
-        Expect<ScarpException>("Warp", () => loop.At(0, 0), Status.Unsupported);
+        Expect<ScarpException>("Warp.Warp.Warp.Warp.Warp", () => loop.At(0, 0),
+                               Status.Unsupported, "there are more than four warps");
 
         var swiss = new Noise { Fractal = Fractal.Swiss };
         Expect<ScarpException>("Dxx", () =>

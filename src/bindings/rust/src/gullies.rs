@@ -139,10 +139,14 @@ impl Gullies {
             return Err(Error::new(Status::Parameter, name, text));
         }
         let mut member = std::ptr::null();
-        // SAFETY: both pointers are valid, and the layout is that of C.
-        match unsafe { ffi::scarp_gullies_check(self.c(), &mut member) } {
-            ffi::SCARP_OK => Ok(()),
-            status => Err(Error::of(status, text_of(member).unwrap_or(""))),
+        // SAFETY: all pointers are valid, or may be null, and the layout is that of C.
+        let (status, text) = unsafe {
+            let status = ffi::scarp_gullies_check(self.c(), &mut member);
+            (status, ffi::scarp_gullies_fault(self.c(), std::ptr::null_mut()))
+        };
+        match text_of(text) {
+            None => Ok(()),
+            Some(text) => Err(Error::new(Status::of(status), text_of(member).unwrap_or(""), text)),
         }
     }
 

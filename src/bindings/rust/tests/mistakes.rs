@@ -112,7 +112,7 @@ fn warps() {
     let four = Noise { warp: Some(&c), ..d };
     four.sample2(&X, &X, &mut value(out)).unwrap();
     let five = Noise { warp: Some(&four), ..d };
-    refused(five.sample2(&X, &X, &mut value(out)), Status::Unsupported, "warp");
+    refused(five.sample2(&X, &X, &mut value(out)), Status::Unsupported, "warp.warp.warp.warp.warp");
     static CIRCLE: Noise<'static> = Noise { warp: Some(&CIRCLE), ..Noise::DEFAULT };
     assert_eq!(CIRCLE.sample2(&X, &X, &mut value(out)).unwrap_err().status(), Status::Unsupported);
 }

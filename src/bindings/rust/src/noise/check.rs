@@ -63,28 +63,15 @@ impl Noise<'_> {
 
     /// What the library says against this noise
     pub(super) fn fault(&self, dimensions: usize) -> Option<Error> {
-        let (mut noise, mut path) = (self, String::new());
-        let mut first = ffi::SCARP_OK;
-        loop {
-            let mut member = std::ptr::null();
-            let dimensions = c_int::try_from(dimensions).unwrap_or(0);
-            // SAFETY: the noise has the layout of C, and all warps are alive.
-            let status = unsafe { ffi::scarp_noise_check(noise.c(), dimensions, &mut member) };
-            if path.is_empty() {
-                first = status;
-            }
-            if status == ffi::SCARP_OK {
-                break;
-            }
-            let name = text_of(member).unwrap_or("dimensions");
-            path += if path.is_empty() { "" } else { "." };
-            path += name;
-            match noise.warp {
-                Some(warp) if name == "warp" && path.len() < 5 * 4 => noise = warp,
-                _ => break,
-            }
-        }
-        (first != ffi::SCARP_OK).then(|| Error::of(first, path))
+        let mut member = std::ptr::null();
+        let dimensions = c_int::try_from(dimensions).unwrap_or(0);
+        // SAFETY: the noise has the layout of C, and all warps are alive.
+        let (status, text) = unsafe {
+            let status = ffi::scarp_noise_check(self.c(), dimensions, &mut member);
+            (status, ffi::scarp_noise_fault(self.c(), dimensions, 0, 0, std::ptr::null_mut()))
+        };
+        let name = text_of(member).unwrap_or("dimensions");
+        text_of(text).map(|text| Error::new(Status::of(status), name, text))
     }
 
     /// The error of a call that failed: the noise is at fault, or what was asked of it.
