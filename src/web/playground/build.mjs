@@ -24,7 +24,7 @@ for (const line of readFileSync(language, "utf8").split("\n")) {
         cell.replace(/[`*]/g, "").trim()) : [""];
     columns = first === "expression" ? cells : first === "" ? [] : columns;
     const rows = cells.map((text, i) => [columns[i], text]).filter(([what, text]) =>
-        what && text && text !== "as there");
+        what && text && text !== "see scarp.h");
     for (const name of new Set([...first.matchAll(/(\w+)\(/g)].map(found => found[1]))) {
         const isNext = name in formulas;
         (formulas[name] ??= []).push(...rows.map(([what, text]) =>
