@@ -134,7 +134,7 @@ class Edit(Playground):
         self.open(PLACE, text=TEXT + "out mask = smoothstep(bend, 0, 1)\n")
         for word, title, told in (
                 ("warp", "warp(f, by)", "A field, bent by a noise."),
-                ("warp", "warp(f, by)", "f looks at (x + w_0, y + w_1)"),
+                ("warp", "warp(f, by)", "f is looked up at (x + w_0, y + w_1)"),
                 ("smooth", "smoothstep(a, lo, hi)", "value 6t^5 - 15t^4 + 10t^3 of t = (a - lo)"),
                 ("octaves", "noise: octaves",
                  "how many octaves are summed; a fraction fades in (1 … 12"),
