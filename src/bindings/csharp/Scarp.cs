@@ -177,6 +177,12 @@ namespace Scarp
             return (dimensions == 3 ? (Slices - 1) * slice : 0) + (Rows - 1) * row + Columns;
         }
 
+        // The length of a row if there are gaps, in which rows of other arrays may lie; else 0
+        internal int Gapped(int dimensions)
+        {
+            return RowStride > Columns || dimensions == 3 && SliceStride != 0 ? Columns : 0;
+        }
+
         /// <summary>The grid as C has it, for Native.</summary>
         public unsafe Native.scarp_grid ToNative()
         {
@@ -215,8 +221,8 @@ namespace Scarp
         }
 
         internal static readonly string[] Names = {
-            "Value", "Dx", "Dy", "Dz", "Dxx", "Dxy", "Dxz", "Dyy", "Dyz", "Dzz", "Dphase", "", "",
-            "", "", ""
+            "to.Value", "to.Dx", "to.Dy", "to.Dz", "to.Dxx", "to.Dxy", "to.Dxz", "to.Dyy", "to.Dyz",
+            "to.Dzz", "to.Dphase", "", "", "", "", ""
         };
 
         // Throws if an array is too short.
@@ -254,8 +260,8 @@ namespace Scarp
         public Span<float> X, Y, Z, Dx1, Dy1, Dz1, Dx2, Dy2, Dz2;
 
         internal static readonly string[] Names = {
-            "F1", "F2", "Id", "X", "Y", "Z", "Dx1", "Dy1", "Dz1", "Dx2", "Dy2", "Dz2", "", "", "",
-            ""
+            "to.F1", "to.F2", "to.Id", "to.X", "to.Y", "to.Z", "to.Dx1", "to.Dy1", "to.Dz1",
+            "to.Dx2", "to.Dy2", "to.Dz2", "", "", "", ""
         };
 
         internal static void Check(in Cells s, long needed, string name)
@@ -286,8 +292,8 @@ namespace Scarp
         public Span<float> Vx, Vy, Vz, Vxx, Vxy, Vxz, Vyx, Vyy, Vyz, Vzx, Vzy, Vzz;
 
         internal static readonly string[] Names = {
-            "Vx", "Vy", "Vz", "Vxx", "Vxy", "Vxz", "Vyx", "Vyy", "Vyz", "Vzx", "Vzy", "Vzz", "", "",
-            "", ""
+            "to.Vx", "to.Vy", "to.Vz", "to.Vxx", "to.Vxy", "to.Vxz", "to.Vyx", "to.Vyy", "to.Vyz",
+            "to.Vzx", "to.Vzy", "to.Vzz", "", "", "", ""
         };
 
         internal static void Check(in Flow s, long needed, string name)
@@ -757,9 +763,8 @@ namespace Scarp
         {
             long length = grid.Length(dimensions);
             Native.scarp_grid native = grid.ToNative();
-            bool hasGaps = grid.RowStride > grid.Columns || grid.SliceStride != 0;
             var r = new Request {
-                op = op, grid = &native, length = length, isGapped = hasGaps,
+                op = op, grid = &native, length = length, row = grid.Gapped(dimensions),
                 dimensions = dimensions
             };
             Run(&r, to);
@@ -975,6 +980,7 @@ namespace Scarp
             fixed (uint* p = words) {
                 Status status = Native.scarp_gpu_answers(chain, dimensions, order, p);
                 if (status != Status.Ok) {
+                    ShaderPlan(dimensions); // which may be what fails
                     throw new ScarpException(status, "order");
                 }
             }
@@ -997,6 +1003,7 @@ namespace Scarp
             noise.Write((Native.scarp_noise*)block.Pointer, links, plan);
             Status status = Native.scarp_plan_make((Native.scarp_noise*)block.Pointer, dimensions,
                                                    plan);
+            GC.KeepAlive(this);
             if (status != Status.Ok) {
                 throw new ScarpException(status, null);
             }
@@ -1185,6 +1192,8 @@ namespace Scarp
             }
         }
 
+        static readonly string[] NormalNames = { "nx", "ny", "nz" };
+
         /// <summary>Unit normals of the surface z = heightScale value, from its gradient: x and y
         /// are the axes of the input, z points up. Arrays have as many elements as dx; any of the
         /// last three may be missing, and may be the very same array as an input.</summary>
@@ -1201,6 +1210,15 @@ namespace Scarp
             Arguments.Room(ny, dx.Length, null, "ny");
             Arguments.Room(nz, dx.Length, null, "nz");
             fixed (float* px = dx, py = dy, ax = nx, ay = ny, az = nz) {
+                byte** read = stackalloc byte*[2];
+                byte** written = stackalloc byte*[3];
+                read[0] = (byte*)px;
+                read[1] = (byte*)py;
+                written[0] = (byte*)ax;
+                written[1] = (byte*)ay;
+                written[2] = (byte*)az;
+                long bytes = 4L * dx.Length;
+                Arguments.Overlap(read, 2, bytes, written, 3, bytes, true, NormalNames);
                 Status status = Native.scarp_normals((UIntPtr)(uint)dx.Length, px, py, heightScale,
                                                      ax, ay, az);
                 if (status != Status.Ok) {
@@ -1266,7 +1284,11 @@ namespace Scarp
     /// with.</summary>
     public sealed unsafe class Recipe
     {
-        const int MostErrors = 32, Chunk = 1024;
+        const int MostErrors = 32;
+
+        // Points of the outputs that scratch memory has room for. So it has room for some points of
+        // any other field: that has at most as many parts as a text can have.
+        const int Chunk = 1024;
 
         struct Entry
         {
@@ -1554,10 +1576,9 @@ namespace Scarp
 
         Request OnGrid(in Raster grid, Native.scarp_grid* native)
         {
-            bool hasGaps = grid.RowStride > grid.Columns || grid.SliceStride != 0;
-            long length = grid.Length(Dimensions);
             return new Request {
-                op = Op.RecipeGrid, grid = native, length = length, isGapped = hasGaps
+                op = Op.RecipeGrid, grid = native, length = grid.Length(Dimensions),
+                row = grid.Gapped(Dimensions)
             };
         }
 
@@ -2522,14 +2543,13 @@ namespace Scarp.Internal
                     byte* b = written[j];
                     if (b != null && a < b + bytes && b < a + bytes) {
                         throw new ArgumentException("overlaps with " + names[j % 16],
-                                                    "to." + names[i % 16]);
+                                                    names[i % 16]);
                     }
                 }
                 for (int j = 0; j < reads; j++) {
                     byte* b = read[j];
                     if (b != null && a < b + readBytes && b < a + bytes && !(inPlace && a == b)) {
-                        throw new ArgumentException("overlaps with an input",
-                                                    "to." + names[i % 16]);
+                        throw new ArgumentException("overlaps with an input", names[i % 16]);
                     }
                 }
             }
@@ -2623,7 +2643,7 @@ namespace Scarp.Internal
         public void* x, y, z;
         public bool isFloat; // coordinates, with which outputs may be in place
         public long length; // elements of arrays of samples
-        public bool isGapped; // rows have gaps, where other arrays may lie
+        public int row; // elements of a row with a gap behind it, where others may lie; else 0
         public int dimensions;
         public int reads; // how many of the samples are inputs
         public Native.scarp_noise* noise;
@@ -2772,10 +2792,13 @@ namespace Scarp.Internal
             coordinates[1] = (byte*)y;
             coordinates[2] = (byte*)z;
             byte** written = (byte**)(s + reads);
-            long bytes = isGapped ? 0 : 4 * length;
+            // With gaps, first rows are compared alone.
+            long bytes = 4 * (row > 0 && length > 0 ? row : length);
             if (reads > 0) {
                 Arguments.Overlap((byte**)s, 16 * reads, bytes, written, 16 * (all - reads), bytes,
                                   true, Samples.Names);
+                Arguments.Overlap(coordinates, 2, 4 * (long)(ulong)knots, written, 16 * (all - reads),
+                                  bytes, false, Samples.Names);
             } else {
                 Arguments.Overlap(coordinates, 3, isFloat ? bytes : 2 * bytes, written, 16 * all,
                                   bytes,
@@ -2814,22 +2837,14 @@ namespace Scarp.Internal
         Status RunRecipe(Native.scarp_samples* s)
         {
             outputs->@out = s;
-            Status status = RunRecipe(scratch);
-            // Fields that are no outputs may need more room: the call's own stack always has it.
-            return status == Status.Size ? RunRecipe((Native.scarp_scratch*)null) : status;
-        }
-
-        Status RunRecipe(Native.scarp_scratch* room)
-        {
             switch (op) {
             case Op.Recipe:
                 return Native.scarp_recipe_sample(recipe, count, (float*)x, (float*)y, (float*)z,
-                                                  outputs, room);
+                                                  outputs, scratch);
             case Op.RecipeF64:
                 return Native.scarp_recipe_sample_f64(recipe, count, (double*)x, (double*)y,
-                                                      (double*)z,
-                                                      outputs, room);
-            default: return Native.scarp_recipe_grid(recipe, grid, outputs, room);
+                                                      (double*)z, outputs, scratch);
+            default: return Native.scarp_recipe_grid(recipe, grid, outputs, scratch);
             }
         }
 

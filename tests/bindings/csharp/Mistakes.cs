@@ -95,7 +95,21 @@ static class Mistakes
         Expect<ArgumentException>("nz", () => Samples.Normals(four, other, 1, null, null, three));
         Expect<ScarpException>("heightScale", () =>
             Samples.Normals(four, other, float.NaN, third, null, null), Status.Parameter);
+        Expect<ArgumentException>("ny", () => Samples.Normals(four, other, 1, third, third, null),
+                                  text: "overlaps with nx");
+        Expect<ArgumentException>("nx", () => Normals(new float[8]), text: "an input");
+        Expect<ArgumentException>("to.Value", () => Curve(new float[9], 3), text: "overlaps");
+        Expect<ArgumentException>("to.Dx", () =>
+            noise.Grid2(new Raster(2, 2) { RowStride = 3 },
+                        new Samples { Value = new float[5], Dx = third }));
+        Expect<ArgumentException>("to.Dx", () => InGaps(noise, 1), text: "overlaps");
+        Expect<ArgumentException>("to.Dx", () =>
+            noise.Grid2(new Raster(2, 2) { SliceStride = 9 },
+                        new Samples { Value = third, Dx = third }), text: "overlaps");
         // none of these: outputs in the place of an input and beside it, gaps between rows, nothing
+        InGaps(noise, 2);
+        Curve(new float[9], 5);
+        Samples.Normals(four, other, 1, four, other, third);
         var whole = new float[12];
         new Recipe("recipe 1\nout a = x").Sample2(
             new Span<float>(whole, 0, 4), new Span<float>(whole, 4, 4),
@@ -113,6 +127,32 @@ static class Mistakes
     {
         noise.Sample2(new Span<float>(whole, 0, 4), y,
                       new Samples { Value = new Span<float>(whole, 2, 4) });
+    }
+
+    // Rows of two outputs in one array, of which the second one begins so many elements behind
+    static void InGaps(Noise noise, int behind)
+    {
+        var whole = new float[8];
+        noise.Grid2(new Raster(2, 2) { RowStride = 4 }, new Samples {
+            Value = new Span<float>(whole, 0, 6), Dx = new Span<float>(whole, behind, 6)
+        });
+    }
+
+    // Knots, and an output that begins behind so many elements
+    static void Curve(float[] whole, int behind)
+    {
+        for (int i = 0; i < whole.Length; i++) {
+            whole[i] = i;
+        }
+        Samples.Curve(4, new Samples { Value = four }, new Span<float>(whole, 1, 4), new float[4],
+                      new Samples { Value = new Span<float>(whole, behind, 4) });
+    }
+
+    // A normal that begins in the middle of a gradient
+    static void Normals(float[] whole)
+    {
+        Samples.Normals(new Span<float>(whole, 0, 4), other, 1, new Span<float>(whole, 2, 4), null,
+                        null);
     }
 
     static void Members()
@@ -160,6 +200,11 @@ static class Mistakes
             wide, wide, new Samples { Dphase = four, Dxy = third }), Status.Unsupported);
         Expect<ScarpException>("Vxx", () => swiss.Curl2(wide, wide, new Flow { Vxy = four }),
                                Status.Unsupported);
+        Expect<ScarpException>("order", () => swiss.ShaderAnswers(2, 2), Status.Unsupported);
+        Expect<ScarpException>("order", () => new Noise().ShaderAnswers(2, 3), Status.Parameter);
+        Expect<ScarpException>("Warp", () => new Noise {
+            Octaves = 20, Warp = new Noise { Octaves = 20 }
+        }.ShaderAnswers(2, 0), Status.Unsupported);
         Expect<ScarpException>("isa", () => Library.Select((Isa)77), Status.Enum);
     }
 

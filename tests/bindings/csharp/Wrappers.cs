@@ -297,6 +297,35 @@ static class Wrappers
         }
     }
 
+    // A field that holds more of others at a time than the output does: it needs more memory for
+    // each point.
+    static void ManyParts()
+    {
+        const int parts = 54;
+        string names = "", sum = "", product = "";
+        for (int i = 0; i < parts; i++) {
+            names += "n" + i + " = x * " + (i + 2) + "\n";
+            sum += (i % 9 == 0 ? i > 0 ? ") + (" : "(" : " + ") + "n" + i;
+            product += (i % 9 == 0 ? i > 0 ? ") + (" : "(" : " + ") + "n" + i + " * s";
+        }
+        var recipe = new Recipe("recipe 1\nspace 3\n" + names + "s = " + sum + ")\nmany = "
+                                + product + ")\nout a = x");
+        recipe.Sample3(x, y, z, new Samples {
+            Value = f[0], Dx = f[1], Dy = f[2], Dz = f[3], Dxx = f[4], Dxy = f[5], Dxz = f[6],
+            Dyy = f[7], Dyz = f[8], Dzz = f[9]
+        }, "many");
+        for (int i = 0; i < Count; i++) {
+            double s = 0;
+            for (int n = 0; n < parts; n++) {
+                s += x[i] * (n + 2);
+            }
+            d[0][i] = (float)(s * s);
+            f[0][i] /= Math.Max(1, Math.Abs(d[0][i]));
+            d[0][i] /= Math.Max(1, Math.Abs(d[0][i]));
+        }
+        Same("a field of many parts", f[0], d[0], 1e-4);
+    }
+
     static void Libraries()
     {
         Isa best = Library.Isa;
@@ -322,6 +351,7 @@ static class Wrappers
         CellsOf();
         Chain();
         Recipes(hlsl);
+        ManyParts();
         Libraries();
         Console.WriteLine("wrappers do what they wrap");
     }
