@@ -78,9 +78,9 @@ impl Noise<'_> {
         let mut answers = vec![0; ffi::SCARP_GPU_ANSWERS as usize];
         let at = answers.as_mut_ptr();
         // SAFETY: there is room for all answers.
-        crate::error::check(unsafe {
-            ffi::scarp_gpu_answers(self.c(), dimensions as c_int, order as c_int, at)
-        })?;
-        Ok(answers)
+        match unsafe { ffi::scarp_gpu_answers(self.c(), dimensions as c_int, order as c_int, at) } {
+            ffi::SCARP_OK => Ok(answers),
+            status => GpuPlan::new(self, dimensions).and(Err(Error::of(status, "order"))),
+        }
     }
 }

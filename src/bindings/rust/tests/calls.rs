@@ -218,6 +218,10 @@ fn shaders() -> Result {
     hills.set_seed(3)?;
     assert_ne!(hills.uniforms()?, uniforms);
     assert_ne!(hills.answers(0)?, answers);
+    let long = "recipe 1\nout a = noise(octaves=32) + noise(seed=2, octaves=32)";
+    let uniforms = Recipe::new(long)?.uniforms()?; // in more room than the first try has
+    assert!(uniforms.len() > 64 * 160 && uniforms.len() % 16 == 0);
+    assert!(uniforms[uniforms.len() - 160..].iter().any(|byte| *byte != 0));
     let file = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../include/scarp.glsl");
     if let Ok(file) = std::fs::read_to_string(file) {
         let text = hills.shader(Language::Glsl, 1, &file)?;

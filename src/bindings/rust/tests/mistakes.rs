@@ -100,6 +100,12 @@ fn members() {
     refused(d.check(usize::MAX), Status::Parameter, "dimensions");
     refused(Plan::new(&d, 1), Status::Parameter, "dimensions");
     refused(d.gpu_answers(2, 3), Status::Parameter, "order");
+    let long = Noise { octaves: 20.0, ..d };
+    let bent = Noise { warp: Some(&long), ..long };
+    refused(GpuPlan::new(&bent, 2), Status::Unsupported, "warp");
+    refused(bent.gpu_answers(2, 0), Status::Unsupported, "warp");
+    let swiss = Noise { fractal: Fractal::Swiss, ..d };
+    refused(swiss.gpu_answers(2, 2), Status::Unsupported, "order");
 }
 
 /// The library takes four warps, and says no to a circle.
@@ -227,7 +233,13 @@ fn recipes() {
     refused(
         recipe.sample2(&X, &X, &mut [("low", value(&mut four)), ("a", phase.reborrow())], scratch),
         Status::Unsupported,
-        "",
+        "a",
+    );
+    let mut up = Samples { dz: Some(&mut five[..4]), ..Samples::default() };
+    refused(
+        recipe.sample2(&X, &X, &mut [("low", value(&mut four)), ("a", up.reborrow())], scratch),
+        Status::Unsupported,
+        "a",
     );
     assert_eq!((four, five), ([7.0; 4], [7.0; 5]));
     recipe.sample2(&X, &X, &mut [("low", value(&mut four))], scratch).unwrap();
@@ -246,6 +258,18 @@ fn recipes() {
         eroded.sample2(&X, &X, &mut [("a", second.reborrow())], scratch),
         Status::Unsupported,
         "a",
+    );
+    // The output at fault is named, not one that lacks what another is asked for.
+    let two = "recipe 1\nout a = noise(erosion, size=9, octaves=3)\nout b = noise(swiss, size=9)";
+    refused(
+        Recipe::new(two).unwrap().sample2(
+            &X,
+            &X,
+            &mut [("a", value(&mut five[..4])), ("b", second.reborrow())],
+            scratch,
+        ),
+        Status::Unsupported,
+        "b",
     );
     refused(recipe.shader(Language::Glsl, 0, "no shader"), Status::Parameter, "");
     refused(recipe.answers(3), Status::Parameter, "");

@@ -163,7 +163,7 @@ impl Recipe {
         for (i, (name, samples)) in outputs.iter_mut().enumerate() {
             which[i] = self.which(name)?;
             out[i] = samples.c(&mut sizes);
-            order = order.max(order_of(&out[i]));
+            order = order.max(order_of(samples));
         }
         sizes.check()?;
         let asked = ffi::scarp_recipe_outputs {
@@ -182,7 +182,7 @@ impl Recipe {
             more *= 2;
             status = call(&asked, &scratch.c(more));
         }
-        self.blame(status, order, outputs)
+        self.blame(status, outputs)
     }
 
     /// The error of a call that failed: the first output whose derivatives do not exist, or the
@@ -190,33 +190,40 @@ impl Recipe {
     fn blame(
         &self,
         status: ffi::scarp_status,
-        order: i32,
         outputs: &[(&str, Samples<'_>)],
     ) -> Result<(), Error> {
-        let lacks = |name: &str| {
-            let index = self.which(name).ok()?;
-            Some((self.entry_at(index as usize)?.order as i32) < order)
-        };
         match status {
             ffi::SCARP_OK => Ok(()),
             ffi::SCARP_ERROR_UNSUPPORTED => {
-                let name =
-                    outputs.iter().map(|(name, _)| *name).find(|name| lacks(name) == Some(true));
+                let lacks = |(name, asked): &&(&str, Samples<'_>)| self.lacks(name, asked);
+                let name = outputs.iter().find(lacks).map_or("", |(name, _)| *name);
                 let text = "it does not have all derivatives that are asked for";
-                Err(Error::new(Status::Unsupported, name.unwrap_or("").to_owned(), text))
+                Err(Error::new(Status::Unsupported, name.to_owned(), text))
             }
             ffi::SCARP_ERROR_PARAMETER => Err(Error::of(status, "grid")),
             _ => Err(Error::of(status, "")),
         }
     }
+
+    /// Whether an output does not have what is asked of it
+    fn lacks(&self, name: &str, asked: &Samples<'_>) -> bool {
+        let entry = self.which(name).ok().and_then(|index| self.entry_at(index as usize));
+        let has_z = any(&[&asked.dz, &asked.dxz, &asked.dyz, &asked.dzz]);
+        asked.dphase.is_some()
+            || self.dimensions == 2 && has_z
+            || entry.map_or(false, |entry| (entry.order as i32) < order_of(asked))
+    }
+}
+
+fn any(slices: &[&Option<&mut [f32]>]) -> bool {
+    slices.iter().any(|slice| slice.is_some())
 }
 
 /// The highest order of derivatives that are asked for
-fn order_of(out: &ffi::scarp_samples) -> i32 {
-    let any = |all: &[*mut f32]| all.iter().any(|pointer| !pointer.is_null());
-    if any(&[out.dxx, out.dxy, out.dxz, out.dyy, out.dyz, out.dzz]) {
+fn order_of(out: &Samples<'_>) -> i32 {
+    if any(&[&out.dxx, &out.dxy, &out.dxz, &out.dyy, &out.dyz, &out.dzz]) {
         2
     } else {
-        i32::from(any(&[out.dx, out.dy, out.dz]))
+        i32::from(any(&[&out.dx, &out.dy, &out.dz]))
     }
 }

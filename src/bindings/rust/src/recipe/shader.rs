@@ -21,7 +21,7 @@ impl Recipe {
             length: file.len(),
             ..Default::default()
         };
-        let bytes = fill(file.len() + 1, |bytes, capacity, length| {
+        let bytes = fill::<u8>(file.len() + 1, |bytes, capacity, length| {
             let text: *mut c_char = bytes.cast();
             // SAFETY: all pointers are valid, for as many bytes as they are said to have.
             unsafe { ffi::scarp_recipe_shader(&*self.c, &how, text, capacity, length) }
@@ -31,10 +31,12 @@ impl Recipe {
 
     /// The uniform buffer of that shader, in the layout std140: seed and parameters are in here.
     pub fn uniforms(&self) -> Result<Vec<u8>, Error> {
-        fill(8192, |bytes, capacity, size| {
-            // SAFETY: all pointers are valid, for as many bytes as they are said to have.
-            unsafe { ffi::scarp_recipe_uniforms(&*self.c, bytes.cast(), capacity, size) }
-        })
+        let words = fill::<u32>(8192, |words, capacity, size| {
+            // SAFETY: all pointers are valid, for as many bytes as they are said to have. Floats
+            // may stand where words do.
+            unsafe { ffi::scarp_recipe_uniforms(&*self.c, words.cast(), capacity, size) }
+        })?;
+        Ok(words.into_iter().flat_map(u32::to_ne_bytes).collect())
     }
 
     /// What that shader must answer, for a self-test at the start of a program: 4,096 hashes
@@ -56,18 +58,20 @@ impl Recipe {
     }
 }
 
-/// Calls with room for so many bytes, and once more if that was too little.
-fn fill(
-    capacity: usize,
-    call: impl Fn(*mut u8, usize, *mut usize) -> ffi::scarp_status,
-) -> Result<Vec<u8>, Error> {
-    let (mut bytes, mut length) = (vec![0; capacity], 0);
-    let mut status = call(bytes.as_mut_ptr(), bytes.len(), &mut length);
+/// Calls with room for so many bytes, and once more if that was too little. What calls write are
+/// whole elements.
+fn fill<T: Clone + Default>(
+    bytes: usize,
+    call: impl Fn(*mut T, usize, *mut usize) -> ffi::scarp_status,
+) -> Result<Vec<T>, Error> {
+    let (each, mut length) = (std::mem::size_of::<T>(), 0);
+    let mut made = vec![T::default(); bytes / each];
+    let mut status = call(made.as_mut_ptr(), made.len() * each, &mut length);
     if status == ffi::SCARP_ERROR_SIZE {
-        bytes.resize(length + 1, 0);
-        status = call(bytes.as_mut_ptr(), bytes.len(), &mut length);
+        made.resize(length / each + 1, T::default());
+        status = call(made.as_mut_ptr(), made.len() * each, &mut length);
     }
     crate::error::check(status)?;
-    bytes.truncate(length);
-    Ok(bytes)
+    made.truncate(length / each);
+    Ok(made)
 }
