@@ -265,7 +265,11 @@ static class Mistakes
             throw new Exception("the recipe tells something else than its text");
         }
         recipe["h"] = 3;
-        if (recipe.Range().Highest != 3 || recipe["h"] != 3) {
+        recipe.Finest = 0.25;
+        recipe.Seed = 5;
+        recipe["k"] = 2;
+        if (recipe.Range().Highest != 3 || recipe["h"] != 3 || recipe.Finest != 0.25
+            || recipe.Seed != 5) {
             throw new Exception("a parameter is not set");
         }
         recipe.Sample2(four, four, new Samples { Value = third }, "low");
@@ -323,6 +327,7 @@ static class Mistakes
 
     public static void Run()
     {
+        Lengths.Run();
         Arrays();
         Members();
         Pinned();

@@ -70,6 +70,9 @@ static class Wrappers
         for (int i = 0; i < 6; i++) {
             Same("Vector2 of doubles", f[i], d[i], 1e-4);
         }
+        new Noise(bent).Sample3(x, y, z, new Samples { Value = f[0] });
+        bent.Sample3(x, y, z, new Samples { Value = d[0] });
+        Same("a copy with a warp", f[0], d[0]);
         bent.Sample3(dx, dy, dz, new Samples { Value = d[0] });
         for (int i = 0; i < Count; i++) {
             f[0][i] = bent.At(dx[i], dy[i], dz[i]);
@@ -265,6 +268,12 @@ static class Wrappers
         plane.Sample2(x, y, new Samples { Value = f[0] });
         plane.Sample2(Widen(x), Widen(y), new Samples { Value = d[0] });
         Same("a recipe of the plane", f[0], d[0], 1e-6);
+        Interval within = new Recipe("recipe 1\nspace 3\nout a = x + 10 * y + 100 * z").Range(
+            "a", new Box { LowestX = 1, HighestX = 2, LowestY = 3, HighestY = 4, LowestZ = 5,
+                           HighestZ = 6 });
+        if (Math.Abs(within.Lowest - 531) > 0.01 || Math.Abs(within.Highest - 642) > 0.01) {
+            throw new Exception("values in a box are in " + within);
+        }
         plane.Seed = 4;
         plane.Sample2(x, y, new Samples { Value = d[0] });
         if (f[0][7] == d[0][7] || plane.Seed != 4) {
