@@ -206,6 +206,40 @@ fn functions() {
     assert_eq!(slope, [7.0]);
 }
 
+/// Rows and slices of a grid lie as far apart as it says.
+#[test]
+fn strides() -> Result {
+    let (noise, dense) = (
+        Noise { seed: 3, ..Noise::default() },
+        Grid::<3> { step: [0.3; 3], count: [3, 2, 2], ..Grid::default() },
+    );
+    let (mut a, mut b) = (Arrays::space(12, 1), Arrays::space(28, 1));
+    assert!(a.dz.len() == 12 && a.dzz.is_empty() && Arrays::space(2, 2).dzz.len() == 2);
+    noise.grid3(&dense, &mut a.samples())?;
+    let loose = Grid { row_stride: 5, slice_stride: 20, ..dense };
+    assert_eq!(loose.len(), Some(28));
+    noise.grid3(&loose, &mut b.samples())?;
+    for i in 0..12 {
+        let at = i / 6 * 20 + i / 3 % 2 * 5 + i % 3;
+        assert_eq!((a.value[i], a.dz[i]), (b.value[at], b.dz[at]));
+    }
+    Ok(())
+}
+
+/// Any of the members tells how many samples there are.
+#[test]
+fn views_of_one_member() {
+    macro_rules! each {
+        ($($member:ident)*) => {$(
+            let mut one = Arrays { $member: vec![2.0; 3], ..Arrays::default() };
+            one.samples().affine(3.0, 1.0).unwrap();
+            let expected = if stringify!($member) == "value" { 7.0 } else { 6.0 };
+            assert_eq!(one.$member, [expected; 3], stringify!($member));
+        )*};
+    }
+    each!(value dx dy dz dxx dxy dxz dyy dyz dzz dphase);
+}
+
 #[test]
 fn shaders() -> Result {
     let noise = Noise { octaves: 3.0, ..Noise::default() };
@@ -216,6 +250,7 @@ fn shaders() -> Result {
     let mut hills = Recipe::preset("hills")?;
     let (uniforms, answers) = (hills.uniforms()?, hills.answers(0)?);
     hills.set_seed(3)?;
+    assert_eq!(hills.seed(), 3);
     assert_ne!(hills.uniforms()?, uniforms);
     assert_ne!(hills.answers(0)?, answers);
     let long = "recipe 1\nout a = noise(octaves=32) + noise(seed=2, octaves=32)";

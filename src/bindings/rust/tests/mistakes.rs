@@ -131,6 +131,8 @@ fn outputs_that_do_not_exist() {
     let eroded = Noise { fractal: Fractal::Erosion, octaves: 3.0, ..Noise::default() };
     let mut out = Samples { dxy: Some(&mut b), ..value(&mut a) };
     refused(eroded.sample2(&X, &X, &mut out), Status::Unsupported, "dxy");
+    let swiss = Noise { fractal: Fractal::Swiss, ..Noise::default() };
+    refused(swiss.sample2(&X, &X, &mut out), Status::Unsupported, "dxy");
     let bent = Noise { warp: Some(&eroded), ..Noise::default() };
     refused(bent.sample2(&X, &X, &mut out), Status::Unsupported, "dxy");
     let mut out = Samples { dphase: Some(&mut b), ..value(&mut a) };
@@ -184,6 +186,8 @@ fn gullies() {
     );
     let grid = Grid::<2> { count: [3, 2], ..Grid::default() };
     refused(d.grid2(&grid, &base.view(), &mut fits), Status::Size, "value");
+    let endless = Grid::<2> { count: [2, 2], step: [f64::NAN; 2], ..grid };
+    refused(d.grid2(&endless, &base.view(), &mut fits), Status::Parameter, "grid");
     assert_eq!((out, five), ([7.0; 4], [7.0; 5]));
 }
 

@@ -52,3 +52,16 @@ impl std::fmt::Debug for Plan {
         f.write_str("Plan")
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A plan has the constants of its noise. Results cannot tell.
+    #[test]
+    fn plans_differ() {
+        let plans = [(0, 2), (1, 2), (0, 3)]
+            .map(|(seed, d)| Plan::new(&Noise { seed, ..Noise::DEFAULT }, d).unwrap());
+        assert!(plans[0].0.rest != plans[1].0.rest && plans[0].0.rest != plans[2].0.rest);
+    }
+}
