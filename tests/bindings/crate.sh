@@ -75,6 +75,15 @@ rm -rf "$CARGO_TARGET_DIR"
 "$cargo" test --offline --locked --test hashes
 [ "$(linked)" = static ] || fail "the library is not inside"
 
+echo "another static library in the same place"
+mkdir "$dir/static"
+cp "$(find "$CARGO_TARGET_DIR" -name libscarp.a | head -n 1)" "$dir/static"
+SCARP_BUILD='' SCARP_LIB_DIR=$dir/static "$cargo" build --offline --locked
+sleep 1
+touch "$dir/static/libscarp.a"
+SCARP_BUILD='' SCARP_LIB_DIR=$dir/static "$cargo" build --offline --locked >"$dir/log" 2>&1
+grep -q Compiling "$dir/log" || fail "the crate keeps the old library: $(cat "$dir/log")"
+
 echo "mistakes are told"
 CC=/nowhere/cc refused /nowhere/cc "$cargo" build --offline --locked
 SCARP_BUILD=both refused "SCARP_BUILD is source or system" "$cargo" build --offline --locked

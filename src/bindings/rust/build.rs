@@ -108,6 +108,8 @@ fn link_folder(folder: &Path) {
     if shared.iter().any(|name| is_there(name)) {
         println!("cargo:rustc-link-lib=dylib=scarp");
     } else if is_there("libscarp.a") {
+        // It becomes a part of the crate, which has to be built again with another one.
+        println!("cargo:rerun-if-changed={}", folder.join("libscarp.a").display());
         println!("cargo:rustc-link-lib=static=scarp");
         link_mathematics();
     } else {

@@ -17,6 +17,12 @@ use crate::ffi;
 /// assert_eq!(tile.position([1, 2]), [128.5, 1.0]);
 /// assert_eq!(tile.len(), Some(64 * 32));
 /// ```
+///
+/// There are no others:
+///
+/// ```compile_fail,E0080
+/// scarp::Grid::<4>::default();
+/// ```
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Grid<const D: usize> {
     /// Finite. By default 0
@@ -36,6 +42,7 @@ pub struct Grid<const D: usize> {
 
 impl<const D: usize> Default for Grid<D> {
     fn default() -> Self {
+        let () = Self::IS_OF_PLANE_OR_SPACE;
         Grid {
             origin: [0.0; D],
             step: [1.0; D],
@@ -48,6 +55,8 @@ impl<const D: usize> Default for Grid<D> {
 }
 
 impl<const D: usize> Grid<D> {
+    const IS_OF_PLANE_OR_SPACE: () = assert!(D == 2 || D == 3, "it is Grid<2> or Grid<3>");
+
     /// Where a sample lies
     pub fn position(&self, index: [usize; D]) -> [f64; D] {
         let mut at = self.origin;
@@ -85,6 +94,7 @@ impl<const D: usize> Grid<D> {
 
     /// Whether there are no samples
     pub fn is_empty(&self) -> bool {
+        let () = Self::IS_OF_PLANE_OR_SPACE; // also of grids that were not made by default()
         self.count.contains(&0)
     }
 
