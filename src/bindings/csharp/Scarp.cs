@@ -2797,8 +2797,8 @@ namespace Scarp.Internal
             if (reads > 0) {
                 Arguments.Overlap((byte**)s, 16 * reads, bytes, written, 16 * (all - reads), bytes,
                                   true, Samples.Names);
-                Arguments.Overlap(coordinates, 2, 4 * (long)(ulong)knots, written, 16 * (all - reads),
-                                  bytes, false, Samples.Names);
+                Arguments.Overlap(coordinates, 2, 4 * (long)(ulong)knots, written,
+                                  16 * (all - reads), bytes, false, Samples.Names);
             } else {
                 Arguments.Overlap(coordinates, 3, isFloat ? bytes : 2 * bytes, written, 16 * all,
                                   bytes,
