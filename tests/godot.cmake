@@ -19,7 +19,7 @@ else()
 endif()
 
 # The shader of its page
-scarp_add_test(godot.shader bindings NEEDS glslang python3 scarp
+scarp_add_test(godot.shader shader NEEDS glslang python3 scarp
                COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/bindings/test_godot_shader.py
                ${PROJECT_SOURCE_DIR} "${SCARP_GLSLANG}" ${CMAKE_CURRENT_BINARY_DIR}/godot
                ${CMAKE_CROSSCOMPILING_EMULATOR} $<TARGET_FILE:scarp-cli>)
