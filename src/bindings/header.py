@@ -70,6 +70,11 @@ def length(expression, pointer):
     return eval(text.replace("/", "//"))  # digits and operators alone
 
 
+def both(four, eight):
+    """A number for pointers of 4 bytes and of 8; one if they are the same."""
+    return four if four == eight else (four, eight)
+
+
 class Header:
     """What the header declares."""
 

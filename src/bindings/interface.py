@@ -14,7 +14,7 @@ import os
 import re
 import sys
 
-from header import Header
+from header import Header, both
 from tables import csharp, python, rust, web
 
 TABLES = (csharp, python, rust, web)
@@ -31,10 +31,6 @@ DOCUMENTS = (("src/web/scarp.d.ts", "export interface Noise {", "\n}", True),
              ("src/bindings/python/scarp/_noise.py", "class Noise:\n", "\n    None ", False),
              ("src/bindings/csharp/Scarp.cs", "class Noise\n", "// On its way to C", False),
              ("src/bindings/rust/src/noise.rs", "pub struct Noise<'a> {", "\n}", False))
-
-
-def both(four, eight):
-    return four if four == eight else [four, eight]
 
 
 def description(header):

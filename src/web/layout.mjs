@@ -114,22 +114,18 @@ function numbersOf(what, list, least, most) {
         list.length < least ||
         list.length > most
     ) {
-        throw new TypeError(
-            `${what} must be ${least === most ? least : `${least} or ${most}`} numbers`,
-        );
+        const count = least === most ? `${least} ` : least > 0 ? `${least} or ${most} ` : '';
+        throw new TypeError(`${what} must be ${count}numbers`);
     }
     return Array.from(list);
 }
 
 // How many knots a curve has. The library refuses too few and too many.
 export function checkKnots(x, values) {
-    for (const [name, list] of [
-        ['x', x],
-        ['values', values],
-    ]) {
-        numbersOf(name, list, x?.length, x?.length).forEach((value) => checkNumber(name, value));
-    }
-    return x.length;
+    const most = Number.MAX_SAFE_INTEGER;
+    const knots = numbersOf('x', x, 0, most).map((value) => checkNumber('x', value)).length;
+    numbersOf('values', values, knots, knots).forEach((value) => checkNumber('values', value));
+    return knots;
 }
 
 function putEnumerator(view, at, name, value, words) {

@@ -2,13 +2,11 @@
 """The tables of the module for Python."""
 import re
 
+from header import both
+
 PATH = "src/bindings/python/scarp/_interface.py"
 CODES = {"char": "i1", "unsigned char": "u1", "int": "i4", "int32_t": "i4", "uint32_t": "u4",
          "float": "f4", "int64_t": "i8", "uint64_t": "u8", "double": "f8", "size_t": "size"}
-
-
-def both(four, eight):
-    return four if four == eight else (four, eight)
 
 
 def code(kind):

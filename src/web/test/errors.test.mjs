@@ -70,6 +70,27 @@ refuses('period 2^30 + 1', (o) => scarp.sample2({ period: [2 ** 30 + 1, 0] }, x,
 });
 refuses('a period along one axis', (o) => scarp.sample2({ period: [4] }, x, y, o), TypeError);
 refuses('an octave as text', (o) => scarp.sample2({ octaves: '3' }, x, y, o), TypeError);
+for (const [what, knots, values] of [
+    ['no knots', undefined, [1, 2]],
+    ['other values than knots', [0, 1, 2], [1, 2]],
+    ['knots as text', ['0', '1'], [1, 2]],
+]) {
+    refuses(
+        `a curve with ${what}`,
+        (o) => scarp.curve({ value: x }, knots, values, o),
+        (error) => error instanceof TypeError && !/undefined/.test(error.message),
+    );
+}
+for (const [what, knots] of [
+    ['one knot', [0]],
+    ['knots out of order', [1, 0]],
+    ['65 knots', Array.from({ length: 65 }, (_, i) => i)],
+]) {
+    refuses(`a curve with ${what}`, (o) => scarp.curve({ value: x }, knots, knots, o), {
+        name: 'ScarpError',
+        status: STATUS.PARAMETER,
+    });
+}
 refuses(
     'a misspelt member',
     (o) => scarp.sample2({ octave: 3 }, x, y, o),
@@ -346,11 +367,19 @@ refuses('an output of a recipe misspelt', (o) => recipe.sample2(x, y, { ...o, dX
 refuses('dz of the plane', (o) => recipe.sample2(x, y, { ...o, dz: new Float32Array(8) }), {
     status: STATUS.UNSUPPORTED,
 });
-refuses('an output that is a coordinate and another', (o) => recipe.sample2(x, y, [o, o]), RangeError);
+refuses(
+    'an output that is a coordinate and another',
+    (o) => recipe.sample2(x, y, [o, o]),
+    RangeError,
+);
 refuses('a recipe of space at points of the plane', (o) => space.sample2(x, y, o), {
     status: STATUS.NULL,
 });
-refuses('a grid of the plane for a recipe of space', (o) => space.grid({ count: [4, 2] }, o), Error);
+refuses(
+    'a grid of the plane for a recipe of space',
+    (o) => space.grid({ count: [4, 2] }, o),
+    Error,
+);
 refuses('a step of infinity', (o) => recipe.grid({ count: [4, 2], step: [1, Infinity] }, o), {
     status: STATUS.PARAMETER,
 });
