@@ -44,10 +44,9 @@ void oracle_gradient_vector(int dimensions, unsigned index, double vector[3])
     }
 }
 
-/* The cell `steps` further along axis i, within the period. */
-static uint32_t stepped(const struct oracle_lattice *lattice, int i, uint32_t cell, int steps)
+uint32_t oracle_stepped(const struct oracle_lattice *lattice, int axis, uint32_t cell, int steps)
 {
-    const int64_t period = lattice->period[i];
+    const int64_t period = lattice->period[axis];
     if (period == INT64_C(1) << 32) {
         return cell + (uint32_t)steps; /* as below, but faster */
     }
@@ -60,7 +59,7 @@ uint32_t oracle_mixed(const struct oracle_lattice *lattice, const uint32_t cell[
 {
     uint32_t mixed = 0;
     for (int i = 0; i < lattice->dimensions; i++) {
-        const uint32_t inside = stepped(lattice, i, cell[i], step[i]);
+        const uint32_t inside = oracle_stepped(lattice, i, cell[i], step[i]);
         const uint32_t axis = inside * hash_axis_multiplier[i] + lattice->key[i];
         mixed ^= axis / 256 + axis % 256 * 16777216; /* rotates the bits */
     }
@@ -298,7 +297,7 @@ void oracle_make_component(struct oracle *oracle, const struct scarp_noise *nois
     oracle->component = shares ? component : 0;
 }
 
-static uint32_t inside_period(double cell, int64_t period)
+uint32_t oracle_inside_period(double cell, int64_t period)
 {
     const int64_t remainder = (int64_t)cell % period;
     return (uint32_t)(remainder < 0 ? remainder + period : remainder);
@@ -369,15 +368,15 @@ static void place(const struct oracle *oracle, int k, enum oracle_rounding round
         double turned_cell;
         if (rounding == ORACLE_F64 && oracle->octave[k].turned) {
             t[i] = place_turned(oracle, k, x, i, &turned_cell);
-            cell[i] = inside_period(turned_cell, period);
+            cell[i] = oracle_inside_period(turned_cell, period);
             continue;
         }
         const double p = position(oracle, k, rounding, x, i), lower = floor(p);
         if (rounding == ORACLE_F32 && !(p >= -0x1p31 && p < 0x1p31)) {
-            cell[i] = inside_period(-0x1p31, period);
+            cell[i] = oracle_inside_period(-0x1p31, period);
             continue;
         }
-        cell[i] = inside_period(lower, period);
+        cell[i] = oracle_inside_period(lower, period);
         t[i] = rounding == ORACLE_EXACT ? p - lower : (double)(float)(p - lower);
     }
 }

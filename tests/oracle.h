@@ -3,8 +3,8 @@
  * The oracle: scarp's noise again, in double precision, from the published closed forms and the
  * definition in scarp.h. It shares no code with src/. oracle.c has what scarp defines (lattice,
  * octaves), oracle_basis.c, oracle_simplex.c and oracle_cells.c the published formulas of an
- * octave, oracle_fractal.c the fractals, oracle_perlin.c another lattice that the same formulas can
- * be fed with. Included by the tests that compare with it.
+ * octave, oracle_fractal.c the fractals. oracle_check.c and oracle_published.c feed the same
+ * formulas with what other authors draw from; oracle_perlin.c is one such lattice.
  */
 #ifndef SCARP_TESTS_ORACLE_H
 #define SCARP_TESTS_ORACLE_H
@@ -77,6 +77,10 @@ uint32_t oracle_mixed(const struct oracle_lattice *lattice, const uint32_t cell[
                       const int step[3]);
 uint32_t oracle_hash(uint32_t mixed);
 
+/* The cell `steps` further along an axis, and the cell with this number, within the period. */
+uint32_t oracle_stepped(const struct oracle_lattice *lattice, int axis, uint32_t cell, int steps);
+uint32_t oracle_inside_period(double cell, int64_t period);
+
 /* The gradient that a hash draws. */
 const double *oracle_gradient_drawn(const struct oracle_lattice *lattice, uint32_t hash);
 
@@ -94,6 +98,13 @@ void oracle_gradient_vector(int dimensions, unsigned index, double vector[3]);
 /* The same after `turns` of a vector of speed 1, and its derivative by `turns`: oracle_phase.c. */
 void oracle_gradient_turned(int dimensions, unsigned index, double turns, double vector[3],
                             double derivative[3]);
+
+/* What that is made of: the direction at this angle after `turns` at this speed; and a vector
+   across the axis, of length 1, that turns about it. */
+void oracle_turn_in_plane(double still, double speed, double turns, double vector[3],
+                          double derivative[3]);
+void oracle_turn_about(const double axis[3], const double still[3], double speed, double turns,
+                       double vector[3], double derivative[3]);
 
 /* The value that the lattice of octave k draws at an integer point, in [-1, 1). */
 double oracle_lattice_value(const struct oracle *oracle, int k, const uint32_t point[3]);
@@ -151,6 +162,23 @@ void oracle_simplex_noise(const struct oracle_lattice *lattice, const uint32_t c
 void oracle_cell_noise(const struct oracle_lattice *lattice, enum scarp_basis basis, double jitter,
                        const uint32_t cell[3], const double t[3], struct oracle_sample *n);
 
+/* Simplex noise as authors differ in it: rows of triangles with edge 1 are `row` apart, in 3D there
+   are the corners and the centres of cubes; kernels are (square - d.d)^power. `draw` tells the
+   gradient of the vertex `step` from a cell, the centre of that cube where `centre` is 1. */
+typedef void oracle_draw_vertex(const void *lattice, const uint32_t cell[3], const int step[3],
+                                int centre, double gradient[3]);
+struct oracle_simplex {
+    int dimensions;
+    double row, square, power;
+    oracle_draw_vertex *draw;
+    const void *lattice;
+};
+void oracle_simplex_sum(const struct oracle_simplex *simplex, const uint32_t cell[3],
+                        const double t[3], struct oracle_sample *n);
+
+/* What scarp has, without a lattice. */
+struct oracle_simplex oracle_simplex_own(int dimensions);
+
 /* oracle_cells.c: the features by distance from p, nearest first, as scarp_cells2 tells them. */
 #define ORACLE_FEATURES 3
 struct oracle_feature {
@@ -159,6 +187,15 @@ struct oracle_feature {
 };
 void oracle_features(const struct oracle_lattice *lattice, double jitter, const uint32_t cell[3],
                      const double t[3], struct oracle_feature nearest[ORACLE_FEATURES]);
+
+/* What that is made of, for other features: none yet, and one more at d from p. */
+void oracle_features_none(struct oracle_feature nearest[ORACLE_FEATURES]);
+void oracle_features_add(int dimensions, struct oracle_feature feature,
+                         struct oracle_feature nearest[ORACLE_FEATURES]);
+
+/* The basis by the nearest features; not SCARP_CELL_SOFT. */
+void oracle_cell_noise_of(const struct oracle_feature f[ORACLE_FEATURES], enum scarp_basis basis,
+                          int dimensions, struct oracle_sample *n);
 
 /* The number of a feature's cell that scarp_cells2 tells. */
 uint32_t oracle_feature_id(uint32_t hash);

@@ -62,24 +62,37 @@ static int cells_around(const struct oracle_lattice *lattice)
     return lattice->dimensions == 2 ? 7 * 7 : 7 * 7 * 7;
 }
 
+void oracle_features_none(struct oracle_feature nearest[ORACLE_FEATURES])
+{
+    for (int rank = 0; rank < ORACLE_FEATURES; rank++) {
+        nearest[rank].square = nearest[rank].distance = HUGE_VAL;
+    }
+}
+
+void oracle_features_add(int dimensions, struct oracle_feature feature,
+                         struct oracle_feature nearest[ORACLE_FEATURES])
+{
+    feature.square = 0.0;
+    for (int i = 0; i < dimensions; i++) {
+        feature.square += feature.d[i] * feature.d[i];
+    }
+    for (int rank = 0; rank < ORACLE_FEATURES; rank++) { /* insertion */
+        if (feature.square < nearest[rank].square) {
+            const struct oracle_feature moved = nearest[rank];
+            nearest[rank] = feature;
+            nearest[rank].distance = sqrt(feature.square);
+            feature = moved;
+        }
+    }
+}
+
 void oracle_features(const struct oracle_lattice *lattice, double jitter, const uint32_t cell[3],
                      const double t[3], struct oracle_feature nearest[ORACLE_FEATURES])
 {
-    for (int rank = 0; rank < ORACLE_FEATURES; rank++) {
-        nearest[rank].square = HUGE_VAL;
-    }
+    oracle_features_none(nearest);
     for (int number = 0; number < cells_around(lattice); number++) {
-        struct oracle_feature f = feature(lattice, jitter, cell, t, number);
-        for (int rank = 0; rank < ORACLE_FEATURES; rank++) { /* insertion */
-            if (f.square < nearest[rank].square) {
-                const struct oracle_feature moved = nearest[rank];
-                nearest[rank] = f;
-                f = moved;
-            }
-        }
-    }
-    for (int rank = 0; rank < ORACLE_FEATURES; rank++) {
-        nearest[rank].distance = sqrt(nearest[rank].square);
+        oracle_features_add(lattice->dimensions, feature(lattice, jitter, cell, t, number),
+                            nearest);
     }
 }
 
@@ -131,6 +144,25 @@ static void soft(const struct oracle_lattice *lattice, double jitter, const uint
     }
 }
 
+void oracle_cell_noise_of(const struct oracle_feature f[ORACLE_FEATURES], enum scarp_basis basis,
+                          int dimensions, struct oracle_sample *n)
+{
+    *n = (struct oracle_sample){.nearest = fmin(1.0, f[0].distance)};
+    n->clearance = fmin(f[0].distance, (f[1].distance - f[0].distance) / 2.0);
+    if (basis == SCARP_CELL_VALUE) {
+        n->value = signed_draw(oracle_feature_id(f[0].hash)) * 0x1p-31;
+        n->nearest = 1.0;
+    } else if (basis == SCARP_CELL_F1) {
+        add_distance(dimensions, 1.0, &f[0], n);
+    } else {
+        n->clearance = fmin(n->clearance, (f[2].distance - f[1].distance) / 2.0);
+        add_distance(dimensions, 1.0, &f[1], n);
+        if (basis == SCARP_CELL_EDGE) {
+            add_distance(dimensions, -1.0, &f[0], n);
+        }
+    }
+}
+
 void oracle_cell_noise(const struct oracle_lattice *lattice, enum scarp_basis basis, double jitter,
                        const uint32_t cell[3], const double t[3], struct oracle_sample *n)
 {
@@ -140,18 +172,5 @@ void oracle_cell_noise(const struct oracle_lattice *lattice, enum scarp_basis ba
     }
     struct oracle_feature f[ORACLE_FEATURES];
     oracle_features(lattice, jitter, cell, t, f);
-    *n = (struct oracle_sample){.nearest = fmin(1.0, f[0].distance)};
-    n->clearance = fmin(f[0].distance, (f[1].distance - f[0].distance) / 2.0);
-    if (basis == SCARP_CELL_VALUE) {
-        n->value = signed_draw(oracle_feature_id(f[0].hash)) * 0x1p-31;
-        n->nearest = 1.0;
-    } else if (basis == SCARP_CELL_F1) {
-        add_distance(lattice->dimensions, 1.0, &f[0], n);
-    } else {
-        n->clearance = fmin(n->clearance, (f[2].distance - f[1].distance) / 2.0);
-        add_distance(lattice->dimensions, 1.0, &f[1], n);
-        if (basis == SCARP_CELL_EDGE) {
-            add_distance(lattice->dimensions, -1.0, &f[0], n);
-        }
-    }
+    oracle_cell_noise_of(f, basis, lattice->dimensions, n);
 }
