@@ -494,16 +494,36 @@ static jet sloped(const struct oracle_recipe *o, int call, const struct frame *i
     return composed(r, &in->at);
 }
 
+/* A member of gullies. What is 0 in a recipe has no effect; in the library it is the default. */
+static float member_of(const struct oracle_recipe *o, int call, const char *name, double standard)
+{
+    const float given = (float)number_or(o, call, name, -1, standard);
+    return given == 0.0f ? 0x1p-24f : given;
+}
+
 static struct scarp_gullies gullies_of(const struct oracle_recipe *o, int call)
 {
-    struct scarp_gullies g = {.seed = seed_of(o, call), .frequency = frequency_of(o, call)};
-    g.amplitude = (float)number_or(o, call, "amplitude", -1, 0.0);
-    g.octaves = (float)number_or(o, call, "octaves", -1, 0.0);
-    g.depth = (float)number_or(o, call, "depth", -1, 0.0);
-    g.cells = (float)number_or(o, call, "cells", -1, 0.0);
-    g.floor = (float)number_or(o, call, "floor", -1, 0.5);
-    g.floor = g.floor == 0.0f ? 0x1p-24f : g.floor;
-    g.rotate = has_word(o, call, "rotate") != 0;
+    const struct scarp_gullies g = {
+        .seed = seed_of(o, call),
+        .frequency = frequency_of(o, call),
+        .amplitude = (float)number_or(o, call, "amplitude", -1, 0.0),
+        .octaves = (float)number_or(o, call, "octaves", -1, 0.0),
+        .of_octaves = (float)number_or(o, call, "of_octaves", -1, 0.0),
+        .lacunarity = (float)number_or(o, call, "lacunarity", -1, 0.0),
+        .gain = (float)number_or(o, call, "gain", -1, 0.0),
+        .depth = member_of(o, call, "depth", 0.25),
+        .cells = (float)number_or(o, call, "cells", -1, 0.0),
+        .slope = (float)number_or(o, call, "slope", -1, 0.0),
+        .slope_low = (float)number_or(o, call, "slope_low", -1, 0.0),
+        .low = member_of(o, call, "low", -1.0),
+        .high = member_of(o, call, "high", 1.0),
+        .floor = member_of(o, call, "floor", 0.5),
+        .stripes = (float)number_or(o, call, "stripes", -1, 0.0),
+        .branch = member_of(o, call, "branch", 0.8),
+        .round = (float)number_or(o, call, "round", -1, 0.0),
+        .keep = member_of(o, call, "keep", 1.0),
+        .rotate = has_word(o, call, "rotate") != 0,
+    };
     return g;
 }
 

@@ -77,6 +77,14 @@ static const struct recipe_text recipe_texts[] = {
      PLANE "f = 2 * noise(size=4)\n"
            "a = displacement(f, size=4, amplitude=2, octaves=2, floor=0, rotate)",
      0},
+    {"gullies_members",
+     PLANE
+     "f = 2 * noise(size=4)\n"
+     "g = gullies(f, size=4, seed=9, amplitude=2, octaves=2.5, of_octaves=4, lacunarity=1.9,\n"
+     "            gain=0.5, depth=0.3, cells=2, slope=0.9, slope_low=1.4, low=-0.6, high=0.7,\n"
+     "            floor=-0.4, stripes=1.2, branch=0.6, round=0.3, keep=0.8, rotate)\n"
+     "a = g + displacement(f, size=4, low=-1, high=0, branch=0, keep=0, octaves=1)",
+     0},
     {"gullies_turned",
      PLANE "f = noise(size=4)\nw = noise(size=3, amplitude=0.5)\n"
            "a = warp(turn(gullies(f, size=4, octaves=2), 30), w)",

@@ -6,69 +6,38 @@
  * beside. Argument: the number of points per case.
  */
 #include "fractal.h"
+#include "oracle_warp.h"
 
-#define DEPTH 4
 #define STEP 0x1p-17
 #define SECOND_STEP 0x1p-14
 
-/* A noise in double, with its warps: level 0 is the noise, the others have a component per axis. */
-struct chain {
-    int depth, dimensions;
-    struct oracle level[DEPTH + 1][3];
-};
-
-static void chain_make(struct chain *chain, const struct scarp_noise *noise, int dimensions)
-{
-    chain->dimensions = dimensions;
-    oracle_make(&chain->level[0][0], noise, dimensions);
-    for (chain->depth = 0; (noise = noise->warp) != NULL;) {
-        chain->depth++;
-        for (int i = 0; i < dimensions; i++) {
-            oracle_make_component(&chain->level[chain->depth][i], noise, dimensions, i);
-        }
-    }
-}
-
-/* The noise at y(x), with its derivatives by y. */
-static void chain_at(const struct chain *chain, const double x[3], struct oracle_sample *n)
-{
-    double y[3] = {x[0], x[1], x[2]};
-    for (int level = chain->depth; level > 0; level--) {
-        double moved[3] = {x[0], x[1], x[2]};
-        for (int i = 0; i < chain->dimensions; i++) {
-            struct oracle_sample d;
-            oracle_evaluate(&chain->level[level][i], ORACLE_EXACT, y, &d);
-            moved[i] += d.value;
-        }
-        memcpy(y, moved, sizeof y);
-    }
-    oracle_evaluate(&chain->level[0][0], ORACLE_EXACT, y, n);
-}
-
-static double value_beside(const struct chain *chain, const double x[3], const double by[3])
+static double value_beside(const struct oracle_warped *warped, const double x[3],
+                           const double by[3])
 {
     const double at[3] = {x[0] + by[0], x[1] + by[1], x[2] + by[2]};
     struct oracle_sample n;
-    chain_at(chain, at, &n);
+    oracle_warped_at(warped, at, &n);
     return n.value;
 }
 
-static double first_difference_along(const struct chain *chain, const double x[3], int axis)
+static double first_difference_along(const struct oracle_warped *warped, const double x[3],
+                                     int axis)
 {
     double up[3] = {0.0, 0.0, 0.0}, down[3] = {0.0, 0.0, 0.0};
     up[axis] = STEP;
     down[axis] = -STEP;
-    return (value_beside(chain, x, up) - value_beside(chain, x, down)) / (2.0 * STEP);
+    return (value_beside(warped, x, up) - value_beside(warped, x, down)) / (2.0 * STEP);
 }
 
-static double second_difference_along(const struct chain *chain, const double x[3], int a, int b)
+static double second_difference_along(const struct oracle_warped *warped, const double x[3], int a,
+                                      int b)
 {
     double sum = 0.0;
     for (int i = 0; i < 4; i++) {
         double by[3] = {0.0, 0.0, 0.0};
         by[a] += i & 1 ? -SECOND_STEP : SECOND_STEP;
         by[b] += i & 2 ? -SECOND_STEP : SECOND_STEP;
-        sum += value_beside(chain, x, by) * (i == 0 || i == 3 ? 1.0 : -1.0);
+        sum += value_beside(warped, x, by) * (i == 0 || i == 3 ? 1.0 : -1.0);
     }
     return sum / (4.0 * SECOND_STEP * SECOND_STEP);
 }
@@ -79,19 +48,19 @@ struct errors {
     double max_second, squares_second, of_second;
 };
 
-static void compare_point(const struct chain *chain, const double x[3],
+static void compare_point(const struct oracle_warped *warped, const double x[3],
                           const struct oracle_sample *n, struct errors *e)
 {
     struct oracle_sample at_y;
-    chain_at(chain, x, &at_y);
-    for (int a = 0; a < chain->dimensions; a++) {
-        const double slope = first_difference_along(chain, x, a);
+    oracle_warped_at(warped, x, &at_y);
+    for (int a = 0; a < warped->dimensions; a++) {
+        const double slope = first_difference_along(warped, x, a);
         e->max = larger(e->max, fabs(n->gradient[a] - slope));
         e->squares += pow(n->gradient[a] - slope, 2.0);
         e->of += slope * slope;
         e->without += pow(at_y.gradient[a] - slope, 2.0);
         for (int b = 0; b <= a; b++) {
-            const double second = second_difference_along(chain, x, a, b);
+            const double second = second_difference_along(warped, x, a, b);
             e->max_second = larger(e->max_second, fabs(n->hessian[a][b] - second));
             e->squares_second += pow(n->hessian[a][b] - second, 2.0);
             e->of_second += second * second;
@@ -103,12 +72,12 @@ static void compare_point(const struct chain *chain, const double x[3],
    and third derivatives jump between cells. */
 static void check_case(const struct scarp_noise *noise, int dimensions, long points)
 {
-    static struct chain chain;
+    static struct oracle_warped warped;
     struct block *const block = block_make();
     const enum function f = dimensions == 2 ? SAMPLE2_F64 : SAMPLE3_F64;
     struct errors e = {.max = 0.0};
     uint64_t random = 1;
-    chain_make(&chain, noise, dimensions);
+    oracle_warped_make(&warped, noise, dimensions);
     for (long done = 0; done < points; done += BLOCK) {
         block_random(block, &random, 64.0f);
         block_sample(block, noise, f, BLOCK);
@@ -116,7 +85,7 @@ static void check_case(const struct scarp_noise *noise, int dimensions, long poi
             double x[3];
             block_point(block, i, x);
             const struct oracle_sample n = block_result(block, noise, f, i);
-            compare_point(&chain, x, &n, &e);
+            compare_point(&warped, x, &n, &e);
         }
     }
     const double count = (double)(points * dimensions), pairs = 0.5 * (dimensions + 1);
@@ -126,7 +95,7 @@ static void check_case(const struct scarp_noise *noise, int dimensions, long poi
     const double of_second = sqrt(e.of_second / count / pairs);
     printf("warp %dD, %d deep: gradient max %.1e, rms %.1e of %.2f; without the Jacobian rms %.2f; "
            "Hessian max %.1e, rms %.1e of %.1f\n",
-           dimensions, chain.depth, e.max, rms, of, without, e.max_second, second, of_second);
+           dimensions, warped.depth, e.max, rms, of, without, e.max_second, second, of_second);
     CHECK(e.max <= 5e-5 * of && rms <= 2e-6 * of, "gradient: off by %g, rms %g", e.max, rms);
     CHECK(without >= 0.2 * of, "without the Jacobian the rms error is %g only", without);
     CHECK(e.max_second <= 5e-2 * of_second && second <= 1e-3 * of_second,
@@ -136,7 +105,7 @@ static void check_case(const struct scarp_noise *noise, int dimensions, long poi
 
 int main(int argc, char **argv)
 {
-    static const struct scarp_noise chains[DEPTH + 1] = {
+    static const struct scarp_noise chains[ORACLE_WARPS + 1] = {
         {.seed = 5, .octaves = 2.0f, .frequency = 0.5, .amplitude = 0.5f},
         {.seed = 4, .octaves = 2.0f, .frequency = 0.5, .amplitude = 0.5f, .warp = &chains[0]},
         {.seed = 3, .octaves = 2.0f, .frequency = 0.5, .amplitude = 0.5f, .warp = &chains[1]},

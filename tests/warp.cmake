@@ -10,7 +10,7 @@ scarp_add_test(warp.api warp test_warp_api)
 scarp_test_program(test_vector SOURCES ${oracle_sources})
 scarp_add_isa_tests(vector warp test_vector)
 
-scarp_test_program(test_warp_exact SOURCES ${oracle_sources})
+scarp_test_program(test_warp_exact SOURCES oracle_warp.c ${oracle_sources})
 scarp_add_sized_test(warp.exact warp SIZES 4000 1000 1000 1000 COMMAND test_warp_exact {})
 
 scarp_test_program(test_bend)
