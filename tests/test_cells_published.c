@@ -7,8 +7,11 @@
 #include "check.h"
 #include "oracle.h"
 
-#define PI 3.14159265358979323846
 #define MOST_FEATURES 8 /* in a cell */
+
+/* Points at which the library's cells are sampled, and those of a call */
+#define POINTS (1 << 18)
+#define BLOCK 4096
 
 /* Sums of F1, F2, F3, F1^2, and of F2 - F1 as the basis has it. */
 struct sums {
@@ -183,7 +186,6 @@ static void integrate(double mean[3])
 /* The library's cells. */
 static void check_library(void)
 {
-    enum { POINTS = 1 << 18, BLOCK = 4096 };
     static float x[BLOCK], y[BLOCK], f1[BLOCK], f2[BLOCK];
     const struct scarp_noise noise = {.seed = 3};
     const struct scarp_cells out = {.f1 = f1, .f2 = f2};
