@@ -8,7 +8,8 @@ scarp_add_test(accuracy.oracle accuracy oracle_check)
 scarp_test_program(oracle_published SOURCES ${oracle_sources})
 scarp_add_test(accuracy.published accuracy oracle_published)
 scarp_test_program(test_cells_published SOURCES ${oracle_sources})
-scarp_add_test(accuracy.cells_published accuracy test_cells_published)
+scarp_add_sized_test(accuracy.cells_published accuracy SIZES 1000000 40000 10000 2000
+                     COMMAND test_cells_published {})
 
 scarp_test_program(test_gullies_exact SOURCES ${oracle_sources} oracle_gullies.c)
 scarp_add_sized_test(accuracy.gullies accuracy SIZES 20000 1000 1000 200 COMMAND test_gullies_exact {})

@@ -2,16 +2,16 @@
  *
  * Published statistics of nearest features. The oracle's search gets features that are spread as
  * others spread theirs, and must give the mean distances that they published; and the library's
- * cells, one feature in each, must have the means that follow from that by integration.
+ * cells, one feature in each, must have the means that follow from that by integration. Argument:
+ * the number of points in the plane; there are a quarter as many in space, and four times as many
+ * of the library.
  */
 #include "check.h"
 #include "oracle.h"
 
 #define MOST_FEATURES 8 /* in a cell */
 
-/* Points at which the library's cells are sampled, and those of a call */
-#define POINTS (1 << 18)
-#define BLOCK 4096
+#define BLOCK 4096 /* points of a call */
 
 /* Sums of F1, F2, F3, F1^2, and of F2 - F1 as the basis has it. */
 struct sums {
@@ -96,9 +96,9 @@ static void check_mean(const char *what, double mean, double expected, double de
  * plane, that to the second and third are 0.75 and 0.9375 (H. R. Thompson, Ecology 37, 1956). In
  * space, they are 4/3 and 14/9 of the first, and its mean square is Gamma(5/3) (3 / (4 pi))^(2/3).
  */
-static void check_poisson(void)
+static void check_poisson(int plane_points)
 {
-    const int points[2] = {40000, 10000};
+    const int points[2] = {plane_points, plane_points / 4};
     double chance[MOST_FEATURES + 1];
     poisson(1.0, chance);
     const struct sums plane = means(2, chance, points[0]), space = means(3, chance, points[1]);
@@ -121,10 +121,9 @@ static void check_poisson(void)
  * counts, and multiplies coordinates by 0.398150, "to make sure that the mean value of F[0] is
  * 1.0". How often each count is in the table:
  */
-static void check_worley(void)
+static void check_worley(int points)
 {
     static const int table[6] = {6, 41, 92, 55, 35, 27};
-    const int points = 10000;
     double chance[MOST_FEATURES + 1] = {0.0};
     for (int i = 0; i < 6; i++) {
         chance[i] = table[i] / 256.0;
@@ -184,35 +183,41 @@ static void integrate(double mean[3])
 }
 
 /* The library's cells. */
-static void check_library(void)
+static void check_library(int blocks)
 {
+    const double points = (double)blocks * BLOCK;
     static float x[BLOCK], y[BLOCK], f1[BLOCK], f2[BLOCK];
     const struct scarp_noise noise = {.seed = 3};
     const struct scarp_cells out = {.f1 = f1, .f2 = f2};
     uint64_t random = 13;
     double mean[3] = {0.0, 0.0, 0.0}, expected[3];
-    for (int block = 0; block < POINTS / BLOCK; block++) {
+    for (int block = 0; block < blocks; block++) {
         for (int i = 0; i < BLOCK; i++) {
             x[i] = check_random_float(&random, 4096.0f);
             y[i] = check_random_float(&random, 4096.0f);
         }
         CHECK(scarp_cells2(&noise, BLOCK, x, y, &out) == SCARP_OK, "cells fail");
         for (int i = 0; i < BLOCK; i++) {
-            mean[0] += (double)f1[i] / POINTS;
-            mean[1] += (double)f2[i] / POINTS;
-            mean[2] += (double)f1[i] * (double)f1[i] / POINTS;
+            mean[0] += (double)f1[i] / points;
+            mean[1] += (double)f2[i] / points;
+            mean[2] += (double)f1[i] * (double)f1[i] / points;
         }
     }
     integrate(expected);
-    check_mean("the library's cells, F1", mean[0], expected[0], 0.190, POINTS);
-    check_mean("F2", mean[1], expected[1], 0.183, POINTS);
-    check_mean("the square of F1", mean[2], expected[2], 0.175, POINTS);
+    check_mean("the library's cells, F1", mean[0], expected[0], 0.190, points);
+    check_mean("F2", mean[1], expected[1], 0.183, points);
+    check_mean("the square of F1", mean[2], expected[2], 0.175, points);
 }
 
-int main(void)
+int main(int argc, char **argv)
 {
-    check_poisson();
-    check_worley();
-    check_library();
+    const int points = argc == 2 ? atoi(argv[1]) : 0;
+    if (points < 1000) {
+        printf("usage: %s POINTS (at least 1000)\n", argv[0]);
+        return EXIT_FAILURE;
+    }
+    check_poisson(points);
+    check_worley(points / 4);
+    check_library((4 * points + BLOCK - 1) / BLOCK);
     return check_done();
 }
