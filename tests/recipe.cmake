@@ -14,9 +14,6 @@ endforeach()
 scarp_test_program(test_recipe_oracle SOURCES oracle_recipe.c oracle_gullies.c ${oracle_sources})
 scarp_add_sized_test(recipe.oracle recipe SIZES 10000 400 100 10 COMMAND test_recipe_oracle {})
 
-scarp_test_program(fuzz_recipe)
-scarp_add_sized_test(recipe.fuzz recipe SIZES 300000 20000 4000 400 COMMAND fuzz_recipe {})
-
 # The functions of samples that recipes brought along
 scarp_test_program(test_shapes)
 scarp_add_test(shapes recipe COMMAND test_shapes)

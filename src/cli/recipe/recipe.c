@@ -57,7 +57,7 @@ static const struct option shader_rows[] = {
 static const struct option_group groups[] = {OPTION_GROUP("a recipe", rows, 0),
                                              OPTION_GROUP("a shader", shader_rows, 0)};
 
-static const struct option_table table = {
+const struct option_table recipe_table = {
     .command = "recipe",
     .operand = "NAME|FILE",
     .purpose = "Prints a recipe of the program, or of a file (- is standard input), checks it, and "
@@ -225,7 +225,7 @@ int cli_recipe(char **argv)
     static struct recipe_options options = {.ground = GROUND_OPTIONS_UNSET,
                                             .shader = {.language = -1}};
     const bool has_operand = argv[0] != NULL && (argv[0][0] != '-' || argv[0][1] == '\0');
-    switch (options_parse(&table, argv + (has_operand ? 1 : 0), &options)) {
+    switch (options_parse(&recipe_table, argv + (has_operand ? 1 : 0), &options)) {
     case OPTIONS_HELP: print_functions(); return CLI_SUCCESS;
     case OPTIONS_BAD: return CLI_USAGE;
     default: break;

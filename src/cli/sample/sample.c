@@ -110,7 +110,7 @@ static const struct option_group groups[] = {
     OPTION_GROUP("running", running_rows, 0),
 };
 
-static const struct option_table table = {
+const struct option_table sample_table = {
     .command = "sample",
     .purpose = "Reads points and writes the noise at each of them, one row per point.",
     .notes =
@@ -427,7 +427,7 @@ int cli_sample(char **argv)
     static struct sample_options options = {.ground = GROUND_OPTIONS_UNSET,
                                             .input_format = POINTS_UNKNOWN,
                                             .output_format = POINTS_UNKNOWN};
-    switch (options_parse(&table, argv, &options)) {
+    switch (options_parse(&sample_table, argv, &options)) {
     case OPTIONS_HELP: return CLI_SUCCESS;
     case OPTIONS_BAD: return CLI_USAGE;
     default: break;

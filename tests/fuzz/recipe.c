@@ -1,0 +1,368 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Any text is read, described, set and sampled without harm, and with the same bits by all kernel
+ * sets, on grids and at points; and what shaders take of it fits together.
+ */
+#include "recipe.h"
+
+#include <math.h>
+#include <string.h>
+
+#include "fuzz.h"
+#include "scarp.h"
+
+#define WIDTH 6
+#define POINTS 24
+#define ARRAYS 10
+#define LENGTH_MOST 16384
+#define SHADER_MOST (1 << 18)
+
+struct recipe_counts recipe_counts;
+
+static struct scarp_recipe recipe, copy;
+static uint64_t memory[1 << 12];
+static double position[3][POINTS];
+
+struct values {
+    float array[ARRAYS][POINTS];
+};
+
+/* The arrays of derivatives up to an order */
+static struct scarp_samples samples_of(struct values *values, int order, int is_space)
+{
+    float(*const a)[POINTS] = values->array;
+    struct scarp_samples out = {.value = a[0]};
+    if (order > 0) {
+        out.dx = a[1];
+        out.dy = a[2];
+        out.dz = is_space ? a[3] : NULL;
+    }
+    if (order > 1) {
+        out.dxx = a[4];
+        out.dxy = a[5];
+        out.dyy = a[6];
+        out.dxz = is_space ? a[7] : NULL;
+        out.dyz = is_space ? a[8] : NULL;
+        out.dzz = is_space ? a[9] : NULL;
+    }
+    return out;
+}
+
+/* Whether two are the same to the bit; NaN is NaN. */
+static int is_same(const struct values *a, const struct values *b)
+{
+    for (int k = 0; k < ARRAYS; k++) {
+        for (int i = 0; i < POINTS; i++) {
+            const float x = a->array[k][i], y = b->array[k][i];
+            if (memcmp(&x, &y, sizeof x) != 0 && !(isnan(x) && isnan(y))) {
+                return 0;
+            }
+        }
+    }
+    return 1;
+}
+
+static const struct values untouched;
+
+/* Descriptions end, and have spans inside of the text. */
+static void describe(size_t length)
+{
+    struct scarp_recipe_entry entry;
+    struct scarp_recipe_part part;
+    struct scarp_recipe_function function;
+    for (size_t i = 0; scarp_recipe_entry_at(&recipe, i, &entry) == SCARP_OK; i++) {
+        MUST(i < 96, "statements do not end");
+        MUST(entry.span[0] <= entry.span[1] && entry.span[1] <= length, "statement %zu", i);
+        MUST(entry.name[0] <= entry.name[1] && entry.name[1] <= length, "name %zu", i);
+        MUST(entry.kind >= SCARP_RECIPE_BAD && entry.kind <= SCARP_RECIPE_KNOT, "kind %zu", i);
+        MUST(!entry.is_param || entry.slider[0] <= entry.slider[1], "slider %zu", i);
+        MUST(entry.part < 512 && entry.output < 16 && entry.order < 3 && entry.axes < 8,
+             "numbers of statement %zu", i);
+    }
+    for (size_t i = 0; scarp_recipe_part_at(&recipe, i, &part) == SCARP_OK; i++) {
+        MUST(i < 512, "parts do not end");
+        MUST(part.span[0] <= part.span[1] && part.span[1] <= length, "part %zu", i);
+        MUST(part.name[0] <= part.name[1] && part.name[1] <= length, "name of part %zu", i);
+        MUST(part.argument[0] <= part.argument[1] && part.argument[1] <= length,
+             "argument of part %zu", i);
+        MUST(part.parent < 512 && part.entry < 96 && part.order < 3 && part.axes < 8,
+             "numbers of part %zu", i);
+        MUST(part.function < 0 ||
+                 scarp_recipe_function_at((size_t)part.function, &function) == SCARP_OK,
+             "function of part %zu", i);
+    }
+}
+
+static int is_space(void)
+{
+    float value;
+    const double place = 0.0;
+    const struct scarp_samples out = {.dz = &value};
+    const struct scarp_recipe_outputs outputs = {.out = &out, .count = 1};
+    return scarp_recipe_sample_f64(&recipe, 1, &place, &place, &place, &outputs, NULL) == SCARP_OK;
+}
+
+/* The grid of an input; its coordinates, some of which the input may replace */
+static struct scarp_grid place(const uint8_t header[HEADER_SIZE])
+{
+    static const double steps[] = {1e7, -0.3, 0.01, 1e36};
+    static const double odd[] = {NAN,  INFINITY, -INFINITY, 1e300,
+                                 -0.0, 1e-310,   -3e38,     9007199254740993.0};
+    const double step = steps[header[HEADER_STEP] & 3];
+    const struct scarp_grid grid = {.origin = {header[HEADER_PLACE], -7.5, 0.25},
+                                    .step = {step, step, step},
+                                    .count = {WIDTH, POINTS / WIDTH, 1}};
+    for (int i = 0; i < POINTS; i++) {
+        position[0][i] = grid.origin[0] + (double)(i % WIDTH) * step;
+        position[1][i] = grid.origin[1] + (double)(i / WIDTH) * step;
+        position[2][i] = grid.origin[2];
+    }
+    for (int i = 0; header[HEADER_STEP] >= 128 && i < 8; i++) {
+        position[i % 3][3 * i] = odd[i];
+    }
+    return grid;
+}
+
+/* What sampling takes beside the recipe */
+struct sampling {
+    struct scarp_recipe_outputs outputs;
+    struct scarp_scratch scratch;
+    int32_t which[1];
+    int order, is_space;
+};
+
+static struct sampling sampling_of(const uint8_t header[HEADER_SIZE])
+{
+    const uint8_t which = header[HEADER_WHICH];
+    struct sampling sampling = {.order = header[HEADER_ORDER] % 3, .is_space = is_space()};
+    sampling.outputs.count = 1;
+    sampling.which[0] = which < 128 ? which % 12 : SCARP_RECIPE_PARTS + which % 64;
+    sampling.scratch.size = sizeof memory - header[HEADER_PLACE];
+    sampling.scratch.memory = header[HEADER_ORDER] < 128 ? memory : NULL;
+    return sampling;
+}
+
+/* Samples at the points, or on a grid. On an error nothing is written. */
+static enum scarp_status sample(const struct scarp_recipe *of, struct sampling *sampling,
+                                const uint8_t header[HEADER_SIZE], const struct scarp_grid *grid,
+                                struct values *values)
+{
+    *values = untouched;
+    const struct scarp_samples out = samples_of(values, sampling->order, sampling->is_space);
+    sampling->outputs.out = &out;
+    sampling->outputs.which = header[HEADER_WHICH] == 0 ? NULL : sampling->which;
+    const enum scarp_status status =
+        grid != NULL ? scarp_recipe_grid(of, grid, &sampling->outputs, &sampling->scratch)
+                     : scarp_recipe_sample_f64(of, POINTS, position[0], position[1], position[2],
+                                               &sampling->outputs, &sampling->scratch);
+    MUST(status == SCARP_OK || is_same(values, &untouched), "an error, and something is written");
+    return status;
+}
+
+static void check_range(const struct sampling *sampling, const struct values *values,
+                        const struct scarp_box *box)
+{
+    const int32_t which =
+        sampling->outputs.which != NULL ? sampling->which[0] : SCARP_RECIPE_OUTPUT;
+    float lowest, highest;
+    MUST(scarp_recipe_range(&recipe, which, box, &lowest, &highest) == SCARP_OK,
+         "what was sampled has no range");
+    for (int i = 0; i < POINTS; i++) {
+        const float value = values->array[0][i];
+        MUST(isnan(value) || (value >= lowest && value <= highest), "%.9g at %d, not in %.9g..%.9g",
+             (double)value, i, (double)lowest, (double)highest);
+    }
+}
+
+/* Whatever the kernel set, the bits are those of the reference. */
+static void check_sets(struct sampling *sampling, const uint8_t header[HEADER_SIZE],
+                       const struct scarp_grid *grid)
+{
+    static struct values reference, met;
+    const enum scarp_isa before = scarp_isa_active();
+    scarp_isa_select(SCARP_ISA_SCALAR);
+    const enum scarp_status status = sample(&recipe, sampling, header, NULL, &reference);
+    for (enum scarp_isa isa = SCARP_ISA_SCALAR; scarp_isa_name(isa) != NULL; isa++) {
+        if (scarp_isa_select(isa) != SCARP_OK) {
+            continue;
+        }
+        MUST(sample(&recipe, sampling, header, NULL, &met) == status, "%s has another status",
+             scarp_isa_name(isa));
+        MUST(is_same(&reference, &met), "%s differs", scarp_isa_name(isa));
+        if (grid != NULL && sample(&copy, sampling, header, grid, &met) == SCARP_OK) {
+            MUST(status != SCARP_OK || is_same(&reference, &met), "%s differs on a grid",
+                 scarp_isa_name(isa));
+        }
+    }
+    scarp_isa_select(before);
+    if (status == SCARP_OK) {
+        recipe_counts.sampled++;
+        check_range(sampling, &reference, NULL);
+    }
+}
+
+/* Samples a statement or a part, or the outputs. */
+static void check_samples(const uint8_t header[HEADER_SIZE])
+{
+    struct sampling sampling = sampling_of(header);
+    const struct scarp_grid grid = place(header);
+    memcpy(&copy, &recipe, sizeof copy);
+    check_sets(&sampling, header, header[HEADER_STEP] < 128 ? &grid : NULL);
+    if (header[HEADER_STEP] < 128) {
+        struct values values;
+        struct scarp_box box;
+        for (int d = 0; d < 3; d++) {
+            const double a = position[d][0], b = position[d][POINTS - 1];
+            box.lowest[d] = a < b ? a : b;
+            box.highest[d] = a < b ? b : a;
+        }
+        if (sample(&recipe, &sampling, header, NULL, &values) == SCARP_OK) {
+            check_range(&sampling, &values, &box);
+        }
+    }
+}
+
+/* The text of scarp.glsl, scarp.hlsl or scarp.wgsl */
+static const char *shader_file(enum scarp_language language, size_t *length)
+{
+    static const char *const paths[] = {SCARP_INCLUDE "/scarp.glsl", SCARP_INCLUDE "/scarp.hlsl",
+                                        SCARP_INCLUDE "/scarp.wgsl"};
+    static char text[3][SHADER_MOST];
+    static size_t lengths[3];
+    if (lengths[language] == 0) {
+        FILE *const file = fopen(paths[language], "rb");
+        MUST(file != NULL, "%s cannot be read", paths[language]);
+        lengths[language] = fread(text[language], 1, SHADER_MOST, file);
+        fclose(file);
+    }
+    *length = lengths[language];
+    return text[language];
+}
+
+static uint8_t uniforms[1 << 17];
+
+/* The room that a shader says it needs is the room that it takes. */
+static void check_shader(const uint8_t header[HEADER_SIZE])
+{
+    static char text[SHADER_MOST];
+    const unsigned choice = header[HEADER_SHADER];
+    struct scarp_shader how = {.language = (int32_t)(choice >> 1) % 3,
+                               .order = (int32_t)(choice >> 1) / 3 % 3};
+    size_t length = 0, again = 0, size = 0;
+    how.file = shader_file((enum scarp_language)how.language, &how.length);
+    const enum scarp_status status = scarp_recipe_shader(&recipe, &how, text, sizeof text, &length);
+    if (status != SCARP_OK) {
+        return;
+    }
+    MUST(length < sizeof text && text[length] == '\0' && memchr(text, '\0', length) == NULL,
+         "%zu bytes of a shader", length);
+    char *const room = malloc(length + 1);
+    MUST(room != NULL, "no memory");
+    MUST(scarp_recipe_shader(&copy, &how, room, length + 1, &again) == SCARP_OK &&
+             again == length && memcmp(room, text, length + 1) == 0,
+         "another shader of %zu bytes, in place of %zu", again, length);
+    MUST(scarp_recipe_shader(&copy, &how, room, length, &again) == SCARP_ERROR_SIZE,
+         "a shader has less room than it needs");
+    free(room);
+    MUST(scarp_recipe_uniforms(&recipe, uniforms, sizeof uniforms, &size) == SCARP_OK &&
+             size % 16 == 0,
+         "%zu bytes of uniforms", size);
+    MUST(scarp_recipe_uniforms(&recipe, uniforms, size - 1, &again) == SCARP_ERROR_SIZE &&
+             again == size,
+         "uniforms have less room than they need");
+}
+
+/* Shaders are compared with these, so they must not depend on the kernel set. */
+static void check_answers(const uint8_t header[HEADER_SIZE])
+{
+    uint32_t answers[2][SCARP_GPU_ANSWERS];
+    const enum scarp_isa before = scarp_isa_active();
+    const int order = header[HEADER_ORDER] % 3;
+    scarp_isa_select(SCARP_ISA_SCALAR);
+    const enum scarp_status status = scarp_recipe_answers(&recipe, order, answers[0]);
+    scarp_isa_select(before);
+    MUST(scarp_recipe_answers(&recipe, order, answers[1]) == status, "another status of answers");
+    MUST(status != SCARP_OK || memcmp(answers[0], answers[1], sizeof answers[0]) == 0,
+         "answers differ");
+}
+
+/* Sets a parameter. If that is refused, the old value stays. */
+static void set(size_t number, const char *text, const uint8_t header[HEADER_SIZE])
+{
+    struct scarp_recipe_entry entry, after;
+    struct scarp_recipe_error error;
+    char name[64] = "finest";
+    MUST(scarp_recipe_entry_at(&recipe, number, &entry) == SCARP_OK, "statement %zu", number);
+    const size_t length = entry.name[1] - entry.name[0];
+    const int is_param = entry.is_param && length < sizeof name;
+    double value = header[HEADER_SETTING] / 16.0;
+    if (is_param) {
+        memcpy(name, text + entry.name[0], length);
+        name[length] = '\0';
+        const double share = (header[HEADER_SETTING] & 127) / 127.0;
+        value = entry.slider[0] * (1.0 - share) + entry.slider[1] * share;
+        value = header[HEADER_SETTING] < 128 ? value : (header[HEADER_SETTING] - 192) / 4.0;
+    }
+    const enum scarp_status status = scarp_recipe_set(&recipe, name, value, &error);
+    MUST(scarp_recipe_entry_at(&recipe, number, &after) == SCARP_OK, "statement %zu", number);
+    MUST(status == SCARP_OK || entry.value == after.value ||
+             (isnan(entry.value) && isnan(after.value)),
+         "%s is %g after an error, and was %g", name, after.value, entry.value);
+    MUST(status != SCARP_OK || !is_param || after.value == value, "%s is %g and not %g", name,
+         after.value, value);
+}
+
+static void check_settings(const char *text, const uint8_t header[HEADER_SIZE])
+{
+    struct scarp_recipe_entry entry;
+    for (size_t i = 0; scarp_recipe_entry_at(&recipe, i, &entry) == SCARP_OK; i++) {
+        if (entry.is_param || i == 0) {
+            set(i, text, header);
+            (void)scarp_recipe_seed(&recipe, header[HEADER_PLACE]);
+            check_samples(header);
+        }
+    }
+}
+
+static enum scarp_status parse(const char *text, size_t length)
+{
+    struct scarp_recipe_error errors[3];
+    size_t found = 0;
+    recipe_counts.parsed++;
+    const enum scarp_status status = scarp_recipe_parse(text, length, &recipe, errors, 3, &found);
+    const int is_long = length > LENGTH_MOST;
+    MUST(is_long ? status == SCARP_ERROR_SIZE && found == 0 : (status == SCARP_OK) == (found == 0),
+         "%zu errors, and %s", found, scarp_status_text(status));
+    for (size_t i = 0; i < found && i < 3; i++) {
+        MUST(errors[i].from <= errors[i].to && errors[i].to <= length && errors[i].text != NULL &&
+                 errors[i].line > 0 && errors[i].column > 0,
+             "the span of error %zu", i);
+    }
+    return status;
+}
+
+int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
+{
+    if (size < HEADER_SIZE) {
+        return 0;
+    }
+    const size_t length = size - HEADER_SIZE;
+    char *const text = malloc(length > 0 ? length : 1); /* without a 0 behind it */
+    MUST(text != NULL, "no memory");
+    memcpy(text, bytes + HEADER_SIZE, length);
+    const enum scarp_status status = parse(text, length);
+    if (length <= LENGTH_MOST) {
+        describe(length);
+        check_samples(bytes);
+    }
+    if (status == SCARP_OK) {
+        recipe_counts.read_well++;
+        if ((bytes[HEADER_SHADER] & 1) != 0) {
+            check_shader(bytes);
+            check_answers(bytes);
+        }
+        check_settings(text, bytes);
+    }
+    free(text);
+    return 0;
+}
