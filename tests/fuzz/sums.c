@@ -1,0 +1,29 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Files of checksums: every line that is read is found.
+ */
+#include "terrain/sums.h"
+
+#include <string.h>
+
+#include "cli.h"
+#include "fuzz.h"
+#include "shared/text.h"
+
+int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
+{
+    struct sums_list list = {.count = 0};
+    const char *const path = fuzz_file("w.0-1.sums", bytes, size);
+    char *const manifest = text_join_part(path, strlen(path) - strlen(".0-1.sums"), ".json");
+    MUST(manifest != NULL && sums_read(&list, manifest), "checksums are not read");
+    MUST(list.text_count == 1, "%zu files", list.text_count);
+    for (size_t i = 0; i < list.count; i++) {
+        const struct sums_line *const line = &list.lines[i];
+        MUST(i == 0 || strcmp(list.lines[i - 1].path, line->path) <= 0, "line %zu", i);
+        MUST(sums_find(&list, line->path, line->hash) == SUMS_SAME, "line %zu is not found", i);
+    }
+    MUST(sums_find(&list, "\x01 is no path", 0) == SUMS_NONE, "a line that is not there");
+    sums_free(&list);
+    free(manifest);
+    return 0;
+}
