@@ -65,14 +65,24 @@ static char *describe(const union values *values)
     return text.bytes;
 }
 
-/* Adds the option that a member describes, as it would be typed: false and null as nothing. */
+/* Whether the option that a member describes is among the words */
+static bool is_typed(const struct json_member *member, char *const *words)
+{
+    for (; *words != NULL; words++) {
+        const char *const name = *words + 2;
+        if (strncmp(*words, "--", 2) == 0 && strcspn(name, "=") == member->key_length &&
+            memcmp(name, member->key, member->key_length) == 0) {
+            return true;
+        }
+    }
+    return false;
+}
+
+/* Adds the option that a member describes, as it would be typed. */
 static void type_member(const struct json_member *member, struct text *typed)
 {
     const char *value = member->value;
     size_t length = member->value_length;
-    if (*value == 'f' || *value == 'n' || json_find(member, 1, "end") != NULL) {
-        return;
-    }
     text_add(typed, "--%.*s", (int)member->key_length, member->key);
     if (*value == '"' || *value == '[') {
         value++;
@@ -91,15 +101,16 @@ static void type_member(const struct json_member *member, struct text *typed)
         text_add(typed, "\n%.*s%c%.*s\n", (int)(comma - value), value,
                  option->parse == option_size ? 'x' : ',', (int)(value + length - comma - 2),
                  comma + 2);
-    } else if (*member->value != 't') {
+    } else if (*member->value != 't' && *member->value != 'f') {
         text_add(typed, "\n%.*s\n", (int)length, value);
     } else {
         text_add(typed, "\n");
     }
 }
 
-/* Types what is described. Texts may have what a line cannot; then nothing is said of it. */
-static void type_again(const char *description)
+/* Types what is described of the options that were typed. Texts may have what a line cannot; then
+ * nothing is said of it. */
+static void type_again(const char *description, char *const *typed_words)
 {
     struct json_member members[MEMBERS_MOST];
     struct text typed = {0};
@@ -107,16 +118,18 @@ static void type_again(const char *description)
     const int count = json_read(description, members, MEMBERS_MOST);
     MUST(count > 0, "no JSON: %s", description);
     bool is_plain = true;
+    text_add(&typed, "%s", "");
     for (int i = 0; i < count; i++) {
+        if (!is_typed(&members[i], typed_words)) {
+            continue;
+        }
         is_plain = is_plain && (*members[i].value != '"' ||
                                 (memchr(members[i].value, '\\', members[i].value_length) == NULL &&
                                  strncmp(members[i].value, "\"--", 3) != 0));
         type_member(&members[i], &typed);
     }
-    memset(&typed_again, 0, sizeof typed_again);
     cut(typed.bytes, words);
     if (is_plain && !asks_for_help(words)) {
-        /* What was null before: options that were not typed */
         memcpy(&typed_again, &first, sizeof first);
         MUST(options_parse(&terrain_table, words, &typed_again) == OPTIONS_RUN,
              "what is described cannot be typed: %s", description);
@@ -176,7 +189,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *input, size_t size)
     if (outcome == OPTIONS_RUN && table == &terrain_table) {
         const struct terrain_options options = *(const struct terrain_options *)(void *)&first;
         char *const description = describe(&first);
-        type_again(description);
+        type_again(description, words);
         free(description);
         check_tiling(&options);
     }

@@ -112,6 +112,49 @@ static bool check_options(const char *path, const struct tiling *tiling, const c
     return true;
 }
 
+/* How many different numbers a placeholder stands for */
+static size_t count_of(const struct placeholder *placeholder, const struct tiling *tiling)
+{
+    return is_of_level(placeholder)                                  ? tiling->level_count
+           : placeholder->name[strlen(placeholder->name) - 1] == 'x' ? tiling->levels[0].across
+                                                                     : tiling->levels[0].down;
+}
+
+/* Whether all its numbers have the same number of digits */
+static bool is_fixed(const struct placeholder *placeholder, const struct tiling *tiling)
+{
+    int digits = 1;
+    for (size_t most = count_of(placeholder, tiling) - 1; most > 9; most /= 10) {
+        digits++;
+    }
+    return placeholder->digits >= digits;
+}
+
+/* Whether numbers can be told apart. Of those with no more than digits between them, one at most
+   may be long or short: {x}{y} would be 111 both for 1, 11 and for 11, 1. */
+static bool check_digits(const char *path, const struct tiling *tiling, const char *option)
+{
+    struct placeholder placeholder;
+    int loose = 0;
+    const char *end = path;
+    for (const char *at = find_placeholder(path, &placeholder); at != NULL;
+         at = find_placeholder(end, &placeholder)) {
+        if (strspn(end, "0123456789") < (size_t)(at - end)) {
+            loose = 0;
+        }
+        loose += is_fixed(&placeholder, tiling) ? 0 : 1;
+        if (loose > 1) {
+            cli_error(
+                "%s: '%.200s' has nothing but digits between {%s} and the number before it, so two "
+                "tiles would have one name; give it digits, as in {x:04}",
+                option, path, placeholder.name);
+            return false;
+        }
+        end = at + placeholder.length;
+    }
+    return true;
+}
+
 bool pattern_check(const char *path, const struct tiling *tiling, const char *option)
 {
     struct placeholder placeholder;
@@ -132,6 +175,9 @@ bool pattern_check(const char *path, const struct tiling *tiling, const char *op
     }
     if (first == NULL) {
         return true;
+    }
+    if (!check_digits(path, tiling, option)) {
+        return false;
     }
     if (tiling->levels[0].across > 1 && !has_axis(path, 'x')) {
         cli_error("%s: '%.200s' has no {x}, so the %zu tiles of a row would have one name", option,
