@@ -36,7 +36,16 @@ static void write_again(const struct npy_array *array)
     free(bytes);
 }
 
-/* Shapes of one size and no more have a form of their own. */
+/* A text has the digits of each size: none is too large to be held. */
+static void find_sizes(const struct npy_array *array, const char *text)
+{
+    for (int d = 0; d < array->dimensions; d++) {
+        char digits[32];
+        snprintf(digits, sizeof digits, "%zu", array->shape[d]);
+        MUST(strstr(text, digits) != NULL, "no %s in '%s'", digits, text);
+    }
+}
+
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
 {
     struct npy_array array;
@@ -55,6 +64,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
         MUST(array.dimensions >= 0 && array.dimensions <= NPY_DIMENSIONS_MAX, "%d dimensions",
              array.dimensions);
         MUST(memchr(array.descr, '\0', sizeof array.descr) != NULL, "a type without an end");
+        char *const whole = fuzz_text(bytes, size);
+        find_sizes(&array, whole);
+        free(whole);
         if (is_plain(&array)) {
             write_again(&array);
         }

@@ -21,7 +21,7 @@
 /* The file at hand */
 static struct {
     const uint8_t *bytes;
-    size_t size, at, piece;
+    size_t size, at, piece, zeros; /* zeros follow the bytes */
     bool fails, interrupts;
 } file;
 
@@ -38,7 +38,7 @@ ptrdiff_t fuzz_read(int descriptor, void *bytes, size_t count)
         errno = EINTR;
         return -1;
     }
-    const size_t left = file.size - file.at;
+    const size_t left = file.size + file.zeros - file.at;
     size_t most = left < count ? left : count;
     if (most > file.piece) {
         most = file.piece;
@@ -48,7 +48,11 @@ ptrdiff_t fuzz_read(int descriptor, void *bytes, size_t count)
         errno = EIO;
         return -1;
     }
-    memcpy(bytes, file.bytes + file.at, most);
+    memset(bytes, 0, most);
+    if (file.at < file.size) {
+        const size_t some = file.size - file.at;
+        memcpy(bytes, file.bytes + file.at, some < most ? some : most);
+    }
     file.at += most;
     return (ptrdiff_t)most;
 }
@@ -140,6 +144,7 @@ static void write_again(const struct told *told)
     }
     file.bytes = (const uint8_t *)text;
     file.size = (size_t)(end - text);
+    file.zeros = 0;
     file.fails = false;
     read_file((struct points){.format = POINTS_TEXT}, file.size, &again);
     MUST(again.status == CLI_SUCCESS && again.count == count && again.dims == told->dims,
@@ -178,9 +183,10 @@ int LLVMFuzzerTestOneInput(const uint8_t *input, size_t size)
         file.size = bytes.left;
         file.fails = (more & 1) != 0;
         file.interrupts = (more & 2) != 0;
-        read_file(points, bytes.left + 1, &at_once);
+        file.zeros = (more & 12) == 12 ? 2 * INPUT_SIZE : 0;
+        read_file(points, SIZE_MAX, &at_once);
         file.interrupts = (more & 2) != 0;
-        read_file(points, piece, &in_pieces);
+        read_file(points, file.zeros > 0 ? 512 * piece : piece, &in_pieces);
         MUST(is_same(&at_once, &in_pieces), "%zu points, and %zu in pieces of %zu bytes",
              at_once.count, in_pieces.count, piece);
         if (at_once.count > 0) {

@@ -11,7 +11,7 @@ enum recipe_header {
     HEADER_WHICH,   /* 0: the outputs; up to 127 a statement; else a part */
     HEADER_PLACE,   /* origin, and what scratch memory lacks */
     HEADER_STEP,    /* the low bits; from 128 on coordinates that are not finite are among them */
-    HEADER_SHADER,  /* the low bits: a shader, and its language and order */
+    HEADER_SHADER,  /* odd: a shader, whose language and order follow; from 192 on its answers */
     HEADER_SETTING, /* of parameters, as a part of their intervals */
     HEADER_SIZE
 };

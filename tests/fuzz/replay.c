@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * In place of libFuzzer: runs a target on the files that a list names, one a line.
+ * In place of libFuzzer: runs a target on nothing, and on the files that a list names, one a line.
  */
 #include <string.h>
 
@@ -40,6 +40,7 @@ int main(int argc, char **argv)
         return EXIT_FAILURE;
     }
     LLVMFuzzerInitialize(&argc, &argv);
+    CHECK(LLVMFuzzerTestOneInput((const uint8_t *)path, 0) == 0, "the empty input");
     while (fgets(path, sizeof path, list) != NULL) {
         path[strcspn(path, "\r\n")] = '\0';
         if (*path != '\0') {

@@ -174,16 +174,15 @@ static bool grow(struct sums_list *list)
    killed. */
 static bool read_line(struct sums_list *list, char *line)
 {
-    char *end = NULL;
-    errno = 0;
-    const unsigned long long hash = strtoull(line, &end, 16);
-    if (end != line + HASH_DIGITS || errno != 0 || strncmp(end, "  ", 2) != 0) {
+    const size_t digits = strspn(line, "0123456789abcdefABCDEF"); /* strtoull takes signs, too */
+    if (digits != HASH_DIGITS || strncmp(line + digits, "  ", 2) != 0) {
         return true;
     }
+    const unsigned long long hash = strtoull(line, NULL, 16);
     if (!grow(list)) {
         return false;
     }
-    list->lines[list->count++] = (struct sums_line){.path = end + 2, .hash = hash};
+    list->lines[list->count++] = (struct sums_line){.path = line + digits + 2, .hash = hash};
     return true;
 }
 
