@@ -103,19 +103,20 @@ static int is_space(void)
 }
 
 /* The grid of an input; its coordinates, some of which the input may replace */
-static struct scarp_grid place(const uint8_t header[HEADER_SIZE])
+static struct scarp_grid place(const uint8_t header[HEADER_SIZE], int has_slices)
 {
     static const double steps[] = {1e7, -0.3, 0.01, 1e36};
     static const double odd[] = {NAN,  INFINITY, -INFINITY, 1e300,
                                  -0.0, 1e-310,   -3e38,     9007199254740993.0};
     const double step = steps[header[HEADER_STEP] & 3];
+    const int rows = has_slices ? 2 : POINTS / WIDTH, slices = POINTS / WIDTH / rows;
     const struct scarp_grid grid = {.origin = {header[HEADER_PLACE], -7.5, 0.25},
                                     .step = {step, step, step},
-                                    .count = {WIDTH, POINTS / WIDTH, 1}};
+                                    .count = {WIDTH, (size_t)rows, (size_t)slices}};
     for (int i = 0; i < POINTS; i++) {
         position[0][i] = grid.origin[0] + (double)(i % WIDTH) * step;
-        position[1][i] = grid.origin[1] + (double)(i / WIDTH) * step;
-        position[2][i] = grid.origin[2];
+        position[1][i] = grid.origin[1] + (double)(i / WIDTH % rows) * step;
+        position[2][i] = grid.origin[2] + (double)(i / WIDTH / rows) * step;
     }
     for (int i = 0; header[HEADER_STEP] >= 128 && i < 8; i++) {
         position[i % 3][3 * i] = odd[i];
@@ -205,7 +206,7 @@ static void check_sets(struct sampling *sampling, const uint8_t header[HEADER_SI
 static void check_samples(const uint8_t header[HEADER_SIZE])
 {
     struct sampling sampling = sampling_of(header);
-    const struct scarp_grid grid = place(header);
+    const struct scarp_grid grid = place(header, sampling.is_space);
     memcpy(&copy, &recipe, sizeof copy);
     check_sets(&sampling, header, header[HEADER_STEP] < 128 ? &grid : NULL);
     if (header[HEADER_STEP] < 128) {
