@@ -149,6 +149,7 @@ static enum scarp_status sample(const struct scarp_recipe *of, struct sampling *
                                 struct values *values)
 {
     *values = untouched;
+    memset(memory, 0xff, sizeof memory); /* NaNs, and not what the call before left there */
     const struct scarp_samples out = samples_of(values, sampling->order, sampling->is_space);
     sampling->outputs.out = &out;
     sampling->outputs.which = header[HEADER_WHICH] == 0 ? NULL : sampling->which;
