@@ -1127,8 +1127,10 @@ struct scarp_eroded {
  * a root mean square of 2e-6 (defaults, double coordinates). With float coordinates of some cells
  * they are within 2e-3, and 5e-5. Sharp crests have larger errors: 0.03 and 2e-4 with `round` 0.02.
  *
- * Numbers: where the value or gradient of the base is NaN or infinite, every output of that point
- * is NaN. Where the Hessian of the base is, derivatives are NaN. Where the length of the base's
+ * Numbers: where the value of the base is NaN, or its gradient is NaN or infinite, every output of
+ * that point is NaN. An infinite value counts as far above all crests, or below all floors, and
+ * stays as it is. Where a second derivative of the base is NaN or infinite, those derivatives are
+ * NaN that it is part of: dx of dxx and dxy, dy of dxy and dyy. Where the length of the base's
  * gradient, in amplitudes per cell, passes 2^63, the ground counts as flat.
  *
  * Range: see scarp_gullies_range.
@@ -1363,7 +1365,8 @@ struct scarp_recipe_outputs {
  *     SCARP_ERROR_UNSUPPORTED  an output does not have a derivative that is asked for. None has
  *                              dphase. Erosion, Swiss and Jordan noise, gullies, slopes and
  *                              distances in cells have no second derivatives.
- *     SCARP_ERROR_SIZE         no chunk fits into the scratch memory
+ *     SCARP_ERROR_SIZE         no chunk fits into the scratch memory. Without any, the text needs
+ *                              more than 7 KiB for a chunk of one point.
  */
 SCARP_API enum scarp_status scarp_recipe_sample(const struct scarp_recipe *recipe, size_t count,
                                                 const float *x, const float *y, const float *z,

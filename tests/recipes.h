@@ -90,6 +90,10 @@ static const struct recipe_text recipe_texts[] = {
            "a = warp(turn(gullies(f, size=4, octaves=2), 30), w)",
      0},
     {"gullies3", SPACE "f = noise(size=4)\na = flat(gullies(f, size=4, octaves=2)) + m", 0},
+    {"masks3", /* the mask of the sum is computed per column, that of the product is not */
+     SPACE "a = clamp(abs(n) + 1, 0, 2) * smoothstep(clamp(turn(y / 8, -161), -2, 2) * "
+           "smoothstep(x / 8 + m, 0, 0.4), -0.1, 0.4)",
+     1},
     {"ridged", PLANE "a = noise(ridged, octaves=3, gain=0.4) + noise(turbulence, seed=3)", 1},
     {"bent",
      PLANE "a = noise(swiss, octaves=3) + noise(jordan, octaves=2) + noise(erosion, octaves=3)", 1},

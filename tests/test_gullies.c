@@ -296,7 +296,7 @@ static void test_tiles(void)
 }
 
 /* A NaN in the base or in a coordinate is a NaN in every output that depends on it, of that point
-   alone; outputs are finite where the square of the base's slope is not. */
+   alone; outputs are finite where the square of the base's slope is not. An infinite value stays. */
 static void test_special(enum scarp_isa isa)
 {
     const struct scarp_gullies g = {.seed = 5};
@@ -308,6 +308,7 @@ static void test_special(enum scarp_isa isa)
     base[IN_DXY][80] = NAN;
     base[IN_DX][100] = 1e25f;
     base[IN_DX][120] = INFINITY;
+    base[IN_VALUE][140] = -INFINITY;
     poison(&there);
     scarp_isa_select(SCARP_ISA_SCALAR);
     CHECK(erode(&g, FLOATS, 0, POINTS, OUT_ALL, &there) == SCARP_OK, "reference");
@@ -326,6 +327,8 @@ static void test_special(enum scarp_isa isa)
     }
     for (int m = 0; m < OUTS; m++) {
         CHECK(isfinite(here.of[m].f[101]), "%s", out_names[m]);
+        CHECK(m == OUT_VALUE ? here.of[m].f[141] == -INFINITY : isfinite(here.of[m].f[141]),
+              "%s below all floors: %g", out_names[m], (double)here.of[m].f[141]);
     }
 }
 

@@ -104,6 +104,7 @@ static void add_to_hash(const struct result *r)
     }
 }
 
+/* Whatever is in the scratch memory before */
 static enum scarp_status evaluate(const struct scarp_recipe *of, enum how how, int order,
                                   int is_space, const struct scarp_scratch *scratch,
                                   struct result *to)
@@ -113,6 +114,7 @@ static enum scarp_status evaluate(const struct scarp_recipe *of, enum how how, i
     const struct scarp_grid grid = grid_of(is_space);
     const size_t count = (size_t)(WIDTH * HEIGHT * (is_space ? DEPTH : 1));
     memset(to, 0, sizeof *to);
+    memset(memory, scratch != NULL && scratch->size % 3 == 0 ? 0 : 0xff, 1 << 16);
     return how == GRID     ? scarp_recipe_grid(of, &grid, &outputs, scratch)
            : how == POINTS ? scarp_recipe_sample_f64(of, count, position[0], position[1],
                                                      position[2], &outputs, scratch)

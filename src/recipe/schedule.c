@@ -204,11 +204,13 @@ static void add_guard(struct scheduler *s, const struct set *roots, struct recip
     int has_noise = 0;
     put(&below, operand);
     for (int n = s->recipe->nodes - 1; n >= 0; n--) {
-        /* Steps in front of the mask cannot be left out. */
+        /* Steps in front of the mask, or of the mask of a guard around this one, cannot be left
+           out: what is computed once per column may be. */
         if (!has(&s->live, n)) {
             continue;
         }
-        if (has(&below, n) && !has(&outside, n) && s->position[n] > s->position[guard.mask]) {
+        if (has(&below, n) && !has(&outside, n) && s->position[n] > s->position[guard.mask] &&
+            s->to->guard_of[n] == guard.parent) {
             put(&inside, n);
             put_reads(s, &below, n, -1);
             has_noise = has_noise || is_worth_it(&s->recipe->node[n]);

@@ -1,0 +1,172 @@
+/* SPDX-License-Identifier: MIT
+ *
+ * Random recipes at points and on grids.
+ */
+#include "../outputs.h"
+#include "../recipes.h"
+
+#include "arguments.h"
+
+#define STACK_BYTES 7168 /* what a call works in without scratch memory */
+
+struct arguments {
+    const struct scarp_recipe *recipe;
+    const struct scarp_grid *grid; /* NULL: points */
+    int doubles, outputs;
+    const struct scarp_scratch *scratch;
+    const float *f[3];
+    const double *d[3];
+};
+
+static enum scarp_status make(const struct fuzz_call *call, size_t first, size_t count,
+                              float *const pointers[FUZZ_OUTPUTS])
+{
+    const struct arguments *const a = call->arguments;
+    struct scarp_samples out[3];
+    for (int k = 0; k < 3; k++) {
+        out[k] = *FUZZ_AS(scarp_samples, pointers + k * FUZZ_MEMBERS);
+    }
+    const struct scarp_recipe_outputs outputs = {.out = out, .count = a->outputs};
+    return a->grid != NULL ? scarp_recipe_grid(a->recipe, a->grid, &outputs, a->scratch)
+           : a->doubles
+               ? scarp_recipe_sample_f64(a->recipe, count, a->d[0] + first, a->d[1] + first,
+                                         a->d[2] + first, &outputs, a->scratch)
+               : scarp_recipe_sample(a->recipe, count, a->f[0] + first, a->f[1] + first,
+                                     a->f[2] + first, &outputs, a->scratch);
+}
+
+/* Output number k of the text: its statement. */
+static struct scarp_recipe_entry entry_of(const struct scarp_recipe *recipe, int output)
+{
+    struct scarp_recipe_entry entry = {.output = -1};
+    for (size_t i = 0; scarp_recipe_entry_at(recipe, i, &entry) == SCARP_OK; i++) {
+        if (entry.output == output) {
+            return entry;
+        }
+    }
+    entry.output = -1;
+    return entry;
+}
+
+static uint64_t draw_mask(struct draw *d, const struct arguments *a, int dimensions)
+{
+    uint64_t mask = 0;
+    for (int k = 0; k < a->outputs; k++) {
+        const int order = (int)entry_of(a->recipe, k).order;
+        mask |= (uint64_t)(outputs_up_to(order, dimensions) & ((draw_bits(d, 2) | 1)))
+                << (k * FUZZ_MEMBERS);
+    }
+    return mask;
+}
+
+static void check_values(const struct arguments *a, const struct fuzz_call *call)
+{
+    for (int k = 0; k < a->outputs; k++) {
+        const struct scarp_recipe_entry entry = entry_of(a->recipe, k);
+        for (size_t i = 0; i < call->count; i++) {
+            const float value = fuzz_result[k * FUZZ_MEMBERS][i];
+            fuzz_must(fuzz_is_nan(value) || (value >= entry.range[0] && value <= entry.range[1]));
+        }
+    }
+}
+
+/* Elements of a grid are what points have there. */
+static void check_grid(struct arguments *a, struct fuzz_call *call, const struct scarp_grid *grid)
+{
+    static double position[3][FUZZ_ROOM];
+    static float on_grid[FUZZ_OUTPUTS][FUZZ_ROOM];
+    static size_t element[FUZZ_ROOM];
+    const size_t count = grid->count[0] * grid->count[1] * grid->count[2];
+    memcpy(on_grid, fuzz_result, sizeof on_grid);
+    for (size_t i = 0; i < count; i++) {
+        double x[3];
+        element[i] = fuzz_grid_sample(grid, i, x);
+        for (int axis = 0; axis < 3; axis++) {
+            position[axis][i] = x[axis];
+            a->d[axis] = position[axis];
+        }
+    }
+    a->grid = NULL;
+    a->doubles = 1;
+    float *out[FUZZ_OUTPUTS];
+    for (int m = 0; m < FUZZ_OUTPUTS; m++) {
+        out[m] = (call->mask >> m & 1) != 0 ? fuzz_result[m] : NULL;
+    }
+    fuzz_must(make(call, 0, count, out) == SCARP_OK);
+    for (int m = 0; m < FUZZ_OUTPUTS; m++) {
+        for (size_t i = 0; (call->mask >> m & 1) != 0 && i < count; i++) {
+            fuzz_must(fuzz_equal(on_grid[m][element[i]], fuzz_result[m][i]));
+        }
+    }
+}
+
+/* A random text, whose words are mostly right, as a recipe with a seed of the world */
+static enum scarp_status draw_recipe(struct draw *d, struct scarp_recipe *recipe, int *dimensions)
+{
+    static struct recipe_writer writer;
+    const uint64_t number = draw_bits(d, 8);
+    recipe_write(&writer, number, draw_rarely(d, 4));
+    fuzz_case_noise = NULL;
+    fuzz_case_text = writer.text;
+    *dimensions = writer.is_space ? 3 : 2;
+    enum scarp_status status =
+        scarp_recipe_parse(writer.text, strlen(writer.text), recipe, NULL, 0, NULL);
+    fuzz_note((uint64_t)status);
+    if (status == SCARP_OK) {
+        fuzz_must(scarp_recipe_seed(recipe, draw_bits(d, 2)) == SCARP_OK);
+        if (draw_rarely(d, 4)) {
+            scarp_recipe_set(recipe, "finest", draw_between(d, 0.0, 4.0), NULL);
+        }
+    }
+    return status;
+}
+
+void fuzz_compositions(const uint8_t *bytes, size_t size)
+{
+    static struct scarp_recipe recipe;
+    static struct fuzz_points points;
+    static struct scarp_grid grid;
+    static uint64_t memory[1 << 13];
+    struct draw d = {bytes, size};
+    int dimensions;
+    if (draw_recipe(&d, &recipe, &dimensions) != SCARP_OK) {
+        return;
+    }
+    const size_t chunk = 1 + draw_byte(&d);
+    struct scarp_scratch scratch = {.memory = memory,
+                                    .size = scarp_recipe_scratch_size(&recipe, 2, chunk)};
+    fuzz_must(scratch.size > 0);
+    struct arguments a = {.recipe = &recipe, .doubles = (int)draw_below(&d, 2)};
+    a.scratch = scratch.size <= sizeof memory && draw_below(&d, 2) == 0 ? &scratch : NULL;
+    while (a.outputs < 3 && entry_of(&recipe, a.outputs).output >= 0) {
+        a.outputs++;
+    }
+    fuzz_draw_points(&d, &points);
+    fuzz_draw_grid(&d, dimensions, &grid);
+    const int on_grid = draw_below(&d, 3) == 2;
+    a.grid = on_grid ? &grid : NULL;
+    for (int axis = 0; axis < 3; axis++) {
+        a.f[axis] = points.f[axis];
+        a.d[axis] = points.d[axis];
+    }
+    struct fuzz_call call = {.make = make,
+                             .arguments = &a,
+                             .count = on_grid ? FUZZ_ROOM : points.count,
+                             .mask = draw_mask(&d, &a, dimensions),
+                             .is_grid = on_grid};
+    const enum scarp_status status = fuzz_check(&d, &call);
+    /* Only without scratch memory there may be too little of it. */
+    fuzz_must(on_grid || status == SCARP_OK ||
+              (a.scratch == NULL && status == SCARP_ERROR_SIZE &&
+               scarp_recipe_scratch_size(&recipe, 2, 1) > STACK_BYTES));
+    const int is_empty =
+        on_grid ? grid.count[0] * grid.count[1] * grid.count[2] == 0 : points.count == 0;
+    if (is_empty || status != SCARP_OK) {
+        return;
+    }
+    if (on_grid) {
+        check_grid(&a, &call, &grid);
+    } else {
+        check_values(&a, &call);
+    }
+}
