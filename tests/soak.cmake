@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # Random calls with everything that holds of them, and one hash of all results for every machine.
 
-scarp_test_program(soak SOURCES fuzz/arguments.c fuzz/chain.c fuzz/compositions.c fuzz/gullies.c
+scarp_test_program(test_soak SOURCES fuzz/arguments.c fuzz/chain.c fuzz/compositions.c fuzz/gullies.c
                    fuzz/samples.c fuzz/shaders.c fuzz/vectors.c)
 scarp_add_sized_test(soak soak SIZES 50000 5000 1000 200
-                     COMMAND soak {} ${CMAKE_CURRENT_LIST_DIR}/soak.txt)
+                     COMMAND test_soak {} ${CMAKE_CURRENT_LIST_DIR}/soak.txt)

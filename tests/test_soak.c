@@ -3,9 +3,9 @@
  * Random calls, for as long as told: every promise of arguments.h is checked, memory stays flat,
  * and the hash of all results is that of any other machine.
  *
- *     soak CASES [FILE]        so many cases; their hash must be the one that FILE has for them
- *     soak --seconds SECONDS   prints the hash of every 50,000 cases
- *     soak --case NUMBER       this case alone, as where one has failed
+ *     test_soak CASES [FILE]        so many cases; their hash must be the one that FILE has for them
+ *     test_soak --seconds SECONDS   prints the hash of every 50,000 cases
+ *     test_soak --case NUMBER       this case alone, as where one has failed
  */
 #if !defined(_WIN32) && !defined(__wasm__)
 #define _DEFAULT_SOURCE
@@ -125,7 +125,7 @@ int main(int argc, char **argv)
     const int has_word = argc == 3 && argv[1][0] == '-';
     const long number = argc < 2 ? -1 : atol(argv[has_word ? 2 : 1]);
     if (number < 0 || argc > 3 || (!has_word && number == 0)) {
-        fprintf(stderr, "usage: soak CASES [FILE] | --seconds SECONDS | --case NUMBER\n");
+        fprintf(stderr, "usage: test_soak CASES [FILE] | --seconds SECONDS | --case NUMBER\n");
         return 2;
     }
     if (has_word && strcmp(argv[1], "--case") == 0) {
