@@ -167,8 +167,10 @@ static inline void recipe_put_noise(struct recipe_writer *w, double amplitude)
     } else {
         recipe_put(w, "size=%.2f", recipe_number(w, 1.0, 5.0));
     }
-    recipe_put(w, ", octaves=%.1f, seed=%u, amplitude=%.2f)", (double)recipe_number(w, 1.0, 3.0),
-               (unsigned)recipe_draw(w, 5), amplitude);
+    /* One by one: compilers differ in which argument they draw first. */
+    const unsigned seed = recipe_draw(w, 5);
+    const double octaves = recipe_number(w, 1.0, 3.0);
+    recipe_put(w, ", octaves=%.1f, seed=%u, amplitude=%.2f)", octaves, seed, amplitude);
 }
 
 static inline void recipe_put_field(struct recipe_writer *w, int depth);
