@@ -5,6 +5,17 @@ if(NOT WIN32 OR MINGW)
   set(SCARP_LIBM m)
 endif()
 
+# Static libraries have no times and no owners in them, so that the same sources give the same bytes. Some
+# systems build ar so that it leaves them out by itself.
+if(CMAKE_AR AND NOT APPLE AND NOT CMAKE_C_COMPILER_FRONTEND_VARIANT STREQUAL "MSVC")
+  execute_process(COMMAND ${CMAKE_AR} --version OUTPUT_VARIABLE ar_version ERROR_QUIET)
+  if(ar_version MATCHES "GNU ar|LLVM")
+    set(CMAKE_C_ARCHIVE_CREATE "<CMAKE_AR> qcD <TARGET> <LINK_FLAGS> <OBJECTS>")
+    set(CMAKE_C_ARCHIVE_APPEND "<CMAKE_AR> qD <TARGET> <LINK_FLAGS> <OBJECTS>")
+    set(CMAKE_C_ARCHIVE_FINISH "<CMAKE_RANLIB> -D <TARGET>")
+  endif()
+endif()
+
 # Messages that consumers of the project see, too: what this build leaves out.
 if(MINGW AND CMAKE_C_COMPILER_ID STREQUAL "GNU" AND CMAKE_SIZEOF_VOID_P EQUAL 8)
   message(STATUS "No kernels for AVX2 and AVX-512: gcc for Windows does not align its stack for "
