@@ -113,3 +113,8 @@ scarp_add_package_test(single)
 scarp_add_package_test(archive NEEDS scarp-install)
 scarp_add_package_test(abi NEEDS abidiff)
 scarp_add_package_test(ports NEEDS python3)
+
+# What a release is made by. Its parts that compile the library are tried at the release: cmake/release.md.
+scarp_add_test(package.release package NEEDS bash git linux python3
+               COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/test_release.py
+               ${PROJECT_SOURCE_DIR} ${package_dir}/release ${CMAKE_C_COMPILER})

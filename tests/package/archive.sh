@@ -23,6 +23,10 @@ for file in "$includedir/scarp.h" "$includedir/scarp.hpp" "$includedir/scarp.wgs
     [ -f "$top/$file" ] || fail "$file is not in the archive"
 done
 cmp "$top/$includedir/scarp.h" "$top/share/scarp/scarp.h"
+# The same sources give the same bytes, wherever the build directory is.
+if [ "$config" = Release ] && grep -rlsF "$build_dir" "$build_dir/bin/scarp" "$library" "$top"; then
+    fail "these name the build directory"
+fi
 if [ -e "$top/bin/scarp" ]; then
     run "$top/bin/scarp" --version
 fi
