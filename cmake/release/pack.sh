@@ -173,7 +173,6 @@ make_playground()
         return
     fi
     cp -R "$scratch/web/playground" "$scratch/$name"
-    cp "$source/LICENSE" "$scratch/$name"
     chmod 644 "$scratch/$name"/*.wasm
     archive "$name"
     library playground wasi-libc "$(version_line wasi-libc | sed 's/.* //')"

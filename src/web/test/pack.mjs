@@ -10,6 +10,7 @@ import { join } from 'node:path';
 
 const FILES = [
     'LICENSE',
+    'NOTICE',
     'README.md',
     'compile.mjs',
     'interface.mjs',
