@@ -116,10 +116,10 @@ pass()
     tar -xzf "$folder/scratch/$name.tar.gz" -C "$folder"
     [[ ,$parts, != *,source,* ]] || cp "$folder/scratch/$name.tar.gz" "$folder/out"
     env "$@" JOBS="$count" SCARP_REQUIRE_ALL="$require_all" SCARP_REPOSITORY="$repository" SCARP_CONTACT="$contact" \
-        bash "$folder/$name/cmake/release/pack.sh" "$parts" "$folder/out" "$folder/scratch"
+        bash "$folder/$name/cmake/release/pack.sh" "$parts" "$folder/out" "$folder/scratch" || exit 1
     env "$@" python3 "$folder/$name/cmake/release/describe.py" "$folder/out" "$folder/scratch" \
         "version=$version" "commit=$commit" "time=$SOURCE_DATE_EPOCH" "notes=$notes" \
-        "repository=$repository" "contact=$contact" "parts=$parts"
+        "repository=$repository" "contact=$contact" "parts=$parts" || exit 1
     (cd "$folder/out" && LC_ALL=C && export LC_ALL && sha256sum -- * >"$folder/SHA256SUMS")
     mv "$folder/SHA256SUMS" "$folder/out"
 }

@@ -9,6 +9,7 @@
 # shellcheck disable=SC2317 # try calls them
 set -eu -o pipefail
 folder=$(cd "$1" && pwd -P)
+tests=$(cd "$(dirname "$0")/../../tests/package" && pwd -P)
 work=$(mktemp -d "${TMPDIR:-/tmp}/scarp-try.XXXXXX")
 trap 'rm -rf "$work"' EXIT
 trap 'exit 130' INT TERM
@@ -100,10 +101,7 @@ try_archive()
 {
     tar -xzf "$folder"/scarp-*-linux-*.tar.gz --strip-components=1
     program bin/scarp
-    mkdir "$work/consumer"
-    tar -xzf "$folder"/scarp-[0-9]*.[0-9].tar.gz --strip-components=3 -C "$work/consumer" --wildcards \
-        '*/tests/package/CMakeLists.txt' '*/tests/package/consumer.c'
-    cmake -S "$work/consumer" -B build -DCMAKE_PREFIX_PATH="$PWD"
+    cmake -S "$tests" -B build -DCMAKE_PREFIX_PATH="$PWD"
     cmake --build build
     build/consumer
 }
@@ -125,9 +123,7 @@ try_deb()
 try_single()
 {
     tar -xzf "$folder"/scarp-*-single.tar.gz --strip-components=1
-    sed -n '/^ *cc /p' scarp_single.c
-    tar -xzf "$folder"/scarp-[0-9]*.[0-9].tar.gz --strip-components=3 --wildcards '*/tests/package/consumer.c'
-    "$cc" -std=c11 -O1 -ffp-contract=off -DSCARP_AVX512=0 -DSCARP_AVX2=0 -I. scarp_single.c consumer.c -lm -o consumer
+    "$cc" -std=c11 -O1 -ffp-contract=off -DSCARP_AVX512=0 -DSCARP_AVX2=0 -I. scarp_single.c "$tests/consumer.c" -lm -o consumer
     ./consumer
 }
 
