@@ -37,7 +37,7 @@ ARTIFACTS = (
     ("csharp", r"scarp-csharp-V\.tar\.gz", None, "C#: the file for .NET, Mono and Unity"),
     ("shaders", r"scarp-shaders-V\.tar\.gz", None, "the shaders in GLSL, HLSL and WGSL"),
 )
-NAMES = {"cc": "C compiler", "wasm-ld-19": "lld", "zlib": "zlib, its headers"}
+NAMES = {"cc": "C compiler", "ldd": "libc", "wasm-ld-19": "lld", "zlib": "zlib, its headers", "system": "operating system"}
 
 # What artifacts are linked to or need: licence, where its functions come from
 LIBRARIES = {

@@ -22,16 +22,16 @@ for list in tools libraries left_out; do
     : >"$scratch/$list"
 done
 
-# What the parts need: programs, and headers and libraries that are tried
-native='cmake cc make strip zlib'
+# What the parts need: programs, of which ldd tells the version of libc; headers and libraries that are tried
+native='system cmake cc ld ldd make strip zlib'
 declare -A needs=(
     [archive]="$native objdump"
     [deb]="$native dpkg-deb dpkg-shlibdeps file gzip"
     [single]=cmake
     [wheel]="$native objdump python3"
     [crate]='cmake cargo'
-    [npm]='cmake make clang-19 wasm-ld-19 wasi-libc node npm'
-    [playground]='cmake make clang-19 wasm-ld-19 wasi-libc node npm'
+    [npm]='system cmake make clang-19 wasm-ld-19 wasi-libc node npm'
+    [playground]='system cmake make clang-19 wasm-ld-19 wasi-libc node npm'
     [csharp]='tar gzip'
     [shaders]='tar gzip')
 
@@ -40,6 +40,7 @@ has() # TOOL
     case $1 in
     cc) command -v "${CC:-cc}" ;;
     zlib) echo '#include <zlib.h>' | "${CC:-cc}" -E - ;;
+    system) [ -r /etc/os-release ] ;;
     wasi-libc) echo 'int main(void) { return 0; }' | clang-19 --target=wasm32-wasi -x c - -o "$scratch/try.wasm" ;;
     *) command -v "$1" ;;
     esac >/dev/null 2>&1
@@ -50,7 +51,8 @@ version_line() # TOOL
 {
     case $1 in
     cc) "${CC:-cc}" --version ;;
-    zlib) echo "zlib $(printf '#include <zlib.h>\nversion ZLIB_VERSION\n' | "${CC:-cc}" -E - | sed -n 's/^version "\(.*\)"$/\1/p')" ;;
+    zlib) echo "zlib $(printf '#include <zlib.h>\nZLIB_VERSION\n' | "${CC:-cc}" -E - | tail -n 1 | tr -d '"')" ;;
+    system) sed -n 's/^PRETTY_NAME="\(.*\)"$/\1/p' /etc/os-release ;;
     wasi-libc) echo "wasi-libc $(dpkg-query -W -f '${Version}' wasi-libc 2>/dev/null || echo unknown)" ;;
     node | npm) echo "$1 $("$1" --version)" ;;
     python3) python3 -c 'import platform, zlib; print("Python", platform.python_version(), "with zlib", zlib.ZLIB_RUNTIME_VERSION)' ;;
