@@ -128,7 +128,7 @@ def tools(scratch):
     """({name: package}, [(name, part)]) of what parts were made with."""
     packages, users = {}, []
     for part, name, line in rows(scratch, "tools"):
-        numbers = re.findall(r"[0-9]+(?:\.[0-9]+)+[^\s,)]*", line)
+        numbers = re.findall(r"[0-9]+(?:\.[0-9]+)+[^\s,)]*", line.rstrip("."))
         packages[name] = package(NAMES.get(name, name), numbers[-1] if numbers else None, "NOASSERTION", "APPLICATION",
                                  id="tool-" + name, comment=line)
         users.append((name, part))
@@ -175,6 +175,9 @@ def bill(settings, artifacts, scratch):
     relate("SPDXRef-DOCUMENT", "DESCRIBES", scarp["SPDXID"])
     for part, artifact in artifacts:
         me = artifact["SPDXID"]
+        if part == "playground":
+            licences = {library["licenseDeclared"] for library in inside} | {"MIT"}
+            artifact.update(licenseConcluded=" AND ".join(sorted(licences)), licenseDeclared=" AND ".join(sorted(licences)))
         relate("SPDXRef-DOCUMENT", "DESCRIBES", me)
         relate(me, "GENERATED_FROM", scarp["SPDXID"])
         for user, name, relation, library in uses:
