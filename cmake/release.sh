@@ -5,7 +5,8 @@
 #
 #   cmake/release.sh [OPTION...] OUTPUT
 #
-#   --rehearse        the changelog may lack the date, and the tag may be missing; MANIFEST.txt says so
+#   --rehearse        the tag and the date of the changelog may be missing, and golden lines and the binary
+#                     interface be newer than what is promised; MANIFEST.txt says so
 #   --once            makes everything once, and compares nothing
 #   --require-all     a missing tool is an error; else what needs it is left out, and MANIFEST.txt says so
 #   --parts LIST      only these parts, with commas between them; release/pack.sh has their names

@@ -159,10 +159,17 @@ class Release(unittest.TestCase):
     def test_golden(self):
         with open(path("tests/golden.txt"), encoding="utf-8") as file:
             line = file.readline().rstrip("\n")
-        edit("tests/golden.txt", line, line + " added")
-        commit()
-        self.refused("lines that are not frozen: 1$", "--rehearse")
-        edit("tests/golden.txt", line + " added", line[:-1] + ("0" if line[-1] != "0" else "1"))
+        self.dated()
+        edit("tests/golden.txt", line, line + "\nnew/line 0123456789abcdef added")
+        commit("-a", "v" + self.version, "-m", "a tag")
+        self.refused("lines that are not frozen: 1$")
+        run = release("--rehearse", "--once", "--parts", "shaders")
+        self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
+        self.assertIn("\nNO RELEASE: tests/golden.txt has lines that are not frozen: 1\n", read("MANIFEST.txt").decode())
+        shutil.rmtree(OUTPUT)
+        git("reset", "-q", "--hard", self.first)
+        git("tag", "-d", "v" + self.version)
+        edit("tests/golden.txt", line, line[:-1] + ("0" if line[-1] != "0" else "1"))
         commit()
         self.refused("golden.txt is not as it was frozen: .*released", "--rehearse")
 
@@ -172,8 +179,9 @@ class Release(unittest.TestCase):
              "SCARP_API const char *scarp_versions(void);\nSCARP_API const char *scarp_version(void)")
         edit("src/calls/names.c", "#include \"scarp.h\"",
              "#include \"scarp.h\"\nconst char *scarp_versions(void) { return 0; }")
-        commit()
-        self.refused("abi.xml is not what the sources say; renew it", "--rehearse", programs=os.environ["PATH"])
+        self.dated()
+        commit("-a", "v" + self.version, "-m", "a tag")
+        self.refused("abi.xml is not what the sources say; renew it", programs=os.environ["PATH"])
 
     def test_tools(self):
         run = release("--rehearse", "--once", "--parts", "crate,shaders")
@@ -294,6 +302,11 @@ def prepare():
             shutil.copytree(os.path.join(SOURCE, name), path(name), symlinks=True, ignore=unwanted)
         else:
             shutil.copy(os.path.join(SOURCE, name), path(name))
+    # Lines that were added since the last release are frozen for the next one.
+    with open(os.path.join(SOURCE, "tests", "golden.txt"), encoding="utf-8") as file:
+        lines = [line for line in file if len(line.split()) == 2]
+    with open(path("tests/golden.txt"), "w", encoding="utf-8") as file:
+        file.writelines(lines)
 
 
 TEMPORARY = os.path.join(SCRATCH, "temporary")

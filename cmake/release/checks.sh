@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # shellcheck shell=bash disable=SC2154,SC2034
-# What has to be so before a release, for ../release.sh: each function refuses, or lets pass. They set
-# `version` and `commit`.
+# What has to be so before a release, for ../release.sh: each function refuses, says what is lacking, which a
+# rehearsal lets pass, or says nothing. They set `version` and `commit`.
 
 check_commit()
 {
@@ -72,7 +72,7 @@ check_golden()
 {
     local added program=$work/test_golden cc=${CC:-cc}
     added=$(grep -cE '^[^ ]+ [^ ]+ [^ ]' "$root/tests/golden.txt") || true
-    [ "$added" = 0 ] || refuse "tests/golden.txt has lines that are not frozen: $added"
+    [ "$added" = 0 ] || lacks "tests/golden.txt has lines that are not frozen: $added"
     if ! $cc -std=c11 -O0 -I"$root/include" "$root/tests/test_golden.c" -o "$program" \
         -no-pie -Wl,--unresolved-symbols=ignore-all -lm >"$work/log" 2>&1; then
         missing_tool "a linker that lets pass what is undefined" "the golden lines are not compared"
@@ -107,6 +107,6 @@ END
     case $status in
     0) ;;
     77) echo "$(tail -n 1 "$work/log"): it is not compared" ;;
-    *) refuse "tests/package/abi.xml is not what the sources say; renew it: $(grep -m 1 -E '^ *\[|FAILED' "$work/log")" ;;
+    *) lacks "tests/package/abi.xml is not what the sources say; renew it: $(grep -m 1 -E '^ *\[|FAILED' "$work/log")" ;;
     esac
 }
