@@ -55,7 +55,7 @@ version_line() # TOOL
     system) sed -n 's/^PRETTY_NAME="\(.*\)"$/\1/p' /etc/os-release ;;
     wasi-libc) echo "wasi-libc $(dpkg-query -W -f '${Version}' wasi-libc 2>/dev/null || echo unknown)" ;;
     node | npm) echo "$1 $("$1" --version)" ;;
-    python3) python3 -c 'import platform, zlib; print("with zlib %s, Python %s" % (zlib.ZLIB_RUNTIME_VERSION, platform.python_version()))' ;;
+    python3) python3 -c 'import platform, zlib; print("python3 (zlib %s) %s" % (zlib.ZLIB_RUNTIME_VERSION, platform.python_version()))' ;;
     *) "$1" --version ;;
     esac 2>&1 | sed -n '/./{p;q}'
 }
