@@ -5,6 +5,7 @@
 cmake_minimum_required(VERSION 3.25)
 
 set(ENV{DPKG_DEB_THREADS_MAX} 1) # how many there are would show in the compressed bytes
+list(FILTER CPACK_PACKAGE_FILES INCLUDE REGEX "[.]deb$") # `cpack -G TGZ` makes others
 foreach(package IN LISTS CPACK_PACKAGE_FILES)
   set(root ${package}.root)
   file(REMOVE_RECURSE ${root})
