@@ -86,7 +86,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *input, size_t size)
     MUST(scarp_recipe_parse(recipe_text, sizeof recipe_text - 1, &recipe, NULL, 0, NULL) ==
              SCARP_OK,
          "the recipe");
-    struct scarp_shader how = {.file = exact, .length = length + rest, .order = size % 3};
+    struct scarp_shader how = {
+        .file = exact, .length = length + rest, .order = (int32_t)(size % 3)};
     for (how.language = 0; how.language < 3; how.language++) {
         size_t written;
         check(&recipe, &how);
