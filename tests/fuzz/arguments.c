@@ -174,10 +174,16 @@ void fuzz_draw_grid(struct draw *d, int dimensions, struct scarp_grid *grid)
 {
     const int wild = draw_rarely(d, 8);
     memset(grid, 0, sizeof *grid);
-    const int is_long = draw_below(d, 2) == 0;
-    grid->count[0] = is_long ? draw_byte(d) % 65 : draw_byte(d) % 10;
-    grid->count[1] = is_long ? draw_byte(d) % 5 : draw_byte(d) % 8;
-    grid->count[2] = is_long ? draw_byte(d) % 3 : draw_byte(d) % 6;
+    const int is_long = draw_below(d, 2) == 0; /* rows of many blocks, else a few samples */
+    if (is_long) {
+        grid->count[0] = draw_byte(d) % (dimensions == 2 ? 240 : 120);
+        grid->count[1] = draw_byte(d) % (dimensions == 2 ? 4 : 3);
+        grid->count[2] = draw_byte(d) % 3;
+    } else {
+        grid->count[0] = draw_byte(d) % 10;
+        grid->count[1] = draw_byte(d) % 8;
+        grid->count[2] = draw_byte(d) % 6;
+    }
     const double step = draw_scale(d, 0x1p-12, draw_rarely(d, 4) ? 0x1p20 : 2.0);
     for (int axis = 0; axis < 3; axis++) {
         grid->origin[axis] =
