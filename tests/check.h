@@ -18,6 +18,9 @@
 
 #define CHECK_SKIPPED 77 /* ctest's SKIP_RETURN_CODE */
 #define CHECK_SHOWN 20   /* failures printed one by one */
+#ifndef CHECK_STOPS      /* whether the first failure ends the program (mutants/rules.py) */
+#define CHECK_STOPS 0
+#endif
 
 /* What the test program has to see. A mutant is a library with a deliberate mistake
    (mutants.cmake): a test program catches it if a result that CHECK_BITS compares differs and no
@@ -56,6 +59,9 @@ static inline void check_fail(const char *file, int line, const char *condition)
 {
     if (++check_failures <= CHECK_SHOWN) {
         printf("%s:%d: failed: %s\n", file, line, condition);
+    }
+    if (CHECK_STOPS) {
+        exit(EXIT_FAILURE);
     }
 }
 
