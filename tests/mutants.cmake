@@ -2,7 +2,8 @@
 # Do the tests notice mistakes? The library is compiled once more, with all mistakes of
 # mutants/list.cmake in it, each of which can be switched on; test programs that are linked to it
 # must then see a difference, on every kernel set, and none while no mistake is switched on
-# (mutants/run.c). What they see with few points, the default tests see with more.
+# (mutants/run.c). What they see with few points, the default tests see with more. mutants/rules/ makes
+# mistakes by rule besides, thousands of them, of which a sample can be tried.
 
 set(mutants_from ${PROJECT_SOURCE_DIR}/src)
 set(mutants_to ${CMAKE_CURRENT_BINARY_DIR}/mutants)
@@ -68,3 +69,18 @@ function(mutant name)
   endforeach()
 endfunction()
 include(mutants/list.cmake)
+
+# Mutations by rule: the script itself, and all of one small file, which must be noticed.
+scarp_add_test(mutants.rules mutants NEEDS python3 COMMAND ${Python3_EXECUTABLE} -B
+               ${CMAKE_CURRENT_SOURCE_DIR}/mutants/rules/test_rules.py ${CMAKE_CURRENT_BINARY_DIR}/mutants/rules)
+if("avx2" IN_LIST isas AND speed STREQUAL "full")
+  scarp_add_test(mutants.rules.fades mutants NEEDS python3 COMMAND ${Python3_EXECUTABLE} -B
+                 ${CMAKE_CURRENT_SOURCE_DIR}/mutants/rules/rules.py
+                 --work ${CMAKE_CURRENT_BINARY_DIR}/mutants/fades --files kernel/basis/fade.h --sample 0
+                 --no-default --quick "test_bits ISA 131 13")
+endif()
+foreach(test mutants.rules mutants.rules.fades)
+  if(TEST ${test})
+    set_tests_properties(${test} PROPERTIES ENVIRONMENT "CC=${CMAKE_C_COMPILER}")
+  endif()
+endforeach()
