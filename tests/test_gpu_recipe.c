@@ -98,6 +98,58 @@ static void check_whole(const char *name)
     }
 }
 
+/* A variable of scarp_recipe(): a letter and the number of a node, as r12. */
+struct variable {
+    char name[8];
+    int depth; /* of the block that declares it */
+};
+
+static const char *end_of_word(const char *at)
+{
+    while (is_in_name(*at) || (*at >= 'A' && *at <= 'Z')) {
+        at++;
+    }
+    return at;
+}
+
+/* In GLSL, variables are used after their declaration, which is the word behind a type, and in its
+   block. */
+static void check_scopes(const char *name)
+{
+    static struct variable known[1024];
+    int count = 0, depth = 0, follows = 0; /* follows: a word and one space */
+    const char *at = strstr(text, "ScarpRecipe scarp_recipe(float");
+    CHECK(at != NULL, "%s: no function", name);
+    for (at = at != NULL ? strchr(at, '{') : ""; *at != '\0'; at++) {
+        const char *const end = end_of_word(at);
+        const size_t length = (size_t)(end - at);
+        depth += (*at == '{') - (*at == '}');
+        if (depth == 0) {
+            break;
+        }
+        while (*at == '}' && count > 0 && known[count - 1].depth > depth) {
+            count--;
+        }
+        if (at[0] >= 'a' && length > 1 && length < sizeof known[0].name && at[1] <= '9' &&
+            at[-1] != '.') {
+            int i = 0;
+            while (i < count &&
+                   (strncmp(known[i].name, at, length) != 0 || known[i].name[length] != '\0')) {
+                i++;
+            }
+            CHECK((i < count) != follows, "%s: %.*s %s", name, (int)length, at,
+                  follows ? "is declared twice" : "is not declared here");
+            if (follows) {
+                known[count].depth = depth;
+                snprintf(known[count++].name, sizeof known[0].name, "%.*s", (int)length, at);
+            }
+        }
+        follows = length > 0 && *end == ' ' && is_in_name(end[1]);
+        at = length > 0 ? end - (*end != ' ') : at;
+    }
+    CHECK(depth == 0 && *at == '}', "%s: blocks end", name);
+}
+
 /* Looking for what nobody calls takes long: `is_whole` asks for it. */
 static void check_text(const char *name, int is_whole)
 {
@@ -110,7 +162,26 @@ static void check_text(const char *name, int is_whole)
               how[language].length);
         if (language == SCARP_WGSL && is_whole) {
             check_whole(name);
+        } else if (language == SCARP_GLSL) {
+            check_scopes(name);
         }
+    }
+}
+
+/* Noises that share a warp, each in a block of its own, and in the block around */
+static void check_shared_warps(void)
+{
+    static const char *const texts[] = {
+        PLANE "w = noise(amplitude=0.3)\n"
+              "a = mix(warp(n, w), warp(m, w), smoothstep(noise(seed=3), -0.1, 0.1))",
+        "recipe 1\nw = noise(amplitude=0.3)\na = mix(warp(noise(seed=1), w), "
+        "warp(noise(seed=2), w), smoothstep(noise(seed=3), -0.1, 0.1)) + warp(noise(seed=4), w)",
+        PLANE "w = noise(amplitude=0.3)\na = warp(n, w) + warp(m, w) * smoothstep(n, -0.1, 0.1)",
+    };
+    for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++) {
+        open_recipe(texts[i]);
+        (void)write_shader(0, 2, text);
+        check_scopes(texts[i]);
     }
 }
 
@@ -281,6 +352,7 @@ int main(int argc, char **argv)
         open_recipe(recipe_texts[i].text);
         check_text(recipe_texts[i].name, i % 8 == 0);
     }
+    check_shared_warps();
     check_capacities();
     check_uniforms();
     check_answers();

@@ -25,9 +25,10 @@ Mutation = collections.namedtuple("Mutation", "file line source before after sit
 class Work:
     """The copy of the project and its build, in a directory that is kept."""
 
-    def __init__(self, folder, project, vector_set):
-        self.folder, self.project, self.set = folder, project, vector_set
-        self.tree, self.build = os.path.join(folder, "tree"), os.path.join(folder, "build")
+    def __init__(self, folder, project, vector_set, sanitized):
+        self.folder, self.project, self.set, self.sanitized = folder, project, vector_set, sanitized
+        self.tree = os.path.join(folder, "tree")
+        self.build = os.path.join(folder, "sanitized" if sanitized else "build")
         self.sources = {} # of the library, by their names below src/
         self.ninja = shutil.which("ninja") is not None
         os.makedirs(folder, exist_ok=True)
@@ -39,8 +40,8 @@ class Work:
         """Brings the copy up to date, but for the library's sources. Files that are the same keep their
         times."""
         for folder, folders, files in os.walk(self.project):
-            folders[:] = [f for f in folders if f[0] != "." and f not in ("target", "node_modules", "__pycache__")
-                          and not f.startswith("build") and os.path.join(folder, f) != self.folder]
+            folders[:] = [f for f in folders if not re.match(r"[.]|build|(target|node_modules|__pycache__)$", f)
+                          and os.path.join(folder, f) != self.folder]
             to = os.path.join(self.tree, os.path.relpath(folder, self.project))
             os.makedirs(to, exist_ok=True)
             for name in files:
@@ -49,8 +50,8 @@ class Work:
                 if relative.split(os.sep)[0] in ROOMS and name.endswith((".c", ".h")):
                     with open(original, encoding="utf-8") as file:
                         self.sources[relative] = file.read()
-                elif not os.path.exists(path) or os.path.getmtime(path) < os.path.getmtime(original):
-                    shutil.copy(original, path)
+                elif not os.path.exists(path) or os.path.getmtime(path) != os.path.getmtime(original):
+                    shutil.copy2(original, path)
 
     def left_out(self, mutations):
         """How many numbers and operators of their files sites.py leaves out."""
@@ -73,10 +74,13 @@ class Work:
                     file.write(text)
 
     def configure(self):
-        switch = os.path.join(self.folder, "rule.o")
+        switch = os.path.join(self.build, "rule.o")
+        os.makedirs(self.build, exist_ok=True)
         subprocess.run([*shlex.split(os.environ.get("CC", "cc")), "-O1", "-fPIC", "-DRULES=%d" % RULES, "-c", os.path.join(HERE, "rule.c"),
                         "-o", switch], check=True)
         flags = "-w -DCHECK_STOPS=1 -include " + shlex.quote(os.path.join(HERE, "rule.h"))
+        if self.sanitized:
+            flags += " -fsanitize=address,undefined -fno-sanitize-recover=all"
         subprocess.run(["cmake", "--no-warn-unused-cli", "-S", self.tree, "-B", self.build, "-DCMAKE_BUILD_TYPE=Release",
                         "-DCMAKE_C_FLAGS_RELEASE=-O1", "-DSCARP_OPTIMIZE=OFF", "-DCMAKE_C_FLAGS=" + flags,
                         "-DCMAKE_EXE_LINKER_FLAGS=" + switch, "-DCMAKE_SHARED_LINKER_FLAGS=" + switch,

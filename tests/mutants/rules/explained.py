@@ -24,8 +24,14 @@ def read_explained(path):
     return reasons
 
 
+def key_of(m):
+    """What stays the same of a mutation when other lines change."""
+    return m.file, m.source, m.before, m.after
+
+
 def keys_of(m):
-    yield m.file, m.source, m.before, m.after
+    """The keys of explanations that are about it."""
+    yield key_of(m)
     yield m.file, m.source, "*", "*"
 
 

@@ -24,8 +24,7 @@ static __attribute__((constructor)) void read_environment(void)
     scarp_rule = number != NULL ? atoi(number) : 0;
     const int file = path != NULL ? open(path, O_RDWR) : -1;
     if (file >= 0) {
-        void *const met =
-            mmap(NULL, sizeof unseen, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
+        void *const met = mmap(NULL, sizeof unseen, PROT_READ | PROT_WRITE, MAP_SHARED, file, 0);
         scarp_rule_met = met != MAP_FAILED ? met : unseen;
         close(file);
     }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * The switch of mutations by rule. rules.py has this included before every source. It includes nothing,
- * since sources define what they want of the system's headers.
+ * The switch of mutations by rule. rules.py has this included before every source. It includes
+ * nothing, since sources define what they want of the system's headers.
  */
 #ifndef SCARP_TESTS_RULE_H
 #define SCARP_TESTS_RULE_H

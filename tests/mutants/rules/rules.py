@@ -17,51 +17,62 @@ missing, or no result is wrong, and explained.txt says why. The exit status is 1
 explained, or if an explanation fits no line any more.
 
 DIR keeps the copy, its build, and `results`, a line per mutation, which grows while tests run. --again
-tries the survivors of the last run once more, after a test was added or an explanation.
+tries the survivors of the last run once more, after a test was added or an explanation; --sanitize finds
+those that only touch memory that is not theirs.
 `SCARP_RULE=17 DIR/build/bin/test_bits avx2` tries the mutation of the last run that has the number 17.
 """
 import argparse
 import collections
+import concurrent.futures
 import json
 import os
 import random
 import sys
 import time
 
-from build import HERE, RULES, Work, list_mutations
-from explained import keys_of, read_explained, reason_of
-from tests import QUICK, default_tests, first_to_notice, quick_tests, useful
+from build import HERE, RULES, Mutation, Work, list_mutations
+from explained import key_of, keys_of, read_explained, reason_of
+from tests import QUICK, default_tests, first_to_notice, processor_seconds, quick_tests, useful
 
 # What became of a mutation. `stage` is that of `test`, which noticed it, or "none"; `ended` tells how, or
 # "survived", or "not met" if no test comes by.
 Verdict = collections.namedtuple("Verdict", "number mutation stage test ended seconds")
 
 
-def judge(number, mutation, quick, default):
-    began = time.monotonic()
-    room = mutation.file.split("/")[0]
-    for stage, tests in (("quick", quick), ("default", default)):
-        test, ended = first_to_notice(tests, number, room)
-        if test is not None:
-            break
-    else:
-        met = any(t.meets(number) for t in quick + default)
-        stage, test, ended = "none", "-", "survived" if met else "not met"
-    return Verdict(number, mutation, stage, test, ended, round(time.monotonic() - began, 1))
+class Judge:
+    """Runs tests on mutations, stage after stage, and writes a line of each to `results` once it is known
+    what becomes of it. After `end` nothing begins."""
 
+    def __init__(self, stages, results, jobs, end):
+        self.stages, self.results, self.jobs, self.end = stages, results, jobs, end
 
-def judge_all(chosen, quick, default, results, minutes):
-    """Runs tests on the mutations, until the time is over, and writes a line of each to `results`."""
-    end = time.monotonic() + 60 * minutes
-    verdicts = []
-    for number, mutation in chosen.items():
-        if time.monotonic() > end:
-            print("%d mutations are left out, since the time is over" % (len(chosen) - len(verdicts)))
-            break
-        verdict = judge(number, mutation, quick, default)
-        verdicts.append(verdict)
-        write_verdict(verdict, results)
-    return verdicts
+    def judge(self, stage, tests, number, mutation):
+        """The verdict of a stage; None: no test notices the mutation, and there is another stage."""
+        began = time.monotonic()
+        test, ended = first_to_notice(tests, number, mutation.file.split("/")[0])
+        if test is None:
+            if stage != self.stages[-1][0]:
+                return None
+            is_met = any(t.meets(number) for _, others in self.stages for t in others)
+            stage, test, ended = "none", "-", "survived" if is_met else "not met"
+        verdict = Verdict(number, mutation, stage, test, ended, round(time.monotonic() - began, 1))
+        write_verdict(verdict, self.results)
+        return verdict
+
+    def judge_all(self, mutations):
+        """The verdicts of {number: mutation}."""
+        verdicts, left = [], dict(mutations)
+        with concurrent.futures.ThreadPoolExecutor(self.jobs) as pool:
+            for stage, tests in self.stages:
+                def judge_one(number):
+                    return self.judge(stage, tests, number, left[number]) if time.monotonic() < self.end else None
+                found = [v for v in pool.map(judge_one, list(left)) if v is not None]
+                verdicts += found
+                for verdict in found:
+                    del left[verdict.number]
+        if left:
+            print("%d mutations are not judged, since the time is over" % len(left))
+        return verdicts
 
 
 def write_verdict(verdict, results):
@@ -70,14 +81,10 @@ def write_verdict(verdict, results):
 
 
 def read_verdicts(path):
+    """The verdicts of the last run, in the order in which they were found."""
     with open(path, encoding="utf-8") as file:
-        return [json.loads(line) for line in file]
-
-
-def is_of(mutation, lines):
-    """Whether the mutation is in lines of `results`, wherever in its file it stands now."""
-    return any(all(line["mutation"][key] == getattr(mutation, key)
-                   for key in ("file", "source", "before", "after")) for line in lines)
+        lines = [json.loads(line) for line in file]
+    return [Verdict(**dict(line, mutation=Mutation(**line["mutation"]))) for line in lines]
 
 
 def report(verdicts, reasons):
@@ -114,6 +121,9 @@ def parse_arguments():
     parser.add_argument("--seed", type=int, default=1, help="of the sample")
     parser.add_argument("--files", nargs="+", default=["*"], help="patterns of files below src/")
     parser.add_argument("--again", action="store_true", help="those that survived the last run")
+    parser.add_argument("--resume", action="store_true", help="go on where the last run ended")
+    parser.add_argument("--jobs", type=int, default=1, help="so many tests at a time")
+    parser.add_argument("--sanitize", action="store_true", help="compile with AddressSanitizer and UBSan")
     parser.add_argument("--no-default", action="store_true", help="leave the default tests out")
     parser.add_argument("--minutes", type=float, default=1e9, help="begin with no mutation later")
     parser.add_argument("--set", default="avx2", help="the vector set")
@@ -128,7 +138,8 @@ def draw_mutations(work, arguments, last):
     """All that may be tried, in the order in which it is."""
     mutations = list_mutations(work, arguments.files)
     if arguments.again:
-        mutations = [m for m in mutations if is_of(m, [line for line in last if line["stage"] == "none"])]
+        survivors = {key_of(v.mutation) for v in last if v.stage == "none"}
+        mutations = [m for m in mutations if key_of(m) in survivors]
     if not mutations or len(mutations) >= RULES:
         sys.exit("%d mutations in these files" % len(mutations))
     compiled = work.compiled(mutations)
@@ -142,32 +153,40 @@ def main():
     arguments = parse_arguments()
     began = time.monotonic()
     reasons = read_explained(arguments.explained)
-    work = Work(os.path.abspath(arguments.work), os.path.abspath(arguments.project), arguments.set)
+    work = Work(os.path.abspath(arguments.work), os.path.abspath(arguments.project), arguments.set,
+                arguments.sanitize)
     path = os.path.join(work.folder, "results")
-    last = read_verdicts(path) if arguments.again else []
+    last = read_verdicts(path) if arguments.again or arguments.resume else []
     draw = draw_mutations(work, arguments, last)
     chosen, dropped = work.compile(draw, len(draw) if arguments.again else arguments.sample or len(draw))
-    quick = list(quick_tests(work, arguments.quick or QUICK, arguments.patience))
+    quick = list(quick_tests(work, arguments.quick or QUICK))
     work.make_tests([] if arguments.no_default else ["all"], [t.program for t in quick])
     print("%d are tried, seed %d; %d more were drawn and do not compile; %.0f s to here" % (
         len(chosen), arguments.seed, dropped, time.monotonic() - began), flush=True)
-    quick = useful(quick, work, arguments.patience)
-    default = [] if arguments.no_default else useful(default_tests(work), work, 10)
-    print("%d quick tests take %.1f s, %d default tests %.1f s; %.0f s to here" % (
-        len(quick), sum(t.seconds for t in quick), len(default), sum(t.seconds for t in default),
-        time.monotonic() - began), flush=True)
+    stages = [("quick", useful(quick, work, arguments.patience))]
+    if not arguments.no_default:
+        stages.append(("default", useful(list(default_tests(work)), work, 2 * arguments.patience)))
+    print("; ".join("%d %s tests take %.1f s" % (len(tests), stage, sum(t.seconds for t in tests))
+                    for stage, tests in stages) + "; %.0f s to here" % (time.monotonic() - began), flush=True)
+    kept = last if arguments.resume else [v for v in last if v.stage != "none"]
+    known = {key_of(v.mutation) for v in kept}
     with open(path, "w", encoding="utf-8") as results:
-        for line in last:
-            if line["stage"] != "none":
-                print(json.dumps(line), file=results)
-        verdicts = judge_all(chosen, quick, default, results, arguments.minutes)
+        for verdict in kept:
+            write_verdict(verdict, results)
+        judge = Judge(stages, results, arguments.jobs, began + 60 * arguments.minutes)
+        verdicts = judge.judge_all({n: m for n, m in chosen.items() if key_of(m) not in known})
+    finish(kept + verdicts, reasons, list_mutations(work, ["*"]), began)
+
+
+def finish(verdicts, reasons, mutations, began):
+    """Reports all verdicts, and exits."""
     unexplained = report(verdicts, reasons)
-    stale = report_stale(reasons, list_mutations(work, ["*"]))
+    stale = report_stale(reasons, mutations)
     stages = collections.Counter(v.stage for v in verdicts)
     print("\n%d mutations: %d noticed by quick tests, %d by default tests, %d survived, of which %d are not "
-          "explained; %d explanations fit nothing; %.0f s" % (
+          "explained; %d explanations fit nothing; %.0f s, %.0f s of processors" % (
               len(verdicts), stages["quick"], stages["default"], stages["none"], unexplained, stale,
-              time.monotonic() - began))
+              time.monotonic() - began, processor_seconds()))
     sys.exit(1 if unexplained or stale else 0)
 
 

@@ -271,7 +271,8 @@ class Toy(unittest.TestCase):
     def test_explained(self):
         again = self.run_rules(EXPLAINED, "--again")
         self.assertEqual(again.returncode, 0, again.stdout)
-        self.assertIn("6 mutations: 0 noticed by quick tests, 0 by default tests, 6 survived, of which 0 are not",
+        self.assertIn("6 are tried", again.stdout)
+        self.assertIn("17 mutations: 8 noticed by quick tests, 3 by default tests, 6 survived, of which 0 are not",
                       again.stdout)
         self.assertIn("Both are the same where they are equal.", again.stdout)
 
@@ -279,6 +280,19 @@ class Toy(unittest.TestCase):
         again = self.run_rules(EXPLAINED + STALE, "--again")
         self.assertEqual(again.returncode, 1, again.stdout)
         self.assertIn("STALE", again.stdout)
+
+    def test_resumed(self):
+        path = os.path.join(SCRATCH, "work", "results")
+        with open(path, encoding="utf-8") as file:
+            lines = file.readlines()
+        with open(path, "w", encoding="utf-8") as file:
+            file.writelines(lines[:9])
+        self.run_rules("", "--resume", "--jobs", "2")
+        with open(path, encoding="utf-8") as file:
+            resumed = file.readlines()
+        self.assertEqual(resumed[:9], lines[:9])
+        self.assertEqual(*(sorted(re.sub('"number": [0-9]*|"seconds": .*', "", line) for line in found)
+                           for found in (resumed, lines)))
 
     def test_sample(self):
         arguments = ("--sample", "3", "--no-default", "--work", os.path.join(SCRATCH, "sample"))

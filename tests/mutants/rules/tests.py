@@ -10,7 +10,9 @@ import time
 
 from build import RULES
 
-MEMORY = 8 << 30 # bytes of a test's address space: a mutation may ask for any amount
+LONGEST = 120    # seconds of the processor that a test takes without a mutation
+MEMORY = 8 << 20 # KiB of a test's address space: a mutation may ask for any amount
+LIMITS = 'ulimit -c 0; ulimit -S -t %s; ulimit -v %s; exec "$@"'
 OTHER_LABELS = "cli|bench|package|readme|cost|farm|mutants|rust|csharp|godot|example" # not of the library
 
 # What runs first. ISA stands for the vector set, GOLDEN and RECIPES for files of tests/.
@@ -20,10 +22,11 @@ QUICK = ("test_bits ISA 131 13", "test_golden GOLDEN ISA", "test_golden GOLDEN s
 
 
 class Test:
-    def __init__(self, name, command, folder, environment, patience):
+    def __init__(self, name, command, folder, environment):
         self.name, self.command, self.folder, self.environment = name, command, folder, environment
-        self.patience, self.seconds, self.met = patience, 0.0, b""
         self.program = command[0]
+        self.patience, self.memory = LONGEST, MEMORY
+        self.seconds, self.used, self.met = 0.0, 0.0, b"" # without a mutation
         self.kills, self.spent = collections.Counter(), collections.Counter() # by room
 
     def run(self, number, met=None):
@@ -31,9 +34,8 @@ class Test:
         environment = dict(os.environ, SCARP_RULE=str(number), **self.environment)
         if met:
             environment["SCARP_RULE_MET"] = met
-        process = subprocess.Popen(self.command, cwd=self.folder, env=environment, start_new_session=True,
-                                   stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
-                                   stderr=subprocess.DEVNULL, preexec_fn=lambda: limit(self.patience))
+        process = subprocess.Popen(["sh", "-c", LIMITS % (self.patience, self.memory), "sh", *self.command], cwd=self.folder, env=environment, start_new_session=True,
+                                   stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         try: # others may have the processor, too
             status = process.wait(10 * self.patience)
         except subprocess.TimeoutExpired:
@@ -69,20 +71,13 @@ def processor_seconds():
     return usage.ru_utime + usage.ru_stime
 
 
-def limit(seconds):
-    resource.setrlimit(resource.RLIMIT_CPU, (seconds, seconds + 1))
-    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
-    resource.setrlimit(resource.RLIMIT_CORE, (0, 0))
-    resource.setrlimit(resource.RLIMIT_FSIZE, (1 << 30, 1 << 30))
-
-
-def quick_tests(work, lines, patience):
+def quick_tests(work, lines):
     words = {"ISA": work.set, "GOLDEN": os.path.join(work.tree, "tests", "golden.txt"),
              "RECIPES": os.path.join(work.tree, "tests", "recipes.txt")}
     for line in lines:
         program, *arguments = line.split()
         yield Test(line, [os.path.join(work.build, "bin", program)] + [words.get(a, a) for a in arguments],
-                   work.build, {}, patience)
+                   work.build, {})
 
 
 def default_tests(work):
@@ -94,13 +89,15 @@ def default_tests(work):
         environment = dict(e.split("=", 1) for e in properties.get("ENVIRONMENT", []))
         if "command" in entry:
             yield Test(entry["name"], entry["command"], properties.get("WORKING_DIRECTORY", work.build),
-                       environment, 120)
+                       environment)
 
 
 def useful(tests, work, patience):
     """Those that pass without a mutation and come by one. From then on they have `patience` seconds of the
     processor, or three times what they took."""
     met = os.path.join(work.folder, "met")
+    for test in tests:
+        test.memory = "unlimited" if work.sanitized else MEMORY # shadows take terabytes
     kept = [test for test in tests if test.try_unchanged(met)]
     for test in kept:
         test.patience = max(patience, int(3 * test.used))
