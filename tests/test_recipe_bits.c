@@ -198,6 +198,46 @@ static void check_text(const char *name, const char *text, enum scarp_isa isa, i
     check_values(name, most, is_space);
 }
 
+/* Outputs that are computed at once are the same as each alone: those that others need, those that
+   nobody needs, and those that are computed once per column of a grid, in any order. */
+static void check_together(enum scarp_isa isa)
+{
+    enum { OUTPUTS = 5, WAYS = 2 };
+    static const char together[] =
+        SPACE "out a = n * z\nout b = flat(m)\nout c = a + b\nout d = flat(noise(seed=5)) * 2\n"
+              "out e = m - n";
+    static struct result results[OUTPUTS];
+    struct scarp_samples out[OUTPUTS];
+    const struct scarp_grid grid = grid_of(1);
+    const struct scarp_recipe_outputs all = {.out = out, .count = OUTPUTS};
+    (void)scarp_isa_select(isa);
+    CHECK(scarp_recipe_parse(together, strlen(together), &recipe, NULL, 0, NULL) == SCARP_OK, "%s",
+          together);
+    (void)spread(1);
+    for (int way = 0; way < WAYS * 3; way++) {
+        const int order = way / WAYS;
+        const size_t least = scarp_recipe_scratch_size(&recipe, order, 48);
+        const struct scarp_scratch scratch = {.memory = memory,
+                                              .size = way % WAYS == 0 ? sizeof memory : least};
+        memset(results, 0, sizeof results);
+        for (int i = 0; i < OUTPUTS; i++) {
+            out[i] = arrays_of(&results[i], order, 1);
+        }
+        CHECK(scarp_recipe_grid(&recipe, &grid, &all, &scratch) == SCARP_OK, "order %d", order);
+        for (int32_t i = 0; i < OUTPUTS; i++) {
+            const struct scarp_samples alone = arrays_of(&reference, order, 1);
+            const int32_t which = i + 2; /* after n and m */
+            const struct scarp_recipe_outputs one = {.out = &alone, .which = &which, .count = 1};
+            memset(&reference, 0, sizeof reference);
+            CHECK(scarp_recipe_sample_f64(&recipe, MOST, position[0], position[1], position[2],
+                                          &one, &scratch) == SCARP_OK,
+                  "output %d", (int)i);
+            CHECK_BITS(same(&reference, &results[i]), "output %d of %d, order %d, scratch %d",
+                       (int)i, OUTPUTS, order, way % WAYS);
+        }
+    }
+}
+
 /* The hash that FILE has for a name; 0: none. */
 static uint64_t golden_hash(FILE *file, const char *name)
 {
@@ -246,6 +286,7 @@ int main(int argc, char **argv)
     }
     check_texts(isa, file);
     (void)fclose(file);
+    check_together(isa);
     for (int i = 0; i < count && !check_enough(); i++) {
         static struct recipe_writer w;
         char name[32];
