@@ -177,11 +177,14 @@ static void check_shared_warps(void)
         "recipe 1\nw = noise(amplitude=0.3)\na = mix(warp(noise(seed=1), w), "
         "warp(noise(seed=2), w), smoothstep(noise(seed=3), -0.1, 0.1)) + warp(noise(seed=4), w)",
         PLANE "w = noise(amplitude=0.3)\na = warp(n, w) + warp(m, w) * smoothstep(n, -0.1, 0.1)",
+        PLANE "w = noise(amplitude=0.3)\na = warp(n * x + m, w) * smoothstep(n, -0.1, 0.1)",
     };
     for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++) {
         open_recipe(texts[i]);
         (void)write_shader(0, 2, text);
         check_scopes(texts[i]);
+        CHECK(strstr(text, "; c < 2u; c++") != NULL && strstr(text, "; c < 3u; c++") == NULL,
+              "%s: warps of the plane have two components", texts[i]);
     }
 }
 

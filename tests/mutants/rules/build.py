@@ -14,11 +14,12 @@ import sites
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOMS = ("calls", "plan", "formulas", "scalar", "kernel", "simd", "recipe") # folders of src/
+SHOWN = 70 # characters of an expression around what changes
 RULES = 1 << 16 # numbers of mutations are less
 CALL = re.compile(r"scarp_rule_is\s*\(\s*(\d+)\s*\)")
 
-# `before`, the site number `site` of a file, becomes `after`, its mutation number `index`. `source` is the
-# text of the line.
+# Mutation number `index` of site number `site` of a file: what is `before` becomes `after`, both with some of
+# the expression around it. `source` is the text of the line.
 Mutation = collections.namedtuple("Mutation", "file line source before after site index")
 
 
@@ -193,12 +194,21 @@ def list_mutations(work, patterns):
     """All mutations, in the order of files and lines."""
     found = []
     for name, source in work.parsed.items():
-        if not any(fnmatch.fnmatch(name, pattern) for pattern in patterns):
-            continue
-        lines = source.text.split("\n")
-        for k, site in enumerate(source.sites):
-            line = source.line_of(site)
-            before = " ".join(source.text[site.start:site.end].split())
-            found += [Mutation(name, line, lines[line - 1].strip(), before, after, k, m)
-                      for m, after in enumerate(site.mutations)]
+        if any(fnmatch.fnmatch(name, pattern) for pattern in patterns):
+            found += mutations_of(name, source)
+    return found
+
+
+def mutations_of(name, source):
+    found, around, lines = [], [], source.text.split("\n")
+    for k, site in enumerate(source.sites):
+        around = [other for other in around if other.end >= site.end]
+        shown = next((other for other in reversed(around) if other.end - other.start < SHOWN), site)
+        line = source.line_of(site)
+        for m, after in enumerate(site.mutations):
+            changed = source.text[shown.start:site.start] + after + source.text[site.end:shown.end]
+            found.append(Mutation(name, line, lines[line - 1].strip(),
+                                  " ".join(source.text[shown.start:shown.end].split()),
+                                  " ".join(changed.split()), k, m))
+        around.append(site)
     return found
