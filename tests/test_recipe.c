@@ -443,6 +443,31 @@ static void check_by_hand(void)
           (double)a[0][0]);
 }
 
+/* Arguments that have names may stand in any order. */
+static void check_names(void)
+{
+    static const struct {
+        const char *text, *as;
+    } texts[] = {
+        {ONE "a = clamp(lo=-0.1, hi=0.2, n)", ONE "a = clamp(n, -0.1, 0.2)"},
+        {ONE "a = mix(m=smoothstep(x, 0, 1), b=n, a=y)", ONE "a = mix(y, n, smoothstep(x, 0, 1))"},
+        {ONE "a = warp(by=noise(seed=5), f=n)", ONE "a = warp(n, noise(seed=5))"},
+        {ONE "a = warp(by=noise(seed=5), n + x)", ONE "a = warp(n + x, noise(seed=5))"},
+        {ONE "a = cell(warp(by=noise(seed=5), n))", ONE "a = cell(warp(n, noise(seed=5)))"},
+        {ONE "a = move(dy=2, dx=1, n)", ONE "a = move(n, 1, 2)"},
+        {ONE "a = at(v=x, u=y, f=n)", ONE "a = at(n, y, x)"},
+        {"recipe 1\na = gullies(amplitude=2, noise(seed=5))",
+         "recipe 1\na = gullies(noise(seed=5), amplitude=2)"},
+        {ONE "a = gullies(size=4, f=n)", ONE "a = gullies(n, size=4)"},
+        {ONE "a = displacement(seed=3, n, rotate)", ONE "a = displacement(n, rotate, seed=3)"},
+    };
+    for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++) {
+        check_same_values(texts[i].text, texts[i].as);
+    }
+    check_error("recipe 1\nn = noise()\na = warp(by=n)", 3, 5, "an argument is missing");
+    check_error("recipe 1\na = gullies(size=4)", 2, 5, "an argument is missing");
+}
+
 /* A mask that is 0 hides NaN, also of a chunk in which it is 0 here and there only. */
 static void check_masks(void)
 {
@@ -791,6 +816,7 @@ int main(void)
     check_seeds();
     check_language();
     check_by_hand();
+    check_names();
     check_masks();
     check_tile();
     check_finest();

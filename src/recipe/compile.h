@@ -60,6 +60,7 @@ int scarp_recipe_components(struct recipe_compiler *c, int expression, int noise
 struct recipe_value scarp_recipe_cell(struct recipe_compiler *c, int call, int noise, int what,
                                       int place);
 struct recipe_value scarp_recipe_gullies(struct recipe_compiler *c, int call, int place,
+                                         const int16_t argument[RECIPE_ARGUMENTS],
                                          int is_displacement);
 uint64_t scarp_recipe_seed_of(uint64_t world, double number);
 

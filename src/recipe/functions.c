@@ -361,7 +361,7 @@ struct recipe_value scarp_recipe_call(struct recipe_compiler *c, int call, int p
     case FUNCTION_CELL: return cell(c, call, place, argument);
     case FUNCTION_GULLIES:
     case FUNCTION_DISPLACEMENT:
-        return scarp_recipe_gullies(c, call, place, function == FUNCTION_DISPLACEMENT);
+        return scarp_recipe_gullies(c, call, place, argument, function == FUNCTION_DISPLACEMENT);
     case FUNCTION_WARP:
     case FUNCTION_TURN:
     case FUNCTION_MOVE:

@@ -183,12 +183,12 @@ static int described(struct recipe_compiler *c, int call)
 /* warp(n, w) of noises is the noise n with the warp w, if it has none. */
 static int warped(struct recipe_compiler *c, int call)
 {
-    const int first = c->recipe->expression[call].a;
-    const int second = first < 0 ? -1 : c->recipe->expression[first].next;
-    if (second < 0) {
-        return -1;
+    int16_t argument[RECIPE_ARGUMENTS];
+    int knots;
+    if (!scarp_recipe_bind(c, call, FUNCTION_WARP, argument, &knots)) {
+        return -2;
     }
-    const int n = scarp_recipe_noise_of(c, first), w = scarp_recipe_noise_of(c, second);
+    const int n = scarp_recipe_noise_of(c, argument[0]), w = scarp_recipe_noise_of(c, argument[1]);
     if (n < 0 || w < 0 || c->recipe->noise[n].warp >= 0) {
         return n == -2 || w == -2 ? -2 : -1;
     }
@@ -476,16 +476,14 @@ static int take_gullies(struct recipe_compiler *c, int call,
 }
 
 /* The members of gullies at a place: an index, or -1 on an error. */
-static int gullies_at(struct recipe_compiler *c, int call, int place)
+static int gullies_at(struct recipe_compiler *c, int call, const int16_t argument[RECIPE_ARGUMENTS],
+                      int place)
 {
-    int16_t argument[RECIPE_ARGUMENTS];
-    int knots;
     double matrix[3][3];
     struct scarp_gullies g;
     memset(&g, 0, sizeof g);
     g.seed = c->recipe->seed;
-    if (!scarp_recipe_bind(c, call, FUNCTION_GULLIES, argument, &knots) ||
-        !take_gullies(c, call, argument, &g)) {
+    if (!take_gullies(c, call, argument, &g)) {
         return -1;
     }
     scarp_recipe_matrix(c->recipe, place, matrix);
@@ -507,6 +505,7 @@ static int gullies_at(struct recipe_compiler *c, int call, int place)
 }
 
 struct recipe_value scarp_recipe_gullies(struct recipe_compiler *c, int call, int place,
+                                         const int16_t argument[RECIPE_ARGUMENTS],
                                          int is_displacement)
 {
     struct recipe *const r = c->recipe;
@@ -517,7 +516,7 @@ struct recipe_value scarp_recipe_gullies(struct recipe_compiler *c, int call, in
     if (r->place[framed].dimensions != 2) {
         return scarp_recipe_bad(c, call, "gullies are of the plane: see flat", NULL);
     }
-    const int f = r->expression[call].a;
+    const int f = argument[0];
     const int base = scarp_recipe_field(c, f, scarp_recipe_value(c, f, framed));
     if (base < 0) {
         return nothing;
@@ -530,7 +529,7 @@ struct recipe_value scarp_recipe_gullies(struct recipe_compiler *c, int call, in
     }
     struct recipe_node node = scarp_recipe_operation(OP_GULLIES, base, -1);
     node.place = (int16_t)framed;
-    node.index = (int16_t)gullies_at(c, call, framed);
+    node.index = (int16_t)gullies_at(c, call, argument, framed);
     if (node.index < 0) {
         return nothing;
     }

@@ -20,7 +20,7 @@ CALL = re.compile(r"scarp_rule_is\s*\(\s*(\d+)\s*\)")
 
 # Mutation number `index` of site number `site` of a file: what is `before` becomes `after`, both with some of
 # the expression around it. `source` is the text of the line.
-Mutation = collections.namedtuple("Mutation", "file line source before after site index")
+Mutation = collections.namedtuple("Mutation", "file function line source before after site index")
 
 
 class Work:
@@ -207,7 +207,7 @@ def mutations_of(name, source):
         line = source.line_of(site)
         for m, after in enumerate(site.mutations):
             changed = source.text[shown.start:site.start] + after + source.text[site.end:shown.end]
-            found.append(Mutation(name, line, lines[line - 1].strip(),
+            found.append(Mutation(name, site.function, line, lines[line - 1].strip(),
                                   " ".join(source.text[shown.start:shown.end].split()),
                                   " ".join(changed.split()), k, m))
         around.append(site)

@@ -4,7 +4,7 @@ import sys
 
 
 def read_explained(path):
-    """{(file, line's text, before, after): reason}; see the top of explained.txt."""
+    """{a key of keys_of: reason}; see the top of explained.txt."""
     reasons, file_name, entry = {}, None, []
     with open(path, encoding="utf-8") as file:
         lines = file.read().split("\n") + [""]
@@ -16,12 +16,20 @@ def read_explained(path):
         elif line.strip():
             entry.append(line.strip())
         elif entry:
-            if len(entry) < 3 or " ==> " not in entry[1] and entry[1] != "*":
-                sys.exit("explained.txt: not a line, a mutation and a reason: %s" % entry)
-            before, after = ("*", "*") if entry[1] == "*" else entry[1].split(" ==> ", 1)
-            reasons[file_name, entry[0], before, after] = " ".join(entry[2:])
+            key, reason = key_and_reason(entry)
+            reasons[(file_name, *key)] = reason
             entry = []
     return reasons
+
+
+def key_and_reason(entry):
+    if entry[0].startswith("function ") and len(entry) > 1:
+        return (entry[0], "*", "*"), " ".join(entry[1:])
+    if len(entry) > 2 and entry[1] == "*":
+        return (entry[0], "*", "*"), " ".join(entry[2:])
+    if len(entry) > 2 and " ==> " in entry[1]:
+        return (entry[0], *entry[1].split(" ==> ", 1)), " ".join(entry[2:])
+    sys.exit("explained.txt: neither a line, a mutation and a reason, nor a function and a reason: %s" % entry)
 
 
 def key_of(m):
@@ -33,6 +41,7 @@ def keys_of(m):
     """The keys of explanations that are about it."""
     yield key_of(m)
     yield m.file, m.source, "*", "*"
+    yield m.file, "function " + m.function, "*", "*"
 
 
 def reason_of(mutation, reasons):

@@ -43,10 +43,10 @@ CONSTANT = {"_Static_assert", "__attribute__", "_Alignas", "_Alignof", "UINT64_C
 
 
 class Site:
-    """`text[start:end]` may become one of `mutations`."""
+    """`text[start:end]`, in a function, may become one of `mutations`."""
 
-    def __init__(self, start, end, at, mutations):
-        self.start, self.end, self.at, self.mutations = start, end, at, mutations
+    def __init__(self, start, end, at, function, mutations):
+        self.start, self.end, self.at, self.function, self.mutations = start, end, at, function, mutations
 
 
 class Token:
@@ -82,6 +82,7 @@ class Source:
             if i >= depth_end and token.text == "{" and i in self.partner:
                 depth_end = self.partner[i]
                 if i > 0 and self.tokens[i - 1].text == ")":
+                    self.function = self.tokens[self.partner[i - 1] - 1].text
                     self.visit_body(i + 1, depth_end)
         self.sites.sort(key=lambda s: (s.start, -s.end))
 
@@ -176,7 +177,7 @@ class Source:
             token = self.tokens[at]
             self.left_out -= token.kind == "number" or token.text in BECOMES
             self.sites.append(Site(self.tokens[first].start, self.tokens[end - 1].end,
-                                   self.tokens[at].start, mutations))
+                                   self.tokens[at].start, self.function, mutations))
 
     def visit_body(self, first, end):
         i = statement = first

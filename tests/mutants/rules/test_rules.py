@@ -177,8 +177,7 @@ plan/toy.c
     i & 3 ==> i & 2
     Known.
 
-    return -a;
-    *
+    function toy_unused
     Nobody calls it.
 """
 
