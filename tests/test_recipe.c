@@ -346,6 +346,23 @@ static void check_calls(void)
     CHECK(scarp_recipe_parse("", 0, NULL, NULL, 0, NULL) == SCARP_ERROR_NULL, "no recipe");
 }
 
+/* The size of scratch memory, and what it is not told for */
+static void check_scratch_size(void)
+{
+    static const struct scarp_recipe none;
+    (void)parses("recipe 1\na = noise()");
+    CHECK(scarp_recipe_scratch_size(&recipe, 2, 16) > scarp_recipe_scratch_size(&recipe, 0, 16) &&
+              scarp_recipe_scratch_size(&recipe, 0, 16) > 0,
+          "it grows with derivatives");
+    CHECK(scarp_recipe_scratch_size(&recipe, -1, 16) == 0 &&
+              scarp_recipe_scratch_size(&recipe, 3, 16) == 0,
+          "orders that there are not");
+    CHECK(scarp_recipe_scratch_size(NULL, 0, 16) == 0 &&
+              scarp_recipe_scratch_size(&none, 0, 16) == 0,
+          "no recipe");
+    CHECK(scarp_recipe_scratch_size(&recipe, 0, SIZE_MAX / 65536 + 1) == 0, "too many points");
+}
+
 static void check_set(void)
 {
     const struct scarp_samples out = {.value = value};
@@ -372,6 +389,10 @@ static void check_set(void)
     struct scarp_recipe_entry entry;
     (void)scarp_recipe_entry_at(&recipe, 0, &entry);
     CHECK(entry.value == 4.0 && entry.slider[0] == 1.0 && entry.slider[1] == 4.0, "k is %g",
+          entry.value);
+    (void)parses("recipe 1\nparam k = -2.5 [-3, -1]\na = k * noise()");
+    (void)scarp_recipe_entry_at(&recipe, 0, &entry);
+    CHECK(entry.value == -2.5 && entry.slider[0] == -3.0 && entry.slider[1] == -1.0, "k is %g",
           entry.value);
 }
 
@@ -579,11 +600,12 @@ static void check_ranges(void)
                   fabsf(highest - cases[i].highest) <= 1e-5f * fabsf(highest),
               "%s: to %g", cases[i].text, (double)highest);
     }
-    const struct scarp_box box = {.lowest = {1.0, 2.0}, .highest = {3.0, 5.0}},
+    const struct scarp_box box = {.lowest = {1.0, 2.0, 1.0}, .highest = {3.0, 5.0}},
                            wrong = {.lowest = {1.0}};
     float lowest, highest;
     (void)parses("recipe 1\na = 2 * x - y");
-    (void)scarp_recipe_range(&recipe, 0, &box, &lowest, &highest);
+    CHECK(scarp_recipe_range(&recipe, 0, &box, &lowest, &highest) == SCARP_OK,
+          "in the plane, z of a box is no matter");
     CHECK(fabsf(lowest + 3.0f) < 1e-4f && fabsf(highest - 4.0f) < 1e-4f, "[%g, %g]", (double)lowest,
           (double)highest);
     CHECK(scarp_recipe_range(&recipe, 0, &wrong, &lowest, &highest) == SCARP_ERROR_PARAMETER,
@@ -812,6 +834,7 @@ int main(void)
     check_errors();
     check_many_errors();
     check_calls();
+    check_scratch_size();
     check_set();
     check_seeds();
     check_language();
