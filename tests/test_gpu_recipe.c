@@ -144,6 +144,7 @@ static void check_scopes(const char *name)
                 snprintf(known[count++].name, sizeof known[0].name, "%.*s", (int)length, at);
             }
         }
+        CHECK(length != 1 || *end != '-', "%s: %c-1, a node that there is not", name, *at);
         follows = length > 0 && *end == ' ' && is_in_name(end[1]);
         at = length > 0 ? end - (*end != ' ') : at;
     }
@@ -230,6 +231,7 @@ static void check_uniforms(void)
     CHECK(scarp_recipe_uniforms(&recipe, after, sizeof after, &least) == SCARP_OK &&
               least == size && memcmp(before, after, size) != 0,
           "the buffer is not");
+    CHECK(after[size] == 0x5a, "nothing is written beyond the buffer");
     memcpy(before, after, size);
     CHECK(scarp_recipe_set(&recipe, "a", 3.5, NULL) == SCARP_OK, "set");
     (void)write_shader(2, 2, other);

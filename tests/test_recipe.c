@@ -171,6 +171,8 @@ static void check_errors(void)
         {"recipe 1\nparam k = 2\n", 3, 1, "needs a name"},
         {ONE "a = n +", 3, 8, "expected a number"},
         {ONE "a = (n", 3, 7, "expected )"},
+        {"recipe 1\na = (x", 2, 7, "expected )"},
+        {ONE "a = clamp(n, 1=2, 3)", 3, 15, "expected , or )"},
         {ONE "a = min(n n)", 3, 11, "expected , or )"},
         {ONE "a = n n", 3, 7, "expected an operator"},
         {ONE "a n", 3, 3, "expected ="},
@@ -464,6 +466,39 @@ static void check_by_hand(void)
           (double)a[0][0]);
 }
 
+/* Two things of one kind in a text stay two. What a text has again is kept once, so that it comes
+   under its limits. */
+static void check_shared(void)
+{
+    static char many[16384];
+    check_different_values(ONE "a = curve(n, -1: 0, 1: 1) + curve(n, -1: 0, 1: 1)",
+                           ONE "a = curve(n, -1: 0, 1: 1) + curve(n, -1: 5, 1: 6)");
+    check_different_values(ONE "a = displacement(n) + displacement(n)",
+                           ONE "a = displacement(n) + displacement(n, seed=9)");
+    check_different_values(ONE "a = turn(n, 30) + turn(n, 30)",
+                           ONE "a = turn(n, 30) + turn(n, 40)");
+    check_same_values(ONE "a = -n", ONE "a = 0 - n");
+    (void)parses(ONE
+                 "w = noise(amplitude=0.1)\na = warp(n, warp(w, warp(w, warp(w, warp(w, w)))))");
+    static const struct {
+        const char *statement; /* with its number, twice */
+        int count;             /* more than the limit of what it has */
+    } repeated[] = {
+        {"a%d = displacement(x * %d + 3 * y)\n", 12},
+        {"a%d = turn(x * %d, 30)\n", 40},
+        {"a%d = x * %d * noise(seed=5)\n", 60},
+        {"a%d = curve(x, 0: 1, 1: 2, 2: 3, 3: 5)\n", 33},
+    };
+    for (size_t k = 0; k < sizeof repeated / sizeof repeated[0]; k++) {
+        size_t length = (size_t)snprintf(many, sizeof many, "recipe 1\n");
+        for (int i = 1; i <= repeated[k].count; i++) {
+            length += (size_t)snprintf(many + length, sizeof many - length, repeated[k].statement,
+                                       i, i + 1);
+        }
+        (void)parses(many);
+    }
+}
+
 /* Arguments that have names may stand in any order. */
 static void check_names(void)
 {
@@ -557,6 +592,22 @@ static void check_finest(void)
     const struct scarp_noise scaled = {.frequency = 0.125, .octaves = 3.0f, .of_octaves = 6.0f};
     (void)scarp_sample2_f64(&scaled, POINTS, x, y, &hand);
     CHECK(memcmp(value, by_hand, sizeof value) == 0, "a place that scales divides it");
+    static const char *const squeezed[] = {"recipe 1\na = stretch(noise(size=16, %s), 0.5, 1)",
+                                           "recipe 1\na = stretch(noise(size=16, %s), 1, 0.5)",
+                                           "recipe 1\nspace 3\na = "
+                                           "stretch(noise(size=16, %s), 1, 2, 0.5)"};
+    for (int i = 0; i < 3; i++) {
+        char text[2][128];
+        snprintf(text[0], sizeof text[0], squeezed[i], "octaves=6");
+        snprintf(text[1], sizeof text[1], squeezed[i], "octaves=3, of_octaves=6");
+        (void)parses(text[0]);
+        (void)scarp_recipe_set(&recipe, "finest", 2.0, NULL);
+        (void)sample(&recipe, &out, NULL);
+        memcpy(by_hand, value, sizeof by_hand);
+        (void)values(text[1]);
+        CHECK(memcmp(value, by_hand, sizeof value) == 0, "%s: the axis of most cells counts",
+              text[0]);
+    }
     (void)parses("recipe 1\na = gullies(noise(size=16), size=16, octaves=6, cells=3)");
     (void)scarp_recipe_set(&recipe, "finest", 4.0, NULL);
     (void)sample(&recipe, &out, NULL);
@@ -840,6 +891,7 @@ int main(void)
     check_language();
     check_by_hand();
     check_names();
+    check_shared();
     check_masks();
     check_tile();
     check_finest();

@@ -252,6 +252,20 @@ static uint64_t golden_hash(FILE *file, const char *name)
     return 0;
 }
 
+/* Others that grids and points must agree on: displaced by the first node of the text, and places
+   in places. */
+static void check_more_texts(enum scarp_isa isa)
+{
+    static const char *const texts[] = {
+        "recipe 1\nspace 3\na = at(noise(seed=2), x + noise(), y, 0.5)",
+        SPACE "a = turn(stretch(move(turn(n, 40, y), 1, 2, 3), 0.5, 2, 3), 30, x)",
+        SPACE "a = wind(turn(n * z, 20, x), 30, 2) + 0 * m",
+    };
+    for (size_t i = 0; i < sizeof texts / sizeof texts[0]; i++) {
+        check_text(texts[i], texts[i], isa, 0);
+    }
+}
+
 static void check_texts(enum scarp_isa isa, FILE *file)
 {
     for (size_t i = 0; i < RECIPE_TEXTS && !check_enough(); i++) {
@@ -287,6 +301,7 @@ int main(int argc, char **argv)
     check_texts(isa, file);
     (void)fclose(file);
     check_together(isa);
+    check_more_texts(isa);
     for (int i = 0; i < count && !check_enough(); i++) {
         static struct recipe_writer w;
         char name[32];

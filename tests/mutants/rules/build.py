@@ -26,8 +26,9 @@ Mutation = collections.namedtuple("Mutation", "file function line source before 
 class Work:
     """The copy of the project and its build, in a directory that is kept."""
 
-    def __init__(self, folder, project, vector_set, sanitized):
+    def __init__(self, folder, project, vector_set, sanitized, thorough):
         self.folder, self.project, self.set, self.sanitized = folder, project, vector_set, sanitized
+        self.is_thorough = "ON" if thorough else "OFF"
         self.tree = os.path.join(folder, "tree")
         self.build = os.path.join(folder, "sanitized" if sanitized else "build")
         self.sources = {} # of the library, by their names below src/
@@ -86,7 +87,8 @@ class Work:
                         "-DCMAKE_C_FLAGS_RELEASE=-O1", "-DSCARP_OPTIMIZE=OFF", "-DCMAKE_C_FLAGS=" + flags,
                         "-DCMAKE_EXE_LINKER_FLAGS=" + switch, "-DCMAKE_SHARED_LINKER_FLAGS=" + switch,
                         "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON", "-DSCARP_SETS=" + self.set,
-                        "-DSCARP_BUILD_CLI=OFF", "-DSCARP_BUILD_BENCH=OFF", "-DSCARP_INSTALL=OFF"]
+                        "-DSCARP_TEST_THOROUGH=" + self.is_thorough,
+                        "-DSCARP_BUILD_CLI=" + self.is_thorough, "-DSCARP_BUILD_BENCH=OFF", "-DSCARP_INSTALL=OFF"]
                        + (["-G", "Ninja"] if self.ninja else []),
                        check=True, stdout=subprocess.DEVNULL)
 

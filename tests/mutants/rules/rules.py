@@ -124,6 +124,8 @@ def parse_arguments():
     parser.add_argument("--resume", action="store_true", help="go on where the last run ended")
     parser.add_argument("--jobs", type=int, default=1, help="so many tests at a time")
     parser.add_argument("--sanitize", action="store_true", help="compile with AddressSanitizer and UBSan")
+    parser.add_argument("--tests", metavar="REGEX", help="default tests of these names alone")
+    parser.add_argument("--thorough", action="store_true", help="thorough ones, and the program, too")
     parser.add_argument("--no-default", action="store_true", help="leave the default tests out")
     parser.add_argument("--minutes", type=float, default=1e9, help="begin with no mutation later")
     parser.add_argument("--set", default="avx2", help="the vector set")
@@ -154,7 +156,7 @@ def main():
     began = time.monotonic()
     reasons = read_explained(arguments.explained)
     work = Work(os.path.abspath(arguments.work), os.path.abspath(arguments.project), arguments.set,
-                arguments.sanitize)
+                arguments.sanitize, arguments.thorough)
     path = os.path.join(work.folder, "results")
     last = read_verdicts(path) if arguments.again or arguments.resume else []
     draw = draw_mutations(work, arguments, last)
@@ -165,7 +167,7 @@ def main():
         len(chosen), arguments.seed, dropped, time.monotonic() - began), flush=True)
     stages = [("quick", useful(quick, work, arguments.patience))]
     if not arguments.no_default:
-        stages.append(("default", useful(list(default_tests(work)), work, 2 * arguments.patience)))
+        stages.append(("default", useful(list(default_tests(work, arguments.tests)), work, 2 * arguments.patience)))
     print("; ".join("%d %s tests take %.1f s" % (len(tests), stage, sum(t.seconds for t in tests))
                     for stage, tests in stages) + "; %.0f s to here" % (time.monotonic() - began), flush=True)
     kept = last if arguments.resume else [v for v in last if v.stage != "none"]

@@ -15,10 +15,12 @@ MEMORY = 8 << 20 # KiB of a test's address space: a mutation may ask for any amo
 LIMITS = 'ulimit -c 0; ulimit -S -t %s; ulimit -v %s; exec "$@"'
 OTHER_LABELS = "cli|bench|package|readme|cost|farm|mutants|rust|csharp|godot|example" # not of the library
 
-# What runs first. ISA stands for the vector set, GOLDEN and RECIPES for files of tests/.
+# What runs first. ISA stands for the vector set, GOLDEN and RECIPES for files of tests/,
+# INCLUDE for the folder of shaders.
 QUICK = ("test_bits ISA 131 13", "test_golden GOLDEN ISA", "test_golden GOLDEN scalar 5", "test_chain ISA",
          "test_chain scalar", "test_grid ISA 250", "test_recipe_bits ISA 5 RECIPES", "test_recipe",
-         "test_plan ISA", "test_gullies ISA", "test_curl ISA", "test_vector ISA", "test_shapes")
+         "test_plan ISA", "test_gullies ISA", "test_curl ISA", "test_vector ISA", "test_shapes",
+         "fuzz_recipe 2000", "test_gpu_recipe INCLUDE")
 
 
 class Test:
@@ -73,17 +75,18 @@ def processor_seconds():
 
 def quick_tests(work, lines):
     words = {"ISA": work.set, "GOLDEN": os.path.join(work.tree, "tests", "golden.txt"),
-             "RECIPES": os.path.join(work.tree, "tests", "recipes.txt")}
+             "RECIPES": os.path.join(work.tree, "tests", "recipes.txt"),
+             "INCLUDE": os.path.join(work.tree, "include")}
     for line in lines:
         program, *arguments = line.split()
         yield Test(line, [os.path.join(work.build, "bin", program)] + [words.get(a, a) for a in arguments],
                    work.build, {})
 
 
-def default_tests(work):
-    """What ctest runs of the library's tests."""
-    listed = subprocess.run(["ctest", "--test-dir", work.build, "--show-only=json-v1", "-LE", OTHER_LABELS],
-                            check=True, text=True, stdout=subprocess.PIPE).stdout
+def default_tests(work, names):
+    """What ctest runs of the library's tests, or of those with these names."""
+    chosen = ["-R", names] if names else ["-LE", OTHER_LABELS]
+    listed = subprocess.run(["ctest", "--test-dir", work.build, "--show-only=json-v1", *chosen], check=True, text=True, stdout=subprocess.PIPE).stdout
     for entry in json.loads(listed)["tests"]:
         properties = {p["name"]: p["value"] for p in entry.get("properties", [])}
         environment = dict(e.split("=", 1) for e in properties.get("ENVIRONMENT", []))
