@@ -506,6 +506,29 @@ static void test_refusals(int dimensions)
     test_sizes(dimensions);
 }
 
+/* Grids with an axis so long that what is computed once for it comes in parts (kernel/crossing.h),
+   or does not come at all. */
+static void test_long(void)
+{
+    static const struct {
+        int dimensions;
+        size_t count[3];
+    } shapes[] = {{2, {3, 4500, 1}}, {2, {9, 3000, 1}}, {2, {1750, 3, 1}},
+                  {3, {2, 3, 2600}}, {3, {5, 700, 5}},  {3, {40, 1745, 1}}};
+    for (int i = 0; i < (int)(sizeof shapes / sizeof shapes[0]) && !check_enough(); i++) {
+        for (int basis = 0; basis < 2; basis++) {
+            struct grid_case c = plain_case(shapes[i].dimensions);
+            memcpy(c.grid.count, shapes[i].count, sizeof c.grid.count);
+            c.noise.basis = basis == 0 ? SCARP_GRADIENT : SCARP_CELL_F1;
+            c.noise.octaves = 2.0f;
+            if (floats_of(&c) <= FLOATS_MAX) {
+                got.capacity = expected.capacity = floats_of(&c);
+                test_points(&c);
+            }
+        }
+    }
+}
+
 int main(int argc, char **argv)
 {
     argc = check_take_aim(argc, &argv);
@@ -533,6 +556,7 @@ int main(int argc, char **argv)
             test_short_rows(&state);
         }
     }
+    test_long();
     test_all_large(check_enough() ? 0 : cases < 1000 ? LARGE_CASES_FEW : LARGE_CASES);
     got.capacity = expected.capacity = FLOATS_MAX;
     outputs_free(&got);

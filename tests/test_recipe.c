@@ -478,8 +478,8 @@ static void check_shared(void)
     check_different_values(ONE "a = turn(n, 30) + turn(n, 30)",
                            ONE "a = turn(n, 30) + turn(n, 40)");
     check_same_values(ONE "a = -n", ONE "a = 0 - n");
-    (void)parses(ONE
-                 "w = noise(amplitude=0.1)\na = warp(n, warp(w, warp(w, warp(w, warp(w, w)))))");
+    (void)parses("recipe 1\nw = noise(amplitude=0.1)\n"
+                 "a = warp(noise(seed=5), warp(w, warp(w, warp(w, warp(w, w)))))");
     static const struct {
         const char *statement; /* with its number, twice */
         int count;             /* more than the limit of what it has */
@@ -497,6 +497,16 @@ static void check_shared(void)
         }
         (void)parses(many);
     }
+}
+
+/* Wind from the west or from the south, across which the field is longer */
+static void check_wind(void)
+{
+    check_same_values(ONE "a = wind(n, 270, 3)", ONE "a = stretch(n, 1, 3)");
+    check_same_values("recipe 1\nspace 3\na = wind(x + 2 * y + 4 * z, 270, 4)",
+                      "recipe 1\nspace 3\na = x + y / 2 + 4 * z");
+    check_same_values("recipe 1\nspace 3\na = wind(noise(), 270, 3)",
+                      "recipe 1\nspace 3\na = stretch(noise(), 1, 3)");
 }
 
 /* Arguments that have names may stand in any order. */
@@ -890,6 +900,7 @@ int main(void)
     check_seeds();
     check_language();
     check_by_hand();
+    check_wind();
     check_names();
     check_shared();
     check_masks();

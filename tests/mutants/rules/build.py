@@ -19,8 +19,8 @@ RULES = 1 << 16 # numbers of mutations are less
 CALL = re.compile(r"scarp_rule_is\s*\(\s*(\d+)\s*\)")
 
 # Mutation number `index` of site number `site` of a file: what is `before` becomes `after`, both with some of
-# the expression around it. `source` is the text of the line.
-Mutation = collections.namedtuple("Mutation", "file function line source before after site index")
+# the expression around it. `source` is the text of the line; `twin` counts those before it that look the same.
+Mutation = collections.namedtuple("Mutation", "file function line source before after twin site index")
 
 
 class Work:
@@ -203,14 +203,16 @@ def list_mutations(work, patterns):
 
 def mutations_of(name, source):
     found, around, lines = [], [], source.text.split("\n")
+    seen = collections.Counter()
     for k, site in enumerate(source.sites):
         around = [other for other in around if other.end >= site.end]
         shown = next((other for other in reversed(around) if other.end - other.start < SHOWN), site)
         line = source.line_of(site)
         for m, after in enumerate(site.mutations):
             changed = source.text[shown.start:site.start] + after + source.text[site.end:shown.end]
-            found.append(Mutation(name, site.function, line, lines[line - 1].strip(),
-                                  " ".join(source.text[shown.start:shown.end].split()),
-                                  " ".join(changed.split()), k, m))
+            words = (lines[line - 1].strip(), " ".join(source.text[shown.start:shown.end].split()),
+                     " ".join(changed.split()))
+            found.append(Mutation(name, site.function, line, *words, seen[words], k, m))
+            seen[words] += 1
         around.append(site)
     return found

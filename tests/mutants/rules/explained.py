@@ -34,12 +34,12 @@ def key_and_reason(entry):
 
 def key_of(m):
     """What stays the same of a mutation when other lines change."""
-    return m.file, m.source, m.before, m.after
+    return m.file, m.source, m.before, m.after, m.twin
 
 
 def keys_of(m):
     """The keys of explanations that are about it."""
-    yield key_of(m)
+    yield m.file, m.source, m.before, m.after
     yield m.file, m.source, "*", "*"
     yield m.file, "function " + m.function, "*", "*"
 
