@@ -605,9 +605,12 @@ static void check_finest(void)
     static const char *const squeezed[] = {"recipe 1\na = stretch(noise(size=16, %s), 0.5, 1)",
                                            "recipe 1\na = stretch(noise(size=16, %s), 1, 0.5)",
                                            "recipe 1\nspace 3\na = "
-                                           "stretch(noise(size=16, %s), 1, 2, 0.5)"};
-    for (int i = 0; i < 3; i++) {
-        char text[2][128];
+                                           "stretch(noise(size=16, %s), 1, 2, 0.5)",
+                                           "recipe 1\nspace 3\nn = noise(size=9)\na = "
+                                           "stretch(at(stretch(noise(size=16, %s), 2, 2, 0.5), "
+                                           "x + n, y + n, z - n), 2, 2, 1)"};
+    for (int i = 0; i < 4; i++) {
+        char text[2][256];
         snprintf(text[0], sizeof text[0], squeezed[i], "octaves=6");
         snprintf(text[1], sizeof text[1], squeezed[i], "octaves=3, of_octaves=6");
         (void)parses(text[0]);

@@ -258,6 +258,7 @@ static void check_more_texts(enum scarp_isa isa)
 {
     static const char *const texts[] = {
         "recipe 1\nspace 3\na = at(noise(seed=2), x + noise(), y, 0.5)",
+        "recipe 1\nspace 3\nu = noise()\na = at(noise(seed=2), u, y, 0.5)",
         SPACE "a = turn(stretch(move(turn(n, 40, y), 1, 2, 3), 0.5, 2, 3), 30, x)",
         SPACE "a = wind(turn(n * z, 20, x), 30, 2) + 0 * m",
     };
