@@ -100,7 +100,7 @@ static void check_whole(const char *name)
 
 /* A variable of scarp_recipe(): a letter and the number of a node, as r12. */
 struct variable {
-    char name[8];
+    char name[16];
     int depth; /* of the block that declares it */
 };
 
@@ -144,7 +144,6 @@ static void check_scopes(const char *name)
                 snprintf(known[count++].name, sizeof known[0].name, "%.*s", (int)length, at);
             }
         }
-        CHECK(length != 1 || *end != '-', "%s: %c-1, a node that there is not", name, *at);
         follows = length > 0 && *end == ' ' && is_in_name(end[1]);
         at = length > 0 ? end - (*end != ' ') : at;
     }
