@@ -98,7 +98,8 @@ static void check_whole(const char *name)
     }
 }
 
-/* A variable of scarp_recipe(): a letter and the number of a node, as r12. */
+/* A variable of scarp_recipe(): a letter and the number of a node, as r12, or open and that of a
+   guard. */
 struct variable {
     char name[16];
     int depth; /* of the block that declares it */
@@ -130,8 +131,9 @@ static void check_scopes(const char *name)
         while (*at == '}' && count > 0 && known[count - 1].depth > depth) {
             count--;
         }
-        if (at[0] >= 'a' && length > 1 && length < sizeof known[0].name && at[1] <= '9' &&
-            at[-1] != '.') {
+        const int is_numbered = at[0] >= 'a' && at[1] <= '9';
+        if (length > 1 && length < sizeof known[0].name && at[-1] != '.' &&
+            (is_numbered || is_one_of(at, "open"))) {
             int i = 0;
             while (i < count &&
                    (strncmp(known[i].name, at, length) != 0 || known[i].name[length] != '\0')) {
@@ -186,6 +188,28 @@ static void check_shared_warps(void)
         CHECK(strstr(text, "; c < 2u; c++") != NULL && strstr(text, "; c < 3u; c++") == NULL,
               "%s: warps of the plane have two components", texts[i]);
     }
+    open_recipe(SPACE "w = noise(amplitude=0.3)\na = warp(n, w)");
+    (void)write_shader(0, 2, text);
+    CHECK(strstr(text, "; c < 3u; c++") != NULL, "warps of space have three components");
+}
+
+/* Noises of different kinds have functions of their own. */
+static void check_kinds(void)
+{
+    static const char *const noises[] = {"noise()", "noise(value)", "noise(cubic)",
+                                         "noise(rotate, octaves=2)", "noise(ridged, octaves=2)"};
+    for (int i = 1; i < 5; i++) {
+        char both[128];
+        snprintf(both, sizeof both, "recipe 1\nout a = %s\nout b = %s\n", noises[0], noises[i]);
+        open_recipe(both);
+        (void)write_shader(0, 0, text);
+        CHECK(strstr(text, "scarp_own_kind1(uint") != NULL &&
+                  strstr(text, "scarp_own_kind2(uint") == NULL,
+              "%s: two kinds", both);
+    }
+    open_recipe("recipe 1\nout a = noise()\nout b = noise(seed=5, size=3)\n");
+    (void)write_shader(0, 0, text);
+    CHECK(strstr(text, "scarp_own_kind1(uint") == NULL, "seeds and sizes are of one kind");
 }
 
 /* A capacity that does not suffice: the call says one that does, and writes no byte beyond. */
@@ -246,6 +270,32 @@ static void check_uniforms(void)
     CHECK(strcmp(text, other) == 0, "the text is that of before again");
     (void)write_shader(2, 1, other);
     CHECK(strcmp(text, other) != 0, "the text depends on the order");
+}
+
+/* The buffer of each text is as long as it says, and nothing beyond is written. A curve has x,
+   value, slope and the inverse of the length to the next knot. */
+static void check_buffers(void)
+{
+    static unsigned char buffer[65536];
+    static const float knots[2][4] = {{0.5f, 1.0f, 0.0f, 0.25f}, {4.5f, 5.0f, 0.0f, 0.0f}};
+    float found[2][4];
+    for (size_t i = 0; i < RECIPE_TEXTS; i++) {
+        size_t size = 0, again = 0;
+        open_recipe(recipe_texts[i].text);
+        (void)scarp_recipe_uniforms(&recipe, NULL, 0, &size);
+        memset(buffer, 0x5a, sizeof buffer);
+        CHECK(size < sizeof buffer &&
+                  scarp_recipe_uniforms(&recipe, buffer, size, &again) == SCARP_OK &&
+                  again == size && buffer[size] == 0x5a,
+              "%s: %zu bytes", recipe_texts[i].name, size);
+    }
+    size_t size = 0;
+    open_recipe("recipe 1\na = curve(x, 0.5: 1, 4.5: 5)\n");
+    (void)scarp_recipe_uniforms(&recipe, buffer, sizeof buffer, &size);
+    memcpy(found, buffer + 16, sizeof found);
+    CHECK(memcmp(found, knots, sizeof found) == 0, "knots: %g %g %g %g, %g %g %g %g",
+          (double)found[0][0], (double)found[0][1], (double)found[0][2], (double)found[0][3],
+          (double)found[1][0], (double)found[1][1], (double)found[1][2], (double)found[1][3]);
 }
 
 /* The hash of header and shaders, of one output. */
@@ -357,6 +407,8 @@ int main(int argc, char **argv)
         check_text(recipe_texts[i].name, i % 8 == 0);
     }
     check_shared_warps();
+    check_kinds();
+    check_buffers();
     check_capacities();
     check_uniforms();
     check_answers();
