@@ -499,6 +499,15 @@ static void check_shared(void)
     }
 }
 
+/* flat() changes no coordinate of the plane, also inside of places in places. */
+static void check_flat(void)
+{
+    check_same_values(SPACE "a = at(at(flat(x), x + m, y, z), y + n, x, z)",
+                      SPACE "a = at(at(x, x + m, y, z), y + n, x, z)");
+    check_same_values(SPACE "a = at(flat(n), x + m, y, z + n)",
+                      SPACE "a = at(flat(n), x + m, y, z)");
+}
+
 /* Wind from the west or from the south, across which the field is longer */
 static void check_wind(void)
 {
@@ -903,6 +912,7 @@ int main(void)
     check_seeds();
     check_language();
     check_by_hand();
+    check_flat();
     check_wind();
     check_names();
     check_shared();
