@@ -78,19 +78,20 @@ class Work:
     def configure(self):
         switch = os.path.join(self.build, "rule.o")
         os.makedirs(self.build, exist_ok=True)
-        subprocess.run([*shlex.split(os.environ.get("CC", "cc")), "-O1", "-fPIC", "-DRULES=%d" % RULES, "-c", os.path.join(HERE, "rule.c"),
-                        "-o", switch], check=True)
+        compiler = shlex.split(os.environ.get("CC", "cc")) # CMake's default, too
+        subprocess.run([*compiler, "-O1", "-fPIC", "-DRULES=%d" % RULES, "-c",
+                        os.path.join(HERE, "rule.c"), "-o", switch], check=True)
         flags = "-w -DCHECK_STOPS=1 -include " + shlex.quote(os.path.join(HERE, "rule.h"))
         if self.sanitized:
             flags += " -fsanitize=address,undefined -fno-sanitize-recover=all"
-        subprocess.run(["cmake", "--no-warn-unused-cli", "-S", self.tree, "-B", self.build, "-DCMAKE_BUILD_TYPE=Release",
-                        "-DCMAKE_C_FLAGS_RELEASE=-O1", "-DSCARP_OPTIMIZE=OFF", "-DCMAKE_C_FLAGS=" + flags,
-                        "-DCMAKE_EXE_LINKER_FLAGS=" + switch, "-DCMAKE_SHARED_LINKER_FLAGS=" + switch,
-                        "-DCMAKE_EXPORT_COMPILE_COMMANDS=ON", "-DSCARP_SETS=" + self.set,
-                        "-DSCARP_TEST_THOROUGH=" + self.is_thorough,
-                        "-DSCARP_BUILD_CLI=" + self.is_thorough, "-DSCARP_BUILD_BENCH=OFF", "-DSCARP_INSTALL=OFF"]
-                       + (["-G", "Ninja"] if self.ninja else []),
-                       check=True, stdout=subprocess.DEVNULL)
+        options = {"CMAKE_BUILD_TYPE": "Release", "CMAKE_C_FLAGS_RELEASE": "-O1", "CMAKE_C_FLAGS": flags,
+                   "CMAKE_EXE_LINKER_FLAGS": switch, "CMAKE_SHARED_LINKER_FLAGS": switch,
+                   "CMAKE_EXPORT_COMPILE_COMMANDS": "ON", "SCARP_OPTIMIZE": "OFF", "SCARP_SETS": self.set,
+                   "SCARP_TEST_THOROUGH": self.is_thorough, "SCARP_BUILD_CLI": self.is_thorough,
+                   "SCARP_BUILD_BENCH": "OFF", "SCARP_INSTALL": "OFF"}
+        subprocess.run(["cmake", "--no-warn-unused-cli", "-S", self.tree, "-B", self.build]
+                       + ["-D%s=%s" % option for option in options.items()]
+                       + (["-G", "Ninja"] if self.ninja else []), check=True, stdout=subprocess.DEVNULL)
 
     def library_commands(self):
         """How each source of the library is compiled, and where."""

@@ -39,7 +39,8 @@ TYPE_WORDS = set("const volatile struct enum union unsigned signed int char long
                  "bool size_t register".split())
 TYPE_NAME = re.compile(r"\w+_t$|v[fuid]$|v[fuid]_(four|sixteen|pair)$|u?vec[234]$|uint$")
 STOPS = {"return", "case", "else", "do", "goto", "default"}
-CONSTANT = {"_Static_assert", "__attribute__", "_Alignas", "_Alignof", "UINT64_C", "INT64_C"} # what is in their parentheses
+# What is in their parentheses has to be constant.
+CONSTANT = {"_Static_assert", "__attribute__", "_Alignas", "_Alignof", "UINT64_C", "INT64_C"}
 
 
 class Site:

@@ -265,7 +265,8 @@ class Toy(unittest.TestCase):
         self.assertEqual(self.first.returncode, 1, self.first.stdout)
         self.assertIn("2 more were drawn and do not compile", self.first.stdout)
         self.assertEqual(self.first.stdout.count("SURVIVOR"), 6)
-        self.assertIn("src/plan/toy.c:12: return a < b ? b : a;\n    a < b ? b : a ==> a <= b ? b : a\n", self.first.stdout)
+        self.assertIn("src/plan/toy.c:12: return a < b ? b : a;\n"
+                      "    a < b ? b : a ==> a <= b ? b : a\n", self.first.stdout)
 
     def test_explained(self):
         again = self.run_rules(EXPLAINED, "--again")

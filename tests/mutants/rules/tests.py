@@ -36,8 +36,10 @@ class Test:
         environment = dict(os.environ, SCARP_RULE=str(number), **self.environment)
         if met:
             environment["SCARP_RULE_MET"] = met
-        process = subprocess.Popen(["sh", "-c", LIMITS % (self.patience, self.memory), "sh", *self.command], cwd=self.folder, env=environment, start_new_session=True,
-                                   stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        limits = ["sh", "-c", LIMITS % (self.patience, self.memory), "sh"]
+        process = subprocess.Popen(limits + self.command, cwd=self.folder, env=environment,
+                                   start_new_session=True, stdin=subprocess.DEVNULL,
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         try: # others may have the processor, too
             status = process.wait(10 * self.patience)
         except subprocess.TimeoutExpired:
@@ -86,7 +88,8 @@ def quick_tests(work, lines):
 def default_tests(work, names):
     """What ctest runs of the library's tests, or of those with these names."""
     chosen = ["-R", names] if names else ["-LE", OTHER_LABELS]
-    listed = subprocess.run(["ctest", "--test-dir", work.build, "--show-only=json-v1", *chosen], check=True, text=True, stdout=subprocess.PIPE).stdout
+    listed = subprocess.run(["ctest", "--test-dir", work.build, "--show-only=json-v1", *chosen],
+                            check=True, text=True, stdout=subprocess.PIPE).stdout
     for entry in json.loads(listed)["tests"]:
         properties = {p["name"]: p["value"] for p in entry.get("properties", [])}
         environment = dict(e.split("=", 1) for e in properties.get("ENVIRONMENT", []))
