@@ -20,7 +20,7 @@ OTHER_LABELS = "cli|bench|package|readme|cost|farm|mutants|rust|csharp|godot|exa
 QUICK = ("test_bits ISA 131 13", "test_golden GOLDEN ISA", "test_golden GOLDEN scalar 5", "test_chain ISA",
          "test_chain scalar", "test_grid ISA 250", "test_recipe_bits ISA 5 RECIPES", "test_recipe",
          "test_plan ISA", "test_gullies ISA", "test_curl ISA", "test_vector ISA", "test_shapes",
-         "fuzz_recipe 2000", "test_gpu_recipe INCLUDE")
+         "recipe_mutate 500", "test_gpu_recipe INCLUDE")
 
 
 class Test:
