@@ -207,6 +207,21 @@ static void check_kinds(void)
                   strstr(text, "scarp_own_kind2(uint") == NULL,
               "%s: two kinds", both);
     }
+    static const struct {
+        const char *noise, *call;
+        int number;
+    } calls[] = {{"cubic", "gradient_at", SCARP_CUBIC},
+                 {"value", "value_at", SCARP_QUINTIC},
+                 {"cell_f2", "cells_at", SCARP_CELL_F2}};
+    for (int i = 0; i < 3; i++) {
+        char one[64], call[64];
+        snprintf(one, sizeof one, "recipe 1\nout a = noise(%s)\n", calls[i].noise);
+        snprintf(call, sizeof call, "scarp_%s(scarp_lattice_of(o, l), %du", calls[i].call,
+                 calls[i].number);
+        open_recipe(one);
+        (void)write_shader(0, 0, text);
+        CHECK(strstr(text, call) != NULL, "%s: no %s", one, call);
+    }
     open_recipe("recipe 1\nout a = noise()\nout b = noise(seed=5, size=3)\n");
     (void)write_shader(0, 0, text);
     CHECK(strstr(text, "scarp_own_kind1(uint") == NULL, "seeds and sizes are of one kind");
