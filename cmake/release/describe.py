@@ -30,7 +30,7 @@ ARTIFACTS = (
     ("deb", r"(scarp)_V-1_(\w+)\.deb", "pkg:deb/scarp/{0}@V-1?arch={1}", "Debian: the program"),
     ("deb", r"(python3-scarp)_V-1_(\w+)\.deb", "pkg:deb/scarp/{0}@V-1?arch={1}", "Debian: the module for Python"),
     ("single", r"scarp-V-single\.tar\.gz", None, "the library as one file of C, and its header"),
-    ("wheel", r"scarp-V-py3-none-\w+\.whl", "pkg:pypi/scarp@V", "Python: the wheel, for pip"),
+    ("wheel", r"scarp-V-py3-none-\w+\.whl", "pkg:generic/scarp@V", "Python: the wheel, for pip"),
     ("crate", r"scarp-V\.crate", "pkg:cargo/scarp@V", "Rust: the crate"),
     ("npm", r"scarp-noise-V\.tgz", "pkg:npm/scarp-noise@V", "JavaScript: the package for npm, with WebAssembly"),
     ("playground", r"scarp-playground-V\.tar\.gz", None, "the page of the playground, for any server of files"),
