@@ -6,19 +6,6 @@
 
 #include <string.h>
 
-#include "check.h"
-
-int LLVMFuzzerInitialize(int *argc, char ***argv)
-{
-    (void)argc;
-    (void)argv;
-    const char *const isa = getenv("SCARP_FUZZ_ISA");
-    if (isa != NULL && *isa != '\0') {
-        check_select_isa(isa);
-    }
-    return 0;
-}
-
 uint64_t fuzz_take(struct fuzz_bytes *bytes, int count)
 {
     uint64_t number = 0;

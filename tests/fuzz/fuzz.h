@@ -14,10 +14,6 @@
 /* Returns 0. */
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size);
 
-/* Selects the kernel set that SCARP_FUZZ_ISA in the environment names, if any. Ends the program if
-   it cannot run here. Returns 0. */
-int LLVMFuzzerInitialize(int *argc, char ***argv);
-
 /* MUST(condition, "printf format", ...) ends the program with the text if the condition is false.
  */
 #define MUST(condition, ...)                                                                       \

@@ -39,7 +39,6 @@ int main(int argc, char **argv)
         fprintf(stderr, "usage: %s LIST\n", argv[0]);
         return EXIT_FAILURE;
     }
-    LLVMFuzzerInitialize(&argc, &argv);
     CHECK(LLVMFuzzerTestOneInput((const uint8_t *)path, 0) == 0, "the empty input");
     while (fgets(path, sizeof path, list) != NULL) {
         path[strcspn(path, "\r\n")] = '\0';
