@@ -299,8 +299,8 @@ struct large_case {
 };
 
 #define LARGE_FLOATS ((size_t)8 << 20)
-#define LARGE_CASES 18
-#define FLOWING_CASES 15 /* those from here on flow */
+#define LARGE_CASES 19
+#define FLOWING_CASES 16 /* those from here on flow */
 #define LARGE_CASES_FEW 3
 #define LINE 16 /* floats */
 
@@ -321,6 +321,7 @@ static const struct large_case large_cases[LARGE_CASES] = {
     {3, 1, {160, 100, 100}, 0, 0, 0, 0},
     {3, 0, {64, 320, 310}, 16, 0, 0, 0},
     {3, 0, {1100, 76, 76}, 4, 0, 3, 0},
+    {2, 2, {2069, 520, 1}, 11, 0, 0, 0}, /* less than a vector is left behind whole strips */
     {2, 0, {2048, 1600, 1}, 0, 0, 0, 0}, /* these have a phase, and DPHASE */
     {3, 1, {160, 90, 90}, 0, 0, 0, 0},
     {2, 0, {2048, 1600, 1}, 0, 0, 0, 1},

@@ -2,6 +2,7 @@
 """Reads explained.txt: why mutations that no test notices are none that one could notice."""
 import sys
 
+ANY = ""  # in place of the name of a function: the line stands in no other
 
 def read_explained(path):
     """{a key of keys_of: reason}; see the top of explained.txt."""
@@ -16,8 +17,10 @@ def read_explained(path):
         elif line.strip():
             entry.append(line.strip())
         elif entry:
+            functions = entry.pop(0)[len("in "):].split(", ") if entry[0].startswith("in ") else [ANY]
             key, reason = key_and_reason(entry)
-            reasons[(file_name, *key)] = reason
+            for function in functions:
+                reasons[(file_name, function, *key)] = reason
             entry = []
     return reasons
 
@@ -39,9 +42,19 @@ def key_of(m):
 
 def keys_of(m):
     """The keys of explanations that are about it."""
-    yield m.file, m.source, m.before, m.after
-    yield m.file, m.source, "*", "*"
-    yield m.file, "function " + m.function, "*", "*"
+    for function in (m.function, ANY):
+        yield m.file, function, m.source, m.before, m.after
+        yield m.file, function, m.source, "*", "*"
+    yield m.file, ANY, "function " + m.function, "*", "*"
+
+
+def ambiguous(reasons, mutations):
+    """The keys that name no function, though their line stands in several."""
+    functions = {}
+    for m in mutations:
+        for key in keys_of(m):
+            functions.setdefault(key, set()).add(m.function)
+    return [key for key in reasons if key[1] == ANY and len(functions.get(key, ())) > 1]
 
 
 def reason_of(mutation, reasons):

@@ -31,7 +31,7 @@ import sys
 import time
 
 from build import HERE, RULES, Mutation, Work, list_mutations
-from explained import key_of, keys_of, read_explained, reason_of
+from explained import ambiguous, key_of, keys_of, read_explained, reason_of
 from tests import QUICK, default_tests, first_to_notice, processor_seconds, quick_tests, useful
 
 # What became of a mutation. `stage` is that of `test`, which noticed it, or "none"; `ended` tells how, or
@@ -110,8 +110,16 @@ def report_stale(reasons, mutations):
     known = {key for m in mutations for key in keys_of(m)}
     stale = [key for key in reasons if key not in known]
     for key in stale:
-        print("STALE, it fits no line: %s: %s: %s ==> %s" % key)
-    return len(stale)
+        print("STALE, it fits no line: %s: %s%s: %s ==> %s" % shown(key))
+    unclear = ambiguous(reasons, mutations)
+    for key in unclear:
+        print("UNCLEAR, it fits several functions, and names none: %s: %s%s: %s ==> %s" % shown(key))
+    return len(stale) + len(unclear)
+
+
+def shown(key):
+    file, function, *rest = key
+    return file, function and function + ": ", *rest
 
 
 def parse_arguments():
@@ -186,7 +194,7 @@ def finish(verdicts, reasons, mutations, began):
     stale = report_stale(reasons, mutations)
     stages = collections.Counter(v.stage for v in verdicts)
     print("\n%d mutations: %d noticed by quick tests, %d by default tests, %d survived, of which %d are not "
-          "explained; %d explanations fit nothing; %.0f s, %.0f s of processors" % (
+          "explained; %d explanations fit nothing, or too much; %.0f s, %.0f s of processors" % (
               len(verdicts), stages["quick"], stages["default"], stages["none"], unexplained, stale,
               time.monotonic() - began, processor_seconds()))
     sys.exit(1 if unexplained or stale else 0)

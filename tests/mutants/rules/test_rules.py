@@ -10,10 +10,12 @@ import re
 import shutil
 import subprocess
 import sys
+import types
 import unittest
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 sys.path.insert(0, HERE)
+import explained
 import sites
 
 SCRATCH = sys.argv.pop() if len(sys.argv) > 1 else ""
@@ -280,6 +282,17 @@ class Toy(unittest.TestCase):
         again = self.run_rules(EXPLAINED + STALE, "--again")
         self.assertEqual(again.returncode, 1, again.stdout)
         self.assertIn("STALE", again.stdout)
+
+    def test_unclear(self):
+        places = [types.SimpleNamespace(file="a.c", function=name, source="return 0;", before="0", after="1")
+                  for name in ("one", "two")]
+        for functions, unclear in (("", 1), ("    in one, two\n", 0)):
+            path = os.path.join(SCRATCH, "unclear.txt")
+            with open(path, "w", encoding="utf-8") as file:
+                file.write("a.c\n%s    return 0;\n    0 ==> 1\n    Nobody asks.\n" % functions)
+            reasons = explained.read_explained(path)
+            self.assertEqual(len(explained.ambiguous(reasons, places)), unclear)
+            self.assertEqual([explained.reason_of(m, reasons) for m in places], ["Nobody asks."] * 2)
 
     def test_resumed(self):
         path = os.path.join(SCRATCH, "work", "results")
