@@ -1365,8 +1365,8 @@ struct scarp_recipe_outputs {
  *     SCARP_ERROR_UNSUPPORTED  an output does not have a derivative that is asked for. None has
  *                              dphase. Erosion, Swiss and Jordan noise, gullies, slopes and
  *                              distances in cells have no second derivatives.
- *     SCARP_ERROR_SIZE         no chunk fits into the scratch memory. Without any, the text needs
- *                              more than 7 KiB for a chunk of one point.
+ *     SCARP_ERROR_SIZE         no chunk fits into the scratch memory. Without any, what is asked
+ *                              for needs more than 7 KiB for a chunk of one point.
  */
 SCARP_API enum scarp_status scarp_recipe_sample(const struct scarp_recipe *recipe, size_t count,
                                                 const float *x, const float *y, const float *z,

@@ -3,9 +3,9 @@
  * Random calls, for as long as told: every promise of arguments.h is checked, memory stays flat,
  * and the hash of all results is that of any other machine.
  *
- *     test_soak CASES [FILE]        so many cases; their hash must be the one that FILE has for them
- *     test_soak --seconds SECONDS   prints the hash of every 50,000 cases
- *     test_soak --case NUMBER       this case alone, as where one has failed
+ *     test_soak CASES [FILE]        so many cases; their hash must be the one that FILE has for
+ * them test_soak --seconds SECONDS   prints the hash of 2,000 cases, and of every 50,000 test_soak
+ * --case NUMBER       this case alone, as where one has failed
  */
 #if !defined(_WIN32) && !defined(__wasm__)
 #define _DEFAULT_SOURCE
@@ -23,7 +23,8 @@
 #include "fuzz/arguments.h"
 
 #define BYTES 700
-#define EVERY 50000     /* cases from one line of a long run to the next */
+#define FIRST 2000      /* cases before the first line of a long run, which has at least one */
+#define EVERY 50000     /* cases from one line to the next */
 #define SETTLED 20000   /* cases after which memory must not grow */
 #define GROWTH_KIB 1024 /* what the system may add to it by itself */
 
@@ -52,7 +53,12 @@ static long peak_kib(void)
 {
 #if HAS_USAGE
     struct rusage usage;
-    return getrusage(RUSAGE_SELF, &usage) == 0 ? usage.ru_maxrss : 0;
+    const long bytes_or_kib = getrusage(RUSAGE_SELF, &usage) == 0 ? usage.ru_maxrss : 0;
+#ifdef __APPLE__
+    return bytes_or_kib / 1024;
+#else
+    return bytes_or_kib;
+#endif
 #else
     return 0;
 #endif
@@ -105,7 +111,7 @@ static int run_seconds(long seconds)
         if (cases == SETTLED) {
             settled = peak_kib();
         }
-        if (cases % EVERY == 0) {
+        if (cases == FIRST || cases % EVERY == 0) {
             print(cases);
         }
     }
@@ -117,7 +123,8 @@ static int run_seconds(long seconds)
     } else {
         printf("memory was not measured\n");
     }
-    return fuzz_served > fuzz_calls / 2 && growth <= GROWTH_KIB ? EXIT_SUCCESS : EXIT_FAILURE;
+    const int is_enough = cases >= FIRST && fuzz_served > fuzz_calls / 2;
+    return is_enough && growth <= GROWTH_KIB ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
 int main(int argc, char **argv)

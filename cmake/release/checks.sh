@@ -106,7 +106,7 @@ END
     (cd "$root/tests/package" && sh abi.sh "$work/settings" same) >"$work/log" 2>&1 || status=$?
     case $status in
     0) ;;
-    77) echo "$(tail -n 1 "$work/log"): it is not compared" ;;
+    77) missing_tool "gcc on x86-64" "the binary interface is not compared: $(tail -n 1 "$work/log")" ;;
     *) lacks "tests/package/abi.xml is not what the sources say; renew it: $(grep -m 1 -E '^ *\[|FAILED' "$work/log")" ;;
     esac
 }

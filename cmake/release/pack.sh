@@ -49,6 +49,7 @@ has() # TOOL
 # The line by which a tool tells its version
 version_line() # TOOL
 {
+    local -x LC_ALL=C # some tools translate theirs
     case $1 in
     cc) "${CC:-cc}" --version ;;
     zlib) echo "zlib $(printf '#include <zlib.h>\nZLIB_VERSION\n' | "${CC:-cc}" -E - | tail -n 1 | tr -d '"')" ;;

@@ -64,7 +64,8 @@ static inline double draw_wild(struct draw *d)
     return number;
 }
 
-/* From `lowest` to `highest`, ends included: exact sums, so that all compilers agree. */
+/* From `lowest` to `highest`, ends included. All compilers agree, since none may fuse these
+   operations: scarp_compile_rules sees to it. */
 static inline double draw_between(struct draw *d, double lowest, double highest)
 {
     return lowest + (highest - lowest) * ((double)draw_bits(d, 2) / 65535.0);

@@ -146,7 +146,7 @@ static bool check_digits(const char *path, const struct tiling *tiling, const ch
         if (loose > 1) {
             cli_error(
                 "%s: '%.200s' has nothing but digits between {%s} and the number before it, so two "
-                "tiles would have one name; give it digits, as in {x:04}",
+                "tiles could have one name; give it digits, as in {x:04}",
                 option, path, placeholder.name);
             return false;
         }
