@@ -211,7 +211,9 @@ static void check_errors(enum shape shape)
     CHECK(call(shape, SIZE_MAX / 2, &x, &y, &to) == SCARP_ERROR_SIZE, "%s, size", names[shape]);
     CHECK(call(shape, 0, NULL, NULL, NULL) == SCARP_OK, "%s of nothing", names[shape]);
     if (shape == DIVIDE) {
+        const struct scarp_samples nothing = {.value = NULL};
         CHECK(call(shape, COUNT, &x, NULL, &to) == SCARP_ERROR_NULL, "%s, b", names[shape]);
+        CHECK(call(shape, COUNT, &x, &nothing, &nothing) == SCARP_OK, "%s, b", names[shape]);
     }
     CHECK(memcmp(&other, &out, sizeof out) == 0, "%s wrote on an error", names[shape]);
 }

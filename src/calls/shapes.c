@@ -225,7 +225,7 @@ static NOINLINE enum scarp_status compute(const struct arguments *call)
     enum scarp_status status = SCARP_OK;
     for (size_t at = 0; status == SCARP_OK && at < call->count; at += POINTS) {
         const size_t left = call->count - at, count = left < POINTS ? left : POINTS;
-        if (call->a->value != NULL) {
+        if (call->fill != NULL) {
             call->fill(count, call->a->value + at, call->b != NULL ? call->b->value + at : NULL,
                        call->curve, &room);
         }
@@ -243,14 +243,18 @@ static enum scarp_status run(const struct arguments *call)
         return SCARP_ERROR_NULL;
     }
     const int has_values = call->a->value != NULL && (call->b == NULL || call->b->value != NULL);
-    if (!has_values && !asks_for_nothing(call->out)) {
+    const int is_idle = asks_for_nothing(call->out);
+    if (!has_values && !is_idle) {
         return SCARP_ERROR_NULL;
     }
     if (call->count > PTRDIFF_MAX / sizeof(float)) {
         return SCARP_ERROR_SIZE;
     }
     struct arguments some = *call;
-    some.count = has_values ? call->count : 1;
+    if (is_idle) { /* the rest of the arguments is to be checked nevertheless */
+        some.count = 1;
+        some.fill = NULL;
+    }
     const struct fpmode caller = fpmode_enter();
     const enum scarp_status status = compute(&some);
     fpmode_leave(caller);
