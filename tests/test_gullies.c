@@ -296,7 +296,8 @@ static void test_tiles(void)
 }
 
 /* A NaN in the base or in a coordinate is a NaN in every output that depends on it, of that point
-   alone; outputs are finite where the square of the base's slope is not. An infinite value stays. */
+   alone; outputs are finite where the square of the base's slope is not. An infinite value stays.
+ */
 static void test_special(enum scarp_isa isa)
 {
     const struct scarp_gullies g = {.seed = 5};
