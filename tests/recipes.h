@@ -10,6 +10,28 @@
 
 #include "check.h"
 
+/* Samples of a recipe with derivatives up to an order: ten arrays of `points` numbers, one behind
+   another, of which the plane leaves some out. */
+static inline struct scarp_samples recipe_samples(float *first, size_t points, int order,
+                                                  int is_space)
+{
+    struct scarp_samples s = {.value = first};
+    if (order > 0) {
+        s.dx = first + points;
+        s.dy = first + 2 * points;
+        s.dz = is_space ? first + 3 * points : NULL;
+    }
+    if (order > 1) {
+        s.dxx = first + 4 * points;
+        s.dxy = first + 5 * points;
+        s.dyy = first + 6 * points;
+        s.dxz = is_space ? first + 7 * points : NULL;
+        s.dyz = is_space ? first + 8 * points : NULL;
+        s.dzz = is_space ? first + 9 * points : NULL;
+    }
+    return s;
+}
+
 /* Each is sampled over some cells of size 1 around the origin. `rough`: its value or its slope may
    jump, so a few points may be off. */
 struct recipe_text {

@@ -25,25 +25,6 @@ struct result {
 };
 static struct result reference, met;
 
-static struct scarp_samples arrays_of(struct result *r, int order, int is_space)
-{
-    struct scarp_samples s = {.value = r->array[0]};
-    if (order > 0) {
-        s.dx = r->array[1];
-        s.dy = r->array[2];
-        s.dz = is_space ? r->array[3] : NULL;
-    }
-    if (order > 1) {
-        s.dxx = r->array[4];
-        s.dxy = r->array[5];
-        s.dyy = r->array[6];
-        s.dxz = is_space ? r->array[7] : NULL;
-        s.dyz = is_space ? r->array[8] : NULL;
-        s.dzz = is_space ? r->array[9] : NULL;
-    }
-    return s;
-}
-
 /* NaN is NaN. */
 static int same(const struct result *a, const struct result *b)
 {
@@ -109,7 +90,7 @@ static enum scarp_status evaluate(const struct scarp_recipe *of, enum how how, i
                                   int is_space, const struct scarp_scratch *scratch,
                                   struct result *to)
 {
-    const struct scarp_samples out = arrays_of(to, order, is_space);
+    const struct scarp_samples out = recipe_samples(to->array[0], MOST, order, is_space);
     const struct scarp_recipe_outputs outputs = {.out = &out, .count = 1};
     const struct scarp_grid grid = grid_of(is_space);
     const size_t count = (size_t)(WIDTH * HEIGHT * (is_space ? DEPTH : 1));
@@ -221,11 +202,11 @@ static void check_together(enum scarp_isa isa)
                                               .size = way % WAYS == 0 ? sizeof memory : least};
         memset(results, 0, sizeof results);
         for (int i = 0; i < OUTPUTS; i++) {
-            out[i] = arrays_of(&results[i], order, 1);
+            out[i] = recipe_samples(results[i].array[0], MOST, order, 1);
         }
         CHECK(scarp_recipe_grid(&recipe, &grid, &all, &scratch) == SCARP_OK, "order %d", order);
         for (int32_t i = 0; i < OUTPUTS; i++) {
-            const struct scarp_samples alone = arrays_of(&reference, order, 1);
+            const struct scarp_samples alone = recipe_samples(reference.array[0], MOST, order, 1);
             const int32_t which = i + 2; /* after n and m */
             const struct scarp_recipe_outputs one = {.out = &alone, .which = &which, .count = 1};
             memset(&reference, 0, sizeof reference);

@@ -43,22 +43,9 @@ static void set_positions(uint64_t seed)
 
 static void sample(int order, int is_space)
 {
-    struct scarp_samples s = {.value = array[0]};
+    const struct scarp_samples s = recipe_samples(array[0], POINTS, order, is_space);
     const struct scarp_recipe_outputs outputs = {.out = &s, .count = 1};
     const struct scarp_scratch scratch = {.memory = memory, .size = sizeof memory};
-    if (order > 0) {
-        s.dx = array[1];
-        s.dy = array[2];
-        s.dz = is_space ? array[3] : NULL;
-    }
-    if (order > 1) {
-        s.dxx = array[4];
-        s.dxy = array[5];
-        s.dyy = array[6];
-        s.dxz = is_space ? array[7] : NULL;
-        s.dyz = is_space ? array[8] : NULL;
-        s.dzz = is_space ? array[9] : NULL;
-    }
     const enum scarp_status status = scarp_recipe_sample_f64(
         &recipe, POINTS, position[0], position[1], position[2], &outputs, &scratch);
     CHECK(status == SCARP_OK, "%s", scarp_status_text(status));

@@ -17,6 +17,12 @@
 #define MEMBERS 11 /* of struct scarp_samples, dphase included */
 #define LIMIT 0x1p60f
 
+#ifdef __GNUC__
+#define DIVIDES_BY_0 __attribute__((no_sanitize("float-divide-by-zero")))
+#else
+#define DIVIDES_BY_0
+#endif
+
 /* The function at some points, and its derivatives. */
 struct partials {
     float f[POINTS], fa[POINTS], fb[POINTS], faa[POINTS], fab[POINTS], fbb[POINTS];
@@ -48,12 +54,8 @@ double scarp_sine_of_turns(double turns)
 }
 
 /* A quotient by 0 is infinite or NaN, as promised, and no mistake. */
-#ifdef __GNUC__
-__attribute__((no_sanitize("float-divide-by-zero")))
-#endif
-static void
-fill_divide(size_t count, const float *a, const float *b, const struct curve *curve,
-            struct partials *to)
+static DIVIDES_BY_0 void fill_divide(size_t count, const float *a, const float *b,
+                                     const struct curve *curve, struct partials *to)
 {
     (void)curve;
     for (size_t i = 0; i < count; i++) {

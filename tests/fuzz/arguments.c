@@ -1,10 +1,7 @@
 /* SPDX-License-Identifier: MIT */
+#include "../outputs.h"
+
 #include "arguments.h"
-
-#include <stdio.h>
-#include <stdlib.h>
-
-#define POISON 0xa5
 
 uint64_t fuzz_digest = UINT64_C(0xcbf29ce484222325);
 long fuzz_calls, fuzz_served, fuzz_case = -1;
@@ -47,27 +44,19 @@ void fuzz_broken(const char *file, int line, const char *condition)
     abort();
 }
 
-/* NaNs are one number. */
-static uint32_t bits_of(float number)
-{
-    uint32_t bits;
-    memcpy(&bits, &number, sizeof bits);
-    return (bits & 0x7fffffff) > 0x7f800000 ? 0x7fc00000 : bits;
-}
-
 int fuzz_is_nan(float number)
 {
-    return bits_of(number) == 0x7fc00000;
+    return is_nan_bits(&number);
 }
 
 int fuzz_is_finite(float number)
 {
-    return (bits_of(number) & 0x7f800000) != 0x7f800000;
+    return is_finite_bits(&number);
 }
 
 int fuzz_equal(float a, float b)
 {
-    return bits_of(a) == bits_of(b);
+    return float_bits(&a) == float_bits(&b);
 }
 
 /* A number of a noise: its default, one that is valid, or with `wild` now and then any. */
@@ -123,13 +112,11 @@ static void draw_level(struct draw *d, int dimensions, int is_warp, struct scarp
 
 void fuzz_draw_noise(struct draw *d, int dimensions, struct fuzz_noise *noise)
 {
-    noise->depth = 0;
     fuzz_case_noise = &noise->level[0];
     draw_level(d, dimensions, 0, &noise->level[0]);
-    while (noise->depth < 5 && draw_rarely(d, 4)) {
-        draw_level(d, dimensions, 1, &noise->level[noise->depth + 1]);
-        noise->level[noise->depth].warp = &noise->level[noise->depth + 1];
-        noise->depth++;
+    for (int i = 0; i < 5 && draw_rarely(d, 4); i++) {
+        draw_level(d, dimensions, 1, &noise->level[i + 1]);
+        noise->level[i].warp = &noise->level[i + 1];
     }
 }
 
@@ -222,17 +209,20 @@ void fuzz_draw_grid(struct draw *d, int dimensions, struct scarp_grid *grid)
     }
 }
 
-size_t fuzz_grid_sample(const struct scarp_grid *grid, size_t i, double position[3])
+void fuzz_find_places(const struct scarp_grid *grid, struct fuzz_places *places)
 {
     const size_t row = grid->row_stride != 0 ? grid->row_stride : grid->count[0];
     const size_t slice = grid->slice_stride != 0 ? grid->slice_stride : row * grid->count[1];
-    const size_t index[3] = {i % grid->count[0], i / grid->count[0] % grid->count[1],
-                             i / grid->count[0] / grid->count[1]};
-    for (int axis = 0; axis < 3; axis++) {
-        const double steps = (double)(grid->first[axis] + (int64_t)index[axis]);
-        position[axis] = grid->origin[axis] + steps * grid->step[axis];
+    places->count = grid->count[0] * grid->count[1] * grid->count[2];
+    for (size_t i = 0; i < places->count; i++) {
+        const size_t index[3] = {i % grid->count[0], i / grid->count[0] % grid->count[1],
+                                 i / grid->count[0] / grid->count[1]};
+        for (int axis = 0; axis < 3; axis++) {
+            const double steps = (double)(grid->first[axis] + (int64_t)index[axis]);
+            places->position[axis][i] = grid->origin[axis] + steps * grid->step[axis];
+        }
+        places->element[i] = index[2] * slice + index[1] * row + index[0];
     }
-    return index[2] * slice + index[1] * row + index[0];
 }
 
 const void *fuzz_as(void *structure, float *const *pointers)
@@ -250,20 +240,10 @@ static void poison(float memory[FUZZ_OUTPUTS][FUZZ_ROOM], uint64_t mask)
     }
 }
 
-static int untouched(const float *memory, size_t count)
-{
-    const unsigned char *const p = (const unsigned char *)memory;
-    size_t i = 0;
-    while (i < count * sizeof *memory && p[i] == POISON) {
-        i++;
-    }
-    return i == count * sizeof *memory;
-}
-
 static void must_be_untouched(float memory[FUZZ_OUTPUTS][FUZZ_ROOM], uint64_t mask)
 {
     for (int m = 0; m < FUZZ_OUTPUTS; m++) {
-        fuzz_must((mask >> m & 1) == 0 || untouched(memory[m], FUZZ_ROOM));
+        fuzz_must((mask >> m & 1) == 0 || all_poison(memory[m], sizeof memory[m]));
     }
 }
 
@@ -284,15 +264,11 @@ static int same_results(const struct fuzz_call *call, uint64_t mask)
         if ((mask >> m & 1) == 0 || memcmp(other[m], fuzz_result[m], sizeof other[m]) == 0) {
             continue;
         }
-        if ((call->integers >> m & 1) != 0) {
+        const size_t i = first_difference(other[m], fuzz_result[m], FUZZ_ROOM);
+        if (i < FUZZ_ROOM || (call->integers >> m & 1) != 0) {
+            fprintf(stderr, "output %d, element %zu: %.9g, the reference has %.9g\n", m, i,
+                    (double)other[m][i % FUZZ_ROOM], (double)fuzz_result[m][i % FUZZ_ROOM]);
             return 0;
-        }
-        for (size_t i = 0; i < FUZZ_ROOM; i++) {
-            if (!fuzz_equal(other[m][i], fuzz_result[m][i])) {
-                fprintf(stderr, "output %d, element %zu: %.9g, the reference has %.9g\n", m, i,
-                        (double)other[m][i], (double)fuzz_result[m][i]);
-                return 0;
-            }
         }
     }
     return 1;
@@ -348,7 +324,7 @@ static void check_in_place(struct draw *d, const struct fuzz_call *call)
     fuzz_must(call->make(call, 0, call->count, out) == SCARP_OK);
     *input = kept;
     for (size_t i = 0; i < call->count; i++) {
-        if (untouched(&fuzz_result[chosen][i], 1)) { /* between the rows of a grid */
+        if (all_poison(&fuzz_result[chosen][i], sizeof(float))) { /* between the rows of a grid */
             fuzz_must(fuzz_equal(memory[i], kept[i]));
         } else {
             other[chosen][i] = memory[i];
@@ -362,6 +338,22 @@ int fuzz_same(const struct fuzz_call *call)
     poison(other, call->mask);
     return call_for(call, 0, call->count, call->mask, other) == SCARP_OK &&
            same_results(call, call->mask);
+}
+
+void fuzz_check_places(const struct fuzz_call *of_points, const struct fuzz_places *places)
+{
+    fuzz_must(call_for(of_points, 0, places->count, of_points->mask, other) == SCARP_OK);
+    for (int m = 0; m < FUZZ_OUTPUTS; m++) {
+        if ((of_points->mask >> m & 1) == 0) {
+            continue;
+        }
+        for (size_t i = 0; i < places->count; i++) {
+            float *const element = &fuzz_result[m][places->element[i]];
+            fuzz_must(fuzz_equal(*element, other[m][i]));
+            memset(element, POISON, sizeof *element);
+        }
+        fuzz_must(all_poison(fuzz_result[m], sizeof fuzz_result[m]));
+    }
 }
 
 /* Bytes for checks of one set: what is drawn of the input does not depend on the sets there are. */
@@ -388,10 +380,10 @@ enum scarp_status fuzz_check(struct draw *d, const struct fuzz_call *call)
     }
     for (int m = 0; m < FUZZ_OUTPUTS; m++) {
         if ((call->mask >> m & 1) != 0 && status == SCARP_OK) {
-            fuzz_must(call->is_grid ||
-                      untouched(fuzz_result[m] + call->count, FUZZ_ROOM - call->count));
+            fuzz_must(call->is_grid || all_poison(fuzz_result[m] + call->count,
+                                                  (FUZZ_ROOM - call->count) * sizeof(float)));
             for (size_t i = 0; i < call->count; i++) {
-                fuzz_note(bits_of(fuzz_result[m][i]));
+                fuzz_note(float_bits(&fuzz_result[m][i]));
             }
         }
     }

@@ -41,7 +41,6 @@ _Noreturn void fuzz_broken(const char *file, int line, const char *condition);
    rest is mostly right. */
 struct fuzz_noise {
     struct scarp_noise level[6];
-    int depth; /* how many warps there are */
 };
 
 void fuzz_draw_noise(struct draw *d, int dimensions, struct fuzz_noise *noise);
@@ -60,11 +59,17 @@ void fuzz_draw_points(struct draw *d, struct fuzz_points *points);
    is 0. */
 int fuzz_point_is_near(const struct fuzz_points *points, size_t i, int dimensions, int doubles);
 
-/* A grid that mostly is right. Its samples, with what is between the rows, fit into FUZZ_ROOM. */
+/* A grid that mostly is right, in the plane with one slice. Its samples, with what is between the
+ * rows, fit into FUZZ_ROOM. */
 void fuzz_draw_grid(struct draw *d, int dimensions, struct scarp_grid *grid);
 
-/* Where sample number i of the grid lies, in x first; returns the number of its element. */
-size_t fuzz_grid_sample(const struct scarp_grid *grid, size_t i, double position[3]);
+/* Where the samples of a grid lie, and which element each is */
+struct fuzz_places {
+    size_t count, element[FUZZ_ROOM];
+    double position[3][FUZZ_ROOM];
+};
+
+void fuzz_find_places(const struct scarp_grid *grid, struct fuzz_places *places);
 
 /* Outputs as a structure of the public header: each has FUZZ_MEMBERS pointers, and nothing else. */
 #define FUZZ_AS(type, pointers) ((const struct type *)fuzz_as(&(struct type){0}, pointers))
@@ -81,7 +86,6 @@ struct fuzz_call {
     uint64_t mask;     /* the outputs asked for, by bits */
     uint64_t integers; /* those of them that are no floats */
     int is_grid;       /* the points cannot be cut in two */
-    int may_fail;      /* of many points: some of their numbers may be */
 
     /* arrays of floats that the call reads, and NULL behind them: outputs may be one of these. The
        arrays have FUZZ_ROOM numbers, as outputs have. */
@@ -93,6 +97,10 @@ extern float fuzz_result[FUZZ_OUTPUTS][FUZZ_ROOM];
 
 /* Makes the call, with all that holds of it, and returns its status. */
 enum scarp_status fuzz_check(struct draw *d, const struct fuzz_call *call);
+
+/* After a call on a grid: the call for points, at the places of the grid, must give what the
+   elements have. What is between the rows must be untouched. */
+void fuzz_check_places(const struct fuzz_call *of_points, const struct fuzz_places *places);
 
 /* Makes the call for the best set alone: whether it gives fuzz_result. */
 int fuzz_same(const struct fuzz_call *call);

@@ -85,34 +85,16 @@ static void check_values(const struct arguments *a, const struct fuzz_call *call
     }
 }
 
-/* Elements of a grid are what points have there. */
 static void check_grid(struct arguments *a, struct fuzz_call *call, const struct scarp_grid *grid)
 {
-    static double position[3][FUZZ_ROOM];
-    static float on_grid[FUZZ_OUTPUTS][FUZZ_ROOM];
-    static size_t element[FUZZ_ROOM];
-    const size_t count = grid->count[0] * grid->count[1] * grid->count[2];
-    memcpy(on_grid, fuzz_result, sizeof on_grid);
-    for (size_t i = 0; i < count; i++) {
-        double x[3];
-        element[i] = fuzz_grid_sample(grid, i, x);
-        for (int axis = 0; axis < 3; axis++) {
-            position[axis][i] = x[axis];
-            a->d[axis] = position[axis];
-        }
-    }
+    static struct fuzz_places places;
+    fuzz_find_places(grid, &places);
     a->grid = NULL;
     a->doubles = 1;
-    float *out[FUZZ_OUTPUTS];
-    for (int m = 0; m < FUZZ_OUTPUTS; m++) {
-        out[m] = (call->mask >> m & 1) != 0 ? fuzz_result[m] : NULL;
+    for (int axis = 0; axis < 3; axis++) {
+        a->d[axis] = places.position[axis];
     }
-    fuzz_must(make(call, 0, count, out) == SCARP_OK);
-    for (int m = 0; m < FUZZ_OUTPUTS; m++) {
-        for (size_t i = 0; (call->mask >> m & 1) != 0 && i < count; i++) {
-            fuzz_must(fuzz_equal(on_grid[m][element[i]], fuzz_result[m][i]));
-        }
-    }
+    fuzz_check_places(call, &places);
 }
 
 /* A random text, whose words are mostly right, as a recipe with a seed of the world */

@@ -6,15 +6,6 @@
 
 #include <string.h>
 
-uint64_t fuzz_take(struct fuzz_bytes *bytes, int count)
-{
-    uint64_t number = 0;
-    for (int i = 0; i < count && bytes->left > 0; i++, bytes->left--) {
-        number |= (uint64_t)*bytes->at++ << (8 * i);
-    }
-    return number;
-}
-
 char *fuzz_text(const uint8_t *bytes, size_t size)
 {
     char *const text = malloc(size + 1);

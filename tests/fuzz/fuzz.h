@@ -26,15 +26,6 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size);
         }                                                                                          \
     } while (0)
 
-/* What is left of an input */
-struct fuzz_bytes {
-    const uint8_t *at;
-    size_t left;
-};
-
-/* The next `count` bytes, at most 8, as a number, the lowest first; zeros behind the end */
-uint64_t fuzz_take(struct fuzz_bytes *bytes, int count);
-
 /* A copy as a text: with a 0 behind it, of which reads beyond are noticed. Free it. */
 char *fuzz_text(const uint8_t *bytes, size_t size);
 

@@ -127,40 +127,22 @@ static void check_values(const struct arguments *a, const struct fuzz_call *call
     }
 }
 
-/* Elements of a grid are what points have there. */
 static void check_grid(struct arguments *a, struct fuzz_call *call, const struct scarp_grid *grid)
 {
-    static double position[2][FUZZ_ROOM];
-    static float on_grid[OUTS][FUZZ_ROOM], gathered[INS][FUZZ_ROOM];
-    static size_t element[FUZZ_ROOM];
-    float *kept[INS];
-    const size_t count = grid->count[0] * grid->count[1];
-    memcpy(on_grid, fuzz_result, sizeof on_grid);
-    memcpy(kept, a->base, sizeof kept);
-    for (size_t i = 0; i < count; i++) {
-        double x[3];
-        element[i] = fuzz_grid_sample(grid, i, x);
-        position[0][i] = x[0];
-        position[1][i] = x[1];
-        for (int m = 0; m < INS; m++) {
-            gathered[m][i] = kept[m] != NULL ? kept[m][element[i]] : 0.0f;
-            a->base[m] = kept[m] != NULL ? gathered[m] : NULL;
+    static struct fuzz_places places;
+    static float gathered[INS][FUZZ_ROOM];
+    fuzz_find_places(grid, &places);
+    for (int m = 0; m < INS; m++) {
+        for (size_t i = 0; i < places.count && a->base[m] != NULL; i++) {
+            gathered[m][i] = a->base[m][places.element[i]];
         }
+        a->base[m] = a->base[m] != NULL ? gathered[m] : NULL;
     }
     a->grid = NULL;
     a->doubles = 1;
-    a->d[0] = position[0];
-    a->d[1] = position[1];
-    float *out[FUZZ_OUTPUTS] = {NULL};
-    for (int m = 0; m < OUTS; m++) {
-        out[m] = (call->mask >> m & 1) != 0 ? fuzz_result[m] : NULL;
-    }
-    fuzz_must(make(call, 0, count, out) == SCARP_OK);
-    for (int m = 0; m < OUTS; m++) {
-        for (size_t i = 0; (call->mask >> m & 1) != 0 && i < count; i++) {
-            fuzz_must(fuzz_equal(on_grid[m][element[i]], fuzz_result[m][i]));
-        }
-    }
+    a->d[0] = places.position[0];
+    a->d[1] = places.position[1];
+    fuzz_check_places(call, &places);
 }
 
 void fuzz_gullies(const uint8_t *bytes, size_t size)

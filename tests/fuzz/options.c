@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "cli.h"
+#include "draw.h"
 #include "fuzz.h"
 #include "recipe/recipe.h"
 #include "sample/sample.h"
@@ -167,9 +168,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *input, size_t size)
 {
     static const struct option_table *const tables[] = {
         &terrain_table, &terrain_table, &view_table, &sheet_table, &sample_table, &recipe_table};
-    struct fuzz_bytes bytes = {input, size};
+    struct draw bytes = {input, size};
     const struct option_table *const table =
-        tables[fuzz_take(&bytes, 1) % (sizeof tables / sizeof tables[0])];
+        tables[draw_bits(&bytes, 1) % (sizeof tables / sizeof tables[0])];
     char *const text = fuzz_text(bytes.at, bytes.left);
     char *words[WORDS_MOST + 1];
     cut(text, words);

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "cli.h"
+#include "draw.h"
 #include "fuzz.h"
 #include "look/palette.h"
 #include "shared/text.h"
@@ -64,8 +65,8 @@ static void write_again(const struct palette *palette)
 int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
 {
     struct palette palette;
-    struct fuzz_bytes input = {bytes, size};
-    const char *const name = fuzz_take(&input, 1) % 2 == 0 ? "p.txt" : "p.cpt";
+    struct draw input = {bytes, size};
+    const char *const name = draw_bits(&input, 1) % 2 == 0 ? "p.txt" : "p.cpt";
     fuzz_no_errors();
     const bool is_read = palette_read(&palette, "--palette", fuzz_file(name, input.at, input.left));
     fuzz_must_tell(!is_read, "a palette");

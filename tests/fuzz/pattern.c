@@ -9,13 +9,14 @@
 #include <string.h>
 
 #include "cli.h"
+#include "draw.h"
 #include "fuzz.h"
 
-static struct tiling tiling_of(struct fuzz_bytes *bytes)
+static struct tiling tiling_of(struct draw *bytes)
 {
-    const unsigned kind = (unsigned)fuzz_take(bytes, 1);
+    const unsigned kind = (unsigned)draw_bits(bytes, 1);
     struct tiling tiling = {.numbered = (kind & 1) != 0, .level_count = 1 + (kind >> 1) % 3};
-    const size_t across = 1 + (size_t)fuzz_take(bytes, 2), down = 1 + (size_t)fuzz_take(bytes, 2);
+    const size_t across = 1 + (size_t)draw_bits(bytes, 2), down = 1 + (size_t)draw_bits(bytes, 2);
     for (unsigned n = 0; n < tiling.level_count; n++) {
         tiling.levels[n].across = tiling.numbered ? ((across - 1) >> n) + 1 : 1;
         tiling.levels[n].down = tiling.numbered ? ((down - 1) >> n) + 1 : 1;
@@ -23,21 +24,21 @@ static struct tiling tiling_of(struct fuzz_bytes *bytes)
     return tiling;
 }
 
-static struct tile tile_of(const struct tiling *tiling, struct fuzz_bytes *bytes)
+static struct tile tile_of(const struct tiling *tiling, struct draw *bytes)
 {
-    struct tile tile = {.level = (unsigned)fuzz_take(bytes, 1) % tiling->level_count,
+    struct tile tile = {.level = (unsigned)draw_bits(bytes, 1) % tiling->level_count,
                         .numbered = tiling->numbered};
     const struct level *const level = &tiling->levels[tile.level];
     tile.coarser = tiling->level_count - 1 - tile.level;
-    tile.x = (size_t)fuzz_take(bytes, 2) % level->across;
-    tile.y = (size_t)fuzz_take(bytes, 2) % level->down;
+    tile.x = (size_t)draw_bits(bytes, 2) % level->across;
+    tile.y = (size_t)draw_bits(bytes, 2) % level->down;
     tile.up = level->down - 1 - tile.y;
     return tile;
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *input, size_t size)
 {
-    struct fuzz_bytes bytes = {input, size};
+    struct draw bytes = {input, size};
     const struct tiling tiling = tiling_of(&bytes);
     const struct tile a = tile_of(&tiling, &bytes), b = tile_of(&tiling, &bytes);
     char *const path = fuzz_text(bytes.at, bytes.left);

@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "cli.h"
+#include "draw.h"
 #include "fuzz.h"
 #include "points_input.h"
 #include "sample/points.h"
@@ -155,7 +156,7 @@ static void write_again(const struct told *told)
 }
 
 /* Reads what --columns would say. False if it is not valid. */
-static bool read_columns(struct fuzz_bytes *bytes, struct points *points, char **text)
+static bool read_columns(struct draw *bytes, struct points *points, char **text)
 {
     const uint8_t *const end = bytes->left > 0 ? memchr(bytes->at, '\n', bytes->left) : NULL;
     const size_t length = end != NULL ? (size_t)(end - bytes->at) : bytes->left;
@@ -169,9 +170,9 @@ static bool read_columns(struct fuzz_bytes *bytes, struct points *points, char *
 int LLVMFuzzerTestOneInput(const uint8_t *input, size_t size)
 {
     static struct told at_once, in_pieces;
-    struct fuzz_bytes bytes = {input, size};
-    const unsigned how = (unsigned)fuzz_take(&bytes, 1), more = (unsigned)fuzz_take(&bytes, 1);
-    const size_t piece = 1 + (size_t)fuzz_take(&bytes, 1);
+    struct draw bytes = {input, size};
+    const unsigned how = (unsigned)draw_bits(&bytes, 1), more = (unsigned)draw_bits(&bytes, 1);
+    const size_t piece = 1 + (size_t)draw_bits(&bytes, 1);
     struct points points = {.format = (int)(how % 4),
                             .dims = (how >> 2) % 4 == 1 ? 0 : (int)((how >> 2) % 4),
                             .skip_bad = (how & 16) != 0,

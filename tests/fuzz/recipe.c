@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "fuzz.h"
+#include "recipes.h"
 #include "scarp.h"
 
 #define WIDTH 6
@@ -26,27 +27,6 @@ static double position[3][POINTS];
 struct values {
     float array[ARRAYS][POINTS];
 };
-
-/* The arrays of derivatives up to an order */
-static struct scarp_samples samples_of(struct values *values, int order, int is_space)
-{
-    float(*const a)[POINTS] = values->array;
-    struct scarp_samples out = {.value = a[0]};
-    if (order > 0) {
-        out.dx = a[1];
-        out.dy = a[2];
-        out.dz = is_space ? a[3] : NULL;
-    }
-    if (order > 1) {
-        out.dxx = a[4];
-        out.dxy = a[5];
-        out.dyy = a[6];
-        out.dxz = is_space ? a[7] : NULL;
-        out.dyz = is_space ? a[8] : NULL;
-        out.dzz = is_space ? a[9] : NULL;
-    }
-    return out;
-}
 
 /* Whether two are the same to the bit; NaN is NaN. */
 static int is_same(const struct values *a, const struct values *b)
@@ -150,7 +130,8 @@ static enum scarp_status sample(const struct scarp_recipe *of, struct sampling *
 {
     *values = untouched;
     memset(memory, 0xff, sizeof memory); /* NaNs, and not what the call before left there */
-    const struct scarp_samples out = samples_of(values, sampling->order, sampling->is_space);
+    const struct scarp_samples out =
+        recipe_samples(values->array[0], POINTS, sampling->order, sampling->is_space);
     sampling->outputs.out = &out;
     sampling->outputs.which = header[HEADER_WHICH] == 0 ? NULL : sampling->which;
     const enum scarp_status status =

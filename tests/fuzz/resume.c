@@ -7,6 +7,7 @@
 #include <string.h>
 
 #include "cli.h"
+#include "draw.h"
 #include "formats/formats.h"
 #include "fuzz.h"
 
@@ -23,8 +24,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *input, size_t size)
         {&format_png, "w.png", 36},
 #endif
     };
-    struct fuzz_bytes bytes = {input, size};
-    const size_t kind = fuzz_take(&bytes, 1) % (sizeof kinds / sizeof kinds[0]);
+    struct draw bytes = {input, size};
+    const size_t kind = draw_bits(&bytes, 1) % (sizeof kinds / sizeof kinds[0]);
     const bool is_big = kind == 0 && bytes.left % 2 == 1;
     const struct raster raster = {.width = is_big ? 100000 : 3,
                                   .height = is_big ? 100000 : 2,

@@ -192,12 +192,9 @@ static void try_points(struct draw *d, struct fuzz_noise *noise, enum function f
     }
 }
 
-/* Elements of a grid are what points have there, and what is between them is untouched. */
 static void try_grid(struct draw *d, struct fuzz_noise *noise, enum function f, unsigned mask)
 {
-    static double position[3][FUZZ_ROOM];
-    static size_t element[FUZZ_ROOM];
-    static float on_grid[OUTPUTS][FUZZ_ROOM];
+    static struct fuzz_places places;
     struct scarp_grid grid;
     const int dimensions = function_dimensions(f);
     fuzz_draw_grid(d, dimensions, &grid);
@@ -205,8 +202,7 @@ static void try_grid(struct draw *d, struct fuzz_noise *noise, enum function f, 
     struct fuzz_call call = {
         .make = make, .arguments = &a, .count = FUZZ_ROOM, .mask = mask, .is_grid = 1};
     const enum scarp_status status = fuzz_check(d, &call);
-    const size_t count = grid.count[0] * grid.count[1] * grid.count[2];
-    if (count == 0) {
+    if (grid.count[0] * grid.count[1] * grid.count[2] == 0) {
         fuzz_must(status == SCARP_OK);
         return;
     }
@@ -215,34 +211,14 @@ static void try_grid(struct draw *d, struct fuzz_noise *noise, enum function f, 
     if (status != SCARP_OK) {
         return;
     }
-    memcpy(on_grid, fuzz_result, sizeof on_grid);
     check_plans(d, &call, noise, dimensions, SCARP_OK);
+    fuzz_find_places(&grid, &places);
     a.grid = NULL;
     a.function = dimensions == 2 ? SAMPLE2_F64 : SAMPLE3_F64;
-    for (size_t i = 0; i < count; i++) {
-        double x[3];
-        element[i] = fuzz_grid_sample(&grid, i, x);
-        for (int axis = 0; axis < 3; axis++) {
-            position[axis][i] = x[axis];
-        }
-    }
     for (int axis = 0; axis < 3; axis++) {
-        a.d[axis] = position[axis];
+        a.d[axis] = places.position[axis];
     }
-    call.is_grid = 0;
-    call.count = count;
-    float *out[FUZZ_OUTPUTS] = {NULL};
-    for (int m = 0; m < OUTPUTS; m++) {
-        out[m] = (mask >> m & 1) != 0 ? fuzz_result[m] : NULL;
-    }
-    fuzz_must(make(&call, 0, count, out) == SCARP_OK);
-    for (int m = 0; m < OUTPUTS; m++) {
-        for (size_t i = 0; (mask >> m & 1) != 0 && i < count; i++) {
-            fuzz_must(fuzz_equal(on_grid[m][element[i]], fuzz_result[m][i]));
-            memset(&on_grid[m][element[i]], POISON, sizeof on_grid[m][0]);
-        }
-        fuzz_must((mask >> m & 1) == 0 || all_poison(on_grid[m], sizeof on_grid[m]));
-    }
+    fuzz_check_places(&call, &places);
 }
 
 /* Words for any number */

@@ -8,6 +8,7 @@
  */
 #include <string.h>
 
+#include "draw.h"
 #include "fuzz.h"
 #include "scarp.h"
 
@@ -35,10 +36,10 @@ static const char *const short_file[3] = {
 };
 
 /* Replaces some bytes; returns the new length. */
-static size_t edit(struct fuzz_bytes *bytes, char text[MOST], size_t length)
+static size_t edit(struct draw *bytes, char text[MOST], size_t length)
 {
-    const size_t at = (size_t)fuzz_take(bytes, 2) % (length + 1);
-    size_t gone = (size_t)fuzz_take(bytes, 1), come = (size_t)fuzz_take(bytes, 1);
+    const size_t at = (size_t)draw_bits(bytes, 2) % (length + 1);
+    size_t gone = (size_t)draw_bits(bytes, 1), come = (size_t)draw_bits(bytes, 1);
     gone = gone < length - at ? gone : length - at;
     come = come < bytes->left ? come : bytes->left;
     memmove(text + at + come, text + at + gone, length - at - gone);
@@ -70,9 +71,9 @@ int LLVMFuzzerTestOneInput(const uint8_t *input, size_t size)
 {
     static struct scarp_recipe recipe;
     static char text[MOST];
-    struct fuzz_bytes bytes = {input, size};
-    const int language = (int)(fuzz_take(&bytes, 1) % 3);
-    const int edits = (int)fuzz_take(&bytes, 1) % (MOST_EDITS + 1);
+    struct draw bytes = {input, size};
+    const int language = (int)(draw_bits(&bytes, 1) % 3);
+    const int edits = (int)draw_bits(&bytes, 1) % (MOST_EDITS + 1);
     size_t length = strlen(short_file[language]);
     memcpy(text, short_file[language], length);
     for (int i = 0; i < edits; i++) {

@@ -11,6 +11,7 @@
 #include <string.h>
 
 #include "cli.h"
+#include "draw.h"
 #include "fuzz.h"
 #include "shared/error.h"
 #include "shared/json.h"
@@ -39,27 +40,27 @@ static void describe(const struct source *source)
 }
 
 /* The lines up to an empty one */
-static void read_settings(struct fuzz_bytes *bytes, struct option_list *list, char *settings)
+static void read_settings(struct draw *bytes, struct option_list *list, char *settings)
 {
     size_t at = 0;
     while (bytes->left > 0 && *bytes->at != '\n' && list->count < 8) {
         list->texts[list->count++] = settings + at;
         while (bytes->left > 0 && *bytes->at != '\n') {
-            settings[at++] = (char)fuzz_take(bytes, 1);
+            settings[at++] = (char)draw_bits(bytes, 1);
         }
         settings[at++] = '\0';
-        (void)fuzz_take(bytes, 1);
+        (void)draw_bits(bytes, 1);
     }
-    (void)fuzz_take(bytes, 1);
+    (void)draw_bits(bytes, 1);
 }
 
 int LLVMFuzzerTestOneInput(const uint8_t *input, size_t size)
 {
     static struct ground ground;
-    struct fuzz_bytes bytes = {input, size};
+    struct draw bytes = {input, size};
     struct source source = {.name = NULL};
     struct ground_options options = GROUND_OPTIONS_UNSET;
-    const unsigned how = (unsigned)fuzz_take(&bytes, 1), number = (unsigned)fuzz_take(&bytes, 1);
+    const unsigned how = (unsigned)draw_bits(&bytes, 1), number = (unsigned)draw_bits(&bytes, 1);
     char *const settings = malloc(size + 16);
     MUST(settings != NULL, "no memory");
     read_settings(&bytes, &options.set, settings);
