@@ -338,8 +338,10 @@ static int tell(const struct bench_options *options, const struct bench_report *
 static int measure(const struct bench_options *options, struct selection *selection,
                    struct bench_report *report)
 {
-    const struct bench_method method = {options->min_time, options->repeat,
-                                        !options->quiet && bench_is_terminal_stderr()};
+    const enum bench_progress progress = options->quiet               ? BENCH_PROGRESS_NONE
+                                         : bench_is_terminal_stderr() ? BENCH_PROGRESS_TERMINAL
+                                                                      : BENCH_PROGRESS_LINES;
+    const struct bench_method method = {options->min_time, options->repeat, progress};
     describe(report, options);
     const int status = prepare(selection, report);
     if (status == BENCH_SUCCESS) {

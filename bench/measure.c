@@ -91,31 +91,48 @@ static void summarise(struct bench_subject *subject)
         row->median;
 }
 
-static void show_progress(const struct bench_method *method, int pass, size_t i, size_t count)
+/* How far a measurement is, and when that was last said */
+struct progress {
+    enum bench_progress to;
+    int passes; /* including the one that calibrates */
+    size_t subjects;
+    double start, said;
+};
+
+/* What is left takes as long per pass as the passes so far; calibrating takes about as long as one.
+ */
+static void say_progress(struct progress *p, int pass, size_t i)
 {
-    if (method->progress) {
-        fprintf(stderr, "\rpass %d of %d: %3.0f %%", pass, method->repeat,
-                (double)i * 100 / (double)count);
+    const double now = bench_seconds(), done = pass + (double)i / (double)p->subjects;
+    const double left = done > 0 ? (now - p->start) * (p->passes - done) / done : 0;
+    if (p->to == BENCH_PROGRESS_TERMINAL) {
+        fprintf(stderr, "\rpass %d of %d: %3.0f %%, %.0f s left ", pass, p->passes - 1,
+                (double)i * 100 / (double)p->subjects, left);
         fflush(stderr);
+    } else if (p->to == BENCH_PROGRESS_LINES && now - p->said >= BENCH_PROGRESS_SECONDS) {
+        fprintf(stderr, "scarp-bench: %3.0f %%, %.0f s left\n", done * 100 / p->passes, left);
+        p->said = now;
     }
 }
 
-static void hide_progress(const struct bench_method *method)
+static void end_progress(const struct progress *p)
 {
-    if (method->progress) {
-        fprintf(stderr, "\r%30s\r", "");
+    if (p->to == BENCH_PROGRESS_TERMINAL) {
+        fprintf(stderr, "\r%50s\r", "");
     }
 }
 
 void bench_measure(const struct bench_method *method, struct bench_subject *subjects, size_t count)
 {
+    const double start = bench_seconds();
+    struct progress progress = {method->progress, method->repeat + 1, count, start, start};
     for (size_t i = 0; i < count; i++) {
-        show_progress(method, 0, i, count);
+        say_progress(&progress, 0, i);
         calibrate(method, &subjects[i]);
     }
     for (int pass = 0; pass < method->repeat; pass++) {
         for (size_t i = 0; i < count; i++) {
-            show_progress(method, pass + 1, i, count);
+            say_progress(&progress, pass + 1, i);
             if (has_turn(&subjects[i], pass, method->repeat)) {
                 time_turn(&subjects[i]);
             }
@@ -124,5 +141,5 @@ void bench_measure(const struct bench_method *method, struct bench_subject *subj
     for (size_t i = 0; i < count; i++) {
         summarise(&subjects[i]);
     }
-    hide_progress(method);
+    end_progress(&progress);
 }

@@ -7,10 +7,19 @@
 
 #include "subject.h"
 
+/* Where on stderr progress is written */
+enum bench_progress {
+    BENCH_PROGRESS_NONE,
+    BENCH_PROGRESS_TERMINAL, /* on one line, which is written over */
+    BENCH_PROGRESS_LINES     /* a line every BENCH_PROGRESS_SECONDS */
+};
+
+#define BENCH_PROGRESS_SECONDS 10
+
 struct bench_method {
     double min_time; /* seconds for which each subject is timed, over all repeats */
     int repeat;
-    int progress; /* tell stderr how far it is */
+    enum bench_progress progress;
 };
 
 /* Times `count` subjects, and fills their rows with median, minimum and spread. */

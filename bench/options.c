@@ -155,7 +155,8 @@ static const struct option options_known[] = {
      parse_list, FIELD(from), 0, 0},
     {"--list", NULL, NULL, "print the names of the workloads, and measure nothing", NULL,
      FIELD(list), 0, 0},
-    {"--quiet", NULL, NULL, "no progress on the terminal", NULL, FIELD(quiet), 0, 0},
+    {"--quiet", NULL, NULL, "no progress on stderr: what is done, and the time left", NULL,
+     FIELD(quiet), 0, 0},
 };
 
 #define OPTION_COUNT (sizeof options_known / sizeof options_known[0])
