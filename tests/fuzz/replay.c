@@ -1,55 +1,28 @@
 /* SPDX-License-Identifier: MIT
  *
- * In place of libFuzzer: runs a target on nothing, and on the files that a list names, one a line.
+ * In place of libFuzzer: runs a target on nothing, and on the inputs of a packed file. Before each
+ * input its name is printed, so that the last line names the one that ended the program.
  */
-#include <string.h>
-
 #include "check.h"
 #include "fuzz.h"
-
-#define BYTES_MOST (1 << 20)
-
-static void replay(const char *path)
-{
-    static uint8_t bytes[BYTES_MOST];
-    FILE *const file = fopen(path, "rb");
-    const size_t size = file != NULL ? fread(bytes, 1, sizeof bytes, file) : 0;
-    const int is_read = file != NULL && !ferror(file) && size < sizeof bytes;
-    CHECK(is_read, "%s cannot be read", path);
-    if (file != NULL) {
-        fclose(file);
-    }
-    if (is_read) {
-        /* A copy of just that size, so that tools notice what reads beyond it */
-        uint8_t *const input = malloc(size > 0 ? size : 1);
-        CHECK(input != NULL, "no memory");
-        if (input != NULL) {
-            memcpy(input, bytes, size);
-            CHECK(LLVMFuzzerTestOneInput(input, size) == 0, "%s", path);
-        }
-        free(input);
-    }
-}
+#include "packed.h"
 
 int main(int argc, char **argv)
 {
-    char path[4096];
-    FILE *const list = argc == 2 ? fopen(argv[1], "r") : NULL;
-    if (list == NULL) {
-        fprintf(stderr, "usage: %s LIST\n", argv[0]);
+    struct packed set = {0};
+    if (argc != 2) {
+        fprintf(stderr, "usage: %s PACKED\n", argv[0]);
         return EXIT_FAILURE;
     }
-    CHECK(LLVMFuzzerTestOneInput((const uint8_t *)path, 0) == 0, "the empty input");
-    while (fgets(path, sizeof path, list) != NULL) {
-        path[strcspn(path, "\r\n")] = '\0';
-        if (*path != '\0') {
-            const long failures = check_failures;
-            replay(path);
-            if (check_failures > failures) {
-                break;
-            }
-        }
+    const char *const wrong = packed_read(&set, argv[1]);
+    CHECK(wrong == NULL, "%s: %s", argv[1], wrong);
+    CHECK(LLVMFuzzerTestOneInput((const uint8_t *)"", 0) == 0, "the empty input");
+    for (size_t i = 0; i < set.count && check_failures == 0; i++) {
+        const struct packed_input *const input = &set.inputs[i];
+        printf("%s\n", input->name);
+        fflush(stdout);
+        CHECK(LLVMFuzzerTestOneInput(input->bytes, input->size) == 0, "%s", input->name);
     }
-    fclose(list);
+    packed_free(&set);
     return check_done();
 }

@@ -2,7 +2,8 @@
 # Runs a fuzz target, linked to libFuzzer: first every input that is kept, then new ones for some time.
 # Fails with the path of the input that failed.
 #
-#   cmake -D PROGRAM=... -D KEPT=corpus/NAME -D FOUND=folder -D DICTIONARY=file -D LONGEST=bytes -D SECONDS=20 -P run.cmake
+#   cmake -D PROGRAM=... -D PACK=fuzz_pack -D KEPT=corpus/NAME.bin -D FOUND=folder -D DICTIONARY=file -D LONGEST=bytes
+#         -D SECONDS=20 -P run.cmake
 
 if(DEFINED ENV{SCARP_FUZZ_SECONDS})
   set(SECONDS $ENV{SCARP_FUZZ_SECONDS})
@@ -41,18 +42,14 @@ function(run what)
   endif()
 endfunction()
 
-file(GLOB kept ${KEPT}/*)
+include(${CMAKE_CURRENT_LIST_DIR}/unpack.cmake)
 if(kept)
-  run("kept inputs" -runs=0 ${KEPT})
+  run("kept inputs" -runs=0 ${FOUND}/kept)
 endif()
 if(SECONDS GREATER 0)
   set(more -max_total_time=${SECONDS} -max_len=${LONGEST})
   if(DICTIONARY)
     list(APPEND more -dict=${DICTIONARY})
   endif()
-  set(folders ${FOUND}/corpus)
-  if(kept)
-    list(APPEND folders ${KEPT})
-  endif()
-  run("${SECONDS} seconds" ${more} ${folders})
+  run("${SECONDS} seconds" ${more} ${FOUND}/corpus ${FOUND}/kept)
 endif()
