@@ -25,7 +25,7 @@ static float x32[3][POINTS];
 static double x64[3][POINTS];
 static const struct inputs in = {{x32[0], x32[1], x32[2]}, {x64[0], x64[1], x64[2]}};
 
-/* Arrays of a call, each between guard pages; inputs are read-only while calls run. */
+/* Arrays of a call, each between guard pages; calls can only read inputs. */
 static struct guarded inputs[3], results[OUTPUTS];
 static struct outputs whole; /* results of one call for all points */
 
@@ -71,17 +71,15 @@ static struct inputs place_inputs(enum function f, enum place place, size_t firs
     struct inputs placed_inputs = {{NULL, NULL, NULL}, {NULL, NULL, NULL}};
     const size_t size = function_doubles(f) ? sizeof(double) : sizeof(float);
     for (int d = 0; d < function_dimensions(f); d++) {
-        guarded_protect(&inputs[d], 0);
         unsigned char *const array =
             placed(&inputs[d], place, count * size, size, 3 * (size_t)d + count);
         if (function_doubles(f)) {
-            memcpy(array, x64[d] + first, count * size);
+            guarded_write(&inputs[d], array, x64[d] + first, count * size);
             placed_inputs.d[d] = (const double *)(void *)array;
         } else {
-            memcpy(array, x32[d] + first, count * size);
+            guarded_write(&inputs[d], array, x32[d] + first, count * size);
             placed_inputs.f[d] = (const float *)(void *)array;
         }
-        guarded_protect(&inputs[d], 1);
     }
     return placed_inputs;
 }
@@ -371,7 +369,7 @@ int main(int argc, char **argv)
         x64[i % 3][i / 3] = check_random_double(&state, 0x1p30);
     }
     for (int d = 0; d < 3; d++) {
-        inputs[d] = guarded_make(POINTS * sizeof(double) + 2048);
+        inputs[d] = guarded_make_readonly(POINTS * sizeof(double) + 2048);
     }
     for (int m = 0; m < OUTPUTS; m++) {
         results[m] = guarded_make(POINTS * sizeof(float) + 2048);
