@@ -14,6 +14,16 @@ macro(scarp_tool name)
 endmacro()
 
 find_package(Python3 COMPONENTS Interpreter QUIET)
+# What manages versions of Python may put a script in its place, which starts dozens of processes for
+# each of ours.
+if(Python3_Interpreter_FOUND)
+  execute_process(COMMAND ${Python3_EXECUTABLE} -c "import sys; print(sys.executable)"
+                  OUTPUT_VARIABLE python RESULT_VARIABLE status OUTPUT_STRIP_TRAILING_WHITESPACE
+                  ERROR_QUIET)
+  if(status EQUAL 0 AND EXISTS "${python}")
+    set(Python3_EXECUTABLE ${python})
+  endif()
+endif()
 set(THREADS_PREFER_PTHREAD_FLAG ON)
 find_package(Threads QUIET)
 find_program(SCARP_ABIDIFF NAMES abidiff)
