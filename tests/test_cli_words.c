@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT
  *
  * The program's options (src/cli) take each of the library's words for its enumerator, messages
- * name them all, and bounds read as people write them.
+ * name them all, bounds read as people write them, and so do amounts.
  */
 #include <math.h>
 #include <stdarg.h>
 
 #include "check.h"
+#include "shared/amount.h"
 #include "shared/error.h"
 #include "shared/noise.h"
 
@@ -101,6 +102,62 @@ static void check_bounds(void)
     check_words("words of its own", &own, "0 or more", "");
 }
 
+static void check_text(const char *text, const char *expected)
+{
+    CHECK(strcmp(text, expected) == 0, "'%s' instead of '%s'", text, expected);
+}
+
+/* On both sides of each change of the unit */
+static void check_amounts(void)
+{
+    static const struct {
+        double count;
+        const char *text;
+    } counts[] = {{0, "0 "},
+                  {0.25, "0.25 "},
+                  {999, "999 "},
+                  {999.4, "999 "},
+                  {999.5, "1.0 thousand "},
+                  {999949, "999.9 thousand "},
+                  {999951, "1.0 million "},
+                  {12345678, "12.3 million "},
+                  {999.96e6, "1.0 billion "},
+                  {4e15, "4000.0 trillion "}};
+    static const struct {
+        uint64_t bytes;
+        const char *text;
+    } bytes[] = {{0, "0 bytes"},
+                 {1, "1 byte"},
+                 {999, "999 bytes"},
+                 {1000, "1.00 kB"},
+                 {999994, "999.99 kB"},
+                 {999996, "1.00 MB"},
+                 {17180000000, "17.18 GB"},
+                 {UINT64_MAX, "18.45 EB"}};
+    static const struct {
+        double seconds;
+        const char *text;
+    } times[] = {{0, "0.0 us"},          {41e-6, "41.0 us"},    {0.99994e-3, "999.9 us"},
+                 {0.99996e-3, "1.0 ms"}, {0.99994, "999.9 ms"}, {0.99996, "1.000 s"},
+                 {5400, "5400.000 s"}};
+    char text[AMOUNT_SIZE], other[AMOUNT_SIZE];
+    for (size_t i = 0; i < sizeof counts / sizeof counts[0]; i++) {
+        check_text(amount_count(text, counts[i].count), counts[i].text);
+    }
+    for (size_t i = 0; i < sizeof bytes / sizeof bytes[0]; i++) {
+        check_text(amount_bytes(text, bytes[i].bytes), bytes[i].text);
+    }
+    for (size_t i = 0; i < sizeof times / sizeof times[0]; i++) {
+        check_text(amount_seconds(text, times[i].seconds), times[i].text);
+    }
+    amount_bytes_two(text, 4000000, other, 3000000);
+    check_text(text, "4.00 MB");
+    check_text(other, "3.00 MB");
+    amount_bytes_two(text, 4000001, other, 4000000);
+    check_text(text, "4000001 bytes");
+    check_text(other, "4000000 bytes");
+}
+
 int main(void)
 {
     check_choice("--basis", basis_name);
@@ -108,5 +165,6 @@ int main(void)
     check_choice("--fractal", fractal_name);
     check_sets();
     check_bounds();
+    check_amounts();
     return check_done();
 }

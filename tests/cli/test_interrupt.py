@@ -85,6 +85,18 @@ class Interrupt(Case):
                 self.quietly(*arguments, "--resume")
                 self.check_same_files(self.all_bytes(), contents)
 
+    def test_before_the_first_tile(self):
+        """While files that are there are looked for, to tell how much is to be written"""
+        for number in (signal.SIGINT, signal.SIGTERM):
+            process = self.begin("--size", "10000x1000", "--tile", "1x1", "--normals", "n.npy",
+                                 "--octaves", "1", "--quiet")
+            time.sleep(0.5)
+            begin = time.monotonic()
+            process.send_signal(number)
+            self.check_ended(process, number)
+            self.assertLess(time.monotonic() - begin, 3)
+            self.assertEqual(self.files(), [])
+
     def full_pipe(self, *arguments, **more):
         """Starts a run, and waits until it waits for whoever reads its standard output."""
         reading, writing = os.pipe()

@@ -107,6 +107,21 @@ class Errors(Case):
                           "64*64", "1000001x1", "1x1000001", "1.5x2", "64 x64", "64x64 ", "64X64",
                           "99999999999999999999x1", "18446744073709551617x1", "64,64")
 
+    def test_count_of_tiles(self):
+        """A run that would write more files than can be meant"""
+        for size, tile, more, told in (
+                ("100000x100000", "1x1", (), "10000000000"), ("100000x100000", "1x1", ("--verify",), "10000000000"),
+                ("1000000x1000000", "1x1", (), "1000000000000"),
+                ("100000x100000", "1x1", ("--share", "0/999"), "10010011"),
+                ("100000x100000", "1x1", ("--tiles", "0:10001,0:1000"), "10001000"),
+                ("7000x1500", "1x1", ("--resume",), "10500000"),
+                ("4000x2000", "1x1", ("--levels", "5"), "10656250")):
+            with self.subTest(size=size, more=more):
+                result = run("terrain", "--size", size, "--tile", tile, *more, "--heights", "h.r32",
+                             cwd=self.directory)
+                self.check_one_line(result, 2, "--tile: %s tiles" % told, "at most 10000000")
+                self.assertEqual(self.files(), [])
+
     def test_tiles(self):
         self.check_values("--tiles", "0:1", "0:1,", "0:1,0", "0:1,0:1,0:1", "0-1,0-1", "0:1;0:1",
                           "1:1,0:1", "0:1,2:2", "2:1,0:1", "-1:1,0:1", "0:1,0:1.5", "0:1, 0:1",

@@ -9,7 +9,8 @@ from common import SMALL, Case, has_threads, run, text_of
 
 # In the manner of GDAL's programs
 ALL = "0...10...20...30...40...50...60...70...80...90...100"
-SUMMARY = (r"\A%s samples in \d+\.\d{3} s: \d+\.\d million samples per second "
+SUMMARY = (r"\A%s samples in (?:[1-9]\d*\.\d{3} s|\d+\.\d ms|\d+\.\d us): "
+           r"(?:[1-9]\d{0,2}|[1-9]\d{0,2}\.\d (?:thousand|million|billion)) samples per second "
            r"\((\S+), (\d+) threads?\)\n\Z")
 HEIGHTS = r"16-bit heights: 0 is \S+, 65535 is \S+\n"
 
@@ -22,6 +23,13 @@ class Progress(Case):
         self.assertEqual((result.returncode, result.stderr), (0, b""))
         found = re.search(SUMMARY % (HEIGHTS + "70x50"), result.stdout.decode())
         self.assertEqual(found.group(1), "scalar")
+
+    def test_units(self):
+        """They suit the amounts: no raster is so small that 0.0 million samples are told."""
+        for size in ("1x1", "3x1", "40x30", "2000x1500"):
+            result = run("terrain", "--size", size, "--octaves", "1", "--heights", "h.r32",
+                         cwd=self.directory)
+            self.assertRegex(result.stdout.decode(), SUMMARY % size)
 
     def test_best_isa_by_default(self):
         result = run("terrain", *SMALL, "--output", self.path("t"))

@@ -104,7 +104,7 @@ class Verify(Case):
             self.quietly(*WORLD, *FILES, "--share", share)
         self.assertEqual(sorted(name for name in os.listdir(self.path("w")) if "sums" in name),
                          ["y_x.img.%d-3.sums" % i for i in range(3)])
-        self.assertRegex(self.verify(), r"\A12 files, 0\.0 MB: as they were written\n\Z")
+        self.assertRegex(self.verify(), r"\A12 files, \d+\.\d\d kB: as they were written\n\Z")
         self.assertRegex(self.verify("--share", "0/3"), r"\A6 files")
         self.assertEqual(self.verify("--quiet"), "")
 
@@ -179,13 +179,13 @@ class Space(Case):
     def test_refused(self):
         for arguments, words in (
                 (("--size", "1000000x1000000", "--heights", "h.r32"),
-                 ("--heights: 4000.00 GB", "are free")),
+                 ("--heights: 4.00 TB", "are free")),
                 (("--size", "1000000x1000000", "--tile", "10000x10000", "--heights", "h.png",
-                  "--normals", "w/{y}/{x}.npy"), ("--normals: 12000.00 GB",)),
+                  "--normals", "w/{y}/{x}.npy"), ("--normals: 12.00 TB",)),
                 (("--size", "1000000x900000", "--levels", "2", "--heights", "h.img"),
-                 ("--heights: 4500.00 GB",)),
+                 ("--heights: 4.50 TB",)),
                 (("--size", "1000000x1000000", "--tile", "5000x5000", "--share", "0/2",
-                  "--heights", "r32:h"), ("--heights: 2000.00 GB",))):
+                  "--heights", "r32:h"), ("--heights: 2.00 TB",))):
             if "h.png" in arguments and not common.has_png():
                 continue
             with self.subTest(arguments=arguments):
@@ -208,7 +208,7 @@ class Space(Case):
             line = process.stdout.readline().decode()
             process.terminate()
             process.communicate()
-            self.assertRegex(line, r"\Ato write: %s; free: \d+\.\d\d GB\n\Z" % told)
+            self.assertRegex(line, r"\Ato write: %s; free: \d+\.\d\d [GT]B\n\Z" % told)
             self.assertNotIn("h.r32.json", self.files())
 
     def test_small(self):

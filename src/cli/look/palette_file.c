@@ -20,6 +20,7 @@
 #include "look/palette.h"
 #include "shared/error.h"
 #include "shared/file.h"
+#include "shared/interrupt.h"
 #include "shared/number.h"
 #include "shared/path.h"
 
@@ -304,10 +305,14 @@ static bool read_line(struct reader *reader, char *line)
 static bool read_lines(struct reader *reader, FILE *stream)
 {
     char line[LINE_MAX_LENGTH];
-    while (fgets(line, sizeof line, stream) != NULL) {
+    while (!interrupted() && fgets(line, sizeof line, stream) != NULL) {
         if (!read_line(reader, line)) {
             return false;
         }
+    }
+    if (interrupted()) {
+        cli_error("interrupted: nothing was written");
+        return false;
     }
     if (ferror(stream)) {
         cli_error("%s: %.300s: %s", reader->option, reader->path, strerror(errno));

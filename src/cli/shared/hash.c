@@ -8,6 +8,7 @@
 #include <stdio.h>
 #include <string.h>
 
+#include "shared/interrupt.h"
 #include "shared/posix.h"
 
 #define STRIPE 32
@@ -96,6 +97,9 @@ uint64_t hash_end(const struct hash *hash)
     return sum ^ sum >> 32;
 }
 
+/* Bytes: shorter files are read to their end, so that a tile that was made is not lost. */
+#define PATIENCE ((uint64_t)1 << 26)
+
 bool hash_file(const char *path, uint64_t *sum)
 {
     struct hash hash;
@@ -106,12 +110,14 @@ bool hash_file(const char *path, uint64_t *sum)
     if (file == NULL) {
         return false;
     }
+    bool is_stopped = false;
     hash_begin(&hash);
-    while ((count = fread(bytes, 1, sizeof bytes, file)) > 0) {
+    while (!is_stopped && (count = fread(bytes, 1, sizeof bytes, file)) > 0) {
         hash_add(&hash, bytes, count);
+        is_stopped = hash.length % PATIENCE == 0 && interrupted();
     }
-    const bool is_read = ferror(file) == 0;
-    const int reason = errno;
+    const bool is_read = ferror(file) == 0 && !is_stopped;
+    const int reason = is_stopped ? EINTR : errno;
     fclose(file);
     errno = reason;
     *sum = hash_end(&hash);

@@ -14,6 +14,7 @@
 #include <string.h>
 #include <time.h>
 
+#include "shared/interrupt.h"
 #include "shared/path.h"
 #include "shared/posix.h"
 #include "shared/text.h"
@@ -193,7 +194,8 @@ static void sweep(const char *path, DIR *directory)
 {
     char host[HOST_MAX + 1];
     get_host(host);
-    for (struct dirent *entry = readdir(directory); entry != NULL; entry = readdir(directory)) {
+    struct dirent *entry;
+    while (!interrupted() && (entry = readdir(directory)) != NULL) {
         uint32_t number = 0;
         const long process = owner(entry->d_name, host, &number);
         /* In a container that is started again, a process may be called as its predecessor was. */

@@ -14,6 +14,7 @@
 #include "formats/choose.h"
 #include "formats/whole.h"
 #include "ground/source.h"
+#include "shared/amount.h"
 #include "shared/crew.h"
 #include "shared/error.h"
 #include "shared/interrupt.h"
@@ -72,6 +73,10 @@ static int make_cells(struct sheet *sheet, char **argv)
     }
     for (size_t n = 0; n < sheet->count; n++) {
         size_t at[AXES_MAX];
+        if (interrupted()) {
+            cli_error("interrupted: nothing was written");
+            return CLI_FAILURE;
+        }
         page_values(&sheet->page, &sheet->axes, n, at);
         if (!cell_make(&sheet->cells[n], argv, has_recipe, &sheet->axes, at)) {
             return CLI_USAGE;
@@ -151,9 +156,10 @@ static void print_summary(const struct sheet *sheet, double duration)
     const char *const path = sheet->writer.path;
     const bool is_file = strcmp(path, "-") != 0 && !file_is_special(path);
     FILE *const stream = is_file ? stdout : stderr;
-    fprintf(stream, "%zu cell%s of %zux%zu pixels in %.3f s", sheet->count,
+    char time[AMOUNT_SIZE];
+    fprintf(stream, "%zu cell%s of %zux%zu pixels in %s", sheet->count,
             sheet->count == 1 ? "" : "s", sheet->page.cell_width, sheet->page.cell_height,
-            duration);
+            amount_seconds(time, duration));
     running_print(stream, sheet->crew);
 }
 

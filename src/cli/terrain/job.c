@@ -98,7 +98,7 @@ static int end_finishing(struct job *job)
         job->samples += (uint64_t)job->last.width * job->last.height;
     } else {
         if (status == CLI_SUCCESS) {
-            status = job->sums_reason != 0
+            status = job->sums_reason != 0 && !interrupted()
                          ? tell_sums(job)
                          : tell_failure(job, outputs, &job->last, PIPELINE_FAILED);
         }

@@ -6,7 +6,9 @@
 
 #include <stdio.h>
 
+#include "shared/amount.h"
 #include "shared/error.h"
+#include "shared/interrupt.h"
 #include "shared/space.h"
 
 #define LARGE 1000000000 /* bytes from which a run is told before */
@@ -18,7 +20,7 @@ struct room {
 
 static void add_tiles(struct job *job, struct room *room)
 {
-    for (size_t n = job->tiling.begin; n < job->tiling.end; n++) {
+    for (size_t n = job->tiling.begin; n < job->tiling.end && !interrupted(); n++) {
         const struct tile tile = tiling_at(&job->tiling, n);
         outputs_measure(&job->outputs[0], job_level(job, tile.level), &tile, room->exact,
                         room->most);
@@ -29,7 +31,7 @@ static void add_tiles(struct job *job, struct room *room)
 static bool subtract_files(struct job *job, struct room *room)
 {
     struct outputs *const outputs = &job->outputs[0];
-    for (size_t n = job->tiling.begin; n < job->tiling.end; n++) {
+    for (size_t n = job->tiling.begin; n < job->tiling.end && !interrupted(); n++) {
         const struct tile tile = tiling_at(&job->tiling, n);
         if (!outputs_begin(outputs, job_level(job, tile.level), &tile)) {
             return false;
@@ -90,11 +92,6 @@ static size_t find_tight(const struct outputs *outputs, const struct room *room,
     return i;
 }
 
-static double gigabytes(uint64_t bytes)
-{
-    return (double)bytes * 1e-9;
-}
-
 static void tell(const struct job *job, const struct room *room)
 {
     const struct outputs *const outputs = &job->outputs[0];
@@ -102,16 +99,27 @@ static void tell(const struct job *job, const struct room *room)
     struct disk disk;
     bool is_exact;
     const uint64_t sum = sum_of(outputs, room, &is_exact);
-    printf("to write: %s%.2f GB in %zu tile%s", is_exact ? "" : "at most about ", gigabytes(sum),
-           tiles, tiles == 1 ? "" : "s");
+    char amount[AMOUNT_SIZE];
+    printf("to write: %s%s in %zu tile%s", is_exact ? "" : "at most about ",
+           amount_bytes(amount, sum), tiles, tiles == 1 ? "" : "s");
     if (find_disk(outputs, room, 0, &disk)) {
-        printf("; free: %.2f GB", gigabytes(disk.space.bytes));
+        printf("; free: %s", amount_bytes(amount, disk.space.bytes));
     }
     putchar('\n');
     fflush(stdout);
 }
 
-bool room_check(struct job *job)
+static int tell_tight(const struct outputs *outputs, size_t tight, const struct disk *disk)
+{
+    char needed[AMOUNT_SIZE], there[AMOUNT_SIZE];
+    amount_bytes_two(needed, disk->exact, there, disk->space.bytes);
+    cli_error("%s: %s do not fit where %s are free; a smaller --size, fewer --tiles or a --share "
+              "will",
+              outputs->list[tight].option, needed, there);
+    return CLI_USAGE;
+}
+
+int room_check(struct job *job)
 {
     static struct room room;
     struct outputs *const outputs = &job->outputs[0];
@@ -119,28 +127,29 @@ bool room_check(struct job *job)
     bool is_exact;
     room = (struct room){.exact = {0}};
     if (job->tiling.begin == job->tiling.end || !outputs_are_files(outputs)) {
-        return true;
+        return CLI_SUCCESS;
     }
     const struct tile first = tiling_at(&job->tiling, job->tiling.begin);
     add_tiles(job, &room);
     if (!outputs_begin(outputs, job_level(job, first.level), &first)) {
-        return false;
+        return CLI_USAGE;
     }
     if (find_tight(outputs, &room, &disk) < outputs->count ||
         sum_of(outputs, &room, &is_exact) >= LARGE) {
         if (!subtract_files(job, &room)) {
-            return false;
+            return CLI_USAGE;
         }
+    }
+    if (interrupted()) {
+        cli_error("interrupted: nothing was written");
+        return CLI_FAILURE;
     }
     const size_t tight = find_tight(outputs, &room, &disk);
     if (tight < outputs->count) {
-        cli_error("%s: %.2f GB do not fit where %.2f GB are free; a smaller --size, fewer --tiles "
-                  "or a --share will",
-                  outputs->list[tight].option, gigabytes(disk.exact), gigabytes(disk.space.bytes));
-        return false;
+        return tell_tight(outputs, tight, &disk);
     }
     if (sum_of(outputs, &room, &is_exact) >= LARGE && !job->options->running.quiet) {
         tell(job, &room);
     }
-    return true;
+    return CLI_SUCCESS;
 }

@@ -10,6 +10,7 @@
 #include <string.h>
 
 #include "shared/hash.h"
+#include "shared/interrupt.h"
 #include "shared/path.h"
 #include "shared/posix.h"
 #include "shared/text.h"
@@ -213,7 +214,7 @@ static bool read_sums(struct sums_list *list, const char *path)
 {
     char *const text = read_file(list, path);
     bool is_read = text != NULL;
-    for (char *line = text, *end; is_read && *line != '\0'; line = end) {
+    for (char *line = text, *end; is_read && *line != '\0' && !interrupted(); line = end) {
         end = line + strcspn(line, "\n");
         const bool is_whole = *end == '\n';
         if (is_whole) {
@@ -246,7 +247,7 @@ static bool read_all(struct sums_list *list, DIR *directory, const char *stem)
 {
     const size_t begin = path_directory_length(stem);
     const struct dirent *entry;
-    while ((entry = readdir(directory)) != NULL) {
+    while ((entry = readdir(directory)) != NULL && !interrupted()) {
         if (!is_of_world(entry->d_name, stem + begin)) {
             continue;
         }
@@ -271,7 +272,7 @@ bool sums_read(struct sums_list *list, const char *manifest)
     }
     free(name);
     free(stem);
-    if (is_read && list->count > 0) {
+    if (is_read && list->count > 0 && !interrupted()) {
         qsort(list->lines, list->count, sizeof *list->lines, compare_lines);
     }
     return is_read;

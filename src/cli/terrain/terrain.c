@@ -9,6 +9,7 @@
 #include <stdbool.h>
 #include <stdio.h>
 
+#include "shared/amount.h"
 #include "shared/error.h"
 #include "shared/posix.h"
 #include "shared/running.h"
@@ -116,7 +117,9 @@ static void print_summary(const struct job *job, double duration)
     }
     /* No clock resolves the smallest rasters. */
     const double rate = (double)job->samples / (duration > 1e-9 ? duration : 1e-9);
-    fprintf(stream, " samples in %.3f s: %.1f million samples per second", duration, rate * 1e-6);
+    char time[AMOUNT_SIZE], speed[AMOUNT_SIZE];
+    fprintf(stream, " samples in %s: %ssamples per second", amount_seconds(time, duration),
+            amount_count(speed, rate));
     running_print(stream, job->crew);
 }
 
@@ -171,10 +174,8 @@ static int prepare(struct job *job)
         cli_error("--verify: needs --tile or --resume, whose runs keep checksums");
         return CLI_USAGE;
     }
-    if (!options->verify && !room_check(job)) {
-        return CLI_USAGE;
-    }
-    return needs_manifest(job) ? open_world(job) : CLI_SUCCESS;
+    const int status = options->verify ? CLI_SUCCESS : room_check(job);
+    return status == CLI_SUCCESS && needs_manifest(job) ? open_world(job) : status;
 }
 
 /* Writes the files. */

@@ -238,7 +238,7 @@ const struct option_table terrain_table = {
         "           places from central differences of the 16-bit heights, two steps apart.\n"
         "tiles      They hold the samples that one file would hold. Tiles at the right and at\n"
         "           the bottom are smaller if the size is no multiple of the tile. The overlap\n"
-        "           reaches beyond the raster.\n"
+        "           reaches beyond the raster. A run writes at most 10,000,000.\n"
         "patterns   In FILE, {x} and {y} are the number of a tile from the left and from the\n"
         "           top, {-y} from the bottom, all from 0. {x:04} has at least four digits.\n"
         "           Directories are made. Without a pattern tiles are called NAME_y_x.\n"

@@ -4,7 +4,12 @@
  */
 #include "terrain/tiling.h"
 
+#include <stdint.h>
+
 #include "shared/error.h"
+
+/* That a run can mean to write: each has a file at least. */
+#define TILES_MOST 10000000
 
 static size_t quotient_up(size_t a, size_t b)
 {
@@ -46,12 +51,24 @@ static struct level level_of(const struct tiling *tiling, const struct option_si
     return level;
 }
 
+static bool refuse_count(double tiles)
+{
+    cli_error("--tile: %.0f tiles, and a run writes at most %d; larger tiles, --tiles or --share "
+              "make fewer",
+              tiles, TILES_MOST);
+    return false;
+}
+
 static bool set_levels(const struct terrain_options *options, struct tiling *tiling)
 {
     tiling->level_count = (unsigned)options->levels;
     for (unsigned n = 0; n < tiling->level_count; n++) {
         tiling->levels[n] = level_of(tiling, &options->size, n);
         const struct option_size *const raster = &tiling->levels[n].raster;
+        const double tiles = (double)tiling->levels[n].across * (double)tiling->levels[n].down;
+        if (tiles > (double)(SIZE_MAX / 2)) { /* addresses of 32 bits: levels together count more */
+            return refuse_count(tiles);
+        }
         if (raster->width == 1 && raster->height == 1 && n + 1 < tiling->level_count) {
             cli_error("--levels: %zux%zu samples have %u levels, the last of which is one sample",
                       options->size.width, options->size.height, n + 1);
@@ -100,7 +117,8 @@ bool tiling_make(const struct terrain_options *options, struct tiling *tiling)
     const size_t tiles = count_tiles(tiling);
     tiling->begin = share_begin(tiles, share.index, share.count);
     tiling->end = share_begin(tiles, share.index + 1, share.count);
-    return true;
+    return tiling->end - tiling->begin <= TILES_MOST ||
+           refuse_count((double)(tiling->end - tiling->begin));
 }
 
 static size_t extent(size_t first, size_t length, size_t size, size_t overlap)

@@ -8,6 +8,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 
+#include "shared/amount.h"
 #include "shared/error.h"
 #include "shared/hash.h"
 #include "shared/interrupt.h"
@@ -47,6 +48,9 @@ static bool look_at(struct verification *to, const char *path)
         return true;
     }
     if (!hash_file(path, &hash)) {
+        if (interrupted()) {
+            return true; /* the caller sees that, too */
+        }
         tell(to, &to->changed, path, file_reason(errno));
         return true;
     }
@@ -96,8 +100,9 @@ static int tell_result(const struct verification *of)
         return CLI_FAILURE;
     }
     if (!of->job->options->running.quiet) {
-        printf("%zu file%s, %.1f MB: as %s written\n", all, all == 1 ? "" : "s",
-               (double)of->bytes * 1e-6, all == 1 ? "it was" : "they were");
+        char size[AMOUNT_SIZE];
+        printf("%zu file%s, %s: as %s written\n", all, all == 1 ? "" : "s",
+               amount_bytes(size, of->bytes), all == 1 ? "it was" : "they were");
     }
     return CLI_SUCCESS;
 }

@@ -12,6 +12,7 @@
 
 #include "formats/choose.h"
 #include "ground/source.h"
+#include "shared/amount.h"
 #include "shared/error.h"
 #include "shared/interrupt.h"
 #include "shared/running.h"
@@ -89,8 +90,9 @@ static bool make_scene(struct view_options *options, const struct source *source
 
 static void print_calls(FILE *stream, const char *what, uint64_t calls, uint64_t points)
 {
-    fprintf(stream, "%s: %.1f million points in %llu calls, %.0f each\n", what,
-            (double)points * 1e-6, (unsigned long long)calls,
+    char count[AMOUNT_SIZE];
+    fprintf(stream, "%s: %spoints in %llu calls, %.0f each\n", what,
+            amount_count(count, (double)points), (unsigned long long)calls,
             calls != 0 ? (double)points / (double)calls : 0.0);
 }
 
@@ -107,9 +109,10 @@ static void print_summary(const struct view_options *options, const struct write
     fprintf(stream, "camera: --camera %.9g,%.9g,%.9g --look %.9g,%.9g\n", options->camera.x,
             options->camera.y, options->camera.height, options->look.azimuth,
             options->look.elevation);
-    fprintf(stream, "%zux%zu pixels, %.1f million rays in %.3f s: %.1f million rays per second",
-            options->size.width, options->size.height, (double)counts->rays * 1e-6, duration,
-            (double)counts->rays / time * 1e-6);
+    char rays[AMOUNT_SIZE], elapsed[AMOUNT_SIZE], speed[AMOUNT_SIZE];
+    fprintf(stream, "%zux%zu pixels, %srays in %s: %srays per second", options->size.width,
+            options->size.height, amount_count(rays, (double)counts->rays),
+            amount_seconds(elapsed, duration), amount_count(speed, (double)counts->rays / time));
     running_print(stream, crew);
 }
 
