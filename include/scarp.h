@@ -2054,7 +2054,7 @@ SCARP_API const char *scarp_isa_name(enum scarp_isa isa);
  * 2D, and 0.0130071013 in 3D.
  *
  * Periods: in 3D any; in 2D along x alone, since rows are sqrt(3) / 2 apart. There, period[1] is
- * SCARP_ERROR_UNSUPPORTED.
+ * SCARP_ERROR_UNSUPPORTED. A slice of 3D, such as z = 0, repeats along both of its axes.
  */
 
 /*

@@ -122,7 +122,7 @@ static const struct bad_noise bad[] = {
     {{.basis = SCARP_SIMPLEX, .period = {4, 4}},
      SCARP_ERROR_UNSUPPORTED,
      "period[1]",
-     "simplex noise repeats along x only in 2D",
+     "simplex noise repeats along x only in 2D; a slice of 3D, with periods, repeats along both",
      0},
 };
 #define BAD (sizeof bad / sizeof *bad)

@@ -39,7 +39,8 @@
     X(PERIOD_Y, PARAMETER, "period[1]", "more than 2^30 cells in the last octave")                 \
     X(PERIOD_Z, PARAMETER, "period[2]", "more than 2^30 cells in the last octave")                 \
     X(ROTATE, UNSUPPORTED, "rotate", "turned axes cannot repeat")                                  \
-    X(PERIOD_SIMPLEX, UNSUPPORTED, "period[1]", "simplex noise repeats along x only in 2D")        \
+    X(PERIOD_SIMPLEX, UNSUPPORTED, "period[1]",                                                    \
+      "simplex noise repeats along x only in 2D; a slice of 3D, with periods, repeats along both") \
     X(WARP, UNSUPPORTED, "warp", "there are more than four warps")                                 \
     X(ORDER, PARAMETER, "", "the order of derivatives is not 0, 1 or 2")                           \
     X(HESSIAN, UNSUPPORTED, "fractal", "erosion, Swiss and Jordan noise have no Hessian")          \

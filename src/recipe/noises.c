@@ -311,6 +311,39 @@ static int fit_tile(struct recipe_compiler *c, int e, int axis, const double mat
     return 1;
 }
 
+/* Whether what is at fault with any period is so with that of a tile: no size mends it, so it is
+   told before the size is looked at. */
+static int is_period_fault(const struct recipe_compiler *c, const char *why, const char *member)
+{
+    return c->recipe->is_tiled && why != NULL &&
+           (strcmp(member, "rotate") == 0 || strcmp(member, "lacunarity") == 0 ||
+            strncmp(member, "period", 6) == 0);
+}
+
+/* Whether the noise can have periods at all. Returns 0 on an error. */
+static int can_repeat(struct recipe_compiler *c, int e, const struct scarp_noise *noise,
+                      int dimensions)
+{
+    const char *member;
+    struct scarp_noise tiled = *noise;
+    tiled.warp = NULL;
+    for (int axis = 0; axis < dimensions; axis++) {
+        tiled.period[axis] = 1;
+    }
+    const char *const why = scarp_noise_fault(&tiled, dimensions, 0, 0, &member);
+    return !is_period_fault(c, why, member) || (scarp_recipe_bad(c, e, why, member), 0);
+}
+
+static int gullies_can_repeat(struct recipe_compiler *c, int e, const struct scarp_gullies *gullies)
+{
+    const char *member;
+    struct scarp_gullies tiled = *gullies;
+    tiled.period[0] = tiled.period[1] = 1;
+    tiled.cells = 1.0f;
+    const char *const why = scarp_gullies_fault(&tiled, &member);
+    return !is_period_fault(c, why, member) || (scarp_recipe_bad(c, e, why, member), 0);
+}
+
 /* How many units of a place one unit of the points has, at most. */
 static double scale_of(const double matrix[3][3])
 {
@@ -335,6 +368,9 @@ static int finished(struct recipe_compiler *c, int e, int noise, int place)
     const int warp = finished(c, e, r->noise[noise].warp, place);
     scarp_recipe_matrix(r, place, matrix);
     scarp_recipe_spell_noise(r, noise, levels);
+    if (!can_repeat(c, e, &levels[0], r->place[place].dimensions)) {
+        return -2;
+    }
     for (int axis = 0; r->is_tiled && axis < r->place[place].dimensions; axis++) {
         if (!fit_tile(c, e, axis, (const double(*)[3])matrix, levels[0].frequency,
                       &levels[0].period[axis])) {
@@ -487,6 +523,9 @@ static int gullies_at(struct recipe_compiler *c, int call, const int16_t argumen
         return -1;
     }
     scarp_recipe_matrix(c->recipe, place, matrix);
+    if (!gullies_can_repeat(c, call, &g)) {
+        return -1;
+    }
     for (int axis = 0; c->recipe->is_tiled && axis < 2; axis++) {
         if (!fit_tile(c, call, axis, (const double(*)[3])matrix, g.frequency, &g.period[axis])) {
             return -1;

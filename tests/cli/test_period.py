@@ -119,7 +119,7 @@ class Period(Case):
                  "--period 4,4 --lacunarity 2.5 --octaves 2"),
                 ("--period: more than 2^30 cells in the last octave; fewer --octaves",
                  "--period 4,536870912 --octaves 3"),
-                ("--period: simplex noise repeats along x only in 2D; leave it out",
+                ("--period: simplex noise repeats along x only in 2D; a slice of 3D, with periods, repeats along both; leave it out",
                  "--period 4,4 --basis simplex"),
                 ("--frequency, --lacunarity, --octaves: the frequency of the last octave is outside "
                  "[2^-32, 2^48]",

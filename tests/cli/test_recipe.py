@@ -162,7 +162,30 @@ class Recipes(Case):
         self.write(RECIPE)
         result = run("terrain", "--recipe", "r.recipe", "--tileable", "--size", "64x64",
                      "--heights", "h.r32", cwd=self.directory)
-        self.check_one_line(result, 2, "--period: r.recipe, line 6", "nearest: 64")
+        self.check_one_line(result, 2, "--period: r.recipe, line 6", "the nearest size that fits is told: size=64\n")
+        # What no size mends comes first, with its own line.
+        for text, told in (
+                ("a = noise(size=10)\nout h = noise(size=1500, rotate, octaves=2)",
+                 "line 3, column 9: rotate: turned axes cannot repeat\n"),
+                ("a = noise(size=1500, rotate, octaves=2)\nout h = warp(noise(size=10), a)",
+                 "line 2, column 5: rotate: turned axes cannot repeat\n"),
+                ("out h = gullies(noise(size=10), size=1500, octaves=3, rotate)",
+                 "line 2, column 9: rotate: turned axes cannot repeat\n"),
+                ("out h = noise(size=1500, lacunarity=2.5, octaves=2)",
+                 "line 2, column 9: lacunarity: not a whole number"),
+                ("out h = noise(simplex, size=1500)",
+                 "line 2, column 9: period[1]: simplex noise repeats along x only in 2D; a slice of 3D"),
+                ("out h = noise(size=1500)", "line 2, column 9: the tile is no whole number of cells; "
+                 "the nearest size that fits is told: size=1250\n")):
+            with self.subTest(text=text):
+                with open(self.path("r.recipe"), "w", encoding="utf-8") as file:
+                    file.write("recipe 1\n" + text + "\n")
+                result = run("terrain", "--recipe", "r.recipe", "--tileable", "--size", "1250x1250",
+                             "--heights", "h.r32", cwd=self.directory)
+                self.check_one_line(result, 2, "--period: r.recipe, " + told)
+        result = run("terrain", "--preset", "alps", "--tileable", "--size", "1250x1250", "--heights",
+                     "h.r32", cwd=self.directory)
+        self.check_one_line(result, 2, "--period: alps, line 10, column 11: rotate: ", "turned axes cannot repeat")
 
     def test_sheet(self):
         """A sheet varies parameters."""

@@ -107,6 +107,27 @@ class Tiles(TileCase):
                 self.check_tiles(FILES, tile, overlap=overlap)
         self.check_tiles(FILES[:1], (3, 2), overlap=100, size=(4, 3))
 
+    def test_slivers(self):
+        """A warning tells of tiles that hold no more than the overlap, and of the size that has none."""
+        for size, tile, overlap, told in (
+                ("33x33", "16x16", "1", "33x33 leaves slivers at the right and at the bottom, which are "
+                 "no larger than the --overlap; 32x32 leaves none"),
+                ("33x32", "16x16", "1", "at the right, which are no larger than the --overlap; 32x32"),
+                ("40x33", "16x16", "1", "at the bottom, which are no larger than the --overlap; 40x32"),
+                ("35x20", "16x16", "3", "at the right, which are no larger than the --overlap; 32x20"),
+                ("32x32", "16x16", "1", None), ("35x35", "16x16", "1", None),
+                ("33x33", "16x16", "0", None), ("1x1", "16x16", "1", None)):
+            with self.subTest(size=size, tile=tile, overlap=overlap):
+                words = ("--size", size, "--tile", tile, "--overlap", overlap, "--heights", "h.r32")
+                result = run("terrain", *words, cwd=self.directory)
+                self.assertEqual(result.returncode, 0)
+                if told:
+                    self.assertRegex(result.stderr.decode(), r"\Ascarp: --size: [^\n]*%s[^\n]*\n\Z" % told)
+                else:
+                    self.assertEqual(result.stderr, b"")
+                self.quietly(*words, "--resume")
+                self.clear()
+
     def test_some(self):
         for tiles in ((0, 1, 0, 1), (1, 3, 0, 2), (3, 4, 2, 3), (0, 4, 1, 2)):
             with self.subTest(tiles=tiles):

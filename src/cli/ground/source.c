@@ -250,9 +250,10 @@ static bool is_fault_of_tile(const struct source *source)
 void source_refuse(const struct source *source, const struct scarp_recipe_error *error)
 {
     const char *const option = is_fault_of_tile(source) ? "--period" : source->option;
-    char nearest[2 * NUMBER_SIZE] = "";
+    char size[NUMBER_SIZE], nearest[2 * NUMBER_SIZE] = "";
     if (error->nearest != 0.0) {
-        snprintf(nearest, sizeof nearest, "; nearest: %.17g", error->nearest);
+        number_write_shortest(size, error->nearest, 0);
+        snprintf(nearest, sizeof nearest, ": size=%s", size);
     }
     cli_error("%s: %s, line %d, column %d: %s%s%s%s", option, source->name, (int)error->line,
               (int)error->column, error->member != NULL ? error->member : "",

@@ -182,6 +182,9 @@ static int prepare(struct job *job)
 static int write_files(struct job *job)
 {
     const double start = running_seconds();
+    if (!job->options->running.quiet) {
+        tiling_warn(job->options);
+    }
     const int status = job_run(job);
     if (status == CLI_SUCCESS && !job->options->running.quiet) {
         print_summary(job, running_seconds() - start);

@@ -121,6 +121,27 @@ bool tiling_make(const struct terrain_options *options, struct tiling *tiling)
            refuse_count((double)(tiling->end - tiling->begin));
 }
 
+void tiling_warn(const struct terrain_options *options)
+{
+    const struct option_size *const size = &options->size, *const tile = &options->tile;
+    if (tile->width == 0) {
+        return;
+    }
+    const size_t across = size->width % tile->width, down = size->height % tile->height;
+    const bool is_wide = across > options->overlap || across == size->width || across == 0;
+    const bool is_high = down > options->overlap || down == size->height || down == 0;
+    if (!is_wide || !is_high) {
+        cli_error("--size: %zux%zu leaves slivers at the %s, which are no larger than the "
+                  "--overlap; %zux%zu leaves none",
+                  size->width, size->height,
+                  is_high   ? "right"
+                  : is_wide ? "bottom"
+                            : "right and at the bottom",
+                  is_wide ? size->width : size->width - across,
+                  is_high ? size->height : size->height - down);
+    }
+}
+
 static size_t extent(size_t first, size_t length, size_t size, size_t overlap)
 {
     return (first + length < size ? length : size - first) + overlap;

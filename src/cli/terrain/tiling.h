@@ -40,6 +40,10 @@ struct tile {
 /* False, with a line on stderr, if the options do not go together. */
 bool tiling_make(const struct terrain_options *options, struct tiling *tiling);
 
+/* Warns of tiles at the right and at the bottom that hold no more than the overlap of their
+   neighbours: of a size with the sample that tiles share, which --overlap adds by itself. */
+void tiling_warn(const struct terrain_options *options);
+
 /* Tile number `n` of the range: of [tiling->begin, tiling->end) in this run. */
 struct tile tiling_at(const struct tiling *tiling, size_t n);
 
