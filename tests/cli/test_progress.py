@@ -10,7 +10,7 @@ from common import SMALL, Case, has_threads, run, text_of
 # In the manner of GDAL's programs
 ALL = "0...10...20...30...40...50...60...70...80...90...100"
 SUMMARY = (r"\A%s samples in (?:[1-9]\d*\.\d{3} s|\d+\.\d ms|\d+\.\d us): "
-           r"(?:[1-9]\d{0,2}|[1-9]\d{0,2}\.\d (?:thousand|million|billion)) samples per second "
+           r"(?:[1-9]\d{0,2}|\d{1,2}\.\d*[1-9]|[1-9]\d{0,2}\.\d (?:thousand|million|billion)) samples per second "
            r"\((\S+), (\d+) threads?\)\n\Z")
 HEIGHTS = r"16-bit heights: 0 is \S+, 65535 is \S+\n"
 

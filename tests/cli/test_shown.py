@@ -64,10 +64,9 @@ class Shown(Case):
         words = [re.sub(r"\d+", lambda side: str(int(side.group(0)) // (64 if large else 16)), word)
                  if re.fullmatch(r"\d+x\d+", word) else word for word in words]
         if self.extensions[0] != ".png":
-            end = dict.fromkeys(words, ".pgm")
-            end.update({after: ".ppm" for before, after in zip(words, words[1:])
-                        if before == "--normals"})
-            words = [re.sub(r"\.png$", end[word], word) for word in words]
+            colours = ("--normals", "--relief") if words[1] == "terrain" else ("--output",)
+            words = [re.sub(r"\.png$", ".ppm" if before in colours else ".pgm", word)
+                     for before, word in zip([""] + words, words)]
         return words
 
     def run_shown(self, words):
