@@ -125,6 +125,17 @@ if(CMAKE_C_COMPILER_ID MATCHES "GNU|Clang" AND NOT WIN32 AND NOT APPLE)
   set(no_unwinding -fno-asynchronous-unwind-tables -fno-unwind-tables)
 endif()
 
+# The version of the binary interface, which the SONAME and the symbols of the shared library have, so
+# that two of them in one process do not mix. While the major version is 0, every minor version may
+# change the interface.
+if(PROJECT_VERSION_MAJOR EQUAL 0)
+  set(SCARP_ABI 0.${PROJECT_VERSION_MINOR})
+else()
+  set(SCARP_ABI ${PROJECT_VERSION_MAJOR})
+endif()
+set(SCARP_MAP ${PROJECT_BINARY_DIR}/scarp.map)
+configure_file(cmake/scarp.map.in ${SCARP_MAP} @ONLY)
+
 # What else a build of the library needs; also used for the copies that tests make of it. No compile
 # features: they would be looked up in the consumer's directory, which may not know of C.
 function(scarp_library_rules target)
@@ -153,17 +164,10 @@ function(scarp_library_rules target)
   if(NOT type STREQUAL "SHARED_LIBRARY")
     return()
   endif()
-  # While the major version is 0, every minor version may change the interface.
-  if(PROJECT_VERSION_MAJOR EQUAL 0)
-    set(abi 0.${PROJECT_VERSION_MINOR})
-  else()
-    set(abi ${PROJECT_VERSION_MAJOR})
-  endif()
-  set_target_properties(${target} PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${abi})
+  set_target_properties(${target} PROPERTIES VERSION ${PROJECT_VERSION} SOVERSION ${SCARP_ABI})
   target_compile_definitions(${target} PRIVATE SCARP_BUILDING_SHARED INTERFACE SCARP_SHARED)
   if(UNIX AND NOT APPLE)
-    set(map ${PROJECT_SOURCE_DIR}/cmake/scarp.map)
-    target_link_options(${target} PRIVATE -Wl,--version-script=${map})
-    set_property(TARGET ${target} APPEND PROPERTY LINK_DEPENDS ${map})
+    target_link_options(${target} PRIVATE -Wl,--version-script=${SCARP_MAP})
+    set_property(TARGET ${target} APPEND PROPERTY LINK_DEPENDS ${SCARP_MAP})
   endif()
 endfunction()

@@ -99,11 +99,14 @@
 #define SCARP_VERSION_MINOR 2
 #define SCARP_VERSION_PATCH 0
 
+/* A shared library exports the calls: it is compiled with SCARP_BUILDING_SHARED, and a program that
+   uses it may define SCARP_SHARED. A static copy exports nothing if it is compiled with
+   -fvisibility=hidden, so every module of a process can have a copy of its own. */
 #if defined(_WIN32) && defined(SCARP_BUILDING_SHARED)
 #define SCARP_API __declspec(dllexport)
 #elif defined(_WIN32) && defined(SCARP_SHARED)
 #define SCARP_API __declspec(dllimport)
-#elif defined(__GNUC__)
+#elif defined(__GNUC__) && (defined(SCARP_BUILDING_SHARED) || defined(SCARP_SHARED))
 #define SCARP_API __attribute__((visibility("default")))
 #else
 #define SCARP_API

@@ -43,7 +43,15 @@
 
 #include "scarp.h"
 
+/* A minor version has functions of its own, though programs write scarp:: for all. Where two meet
+   in one process, neither calls the other's. */
+#if SCARP_VERSION_MAJOR != 0 || SCARP_VERSION_MINOR != 2
+#error "the namespace in scarp.hpp has another version than scarp.h"
+#endif
+
 namespace scarp
+{
+inline namespace v0_2
 {
 
 /* How a call ended. The texts are static. */
@@ -519,6 +527,7 @@ class recipe
     std::size_t size_ = 0;
 };
 
+} // namespace v0_2
 } // namespace scarp
 
 #endif

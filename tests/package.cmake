@@ -44,6 +44,8 @@ library='$<TARGET_FILE:scarp>'
 library_name='$<TARGET_FILE_NAME:scarp>'
 library_type='$<TARGET_PROPERTY:scarp,TYPE>'
 objects='${package_dir}/objects-$<CONFIG>.txt'
+abi='${SCARP_ABI}'
+map='${SCARP_MAP}'
 unfused_objects='${package_dir}/unfused-$<CONFIG>.txt'
 ")
 file(GENERATE OUTPUT ${package_dir}/objects-$<CONFIG>.txt
@@ -95,6 +97,7 @@ scarp_add_package_test(symbols NEEDS nm objdump)
 scarp_add_package_test(audit NEEDS objdump)
 scarp_add_package_test(unfused NEEDS objdump)
 scarp_add_package_test(direct)
+scarp_add_package_test(versions)
 
 # The library is compiled once for both.
 scarp_add_package_test(add_subdirectory SETUP package_subproject)

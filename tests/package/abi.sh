@@ -12,17 +12,12 @@
 [ "$c_compiler_id" = GNU ] || skip "abi.xml is of gcc; other compilers describe types differently"
 ! sanitized || skip "sanitizers add to what is described"
 
-# While the major version is 0, every minor version may change the interface.
-case $version in
-0.*) soname=libscarp.so.${version%.*} ;;
-*) soname=libscarp.so.${version%%.*} ;;
-esac
 fresh abi
 here=$PWD
 cd "$dir"
 "$c_compiler" -std=c11 -g -O0 -fPIC -fvisibility=hidden -DSCARP_BUILDING_SHARED \
     -ffile-prefix-map="$source_dir/=" \
-    -I"$source_dir/include" -shared -Wl,-soname,"$soname" -Wl,--version-script="$source_dir/cmake/scarp.map" \
+    -I"$source_dir/include" -shared "-Wl,-soname,libscarp.so.$abi" "-Wl,--version-script=$map" \
     "$source_dir"/src/calls/*.c "$source_dir"/src/plan/*.c "$source_dir"/src/dispatch/*.c \
     "$source_dir"/src/recipe/*.c -o libscarp.so
 options='--exported-interfaces-only --drop-private-types --no-corpus-path --no-comp-dir-path'

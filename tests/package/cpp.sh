@@ -31,6 +31,9 @@ for test in calls recipes; do
     strict "$cxx_compiler" $c_flags "../cpp/test_$test.cpp" "$library" $link_flags \
         "-Wl,-rpath,$(dirname "$library")" -lm -o "$dir/$test"
     run "$dir/$test" || fail "$test"
+    if [ -n "$nm" ] && "$nm" "$dir/$test" | grep -E '[^0-9]5scarp' | grep -v '5scarp[0-9]*v[0-9]'; then
+        fail "functions of scarp.hpp without its version"
+    fi
     for other in g++ clang++ clang++-19; do
         [ "$other" != "$(basename "$cxx_compiler")" ] || continue
         if [ "$cross" = 0 ] && has_spans "$other"; then

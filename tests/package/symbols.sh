@@ -18,13 +18,16 @@ same()
 tr '\n' ' ' <"$source_dir/include/scarp.h" | sed 's/SCARP_API/\n&/g' |
     sed -n 's/^SCARP_API [^(]*[ *]\(scarp_[a-z0-9_]*\)(.*/\1/p' | same "what scarp.h declares"
 if [ "$library_type" = SHARED_LIBRARY ]; then
-    "$nm" -D --defined-only "$library" | awk '{ print $3 }' | same "what the library exports"
-    # Every minor version may change the interface while the major version is 0.
-    case $version in
-    0.*) soname=libscarp.so.${version%.*} ;;
-    *) soname=libscarp.so.${version%%.*} ;;
-    esac
-    "$objdump" -p "$library" | grep -E "^ *SONAME +$soname\$" || fail "the SONAME is not $soname"
+    # Calls that are added from 1.0 on have nodes of their own: SCARP_1.n.
+    "$nm" -D --defined-only "$library" | awk -v node="SCARP_$abi" '
+        $2 == "A" { next } # the nodes
+        {
+            at = index($3, "@@" node)
+            after = substr($3, at + length(node) + 2)
+            print at && (after == "" || after ~ /^[.]/) ? substr($3, 1, at - 1) : $3
+        }' | same "what the library exports in a node SCARP_$abi"
+    "$objdump" -p "$library" | grep -E "^ *SONAME +libscarp.so.$abi\$" ||
+        fail "the SONAME is not libscarp.so.$abi"
 fi
 
 # Names that compilers and sanitizers add: positions, stack protection, atomics, instrumentation, and
