@@ -22,7 +22,7 @@ if(MINGW AND CMAKE_C_COMPILER_ID STREQUAL "GNU" AND CMAKE_SIZEOF_VOID_P EQUAL 8)
                  "them (GCC bug 54412); clang builds them")
 endif()
 
-set(warnings -Wall -Wextra -Wshadow -Wundef -Wvla -Wconversion -Wstrict-prototypes
+set(warnings -Wall -Wextra -Wpedantic -Wshadow -Wundef -Wvla -Wconversion -Wstrict-prototypes
              -Wmissing-prototypes)
 
 if(CMAKE_C_COMPILER_FRONTEND_VARIANT STREQUAL "MSVC")

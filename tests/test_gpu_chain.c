@@ -227,7 +227,7 @@ static void compare_flow(const struct scarp_noise *noise, const float x[3])
                                    .vzz = &j[8]};
     struct arrays of[3];
     struct scarp_samples samples[3];
-    struct plan plan;
+    static struct plan plan; /* scarp_plan keeps pointing to it */
     make_plan(&plan, noise, 3);
     CHECK(scarp_curl3(noise, 1, &x[0], &x[1], &x[2], &out) == SCARP_OK, "curl");
     const struct flow f = curl3(0, x[0], x[1], x[2]);
@@ -254,7 +254,7 @@ static void compare_flow2(const struct scarp_noise *noise, const float x[3])
     const struct scarp_flow out = {
         .vx = &v[0], .vy = &v[1], .vxx = &j[0], .vxy = &j[1], .vyx = &j[2], .vyy = &j[3]};
     struct scarp_gpu_plan gpu;
-    struct plan plan;
+    static struct plan plan; /* scarp_plan keeps pointing to it */
     CHECK(scarp_gpu_plan_make(noise, 2, &gpu, NULL) == SCARP_OK &&
               scarp_curl2(noise, 1, &x[0], &x[1], &out) == SCARP_OK,
           "curl2");
@@ -284,7 +284,7 @@ static void compare_cells(const struct scarp_noise *noise, const float x[3], int
                                     .dy2 = &d[4],
                                     .dz2 = is_space ? &d[5] : NULL};
     struct scarp_gpu_plan gpu;
-    struct plan plan;
+    static struct plan plan; /* scarp_plan keeps pointing to it */
     struct scarp_noise cellular = *noise;
     cellular.basis = SCARP_CELL_F1;
     cellular.warp = NULL;

@@ -105,7 +105,7 @@ static void compare(const struct scarp_noise *noise, int dimensions, uint64_t *r
                     const char *variant)
 {
     struct scarp_gpu_plan gpu;
-    struct plan plan;
+    static struct plan plan; /* scarp_plan keeps pointing to it */
     const char *member = NULL;
     float x[3][POINTS], of[10][POINTS];
     const int last = has_hessian(noise) ? 10 : 4;
@@ -171,7 +171,7 @@ static void compare_answers(void)
     for (int dimensions = 2; dimensions <= 3; dimensions++) {
         for (int order = 0; order <= 2; order++) {
             struct scarp_gpu_plan gpu;
-            struct plan plan;
+            static struct plan plan; /* scarp_plan keeps pointing to it */
             CHECK(scarp_gpu_plan_make(&noise, dimensions, &gpu, NULL) == SCARP_OK &&
                       scarp_gpu_answers(&noise, dimensions, order, answers) == SCARP_OK,
                   "answered");

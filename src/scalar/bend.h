@@ -88,6 +88,12 @@ static void swiss(struct bend *bend, const struct bend_octave *b, const struct o
     }
 }
 
+/* Half of the derivative of S.S by coordinate j */
+static float steepness_by(const struct bend *bend, int j, int dimensions)
+{
+    return column_dot(bend->jacobian, j, bend->s, dimensions);
+}
+
 /* Jordan noise adds a q n^2 with q = 1 - erosion / (1 + S.S), but 1 in octave 0; S gains n g / f.
  */
 static void jordan(struct bend *bend, const struct bend_octave *b, float erosion,
@@ -101,8 +107,7 @@ static void jordan(struct bend *bend, const struct bend_octave *b, float erosion
     for (int j = 0; j < dimensions; j++) {
         by[j] = bent_first(bend, b->reach, j, &n->of[DX], dimensions);
         bend->sum.of[DX + j] +=
-            b->weight * (damping * column_dot(bend->jacobian, j, bend->s, dimensions) +
-                         2.0f * q * (value * by[j]));
+            b->weight * (damping * steepness_by(bend, j, dimensions) + 2.0f * q * (value * by[j]));
     }
     bend->sum.of[VALUE] += b->weight * (q * square);
     add_slope(bend, b, n, value, by, dimensions);

@@ -70,7 +70,7 @@ static void test_lookup_four(void)
     }
 }
 
-static void check_sixteen(const float found[2][4 * LANES_MAX], const uint32_t *entry,
+static void check_sixteen(float found[2][4 * LANES_MAX], const uint32_t *entry,
                           const uint32_t *index, int shift)
 {
     for (int i = 0; i < 4 * lanes; i++) {

@@ -62,7 +62,7 @@ const struct option_table recipe_table = {
     .operand = "NAME|FILE",
     .purpose = "Prints a recipe of the program, or of a file (- is standard input), checks it, and "
                "tells\nits parameters and outputs, what a sample costs, and which values occur.",
-    .notes =
+    .notes[0] =
         "errors     All errors of the text are told on stderr, as FILE:LINE:COLUMN: what is\n"
         "           wrong. The exit status is then 2.\n"
         "outputs    Each has an interval that values never leave, and the lowest, the middle and\n"

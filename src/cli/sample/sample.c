@@ -113,7 +113,7 @@ static const struct option_group groups[] = {
 const struct option_table sample_table = {
     .command = "sample",
     .purpose = "Reads points and writes the noise at each of them, one row per point.",
-    .notes =
+    .notes[0] =
         "A row holds what was asked for, in this order:\n"
         "  in 2D  value dx dy dxx dxy dyy dphase\n"
         "  in 3D  value dx dy dz dxx dxy dxz dyy dyz dzz dphase\n"

@@ -83,8 +83,12 @@ static void print_help(const struct option_table *table)
         }
     }
     print_option("--help", NULL, "print this");
-    if (table->notes != NULL) {
-        printf("\n%s\n", table->notes);
+    const size_t most = sizeof table->notes / sizeof table->notes[0];
+    for (size_t i = 0; i < most && table->notes[i] != NULL; i++) {
+        printf("%s%s", i == 0 ? "\n" : "", table->notes[i]);
+    }
+    if (table->notes[0] != NULL) {
+        printf("\n");
     }
 }
 

@@ -98,9 +98,10 @@ struct option_removed {
 
 struct option_table {
     const char *command;
-    const char *operand; /* what stands before the options; NULL: nothing */
-    const char *purpose; /* the help: before the options */
-    const char *notes;   /* the help: after the options */
+    const char *operand;  /* what stands before the options; NULL: nothing */
+    const char *purpose;  /* the help: before the options */
+    const char *notes[3]; /* the help: after the options. C compilers need not take more than 4,095
+                             characters in one text. NULL: nothing */
     const struct option_group *groups;
     size_t count;
     const char *const *standard;          /* defaults in place of those of the rows; NULL: none */

@@ -48,7 +48,7 @@ static const struct option_group groups[] = {
 const struct option_table sheet_table = {
     .command = "sheet",
     .purpose = "Draws many small maps of a terrain, cells, which differ in one or two parameters.",
-    .notes =
+    .notes[0] =
         "NAME       A parameter of the recipe, or any option from --origin to --plateau, without\n"
         "           its dashes: seed, gain, preset, palette, step.\n"
         "VALUES     1..4 are 1, 2, 3 and 4. 0.3..0.6/7 are 7 values, equally far from each other\n"

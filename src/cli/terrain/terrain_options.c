@@ -160,7 +160,7 @@ const struct option_table terrain_table = {
     .purpose =
         "Samples a terrain, which is a recipe or one noise, on a grid, and writes its heights,\n"
         "normals, hillshade, relief in colours and exact slopes to files.",
-    .notes =
+    .notes[0] =
         "FILE       The extension tells the format. So does a word before the name: r32:FILE.\n"
         "           FILE - is standard output, as in pgm:-. A file gets its name when it is\n"
         "           complete and on the disk. Until then it lies in the same directory, under a\n"
@@ -197,7 +197,8 @@ const struct option_table terrain_table = {
         "normals    n = (-dx, -dy, 1) / length, where dx and dy are the slopes of the heights.\n"
         "           Red is east, green north, blue up. Bytes are floor(127.5 n + 128).\n"
         "hillshade  round(255 n.light), or 0 where that is negative. The slopes in n are\n"
-        "           multiplied by the z-factor.\n"
+        "           multiplied by the z-factor.\n",
+    .notes[1] =
         "relief     Each height becomes a number: 0 where 2 % of all places are lower, 0.4 where\n"
         "           half of them are lower, 1 where 2 % are higher, and linear between. With a\n"
         "           sea, only places on land count, and 0 is the sea. The places are 4096, in a\n"
@@ -235,7 +236,8 @@ const struct option_table terrain_table = {
         "           The five are 255 together at each sample. Ground that is none of the others\n"
         "           counts as vegetation; with the palette desert as sand, with arctic as snow.\n"
         "compare    The left half shows the normals. The right half shows normals of the same\n"
-        "           places from central differences of the 16-bit heights, two steps apart.\n"
+        "           places from central differences of the 16-bit heights, two steps apart.\n",
+    .notes[2] =
         "tiles      They hold the samples that one file would hold. Tiles at the right and at\n"
         "           the bottom are smaller if the size is no multiple of the tile. The overlap\n"
         "           reaches beyond the raster. A run writes at most 10,000,000.\n"

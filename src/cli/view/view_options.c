@@ -126,7 +126,7 @@ const struct option_table view_table = {
     .purpose =
         "Shows a terrain from a camera, and writes the picture to a file. The options of the\n"
         "terrain are those of scarp terrain.",
-    .notes =
+    .notes[0] =
         "FILE       The extension tells the format. So does a word before the name: ppm:FILE.\n"
         "           FILE - is standard output, as in ppm:-. .png is there with zlib only.\n"
         "units      One unit of x and y is taken for a metre: so large are trees, and so wide is\n"
