@@ -11,7 +11,7 @@ block()
   endif()
   set(program ${CMAKE_CROSSCOMPILING_EMULATOR} $<TARGET_FILE:scarp-cli>)
   foreach(test values:Help values:Formats values:Values values:Recipes values:Numbers values:Options lines:Lines
-               lines:Malformed lines:Columns columns:Header columns:Chosen columns:Readme npy:Npy
+               lines:Delimiters lines:Malformed lines:Columns columns:Header columns:Chosen columns:Readme npy:Npy
                npy:Description npy:NotFinite streams:Streams streams:Files)
     string(REPLACE ":" ";" test ${test})
     list(GET test 0 file)

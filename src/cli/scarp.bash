@@ -40,6 +40,7 @@ _scarp()
             ;;
         --layer) words="relief hillshade" ;;
         --dims) words="2 3" ;;
+        --delimiter) words="comma semicolon tab space" ;;
         --shader) words="glsl hlsl wgsl" ;;
         --input-format | --output-format) words="csv text npy" ;;
         --recipe | --heights | --normals | --hillshade | --relief | --gradient | --input | --output | --uniforms | --answers)

@@ -147,7 +147,8 @@ static void write_again(const struct told *told)
     file.size = (size_t)(end - text);
     file.zeros = 0;
     file.fails = false;
-    read_file((struct points){.format = POINTS_TEXT}, file.size, &again);
+    read_file((struct points){.format = POINTS_TEXT, .delimiter = DELIMITER_UNKNOWN}, file.size,
+              &again);
     MUST(again.status == CLI_SUCCESS && again.count == count && again.dims == told->dims,
          "%zu points of %zu are read again", again.count, count);
     MUST(memcmp(again.position, told->position, count * sizeof again.position[0]) == 0,
@@ -174,11 +175,17 @@ int LLVMFuzzerTestOneInput(const uint8_t *input, size_t size)
     const unsigned how = (unsigned)draw_bits(&bytes, 1), more = (unsigned)draw_bits(&bytes, 1);
     const size_t piece = 1 + (size_t)draw_bits(&bytes, 1);
     struct points points = {.format = (int)(how % 4),
+                            .delimiter = DELIMITER_UNKNOWN,
                             .dims = (how >> 2) % 4 == 1 ? 0 : (int)((how >> 2) % 4),
                             .skip_bad = (how & 16) != 0,
                             .keep = (how & 32) != 0,
                             .plain = (how & 64) != 0};
     char *columns = NULL;
+    if (points.format == POINTS_CSV ||
+        points.format == POINTS_UNKNOWN) { /* from 16 on: one of them */
+        points.delimiter =
+            (more >> 4) % 8 == 0 ? DELIMITER_UNKNOWN : (int)((more >> 4) % 8 - 1) % 3;
+    }
     if ((how & 128) == 0 || read_columns(&bytes, &points, &columns)) {
         file.bytes = bytes.at;
         file.size = bytes.left;

@@ -86,6 +86,11 @@ def reference(points, names, **noise):
     return [list(row) for row in zip(*(arrays[name] for name in names))]
 
 
+# NumPy's types and those of struct
+TYPES = {"f2": "e", "f4": "f", "f8": "d", "i1": "b", "i2": "h", "i4": "i", "i8": "q", "u1": "B",
+         "u2": "H", "u4": "I", "u8": "Q"}
+
+
 def npy(rows, descr="<f8", version=(1, 0), columns=None, **header):
     """The bytes of a .npy file."""
     columns = columns if columns is not None else len(rows[0])
@@ -94,7 +99,9 @@ def npy(rows, descr="<f8", version=(1, 0), columns=None, **header):
     text = repr(fields).encode()
     size = 2 if version[0] == 1 else 4
     text += b" " * (-(len(text) + 9 + size) % 64) + b"\n"
-    order, kind = descr[0], {"f4": "f", "f8": "d"}.get(descr[1:], "d")
+    order, kind = descr[0].replace("|", "<"), TYPES.get(descr[1:], "d")
+    if fields["fortran_order"]:
+        rows = zip(*rows)
     flat = [number for row in rows for number in row]
     return (b"\x93NUMPY" + bytes(version) + struct.pack("<H" if size == 2 else "<I", len(text)) +
             text + struct.pack("%s%d%s" % (order, len(flat), kind), *flat))

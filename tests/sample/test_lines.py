@@ -82,6 +82,106 @@ class Lines(Case):
                          self.sample(npy(points), "--output-format", "text"))
 
 
+class Delimiters(Case):
+    """What separates columns, and what marks decimals: found where it is plain, and told where not."""
+
+    def setUp(self):
+        super().setUp()
+        self.expected = self.text("1.5 2.25\n-3.5 4.75\n")
+
+    def check(self, data, *arguments, header="", commas=False):
+        with self.subTest(data=data):
+            expected = self.expected.replace(".", ",") if commas else self.expected
+            self.assertEqual(self.text(data, *arguments), header + expected)
+
+    def test_found(self):
+        self.check("1.5;2.25\n-3.5;4.75\n")
+        self.check("1.5\t2.25\n-3.5\t4.75\n")
+        self.check("1,5;2,25\n-3,5;4,75\n", commas=True)
+        self.check("1,5\t2,25\n-3,5\t4,75\n", commas=True)
+        self.check("1,5 2,25\n-3,5  4,75\n", commas=True)
+        self.check(" 1,5 ; 2,25 \r\n\t-3,5\t;\t4,75\r\n", commas=True)
+        self.check('"1,5";"2,25"\n"-3,5";"4,75"\n', commas=True)
+        self.check("1,5e0;22,5E-1\n-3,5;+4,75\n", commas=True)
+
+    def test_header(self):
+        for d in ";\t":
+            self.check("x;y\n1.5;2.25\n-3.5;4.75\n".replace(";", d), header="value\n")
+            self.check("x;y\n1,5;2,25\n-3,5;4,75\n".replace(";", d), header="value\n", commas=True)
+            self.check("a name;Y;x\n;2,25;1,5\n;4,75;-3,5\n".replace(";", d), header="value\n",
+                       commas=True)
+            self.check("lon, deg;lat, deg\n1,5;2,25\n-3,5;4,75\n".replace(";", d), "--columns",
+                       '"lon, deg","lat, deg"', header="value\n", commas=True)
+            self.check('n;"a;b";"c\td"\n0;1.5;2.25\n0;-3.5;4.75\n'.replace(";", d), "--columns",
+                       "2,3", header="value\n") if d == ";" else None
+            self.check_refused("lon;lat\n1;2\n".replace(";", d),
+                               "--columns: standard input has no columns x and y; choose from 'lon', 'lat'")
+
+    def test_commas_stay(self):
+        """What else stands in the row of CSV"""
+        self.check("1.5,2.25,a;b\n-3.5,4.75,c;d\n", "--dims", "2")
+        self.check("1.5,2.25,a\tb\n-3.5,4.75,c\td\n", "--dims", "2")
+        self.check('x,y,"a;b"\n1.5,2.25,0\n-3.5,4.75,0\n', header="value\n")
+        self.check("x,y,a;b\n1.5,2.25,0\n-3.5,4.75,0\n", header="value\n")
+        self.check("a;b,1.5,2.25\nc;d,-3.5,4.75\n", "--columns", "2,3")
+
+    def test_given(self):
+        for word, d in (("semicolon", ";"), (";", ";"), ("tab", "\t"), ("\t", "\t"), ("\\t", "\t"),
+                        ("space", " "), (" ", " ")):
+            self.check("1,5;2,25\n-3,5;4,75\n".replace(";", d), "--delimiter", word, commas=True)
+        self.check("1.5,2.25\n-3.5,4.75\n", "--delimiter", "comma")
+        self.check("1.5,2.25\n-3.5,4.75\n", "--delimiter", ",", "--input-format", "csv")
+        self.check("1.5  2.25\n-3.5\t4.75\n", "--delimiter", "space", "--input-format", "text")
+        self.check("1,5\t2,25\t\n-3,5\t4,75\t\n", "--delimiter", "tab", "--dims", "2", commas=True)
+        self.check_refused("1,5;2,25\n", ":1: column 2: '5;2' is not", arguments=("--delimiter", "comma"))
+        self.check_refused("1.5\t\t2.25\n", ":1: column 2 is empty", arguments=(
+            "--delimiter", "tab", "--dims", "2"))
+        self.check_refused("1 2\n", ":1: 1 column, but", "(see --delimiter)", arguments=("--delimiter", "tab"))
+        for words in (("comma", "--input-format", "text"), ("space", "--input-format", "csv"),
+                      ("tab", "--input-format", "npy"), ("x",), ("",), ("commas",), (";;",)):
+            self.check_refused("1 2\n", "--delimiter: ", arguments=("--delimiter", *words))
+        self.check_refused(npy([(1, 2)]), "--delimiter: is for text, and standard input is .npy",
+                           arguments=("--delimiter", "tab"))
+
+    def test_not_plain(self):
+        """The message has the row and what was found in it."""
+        for row in ("a,b;c", "x,y;z", "1;a,b", "1,a;2", "a;1,5"):
+            self.check_refused("# a comment\n" + row + "\n", "--delimiter: standard input:2 has commas and "
+                               "semicolons: '%s'" % row)
+        self.check_refused("1,5;2,5\n1;2\n1.5;2,5\n", "standard input:3: column 1: '1.5' has a decimal "
+                           "point, and numbers before a comma",
+                           output=self.sample("1,5;2,5\n1;2\n"))
+        self.check_refused("1;2\n1.5;2,5\n", "standard input:2: column 2: '2,5' has a decimal comma, "
+                           "and numbers before a point", output=self.sample("1;2\n"))
+        self.check_refused("1;2\n1.234,5;2\n", ":2: column 1: '1.234,5' is not a finite number",
+                           output=self.sample("1;2\n"))
+        self.check_refused("1|2\n", "1 column, but a point has 2 or 3 (see --delimiter): '1|2'")
+        for encoding in ("utf-16-le", "utf-16-be"):
+            self.check_refused("\ufeffx;y\n1;2\n".encode(encoding), "standard input: is UTF-16")
+        self.check_refused(npy([(1, 2)])[1:], "standard input:1: ")
+        skipped = self.sample("1,5;2,5\n1.5;2.5\n-3,5;4\n", "--skip-bad",
+                              error=b"scarp: --skip-bad: 1 malformed line of standard input was left out\n")
+        self.assertEqual(skipped, self.sample("1,5;2,5\n-3,5;4\n"))
+
+    def test_results(self):
+        """They have the delimiter and the mark of the points; text has blanks."""
+        value = self.text("1.5 2.25").strip()
+        comma = value.replace(".", ",")
+        for data, words, out in (
+                ("x;y\n1,5;2,25\n", (), "x;y;value\n1,5;2,25;%s\n" % comma),
+                ("x;y\n1.5;2.25\n", (), "x;y;value\n1.5;2.25;%s\n" % value),
+                ("x\ty\n1,5\t2,25\n", (), "x\ty\tvalue\n1,5\t2,25\t%s\n" % comma),
+                ("1,5 2,25\n", (), "1,5 2,25 %s\n" % comma),
+                ("1,5 2,25\n", ("--output-format", "csv"), "x;y;value\n1,5;2,25;%s\n" % comma),
+                ("1.5 2.25\n", ("--output-format", "csv"), "x,y,value\n1.5,2.25,%s\n" % value),
+                ("x;y\n1,5;2,25\n", ("--output-format", "text"), "1,5 2,25 %s\n" % comma),
+                ("x;y\n1.5;2.25\n", ("--output-format", "text"), "1.5 2.25 %s\n" % value)):
+            self.assertEqual(self.text(data, "--keep", *words), out)
+            self.assertEqual(self.text(out, "--dims", "2"), self.text(data, *words))  # and are read again
+        self.sample("1,5;2,25\n", "--output", self.path("o.npy"))
+        self.assertEqual(["%.9g" % n for n in read_npy(self.read("o.npy"))[2][0]], [value])
+
+
 class Malformed(Case):
     """Lines that are no points."""
 

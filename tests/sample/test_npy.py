@@ -32,6 +32,44 @@ class Npy(Case):
                        npy(self.points)[128:])
         self.check(npy(self.points) + b"more")  # as NumPy: another array may follow
 
+    def test_types(self):
+        """Floats and integers of all widths, in both orders"""
+        for kind, points in (
+                ("f2", [(1.5, -2.25), (65504.0, 2 ** -24), (-0.0009765625, 1023 * 2 ** -24)]),
+                ("i1", [(-128, 127), (0, -1)]), ("u1", [(255, 128), (0, 1)]),
+                ("i2", [(-32768, 32767), (256, -1)]), ("u2", [(65535, 32768), (256, 1)]),
+                ("i4", [(-2 ** 31, 2 ** 31 - 1), (65536, -1)]), ("u4", [(2 ** 32 - 1, 2 ** 31), (65536, 1)]),
+                ("i8", [(-2 ** 63, 2 ** 53), (2 ** 32, -1), (-2 ** 53 - 2, 3)]),
+                ("u8", [(2 ** 63, 2 ** 64 - 2048), (2 ** 32, 1)])):
+            expected = self.text("".join("%.17g %.17g %.17g\n" % (x, y, x) for x, y in points))
+            three = [(x, y, x) for x, y in points]
+            for order in "<>|" if kind.endswith("1") else "<>":
+                for fortran in (False, True):
+                    with self.subTest(kind=kind, order=order, fortran=fortran):
+                        data = npy(three, order + kind, fortran_order=fortran)
+                        self.assertEqual(self.text(data, "--output-format", "text"), expected)
+        for bits in (0x7c00, 0xfc00, 0x7e00):
+            self.check_refused(npy([(1, 2)], "<f2")[:128] + struct.pack("<2H", 0x3c00, bits),
+                               "point 1 of 1: column 2: ", "is not a finite number",
+                               arguments=("--output", self.path("o")))
+
+    def test_fortran(self):
+        """One column after the other, as np.array([x, y]).T is saved"""
+        for dims, descr, count in ((2, "<f8", 3 * BLOCK + 1), (3, ">f4", 40001), (3, "<f8", 100000)):
+            points = [tuple(float32(c) for c in point) for point in some_points(dims, count)]
+            self.assertEqual(self.sample(npy(points, descr, fortran_order=True)),
+                             self.sample(npy(points, descr)))
+        four = [(9.0, *point, math.nan) for point in self.points]
+        for words in (("--columns", "2,3"), ("--columns", "3,2")):
+            self.assertEqual(self.sample(npy(four, fortran_order=True), *words),
+                             self.sample(npy(four), *words))
+        self.assertEqual(self.sample(npy(self.points, fortran_order=True), "--keep"),
+                         self.sample(npy(self.points), "--keep"))
+        data = npy([(1.0, 2.0), (math.nan, 1.0), (3.0, 4.0)], fortran_order=True)
+        self.check_refused(data, "point 2 of 3: column 1: 'nan'", arguments=("--output-format", "text"),
+                           output=self.sample("1 2"))
+        self.check(npy(self.points, fortran_order=True) + b"more")
+
     def test_written(self):
         self.sample(make_input("text", self.points), "--output", self.path("o.npy"))
         data = self.read("o.npy")
@@ -64,13 +102,22 @@ class Npy(Case):
     def test_refused(self):
         good = npy(self.points)
         for data, words in (
-                (npy(self.points, fortran_order=True), ("Fortran",)),
-                (npy(self.points, "<i8"), ("type '<i8'",)),
+                (npy(self.points, "|f8"), ("type '|f8'",)),
+                (npy(self.points, "<f1"), ("type '<f1'",)),
+                (npy(self.points, "<i3"), ("type '<i3'",)),
+                (npy(self.points, "|b1"), ("type '|b1'", "f2, f4, f8, i1 to i8")),
+                (npy(self.points, "<f16"), ("type '<f16'",)),
                 (npy(self.points, "<c8"), ("type '<c8'",)),
                 (npy(self.points, shape=(6,)), ("1 dimensions", "(n, 2) or (n, 3)")),
                 (npy(self.points, shape=()), ("0 dimensions",)),
                 (npy(self.points, shape=(1, 3, 2)), ("3 dimensions",)),
                 (npy(self.points, shape=(6, 1)), ("(6, 1)", "--columns")),
+                (npy(self.points, shape=(3, 9)), ("(3, 9)", "; NumPy's .T turns it")),
+                (npy(self.points, fortran_order=True)[:-1], ("ends after 2 of 3 points",)),
+                (npy(self.points, fortran_order=True)[:-17], ("ends after 0 of 3 points",)),
+                (npy(self.points, fortran_order=True)[:140], ("ends after 0 of 3 points",)),
+                (npy(self.points, fortran_order=True, shape=(10 ** 18, 2)),
+                 ("ends after 0 of 1000000000000000000 points",)),
                 (npy(self.points, shape=(1, 6)), ("(1, 6)", "--columns")),
                 (npy(self.points, shape=(-3, 2)), ("header",)),
                 (npy(self.points, shape=(10 ** 30, 2)), ("header",)),

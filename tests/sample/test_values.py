@@ -18,7 +18,7 @@ from common import (run, float32, reference, npy, read_npy, make_input, read_out
 
 
 class Help(Case):
-    OPTIONS = ("input input-format columns dims skip-bad keep output output-format gradient "
+    OPTIONS = ("input input-format delimiter columns dims skip-bad keep output output-format gradient "
                "hessian dphase preset recipe set scale print-recipe seed basis jitter fade fractal erosion sharpness frequency "
                "octaves of-octaves lacunarity gain "
                "phase rotate amplitude period isa quiet help").split()
@@ -301,7 +301,7 @@ class Numbers(Case):
 
     def test_malformed(self):
         for word in ("nan", "NaN", "-nan", "inf", "-inf", "Infinity", "1e999", "-1e999", "0x10",
-                     "0x1p3", "1e", "1e+", "1.2.3", "--1", "+-1", "1,5", ".", "-", "1d5", "1_0",
+                     "0x1p3", "1e", "1e+", "1.2.3", "--1", "+-1", "1,5,5", ",5", "1,", "1.5,5", "1,5.5", ".", "-", "1d5", "1_0",
                      "one", "1;2", "'1'"):
             self.check_refused("1 2\n3 %s\n" % word, "standard input:2: column 2: '%s'" % word,
                                output=self.sample("1 2"), arguments=("--input-format", "text"))

@@ -5,6 +5,7 @@
  */
 #include "formats/npy.h"
 
+#include <math.h>
 #include <stdint.h>
 #include <string.h>
 
@@ -250,18 +251,47 @@ void npy_put_double(unsigned char *to, double value)
     put(to, bits, 8);
 }
 
-float npy_get_float(const unsigned char *from, bool big_endian)
+bool npy_read_type(const char *descr, struct npy_type *type)
 {
-    const uint32_t bits = (uint32_t)get(from, 4, big_endian);
-    float value;
-    memcpy(&value, &bits, sizeof value);
-    return value;
+    if (strlen(descr) != 3 || strchr("<>|", descr[0]) == NULL || strchr("fiu", descr[1]) == NULL) {
+        return false;
+    }
+    *type =
+        (struct npy_type){.kind = descr[1], .size = descr[2] - '0', .big_endian = descr[0] == '>'};
+    const bool has_order = descr[0] != '|' || type->size == 1; /* one byte needs none */
+    return has_order && (type->size == 2 || type->size == 4 || type->size == 8 ||
+                         (type->size == 1 && type->kind != 'f'));
 }
 
-double npy_get_double(const unsigned char *from, bool big_endian)
+/* IEEE 754's binary16 */
+static double half(uint64_t bits)
 {
-    const uint64_t bits = get(from, 8, big_endian);
+    const int exponent = (int)(bits >> 10 & 31), fraction = (int)(bits & 1023);
+    const double magnitude = exponent == 31  ? (fraction != 0 ? NAN : INFINITY)
+                             : exponent == 0 ? ldexp(fraction, -24)
+                                             : ldexp(fraction + 1024, exponent - 25);
+    return (bits >> 15 & 1) != 0 ? -magnitude : magnitude;
+}
+
+static double float_of(uint64_t bits, int size)
+{
+    const uint32_t bits32 = (uint32_t)bits;
+    float single;
     double value;
+    memcpy(&single, &bits32, sizeof single);
     memcpy(&value, &bits, sizeof value);
-    return value;
+    return size == 2 ? half(bits) : size == 4 ? (double)single : value;
+}
+
+double npy_get(const unsigned char *from, struct npy_type type)
+{
+    const uint64_t bits = get(from, type.size, type.big_endian);
+    const uint64_t sign = (uint64_t)1 << (8 * type.size - 1);
+    if (type.kind == 'f') {
+        return float_of(bits, type.size);
+    }
+    if (type.kind == 'u' || (bits & sign) == 0) {
+        return (double)bits;
+    }
+    return -(double)(sign - (bits - sign)); /* two's complement */
 }

@@ -40,8 +40,18 @@ bool npy_write_header(FILE *stream, const char *descr, const size_t *shape, int 
 void npy_put_float(unsigned char *to, float value);
 void npy_put_double(unsigned char *to, double value);
 
-/* Elements in that order, or in that of ">f4" and ">f8" */
-float npy_get_float(const unsigned char *from, bool big_endian);
-double npy_get_double(const unsigned char *from, bool big_endian);
+/* A type of numbers */
+struct npy_type {
+    char kind; /* 'f' floats, 'i' integers, 'u' those without a sign */
+    int size;  /* bytes */
+    bool big_endian;
+};
+
+/* Reads a type such as "<f4", ">i2" or "|u1": floats of 2, 4 or 8 bytes, integers of 1, 2, 4 or 8.
+   False if it is no such type. */
+bool npy_read_type(const char *descr, struct npy_type *type);
+
+/* An element at any address; integers beyond 2^53 are rounded. */
+double npy_get(const unsigned char *from, struct npy_type type);
 
 #endif

@@ -71,40 +71,41 @@ enum option_result option_columns(const struct option *option, const char *text,
     return OPTION_VALID;
 }
 
-static size_t count_names(const char *row)
+static size_t count_names(const struct columns_header *header, const char *row)
 {
     size_t count = 0;
-    for (const char *at = row; at != NULL; at = field_csv(at).next) {
+    for (const char *at = row; at != NULL; at = header->field(at).next) {
         count++;
     }
     return count;
 }
 
 /* Writes the names of a row for a message, as many as there is room for. */
-static const char *list_names(const char *row, char list[LIST_SIZE])
+static const char *list_names(const struct columns_header *header, char list[LIST_SIZE])
 {
     char *to = list;
     *to = '\0';
-    for (const char *at = row; at != NULL;) {
-        const struct field name = field_csv(at);
+    for (const char *at = header->row; at != NULL;) {
+        const struct field name = header->field(at);
         char shown[FIELD_SHOWN];
         field_show(&name, shown);
         if (list + LIST_SIZE - to < (int)sizeof shown + 32) {
-            snprintf(to, 32, " and %zu more", count_names(at));
+            snprintf(to, 32, " and %zu more", count_names(header, at));
             break;
         }
-        to += snprintf(to, sizeof shown + 8, "%s'%s'", at == row ? "" : ", ", shown);
+        to += snprintf(to, sizeof shown + 8, "%s'%s'", at == header->row ? "" : ", ", shown);
         at = name.next;
     }
     return list;
 }
 
 /* How many columns have the name. *index becomes the first of them. */
-static size_t find_name(const char *row, const struct field *name, size_t *index)
+static size_t find_name(const struct columns_header *header, const struct field *name,
+                        size_t *index)
 {
     size_t found = 0, i = 0;
-    for (const char *at = row; at != NULL; i++) {
-        const struct field here = field_csv(at);
+    for (const char *at = header->row; at != NULL; i++) {
+        const struct field here = header->field(at);
         if (field_same(&here, name)) {
             *index = found == 0 ? i : *index;
             found++;
@@ -120,7 +121,7 @@ static bool check_once(const struct columns_header *header, const struct field *
     char list[LIST_SIZE], shown[FIELD_SHOWN];
     if (found > 1) {
         cli_error("--columns: %s has %zu columns '%s'; choose by number, from 1 on: %s",
-                  header->input, found, field_show(name, shown), list_names(header->row, list));
+                  header->input, found, field_show(name, shown), list_names(header, list));
     }
     return found <= 1;
 }
@@ -129,12 +130,12 @@ static int find_numbers(const struct columns *columns, const struct columns_head
                         size_t index[COLUMNS_AXES])
 {
     char list[LIST_SIZE];
-    const size_t total = count_names(header->row);
+    const size_t total = count_names(header, header->row);
     for (size_t i = 0; i < columns->count; i++) {
         index[i] = columns->index[i];
         if (index[i] >= total) {
             cli_error("--columns: %s has no column %zu; choose from 1 to %zu: %s", header->input,
-                      index[i] + 1, total, list_names(header->row, list));
+                      index[i] + 1, total, list_names(header, list));
             return 0;
         }
     }
@@ -147,10 +148,10 @@ static int find_names(const struct columns *columns, const struct columns_header
     char list[LIST_SIZE], shown[FIELD_SHOWN];
     for (size_t i = 0; i < columns->count; i++) {
         const struct field *const name = &columns->name[i];
-        const size_t found = find_name(header->row, name, &index[i]);
+        const size_t found = find_name(header, name, &index[i]);
         if (found == 0) {
             cli_error("--columns: %s has no column '%s'; choose from %s", header->input,
-                      field_show(name, shown), list_names(header->row, list));
+                      field_show(name, shown), list_names(header, list));
         }
         if (found == 0 || !check_once(header, name, found)) {
             return 0;
@@ -164,10 +165,16 @@ static const struct field axes[COLUMNS_AXES] = {{.begin = letters, .end = letter
                                                 {.begin = letters + 1, .end = letters + 2},
                                                 {.begin = letters + 2, .end = letters + 3}};
 
-bool columns_are_named(const char *row)
+bool columns_are_named(const struct columns *columns, const struct columns_header *header)
 {
-    size_t index;
-    return find_name(row, &axes[0], &index) > 0 && find_name(row, &axes[1], &index) > 0;
+    const bool are_chosen = columns->count > 0 && !columns->numbered;
+    const struct field *const name = are_chosen ? columns->name : axes;
+    const size_t count = are_chosen ? columns->count : 2;
+    size_t index, i = 0;
+    while (i < count && find_name(header, &name[i], &index) > 0) {
+        i++;
+    }
+    return i == count;
 }
 
 static int find_axes(const struct columns_header *header, int dims, size_t index[COLUMNS_AXES])
@@ -175,7 +182,7 @@ static int find_axes(const struct columns_header *header, int dims, size_t index
     char list[LIST_SIZE];
     size_t found[COLUMNS_AXES] = {0};
     for (int d = 0; d < (dims == 2 ? 2 : 3); d++) {
-        found[d] = find_name(header->row, &axes[d], &index[d]);
+        found[d] = find_name(header, &axes[d], &index[d]);
         if (!check_once(header, &axes[d], found[d])) {
             return 0;
         }
@@ -185,12 +192,12 @@ static int find_axes(const struct columns_header *header, int dims, size_t index
                   found[1] > 0   ? " x"
                   : found[0] > 0 ? " y"
                                  : "s x and y",
-                  list_names(header->row, list));
+                  list_names(header, list));
         return 0;
     }
     if (dims == 3 && found[2] == 0) {
         cli_error("--dims: %s has no column z; --columns chooses from %s", header->input,
-                  list_names(header->row, list));
+                  list_names(header, list));
         return 0;
     }
     return found[2] > 0 ? 3 : 2;
@@ -201,7 +208,7 @@ int columns_in_header(const struct columns *columns, const struct columns_header
 {
     size_t column = 1;
     for (const char *at = header->row; at != NULL; column++) {
-        const struct field name = field_csv(at);
+        const struct field name = header->field(at);
         if (name.problem != NULL) {
             cli_error("--input: %s: the header row's column %zu %s", header->input, column,
                       name.problem);

@@ -32,6 +32,7 @@ option_parse_fn option_columns; /* struct columns */
 struct columns_header {
     const char *input;
     const char *row;
+    field_fn *field; /* how it falls into names */
 };
 
 /* Finds the coordinates in a header row: those that --columns tells, or without it those named x, y
@@ -40,8 +41,9 @@ struct columns_header {
 int columns_in_header(const struct columns *columns, const struct columns_header *header, int dims,
                       size_t index[COLUMNS_AXES]);
 
-/* Whether a row has fields that hold x and y and nothing else. */
-bool columns_are_named(const char *row);
+/* Whether a row has fields that hold the names that --columns tells and nothing else; without
+   those, x and y. */
+bool columns_are_named(const struct columns *columns, const struct columns_header *header);
 
 /* The columns, counted from 0, where there is no header row: those that --columns numbers, or else
    the first ones. */

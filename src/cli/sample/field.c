@@ -1,10 +1,14 @@
 /* SPDX-License-Identifier: MIT
  *
- * Finds fields in CSV (RFC 4180, one line per record) and in text.
+ * Finds fields in CSV (RFC 4180, one line per record, whatever the delimiter) and in text.
  */
 #include "sample/field.h"
 
 #include <string.h>
+
+#include "shared/number.h"
+
+#define NUMBER_MOST 128 /* bytes of a number with a decimal comma */
 
 static bool is_blank(char c)
 {
@@ -19,9 +23,18 @@ const char *field_skip_blanks(const char *at)
     return at;
 }
 
-static void trim(struct field *field)
+/* Past blanks that are not the delimiter */
+static const char *skip_blanks(const char *at, char delimiter)
 {
-    field->begin = field_skip_blanks(field->begin);
+    while (is_blank(*at) && *at != delimiter) {
+        at++;
+    }
+    return at;
+}
+
+static void trim(struct field *field, char delimiter)
+{
+    field->begin = skip_blanks(field->begin, delimiter);
     if (field->end < field->begin) { /* nothing but blanks, and the loop above ran on */
         field->end = field->begin;
     }
@@ -42,9 +55,10 @@ static const char *after_quotes(const char *at)
     }
 }
 
-struct field field_csv(const char *at)
+static struct field field_between(const char *at, char delimiter)
 {
-    struct field field = {.begin = field_skip_blanks(at)};
+    const char ends[] = {delimiter, '\0'};
+    struct field field = {.begin = skip_blanks(at, delimiter)};
     const char *after = field.begin;
     if (*field.begin == '"') {
         field.quoted = true;
@@ -56,23 +70,65 @@ struct field field_csv(const char *at)
             return field;
         }
         field.end = after - 1;
-        after = field_skip_blanks(after);
-        if (*after != ',' && *after != '\0') {
+        after = skip_blanks(after, delimiter);
+        if (*after != delimiter && *after != '\0') {
             field.problem = "goes on after its quotes";
             return field;
         }
     } else {
-        after += strcspn(after, ",");
+        after += strcspn(after, ends);
         field.end = after;
     }
-    trim(&field);
-    field.next = *after == ',' ? after + 1 : NULL;
+    trim(&field, delimiter);
+    field.next = *after == delimiter && *after != '\0' ? after + 1 : NULL;
     return field;
+}
+
+struct field field_csv(const char *at)
+{
+    return field_between(at, ',');
+}
+
+struct field field_semicolon(const char *at)
+{
+    return field_between(at, ';');
+}
+
+struct field field_tab(const char *at)
+{
+    return field_between(at, '\t');
 }
 
 const char *field_after(const struct field *field, const char *at)
 {
     return at + (field->quoted && *at == '"' ? 2 : 1);
+}
+
+static bool is_digit(char c)
+{
+    return c >= '0' && c <= '9';
+}
+
+bool field_number(const struct field *field, bool commas, double *value, char *mark)
+{
+    char copy[NUMBER_MOST];
+    const char *begin = field->begin, *end = field->end;
+    const size_t length = (size_t)(end - begin);
+    const char *const comma = commas ? memchr(begin, ',', length) : NULL;
+    *mark = memchr(begin, '.', length) != NULL ? '.' : '\0';
+    if (comma != NULL) {
+        if (*mark != '\0' || comma == begin || comma + 1 == end || !is_digit(comma[-1]) ||
+            !is_digit(comma[1]) || length >= sizeof copy) {
+            return false;
+        }
+        memcpy(copy, begin, length);
+        copy[length] = '\0';
+        copy[comma - begin] = '.';
+        begin = copy;
+        end = copy + length;
+        *mark = ',';
+    }
+    return begin != end && number_read(begin, value) == end;
 }
 
 static char small(char c)

@@ -33,6 +33,10 @@ int points_begin(struct points *points)
         input_begins_with(&points->input, NPY_MAGIC, NPY_MAGIC_SIZE)) {
         points->format = POINTS_NPY;
     }
+    if (points->format == POINTS_NPY && points->delimiter != DELIMITER_UNKNOWN) {
+        cli_error("--delimiter: is for text, and %s is .npy", points->input.name);
+        return CLI_USAGE;
+    }
     return points->format == POINTS_NPY ? points_npy_begin(points) : points_text_begin(points);
 }
 
@@ -47,5 +51,7 @@ void points_close(struct points *points)
 {
     free(points->header);
     points->header = NULL;
+    free(points->npy.whole);
+    points->npy.whole = NULL;
     input_close(&points->input);
 }

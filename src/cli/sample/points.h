@@ -10,6 +10,7 @@
 #include <stddef.h>
 #include <stdint.h>
 
+#include "formats/npy.h"
 #include "sample/columns.h"
 #include "sample/field.h"
 #include "sample/input.h"
@@ -18,6 +19,15 @@
 #define POINTS_LINE_MAX 65535 /* bytes, without the line's end */
 
 enum points_format { POINTS_CSV, POINTS_TEXT, POINTS_NPY, POINTS_UNKNOWN };
+
+/* What separates the columns of lines: blanks those of text, the others those of CSV */
+enum points_delimiter {
+    DELIMITER_COMMA,
+    DELIMITER_SEMICOLON,
+    DELIMITER_TAB,
+    DELIMITER_SPACE, /* or tabs, any number of them */
+    DELIMITER_UNKNOWN
+};
 
 struct points_block {
     size_t count;
@@ -41,12 +51,16 @@ struct points_text {
 struct points_npy {
     size_t left; /* points yet to be read */
     size_t row;  /* bytes from point to point */
-    bool big_endian;
+    struct npy_type type;
+    /* Fortran order: all of the columns, of which the bytes are kept; else NULL */
+    unsigned char *whole;
+    bool is_fortran;
 };
 
 struct points {
     /* What is wanted: set before opening, the rest zero */
     int format;            /* an enum points_format; POINTS_UNKNOWN: the reader finds out */
+    int delimiter;         /* an enum points_delimiter; DELIMITER_UNKNOWN: the reader finds out */
     int dims;              /* coordinates of a point, 2 or 3; 0: the reader finds out */
     struct columns chosen; /* what --columns says */
     bool skip_bad;
@@ -61,6 +75,7 @@ struct points {
     size_t total;                /* .npy: how many points there are */
     bool single;                 /* .npy: the coordinates are floats */
     field_fn *field;             /* how lines fall into fields */
+    char decimal;                /* the mark of those numbers that have one: '.', ',' or 0 */
     uint64_t malformed;          /* lines, or rows of .npy, left out so far */
 
     /* Private to the readers: */
@@ -84,6 +99,20 @@ int points_read(struct points *points, struct points_block *block);
 
 /* May be called at any time after zero-initialisation. */
 void points_close(struct points *points);
+
+/* What separates the columns of a first row, so far as that is plain; else DELIMITER_UNKNOWN.
+   `format` is POINTS_CSV or POINTS_UNKNOWN. */
+enum points_delimiter delimiter_of(const char *row, const struct columns *chosen, int format);
+
+/* How lines fall into fields, and what stands between them */
+field_fn *delimiter_field(int delimiter);
+char delimiter_character(int delimiter);
+
+/* "comma" and so on; NULL past the last */
+const char *delimiter_word(int delimiter);
+
+/* Whether a field is a number, if only one that a point cannot have, such as "nan" */
+bool delimiter_is_number(const struct field *field, int delimiter);
 
 /* The readers, for points.c */
 int points_text_begin(struct points *points);

@@ -1,9 +1,12 @@
 /* SPDX-License-Identifier: MIT
  *
  * Points from a .npy file: the rows of an array of two dimensions. Coordinates that are not finite
- * are malformed, as they are in text.
+ * are malformed, as they are in text. An array in Fortran order has one column after the other: it
+ * is read as a whole before the first point.
  */
 #include <math.h>
+#include <stdint.h>
+#include <stdlib.h>
 #include <string.h>
 
 #include "formats/npy.h"
@@ -13,6 +16,9 @@
 
 /* Rows are read whole, so the input's buffer must hold one. */
 #define COLUMNS_MAX (INPUT_SIZE / sizeof(double))
+
+#define WHOLE_FIRST                                                                                \
+    ((size_t)1 << 20) /* bytes that are kept of an array in Fortran order at first */
 
 static int refuse(const struct points *points, const char *what)
 {
@@ -82,10 +88,12 @@ static int check_columns(const struct points *points, const struct npy_array *ar
         return CLI_USAGE;
     }
     if (points->told ? columns < (size_t)points->dims : columns < 2 || columns > 3) {
-        cli_error("--input: %s: the shape (%zu, %zu) is not %s", name, array->shape[0], columns,
+        const bool is_turned = array->shape[0] == 2 || array->shape[0] == 3;
+        cli_error("--input: %s: the shape (%zu, %zu) is not %s%s", name, array->shape[0], columns,
                   points->dims == 3   ? "(n, 3), or (n, 4) and so on"
                   : points->dims == 2 ? "(n, 2), or (n, 3) and so on"
-                                      : "(n, 2) or (n, 3); --columns chooses from more");
+                                      : "(n, 2) or (n, 3); --columns chooses from more",
+                  is_turned ? "; NumPy's .T turns it" : "");
         return CLI_USAGE;
     }
     return CLI_SUCCESS;
@@ -93,14 +101,12 @@ static int check_columns(const struct points *points, const struct npy_array *ar
 
 static int check_array(struct points *points, const struct npy_array *array)
 {
-    static const char *const types[] = {"<f4", "<f8", ">f4", ">f8"};
-    int type = 0;
-    while (type < 4 && strcmp(array->descr, types[type]) != 0) {
-        type++;
-    }
-    if (type == 4) {
-        cli_error("--input: %s: the type '%s' is not <f4, <f8, >f4 or >f8", points->input.name,
-                  array->descr);
+    struct npy_type *const type = &points->npy.type;
+    if (!npy_read_type(array->descr, type)) {
+        cli_error(
+            "--input: %s: the type '%s' is not one of floats or integers: f2, f4, f8, i1 to i8 "
+            "and u1 to u8, behind < or >",
+            points->input.name, array->descr);
         return CLI_USAGE;
     }
     if (array->dimensions != 2) {
@@ -108,13 +114,66 @@ static int check_array(struct points *points, const struct npy_array *array)
                   points->input.name, array->dimensions);
         return CLI_USAGE;
     }
-    if (array->fortran) {
-        return refuse(points, "the array is in Fortran order; numpy.ascontiguousarray mends that");
-    }
-    points->single = type % 2 == 0;
-    points->npy.big_endian = type >= 2;
-    points->npy.row = array->shape[1] * (points->single ? 4 : 8);
+    points->single = type->kind == 'f' && type->size < 8;
+    points->npy.row = array->shape[1] * (size_t)type->size;
+    points->npy.is_fortran = array->fortran;
     return check_columns(points, array);
+}
+
+/* How many points an array in Fortran order has, of which `size` bytes are kept, of the last column
+   that is needed at least */
+static size_t count_whole(const struct points *points, size_t size)
+{
+    const size_t element = (size_t)points->npy.type.size;
+    const size_t before = (columns_needed(points->column, points->dims) - 1) * element;
+    const size_t start = points->total <= SIZE_MAX / before ? points->total * before : SIZE_MAX;
+    return size > start ? (size - start) / element : 0;
+}
+
+/* Takes what the input has at hand, up to `wanted` bytes in all. False without memory */
+static bool keep_more(struct points *points, size_t wanted, size_t *size, size_t *room)
+{
+    struct input *const input = &points->input;
+    const size_t there = input->end - input->start;
+    const size_t some = there < wanted - *size ? there : wanted - *size;
+    if (some > *room - *size) {
+        const size_t twice = *room <= SIZE_MAX / 2 ? 2 * *room : SIZE_MAX;
+        unsigned char *const more = realloc(points->npy.whole, twice);
+        if (more == NULL) {
+            return false;
+        }
+        points->npy.whole = more;
+        *room = twice;
+    }
+    memcpy(points->npy.whole + *size, input->bytes + input->start, some);
+    input->start += some;
+    *size += some;
+    return true;
+}
+
+/* Keeps an array in Fortran order, up to the last column that is needed: as much memory as there
+   are bytes, whatever the header says. */
+static int read_whole(struct points *points)
+{
+    const size_t column = (size_t)points->npy.type.size;
+    const size_t needed = columns_needed(points->column, points->dims);
+    const size_t wanted =
+        points->total <= SIZE_MAX / column / needed ? points->total * column * needed : SIZE_MAX;
+    size_t size = 0, room = WHOLE_FIRST;
+    points->npy.whole = malloc(room);
+    bool has_memory = points->npy.whole != NULL;
+    while (has_memory && size < wanted && input_need(&points->input, 1)) {
+        has_memory = keep_more(points, wanted, &size, &room);
+    }
+    if (!has_memory) {
+        cli_error("--input: %s: no memory for an array in Fortran order", points->input.name);
+        return CLI_FAILURE;
+    }
+    if (size < wanted) {
+        points->npy.left = points->total - count_whole(points, size);
+        return cut_short(points);
+    }
+    return CLI_SUCCESS;
 }
 
 int points_npy_begin(struct points *points)
@@ -134,19 +193,27 @@ int points_npy_begin(struct points *points)
     points->columns = array.shape[1];
     points->total = array.shape[0];
     points->npy.left = array.shape[0];
-    return CLI_SUCCESS;
+    return points->npy.is_fortran ? read_whole(points) : CLI_SUCCESS;
 }
 
-/* Reads the coordinates of a row. Returns the axis of the first that is not finite, -1 if all are.
- */
-static int read_row(const struct points *points, const unsigned char *row, double position[3])
+/* Where a coordinate of the next point is */
+static const unsigned char *element_at(const struct points *points, size_t column)
+{
+    const struct points_npy *const npy = &points->npy;
+    const size_t size = (size_t)npy->type.size;
+    if (npy->is_fortran) {
+        return npy->whole + (column * points->total + points->total - npy->left) * size;
+    }
+    return (const unsigned char *)points->input.bytes + points->input.start + column * size;
+}
+
+/* Reads the coordinates of the next point. Returns the axis of the first that is not finite, -1 if
+   all are. */
+static int read_row(const struct points *points, double position[3])
 {
     int bad = -1;
     for (int d = points->dims - 1; d >= 0; d--) {
-        const size_t column = points->column[d];
-        const bool big_endian = points->npy.big_endian;
-        position[d] = points->single ? (double)npy_get_float(row + 4 * column, big_endian)
-                                     : npy_get_double(row + 8 * column, big_endian);
+        position[d] = npy_get(element_at(points, points->column[d]), points->npy.type);
         bad = isfinite(position[d]) ? bad : d;
     }
     return bad;
@@ -168,15 +235,15 @@ static int read_rows(struct points *points, struct points_block *block)
 {
     struct points_npy *const npy = &points->npy;
     struct input *const input = &points->input;
-    for (; npy->left > 0 && block->count < POINTS_BLOCK && input->end - input->start >= npy->row;
+    const size_t row = npy->is_fortran ? 0 : npy->row; /* bytes of the input */
+    for (; npy->left > 0 && block->count < POINTS_BLOCK && input->end - input->start >= row;
          npy->left--) {
         double position[3] = {0};
-        const int bad =
-            read_row(points, (const unsigned char *)input->bytes + input->start, position);
+        const int bad = read_row(points, position);
         if (bad >= 0 && !points->skip_bad) {
             return block->count > 0 ? CLI_SUCCESS : tell_malformed(points, bad, position[bad]);
         }
-        input->start += npy->row;
+        input->start += row;
         if (bad >= 0) {
             points->malformed++;
             continue;
@@ -193,8 +260,8 @@ int points_npy_read(struct points *points, struct points_block *block)
 {
     int status = CLI_SUCCESS;
     while (status == CLI_SUCCESS && block->count == 0 && points->npy.left > 0) {
-        status = input_need(&points->input, points->npy.row) ? read_rows(points, block)
-                                                             : cut_short(points);
+        const bool is_there = points->npy.is_fortran || input_need(&points->input, points->npy.row);
+        status = is_there ? read_rows(points, block) : cut_short(points);
     }
     return status;
 }

@@ -1,7 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
- * Points from lines: CSV, or columns with blanks between them. Lines are found, ended with a NUL
- * and read where the input put them; a block ends early rather than wait for the rest of a line.
+ * Points from lines: CSV, with whatever delimiter, or columns with blanks between them. Lines are
+ * found, ended with a NUL and read where the input put them; a block ends early rather than wait
+ * for the rest of a line.
  */
 #include <float.h>
 #include <math.h>
@@ -12,7 +13,6 @@
 
 #include "sample/points.h"
 #include "shared/error.h"
-#include "shared/number.h"
 
 enum line_state {
     LINE_READY,
@@ -117,10 +117,20 @@ static int shown(const struct field *field)
     return field->end - field->begin < 60 ? (int)(field->end - field->begin) : 60;
 }
 
+/* Where commas separate nothing, they may be decimal marks, but all numbers have the same mark:
+   `1,234` beside `5.6` may be a thousand. *decimal is the mark so far. */
 static bool read_coordinate(struct points *points, const struct field *field, size_t column,
-                            double *value)
+                            char *decimal, double *value)
 {
-    if (number_read(field->begin, value) == field->end && fabs(*value) <= DBL_MAX) {
+    char mark;
+    const bool commas = points->delimiter != DELIMITER_COMMA;
+    if (field_number(field, commas, value, &mark) && fabs(*value) <= DBL_MAX) {
+        if (mark != '\0' && *decimal != '\0' && mark != *decimal) {
+            return wrong(points, "column %zu: '%.*s' has a decimal %s, and numbers before a %s",
+                         column, shown(field), field->begin, mark == ',' ? "comma" : "point",
+                         mark == ',' ? "point" : "comma");
+        }
+        *decimal = mark != '\0' ? mark : *decimal;
         return true;
     }
     if (field->begin == field->end) {
@@ -173,7 +183,7 @@ static bool check_columns(struct points *points, size_t columns)
     }
     if (!points->told && (columns < 2 || columns > 3)) {
         return wrong(points, "%zu column%s, but a point has 2 or 3%s: '%.60s'", columns, s,
-                     columns > 3 ? " (see --columns)" : "", line);
+                     columns > 3 ? " (see --columns)" : " (see --delimiter)", line);
     }
     return true;
 }
@@ -205,13 +215,14 @@ static bool read_point(struct points *points, double position[3])
         is_ragged(points) ? columns_needed(points->column, points->dims) : SIZE_MAX;
     const int dims = points->dims != 0 ? points->dims : 3;
     size_t columns = 0;
+    char decimal = points->decimal;
     for (const char *at = text->line; at != NULL && columns < enough;) {
         const struct field field = points->field(at);
         const int axis = axis_of(points, columns++, dims);
         if (field.problem != NULL) {
             return wrong(points, "column %zu %s", columns, field.problem);
         }
-        if (axis >= 0 && !read_coordinate(points, &field, columns, &position[axis])) {
+        if (axis >= 0 && !read_coordinate(points, &field, columns, &decimal, &position[axis])) {
             return false;
         }
         if (points->plain && !is_plain(&field)) {
@@ -220,14 +231,11 @@ static bool read_point(struct points *points, double position[3])
         }
         at = field.next;
     }
-    return check_columns(points, columns);
-}
-
-static bool is_number(const struct field *field)
-{
-    char *end;
-    strtod(field->begin, &end);
-    return end == field->end && end != field->begin;
+    if (!check_columns(points, columns)) {
+        return false;
+    }
+    points->decimal = decimal;
+    return true;
 }
 
 static bool is_readable(const struct points_text *text)
@@ -247,14 +255,15 @@ static bool is_header(const struct points *points)
     if (!is_readable(&points->text)) {
         return false;
     }
-    if (chosen->count == 0 && columns_are_named(at)) {
+    const struct columns_header header = {points->input.name, at, points->field};
+    if (chosen->count == 0 && columns_are_named(chosen, &header)) {
         return true;
     }
     for (size_t column = 0; at != NULL && found < dims; column++) {
-        const struct field field = field_csv(at);
+        const struct field field = points->field(at);
         if (axis_of(points, column, dims) >= 0) {
             found++;
-            if (is_number(&field)) {
+            if (delimiter_is_number(&field, points->delimiter)) {
                 return false;
             }
         }
@@ -267,7 +276,7 @@ static bool is_header(const struct points *points)
 static int take_header(struct points *points)
 {
     const struct points_text *const text = &points->text;
-    const struct columns_header header = {points->input.name, text->line};
+    const struct columns_header header = {points->input.name, text->line, points->field};
     points->dims = columns_in_header(&points->chosen, &header, points->dims, points->column);
     if (points->dims == 0) {
         return CLI_USAGE;
@@ -279,7 +288,29 @@ static int take_header(struct points *points)
         return CLI_FAILURE;
     }
     memcpy(points->header, text->line, text->length + 1);
-    points->columns = count_columns(field_csv, text->line);
+    points->columns = count_columns(points->field, text->line);
+    return CLI_SUCCESS;
+}
+
+/* Finds out what separates columns, from the first row. Two that both may, or neither, are not
+   chosen from. */
+static int find_delimiter(struct points *points)
+{
+    const struct points_text *const text = &points->text;
+    if (points->delimiter == DELIMITER_UNKNOWN) {
+        points->delimiter = points->format == POINTS_TEXT
+                                ? DELIMITER_SPACE
+                                : (int)delimiter_of(text->line, &points->chosen, points->format);
+    }
+    if (points->delimiter == DELIMITER_UNKNOWN) {
+        cli_error(
+            "--delimiter: %s:%llu has commas and semicolons: '%.60s'; which of them separates "
+            "columns, comma or semicolon?",
+            points->input.name, (unsigned long long)text->number, text->line);
+        return CLI_USAGE;
+    }
+    points->format = points->delimiter == DELIMITER_SPACE ? POINTS_TEXT : POINTS_CSV;
+    points->field = delimiter_field(points->delimiter);
     return CLI_SUCCESS;
 }
 
@@ -289,8 +320,8 @@ static int begin_rows(struct points *points)
     struct points_text *const text = &points->text;
     const struct columns *const chosen = &points->chosen;
     const bool named = chosen->count > 0 && !chosen->numbered;
-    if (points->format == POINTS_UNKNOWN) {
-        points->format = strchr(text->line, ',') != NULL ? POINTS_CSV : POINTS_TEXT;
+    if (find_delimiter(points) != CLI_SUCCESS) {
+        return CLI_USAGE;
     }
     if (named && !is_readable(text)) {
         cli_error("--columns: the header row of %s is longer than %d bytes or holds a NUL byte",
@@ -301,7 +332,7 @@ static int begin_rows(struct points *points)
         return take_header(points);
     }
     text->pending = true;
-    const size_t columns = count_columns(field_text, text->line);
+    const size_t columns = count_columns(points->field, text->line);
     return columns_nameless(chosen, points->input.name, columns) ? CLI_SUCCESS : CLI_USAGE;
 }
 
@@ -314,15 +345,22 @@ int points_text_begin(struct points *points)
     if (input_begins_with(&points->input, "\xef\xbb\xbf", 3)) {
         points->input.start += 3;
     }
+    if (input_begins_with(&points->input, "\xff\xfe", 2) ||
+        input_begins_with(&points->input, "\xfe\xff", 2)) {
+        cli_error("--input: %s: is UTF-16; UTF-8 and other extensions of ASCII can be read",
+                  points->input.name);
+        return CLI_USAGE;
+    }
     if (next_row(points, true) == LINE_READY) {
         const int status = begin_rows(points);
         if (status != CLI_SUCCESS) {
             return status;
         }
-    } else if (points->format == POINTS_UNKNOWN) {
-        points->format = POINTS_TEXT;
+    } else if (points->delimiter == DELIMITER_UNKNOWN) { /* no rows */
+        points->delimiter = points->format == POINTS_CSV ? DELIMITER_COMMA : DELIMITER_SPACE;
     }
-    points->field = points->format == POINTS_CSV ? field_csv : field_text;
+    points->format = points->delimiter == DELIMITER_SPACE ? POINTS_TEXT : POINTS_CSV;
+    points->field = delimiter_field(points->delimiter);
     double position[3];
     while (next_row(points, true) == LINE_READY) {
         if (read_point(points, position)) {

@@ -78,24 +78,35 @@ static void put_text(struct results *results, const char *text)
     }
 }
 
+/* Takes a number that was written at `to`. */
+static void take_number(struct results *results, char *to, size_t length)
+{
+    char *const point = results->has_commas ? memchr(to, '.', length) : NULL;
+    if (point != NULL) {
+        *point = ',';
+    }
+    results->used += length;
+}
+
 static void put_float(struct results *results, float value)
 {
     char *const to = reserve(results, NUMBER_SIZE);
-    results->used += (size_t)(number_write_float(to, value) - to);
+    take_number(results, to, (size_t)(number_write_float(to, value) - to));
 }
 
 static void put_double(struct results *results, double value)
 {
     char *const to = reserve(results, NUMBER_SIZE);
-    results->used += (size_t)(number_write_double(to, value) - to);
+    take_number(results, to, (size_t)(number_write_double(to, value) - to));
 }
 
-/* A field of text as CSV takes it: in quotes, each quote doubled, if it has a comma or a quote */
+/* A field of text as CSV takes it: in quotes, each quote doubled, if it has a delimiter or a quote
+ */
 static void put_csv_field(struct results *results, const struct field *field)
 {
     const size_t length = (size_t)(field->end - field->begin);
-    const bool quotes =
-        memchr(field->begin, ',', length) != NULL || memchr(field->begin, '"', length) != NULL;
+    const bool quotes = memchr(field->begin, results->separator, length) != NULL ||
+                        memchr(field->begin, '"', length) != NULL;
     if (quotes) {
         put_char(results, '"');
     }
@@ -119,9 +130,9 @@ static void put_text_field(struct results *results, const struct field *field)
 
 /* The input's columns of a point from a line, with a separator behind each. CSV for CSV stays as
    it is. */
-static void put_line(struct results *results, const struct points *points, const char *line,
-                     char separator)
+static void put_line(struct results *results, const struct points *points, const char *line)
 {
+    const char separator = results->separator;
     const bool csv = results->format == POINTS_CSV;
     if (csv && points->format == POINTS_CSV) {
         put_text(results, line);
@@ -141,7 +152,7 @@ static void put_line(struct results *results, const struct points *points, const
 }
 
 static void put_position(struct results *results, const struct points *points,
-                         const struct points_block *block, size_t i, char separator)
+                         const struct points_block *block, size_t i)
 {
     for (int d = 0; d < points->dims; d++) {
         const double coordinate = block->position[d][i];
@@ -150,23 +161,22 @@ static void put_position(struct results *results, const struct points *points,
         } else {
             put_double(results, coordinate);
         }
-        put_char(results, separator);
+        put_char(results, results->separator);
     }
 }
 
 static void put_rows(struct results *results, const struct points *points,
                      const struct points_block *block)
 {
-    const char separator = results->format == POINTS_CSV ? ',' : ' ';
     for (size_t i = 0; i < block->count; i++) {
         if (results->keep && points->format == POINTS_NPY) {
-            put_position(results, points, block, i, separator);
+            put_position(results, points, block, i);
         } else if (results->keep) {
-            put_line(results, points, block->line[i], separator);
+            put_line(results, points, block->line[i]);
         }
         for (size_t c = 0; c < results->columns; c++) {
             put_float(results, results->values[c][i]);
-            put_char(results, c + 1 < results->columns ? separator : '\n');
+            put_char(results, c + 1 < results->columns ? results->separator : '\n');
         }
     }
 }
@@ -196,19 +206,20 @@ static void put_npy_rows(struct results *results, const struct points *points,
 /* Names of kept columns that have none: x, y, z, and for the others their numbers */
 static void put_made_names(struct results *results, const struct points *points)
 {
-    static const char *const axes[] = {"x,", "y,", "z,"};
+    static const char *const axes[] = {"x", "y", "z"};
     const bool npy = points->format == POINTS_NPY; /* keeps the coordinates alone, in their order */
     const size_t dims = (size_t)points->dims;
     const size_t needed = columns_needed(points->column, points->dims);
     const size_t columns = npy ? dims : points->columns < needed ? needed : points->columns;
     for (size_t i = 0; i < columns; i++) {
         char name[32];
-        snprintf(name, sizeof name, "column%zu,", i + 1);
+        snprintf(name, sizeof name, "column%zu", i + 1);
         size_t axis = 0;
         while (axis < dims && (npy ? axis : points->column[axis]) != i) {
             axis++;
         }
         put_text(results, axis < dims ? axes[axis] : name);
+        put_char(results, results->separator);
     }
 }
 
@@ -216,13 +227,13 @@ static void put_names(struct results *results, const struct points *points)
 {
     if (results->keep && points->header != NULL) {
         put_text(results, points->header);
-        put_char(results, ',');
+        put_char(results, results->separator);
     } else if (results->keep) {
         put_made_names(results, points);
     }
     for (size_t c = 0; c < results->columns; c++) {
         put_text(results, results->names[c]);
-        put_char(results, c + 1 < results->columns ? ',' : '\n');
+        put_char(results, c + 1 < results->columns ? results->separator : '\n');
     }
 }
 
@@ -252,8 +263,20 @@ static bool can_rewind(struct file *file)
     return ftell(file->stream) == 0 && file_seek(file, 0);
 }
 
+/* CSV has the delimiter and the decimal mark of the points, so far as those are known with the
+   first of them, or may have them: commas are either the one or the other. */
+static void choose_marks(struct results *results, const struct points *points)
+{
+    const bool has_commas = points->format != POINTS_NPY && points->decimal == ',';
+    results->separator = results->format != POINTS_CSV  ? ' '
+                         : points->format == POINTS_CSV ? delimiter_character(points->delimiter)
+                                                        : (has_commas ? ';' : ',');
+    results->has_commas = has_commas && results->separator != ',';
+}
+
 int results_begin(struct results *results, const struct points *points)
 {
+    choose_marks(results, points);
     if (results->format == POINTS_NPY) {
         if (!is_counted(points) && !can_rewind(&results->file)) {
             cli_error("--output: %s: the header of .npy tells how many points there are; to write "

@@ -27,6 +27,8 @@ struct results {
     size_t points; /* written so far */
     char *bytes;   /* what is to be written next */
     size_t used;
+    char separator;
+    bool has_commas; /* decimal ones */
     bool failed;
     int reason; /* the errno of the failure */
 };

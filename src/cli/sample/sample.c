@@ -22,6 +22,7 @@ struct sample_options {
     struct ground_options ground; /* of it: the noise, the recipe and its values */
     const char *input, *output;
     int input_format, output_format; /* an enum points_format */
+    int delimiter;                   /* an enum points_delimiter */
     struct columns columns;
     size_t dims; /* 0: not given */
     int skip_bad, keep, gradient, hessian, dphase, isa, quiet;
@@ -34,6 +35,22 @@ static const char *format_word(int format)
     return words[format];
 }
 
+/* A word, or the character itself; the tab also as a shell leaves it, with a backslash */
+static enum option_result parse_delimiter(const struct option *option, const char *text,
+                                          void *field)
+{
+    for (int d = 0; delimiter_word(d) != NULL; d++) {
+        const bool is_tab = d == DELIMITER_TAB && strcmp(text, "\\t") == 0;
+        if (is_tab || strcmp(text, delimiter_word(d)) == 0 ||
+            (text[0] == delimiter_character(d) && text[1] == '\0')) {
+            *(int *)field = d;
+            return OPTION_VALID;
+        }
+    }
+    (void)option;
+    return OPTION_INVALID;
+}
+
 #define FIELD(name) offsetof(struct sample_options, name)
 
 static const struct option point_rows[] = {
@@ -42,6 +59,14 @@ static const struct option point_rows[] = {
      .standard = "-"},
     {OPTION_CHOICE("--input-format", input_format, NULL, format_word, "the format of the points"),
      .otherwise = "what the input looks like"},
+    {.name = "--delimiter",
+     .argument = "NAME",
+     .allowed = "comma, semicolon, tab, space or such a character",
+     .help = "what separates columns: comma, semicolon, tab, or space (any number of spaces and "
+             "tabs); but for commas, numbers may have decimal commas",
+     .otherwise = "what the first row has",
+     .parse = parse_delimiter,
+     .offset = FIELD(delimiter)},
     {.name = "--columns",
      .argument = "X,Y[,Z]",
      .allowed = COLUMNS_ALLOWED,
@@ -120,17 +145,24 @@ const struct option_table sample_table = {
         "Coordinates are doubles and keep their precision. Results are floats, written with the\n"
         "nine digits that tell them apart, or nan where coordinate times frequency overflows.\n"
         "\n"
-        "csv        Fields between commas, in double quotes or not. The first line is a header\n"
+        "csv        Fields between commas, semicolons or tabs, in double quotes or not. Which of\n"
+        "           them is found from the first row, if it is plain there. Between semicolons\n"
+        "           and tabs, numbers may have decimal commas, all or none of them. Results have\n"
+        "           the delimiter of the points, and decimal commas if the first point has one.\n"
+        "           The first line is a header\n"
         "           row if it has x and y, or if its first two fields are no numbers. With\n"
         "           --columns it is one if --columns has names, or if the fields that it numbers\n"
         "           are no numbers. Results get a header row, too, unless the points are CSV\n"
         "           without one.\n"
-        "text       Columns between spaces or tabs, without a header row. As in CSV, empty lines\n"
-        "           and lines that begin with # are passed over.\n"
+        "text       Columns between spaces or tabs, without a header row, also of numbers with\n"
+        "           decimal commas. As in CSV, empty lines and lines that begin with # are passed\n"
+        "           over.\n"
         "npy        Arrays of NumPy. Points have the shape (n, 2) or (n, 3), or more columns\n"
-        "           with --columns or --dims, and are floats or doubles. Results have the shape\n"
-        "           (n, number of results) and are floats, with --keep doubles. Points from CSV\n"
-        "           or text, or with --skip-bad, need a file for such results, not a pipe.\n"
+        "           with --columns or --dims, and are floats of 16, 32 or 64 bits or integers;\n"
+        "           those beyond 2^53 are rounded. In Fortran order, as np.array([x, y]).T is,\n"
+        "           they are read as a whole first. Results have the shape (n, number of\n"
+        "           results) and are floats, with --keep doubles. Points from CSV or text, or\n"
+        "           with --skip-bad, need a file for such results, not a pipe.\n"
         "\n"
         "columns    Names are compared without blanks and quotes around them, and without regard\n"
         "           to capitals. In --columns, write a name with a comma in double quotes. A\n"
@@ -297,6 +329,21 @@ static bool check_columns(const struct sample_options *options)
     return agree;
 }
 
+/* Space is the delimiter of text, the others are those of CSV. */
+static bool check_delimiter(const struct sample_options *options)
+{
+    const bool is_space = options->delimiter == DELIMITER_SPACE;
+    const bool agree = options->delimiter == DELIMITER_UNKNOWN ||
+                       options->input_format == POINTS_UNKNOWN ||
+                       options->input_format == (is_space ? POINTS_TEXT : POINTS_CSV);
+    if (!agree) {
+        cli_error("--delimiter: %s is that of --input-format %s, and not of %s",
+                  delimiter_word(options->delimiter), is_space ? "text" : "csv",
+                  format_word(options->input_format));
+    }
+    return agree;
+}
+
 /* What the name of the output says, if nothing else does */
 static int format_by_name(const char *path, int otherwise)
 {
@@ -316,6 +363,7 @@ static int open_both(struct sample *sample, const struct source *source,
     struct points *const points = &sample->points;
     struct results *const results = &sample->results;
     *points = (struct points){.format = options->input_format,
+                              .delimiter = options->delimiter,
                               .dims = (int)options->dims,
                               .chosen = options->columns,
                               .skip_bad = options->skip_bad != 0,
@@ -426,6 +474,7 @@ int cli_sample(char **argv)
 {
     static struct sample_options options = {.ground = GROUND_OPTIONS_UNSET,
                                             .input_format = POINTS_UNKNOWN,
+                                            .delimiter = DELIMITER_UNKNOWN,
                                             .output_format = POINTS_UNKNOWN};
     switch (options_parse(&sample_table, argv, &options)) {
     case OPTIONS_HELP: return CLI_SUCCESS;
@@ -439,7 +488,8 @@ int cli_sample(char **argv)
     }
     struct source source = {.name = NULL};
     int status = CLI_USAGE;
-    if (check_columns(&options) && prepare(sample, &source, &options)) {
+    if (check_columns(&options) && check_delimiter(&options) &&
+        prepare(sample, &source, &options)) {
         scarp_isa_select((enum scarp_isa)options.isa);
         if (options.ground.print_recipe) {
             source_print(&source);
