@@ -55,6 +55,8 @@ class Recipes(Case):
             self.assertGreater(len(set(made)), 300, name)
             self.assertEqual(len(result.stdout), 4 * len(made))
             self.assertEqual(text_of("terrain", "--preset", name, "--print-recipe"), text)
+        self.write("\ufeff" + text.replace("\n", "\r\n"))  # as editors of Windows write it
+        self.assertEqual(self.heights(*size, "--recipe", "r.recipe"), made)
 
     def test_presets_differ(self):
         self.assertEqual(len({self.heights(*SIZE, "--origin", "9000,0", "--preset", name)

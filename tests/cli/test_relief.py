@@ -311,7 +311,8 @@ class Palettes(Painted):
                 (5, (165, 42, 42)), (7, (255, 255, 255))]
         pixels = self.check_file("# a comment\n-4 0 60 200\n0 250 240 110\n2.5 20 120 40\n"
                                  "5 165 42 42\n7 255 255 255\n", ramp)
-        for text in ("7 white\n5,brown\n2.5:20:120:40\n0\t250\t240\t110\n\n-4 0 60 200 0\n",
+        for text in ("\ufeff-4 0 60 200\r\n0 250 240 110\r\n2.5 20 120 40\r\n5 brown\r\n7 white\r\n",
+                     "7 white\n5,brown\n2.5:20:120:40\n0\t250\t240\t110\n\n-4 0 60 200 0\n",
                      "nv 0 0 0 0\r\n7 255 255 255 255\r\n  5\t Brown\r\n2.5, 20, 120, 40\r\n"
                      "+0 250.0 240 110\r\n-.4e1 0 60 200",
                      "#COLOUR\n  # more\n5 brown\n7 White\n-4 0 60 200\n2.5 20 120 40\n"

@@ -117,7 +117,8 @@ static int open_file(struct source *source, const char *path)
         cli_error("--recipe: %s: has a byte that is 0", source->name);
         return CLI_USAGE;
     }
-    text_add(&source->text, "%.*s", (int)length, bytes);
+    const size_t mark = length >= 3 && memcmp(bytes, "\xef\xbb\xbf", 3) == 0 ? 3 : 0; /* of UTF-8 */
+    text_add(&source->text, "%.*s", (int)(length - mark), bytes + mark);
     return source->text.failed ? tell_no_memory(source) : CLI_SUCCESS;
 }
 

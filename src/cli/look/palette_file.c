@@ -305,10 +305,13 @@ static bool read_line(struct reader *reader, char *line)
 static bool read_lines(struct reader *reader, FILE *stream)
 {
     char line[LINE_MAX_LENGTH];
+    bool is_first = true;
     while (!interrupted() && fgets(line, sizeof line, stream) != NULL) {
-        if (!read_line(reader, line)) {
+        const bool is_marked = is_first && strncmp(line, "\xef\xbb\xbf", 3) == 0; /* as UTF-8 */
+        if (!read_line(reader, line + (is_marked ? 3 : 0))) {
             return false;
         }
+        is_first = false;
     }
     if (interrupted()) {
         cli_error("interrupted: nothing was written");
