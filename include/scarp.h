@@ -246,8 +246,14 @@ struct scarp_noise {
        with a warp does without. */
     const struct scarp_plan *plan SCARP_ZERO;
 
+    /* nonzero gives octave 0 an offset that the seed draws, as other octaves have it. Without one,
+       every seed has a lattice point at (0, 0), where gradient noise is 0 and ridges cross. See
+       "Octaves". */
+    uint32_t offset_first SCARP_ZERO;
+
     /* reserved: 0. 192 bytes in all. */
-    uint32_t spare[(192 - 80 - 2 * sizeof(void *)) / 4] SCARP_ZERO;
+    uint32_t spare0 SCARP_ZERO;
+    uint32_t spare[(192 - 88 - 2 * sizeof(void *)) / 4] SCARP_ZERO;
 };
 
 /*
@@ -1102,7 +1108,9 @@ struct scarp_gullies {
 
     uint32_t rotate SCARP_ZERO; /* nonzero turns the axes between octaves */
 
-    uint32_t spare[9] SCARP_ZERO; /* reserved: 0. 128 bytes in all. */
+    uint32_t offset_first SCARP_ZERO; /* as that of struct scarp_noise, for the first gullies */
+
+    uint32_t spare[8] SCARP_ZERO; /* reserved: 0. 128 bytes in all. */
 };
 
 /* Where results of gullies go: arrays of `count` floats. A NULL member is skipped. A call that asks

@@ -78,11 +78,11 @@ VEC_INLINE struct split few_split(const struct scarp_octave *o, int axis, const 
     const int is_turned = f.axes == AXES_TURNED;
     if (f.layout == FLOATS) {
         return split_f32(is_turned ? turned_f32(o, axis, x->f32, f)
-                                   : straight_f32(o, axis, x->f32[axis], f));
+                                   : straight_f32(o, axis, x->f32[axis]));
     }
     return is_turned ? split_turned_f64(o, axis, 1.0, x->low, x->high, f)
-                     : split_f64(straight_f64(o, axis, x->low[axis], f),
-                                 straight_f64(o, axis, x->high[axis], f));
+                     : split_f64(straight_f64(o, axis, x->low[axis]),
+                                 straight_f64(o, axis, x->high[axis]));
 }
 
 /* The basis of an octave at a block. */
@@ -144,7 +144,7 @@ VEC_INLINE struct sample few_shape(struct few_state *state, const struct scarp_c
 }
 
 /* Adds up the octaves at a block; see add_shaped() of driver.h. The sum begins with -0, which
-   changes nothing that it is added to. Octave 0 has the offset 0, so that it may be added too. */
+   changes nothing that it is added to. */
 VEC_INLINE struct sample few_sum(const struct scarp_call_plan *plan, const struct few_block *x,
                                  struct frame f, struct variant v)
 {
@@ -223,7 +223,7 @@ VEC_INLINE void few_any(const struct scarp_call_plan *plan, const struct few_poi
 VEC_INLINE void few_one(const struct scarp_call_plan *plan, const struct few_points *points,
                         const struct scarp_outputs *out, struct variant v)
 {
-    const struct frame f = {FLOATS, AXES_FIRST, v.dimensions};
+    const struct frame f = {FLOATS, AXES_STRAIGHT, v.dimensions};
     const size_t count = points->end - points->first;
     struct few_block x;
     few_load(&x, points->position, points->first, count, f);

@@ -8,10 +8,9 @@
 
 #include "../plan/call.h"
 
-/* How an octave takes x to its lattice: p = f x (octave 0, since adding its offset of 0 would cost
-   3 to 5 % of a single octave), p = f x + o, or p = J x + o. On a lattice that repeats it is p = f
-   x + o, and cells are numbered within the period: powers of two, or any numbers. */
-enum axes { AXES_FIRST, AXES_STRAIGHT, AXES_TURNED, AXES_POWERS, AXES_PERIODS, AXES_KINDS };
+/* How an octave takes x to its lattice: p = f x + o, or p = J x + o. On a lattice that repeats it
+   is p = f x + o, and cells are numbered within the period: powers of two, or any numbers. */
+enum axes { AXES_STRAIGHT, AXES_TURNED, AXES_POWERS, AXES_PERIODS, AXES_KINDS };
 
 /* How coordinates are given: an array for each axis; or, for a row of a grid, an array of doubles
    for x, and for y and z numbers that the whole row shares; or, for each axis, a struct moved_axis
@@ -39,7 +38,7 @@ static enum axes axes_of(const struct scarp_call_plan *plan, int octave)
     case SCARP_REPEAT_ANY: return AXES_PERIODS;
     case SCARP_REPEAT_NEVER: break;
     }
-    return is_first ? AXES_FIRST : plan->rotate ? AXES_TURNED : AXES_STRAIGHT;
+    return is_first || !plan->rotate ? AXES_STRAIGHT : AXES_TURNED;
 }
 
 static int axes_repeat(enum axes axes)
@@ -143,10 +142,9 @@ VEC_INLINE vd load_f64(const struct positions *at, int axis, size_t block, int h
 }
 
 /* p along a straight axis of the octave, in double. */
-VEC_INLINE vd straight_f64(const struct scarp_octave *o, int axis, vd x, struct frame f)
+VEC_INLINE vd straight_f64(const struct scarp_octave *o, int axis, vd x)
 {
-    const vd p = vd_set(o->frequency64) * x;
-    return f.axes == AXES_FIRST ? p : p + vd_set(o->offset[axis]);
+    return vd_set(o->frequency64) * x + vd_set(o->offset[axis]);
 }
 
 /*
@@ -215,10 +213,9 @@ VEC_INLINE struct split split_turned_f64(const struct scarp_octave *o, int axis,
 
 /* p along one axis of the octave in float: where axes are straight, of the coordinate x along that
    axis, and where they are turned, of the point x. */
-VEC_INLINE vf straight_f32(const struct scarp_octave *o, int axis, vf x, struct frame f)
+VEC_INLINE vf straight_f32(const struct scarp_octave *o, int axis, vf x)
 {
-    const vf p = vf_set(o->frequency) * x;
-    return f.axes == AXES_FIRST ? p : p + vf_set((float)o->offset[axis]);
+    return vf_set(o->frequency) * x + vf_set((float)o->offset[axis]);
 }
 
 /* J x along one axis. */
@@ -242,7 +239,7 @@ VEC_INLINE vf position_f32(const struct scarp_octave *o, int axis, const struct 
                            size_t block, struct frame f)
 {
     if (f.axes != AXES_TURNED) {
-        return straight_f32(o, axis, load_f32(at, axis, block), f);
+        return straight_f32(o, axis, load_f32(at, axis, block));
     }
     vf x[3] = {load_f32(at, 0, block), load_f32(at, 1, block)};
     if (f.dimensions == 3) {
@@ -272,8 +269,8 @@ VEC_INLINE struct split position(const struct scarp_octave *o, int axis, const s
     if (f.layout == FLOATS) {
         s = split_f32(position_f32(o, axis, at, block, f));
     } else {
-        const vd p0 = straight_f64(o, axis, load_f64(at, axis, block, 0, f), f);
-        const vd p1 = straight_f64(o, axis, load_f64(at, axis, block, 1, f), f);
+        const vd p0 = straight_f64(o, axis, load_f64(at, axis, block, 0, f));
+        const vd p1 = straight_f64(o, axis, load_f64(at, axis, block, 1, f));
         s = split_f64(p0, p1);
         if (f.axes == AXES_PERIODS) {
             s.cell = vu_low_bits(within_f64(vd_floor(p0), o, axis) + 0x1.8p52,

@@ -19,10 +19,14 @@ _Static_assert(offsetof(struct scarp_noise, erosion) == 48 &&
                    offsetof(struct scarp_noise, of_octaves) == 76 &&
                    offsetof(struct scarp_noise, warp) == 80 &&
                    offsetof(struct scarp_noise, plan) == 80 + sizeof(void *) &&
-                   offsetof(struct scarp_noise, spare) == 80 + 2 * sizeof(void *) &&
+                   offsetof(struct scarp_noise, offset_first) == 80 + 2 * sizeof(void *) &&
+                   offsetof(struct scarp_noise, spare0) == 84 + 2 * sizeof(void *) &&
+                   offsetof(struct scarp_noise, spare) == 88 + 2 * sizeof(void *) &&
                    sizeof(struct scarp_noise) == 192,
                "struct scarp_noise has 192 bytes without padding");
-_Static_assert(sizeof((struct scarp_noise *)NULL)->spare >= 8, "some bytes stay spare");
+_Static_assert(sizeof((struct scarp_noise *)NULL)->spare >= 8 &&
+                   sizeof((struct scarp_noise *)NULL)->spare % 8 == 0,
+               "some bytes stay spare, in words that reserved_in_use() reads");
 
 /* While every f_k and the amplitude lie within these bounds, a_k f_k^2 times the largest second
    derivative (below 2^6 for every basis, per cell squared) stays under 2^127. So no outputs
@@ -160,7 +164,7 @@ static enum scarp_refusal refused_number(const struct scarp_noise *noise,
    reading members one by one. */
 static int reserved_in_use(const struct scarp_noise *noise)
 {
-    uintptr_t bits = 0;
+    uintptr_t bits = noise->spare0;
     for (size_t i = 0; i < sizeof noise->spare; i += sizeof bits) {
         uintptr_t word;
         memcpy(&word, (const char *)noise->spare + i, sizeof word);

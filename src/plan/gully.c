@@ -13,7 +13,8 @@
 
 _Static_assert(offsetof(struct scarp_gullies, amplitude) == 16 &&
                    offsetof(struct scarp_gullies, period) == 80 &&
-                   offsetof(struct scarp_gullies, spare) == 92 &&
+                   offsetof(struct scarp_gullies, offset_first) == 92 &&
+                   offsetof(struct scarp_gullies, spare) == 96 &&
                    sizeof(struct scarp_gullies) == 128,
                "struct scarp_gullies has 128 bytes without padding");
 
@@ -99,6 +100,7 @@ struct scarp_noise scarp_gullies_lattice(const struct scarp_gullies *gullies)
         .amplitude = (float)p.depth,
         .period = {period_of(gullies->period[0], p.cells), period_of(gullies->period[1], p.cells)},
         .of_octaves = gullies->of_octaves,
+        .offset_first = gullies->offset_first,
     };
     return lattice;
 }

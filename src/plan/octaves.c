@@ -71,16 +71,16 @@ static void draw_offset(struct scarp_octave *octave, uint64_t stream)
     }
 }
 
-/* `mixed` is as in octave_seed(). The first octave has the offset 0. */
-static void draw_octave(struct scarp_octave *octave, uint64_t mixed, int k)
+/* `mixed` is as in octave_seed(). The first octave has the offset 0 unless `offset_first` is set.
+ */
+static void draw_octave(struct scarp_octave *octave, uint64_t mixed, int k, uint32_t offset_first)
 {
-    if (k == 0) {
-        draw_keys(octave, mixed);
-        memset(octave->offset, 0, sizeof octave->offset);
-    } else {
-        const uint64_t stream = mix64(octave_seed(mixed, k) + GOLDEN_GAMMA);
-        draw_keys(octave, stream);
+    const uint64_t stream = k == 0 ? mixed : mix64(octave_seed(mixed, k) + GOLDEN_GAMMA);
+    draw_keys(octave, stream);
+    if (k > 0 || offset_first != 0) {
         draw_offset(octave, stream);
+    } else {
+        memset(octave->offset, 0, sizeof octave->offset);
     }
 }
 
@@ -194,7 +194,7 @@ void scarp_octaves_make(struct scarp_octave *octave, const struct scarp_noise *n
             o->stretch = stretch;
         }
         o->frequency64 = frequency;
-        draw_octave(o, mixed, k);
+        draw_octave(o, mixed, k, noise->offset_first);
         memset(o->last, 0xff, sizeof o->last);
         frequency *= p->lacunarity;
         share *= p->gain;
