@@ -252,7 +252,7 @@ struct scarp_noise {
     uint32_t offset_first SCARP_ZERO;
 
     /* reserved: 0. 192 bytes in all. */
-    uint32_t spare0 SCARP_ZERO;
+    uint32_t spare_word SCARP_ZERO;
     uint32_t spare[(192 - 88 - 2 * sizeof(void *)) / 4] SCARP_ZERO;
 };
 

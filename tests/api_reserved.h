@@ -70,7 +70,7 @@ static inline void test_reserved_layout(void)
         {offsetof(struct scarp_noise, warp), 80},
         {offsetof(struct scarp_noise, plan), 80 + pointer},
         {offsetof(struct scarp_noise, offset_first), 80 + 2 * pointer},
-        {offsetof(struct scarp_noise, spare0), 84 + 2 * pointer},
+        {offsetof(struct scarp_noise, spare_word), 84 + 2 * pointer},
         {offsetof(struct scarp_noise, spare), 88 + 2 * pointer},
         {sizeof(struct scarp_plan), 12288},
         {offsetof(struct scarp_samples, dphase), 10 * pointer},
@@ -119,7 +119,7 @@ static inline void expect_reserved(const struct reserved_test *t, const struct s
 static inline void test_reserved_noise_bits(const struct reserved_test *t)
 {
     outputs_poison(t->one);
-    for (size_t bit = 8 * offsetof(struct scarp_noise, spare0);
+    for (size_t bit = 8 * offsetof(struct scarp_noise, spare_word);
          bit < 8 * sizeof(struct scarp_noise); bit++) {
         unsigned char bytes[sizeof(struct scarp_noise)] = {0};
         struct scarp_noise noise;

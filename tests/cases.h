@@ -120,6 +120,10 @@ struct cases_call {
    that bend run with gradient noise, since their octaves are noise of one octave, and a little with
    value noise.
 
+   With the offset of octave 0, fBm runs with one octave, with any periods and with warps that have
+   it, too. Turned axes, which come with a phase, also run with the other fractals of gradient
+   noise.
+
    Bases that do not blend corners run with one fade. What the fractals make of them is the same for
    all, so that cellular noise runs with fBm alone but for a sharp and a smooth distance. */
 enum cases_octaves {
@@ -132,15 +136,29 @@ enum cases_octaves {
     CASES_FLOW_TURNED,
     CASES_WARPED,       /* one warp, and a phase */
     CASES_WARPED_TWICE, /* two, whose octaves are more than one plan has room for */
+    CASES_FIRST,        /* these have the offset of octave 0: one octave */
+    CASES_FIRST_TURNED,
+    CASES_FIRST_PERIODS,
+    CASES_FIRST_WARPED,
     CASES_SETTINGS
 };
 
-static const char *const setting_names[CASES_SETTINGS] = {
-    "",      "-octaves",     "-turned", "-powers",      "-periods",
-    "-flow", "-flow-turned", "-warped", "-warped-twice"};
+static const char *const setting_names[CASES_SETTINGS] = {"",
+                                                          "-octaves",
+                                                          "-turned",
+                                                          "-powers",
+                                                          "-periods",
+                                                          "-flow",
+                                                          "-flow-turned",
+                                                          "-warped",
+                                                          "-warped-twice",
+                                                          "-first",
+                                                          "-first-turned",
+                                                          "-first-periods",
+                                                          "-first-warped"};
 
-/* The warps: the second one has the third one. */
-static const struct scarp_noise cases_warps[3] = {
+/* The warps: the second one has the third one. The last one has the offset of octave 0. */
+static const struct scarp_noise cases_warps[4] = {
     {.seed = 5, .rotate = 1, .octaves = 2.0f, .frequency = 0.7, .amplitude = 0.75f},
     {.seed = 6,
      .octaves = 4.0f,
@@ -156,7 +174,27 @@ static const struct scarp_noise cases_warps[3] = {
      .frequency = 0.6,
      .lacunarity = 1.25f,
      .gain = 0.8f},
+    {.seed = 8, .rotate = 1, .octaves = 2.0f, .frequency = 0.7, .offset_first = 1},
 };
+
+/* Sets what goes with the offset of octave 0. */
+static inline void cases_set_first(struct scarp_noise *noise, enum cases_octaves setting)
+{
+    noise->offset_first = setting >= CASES_FIRST;
+    if (setting == CASES_FIRST_TURNED) {
+        noise->rotate = 1;
+        noise->octaves = 2.5f;
+        noise->frequency = 0.625;
+        noise->phase = noise->basis == SCARP_GRADIENT ? 0.4f : 0.0f;
+    } else if (setting == CASES_FIRST_PERIODS) {
+        noise->octaves = 2.0f;
+        noise->period[0] = 49;
+        noise->period[1] = 8;
+    } else if (setting == CASES_FIRST_WARPED) {
+        noise->octaves = 2.0f;
+        noise->warp = &cases_warps[3];
+    }
+}
 
 static inline void cases_set(struct scarp_noise *noise, enum cases_octaves setting)
 {
@@ -202,6 +240,7 @@ static inline void cases_set(struct scarp_noise *noise, enum cases_octaves setti
         noise->gain = 0.75f;
         noise->warp = &cases_warps[1];
     }
+    cases_set_first(noise, setting);
 }
 
 /* Whether these outputs are worth a case: of cellular noise all at once, and the value alone in one
@@ -211,7 +250,8 @@ static inline int cases_has_order(const struct scarp_noise *noise, int order,
 {
     const int all = noise_order(noise);
     return basis_blends(noise->basis) || noise->basis == SCARP_SIMPLEX || order == all ||
-           setting == CASES_OCTAVE || (order == 0 && setting == CASES_PERIODS);
+           setting == CASES_OCTAVE || setting == CASES_FIRST ||
+           (order == 0 && setting == CASES_PERIODS);
 }
 
 /* Whether there are warped cases of this noise: the second warp of one alone. */
@@ -236,13 +276,16 @@ static inline int cases_has_bends(const struct scarp_noise *noise, enum cases_oc
 /* Whether a fractal with this setting is a case of the noise's basis and fade. */
 static inline int cases_has(const struct scarp_noise *noise, enum cases_octaves setting)
 {
-    const int for_fbm =
-        setting == CASES_OCTAVE || setting == CASES_POWERS || setting == CASES_PERIODS;
-    const int flows = setting == CASES_FLOW || setting == CASES_FLOW_TURNED;
+    const int for_fbm = setting == CASES_OCTAVE || setting == CASES_POWERS ||
+                        setting == CASES_PERIODS || setting == CASES_FIRST ||
+                        setting == CASES_FIRST_PERIODS ||
+                        (setting == CASES_FIRST_TURNED && noise->basis != SCARP_GRADIENT);
+    const int flows =
+        setting == CASES_FLOW || setting == CASES_FLOW_TURNED || setting == CASES_FIRST_TURNED;
     const int shaped = fractal_has_bends(noise->fractal)
                            ? cases_has_bends(noise, setting)
                            : basis_smooth(noise->basis) || noise->basis == SCARP_CELL_F1;
-    if (setting == CASES_WARPED || setting == CASES_WARPED_TWICE) {
+    if (setting == CASES_WARPED || setting == CASES_WARPED_TWICE || setting == CASES_FIRST_WARPED) {
         return cases_has_warped(noise, setting);
     }
     return (noise->fractal == SCARP_FBM || (!for_fbm && shaped)) &&

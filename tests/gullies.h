@@ -39,6 +39,8 @@ static const struct scarp_gullies descriptions[] = {
     {.seed = 16, .period = {4, 0}},
     {.seed = 17, .period = {3, 5}, .cells = 4.0f, .octaves = 4.0f},
     {.seed = 18, .frequency = 1e-5, .amplitude = 1e-5f, .octaves = 8.0f},
+    {.seed = 19, .rotate = 1, .octaves = 3.0f, .offset_first = 1},
+    {.seed = 20, .period = {3, 5}, .cells = 4.0f, .octaves = 2.0f, .offset_first = 1},
 };
 #define DESCRIPTIONS (sizeof descriptions / sizeof descriptions[0])
 

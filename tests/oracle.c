@@ -146,8 +146,9 @@ static uint64_t next(uint64_t *state)
 }
 
 /* Octave 0 has the seed itself, octave k number k of the generator that the first number of the
-   seed's own generator starts; keys and offset are drawn likewise from the octave's seed. */
-static void draw_octave(struct oracle_octave *octave, uint64_t seed, int k)
+   seed's own generator starts; keys and offset are drawn likewise from the octave's seed. Whether
+   octave 0 has its offset is for the noise to say. */
+static void draw_octave(struct oracle_octave *octave, uint64_t seed, int k, int has_offset)
 {
     if (k > 0) {
         uint64_t seeds = next(&seed);
@@ -160,9 +161,9 @@ static void draw_octave(struct oracle_octave *octave, uint64_t seed, int k)
     octave->key[0] = (uint32_t)first;
     octave->key[1] = (uint32_t)(first >> 32);
     octave->key[2] = (uint32_t)second;
-    octave->offset[0] = k == 0 ? 0.0 : ldexp((double)(second >> 40), -24);
-    octave->offset[1] = k == 0 ? 0.0 : ldexp((double)(third % (1 << 24)), -24);
-    octave->offset[2] = k == 0 ? 0.0 : ldexp((double)(third >> 40), -24);
+    octave->offset[0] = has_offset ? ldexp((double)(second >> 40), -24) : 0.0;
+    octave->offset[1] = has_offset ? ldexp((double)(third % (1 << 24)), -24) : 0.0;
+    octave->offset[2] = has_offset ? ldexp((double)(third >> 40), -24) : 0.0;
 }
 
 /* axes = turn * axes, the turn between octaves as in scarp.h. */
@@ -255,7 +256,7 @@ void oracle_make(struct oracle *oracle, const struct scarp_noise *noise, int dim
     }
     for (int k = 0; k < oracle->octaves; k++) {
         struct oracle_octave *const octave = &oracle->octave[k];
-        draw_octave(octave, noise->seed, k);
+        draw_octave(octave, noise->seed, k, k > 0 || noise->offset_first != 0);
         turn_gradients(octave, dimensions, (double)noise->phase, k);
         octave->turned = noise->rotate != 0 && k > 0;
         octave->frequency = k == 0 ? frequency : octave[-1].frequency * lacunarity;

@@ -32,6 +32,7 @@ void oracle_gullies_make(struct oracle_gullies *oracle, const struct scarp_gulli
         .amplitude = g->depth != 0.0f ? g->depth : 0.25f,
         .period = {(uint32_t)((double)g->period[0] * cells),
                    (uint32_t)((double)g->period[1] * cells)},
+        .offset_first = g->offset_first,
     };
     oracle_make(&oracle->lattice, &lattice, 2);
     oracle->frequency = frequency;

@@ -313,7 +313,7 @@ static void test_gullies(void)
         {{.period = {3, 0}, .cells = 1.5f}, "period[0]", whole},
         {{.period = {0, 0x80000000u}}, "period[1]", whole},
         {{.period = {4, 0}, .rotate = 1}, "rotate", "turned axes cannot repeat"},
-        {{.spare = {[8] = 1}}, "spare", "a reserved member is not 0"},
+        {{.spare = {[7] = 1}}, "spare", "a reserved member is not 0"},
     };
     const struct scarp_gullies good = {.seed = 1};
     const char *member = "not written", *checked = member;

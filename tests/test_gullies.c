@@ -363,7 +363,7 @@ static void test_refused(void)
         {{.period = {0, 0x80000000u}}, "period[1]", SCARP_ERROR_PARAMETER},
         {{.period = {4, 0}, .rotate = 1}, "rotate", SCARP_ERROR_UNSUPPORTED},
         {{.period = {4, 0}, .lacunarity = 2.5f}, "lacunarity", SCARP_ERROR_PARAMETER},
-        {{.spare = {[8] = 1}}, "spare", SCARP_ERROR_UNSUPPORTED},
+        {{.spare = {[7] = 1}}, "spare", SCARP_ERROR_UNSUPPORTED},
     };
     for (size_t i = 0; i < sizeof wrong / sizeof *wrong; i++) {
         const char *member = "";

@@ -10,6 +10,9 @@
 static const struct scarp_noise vector_deep = {.seed = 21, .amplitude = 0.25f, .frequency = 0.5},
                                 vector_warp = {.seed = 22, .amplitude = 0.5f, .octaves = 2.0f},
                                 vector_tile = {.seed = 24, .amplitude = 3.0f, .period = {3, 5, 4}},
+                                vector_first = {.seed = 27,
+                                                .basis = SCARP_SIMPLEX,
+                                                .offset_first = 1},
                                 vector_warped = {
                                     .seed = 23, .basis = SCARP_SIMPLEX, .warp = &vector_deep};
 
@@ -38,6 +41,8 @@ static const struct scarp_noise vector_noises[] = {
     {.seed = 18, .octaves = 2.0f, .warp = &vector_warped},
     {.seed = 20, .octaves = 2.0f, .period = {5, 4, 3}, .warp = &vector_tile},
     {.seed = 19, .octaves = 3.0f, .warp = &vector_warp, .phase = 0.7f, .basis = SCARP_GRADIENT},
+    {.seed = 25, .octaves = 2.0f, .rotate = 1, .offset_first = 1},
+    {.seed = 26, .basis = SCARP_CELL_F1, .offset_first = 1, .warp = &vector_first},
 };
 #define VECTORS ((int)(sizeof vector_noises / sizeof vector_noises[0]))
 

@@ -78,11 +78,11 @@ VEC_INLINE struct split few_split(const struct scarp_octave *o, int axis, const 
     const int is_turned = f.axes == AXES_TURNED;
     if (f.layout == FLOATS) {
         return split_f32(is_turned ? turned_f32(o, axis, x->f32, f)
-                                   : straight_f32(o, axis, x->f32[axis]));
+                                   : straight_f32(o, axis, x->f32[axis], f));
     }
     return is_turned ? split_turned_f64(o, axis, 1.0, x->low, x->high, f)
-                     : split_f64(straight_f64(o, axis, x->low[axis]),
-                                 straight_f64(o, axis, x->high[axis]));
+                     : split_f64(straight_f64(o, axis, x->low[axis], f),
+                                 straight_f64(o, axis, x->high[axis], f));
 }
 
 /* The basis of an octave at a block. */

@@ -286,6 +286,8 @@ static __attribute__((noinline)) void hash_blocks3(vf *lattice, size_t blocks)
     LATTICE_STORES(axes_name, lattice_run, d, layout, axes, f, CORNERS_MIXED)                      \
     LATTICE_HASHES(hashes_name, axes_name, d, layout, axes)
 #define LATTICE_STRAIGHT(d, layout)                                                                \
+    LATTICE_PASS(mixed_axes##d##_##layout##_first, hashed##d##_##layout##_first, d, layout,        \
+                 AXES_FIRST)                                                                       \
     LATTICE_PASS(mixed_axes##d##_##layout##_straight, hashed##d##_##layout##_straight, d, layout,  \
                  AXES_STRAIGHT)
 #define LATTICE_PASSES(d, layout)                                                                  \
@@ -296,7 +298,8 @@ static __attribute__((noinline)) void hash_blocks3(vf *lattice, size_t blocks)
                  AXES_POWERS)                                                                      \
     LATTICE_PASS(mixed_axes##d##_##layout##_periods, hashed##d##_##layout##_periods, d, layout,    \
                  AXES_PERIODS)
-#define STRAIGHT_NAMES(name, d, layout) [AXES_STRAIGHT] = name##d##_##layout##_straight
+#define STRAIGHT_NAMES(name, d, layout)                                                            \
+    [AXES_FIRST] = name##d##_##layout##_first, [AXES_STRAIGHT] = name##d##_##layout##_straight
 #define ANY_NAMES(name, d, layout)                                                                 \
     {                                                                                              \
         STRAIGHT_NAMES(name, d, layout), [AXES_TURNED] = name##d##_##layout##_turned,              \

@@ -81,8 +81,8 @@ VEC_INLINE struct split moved_at(const struct scarp_octave *o, int axis,
         }
         s = split_turned_f64(o, axis, 1.0, low, high, f);
     } else {
-        s = split_f64(straight_f64(o, axis, load_f64_of(&at->x, axis, b, 0)),
-                      straight_f64(o, axis, load_f64_of(&at->x, axis, b, 1)));
+        s = split_f64(straight_f64(o, axis, load_f64_of(&at->x, axis, b, 0), f),
+                      straight_f64(o, axis, load_f64_of(&at->x, axis, b, 1), f));
     }
     return split_sum(s, split_f32(moved_cells(o, axis, at, b, f)));
 }
@@ -268,9 +268,10 @@ static __attribute__((noinline)) void split_along(vf *to, const struct scarp_oct
                                                   const double *x, size_t blocks, enum axes axes)
 {
     const vd stretch = vd_set(axis == 1 ? o->stretch : 1.0);
+    const struct frame f = {DOUBLES, AXES_STRAIGHT, 3};
     for (size_t b = 0; b < blocks; b++, x += VEC_LANES) {
-        const vd p0 = straight_f64(o, axis, vd_load(x)) * stretch;
-        const vd p1 = straight_f64(o, axis, vd_load(x + VEC_LANES / 2)) * stretch;
+        const vd p0 = straight_f64(o, axis, vd_load(x), f) * stretch;
+        const vd p1 = straight_f64(o, axis, vd_load(x + VEC_LANES / 2), f) * stretch;
         struct split s = split_f64(p0, p1);
         if (axes == AXES_PERIODS) {
             s.cell = vu_low_bits(within_f64(vd_floor(p0), o, axis) + 0x1.8p52,

@@ -63,15 +63,16 @@ VEC_INLINE vf unhashed_f32(const struct scarp_octave *o, int axis,
         }
         p = turned_f32(o, axis, x, f);
     } else {
-        p = straight_f32(o, axis, load_f32_of(at, axis, block));
+        p = straight_f32(o, axis, load_f32_of(at, axis, block), f);
     }
     return axis == 1 ? p * vf_set((float)o->stretch) : p;
 }
 
 VEC_INLINE vd unhashed_f64(const struct scarp_octave *o, int axis,
-                           const struct coordinate_arrays *at, size_t block, int half)
+                           const struct coordinate_arrays *at, size_t block, int half,
+                           struct frame f)
 {
-    const vd p = straight_f64(o, axis, load_f64_of(at, axis, block, half));
+    const vd p = straight_f64(o, axis, load_f64_of(at, axis, block, half), f);
     return axis == 1 ? p * vd_set(o->stretch) : p;
 }
 
@@ -104,8 +105,8 @@ VEC_INLINE struct split unhashed_split(const struct scarp_octave *o, int axis,
     } else if (f.axes == AXES_TURNED) {
         s = unhashed_turned_f64(o, axis, at, block, f);
     } else {
-        const vd p0 = unhashed_f64(o, axis, at, block, 0);
-        const vd p1 = unhashed_f64(o, axis, at, block, 1);
+        const vd p0 = unhashed_f64(o, axis, at, block, 0, f);
+        const vd p1 = unhashed_f64(o, axis, at, block, 1, f);
         s = split_f64(p0, p1);
         if (at->axes == AXES_PERIODS) {
             s.cell = vu_low_bits(within_f64(vd_floor(p0), o, axis) + 0x1.8p52,

@@ -20,7 +20,7 @@ _Static_assert(offsetof(struct scarp_noise, erosion) == 48 &&
                    offsetof(struct scarp_noise, warp) == 80 &&
                    offsetof(struct scarp_noise, plan) == 80 + sizeof(void *) &&
                    offsetof(struct scarp_noise, offset_first) == 80 + 2 * sizeof(void *) &&
-                   offsetof(struct scarp_noise, spare0) == 84 + 2 * sizeof(void *) &&
+                   offsetof(struct scarp_noise, spare_word) == 84 + 2 * sizeof(void *) &&
                    offsetof(struct scarp_noise, spare) == 88 + 2 * sizeof(void *) &&
                    sizeof(struct scarp_noise) == 192,
                "struct scarp_noise has 192 bytes without padding");
@@ -164,7 +164,7 @@ static enum scarp_refusal refused_number(const struct scarp_noise *noise,
    reading members one by one. */
 static int reserved_in_use(const struct scarp_noise *noise)
 {
-    uintptr_t bits = noise->spare0;
+    uintptr_t bits = noise->spare_word;
     for (size_t i = 0; i < sizeof noise->spare; i += sizeof bits) {
         uintptr_t word;
         memcpy(&word, (const char *)noise->spare + i, sizeof word);

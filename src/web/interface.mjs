@@ -37,13 +37,13 @@ export const scarp_isa = {
 export const scarp_noise = {
     SIZE: 192, basis: 0, fade: 4, fractal: 8, rotate: 12, seed: 16, frequency: 24, octaves: 32,
     lacunarity: 36, gain: 40, amplitude: 44, erosion: 48, phase: 52, jitter: 56, sharpness: 60,
-    period: 64, of_octaves: 76, warp: 80, plan: 84,
+    period: 64, of_octaves: 76, warp: 80, plan: 84, offset_first: 88,
 };
 export const scarp_noise_types = {
     basis: 'enum', fade: 'enum', fractal: 'enum', rotate: 'uint32_t', seed: 'uint64_t',
     frequency: 'double', octaves: 'float', lacunarity: 'float', gain: 'float', amplitude: 'float',
     erosion: 'float', phase: 'float', jitter: 'float', sharpness: 'float', period: 'uint32_t[3]',
-    of_octaves: 'float', warp: 'pointer', plan: 'pointer',
+    of_octaves: 'float', warp: 'pointer', plan: 'pointer', offset_first: 'uint32_t',
 };
 
 export const scarp_samples = {
@@ -72,7 +72,7 @@ export const scarp_partials = { SIZE: 32, f: 0, fa: 4, fb: 8, faa: 12, fab: 16, 
 export const scarp_gullies = {
     SIZE: 128, seed: 0, frequency: 8, amplitude: 16, octaves: 20, of_octaves: 24, lacunarity: 28,
     gain: 32, depth: 36, cells: 40, slope: 44, slope_low: 48, low: 52, high: 56, floor: 60,
-    stripes: 64, branch: 68, round: 72, keep: 76, period: 80, rotate: 88,
+    stripes: 64, branch: 68, round: 72, keep: 76, period: 80, rotate: 88, offset_first: 92,
 };
 
 export const scarp_eroded = {
@@ -115,7 +115,7 @@ export const scarp_gpu_octave = {
 
 export const scarp_gpu_level = {
     SIZE: 48, basis: 0, fade: 4, fractal: 8, octaves: 12, rotate: 16, flows: 20, first: 24,
-    spare0: 28, erosion: 32, sharpness: 36, inverse_weight: 40, spare1: 44,
+    erosion: 32, sharpness: 36, inverse_weight: 40,
 };
 
 export const scarp_gpu_plan = {

@@ -62,6 +62,11 @@ export interface Noise {
     ofOctaves?: number;
     /** A noise that displaces positions. It may have a warp, too; four in all. */
     warp?: Noise | null;
+    /**
+     * Whether the first octave, too, has an offset that the seed draws. Without one every seed has a
+     * lattice point at the origin.
+     */
+    offsetFirst?: boolean;
 }
 
 /** A noise that is checked and whose constants are computed, for many calls with few points. */

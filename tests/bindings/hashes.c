@@ -85,7 +85,7 @@ static const struct scarp_noise tile = {.basis = SCARP_VALUE,
                                         .sharpness = 1.5f,
                                         .period = {8, 16, 4},
                                         .of_octaves = 4};
-static const struct scarp_noise flowing = {.seed = 5, .octaves = 3, .phase = 0.3f};
+static const struct scarp_noise flowing = {.seed = 5, .octaves = 3, .phase = 0.3f, .offset_first = 1};
 static const struct scarp_noise worley = {.basis = SCARP_CELL_F1, .seed = 9, .jitter = 0.75f};
 
 static void tell_points(void)
@@ -134,7 +134,8 @@ static void tell_grids(void)
           "grid3");
     tell("grid3", 4, sizeof(float) * 11 * 13 * 7);
 
-    const struct scarp_gullies gullies = {.seed = 4, .frequency = 0.02, .depth = 0.3f};
+    const struct scarp_gullies gullies = {
+        .seed = 4, .frequency = 0.02, .depth = 0.3f, .offset_first = 1};
     const struct scarp_noise base = {.seed = 4, .frequency = 0.02, .octaves = 2};
     const struct scarp_samples in = plane(6);
     const struct scarp_eroded eroded = {.value = array[0],

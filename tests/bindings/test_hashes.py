@@ -50,7 +50,7 @@ class Hashes(unittest.TestCase):
         cls.warp = scarp.Noise("simplex", seed=7, frequency=0.02, octaves=2, amplitude=15)
         cls.warped = scarp.Noise(fractal="ridged", rotate=True, seed=0xfedcba9876543210,
                                  frequency=0.01, octaves=6, warp=cls.warp)
-        cls.flowing = scarp.Noise(seed=5, octaves=3, phase=0.3)
+        cls.flowing = scarp.Noise(seed=5, octaves=3, phase=0.3, offset_first=True)
         cls.where = dict(step=(0.5, -0.25), origin=(-3, 5), first=(-20, 7))
 
     @classmethod
@@ -98,7 +98,7 @@ class Hashes(unittest.TestCase):
     def test_chain(self):
         base = scarp.Noise(seed=4, frequency=0.02, octaves=2).grid(SHAPE, derivatives=2,
                                                                    **self.where)
-        gullies = scarp.Gullies(seed=4, frequency=0.02, depth=0.3)
+        gullies = scarp.Gullies(seed=4, frequency=0.02, depth=0.3, offset_first=True)
         for threads in (1, 3):
             eroded, displacement = gullies.grid(base, derivatives=1, threads=threads, **self.where)
             self.same("gullies_grid2", members(eroded, ("value", "dx", "dy")) +

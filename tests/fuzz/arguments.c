@@ -23,13 +23,15 @@ static void print_noise(const struct scarp_noise *noise)
                 "{.basis = %d, .fade = %d, .fractal = %d, .rotate = %u, .seed = %llu, "
                 ".frequency = %.17g, .octaves = %.9g, .lacunarity = %.9g, .gain = %.9g, "
                 ".amplitude = %.9g, .erosion = %.9g, .phase = %.9g, .jitter = %.9g, "
-                ".sharpness = %.9g, .period = {%u, %u, %u}, .of_octaves = %.9g}\n",
+                ".sharpness = %.9g, .period = {%u, %u, %u}, .of_octaves = %.9g, "
+                ".offset_first = %u}\n",
                 (int)noise->basis, (int)noise->fade, (int)noise->fractal, (unsigned)noise->rotate,
                 (unsigned long long)noise->seed, noise->frequency, (double)noise->octaves,
                 (double)noise->lacunarity, (double)noise->gain, (double)noise->amplitude,
                 (double)noise->erosion, (double)noise->phase, (double)noise->jitter,
                 (double)noise->sharpness, (unsigned)noise->period[0], (unsigned)noise->period[1],
-                (unsigned)noise->period[2], (double)noise->of_octaves);
+                (unsigned)noise->period[2], (double)noise->of_octaves,
+                (unsigned)noise->offset_first);
     }
 }
 
@@ -77,7 +79,9 @@ static void draw_level(struct draw *d, int dimensions, int is_warp, struct scarp
     noise->basis = (enum scarp_basis)draw_below(d, wild ? 10 : 8);
     noise->fractal = (enum scarp_fractal)draw_below(d, wild ? 10 : 8);
     noise->fade = (enum scarp_fade)draw_below(d, wild ? 4 : 2);
-    noise->rotate = draw_below(d, 2);
+    const uint32_t switches = draw_below(d, 4);
+    noise->rotate = switches % 2;
+    noise->offset_first = switches / 2;
     noise->seed = draw_bits(d, draw_rarely(d, 4) ? 8 : 1);
     noise->frequency = member(d, wild, 0x1p-8, 0x1p8);
     noise->octaves = (float)member(d, wild, 0.25, draw_rarely(d, 16) ? 32.0 : 5.0);

@@ -65,7 +65,9 @@ static void draw_gullies(struct draw *d, int wild, struct scarp_gullies *g)
     g->branch = (float)member(d, wild, 0x1p-24, 8.0);
     g->round = (float)member(d, wild, 0x1p-8, 0x1p8);
     g->keep = (float)member(d, wild, 0x1p-24, 1.0);
-    g->rotate = draw_below(d, 2);
+    const uint32_t switches = draw_below(d, 4);
+    g->rotate = switches % 2;
+    g->offset_first = switches / 2;
     if (draw_rarely(d, 4)) {
         g->period[0] = draw_byte(d);
         g->period[1] = (uint32_t)draw_bits(d, draw_rarely(d, 4) ? 4 : 1);

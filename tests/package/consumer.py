@@ -20,7 +20,8 @@ class Noise(ctypes.Structure):
         ("amplitude", ctypes.c_float), ("erosion", ctypes.c_float), ("phase", ctypes.c_float),
         ("jitter", ctypes.c_float), ("sharpness", ctypes.c_float),
         ("period", ctypes.c_uint32 * 3), ("of_octaves", ctypes.c_float), ("warp", ctypes.c_void_p),
-        ("plan", ctypes.c_void_p), ("spare", ctypes.c_uint32 * ((192 - 80 - 2 * POINTER_SIZE) // 4))]
+        ("plan", ctypes.c_void_p), ("offset_first", ctypes.c_uint32),
+        ("spare", ctypes.c_uint32 * ((192 - 84 - 2 * POINTER_SIZE) // 4))]
 
 
 FloatPointer = ctypes.POINTER(ctypes.c_float)

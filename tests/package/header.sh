@@ -23,6 +23,7 @@ SAME(octaves_offset, offsetof(struct scarp_noise, octaves), 32);
 SAME(period_offset, offsetof(struct scarp_noise, period), 64);
 SAME(warp_offset, offsetof(struct scarp_noise, warp), 80);
 SAME(plan_offset, offsetof(struct scarp_noise, plan), 80 + POINTERS(1));
+SAME(first_offset, offsetof(struct scarp_noise, offset_first), 80 + POINTERS(2));
 SAME(plan_size, sizeof(struct scarp_plan), 12288);
 SAME(samples_size, sizeof(struct scarp_samples), POINTERS(16));
 SAME(dphase_offset, offsetof(struct scarp_samples, dphase), POINTERS(10));
@@ -36,6 +37,7 @@ SAME(partials_size, sizeof(struct scarp_partials), POINTERS(8));
 SAME(fbb_offset, offsetof(struct scarp_partials, fbb), POINTERS(5));
 SAME(gullies_size, sizeof(struct scarp_gullies), 128);
 SAME(keep_offset, offsetof(struct scarp_gullies, keep), 76);
+SAME(first_gullies_offset, offsetof(struct scarp_gullies, offset_first), 92);
 SAME(eroded_size, sizeof(struct scarp_eroded), POINTERS(16));
 SAME(displacement_offset, offsetof(struct scarp_eroded, displacement_dy), POINTERS(5));
 SAME(recipe_size, sizeof(struct scarp_recipe), 65536);
@@ -111,7 +113,8 @@ ZEROS(scarp_recipe_argument);
 ZEROS(scarp_recipe_function);
 ZEROS(scarp_shader);
 static_assert(zero_scarp_noise.basis == SCARP_GRADIENT && zero_scarp_noise.period[2] == 0 &&
-                  zero_scarp_noise.warp == nullptr && zero_scarp_samples.spare[4] == nullptr,
+                  zero_scarp_noise.warp == nullptr && zero_scarp_noise.offset_first == 0 &&
+                  zero_scarp_gullies.offset_first == 0 && zero_scarp_samples.spare[4] == nullptr,
               "members are 0 by default");
 #endif
 #if defined(__cplusplus) && __cplusplus >= 202002L

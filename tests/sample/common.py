@@ -65,8 +65,8 @@ class Noise(ctypes.Structure):
                 ("phase", ctypes.c_float), ("jitter", ctypes.c_float),
                 ("sharpness", ctypes.c_float), ("period", ctypes.c_uint32 * 3),
                 ("of_octaves", ctypes.c_float), ("warp", ctypes.c_void_p),
-                ("plan", ctypes.c_void_p),
-                ("reserved", ctypes.c_uint32 * (28 - ctypes.sizeof(ctypes.c_void_p) // 2))]
+                ("plan", ctypes.c_void_p), ("offset_first", ctypes.c_uint32),
+                ("reserved", ctypes.c_uint32 * (27 - ctypes.sizeof(ctypes.c_void_p) // 2))]
 
 
 class Samples(ctypes.Structure):

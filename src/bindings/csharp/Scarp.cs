@@ -423,6 +423,14 @@ namespace Scarp
         /// too, up to four in all.</summary>
         public Noise Warp { get; set; }
 
+        /// <summary>Whether the first octave, too, has an offset that the seed draws. Without one
+        /// every seed has a lattice point at the origin.</summary>
+        public bool OffsetFirst
+        {
+            get { return data.offset_first != 0; }
+            set { data.offset_first = value ? 1u : 0u; }
+        }
+
         uint Period(int axis)
         {
             fixed (uint* period = data.period) {
@@ -1903,6 +1911,8 @@ namespace Scarp
             public float of_octaves;
             public scarp_noise* warp;
             public scarp_plan* plan;
+            public uint offset_first;
+            public uint spare_word;
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -2011,7 +2021,8 @@ namespace Scarp
             public float keep;
             public fixed uint period[2];
             public uint rotate;
-            public fixed uint spare[9];
+            public uint offset_first;
+            public fixed uint spare[8];
         }
 
         [StructLayout(LayoutKind.Sequential)]

@@ -37,7 +37,7 @@ def table(header):
     out += ["export const %s = %d;" % pair for pair in header.constants.items()] + [""]
     out += [literal(name, values.items()) for name, values in header.enums.items()]
     for name, structure in header.structures.items():
-        members = [m for m in structure["members"] if m["name"] != "spare"]
+        members = [m for m in structure["members"] if not m["name"].startswith("spare")]
         out += ["", literal(name, [("SIZE", structure[4][0])] +
                             [(m["name"], m[4][0]) for m in members])]
         if name in TYPED:

@@ -155,6 +155,7 @@ static void visit_bases(int dimensions)
                 .octaves = 3.5f,
                 .phase = basis == SCARP_GRADIENT && n % 2 == 1 ? 0.3125f : 0.0f,
                 .jitter = n % 4 == 2 ? 0.75f : 0.0f,
+                .offset_first = n % 7 == 3,
             };
             char more[64];
             if (n % 5 == 1) {

@@ -28,7 +28,9 @@ static class Hashes
         PeriodZ = 4,
         OfOctaves = 4
     };
-    static readonly Noise flowing = new Noise { Seed = 5, Octaves = 3, Phase = 0.3f };
+    static readonly Noise flowing = new Noise {
+        Seed = 5, Octaves = 3, Phase = 0.3f, OffsetFirst = true
+    };
     static readonly Noise worley = new Noise { Basis = Basis.CellF1, Seed = 9, Jitter = 0.75f };
 
     static readonly Raster grid = new Raster(Columns, Rows) {
@@ -125,7 +127,9 @@ static class Hashes
 
     static unsafe void Gullies()
     {
-        var gullies = new Native.scarp_gullies { seed = 4, frequency = 0.02, depth = 0.3f };
+        var gullies = new Native.scarp_gullies {
+            seed = 4, frequency = 0.02, depth = 0.3f, offset_first = 1
+        };
         Native.scarp_grid native = grid.ToNative();
         fixed (float* b0 = array[6], b1 = array[7], b2 = array[8], b3 = array[9], b4 = array[10],
                b5 = array[11], o0 = array[0], o1 = array[1], o2 = array[2], o3 = array[3],

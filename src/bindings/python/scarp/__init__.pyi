@@ -157,6 +157,7 @@ class Noise:
     period: Optional[Tuple[int, ...]]
     of_octaves: Optional[float]
     warp: Optional[Noise]
+    offset_first: bool
     def __init__(self, basis: Union[str, int, None] = ..., fractal: Union[str, int, None] = ...,
                  *, fade: Union[str, int, None] = ..., rotate: Optional[bool] = ...,
                  seed: Optional[int] = ..., frequency: Optional[float] = ...,
@@ -165,7 +166,8 @@ class Noise:
                  erosion: Optional[float] = ..., phase: Optional[float] = ...,
                  jitter: Optional[float] = ..., sharpness: Optional[float] = ...,
                  period: Optional[Sequence[int]] = ..., of_octaves: Optional[float] = ...,
-                 warp: Optional[Noise] = ...) -> None: ...
+                 warp: Optional[Noise] = ...,
+                 offset_first: Optional[bool] = ...) -> None: ...
     def replace(self, **changes: Any) -> Noise: ...
     def range(self, dimensions: int = ...) -> Tuple[float, float]: ...
     def grid(self, shape: Sequence[int], step: Union[float, Numbers] = ...,
@@ -192,7 +194,8 @@ class Gullies:
                  slope_low: Optional[float] = ..., low: Optional[float] = ...,
                  high: Optional[float] = ..., floor: Optional[float] = ...,
                  stripes: Optional[float] = ..., branch: Optional[float] = ...,
-                 round: Optional[float] = ..., keep: Optional[float] = ...) -> None: ...
+                 round: Optional[float] = ..., keep: Optional[float] = ...,
+                 offset_first: bool = ...) -> None: ...
     def range(self, base_range: Tuple[float, float]) -> Tuple[float, float]: ...
     def at(self, base: Samples, x: ArrayLike, y: ArrayLike, *, derivatives: int = ...,
            threads: int = ...) -> Tuple[Samples, Samples]: ...

@@ -24,6 +24,7 @@ class Gullies:
     depth       how far the base is displaced at most, in amplitudes. Default 0.25
     seed        an integer in [0, 2^64)
     rotate      turn the axes between octaves
+    offset_first  whether the seed moves octave 0, too
     period      cells of the base after which gullies repeat along x and y; 0: never
     and lacunarity (2), gain (0.45), of_octaves, cells (3), slope (1.125), slope_low (1.75),
     low (-1), high (1), floor (0.5), stripes (1.5), branch (0.8), round (0.15), keep (1): see
@@ -34,9 +35,10 @@ class Gullies:
     """
     __slots__ = ("_given", "_gullies")
 
-    def __init__(self, *, seed=0, rotate=False, period=None, **numbers):
+    def __init__(self, *, seed=0, rotate=False, period=None, offset_first=False, **numbers):
         gullies = _Gullies()
-        self._given = dict(numbers, seed=seed, rotate=rotate, period=period)
+        self._given = dict(numbers, seed=seed, rotate=rotate, period=period,
+                           offset_first=offset_first)
         for name, value in numbers.items():
             if name not in NUMBERS:
                 raise TypeError("gullies have no member %r; there are %s" % (
@@ -44,6 +46,7 @@ class Gullies:
             if value is not None:
                 setattr(gullies, name, member(name, value, "f8" if name == "frequency" else "f4"))
         gullies.seed, gullies.rotate = seed_of(seed), int(bool(rotate))
+        gullies.offset_first = int(bool(offset_first))
         if period is not None:
             if not hasattr(period, "__len__") or len(period) != 2:
                 raise ScarpError("two integers are needed, one for each axis", "period")

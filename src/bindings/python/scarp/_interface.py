@@ -94,7 +94,9 @@ STRUCTURES = {
         ('of_octaves', 'f4', ()),
         ('warp', 'pointer', ()),
         ('plan', 'pointer', ()),
-        ('spare', 'u4', ((26, 24),)),
+        ('offset_first', 'u4', ()),
+        ('spare_word', 'u4', ()),
+        ('spare', 'u4', ((24, 22),)),
     )),
     'scarp_samples': ((64, 128), (
         ('value', 'pointer', ()),
@@ -183,7 +185,8 @@ STRUCTURES = {
         ('keep', 'f4', ()),
         ('period', 'u4', (2,)),
         ('rotate', 'u4', ()),
-        ('spare', 'u4', (9,)),
+        ('offset_first', 'u4', ()),
+        ('spare', 'u4', (8,)),
     )),
     'scarp_eroded': ((64, 128), (
         ('value', 'pointer', ()),

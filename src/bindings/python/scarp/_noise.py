@@ -17,7 +17,7 @@ WORDS = {"basis": BASES, "fade": FADES, "fractal": FRACTALS}
 # The members of a noise, with their types, and what C takes where they are 0
 MEMBERS = {name: kind if not lengths else kind + "[]"
            for name, kind, lengths in _interface.STRUCTURES["scarp_noise"][1]
-           if name not in ("plan", "spare")}
+           if name != "plan" and not name.startswith("spare")}
 ZEROS = _interface.DEFAULTS["scarp_noise"]
 CELLS = {2: (("f1", "f2", "id", "x", "y"), ("dx1", "dy1", "dx2", "dy2")),
          3: (("f1", "f2", "id", "x", "y", "z"), ("dx1", "dy1", "dz1", "dx2", "dy2", "dz2"))}
@@ -151,6 +151,7 @@ class Noise:
     gain         amplitude ratio between octaves, in [1/16, 16]. Default 0.5
     amplitude    scales every output. Default 1
     rotate       turn the axes between octaves, which hides the lattice's directions
+    offset_first whether the seed moves octave 0, too; else every seed has a lattice point at (0, 0)
     erosion, sharpness, jitter
                  of some fractals and of cellular noise: see include/scarp.h
     phase        turns of the gradients, so noise flows; 1 is a loop. Gradient noise alone

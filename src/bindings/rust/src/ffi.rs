@@ -95,7 +95,9 @@ pub struct scarp_noise {
     pub of_octaves: f32,
     pub warp: *const scarp_noise,
     pub plan: *const scarp_plan,
-    pub spare: [u32; (192 - 80 - 2 * size_of::<usize>()) / 4],
+    pub offset_first: u32,
+    pub spare_word: u32,
+    pub spare: [u32; (192 - 88 - 2 * size_of::<usize>()) / 4],
 }
 
 impl Default for scarp_noise {
@@ -247,7 +249,8 @@ pub struct scarp_gullies {
     pub keep: f32,
     pub period: [u32; 2],
     pub rotate: u32,
-    pub spare: [u32; 9],
+    pub offset_first: u32,
+    pub spare: [u32; 8],
 }
 
 impl Default for scarp_gullies {
@@ -1045,7 +1048,9 @@ mod layout {
         of_octaves: 76, 76;
         warp: 80, 80;
         plan: 84, 88;
-        spare: 88, 96;
+        offset_first: 88, 96;
+        spare_word: 92, 100;
+        spare: 96, 104;
     }
 
     layout! {
@@ -1148,7 +1153,8 @@ mod layout {
         keep: 76, 76;
         period: 80, 80;
         rotate: 88, 88;
-        spare: 92, 92;
+        offset_first: 92, 92;
+        spare: 96, 96;
     }
 
     layout! {

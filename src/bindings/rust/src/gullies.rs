@@ -74,8 +74,12 @@ pub struct Gullies {
     pub rotate: bool,
     #[doc(hidden)]
     pub reserved_of_rotate: Reserved<[u8; 3]>,
+    /// Whether the first gullies, too, have an offset that the seed draws
+    pub offset_first: bool,
     #[doc(hidden)]
-    pub reserved: Reserved<[u32; 9]>,
+    pub reserved_of_offset_first: Reserved<[u8; 3]>,
+    #[doc(hidden)]
+    pub reserved: Reserved<[u32; 8]>,
 }
 
 impl Default for Gullies {
@@ -102,7 +106,9 @@ impl Default for Gullies {
             period: [0; 2],
             rotate: false,
             reserved_of_rotate: Reserved([0; 3]),
-            reserved: Reserved([0; 9]),
+            offset_first: false,
+            reserved_of_offset_first: Reserved([0; 3]),
+            reserved: Reserved([0; 8]),
         }
     }
 }
@@ -223,7 +229,8 @@ mod tests {
             )*};
         }
         same!(seed frequency amplitude octaves of_octaves lacunarity gain depth cells slope
-            slope_low low high floor stripes branch round keep period rotate);
+            slope_low low high floor stripes branch round keep period rotate
+            offset_first);
     }
 
     /// The defaults are those of C: zeros there give the same bits.

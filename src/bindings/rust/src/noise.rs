@@ -18,7 +18,7 @@ pub use plan::Plan;
 #[repr(transparent)]
 pub struct Reserved<T>(pub(crate) T);
 
-pub(crate) const SPARE: usize = (192 - 80 - 2 * size_of::<usize>()) / 4;
+pub(crate) const SPARE: usize = (192 - 84 - 2 * size_of::<usize>()) / 4;
 
 /// Noise with exact derivatives: a description, which calls read. `scarp.h` has all formulas.
 ///
@@ -99,6 +99,11 @@ pub struct Noise<'a> {
     pub warp: Option<&'a Noise<'a>>,
     /// The constants of this noise, for many calls with few points
     pub plan: Option<&'a Plan>,
+    /// Whether octave 0, too, has an offset that the seed draws: without one every seed has a
+    /// lattice point at the origin
+    pub offset_first: bool,
+    #[doc(hidden)]
+    pub reserved_of_offset_first: Reserved<[u8; 3]>,
     #[doc(hidden)]
     pub reserved: Reserved<[u32; SPARE]>,
 }
@@ -131,11 +136,14 @@ impl<'a> Noise<'a> {
         of_octaves: 0.0,
         warp: None,
         plan: None,
+        offset_first: false,
+        reserved_of_offset_first: Reserved([0; 3]),
         reserved: Reserved([0; SPARE]),
     };
 
     pub(crate) fn c(&self) -> *const ffi::scarp_noise {
-        // The layout is that of C: a test compares it. `rotate` is 0 or not, in any order of bytes.
+        // The layout is that of C: a test compares it. `rotate` and `offset_first` are 0 or
+        // not, in any order of bytes.
         (self as *const Noise<'a>).cast()
     }
 
@@ -367,19 +375,23 @@ mod tests {
                 let of_c = unsafe { addr_of!((*c).$member) } as usize;
                 assert_eq!(addr_of!(noise.$member) as usize, of_c, stringify!($member));
                 assert_eq!(std::mem::size_of_val(&noise.$member), unsafe { size(addr_of!((*c).$member)) }
-                    - if stringify!($member) == "rotate" { 3 } else { 0 });
+                    - if ["rotate", "offset_first"].contains(&stringify!($member)) { 3 } else { 0 });
             )*};
         }
         unsafe fn size<T>(_: *const T) -> usize {
             size_of::<T>()
         }
         same!(basis fade fractal rotate seed frequency octaves lacunarity gain amplitude erosion
-            phase jitter sharpness period of_octaves warp plan);
+            phase jitter sharpness period of_octaves warp plan offset_first);
         let turned = Noise { rotate: true, ..noise };
+        let moved = Noise { offset_first: true, ..noise };
         // SAFETY: the layout is that of C, and all bytes are initialised.
         unsafe {
             assert_eq!(((*c).rotate, (*c).lacunarity, (*c).frequency), (0, 2.0, 1.0));
             assert_ne!((*turned.c()).rotate, 0);
+            assert_eq!((*turned.c()).offset_first, 0);
+            assert_ne!((*moved.c()).offset_first, 0);
+            assert_eq!((*moved.c()).spare_word, 0);
             assert!((*c).spare.iter().all(|word| *word == 0));
         }
     }
