@@ -31,6 +31,10 @@ scarp_add_isa_tests(plan api test_plan)
 scarp_test_program(test_period)
 scarp_add_isa_tests(period api test_period)
 
+scarp_test_program(test_origin)
+scarp_add_isa_tests(origin api test_origin)
+scarp_add_test(origin.seeds api test_origin seeds)
+
 scarp_test_program(test_phase SOURCES ${oracle_sources})
 scarp_add_isa_tests(phase api test_phase)
 

@@ -36,11 +36,11 @@ static const struct {
 } fractals[] = {
     {"1 octave", {.seed = 1}, 64.0f, 0x1p30},
     {"1 octave, f 0.37",
-     {.seed = 0xfedcba9876543210u, .frequency = 0.37, .amplitude = -3.0f},
+     {.seed = 0xfedcba9876543210u, .frequency = 0.37, .amplitude = -3.0f, .offset_first = 1},
      1024.0f,
      0x1p20},
     {"4.3, turned",
-     {.seed = ~UINT64_C(0), .octaves = 4.3f, .lacunarity = 1.9f, .rotate = 1},
+     {.seed = ~UINT64_C(0), .octaves = 4.3f, .lacunarity = 1.9f, .rotate = 1, .offset_first = 1},
      64.0f,
      0x1p20},
     {"4.3", {.seed = 77, .octaves = 4.3f, .gain = 0.7f, .amplitude = 1000.0f}, 64.0f, 0x1p10},

@@ -445,8 +445,10 @@ static void test_refused(struct call c)
 static void test_bits(struct call c, enum scarp_isa isa)
 {
     for (int i = 0; i < 60; i++) {
-        struct scarp_noise noise = {
-            .seed = (uint64_t)i, .frequency = i % 2 ? 0.37 : 5.0, .jitter = i % 3 ? 0.0f : 0.3f};
+        struct scarp_noise noise = {.seed = (uint64_t)i,
+                                    .frequency = i % 2 ? 0.37 : 5.0,
+                                    .jitter = i % 3 ? 0.0f : 0.3f,
+                                    .offset_first = (uint32_t)i / 2 % 2};
         noise.period[i % 3] = i % 4 == 0 ? 1 + (uint32_t)i / 4 : 0;
         make_points((float)(1 << (i % 20)));
         find_all(c, &noise, &here);

@@ -99,6 +99,7 @@ static void test_answers(enum scarp_isa isa)
         {.of_octaves = 32.0f, .gain = 16.0f, .amplitude = 64.0f},    /* small */
         {.of_octaves = 32.0f, .gain = 16.0f, .amplitude = 0x1p-20f}, /* all vanish */
         {.basis = SCARP_CELL_EDGE, .frequency = 100.0, .period = {5, 7}},
+        {.octaves = 2.0f, .offset_first = 1},
     };
     enum { NOISES = sizeof noises / sizeof noises[0], CASES = NOISES * 6 };
     uint64_t seen[CASES];

@@ -216,7 +216,8 @@ static void test_plans(void)
                                           .amplitude = -2.0f,
                                           .erosion = i % 5 == 0 ? 0.3f : 0.0f,
                                           .jitter = i % 7 == 0 ? 0.8f : 0.0f,
-                                          .sharpness = i % 3 == 0 ? 0.0f : 1.7f};
+                                          .sharpness = i % 3 == 0 ? 0.0f : 1.7f,
+                                          .offset_first = (uint32_t)i / 2 % 2};
         char name[80];
         snprintf(name, sizeof name, "%s %s", scarp_basis_name(noise.basis),
                  scarp_fractal_name(noise.fractal));
@@ -229,7 +230,7 @@ static void test_plans(void)
         {.octaves = 3.0f, .period = {5, 0, 9}},
         {.octaves = 2.0f, .period = {0, 7, 1u << 29}, .basis = SCARP_CELL_EDGE},
         {.octaves = 4.0f, .phase = 0.3f, .fade = SCARP_CUBIC, .of_octaves = 7.5f},
-        {.octaves = 1.0f, .rotate = 1},
+        {.octaves = 1.0f, .rotate = 1, .offset_first = 7},
         {.octaves = 2.0f, .warp = &flowing},
         {.basis = SCARP_SIMPLEX, .octaves = 2.5f, .warp = &bending},
         {.fractal = SCARP_SWISS,

@@ -45,6 +45,7 @@ static struct scarp_noise noise_of(unsigned basis, unsigned fractal, enum varian
         .amplitude = 2.0f + check_random_float(random, 1.0f),
         .jitter = check_random(random) % 2 != 0 ? 0.7f : 0.0f,
     };
+    noise.offset_first = noise.seed >> 40 & 1;
     if (variant == PERIODS || variant == POWERS) {
         noise.lacunarity = 2.0f;
         noise.period[0] = variant == POWERS ? 8 : 7;

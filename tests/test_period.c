@@ -89,6 +89,12 @@ static void test_octave(void)
                         compare_shifted(&noise, (enum function)f, axis, cells + 1.0,
                                         periods[p] == 1, "one cell more");
                     }
+                    /* The offset of octave 0 has 24 bits, for which doubles have room. */
+                    noise.offset_first = 1;
+                    if (function_doubles((enum function)f) && fabs(cells) < 0x1p26) {
+                        compare_shifted(&noise, (enum function)f, axis, cells, 1, "first");
+                    }
+                    noise.offset_first = 0;
                 }
             }
         }
@@ -165,7 +171,8 @@ static void test_octaves(void)
                                             .octaves = (float)octaves - 0.25f * (octaves > 1),
                                             .lacunarity = (float)lacunarity,
                                             .fractal = (enum scarp_fractal)fractal,
-                                            .period = {5, 16, 289}};
+                                            .period = {5, 16, 289},
+                                            .offset_first = (uint32_t)fractal % 2};
                 /* Bent positions are rounded: test_bend.c takes these. */
                 for (int axis = 0; axis < 3 && !fractal_has_bends(noise.fractal); axis++) {
                     const double period = (double)noise.period[axis];
@@ -234,6 +241,7 @@ static void test_grid(void)
     for (int i = 0; i < 6 + count_names(basis_name) - SCARP_SIMPLEX; i++) {
         noise.fractal = (enum scarp_fractal)(i % 6);
         noise.basis = i < 6 ? SCARP_GRADIENT : (enum scarp_basis)(SCARP_SIMPLEX + i - 6);
+        noise.offset_first = i % 2 == 0;
         fit_noise(&noise, 2);
         const unsigned wanted = outputs_of(&noise, SAMPLE2_F64);
         const struct scarp_samples out[2] = {outputs_subset(&a, wanted),

@@ -81,6 +81,7 @@ static void test_plan_used(const struct reserved_test *t)
             .period = {i == 2, i == 4 ? 3 : 0, 0},
             .phase = i > 3 && i < 8 && i % 3 != 0 ? 0.4f : 0.0f,
             .jitter = i > 8 ? 0.7f : 0.0f,
+            .offset_first = i % 3 == 1,
             .basis = (enum scarp_basis)(i < 8 ? i % 3 == 0 : SCARP_SIMPLEX + i - 8)};
         for (int call = 0; call < RESERVED_CALLS; call++) {
             const struct scarp_plan plan = plan_of(&noise, plan_dimensions(call));
@@ -113,6 +114,7 @@ static void test_plan_stale(const struct reserved_test *t)
         {.octaves = 3.0f, .seed = 1, .frequency = 0.7, .lacunarity = 1.9f, .amplitude = 2.0f},
         {.octaves = 3.0f, .seed = 1, .frequency = 0.7, .lacunarity = 1.9f, .phase = 0.25f},
         {.octaves = 3.0f, .seed = 1, .frequency = 0.7, .lacunarity = 2.0f, .period = {0, 3}},
+        {.octaves = 3.0f, .seed = 1, .frequency = 0.7, .lacunarity = 1.9f, .offset_first = 1},
         {.octaves = 3.0f, .seed = 1, .frequency = 0.7, .lacunarity = 1.9f, .basis = SCARP_SIMPLEX},
         {.octaves = 3.0f, .seed = 1, .frequency = 0.7, .lacunarity = 1.9f, .basis = SCARP_CELL_F1}};
     for (int call = 0; call < RESERVED_CALLS; call++) {
@@ -181,6 +183,7 @@ static void test_plan_refused(const struct reserved_test *t)
                                       {.sharpness = 0x1p25f},
                                       {.octaves = 3.0f, .of_octaves = 2.9f},
                                       {.warp = &loop},
+                                      {.spare_word = 1},
                                       {.spare = {1}}};
     struct scarp_plan plan = plan_of(&good, 2);
     const struct scarp_plan before = plan;

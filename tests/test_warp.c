@@ -265,7 +265,8 @@ static void test_fractals(void)
                                       .octaves = 2.5f,
                                       .frequency = 0.7,
                                       .phase = i % 3 == 0 ? 0.7f : 0.0f,
-                                      .amplitude = i % 2 == 0 ? 0.8f : -2.0f};
+                                      .amplitude = i % 2 == 0 ? 0.8f : -2.0f,
+                                      .offset_first = (uint32_t)i / 3 % 2};
         const struct scarp_noise noise = {.fractal = (enum scarp_fractal)(i % fractals),
                                           .basis = (enum scarp_basis)(i / 2 % bases),
                                           .seed = (uint64_t)i,
@@ -273,7 +274,8 @@ static void test_fractals(void)
                                           .rotate = (uint32_t)(i % 2),
                                           .octaves = 3.0f,
                                           .phase = -0.4f,
-                                          .warp = &w};
+                                          .warp = &w,
+                                          .offset_first = (uint32_t)i / 4 % 2};
         char what[64];
         snprintf(what, sizeof what, "%s at %s", fractal_name(i % fractals),
                  fractal_name(i / fractals));

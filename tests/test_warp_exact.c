@@ -108,7 +108,12 @@ int main(int argc, char **argv)
     static const struct scarp_noise chains[ORACLE_WARPS + 1] = {
         {.seed = 5, .octaves = 2.0f, .frequency = 0.5, .amplitude = 0.5f},
         {.seed = 4, .octaves = 2.0f, .frequency = 0.5, .amplitude = 0.5f, .warp = &chains[0]},
-        {.seed = 3, .octaves = 2.0f, .frequency = 0.5, .amplitude = 0.5f, .warp = &chains[1]},
+        {.seed = 3,
+         .octaves = 2.0f,
+         .frequency = 0.5,
+         .amplitude = 0.5f,
+         .offset_first = 1,
+         .warp = &chains[1]},
         {.seed = 2, .octaves = 2.0f, .frequency = 0.5, .amplitude = 0.5f, .warp = &chains[2]},
     };
     const long points = argc > 1 ? strtol(argv[1], NULL, 10) : 0;
@@ -117,8 +122,11 @@ int main(int argc, char **argv)
         return EXIT_FAILURE;
     }
     for (int i = 0; i < 6; i++) {
-        const struct scarp_noise noise = {
-            .seed = 1, .octaves = 3.0f, .rotate = 1, .warp = &chains[i / 2 == 2 ? 3 : i / 2]};
+        const struct scarp_noise noise = {.seed = 1,
+                                          .octaves = 3.0f,
+                                          .rotate = 1,
+                                          .offset_first = 1,
+                                          .warp = &chains[i / 2 == 2 ? 3 : i / 2]};
         check_case(&noise, 2 + i % 2, points);
     }
     return check_done();
