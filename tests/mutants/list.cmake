@@ -20,6 +20,8 @@
 # positions
 mutant(positions.offset IN kernel TEXT [[p : p + vd_set(o->offset[axis])]]
        BECOMES [[p : p + vd_set(o->offset[MUTANT ? 0 : axis])]] SEEN_BY bits)
+mutant(positions.first IN kernel/positions.h TEXT [[is_first && !has_offset(&plan->octave[octave])]]
+       BECOMES [[is_first && (MUTANT || !has_offset(&plan->octave[octave]))]] SEEN_BY bits)
 mutant(positions.turned_offset IN kernel TEXT [[TURNED_SHIFT - o->offset[axis] * stretch]]
        BECOMES [[TURNED_SHIFT - (MUTANT ? 0.0 : o->offset[axis] * stretch)]] SEEN_BY bits)
 mutant(positions.turned_stretch IN kernel/unhashed.h TEXT [[o, axis, axis == 1 ? o->stretch : 1.0, low]]
@@ -330,6 +332,8 @@ mutant(plan.hybrid_reach IN plan/octaves.c TEXT [[fractal == SCARP_HYBRID ? HEAD
 mutant(plan.offset IN plan/octaves.c TEXT [[(int32_t)(c & 0xffffff)]]
        BECOMES [[(int32_t)(MUTANT ? b >> 40 : c & 0xffffff)]]
        SEEN_BY golden SETS scalar)
+mutant(plan.offset_first IN plan/octaves.c TEXT [[k > 0 || offset_first != 0]]
+       BECOMES [[k > 0 || (offset_first != 0 && !MUTANT)]] SEEN_BY golden SETS scalar)
 mutant(plan.stale IN plan/kept.h TEXT [[!same_noise(noise, &kept->noise)]]
        BECOMES [[!(MUTANT || same_noise(noise, &kept->noise))]] SEEN_BY plan SETS scalar avx2)
 mutant(plan.stale_seed IN plan/kept.h TEXT [[differences(a, b, 0, plan)]]
