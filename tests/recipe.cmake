@@ -17,3 +17,15 @@ scarp_add_sized_test(recipe.oracle recipe SIZES 10000 400 100 10 COMMAND test_re
 # The functions of samples that recipes brought along
 scarp_test_program(test_shapes)
 scarp_add_test(shapes recipe COMMAND test_shapes)
+
+# No output is memory that nobody wrote, and calls inside of recipes that fail are noticed. The linker
+# replaces these calls, those of statuses.h.
+include(CheckLinkerFlag)
+check_linker_flag(C -Wl,--wrap=scarp_add has_wrap)
+if(has_wrap)
+  scarp_test_program(test_recipe_status INTERNAL)
+  file(STRINGS ${PROJECT_SOURCE_DIR}/src/recipe/statuses.h kept REGEX "^MUST_KEEP")
+  list(TRANSFORM kept REPLACE "^MUST_KEEP[(](.*)[)];" "-Wl,--wrap=\\1")
+  target_link_options(test_recipe_status PRIVATE ${kept})
+  scarp_add_test(recipe.status recipe COMMAND test_recipe_status)
+endif()

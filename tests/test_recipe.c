@@ -209,6 +209,11 @@ static void check_errors(void)
         {ONE "a = warp(n, 2 * n)", 3, 13, "expected a noise"},
         {ONE "a = cell(x)", 3, 10, "expected a noise"},
         {ONE "a = cell(n, f3)", 3, 13, "no such word"},
+        {"recipe 1\ntile 64, 64\nout o = cell(noise(simplex, size=8), f1)", 3, 9, "simplex noise"},
+        {"recipe 1\nspace 3\ntile 64, 64, 64\nout o = flat(cell(noise(simplex, size=8)))", 4, 14,
+         "simplex noise"},
+        {"recipe 1\nspace 3\nout o = z * flat(cell(noise(simplex, period_y=4), f2))", 3, 18,
+         "simplex noise"},
         {ONE "a = noise(perlin)", 3, 11, "no such word"},
         {ONE "a = noise(octaves=40)", 3, 19, "outside (0, 32]"},
         {ONE "a = noise(octaves=0)", 3, 19, "must not be 0"},
@@ -496,6 +501,21 @@ static void check_shared(void)
                                        i, i + 1);
         }
         (void)parses(many);
+    }
+}
+
+/* Cells are those of the first octave, whichever octaves there are. */
+static void check_cells(void)
+{
+    static const char *const of[] = {"octaves=0.5, of_octaves=0.75", "octaves=1, of_octaves=1",
+                                     "octaves=3, of_octaves=3.5", "octaves=0.25"};
+    static const char *const what[] = {"", ", f1", ", f2"};
+    for (int i = 0; i < 4 * 3; i++) {
+        char text[128], as[128];
+        snprintf(text, sizeof text, "recipe 1\nout o = cell(noise(seed=3, %s)%s) * 2", of[i / 3],
+                 what[i % 3]);
+        snprintf(as, sizeof as, "recipe 1\nout o = cell(noise(seed=3)%s) * 2", what[i % 3]);
+        check_same_values(text, as);
     }
 }
 
@@ -912,6 +932,7 @@ int main(void)
     check_seeds();
     check_language();
     check_by_hand();
+    check_cells();
     check_flat();
     check_wind();
     check_names();

@@ -167,7 +167,9 @@ static NOINLINE struct scarp_fault make(struct scarp_gpu_plan *to, const struct 
     const struct filling filling = {to, kind.dimensions, &fits};
     struct scarp_fault fault = scarp_plan_check(noise, kind.dimensions);
     if (fault.why == REFUSED_NOT) {
-        (void)scarp_run(noise, kind, run, &filling);
+        if (scarp_run(noise, kind, run, &filling) != SCARP_OK) {
+            fits = 0;
+        }
         fault.warp = 0;
         fault.why = fits                  ? REFUSED_NOT
                     : noise->warp != NULL ? REFUSED_GPU_WARP

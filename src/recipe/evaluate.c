@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT */
 #include "evaluate.h"
 
+#include <math.h>
 #include <string.h>
 
 #include "../calls/run.h"
@@ -154,22 +155,26 @@ static int set_memory(struct recipe_machine *m, int dimensions, int order, size_
     return m->room > 0;
 }
 
-static void run_steps(struct recipe_machine *m, const struct recipe_chunk *chunk, int from, int to)
+/* Stops at the first step that fails. */
+static KEEP_STATUS enum scarp_status run_steps(struct recipe_machine *m,
+                                               const struct recipe_chunk *chunk, int from, int to)
 {
+    enum scarp_status status = SCARP_OK;
     m->chunk = chunk;
     memset(m->state, GUARD_UNKNOWN, sizeof m->state);
-    for (int k = from; k < to; k++) {
+    for (int k = from; status == SCARP_OK && k < to; k++) {
         const int n = m->schedule->step[k];
         if (m->schedule->guard_of[n] != 0 &&
             scarp_recipe_is_left_out(m, m->schedule->guard_of[n])) {
             continue;
         }
         if (m->recipe->node[n].place >= 0) {
-            scarp_recipe_run_placed(m, n);
+            status = scarp_recipe_run_placed(m, n);
         } else if (m->recipe->node[n].operation != OP_COMPONENT) {
-            scarp_recipe_run_operation(m, n);
+            status = scarp_recipe_run_operation(m, n);
         }
     }
+    return status;
 }
 
 /* Whether an output has exactly the members that are computed of its node. */
@@ -223,11 +228,13 @@ static void copy_outputs(const struct recipe_machine *m, const struct recipe_eva
     }
 }
 
-static void run_points(struct recipe_machine *m, const struct recipe_evaluation *call)
+static KEEP_STATUS enum scarp_status run_points(struct recipe_machine *m,
+                                                const struct recipe_evaluation *call)
 {
     const unsigned directs = find_directs(m, call);
     const size_t bytes = call->has_doubles ? sizeof(double) : sizeof(float);
-    for (size_t i = 0; i < call->count; i += m->room) {
+    enum scarp_status status = SCARP_OK;
+    for (size_t i = 0; status == SCARP_OK && i < call->count; i += m->room) {
         struct recipe_chunk chunk = {.count =
                                          call->count - i < m->room ? call->count - i : m->room};
         for (int axis = 0; axis < call->recipe->dimensions; axis++) {
@@ -235,10 +242,11 @@ static void run_points(struct recipe_machine *m, const struct recipe_evaluation 
         }
         m->directs = directs;
         m->direct_from = i;
-        run_steps(m, &chunk, 0, m->schedule->steps);
+        status = run_steps(m, &chunk, 0, m->schedule->steps);
         copy_outputs(m, call, directs,
                      &(struct target){.from = i, .width = chunk.count, .rows = 1, .slices = 1});
     }
+    return status;
 }
 
 /* Repeats what was computed of the first slice for all slices of a column. */
@@ -256,8 +264,9 @@ static void repeat_columns(const struct recipe_machine *m, size_t points, size_t
 }
 
 /* A piece of a grid: whole columns of it, as many slices at once as there is room for. */
-static void run_piece(struct recipe_machine *m, const struct recipe_evaluation *call,
-                      unsigned directs, const struct scarp_grid *piece)
+static KEEP_STATUS enum scarp_status run_piece(struct recipe_machine *m,
+                                               const struct recipe_evaluation *call,
+                                               unsigned directs, const struct scarp_grid *piece)
 {
     const struct scarp_grid *const g = call->grid;
     const size_t points = piece->count[0] * piece->count[1];
@@ -269,13 +278,14 @@ static void run_piece(struct recipe_machine *m, const struct recipe_evaluation *
     struct recipe_chunk chunk = {.count = points, .grid = &part};
     const int columns = call->recipe->dimensions == 3 ? m->schedule->columns : 0;
     const int is_whole = piece->count[0] == g->row_stride || piece->count[1] == 1;
+    enum scarp_status status = SCARP_OK;
     part.count[2] = 1;
     if (columns > 0) {
         m->directs = 0;
-        run_steps(m, &chunk, 0, columns);
+        status = run_steps(m, &chunk, 0, columns);
         repeat_columns(m, points, most);
     }
-    for (size_t slice = 0; slice < slices; slice += most) {
+    for (size_t slice = 0; status == SCARP_OK && slice < slices; slice += most) {
         part.first[2] = g->first[2] + (int64_t)slice;
         part.count[2] = slices - slice < most ? slices - slice : most;
         chunk.count = points * part.count[2];
@@ -289,12 +299,14 @@ static void run_piece(struct recipe_machine *m, const struct recipe_evaluation *
         const unsigned chosen = is_tight ? directs : 0;
         m->directs = chosen;
         m->direct_from = to.from;
-        run_steps(m, &chunk, columns, m->schedule->steps);
+        status = run_steps(m, &chunk, columns, m->schedule->steps);
         copy_outputs(m, call, chosen, &to);
     }
+    return status;
 }
 
-static void run_grid(struct recipe_machine *m, const struct recipe_evaluation *call)
+static KEEP_STATUS enum scarp_status run_grid(struct recipe_machine *m,
+                                              const struct recipe_evaluation *call)
 {
     const struct scarp_grid *const g = call->grid;
     const size_t slices = call->recipe->dimensions == 3 ? g->count[2] : 1;
@@ -307,20 +319,40 @@ static void run_grid(struct recipe_machine *m, const struct recipe_evaluation *c
     }
     rows = rows < g->count[1] ? rows : g->count[1];
     unsigned directs = find_directs(m, call);
+    enum scarp_status status = SCARP_OK;
     for (int i = 0; i < call->outputs; i++) { /* what is computed once per column is copied */
         for (int k = 0; k < m->schedule->columns; k++) {
             directs &= ~((unsigned)(m->schedule->step[k] == call->root[i]) << i);
         }
     }
     for (size_t row = 0; row < g->count[1]; row += rows) {
-        for (size_t column = 0; column < g->count[0]; column += width) {
+        for (size_t column = 0; status == SCARP_OK && column < g->count[0]; column += width) {
             struct scarp_grid piece = *g;
             piece.row_stride = piece.slice_stride = 0;
             piece.first[0] += (int64_t)column;
             piece.first[1] += (int64_t)row;
             piece.count[0] = g->count[0] - column < width ? g->count[0] - column : width;
             piece.count[1] = g->count[1] - row < rows ? g->count[1] - row : rows;
-            run_piece(m, call, directs, &piece);
+            status = run_piece(m, call, directs, &piece);
+        }
+    }
+    return status;
+}
+
+/* So that memory that nobody wrote is never taken for values: makes all outputs NaN. */
+static void spoil(const struct recipe_evaluation *call)
+{
+    const struct scarp_grid *const g = call->grid;
+    const size_t width = g != NULL ? g->count[0] : call->count, rows = g != NULL ? g->count[1] : 1;
+    const size_t slices = g != NULL && call->recipe->dimensions == 3 ? g->count[2] : 1;
+    for (int i = 0; i < call->outputs * MEMBERS; i++) {
+        float *const array = member(&call->out[i / MEMBERS], i % MEMBERS);
+        for (size_t row = 0; array != NULL && row < rows * slices; row++) {
+            const size_t from =
+                g != NULL ? row % rows * g->row_stride + row / rows * g->slice_stride : 0;
+            for (size_t k = 0; k < width; k++) {
+                array[from + k] = NAN;
+            }
         }
     }
 }
@@ -345,10 +377,9 @@ enum scarp_status scarp_recipe_evaluate(const struct recipe_evaluation *call)
     if (!set_memory(m, call->recipe->dimensions, order, call->size - lost - MACHINE_BYTES)) {
         return SCARP_ERROR_SIZE;
     }
-    if (call->grid != NULL) {
-        run_grid(m, call);
-    } else {
-        run_points(m, call);
+    const enum scarp_status status = call->grid != NULL ? run_grid(m, call) : run_points(m, call);
+    if (status != SCARP_OK) {
+        spoil(call);
     }
-    return SCARP_OK;
+    return status;
 }

@@ -6,6 +6,7 @@
 
 #include "graph.h"
 #include "operations.h"
+#include "statuses.h"
 
 typedef struct recipe_interval bounds;
 
@@ -114,7 +115,9 @@ static bounds curve(const struct recipe *recipe, const struct recipe_node *n, bo
         inside += knot[i][0] > a.lowest && knot[i][0] < a.highest;
     }
     if (inside == 0) {
-        scarp_recipe_curve(recipe, n, 2, ends, values);
+        if (scarp_recipe_curve(recipe, n, 2, ends, values) != SCARP_OK) {
+            return whole();
+        }
         const bounds tight = widened(values[0], values[1]);
         r.lowest = greater(r.lowest, tight.lowest);
         r.highest = less(r.highest, tight.highest);
@@ -138,7 +141,9 @@ static bounds smoothstep(const struct recipe_node *n, bounds a)
         value[i] = less(greater(value[i], -0x1p120f), 0x1p120f);
     }
     const struct scarp_samples in = {.value = value}, to = {.value = out};
-    (void)scarp_smoothstep(2, &in, n->k[0], n->k[1], &to);
+    if (scarp_smoothstep(2, &in, n->k[0], n->k[1], &to) != SCARP_OK) {
+        return whole();
+    }
     const bounds r = widened(out[0], out[1]);
     return (bounds){greater(r.lowest, 0.0f), less(r.highest, 1.0f)};
 }
@@ -149,8 +154,8 @@ static bounds noise(const struct recipe *recipe, const struct recipe_node *n)
     bounds r;
     scarp_recipe_spell_noise(recipe, n->index, levels);
     const int dimensions = recipe->place[n->place].dimensions;
-    (void)scarp_range(&levels[0], dimensions, &r.lowest, &r.highest);
-    return r;
+    const enum scarp_status status = scarp_range(&levels[0], dimensions, &r.lowest, &r.highest);
+    return status == SCARP_OK ? r : whole();
 }
 
 static bounds cell(const struct recipe *recipe, const struct recipe_node *n)
@@ -173,8 +178,9 @@ static bounds cell(const struct recipe *recipe, const struct recipe_node *n)
 static bounds gullies(const struct recipe *recipe, const struct recipe_node *n)
 {
     bounds r;
-    (void)scarp_gullies_range(&recipe->gully[n->index], 0.0f, 0.0f, &r.lowest, &r.highest);
-    return r;
+    const enum scarp_status status =
+        scarp_gullies_range(&recipe->gully[n->index], 0.0f, 0.0f, &r.lowest, &r.highest);
+    return status == SCARP_OK ? r : whole();
 }
 
 struct reader {

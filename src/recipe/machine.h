@@ -9,6 +9,7 @@
 #include <stddef.h>
 
 #include "recipe.h"
+#include "statuses.h"
 
 /* Points that go through the steps together: of arrays, or of a grid. */
 struct recipe_chunk {
@@ -42,10 +43,10 @@ enum { GUARD_UNKNOWN, GUARD_OPEN, GUARD_LEFT_OUT };
 struct scarp_samples scarp_recipe_samples(const struct recipe_machine *m, int node);
 
 /* positions.c: nodes that have a place. */
-void scarp_recipe_run_placed(struct recipe_machine *m, int node);
+KEEP_STATUS enum scarp_status scarp_recipe_run_placed(struct recipe_machine *m, int node);
 
 /* operations.c: nodes that combine others. */
-void scarp_recipe_run_operation(struct recipe_machine *m, int node);
+KEEP_STATUS enum scarp_status scarp_recipe_run_operation(struct recipe_machine *m, int node);
 
 /* Whether a guard's nodes are left out. */
 bool scarp_recipe_is_left_out(struct recipe_machine *m, int guard);

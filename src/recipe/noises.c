@@ -393,6 +393,16 @@ static int depth_of(const struct recipe *recipe, int noise)
     return depth;
 }
 
+/* Whether the library takes a noise as it has become. Returns 0 on an error. */
+static int is_right(struct recipe_compiler *c, int e, int noise, int dimensions)
+{
+    struct scarp_noise levels[5];
+    const char *member;
+    scarp_recipe_spell_noise(c->recipe, noise, levels);
+    const char *const why = scarp_noise_fault(&levels[0], dimensions, 0, 0, &member);
+    return why == NULL ? 1 : (scarp_recipe_bad(c, e, why, member), 0);
+}
+
 /* Moves warps of the place into the noise, which the library bends by itself, and spells out what
    is left of them. Returns 0 on an error. */
 static int settle(struct recipe_compiler *c, int e, int *noise, int *place)
@@ -410,14 +420,7 @@ static int settle(struct recipe_compiler *c, int e, int *noise, int *place)
     }
     *place = scarp_recipe_spelled_out(c, e, *place);
     *noise = *place < 0 ? -2 : finished(c, e, *noise, *place);
-    if (*noise < 0) {
-        return 0;
-    }
-    const char *member;
-    scarp_recipe_spell_noise(r, *noise, levels);
-    const char *const why =
-        scarp_noise_fault(&levels[0], r->place[*place].dimensions, 0, 0, &member);
-    return why == NULL ? 1 : (scarp_recipe_bad(c, e, why, member), 0);
+    return *noise >= 0 && is_right(c, e, *noise, r->place[*place].dimensions);
 }
 
 struct recipe_value scarp_recipe_sampled(struct recipe_compiler *c, int e, int noise, int place)
@@ -455,17 +458,22 @@ struct recipe_value scarp_recipe_cell(struct recipe_compiler *c, int e, int nois
     struct recipe *const r = c->recipe;
     struct scarp_noise levels[5];
     scarp_recipe_spell_noise(r, noise, levels);
-    levels[0].octaves = 1.0f; /* others change nothing */
+    levels[0].octaves = 1.0f; /* others change nothing, and fewer than that would be refused */
+    levels[0].of_octaves = levels[0].of_octaves < 1.0f ? 0.0f : levels[0].of_octaves;
     noise = scarp_recipe_add_noise(r, &levels[0], -1);
     place = scarp_recipe_spelled_out(c, e, place);
     if (noise < 0 || place < 0) {
         return noise < 0 ? scarp_recipe_full(c, e) : nothing;
     }
+    noise = finished(c, e, noise, place);
+    if (noise < 0 || !is_right(c, e, noise, r->place[place].dimensions)) {
+        return nothing;
+    }
     struct recipe_node node = scarp_recipe_operation(OP_CELL, -1, -1);
-    node.index = (int16_t)finished(c, e, noise, place);
+    node.index = (int16_t)noise;
     node.place = (int16_t)place;
     node.detail = (uint8_t)what;
-    return node.index < 0 ? nothing : scarp_recipe_node(c, e, node);
+    return scarp_recipe_node(c, e, node);
 }
 
 /* Effects that are not wanted are 0 in recipes, where the library takes 0 for a default. */

@@ -87,8 +87,8 @@ static int left_out(struct recipe_machine *m, int gate)
     return -1;
 }
 
-void scarp_recipe_curve(const struct recipe *recipe, const struct recipe_node *node, size_t count,
-                        const float *a, float *value)
+enum scarp_status scarp_recipe_curve(const struct recipe *recipe, const struct recipe_node *node,
+                                     size_t count, const float *a, float *value)
 {
     float x[SCARP_CURVE_KNOTS], y[SCARP_CURVE_KNOTS], in[2];
     for (int i = 0; i < node->knots; i++) {
@@ -97,41 +97,39 @@ void scarp_recipe_curve(const struct recipe *recipe, const struct recipe_node *n
     }
     memcpy(in, a, count * sizeof *a);
     const struct scarp_samples from = {.value = in}, to = {.value = value};
-    (void)scarp_curve(count, &from, node->knots, x, y, &to);
+    return scarp_curve(count, &from, node->knots, x, y, &to);
 }
 
-static void run_curve(const struct recipe_machine *m, const struct recipe_node *n,
-                      const struct scarp_samples *a, const struct scarp_samples *out)
+static enum scarp_status run_curve(const struct recipe_machine *m, const struct recipe_node *n,
+                                   const struct scarp_samples *a, const struct scarp_samples *out)
 {
     float x[SCARP_CURVE_KNOTS], y[SCARP_CURVE_KNOTS];
     for (int i = 0; i < n->knots; i++) {
         x[i] = m->recipe->knot[n->index + i][0];
         y[i] = m->recipe->knot[n->index + i][1];
     }
-    (void)scarp_curve(m->chunk->count, a, n->knots, x, y, out);
+    return scarp_curve(m->chunk->count, a, n->knots, x, y, out);
 }
 
-static void run_gate(struct recipe_machine *m, int node, const struct scarp_samples in[3],
-                     const struct scarp_samples *out)
+static enum scarp_status run_gate(struct recipe_machine *m, int node,
+                                  const struct scarp_samples in[3], const struct scarp_samples *out)
 {
     const size_t count = m->chunk->count;
     const int operand = left_out(m, node);
-    if (m->recipe->node[node].operation == OP_MULTIPLY) {
-        if (operand >= 0) {
-            fill(count, 0.0f, out);
-        } else {
-            (void)scarp_multiply(count, &in[0], &in[1], out);
-        }
-        return;
+    const int is_product = m->recipe->node[node].operation == OP_MULTIPLY;
+    if (operand < 0) {
+        return is_product ? scarp_multiply(count, &in[0], &in[1], out)
+                          : scarp_mix(count, &in[0], &in[1], &in[2], out);
     }
-    if (operand >= 0) {
-        copy(count, &in[!operand], out);
+    if (is_product) {
+        fill(count, 0.0f, out);
     } else {
-        (void)scarp_mix(count, &in[0], &in[1], &in[2], out);
+        copy(count, &in[!operand], out);
     }
+    return SCARP_OK;
 }
 
-void scarp_recipe_run_operation(struct recipe_machine *m, int node)
+enum scarp_status scarp_recipe_run_operation(struct recipe_machine *m, int node)
 {
     const struct recipe_node *const n = &m->recipe->node[node];
     const size_t count = m->chunk->count;
@@ -144,25 +142,25 @@ void scarp_recipe_run_operation(struct recipe_machine *m, int node)
     }
     const struct scarp_samples *const a = &in[0], *const b = &in[1];
     switch (n->operation) {
-    case OP_CONSTANT: fill(count, n->k[0], &out); break;
-    case OP_ADD: (void)scarp_add(count, a, b, &out); break;
+    case OP_CONSTANT: fill(count, n->k[0], &out); return SCARP_OK;
+    case OP_ADD: return scarp_add(count, a, b, &out);
     case OP_MULTIPLY:
-    case OP_MIX: run_gate(m, node, in, &out); break;
-    case OP_DIVIDE: (void)scarp_divide(count, a, b, &out); break;
-    case OP_AFFINE: (void)scarp_affine(count, a, n->k[0], n->k[1], &out); break;
-    case OP_MIN: (void)scarp_min(count, a, b, &out); break;
-    case OP_MAX: (void)scarp_max(count, a, b, &out); break;
-    case OP_SMOOTH_MIN: (void)scarp_smooth_min(count, a, b, n->k[0], &out); break;
-    case OP_SMOOTH_MAX: (void)scarp_smooth_max(count, a, b, n->k[0], &out); break;
-    case OP_CLAMP: (void)scarp_clamp(count, a, n->k[0], n->k[1], &out); break;
-    case OP_ABS: (void)scarp_abs(count, a, &out); break;
-    case OP_SMOOTH_ABS: (void)scarp_smooth_abs(count, a, n->k[0], &out); break;
-    case OP_SMOOTHSTEP: (void)scarp_smoothstep(count, a, n->k[0], n->k[1], &out); break;
-    case OP_TERRACE: (void)scarp_terrace(count, a, n->k[0], n->k[1], n->k[2], &out); break;
-    case OP_CURVE: run_curve(m, n, a, &out); break;
-    case OP_SQRT: (void)scarp_sqrt(count, a, &out); break;
-    case OP_SINE: (void)scarp_sine(count, a, &out); break;
-    case OP_PULSE: (void)scarp_pulse(count, a, &out); break;
-    default: (void)scarp_slope(count, a, &out); break; /* OP_SLOPE */
+    case OP_MIX: return run_gate(m, node, in, &out);
+    case OP_DIVIDE: return scarp_divide(count, a, b, &out);
+    case OP_AFFINE: return scarp_affine(count, a, n->k[0], n->k[1], &out);
+    case OP_MIN: return scarp_min(count, a, b, &out);
+    case OP_MAX: return scarp_max(count, a, b, &out);
+    case OP_SMOOTH_MIN: return scarp_smooth_min(count, a, b, n->k[0], &out);
+    case OP_SMOOTH_MAX: return scarp_smooth_max(count, a, b, n->k[0], &out);
+    case OP_CLAMP: return scarp_clamp(count, a, n->k[0], n->k[1], &out);
+    case OP_ABS: return scarp_abs(count, a, &out);
+    case OP_SMOOTH_ABS: return scarp_smooth_abs(count, a, n->k[0], &out);
+    case OP_SMOOTHSTEP: return scarp_smoothstep(count, a, n->k[0], n->k[1], &out);
+    case OP_TERRACE: return scarp_terrace(count, a, n->k[0], n->k[1], n->k[2], &out);
+    case OP_CURVE: return run_curve(m, n, a, &out);
+    case OP_SQRT: return scarp_sqrt(count, a, &out);
+    case OP_SINE: return scarp_sine(count, a, &out);
+    case OP_PULSE: return scarp_pulse(count, a, &out);
+    default: return scarp_slope(count, a, &out); /* OP_SLOPE */
     }
 }

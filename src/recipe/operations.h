@@ -5,9 +5,11 @@
 #include <stddef.h>
 
 #include "recipe.h"
+#include "statuses.h"
 
 /* Values of an OP_CURVE. */
-void scarp_recipe_curve(const struct recipe *recipe, const struct recipe_node *node, size_t count,
-                        const float *a, float *value);
+KEEP_STATUS enum scarp_status scarp_recipe_curve(const struct recipe *recipe,
+                                                 const struct recipe_node *node, size_t count,
+                                                 const float *a, float *value);
 
 #endif

@@ -233,25 +233,23 @@ static struct points points_of(const struct recipe_machine *m, int place)
     return p;
 }
 
-static void run_noise(struct recipe_machine *m, const struct recipe_node *n,
-                      const struct scarp_samples *out)
+static enum scarp_status run_noise(struct recipe_machine *m, const struct recipe_node *n,
+                                   const struct scarp_samples *out)
 {
     struct scarp_noise *const noise = m->noise;
     const int dimensions = m->recipe->place[n->place].dimensions;
     scarp_recipe_spell_noise(m->recipe, n->index, noise);
     if (is_points(n->place) && m->chunk->grid != NULL) {
-        (void)(dimensions == 2 ? scarp_grid2(noise, m->chunk->grid, out)
-                               : scarp_grid3(noise, m->chunk->grid, out));
-        return;
+        return dimensions == 2 ? scarp_grid2(noise, m->chunk->grid, out)
+                               : scarp_grid3(noise, m->chunk->grid, out);
     }
     const struct points p = points_of(m, n->place);
     if (m->has_doubles) {
-        (void)(dimensions == 2 ? scarp_sample2_f64(noise, p.count, p.at[0], p.at[1], out)
-                               : scarp_sample3_f64(noise, p.count, p.at[0], p.at[1], p.at[2], out));
-    } else {
-        (void)(dimensions == 2 ? scarp_sample2(noise, p.count, p.at[0], p.at[1], out)
-                               : scarp_sample3(noise, p.count, p.at[0], p.at[1], p.at[2], out));
+        return dimensions == 2 ? scarp_sample2_f64(noise, p.count, p.at[0], p.at[1], out)
+                               : scarp_sample3_f64(noise, p.count, p.at[0], p.at[1], p.at[2], out);
     }
+    return dimensions == 2 ? scarp_sample2(noise, p.count, p.at[0], p.at[1], out)
+                           : scarp_sample3(noise, p.count, p.at[0], p.at[1], p.at[2], out);
 }
 
 /* The nodes of the components that are computed; -1: not. */
@@ -268,13 +266,14 @@ static void find_components(const struct recipe_machine *m, int node, int compon
     }
 }
 
-static void run_vector(struct recipe_machine *m, int node)
+static enum scarp_status run_vector(struct recipe_machine *m, int node)
 {
     const struct recipe_node *const n = &m->recipe->node[node];
     struct scarp_noise *const noise = m->noise;
     struct scarp_samples out[3] = {{0}}, all[3] = {{0}};
     int component[3];
     const int dimensions = m->recipe->place[n->place].dimensions;
+    enum scarp_status status;
     scarp_recipe_spell_noise(m->recipe, n->index, noise);
     find_components(m, node, component);
     for (int i = 0; i < dimensions; i++) {
@@ -285,17 +284,20 @@ static void run_vector(struct recipe_machine *m, int node)
     }
     const struct points p = points_of(m, n->place);
     if (m->has_doubles) {
-        (void)(dimensions == 2 ? scarp_vector2_f64(noise, p.count, p.at[0], p.at[1], out)
-                               : scarp_vector3_f64(noise, p.count, p.at[0], p.at[1], p.at[2], out));
+        status = dimensions == 2
+                     ? scarp_vector2_f64(noise, p.count, p.at[0], p.at[1], out)
+                     : scarp_vector3_f64(noise, p.count, p.at[0], p.at[1], p.at[2], out);
     } else {
-        (void)(dimensions == 2 ? scarp_vector2(noise, p.count, p.at[0], p.at[1], out)
-                               : scarp_vector3(noise, p.count, p.at[0], p.at[1], p.at[2], out));
+        status = dimensions == 2 ? scarp_vector2(noise, p.count, p.at[0], p.at[1], out)
+                                 : scarp_vector3(noise, p.count, p.at[0], p.at[1], p.at[2], out);
     }
-    for (int i = 0; i < dimensions && !scarp_recipe_is_frame(m->recipe, n->place); i++) {
+    const int is_pulled = status == SCARP_OK && !scarp_recipe_is_frame(m->recipe, n->place);
+    for (int i = 0; i < dimensions && is_pulled; i++) {
         if (component[i] >= 0) {
             pull(m, n->place, m->order_of[component[i]], &out[i], &all[i]);
         }
     }
+    return status;
 }
 
 static void set_numbers(size_t count, float *array)
@@ -307,12 +309,13 @@ static void set_numbers(size_t count, float *array)
     }
 }
 
-static void run_cell(struct recipe_machine *m, const struct recipe_node *n,
-                     const struct scarp_samples *out)
+static enum scarp_status run_cell(struct recipe_machine *m, const struct recipe_node *n,
+                                  const struct scarp_samples *out)
 {
     struct scarp_noise *const noise = m->noise;
     const int dimensions = m->recipe->place[n->place].dimensions;
     struct scarp_cells to = {0};
+    enum scarp_status status;
     scarp_recipe_spell_noise(m->recipe, n->index, noise);
     if (n->detail == 0) {
         to.id = (uint32_t *)(void *)out->value;
@@ -323,13 +326,13 @@ static void run_cell(struct recipe_machine *m, const struct recipe_node *n,
     }
     const struct points p = points_of(m, n->place);
     if (m->has_doubles) {
-        (void)(dimensions == 2 ? scarp_cells2_f64(noise, p.count, p.at[0], p.at[1], &to)
-                               : scarp_cells3_f64(noise, p.count, p.at[0], p.at[1], p.at[2], &to));
+        status = dimensions == 2 ? scarp_cells2_f64(noise, p.count, p.at[0], p.at[1], &to)
+                                 : scarp_cells3_f64(noise, p.count, p.at[0], p.at[1], p.at[2], &to);
     } else {
-        (void)(dimensions == 2 ? scarp_cells2(noise, p.count, p.at[0], p.at[1], &to)
-                               : scarp_cells3(noise, p.count, p.at[0], p.at[1], p.at[2], &to));
+        status = dimensions == 2 ? scarp_cells2(noise, p.count, p.at[0], p.at[1], &to)
+                                 : scarp_cells3(noise, p.count, p.at[0], p.at[1], p.at[2], &to);
     }
-    if (n->detail == 0) {
+    if (status == SCARP_OK && n->detail == 0) {
         set_numbers(p.count, out->value);
         for (int i = 0; i < 3; i++) {
             if (first(out, i) != NULL) {
@@ -342,25 +345,22 @@ static void run_cell(struct recipe_machine *m, const struct recipe_node *n,
             }
         }
     }
+    return status;
 }
 
-static void run_gullies(const struct recipe_machine *m, const struct recipe_node *n,
-                        const struct scarp_samples *out)
+static enum scarp_status run_gullies(const struct recipe_machine *m, const struct recipe_node *n,
+                                     const struct scarp_samples *out)
 {
     const struct scarp_gullies *const g = &m->recipe->gully[n->index];
     const struct scarp_samples base = scarp_recipe_samples(m, n->in[0]);
     const struct scarp_eroded to = {
         .displacement = out->value, .displacement_dx = out->dx, .displacement_dy = out->dy};
     if (is_points(n->place) && m->chunk->grid != NULL) {
-        (void)scarp_gullies_grid2(g, m->chunk->grid, &base, &to);
-        return;
+        return scarp_gullies_grid2(g, m->chunk->grid, &base, &to);
     }
     const struct points p = points_of(m, n->place);
-    if (m->has_doubles) {
-        (void)scarp_gullies2_f64(g, p.count, p.at[0], p.at[1], &base, &to);
-    } else {
-        (void)scarp_gullies2(g, p.count, p.at[0], p.at[1], &base, &to);
-    }
+    return m->has_doubles ? scarp_gullies2_f64(g, p.count, p.at[0], p.at[1], &base, &to)
+                          : scarp_gullies2(g, p.count, p.at[0], p.at[1], &base, &to);
 }
 
 /* One coordinate of a place that no field displaces, in double: as the others would be computed. */
@@ -429,27 +429,29 @@ static void run_coordinate(const struct recipe_machine *m, const struct recipe_n
     }
 }
 
-void scarp_recipe_run_placed(struct recipe_machine *m, int node)
+enum scarp_status scarp_recipe_run_placed(struct recipe_machine *m, int node)
 {
     const struct recipe_node *const n = &m->recipe->node[node];
     const struct scarp_samples all = scarp_recipe_samples(m, node);
     const struct scarp_samples out = in_dimensions(all, m->recipe->place[n->place].dimensions);
     const int order = m->order_of[node];
+    enum scarp_status status;
     switch (n->operation) {
-    case OP_COORDINATE: run_coordinate(m, n, order, &all); return;
-    case OP_VECTOR: run_vector(m, node); return;
-    case OP_GULLIES: run_gullies(m, n, &all); return; /* which stand in a frame */
+    case OP_COORDINATE: run_coordinate(m, n, order, &all); return SCARP_OK;
+    case OP_VECTOR: return run_vector(m, node);
+    case OP_GULLIES: return run_gullies(m, n, &all); /* which stand in a frame */
     case OP_PULL: {
         const struct scarp_samples in = scarp_recipe_samples(m, n->in[0]);
         memcpy(all.value, in.value, m->chunk->count * sizeof(float));
         pull(m, n->place, order, &in, &all);
-        return;
+        return SCARP_OK;
     }
-    case OP_CELL: run_cell(m, n, n->detail == 0 ? &all : &out); break;
-    default: run_noise(m, n, &out); break;
+    case OP_CELL: status = run_cell(m, n, n->detail == 0 ? &all : &out); break;
+    default: status = run_noise(m, n, &out); break;
     }
-    if (!scarp_recipe_is_frame(m->recipe, n->place) &&
+    if (status == SCARP_OK && !scarp_recipe_is_frame(m->recipe, n->place) &&
         !(n->operation == OP_CELL && n->detail == 0)) {
         pull(m, n->place, order, &out, &all);
     }
+    return status;
 }

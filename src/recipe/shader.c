@@ -38,7 +38,10 @@ static NOINLINE enum scarp_status write(const struct recipe *r, const struct sca
     const struct shader_uniforms none = {NULL, NULL, NULL};
     struct shader_slots slots;
     struct shader_writer w = {.recipe = r, .slots = &slots, .to = text};
-    scarp_shader_lay_out(r, &none, &slots);
+    const enum scarp_status status = scarp_shader_lay_out(r, &none, &slots);
+    if (status != SCARP_OK) {
+        return status;
+    }
     set_orders(&w, how->order);
     scarp_shader_put_head(&w);
     const struct shader_cut cut = {how->file, how->length, text->length};
@@ -85,15 +88,21 @@ enum scarp_status scarp_recipe_shader(const struct scarp_recipe *recipe,
 
 #define HEAD_BYTES 16
 
-static NOINLINE void fill(const struct recipe *r, void *bytes, size_t capacity, size_t *size)
+/* Slots are counted first, by all the calls that fill them in, too: one that fails does so before
+   anything is written. */
+static NOINLINE enum scarp_status fill(const struct recipe *r, void *bytes, size_t capacity,
+                                       size_t *size)
 {
     const struct shader_uniforms none = {NULL, NULL, NULL};
     struct shader_slots slots;
-    scarp_shader_lay_out(r, &none, &slots);
+    const enum scarp_status status = scarp_shader_lay_out(r, &none, &slots);
+    if (status != SCARP_OK) {
+        return status;
+    }
     const size_t numbers = (size_t)slots.numbers * 16, levels = (size_t)slots.levels * 48;
     *size = HEAD_BYTES + numbers + levels + (size_t)slots.octaves * 160;
     if (*size > capacity) {
-        return;
+        return SCARP_ERROR_SIZE;
     }
     char *const at = bytes;
     const struct shader_uniforms to = {
@@ -102,14 +111,14 @@ static NOINLINE void fill(const struct recipe *r, void *bytes, size_t capacity, 
         (struct scarp_gpu_octave *)(void *)(at + HEAD_BYTES + numbers + levels)};
     memset(bytes, 0, *size);
     memcpy(at + 4, &slots.unit, sizeof slots.unit);
-    scarp_shader_lay_out(r, &to, &slots);
+    return scarp_shader_lay_out(r, &to, &slots);
 }
 
 enum scarp_status scarp_recipe_uniforms(const struct scarp_recipe *recipe, void *bytes,
                                         size_t capacity, size_t *size)
 {
     const struct recipe *r = NULL;
-    const enum scarp_status status = find_recipe(recipe, &r);
+    enum scarp_status status = find_recipe(recipe, &r);
     if ((bytes == NULL && capacity > 0) || size == NULL) {
         return SCARP_ERROR_NULL;
     }
@@ -117,9 +126,9 @@ enum scarp_status scarp_recipe_uniforms(const struct scarp_recipe *recipe, void 
         return status;
     }
     const struct fpmode caller = fpmode_enter();
-    fill(r, bytes, capacity, size);
+    status = fill(r, bytes, capacity, size);
     fpmode_leave(caller);
-    return *size > capacity ? SCARP_ERROR_SIZE : SCARP_OK;
+    return status;
 }
 
 /*
@@ -189,12 +198,27 @@ static NOINLINE enum scarp_status answer_chunk(const struct answering *a, uint32
     return SCARP_OK;
 }
 
-static NOINLINE float unit_of(const struct recipe *r)
+static NOINLINE enum scarp_status find_unit(const struct recipe *r, float *unit)
 {
     const struct shader_uniforms none = {NULL, NULL, NULL};
     struct shader_slots slots;
-    scarp_shader_lay_out(r, &none, &slots);
-    return slots.unit;
+    const enum scarp_status status = scarp_shader_lay_out(r, &none, &slots);
+    *unit = slots.unit;
+    return status;
+}
+
+/* What a chunk needs may be left out of others, so all are computed twice: the first time, nothing
+   is written, and a call that fails is noticed. */
+static enum scarp_status answer_all(const struct answering *a, uint32_t *answer)
+{
+    uint32_t tried[CHUNK];
+    enum scarp_status status = SCARP_OK;
+    for (int is_last = 0; is_last < 2; is_last++) {
+        for (uint32_t i = 0; status == SCARP_OK && i < SCARP_GPU_ANSWERS; i += CHUNK) {
+            status = answer_chunk(a, i, is_last ? answer + i : tried);
+        }
+    }
+    return status;
 }
 
 enum scarp_status scarp_recipe_answers(const struct scarp_recipe *recipe, int order,
@@ -211,11 +235,9 @@ enum scarp_status scarp_recipe_answers(const struct scarp_recipe *recipe, int or
     if (status != SCARP_OK) {
         return status;
     }
+    struct answering answering = {.recipe = recipe, .order = order};
     const struct fpmode caller = fpmode_enter();
-    const struct answering answering = {recipe, order, unit_of(r)};
+    status = find_unit(r, &answering.unit);
     fpmode_leave(caller);
-    for (uint32_t i = 0; status == SCARP_OK && i < SCARP_GPU_ANSWERS; i += CHUNK) {
-        status = answer_chunk(&answering, i, answer + i);
-    }
-    return status;
+    return status == SCARP_OK ? answer_all(&answering, answer) : status;
 }

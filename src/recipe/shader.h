@@ -14,6 +14,7 @@
 #include <stddef.h>
 
 #include "recipe.h"
+#include "statuses.h"
 
 /* Each noise may be sampled in the plane and in space. */
 enum { SHADER_KINDS = 2 * RECIPE_NOISES };
@@ -34,8 +35,9 @@ struct shader_uniforms {
     struct scarp_gpu_octave *octave;
 };
 
-void scarp_shader_lay_out(const struct recipe *recipe, const struct shader_uniforms *to,
-                          struct shader_slots *slots);
+KEEP_STATUS enum scarp_status scarp_shader_lay_out(const struct recipe *recipe,
+                                                   const struct shader_uniforms *to,
+                                                   struct shader_slots *slots);
 
 /* Text; what exceeds the capacity is counted and not written. */
 struct shader_text {

@@ -24,7 +24,13 @@ struct filling {
     int dimensions;                  /* of the noise that is filled in */
     const struct recipe_node *node;  /* whose noise that is */
     const struct scarp_noise *noise; /* and this is it */
+    enum scarp_status status;        /* of the first call that failed */
 };
+
+static void keep_status(struct filling *f, enum scarp_status status)
+{
+    f->status = f->status == SCARP_OK ? status : f->status;
+}
 
 static void put_number(const struct filling *f, float a, float b, float c, float d)
 {
@@ -35,21 +41,24 @@ static void put_number(const struct filling *f, float a, float b, float c, float
     }
 }
 
-static void put_knots(const struct filling *f, const struct recipe_node *n)
+static void put_knots(struct filling *f, const struct recipe_node *n)
 {
     float x[SCARP_CURVE_KNOTS], y[SCARP_CURVE_KNOTS], slope[SCARP_CURVE_KNOTS];
     for (int i = 0; i < n->knots; i++) {
         x[i] = f->recipe->knot[n->index + i][0];
         y[i] = f->recipe->knot[n->index + i][1];
     }
-    (void)scarp_curve_slopes(n->knots, x, y, slope);
+    if (!scarp_curve_slopes(n->knots, x, y, slope)) {
+        keep_status(f, SCARP_ERROR_PARAMETER);
+        return;
+    }
     for (int i = 0; i < n->knots; i++) {
         put_number(f, x[i], y[i], slope[i], i + 1 < n->knots ? 1.0f / (x[i + 1] - x[i]) : 0.0f);
     }
 }
 
 /* The numbers of a function that combines others. */
-static void put_numbers(const struct filling *f, const struct recipe_node *n)
+static void put_numbers(struct filling *f, const struct recipe_node *n)
 {
     static const struct {
         uint8_t operation, function;
@@ -60,9 +69,12 @@ static void put_numbers(const struct filling *f, const struct recipe_node *n)
                    {OP_TERRACE, CHAIN_TERRACE}};
     float k[CHAIN_NUMBERS] = {n->k[0], n->k[1], 0.0f, 0.0f, 0.0f};
     for (size_t i = 0; i < sizeof chained / sizeof chained[0]; i++) {
-        if (chained[i].operation == n->operation) {
-            memset(k, 0, sizeof k);
-            (void)scarp_chain_numbers((enum scarp_chain_function)chained[i].function, n->k, k);
+        if (chained[i].operation != n->operation) {
+            continue;
+        }
+        memset(k, 0, sizeof k);
+        if (!scarp_chain_numbers((enum scarp_chain_function)chained[i].function, n->k, k)) {
+            keep_status(f, SCARP_ERROR_PARAMETER);
         }
     }
     switch (n->operation) {
@@ -185,16 +197,16 @@ static void put_levels(struct filling *f, int step)
     f->noise = noise;
     if (n->operation == OP_GULLIES) {
         noise[0] = scarp_gullies_lattice(&r->gully[n->index]);
-        (void)scarp_run(noise, kind, put_gullies, f);
+        keep_status(f, scarp_run(noise, kind, put_gullies, f));
         return;
     }
     scarp_recipe_spell_noise(r, n->index, noise);
     kind.vector = n->operation == OP_VECTOR;
-    (void)scarp_run(noise, kind, n->operation == OP_CELL ? put_cells : put_noise, f);
+    keep_status(f, scarp_run(noise, kind, n->operation == OP_CELL ? put_cells : put_noise, f));
 }
 
-void scarp_shader_lay_out(const struct recipe *recipe, const struct shader_uniforms *to,
-                          struct shader_slots *slots)
+enum scarp_status scarp_shader_lay_out(const struct recipe *recipe,
+                                       const struct shader_uniforms *to, struct shader_slots *slots)
 {
     struct filling f = {.recipe = recipe, .to = to, .slots = slots};
     memset(slots, 0, sizeof *slots);
@@ -215,4 +227,5 @@ void scarp_shader_lay_out(const struct recipe *recipe, const struct shader_unifo
     slots->numbers = slots->numbers > 0 ? slots->numbers : 1;
     slots->levels = slots->levels > 0 ? slots->levels : 1;
     slots->octaves = slots->octaves > 0 ? slots->octaves : 1;
+    return f.status;
 }
