@@ -18,6 +18,11 @@ scarp_add_sized_test(recipe.oracle recipe SIZES 10000 400 100 10 COMMAND test_re
 scarp_test_program(test_shapes)
 scarp_add_test(shapes recipe COMMAND test_shapes)
 
+# Values stay in the intervals of recipes: batches of 64 values for each of 18 functions
+scarp_test_program(test_recipe_interval INTERNAL)
+scarp_add_sized_test(recipe.interval recipe SIZES 200000 5000 1000 100
+                     COMMAND test_recipe_interval {})
+
 # No output is memory that nobody wrote, and calls inside of recipes that fail are noticed. The linker
 # replaces these calls, those of statuses.h.
 include(CheckLinkerFlag)

@@ -197,6 +197,8 @@ static void check_errors(void)
         {ONE "a = min(n, 1, smooth=-1)", 3, 5, "outside the interval"},
         {ONE "a = mix(n, 1, n)", 3, 5, "mask of mix"},
         {ONE "a = 1 / n", 3, 5, "divisor can be 0"},
+        {"recipe 1\na = 1 / curve(0.9998392 + 1.44e-06 * noise(), 0: 1000, 1: 0)", 2, 5,
+         "divisor can be 0"},
         {ONE "a = n / 0", 3, 5, "division by 0"},
         {ONE "a = 1 / 0 + n", 3, 5, "division by 0"},
         {ONE "a = curve(n, 0: 1)", 3, 5, "from 2 to 64"},
@@ -674,6 +676,7 @@ static void check_ranges(void)
         {"recipe 1\na = 1 / (2 + noise())", 1.0f / 3.0f, 1.0f},
         {"recipe 1\na = sqrt(noise() - 0.75)", 0.0f, 0.5f},
         {"recipe 1\na = curve(noise(), -2: 5, 0: 3, 1: 4, 2: 7)", 3.0f, 5.0f},
+        {"recipe 1\na = curve(noise(), -1: 3, 1: 4)", 3.0f, 4.0f},
         {"recipe 1\na = slope(noise())", 0.0f, INFINITY},
         {"recipe 1\na = clamp(x, -5, 5)", -5.0f, 5.0f},
         {"recipe 1\na = x", -INFINITY, INFINITY},
@@ -706,6 +709,22 @@ static void check_ranges(void)
     CHECK(scarp_recipe_range(&recipe, 9, &box, &lowest, &highest) == SCARP_ERROR_PARAMETER,
           "which");
     CHECK(scarp_recipe_range(&recipe, 0, &box, NULL, &highest) == SCARP_ERROR_NULL, "NULL");
+}
+
+/* Where a curve is nearly level, rounding may turn its order around: by what the knots round by,
+   not the values. */
+static void check_range_of_curve(void)
+{
+    const double at[2] = {92.932067947896229, 26.232472307156989};
+    const struct scarp_samples out = {.value = value};
+    const struct scarp_recipe_outputs outputs = {.out = &out, .count = 1};
+    float lowest, highest;
+    (void)parses("recipe 1\na = curve(0.9998392 + 1.44e-06 * noise(), 0: 1000, 1: 0)");
+    (void)scarp_recipe_range(&recipe, SCARP_RECIPE_OUTPUT, NULL, &lowest, &highest);
+    (void)scarp_recipe_sample_f64(&recipe, 1, &at[0], &at[1], NULL, &outputs, &scratch);
+    CHECK(value[0] >= lowest && value[0] <= highest, "%.9g, not in [%.9g, %.9g]", (double)value[0],
+          (double)lowest, (double)highest);
+    CHECK(highest < 0.01f, "a curve near 0 reaches %.9g", (double)highest);
 }
 
 /* Fields of coordinates reach the ends of their ranges, and go no further. */
@@ -941,6 +960,7 @@ int main(void)
     check_tile();
     check_finest();
     check_ranges();
+    check_range_of_curve();
     check_reached_ranges();
     check_descriptions();
     check_words();
