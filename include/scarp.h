@@ -1308,8 +1308,9 @@ SCARP_API enum scarp_status scarp_recipe_parse(const char *text, size_t length,
 /*
  * scarp_recipe_seed - set the seed of the world
  *
- * All noises follow it. A noise without a seed, or with seed=0, takes the seed of the world.
- * Another noise takes a number that is made of the seed of the world and its own.
+ * All noises follow it. A noise without a seed, or with seed=0, takes the seed of the world. Another
+ * noise, with seed=n, takes number 64 + n, or 2^64 + n if n is negative, of splitmix64(first number
+ * of splitmix64(seed of the world)): see "Seeds".
  *
  * Errors: SCARP_ERROR_NULL if `recipe` is NULL; SCARP_ERROR_PARAMETER if *recipe is no recipe, or
  * has errors.
@@ -1988,7 +1989,8 @@ SCARP_API const char *scarp_isa_name(enum scarp_isa isa);
  * Seeds
  *
  * splitmix64(z) is the generator of Steele, Lea and Flood (2014) started at z. Its numbers are
- * counted from 1. All arithmetic is modulo 2^64. Number j is
+ * counted from 1. All arithmetic is modulo 2^64, so a negative seed, such as -1, is 2^64 more.
+ * Number j is
  *
  *     mix(z + j 0x9e3779b97f4a7c15),   mix(z) = z'' ^ (z'' >> 31),
  *     z'' = (z' ^ (z' >> 27)) 0x94d049bb133111eb,   z' = (z ^ (z >> 30)) 0xbf58476d1ce4e5b9.

@@ -222,6 +222,8 @@ static void check_errors(void)
         {ONE "a = noise(size=0)", 3, 16, "a frequency is from"},
         {ONE "a = noise(size=2, frequency=2)", 3, 29, "say the same"},
         {ONE "a = noise(seed=0.5)", 3, 16, "whole number"},
+        {ONE "a = noise(seed=-0.5)", 3, 16, "from -2^53 to 2^53"},
+        {ONE "a = noise(seed=-9007199254740994)", 3, 16, "from -2^53 to 2^53"},
         {ONE "a = noise(period=0.5)", 3, 18, "whole number"},
         {ONE "a = noise(gradient, value)", 3, 21, "twice"},
         {ONE "a = noise(frequency=x)", 3, 21, "expected a number"},
@@ -405,12 +407,73 @@ static void check_set(void)
           entry.value);
 }
 
+static uint64_t splitmix64(uint64_t start, uint64_t number)
+{
+    uint64_t mixed = start + number * UINT64_C(0x9e3779b97f4a7c15);
+    mixed = (mixed ^ mixed >> 30) * UINT64_C(0xbf58476d1ce4e5b9);
+    mixed = (mixed ^ mixed >> 27) * UINT64_C(0x94d049bb133111eb);
+    return mixed ^ mixed >> 31;
+}
+
+/* Seeds of noises, of cells and of gullies are those that the page of the language has, so others
+   can make the same calls. */
+static void check_rebuilt_seeds(void)
+{
+    static const struct {
+        const char *seed;
+        uint64_t number;
+    } cases[] = {
+        {"1", 65},
+        {"7", 71},
+        {"9007199254740992", (UINT64_C(1) << 53) + 64},
+        {"-1", UINT64_MAX},
+        {"-64", 0 - UINT64_C(64)},
+        {"-9007199254740992", 0 - (UINT64_C(1) << 53)},
+    };
+    const uint64_t worlds[] = {0, 8, UINT64_C(0xfedcba9876543210)};
+    const struct scarp_samples out = {.value = value}, hand = {.value = by_hand};
+    const struct scarp_samples base = {.value = value, .dx = dx, .dy = dy};
+    const struct scarp_eroded eroded = {.displacement = by_hand};
+    static uint32_t id[POINTS];
+    const struct scarp_cells cells = {.id = id};
+    for (size_t i = 0; i < 3 * sizeof cases / sizeof cases[0]; i++) {
+        const uint64_t world = worlds[i % 3], number = cases[i / 3].number;
+        const uint64_t seed = splitmix64(splitmix64(world, 1), number);
+        const struct scarp_noise noise = {.seed = seed, .octaves = 2.0f}, level = {.seed = world};
+        const struct scarp_gullies gullies = {.seed = seed};
+        char text[128];
+        snprintf(text, sizeof text,
+                 "recipe 1\nn = noise(octaves=2, seed=%s)\ng = displacement(noise(), seed=%s)\n"
+                 "c = cell(n)",
+                 cases[i / 3].seed, cases[i / 3].seed);
+        (void)parses(text);
+        (void)scarp_recipe_seed(&recipe, world);
+        (void)sample(&recipe, &out, &(const int32_t){0});
+        (void)scarp_sample2_f64(&noise, POINTS, x, y, &hand);
+        CHECK(memcmp(value, by_hand, sizeof value) == 0, "%s of world %d", cases[i / 3].seed,
+              (int)(i % 3));
+        (void)sample(&recipe, &out, &(const int32_t){2});
+        (void)scarp_cells2_f64(&noise, POINTS, x, y, &cells);
+        for (int k = 0; k < POINTS; k++) {
+            CHECK(value[k] == (float)((double)(int32_t)id[k] * 0x1p-31), "cells of %s",
+                  cases[i / 3].seed);
+        }
+        (void)scarp_sample2_f64(&level, POINTS, x, y, &base);
+        (void)scarp_gullies2_f64(&gullies, POINTS, x, y, &base, &eroded);
+        (void)sample(&recipe, &out, &(const int32_t){1});
+        CHECK(memcmp(value, by_hand, sizeof value) == 0, "gullies of %s", cases[i / 3].seed);
+    }
+}
+
 static void check_seeds(void)
 {
     const struct scarp_samples out = {.value = value};
     check_same_values("recipe 1\na = noise(seed=0)", "recipe 1\na = noise()");
     check_different_values("recipe 1\na = noise(seed=1)", "recipe 1\na = noise()");
     check_different_values("recipe 1\na = noise(seed=1)", "recipe 1\na = noise(seed=2)");
+    check_different_values("recipe 1\na = noise(seed=-1)", "recipe 1\na = noise(seed=1)");
+    check_same_values("recipe 1\na = noise(seed=-0)", "recipe 1\na = noise()");
+    check_rebuilt_seeds();
     (void)parses("recipe 1\na = noise()");
     (void)scarp_recipe_seed(&recipe, UINT64_C(0x123456789abcdef0));
     (void)sample(&recipe, &out, NULL);

@@ -37,10 +37,12 @@ static uint64_t splitmix(uint64_t start, uint64_t number)
     return z ^ z >> 31;
 }
 
-/* Numbers up to 63 belong to octaves, warps and curls. */
+/* Numbers up to 63 belong to octaves, warps and curls. Those of negative seeds come from the other
+   end: 64 more would make numbers from 0 to 63 of -64 to -1. */
 uint64_t scarp_recipe_seed_of(uint64_t world, double number)
 {
-    return number == 0.0 ? world : splitmix(splitmix(world, 1), 64 + (uint64_t)number);
+    const uint64_t whole = (uint64_t)(int64_t)number;
+    return number == 0.0 ? world : splitmix(splitmix(world, 1), number < 0.0 ? whole : 64 + whole);
 }
 
 static int take_seed(struct recipe_compiler *c, int e, uint64_t *seed)
@@ -49,8 +51,8 @@ static int take_seed(struct recipe_compiler *c, int e, uint64_t *seed)
     if (!scarp_recipe_take_number(c, e, &number)) {
         return 0;
     }
-    if (!(number >= 0.0 && number <= 0x1p53) || (double)(uint64_t)number != number) {
-        return scarp_recipe_bad(c, e, "a seed is a whole number from 0 to 2^53", NULL), 0;
+    if (!(fabs(number) <= 0x1p53) || (double)(int64_t)number != number) {
+        return scarp_recipe_bad(c, e, "a seed is a whole number from -2^53 to 2^53", NULL), 0;
     }
     *seed = scarp_recipe_seed_of(c->recipe->seed, number);
     return 1;
