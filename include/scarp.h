@@ -377,7 +377,7 @@ struct scarp_grid {
  * axis: a chunk of 256 x 16 x 16 samples of gradient noise takes down to a quarter of the time of
  * one of 16 x 256 x 16; simplex noise takes half, noise with a warp 0.5 to 0.7 of it. A single
  * octave of fBm with 24 MiB of results or more is written fastest if the arrays, and their rows,
- * begin at multiples of 64 bytes.
+ * begin at multiples of 64 bytes. A call without outputs only makes its checks.
  *
  * Errors:
  *
@@ -1185,7 +1185,8 @@ SCARP_API enum scarp_status scarp_gullies_grid2(const struct scarp_gullies *gull
  * *lowest <= value <= *highest, rounding included, for a base in [base_lowest, base_highest]. That
  * is base_lowest less depth times amplitude, and base_highest plus depth times amplitude.
  *
- * Errors: SCARP_ERROR_NULL if a pointer is NULL; others as scarp_gullies_check.
+ * Errors, with which nothing is written: SCARP_ERROR_NULL if a pointer is NULL; SCARP_ERROR_PARAMETER
+ * if the ends of the base are NaN or out of order; others as scarp_gullies_check.
  */
 SCARP_API enum scarp_status scarp_gullies_range(const struct scarp_gullies *gullies,
                                                 float base_lowest, float base_highest,

@@ -123,6 +123,37 @@ static void test_modes(void)
     CHECK(tried > 0, "no mode can be set");
 }
 
+/* A call that is asked for nothing makes its checks, and does not visit the samples, which may be
+   as many as an array could have. */
+static void test_nothing(void)
+{
+    static const char text[] = "recipe 1\na = noise()", space[] = "recipe 1\nspace 3\na = noise()";
+    static struct scarp_recipe plane, cube;
+    const size_t most = (size_t)1 << (sizeof(size_t) * 4 - 2);
+    const struct scarp_grid grid = {.count = {most, most, 1}},
+                            bad = {.step = {(double)INFINITY}, .count = {most, most, 1}};
+    const struct scarp_samples nothing = {0}, base = {.value = reference[0],
+                                                      .dx = reference[0],
+                                                      .dy = reference[0]};
+    const struct scarp_noise noise = {.octaves = 2.0f}, wrong = {.octaves = 33.0f};
+    const struct scarp_gullies gullies = {0};
+    const struct scarp_eroded none = {0};
+    const struct scarp_recipe_outputs outputs = {.out = &nothing, .count = 1};
+    CHECK(scarp_grid2(&noise, &grid, &nothing) == SCARP_OK, "grid2");
+    CHECK(scarp_grid3(&noise, &grid, &nothing) == SCARP_OK, "grid3");
+    CHECK(scarp_grid2(&wrong, &grid, &nothing) == SCARP_ERROR_PARAMETER, "the noise");
+    CHECK(scarp_grid2(&noise, &bad, &nothing) == SCARP_ERROR_PARAMETER, "the grid");
+    CHECK(scarp_gullies_grid2(&gullies, &grid, &base, &none) == SCARP_OK, "gullies");
+    CHECK(scarp_gullies_grid2(&gullies, &grid, &nothing, &none) == SCARP_ERROR_NULL, "the base");
+    (void)scarp_recipe_parse(text, sizeof text - 1, &plane, NULL, 0, NULL);
+    (void)scarp_recipe_parse(space, sizeof space - 1, &cube, NULL, 0, NULL);
+    CHECK(scarp_recipe_grid(&plane, &grid, &outputs, NULL) == SCARP_OK, "a recipe");
+    CHECK(scarp_recipe_grid(&cube, &grid, &outputs, NULL) == SCARP_OK, "a recipe of space");
+    const int32_t which = 7;
+    const struct scarp_recipe_outputs missing = {.out = &nothing, .which = &which, .count = 1};
+    CHECK(scarp_recipe_grid(&plane, &grid, &missing, NULL) == SCARP_ERROR_PARAMETER, "no output 7");
+}
+
 int main(int argc, char **argv)
 {
     check_select_isa(argc > 1 ? argv[1] : "scalar");
@@ -132,6 +163,7 @@ int main(int argc, char **argv)
     }
     test_guarded();
     test_modes();
+    test_nothing();
     for (int a = 0; a < ARRAYS; a++) {
         free(reference[a]);
         free(again[a]);

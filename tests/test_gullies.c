@@ -425,6 +425,18 @@ static void test_arguments(void)
               highest == 0.75f,
           "%g to %g", (double)lowest, (double)highest);
     CHECK(scarp_gullies_range(NULL, 0.0f, 1.0f, &lowest, &highest) == SCARP_ERROR_NULL, "range");
+    const float wrong[][2] = {{1.0f, 0.0f}, {NAN, 0.0f}, {0.0f, NAN}, {NAN, NAN}, {INFINITY, 1.0f}};
+    for (size_t i = 0; i < sizeof wrong / sizeof wrong[0]; i++) {
+        lowest = 7.0f;
+        highest = 8.0f;
+        CHECK(scarp_gullies_range(&g, wrong[i][0], wrong[i][1], &lowest, &highest) ==
+                      SCARP_ERROR_PARAMETER &&
+                  lowest == 7.0f && highest == 8.0f,
+              "a base in [%g, %g]", (double)wrong[i][0], (double)wrong[i][1]);
+    }
+    CHECK(scarp_gullies_range(&g, -INFINITY, 0.5f, &lowest, &highest) == SCARP_OK &&
+              lowest == -INFINITY && highest == 0.75f,
+          "a base without a lower end");
 }
 
 int main(int argc, char **argv)

@@ -28,9 +28,21 @@ struct gully_run {
     struct scarp_gully_call call;
 };
 
+static int asks_for_something(const struct scarp_gully_call *call)
+{
+    int asked = 0;
+    for (int i = 0; i < ERODED_OUTPUTS; i++) {
+        asked |= call->out[i] != NULL;
+    }
+    return asked;
+}
+
 static void run(const struct scarp_call_plan *plan, const void *opaque)
 {
     const struct gully_run *const run = opaque;
+    if (!asks_for_something(&run->call)) { /* a grid may have any number of samples */
+        return;
+    }
     struct scarp_gully_call call = run->call;
     struct scarp_gully_plan gullies;
     scarp_gullies_plan(&gullies, run->gullies, plan);
@@ -191,6 +203,9 @@ static NOINLINE enum scarp_status range(const struct scarp_gullies *gullies, con
                                         float *lowest, float *highest)
 {
     const struct scarp_fault fault = scarp_gullies_verify(gullies);
+    if (!(base[0] <= base[1])) {
+        return SCARP_ERROR_PARAMETER;
+    }
     if (fault.why == REFUSED_NOT) {
         const float depth = (float)scarp_gullies_depth(gullies);
         *lowest = base[0] - depth;

@@ -198,7 +198,9 @@ struct grid_call {
 static void run_grid(const struct scarp_call_plan *plan, const void *opaque)
 {
     const struct grid_call *const call = opaque;
-    call->kernel(plan, call->grid, scarp_outputs_of(call->out));
+    if (any_asked(call->out, 0, OUTPUTS)) { /* a grid may have any number of samples */
+        call->kernel(plan, call->grid, scarp_outputs_of(call->out));
+    }
 }
 
 static enum scarp_status sample_grid(scarp_grid_fn *kernel, const struct scarp_noise *noise,

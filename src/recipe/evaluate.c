@@ -339,6 +339,15 @@ static KEEP_STATUS enum scarp_status run_grid(struct recipe_machine *m,
     return status;
 }
 
+static int asks_for_something(const struct recipe_evaluation *call)
+{
+    int asked = 0;
+    for (int i = 0; i < call->outputs * MEMBERS; i++) {
+        asked |= member(&call->out[i / MEMBERS], i % MEMBERS) != NULL;
+    }
+    return asked;
+}
+
 /* So that memory that nobody wrote is never taken for values: makes all outputs NaN. */
 static void spoil(const struct recipe_evaluation *call)
 {
@@ -376,6 +385,9 @@ enum scarp_status scarp_recipe_evaluate(const struct recipe_evaluation *call)
     }
     if (!set_memory(m, call->recipe->dimensions, order, call->size - lost - MACHINE_BYTES)) {
         return SCARP_ERROR_SIZE;
+    }
+    if (!asks_for_something(call)) { /* a grid may have any number of samples */
+        return SCARP_OK;
     }
     const enum scarp_status status = call->grid != NULL ? run_grid(m, call) : run_points(m, call);
     if (status != SCARP_OK) {
