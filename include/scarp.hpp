@@ -455,6 +455,7 @@ class recipe
         return told(status, error);
     }
     void set(const char *name, double value) { try_set(name, value).check(); }
+    /* All 64 bits count: -1 is 2^64 - 1. */
     void seed(std::uint64_t seed) { result{scarp_recipe_seed(c_.get(), seed)}.check(); }
     const scarp_recipe *get() const noexcept { return c_.get(); } /* for other calls of scarp.h */
 

@@ -96,7 +96,7 @@ function integer(name, value, least, most) {
     return whole;
 }
 
-// A seed may be any of 64 bits. Numbers beyond 2^53 may have been rounded, which nobody wants.
+// A seed may be any of 64 bits, or negative, which is 2^64 more. Numbers beyond 2^53 may have been rounded, which nobody wants.
 export function seedOf(seed, name = 'seed') {
     if (typeof seed === 'number' && !Number.isSafeInteger(seed)) {
         throw new ScarpError(
@@ -105,7 +105,7 @@ export function seedOf(seed, name = 'seed') {
             name,
         );
     }
-    return integer(name, seed, 0n, 2n ** 64n - 1n);
+    return BigInt.asUintN(64, integer(name, seed, -(2n ** 63n), 2n ** 64n - 1n));
 }
 
 function numbersOf(what, list, least, most) {

@@ -30,7 +30,7 @@ export interface Noise {
     fractal?: Fractal | number;
     /** Turns the axes between octaves, which hides the directions of the lattice. */
     rotate?: boolean;
-    /** All 64 bits count. Beyond 2^53 - 1 it must be a BigInt. */
+    /** All 64 bits count; a negative seed is 2^64 more. Beyond 2^53 - 1 it must be a BigInt. */
     seed?: number | bigint;
     /** Lattice cells per unit of input; 1 by default. */
     frequency?: number;
@@ -449,7 +449,8 @@ export interface Recipe {
     readonly outputs: { name: string; range: [number, number] }[];
     /** Whether the recipe is of space. */
     readonly isSpace: boolean;
-    /** The seed of the world; give a BigInt for more than 53 bits. */
+    /** The seed of the world, from 0 to 2^64 - 1: a negative one becomes 2^64 more. Give a BigInt for
+     * more than 53 bits. */
     get seed(): bigint;
     set seed(seed: number | bigint);
     /** Sets a parameter; "finest" leaves out octaves with cells smaller than that. */

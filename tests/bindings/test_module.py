@@ -198,7 +198,7 @@ class Members(unittest.TestCase):
         for name, values in {
                 "octaves": (33, -1, math.nan, 0, 1e-60), "gain": (17, 0, math.inf),
                 "frequency": (0, -1, math.nan, 1e300), "amplitude": (0, 1e39, 1e-50),
-                "seed": (-1, 2 ** 64, 0.5), "jitter": (1.5,), "phase": (math.nan, 1e39, 1e-60),
+                "seed": (-2 ** 63 - 1, 2 ** 64, -0.5), "jitter": (1.5,), "phase": (math.nan, 1e39, 1e-60),
                 "basis": ("perlin", 99, -1), "fractal": ("fBm",), "fade": ("linear",)}.items():
             for value in values:
                 self.named(name, lambda: scarp.Noise(**{name: value}))
@@ -398,6 +398,15 @@ class Recipes(unittest.TestCase):
         equal(recipe.grid((5, 6)).value, 2 * one)
         seeded = scarp.Recipe(TEXT, seed=2 ** 64 - 1)
         self.assertEqual(seeded.seed, 2 ** 64 - 1)
+        for given in (-1, np.int64(-1), -1.0):
+            self.assertEqual(scarp.Recipe(TEXT, seed=given).seed, 2 ** 64 - 1)
+            self.assertEqual(scarp.Noise(seed=given), scarp.Noise(seed=2 ** 64 - 1))
+        self.assertEqual(scarp.Noise(seed=-2 ** 63).seed, 2 ** 63)
+        where = {"shape": (4, 5), "step": 0.3}
+        base = scarp.Noise(seed=3).grid(**where, derivatives=1)
+        self.assertTrue((scarp.Gullies(seed=-7).grid(base, step=0.3)[0].value ==
+                         scarp.Gullies(seed=2 ** 64 - 7).grid(base, step=0.3)[0].value).all())
+        self.assertRaises(ValueError, scarp.Gullies().range, (1, 0))
         self.assertFalse((seeded.grid((5, 6)).value == one / 2).all())
         recipe.finest = 8
         self.assertFalse((recipe.grid((5, 6)).value == 2 * one).all())
@@ -415,7 +424,7 @@ class Recipes(unittest.TestCase):
         self.assertRaises(AttributeError, lambda: recipe.low)
         self.assertRaises(AttributeError, setattr, recipe, "hihg", 2)
         self.assertRaises(AttributeError, setattr, recipe, "grid", 2)
-        self.assertRaises(ValueError, setattr, recipe, "seed", -1)
+        self.assertRaises(ValueError, setattr, recipe, "seed", -2 ** 63 - 1)
 
     def test_errors(self):
         with self.assertRaises(scarp.RecipeError) as caught:

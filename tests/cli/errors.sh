@@ -8,7 +8,7 @@ refused 2 bogus bogus
 refused 2 --bogus terrain --bogus
 refused 2 stray terrain stray
 for pair in size=0x64 size=64 step=0 height=-1 octaves=33 octaves=nan frequency=0 lacunarity=17 \
-    gain=x seed=-1 basis=none fractal=fBm fade=linear threads=0 isa=sse9 origin=1 tile=0x1 \
+    gain=x seed=--1 basis=none fractal=fBm fade=linear threads=0 isa=sse9 origin=1 tile=0x1 \
     azimuth=361 preset=everest overlap=-1; do
     refused 2 "--${pair%=*}" terrain --size 40x30 --heights t.r32 "--${pair%=*}" "${pair#*=}"
     refused 2 "--${pair%=*}" terrain --size 40x30 --heights t.r32 "--$pair"

@@ -106,6 +106,26 @@ class Recipes(Case):
         self.assertEqual(len(set(made)), 3)
         self.assertEqual(made[0], self.heights(*SIZE, "--recipe", "r.recipe"))
 
+    def test_negative_seeds(self):
+        """All commands take them, as 2^64 more; in recipes they are other streams."""
+        self.write(RECIPE)
+        words = [*SIZE, "--recipe", "r.recipe", "--seed"]
+        for negative, same in (("-1", "18446744073709551615"), ("-0x", None),
+                               ("-9223372036854775808", "0x8000000000000000"), ("-0", "0")):
+            if same is None:
+                self.check_one_line(run("terrain", *words, negative, "--heights", "n.r32",
+                                        cwd=self.directory), 2, "--seed")
+                continue
+            made = self.heights(*words, negative)
+            self.assertEqual(made, self.heights(*words, same))
+            points = [run("sample", "--seed", seed, "--frequency", "0.3", input=b"1,2\n")
+                      for seed in (negative, same)]
+            self.assertEqual(points[0].stdout, points[1].stdout)
+            self.assertEqual(points[0].returncode, 0)
+        self.write(RECIPE.replace("seed=2", "seed=-2"), "q.recipe")
+        self.assertNotEqual(self.heights(*SIZE, "--recipe", "q.recipe"),
+                            self.heights(*SIZE, "--recipe", "r.recipe"))
+
     def test_scale(self):
         """Places and heights; slopes stay."""
         self.write(RECIPE)
@@ -193,7 +213,8 @@ class Recipes(Case):
         """A sheet varies parameters."""
         self.write(RECIPE)
         words = ["--recipe", "r.recipe", "--cell", "40x30", "--samples", "1", "--quiet"]
-        for sheet in ("height=50..200/3", "seed=1..2,height=20|90", "sea=-9..9/2"):
+        for sheet in ("height=50..200/3", "seed=1..2,height=20|90", "sea=-9..9/2",
+                      "seed=-1..1", "seed=-1000000001..-1000000000"):
             result = run("sheet", *words, "--sheet", sheet, "--output", "s.ppm",
                          cwd=self.directory)
             self.assertEqual((result.returncode, result.stderr), (0, b""))

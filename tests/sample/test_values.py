@@ -354,7 +354,8 @@ class Options(Case):
                                ("--output-format", ("CSV", "txt", "", "png")),
                                ("--isa", ("sse9", "none", "")),
                                ("--input", ("",)), ("--output", ("",)),
-                               ("--seed", ("-1", "x")), ("--octaves", OCTAVES_REFUSED),
+                               ("--seed", ("-9223372036854775809", "x")),
+                               ("--octaves", OCTAVES_REFUSED),
                                ("--columns", ("x", "1,1", "x,y,z,w", "0,1", "")),
                                ("--phase", ("", "x", "nan", "inf", "-inf", "1e39")),
                                ("--fractal", ("fBm",)), ("--frequency", ("0", "nan"))):

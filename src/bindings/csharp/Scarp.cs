@@ -357,6 +357,13 @@ namespace Scarp
 
         public ulong Seed { get { return data.seed; } set { data.seed = value; } }
 
+        /// <summary>The same seed with a sign, as an int of Unity has one: -1 is 2^64 - 1.</summary>
+        public long SignedSeed
+        {
+            get { return unchecked((long)data.seed); }
+            set { data.seed = unchecked((ulong)value); }
+        }
+
         /// <summary>Lattice cells per unit of input. Default 1.</summary>
         public double Frequency
         {
@@ -1362,6 +1369,11 @@ namespace Scarp
             }
         }
 
+        /// <summary>The same with a seed that may be negative: -1 is 2^64 - 1.</summary>
+        public Recipe(string text, long seed) : this(text, unchecked((ulong)seed))
+        {
+        }
+
         public string Text { get; }
 
         /// <summary>2, or 3 for a recipe of space.</summary>
@@ -1372,6 +1384,13 @@ namespace Scarp
 
         /// <summary>The seed of the world, which all noises follow.</summary>
         public ulong Seed { get { return state.seed; } set { Change(null, 0, value); } }
+
+        /// <summary>The same seed with a sign: -1 is 2^64 - 1.</summary>
+        public long SignedSeed
+        {
+            get { return unchecked((long)state.seed); }
+            set { Change(null, 0, unchecked((ulong)value)); }
+        }
 
         /// <summary>Octaves whose cells are smaller than so many units are left out; 0:
         /// none.</summary>

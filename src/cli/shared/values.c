@@ -174,17 +174,18 @@ enum option_result option_seed(const struct option *option, const char *text, vo
 {
     (void)option;
     const bool hexadecimal = text[0] == '0' && (text[1] == 'x' || text[1] == 'X');
-    const char *const digits = hexadecimal ? text + 2 : text;
+    const bool negative = text[0] == '-';
+    const char *const digits = hexadecimal ? text + 2 : text + negative;
     const char *const alphabet = hexadecimal ? "0123456789abcdefABCDEF" : "0123456789";
     if (*digits == '\0' || digits[strspn(digits, alphabet)] != '\0') {
         return OPTION_INVALID;
     }
     errno = 0;
     const unsigned long long seed = strtoull(digits, NULL, hexadecimal ? 16 : 10);
-    if (errno != 0 || seed > UINT64_MAX) {
+    if (errno != 0 || seed > UINT64_MAX || (negative && seed > UINT64_C(1) << 63)) {
         return OPTION_INVALID;
     }
-    *(uint64_t *)field = (uint64_t)seed;
+    *(uint64_t *)field = negative ? 0 - (uint64_t)seed : (uint64_t)seed;
     return OPTION_VALID;
 }
 

@@ -74,6 +74,19 @@ static bool add_integers(struct axis *axis, uint64_t a, uint64_t b)
     return true;
 }
 
+/* The same for numbers that may be negative, below 2^53 in magnitude */
+static bool add_wholes(struct axis *axis, double a, double b)
+{
+    for (double i = 0.0; i <= fabs(b - a); i++) {
+        char text[AXIS_VALUE_SIZE];
+        const int length = snprintf(text, sizeof text, "%.0f", (a < b ? a + i : a - i) + 0.0);
+        if (!add_value(axis, text, (size_t)length)) {
+            return false;
+        }
+    }
+    return true;
+}
+
 /* `count` numbers from `a` to `b`, equally far from each other, with six digits: what the label
    tells is what is used. */
 static bool add_numbers(struct axis *axis, double a, double b, size_t count)
@@ -149,7 +162,7 @@ static bool add_range(struct axis *axis, const char *text, const char *dots)
         return add_integers(axis, first, last);
     }
     if (is_whole(a) && is_whole(b)) {
-        return add_numbers(axis, a, b, (size_t)fabs(b - a) + 1);
+        return add_wholes(axis, a, b);
     }
     return add_numbers(axis, a, b, STANDARD_COUNT);
 }

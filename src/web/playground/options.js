@@ -49,8 +49,8 @@ export function numberText(number, isFloat = true) {
 const isWithin = (row, number) => number >= row.lowest && number <= row.highest;
 
 const parsers = {
-    seed: (row, text) => /^(\d+|0x[0-9a-f]+)$/i.test(text) && BigInt(text) < 2n ** 64n
-        ? BigInt(text) : undefined,
+    seed: (row, text) => /^(-?\d+|0x[0-9a-f]+)$/i.test(text) && BigInt(text) < 2n ** 64n
+        && BigInt(text) >= -(2n ** 63n) ? BigInt.asUintN(64, BigInt(text)) : undefined,
     size: (row, text) => {
         const size = /^(\d+)x(\d+)$/.exec(text)?.slice(1).map(Number) ?? [0, 0];
         return size.every(n => n >= 1 && n <= 1e6) ? size : undefined;
@@ -72,7 +72,7 @@ const boundText = number =>
 function intervalOf(row) {
     const from = boundText(row.lowest), to = boundText(row.highest);
     switch (row.kind) {
-    case "seed": return "an integer from 0 to 2^64 - 1, decimal or 0x and hexadecimal";
+    case "seed": return "an integer from -2^63 to 2^64 - 1, decimal or 0x and hexadecimal";
     case "size": return "WIDTHxHEIGHT with both from 1 to 1000000";
     case "point": return `two numbers from ${from} to ${to}, with a comma between`;
     default: return `a number from ${from} to ${to}`;

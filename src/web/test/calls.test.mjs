@@ -163,6 +163,10 @@ test('a recipe has parameters, outputs and an interval', () => {
 test('grids and points of a recipe agree, with several outputs', () => {
     const recipe = scarp.recipe(LAND),
         count = [37, 5];
+    recipe.seed = -1;
+    assert.equal(recipe.seed, 2n ** 64n - 1n);
+    recipe.seed = -(2n ** 63n);
+    assert.equal(recipe.seed, 2n ** 63n);
     recipe.seed = 12n;
     assert.equal(recipe.seed, 12n);
     const make = () => ({

@@ -273,6 +273,15 @@ static class Mistakes
             throw new Exception("a parameter is not set");
         }
         recipe.Sample2(four, four, new Samples { Value = third }, "low");
+        recipe.SignedSeed = -1;
+        var noise = new Noise { SignedSeed = -7 };
+        if (recipe.Seed != ulong.MaxValue || recipe.SignedSeed != -1
+            || noise.Seed != ulong.MaxValue - 6
+            || new Recipe(recipe.Text, -1).Seed != ulong.MaxValue
+            || new Recipe(recipe.Text, 3).Seed != 3
+            || new Recipe(recipe.Text, ulong.MaxValue).SignedSeed != -1) {
+            throw new Exception("a negative seed is not 2^64 more");
+        }
     }
 
     // Threads sample a recipe while this one changes it, and a noise whose plan they share.

@@ -22,7 +22,7 @@ class Gullies:
     amplitude   of the base: half the height from its floors to its crests. Default 1
     octaves     in (0, 32]. Default 5
     depth       how far the base is displaced at most, in amplitudes. Default 0.25
-    seed        an integer in [0, 2^64)
+    seed        an integer in [-2^63, 2^64); a negative one is 2^64 more
     rotate      turn the axes between octaves
     offset_first  whether the seed moves octave 0, too
     period      cells of the base after which gullies repeat along x and y; 0: never
@@ -68,6 +68,8 @@ class Gullies:
     def range(self, base_range):
         """(lowest, highest) of the result, for a base that stays within (lowest, highest)."""
         lo, hi = (single("base_range", v) for v in several("base_range", base_range, 2))
+        if lo > hi:
+            raise ScarpError("the lowest value is above the highest", "base_range")
         lowest, highest = ctypes.c_float(), ctypes.c_float()
         status = lib.scarp_gullies_range(ctypes.addressof(self._gullies), lo, hi,
                                          ctypes.byref(lowest), ctypes.byref(highest))

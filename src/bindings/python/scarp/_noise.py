@@ -144,7 +144,7 @@ class Noise:
     fractal      how octaves are summed: "fbm", "turbulence", "ridged", "erosion", "pingpong",
                  "hybrid", "swiss", "jordan". erosion, swiss and jordan have no Hessian.
     fade         "quintic" or "cubic"
-    seed         an integer in [0, 2^64)
+    seed         an integer in [-2^63, 2^64); a negative one is 2^64 more
     frequency    lattice cells per unit of input. Default 1
     octaves      in (0, 32]. Default 1; a fraction fades the last one in
     lacunarity   frequency ratio between octaves, in [1/16, 16]. Default 2

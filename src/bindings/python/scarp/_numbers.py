@@ -67,8 +67,8 @@ def integer(name, value, least, most):
 
 
 def seed_of(value):
-    """A seed: all 64 bits count."""
-    return integer("seed", value, 0, 2 ** 64 - 1)
+    """A seed: all 64 bits count, so a negative one is 2^64 more."""
+    return integer("seed", value, -2 ** 63, 2 ** 64 - 1) % 2 ** 64
 
 
 def several(name, values, count):

@@ -55,7 +55,7 @@ class Recipe:
     """A composition of noises as a text; src/recipe/README.md teaches the language.
 
     text         the text, a str
-    seed         the seed of the world, an integer in [0, 2^64)
+    seed         the seed of the world, an integer in [-2^63, 2^64); a negative one is 2^64 more
     finest       octaves whose cells are smaller than so many units are left out; 0: none
     **params     values of parameters
 

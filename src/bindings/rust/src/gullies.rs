@@ -32,7 +32,7 @@ use crate::noise::Reserved;
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[repr(C)]
 pub struct Gullies {
-    /// All 64 bits count.
+    /// All 64 bits count. A negative seed is 2^64 more: `-1_i64 as u64`.
     pub seed: u64,
     /// Of the base: cells per unit of input. By default 1
     pub frequency: f64,

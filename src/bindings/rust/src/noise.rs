@@ -71,7 +71,7 @@ pub struct Noise<'a> {
     pub rotate: bool,
     #[doc(hidden)]
     pub reserved_of_rotate: Reserved<[u8; 3]>,
-    /// All 64 bits count.
+    /// All 64 bits count. A negative seed is 2^64 more: `-1_i64 as u64`.
     pub seed: u64,
     /// Lattice cells per unit of input. By default 1
     pub frequency: f64,

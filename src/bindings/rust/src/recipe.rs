@@ -260,7 +260,8 @@ impl Recipe {
         self.seed
     }
 
-    /// Sets the seed of the world, which all noises follow.
+    /// Sets the seed of the world, which all noises follow. A negative seed is 2^64 more:
+    /// `set_seed(-1_i64 as u64)`.
     pub fn set_seed(&mut self, seed: u64) -> Result<(), Error> {
         // SAFETY: the pointer is valid.
         crate::error::check(unsafe { ffi::scarp_recipe_seed(&mut *self.c, seed) })?;

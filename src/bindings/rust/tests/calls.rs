@@ -253,6 +253,9 @@ fn shaders() -> Result {
     assert_eq!(hills.seed(), 3);
     assert_ne!(hills.uniforms()?, uniforms);
     assert_ne!(hills.answers(0)?, answers);
+    hills.set_seed(-1_i64 as u64)?; // negative seeds are 2^64 more, from i32, too
+    assert_eq!(hills.seed(), u64::MAX);
+    assert_eq!(Noise { seed: -7_i32 as u64, ..noise }.seed, u64::MAX - 6);
     let long = "recipe 1\nout a = noise(octaves=32) + noise(seed=2, octaves=32)";
     let uniforms = Recipe::new(long)?.uniforms()?; // in more room than the first try has
     assert!(uniforms.len() > 64 * 160 && uniforms.len() % 16 == 0);
