@@ -1185,8 +1185,9 @@ SCARP_API enum scarp_status scarp_gullies_grid2(const struct scarp_gullies *gull
  * *lowest <= value <= *highest, rounding included, for a base in [base_lowest, base_highest]. That
  * is base_lowest less depth times amplitude, and base_highest plus depth times amplitude.
  *
- * Errors, with which nothing is written: SCARP_ERROR_NULL if a pointer is NULL; SCARP_ERROR_PARAMETER
- * if the ends of the base are NaN or out of order; others as scarp_gullies_check.
+ * Errors, with which nothing is written: SCARP_ERROR_NULL if a pointer is NULL;
+ * SCARP_ERROR_PARAMETER if the ends of the base are NaN or out of order; others as
+ * scarp_gullies_check.
  */
 SCARP_API enum scarp_status scarp_gullies_range(const struct scarp_gullies *gullies,
                                                 float base_lowest, float base_highest,
@@ -1309,9 +1310,9 @@ SCARP_API enum scarp_status scarp_recipe_parse(const char *text, size_t length,
 /*
  * scarp_recipe_seed - set the seed of the world
  *
- * All noises follow it. A noise without a seed, or with seed=0, takes the seed of the world. Another
- * noise, with seed=n, takes number 64 + n, or 2^64 + n if n is negative, of splitmix64(first number
- * of splitmix64(seed of the world)): see "Seeds".
+ * All noises follow it. A noise without a seed, or with seed=0, takes the seed of the world.
+ * Another noise, with seed=n, takes number 64 + n, or 2^64 + n if n is negative, of
+ * splitmix64(first number of splitmix64(seed of the world)): see "Seeds".
  *
  * Errors: SCARP_ERROR_NULL if `recipe` is NULL; SCARP_ERROR_PARAMETER if *recipe is no recipe, or
  * has errors.

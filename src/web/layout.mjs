@@ -96,7 +96,8 @@ function integer(name, value, least, most) {
     return whole;
 }
 
-// A seed may be any of 64 bits, or negative, which is 2^64 more. Numbers beyond 2^53 may have been rounded, which nobody wants.
+// A seed may be any of 64 bits, or negative, which is 2^64 more. Numbers beyond 2^53 may have been
+// rounded, which nobody wants.
 export function seedOf(seed, name = 'seed') {
     if (typeof seed === 'number' && !Number.isSafeInteger(seed)) {
         throw new ScarpError(

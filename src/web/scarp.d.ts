@@ -449,8 +449,8 @@ export interface Recipe {
     readonly outputs: { name: string; range: [number, number] }[];
     /** Whether the recipe is of space. */
     readonly isSpace: boolean;
-    /** The seed of the world, from 0 to 2^64 - 1: a negative one becomes 2^64 more. Give a BigInt for
-     * more than 53 bits. */
+    /** The seed of the world, from 0 to 2^64 - 1: a negative one becomes 2^64 more. Give a BigInt
+     * for more than 53 bits. */
     get seed(): bigint;
     set seed(seed: number | bigint);
     /** Sets a parameter; "finest" leaves out octaves with cells smaller than that. */

@@ -357,7 +357,7 @@ namespace Scarp
 
         public ulong Seed { get { return data.seed; } set { data.seed = value; } }
 
-        /// <summary>The same seed with a sign, as an int of Unity has one: -1 is 2^64 - 1.</summary>
+        /// <summary>The same seed with a sign, as an int of Unity has: -1 is 2^64 - 1.</summary>
         public long SignedSeed
         {
             get { return unchecked((long)data.seed); }
