@@ -120,7 +120,6 @@ export function lines(scarp, copied) {
                     seed: BigInt.asUintN(64, 0x9e3779b97f4a7c15n * BigInt(n + 1)),
                     frequency: 0.37,
                     octaves: 3.5,
-                    offsetFirst: n % 7 === 3,
                 };
                 if (basis === 'gradient' && n % 2 === 1) {
                     noise.phase = 0.3125;
@@ -152,6 +151,7 @@ export function lines(scarp, copied) {
             ' folded',
         );
         visitNoise({ fractal: 'erosion', octaves: 5, erosion: 0.3 }, d, ' eroded');
+        visitNoise({ octaves: 2, seed: 6, offsetFirst: true }, d, ' first');
     };
 
     const visitFields = (d) => {

@@ -155,7 +155,6 @@ static void visit_bases(int dimensions)
                 .octaves = 3.5f,
                 .phase = basis == SCARP_GRADIENT && n % 2 == 1 ? 0.3125f : 0.0f,
                 .jitter = n % 4 == 2 ? 0.75f : 0.0f,
-                .offset_first = n % 7 == 3,
             };
             char more[64];
             if (n % 5 == 1) {
@@ -179,10 +178,12 @@ static void visit_special(int dimensions)
     const struct scarp_noise folded = {
         .fractal = SCARP_PINGPONG, .octaves = 2.0f, .sharpness = 1.5f, .amplitude = -3.0f};
     const struct scarp_noise eroded = {.fractal = SCARP_EROSION, .octaves = 5.0f, .erosion = 0.3f};
+    const struct scarp_noise first = {.octaves = 2.0f, .seed = 6, .offset_first = 1};
     visit_noise(&warped, dimensions, " warped");
     visit_noise(&periodic, dimensions, " periodic");
     visit_noise(&folded, dimensions, " folded");
     visit_noise(&eroded, dimensions, " eroded");
+    visit_noise(&first, dimensions, " first");
 }
 
 /* All members: 2D has none along z. The twelve arrays of cells and of flows are in this order. */

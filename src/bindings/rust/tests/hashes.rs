@@ -80,13 +80,8 @@ const WARPED: Noise<'static> = Noise {
     warp: Some(&WARP),
     ..Noise::DEFAULT
 };
-const FLOWING: Noise<'static> = Noise {
-    seed: 5,
-    octaves: 3.0,
-    phase: 0.3,
-    offset_first: true,
-    ..Noise::DEFAULT
-};
+const FLOWING: Noise<'static> =
+    Noise { seed: 5, octaves: 3.0, phase: 0.3, offset_first: true, ..Noise::DEFAULT };
 
 fn grid() -> Grid<2> {
     Grid {
@@ -229,13 +224,8 @@ fn grids(told: &mut Told) -> Result {
 fn chain_rule(told: &mut Told) -> Result {
     const SIZE: usize = ROWS * COLUMNS;
     let base = Noise { seed: 4, frequency: 0.02, octaves: 2.0, ..Noise::DEFAULT };
-    let gullies = Gullies {
-        seed: 4,
-        frequency: 0.02,
-        depth: 0.3,
-        offset_first: true,
-        ..Gullies::default()
-    };
+    let gullies =
+        Gullies { seed: 4, frequency: 0.02, depth: 0.3, offset_first: true, ..Gullies::default() };
     let mut a = Arrays::plane(SIZE, 2);
     base.grid2(&grid(), &mut a.samples())?;
     let mut o: Vec<_> = (0..8).map(|_| vec![0.0f32; SIZE]).collect();
