@@ -12,10 +12,13 @@ install(TARGETS scarp EXPORT scarp
 install(FILES include/scarp.h include/scarp.hpp include/scarp.glsl include/scarp.hlsl include/scarp.wgsl
   DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
 
-# C#: a file for a program's own sources, and what Unity wants beside it
-set(csharp ${PROJECT_SOURCE_DIR}/src/bindings/csharp)
-install(FILES ${csharp}/Scarp.cs ${csharp}/unity/Scarp.asmdef ${csharp}/unity/TerrainSample.cs
-  DESTINATION ${CMAKE_INSTALL_DATADIR}/scarp/csharp COMPONENT development)
+# C#: a file for a program's own sources, and what Unity wants beside it. A project that installs scarp
+# as a part of itself has no use for them.
+if(PROJECT_IS_TOP_LEVEL)
+  set(csharp ${PROJECT_SOURCE_DIR}/src/bindings/csharp)
+  install(FILES ${csharp}/Scarp.cs ${csharp}/unity/Scarp.asmdef ${csharp}/unity/TerrainSample.cs
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/scarp/csharp COMPONENT development)
+endif()
 
 # find_package(scarp). While the major version is 0, every minor version may change the interface.
 if(PROJECT_VERSION_MAJOR EQUAL 0)
@@ -54,9 +57,15 @@ if(IS_ABSOLUTE "${CMAKE_INSTALL_INCLUDEDIR}")
 else()
   set(pc_includedir "\${prefix}/${CMAKE_INSTALL_INCLUDEDIR}")
 endif()
+# A static library needs libm (clang calls floor), and programs that link it ask for no more than
+# `pkg-config --libs`. A shared one brings it.
+set(pc_libs)
 set(pc_libs_private)
-if(SCARP_LIBM)
+get_target_property(type scarp TYPE)
+if(SCARP_LIBM AND type STREQUAL "SHARED_LIBRARY")
   set(pc_libs_private -lm)
+elseif(SCARP_LIBM)
+  set(pc_libs " -lm")
 endif()
 configure_file(cmake/scarp.pc.in scarp.pc @ONLY)
 install(FILES ${CMAKE_CURRENT_BINARY_DIR}/scarp.pc

@@ -44,7 +44,7 @@ fi
 grep -q 'fno-fast-math' fast.log || fail "not refused for -ffast-math: $(cat fast.log)"
 
 # shellcheck disable=SC2086 # a word or none
-"$c_compiler" -std=c11 -O2 -ffp-contract=off -Wall -Wextra $werror -c scarp_single.c
+"$c_compiler" -std=c11 -O2 -ffp-contract=off -Wall -Wextra -Wpedantic $werror -c scarp_single.c
 for program in test_golden test_bits test_fpmode; do
     "$c_compiler" -std=c11 -O1 -ffp-contract=off -I. "$tests/$program.c" scarp_single.o -lm \
         -o $program
