@@ -109,6 +109,7 @@ scarp_add_package_test(find_package AFTER package_prefix NEEDS scarp-install)
 scarp_add_package_test(find_package CXX AFTER package_prefix NEEDS scarp-install)
 scarp_add_package_test(pkg_config AFTER package_prefix NEEDS scarp-install pkg-config)
 scarp_add_package_test(pkg_config CXX AFTER package_prefix NEEDS scarp-install pkg-config)
+scarp_add_package_test(linking AFTER package_prefix NEEDS scarp-install pkg-config)
 scarp_add_package_test(python AFTER package_prefix NEEDS scarp-install python3)
 
 # The other forms in which it is given away
