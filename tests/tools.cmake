@@ -182,3 +182,9 @@ if(scarp_missing)
   list(JOIN scarp_missing ", " missing)
   message(STATUS "Tests that need these will be skipped: ${missing}")
 endif()
+
+# ctest says at its end what was skipped for want of what.
+if(PROJECT_IS_TOP_LEVEL)
+  file(WRITE ${CMAKE_BINARY_DIR}/CTestCustom.cmake "set(CTEST_CUSTOM_POST_TEST
+[==[\"${CMAKE_COMMAND}\" -D \"LOGS=${CMAKE_BINARY_DIR}/Testing/Temporary\" -P \"${CMAKE_CURRENT_SOURCE_DIR}/skipped.cmake\"]==])\n")
+endif()

@@ -49,3 +49,6 @@ for pair in abidiff:package.abi bash:cli.completion c++:package.header.cxx groff
     SCARP_REQUIRE_TOOLS=cmake expect Failed "cmake is no tool of any test" "$test"
     SCARP_REQUIRE_TOOLS=posix,$tool expect Failed "FAILED (required): $tool is missing" "$test"
 done
+"$ctest" --test-dir "$dir/build" -C "$config" -R '^readme[.]c$' >"$dir/log" 2>&1 || true
+grep '^Skipped for want of tools (how many tests): python3 1$' "$dir/log" || fail "skipped for nothing: $(cat "$dir/log")"
+grep '^Most of them run after: apt-get install python3$' "$dir/log" || fail "no package is named: $(cat "$dir/log")"
