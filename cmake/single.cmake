@@ -305,4 +305,5 @@ foreach(part "types|the types of vectors" "vec|the operations of vectors" "table
        "\n#elif SCARP_PART == ${number} /* ${CMAKE_MATCH_2} */\n${${CMAKE_MATCH_1}}")
 endforeach()
 file(APPEND ${file} "\n#endif\n")
-file(COPY ${SOURCE}/include/scarp.h DESTINATION ${OUTPUT})
+# Sources may be such as nobody may write; the copy is written again when the header changes.
+file(COPY ${SOURCE}/include/scarp.h DESTINATION ${OUTPUT} NO_SOURCE_PERMISSIONS)

@@ -23,8 +23,16 @@ def run(tree, *arguments):
         stdout=subprocess.PIPE, stderr=subprocess.PIPE)
 
 
+def make_writable():
+    """Copies of sources that nobody may write are written here, and removed."""
+    for folder, _, names in os.walk(SCRATCH):
+        for path in [folder] + [os.path.join(folder, name) for name in names]:
+            os.chmod(path, os.stat(path).st_mode | 0o200)
+
+
 class Interface(unittest.TestCase):
     def setUp(self):
+        make_writable()
         shutil.rmtree(SCRATCH, ignore_errors=True)
         shutil.copytree(os.path.join(SOURCE, "src", "bindings"),
                         os.path.join(SCRATCH, "src", "bindings"),
@@ -33,6 +41,7 @@ class Interface(unittest.TestCase):
                         ignore=shutil.ignore_patterns("playground", "test"))
         os.makedirs(os.path.join(SCRATCH, "include"))
         shutil.copy(os.path.join(SOURCE, HEADER), os.path.join(SCRATCH, HEADER))
+        make_writable()
 
     def change(self, name, old, new):
         path = os.path.join(SCRATCH, name)

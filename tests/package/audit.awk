@@ -5,8 +5,8 @@
 # exact: a pattern of objects where vf_exact_fma may have made packed fused instructions.
 
 /file format/ {
-    object = $1
-    sub(/:$/, "", object)
+    object = $0 # a path, which may have spaces
+    sub(/:[ \t]*file format.*/, "", object)
     sub(/.*\//, "", object)
     next
 }

@@ -27,6 +27,7 @@ fail()
 fresh()
 {
     dir=$scratch/$1
+    [ ! -d "$dir" ] || chmod -R u+w "$dir" # copies of sources that nobody may write
     rm -rf "$dir"
     mkdir -p "$dir"
 }

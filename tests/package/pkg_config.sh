@@ -12,9 +12,13 @@ case $language in
 C) set -- -std=c11 -x c ;;
 CXX) set -- -std=c++11 -x c++ ;;
 esac
-# shellcheck disable=SC2046 # words
-compile "$@" $("$pkg_config" --cflags scarp) consumer.c -x none -o "$dir/consumer" \
-    $("$pkg_config" --libs scarp) "-Wl,-rpath,$prefix/$libdir"
+# Its output is words as a shell reads them, but for parentheses.
+asked() # OPTION
+{
+    "$pkg_config" "$1" scarp | sed 's/[()]/\\&/g'
+}
+eval "set -- \"\$@\" $(asked --cflags) consumer.c -x none -o \"\$dir/consumer\" $(asked --libs)"
+compile "$@" "-Wl,-rpath,$prefix/$libdir"
 run "$dir/consumer"
 
 # Absolute directories are taken as they are, in whatever language. A static library says by itself

@@ -34,7 +34,7 @@ set(CMAKE_CURRENT_LIST_DIR ${CURRENT_PORT_DIR})
 foreach(name vcpkg_cmake_configure vcpkg_cmake_install vcpkg_cmake_config_fixup vcpkg_copy_pdbs
         vcpkg_fixup_pkgconfig vcpkg_copy_tools vcpkg_install_copyright)
   cmake_language(EVAL CODE "function(${name})
-    file(APPEND ${CALLS} \\"${name} \\${ARGN}\\\\n\\")
+    file(APPEND \\"\${CALLS}\\" \\"${name} \\${ARGN}\\\\n\\")
   endfunction()")
 endforeach()
 function(vcpkg_check_features)

@@ -32,6 +32,7 @@ single()
 {
     "$cmake" -D "SOURCE=$source_dir" -D "OUTPUT=$dir/$1" -D "VERSION=$1" \
         -P "$source_dir/cmake/single.cmake"
+    rm -f "$dir/$1/scarp.h" # the sources may be such as nobody may write
     major=${1%%.*} minor=${1#*.}
     sed "s/\\(#define SCARP_VERSION_MAJOR\\) .*/\\1 $major/
         s/\\(#define SCARP_VERSION_MINOR\\) .*/\\1 ${minor%%.*}/
