@@ -10,7 +10,9 @@
 ! sanitized || skip "the README's commands do not sanitize"
 
 fresh linking
-mkdir -p "$dir/tree/build" "$dir/home" "$dir/bin" "$dir/project"
+mkdir -p "$dir/tree/build" "$dir/bin" "$dir/project"
+home=$(mktemp -d) # shells split what pkg-config prints, so a home has no spaces
+trap 'rm -rf "$home"' EXIT
 cp -R "$source_dir/include" "$dir/tree"
 ln -s "$(dirname "$library")" "$dir/tree/build/lib"
 cat >"$dir/bin/cmake" <<EOF
@@ -24,4 +26,4 @@ EOF
 ln -s "$c_compiler" "$dir/bin/cc"
 ln -s "$pkg_config" "$dir/bin/pkg-config"
 chmod +x "$dir/bin/cmake"
-env -i HOME="$dir/home" PATH="$dir/bin:$PATH" sh readme_lines.sh "$source_dir/README.md" "$dir/tree" "$dir/project"
+env -i HOME="$home" PATH="$dir/bin:$PATH" sh readme_lines.sh "$source_dir/README.md" "$dir/tree" "$dir/project"
