@@ -4,9 +4,13 @@
 # says so and is reported as skipped; SCARP_REQUIRE_TOOLS in the environment (names from here,
 # separated by commas) turns that into a failure.
 
+set(SCARP_WITHOUT_TOOLS "" CACHE STRING "Tools that tests do as if they were missing")
+mark_as_advanced(SCARP_WITHOUT_TOOLS)
+
 # scarp_tool(NAME FOUND): FOUND is a path or a condition.
 macro(scarp_tool name)
-  if(${ARGN})
+  list(FIND SCARP_WITHOUT_TOOLS ${name} is_without)
+  if(is_without LESS 0 AND (${ARGN}))
     list(APPEND scarp_found ${name})
   else()
     list(APPEND scarp_missing ${name})
