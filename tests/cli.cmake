@@ -57,6 +57,13 @@ block()
   scarp_add_cli_test(documents Completion completion bash)
 endblock()
 
+# What says many refusals in one process
+if(TARGET scarp-cli-parts)
+  add_executable(test_cli_refused cli/refused.c)
+  scarp_compile_rules(test_cli_refused)
+  target_link_libraries(test_cli_refused PRIVATE scarp-cli-parts)
+endif()
+
 if("scarp" IN_LIST scarp_found)
   set(shared ${PROJECT_SOURCE_DIR}/src/cli/shared)
   scarp_test_program(test_cli_words SOURCES ${shared}/amount.c ${shared}/noise.c ${shared}/number.c ${shared}/options.c

@@ -4,6 +4,8 @@ import re
 
 import common
 from common import FLAGS, OPTIONS, SMALL, Case, run, supported_isas, text_of
+from refusals import refusals
+
 
 class Errors(Case):
     """Command lines that ask for what is not possible: nothing may be done."""
@@ -14,10 +16,20 @@ class Errors(Case):
             self.check_one_line(result, 2, option)
             self.assertEqual(self.files(), [])
 
+    def check_all(self, cases):
+        """Checks pairs of an option and arguments: the first and the last by runs, and all of them
+        by one process that has the parts of the program."""
+        told = refusals(common.PROGRAM, [("terrain", *arguments) for _, arguments in cases])
+        for option, arguments in cases if told is None else (cases[0], cases[-1]):
+            self.check(option, *arguments)
+        for (option, arguments), (came, count, error) in zip(cases, told or ()):
+            with self.subTest(arguments=arguments):
+                self.assertEqual((came, count), ("bad", 1), error)
+                self.assertIn(option, error)
+
     def check_values(self, option, *values):
-        for value in values:
-            self.check(option, *SMALL, option, value)
-            self.check(option, *SMALL, option + "=" + value)
+        self.check_all([(option, (*SMALL, *words)) for value in values
+                        for words in ((option, value), (option + "=" + value,))])
 
     def test_names(self):
         for word in ("--bogus", "-s", "--siz", "--sizes", "--bogus=1", "-", "--", "--quie"):
@@ -32,14 +44,13 @@ class Errors(Case):
         self.check("--output", "--output", "missing\n/t")
 
     def test_missing_values(self):
-        for name in OPTIONS:
-            if name not in FLAGS:
-                self.check("--" + name, "--" + name)
-                self.check("--" + name, "--" + name, "--quiet")
-                self.check("--" + name, "--" + name + "=")
-            elif name != "help":
-                self.check("--" + name, "--%s=1" % name)
-                self.check("--" + name, "--%s=" % name)
+        cases = []
+        for name in ["--" + name for name in OPTIONS]:
+            if name[2:] not in FLAGS:
+                cases += [(name, (name,)), (name, (name, "--quiet")), (name, (name + "=",))]
+            elif name != "--help":
+                cases += [(name, (name + "=1",)), (name, (name + "=",))]
+        self.check_all(cases)
 
     def test_numbers(self):
         for option in ("--step", "--height", "--frequency", "--octaves", "--lacunarity", "--gain",

@@ -4,10 +4,15 @@ import itertools
 import math
 import os
 import struct
+import sys
 import unittest
 
 import common
 from common import run, float32, npy, read_npy, make_input, some_points, Case, BLOCK
+
+
+sys.path.append(os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir, "cli"))
+from refusals import refusals
 
 
 class Npy(Case):
@@ -189,7 +194,27 @@ class Description(Case):
         return (b"\x93NUMPY\x01\x00" + struct.pack("<H", len(text)) + text +
                 npy(self.POINTS)[128:])
 
+    def setUp(self):
+        super().setUp()
+        self.bad = []
+
+    def tearDown(self):
+        """All headers that check_bad was given: the first and the last by runs, and all of them by one
+        process that has the parts of the program."""
+        texts = [text for text, _ in self.bad]
+        told = refusals(common.PROGRAM, [("npy", text) for text in texts])
+        for text, words in self.bad if told is None else self.bad[:1] + self.bad[-1:]:
+            self.run_bad(text, *words)
+        for (text, words), (came, count, error) in zip(self.bad, told or ()):
+            with self.subTest(text=text):
+                self.assertEqual((came, count), ("bad", 1), error)
+                for word in ("the .npy header ",) + words:
+                    self.assertIn(word, error)
+
     def check_bad(self, text, *words):
+        self.bad.append((text.encode() if isinstance(text, str) else text, words))
+
+    def run_bad(self, text, *words):
         with self.subTest(text=text):
             self.check_refused(self.array(text), "scarp: --input: standard input: the .npy header ",
                                *words, arguments=("--output", self.path("o.npy")))
