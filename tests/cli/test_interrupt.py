@@ -97,6 +97,24 @@ class Interrupt(Case):
             self.assertLess(time.monotonic() - begin, 3)
             self.assertEqual(self.files(), [])
 
+    def test_before_the_picture(self):
+        """While a camera is looked for, in a terrain that takes long"""
+        noises = ["n%d = warp(noise(size=%d, octaves=32, lacunarity=1.2), "
+                  "noise(size=50, octaves=20, lacunarity=1.2, amplitude=3))\n" % (i, 100 + i)
+                  for i in range(12)]
+        with open(self.path("r.recipe"), "w", encoding="utf-8") as file:
+            file.write("recipe 1\n" + "".join(noises) +
+                       "out h = 10 * (%s)\n" % " + ".join("n%d" % i for i in range(12)))
+        for pause in (0.2, 1, 2):
+            process = start("view", "--recipe", "r.recipe", "--isa", "scalar", "--output", "v.ppm",
+                            cwd=self.directory)
+            time.sleep(pause)
+            begin = time.monotonic()
+            process.send_signal(signal.SIGINT)
+            self.check_ended(process, signal.SIGINT)
+            self.assertLess(time.monotonic() - begin, 15)
+            self.assertEqual(self.files(), ["r.recipe"])
+
     def full_pipe(self, *arguments, **more):
         """Starts a run, and waits until it waits for whoever reads its standard output."""
         reading, writing = os.pipe()

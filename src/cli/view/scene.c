@@ -8,6 +8,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "shared/interrupt.h"
+
 #define FAR 20.0f        /* sides of the view */
 #define CELL_PIXELS 1.5f /* cells of octaves are not smaller than so many pixels */
 
@@ -120,7 +122,7 @@ static float measure_slope(const struct scene *scene, const struct band *band)
         dy[RAYS_ACROSS * PLACES_ALONG];
     const struct camera *const camera = &scene->camera;
     uint32_t counts[COUNTS] = {0};
-    for (size_t row = 0; row < RAYS_DOWN; row++) {
+    for (size_t row = 0; row < RAYS_DOWN && !interrupted(); row++) {
         for (size_t i = 0; i < RAYS_ACROSS * PLACES_ALONG; i++) {
             const float column = (float)(i / PLACES_ALONG) + 0.5f;
             const float along = ((float)(i % PLACES_ALONG) + 0.5f) / PLACES_ALONG;

@@ -75,6 +75,10 @@ static bool make_scene(struct view_options *options, const struct source *source
     palette_resolve(palette, scene->survey.low, scene->survey.high);
     colours_make(palette, &scene->colours);
     viewpoint_choose(options, scene);
+    if (interrupted()) {
+        cli_error("interrupted: nothing was written");
+        return false;
+    }
     if (!check_camera(options, scene)) {
         return false;
     }

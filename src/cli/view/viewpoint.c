@@ -8,6 +8,7 @@
 
 #include <math.h>
 
+#include "shared/interrupt.h"
 #include "shared/sine.h"
 
 #define RAYS 15  /* of a fan */
@@ -81,7 +82,7 @@ static void sample_fan(const struct scene *scene, const struct trial *trial, dou
     for (int look = 0; look < LOOKS; look++, distance *= GROWTH) {
         fan->distance[look] = distance;
     }
-    for (int ray = 0; ray < RAYS; ray++) {
+    for (int ray = 0; ray < RAYS && !interrupted(); ray++) {
         struct profile profile = {.height = fan->height[ray]};
         const struct vector way = direction_of(
             turned(trial->azimuth, fov * 0.96 * ((double)ray / (RAYS - 1) - 0.5)), 0.0);
@@ -176,7 +177,7 @@ static void try_heights(const struct scene *scene, const struct view_options *op
     const float range = scene->survey.high - scene->survey.low;
     struct fan fan;
     sample_fan(scene, trial, options->fov, &fan);
-    for (int i = 0; i < (has_place ? 1 : 4); i++) {
+    for (int i = 0; i < (has_place ? 1 : 4) && !interrupted(); i++) {
         trial->height =
             has_place ? (float)options->camera.height : trial->ground + over[i] * range + 2.0f;
         judge(scene, &fan, trial);
@@ -193,10 +194,10 @@ void viewpoint_choose(struct view_options *options, const struct scene *scene)
                has_look = options->look.azimuth != INFINITY;
     const double side = (double)scene->side;
     struct trial best = {.score = -INFINITY};
-    for (int i = 0; i < (has_look ? 1 : DIRECTIONS); i++) {
+    for (int i = 0; i < (has_look ? 1 : DIRECTIONS) && !interrupted(); i++) {
         const double azimuth = has_look ? options->look.azimuth : 360.0 / DIRECTIONS * i;
         const struct vector look = direction_of(azimuth, 0.0);
-        for (int j = 0; j < (has_place ? 1 : 3); j++) {
+        for (int j = 0; j < (has_place ? 1 : 3) && !interrupted(); j++) {
             struct trial trial = {.azimuth = azimuth};
             trial.x =
                 has_place
