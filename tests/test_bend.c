@@ -402,21 +402,27 @@ static void check_range(struct block *block, enum scarp_fractal fractal, int i)
     }
 }
 
-/* Values are numbers within the range even where a_0 is too small for floats. */
+/* Values are numbers within the range even where a_0 is too small for floats, or 0. */
 static void check_tiny_weight(struct block *block, enum scarp_fractal fractal)
 {
-    const struct scarp_noise noise = {.fractal = fractal,
-                                      .octaves = 30.0f,
-                                      .lacunarity = 1.0f,
-                                      .gain = 16.0f,
-                                      .amplitude = fractal == SCARP_SWISS ? -0x1p-24f : 0x1p-24f};
+    const float amplitude = fractal == SCARP_SWISS ? -0x1p-24f : 0x1p-24f;
+    const struct scarp_noise noises[] = {
+        {.octaves = 30.0f, .lacunarity = 1.0f, .gain = 16.0f},
+        {.octaves = 1e-40f, .of_octaves = 1.0f},
+        {.octaves = 1e-40f, .of_octaves = 2.0f, .gain = 16.0f},
+    };
     uint64_t random = 1;
     block_random(block, &random, 64.0f);
-    block_sample(block, &noise, dimensions == 2 ? SAMPLE2_F64 : SAMPLE3_F64, BLOCK);
-    for (size_t k = 0; k < BLOCK; k++) {
-        const float v = block->out.array[0][k] / noise.amplitude;
-        CHECK(v >= 0.0f && v <= 1.0f, "%s: %.9g of the amplitude", fractal_names[fractal],
-              (double)v);
+    for (size_t i = 0; i < sizeof noises / sizeof noises[0]; i++) {
+        struct scarp_noise noise = noises[i];
+        noise.fractal = fractal;
+        noise.amplitude = amplitude;
+        block_sample(block, &noise, dimensions == 2 ? SAMPLE2_F64 : SAMPLE3_F64, BLOCK);
+        for (size_t k = 0; k < BLOCK; k++) {
+            const float v = block->out.array[0][k] / amplitude;
+            CHECK(v >= 0.0f && v <= 1.0f, "%s, noise %zu: %.9g of the amplitude",
+                  fractal_names[fractal], i, (double)v);
+        }
     }
 }
 

@@ -8,6 +8,7 @@
 #define SCARP_CALL_H
 
 #include <float.h>
+#include <math.h>
 #include <stddef.h>
 
 #include "scarp.h"
@@ -191,11 +192,12 @@ struct bend_octave {
     float inverse, weight, inverse_weight, reach;
 };
 
-/* 1 / a_0, but finite where a_0 is so small that it is not. */
+/* 1 / a_0, but finite where a_0 is so small that it is not, or 0. */
 static inline float inverse_of(float weight)
 {
-    const double inverse = 1.0 / (double)weight;
-    return (float)(inverse > FLT_MAX ? FLT_MAX : inverse < -FLT_MAX ? -FLT_MAX : inverse);
+    const int is_tiny = weight >= -0x1p-128f && weight <= 0x1p-128f;
+    const float finite = signbit(weight) ? -FLT_MAX : FLT_MAX;
+    return is_tiny ? finite : (float)(1.0 / (double)weight);
 }
 
 static inline struct bend_octave bend_octave_of(const struct scarp_call_plan *plan, int k)
