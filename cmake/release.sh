@@ -8,6 +8,8 @@
 #   --rehearse        the tag and the date of the changelog may be missing, and golden lines and the binary
 #                     interface be newer than what is promised; MANIFEST.txt says so
 #   --once            makes everything once, and compares nothing
+#   --fuzz SECONDS    first runs the fuzz targets for about that long, on all processors; by default 3600, and not
+#                     at all (0) with --rehearse or --once
 #   --require-all     a missing tool is an error; else what needs it is left out, and MANIFEST.txt says so
 #   --parts LIST      only these parts, with commas between them; release/pack.sh has their names
 #   --repository URL  where the packages for npm and cargo say that their source is
@@ -38,13 +40,14 @@ lacks() # TEXT
 
 rehearse='' require_all='' repository='' contact='' output=''
 passes=2
+fuzz=''
 parts=source,archive,deb,single,wheel,crate,npm,playground,csharp,shaders
 while [ $# != 0 ]; do
     case $1 in
     --rehearse) rehearse=yes ;;
     --once) passes=1 ;;
     --require-all) require_all=yes ;;
-    --parts | --repository | --contact)
+    --fuzz | --parts | --repository | --contact)
         [ $# -ge 2 ] || refuse "$1 needs a value"
         name=${1#--}
         printf -v "$name" %s "$2"
@@ -59,6 +62,8 @@ while [ $# != 0 ]; do
     shift
 done
 [ "$output" ] || refuse "no folder is named for the release"
+[ "$fuzz" ] || { [ -z "$rehearse" ] && [ $passes = 2 ] && fuzz=3600 || fuzz=0; }
+[[ $fuzz =~ ^[0-9]{1,6}$ ]] || refuse "--fuzz takes seconds, 999999 at most, not $fuzz"
 for part in ${parts//,/ }; do
     [[ ,source,archive,deb,single,wheel,crate,npm,playground,csharp,shaders, == *,$part,* ]] ||
         refuse "there is no part $part"
@@ -105,6 +110,8 @@ if [ "$rehearse" ] && [ "$notes" ]; then
     sed '/./s/^/    /' <<<"${notes%$'\n'}"
 fi
 echo "scarp $version, commit $commit"
+
+try_fuzz
 
 # pass FOLDER JOBS SETTING...: everything into FOLDER/out, out of the source archive. SETTINGs are variables
 # of the environment that must make no difference.

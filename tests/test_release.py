@@ -21,7 +21,7 @@ OUTPUT = os.path.join(SCRATCH, "output")
 PARTS = "source,csharp,shaders"
 # What the script and its parts read
 TREE = ("CHANGELOG.md", "LICENSE", "cmake", "include", "src", "tests")
-HIDDEN = {"abidiff", "cargo"} # programs that it must not find
+HIDDEN = {"abidiff", "cargo", "clang-19"} # programs that it must not find
 TIME = "1700000000 +0000"
 
 
@@ -112,6 +112,7 @@ class Release(unittest.TestCase):
         with open(os.path.join(OUTPUT, "file"), "w", encoding="utf-8"):
             pass
         self.refused("is not empty", "--rehearse")
+        self.refused("--fuzz takes seconds, 999999 at most, not 1h", "--fuzz", "1h", output=os.path.join(OUTPUT, "new"))
         self.refused("is no folder", "--rehearse", output=os.path.join(OUTPUT, "file"))
 
     def test_commit(self):
@@ -196,6 +197,7 @@ class Release(unittest.TestCase):
         commit("-a", "v" + self.version, "-m", "a tag")
         run = release("--repository", "https://example.org/scarp.git")
         self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
+        self.assertIn("clang-19 is missing: the fuzz targets are not run\n", run.stdout)
         sums = dict(reversed(line.split("  ")) for line in read("SHA256SUMS").decode().splitlines())
         names = {"scarp-%s.tar.gz", "scarp-csharp-%s.tar.gz", "scarp-shaders-%s.tar.gz", "scarp-%s.spdx.json"}
         names = {name % self.version for name in names} | {"MANIFEST.txt"}
@@ -215,6 +217,7 @@ class Release(unittest.TestCase):
         shutil.rmtree(OUTPUT)
         run = release("--once", "--repository", "https://example.org/scarp.git")
         self.assertEqual(run.returncode, 0, run.stdout + run.stderr)
+        self.assertNotIn("fuzz", run.stdout)
         again = dict(reversed(line.split("  ")) for line in read("SHA256SUMS").decode().splitlines())
         self.assertEqual(again, sums)
 

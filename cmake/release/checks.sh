@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 # shellcheck shell=bash disable=SC2154,SC2034
 # What has to be so before a release, for ../release.sh: each function refuses, says what is lacking, which a
-# rehearsal lets pass, or says nothing. They set `version` and `commit`.
+# rehearsal lets pass, or says nothing. They set `version` and `commit`, and `keep` if files are worth a look.
 
 check_commit()
 {
@@ -109,4 +109,32 @@ END
     77) missing_tool "gcc on x86-64" "the binary interface is not compared: $(tail -n 1 "$work/log")" ;;
     *) lacks "tests/package/abi.xml is not what the sources say; renew it: $(grep -m 1 -E '^ *\[|FAILED' "$work/log")" ;;
     esac
+}
+
+# Fuzz targets, built from the commit, find nothing in $fuzz seconds. They run on $jobs processors.
+try_fuzz()
+{
+    local tool targets each sources=$work/fuzz/source build=$work/fuzz/build
+    [ "$fuzz" -gt 0 ] || return 0
+    for tool in clang-19 cmake ctest; do
+        if ! command -v $tool >/dev/null; then
+            missing_tool $tool "the fuzz targets are not run"
+            return
+        fi
+    done
+    mkdir -p "$sources"
+    git -C "$root" archive "$commit" | tar -x -C "$sources"
+    if ! cmake -S "$sources" -B "$build" -DCMAKE_BUILD_TYPE=Release -DSCARP_BUILD_FUZZERS=ON \
+        -DCMAKE_C_COMPILER=clang-19 >"$work/log" 2>&1 || ! cmake --build "$build" -j "$jobs" >>"$work/log" 2>&1; then
+        refuse "the fuzz targets cannot be built: $(grep -m 1 -i error "$work/log" || tail -n 1 "$work/log")"
+    fi
+    targets=$(ctest --test-dir "$build" -L fuzz -N | sed -n 's/^Total Tests: //p')
+    each=$(((fuzz * jobs + targets - 1) / targets))
+    echo "$targets fuzz targets, $fuzz seconds"
+    if ! SCARP_FUZZ_SECONDS=$each ctest --test-dir "$build" -L fuzz -j "$jobs" --no-tests=error \
+        --output-on-failure >"$work/log" 2>&1; then
+        keep=yes
+        refuse "a fuzz target found something: see $work/log, and $build/tests/fuzz/found"
+    fi
+    rm -rf "$work/fuzz"
 }

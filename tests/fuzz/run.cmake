@@ -3,10 +3,15 @@
 # Fails with the path of the input that failed.
 #
 #   cmake -D PROGRAM=... -D PACK=fuzz_pack -D KEPT=corpus/NAME.bin -D FOUND=folder -D DICTIONARY=file -D LONGEST=bytes
-#         -D SECONDS=20 -P run.cmake
+#         -D SECONDS=20 -D SHARE=100 -P run.cmake
+#
+# SHARE is the percentage of SECONDS that this target runs.
 
 if(DEFINED ENV{SCARP_FUZZ_SECONDS})
   set(SECONDS $ENV{SCARP_FUZZ_SECONDS})
+endif()
+if(SECONDS GREATER 0)
+  math(EXPR SECONDS "(${SECONDS} * ${SHARE} + 99) / 100")
 endif()
 foreach(sanitizer ASAN UBSAN)
   if(NOT DEFINED ENV{${sanitizer}_OPTIONS})
