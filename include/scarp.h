@@ -42,18 +42,25 @@
  * Errors. Calls that can fail return an enum scarp_status. A call checks its arguments before it
  * writes anything: on an error the outputs are untouched. Some calls write something on an error,
  * for example the name of the member at fault. Their comments say so. A call for 0 points succeeds,
- * whatever its other arguments are. Three rules are not repeated below:
+ * whatever its other arguments are. Four rules are not repeated below:
  *
  *     SCARP_ERROR_SIZE         the arrays would not fit into the address space
  *     SCARP_ERROR_UNSUPPORTED  a reserved member is in use: a number that is not 0, or a pointer
  *                              that is not NULL
  *     SCARP_ERROR_UNSUPPORTED  a call in the plane is asked for an output along z
+ *     SCARP_ERROR_UNSUPPORTED  the library was compiled to other operations than its source has
+ *                              (see "Bits"), and the call computes something
  *
  * Numbers. Where a coordinate is NaN or infinite, or a position overflows to infinity, every output
  * of that point is NaN. Other points are not affected.
  *
  * Bits. The same call gives the same bits on every processor, instruction set, compiler and
- * optimisation level. Only the payload of a NaN may differ.
+ * optimisation level. Only the payload of a NaN may differ. A compiler has to keep to the operations
+ * of the source for that. Some options let it do otherwise without a macro that tells: of clang
+ * -ffp-contract=fast, -fassociative-math, -freciprocal-math and -fno-signed-zeros. (CMake, and the
+ * command in scarp_single.c, keep the first one off.) The first call finds out by a few sums; where
+ * the kernel set that it would take, or what is around it, fails, all calls that compute return
+ * SCARP_ERROR_UNSUPPORTED.
  *
  * One value. A noise has one value at a point. It does not depend on the place of the point in the
  * array, the length of the array, the other points, or which outputs are asked for.
@@ -1796,11 +1803,12 @@ enum scarp_isa {
     SCARP_ISA_WASM128  /* the vectors of WebAssembly */
 };
 
-/* scarp_isa_active - the kernel set in use */
+/* scarp_isa_active - the kernel set in use; SCARP_ISA_NONE if calls refuse to compute ("Bits") */
 SCARP_API enum scarp_isa scarp_isa_active(void);
 
-/* scarp_isa_supported - nonzero if this build has the kernel set and this processor can run it,
-   else 0. SCARP_ISA_NONE and numbers that are no enumerator give 0. */
+/* scarp_isa_supported - nonzero if this build has the kernel set, with the bits that it should give
+   ("Bits"), and this processor can run it, else 0. SCARP_ISA_NONE and numbers that are no
+   enumerator give 0. */
 SCARP_API int scarp_isa_supported(enum scarp_isa isa);
 
 /*
@@ -1808,8 +1816,8 @@ SCARP_API int scarp_isa_supported(enum scarp_isa isa);
  *
  * SCARP_ISA_NONE returns to the best one. Calls under way finish with the set they began with.
  *
- * Errors: SCARP_ERROR_ENUM for an unknown `isa`, SCARP_ERROR_UNSUPPORTED if it cannot run here. The
- * choice is then unchanged.
+ * Errors: SCARP_ERROR_ENUM for an unknown `isa`, SCARP_ERROR_UNSUPPORTED if it cannot run here, or
+ * would not give its bits. The choice is then unchanged.
  */
 SCARP_API enum scarp_status scarp_isa_select(enum scarp_isa isa);
 

@@ -114,6 +114,7 @@ scarp_add_package_test(python AFTER package_prefix NEEDS scarp-install python3)
 
 # The other forms in which it is given away
 scarp_add_package_test(single)
+scarp_add_package_test(exact)
 scarp_add_package_test(archive NEEDS scarp-install)
 scarp_add_package_test(abi NEEDS abidiff)
 scarp_add_package_test(ports NEEDS python3)

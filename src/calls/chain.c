@@ -228,11 +228,12 @@ static NOINLINE enum scarp_status run(const struct arguments *arguments, size_t 
     if (count > PTRDIFF_MAX / sizeof(float)) {
         return SCARP_ERROR_SIZE;
     }
-    if (reserved_in_use(arguments)) {
+    const struct scarp_kernels *const kernels = scarp_dispatch_for(count);
+    if (kernels == NULL || reserved_in_use(arguments)) {
         return SCARP_ERROR_UNSUPPORTED;
     }
     if (asks_for_something(&call)) {
-        scarp_dispatch_for(count)->chain(&call, count);
+        kernels->chain(&call, count);
     }
     return SCARP_OK;
 }

@@ -100,7 +100,7 @@ static enum scarp_status erode(struct gully_run *call, const struct scarp_sample
     if (!take_arrays(&call->call, base, out)) {
         return SCARP_ERROR_NULL;
     }
-    if (reserved_in_use(base, out)) {
+    if (call->kernels == NULL || reserved_in_use(base, out)) {
         return SCARP_ERROR_UNSUPPORTED;
     }
     const struct fpmode caller = fpmode_enter();
@@ -219,6 +219,9 @@ enum scarp_status scarp_gullies_range(const struct scarp_gullies *gullies, float
 {
     if (gullies == NULL || lowest == NULL || highest == NULL) {
         return SCARP_ERROR_NULL;
+    }
+    if (scarp_dispatch_refuses()) {
+        return SCARP_ERROR_UNSUPPORTED;
     }
     const struct fpmode caller = fpmode_enter();
     const float base[2] = {base_lowest, base_highest};

@@ -9,7 +9,8 @@
 
 enum scarp_isa scarp_isa_active(void)
 {
-    return scarp_dispatch_active()->isa;
+    const struct scarp_kernels *const table = scarp_dispatch_active();
+    return table != NULL ? table->isa : SCARP_ISA_NONE;
 }
 
 int scarp_isa_supported(enum scarp_isa isa)
@@ -27,6 +28,5 @@ enum scarp_status scarp_isa_select(enum scarp_isa isa)
     if (isa != SCARP_ISA_NONE && table == NULL) {
         return SCARP_ERROR_UNSUPPORTED;
     }
-    scarp_dispatch_use(table);
-    return SCARP_OK;
+    return scarp_dispatch_use(table) ? SCARP_OK : SCARP_ERROR_UNSUPPORTED;
 }

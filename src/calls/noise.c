@@ -4,6 +4,7 @@
  */
 #include <stddef.h>
 
+#include "../dispatch/dispatch.h"
 #include "../dispatch/fpmode.h"
 #include "../plan/check.h"
 #include "../plan/parameters.h"
@@ -30,6 +31,9 @@ enum scarp_status scarp_range(const struct scarp_noise *noise, int dimensions, f
 {
     if (noise == NULL || lowest == NULL || highest == NULL) {
         return SCARP_ERROR_NULL;
+    }
+    if (scarp_dispatch_refuses()) {
+        return SCARP_ERROR_UNSUPPORTED;
     }
     const struct fpmode caller = fpmode_enter();
     const enum scarp_status status = range(noise, dimensions, lowest, highest);
@@ -85,6 +89,9 @@ enum scarp_status scarp_plan_make(const struct scarp_noise *noise, int dimension
 {
     if (noise == NULL || plan == NULL) {
         return SCARP_ERROR_NULL;
+    }
+    if (scarp_dispatch_refuses()) {
+        return SCARP_ERROR_UNSUPPORTED;
     }
     const struct fpmode caller = fpmode_enter();
     const enum scarp_status status = keep(plan, noise, dimensions);

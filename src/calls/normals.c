@@ -33,10 +33,14 @@ enum scarp_status scarp_normals(size_t count, const float *dx, const float *dy, 
     if (count > PTRDIFF_MAX / sizeof *dx) {
         return SCARP_ERROR_SIZE;
     }
+    const struct scarp_kernels *const kernels = scarp_dispatch_active();
+    if (kernels == NULL) {
+        return SCARP_ERROR_UNSUPPORTED;
+    }
     const float *const slope[2] = {dx, dy};
     float *const normal[3] = {nx, ny, nz};
     const struct fpmode caller = fpmode_enter();
-    scarp_dispatch_active()->normals(count, slope, height_scale, normal);
+    kernels->normals(count, slope, height_scale, normal);
     fpmode_leave(caller);
     return SCARP_OK;
 }

@@ -66,10 +66,10 @@ enum scarp_status scarp_find(const struct scarp_finder *how, const struct scarp_
     if (status != SCARP_OK) {
         return status;
     }
-    if (how->refuses(out, at->dimensions)) {
+    const struct scarp_find find = {scarp_dispatch_for(at->count), noise, at, out};
+    if (find.kernels == NULL || how->refuses(out, at->dimensions)) {
         return SCARP_ERROR_UNSUPPORTED;
     }
-    const struct scarp_find find = {scarp_dispatch_for(at->count), noise, at, out};
     const struct fpmode caller = fpmode_enter();
     const enum scarp_status result =
         scarp_run(noise, how->kind(out, at->dimensions), how->compute, &find);

@@ -150,7 +150,11 @@ enum scarp_status scarp_sample2(const struct scarp_noise *noise, size_t count, c
         return SCARP_OK;
     }
     const void *const position[3] = {x, y, NULL};
-    const struct sampler sampler = {scarp_dispatch_for(count)->points2_f32, 2, sizeof *x};
+    const struct scarp_kernels *const kernels = scarp_dispatch_for(count);
+    if (kernels == NULL) {
+        return SCARP_ERROR_UNSUPPORTED;
+    }
+    const struct sampler sampler = {kernels->points2_f32, 2, sizeof *x};
     return sample(sampler, noise, count, position, out);
 }
 
@@ -161,7 +165,11 @@ enum scarp_status scarp_sample3(const struct scarp_noise *noise, size_t count, c
         return SCARP_OK;
     }
     const void *const position[3] = {x, y, z};
-    const struct sampler sampler = {scarp_dispatch_for(count)->points3_f32, 3, sizeof *x};
+    const struct scarp_kernels *const kernels = scarp_dispatch_for(count);
+    if (kernels == NULL) {
+        return SCARP_ERROR_UNSUPPORTED;
+    }
+    const struct sampler sampler = {kernels->points3_f32, 3, sizeof *x};
     return sample(sampler, noise, count, position, out);
 }
 
@@ -172,7 +180,11 @@ enum scarp_status scarp_sample2_f64(const struct scarp_noise *noise, size_t coun
         return SCARP_OK;
     }
     const void *const position[3] = {x, y, NULL};
-    const struct sampler sampler = {scarp_dispatch_for(count)->points2_f64, 2, sizeof *x};
+    const struct scarp_kernels *const kernels = scarp_dispatch_for(count);
+    if (kernels == NULL) {
+        return SCARP_ERROR_UNSUPPORTED;
+    }
+    const struct sampler sampler = {kernels->points2_f64, 2, sizeof *x};
     return sample(sampler, noise, count, position, out);
 }
 
@@ -184,7 +196,11 @@ enum scarp_status scarp_sample3_f64(const struct scarp_noise *noise, size_t coun
         return SCARP_OK;
     }
     const void *const position[3] = {x, y, z};
-    const struct sampler sampler = {scarp_dispatch_for(count)->points3_f64, 3, sizeof *x};
+    const struct scarp_kernels *const kernels = scarp_dispatch_for(count);
+    if (kernels == NULL) {
+        return SCARP_ERROR_UNSUPPORTED;
+    }
+    const struct sampler sampler = {kernels->points3_f64, 3, sizeof *x};
     return sample(sampler, noise, count, position, out);
 }
 
@@ -203,10 +219,11 @@ static void run_grid(const struct scarp_call_plan *plan, const void *opaque)
     }
 }
 
-static enum scarp_status sample_grid(scarp_grid_fn *kernel, const struct scarp_noise *noise,
-                                     int dimensions, const struct scarp_grid *described,
+static enum scarp_status sample_grid(const struct scarp_noise *noise, int dimensions,
+                                     const struct scarp_grid *described,
                                      const struct scarp_samples *out)
 {
+    const struct scarp_kernels *const kernels = scarp_dispatch_active();
     if (noise == NULL || described == NULL || out == NULL) {
         return SCARP_ERROR_NULL;
     }
@@ -221,11 +238,12 @@ static enum scarp_status sample_grid(scarp_grid_fn *kernel, const struct scarp_n
         return scarp_fault_status(fault, NULL);
     }
     const struct scarp_kind kind = kind_of(dimensions, out);
-    if (kind.order == SCARP_UNSUPPORTED_ORDER || scarp_grid_reserved_in_use(&grid)) {
+    if (kernels == NULL || kind.order == SCARP_UNSUPPORTED_ORDER ||
+        scarp_grid_reserved_in_use(&grid)) {
         return SCARP_ERROR_UNSUPPORTED;
     }
     const struct fpmode caller = fpmode_enter();
-    const struct grid_call call = {kernel, &grid, out};
+    const struct grid_call call = {dimensions == 2 ? kernels->grid2 : kernels->grid3, &grid, out};
     const enum scarp_status result = scarp_run(noise, kind, run_grid, &call);
     fpmode_leave(caller);
     return result;
@@ -234,11 +252,11 @@ static enum scarp_status sample_grid(scarp_grid_fn *kernel, const struct scarp_n
 enum scarp_status scarp_grid2(const struct scarp_noise *noise, const struct scarp_grid *grid,
                               const struct scarp_samples *out)
 {
-    return sample_grid(scarp_dispatch_active()->grid2, noise, 2, grid, out);
+    return sample_grid(noise, 2, grid, out);
 }
 
 enum scarp_status scarp_grid3(const struct scarp_noise *noise, const struct scarp_grid *grid,
                               const struct scarp_samples *out)
 {
-    return sample_grid(scarp_dispatch_active()->grid3, noise, 3, grid, out);
+    return sample_grid(noise, 3, grid, out);
 }

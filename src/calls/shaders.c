@@ -6,6 +6,7 @@
 #include <stddef.h>
 #include <string.h>
 
+#include "../dispatch/dispatch.h"
 #include "../dispatch/fpmode.h"
 #include "../formulas/lattice.h"
 #include "../plan/check.h"
@@ -193,6 +194,11 @@ static struct scarp_fault fault_of(struct scarp_gpu_plan *plan, const struct sca
 static enum scarp_status make_plan(const struct scarp_noise *noise, struct scarp_kind kind,
                                    struct scarp_gpu_plan *plan, const char **member)
 {
+    if (noise != NULL && plan != NULL && scarp_dispatch_refuses()) {
+        const struct scarp_fault no_member = {REFUSED_NOT, 0};
+        (void)scarp_fault_status(no_member, member);
+        return SCARP_ERROR_UNSUPPORTED;
+    }
     const struct scarp_fault fault = fault_of(plan, plan == NULL ? NULL : noise, kind);
     return scarp_fault_status(fault, member);
 }
@@ -287,6 +293,9 @@ enum scarp_status scarp_gpu_answers(const struct scarp_noise *noise, int dimensi
 {
     if (noise == NULL || answer == NULL) {
         return SCARP_ERROR_NULL;
+    }
+    if (scarp_dispatch_refuses()) {
+        return SCARP_ERROR_UNSUPPORTED;
     }
     float unit;
     const struct fpmode caller = fpmode_enter();

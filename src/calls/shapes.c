@@ -8,6 +8,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "../dispatch/dispatch.h"
 #include "../dispatch/fpmode.h"
 #include "../plan/outputs.h"
 #include "run.h"
@@ -252,6 +253,9 @@ static enum scarp_status run(const struct arguments *call)
     if (call->count > PTRDIFF_MAX / sizeof(float)) {
         return SCARP_ERROR_SIZE;
     }
+    if (scarp_dispatch_refuses()) {
+        return SCARP_ERROR_UNSUPPORTED;
+    }
     struct arguments some = *call;
     if (is_idle) { /* the rest of the arguments is to be checked nevertheless */
         some.count = 1;
@@ -395,7 +399,7 @@ enum scarp_status scarp_slope(size_t count, const struct scarp_samples *a,
     if (count > PTRDIFF_MAX / sizeof(float)) {
         return SCARP_ERROR_SIZE;
     }
-    if (is_unsupported(a, out)) {
+    if (scarp_dispatch_refuses() || is_unsupported(a, out)) {
         return SCARP_ERROR_UNSUPPORTED;
     }
     if (!asks_for_nothing(out)) {

@@ -7,6 +7,8 @@
 #include "dispatch.h"
 
 #include "cpu.h"
+#include "exact.h"
+#include "fpmode.h"
 
 /* Best first. */
 #define TABLE(ISA, table, name, here) SCARP_WHERE(here, &scarp_kernels_##table, )
@@ -15,13 +17,28 @@ static const struct scarp_kernels *const tables[] = {SCARP_ISA_LIST(TABLE)};
 
 _Atomic(const struct scarp_kernels *) scarp_dispatch_table;
 
+/* Whether a table, and those that relieve it of few points, give the bits that they should. Plans
+   are made by code like this file's. */
+static int is_exact(const struct scarp_kernels *table)
+{
+    const struct fpmode caller = fpmode_enter();
+    int exact = scarp_is_exact();
+    for (; table != NULL; table = table->narrower) {
+        exact &= table->is_exact();
+    }
+    fpmode_leave(caller);
+    return exact;
+}
+
+/* No other set takes the place of the best one: a build that is wrong, or slow, should be noticed.
+ */
 static const struct scarp_kernels *best(void)
 {
     const struct scarp_kernels *const *table = tables;
     while (!scarp_cpu_has((*table)->isa)) { /* ends: scalar is last and always there */
         table++;
     }
-    return *table;
+    return is_exact(*table) ? *table : NULL;
 }
 
 const struct scarp_kernels *scarp_dispatch_resolve(void)
@@ -39,14 +56,17 @@ const struct scarp_kernels *scarp_dispatch_find(enum scarp_isa isa)
 {
     for (size_t i = 0; i < sizeof tables / sizeof tables[0]; i++) {
         if (tables[i]->isa == isa) {
-            return scarp_cpu_has(isa) ? tables[i] : NULL;
+            return scarp_cpu_has(isa) && is_exact(tables[i]) ? tables[i] : NULL;
         }
     }
     return NULL;
 }
 
-void scarp_dispatch_use(const struct scarp_kernels *table)
+int scarp_dispatch_use(const struct scarp_kernels *table)
 {
-    atomic_store_explicit(&scarp_dispatch_table, table != NULL ? table : best(),
-                          memory_order_relaxed);
+    table = table != NULL ? table : best();
+    if (table != NULL) {
+        atomic_store_explicit(&scarp_dispatch_table, table, memory_order_relaxed);
+    }
+    return table != NULL;
 }

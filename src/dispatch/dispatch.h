@@ -9,14 +9,17 @@
 
 #include "kernels.h"
 
-/* The table in use, for all threads, or NULL before the first call. Only the functions here and in
-   dispatch.c use it. */
+/* The table in use, for all threads, or NULL before the first call, and for ever if the best table
+   does not give the bits that it should. Only the functions here and in dispatch.c use it. */
 extern _Atomic(const struct scarp_kernels *) scarp_dispatch_table;
 
-/* Chooses the table at the first call, and returns it. */
+/* Chooses the table at the first call, and returns it; NULL if a compiler did not keep to its
+   operations (exact.h). */
 const struct scarp_kernels *scarp_dispatch_resolve(void);
 
-/* The table in use. Tables are constants, so relaxed atomics suffice. */
+/* The table in use, or NULL: then calls return SCARP_ERROR_UNSUPPORTED. Whether to do so costs a
+   call nothing, since the pointer is compared with NULL anyway. Tables are constants, so relaxed
+   atomics suffice. */
 static inline const struct scarp_kernels *scarp_dispatch_active(void)
 {
     const struct scarp_kernels *const table =
@@ -24,21 +27,29 @@ static inline const struct scarp_kernels *scarp_dispatch_active(void)
     return table != NULL ? table : scarp_dispatch_resolve();
 }
 
-/* The table that serves a call of `count` points: the one in use, or a narrower one that is faster
-   for so few. All give the same bits, and what can run a set can run the narrower one, too. */
+/* Whether calls return SCARP_ERROR_UNSUPPORTED, for those that need no kernel. */
+static inline int scarp_dispatch_refuses(void)
+{
+    return scarp_dispatch_active() == NULL;
+}
+
+/* The table that serves a call of `count` points: the one in use, or NULL, or a narrower one that
+   is faster for so few. All give the same bits, and what can run a set can run the narrower one,
+   too. */
 static inline const struct scarp_kernels *scarp_dispatch_for(size_t count)
 {
     const struct scarp_kernels *table = scarp_dispatch_active();
-    while (count <= table->narrower_most) {
+    while (table != NULL && count <= table->narrower_most) {
         table = table->narrower;
     }
     return table;
 }
 
-/* The table for `isa`, or NULL if this build lacks it or this processor cannot run it. */
+/* The table for `isa`, or NULL if this build lacks it or does not give its bits, or this processor
+   cannot run it. */
 const struct scarp_kernels *scarp_dispatch_find(enum scarp_isa isa);
 
-/* Uses `table` from now on; NULL: the best one. */
-void scarp_dispatch_use(const struct scarp_kernels *table);
+/* Uses `table` from now on; NULL: the best one. Returns 0, and changes nothing, if that is none. */
+int scarp_dispatch_use(const struct scarp_kernels *table);
 
 #endif

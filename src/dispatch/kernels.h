@@ -52,8 +52,12 @@ typedef void scarp_curl_fn(const struct scarp_call_plan *plan, size_t count,
 typedef void scarp_gullies_fn(const struct scarp_gully_call *call,
                               const struct scarp_call_plan *plan);
 
+/* Says whether the compiler kept to the operations of the kernels (exact.h). */
+typedef int scarp_exact_fn(void);
+
 struct scarp_kernels {
     enum scarp_isa isa;
+    scarp_exact_fn *is_exact;
     /* Serves calls of at most `narrower_most` points in less time; NULL, 0: no other table does. */
     const struct scarp_kernels *narrower;
     size_t narrower_most;

@@ -16,6 +16,7 @@
 #include "cells.h"
 #include "chain.h"
 #include "curl.h"
+#include "exact.h"
 #include "gullies.h"
 #include "normals.h"
 #include "vector.h"
@@ -143,6 +144,7 @@ static void grid3(const struct scarp_call_plan *plan, const struct scarp_grid *d
 
 const struct scarp_kernels KERNELS = {
     .isa = KERNELS_ISA,
+    .is_exact = is_exact,
 #ifdef KERNELS_NARROWER
     .narrower = &KERNELS_NARROWER,
     .narrower_most = VEC_LANES / 2,

@@ -6,6 +6,7 @@
 
 #include "../calls/grid.h"
 #include "../calls/run.h"
+#include "../dispatch/dispatch.h"
 #include "../dispatch/fpmode.h"
 #include "compile.h"
 #include "evaluate.h"
@@ -42,6 +43,9 @@ enum scarp_status scarp_recipe_parse(const char *text, size_t length, struct sca
     }
     if (length > RECIPE_TEXT) {
         return SCARP_ERROR_SIZE;
+    }
+    if (scarp_dispatch_refuses()) {
+        return SCARP_ERROR_UNSUPPORTED;
     }
     const struct fpmode caller = fpmode_enter();
     const enum scarp_status status = parse(length > 0 ? text : "", length, recipe, &to);
@@ -235,7 +239,7 @@ static enum scarp_status run(struct recipe_evaluation *call,
                              const struct scarp_recipe_outputs *outputs,
                              const struct scarp_scratch *scratch)
 {
-    if (reserved_in_use(outputs, scratch)) {
+    if (scarp_dispatch_refuses() || reserved_in_use(outputs, scratch)) {
         return SCARP_ERROR_UNSUPPORTED;
     }
     call->outputs = outputs->count;

@@ -6,6 +6,7 @@
  */
 #include <math.h>
 
+#include "../dispatch/exact.h"
 #include "../dispatch/kernels.h"
 #include "chain.h"
 #include "curl.h"
@@ -219,6 +220,7 @@ static void gullies(const struct scarp_gully_call *call, const struct scarp_call
 
 const struct scarp_kernels scarp_kernels_scalar = {
     .isa = SCARP_ISA_SCALAR,
+    .is_exact = scarp_is_exact,
     .points2_f32 = points2_f32,
     .points2_f64 = points2_f64,
     .points3_f32 = points3_f32,
