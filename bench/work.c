@@ -56,9 +56,9 @@ static const float terrain_steps[] = {2, 0}, marble_steps[] = {0.005f, 0}, cloud
 /* Chunks of voxels, with and without a sample more on each side, and tiles of height maps. */
 static const struct shape shapes2[] = {
     {{17, 17, 1}}, {{33, 33, 1}}, {{65, 65, 1}}, {{129, 129, 1}}, {{0, 0, 0}}};
-static const struct shape shapes3[] = {{{16, 16, 16}},  {{17, 17, 17}}, {{18, 18, 18}},
-                                       {{34, 34, 34}},  {{5, 33, 5}},   {{16, 256, 16}},
-                                       {{256, 16, 16}}, {{0, 0, 0}}};
+static const struct shape shapes3[] = {
+    {{16, 16, 16}}, {{17, 17, 17}}, {{18, 18, 18}},  {{34, 34, 34}},  {{31, 32, 32}},
+    {{40, 32, 32}}, {{5, 33, 5}},   {{16, 256, 16}}, {{256, 16, 16}}, {{0, 0, 0}}};
 static const float shape_steps[] = {0.05f, 0};
 #define SHAPES                                                                                     \
     .bases = ALL_BASES, .outputs = UP_TO_GRADIENT, .steps = shape_steps,                           \

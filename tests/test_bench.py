@@ -35,7 +35,7 @@ ON_REQUEST = "grid2/gradient/value/16384/step0.01"
 BASES = ("gradient", "value", "simplex", "cell-f1", "cell-f2", "cell-edge", "cell-soft",
          "cell-value")
 SHAPES = {"2": ("17", "33", "65", "129"),
-          "3": ("16", "17", "18", "34", "5x33x5", "16x256x16", "256x16x16")}
+          "3": ("16", "17", "18", "34", "31x32x32", "40x32x32", "5x33x5", "16x256x16", "256x16x16")}
 SVG = "{http://www.w3.org/2000/svg}"
 
 
@@ -203,6 +203,22 @@ class Selection(Case):
         rows = report_of(*QUICK, "--isa", "scalar", "--work", "grid3/simplex/value/5x*")["rows"]
         self.assertEqual([(row["work"], row["points"]) for row in rows],
                          [(name % "", 825), (name % "/as-points", 825)])
+
+    def test_grids(self):
+        """grids.py compares them."""
+        def grids(grid, points):
+            rows = [{"work": "a%s/step0.05" % text, "isa": "avx2", "library": "scarp", "fastest_ns_per_point": time}
+                    for text, time in (("", grid), ("/as-points", points))]
+            script = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "bench", "grids.py")
+            with tempfile.TemporaryDirectory() as folder:
+                path = os.path.join(folder, "rows.json")
+                with open(path, "w", encoding="utf-8") as file:
+                    json.dump({"rows": rows}, file)
+                return subprocess.run([sys.executable, script, path], stdout=subprocess.PIPE, text=True)
+        slow, fast = grids(2.0, 1.8), grids(2.0, 1.9)
+        self.assertEqual((slow.returncode, fast.returncode), (1, 0))
+        self.assertRegex(slow.stdout, r"below 0.93 of their points: 1\n  0.90  avx2 +a/step0.05 ")
+        self.assertRegex(fast.stdout, r"below 0.93 of their points: 0\nslowest: 1\n  0.95  avx2 ")
 
     def test_isas(self):
         report = report_of(*ONE)

@@ -150,10 +150,9 @@ static void row_coordinates(struct chunked *w, const struct chunk *chunk)
     const struct scarp_grid *const grid = w->source.grid;
     const size_t counts[3] = {chunk->columns, chunk->rows, 1};
     for (int axis = 0; axis < w->f.dimensions; axis++) {
-        const size_t last = counts[axis] - 1;
         double *const to = w->position[axis];
-        for (size_t i = 0; i < whole_blocks(counts[axis]); i++) {
-            to[i] = coordinate(grid, axis, chunk->at[axis] + least(i, last));
+        for (size_t i = 0; i < counts[axis]; i += VEC_LANES) {
+            block_coordinates(to + i, grid, axis, chunk->at[axis] + i, counts[axis] - i);
         }
         w->input[axis] = to;
     }

@@ -210,9 +210,7 @@ static void crossing_fill(const struct crossing *crossing, const struct call *ca
     const struct positions positions = {.array = {x, x, x}};
     const struct frame f = {DOUBLES, axes, 2};
     for (size_t i = 0; i < count; i += VEC_LANES) {
-        for (size_t lane = 0; lane < VEC_LANES; lane++) {
-            x[lane] = coordinate(crossing->grid, axis, least(i + lane, count - 1));
-        }
+        block_coordinates(x, crossing->grid, axis, i, count - i);
         if (call->takes_unhashed) {
             const struct split s = cells_split(o, axis, x, 0, AXES_STRAIGHT);
             table->t[i / VEC_LANES] = s.t;

@@ -29,6 +29,27 @@ struct flat_positions {
 #define REPEATED_ROW 256
 #define REPEATED_SLICE 384
 
+/* Fills in x of rows from the first sample on, and up to a vector more. The vectors of a row are
+   stored in all rows, the last one first, since it reaches into the next row. */
+static void flat_repeat_x(double *to, const struct scarp_grid *grid, size_t count)
+{
+    const size_t row = grid->count[0];
+    double x[VEC_LANES];
+    for (size_t i = (row - 1) / VEC_LANES * VEC_LANES;; i -= VEC_LANES) {
+        block_coordinates(x, grid, 0, i, row - i);
+        const vd low = vd_load(x), high = vd_load(x + VEC_LANES / 2);
+        for (size_t at = i + VEC_LANES / 2; i + VEC_LANES / 2 < row && at < count; at += row) {
+            memcpy(to + at, &high, sizeof high);
+        }
+        for (size_t at = i; at < count; at += row) {
+            memcpy(to + at, &low, sizeof low);
+        }
+        if (i == 0) {
+            return;
+        }
+    }
+}
+
 /* Fills in x from sample `first` of a row on, and up to a vector more. After the first row, what is
    there is copied, twice as much each time. */
 static void flat_fill_x(double *to, const struct scarp_grid *grid, size_t first, size_t count)
@@ -86,7 +107,7 @@ static vf *flat_positions_take(struct flat_positions *p, vf *space, size_t most)
         from += count[axis] + VEC_LANES / 2;
     }
     if (p->repeats[0]) {
-        flat_fill_x(p->array[0], p->grid, 0, count[0]);
+        flat_repeat_x(p->array[0], p->grid, count[0]);
     }
     if (p->repeats[1]) {
         flat_fill_runs(p->array[1], p->grid, 1, 0, count[1]);
@@ -131,6 +152,14 @@ static void flat_copy(const struct scarp_outputs *out, const struct scarp_grid *
         }
     }
 }
+
+/* How fast a way is depends on the processor. All measures below are of Zen 4, which takes vectors
+   of 16 lanes in two halves. Zen 5 takes them whole: a sample costs half there, but what is
+   prepared for a strip, one line of vertices after another, costs the same. So it counts twice with
+   such vectors: rows have to win on both. Where a measure says that rows are faster by less than a
+   tenth, points are taken: they are never much slower, and rows may be. */
+#define WIDE_VECTORS (VEC_LANES == 16 ? 2.0f : 1.0f)
+#define CLEARLY 1.1f
 
 /* Samples that passes along rows compute, those beyond the ends of rows and `overhead` for each
    strip with them. */
@@ -187,6 +216,9 @@ static struct rows_time rows_time_of(const struct scarp_call_plan *plan, int dim
     t.sample /= gain[SET];
     t.cell /= gain[SET];
     t.points /= gain[SET];
+    t.sample *= CLEARLY;
+    t.cell *= CLEARLY;
+    t.overhead *= plan->basis == SCARP_SIMPLEX ? WIDE_VECTORS : 1.0f;
     return t;
 }
 
@@ -215,15 +247,22 @@ struct rows_speed {
    and steps of 0.05 cells, for rows of 5 to 257 samples. */
 static struct rows_speed turned_speed_of(const struct scarp_call_plan *plan, int dimensions)
 {
-    static const struct rows_speed blends[2] = {{1.25f, 3.4f}, {1.55f, 5.4f}}; /* [values alone] */
+    static const struct rows_speed blends[2][2] = {/* by [16 lanes][values alone] */
+                                                   {{1.25f, 3.4f}, {1.55f, 5.4f}},
+                                                   {{1.2f, 3.4f}, {1.55f, 5.4f}}};
     static const struct rows_speed simplex[2][2] = {/* by [in space][values alone] */
                                                     {{1.05f, 0.8f}, {1.2f, 1.6f}},
                                                     {{1.2f, 5.6f}, {1.35f, 4.0f}}};
     static const struct rows_speed cells = {1.2f, 1.6f};
     const int in_space = dimensions == 3, values = plan->order == 0;
-    return plan->basis == SCARP_SIMPLEX  ? simplex[in_space][values]
-           : blends_corners(plan->basis) ? blends[values]
-                                         : cells;
+    if (blends_corners(plan->basis)) {
+        return blends[VEC_LANES == 16][values];
+    }
+    const int is_simplex = plan->basis == SCARP_SIMPLEX;
+    struct rows_speed s = is_simplex ? simplex[in_space][values] : cells;
+    s.gain /= CLEARLY;
+    s.overhead *= is_simplex ? WIDE_VECTORS : 1.0f;
+    return s;
 }
 
 /* Measured with AVX2 and AVX-512 on Zen 4, at steps of 0.05 cells, for rows of 5 to 257 samples. */
@@ -238,8 +277,9 @@ static struct rows_speed rows_speed_of(const struct scarp_call_plan *plan,
         return turned_speed_of(plan, dimensions);
     }
     if (plan->basis == SCARP_SIMPLEX) {
-        const struct rows_speed s = {simplex[one][in_space][values],
-                                     one && in_space && values ? 20.0f : 8.0f};
+        const float overhead = one && in_space && values ? 20.0f : 8.0f;
+        const struct rows_speed s = {simplex[one][in_space][values] / CLEARLY,
+                                     overhead * WIDE_VECTORS};
         return s;
     }
     if (one) {
@@ -277,15 +317,24 @@ static int is_flat(const struct scarp_call_plan *plan, const struct scarp_grid *
 }
 
 /* Samples of a chunk: as many tiles of points as there is room for. Octaves that bend have chunks
-   of their own, and leave the rest of the space to these. */
+   of their own, and leave the rest of the space to these. A chunk that has room for `count` samples
+   even with as much scratch space as points may take needs no closer look. */
 static size_t flat_chunk(const struct scarp_call_plan *plan, size_t vectors, size_t outputs,
-                         int dimensions)
+                         size_t count, int dimensions)
 {
     const size_t each = 2 * (size_t)dimensions + outputs; /* vectors of a block, of a chunk */
-    const size_t passes = LATTICE_SIZE3 + 1 + 2 * sample_size(dimensions, plan->order);
     if (fractal_bends(plan->fractal)) {
         return least(vectors * 9 / 16 / each, CHUNK_SAMPLES / VEC_LANES) * VEC_LANES;
     }
+    const size_t any = LATTICE_SIZE3 + 1 + 2 * sample_size(dimensions, plan->order);
+    if (plan->fractal == SCARP_FBM && count <= vectors / (each + any) * VEC_LANES) {
+        return least(vectors / (each + any), TILE_BLOCKS) * VEC_LANES;
+    }
+    struct call call;
+    call_begin(&call, plan, dimensions, DOUBLES);
+    const size_t block = points_block_size(&call);
+    const size_t passes = is_value_sum(plan) && block < VALUES_VECTORS ? VALUES_VECTORS : block;
+    vectors -= plan->octaves == 1 ? PADDED_BLOCKS * call.sums_size : 0;
     const size_t tile = least(vectors / (each + passes), TILE_BLOCKS);
     return tile * ((vectors - passes * tile) / (each * tile)) * VEC_LANES;
 }
@@ -314,7 +363,7 @@ static __attribute__((noinline)) void flat_grid(const struct scarp_call_plan *pl
     struct scarp_outputs to = {.array = {NULL}};
     flat_positions_begin(&positions, grid, dimensions);
     const size_t most =
-        flat_chunk(plan, work.vectors - flat_repeated_size(&positions), size, dimensions);
+        flat_chunk(plan, work.vectors - flat_repeated_size(&positions), size, count, dimensions);
     float *from = (float *)flat_positions_take(&positions, space, most);
     if (has_gaps) {
         take_arrays(&to, &from, most, dimensions, plan->order);

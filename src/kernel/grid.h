@@ -69,6 +69,20 @@ static double coordinate(const struct scarp_grid *grid, int axis, size_t index)
     return grid->origin[axis] + (double)(grid->first[axis] + (int64_t)index) * grid->step[axis];
 }
 
+/* Fills in the coordinates of a block from sample `first` of an axis on, of which there are `left`,
+   at least one: lanes behind them get the last one. The bits are those of coordinate(), since
+   numbers of samples are exact. */
+VEC_INLINE void block_coordinates(double *to, const struct scarp_grid *grid, int axis, size_t first,
+                                  size_t left)
+{
+    const vd origin = vd_set(grid->origin[axis]), step = vd_set(grid->step[axis]);
+    const vd number = vd_set((double)(grid->first[axis] + (int64_t)first));
+    const vf lanes = vf_lesser((vf){VEC_NUMBERS}, vf_set((float)least(left - 1, VEC_LANES)));
+    const vd x[2] = {origin + (number + vd_from_low(lanes)) * step,
+                     origin + (number + vd_from_high(lanes)) * step};
+    memcpy(to, x, sizeof x);
+}
+
 /* Whether the caller's arrays have gaps between rows. */
 static int has_row_gaps(const struct scarp_grid *grid, int dimensions)
 {
@@ -223,13 +237,13 @@ static void grid_strip(const struct grid_call *g, struct grid_scratch *scratch, 
     struct tile tile = {0};
     divide_scratch(g, &tile, scratch, blocks);
     tile.at.shared[2] = g->call.dimensions == 3 ? coordinate(grid, 2, k) : 0.0;
-    for (size_t n = 0; n < blocks * VEC_LANES; n++) {
-        scratch->x[n] = coordinate(grid, 0, i + least(n, count - 1));
+    for (size_t n = 0; n < blocks * VEC_LANES; n += VEC_LANES) {
+        block_coordinates(scratch->x + n, grid, 0, i + n, count - n);
     }
     for (size_t j = 0; j < grid->count[1]; j += g->most_rows) {
         tile.locations.extent.rows = least(grid->count[1] - j, g->most_rows);
-        for (size_t r = 0; r < tile.locations.extent.rows || r % VEC_LANES != 0; r++) {
-            scratch->y[r] = coordinate(grid, 1, j + (r < tile.locations.extent.rows ? r : 0));
+        for (size_t r = 0; r < tile.locations.extent.rows; r += VEC_LANES) {
+            block_coordinates(scratch->y + r, grid, 1, j + r, tile.locations.extent.rows - r);
         }
         const size_t at[3] = {i, j, k};
         grid_tile(g, &tile, at, count);

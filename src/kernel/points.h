@@ -11,16 +11,22 @@
 /* The most blocks of a tile whose last block may be incomplete. */
 #define PADDED_BLOCKS 8
 
+/* Vectors of scratch space that each block of a tile takes; sums are there where octaves are added
+   up. */
+static size_t points_block_size(const struct call *call)
+{
+    return call->lattice_size + call->noise_size + call->state_size + call->turning_size +
+           call->moving_size + 1 + (call->plan->octaves > 1 ? call->sums_size : 0);
+}
+
 /* Gives the tile its share of the scratch space, for as many blocks as fit, and returns their
-   number. There are sums where octaves are added up, and for padded tiles. */
+   number. Padded tiles have sums, too. */
 static size_t divide_for_points(const struct call *call, struct tile *tile, struct workspace work,
                                 int padded)
 {
-    const size_t size = call->sums_size;
-    const int sums = call->plan->octaves > 1;
-    const size_t each = call->lattice_size + call->noise_size + call->state_size +
-                        call->turning_size + call->moving_size + 1 + (sums ? size : 0);
-    const size_t room = work.vectors - (padded && !sums ? PADDED_BLOCKS * size : 0);
+    const size_t each = points_block_size(call);
+    const int adds_sums = padded && call->plan->octaves == 1;
+    const size_t room = work.vectors - (adds_sums ? PADDED_BLOCKS * call->sums_size : 0);
     const size_t blocks = TILE_BLOCKS * each <= room ? TILE_BLOCKS : room / each;
     tile->locations.lattice = work.space;
     tile->noise = tile->locations.lattice + blocks * call->lattice_size;

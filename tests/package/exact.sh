@@ -42,8 +42,6 @@ for compiler in clang-14 clang-19 clang; do
     compiled $compiler -ffp-contract=fast
     run ./refused refused
     run ./refused served scalar # nothing is fused without FMA
-    compiled $compiler -ffp-contract=off
-    run ./refused served
     plain $compiler -ffp-contract=fast -mfma
     run ./refused refused
     plain $compiler -ffp-contract=off -mfma
