@@ -55,12 +55,12 @@
  * of that point is NaN. Other points are not affected.
  *
  * Bits. The same call gives the same bits on every processor, instruction set, compiler and
- * optimisation level. Only the payload of a NaN may differ. A compiler has to keep to the operations
- * of the source for that. Some options let it do otherwise without a macro that tells: of clang
- * -ffp-contract=fast, -fassociative-math, -freciprocal-math and -fno-signed-zeros. (CMake, and the
- * command in scarp_single.c, keep the first one off.) The first call finds out by a few sums; where
- * the kernel set that it would take, or what is around it, fails, all calls that compute return
- * SCARP_ERROR_UNSUPPORTED.
+ * optimisation level. Only the payload of a NaN may differ. A compiler has to keep to the
+ * operations of the source for that. Options of clang let it do otherwise without a macro that
+ * tells, such as fusing of operations by -ffp-contract=fast, which CMake and the command in
+ * scarp_single.c keep off, or -fassociative-math, -freciprocal-math and -fno-signed-zeros. The
+ * first call finds out by a few sums. Where the kernel set that it would take fails, or the code
+ * around it, all calls that compute return SCARP_ERROR_UNSUPPORTED.
  *
  * One value. A noise has one value at a point. It does not depend on the place of the point in the
  * array, the length of the array, the other points, or which outputs are asked for.
