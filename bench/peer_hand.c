@@ -138,9 +138,11 @@ static void ramp(struct hand *h, const double slope[3], double offset, int to)
 
 static void fade(struct hand *h)
 {
-    const struct scarp_noise soft = {.frequency = 1 / 400.0, .octaves = 6};
-    const struct scarp_noise hard = {.frequency = 1 / 250.0, .octaves = 8, .seed = seed(1)};
-    const struct scarp_noise where = {.frequency = 1 / 900.0, .octaves = 3, .seed = seed(2)};
+    const struct scarp_noise soft = {.offset_first = 1, .frequency = 1 / 400.0, .octaves = 6};
+    const struct scarp_noise hard = {
+        .offset_first = 1, .frequency = 1 / 250.0, .octaves = 8, .seed = seed(1)};
+    const struct scarp_noise where = {
+        .offset_first = 1, .frequency = 1 / 900.0, .octaves = 3, .seed = seed(2)};
     const struct scarp_samples a = in(h, 0), b = in(h, 1), m = in(h, 2);
     sample(h, &where, 2);
     smoothstep(h, 2, -0.2f, 0.2f);
@@ -152,20 +154,24 @@ static void fade(struct hand *h)
 
 static void alps(struct hand *h)
 {
-    const struct scarp_noise bend = {.frequency = 0.0035, .octaves = 5, .amplitude = 75};
-    const struct scarp_noise ridges = {.fractal = SCARP_SWISS,
+    const struct scarp_noise bend = {
+        .offset_first = 1, .frequency = 0.0035, .octaves = 5, .amplitude = 75};
+    const struct scarp_noise ridges = {.offset_first = 1,
+                                       .fractal = SCARP_SWISS,
                                        .rotate = 1,
                                        .frequency = 0.005,
                                        .octaves = 9,
                                        .gain = 0.45f,
                                        .warp = &bend};
-    const struct scarp_noise ground = {.fractal = SCARP_HYBRID,
+    const struct scarp_noise ground = {.offset_first = 1,
+                                       .fractal = SCARP_HYBRID,
                                        .rotate = 1,
                                        .frequency = 0.0016,
                                        .octaves = 8,
                                        .gain = 0.42f,
                                        .amplitude = 1.4f};
-    const struct scarp_noise high = {.rotate = 1, .frequency = 0.0016, .octaves = 3};
+    const struct scarp_noise high = {
+        .offset_first = 1, .rotate = 1, .frequency = 0.0016, .octaves = 3};
     sample(h, &high, 1);
     smoothstep(h, 1, -0.5f, 0.25f);
     sample(h, &ridges, 0);
@@ -181,20 +187,30 @@ static void overworld(struct hand *h)
     static const float shelf_y[] = {-60, -55, -18, 2, 8, 30, 60};
     static const float rugged_x[] = {-0.7f, -0.3f, 0, 0.4f}, rugged_y[] = {1, 0.6f, 0.2f, 0.05f};
     const struct scarp_noise drift = {
-        .frequency = 1 / 600.0, .octaves = 3, .amplitude = 120, .seed = seed(1)};
-    const struct scarp_noise continents = {
-        .frequency = 1 / 2400.0, .octaves = 6, .rotate = 1, .seed = seed(2), .warp = &drift};
-    const struct scarp_noise erosion = {
-        .frequency = 1 / 1500.0, .octaves = 4, .rotate = 1, .seed = seed(3), .warp = &drift};
+        .offset_first = 1, .frequency = 1 / 600.0, .octaves = 3, .amplitude = 120, .seed = seed(1)};
+    const struct scarp_noise continents = {.offset_first = 1,
+                                           .frequency = 1 / 2400.0,
+                                           .octaves = 6,
+                                           .rotate = 1,
+                                           .seed = seed(2),
+                                           .warp = &drift};
+    const struct scarp_noise erosion = {.offset_first = 1,
+                                        .frequency = 1 / 1500.0,
+                                        .octaves = 4,
+                                        .rotate = 1,
+                                        .seed = seed(3),
+                                        .warp = &drift};
     const struct scarp_noise weird = {
-        .frequency = 1 / 700.0, .octaves = 5, .rotate = 1, .seed = seed(4)};
-    const struct scarp_noise rough = {.fractal = SCARP_RIDGED,
+        .offset_first = 1, .frequency = 1 / 700.0, .octaves = 5, .rotate = 1, .seed = seed(4)};
+    const struct scarp_noise rough = {.offset_first = 1,
+                                      .fractal = SCARP_RIDGED,
                                       .frequency = 1 / 260.0,
                                       .octaves = 6,
                                       .rotate = 1,
                                       .gain = 0.45f,
                                       .seed = seed(5)};
-    const struct scarp_noise bumps = {.frequency = 1 / 40.0, .octaves = 3, .seed = seed(6)};
+    const struct scarp_noise bumps = {
+        .offset_first = 1, .frequency = 1 / 40.0, .octaves = 3, .seed = seed(6)};
     const struct scarp_samples peaks = in(h, 3);
     sample(h, &continents, 1);
     curve(h, 1, 7, shelf_x, shelf_y, 0);
@@ -219,8 +235,11 @@ static void overworld(struct hand *h)
 
 static void marble(struct hand *h)
 {
-    const struct scarp_noise rough = {
-        .fractal = SCARP_TURBULENCE, .frequency = 1 / 0.7, .octaves = 6, .seed = seed(1)};
+    const struct scarp_noise rough = {.offset_first = 1,
+                                      .fractal = SCARP_TURBULENCE,
+                                      .frequency = 1 / 0.7,
+                                      .octaves = 6,
+                                      .seed = seed(1)};
     const double coarse[3] = {0.9063077870366499, 0.42261826174069944, 0};
     const double fine[3] = {0.6427876096865394, -0.766044443118978, 0};
     const struct scarp_samples a = in(h, 0), b = in(h, 1), r = in(h, 2), s = in(h, 3);
@@ -272,12 +291,16 @@ static void cloud(struct hand *h)
     static const float x[] = {0, 0.15f, 0.6f, 1}, y[] = {0, 1, 0.8f, 0};
     static const double up[3] = {0, 0, 1 / 1200.0};
     const struct scarp_noise drift = {
-        .frequency = 1 / 900.0, .octaves = 2, .amplitude = 150, .seed = seed(1)};
+        .offset_first = 1, .frequency = 1 / 900.0, .octaves = 2, .amplitude = 150, .seed = seed(1)};
     const struct scarp_noise shape = {
-        .frequency = 1 / 1400.0, .octaves = 5, .seed = seed(2), .warp = &drift};
-    const struct scarp_noise puffs = {
-        .basis = SCARP_CELL_F1, .frequency = 1 / 300.0, .octaves = 3, .seed = seed(3)};
-    const struct scarp_noise weather = {.frequency = 1 / 6000.0, .octaves = 3, .seed = seed(4)};
+        .offset_first = 1, .frequency = 1 / 1400.0, .octaves = 5, .seed = seed(2), .warp = &drift};
+    const struct scarp_noise puffs = {.offset_first = 1,
+                                      .basis = SCARP_CELL_F1,
+                                      .frequency = 1 / 300.0,
+                                      .octaves = 3,
+                                      .seed = seed(3)};
+    const struct scarp_noise weather = {
+        .offset_first = 1, .frequency = 1 / 6000.0, .octaves = 3, .seed = seed(4)};
     const struct scarp_samples a = in(h, 0), b = in(h, 1);
     ramp(h, up, -1, 2);
     curve(h, 2, 4, x, y, 2);

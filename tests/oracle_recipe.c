@@ -269,7 +269,8 @@ static int has_name(const struct oracle_recipe *o, int call, const char *name)
 
 static struct scarp_noise noise_of(const struct oracle_recipe *o, int call)
 {
-    struct scarp_noise n = {.seed = seed_of(o, call), .frequency = frequency_of(o, call)};
+    struct scarp_noise n = {
+        .seed = seed_of(o, call), .frequency = frequency_of(o, call), .offset_first = 1};
     for (int i = 0; scarp_basis_name((enum scarp_basis)i) != NULL; i++) {
         n.basis = has_name(o, call, scarp_basis_name((enum scarp_basis)i)) ? (enum scarp_basis)i
                                                                            : n.basis;
@@ -395,6 +396,7 @@ static jet celled(const struct oracle_recipe *o, int call, const struct frame *i
     const struct scarp_noise first = {.seed = n.seed,
                                       .frequency = n.frequency,
                                       .jitter = n.jitter,
+                                      .offset_first = n.offset_first,
                                       .basis = has_word(o, call, "f1")   ? SCARP_CELL_F1
                                                : has_word(o, call, "f2") ? SCARP_CELL_F2
                                                                          : SCARP_CELL_VALUE,
@@ -522,6 +524,7 @@ static struct scarp_gullies gullies_of(const struct oracle_recipe *o, int call)
         .round = (float)number_or(o, call, "round", -1, 0.0),
         .keep = member_of(o, call, "keep", 1.0),
         .rotate = has_word(o, call, "rotate") != 0,
+        .offset_first = 1,
     };
     return g;
 }

@@ -477,7 +477,7 @@ static void check_seeds(void)
     (void)parses("recipe 1\na = noise()");
     (void)scarp_recipe_seed(&recipe, UINT64_C(0x123456789abcdef0));
     (void)sample(&recipe, &out, NULL);
-    const struct scarp_noise noise = {.seed = UINT64_C(0x123456789abcdef0)};
+    const struct scarp_noise noise = {.offset_first = 1, .seed = UINT64_C(0x123456789abcdef0)};
     const struct scarp_samples hand = {.value = by_hand};
     (void)scarp_sample2_f64(&noise, POINTS, x, y, &hand);
     CHECK(memcmp(value, by_hand, sizeof value) == 0, "the seed of the world");
@@ -514,9 +514,9 @@ static void check_language(void)
 /* The same calls, made by hand */
 static void check_by_hand(void)
 {
-    const struct scarp_noise warp = {.frequency = 0.5, .amplitude = 0.3f},
-                             noise = {.octaves = 3.0f, .warp = &warp},
-                             mask = {.basis = SCARP_VALUE};
+    const struct scarp_noise warp = {.offset_first = 1, .frequency = 0.5, .amplitude = 0.3f},
+                             noise = {.offset_first = 1, .octaves = 3.0f, .warp = &warp},
+                             mask = {.offset_first = 1, .basis = SCARP_VALUE};
     static float a[3][POINTS], b[3][POINTS];
     const struct scarp_samples n = {.value = a[0], .dx = a[1], .dy = a[2]};
     const struct scarp_samples m = {.value = b[0], .dx = b[1], .dy = b[2]};
@@ -681,7 +681,8 @@ static void check_finest(void)
     (void)parses("recipe 1\na = noise(size=8, octaves=6)");
     CHECK(scarp_recipe_set(&recipe, "finest", 2.0, NULL) == SCARP_OK, "finest = 2");
     (void)sample(&recipe, &out, NULL);
-    const struct scarp_noise three = {.frequency = 0.125, .octaves = 3.0f, .of_octaves = 6.0f};
+    const struct scarp_noise three = {
+        .offset_first = 1, .frequency = 0.125, .octaves = 3.0f, .of_octaves = 6.0f};
     const struct scarp_samples hand = {.value = by_hand};
     (void)scarp_sample2_f64(&three, POINTS, x, y, &hand);
     CHECK(memcmp(value, by_hand, sizeof value) == 0, "finest = 2 is not three of six octaves");
@@ -693,7 +694,8 @@ static void check_finest(void)
     (void)parses("recipe 1\na = scale(noise(size=2, octaves=6), 4)");
     (void)scarp_recipe_set(&recipe, "finest", 2.0, NULL);
     (void)sample(&recipe, &out, NULL);
-    const struct scarp_noise scaled = {.frequency = 0.125, .octaves = 3.0f, .of_octaves = 6.0f};
+    const struct scarp_noise scaled = {
+        .offset_first = 1, .frequency = 0.125, .octaves = 3.0f, .of_octaves = 6.0f};
     (void)scarp_sample2_f64(&scaled, POINTS, x, y, &hand);
     CHECK(memcmp(value, by_hand, sizeof value) == 0, "a place that scales divides it");
     static const char *const squeezed[] = {"recipe 1\na = stretch(noise(size=16, %s), 0.5, 1)",

@@ -31,7 +31,7 @@ static const struct case_of cases[] = {
      "170 * noise(erosion, rotate, frequency=0.0045, octaves=8, gain=0.46, erosion=0.25)", 3, 40,
      100, -7},
     {"swiss", "65 * noise(swiss, rotate, frequency=0.0045, octaves=8, gain=0.45)", 4, 20, 200, -10},
-    {"rough", "100 * noise(frequency=0.01, octaves=10, gain=0.6)", 5, 15, 10, -25},
+    {"rough", "100 * noise(frequency=0.01, octaves=10, gain=0.6)", 6, 15, 10, -25},
     {"cells", "-110 * noise(cell_f1, rotate, frequency=0.0045, octaves=8, gain=0.36)", 6, 30, 270,
      -6},
     {"gullies",

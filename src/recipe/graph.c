@@ -267,5 +267,6 @@ void scarp_recipe_spell_noise(const struct recipe *recipe, int index, struct sca
         memset(&noise[i], 0, sizeof noise[i]);
         memcpy(&noise[i], recipe->noise[index].noise, sizeof recipe->noise[index].noise);
         noise[i].warp = recipe->noise[index].warp >= 0 ? &noise[i + 1] : NULL;
+        noise[i].offset_first = 1; /* else all seeds have the same places at the origin */
     }
 }

@@ -529,6 +529,7 @@ static int gullies_at(struct recipe_compiler *c, int call, const int16_t argumen
     struct scarp_gullies g;
     memset(&g, 0, sizeof g);
     g.seed = c->recipe->seed;
+    g.offset_first = 1;
     if (!take_gullies(c, call, argument, &g)) {
         return -1;
     }

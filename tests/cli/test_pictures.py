@@ -4,7 +4,7 @@ import math
 import re
 
 import common
-from common import FRACTALS, SMALL, Case, text_of
+from common import FRACTALS, SMALL, Case, run, text_of
 
 def shade(normal):
     """Hillshade as in GIS textbooks, from slope and aspect; y is north."""
@@ -156,17 +156,29 @@ class Pictures(Case):
             self.terrain("--size", "50x40", "--origin", "6,10", "--step", "1", "--frequency",
                          "0.03125", "--height", "50"))
 
+    def check_range(self, lowest, highest, *options):
+        """Heights map this interval to 0 ... 65535: values are those of `scarp sample`."""
+        options = ("--seed", "3", *options)
+        points = "".join("%d %d\n" % (x, y) for y in reversed(range(9)) for x in range(9))
+        values = run("sample", *options, input=points.encode()).stdout.split()
+        heights = self.pictures("--size", "9x9", *options)[0].flat()
+        self.assertEqual(len(values), len(heights))
+        for value, grey in zip(values, heights):
+            # The rounding to 16 bits, and the head-room of 2^-17 in the amplitude
+            self.assertLess(abs(grey - 65535 * (float(value) - lowest) / (highest - lowest)), 2,
+                            options)
+
     def test_range(self):
         """The range of the noise maps to 0 ... 65535, not the values that occur."""
-        # Gradient noise is 0 on the lattice.
-        height = self.pictures("--size", "9x9", "--frequency", "1", "--octaves", "1")[0]
-        self.assertEqual(set(height.flat()), {32768})
-        # Value noise is uniform there: 4096 draws come close to the ends.
-        height = self.pictures("--size", "64x64", "--frequency", "1", "--octaves", "1", "--basis",
-                               "value")[0].flat()
-        self.assertLess(min(height), 400)
-        self.assertGreater(max(height), 65535 - 400)
-        self.assertLess(abs(sum(height) / 4096 - 32767.5), 5 * 65535 / math.sqrt(12 * 4096))
+        self.check_range(-1, 1, "--frequency", "0.05", "--octaves", "1")
+        self.check_range(-1, 1, "--frequency", "0.3", "--octaves", "4", "--gain", "0.5")
+        self.check_range(-3, 3, "--frequency", "0.3", "--octaves", "1", "--amplitude", "3",
+                         "--basis", "value")
+        height = self.pictures("--size", "64x64", "--frequency", "0.37", "--octaves", "1",
+                               "--basis", "value")[0].flat()
+        self.assertLess(min(height), 4000)
+        self.assertGreater(max(height), 65535 - 4000)
+        self.assertLess(abs(sum(height) / 4096 - 32767.5), 3000)
 
     def test_ranges_of_fractals(self):
         """[-1, 1] for fBm and erosion; [0, 1] for turbulence and ridged, whose one octave is the
@@ -181,13 +193,10 @@ class Pictures(Case):
             for n, grey in zip(fbm, height):
                 # The 16 bits of fBm, and the head-room of 2^-17 in its amplitude
                 self.assertLess(abs(grey - 65535 * expected(n)), 4, fractal)
-        at_lattice = ["--size", "3x3", "--frequency", "1", "--octaves", "1"]
-        for fractal, grey in (("turbulence", (0,)), ("ridged", (65534, 65535)),
-                              ("erosion", (32768,)), ("swiss", (65534, 65535)),
-                              ("jordan", (0,))):
-            height = self.pictures(*at_lattice, "--fractal", fractal)[0].flat()
-            self.assertEqual(len(set(height)), 1)
-            self.assertIn(height[0], grey)
+        for fractal, lowest in (("turbulence", 0), ("ridged", 0), ("erosion", -1), ("swiss", 0),
+                                ("jordan", 0)):
+            self.check_range(lowest, 1, "--frequency", "0.3", "--octaves", "1", "--fractal",
+                             fractal)
 
     def test_tiles(self):
         """Tiles are pieces of the whole; the origin is the bottom left sample."""
@@ -203,13 +212,15 @@ class Pictures(Case):
                                                 for row in all_of_it.rows[top:top + 64]])
 
     def test_origin(self):
-        """Gradient noise is 0 at 0,0 and nowhere near; that sample is the bottom left one."""
-        height = self.pictures("--size", "8x6", "--frequency", "0.1", "--octaves", "1")[0]
-        self.assertEqual(height.rows[5][0], 32768)
-        self.assertNotIn(32768, height.rows[5][1:] + height.rows[4])
-        height = self.pictures("--size", "8x6", "--frequency", "0.1", "--octaves", "1",
-                               "--step", "0.5", "--origin", "-1.5,-1")[0]
-        self.assertEqual(height.rows[3][3], 32768)
+        """The sample at 0,0 is the bottom left one."""
+        noise = ["--seed", "1", "--frequency", "0.1", "--octaves", "1"]
+        value = float(run("sample", *noise, input=b"0 0\n").stdout)
+        height = self.pictures("--size", "8x6", *noise)[0]
+        origin = height.rows[5][0]
+        self.assertLess(abs(origin - 32767.5 * (1 + value)), 2)
+        self.assertNotIn(origin, height.rows[5][1:] + height.rows[4])
+        height = self.pictures("--size", "8x6", *noise, "--step", "0.5", "--origin", "-1.5,-1")[0]
+        self.assertEqual(height.rows[3][3], origin)
 
     def test_normals(self):
         """Unit length, and perpendicular to the surface that the heights show."""

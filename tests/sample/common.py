@@ -75,12 +75,13 @@ class Samples(ctypes.Structure):
 
 
 def reference(points, names, **noise):
-    """What the library itself gives at the points: a list of rows."""
+    """What the library itself gives at the points: a list of rows. The program's noise has
+    offset_first."""
     dims, count = len(points[0]), len(points)
     arrays = {name: (ctypes.c_float * count)() for name in names}
     axes = [(ctypes.c_double * count)(*axis) for axis in zip(*points)]
     call = getattr(ctypes.CDLL(LIBRARY), "scarp_sample%d_f64" % dims)
-    status = call(ctypes.byref(Noise(**noise)), ctypes.c_size_t(count), *axes,
+    status = call(ctypes.byref(Noise(offset_first=1, **noise)), ctypes.c_size_t(count), *axes,
                   ctypes.byref(Samples(**arrays)))
     assert status == 0, status
     return [list(row) for row in zip(*(arrays[name] for name in names))]

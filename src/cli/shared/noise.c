@@ -146,6 +146,7 @@ static struct scarp_noise noise_of(const struct noise_options *options)
         .phase = phase_of(options),
         .sharpness = given(options->sharpness),
         .of_octaves = given(options->of_octaves),
+        .offset_first = 1, /* as in recipes */
     };
     memcpy(noise.period, options->period, sizeof noise.period);
     return noise;

@@ -26,6 +26,7 @@ void texture_sample(enum texture texture, float finest, size_t count, const doub
                     const double *y, const struct scarp_samples *out)
 {
     struct scarp_noise noise = noises[texture];
+    noise.offset_first = 1;
     double cell = 1.0 / noise.frequency;
     noise.of_octaves = noise.octaves;
     noise.octaves = 0.0f;
