@@ -18,9 +18,9 @@ PEAKS = ("--fractal", "erosion", "--rotate", "--octaves", "7", "--height", "200"
 # Flat ground and cliffs
 MESAS = ("--basis", "cell-value", "--frequency", "0.02", "--octaves", "1", "--height", "60",
          "--seed", "12")
-COAST_CRC = 0x053a826b
-PEAKS_CRC = 0x34f36ef9
-MESAS_CRC = 0x933e2072
+COAST_CRC = 0xe25f092b
+PEAKS_CRC = 0xf0f3a947
+MESAS_CRC = 0xd063c877
 
 
 class View(Case):
