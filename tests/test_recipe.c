@@ -439,8 +439,9 @@ static void check_rebuilt_seeds(void)
     for (size_t i = 0; i < 3 * sizeof cases / sizeof cases[0]; i++) {
         const uint64_t world = worlds[i % 3], number = cases[i / 3].number;
         const uint64_t seed = splitmix64(splitmix64(world, 1), number);
-        const struct scarp_noise noise = {.seed = seed, .octaves = 2.0f}, level = {.seed = world};
-        const struct scarp_gullies gullies = {.seed = seed};
+        const struct scarp_noise noise = {.offset_first = 1, .seed = seed, .octaves = 2.0f},
+                                 level = {.offset_first = 1, .seed = world};
+        const struct scarp_gullies gullies = {.offset_first = 1, .seed = seed};
         char text[128];
         snprintf(text, sizeof text,
                  "recipe 1\nn = noise(octaves=2, seed=%s)\ng = displacement(noise(), seed=%s)\n"
