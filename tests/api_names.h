@@ -137,7 +137,7 @@ static inline void test_check_order(void)
     expect_member(&noise, 4, reserved, "spare");
     memset(noise.spare, 0, sizeof noise.spare);
     expect_member(&noise, 4, reserved, "spare");
-    noise.spare_word = 0; /* offset_first may be any number */
+    noise.spare_word = 0;                        /* offset_first may be any number */
     expect_member(&noise, 4, reserved, "phase"); /* of value noise */
     noise.phase = -0.0f;
     expect_member(&noise, 4, outside, NULL);

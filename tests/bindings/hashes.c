@@ -85,7 +85,8 @@ static const struct scarp_noise tile = {.basis = SCARP_VALUE,
                                         .sharpness = 1.5f,
                                         .period = {8, 16, 4},
                                         .of_octaves = 4};
-static const struct scarp_noise flowing = {.seed = 5, .octaves = 3, .phase = 0.3f, .offset_first = 1};
+static const struct scarp_noise flowing = {
+    .seed = 5, .octaves = 3, .phase = 0.3f, .offset_first = 1};
 static const struct scarp_noise worley = {.basis = SCARP_CELL_F1, .seed = 9, .jitter = 0.75f};
 
 static void tell_points(void)
