@@ -114,7 +114,7 @@ class Use(Playground):
                 ("azimuth", "", "is not a number from 0 to 360"),
                 ("z-factor", "-1", "is not a number from 0 to 2^24"),
                 ("origin", "3", "two numbers from -2^53 to 2^53"),
-                ("seed", "18446744073709551616", "from 0 to 2^64 - 1"),
+                ("seed", "18446744073709551616", "from -2^63 to 2^64 - 1"),
                 ("size", "0x64", "from 1 to 1000000"),
                 ("size", "8192x4096", "at most 2^24 samples")]:
             with self.subTest(f"{name} {text}"):
