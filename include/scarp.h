@@ -1319,7 +1319,8 @@ SCARP_API enum scarp_status scarp_recipe_parse(const char *text, size_t length,
  *
  * All noises follow it. A noise without a seed, or with seed=0, takes the seed of the world.
  * Another noise, with seed=n, takes number 64 + n, or 2^64 + n if n is negative, of
- * splitmix64(first number of splitmix64(seed of the world)): see "Seeds".
+ * splitmix64(first number of splitmix64(seed of the world)): see "Seeds". All noises, warps, cells
+ * and gullies of recipes have offset_first 1, so no seed has special places at the origin.
  *
  * Errors: SCARP_ERROR_NULL if `recipe` is NULL; SCARP_ERROR_PARAMETER if *recipe is no recipe, or
  * has errors.
