@@ -3,6 +3,7 @@
  * The steps of a recipe as lines of a shader: node 7 is the variable r7. Nodes that a mask may hide
  * stand in an `if`, and have variables above all steps; where they are left out these are 0.
  */
+#include <stdbool.h>
 #include <string.h>
 
 #include "evaluate.h"
@@ -384,23 +385,23 @@ static void put_variables(const struct shader_writer *w)
     }
 }
 
-/* Whether a guard is open is known once its mask is. The order of the gate says which derivatives
-   of the mask count. */
-static void put_guards(const struct shader_writer *w, int node)
+/* Whether a guard is open, in front of the first step that it leaves out: there its mask is known,
+   and those of the guards around it, which may be computed later than its own. The order of the
+   gate says which derivatives of the mask count. */
+static void put_guard(const struct shader_writer *w, int guard, bool is_put[RECIPE_GUARDS + 1])
 {
-    const struct recipe_schedule *const s = &w->recipe->schedule;
-    for (int i = 1; i <= s->guards; i++) {
-        const struct recipe_guard *const g = &s->guard[i];
-        if (g->mask != node) {
-            continue;
-        }
-        scarp_shader_put(w->to, s->guard_of[node] != 0 ? "        open%d = " : "    open%d = ", i);
-        if (g->parent != 0) {
-            scarp_shader_put(w->to, "open%d && ", g->parent);
-        }
-        scarp_shader_put(w->to, "!scarp_is_level(r%d, %s, %d, %d);\n", node, g->one ? "1.0" : "0.0",
-                         w->order_of[g->gate], w->recipe->node[node].dimensions);
+    const struct recipe_guard *const g = &w->recipe->schedule.guard[guard];
+    if (guard == 0 || is_put[guard]) {
+        return;
     }
+    put_guard(w, g->parent, is_put);
+    is_put[guard] = true;
+    scarp_shader_put(w->to, "    open%d = ", guard);
+    if (g->parent != 0) {
+        scarp_shader_put(w->to, "open%d && ", g->parent);
+    }
+    scarp_shader_put(w->to, "!scarp_is_level(r%d, %s, %d, %d);\n", g->mask, g->one ? "1.0" : "0.0",
+                     w->order_of[g->gate], w->recipe->node[g->mask].dimensions);
 }
 
 void scarp_shader_put_steps(struct shader_writer *w)
@@ -408,6 +409,7 @@ void scarp_shader_put_steps(struct shader_writer *w)
     const struct recipe *const r = w->recipe;
     const struct recipe_schedule *const s = &r->schedule;
     const int is_space = r->dimensions == 3;
+    bool is_put[RECIPE_GUARDS + 1] = {false};
     int open = 0;
     w->warped = -1;
     scarp_shader_put(w->to, "    %L%V at = %s(x, y, %s);\n",
@@ -424,11 +426,11 @@ void scarp_shader_put_steps(struct shader_writer *w)
             open = s->guard_of[node];
             w->warped = -1; /* its variables end with their block */
             if (open != 0) {
+                put_guard(w, open, is_put);
                 scarp_shader_put(w->to, "    if (open%d) {\n", open);
             }
         }
         put_step(w, node);
-        put_guards(w, node);
     }
     scarp_shader_put(w->to, open != 0 ? "    }\n" : "");
     scarp_shader_put(w->to, w->to->language == SCARP_WGSL ? "    var all: ScarpRecipe;\n"
