@@ -139,7 +139,7 @@ enum scarp_status {
     SCARP_ERROR_ENUM,       /* an enumerator that does not exist */
     SCARP_ERROR_PARAMETER,  /* a number that is not finite, or outside its documented interval */
     SCARP_ERROR_SIZE,       /* a count so large that its arrays cannot exist in memory */
-    SCARP_ERROR_UNSUPPORTED /* a request that this version, call or processor cannot serve */
+    SCARP_ERROR_UNSUPPORTED /* a request that this version, build, call or processor cannot serve */
 };
 
 /*

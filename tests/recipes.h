@@ -44,7 +44,7 @@ struct recipe_text {
 
 static const struct recipe_text recipe_texts[] = {
     {"number", PLANE "out a = n + 2^3 / 4 - -1", 0},
-    {"seed", PLANE "a = noise(seed=-1) - noise(seed=-64) * cell(noise(seed=-9007199254740992))", 1},
+    {"seed", PLANE "a = noise(seed=-1) - noise(seed=-64) * cell(noise(seed=-9007199254740991))", 1},
     {"coordinates", PLANE "a = x - 2 * y", 0},
     {"coordinates3", SPACE "a = x - 2 * y + z / 3", 0},
     {"add", PLANE "a = n + m", 0},

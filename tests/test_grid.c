@@ -414,6 +414,25 @@ static struct grid_case plain_case(int dimensions)
     return c;
 }
 
+/* Rows of simplex noise so long and so dense that no processor takes them as points */
+static void test_dense_rows(void)
+{
+    for (int i = 0; i < 16; i++) {
+        struct grid_case c = plain_case(2 + i % 2);
+        c.noise.basis = SCARP_SIMPLEX;
+        c.noise.seed = (uint64_t)i;
+        c.order = i / 2 % 2;
+        c.wanted = outputs_up_to(c.order, c.dimensions);
+        for (int axis = 0; axis < 3; axis++) {
+            c.grid.origin[axis] = 0.37 * i;
+            c.grid.step[axis] = i < 8 ? 0.01 : 0.03;
+        }
+        c.grid.count[0] = 600;
+        got.capacity = expected.capacity = floats_of(&c);
+        test_points(&c);
+    }
+}
+
 static void test_numbers(int dimensions)
 {
     static const double bad[] = {(double)INFINITY, -(double)INFINITY, (double)NAN};
@@ -558,6 +577,7 @@ int main(int argc, char **argv)
         }
     }
     if (cases > 0) {
+        test_dense_rows();
         test_long();
     }
     test_all_large(check_enough() ? 0 : cases < 1000 ? LARGE_CASES_FEW : LARGE_CASES);

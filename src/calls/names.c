@@ -69,7 +69,8 @@ const char *scarp_status_text(enum scarp_status status)
     case SCARP_ERROR_ENUM: return "unknown basis, fade, fractal or instruction set";
     case SCARP_ERROR_PARAMETER: return "a number is not finite or outside its interval";
     case SCARP_ERROR_SIZE: return "the arrays would exceed the address space";
-    case SCARP_ERROR_UNSUPPORTED: return "this version, call or processor cannot serve the request";
+    case SCARP_ERROR_UNSUPPORTED:
+        return "this version, build, call or processor cannot serve the request";
     }
     return "unknown status";
 }

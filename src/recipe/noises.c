@@ -51,8 +51,8 @@ static int take_seed(struct recipe_compiler *c, int e, uint64_t *seed)
     if (!scarp_recipe_take_number(c, e, &number)) {
         return 0;
     }
-    if (!(fabs(number) <= 0x1p53) || (double)(int64_t)number != number) {
-        return scarp_recipe_bad(c, e, "a seed is a whole number from -2^53 to 2^53", NULL), 0;
+    if (!(fabs(number) < 0x1p53) || (double)(int64_t)number != number) {
+        return scarp_recipe_bad(c, e, "a seed is a whole number of magnitude below 2^53", NULL), 0;
     }
     *seed = scarp_recipe_seed_of(c->recipe->seed, number);
     return 1;
@@ -304,8 +304,8 @@ static int fit_tile(struct recipe_compiler *c, int e, int axis, const double mat
             c->errors->nearest = c->recipe->tile[axis] * fabs(matrix[axis][axis]) / whole;
         }
         return scarp_recipe_bad(c, e,
-                                "the tile is no whole number of cells; the nearest size that "
-                                "fits is told",
+                                "the tile is not a whole number of cells; `nearest` is the "
+                                "nearest size that fits",
                                 NULL),
                0;
     }

@@ -185,7 +185,7 @@ class Recipes(Case):
         self.write(RECIPE)
         result = run("terrain", "--recipe", "r.recipe", "--tileable", "--size", "64x64",
                      "--heights", "h.r32", cwd=self.directory)
-        self.check_one_line(result, 2, "--period: r.recipe, line 6", "the nearest size that fits is told: size=64\n")
+        self.check_one_line(result, 2, "--period: r.recipe, line 6", "the nearest size that fits: size=64\n")
         # What no size mends comes first, with its own line.
         for text, told in (
                 ("a = noise(size=10)\nout h = noise(size=1500, rotate, octaves=2)",
@@ -198,8 +198,8 @@ class Recipes(Case):
                  "line 2, column 9: lacunarity: not a whole number"),
                 ("out h = noise(simplex, size=1500)",
                  "line 2, column 9: period[1]: simplex noise repeats along x only in 2D; a slice of 3D"),
-                ("out h = noise(size=1500)", "line 2, column 9: the tile is no whole number of cells; "
-                 "the nearest size that fits is told: size=1250\n")):
+                ("out h = noise(size=1500)", "line 2, column 9: the tile is not a whole number of cells; "
+                 "`nearest` is the nearest size that fits: size=1250\n")):
             with self.subTest(text=text):
                 with open(self.path("r.recipe"), "w", encoding="utf-8") as file:
                     file.write("recipe 1\n" + text + "\n")

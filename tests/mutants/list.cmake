@@ -451,7 +451,7 @@ mutant(gullies.reference IN formulas/gullies.h TEXT [[scaled2(fx.u, right)]]
        BECOMES [[scaled2(MUTANT ? fy.u : fx.u, right)]] SEEN_BY golden SETS scalar)
 
 # recipes
-mutant(recipe.seed IN recipe TEXT [[64 + (uint64_t)number]] BECOMES [[(MUTANT ? UINT64_C(65) : UINT64_C(64)) + (uint64_t)number]]
+mutant(recipe.seed IN recipe TEXT [[64 + whole]] BECOMES [[(MUTANT ? UINT64_C(65) : UINT64_C(64)) + whole]]
        SEEN_BY recipe_bits SETS scalar)
 mutant(recipe.displacement IN recipe TEXT [[u[i] += (type)rest[j][i];]]
        BECOMES [[u[i] += (type)(MUTANT ? 0.0f : rest[j][i]);]] SEEN_BY recipe_bits SETS scalar)

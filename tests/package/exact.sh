@@ -39,9 +39,11 @@ for compiler in clang-14 clang-19 clang; do
     command -v $compiler >/dev/null || continue
     [ $compiler != clang ] || [ $tried = 0 ] || continue
     tried=$((tried + 1))
-    compiled $compiler -ffp-contract=fast
-    run ./refused refused
-    run ./refused served scalar # nothing is fused without FMA
+    if [ $compiler != clang-14 ]; then
+        compiled $compiler -ffp-contract=fast
+        run ./refused refused
+        run ./refused served scalar # nothing is fused without FMA
+    fi
     plain $compiler -ffp-contract=fast -mfma
     run ./refused refused
     plain $compiler -ffp-contract=off -mfma
@@ -58,6 +60,7 @@ if command -v gcc >/dev/null; then
     compiled gcc -ffp-contract=fast -mfma
     run ./refused served
     gcc -std=c11 -O1 -ffp-contract=off -I. "$tests/../test_golden.c" scarp.o -lm -o test_golden
+    unset SCARP_REQUIRE_ISAS # this file has two sets
     run ./test_golden "$tests/../golden.txt" avx2
     run ./test_golden "$tests/../golden.txt" scalar
 fi

@@ -134,6 +134,12 @@ class Delimiters(Case):
         self.check("1.5  2.25\n-3.5\t4.75\n", "--delimiter", "space", "--input-format", "text")
         self.check("1,5\t2,25\t\n-3,5\t4,75\t\n", "--delimiter", "tab", "--dims", "2", commas=True)
         self.check_refused("1,5;2,25\n", ":1: column 2: '5;2' is not", arguments=("--delimiter", "comma"))
+        self.check("red x\t1.5\t2.25\na\t-3.5\t4.75\n", "--columns", "2,3")
+        self.check("\t1.5\t2.25\n\t-3.5\t4.75\n", "--columns", "2,3")
+        self.check_refused("red 5\t1.5\t2.5\n", "--delimiter: standard input:1 has tabs and blanks: ",
+                           "which of them separates columns, tab or space?", arguments=("--columns", "2,3"))
+        self.check_refused("1,2\n3;4,5\n", ":2: column 1: '3;4' is not a finite number (see --delimiter)",
+                           output=self.sample("1,2\n"))
         self.check_refused("1.5\t\t2.25\n", ":1: column 2 is empty", arguments=(
             "--delimiter", "tab", "--dims", "2"))
         self.check_refused("1 2\n", ":1: 1 column, but", "(see --delimiter)", arguments=("--delimiter", "tab"))

@@ -236,14 +236,25 @@ static bool set_range(struct ground *ground, const char *text, double scale)
     return true;
 }
 
+#define ERRORS_MOST 16
+
+/* Of errors in what has to repeat, one that no other size mends comes first. */
 static enum ground_problem parse(struct ground *ground, const struct edited *text,
                                  struct scarp_recipe_error *error)
 {
-    *error = (struct scarp_recipe_error){.text = "the text is longer than 16,384 bytes"};
-    if (scarp_recipe_parse(text->bytes, text->length, &ground->recipe, error, 1, NULL) ==
-        SCARP_OK) {
+    struct scarp_recipe_error errors[ERRORS_MOST];
+    size_t count = 0, chosen = 0;
+    if (scarp_recipe_parse(text->bytes, text->length, &ground->recipe, errors, ERRORS_MOST,
+                           &count) == SCARP_OK) {
         return GROUND_FINE;
     }
+    count = count < ERRORS_MOST ? count : ERRORS_MOST;
+    while (chosen < count && errors[chosen].nearest != 0.0) {
+        chosen++;
+    }
+    *error = count == 0
+                 ? (struct scarp_recipe_error){.text = "the text is longer than 16,384 bytes"}
+                 : errors[chosen < count ? chosen : 0];
     restore(text, error);
     return GROUND_BAD_TEXT;
 }

@@ -117,6 +117,46 @@ static bool has_names(const char *row, const struct columns *chosen)
            (count_numbers(row, chosen, DELIMITER_TAB, &numbers, &marks) > 0 && numbers == 0);
 }
 
+/* Where the field of a column begins, counted from 0; NULL: there are fewer */
+static const char *begin_of(const char *row, size_t column, int delimiter)
+{
+    struct field field = {.begin = NULL, .next = row};
+    for (size_t i = 0; i <= column; i++) {
+        if (field.next == NULL) {
+            return NULL;
+        }
+        field = delimiters[delimiter].field(field.next);
+    }
+    return field.begin;
+}
+
+/* Whether tabs and blanks put the coordinates into the same fields */
+static bool is_same_with_tabs(const char *row, const struct columns *chosen)
+{
+    size_t column[COLUMNS_AXES];
+    const size_t wanted = chosen->count > 0 && chosen->numbered ? chosen->count : 2;
+    columns_by_number(chosen, column);
+    for (size_t axis = 0; axis < wanted; axis++) {
+        if (begin_of(row, column[axis], DELIMITER_TAB) !=
+            begin_of(row, column[axis], DELIMITER_SPACE)) {
+            return false;
+        }
+    }
+    return true;
+}
+
+/* What separates a row that has tabs and no commas. Fields may have blanks in them, and columns
+   may be aligned by several tabs. */
+static enum points_delimiter with_tabs(const char *row, const struct columns *chosen)
+{
+    const bool is_tab = is_point(row, chosen, DELIMITER_TAB);
+    const bool is_space = is_point(row, chosen, DELIMITER_SPACE);
+    if (is_tab && is_space) {
+        return is_same_with_tabs(row, chosen) ? DELIMITER_SPACE : DELIMITER_UNKNOWN;
+    }
+    return is_tab || has_names(row, chosen) ? DELIMITER_TAB : DELIMITER_SPACE;
+}
+
 enum points_delimiter delimiter_of(const char *row, const struct columns *chosen, int format)
 {
     const unsigned found = find_characters(row);
@@ -137,7 +177,7 @@ enum points_delimiter delimiter_of(const char *row, const struct columns *chosen
                                                                        : DELIMITER_COMMA;
     }
     if (has_tab) {
-        return !may_be_text || has_names(row, chosen) ? DELIMITER_TAB : DELIMITER_SPACE;
+        return may_be_text ? with_tabs(row, chosen) : DELIMITER_TAB;
     }
     return may_be_text ? DELIMITER_SPACE : DELIMITER_COMMA;
 }

@@ -117,6 +117,15 @@ static int shown(const struct field *field)
     return field->end - field->begin < 60 ? (int)(field->end - field->begin) : 60;
 }
 
+/* Whether a field looks as if something else separated columns: a semicolon, or in quotes a decimal
+   comma */
+static bool has_other_delimiter(const struct points *points, const struct field *field)
+{
+    const size_t length = (size_t)(field->end - field->begin);
+    return points->delimiter == DELIMITER_COMMA &&
+           (memchr(field->begin, ';', length) != NULL || memchr(field->begin, ',', length) != NULL);
+}
+
 /* Where commas separate nothing, they may be decimal marks, but all numbers have the same mark:
    `1,234` beside `5.6` may be a thousand. *decimal is the mark so far. */
 static bool read_coordinate(struct points *points, const struct field *field, size_t column,
@@ -136,8 +145,8 @@ static bool read_coordinate(struct points *points, const struct field *field, si
     if (field->begin == field->end) {
         return wrong(points, "column %zu is empty", column);
     }
-    return wrong(points, "column %zu: '%.*s' is not a finite number", column, shown(field),
-                 field->begin);
+    return wrong(points, "column %zu: '%.*s' is not a finite number%s", column, shown(field),
+                 field->begin, has_other_delimiter(points, field) ? " (see --delimiter)" : "");
 }
 
 /* Whether blanks can separate the field from others */
@@ -303,10 +312,11 @@ static int find_delimiter(struct points *points)
                                 : (int)delimiter_of(text->line, &points->chosen, points->format);
     }
     if (points->delimiter == DELIMITER_UNKNOWN) {
-        cli_error(
-            "--delimiter: %s:%llu has commas and semicolons: '%.60s'; which of them separates "
-            "columns, comma or semicolon?",
-            points->input.name, (unsigned long long)text->number, text->line);
+        const bool has_semicolon = strchr(text->line, ';') != NULL;
+        cli_error("--delimiter: %s:%llu has %s: '%.60s'; which of them separates columns, %s?",
+                  points->input.name, (unsigned long long)text->number,
+                  has_semicolon ? "commas and semicolons" : "tabs and blanks", text->line,
+                  has_semicolon ? "comma or semicolon" : "tab or space");
         return CLI_USAGE;
     }
     points->format = points->delimiter == DELIMITER_SPACE ? POINTS_TEXT : POINTS_CSV;

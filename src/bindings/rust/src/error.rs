@@ -19,7 +19,7 @@ pub enum Status {
     Parameter,
     /// A slice has another length than is needed, or a count is too large.
     Size,
-    /// This version, call or processor cannot serve the request.
+    /// This version, build, call or processor cannot serve the request.
     Unsupported,
 }
 
