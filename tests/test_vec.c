@@ -474,10 +474,9 @@ static void test_permute(void)
 static const struct vec_operations *operations_of(enum scarp_isa isa)
 {
 #define TABLE(ISA, table, name, here) SCARP_WHERE(here, &scarp_kernels_##table##_operations, )
-    static const struct vec_operations *const tables[] = {SCARP_ISA_VECTORS(TABLE)};
+    static const struct vec_operations *const tables[] = {SCARP_ISA_VECTORS(TABLE) NULL};
 #undef TABLE
-    const size_t count = sizeof tables / sizeof tables[0]; /* 0 on 32-bit Arm */
-    for (size_t i = 0; i != count; i++) {
+    for (size_t i = 0; tables[i] != NULL; i++) {
         if (tables[i]->isa == isa) {
             return tables[i];
         }
