@@ -63,7 +63,7 @@ class Edit(Playground):
         self.open(PLACE, text=TEXT)
         self.write("recipe 1\ntile 100, 100\nout a = 9 * noise(size=30)\n")
         self.assertEqual(self.marked(), "noise(size=30)")
-        self.assertRegex(self.shown("#notice"), r"^recipe: line 3: .*is told: 33\.33")
+        self.assertRegex(self.shown("#notice"), r"^recipe: line 3: .*fits: 33\.33")
         x, y, _ = self.centre(".cm-lintRange-error")
         self.page.mouse("mouseMoved", x, y)
         self.page.wait("document.querySelector('.cm-diagnosticText') !== null")
