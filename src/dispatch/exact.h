@@ -15,7 +15,8 @@
 #define EXACT_SQUARE -0x1.001p0f /* -(1 + 2^-12); the square has 2^-26 more */
 #define EXACT_ROOT64 0x1.0000001p0
 #define EXACT_SQUARE64 -0x1.0000002p0 /* the square has 2^-56 more */
-/* 2^24 + 1 is none; 5 / 3 is not 5 times 1 / 3; and -0 + 0 is 0. */
+/* 2^24 + 1 is not a float, so it is rounded to 2^24; 5 / 3 rounds to another float than 5 times
+   the float 1 / 3; and -0 + 0 is +0. */
 #define EXACT_LARGE 0x1p24f
 #define EXACT_THIRD 0x1.aaaaaap0f
 

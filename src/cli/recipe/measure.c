@@ -40,7 +40,11 @@ void measure_values(const struct ground *ground, int32_t which, struct measure *
         y[i] = place(i, 0.6710436067037893, size);
         z[i] = place(i, 0.5497004779019703, ground->cell); /* heights are often meant */
     }
-    (void)scarp_recipe_sample_f64(&ground->recipe, PLACES, x, y, z, &outputs, ground_scratch());
+    if (scarp_recipe_sample_f64(&ground->recipe, PLACES, x, y, z, &outputs, ground_scratch()) !=
+        SCARP_OK) {
+        *measure = (struct measure){NAN, NAN, NAN}; /* not those of the output before */
+        return;
+    }
     qsort(value, PLACES, sizeof value[0], compare);
     *measure = (struct measure){value[0], value[PLACES / 2], value[PLACES - 1]};
 }
