@@ -149,8 +149,7 @@ class Graph(unittest.TestCase):
         self.settle()
 
     def offers(self):
-        self.page.wait("!document.querySelector('.graph-count').textContent.startsWith('Looking')")
-        time.sleep(0.3)
+        self.page.wait("document.querySelector('.graph-menu[open] ul')?.ariaBusy === 'false'")
         return self.page.run("[...document.querySelectorAll('.graph-menu li b')]"
                              ".map(name => name.textContent)")
 
@@ -606,7 +605,8 @@ class Places(Graph):
                        ".every(range => range.textContent !== '')")
         count = self.page.run("test.pictures")
         self.page.run(f"test.type({json.dumps(HILLS.replace('seed=3', 'seed=4'))})")
-        time.sleep(0.6)
+        self.page.wait(f"test.pictures >= {count + 2}")
+        time.sleep(0.3)
         self.assertEqual(self.page.run("test.pictures") - count, 2, "late and both")
 
     def test_the_host_selects(self):

@@ -86,6 +86,7 @@ export class Menu {
             make("span", {}, offer.text))];
         });
         this.list.replaceChildren(...items);
+        this.list.setAttribute("aria-busy", String(!this.isReady));
         this.count.textContent = found.length > 0 ? "" : this.isReady ? "Nothing of that fits here."
             : "Looking for what fits here …";
         this.#mark();
