@@ -155,7 +155,7 @@ static inline void sample_patch(uint64_t seed, enum scarp_basis kind, enum octav
     struct scarp_octave all[SCARP_MAX_OCTAVES], two[2];
     struct scarp_call_plan plan;
     const struct scarp_kind asked = {.dimensions = 2};
-    CHECK(scarp_plan_call(&plan, all, NULL, &noise, asked) == SCARP_OK && plan.octaves == OCTAVES,
+    CHECK(scarpi_plan_call(&plan, all, NULL, &noise, asked) == SCARP_OK && plan.octaves == OCTAVES,
           "plan");
     if (octaves == OCTAVES_ALIKE) {
         make_alike(all);
@@ -176,7 +176,7 @@ static inline void sample_patch(uint64_t seed, enum scarp_basis kind, enum octav
         }
         const void *const position[3] = {x, y, NULL};
         const struct scarp_outputs out = {{[VALUE] = values[k]}};
-        scarp_kernels_scalar.points2_f64(&plan, PATCH * PATCH, position, &out);
+        scarpi_kernels_scalar.points2_f64(&plan, PATCH * PATCH, position, &out);
     }
 }
 

@@ -162,10 +162,10 @@ static void compare_plan(const struct scarp_noise *noise, int dimensions, const 
             struct scarp_octave space[SCARP_MAX_OCTAVES];
             struct scarp_noise of_component = *n;
             of_component.warp = NULL;
-            of_component.seed = level == 0 ? n->seed : scarp_component_seed(n->seed, i);
-            scarp_octaves_make(space, &of_component, dimensions);
+            of_component.seed = level == 0 ? n->seed : scarpi_component_seed(n->seed, i);
+            scarpi_octaves_make(space, &of_component, dimensions);
             if (n->phase != 0.0f) {
-                scarp_phase_set(space, octaves, n->phase);
+                scarpi_phase_set(space, octaves, n->phase);
             }
             if (i == 0) {
                 struct scarp_gpu_level e = level_expected(n, (uint32_t)octaves, space);

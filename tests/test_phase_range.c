@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Proves by branch and bound, as test_range.c does for noise that stands still, that gradient noise
- * with a phase (scarp.h, "Flow") never exceeds scarp_phase_supremum, and that its derivative by the
+ * with a phase (scarp.h, "Flow") never exceeds scarpi_phase_supremum, and that its derivative by the
  * phase never exceeds 4 pi times that. It also shows that numbers a bit smaller would be wrong.
  * Arguments: how much of the suprema the proof may add in 2D (1e-11) and in 3D (0: nothing). It
  * takes longer, the less there is.
@@ -282,7 +282,7 @@ static void prove_suprema(int dimensions, enum scarp_fade fade, double slack)
 {
     /* By the header, what single octaves may reach with a phase. */
     static const double reach[2][2] = {{1.0169038, 1.0162356}, {1.1100620, 1.1037150}};
-    const double supremum = scarp_phase_supremum(fade, dimensions);
+    const double supremum = scarpi_phase_supremum(fade, dimensions);
     const double length = dimensions == 2 ? 1.0 : 2.0; /* the oracle has shorter edges */
     const double still = length * oracle_gradient_supremum(dimensions, fade);
     const double stated = reach[dimensions - 2][fade];

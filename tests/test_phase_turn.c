@@ -19,7 +19,7 @@ static void set_phase(float phase, struct scarp_octave octave[SCARP_MAX_OCTAVES]
     for (int k = 0; k < SCARP_MAX_OCTAVES; k++) {
         octave[k].amplitude = 1.0f + 0.125f * (float)k;
     }
-    scarp_phase_set(octave, SCARP_MAX_OCTAVES, phase);
+    scarpi_phase_set(octave, SCARP_MAX_OCTAVES, phase);
 }
 
 /* The cosine and the sine of t turns, t in [0, 1), with both small where they are small. */
@@ -81,7 +81,7 @@ static void check_phase(float phase)
                         2 * i + 1);
         }
         const double slope = ldexp((double)TAU, k) * (1.0 + 0.125 * (double)k);
-        const double found = (double)scarp_phase_slope(&octaves[k], k);
+        const double found = (double)scarpi_phase_slope(&octaves[k], k);
         CHECK(fabs(found - slope) <= slope * 0x1.00001p-23, "octave %d: slope %.9g, not %.17g", k,
               found, slope); /* 2 pi and the product are rounded */
     }
@@ -196,7 +196,7 @@ static void check_directions(int dimensions, float phase)
     static const float still[4] = {1.0f, 0.0f, 1.0f, 0.0f};
     float derivative[4];
     set_phase(phase, octaves);
-    scarp_phase_derivative(derivative, octaves[0].turn);
+    scarpi_phase_derivative(derivative, octaves[0].turn);
     for (int i = 0; i < direction_count(dimensions); i++) {
         double g[3], quarter[3], turned[3], slope[3];
         direction_of(dimensions, still, i, g);

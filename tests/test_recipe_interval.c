@@ -204,7 +204,7 @@ static void check_once(const struct subject *subject)
     if (subject->operation == OP_DIVIDE && of[1].lowest <= 0.0f && of[1].highest >= 0.0f) {
         return; /* an error of a text */
     }
-    const struct recipe_interval promised = scarp_recipe_interval_of(&recipe, &n, of, NULL);
+    const struct recipe_interval promised = scarpi_recipe_interval_of(&recipe, &n, of, NULL);
     for (int i = 0; i < BATCH; i++) {
         for (int k = 0; k < 3; k++) {
             in[k][i] = argument_in(of[k], i < 16 ? i : 16 + below(2));

@@ -473,7 +473,7 @@ static void test_permute(void)
 
 static const struct vec_operations *operations_of(enum scarp_isa isa)
 {
-#define TABLE(ISA, table, name, here) SCARP_WHERE(here, &scarp_kernels_##table##_operations, )
+#define TABLE(ISA, table, name, here) SCARP_WHERE(here, &scarpi_kernels_##table##_operations, )
     static const struct vec_operations *const tables[] = {SCARP_ISA_VECTORS(TABLE) NULL};
 #undef TABLE
     for (size_t i = 0; tables[i] != NULL; i++) {

@@ -57,9 +57,9 @@ static void run(const struct scarp_call_plan *plan, const void *opaque)
 {
     const struct scarp_find *const call = opaque;
     struct scarp_octave first =
-        plan->warps.depth > 0 ? *scarp_component_plan(plan, 0, 0).octave : *plan->octave;
+        plan->warps.depth > 0 ? *scarpi_component_plan(plan, 0, 0).octave : *plan->octave;
     /* The lattice is made of cells, whatever the basis is. */
-    first.jitter = scarp_stray(call->noise);
+    first.jitter = scarpi_stray(call->noise);
     first.stretch = 1.0;
     const struct scarp_call_plan cells = {
         .basis = SCARP_CELL_F1,
@@ -77,26 +77,26 @@ enum scarp_status scarp_cells2(const struct scarp_noise *noise, size_t count, co
                                const float *y, const struct scarp_cells *out)
 {
     const struct scarp_at at = {count, {x, y, NULL}, 2, 0};
-    return scarp_find(&cells_finder, noise, &at, out);
+    return scarpi_find(&cells_finder, noise, &at, out);
 }
 
 enum scarp_status scarp_cells3(const struct scarp_noise *noise, size_t count, const float *x,
                                const float *y, const float *z, const struct scarp_cells *out)
 {
     const struct scarp_at at = {count, {x, y, z}, 3, 0};
-    return scarp_find(&cells_finder, noise, &at, out);
+    return scarpi_find(&cells_finder, noise, &at, out);
 }
 
 enum scarp_status scarp_cells2_f64(const struct scarp_noise *noise, size_t count, const double *x,
                                    const double *y, const struct scarp_cells *out)
 {
     const struct scarp_at at = {count, {x, y, NULL}, 2, 1};
-    return scarp_find(&cells_finder, noise, &at, out);
+    return scarpi_find(&cells_finder, noise, &at, out);
 }
 
 enum scarp_status scarp_cells3_f64(const struct scarp_noise *noise, size_t count, const double *x,
                                    const double *y, const double *z, const struct scarp_cells *out)
 {
     const struct scarp_at at = {count, {x, y, z}, 3, 1};
-    return scarp_find(&cells_finder, noise, &at, out);
+    return scarpi_find(&cells_finder, noise, &at, out);
 }

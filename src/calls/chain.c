@@ -190,8 +190,8 @@ static int take_step(float to[CHAIN_NUMBERS], float lo, float hi)
     return 1;
 }
 
-int scarp_chain_numbers(enum scarp_chain_function function, const float given[3],
-                        float to[CHAIN_NUMBERS])
+int scarpi_chain_numbers(enum scarp_chain_function function, const float given[3],
+                         float to[CHAIN_NUMBERS])
 {
     const float first = given[0], second = given[1];
     switch (function) {
@@ -222,13 +222,13 @@ static NOINLINE enum scarp_status run(const struct arguments *arguments, size_t 
     if (!take_arrays(&call, arguments)) {
         return SCARP_ERROR_NULL;
     }
-    if (!scarp_chain_numbers(arguments->function, arguments->number, call.number)) {
+    if (!scarpi_chain_numbers(arguments->function, arguments->number, call.number)) {
         return SCARP_ERROR_PARAMETER;
     }
     if (count > PTRDIFF_MAX / sizeof(float)) {
         return SCARP_ERROR_SIZE;
     }
-    const struct scarp_kernels *const kernels = scarp_dispatch_for(count);
+    const struct scarp_kernels *const kernels = scarpi_dispatch_for(count);
     if (kernels == NULL || reserved_in_use(arguments)) {
         return SCARP_ERROR_UNSUPPORTED;
     }

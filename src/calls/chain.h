@@ -9,7 +9,7 @@
 
 /* Computes the numbers that kernels want of those of a call. Returns 0 if one is outside its
    interval. */
-int scarp_chain_numbers(enum scarp_chain_function function, const float given[3],
-                        float to[CHAIN_NUMBERS]);
+int scarpi_chain_numbers(enum scarp_chain_function function, const float given[3],
+                         float to[CHAIN_NUMBERS]);
 
 #endif

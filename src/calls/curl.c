@@ -61,26 +61,26 @@ enum scarp_status scarp_curl2(const struct scarp_noise *noise, size_t count, con
                               const float *y, const struct scarp_flow *out)
 {
     const struct scarp_at at = {count, {x, y, NULL}, 2, 0};
-    return scarp_find(&flow_finder, noise, &at, out);
+    return scarpi_find(&flow_finder, noise, &at, out);
 }
 
 enum scarp_status scarp_curl3(const struct scarp_noise *noise, size_t count, const float *x,
                               const float *y, const float *z, const struct scarp_flow *out)
 {
     const struct scarp_at at = {count, {x, y, z}, 3, 0};
-    return scarp_find(&flow_finder, noise, &at, out);
+    return scarpi_find(&flow_finder, noise, &at, out);
 }
 
 enum scarp_status scarp_curl2_f64(const struct scarp_noise *noise, size_t count, const double *x,
                                   const double *y, const struct scarp_flow *out)
 {
     const struct scarp_at at = {count, {x, y, NULL}, 2, 1};
-    return scarp_find(&flow_finder, noise, &at, out);
+    return scarpi_find(&flow_finder, noise, &at, out);
 }
 
 enum scarp_status scarp_curl3_f64(const struct scarp_noise *noise, size_t count, const double *x,
                                   const double *y, const double *z, const struct scarp_flow *out)
 {
     const struct scarp_at at = {count, {x, y, z}, 3, 1};
-    return scarp_find(&flow_finder, noise, &at, out);
+    return scarpi_find(&flow_finder, noise, &at, out);
 }

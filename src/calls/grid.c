@@ -80,12 +80,12 @@ static enum scarp_refusal refused(struct scarp_grid *grid, int dimensions)
                                              : REFUSED_NOT;
 }
 
-struct scarp_fault scarp_check_grid(struct scarp_grid *grid, int dimensions)
+struct scarp_fault scarpi_check_grid(struct scarp_grid *grid, int dimensions)
 {
     return (struct scarp_fault){refused(grid, dimensions), 0};
 }
 
-int scarp_grid_reserved_in_use(const struct scarp_grid *grid)
+int scarpi_grid_reserved_in_use(const struct scarp_grid *grid)
 {
     uint32_t bits = 0;
     for (size_t i = 0; i < sizeof grid->spare / sizeof grid->spare[0]; i++) {
@@ -104,8 +104,8 @@ static struct scarp_fault check(const struct scarp_grid *described, int dimensio
             return fault;
         }
     }
-    fault = scarp_check_grid(&grid, dimensions);
-    if (fault.why == REFUSED_NOT && scarp_grid_reserved_in_use(&grid)) {
+    fault = scarpi_check_grid(&grid, dimensions);
+    if (fault.why == REFUSED_NOT && scarpi_grid_reserved_in_use(&grid)) {
         fault.why = REFUSED_SPARE;
     }
     return fault;
@@ -120,5 +120,5 @@ const char *scarp_grid_fault(const struct scarp_grid *grid, int dimensions, cons
     if (grid != NULL && (dimensions == 2 || dimensions == 3)) {
         fault = check(grid, dimensions);
     }
-    return scarp_fault_told(fault, member);
+    return scarpi_fault_told(fault, member);
 }

@@ -8,8 +8,8 @@
 #include "../plan/refusals.h"
 
 /* Fills in the strides of a grid without empty axes, and checks all but its reserved members. */
-struct scarp_fault scarp_check_grid(struct scarp_grid *grid, int dimensions);
+struct scarp_fault scarpi_check_grid(struct scarp_grid *grid, int dimensions);
 
-int scarp_grid_reserved_in_use(const struct scarp_grid *grid);
+int scarpi_grid_reserved_in_use(const struct scarp_grid *grid);
 
 #endif

@@ -45,7 +45,7 @@ static void run(const struct scarp_call_plan *plan, const void *opaque)
     }
     struct scarp_gully_call call = run->call;
     struct scarp_gully_plan gullies;
-    scarp_gullies_plan(&gullies, run->gullies, plan);
+    scarpi_gullies_plan(&gullies, run->gullies, plan);
     call.gullies = &gullies;
     run->kernels->gullies(&call, plan);
 }
@@ -53,12 +53,12 @@ static void run(const struct scarp_call_plan *plan, const void *opaque)
 static NOINLINE enum scarp_status run_checked(const struct gully_run *call)
 {
     const struct scarp_kind kind = {.dimensions = 2};
-    const struct scarp_fault fault = scarp_gullies_verify(call->gullies);
+    const struct scarp_fault fault = scarpi_gullies_verify(call->gullies);
     if (fault.why != REFUSED_NOT) {
-        return scarp_fault_status(fault, NULL);
+        return scarpi_fault_status(fault, NULL);
     }
-    const struct scarp_noise lattice = scarp_gullies_lattice(call->gullies);
-    return scarp_run(&lattice, kind, run, call);
+    const struct scarp_noise lattice = scarpi_gullies_lattice(call->gullies);
+    return scarpi_run(&lattice, kind, run, call);
 }
 
 static int reserved_in_use(const struct scarp_samples *base, const struct scarp_eroded *out)
@@ -119,12 +119,12 @@ static enum scarp_status erode_points(const struct scarp_gullies *gullies,
     if (gullies == NULL || base == NULL || out == NULL) {
         return SCARP_ERROR_NULL;
     }
-    const enum scarp_status status = scarp_check_points(
+    const enum scarp_status status = scarpi_check_points(
         at->count, at->position, 2, at->doubles ? sizeof(double) : sizeof(float));
     if (status != SCARP_OK) {
         return status;
     }
-    struct gully_run call = {scarp_dispatch_for(at->count),
+    struct gully_run call = {scarpi_dispatch_for(at->count),
                              gullies,
                              {.count = at->count,
                               .position = {at->position[0], at->position[1]},
@@ -161,20 +161,20 @@ enum scarp_status scarp_gullies_grid2(const struct scarp_gullies *gullies,
     if (grid.count[0] == 0 || grid.count[1] == 0) {
         return SCARP_OK;
     }
-    const struct scarp_fault fault = scarp_check_grid(&grid, 2);
+    const struct scarp_fault fault = scarpi_check_grid(&grid, 2);
     if (fault.why != REFUSED_NOT) {
-        return scarp_fault_status(fault, NULL);
+        return scarpi_fault_status(fault, NULL);
     }
-    if (scarp_grid_reserved_in_use(&grid)) {
+    if (scarpi_grid_reserved_in_use(&grid)) {
         return SCARP_ERROR_UNSUPPORTED;
     }
-    struct gully_run call = {scarp_dispatch_active(), gullies, {.grid = &grid, .doubles = 1}};
+    struct gully_run call = {scarpi_dispatch_active(), gullies, {.grid = &grid, .doubles = 1}};
     return erode(&call, base, out);
 }
 
 static NOINLINE struct scarp_fault check(const struct scarp_gullies *gullies)
 {
-    return scarp_gullies_verify(gullies);
+    return scarpi_gullies_verify(gullies);
 }
 
 static struct scarp_fault fault_of(const struct scarp_gullies *gullies)
@@ -190,28 +190,28 @@ static struct scarp_fault fault_of(const struct scarp_gullies *gullies)
 
 enum scarp_status scarp_gullies_check(const struct scarp_gullies *gullies, const char **member)
 {
-    return scarp_fault_status(fault_of(gullies), member);
+    return scarpi_fault_status(fault_of(gullies), member);
 }
 
 const char *scarp_gullies_fault(const struct scarp_gullies *gullies, const char **member)
 {
-    return scarp_fault_told(fault_of(gullies), member);
+    return scarpi_fault_told(fault_of(gullies), member);
 }
 
 /* The sums are rounded to floats as sums of samples are, so that none leaves the interval. */
 static NOINLINE enum scarp_status range(const struct scarp_gullies *gullies, const float base[2],
                                         float *lowest, float *highest)
 {
-    const struct scarp_fault fault = scarp_gullies_verify(gullies);
+    const struct scarp_fault fault = scarpi_gullies_verify(gullies);
     if (!(base[0] <= base[1])) {
         return SCARP_ERROR_PARAMETER;
     }
     if (fault.why == REFUSED_NOT) {
-        const float depth = (float)scarp_gullies_depth(gullies);
+        const float depth = (float)scarpi_gullies_depth(gullies);
         *lowest = base[0] - depth;
         *highest = base[1] + depth;
     }
-    return scarp_fault_status(fault, NULL);
+    return scarpi_fault_status(fault, NULL);
 }
 
 enum scarp_status scarp_gullies_range(const struct scarp_gullies *gullies, float base_lowest,
@@ -220,7 +220,7 @@ enum scarp_status scarp_gullies_range(const struct scarp_gullies *gullies, float
     if (gullies == NULL || lowest == NULL || highest == NULL) {
         return SCARP_ERROR_NULL;
     }
-    if (scarp_dispatch_refuses()) {
+    if (scarpi_dispatch_refuses()) {
         return SCARP_ERROR_UNSUPPORTED;
     }
     const struct fpmode caller = fpmode_enter();

@@ -16,11 +16,11 @@
 static NOINLINE enum scarp_status range(const struct scarp_noise *noise, int dimensions,
                                         float *lowest, float *highest)
 {
-    const struct scarp_fault fault = scarp_plan_check(noise, dimensions);
+    const struct scarp_fault fault = scarpi_plan_check(noise, dimensions);
     if (fault.why != REFUSED_NOT) {
-        return scarp_fault_status(fault, NULL);
+        return scarpi_fault_status(fault, NULL);
     }
-    const struct scarp_interval interval = scarp_plan_range(noise, dimensions);
+    const struct scarp_interval interval = scarpi_plan_range(noise, dimensions);
     *lowest = (float)interval.lowest;
     *highest = (float)interval.highest;
     return SCARP_OK;
@@ -32,7 +32,7 @@ enum scarp_status scarp_range(const struct scarp_noise *noise, int dimensions, f
     if (noise == NULL || lowest == NULL || highest == NULL) {
         return SCARP_ERROR_NULL;
     }
-    if (scarp_dispatch_refuses()) {
+    if (scarpi_dispatch_refuses()) {
         return SCARP_ERROR_UNSUPPORTED;
     }
     const struct fpmode caller = fpmode_enter();
@@ -43,7 +43,7 @@ enum scarp_status scarp_range(const struct scarp_noise *noise, int dimensions, f
 
 static NOINLINE struct scarp_fault check(const struct scarp_noise *noise, int dimensions)
 {
-    return scarp_plan_check(noise, dimensions);
+    return scarpi_plan_check(noise, dimensions);
 }
 
 static struct scarp_fault fault_of(const struct scarp_noise *noise, int dimensions)
@@ -60,7 +60,7 @@ static struct scarp_fault fault_of(const struct scarp_noise *noise, int dimensio
 enum scarp_status scarp_noise_check(const struct scarp_noise *noise, int dimensions,
                                     const char **member)
 {
-    return scarp_fault_status(fault_of(noise, dimensions), member);
+    return scarpi_fault_status(fault_of(noise, dimensions), member);
 }
 
 const char *scarp_noise_fault(const struct scarp_noise *noise, int dimensions, int order,
@@ -75,13 +75,13 @@ const char *scarp_noise_fault(const struct scarp_noise *noise, int dimensions, i
             .dimensions = dimensions, .order = (short)order, .dphase = dphase != 0};
         fault = outputs_fault(noise, asked);
     }
-    return scarp_fault_told(fault, member);
+    return scarpi_fault_told(fault, member);
 }
 
 static NOINLINE enum scarp_status keep(struct scarp_plan *plan, const struct scarp_noise *noise,
                                        int dimensions)
 {
-    return scarp_plan_keep(plan, noise, dimensions);
+    return scarpi_plan_keep(plan, noise, dimensions);
 }
 
 enum scarp_status scarp_plan_make(const struct scarp_noise *noise, int dimensions,
@@ -90,7 +90,7 @@ enum scarp_status scarp_plan_make(const struct scarp_noise *noise, int dimension
     if (noise == NULL || plan == NULL) {
         return SCARP_ERROR_NULL;
     }
-    if (scarp_dispatch_refuses()) {
+    if (scarpi_dispatch_refuses()) {
         return SCARP_ERROR_UNSUPPORTED;
     }
     const struct fpmode caller = fpmode_enter();

@@ -33,7 +33,7 @@ enum scarp_status scarp_normals(size_t count, const float *dx, const float *dy, 
     if (count > PTRDIFF_MAX / sizeof *dx) {
         return SCARP_ERROR_SIZE;
     }
-    const struct scarp_kernels *const kernels = scarp_dispatch_active();
+    const struct scarp_kernels *const kernels = scarpi_dispatch_active();
     if (kernels == NULL) {
         return SCARP_ERROR_UNSUPPORTED;
     }

@@ -23,7 +23,7 @@ struct scarp_at {
 
 /* Makes the checks of points, whose coordinates have so many bytes. */
 static ALWAYS_INLINE enum scarp_status
-scarp_check_points(size_t count, const void *const position[3], int dimensions, size_t bytes)
+scarpi_check_points(size_t count, const void *const position[3], int dimensions, size_t bytes)
 {
     for (int i = 0; i < dimensions; i++) {
         if (position[i] == NULL) {
@@ -38,23 +38,23 @@ scarp_check_points(size_t count, const void *const position[3], int dimensions, 
 #define SCARP_UNSUPPORTED_ORDER 3
 
 /* What is asked for by a call for samples. */
-struct scarp_kind scarp_kind_of_samples(int dimensions, const struct scarp_samples *out);
+struct scarp_kind scarpi_kind_of_samples(int dimensions, const struct scarp_samples *out);
 
 /* The arrays of `out` as a list. */
-const struct scarp_outputs *scarp_outputs_of(const struct scarp_samples *out);
+const struct scarp_outputs *scarpi_outputs_of(const struct scarp_samples *out);
 
 /* What a call does with its plan. */
-typedef void scarp_run_fn(const struct scarp_call_plan *plan, const void *call);
+typedef void scarpi_run_fn(const struct scarp_call_plan *plan, const void *call);
 
 /* Makes the plan of a call, whose octaves need some KiB of stack, and runs what the call does. */
-NOINLINE enum scarp_status scarp_run(const struct scarp_noise *noise, struct scarp_kind kind,
-                                     scarp_run_fn *compute, const void *call);
+NOINLINE enum scarp_status scarpi_run(const struct scarp_noise *noise, struct scarp_kind kind,
+                                      scarpi_run_fn *compute, const void *call);
 
 /* What differs between calls that give arrays of their own kind at points. */
 struct scarp_finder {
     int (*refuses)(const void *out, int dimensions); /* what does not exist */
     struct scarp_kind (*kind)(const void *out, int dimensions);
-    scarp_run_fn *compute; /* takes a struct scarp_find */
+    scarpi_run_fn *compute; /* takes a struct scarp_find */
 };
 
 struct scarp_find {
@@ -65,7 +65,7 @@ struct scarp_find {
 };
 
 /* Makes such a call, with all checks. */
-enum scarp_status scarp_find(const struct scarp_finder *how, const struct scarp_noise *noise,
-                             const struct scarp_at *at, const void *out);
+enum scarp_status scarpi_find(const struct scarp_finder *how, const struct scarp_noise *noise,
+                              const struct scarp_at *at, const void *out);
 
 #endif

@@ -18,7 +18,7 @@ _Static_assert(sizeof(struct scarp_samples) == 16 * sizeof(float *) &&
                "struct scarp_samples has 16 pointers");
 
 /* The structure is that list. */
-const struct scarp_outputs *scarp_outputs_of(const struct scarp_samples *out)
+const struct scarp_outputs *scarpi_outputs_of(const struct scarp_samples *out)
 {
 #define AT(output, member) (offsetof(struct scarp_samples, member) == (output) * sizeof(float *))
     _Static_assert(AT(VALUE, value) && AT(DX, dx) && AT(DY, dy) && AT(DZ, dz) && AT(DXX, dxx) &&
@@ -69,14 +69,14 @@ static ALWAYS_INLINE struct scarp_kind kind_of(int dimensions, const struct scar
     return any_asked(out, DX, MEMBERS) ? kind_of_more(dimensions, out) : values;
 }
 
-struct scarp_kind scarp_kind_of_samples(int dimensions, const struct scarp_samples *out)
+struct scarp_kind scarpi_kind_of_samples(int dimensions, const struct scarp_samples *out)
 {
     return kind_of(dimensions, out);
 }
 
 /* A call at points, once its arguments are checked. */
 struct points_call {
-    scarp_points_fn *kernel;
+    scarpi_points_fn *kernel;
     size_t count;
     const void *const *position;
     const struct scarp_samples *out;
@@ -85,20 +85,20 @@ struct points_call {
 static void run_points(const struct scarp_call_plan *plan, const void *opaque)
 {
     const struct points_call *const call = opaque;
-    call->kernel(plan, call->count, call->position, scarp_outputs_of(call->out));
+    call->kernel(plan, call->count, call->position, scarpi_outputs_of(call->out));
 }
 
-static NOINLINE enum scarp_status run_planned(scarp_points_fn *kernel, struct scarp_kind kind,
+static NOINLINE enum scarp_status run_planned(scarpi_points_fn *kernel, struct scarp_kind kind,
                                               const struct scarp_noise *noise, size_t count,
                                               const void *const position[3],
                                               const struct scarp_samples *out)
 {
     const struct points_call call = {kernel, count, position, out};
-    return scarp_run(noise, kind, run_points, &call);
+    return scarpi_run(noise, kind, run_points, &call);
 }
 
 /* Runs the kernel with the plan that the noise brings, or with one that is made. */
-static NOINLINE enum scarp_status run(scarp_points_fn *kernel, struct scarp_kind kind,
+static NOINLINE enum scarp_status run(scarpi_points_fn *kernel, struct scarp_kind kind,
                                       const struct scarp_noise *noise, size_t count,
                                       const void *const position[3],
                                       const struct scarp_samples *out)
@@ -107,13 +107,13 @@ static NOINLINE enum scarp_status run(scarp_points_fn *kernel, struct scarp_kind
     if (!plan_kept(&plan, noise, kind)) {
         return run_planned(kernel, kind, noise, count, position, out);
     }
-    kernel(&plan, count, position, scarp_outputs_of(out));
+    kernel(&plan, count, position, scarpi_outputs_of(out));
     return SCARP_OK;
 }
 
 /* What a sample function is: its kernel, and how its points are given. */
 struct sampler {
-    scarp_points_fn *points;
+    scarpi_points_fn *points;
     int dimensions;
     size_t bytes; /* of a coordinate */
 };
@@ -129,7 +129,7 @@ static ALWAYS_INLINE enum scarp_status sample(struct sampler sampler,
         return SCARP_ERROR_NULL;
     }
     const enum scarp_status checked =
-        scarp_check_points(count, position, sampler.dimensions, sampler.bytes);
+        scarpi_check_points(count, position, sampler.dimensions, sampler.bytes);
     if (checked != SCARP_OK) {
         return checked;
     }
@@ -150,7 +150,7 @@ enum scarp_status scarp_sample2(const struct scarp_noise *noise, size_t count, c
         return SCARP_OK;
     }
     const void *const position[3] = {x, y, NULL};
-    const struct scarp_kernels *const kernels = scarp_dispatch_for(count);
+    const struct scarp_kernels *const kernels = scarpi_dispatch_for(count);
     if (kernels == NULL) {
         return SCARP_ERROR_UNSUPPORTED;
     }
@@ -165,7 +165,7 @@ enum scarp_status scarp_sample3(const struct scarp_noise *noise, size_t count, c
         return SCARP_OK;
     }
     const void *const position[3] = {x, y, z};
-    const struct scarp_kernels *const kernels = scarp_dispatch_for(count);
+    const struct scarp_kernels *const kernels = scarpi_dispatch_for(count);
     if (kernels == NULL) {
         return SCARP_ERROR_UNSUPPORTED;
     }
@@ -180,7 +180,7 @@ enum scarp_status scarp_sample2_f64(const struct scarp_noise *noise, size_t coun
         return SCARP_OK;
     }
     const void *const position[3] = {x, y, NULL};
-    const struct scarp_kernels *const kernels = scarp_dispatch_for(count);
+    const struct scarp_kernels *const kernels = scarpi_dispatch_for(count);
     if (kernels == NULL) {
         return SCARP_ERROR_UNSUPPORTED;
     }
@@ -196,7 +196,7 @@ enum scarp_status scarp_sample3_f64(const struct scarp_noise *noise, size_t coun
         return SCARP_OK;
     }
     const void *const position[3] = {x, y, z};
-    const struct scarp_kernels *const kernels = scarp_dispatch_for(count);
+    const struct scarp_kernels *const kernels = scarpi_dispatch_for(count);
     if (kernels == NULL) {
         return SCARP_ERROR_UNSUPPORTED;
     }
@@ -206,7 +206,7 @@ enum scarp_status scarp_sample3_f64(const struct scarp_noise *noise, size_t coun
 
 /* A call on a grid, once its arguments are checked. */
 struct grid_call {
-    scarp_grid_fn *kernel;
+    scarpi_grid_fn *kernel;
     const struct scarp_grid *grid;
     const struct scarp_samples *out;
 };
@@ -215,7 +215,7 @@ static void run_grid(const struct scarp_call_plan *plan, const void *opaque)
 {
     const struct grid_call *const call = opaque;
     if (any_asked(call->out, 0, OUTPUTS)) { /* a grid may have any number of samples */
-        call->kernel(plan, call->grid, scarp_outputs_of(call->out));
+        call->kernel(plan, call->grid, scarpi_outputs_of(call->out));
     }
 }
 
@@ -223,7 +223,7 @@ static enum scarp_status sample_grid(const struct scarp_noise *noise, int dimens
                                      const struct scarp_grid *described,
                                      const struct scarp_samples *out)
 {
-    const struct scarp_kernels *const kernels = scarp_dispatch_active();
+    const struct scarp_kernels *const kernels = scarpi_dispatch_active();
     if (noise == NULL || described == NULL || out == NULL) {
         return SCARP_ERROR_NULL;
     }
@@ -233,18 +233,18 @@ static enum scarp_status sample_grid(const struct scarp_noise *noise, int dimens
             return SCARP_OK;
         }
     }
-    const struct scarp_fault fault = scarp_check_grid(&grid, dimensions);
+    const struct scarp_fault fault = scarpi_check_grid(&grid, dimensions);
     if (fault.why != REFUSED_NOT) {
-        return scarp_fault_status(fault, NULL);
+        return scarpi_fault_status(fault, NULL);
     }
     const struct scarp_kind kind = kind_of(dimensions, out);
     if (kernels == NULL || kind.order == SCARP_UNSUPPORTED_ORDER ||
-        scarp_grid_reserved_in_use(&grid)) {
+        scarpi_grid_reserved_in_use(&grid)) {
         return SCARP_ERROR_UNSUPPORTED;
     }
     const struct fpmode caller = fpmode_enter();
     const struct grid_call call = {dimensions == 2 ? kernels->grid2 : kernels->grid3, &grid, out};
-    const enum scarp_status result = scarp_run(noise, kind, run_grid, &call);
+    const enum scarp_status result = scarpi_run(noise, kind, run_grid, &call);
     fpmode_leave(caller);
     return result;
 }

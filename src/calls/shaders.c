@@ -96,7 +96,7 @@ static void set_level(struct scarp_gpu_level *to, const struct scarp_call_plan *
     }
 }
 
-float scarp_shader_unit(double frequency)
+float scarpi_shader_unit(double frequency)
 {
     const double exact = 0x1p-8 / frequency;
     uint64_t bits;
@@ -107,8 +107,8 @@ float scarp_shader_unit(double frequency)
     return (float)power;
 }
 
-int scarp_shader_levels(const struct scarp_call_plan *plan, int dimensions,
-                        struct scarp_gpu_level *level, struct scarp_gpu_octave *octave, int first)
+int scarpi_shader_levels(const struct scarp_call_plan *plan, int dimensions,
+                         struct scarp_gpu_level *level, struct scarp_gpu_octave *octave, int first)
 {
     const int depth = plan->warps.depth;
     const int has_levels = depth > 0 || plan->warps.vector;
@@ -117,7 +117,7 @@ int scarp_shader_levels(const struct scarp_call_plan *plan, int dimensions,
         int sets = 1;
         for (int c = 0; c < sets; c++) {
             const struct scarp_call_plan component =
-                has_levels ? scarp_component_plan(plan, i, c) : *plan;
+                has_levels ? scarpi_component_plan(plan, i, c) : *plan;
             if ((i > 0 || plan->warps.vector) && !components_share_lattice(component.basis)) {
                 sets = dimensions;
             }
@@ -136,12 +136,12 @@ int scarp_shader_levels(const struct scarp_call_plan *plan, int dimensions,
 static void set_plan(struct scarp_gpu_plan *to, const struct scarp_call_plan *plan, int dimensions)
 {
     const int has_levels = plan->warps.depth > 0 || plan->warps.vector;
-    const struct scarp_call_plan noise = has_levels ? scarp_component_plan(plan, 0, 0) : *plan;
+    const struct scarp_call_plan noise = has_levels ? scarpi_component_plan(plan, 0, 0) : *plan;
     memset(to, 0, sizeof *to);
     to->depth = (uint32_t)plan->warps.depth;
     to->dimensions = (uint32_t)dimensions;
-    to->unit = scarp_shader_unit(noise.octave[0].frequency64);
-    (void)scarp_shader_levels(plan, dimensions, to->level, to->octave, 0);
+    to->unit = scarpi_shader_unit(noise.octave[0].frequency64);
+    (void)scarpi_shader_levels(plan, dimensions, to->level, to->octave, 0);
 }
 
 /* Where a plan goes, if anywhere, and whether it has room there. */
@@ -166,9 +166,9 @@ static NOINLINE struct scarp_fault make(struct scarp_gpu_plan *to, const struct 
 {
     int fits = 0;
     const struct filling filling = {to, kind.dimensions, &fits};
-    struct scarp_fault fault = scarp_plan_check(noise, kind.dimensions);
+    struct scarp_fault fault = scarpi_plan_check(noise, kind.dimensions);
     if (fault.why == REFUSED_NOT) {
-        if (scarp_run(noise, kind, run, &filling) != SCARP_OK) {
+        if (scarpi_run(noise, kind, run, &filling) != SCARP_OK) {
             fits = 0;
         }
         fault.warp = 0;
@@ -194,13 +194,13 @@ static struct scarp_fault fault_of(struct scarp_gpu_plan *plan, const struct sca
 static enum scarp_status make_plan(const struct scarp_noise *noise, struct scarp_kind kind,
                                    struct scarp_gpu_plan *plan, const char **member)
 {
-    if (noise != NULL && plan != NULL && scarp_dispatch_refuses()) {
+    if (noise != NULL && plan != NULL && scarpi_dispatch_refuses()) {
         const struct scarp_fault no_member = {REFUSED_NOT, 0};
-        (void)scarp_fault_status(no_member, member);
+        (void)scarpi_fault_status(no_member, member);
         return SCARP_ERROR_UNSUPPORTED;
     }
     const struct scarp_fault fault = fault_of(plan, plan == NULL ? NULL : noise, kind);
-    return scarp_fault_status(fault, member);
+    return scarpi_fault_status(fault, member);
 }
 
 enum scarp_status scarp_gpu_plan_make(const struct scarp_noise *noise, int dimensions,
@@ -220,7 +220,7 @@ const char *scarp_gpu_plan_fault(const struct scarp_noise *noise, int dimensions
                                  const char **member)
 {
     const struct scarp_kind kind = {.dimensions = dimensions, .vector = vector != 0};
-    return scarp_fault_told(fault_of(NULL, noise, kind), member);
+    return scarpi_fault_told(fault_of(NULL, noise, kind), member);
 }
 
 /* Finds the unit, with the same checks. */
@@ -231,17 +231,17 @@ static NOINLINE enum scarp_status find_unit(float *unit, const struct scarp_nois
     const struct scarp_fault fault =
         make(&plan, noise, (struct scarp_kind){.dimensions = dimensions});
     *unit = fault.why == REFUSED_NOT ? plan.unit : 0.0f;
-    return scarp_fault_status(fault, NULL);
+    return scarpi_fault_status(fault, NULL);
 }
 
-float scarp_shader_coordinate(uint32_t point, uint32_t axis, float unit)
+float scarpi_shader_coordinate(uint32_t point, uint32_t axis, float unit)
 {
     const uvec3 key = {0, 0, 0};
     const int32_t c = (int32_t)(hash2(key, point, axis) >> 12) - 524288;
     return (float)c * unit;
 }
 
-uint32_t scarp_shader_hash(uint32_t hash, float output)
+uint32_t scarpi_shader_hash(uint32_t hash, float output)
 {
     uint32_t bits;
     memcpy(&bits, &output, sizeof bits);
@@ -269,7 +269,7 @@ static NOINLINE enum scarp_status answer_chunk(uint32_t answer[CHUNK],
     struct scarp_samples out = {0};
     for (uint32_t i = 0; i < CHUNK; i++) {
         for (int axis = 0; axis < 3; axis++) {
-            array[axis][i] = scarp_shader_coordinate(first + i, (uint32_t)axis, unit);
+            array[axis][i] = scarpi_shader_coordinate(first + i, (uint32_t)axis, unit);
         }
     }
     for (int i = 0; i < OUTPUTS_UP_TO(order); i++) {
@@ -282,7 +282,7 @@ static NOINLINE enum scarp_status answer_chunk(uint32_t answer[CHUNK],
         answer[i] = 0;
         for (int j = 0; j < OUTPUTS_UP_TO(order); j++) {
             answer[i] =
-                (absent >> j & 1) == 0 ? scarp_shader_hash(answer[i], array[j][i]) : answer[i];
+                (absent >> j & 1) == 0 ? scarpi_shader_hash(answer[i], array[j][i]) : answer[i];
         }
     }
     return status;
@@ -294,7 +294,7 @@ enum scarp_status scarp_gpu_answers(const struct scarp_noise *noise, int dimensi
     if (noise == NULL || answer == NULL) {
         return SCARP_ERROR_NULL;
     }
-    if (scarp_dispatch_refuses()) {
+    if (scarpi_dispatch_refuses()) {
         return SCARP_ERROR_UNSUPPORTED;
     }
     float unit;

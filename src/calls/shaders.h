@@ -9,16 +9,16 @@
 
 /* Writes the levels of a plan, and their octaves, of which the first one is number `first` of all.
    Returns how many octaves these are. Arrays may be NULL. */
-int scarp_shader_levels(const struct scarp_call_plan *plan, int dimensions,
-                        struct scarp_gpu_level *level, struct scarp_gpu_octave *octave, int first);
+int scarpi_shader_levels(const struct scarp_call_plan *plan, int dimensions,
+                         struct scarp_gpu_level *level, struct scarp_gpu_octave *octave, int first);
 
 /* The power of two nearest 1 / (256 frequency): test points are multiples of it. */
-float scarp_shader_unit(double frequency);
+float scarpi_shader_unit(double frequency);
 
 /* A coordinate of a test point. Every operation is exact, whatever the floating-point mode. */
-float scarp_shader_coordinate(uint32_t point, uint32_t axis, float unit);
+float scarpi_shader_coordinate(uint32_t point, uint32_t axis, float unit);
 
 /* The hash, with one output more. */
-uint32_t scarp_shader_hash(uint32_t hash, float output);
+uint32_t scarpi_shader_hash(uint32_t hash, float output);
 
 #endif

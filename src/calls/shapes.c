@@ -40,7 +40,7 @@ typedef void fill_fn(size_t count, const float *a, const float *b, const struct 
                      struct partials *to);
 
 /* The Taylor series around the nearest multiple of a quarter */
-double scarp_sine_of_turns(double turns)
+double scarpi_sine_of_turns(double turns)
 {
     const double scaled = 4.0 * turns;
     const int64_t quarters = (int64_t)(scaled < 0.0 ? scaled - 0.5 : scaled + 0.5);
@@ -95,7 +95,8 @@ static void fill_sine(size_t count, const float *a, const float *b, const struct
         const int is_small = a[i] > -0x1p24f && a[i] < 0x1p24f;
         const double turns = is_small ? (double)a[i] : 0.0;
         const float nan = a[i] - a[i]; /* 0 of finite numbers */
-        const double sine = scarp_sine_of_turns(turns), cosine = scarp_sine_of_turns(turns + 0.25);
+        const double sine = scarpi_sine_of_turns(turns),
+                     cosine = scarpi_sine_of_turns(turns + 0.25);
         to->f[i] = (float)sine + nan;
         to->fa[i] = (float)(6.283185307179586 * cosine) + nan;
         to->faa[i] = (float)(-39.47841760435743 * sine) + nan;
@@ -150,7 +151,7 @@ static void fill_curve(size_t count, const float *a, const float *b, const struc
 }
 
 /* A point at a knot belongs to the cubic that begins there, which has the slope of the knot. */
-int scarp_curve_slopes(size_t knots, const float *x, const float *value, float *slope)
+int scarpi_curve_slopes(size_t knots, const float *x, const float *value, float *slope)
 {
     for (size_t k = 0; k < knots; k++) {
         const int is_in =
@@ -253,7 +254,7 @@ static enum scarp_status run(const struct arguments *call)
     if (call->count > PTRDIFF_MAX / sizeof(float)) {
         return SCARP_ERROR_SIZE;
     }
-    if (scarp_dispatch_refuses()) {
+    if (scarpi_dispatch_refuses()) {
         return SCARP_ERROR_UNSUPPORTED;
     }
     struct arguments some = *call;
@@ -298,7 +299,7 @@ enum scarp_status scarp_pulse(size_t count, const struct scarp_samples *a,
 static NOINLINE int make_curve(struct curve *curve)
 {
     return curve->knots >= 2 && curve->knots <= SCARP_CURVE_KNOTS &&
-           scarp_curve_slopes(curve->knots, curve->x, curve->value, curve->slope);
+           scarpi_curve_slopes(curve->knots, curve->x, curve->value, curve->slope);
 }
 
 enum scarp_status scarp_curve(size_t count, const struct scarp_samples *a, size_t knots,
@@ -399,7 +400,7 @@ enum scarp_status scarp_slope(size_t count, const struct scarp_samples *a,
     if (count > PTRDIFF_MAX / sizeof(float)) {
         return SCARP_ERROR_SIZE;
     }
-    if (scarp_dispatch_refuses() || is_unsupported(a, out)) {
+    if (scarpi_dispatch_refuses() || is_unsupported(a, out)) {
         return SCARP_ERROR_UNSUPPORTED;
     }
     if (!asks_for_nothing(out)) {

@@ -8,9 +8,9 @@
 #include <stddef.h>
 
 /* sin(2 pi turns), within 2^-51, and exact at multiples of a quarter. |turns| is below 2^62. */
-double scarp_sine_of_turns(double turns);
+double scarpi_sine_of_turns(double turns);
 
 /* The slopes of a curve at its knots. Returns 0 if knots are out of order or too large. */
-int scarp_curve_slopes(size_t knots, const float *x, const float *value, float *slope);
+int scarpi_curve_slopes(size_t knots, const float *x, const float *value, float *slope);
 
 #endif

@@ -11,7 +11,7 @@ static int asks_too_much(const void *samples, int dimensions)
     const struct scarp_samples *const out = samples;
     int too_much = 0;
     for (int i = 0; i < dimensions; i++) {
-        too_much |= scarp_kind_of_samples(dimensions, &out[i]).order == SCARP_UNSUPPORTED_ORDER;
+        too_much |= scarpi_kind_of_samples(dimensions, &out[i]).order == SCARP_UNSUPPORTED_ORDER;
     }
     return too_much;
 }
@@ -22,7 +22,7 @@ static struct scarp_kind kind_of(const void *samples, int dimensions)
     const struct scarp_samples *const out = samples;
     struct scarp_kind kind = {.dimensions = dimensions, .vector = 1};
     for (int i = 0; i < dimensions; i++) {
-        const struct scarp_kind of = scarp_kind_of_samples(dimensions, &out[i]);
+        const struct scarp_kind of = scarpi_kind_of_samples(dimensions, &out[i]);
         kind.order = of.order > kind.order ? of.order : kind.order;
         kind.dphase |= of.dphase;
     }
@@ -35,7 +35,7 @@ static void run(const struct scarp_call_plan *plan, const void *opaque)
     const struct scarp_samples *const samples = call->out;
     const struct scarp_outputs *out[3] = {NULL, NULL, NULL};
     for (int i = 0; i < call->at->dimensions; i++) {
-        out[i] = scarp_outputs_of(&samples[i]);
+        out[i] = scarpi_outputs_of(&samples[i]);
     }
     call->kernels->components(plan, call->at->count, call->at->position, out, call->at->dimensions,
                               call->at->doubles);
@@ -47,21 +47,21 @@ enum scarp_status scarp_vector2(const struct scarp_noise *noise, size_t count, c
                                 const float *y, const struct scarp_samples out[2])
 {
     const struct scarp_at at = {count, {x, y, NULL}, 2, 0};
-    return scarp_find(&vector_finder, noise, &at, out);
+    return scarpi_find(&vector_finder, noise, &at, out);
 }
 
 enum scarp_status scarp_vector3(const struct scarp_noise *noise, size_t count, const float *x,
                                 const float *y, const float *z, const struct scarp_samples out[3])
 {
     const struct scarp_at at = {count, {x, y, z}, 3, 0};
-    return scarp_find(&vector_finder, noise, &at, out);
+    return scarpi_find(&vector_finder, noise, &at, out);
 }
 
 enum scarp_status scarp_vector2_f64(const struct scarp_noise *noise, size_t count, const double *x,
                                     const double *y, const struct scarp_samples out[2])
 {
     const struct scarp_at at = {count, {x, y, NULL}, 2, 1};
-    return scarp_find(&vector_finder, noise, &at, out);
+    return scarpi_find(&vector_finder, noise, &at, out);
 }
 
 enum scarp_status scarp_vector3_f64(const struct scarp_noise *noise, size_t count, const double *x,
@@ -69,5 +69,5 @@ enum scarp_status scarp_vector3_f64(const struct scarp_noise *noise, size_t coun
                                     const struct scarp_samples out[3])
 {
     const struct scarp_at at = {count, {x, y, z}, 3, 1};
-    return scarp_find(&vector_finder, noise, &at, out);
+    return scarpi_find(&vector_finder, noise, &at, out);
 }

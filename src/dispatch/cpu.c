@@ -39,7 +39,7 @@ static unsigned xcr0(void)
     return low;
 }
 
-int scarp_cpu_has(enum scarp_isa isa)
+int scarpi_cpu_has(enum scarp_isa isa)
 {
     unsigned eax, ebx = 0, ecx = 0, edx;
     if (isa == SCARP_ISA_SCALAR || isa == SCARP_ISA_GENERIC) {
@@ -70,7 +70,7 @@ int scarp_cpu_has(enum scarp_isa isa)
 
 /* NEON is part of the AArch64 baseline, and is built nowhere else. Where a module of WebAssembly
    runs, all that it was built with does. */
-int scarp_cpu_has(enum scarp_isa isa)
+int scarpi_cpu_has(enum scarp_isa isa)
 {
     return isa == SCARP_ISA_SCALAR || isa == SCARP_ISA_GENERIC || isa == SCARP_ISA_NEON ||
            isa == SCARP_ISA_WASM128;

@@ -9,6 +9,6 @@
 #include "scarp.h"
 
 /* Whether kernels compiled for `isa`, which this build has, can run here. */
-int scarp_cpu_has(enum scarp_isa isa);
+int scarpi_cpu_has(enum scarp_isa isa);
 
 #endif

@@ -20,7 +20,7 @@
 #define EXACT_LARGE 0x1p24f
 #define EXACT_THIRD 0x1.aaaaaap0f
 
-static inline int scarp_is_exact(void)
+static inline int scarpi_is_exact(void)
 {
     static const volatile float number[] = {EXACT_ROOT, EXACT_SQUARE, EXACT_LARGE,
                                             1.0f,       5.0f,         -0.0f};

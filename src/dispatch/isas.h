@@ -8,7 +8,7 @@
 #define SCARP_ISAS_H
 
 /*
- * X(enumerator after SCARP_ISA_, table after scarp_kernels_, name, whether this build has it), best
+ * X(enumerator after SCARP_ISA_, table after scarpi_kernels_, name, whether this build has it), best
  * first: of those that the processor can run, the first one serves the calls.
  */
 #define SCARP_ISA_VECTORS(X)                                                                       \

@@ -273,10 +273,10 @@ static void add_turning(const struct call *call, const struct tile *tile, int k,
     const struct scarp_octave *const o = &call->plan->octave[k];
     const struct basis *const basis = call->basis;
     const int d = call->dimensions - 2;
-    const float slope = scarp_phase_slope(o, k);
+    const float slope = scarpi_phase_slope(o, k);
     const struct weights weights = {{slope, slope, slope}};
     float derivative[4];
-    scarp_phase_derivative(derivative, o->turn);
+    scarpi_phase_derivative(derivative, o->turn);
     if (takes_rows_pass(call, tile, k)) {
         tile->row_octave->turn = derivative;
         basis->rows[d][order](tile->row_octave, tile->locations.extent.rows, &weights, to, put);

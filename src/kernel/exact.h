@@ -18,7 +18,7 @@ static int is_exact(void)
     const vf fused = root * root + vf_set(number[1]);
     const vd fused64 = root64 * root64 + vd_set(number64[1]);
     const vf reordered = (large + vf_set(number[3])) - large;
-    int exact = scarp_is_exact();
+    int exact = scarpi_is_exact();
     for (int i = 0; i < VEC_LANES; i++) {
         exact &= fused[i] == 0.0f && reordered[i] == 0.0f && fused64[i / 2] == 0.0;
     }

@@ -101,7 +101,7 @@ VEC_INLINE vu within_power(vu cell, const struct scarp_octave *o, int axis)
  */
 VEC_INLINE vu within_f32(vu cell, vf lower, const struct scarp_octave *o, int axis)
 {
-    const vf quotient = (lower + vf_set(0.5f)) * vf_set((float)(1.0 / scarp_period(o, axis)));
+    const vf quotient = (lower + vf_set(0.5f)) * vf_set((float)(1.0 / scarpi_period(o, axis)));
     return cell - vu_from_vf(vf_floor(quotient)) * vu_set(o->last[axis] + 1);
 }
 
@@ -130,7 +130,7 @@ VEC_INLINE vu within_far(vu cell, const struct scarp_octave *o, int axis)
    beyond. */
 VEC_INLINE vd within_f64(vd lower, const struct scarp_octave *o, int axis)
 {
-    const double period = scarp_period(o, axis);
+    const double period = scarpi_period(o, axis);
     const vd quotient = (lower + vd_set(0.5)) * vd_set(1.0 / period);
     return lower - vd_floor(quotient) * vd_set(period);
 }

@@ -209,7 +209,7 @@ plan_component(struct scarp_call_plan *plan, const struct warped *w, int level, 
 {
     const struct scarp_warps *const warps = &w->plan->warps;
     const int is_alone = warps->depth == 0 && !warps->vector;
-    *plan = is_alone ? *w->plan : scarp_component_plan(w->plan, level, component);
+    *plan = is_alone ? *w->plan : scarpi_component_plan(w->plan, level, component);
 }
 
 /* Describes the positions of a level that is displaced by y: doubles by arrays of their own. */

@@ -67,19 +67,19 @@ struct scarp_octave {
 enum scarp_repeat { SCARP_REPEAT_NEVER, SCARP_REPEAT_POWERS, SCARP_REPEAT_ANY };
 
 /* The period of an octave along an axis, in cells: 2^32 if there is none. */
-static inline double scarp_period(const struct scarp_octave *octave, int axis)
+static inline double scarpi_period(const struct scarp_octave *octave, int axis)
 {
     return (double)octave->last[axis] + 1.0;
 }
 
 /* amplitude d angle / d phase of octave k: 2 pi 2^k times the amplitude */
-static inline float scarp_phase_slope(const struct scarp_octave *octave, int k)
+static inline float scarpi_phase_slope(const struct scarp_octave *octave, int k)
 {
     return octave->amplitude * (6.28318531f * (float)(1u << k));
 }
 
 /* d turn / d angle: of an angle x, then of 2 x. The products with 2 are exact. */
-static inline void scarp_phase_derivative(float derivative[4], const float turn[4])
+static inline void scarpi_phase_derivative(float derivative[4], const float turn[4])
 {
     derivative[0] = -turn[1];
     derivative[1] = turn[0];
@@ -160,8 +160,8 @@ struct scarp_levels {
 };
 
 /* The plan of a component of a level. It may be used until the next one is asked for. */
-static inline struct scarp_call_plan scarp_component_plan(const struct scarp_call_plan *plan,
-                                                          int level, int component)
+static inline struct scarp_call_plan scarpi_component_plan(const struct scarp_call_plan *plan,
+                                                           int level, int component)
 {
     const struct scarp_levels *const levels = plan->warps.levels;
     struct scarp_call_plan found = levels->plan[level];

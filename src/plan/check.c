@@ -189,7 +189,7 @@ static enum scarp_refusal refused(const struct scarp_noise *noise, int dimension
                                         : REFUSED_NOT;
 }
 
-struct scarp_fault scarp_plan_check(const struct scarp_noise *noise, int dimensions)
+struct scarp_fault scarpi_plan_check(const struct scarp_noise *noise, int dimensions)
 {
     struct scarp_fault fault = {refused(noise, dimensions), 0};
     for (noise = noise->warp; fault.why == REFUSED_NOT && noise != NULL; noise = noise->warp) {

@@ -8,6 +8,6 @@
 #include "refusals.h"
 
 /* Makes the checks of scarp_noise_check, for all calls. */
-struct scarp_fault scarp_plan_check(const struct scarp_noise *noise, int dimensions);
+struct scarp_fault scarpi_plan_check(const struct scarp_noise *noise, int dimensions);
 
 #endif

@@ -87,7 +87,7 @@ static uint32_t period_of(uint32_t cells_of_base, double cells)
     return period <= PERIOD_MAX && period == (double)(uint32_t)period ? (uint32_t)period : 0;
 }
 
-struct scarp_noise scarp_gullies_lattice(const struct scarp_gullies *gullies)
+struct scarp_noise scarpi_gullies_lattice(const struct scarp_gullies *gullies)
 {
     const struct filled p = filled_of(gullies);
     const struct scarp_noise lattice = {
@@ -105,7 +105,7 @@ struct scarp_noise scarp_gullies_lattice(const struct scarp_gullies *gullies)
     return lattice;
 }
 
-struct scarp_fault scarp_gullies_verify(const struct scarp_gullies *gullies)
+struct scarp_fault scarpi_gullies_verify(const struct scarp_gullies *gullies)
 {
     const struct filled p = filled_of(gullies);
     struct scarp_fault fault = {refused_number(&p), 0};
@@ -120,8 +120,8 @@ struct scarp_fault scarp_gullies_verify(const struct scarp_gullies *gullies)
     if (fault.why != REFUSED_NOT) {
         return fault;
     }
-    const struct scarp_noise lattice = scarp_gullies_lattice(gullies);
-    fault = scarp_plan_check(&lattice, 2);
+    const struct scarp_noise lattice = scarpi_gullies_lattice(gullies);
+    fault = scarpi_plan_check(&lattice, 2);
     /* The frequency of the lattice is not the one that was given. */
     fault.why = fault.why == REFUSED_FREQUENCY ? REFUSED_FREQUENCY_CELLS : fault.why;
     return fault;
@@ -151,8 +151,8 @@ static void set_octave(struct scarp_gully_octave *to, const struct scarp_call_pl
     to->stretch = (float)(TWO_PI * p->stripes * cells);
 }
 
-void scarp_gullies_plan(struct scarp_gully_plan *g, const struct scarp_gullies *gullies,
-                        const struct scarp_call_plan *plan)
+void scarpi_gullies_plan(struct scarp_gully_plan *g, const struct scarp_gullies *gullies,
+                         const struct scarp_call_plan *plan)
 {
     const struct filled p = filled_of(gullies);
     g->of_base[0] = (float)(1.0 / p.amplitude);
@@ -174,7 +174,7 @@ void scarp_gullies_plan(struct scarp_gully_plan *g, const struct scarp_gullies *
     }
 }
 
-double scarp_gullies_depth(const struct scarp_gullies *gullies)
+double scarpi_gullies_depth(const struct scarp_gullies *gullies)
 {
     const struct filled p = filled_of(gullies);
     return p.amplitude * p.depth;

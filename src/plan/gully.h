@@ -47,16 +47,16 @@ struct scarp_gully_call {
 };
 
 /* The lattice that gullies are drawn on, as a noise whose weights sum up to the depth. */
-struct scarp_noise scarp_gullies_lattice(const struct scarp_gullies *gullies);
+struct scarp_noise scarpi_gullies_lattice(const struct scarp_gullies *gullies);
 
 /* Makes the checks of scarp_gullies_check. */
-struct scarp_fault scarp_gullies_verify(const struct scarp_gullies *gullies);
+struct scarp_fault scarpi_gullies_verify(const struct scarp_gullies *gullies);
 
 /* Makes the constants of gullies that passed the checks; `plan` is that of their lattice. */
-void scarp_gullies_plan(struct scarp_gully_plan *g, const struct scarp_gullies *gullies,
-                        const struct scarp_call_plan *plan);
+void scarpi_gullies_plan(struct scarp_gully_plan *g, const struct scarp_gullies *gullies,
+                         const struct scarp_call_plan *plan);
 
 /* How far gullies displace the base at most. */
-double scarp_gullies_depth(const struct scarp_gullies *gullies);
+double scarpi_gullies_depth(const struct scarp_gullies *gullies);
 
 #endif

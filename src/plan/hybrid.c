@@ -23,8 +23,8 @@ static struct scarp_interval product(struct scarp_interval a, struct scarp_inter
     return p;
 }
 
-struct scarp_interval scarp_hybrid_interval(double sharpness, double gain, double octaves,
-                                            double reach)
+struct scarp_interval scarpi_hybrid_interval(double sharpness, double gain, double octaves,
+                                             double reach)
 {
     struct scarp_interval weight = {1.0, 1.0}, sum = {0.0, 0.0};
     double share = 1.0;
@@ -42,13 +42,13 @@ struct scarp_interval scarp_hybrid_interval(double sharpness, double gain, doubl
     return sum;
 }
 
-struct scarp_interval scarp_hybrid_range(double sharpness, double gain, const double octaves[2],
-                                         double reach)
+struct scarp_interval scarpi_hybrid_range(double sharpness, double gain, const double octaves[2],
+                                          double reach)
 {
-    const double unit = scarp_hybrid_interval(sharpness, gain, octaves[1], 1.0).highest;
-    const double some = scarp_hybrid_interval(sharpness, gain, octaves[0], reach).lowest;
-    const double all = scarp_hybrid_interval(sharpness, gain, octaves[1], reach).lowest;
-    const double highest = scarp_hybrid_interval(sharpness, gain, octaves[1], reach).highest;
+    const double unit = scarpi_hybrid_interval(sharpness, gain, octaves[1], 1.0).highest;
+    const double some = scarpi_hybrid_interval(sharpness, gain, octaves[0], reach).lowest;
+    const double all = scarpi_hybrid_interval(sharpness, gain, octaves[1], reach).lowest;
+    const double highest = scarpi_hybrid_interval(sharpness, gain, octaves[1], reach).highest;
     const struct scarp_interval range = {least(some, all) * SCARP_HYBRID_HEADROOM / unit,
                                          highest / unit};
     return range;

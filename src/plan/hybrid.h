@@ -31,14 +31,14 @@ struct scarp_interval {
  * that it is the sum of is lower by SCARP_HYBRID_ROUNDING of its magnitude. So it is 0 exactly, and
  * no sum is below 0, where the sharpness is `reach`, and positive where the sharpness is more.
  */
-struct scarp_interval scarp_hybrid_interval(double sharpness, double gain, double octaves,
-                                            double reach);
+struct scarp_interval scarpi_hybrid_interval(double sharpness, double gain, double octaves,
+                                             double reach);
 
 /*
  * The range of the noise whose amplitudes are those of octaves[1] octaves, of which octaves[0] are
  * summed, in units of the amplitude. Fewer octaves lack what is positive in the lowest of all.
  */
-struct scarp_interval scarp_hybrid_range(double sharpness, double gain, const double octaves[2],
-                                         double reach);
+struct scarp_interval scarpi_hybrid_range(double sharpness, double gain, const double octaves[2],
+                                          double reach);
 
 #endif

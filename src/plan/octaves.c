@@ -155,7 +155,7 @@ static double share_of(const struct scarp_noise *noise, const struct parameters 
         return (noise->fractal == SCARP_JORDAN ? HEADROOM * HEADROOM : HEADROOM) / sum;
     }
     return SCARP_HYBRID_HEADROOM /
-           scarp_hybrid_interval(p->sharpness, p->gain, p->of_octaves, 1.0).highest;
+           scarpi_hybrid_interval(p->sharpness, p->gain, p->of_octaves, 1.0).highest;
 }
 
 /* What an octave's noise, which reaches 1, is multiplied by before anything else. The head-room of
@@ -165,12 +165,12 @@ static double factor_of(enum scarp_fractal fractal, double weighted)
     return fractal == SCARP_FBM ? weighted : fractal == SCARP_HYBRID ? HEADROOM : 1.0;
 }
 
-void scarp_octaves_make(struct scarp_octave *octave, const struct scarp_noise *noise,
-                        int dimensions)
+void scarpi_octaves_make(struct scarp_octave *octave, const struct scarp_noise *noise,
+                         int dimensions)
 {
     const struct parameters of_noise = parameters_of(noise), *const p = &of_noise;
     const int octaves = octave_count((float)p->octaves);
-    const double supremum = scarp_supremum(noise, dimensions);
+    const double supremum = scarpi_supremum(noise, dimensions);
     double weights[SCARP_MAX_OCTAVES], factors[SCARP_MAX_OCTAVES];
     const double scale = p->amplitude * share_of(noise, p, weigh_octaves(weights, p));
     const double stretch =
@@ -189,8 +189,8 @@ void scarp_octaves_make(struct scarp_octave *octave, const struct scarp_noise *n
         o->frequency = (float)frequency;
         o->share = (float)share;
         if (!blends_corners(noise->basis)) {
-            o->jitter = scarp_stray(noise);
-            o->middle = (float)scarp_middle(noise, dimensions);
+            o->jitter = scarpi_stray(noise);
+            o->middle = (float)scarpi_middle(noise, dimensions);
             o->stretch = stretch;
         }
         o->frequency64 = frequency;
@@ -207,7 +207,7 @@ void scarp_octaves_make(struct scarp_octave *octave, const struct scarp_noise *n
     }
 }
 
-uint64_t scarp_component_seed(uint64_t seed, int component)
+uint64_t scarpi_component_seed(uint64_t seed, int component)
 {
     return octave_seed(mix64(seed + GOLDEN_GAMMA), SCARP_MAX_OCTAVES + 1 + component);
 }

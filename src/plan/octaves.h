@@ -8,11 +8,11 @@
 #include "call.h"
 
 /* Computes all octaves of a checked noise, as if it had no warp, but for what the phase sets. */
-void scarp_octaves_make(struct scarp_octave *octave, const struct scarp_noise *noise,
-                        int dimensions);
+void scarpi_octaves_make(struct scarp_octave *octave, const struct scarp_noise *noise,
+                         int dimensions);
 
 /* The seed of a component of vector noise: a number that no octave has. Components that share a
    lattice have the seed of component 0. */
-uint64_t scarp_component_seed(uint64_t seed, int component);
+uint64_t scarpi_component_seed(uint64_t seed, int component);
 
 #endif

@@ -18,7 +18,7 @@ static const double suprema[2][2] = {
     {[SCARP_QUINTIC] = 2.0 * 1.1504169386, [SCARP_CUBIC] = 2.0 * 1.1532774969},
 };
 
-double scarp_phase_supremum(enum scarp_fade fade, int dimensions)
+double scarpi_phase_supremum(enum scarp_fade fade, int dimensions)
 {
     return suprema[dimensions - 2][fade];
 }
@@ -76,7 +76,7 @@ static float turn_rounded(double a)
     return a > -TURN_MIN && a < TURN_MIN ? 0.0f : (float)a;
 }
 
-void scarp_phase_set(struct scarp_octave *octave, int octaves, float phase)
+void scarpi_phase_set(struct scarp_octave *octave, int octaves, float phase)
 {
     const double sign = phase < 0.0f ? -1.0 : 1.0;
     double t = fraction((double)phase);

@@ -8,9 +8,9 @@
 #include "call.h"
 
 /* Sets `turn` of all octaves. */
-void scarp_phase_set(struct scarp_octave *octave, int octaves, float phase);
+void scarpi_phase_set(struct scarp_octave *octave, int octaves, float phase);
 
 /* The supremum of gradient noise over all phases. */
-double scarp_phase_supremum(enum scarp_fade fade, int dimensions);
+double scarpi_phase_supremum(enum scarp_fade fade, int dimensions);
 
 #endif

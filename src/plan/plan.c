@@ -49,18 +49,18 @@ static void plan_describe(struct scarp_call_plan *plan, const struct scarp_noise
                   blends_corners(noise->basis) && !fractal_bends(noise->fractal);
 }
 
-enum scarp_status scarp_plan_keep(struct scarp_plan *plan, const struct scarp_noise *noise,
-                                  int dimensions)
+enum scarp_status scarpi_plan_keep(struct scarp_plan *plan, const struct scarp_noise *noise,
+                                   int dimensions)
 {
     struct kept *const kept = (struct kept *)plan;
-    const struct scarp_fault fault = scarp_plan_check(noise, dimensions);
+    const struct scarp_fault fault = scarpi_plan_check(noise, dimensions);
     if (fault.why != REFUSED_NOT) {
-        return scarp_fault_status(fault, NULL);
+        return scarpi_fault_status(fault, NULL);
     }
     if (noise->warp == NULL) {
-        scarp_octaves_make(kept->octave, noise, dimensions);
+        scarpi_octaves_make(kept->octave, noise, dimensions);
         if (blends_corners(noise->basis)) {
-            scarp_phase_set(kept->octave, octaves_in(noise), noise->phase);
+            scarpi_phase_set(kept->octave, octaves_in(noise), noise->phase);
         }
     }
     plan_describe(&kept->values, noise, dimensions);
@@ -89,11 +89,11 @@ static void make_component(struct scarp_octave *octave, const struct scarp_noise
     struct scarp_noise noise = *described;
     if (is_component) {
         const int own = components_share_lattice(noise.basis) ? 0 : component;
-        noise.seed = scarp_component_seed(noise.seed, own);
+        noise.seed = scarpi_component_seed(noise.seed, own);
     }
-    scarp_octaves_make(octave, &noise, dimensions);
+    scarpi_octaves_make(octave, &noise, dimensions);
     if (noise.basis == SCARP_GRADIENT) {
-        scarp_phase_set(octave, octaves_in(&noise), noise.phase);
+        scarpi_phase_set(octave, octaves_in(&noise), noise.phase);
     }
 }
 
@@ -155,29 +155,29 @@ static void plan_levels(struct scarp_call_plan *plan, struct scarp_octave *octav
     plan->warps = warps;
 }
 
-enum scarp_status scarp_plan_call(struct scarp_call_plan *plan, struct scarp_octave *octave,
-                                  struct scarp_levels *levels, const struct scarp_noise *noise,
-                                  struct scarp_kind kind)
+enum scarp_status scarpi_plan_call(struct scarp_call_plan *plan, struct scarp_octave *octave,
+                                   struct scarp_levels *levels, const struct scarp_noise *noise,
+                                   struct scarp_kind kind)
 {
     if (!kind.vector && plan_kept(plan, noise, kind)) {
         return SCARP_OK;
     }
-    struct scarp_fault fault = scarp_plan_check(noise, kind.dimensions);
+    struct scarp_fault fault = scarpi_plan_check(noise, kind.dimensions);
     if (fault.why == REFUSED_NOT) {
         fault = outputs_fault(noise, kind);
     }
     if (fault.why != REFUSED_NOT) {
-        return scarp_fault_status(fault, NULL);
+        return scarpi_fault_status(fault, NULL);
     }
-    if (scarp_has_levels(noise, kind)) {
+    if (scarpi_has_levels(noise, kind)) {
         plan_levels(plan, octave, levels, noise, kind);
         return SCARP_OK;
     }
-    scarp_octaves_make(octave, noise, kind.dimensions);
+    scarpi_octaves_make(octave, noise, kind.dimensions);
     plan_describe(plan, noise, kind.dimensions);
     plan_ask(plan, kind);
     if (plan->flows) {
-        scarp_phase_set(octave, plan->octaves, noise->phase);
+        scarpi_phase_set(octave, plan->octaves, noise->phase);
     }
     plan->octave = octave;
     return SCARP_OK;

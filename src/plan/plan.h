@@ -9,11 +9,11 @@
 #include "call.h"
 
 /* Checks a noise and makes the plan that scarp_plan_make gives to its caller. */
-enum scarp_status scarp_plan_keep(struct scarp_plan *plan, const struct scarp_noise *noise,
-                                  int dimensions);
+enum scarp_status scarpi_plan_keep(struct scarp_plan *plan, const struct scarp_noise *noise,
+                                   int dimensions);
 
 /* Whether plans of that kind need levels: those of a noise with warps, and of potentials. */
-static inline int scarp_has_levels(const struct scarp_noise *noise, struct scarp_kind kind)
+static inline int scarpi_has_levels(const struct scarp_noise *noise, struct scarp_kind kind)
 {
     return noise->warp != NULL || kind.vector;
 }
@@ -22,8 +22,8 @@ static inline int scarp_has_levels(const struct scarp_noise *noise, struct scarp
    for SCARP_MAX_OCTAVES with levels, and `levels` belong to the plan. A plan with levels has no
    octaves, but its levels have them; one without needs no `levels`. One that the noise brings is
    taken if it fits, and needs neither. */
-enum scarp_status scarp_plan_call(struct scarp_call_plan *plan, struct scarp_octave *octave,
-                                  struct scarp_levels *levels, const struct scarp_noise *noise,
-                                  struct scarp_kind kind);
+enum scarp_status scarpi_plan_call(struct scarp_call_plan *plan, struct scarp_octave *octave,
+                                   struct scarp_levels *levels, const struct scarp_noise *noise,
+                                   struct scarp_kind kind);
 
 #endif

@@ -11,9 +11,9 @@
 /* What |n_k| can be: with a phase, more than 1. */
 static double reach_of(const struct scarp_noise *noise, int dimensions)
 {
-    return noise->phase == 0.0f
-               ? 1.0
-               : scarp_phase_supremum(noise->fade, dimensions) / scarp_supremum(noise, dimensions);
+    return noise->phase == 0.0f ? 1.0
+                                : scarpi_phase_supremum(noise->fade, dimensions) /
+                                      scarpi_supremum(noise, dimensions);
 }
 
 /*
@@ -27,7 +27,7 @@ static double reach_of(const struct scarp_noise *noise, int dimensions)
  * every sum is at most the sum of the a_k, which is amplitude * HEADROOM. Single octaves show that
  * the bounds are reached. With a phase, |n_k| is at most the `reach`.
  */
-struct scarp_interval scarp_plan_range(const struct scarp_noise *noise, int dimensions)
+struct scarp_interval scarpi_plan_range(const struct scarp_noise *noise, int dimensions)
 {
     const struct parameters p = parameters_of(noise);
     const double reach = reach_of(noise, dimensions);
@@ -39,8 +39,8 @@ struct scarp_interval scarp_plan_range(const struct scarp_noise *noise, int dime
     case SCARP_JORDAN: range = (struct scarp_interval){0.0, reach * reach}; break;
     case SCARP_PINGPONG: range = (struct scarp_interval){-1.0, 1.0}; break;
     case SCARP_HYBRID:
-        range = scarp_hybrid_range(p.sharpness, p.gain, (const double[2]){p.octaves, p.of_octaves},
-                                   reach);
+        range = scarpi_hybrid_range(p.sharpness, p.gain, (const double[2]){p.octaves, p.of_octaves},
+                                    reach);
         break;
     default: break;
     }

@@ -9,6 +9,6 @@
 #include "scarp.h"
 
 /* The interval of scarp_range of a valid noise. */
-struct scarp_interval scarp_plan_range(const struct scarp_noise *noise, int dimensions);
+struct scarp_interval scarpi_plan_range(const struct scarp_noise *noise, int dimensions);
 
 #endif

@@ -24,7 +24,7 @@ static const struct row rows[REFUSALS] = {[REFUSED_NOT] = {SCARP_OK, PATH, NULL}
                                           SCARP_REFUSALS(ROW)};
 #undef ROW
 
-const char *scarp_fault_told(struct scarp_fault fault, const char **member)
+const char *scarpi_fault_told(struct scarp_fault fault, const char **member)
 {
     const char *const name = rows[fault.why].path + SCARP_MAX_WARPS * STEP;
     if (member != NULL) {
@@ -33,8 +33,8 @@ const char *scarp_fault_told(struct scarp_fault fault, const char **member)
     return rows[fault.why].text;
 }
 
-enum scarp_status scarp_fault_status(struct scarp_fault fault, const char **member)
+enum scarp_status scarpi_fault_status(struct scarp_fault fault, const char **member)
 {
-    (void)scarp_fault_told(fault, member);
+    (void)scarpi_fault_told(fault, member);
     return rows[fault.why].status;
 }

@@ -93,9 +93,9 @@ struct scarp_fault {
 
 /* Gives the reason, or NULL if nothing is wrong. *member, if `member` is there, becomes the path of
    the member, such as "warp.octaves", or NULL if none is at fault. */
-const char *scarp_fault_told(struct scarp_fault fault, const char **member);
+const char *scarpi_fault_told(struct scarp_fault fault, const char **member);
 
 /* Gives the status, and the same member. */
-enum scarp_status scarp_fault_status(struct scarp_fault fault, const char **member);
+enum scarp_status scarpi_fault_status(struct scarp_fault fault, const char **member);
 
 #endif

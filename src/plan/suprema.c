@@ -35,7 +35,7 @@ static double jitter_of(const struct scarp_noise *noise)
     return noise->jitter == 0.0f ? 1.0 : (double)noise->jitter;
 }
 
-float scarp_stray(const struct scarp_noise *noise)
+float scarpi_stray(const struct scarp_noise *noise)
 {
     return (float)(jitter_of(noise) * 0x1p-32);
 }
@@ -81,7 +81,7 @@ static double distance_supremum(const struct scarp_noise *noise, int dimensions)
     }
 }
 
-double scarp_supremum(const struct scarp_noise *noise, int dimensions)
+double scarpi_supremum(const struct scarp_noise *noise, int dimensions)
 {
     switch (noise->basis) { /* no default: a compiler warns of a basis that is missing */
     case SCARP_GRADIENT:
@@ -97,7 +97,7 @@ double scarp_supremum(const struct scarp_noise *noise, int dimensions)
     return 1.0;
 }
 
-double scarp_middle(const struct scarp_noise *noise, int dimensions)
+double scarpi_middle(const struct scarp_noise *noise, int dimensions)
 {
     const int is_distance = noise->basis >= SCARP_CELL_F1 && noise->basis <= SCARP_CELL_SOFT;
     return is_distance ? distance_supremum(noise, dimensions) / 2.0 : 0.0;

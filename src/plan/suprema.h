@@ -11,13 +11,13 @@
 #define SCARP_TRIANGLE_ROWS 1.1547005383792515
 
 /* How far features stray, in units of 2^-32 cells. */
-float scarp_stray(const struct scarp_noise *noise);
+float scarpi_stray(const struct scarp_noise *noise);
 
 /* The supremum of |basis - middle|, as the kernels evaluate it, of a valid noise without a phase.
  */
-double scarp_supremum(const struct scarp_noise *noise, int dimensions);
+double scarpi_supremum(const struct scarp_noise *noise, int dimensions);
 
 /* What is subtracted from the basis: half of the supremum of distances, and 0 for others. */
-double scarp_middle(const struct scarp_noise *noise, int dimensions);
+double scarpi_middle(const struct scarp_noise *noise, int dimensions);
 
 #endif

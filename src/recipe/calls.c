@@ -18,13 +18,13 @@
 static NOINLINE enum scarp_status parse(const char *text, size_t length,
                                         struct scarp_recipe *recipe, struct recipe_errors *errors)
 {
-    struct recipe *const r = scarp_recipe_inside(recipe);
+    struct recipe *const r = scarpi_recipe_inside(recipe);
     memset(recipe, 0, sizeof *recipe);
     r->version = RECIPE_VERSION;
     r->length = (int16_t)length;
     memcpy(r->text, text, length);
-    scarp_recipe_read(r, errors);
-    scarp_recipe_compile(r, errors);
+    scarpi_recipe_read(r, errors);
+    scarpi_recipe_compile(r, errors);
     return errors->found == 0 ? SCARP_OK
            : errors->is_size  ? SCARP_ERROR_SIZE
                               : SCARP_ERROR_PARAMETER;
@@ -44,7 +44,7 @@ enum scarp_status scarp_recipe_parse(const char *text, size_t length, struct sca
     if (length > RECIPE_TEXT) {
         return SCARP_ERROR_SIZE;
     }
-    if (scarp_dispatch_refuses()) {
+    if (scarpi_dispatch_refuses()) {
         return SCARP_ERROR_UNSUPPORTED;
     }
     const struct fpmode caller = fpmode_enter();
@@ -58,12 +58,12 @@ enum scarp_status scarp_recipe_parse(const char *text, size_t length, struct sca
 
 static int is_recipe(const struct scarp_recipe *recipe)
 {
-    return recipe != NULL && scarp_recipe_of(recipe)->version == RECIPE_VERSION;
+    return recipe != NULL && scarpi_recipe_of(recipe)->version == RECIPE_VERSION;
 }
 
 static NOINLINE void compile_again(struct recipe *r, struct recipe_errors *errors)
 {
-    scarp_recipe_compile(r, errors);
+    scarpi_recipe_compile(r, errors);
 }
 
 enum scarp_status scarp_recipe_seed(struct scarp_recipe *recipe, uint64_t seed)
@@ -71,7 +71,7 @@ enum scarp_status scarp_recipe_seed(struct scarp_recipe *recipe, uint64_t seed)
     if (!is_recipe(recipe)) {
         return recipe == NULL ? SCARP_ERROR_NULL : SCARP_ERROR_PARAMETER;
     }
-    struct recipe *const r = scarp_recipe_inside(recipe);
+    struct recipe *const r = scarpi_recipe_inside(recipe);
     struct recipe_errors errors = {.capacity = 0};
     if (r->is_bad) {
         return SCARP_ERROR_PARAMETER;
@@ -91,7 +91,7 @@ static double *number_of(struct recipe *r, const char *name)
     }
     for (int i = 0; i < r->statements; i++) {
         if (r->statement[i].type == STATEMENT_PARAM &&
-            scarp_recipe_is(r, r->statement[i].name, name)) {
+            scarpi_recipe_is(r, r->statement[i].name, name)) {
             return &r->statement[i].value;
         }
     }
@@ -115,13 +115,13 @@ static NOINLINE enum scarp_status set(struct recipe *r, const char *name, double
     }
     const double before = *number;
     *number = value;
-    scarp_recipe_compile(r, &errors);
+    scarpi_recipe_compile(r, &errors);
     if (errors.found == 0) {
         return SCARP_OK;
     }
     struct recipe_errors none = {.capacity = 0};
     *number = before;
-    scarp_recipe_compile(r, &none);
+    scarpi_recipe_compile(r, &none);
     return errors.is_size ? SCARP_ERROR_SIZE : SCARP_ERROR_PARAMETER;
 }
 
@@ -134,11 +134,11 @@ enum scarp_status scarp_recipe_set(struct scarp_recipe *recipe, const char *name
     if (recipe == NULL || name == NULL) {
         return SCARP_ERROR_NULL;
     }
-    if (!is_recipe(recipe) || scarp_recipe_of(recipe)->is_bad) {
+    if (!is_recipe(recipe) || scarpi_recipe_of(recipe)->is_bad) {
         return SCARP_ERROR_PARAMETER;
     }
     const struct fpmode caller = fpmode_enter();
-    const enum scarp_status status = set(scarp_recipe_inside(recipe), name, value, error);
+    const enum scarp_status status = set(scarpi_recipe_inside(recipe), name, value, error);
     fpmode_leave(caller);
     return status;
 }
@@ -182,7 +182,7 @@ static NOINLINE enum scarp_status evaluate_on_stack(struct recipe_evaluation *ca
     uint64_t memory[STACK_BYTES / sizeof(uint64_t)];
     call->memory = memory;
     call->size = sizeof memory;
-    return scarp_recipe_evaluate(call);
+    return scarpi_recipe_evaluate(call);
 }
 
 static enum scarp_status evaluate_in(struct recipe_evaluation *call,
@@ -193,7 +193,7 @@ static enum scarp_status evaluate_in(struct recipe_evaluation *call,
     }
     call->memory = scratch->memory;
     call->size = scratch->size;
-    return scarp_recipe_evaluate(call);
+    return scarpi_recipe_evaluate(call);
 }
 
 /* Others than the outputs have a plan of their own, on the stack. */
@@ -201,7 +201,7 @@ static NOINLINE enum scarp_status evaluate_others(struct recipe_evaluation *call
                                                   const struct scarp_scratch *scratch)
 {
     struct recipe_schedule schedule;
-    scarp_recipe_schedule(call->recipe, call->root, call->outputs, &schedule);
+    scarpi_recipe_schedule(call->recipe, call->root, call->outputs, &schedule);
     call->schedule = &schedule;
     return evaluate_in(call, scratch);
 }
@@ -239,7 +239,7 @@ static enum scarp_status run(struct recipe_evaluation *call,
                              const struct scarp_recipe_outputs *outputs,
                              const struct scarp_scratch *scratch)
 {
-    if (scarp_dispatch_refuses() || reserved_in_use(outputs, scratch)) {
+    if (scarpi_dispatch_refuses() || reserved_in_use(outputs, scratch)) {
         return SCARP_ERROR_UNSUPPORTED;
     }
     call->outputs = outputs->count;
@@ -263,10 +263,10 @@ static enum scarp_status sample(const struct scarp_recipe *recipe, const struct 
     if (!is_recipe(recipe)) {
         return SCARP_ERROR_PARAMETER;
     }
-    const struct recipe *const r = scarp_recipe_of(recipe);
+    const struct recipe *const r = scarpi_recipe_of(recipe);
     const enum scarp_status status =
-        scarp_check_points(points->count, points->position, r->dimensions,
-                           points->doubles ? sizeof(double) : sizeof(float));
+        scarpi_check_points(points->count, points->position, r->dimensions,
+                            points->doubles ? sizeof(double) : sizeof(float));
     struct recipe_evaluation call = {
         .recipe = r,
         .has_doubles = points->doubles,
@@ -304,18 +304,18 @@ enum scarp_status scarp_recipe_grid(const struct scarp_recipe *recipe,
     if (!is_recipe(recipe)) {
         return SCARP_ERROR_PARAMETER;
     }
-    const struct recipe *const r = scarp_recipe_of(recipe);
+    const struct recipe *const r = scarpi_recipe_of(recipe);
     struct scarp_grid whole = *grid;
     for (int i = 0; i < r->dimensions; i++) {
         if (grid->count[i] == 0) {
             return SCARP_OK;
         }
     }
-    const struct scarp_fault fault = scarp_check_grid(&whole, r->dimensions);
+    const struct scarp_fault fault = scarpi_check_grid(&whole, r->dimensions);
     if (fault.why != REFUSED_NOT) {
-        return scarp_fault_status(fault, NULL);
+        return scarpi_fault_status(fault, NULL);
     }
-    if (scarp_grid_reserved_in_use(grid)) {
+    if (scarpi_grid_reserved_in_use(grid)) {
         return SCARP_ERROR_UNSUPPORTED;
     }
     struct recipe_evaluation call = {.recipe = r, .has_doubles = 1, .grid = &whole};
@@ -327,8 +327,8 @@ size_t scarp_recipe_scratch_size(const struct scarp_recipe *recipe, int order, s
     if (!is_recipe(recipe) || order < 0 || order > 2 || points > SIZE_MAX / 65536) {
         return 0;
     }
-    const struct recipe *const r = scarp_recipe_of(recipe);
-    return r->is_bad ? 0 : scarp_recipe_bytes(r, &r->schedule, order, points);
+    const struct recipe *const r = scarpi_recipe_of(recipe);
+    return r->is_bad ? 0 : scarpi_recipe_bytes(r, &r->schedule, order, points);
 }
 
 static NOINLINE void find_range(const struct recipe *r, int node, const struct scarp_box *box,
@@ -336,7 +336,7 @@ static NOINLINE void find_range(const struct recipe *r, int node, const struct s
 {
     *range = r->node[node].interval;
     if (box != NULL) {
-        *range = scarp_recipe_interval_in(r, node, box);
+        *range = scarpi_recipe_interval_in(r, node, box);
     }
 }
 
@@ -359,7 +359,7 @@ enum scarp_status scarp_recipe_range(const struct scarp_recipe *recipe, int32_t 
     if (!is_recipe(recipe)) {
         return SCARP_ERROR_PARAMETER;
     }
-    const struct recipe *const r = scarp_recipe_of(recipe);
+    const struct recipe *const r = scarpi_recipe_of(recipe);
     const int node = node_of(r, which == SCARP_RECIPE_OUTPUT ? r->output[0] : which);
     if (node < 0 || (which == SCARP_RECIPE_OUTPUT && r->is_bad) ||
         (box != NULL && !is_box(box, r->dimensions))) {

@@ -34,7 +34,7 @@ static uint64_t hash_of_node(const struct recipe *r, int node, const uint64_t *o
     uint64_t hash = UINT64_C(0xcbf29ce484222325);
     int16_t reads[RECIPE_READS];
     int slopes;
-    const int count = scarp_recipe_reads(r, node, reads, &slopes);
+    const int count = scarpi_recipe_reads(r, node, reads, &slopes);
     hash = mixed(hash, &n->operation, sizeof n->operation);
     hash = mixed(hash, &n->detail, sizeof n->detail);
     hash = mixed(hash, n->k, sizeof n->k);
@@ -80,7 +80,7 @@ static void set_span(uint32_t to[2], struct recipe_span span)
 
 static const struct recipe *described(const struct scarp_recipe *recipe)
 {
-    const struct recipe *const r = scarp_recipe_of(recipe);
+    const struct recipe *const r = scarpi_recipe_of(recipe);
     return r->version == RECIPE_VERSION ? r : NULL;
 }
 
@@ -151,9 +151,9 @@ enum scarp_status scarp_recipe_part_at(const struct scarp_recipe *recipe, size_t
     part->kind = x->kind;
     part->parent = x->parent;
     part->operation = operations[x->type];
-    part->function = x->type == EXPRESSION_CALL ? scarp_recipe_function_of(r, x->name) : -1;
+    part->function = x->type == EXPRESSION_CALL ? scarpi_recipe_function_of(r, x->name) : -1;
     part->entry = x->type == EXPRESSION_NAME && x->kind != SCARP_RECIPE_WORD
-                      ? scarp_recipe_find(r, x->name, r->statements)
+                      ? scarpi_recipe_find(r, x->name, r->statements)
                       : -1;
     part->value = x->kind == SCARP_RECIPE_NUMBER ? x->number : 0.0;
     if (is_field(x)) {
@@ -173,7 +173,7 @@ enum scarp_status scarp_recipe_function_at(size_t index, struct scarp_recipe_fun
         return SCARP_ERROR_NULL;
     }
     const struct scarp_recipe_function *const f =
-        index < FUNCTION_COUNT ? scarp_recipe_function_number((int)index) : NULL;
+        index < FUNCTION_COUNT ? scarpi_recipe_function_number((int)index) : NULL;
     if (f == NULL) {
         return SCARP_ERROR_PARAMETER;
     }

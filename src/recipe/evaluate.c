@@ -44,7 +44,7 @@ static struct scarp_samples shifted(const struct scarp_samples *samples, size_t 
     return s;
 }
 
-struct scarp_samples scarp_recipe_samples(const struct recipe_machine *m, int node)
+struct scarp_samples scarpi_recipe_samples(const struct recipe_machine *m, int node)
 {
     for (int i = 0; m->directs >> i != 0; i++) {
         if ((m->directs >> i & 1) != 0 && m->root[i] == node) {
@@ -71,9 +71,9 @@ struct scarp_samples scarp_recipe_samples(const struct recipe_machine *m, int no
     return s;
 }
 
-int scarp_recipe_order_of(const struct scarp_samples *out, int dimensions)
+int scarpi_recipe_order_of(const struct scarp_samples *out, int dimensions)
 {
-    const struct scarp_kind kind = scarp_kind_of_samples(dimensions, out);
+    const struct scarp_kind kind = scarpi_kind_of_samples(dimensions, out);
     return kind.dphase || kind.order == SCARP_UNSUPPORTED_ORDER ? -1 : kind.order;
 }
 
@@ -84,21 +84,21 @@ static size_t bytes_for(size_t registers, size_t floats, int dimensions, size_t 
            MACHINE_BYTES + ALIGNMENT;
 }
 
-size_t scarp_recipe_bytes(const struct recipe *recipe, const struct recipe_schedule *schedule,
-                          int order, size_t points)
+size_t scarpi_recipe_bytes(const struct recipe *recipe, const struct recipe_schedule *schedule,
+                           int order, size_t points)
 {
     const int highest = order + schedule->extra < 2 ? order + schedule->extra : 2;
     return bytes_for((size_t)schedule->registers, arrays_of(recipe->dimensions, highest),
                      recipe->dimensions, points);
 }
 
-void scarp_recipe_raise_orders(const struct recipe *recipe, const struct recipe_schedule *schedule,
-                               uint8_t order_of[RECIPE_NODES])
+void scarpi_recipe_raise_orders(const struct recipe *recipe, const struct recipe_schedule *schedule,
+                                uint8_t order_of[RECIPE_NODES])
 {
     for (int k = schedule->steps - 1; k >= 0; k--) {
         int16_t reads[RECIPE_READS];
         int slopes;
-        const int n = schedule->step[k], count = scarp_recipe_reads(recipe, n, reads, &slopes);
+        const int n = schedule->step[k], count = scarpi_recipe_reads(recipe, n, reads, &slopes);
         const int operation = recipe->node[n].operation;
         for (int i = 0; i < count && i < slopes; i++) {
             const int is_base = (operation == OP_SLOPE || operation == OP_GULLIES) && i == 0;
@@ -119,14 +119,14 @@ static int set_orders(struct recipe_machine *m, const struct recipe_evaluation *
         m->order_of[m->schedule->step[k]] = 0;
     }
     for (int i = 0; i < call->outputs; i++) {
-        const int order = scarp_recipe_order_of(&call->out[i], r->dimensions);
+        const int order = scarpi_recipe_order_of(&call->out[i], r->dimensions);
         if (order < 0) {
             return -1;
         }
         uint8_t *const of = &m->order_of[call->root[i]];
         *of = (uint8_t)(order > *of ? order : *of);
     }
-    scarp_recipe_raise_orders(r, m->schedule, m->order_of);
+    scarpi_recipe_raise_orders(r, m->schedule, m->order_of);
     for (int k = 0; k < m->schedule->steps; k++) {
         const int n = m->schedule->step[k], order = m->order_of[n];
         highest = order > highest ? order : highest;
@@ -165,13 +165,13 @@ static KEEP_STATUS enum scarp_status run_steps(struct recipe_machine *m,
     for (int k = from; status == SCARP_OK && k < to; k++) {
         const int n = m->schedule->step[k];
         if (m->schedule->guard_of[n] != 0 &&
-            scarp_recipe_is_left_out(m, m->schedule->guard_of[n])) {
+            scarpi_recipe_is_left_out(m, m->schedule->guard_of[n])) {
             continue;
         }
         if (m->recipe->node[n].place >= 0) {
-            status = scarp_recipe_run_placed(m, n);
+            status = scarpi_recipe_run_placed(m, n);
         } else if (m->recipe->node[n].operation != OP_COMPONENT) {
-            status = scarp_recipe_run_operation(m, n);
+            status = scarpi_recipe_run_operation(m, n);
         }
     }
     return status;
@@ -181,7 +181,7 @@ static KEEP_STATUS enum scarp_status run_steps(struct recipe_machine *m,
 static int has_all_members(const struct recipe_machine *m, int node,
                            const struct scarp_samples *out)
 {
-    const struct scarp_samples s = scarp_recipe_samples(m, node);
+    const struct scarp_samples s = scarpi_recipe_samples(m, node);
     for (int i = 0; i < MEMBERS; i++) {
         if ((member(&s, i) == NULL) != (member(out, i) == NULL)) {
             return 0;
@@ -214,7 +214,7 @@ static void copy_outputs(const struct recipe_machine *m, const struct recipe_eva
         if ((directs >> i & 1) != 0) {
             continue;
         }
-        const struct scarp_samples s = scarp_recipe_samples(m, call->root[i]);
+        const struct scarp_samples s = scarpi_recipe_samples(m, call->root[i]);
         for (int k = 0; k < MEMBERS; k++) {
             const float *source = member(&s, k);
             float *const array = member(&call->out[i], k);
@@ -253,7 +253,7 @@ static KEEP_STATUS enum scarp_status run_points(struct recipe_machine *m,
 static void repeat_columns(const struct recipe_machine *m, size_t points, size_t slices)
 {
     for (int k = 0; k < m->schedule->columns; k++) {
-        const struct scarp_samples s = scarp_recipe_samples(m, m->schedule->step[k]);
+        const struct scarp_samples s = scarpi_recipe_samples(m, m->schedule->step[k]);
         for (int i = 0; i < MEMBERS; i++) {
             float *const array = member(&s, i);
             for (size_t slice = 1; array != NULL && slice < slices; slice++) {
@@ -366,7 +366,7 @@ static void spoil(const struct recipe_evaluation *call)
     }
 }
 
-enum scarp_status scarp_recipe_evaluate(const struct recipe_evaluation *call)
+enum scarp_status scarpi_recipe_evaluate(const struct recipe_evaluation *call)
 {
     const size_t lost = -(uintptr_t)call->memory % ALIGNMENT;
     if (call->size < lost + MACHINE_BYTES) {

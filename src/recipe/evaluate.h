@@ -25,17 +25,17 @@ struct recipe_evaluation {
 };
 
 /* Checks what is asked for, and the scratch memory, and evaluates. */
-enum scarp_status scarp_recipe_evaluate(const struct recipe_evaluation *call);
+enum scarp_status scarpi_recipe_evaluate(const struct recipe_evaluation *call);
 
 /* The order of what a call asks for; -1: something that does not exist. */
-int scarp_recipe_order_of(const struct scarp_samples *out, int dimensions);
+int scarpi_recipe_order_of(const struct scarp_samples *out, int dimensions);
 
 /* Raises the orders of what nodes read to what these need of it. */
-void scarp_recipe_raise_orders(const struct recipe *recipe, const struct recipe_schedule *schedule,
-                               uint8_t order_of[RECIPE_NODES]);
+void scarpi_recipe_raise_orders(const struct recipe *recipe, const struct recipe_schedule *schedule,
+                                uint8_t order_of[RECIPE_NODES]);
 
 /* Bytes that registers for so many points take, with derivatives up to an order. */
-size_t scarp_recipe_bytes(const struct recipe *recipe, const struct recipe_schedule *schedule,
-                          int order, size_t points);
+size_t scarpi_recipe_bytes(const struct recipe *recipe, const struct recipe_schedule *schedule,
+                           int order, size_t points);
 
 #endif

@@ -25,7 +25,7 @@ static int argument_of_word(const struct recipe_compiler *c, int e,
                             const struct scarp_recipe_function *f, int from)
 {
     for (int i = from; expression(c, e)->type == EXPRESSION_NAME && i < f->arguments; i++) {
-        if (scarp_recipe_word_of(c->recipe, expression(c, e)->name, &f->argument[i]) >= 0) {
+        if (scarpi_recipe_word_of(c->recipe, expression(c, e)->name, &f->argument[i]) >= 0) {
             return i;
         }
     }
@@ -40,11 +40,11 @@ static int argument_of(struct recipe_compiler *c, int e, const struct scarp_reci
     if (is_named(x)) {
         for (int i = 0; i < f->arguments; i++) {
             if (f->argument[i].kind != SCARP_RECIPE_WORD &&
-                scarp_recipe_is(c->recipe, x->argument, f->argument[i].name)) {
+                scarpi_recipe_is(c->recipe, x->argument, f->argument[i].name)) {
                 return i;
             }
         }
-        return scarp_recipe_bad(c, e, "this function has no argument of that name", f->name).node;
+        return scarpi_recipe_bad(c, e, "this function has no argument of that name", f->name).node;
     }
     /* A field may have the name of a word; numbers give way to words. */
     const int expected = position < f->arguments ? f->argument[position].kind : SCARP_RECIPE_WORD;
@@ -54,14 +54,14 @@ static int argument_of(struct recipe_compiler *c, int e, const struct scarp_reci
     return word >= 0                       ? word
            : expected != SCARP_RECIPE_WORD ? position
            : position < f->arguments
-               ? scarp_recipe_bad(c, e, "this function knows no such word", f->name).node
-               : scarp_recipe_bad(c, e, "too many arguments", f->name).node;
+               ? scarpi_recipe_bad(c, e, "this function knows no such word", f->name).node
+               : scarpi_recipe_bad(c, e, "too many arguments", f->name).node;
 }
 
-int scarp_recipe_bind(struct recipe_compiler *c, int call, int function,
-                      int16_t argument[RECIPE_ARGUMENTS], int *knots)
+int scarpi_recipe_bind(struct recipe_compiler *c, int call, int function,
+                       int16_t argument[RECIPE_ARGUMENTS], int *knots)
 {
-    const struct scarp_recipe_function *const f = scarp_recipe_function_number(function);
+    const struct scarp_recipe_function *const f = scarpi_recipe_function_number(function);
     int position = 0;
     for (int i = 0; i < RECIPE_ARGUMENTS; i++) {
         argument[i] = -1;
@@ -74,7 +74,7 @@ int scarp_recipe_bind(struct recipe_compiler *c, int call, int function,
         }
         if (f->argument[i].kind == SCARP_RECIPE_KNOT) {
             if (expression(c, e)->type != EXPRESSION_KNOT) {
-                return scarp_recipe_bad(c, e, "expected x: value", f->name), 0;
+                return scarpi_recipe_bad(c, e, "expected x: value", f->name), 0;
             }
             expression(c, e)->kind = SCARP_RECIPE_KNOT;
             argument[i] = (int16_t)(*knots == 0 ? e : argument[i]);
@@ -82,7 +82,7 @@ int scarp_recipe_bind(struct recipe_compiler *c, int call, int function,
             continue;
         }
         if (argument[i] >= 0) {
-            return scarp_recipe_bad(c, e, "this argument is given twice", f->argument[i].name), 0;
+            return scarpi_recipe_bad(c, e, "this argument is given twice", f->argument[i].name), 0;
         }
         if (f->argument[i].kind == SCARP_RECIPE_WORD) {
             expression(c, e)->kind = SCARP_RECIPE_WORD;
@@ -93,7 +93,7 @@ int scarp_recipe_bind(struct recipe_compiler *c, int call, int function,
     }
     for (int i = 0; i < f->arguments; i++) {
         if (f->argument[i].is_needed && argument[i] < 0) {
-            return scarp_recipe_bad(c, call, "an argument is missing", f->argument[i].name), 0;
+            return scarpi_recipe_bad(c, call, "an argument is missing", f->argument[i].name), 0;
         }
     }
     return 1;
@@ -109,19 +109,19 @@ struct arguments {
 static int take_arguments(struct recipe_compiler *c, int function, int place,
                           const int16_t argument[RECIPE_ARGUMENTS], struct arguments *to)
 {
-    const struct scarp_recipe_function *const f = scarp_recipe_function_number(function);
+    const struct scarp_recipe_function *const f = scarpi_recipe_function_number(function);
     int good = 1;
     *to = (struct arguments){.are_numbers = 1};
     for (int i = 0; i < f->arguments && good; i++) {
         if (f->argument[i].kind == SCARP_RECIPE_FIELD) {
-            const struct recipe_value value = scarp_recipe_value(c, argument[i], place);
+            const struct recipe_value value = scarpi_recipe_value(c, argument[i], place);
             to->field[to->fields++] = value;
             to->are_numbers = to->are_numbers && value.kind == SCARP_RECIPE_NUMBER;
             good = value.kind != SCARP_RECIPE_BAD;
         } else if (f->argument[i].kind == SCARP_RECIPE_NUMBER) {
             double *const number = &to->number[to->numbers++];
             *number = f->argument[i].otherwise;
-            good = argument[i] < 0 || scarp_recipe_take_number(c, argument[i], number);
+            good = argument[i] < 0 || scarpi_recipe_take_number(c, argument[i], number);
         }
     }
     return good;
@@ -133,12 +133,12 @@ static struct recipe_value folded(int function, const struct arguments *g)
     const double a = g->field[0].number, b = g->fields > 1 ? g->field[1].number : 0.0;
     const double lo = g->number[0], hi = g->number[1];
     switch (function) {
-    case FUNCTION_ABS: return scarp_recipe_number(fabs(a));
-    case FUNCTION_SQRT: return scarp_recipe_number(a > 0.0 ? sqrt(a) : 0.0);
-    case FUNCTION_MIN: return g->number[0] == 0.0 ? scarp_recipe_number(b < a ? b : a) : nothing;
-    case FUNCTION_MAX: return g->number[0] == 0.0 ? scarp_recipe_number(b > a ? b : a) : nothing;
+    case FUNCTION_ABS: return scarpi_recipe_number(fabs(a));
+    case FUNCTION_SQRT: return scarpi_recipe_number(a > 0.0 ? sqrt(a) : 0.0);
+    case FUNCTION_MIN: return g->number[0] == 0.0 ? scarpi_recipe_number(b < a ? b : a) : nothing;
+    case FUNCTION_MAX: return g->number[0] == 0.0 ? scarpi_recipe_number(b > a ? b : a) : nothing;
     case FUNCTION_CLAMP:
-        return lo <= hi ? scarp_recipe_number(a < lo ? lo : a > hi ? hi : a) : nothing;
+        return lo <= hi ? scarpi_recipe_number(a < lo ? lo : a > hi ? hi : a) : nothing;
     default: return nothing;
     }
 }
@@ -166,12 +166,12 @@ static struct recipe_value mixed(struct recipe_compiler *c, int e, int a, int b,
     }
     const struct recipe_interval mask = c->recipe->node[m].interval;
     if (mask.lowest < 0.0f || mask.highest > 1.0f) {
-        return scarp_recipe_bad(
+        return scarpi_recipe_bad(
             c, e, "the mask of mix must stay in [0, 1]: see smoothstep and clamp", NULL);
     }
-    struct recipe_node node = scarp_recipe_operation(OP_MIX, a, b);
+    struct recipe_node node = scarpi_recipe_operation(OP_MIX, a, b);
     node.in[2] = (int16_t)m;
-    return scarp_recipe_node(c, e, node);
+    return scarpi_recipe_node(c, e, node);
 }
 
 /* Functions that become one node */
@@ -194,7 +194,7 @@ static struct recipe_value simple(struct recipe_compiler *c, int call, int funct
         return folded(function, &given);
     }
     for (int i = 0; i < given.fields; i++) {
-        node_of[i] = scarp_recipe_field(c, call, given.field[i]);
+        node_of[i] = scarpi_recipe_field(c, call, given.field[i]);
         if (node_of[i] < 0) {
             return nothing;
         }
@@ -202,7 +202,7 @@ static struct recipe_value simple(struct recipe_compiler *c, int call, int funct
     if (function == FUNCTION_MIX) {
         return mixed(c, call, node_of[0], node_of[1], node_of[2]);
     }
-    struct recipe_node node = scarp_recipe_operation(operations[function], node_of[0], node_of[1]);
+    struct recipe_node node = scarpi_recipe_operation(operations[function], node_of[0], node_of[1]);
     for (int i = 0; i < given.numbers; i++) {
         node.k[i] = (float)given.number[i];
     }
@@ -210,13 +210,14 @@ static struct recipe_value simple(struct recipe_compiler *c, int call, int funct
         node.operation = function == FUNCTION_MIN ? OP_SMOOTH_MIN : OP_SMOOTH_MAX;
     }
     if (try_numbers(&node) != SCARP_OK) {
-        return scarp_recipe_bad(c, call, "a number is outside the interval that the function takes",
-                                scarp_recipe_function_number(function)->name);
+        return scarpi_recipe_bad(c, call,
+                                 "a number is outside the interval that the function takes",
+                                 scarpi_recipe_function_number(function)->name);
     }
     if (function == FUNCTION_SLOPE && c->recipe->node[node_of[0]].order == 0) {
-        return scarp_recipe_bad(c, call, "the field has no gradient", NULL);
+        return scarpi_recipe_bad(c, call, "the field has no gradient", NULL);
     }
-    return scarp_recipe_node(c, call, node);
+    return scarpi_recipe_node(c, call, node);
 }
 
 /* The place of the next knot, above the last one. Returns 0 on an error. */
@@ -224,13 +225,13 @@ static int take_knot(struct recipe_compiler *c, int e, int is_first, float *x)
 {
     double number;
     const float before = *x;
-    if (!scarp_recipe_take_number(c, expression(c, e)->a, &number)) {
+    if (!scarpi_recipe_take_number(c, expression(c, e)->a, &number)) {
         return 0;
     }
     *x = (float)number;
     if (!(fabsf(*x) <= 0x1p60f) || (!is_first && !(*x - before >= 0x1p-60f))) {
-        return scarp_recipe_bad(c, e, "knots must come in order, at least 2^-60 apart, up to 2^60",
-                                NULL),
+        return scarpi_recipe_bad(c, e, "knots must come in order, at least 2^-60 apart, up to 2^60",
+                                 NULL),
                0;
     }
     return 1;
@@ -244,32 +245,32 @@ static NOINLINE int take_knots(struct recipe_compiler *c, int call, int e, int k
     float knot[SCARP_CURVE_KNOTS][2] = {{0}};
     float x = 0.0f;
     if (knots < 2 || knots > SCARP_CURVE_KNOTS) {
-        return scarp_recipe_bad(c, call, "a curve has from 2 to 64 knots", NULL), 0;
+        return scarpi_recipe_bad(c, call, "a curve has from 2 to 64 knots", NULL), 0;
     }
     for (int i = 0; i < knots; i++, e = expression(c, e)->next) {
         double value;
         if (!take_knot(c, e, i == 0, &x) ||
-            !scarp_recipe_take_number(c, expression(c, e)->b, &value)) {
+            !scarpi_recipe_take_number(c, expression(c, e)->b, &value)) {
             return 0;
         }
         knot[i][0] = x;
         knot[i][1] = (float)value;
         if (!(fabsf(knot[i][1]) <= 0x1p60f)) {
-            return scarp_recipe_bad(c, e, "values of knots go up to 2^60", NULL), 0;
+            return scarpi_recipe_bad(c, e, "values of knots go up to 2^60", NULL), 0;
         }
     }
     node->knots = (uint8_t)knots;
-    node->index = (int16_t)scarp_recipe_add_knots(c->recipe, knots, knot);
-    return node->index >= 0 || (scarp_recipe_full(c, call), 0);
+    node->index = (int16_t)scarpi_recipe_add_knots(c->recipe, knots, knot);
+    return node->index >= 0 || (scarpi_recipe_full(c, call), 0);
 }
 
 static struct recipe_value curve(struct recipe_compiler *c, int call, int place,
                                  const int16_t argument[RECIPE_ARGUMENTS], int knots)
 {
-    const int a = scarp_recipe_field(c, call, scarp_recipe_value(c, argument[0], place));
-    struct recipe_node node = scarp_recipe_operation(OP_CURVE, a, -1);
+    const int a = scarpi_recipe_field(c, call, scarpi_recipe_value(c, argument[0], place));
+    struct recipe_node node = scarpi_recipe_operation(OP_CURVE, a, -1);
     return a >= 0 && take_knots(c, call, argument[1], knots, &node)
-               ? scarp_recipe_node(c, call, node)
+               ? scarpi_recipe_node(c, call, node)
                : nothing;
 }
 
@@ -277,12 +278,12 @@ static struct recipe_value curve(struct recipe_compiler *c, int call, int place,
 static struct recipe_value blend(struct recipe_compiler *c, int call, int place,
                                  const int16_t argument[RECIPE_ARGUMENTS], int knots)
 {
-    const int by = scarp_recipe_field(c, call, scarp_recipe_value(c, argument[0], place));
+    const int by = scarpi_recipe_field(c, call, scarpi_recipe_value(c, argument[0], place));
     if (by < 0) {
         return nothing;
     }
     if (knots < 2) {
-        return scarp_recipe_bad(c, call, "blend has at least 2 knots", NULL);
+        return scarpi_recipe_bad(c, call, "blend has at least 2 knots", NULL);
     }
     struct recipe_value result = nothing;
     float x = 0.0f;
@@ -292,7 +293,7 @@ static struct recipe_value blend(struct recipe_compiler *c, int call, int place,
         if (!take_knot(c, e, i == 0, &x)) {
             return nothing;
         }
-        const int f = scarp_recipe_field(c, e, scarp_recipe_value(c, expression(c, e)->b, place));
+        const int f = scarpi_recipe_field(c, e, scarpi_recipe_value(c, expression(c, e)->b, place));
         if (f < 0) {
             return nothing;
         }
@@ -300,13 +301,13 @@ static struct recipe_value blend(struct recipe_compiler *c, int call, int place,
             result = (struct recipe_value){SCARP_RECIPE_FIELD, f, 0.0};
             continue;
         }
-        struct recipe_node mask = scarp_recipe_operation(OP_SMOOTHSTEP, by, -1);
+        struct recipe_node mask = scarpi_recipe_operation(OP_SMOOTHSTEP, by, -1);
         mask.k[0] = before;
         mask.k[1] = x;
         if (try_numbers(&mask) != SCARP_OK) {
-            return scarp_recipe_bad(c, e, "knots must be between 2^-60 and 2^60 apart", NULL);
+            return scarpi_recipe_bad(c, e, "knots must be between 2^-60 and 2^60 apart", NULL);
         }
-        result = mixed(c, e, result.node, f, scarp_recipe_node(c, e, mask).node);
+        result = mixed(c, e, result.node, f, scarpi_recipe_node(c, e, mask).node);
         if (result.kind == SCARP_RECIPE_BAD) {
             return nothing;
         }
@@ -318,40 +319,40 @@ static struct recipe_value blend(struct recipe_compiler *c, int call, int place,
 static struct recipe_value slope(struct recipe_compiler *c, int call, int place,
                                  const int16_t argument[RECIPE_ARGUMENTS])
 {
-    const int framed = scarp_recipe_framed(c, call, place);
+    const int framed = scarpi_recipe_framed(c, call, place);
     return framed < 0 ? nothing
-                      : scarp_recipe_pulled(c, call, place,
-                                            simple(c, call, FUNCTION_SLOPE, framed, argument));
+                      : scarpi_recipe_pulled(c, call, place,
+                                             simple(c, call, FUNCTION_SLOPE, framed, argument));
 }
 
 static struct recipe_value cell(struct recipe_compiler *c, int call, int place,
                                 const int16_t argument[RECIPE_ARGUMENTS])
 {
-    const struct scarp_recipe_function *const f = scarp_recipe_function_number(FUNCTION_CELL);
-    const int noise = scarp_recipe_noise_of(c, argument[0]);
+    const struct scarp_recipe_function *const f = scarpi_recipe_function_number(FUNCTION_CELL);
+    const int noise = scarpi_recipe_noise_of(c, argument[0]);
     const int what =
         argument[1] < 0
             ? 0
-            : scarp_recipe_word_of(c->recipe, expression(c, argument[1])->name, &f->argument[1]);
+            : scarpi_recipe_word_of(c->recipe, expression(c, argument[1])->name, &f->argument[1]);
     if (noise < 0) {
-        return noise == -1 ? scarp_recipe_bad(c, argument[0], "expected a noise", NULL) : nothing;
+        return noise == -1 ? scarpi_recipe_bad(c, argument[0], "expected a noise", NULL) : nothing;
     }
-    return scarp_recipe_cell(c, call, noise, what, place);
+    return scarpi_recipe_cell(c, call, noise, what, place);
 }
 
-struct recipe_value scarp_recipe_call(struct recipe_compiler *c, int call, int place)
+struct recipe_value scarpi_recipe_call(struct recipe_compiler *c, int call, int place)
 {
-    const int function = scarp_recipe_function_of(c->recipe, expression(c, call)->name);
+    const int function = scarpi_recipe_function_of(c->recipe, expression(c, call)->name);
     int16_t argument[RECIPE_ARGUMENTS];
     int knots;
     if (function < 0) {
-        return scarp_recipe_bad(c, call, "there is no such function", NULL);
+        return scarpi_recipe_bad(c, call, "there is no such function", NULL);
     }
     if (function == FUNCTION_NOISE) {
-        const int noise = scarp_recipe_noise_of(c, call);
-        return noise < 0 ? nothing : scarp_recipe_sampled(c, call, noise, place);
+        const int noise = scarpi_recipe_noise_of(c, call);
+        return noise < 0 ? nothing : scarpi_recipe_sampled(c, call, noise, place);
     }
-    if (!scarp_recipe_bind(c, call, function, argument, &knots)) {
+    if (!scarpi_recipe_bind(c, call, function, argument, &knots)) {
         return nothing;
     }
     switch (function) {
@@ -361,7 +362,7 @@ struct recipe_value scarp_recipe_call(struct recipe_compiler *c, int call, int p
     case FUNCTION_CELL: return cell(c, call, place, argument);
     case FUNCTION_GULLIES:
     case FUNCTION_DISPLACEMENT:
-        return scarp_recipe_gullies(c, call, place, argument, function == FUNCTION_DISPLACEMENT);
+        return scarpi_recipe_gullies(c, call, place, argument, function == FUNCTION_DISPLACEMENT);
     case FUNCTION_WARP:
     case FUNCTION_TURN:
     case FUNCTION_MOVE:
@@ -371,10 +372,10 @@ struct recipe_value scarp_recipe_call(struct recipe_compiler *c, int call, int p
     case FUNCTION_AT:
     case FUNCTION_FLAT: {
         if (function == FUNCTION_WARP) {
-            (void)scarp_recipe_noise_of(c, call); /* marks what is a noise */
+            (void)scarpi_recipe_noise_of(c, call); /* marks what is a noise */
         }
-        const int inside = scarp_recipe_place_inside(c, call, function, place, argument);
-        return inside < 0 ? nothing : scarp_recipe_value(c, argument[0], inside);
+        const int inside = scarpi_recipe_place_inside(c, call, function, place, argument);
+        return inside < 0 ? nothing : scarpi_recipe_value(c, argument[0], inside);
     }
     default: return simple(c, call, function, place, argument);
     }

@@ -8,20 +8,20 @@
 _Static_assert(offsetof(struct scarp_noise, warp) == 80 || sizeof(void *) != 8,
                "struct recipe_noise has all of a noise but its pointers");
 
-int scarp_recipe_frame_dimensions(const struct recipe *recipe, int frame)
+int scarpi_recipe_frame_dimensions(const struct recipe *recipe, int frame)
 {
     return frame < 0 ? recipe->dimensions : recipe->place[frame].dimensions;
 }
 
-int scarp_recipe_output_node(const struct recipe *recipe, int output)
+int scarpi_recipe_output_node(const struct recipe *recipe, int output)
 {
     return recipe->expression[recipe->statement[recipe->output[output]].expression].node;
 }
 
-int scarp_recipe_is_frame(const struct recipe *recipe, int place)
+int scarpi_recipe_is_frame(const struct recipe *recipe, int place)
 {
     const struct recipe_place *const p = &recipe->place[place];
-    int same = p->dimensions == scarp_recipe_frame_dimensions(recipe, p->frame);
+    int same = p->dimensions == scarpi_recipe_frame_dimensions(recipe, p->frame);
     for (int i = 0; i < p->dimensions; i++) {
         same = same && p->rest[i] < 0;
         for (int j = 0; j < 3; j++) {
@@ -31,7 +31,7 @@ int scarp_recipe_is_frame(const struct recipe *recipe, int place)
     return same;
 }
 
-void scarp_recipe_matrix(const struct recipe *recipe, int place, double matrix[3][3])
+void scarpi_recipe_matrix(const struct recipe *recipe, int place, double matrix[3][3])
 {
     const struct recipe_place *const p = &recipe->place[place];
     memcpy(matrix, p->m, sizeof p->m);
@@ -39,7 +39,7 @@ void scarp_recipe_matrix(const struct recipe *recipe, int place, double matrix[3
         return;
     }
     double outer[3][3];
-    scarp_recipe_matrix(recipe, p->frame, outer);
+    scarpi_recipe_matrix(recipe, p->frame, outer);
     for (int i = 0; i < 3; i++) {
         for (int j = 0; j < 3; j++) {
             matrix[i][j] =
@@ -68,8 +68,8 @@ static int add_rests(const struct recipe *recipe, const struct recipe_node *n, i
     return count;
 }
 
-int scarp_recipe_reads(const struct recipe *recipe, int node, int16_t reads[RECIPE_READS],
-                       int *slopes)
+int scarpi_recipe_reads(const struct recipe *recipe, int node, int16_t reads[RECIPE_READS],
+                        int *slopes)
 {
     const struct recipe_node *const n = &recipe->node[node];
     int count = 0;
@@ -152,7 +152,7 @@ static void fill_in(const struct recipe *recipe, struct recipe_node *n)
     }
     if (n->place >= 0) {
         const struct recipe_place *const p = &recipe->place[n->place];
-        dimensions = scarp_recipe_frame_dimensions(recipe, p->frame);
+        dimensions = scarpi_recipe_frame_dimensions(recipe, p->frame);
         for (int i = 0; i < p->dimensions; i++) {
             if (has_slopes_of(n, i)) {
                 axes |= axes_of_coordinate(recipe, n->place, i);
@@ -172,7 +172,7 @@ static void fill_in(const struct recipe *recipe, struct recipe_node *n)
     n->order = (uint8_t)order;
     n->axes = (uint8_t)axes;
     n->dimensions = (uint8_t)dimensions;
-    n->interval = scarp_recipe_interval_of(recipe, n, NULL, NULL);
+    n->interval = scarpi_recipe_interval_of(recipe, n, NULL, NULL);
 }
 
 static int is_same(const struct recipe_node *a, const struct recipe_node *b)
@@ -182,7 +182,7 @@ static int is_same(const struct recipe_node *a, const struct recipe_node *b)
            memcmp(a->in, b->in, sizeof a->in) == 0 && memcmp(a->k, b->k, sizeof a->k) == 0;
 }
 
-int scarp_recipe_add_node(struct recipe *recipe, struct recipe_node node)
+int scarpi_recipe_add_node(struct recipe *recipe, struct recipe_node node)
 {
     for (int i = 0; i < recipe->nodes; i++) {
         if (is_same(&recipe->node[i], &node)) {
@@ -197,7 +197,7 @@ int scarp_recipe_add_node(struct recipe *recipe, struct recipe_node node)
     return recipe->nodes++;
 }
 
-int scarp_recipe_add_place(struct recipe *recipe, struct recipe_place place)
+int scarpi_recipe_add_place(struct recipe *recipe, struct recipe_place place)
 {
     for (int i = 0; i < recipe->places; i++) {
         const struct recipe_place *const p = &recipe->place[i];
@@ -215,7 +215,7 @@ int scarp_recipe_add_place(struct recipe *recipe, struct recipe_place place)
     return recipe->places++;
 }
 
-int scarp_recipe_add_noise(struct recipe *recipe, const struct scarp_noise *noise, int warp)
+int scarpi_recipe_add_noise(struct recipe *recipe, const struct scarp_noise *noise, int warp)
 {
     struct recipe_noise made = {.warp = (int16_t)warp};
     memcpy(made.noise, noise, sizeof made.noise);
@@ -232,7 +232,7 @@ int scarp_recipe_add_noise(struct recipe *recipe, const struct scarp_noise *nois
     return recipe->noises++;
 }
 
-int scarp_recipe_add_gullies(struct recipe *recipe, const struct scarp_gullies *gullies)
+int scarpi_recipe_add_gullies(struct recipe *recipe, const struct scarp_gullies *gullies)
 {
     for (int i = 0; i < recipe->gullies; i++) {
         if (memcmp(&recipe->gully[i], gullies, sizeof *gullies) == 0) {
@@ -246,7 +246,7 @@ int scarp_recipe_add_gullies(struct recipe *recipe, const struct scarp_gullies *
     return recipe->gullies++;
 }
 
-int scarp_recipe_add_knots(struct recipe *recipe, int count, float (*knots)[2])
+int scarpi_recipe_add_knots(struct recipe *recipe, int count, float (*knots)[2])
 {
     for (int i = 0; i + count <= recipe->knots; i++) {
         if (memcmp(recipe->knot[i], knots, (size_t)count * sizeof *knots) == 0) {
@@ -261,7 +261,7 @@ int scarp_recipe_add_knots(struct recipe *recipe, int count, float (*knots)[2])
     return recipe->knots - count;
 }
 
-void scarp_recipe_spell_noise(const struct recipe *recipe, int index, struct scarp_noise noise[5])
+void scarpi_recipe_spell_noise(const struct recipe *recipe, int index, struct scarp_noise noise[5])
 {
     for (int i = 0; index >= 0 && i < 5; i++, index = recipe->noise[index].warp) {
         memset(&noise[i], 0, sizeof noise[i]);

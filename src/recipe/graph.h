@@ -9,38 +9,38 @@
 #include "recipe.h"
 
 /* Adds a node: its operation, what it reads, and its numbers. The rest follows from these. */
-int scarp_recipe_add_node(struct recipe *recipe, struct recipe_node node);
+int scarpi_recipe_add_node(struct recipe *recipe, struct recipe_node node);
 
 /* Adds a place. Its dimensions are there; m and t are 0 beyond them. */
-int scarp_recipe_add_place(struct recipe *recipe, struct recipe_place place);
+int scarpi_recipe_add_place(struct recipe *recipe, struct recipe_place place);
 
 /* Adds a noise with a warp, or -1. */
-int scarp_recipe_add_noise(struct recipe *recipe, const struct scarp_noise *noise, int warp);
+int scarpi_recipe_add_noise(struct recipe *recipe, const struct scarp_noise *noise, int warp);
 
-int scarp_recipe_add_gullies(struct recipe *recipe, const struct scarp_gullies *gullies);
+int scarpi_recipe_add_gullies(struct recipe *recipe, const struct scarp_gullies *gullies);
 
 /* Adds knots of a curve: the index of the first. */
-int scarp_recipe_add_knots(struct recipe *recipe, int count, float (*knots)[2]);
+int scarpi_recipe_add_knots(struct recipe *recipe, int count, float (*knots)[2]);
 
 /* A noise with its warps, which are in noise[1] and on. */
-void scarp_recipe_spell_noise(const struct recipe *recipe, int index, struct scarp_noise noise[5]);
+void scarpi_recipe_spell_noise(const struct recipe *recipe, int index, struct scarp_noise noise[5]);
 
 /* All nodes that a node reads: operands, and coordinates of its place. The first `slopes` of them
    are those whose derivatives it needs for its own; of others it reads values. */
 enum { RECIPE_READS = 3 + 3 * (RECIPE_FRAMES + 1) };
-int scarp_recipe_reads(const struct recipe *recipe, int node, int16_t reads[RECIPE_READS],
-                       int *slopes);
+int scarpi_recipe_reads(const struct recipe *recipe, int node, int16_t reads[RECIPE_READS],
+                        int *slopes);
 
 /* The node of an output. */
-int scarp_recipe_output_node(const struct recipe *recipe, int output);
+int scarpi_recipe_output_node(const struct recipe *recipe, int output);
 
 /* Whether derivatives by the coordinates of a place are those by its frame's. */
-int scarp_recipe_is_frame(const struct recipe *recipe, int place);
+int scarpi_recipe_is_frame(const struct recipe *recipe, int place);
 
 /* The dimensions of a frame, which is a place, or -1 for the points. */
-int scarp_recipe_frame_dimensions(const struct recipe *recipe, int frame);
+int scarpi_recipe_frame_dimensions(const struct recipe *recipe, int frame);
 
 /* The matrix of a place by the coordinates of the points, without what fields displace. */
-void scarp_recipe_matrix(const struct recipe *recipe, int place, double matrix[3][3]);
+void scarpi_recipe_matrix(const struct recipe *recipe, int place, double matrix[3][3]);
 
 #endif

@@ -142,7 +142,7 @@ static bounds curve(const struct recipe *recipe, const struct recipe_node *n, bo
         inside += knot[i][0] > a.lowest && knot[i][0] < a.highest;
     }
     if (inside == 0) {
-        if (scarp_recipe_curve(recipe, n, 2, ends, values) != SCARP_OK) {
+        if (scarpi_recipe_curve(recipe, n, 2, ends, values) != SCARP_OK) {
             return whole();
         }
         const bounds tight = between(values[0], values[1]);
@@ -180,7 +180,7 @@ static bounds noise(const struct recipe *recipe, const struct recipe_node *n)
 {
     struct scarp_noise levels[5];
     bounds r;
-    scarp_recipe_spell_noise(recipe, n->index, levels);
+    scarpi_recipe_spell_noise(recipe, n->index, levels);
     const int dimensions = recipe->place[n->place].dimensions;
     const enum scarp_status status = scarp_range(&levels[0], dimensions, &r.lowest, &r.highest);
     return status == SCARP_OK ? r : whole();
@@ -189,7 +189,7 @@ static bounds noise(const struct recipe *recipe, const struct recipe_node *n)
 static bounds cell(const struct recipe *recipe, const struct recipe_node *n)
 {
     struct scarp_noise levels[5];
-    scarp_recipe_spell_noise(recipe, n->index, levels);
+    scarpi_recipe_spell_noise(recipe, n->index, levels);
     const double jitter = levels[0].jitter != 0.0f ? (double)levels[0].jitter : 1.0;
     const double frequency = levels[0].frequency != 0.0 ? levels[0].frequency : 1.0;
     const int is_plane = recipe->place[n->place].dimensions == 2;
@@ -309,10 +309,10 @@ static bounds of_two(const struct recipe_node *n, bounds a, bounds b)
     }
 }
 
-struct recipe_interval scarp_recipe_interval_of(const struct recipe *recipe,
-                                                const struct recipe_node *n,
-                                                const struct recipe_interval *of,
-                                                const struct scarp_box *box)
+struct recipe_interval scarpi_recipe_interval_of(const struct recipe *recipe,
+                                                 const struct recipe_node *n,
+                                                 const struct recipe_interval *of,
+                                                 const struct scarp_box *box)
 {
     bounds in[2] = {whole(), whole()};
     for (int i = 0; i < 2; i++) {
@@ -337,13 +337,13 @@ struct recipe_interval scarp_recipe_interval_of(const struct recipe *recipe,
     return n->in[1] >= 0 ? of_two(n, in[0], in[1]) : of_one(recipe, n, in[0]);
 }
 
-struct recipe_interval scarp_recipe_interval_in(const struct recipe *recipe, int node,
-                                                const struct scarp_box *box)
+struct recipe_interval scarpi_recipe_interval_in(const struct recipe *recipe, int node,
+                                                 const struct scarp_box *box)
 {
     struct recipe_interval of[RECIPE_NODES];
     for (int i = 0; i <= node; i++) {
         const bounds any = recipe->node[i].interval;
-        of[i] = scarp_recipe_interval_of(recipe, &recipe->node[i], of, box);
+        of[i] = scarpi_recipe_interval_of(recipe, &recipe->node[i], of, box);
         of[i].lowest = greater(of[i].lowest, any.lowest);
         of[i].highest = less(of[i].highest, any.highest);
     }

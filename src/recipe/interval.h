@@ -12,13 +12,13 @@
 
 /* The interval of a node, of those of the nodes that it reads: in `of`, or if that is NULL, in the
    nodes themselves. Coordinates of points are in the box, or if that is NULL, any. */
-struct recipe_interval scarp_recipe_interval_of(const struct recipe *recipe,
-                                                const struct recipe_node *node,
-                                                const struct recipe_interval *of,
-                                                const struct scarp_box *box);
+struct recipe_interval scarpi_recipe_interval_of(const struct recipe *recipe,
+                                                 const struct recipe_node *node,
+                                                 const struct recipe_interval *of,
+                                                 const struct scarp_box *box);
 
 /* The interval of a node for points in a box. */
-struct recipe_interval scarp_recipe_interval_in(const struct recipe *recipe, int node,
-                                                const struct scarp_box *box);
+struct recipe_interval scarpi_recipe_interval_in(const struct recipe *recipe, int node,
+                                                 const struct scarp_box *box);
 
 #endif

@@ -40,15 +40,15 @@ struct recipe_machine {
 enum { GUARD_UNKNOWN, GUARD_OPEN, GUARD_LEFT_OUT };
 
 /* Where a node is: the members that are computed of it, others are NULL. */
-struct scarp_samples scarp_recipe_samples(const struct recipe_machine *m, int node);
+struct scarp_samples scarpi_recipe_samples(const struct recipe_machine *m, int node);
 
 /* positions.c: nodes that have a place. */
-KEEP_STATUS enum scarp_status scarp_recipe_run_placed(struct recipe_machine *m, int node);
+KEEP_STATUS enum scarp_status scarpi_recipe_run_placed(struct recipe_machine *m, int node);
 
 /* operations.c: nodes that combine others. */
-KEEP_STATUS enum scarp_status scarp_recipe_run_operation(struct recipe_machine *m, int node);
+KEEP_STATUS enum scarp_status scarpi_recipe_run_operation(struct recipe_machine *m, int node);
 
 /* Whether a guard's nodes are left out. */
-bool scarp_recipe_is_left_out(struct recipe_machine *m, int guard);
+bool scarpi_recipe_is_left_out(struct recipe_machine *m, int guard);
 
 #endif

@@ -39,7 +39,7 @@ static uint64_t splitmix(uint64_t start, uint64_t number)
 
 /* Numbers up to 63 belong to octaves, warps and curls. Those of negative seeds come from the other
    end: 64 more would make numbers from 0 to 63 of -64 to -1. */
-uint64_t scarp_recipe_seed_of(uint64_t world, double number)
+uint64_t scarpi_recipe_seed_of(uint64_t world, double number)
 {
     const uint64_t whole = (uint64_t)(int64_t)number;
     return number == 0.0 ? world : splitmix(splitmix(world, 1), number < 0.0 ? whole : 64 + whole);
@@ -48,13 +48,13 @@ uint64_t scarp_recipe_seed_of(uint64_t world, double number)
 static int take_seed(struct recipe_compiler *c, int e, uint64_t *seed)
 {
     double number;
-    if (!scarp_recipe_take_number(c, e, &number)) {
+    if (!scarpi_recipe_take_number(c, e, &number)) {
         return 0;
     }
     if (!(fabs(number) < 0x1p53) || (double)(int64_t)number != number) {
-        return scarp_recipe_bad(c, e, "a seed is a whole number of magnitude below 2^53", NULL), 0;
+        return scarpi_recipe_bad(c, e, "a seed is a whole number of magnitude below 2^53", NULL), 0;
     }
-    *seed = scarp_recipe_seed_of(c->recipe->seed, number);
+    *seed = scarpi_recipe_seed_of(c->recipe->seed, number);
     return 1;
 }
 
@@ -63,18 +63,18 @@ static int take_frequency(struct recipe_compiler *c, int size, int frequency, do
 {
     double number;
     if (size >= 0 && frequency >= 0) {
-        return scarp_recipe_bad(c, frequency, "size and frequency say the same", NULL), 0;
+        return scarpi_recipe_bad(c, frequency, "size and frequency say the same", NULL), 0;
     }
     if (size < 0 && frequency < 0) {
         return 1;
     }
-    if (!scarp_recipe_take_number(c, size >= 0 ? size : frequency, &number)) {
+    if (!scarpi_recipe_take_number(c, size >= 0 ? size : frequency, &number)) {
         return 0;
     }
     *to = size < 0 ? number : number > 0.0 ? 1.0 / number : 0.0;
     if (!(*to >= 0x1p-32 && *to <= 0x1p48)) {
-        return scarp_recipe_bad(c, size >= 0 ? size : frequency,
-                                "a frequency is from 2^-32 to 2^48, and a size 1 over that", NULL),
+        return scarpi_recipe_bad(c, size >= 0 ? size : frequency,
+                                 "a frequency is from 2^-32 to 2^48, and a size 1 over that", NULL),
                0;
     }
     return 1;
@@ -83,13 +83,13 @@ static int take_frequency(struct recipe_compiler *c, int size, int frequency, do
 static int take_words(struct recipe_compiler *c, const int16_t argument[RECIPE_ARGUMENTS],
                       struct scarp_noise *noise)
 {
-    const struct scarp_recipe_function *const f = scarp_recipe_function_number(FUNCTION_NOISE);
+    const struct scarp_recipe_function *const f = scarpi_recipe_function_number(FUNCTION_NOISE);
     int word[NOISE_SIZE];
     for (int i = 0; i < NOISE_SIZE; i++) {
         word[i] = argument[i] < 0
                       ? -1
-                      : scarp_recipe_word_of(c->recipe, c->recipe->expression[argument[i]].name,
-                                             &f->argument[i]);
+                      : scarpi_recipe_word_of(c->recipe, c->recipe->expression[argument[i]].name,
+                                              &f->argument[i]);
     }
     noise->basis = (enum scarp_basis)(word[NOISE_BASIS] < 0 ? 0 : word[NOISE_BASIS]);
     noise->fractal = (enum scarp_fractal)(word[NOISE_FRACTAL] < 0 ? 0 : word[NOISE_FRACTAL]);
@@ -106,12 +106,12 @@ static int take_periods(struct recipe_compiler *c, const int16_t argument[RECIPE
         if (argument[i] < 0) {
             continue;
         }
-        if (!scarp_recipe_take_number(c, argument[i], &number)) {
+        if (!scarpi_recipe_take_number(c, argument[i], &number)) {
             return 0;
         }
         if (!(number >= 0.0 && number <= 0x1p30) || (double)(uint32_t)number != number) {
-            return scarp_recipe_bad(c, argument[i],
-                                    "a period is a whole number of cells, up to 2^30", NULL),
+            return scarpi_recipe_bad(c, argument[i],
+                                     "a period is a whole number of cells, up to 2^30", NULL),
                    0;
         }
         for (int axis = 0; axis < c->recipe->dimensions; axis++) {
@@ -134,11 +134,11 @@ static int take_members(struct recipe_compiler *c, const int16_t argument[RECIPE
         if (argument[i] < 0) {
             continue;
         }
-        if (!scarp_recipe_take_number(c, argument[i], &number)) {
+        if (!scarpi_recipe_take_number(c, argument[i], &number)) {
             return 0;
         }
         if ((float)number == 0.0f && i != NOISE_PHASE && i != NOISE_OF_OCTAVES) {
-            return scarp_recipe_bad(c, argument[i], "this member of a noise must not be 0", NULL),
+            return scarpi_recipe_bad(c, argument[i], "this member of a noise must not be 0", NULL),
                    0;
         }
         *member[i - NOISE_OCTAVES] = (float)number;
@@ -152,7 +152,7 @@ static int take_members(struct recipe_compiler *c, const int16_t argument[RECIPE
 static int argument_of(int call, int function, const int16_t argument[RECIPE_ARGUMENTS],
                        const char *member)
 {
-    const struct scarp_recipe_function *const f = scarp_recipe_function_number(function);
+    const struct scarp_recipe_function *const f = scarpi_recipe_function_number(function);
     for (int i = 0; member != NULL && i < f->arguments; i++) {
         if (argument[i] >= 0 && strcmp(f->argument[i].name, member) == 0) {
             return argument[i];
@@ -168,7 +168,7 @@ static int described(struct recipe_compiler *c, int call)
     struct scarp_noise noise;
     memset(&noise, 0, sizeof noise); /* padding, too: noises are compared */
     noise.seed = c->recipe->seed;
-    if (!scarp_recipe_bind(c, call, FUNCTION_NOISE, argument, &knots) ||
+    if (!scarpi_recipe_bind(c, call, FUNCTION_NOISE, argument, &knots) ||
         !take_words(c, argument, &noise) || !take_members(c, argument, &noise)) {
         return -2;
     }
@@ -176,10 +176,10 @@ static int described(struct recipe_compiler *c, int call)
     const char *const why = scarp_noise_fault(&noise, c->recipe->dimensions, 0, 0, &member);
     if (why != NULL) {
         const int at = argument_of(call, FUNCTION_NOISE, argument, member);
-        return scarp_recipe_bad(c, at, why, member), -2;
+        return scarpi_recipe_bad(c, at, why, member), -2;
     }
-    const int added = scarp_recipe_add_noise(c->recipe, &noise, -1);
-    return added < 0 ? (scarp_recipe_full(c, call), -2) : added;
+    const int added = scarpi_recipe_add_noise(c->recipe, &noise, -1);
+    return added < 0 ? (scarpi_recipe_full(c, call), -2) : added;
 }
 
 /* warp(n, w) of noises is the noise n with the warp w, if it has none. */
@@ -187,23 +187,24 @@ static int warped(struct recipe_compiler *c, int call)
 {
     int16_t argument[RECIPE_ARGUMENTS];
     int knots;
-    if (!scarp_recipe_bind(c, call, FUNCTION_WARP, argument, &knots)) {
+    if (!scarpi_recipe_bind(c, call, FUNCTION_WARP, argument, &knots)) {
         return -2;
     }
-    const int n = scarp_recipe_noise_of(c, argument[0]), w = scarp_recipe_noise_of(c, argument[1]);
+    const int n = scarpi_recipe_noise_of(c, argument[0]),
+              w = scarpi_recipe_noise_of(c, argument[1]);
     if (n < 0 || w < 0 || c->recipe->noise[n].warp >= 0) {
         return n == -2 || w == -2 ? -2 : -1;
     }
     struct scarp_noise noise[5];
-    scarp_recipe_spell_noise(c->recipe, n, noise);
-    const int added = scarp_recipe_add_noise(c->recipe, &noise[0], w);
-    return added < 0 ? (scarp_recipe_full(c, call), -2) : added;
+    scarpi_recipe_spell_noise(c->recipe, n, noise);
+    const int added = scarpi_recipe_add_noise(c->recipe, &noise[0], w);
+    return added < 0 ? (scarpi_recipe_full(c, call), -2) : added;
 }
 
 static int noise_of_name(struct recipe_compiler *c, int e)
 {
     const struct recipe *const r = c->recipe;
-    const int i = scarp_recipe_find(r, r->expression[e].name, r->statements);
+    const int i = scarpi_recipe_find(r, r->expression[e].name, r->statements);
     if (i < 0 || r->statement[i].span.to > r->expression[e].name.from ||
         r->statement[i].type != STATEMENT_FIELD) {
         return -1;
@@ -212,26 +213,26 @@ static int noise_of_name(struct recipe_compiler *c, int e)
         return -2;
     }
     if (c->noise[i] == 0) {
-        c->noise[i] = (int16_t)(scarp_recipe_noise_of(c, r->statement[i].expression) + 3);
+        c->noise[i] = (int16_t)(scarpi_recipe_noise_of(c, r->statement[i].expression) + 3);
     }
     return c->noise[i] - 3;
 }
 
-int scarp_recipe_noise_of(struct recipe_compiler *c, int e)
+int scarpi_recipe_noise_of(struct recipe_compiler *c, int e)
 {
     struct recipe_expression *const x = &c->recipe->expression[e];
     int noise = -1;
     if (c->depth == RECIPE_DEPTH) {
-        return scarp_recipe_bad(c, e, "expressions are nested more than 40 deep, through names",
-                                NULL),
+        return scarpi_recipe_bad(c, e, "expressions are nested more than 40 deep, through names",
+                                 NULL),
                -2;
     }
     c->depth++;
     if (x->type == EXPRESSION_NAME) {
         noise = noise_of_name(c, e);
-    } else if (x->type == EXPRESSION_CALL && scarp_recipe_is(c->recipe, x->name, "noise")) {
+    } else if (x->type == EXPRESSION_CALL && scarpi_recipe_is(c->recipe, x->name, "noise")) {
         noise = described(c, e);
-    } else if (x->type == EXPRESSION_CALL && scarp_recipe_is(c->recipe, x->name, "warp")) {
+    } else if (x->type == EXPRESSION_CALL && scarpi_recipe_is(c->recipe, x->name, "warp")) {
         noise = warped(c, e);
     }
     c->depth--;
@@ -289,7 +290,7 @@ static int fit_tile(struct recipe_compiler *c, int e, int axis, const double mat
 {
     for (int i = 0; i < 3; i++) {
         if (i != axis && matrix[axis][i] != 0.0) {
-            return scarp_recipe_bad(
+            return scarpi_recipe_bad(
                        c, e, "what is turned does not repeat, and the recipe has a tile", NULL),
                    0;
         }
@@ -303,10 +304,10 @@ static int fit_tile(struct recipe_compiler *c, int e, int axis, const double mat
         if (c->errors != NULL) {
             c->errors->nearest = c->recipe->tile[axis] * fabs(matrix[axis][axis]) / whole;
         }
-        return scarp_recipe_bad(c, e,
-                                "the tile is not a whole number of cells; `nearest` is the "
-                                "nearest size that fits",
-                                NULL),
+        return scarpi_recipe_bad(c, e,
+                                 "the tile is not a whole number of cells; `nearest` is the "
+                                 "nearest size that fits",
+                                 NULL),
                0;
     }
     *period = (uint32_t)whole;
@@ -333,7 +334,7 @@ static int can_repeat(struct recipe_compiler *c, int e, const struct scarp_noise
         tiled.period[axis] = 1;
     }
     const char *const why = scarp_noise_fault(&tiled, dimensions, 0, 0, &member);
-    return !is_period_fault(c, why, member) || (scarp_recipe_bad(c, e, why, member), 0);
+    return !is_period_fault(c, why, member) || (scarpi_recipe_bad(c, e, why, member), 0);
 }
 
 static int gullies_can_repeat(struct recipe_compiler *c, int e, const struct scarp_gullies *gullies)
@@ -343,7 +344,7 @@ static int gullies_can_repeat(struct recipe_compiler *c, int e, const struct sca
     tiled.period[0] = tiled.period[1] = 1;
     tiled.cells = 1.0f;
     const char *const why = scarp_gullies_fault(&tiled, &member);
-    return !is_period_fault(c, why, member) || (scarp_recipe_bad(c, e, why, member), 0);
+    return !is_period_fault(c, why, member) || (scarpi_recipe_bad(c, e, why, member), 0);
 }
 
 /* How many units of a place one unit of the points has, at most. */
@@ -368,8 +369,8 @@ static int finished(struct recipe_compiler *c, int e, int noise, int place)
         return noise;
     }
     const int warp = finished(c, e, r->noise[noise].warp, place);
-    scarp_recipe_matrix(r, place, matrix);
-    scarp_recipe_spell_noise(r, noise, levels);
+    scarpi_recipe_matrix(r, place, matrix);
+    scarpi_recipe_spell_noise(r, noise, levels);
     if (!can_repeat(c, e, &levels[0], r->place[place].dimensions)) {
         return -2;
     }
@@ -382,8 +383,8 @@ static int finished(struct recipe_compiler *c, int e, int noise, int place)
     if (r->finest != 0.0) {
         limit_noise(&levels[0], r->finest * scale_of((const double(*)[3])matrix));
     }
-    const int added = warp == -2 ? -2 : scarp_recipe_add_noise(r, &levels[0], warp);
-    return added == -1 ? (scarp_recipe_full(c, e), -2) : added;
+    const int added = warp == -2 ? -2 : scarpi_recipe_add_noise(r, &levels[0], warp);
+    return added == -1 ? (scarpi_recipe_full(c, e), -2) : added;
 }
 
 static int depth_of(const struct recipe *recipe, int noise)
@@ -400,9 +401,9 @@ static int is_right(struct recipe_compiler *c, int e, int noise, int dimensions)
 {
     struct scarp_noise levels[5];
     const char *member;
-    scarp_recipe_spell_noise(c->recipe, noise, levels);
+    scarpi_recipe_spell_noise(c->recipe, noise, levels);
     const char *const why = scarp_noise_fault(&levels[0], dimensions, 0, 0, &member);
-    return why == NULL ? 1 : (scarp_recipe_bad(c, e, why, member), 0);
+    return why == NULL ? 1 : (scarpi_recipe_bad(c, e, why, member), 0);
 }
 
 /* Moves warps of the place into the noise, which the library bends by itself, and spells out what
@@ -413,69 +414,69 @@ static int settle(struct recipe_compiler *c, int e, int *noise, int *place)
     struct scarp_noise levels[5];
     while (r->place[*place].warp >= 0 && r->noise[*noise].warp < 0 &&
            depth_of(r, r->place[*place].warp) < 4) {
-        scarp_recipe_spell_noise(r, *noise, levels);
-        *noise = scarp_recipe_add_noise(r, &levels[0], r->place[*place].warp);
+        scarpi_recipe_spell_noise(r, *noise, levels);
+        *noise = scarpi_recipe_add_noise(r, &levels[0], r->place[*place].warp);
         *place = r->place[*place].before;
         if (*noise < 0) {
-            return scarp_recipe_full(c, e), 0;
+            return scarpi_recipe_full(c, e), 0;
         }
     }
-    *place = scarp_recipe_spelled_out(c, e, *place);
+    *place = scarpi_recipe_spelled_out(c, e, *place);
     *noise = *place < 0 ? -2 : finished(c, e, *noise, *place);
     return *noise >= 0 && is_right(c, e, *noise, r->place[*place].dimensions);
 }
 
-struct recipe_value scarp_recipe_sampled(struct recipe_compiler *c, int e, int noise, int place)
+struct recipe_value scarpi_recipe_sampled(struct recipe_compiler *c, int e, int noise, int place)
 {
     if (!settle(c, e, &noise, &place)) {
         return nothing;
     }
-    struct recipe_node node = scarp_recipe_operation(OP_NOISE, -1, -1);
+    struct recipe_node node = scarpi_recipe_operation(OP_NOISE, -1, -1);
     node.index = (int16_t)noise;
     node.place = (int16_t)place;
-    return scarp_recipe_node(c, e, node);
+    return scarpi_recipe_node(c, e, node);
 }
 
-int scarp_recipe_components(struct recipe_compiler *c, int e, int noise, int place,
-                            int16_t component[3])
+int scarpi_recipe_components(struct recipe_compiler *c, int e, int noise, int place,
+                             int16_t component[3])
 {
     if (!settle(c, e, &noise, &place)) {
         return 0;
     }
-    struct recipe_node node = scarp_recipe_operation(OP_VECTOR, -1, -1);
+    struct recipe_node node = scarpi_recipe_operation(OP_VECTOR, -1, -1);
     node.index = (int16_t)noise;
     node.place = (int16_t)place;
-    component[0] = (int16_t)scarp_recipe_node(c, e, node).node;
+    component[0] = (int16_t)scarpi_recipe_node(c, e, node).node;
     for (int i = 1; i < c->recipe->place[place].dimensions && component[i - 1] >= 0; i++) {
-        struct recipe_node other = scarp_recipe_operation(OP_COMPONENT, component[0], -1);
+        struct recipe_node other = scarpi_recipe_operation(OP_COMPONENT, component[0], -1);
         other.detail = (uint8_t)i;
-        component[i] = (int16_t)scarp_recipe_node(c, e, other).node;
+        component[i] = (int16_t)scarpi_recipe_node(c, e, other).node;
     }
     return component[c->recipe->place[place].dimensions - 1] >= 0;
 }
 
-struct recipe_value scarp_recipe_cell(struct recipe_compiler *c, int e, int noise, int what,
-                                      int place)
+struct recipe_value scarpi_recipe_cell(struct recipe_compiler *c, int e, int noise, int what,
+                                       int place)
 {
     struct recipe *const r = c->recipe;
     struct scarp_noise levels[5];
-    scarp_recipe_spell_noise(r, noise, levels);
+    scarpi_recipe_spell_noise(r, noise, levels);
     levels[0].octaves = 1.0f; /* others change nothing, and fewer than that would be refused */
     levels[0].of_octaves = levels[0].of_octaves < 1.0f ? 0.0f : levels[0].of_octaves;
-    noise = scarp_recipe_add_noise(r, &levels[0], -1);
-    place = scarp_recipe_spelled_out(c, e, place);
+    noise = scarpi_recipe_add_noise(r, &levels[0], -1);
+    place = scarpi_recipe_spelled_out(c, e, place);
     if (noise < 0 || place < 0) {
-        return noise < 0 ? scarp_recipe_full(c, e) : nothing;
+        return noise < 0 ? scarpi_recipe_full(c, e) : nothing;
     }
     noise = finished(c, e, noise, place);
     if (noise < 0 || !is_right(c, e, noise, r->place[place].dimensions)) {
         return nothing;
     }
-    struct recipe_node node = scarp_recipe_operation(OP_CELL, -1, -1);
+    struct recipe_node node = scarpi_recipe_operation(OP_CELL, -1, -1);
     node.index = (int16_t)noise;
     node.place = (int16_t)place;
     node.detail = (uint8_t)what;
-    return scarp_recipe_node(c, e, node);
+    return scarpi_recipe_node(c, e, node);
 }
 
 /* Effects that are not wanted are 0 in recipes, where the library takes 0 for a default. */
@@ -491,7 +492,7 @@ static int take_gullies(struct recipe_compiler *c, int call,
         if (argument[i] < 0) {
             continue;
         }
-        if (!scarp_recipe_take_number(c, argument[i], &number)) {
+        if (!scarpi_recipe_take_number(c, argument[i], &number)) {
             return 0;
         }
         float *const to = member[i - GULLIES_AMPLITUDE];
@@ -500,8 +501,8 @@ static int take_gullies(struct recipe_compiler *c, int call,
         *to = (float)number;
         if (*to == 0.0f && to != &g->of_octaves) {
             if (!is_effect) {
-                return scarp_recipe_bad(c, argument[i], "this member of gullies must not be 0",
-                                        NULL),
+                return scarpi_recipe_bad(c, argument[i], "this member of gullies must not be 0",
+                                         NULL),
                        0;
             }
             *to = 0x1p-24f;
@@ -516,7 +517,7 @@ static int take_gullies(struct recipe_compiler *c, int call,
     const char *const why = scarp_gullies_fault(g, &at_fault);
     if (why != NULL) {
         const int at = argument_of(call, FUNCTION_GULLIES, argument, at_fault);
-        return scarp_recipe_bad(c, at, why, at_fault), 0;
+        return scarpi_recipe_bad(c, at, why, at_fault), 0;
     }
     return 1;
 }
@@ -533,7 +534,7 @@ static int gullies_at(struct recipe_compiler *c, int call, const int16_t argumen
     if (!take_gullies(c, call, argument, &g)) {
         return -1;
     }
-    scarp_recipe_matrix(c->recipe, place, matrix);
+    scarpi_recipe_matrix(c->recipe, place, matrix);
     if (!gullies_can_repeat(c, call, &g)) {
         return -1;
     }
@@ -548,44 +549,44 @@ static int gullies_at(struct recipe_compiler *c, int call, const int16_t argumen
     const char *member;
     const char *const why = scarp_gullies_fault(&g, &member);
     if (why != NULL) {
-        return scarp_recipe_bad(c, call, why, member).node;
+        return scarpi_recipe_bad(c, call, why, member).node;
     }
-    const int added = scarp_recipe_add_gullies(c->recipe, &g);
-    return added < 0 ? scarp_recipe_full(c, call).node : added;
+    const int added = scarpi_recipe_add_gullies(c->recipe, &g);
+    return added < 0 ? scarpi_recipe_full(c, call).node : added;
 }
 
-struct recipe_value scarp_recipe_gullies(struct recipe_compiler *c, int call, int place,
-                                         const int16_t argument[RECIPE_ARGUMENTS],
-                                         int is_displacement)
+struct recipe_value scarpi_recipe_gullies(struct recipe_compiler *c, int call, int place,
+                                          const int16_t argument[RECIPE_ARGUMENTS],
+                                          int is_displacement)
 {
     struct recipe *const r = c->recipe;
-    const int framed = scarp_recipe_framed(c, call, place);
+    const int framed = scarpi_recipe_framed(c, call, place);
     if (framed < 0) {
         return nothing;
     }
     if (r->place[framed].dimensions != 2) {
-        return scarp_recipe_bad(c, call, "gullies are of the plane: see flat", NULL);
+        return scarpi_recipe_bad(c, call, "gullies are of the plane: see flat", NULL);
     }
     const int f = argument[0];
-    const int base = scarp_recipe_field(c, f, scarp_recipe_value(c, f, framed));
+    const int base = scarpi_recipe_field(c, f, scarpi_recipe_value(c, f, framed));
     if (base < 0) {
         return nothing;
     }
     if (r->node[base].order < 2) {
-        return scarp_recipe_bad(c, f,
-                                "gullies need a base with second derivatives, which erosion, "
-                                "swiss, jordan, slope and gullies do not have",
-                                NULL);
+        return scarpi_recipe_bad(c, f,
+                                 "gullies need a base with second derivatives, which erosion, "
+                                 "swiss, jordan, slope and gullies do not have",
+                                 NULL);
     }
-    struct recipe_node node = scarp_recipe_operation(OP_GULLIES, base, -1);
+    struct recipe_node node = scarpi_recipe_operation(OP_GULLIES, base, -1);
     node.place = (int16_t)framed;
     node.index = (int16_t)gullies_at(c, call, argument, framed);
     if (node.index < 0) {
         return nothing;
     }
-    struct recipe_value value = scarp_recipe_node(c, call, node);
+    struct recipe_value value = scarpi_recipe_node(c, call, node);
     if (value.kind != SCARP_RECIPE_BAD && !is_displacement) {
-        value = scarp_recipe_node(c, call, scarp_recipe_operation(OP_ADD, base, value.node));
+        value = scarpi_recipe_node(c, call, scarpi_recipe_operation(OP_ADD, base, value.node));
     }
-    return scarp_recipe_pulled(c, call, place, value);
+    return scarpi_recipe_pulled(c, call, place, value);
 }

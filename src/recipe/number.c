@@ -142,7 +142,7 @@ static int read_exponent(const char *text, size_t length, size_t *at)
     return is_negative ? -exponent : exponent;
 }
 
-size_t scarp_read_number(const char *text, size_t length, double *value)
+size_t scarpi_read_number(const char *text, size_t length, double *value)
 {
     char digits[DIGITS];
     int count = 0, exponent = 0;

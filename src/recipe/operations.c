@@ -58,7 +58,7 @@ static bool is_level(size_t count, const struct scarp_samples *a, float value)
     return true;
 }
 
-bool scarp_recipe_is_left_out(struct recipe_machine *m, int guard)
+bool scarpi_recipe_is_left_out(struct recipe_machine *m, int guard)
 {
     if (guard == 0) {
         return false;
@@ -66,9 +66,9 @@ bool scarp_recipe_is_left_out(struct recipe_machine *m, int guard)
     if (m->state[guard] == GUARD_UNKNOWN) {
         const struct recipe_guard *const g = &m->schedule->guard[guard];
         struct scarp_samples mask = {0};
-        bool is_left_out = scarp_recipe_is_left_out(m, g->parent);
+        bool is_left_out = scarpi_recipe_is_left_out(m, g->parent);
         if (!is_left_out) {
-            mask = scarp_recipe_samples(m, g->mask);
+            mask = scarpi_recipe_samples(m, g->mask);
             is_left_out = is_level(m->chunk->count, &mask, g->one ? 1.0f : 0.0f);
         }
         m->state[guard] = is_left_out ? GUARD_LEFT_OUT : GUARD_OPEN;
@@ -80,15 +80,15 @@ bool scarp_recipe_is_left_out(struct recipe_machine *m, int guard)
 static int left_out(struct recipe_machine *m, int gate)
 {
     for (int i = 1; i <= m->schedule->guards; i++) {
-        if (m->schedule->guard[i].gate == gate && scarp_recipe_is_left_out(m, i)) {
+        if (m->schedule->guard[i].gate == gate && scarpi_recipe_is_left_out(m, i)) {
             return m->schedule->guard[i].operand;
         }
     }
     return -1;
 }
 
-enum scarp_status scarp_recipe_curve(const struct recipe *recipe, const struct recipe_node *node,
-                                     size_t count, const float *a, float *value)
+enum scarp_status scarpi_recipe_curve(const struct recipe *recipe, const struct recipe_node *node,
+                                      size_t count, const float *a, float *value)
 {
     float x[SCARP_CURVE_KNOTS], y[SCARP_CURVE_KNOTS], in[2];
     for (int i = 0; i < node->knots; i++) {
@@ -129,15 +129,15 @@ static enum scarp_status run_gate(struct recipe_machine *m, int node,
     return SCARP_OK;
 }
 
-enum scarp_status scarp_recipe_run_operation(struct recipe_machine *m, int node)
+enum scarp_status scarpi_recipe_run_operation(struct recipe_machine *m, int node)
 {
     const struct recipe_node *const n = &m->recipe->node[node];
     const size_t count = m->chunk->count;
-    const struct scarp_samples out = scarp_recipe_samples(m, node);
+    const struct scarp_samples out = scarpi_recipe_samples(m, node);
     struct scarp_samples in[3] = {{0}};
     for (int i = 0; i < 3; i++) {
         if (n->in[i] >= 0) {
-            in[i] = scarp_recipe_samples(m, n->in[i]);
+            in[i] = scarpi_recipe_samples(m, n->in[i]);
         }
     }
     const struct scarp_samples *const a = &in[0], *const b = &in[1];

@@ -8,8 +8,8 @@
 #include "statuses.h"
 
 /* Values of an OP_CURVE. */
-KEEP_STATUS enum scarp_status scarp_recipe_curve(const struct recipe *recipe,
-                                                 const struct recipe_node *node, size_t count,
-                                                 const float *a, float *value);
+KEEP_STATUS enum scarp_status scarpi_recipe_curve(const struct recipe *recipe,
+                                                  const struct recipe_node *node, size_t count,
+                                                  const float *a, float *value);
 
 #endif

@@ -32,8 +32,8 @@ struct reader {
     bool has_failed; /* in this statement */
 };
 
-void scarp_recipe_fail(struct recipe_errors *errors, const struct recipe *recipe,
-                       struct recipe_span span, const char *text, const char *member)
+void scarpi_recipe_fail(struct recipe_errors *errors, const struct recipe *recipe,
+                        struct recipe_span span, const char *text, const char *member)
 {
     struct scarp_recipe_error error = {.from = span.from,
                                        .to = span.to,
@@ -61,13 +61,13 @@ void scarp_recipe_fail(struct recipe_errors *errors, const struct recipe *recipe
     errors->found++;
 }
 
-int scarp_recipe_is(const struct recipe *recipe, struct recipe_span span, const char *word)
+int scarpi_recipe_is(const struct recipe *recipe, struct recipe_span span, const char *word)
 {
     const size_t length = (size_t)(span.to - span.from);
     return strncmp(recipe->text + span.from, word, length) == 0 && word[length] == '\0';
 }
 
-int scarp_recipe_find(const struct recipe *recipe, struct recipe_span name, int count)
+int scarpi_recipe_find(const struct recipe *recipe, struct recipe_span name, int count)
 {
     const size_t length = (size_t)(name.to - name.from);
     for (int i = count - 1; i >= 0; i--) {
@@ -84,7 +84,7 @@ static int fail_at(struct reader *r, struct recipe_span span, const char *text)
 {
     if (!r->has_failed) {
         r->has_failed = true;
-        scarp_recipe_fail(r->errors, r->recipe, span, text, NULL);
+        scarpi_recipe_fail(r->errors, r->recipe, span, text, NULL);
     }
     return -1;
 }
@@ -189,7 +189,7 @@ static void set_operands(struct reader *r, int e, int a, int b)
 static bool number(struct reader *r, double *value)
 {
     const size_t size =
-        scarp_read_number(r->recipe->text + r->at, (size_t)r->recipe->length - r->at, value);
+        scarpi_read_number(r->recipe->text + r->at, (size_t)r->recipe->length - r->at, value);
     if (size == 0) {
         fail(r, "expected a number of at most 38 digits, 0 or from 1e-60 to 1e60");
         return false;
@@ -466,14 +466,14 @@ static bool name_is_free(struct reader *r, struct recipe_span name)
         return fail(r, "expected a name"), false;
     }
     for (size_t i = 0; i < sizeof reserved / sizeof reserved[0]; i++) {
-        if (scarp_recipe_is(r->recipe, name, reserved[i])) {
+        if (scarpi_recipe_is(r->recipe, name, reserved[i])) {
             return fail_at(r, name, "this name has a meaning of its own"), false;
         }
     }
-    if (scarp_recipe_function_of(r->recipe, name) >= 0) {
+    if (scarpi_recipe_function_of(r->recipe, name) >= 0) {
         return fail_at(r, name, "this is the name of a function"), false;
     }
-    if (scarp_recipe_find(r->recipe, name, r->recipe->statements) >= 0) {
+    if (scarpi_recipe_find(r->recipe, name, r->recipe->statements) >= 0) {
         return fail_at(r, name, "this name is given above"), false;
     }
     return true;
@@ -530,7 +530,7 @@ static void statement(struct reader *r)
     static const char *const settings[] = {"recipe", "space", "tile"};
     static void (*const set[])(struct reader *) = {set_version, set_space, set_tile};
     for (size_t i = 0; i < sizeof settings / sizeof settings[0]; i++) {
-        if (scarp_recipe_is(r->recipe, word, settings[i])) {
+        if (scarpi_recipe_is(r->recipe, word, settings[i])) {
             r->at = after;
             set[i](r);
             skip_space(r);
@@ -540,8 +540,8 @@ static void statement(struct reader *r)
             return;
         }
     }
-    const bool is_param = scarp_recipe_is(r->recipe, word, "param");
-    const bool is_output = scarp_recipe_is(r->recipe, word, "out");
+    const bool is_param = scarpi_recipe_is(r->recipe, word, "param");
+    const bool is_output = scarpi_recipe_is(r->recipe, word, "out");
     if (is_param || is_output) {
         r->at = after;
     }
@@ -570,8 +570,8 @@ static void set_outputs(struct reader *r)
         }
         if (recipe->outputs == RECIPE_OUTPUTS) {
             r->errors->is_size = 1;
-            scarp_recipe_fail(r->errors, recipe, recipe->statement[i].name,
-                              "a recipe has at most 16 outputs", NULL);
+            scarpi_recipe_fail(r->errors, recipe, recipe->statement[i].name,
+                               "a recipe has at most 16 outputs", NULL);
             return;
         }
         recipe->output[recipe->outputs++] = (int16_t)i;
@@ -582,11 +582,11 @@ static void set_outputs(struct reader *r)
     }
     if (recipe->outputs == 0 && r->errors->found == 0) {
         const struct recipe_span end = {(uint16_t)recipe->length, (uint16_t)recipe->length};
-        scarp_recipe_fail(r->errors, recipe, end, "a recipe needs a name = expression", NULL);
+        scarpi_recipe_fail(r->errors, recipe, end, "a recipe needs a name = expression", NULL);
     }
 }
 
-void scarp_recipe_read(struct recipe *recipe, struct recipe_errors *errors)
+void scarpi_recipe_read(struct recipe *recipe, struct recipe_errors *errors)
 {
     struct reader r = {.recipe = recipe, .errors = errors};
     bool is_first = true;
@@ -602,7 +602,7 @@ void scarp_recipe_read(struct recipe *recipe, struct recipe_errors *errors)
         }
         const size_t from = r.at;
         r.has_failed = false;
-        if (is_first && !scarp_recipe_is(recipe, word_at(&r, from), "recipe")) {
+        if (is_first && !scarpi_recipe_is(recipe, word_at(&r, from), "recipe")) {
             fail(&r, "a recipe begins with its version: recipe 1");
             r.has_failed = false;
         }

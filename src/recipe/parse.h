@@ -18,21 +18,21 @@ struct recipe_errors {
 };
 
 /* Adds an error at bytes of the text. */
-void scarp_recipe_fail(struct recipe_errors *errors, const struct recipe *recipe,
-                       struct recipe_span span, const char *text, const char *member);
+void scarpi_recipe_fail(struct recipe_errors *errors, const struct recipe *recipe,
+                        struct recipe_span span, const char *text, const char *member);
 
 /* Reads the text in recipe->text. Statements with an error have the expression -1. */
-void scarp_recipe_read(struct recipe *recipe, struct recipe_errors *errors);
+void scarpi_recipe_read(struct recipe *recipe, struct recipe_errors *errors);
 
 /* Reads the number that a text begins with: digits, a point, an exponent; no sign. Returns how many
    bytes it has; 0 if there is none, if it has more than 38 digits, or if it is not 0 and outside
    [10^-60, 10^60]. */
-size_t scarp_read_number(const char *text, size_t length, double *value);
+size_t scarpi_read_number(const char *text, size_t length, double *value);
 
 /* Whether bytes of the text are a word. */
-int scarp_recipe_is(const struct recipe *recipe, struct recipe_span span, const char *word);
+int scarpi_recipe_is(const struct recipe *recipe, struct recipe_span span, const char *word);
 
 /* The statement of a name among the first `count`, or -1. */
-int scarp_recipe_find(const struct recipe *recipe, struct recipe_span name, int count);
+int scarpi_recipe_find(const struct recipe *recipe, struct recipe_span name, int count);
 
 #endif

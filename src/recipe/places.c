@@ -15,8 +15,8 @@ struct transform {
 
 static int added(struct recipe_compiler *c, int e, struct recipe_place place)
 {
-    const int p = scarp_recipe_add_place(c->recipe, place);
-    return p < 0 ? scarp_recipe_full(c, e).node : p;
+    const int p = scarpi_recipe_add_place(c->recipe, place);
+    return p < 0 ? scarpi_recipe_full(c, e).node : p;
 }
 
 /* The sum of two nodes, of which each may be none. Returns -2 on an error. */
@@ -25,20 +25,20 @@ static int sum(struct recipe_compiler *c, int e, int a, int b)
     if (a < 0 || b < 0) {
         return a < 0 ? b : a;
     }
-    const int node = scarp_recipe_node(c, e, scarp_recipe_operation(OP_ADD, a, b)).node;
+    const int node = scarpi_recipe_node(c, e, scarpi_recipe_operation(OP_ADD, a, b)).node;
     return node < 0 ? -2 : node;
 }
 
-int scarp_recipe_spelled_out(struct recipe_compiler *c, int e, int place)
+int scarpi_recipe_spelled_out(struct recipe_compiler *c, int e, int place)
 {
     struct recipe *const r = c->recipe;
     int16_t component[3];
     if (r->place[place].warp < 0) {
         return place;
     }
-    const int before = scarp_recipe_spelled_out(c, e, r->place[place].before);
+    const int before = scarpi_recipe_spelled_out(c, e, r->place[place].before);
     if (before < 0 ||
-        !scarp_recipe_components(c, e, r->place[place].warp, r->place[place].before, component)) {
+        !scarpi_recipe_components(c, e, r->place[place].warp, r->place[place].before, component)) {
         return -1;
     }
     struct recipe_place p = r->place[before];
@@ -54,7 +54,7 @@ int scarp_recipe_spelled_out(struct recipe_compiler *c, int e, int place)
 /* The place u = A v + t, where v is a place. */
 static int transformed(struct recipe_compiler *c, int e, int place, const struct transform *a)
 {
-    const int from = scarp_recipe_spelled_out(c, e, place);
+    const int from = scarpi_recipe_spelled_out(c, e, place);
     if (from < 0) {
         return -1;
     }
@@ -70,7 +70,7 @@ static int transformed(struct recipe_compiler *c, int e, int place, const struct
         for (int j = 0; j < p.dimensions && rest != -2; j++) {
             q.t[i] += a->matrix[i][j] * p.t[j];
             if (p.rest[j] >= 0 && a->matrix[i][j] != 0.0) {
-                const int part = scarp_recipe_affine(c, e, p.rest[j], a->matrix[i][j], 0.0).node;
+                const int part = scarpi_recipe_affine(c, e, p.rest[j], a->matrix[i][j], 0.0).node;
                 rest = part < 0 ? -2 : sum(c, e, rest, part);
             }
         }
@@ -98,7 +98,7 @@ static struct linear linear_sum(struct recipe_compiler *c, int e, int place, dou
         a.m[i] += sign * b.m[i];
     }
     a.t += sign * b.t;
-    const int second = b.rest < 0 ? b.rest : scarp_recipe_affine(c, e, b.rest, sign, 0.0).node;
+    const int second = b.rest < 0 ? b.rest : scarpi_recipe_affine(c, e, b.rest, sign, 0.0).node;
     a.rest = a.rest == -2 || b.rest == -2 || (b.rest >= 0 && second < 0)
                  ? -2
                  : sum(c, e, a.rest, second);
@@ -110,8 +110,8 @@ static struct linear linear_sum(struct recipe_compiler *c, int e, int place, dou
 static int linear_product(struct recipe_compiler *c, int e, int place, struct linear *to)
 {
     const struct recipe_expression *const x = &c->recipe->expression[e];
-    struct recipe_value a = scarp_recipe_value(c, x->a, place);
-    struct recipe_value b = scarp_recipe_value(c, x->b, place);
+    struct recipe_value a = scarpi_recipe_value(c, x->a, place);
+    struct recipe_value b = scarpi_recipe_value(c, x->b, place);
     int of = x->a;
     if (x->type == EXPRESSION_MULTIPLY && a.kind == SCARP_RECIPE_NUMBER) {
         const struct recipe_value swap = a;
@@ -129,7 +129,7 @@ static int linear_product(struct recipe_compiler *c, int e, int place, struct li
     }
     to->t *= k;
     if (to->rest >= 0) {
-        const int rest = scarp_recipe_affine(c, e, to->rest, k, 0.0).node;
+        const int rest = scarpi_recipe_affine(c, e, to->rest, k, 0.0).node;
         to->rest = rest < 0 ? -2 : rest;
     }
     return 1;
@@ -141,15 +141,15 @@ static struct linear linear_of(struct recipe_compiler *c, int e, int place)
     struct linear l = {.rest = -1};
     const char letter = c->recipe->text[x->name.from];
     if (c->depth == RECIPE_DEPTH) {
-        (void)scarp_recipe_value(c, e, place); /* which tells it */
+        (void)scarpi_recipe_value(c, e, place); /* which tells it */
         l.rest = -2;
         return l;
     }
     if (x->type == EXPRESSION_NAME && x->name.to - x->name.from == 1 && letter >= 'x' &&
         letter <= 'z') {
-        const int p = scarp_recipe_spelled_out(c, e, place), i = letter - 'x';
+        const int p = scarpi_recipe_spelled_out(c, e, place), i = letter - 'x';
         if (p < 0 || i >= c->recipe->place[p].dimensions || c->recipe->is_tiled) {
-            (void)scarp_recipe_value(c, e, place);
+            (void)scarpi_recipe_value(c, e, place);
             l.rest = -2;
             return l;
         }
@@ -162,7 +162,7 @@ static struct linear linear_of(struct recipe_compiler *c, int e, int place)
     if (is_sum) {
         l = linear_sum(c, e, place, x->type == EXPRESSION_ADD ? 1.0 : -1.0);
     } else if (!is_product || !linear_product(c, e, place, &l)) {
-        const struct recipe_value value = scarp_recipe_value(c, e, place);
+        const struct recipe_value value = scarpi_recipe_value(c, e, place);
         l.t = value.kind == SCARP_RECIPE_NUMBER ? value.number : 0.0;
         l.rest = value.kind == SCARP_RECIPE_BAD ? -2 : value.node;
     }
@@ -173,13 +173,13 @@ static struct linear linear_of(struct recipe_compiler *c, int e, int place)
 static int looking_at(struct recipe_compiler *c, int call, int place,
                       const int16_t argument[RECIPE_ARGUMENTS])
 {
-    const int p = scarp_recipe_spelled_out(c, call, place);
+    const int p = scarpi_recipe_spelled_out(c, call, place);
     if (p < 0) {
         return -1;
     }
     struct recipe_place q = c->recipe->place[p];
     if ((argument[3] >= 0) != (q.dimensions == 3)) {
-        return scarp_recipe_bad(c, call, "at() has a coordinate for each axis", NULL).node;
+        return scarpi_recipe_bad(c, call, "at() has a coordinate for each axis", NULL).node;
     }
     for (int i = 0; i < q.dimensions; i++) {
         const struct linear l = linear_of(c, argument[i + 1], place);
@@ -197,10 +197,10 @@ static int looking_at(struct recipe_compiler *c, int call, int place,
 
 static int warped(struct recipe_compiler *c, int place, const int16_t argument[RECIPE_ARGUMENTS])
 {
-    const int noise = scarp_recipe_noise_of(c, argument[1]);
+    const int noise = scarpi_recipe_noise_of(c, argument[1]);
     if (noise < 0) {
-        if (noise == -1 && scarp_recipe_value(c, argument[1], 0).kind != SCARP_RECIPE_BAD) {
-            (void)scarp_recipe_bad(c, argument[1], "expected a noise to displace by", NULL);
+        if (noise == -1 && scarpi_recipe_value(c, argument[1], 0).kind != SCARP_RECIPE_BAD) {
+            (void)scarpi_recipe_bad(c, argument[1], "expected a noise to displace by", NULL);
         }
         return -1;
     }
@@ -212,13 +212,13 @@ static int warped(struct recipe_compiler *c, int place, const int16_t argument[R
 
 static int flattened(struct recipe_compiler *c, int call, int place)
 {
-    const int p = scarp_recipe_spelled_out(c, call, place);
+    const int p = scarpi_recipe_spelled_out(c, call, place);
     if (p < 0) {
         return -1;
     }
     struct recipe_place q = c->recipe->place[p];
     if (q.dimensions != 3) {
-        return scarp_recipe_bad(c, call, "flat() stands in space, and not in itself", NULL).node;
+        return scarpi_recipe_bad(c, call, "flat() stands in space, and not in itself", NULL).node;
     }
     q.dimensions = 2;
     q.m[2][0] = q.m[2][1] = q.m[2][2] = q.t[2] = 0.0;
@@ -230,11 +230,11 @@ static int flattened(struct recipe_compiler *c, int call, int place)
 static int take_numbers(struct recipe_compiler *c, int function,
                         const int16_t argument[RECIPE_ARGUMENTS], double number[3])
 {
-    const struct scarp_recipe_function *const f = scarp_recipe_function_number(function);
+    const struct scarp_recipe_function *const f = scarpi_recipe_function_number(function);
     for (int i = 1; i < f->arguments; i++) {
         if (f->argument[i].kind == SCARP_RECIPE_NUMBER) {
             number[i - 1] = f->argument[i].otherwise;
-            if (argument[i] >= 0 && !scarp_recipe_take_number(c, argument[i], &number[i - 1])) {
+            if (argument[i] >= 0 && !scarpi_recipe_take_number(c, argument[i], &number[i - 1])) {
                 return 0;
             }
         }
@@ -244,7 +244,7 @@ static int take_numbers(struct recipe_compiler *c, int function,
 
 static double cosine(double turns)
 {
-    return scarp_sine_of_turns(turns + 0.25);
+    return scarpi_sine_of_turns(turns + 0.25);
 }
 
 /* u = x / factor along each axis. Returns 0 for a factor that is 0, or too small or large. */
@@ -264,14 +264,14 @@ static void set_turn(struct transform *a, double turns, int axis)
 {
     const int i = (axis + 1) % 3, j = (axis + 2) % 3;
     a->matrix[i][i] = a->matrix[j][j] = cosine(turns);
-    a->matrix[i][j] = scarp_sine_of_turns(turns);
+    a->matrix[i][j] = scarpi_sine_of_turns(turns);
     a->matrix[j][i] = -a->matrix[i][j];
 }
 
 /* x of the picture points to where the wind blows, y across it, `by` times longer. */
 static void set_wind(struct transform *a, double from, double by)
 {
-    const double sine = scarp_sine_of_turns(from / 360.0), other = cosine(from / 360.0);
+    const double sine = scarpi_sine_of_turns(from / 360.0), other = cosine(from / 360.0);
     a->matrix[0][0] = -sine;
     a->matrix[0][1] = -other;
     a->matrix[1][0] = other / by;
@@ -280,11 +280,11 @@ static void set_wind(struct transform *a, double from, double by)
 
 static int axis_of_turn(struct recipe_compiler *c, const int16_t argument[RECIPE_ARGUMENTS])
 {
-    const struct scarp_recipe_function *const f = scarp_recipe_function_number(FUNCTION_TURN);
+    const struct scarp_recipe_function *const f = scarpi_recipe_function_number(FUNCTION_TURN);
     return argument[2] < 0
                ? 2
-               : scarp_recipe_word_of(c->recipe, c->recipe->expression[argument[2]].name,
-                                      &f->argument[2]);
+               : scarpi_recipe_word_of(c->recipe, c->recipe->expression[argument[2]].name,
+                                       &f->argument[2]);
 }
 
 /* The transform of a call. Returns 0 on an error. */
@@ -303,7 +303,7 @@ static int take_transform(struct recipe_compiler *c, int call, int function, int
         const int axis = axis_of_turn(c, argument);
         good = fabs(k[0]) <= 0x1p40;
         if (dimensions == 2 && axis != 2) {
-            return scarp_recipe_bad(c, call, "the plane turns around z alone", NULL), 0;
+            return scarpi_recipe_bad(c, call, "the plane turns around z alone", NULL), 0;
         }
         set_turn(a, good ? k[0] / 360.0 : 0.0, axis);
         break;
@@ -320,11 +320,11 @@ static int take_transform(struct recipe_compiler *c, int call, int function, int
         break;
     default: good = set_factors(a, function == FUNCTION_SCALE ? equal : k, dimensions); break;
     }
-    return good || (scarp_recipe_bad(c, call, "a number is 0, or too small or large", NULL), 0);
+    return good || (scarpi_recipe_bad(c, call, "a number is 0, or too small or large", NULL), 0);
 }
 
-int scarp_recipe_place_inside(struct recipe_compiler *c, int call, int function, int place,
-                              const int16_t argument[RECIPE_ARGUMENTS])
+int scarpi_recipe_place_inside(struct recipe_compiler *c, int call, int function, int place,
+                               const int16_t argument[RECIPE_ARGUMENTS])
 {
     struct transform a = {.matrix = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
     const int dimensions = c->recipe->place[place].dimensions;
@@ -343,7 +343,7 @@ int scarp_recipe_place_inside(struct recipe_compiler *c, int call, int function,
 static int is_frame(const struct recipe *recipe, int place)
 {
     const struct recipe_place *const p = &recipe->place[place];
-    int same = p->dimensions == scarp_recipe_frame_dimensions(recipe, p->frame);
+    int same = p->dimensions == scarpi_recipe_frame_dimensions(recipe, p->frame);
     for (int i = 0; i < p->dimensions; i++) {
         same = same && p->t[i] == 0.0 && p->rest[i] < 0;
         for (int j = 0; j < 3; j++) {
@@ -353,9 +353,9 @@ static int is_frame(const struct recipe *recipe, int place)
     return same;
 }
 
-int scarp_recipe_framed(struct recipe_compiler *c, int e, int place)
+int scarpi_recipe_framed(struct recipe_compiler *c, int e, int place)
 {
-    const int p = scarp_recipe_spelled_out(c, e, place);
+    const int p = scarpi_recipe_spelled_out(c, e, place);
     if (p < 0 || is_frame(c->recipe, p)) {
         return p;
     }
@@ -364,10 +364,10 @@ int scarp_recipe_framed(struct recipe_compiler *c, int e, int place)
         frames++;
     }
     if (frames == RECIPE_FRAMES) {
-        return scarp_recipe_bad(c, e,
-                                "slopes and gullies are nested more than 3 deep, at places "
-                                "that are transformed",
-                                NULL)
+        return scarpi_recipe_bad(c, e,
+                                 "slopes and gullies are nested more than 3 deep, at places "
+                                 "that are transformed",
+                                 NULL)
             .node;
     }
     struct recipe_place q = {.rest = {-1, -1, -1},
@@ -381,14 +381,14 @@ int scarp_recipe_framed(struct recipe_compiler *c, int e, int place)
     return added(c, e, q);
 }
 
-struct recipe_value scarp_recipe_pulled(struct recipe_compiler *c, int e, int place,
-                                        struct recipe_value value)
+struct recipe_value scarpi_recipe_pulled(struct recipe_compiler *c, int e, int place,
+                                         struct recipe_value value)
 {
-    const int p = scarp_recipe_spelled_out(c, e, place);
+    const int p = scarpi_recipe_spelled_out(c, e, place);
     if (value.kind != SCARP_RECIPE_FIELD || p < 0 || is_frame(c->recipe, p)) {
         return value;
     }
-    struct recipe_node node = scarp_recipe_operation(OP_PULL, value.node, -1);
+    struct recipe_node node = scarpi_recipe_operation(OP_PULL, value.node, -1);
     node.place = (int16_t)p;
-    return scarp_recipe_node(c, e, node);
+    return scarpi_recipe_node(c, e, node);
 }

@@ -117,10 +117,10 @@ static void find_positions(const struct recipe_machine *m, int place)
     }
     for (int i = 0; i < p->dimensions; i++) {
         if (p->rest[i] >= 0) {
-            rest[i] = scarp_recipe_samples(m, p->rest[i]).value;
+            rest[i] = scarpi_recipe_samples(m, p->rest[i]).value;
         }
     }
-    const int from = scarp_recipe_frame_dimensions(m->recipe, p->frame);
+    const int from = scarpi_recipe_frame_dimensions(m->recipe, p->frame);
     if (m->has_doubles) {
         transform_double(m, p, from, rest);
     } else {
@@ -193,10 +193,10 @@ static void pull(const struct recipe_machine *m, int place, int order,
 {
     struct jacobian by = {.place = &m->recipe->place[place], .order = order};
     by.from = by.place->dimensions;
-    by.to = scarp_recipe_frame_dimensions(m->recipe, by.place->frame);
+    by.to = scarpi_recipe_frame_dimensions(m->recipe, by.place->frame);
     for (int k = 0; k < by.from; k++) {
         if (by.place->rest[k] >= 0) {
-            by.rest[k] = scarp_recipe_samples(m, by.place->rest[k]);
+            by.rest[k] = scarpi_recipe_samples(m, by.place->rest[k]);
         }
     }
     for (size_t at = 0; order > 0 && at < m->chunk->count; at += BLOCK) {
@@ -238,7 +238,7 @@ static enum scarp_status run_noise(struct recipe_machine *m, const struct recipe
 {
     struct scarp_noise *const noise = m->noise;
     const int dimensions = m->recipe->place[n->place].dimensions;
-    scarp_recipe_spell_noise(m->recipe, n->index, noise);
+    scarpi_recipe_spell_noise(m->recipe, n->index, noise);
     if (is_points(n->place) && m->chunk->grid != NULL) {
         return dimensions == 2 ? scarp_grid2(noise, m->chunk->grid, out)
                                : scarp_grid3(noise, m->chunk->grid, out);
@@ -274,11 +274,11 @@ static enum scarp_status run_vector(struct recipe_machine *m, int node)
     int component[3];
     const int dimensions = m->recipe->place[n->place].dimensions;
     enum scarp_status status;
-    scarp_recipe_spell_noise(m->recipe, n->index, noise);
+    scarpi_recipe_spell_noise(m->recipe, n->index, noise);
     find_components(m, node, component);
     for (int i = 0; i < dimensions; i++) {
         if (component[i] >= 0) {
-            all[i] = scarp_recipe_samples(m, component[i]);
+            all[i] = scarpi_recipe_samples(m, component[i]);
             out[i] = in_dimensions(all[i], dimensions);
         }
     }
@@ -291,7 +291,7 @@ static enum scarp_status run_vector(struct recipe_machine *m, int node)
         status = dimensions == 2 ? scarp_vector2(noise, p.count, p.at[0], p.at[1], out)
                                  : scarp_vector3(noise, p.count, p.at[0], p.at[1], p.at[2], out);
     }
-    const int is_pulled = status == SCARP_OK && !scarp_recipe_is_frame(m->recipe, n->place);
+    const int is_pulled = status == SCARP_OK && !scarpi_recipe_is_frame(m->recipe, n->place);
     for (int i = 0; i < dimensions && is_pulled; i++) {
         if (component[i] >= 0) {
             pull(m, n->place, m->order_of[component[i]], &out[i], &all[i]);
@@ -316,7 +316,7 @@ static enum scarp_status run_cell(struct recipe_machine *m, const struct recipe_
     const int dimensions = m->recipe->place[n->place].dimensions;
     struct scarp_cells to = {0};
     enum scarp_status status;
-    scarp_recipe_spell_noise(m->recipe, n->index, noise);
+    scarpi_recipe_spell_noise(m->recipe, n->index, noise);
     if (n->detail == 0) {
         to.id = (uint32_t *)(void *)out->value;
     } else if (n->detail == 1) {
@@ -352,7 +352,7 @@ static enum scarp_status run_gullies(const struct recipe_machine *m, const struc
                                      const struct scarp_samples *out)
 {
     const struct scarp_gullies *const g = &m->recipe->gully[n->index];
-    const struct scarp_samples base = scarp_recipe_samples(m, n->in[0]);
+    const struct scarp_samples base = scarpi_recipe_samples(m, n->in[0]);
     const struct scarp_eroded to = {
         .displacement = out->value, .displacement_dx = out->dx, .displacement_dy = out->dy};
     if (is_points(n->place) && m->chunk->grid != NULL) {
@@ -399,11 +399,11 @@ static void run_coordinate(const struct recipe_machine *m, const struct recipe_n
                            const struct scarp_samples *out)
 {
     const struct recipe_place *const place = &m->recipe->place[n->place];
-    const int axis = n->detail, to = scarp_recipe_frame_dimensions(m->recipe, place->frame);
+    const int axis = n->detail, to = scarpi_recipe_frame_dimensions(m->recipe, place->frame);
     const size_t count = m->chunk->count;
     struct scarp_samples rest = {0};
     if (place->rest[axis] >= 0) {
-        rest = scarp_recipe_samples(m, place->rest[axis]);
+        rest = scarpi_recipe_samples(m, place->rest[axis]);
     }
     if (m->has_doubles && place->frame < 0 && place->rest[axis] < 0) {
         set_coordinate(m, place, axis, out->value);
@@ -429,10 +429,10 @@ static void run_coordinate(const struct recipe_machine *m, const struct recipe_n
     }
 }
 
-enum scarp_status scarp_recipe_run_placed(struct recipe_machine *m, int node)
+enum scarp_status scarpi_recipe_run_placed(struct recipe_machine *m, int node)
 {
     const struct recipe_node *const n = &m->recipe->node[node];
-    const struct scarp_samples all = scarp_recipe_samples(m, node);
+    const struct scarp_samples all = scarpi_recipe_samples(m, node);
     const struct scarp_samples out = in_dimensions(all, m->recipe->place[n->place].dimensions);
     const int order = m->order_of[node];
     enum scarp_status status;
@@ -441,7 +441,7 @@ enum scarp_status scarp_recipe_run_placed(struct recipe_machine *m, int node)
     case OP_VECTOR: return run_vector(m, node);
     case OP_GULLIES: return run_gullies(m, n, &all); /* which stand in a frame */
     case OP_PULL: {
-        const struct scarp_samples in = scarp_recipe_samples(m, n->in[0]);
+        const struct scarp_samples in = scarpi_recipe_samples(m, n->in[0]);
         memcpy(all.value, in.value, m->chunk->count * sizeof(float));
         pull(m, n->place, order, &in, &all);
         return SCARP_OK;
@@ -449,7 +449,7 @@ enum scarp_status scarp_recipe_run_placed(struct recipe_machine *m, int node)
     case OP_CELL: status = run_cell(m, n, n->detail == 0 ? &all : &out); break;
     default: status = run_noise(m, n, &out); break;
     }
-    if (status == SCARP_OK && !scarp_recipe_is_frame(m->recipe, n->place) &&
+    if (status == SCARP_OK && !scarpi_recipe_is_frame(m->recipe, n->place) &&
         !(n->operation == OP_CELL && n->detail == 0)) {
         pull(m, n->place, order, &out, &all);
     }

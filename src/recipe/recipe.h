@@ -196,12 +196,12 @@ struct __attribute__((may_alias)) recipe {
 _Static_assert(sizeof(struct recipe) <= sizeof(struct scarp_recipe),
                "a recipe fits into what callers have for it");
 
-static inline struct recipe *scarp_recipe_inside(struct scarp_recipe *recipe)
+static inline struct recipe *scarpi_recipe_inside(struct scarp_recipe *recipe)
 {
     return (struct recipe *)recipe;
 }
 
-static inline const struct recipe *scarp_recipe_of(const struct scarp_recipe *recipe)
+static inline const struct recipe *scarpi_recipe_of(const struct scarp_recipe *recipe)
 {
     return (const struct recipe *)recipe;
 }

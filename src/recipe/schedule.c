@@ -48,7 +48,7 @@ static void find_live(struct scheduler *s, const int16_t *roots, int count)
         int16_t reads[RECIPE_READS];
         int slopes;
         slopes = 0;
-        const int read = has(&s->live, n) ? scarp_recipe_reads(s->recipe, n, reads, &slopes) : 0;
+        const int read = has(&s->live, n) ? scarpi_recipe_reads(s->recipe, n, reads, &slopes) : 0;
         const uint8_t operation = s->recipe->node[n].operation;
         for (int i = 0; i < read; i++) {
             const int is_base = (operation == OP_SLOPE || operation == OP_GULLIES) && i == 0;
@@ -69,7 +69,7 @@ static void find_needs(struct scheduler *s)
     for (int n = 0; n < s->recipe->nodes; n++) {
         int16_t reads[RECIPE_READS];
         int slopes;
-        const int count = scarp_recipe_reads(s->recipe, n, reads, &slopes);
+        const int count = scarpi_recipe_reads(s->recipe, n, reads, &slopes);
         int most = 1, equal = 0;
         for (int i = 0; i < count; i++) {
             const int need = s->need[reads[i]];
@@ -114,7 +114,7 @@ static int mask_of(const struct recipe *recipe, int n)
 static int in_order(const struct scheduler *s, int n, int16_t reads[RECIPE_READS])
 {
     int slopes;
-    const int count = scarp_recipe_reads(s->recipe, n, reads, &slopes);
+    const int count = scarpi_recipe_reads(s->recipe, n, reads, &slopes);
     const int mask = mask_of(s->recipe, n);
     for (int i = 1; i < count; i++) {
         const int16_t moved = reads[i];
@@ -187,7 +187,7 @@ static void put_reads(const struct scheduler *s, struct set *set, int n, int but
 {
     int16_t reads[RECIPE_READS];
     int slopes;
-    const int count = scarp_recipe_reads(s->recipe, n, reads, &slopes);
+    const int count = scarpi_recipe_reads(s->recipe, n, reads, &slopes);
     for (int i = 0; i < count; i++) {
         if (i != but) {
             put(set, reads[i]);
@@ -283,7 +283,7 @@ static void free_reads(const struct scheduler *s, struct registers *r, int step)
 {
     int16_t reads[RECIPE_READS];
     int slopes;
-    const int n = s->to->step[step], count = scarp_recipe_reads(s->recipe, n, reads, &slopes);
+    const int n = s->to->step[step], count = scarpi_recipe_reads(s->recipe, n, reads, &slopes);
     for (int i = 0; i < count; i++) {
         if (r->last[reads[i]] == step) {
             r->busy[s->to->register_of[reads[i]]] = 0;
@@ -298,7 +298,7 @@ static void set_registers(struct scheduler *s, const int16_t *roots, int count)
     for (int k = 0; k < steps; k++) {
         int16_t reads[RECIPE_READS];
         int slopes;
-        const int n = s->to->step[k], read = scarp_recipe_reads(s->recipe, n, reads, &slopes);
+        const int n = s->to->step[k], read = scarpi_recipe_reads(s->recipe, n, reads, &slopes);
         r.last[n] = (int16_t)k;
         for (int i = 0; i < read; i++) { /* what is computed once per column stays */
             const int stays = s->position[reads[i]] < s->to->columns && k >= s->to->columns;
@@ -348,8 +348,8 @@ static void find_alone(struct scheduler *s, const int16_t *roots, int count)
     }
 }
 
-void scarp_recipe_schedule(const struct recipe *recipe, const int16_t *roots, int count,
-                           struct recipe_schedule *schedule)
+void scarpi_recipe_schedule(const struct recipe *recipe, const int16_t *roots, int count,
+                            struct recipe_schedule *schedule)
 {
     struct scheduler s = {.recipe = recipe, .to = schedule};
     memset(schedule, 0, sizeof *schedule);

@@ -8,7 +8,7 @@
 #include "recipe.h"
 
 /* Plans how to compute some nodes. */
-void scarp_recipe_schedule(const struct recipe *recipe, const int16_t *roots, int count,
-                           struct recipe_schedule *schedule);
+void scarpi_recipe_schedule(const struct recipe *recipe, const int16_t *roots, int count,
+                            struct recipe_schedule *schedule);
 
 #endif

@@ -17,7 +17,7 @@ static enum scarp_status find_recipe(const struct scarp_recipe *recipe, const st
     if (recipe == NULL) {
         return SCARP_ERROR_NULL;
     }
-    *r = scarp_recipe_of(recipe);
+    *r = scarpi_recipe_of(recipe);
     return (*r)->version == RECIPE_VERSION && !(*r)->is_bad ? SCARP_OK : SCARP_ERROR_PARAMETER;
 }
 
@@ -26,10 +26,10 @@ static void set_orders(struct shader_writer *w, int order)
 {
     const struct recipe *const r = w->recipe;
     for (int i = 0; i < r->outputs; i++) {
-        const int node = scarp_recipe_output_node(r, i), has = r->node[node].order;
+        const int node = scarpi_recipe_output_node(r, i), has = r->node[node].order;
         w->order_of[node] = (uint8_t)(order < has ? order : has);
     }
-    scarp_recipe_raise_orders(r, &r->schedule, w->order_of);
+    scarpi_recipe_raise_orders(r, &r->schedule, w->order_of);
 }
 
 static NOINLINE enum scarp_status write(const struct recipe *r, const struct scarp_shader *how,
@@ -38,15 +38,15 @@ static NOINLINE enum scarp_status write(const struct recipe *r, const struct sca
     const struct shader_uniforms none = {NULL, NULL, NULL};
     struct shader_slots slots;
     struct shader_writer w = {.recipe = r, .slots = &slots, .to = text};
-    const enum scarp_status status = scarp_shader_lay_out(r, &none, &slots);
+    const enum scarp_status status = scarpi_shader_lay_out(r, &none, &slots);
     if (status != SCARP_OK) {
         return status;
     }
     set_orders(&w, how->order);
-    scarp_shader_put_head(&w);
+    scarpi_shader_put_head(&w);
     const struct shader_cut cut = {how->file, how->length, text->length};
-    scarp_shader_put_functions(&w, how->order);
-    return scarp_shader_cut(&cut, text) ? SCARP_OK : SCARP_ERROR_PARAMETER;
+    scarpi_shader_put_functions(&w, how->order);
+    return scarpi_shader_cut(&cut, text) ? SCARP_OK : SCARP_ERROR_PARAMETER;
 }
 
 enum scarp_status scarp_recipe_shader(const struct scarp_recipe *recipe,
@@ -95,7 +95,7 @@ static NOINLINE enum scarp_status fill(const struct recipe *r, void *bytes, size
 {
     const struct shader_uniforms none = {NULL, NULL, NULL};
     struct shader_slots slots;
-    const enum scarp_status status = scarp_shader_lay_out(r, &none, &slots);
+    const enum scarp_status status = scarpi_shader_lay_out(r, &none, &slots);
     if (status != SCARP_OK) {
         return status;
     }
@@ -111,7 +111,7 @@ static NOINLINE enum scarp_status fill(const struct recipe *r, void *bytes, size
         (struct scarp_gpu_octave *)(void *)(at + HEAD_BYTES + numbers + levels)};
     memset(bytes, 0, *size);
     memcpy(at + 4, &slots.unit, sizeof slots.unit);
-    return scarp_shader_lay_out(r, &to, &slots);
+    return scarpi_shader_lay_out(r, &to, &slots);
 }
 
 enum scarp_status scarp_recipe_uniforms(const struct scarp_recipe *recipe, void *bytes,
@@ -148,7 +148,7 @@ static void set_point(const struct answering *a, uint32_t first, float position[
 {
     for (uint32_t i = 0; i < CHUNK; i++) {
         for (uint32_t axis = 0; axis < 3; axis++) {
-            position[axis][i] = scarp_shader_coordinate(first + i, axis, a->unit);
+            position[axis][i] = scarpi_shader_coordinate(first + i, axis, a->unit);
         }
     }
 }
@@ -159,7 +159,7 @@ static void set_members(const struct recipe *r, int output, int order, float arr
 {
     static const unsigned char of[MEMBERS] = {0, 1, 1, 1, 2, 2, 2, 2, 2, 2};
     static const unsigned along_z = 1u << 3 | 1u << 6 | 1u << 8 | 1u << 9;
-    const int has = r->node[scarp_recipe_output_node(r, output)].order;
+    const int has = r->node[scarpi_recipe_output_node(r, output)].order;
     memset(to, 0, sizeof *to);
     for (int i = 0; i < MEMBERS; i++) {
         const int is_there =
@@ -173,7 +173,7 @@ static void set_members(const struct recipe *r, int output, int order, float arr
 static NOINLINE enum scarp_status answer_chunk(const struct answering *a, uint32_t first,
                                                uint32_t *answer)
 {
-    const struct recipe *const r = scarp_recipe_of(a->recipe);
+    const struct recipe *const r = scarpi_recipe_of(a->recipe);
     float position[3][CHUNK], array[MEMBERS][CHUNK];
     set_point(a, first, position);
     memset(answer, 0, CHUNK * sizeof *answer);
@@ -191,7 +191,7 @@ static NOINLINE enum scarp_status answer_chunk(const struct answering *a, uint32
             float *member;
             memcpy(&member, (const char *)&samples + (size_t)k * sizeof member, sizeof member);
             for (int i = 0; member != NULL && i < CHUNK; i++) {
-                answer[i] = scarp_shader_hash(answer[i], member[i]);
+                answer[i] = scarpi_shader_hash(answer[i], member[i]);
             }
         }
     }
@@ -202,7 +202,7 @@ static NOINLINE enum scarp_status find_unit(const struct recipe *r, float *unit)
 {
     const struct shader_uniforms none = {NULL, NULL, NULL};
     struct shader_slots slots;
-    const enum scarp_status status = scarp_shader_lay_out(r, &none, &slots);
+    const enum scarp_status status = scarpi_shader_lay_out(r, &none, &slots);
     *unit = slots.unit;
     return status;
 }

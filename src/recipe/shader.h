@@ -35,9 +35,9 @@ struct shader_uniforms {
     struct scarp_gpu_octave *octave;
 };
 
-KEEP_STATUS enum scarp_status scarp_shader_lay_out(const struct recipe *recipe,
-                                                   const struct shader_uniforms *to,
-                                                   struct shader_slots *slots);
+KEEP_STATUS enum scarp_status scarpi_shader_lay_out(const struct recipe *recipe,
+                                                    const struct shader_uniforms *to,
+                                                    struct shader_slots *slots);
 
 /* Text; what exceeds the capacity is counted and not written. */
 struct shader_text {
@@ -50,8 +50,8 @@ struct shader_text {
    a vector of three numbers and one of four; %L is what declares a variable that
    does not change, and %X one that does, of a type whose name follows in the format up to a space:
    "%LScarpSample r1 = 0;". */
-void scarp_shader_put(struct shader_text *to, const char *format, ...);
-void scarp_shader_put_span(struct shader_text *to, const char *from, size_t length);
+void scarpi_shader_put(struct shader_text *to, const char *format, ...);
+void scarpi_shader_put_span(struct shader_text *to, const char *from, size_t length);
 
 /* What is needed to write the functions. */
 struct shader_writer {
@@ -65,16 +65,16 @@ struct shader_writer {
 };
 
 /* The declaration of the buffer, which stands behind the structures. */
-void scarp_shader_put_head(const struct shader_writer *w);
+void scarpi_shader_put_head(const struct shader_writer *w);
 
 /* The functions. */
-void scarp_shader_put_functions(struct shader_writer *w, int order);
+void scarpi_shader_put_functions(struct shader_writer *w, int order);
 
 /* The number of the function for the octaves of a noise. */
-int scarp_shader_kind(struct shader_writer *w, const struct scarp_noise *noise, int dimensions);
+int scarpi_shader_kind(struct shader_writer *w, const struct scarp_noise *noise, int dimensions);
 
 /* The body of the function that gives all outputs. */
-void scarp_shader_put_steps(struct shader_writer *w);
+void scarpi_shader_put_steps(struct shader_writer *w);
 
 /* What a shader uses of scarp.glsl or its like. */
 struct shader_cut {
@@ -85,6 +85,6 @@ struct shader_cut {
 
 /* Puts what is used around a recipe's own text, which `text` has from its beginning. Returns 0 if
    the file is none of these. */
-int scarp_shader_cut(const struct shader_cut *cut, struct shader_text *text);
+int scarpi_shader_cut(const struct shader_cut *cut, struct shader_text *text);
 
 #endif

@@ -300,14 +300,14 @@ static void put_pieces(const struct cutter *c, int from, int to, struct shader_t
 {
     for (int i = from; i < to; i++) {
         if (c->piece[i].stays) {
-            scarp_shader_put_span(text, c->file + c->piece[i].from,
-                                  c->piece[i].to - c->piece[i].from);
-            scarp_shader_put_span(text, "\n", 1);
+            scarpi_shader_put_span(text, c->file + c->piece[i].from,
+                                   c->piece[i].to - c->piece[i].from);
+            scarpi_shader_put_span(text, "\n", 1);
         }
     }
 }
 
-int scarp_shader_cut(const struct shader_cut *cut, struct shader_text *text)
+int scarpi_shader_cut(const struct shader_cut *cut, struct shader_text *text)
 {
     struct cutter c = {.file = cut->file, .length = cut->length};
     const size_t own = text->length;

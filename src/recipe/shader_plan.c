@@ -48,7 +48,7 @@ static void put_knots(struct filling *f, const struct recipe_node *n)
         x[i] = f->recipe->knot[n->index + i][0];
         y[i] = f->recipe->knot[n->index + i][1];
     }
-    if (!scarp_curve_slopes(n->knots, x, y, slope)) {
+    if (!scarpi_curve_slopes(n->knots, x, y, slope)) {
         keep_status(f, SCARP_ERROR_PARAMETER);
         return;
     }
@@ -73,7 +73,7 @@ static void put_numbers(struct filling *f, const struct recipe_node *n)
             continue;
         }
         memset(k, 0, sizeof k);
-        if (!scarp_chain_numbers((enum scarp_chain_function)chained[i].function, n->k, k)) {
+        if (!scarpi_chain_numbers((enum scarp_chain_function)chained[i].function, n->k, k)) {
             keep_status(f, SCARP_ERROR_PARAMETER);
         }
     }
@@ -116,12 +116,12 @@ static void put_noise(const struct scarp_call_plan *plan, const void *opaque)
 {
     const struct filling *const f = opaque;
     const int count =
-        scarp_shader_levels(plan, f->dimensions, level_at(f), octave_at(f), f->slots->octaves);
+        scarpi_shader_levels(plan, f->dimensions, level_at(f), octave_at(f), f->slots->octaves);
     if (f->slots->octaves == 0) {
         f->slots->unit =
-            scarp_shader_unit(plan->warps.depth > 0 || plan->warps.vector
-                                  ? scarp_component_plan(plan, 0, 0).octave[0].frequency64
-                                  : plan->octave[0].frequency64);
+            scarpi_shader_unit(plan->warps.depth > 0 || plan->warps.vector
+                                   ? scarpi_component_plan(plan, 0, 0).octave[0].frequency64
+                                   : plan->octave[0].frequency64);
     }
     f->slots->levels += plan->warps.depth + 1;
     f->slots->octaves += count;
@@ -132,8 +132,8 @@ static void put_cells(const struct scarp_call_plan *plan, const void *opaque)
 {
     const struct filling *const f = opaque;
     struct scarp_octave first =
-        plan->warps.depth > 0 ? scarp_component_plan(plan, 0, 0).octave[0] : plan->octave[0];
-    first.jitter = scarp_stray(f->noise);
+        plan->warps.depth > 0 ? scarpi_component_plan(plan, 0, 0).octave[0] : plan->octave[0];
+    first.jitter = scarpi_stray(f->noise);
     first.middle = 0.0f;
     first.stretch = 1.0;
     const struct scarp_call_plan cells = {
@@ -147,7 +147,7 @@ static void put_gullies(const struct scarp_call_plan *plan, const void *opaque)
     const struct filling *const f = opaque;
     struct scarp_gully_plan g;
     struct scarp_gpu_octave *const octave = octave_at(f);
-    scarp_gullies_plan(&g, &f->recipe->gully[f->node->index], plan);
+    scarpi_gullies_plan(&g, &f->recipe->gully[f->node->index], plan);
     put_number(f, g.low, g.steepness, g.slope2, g.slope2_low);
     put_number(f, g.lowered, g.round, g.round2, g.fall);
     put_number(f, g.branch, g.of_base[0], g.of_base[1], g.of_base[2]);
@@ -196,17 +196,18 @@ static void put_levels(struct filling *f, int step)
     f->node = n;
     f->noise = noise;
     if (n->operation == OP_GULLIES) {
-        noise[0] = scarp_gullies_lattice(&r->gully[n->index]);
-        keep_status(f, scarp_run(noise, kind, put_gullies, f));
+        noise[0] = scarpi_gullies_lattice(&r->gully[n->index]);
+        keep_status(f, scarpi_run(noise, kind, put_gullies, f));
         return;
     }
-    scarp_recipe_spell_noise(r, n->index, noise);
+    scarpi_recipe_spell_noise(r, n->index, noise);
     kind.vector = n->operation == OP_VECTOR;
-    keep_status(f, scarp_run(noise, kind, n->operation == OP_CELL ? put_cells : put_noise, f));
+    keep_status(f, scarpi_run(noise, kind, n->operation == OP_CELL ? put_cells : put_noise, f));
 }
 
-enum scarp_status scarp_shader_lay_out(const struct recipe *recipe,
-                                       const struct shader_uniforms *to, struct shader_slots *slots)
+enum scarp_status scarpi_shader_lay_out(const struct recipe *recipe,
+                                        const struct shader_uniforms *to,
+                                        struct shader_slots *slots)
 {
     struct filling f = {.recipe = recipe, .to = to, .slots = slots};
     memset(slots, 0, sizeof *slots);

@@ -13,7 +13,7 @@
 /* The dimensions that derivatives of a place are by. */
 static int frame_of(const struct recipe *r, int place)
 {
-    return scarp_recipe_frame_dimensions(r, r->place[place].frame);
+    return scarpi_recipe_frame_dimensions(r, r->place[place].frame);
 }
 
 static int has_rest(const struct recipe_place *p)
@@ -30,26 +30,26 @@ static void put_rest(const struct shader_writer *w, int place)
 {
     const struct recipe_place *const p = &w->recipe->place[place];
     if (!has_rest(p)) {
-        scarp_shader_put(w->to, "scarp_not_displaced()");
+        scarpi_shader_put(w->to, "scarp_not_displaced()");
         return;
     }
-    scarp_shader_put(w->to, "scarp_displaced_of(");
+    scarpi_shader_put(w->to, "scarp_displaced_of(");
     for (int i = 0; i < 3; i++) {
-        scarp_shader_put(w->to, i > 0 ? ", " : "");
+        scarpi_shader_put(w->to, i > 0 ? ", " : "");
         if (i < p->dimensions && p->rest[i] >= 0) {
-            scarp_shader_put(w->to, "r%d", p->rest[i]);
+            scarpi_shader_put(w->to, "r%d", p->rest[i]);
         } else {
-            scarp_shader_put(w->to, "scarp_constant(0.0)");
+            scarpi_shader_put(w->to, "scarp_constant(0.0)");
         }
     }
-    scarp_shader_put(w->to, ")");
+    scarpi_shader_put(w->to, ")");
 }
 
 static void put_rows(const struct shader_writer *w, int place)
 {
     const int first = w->slots->place_of[place];
-    scarp_shader_put(w->to, "scarp_own_number(%du), scarp_own_number(%du), scarp_own_number(%du)",
-                     first, first + 1, first + 2);
+    scarpi_shader_put(w->to, "scarp_own_number(%du), scarp_own_number(%du), scarp_own_number(%du)",
+                      first, first + 1, first + 2);
 }
 
 /* The coordinates of a place: those of its frame, transformed. Frames are three deep at most. */
@@ -61,18 +61,18 @@ static void put_position(const struct shader_writer *w, int place)
     }
     for (int i = 0; i < depth; i++) {
         const int rests = has_rest(&w->recipe->place[chain[i]]);
-        scarp_shader_put(w->to, rests ? "scarp_add3(scarp_placed(" : "scarp_placed(");
+        scarpi_shader_put(w->to, rests ? "scarp_add3(scarp_placed(" : "scarp_placed(");
     }
-    scarp_shader_put(w->to, "at");
+    scarpi_shader_put(w->to, "at");
     while (depth-- > 0) {
         const int p = chain[depth];
-        scarp_shader_put(w->to, ", ");
+        scarpi_shader_put(w->to, ", ");
         put_rows(w, p);
-        scarp_shader_put(w->to, ", %d)", frame_of(w->recipe, p));
+        scarpi_shader_put(w->to, ", %d)", frame_of(w->recipe, p));
         if (has_rest(&w->recipe->place[p])) {
-            scarp_shader_put(w->to, ", scarp_values_of(");
+            scarpi_shader_put(w->to, ", scarp_values_of(");
             put_rest(w, p);
-            scarp_shader_put(w->to, "))");
+            scarpi_shader_put(w->to, "))");
         }
     }
 }
@@ -80,21 +80,21 @@ static void put_position(const struct shader_writer *w, int place)
 /* What stands around a sample whose derivatives are by the coordinates of a place. */
 static void put_pull(const struct shader_writer *w, int place)
 {
-    scarp_shader_put(w->to, scarp_recipe_is_frame(w->recipe, place) ? "" : "scarp_pulled(");
+    scarpi_shader_put(w->to, scarpi_recipe_is_frame(w->recipe, place) ? "" : "scarp_pulled(");
 }
 
 static void put_pulled(const struct shader_writer *w, int place)
 {
-    if (scarp_recipe_is_frame(w->recipe, place)) {
+    if (scarpi_recipe_is_frame(w->recipe, place)) {
         return;
     }
-    scarp_shader_put(w->to, ", scarp_jacobian_with(");
+    scarpi_shader_put(w->to, ", scarp_jacobian_with(");
     put_rows(w, place);
-    scarp_shader_put(w->to, ", ");
+    scarpi_shader_put(w->to, ", ");
     put_rest(w, place);
-    scarp_shader_put(w->to, "), ");
+    scarpi_shader_put(w->to, "), ");
     put_rest(w, place);
-    scarp_shader_put(w->to, ", %d)", w->recipe->place[place].dimensions);
+    scarpi_shader_put(w->to, ", %d)", w->recipe->place[place].dimensions);
 }
 
 /* Begins the line that gives a node its value, a sample r, or all components of vector noise, v.
@@ -102,11 +102,11 @@ static void put_pulled(const struct shader_writer *w, int place)
 static void put_variable(const struct shader_writer *w, int node, char letter)
 {
     const int is_guarded = w->recipe->schedule.guard_of[node] != 0, is_sample = letter == 'r';
-    scarp_shader_put(w->to,
-                     is_guarded  ? (is_sample ? "        r%d = " : "        v%d = ")
-                     : is_sample ? "    %LScarpSample r%d = "
-                                 : "    %LScarpDisplaced v%d = ",
-                     node);
+    scarpi_shader_put(w->to,
+                      is_guarded  ? (is_sample ? "        r%d = " : "        v%d = ")
+                      : is_sample ? "    %LScarpSample r%d = "
+                                  : "    %LScarpDisplaced v%d = ",
+                      node);
 }
 
 static const char *indent_of(const struct shader_writer *w, int node)
@@ -135,21 +135,21 @@ static int put_warps(struct shader_writer *w, int node, const struct scarp_noise
     if (depth > 0 && w->warped >= 0 && is_warped_alike(w->recipe, w->warped, node)) {
         return w->warped;
     }
-    scarp_shader_put(w->to, "%s%L%V u%d = ", indent, node);
+    scarpi_shader_put(w->to, "%s%L%V u%d = ", indent, node);
     put_position(w, n->place);
-    scarp_shader_put(w->to, ";\n");
+    scarpi_shader_put(w->to, ";\n");
     for (int i = depth; i > 0; i--) {
-        const int kind = scarp_shader_kind(w, &noise[i], dimensions);
+        const int kind = scarpi_shader_kind(w, &noise[i], dimensions);
         if (i == depth) {
-            scarp_shader_put(w->to, "%s%XScarpDisplaced y%d = ", indent, node);
-            scarp_shader_put(w->to, "scarp_positions_of(scarp_own_warp%d(%du, u%d));\n", kind,
-                             level + i, node);
+            scarpi_shader_put(w->to, "%s%XScarpDisplaced y%d = ", indent, node);
+            scarpi_shader_put(w->to, "scarp_positions_of(scarp_own_warp%d(%du, u%d));\n", kind,
+                              level + i, node);
             continue;
         }
-        scarp_shader_put(w->to, "%sy%d = scarp_positions_of(scarp_composed_each(", indent, node);
-        scarp_shader_put(w->to, "scarp_own_warp%d(%du, scarp_add3(u%d, scarp_values_of(y%d)))",
-                         kind, level + i, node, node);
-        scarp_shader_put(w->to, ", y%d, %d));\n", node, dimensions);
+        scarpi_shader_put(w->to, "%sy%d = scarp_positions_of(scarp_composed_each(", indent, node);
+        scarpi_shader_put(w->to, "scarp_own_warp%d(%du, scarp_add3(u%d, scarp_values_of(y%d)))",
+                          kind, level + i, node, node);
+        scarpi_shader_put(w->to, ", y%d, %d));\n", node, dimensions);
     }
     w->warped = depth > 0 ? node : w->warped;
     return depth > 0 ? node : -1;
@@ -161,18 +161,18 @@ static void put_level(struct shader_writer *w, int node, const struct scarp_nois
 {
     const struct recipe_node *const n = &w->recipe->node[node];
     const int dimensions = w->recipe->place[n->place].dimensions;
-    const int kind = scarp_shader_kind(w, &noise[0], dimensions);
+    const int kind = scarpi_shader_kind(w, &noise[0], dimensions);
     const int is_vector = n->operation == OP_VECTOR;
     if (warped >= 0) {
-        scarp_shader_put(w->to, is_vector ? "scarp_composed_each(" : "scarp_composed(");
+        scarpi_shader_put(w->to, is_vector ? "scarp_composed_each(" : "scarp_composed(");
     }
-    scarp_shader_put(w->to, is_vector ? "scarp_own_warp%d(%du, " : "scarp_own_kind%d(%du, 0u, ",
-                     kind, w->slots->level_of[node]);
+    scarpi_shader_put(w->to, is_vector ? "scarp_own_warp%d(%du, " : "scarp_own_kind%d(%du, 0u, ",
+                      kind, w->slots->level_of[node]);
     if (warped >= 0) {
-        scarp_shader_put(w->to, "scarp_add3(u%d, scarp_values_of(y%d))), y%d, %d)", warped, warped,
-                         warped, dimensions);
+        scarpi_shader_put(w->to, "scarp_add3(u%d, scarp_values_of(y%d))), y%d, %d)", warped, warped,
+                          warped, dimensions);
     } else {
-        scarp_shader_put(w->to, "u%d)", node);
+        scarpi_shader_put(w->to, "u%d)", node);
     }
 }
 
@@ -180,13 +180,13 @@ static void put_noise(struct shader_writer *w, int node)
 {
     const struct recipe_node *const n = &w->recipe->node[node];
     struct scarp_noise noise[5];
-    scarp_recipe_spell_noise(w->recipe, n->index, noise);
+    scarpi_recipe_spell_noise(w->recipe, n->index, noise);
     const int warped = put_warps(w, node, noise);
     put_variable(w, node, 'r');
     put_pull(w, n->place);
     put_level(w, node, noise, warped);
     put_pulled(w, n->place);
-    scarp_shader_put(w->to, ";\n");
+    scarpi_shader_put(w->to, ";\n");
 }
 
 /* A component of vector noise whose variable is v. */
@@ -196,19 +196,19 @@ static void put_component(struct shader_writer *w, int node, int vector, int com
     static const char *const axis[] = {"x", "y", "z"};
     put_variable(w, node, 'r');
     put_pull(w, place);
-    scarp_shader_put(w->to, "v%d.%s", vector, axis[component]);
+    scarpi_shader_put(w->to, "v%d.%s", vector, axis[component]);
     put_pulled(w, place);
-    scarp_shader_put(w->to, ";\n");
+    scarpi_shader_put(w->to, ";\n");
 }
 
 static void put_vector(struct shader_writer *w, int node)
 {
     struct scarp_noise noise[5];
-    scarp_recipe_spell_noise(w->recipe, w->recipe->node[node].index, noise);
+    scarpi_recipe_spell_noise(w->recipe, w->recipe->node[node].index, noise);
     const int warped = put_warps(w, node, noise);
     put_variable(w, node, 'v');
     put_level(w, node, noise, warped);
-    scarp_shader_put(w->to, ";\n");
+    scarpi_shader_put(w->to, ";\n");
     put_component(w, node, node, 0);
 }
 
@@ -218,20 +218,20 @@ static void put_cell(struct shader_writer *w, int node)
     const int dimensions = w->recipe->place[n->place].dimensions;
     const char *const indent = indent_of(w, node);
     const int octave = w->slots->level_of[node];
-    scarp_shader_put(w->to, "%s%L%V u%d = ", indent, node);
+    scarpi_shader_put(w->to, "%s%L%V u%d = ", indent, node);
     put_position(w, n->place);
-    scarp_shader_put(w->to, ";\n%s%LScarpOctave o%d = ", indent, node);
-    scarp_shader_put(w->to, "scarp_own_octave(scarp_own_level(%du).first);\n", octave);
+    scarpi_shader_put(w->to, ";\n%s%LScarpOctave o%d = ", indent, node);
+    scarpi_shader_put(w->to, "scarp_own_octave(scarp_own_level(%du).first);\n", octave);
     put_variable(w, node, 'r');
     put_pull(w, n->detail == 0 ? 0 : n->place);
-    scarp_shader_put(w->to,
-                     "scarp_cell_sample(scarp_cells_around(o%d, scarp_location_of(o%d, 3u, false, "
-                     "u%d, %d), o%d.inverse, u%d, %d), %d)",
-                     node, node, node, dimensions, node, node, dimensions, n->detail);
+    scarpi_shader_put(w->to,
+                      "scarp_cell_sample(scarp_cells_around(o%d, scarp_location_of(o%d, 3u, false, "
+                      "u%d, %d), o%d.inverse, u%d, %d), %d)",
+                      node, node, node, dimensions, node, node, dimensions, n->detail);
     if (n->detail != 0) {
         put_pulled(w, n->place);
     }
-    scarp_shader_put(w->to, ";\n");
+    scarpi_shader_put(w->to, ";\n");
 }
 
 static void put_gullies(struct shader_writer *w, int node)
@@ -240,27 +240,28 @@ static void put_gullies(struct shader_writer *w, int node)
     const struct scarp_gullies *const g = &w->recipe->gully[n->index];
     const int first = w->slots->number_of[node];
     const char *const in = indent_of(w, node);
-    scarp_shader_put(w->to, "%s%L%V u%d = ", in, node);
+    scarpi_shader_put(w->to, "%s%L%V u%d = ", in, node);
     put_position(w, n->place);
-    scarp_shader_put(w->to, ";\n%s%LScarpLevel l%d = scarp_own_level(%du);\n", in, node,
-                     w->slots->level_of[node]);
-    scarp_shader_put(w->to, "%s%LScarpGullyShape g%d = scarp_gully_shape_of(", in, node);
-    scarp_shader_put(w->to,
-                     "scarp_own_number(%du), scarp_own_number(%du), scarp_own_number(%du));\n",
-                     first, first + 1, first + 2);
-    scarp_shader_put(w->to, "%s%XScarpGully s%d = ", in, node);
-    scarp_shader_put(w->to, "scarp_gully_first(g%d, scarp_own_number(%du), r%d);\n", node,
-                     first + 2, n->in[0]);
-    scarp_shader_put(w->to, "%sfor (%Xuint k = 0u; k < l%d.octaves; k++) {\n", in, node);
-    scarp_shader_put(w->to,
-                     "%s    s%d = scarp_gully_with(s%d, g%d, scarp_own_octave(l%d.first + k), l%d, "
-                     "%s, u%d);\n%s}\n",
-                     in, node, node, node, node, node, g->rotate ? "k > 0u" : "false", node, in);
+    scarpi_shader_put(w->to, ";\n%s%LScarpLevel l%d = scarp_own_level(%du);\n", in, node,
+                      w->slots->level_of[node]);
+    scarpi_shader_put(w->to, "%s%LScarpGullyShape g%d = scarp_gully_shape_of(", in, node);
+    scarpi_shader_put(w->to,
+                      "scarp_own_number(%du), scarp_own_number(%du), scarp_own_number(%du));\n",
+                      first, first + 1, first + 2);
+    scarpi_shader_put(w->to, "%s%XScarpGully s%d = ", in, node);
+    scarpi_shader_put(w->to, "scarp_gully_first(g%d, scarp_own_number(%du), r%d);\n", node,
+                      first + 2, n->in[0]);
+    scarpi_shader_put(w->to, "%sfor (%Xuint k = 0u; k < l%d.octaves; k++) {\n", in, node);
+    scarpi_shader_put(
+        w->to,
+        "%s    s%d = scarp_gully_with(s%d, g%d, scarp_own_octave(l%d.first + k), l%d, "
+        "%s, u%d);\n%s}\n",
+        in, node, node, node, node, node, g->rotate ? "k > 0u" : "false", node, in);
     put_variable(w, node, 'r');
-    scarp_shader_put(w->to,
-                     "scarp_gully_displacement(s%d, scarp_own_number(%du).x, "
-                     "scarp_own_number(%du).y);\n",
-                     node, first + 3, first + 3);
+    scarpi_shader_put(w->to,
+                      "scarp_gully_displacement(s%d, scarp_own_number(%du).x, "
+                      "scarp_own_number(%du).y);\n",
+                      node, first + 3, first + 3);
 }
 
 static void put_coordinate(const struct shader_writer *w, int node)
@@ -272,21 +273,21 @@ static void put_coordinate(const struct shader_writer *w, int node)
     const struct recipe_place *const p = &w->recipe->place[n->place];
     const int rest = p->rest[n->detail];
     const char *const in = indent_of(w, node);
-    scarp_shader_put(w->to, "%s%L%V u%d = ", in, node);
+    scarpi_shader_put(w->to, "%s%L%V u%d = ", in, node);
     put_position(w, n->place);
-    scarp_shader_put(w->to, ";\n");
+    scarpi_shader_put(w->to, ";\n");
     put_variable(w, node, 'r');
-    scarp_shader_put(w->to, "scarp_coordinate_of(u%d.%s, ", node, axis[n->detail]);
+    scarpi_shader_put(w->to, "scarp_coordinate_of(u%d.%s, ", node, axis[n->detail]);
     if (n->place == 0) {
-        scarp_shader_put(w->to, "%4(%s), ", row[n->detail]);
+        scarpi_shader_put(w->to, "%4(%s), ", row[n->detail]);
     } else {
-        scarp_shader_put(w->to, "scarp_own_number(%du), ",
-                         w->slots->place_of[n->place] + n->detail);
+        scarpi_shader_put(w->to, "scarp_own_number(%du), ",
+                          w->slots->place_of[n->place] + n->detail);
     }
     if (rest >= 0) {
-        scarp_shader_put(w->to, "r%d);\n", rest);
+        scarpi_shader_put(w->to, "r%d);\n", rest);
     } else {
-        scarp_shader_put(w->to, "scarp_constant(0.0));\n");
+        scarpi_shader_put(w->to, "scarp_constant(0.0));\n");
     }
 }
 
@@ -296,15 +297,15 @@ static void put_curve(const struct shader_writer *w, int node)
     const struct recipe_node *const n = &w->recipe->node[node];
     const int first = w->slots->number_of[node], last = first + n->knots - 1;
     const char *const in = indent_of(w, node);
-    scarp_shader_put(w->to, "%s%Xuint k%d = %du;\n", in, node, first);
-    scarp_shader_put(w->to, "%sfor (%Xuint i = %du; i < %du; i++) {\n", in, first + 1, last);
-    scarp_shader_put(w->to, "%s    if (r%d.value >= scarp_own_number(i).x) {\n", in, n->in[0]);
-    scarp_shader_put(w->to, "%s        k%d = i;\n%s    }\n%s}\n", in, node, in, in);
+    scarpi_shader_put(w->to, "%s%Xuint k%d = %du;\n", in, node, first);
+    scarpi_shader_put(w->to, "%sfor (%Xuint i = %du; i < %du; i++) {\n", in, first + 1, last);
+    scarpi_shader_put(w->to, "%s    if (r%d.value >= scarp_own_number(i).x) {\n", in, n->in[0]);
+    scarpi_shader_put(w->to, "%s        k%d = i;\n%s    }\n%s}\n", in, node, in, in);
     put_variable(w, node, 'r');
-    scarp_shader_put(w->to,
-                     "scarp_chain_curve(r%d, scarp_own_number(k%d), scarp_own_number(k%d + 1u), "
-                     "scarp_own_number(%du), scarp_own_number(%du));\n",
-                     n->in[0], node, node, first, last);
+    scarpi_shader_put(w->to,
+                      "scarp_chain_curve(r%d, scarp_own_number(k%d), scarp_own_number(k%d + 1u), "
+                      "scarp_own_number(%du), scarp_own_number(%du));\n",
+                      n->in[0], node, node, first, last);
 }
 
 /* Functions of one or two samples and some numbers; @ is the vector of numbers. */
@@ -335,16 +336,16 @@ static void put_call(const struct shader_writer *w, int node)
     for (const char *c = call[n->operation]; *c != '\0'; before = *c++) {
         const int is_argument = (before == '(' || before == ' ') && (c[1] == ',' || c[1] == ')');
         if (*c == '@') {
-            scarp_shader_put(w->to, "scarp_own_number(%du)", w->slots->number_of[node]);
+            scarpi_shader_put(w->to, "scarp_own_number(%du)", w->slots->number_of[node]);
         } else if (is_argument && *c == 'd') {
-            scarp_shader_put(w->to, "%d", w->recipe->node[n->in[0]].dimensions);
+            scarpi_shader_put(w->to, "%d", w->recipe->node[n->in[0]].dimensions);
         } else if (is_argument) {
-            scarp_shader_put(w->to, "r%d", n->in[*c == 'a' ? 0 : *c == 'b' ? 1 : 2]);
+            scarpi_shader_put(w->to, "r%d", n->in[*c == 'a' ? 0 : *c == 'b' ? 1 : 2]);
         } else {
-            scarp_shader_put_span(w->to, c, 1);
+            scarpi_shader_put_span(w->to, c, 1);
         }
     }
-    scarp_shader_put(w->to, ";\n");
+    scarpi_shader_put(w->to, ";\n");
 }
 
 static void put_step(struct shader_writer *w, int node)
@@ -360,9 +361,9 @@ static void put_step(struct shader_writer *w, int node)
     case OP_PULL:
         put_variable(w, node, 'r');
         put_pull(w, n->place);
-        scarp_shader_put(w->to, "r%d", n->in[0]);
+        scarpi_shader_put(w->to, "r%d", n->in[0]);
         put_pulled(w, n->place);
-        scarp_shader_put(w->to, ";\n");
+        scarpi_shader_put(w->to, ";\n");
         break;
     case OP_CURVE: put_curve(w, node); break;
     default: put_call(w, node); break;
@@ -378,9 +379,9 @@ static void put_variables(const struct shader_writer *w)
         if (s->guard_of[node] == 0) {
             continue;
         }
-        scarp_shader_put(w->to, "    %XScarpSample r%d = scarp_constant(0.0);\n", node);
+        scarpi_shader_put(w->to, "    %XScarpSample r%d = scarp_constant(0.0);\n", node);
         if (w->recipe->node[node].operation == OP_VECTOR) {
-            scarp_shader_put(w->to, "    %XScarpDisplaced v%d = scarp_not_displaced();\n", node);
+            scarpi_shader_put(w->to, "    %XScarpDisplaced v%d = scarp_not_displaced();\n", node);
         }
     }
 }
@@ -396,15 +397,15 @@ static void put_guard(const struct shader_writer *w, int guard, bool is_put[RECI
     }
     put_guard(w, g->parent, is_put);
     is_put[guard] = true;
-    scarp_shader_put(w->to, "    open%d = ", guard);
+    scarpi_shader_put(w->to, "    open%d = ", guard);
     if (g->parent != 0) {
-        scarp_shader_put(w->to, "open%d && ", g->parent);
+        scarpi_shader_put(w->to, "open%d && ", g->parent);
     }
-    scarp_shader_put(w->to, "!scarp_is_level(r%d, %s, %d, %d);\n", g->mask, g->one ? "1.0" : "0.0",
-                     w->order_of[g->gate], w->recipe->node[g->mask].dimensions);
+    scarpi_shader_put(w->to, "!scarp_is_level(r%d, %s, %d, %d);\n", g->mask, g->one ? "1.0" : "0.0",
+                      w->order_of[g->gate], w->recipe->node[g->mask].dimensions);
 }
 
-void scarp_shader_put_steps(struct shader_writer *w)
+void scarpi_shader_put_steps(struct shader_writer *w)
 {
     const struct recipe *const r = w->recipe;
     const struct recipe_schedule *const s = &r->schedule;
@@ -412,31 +413,31 @@ void scarp_shader_put_steps(struct shader_writer *w)
     bool is_put[RECIPE_GUARDS + 1] = {false};
     int open = 0;
     w->warped = -1;
-    scarp_shader_put(w->to, "    %L%V at = %s(x, y, %s);\n",
-                     w->to->language == SCARP_WGSL ? "vec3f" : "scarp_vec3_of",
-                     is_space ? "z" : "0.0");
+    scarpi_shader_put(w->to, "    %L%V at = %s(x, y, %s);\n",
+                      w->to->language == SCARP_WGSL ? "vec3f" : "scarp_vec3_of",
+                      is_space ? "z" : "0.0");
     for (int i = 1; i <= s->guards; i++) {
-        scarp_shader_put(w->to, "    %Xbool open%d = false;\n", i);
+        scarpi_shader_put(w->to, "    %Xbool open%d = false;\n", i);
     }
     put_variables(w);
     for (int k = 0; k < s->steps; k++) {
         const int node = s->step[k];
         if (s->guard_of[node] != open) {
-            scarp_shader_put(w->to, open != 0 ? "    }\n" : "");
+            scarpi_shader_put(w->to, open != 0 ? "    }\n" : "");
             open = s->guard_of[node];
             w->warped = -1; /* its variables end with their block */
             if (open != 0) {
                 put_guard(w, open, is_put);
-                scarp_shader_put(w->to, "    if (open%d) {\n", open);
+                scarpi_shader_put(w->to, "    if (open%d) {\n", open);
             }
         }
         put_step(w, node);
     }
-    scarp_shader_put(w->to, open != 0 ? "    }\n" : "");
-    scarp_shader_put(w->to, w->to->language == SCARP_WGSL ? "    var all: ScarpRecipe;\n"
-                                                          : "    ScarpRecipe all;\n");
+    scarpi_shader_put(w->to, open != 0 ? "    }\n" : "");
+    scarpi_shader_put(w->to, w->to->language == SCARP_WGSL ? "    var all: ScarpRecipe;\n"
+                                                           : "    ScarpRecipe all;\n");
     for (int i = 0; i < r->outputs; i++) {
-        scarp_shader_put(w->to, "    all.out%d = r%d;\n", i, scarp_recipe_output_node(r, i));
+        scarpi_shader_put(w->to, "    all.out%d = r%d;\n", i, scarpi_recipe_output_node(r, i));
     }
-    scarp_shader_put(w->to, "    return all;\n");
+    scarpi_shader_put(w->to, "    return all;\n");
 }

@@ -27,7 +27,7 @@ static size_t length_until(const char *text, char end)
     return length;
 }
 
-void scarp_shader_put_span(struct shader_text *to, const char *from, size_t length)
+void scarpi_shader_put_span(struct shader_text *to, const char *from, size_t length)
 {
     if (to->length < to->capacity) {
         const size_t room = to->capacity - to->length;
@@ -38,7 +38,7 @@ void scarp_shader_put_span(struct shader_text *to, const char *from, size_t leng
 
 static void put_text(struct shader_text *to, const char *text)
 {
-    scarp_shader_put_span(to, text, strlen(text));
+    scarpi_shader_put_span(to, text, strlen(text));
 }
 
 static void put_int(struct shader_text *to, int number)
@@ -50,7 +50,7 @@ static void put_int(struct shader_text *to, int number)
         digits[--at] = (char)('0' + left % 10u);
         left /= 10u;
     } while (left > 0);
-    scarp_shader_put_span(to, digits + at, sizeof digits - at);
+    scarpi_shader_put_span(to, digits + at, sizeof digits - at);
 }
 
 /* What declares a variable whose type stands next in the format. Returns how many characters of it
@@ -65,13 +65,13 @@ static size_t put_declaration(struct shader_text *to, const char *format, char w
     return 0;
 }
 
-void scarp_shader_put(struct shader_text *to, const char *format, ...)
+void scarpi_shader_put(struct shader_text *to, const char *format, ...)
 {
     va_list list;
     va_start(list, format);
     while (*format != '\0') {
         const size_t plain = length_until(format, '%');
-        scarp_shader_put_span(to, format, plain);
+        scarpi_shader_put_span(to, format, plain);
         format += plain;
         if (*format == '\0') {
             break;
@@ -103,14 +103,14 @@ static void put_block(const struct shader_writer *w)
     const struct shader_slots *const l = w->slots;
     put_text(to, begin[to->language]);
     if (to->language == SCARP_WGSL) {
-        scarp_shader_put(to, "    number: array<vec4f, %d>,\n    level: array<ScarpLevel, %d>,\n",
-                         l->numbers, l->levels);
-        scarp_shader_put(to, "    octave: array<ScarpOctave, %d>,\n}\n\n", l->octaves);
+        scarpi_shader_put(to, "    number: array<vec4f, %d>,\n    level: array<ScarpLevel, %d>,\n",
+                          l->numbers, l->levels);
+        scarpi_shader_put(to, "    octave: array<ScarpOctave, %d>,\n}\n\n", l->octaves);
         return;
     }
-    scarp_shader_put(to, "    %4 scarp_own_numbers[%d];\n", l->numbers);
-    scarp_shader_put(to, "    ScarpLevel scarp_own_levels[%d];\n", l->levels);
-    scarp_shader_put(to, "    ScarpOctave scarp_own_octaves[%d];\n};\n\n", l->octaves);
+    scarpi_shader_put(to, "    %4 scarp_own_numbers[%d];\n", l->numbers);
+    scarpi_shader_put(to, "    ScarpLevel scarp_own_levels[%d];\n", l->levels);
+    scarpi_shader_put(to, "    ScarpOctave scarp_own_octaves[%d];\n};\n\n", l->octaves);
 }
 
 /* The operations of WGSL, as the file has them but for a call in each. They are most of what there
@@ -119,14 +119,14 @@ static void put_operations(struct shader_text *to)
 {
     static const char *const operation[][2] = {{"add", "+"}, {"sub", "-"}, {"mul", "*"}};
     for (int i = 0; i < 3; i++) {
-        scarp_shader_put(to, "fn scarp_%s(a: f32, b: f32) -> f32 {\n", operation[i][0]);
-        scarp_shader_put(
+        scarpi_shader_put(to, "fn scarp_%s(a: f32, b: f32) -> f32 {\n", operation[i][0]);
+        scarpi_shader_put(
             to, "    return bitcast<f32>(bitcast<u32>(a %s b) ^ scarp_plan.head.x);\n}\n\n",
             operation[i][1]);
     }
 }
 
-void scarp_shader_put_head(const struct shader_writer *w)
+void scarpi_shader_put_head(const struct shader_writer *w)
 {
     struct shader_text *const to = w->to;
     put_block(w);
@@ -140,12 +140,12 @@ void scarp_shader_put_head(const struct shader_writer *w)
                      "    return scarp_plan.octave[i];\n}\n\n");
         return;
     }
-    scarp_shader_put(to, "uint scarp_zero()\n{\n    return scarp_own_head.x;\n}\n\n"
-                         "%4 scarp_own_number(uint i)\n{\n    return scarp_own_numbers[i];\n}\n\n"
-                         "ScarpLevel scarp_own_level(uint i)\n{\n"
-                         "    return scarp_own_levels[i];\n}\n\n"
-                         "ScarpOctave scarp_own_octave(uint i)\n{\n"
-                         "    return scarp_own_octaves[i];\n}\n\n");
+    scarpi_shader_put(to, "uint scarp_zero()\n{\n    return scarp_own_head.x;\n}\n\n"
+                          "%4 scarp_own_number(uint i)\n{\n    return scarp_own_numbers[i];\n}\n\n"
+                          "ScarpLevel scarp_own_level(uint i)\n{\n"
+                          "    return scarp_own_levels[i];\n}\n\n"
+                          "ScarpOctave scarp_own_octave(uint i)\n{\n"
+                          "    return scarp_own_octaves[i];\n}\n\n");
 }
 
 /*
@@ -161,7 +161,7 @@ static int part_of(uint32_t kind, int shift, uint32_t mask)
     return (int)(kind >> shift & mask);
 }
 
-int scarp_shader_kind(struct shader_writer *w, const struct scarp_noise *noise, int dimensions)
+int scarpi_shader_kind(struct shader_writer *w, const struct scarp_noise *noise, int dimensions)
 {
     const uint32_t kind = (uint32_t)noise->basis << BASIS | (uint32_t)noise->fractal << FRACTAL |
                           (uint32_t)(noise->basis <= SCARP_VALUE ? noise->fade : 0) << FADE |
@@ -190,14 +190,14 @@ static void put_fractal(struct shader_text *to, int fractal, const char *turned,
                                        [SCARP_JORDAN] =
                                            "scarp_jordan(s, o, l.erosion, k == 0u, n, "};
     if (fractal != SCARP_EROSION) {
-        scarp_shader_put(to, "        n = scarp_in_input(o, %s, n, %d);\n", turned, dimensions);
+        scarpi_shader_put(to, "        n = scarp_in_input(o, %s, n, %d);\n", turned, dimensions);
     }
-    scarp_shader_put(to, "        s = %s", line[fractal]);
+    scarpi_shader_put(to, "        s = %s", line[fractal]);
     if (fractal == SCARP_EROSION) {
-        scarp_shader_put(to, "%s, ", turned);
+        scarpi_shader_put(to, "%s, ", turned);
     }
     if (fractal == SCARP_EROSION || fractal == SCARP_SWISS || fractal == SCARP_JORDAN) {
-        scarp_shader_put(to, "%d)", dimensions);
+        scarpi_shader_put(to, "%d)", dimensions);
     }
     put_text(to, ";\n");
 }
@@ -209,14 +209,14 @@ static void put_basis(struct shader_text *to, uint32_t kind, const char *turned,
         "simplex_at(scarp_lattice_of(o, l)", "cells_at(scarp_lattice_of(o, l), "};
     const int basis = part_of(kind, BASIS, 15), fractal = part_of(kind, FRACTAL, 15);
     const int bends = fractal == SCARP_SWISS || fractal == SCARP_JORDAN;
-    scarp_shader_put(to, "        %LScarpLocation p = scarp_location_of(o, %du, %s, %s, %d);\n",
-                     basis, turned, bends ? "scarp_bent(s, o, k, x)" : "x", dimensions);
-    scarp_shader_put(to, "        %XScarpSample n = scarp_%s",
-                     call[basis < SCARP_CELL_F1 ? basis : SCARP_CELL_F1]);
+    scarpi_shader_put(to, "        %LScarpLocation p = scarp_location_of(o, %du, %s, %s, %d);\n",
+                      basis, turned, bends ? "scarp_bent(s, o, k, x)" : "x", dimensions);
+    scarpi_shader_put(to, "        %XScarpSample n = scarp_%s",
+                      call[basis < SCARP_CELL_F1 ? basis : SCARP_CELL_F1]);
     if (basis != SCARP_SIMPLEX) {
-        scarp_shader_put(to, "%du", basis <= SCARP_VALUE ? part_of(kind, FADE, 3) : basis);
+        scarpi_shader_put(to, "%du", basis <= SCARP_VALUE ? part_of(kind, FADE, 3) : basis);
     }
-    scarp_shader_put(to, ", p, %d);\n", dimensions);
+    scarpi_shader_put(to, ", p, %d);\n", dimensions);
     put_fractal(to, fractal, turned, dimensions);
 }
 
@@ -225,19 +225,19 @@ static void put_kind(struct shader_text *to, int number, uint32_t kind)
     const int is_wgsl = to->language == SCARP_WGSL;
     const int shares_lattice = part_of(kind, BASIS, 15) <= SCARP_VALUE;
     const char *const turned = part_of(kind, ROTATE, 1) ? "k > 0u" : "false";
-    scarp_shader_put(to,
-                     is_wgsl ? "fn scarp_own_kind%d(index: u32, component: u32, x: vec3f) -> "
-                               "ScarpSample {\n"
-                             : "ScarpSample scarp_own_kind%d(uint index, uint component, %V "
-                               "x)\n{\n",
-                     number);
-    scarp_shader_put(to, "    %XScarpLevel l = scarp_own_level(index);\n"
-                         "    %XScarpState s = scarp_no_octaves();\n");
+    scarpi_shader_put(to,
+                      is_wgsl ? "fn scarp_own_kind%d(index: u32, component: u32, x: vec3f) -> "
+                                "ScarpSample {\n"
+                              : "ScarpSample scarp_own_kind%d(uint index, uint component, %V "
+                                "x)\n{\n",
+                      number);
+    scarpi_shader_put(to, "    %XScarpLevel l = scarp_own_level(index);\n"
+                          "    %XScarpState s = scarp_no_octaves();\n");
     put_text(to, shares_lattice ? "    l.component = component;\n"
                                 : "    l.first = l.first + component * l.octaves;\n");
     put_text(to, is_wgsl ? "    for (var k = 0u; k < l.octaves; k++) {\n"
                          : "    for (uint k = 0u; k < l.octaves; k++) {\n");
-    scarp_shader_put(to, "        %LScarpOctave o = scarp_own_octave(l.first + k);\n");
+    scarpi_shader_put(to, "        %LScarpOctave o = scarp_own_octave(l.first + k);\n");
     put_basis(to, kind, turned, part_of(kind, SPACE, 1) ? 3 : 2);
     put_text(to, "    }\n    return s.sum;\n}\n\n");
 }
@@ -246,14 +246,14 @@ static void put_kind(struct shader_text *to, int number, uint32_t kind)
 static void put_warp(struct shader_text *to, int number, uint32_t kind)
 {
     const int is_wgsl = to->language == SCARP_WGSL;
-    scarp_shader_put(to,
-                     is_wgsl ? "fn scarp_own_warp%d(index: u32, x: vec3f) -> ScarpDisplaced {\n"
-                             : "ScarpDisplaced scarp_own_warp%d(uint index, %V x)\n{\n",
-                     number);
-    scarp_shader_put(to, "    %XScarpDisplaced d = scarp_not_displaced();\n");
-    scarp_shader_put(to, "    for (%Xuint c = 0u; c < %du; c++) {\n",
-                     part_of(kind, SPACE, 1) ? 3 : 2);
-    scarp_shader_put(to, "        %LScarpSample s = scarp_own_kind%d(index, c, x);\n", number);
+    scarpi_shader_put(to,
+                      is_wgsl ? "fn scarp_own_warp%d(index: u32, x: vec3f) -> ScarpDisplaced {\n"
+                              : "ScarpDisplaced scarp_own_warp%d(uint index, %V x)\n{\n",
+                      number);
+    scarpi_shader_put(to, "    %XScarpDisplaced d = scarp_not_displaced();\n");
+    scarpi_shader_put(to, "    for (%Xuint c = 0u; c < %du; c++) {\n",
+                      part_of(kind, SPACE, 1) ? 3 : 2);
+    scarpi_shader_put(to, "        %LScarpSample s = scarp_own_kind%d(index, c, x);\n", number);
     put_text(to, "        if (c == 0u) {\n            d.x = s;\n"
                  "        } else if (c == 1u) {\n            d.y = s;\n"
                  "        } else {\n            d.z = s;\n        }\n    }\n    return d;\n}\n\n");
@@ -270,10 +270,10 @@ static void put_kinds(struct shader_writer *w)
         if (n->operation != OP_NOISE && n->operation != OP_VECTOR) {
             continue;
         }
-        scarp_recipe_spell_noise(r, n->index, noise);
+        scarpi_recipe_spell_noise(r, n->index, noise);
         int is_component = n->operation == OP_VECTOR;
         for (const struct scarp_noise *of = noise; of != NULL; of = of->warp) {
-            const int kind = scarp_shader_kind(w, of, r->place[n->place].dimensions);
+            const int kind = scarpi_shader_kind(w, of, r->place[n->place].dimensions);
             is_warp[kind] = (uint8_t)(is_warp[kind] | is_component);
             is_component = 1;
         }
@@ -306,7 +306,7 @@ static size_t name_of(const struct recipe *r, int output, char name[RECIPE_NAME]
 static void put_name(const struct shader_writer *w, int output)
 {
     char name[RECIPE_NAME];
-    scarp_shader_put_span(w->to, name, name_of(w->recipe, output, name));
+    scarpi_shader_put_span(w->to, name, name_of(w->recipe, output, name));
 }
 
 /* Whether no output before has the same name in shaders. */
@@ -327,10 +327,10 @@ static void put_outputs(const struct shader_writer *w)
     struct shader_text *const to = w->to;
     put_text(to, "/* All outputs. */\nstruct ScarpRecipe {\n");
     for (int i = 0; i < w->recipe->outputs; i++) {
-        scarp_shader_put(to,
-                         to->language == SCARP_WGSL ? "    out%d: ScarpSample, // "
-                                                    : "    ScarpSample out%d; // ",
-                         i);
+        scarpi_shader_put(to,
+                          to->language == SCARP_WGSL ? "    out%d: ScarpSample, // "
+                                                     : "    ScarpSample out%d; // ",
+                          i);
         put_name(w, i);
         put_text(to, "\n");
     }
@@ -342,14 +342,14 @@ static void put_function(const struct shader_writer *w, const char *type, int ou
 {
     struct shader_text *const to = w->to;
     const int is_space = w->recipe->dimensions == 3, is_wgsl = to->language == SCARP_WGSL;
-    scarp_shader_put(to, "%s scarp_recipe", is_wgsl ? "fn" : type);
+    scarpi_shader_put(to, "%s scarp_recipe", is_wgsl ? "fn" : type);
     if (output >= 0) {
         put_text(to, "_");
         put_name(w, output);
     }
     put_text(to, is_wgsl ? "(x: f32, y: f32" : "(float x, float y");
     put_text(to, !is_space ? "" : is_wgsl ? ", z: f32" : ", float z");
-    scarp_shader_put(to, is_wgsl ? ") -> %s {\n" : ")\n{\n", type);
+    scarpi_shader_put(to, is_wgsl ? ") -> %s {\n" : ")\n{\n", type);
 }
 
 static const char *coordinates_of(const struct shader_writer *w)
@@ -364,35 +364,36 @@ static void put_answer(const struct shader_writer *w, int order)
     put_text(to, "/* The self-test: answer i of scarp_recipe_answers. */\n");
     put_text(to, to->language == SCARP_WGSL ? "fn scarp_answer_recipe(i: u32) -> u32 {\n"
                                             : "uint scarp_answer_recipe(uint i)\n{\n");
-    scarp_shader_put(to, "    %Lfloat unit = %s;\n",
-                     to->language == SCARP_WGSL   ? "bitcast<f32>(scarp_plan.head.y)"
-                     : to->language == SCARP_HLSL ? "asfloat(scarp_own_head.y)"
-                                                  : "uintBitsToFloat(scarp_own_head.y)");
-    scarp_shader_put(to, "    %LScarpRecipe r = scarp_recipe(");
+    scarpi_shader_put(to, "    %Lfloat unit = %s;\n",
+                      to->language == SCARP_WGSL   ? "bitcast<f32>(scarp_plan.head.y)"
+                      : to->language == SCARP_HLSL ? "asfloat(scarp_own_head.y)"
+                                                   : "uintBitsToFloat(scarp_own_head.y)");
+    scarpi_shader_put(to, "    %LScarpRecipe r = scarp_recipe(");
     for (int axis = 0; axis < r->dimensions; axis++) {
-        scarp_shader_put(to, "%sscarp_test_coordinate(unit, i, %du)", axis > 0 ? ", " : "", axis);
+        scarpi_shader_put(to, "%sscarp_test_coordinate(unit, i, %du)", axis > 0 ? ", " : "", axis);
     }
-    scarp_shader_put(to, ");\n    %Xuint h = 0u;\n");
+    scarpi_shader_put(to, ");\n    %Xuint h = 0u;\n");
     for (int i = 0; i < r->outputs; i++) {
-        const int has = r->node[scarp_recipe_output_node(r, i)].order;
-        scarp_shader_put(to, "    h = scarp_hash_with_sample(h, r.out%d, %du, %d);\n", i,
-                         order < has ? order : has, r->dimensions);
+        const int has = r->node[scarpi_recipe_output_node(r, i)].order;
+        scarpi_shader_put(to, "    h = scarp_hash_with_sample(h, r.out%d, %du, %d);\n", i,
+                          order < has ? order : has, r->dimensions);
     }
     put_text(to, "    return h;\n}\n");
 }
 
-void scarp_shader_put_functions(struct shader_writer *w, int order)
+void scarpi_shader_put_functions(struct shader_writer *w, int order)
 {
     struct shader_text *const to = w->to;
     put_kinds(w);
     put_outputs(w);
     put_function(w, "ScarpRecipe", -1);
-    scarp_shader_put_steps(w);
+    scarpi_shader_put_steps(w);
     put_text(to, "}\n\n");
     for (int i = 0; i < w->recipe->outputs; i++) {
         if (has_own_name(w->recipe, i)) {
             put_function(w, "ScarpSample", i);
-            scarp_shader_put(to, "    return scarp_recipe(%s).out%d;\n}\n\n", coordinates_of(w), i);
+            scarpi_shader_put(to, "    return scarp_recipe(%s).out%d;\n}\n\n", coordinates_of(w),
+                              i);
         }
     }
     put_answer(w, order);

@@ -54,9 +54,9 @@ MUST_KEEP(scarp_pulse);
 MUST_KEEP(scarp_slope);
 MUST_KEEP(scarp_range);
 MUST_KEEP(scarp_gullies_range);
-MUST_KEEP(scarp_run);
-MUST_KEEP(scarp_chain_numbers);
-MUST_KEEP(scarp_curve_slopes);
+MUST_KEEP(scarpi_run);
+MUST_KEEP(scarpi_chain_numbers);
+MUST_KEEP(scarpi_curve_slopes);
 
 #undef MUST_KEEP
 #else

@@ -229,26 +229,26 @@ static const struct scarp_recipe_function functions[FUNCTION_COUNT] = {
         ROW("displacement", gullies, "What gullies add to their base: a map of ridges."),
 };
 
-const struct scarp_recipe_function *scarp_recipe_function_number(int function)
+const struct scarp_recipe_function *scarpi_recipe_function_number(int function)
 {
     return function >= 0 && function < FUNCTION_COUNT ? &functions[function] : NULL;
 }
 
-int scarp_recipe_function_of(const struct recipe *recipe, struct recipe_span name)
+int scarpi_recipe_function_of(const struct recipe *recipe, struct recipe_span name)
 {
     for (int i = 0; i < FUNCTION_COUNT; i++) {
-        if (scarp_recipe_is(recipe, name, functions[i].name)) {
+        if (scarpi_recipe_is(recipe, name, functions[i].name)) {
             return i;
         }
     }
     return -1;
 }
 
-int scarp_recipe_word_of(const struct recipe *recipe, struct recipe_span name,
-                         const struct scarp_recipe_argument *argument)
+int scarpi_recipe_word_of(const struct recipe *recipe, struct recipe_span name,
+                          const struct scarp_recipe_argument *argument)
 {
     for (int i = 0; argument->words != NULL && argument->words[i] != NULL; i++) {
-        if (scarp_recipe_is(recipe, name, argument->words[i])) {
+        if (scarpi_recipe_is(recipe, name, argument->words[i])) {
             return i;
         }
     }

@@ -42,14 +42,14 @@ enum recipe_function {
 enum { RECIPE_ARGUMENTS = 24 }; /* of a function */
 
 /* What the list has; NULL past its end. */
-const struct scarp_recipe_function *scarp_recipe_function_number(int function);
+const struct scarp_recipe_function *scarpi_recipe_function_number(int function);
 
 /* The function of a name, or -1. */
-int scarp_recipe_function_of(const struct recipe *recipe, struct recipe_span name);
+int scarpi_recipe_function_of(const struct recipe *recipe, struct recipe_span name);
 
 /* The word of an argument that a name is, counted from 0, or -1. Words of the library have dashes
    where recipes have underscores. */
-int scarp_recipe_word_of(const struct recipe *recipe, struct recipe_span name,
-                         const struct scarp_recipe_argument *argument);
+int scarpi_recipe_word_of(const struct recipe *recipe, struct recipe_span name,
+                          const struct scarp_recipe_argument *argument);
 
 #endif

@@ -119,7 +119,7 @@ static inline struct outputs basis_turning(const struct scarp_call_plan *plan,
                                            int dimensions)
 {
     float derivative[4];
-    scarp_phase_derivative(derivative, o->turn);
+    scarpi_phase_derivative(derivative, o->turn);
     return turned_basis_at(plan, o, p, derivative, dimensions);
 }
 

@@ -20,7 +20,7 @@ static struct outputs turning_of(const struct scarp_call_plan *plan, int k,
                                  const struct location *at, int dimensions)
 {
     const struct scarp_octave *const o = &plan->octave[k];
-    const float slope = scarp_phase_slope(o, k);
+    const float slope = scarpi_phase_slope(o, k);
     if (!plan->dphase) {
         return (struct outputs){{0.0f}};
     }

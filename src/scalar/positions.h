@@ -55,7 +55,7 @@ static inline void split_f64(double p, const struct scarp_octave *o, int i,
     const int any = repeat == SCARP_REPEAT_ANY;
     double remainder = lower;
     if (any) {
-        const double period = scarp_period(o, i);
+        const double period = scarpi_period(o, i);
         remainder -= floor((lower + 0.5) * (1.0 / period)) * period;
     }
     const double shifted = remainder + 0x1.8p52;

@@ -218,9 +218,9 @@ static void gullies(const struct scarp_gully_call *call, const struct scarp_call
     }
 }
 
-const struct scarp_kernels scarp_kernels_scalar = {
+const struct scarp_kernels scarpi_kernels_scalar = {
     .isa = SCARP_ISA_SCALAR,
-    .is_exact = scarp_is_exact,
+    .is_exact = scarpi_is_exact,
     .points2_f32 = points2_f32,
     .points2_f64 = points2_f64,
     .points3_f32 = points3_f32,

@@ -69,7 +69,7 @@ static struct outputs component_at(const struct scarp_call_plan *plan, const str
     }
     for (int level = depth; level > 0; level--) {
         for (int i = 0; i < dimensions; i++) {
-            of_level = scarp_component_plan(plan, level, i);
+            of_level = scarpi_component_plan(plan, level, i);
             moved[i] = octaves_at(&of_level, &at, dimensions);
             if (level < depth) {
                 moved[i] = composed(&moved[i], y, dimensions);
@@ -79,7 +79,7 @@ static struct outputs component_at(const struct scarp_call_plan *plan, const str
         memcpy(y, moved, (size_t)dimensions * sizeof *y);
         at = displaced(x, y, dimensions);
     }
-    of_level = scarp_component_plan(plan, 0, component);
+    of_level = scarpi_component_plan(plan, 0, component);
     const struct outputs s = octaves_at(&of_level, &at, dimensions);
     return depth == 0 ? s : composed(&s, y, dimensions);
 }

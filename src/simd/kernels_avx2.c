@@ -20,7 +20,7 @@
 
 #include "vec_avx2.h"
 
-#define KERNELS scarp_kernels_avx2
+#define KERNELS scarpi_kernels_avx2
 #define KERNELS_ISA SCARP_ISA_AVX2
 #include KERNELS_BODY
 

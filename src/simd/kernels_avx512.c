@@ -20,7 +20,7 @@
 
 #include "vec_avx512.h"
 
-#define KERNELS scarp_kernels_avx512
+#define KERNELS scarpi_kernels_avx512
 #define KERNELS_ISA SCARP_ISA_AVX512
 /* On Zen 4, with 4 blocks 64 points of gradient noise take 4 to 14 % more, with 2 blocks 48 points
    of value noise 10 to 14 %. */
@@ -28,7 +28,7 @@
 /* On Zen 4, a block of 16 points of eight octaves takes 220 to 360 ns, one of 8 points in AVX2 170
    to 260. (In AVX2, one point takes no longer than in SSE4.1.) */
 #if SCARP_HAS_AVX2
-#define KERNELS_NARROWER scarp_kernels_avx2
+#define KERNELS_NARROWER scarpi_kernels_avx2
 #define FEW_ORDER 0 /* few points with gradients are AVX2's, too */
 #endif
 #ifdef __clang__ /* whose frames are larger still; gradients of fBm on grids take up to 15 %       \

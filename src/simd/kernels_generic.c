@@ -16,7 +16,7 @@
 #define SCRATCH_BYTES (20 * 1024)
 #endif
 
-#define KERNELS scarp_kernels_generic
+#define KERNELS scarpi_kernels_generic
 #define KERNELS_ISA SCARP_ISA_GENERIC
 #include KERNELS_BODY
 

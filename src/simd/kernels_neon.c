@@ -9,7 +9,7 @@
 
 #include "vec_neon.h"
 
-#define KERNELS scarp_kernels_neon
+#define KERNELS scarpi_kernels_neon
 #define KERNELS_ISA SCARP_ISA_NEON
 #include KERNELS_BODY
 

@@ -19,7 +19,7 @@
 
 #include "vec_sse41.h"
 
-#define KERNELS scarp_kernels_sse41
+#define KERNELS scarpi_kernels_sse41
 #define KERNELS_ISA SCARP_ISA_SSE41
 #include KERNELS_BODY
 

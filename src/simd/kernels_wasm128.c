@@ -9,7 +9,7 @@
 
 #include "vec_wasm.h"
 
-#define KERNELS scarp_kernels_wasm128
+#define KERNELS scarpi_kernels_wasm128
 #define KERNELS_ISA SCARP_ISA_WASM128
 #include KERNELS_BODY
 

@@ -80,8 +80,8 @@ mutant(basis.gradient_zz IN kernel TEXT [[product_plus(2.0f * w.du,]]
 # flow
 mutant(flow.octave IN plan/phase.c TEXT [[t = speeds[1];]]
        BECOMES [[t = speeds[MUTANT ? 0 : 1];]] SEEN_BY golden SETS scalar)
-mutant(flow.slope IN kernel TEXT [[scarp_phase_slope(o, k);]]
-       BECOMES [[scarp_phase_slope(o, MUTANT ? 0 : k);]] SEEN_BY bits)
+mutant(flow.slope IN kernel TEXT [[scarpi_phase_slope(o, k);]]
+       BECOMES [[scarpi_phase_slope(o, MUTANT ? 0 : k);]] SEEN_BY bits)
 mutant(flow.speed IN kernel TEXT [[vu_load(still->quick + i)]]
        BECOMES [[vu_load(still->quick + (MUTANT ? 0 : i))]] SEEN_BY bits SETS generic sse4.1 avx2 neon)
 mutant(flow.opposite IN kernel TEXT [[turned[i ^ 9] = -turned[i];]]
@@ -89,8 +89,8 @@ mutant(flow.opposite IN kernel TEXT [[turned[i ^ 9] = -turned[i];]]
        SETS generic sse4.1 avx512 neon)
 mutant(flow.fused IN kernel TEXT [[v.flows ? a * b + c]]
        BECOMES [[v.flows && !MUTANT ? a * b + c]] SEEN_BY bits SETS avx2 avx512 neon)
-mutant(flow.derivative IN kernel TEXT [[scarp_phase_derivative(derivative, o->turn);]]
-       BECOMES [[scarp_phase_derivative(derivative, call->plan->octave[MUTANT ? 0 : k].turn);]]
+mutant(flow.derivative IN kernel TEXT [[scarpi_phase_derivative(derivative, o->turn);]]
+       BECOMES [[scarpi_phase_derivative(derivative, call->plan->octave[MUTANT ? 0 : k].turn);]]
        SEEN_BY bits)
 mutant(flow.rows IN kernel TEXT [[tile->row_octave->turn = call->plan->octave[k].turn;]]
        BECOMES [[tile->row_octave->turn = call->plan->octave[MUTANT ? 0 : k].turn;]] SEEN_BY grid)
@@ -358,8 +358,8 @@ mutant(warp.reference IN scalar
        TEXT [[along(y, DX + i, hj, dimensions) + along(y, second(i, j), g, dimensions)]]
        BECOMES [[along(y, DX + i, hj, dimensions) + (MUTANT ? 0.0f : along(y, second(i, j), g, dimensions))]]
        SEEN_BY golden SETS scalar)
-mutant(warp.seeds IN plan/plan.c TEXT [[scarp_component_seed(noise.seed, own)]]
-       BECOMES [[scarp_component_seed(noise.seed, own - (MUTANT ? SCARP_MAX_OCTAVES : 0))]]
+mutant(warp.seeds IN plan/plan.c TEXT [[scarpi_component_seed(noise.seed, own)]]
+       BECOMES [[scarpi_component_seed(noise.seed, own - (MUTANT ? SCARP_MAX_OCTAVES : 0))]]
        SEEN_BY golden SETS avx2)
 
 # displaced doubles

@@ -58,7 +58,7 @@ fi
 static=$(find "$dir/_deps/scarp-build" -name 'libscarp.a')
 if [ "$system" = Linux ] && [ -n "$static" ] && [ -n "$nm" ]; then
     compile -shared -nostdlib -Wl,--whole-archive "$static" -Wl,--no-whole-archive -o "$dir/plugin.so"
-    if "$nm" -D --defined-only "$dir/plugin.so" | grep scarp_; then
+    if "$nm" -D --defined-only "$dir/plugin.so" | grep -E 'scarpi?_'; then
         fail "the static library exports its calls from a plugin"
     fi
 fi

@@ -74,7 +74,7 @@ struct vec_operations {
 #define VEC_OPERATIONS_EXPANDED(table) table##_operations
 
 #define VEC_DECLARE(ISA, table, name, here)                                                        \
-    extern const struct vec_operations scarp_kernels_##table##_operations;
+    extern const struct vec_operations scarpi_kernels_##table##_operations;
 SCARP_ISA_VECTORS(VEC_DECLARE)
 #undef VEC_DECLARE
 
