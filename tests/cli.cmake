@@ -11,7 +11,7 @@ block()
                    ${CMAKE_CURRENT_FUNCTION_LIST_DIR}/cli/test_${file}.py ${class} ${program})
     if(TEST cli.${name})
       set_tests_properties(cli.${name} PROPERTIES ENVIRONMENT
-                           "SCARP_SPEED=${speed};PYTHONDONTWRITEBYTECODE=1")
+                           "SCARP_SPEED=${speed};PYTHONDONTWRITEBYTECODE=1;SCARP_MANUAL=${CMAKE_BINARY_DIR}/src/cli/scarp.1")
     endif()
   endfunction()
 

@@ -134,7 +134,6 @@ class Release(unittest.TestCase):
                           ("src/bindings/rust/src/ffi.rs", '"%s"' % self.version),
                           ("src/bindings/python/scarp/_interface.py", "'%s'" % self.version),
                           ("src/web/package.json.in", "@PROJECT_VERSION@"),
-                          ("src/cli/scarp.1", "scarp %s" % self.version),
                           ("CHANGELOG.md", "## %s" % self.version)):
             with self.subTest(name):
                 edit(name, old, old.replace(self.version, "9.8.7").replace("@PROJECT_VERSION@", "9.8.7"))

@@ -20,7 +20,6 @@ src/bindings/python/scarp/_interface.py s/^VERSION = .(.*).$/\1/p
 src/bindings/rust/Cargo.toml            s/^version = "([^"]*)".*/\1/p
 src/bindings/rust/Cargo.lock            /^name = "scarp"$/{n;s/^version = "(.*)"$/\1/p}
 src/bindings/rust/src/ffi.rs            s/^pub const VERSION: &str = "(.*)";$/\1/p
-src/cli/scarp.1                         s/^[.]TH SCARP .*"scarp ([^"]*)".*/\1/p
 src/web/package.json.in                 s/^ *"version": "(.*)",$/\1/p
 cmake/packaging/vcpkg/vcpkg.json        s/^ *"version": "(.*)",$/\1/p
 CHANGELOG.md                            s/^## ([0-9.]+) .*/\1/p

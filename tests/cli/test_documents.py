@@ -7,6 +7,7 @@ import subprocess
 import common
 from common import ROOT, Case, run, text_of
 
+MANUAL = os.environ["SCARP_MANUAL"]
 COMMANDS = ("terrain", "view", "sheet", "sample", "recipe", "info")
 
 
@@ -15,20 +16,15 @@ def read(*path):
         return file.read()
 
 
-def roff(text):
-    """As src/cli/manual.cmake writes it."""
-    return text.strip("\n").replace("\\", "\\e").replace("-", "\\-").replace("\n.", "\n\\&.")
-
-
 class Documents(Case):
     def test_manual(self):
-        """The man page was made again when the help or the version changed."""
-        expected = read("src", "cli", "scarp.1.in")
-        expected = expected.replace("@VERSION@", text_of("--version").split()[1])
+        """The man page has the version and the help of each command."""
+        page = read(MANUAL)
+        self.assertIn(text_of("--version").strip(), page.splitlines()[2])
+        self.assertNotRegex(page, "@[A-Z]+@")
+        plain = page.replace("\\-", "-").replace("\\&", "").replace("\\e", "\\")
         for command in COMMANDS[:-1]:
-            expected = expected.replace("@%s@" % command.upper(), roff(text_of("help", command)))
-        self.assertEqual(read("src", "cli", "scarp.1"), expected,
-                         "cmake --build build --target manual")
+            self.assertIn(text_of("help", command).strip("\n"), plain)
 
     def test_info_in_manual(self):
         """The manual's `scarp info` has the same lines, and with zlib the same formats."""
@@ -44,8 +40,7 @@ class Roff(Case):
     """Needs groff."""
 
     def test_manual_is_roff(self):
-        result = subprocess.run(["groff", "-man", "-Tascii", "-ww",
-                                 os.path.join(ROOT, "src", "cli", "scarp.1")],
+        result = subprocess.run(["groff", "-man", "-Tascii", "-ww", MANUAL],
                                 stdout=subprocess.PIPE, stderr=subprocess.PIPE, check=True)
         self.assertEqual(result.stderr, b"")
         shown = re.sub(rb".\x08|\x1b\[\d+m", b"", result.stdout).decode()  # bold, underlined
