@@ -25,19 +25,13 @@ struct recipe_options {
 #define FIELD(name) offsetof(struct recipe_options, name)
 
 static const struct option rows[] = {
-    {.name = "--seed",
-     .argument = "N",
-     .standard = "1",
-     .allowed = "an integer from -2^63 to 2^64 - 1, decimal or 0x and hexadecimal",
-     .help = "the seed of the world: an integer of 64 bits, decimal or 0x...",
-     .parse = option_seed,
-     .offset = FIELD(ground.noise.seed)},
-    {.name = "--set",
-     .argument = "NAME=VALUE",
-     .allowed = "a parameter of the recipe and its number: NAME=VALUE, at most 64 times",
-     .help = "set a parameter of the recipe; repeat it for others",
-     .parse = option_list,
-     .offset = FIELD(ground.set),
+    {OPTION_READ(option_seed, "N", "--seed", ground.noise.seed,
+                 "an integer from -2^63 to 2^64 - 1, decimal or 0x and hexadecimal",
+                 "the seed of the world: an integer of 64 bits, decimal or 0x..."),
+     .standard = "1"},
+    {OPTION_READ(option_list, "NAME=VALUE", "--set", ground.set,
+                 "a parameter of the recipe and its number: NAME=VALUE, at most 64 times",
+                 "set a parameter of the recipe; repeat it for others"),
      .highest = OPTION_LIST_MOST},
     {OPTION_FLAG("--text", text, "print only the text")},
 };

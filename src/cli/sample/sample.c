@@ -59,31 +59,20 @@ static const struct option point_rows[] = {
      .standard = "-"},
     {OPTION_CHOICE("--input-format", input_format, NULL, format_word, "the format of the points"),
      .otherwise = "what the input looks like"},
-    {.name = "--delimiter",
-     .argument = "NAME",
-     .allowed = "comma, semicolon, tab, space or such a character",
-     .help = "what separates columns: comma, semicolon, tab, or space (any number of spaces and "
-             "tabs); but for commas, numbers may have decimal commas",
-     .otherwise = "what the first row has",
-     .parse = parse_delimiter,
-     .offset = FIELD(delimiter)},
-    {.name = "--columns",
-     .argument = "X,Y[,Z]",
-     .allowed = COLUMNS_ALLOWED,
-     .help =
-         "which columns are the coordinates: names of CSV's header row, or numbers from 1 to 65536",
+    {OPTION_READ(
+         parse_delimiter, "NAME", "--delimiter", delimiter,
+         "comma, semicolon, tab, space or such a character",
+         "what separates columns: comma, semicolon, tab, or space (any number of spaces and "
+         "tabs); but for commas, numbers may have decimal commas"),
+     .otherwise = "what the first row has"},
+    {OPTION_READ(option_columns, "X,Y[,Z]", "--columns", columns, COLUMNS_ALLOWED,
+                 "which columns are the coordinates: names of CSV's header row, or numbers from 1 "
+                 "to 65536"),
      .otherwise = "with a header row those named x, y and z; else the first ones, which must be "
-                  "all there are unless --dims is given",
-     .parse = option_columns,
-     .offset = FIELD(columns)},
-    {.name = "--dims",
-     .argument = "N",
-     .allowed = "2 or 3",
-     .help = "coordinates of a point, 2 or 3; 2 leaves z out",
-     .otherwise = "3 if there is a column z, or if there are 3 columns without names",
-     .parse = option_count,
-     .offset = FIELD(dims),
-     .lowest = 2,
+                  "all there are unless --dims is given"},
+    {OPTION_READ(option_count, "N", "--dims", dims, "2 or 3",
+                 "coordinates of a point, 2 or 3; 2 leaves z out"),
+     .otherwise = "3 if there is a column z, or if there are 3 columns without names", .lowest = 2,
      .highest = 3},
     {OPTION_FLAG(
         "--skip-bad", skip_bad,
@@ -107,16 +96,11 @@ static const struct option result_rows[] = {
 };
 
 static const struct option period_rows[] = {
-    {.name = "--period",
-     .argument = "X,Y[,Z]",
-     .allowed = "two or three integers X,Y[,Z] from 0 to 2^30",
-     .help = "repeat along each axis after so many cells of the first octave, from 0, which is "
-             "never, to 2^30; without --rotate, and with a whole number as lacunarity",
-     .otherwise = "it never does",
-     .parse = option_periods,
-     .offset = FIELD(ground.noise.period),
-     .lowest = 0,
-     .highest = 0x1p30},
+    {OPTION_READ(option_periods, "X,Y[,Z]", "--period", ground.noise.period,
+                 "two or three integers X,Y[,Z] from 0 to 2^30",
+                 "repeat along each axis after so many cells of the first octave, from 0, which is "
+                 "never, to 2^30; without --rotate, and with a whole number as lacunarity"),
+     .otherwise = "it never does", .lowest = 0, .highest = 0x1p30},
 };
 
 static const struct option running_rows[] = {

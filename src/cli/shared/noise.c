@@ -28,13 +28,10 @@ static const char *fractal_word(int fractal)
 }
 
 const struct option noise_seed_rows[NOISE_SEED_ROWS] = {
-    {.name = "--seed",
-     .argument = "N",
-     .standard = "0",
-     .allowed = "an integer from -2^63 to 2^64 - 1, decimal or 0x and hexadecimal",
-     .help = "each seed is another noise: an integer of 64 bits, decimal or 0x...",
-     .parse = option_seed,
-     .offset = FIELD(seed)},
+    {OPTION_READ(option_seed, "N", "--seed", seed,
+                 "an integer from -2^63 to 2^64 - 1, decimal or 0x and hexadecimal",
+                 "each seed is another noise: an integer of 64 bits, decimal or 0x..."),
+     .standard = "0"},
 };
 
 const struct option noise_option_rows[NOISE_OPTION_COUNT] = {
@@ -65,16 +62,11 @@ const struct option noise_option_rows[NOISE_OPTION_COUNT] = {
     {OPTION_FLOAT("--lacunarity", lacunarity, "2", 0.0625, 16,
                   "frequency ratio from octave to octave")},
     {OPTION_FLOAT("--gain", gain, "0.5", 0.0625, 16, "amplitude ratio from octave to octave")},
-    {.name = "--phase",
-     .argument = "F",
-     .allowed = "a finite number, at most 2^128 - 2^104 in magnitude",
-     .help = "how far the gradients of the lattice are turned, in turns: as it grows, the noise "
-             "flows in place, and loops after 1; any finite float, only with --basis gradient",
-     .otherwise = "it stands still",
-     .parse = option_float,
-     .offset = FIELD(phase),
-     .lowest = -0x1.fffffep127,
-     .highest = 0x1.fffffep127},
+    {OPTION_READ(
+         option_float, "F", "--phase", phase, "a finite number, at most 2^128 - 2^104 in magnitude",
+         "how far the gradients of the lattice are turned, in turns: as it grows, the noise "
+         "flows in place, and loops after 1; any finite float, only with --basis gradient"),
+     .otherwise = "it stands still", .lowest = -0x1.fffffep127, .highest = 0x1.fffffep127},
     {OPTION_FLAG("--rotate", rotate,
                  "turn the axes between octaves: hides the lattice's directions")},
     {OPTION_MAGNITUDE("--amplitude", amplitude, "1", 0x1p-24, 0x1p24,

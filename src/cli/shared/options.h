@@ -62,9 +62,11 @@ struct option {
         .otherwise = "the best one", .choice = option_isa_word
 #define OPTION_FLAG(title, member, explanation)                                                    \
     .name = title, .help = explanation, .offset = FIELD(member)
-#define OPTION_TEXT(title, member, value, takes, explanation)                                      \
-    .name = title, .argument = value, .allowed = takes, .help = explanation, .parse = option_text, \
+#define OPTION_READ(kind, value, title, member, takes, explanation)                                \
+    .name = title, .argument = value, .allowed = takes, .help = explanation, .parse = kind,        \
     .offset = FIELD(member)
+#define OPTION_TEXT(title, member, value, takes, explanation)                                      \
+    OPTION_READ(option_text, value, title, member, takes, explanation)
 #define OPTION_FILE(title, member, explanation)                                                    \
     OPTION_TEXT(title, member, "FILE", "a file name, of which the extension tells the format",     \
                 explanation)

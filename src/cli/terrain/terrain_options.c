@@ -25,17 +25,12 @@ static const struct option raster_rows[] = {
     {OPTION_FLAG("--band-limit", band_limit,
                  "leave out octaves whose cells are smaller than two samples, also without "
                  "--levels and in level 0: they flicker, and large forms do not need them")},
-    {.name = "--crs",
-     .argument = "EPSG:N",
-     .allowed = "EPSG:N, N from 1024 to 32766 the number of a projected system; those of degrees, "
-                "such as 4326, are none",
-     .help = "the coordinate system of x and y, for .tif; and for .img if it is a zone of UTM, "
-             "EPSG:32601 to 32660 in the north, 32701 to 32760 in the south",
-     .otherwise = "no system",
-     .parse = option_epsg,
-     .offset = FIELD(crs),
-     .lowest = 1024,
-     .highest = 32766},
+    {OPTION_READ(option_epsg, "EPSG:N", "--crs", crs,
+                 "EPSG:N, N from 1024 to 32766 the number of a projected system; those of degrees, "
+                 "such as 4326, are none",
+                 "the coordinate system of x and y, for .tif; and for .img if it is a zone of UTM, "
+                 "EPSG:32601 to 32660 in the north, 32701 to 32760 in the south"),
+     .otherwise = "no system", .lowest = 1024, .highest = 32766},
 };
 
 static const struct option file_rows[] = {
@@ -61,34 +56,23 @@ static const struct option file_rows[] = {
                  "mean curvature in 1 / unit, above 0 on crests, where the recipe has second "
                  "derivatives: .r32 .pfm .img .tif .npy"),
      .of_run = 1},
-    {.name = "--out",
-     .argument = "NAME=FILE",
-     .allowed = "an output of the recipe and a file, NAME=FILE, at most 15 times",
-     .help = "the values of an output of the recipe; repeat it for others: formats as heights",
-     .otherwise = "not written",
-     .parse = option_list,
-     .offset = FIELD(out),
-     .highest = GROUND_FIELDS_MOST,
-     .of_run = 1},
-    {.name = "--masks",
-     .argument = "STEM",
-     .allowed = "the beginning of file names: not empty, no separator at its end",
-     .help = "how much of 255 is rock, snow, sand, vegetation and water, as the relief has them: "
-             "STEM-rock and so on, .png or without zlib .pgm; STEM.EXT makes STEM-rock.EXT and "
-             "so on, STEM.png two files: see below",
-     .otherwise = "not written",
-     .parse = option_stem,
-     .offset = FIELD(masks),
-     .of_run = 1},
-    {.name = "--output",
-     .argument = "STEM",
-     .allowed = "the beginning of file names: not empty, no separator at its end",
-     .help = "short for STEM-height, STEM-normal, STEM-hillshade and STEM-relief: .png, or without "
-             "zlib .pgm and .ppm",
-     .otherwise = "terrain, if no file is asked for",
-     .parse = option_stem,
-     .offset = FIELD(output),
-     .of_run = 1},
+    {OPTION_READ(option_list, "NAME=FILE", "--out", out,
+                 "an output of the recipe and a file, NAME=FILE, at most 15 times",
+                 "the values of an output of the recipe; repeat it for others: formats as heights"),
+     .otherwise = "not written", .highest = GROUND_FIELDS_MOST, .of_run = 1},
+    {OPTION_READ(
+         option_stem, "STEM", "--masks", masks,
+         "the beginning of file names: not empty, no separator at its end",
+         "how much of 255 is rock, snow, sand, vegetation and water, as the relief has them: "
+         "STEM-rock and so on, .png or without zlib .pgm; STEM.EXT makes STEM-rock.EXT and "
+         "so on, STEM.png two files: see below"),
+     .otherwise = "not written", .of_run = 1},
+    {OPTION_READ(
+         option_stem, "STEM", "--output", output,
+         "the beginning of file names: not empty, no separator at its end",
+         "short for STEM-height, STEM-normal, STEM-hillshade and STEM-relief: .png, or without "
+         "zlib .pgm and .ppm"),
+     .otherwise = "terrain, if no file is asked for", .of_run = 1},
     {OPTION_COUNT("--compare", compare, NULL, 1, 7,
                   "with --output, also STEM-compare: N by N pixels per sample"),
      .otherwise = "not written"},
@@ -111,26 +95,15 @@ static const struct option tile_rows[] = {
                  "write tiles of W by H samples, called NAME_y_x or by patterns (see below): y "
                  "counts down from the top, x from the left, both from 0"),
      .otherwise = "one file"},
-    {.name = "--tiles",
-     .argument = "X0:X1,Y0:Y1",
-     .allowed = "four integers X0:X1,Y0:Y1 from 0 to 1000000, X0 below X1 and Y0 below Y1",
-     .help = "write only tiles with X0 <= x < X1 and Y0 <= y < Y1",
-     .otherwise = "all",
-     .parse = option_range,
-     .offset = FIELD(tiles),
-     .lowest = 0,
-     .highest = 1e6,
-     .of_run = 1},
-    {.name = "--share",
-     .argument = "I/N",
-     .allowed = "two integers I/N, N from 1 to 1000000 and I from 0 to N - 1",
-     .help = "write only share I of N equal shares of these tiles, I from 0, N from 1 to 1000000",
-     .otherwise = "all",
-     .parse = option_share,
-     .offset = FIELD(share),
-     .lowest = 0,
-     .highest = 1e6,
-     .of_run = 1},
+    {OPTION_READ(option_range, "X0:X1,Y0:Y1", "--tiles", tiles,
+                 "four integers X0:X1,Y0:Y1 from 0 to 1000000, X0 below X1 and Y0 below Y1",
+                 "write only tiles with X0 <= x < X1 and Y0 <= y < Y1"),
+     .otherwise = "all", .lowest = 0, .highest = 1e6, .of_run = 1},
+    {OPTION_READ(
+         option_share, "I/N", "--share", share,
+         "two integers I/N, N from 1 to 1000000 and I from 0 to N - 1",
+         "write only share I of N equal shares of these tiles, I from 0, N from 1 to 1000000"),
+     .otherwise = "all", .lowest = 0, .highest = 1e6, .of_run = 1},
     {OPTION_COUNT(
         "--overlap", overlap, "0", 0, 1024,
         "samples that a tile also has of its neighbours to the right and below (engines want 1)")},

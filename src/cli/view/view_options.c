@@ -59,25 +59,17 @@ static const struct option picture_rows[] = {
 };
 
 static const struct option camera_rows[] = {
-    {.name = "--camera",
-     .argument = "X,Y,H",
-     .allowed = "three numbers X,Y,H, X and Y from -2^40 to 2^40 and H from -2^24 to 2^24",
-     .help =
-         "where it stands: H is the height, in the unit of x and y, which must be above the ground",
-     .otherwise = "where it sees most of the view",
-     .parse = parse_camera,
-     .offset = FIELD(camera),
-     .lowest = -0x1p24,
-     .highest = 0x1p24},
-    {.name = "--look",
-     .argument = "AZ,EL",
-     .allowed = "two numbers AZ,EL, AZ from 0 to 360 and EL from -89 to 89",
-     .help = "where it looks: degrees clockwise from north, from 0 to 360, and above the horizon, "
-             "from -89 to 89",
-     .otherwise = "over the view, with the horizon in the upper third",
-     .parse = parse_direction,
-     .offset = FIELD(look),
-     .lowest = -89,
+    {OPTION_READ(parse_camera, "X,Y,H", "--camera", camera,
+                 "three numbers X,Y,H, X and Y from -2^40 to 2^40 and H from -2^24 to 2^24",
+                 "where it stands: H is the height, in the unit of x and y, which must be above "
+                 "the ground"),
+     .otherwise = "where it sees most of the view", .lowest = -0x1p24, .highest = 0x1p24},
+    {OPTION_READ(
+         parse_direction, "AZ,EL", "--look", look,
+         "two numbers AZ,EL, AZ from 0 to 360 and EL from -89 to 89",
+         "where it looks: degrees clockwise from north, from 0 to 360, and above the horizon, "
+         "from -89 to 89"),
+     .otherwise = "over the view, with the horizon in the upper third", .lowest = -89,
      .highest = 89},
     {OPTION_DOUBLE("--fov", fov, "56", 1, 150, "how much it sees from left to right, in degrees")},
     {OPTION_POINT(
@@ -91,26 +83,15 @@ static const struct option light_rows[] = {
                  "colours of the ground: alpine, temperate, desert, arctic or grey; or a FILE with "
                  "colours of heights: see scarp help terrain"),
      .otherwise = "that of the preset"},
-    {.name = "--sun",
-     .argument = "AZ,ALT",
-     .standard = "225,24",
-     .allowed = "two numbers AZ,ALT, AZ from 0 to 360 and ALT from 1 to 90",
-     .help = "where the sun stands: degrees clockwise from north, from 0 to 360, and above the "
-             "horizon, from 1 to 90",
-     .parse = parse_direction,
-     .offset = FIELD(sun),
-     .lowest = 1,
-     .highest = 90},
-    {.name = "--haze",
-     .argument = "F",
-     .allowed = "0 or a number from 1 to 2^24",
-     .help = "the distance at which haze takes most of the light, in units, from 1 to 2^24; 0 "
-             "is clear air",
-     .otherwise = "four times the side of the view",
-     .parse = option_float,
-     .offset = FIELD(haze),
-     .lowest = 0,
-     .highest = 0x1p24},
+    {OPTION_READ(parse_direction, "AZ,ALT", "--sun", sun,
+                 "two numbers AZ,ALT, AZ from 0 to 360 and ALT from 1 to 90",
+                 "where the sun stands: degrees clockwise from north, from 0 to 360, and above the "
+                 "horizon, from 1 to 90"),
+     .standard = "225,24", .lowest = 1, .highest = 90},
+    {OPTION_READ(option_float, "F", "--haze", haze, "0 or a number from 1 to 2^24",
+                 "the distance at which haze takes most of the light, in units, from 1 to 2^24; 0 "
+                 "is clear air"),
+     .otherwise = "four times the side of the view", .lowest = 0, .highest = 0x1p24},
 };
 
 static const struct option_group groups[] = {
