@@ -111,34 +111,43 @@ static NOINLINE enum scarp_status run(scarpi_points_fn *kernel, struct scarp_kin
     return SCARP_OK;
 }
 
-/* What a sample function is: its kernel, and how its points are given. */
-struct sampler {
-    scarpi_points_fn *points;
-    int dimensions;
-    size_t bytes; /* of a coordinate */
-};
-
-/* Makes the checks that all sample calls share, then the call. It is inlined, since a call of one
-   point takes some 25 ns in all. */
-static ALWAYS_INLINE enum scarp_status sample(struct sampler sampler,
-                                              const struct scarp_noise *noise, size_t count,
-                                              const void *const position[3],
-                                              const struct scarp_samples *out)
+/* The kernel for the points of a call */
+static ALWAYS_INLINE scarpi_points_fn *kernel_of(const struct scarp_kernels *kernels,
+                                                 const struct scarp_at *at)
 {
+    if (at->dimensions == 2) {
+        return at->doubles ? kernels->points2_f64 : kernels->points2_f32;
+    }
+    return at->doubles ? kernels->points3_f64 : kernels->points3_f32;
+}
+
+/* Makes a call at points, with all checks. It is inlined, since a call of one point takes some 25
+   ns in all. */
+static ALWAYS_INLINE enum scarp_status
+sample(const struct scarp_noise *noise, const struct scarp_at *at, const struct scarp_samples *out)
+{
+    if (at->count == 0) {
+        return SCARP_OK;
+    }
+    const struct scarp_kernels *const kernels = scarpi_dispatch_for(at->count);
+    if (kernels == NULL) {
+        return SCARP_ERROR_UNSUPPORTED;
+    }
     if (noise == NULL || out == NULL) {
         return SCARP_ERROR_NULL;
     }
-    const enum scarp_status checked =
-        scarpi_check_points(count, position, sampler.dimensions, sampler.bytes);
+    const enum scarp_status checked = scarpi_check_points(
+        at->count, at->position, at->dimensions, at->doubles ? sizeof(double) : sizeof(float));
     if (checked != SCARP_OK) {
         return checked;
     }
-    const struct scarp_kind kind = kind_of(sampler.dimensions, out);
+    const struct scarp_kind kind = kind_of(at->dimensions, out);
     if (kind.order == SCARP_UNSUPPORTED_ORDER) {
         return SCARP_ERROR_UNSUPPORTED;
     }
     const struct fpmode caller = fpmode_enter();
-    const enum scarp_status status = run(sampler.points, kind, noise, count, position, out);
+    const enum scarp_status status =
+        run(kernel_of(kernels, at), kind, noise, at->count, at->position, out);
     fpmode_leave(caller);
     return status;
 }
@@ -146,62 +155,30 @@ static ALWAYS_INLINE enum scarp_status sample(struct sampler sampler,
 enum scarp_status scarp_sample2(const struct scarp_noise *noise, size_t count, const float *x,
                                 const float *y, const struct scarp_samples *out)
 {
-    if (count == 0) {
-        return SCARP_OK;
-    }
-    const void *const position[3] = {x, y, NULL};
-    const struct scarp_kernels *const kernels = scarpi_dispatch_for(count);
-    if (kernels == NULL) {
-        return SCARP_ERROR_UNSUPPORTED;
-    }
-    const struct sampler sampler = {kernels->points2_f32, 2, sizeof *x};
-    return sample(sampler, noise, count, position, out);
+    const struct scarp_at at = {count, {x, y, NULL}, 2, 0};
+    return sample(noise, &at, out);
 }
 
 enum scarp_status scarp_sample3(const struct scarp_noise *noise, size_t count, const float *x,
                                 const float *y, const float *z, const struct scarp_samples *out)
 {
-    if (count == 0) {
-        return SCARP_OK;
-    }
-    const void *const position[3] = {x, y, z};
-    const struct scarp_kernels *const kernels = scarpi_dispatch_for(count);
-    if (kernels == NULL) {
-        return SCARP_ERROR_UNSUPPORTED;
-    }
-    const struct sampler sampler = {kernels->points3_f32, 3, sizeof *x};
-    return sample(sampler, noise, count, position, out);
+    const struct scarp_at at = {count, {x, y, z}, 3, 0};
+    return sample(noise, &at, out);
 }
 
 enum scarp_status scarp_sample2_f64(const struct scarp_noise *noise, size_t count, const double *x,
                                     const double *y, const struct scarp_samples *out)
 {
-    if (count == 0) {
-        return SCARP_OK;
-    }
-    const void *const position[3] = {x, y, NULL};
-    const struct scarp_kernels *const kernels = scarpi_dispatch_for(count);
-    if (kernels == NULL) {
-        return SCARP_ERROR_UNSUPPORTED;
-    }
-    const struct sampler sampler = {kernels->points2_f64, 2, sizeof *x};
-    return sample(sampler, noise, count, position, out);
+    const struct scarp_at at = {count, {x, y, NULL}, 2, 1};
+    return sample(noise, &at, out);
 }
 
 enum scarp_status scarp_sample3_f64(const struct scarp_noise *noise, size_t count, const double *x,
                                     const double *y, const double *z,
                                     const struct scarp_samples *out)
 {
-    if (count == 0) {
-        return SCARP_OK;
-    }
-    const void *const position[3] = {x, y, z};
-    const struct scarp_kernels *const kernels = scarpi_dispatch_for(count);
-    if (kernels == NULL) {
-        return SCARP_ERROR_UNSUPPORTED;
-    }
-    const struct sampler sampler = {kernels->points3_f64, 3, sizeof *x};
-    return sample(sampler, noise, count, position, out);
+    const struct scarp_at at = {count, {x, y, z}, 3, 1};
+    return sample(noise, &at, out);
 }
 
 /* A call on a grid, once its arguments are checked. */
