@@ -66,7 +66,7 @@ endif()
 
 if("scarp" IN_LIST scarp_found)
   set(shared ${PROJECT_SOURCE_DIR}/src/cli/shared)
-  scarp_test_program(test_cli_words SOURCES ${shared}/amount.c ${shared}/noise.c ${shared}/number.c ${shared}/options.c
+  scarp_test_program(test_cli_words SOURCES ${shared}/amount.c ${shared}/noise_options.c ${shared}/number.c ${shared}/options.c
                      ${shared}/options_words.c ${shared}/text.c ${shared}/values.c)
   target_include_directories(test_cli_words PRIVATE ${PROJECT_SOURCE_DIR}/src/cli)
 endif()

@@ -9,7 +9,7 @@
 #include "check.h"
 #include "shared/amount.h"
 #include "shared/error.h"
-#include "shared/noise.h"
+#include "shared/noise_options.h"
 
 /* Replaces the program's function; no test here leads to a message. */
 void cli_error(const char *format, ...)

@@ -6,7 +6,7 @@
 #ifndef SCARP_CLI_GROUND_OPTIONS_H
 #define SCARP_CLI_GROUND_OPTIONS_H
 
-#include "shared/noise.h"
+#include "shared/noise_options.h"
 #include "shared/options.h"
 
 struct ground_options {

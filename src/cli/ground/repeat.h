@@ -7,7 +7,7 @@
 
 #include <stdbool.h>
 
-#include "shared/noise.h"
+#include "shared/noise_options.h"
 
 /* Gives the noise the nearest frequency that has whole cells in a period, and that number of cells.
    `step` is the distance between samples. False, with a line on stderr, if that cannot be. */

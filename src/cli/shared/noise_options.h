@@ -3,8 +3,8 @@
  * The options that say which noise, the same for every command that samples: the members of struct
  * scarp_noise under their own names, within the intervals of scarp.h.
  */
-#ifndef SCARP_CLI_NOISE_H
-#define SCARP_CLI_NOISE_H
+#ifndef SCARP_CLI_NOISE_OPTIONS_H
+#define SCARP_CLI_NOISE_OPTIONS_H
 
 #include <math.h>
 #include <stdbool.h>

@@ -2,7 +2,7 @@
  *
  * The rows of the options that say which noise. Their defaults are those of struct scarp_noise.
  */
-#include "shared/noise.h"
+#include "shared/noise_options.h"
 
 #include <stddef.h>
 #include <string.h>
