@@ -202,7 +202,7 @@ static inline void seed_keys(uint64_t seed, int k, uint32_t key[3])
     const struct scarp_noise noise = {.seed = seed, .octaves = (float)(k + 1)};
     struct scarp_octave octave[SCARP_MAX_OCTAVES];
     struct scarp_call_plan plan;
-    const struct scarp_kind kind = {.dimensions = 3};
+    const struct scarp_request kind = {.dimensions = 3};
     CHECK(scarpi_plan_call(&plan, octave, NULL, &noise, kind) == SCARP_OK, "octave %d has no keys",
           k);
     memcpy(key, octave[k].key, sizeof octave[k].key);

@@ -154,7 +154,7 @@ static inline void sample_patch(uint64_t seed, enum scarp_basis kind, enum octav
         .basis = kind, .seed = seed, .octaves = OCTAVES, .offset_first = 1};
     struct scarp_octave all[SCARP_MAX_OCTAVES], two[2];
     struct scarp_call_plan plan;
-    const struct scarp_kind asked = {.dimensions = 2};
+    const struct scarp_request asked = {.dimensions = 2};
     CHECK(scarpi_plan_call(&plan, all, NULL, &noise, asked) == SCARP_OK && plan.octaves == OCTAVES,
           "plan");
     if (octaves == OCTAVES_ALIKE) {

@@ -102,7 +102,7 @@ WRAP_STATUS(scarp_curve,
 WRAP_STATUS(scarp_range, (NOISE, int d, float *from, float *up), (n, d, from, up))
 WRAP_STATUS(scarp_gullies_range, (GULLIES, float p, float q, float *from, float *up),
             (e, p, q, from, up))
-WRAP_STATUS(scarpi_run, (NOISE, struct scarp_kind kind, scarpi_run_fn *f, const void *call),
+WRAP_STATUS(scarpi_run, (NOISE, struct scarp_request kind, scarpi_run_fn *f, const void *call),
             (n, kind, f, call))
 WRAP(int, 0, scarpi_chain_numbers,
      (enum scarp_chain_function f, const float given[3], float to[CHAIN_NUMBERS]), (f, given, to))

@@ -46,16 +46,16 @@ static enum scarp_repeat repeat_of_octave(const struct scarp_octave *o, int dime
     return !repeats ? SCARP_REPEAT_NEVER : powers ? SCARP_REPEAT_POWERS : SCARP_REPEAT_ANY;
 }
 
-static struct scarp_kind kind_of(const void *out, int dimensions)
+static struct scarp_request request_of(const void *out, int dimensions)
 {
     (void)out;
-    return (struct scarp_kind){.dimensions = dimensions};
+    return (struct scarp_request){.dimensions = dimensions};
 }
 
 /* Runs the kernel with a plan of the first octave alone. */
 static void run(const struct scarp_call_plan *plan, const void *opaque)
 {
-    const struct scarp_find *const call = opaque;
+    const struct scarp_arguments *const call = opaque;
     struct scarp_octave first =
         plan->warps.depth > 0 ? *scarpi_component_plan(plan, 0, 0).octave : *plan->octave;
     /* The lattice is made of cells, whatever the basis is. */
@@ -71,32 +71,32 @@ static void run(const struct scarp_call_plan *plan, const void *opaque)
                          call->at->dimensions, call->at->doubles);
 }
 
-static const struct scarp_finder cells_finder = {asks_too_much, kind_of, run};
+static const struct scarp_computation cells_computation = {asks_too_much, request_of, run};
 
 enum scarp_status scarp_cells2(const struct scarp_noise *noise, size_t count, const float *x,
                                const float *y, const struct scarp_cells *out)
 {
     const struct scarp_at at = {count, {x, y, NULL}, 2, 0};
-    return scarpi_find(&cells_finder, noise, &at, out);
+    return scarpi_run_at_points(&cells_computation, noise, &at, out);
 }
 
 enum scarp_status scarp_cells3(const struct scarp_noise *noise, size_t count, const float *x,
                                const float *y, const float *z, const struct scarp_cells *out)
 {
     const struct scarp_at at = {count, {x, y, z}, 3, 0};
-    return scarpi_find(&cells_finder, noise, &at, out);
+    return scarpi_run_at_points(&cells_computation, noise, &at, out);
 }
 
 enum scarp_status scarp_cells2_f64(const struct scarp_noise *noise, size_t count, const double *x,
                                    const double *y, const struct scarp_cells *out)
 {
     const struct scarp_at at = {count, {x, y, NULL}, 2, 1};
-    return scarpi_find(&cells_finder, noise, &at, out);
+    return scarpi_run_at_points(&cells_computation, noise, &at, out);
 }
 
 enum scarp_status scarp_cells3_f64(const struct scarp_noise *noise, size_t count, const double *x,
                                    const double *y, const double *z, const struct scarp_cells *out)
 {
     const struct scarp_at at = {count, {x, y, z}, 3, 1};
-    return scarpi_find(&cells_finder, noise, &at, out);
+    return scarpi_run_at_points(&cells_computation, noise, &at, out);
 }

@@ -38,49 +38,50 @@ static int asks_too_much(const void *arrays, int dimensions)
 
 /* The derivatives of potentials that are needed: second ones for the Jacobian. In space there is a
    potential for each axis. */
-static struct scarp_kind kind_of(const void *out, int dimensions)
+static struct scarp_request request_of(const void *out, int dimensions)
 {
     const struct scarp_flow_arrays *const arrays = arrays_of(out);
-    struct scarp_kind kind = {.dimensions = dimensions, .order = 1, .vector = dimensions == 3};
+    struct scarp_request request = {
+        .dimensions = dimensions, .order = 1, .vector = dimensions == 3};
     for (int i = FLOW_JACOBIAN; i < FLOW_OUTPUTS; i++) {
-        kind.order = arrays->array[i] != NULL ? 2 : kind.order;
+        request.order = arrays->array[i] != NULL ? 2 : request.order;
     }
-    return kind;
+    return request;
 }
 
 static void run(const struct scarp_call_plan *plan, const void *opaque)
 {
-    const struct scarp_find *const call = opaque;
+    const struct scarp_arguments *const call = opaque;
     call->kernels->curl(plan, call->at->count, call->at->position, arrays_of(call->out),
                         call->at->dimensions, call->at->doubles);
 }
 
-static const struct scarp_finder flow_finder = {asks_too_much, kind_of, run};
+static const struct scarp_computation flow_computation = {asks_too_much, request_of, run};
 
 enum scarp_status scarp_curl2(const struct scarp_noise *noise, size_t count, const float *x,
                               const float *y, const struct scarp_flow *out)
 {
     const struct scarp_at at = {count, {x, y, NULL}, 2, 0};
-    return scarpi_find(&flow_finder, noise, &at, out);
+    return scarpi_run_at_points(&flow_computation, noise, &at, out);
 }
 
 enum scarp_status scarp_curl3(const struct scarp_noise *noise, size_t count, const float *x,
                               const float *y, const float *z, const struct scarp_flow *out)
 {
     const struct scarp_at at = {count, {x, y, z}, 3, 0};
-    return scarpi_find(&flow_finder, noise, &at, out);
+    return scarpi_run_at_points(&flow_computation, noise, &at, out);
 }
 
 enum scarp_status scarp_curl2_f64(const struct scarp_noise *noise, size_t count, const double *x,
                                   const double *y, const struct scarp_flow *out)
 {
     const struct scarp_at at = {count, {x, y, NULL}, 2, 1};
-    return scarpi_find(&flow_finder, noise, &at, out);
+    return scarpi_run_at_points(&flow_computation, noise, &at, out);
 }
 
 enum scarp_status scarp_curl3_f64(const struct scarp_noise *noise, size_t count, const double *x,
                                   const double *y, const double *z, const struct scarp_flow *out)
 {
     const struct scarp_at at = {count, {x, y, z}, 3, 1};
-    return scarpi_find(&flow_finder, noise, &at, out);
+    return scarpi_run_at_points(&flow_computation, noise, &at, out);
 }

@@ -52,13 +52,13 @@ static void run(const struct scarp_call_plan *plan, const void *opaque)
 
 static NOINLINE enum scarp_status run_checked(const struct gully_run *call)
 {
-    const struct scarp_kind kind = {.dimensions = 2};
+    const struct scarp_request request = {.dimensions = 2};
     const struct scarp_fault fault = scarpi_gullies_verify(call->gullies);
     if (fault.why != REFUSED_NOT) {
         return scarpi_fault_status(fault, NULL);
     }
     const struct scarp_noise lattice = scarpi_gullies_lattice(call->gullies);
-    return scarpi_run(&lattice, kind, run, call);
+    return scarpi_run(&lattice, request, run, call);
 }
 
 static int reserved_in_use(const struct scarp_samples *base, const struct scarp_eroded *out)

@@ -71,7 +71,7 @@ const char *scarp_noise_fault(const struct scarp_noise *noise, int dimensions, i
         fault = (struct scarp_fault){REFUSED_ORDER, 0};
     }
     if (fault.why == REFUSED_NOT) {
-        const struct scarp_kind asked = {
+        const struct scarp_request asked = {
             .dimensions = dimensions, .order = (short)order, .dphase = dphase != 0};
         fault = outputs_fault(noise, asked);
     }

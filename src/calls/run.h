@@ -38,7 +38,7 @@ scarpi_check_points(size_t count, const void *const position[3], int dimensions,
 #define SCARP_UNSUPPORTED_ORDER 3
 
 /* What is asked for by a call for samples. */
-struct scarp_kind scarpi_kind_of_samples(int dimensions, const struct scarp_samples *out);
+struct scarp_request scarpi_request_of_samples(int dimensions, const struct scarp_samples *out);
 
 /* The arrays of `out` as a list. */
 const struct scarp_outputs *scarpi_outputs_of(const struct scarp_samples *out);
@@ -47,17 +47,17 @@ const struct scarp_outputs *scarpi_outputs_of(const struct scarp_samples *out);
 typedef void scarpi_run_fn(const struct scarp_call_plan *plan, const void *call);
 
 /* Makes the plan of a call, whose octaves need some KiB of stack, and runs what the call does. */
-NOINLINE enum scarp_status scarpi_run(const struct scarp_noise *noise, struct scarp_kind kind,
+NOINLINE enum scarp_status scarpi_run(const struct scarp_noise *noise, struct scarp_request request,
                                       scarpi_run_fn *compute, const void *call);
 
-/* What differs between calls that give arrays of their own kind at points. */
-struct scarp_finder {
+/* What is computed at points: cells, velocities, vectors. */
+struct scarp_computation {
     int (*refuses)(const void *out, int dimensions); /* what does not exist */
-    struct scarp_kind (*kind)(const void *out, int dimensions);
-    scarpi_run_fn *compute; /* takes a struct scarp_find */
+    struct scarp_request (*request)(const void *out, int dimensions);
+    scarpi_run_fn *compute; /* takes a struct scarp_arguments */
 };
 
-struct scarp_find {
+struct scarp_arguments {
     const struct scarp_kernels *kernels;
     const struct scarp_noise *noise;
     const struct scarp_at *at;
@@ -65,7 +65,8 @@ struct scarp_find {
 };
 
 /* Makes such a call, with all checks. */
-enum scarp_status scarpi_find(const struct scarp_finder *how, const struct scarp_noise *noise,
-                              const struct scarp_at *at, const void *out);
+enum scarp_status scarpi_run_at_points(const struct scarp_computation *computation,
+                                       const struct scarp_noise *noise, const struct scarp_at *at,
+                                       const void *out);
 
 #endif

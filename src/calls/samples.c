@@ -48,30 +48,32 @@ static int any_asked(const struct scarp_samples *out, int from, int end)
 #define MEMBERS (int)(sizeof(struct scarp_samples) / sizeof(float *))
 
 /* What calls ask for that ask for more than values. */
-static NOINLINE struct scarp_kind kind_of_more(int dimensions, const struct scarp_samples *out)
+static NOINLINE struct scarp_request request_of_more(int dimensions,
+                                                     const struct scarp_samples *out)
 {
-    struct scarp_kind kind = {
+    struct scarp_request request = {
         .dimensions = dimensions, .order = SCARP_UNSUPPORTED_ORDER, .dphase = out->dphase != NULL};
     if (!any_asked(out, OUTPUTS, MEMBERS) &&
         (dimensions == 3 ||
          (out->dz == NULL && out->dxz == NULL && !any_asked(out, DYZ, DPHASE)))) {
-        kind.order = any_asked(out, DXX, DPHASE) ? 2 : any_asked(out, DX, DXX) ? 1 : 0;
+        request.order = any_asked(out, DXX, DPHASE) ? 2 : any_asked(out, DX, DXX) ? 1 : 0;
     }
-    return kind;
+    return request;
 }
 
 /* What is asked for; its order is SCARP_UNSUPPORTED_ORDER if something does not exist. In 2D
    derivatives along z do not; reserved members never do. Most calls are decided by the first
    question. */
-static ALWAYS_INLINE struct scarp_kind kind_of(int dimensions, const struct scarp_samples *out)
+static ALWAYS_INLINE struct scarp_request request_of(int dimensions,
+                                                     const struct scarp_samples *out)
 {
-    const struct scarp_kind values = {.dimensions = dimensions};
-    return any_asked(out, DX, MEMBERS) ? kind_of_more(dimensions, out) : values;
+    const struct scarp_request values = {.dimensions = dimensions};
+    return any_asked(out, DX, MEMBERS) ? request_of_more(dimensions, out) : values;
 }
 
-struct scarp_kind scarpi_kind_of_samples(int dimensions, const struct scarp_samples *out)
+struct scarp_request scarpi_request_of_samples(int dimensions, const struct scarp_samples *out)
 {
-    return kind_of(dimensions, out);
+    return request_of(dimensions, out);
 }
 
 /* A call at points, once its arguments are checked. */
@@ -88,24 +90,23 @@ static void run_points(const struct scarp_call_plan *plan, const void *opaque)
     call->kernel(plan, call->count, call->position, scarpi_outputs_of(call->out));
 }
 
-static NOINLINE enum scarp_status run_planned(scarpi_points_fn *kernel, struct scarp_kind kind,
-                                              const struct scarp_noise *noise, size_t count,
-                                              const void *const position[3],
-                                              const struct scarp_samples *out)
+static NOINLINE enum scarp_status
+run_planned(scarpi_points_fn *kernel, struct scarp_request request, const struct scarp_noise *noise,
+            size_t count, const void *const position[3], const struct scarp_samples *out)
 {
     const struct points_call call = {kernel, count, position, out};
-    return scarpi_run(noise, kind, run_points, &call);
+    return scarpi_run(noise, request, run_points, &call);
 }
 
 /* Runs the kernel with the plan that the noise brings, or with one that is made. */
-static NOINLINE enum scarp_status run(scarpi_points_fn *kernel, struct scarp_kind kind,
+static NOINLINE enum scarp_status run(scarpi_points_fn *kernel, struct scarp_request request,
                                       const struct scarp_noise *noise, size_t count,
                                       const void *const position[3],
                                       const struct scarp_samples *out)
 {
     struct scarp_call_plan plan;
-    if (!plan_kept(&plan, noise, kind)) {
-        return run_planned(kernel, kind, noise, count, position, out);
+    if (!plan_kept(&plan, noise, request)) {
+        return run_planned(kernel, request, noise, count, position, out);
     }
     kernel(&plan, count, position, scarpi_outputs_of(out));
     return SCARP_OK;
@@ -141,13 +142,13 @@ sample(const struct scarp_noise *noise, const struct scarp_at *at, const struct 
     if (checked != SCARP_OK) {
         return checked;
     }
-    const struct scarp_kind kind = kind_of(at->dimensions, out);
-    if (kind.order == SCARP_UNSUPPORTED_ORDER) {
+    const struct scarp_request request = request_of(at->dimensions, out);
+    if (request.order == SCARP_UNSUPPORTED_ORDER) {
         return SCARP_ERROR_UNSUPPORTED;
     }
     const struct fpmode caller = fpmode_enter();
     const enum scarp_status status =
-        run(kernel_of(kernels, at), kind, noise, at->count, at->position, out);
+        run(kernel_of(kernels, at), request, noise, at->count, at->position, out);
     fpmode_leave(caller);
     return status;
 }
@@ -214,14 +215,14 @@ static enum scarp_status sample_grid(const struct scarp_noise *noise, int dimens
     if (fault.why != REFUSED_NOT) {
         return scarpi_fault_status(fault, NULL);
     }
-    const struct scarp_kind kind = kind_of(dimensions, out);
-    if (kernels == NULL || kind.order == SCARP_UNSUPPORTED_ORDER ||
+    const struct scarp_request request = request_of(dimensions, out);
+    if (kernels == NULL || request.order == SCARP_UNSUPPORTED_ORDER ||
         scarpi_grid_reserved_in_use(&grid)) {
         return SCARP_ERROR_UNSUPPORTED;
     }
     const struct fpmode caller = fpmode_enter();
     const struct grid_call call = {dimensions == 2 ? kernels->grid2 : kernels->grid3, &grid, out};
-    const enum scarp_status result = scarpi_run(noise, kind, run_grid, &call);
+    const enum scarp_status result = scarpi_run(noise, request, run_grid, &call);
     fpmode_leave(caller);
     return result;
 }

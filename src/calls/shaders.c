@@ -162,13 +162,13 @@ static void run(const struct scarp_call_plan *plan, const void *opaque)
 
 /* Makes a plan of a noise, or only the checks if there is no room for a plan. */
 static NOINLINE struct scarp_fault make(struct scarp_gpu_plan *to, const struct scarp_noise *noise,
-                                        struct scarp_kind kind)
+                                        struct scarp_request request)
 {
     int fits = 0;
-    const struct filling filling = {to, kind.dimensions, &fits};
-    struct scarp_fault fault = scarpi_plan_check(noise, kind.dimensions);
+    const struct filling filling = {to, request.dimensions, &fits};
+    struct scarp_fault fault = scarpi_plan_check(noise, request.dimensions);
     if (fault.why == REFUSED_NOT) {
-        if (scarpi_run(noise, kind, run, &filling) != SCARP_OK) {
+        if (scarpi_run(noise, request, run, &filling) != SCARP_OK) {
             fits = 0;
         }
         fault.warp = 0;
@@ -180,18 +180,18 @@ static NOINLINE struct scarp_fault make(struct scarp_gpu_plan *to, const struct 
 }
 
 static struct scarp_fault fault_of(struct scarp_gpu_plan *plan, const struct scarp_noise *noise,
-                                   struct scarp_kind kind)
+                                   struct scarp_request request)
 {
     struct scarp_fault fault = {REFUSED_POINTER, 0};
     if (noise != NULL) {
         const struct fpmode caller = fpmode_enter();
-        fault = make(plan, noise, kind);
+        fault = make(plan, noise, request);
         fpmode_leave(caller);
     }
     return fault;
 }
 
-static enum scarp_status make_plan(const struct scarp_noise *noise, struct scarp_kind kind,
+static enum scarp_status make_plan(const struct scarp_noise *noise, struct scarp_request request,
                                    struct scarp_gpu_plan *plan, const char **member)
 {
     if (noise != NULL && plan != NULL && scarpi_dispatch_refuses()) {
@@ -199,28 +199,28 @@ static enum scarp_status make_plan(const struct scarp_noise *noise, struct scarp
         (void)scarpi_fault_status(no_member, member);
         return SCARP_ERROR_UNSUPPORTED;
     }
-    const struct scarp_fault fault = fault_of(plan, plan == NULL ? NULL : noise, kind);
+    const struct scarp_fault fault = fault_of(plan, plan == NULL ? NULL : noise, request);
     return scarpi_fault_status(fault, member);
 }
 
 enum scarp_status scarp_gpu_plan_make(const struct scarp_noise *noise, int dimensions,
                                       struct scarp_gpu_plan *plan, const char **member)
 {
-    return make_plan(noise, (struct scarp_kind){.dimensions = dimensions}, plan, member);
+    return make_plan(noise, (struct scarp_request){.dimensions = dimensions}, plan, member);
 }
 
 enum scarp_status scarp_gpu_vector_plan_make(const struct scarp_noise *noise, int dimensions,
                                              struct scarp_gpu_plan *plan, const char **member)
 {
-    return make_plan(noise, (struct scarp_kind){.dimensions = dimensions, .vector = 1}, plan,
+    return make_plan(noise, (struct scarp_request){.dimensions = dimensions, .vector = 1}, plan,
                      member);
 }
 
 const char *scarp_gpu_plan_fault(const struct scarp_noise *noise, int dimensions, int vector,
                                  const char **member)
 {
-    const struct scarp_kind kind = {.dimensions = dimensions, .vector = vector != 0};
-    return scarpi_fault_told(fault_of(NULL, noise, kind), member);
+    const struct scarp_request request = {.dimensions = dimensions, .vector = vector != 0};
+    return scarpi_fault_told(fault_of(NULL, noise, request), member);
 }
 
 /* Finds the unit, with the same checks. */
@@ -229,7 +229,7 @@ static NOINLINE enum scarp_status find_unit(float *unit, const struct scarp_nois
 {
     struct scarp_gpu_plan plan;
     const struct scarp_fault fault =
-        make(&plan, noise, (struct scarp_kind){.dimensions = dimensions});
+        make(&plan, noise, (struct scarp_request){.dimensions = dimensions});
     *unit = fault.why == REFUSED_NOT ? plan.unit : 0.0f;
     return scarpi_fault_status(fault, NULL);
 }

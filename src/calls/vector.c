@@ -11,27 +11,27 @@ static int asks_too_much(const void *samples, int dimensions)
     const struct scarp_samples *const out = samples;
     int too_much = 0;
     for (int i = 0; i < dimensions; i++) {
-        too_much |= scarpi_kind_of_samples(dimensions, &out[i]).order == SCARP_UNSUPPORTED_ORDER;
+        too_much |= scarpi_request_of_samples(dimensions, &out[i]).order == SCARP_UNSUPPORTED_ORDER;
     }
     return too_much;
 }
 
 /* What is asked for of any component, which all get. */
-static struct scarp_kind kind_of(const void *samples, int dimensions)
+static struct scarp_request request_of(const void *samples, int dimensions)
 {
     const struct scarp_samples *const out = samples;
-    struct scarp_kind kind = {.dimensions = dimensions, .vector = 1};
+    struct scarp_request request = {.dimensions = dimensions, .vector = 1};
     for (int i = 0; i < dimensions; i++) {
-        const struct scarp_kind of = scarpi_kind_of_samples(dimensions, &out[i]);
-        kind.order = of.order > kind.order ? of.order : kind.order;
-        kind.dphase |= of.dphase;
+        const struct scarp_request of = scarpi_request_of_samples(dimensions, &out[i]);
+        request.order = of.order > request.order ? of.order : request.order;
+        request.dphase |= of.dphase;
     }
-    return kind;
+    return request;
 }
 
 static void run(const struct scarp_call_plan *plan, const void *opaque)
 {
-    const struct scarp_find *const call = opaque;
+    const struct scarp_arguments *const call = opaque;
     const struct scarp_samples *const samples = call->out;
     const struct scarp_outputs *out[3] = {NULL, NULL, NULL};
     for (int i = 0; i < call->at->dimensions; i++) {
@@ -41,27 +41,27 @@ static void run(const struct scarp_call_plan *plan, const void *opaque)
                               call->at->doubles);
 }
 
-static const struct scarp_finder vector_finder = {asks_too_much, kind_of, run};
+static const struct scarp_computation vector_computation = {asks_too_much, request_of, run};
 
 enum scarp_status scarp_vector2(const struct scarp_noise *noise, size_t count, const float *x,
                                 const float *y, const struct scarp_samples out[2])
 {
     const struct scarp_at at = {count, {x, y, NULL}, 2, 0};
-    return scarpi_find(&vector_finder, noise, &at, out);
+    return scarpi_run_at_points(&vector_computation, noise, &at, out);
 }
 
 enum scarp_status scarp_vector3(const struct scarp_noise *noise, size_t count, const float *x,
                                 const float *y, const float *z, const struct scarp_samples out[3])
 {
     const struct scarp_at at = {count, {x, y, z}, 3, 0};
-    return scarpi_find(&vector_finder, noise, &at, out);
+    return scarpi_run_at_points(&vector_computation, noise, &at, out);
 }
 
 enum scarp_status scarp_vector2_f64(const struct scarp_noise *noise, size_t count, const double *x,
                                     const double *y, const struct scarp_samples out[2])
 {
     const struct scarp_at at = {count, {x, y, NULL}, 2, 1};
-    return scarpi_find(&vector_finder, noise, &at, out);
+    return scarpi_run_at_points(&vector_computation, noise, &at, out);
 }
 
 enum scarp_status scarp_vector3_f64(const struct scarp_noise *noise, size_t count, const double *x,
@@ -69,5 +69,5 @@ enum scarp_status scarp_vector3_f64(const struct scarp_noise *noise, size_t coun
                                     const struct scarp_samples out[3])
 {
     const struct scarp_at at = {count, {x, y, z}, 3, 1};
-    return scarpi_find(&vector_finder, noise, &at, out);
+    return scarpi_run_at_points(&vector_computation, noise, &at, out);
 }

@@ -106,7 +106,7 @@ static inline int fractal_bends(enum scarp_fractal fractal)
 }
 
 /* What a call asks for. */
-struct scarp_kind {
+struct scarp_request {
     int dimensions;
     short order;          /* highest derivative: 0, 1, 2 */
     unsigned char dphase; /* whether the derivative by the phase */
@@ -178,12 +178,12 @@ static inline struct scarp_call_plan scarpi_component_plan(const struct scarp_ca
 }
 
 /* Makes the plan of a call that asks for values into one for what is asked for. */
-static inline void plan_ask(struct scarp_call_plan *plan, struct scarp_kind kind)
+static inline void plan_ask(struct scarp_call_plan *plan, struct scarp_request request)
 {
-    plan->order = kind.order;
-    plan->dphase = kind.dphase;
-    plan->flows |= kind.dphase;
-    plan->plain &= !kind.dphase;
+    plan->order = request.order;
+    plan->dphase = request.dphase;
+    plan->flows |= request.dphase;
+    plan->plain &= !request.dphase;
 }
 
 /* What an octave of a fractal that bends needs: 1 / f_k, its weight, the inverse of octave 0's, and

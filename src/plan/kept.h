@@ -65,17 +65,17 @@ static inline int same_noise(const struct scarp_noise *a, const struct scarp_noi
    the noise does not have what is asked for. No plan fits a noise with a warp, which may have
    changed. */
 static inline int plan_kept(struct scarp_call_plan *plan, const struct scarp_noise *noise,
-                            struct scarp_kind kind)
+                            struct scarp_request request)
 {
     const struct kept *const kept = (const struct kept *)noise->plan;
     /* A noise that a plan was made of needs no check. */
-    if (kept == NULL || kept->mark != mark_of(kind.dimensions) ||
-        !same_noise(noise, &kept->noise) || !has_outputs(noise, kind)) {
+    if (kept == NULL || kept->mark != mark_of(request.dimensions) ||
+        !same_noise(noise, &kept->noise) || !has_outputs(noise, request)) {
         return 0;
     }
     *plan = kept->values;
     plan->octave = kept->octave;
-    plan_ask(plan, kind);
+    plan_ask(plan, request);
     return 1;
 }
 

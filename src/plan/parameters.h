@@ -48,28 +48,28 @@ static inline float sharpness_of(const struct scarp_noise *noise)
 
 /* Why the noise, without its warp, does not have what is asked for. */
 static inline enum scarp_refusal refused_outputs(const struct scarp_noise *noise,
-                                                 struct scarp_kind kind)
+                                                 struct scarp_request request)
 {
     const int bends = fractal_bends(noise->fractal);
-    return kind.order > 1 && (noise->fractal == SCARP_EROSION || bends) ? REFUSED_HESSIAN
-           : kind.dphase && bends                                       ? REFUSED_DPHASE_FRACTAL
-           : kind.dphase && noise->basis != SCARP_GRADIENT              ? REFUSED_DPHASE_BASIS
-                                                                        : REFUSED_NOT;
+    return request.order > 1 && (noise->fractal == SCARP_EROSION || bends) ? REFUSED_HESSIAN
+           : request.dphase && bends                                       ? REFUSED_DPHASE_FRACTAL
+           : request.dphase && noise->basis != SCARP_GRADIENT              ? REFUSED_DPHASE_BASIS
+                                                                           : REFUSED_NOT;
 }
 
-static inline int has_outputs(const struct scarp_noise *noise, struct scarp_kind kind)
+static inline int has_outputs(const struct scarp_noise *noise, struct scarp_request request)
 {
-    return refused_outputs(noise, kind) == REFUSED_NOT;
+    return refused_outputs(noise, request) == REFUSED_NOT;
 }
 
 /* The same of a noise with its warps, which have no derivative by the phase. */
 static inline struct scarp_fault outputs_fault(const struct scarp_noise *noise,
-                                               struct scarp_kind kind)
+                                               struct scarp_request request)
 {
-    struct scarp_fault fault = {refused_outputs(noise, kind), 0};
-    kind.dphase = 0;
+    struct scarp_fault fault = {refused_outputs(noise, request), 0};
+    request.dphase = 0;
     for (noise = noise->warp; fault.why == REFUSED_NOT && noise != NULL; noise = noise->warp) {
-        fault.why = refused_outputs(noise, kind);
+        fault.why = refused_outputs(noise, request);
         fault.warp++;
     }
     return fault;

@@ -111,26 +111,26 @@ static void fetch_component(const struct scarp_warps *warps, int level, int comp
 
 /* Makes the plans of all levels, and the octaves of their components if there is room for them. */
 static void make_levels(struct scarp_levels *levels, const struct scarp_warps *warps,
-                        struct scarp_kind kind)
+                        struct scarp_request request)
 {
-    const struct scarp_kind of_warp = {.dimensions = kind.dimensions, .order = kind.order};
+    const struct scarp_request of_warp = {.dimensions = request.dimensions, .order = request.order};
     const struct scarp_noise *noise = levels->noise;
     struct scarp_octave *octave = levels->octave;
     int count = 0;
     for (int level = 0; level <= warps->depth; level++, noise = noise->warp) {
         struct scarp_call_plan *const plan = &levels->plan[level];
-        plan_describe(plan, noise, kind.dimensions);
-        plan_ask(plan, level == 0 ? kind : of_warp);
-        count += plan->octaves * octave_sets(warps, level, plan->basis, kind.dimensions);
+        plan_describe(plan, noise, request.dimensions);
+        plan_ask(plan, level == 0 ? request : of_warp);
+        count += plan->octaves * octave_sets(warps, level, plan->basis, request.dimensions);
     }
     levels->fetch = count > SCARP_MAX_OCTAVES ? fetch_component : NULL;
     noise = levels->noise;
     for (int level = 0; level <= warps->depth; level++, noise = noise->warp) {
         const int has = has_components(warps, level);
-        const int sets = octave_sets(warps, level, noise->basis, kind.dimensions);
+        const int sets = octave_sets(warps, level, noise->basis, request.dimensions);
         levels->plan[level].octave = octave;
         for (int i = 0; levels->fetch == NULL && i < sets; i++) {
-            make_component(octave, noise, kind.dimensions, has, i);
+            make_component(octave, noise, request.dimensions, has, i);
             octave += levels->plan[level].octaves;
         }
     }
@@ -139,16 +139,16 @@ static void make_levels(struct scarp_levels *levels, const struct scarp_warps *w
 /* Makes the plan of a checked noise with warps, or of potentials. */
 static void plan_levels(struct scarp_call_plan *plan, struct scarp_octave *octave,
                         struct scarp_levels *levels, const struct scarp_noise *noise,
-                        struct scarp_kind kind)
+                        struct scarp_request request)
 {
-    struct scarp_warps warps = {.vector = kind.vector, .levels = levels};
+    struct scarp_warps warps = {.vector = request.vector, .levels = levels};
     for (const struct scarp_noise *w = noise->warp; w != NULL; w = w->warp) {
         warps.depth++;
     }
     levels->noise = noise;
     levels->octave = octave;
-    levels->dimensions = kind.dimensions;
-    make_levels(levels, &warps, kind);
+    levels->dimensions = request.dimensions;
+    make_levels(levels, &warps, request);
     *plan = levels->plan[0];
     plan->plain = 0;
     plan->octave = NULL;
@@ -157,25 +157,25 @@ static void plan_levels(struct scarp_call_plan *plan, struct scarp_octave *octav
 
 enum scarp_status scarpi_plan_call(struct scarp_call_plan *plan, struct scarp_octave *octave,
                                    struct scarp_levels *levels, const struct scarp_noise *noise,
-                                   struct scarp_kind kind)
+                                   struct scarp_request request)
 {
-    if (!kind.vector && plan_kept(plan, noise, kind)) {
+    if (!request.vector && plan_kept(plan, noise, request)) {
         return SCARP_OK;
     }
-    struct scarp_fault fault = scarpi_plan_check(noise, kind.dimensions);
+    struct scarp_fault fault = scarpi_plan_check(noise, request.dimensions);
     if (fault.why == REFUSED_NOT) {
-        fault = outputs_fault(noise, kind);
+        fault = outputs_fault(noise, request);
     }
     if (fault.why != REFUSED_NOT) {
         return scarpi_fault_status(fault, NULL);
     }
-    if (scarpi_has_levels(noise, kind)) {
-        plan_levels(plan, octave, levels, noise, kind);
+    if (scarpi_has_levels(noise, request)) {
+        plan_levels(plan, octave, levels, noise, request);
         return SCARP_OK;
     }
-    scarpi_octaves_make(octave, noise, kind.dimensions);
-    plan_describe(plan, noise, kind.dimensions);
-    plan_ask(plan, kind);
+    scarpi_octaves_make(octave, noise, request.dimensions);
+    plan_describe(plan, noise, request.dimensions);
+    plan_ask(plan, request);
     if (plan->flows) {
         scarpi_phase_set(octave, plan->octaves, noise->phase);
     }

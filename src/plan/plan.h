@@ -12,10 +12,10 @@
 enum scarp_status scarpi_plan_keep(struct scarp_plan *plan, const struct scarp_noise *noise,
                                    int dimensions);
 
-/* Whether plans of that kind need levels: those of a noise with warps, and of potentials. */
-static inline int scarpi_has_levels(const struct scarp_noise *noise, struct scarp_kind kind)
+/* Whether the plan of a call that asks for this needs levels: those of a noise with warps, and of potentials. */
+static inline int scarpi_has_levels(const struct scarp_noise *noise, struct scarp_request request)
 {
-    return noise->warp != NULL || kind.vector;
+    return noise->warp != NULL || request.vector;
 }
 
 /* Checks the noise and makes the plan of a call. `octave`, with room for all of them, or
@@ -24,6 +24,6 @@ static inline int scarpi_has_levels(const struct scarp_noise *noise, struct scar
    taken if it fits, and needs neither. */
 enum scarp_status scarpi_plan_call(struct scarp_call_plan *plan, struct scarp_octave *octave,
                                    struct scarp_levels *levels, const struct scarp_noise *noise,
-                                   struct scarp_kind kind);
+                                   struct scarp_request request);
 
 #endif

@@ -73,7 +73,7 @@ struct scarp_samples scarpi_recipe_samples(const struct recipe_machine *m, int n
 
 int scarpi_recipe_order_of(const struct scarp_samples *out, int dimensions)
 {
-    const struct scarp_kind kind = scarpi_kind_of_samples(dimensions, out);
+    const struct scarp_request kind = scarpi_request_of_samples(dimensions, out);
     return kind.dphase || kind.order == SCARP_UNSUPPORTED_ORDER ? -1 : kind.order;
 }
 

@@ -185,7 +185,7 @@ static void put_levels(struct filling *f, int step)
     const int node = r->schedule.step[step], equal = equal_step(f, step);
     const struct recipe_node *const n = &r->node[node];
     struct scarp_noise noise[5];
-    struct scarp_kind kind = {.dimensions = r->place[n->place].dimensions};
+    struct scarp_request kind = {.dimensions = r->place[n->place].dimensions};
     if (equal >= 0) {
         f->slots->level_of[node] = f->slots->level_of[r->schedule.step[equal]];
         f->slots->number_of[node] = f->slots->number_of[r->schedule.step[equal]];
