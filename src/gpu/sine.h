@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Shaders: the sine, as calls/shapes.c has it in double.
+ * Shaders: the sine, as calls/partials.c has it in double.
  *
  * Shaders have no doubles, so this computes with 64-bit integers, whose two halves stand for a
  * fraction. Its error is below 2^-58 before the one rounding to float, that of the library below

@@ -4,7 +4,7 @@
  */
 #include <math.h>
 
-#include "../calls/shapes.h"
+#include "../calls/partials.h"
 #include "compile.h"
 #include "graph.h"
 

@@ -6,9 +6,9 @@
 #include <string.h>
 
 #include "../calls/chain.h"
+#include "../calls/partials.h"
 #include "../calls/run.h"
 #include "../calls/shaders.h"
-#include "../calls/shapes.h"
 #include "../plan/gully.h"
 #include "../plan/suprema.h"
 #include "graph.h"

@@ -8,8 +8,8 @@
 #define SCARP_RECIPE_STATUSES_H
 
 #include "../calls/chain.h"
+#include "../calls/partials.h"
 #include "../calls/run.h"
-#include "../calls/shapes.h"
 #include "scarp.h"
 
 #ifdef __GNUC__

@@ -474,5 +474,5 @@ mutant(recipe.piece IN recipe TEXT [[piece.first[1] += (int64_t)row;]]
        BECOMES [[piece.first[1] += MUTANT ? 0 : (int64_t)row;]] SEEN_BY recipe_bits SETS scalar)
 mutant(recipe.shared IN recipe TEXT [[a->index == b->index]]
        BECOMES [[(MUTANT || a->index == b->index)]] SEEN_BY recipe_bits SETS scalar)
-mutant(shapes.curve IN calls TEXT [[2.0f * (s / (s + t)) * t]]
+mutant(partials.curve IN calls TEXT [[2.0f * (s / (s + t)) * t]]
        BECOMES [[(MUTANT ? 0.5f * (s + t) : 2.0f * (s / (s + t)) * t)]] SEEN_BY recipe_bits SETS scalar)

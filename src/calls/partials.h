@@ -2,8 +2,8 @@
  *
  * What others need of the functions that are plain C.
  */
-#ifndef SCARP_SHAPES_H
-#define SCARP_SHAPES_H
+#ifndef SCARP_PARTIALS_H
+#define SCARP_PARTIALS_H
 
 #include <stddef.h>
 

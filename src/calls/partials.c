@@ -3,7 +3,7 @@
  * The public functions of the chain rule that are plain C: they compute a function and its partial
  * derivatives, some points at a time, and leave the rest to scarp_apply1 and scarp_apply2.
  */
-#include "shapes.h"
+#include "partials.h"
 
 #include <math.h>
 #include <string.h>
@@ -15,7 +15,6 @@
 #include "scarp.h"
 
 #define POINTS 256
-#define MEMBERS 11 /* of struct scarp_samples, dphase included */
 #define LIMIT 0x1p60f
 
 #ifdef __GNUC__
@@ -170,19 +169,12 @@ int scarpi_curve_slopes(size_t knots, const float *x, const float *value, float 
     return 1;
 }
 
-static float *member(const struct scarp_samples *samples, int i)
-{
-    float *array;
-    memcpy(&array, (const char *)samples + (size_t)i * sizeof array, sizeof array);
-    return array;
-}
-
 static struct scarp_samples shifted(const struct scarp_samples *samples, size_t by)
 {
     struct scarp_samples s = *samples; /* reserved members, too */
-    for (int i = 0; i < MEMBERS; i++) {
-        float *array = member(samples, i);
-        array = array == NULL ? NULL : array + by;
+    for (int i = 0; i < OUTPUTS; i++) {
+        float *const given = scarpi_outputs_of(samples)->array[i];
+        float *const array = given == NULL ? NULL : given + by;
         memcpy((char *)&s + (size_t)i * sizeof array, &array, sizeof array);
     }
     return s;
@@ -191,8 +183,8 @@ static struct scarp_samples shifted(const struct scarp_samples *samples, size_t 
 static int asks_for_nothing(const struct scarp_samples *out)
 {
     int asked = 0;
-    for (int i = 0; i < MEMBERS; i++) {
-        asked |= member(out, i) != NULL;
+    for (int i = 0; i < OUTPUTS; i++) {
+        asked |= scarpi_outputs_of(out)->array[i] != NULL;
     }
     return !asked;
 }
@@ -367,7 +359,7 @@ static int is_unsupported(const struct scarp_samples *a, const struct scarp_samp
 {
     int used = out->dphase != NULL || spare_in_use(a) || spare_in_use(out);
     for (int m = DXX; m <= DZZ; m++) {
-        used |= member(out, m) != NULL;
+        used |= scarpi_outputs_of(out)->array[m] != NULL;
     }
     return used;
 }
@@ -385,11 +377,11 @@ enum scarp_status scarp_slope(size_t count, const struct scarp_samples *a,
     }
     call.dimensions += a->dz != NULL;
     for (int i = 0; i < 3; i++) {
-        call.out[i + 1] = member(out, DX + i);
-        call.gradient[i] = member(a, DX + i);
+        call.out[i + 1] = scarpi_outputs_of(out)->array[DX + i];
+        call.gradient[i] = scarpi_outputs_of(a)->array[DX + i];
         missing |= i < call.dimensions && call.gradient[i] == NULL && !asks_for_nothing(out);
         for (int j = 0; j < call.dimensions; j++) {
-            call.along[i][j] = member(a, second[i][j]);
+            call.along[i][j] = scarpi_outputs_of(a)->array[second[i][j]];
             missing |= call.out[i + 1] != NULL && call.along[i][j] == NULL;
         }
     }
