@@ -46,12 +46,6 @@ _Static_assert(sizeof((struct scarp_noise *)NULL)->spare >= 8 &&
 #define SHARPNESS_USED_MIN 0x1p-8
 #define SHARPNESS_USED_MAX 0x1p8
 
-/* A NaN is not within. */
-static int within(double value, double lowest, double highest)
-{
-    return value >= lowest && value <= highest;
-}
-
 /* Compares as unsigned, since a caller may put any number into an enumeration. */
 static enum scarp_refusal refused_word(const struct scarp_noise *noise)
 {

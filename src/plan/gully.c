@@ -46,12 +46,6 @@ static struct filled filled_of(const struct scarp_gullies *g)
     return p;
 }
 
-/* A NaN is not within. */
-static int within(double value, double lowest, double highest)
-{
-    return value >= lowest && value <= highest;
-}
-
 static enum scarp_refusal refused_number(const struct filled *p)
 {
     return !within(p->frequency, 0x1p-32, 0x1p48)   ? REFUSED_FREQUENCY

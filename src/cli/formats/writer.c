@@ -7,6 +7,8 @@
 #include <errno.h>
 #include <stdlib.h>
 
+#include "shared/smaller.h"
+
 size_t sample_bytes(enum sample_kind kind)
 {
     switch (kind) {
@@ -31,11 +33,6 @@ bool writer_write_raw(struct writer *writer, const uint8_t *samples, size_t row,
 uint64_t raster_bytes(const struct raster *raster)
 {
     return (uint64_t)raster->width * raster->height * raster->channels * sample_bytes(raster->kind);
-}
-
-static size_t smaller(size_t a, size_t b)
-{
-    return a < b ? a : b;
 }
 
 static size_t quotient_up(size_t a, size_t b)

@@ -31,12 +31,12 @@ struct pixels {
 };
 
 /* Written so that compilers make vector code of it */
-static inline float larger(float a, float b)
+static inline float max_of(float a, float b)
 {
     return a > b ? a : b;
 }
 
-static inline float smaller(float a, float b)
+static inline float min_of(float a, float b)
 {
     return a < b ? a : b;
 }
@@ -58,7 +58,7 @@ static struct step step_of(const float pair[2])
 
 static inline float smooth(float x, struct step step)
 {
-    const float u = smaller(larger((x - step.from) * step.per, 0.0f), 1.0f);
+    const float u = min_of(max_of((x - step.from) * step.per, 0.0f), 1.0f);
     return u * u * (3.0f - 2.0f * u);
 }
 
@@ -167,8 +167,8 @@ static void take_water(const struct relief *relief, const float *bed, size_t cou
         const float shallow = from[c], deep = into[c];
         float *const light = to->c[c];
         for (size_t i = 0; i < count; i++) {
-            const float depth = larger((sea - bed[i]) * per_depth, 0.0f);
-            const float t = smaller(1.25f * depth / (depth + 0.25f), 1.0f);
+            const float depth = max_of((sea - bed[i]) * per_depth, 0.0f);
+            const float t = min_of(1.25f * depth / (depth + 0.25f), 1.0f);
             const float colour = mixed(shallow, deep, t);
             light[i] = bed[i] < sea ? colour * colour : light[i];
         }
@@ -178,8 +178,8 @@ static void take_water(const struct relief *relief, const float *bed, size_t cou
 /* Leaves what is up to 3/4, and brings all that is brighter below 1: snow in the sun has shades. */
 static inline float shoulder(float x)
 {
-    const float over = larger(4.0f * x - 3.0f, 0.0f);
-    return smaller(x, 0.75f) + 0.25f * (over / (1.0f + over));
+    const float over = max_of(4.0f * x - 3.0f, 0.0f);
+    return min_of(x, 0.75f) + 0.25f * (over / (1.0f + over));
 }
 
 static void take_light(const struct relief *relief, const struct relief_samples *samples,
@@ -192,7 +192,7 @@ static void take_light(const struct relief *relief, const struct relief_samples 
     for (size_t c = 0; c < 3; c++) {
         uint8_t bytes[RUN];
         for (size_t i = 0; i < count; i++) {
-            const float direct = larger(east * x[i] + north * y[i] + up * z[i], 0.0f);
+            const float direct = max_of(east * x[i] + north * y[i] + up * z[i], 0.0f);
             const float light = sun[c] * direct + sky[c] * (0.5f + 0.5f * z[i]);
             const float square = shoulder(ground->c[c][i] * light);
             bytes[i] = (uint8_t)(int)(sqrtf(square) * 255.0f + 0.5f);
@@ -281,7 +281,7 @@ static void mask_run(const struct relief *relief, const struct relief_samples *s
         float sum = 0.0f;
         int before = 0;
         for (size_t g = 0; g < PALETTE_VEGETATION; g++) {
-            sum = smaller(sum + share[g], 1.0f);
+            sum = min_of(sum + share[g], 1.0f);
             const int rounded = (int)(sum * land + 0.5f);
             to[g] = (uint8_t)(rounded - before);
             before = rounded;

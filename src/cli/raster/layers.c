@@ -8,6 +8,7 @@
 #include <string.h>
 
 #include "raster/slope.h"
+#include "shared/smaller.h"
 
 /* Known when this is compiled, though only the preprocessors of some compilers tell it */
 static inline bool is_low_byte_first(void)
@@ -39,11 +40,6 @@ static inline void put_integer(uint8_t *to, unsigned value, bool low_byte_first)
     const uint16_t bits =
         (uint16_t)(low_byte_first == is_low_byte_first() ? value : value >> 8 | value << 8);
     memcpy(to, &bits, sizeof bits);
-}
-
-static size_t smaller(size_t a, size_t b)
-{
-    return a < b ? a : b;
 }
 
 /* Floats as they are, or as integers of a scale */

@@ -12,6 +12,7 @@
 #include "ground/source.h"
 #include "raster/layers.h"
 #include "shared/error.h"
+#include "shared/smaller.h"
 #include "shared/text.h"
 
 /* The option of an axis, if a sheet can vary it. All other names are those of parameters, and with
@@ -160,11 +161,6 @@ static void draw_block(const struct cell *cell, const struct layer *layer,
         put_means(bytes + row * block->columns * layer->channels, samples, block->columns / samples,
                   layer->channels, to + row / samples * stride);
     }
-}
-
-static size_t smaller(size_t a, size_t b)
-{
-    return a < b ? a : b;
 }
 
 bool cell_draw(const struct cell *cell, size_t row, uint8_t *to, size_t stride)

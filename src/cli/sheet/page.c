@@ -9,6 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "shared/smaller.h"
 #include "sheet/font.h"
 
 #define MARGIN 16
@@ -20,11 +21,6 @@
 static const uint8_t paper[3] = {30, 32, 35};
 static const uint8_t title_ink[3] = {250, 248, 240};
 static const uint8_t label_ink[3] = {200, 204, 206};
-
-static size_t smaller(size_t a, size_t b)
-{
-    return a < b ? a : b;
-}
 
 /* How high a text is, with its room */
 static size_t line_height(size_t scale)

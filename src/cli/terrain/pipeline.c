@@ -17,6 +17,7 @@
 #include <string.h>
 
 #include "shared/interrupt.h"
+#include "shared/smaller.h"
 #include "terrain/compare.h"
 
 #define BAND_BYTES ((size_t)16 << 20)
@@ -60,11 +61,6 @@ struct pipeline {
     size_t round; /* and the band that is filled in it */
     enum pipeline_result result;
 };
-
-static size_t smaller(size_t a, size_t b)
-{
-    return a < b ? a : b;
-}
 
 static size_t quotient_up(size_t a, size_t b)
 {

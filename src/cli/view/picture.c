@@ -13,6 +13,7 @@
 #include <string.h>
 
 #include "shared/interrupt.h"
+#include "shared/smaller.h"
 #include "view/tile.h"
 
 #define BAND_BYTES ((size_t)24 << 20)
@@ -38,11 +39,6 @@ struct picture {
     enum picture_result result;
     int reason; /* errno of what failed */
 };
-
-static size_t smaller(size_t a, size_t b)
-{
-    return a < b ? a : b;
-}
 
 static size_t quotient_up(size_t a, size_t b)
 {
