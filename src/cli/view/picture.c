@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT
  *
- * Bands of tiles. Threads paint the tiles of a band, then pack its rows, if the format packs; the
+ * Bands of buckets. Threads paint the buckets of a band, then pack its rows, if the format packs; the
  * first thread writes them. Most pictures are one band.
  *
- * Memory: a band and what it is packed to, BAND_BYTES each unless one row of tiles is more; one
- * tile and one packer per thread.
+ * Memory: a band and what it is packed to, BAND_BYTES each unless one row of buckets is more; one
+ * bucket and one packer per thread.
  */
 #include "view/picture.h"
 
@@ -14,7 +14,7 @@
 
 #include "shared/interrupt.h"
 #include "shared/smaller.h"
-#include "view/tile.h"
+#include "view/bucket.h"
 
 #define BAND_BYTES ((size_t)24 << 20)
 
@@ -32,7 +32,7 @@ struct picture {
     struct part *part;
     uint8_t *packed;
     size_t wanted, threads; /* threads that there is work for, and memory */
-    struct tile **tile;
+    struct bucket **bucket;
     void **packer;
 
     size_t row; /* where the band begins */
@@ -45,25 +45,26 @@ static size_t quotient_up(size_t a, size_t b)
     return (a + b - 1) / b;
 }
 
-uint64_t picture_tiles(const struct scene *scene)
+uint64_t picture_buckets(const struct scene *scene)
 {
-    return (uint64_t)quotient_up(scene->camera.width, TILE_WIDTH) *
-           quotient_up(scene->camera.height, TILE_HEIGHT);
+    return (uint64_t)quotient_up(scene->camera.width, BUCKET_WIDTH) *
+           quotient_up(scene->camera.height, BUCKET_HEIGHT);
 }
 
 /* A thread without memory is done without, unless it is the only one. */
 static bool open_threads(struct picture *picture)
 {
     const size_t wanted = picture->wanted;
-    picture->tile = calloc(wanted, sizeof *picture->tile);
+    picture->bucket = calloc(wanted, sizeof *picture->bucket);
     picture->packer = calloc(wanted, sizeof *picture->packer);
-    if (picture->tile == NULL || picture->packer == NULL) {
+    if (picture->bucket == NULL || picture->packer == NULL) {
         return false;
     }
     for (size_t i = 0; i < wanted; i++) {
-        picture->tile[i] = tile_open();
+        picture->bucket[i] = bucket_open();
         picture->packer[i] = picture->packing != NULL ? picture->packing->open() : NULL;
-        if (picture->tile[i] == NULL || (picture->packing != NULL && picture->packer[i] == NULL)) {
+        if (picture->bucket[i] == NULL ||
+            (picture->packing != NULL && picture->packer[i] == NULL)) {
             break;
         }
         picture->threads++;
@@ -76,8 +77,8 @@ static bool open_picture(struct picture *picture)
     const struct raster *const raster = &picture->writer->raster;
     picture->packing = picture->writer->format->packing;
     picture->stride = raster_row_bytes(raster);
-    const size_t affordable = BAND_BYTES / picture->stride / TILE_HEIGHT * TILE_HEIGHT;
-    size_t unit = TILE_HEIGHT;
+    const size_t affordable = BAND_BYTES / picture->stride / BUCKET_HEIGHT * BUCKET_HEIGHT;
+    size_t unit = BUCKET_HEIGHT;
     if (picture->packing != NULL) {
         picture->way = parts_of(picture->packing, raster);
         unit = picture->way.rows > unit ? picture->way.rows : unit; /* powers of two */
@@ -98,22 +99,22 @@ static bool open_picture(struct picture *picture)
             return false;
         }
     }
-    const size_t tiles =
-        quotient_up(raster->width, TILE_WIDTH) * quotient_up(picture->rows, TILE_HEIGHT);
-    picture->wanted = smaller(crew_most(picture->crew), tiles);
+    const size_t buckets =
+        quotient_up(raster->width, BUCKET_WIDTH) * quotient_up(picture->rows, BUCKET_HEIGHT);
+    picture->wanted = smaller(crew_most(picture->crew), buckets);
     return open_threads(picture);
 }
 
 static void close_picture(struct picture *picture)
 {
-    for (size_t i = 0; i < picture->wanted && picture->tile != NULL && picture->packer != NULL;
+    for (size_t i = 0; i < picture->wanted && picture->bucket != NULL && picture->packer != NULL;
          i++) {
-        tile_close(picture->tile[i]);
+        bucket_close(picture->bucket[i]);
         if (picture->packer[i] != NULL) {
             picture->packing->close(picture->packer[i]);
         }
     }
-    free(picture->tile);
+    free(picture->bucket);
     free(picture->packer);
     free(picture->part);
     free(picture->packed);
@@ -125,20 +126,20 @@ static size_t rows_of_band(const struct picture *picture)
     return smaller(picture->rows, picture->writer->raster.height - picture->row);
 }
 
-static void paint(const struct picture *picture, size_t n, struct tile *tile)
+static void paint(const struct picture *picture, size_t n, struct bucket *bucket)
 {
     const size_t width = picture->writer->raster.width;
-    const size_t across = quotient_up(width, TILE_WIDTH);
-    const size_t column = n % across * TILE_WIDTH, row = n / across * TILE_HEIGHT;
-    const struct tile_area area = {
+    const size_t across = quotient_up(width, BUCKET_WIDTH);
+    const size_t column = n % across * BUCKET_WIDTH, row = n / across * BUCKET_HEIGHT;
+    const struct bucket_area area = {
         .column = column,
         .row = picture->row + row,
-        .columns = smaller(width - column, TILE_WIDTH),
-        .rows = smaller(rows_of_band(picture) - row, TILE_HEIGHT),
+        .columns = smaller(width - column, BUCKET_WIDTH),
+        .rows = smaller(rows_of_band(picture) - row, BUCKET_HEIGHT),
         .bytes = picture->bytes + row * picture->stride + 3 * column,
         .stride = picture->stride,
     };
-    tile_paint(tile, picture->scene, picture->samples, &area);
+    bucket_paint(bucket, picture->scene, picture->samples, &area);
 }
 
 static void pack(const struct picture *picture, size_t n, void *packer)
@@ -180,24 +181,24 @@ static void write_band(struct picture *picture)
 }
 
 /* What each thread does. The first one writes: signals go to it, and end a write that waits. It
-   also shows the progress, of the tiles that it finds done. */
+   also shows the progress, of the buckets that it finds done. */
 static void work(void *context, size_t number)
 {
     struct picture *const picture = context;
     while (picture->row < picture->writer->raster.height && picture->result == PICTURE_DONE) {
-        const size_t across = quotient_up(picture->writer->raster.width, TILE_WIDTH);
-        const size_t tiles = across * quotient_up(rows_of_band(picture), TILE_HEIGHT);
+        const size_t across = quotient_up(picture->writer->raster.width, BUCKET_WIDTH);
+        const size_t buckets = across * quotient_up(rows_of_band(picture), BUCKET_HEIGHT);
         const size_t parts = parts_of_band(picture);
         size_t shown = 0;
-        for (size_t n; (n = crew_next(picture->crew)) < tiles && !interrupted();) {
-            paint(picture, n, picture->tile[number]);
+        for (size_t n; (n = crew_next(picture->crew)) < buckets && !interrupted();) {
+            paint(picture, n, picture->bucket[number]);
             if (number == 0) {
                 progress_add(picture->progress, n - shown);
                 shown = n;
             }
         }
         if (number == 0) {
-            progress_add(picture->progress, tiles - shown);
+            progress_add(picture->progress, buckets - shown);
         }
         crew_meet(picture->crew, NULL);
         for (size_t n; (n = crew_next(picture->crew)) < parts && !interrupted();) {
@@ -214,14 +215,14 @@ static void work(void *context, size_t number)
 static void add_counts(const struct picture *picture, struct picture_counts *counts)
 {
     for (size_t i = 0; i < picture->threads; i++) {
-        const struct tile *const tile = picture->tile[i];
-        counts->rays += tile->count;
-        counts->march_calls += tile->march.calls;
-        counts->march_points += tile->march.points;
-        counts->shadow_calls += tile->light.shadow.calls;
-        counts->shadow_points += tile->light.shadow.points;
-        counts->light_calls += tile->light.calls;
-        counts->light_points += tile->light.points;
+        const struct bucket *const bucket = picture->bucket[i];
+        counts->rays += bucket->count;
+        counts->march_calls += bucket->march.calls;
+        counts->march_points += bucket->march.points;
+        counts->shadow_calls += bucket->light.shadow.calls;
+        counts->shadow_points += bucket->light.shadow.points;
+        counts->light_calls += bucket->light.calls;
+        counts->light_points += bucket->light.points;
     }
 }
 

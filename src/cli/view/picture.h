@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The picture as a file: its tiles are painted by all threads, then packed and written.
+ * The picture as a file: its buckets are painted by all threads, then packed and written.
  */
 #ifndef SCARP_CLI_VIEW_PICTURE_H
 #define SCARP_CLI_VIEW_PICTURE_H
@@ -20,8 +20,8 @@ struct picture_counts {
     uint64_t light_calls, light_points;
 };
 
-/* How many tiles it has: what the progress counts */
-uint64_t picture_tiles(const struct scene *scene);
+/* How many buckets it has: what the progress counts */
+uint64_t picture_buckets(const struct scene *scene);
 
 /* Writes the picture to an open writer. After PICTURE_FAILED, errno tells why. */
 enum picture_result picture_write(const struct scene *scene, size_t samples, struct writer *writer,

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * `scarp view`: from the options to the picture, and the closing line. Rays find the ground in
- * march.c and get their colours in light.c; tile.c makes pixels of them, and picture.c a file.
+ * march.c and get their colours in light.c; bucket.c makes pixels of them, and picture.c a file.
  */
 #include "view/view.h"
 
@@ -144,7 +144,7 @@ static int write_picture(const struct view_options *options, const struct scene 
         return is_usage ? CLI_USAGE : CLI_FAILURE;
     }
     struct progress progress;
-    progress_start(&progress, picture_tiles(scene), options->running.quiet != 0);
+    progress_start(&progress, picture_buckets(scene), options->running.quiet != 0);
     enum picture_result result =
         picture_write(scene, options->samples, writer, crew, &progress, counts);
     if (result == PICTURE_DONE &&

@@ -1,10 +1,10 @@
 /* SPDX-License-Identifier: MIT
  *
  * Each pixel has one ray through its middle. Where it differs from a neighbour it has more of them,
- * and shows their mean. Pixels around the tile are computed once more for that, so that no pixel
- * depends on where tiles end.
+ * and shows their mean. Pixels around the bucket are computed once more for that, so that no pixel
+ * depends on where buckets end.
  */
-#include "view/tile.h"
+#include "view/bucket.h"
 
 #include <stdlib.h>
 
@@ -13,28 +13,28 @@
     0.02f /* from this difference on, of colours from 0 to 1, pixels get more rays                 \
            */
 
-struct tile *tile_open(void)
+struct bucket *bucket_open(void)
 {
-    struct tile *const tile = calloc(1, sizeof *tile);
-    if (tile == NULL || !march_open(&tile->march, TILE_RAYS)) {
-        free(tile);
+    struct bucket *const bucket = calloc(1, sizeof *bucket);
+    if (bucket == NULL || !march_open(&bucket->march, BUCKET_RAYS)) {
+        free(bucket);
         return NULL;
     }
-    tile->rays = (struct rays){.x = tile->ray_x,
-                               .y = tile->ray_y,
-                               .z = tile->ray_z,
-                               .begin = tile->begin,
-                               .distance = tile->distance,
-                               .cliff = tile->cliff,
-                               .hit = tile->hit};
-    return tile;
+    bucket->rays = (struct rays){.x = bucket->ray_x,
+                                 .y = bucket->ray_y,
+                                 .z = bucket->ray_z,
+                                 .begin = bucket->begin,
+                                 .distance = bucket->distance,
+                                 .cliff = bucket->cliff,
+                                 .hit = bucket->hit};
+    return bucket;
 }
 
-void tile_close(struct tile *tile)
+void bucket_close(struct bucket *bucket)
 {
-    if (tile != NULL) {
-        march_close(&tile->march);
-        free(tile);
+    if (bucket != NULL) {
+        march_close(&bucket->march);
+        free(bucket);
     }
 }
 
@@ -47,15 +47,15 @@ static void place_sample(size_t sample, float *column, float *row)
     *row = v - floorf(v);
 }
 
-static void add_ray(struct tile *tile, const struct scene *scene, float column, float row,
+static void add_ray(struct bucket *bucket, const struct scene *scene, float column, float row,
                     float begin)
 {
     const struct vector ray = camera_ray(&scene->camera, column, row);
-    const size_t n = tile->rays.count++;
-    tile->rays.x[n] = ray.x;
-    tile->rays.y[n] = ray.y;
-    tile->rays.z[n] = ray.z;
-    tile->rays.begin[n] = begin;
+    const size_t n = bucket->rays.count++;
+    bucket->rays.x[n] = ray.x;
+    bucket->rays.y[n] = ray.y;
+    bucket->rays.z[n] = ray.z;
+    bucket->rays.begin[n] = begin;
 }
 
 /* A curve like that of film: shadows have a toe, lights a shoulder (Narkowicz 2015, an
@@ -66,14 +66,14 @@ static float film(float light)
     return clamp(x * (2.51f * x + 0.03f) / (x * (2.43f * x + 0.59f) + 0.14f), 0.0f, 1.0f);
 }
 
-static void trace(struct tile *tile, const struct scene *scene)
+static void trace(struct bucket *bucket, const struct scene *scene)
 {
-    march_rays(&tile->march, scene, &tile->rays);
-    light_rays(&tile->light, scene, &tile->rays, tile->colour);
-    tile->count += tile->rays.count;
-    for (size_t i = 0; i < tile->rays.count; i++) {
-        const struct colour c = tile->colour[i];
-        tile->colour[i] = (struct colour){film(c.r), film(c.g), film(c.b)};
+    march_rays(&bucket->march, scene, &bucket->rays);
+    light_rays(&bucket->light, scene, &bucket->rays, bucket->colour);
+    bucket->count += bucket->rays.count;
+    for (size_t i = 0; i < bucket->rays.count; i++) {
+        const struct colour c = bucket->colour[i];
+        bucket->colour[i] = (struct colour){film(c.r), film(c.g), film(c.b)};
     }
 }
 
@@ -102,69 +102,69 @@ static uint8_t byte_of(float light, size_t column, size_t row)
     return (uint8_t)(255.0f * screen(light) * 0.99999f + threshold);
 }
 
-/* The blocks of pixels that the tile and the pixels around it touch. They are those of the picture,
-   so that no pixel depends on where tiles end. */
+/* The blocks of pixels that the bucket and the pixels around it touch. They are those of the picture,
+   so that no pixel depends on where buckets end. */
 struct blocks {
     size_t column, row, across; /* one more than the number of the first, which may be -1 */
 };
 
-static struct blocks scout(struct tile *tile, const struct scene *scene,
-                           const struct tile_area *area)
+static struct blocks scout(struct bucket *bucket, const struct scene *scene,
+                           const struct bucket_area *area)
 {
     const struct blocks blocks = {.column = (area->column + SCOUT - 1) / SCOUT,
                                   .row = (area->row + SCOUT - 1) / SCOUT,
                                   .across = (area->column + area->columns) / SCOUT + 2 -
                                             (area->column + SCOUT - 1) / SCOUT};
     const size_t down = (area->row + area->rows) / SCOUT + 2 - blocks.row;
-    tile->rays.count = 0;
+    bucket->rays.count = 0;
     for (size_t i = 0; i < blocks.across * down; i++) {
-        add_ray(tile, scene, ((float)(blocks.column + i % blocks.across) - 0.5f) * SCOUT,
+        add_ray(bucket, scene, ((float)(blocks.column + i % blocks.across) - 0.5f) * SCOUT,
                 ((float)(blocks.row + i / blocks.across) - 0.5f) * SCOUT, 0.0f);
     }
-    tile->rays.spread = SPREAD * SCOUT * scene->camera.pixel;
-    tile->rays.is_scout = true;
-    march_rays(&tile->march, scene, &tile->rays);
-    tile->rays.is_scout = false;
-    for (size_t i = 0; i < tile->rays.count; i++) {
-        tile->block_begin[i] = tile->rays.begin[i];
+    bucket->rays.spread = SPREAD * SCOUT * scene->camera.pixel;
+    bucket->rays.is_scout = true;
+    march_rays(&bucket->march, scene, &bucket->rays);
+    bucket->rays.is_scout = false;
+    for (size_t i = 0; i < bucket->rays.count; i++) {
+        bucket->block_begin[i] = bucket->rays.begin[i];
     }
     return blocks;
 }
 
-/* Traces one ray through the middle of each pixel, and of those around the tile. `across` is how
+/* Traces one ray through the middle of each pixel, and of those around the bucket. `across` is how
    many of these are side by side. */
-static void paint_middles(struct tile *tile, const struct scene *scene,
-                          const struct tile_area *area, size_t across, float spread)
+static void paint_middles(struct bucket *bucket, const struct scene *scene,
+                          const struct bucket_area *area, size_t across, float spread)
 {
-    const struct blocks blocks = scout(tile, scene, area);
-    tile->rays.count = 0;
-    tile->rays.spread = spread;
+    const struct blocks blocks = scout(bucket, scene, area);
+    bucket->rays.count = 0;
+    bucket->rays.spread = spread;
     for (size_t i = 0; i < across * (area->rows + 2); i++) {
         const size_t column = area->column + i % across, row = area->row + i / across;
         const size_t block = ((row + SCOUT - 1) / SCOUT - blocks.row) * blocks.across +
                              (column + SCOUT - 1) / SCOUT - blocks.column;
-        add_ray(tile, scene, (float)column - 0.5f, (float)row - 0.5f, tile->block_begin[block]);
+        add_ray(bucket, scene, (float)column - 0.5f, (float)row - 0.5f, bucket->block_begin[block]);
     }
-    trace(tile, scene);
-    for (size_t i = 0; i < tile->rays.count; i++) {
-        tile->pixel[i] = tile->colour[i];
-        tile->clear[i] = tile->begin[i];
+    trace(bucket, scene);
+    for (size_t i = 0; i < bucket->rays.count; i++) {
+        bucket->pixel[i] = bucket->colour[i];
+        bucket->clear[i] = bucket->begin[i];
     }
 }
 
-/* Lists the pixels of the tile that differ from a neighbour. */
-static size_t list_edges(struct tile *tile, const struct tile_area *area, size_t across)
+/* Lists the pixels of the bucket that differ from a neighbour. */
+static size_t list_edges(struct bucket *bucket, const struct bucket_area *area, size_t across)
 {
     size_t count = 0;
     for (size_t row = 1; row <= area->rows; row++) {
         for (size_t column = 1; column <= area->columns; column++) {
             const size_t i = row * across + column;
-            const struct colour here = tile->pixel[i];
-            if (difference(here, tile->pixel[i - 1]) > DIFFERENT ||
-                difference(here, tile->pixel[i + 1]) > DIFFERENT ||
-                difference(here, tile->pixel[i - across]) > DIFFERENT ||
-                difference(here, tile->pixel[i + across]) > DIFFERENT) {
-                tile->which[count++] = (uint32_t)i;
+            const struct colour here = bucket->pixel[i];
+            if (difference(here, bucket->pixel[i - 1]) > DIFFERENT ||
+                difference(here, bucket->pixel[i + 1]) > DIFFERENT ||
+                difference(here, bucket->pixel[i - across]) > DIFFERENT ||
+                difference(here, bucket->pixel[i + across]) > DIFFERENT) {
+                bucket->which[count++] = (uint32_t)i;
             }
         }
     }
@@ -172,39 +172,39 @@ static size_t list_edges(struct tile *tile, const struct tile_area *area, size_t
 }
 
 /* Traces one more ray through each pixel of the list. */
-static void add_sample(struct tile *tile, const struct scene *scene, const struct tile_area *area,
-                       size_t edges, size_t sample)
+static void add_sample(struct bucket *bucket, const struct scene *scene,
+                       const struct bucket_area *area, size_t edges, size_t sample)
 {
     const size_t across = area->columns + 2;
     float u, v;
     place_sample(sample, &u, &v);
-    tile->rays.count = 0;
+    bucket->rays.count = 0;
     for (size_t n = 0; n < edges; n++) {
-        const size_t i = tile->which[n];
-        add_ray(tile, scene, (float)(area->column + i % across - 1) + u,
-                (float)(area->row + i / across - 1) + v, tile->clear[i]);
+        const size_t i = bucket->which[n];
+        add_ray(bucket, scene, (float)(area->column + i % across - 1) + u,
+                (float)(area->row + i / across - 1) + v, bucket->clear[i]);
     }
-    trace(tile, scene);
+    trace(bucket, scene);
     for (size_t n = 0; n < edges; n++) {
-        struct colour *const pixel = &tile->pixel[tile->which[n]];
-        *pixel = colour_mix(*pixel, tile->colour[n], 1.0f / (float)(sample + 1));
+        struct colour *const pixel = &bucket->pixel[bucket->which[n]];
+        *pixel = colour_mix(*pixel, bucket->colour[n], 1.0f / (float)(sample + 1));
     }
 }
 
-void tile_paint(struct tile *tile, const struct scene *scene, size_t samples,
-                const struct tile_area *area)
+void bucket_paint(struct bucket *bucket, const struct scene *scene, size_t samples,
+                  const struct bucket_area *area)
 {
     const size_t across = area->columns + 2;
     const float spread = samples > 1 ? SPREAD * scene->camera.pixel : 0.0f;
-    paint_middles(tile, scene, area, across, spread);
-    tile->rays.spread = 0.0f;
-    const size_t edges = samples > 1 ? list_edges(tile, area, across) : 0;
+    paint_middles(bucket, scene, area, across, spread);
+    bucket->rays.spread = 0.0f;
+    const size_t edges = samples > 1 ? list_edges(bucket, area, across) : 0;
     for (size_t sample = 1; sample < samples && edges > 0; sample++) {
-        add_sample(tile, scene, area, edges, sample);
+        add_sample(bucket, scene, area, edges, sample);
     }
     for (size_t row = 0; row < area->rows; row++) {
         for (size_t column = 0; column < area->columns; column++) {
-            const struct colour pixel = tile->pixel[(row + 1) * across + column + 1];
+            const struct colour pixel = bucket->pixel[(row + 1) * across + column + 1];
             uint8_t *const to = area->bytes + row * area->stride + 3 * column;
             to[0] = byte_of(pixel.r, area->column + column, area->row + row);
             to[1] = byte_of(pixel.g, area->column + column, area->row + row);
