@@ -66,19 +66,19 @@ struct told {
     double position[TOLD_MOST][3];
 };
 
-static struct points_block block;
+static struct points_batch batch;
 
 static void keep(struct told *told, const struct points *points)
 {
-    for (size_t i = 0; i < block.count; i++, told->count++) {
+    for (size_t i = 0; i < batch.count; i++, told->count++) {
         for (int d = 0; d < points->dims; d++) {
-            MUST(isfinite(block.position[d][i]), "coordinate %d of point %zu", d, told->count);
+            MUST(isfinite(batch.position[d][i]), "coordinate %d of point %zu", d, told->count);
             if (told->count < TOLD_MOST) {
-                told->position[told->count][d] = block.position[d][i];
+                told->position[told->count][d] = batch.position[d][i];
             }
         }
         if (points->format != POINTS_NPY) {
-            MUST(strlen(block.line[i]) <= POINTS_LINE_MAX, "a long line is a point");
+            MUST(strlen(batch.line[i]) <= POINTS_LINE_MAX, "a long line is a point");
         }
     }
 }
@@ -86,11 +86,11 @@ static void keep(struct told *told, const struct points *points)
 static void read_all(struct points *points, struct told *told)
 {
     do {
-        told->status = points_read(points, &block);
-        MUST(block.count <= POINTS_BLOCK, "%zu points of a block", block.count);
-        MUST(told->status == CLI_SUCCESS || block.count == 0, "points, and an error");
+        told->status = points_read(points, &batch);
+        MUST(batch.count <= POINTS_BATCH, "%zu points of a batch", batch.count);
+        MUST(told->status == CLI_SUCCESS || batch.count == 0, "points, and an error");
         keep(told, points);
-    } while (block.count > 0);
+    } while (batch.count > 0);
 }
 
 static void read_file(struct points points, size_t piece, struct told *told)

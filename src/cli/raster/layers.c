@@ -63,51 +63,51 @@ static void put_values(const float *value, size_t count, struct surface_scale sc
     }
 }
 
-static void encode_heights(const struct surface *surface, const struct strip *strip,
+static void encode_heights(const struct surface *surface, const struct span *span,
                            enum sample_kind kind, uint8_t *to)
 {
-    put_values(strip->block->value + strip->first, strip->count, surface->scale, kind, to);
+    put_values(span->window->value + span->first, span->count, surface->scale, kind, to);
 }
 
-static void encode_field(const struct surface *surface, const struct strip *strip,
+static void encode_field(const struct surface *surface, const struct span *span,
                          enum sample_kind kind, uint8_t *to)
 {
-    const struct ground_field *const field = &surface->ground.fields[strip->part];
-    put_values(strip->block->fields[strip->part] + strip->first, strip->count,
+    const struct ground_field *const field = &surface->ground.fields[span->part];
+    put_values(span->window->fields[span->part] + span->first, span->count,
                surface_scale_of((double)field->lowest, (double)field->highest), kind, to);
 }
 
 #define RUN 256 /* samples that are computed at once */
 
-static void encode_slope(const struct surface *surface, const struct strip *strip,
+static void encode_slope(const struct surface *surface, const struct span *span,
                          enum sample_kind kind, uint8_t *to)
 {
     (void)surface;
-    const float *const dx = strip->block->dx + strip->first;
-    const float *const dy = strip->block->dy + strip->first;
-    for (size_t first = 0; first < strip->count; first += RUN) {
+    const float *const dx = span->window->dx + span->first;
+    const float *const dy = span->window->dy + span->first;
+    for (size_t first = 0; first < span->count; first += RUN) {
         float degrees[RUN];
-        const size_t count = smaller(strip->count - first, RUN);
+        const size_t count = smaller(span->count - first, RUN);
         slope_degrees(count, dx + first, dy + first, degrees);
         put_values(degrees, count, surface_scale_of(0.0, 90.0), kind,
                    to + first * sample_bytes(kind));
     }
 }
 
-static void encode_curvature(const struct surface *surface, const struct strip *strip,
+static void encode_curvature(const struct surface *surface, const struct span *span,
                              enum sample_kind kind, uint8_t *to)
 {
     (void)surface;
     (void)kind;
-    const struct block *const block = strip->block;
-    for (size_t first = 0; first < strip->count; first += RUN) {
+    const struct window *const window = span->window;
+    for (size_t first = 0; first < span->count; first += RUN) {
         float curvature[RUN];
-        const size_t count = smaller(strip->count - first, RUN), at = strip->first + first;
-        const struct scarp_samples samples = {.dx = block->dx + at,
-                                              .dy = block->dy + at,
-                                              .dxx = block->dxx + at,
-                                              .dxy = block->dxy + at,
-                                              .dyy = block->dyy + at};
+        const size_t count = smaller(span->count - first, RUN), at = span->first + first;
+        const struct scarp_samples samples = {.dx = window->dx + at,
+                                              .dy = window->dy + at,
+                                              .dxx = window->dxx + at,
+                                              .dxy = window->dxy + at,
+                                              .dyy = window->dyy + at};
         slope_curvature(count, &samples, curvature);
         put_values(curvature, count, surface_scale_of(0.0, 0.0), SAMPLE_F32, to + 4 * first);
     }
@@ -135,18 +135,18 @@ static void put_colours(const float *const n[3], float normal_y, size_t count, u
     for (size_t i = 0; i + 1 < count; i++) {
         put_bits(to + 3 * i, colours[i]);
     }
-    for (size_t c = 0; c < 3; c++) { /* what follows may be of a block that another thread makes */
+    for (size_t c = 0; c < 3; c++) { /* what follows may be of a window that another thread makes */
         to[3 * (count - 1) + c] = (uint8_t)(colours[count - 1] >> 8 * c);
     }
 }
 
-static void encode_normals(const struct surface *surface, const struct strip *strip,
+static void encode_normals(const struct surface *surface, const struct span *span,
                            enum sample_kind kind, uint8_t *to)
 {
-    const size_t count = strip->count;
-    const float *const x = strip->block->nx + strip->first;
-    const float *const y = strip->block->ny + strip->first;
-    const float *const z = strip->block->nz + strip->first;
+    const size_t count = span->count;
+    const float *const x = span->window->nx + span->first;
+    const float *const y = span->window->ny + span->first;
+    const float *const z = span->window->nz + span->first;
     const float normal_y = surface->normal_y;
     if (kind == SAMPLE_F32) {
         for (size_t i = 0; i < count; i++) {
@@ -162,14 +162,14 @@ static void encode_normals(const struct surface *surface, const struct strip *st
     }
 }
 
-static void encode_hillshade(const struct surface *surface, const struct strip *strip,
+static void encode_hillshade(const struct surface *surface, const struct span *span,
                              enum sample_kind kind, uint8_t *to)
 {
     (void)kind;
-    const size_t count = strip->count;
-    const float *const x = strip->block->shade_x + strip->first;
-    const float *const y = strip->block->shade_y + strip->first;
-    const float *const z = strip->block->shade_z + strip->first;
+    const size_t count = span->count;
+    const float *const x = span->window->shade_x + span->first;
+    const float *const y = span->window->shade_y + span->first;
+    const float *const z = span->window->shade_z + span->first;
     const double east = surface->light[0], north = surface->light[1], up = surface->light[2];
     for (size_t i = 0; i < count; i++) {
         const double light = east * (double)x[i] + north * (double)y[i] + up * (double)z[i];
@@ -178,39 +178,39 @@ static void encode_hillshade(const struct surface *surface, const struct strip *
     }
 }
 
-/* What the relief looks at, from sample `first` of the strip on */
-static struct relief_samples relief_samples_of(const struct strip *strip, size_t first)
+/* What the relief looks at, from sample `first` of the span on */
+static struct relief_samples relief_samples_of(const struct span *span, size_t first)
 {
-    const struct block *const block = strip->block;
-    const size_t at = strip->first + first;
+    const struct window *const window = span->window;
+    const size_t at = span->first + first;
     return (struct relief_samples){
-        .value = block->value + at,
-        .bed = block->bed != NULL ? block->bed + at : NULL,
-        .normal = {block->nx + at, block->ny + at, block->nz + at},
-        .shade = {block->shade_x + at, block->shade_y + at, block->shade_z + at},
+        .value = window->value + at,
+        .bed = window->bed != NULL ? window->bed + at : NULL,
+        .normal = {window->nx + at, window->ny + at, window->nz + at},
+        .shade = {window->shade_x + at, window->shade_y + at, window->shade_z + at},
     };
 }
 
-static void encode_relief(const struct surface *surface, const struct strip *strip,
+static void encode_relief(const struct surface *surface, const struct span *span,
                           enum sample_kind kind, uint8_t *to)
 {
     (void)kind;
-    const struct relief_samples samples = relief_samples_of(strip, 0);
-    relief_colours(&surface->relief, &samples, strip->count, to);
+    const struct relief_samples samples = relief_samples_of(span, 0);
+    relief_colours(&surface->relief, &samples, span->count, to);
 }
 
-/* The `channels` grounds of the strip's part, interleaved; 0 beyond the last ground */
-static void encode_grounds(const struct surface *surface, const struct strip *strip,
-                           size_t channels, uint8_t *to)
+/* The `channels` grounds of the span's part, interleaved; 0 beyond the last ground */
+static void encode_grounds(const struct surface *surface, const struct span *span, size_t channels,
+                           uint8_t *to)
 {
-    for (size_t first = 0; first < strip->count; first += RUN) {
+    for (size_t first = 0; first < span->count; first += RUN) {
         uint8_t masks[RUN * PALETTE_GROUNDS];
-        const size_t count = smaller(strip->count - first, RUN);
-        const struct relief_samples samples = relief_samples_of(strip, first);
+        const size_t count = smaller(span->count - first, RUN);
+        const struct relief_samples samples = relief_samples_of(span, first);
         relief_masks(&surface->relief, &samples, count, masks);
         for (size_t i = 0; i < count; i++) {
             for (size_t c = 0; c < channels; c++) {
-                const size_t ground = channels * strip->part + c;
+                const size_t ground = channels * span->part + c;
                 to[channels * (first + i) + c] =
                     ground < PALETTE_GROUNDS ? masks[i * PALETTE_GROUNDS + ground] : 0;
             }
@@ -219,28 +219,28 @@ static void encode_grounds(const struct surface *surface, const struct strip *st
 }
 
 /* One ground of five */
-static void encode_mask(const struct surface *surface, const struct strip *strip,
+static void encode_mask(const struct surface *surface, const struct span *span,
                         enum sample_kind kind, uint8_t *to)
 {
     (void)kind;
-    encode_grounds(surface, strip, 1, to);
+    encode_grounds(surface, span, 1, to);
 }
 
 /* Four grounds as red, green, blue and alpha */
-static void encode_masks(const struct surface *surface, const struct strip *strip,
+static void encode_masks(const struct surface *surface, const struct span *span,
                          enum sample_kind kind, uint8_t *to)
 {
     (void)kind;
-    encode_grounds(surface, strip, 4, to);
+    encode_grounds(surface, span, 4, to);
 }
 
-static void encode_gradient(const struct surface *surface, const struct strip *strip,
+static void encode_gradient(const struct surface *surface, const struct span *span,
                             enum sample_kind kind, uint8_t *to)
 {
     (void)kind;
-    const size_t count = strip->count;
-    const float *const dx = strip->block->dx + strip->first;
-    const float *const dy = strip->block->dy + strip->first;
+    const size_t count = span->count;
+    const float *const dx = span->window->dx + span->first;
+    const float *const dy = span->window->dy + span->first;
     (void)surface;
     for (size_t i = 0; i < count; i++) {
         put_float(to + 8 * i, dx[i]);
@@ -248,11 +248,11 @@ static void encode_gradient(const struct surface *surface, const struct strip *s
     }
 }
 
-/* The normals of a strip, each pixel as often as the comparison enlarges it */
-static void put_normals(const struct surface *surface, const struct strip *strip,
+/* The normals of a span, each pixel as often as the comparison enlarges it */
+static void put_normals(const struct surface *surface, const struct span *span,
                         const float *const normals[3], uint8_t *to)
 {
-    for (size_t i = strip->first; i < strip->first + strip->count; i++) {
+    for (size_t i = span->first; i < span->first + span->count; i++) {
         const uint32_t bits =
             colour(normals[0][i], surface->normal_y * normals[1][i], normals[2][i]);
         const uint8_t pixel[3] = {(uint8_t)bits, (uint8_t)(bits >> 8), (uint8_t)(bits >> 16)};
@@ -263,16 +263,16 @@ static void put_normals(const struct surface *surface, const struct strip *strip
     }
 }
 
-static void encode_compare(const struct surface *surface, const struct strip *strip,
+static void encode_compare(const struct surface *surface, const struct span *span,
                            enum sample_kind kind, uint8_t *to)
 {
     (void)kind;
-    const struct block *const block = strip->block;
-    const float *const exact[3] = {block->nx, block->ny, block->nz};
-    const float *const differences[3] = {block->differences_x, block->differences_y,
-                                         block->differences_z};
-    put_normals(surface, strip, exact, to);
-    put_normals(surface, strip, differences, to + 3 * surface->zoom * strip->width);
+    const struct window *const window = span->window;
+    const float *const exact[3] = {window->nx, window->ny, window->nz};
+    const float *const differences[3] = {window->differences_x, window->differences_y,
+                                         window->differences_z};
+    put_normals(surface, span, exact, to);
+    put_normals(surface, span, differences, to + 3 * surface->zoom * span->width);
 }
 
 const struct layer layers[LAYER_COUNT] = {

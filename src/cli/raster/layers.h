@@ -12,10 +12,10 @@
 #include "formats/writer.h"
 #include "raster/surface.h"
 
-/* Samples of a block that lie in one row of the raster */
-struct strip {
-    const struct block *block;
-    size_t first, count; /* of the block: its index, and how many there are */
+/* Samples of a window that lie in one row of the raster */
+struct span {
+    const struct window *window;
+    size_t first, count; /* of the window: its index, and how many there are */
     size_t width;        /* samples in the whole row */
     size_t part;         /* which one of a layer that has several: a field, a mask */
 };
@@ -28,8 +28,8 @@ struct layer {
     /* The kinds of samples it can be stored as, the best first; 0 at the end */
     enum sample_kind kinds[4];
     unsigned needs; /* of enum surface_need */
-    /* Writes the samples of a strip. `to` is where the pixel of the first of them goes. */
-    void (*encode)(const struct surface *surface, const struct strip *strip, enum sample_kind kind,
+    /* Writes the samples of a span. `to` is where the pixel of the first of them goes. */
+    void (*encode)(const struct surface *surface, const struct span *span, enum sample_kind kind,
                    uint8_t *to);
 };
 

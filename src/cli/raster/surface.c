@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * How a terrain is scaled, lit and coloured, and blocks of samples. All of it is the same on every
+ * How a terrain is scaled, lit and coloured, and windows of samples. All of it is the same on every
  * machine, to the bit.
  */
 #include "raster/surface.h"
@@ -61,7 +61,7 @@ void surface_set_relief(struct surface *surface, struct palette *palette)
 
 #define ARRAYS_MOST (20 + GROUND_FIELDS_MOST)
 
-/* The arrays that a block is to have */
+/* The arrays that a window is to have */
 struct wanted_arrays {
     float **list[ARRAYS_MOST];
     size_t count;
@@ -82,89 +82,89 @@ static void want_all(struct wanted_arrays *wanted, bool is_wanted, float **x, fl
     want(wanted, is_wanted, z);
 }
 
-bool block_open(struct block *block, const struct surface *surface, unsigned needs)
+bool window_open(struct window *window, const struct surface *surface, unsigned needs)
 {
     struct wanted_arrays wanted = {.count = 0};
     const bool shade = (needs & SURFACE_SHADE) != 0;
     const bool own_shade = shade && surface->z_factor != 1.0f;
     const bool gradient = (needs & SURFACE_GRADIENT) != 0;
     const bool bed = (needs & SURFACE_BED) != 0 && ground_has_sea(&surface->ground);
-    want(&wanted, true, &block->value);
-    want(&wanted, gradient, &block->dx);
-    want(&wanted, gradient, &block->dy);
-    want(&wanted, bed, &block->bed);
-    want_all(&wanted, (needs & SURFACE_CURVATURE) != 0, &block->dxx, &block->dxy, &block->dyy);
-    want_all(&wanted, (needs & SURFACE_NORMALS) != 0 || (shade && !own_shade), &block->nx,
-             &block->ny, &block->nz);
-    want_all(&wanted, own_shade, &block->shade_x, &block->shade_y, &block->shade_z);
-    want_all(&wanted, (needs & SURFACE_DIFFERENCES) != 0, &block->differences_x,
-             &block->differences_y, &block->differences_z);
+    want(&wanted, true, &window->value);
+    want(&wanted, gradient, &window->dx);
+    want(&wanted, gradient, &window->dy);
+    want(&wanted, bed, &window->bed);
+    want_all(&wanted, (needs & SURFACE_CURVATURE) != 0, &window->dxx, &window->dxy, &window->dyy);
+    want_all(&wanted, (needs & SURFACE_NORMALS) != 0 || (shade && !own_shade), &window->nx,
+             &window->ny, &window->nz);
+    want_all(&wanted, own_shade, &window->shade_x, &window->shade_y, &window->shade_z);
+    want_all(&wanted, (needs & SURFACE_DIFFERENCES) != 0, &window->differences_x,
+             &window->differences_y, &window->differences_z);
     for (size_t i = 0; i < surface->ground.field_count; i++) {
-        want(&wanted, (needs & SURFACE_FIELDS) != 0, &block->fields[i]);
+        want(&wanted, (needs & SURFACE_FIELDS) != 0, &window->fields[i]);
     }
-    block->memory = malloc(wanted.count * BLOCK_SAMPLES * sizeof *block->memory);
-    if (block->memory == NULL) {
+    window->memory = malloc(wanted.count * WINDOW_SAMPLES * sizeof *window->memory);
+    if (window->memory == NULL) {
         return false;
     }
     for (size_t i = 0; i < wanted.count; i++) {
-        *wanted.list[i] = block->memory + i * BLOCK_SAMPLES;
+        *wanted.list[i] = window->memory + i * WINDOW_SAMPLES;
     }
     if (!own_shade) {
-        block->shade_x = block->nx;
-        block->shade_y = block->ny;
-        block->shade_z = block->nz;
+        window->shade_x = window->nx;
+        window->shade_y = window->ny;
+        window->shade_z = window->nz;
     }
     return true;
 }
 
-void block_close(struct block *block)
+void window_close(struct window *window)
 {
-    free(block->memory);
-    *block = (struct block){0};
+    free(window->memory);
+    *window = (struct window){0};
 }
 
 /* Rows go down and y goes up, so the grid's step along them is negative. Its origin and step are
-   those of the whole raster whatever the block: samples have the same bits in every tile. */
-static struct scarp_grid grid_of(const struct surface *surface, const struct block *block,
+   those of the whole raster whatever the window: samples have the same bits in every tile. */
+static struct scarp_grid grid_of(const struct surface *surface, const struct window *window,
                                  int right, int up)
 {
     return (struct scarp_grid){
         .origin = {surface->x0, surface->y0, 0.0},
         .step = {surface->step, -surface->step, 0.0},
-        .first = {(int64_t)block->column + right,
-                  (int64_t)block->row - up - (int64_t)(surface->height - 1), 0},
-        .count = {block->columns, block->rows, 1},
+        .first = {(int64_t)window->column + right,
+                  (int64_t)window->row - up - (int64_t)(surface->height - 1), 0},
+        .count = {window->columns, window->rows, 1},
     };
 }
 
-void surface_values(const struct surface *surface, const struct block *block, int right, int up,
+void surface_values(const struct surface *surface, const struct window *window, int right, int up,
                     float *value)
 {
-    const struct scarp_grid grid = grid_of(surface, block, right, up);
+    const struct scarp_grid grid = grid_of(surface, window, right, up);
     (void)ground_grid(&surface->ground, &grid, &(struct scarp_samples){.value = value});
 }
 
-void surface_sample(const struct surface *surface, struct block *block)
+void surface_sample(const struct surface *surface, struct window *window)
 {
-    const struct scarp_grid grid = grid_of(surface, block, 0, 0);
-    const struct scarp_samples out = {.value = block->value,
-                                      .dx = block->dx,
-                                      .dy = block->dy,
-                                      .dxx = block->dxx,
-                                      .dxy = block->dxy,
-                                      .dyy = block->dyy};
-    const size_t count = block->columns * block->rows;
+    const struct scarp_grid grid = grid_of(surface, window, 0, 0);
+    const struct scarp_samples out = {.value = window->value,
+                                      .dx = window->dx,
+                                      .dy = window->dy,
+                                      .dxx = window->dxx,
+                                      .dxy = window->dxy,
+                                      .dyy = window->dyy};
+    const size_t count = window->columns * window->rows;
     (void)ground_fields_grid(&surface->ground, &grid, &out,
-                             block->fields[0] != NULL ? block->fields : NULL);
-    if (block->bed != NULL) {
-        memcpy(block->bed, block->value, count * sizeof *block->bed);
+                             window->fields[0] != NULL ? window->fields : NULL);
+    if (window->bed != NULL) {
+        memcpy(window->bed, window->value, count * sizeof *window->bed);
     }
     ground_cover(&surface->ground, count, &out);
-    if (block->nx != NULL) {
-        scarp_normals(count, block->dx, block->dy, 1.0f, block->nx, block->ny, block->nz);
+    if (window->nx != NULL) {
+        scarp_normals(count, window->dx, window->dy, 1.0f, window->nx, window->ny, window->nz);
     }
-    if (block->shade_x != block->nx) {
-        scarp_normals(count, block->dx, block->dy, surface->z_factor, block->shade_x,
-                      block->shade_y, block->shade_z);
+    if (window->shade_x != window->nx) {
+        scarp_normals(count, window->dx, window->dy, surface->z_factor, window->shade_x,
+                      window->shade_y, window->shade_z);
     }
 }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The terrain as a raster: which ground, where, how lit; and blocks of its samples.
+ * The terrain as a raster: which ground, where, how lit; and windows of its samples.
  *
  * Column c and row r of the raster lie at x = x0 + c step and y = y0 + (height - 1 - r) step: x
  * grows to the right and y upward, as on a map, and (x0, y0) is the bottom left sample.
@@ -62,7 +62,7 @@ void surface_set_light(struct surface *surface, const struct look_options *look)
 /* Resolves the palette and sets the relief, which points to it; ground and light are set. */
 void surface_set_relief(struct surface *surface, struct palette *palette);
 
-/* What a block needs to hold, or'ed */
+/* What a window needs to hold, or'ed */
 enum surface_need {
     SURFACE_GRADIENT = 1,
     SURFACE_NORMALS = 2,
@@ -73,10 +73,10 @@ enum surface_need {
     SURFACE_FIELDS = 64,     /* the other outputs of the recipe */
 };
 
-#define BLOCK_SAMPLES 32768 /* at most: 128 KiB of each array that is needed */
+#define WINDOW_SAMPLES 32768 /* at most: 128 KiB of each array that is needed */
 
 /* Samples of a rectangle, row by row without gaps; what is not needed is NULL. */
-struct block {
+struct window {
     size_t column, row; /* of its first sample, in the raster or beyond its edges */
     size_t columns, rows;
     float *value, *dx, *dy;
@@ -90,15 +90,15 @@ struct block {
 };
 
 /* False without memory. Zero-initialise before; close in any case. */
-bool block_open(struct block *block, const struct surface *surface, unsigned needs);
-void block_close(struct block *block);
+bool window_open(struct window *window, const struct surface *surface, unsigned needs);
+void window_close(struct window *window);
 
-/* Samples the block's rectangle: all that it holds but the normals from differences, which
+/* Samples the window's rectangle: all that it holds but the normals from differences, which
    compare.h adds. */
-void surface_sample(const struct surface *surface, struct block *block);
+void surface_sample(const struct surface *surface, struct window *window);
 
-/* Samples values alone, of the rectangle `right` columns and `up` rows beside the block's. */
-void surface_values(const struct surface *surface, const struct block *block, int right, int up,
+/* Samples values alone, of the rectangle `right` columns and `up` rows beside the window's. */
+void surface_values(const struct surface *surface, const struct window *window, int right, int up,
                     float *value);
 
 #endif

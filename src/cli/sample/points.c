@@ -40,11 +40,11 @@ int points_begin(struct points *points)
     return points->format == POINTS_NPY ? points_npy_begin(points) : points_text_begin(points);
 }
 
-int points_read(struct points *points, struct points_block *block)
+int points_read(struct points *points, struct points_batch *batch)
 {
-    block->count = 0;
-    return points->format == POINTS_NPY ? points_npy_read(points, block)
-                                        : points_text_read(points, block);
+    batch->count = 0;
+    return points->format == POINTS_NPY ? points_npy_read(points, batch)
+                                        : points_text_read(points, batch);
 }
 
 void points_close(struct points *points)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Points from CSV, text or .npy, in blocks: what `scarp sample` reads. The two readers are in
+ * Points from CSV, text or .npy, in batchs: what `scarp sample` reads. The two readers are in
  * points_text.c and points_npy.c; what they share is here and in points.c.
  */
 #ifndef SCARP_CLI_POINTS_H
@@ -15,7 +15,7 @@
 #include "sample/field.h"
 #include "sample/input.h"
 
-#define POINTS_BLOCK 4096
+#define POINTS_BATCH 4096
 #define POINTS_LINE_MAX 65535 /* bytes, without the line's end */
 
 enum points_format { POINTS_CSV, POINTS_TEXT, POINTS_NPY, POINTS_UNKNOWN };
@@ -29,11 +29,11 @@ enum points_delimiter {
     DELIMITER_UNKNOWN
 };
 
-struct points_block {
+struct points_batch {
     size_t count;
-    double position[3][POINTS_BLOCK];
+    double position[3][POINTS_BATCH];
     /* Unless they come from .npy: the line of each point, up to the next read */
-    const char *line[POINTS_BLOCK];
+    const char *line[POINTS_BATCH];
 };
 
 /* What only one of the readers needs */
@@ -93,9 +93,9 @@ int points_open(struct points *points, const char *path);
 /* Reads as far as it takes to know the format and the dimensions: to the first point. */
 int points_begin(struct points *points);
 
-/* Reads the next points: those that are there, at most POINTS_BLOCK, at least one unless the input
+/* Reads the next points: those that are there, at most POINTS_BATCH, at least one unless the input
    has ended. */
-int points_read(struct points *points, struct points_block *block);
+int points_read(struct points *points, struct points_batch *batch);
 
 /* May be called at any time after zero-initialisation. */
 void points_close(struct points *points);
@@ -116,8 +116,8 @@ bool delimiter_is_number(const struct field *field, int delimiter);
 
 /* The readers, for points.c */
 int points_text_begin(struct points *points);
-int points_text_read(struct points *points, struct points_block *block);
+int points_text_read(struct points *points, struct points_batch *batch);
 int points_npy_begin(struct points *points);
-int points_npy_read(struct points *points, struct points_block *block);
+int points_npy_read(struct points *points, struct points_batch *batch);
 
 #endif

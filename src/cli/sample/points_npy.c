@@ -231,17 +231,17 @@ static int tell_malformed(const struct points *points, int axis, double coordina
 
 /* Reads what the input has at hand, as much of it as fits. A malformed point waits until those
    before it are through, as a malformed line does. */
-static int read_rows(struct points *points, struct points_block *block)
+static int read_rows(struct points *points, struct points_batch *batch)
 {
     struct points_npy *const npy = &points->npy;
     struct input *const input = &points->input;
     const size_t row = npy->is_fortran ? 0 : npy->row; /* bytes of the input */
-    for (; npy->left > 0 && block->count < POINTS_BLOCK && input->end - input->start >= row;
+    for (; npy->left > 0 && batch->count < POINTS_BATCH && input->end - input->start >= row;
          npy->left--) {
         double position[3] = {0};
         const int bad = read_row(points, position);
         if (bad >= 0 && !points->skip_bad) {
-            return block->count > 0 ? CLI_SUCCESS : tell_malformed(points, bad, position[bad]);
+            return batch->count > 0 ? CLI_SUCCESS : tell_malformed(points, bad, position[bad]);
         }
         input->start += row;
         if (bad >= 0) {
@@ -249,19 +249,19 @@ static int read_rows(struct points *points, struct points_block *block)
             continue;
         }
         for (int d = 0; d < points->dims; d++) {
-            block->position[d][block->count] = position[d];
+            batch->position[d][batch->count] = position[d];
         }
-        block->count++;
+        batch->count++;
     }
     return CLI_SUCCESS;
 }
 
-int points_npy_read(struct points *points, struct points_block *block)
+int points_npy_read(struct points *points, struct points_batch *batch)
 {
     int status = CLI_SUCCESS;
-    while (status == CLI_SUCCESS && block->count == 0 && points->npy.left > 0) {
+    while (status == CLI_SUCCESS && batch->count == 0 && points->npy.left > 0) {
         const bool is_there = points->npy.is_fortran || input_need(&points->input, points->npy.row);
-        status = is_there ? read_rows(points, block) : cut_short(points);
+        status = is_there ? read_rows(points, batch) : cut_short(points);
     }
     return status;
 }

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Points from lines: CSV, with whatever delimiter, or columns with blanks between them. Lines are
- * found, ended with a NUL and read where the input put them; a block ends early rather than wait
+ * found, ended with a NUL and read where the input put them; a batch ends early rather than wait
  * for the rest of a line.
  */
 #include <float.h>
@@ -389,21 +389,21 @@ int points_text_begin(struct points *points)
 }
 
 /* A malformed line waits until the points before it are through, so what is written of them does
-   not depend on where blocks happen to end. */
-int points_text_read(struct points *points, struct points_block *block)
+   not depend on where batchs happen to end. */
+int points_text_read(struct points *points, struct points_batch *batch)
 {
     struct points_text *const text = &points->text;
-    while (block->count < POINTS_BLOCK && text->problem[0] == '\0' &&
-           next_row(points, block->count == 0) == LINE_READY) {
+    while (batch->count < POINTS_BATCH && text->problem[0] == '\0' &&
+           next_row(points, batch->count == 0) == LINE_READY) {
         double position[3] = {0};
         if (read_point(points, position)) {
             for (int d = 0; d < points->dims; d++) {
-                block->position[d][block->count] = position[d];
+                batch->position[d][batch->count] = position[d];
             }
-            block->line[block->count++] = text->line;
+            batch->line[batch->count++] = text->line;
         }
     }
-    if (block->count > 0) {
+    if (batch->count > 0) {
         return CLI_SUCCESS;
     }
     return text->problem[0] != '\0' ? tell_problem(points) : input_status(&points->input);

@@ -152,10 +152,10 @@ static void put_line(struct results *results, const struct points *points, const
 }
 
 static void put_position(struct results *results, const struct points *points,
-                         const struct points_block *block, size_t i)
+                         const struct points_batch *batch, size_t i)
 {
     for (int d = 0; d < points->dims; d++) {
-        const double coordinate = block->position[d][i];
+        const double coordinate = batch->position[d][i];
         if (points->single) {
             put_float(results, (float)coordinate);
         } else {
@@ -166,13 +166,13 @@ static void put_position(struct results *results, const struct points *points,
 }
 
 static void put_rows(struct results *results, const struct points *points,
-                     const struct points_block *block)
+                     const struct points_batch *batch)
 {
-    for (size_t i = 0; i < block->count; i++) {
+    for (size_t i = 0; i < batch->count; i++) {
         if (results->keep && points->format == POINTS_NPY) {
-            put_position(results, points, block, i);
+            put_position(results, points, batch, i);
         } else if (results->keep) {
-            put_line(results, points, block->line[i]);
+            put_line(results, points, batch->line[i]);
         }
         for (size_t c = 0; c < results->columns; c++) {
             put_float(results, results->values[c][i]);
@@ -183,11 +183,11 @@ static void put_rows(struct results *results, const struct points *points,
 
 /* A NaN is always the same one, as it is in text. */
 static void put_npy_rows(struct results *results, const struct points *points,
-                         const struct points_block *block)
+                         const struct points_batch *batch)
 {
-    for (size_t i = 0; i < block->count; i++) {
+    for (size_t i = 0; i < batch->count; i++) {
         for (int d = 0; d < points->dims && results->keep; d++) {
-            npy_put_double((unsigned char *)reserve(results, 8), block->position[d][i]);
+            npy_put_double((unsigned char *)reserve(results, 8), batch->position[d][i]);
             results->used += 8;
         }
         for (size_t c = 0; c < results->columns; c++) {
@@ -297,14 +297,14 @@ int results_begin(struct results *results, const struct points *points)
 }
 
 int results_write(struct results *results, const struct points *points,
-                  const struct points_block *block)
+                  const struct points_batch *batch)
 {
     if (results->format == POINTS_NPY) {
-        put_npy_rows(results, points, block);
+        put_npy_rows(results, points, batch);
     } else {
-        put_rows(results, points, block);
+        put_rows(results, points, batch);
     }
-    results->points += block->count;
+    results->points += batch->count;
     if (!flush_bytes(results) || fflush(results->file.stream) != 0) {
         return tell_failure(results, CLI_FAILURE);
     }

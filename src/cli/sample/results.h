@@ -19,7 +19,7 @@ struct results {
     bool keep;  /* the input's columns go first */
     size_t columns;
     const char *names[RESULTS_COLUMNS_MAX];
-    float *values[RESULTS_COLUMNS_MAX]; /* POINTS_BLOCK of each, the block's when it is written */
+    float *values[RESULTS_COLUMNS_MAX]; /* POINTS_BATCH of each, the batch's when it is written */
 
     /* Private to results.c: */
     const char *path;
@@ -43,7 +43,7 @@ int results_begin(struct results *results, const struct points *points);
 
 /* Writes a row per point and hands them on at once: someone may be waiting at a pipe's end. */
 int results_write(struct results *results, const struct points *points,
-                  const struct points_block *block);
+                  const struct points_batch *batch);
 
 /* Completes the output, which then takes its name. */
 int results_end(struct results *results, const struct points *points);

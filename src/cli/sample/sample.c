@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * `scarp sample`: the options, and the way of a block of points from the input to the output.
+ * `scarp sample`: the options, and the way of a batch of points from the input to the output.
  * Reading is in points.c, writing in results.c.
  */
 #include "sample/sample.h"
@@ -160,7 +160,7 @@ const struct option_table sample_table = {
         "malformed  A point is malformed if a coordinate is not a finite number, so with nan or\n"
         "           inf, also in .npy. A line is, if it has too few or too many columns.\n"
         "\n"
-        "Rows are written as soon as points are read, in blocks of at most 4096. A malformed one\n"
+        "Rows are written as soon as points are read, in batchs of at most 4096. A malformed one\n"
         "ends the run with one message and exit status 2, as does an input that cannot be read.\n"
         "The output file, which may be the input file, appears only when all went well. Standard\n"
         "output has then got the rows of the points before.",
@@ -199,8 +199,8 @@ struct sample {
     struct scarp_samples samples;
     struct points points;
     struct results results;
-    struct points_block block;
-    float values[RESULTS_COLUMNS_MAX][POINTS_BLOCK];
+    struct points_batch batch;
+    float values[RESULTS_COLUMNS_MAX][POINTS_BATCH];
 };
 
 /* Chooses the results for points of so many dimensions. */
@@ -229,20 +229,20 @@ static enum scarp_status sample_recipe(const struct ground *ground, size_t count
     return scarp_recipe_sample_f64(&ground->recipe, count, x, y, z, &outputs, ground_scratch());
 }
 
-static enum scarp_status sample_block(struct sample *sample)
+static enum scarp_status sample_batch(struct sample *sample)
 {
-    const struct points_block *const block = &sample->block;
-    const double *const x = block->position[0], *const y = block->position[1],
-                        *const z = block->position[2];
+    const struct points_batch *const batch = &sample->batch;
+    const double *const x = batch->position[0], *const y = batch->position[1],
+                        *const z = batch->position[2];
     if (sample->has_recipe) {
         const enum scarp_status status =
-            sample_recipe(&sample->ground, block->count, x, y, z, &sample->samples);
-        ground_cover(&sample->ground, block->count, &sample->samples);
+            sample_recipe(&sample->ground, batch->count, x, y, z, &sample->samples);
+        ground_cover(&sample->ground, batch->count, &sample->samples);
         return status;
     }
     return sample->points.dims == 3
-               ? scarp_sample3_f64(&sample->noise, block->count, x, y, z, &sample->samples)
-               : scarp_sample2_f64(&sample->noise, block->count, x, y, &sample->samples);
+               ? scarp_sample3_f64(&sample->noise, batch->count, x, y, z, &sample->samples)
+               : scarp_sample2_f64(&sample->noise, batch->count, x, y, &sample->samples);
 }
 
 /* Whether a noise that was checked has what an option asks for. `advice` tells what helps. */
@@ -385,15 +385,15 @@ static int sample_all(struct sample *sample)
             cli_error("interrupted: not all points were read");
             return CLI_FAILURE;
         }
-        int status = points_read(&sample->points, &sample->block);
-        if (status != CLI_SUCCESS || sample->block.count == 0) {
+        int status = points_read(&sample->points, &sample->batch);
+        if (status != CLI_SUCCESS || sample->batch.count == 0) {
             return status;
         }
-        if (sample_block(sample) != SCARP_OK) { /* nothing is known that leads here */
+        if (sample_batch(sample) != SCARP_OK) { /* nothing is known that leads here */
             cli_error("the library refuses this noise");
             return CLI_FAILURE;
         }
-        status = results_write(&sample->results, &sample->points, &sample->block);
+        status = results_write(&sample->results, &sample->points, &sample->batch);
         if (status != CLI_SUCCESS) {
             return status;
         }
@@ -467,7 +467,7 @@ int cli_sample(char **argv)
     }
     struct sample *const sample = calloc(1, sizeof *sample);
     if (sample == NULL) {
-        cli_error("no memory for a block of points");
+        cli_error("no memory for a batch of points");
         return CLI_FAILURE;
     }
     struct source source = {.name = NULL};

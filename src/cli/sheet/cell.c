@@ -144,22 +144,22 @@ static void put_means(const uint8_t *bytes, size_t samples, size_t width, size_t
     }
 }
 
-/* Draws the block, whose samples were taken, from the pixel `to` on. */
-static void draw_block(const struct cell *cell, const struct layer *layer,
-                       const struct block *block, uint8_t *bytes, uint8_t *to, size_t stride)
+/* Draws the window, whose samples were taken, from the pixel `to` on. */
+static void draw_window(const struct cell *cell, const struct layer *layer,
+                        const struct window *window, uint8_t *bytes, uint8_t *to, size_t stride)
 {
     const size_t samples = cell->options.samples;
-    for (size_t row = 0; row < block->rows; row++) {
-        const struct strip strip = {.block = block,
-                                    .first = row * block->columns,
-                                    .count = block->columns,
-                                    .width = block->columns};
-        layer->encode(&cell->surface, &strip, SAMPLE_U8,
-                      bytes + row * block->columns * layer->channels);
+    for (size_t row = 0; row < window->rows; row++) {
+        const struct span span = {.window = window,
+                                  .first = row * window->columns,
+                                  .count = window->columns,
+                                  .width = window->columns};
+        layer->encode(&cell->surface, &span, SAMPLE_U8,
+                      bytes + row * window->columns * layer->channels);
     }
-    for (size_t row = 0; row < block->rows; row += samples) {
-        put_means(bytes + row * block->columns * layer->channels, samples, block->columns / samples,
-                  layer->channels, to + row / samples * stride);
+    for (size_t row = 0; row < window->rows; row += samples) {
+        put_means(bytes + row * window->columns * layer->channels, samples,
+                  window->columns / samples, layer->channels, to + row / samples * stride);
     }
 }
 
@@ -168,21 +168,21 @@ bool cell_draw(const struct cell *cell, size_t row, uint8_t *to, size_t stride)
     const struct sheet_options *const options = &cell->options;
     const size_t samples = options->samples;
     const size_t rows = smaller(CELL_BAND, options->cell.height - row);
-    const size_t across = BLOCK_SAMPLES / (CELL_BAND * samples * samples); /* pixels of a block */
+    const size_t across = WINDOW_SAMPLES / (CELL_BAND * samples * samples); /* pixels of a window */
     const struct layer *const layer =
         &layers[options->layer == SHEET_RELIEF ? LAYER_RELIEF : LAYER_HILLSHADE];
-    struct block block = {.memory = NULL};
-    uint8_t *const bytes = malloc(3 * BLOCK_SAMPLES);
-    const bool is_open = bytes != NULL && block_open(&block, &cell->surface, layer->needs);
+    struct window window = {.memory = NULL};
+    uint8_t *const bytes = malloc(3 * WINDOW_SAMPLES);
+    const bool is_open = bytes != NULL && window_open(&window, &cell->surface, layer->needs);
     for (size_t column = 0; column < options->cell.width && is_open; column += across) {
-        block.column = column * samples;
-        block.row = row * samples;
-        block.columns = smaller(across, options->cell.width - column) * samples;
-        block.rows = rows * samples;
-        surface_sample(&cell->surface, &block);
-        draw_block(cell, layer, &block, bytes, to + row * stride + 3 * column, stride);
+        window.column = column * samples;
+        window.row = row * samples;
+        window.columns = smaller(across, options->cell.width - column) * samples;
+        window.rows = rows * samples;
+        surface_sample(&cell->surface, &window);
+        draw_window(cell, layer, &window, bytes, to + row * stride + 3 * column, stride);
     }
     free(bytes);
-    block_close(&block);
+    window_close(&window);
     return is_open;
 }

@@ -5,16 +5,16 @@
 #include "terrain/compare.h"
 
 /* slope[i] = the central difference of 16-bit heights along (right, up) */
-static void difference(const struct surface *surface, const struct block *block, int right, int up,
-                       float *slope)
+static void difference(const struct surface *surface, const struct window *window, int right,
+                       int up, float *slope)
 {
-    float *const before = block->differences_x;
-    float *const after = block->differences_y;
+    float *const before = window->differences_x;
+    float *const after = window->differences_y;
     const struct surface_scale scale = surface->scale;
-    surface_values(surface, block, -right, -up, before);
-    surface_values(surface, block, right, up, after);
+    surface_values(surface, window, -right, -up, before);
+    surface_values(surface, window, right, up, after);
     const double distance = 2.0 * surface->step * surface->scale.steps; /* 0: all are alike */
-    for (size_t i = 0; i < block->columns * block->rows; i++) {
+    for (size_t i = 0; i < window->columns * window->rows; i++) {
         const int steps =
             (int)surface_quantise(scale, after[i]) - (int)surface_quantise(scale, before[i]);
         slope[i] = steps != 0 ? (float)(steps / distance) : 0.0f;
@@ -23,13 +23,13 @@ static void difference(const struct surface *surface, const struct block *block,
 
 /* Neighbours are sampled again instead of looked up, so that the outermost samples have theirs too.
    The third difference array holds one slope until the normals replace it. */
-void compare_sample(const struct surface *surface, struct block *block)
+void compare_sample(const struct surface *surface, struct window *window)
 {
-    float *const slope_x = block->differences_z;
-    float *const slope_y = block->value;
-    difference(surface, block, 1, 0, slope_x);
-    difference(surface, block, 0, 1, slope_y);
-    scarp_normals(block->columns * block->rows, slope_x, slope_y, 1.0f, block->differences_x,
-                  block->differences_y, block->differences_z);
-    surface_values(surface, block, 0, 0, block->value);
+    float *const slope_x = window->differences_z;
+    float *const slope_y = window->value;
+    difference(surface, window, 1, 0, slope_x);
+    difference(surface, window, 0, 1, slope_y);
+    scarp_normals(window->columns * window->rows, slope_x, slope_y, 1.0f, window->differences_x,
+                  window->differences_y, window->differences_z);
+    surface_values(surface, window, 0, 0, window->value);
 }

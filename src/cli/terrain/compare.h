@@ -8,7 +8,7 @@
 
 #include "raster/surface.h"
 
-/* Adds these normals to a block that was sampled and has room for them. */
-void compare_sample(const struct surface *surface, struct block *block);
+/* Adds these normals to a window that was sampled and has room for them. */
+void compare_sample(const struct surface *surface, struct window *window);
 
 #endif

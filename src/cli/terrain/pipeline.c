@@ -1,13 +1,13 @@
 /* SPDX-License-Identifier: MIT
  *
- * Bands, blocks, parts and threads.
+ * Bands, windows, parts and threads.
  *
- * A band is filled block by block. While the next one is filled, it is written, if its format takes
+ * A band is filled window by window. While the next one is filled, it is written, if its format takes
  * samples as they are; else it is packed part by part, and written while the one after that is
  * filled.
  *
  * Memory: two bands, and what two bands are packed to, whose bytes together are at most BAND_BYTES
- * for one of each unless MIN_ROWS rows take more; one block and one packer per thread.
+ * for one of each unless MIN_ROWS rows take more; one window and one packer per thread.
  */
 #include "terrain/pipeline.h"
 
@@ -22,8 +22,8 @@
 
 #define BAND_BYTES ((size_t)16 << 20)
 #define MIN_BANDS 4 /* so that small rasters are written while they are sampled, too */
-#define MIN_ROWS 16 /* of a band: what is computed once per column of a block pays then */
-#define BLOCK_ROWS 64
+#define MIN_ROWS 16 /* of a band: what is computed once per column of a window pays then */
+#define WINDOW_ROWS 64
 
 /* The way of an output: its bands, by turns those with even and those with odd numbers */
 struct lane {
@@ -39,7 +39,7 @@ struct lane {
 
 /* What a thread needs */
 struct scratch {
-    struct block block;
+    struct window window;
     void *packers[OUTPUTS_MAX]; /* one for each packing, where the first lane is that has it */
 };
 
@@ -50,13 +50,13 @@ struct pipeline {
     struct crew *crew;
     struct progress *progress;
 
-    size_t bands, rows;                       /* of a band; the last one may have fewer */
-    size_t blocks, block_columns, block_rows; /* of a band; the last ones may be smaller */
-    size_t parts;                             /* of a band, in all lanes */
-    struct lane lanes[OUTPUTS_MAX];           /* by output */
-    size_t lag;                               /* rounds after which a band is in all files */
-    size_t threads;                           /* at most */
-    struct scratch *scratch;                  /* one per thread */
+    size_t bands, rows;                          /* of a band; the last one may have fewer */
+    size_t windows, window_columns, window_rows; /* of a band; the last ones may be smaller */
+    size_t parts;                                /* of a band, in all lanes */
+    struct lane lanes[OUTPUTS_MAX];              /* by output */
+    size_t lag;                                  /* rounds after which a band is in all files */
+    size_t threads;                              /* at most */
+    struct scratch *scratch;                     /* one per thread */
 
     size_t round; /* and the band that is filled in it */
     enum pipeline_result result;
@@ -102,7 +102,7 @@ static size_t bytes_of_row(const struct pipeline *pipeline)
     return bytes;
 }
 
-/* Decides the sizes of bands, parts and blocks. */
+/* Decides the sizes of bands, parts and windows. */
 static void divide(struct pipeline *pipeline)
 {
     const struct tile *const tile = pipeline->tile;
@@ -115,17 +115,17 @@ static void divide(struct pipeline *pipeline)
     const size_t units = smaller(affordable, wanted);
     pipeline->rows = smaller((units < least ? least : units) * unit, tile->height);
     pipeline->bands = quotient_up(tile->height, pipeline->rows);
-    pipeline->block_rows = smaller(pipeline->rows, BLOCK_ROWS);
-    pipeline->block_columns = smaller(BLOCK_SAMPLES / pipeline->block_rows, tile->width);
-    pipeline->blocks = quotient_up(tile->width, pipeline->block_columns) *
-                       quotient_up(pipeline->rows, pipeline->block_rows);
+    pipeline->window_rows = smaller(pipeline->rows, WINDOW_ROWS);
+    pipeline->window_columns = smaller(WINDOW_SAMPLES / pipeline->window_rows, tile->width);
+    pipeline->windows = quotient_up(tile->width, pipeline->window_columns) *
+                        quotient_up(pipeline->rows, pipeline->window_rows);
     for (size_t i = 0; i < pipeline->outputs->count; i++) {
         struct lane *const lane = &pipeline->lanes[i];
         lane->parts = lane->packing != NULL ? parts_count(&lane->way, pipeline->rows) : 0;
         pipeline->parts += lane->parts;
     }
     /* Waiting for a thread that has nothing to do takes longer than a small raster. */
-    const size_t tasks = pipeline->blocks > pipeline->parts ? pipeline->blocks : pipeline->parts;
+    const size_t tasks = pipeline->windows > pipeline->parts ? pipeline->windows : pipeline->parts;
     pipeline->threads = smaller(crew_most(pipeline->crew), tasks);
 }
 
@@ -170,12 +170,13 @@ static void close_scratch(const struct pipeline *pipeline, struct scratch *scrat
             pipeline->lanes[i].packing->close(scratch->packers[i]);
         }
     }
-    block_close(&scratch->block);
+    window_close(&scratch->window);
 }
 
 static bool open_scratch(const struct pipeline *pipeline, struct scratch *scratch)
 {
-    bool is_open = block_open(&scratch->block, pipeline->surface, outputs_needs(pipeline->outputs));
+    bool is_open =
+        window_open(&scratch->window, pipeline->surface, outputs_needs(pipeline->outputs));
     for (size_t i = 0; i < pipeline->outputs->count && is_open; i++) {
         const struct lane *const lane = &pipeline->lanes[i];
         if (lane->packing != NULL && lane->packer == i) {
@@ -230,37 +231,37 @@ static size_t rows_of_band(const struct pipeline *pipeline, size_t band)
     return smaller(pipeline->rows, pipeline->tile->height - band * pipeline->rows);
 }
 
-/* Samples block number `n` of the band, and encodes it for all files. */
-static void fill(const struct pipeline *pipeline, size_t band, size_t n, struct block *block)
+/* Samples window number `n` of the band, and encodes it for all files. */
+static void fill(const struct pipeline *pipeline, size_t band, size_t n, struct window *window)
 {
     const struct tile *const tile = pipeline->tile;
-    const size_t across = quotient_up(tile->width, pipeline->block_columns);
-    const size_t column = n % across * pipeline->block_columns;
-    const size_t row = n / across * pipeline->block_rows;
+    const size_t across = quotient_up(tile->width, pipeline->window_columns);
+    const size_t column = n % across * pipeline->window_columns;
+    const size_t row = n / across * pipeline->window_rows;
     const size_t rows = rows_of_band(pipeline, band);
     if (row >= rows) {
         return; /* the last band is lower */
     }
-    block->column = tile->column + column;
-    block->row = tile->row + band * pipeline->rows + row;
-    block->columns = smaller(pipeline->block_columns, tile->width - column);
-    block->rows = smaller(pipeline->block_rows, rows - row);
-    surface_sample(pipeline->surface, block);
-    if (block->differences_x != NULL) {
-        compare_sample(pipeline->surface, block);
+    window->column = tile->column + column;
+    window->row = tile->row + band * pipeline->rows + row;
+    window->columns = smaller(pipeline->window_columns, tile->width - column);
+    window->rows = smaller(pipeline->window_rows, rows - row);
+    surface_sample(pipeline->surface, window);
+    if (window->differences_x != NULL) {
+        compare_sample(pipeline->surface, window);
     }
     for (size_t i = 0; i < pipeline->outputs->count; i++) {
         const struct output *const output = &pipeline->outputs->list[i];
         const size_t pixel =
             output->layer->channels * sample_bytes(output->kind) * output->writer.raster.times;
-        for (size_t r = 0; r < block->rows; r++) {
+        for (size_t r = 0; r < window->rows; r++) {
             uint8_t *const to = pipeline->lanes[i].bytes[band % 2] + (row + r) * output->row_bytes;
-            const struct strip strip = {.block = block,
-                                        .first = r * block->columns,
-                                        .count = block->columns,
-                                        .width = tile->width,
-                                        .part = output->part};
-            output->layer->encode(pipeline->surface, &strip, output->kind, to + column * pixel);
+            const struct span span = {.window = window,
+                                      .first = r * window->columns,
+                                      .count = window->columns,
+                                      .width = tile->width,
+                                      .part = output->part};
+            output->layer->encode(pipeline->surface, &span, output->kind, to + column * pixel);
         }
     }
 }
@@ -392,17 +393,17 @@ static void do_task(const struct pipeline *pipeline, size_t n, struct scratch *s
             pack(pipeline, round - 1, n - count, scratch);
         }
     } else if (round < pipeline->bands) {
-        fill(pipeline, round, n - count - pipeline->parts, &scratch->block);
+        fill(pipeline, round, n - count - pipeline->parts, &scratch->window);
     }
 }
 
 /* What each thread does. All go through the rounds together. In each, those that find a file to be
-   written write it, and then help the others with parts and blocks. Pipes are the first thread's:
+   written write it, and then help the others with parts and windows. Pipes are the first thread's:
    signals go to it, and end a write that waits. */
 static void work(void *context, size_t number)
 {
     struct pipeline *const pipeline = context;
-    const size_t tasks = pipeline->outputs->count + pipeline->parts + pipeline->blocks;
+    const size_t tasks = pipeline->outputs->count + pipeline->parts + pipeline->windows;
     const size_t rounds = pipeline->bands + pipeline->lag;
     while (pipeline->round < rounds && pipeline->result == PIPELINE_DONE) {
         for (size_t i = 0; number == 0 && i < pipeline->outputs->count; i++) {
