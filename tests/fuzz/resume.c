@@ -30,7 +30,7 @@ int LLVMFuzzerTestOneInput(const uint8_t *input, size_t size)
     const struct raster raster = {.width = is_big ? 100000 : 3,
                                   .height = is_big ? 100000 : 2,
                                   .channels = 1,
-                                  .kind = SAMPLE_F32,
+                                  .type = SAMPLE_F32,
                                   .step = 1.0,
                                   .content = "heights",
                                   .times = 1};

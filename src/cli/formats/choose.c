@@ -38,7 +38,7 @@ const struct format *format_find(const char *name, size_t length)
 
 static bool can_hold(const struct format *format, const struct wanted *wanted)
 {
-    return (format->kinds[wanted->channels] & wanted->kinds) != 0;
+    return (format->types[wanted->channels] & wanted->types) != 0;
 }
 
 static void extension_error(const struct wanted *wanted, const char *text)

@@ -12,7 +12,7 @@ struct wanted {
     const char *option;  /* that asks for it, for messages */
     const char *content; /* what it holds: "pictures" */
     size_t channels;
-    unsigned kinds; /* of samples that it can be stored as, or'ed */
+    unsigned types; /* of samples that it can be stored as, or'ed */
 };
 
 /* The format that goes by this name, in capitals or not; NULL if there is none. */

@@ -63,7 +63,7 @@ static void make_header(const struct raster *raster, char header[HEADER_MAX])
              "byte order = 0\n"
              "map info = { %s, 1, 1, %.17g, %.17g, %.17g, %.17g%s }\n",
              raster->content, raster->width, raster->height, raster->channels,
-             raster->kind == SAMPLE_U8 ? 1 : 4, system, raster->x - 0.5 * raster->step,
+             raster->type == SAMPLE_U8 ? 1 : 4, system, raster->x - 0.5 * raster->step,
              raster->y + 0.5 * raster->step, raster->step, raster->step, more);
 }
 
@@ -105,9 +105,9 @@ static bool img_is_whole(const struct raster *raster, const char *path)
     return whole;
 }
 
-#define KINDS (SAMPLE_U8 | SAMPLE_F32)
+#define TYPES (SAMPLE_U8 | SAMPLE_F32)
 const struct format format_img = {.name = "img",
-                                  .kinds = {0, KINDS, KINDS, KINDS},
+                                  .types = {0, TYPES, TYPES, TYPES},
                                   .needs_file = true,
                                   .open = img_open,
                                   .write = writer_write_raw,

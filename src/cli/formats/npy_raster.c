@@ -9,7 +9,7 @@ static bool npy_open(struct writer *writer)
 {
     const struct raster *const raster = &writer->raster;
     const size_t shape[] = {raster->height, raster->width, raster->channels};
-    return npy_write_header(writer->file.stream, raster->kind == SAMPLE_U8 ? "|u1" : "<f4", shape,
+    return npy_write_header(writer->file.stream, raster->type == SAMPLE_U8 ? "|u1" : "<f4", shape,
                             raster->channels == 1 ? 2 : 3);
 }
 
@@ -18,9 +18,9 @@ static uint64_t npy_bytes(const struct raster *raster)
     return NPY_HEADER_SIZE + raster_bytes(raster);
 }
 
-#define KINDS (SAMPLE_U8 | SAMPLE_F32)
+#define TYPES (SAMPLE_U8 | SAMPLE_F32)
 const struct format format_npy = {.name = "npy",
-                                  .kinds = {0, KINDS, KINDS, KINDS},
+                                  .types = {0, TYPES, TYPES, TYPES},
                                   .open = npy_open,
                                   .write = writer_write_raw,
                                   .bytes = npy_bytes};

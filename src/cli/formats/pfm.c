@@ -46,7 +46,7 @@ static uint64_t pfm_bytes(const struct raster *raster)
 }
 
 const struct format format_pfm = {.name = "pfm",
-                                  .kinds = {[1] = SAMPLE_F32, [3] = SAMPLE_F32},
+                                  .types = {[1] = SAMPLE_F32, [3] = SAMPLE_F32},
                                   .needs_file = true,
                                   .open = pfm_open,
                                   .write = pfm_write,

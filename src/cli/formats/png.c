@@ -77,7 +77,7 @@ static bool png_open(struct writer *writer)
     static const uint8_t colour_type[] = {[1] = 0, [3] = 2, [4] = 6};
     const struct raster *const raster = &writer->raster;
     uint8_t header[13] = {
-        [8] = raster->kind == SAMPLE_U8 ? 8 : 16, [9] = colour_type[raster->channels]};
+        [8] = raster->type == SAMPLE_U8 ? 8 : 16, [9] = colour_type[raster->channels]};
     put_number(header, (uint32_t)raster->width);
     put_number(header + 4, (uint32_t)raster->height);
     writer->sum = (uint32_t)adler32(0, NULL, 0);
@@ -266,7 +266,7 @@ static const struct packing packing = {
 
 const struct format format_png = {
     .name = "png",
-    .kinds = {[1] = SAMPLE_U8 | SAMPLE_U16_HIGH, [3] = SAMPLE_U8, [4] = SAMPLE_U8},
+    .types = {[1] = SAMPLE_U8 | SAMPLE_U16_HIGH, [3] = SAMPLE_U8, [4] = SAMPLE_U8},
     .open = png_open,
     .packing = &packing,
     .end = png_end,

@@ -12,7 +12,7 @@
 static int make_header(const struct raster *raster, char header[HEADER_MAX])
 {
     return snprintf(header, HEADER_MAX, "P%c\n%zu %zu\n%d\n", raster->channels == 1 ? '5' : '6',
-                    raster->width, raster->height, raster->kind == SAMPLE_U8 ? 255 : 65535);
+                    raster->width, raster->height, raster->type == SAMPLE_U8 ? 255 : 65535);
 }
 
 static bool pnm_open(struct writer *writer)
@@ -29,12 +29,12 @@ static uint64_t pnm_bytes(const struct raster *raster)
 }
 
 const struct format format_pgm = {.name = "pgm",
-                                  .kinds = {[1] = SAMPLE_U8 | SAMPLE_U16_HIGH},
+                                  .types = {[1] = SAMPLE_U8 | SAMPLE_U16_HIGH},
                                   .open = pnm_open,
                                   .write = writer_write_raw,
                                   .bytes = pnm_bytes};
 const struct format format_ppm = {.name = "ppm",
-                                  .kinds = {[3] = SAMPLE_U8},
+                                  .types = {[3] = SAMPLE_U8},
                                   .open = pnm_open,
                                   .write = writer_write_raw,
                                   .bytes = pnm_bytes};

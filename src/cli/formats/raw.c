@@ -12,12 +12,12 @@ static bool raw_open(struct writer *writer)
 }
 
 const struct format format_r16 = {.name = "r16",
-                                  .kinds = {[1] = SAMPLE_U16_LOW},
+                                  .types = {[1] = SAMPLE_U16_LOW},
                                   .open = raw_open,
                                   .write = writer_write_raw,
                                   .bytes = raster_bytes};
 const struct format format_r32 = {.name = "r32",
-                                  .kinds = {[1] = SAMPLE_F32},
+                                  .types = {[1] = SAMPLE_F32},
                                   .open = raw_open,
                                   .write = writer_write_raw,
                                   .bytes = raster_bytes};

@@ -185,12 +185,12 @@ static void add_place(struct directory *directory, const struct raster *raster)
 static void fill_directory(struct directory *directory, const struct raster *raster,
                            const struct tiles *tiles)
 {
-    const bool is_colour = raster->channels >= 3 && raster->kind == SAMPLE_U8;
+    const bool is_colour = raster->channels >= 3 && raster->type == SAMPLE_U8;
     const size_t extra = raster->channels - (is_colour ? 3 : 1);
     const size_t size = offset_bytes(directory->is_big);
     add(directory, 256, LONG, 1, raster->width);
     add(directory, 257, LONG, 1, raster->height);
-    add_per_channel(directory, 258, raster->channels, 8 * (unsigned)sample_bytes(raster->kind));
+    add_per_channel(directory, 258, raster->channels, 8 * (unsigned)sample_bytes(raster->type));
     add_short(directory, 259, TIFF_DEFLATES ? 8 : 1);
     add_short(directory, 262, is_colour ? 2 : 1);
     add_values(directory, 270, ASCII, strlen(raster->content) + 1,
@@ -198,7 +198,7 @@ static void fill_directory(struct directory *directory, const struct raster *ras
     add_short(directory, 277, (uint16_t)raster->channels);
     add_short(directory, 284, 1);
     if (TIFF_DEFLATES) {
-        add_short(directory, 317, raster->kind == SAMPLE_F32 ? 3 : 2);
+        add_short(directory, 317, raster->type == SAMPLE_F32 ? 3 : 2);
     }
     add_short(directory, 322, TIFF_SIDE);
     add_short(directory, 323, TIFF_SIDE);
@@ -209,7 +209,7 @@ static void fill_directory(struct directory *directory, const struct raster *ras
     if (extra > 0) {
         add_per_channel(directory, 338, extra, 0);
     }
-    add_per_channel(directory, 339, raster->channels, raster->kind == SAMPLE_F32 ? 3 : 1);
+    add_per_channel(directory, 339, raster->channels, raster->type == SAMPLE_F32 ? 3 : 1);
     add_place(directory, raster);
 }
 
@@ -329,10 +329,10 @@ static bool tiff_is_whole(const struct raster *raster, const char *path)
     return is_whole;
 }
 
-#define KINDS (SAMPLE_U8 | SAMPLE_U16_LOW | SAMPLE_F32)
+#define TYPES (SAMPLE_U8 | SAMPLE_U16_LOW | SAMPLE_F32)
 const struct format format_tif = {
     .name = "tif",
-    .kinds = {0, KINDS, KINDS, KINDS},
+    .types = {0, TYPES, TYPES, TYPES},
     .needs_file = true,
     .overview = ".ovr",
     .open = tiff_open,

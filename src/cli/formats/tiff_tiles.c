@@ -27,7 +27,7 @@ struct tiff_packer {
 
 static size_t pixel_bytes(const struct raster *raster)
 {
-    return raster->channels * sample_bytes(raster->kind);
+    return raster->channels * sample_bytes(raster->type);
 }
 
 size_t tiff_room(const struct raster *raster)
@@ -122,7 +122,7 @@ static void subtract_floats(uint8_t *row, size_t count, size_t stride, uint8_t *
 static void filter(struct tiff_packer *packer, const struct raster *raster)
 {
     const size_t count = TIFF_SIDE * raster->channels;
-    switch (raster->kind) {
+    switch (raster->type) {
     case SAMPLE_U8: subtract_bytes(packer->row, count, raster->channels, packer->filtered); break;
     case SAMPLE_F32: subtract_floats(packer->row, count, raster->channels, packer->filtered); break;
     default: subtract_integers(packer->row, count, raster->channels, packer->filtered); break;

@@ -9,9 +9,9 @@
 
 #include "shared/smaller.h"
 
-size_t sample_bytes(enum sample_kind kind)
+size_t sample_bytes(enum sample_type type)
 {
-    switch (kind) {
+    switch (type) {
     case SAMPLE_U8: return 1;
     case SAMPLE_F32: return 4;
     default: return 2;
@@ -20,7 +20,7 @@ size_t sample_bytes(enum sample_kind kind)
 
 size_t raster_row_bytes(const struct raster *raster)
 {
-    return raster->width * raster->channels * sample_bytes(raster->kind);
+    return raster->width * raster->channels * sample_bytes(raster->type);
 }
 
 bool writer_write_raw(struct writer *writer, const uint8_t *samples, size_t row, size_t rows)
@@ -32,7 +32,7 @@ bool writer_write_raw(struct writer *writer, const uint8_t *samples, size_t row,
 
 uint64_t raster_bytes(const struct raster *raster)
 {
-    return (uint64_t)raster->width * raster->height * raster->channels * sample_bytes(raster->kind);
+    return (uint64_t)raster->width * raster->height * raster->channels * sample_bytes(raster->type);
 }
 
 static size_t quotient_up(size_t a, size_t b)

@@ -13,7 +13,7 @@
 #include "shared/file.h"
 
 /* How a sample is stored. A format may take several. */
-enum sample_kind {
+enum sample_type {
     SAMPLE_U8 = 1,
     SAMPLE_U16_HIGH = 2, /* 16-bit integers, high byte first */
     SAMPLE_U16_LOW = 4,  /* and low byte first */
@@ -25,7 +25,7 @@ enum sample_kind {
 struct raster {
     size_t width, height;
     size_t channels; /* of a pixel; stored together */
-    enum sample_kind kind;
+    enum sample_type type;
     /* Where the centre of the top left pixel lies, x to the right and y up; distance of pixels */
     double x, y, step;
     const char *content; /* a word: "heights" */
@@ -80,7 +80,7 @@ struct part parts_at(const struct parts *parts, const struct raster *raster, con
 /* Each function returns whether it succeeded; on failure errno may tell why. */
 struct format {
     const char *name;                 /* also its extension, without the dot */
-    unsigned kinds[MAX_CHANNELS + 1]; /* by channels: the kinds it takes, or'ed */
+    unsigned types[MAX_CHANNELS + 1]; /* by channels: the types it takes, or'ed */
     bool needs_file;                  /* and not a pipe: not all is written in order */
     const char *overview; /* what GDAL adds to the name of a file for that of its next coarser
                              level; NULL: it knows none */
@@ -112,7 +112,7 @@ struct writer {
     void *memory;       /* the format's; freed with the writer */
 };
 
-size_t sample_bytes(enum sample_kind kind);
+size_t sample_bytes(enum sample_type type);
 size_t raster_row_bytes(const struct raster *raster);
 
 /* The `write` of formats that store samples as they come */

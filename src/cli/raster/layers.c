@@ -44,15 +44,15 @@ static inline void put_integer(uint8_t *to, unsigned value, bool low_byte_first)
 
 /* Floats as they are, or as integers of a scale */
 static void put_values(const float *value, size_t count, struct surface_scale scale,
-                       enum sample_kind kind, uint8_t *to)
+                       enum sample_type type, uint8_t *to)
 {
-    if (kind == SAMPLE_F32) {
+    if (type == SAMPLE_F32) {
         for (size_t i = 0; i < count; i++) {
             put_float(to + 4 * i, value[i]);
         }
         return;
     }
-    if (kind == SAMPLE_U16_LOW) {
+    if (type == SAMPLE_U16_LOW) {
         for (size_t i = 0; i < count; i++) {
             put_integer(to + 2 * i, surface_quantise(scale, value[i]), true);
         }
@@ -64,23 +64,23 @@ static void put_values(const float *value, size_t count, struct surface_scale sc
 }
 
 static void encode_heights(const struct surface *surface, const struct span *span,
-                           enum sample_kind kind, uint8_t *to)
+                           enum sample_type type, uint8_t *to)
 {
-    put_values(span->window->value + span->first, span->count, surface->scale, kind, to);
+    put_values(span->window->value + span->first, span->count, surface->scale, type, to);
 }
 
 static void encode_field(const struct surface *surface, const struct span *span,
-                         enum sample_kind kind, uint8_t *to)
+                         enum sample_type type, uint8_t *to)
 {
     const struct ground_field *const field = &surface->ground.fields[span->part];
     put_values(span->window->fields[span->part] + span->first, span->count,
-               surface_scale_of((double)field->lowest, (double)field->highest), kind, to);
+               surface_scale_of((double)field->lowest, (double)field->highest), type, to);
 }
 
 #define RUN 256 /* samples that are computed at once */
 
 static void encode_slope(const struct surface *surface, const struct span *span,
-                         enum sample_kind kind, uint8_t *to)
+                         enum sample_type type, uint8_t *to)
 {
     (void)surface;
     const float *const dx = span->window->dx + span->first;
@@ -89,16 +89,16 @@ static void encode_slope(const struct surface *surface, const struct span *span,
         float degrees[RUN];
         const size_t count = smaller(span->count - first, RUN);
         slope_degrees(count, dx + first, dy + first, degrees);
-        put_values(degrees, count, surface_scale_of(0.0, 90.0), kind,
-                   to + first * sample_bytes(kind));
+        put_values(degrees, count, surface_scale_of(0.0, 90.0), type,
+                   to + first * sample_bytes(type));
     }
 }
 
 static void encode_curvature(const struct surface *surface, const struct span *span,
-                             enum sample_kind kind, uint8_t *to)
+                             enum sample_type type, uint8_t *to)
 {
     (void)surface;
-    (void)kind;
+    (void)type;
     const struct window *const window = span->window;
     for (size_t first = 0; first < span->count; first += RUN) {
         float curvature[RUN];
@@ -141,14 +141,14 @@ static void put_colours(const float *const n[3], float normal_y, size_t count, u
 }
 
 static void encode_normals(const struct surface *surface, const struct span *span,
-                           enum sample_kind kind, uint8_t *to)
+                           enum sample_type type, uint8_t *to)
 {
     const size_t count = span->count;
     const float *const x = span->window->nx + span->first;
     const float *const y = span->window->ny + span->first;
     const float *const z = span->window->nz + span->first;
     const float normal_y = surface->normal_y;
-    if (kind == SAMPLE_F32) {
+    if (type == SAMPLE_F32) {
         for (size_t i = 0; i < count; i++) {
             put_float(to + 12 * i, x[i]);
             put_float(to + 12 * i + 4, normal_y * y[i]);
@@ -163,9 +163,9 @@ static void encode_normals(const struct surface *surface, const struct span *spa
 }
 
 static void encode_hillshade(const struct surface *surface, const struct span *span,
-                             enum sample_kind kind, uint8_t *to)
+                             enum sample_type type, uint8_t *to)
 {
-    (void)kind;
+    (void)type;
     const size_t count = span->count;
     const float *const x = span->window->shade_x + span->first;
     const float *const y = span->window->shade_y + span->first;
@@ -192,9 +192,9 @@ static struct relief_samples relief_samples_of(const struct span *span, size_t f
 }
 
 static void encode_relief(const struct surface *surface, const struct span *span,
-                          enum sample_kind kind, uint8_t *to)
+                          enum sample_type type, uint8_t *to)
 {
-    (void)kind;
+    (void)type;
     const struct relief_samples samples = relief_samples_of(span, 0);
     relief_colours(&surface->relief, &samples, span->count, to);
 }
@@ -220,24 +220,24 @@ static void encode_grounds(const struct surface *surface, const struct span *spa
 
 /* One ground of five */
 static void encode_mask(const struct surface *surface, const struct span *span,
-                        enum sample_kind kind, uint8_t *to)
+                        enum sample_type type, uint8_t *to)
 {
-    (void)kind;
+    (void)type;
     encode_grounds(surface, span, 1, to);
 }
 
 /* Four grounds as red, green, blue and alpha */
 static void encode_masks(const struct surface *surface, const struct span *span,
-                         enum sample_kind kind, uint8_t *to)
+                         enum sample_type type, uint8_t *to)
 {
-    (void)kind;
+    (void)type;
     encode_grounds(surface, span, 4, to);
 }
 
 static void encode_gradient(const struct surface *surface, const struct span *span,
-                            enum sample_kind kind, uint8_t *to)
+                            enum sample_type type, uint8_t *to)
 {
-    (void)kind;
+    (void)type;
     const size_t count = span->count;
     const float *const dx = span->window->dx + span->first;
     const float *const dy = span->window->dy + span->first;
@@ -264,9 +264,9 @@ static void put_normals(const struct surface *surface, const struct span *span,
 }
 
 static void encode_compare(const struct surface *surface, const struct span *span,
-                           enum sample_kind kind, uint8_t *to)
+                           enum sample_type type, uint8_t *to)
 {
-    (void)kind;
+    (void)type;
     const struct window *const window = span->window;
     const float *const exact[3] = {window->nx, window->ny, window->nz};
     const float *const differences[3] = {window->differences_x, window->differences_y,
@@ -280,70 +280,70 @@ const struct layer layers[LAYER_COUNT] = {
                        .name = "height",
                        .content = "heights",
                        .channels = 1,
-                       .kinds = {SAMPLE_F32, SAMPLE_U16_LOW, SAMPLE_U16_HIGH},
+                       .types = {SAMPLE_F32, SAMPLE_U16_LOW, SAMPLE_U16_HIGH},
                        .encode = encode_heights},
     [LAYER_NORMALS] = {.option = "--normals",
                        .name = "normal",
                        .content = "normals",
                        .channels = 3,
-                       .kinds = {SAMPLE_F32, SAMPLE_U8},
+                       .types = {SAMPLE_F32, SAMPLE_U8},
                        .needs = SURFACE_GRADIENT | SURFACE_NORMALS,
                        .encode = encode_normals},
     [LAYER_HILLSHADE] = {.option = "--hillshade",
                          .name = "hillshade",
                          .content = "hillshade",
                          .channels = 1,
-                         .kinds = {SAMPLE_U8},
+                         .types = {SAMPLE_U8},
                          .needs = SURFACE_GRADIENT | SURFACE_SHADE,
                          .encode = encode_hillshade},
     [LAYER_RELIEF] = {.option = "--relief",
                       .name = "relief",
                       .content = "relief",
                       .channels = 3,
-                      .kinds = {SAMPLE_U8},
+                      .types = {SAMPLE_U8},
                       .needs = SURFACE_GRADIENT | SURFACE_NORMALS | SURFACE_SHADE | SURFACE_BED,
                       .encode = encode_relief},
     [LAYER_GRADIENT] = {.option = "--gradient",
                         .name = "gradient",
                         .content = "gradient",
                         .channels = 2,
-                        .kinds = {SAMPLE_F32},
+                        .types = {SAMPLE_F32},
                         .needs = SURFACE_GRADIENT,
                         .encode = encode_gradient},
     [LAYER_SLOPE] = {.option = "--slope",
                      .name = "slope",
                      .content = "slope",
                      .channels = 1,
-                     .kinds = {SAMPLE_F32, SAMPLE_U16_LOW, SAMPLE_U16_HIGH},
+                     .types = {SAMPLE_F32, SAMPLE_U16_LOW, SAMPLE_U16_HIGH},
                      .needs = SURFACE_GRADIENT,
                      .encode = encode_slope},
     [LAYER_CURVATURE] = {.option = "--curvature",
                          .name = "curvature",
                          .content = "curvature",
                          .channels = 1,
-                         .kinds = {SAMPLE_F32},
+                         .types = {SAMPLE_F32},
                          .needs = SURFACE_GRADIENT | SURFACE_CURVATURE,
                          .encode = encode_curvature},
     [LAYER_FIELD] = {.option = "--out",
                      .channels = 1,
-                     .kinds = {SAMPLE_F32, SAMPLE_U16_LOW, SAMPLE_U16_HIGH},
+                     .types = {SAMPLE_F32, SAMPLE_U16_LOW, SAMPLE_U16_HIGH},
                      .needs = SURFACE_FIELDS,
                      .encode = encode_field},
     [LAYER_MASK] = {.option = "--masks",
                     .channels = 1,
-                    .kinds = {SAMPLE_U8},
+                    .types = {SAMPLE_U8},
                     .needs = SURFACE_GRADIENT | SURFACE_NORMALS | SURFACE_BED,
                     .encode = encode_mask},
     [LAYER_MASKS] = {.option = "--masks",
                      .channels = 4,
-                     .kinds = {SAMPLE_U8},
+                     .types = {SAMPLE_U8},
                      .needs = SURFACE_GRADIENT | SURFACE_NORMALS | SURFACE_BED,
                      .encode = encode_masks},
     [LAYER_COMPARE] = {.option = "--compare",
                        .name = "compare",
                        .content = "comparison",
                        .channels = 3,
-                       .kinds = {SAMPLE_U8},
+                       .types = {SAMPLE_U8},
                        .needs = SURFACE_GRADIENT | SURFACE_NORMALS | SURFACE_DIFFERENCES,
                        .encode = encode_compare},
 };

@@ -25,11 +25,11 @@ struct layer {
     const char *name;    /* STEM-NAME.png */
     const char *content; /* what it holds; of a layer that has several, each says it itself */
     size_t channels;
-    /* The kinds of samples it can be stored as, the best first; 0 at the end */
-    enum sample_kind kinds[4];
+    /* The types of samples it can be stored as, the best first; 0 at the end */
+    enum sample_type types[4];
     unsigned needs; /* of enum surface_need */
     /* Writes the samples of a span. `to` is where the pixel of the first of them goes. */
-    void (*encode)(const struct surface *surface, const struct span *span, enum sample_kind kind,
+    void (*encode)(const struct surface *surface, const struct span *span, enum sample_type type,
                    uint8_t *to);
 };
 

@@ -44,7 +44,7 @@ struct sheet {
 static bool choose_format(struct sheet *sheet)
 {
     static const struct wanted wanted = {
-        .option = "--output", .content = "sheets", .channels = 3, .kinds = SAMPLE_U8};
+        .option = "--output", .content = "sheets", .channels = 3, .types = SAMPLE_U8};
     const char *const output = sheet->options.output;
     struct writer *const writer = &sheet->writer;
     writer->format =
@@ -52,7 +52,7 @@ static bool choose_format(struct sheet *sheet)
     writer->raster = (struct raster){.width = sheet->page.width,
                                      .height = sheet->page.height,
                                      .channels = 3,
-                                     .kind = SAMPLE_U8,
+                                     .type = SAMPLE_U8,
                                      .step = 1.0,
                                      .content = "sheet",
                                      .times = 1};

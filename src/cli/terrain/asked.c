@@ -83,7 +83,7 @@ bool asked_outputs(const struct terrain_options *options, const struct asked *as
 static bool check_field(const struct output *output, const struct ground *ground)
 {
     const struct ground_field *const field = &ground->fields[output->part];
-    if (output->kind == SAMPLE_F32 || (isfinite(field->lowest) && isfinite(field->highest))) {
+    if (output->type == SAMPLE_F32 || (isfinite(field->lowest) && isfinite(field->highest))) {
         return true;
     }
     cli_error("--out: %s grows with x or y, so 16-bit integers have no scale for it; .r32, .pfm, "

@@ -24,18 +24,18 @@
 #define COLOUR_EXTENSION ".ppm"
 #endif
 
-/* The best kind of samples that both know; 0 if there is none. */
-static enum sample_kind common_kind(const struct layer *layer, const struct format *format)
+/* The best type of samples that both know; 0 if there is none. */
+static enum sample_type common_type(const struct layer *layer, const struct format *format)
 {
-    for (size_t i = 0; layer->kinds[i] != 0; i++) {
-        if ((format->kinds[layer->channels] & layer->kinds[i]) != 0) {
-            return layer->kinds[i];
+    for (size_t i = 0; layer->types[i] != 0; i++) {
+        if ((format->types[layer->channels] & layer->types[i]) != 0) {
+            return layer->types[i];
         }
     }
-    return (enum sample_kind)0;
+    return (enum sample_type)0;
 }
 
-/* Adds a file of which all but the kind of samples is set, and takes `path` for its own. */
+/* Adds a file of which all but the type of samples is set, and takes `path` for its own. */
 static bool add(struct outputs *outputs, const struct output *output)
 {
     const char *const path = output->path;
@@ -55,7 +55,7 @@ static bool add(struct outputs *outputs, const struct output *output)
     }
     struct output *const added = &outputs->list[outputs->count++];
     *added = *output;
-    added->kind = common_kind(output->layer, output->format);
+    added->type = common_type(output->layer, output->format);
     added->path = copy;
     return true;
 }
@@ -67,8 +67,8 @@ static bool add_text(struct outputs *outputs, struct output *output, const char 
     struct wanted wanted = {
         .option = output->option, .content = output->content, .channels = layer->channels};
     const char *path;
-    for (size_t i = 0; layer->kinds[i] != 0; i++) {
-        wanted.kinds |= layer->kinds[i];
+    for (size_t i = 0; layer->types[i] != 0; i++) {
+        wanted.types |= layer->types[i];
     }
     output->format = format_choose(&wanted, text, &path);
     output->path = (char *)path;
@@ -206,7 +206,7 @@ static struct raster make_raster(const struct output *output, const struct surfa
         .width = tile->width * (zoom == 0 ? 1 : 2 * zoom),
         .height = tile->height * (zoom == 0 ? 1 : zoom),
         .channels = output->layer->channels,
-        .kind = output->kind,
+        .type = output->type,
         .x = surface->x0 + (double)tile->column * surface->step,
         .y = surface->y0 + up * surface->step,
         .step = surface->step,

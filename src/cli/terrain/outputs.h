@@ -19,7 +19,7 @@ struct output {
     const char *content; /* a word for what it holds; of a part, its name */
     const char *option;  /* that messages name */
     const struct format *format;
-    enum sample_kind kind;
+    enum sample_type type;
     char *path; /* a pattern, or without the tile's number */
 
     /* Of the tile at hand: */

@@ -253,7 +253,7 @@ static void fill(const struct pipeline *pipeline, size_t band, size_t n, struct 
     for (size_t i = 0; i < pipeline->outputs->count; i++) {
         const struct output *const output = &pipeline->outputs->list[i];
         const size_t pixel =
-            output->layer->channels * sample_bytes(output->kind) * output->writer.raster.times;
+            output->layer->channels * sample_bytes(output->type) * output->writer.raster.times;
         for (size_t r = 0; r < window->rows; r++) {
             uint8_t *const to = pipeline->lanes[i].bytes[band % 2] + (row + r) * output->row_bytes;
             const struct span span = {.window = window,
@@ -261,7 +261,7 @@ static void fill(const struct pipeline *pipeline, size_t band, size_t n, struct 
                                       .count = window->columns,
                                       .width = tile->width,
                                       .part = output->part};
-            output->layer->encode(pipeline->surface, &span, output->kind, to + column * pixel);
+            output->layer->encode(pipeline->surface, &span, output->type, to + column * pixel);
         }
     }
 }

@@ -48,7 +48,7 @@ static void print_scale(FILE *stream, const char *name, float zero, float full)
 
 static bool is_integer(const struct output *output)
 {
-    return output->kind == SAMPLE_U16_LOW || output->kind == SAMPLE_U16_HIGH;
+    return output->type == SAMPLE_U16_LOW || output->type == SAMPLE_U16_HIGH;
 }
 
 /* Without what 0 and 65535 stand for, 16-bit integers are nothing but greys. */

@@ -26,7 +26,7 @@
 static bool choose_format(const struct view_options *options, struct writer *writer)
 {
     static const struct wanted wanted = {
-        .option = "--output", .content = "pictures", .channels = 3, .kinds = SAMPLE_U8};
+        .option = "--output", .content = "pictures", .channels = 3, .types = SAMPLE_U8};
     if (options->output == NULL) {
         cli_error("--output: must be given; see: scarp help view");
         return false;
@@ -35,7 +35,7 @@ static bool choose_format(const struct view_options *options, struct writer *wri
     writer->raster = (struct raster){.width = options->size.width,
                                      .height = options->size.height,
                                      .channels = 3,
-                                     .kind = SAMPLE_U8,
+                                     .type = SAMPLE_U8,
                                      .step = 1.0,
                                      .content = "view",
                                      .times = 1};
