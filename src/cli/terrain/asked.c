@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Makes the list of outputs.
+ * Makes the list of products.
  */
 #include "terrain/asked.h"
 
@@ -48,8 +48,8 @@ bool asked_read(struct asked *asked, const struct option_list *list, struct sour
     return true;
 }
 
-bool asked_outputs(const struct terrain_options *options, const struct asked *asked,
-                   struct outputs *outputs)
+bool asked_products(const struct terrain_options *options, const struct asked *asked,
+                    struct products *products)
 {
     const char *const files[] = {
         [LAYER_HEIGHTS] = options->heights,     [LAYER_NORMALS] = options->normals,
@@ -57,38 +57,38 @@ bool asked_outputs(const struct terrain_options *options, const struct asked *as
         [LAYER_GRADIENT] = options->gradient,   [LAYER_SLOPE] = options->slope,
         [LAYER_CURVATURE] = options->curvature};
     for (size_t i = 0; i < sizeof files / sizeof files[0]; i++) {
-        if (files[i] != NULL && !outputs_add(outputs, &layers[i], files[i])) {
+        if (files[i] != NULL && !products_add(products, &layers[i], files[i])) {
             return false;
         }
     }
     for (size_t i = 0; i < asked->count; i++) {
         const struct asked_field *const field = &asked->fields[i];
-        if (!outputs_add_field(outputs, field->number, field->name, field->file)) {
+        if (!products_add_field(products, field->number, field->name, field->file)) {
             return false;
         }
     }
-    if (options->masks != NULL && !outputs_add_masks(outputs, options->masks)) {
+    if (options->masks != NULL && !products_add_masks(products, options->masks)) {
         return false;
     }
     const char *const stem =
-        options->output == NULL && outputs->count == 0 ? "terrain" : options->output;
+        options->output == NULL && products->count == 0 ? "terrain" : options->output;
     if (stem == NULL && options->compare != 0) {
         cli_error("--compare: needs --output");
         return false;
     }
-    return stem == NULL || outputs_add_stem(outputs, stem, options->compare != 0);
+    return stem == NULL || products_add_stem(products, stem, options->compare != 0);
 }
 
 /* Integers need an interval that they can divide. */
-static bool check_field(const struct output *output, const struct ground *ground)
+static bool check_field(const struct product *product, const struct ground *ground)
 {
-    const struct ground_field *const field = &ground->fields[output->part];
-    if (output->type == SAMPLE_F32 || (isfinite(field->lowest) && isfinite(field->highest))) {
+    const struct ground_field *const field = &ground->fields[product->part];
+    if (product->type == SAMPLE_F32 || (isfinite(field->lowest) && isfinite(field->highest))) {
         return true;
     }
     cli_error("--out: %s grows with x or y, so 16-bit integers have no scale for it; .r32, .pfm, "
               ".img, .tif and .npy hold floats",
-              output->content);
+              product->content);
     return false;
 }
 
@@ -105,12 +105,12 @@ static bool has_curvature(const struct ground *ground)
     return ground_dry_points(ground, 1, &origin, &origin, &out);
 }
 
-static bool check_output(const struct output *output, const struct ground *ground)
+static bool check_product(const struct product *product, const struct ground *ground)
 {
-    if (output->layer == &layers[LAYER_FIELD]) {
-        return check_field(output, ground);
+    if (product->layer == &layers[LAYER_FIELD]) {
+        return check_field(product, ground);
     }
-    if (output->layer == &layers[LAYER_CURVATURE] && !has_curvature(ground)) {
+    if (product->layer == &layers[LAYER_CURVATURE] && !has_curvature(ground)) {
         cli_error("--curvature: the heights have no second derivatives; erosion, swiss, jordan, "
                   "gullies, slopes and distances in cells have none");
         return false;
@@ -118,11 +118,11 @@ static bool check_output(const struct output *output, const struct ground *groun
     return true;
 }
 
-static bool check_system(const struct outputs *outputs, unsigned epsg)
+static bool check_system(const struct products *products, unsigned epsg)
 {
     bool has_place = false;
-    for (size_t i = 0; i < outputs->count && epsg != 0; i++) {
-        const struct format *const format = outputs->list[i].format;
+    for (size_t i = 0; i < products->count && epsg != 0; i++) {
+        const struct format *const format = products->list[i].format;
         has_place |= format == &format_tif || format == &format_img;
         if (format == &format_img && !img_knows(epsg)) {
             cli_error("--crs: headers of .img know zones of UTM alone, EPSG:32601 to 32660 and "
@@ -138,12 +138,12 @@ static bool check_system(const struct outputs *outputs, unsigned epsg)
     return true;
 }
 
-bool asked_check(const struct outputs *outputs, const struct surface *surface)
+bool asked_check(const struct products *products, const struct surface *surface)
 {
-    for (size_t i = 0; i < outputs->count; i++) {
-        if (!check_output(&outputs->list[i], &surface->ground)) {
+    for (size_t i = 0; i < products->count; i++) {
+        if (!check_product(&products->list[i], &surface->ground)) {
             return false;
         }
     }
-    return check_system(outputs, surface->epsg);
+    return check_system(products, surface->epsg);
 }

@@ -11,7 +11,7 @@
 #include "terrain/pipeline.h"
 
 /* Tells why a tile was not written, and returns the exit status of that. */
-static int tell_failure(struct job *job, const struct outputs *outputs, const struct tile *tile,
+static int tell_failure(struct job *job, const struct products *products, const struct tile *tile,
                         enum pipeline_result result)
 {
     progress_end(&job->progress, false);
@@ -24,21 +24,21 @@ static int tell_failure(struct job *job, const struct outputs *outputs, const st
         cli_error("no memory for rows of %zu samples", tile->width);
         return CLI_FAILURE;
     }
-    const struct output *output = outputs->list;
-    while (!output->failed) {
-        output++;
+    const struct product *product = products->list;
+    while (!product->failed) {
+        product++;
     }
-    output_error(output);
+    product_error(product);
     /* A file that cannot be had is the command line's fault, a reader that has gone is not. */
-    return result == PIPELINE_NOT_OPENED && output->reason != EPIPE && job->written == 0
+    return result == PIPELINE_NOT_OPENED && product->reason != EPIPE && job->written == 0
                ? CLI_USAGE
                : CLI_FAILURE;
 }
 
 /* Before files have their names: no file of a run that is killed is without its checksum. */
-static bool keep_sums(struct job *job, struct outputs *outputs)
+static bool keep_sums(struct job *job, struct products *products)
 {
-    const bool kept = job->manifest.file == NULL || sums_keep(&job->sums, outputs);
+    const bool kept = job->manifest.file == NULL || sums_keep(&job->sums, products);
     job->sums_reason = kept ? 0 : errno;
     return kept;
 }
@@ -46,10 +46,10 @@ static bool keep_sums(struct job *job, struct outputs *outputs)
 static void finish(void *context)
 {
     struct job *const job = context;
-    struct outputs *const outputs = &job->outputs[1 - job->turn];
-    const bool is_complete = outputs_complete(outputs) && keep_sums(job, outputs);
+    struct products *const products = &job->products[1 - job->turn];
+    const bool is_complete = products_complete(products) && keep_sums(job, products);
     job->is_orphan = is_complete && !manifest_is_there(&job->manifest);
-    job->is_finished = is_complete && !job->is_orphan && outputs_publish(outputs);
+    job->is_finished = is_complete && !job->is_orphan && products_publish(products);
 }
 
 /* No tile takes its name beside the manifest of another world, for which it would be taken. */
@@ -57,7 +57,7 @@ static int finish_orphan(struct job *job)
 {
     progress_end(&job->progress, false);
     const int status = manifest_open_again(&job->manifest);
-    job->is_finished = status == CLI_SUCCESS && outputs_publish(&job->outputs[1 - job->turn]);
+    job->is_finished = status == CLI_SUCCESS && products_publish(&job->products[1 - job->turn]);
     return status;
 }
 
@@ -65,7 +65,7 @@ static int finish_orphan(struct job *job)
    only signals end, so they do not go aside. */
 static void start_finishing(struct job *job, const struct tile *tile)
 {
-    const bool waits = outputs_wait(&job->outputs[job->turn]);
+    const bool waits = products_wait(&job->products[job->turn]);
     job->last = *tile;
     job->is_finishing = true;
     job->turn = 1 - job->turn;
@@ -91,7 +91,7 @@ static int end_finishing(struct job *job)
     }
     crew_wait_aside(job->crew);
     job->is_finishing = false;
-    struct outputs *const outputs = &job->outputs[1 - job->turn];
+    struct products *const products = &job->products[1 - job->turn];
     int status = job->is_orphan ? finish_orphan(job) : CLI_SUCCESS;
     if (job->is_finished) {
         job->written++;
@@ -100,22 +100,22 @@ static int end_finishing(struct job *job)
         if (status == CLI_SUCCESS) {
             status = job->sums_reason != 0 && !interrupted()
                          ? tell_sums(job)
-                         : tell_failure(job, outputs, &job->last, PIPELINE_FAILED);
+                         : tell_failure(job, products, &job->last, PIPELINE_FAILED);
         }
         /* The tile at hand may lie in directories that were made for this one. */
-        outputs_discard(&job->outputs[job->turn]);
+        products_discard(&job->products[job->turn]);
     }
-    outputs_discard(outputs);
+    products_discard(products);
     manifest_release(&job->manifest, job->last.number);
     return status;
 }
 
 static int write_tile(struct job *job, const struct tile *tile)
 {
-    struct outputs *const outputs = &job->outputs[job->turn];
+    struct products *const products = &job->products[job->turn];
     const enum pipeline_result result =
-        outputs_open(outputs, job->manifest.file)
-            ? pipeline_run(&job->level, tile, outputs, job->crew, &job->progress)
+        products_open(products, job->manifest.file)
+            ? pipeline_run(&job->level, tile, products, job->crew, &job->progress)
             : PIPELINE_NOT_OPENED;
     int status = end_finishing(job);
     if (status == CLI_SUCCESS && result == PIPELINE_DONE) {
@@ -123,9 +123,9 @@ static int write_tile(struct job *job, const struct tile *tile)
         return CLI_SUCCESS;
     }
     if (status == CLI_SUCCESS) {
-        status = tell_failure(job, outputs, tile, result);
+        status = tell_failure(job, products, tile, result);
     }
-    outputs_discard(outputs);
+    products_discard(products);
     return status;
 }
 
@@ -134,9 +134,9 @@ enum tile_state { TILE_MISSING, TILE_THERE, TILE_BUSY };
 /* Claims the tile, unless it need not be written. */
 static enum tile_state claim(const struct job *job, const struct tile *tile)
 {
-    const struct outputs *const outputs = &job->outputs[job->turn];
+    const struct products *const products = &job->products[job->turn];
     const bool resume = job->options->resume != 0;
-    if (resume && outputs_are_there(outputs, job->manifest.time)) {
+    if (resume && products_are_there(products, job->manifest.time)) {
         return TILE_THERE;
     }
     const bool claimed = manifest_claim(&job->manifest, tile->number);
@@ -147,7 +147,7 @@ static enum tile_state claim(const struct job *job, const struct tile *tile)
         return TILE_BUSY;
     }
     /* Another run may have finished it just before the claim. */
-    if (outputs_are_there(outputs, job->manifest.time)) {
+    if (products_are_there(products, job->manifest.time)) {
         manifest_release(&job->manifest, tile->number);
         return TILE_THERE;
     }
@@ -168,8 +168,8 @@ const struct surface *job_level(struct job *job, unsigned level)
 static int visit_tile(struct job *job, size_t n)
 {
     const struct tile tile = tiling_at(&job->tiling, n);
-    struct outputs *const outputs = &job->outputs[job->turn];
-    if (!outputs_begin(outputs, job_level(job, tile.level), &tile)) {
+    struct products *const products = &job->products[job->turn];
+    if (!products_begin(products, job_level(job, tile.level), &tile)) {
         return CLI_FAILURE;
     }
     const enum tile_state state = claim(job, &tile);
@@ -177,7 +177,7 @@ static int visit_tile(struct job *job, size_t n)
         return write_tile(job, &tile);
     }
     job->busy += state == TILE_BUSY ? 1 : 0;
-    outputs_sweep(outputs);
+    products_sweep(products);
     progress_skip(&job->progress, tile.height);
     return CLI_SUCCESS;
 }

@@ -16,7 +16,7 @@
 #include "shared/progress.h"
 #include "terrain/asked.h"
 #include "terrain/manifest.h"
-#include "terrain/outputs.h"
+#include "terrain/products.h"
 #include "terrain/sums.h"
 #include "terrain/terrain_options.h"
 #include "terrain/tiling.h"
@@ -25,10 +25,10 @@ struct job {
     /* Set before: */
     const struct terrain_options *options;
     const struct source *source;
-    struct surface surface;    /* level 0, with all octaves */
-    struct palette palette;    /* of the relief */
-    struct asked asked;        /* outputs of the recipe */
-    struct outputs outputs[2]; /* the same ones: of the tile at hand, and of the one before */
+    struct surface surface;      /* level 0, with all octaves */
+    struct palette palette;      /* of the relief */
+    struct asked asked;          /* outputs of the recipe */
+    struct products products[2]; /* the same ones: of the tile at hand, and of the one before */
     struct tiling tiling;
     struct manifest manifest;
     struct sums sums; /* beside the manifest */
@@ -44,7 +44,7 @@ struct job {
     struct surface level; /* the one of the tile at hand */
     unsigned level_number;
     bool has_level;
-    size_t turn; /* which outputs are those of the tile at hand */
+    size_t turn; /* which products are those of the tile at hand */
     struct tile last;
     bool is_finishing; /* the tile `last` */
     bool is_finished;  /* whether that succeeded; known when it no longer goes on */

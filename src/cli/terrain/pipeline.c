@@ -25,7 +25,7 @@
 #define MIN_ROWS 16 /* of a band: what is computed once per column of a window pays then */
 #define WINDOW_ROWS 64
 
-/* The way of an output: its bands, by turns those with even and those with odd numbers */
+/* The way of a product: its bands, by turns those with even and those with odd numbers */
 struct lane {
     uint8_t *memory[2];
     uint8_t *bytes[2];             /* in there, after the row above the band */
@@ -40,20 +40,20 @@ struct lane {
 /* What a thread needs */
 struct scratch {
     struct window window;
-    void *packers[OUTPUTS_MAX]; /* one for each packing, where the first lane is that has it */
+    void *packers[PRODUCTS_MAX]; /* one for each packing, where the first lane is that has it */
 };
 
 struct pipeline {
     const struct surface *surface;
     const struct tile *tile;
-    struct outputs *outputs;
+    struct products *products;
     struct crew *crew;
     struct progress *progress;
 
     size_t bands, rows;                          /* of a band; the last one may have fewer */
     size_t windows, window_columns, window_rows; /* of a band; the last ones may be smaller */
     size_t parts;                                /* of a band, in all lanes */
-    struct lane lanes[OUTPUTS_MAX];              /* by output */
+    struct lane lanes[PRODUCTS_MAX];             /* by product */
     size_t lag;                                  /* rounds after which a band is in all files */
     size_t threads;                              /* at most */
     struct scratch *scratch;                     /* one per thread */
@@ -67,23 +67,23 @@ static size_t quotient_up(size_t a, size_t b)
     return (a + b - 1) / b;
 }
 
-/* Finds out which outputs are packed, and in which parts. Returns of how many rows the bands must
+/* Finds out which products are packed, and in which parts. Returns of how many rows the bands must
    have a multiple, so that a file has the same parts whichever others are made with it. */
 static size_t choose_parts(struct pipeline *pipeline)
 {
     size_t unit = 1; /* part_rows are powers of two: the largest is a multiple of the others */
     pipeline->lag = 1;
-    for (size_t i = 0; i < pipeline->outputs->count; i++) {
-        const struct output *const output = &pipeline->outputs->list[i];
+    for (size_t i = 0; i < pipeline->products->count; i++) {
+        const struct product *const product = &pipeline->products->list[i];
         struct lane *const lane = &pipeline->lanes[i];
-        lane->packing = output->format->packing;
+        lane->packing = product->format->packing;
         if (lane->packing == NULL) {
             continue;
         }
         while (pipeline->lanes[lane->packer].packing != lane->packing) {
             lane->packer++;
         }
-        lane->way = parts_of(lane->packing, &output->writer.raster);
+        lane->way = parts_of(lane->packing, &product->writer.raster);
         unit = unit < lane->way.rows ? lane->way.rows : unit;
         pipeline->lag = 2;
     }
@@ -94,9 +94,9 @@ static size_t choose_parts(struct pipeline *pipeline)
 static size_t bytes_of_row(const struct pipeline *pipeline)
 {
     size_t bytes = 0;
-    for (size_t i = 0; i < pipeline->outputs->count; i++) {
+    for (size_t i = 0; i < pipeline->products->count; i++) {
         const struct lane *const lane = &pipeline->lanes[i];
-        bytes += pipeline->outputs->list[i].row_bytes;
+        bytes += pipeline->products->list[i].row_bytes;
         bytes += lane->packing != NULL ? lane->way.room * lane->way.across / lane->way.rows : 0;
     }
     return bytes;
@@ -119,7 +119,7 @@ static void divide(struct pipeline *pipeline)
     pipeline->window_columns = smaller(WINDOW_SAMPLES / pipeline->window_rows, tile->width);
     pipeline->windows = quotient_up(tile->width, pipeline->window_columns) *
                         quotient_up(pipeline->rows, pipeline->window_rows);
-    for (size_t i = 0; i < pipeline->outputs->count; i++) {
+    for (size_t i = 0; i < pipeline->products->count; i++) {
         struct lane *const lane = &pipeline->lanes[i];
         lane->parts = lane->packing != NULL ? parts_count(&lane->way, pipeline->rows) : 0;
         pipeline->parts += lane->parts;
@@ -132,7 +132,7 @@ static void divide(struct pipeline *pipeline)
 static bool open_lane(struct pipeline *pipeline, size_t i)
 {
     struct lane *const lane = &pipeline->lanes[i];
-    const size_t row = pipeline->outputs->list[i].row_bytes;
+    const size_t row = pipeline->products->list[i].row_bytes;
     for (size_t turn = 0; turn < 2; turn++) {
         lane->memory[turn] = malloc((1 + pipeline->rows) * row);
         if (lane->memory[turn] == NULL) {
@@ -165,7 +165,7 @@ static void close_lane(struct lane *lane)
 
 static void close_scratch(const struct pipeline *pipeline, struct scratch *scratch)
 {
-    for (size_t i = 0; i < pipeline->outputs->count; i++) {
+    for (size_t i = 0; i < pipeline->products->count; i++) {
         if (scratch->packers[i] != NULL) {
             pipeline->lanes[i].packing->close(scratch->packers[i]);
         }
@@ -176,8 +176,8 @@ static void close_scratch(const struct pipeline *pipeline, struct scratch *scrat
 static bool open_scratch(const struct pipeline *pipeline, struct scratch *scratch)
 {
     bool is_open =
-        window_open(&scratch->window, pipeline->surface, outputs_needs(pipeline->outputs));
-    for (size_t i = 0; i < pipeline->outputs->count && is_open; i++) {
+        window_open(&scratch->window, pipeline->surface, products_needs(pipeline->products));
+    for (size_t i = 0; i < pipeline->products->count && is_open; i++) {
         const struct lane *const lane = &pipeline->lanes[i];
         if (lane->packing != NULL && lane->packer == i) {
             scratch->packers[i] = lane->packing->open();
@@ -206,7 +206,7 @@ static bool open_threads(struct pipeline *pipeline)
 static bool open_pipeline(struct pipeline *pipeline)
 {
     divide(pipeline);
-    for (size_t i = 0; i < pipeline->outputs->count; i++) {
+    for (size_t i = 0; i < pipeline->products->count; i++) {
         if (!open_lane(pipeline, i)) {
             pipeline->threads = 0;
             return false;
@@ -221,7 +221,7 @@ static void close_pipeline(struct pipeline *pipeline)
         close_scratch(pipeline, &pipeline->scratch[i]);
     }
     free(pipeline->scratch);
-    for (size_t i = 0; i < pipeline->outputs->count; i++) {
+    for (size_t i = 0; i < pipeline->products->count; i++) {
         close_lane(&pipeline->lanes[i]);
     }
 }
@@ -250,18 +250,18 @@ static void fill(const struct pipeline *pipeline, size_t band, size_t n, struct 
     if (window->differences_x != NULL) {
         compare_sample(pipeline->surface, window);
     }
-    for (size_t i = 0; i < pipeline->outputs->count; i++) {
-        const struct output *const output = &pipeline->outputs->list[i];
+    for (size_t i = 0; i < pipeline->products->count; i++) {
+        const struct product *const product = &pipeline->products->list[i];
         const size_t pixel =
-            output->layer->channels * sample_bytes(output->type) * output->writer.raster.times;
+            product->layer->channels * sample_bytes(product->type) * product->writer.raster.times;
         for (size_t r = 0; r < window->rows; r++) {
-            uint8_t *const to = pipeline->lanes[i].bytes[band % 2] + (row + r) * output->row_bytes;
+            uint8_t *const to = pipeline->lanes[i].bytes[band % 2] + (row + r) * product->row_bytes;
             const struct span span = {.window = window,
                                       .first = r * window->columns,
                                       .count = window->columns,
                                       .width = tile->width,
-                                      .part = output->part};
-            output->layer->encode(pipeline->surface, &span, output->type, to + column * pixel);
+                                      .part = product->part};
+            product->layer->encode(pipeline->surface, &span, product->type, to + column * pixel);
         }
     }
 }
@@ -275,30 +275,30 @@ static void pack(const struct pipeline *pipeline, size_t band, size_t n,
         n -= pipeline->lanes[i].parts;
     }
     const struct lane *const lane = &pipeline->lanes[i];
-    const struct output *const output = &pipeline->outputs->list[i];
+    const struct product *const product = &pipeline->products->list[i];
     if (n >= parts_count(&lane->way, rows_of_band(pipeline, band))) {
         return; /* the last band is lower */
     }
     struct part *const part = &lane->part[band % 2][n];
-    *part = parts_at(&lane->way, &output->writer.raster, lane->bytes[band % 2],
+    *part = parts_at(&lane->way, &product->writer.raster, lane->bytes[band % 2],
                      band * pipeline->rows, n);
     part->bytes = lane->packed[band % 2] + n * lane->way.room;
-    lane->packing->pack(scratch->packers[lane->packer], &output->writer.raster, part);
+    lane->packing->pack(scratch->packers[lane->packer], &product->writer.raster, part);
 }
 
 /* Writes a band of one file, of samples. */
 static bool write_samples(const struct pipeline *pipeline, size_t band, size_t i)
 {
-    struct output *const output = &pipeline->outputs->list[i];
+    struct product *const product = &pipeline->products->list[i];
     const uint8_t *const bytes = pipeline->lanes[i].bytes[band % 2];
     const size_t first = band * pipeline->rows, rows = rows_of_band(pipeline, band);
-    const size_t times = output->writer.raster.times;
+    const size_t times = product->writer.raster.times;
     bool written = true;
     if (times == 1) {
-        return writer_write(&output->writer, bytes, first, rows);
+        return writer_write(&product->writer, bytes, first, rows);
     }
     for (size_t n = 0; n < rows * times && written; n++) {
-        written = writer_write(&output->writer, bytes + n / times * output->row_bytes,
+        written = writer_write(&product->writer, bytes + n / times * product->row_bytes,
                                first * times + n, 1);
     }
     return written;
@@ -306,12 +306,12 @@ static bool write_samples(const struct pipeline *pipeline, size_t band, size_t i
 
 static bool write_parts(const struct pipeline *pipeline, size_t band, size_t i)
 {
-    struct output *const output = &pipeline->outputs->list[i];
+    struct product *const product = &pipeline->products->list[i];
     const struct lane *const lane = &pipeline->lanes[i];
     const size_t parts = parts_count(&lane->way, rows_of_band(pipeline, band));
     bool written = true;
     for (size_t n = 0; n < parts && written; n++) {
-        written = writer_write_part(&output->writer, &lane->part[band % 2][n]);
+        written = writer_write_part(&product->writer, &lane->part[band % 2][n]);
     }
     return written;
 }
@@ -319,7 +319,7 @@ static bool write_parts(const struct pipeline *pipeline, size_t band, size_t i)
 /* Writes the band of one file that is ready for it in this round. */
 static void drain(const struct pipeline *pipeline, size_t i)
 {
-    struct output *const output = &pipeline->outputs->list[i];
+    struct product *const product = &pipeline->products->list[i];
     const bool packs = pipeline->lanes[i].packing != NULL;
     const size_t lag = packs ? 2 : 1;
     const size_t band = pipeline->round - lag;
@@ -327,8 +327,8 @@ static void drain(const struct pipeline *pipeline, size_t i)
         return;
     }
     errno = 0;
-    output->failed = packs ? !write_parts(pipeline, band, i) : !write_samples(pipeline, band, i);
-    output->reason = errno;
+    product->failed = packs ? !write_parts(pipeline, band, i) : !write_samples(pipeline, band, i);
+    product->reason = errno;
 }
 
 /* What happened in a round */
@@ -337,8 +337,8 @@ static enum pipeline_result look(const struct pipeline *pipeline)
     if (interrupted()) {
         return PIPELINE_INTERRUPTED;
     }
-    for (size_t i = 0; i < pipeline->outputs->count; i++) {
-        if (pipeline->outputs->list[i].failed) {
+    for (size_t i = 0; i < pipeline->products->count; i++) {
+        if (pipeline->products->list[i].failed) {
             return PIPELINE_FAILED;
         }
     }
@@ -349,9 +349,9 @@ static enum pipeline_result look(const struct pipeline *pipeline)
    first is filled again while the other is packed. */
 static void keep_last_rows(const struct pipeline *pipeline)
 {
-    for (size_t i = 0; i < pipeline->outputs->count; i++) {
+    for (size_t i = 0; i < pipeline->products->count; i++) {
         const struct lane *const lane = &pipeline->lanes[i];
-        const size_t row = pipeline->outputs->list[i].row_bytes;
+        const size_t row = pipeline->products->list[i].row_bytes;
         const uint8_t *const last = lane->bytes[pipeline->round % 2] + (pipeline->rows - 1) * row;
         if (lane->packing != NULL) {
             memcpy(lane->memory[1 - pipeline->round % 2], last, row);
@@ -375,13 +375,13 @@ static void end_round(void *context)
 
 static bool waits(const struct pipeline *pipeline, size_t i)
 {
-    return pipeline->outputs->list[i].writer.file.waits;
+    return pipeline->products->list[i].writer.file.waits;
 }
 
 /* Runs a task of the round. The first ones write, which keeps others waiting if it comes last. */
 static void do_task(const struct pipeline *pipeline, size_t n, struct scratch *scratch)
 {
-    const size_t count = pipeline->outputs->count, round = pipeline->round;
+    const size_t count = pipeline->products->count, round = pipeline->round;
     if (n < count) {
         if (!waits(pipeline, n)) {
             drain(pipeline, n);
@@ -403,10 +403,10 @@ static void do_task(const struct pipeline *pipeline, size_t n, struct scratch *s
 static void work(void *context, size_t number)
 {
     struct pipeline *const pipeline = context;
-    const size_t tasks = pipeline->outputs->count + pipeline->parts + pipeline->windows;
+    const size_t tasks = pipeline->products->count + pipeline->parts + pipeline->windows;
     const size_t rounds = pipeline->bands + pipeline->lag;
     while (pipeline->round < rounds && pipeline->result == PIPELINE_DONE) {
-        for (size_t i = 0; number == 0 && i < pipeline->outputs->count; i++) {
+        for (size_t i = 0; number == 0 && i < pipeline->products->count; i++) {
             if (waits(pipeline, i)) {
                 drain(pipeline, i);
             }
@@ -419,12 +419,12 @@ static void work(void *context, size_t number)
 }
 
 enum pipeline_result pipeline_run(const struct surface *surface, const struct tile *tile,
-                                  struct outputs *outputs, struct crew *crew,
+                                  struct products *products, struct crew *crew,
                                   struct progress *progress)
 {
     struct pipeline pipeline = {.surface = surface,
                                 .tile = tile,
-                                .outputs = outputs,
+                                .products = products,
                                 .crew = crew,
                                 .progress = progress,
                                 .result = PIPELINE_NO_MEMORY};

@@ -9,7 +9,7 @@
 #include "raster/surface.h"
 #include "shared/crew.h"
 #include "shared/progress.h"
-#include "terrain/outputs.h"
+#include "terrain/products.h"
 
 enum pipeline_result {
     PIPELINE_DONE,
@@ -21,7 +21,7 @@ enum pipeline_result {
 
 /* Nothing of the files depends on the crew. */
 enum pipeline_result pipeline_run(const struct surface *surface, const struct tile *tile,
-                                  struct outputs *outputs, struct crew *crew,
+                                  struct products *products, struct crew *crew,
                                   struct progress *progress);
 
 #endif

@@ -56,15 +56,15 @@ static bool add_line(const struct sums *sums, const char *now, const char *path,
     return true;
 }
 
-static bool add_lines(const struct sums *sums, const struct outputs *outputs, struct text *text)
+static bool add_lines(const struct sums *sums, const struct products *products, struct text *text)
 {
-    for (size_t i = 0; i < outputs->count; i++) {
-        const struct output *const output = &outputs->list[i];
-        const struct writer *const writer = &output->writer;
+    for (size_t i = 0; i < products->count; i++) {
+        const struct product *const product = &products->list[i];
+        const struct writer *const writer = &product->writer;
         char *const beside =
-            output->format->beside != NULL ? output->format->beside(output->tile_path) : NULL;
+            product->format->beside != NULL ? product->format->beside(product->tile_path) : NULL;
         const bool added =
-            add_line(sums, writer->file.unfinished, output->tile_path, text) &&
+            add_line(sums, writer->file.unfinished, product->tile_path, text) &&
             (beside == NULL || add_line(sums, writer->header.unfinished, beside, text));
         free(beside);
         if (!added) {
@@ -132,12 +132,12 @@ static bool append(struct sums *sums, const struct text *text)
     return is_written && is_closed;
 }
 
-bool sums_keep(struct sums *sums, const struct outputs *outputs)
+bool sums_keep(struct sums *sums, const struct products *products)
 {
     struct text text = {0};
     errno = 0;
     const bool kept =
-        add_lines(sums, outputs, &text) && (text.bytes == NULL || append(sums, &text));
+        add_lines(sums, products, &text) && (text.bytes == NULL || append(sums, &text));
     const int reason = errno;
     free(text.bytes);
     errno = reason;

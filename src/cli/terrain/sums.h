@@ -12,7 +12,7 @@
 #include <stdint.h>
 
 #include "shared/options.h"
-#include "terrain/outputs.h"
+#include "terrain/products.h"
 
 /* Where a run keeps its checksums. Zero-initialise; close. */
 struct sums {
@@ -26,7 +26,7 @@ bool sums_open(struct sums *sums, const char *manifest, struct option_share shar
 
 /* Reads the files of a tile, which are complete and have not yet their names, and adds their lines.
    Returns false, with errno, if that failed. */
-bool sums_keep(struct sums *sums, const struct outputs *outputs);
+bool sums_keep(struct sums *sums, const struct products *products);
 
 /* Frees the path, and removes the file if this run made it, unless `keep`. */
 void sums_close(struct sums *sums, bool keep);

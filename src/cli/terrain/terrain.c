@@ -2,7 +2,7 @@
  *
  * `scarp terrain`: from the options to the run, and the closing line. The options are in
  * terrain_options.c, which files they ask for in asked.c, tiles in job.c, samples in surface.c,
- * their bytes in layers.c, files in outputs.c, and what fills them in pipeline.c.
+ * their bytes in layers.c, files in products.c, and what fills them in pipeline.c.
  */
 #include "terrain/terrain.h"
 
@@ -46,26 +46,26 @@ static void print_scale(FILE *stream, const char *name, float zero, float full)
             (double)(full + 0.0f));
 }
 
-static bool is_integer(const struct output *output)
+static bool is_integer(const struct product *product)
 {
-    return output->type == SAMPLE_U16_LOW || output->type == SAMPLE_U16_HIGH;
+    return product->type == SAMPLE_U16_LOW || product->type == SAMPLE_U16_HIGH;
 }
 
 /* Without what 0 and 65535 stand for, 16-bit integers are nothing but greys. */
 static void print_scales(const struct job *job, FILE *stream)
 {
-    const struct outputs *const outputs = &job->outputs[0];
+    const struct products *const products = &job->products[0];
     const struct ground *const ground = &job->surface.ground;
     bool are_heights = false;
-    for (size_t i = 0; i < outputs->count; i++) {
-        const struct output *const output = &outputs->list[i];
-        const struct ground_field *const field = &ground->fields[output->part];
-        if (!is_integer(output)) {
+    for (size_t i = 0; i < products->count; i++) {
+        const struct product *const product = &products->list[i];
+        const struct ground_field *const field = &ground->fields[product->part];
+        if (!is_integer(product)) {
             continue;
         }
-        if (output->layer == &layers[LAYER_FIELD]) {
-            print_scale(stream, output->content, field->lowest, field->highest);
-        } else if (output->layer == &layers[LAYER_SLOPE]) {
+        if (product->layer == &layers[LAYER_FIELD]) {
+            print_scale(stream, product->content, field->lowest, field->highest);
+        } else if (product->layer == &layers[LAYER_SLOPE]) {
             print_scale(stream, "slope", 0.0f, 90.0f);
         } else if (!are_heights) {
             print_scale(stream, "heights", ground->floor, ground->highest);
@@ -92,7 +92,7 @@ static void print_period(const struct job *job, FILE *stream)
 static void print_summary(const struct job *job, double duration)
 {
     /* A device may be standard output by another name. */
-    FILE *const stream = outputs_are_files(&job->outputs[0]) ? stdout : stderr;
+    FILE *const stream = products_are_files(&job->products[0]) ? stdout : stderr;
     print_scales(job, stream);
     print_period(job, stream);
     if (job->busy > 0) {
@@ -126,7 +126,7 @@ static void print_summary(const struct job *job, double duration)
 /* Whether other runs may have to do with the same files: then they must be of one world. */
 static bool needs_manifest(const struct job *job)
 {
-    return job->tiling.numbered || (job->options->resume && outputs_are_files(&job->outputs[0]));
+    return job->tiling.numbered || (job->options->resume && products_are_files(&job->products[0]));
 }
 
 static bool make_relief(struct job *job)
@@ -139,7 +139,7 @@ static bool make_relief(struct job *job)
         cli_error("--masks: a --palette of a FILE has colours, and no rock, snow, sand and water");
         return false;
     }
-    if ((outputs_needs(&job->outputs[0]) & SURFACE_BED) != 0) {
+    if ((products_needs(&job->products[0]) & SURFACE_BED) != 0) {
         surface_set_relief(&job->surface, &job->palette);
     }
     return true;
@@ -164,10 +164,10 @@ static int prepare(struct job *job)
         return CLI_FAILURE;
     }
     if (!make_surface(options, job->source, &job->surface) ||
-        !asked_outputs(options, &job->asked, &job->outputs[0]) ||
-        !asked_outputs(options, &job->asked, &job->outputs[1]) ||
-        !asked_check(&job->outputs[0], &job->surface) || !make_relief(job) ||
-        !tiling_make(options, &job->tiling) || !outputs_check(&job->outputs[0], &job->tiling)) {
+        !asked_products(options, &job->asked, &job->products[0]) ||
+        !asked_products(options, &job->asked, &job->products[1]) ||
+        !asked_check(&job->products[0], &job->surface) || !make_relief(job) ||
+        !tiling_make(options, &job->tiling) || !products_check(&job->products[0], &job->tiling)) {
         return CLI_USAGE;
     }
     if (options->verify && !needs_manifest(job)) {
@@ -203,8 +203,8 @@ static int run(const struct terrain_options *options, struct source *source)
     }
     sums_close(&job.sums, job.written > 0);
     manifest_close(&job.manifest, status == CLI_SUCCESS || job.written > 0);
-    outputs_free(&job.outputs[0]);
-    outputs_free(&job.outputs[1]);
+    products_free(&job.products[0]);
+    products_free(&job.products[1]);
     palette_free(&job.palette);
     crew_close(job.crew);
     return status;

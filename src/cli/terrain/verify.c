@@ -72,19 +72,19 @@ static bool look_at(struct verification *to, const char *path)
 static bool look_at_tile(struct verification *to, const struct tile *tile)
 {
     struct job *const job = to->job;
-    struct outputs *const outputs = &job->outputs[0];
-    if (!outputs_begin(outputs, job_level(job, tile->level), tile)) {
+    struct products *const products = &job->products[0];
+    if (!products_begin(products, job_level(job, tile->level), tile)) {
         return false;
     }
-    for (size_t i = 0; i < outputs->count; i++) {
-        const struct output *const output = &outputs->list[i];
+    for (size_t i = 0; i < products->count; i++) {
+        const struct product *const product = &products->list[i];
         char *const beside =
-            output->format->beside != NULL ? output->format->beside(output->tile_path) : NULL;
+            product->format->beside != NULL ? product->format->beside(product->tile_path) : NULL;
         const bool is_done =
-            look_at(to, output->tile_path) && (beside == NULL || look_at(to, beside));
+            look_at(to, product->tile_path) && (beside == NULL || look_at(to, beside));
         free(beside);
         if (!is_done) {
-            cli_error("%s: no memory", output->option);
+            cli_error("%s: no memory", product->option);
             return false;
         }
     }

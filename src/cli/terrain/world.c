@@ -14,20 +14,20 @@
 #include "shared/text.h"
 #include "terrain/pattern.h"
 
-/* The files of an output: their pattern as seen from the manifest, after the format and a colon
+/* The files of a product: their pattern as seen from the manifest, after the format and a colon
    where the extension does not tell it. False without memory. */
-static bool add_files(const struct output *output, bool numbered, const char *manifest,
+static bool add_files(const struct product *product, bool numbered, const char *manifest,
                       struct text *text)
 {
-    const char *const extension = path_extension(output->path);
-    const bool told = *extension == '.' && strcmp(extension + 1, output->format->name) == 0;
-    const bool named = output->layer == &layers[LAYER_FIELD];
-    char *const pattern = pattern_of(output->path, numbered);
+    const char *const extension = path_extension(product->path);
+    const bool told = *extension == '.' && strcmp(extension + 1, product->format->name) == 0;
+    const bool named = product->layer == &layers[LAYER_FIELD];
+    char *const pattern = pattern_of(product->path, numbered);
     char *const relative = pattern != NULL ? path_relative(pattern, manifest) : NULL;
     char *const whole =
         relative != NULL
-            ? text_join((const char *const[]){named ? output->content : "", named ? "=" : "",
-                                              told ? "" : output->format->name, told ? "" : ":",
+            ? text_join((const char *const[]){named ? product->content : "", named ? "=" : "",
+                                              told ? "" : product->format->name, told ? "" : ":",
                                               relative, NULL})
             : NULL;
     if (whole != NULL) {
@@ -40,18 +40,18 @@ static bool add_files(const struct output *output, bool numbered, const char *ma
 }
 
 /* The files of --out, sorted by the names of the outputs; an output may have several. */
-static bool add_fields(const struct outputs *outputs, bool numbered, const char *manifest,
+static bool add_fields(const struct products *products, bool numbered, const char *manifest,
                        struct text *text)
 {
     bool is_first = true;
     text_add(text, "  \"out\": [");
-    for (size_t i = 0; i < outputs->count; i++) {
-        const struct output *const output = &outputs->list[i];
-        if (output->layer != &layers[LAYER_FIELD]) {
+    for (size_t i = 0; i < products->count; i++) {
+        const struct product *const product = &products->list[i];
+        if (product->layer != &layers[LAYER_FIELD]) {
             continue;
         }
         text_add(text, "%s", is_first ? "" : ", ");
-        if (!add_files(output, numbered, manifest, text)) {
+        if (!add_files(product, numbered, manifest, text)) {
             return false;
         }
         is_first = false;
@@ -61,7 +61,7 @@ static bool add_fields(const struct outputs *outputs, bool numbered, const char 
 }
 
 /* Of the files of --output and --masks the first one says what the others are called. */
-static bool add_all_files(const struct outputs *outputs, bool numbered, const char *manifest,
+static bool add_all_files(const struct products *products, bool numbered, const char *manifest,
                           struct text *text)
 {
     static const char *const options[] = {"--heights",  "--normals", "--hillshade", "--relief",
@@ -69,18 +69,18 @@ static bool add_all_files(const struct outputs *outputs, bool numbered, const ch
                                           "--output",   NULL};
     for (const char *const *option = options; *option != NULL; option++) {
         size_t i = 0;
-        while (i < outputs->count && strcmp(outputs->list[i].option, *option) != 0) {
+        while (i < products->count && strcmp(products->list[i].option, *option) != 0) {
             i++;
         }
         text_add(text, "  \"%s\": ", *option + 2);
-        if (i == outputs->count) {
+        if (i == products->count) {
             text_add(text, "null");
-        } else if (!add_files(&outputs->list[i], numbered, manifest, text)) {
+        } else if (!add_files(&products->list[i], numbered, manifest, text)) {
             return false;
         }
         text_add(text, ",\n");
     }
-    return add_fields(outputs, numbered, manifest, text);
+    return add_fields(products, numbered, manifest, text);
 }
 
 /* What the relief depends on beside the ground and the light */
@@ -118,8 +118,8 @@ static void add_derived(const struct job *job, struct text *text)
 
 int world_open(struct job *job)
 {
-    const struct outputs *const outputs = &job->outputs[0];
-    const struct output *const first = &outputs->list[0];
+    const struct products *const products = &job->products[0];
+    const struct product *const first = &products->list[0];
     struct manifest *const manifest = &job->manifest;
     struct text text = {0};
     char *const path = pattern_manifest(first->path);
@@ -129,7 +129,7 @@ int world_open(struct job *job)
     options_describe(&terrain_table, job->options, &text);
     source_describe(job->source, &text);
     int status = CLI_FAILURE;
-    if (path != NULL && add_all_files(outputs, job->tiling.numbered, path, &text)) {
+    if (path != NULL && add_all_files(products, job->tiling.numbered, path, &text)) {
         add_palette(&job->surface.relief, &text);
         add_derived(job, &text);
         text_add(&text, "}\n");
