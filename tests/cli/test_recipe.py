@@ -213,7 +213,7 @@ class Recipes(Case):
     def test_sheet(self):
         """A sheet varies parameters."""
         self.write(RECIPE)
-        words = ["--recipe", "r.recipe", "--cell", "40x30", "--samples", "1", "--quiet"]
+        words = ["--recipe", "r.recipe", "--panel", "40x30", "--samples", "1", "--quiet"]
         for sheet in ("height=50..200/3", "seed=1..2,height=20|90", "sea=-9..9/2",
                       "seed=-1..1", "seed=-1000000001..-1000000000"):
             result = run("sheet", *words, "--sheet", sheet, "--output", "s.ppm",

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""scarp sheet: cells are what scarp terrain makes, in their order, and labelled."""
+"""scarp sheet: panels are what scarp terrain makes, in their order, and labelled."""
 import math
 import os
 import re
@@ -10,7 +10,7 @@ from common import ROOT, Case, has_png, has_threads, run, start
 from rasters import read_picture
 
 GROUND = ("--frequency", "0.05", "--octaves", "3")
-CELL = ("--cell", "40x24", "--step", "2")
+PANEL = ("--panel", "40x24", "--step", "2")
 ONE = ("--samples", "1")
 
 
@@ -45,14 +45,14 @@ class Sheet(Case):
         rows = read_picture(self.path(name)).rows
         return rows if layer == "--relief" else [[(grey,) * 3 for grey in row] for row in rows]
 
-    def place(self, page, cell):
-        """Where the page has the cell, which must be there once: column and row."""
+    def place(self, page, panel):
+        """Where the page has the panel, which must be there once: column and row."""
         found = []
-        width = len(cell[0])
-        for y in range(len(page) - len(cell) + 1):
+        width = len(panel[0])
+        for y in range(len(page) - len(panel) + 1):
             for x in range(len(page[y]) - width + 1):
-                if page[y][x] == cell[0][0] and page[y][x:x + width] == cell[0] and all(
-                        page[y + i][x:x + width] == row for i, row in enumerate(cell)):
+                if page[y][x] == panel[0][0] and page[y][x:x + width] == panel[0] and all(
+                        page[y + i][x:x + width] == row for i, row in enumerate(panel)):
                     found.append((x, y))
         self.assertEqual(len(found), 1, found)
         return found[0]
@@ -77,8 +77,8 @@ class Sheet(Case):
         return places
 
     def check_labels(self, sheet, *labels, more=()):
-        """The cells of a sheet with these labels, in their order"""
-        page = self.sheet(*CELL, "--cell", "176x16", "--step", "8", *ONE, *GROUND, *more,
+        """The panels of a sheet with these labels, in their order"""
+        page = self.sheet(*PANEL, "--panel", "176x16", "--step", "8", *ONE, *GROUND, *more,
                           "--sheet", sheet)
         places = self.texts(page, *labels)
         for label, place in zip(labels, places):
@@ -96,7 +96,7 @@ class Sheet(Case):
     def test_cells(self):
         """In their order, the pixels of scarp terrain"""
         for layer in ("relief", "hillshade"):
-            page = self.sheet(*CELL, *ONE, *GROUND, "--layer", layer, "--height", "30",
+            page = self.sheet(*PANEL, *ONE, *GROUND, "--layer", layer, "--height", "30",
                               "--sheet", "seed=3..5,gain=0.25..0.75/2")
             places = [[self.place(page, self.terrain_rows("--height", "30", "--seed", seed,
                                                           "--gain", gain, layer="--" + layer))
@@ -108,8 +108,8 @@ class Sheet(Case):
             self.assertGreaterEqual(d[1] - a[1], 24 + 9)
 
     def test_labels(self):
-        """Below each cell and beside its left edge; titles above columns and left of rows"""
-        page = self.sheet("--cell", "130x24", "--step", "2", *ONE, *GROUND, "--sheet",
+        """Below each panel and beside its left edge; titles above columns and left of rows"""
+        page = self.sheet("--panel", "130x24", "--step", "2", *ONE, *GROUND, "--sheet",
                           "seed=1..2,gain=0.3|0.5")
         labels = self.texts(page, "seed 1  gain 0.3", "seed 2  gain 0.3", "seed 1  gain 0.5",
                             "seed 2  gain 0.5")
@@ -129,7 +129,7 @@ class Sheet(Case):
                 self.assertTrue(beside[0] < x - 90 and y <= beside[1] < y + 24, beside)
 
     def test_contrast(self):
-        page = self.sheet(*CELL, *GROUND, "--sheet", "seed=1..2,gain=0.3|0.5")
+        page = self.sheet(*PANEL, *GROUND, "--sheet", "seed=1..2,gain=0.3|0.5")
         paper = page[0][0]
         (x, y, scale), = [place for place in self.texts(page, "gain 0.3")[0] if place[0] < 20]
         ink = page[y + 2 * scale][x - 6 * scale + dots("gain 0.3", scale)[2 * scale].index(1)]
@@ -143,14 +143,14 @@ class Sheet(Case):
             self.quietly("--size", "%dx%d" % (width * count, 24 * count), "--step", repr(step),
                          "--origin", "%r,%r" % (7 + aside, aside), *GROUND, "--relief", "t.ppm")
             fine = read_picture(self.path("t.ppm")).rows
-            cell = [[tuple(int(math.sqrt(sum(fine[count * r + i][count * c + j][part] ** 2
+            panel = [[tuple(int(math.sqrt(sum(fine[count * r + i][count * c + j][part] ** 2
                                              for i in range(count) for j in range(count)) /
                                          count ** 2) + 0.5) for part in range(3))
                      for c in range(width)] for r in range(24)]
-            page = self.sheet(*CELL, "--cell", "%dx24" % width, *GROUND, "--samples", str(count),
+            page = self.sheet(*PANEL, "--panel", "%dx24" % width, *GROUND, "--samples", str(count),
                               "--origin", "7,0",
                               "--sheet", "seed=1")
-            self.place(page, cell)
+            self.place(page, panel)
 
     def test_ranges(self):
         """What A..B and A..B/N are, and lists"""
@@ -173,7 +173,7 @@ class Sheet(Case):
         self.check_labels("gain=0.5", "gain 0.5")
 
     def test_many_in_rows(self):
-        """With one parameter, cells go on in the next row, but for a few."""
+        """With one parameter, panels go on in the next row, but for a few."""
         labels = ["seed %d" % seed for seed in range(1, 8)]
         page = self.check_labels("seed=1..7", *labels)
         places = self.texts(page, *labels)
@@ -183,7 +183,7 @@ class Sheet(Case):
 
     def test_recipes(self):
         """The seed is an option with a recipe, too; other names are its parameters."""
-        page = self.sheet(*CELL, *ONE, "--preset", "alps", "--sheet", "seed=3..4,gully=0|0.3")
+        page = self.sheet(*PANEL, *ONE, "--preset", "alps", "--sheet", "seed=3..4,gully=0|0.3")
         places = []
         for gully in ("0", "0.3"):
             for seed in ("3", "4"):
@@ -194,23 +194,23 @@ class Sheet(Case):
 
     def test_kinds_of_options(self):
         """Presets with their palettes, switches, palettes, and what stands on the command line"""
-        page = self.sheet(*CELL, *ONE, "--sheet", "preset=dunes|islands")
+        page = self.sheet(*PANEL, *ONE, "--sheet", "preset=dunes|islands")
         for preset in ("dunes", "islands"):
             self.quietly("--size", "40x24", "--step", "2", "--preset", preset, "--relief", "t.ppm")
             self.place(page, read_picture(self.path("t.ppm")).rows)
-        page = self.sheet(*CELL, *ONE, *GROUND, "--rotate", "--sheet",
+        page = self.sheet(*PANEL, *ONE, *GROUND, "--rotate", "--sheet",
                           "rotate=off|on,palette=arctic|grey")
         for rotate in ((), ("--rotate",)):
             for palette in ("arctic", "grey"):
                 self.place(page, self.terrain_rows(*rotate, "--palette", palette))
         with open(self.path("p.txt"), "w", encoding="utf-8") as file:
             file.write("0% 0 0 0\n100% 255 255 0\n")
-        page = self.sheet(*CELL, *ONE, *GROUND, "--sheet", "palette=p.txt|alpine,azimuth=0..90/2")
+        page = self.sheet(*PANEL, *ONE, *GROUND, "--sheet", "palette=p.txt|alpine,azimuth=0..90/2")
         self.place(page, self.terrain_rows("--palette", "p.txt", "--azimuth", "90"))
 
     def test_same_bytes(self):
         """Whatever the number of threads, the instruction set and the format"""
-        arguments = ("--cell", "70x50", *GROUND, "--sheet", "seed=1..7")
+        arguments = ("--panel", "70x50", *GROUND, "--sheet", "seed=1..7")
         page = self.sheet(*arguments, "--threads", "1")
         for more in (("--isa", "scalar"),) + ((("--threads", "3"), ()) if has_threads() else ()):
             self.assertEqual(self.sheet(*arguments, *more), page)
@@ -218,26 +218,26 @@ class Sheet(Case):
             self.assertEqual(self.sheet(*arguments, name="s.png"), page)
         result = run("sheet", *arguments, "--output", "ppm:-", cwd=self.directory)
         self.assertEqual(result.stdout, self.bytes("s.ppm"))
-        self.assertRegex(result.stderr.decode(), r"\A7 cells of 70x50 pixels in [^\n]*\n\Z")
+        self.assertRegex(result.stderr.decode(), r"\A7 panels of 70x50 pixels in [^\n]*\n\Z")
 
     def test_default(self):
-        result = run("sheet", "--cell", "32x24", cwd=self.directory)
+        result = run("sheet", "--panel", "32x24", cwd=self.directory)
         self.assertEqual((result.returncode, result.stderr), (0, b""))
-        self.assertRegex(result.stdout.decode(), r"\A9 cells of 32x24 pixels in [^\n]*\n\Z")
+        self.assertRegex(result.stdout.decode(), r"\A9 panels of 32x24 pixels in [^\n]*\n\Z")
         self.assertEqual(self.files(), ["sheet.png" if has_png() else "sheet.ppm"])
 
     def test_large(self):
-        """A hundred cells; the largest cells"""
-        page = self.sheet("--cell", "16x16", *ONE, "--octaves", "1", "--sheet",
+        """A hundred panels; the largest panels"""
+        page = self.sheet("--panel", "16x16", *ONE, "--octaves", "1", "--sheet",
                           "seed=1..50,gain=0.3|0.4")
         self.assertGreater(len(page[0]), 50 * 16)
-        page = self.sheet("--cell", "1024x1024", *ONE, "--octaves", "1", "--sheet", "seed=1")
+        page = self.sheet("--panel", "1024x1024", *ONE, "--octaves", "1", "--sheet", "seed=1")
         self.assertGreater(len(page), 1024)
 
     @unittest.skipUnless(common.pty, "needs POSIX")
     def test_progress(self):
         """On a terminal, unless it is to be quiet"""
-        arguments = ("sheet", *CELL, *GROUND, "--output", self.path("s.ppm"))
+        arguments = ("sheet", *PANEL, *GROUND, "--output", self.path("s.ppm"))
         status, shown = self.on_terminal(*arguments)
         self.assertEqual(status, 0)
         self.assertRegex(shown, r"\A0\.\.\.10\.\.\..*\.\.\.100 - done\.\r\n\Z")
@@ -249,7 +249,7 @@ class Sheet(Case):
         for name in ("s.ppm",) + (("s.png",) if has_png() else ()):
             with open(self.path(name), "wb") as file:
                 file.write(b"old")
-            result = run("sheet", *CELL, *GROUND, "--output", name, cwd=self.directory,
+            result = run("sheet", *PANEL, *GROUND, "--output", name, cwd=self.directory,
                          preexec_fn=common.file_limit(1000))
             self.check_one_line(result, 1, "--output", name)
             self.assertEqual(self.all_bytes(), {name: b"old"})
@@ -257,7 +257,7 @@ class Sheet(Case):
 
     @unittest.skipUnless(common.signal, "needs POSIX")
     def test_interrupt(self):
-        process = start("sheet", "--cell", "1024x1024", "--samples", "8", "--octaves", "32",
+        process = start("sheet", "--panel", "1024x1024", "--samples", "8", "--octaves", "32",
                         "--lacunarity", "1.1", "--sheet", "seed=1..30", "--output", "s.ppm",
                         cwd=self.directory)
         self.addCleanup(process.communicate)
@@ -270,7 +270,7 @@ class Sheet(Case):
 
     def check_bad(self, *arguments, words=()):
         with self.subTest(arguments=arguments):
-            result = run("sheet", *CELL, *arguments, cwd=self.directory)
+            result = run("sheet", *PANEL, *arguments, cwd=self.directory)
             self.check_one_line(result, 2, *words)
             self.assertEqual(self.files(), [])
 
@@ -280,7 +280,7 @@ class Sheet(Case):
                 ("1..4", "NAME=VALUES"), ("seed=", "seed", "1 to 63"), ("seed=1|", "1 to 63"),
                 ("seed=1..4,", "--seed"), ("seed=1..4;gain=1", "--sheet", "A..B"),
                 ("bogus=1", "bogus", "no parameter"), ("-seed=1", "no parameter"),
-                ("threads=1..2", "threads", "no parameter"), ("cell=1", "no parameter"),
+                ("threads=1..2", "threads", "no parameter"), ("panel=1", "no parameter"),
                 ("output=1", "no parameter"), ("quiet=0", "no parameter"), ("a=b", "NAME=VALUE"),
                 ("sheet=1", "no parameter"), ("help=1", "no parameter"),
                 ("seed=1..2,gain=0.3,height=1", "more than 2"), ("seed=1,seed=2", "twice"),
@@ -300,8 +300,8 @@ class Sheet(Case):
         self.check_bad("--output", "s.jpg", words=("--output", ".ppm"))
         self.check_bad("--output", "s.pgm", words=("--output", ".ppm"))
         self.check_bad("--output", "missing/s.ppm", words=("--output", "missing"))
-        self.check_bad("--cell", "15x16", words=("--cell", "16 to 1024"))
-        self.check_bad("--cell", "16x1025", words=("--cell", "16 to 1024"))
+        self.check_bad("--panel", "15x16", words=("--panel", "16 to 1024"))
+        self.check_bad("--panel", "16x1025", words=("--panel", "16 to 1024"))
         self.check_bad("--samples", "9", words=("--samples", "1 to 8"))
         self.check_bad("--layer", "normals", words=("--layer", "relief or hillshade"))
         self.check_bad("--size", "10x10", words=("--size", "unknown"))

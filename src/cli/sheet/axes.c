@@ -234,7 +234,7 @@ bool axes_parse(const char *text, struct axes *axes)
     }
     const size_t rows = axes->count > 1 ? axes->list[1].count : 1;
     if (axes->list[0].count * rows > CELLS_MAX) {
-        cli_error("--sheet: %zu times %zu cells are more than %d", axes->list[0].count, rows,
+        cli_error("--sheet: %zu times %zu panels are more than %d", axes->list[0].count, rows,
                   CELLS_MAX);
         return false;
     }

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The layout. A line of text has a height of its own and a little room above and below. Each cell
+ * The layout. A line of text has a height of its own and a little room above and below. Each panel
  * has its label below it; with two axes, rows and columns have titles, too.
  */
 #include "sheet/page.h"
@@ -13,9 +13,9 @@
 #include "sheet/font.h"
 
 #define MARGIN 16
-#define GAP 12          /* between cells */
+#define GAP 12          /* between panels */
 #define LINE_ROOM 4     /* above and below a text, in dots */
-#define TITLES_MOST 240 /* pixels of the titles of rows, at most, if cells are not wider */
+#define TITLES_MOST 240 /* pixels of the titles of rows, at most, if panels are not wider */
 #define TEXT_SIZE 256   /* with the end */
 
 static const uint8_t paper[3] = {30, 32, 35};
@@ -49,7 +49,7 @@ static void put_label(const struct axes *axes, const size_t *at, char text[TEXT_
     }
 }
 
-static size_t cells_of(const struct axes *axes)
+static size_t panels_of(const struct axes *axes)
 {
     return axes->list[0].count * (axes->count > 1 ? axes->list[1].count : 1);
 }
@@ -58,7 +58,7 @@ static size_t cells_of(const struct axes *axes)
 static size_t labels_width(const struct page *page, const struct axes *axes)
 {
     size_t widest = 0;
-    for (size_t n = 0; n < cells_of(axes); n++) {
+    for (size_t n = 0; n < panels_of(axes); n++) {
         char text[TEXT_SIZE];
         size_t at[AXES_MAX];
         page_values(page, axes, n, at);
@@ -82,26 +82,27 @@ static size_t titles_width(const struct axis *axis)
     return widest;
 }
 
-/* Texts have two pixels per dot if all of a kind fit beside or below a cell then. */
+/* Texts have two pixels per dot if all of a kind fit beside or below a panel then. */
 static size_t scale_of(const struct page *page, size_t width)
 {
-    return 2 * width <= page->cell_width ? 2 : 1;
+    return 2 * width <= page->panel_width ? 2 : 1;
 }
 
-void page_arrange(struct page *page, const struct axes *axes, size_t cell_width, size_t cell_height)
+void page_arrange(struct page *page, const struct axes *axes, size_t panel_width,
+                  size_t panel_height)
 {
-    const size_t cells = cells_of(axes);
+    const size_t panels = panels_of(axes);
     *page = (struct page){.columns = axes->list[0].count,
                           .rows = axes->count > 1 ? axes->list[1].count : 1,
-                          .cell_width = cell_width,
-                          .cell_height = cell_height,
+                          .panel_width = panel_width,
+                          .panel_height = panel_height,
                           .left = MARGIN};
-    if (axes->count == 1 && cells > 5) {
+    if (axes->count == 1 && panels > 5) {
         page->columns = 3;
-        while (page->columns * page->columns < cells) {
+        while (page->columns * page->columns < panels) {
             page->columns++;
         }
-        page->rows = (cells + page->columns - 1) / page->columns;
+        page->rows = (panels + page->columns - 1) / page->columns;
     }
     page->label_scale = scale_of(page, labels_width(page, axes));
     page->top = MARGIN;
@@ -109,19 +110,19 @@ void page_arrange(struct page *page, const struct axes *axes, size_t cell_width,
         const size_t across = titles_width(&axes->list[0]), down = titles_width(&axes->list[1]);
         page->title_scale = scale_of(page, across > down ? across : down);
         page->top += line_height(page->title_scale);
-        const size_t most = cell_width > TITLES_MOST ? cell_width : TITLES_MOST;
+        const size_t most = panel_width > TITLES_MOST ? panel_width : TITLES_MOST;
         page->left += smaller(page->title_scale * down, most) + GAP;
     }
-    page->width = page->left + page->columns * (cell_width + GAP) - GAP + MARGIN;
-    page->height = page->top + page->rows * (cell_height + line_height(page->label_scale) + GAP) -
+    page->width = page->left + page->columns * (panel_width + GAP) - GAP + MARGIN;
+    page->height = page->top + page->rows * (panel_height + line_height(page->label_scale) + GAP) -
                    GAP + MARGIN;
 }
 
-uint8_t *page_cell(const struct page *page, size_t n)
+uint8_t *page_panel(const struct page *page, size_t n)
 {
-    const size_t x = page->left + n % page->columns * (page->cell_width + GAP);
+    const size_t x = page->left + n % page->columns * (page->panel_width + GAP);
     const size_t y =
-        page->top + n / page->columns * (page->cell_height + line_height(page->label_scale) + GAP);
+        page->top + n / page->columns * (page->panel_height + line_height(page->label_scale) + GAP);
     return page->rgb + 3 * (y * page->width + x);
 }
 
@@ -167,20 +168,20 @@ static void put_text(const struct page *page, const struct pen *pen, const char 
 static void put_titles(const struct page *page, const struct axes *axes)
 {
     char text[TEXT_SIZE];
-    const struct pen above = {page->title_scale, page->cell_width, title_ink};
+    const struct pen above = {page->title_scale, page->panel_width, title_ink};
     for (size_t column = 0; column < page->columns; column++) {
         put_value(&axes->list[0], column, text);
         put_text(page, &above, text,
-                 page_cell(page, column) - 3 * page->width * line_height(page->title_scale));
+                 page_panel(page, column) - 3 * page->width * line_height(page->title_scale));
     }
     const struct pen beside = {page->title_scale, page->left - GAP - MARGIN, title_ink};
-    /* Negative where the title is higher than the cell */
+    /* Negative where the title is higher than the panel */
     const ptrdiff_t down =
-        (ptrdiff_t)(page->cell_height / 2) - (ptrdiff_t)(page->title_scale * FONT_HEIGHT / 2);
+        (ptrdiff_t)(page->panel_height / 2) - (ptrdiff_t)(page->title_scale * FONT_HEIGHT / 2);
     for (size_t row = 0; row < page->rows; row++) {
         put_value(&axes->list[1], row, text);
         put_text(page, &beside, text,
-                 page_cell(page, row * page->columns) + 3 * (ptrdiff_t)page->width * down -
+                 page_panel(page, row * page->columns) + 3 * (ptrdiff_t)page->width * down -
                      3 * (beside.width + GAP));
     }
 }
@@ -196,15 +197,15 @@ bool page_open(struct page *page, const struct axes *axes)
     for (size_t i = 0; i < page->width * page->height; i++) {
         memcpy(page->rgb + 3 * i, paper, 3);
     }
-    const struct pen below = {page->label_scale, page->cell_width, label_ink};
-    for (size_t n = 0; n < cells_of(axes); n++) {
+    const struct pen below = {page->label_scale, page->panel_width, label_ink};
+    for (size_t n = 0; n < panels_of(axes); n++) {
         char text[TEXT_SIZE];
         size_t at[AXES_MAX];
         page_values(page, axes, n, at);
         put_label(axes, at, text);
         put_text(page, &below, text,
-                 page_cell(page, n) +
-                     3 * page->width * (page->cell_height + page->label_scale * LINE_ROOM));
+                 page_panel(page, n) +
+                     3 * page->width * (page->panel_height + page->label_scale * LINE_ROOM));
     }
     if (axes->count > 1) {
         put_titles(page, axes);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * `scarp sheet`: from the options to the file. The parameters that cells differ in are read in
- * axes.c, cells are made and drawn in cell.c, and the page they stand on is that of page.c.
+ * `scarp sheet`: from the options to the file. The parameters that panels differ in are read in
+ * axes.c, panels are made and drawn in panel.c, and the page they stand on is that of page.c.
  */
 #include "sheet/sheet.h"
 
@@ -20,8 +20,8 @@
 #include "shared/interrupt.h"
 #include "shared/progress.h"
 #include "shared/running.h"
-#include "sheet/cell.h"
 #include "sheet/page.h"
+#include "sheet/panel.h"
 
 #ifdef SCARP_CLI_ZLIB
 #define STANDARD_OUTPUT "sheet.png"
@@ -33,11 +33,11 @@ struct sheet {
     struct sheet_options options;
     struct axes axes;
     struct page page;
-    struct cell *cells;
+    struct panel *panels;
     size_t count;
     struct crew *crew;
     struct writer writer;
-    size_t row;             /* of cells: what is drawn */
+    size_t row;             /* of panels: what is drawn */
     atomic_bool has_failed; /* for want of memory */
 };
 
@@ -59,15 +59,15 @@ static bool choose_format(struct sheet *sheet)
     return writer->format != NULL;
 }
 
-/* All cells, so that none is drawn if there is a mistake in one */
+/* All panels, so that none is drawn if there is a mistake in one */
 static int make_cells(struct sheet *sheet, char **argv)
 {
     const struct ground_options *const ground = &sheet->options.ground;
     const bool has_recipe = ground->preset != 0 || ground->recipe != NULL;
     sheet->count = sheet->axes.list[0].count;
     sheet->count *= sheet->axes.count > 1 ? sheet->axes.list[1].count : 1;
-    sheet->cells = calloc(sheet->count, sizeof *sheet->cells);
-    if (sheet->cells == NULL) {
+    sheet->panels = calloc(sheet->count, sizeof *sheet->panels);
+    if (sheet->panels == NULL) {
         cli_error("--sheet: no memory");
         return CLI_FAILURE;
     }
@@ -78,27 +78,27 @@ static int make_cells(struct sheet *sheet, char **argv)
             return CLI_FAILURE;
         }
         page_values(&sheet->page, &sheet->axes, n, at);
-        if (!cell_make(&sheet->cells[n], argv, has_recipe, &sheet->axes, at)) {
+        if (!panel_make(&sheet->panels[n], argv, has_recipe, &sheet->axes, at)) {
             return CLI_USAGE;
         }
     }
     return CLI_SUCCESS;
 }
 
-/* Draws bands of the cells of a row, as they come. */
+/* Draws bands of the panels of a row, as they come. */
 static void draw(void *context, size_t number)
 {
     struct sheet *const sheet = context;
     const struct page *const page = &sheet->page;
-    const size_t bands = (page->cell_height + CELL_BAND - 1) / CELL_BAND;
+    const size_t bands = (page->panel_height + PANEL_BAND - 1) / PANEL_BAND;
     const size_t first = sheet->row * page->columns;
     const size_t left = sheet->count - first;
     const size_t tasks = bands * (left < page->columns ? left : page->columns);
     (void)number;
     for (size_t n; (n = crew_next(sheet->crew)) < tasks && !interrupted();) {
-        const size_t cell = first + n / bands;
-        if (!cell_draw(&sheet->cells[cell], n % bands * CELL_BAND, page_cell(page, cell),
-                       3 * page->width)) {
+        const size_t panel = first + n / bands;
+        if (!panel_draw(&sheet->panels[panel], n % bands * PANEL_BAND, page_panel(page, panel),
+                        3 * page->width)) {
             atomic_store(&sheet->has_failed, true);
         }
     }
@@ -116,7 +116,7 @@ static int tell_failure(const struct sheet *sheet, int reason)
     return CLI_FAILURE;
 }
 
-/* Draws all cells. False, with errno, without memory or when interrupted. */
+/* Draws all panels. False, with errno, without memory or when interrupted. */
 static bool draw_all(struct sheet *sheet, struct progress *progress)
 {
     if (!page_open(&sheet->page, &sheet->axes)) {
@@ -157,8 +157,8 @@ static void print_summary(const struct sheet *sheet, double duration)
     const bool is_file = strcmp(path, "-") != 0 && !file_is_special(path);
     FILE *const stream = is_file ? stdout : stderr;
     char time[AMOUNT_SIZE];
-    fprintf(stream, "%zu cell%s of %zux%zu pixels in %s", sheet->count,
-            sheet->count == 1 ? "" : "s", sheet->page.cell_width, sheet->page.cell_height,
+    fprintf(stream, "%zu panel%s of %zux%zu pixels in %s", sheet->count,
+            sheet->count == 1 ? "" : "s", sheet->page.panel_width, sheet->page.panel_height,
             amount_seconds(time, duration));
     running_print(stream, sheet->crew);
 }
@@ -169,7 +169,7 @@ static int prepare(struct sheet *sheet, char **argv)
     if (!axes_parse(options->sheet, &sheet->axes)) {
         return CLI_USAGE;
     }
-    page_arrange(&sheet->page, &sheet->axes, options->cell.width, options->cell.height);
+    page_arrange(&sheet->page, &sheet->axes, options->panel.width, options->panel.height);
     if (!choose_format(sheet)) {
         return CLI_USAGE;
     }
@@ -208,10 +208,10 @@ int cli_sheet(char **argv)
         print_summary(&sheet, running_seconds() - start);
     }
     writer_discard(&sheet.writer);
-    for (size_t n = 0; n < sheet.count && sheet.cells != NULL; n++) {
-        cell_free(&sheet.cells[n]);
+    for (size_t n = 0; n < sheet.count && sheet.panels != NULL; n++) {
+        panel_free(&sheet.panels[n]);
     }
-    free(sheet.cells);
+    free(sheet.panels);
     page_close(&sheet.page);
     crew_close(sheet.crew);
     return status;

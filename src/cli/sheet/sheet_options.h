@@ -13,7 +13,7 @@
 struct sheet_options {
     struct ground_options ground;
     struct look_options look;
-    struct option_size cell; /* pixels */
+    struct option_size panel; /* pixels */
     struct option_point origin;
     double step; /* between pixels */
     struct running_options running;

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
- * Cells are made of command lines: that of the sheet, and after it the options that differ. Samples
+ * Panels are made of command lines: that of the sheet, and after it the options that differ. Samples
  * become bytes as those of `scarp terrain` do, and pixels are means of them.
  */
-#include "sheet/cell.h"
+#include "sheet/panel.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -38,10 +38,10 @@ static bool set_flag(const struct axis *axis, const char *value, int *flag)
 }
 
 /* Reads the command line and the values behind it. Options without a value are set afterwards. */
-static bool read_options(struct cell *cell, char **argv, bool has_recipe, const struct axes *axes,
+static bool read_options(struct panel *panel, char **argv, bool has_recipe, const struct axes *axes,
                          const size_t *at)
 {
-    struct sheet_options *const options = &cell->options;
+    struct sheet_options *const options = &panel->options;
     size_t count = 0;
     while (argv[count] != NULL) {
         count++;
@@ -56,10 +56,10 @@ static bool read_options(struct cell *cell, char **argv, bool has_recipe, const 
         void *field;
         const struct option *const option = find(axis, has_recipe, options, &field);
         if (option == NULL || option->parse != NULL) {
-            cell->typed[i] = text_join((const char *const[]){
+            panel->typed[i] = text_join((const char *const[]){
                 option == NULL ? "--set=" : "--", axis->name, "=", axis->values[at[i]], NULL});
-            is_valid = cell->typed[i] != NULL;
-            words[count++] = cell->typed[i];
+            is_valid = panel->typed[i] != NULL;
+            words[count++] = panel->typed[i];
         }
     }
     if (!is_valid) {
@@ -77,20 +77,20 @@ static bool read_options(struct cell *cell, char **argv, bool has_recipe, const 
     return is_valid;
 }
 
-bool cell_make(struct cell *cell, char **argv, bool has_recipe, const struct axes *axes,
-               const size_t *at)
+bool panel_make(struct panel *panel, char **argv, bool has_recipe, const struct axes *axes,
+                const size_t *at)
 {
-    struct sheet_options *const options = &cell->options;
-    *cell = (struct cell){.options = SHEET_OPTIONS_UNSET};
-    if (!read_options(cell, argv, has_recipe, axes, at)) {
+    struct sheet_options *const options = &panel->options;
+    *panel = (struct panel){.options = SHEET_OPTIONS_UNSET};
+    if (!read_options(panel, argv, has_recipe, axes, at)) {
         return false;
     }
     const size_t samples = options->samples;
     const double step = options->step / (double)samples;
     const double aside = 0.5 * (double)(samples - 1) * step; /* pixels are around their place */
-    cell->surface = (struct surface){
-        .width = options->cell.width * samples,
-        .height = options->cell.height * samples,
+    panel->surface = (struct surface){
+        .width = options->panel.width * samples,
+        .height = options->panel.height * samples,
         .x0 = options->origin.x - aside,
         .y0 = options->origin.y - aside,
         .step = step,
@@ -98,23 +98,23 @@ bool cell_make(struct cell *cell, char **argv, bool has_recipe, const struct axe
     };
     struct source source = {.name = NULL};
     const bool is_made = source_open(&source, &options->ground, options->step) == CLI_SUCCESS &&
-                         source_ground(&source, &cell->surface.ground) &&
-                         source_open_palette(&source, options->look.palette, &cell->palette);
+                         source_ground(&source, &panel->surface.ground) &&
+                         source_open_palette(&source, options->look.palette, &panel->palette);
     source_close(&source);
     if (!is_made) {
         return false;
     }
-    cell->surface.scale = surface_height_scale(&cell->surface.ground);
-    surface_set_light(&cell->surface, &options->look);
-    surface_set_relief(&cell->surface, &cell->palette);
+    panel->surface.scale = surface_height_scale(&panel->surface.ground);
+    surface_set_light(&panel->surface, &options->look);
+    surface_set_relief(&panel->surface, &panel->palette);
     return true;
 }
 
-void cell_free(struct cell *cell)
+void panel_free(struct panel *panel)
 {
-    palette_free(&cell->palette);
+    palette_free(&panel->palette);
     for (size_t i = 0; i < AXES_MAX; i++) {
-        free(cell->typed[i]);
+        free(panel->typed[i]);
     }
 }
 
@@ -145,16 +145,16 @@ static void put_means(const uint8_t *bytes, size_t samples, size_t width, size_t
 }
 
 /* Draws the window, whose samples were taken, from the pixel `to` on. */
-static void draw_window(const struct cell *cell, const struct layer *layer,
+static void draw_window(const struct panel *panel, const struct layer *layer,
                         const struct window *window, uint8_t *bytes, uint8_t *to, size_t stride)
 {
-    const size_t samples = cell->options.samples;
+    const size_t samples = panel->options.samples;
     for (size_t row = 0; row < window->rows; row++) {
         const struct span span = {.window = window,
                                   .first = row * window->columns,
                                   .count = window->columns,
                                   .width = window->columns};
-        layer->encode(&cell->surface, &span, SAMPLE_U8,
+        layer->encode(&panel->surface, &span, SAMPLE_U8,
                       bytes + row * window->columns * layer->channels);
     }
     for (size_t row = 0; row < window->rows; row += samples) {
@@ -163,24 +163,25 @@ static void draw_window(const struct cell *cell, const struct layer *layer,
     }
 }
 
-bool cell_draw(const struct cell *cell, size_t row, uint8_t *to, size_t stride)
+bool panel_draw(const struct panel *panel, size_t row, uint8_t *to, size_t stride)
 {
-    const struct sheet_options *const options = &cell->options;
+    const struct sheet_options *const options = &panel->options;
     const size_t samples = options->samples;
-    const size_t rows = smaller(CELL_BAND, options->cell.height - row);
-    const size_t across = WINDOW_SAMPLES / (CELL_BAND * samples * samples); /* pixels of a window */
+    const size_t rows = smaller(PANEL_BAND, options->panel.height - row);
+    const size_t across =
+        WINDOW_SAMPLES / (PANEL_BAND * samples * samples); /* pixels of a window */
     const struct layer *const layer =
         &layers[options->layer == SHEET_RELIEF ? LAYER_RELIEF : LAYER_HILLSHADE];
     struct window window = {.memory = NULL};
     uint8_t *const bytes = malloc(3 * WINDOW_SAMPLES);
-    const bool is_open = bytes != NULL && window_open(&window, &cell->surface, layer->needs);
-    for (size_t column = 0; column < options->cell.width && is_open; column += across) {
+    const bool is_open = bytes != NULL && window_open(&window, &panel->surface, layer->needs);
+    for (size_t column = 0; column < options->panel.width && is_open; column += across) {
         window.column = column * samples;
         window.row = row * samples;
-        window.columns = smaller(across, options->cell.width - column) * samples;
+        window.columns = smaller(across, options->panel.width - column) * samples;
         window.rows = rows * samples;
-        surface_sample(&cell->surface, &window);
-        draw_window(cell, layer, &window, bytes, to + row * stride + 3 * column, stride);
+        surface_sample(&panel->surface, &window);
+        draw_window(panel, layer, &window, bytes, to + row * stride + 3 * column, stride);
     }
     free(bytes);
     window_close(&window);

@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
- * A cell of a sheet: a small map of a terrain.
+ * A panel of a sheet: a small map of a terrain.
  */
-#ifndef SCARP_CLI_CELL_H
-#define SCARP_CLI_CELL_H
+#ifndef SCARP_CLI_PANEL_H
+#define SCARP_CLI_PANEL_H
 
 #include <stdbool.h>
 #include <stddef.h>
@@ -14,26 +14,26 @@
 #include "sheet/axes.h"
 #include "sheet/sheet_options.h"
 
-#define CELL_BAND 8 /* rows of pixels that are drawn at once */
-#define CELL_LABEL_SIZE (2 * (AXIS_NAME_SIZE + AXIS_VALUE_SIZE) + 4)
+#define PANEL_BAND 8 /* rows of pixels that are drawn at once */
+#define PANEL_LABEL_SIZE (2 * (AXIS_NAME_SIZE + AXIS_VALUE_SIZE) + 4)
 
-struct cell {
+struct panel {
     struct sheet_options options;
     struct surface surface; /* its samples: `samples` times as many as pixels each way */
     struct palette palette;
     char *typed[AXES_MAX]; /* the options of its values, to which the others may point */
 };
 
-/* Makes a cell of the command line `argv`, which ends with NULL and may ask for a recipe, and of
+/* Makes a panel of the command line `argv`, which ends with NULL and may ask for a recipe, and of
    the value number at[i] of each axis i. False, with a line on stderr, if these do not go together.
    Free it in any case. */
-bool cell_make(struct cell *cell, char **argv, bool has_recipe, const struct axes *axes,
-               const size_t *at);
-void cell_free(struct cell *cell);
+bool panel_make(struct panel *panel, char **argv, bool has_recipe, const struct axes *axes,
+                const size_t *at);
+void panel_free(struct panel *panel);
 
-/* Draws CELL_BAND rows of pixels, or what is left of them, from `row` on. `to` is where the cell's
+/* Draws PANEL_BAND rows of pixels, or what is left of them, from `row` on. `to` is where the panel's
    top left pixel goes, three bytes each, with `stride` bytes from row to row. False without memory.
  */
-bool cell_draw(const struct cell *cell, size_t row, uint8_t *to, size_t stride);
+bool panel_draw(const struct panel *panel, size_t row, uint8_t *to, size_t stride);
 
 #endif
