@@ -5,8 +5,8 @@
 #ifndef SCARP_KERNEL_BASES_H
 #define SCARP_KERNEL_BASES_H
 
+#include "fractal/fractal.h"
 #include "rows/rows.h"
-#include "shape/shape.h"
 #if VEC_SMALL
 #include "basis/simplex_points.h"
 #else
@@ -107,7 +107,7 @@ static const struct basis *basis_of(const struct scarp_call_plan *plan)
 static int has_no_rows(const struct scarp_call_plan *plan)
 {
     return fractal_bends(plan->fractal) ||
-           (plan->flows && plan->order + shapes[plan->fractal].extra_order > 1);
+           (plan->flows && plan->order + fractals[plan->fractal].extra_order > 1);
 }
 
 #endif

@@ -148,11 +148,11 @@ static crossing_pass *const crossing_passes[2][CROSSING_FORMS] = {
     {across3_hashed, across3_mixed, across3_unhashed},
 };
 
-static enum crossing_form crossing_form_of(const struct call *call)
+static enum crossing_form crossing_form_of(const struct passes *passes)
 {
-    return call->takes_unhashed             ? CROSSING_UNHASHED
-           : call->corners == CORNERS_MIXED ? CROSSING_MIXED
-                                            : CROSSING_HASHED;
+    return passes->takes_unhashed             ? CROSSING_UNHASHED
+           : passes->corners == CORNERS_MIXED ? CROSSING_MIXED
+                                              : CROSSING_HASHED;
 }
 
 /* Vectors of each column of the table of an axis with that many samples. The last block may go on
@@ -170,17 +170,17 @@ static size_t crossing_columns(int takes_unhashed)
 
 /* Begins with a grid, whose tables come to `space`. Returns where the rest of it begins. */
 static vf *crossing_begin(struct crossing *crossing, const struct scarp_grid *grid, vf *space,
-                          const struct call *call)
+                          const struct passes *passes)
 {
     crossing->grid = grid;
     crossing->count[2] = 1;
-    for (int axis = 0; axis < call->dimensions; axis++) {
+    for (int axis = 0; axis < passes->dimensions; axis++) {
         const size_t vectors = crossing_vectors(grid->count[axis]);
         crossing->count[axis] = grid->count[axis];
         crossing->table[axis].t = space;
         crossing->table[axis].h0 = space + vectors;
         crossing->table[axis].h1 = space + 2 * vectors;
-        space += crossing_columns(call->takes_unhashed) * vectors;
+        space += crossing_columns(passes->takes_unhashed) * vectors;
     }
     return space;
 }
@@ -200,10 +200,11 @@ VEC_INLINE void crossing_continue(vf *column, size_t count, int axis)
 }
 
 /* Fills in the table of an axis. */
-static void crossing_fill(const struct crossing *crossing, const struct call *call, int k, int axis)
+static void crossing_fill(const struct crossing *crossing, const struct passes *passes, int k,
+                          int axis)
 {
-    const struct scarp_octave *const o = &call->plan->octave[k];
-    const enum axes axes = axes_of(call->plan, k);
+    const struct scarp_octave *const o = &passes->plan->octave[k];
+    const enum axes axes = axes_of(passes->plan, k);
     const struct crossing_table *const table = &crossing->table[axis];
     const size_t count = crossing->count[axis];
     double x[VEC_LANES];
@@ -211,7 +212,7 @@ static void crossing_fill(const struct crossing *crossing, const struct call *ca
     const struct frame f = {DOUBLES, axes, 2};
     for (size_t i = 0; i < count; i += VEC_LANES) {
         block_coordinates(x, crossing->grid, axis, i, count - i);
-        if (call->takes_unhashed) {
+        if (passes->takes_unhashed) {
             const struct split s = cells_split(o, axis, x, 0, AXES_STRAIGHT);
             table->t[i / VEC_LANES] = s.t;
             table->h0[i / VEC_LANES] = (vf)s.cell;
@@ -225,7 +226,7 @@ static void crossing_fill(const struct crossing *crossing, const struct call *ca
     }
     crossing_continue(table->t, count, axis);
     crossing_continue(table->h0, count, axis);
-    if (!call->takes_unhashed) {
+    if (!passes->takes_unhashed) {
         crossing_continue(table->h1, count, axis);
     }
 }
@@ -271,52 +272,52 @@ static size_t crossing_serves(const struct scarp_call_plan *plan, const struct s
 }
 
 /* Adds octave k to the blocks from `first` on, or puts it there. */
-static void crossing_tile(const struct call *call, struct crossing *crossing,
+static void crossing_tile(const struct passes *passes, struct crossing *crossing,
                           struct locations *locations, int k, const struct outputs *to)
 {
-    const struct scarp_octave *const o = &call->plan->octave[k];
+    const struct scarp_octave *const o = &passes->plan->octave[k];
     const struct weights weights = {{o->amplitude, o->slope, o->curvature}};
-    crossing_passes[call->dimensions - 2][crossing_form_of(call)](locations->lattice, crossing,
-                                                                  locations->extent.blocks);
-    call->basis_pass(locations, &weights, to, k > 0 ? PUT_ADD : PUT_FIRST);
+    crossing_passes[passes->dimensions - 2][crossing_form_of(passes)](locations->lattice, crossing,
+                                                                      locations->extent.blocks);
+    passes->basis_pass(locations, &weights, to, k > 0 ? PUT_ADD : PUT_FIRST);
 }
 
 /* Computes a grid, octave by octave, so that an octave makes its tables once. Octaves are added up
    in the caller's arrays; those of the last block, if it is not full, in the scratch space. */
-static void crossing_grid(const struct call *call, const struct scarp_grid *grid,
+static void crossing_grid(const struct passes *passes, const struct scarp_grid *grid,
                           const struct scarp_outputs *out, struct workspace work)
 {
-    const struct scarp_call_plan *const plan = call->plan;
-    const int dimensions = call->dimensions;
+    const struct scarp_call_plan *const plan = passes->plan;
+    const int dimensions = passes->dimensions;
     const size_t count = grid->count[0] * grid->count[1] * (dimensions == 3 ? grid->count[2] : 1);
     const size_t whole = count - count % VEC_LANES;
     struct crossing crossing;
     struct outputs to, stored;
-    vf *const last = crossing_begin(&crossing, grid, work.space, call);
-    vf *const spare = last + call->sums_size;
+    vf *const last = crossing_begin(&crossing, grid, work.space, passes);
+    vf *const spare = last + passes->sums_size;
     const size_t room = work.vectors - (size_t)(spare - work.space);
-    const size_t most = least(room / (call->lattice_size + 1), TILE_BLOCKS);
+    const size_t most = least(room / (passes->lattice_size + 1), TILE_BLOCKS);
     struct locations locations = {.lattice = spare + most,
                                   .extent = {.rows = 1},
                                   .fade = plan->fade,
                                   .basis = plan->basis,
-                                  .order = call->basis_order};
-    outputs_stored(&stored, last, call->sums_size, dimensions, plan->order, 0);
+                                  .order = passes->basis_order};
+    outputs_stored(&stored, last, passes->sums_size, dimensions, plan->order, 0);
     for (int k = 0; k < plan->octaves; k++) {
         locations.octave = &plan->octave[k];
         locations.turn = plan->octave[k].turn;
         for (int axis = 0; axis < dimensions; axis++) {
-            crossing_fill(&crossing, call, k, axis);
+            crossing_fill(&crossing, passes, k, axis);
             crossing.at[axis] = 0;
         }
         for (size_t first = 0; first < whole; first += locations.extent.blocks * VEC_LANES) {
             locations.extent.blocks = least((whole - first) / VEC_LANES, most);
             outputs_of(&to, out, plan->order, first, 0, spare);
-            crossing_tile(call, &crossing, &locations, k, &to);
+            crossing_tile(passes, &crossing, &locations, k, &to);
         }
         if (whole < count) {
             locations.extent.blocks = 1;
-            crossing_tile(call, &crossing, &locations, k, &stored);
+            crossing_tile(passes, &crossing, &locations, k, &stored);
         }
     }
     copy_out(out, whole, &stored, 0, count - whole);
@@ -329,8 +330,8 @@ static void crossing_parts(const struct scarp_call_plan *plan, const struct scar
 {
     const int axis = dimensions - 1;
     const size_t samples = grid->count[0] * (dimensions == 3 ? grid->count[1] : 1);
-    struct call call;
-    call_begin(&call, plan, dimensions, DOUBLES);
+    struct passes passes;
+    passes_choose(&passes, plan, dimensions, DOUBLES);
     for (size_t at = 0; at < grid->count[axis]; at += part) {
         struct scarp_grid some = *grid;
         struct scarp_outputs to;
@@ -339,7 +340,7 @@ static void crossing_parts(const struct scarp_call_plan *plan, const struct scar
         for (int i = 0; i < OUTPUTS; i++) {
             to.array[i] = out->array[i] != NULL ? out->array[i] + at * samples : NULL;
         }
-        crossing_grid(&call, &some, &to, work);
+        crossing_grid(&passes, &some, &to, work);
     }
 }
 

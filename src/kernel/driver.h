@@ -5,12 +5,12 @@
  *
  *     x, y, z                       cells, hashes          noise            shaped
  *        |                               |                   |                |
- *        +--> positions.h, lattice.h ----+--> basis/ --------+--> shape/ -----+--> samples.h
+ *        +--> positions.h, lattice.h ----+--> basis/ --------+--> fractal/ ---+--> sample.h
  *             or unhashed.h                     or rows/            or turn.h        adds it to the
  *                                                                                  sums or stores
  *     for each octave of the tile         scratch space between the stages         the outputs
  *
- * Sums of octaves without a shape, along straight axes, go from the basis to the sums at once.
+ * Sums of octaves as they are, along straight axes, go from the basis to the sums at once.
  *
  * Each stage is a pass of its own over the tile. One pass that did all would be a single chain of
  * some 25 dependent operations per block, and out-of-order windows hold only two or three blocks of
@@ -53,7 +53,7 @@ struct workspace {
 };
 
 /* What all tiles of a call share: its passes, and vectors of scratch space per block. */
-struct call {
+struct passes {
     const struct scarp_call_plan *plan;
     int dimensions, basis_order;
     enum layout layout;       /* of the positions */
@@ -63,12 +63,12 @@ struct call {
     lattice_pass *const *lattice_passes; /* by axes; of a basis that takes hashes */
     basis_pass *basis_pass;
     enum turned_form turned_form;
-    int by_rows;           /* whether that takes one row */
-    rows_pass *rows_pass;  /* NULL: none, or points */
-    shape_pass *turn_pass; /* NULL where no derivatives are to be turned */
-    const struct shape *shape;
-    shape_pass *shape_pass; /* NULL: none */
-    phase_pass *phase_pass; /* NULL: none, or no DPHASE */
+    int by_rows;             /* whether that takes one row */
+    rows_pass *rows_pass;    /* NULL: none, or points */
+    fractal_pass *turn_pass; /* NULL where no derivatives are to be turned */
+    const struct fractal *fractal;
+    fractal_pass *fractal_pass; /* NULL: none */
+    phase_pass *phase_pass;     /* NULL: none, or no DPHASE */
     size_t lattice_size, noise_size, state_size;
     size_t turning_size, moving_size; /* struct phase_shaping */
     size_t sums_size;                 /* vectors of all outputs at a block */
@@ -76,42 +76,42 @@ struct call {
 };
 
 /* This, and what takes a tile through an octave, is out of line for the sake of size. */
-static __attribute__((noinline)) void call_begin(struct call *call,
-                                                 const struct scarp_call_plan *plan, int dimensions,
-                                                 enum layout layout)
+static __attribute__((noinline)) void passes_choose(struct passes *passes,
+                                                    const struct scarp_call_plan *plan,
+                                                    int dimensions, enum layout layout)
 {
-    const struct shape *const shape = &shapes[plan->fractal];
-    const int d = dimensions - 2, order = plan->order + shape->extra_order;
-    const int turns = plan->rotate && plan->order > 0 && !shape->octave_axes;
+    const struct fractal *const fractal = &fractals[plan->fractal];
+    const int d = dimensions - 2, order = plan->order + fractal->extra_order;
+    const int turns = plan->rotate && plan->order > 0 && !fractal->octave_axes;
     const struct basis *const basis = basis_of(plan);
-    const int moves = plan->dphase && shape->phase[d] != NULL;
-    call->plan = plan;
-    call->dimensions = dimensions;
-    call->basis_order = order;
-    call->layout = layout;
-    call->corners = corner_form_of(plan->basis);
-    call->lattice_passes = layout == MOVED ? NULL : lattice_passes[call->corners][d][layout];
-    call->turned_form = basis->takes_unhashed             ? TURNED_CELLS
-                        : call->corners == CORNERS_HASHED ? TURNED_HASHED
-                                                          : TURNED_MIXED;
-    call->by_rows = plan->component > 0 && plan->basis == SCARP_VALUE;
-    call->basis_pass =
-        call->by_rows ? components_passes[SCARP_VALUE][d][order] : basis->points[d][order];
-    call->rows_pass = layout == ROW ? basis->rows[d][order] : NULL;
-    call->turn_pass = turns ? turn_passes[d][plan->order - 1] : NULL;
-    call->shape = shape;
-    call->shape_pass = shape->pass[d][plan->order];
-    call->basis = basis;
-    call->takes_unhashed = basis->takes_unhashed;
-    call->lattice_size =
+    const int moves = plan->dphase && fractal->phase[d] != NULL;
+    passes->plan = plan;
+    passes->dimensions = dimensions;
+    passes->basis_order = order;
+    passes->layout = layout;
+    passes->corners = corner_form_of(plan->basis);
+    passes->lattice_passes = layout == MOVED ? NULL : lattice_passes[passes->corners][d][layout];
+    passes->turned_form = basis->takes_unhashed               ? TURNED_CELLS
+                          : passes->corners == CORNERS_HASHED ? TURNED_HASHED
+                                                              : TURNED_MIXED;
+    passes->by_rows = plan->component > 0 && plan->basis == SCARP_VALUE;
+    passes->basis_pass =
+        passes->by_rows ? components_passes[SCARP_VALUE][d][order] : basis->points[d][order];
+    passes->rows_pass = layout == ROW ? basis->rows[d][order] : NULL;
+    passes->turn_pass = turns ? turn_passes[d][plan->order - 1] : NULL;
+    passes->fractal = fractal;
+    passes->fractal_pass = fractal->pass[d][plan->order];
+    passes->basis = basis;
+    passes->takes_unhashed = basis->takes_unhashed;
+    passes->lattice_size =
         basis->takes_unhashed ? unhashed_size(dimensions) : lattice_size(dimensions);
-    call->noise_size = turns || call->shape_pass != NULL ? sample_size(dimensions, order) : 0;
-    call->state_size = state_size(plan, dimensions);
-    call->phase_pass = moves ? shape->phase[d] : NULL;
-    call->turning_size = moves ? turning_size(plan->fractal, dimensions) : 0;
-    call->moving_size = moves ? moving_size(plan->fractal, dimensions) : 0;
-    call->sums_size = sample_size(dimensions, plan->order) + (plan->dphase ? 1 : 0);
-    call->straight_fbm = call->shape_pass == NULL && !plan->rotate;
+    passes->noise_size = turns || passes->fractal_pass != NULL ? sample_size(dimensions, order) : 0;
+    passes->state_size = state_size(plan, dimensions);
+    passes->phase_pass = moves ? fractal->phase[d] : NULL;
+    passes->turning_size = moves ? turning_size(plan->fractal, dimensions) : 0;
+    passes->moving_size = moves ? moving_size(plan->fractal, dimensions) : 0;
+    passes->sums_size = sample_size(dimensions, plan->order) + (plan->dphase ? 1 : 0);
+    passes->straight_fbm = passes->fractal_pass == NULL && !plan->rotate;
 }
 
 /* A tile of a call. Points count as one row. */
@@ -152,132 +152,136 @@ static void copy_out(const struct scarp_outputs *out, size_t first, const struct
 }
 
 /* Whether octave k of a grid is prepared for the rows pass. */
-static int has_rows_pass(const struct call *call, int k)
+static int has_rows_pass(const struct passes *passes, int k)
 {
-    return call->rows_pass != NULL && axes_of(call->plan, k) != AXES_TURNED;
+    return passes->rows_pass != NULL && axes_of(passes->plan, k) != AXES_TURNED;
 }
 
 /* Whether octave k goes through the rows pass: points may be faster where rows cross many cells. */
-static int takes_rows_pass(const struct call *call, const struct tile *tile, int k)
+static int takes_rows_pass(const struct passes *passes, const struct tile *tile, int k)
 {
-    return has_rows_pass(call, k) && !(call->takes_unhashed && tile->row_octave->cells.by_points);
+    return has_rows_pass(passes, k) &&
+           !(passes->takes_unhashed && tile->row_octave->cells.by_points);
 }
 
 /* Finds the cells and the fractions of a tile's samples. */
-static void locate_unhashed(const struct call *call, const struct tile *tile,
+static void locate_unhashed(const struct passes *passes, const struct tile *tile,
                             const struct scarp_octave *o, enum axes axes)
 {
-    const struct frame f = {call->layout, axes, call->dimensions};
+    const struct frame f = {passes->layout, axes, passes->dimensions};
     const size_t blocks = tile->locations.extent.blocks;
     struct positions at = tile->at;
     for (size_t r = 0; r < tile->locations.extent.rows; r++) {
-        if (call->layout == ROW) {
+        if (passes->layout == ROW) {
             at.shared[1] = tile->y[r];
         }
-        unhashed_row(tile->locations.lattice + r * blocks * call->lattice_size, o, blocks, &at, f);
+        unhashed_row(tile->locations.lattice + r * blocks * passes->lattice_size, o, blocks, &at,
+                     f);
     }
 }
 
 /* Locates the tile's samples, which are displaced. */
-static __attribute__((noinline)) void locate_displaced(const struct call *call,
+static __attribute__((noinline)) void locate_displaced(const struct passes *passes,
                                                        const struct tile *tile, int k)
 {
     struct moved m = {.columns = tile->along,
-                      .corners = call->corners,
-                      .dimensions = call->dimensions,
-                      .takes_unhashed = call->takes_unhashed};
-    for (int i = 0; i < call->dimensions; i++) {
+                      .corners = passes->corners,
+                      .dimensions = passes->dimensions,
+                      .takes_unhashed = passes->takes_unhashed};
+    for (int i = 0; i < passes->dimensions; i++) {
         m.axis[i] = tile->at.array[i];
     }
-    locate_octave(tile->locations.lattice, &m, call->plan, k, tile->first,
+    locate_octave(tile->locations.lattice, &m, passes->plan, k, tile->first,
                   tile->locations.extent.blocks);
 }
 
 /* Finds the corners of the cells of a tile's samples. */
-VEC_INLINE void locate_corners(const struct call *call, const struct tile *tile,
+VEC_INLINE void locate_corners(const struct passes *passes, const struct tile *tile,
                                const struct scarp_octave *o, enum axes axes)
 {
     const struct extent extent = tile->locations.extent;
-    if (call->layout != ROW) {
-        call->lattice_passes[axes](tile->locations.lattice, o, extent.blocks, &tile->at);
+    if (passes->layout != ROW) {
+        passes->lattice_passes[axes](tile->locations.lattice, o, extent.blocks, &tile->at);
         return;
     }
     struct positions at = tile->at;
     for (size_t r = 0; r < extent.rows; r++) {
         at.shared[1] = tile->y[r];
-        call->lattice_passes[axes](tile->locations.lattice + r * extent.blocks * call->lattice_size,
-                                   o, extent.blocks, &at);
+        passes->lattice_passes[axes](tile->locations.lattice +
+                                         r * extent.blocks * passes->lattice_size,
+                                     o, extent.blocks, &at);
     }
 }
 
 /* Moves the hashes of a tile of gradient noise on to the next component of vector noise. */
-static void tile_next_component(const struct call *call, const struct tile *tile)
+static void tile_next_component(const struct passes *passes, const struct tile *tile)
 {
     const size_t blocks = tile->locations.extent.rows * tile->locations.extent.blocks;
-    (call->dimensions == 2 ? next_component2 : next_component3)(tile->locations.lattice, blocks);
+    (passes->dimensions == 2 ? next_component2 : next_component3)(tile->locations.lattice, blocks);
 }
 
 /* Locates the tile's samples on the lattice of octave k. */
-static __attribute__((noinline)) void locate_tile(const struct call *call, const struct tile *tile,
-                                                  int k)
+static __attribute__((noinline)) void locate_tile(const struct passes *passes,
+                                                  const struct tile *tile, int k)
 {
-    const enum axes axes = axes_of(call->plan, k);
-    const struct scarp_octave *const o = &call->plan->octave[k];
+    const enum axes axes = axes_of(passes->plan, k);
+    const struct scarp_octave *const o = &passes->plan->octave[k];
     const struct extent extent = tile->locations.extent;
-    if (call->layout == MOVED) {
-        locate_displaced(call, tile, k);
-    } else if (call->layout == ROW && axes == AXES_TURNED) {
-        turned_passes[call->turned_form][call->dimensions - 2](
+    if (passes->layout == MOVED) {
+        locate_displaced(passes, tile, k);
+    } else if (passes->layout == ROW && axes == AXES_TURNED) {
+        turned_passes[passes->turned_form][passes->dimensions - 2](
             tile->locations.lattice, o, &tile->turned, tile->row_octave->begin, extent.rows);
-    } else if (call->layout == DOUBLES && axes == AXES_TURNED && tile->is_far &&
+    } else if (passes->layout == DOUBLES && axes == AXES_TURNED && tile->is_far &&
                is_far(o->frequency64, extent.blocks * VEC_LANES, tile->at.array,
-                      call->dimensions)) {
-        far_row(tile->locations.lattice, o, extent.blocks, &tile->at, call->dimensions,
-                call->turned_form);
-    } else if (call->takes_unhashed) {
-        locate_unhashed(call, tile, o, axes);
+                      passes->dimensions)) {
+        far_row(tile->locations.lattice, o, extent.blocks, &tile->at, passes->dimensions,
+                passes->turned_form);
+    } else if (passes->takes_unhashed) {
+        locate_unhashed(passes, tile, o, axes);
     } else {
-        locate_corners(call, tile, o, axes);
+        locate_corners(passes, tile, o, axes);
     }
-    for (int i = 0; i < call->plan->component && call->plan->basis == SCARP_GRADIENT; i++) {
-        tile_next_component(call, tile);
+    for (int i = 0; i < passes->plan->component && passes->plan->basis == SCARP_GRADIENT; i++) {
+        tile_next_component(passes, tile);
     }
 }
 
 /* Adds octave k of the basis, times its weights, to `to`, or puts it there. */
-VEC_INLINE void add_basis(const struct call *call, const struct tile *tile, int k,
+VEC_INLINE void add_basis(const struct passes *passes, const struct tile *tile, int k,
                           const struct weights *weights, const struct outputs *to, enum put put)
 {
-    if (takes_rows_pass(call, tile, k)) {
-        tile->row_octave->turn = call->plan->octave[k].turn;
-        tile->row_octave->basis = call->plan->basis;
-        tile->row_octave->order = call->basis_order;
-        call->rows_pass(tile->row_octave, tile->locations.extent.rows, weights, to, put);
+    if (takes_rows_pass(passes, tile, k)) {
+        tile->row_octave->turn = passes->plan->octave[k].turn;
+        tile->row_octave->basis = passes->plan->basis;
+        tile->row_octave->order = passes->basis_order;
+        passes->rows_pass(tile->row_octave, tile->locations.extent.rows, weights, to, put);
         return;
     }
     if (!tile->is_located) {
-        locate_tile(call, tile, k);
+        locate_tile(passes, tile, k);
     }
-    if (call->by_rows) {
-        component_rows(call->basis_pass, &tile->locations, weights, to, put, call->lattice_size);
+    if (passes->by_rows) {
+        component_rows(passes->basis_pass, &tile->locations, weights, to, put,
+                       passes->lattice_size);
     } else {
-        call->basis_pass(&tile->locations, weights, to, put);
+        passes->basis_pass(&tile->locations, weights, to, put);
     }
 }
 
 /* Adds the derivative of the basis by the phase, after add_basis, which has located the tile.
    `order` is that of the outputs which `to` takes. */
-static void add_turning(const struct call *call, const struct tile *tile, int k, int order,
+static void add_turning(const struct passes *passes, const struct tile *tile, int k, int order,
                         const struct outputs *to, enum put put)
 {
-    const struct scarp_octave *const o = &call->plan->octave[k];
-    const struct basis *const basis = call->basis;
-    const int d = call->dimensions - 2;
+    const struct scarp_octave *const o = &passes->plan->octave[k];
+    const struct basis *const basis = passes->basis;
+    const int d = passes->dimensions - 2;
     const float slope = scarpi_phase_slope(o, k);
     const struct weights weights = {{slope, slope, slope}};
     float derivative[4];
     scarpi_phase_derivative(derivative, o->turn);
-    if (takes_rows_pass(call, tile, k)) {
+    if (takes_rows_pass(passes, tile, k)) {
         tile->row_octave->turn = derivative;
         basis->rows[d][order](tile->row_octave, tile->locations.extent.rows, &weights, to, put);
         return;
@@ -287,81 +291,82 @@ static void add_turning(const struct call *call, const struct tile *tile, int k,
     basis->points[d][order](&locations, &weights, to, put);
 }
 
-/* Adds the derivative of octave k by the phase, which no shape changes. This and the next are out
+/* Adds the derivative of octave k by the phase, which no fractal changes. This and the next are out
    of line, so that what they need is not on the stack while other passes run. */
-static __attribute__((noinline)) void add_phase(const struct call *call, const struct tile *tile,
-                                                int k, const struct outputs *to, enum put put)
+static __attribute__((noinline)) void add_phase(const struct passes *passes,
+                                                const struct tile *tile, int k,
+                                                const struct outputs *to, enum put put)
 {
     struct outputs phase;
     outputs_of_phase(&phase, to);
-    add_turning(call, tile, k, 0, &phase, put);
+    add_turning(passes, tile, k, 0, &phase, put);
 }
 
-/* Adds the derivative by the phase of an octave whose shape comes next. */
-static __attribute__((noinline)) void add_shaped_phase(const struct call *call,
+/* Adds the derivative by the phase of an octave whose fractal comes next. */
+static __attribute__((noinline)) void add_shaped_phase(const struct passes *passes,
                                                        const struct tile *tile, int k,
                                                        const struct shaping *shaping,
                                                        const struct outputs *to, enum put put)
 {
-    const struct phase_shaping at = {*shaping, call->noise_size, call->state_size, tile->turning,
-                                     tile->moving};
+    const struct phase_shaping at = {*shaping, passes->noise_size, passes->state_size,
+                                     tile->turning, tile->moving};
     struct outputs phase;
     outputs_of_phase(&phase, to);
-    add_turning(call, tile, k, call->shape->extra_order, tile->turning_stored, PUT_FIRST);
-    call->phase_pass(&at, &phase, put);
+    add_turning(passes, tile, k, passes->fractal->extra_order, tile->turning_stored, PUT_FIRST);
+    passes->phase_pass(&at, &phase, put);
 }
 
-/* Adds octave k through its shape. The stored noise has the weights of its outputs; the amplitude
-   alone if the shape takes derivatives in the octave's axes; and none if the turn applies them. */
-static void add_shaped(const struct call *call, const struct tile *tile, int k,
+/* Adds octave k through its fractal. The stored noise has the weights of its outputs; the amplitude
+   alone if the fractal takes derivatives in the octave's axes; and none if the turn applies them. */
+static void add_shaped(const struct passes *passes, const struct tile *tile, int k,
                        const struct outputs *to, enum put put)
 {
-    const struct scarp_octave *const o = &call->plan->octave[k];
-    const enum axes axes = axes_of(call->plan, k);
-    const struct shaping shaping = {call->plan,  o,          axes, tile->locations.extent,
-                                    tile->noise, tile->state};
-    const int turns = axes == AXES_TURNED && call->turn_pass != NULL;
+    const struct scarp_octave *const o = &passes->plan->octave[k];
+    const enum axes axes = axes_of(passes->plan, k);
+    const struct shaping shaping = {passes->plan,           o,           axes,
+                                    tile->locations.extent, tile->noise, tile->state};
+    const int turns = axes == AXES_TURNED && passes->turn_pass != NULL;
     const float a = turns ? 1.0f : o->amplitude;
     const struct weights amplitude = {{a, a, a}},
                          straight = {{o->amplitude, o->slope, o->curvature}};
-    add_basis(call, tile, k, turns || call->shape->octave_axes ? &amplitude : &straight,
+    add_basis(passes, tile, k, turns || passes->fractal->octave_axes ? &amplitude : &straight,
               tile->stored, PUT_FIRST);
-    if (turns && call->shape_pass == NULL) {
-        call->turn_pass(&shaping, to, put);
-        if (call->plan->dphase) {
-            add_phase(call, tile, k, to, put);
+    if (turns && passes->fractal_pass == NULL) {
+        passes->turn_pass(&shaping, to, put);
+        if (passes->plan->dphase) {
+            add_phase(passes, tile, k, to, put);
         }
         return;
     }
     if (turns) {
-        call->turn_pass(&shaping, tile->stored, PUT_FIRST);
+        passes->turn_pass(&shaping, tile->stored, PUT_FIRST);
     }
-    if (call->phase_pass != NULL) {
-        add_shaped_phase(call, tile, k, &shaping, to, put);
+    if (passes->phase_pass != NULL) {
+        add_shaped_phase(passes, tile, k, &shaping, to, put);
     }
-    call->shape_pass(&shaping, to, put);
+    passes->fractal_pass(&shaping, to, put);
 }
 
 /* Whether octave k is stored before it is added to the outputs. */
-static int is_stored(const struct call *call, int k)
+static int is_stored(const struct passes *passes, int k)
 {
-    return call->shape_pass != NULL ||
-           (call->turn_pass != NULL && axes_of(call->plan, k) == AXES_TURNED);
+    return passes->fractal_pass != NULL ||
+           (passes->turn_pass != NULL && axes_of(passes->plan, k) == AXES_TURNED);
 }
 
 /* Adds octave k on a tile, or on some of its rows. */
-static __attribute__((noinline)) void add_octave(const struct call *call, const struct tile *tile,
-                                                 int k, const struct outputs *to)
+static __attribute__((noinline)) void
+add_octave(const struct passes *passes, const struct tile *tile, int k, const struct outputs *to)
 {
-    const struct scarp_octave *const o = &call->plan->octave[k];
+    const struct scarp_octave *const o = &passes->plan->octave[k];
     const enum put put = k > 0 ? PUT_ADD : tile->put;
-    if (is_stored(call, k)) {
-        add_shaped(call, tile, k, to, put);
+    if (is_stored(passes, k)) {
+        add_shaped(passes, tile, k, to, put);
     } else {
         const struct weights weights = {{o->amplitude, o->slope, o->curvature}};
-        add_basis(call, tile, k, &weights, to, put);
-        if (call->plan->dphase) {
-            add_phase(call, tile, k, to, put);
+        add_basis(passes, tile, k, &weights, to, put);
+        if (passes->plan->dphase) {
+            add_phase(passes, tile, k, to, put);
         }
     }
 }
@@ -369,11 +374,11 @@ static __attribute__((noinline)) void add_octave(const struct call *call, const 
 /* Adds octave k on a tile of a grid, some rows at a time, so that what is between its passes stays
    in the first-level cache. The tile is as before in the end. (A copy of it would wait until what
    was written in narrow stores has left the core: see outputs_stored.) */
-static void add_by_groups(const struct call *call, struct tile *tile, int k)
+static void add_by_groups(const struct passes *passes, struct tile *tile, int k)
 {
     const size_t rows = tile->locations.extent.rows;
-    const size_t state_of_row = tile->locations.extent.blocks * call->state_size;
-    const size_t moving_of_row = tile->locations.extent.blocks * call->moving_size;
+    const size_t state_of_row = tile->locations.extent.blocks * passes->state_size;
+    const size_t moving_of_row = tile->locations.extent.blocks * passes->moving_size;
     const double *const y = tile->y;
     vf *const state = tile->state, *const moving = tile->moving;
     for (size_t r = 0, here; r < rows; r += here) {
@@ -383,10 +388,10 @@ static void add_by_groups(const struct call *call, struct tile *tile, int k)
         tile->y = y + r;
         tile->state = state + r * state_of_row;
         tile->moving = moving + r * moving_of_row;
-        add_octave(call, tile, k, tile->to);
-        outputs_move(tile->to, call->plan->order, (ptrdiff_t)here);
+        add_octave(passes, tile, k, tile->to);
+        outputs_move(tile->to, passes->plan->order, (ptrdiff_t)here);
     }
-    outputs_move(tile->to, call->plan->order, -(ptrdiff_t)rows);
+    outputs_move(tile->to, passes->plan->order, -(ptrdiff_t)rows);
     tile->locations.extent.rows = rows;
     tile->y = y;
     tile->state = state;
@@ -396,25 +401,25 @@ static void add_by_groups(const struct call *call, struct tile *tile, int k)
 /* Prepares octave k along the axes of a grid. What depends on x is kept for the tiles below if
    there is no other octave. This is out of line, so that its arrays and those of the passes are not
    on the stack at the same time. */
-static __attribute__((noinline)) void prepare_rows(const struct call *call, const struct tile *tile,
-                                                   int k, int first_tile)
+static __attribute__((noinline)) void prepare_rows(const struct passes *passes,
+                                                   const struct tile *tile, int k, int first_tile)
 {
-    const struct scarp_call_plan *const plan = call->plan;
+    const struct scarp_call_plan *const plan = passes->plan;
     const enum axes axes = axes_of(plan, k);
     double z[VEC_LANES];
     for (size_t i = 0; i < VEC_LANES; i++) {
         z[i] = tile->at.shared[2];
     }
     const struct positions at = {.array = {NULL, tile->y, z}};
-    const struct frame f = {DOUBLES, axes, call->dimensions};
-    if (call->takes_unhashed) {
+    const struct frame f = {DOUBLES, axes, passes->dimensions};
+    if (passes->takes_unhashed) {
         struct along_cells *const along = &tile->row_octave->cells;
         if (plan->octaves > 1 || first_tile) {
             along_cells_begin(along, tile->along, tile->locations.extent.blocks);
             along_cells_x(along, &plan->octave[k], tile->at.array[0], axes);
         }
         along_cells_rows(along, &plan->octave[k], tile->locations.extent.rows, &at, axes,
-                         call->dimensions);
+                         passes->dimensions);
         return;
     }
     if (plan->octaves > 1 || first_tile) {
@@ -427,45 +432,46 @@ static __attribute__((noinline)) void prepare_rows(const struct call *call, cons
 }
 
 /* The same of an octave whose axes are turned. */
-static void prepare_turned(const struct call *call, struct tile *tile, int k)
+static void prepare_turned(const struct passes *passes, struct tile *tile, int k)
 {
-    const struct scarp_octave *const o = &call->plan->octave[k];
-    const double stretch = call->takes_unhashed ? o->stretch : 1.0;
+    const struct scarp_octave *const o = &passes->plan->octave[k];
+    const double stretch = passes->takes_unhashed ? o->stretch : 1.0;
     tile->turned.blocks = tile->locations.extent.blocks;
     tile->turned.at = tile->at;
     tile->turned.at.array[1] = tile->y;
     turned_begin(&tile->turned, tile->along, o, stretch, tile->locations.extent.rows,
-                 call->dimensions);
+                 passes->dimensions);
 }
 
 /* Adds up all octaves of a tile. */
-static void sum_octaves(const struct call *call, struct tile *tile, int first_tile)
+static void sum_octaves(const struct passes *passes, struct tile *tile, int first_tile)
 {
-    const struct scarp_call_plan *const plan = call->plan;
-    if (call->state_size > 0) {
-        state_begin(plan, tile->state, call->state_size,
+    const struct scarp_call_plan *const plan = passes->plan;
+    if (passes->state_size > 0) {
+        state_begin(plan, tile->state, passes->state_size,
                     tile->locations.extent.rows * tile->locations.extent.blocks);
     }
     for (size_t i = 0;
-         i < tile->locations.extent.rows * tile->locations.extent.blocks * call->moving_size; i++) {
+         i < tile->locations.extent.rows * tile->locations.extent.blocks * passes->moving_size;
+         i++) {
         tile->moving[i] = vf_set(0.0f);
     }
     tile->locations.basis = plan->basis;
-    tile->locations.order = call->basis_order;
+    tile->locations.order = passes->basis_order;
     tile->locations.component = plan->component;
     tile->locations.component_end = plan->component + 1;
     for (int k = 0; k < plan->octaves; k++) {
         tile->locations.octave = &plan->octave[k];
         tile->locations.turn = plan->octave[k].turn;
-        if (has_rows_pass(call, k)) {
-            prepare_rows(call, tile, k, first_tile);
-        } else if (call->layout == ROW && axes_of(plan, k) == AXES_TURNED) {
-            prepare_turned(call, tile, k);
+        if (has_rows_pass(passes, k)) {
+            prepare_rows(passes, tile, k, first_tile);
+        } else if (passes->layout == ROW && axes_of(plan, k) == AXES_TURNED) {
+            prepare_turned(passes, tile, k);
         }
-        if (call->layout == ROW) {
-            add_by_groups(call, tile, k);
+        if (passes->layout == ROW) {
+            add_by_groups(passes, tile, k);
         } else {
-            add_octave(call, tile, k, tile->to);
+            add_octave(passes, tile, k, tile->to);
         }
     }
 }

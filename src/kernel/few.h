@@ -108,9 +108,9 @@ struct few_state {
 
 /* Returns what the fractal adds for the octave n, which is in the axes of the input and has its
    amplitude. The order of v is 1 for erosion, whose n is in the axes of the octave. */
-VEC_INLINE struct sample few_shape(struct few_state *state, const struct scarp_call_plan *plan,
-                                   const struct scarp_octave *o, const struct sample *n,
-                                   struct variant v)
+VEC_INLINE struct sample few_fractal(struct few_state *state, const struct scarp_call_plan *plan,
+                                     const struct scarp_octave *o, const struct sample *n,
+                                     struct variant v)
 {
     struct sample s = *n;
     struct fold fold;
@@ -168,7 +168,7 @@ VEC_INLINE struct sample few_sum(const struct scarp_call_plan *plan, const struc
                                      o->curvature};
             EACH_OUTPUT(v, TIMES);
         }
-        const struct sample s = few_shape(&state, plan, o, &n, v);
+        const struct sample s = few_fractal(&state, plan, o, &n, v);
         EACH_OUTPUT(v, ADD);
     }
 #undef BEGIN

@@ -330,13 +330,14 @@ static size_t flat_chunk(const struct scarp_call_plan *plan, size_t vectors, siz
     if (plan->fractal == SCARP_FBM && count <= vectors / (each + any) * VEC_LANES) {
         return least(vectors / (each + any), TILE_BLOCKS) * VEC_LANES;
     }
-    struct call call;
-    call_begin(&call, plan, dimensions, DOUBLES);
-    const size_t block = points_block_size(&call);
-    const size_t passes = is_value_sum(plan) && block < VALUES_VECTORS ? VALUES_VECTORS : block;
-    vectors -= plan->octaves == 1 ? PADDED_BLOCKS * call.sums_size : 0;
-    const size_t tile = least(vectors / (each + passes), TILE_BLOCKS);
-    return tile * ((vectors - passes * tile) / (each * tile)) * VEC_LANES;
+    struct passes passes;
+    passes_choose(&passes, plan, dimensions, DOUBLES);
+    const size_t block = points_block_size(&passes);
+    const size_t vectors_of_block =
+        is_value_sum(plan) && block < VALUES_VECTORS ? VALUES_VECTORS : block;
+    vectors -= plan->octaves == 1 ? PADDED_BLOCKS * passes.sums_size : 0;
+    const size_t tile = least(vectors / (each + vectors_of_block), TILE_BLOCKS);
+    return tile * ((vectors - vectors_of_block * tile) / (each * tile)) * VEC_LANES;
 }
 
 /* Computes a grid of a noise without warps as points. */

@@ -45,7 +45,7 @@
 struct grid_call {
     const struct scarp_grid *grid;
     const struct scarp_outputs *out;
-    struct call call;
+    struct passes passes;
     int direct;  /* whether nothing is stored between passes: fBm with straight axes of a basis that
                     blends corners */
     int padded;  /* whether the last block of a row is not full */
@@ -99,32 +99,32 @@ struct tile_space {
 /* How many rows of that many blocks go through the passes at once. */
 static size_t group_of(const struct grid_call *g, size_t blocks)
 {
-    const size_t size = g->call.noise_size;
+    const size_t size = g->passes.noise_size;
     const size_t most = size * GROUP_BLOCKS > GROUP_VECTORS ? GROUP_VECTORS / size : GROUP_BLOCKS;
     return g->direct ? TILE_ROWS : blocks < most ? most / blocks : 1;
 }
 
 static struct tile_space space_of(const struct grid_call *g, size_t rows, size_t blocks)
 {
-    const struct call *const call = &g->call;
-    const size_t table = !call->rows_pass ? 0
-                         : call->takes_unhashed
-                             ? call->basis->table_size(call->dimensions, blocks)
-                             : table_size_of(call->dimensions, call->basis_order, blocks);
+    const struct passes *const passes = &g->passes;
+    const size_t table = !passes->rows_pass ? 0
+                         : passes->takes_unhashed
+                             ? passes->basis->table_size(passes->dimensions, blocks)
+                             : table_size_of(passes->dimensions, passes->basis_order, blocks);
     const size_t rows_at_once = least(rows, g->group);
-    const size_t lattice = g->direct ? 0 : rows_at_once * blocks * call->lattice_size;
-    const size_t straight = !call->rows_pass       ? 0
-                            : call->takes_unhashed ? along_cells_size(blocks)
-                                                   : along_size(blocks);
-    const size_t turned = call->plan->rotate ? turned_size(call->dimensions, rows, blocks) : 0;
+    const size_t lattice = g->direct ? 0 : rows_at_once * blocks * passes->lattice_size;
+    const size_t straight = !passes->rows_pass       ? 0
+                            : passes->takes_unhashed ? along_cells_size(blocks)
+                                                     : along_size(blocks);
+    const size_t turned = passes->plan->rotate ? turned_size(passes->dimensions, rows, blocks) : 0;
     const struct tile_space space = {
         .along = straight > turned ? straight : turned,
         .by_turns = table > lattice ? table : lattice,
-        .noise = rows_at_once * blocks * call->noise_size,
-        .state = rows * blocks * call->state_size,
-        .turning = rows_at_once * blocks * call->turning_size,
-        .moving = rows * blocks * call->moving_size,
-        .sums = g->stores ? rows * blocks * call->sums_size : 0,
+        .noise = rows_at_once * blocks * passes->noise_size,
+        .state = rows * blocks * passes->state_size,
+        .turning = rows_at_once * blocks * passes->turning_size,
+        .moving = rows * blocks * passes->moving_size,
+        .sums = g->stores ? rows * blocks * passes->sums_size : 0,
     };
     return space;
 }
@@ -174,7 +174,7 @@ static void divide_scratch(const struct grid_call *g, struct tile *tile,
     struct row_octave *const octave = &scratch->octave;
     vf *const end = scratch->passes.space + scratch->passes.vectors;
     tile->locations.extent.blocks = blocks;
-    tile->locations.fade = g->call.plan->fade;
+    tile->locations.fade = g->passes.plan->fade;
     tile->row_octave = octave;
     tile->y = scratch->y;
     tile->at.array[0] = scratch->x;
@@ -185,7 +185,7 @@ static void divide_scratch(const struct grid_call *g, struct tile *tile,
     tile->moving = tile->turning + s.turning;
     tile->sums_stored = tile->moving + s.moving;
     tile->along = tile->sums_stored + s.sums;
-    if (!g->call.takes_unhashed) {
+    if (!g->passes.takes_unhashed) {
         octave->x.block = (struct along_block *)tile->along;
         octave->x.hash = (vf *)(octave->x.block + blocks);
     }
@@ -202,26 +202,26 @@ static void grid_tile(const struct grid_call *g, struct tile *tile, const size_t
     const struct scarp_grid *const grid = g->grid;
     const size_t first = at[2] * grid->slice_stride + at[1] * grid->row_stride + at[0];
     const size_t blocks = tile->locations.extent.blocks;
-    const struct call *const call = &g->call;
+    const struct passes *const passes = &g->passes;
     struct outputs to, stored, turning;
-    outputs_stored(&stored, tile->noise, call->noise_size, call->dimensions, call->basis_order,
-                   blocks);
+    outputs_stored(&stored, tile->noise, passes->noise_size, passes->dimensions,
+                   passes->basis_order, blocks);
     tile->stored = &stored;
-    outputs_stored(&turning, tile->turning, call->turning_size, call->dimensions,
-                   call->shape->extra_order, blocks);
+    outputs_stored(&turning, tile->turning, passes->turning_size, passes->dimensions,
+                   passes->fractal->extra_order, blocks);
     tile->turning_stored = &turning;
     tile->to = &to;
     tile->group = g->group;
     tile->put = PUT_FIRST;
     if (g->stores) {
-        outputs_stored(&to, tile->sums_stored, call->sums_size, call->dimensions, call->plan->order,
-                       blocks);
+        outputs_stored(&to, tile->sums_stored, passes->sums_size, passes->dimensions,
+                       passes->plan->order, blocks);
     } else {
         const int aligned = at[0] % VEC_LANES == g->lead % VEC_LANES;
-        outputs_of(&to, g->out, call->plan->order, first, grid->row_stride, tile->spare);
+        outputs_of(&to, g->out, passes->plan->order, first, grid->row_stride, tile->spare);
         tile->put = g->streams && aligned ? PUT_STREAM : PUT_FIRST;
     }
-    sum_octaves(&g->call, tile, at[1] == 0);
+    sum_octaves(&g->passes, tile, at[1] == 0);
     for (size_t r = 0; g->stores && r < tile->locations.extent.rows; r++) {
         copy_out(g->out, first + r * grid->row_stride, &to, r, count);
     }
@@ -236,7 +236,7 @@ static void grid_strip(const struct grid_call *g, struct grid_scratch *scratch, 
     const size_t count = least(blocks * VEC_LANES, grid->count[0] - i);
     struct tile tile = {0};
     divide_scratch(g, &tile, scratch, blocks);
-    tile.at.shared[2] = g->call.dimensions == 3 ? coordinate(grid, 2, k) : 0.0;
+    tile.at.shared[2] = g->passes.dimensions == 3 ? coordinate(grid, 2, k) : 0.0;
     for (size_t n = 0; n < blocks * VEC_LANES; n += VEC_LANES) {
         block_coordinates(scratch->x + n, grid, 0, i + n, count - n);
     }
@@ -285,7 +285,7 @@ static void grid_slice(const struct grid_call *g, struct grid_scratch *scratch, 
 static void decide_streams(struct grid_call *call)
 {
     const struct scarp_grid *const g = call->grid;
-    const int solid = call->call.dimensions == 3;
+    const int solid = call->passes.dimensions == 3;
     const size_t samples = g->count[0] * g->count[1] * (solid ? g->count[2] : 1);
     size_t floats = 0, start = 0, apart = g->row_stride | (solid ? g->slice_stride : 0);
     for (int i = 0; i < OUTPUTS; i++) {
@@ -298,8 +298,8 @@ static void decide_streams(struct grid_call *call)
     }
     call->lead = (0 - start) % CACHE_LINE;
     const int whole = call->lead == 0 && g->count[0] % VEC_LANES == 0;
-    call->streams = VEC_STREAMS && call->call.rows_pass != NULL && call->call.straight_fbm &&
-                    call->call.plan->octaves == 1 && floats >= STREAM_BYTES / sizeof(float) &&
+    call->streams = VEC_STREAMS && call->passes.rows_pass != NULL && call->passes.straight_fbm &&
+                    call->passes.plan->octaves == 1 && floats >= STREAM_BYTES / sizeof(float) &&
                     apart % VEC_LANES == 0 && g->count[0] >= (whole ? 64 : 1024);
 }
 
@@ -312,8 +312,8 @@ static __attribute__((noinline)) void grid_within(const struct scarp_call_plan *
     struct grid_scratch scratch;
     struct grid_call g = {.grid = described, .out = out, .vectors = work.vectors};
     scratch.passes = work;
-    call_begin(&g.call, plan, dimensions, ROW);
-    g.direct = g.call.rows_pass != NULL && g.call.straight_fbm && !g.call.takes_unhashed;
+    passes_choose(&g.passes, plan, dimensions, ROW);
+    g.direct = g.passes.rows_pass != NULL && g.passes.straight_fbm && !g.passes.takes_unhashed;
     g.padded = described->count[0] % VEC_LANES != 0 && described->count[0] < PADDED_SAMPLES;
     g.stores = g.padded || (dimensions == 3 && plan->order == 2 && plan->octaves > 1);
     decide_streams(&g);

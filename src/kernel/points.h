@@ -13,59 +13,59 @@
 
 /* Vectors of scratch space that each block of a tile takes; sums are there where octaves are added
    up. */
-static size_t points_block_size(const struct call *call)
+static size_t points_block_size(const struct passes *passes)
 {
-    return call->lattice_size + call->noise_size + call->state_size + call->turning_size +
-           call->moving_size + 1 + (call->plan->octaves > 1 ? call->sums_size : 0);
+    return passes->lattice_size + passes->noise_size + passes->state_size + passes->turning_size +
+           passes->moving_size + 1 + (passes->plan->octaves > 1 ? passes->sums_size : 0);
 }
 
 /* Gives the tile its share of the scratch space, for as many blocks as fit, and returns their
    number. Padded tiles have sums, too. */
-static size_t divide_for_points(const struct call *call, struct tile *tile, struct workspace work,
-                                int padded)
+static size_t divide_for_points(const struct passes *passes, struct tile *tile,
+                                struct workspace work, int padded)
 {
-    const size_t each = points_block_size(call);
-    const int adds_sums = padded && call->plan->octaves == 1;
-    const size_t room = work.vectors - (adds_sums ? PADDED_BLOCKS * call->sums_size : 0);
+    const size_t each = points_block_size(passes);
+    const int adds_sums = padded && passes->plan->octaves == 1;
+    const size_t room = work.vectors - (adds_sums ? PADDED_BLOCKS * passes->sums_size : 0);
     const size_t blocks = TILE_BLOCKS * each <= room ? TILE_BLOCKS : room / each;
     tile->locations.lattice = work.space;
-    tile->noise = tile->locations.lattice + blocks * call->lattice_size;
-    tile->state = tile->noise + blocks * call->noise_size;
-    tile->turning = tile->state + blocks * call->state_size;
-    tile->moving = tile->turning + blocks * call->turning_size;
-    tile->spare = tile->moving + blocks * call->moving_size;
+    tile->noise = tile->locations.lattice + blocks * passes->lattice_size;
+    tile->state = tile->noise + blocks * passes->noise_size;
+    tile->turning = tile->state + blocks * passes->state_size;
+    tile->moving = tile->turning + blocks * passes->turning_size;
+    tile->spare = tile->moving + blocks * passes->moving_size;
     tile->sums_stored = tile->spare + blocks;
     return blocks;
 }
 
 /* Computes whole blocks of points. Several octaves are added up in `sums`, since outputs may be
    where coordinates are. */
-static void points_whole(const struct call *call, struct tile *tile, struct outputs *sums,
+static void points_whole(const struct passes *passes, struct tile *tile, struct outputs *sums,
                          size_t count, const struct scarp_outputs *out, size_t first)
 {
     struct outputs to;
     tile->locations.extent.blocks = count / VEC_LANES;
-    if (call->plan->octaves > 1) {
+    if (passes->plan->octaves > 1) {
         tile->to = sums;
-        sum_octaves(call, tile, 1);
+        sum_octaves(passes, tile, 1);
         copy_out(out, first, sums, 0, count);
         return;
     }
-    outputs_of(&to, out, call->plan->order, first, 0, tile->spare);
+    outputs_of(&to, out, passes->plan->order, first, 0, tile->spare);
     tile->to = &to;
-    sum_octaves(call, tile, 1);
+    sum_octaves(passes, tile, 1);
 }
 
 /* Computes at most PADDED_BLOCKS blocks, of which the last one may be incomplete. Padded copies
    make sure that nothing beyond an array is touched. The padding is 0, which raises no
    floating-point exception. */
-static void points_padded(const struct call *call, struct tile *tile, struct outputs *sums,
+static void points_padded(const struct passes *passes, struct tile *tile, struct outputs *sums,
                           size_t count, const struct scarp_outputs *out, size_t first)
 {
-    const size_t bytes = call->layout == DOUBLES ? sizeof(double) : sizeof(float);
+    const size_t bytes = passes->layout == DOUBLES ? sizeof(double) : sizeof(float);
     const size_t blocks = (count + VEC_LANES - 1) / VEC_LANES;
     double padded[3][PADDED_BLOCKS * VEC_LANES];
-    for (int d = 0; d < call->dimensions; d++) {
+    for (int d = 0; d < passes->dimensions; d++) {
         char *const copy = (char *)padded[d];
         memcpy(copy, tile->at.array[d], count * bytes);
         memset(copy + count * bytes, 0, (blocks * VEC_LANES - count) * bytes);
@@ -73,7 +73,7 @@ static void points_padded(const struct call *call, struct tile *tile, struct out
     }
     tile->locations.extent.blocks = blocks;
     tile->to = sums;
-    sum_octaves(call, tile, 1);
+    sum_octaves(passes, tile, 1);
     copy_out(out, first, sums, 0, count);
 }
 
@@ -95,8 +95,8 @@ static void points_many(const struct scarp_call_plan *plan, size_t count,
     const int dimensions = f.dimensions, padded = count % VEC_LANES != 0;
     const int may_be_far = f.layout == DOUBLES && turns_axes(plan);
     const double highest = highest_frequency(plan);
-    struct call call;
-    call_begin(&call, plan, dimensions, f.layout);
+    struct passes passes;
+    passes_choose(&passes, plan, dimensions, f.layout);
     struct tile tile; /* the members that only grids need stay unset */
     struct outputs sums, stored, turning;
     if (f.layout == MOVED) {
@@ -109,16 +109,16 @@ static void points_many(const struct scarp_call_plan *plan, size_t count,
     tile.is_located = 0;
     tile.stored = &stored;
     tile.turning_stored = &turning;
-    const size_t most = divide_for_points(&call, &tile, work, padded) * VEC_LANES;
+    const size_t most = divide_for_points(&passes, &tile, work, padded) * VEC_LANES;
     if (plan->octaves > 1 || padded) {
-        outputs_stored(&sums, tile.sums_stored, call.sums_size, dimensions, plan->order, 0);
+        outputs_stored(&sums, tile.sums_stored, passes.sums_size, dimensions, plan->order, 0);
     }
-    if (call.noise_size > 0) {
-        outputs_stored(&stored, tile.noise, call.noise_size, dimensions, call.basis_order, 0);
+    if (passes.noise_size > 0) {
+        outputs_stored(&stored, tile.noise, passes.noise_size, dimensions, passes.basis_order, 0);
     }
-    if (call.turning_size > 0) {
-        outputs_stored(&turning, tile.turning, call.turning_size, dimensions,
-                       call.shape->extra_order, 0);
+    if (passes.turning_size > 0) {
+        outputs_stored(&turning, tile.turning, passes.turning_size, dimensions,
+                       passes.fractal->extra_order, 0);
     }
     for (size_t first = 0, here; first < count; first += here) {
         here = least(count - first, most);
@@ -126,9 +126,9 @@ static void points_many(const struct scarp_call_plan *plan, size_t count,
         tile.is_far = may_be_far && is_far(highest, here, tile.at.array, dimensions);
         if (here % VEC_LANES == 0 || here > PADDED_BLOCKS * VEC_LANES) {
             here -= here % VEC_LANES;
-            points_whole(&call, &tile, &sums, here, out, first);
+            points_whole(&passes, &tile, &sums, here, out, first);
         } else {
-            points_padded(&call, &tile, &sums, here, out, first);
+            points_padded(&passes, &tile, &sums, here, out, first);
         }
     }
 }

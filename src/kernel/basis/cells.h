@@ -9,7 +9,7 @@
 #ifndef SCARP_KERNEL_BASIS_CELLS_H
 #define SCARP_KERNEL_BASIS_CELLS_H
 
-#include "../samples.h"
+#include "../sample.h"
 #include "../unhashed.h"
 
 /* What a cell draws beside v_0, which is its hash. */

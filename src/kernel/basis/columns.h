@@ -31,7 +31,7 @@
 #define SCARP_KERNEL_BASIS_COLUMNS_H
 
 #include "../lattice.h"
-#include "../samples.h"
+#include "../sample.h"
 #include "directions.h"
 #include "fade.h"
 

@@ -1,20 +1,20 @@
 /* SPDX-License-Identifier: MIT
  *
- * Stage 3, the shape: what the fractals make of the noise of each octave. fBm with straight axes
- * needs none: the basis is added to the sums as it is.
+ * Stage 3, the fractal: what it makes of the noise of each octave. fBm with straight axes needs
+ * none: the basis is added to the sums as it is.
  *
- * A fractal is a file with its pass (turn.h has the type) and a line in `shapes`.
+ * A fractal is a file with its pass (turn.h has the type) and a line in `fractals`.
  */
-#ifndef SCARP_KERNEL_SHAPE_H
-#define SCARP_KERNEL_SHAPE_H
+#ifndef SCARP_KERNEL_FRACTAL_H
+#define SCARP_KERNEL_FRACTAL_H
 
 #include "phase.h"
 
-struct shape {
-    shape_pass *pass[2][3]; /* by [dimensions - 2][order]; NULL: the noise is added as it is */
-    phase_pass *phase[2];   /* by [dimensions - 2] */
-    int extra_order;        /* derivatives of the basis that it needs beyond those asked for */
-    int octave_axes;        /* whether they are in the octave's own axes, times the amplitude */
+struct fractal {
+    fractal_pass *pass[2][3]; /* by [dimensions - 2][order]; NULL: the noise is added as it is */
+    phase_pass *phase[2];     /* by [dimensions - 2] */
+    int extra_order;          /* derivatives of the basis that it needs beyond those asked for */
+    int octave_axes;          /* whether they are in the octave's own axes, times the amplitude */
 };
 
 #define FOLD                                                                                       \
@@ -36,7 +36,7 @@ struct shape {
         }                                                                                          \
     }
 
-static const struct shape shapes[] = {
+static const struct fractal fractals[] = {
     [SCARP_FBM] = {.extra_order = 0},
     [SCARP_TURBULENCE] = FOLD,
     [SCARP_RIDGED] = WEIGHTED,

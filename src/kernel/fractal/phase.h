@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT
  *
  * The derivative of shaped octaves by the phase, from that of the noise, which is noise with other
- * gradients. These passes come before those that shape the octave itself, so they find the state
+ * gradients. These passes come before those of the octave itself, so they find the state
  * without it, and work for every order. The references are in scalar/.
  */
-#ifndef SCARP_KERNEL_SHAPE_PHASE_H
-#define SCARP_KERNEL_SHAPE_PHASE_H
+#ifndef SCARP_KERNEL_FRACTAL_PHASE_H
+#define SCARP_KERNEL_FRACTAL_PHASE_H
 
 #include "erosion.h"
 

@@ -3,8 +3,8 @@
  * Turbulence: the sum of a_k |n_k|, whose pass is in pingpong.h, which includes this file. The
  * reference is scalar/turbulence.h.
  */
-#ifndef SCARP_KERNEL_SHAPE_TURBULENCE_H
-#define SCARP_KERNEL_SHAPE_TURBULENCE_H
+#ifndef SCARP_KERNEL_FRACTAL_TURBULENCE_H
+#define SCARP_KERNEL_FRACTAL_TURBULENCE_H
 
 #include "turn.h"
 

@@ -5,8 +5,8 @@
  *
  *     gradient += (a J)^T g      Hessian += (a J)^T (H J)
  */
-#ifndef SCARP_KERNEL_SHAPE_TURN_H
-#define SCARP_KERNEL_SHAPE_TURN_H
+#ifndef SCARP_KERNEL_FRACTAL_TURN_H
+#define SCARP_KERNEL_FRACTAL_TURN_H
 
 #include "../basis/basis.h"
 
@@ -22,7 +22,7 @@ struct shaping {
 };
 
 /* Adds the noise, shaped, to `to`, or puts it there, which may be where the noise is. */
-typedef void shape_pass(const struct shaping *shaping, const struct outputs *to, enum put put);
+typedef void fractal_pass(const struct shaping *shaping, const struct outputs *to, enum put put);
 
 /* A vector in the octave's frame; z is unset in 2D. */
 struct vector {
@@ -109,7 +109,7 @@ VEC_INLINE void turn_run(const struct shaping *shaping, const struct outputs *ou
     }
 }
 
-/* Shapes are the same for every basis, so they ignore that of the variant. */
+/* Fractals are the same for every basis, so they ignore that of the variant. */
 #define TURN_PASS(name, dimensions, order)                                                         \
     static void name(const struct shaping *shaping, const struct outputs *to, enum put put)        \
     {                                                                                              \
@@ -125,7 +125,7 @@ TURN_PASS(turn3_order2, 3, 2)
 #undef TURN_PASS
 
 /* By [dimensions - 2][order - 1]. */
-static shape_pass *const turn_passes[2][2] = {
+static fractal_pass *const turn_passes[2][2] = {
     {turn2_order1, turn2_order2},
     {turn3_order1, turn3_order2},
 };

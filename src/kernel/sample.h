@@ -3,8 +3,8 @@
  * The outputs at a block of VEC_LANES points, and where they come from and go to: what the stages
  * hand to each other.
  */
-#ifndef SCARP_KERNEL_SAMPLES_H
-#define SCARP_KERNEL_SAMPLES_H
+#ifndef SCARP_KERNEL_SAMPLE_H
+#define SCARP_KERNEL_SAMPLE_H
 
 #include "../plan/call.h"
 #include "../plan/outputs.h"

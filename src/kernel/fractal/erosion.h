@@ -4,8 +4,8 @@
  * d_k being the sum of the gradients up to octave k, each in its own axes. Its state is d with,
  * from order 1 on, its Jacobian with respect to the input. The reference is scalar/erosion.h.
  */
-#ifndef SCARP_KERNEL_SHAPE_EROSION_H
-#define SCARP_KERNEL_SHAPE_EROSION_H
+#ifndef SCARP_KERNEL_FRACTAL_EROSION_H
+#define SCARP_KERNEL_FRACTAL_EROSION_H
 
 #include "hybrid.h"
 

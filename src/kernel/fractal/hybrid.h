@@ -5,8 +5,8 @@
  * serves both. The state is the weight v_k with its derivatives, a stored sample. The references
  * are scalar/ridged.h and scalar/hybrid.h.
  */
-#ifndef SCARP_KERNEL_SHAPE_HYBRID_H
-#define SCARP_KERNEL_SHAPE_HYBRID_H
+#ifndef SCARP_KERNEL_FRACTAL_HYBRID_H
+#define SCARP_KERNEL_FRACTAL_HYBRID_H
 
 #include "ridged.h"
 
