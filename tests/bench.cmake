@@ -3,11 +3,15 @@
 
 set(program ${CMAKE_CROSSCOMPILING_EMULATOR} $<TARGET_FILE:scarp-bench>)
 set(script ${CMAKE_CURRENT_LIST_DIR}/test_bench.py)
-foreach(group Selection Results Every Errors)
+function(scarp_add_bench_test group) # of test_bench.py
   string(TOLOWER ${group} name)
-  scarp_add_test(bench.${name} bench NEEDS scarp-bench python3
+  scarp_add_test(bench.${name} bench ${ARGN} NEEDS scarp-bench python3
                  COMMAND ${Python3_EXECUTABLE} ${script} ${group} ${program})
-endforeach()
+endfunction()
+scarp_add_bench_test(Selection NOT sanitized)
+scarp_add_bench_test(Results IN thorough NOT sanitized)
+scarp_add_bench_test(Every IN thorough)
+scarp_add_bench_test(Errors)
 
 if("scarp-bench" IN_LIST scarp_found)
   scarp_test_program(test_bench_presets SOURCES ${PROJECT_SOURCE_DIR}/bench/names.c

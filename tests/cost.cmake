@@ -6,7 +6,7 @@ if(CMAKE_CROSSCOMPILING_EMULATOR)
   set(cost_processor emulated)
 endif()
 scarp_test_program(test_cost)
-scarp_add_test(cost cost NEEDS python3 valgrind
+scarp_add_test(cost cost IN thorough NEEDS python3 valgrind
                COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/test_cost.py
                $<TARGET_FILE:test_cost> ${CMAKE_CURRENT_SOURCE_DIR}/cost.txt
                ${CMAKE_CURRENT_BINARY_DIR} "processor: ${cost_processor}"

@@ -10,7 +10,7 @@ if(CMAKE_SYSTEM_NAME STREQUAL "Linux")
 endif()
 foreach(name same locks mpirun parallel kubernetes levels gdal slurm)
   file(REAL_PATH farm/test_${name}.py script)
-  scarp_add_test(farm.${name} farm NEEDS scarp python3 linux full-speed COMMAND
+  scarp_add_test(farm.${name} farm IN thorough NEEDS scarp python3 linux full-speed COMMAND
                  ${Python3_EXECUTABLE} -B ${script}
                  $<TARGET_FILE:scarp-cli> ${PROJECT_SOURCE_DIR}/src/cli/README.md
                  ${CMAKE_CURRENT_BINARY_DIR}/farm $<TARGET_FILE:without_locks>)

@@ -5,22 +5,25 @@
 
 # 12 cases each in full: more than 10^5 points
 scarp_test_program(test_fractal SOURCES ${oracle_sources})
-scarp_add_sized_test(fractal.accuracy fractal SIZES 9000 2000 2000 1000 COMMAND test_fractal {})
+scarp_add_sized_test(fractal.accuracy fractal NOT emulated s390x
+                     SIZES 9000 2000 2000 1000 COMMAND test_fractal {})
 # 4 cases
 scarp_test_program(test_fractal_exact SOURCES ${oracle_sources})
-scarp_add_sized_test(fractal.exact fractal SIZES 26000 4000 4000 1000 COMMAND test_fractal_exact {})
+scarp_add_sized_test(fractal.exact fractal NOT emulated s390x
+                     SIZES 26000 4000 4000 1000 COMMAND test_fractal_exact {})
 
 scarp_test_program(test_fractal_rebuild)
-scarp_add_sized_test(fractal.rebuild fractal SIZES 10000 3000 2000 1000
-                     COMMAND test_fractal_rebuild {})
+scarp_add_sized_test(fractal.rebuild fractal NOT emulated s390x
+                     SIZES 10000 3000 2000 1000 COMMAND test_fractal_rebuild {})
 scarp_test_program(test_fractal_published SOURCES ${oracle_sources})
-scarp_add_sized_test(fractal.published fractal SIZES 10000 5000 2000 1000
-                     COMMAND test_fractal_published {})
+scarp_add_sized_test(fractal.published fractal NOT emulated s390x
+                     SIZES 10000 5000 2000 1000 COMMAND test_fractal_published {})
 
 scarp_test_program(test_fractal_range)
-scarp_add_sized_test(fractal.range fractal SIZES 100000 100000 100000 10000
-                     COMMAND test_fractal_range {})
+scarp_add_sized_test(fractal.range fractal NOT emulated s390x
+                     SIZES 100000 100000 100000 10000 COMMAND test_fractal_range {})
 
 # Lines of each case
 scarp_test_program(test_continuity)
-scarp_add_sized_test(fractal.continuity fractal SIZES 1000 64 64 32 COMMAND test_continuity {})
+scarp_add_sized_test(fractal.continuity fractal NOT emulated s390x
+                     SIZES 1000 64 64 32 COMMAND test_continuity {})

@@ -12,14 +12,14 @@ if("godot" IN_LIST scarp_found)
   target_include_directories(godot_host SYSTEM PRIVATE ${SCARP_GODOT_HEADERS})
   target_link_libraries(godot_host PRIVATE scarp ${CMAKE_DL_LIBS} ${SCARP_LIBM})
   add_dependencies(godot_host scarp_godot)
-  scarp_add_test(godot bindings COMMAND godot_host $<TARGET_FILE:scarp_godot>
+  scarp_add_test(godot bindings IN without-glslang COMMAND godot_host $<TARGET_FILE:scarp_godot>
                  ${PROJECT_SOURCE_DIR}/include/scarp.glsl)
 else()
-  scarp_add_test(godot bindings NEEDS godot)
+  scarp_add_test(godot bindings IN without-glslang NEEDS godot)
 endif()
 
 # The shader of its page
-scarp_add_test(godot.shader shader NEEDS glslang python3 scarp
+scarp_add_test(godot.shader shader IN without-glslang NEEDS glslang python3 scarp
                COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/bindings/test_godot_shader.py
                ${PROJECT_SOURCE_DIR} "${SCARP_GLSLANG}" ${CMAKE_CURRENT_BINARY_DIR}/godot
                ${CMAKE_CROSSCOMPILING_EMULATOR} $<TARGET_FILE:scarp-cli>)

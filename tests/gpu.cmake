@@ -33,8 +33,8 @@ set(engines ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/gpu/engines.py)
 add_executable(gpu_write_relief gpu/write_relief.c)
 scarp_compile_rules(gpu_write_relief)
 target_link_libraries(gpu_write_relief PRIVATE scarp ${SCARP_LIBM})
-scarp_add_test(gpu.engines.csharp gpu NEEDS mono python3
+scarp_add_test(gpu.engines.csharp gpu IN thorough NEEDS mono python3
                COMMAND ${engines} csharp ${SCARP_MCS} ${SCARP_MONO} $<TARGET_FILE:scarp>
                $<TARGET_FILE:gpu_write_relief> ${PROJECT_SOURCE_DIR})
-scarp_add_test(gpu.engines.cpp gpu NEEDS c++ posix python3
+scarp_add_test(gpu.engines.cpp gpu IN without-c++ without-glslang without-mono NEEDS c++ posix python3
                COMMAND ${engines} cpp ${SCARP_CXX} ${PROJECT_SOURCE_DIR})

@@ -10,7 +10,7 @@ foreach(test wgsl:wgsl webgl:webgl browser_control:control)
   string(REPLACE ":" ";" test ${test})
   list(GET test 0 name)
   list(GET test 1 what)
-  scarp_add_test(gpu.${name} shader NEEDS chromium posix python3
+  scarp_add_test(gpu.${name} shader IN thorough NEEDS chromium posix python3
                  COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/gpu/browser.py ${what}
                  ${SCARP_CHROMIUM} $<TARGET_FILE:gpu_write_cases> ${PROJECT_SOURCE_DIR})
 endforeach()
@@ -25,7 +25,7 @@ set(gpu_examples ${PROJECT_SOURCE_DIR}/src/examples/recipes)
 set(gpu_recipes_wgsl 3 7 ${gpu_presets}/alps.recipe ${gpu_examples}/marble.recipe)
 set(gpu_recipes_webgl 0 15 ${gpu_examples}/marble.recipe)
 foreach(language wgsl webgl)
-  scarp_add_test(gpu.recipes.${language} shader NEEDS chromium posix python3
+  scarp_add_test(gpu.recipes.${language} shader IN thorough NEEDS chromium posix python3
                  COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/gpu/browser.py
                  recipes.${language} ${SCARP_CHROMIUM} $<TARGET_FILE:gpu_recipe_cases>
                  ${PROJECT_SOURCE_DIR} ${gpu_recipes_${language}})
@@ -33,7 +33,7 @@ endforeach()
 
 # The pages of src/gpu/samples
 foreach(name webgpu webgl)
-  scarp_add_test(gpu.page.${name} shader NEEDS chromium posix python3
+  scarp_add_test(gpu.page.${name} shader IN thorough NEEDS chromium posix python3
                  COMMAND ${Python3_EXECUTABLE} ${CMAKE_CURRENT_SOURCE_DIR}/gpu/pages.py ${name}
                  ${SCARP_CHROMIUM} $<TARGET_FILE:gpu_write_relief> ${PROJECT_SOURCE_DIR})
 endforeach()

@@ -55,9 +55,9 @@ endif()
 foreach(language glsl hlsl)
   set(contraction ${Python3_EXECUTABLE} ${gpu_dir}/contraction.py)
   set(name ${gpu_shaders}/${language})
-  scarp_add_test(gpu.contraction.${language} shader NEEDS glslang python3 spirv-tools
+  scarp_add_test(gpu.contraction.${language} shader IN without-glslang without-spirv-tools NEEDS glslang python3 spirv-tools
                  COMMAND ${contraction} ${SCARP_SPIRV_DIS} ${name}-2d.spv ${name}-3d.spv)
-  scarp_add_test(gpu.contraction.${language}.control shader NEEDS glslang python3 spirv-tools
+  scarp_add_test(gpu.contraction.${language}.control shader IN thorough NEEDS glslang python3 spirv-tools
                  COMMAND ${contraction} --must-find ${SCARP_SPIRV_DIS} ${name}-fused-2d.spv
                  ${name}-fused-3d.spv)
 endforeach()
@@ -70,32 +70,32 @@ if("vulkan" IN_LIST scarp_found)
   endforeach()
 endif()
 
-# scarp_add_gpu_test(NAME COMMAND argument...): what the driver keeps of compiled shaders stays here.
-# NEEDS_TOO, if it is set, has more tools that it needs.
+# scarp_add_gpu_test(NAME [IN leg] [NEEDS tool...] COMMAND argument...): what the driver keeps of compiled
+# shaders stays here.
 function(scarp_add_gpu_test name)
-  scarp_add_test(${name} shader NEEDS glslang vulkan ${NEEDS_TOO} COMMAND ${ARGN})
+  cmake_parse_arguments(arg "" "" "IN;NEEDS;COMMAND" ${ARGN})
+  scarp_add_test(${name} shader IN ${arg_IN} NEEDS glslang vulkan ${arg_NEEDS} COMMAND ${arg_COMMAND})
   if(TEST ${name})
     set_tests_properties(${name} PROPERTIES
                          ENVIRONMENT MESA_SHADER_CACHE_DIR=${gpu_shaders}/cache)
   endif()
 endfunction()
 
-scarp_add_gpu_test(gpu.glsl gpu_vulkan ${gpu_shaders}/glsl ${gpu_points} hessian)
-scarp_add_gpu_test(gpu.glsl.full gpu_vulkan ${gpu_shaders}/glsl 40003 hessian)
-scarp_add_gpu_test(gpu.hlsl.full gpu_vulkan ${gpu_shaders}/hlsl 40003 hessian)
-scarp_add_gpu_test(gpu.glsl.value gpu_vulkan ${gpu_shaders}/glsl ${gpu_points} value)
-scarp_add_gpu_test(gpu.hlsl gpu_vulkan ${gpu_shaders}/hlsl ${gpu_points} hessian)
-scarp_add_gpu_test(gpu.glsl.answers gpu_vulkan ${gpu_shaders}/glsl ${gpu_points} answers)
-scarp_add_gpu_test(gpu.control gpu_vulkan --must-differ ${gpu_shaders}/glsl-fused ${gpu_points} hessian)
-scarp_add_gpu_test(gpu.picture gpu_picture ${gpu_shaders}/picture.spv --small)
-block()
-  set(NEEDS_TOO python3)
-  scarp_add_gpu_test(gpu.relief ${Python3_EXECUTABLE} ${gpu_dir}/relief.py $<TARGET_FILE:relief>
-                     ${PROJECT_BINARY_DIR}/bin/relief.spv ${gpu_shaders}/relief-fused.spv
-                     ${PROJECT_SOURCE_DIR}/src/gpu/samples/relief.png $<$<BOOL:${SCARP_SPIRV_OPT}>:${SCARP_SPIRV_OPT}>)
-  scarp_add_gpu_test(gpu.engines.hlsl ${Python3_EXECUTABLE} ${gpu_dir}/engines.py hlsl
-                     ${SCARP_GLSLANG} $<TARGET_FILE:relief> ${PROJECT_SOURCE_DIR})
-endblock()
+scarp_add_gpu_test(gpu.glsl COMMAND gpu_vulkan ${gpu_shaders}/glsl ${gpu_points} hessian)
+scarp_add_gpu_test(gpu.glsl.full IN thorough COMMAND gpu_vulkan ${gpu_shaders}/glsl 40003 hessian)
+scarp_add_gpu_test(gpu.hlsl.full IN thorough COMMAND gpu_vulkan ${gpu_shaders}/hlsl 40003 hessian)
+scarp_add_gpu_test(gpu.glsl.value IN thorough COMMAND gpu_vulkan ${gpu_shaders}/glsl ${gpu_points} value)
+scarp_add_gpu_test(gpu.hlsl COMMAND gpu_vulkan ${gpu_shaders}/hlsl ${gpu_points} hessian)
+scarp_add_gpu_test(gpu.glsl.answers IN thorough COMMAND gpu_vulkan ${gpu_shaders}/glsl ${gpu_points} answers)
+scarp_add_gpu_test(gpu.control IN thorough COMMAND gpu_vulkan --must-differ ${gpu_shaders}/glsl-fused ${gpu_points} hessian)
+scarp_add_gpu_test(gpu.picture IN thorough COMMAND gpu_picture ${gpu_shaders}/picture.spv --small)
+scarp_add_gpu_test(gpu.relief IN thorough NEEDS python3
+                   COMMAND ${Python3_EXECUTABLE} ${gpu_dir}/relief.py $<TARGET_FILE:relief>
+                   ${PROJECT_BINARY_DIR}/bin/relief.spv ${gpu_shaders}/relief-fused.spv
+                   ${PROJECT_SOURCE_DIR}/src/gpu/samples/relief.png $<$<BOOL:${SCARP_SPIRV_OPT}>:${SCARP_SPIRV_OPT}>)
+scarp_add_gpu_test(gpu.engines.hlsl IN thorough NEEDS python3
+                   COMMAND ${Python3_EXECUTABLE} ${gpu_dir}/engines.py hlsl
+                   ${SCARP_GLSLANG} $<TARGET_FILE:relief> ${PROJECT_SOURCE_DIR})
 
 # Recipes, which are compiled when a test runs
 if("vulkan" IN_LIST scarp_found)
@@ -103,28 +103,25 @@ if("vulkan" IN_LIST scarp_found)
 else()
   set(gpu_recipes none)
 endif()
-function(scarp_add_recipe_test name language) # COUNT EVERY RECIPE..., before them --must-differ
+function(scarp_add_recipe_test name in language) # COUNT EVERY RECIPE..., before them --must-differ
   set(control)
-  if(ARGV2 STREQUAL "--must-differ")
+  if(ARGV3 STREQUAL "--must-differ")
     list(POP_FRONT ARGN control)
   endif()
   list(POP_FRONT ARGN count every)
-  set(NEEDS_TOO python3)
-  scarp_add_gpu_test(${name} ${Python3_EXECUTABLE} ${gpu_dir}/recipes.py ${control}
+  scarp_add_gpu_test(${name} IN ${in} NEEDS python3 COMMAND ${Python3_EXECUTABLE} ${gpu_dir}/recipes.py ${control}
                      $<TARGET_FILE:gpu_recipe_cases> ${gpu_recipes} ${SCARP_GLSLANG} ${count} ${every}
                      ${PROJECT_SOURCE_DIR}/include/scarp.${language} ${ARGN})
 endfunction()
-scarp_add_recipe_test(gpu.recipes.glsl glsl 0 20)
-scarp_add_recipe_test(gpu.recipes.control glsl --must-differ 0 100)
+scarp_add_recipe_test(gpu.recipes.glsl "${long}" glsl 0 20)
+scarp_add_recipe_test(gpu.recipes.control thorough glsl --must-differ 0 100)
 set(gpu_some_recipes ${gpu_presets}/alps.recipe ${gpu_examples}/marble.recipe)
-scarp_add_recipe_test(gpu.recipes.glsl.full glsl 6 4 ${gpu_some_recipes})
-scarp_add_recipe_test(gpu.recipes.hlsl.full hlsl 4 4 ${gpu_some_recipes})
+scarp_add_recipe_test(gpu.recipes.glsl.full thorough glsl 6 4 ${gpu_some_recipes})
+scarp_add_recipe_test(gpu.recipes.hlsl.full thorough hlsl 4 4 ${gpu_some_recipes})
 
 # What stands in src/gpu/README.md
-scarp_add_test(gpu.readme shader NEEDS glslang python3 COMMAND ${Python3_EXECUTABLE}
-               ${gpu_dir}/readme.py blocks ${PROJECT_SOURCE_DIR} ${SCARP_GLSLANG})
-block()
-  set(NEEDS_TOO pkg-config posix python3 sh)
-  scarp_add_gpu_test(gpu.readme.commands ${Python3_EXECUTABLE} ${gpu_dir}/readme.py commands
-                     ${PROJECT_SOURCE_DIR} $<TARGET_FILE:scarp>)
-endblock()
+scarp_add_test(gpu.readme shader IN without-glslang without-spirv-tools NEEDS glslang python3
+               COMMAND ${Python3_EXECUTABLE} ${gpu_dir}/readme.py blocks ${PROJECT_SOURCE_DIR} ${SCARP_GLSLANG})
+scarp_add_gpu_test(gpu.readme.commands IN thorough NEEDS pkg-config posix python3 sh
+                   COMMAND ${Python3_EXECUTABLE} ${gpu_dir}/readme.py commands
+                   ${PROJECT_SOURCE_DIR} $<TARGET_FILE:scarp>)

@@ -7,8 +7,10 @@ foreach(isa IN LISTS isas)
   if(isa STREQUAL "scalar") # its grids are its points, one after the other
     set(quick 150)
   endif()
-  scarp_add_sized_test(grid.${isa} grid SIZES 4000 ${quick} 800 150 COMMAND test_grid ${isa} {})
+  scarp_add_sized_test(grid.${isa} grid IN core2duo:generic windows wasm:wasm128,generic
+                       NOT emulated:scalar s390x:generic sanitized:scalar
+                       SIZES 4000 ${quick} 800 150 COMMAND test_grid ${isa} {})
 endforeach()
 
 scarp_test_program(test_grid_safety)
-scarp_add_isa_tests(grid_safety grid test_grid_safety)
+scarp_add_isa_tests(grid_safety grid NOT emulated:scalar s390x COMMAND test_grid_safety)

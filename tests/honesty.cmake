@@ -5,4 +5,4 @@
 scarp_test_program(honesty SOURCES honesty_subjects.c oracle_gullies.c oracle_recipe.c oracle_warp.c
                    ${oracle_sources})
 target_link_libraries(honesty PRIVATE scarp-presets)
-scarp_add_sized_test(honesty accuracy SIZES 512 12 4 2 COMMAND honesty {})
+scarp_add_sized_test(honesty accuracy NOT emulated sanitized SIZES 512 12 4 2 COMMAND honesty {})

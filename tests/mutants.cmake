@@ -63,7 +63,7 @@ function(mutant name)
   foreach(isa IN LISTS arg_SETS)
     set(test mutants.${program_of_${arg_SEEN_BY}}.${isa})
     if(isa IN_LIST isas AND NOT TEST ${test})
-      scarp_add_test(${test} mutants mutant_${program_of_${arg_SEEN_BY}} ${isa}
+      scarp_add_test(${test} mutants IN thorough COMMAND mutant_${program_of_${arg_SEEN_BY}} ${isa}
                      ${CMAKE_CURRENT_SOURCE_DIR}/golden.txt)
     endif()
   endforeach()
@@ -71,10 +71,10 @@ endfunction()
 include(mutants/list.cmake)
 
 # Mutations by rule: the script itself, and all of one small file, which must be noticed.
-scarp_add_test(mutants.rules mutants NEEDS python3 COMMAND ${Python3_EXECUTABLE} -B
+scarp_add_test(mutants.rules mutants IN thorough NEEDS python3 COMMAND ${Python3_EXECUTABLE} -B
                ${CMAKE_CURRENT_SOURCE_DIR}/mutants/rules/test_rules.py ${CMAKE_CURRENT_BINARY_DIR}/mutants/rules)
 if("avx2" IN_LIST isas AND speed STREQUAL "full")
-  scarp_add_test(mutants.rules.fades mutants NEEDS python3 COMMAND ${Python3_EXECUTABLE} -B
+  scarp_add_test(mutants.rules.fades mutants IN thorough NEEDS python3 COMMAND ${Python3_EXECUTABLE} -B
                  ${CMAKE_CURRENT_SOURCE_DIR}/mutants/rules/rules.py
                  --work ${CMAKE_CURRENT_BINARY_DIR}/mutants/fades --files kernel/basis/fade.h --sample 0
                  --no-default --quick "test_bits ISA 131 13")

@@ -67,10 +67,10 @@ if(SCARP_TEST_THOROUGH)
        CONTENT "$<JOIN:$<TARGET_OBJECTS:scarp_unfused>,\n>\n")
 endif()
 
-# scarp_add_package_test(SCRIPT [CXX] [SETUP fixture] [AFTER fixture] [NEEDS tool...]):
+# scarp_add_package_test(SCRIPT [CXX] [SETUP fixture] [AFTER fixture] [IN leg...] [NEEDS tool...]):
 # package/SCRIPT.sh as the test package.SCRIPT, or package.SCRIPT.cxx where the consumer is in C++
 function(scarp_add_package_test script)
-  cmake_parse_arguments(arg "CXX" "SETUP;AFTER" "NEEDS" ${ARGN})
+  cmake_parse_arguments(arg "CXX" "SETUP;AFTER" "IN;NEEDS" ${ARGN})
   set(name package.${script})
   set(language C)
   if(arg_CXX)
@@ -78,7 +78,7 @@ function(scarp_add_package_test script)
     set(language CXX)
     list(APPEND arg_NEEDS c++)
   endif()
-  scarp_add_test(${name} package NEEDS posix sh ${arg_NEEDS}
+  scarp_add_test(${name} package IN nobody ${arg_IN} NEEDS posix sh ${arg_NEEDS}
                  COMMAND sh ${script}.sh ${package_settings} ${language})
   if(TEST ${name})
     set_tests_properties(${name} PROPERTIES
@@ -87,39 +87,44 @@ function(scarp_add_package_test script)
   endif()
 endfunction()
 
-scarp_add_package_test(tools)
-scarp_add_package_test(duration)
-scarp_add_package_test(sets)
-scarp_add_package_test(header)
-scarp_add_package_test(header CXX)
-scarp_add_package_test(cpp CXX)
-scarp_add_package_test(symbols NEEDS nm objdump)
-scarp_add_package_test(audit NEEDS objdump)
-scarp_add_package_test(unfused NEEDS objdump)
-scarp_add_package_test(direct)
+scarp_add_package_test(tools IN ${long})
+scarp_add_package_test(duration IN without-nm)
+scarp_add_package_test(sets IN thorough)
+scarp_add_package_test(header IN without-bash without-c++ without-nm without-python3)
+scarp_add_package_test(header CXX IN without-c++)
+scarp_add_package_test(cpp CXX IN thorough)
+scarp_add_package_test(symbols IN without-abidiff without-nm without-objdump without-python3 NEEDS nm objdump)
+scarp_add_package_test(audit IN without-objdump NEEDS objdump)
+scarp_add_package_test(unfused IN thorough NEEDS objdump)
+scarp_add_package_test(direct IN thorough)
 scarp_add_package_test(versions)
 
 # The library is compiled once for both.
-scarp_add_package_test(add_subdirectory SETUP package_subproject)
-scarp_add_package_test(add_subdirectory CXX AFTER package_subproject)
+scarp_add_package_test(add_subdirectory SETUP package_subproject IN thorough)
+scarp_add_package_test(add_subdirectory CXX AFTER package_subproject IN thorough)
 
 # install.sh leaves a moved prefix for the others.
-scarp_add_package_test(install SETUP package_prefix NEEDS scarp-install)
-scarp_add_package_test(find_package AFTER package_prefix NEEDS scarp-install)
-scarp_add_package_test(find_package CXX AFTER package_prefix NEEDS scarp-install)
-scarp_add_package_test(pkg_config AFTER package_prefix NEEDS scarp-install pkg-config)
-scarp_add_package_test(pkg_config CXX AFTER package_prefix NEEDS scarp-install pkg-config)
+scarp_add_package_test(install SETUP package_prefix IN without-bash without-c++ without-pkg-config
+                       NEEDS scarp-install)
+scarp_add_package_test(find_package AFTER package_prefix IN without-c++ without-pkg-config
+                       NEEDS scarp-install)
+scarp_add_package_test(find_package CXX AFTER package_prefix IN without-c++ without-pkg-config
+                       NEEDS scarp-install)
+scarp_add_package_test(pkg_config AFTER package_prefix IN without-c++ without-pkg-config
+                       NEEDS scarp-install pkg-config)
+scarp_add_package_test(pkg_config CXX AFTER package_prefix IN without-c++ without-pkg-config
+                       NEEDS scarp-install pkg-config)
 scarp_add_package_test(linking AFTER package_prefix NEEDS scarp-install pkg-config)
 scarp_add_package_test(python AFTER package_prefix NEEDS scarp-install python3)
 
 # The other forms in which it is given away
-scarp_add_package_test(single)
-scarp_add_package_test(exact)
-scarp_add_package_test(archive NEEDS scarp-install)
-scarp_add_package_test(abi NEEDS abidiff)
-scarp_add_package_test(ports NEEDS python3)
+scarp_add_package_test(single IN thorough)
+scarp_add_package_test(exact IN thorough)
+scarp_add_package_test(archive IN thorough NEEDS scarp-install)
+scarp_add_package_test(abi IN without-abidiff NEEDS abidiff)
+scarp_add_package_test(ports IN without-git NEEDS python3)
 
 # What a release is made by. Its parts that compile the library are tried at the release: cmake/release.md.
-scarp_add_test(package.release package NEEDS bash git linux python3
+scarp_add_test(package.release package IN nobody thorough NEEDS bash git linux python3
                COMMAND ${Python3_EXECUTABLE} -B ${CMAKE_CURRENT_SOURCE_DIR}/test_release.py
                ${PROJECT_SOURCE_DIR} ${package_dir}/release ${CMAKE_C_COMPILER})

@@ -3,7 +3,7 @@
 
 scarp_test_program(test_presets)
 target_link_libraries(test_presets PRIVATE scarp-presets)
-scarp_add_sized_test(presets presets SIZES 6 1 1 1 COMMAND test_presets {})
+scarp_add_sized_test(presets presets NOT emulated sanitized SIZES 6 1 1 1 COMMAND test_presets {})
 
 # Recipes at the origin: nothing is special there
 scarp_test_program(test_recipe_origin)

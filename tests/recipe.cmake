@@ -3,16 +3,18 @@
 # double.
 
 scarp_test_program(test_recipe)
-scarp_add_test(recipe recipe COMMAND test_recipe)
+scarp_add_test(recipe recipe IN wasm COMMAND test_recipe)
 
 scarp_test_program(test_recipe_bits)
 foreach(isa IN LISTS isas)
-  scarp_add_sized_test(recipe.bits.${isa} recipe SIZES 300 50 20 1
+  scarp_add_sized_test(recipe.bits.${isa} recipe IN wasm
+                       NOT debug:sse4.1 emulated:scalar sanitized:scalar,generic,sse4.1,avx2
+                       SIZES 300 50 20 1
                        COMMAND test_recipe_bits ${isa} {} ${CMAKE_CURRENT_LIST_DIR}/recipes.txt)
 endforeach()
 
 scarp_test_program(test_recipe_oracle SOURCES oracle_recipe.c oracle_gullies.c ${oracle_sources})
-scarp_add_sized_test(recipe.oracle recipe SIZES 10000 400 100 10 COMMAND test_recipe_oracle {})
+scarp_add_sized_test(recipe.oracle recipe IN wasm SIZES 10000 400 100 10 COMMAND test_recipe_oracle {})
 
 # The functions of samples that recipes brought along
 scarp_test_program(test_shapes)
@@ -20,7 +22,7 @@ scarp_add_test(shapes recipe COMMAND test_shapes)
 
 # Values stay in the intervals of recipes: batches of 64 values for each of 18 functions
 scarp_test_program(test_recipe_interval INTERNAL)
-scarp_add_sized_test(recipe.interval recipe SIZES 200000 5000 1000 100
+scarp_add_sized_test(recipe.interval recipe IN wasm SIZES 200000 5000 1000 100
                      COMMAND test_recipe_interval {})
 
 # No output is memory that nobody wrote, and calls inside of recipes that fail are noticed. The linker
@@ -32,5 +34,5 @@ if(has_wrap)
   file(STRINGS ${PROJECT_SOURCE_DIR}/src/recipe/statuses.h kept REGEX "^MUST_KEEP")
   list(TRANSFORM kept REPLACE "^MUST_KEEP[(](.*)[)];" "-Wl,--wrap=\\1")
   target_link_options(test_recipe_status PRIVATE ${kept})
-  scarp_add_test(recipe.status recipe COMMAND test_recipe_status)
+  scarp_add_test(recipe.status recipe IN wasm COMMAND test_recipe_status)
 endif()

@@ -7,7 +7,7 @@ get_filename_component(rust_tools "${SCARP_CARGO}" DIRECTORY)
 # the library is that of this build.
 function(scarp_add_rust_test name)
   cmake_parse_arguments(arg "" "" "NEEDS;COMMAND" ${ARGN})
-  scarp_add_test(rust.${name} rust NEEDS cargo posix ${arg_NEEDS} COMMAND ${arg_COMMAND})
+  scarp_add_test(rust.${name} rust IN thorough NEEDS cargo posix ${arg_NEEDS} COMMAND ${arg_COMMAND})
   if(NOT TEST rust.${name})
     return()
   endif()

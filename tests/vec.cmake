@@ -13,6 +13,8 @@ endif()
 target_compile_definitions(test_vec PRIVATE ${SCARP_SET_DEFINITIONS} "KERNELS_BODY=\"vec/operations.h\"")
 foreach(isa IN LISTS isas)
   if(NOT isa STREQUAL scalar)
-    scarp_add_test(vec.${isa} vec test_vec ${isa})
+    scarp_add_test(vec.${isa} vec IN clang14 core2duo:generic hostile i386:generic,sse4.1 mips64el:generic vectors
+                      wasm:wasm128,generic
+                   COMMAND test_vec ${isa})
   endif()
 endforeach()
