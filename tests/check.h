@@ -148,13 +148,19 @@ static inline int count_names(const char *(*name)(int))
     return count;
 }
 
-/* splitmix64 */
+/* splitmix64, and number `number`, from 1 on, of the generator that `start` starts */
 static inline uint64_t check_random(uint64_t *state)
 {
     uint64_t z = (*state += UINT64_C(0x9e3779b97f4a7c15));
     z = (z ^ (z >> 30)) * UINT64_C(0xbf58476d1ce4e5b9);
     z = (z ^ (z >> 27)) * UINT64_C(0x94d049bb133111eb);
     return z ^ (z >> 31);
+}
+
+static inline uint64_t check_random_number(uint64_t start, uint64_t number)
+{
+    start += (number - 1) * UINT64_C(0x9e3779b97f4a7c15);
+    return check_random(&start);
 }
 
 /* Uniform in [-span, span), span a power of two: an integer times a power of two, so exact on every

@@ -109,7 +109,7 @@ static inline double fractal_unit(const struct oracle *oracle, int order)
 {
     double sum = 0.0;
     for (int k = 0; k < oracle->octaves; k++) {
-        sum += fabs(oracle->octave[k].weight) * pow(oracle->octave[k].frequency, order);
+        sum += fabs(oracle->octave[k].of.weight) * pow(oracle->octave[k].of.frequency, order);
     }
     return sum;
 }

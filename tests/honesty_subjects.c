@@ -65,7 +65,7 @@ static void make_noise(struct subject *subject)
     subject->value = noise_value;
     subject->span = 16.0;
     subject->step = 0x1p-22;
-    subject->cell = 1.0 / warped.level[0][0].octave[warped.level[0][0].octaves - 1].frequency;
+    subject->cell = 1.0 / warped.level[0][0].octave[warped.level[0][0].octaves - 1].of.frequency;
 }
 
 static void make_plain(int number, struct subject *subject)

@@ -127,57 +127,10 @@ double oracle_lattice_value(const struct oracle *oracle, int k, const uint32_t p
 {
     const struct oracle_octave *const octave = &oracle->octave[k];
     const struct oracle_lattice lattice = {
-        .key = octave->key, .period = octave->period, .dimensions = oracle->dimensions};
+        .key = octave->of.key, .period = octave->period, .dimensions = oracle->dimensions};
     double corner[3];
     draw_value(&lattice, point, corner);
     return corner[0];
-}
-
-/* Draws the next number of the generator splitmix64. */
-static uint64_t next(uint64_t *state)
-{
-    *state += 0x9e3779b97f4a7c15;
-    uint64_t z = *state;
-    z ^= z >> 30;
-    z *= 0xbf58476d1ce4e5b9;
-    z ^= z >> 27;
-    z *= 0x94d049bb133111eb;
-    return z ^ z >> 31;
-}
-
-/* Octave 0 has the seed itself, octave k number k of the generator that the first number of the
-   seed's own generator starts; keys and offset are drawn likewise from the octave's seed. Whether
-   octave 0 has its offset is for the noise to say. */
-static void draw_octave(struct oracle_octave *octave, uint64_t seed, int k, int has_offset)
-{
-    if (k > 0) {
-        uint64_t seeds = next(&seed);
-        for (int i = 0; i < k; i++) {
-            seed = next(&seeds);
-        }
-    }
-    uint64_t state = next(&seed);
-    const uint64_t first = next(&state), second = next(&state), third = next(&state);
-    octave->key[0] = (uint32_t)first;
-    octave->key[1] = (uint32_t)(first >> 32);
-    octave->key[2] = (uint32_t)second;
-    octave->offset[0] = has_offset ? ldexp((double)(second >> 40), -24) : 0.0;
-    octave->offset[1] = has_offset ? ldexp((double)(third % (1 << 24)), -24) : 0.0;
-    octave->offset[2] = has_offset ? ldexp((double)(third >> 40), -24) : 0.0;
-}
-
-/* axes = turn * axes, the turn between octaves as in scarp.h. */
-static void turn_axes(double axes[3][3], int dimensions)
-{
-    static const double plane[3][3] = {{0.8, -0.6, 0}, {0.6, 0.8, 0}, {0, 0, 1}};
-    static const double space[3][3] = {{0, 0.8, 0.6}, {-0.8, 0.36, -0.48}, {-0.6, -0.48, 0.64}};
-    const double(*const turn)[3] = dimensions == 2 ? plane : space;
-    for (int column = 0; column < 3; column++) {
-        const double x = axes[0][column], y = axes[1][column], z = axes[2][column];
-        for (int row = 0; row < 3; row++) {
-            axes[row][column] = turn[row][0] * x + turn[row][1] * y + turn[row][2] * z;
-        }
-    }
 }
 
 /* Turns the gradients of octave k by 2^k times the phase. */
@@ -214,73 +167,28 @@ static void scale_basis(struct oracle *oracle)
     }
 }
 
-/* What fractals that bend have of their own. */
-static void set_bends(struct oracle *oracle, const struct scarp_noise *noise)
-{
-    const int jordan = oracle->fractal == SCARP_JORDAN;
-    oracle->sharpness = (double)(noise->sharpness != 0.0f ? noise->sharpness
-                                 : jordan                 ? 0.35f
-                                                          : 0.15f);
-    for (int k = 0; jordan && k < oracle->octaves; k++) {
-        oracle->octave[k].weight *= 1.0 - 0x1p-17;
-    }
-}
-
 void oracle_make(struct oracle *oracle, const struct scarp_noise *noise, int dimensions)
 {
-    const double octaves = noise->octaves != 0.0f ? (double)noise->octaves : 1.0;
-    const double lacunarity = noise->lacunarity != 0.0f ? (double)noise->lacunarity : 2.0;
-    const double gain = noise->gain != 0.0f ? (double)noise->gain : 0.5;
-    const double amplitude = noise->amplitude != 0.0f ? (double)noise->amplitude : 1.0;
-    const double frequency = noise->frequency != 0.0 ? noise->frequency : 1.0;
+    const double lacunarity = octaves_or((double)noise->lacunarity, 2.0);
+    struct octave made[ORACLE_OCTAVES];
     oracle->basis = noise->basis;
     oracle->fade = noise->fade;
     oracle->fractal = noise->fractal;
-    oracle->erosion = noise->erosion != 0.0f ? (double)noise->erosion : 1.0;
-    oracle->sharpness = noise->sharpness != 0.0f           ? (double)noise->sharpness
-                        : noise->fractal == SCARP_PINGPONG ? 2.0
-                                                           : (double)0.7f;
+    oracle->erosion = octaves_or((double)noise->erosion, 1.0);
+    oracle->sharpness = octaves_sharpness(noise);
     oracle->dimensions = dimensions;
     oracle->component = 0;
-    oracle->octaves = (int)ceil(octaves);
-    oracle->jitter = noise->jitter != 0.0f ? (double)noise->jitter : 1.0;
+    oracle->jitter = octaves_or((double)noise->jitter, 1.0);
     scale_basis(oracle);
-    double turns[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
-    double sum = 0.0;
-    const double of = noise->of_octaves != 0.0f ? (double)noise->of_octaves : octaves;
-    double v = 1.0; /* the weight of hybrid noise where every n_k is 1 */
-    for (int k = 0; k < of; k++) {
-        const double u = noise->fractal == SCARP_HYBRID ? v * (1.0 + oracle->sharpness) : 1.0;
-        sum += pow(gain, k) * u * fmin(of - k, 1.0);
-        v = fmin(pow(gain, k) * u, 1.0);
-    }
+    oracle->octaves = octaves_make(noise, dimensions, made);
     for (int k = 0; k < oracle->octaves; k++) {
         struct oracle_octave *const octave = &oracle->octave[k];
-        draw_octave(octave, noise->seed, k, k > 0 || noise->offset_first != 0);
+        octave->of = made[k];
         turn_gradients(octave, dimensions, (double)noise->phase, k);
-        octave->turned = noise->rotate != 0 && k > 0;
-        octave->frequency = k == 0 ? frequency : octave[-1].frequency * lacunarity;
-        octave->share = octave->weight = pow(gain, k);
-        if (k == oracle->octaves - 1 && octaves != floor(octaves)) {
-            octave->weight *= octaves - floor(octaves);
-        }
         for (int i = 0; i < 3; i++) {
             const double period = (double)noise->period[i] * pow(lacunarity, k);
             octave->period[i] = noise->period[i] == 0 ? INT64_C(1) << 32 : (int64_t)period;
-            for (int j = 0; j < 3; j++) {
-                octave->axes[i][j] = octave->frequency * turns[i][j];
-            }
         }
-        if (noise->rotate != 0) {
-            turn_axes(turns, dimensions);
-        }
-    }
-    const double headroom = noise->fractal == SCARP_HYBRID ? 0x1p-16 : 0x1p-17;
-    for (int k = 0; k < oracle->octaves; k++) {
-        oracle->octave[k].weight *= amplitude * (1.0 - headroom) / sum;
-    }
-    if (oracle->fractal == SCARP_SWISS || oracle->fractal == SCARP_JORDAN) {
-        set_bends(oracle, noise);
     }
 }
 
@@ -289,11 +197,8 @@ void oracle_make_component(struct oracle *oracle, const struct scarp_noise *nois
 {
     const int shares = noise->basis == SCARP_GRADIENT || noise->basis == SCARP_VALUE;
     struct scarp_noise of_component = *noise;
-    uint64_t state = noise->seed;
-    state = next(&state);
-    for (int i = 0; i < 33 + (shares ? 0 : component); i++) {
-        of_component.seed = next(&state);
-    }
+    of_component.seed = check_random_number(check_random_number(noise->seed, 1),
+                                            33u + (shares ? 0u : (unsigned)component));
     oracle_make(oracle, &of_component, dimensions);
     oracle->component = shares ? component : 0;
 }
@@ -316,20 +221,20 @@ static double position(const struct oracle *oracle, int k, enum oracle_rounding 
                        const double x[3], int i)
 {
     const struct oracle_octave *const octave = &oracle->octave[k];
-    const double *const axis = octave->axes[i];
+    const double *const axis = octave->of.axes[i];
     if (rounding == ORACLE_F32) {
         float sum = (float)axis[0] * (float)x[0];
         for (int j = 1; j < oracle->dimensions; j++) {
             sum += (float)axis[j] * (float)x[j];
         }
-        sum += (float)octave->offset[i];
+        sum += (float)octave->of.offset[i];
         return (double)(sum * (float)stretch(oracle, i));
     }
     double sum = axis[0] * x[0];
     for (int j = 1; j < oracle->dimensions; j++) {
         sum += axis[j] * x[j];
     }
-    return (sum + octave->offset[i]) * stretch(oracle, i);
+    return (sum + octave->of.offset[i]) * stretch(oracle, i);
 }
 
 /* Rounds to a multiple of 2^-24. */
@@ -345,13 +250,13 @@ static double place_turned(const struct oracle *oracle, int k, const double x[3]
                            double *cell)
 {
     const struct oracle_octave *const octave = &oracle->octave[k];
-    const double *const axis = octave->axes[i], s = stretch(oracle, i);
+    const double *const axis = octave->of.axes[i], s = stretch(oracle, i);
     const double p = axis[0] * s * x[0];
     double q = axis[1] * s * x[1];
     if (oracle->dimensions == 3) {
         q += axis[2] * s * x[2];
     }
-    const double t = rounded(p - floor(p)) + rounded(q - floor(q) + octave->offset[i] * s);
+    const double t = rounded(p - floor(p)) + rounded(q - floor(q) + octave->of.offset[i] * s);
     *cell = floor(p) + floor(q) + floor(t);
     return t - floor(t);
 }
@@ -367,7 +272,7 @@ static void place(const struct oracle *oracle, int k, enum oracle_rounding round
     for (int i = 0; i < oracle->dimensions; i++) {
         const int64_t period = oracle->octave[k].period[i];
         double turned_cell;
-        if (rounding == ORACLE_F64 && oracle->octave[k].turned) {
+        if (rounding == ORACLE_F64 && oracle->octave[k].of.turned) {
             t[i] = place_turned(oracle, k, x, i, &turned_cell);
             cell[i] = oracle_inside_period(turned_cell, period);
             continue;
@@ -386,7 +291,7 @@ static void place(const struct oracle *oracle, int k, enum oracle_rounding round
 static void basis_at(const struct oracle *oracle, const struct oracle_octave *octave,
                      const uint32_t cell[3], const double t[3], struct oracle_sample *n)
 {
-    struct oracle_lattice lattice = {.key = octave->key,
+    struct oracle_lattice lattice = {.key = octave->of.key,
                                      .period = octave->period,
                                      .dimensions = oracle->dimensions,
                                      .component = oracle->component,
@@ -458,7 +363,8 @@ double oracle_clearance(const struct oracle *oracle, const double x[3])
 {
     double clearance = 1.0;
     for (int k = 0; k < oracle->octaves; k++) {
-        clearance = fmin(clearance, octave_clearance(oracle, k, x) / oracle->octave[k].frequency);
+        clearance =
+            fmin(clearance, octave_clearance(oracle, k, x) / oracle->octave[k].of.frequency);
     }
     return clearance;
 }

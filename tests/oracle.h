@@ -9,7 +9,7 @@
 #ifndef SCARP_TESTS_ORACLE_H
 #define SCARP_TESTS_ORACLE_H
 
-#include "scarp.h"
+#include "octaves.h"
 
 #define ORACLE_OCTAVES 32
 
@@ -35,13 +35,7 @@ struct oracle_sample {
 };
 
 struct oracle_octave {
-    uint32_t key[3];
-    double weight;                          /* a_k, without the normalisation of the basis */
-    double share;                           /* gain^k */
-    double frequency;                       /* f_k */
-    double axes[3][3];                      /* J_k */
-    int turned;                             /* whether its axes are not those of x */
-    double offset[3];                       /* o_k */
+    struct octave of;
     int64_t period[3];                      /* in cells of this octave; 2^32 without one */
     double gradient[16][3], turning[16][3]; /* what the lattice draws from; by the phase */
 };

@@ -15,7 +15,7 @@ static struct oracle_sample pulled_back(const struct oracle *oracle, int k,
                                         const struct oracle_sample *n)
 {
     const int d = oracle->dimensions;
-    const double(*const axes)[3] = oracle->octave[k].axes;
+    const double(*const axes)[3] = oracle->octave[k].of.axes;
     struct oracle_sample f = {.value = n->value, .phase = n->phase};
     for (int i = 0; i < d; i++) {
         for (int a = 0; a < d; a++) {
@@ -119,7 +119,7 @@ static struct oracle_sample hybrid(const struct oracle *oracle, int k,
     struct oracle_sample r = {.value = oracle->sharpness}, next = {.value = 0.0};
     add(&r, 1.0 - 0x1p-17, &f);
     const struct oracle_sample u = times(weight, &r);
-    add(&next, oracle->octave[k].share, &u);
+    add(&next, oracle->octave[k].of.share, &u);
     const struct oracle_sample end = {.value = next.value < 0.0 ? -1.0 : 1.0};
     const int full = fabs(next.value) >= 1.0;
     if (k < oracle->octaves - 1) { /* nothing follows the last one */
@@ -143,7 +143,7 @@ static struct oracle_sample eroded(const struct oracle *oracle, int k,
         slope[i].phase += n->gradient_phase[i];
         for (int j = 0; j < oracle->dimensions; j++) {
             for (int b = 0; b < oracle->dimensions; b++) {
-                slope[i].gradient[j] += n->hessian[i][b] * oracle->octave[k].axes[b][j];
+                slope[i].gradient[j] += n->hessian[i][b] * oracle->octave[k].of.axes[b][j];
             }
         }
         const struct oracle_sample square = times(&slope[i], &slope[i]);
@@ -164,9 +164,9 @@ static struct oracle_sample bent(const struct oracle *oracle, enum oracle_roundi
                                  const double x[3], const struct oracle_sample s[3],
                                  struct oracle_sample slope[3])
 {
-    const double f = oracle->octave[k].frequency;
+    const double f = oracle->octave[k].of.frequency;
     const double c =
-        oracle->sharpness / (oracle->fractal == SCARP_SWISS ? oracle->octave[0].frequency : f);
+        oracle->sharpness / (oracle->fractal == SCARP_SWISS ? oracle->octave[0].of.frequency : f);
     const double y[3] = {x[0] + c * s[0].value, x[1] + c * s[1].value, x[2] + c * s[2].value};
     struct oracle_sample at, n;
     oracle_octave_at(oracle, rounding, k, y, &at);
@@ -200,7 +200,7 @@ static struct oracle_sample swiss(const struct oracle *oracle, int k, const stru
         r = (struct oracle_sample){.value = 0.0};
     }
     *factor = (struct oracle_sample){.value = 0.0};
-    add(factor, -oracle->octave[k].weight / oracle->octave[0].weight, &un);
+    add(factor, -oracle->octave[k].of.weight / oracle->octave[0].of.weight, &un);
     return times(left, &r);
 }
 
@@ -235,7 +235,7 @@ static void sum_bent(const struct oracle *oracle, enum oracle_rounding rounding,
         struct oracle_sample factor = n;
         const struct oracle_sample part =
             is_swiss ? swiss(oracle, k, &n, &left, &factor, creases) : jordan(oracle, k, &n, s);
-        add(sum, oracle->octave[k].weight, &part);
+        add(sum, oracle->octave[k].of.weight, &part);
         for (int m = 0; m < oracle->dimensions; m++) {
             const struct oracle_sample of = times(&factor, &slope[m]);
             add(&s[m], 1.0, &of);
@@ -243,7 +243,7 @@ static void sum_bent(const struct oracle *oracle, enum oracle_rounding rounding,
                 s[m] = (struct oracle_sample){.value = s[m].value};
             }
         }
-        add(&ratio, 1.0 / oracle->octave[0].weight, sum);
+        add(&ratio, 1.0 / oracle->octave[0].of.weight, sum);
         if (is_swiss && k < oracle->octaves - 1) {
             creases->clearance = fmin(creases->clearance, fabs(ratio.value - 1.0));
             creases->side |= (uint64_t)(ratio.value < 1.0) << (32 + k);
@@ -277,7 +277,7 @@ static void sum_octaves(const struct oracle *oracle, enum oracle_rounding roundi
         case SCARP_EROSION: s = eroded(oracle, k, &n, slope, frozen); break;
         default: s = pulled_back(oracle, k, &n); break;
         }
-        add(sum, oracle->octave[k].weight, &s);
+        add(sum, oracle->octave[k].of.weight, &s);
     }
 }
 

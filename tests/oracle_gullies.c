@@ -58,7 +58,7 @@ static double phase_of(const struct oracle_octave *octave, const uint32_t cell[3
                        const int step[3])
 {
     const struct oracle_lattice lattice = {
-        .key = octave->key, .period = octave->period, .dimensions = 2};
+        .key = octave->of.key, .period = octave->period, .dimensions = 2};
     const double hash = (double)oracle_hash(oracle_mixed(&lattice, cell, step));
     return (double)(float)(hash >= 0x1p31 ? hash - 0x1p32 : hash) * 0x1p-32;
 }
@@ -109,8 +109,8 @@ double oracle_gullies_at(const struct oracle_gullies *g, const double x[2], doub
         const double t[2] = {-s[1] / t_length, s[0] / t_length};
         double p[2], across[2];
         for (int i = 0; i < 2; i++) {
-            p[i] = o->axes[i][0] * x[0] + o->axes[i][1] * x[1] + o->offset[i];
-            across[i] = (o->axes[i][0] * t[0] + o->axes[i][1] * t[1]) / o->frequency;
+            p[i] = o->of.axes[i][0] * x[0] + o->of.axes[i][1] * x[1] + o->of.offset[i];
+            across[i] = (o->of.axes[i][0] * t[0] + o->of.axes[i][1] * t[1]) / o->of.frequency;
         }
         double complex wave = blend(o, p, across, g->stripes);
         wave /= sqrt(creal(wave * conj(wave)) + EPS * EPS);
@@ -119,7 +119,7 @@ double oracle_gullies_at(const struct oracle_gullies *g, const double x[2], doub
                       (sqrt(1.0 + g->round * g->round) - g->round);
         const double m = steep * (1.0 - (k > 0 ? g->keep : 0.0) * exposure * exposure);
         exposure += m * (profile - exposure);
-        sum += o->weight * exposure;
+        sum += o->of.weight * exposure;
         for (int i = 0; i < 2; i++) {
             s[i] -= g->branch * m * cimag(wave) * t[i];
         }

@@ -222,20 +222,13 @@ static double number_or(const struct oracle_recipe *o, int call, const char *nam
     return part < 0 ? otherwise : number(o, part);
 }
 
-static uint64_t splitmix(uint64_t start, uint64_t count)
-{
-    uint64_t z = start + count * UINT64_C(0x9E3779B97F4A7C15);
-    z = (z ^ (z >> 30)) * UINT64_C(0xBF58476D1CE4E5B9);
-    z = (z ^ (z >> 27)) * UINT64_C(0x94D049BB133111EB);
-    return z ^ (z >> 31);
-}
-
 static uint64_t seed_of(const struct oracle_recipe *o, int call)
 {
     const double given = number_or(o, call, "seed", -1, 0.0);
-    return given == 0.0 ? o->seed
-                        : splitmix(splitmix(o->seed, 1),
-                                   given < 0.0 ? (uint64_t)(int64_t)given : 64 + (uint64_t)given);
+    return given == 0.0
+               ? o->seed
+               : check_random_number(check_random_number(o->seed, 1),
+                                     given < 0.0 ? (uint64_t)(int64_t)given : 64 + (uint64_t)given);
 }
 
 static double frequency_of(const struct oracle_recipe *o, int call)

@@ -6,6 +6,7 @@
  * differences.) Argument: the instruction set.
  */
 #include "fractal.h"
+#include "octaves.h"
 
 #define OCTAVES 5 /* at most */
 
@@ -15,86 +16,15 @@
 
 static int dimensions;
 
-/* What the header defines for an octave: the seed and f_k, a_k, o_k, J_k. */
-struct octave {
-    uint64_t seed;
-    double f, a, o[3], j[3][3];
-};
-
 /* What goes from octave to octave at a point: S and its Jacobian, u, the sum. */
 struct state {
     double s[3], by[3][3], u, du[3], sum, gradient[3];
     int crease;
 };
 
-/* s_k is number k of splitmix64(first number of splitmix64(seed)); o_k comes from its own. */
-static void draw(struct octave *octave, uint64_t seed, int k)
-{
-    uint64_t state = seed;
-    octave->seed = seed;
-    if (k == 0) {
-        return;
-    }
-    state = check_random(&state);
-    for (int i = 0; i < k; i++) {
-        octave->seed = check_random(&state);
-    }
-    state = octave->seed;
-    state = check_random(&state);
-    check_random(&state);
-    const uint64_t b = check_random(&state), c = check_random(&state);
-    octave->o[0] = (double)(b >> 40) * 0x1p-24;
-    octave->o[1] = (double)(c & 0xffffff) * 0x1p-24;
-    octave->o[2] = (double)(c >> 40) * 0x1p-24;
-}
-
-/* w_k, but for the fraction of the last of all octaves. */
-static double weight_of(double gain, double octaves, int k)
-{
-    const int last = k == (int)ceil(octaves) - 1;
-    return pow(gain, k) * (last ? octaves - k : 1.0);
-}
-
-/* J_k = f_k R^k */
-static void turn(struct octave *octave, const struct octave *before, int rotate, double lacunarity)
-{
-    static const double r2[3][3] = {{0.8, -0.6, 0.0}, {0.6, 0.8, 0.0}, {0.0, 0.0, 1.0}};
-    static const double r3[3][3] = {{0.0, 0.8, 0.6}, {-0.8, 0.36, -0.48}, {-0.6, -0.48, 0.64}};
-    static const double one[3][3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
-    const double(*const r)[3] = !rotate ? one : dimensions == 2 ? r2 : r3;
-    for (int i = 0; i < 9; i++) {
-        octave->j[i / 3][i % 3] = before == NULL ? octave->f * one[i / 3][i % 3] : 0.0;
-        for (int l = 0; l < 3 && before != NULL; l++) {
-            octave->j[i / 3][i % 3] += lacunarity * r[i / 3][l] * before->j[l][i % 3];
-        }
-    }
-}
-
-/* All numbers of the noise are given but `of_octaves`. Returns K. */
-static int describe(const struct scarp_noise *noise, struct octave octave[OCTAVES])
-{
-    const double octaves = (double)noise->octaves, gain = (double)noise->gain;
-    const double of = noise->of_octaves != 0.0f ? (double)noise->of_octaves : octaves;
-    const double headroom = 1.0 - 0x1p-17;
-    const int count = (int)ceil(octaves);
-    double sum = 0.0;
-    for (int k = 0; k < of; k++) {
-        sum += weight_of(gain, of, k);
-    }
-    for (int k = 0; k < count; k++) {
-        octave[k] = (struct octave){.f = noise->frequency * pow((double)noise->lacunarity, k)};
-        octave[k].a = (double)noise->amplitude * headroom * weight_of(gain, octaves, k) / sum *
-                      (noise->fractal == SCARP_JORDAN ? headroom : 1.0);
-        draw(&octave[k], noise->seed, k);
-        turn(&octave[k], k > 0 ? &octave[k - 1] : NULL, noise->rotate != 0,
-             (double)noise->lacunarity);
-    }
-    return count;
-}
-
 static double reach_of(const struct scarp_noise *noise, const struct octave *octave, int k)
 {
-    return (double)noise->sharpness / octave[noise->fractal == SCARP_SWISS ? 0 : k].f;
+    return (double)noise->sharpness / octave[noise->fractal == SCARP_SWISS ? 0 : k].frequency;
 }
 
 /* p_k = J_k y_k + o_k with y_k = x + c_k S_k: of floats in float, of doubles in double. */
@@ -108,14 +38,14 @@ static void place(struct block *to, const struct block *x, size_t i, const struc
         y32[axis] = x->f[axis][i] + (float)(reach * state->s[axis]);
     }
     for (int row = 0; row < dimensions; row++) {
-        double p = octave->j[row][0] * y[0];
-        float p32 = (float)octave->j[row][0] * y32[0];
+        double p = octave->axes[row][0] * y[0];
+        float p32 = (float)octave->axes[row][0] * y32[0];
         for (int l = 1; l < dimensions; l++) {
-            p += octave->j[row][l] * y[l];
-            p32 += (float)octave->j[row][l] * y32[l];
+            p += octave->axes[row][l] * y[l];
+            p32 += (float)octave->axes[row][l] * y32[l];
         }
-        to->d[row][i] = p + octave->o[row];
-        to->f[row][i] = p32 + (float)octave->o[row];
+        to->d[row][i] = p + octave->offset[row];
+        to->f[row][i] = p32 + (float)octave->offset[row];
     }
 }
 
@@ -147,8 +77,8 @@ static void see(struct seen *seen, const struct oracle_sample *n, const struct o
     double hessian[3][3] = {{0.0}}, gradient[3] = {0.0, 0.0, 0.0};
     for (int i = 0; i < 81; i++) { /* by y: J^T g, J^T H J */
         const int a = i / 27, b = i / 9 % 3, l = i / 3 % 3, m = i % 3;
-        hessian[a][b] += octave->j[l][a] * n->hessian[l][m] * octave->j[m][b] / head;
-        gradient[a] += b == 0 && m == 0 ? octave->j[l][a] * n->gradient[l] / head : 0.0;
+        hessian[a][b] += octave->axes[l][a] * n->hessian[l][m] * octave->axes[m][b] / head;
+        gradient[a] += b == 0 && m == 0 ? octave->axes[l][a] * n->gradient[l] / head : 0.0;
     }
     memset(seen, 0, sizeof *seen);
     seen->n = n->value / head;
@@ -156,11 +86,11 @@ static void see(struct seen *seen, const struct oracle_sample *n, const struct o
         const double a = (i / 3 == i % 3 ? 1.0 : 0.0) + reach * state->by[i / 3][i % 3];
         seen->nx[i % 3] += gradient[i / 3] * a;
         for (int m = 0; m < 3; m++) {
-            seen->mx[m][i % 3] += hessian[m][i / 3] * a / octave->f;
+            seen->mx[m][i % 3] += hessian[m][i / 3] * a / octave->frequency;
         }
     }
     for (int m = 0; m < 3; m++) {
-        seen->m[m] = gradient[m] / octave->f;
+        seen->m[m] = gradient[m] / octave->frequency;
     }
 }
 
@@ -213,7 +143,7 @@ static void rebuild(const struct scarp_noise *noise, enum function f, const stru
                     struct block *scratch, struct state state[BLOCK])
 {
     struct octave octave[OCTAVES];
-    const int count = describe(noise, octave);
+    const int count = octaves_make(noise, dimensions, octave);
     for (size_t i = 0; i < BLOCK; i++) {
         state[i] = (struct state){.u = 1.0};
     }
@@ -229,9 +159,10 @@ static void rebuild(const struct scarp_noise *noise, enum function f, const stru
             struct seen seen;
             see(&seen, &n, &octave[k], &state[i], reach);
             if (noise->fractal == SCARP_SWISS) {
-                add_swiss(&state[i], &seen, octave[k].a, octave[0].a);
+                add_swiss(&state[i], &seen, octave[k].weight, octave[0].weight);
             } else {
-                add_jordan(&state[i], &seen, octave[k].a, k == 0 ? 0.0 : (double)noise->erosion);
+                add_jordan(&state[i], &seen, octave[k].weight,
+                           k == 0 ? 0.0 : (double)noise->erosion);
             }
         }
     }
@@ -249,9 +180,9 @@ static void compare(struct block *x, struct block *scratch, const struct scarp_n
     double unit[2] = {0.0, 0.0};
     struct octave octave[OCTAVES];
     uint64_t random = noise->seed;
-    for (int k = 0; k < describe(noise, octave); k++) {
-        unit[0] += fabs(octave[k].a);
-        unit[1] += fabs(octave[k].a) * octave[k].f;
+    for (int k = 0; k < octaves_make(noise, dimensions, octave); k++) {
+        unit[0] += fabs(octave[k].weight);
+        unit[1] += fabs(octave[k].weight) * octave[k].frequency;
     }
     block_random(x, &random, function_doubles(f) ? 64.0f : 1.0f);
     block_sample(x, noise, f, BLOCK);

@@ -66,7 +66,7 @@ static double phase_unit(const struct oracle *oracle)
 {
     double sum = 0.0;
     for (int k = 0; k < oracle->octaves; k++) {
-        sum += fabs(oracle->octave[k].weight) * ldexp(6.283185307, k);
+        sum += fabs(oracle->octave[k].of.weight) * ldexp(6.283185307, k);
     }
     return sum;
 }

@@ -105,7 +105,7 @@ static void difference_oracle(struct block *block, const struct scarp_noise *noi
     const int planes = noise->fade == SCARP_CUBIC || noise->fractal == SCARP_EROSION;
     struct oracle oracle;
     oracle_make(&oracle, noise, dimensions);
-    const double step = STEP / oracle.octave[OCTAVES - 1].frequency;
+    const double step = STEP / oracle.octave[OCTAVES - 1].of.frequency;
     const double unit = fractal_unit(&oracle, 1);
     uint64_t random = 1;
     for (long done = 0; done < points; done += BLOCK) {
@@ -162,7 +162,7 @@ static void difference_library(struct block *block, const struct scarp_noise *no
     struct oracle oracle;
     oracle_make(&oracle, noise, dimensions);
     const double cells = noise->fractal == SCARP_EROSION ? 0x1p-8 : 0x1p-7;
-    const double step = cells / oracle.octave[OCTAVES - 1].frequency;
+    const double step = cells / oracle.octave[OCTAVES - 1].of.frequency;
     const double unit = fractal_unit(&oracle, 1);
     uint64_t random = 2;
     for (long done = 0; done < points; done += BLOCK) {

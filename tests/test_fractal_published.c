@@ -31,7 +31,7 @@ static struct oracle_sample noised(const struct oracle *oracle, int k, const dou
     uint32_t cell[3] = {0, 0, 0};
     double t[3] = {0.0, 0.0, 0.0};
     for (int i = 0; i < oracle->dimensions; i++) {
-        const double q = p[i] + oracle->octave[k].offset[i];
+        const double q = p[i] + oracle->octave[k].of.offset[i];
         cell[i] = (uint32_t)(int64_t)floor(q);
         t[i] = (double)(float)(q - floor(q));
     }

@@ -6,6 +6,7 @@
  * the header could write. Argument: the number of points per case.
  */
 #include "fractal.h"
+#include "octaves.h"
 
 #define OCTAVES 5 /* at most */
 
@@ -15,101 +16,15 @@
 
 static int dimensions;
 
-/* What the header defines per octave. */
-struct rebuilt {
-    uint64_t seed;
-    int turned; /* whether its axes are not those of x */
-    double a, o[3], j[3][3];
-};
-
-/* s_0 = seed; s_k: number k of splitmix64(first number of splitmix64(seed)). */
-static uint64_t seed_of(uint64_t seed, int k)
-{
-    uint64_t state = seed, number = seed;
-    if (k > 0) {
-        state = check_random(&state);
-        for (int i = 0; i < k; i++) {
-            number = check_random(&state);
-        }
-    }
-    return number;
-}
-
-static void rebuild_offset(struct rebuilt *octave)
-{
-    uint64_t state = octave->seed;
-    state = check_random(&state);
-    check_random(&state);
-    const uint64_t b = check_random(&state), c = check_random(&state);
-    octave->o[0] = (double)(b >> 40) * 0x1p-24;
-    octave->o[1] = (double)(c & 0xffffff) * 0x1p-24;
-    octave->o[2] = (double)(c >> 40) * 0x1p-24;
-}
-
-/* w_0 + ... + w_(K-1), the last one times the fraction of `of_octaves`, if that has one. With
-   hybrid, w_0 u_0 + ... where every n_k is 1. */
-static double weights_of(const struct scarp_noise *noise)
-{
-    const int count = (int)ceilf(noise->of_octaves);
-    const double fraction = (double)noise->of_octaves - floor((double)noise->of_octaves);
-    double sum = 0.0, v = 1.0;
-    for (int k = 0; k < count; k++) {
-        const double w = pow((double)noise->gain, k);
-        const double u =
-            noise->fractal == SCARP_HYBRID ? v * (1.0 + (double)noise->sharpness) : 1.0;
-        sum += w * u * (k == count - 1 && fraction > 0.0 ? fraction : 1.0);
-        v = fmin(w * u, 1.0);
-    }
-    return sum;
-}
-
-/* The numbers of `noise` are all given, none is a default. Returns K. */
-static int rebuild(const struct scarp_noise *noise, struct rebuilt octave[OCTAVES])
-{
-    static const double r2[3][3] = {{0.8, -0.6, 0.0}, {0.6, 0.8, 0.0}, {0.0, 0.0, 1.0}};
-    static const double r3[3][3] = {{0.0, 0.8, 0.6}, {-0.8, 0.36, -0.48}, {-0.6, -0.48, 0.64}};
-    static const double one[3][3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}};
-    const double(*const r)[3] = noise->rotate == 0 ? one : dimensions == 2 ? r2 : r3;
-    const int count = (int)ceilf(noise->octaves);
-    const double fraction = (double)noise->octaves - floor((double)noise->octaves);
-    const double sum = weights_of(noise);
-    double f = noise->frequency;
-    for (int k = 0; k < count; k++) {
-        struct rebuilt *const o = &octave[k];
-        *o = (struct rebuilt){.seed = seed_of(noise->seed, k)};
-        o->turned = noise->rotate != 0 && k > 0;
-        o->a = pow((double)noise->gain, k);
-        if (k == count - 1 && fraction > 0.0) {
-            o->a *= fraction;
-        }
-        if (k > 0) {
-            rebuild_offset(o);
-            f *= (double)noise->lacunarity;
-        }
-        for (int i = 0; i < 9; i++) { /* J_k = f_k R^k */
-            const int row = i / 3, column = i % 3;
-            o->j[row][column] = k == 0 ? f * one[row][column] : 0.0;
-            for (int l = 0; l < 3 && k > 0; l++) {
-                o->j[row][column] += (double)noise->lacunarity * r[row][l] * o[-1].j[l][column];
-            }
-        }
-    }
-    for (int k = 0; k < count; k++) {
-        octave[k].a *= (double)noise->amplitude *
-                       (1.0 - (noise->fractal == SCARP_HYBRID ? 0x1p-16 : 0x1p-17)) / sum;
-    }
-    return count;
-}
-
 /* Component i of J_k x + o_k. Where axes are turned, it is the sum of two parts, each of which is
    rounded to a multiple of 2^-24 (scarp.h, "Rounding"). */
-static double rebuild_position(const struct rebuilt *octave, const struct block *from, int i,
+static double rebuild_position(const struct octave *octave, const struct block *from, int i,
                                size_t at)
 {
-    const double *const j = octave->j[i];
+    const double *const j = octave->axes[i];
     const double first = j[0] * from->d[0][at];
     double rest = j[1] * from->d[1][at] + (dimensions == 3 ? j[2] * from->d[2][at] : 0.0);
-    rest += octave->o[i];
+    rest += octave->offset[i];
     return octave->turned ? rint(first * 0x1p24) * 0x1p-24 + rint(rest * 0x1p24) * 0x1p-24
                           : first + rest;
 }
@@ -117,7 +32,7 @@ static double rebuild_position(const struct rebuilt *octave, const struct block 
 /* Samples octave k at J_k x + o_k, for all points of `from`, and divides by 1 - 2^-17. The n_k of
    hybrid noise have that factor, too. */
 static void sample_octave(const struct block *from, struct block *to,
-                          const struct scarp_noise *noise, const struct rebuilt *octave,
+                          const struct scarp_noise *noise, const struct octave *octave,
                           struct oracle_sample n[BLOCK])
 {
     const enum function f = dimensions == 2 ? SAMPLE2_F64 : SAMPLE3_F64;
@@ -143,27 +58,27 @@ static void sample_octave(const struct block *from, struct block *to,
 }
 
 /* The derivatives of n_k with respect to x: G_k = J_k^T g_k and J_k^T H_k J_k. */
-static struct oracle_sample in_input(const struct rebuilt *octave, const struct oracle_sample *n)
+static struct oracle_sample in_input(const struct octave *octave, const struct oracle_sample *n)
 {
     struct oracle_sample s = {.value = n->value};
     for (int i = 0; i < 81; i++) {
         const int a = i / 27, b = i / 9 % 3, l = i / 3 % 3, m = i % 3;
-        s.hessian[a][b] += octave->j[l][a] * n->hessian[l][m] * octave->j[m][b];
+        s.hessian[a][b] += octave->axes[l][a] * n->hessian[l][m] * octave->axes[m][b];
         if (b == 0 && m == 0) {
-            s.gradient[a] += octave->j[l][a] * n->gradient[l];
+            s.gradient[a] += octave->axes[l][a] * n->gradient[l];
         }
     }
     return s;
 }
 
 /* The sums of fBm and turbulence: sum a_k n_k, sum a_k |n_k|. */
-static struct oracle_sample plain_sum(int count, const struct rebuilt octave[OCTAVES],
+static struct oracle_sample plain_sum(int count, const struct octave octave[OCTAVES],
                                       const struct oracle_sample n[OCTAVES], int magnitudes)
 {
     struct oracle_sample sum = {.value = 0.0};
     for (int k = 0; k < count; k++) {
         const struct oracle_sample s = in_input(&octave[k], &n[k]);
-        const double a = magnitudes && s.value < 0.0 ? -octave[k].a : octave[k].a;
+        const double a = magnitudes && s.value < 0.0 ? -octave[k].weight : octave[k].weight;
         sum.value += a * s.value;
         for (int i = 0; i < 9; i++) {
             sum.hessian[i / 3][i % 3] += a * s.hessian[i / 3][i % 3];
@@ -180,14 +95,14 @@ static struct oracle_sample plain_sum(int count, const struct rebuilt octave[OCT
  *     s_i  = v_i r^2 - 2 v r m_i
  *     s_ij = v_ij r^2 - 2 r (v_i m_j + v_j m_i) + 2 v (m_i m_j - r m_ij).
  */
-static struct oracle_sample ridged_sum(int count, const struct rebuilt octave[OCTAVES],
+static struct oracle_sample ridged_sum(int count, const struct octave octave[OCTAVES],
                                        const struct oracle_sample n[OCTAVES])
 {
     struct oracle_sample sum = {.value = 0.0}, v = {.value = 1.0};
     for (int k = 0; k < count; k++) {
         const struct oracle_sample p = in_input(&octave[k], &n[k]);
         const double sign = p.value > 0.0 ? 1.0 : p.value < 0.0 ? -1.0 : 0.0;
-        const double r = 1.0 - fabs(p.value), a = octave[k].a;
+        const double r = 1.0 - fabs(p.value), a = octave[k].weight;
         const double s = v.value * r * r;
         const double twice = 2.0 * s < 1.0 ? 2.0 : 0.0;
         struct oracle_sample next = {.value = twice > 0.0 ? 2.0 * s : 1.0};
@@ -212,7 +127,7 @@ static struct oracle_sample ridged_sum(int count, const struct rebuilt octave[OC
 }
 
 /* Erosion: gradient = sum_k a_k (q_k G_k - 2 erosion n_k q_k^2 D_k^T d_k). */
-static struct oracle_sample erosion_sum(int count, const struct rebuilt octave[OCTAVES],
+static struct oracle_sample erosion_sum(int count, const struct octave octave[OCTAVES],
                                         const struct oracle_sample n[OCTAVES], double erosion)
 {
     struct oracle_sample sum = {.value = 0.0};
@@ -224,16 +139,16 @@ static struct oracle_sample erosion_sum(int count, const struct rebuilt octave[O
             d[i] += n[k].gradient[i];
             squares += d[i] * d[i];
             for (int j = 0; j < 9; j++) {
-                jacobian[i][j / 3] += n[k].hessian[i][j % 3] * octave[k].j[j % 3][j / 3];
+                jacobian[i][j / 3] += n[k].hessian[i][j % 3] * octave[k].axes[j % 3][j / 3];
             }
         }
         const double q = 1.0 / (1.0 + erosion * squares);
-        sum.value += octave[k].a * q * n[k].value;
+        sum.value += octave[k].weight * q * n[k].value;
         for (int j = 0; j < 3; j++) {
             const double steeper =
                 jacobian[0][j] * d[0] + jacobian[1][j] * d[1] + jacobian[2][j] * d[2];
-            sum.gradient[j] +=
-                octave[k].a * (q * p.gradient[j] - 2.0 * erosion * n[k].value * q * q * steeper);
+            sum.gradient[j] += octave[k].weight *
+                               (q * p.gradient[j] - 2.0 * erosion * n[k].value * q * q * steeper);
         }
     }
     return sum;
@@ -241,7 +156,7 @@ static struct oracle_sample erosion_sum(int count, const struct rebuilt octave[O
 
 /* Ping-pong: t = (n + 1) sharpness folded to [-1, 1]; derivatives +-2 sharpness times those of n.
  */
-static struct oracle_sample pingpong_sum(int count, const struct rebuilt octave[OCTAVES],
+static struct oracle_sample pingpong_sum(int count, const struct octave octave[OCTAVES],
                                          const struct oracle_sample n[OCTAVES], double sharpness)
 {
     struct oracle_sample sum = {.value = 0.0};
@@ -250,8 +165,8 @@ static struct oracle_sample pingpong_sum(int count, const struct rebuilt octave[
         const double t = (p.value + 1.0) * sharpness, whole = floor(t);
         const int rises = fmod(whole, 2.0) == 0.0;
         const double fold = rises ? t - whole : 1.0 - (t - whole);
-        const double slope = octave[k].a * (rises ? 2.0 : -2.0) * sharpness;
-        sum.value += octave[k].a * (2.0 * fold - 1.0);
+        const double slope = octave[k].weight * (rises ? 2.0 : -2.0) * sharpness;
+        sum.value += octave[k].weight * (2.0 * fold - 1.0);
         for (int i = 0; i < 9; i++) {
             sum.hessian[i / 3][i % 3] += slope * p.hessian[i / 3][i % 3];
         }
@@ -264,14 +179,14 @@ static struct oracle_sample pingpong_sum(int count, const struct rebuilt octave[
 
 /* Hybrid: u = v r with r = n + sharpness, and v' = gain^k u, which is 1 or -1 beyond these. */
 static struct oracle_sample hybrid_sum(const struct scarp_noise *noise, int count,
-                                       const struct rebuilt octave[OCTAVES],
+                                       const struct octave octave[OCTAVES],
                                        const struct oracle_sample n[OCTAVES])
 {
     struct oracle_sample sum = {.value = 0.0}, v = {.value = 1.0};
     for (int k = 0; k < count; k++) {
         const struct oracle_sample p = in_input(&octave[k], &n[k]);
         const double r = p.value + (double)noise->sharpness, w = pow((double)noise->gain, k);
-        const double u = v.value * r, a = octave[k].a;
+        const double u = v.value * r, a = octave[k].weight;
         const double part = fabs(w * u) < 1.0 ? w : 0.0;
         struct oracle_sample next = {.value = part > 0.0 ? w * u : u < 0.0 ? -1.0 : 1.0};
         sum.value += a * u;
@@ -292,7 +207,7 @@ static struct oracle_sample hybrid_sum(const struct scarp_noise *noise, int coun
 }
 
 static struct oracle_sample rebuilt_sum(const struct scarp_noise *noise, int count,
-                                        const struct rebuilt octave[OCTAVES],
+                                        const struct octave octave[OCTAVES],
                                         const struct oracle_sample n[OCTAVES])
 {
     switch (noise->fractal) {
@@ -347,14 +262,14 @@ static void compare(struct block *at, struct block *scratch, const struct scarp_
 {
     static struct oracle_sample n[OCTAVES][BLOCK];
     const enum function f = dimensions == 2 ? SAMPLE2_F64 : SAMPLE3_F64;
-    struct rebuilt octave[OCTAVES];
-    const int count = rebuild(noise, octave);
+    struct octave octave[OCTAVES];
+    const int count = octaves_make(noise, dimensions, octave);
     double unit[3] = {0.0, 0.0, 0.0};
     for (int k = 0; k < count; k++) {
         const double frequency = noise->frequency * pow((double)noise->lacunarity, k);
-        unit[0] += fabs(octave[k].a);
-        unit[1] += fabs(octave[k].a) * frequency;
-        unit[2] += fabs(octave[k].a) * frequency * frequency;
+        unit[0] += fabs(octave[k].weight);
+        unit[1] += fabs(octave[k].weight) * frequency;
+        unit[2] += fabs(octave[k].weight) * frequency * frequency;
     }
     uint64_t random = noise->seed;
     for (long done = 0; done < points; done += BLOCK) {

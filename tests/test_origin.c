@@ -7,20 +7,10 @@
  *     test_origin seeds   statistics over seeds
  */
 #include "gullies.h"
+#include "octaves.h"
 #include "outputs.h"
 
 #define POINTS 73
-
-/* The numbers of splitmix64(first number of splitmix64(seed)), and of these o_0. */
-static void offset_of(uint64_t seed, double offset[3])
-{
-    uint64_t state = check_random(&seed);
-    check_random(&state);
-    const uint64_t b = check_random(&state), c = check_random(&state);
-    offset[0] = (double)(b >> 40) * 0x1p-24;
-    offset[1] = (double)(c & 0xffffff) * 0x1p-24;
-    offset[2] = (double)(c >> 40) * 0x1p-24;
-}
 
 static struct outputs here, there;
 static float f32[2][3][POINTS];
@@ -31,21 +21,21 @@ static double f64[2][3][POINTS];
 static void make_points(uint64_t seed)
 {
     uint64_t random = 6;
-    double offset[3];
-    offset_of(seed, offset);
+    struct octave octave;
+    octave_draw(&octave, seed, 0);
     for (int d = 0; d < 3; d++) {
         for (size_t i = 0; i < POINTS; i++) {
             f32[0][d][i] = check_random_float(&random, i % 8 == 0 ? 0x1p20f : 64.0f);
             f64[0][d][i] = (double)f32[0][d][i];
-            f32[1][d][i] = f32[0][d][i] + (float)offset[d];
-            f64[1][d][i] = f64[0][d][i] + offset[d];
+            f32[1][d][i] = f32[0][d][i] + (float)octave.offset[d];
+            f64[1][d][i] = f64[0][d][i] + octave.offset[d];
         }
     }
     for (int d = 0; d < 3; d++) {
         f32[0][d][0] = 0.0f;
         f64[0][d][0] = 0.0;
-        f32[1][d][0] = (float)offset[d];
-        f64[1][d][0] = offset[d];
+        f32[1][d][0] = (float)octave.offset[d];
+        f64[1][d][0] = octave.offset[d];
     }
 }
 
@@ -117,16 +107,16 @@ static void test_moved_grid(void)
         struct scarp_grid grid = {.origin = {-3.25, 0.0, 1.5},
                                   .step = {0.125, 0.0625, 0.25},
                                   .count = {SIDE, SIDE, dimensions == 2 ? 1 : SIDE}};
-        double offset[3];
+        struct octave octave;
         int member = 0;
         size_t index = 0;
         noise.period[0] = i % 4 > 1 ? 3 : 0;
         noise.offset_first = 1;
         CHECK(grid_call(dimensions, &noise, &grid, &out[0]) == SCARP_OK, "grid");
         noise.offset_first = 0;
-        offset_of(noise.seed, offset);
+        octave_draw(&octave, noise.seed, 0);
         for (int d = 0; d < 3; d++) {
-            grid.origin[d] += offset[d];
+            grid.origin[d] += octave.offset[d];
         }
         CHECK(grid_call(dimensions, &noise, &grid, &out[1]) == SCARP_OK, "moved grid");
         CHECK_BITS(
@@ -144,9 +134,9 @@ static void test_moved_cells(void)
     struct scarp_noise noise = {.seed = 31, .jitter = 0.75f};
     float distance[2][POINTS], x[2][POINTS];
     uint32_t id[2][POINTS];
-    double offset[3];
+    struct octave octave;
     make_points(noise.seed);
-    offset_of(noise.seed, offset);
+    octave_draw(&octave, noise.seed, 0);
     for (int i = 0; i < 2; i++) {
         const struct scarp_cells out = {.f1 = distance[i], .id = id[i], .x = x[i]};
         noise.offset_first = i == 0;
@@ -155,7 +145,7 @@ static void test_moved_cells(void)
     for (size_t i = 0; i < POINTS; i++) {
         const double moved = (double)x[1][i] - (double)x[0][i];
         CHECK_BITS(distance[0][i] == distance[1][i] && id[0][i] == id[1][i], "cell %zu", i);
-        CHECK(fabs(moved - offset[0]) <= 0x1p-22 * (1.0 + fabs((double)x[0][i])),
+        CHECK(fabs(moved - octave.offset[0]) <= 0x1p-22 * (1.0 + fabs((double)x[0][i])),
               "feature %zu is moved by %.9g", i, moved);
     }
 }

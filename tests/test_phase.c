@@ -136,7 +136,7 @@ static double phase_bound(const struct scarp_noise *noise, int dimensions)
     flowing.phase = 0.5f;
     oracle_make(&oracle, noise, dimensions);
     for (int k = 0; k < oracle.octaves; k++) {
-        sum += ldexp(oracle.octave[k].weight, k);
+        sum += ldexp(oracle.octave[k].of.weight, k);
     }
     CHECK(scarp_range(&flowing, dimensions, &lowest, &highest) == SCARP_OK, "range");
     return 4.0 * 3.14159265358979 * sum * (double)highest;

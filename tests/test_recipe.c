@@ -407,14 +407,6 @@ static void check_set(void)
           entry.value);
 }
 
-static uint64_t splitmix64(uint64_t start, uint64_t number)
-{
-    uint64_t mixed = start + number * UINT64_C(0x9e3779b97f4a7c15);
-    mixed = (mixed ^ mixed >> 30) * UINT64_C(0xbf58476d1ce4e5b9);
-    mixed = (mixed ^ mixed >> 27) * UINT64_C(0x94d049bb133111eb);
-    return mixed ^ mixed >> 31;
-}
-
 /* Seeds of noises, of cells and of gullies are those that the page of the language has, so others
    can make the same calls. */
 static void check_rebuilt_seeds(void)
@@ -438,7 +430,7 @@ static void check_rebuilt_seeds(void)
     const struct scarp_cells cells = {.id = id};
     for (size_t i = 0; i < 3 * sizeof cases / sizeof cases[0]; i++) {
         const uint64_t world = worlds[i % 3], number = cases[i / 3].number;
-        const uint64_t seed = splitmix64(splitmix64(world, 1), number);
+        const uint64_t seed = check_random_number(check_random_number(world, 1), number);
         const struct scarp_noise noise = {.offset_first = 1, .seed = seed, .octaves = 2.0f},
                                  level = {.offset_first = 1, .seed = world};
         const struct scarp_gullies gullies = {.offset_first = 1, .seed = seed};

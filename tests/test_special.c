@@ -175,7 +175,7 @@ static int beyond_cells(const struct oracle *oracle, const double x[3])
         for (int i = 0; i < oracle->dimensions; i++) {
             double size = 1.0;
             for (int j = 0; j < oracle->dimensions; j++) {
-                size += fabs(oracle->octave[k].axes[i][j] * x[j]);
+                size += fabs(oracle->octave[k].of.axes[i][j] * x[j]);
             }
             if (size >= limit) {
                 return 1;
