@@ -6,10 +6,9 @@
 #ifndef SCARP_TESTS_CURL_H
 #define SCARP_TESTS_CURL_H
 
-#include "check.h"
-
 #define POINTS 1031
 #define MEMBERS 12
+#include "near.h"
 
 static const char *const names[MEMBERS] = {"vx",  "vy",  "vz",  "vxx", "vxy", "vxz",
                                            "vyx", "vyy", "vyz", "vzx", "vzy", "vzz"};
@@ -20,49 +19,6 @@ enum { VX, VY, VZ, VXX, VXY, VXZ, VYX, VYY, VYZ, VZX, VZY, VZZ };
 #define VELOCITY3 (VELOCITY2 | 1u << VZ)
 #define ALL2 (VELOCITY2 | 1u << VXX | 1u << VXY | 1u << VYX | 1u << VYY)
 #define ALL3 0xfffu
-
-/* A call of 2 or 3 dimensions, with coordinates of floats or of doubles. */
-struct call {
-    int dimensions, doubles;
-};
-
-static const struct call calls[4] = {{2, 0}, {2, 1}, {3, 0}, {3, 1}};
-#define CALLS 4
-
-static float f32[3][POINTS];
-static double f64[3][POINTS];
-
-/* A word before the outputs and one behind, where nothing may be written. */
-struct near {
-    union {
-        float f[POINTS + 2];
-        uint32_t u[POINTS + 2];
-    } of[MEMBERS];
-};
-
-#define POISON 0x7fa5a5a5u
-
-static struct near here, there;
-
-static inline void poison(struct near *n)
-{
-    for (int m = 0; m < MEMBERS; m++) {
-        for (int i = 0; i < POINTS + 2; i++) {
-            n->of[m].u[i] = POISON;
-        }
-    }
-}
-
-static inline float of(const struct near *n, int member, size_t i)
-{
-    return n->of[member].f[i + 1];
-}
-
-/* The bits, which are the same of all NaNs. */
-static inline uint32_t bits_of(const struct near *n, int member, size_t i)
-{
-    return isnan(of(n, member, i)) ? 0x7fc00000u : n->of[member].u[i + 1];
-}
 
 static inline unsigned all_of(int dimensions)
 {
@@ -85,9 +41,7 @@ static inline unsigned members_of(const struct scarp_noise *noise, int dimension
 static inline struct scarp_flow arrays(struct near *n, unsigned wanted, size_t first)
 {
     float *at[MEMBERS];
-    for (int m = 0; m < MEMBERS; m++) {
-        at[m] = (wanted >> m & 1) != 0 ? n->of[m].f + 1 + first : NULL;
-    }
+    arrays_at(n, wanted, first, at);
     const struct scarp_flow out = {.vx = at[VX],
                                    .vy = at[VY],
                                    .vz = at[VZ],
@@ -103,16 +57,10 @@ static inline struct scarp_flow arrays(struct near *n, unsigned wanted, size_t f
     return out;
 }
 
-/* Calls for `count` points from `first` on. */
 static inline enum scarp_status find(struct call c, const struct scarp_noise *noise, size_t first,
                                      size_t count, const struct scarp_flow *out)
 {
-    const float *const f[3] = {f32[0] + first, f32[1] + first, f32[2] + first};
-    const double *const d[3] = {f64[0] + first, f64[1] + first, f64[2] + first};
-    return c.dimensions == 2 ? c.doubles ? scarp_curl2_f64(noise, count, d[0], d[1], out)
-                                         : scarp_curl2(noise, count, f[0], f[1], out)
-           : c.doubles ? scarp_curl3_f64(noise, count, d[0], d[1], d[2], out)
-                             : scarp_curl3(noise, count, f[0], f[1], f[2], out);
+    return FIND(c, noise, first, count, out, scarp_curl);
 }
 
 static inline void find_all(struct call c, const struct scarp_noise *noise, struct near *to)
@@ -121,15 +69,6 @@ static inline void find_all(struct call c, const struct scarp_noise *noise, stru
     poison(to);
     const enum scarp_status status = find(c, noise, 0, POINTS, &out);
     CHECK(status == SCARP_OK, "%dD: %s", c.dimensions, scarp_status_text(status));
-}
-
-static inline void make_points(float span)
-{
-    uint64_t state = 5;
-    for (int i = 0; i < 3 * POINTS; i++) {
-        f32[i % 3][i / 3] = check_random_float(&state, span);
-        f64[i % 3][i / 3] = (double)f32[i % 3][i / 3];
-    }
 }
 
 #define NOISES 18

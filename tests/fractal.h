@@ -114,4 +114,14 @@ static inline double fractal_unit(const struct oracle *oracle, int order)
     return sum;
 }
 
+/* The unit for differences of derivatives with respect to the phase */
+static inline double phase_unit(const struct oracle *oracle)
+{
+    double sum = 0.0;
+    for (int k = 0; k < oracle->octaves; k++) {
+        sum += fabs(oracle->octave[k].of.weight) * ldexp(6.283185307, k);
+    }
+    return sum;
+}
+
 #endif

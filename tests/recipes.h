@@ -32,6 +32,17 @@ static inline struct scarp_samples recipe_samples(float *first, size_t points, i
     return s;
 }
 
+/* The highest order of derivatives that the first output has */
+static inline int recipe_order(const struct scarp_recipe *recipe)
+{
+    struct scarp_recipe_entry entry;
+    int order = 0;
+    for (size_t i = 0; scarp_recipe_entry_at(recipe, i, &entry) == SCARP_OK; i++) {
+        order = entry.output == 0 ? (int)entry.order : order;
+    }
+    return order;
+}
+
 /* Each is sampled over some cells of size 1 around the origin. `rough`: its value or its slope may
    jump, so a few points may be off. */
 struct recipe_text {

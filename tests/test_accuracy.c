@@ -100,15 +100,6 @@ static const struct bounds *bounds_of(const struct scarp_noise *noise)
  */
 #define PHASE_BOUND 1.5e-6
 
-static double phase_unit(const struct oracle *oracle)
-{
-    double sum = 0.0;
-    for (int k = 0; k < oracle->octaves; k++) {
-        sum += fabs(oracle->octave[k].of.weight) * ldexp(6.283185307, k);
-    }
-    return sum;
-}
-
 static void random_points(uint64_t *random, enum oracle_rounding precision, size_t fractal)
 {
     for (size_t i = 0; i < BLOCK; i++) {

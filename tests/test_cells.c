@@ -5,56 +5,13 @@
  *
  *     test_cells ISA
  */
-#include "check.h"
-
 #define POINTS 257
 #define MEMBERS 12
+#include "near.h"
 
 static const char *const names[MEMBERS] = {"f1",  "f2",  "id",  "x",   "y",   "z",
                                            "dx1", "dy1", "dz1", "dx2", "dy2", "dz2"};
 enum { F1, F2, ID, X, Y, Z, DX1, DY1, DZ1, DX2, DY2, DZ2 };
-
-/* A call of 2 or 3 dimensions, with coordinates of floats or of doubles. */
-struct call {
-    int dimensions, doubles;
-};
-
-static const struct call calls[4] = {{2, 0}, {2, 1}, {3, 0}, {3, 1}};
-#define CALLS 4
-
-static float f32[3][POINTS];
-static double f64[3][POINTS];
-
-/* A word before the outputs and one behind, where nothing may be written. */
-struct near {
-    union {
-        float f[POINTS + 2];
-        uint32_t u[POINTS + 2];
-    } of[MEMBERS];
-};
-
-#define POISON 0x7fa5a5a5u
-
-static struct near here, there;
-
-static void poison(struct near *n)
-{
-    for (int m = 0; m < MEMBERS; m++) {
-        for (int i = 0; i < POINTS + 2; i++) {
-            n->of[m].u[i] = POISON;
-        }
-    }
-}
-
-static float of(const struct near *n, int member, size_t i)
-{
-    return n->of[member].f[i + 1];
-}
-
-static uint32_t bits_of(const struct near *n, int member, size_t i)
-{
-    return n->of[member].u[i + 1];
-}
 
 static unsigned all_of(int dimensions)
 {
@@ -65,9 +22,7 @@ static unsigned all_of(int dimensions)
 static struct scarp_cells arrays(struct near *n, unsigned wanted, size_t first)
 {
     float *at[MEMBERS];
-    for (int m = 0; m < MEMBERS; m++) {
-        at[m] = (wanted >> m & 1) != 0 ? n->of[m].f + 1 + first : NULL;
-    }
+    arrays_at(n, wanted, first, at);
     const struct scarp_cells out = {.f1 = at[F1],
                                     .f2 = at[F2],
                                     .id = at[ID] != NULL ? n->of[ID].u + 1 + first : NULL,
@@ -83,16 +38,10 @@ static struct scarp_cells arrays(struct near *n, unsigned wanted, size_t first)
     return out;
 }
 
-/* Calls for `count` points from `first` on. */
 static enum scarp_status find(struct call c, const struct scarp_noise *noise, size_t first,
                               size_t count, const struct scarp_cells *out)
 {
-    const float *const f[3] = {f32[0] + first, f32[1] + first, f32[2] + first};
-    const double *const d[3] = {f64[0] + first, f64[1] + first, f64[2] + first};
-    return c.dimensions == 2 ? c.doubles ? scarp_cells2_f64(noise, count, d[0], d[1], out)
-                                         : scarp_cells2(noise, count, f[0], f[1], out)
-           : c.doubles ? scarp_cells3_f64(noise, count, d[0], d[1], d[2], out)
-                             : scarp_cells3(noise, count, f[0], f[1], f[2], out);
+    return FIND(c, noise, first, count, out, scarp_cells);
 }
 
 static void find_all(struct call c, const struct scarp_noise *noise, struct near *to)
@@ -100,15 +49,6 @@ static void find_all(struct call c, const struct scarp_noise *noise, struct near
     const struct scarp_cells out = arrays(to, all_of(c.dimensions), 0);
     poison(to);
     CHECK(find(c, noise, 0, POINTS, &out) == SCARP_OK, "%dD", c.dimensions);
-}
-
-static void make_points(float span)
-{
-    uint64_t state = 5;
-    for (int i = 0; i < 3 * POINTS; i++) {
-        f32[i % 3][i / 3] = check_random_float(&state, span);
-        f64[i % 3][i / 3] = (double)f32[i % 3][i / 3];
-    }
 }
 
 static double coordinate(struct call c, int axis, size_t i)
@@ -146,10 +86,10 @@ static void test_consistent(struct call c, const struct scarp_noise *noise)
             CHECK(fabs(along - first * (double)of(&here, DX1 + axis, i)) <= slack, "gradient");
         }
         for (size_t j = 0; j < POINTS; j++) {
-            const int same = bits_of(&here, ID, i) == bits_of(&here, ID, j);
+            const int same = word_of(&here, ID, i) == word_of(&here, ID, j);
             const double d = distance(c, i, j);
             if (same) {
-                CHECK(fabs(d - first) <= slack, "id %08x is in two places", bits_of(&here, ID, i));
+                CHECK(fabs(d - first) <= slack, "id %08x is in two places", word_of(&here, ID, i));
             } else if (d < nearest) {
                 nearest = d;
             }
@@ -218,7 +158,7 @@ static void test_bases(struct call c)
                                   : basis == SCARP_CELL_F2   ? second
                                   : basis == SCARP_CELL_EDGE ? second - first
                                                              : raw;
-            const double drawn = (double)(int32_t)bits_of(&here, ID, i) * 0x1p-31;
+            const double drawn = (double)(int32_t)word_of(&here, ID, i) * 0x1p-31;
             CHECK(fabs(raw - wanted) < 1e-6, "basis %d: %g, not %g", basis, raw, wanted);
             if (basis == SCARP_CELL_VALUE) {
                 CHECK(fabs((double)value[i] - drawn) < 1e-5, "%g, not %g", (double)value[i], drawn);
@@ -238,9 +178,9 @@ static int same_bits(const struct near *a, const struct near *b, unsigned wanted
 {
     for (int m = 0; m < MEMBERS; m++) {
         for (size_t i = first; (wanted >> m & 1) != 0 && i < first + count; i++) {
-            if (bits_of(a, m, i) != bits_of(b, m, i)) {
-                printf("%s[%zu]: %08x, not %08x\n", names[m], i, bits_of(a, m, i),
-                       bits_of(b, m, i));
+            if (word_of(a, m, i) != word_of(b, m, i)) {
+                printf("%s[%zu]: %08x, not %08x\n", names[m], i, word_of(a, m, i),
+                       word_of(b, m, i));
                 return 0;
             }
         }
@@ -330,7 +270,7 @@ static void test_other_members(struct call c)
 /* Points whose fractions stay when whole cells are added. */
 static void make_coarse_points(void)
 {
-    make_points(4.0f);
+    draw_points(4.0f);
     for (int i = 0; i < 3 * POINTS; i++) {
         f64[i % 3][i / 3] = floor(f64[i % 3][i / 3] * 0x1p12) * 0x1p-12;
         f32[i % 3][i / 3] = (float)f64[i % 3][i / 3];
@@ -360,7 +300,7 @@ static void test_periods(struct call c)
         CHECK(same_bits(&here, &there, wanted, 0, POINTS), "period %u along axis %d",
               periods[i / 3], axis);
     }
-    make_points(4.0f);
+    draw_points(4.0f);
 }
 
 /* Points that are nowhere, and far ones. */
@@ -382,14 +322,14 @@ static void test_special(struct call c)
                 continue;
             }
             if (i % 4 == 0) {
-                CHECK(m == ID ? bits_of(&here, ID, i) == 0 : isnan(found), "%s[%zu] is %g",
+                CHECK(m == ID ? word_of(&here, ID, i) == 0 : isnan(found), "%s[%zu] is %g",
                       names[m], i, (double)found);
             } else if (m != ID) {
                 CHECK(isfinite(found), "%s[%zu] is %g", names[m], i, (double)found);
             }
         }
     }
-    make_points(4.0f);
+    draw_points(4.0f);
 }
 
 static int is_untouched(const struct near *n)
@@ -450,7 +390,7 @@ static void test_bits(struct call c, enum scarp_isa isa)
                                     .jitter = i % 3 ? 0.0f : 0.3f,
                                     .offset_first = (uint32_t)i / 2 % 2};
         noise.period[i % 3] = i % 4 == 0 ? 1 + (uint32_t)i / 4 : 0;
-        make_points((float)(1 << (i % 20)));
+        draw_points((float)(1 << (i % 20)));
         find_all(c, &noise, &here);
         CHECK(scarp_isa_select(SCARP_ISA_SCALAR) == SCARP_OK, "scalar");
         find_all(c, &noise, &there);
@@ -458,7 +398,7 @@ static void test_bits(struct call c, enum scarp_isa isa)
         CHECK(same_bits(&here, &there, all_of(c.dimensions), 0, POINTS), "%dD, noise %d",
               c.dimensions, i);
     }
-    make_points(4.0f);
+    draw_points(4.0f);
 }
 
 int main(int argc, char **argv)
@@ -467,14 +407,14 @@ int main(int argc, char **argv)
     for (int i = 0; i < CALLS; i++) {
         const struct scarp_noise unit = {.seed = 2}, fine = {.seed = 7, .frequency = 16.0},
                                  tame = {.seed = 3, .jitter = 0.25f};
-        make_points(1.0f);
+        draw_points(1.0f);
         test_consistent(calls[i], &unit);
         test_consistent(calls[i], &tame);
-        make_points(0.0625f);
+        draw_points(0.0625f);
         test_consistent(calls[i], &fine);
-        make_points(4.0f);
+        draw_points(4.0f);
         test_second_gradient(calls[i], &unit);
-        make_points(4.0f);
+        draw_points(4.0f);
         test_bases(calls[i]);
         test_choices(calls[i]);
         test_other_members(calls[i]);

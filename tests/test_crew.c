@@ -25,6 +25,7 @@ static int start_or_refuse(pthread_t *thread, const pthread_attr_t *attributes,
 #include "../src/cli/shared/crew.c"
 #undef pthread_create
 
+#include "../src/cli/shared/bounds.h"
 #include "check.h"
 
 #define MOST 9
@@ -109,11 +110,6 @@ static void run(struct crew *crew, size_t count, size_t expected)
     CHECK(atomic_load(&job.wrong_meetings) == 0, "%d threads", atomic_load(&job.wrong_meetings));
     CHECK(atomic_load(&job.wrong_signals) == 0, "%d threads", atomic_load(&job.wrong_signals));
     CHECK(atomic_load(&job.wrong) == 0, "%d tasks", atomic_load(&job.wrong));
-}
-
-static size_t smaller(size_t a, size_t b)
-{
-    return a < b ? a : b;
 }
 
 /* Refuses threads from each one on, for crews of each size and work for each number of threads. */

@@ -361,16 +361,16 @@ static void test_results(int call, enum scarp_isa isa)
 static void test_promises(struct call c)
 {
     for (int n = 0; n < NOISES; n++) {
-        make_points(16.0f);
+        draw_points(16.0f);
         test_divergence(c, n);
         test_plan(c, n);
         test_special(c, n);
     }
-    make_points(16.0f);
+    draw_points(16.0f);
     test_jacobian(c, 0);
     test_jacobian(c, 6);
     test_jacobian(c, 15);
-    make_points(256.0f);
+    draw_points(256.0f);
     test_speed(c);
     test_refused(c);
 }
@@ -380,7 +380,7 @@ int main(int argc, char **argv)
     argc = check_take_aim(argc, &argv);
     const enum scarp_isa isa = check_select_isa(argc > 1 ? argv[1] : "scalar");
     for (int i = 0; i < CALLS && !check_enough(); i++) {
-        make_points(16.0f);
+        draw_points(16.0f);
         test_results(i, isa);
         if (check_aim == CHECK_SAME) {
             test_promises(calls[i]);

@@ -62,15 +62,6 @@ static const double phase_bounds[] = {[SCARP_TURBULENCE] = 2e-6,
                                       [SCARP_PINGPONG] = 3e-6,
                                       [SCARP_HYBRID] = 5e-7};
 
-static double phase_unit(const struct oracle *oracle)
-{
-    double sum = 0.0;
-    for (int k = 0; k < oracle->octaves; k++) {
-        sum += fabs(oracle->octave[k].of.weight) * ldexp(6.283185307, k);
-    }
-    return sum;
-}
-
 /* The errors of one fractal, basis and dimension, over all settings, fades and precisions. */
 struct errors {
     double max[3], squares[3], phase;

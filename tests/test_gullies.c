@@ -10,42 +10,13 @@
 #include "gullies.h"
 
 #define POINTS 709
+#define MEMBERS OUTS
+#include "near.h"
 #define COLUMNS 37
 #define ROWS 19 /* of grids: 703 samples */
 #define STRIDE 41
 
-static double x64[2][POINTS];
-static float x32[2][POINTS];
 static float base[INS][POINTS];
-
-/* Outputs, each between two words where nothing may be written. */
-struct near {
-    union {
-        float f[POINTS + 2];
-        uint32_t u[POINTS + 2];
-    } of[OUTS];
-};
-
-#define POISON 0x7fa5a5a5u
-
-static struct near here, there;
-
-static void poison(struct near *n)
-{
-    for (int m = 0; m < OUTS; m++) {
-        for (int i = 0; i < POINTS + 2; i++) {
-            n->of[m].u[i] = POISON;
-        }
-    }
-}
-
-/* The bits, which are the same of all NaNs. */
-static uint32_t bits_of(const struct near *n, int member, size_t i)
-{
-    return isnan(n->of[member].f[i + 1]) && n->of[member].u[i + 1] != POISON
-               ? 0x7fc00000u
-               : n->of[member].u[i + 1];
-}
 
 enum kind { FLOATS, DOUBLES, GRID, KINDS };
 static const char *const kind_names[KINDS] = {"floats", "doubles", "grid"};
@@ -63,9 +34,9 @@ static void make_points(const struct scarp_gullies *g)
     for (size_t i = 0; i < POINTS; i++) {
         const size_t index[2] = {i % COLUMNS, i / COLUMNS};
         for (int d = 0; d < 2; d++) {
-            x64[d][i] = grid.origin[d] +
+            f64[d][i] = grid.origin[d] +
                         (double)(grid.first[d] + (int64_t)index[d]) * (grid.step[d] / frequency);
-            x32[d][i] = (float)x64[d][i];
+            f32[d][i] = (float)f64[d][i];
         }
     }
     const struct scarp_samples out = {.value = base[IN_VALUE],
@@ -74,7 +45,7 @@ static void make_points(const struct scarp_gullies *g)
                                       .dxx = base[IN_DXX],
                                       .dxy = base[IN_DXY],
                                       .dyy = base[IN_DYY]};
-    CHECK(scarp_sample2_f64(&noise, POINTS, x64[0], x64[1], &out) == SCARP_OK, "the base");
+    CHECK(scarp_sample2_f64(&noise, POINTS, f64[0], f64[1], &out) == SCARP_OK, "the base");
 }
 
 static struct scarp_samples base_from(size_t first)
@@ -97,10 +68,10 @@ static enum scarp_status erode(const struct scarp_gullies *g, enum kind kind, si
     const struct scarp_samples in = base_from(first);
     const struct scarp_eroded eroded = eroded_of(out, wanted);
     if (kind == FLOATS) {
-        return scarp_gullies2(g, count, x32[0] + first, x32[1] + first, &in, &eroded);
+        return scarp_gullies2(g, count, f32[0] + first, f32[1] + first, &in, &eroded);
     }
     if (kind == DOUBLES) {
-        return scarp_gullies2_f64(g, count, x64[0] + first, x64[1] + first, &in, &eroded);
+        return scarp_gullies2_f64(g, count, f64[0] + first, f64[1] + first, &in, &eroded);
     }
     struct scarp_grid scaled = grid;
     for (int d = 0; d < 2; d++) {
@@ -155,7 +126,7 @@ static void test_bits(int n, enum kind kind, enum scarp_isa isa)
 static void test_far(int n, enum scarp_isa isa)
 {
     for (size_t i = 100; i < 130; i++) {
-        x64[i % 2][i] *= 1e3 * pow(10.0, (double)i - 100.0);
+        f64[i % 2][i] *= 1e3 * pow(10.0, (double)i - 100.0);
     }
     test_bits(n, DOUBLES, isa);
     make_points(&descriptions[n]);
@@ -178,9 +149,9 @@ static void test_in_place(int n, enum kind kind)
         const struct scarp_eroded eroded = eroded_of(out, OUT_ALL);
         struct scarp_grid scaled = grid;
         const enum scarp_status status =
-            kind == FLOATS ? scarp_gullies2(&descriptions[n], all, x32[0], x32[1], &in, &eroded)
+            kind == FLOATS ? scarp_gullies2(&descriptions[n], all, f32[0], f32[1], &in, &eroded)
             : kind == DOUBLES
-                ? scarp_gullies2_f64(&descriptions[n], all, x64[0], x64[1], &in, &eroded)
+                ? scarp_gullies2_f64(&descriptions[n], all, f64[0], f64[1], &in, &eroded)
                 : scarp_gullies_grid2(&descriptions[n], &scaled, &in, &eroded);
         CHECK(status == SCARP_OK, "in place");
         poison(&here);
@@ -273,7 +244,7 @@ static void test_tiles(void)
     uint64_t random = 5;
     for (int i = 0; i < POINTS; i++) {
         for (int d = 0; d < 2; d++) {
-            x64[d][i] = (double)check_random_float(&random, 4.0f);
+            f64[d][i] = (double)check_random_float(&random, 4.0f);
         }
     }
     for (int t = 0; t < 2; t++) {
@@ -285,11 +256,11 @@ static void test_tiles(void)
         const struct scarp_samples samples = base_of(ins);
         const struct scarp_eroded eroded = eroded_of(out, OUT_ALL);
         poison(t == 0 ? &here : &there);
-        CHECK(scarp_sample2_f64(&noise, POINTS, x64[0], x64[1], &samples) == SCARP_OK, "base");
-        CHECK(scarp_gullies2_f64(&g, POINTS, x64[0], x64[1], &samples, &eroded) == SCARP_OK,
+        CHECK(scarp_sample2_f64(&noise, POINTS, f64[0], f64[1], &samples) == SCARP_OK, "base");
+        CHECK(scarp_gullies2_f64(&g, POINTS, f64[0], f64[1], &samples, &eroded) == SCARP_OK,
               "gullies");
         for (int i = 0; i < 2 * POINTS; i++) {
-            x64[i % 2][i / 2] += tile[i % 2];
+            f64[i % 2][i / 2] += tile[i % 2];
         }
     }
     compare("tiles", 0, DOUBLES, OUT_ALL, 0, POINTS);
@@ -302,8 +273,8 @@ static void test_special(enum scarp_isa isa)
 {
     const struct scarp_gullies g = {.seed = 5};
     make_points(&g);
-    x32[0][3] = NAN;
-    x32[1][20] = INFINITY;
+    f32[0][3] = NAN;
+    f32[1][20] = INFINITY;
     base[IN_VALUE][40] = NAN;
     base[IN_DX][60] = NAN;
     base[IN_DXY][80] = NAN;
@@ -390,7 +361,7 @@ static void test_arguments(void)
     const struct scarp_eroded values = eroded_of(out, OUT_VALUES);
     const struct scarp_eroded nothing = {.value = NULL};
     struct scarp_grid empty = grid;
-    const float *const x = x32[0], *const y = x32[1];
+    const float *const x = f32[0], *const y = f32[1];
     float lowest = 5.0f, highest = 5.0f;
     CHECK(scarp_gullies2(NULL, 0, NULL, NULL, NULL, NULL) == SCARP_OK, "no points");
     CHECK(scarp_gullies2(NULL, 1, x, y, &in, &all) == SCARP_ERROR_NULL, "no gullies");

@@ -103,16 +103,6 @@ static enum scarp_status evaluate(const struct scarp_recipe *of, enum how how, i
                                                  float_position[2], &outputs, scratch);
 }
 
-static int order_of_output(void)
-{
-    struct scarp_recipe_entry entry;
-    int order = 0;
-    for (size_t i = 0; scarp_recipe_entry_at(&recipe, i, &entry) == SCARP_OK; i++) {
-        order = entry.output == 0 ? (int)entry.order : order;
-    }
-    return order;
-}
-
 /* One text, with one order. */
 static void check_order(const char *name, enum scarp_isa isa, int order, int is_space)
 {
@@ -171,7 +161,7 @@ static void check_text(const char *name, const char *text, enum scarp_isa isa, i
     }
     (void)scarp_recipe_seed(&recipe, fnv_text(name));
     memcpy(&copy, &recipe, sizeof copy);
-    const int is_space = strstr(text, "space 3") != NULL, most = order_of_output();
+    const int is_space = strstr(text, "space 3") != NULL, most = recipe_order(&recipe);
     (void)spread(is_space);
     for (int order = 0; order <= most && !check_enough(); order++) {
         check_order(name, isa, order, is_space);

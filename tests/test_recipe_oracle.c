@@ -21,16 +21,6 @@ static float array[ARRAYS][POINTS];
 static uint64_t memory[1 << 16];
 static int too_large; /* recipes that pass a limit */
 
-static int order_of_output(void)
-{
-    struct scarp_recipe_entry entry;
-    int order = 0;
-    for (size_t i = 0; scarp_recipe_entry_at(&recipe, i, &entry) == SCARP_OK; i++) {
-        order = entry.output == 0 ? (int)entry.order : order;
-    }
-    return order;
-}
-
 static void set_positions(uint64_t seed)
 {
     struct recipe_writer w = {.state = seed};
@@ -144,7 +134,7 @@ static void check_text(const char *name, const char *text, int off, const double
         return;
     }
     (void)scarp_recipe_seed(&recipe, seed);
-    const int order = order_of_output();
+    const int order = recipe_order(&recipe);
     struct oracle_recipe *const oracle = oracle_recipe_make(text, &recipe, seed);
     set_positions(seed);
     sample(order, is_space);

@@ -341,16 +341,6 @@ static void check_parse(const char *name, const char *text)
     failing = 0;
 }
 
-static int order_of_output(void)
-{
-    struct scarp_recipe_entry entry;
-    int order = 0;
-    for (size_t i = 0; scarp_recipe_entry_at(&recipe, i, &entry) == SCARP_OK; i++) {
-        order = entry.output == 0 ? (int)entry.order : order;
-    }
-    return order;
-}
-
 int main(void)
 {
     set_positions();
@@ -358,7 +348,7 @@ int main(void)
         const char *const name = recipe_texts[t].name, *const text = recipe_texts[t].text;
         const int is_space = strstr(text, "space 3") != NULL;
         check_parse(name, text);
-        const int most = order_of_output();
+        const int most = recipe_order(&recipe);
         for (int how = 0; how < HOWS; how++) {
             for (int order = how == ON_STACK ? most : 0; order <= most; order++) {
                 check_samples(name, (enum how)how, order, is_space);

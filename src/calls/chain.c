@@ -116,15 +116,6 @@ static int take_arrays(struct scarp_chain *to, const struct arguments *call)
     return !missing;
 }
 
-static int spare_in_use(const struct scarp_samples *samples)
-{
-    int used = 0;
-    for (size_t i = 0; i < sizeof samples->spare / sizeof samples->spare[0]; i++) {
-        used |= samples->spare[i] != NULL;
-    }
-    return used;
-}
-
 static int reserved_in_use(const struct arguments *call)
 {
     int used = spare_in_use(call->out);

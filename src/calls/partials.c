@@ -346,15 +346,6 @@ static NOINLINE void find_slopes(const struct slope_call *call, size_t count)
     }
 }
 
-static int spare_in_use(const struct scarp_samples *samples)
-{
-    int used = 0;
-    for (size_t i = 0; i < sizeof samples->spare / sizeof samples->spare[0]; i++) {
-        used |= samples->spare[i] != NULL;
-    }
-    return used;
-}
-
 static int is_unsupported(const struct scarp_samples *a, const struct scarp_samples *out)
 {
     int used = out->dphase != NULL || spare_in_use(a) || spare_in_use(out);

@@ -33,6 +33,16 @@ scarpi_check_points(size_t count, const void *const position[3], int dimensions,
     return count > PTRDIFF_MAX / bytes ? SCARP_ERROR_SIZE : SCARP_OK;
 }
 
+/* Whether reserved members are set. */
+static inline int spare_in_use(const struct scarp_samples *samples)
+{
+    int used = 0;
+    for (size_t i = 0; i < sizeof samples->spare / sizeof samples->spare[0]; i++) {
+        used |= samples->spare[i] != NULL;
+    }
+    return used;
+}
+
 /* The order of a call that asks for something that does not exist: in 2D for derivatives along z,
    for reserved members. */
 #define SCARP_UNSUPPORTED_ORDER 3

@@ -13,6 +13,7 @@
 #include <string.h>
 
 #include "formats/formats.h"
+#include "shared/bounds.h"
 #include "shared/posix.h"
 
 /* Of a file that is being written; in writer->memory */
@@ -21,11 +22,6 @@ struct tiles {
     uint64_t count; /* that are written */
     uint32_t sizes[];
 };
-
-static size_t quotient_up(size_t a, size_t b)
-{
-    return (a + b - 1) / b;
-}
 
 static uint64_t count_tiles(const struct raster *raster)
 {

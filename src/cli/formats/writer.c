@@ -7,7 +7,7 @@
 #include <errno.h>
 #include <stdlib.h>
 
-#include "shared/smaller.h"
+#include "shared/bounds.h"
 
 size_t sample_bytes(enum sample_type type)
 {
@@ -33,11 +33,6 @@ bool writer_write_raw(struct writer *writer, const uint8_t *samples, size_t row,
 uint64_t raster_bytes(const struct raster *raster)
 {
     return (uint64_t)raster->width * raster->height * raster->channels * sample_bytes(raster->type);
-}
-
-static size_t quotient_up(size_t a, size_t b)
-{
-    return (a + b - 1) / b;
 }
 
 struct parts parts_of(const struct packing *packing, const struct raster *raster)

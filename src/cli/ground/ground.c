@@ -8,6 +8,8 @@
 #include <math.h>
 #include <string.h>
 
+#include "shared/bounds.h"
+
 #define TEXT_MOST 16384
 #define NAME_MOST 100
 /* Bytes of the lines that are added to a text */
@@ -212,11 +214,6 @@ static void look_at_calls(struct ground *ground, const char *text, double scale)
         ground->jumps |= (is_noise && call_jumps(&call)) || is_text(text, part.name, "cell");
     }
     ground->cell = (lowest < INFINITY ? 1.0 / lowest : 1.0) * scale;
-}
-
-static float within(float value, float lowest, float highest)
-{
-    return value < lowest ? lowest : value > highest ? highest : value;
 }
 
 /* Finds the range, and the level of the sea within it. False if there is no bound. */

@@ -12,6 +12,7 @@
 
 #include "ground/repeat.h"
 #include "presets/presets.h"
+#include "shared/bounds.h"
 #include "shared/error.h"
 #include "shared/file.h"
 #include "shared/json.h"
@@ -32,11 +33,6 @@ static void add_number(struct text *text, const char *before, double number, boo
     char digits[NUMBER_SIZE];
     number_write_shortest(digits, number, is_float);
     text_add(text, "%s%s%s", before, digits, after);
-}
-
-static float within(float value, float lowest, float highest)
-{
-    return value < lowest ? lowest : value > highest ? highest : value;
 }
 
 /* Writes the recipe of one noise. Sea and plateau are noise values, taken into its interval. */

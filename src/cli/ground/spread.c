@@ -8,6 +8,8 @@
 #include <math.h>
 #include <stdlib.h>
 
+#include "shared/bounds.h"
+
 #define PLACES 4096
 #define PIECE 512  /* places that are sampled at once */
 #define CELLS 64.0 /* across the square, of the noise with the largest cells */
@@ -16,11 +18,6 @@ static int compare(const void *a, const void *b)
 {
     const float x = *(const float *)a, y = *(const float *)b;
     return x < y ? -1 : x > y ? 1 : 0;
-}
-
-static float within(float value, float lowest, float highest)
-{
-    return value < lowest ? lowest : value > highest ? highest : value;
 }
 
 static void sample(const struct ground *ground, float value[PLACES])

@@ -8,7 +8,7 @@
 #include <string.h>
 
 #include "raster/slope.h"
-#include "shared/smaller.h"
+#include "shared/bounds.h"
 
 /* Known when this is compiled, though only the preprocessors of some compilers tell it */
 static inline bool is_low_byte_first(void)

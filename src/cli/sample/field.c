@@ -6,6 +6,7 @@
 
 #include <string.h>
 
+#include "shared/bounds.h"
 #include "shared/number.h"
 
 #define NUMBER_MOST 128 /* bytes of a number with a decimal comma */
@@ -102,11 +103,6 @@ struct field field_tab(const char *at)
 const char *field_after(const struct field *field, const char *at)
 {
     return at + (field->quoted && *at == '"' ? 2 : 1);
-}
-
-static bool is_digit(char c)
-{
-    return c >= '0' && c <= '9';
 }
 
 bool field_number(const struct field *field, bool commas, double *value, char *mark)

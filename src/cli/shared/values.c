@@ -11,13 +11,9 @@
 #include <string.h>
 
 #include "scarp.h"
+#include "shared/bounds.h"
 #include "shared/number.h"
 #include "shared/options.h"
-
-static bool is_digit(char c)
-{
-    return c >= '0' && c <= '9';
-}
 
 /* A number of [lowest, highest] at the start of `text`; *end is what follows it. */
 static bool read_number(const struct option *option, const char *text, double *value,

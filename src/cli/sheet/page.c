@@ -9,7 +9,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-#include "shared/smaller.h"
+#include "shared/bounds.h"
 #include "sheet/font.h"
 
 #define MARGIN 16

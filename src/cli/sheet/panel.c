@@ -11,8 +11,8 @@
 
 #include "ground/source.h"
 #include "raster/layers.h"
+#include "shared/bounds.h"
 #include "shared/error.h"
-#include "shared/smaller.h"
 #include "shared/text.h"
 
 /* The option of an axis, if a sheet can vary it. All other names are those of parameters, and with

@@ -16,8 +16,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "shared/bounds.h"
 #include "shared/interrupt.h"
-#include "shared/smaller.h"
 #include "terrain/compare.h"
 
 #define BAND_BYTES ((size_t)16 << 20)
@@ -61,11 +61,6 @@ struct pipeline {
     size_t round; /* and the band that is filled in it */
     enum pipeline_result result;
 };
-
-static size_t quotient_up(size_t a, size_t b)
-{
-    return (a + b - 1) / b;
-}
 
 /* Finds out which products are packed, and in which parts. Returns of how many rows the bands must
    have a multiple, so that a file has the same parts whichever others are made with it. */

@@ -6,15 +6,11 @@
 
 #include <stdint.h>
 
+#include "shared/bounds.h"
 #include "shared/error.h"
 
 /* That a run can mean to write: each has a file at least. */
 #define TILES_MOST 10000000
-
-static size_t quotient_up(size_t a, size_t b)
-{
-    return (a + b - 1) / b;
-}
 
 /* What only tiles have, and what does not go with levels */
 static bool check_needs(const struct terrain_options *options)

@@ -12,8 +12,8 @@
 #include <stdlib.h>
 #include <string.h>
 
+#include "shared/bounds.h"
 #include "shared/interrupt.h"
-#include "shared/smaller.h"
 #include "view/bucket.h"
 
 #define BAND_BYTES ((size_t)24 << 20)
@@ -39,11 +39,6 @@ struct picture {
     enum picture_result result;
     int reason; /* errno of what failed */
 };
-
-static size_t quotient_up(size_t a, size_t b)
-{
-    return (a + b - 1) / b;
-}
 
 uint64_t picture_buckets(const struct scene *scene)
 {
