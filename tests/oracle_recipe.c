@@ -1,4 +1,7 @@
-/* SPDX-License-Identifier: MIT */
+/* SPDX-License-Identifier: MIT
+ *
+ * The oracle of recipes: what each function is worth at a point, with its derivatives.
+ */
 #include "oracle_recipe.h"
 
 #include <math.h>
@@ -6,291 +9,8 @@
 #include <string.h>
 
 #include "oracle_gullies.h"
-
-#define PARTS 512
-#define STATEMENTS 96
-
-typedef struct oracle_jet jet;
-
-struct oracle_recipe {
-    const char *text;
-    uint64_t seed;
-    int dimensions, parts, statements, output;
-    double tile[3];
-    struct scarp_recipe_part part[PARTS];
-    struct scarp_recipe_entry entry[STATEMENTS];
-    struct oracle *made[PARTS]; /* of noise(...), made when it is first met */
-};
-
-/* Where an expression looks: jets of coordinates by the points'. */
-struct place {
-    jet u[3];
-    int dimensions;
-};
-
-/*
- * Jets
- */
-
-static jet constant(double value)
-{
-    const jet j = {.value = value};
-    return j;
-}
-
-/* f(a), given f and its derivatives */
-static jet apply(jet a, double f, double fa, double faa)
-{
-    jet r = {.value = f};
-    for (int i = 0; i < 3; i++) {
-        r.first[i] = fa * a.first[i];
-        for (int j = 0; j < 3; j++) {
-            r.second[i][j] = fa * a.second[i][j] + faa * a.first[i] * a.first[j];
-        }
-    }
-    return r;
-}
-
-static jet add(jet a, jet b, double scale)
-{
-    a.value += scale * b.value;
-    for (int i = 0; i < 3; i++) {
-        a.first[i] += scale * b.first[i];
-        for (int j = 0; j < 3; j++) {
-            a.second[i][j] += scale * b.second[i][j];
-        }
-    }
-    return a;
-}
-
-static jet multiply(jet a, jet b)
-{
-    jet r = {.value = a.value * b.value};
-    for (int i = 0; i < 3; i++) {
-        r.first[i] = a.value * b.first[i] + b.value * a.first[i];
-        for (int j = 0; j < 3; j++) {
-            r.second[i][j] = a.value * b.second[i][j] + b.value * a.second[i][j] +
-                             a.first[i] * b.first[j] + a.first[j] * b.first[i];
-        }
-    }
-    return r;
-}
-
-static jet scaled(jet a, double scale)
-{
-    return multiply(a, constant(scale));
-}
-
-static jet smooth_step(jet a, double lo, double hi)
-{
-    const double width = hi - lo, t = (a.value - lo) / width;
-    if (t <= 0.0 || t >= 1.0) {
-        return constant(t <= 0.0 ? 0.0 : 1.0);
-    }
-    return apply(a, t * t * t * (t * (6.0 * t - 15.0) + 10.0),
-                 30.0 * t * t * (1.0 - t) * (1.0 - t) / width,
-                 60.0 * t * (1.0 - t) * (1.0 - 2.0 * t) / (width * width));
-}
-
-static jet mix(jet a, jet b, jet m)
-{
-    return add(a, multiply(m, add(b, a, -1.0)), 1.0);
-}
-
-static jet least(jet a, jet b, double k, double sign)
-{
-    const int second = sign * b.value < sign * a.value;
-    const jet chosen = second ? b : a;
-    const double h = k > 0.0 ? 1.0 - fabs(a.value - b.value) / k : 0.0;
-    if (h <= 0.0) {
-        return chosen;
-    }
-    /* h^3 k / 6 of the difference d, with dh = -1/k d|d| */
-    const jet d = add(a, b, -1.0);
-    const double side = d.value < 0.0 ? -1.0 : 1.0;
-    const jet bulge = apply(d, h * h * h * k / 6.0, -side * h * h / 2.0, h / k);
-    return add(chosen, bulge, -sign);
-}
-
-static jet terraced(jet a, double steps, double riser, double strength)
-{
-    const double t = steps * a.value, whole = floor(t), u = t - whole;
-    const double w = (u - 0.5) / riser + 0.5;
-    jet inner = {.value = w, .first = {1.0, 0.0, 0.0}}; /* by u, scaled */
-    inner.first[0] = 1.0 / riser;
-    const jet s = smooth_step(inner, 0.0, 1.0);
-    const double f = (whole + u + strength * (s.value - u)) / steps;
-    const double fa = 1.0 + strength * (s.first[0] - 1.0);
-    return apply(a, f, fa, strength * s.second[0][0] * steps);
-}
-
-static jet root(jet a)
-{
-    const double r = a.value > 0.0 ? sqrt(a.value) : 0.0;
-    return r == 0.0 ? constant(0.0) : apply(a, r, 0.5 / r, -0.25 / (r * r * r));
-}
-
-static jet pulsed(jet a)
-{
-    const double t = a.value - 2.0 * floor(a.value / 2.0);
-    return apply(a, 1.0 - 2.0 * fabs(1.0 - t), t < 1.0 ? 2.0 : -2.0, 0.0);
-}
-
-/* f by coordinates u, and these by x */
-static jet composed(jet f, const struct place *at)
-{
-    jet r = {.value = f.value};
-    for (int k = 0; k < at->dimensions; k++) {
-        const jet *const u = &at->u[k];
-        for (int i = 0; i < 3; i++) {
-            r.first[i] += f.first[k] * u->first[i];
-            for (int j = 0; j < 3; j++) {
-                r.second[i][j] += f.first[k] * u->second[i][j];
-                for (int l = 0; l < at->dimensions; l++) {
-                    r.second[i][j] += f.second[k][l] * u->first[i] * at->u[l].first[j];
-                }
-            }
-        }
-    }
-    return r;
-}
-
-/* Coordinates that are their own: derivatives are by u. */
-static struct place own(const struct place *at)
-{
-    struct place p = {.dimensions = at->dimensions};
-    for (int i = 0; i < p.dimensions; i++) {
-        p.u[i].value = at->u[i].value;
-        p.u[i].first[i] = 1.0;
-    }
-    return p;
-}
-
-/*
- * The text
- */
-
-static int is(const struct oracle_recipe *o, const uint32_t span[2], const char *word)
-{
-    return strlen(word) == span[1] - span[0] && strncmp(o->text + span[0], word, strlen(word)) == 0;
-}
-
-/* The parts of a part, in the order of the text. */
-static int parts_of(const struct oracle_recipe *o, int parent, int child[64])
-{
-    int count = 0;
-    for (int i = 0; i < o->parts; i++) {
-        if (o->part[i].parent == parent && count < 64) {
-            int at = count++;
-            for (; at > 0 && o->part[child[at - 1]].span[0] > o->part[i].span[0]; at--) {
-                child[at] = child[at - 1];
-            }
-            child[at] = i;
-        }
-    }
-    return count;
-}
-
-static jet evaluate(const struct oracle_recipe *o, int part, const struct place *at);
-
-static double number(const struct oracle_recipe *o, int part)
-{
-    const struct place nowhere = {.dimensions = o->dimensions};
-    return evaluate(o, part, &nowhere).value;
-}
-
-/* The argument of a name, or that at a position; -1: not there. */
-static int argument(const struct oracle_recipe *o, int call, const char *name, int position)
-{
-    int child[64];
-    const int count = parts_of(o, call, child);
-    for (int i = 0; i < count; i++) {
-        if (is(o, o->part[child[i]].argument, name)) {
-            return child[i];
-        }
-    }
-    return position < count && position >= 0 &&
-                   o->part[child[position]].argument[1] == o->part[child[position]].argument[0]
-               ? child[position]
-               : -1;
-}
-
-static double number_or(const struct oracle_recipe *o, int call, const char *name, int position,
-                        double otherwise)
-{
-    const int part = argument(o, call, name, position);
-    return part < 0 ? otherwise : number(o, part);
-}
-
-static uint64_t seed_of(const struct oracle_recipe *o, int call)
-{
-    const double given = number_or(o, call, "seed", -1, 0.0);
-    return given == 0.0
-               ? o->seed
-               : check_random_number(check_random_number(o->seed, 1),
-                                     given < 0.0 ? (uint64_t)(int64_t)given : 64 + (uint64_t)given);
-}
-
-static double frequency_of(const struct oracle_recipe *o, int call)
-{
-    const double size = number_or(o, call, "size", -1, 0.0);
-    return size != 0.0 ? 1.0 / size : number_or(o, call, "frequency", -1, 1.0);
-}
-
-static int has_word(const struct oracle_recipe *o, int call, const char *word)
-{
-    int child[64];
-    const int count = parts_of(o, call, child);
-    for (int i = 0; i < count; i++) {
-        if (o->part[child[i]].kind == SCARP_RECIPE_WORD && is(o, o->part[child[i]].name, word)) {
-            return 1;
-        }
-    }
-    return 0;
-}
-
-/* A word of the library, which has dashes. */
-static int has_name(const struct oracle_recipe *o, int call, const char *name)
-{
-    char word[32] = "";
-    for (size_t i = 0; name[i] != '\0' && i < sizeof word - 1; i++) {
-        word[i] = name[i] == '-' ? '_' : name[i];
-        word[i + 1] = '\0';
-    }
-    return has_word(o, call, word);
-}
-
-static struct scarp_noise noise_of(const struct oracle_recipe *o, int call)
-{
-    struct scarp_noise n = {
-        .seed = seed_of(o, call), .frequency = frequency_of(o, call), .offset_first = 1};
-    for (int i = 0; scarp_basis_name((enum scarp_basis)i) != NULL; i++) {
-        n.basis = has_name(o, call, scarp_basis_name((enum scarp_basis)i)) ? (enum scarp_basis)i
-                                                                           : n.basis;
-    }
-    for (int i = 0; scarp_fractal_name((enum scarp_fractal)i) != NULL; i++) {
-        n.fractal = has_name(o, call, scarp_fractal_name((enum scarp_fractal)i))
-                        ? (enum scarp_fractal)i
-                        : n.fractal;
-    }
-    n.fade = has_word(o, call, "cubic") ? SCARP_CUBIC : SCARP_QUINTIC;
-    n.rotate = has_word(o, call, "rotate") != 0;
-    n.octaves = (float)number_or(o, call, "octaves", -1, 0.0);
-    n.of_octaves = (float)number_or(o, call, "of_octaves", -1, 0.0);
-    n.lacunarity = (float)number_or(o, call, "lacunarity", -1, 0.0);
-    n.gain = (float)number_or(o, call, "gain", -1, 0.0);
-    n.amplitude = (float)number_or(o, call, "amplitude", -1, 0.0);
-    n.erosion = (float)number_or(o, call, "erosion", -1, 0.0);
-    n.phase = (float)number_or(o, call, "phase", -1, 0.0);
-    n.jitter = (float)number_or(o, call, "jitter", -1, 0.0);
-    n.sharpness = (float)number_or(o, call, "sharpness", -1, 0.0);
-    static const char *const periods[3] = {"period_x", "period_y", "period_z"};
-    for (int i = 0; i < o->dimensions; i++) {
-        n.period[i] =
-            (uint32_t)number_or(o, call, periods[i], -1, number_or(o, call, "period", -1, 0.0));
-    }
-    return n;
-}
+#include "oracle_jet.h"
+#include "oracle_recipe_text.h"
 
 /* The value and the derivatives of an oracle's noise, by its coordinates. */
 static jet jet_of(const struct oracle *noise, const struct place *at)
@@ -316,30 +36,21 @@ static void set_periods(const struct oracle_recipe *o, struct scarp_noise *n,
     }
 }
 
-/* The call noise(...) behind names; -1: the part is something else. */
-static int call_of(const struct oracle_recipe *o, int part)
-{
-    while (part >= 0 && o->part[part].function < 0) {
-        part = o->part[part].entry >= 0 ? o->entry[o->part[part].entry].part : -1;
-    }
-    return part;
-}
-
 static void displace(const struct oracle_recipe *o, int part, const struct place *at, jet shift[3],
                      const double scale[3])
 {
-    const int call = call_of(o, part);
-    if (is(o, o->part[call].name, "warp")) { /* a noise that is bent itself */
+    const int call = oracle_call_of(o, part);
+    if (oracle_is(o, o->part[call].name, "warp")) { /* a noise that is bent itself */
         struct place moved = *at;
         jet inner[3];
-        displace(o, argument(o, call, "by", 1), at, inner, scale);
+        displace(o, oracle_argument(o, call, "by", 1), at, inner, scale);
         for (int i = 0; i < at->dimensions; i++) {
             moved.u[i] = add(at->u[i], inner[i], 1.0);
         }
-        displace(o, argument(o, call, "f", 0), &moved, shift, scale);
+        displace(o, oracle_argument(o, call, "f", 0), &moved, shift, scale);
         return;
     }
-    struct scarp_noise n = noise_of(o, call);
+    struct scarp_noise n = oracle_noise_of(o, call);
     struct place straight = *at;
     for (int i = 0; i < at->dimensions; i++) {
         memset(&straight.u[i], 0, sizeof straight.u[i]);
@@ -369,7 +80,7 @@ static jet sampled(const struct oracle_recipe *o, int call, const struct frame *
         o->made[call]->dimensions == in->at.dimensions) {
         return composed(jet_of(o->made[call], &in->at), &in->at);
     }
-    struct scarp_noise n = noise_of(o, call);
+    struct scarp_noise n = oracle_noise_of(o, call);
     struct place straight = {.dimensions = in->at.dimensions};
     for (int i = 0; i < 3; i++) {
         straight.u[i].first[i] = in->scale[i];
@@ -384,15 +95,15 @@ static jet sampled(const struct oracle_recipe *o, int call, const struct frame *
 
 static jet celled(const struct oracle_recipe *o, int call, const struct frame *in)
 {
-    const int noise = call_of(o, argument(o, call, "n", 0));
-    struct scarp_noise n = noise_of(o, noise);
+    const int noise = oracle_call_of(o, oracle_argument(o, call, "n", 0));
+    struct scarp_noise n = oracle_noise_of(o, noise);
     const struct scarp_noise first = {.seed = n.seed,
                                       .frequency = n.frequency,
                                       .jitter = n.jitter,
                                       .offset_first = n.offset_first,
-                                      .basis = has_word(o, call, "f1")   ? SCARP_CELL_F1
-                                               : has_word(o, call, "f2") ? SCARP_CELL_F2
-                                                                         : SCARP_CELL_VALUE,
+                                      .basis = oracle_has_word(o, call, "f1")   ? SCARP_CELL_F1
+                                               : oracle_has_word(o, call, "f2") ? SCARP_CELL_F2
+                                                                                : SCARP_CELL_VALUE,
                                       .period = {n.period[0], n.period[1], n.period[2]}};
     struct scarp_noise tiled = first;
     struct place straight = {.dimensions = in->at.dimensions};
@@ -420,13 +131,13 @@ static jet celled(const struct oracle_recipe *o, int call, const struct frame *i
 static jet curved(const struct oracle_recipe *o, int call, const struct frame *in)
 {
     int child[64], knot[64][2];
-    const int count = parts_of(o, call, child) - 1;
+    const int count = oracle_parts(o, call, child) - 1;
     double x[64], y[64], s[64] = {0.0};
     const jet a = evaluate_in(o, child[0], in);
     for (int i = 0; i < count; i++) {
-        (void)parts_of(o, child[i + 1], knot[i]);
-        x[i] = (double)(float)number(o, knot[i][0]);
-        y[i] = (double)(float)number(o, knot[i][1]);
+        (void)oracle_parts(o, child[i + 1], knot[i]);
+        x[i] = (double)(float)o->number(o, knot[i][0]);
+        y[i] = (double)(float)o->number(o, knot[i][1]);
     }
     for (int i = 1; i < count - 1; i++) {
         const double l = (y[i] - y[i - 1]) / (x[i] - x[i - 1]);
@@ -456,16 +167,16 @@ static jet curved(const struct oracle_recipe *o, int call, const struct frame *i
 static jet blended(const struct oracle_recipe *o, int call, const struct frame *in)
 {
     int child[64], knot[2];
-    const int count = parts_of(o, call, child) - 1;
+    const int count = oracle_parts(o, call, child) - 1;
     const jet a = evaluate_in(o, child[0], in);
     jet result = constant(0.0);
     double before = 0.0;
     for (int i = 0; i < count; i++) {
         int both[64];
-        (void)parts_of(o, child[i + 1], both);
+        (void)oracle_parts(o, child[i + 1], both);
         knot[0] = both[0];
         knot[1] = both[1];
-        const double x = number(o, knot[0]);
+        const double x = o->number(o, knot[0]);
         const jet f = evaluate_in(o, knot[1], in);
         result = i == 0 ? f : mix(result, f, smooth_step(a, before, x));
         before = x;
@@ -477,7 +188,7 @@ static jet sloped(const struct oracle_recipe *o, int call, const struct frame *i
 {
     struct frame inner = *in;
     inner.at = own(&in->at);
-    const jet f = evaluate_in(o, argument(o, call, "a", 0), &inner);
+    const jet f = evaluate_in(o, oracle_argument(o, call, "a", 0), &inner);
     jet r =
         constant(sqrt(f.first[0] * f.first[0] + f.first[1] * f.first[1] + f.first[2] * f.first[2]));
     for (int i = 0; i < 3 && r.value > 0.0; i++) {
@@ -488,44 +199,10 @@ static jet sloped(const struct oracle_recipe *o, int call, const struct frame *i
     return composed(r, &in->at);
 }
 
-/* A member of gullies. What is 0 in a recipe has no effect; in the library it is the default. */
-static float member_of(const struct oracle_recipe *o, int call, const char *name, double standard)
-{
-    const float given = (float)number_or(o, call, name, -1, standard);
-    return given == 0.0f ? 0x1p-24f : given;
-}
-
-static struct scarp_gullies gullies_of(const struct oracle_recipe *o, int call)
-{
-    const struct scarp_gullies g = {
-        .seed = seed_of(o, call),
-        .frequency = frequency_of(o, call),
-        .amplitude = (float)number_or(o, call, "amplitude", -1, 0.0),
-        .octaves = (float)number_or(o, call, "octaves", -1, 0.0),
-        .of_octaves = (float)number_or(o, call, "of_octaves", -1, 0.0),
-        .lacunarity = (float)number_or(o, call, "lacunarity", -1, 0.0),
-        .gain = (float)number_or(o, call, "gain", -1, 0.0),
-        .depth = member_of(o, call, "depth", 0.25),
-        .cells = (float)number_or(o, call, "cells", -1, 0.0),
-        .slope = (float)number_or(o, call, "slope", -1, 0.0),
-        .slope_low = (float)number_or(o, call, "slope_low", -1, 0.0),
-        .low = member_of(o, call, "low", -1.0),
-        .high = member_of(o, call, "high", 1.0),
-        .floor = member_of(o, call, "floor", 0.5),
-        .stripes = (float)number_or(o, call, "stripes", -1, 0.0),
-        .branch = member_of(o, call, "branch", 0.8),
-        .round = (float)number_or(o, call, "round", -1, 0.0),
-        .keep = member_of(o, call, "keep", 1.0),
-        .rotate = has_word(o, call, "rotate") != 0,
-        .offset_first = 1,
-    };
-    return g;
-}
-
 static double displacement_at(const struct oracle_recipe *o, int call,
                               const struct oracle_gullies *g, const struct frame *in)
 {
-    const jet f = evaluate_in(o, argument(o, call, "f", 0), in);
+    const jet f = evaluate_in(o, oracle_argument(o, call, "f", 0), in);
     const double u[2] = {in->at.u[0].value, in->at.u[1].value};
     return oracle_gullies_at(g, u, f.value, f.first);
 }
@@ -535,7 +212,7 @@ static double displacement_at(const struct oracle_recipe *o, int call,
 static jet gullied(const struct oracle_recipe *o, int call, const struct frame *in, int is_base)
 {
     struct oracle_gullies made;
-    const struct scarp_gullies g = gullies_of(o, call);
+    const struct scarp_gullies g = oracle_gullies_of(o, call);
     struct frame inner = *in;
     const double step = 1e-5 / g.frequency;
     inner.at = own(&in->at);
@@ -551,7 +228,7 @@ static jet gullied(const struct oracle_recipe *o, int call, const struct frame *
         r.first[i] = (side[1] - side[0]) / (2.0 * step);
     }
     if (is_base) {
-        r = add(r, evaluate_in(o, argument(o, call, "f", 0), &inner), 1.0);
+        r = add(r, evaluate_in(o, oracle_argument(o, call, "f", 0), &inner), 1.0);
     }
     return composed(r, &in->at);
 }
@@ -584,51 +261,51 @@ static jet placed(const struct oracle_recipe *o, int call, const struct frame *i
     const uint32_t *const name = o->part[call].name;
     double m[3][3] = {{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}, t[3] = {0.0, 0.0, 0.0};
     struct frame inner = *in;
-    const int f =
-        argument(o, call, "f", 0) >= 0 ? argument(o, call, "f", 0) : argument(o, call, "a", 0);
-    if (is(o, name, "flat")) {
+    const int f = oracle_argument(o, call, "f", 0) >= 0 ? oracle_argument(o, call, "f", 0)
+                                                        : oracle_argument(o, call, "a", 0);
+    if (oracle_is(o, name, "flat")) {
         inner.at.dimensions = 2;
         return evaluate_in(o, f, &inner);
     }
-    if (is(o, name, "warp")) {
+    if (oracle_is(o, name, "warp")) {
         jet shift[3];
-        displace(o, argument(o, call, "by", 1), &in->at, shift, in->scale);
+        displace(o, oracle_argument(o, call, "by", 1), &in->at, shift, in->scale);
         for (int i = 0; i < in->at.dimensions; i++) {
             inner.at.u[i] = add(in->at.u[i], shift[i], 1.0);
         }
         return evaluate_in(o, f, &inner);
     }
-    if (is(o, name, "at")) {
+    if (oracle_is(o, name, "at")) {
         static const char *const axes[3] = {"u", "v", "w"};
         for (int i = 0; i < in->at.dimensions; i++) {
-            inner.at.u[i] = evaluate_in(o, argument(o, call, axes[i], i + 1), in);
+            inner.at.u[i] = evaluate_in(o, oracle_argument(o, call, axes[i], i + 1), in);
         }
         return evaluate_in(o, f, &inner);
     }
-    if (is(o, name, "turn")) {
-        const double d = number(o, argument(o, call, "degrees", 1));
-        const int axis = has_word(o, call, "x") ? 0 : has_word(o, call, "y") ? 1 : 2;
+    if (oracle_is(o, name, "turn")) {
+        const double d = o->number(o, oracle_argument(o, call, "degrees", 1));
+        const int axis = oracle_has_word(o, call, "x") ? 0 : oracle_has_word(o, call, "y") ? 1 : 2;
         const int i = (axis + 1) % 3, j = (axis + 2) % 3;
         m[i][i] = m[j][j] = cosine(d);
         m[i][j] = sine(d);
         m[j][i] = -sine(d);
-    } else if (is(o, name, "move")) {
-        t[0] = -number(o, argument(o, call, "dx", 1));
-        t[1] = -number(o, argument(o, call, "dy", 2));
-        t[2] = -number_or(o, call, "dz", 3, 0.0);
-    } else if (is(o, name, "wind")) {
-        const double from = number(o, argument(o, call, "from", 1));
-        const double by = number_or(o, call, "by", 2, 1.0);
+    } else if (oracle_is(o, name, "move")) {
+        t[0] = -o->number(o, oracle_argument(o, call, "dx", 1));
+        t[1] = -o->number(o, oracle_argument(o, call, "dy", 2));
+        t[2] = -oracle_number_or(o, call, "dz", 3, 0.0);
+    } else if (oracle_is(o, name, "wind")) {
+        const double from = o->number(o, oracle_argument(o, call, "from", 1));
+        const double by = oracle_number_or(o, call, "by", 2, 1.0);
         m[0][0] = -sine(from);
         m[0][1] = -cosine(from);
         m[1][0] = cosine(from) / by;
         m[1][1] = -sine(from) / by;
     } else { /* scale, stretch */
-        const int is_scale = is(o, name, "scale");
+        const int is_scale = oracle_is(o, name, "scale");
         for (int i = 0; i < 3; i++) {
             static const char *const names[3] = {"sx", "sy", "sz"};
-            const double by = is_scale ? number(o, argument(o, call, "by", 1))
-                                       : number_or(o, call, names[i], i + 1, 1.0);
+            const double by = is_scale ? o->number(o, oracle_argument(o, call, "by", 1))
+                                       : oracle_number_or(o, call, names[i], i + 1, 1.0);
             m[i][i] = 1.0 / by;
             inner.scale[i] /= by;
         }
@@ -643,65 +320,66 @@ static jet called(const struct oracle_recipe *o, int call, const struct frame *i
     static const char *const places[] = {"warp",    "turn", "move", "scale",
                                          "stretch", "wind", "at",   "flat"};
     for (size_t i = 0; i < sizeof places / sizeof places[0]; i++) {
-        if (is(o, name, places[i])) {
+        if (oracle_is(o, name, places[i])) {
             return placed(o, call, in);
         }
     }
-    if (is(o, name, "noise")) {
+    if (oracle_is(o, name, "noise")) {
         return sampled(o, call, in);
     }
-    if (is(o, name, "cell")) {
+    if (oracle_is(o, name, "cell")) {
         return celled(o, call, in);
     }
-    if (is(o, name, "curve")) {
+    if (oracle_is(o, name, "curve")) {
         return curved(o, call, in);
     }
-    if (is(o, name, "blend")) {
+    if (oracle_is(o, name, "blend")) {
         return blended(o, call, in);
     }
-    if (is(o, name, "slope")) {
+    if (oracle_is(o, name, "slope")) {
         return sloped(o, call, in);
     }
-    if (is(o, name, "gullies") || is(o, name, "displacement")) {
-        return gullied(o, call, in, is(o, name, "gullies"));
+    if (oracle_is(o, name, "gullies") || oracle_is(o, name, "displacement")) {
+        return gullied(o, call, in, oracle_is(o, name, "gullies"));
     }
-    const jet a = evaluate_in(o, argument(o, call, "a", 0), in);
-    const int second = argument(o, call, "b", 1);
-    if (is(o, name, "min") || is(o, name, "max")) {
-        return least(a, evaluate_in(o, second, in), number_or(o, call, "smooth", 2, 0.0),
-                     is(o, name, "min") ? 1.0 : -1.0);
+    const jet a = evaluate_in(o, oracle_argument(o, call, "a", 0), in);
+    const int second = oracle_argument(o, call, "b", 1);
+    if (oracle_is(o, name, "min") || oracle_is(o, name, "max")) {
+        return least(a, evaluate_in(o, second, in), oracle_number_or(o, call, "smooth", 2, 0.0),
+                     oracle_is(o, name, "min") ? 1.0 : -1.0);
     }
-    if (is(o, name, "mix")) {
-        return mix(a, evaluate_in(o, second, in), evaluate_in(o, argument(o, call, "m", 2), in));
+    if (oracle_is(o, name, "mix")) {
+        return mix(a, evaluate_in(o, second, in),
+                   evaluate_in(o, oracle_argument(o, call, "m", 2), in));
     }
-    if (is(o, name, "abs")) {
+    if (oracle_is(o, name, "abs")) {
         return scaled(a, a.value > 0.0 ? 1.0 : a.value < 0.0 ? -1.0 : 0.0);
     }
-    if (is(o, name, "smooth_abs")) {
-        const double round = number(o, argument(o, call, "round", 1));
+    if (oracle_is(o, name, "smooth_abs")) {
+        const double round = o->number(o, oracle_argument(o, call, "round", 1));
         return root(add(multiply(a, a), constant(round * round), 1.0));
     }
-    if (is(o, name, "clamp") || is(o, name, "smoothstep")) {
-        const double lo = (double)(float)number(o, argument(o, call, "lo", 1));
-        const double hi = (double)(float)number(o, argument(o, call, "hi", 2));
-        return is(o, name, "smoothstep") ? smooth_step(a, lo, hi)
-               : a.value < lo            ? constant(lo)
-               : a.value > hi            ? constant(hi)
-                                         : a;
+    if (oracle_is(o, name, "clamp") || oracle_is(o, name, "smoothstep")) {
+        const double lo = (double)(float)o->number(o, oracle_argument(o, call, "lo", 1));
+        const double hi = (double)(float)o->number(o, oracle_argument(o, call, "hi", 2));
+        return oracle_is(o, name, "smoothstep") ? smooth_step(a, lo, hi)
+               : a.value < lo                   ? constant(lo)
+               : a.value > hi                   ? constant(hi)
+                                                : a;
     }
-    if (is(o, name, "terrace")) {
-        return terraced(a, number(o, argument(o, call, "steps", 1)),
-                        number_or(o, call, "riser", 2, 0.5),
-                        number_or(o, call, "strength", 3, 0.75));
+    if (oracle_is(o, name, "terrace")) {
+        return terraced(a, o->number(o, oracle_argument(o, call, "steps", 1)),
+                        oracle_number_or(o, call, "riser", 2, 0.5),
+                        oracle_number_or(o, call, "strength", 3, 0.75));
     }
-    if (is(o, name, "sqrt")) {
+    if (oracle_is(o, name, "sqrt")) {
         return root(a);
     }
-    if (is(o, name, "sine")) {
+    if (oracle_is(o, name, "sine")) {
         const double turn = 6.283185307179586, angle = turn * a.value;
         return apply(a, sin(angle), turn * cos(angle), -turn * turn * sin(angle));
     }
-    return is(o, name, "pulse") ? pulsed(a) : constant(NAN);
+    return oracle_is(o, name, "pulse") ? pulsed(a) : constant(NAN);
 }
 
 static jet evaluate_in(const struct oracle_recipe *o, int part, const struct frame *in)
@@ -714,14 +392,14 @@ static jet evaluate_in(const struct oracle_recipe *o, int part, const struct fra
     if (p->operation == 0 && p->name[1] > p->name[0]) {
         for (int i = 0; i < 3; i++) {
             const char axis[2] = {(char)('x' + i), '\0'};
-            if (is(o, p->name, axis)) {
+            if (oracle_is(o, p->name, axis)) {
                 return in->at.u[i];
             }
         }
         const struct scarp_recipe_entry *const e = &o->entry[p->entry];
         return e->is_param ? constant(e->value) : evaluate_in(o, e->part, in);
     }
-    const int count = parts_of(o, part, child);
+    const int count = oracle_parts(o, part, child);
     if (count == 0) {
         return constant(strtod(o->text + p->span[0], NULL));
     }
@@ -754,6 +432,12 @@ static jet evaluate(const struct oracle_recipe *o, int part, const struct place 
     return evaluate_in(o, part, &in);
 }
 
+static double number(const struct oracle_recipe *o, int part)
+{
+    const struct place nowhere = {.dimensions = o->dimensions};
+    return evaluate(o, part, &nowhere).value;
+}
+
 struct oracle_recipe *oracle_recipe_make(const char *text, const struct scarp_recipe *recipe,
                                          uint64_t seed)
 {
@@ -763,6 +447,7 @@ struct oracle_recipe *oracle_recipe_make(const char *text, const struct scarp_re
     }
     o->text = text;
     o->seed = seed;
+    o->number = number;
     o->dimensions = strstr(text, "space 3") != NULL ? 3 : 2;
     const char *const tile = strstr(text, "tile ");
     if (tile != NULL) {

@@ -2,8 +2,11 @@
 # Recipes: the language and its calls, the same bits however they are computed, and an interpreter in
 # double.
 
-scarp_test_program(test_recipe)
-scarp_add_test(recipe recipe IN wasm COMMAND test_recipe)
+foreach(test recipe recipe_calls recipe_described)
+  scarp_test_program(test_${test})
+  string(REPLACE "_" "." name ${test})
+  scarp_add_test(${name} recipe IN wasm COMMAND test_${test})
+endforeach()
 
 scarp_test_program(test_recipe_bits)
 foreach(isa IN LISTS isas)
@@ -13,7 +16,7 @@ foreach(isa IN LISTS isas)
                        COMMAND test_recipe_bits ${isa} {} ${CMAKE_CURRENT_LIST_DIR}/recipes.txt)
 endforeach()
 
-scarp_test_program(test_recipe_oracle SOURCES oracle_recipe.c oracle_gullies.c ${oracle_sources})
+scarp_test_program(test_recipe_oracle SOURCES oracle_recipe.c oracle_recipe_text.c oracle_gullies.c ${oracle_sources})
 scarp_add_sized_test(recipe.oracle recipe IN wasm SIZES 10000 400 100 10 COMMAND test_recipe_oracle {})
 
 # The functions of samples that recipes brought along

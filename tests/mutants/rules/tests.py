@@ -18,7 +18,7 @@ OTHER_LABELS = "cli|bench|package|readme|cost|farm|mutants|rust|csharp|godot|exa
 # What runs first. ISA stands for the vector set, GOLDEN and RECIPES for files of tests/,
 # INCLUDE for the folder of shaders.
 QUICK = ("test_bits ISA 131 13", "test_golden GOLDEN ISA", "test_golden GOLDEN scalar 5", "test_chain ISA",
-         "test_chain scalar", "test_grid ISA 250", "test_recipe_bits ISA 5 RECIPES", "test_recipe",
+         "test_chain scalar", "test_grid ISA 250", "test_recipe_bits ISA 5 RECIPES", "test_recipe", "test_recipe_calls", "test_recipe_described",
          "test_plan ISA", "test_gullies ISA", "test_curl ISA", "test_vector ISA", "test_shapes",
          "recipe_mutate 500", "test_gpu_recipe INCLUDE")
 
