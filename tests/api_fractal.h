@@ -179,7 +179,7 @@ static inline double fractal_difference(const struct fractal_test *t, const stru
 }
 
 /* Octaves of a longer sum have the bits that they have there, and fade in without a pop.
-   test_fractal_rebuild says which octaves they are. */
+   test_fractal says which octaves they are. */
 static inline void test_fractal_of_octaves(const struct fractal_test *t)
 {
     for (int i = 0; i < 2 * count_names(fractal_name); i++) {

@@ -8,6 +8,7 @@
 #ifndef SCARP_TESTS_CHECK_H
 #define SCARP_TESTS_CHECK_H
 
+#include <limits.h>
 #include <math.h>
 #include <stdint.h>
 #include <stdio.h>
@@ -219,6 +220,17 @@ static inline void check_isa_required(const char *name)
         printf("%s cannot run here: FAILED (required)\n", name);
         exit(EXIT_FAILURE);
     }
+}
+
+/* Argument `index`, a number of at least `least`. Without one, prints the usage and ends the program. */
+static inline long check_argument(int argc, char **argv, int index, long least, const char *usage)
+{
+    const long number = argc > index ? strtol(argv[index], NULL, 10) : LONG_MIN;
+    if (number < least) {
+        printf("usage: %s %s (at least %ld)\n", argv[0], usage, least);
+        exit(EXIT_FAILURE);
+    }
+    return number;
 }
 
 /* Selects the instruction set `name`. Where it cannot run, the whole program ends as skipped. Where

@@ -97,6 +97,31 @@ static double nearest_feature(const struct oracle *oracle, const double x[3])
     return creases.nearest;
 }
 
+/* Whether a crease of a fractal goes through the points that differences at x are made of. */
+static int is_creased(const struct oracle *oracle, const struct scheme *scheme, const double x[3])
+{
+    struct oracle_sample n;
+    struct oracle_creases here, there;
+    oracle_evaluate_creased(oracle, ORACLE_EXACT, x, &n, &here);
+    for (int i = 0; i < 2 * scheme->order / 2 * oracle->dimensions; i++) {
+        double y[3] = {x[0], x[1], x[2]};
+        y[i % oracle->dimensions] += (i / oracle->dimensions - scheme->order / 2 +
+                                      (i / oracle->dimensions >= scheme->order / 2)) *
+                                     scheme->step;
+        oracle_evaluate_creased(oracle, ORACLE_EXACT, y, &n, &there);
+        if (there.side != here.side) {
+            return 1;
+        }
+    }
+    return 0;
+}
+
+/* Those whose value has slopes in it have none. */
+static int has_hessian(enum scarp_fractal fractal)
+{
+    return fractal != SCARP_EROSION && fractal < SCARP_SWISS;
+}
+
 static void check_scheme(const struct oracle *oracle, const struct scheme *scheme, int near_planes,
                          const char *name)
 {
@@ -116,7 +141,7 @@ static void check_scheme(const struct oracle *oracle, const struct scheme *schem
             }
         }
         if (oracle_clearance(oracle, x) <= scheme->step * scheme->order / 2 ||
-            nearest_feature(oracle, x) < 0.2) {
+            nearest_feature(oracle, x) < 0.2 || is_creased(oracle, scheme, x)) {
             continue;
         }
         compare(oracle, scheme, x, worst);
@@ -125,8 +150,8 @@ static void check_scheme(const struct oracle *oracle, const struct scheme *schem
     printf("%-34s %-14s %.1e  %.1e\n", name, scheme->name, worst[0], worst[1]);
     CHECK(worst[0] <= scheme->tolerance, "%s, %s: gradient off by %g", name, scheme->name,
           worst[0]);
-    CHECK(worst[1] <= 10.0 * scheme->tolerance, "%s, %s: Hessian off by %g", name, scheme->name,
-          worst[1]);
+    CHECK(!has_hessian(oracle->fractal) || worst[1] <= 10.0 * scheme->tolerance,
+          "%s, %s: Hessian off by %g", name, scheme->name, worst[1]);
 }
 
 /* With steps of 2^-12 the fourth-order error is below 2^-48 * 720 * 8 / 30 = 7e-13 per cell, and
@@ -135,6 +160,11 @@ static void check_scheme(const struct oracle *oracle, const struct scheme *schem
 static const struct scheme inside = {"inside cells", 4, 0x1p-12, 4e-11};
 static const struct scheme several = {"inside cells", 4, 0x1p-12, 2e-9};
 static const struct scheme beside = {"1e-7 of planes", 2, 0x1p-25, 1e-7};
+
+/* Fractals fold octaves, and make quotients of their slopes. Where octaves of bent ones look, there
+   may be lattice planes. */
+static const struct scheme folds = {"inside cells", 4, 0x1p-14, 2e-8};
+static const struct scheme bends = {"anywhere", 2, 0x1p-19, 2e-7};
 
 /* Derivatives of simplex and cellular noise grow faster with their order. */
 static const struct scheme inside_steep = {"inside", 4, 0x1p-12, 4e-9};
@@ -159,6 +189,26 @@ static void check_basis(struct scarp_noise noise, int dimensions)
     check_scheme(&oracle, on_cube ? &several : &several_steep, 0, name);
 }
 
+static void check_fractal(enum scarp_fractal fractal, enum scarp_basis basis, int dimensions)
+{
+    const struct scarp_noise noise = {.fractal = fractal,
+                                      .basis = basis,
+                                      .seed = 5,
+                                      .octaves = 3.5f,
+                                      .of_octaves = 4.5f,
+                                      .lacunarity = 1.9f,
+                                      .gain = 0.6f,
+                                      .erosion = 0.7f,
+                                      .rotate = 1,
+                                      .sharpness = fractal < SCARP_SWISS ? 1.3f : 0.2f};
+    char name[80];
+    struct oracle oracle;
+    snprintf(name, sizeof name, "%s %dD %s, turned", basis_name((int)basis), dimensions,
+             fractal_name((int)fractal));
+    oracle_make(&oracle, &noise, dimensions);
+    check_scheme(&oracle, fractal < SCARP_SWISS ? &folds : &bends, 0, name);
+}
+
 static void check_derivatives(void)
 {
     printf("largest difference from the differences:             gradient  Hessian\n");
@@ -176,6 +226,9 @@ static void check_derivatives(void)
         }
     }
     check_basis((struct scarp_noise){.basis = SCARP_CELL_F2, .seed = 5, .jitter = 0.3f}, 3);
+    for (int i = 4 * SCARP_TURBULENCE; i < 4 * count_names(fractal_name); i++) {
+        check_fractal((enum scarp_fractal)(i / 4), (enum scarp_basis)(i / 2 % 2), 2 + i % 2);
+    }
 }
 
 int main(void)

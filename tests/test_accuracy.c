@@ -329,11 +329,7 @@ static void check_noise(enum scarp_basis basis, enum scarp_fade fade, int dimens
 
 int main(int argc, char **argv)
 {
-    const long points = argc > 2 ? strtol(argv[1], NULL, 10) : 0;
-    if (points < BLOCK) {
-        printf("usage: %s POINTS ISA (at least %d points)\n", argv[0], BLOCK);
-        return EXIT_FAILURE;
-    }
+    const long points = check_argument(argc, argv, argc > 2 ? 1 : 2, BLOCK, "POINTS ISA");
     check_select_isa(argv[2]);
     block = block_make();
     printf("error in units of sum |a_k| f_k^order: max, RMS of value; of gradient; of Hessian; "

@@ -2,8 +2,8 @@
  *
  * Rebuilds Swiss and Jordan noise from single-octave calls as the text of scarp.h says, in double:
  * where octaves look, and the formulas for value and gradient. Checks their ranges, what they
- * repeat, what they do not support, and their plans. (test_bend_exact.c compares gradients with
- * differences.) Argument: the instruction set.
+ * repeat, what they do not support, and their plans. (test_fractal.c compares them with the oracle.)
+ * Argument: the instruction set.
  */
 #include "fractal.h"
 #include "octaves.h"

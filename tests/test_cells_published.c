@@ -211,11 +211,7 @@ static void check_library(int blocks)
 
 int main(int argc, char **argv)
 {
-    const int points = argc == 2 ? atoi(argv[1]) : 0;
-    if (points < 1000) {
-        printf("usage: %s POINTS (at least 1000)\n", argv[0]);
-        return EXIT_FAILURE;
-    }
+    const int points = (int)check_argument(argc, argv, 1, 1000, "POINTS");
     check_poisson(points);
     check_worley(points / 4);
     check_library((4 * points + BLOCK - 1) / BLOCK);

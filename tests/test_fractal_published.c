@@ -167,11 +167,7 @@ static void check_fbm(struct block *block, enum scarp_fade fade, long points)
 
 int main(int argc, char **argv)
 {
-    const long points = argc > 1 ? strtol(argv[1], NULL, 10) : 0;
-    if (points < BLOCK || points % BLOCK != 0) {
-        printf("usage: %s POINTS (a multiple of %d)\n", argv[0], BLOCK);
-        return EXIT_FAILURE;
-    }
+    const long points = check_argument(argc, argv, 1, BLOCK, "POINTS") / BLOCK * BLOCK;
     struct block *const block = block_make();
     for (int fade = SCARP_QUINTIC; fade <= SCARP_CUBIC; fade++) {
         check_terrain(block, (enum scarp_fade)fade, points);

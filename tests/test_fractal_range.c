@@ -307,11 +307,7 @@ int main(int argc, char **argv)
         {{.seed = 2, .octaves = 2.5f, .amplitude = -0.1f, .rotate = 1, .gain = 0.7f}, 0.5},
         {{.seed = 2, .octaves = 12.0f, .amplitude = 1.0f, .gain = 1.5f, .lacunarity = 1.3f}, 0.28},
     };
-    const long points = argc > 1 ? strtol(argv[1], NULL, 10) : 0;
-    if (points < BLOCK) {
-        printf("usage: %s POINTS (at least %d)\n", argv[0], BLOCK);
-        return EXIT_FAILURE;
-    }
+    const long points = check_argument(argc, argv, 1, BLOCK, "POINTS");
     struct block *const block = block_make();
     for (size_t i = 0; i < 40 * (sizeof cases / sizeof cases[0]); i++) {
         struct scarp_noise noise = cases[i / 40].noise;

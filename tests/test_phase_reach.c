@@ -314,11 +314,7 @@ static void check_random_noises(long count)
 
 int main(int argc, char **argv)
 {
-    const long count = argc > 1 ? strtol(argv[1], NULL, 10) : 0;
-    if (count < BLOCK) {
-        printf("usage: %s POINTS (at least %d)\n", argv[0], BLOCK);
-        return EXIT_FAILURE;
-    }
+    const long count = check_argument(argc, argv, 1, BLOCK, "POINTS");
     for (int fade = 0; fade < 2; fade++) {
         check_middles((enum scarp_fade)fade);
         check_two_octaves((enum scarp_fade)fade);

@@ -298,11 +298,7 @@ static void check_moments(int dimensions, float phase)
 
 int main(int argc, char **argv)
 {
-    const long count = argc > 1 ? strtol(argv[1], NULL, 10) : 0;
-    if (count < 1) {
-        printf("usage: %s PHASES\n", argv[0]);
-        return EXIT_FAILURE;
-    }
+    const long count = check_argument(argc, argv, 1, 1, "PHASES");
     check_quarters();
     check_phases(count);
     for (int dimensions = 2; dimensions <= 3; dimensions++) {

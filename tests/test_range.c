@@ -412,11 +412,7 @@ static void search_all_random(long samples)
 
 int main(int argc, char **argv)
 {
-    const long samples = argc > 1 ? strtol(argv[1], NULL, 10) : 0;
-    if (samples < BLOCK) {
-        printf("usage: %s SAMPLES (at least %d)\n", argv[0], BLOCK);
-        return EXIT_FAILURE;
-    }
+    const long samples = check_argument(argc, argv, 1, BLOCK, "SAMPLES");
     /* On emulated processors fewer samples are asked for; then the proof is coarser too. */
     const int emulated = samples < 1000000;
     for (int i = 0; i < 4; i++) {

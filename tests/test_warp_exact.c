@@ -116,11 +116,7 @@ int main(int argc, char **argv)
          .warp = &chains[1]},
         {.seed = 2, .octaves = 2.0f, .frequency = 0.5, .amplitude = 0.5f, .warp = &chains[2]},
     };
-    const long points = argc > 1 ? strtol(argv[1], NULL, 10) : 0;
-    if (points < BLOCK || points % BLOCK != 0) {
-        printf("usage: %s POINTS (a multiple of %d)\n", argv[0], BLOCK);
-        return EXIT_FAILURE;
-    }
+    const long points = check_argument(argc, argv, 1, BLOCK, "POINTS") / BLOCK * BLOCK;
     for (int i = 0; i < 6; i++) {
         const struct scarp_noise noise = {.seed = 1,
                                           .octaves = 3.0f,

@@ -18,5 +18,3 @@ scarp_add_sized_test(warp.exact warp NOT emulated sanitized SIZES 4000 1000 1000
 scarp_test_program(test_bend)
 scarp_add_isa_tests(bend warp IN wasm:wasm128,generic
                     NOT aarch64:neon emulated:scalar s390x:generic sanitized:generic,sse4.1 COMMAND test_bend)
-scarp_test_program(test_bend_exact SOURCES ${oracle_sources})
-scarp_add_sized_test(bend.exact warp NOT emulated sanitized SIZES 4000 1000 1000 1000 COMMAND test_bend_exact {})
