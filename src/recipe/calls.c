@@ -11,6 +11,7 @@
 #include "compile.h"
 #include "evaluate.h"
 #include "interval.h"
+#include "parse.h"
 #include "schedule.h"
 
 #define STACK_BYTES 7168 /* of scratch memory, if the caller has none */

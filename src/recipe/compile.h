@@ -6,7 +6,7 @@
 #ifndef SCARP_RECIPE_COMPILE_H
 #define SCARP_RECIPE_COMPILE_H
 
-#include "parse.h"
+#include "text.h"
 #include "words.h"
 
 /* What an expression is at a place. */

@@ -6,7 +6,7 @@
 
 #include "../calls/run.h"
 #include "graph.h"
-#include "parse.h"
+#include "text.h"
 #include "words.h"
 
 static uint64_t mixed(uint64_t hash, const void *bytes, size_t size)

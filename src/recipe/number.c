@@ -8,7 +8,7 @@
 #include <stdbool.h>
 #include <string.h>
 
-#include "parse.h"
+#include "reader.h"
 
 #define DIGITS 40 /* with one for those that are too many, and one that is never filled */
 #define MOST 1e60
@@ -117,11 +117,6 @@ static double scaled(const char *digits, int count, int exponent)
     return exponent < 0 ? mantissa / powers[-exponent] : mantissa * powers[exponent];
 }
 
-static bool is_digit(char c)
-{
-    return c >= '0' && c <= '9';
-}
-
 /* The exponent behind e or E, if there is one. */
 static int read_exponent(const char *text, size_t length, size_t *at)
 {
@@ -131,11 +126,11 @@ static int read_exponent(const char *text, size_t length, size_t *at)
     }
     const bool is_negative = i < length && text[i] == '-';
     i += i < length && (text[i] == '-' || text[i] == '+');
-    if (i >= length || !is_digit(text[i])) {
+    if (i >= length || !reader_is_digit(text[i])) {
         return 0; /* the letter belongs to what comes next, and is an error there */
     }
     int exponent = 0;
-    for (; i < length && is_digit(text[i]); i++) {
+    for (; i < length && reader_is_digit(text[i]); i++) {
         exponent = exponent < 10000 ? exponent * 10 + (text[i] - '0') : exponent;
     }
     *at = i;
@@ -148,7 +143,7 @@ size_t scarpi_read_number(const char *text, size_t length, double *value)
     int count = 0, exponent = 0;
     bool has_point = false, has_digits = false;
     size_t at = 0;
-    for (; at < length && (is_digit(text[at]) || (text[at] == '.' && !has_point)); at++) {
+    for (; at < length && (reader_is_digit(text[at]) || (text[at] == '.' && !has_point)); at++) {
         if (text[at] == '.') {
             has_point = true;
             continue;

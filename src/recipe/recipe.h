@@ -6,7 +6,8 @@
  * All of it lies in the caller's struct scarp_recipe and refers to itself by indices, so that a
  * copy of the bytes is a recipe, too. An index is -1 where there is nothing.
  *
- *     parse.c          text -> statements and expressions
+ *     text.c           words and names of the text, and errors in it
+ *     parse.c          text -> statements; expressions.c, tokens.c, number.c: what is in these
  *     compile.c        expressions -> nodes; functions.c, noises.c and places.c do so for calls
  *     graph.c          nodes, noises and places, equal ones once; interval.c: what nodes promise
  *     schedule.c       nodes -> steps and registers

@@ -6,7 +6,7 @@
 
 #include <stddef.h>
 
-#include "parse.h"
+#include "text.h"
 
 #define NEEDED 1
 
