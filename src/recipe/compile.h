@@ -46,8 +46,8 @@ struct recipe_value scarpi_recipe_affine(struct recipe_compiler *c, int expressi
                                          double scale, double offset);
 
 /* functions.c: the value of a call. Arguments that are not there are -1. */
-int scarpi_recipe_bind(struct recipe_compiler *c, int call, int function,
-                       int16_t argument[RECIPE_ARGUMENTS], int *knots);
+bool scarpi_recipe_bind(struct recipe_compiler *c, int call, int function,
+                        int16_t argument[RECIPE_ARGUMENTS], int *knots);
 struct recipe_value scarpi_recipe_call(struct recipe_compiler *c, int call, int place);
 
 /* noises.c: the noise that an expression is; -1: it is none; -2: it is bad. */

@@ -54,12 +54,12 @@ static int argument_of(struct recipe_compiler *c, int e, const struct scarp_reci
     return word >= 0                       ? word
            : expected != SCARP_RECIPE_WORD ? position
            : position < f->arguments
-               ? scarpi_recipe_bad(c, e, "this function knows no such word", f->name).node
+               ? scarpi_recipe_bad(c, e, "this function has no such word", f->name).node
                : scarpi_recipe_bad(c, e, "too many arguments", f->name).node;
 }
 
-int scarpi_recipe_bind(struct recipe_compiler *c, int call, int function,
-                       int16_t argument[RECIPE_ARGUMENTS], int *knots)
+bool scarpi_recipe_bind(struct recipe_compiler *c, int call, int function,
+                        int16_t argument[RECIPE_ARGUMENTS], int *knots)
 {
     const struct scarp_recipe_function *const f = scarpi_recipe_function_number(function);
     int position = 0;
@@ -70,11 +70,12 @@ int scarpi_recipe_bind(struct recipe_compiler *c, int call, int function,
     for (int e = expression(c, call)->a; e >= 0; e = expression(c, e)->next) {
         const int i = argument_of(c, e, f, position);
         if (i < 0) {
-            return 0;
+            return false;
         }
         if (f->argument[i].kind == SCARP_RECIPE_KNOT) {
             if (expression(c, e)->type != EXPRESSION_KNOT) {
-                return scarpi_recipe_bad(c, e, "expected x: value", f->name), 0;
+                scarpi_recipe_bad(c, e, "expected x: value", f->name);
+                return false;
             }
             expression(c, e)->kind = SCARP_RECIPE_KNOT;
             argument[i] = (int16_t)(*knots == 0 ? e : argument[i]);
@@ -82,7 +83,8 @@ int scarpi_recipe_bind(struct recipe_compiler *c, int call, int function,
             continue;
         }
         if (argument[i] >= 0) {
-            return scarpi_recipe_bad(c, e, "this argument is given twice", f->argument[i].name), 0;
+            scarpi_recipe_bad(c, e, "this argument is given twice", f->argument[i].name);
+            return false;
         }
         if (f->argument[i].kind == SCARP_RECIPE_WORD) {
             expression(c, e)->kind = SCARP_RECIPE_WORD;
@@ -93,10 +95,11 @@ int scarpi_recipe_bind(struct recipe_compiler *c, int call, int function,
     }
     for (int i = 0; i < f->arguments; i++) {
         if (f->argument[i].is_needed && argument[i] < 0) {
-            return scarpi_recipe_bad(c, call, "an argument is missing", f->argument[i].name), 0;
+            scarpi_recipe_bad(c, call, "an argument is missing", f->argument[i].name);
+            return false;
         }
     }
-    return 1;
+    return true;
 }
 
 /* Evaluates the fields and the numbers of a call, in their order. Returns 0 on an error. */
@@ -220,48 +223,52 @@ static struct recipe_value simple(struct recipe_compiler *c, int call, int funct
     return scarpi_recipe_node(c, call, node);
 }
 
-/* The place of the next knot, above the last one. Returns 0 on an error. */
-static int take_knot(struct recipe_compiler *c, int e, int is_first, float *x)
+/* The place of the next knot, above the last one. Returns false after an error. */
+static bool take_knot(struct recipe_compiler *c, int e, int is_first, float *x)
 {
     double number;
     const float before = *x;
     if (!scarpi_recipe_take_number(c, expression(c, e)->a, &number)) {
-        return 0;
+        return false;
     }
     *x = (float)number;
     if (!(fabsf(*x) <= 0x1p60f) || (!is_first && !(*x - before >= 0x1p-60f))) {
-        return scarpi_recipe_bad(c, e, "knots must come in order, at least 2^-60 apart, up to 2^60",
-                                 NULL),
-               0;
+        scarpi_recipe_bad(c, e, "knots must come in order, at least 2^-60 apart, up to 2^60", NULL);
+        return false;
     }
-    return 1;
+    return true;
 }
 
-/* Fills in the knots of a node, from the first one on. Returns 0 on an error. It has no place in
-   the stack of fields within fields, so it is not inlined. */
-static NOINLINE int take_knots(struct recipe_compiler *c, int call, int e, int knots,
-                               struct recipe_node *node)
+/* Fills in the knots of a node, from the first one on. Returns false after an error. It is not
+   inlined, so that fields within fields do not take its stack. */
+static NOINLINE bool take_knots(struct recipe_compiler *c, int call, int e, int knots,
+                                struct recipe_node *node)
 {
     float knot[SCARP_CURVE_KNOTS][2] = {{0}};
     float x = 0.0f;
     if (knots < 2 || knots > SCARP_CURVE_KNOTS) {
-        return scarpi_recipe_bad(c, call, "a curve has from 2 to 64 knots", NULL), 0;
+        scarpi_recipe_bad(c, call, "a curve has from 2 to 64 knots", NULL);
+        return false;
     }
     for (int i = 0; i < knots; i++, e = expression(c, e)->next) {
         double value;
         if (!take_knot(c, e, i == 0, &x) ||
             !scarpi_recipe_take_number(c, expression(c, e)->b, &value)) {
-            return 0;
+            return false;
         }
         knot[i][0] = x;
         knot[i][1] = (float)value;
         if (!(fabsf(knot[i][1]) <= 0x1p60f)) {
-            return scarpi_recipe_bad(c, e, "values of knots go up to 2^60", NULL), 0;
+            scarpi_recipe_bad(c, e, "values of knots go up to 2^60", NULL);
+            return false;
         }
     }
     node->knots = (uint8_t)knots;
     node->index = (int16_t)scarpi_recipe_add_knots(c->recipe, knots, knot);
-    return node->index >= 0 || (scarpi_recipe_full(c, call), 0);
+    if (node->index < 0) {
+        scarpi_recipe_full(c, call);
+    }
+    return node->index >= 0;
 }
 
 static struct recipe_value curve(struct recipe_compiler *c, int call, int place,
@@ -372,7 +379,7 @@ struct recipe_value scarpi_recipe_call(struct recipe_compiler *c, int call, int 
     case FUNCTION_AT:
     case FUNCTION_FLAT: {
         if (function == FUNCTION_WARP) {
-            (void)scarpi_recipe_noise_of(c, call); /* marks what is a noise */
+            (void)scarpi_recipe_noise_of(c, call); /* marks it as a noise, if it is one */
         }
         const int inside = scarpi_recipe_place_inside(c, call, function, place, argument);
         return inside < 0 ? nothing : scarpi_recipe_value(c, argument[0], inside);
