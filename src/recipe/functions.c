@@ -8,7 +8,7 @@
 #include "compile.h"
 #include "graph.h"
 
-static const struct recipe_value nothing = {SCARP_RECIPE_BAD, -1, 0.0};
+static const struct recipe_value nothing = {SCARP_RECIPE_BAD, RECIPE_BAD, 0.0};
 
 static struct recipe_expression *expression(const struct recipe_compiler *c, int e)
 {
@@ -342,9 +342,59 @@ static struct recipe_value cell(struct recipe_compiler *c, int call, int place,
             ? 0
             : scarpi_recipe_word_of(c->recipe, expression(c, argument[1])->name, &f->argument[1]);
     if (noise < 0) {
-        return noise == -1 ? scarpi_recipe_bad(c, argument[0], "expected a noise", NULL) : nothing;
+        return noise == RECIPE_NONE ? scarpi_recipe_bad(c, argument[0], "expected a noise", NULL)
+                                    : nothing;
     }
     return scarpi_recipe_cell(c, call, noise, what, place);
+}
+
+/* Sets the members of gullies that the arguments from one to another are. */
+static bool set_gullies(struct recipe_compiler *c, const int16_t argument[RECIPE_ARGUMENTS],
+                        int from, int to, struct scarp_gullies *g)
+{
+    for (int i = from; i < to; i++) {
+        double number;
+        if (argument[i] >= 0 && !(scarpi_recipe_take_number(c, argument[i], &number) &&
+                                  scarpi_recipe_set_gullies(c, argument[i], i, number, g))) {
+            return false;
+        }
+    }
+    return true;
+}
+
+static struct recipe_value gullies(struct recipe_compiler *c, int call, int function, int place,
+                                   const int16_t argument[RECIPE_ARGUMENTS])
+{
+    const int framed = scarpi_recipe_framed(c, call, place), f = argument[GULLIES_BASE];
+    struct scarp_gullies g;
+    if (framed < 0) {
+        return nothing;
+    }
+    if (c->recipe->place[framed].dimensions != 2) {
+        return scarpi_recipe_bad(c, call, "in space, gullies must be inside flat()", NULL);
+    }
+    const int base = scarpi_recipe_field(c, f, scarpi_recipe_value(c, f, framed));
+    if (base < 0) {
+        return nothing;
+    }
+    if (c->recipe->node[base].order < 2) {
+        return scarpi_recipe_bad(c, f,
+                                 "gullies need a base with second derivatives, which erosion, "
+                                 "swiss, jordan, slope and gullies do not have",
+                                 NULL);
+    }
+    scarpi_recipe_start_gullies(c, argument, &g);
+    if (!set_gullies(c, argument, GULLIES_AMPLITUDE, GULLIES_ROTATE, &g) ||
+        !scarpi_recipe_one_length(c, argument[GULLIES_SIZE], argument[GULLIES_FREQUENCY]) ||
+        !set_gullies(c, argument, GULLIES_SIZE, GULLIES_AMPLITUDE, &g) ||
+        !scarpi_recipe_check_gullies(c, call, argument, &g)) {
+        return nothing;
+    }
+    struct recipe_value value = scarpi_recipe_displacement(c, call, base, framed, &g);
+    if (value.kind != SCARP_RECIPE_BAD && function == FUNCTION_GULLIES) {
+        value = scarpi_recipe_node(c, call, scarpi_recipe_operation(OP_ADD, base, value.node));
+    }
+    return scarpi_recipe_pulled(c, call, place, value);
 }
 
 struct recipe_value scarpi_recipe_call(struct recipe_compiler *c, int call, int place)
@@ -368,8 +418,7 @@ struct recipe_value scarpi_recipe_call(struct recipe_compiler *c, int call, int 
     case FUNCTION_SLOPE: return slope(c, call, place, argument);
     case FUNCTION_CELL: return cell(c, call, place, argument);
     case FUNCTION_GULLIES:
-    case FUNCTION_DISPLACEMENT:
-        return scarpi_recipe_gullies(c, call, place, argument, function == FUNCTION_DISPLACEMENT);
+    case FUNCTION_DISPLACEMENT: return gullies(c, call, function, place, argument);
     case FUNCTION_WARP:
     case FUNCTION_TURN:
     case FUNCTION_MOVE:

@@ -1,246 +1,13 @@
 /* SPDX-License-Identifier: MIT
  *
- * Noises, vector noise, cells and gullies: their members, and the nodes that sample them.
+ * The nodes that sample noises, vector noise, cells and gullies at a place: with the period of the
+ * tile, without octaves that are too fine, and with the warps of the place.
  */
 #include <math.h>
 #include <string.h>
 
 #include "compile.h"
 #include "graph.h"
-
-static const struct recipe_value nothing = {SCARP_RECIPE_BAD, -1, 0.0};
-
-/* Arguments of noise(), in their order; words come first. */
-enum {
-    NOISE_BASIS,
-    NOISE_FRACTAL,
-    NOISE_FADE,
-    NOISE_ROTATE,
-    NOISE_SIZE,
-    NOISE_FREQUENCY,
-    NOISE_SEED,
-    NOISE_OCTAVES,
-    NOISE_OF_OCTAVES,
-    NOISE_PHASE = 13,
-    NOISE_PERIOD = 16,
-    NOISE_PERIOD_X
-};
-
-/* Arguments of gullies(). */
-enum { GULLIES_SIZE = 1, GULLIES_FREQUENCY, GULLIES_SEED, GULLIES_AMPLITUDE, GULLIES_ROTATE = 20 };
-
-static uint64_t splitmix(uint64_t start, uint64_t number)
-{
-    uint64_t z = start + number * UINT64_C(0x9E3779B97F4A7C15);
-    z = (z ^ z >> 30) * UINT64_C(0xBF58476D1CE4E5B9);
-    z = (z ^ z >> 27) * UINT64_C(0x94D049BB133111EB);
-    return z ^ z >> 31;
-}
-
-/* Numbers up to 63 belong to octaves, warps and curls. Those of negative seeds come from the other
-   end: 64 more would make numbers from 0 to 63 of -64 to -1. */
-uint64_t scarpi_recipe_seed_of(uint64_t world, double number)
-{
-    const uint64_t whole = (uint64_t)(int64_t)number;
-    return number == 0.0 ? world : splitmix(splitmix(world, 1), number < 0.0 ? whole : 64 + whole);
-}
-
-static int take_seed(struct recipe_compiler *c, int e, uint64_t *seed)
-{
-    double number;
-    if (!scarpi_recipe_take_number(c, e, &number)) {
-        return 0;
-    }
-    if (!(fabs(number) < 0x1p53) || (double)(int64_t)number != number) {
-        return scarpi_recipe_bad(c, e, "a seed is a whole number of magnitude below 2^53", NULL), 0;
-    }
-    *seed = scarpi_recipe_seed_of(c->recipe->seed, number);
-    return 1;
-}
-
-/* A frequency, given as such or as the length of a cell. */
-static int take_frequency(struct recipe_compiler *c, int size, int frequency, double *to)
-{
-    double number;
-    if (size >= 0 && frequency >= 0) {
-        return scarpi_recipe_bad(c, frequency, "size and frequency say the same", NULL), 0;
-    }
-    if (size < 0 && frequency < 0) {
-        return 1;
-    }
-    if (!scarpi_recipe_take_number(c, size >= 0 ? size : frequency, &number)) {
-        return 0;
-    }
-    *to = size < 0 ? number : number > 0.0 ? 1.0 / number : 0.0;
-    if (!(*to >= 0x1p-32 && *to <= 0x1p48)) {
-        return scarpi_recipe_bad(c, size >= 0 ? size : frequency,
-                                 "a frequency is from 2^-32 to 2^48, and a size 1 over that", NULL),
-               0;
-    }
-    return 1;
-}
-
-static int take_words(struct recipe_compiler *c, const int16_t argument[RECIPE_ARGUMENTS],
-                      struct scarp_noise *noise)
-{
-    const struct scarp_recipe_function *const f = scarpi_recipe_function_number(FUNCTION_NOISE);
-    int word[NOISE_SIZE];
-    for (int i = 0; i < NOISE_SIZE; i++) {
-        word[i] = argument[i] < 0
-                      ? -1
-                      : scarpi_recipe_word_of(c->recipe, c->recipe->expression[argument[i]].name,
-                                              &f->argument[i]);
-    }
-    noise->basis = (enum scarp_basis)(word[NOISE_BASIS] < 0 ? 0 : word[NOISE_BASIS]);
-    noise->fractal = (enum scarp_fractal)(word[NOISE_FRACTAL] < 0 ? 0 : word[NOISE_FRACTAL]);
-    noise->fade = (enum scarp_fade)(word[NOISE_FADE] < 0 ? 0 : word[NOISE_FADE]);
-    noise->rotate = word[NOISE_ROTATE] == 0;
-    return 1;
-}
-
-static int take_periods(struct recipe_compiler *c, const int16_t argument[RECIPE_ARGUMENTS],
-                        struct scarp_noise *noise)
-{
-    for (int i = NOISE_PERIOD; i < NOISE_PERIOD_X + 3; i++) {
-        double number;
-        if (argument[i] < 0) {
-            continue;
-        }
-        if (!scarpi_recipe_take_number(c, argument[i], &number)) {
-            return 0;
-        }
-        if (!(number >= 0.0 && number <= 0x1p30) || (double)(uint32_t)number != number) {
-            return scarpi_recipe_bad(c, argument[i],
-                                     "a period is a whole number of cells, up to 2^30", NULL),
-                   0;
-        }
-        for (int axis = 0; axis < c->recipe->dimensions; axis++) {
-            if (i == NOISE_PERIOD || i == NOISE_PERIOD_X + axis) {
-                noise->period[axis] = (uint32_t)number;
-            }
-        }
-    }
-    return 1;
-}
-
-static int take_members(struct recipe_compiler *c, const int16_t argument[RECIPE_ARGUMENTS],
-                        struct scarp_noise *noise)
-{
-    float *const member[] = {&noise->octaves, &noise->of_octaves, &noise->lacunarity,
-                             &noise->gain,    &noise->amplitude,  &noise->erosion,
-                             &noise->phase,   &noise->jitter,     &noise->sharpness};
-    for (int i = NOISE_OCTAVES; i < NOISE_PERIOD; i++) {
-        double number;
-        if (argument[i] < 0) {
-            continue;
-        }
-        if (!scarpi_recipe_take_number(c, argument[i], &number)) {
-            return 0;
-        }
-        if ((float)number == 0.0f && i != NOISE_PHASE && i != NOISE_OF_OCTAVES) {
-            return scarpi_recipe_bad(c, argument[i], "this member of a noise must not be 0", NULL),
-                   0;
-        }
-        *member[i - NOISE_OCTAVES] = (float)number;
-    }
-    return take_frequency(c, argument[NOISE_SIZE], argument[NOISE_FREQUENCY], &noise->frequency) &&
-           (argument[NOISE_SEED] < 0 || take_seed(c, argument[NOISE_SEED], &noise->seed)) &&
-           take_periods(c, argument, noise);
-}
-
-/* The argument that is called as a member, or the call itself */
-static int argument_of(int call, int function, const int16_t argument[RECIPE_ARGUMENTS],
-                       const char *member)
-{
-    const struct scarp_recipe_function *const f = scarpi_recipe_function_number(function);
-    for (int i = 0; member != NULL && i < f->arguments; i++) {
-        if (argument[i] >= 0 && strcmp(f->argument[i].name, member) == 0) {
-            return argument[i];
-        }
-    }
-    return call;
-}
-
-static int described(struct recipe_compiler *c, int call)
-{
-    int16_t argument[RECIPE_ARGUMENTS];
-    int knots;
-    struct scarp_noise noise;
-    memset(&noise, 0, sizeof noise); /* padding, too: noises are compared */
-    noise.seed = c->recipe->seed;
-    if (!scarpi_recipe_bind(c, call, FUNCTION_NOISE, argument, &knots) ||
-        !take_words(c, argument, &noise) || !take_members(c, argument, &noise)) {
-        return -2;
-    }
-    const char *member;
-    const char *const why = scarp_noise_fault(&noise, c->recipe->dimensions, 0, 0, &member);
-    if (why != NULL) {
-        const int at = argument_of(call, FUNCTION_NOISE, argument, member);
-        return scarpi_recipe_bad(c, at, why, member), -2;
-    }
-    const int added = scarpi_recipe_add_noise(c->recipe, &noise, -1);
-    return added < 0 ? (scarpi_recipe_full(c, call), -2) : added;
-}
-
-/* warp(n, w) of noises is the noise n with the warp w, if it has none. */
-static int warped(struct recipe_compiler *c, int call)
-{
-    int16_t argument[RECIPE_ARGUMENTS];
-    int knots;
-    if (!scarpi_recipe_bind(c, call, FUNCTION_WARP, argument, &knots)) {
-        return -2;
-    }
-    const int n = scarpi_recipe_noise_of(c, argument[0]),
-              w = scarpi_recipe_noise_of(c, argument[1]);
-    if (n < 0 || w < 0 || c->recipe->noise[n].warp >= 0) {
-        return n == -2 || w == -2 ? -2 : -1;
-    }
-    struct scarp_noise noise[5];
-    scarpi_recipe_spell_noise(c->recipe, n, noise);
-    const int added = scarpi_recipe_add_noise(c->recipe, &noise[0], w);
-    return added < 0 ? (scarpi_recipe_full(c, call), -2) : added;
-}
-
-static int noise_of_name(struct recipe_compiler *c, int e)
-{
-    const struct recipe *const r = c->recipe;
-    const int i = scarpi_recipe_find(r, r->expression[e].name, r->statements);
-    if (i < 0 || r->statement[i].span.to > r->expression[e].name.from ||
-        r->statement[i].type != STATEMENT_FIELD) {
-        return -1;
-    }
-    if (r->statement[i].expression < 0) {
-        return -2;
-    }
-    if (c->noise[i] == 0) {
-        c->noise[i] = (int16_t)(scarpi_recipe_noise_of(c, r->statement[i].expression) + 3);
-    }
-    return c->noise[i] - 3;
-}
-
-int scarpi_recipe_noise_of(struct recipe_compiler *c, int e)
-{
-    struct recipe_expression *const x = &c->recipe->expression[e];
-    int noise = -1;
-    if (c->depth == RECIPE_DEPTH) {
-        return scarpi_recipe_bad(c, e, "expressions are nested more than 40 deep, through names",
-                                 NULL),
-               -2;
-    }
-    c->depth++;
-    if (x->type == EXPRESSION_NAME) {
-        noise = noise_of_name(c, e);
-    } else if (x->type == EXPRESSION_CALL && scarpi_recipe_is(c->recipe, x->name, "noise")) {
-        noise = described(c, e);
-    } else if (x->type == EXPRESSION_CALL && scarpi_recipe_is(c->recipe, x->name, "warp")) {
-        noise = warped(c, e);
-    }
-    c->depth--;
-    if (noise >= 0) {
-        x->kind = SCARP_RECIPE_NOISE;
-    }
-    return noise;
-}
 
 /* Octaves whose cells are smaller than `finest` are left out, and the last one that is left fades
    in. Members that are 0 have the values that the library takes for it. */
@@ -284,15 +51,15 @@ static void limit_gullies(struct scarp_gullies *gullies, double finest)
           otherwise(gullies->octaves, 5.0f), &gullies->octaves, &gullies->of_octaves);
 }
 
-/* The period along an axis in cells, of a tile. Returns 0 on an error. */
-static int fit_tile(struct recipe_compiler *c, int e, int axis, const double matrix[3][3],
-                    double frequency, uint32_t *period)
+/* The period along an axis in cells, of a tile. Returns false after an error. */
+static bool fit_tile(struct recipe_compiler *c, int e, int axis, const double matrix[3][3],
+                     double frequency, uint32_t *period)
 {
     for (int i = 0; i < 3; i++) {
         if (i != axis && matrix[axis][i] != 0.0) {
-            return scarpi_recipe_bad(
-                       c, e, "what is turned does not repeat, and the recipe has a tile", NULL),
-                   0;
+            scarpi_recipe_bad(
+                c, e, "turned noise does not repeat, so it cannot be used with a tile", NULL);
+            return false;
         }
     }
     const double cells =
@@ -304,18 +71,18 @@ static int fit_tile(struct recipe_compiler *c, int e, int axis, const double mat
         if (c->errors != NULL) {
             c->errors->nearest = c->recipe->tile[axis] * fabs(matrix[axis][axis]) / whole;
         }
-        return scarpi_recipe_bad(c, e,
-                                 "the tile is not a whole number of cells; `nearest` is the "
-                                 "nearest size that fits",
-                                 NULL),
-               0;
+        scarpi_recipe_bad(
+            c, e,
+            "the tile is not a whole number of cells; `nearest` is the nearest size that fits",
+            NULL);
+        return false;
     }
     *period = (uint32_t)whole;
-    return 1;
+    return true;
 }
 
 /* Whether what is at fault with any period is so with that of a tile: no size mends it, so it is
-   told before the size is looked at. */
+   reported before the size is looked at. */
 static int is_period_fault(const struct recipe_compiler *c, const char *why, const char *member)
 {
     return c->recipe->is_tiled && why != NULL &&
@@ -359,7 +126,8 @@ static double scale_of(const double matrix[3][3])
     return sqrt(most);
 }
 
-/* A noise as it is at a place: with the period of the tile, and without what is too fine. */
+/* A noise as it is at a place: with the period of the tile, and without what is too fine.
+   RECIPE_NONE stays RECIPE_NONE. */
 static int finished(struct recipe_compiler *c, int e, int noise, int place)
 {
     struct recipe *const r = c->recipe;
@@ -372,19 +140,22 @@ static int finished(struct recipe_compiler *c, int e, int noise, int place)
     scarpi_recipe_matrix(r, place, matrix);
     scarpi_recipe_spell_noise(r, noise, levels);
     if (!can_repeat(c, e, &levels[0], r->place[place].dimensions)) {
-        return -2;
+        return RECIPE_BAD;
     }
     for (int axis = 0; r->is_tiled && axis < r->place[place].dimensions; axis++) {
         if (!fit_tile(c, e, axis, (const double(*)[3])matrix, levels[0].frequency,
                       &levels[0].period[axis])) {
-            return -2;
+            return RECIPE_BAD;
         }
     }
     if (r->finest != 0.0) {
         limit_noise(&levels[0], r->finest * scale_of((const double(*)[3])matrix));
     }
-    const int added = warp == -2 ? -2 : scarpi_recipe_add_noise(r, &levels[0], warp);
-    return added == -1 ? (scarpi_recipe_full(c, e), -2) : added;
+    if (warp == RECIPE_BAD) {
+        return RECIPE_BAD;
+    }
+    const int added = scarpi_recipe_add_noise(r, &levels[0], warp);
+    return added >= 0 ? added : scarpi_recipe_full(c, e).node;
 }
 
 static int depth_of(const struct recipe *recipe, int noise)
@@ -396,19 +167,22 @@ static int depth_of(const struct recipe *recipe, int noise)
     return depth;
 }
 
-/* Whether the library takes a noise as it has become. Returns 0 on an error. */
-static int is_right(struct recipe_compiler *c, int e, int noise, int dimensions)
+/* Whether the library takes a noise as it has become. Returns false after an error. */
+static bool is_right(struct recipe_compiler *c, int e, int noise, int dimensions)
 {
     struct scarp_noise levels[5];
     const char *member;
     scarpi_recipe_spell_noise(c->recipe, noise, levels);
     const char *const why = scarp_noise_fault(&levels[0], dimensions, 0, 0, &member);
-    return why == NULL ? 1 : (scarpi_recipe_bad(c, e, why, member), 0);
+    if (why != NULL) {
+        scarpi_recipe_bad(c, e, why, member);
+    }
+    return why == NULL;
 }
 
 /* Moves warps of the place into the noise, which the library bends by itself, and spells out what
-   is left of them. Returns 0 on an error. */
-static int settle(struct recipe_compiler *c, int e, int *noise, int *place)
+   is left of them. Returns false after an error. */
+static bool settle(struct recipe_compiler *c, int e, int *noise, int *place)
 {
     struct recipe *const r = c->recipe;
     struct scarp_noise levels[5];
@@ -418,41 +192,67 @@ static int settle(struct recipe_compiler *c, int e, int *noise, int *place)
         *noise = scarpi_recipe_add_noise(r, &levels[0], r->place[*place].warp);
         *place = r->place[*place].before;
         if (*noise < 0) {
-            return scarpi_recipe_full(c, e), 0;
+            scarpi_recipe_full(c, e);
+            return false;
         }
     }
     *place = scarpi_recipe_spelled_out(c, e, *place);
-    *noise = *place < 0 ? -2 : finished(c, e, *noise, *place);
+    if (*place < 0) {
+        return false;
+    }
+    *noise = finished(c, e, *noise, *place);
     return *noise >= 0 && is_right(c, e, *noise, r->place[*place].dimensions);
 }
 
-struct recipe_value scarpi_recipe_sampled(struct recipe_compiler *c, int e, int noise, int place)
+static struct recipe_value sampled_by(struct recipe_compiler *c, int e, int operation, int noise,
+                                      int place)
 {
-    if (!settle(c, e, &noise, &place)) {
-        return nothing;
-    }
-    struct recipe_node node = scarpi_recipe_operation(OP_NOISE, -1, -1);
+    struct recipe_node node = scarpi_recipe_operation(operation, RECIPE_NONE, RECIPE_NONE);
     node.index = (int16_t)noise;
     node.place = (int16_t)place;
     return scarpi_recipe_node(c, e, node);
 }
 
-int scarpi_recipe_components(struct recipe_compiler *c, int e, int noise, int place,
-                             int16_t component[3])
+struct recipe_value scarpi_recipe_sampled(struct recipe_compiler *c, int e, int noise, int place)
+{
+    return settle(c, e, &noise, &place) ? sampled_by(c, e, OP_NOISE, noise, place)
+                                        : scarpi_recipe_bad_already();
+}
+
+/* The components of the vector noise that a noise makes, at a place. */
+static bool components(struct recipe_compiler *c, int e, int noise, int place, int16_t component[3])
 {
     if (!settle(c, e, &noise, &place)) {
-        return 0;
+        return false;
     }
-    struct recipe_node node = scarpi_recipe_operation(OP_VECTOR, -1, -1);
-    node.index = (int16_t)noise;
-    node.place = (int16_t)place;
-    component[0] = (int16_t)scarpi_recipe_node(c, e, node).node;
+    component[0] = (int16_t)sampled_by(c, e, OP_VECTOR, noise, place).node;
     for (int i = 1; i < c->recipe->place[place].dimensions && component[i - 1] >= 0; i++) {
-        struct recipe_node other = scarpi_recipe_operation(OP_COMPONENT, component[0], -1);
+        struct recipe_node other = scarpi_recipe_operation(OP_COMPONENT, component[0], RECIPE_NONE);
         other.detail = (uint8_t)i;
         component[i] = (int16_t)scarpi_recipe_node(c, e, other).node;
     }
     return component[c->recipe->place[place].dimensions - 1] >= 0;
+}
+
+int scarpi_recipe_spelled_out(struct recipe_compiler *c, int e, int place)
+{
+    struct recipe *const r = c->recipe;
+    int16_t component[3];
+    if (r->place[place].warp < 0) {
+        return place;
+    }
+    const int before = scarpi_recipe_spelled_out(c, e, r->place[place].before);
+    if (before < 0 || !components(c, e, r->place[place].warp, r->place[place].before, component)) {
+        return RECIPE_BAD;
+    }
+    struct recipe_place p = r->place[before];
+    for (int i = 0; i < p.dimensions; i++) {
+        p.rest[i] = (int16_t)scarpi_recipe_sum(c, e, p.rest[i], component[i]);
+        if (p.rest[i] < 0) {
+            return RECIPE_BAD;
+        }
+    }
+    return scarpi_recipe_place(c, e, &p);
 }
 
 struct recipe_value scarpi_recipe_cell(struct recipe_compiler *c, int e, int noise, int what,
@@ -463,130 +263,49 @@ struct recipe_value scarpi_recipe_cell(struct recipe_compiler *c, int e, int noi
     scarpi_recipe_spell_noise(r, noise, levels);
     levels[0].octaves = 1.0f; /* others change nothing, and fewer than that would be refused */
     levels[0].of_octaves = levels[0].of_octaves < 1.0f ? 0.0f : levels[0].of_octaves;
-    noise = scarpi_recipe_add_noise(r, &levels[0], -1);
+    noise = scarpi_recipe_add_noise(r, &levels[0], RECIPE_NONE);
     place = scarpi_recipe_spelled_out(c, e, place);
-    if (noise < 0 || place < 0) {
-        return noise < 0 ? scarpi_recipe_full(c, e) : nothing;
+    if (noise < 0) {
+        return scarpi_recipe_full(c, e);
     }
-    noise = finished(c, e, noise, place);
+    noise = place < 0 ? RECIPE_BAD : finished(c, e, noise, place);
     if (noise < 0 || !is_right(c, e, noise, r->place[place].dimensions)) {
-        return nothing;
+        return scarpi_recipe_bad_already();
     }
-    struct recipe_node node = scarpi_recipe_operation(OP_CELL, -1, -1);
+    struct recipe_node node = scarpi_recipe_operation(OP_CELL, RECIPE_NONE, RECIPE_NONE);
     node.index = (int16_t)noise;
     node.place = (int16_t)place;
     node.detail = (uint8_t)what;
     return scarpi_recipe_node(c, e, node);
 }
 
-/* Effects that are not wanted are 0 in recipes, where the library takes 0 for a default. */
-static int take_gullies(struct recipe_compiler *c, int call,
-                        const int16_t argument[RECIPE_ARGUMENTS], struct scarp_gullies *g)
-{
-    float *const member[] = {&g->amplitude, &g->octaves, &g->of_octaves, &g->lacunarity,
-                             &g->gain,      &g->depth,   &g->cells,      &g->slope,
-                             &g->slope_low, &g->low,     &g->high,       &g->floor,
-                             &g->stripes,   &g->branch,  &g->round,      &g->keep};
-    for (int i = GULLIES_AMPLITUDE; i < GULLIES_ROTATE; i++) {
-        double number;
-        if (argument[i] < 0) {
-            continue;
-        }
-        if (!scarpi_recipe_take_number(c, argument[i], &number)) {
-            return 0;
-        }
-        float *const to = member[i - GULLIES_AMPLITUDE];
-        const int is_effect = to == &g->depth || to == &g->low || to == &g->high ||
-                              to == &g->floor || to == &g->branch || to == &g->keep;
-        *to = (float)number;
-        if (*to == 0.0f && to != &g->of_octaves) {
-            if (!is_effect) {
-                return scarpi_recipe_bad(c, argument[i], "this member of gullies must not be 0",
-                                         NULL),
-                       0;
-            }
-            *to = 0x1p-24f;
-        }
-    }
-    g->rotate = argument[GULLIES_ROTATE] >= 0;
-    if (!take_frequency(c, argument[GULLIES_SIZE], argument[GULLIES_FREQUENCY], &g->frequency) ||
-        (argument[GULLIES_SEED] >= 0 && !take_seed(c, argument[GULLIES_SEED], &g->seed))) {
-        return 0;
-    }
-    const char *at_fault;
-    const char *const why = scarp_gullies_fault(g, &at_fault);
-    if (why != NULL) {
-        const int at = argument_of(call, FUNCTION_GULLIES, argument, at_fault);
-        return scarpi_recipe_bad(c, at, why, at_fault), 0;
-    }
-    return 1;
-}
-
-/* The members of gullies at a place: an index, or -1 on an error. */
-static int gullies_at(struct recipe_compiler *c, int call, const int16_t argument[RECIPE_ARGUMENTS],
-                      int place)
+struct recipe_value scarpi_recipe_displacement(struct recipe_compiler *c, int call, int base,
+                                               int place, struct scarp_gullies *g)
 {
     double matrix[3][3];
-    struct scarp_gullies g;
-    memset(&g, 0, sizeof g);
-    g.seed = c->recipe->seed;
-    g.offset_first = 1;
-    if (!take_gullies(c, call, argument, &g)) {
-        return -1;
-    }
+    const char *member;
     scarpi_recipe_matrix(c->recipe, place, matrix);
-    if (!gullies_can_repeat(c, call, &g)) {
-        return -1;
+    if (!gullies_can_repeat(c, call, g)) {
+        return scarpi_recipe_bad_already();
     }
     for (int axis = 0; c->recipe->is_tiled && axis < 2; axis++) {
-        if (!fit_tile(c, call, axis, (const double(*)[3])matrix, g.frequency, &g.period[axis])) {
-            return -1;
+        if (!fit_tile(c, call, axis, (const double(*)[3])matrix, g->frequency, &g->period[axis])) {
+            return scarpi_recipe_bad_already();
         }
     }
     if (c->recipe->finest != 0.0) {
-        limit_gullies(&g, c->recipe->finest * scale_of((const double(*)[3])matrix));
+        limit_gullies(g, c->recipe->finest * scale_of((const double(*)[3])matrix));
     }
-    const char *member;
-    const char *const why = scarp_gullies_fault(&g, &member);
+    const char *const why = scarp_gullies_fault(g, &member);
     if (why != NULL) {
-        return scarpi_recipe_bad(c, call, why, member).node;
+        return scarpi_recipe_bad(c, call, why, member);
     }
-    const int added = scarpi_recipe_add_gullies(c->recipe, &g);
-    return added < 0 ? scarpi_recipe_full(c, call).node : added;
-}
-
-struct recipe_value scarpi_recipe_gullies(struct recipe_compiler *c, int call, int place,
-                                          const int16_t argument[RECIPE_ARGUMENTS],
-                                          int is_displacement)
-{
-    struct recipe *const r = c->recipe;
-    const int framed = scarpi_recipe_framed(c, call, place);
-    if (framed < 0) {
-        return nothing;
+    const int added = scarpi_recipe_add_gullies(c->recipe, g);
+    if (added < 0) {
+        return scarpi_recipe_full(c, call);
     }
-    if (r->place[framed].dimensions != 2) {
-        return scarpi_recipe_bad(c, call, "gullies are of the plane: see flat", NULL);
-    }
-    const int f = argument[0];
-    const int base = scarpi_recipe_field(c, f, scarpi_recipe_value(c, f, framed));
-    if (base < 0) {
-        return nothing;
-    }
-    if (r->node[base].order < 2) {
-        return scarpi_recipe_bad(c, f,
-                                 "gullies need a base with second derivatives, which erosion, "
-                                 "swiss, jordan, slope and gullies do not have",
-                                 NULL);
-    }
-    struct recipe_node node = scarpi_recipe_operation(OP_GULLIES, base, -1);
-    node.place = (int16_t)framed;
-    node.index = (int16_t)gullies_at(c, call, argument, framed);
-    if (node.index < 0) {
-        return nothing;
-    }
-    struct recipe_value value = scarpi_recipe_node(c, call, node);
-    if (value.kind != SCARP_RECIPE_BAD && !is_displacement) {
-        value = scarpi_recipe_node(c, call, scarpi_recipe_operation(OP_ADD, base, value.node));
-    }
-    return scarpi_recipe_pulled(c, call, place, value);
+    struct recipe_node node = scarpi_recipe_operation(OP_GULLIES, base, RECIPE_NONE);
+    node.place = (int16_t)place;
+    node.index = (int16_t)added;
+    return scarpi_recipe_node(c, call, node);
 }

@@ -8,7 +8,8 @@
  *
  *     text.c           words and names of the text, and errors in it
  *     parse.c          text -> statements; expressions.c, tokens.c, number.c: what is in these
- *     compile.c        expressions -> nodes; functions.c, noises.c and places.c do so for calls
+ *     compile.c        statements -> nodes; values.c: expressions; functions.c: calls; members.c,
+ *                      noises.c and places.c: noises and transforms; nodes.c: arithmetic
  *     graph.c          nodes, noises and places, equal ones once; interval.c: what nodes promise
  *     schedule.c       nodes -> steps and registers
  *     evaluate.c       steps over chunks of points; operations.c and positions.c: one step

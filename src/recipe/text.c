@@ -38,8 +38,9 @@ void scarpi_recipe_fail(struct recipe_errors *errors, const struct recipe *recip
 
 bool scarpi_recipe_is(const struct recipe *recipe, struct recipe_span span, const char *word)
 {
+    const char *const text = recipe->text + span.from;
     const size_t length = (size_t)(span.to - span.from);
-    return strncmp(recipe->text + span.from, word, length) == 0 && word[length] == '\0';
+    return text[0] == word[0] && strncmp(text, word, length) == 0 && word[length] == '\0';
 }
 
 int scarpi_recipe_find(const struct recipe *recipe, struct recipe_span name, int count)
