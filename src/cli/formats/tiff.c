@@ -16,13 +16,6 @@
 #include "shared/bounds.h"
 #include "shared/posix.h"
 
-/* Of a file that is being written; in writer->memory */
-struct tiles {
-    uint64_t end;   /* of the last one, in the file */
-    uint64_t count; /* that are written */
-    uint32_t sizes[];
-};
-
 static uint64_t count_tiles(const struct raster *raster)
 {
     return (uint64_t)quotient_up(raster->width, TIFF_SIDE) * quotient_up(raster->height, TIFF_SIDE);
@@ -179,7 +172,7 @@ static void add_place(struct directory *directory, const struct raster *raster)
 }
 
 static void fill_directory(struct directory *directory, const struct raster *raster,
-                           const struct tiles *tiles)
+                           const struct tiff_tiles *tiles)
 {
     const bool is_colour = raster->channels >= 3 && raster->type == SAMPLE_U8;
     const size_t extra = raster->channels - (is_colour ? 3 : 1);
@@ -217,7 +210,7 @@ static bool write_number(struct writer *writer, uint64_t number, size_t bytes)
 }
 
 /* The offsets of all tiles, then their sizes */
-static bool write_lists(struct writer *writer, const struct tiles *tiles, bool big)
+static bool write_lists(struct writer *writer, const struct tiff_tiles *tiles, bool big)
 {
     uint64_t offset = header_bytes(big);
     for (uint64_t i = 0; i < tiles->count; i++) {
@@ -259,10 +252,10 @@ static bool write_header(struct writer *writer, uint64_t directory)
 static bool tiff_open(struct writer *writer)
 {
     const uint64_t tiles = count_tiles(&writer->raster);
-    if (tiles > (SIZE_MAX - sizeof(struct tiles)) / sizeof(uint32_t)) {
+    if (tiles > (SIZE_MAX - sizeof(struct tiff_tiles)) / sizeof(uint32_t)) {
         return false;
     }
-    struct tiles *const list = malloc(sizeof *list + (size_t)tiles * sizeof list->sizes[0]);
+    struct tiff_tiles *const list = malloc(sizeof *list + (size_t)tiles * sizeof list->sizes[0]);
     writer->memory = list;
     if (list == NULL) {
         return false;
@@ -272,17 +265,9 @@ static bool tiff_open(struct writer *writer)
     return write_header(writer, 0);
 }
 
-bool tiff_write(struct writer *writer, const struct part *part)
-{
-    struct tiles *const tiles = writer->memory;
-    tiles->sizes[tiles->count++] = (uint32_t)part->size;
-    tiles->end += part->size;
-    return file_write(&writer->file, part->bytes, part->size);
-}
-
 static bool tiff_end(struct writer *writer)
 {
-    const struct tiles *const tiles = writer->memory;
+    const struct tiff_tiles *const tiles = writer->memory;
     const bool big = is_big(&writer->raster);
     const size_t padding = (size_t)(tiles->end % 2); /* lists begin at even bytes */
     struct directory directory = {.is_big = big, .offsets = tiles->end + padding};

@@ -18,8 +18,12 @@
 /* A tile takes no more, packed or not. */
 size_t tiff_room(const struct raster *raster);
 
-/* Writes a packed tile, and notes how long it is. */
-bool tiff_write(struct writer *writer, const struct part *part);
+/* The tiles of a file that is being written; in writer->memory */
+struct tiff_tiles {
+    uint64_t end;   /* of the last one, in the file */
+    uint64_t count; /* that are written */
+    uint32_t sizes[];
+};
 
 extern const struct packing tiff_packing;
 

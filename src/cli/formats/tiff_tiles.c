@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Packs the tiles of a TIFF: with zlib, what a pixel differs from its neighbour by, deflated;
+ * Packs the tiles of a TIFF, and writes them: with zlib, what a pixel differs from its neighbour by, deflated;
  * without, the samples as they are.
  */
 #include <stdlib.h>
@@ -168,6 +168,14 @@ static void pack(void *opaque, const struct raster *raster, struct part *part)
 
 #endif
 
+static bool write_tile(struct writer *writer, const struct part *part)
+{
+    struct tiff_tiles *const tiles = writer->memory;
+    tiles->sizes[tiles->count++] = (uint32_t)part->size;
+    tiles->end += part->size;
+    return file_write(&writer->file, part->bytes, part->size);
+}
+
 const struct packing tiff_packing = {
     .part_rows = side,
     .part_columns = side,
@@ -175,5 +183,5 @@ const struct packing tiff_packing = {
     .open = open_packer,
     .close = close_packer,
     .pack = pack,
-    .write = tiff_write,
+    .write = write_tile,
 };
