@@ -120,7 +120,8 @@ endif()
 scarp_add_test(cli.view_march cli NOT memory s390x NEEDS scarp COMMAND test_view_march)
 
 if(UNIX)
-  scarp_test_program(test_interrupt SOURCES ${PROJECT_SOURCE_DIR}/src/cli/shared/interrupt.c)
+  scarp_test_program(test_interrupt SOURCES ${PROJECT_SOURCE_DIR}/src/cli/shared/error.c
+                     ${PROJECT_SOURCE_DIR}/src/cli/shared/interrupt.c)
   target_include_directories(test_interrupt PRIVATE ${PROJECT_SOURCE_DIR}/src/cli)
   target_compile_definitions(test_interrupt PRIVATE _XOPEN_SOURCE=700)
 endif()

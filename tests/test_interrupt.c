@@ -2,7 +2,7 @@
  *
  * The program's signal handlers (src/cli/shared/interrupt.c): a signal that comes just before a
  * call that would wait for ever ends that call, whatever became of alarms before the program was
- * started.
+ * started. A call that fails though it cannot stops the program, too.
  */
 #include <errno.h>
 #include <signal.h>
@@ -83,5 +83,9 @@ int main(void)
         CHECK(status != -1 && WIFSIGNALED(status) && WTERMSIG(status) == SIGINT,
               "preparation %d: status %d", i, status);
     }
+    interrupt_unless(true);
+    CHECK(!interrupted(), "nothing has failed yet");
+    interrupt_unless(false);
+    CHECK(interrupted(), "a call has failed");
     return check_done();
 }

@@ -9,6 +9,7 @@
 #include <string.h>
 
 #include "ground/spread.h"
+#include "shared/interrupt.h"
 
 struct surface_scale surface_height_scale(const struct ground *ground)
 {
@@ -141,7 +142,7 @@ void surface_values(const struct surface *surface, const struct window *window, 
                     float *value)
 {
     const struct scarp_grid grid = grid_of(surface, window, right, up);
-    (void)ground_grid(&surface->ground, &grid, &(struct scarp_samples){.value = value});
+    interrupt_unless(ground_grid(&surface->ground, &grid, &(struct scarp_samples){.value = value}));
 }
 
 void surface_sample(const struct surface *surface, struct window *window)
@@ -154,17 +155,19 @@ void surface_sample(const struct surface *surface, struct window *window)
                                       .dxy = window->dxy,
                                       .dyy = window->dyy};
     const size_t count = window->columns * window->rows;
-    (void)ground_fields_grid(&surface->ground, &grid, &out,
-                             window->fields[0] != NULL ? window->fields : NULL);
+    interrupt_unless(ground_fields_grid(&surface->ground, &grid, &out,
+                                        window->fields[0] != NULL ? window->fields : NULL));
     if (window->bed != NULL) {
         memcpy(window->bed, window->value, count * sizeof *window->bed);
     }
     ground_cover(&surface->ground, count, &out);
     if (window->nx != NULL) {
-        scarp_normals(count, window->dx, window->dy, 1.0f, window->nx, window->ny, window->nz);
+        interrupt_unless(scarp_normals(count, window->dx, window->dy, 1.0f, window->nx, window->ny,
+                                       window->nz) == SCARP_OK);
     }
     if (window->shade_x != window->nx) {
-        scarp_normals(count, window->dx, window->dy, surface->z_factor, window->shade_x,
-                      window->shade_y, window->shade_z);
+        interrupt_unless(scarp_normals(count, window->dx, window->dy, surface->z_factor,
+                                       window->shade_x, window->shade_y,
+                                       window->shade_z) == SCARP_OK);
     }
 }

@@ -102,10 +102,11 @@ static void print_errors(const struct source *source)
     struct scarp_recipe_error errors[MOST];
     size_t found = 0;
     memset(errors, 0, sizeof errors);
-    (void)scarp_recipe_parse(source->text.bytes, source->text.length, &recipe, errors, MOST,
-                             &found);
-    for (size_t i = 0; i < found && i < MOST; i++) {
-        source_refuse(source, &errors[i]);
+    if (scarp_recipe_parse(source->text.bytes, source->text.length, &recipe, errors, MOST,
+                           &found) != SCARP_OK) {
+        for (size_t i = 0; i < found && i < MOST; i++) {
+            source_refuse(source, &errors[i]);
+        }
     }
 }
 

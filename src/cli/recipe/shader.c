@@ -34,7 +34,7 @@ static int write_file(const char *path, const void *bytes, size_t size)
 
 static int refuse(enum scarp_status status)
 {
-    cli_error("recipe: no shader of it: %s", scarp_status_text(status));
+    cli_error("recipe: it has no shader: %s", scarp_status_text(status));
     return CLI_USAGE;
 }
 
@@ -46,13 +46,16 @@ static int write_shader(const struct scarp_recipe *recipe, const struct shader_o
                                      .file = file->text,
                                      .length = file->length};
     size_t length = 0;
-    (void)scarp_recipe_shader(recipe, &how, NULL, 0, &length);
+    enum scarp_status status = scarp_recipe_shader(recipe, &how, NULL, 0, &length);
+    if (status != SCARP_ERROR_SIZE) { /* which says the length */
+        return refuse(status);
+    }
     char *const text = malloc(length + 1);
     if (text == NULL) {
         cli_error("recipe: no memory for a shader");
         return CLI_FAILURE;
     }
-    const enum scarp_status status = scarp_recipe_shader(recipe, &how, text, length + 1, &length);
+    status = scarp_recipe_shader(recipe, &how, text, length + 1, &length);
     const int exit = status == SCARP_OK ? write_file("-", text, length) : refuse(status);
     free(text);
     return exit;

@@ -17,6 +17,7 @@
 #include "shared/error.h"
 #include "shared/interrupt.h"
 #include "shared/options.h"
+#include "shared/running.h"
 
 struct sample_options {
     struct ground_options ground; /* of it: the noise, the recipe and its values */
@@ -474,11 +475,11 @@ int cli_sample(char **argv)
     int status = CLI_USAGE;
     if (check_columns(&options) && check_delimiter(&options) &&
         prepare(sample, &source, &options)) {
-        scarp_isa_select((enum scarp_isa)options.isa);
+        status = CLI_FAILURE;
         if (options.ground.print_recipe) {
             source_print(&source);
             status = CLI_SUCCESS;
-        } else {
+        } else if (running_select(options.isa)) {
             status = run(sample, &source, &options);
         }
     }

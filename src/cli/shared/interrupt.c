@@ -13,7 +13,10 @@
 #include <unistd.h>
 #endif
 
+#include "shared/error.h"
+
 static atomic_int requested; /* number of the signal; all threads look at it */
+static atomic_bool has_failed;
 
 #ifdef _WIN32
 static HANDLE first_thread;
@@ -142,5 +145,12 @@ void interrupt_end(void)
 
 bool interrupted(void)
 {
-    return requested != 0;
+    return requested != 0 || has_failed;
+}
+
+void interrupt_unless(bool is_done)
+{
+    if (!is_done && !atomic_exchange(&has_failed, true)) {
+        cli_error("the library refused a call that it must not refuse; please report this");
+    }
 }

@@ -10,9 +10,20 @@
 #include "shared/error.h"
 #include "shared/posix.h"
 
+bool running_select(int isa)
+{
+    const enum scarp_status status = scarp_isa_select((enum scarp_isa)isa);
+    if (status != SCARP_OK) {
+        cli_error("--isa: %s", scarp_status_text(status));
+    }
+    return status == SCARP_OK;
+}
+
 struct crew *running_begin(const struct running_options *options)
 {
-    scarp_isa_select((enum scarp_isa)options->isa);
+    if (!running_select(options->isa)) {
+        return NULL;
+    }
     struct crew *const crew =
         crew_open(options->threads != 0 ? options->threads : crew_processors());
     if (crew == NULL) {

@@ -5,12 +5,17 @@
 #ifndef SCARP_CLI_RUNNING_H
 #define SCARP_CLI_RUNNING_H
 
+#include <stdbool.h>
 #include <stdio.h>
 
 #include "shared/crew.h"
 #include "shared/running_options.h"
 
-/* Selects the instruction set and opens a crew. NULL without memory, with a line on stderr. */
+/* Selects an instruction set, or the best one for 0. False, with a line on stderr, if it cannot run. */
+bool running_select(int isa);
+
+/* Selects the instruction set and opens a crew. NULL with a line on stderr if it
+   cannot. */
 struct crew *running_begin(const struct running_options *options);
 
 /* Seconds of a clock that only goes on */

@@ -4,6 +4,8 @@
  */
 #include "terrain/compare.h"
 
+#include "shared/interrupt.h"
+
 /* slope[i] = the central difference of 16-bit heights along (right, up) */
 static void difference(const struct surface *surface, const struct window *window, int right,
                        int up, float *slope)
@@ -29,7 +31,8 @@ void compare_sample(const struct surface *surface, struct window *window)
     float *const slope_y = window->value;
     difference(surface, window, 1, 0, slope_x);
     difference(surface, window, 0, 1, slope_y);
-    scarp_normals(window->columns * window->rows, slope_x, slope_y, 1.0f, window->differences_x,
-                  window->differences_y, window->differences_z);
+    interrupt_unless(scarp_normals(window->columns * window->rows, slope_x, slope_y, 1.0f,
+                                   window->differences_x, window->differences_y,
+                                   window->differences_z) == SCARP_OK);
     surface_values(surface, window, 0, 0, window->value);
 }

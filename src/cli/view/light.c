@@ -5,6 +5,7 @@
  */
 #include "view/light.h"
 
+#include "shared/interrupt.h"
 #include "view/material.h"
 #include "view/sky.h"
 #include "view/water.h"
@@ -76,8 +77,8 @@ static void sample_cliffs(struct light *light, const struct scene *scene, size_t
             light->u[n] = light->x[cliff[n]] + (double)(reach * x);
             light->v[n] = light->y[cliff[n]] + (double)(reach * y);
         }
-        ground_points(&scene->band[band].ground, count, light->u, light->v,
-                      &(struct scarp_samples){.value = light->other[0]});
+        interrupt_unless(ground_points(&scene->band[band].ground, count, light->u, light->v,
+                                       &(struct scarp_samples){.value = light->other[0]}));
         light->calls++;
         light->points += count;
         for (size_t n = 0; n < count; n++) {
@@ -95,19 +96,20 @@ static void sample_ground(struct light *light, const struct scene *scene, size_t
                           const struct rays *rays)
 {
     float *const value = light->other[0], *const dx = light->other[1], *const dy = light->other[2];
-    ground_points(
+    interrupt_unless(ground_points(
         &scene->band[band].ground, light->count, light->x, light->y,
-        &(struct scarp_samples){.value = light->height, .dx = light->dx, .dy = light->dy});
-    ground_points(&scene->band[band + 1].ground, light->count, light->x, light->y,
-                  &(struct scarp_samples){.value = value, .dx = dx, .dy = dy});
+        &(struct scarp_samples){.value = light->height, .dx = light->dx, .dy = light->dy}));
+    interrupt_unless(ground_points(&scene->band[band + 1].ground, light->count, light->x, light->y,
+                                   &(struct scarp_samples){.value = value, .dx = dx, .dy = dy}));
     blend(light, light->dx, dx);
     blend(light, light->dy, dy);
     sample_cliffs(light, scene, band, rays);
-    ground_points(&scene->smooth[0], light->count, light->x, light->y,
-                  &(struct scarp_samples){
-                      .value = light->hollow[0], .dx = light->smooth_dx, .dy = light->smooth_dy});
-    ground_points(&scene->smooth[1], light->count, light->x, light->y,
-                  &(struct scarp_samples){.value = light->hollow[1]});
+    interrupt_unless(ground_points(&scene->smooth[0], light->count, light->x, light->y,
+                                   &(struct scarp_samples){.value = light->hollow[0],
+                                                           .dx = light->smooth_dx,
+                                                           .dy = light->smooth_dy}));
+    interrupt_unless(ground_points(&scene->smooth[1], light->count, light->x, light->y,
+                                   &(struct scarp_samples){.value = light->hollow[1]}));
     for (size_t i = 0; i < light->count; i++) {
         for (int j = 0; j < 2; j++) {
             light->hollow[j][i] -= scene->survey.smoothed[j] + light->height[i];
@@ -149,8 +151,8 @@ static void sample_textures(struct light *light, const struct scene *scene, size
     sample_texture(light, scene, band, TEXTURE_LAYERS, light->u, light->v);
     if (scene->has_sea) {
         sample_texture(light, scene, band, TEXTURE_WAVES, light->x, light->y);
-        ground_points(&scene->bed, light->count, light->x, light->y,
-                      &(struct scarp_samples){.value = light->bed});
+        interrupt_unless(ground_points(&scene->bed, light->count, light->x, light->y,
+                                       &(struct scarp_samples){.value = light->bed}));
         count_call(light);
     }
 }

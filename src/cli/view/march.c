@@ -137,7 +137,7 @@ static void sample(struct march *march, const struct scene *scene, const struct 
         march->y[i] = scene->camera.y + (double)(list->y[i] * list->at[i]);
     }
     const struct scarp_samples out = {.value = march->value};
-    ground_points(&band->ground, list->count, march->x, march->y, &out);
+    interrupt_unless(ground_points(&band->ground, list->count, march->x, march->y, &out));
     march->calls++;
     march->points += list->count;
 }

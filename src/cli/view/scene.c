@@ -69,11 +69,12 @@ static void make_survey(struct scene *scene, double x, double y)
     const double step = (double)scene->side / SIDE;
     const struct scarp_grid grid = {
         .origin = {x, y}, .step = {step, step}, .count = {SIDE, SIDE, 1}};
-    ground_grid(&scene->ground, &grid, &out);
+    interrupt_unless(ground_grid(&scene->ground, &grid, &out));
     const float height = mean(value);
     for (int i = 0; i < 2; i++) {
         float smooth[PLACES];
-        ground_grid(&scene->smooth[i], &grid, &(struct scarp_samples){.value = smooth});
+        interrupt_unless(
+            ground_grid(&scene->smooth[i], &grid, &(struct scarp_samples){.value = smooth}));
         survey->smoothed[i] = mean(smooth) - height;
     }
     for (size_t i = 0; i < PLACES; i++) {
@@ -135,8 +136,9 @@ static float measure_slope(const struct scene *scene, const struct band *band)
             x[i] = camera->x + (double)(ray.x * distance);
             y[i] = camera->y + (double)(ray.y * distance);
         }
-        ground_points(&band->ground, RAYS_ACROSS * PLACES_ALONG, x, y,
-                      &(struct scarp_samples){.value = value, .dx = dx, .dy = dy});
+        interrupt_unless(
+            ground_points(&band->ground, RAYS_ACROSS * PLACES_ALONG, x, y,
+                          &(struct scarp_samples){.value = value, .dx = dx, .dy = dy}));
         for (size_t i = 0; i < RAYS_ACROSS * PLACES_ALONG; i++) {
             count_slope(counts, sqrtf(dx[i] * dx[i] + dy[i] * dy[i]));
         }

@@ -7,6 +7,8 @@
  */
 #include "view/shadow.h"
 
+#include "shared/interrupt.h"
+
 #define RADIUS 0.011f /* of the sun, as its tangent */
 #define LONGER 1.26f  /* from one distance to the next */
 #define DETAIL 0.03f  /* cells that count, as a part of the distance from the point */
@@ -20,8 +22,8 @@ static size_t look(struct shadow *shadow, const struct scene *scene, const struc
         shadow->x[i] = points->x[shadow->point[i]] + (double)way.x;
         shadow->y[i] = points->y[shadow->point[i]] + (double)way.y;
     }
-    ground_points(ground, count, shadow->x, shadow->y,
-                  &(struct scarp_samples){.value = shadow->value});
+    interrupt_unless(ground_points(ground, count, shadow->x, shadow->y,
+                                   &(struct scarp_samples){.value = shadow->value}));
     shadow->calls++;
     shadow->points += count;
     size_t left = 0;

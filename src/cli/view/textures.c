@@ -6,6 +6,8 @@
 
 #include <string.h>
 
+#include "shared/interrupt.h"
+
 static const struct scarp_noise noises[TEXTURE_COUNT] = {
     [TEXTURE_PATCHES] =
         {.seed = 101, .frequency = 1.0 / 128, .octaves = 8, .gain = 0.62f, .rotate = 1},
@@ -35,7 +37,7 @@ void texture_sample(enum texture texture, float finest, size_t count, const doub
         cell *= 0.5;
     }
     if (noise.octaves > 0.0f) {
-        scarp_sample2_f64(&noise, count, x, y, out); /* cannot fail: nothing of it is an option */
+        interrupt_unless(scarp_sample2_f64(&noise, count, x, y, out) == SCARP_OK);
         return;
     }
     memset(out->value, 0, count * sizeof *out->value);

@@ -46,8 +46,8 @@ static bool choose_format(const struct view_options *options, struct writer *wri
 static bool check_camera(const struct view_options *options, const struct scene *scene)
 {
     float value;
-    ground_points(&scene->ground, 1, &options->camera.x, &options->camera.y,
-                  &(struct scarp_samples){.value = &value});
+    interrupt_unless(ground_points(&scene->ground, 1, &options->camera.x, &options->camera.y,
+                                   &(struct scarp_samples){.value = &value}));
     if ((float)options->camera.height <= value) {
         cli_error("--camera: the height %.9g is not above the ground, which is %.9g high there",
                   options->camera.height, (double)value);

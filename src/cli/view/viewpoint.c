@@ -66,7 +66,8 @@ static void light_profile(const struct scene *scene, const struct profile *profi
             x[look] = profile->x[look] + (double)way.x;
             y[look] = profile->y[look] + (double)way.y;
         }
-        ground_points(&scene->smooth[0], LOOKS, x, y, &(struct scarp_samples){.value = value});
+        interrupt_unless(
+            ground_points(&scene->smooth[0], LOOKS, x, y, &(struct scarp_samples){.value = value}));
         for (int look = 0; look < LOOKS; look++) {
             if (value[look] > profile->height[look] + way.z) {
                 light[look] = 0.0f;
@@ -92,7 +93,7 @@ static void sample_fan(const struct scene *scene, const struct trial *trial, dou
         }
         const struct scarp_samples out = {
             .value = profile.height, .dx = profile.dx, .dy = profile.dy};
-        ground_points(&scene->ground, LOOKS, profile.x, profile.y, &out);
+        interrupt_unless(ground_points(&scene->ground, LOOKS, profile.x, profile.y, &out));
         light_profile(scene, &profile, fan->light[ray]);
     }
 }
@@ -106,7 +107,8 @@ static float ground_around(const struct scene *scene, double x, double y)
         px[i] = x + 4.0 * (i % 5 - 2);
         py[i] = y + 4.0 * (i / 5 - 2);
     }
-    ground_points(&scene->ground, 25, px, py, &(struct scarp_samples){.value = value});
+    interrupt_unless(
+        ground_points(&scene->ground, 25, px, py, &(struct scarp_samples){.value = value}));
     for (int i = 0; i < 25; i++) {
         const float height = value[i];
         highest = height > highest ? height : highest;
