@@ -1312,6 +1312,21 @@ ScarpSample scarp_scaled(ScarpSample n, float value, float gradient, float hessi
             scarp_mul3(hessian, n.diagonal), scarp_mul3(hessian, n.mixed));
 }
 
+/* v_i m_j + v_j m_i: the elements of a diagonal, and the others. */
+vec3 scarp_crossed_diagonal(vec3 v, vec3 m)
+{
+    return scarp_vec3_of(scarp_add(scarp_mul(v.x, m.x), scarp_mul(v.x, m.x)),
+            scarp_add(scarp_mul(v.y, m.y), scarp_mul(v.y, m.y)), scarp_add(scarp_mul(v.z, m.z),
+            scarp_mul(v.z, m.z)));
+}
+
+vec3 scarp_crossed_mixed(vec3 v, vec3 m)
+{
+    return scarp_vec3_of(scarp_add(scarp_mul(v.x, m.y), scarp_mul(v.y, m.x)),
+            scarp_add(scarp_mul(v.x, m.z), scarp_mul(v.z, m.x)), scarp_add(scarp_mul(v.y, m.z),
+            scarp_mul(v.z, m.y)));
+}
+
 /* Where a point lies in the frame of an octave. */
 
 uint scarp_within_period(uint last, int cell)
@@ -1464,21 +1479,6 @@ vec3 scarp_ridge_first3(float v, vec3 vi, float r, vec3 mi)
 {
     return scarp_vec3_of(scarp_ridge_first(v, vi.x, r, mi.x), scarp_ridge_first(v, vi.y, r, mi.y),
             scarp_ridge_first(v, vi.z, r, mi.z));
-}
-
-/* vi mj + vj mi, for the elements of the diagonal and the others. */
-vec3 scarp_crossed_diagonal(vec3 v, vec3 m)
-{
-    return scarp_vec3_of(scarp_add(scarp_mul(v.x, m.x), scarp_mul(v.x, m.x)),
-            scarp_add(scarp_mul(v.y, m.y), scarp_mul(v.y, m.y)), scarp_add(scarp_mul(v.z, m.z),
-            scarp_mul(v.z, m.z)));
-}
-
-vec3 scarp_crossed_mixed(vec3 v, vec3 m)
-{
-    return scarp_vec3_of(scarp_add(scarp_mul(v.x, m.y), scarp_mul(v.y, m.x)),
-            scarp_add(scarp_mul(v.x, m.z), scarp_mul(v.z, m.x)), scarp_add(scarp_mul(v.y, m.z),
-            scarp_mul(v.z, m.y)));
 }
 
 /* `cross` is vi mj + vj mi, `mm` is mi mj. */
@@ -2136,10 +2136,11 @@ ScarpSample scarp_chain_affine(ScarpSample a, float scale, float offset)
     return s;
 }
 
+/* Where b is NaN, so is the lesser, or the greater, of a and b. */
 ScarpSample scarp_chain_min(ScarpSample a, ScarpSample b)
 {
     ScarpSample s = a;
-    if (b.value < a.value) {
+    if (b.value < a.value || b.value != b.value) {
         s = b;
     }
     return s;
@@ -2148,7 +2149,7 @@ ScarpSample scarp_chain_min(ScarpSample a, ScarpSample b)
 ScarpSample scarp_chain_max(ScarpSample a, ScarpSample b)
 {
     ScarpSample s = a;
-    if (a.value < b.value) {
+    if (a.value < b.value || b.value != b.value) {
         s = b;
     }
     return s;
@@ -2173,6 +2174,30 @@ ScarpSample scarp_chain_apply1(ScarpSample a, float f, float fa, float faa)
     ScarpSample first = scarp_scaled(a, 0.0f, fa, fa);
     return scarp_sample_of(f, first.gradient, scarp_add3(first.diagonal, scarp_squares_of(faa,
             a.gradient)), scarp_add3(first.mixed, scarp_products_of(faa, a.gradient)));
+}
+
+/* A function of two samples, and its partial derivatives. */
+struct ScarpPartials {
+    float f;
+    float a;
+    float b;
+    float aa;
+    float ab;
+    float bb;
+};
+
+/* f(a, b), as scarp_apply2 */
+ScarpSample scarp_chain_apply2(ScarpSample a, ScarpSample b, ScarpPartials p)
+{
+    vec3 g = a.gradient;
+    vec3 h = b.gradient;
+    vec3 diagonal = scarp_add3(scarp_mul3(p.a, a.diagonal), scarp_mul3(p.b, b.diagonal));
+    vec3 mixed = scarp_add3(scarp_mul3(p.a, a.mixed), scarp_mul3(p.b, b.mixed));
+    return scarp_sample_of(p.f, scarp_add3(scarp_mul3(p.a, g), scarp_mul3(p.b, h)),
+            scarp_add3(scarp_add3(diagonal, scarp_add3(scarp_squares_of(p.aa, g),
+            scarp_squares_of(p.bb, h))), scarp_mul3(p.ab, scarp_crossed_diagonal(g, h))),
+            scarp_add3(scarp_add3(mixed, scarp_add3(scarp_products_of(p.aa, g),
+            scarp_products_of(p.bb, h))), scarp_mul3(p.ab, scarp_crossed_mixed(g, h))));
 }
 
 /* f(a) without second derivatives of f */
@@ -2206,26 +2231,27 @@ ScarpSample scarp_smooth_of(ScarpSample a, ScarpSample b, bool takes_b, vec3 k)
 /* k: 1 / k, k / 6, -1 / k of the width k */
 ScarpSample scarp_chain_smooth_min(ScarpSample a, ScarpSample b, vec3 k)
 {
-    return scarp_smooth_of(a, b, b.value < a.value, k);
+    return scarp_smooth_of(a, b, b.value < a.value || b.value != b.value, k);
 }
 
 /* k: 1 / k, -k / 6, 1 / k of the width k */
 ScarpSample scarp_chain_smooth_max(ScarpSample a, ScarpSample b, vec3 k)
 {
-    return scarp_smooth_of(a, b, a.value < b.value, k);
+    return scarp_smooth_of(a, b, a.value < b.value || b.value != b.value, k);
 }
 
 ScarpSample scarp_chain_clamp(ScarpSample a, float lo, float hi)
 {
     float v = a.value;
     float f = scarp_either(v < lo, lo, scarp_either(v > hi, hi, v));
-    return scarp_chain_straight(a, f, scarp_either(v < lo || v > hi, 0.0f, 1.0f));
+    return scarp_chain_straight(a, f, scarp_either(v < lo || v > hi, 0.0f, scarp_add(1.0f,
+            scarp_sub(v, v))));
 }
 
 ScarpSample scarp_chain_abs(ScarpSample a)
 {
     float v = a.value;
-    float down = scarp_either(v < 0.0f, -1.0f, 0.0f);
+    float down = scarp_either(v < 0.0f, -1.0f, scarp_sub(v, v)); /* 0, or NaN */
     return scarp_chain_straight(a, scarp_magnitude(v), scarp_either(v > 0.0f, 1.0f, down));
 }
 
@@ -2272,6 +2298,8 @@ ScarpSample scarp_chain_smooth_abs(ScarpSample a, float round, float round2)
     return scarp_chain_apply1(a, f, scarp_mul(a.value, by), scarp_mul(scarp_mul(share, share), by));
 }
 
+/* More functions over samples. */
+
 /* The root of a, 0 where that is negative. */
 ScarpSample scarp_chain_sqrt(ScarpSample a)
 {
@@ -2290,22 +2318,9 @@ ScarpSample scarp_chain_divide(ScarpSample a, ScarpSample b)
     float by = scarp_with_bit(scarp_inverse(scarp_magnitude(b.value)),
             scarp_bits_of(b.value) >> 31u);
     float f = scarp_quotient(a.value, b.value);
-    float fb = -scarp_mul(f, by);
-    float fab = -scarp_mul(by, by);
-    float fbb = scarp_mul(scarp_mul(2.0f, scarp_mul(f, by)), by);
-    vec3 g = a.gradient;
-    vec3 h = b.gradient;
-    vec3 diagonal = scarp_add3(scarp_mul3(by, a.diagonal), scarp_mul3(fb, b.diagonal));
-    vec3 mixed = scarp_add3(scarp_mul3(by, a.mixed), scarp_mul3(fb, b.mixed));
-    vec3 twice = scarp_vec3_of(scarp_add(scarp_mul(g.x, h.x), scarp_mul(g.x, h.x)),
-            scarp_add(scarp_mul(g.y, h.y), scarp_mul(g.y, h.y)), scarp_add(scarp_mul(g.z, h.z),
-            scarp_mul(g.z, h.z)));
-    vec3 both = scarp_vec3_of(scarp_add(scarp_mul(g.x, h.y), scarp_mul(g.y, h.x)),
-            scarp_add(scarp_mul(g.x, h.z), scarp_mul(g.z, h.x)), scarp_add(scarp_mul(g.y, h.z),
-            scarp_mul(g.z, h.y)));
-    return scarp_sample_of(f, scarp_add3(scarp_mul3(by, g), scarp_mul3(fb, h)),
-            scarp_add3(scarp_add3(diagonal, scarp_squares_of(fbb, h)), scarp_mul3(fab, twice)),
-            scarp_add3(scarp_add3(mixed, scarp_products_of(fbb, h)), scarp_mul3(fab, both)));
+    ScarpPartials p = ScarpPartials(f, by, -scarp_mul(f, by), 0.0f, -scarp_mul(by, by),
+            scarp_mul(scarp_mul(2.0f, scarp_mul(f, by)), by));
+    return scarp_chain_apply2(a, b, p);
 }
 
 /* a folded to and fro: -1 at even numbers, 1 at odd ones. All floats of 2^24 and more are even. */

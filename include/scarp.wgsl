@@ -1148,6 +1148,17 @@ fn scarp_scaled(n: ScarpSample, value: f32, gradient: f32, hessian: f32) -> Scar
             scarp_mul3(hessian, n.diagonal), scarp_mul3(hessian, n.mixed));
 }
 
+/* v_i m_j + v_j m_i: the elements of a diagonal, and the others. */
+fn scarp_crossed_diagonal(v: vec3f, m: vec3f) -> vec3f {
+    return vec3f(scarp_add(scarp_mul(v.x, m.x), scarp_mul(v.x, m.x)), scarp_add(scarp_mul(v.y, m.y),
+            scarp_mul(v.y, m.y)), scarp_add(scarp_mul(v.z, m.z), scarp_mul(v.z, m.z)));
+}
+
+fn scarp_crossed_mixed(v: vec3f, m: vec3f) -> vec3f {
+    return vec3f(scarp_add(scarp_mul(v.x, m.y), scarp_mul(v.y, m.x)), scarp_add(scarp_mul(v.x, m.z),
+            scarp_mul(v.z, m.x)), scarp_add(scarp_mul(v.y, m.z), scarp_mul(v.z, m.y)));
+}
+
 /* Where a point lies in the frame of an octave. */
 
 fn scarp_within_period(last: u32, cell: i32) -> u32 {
@@ -1289,17 +1300,6 @@ fn scarp_ridge_first(v: f32, vi: f32, r: f32, mi: f32) -> f32 {
 fn scarp_ridge_first3(v: f32, vi: vec3f, r: f32, mi: vec3f) -> vec3f {
     return vec3f(scarp_ridge_first(v, vi.x, r, mi.x), scarp_ridge_first(v, vi.y, r, mi.y),
             scarp_ridge_first(v, vi.z, r, mi.z));
-}
-
-/* vi mj + vj mi, for the elements of the diagonal and the others. */
-fn scarp_crossed_diagonal(v: vec3f, m: vec3f) -> vec3f {
-    return vec3f(scarp_add(scarp_mul(v.x, m.x), scarp_mul(v.x, m.x)), scarp_add(scarp_mul(v.y, m.y),
-            scarp_mul(v.y, m.y)), scarp_add(scarp_mul(v.z, m.z), scarp_mul(v.z, m.z)));
-}
-
-fn scarp_crossed_mixed(v: vec3f, m: vec3f) -> vec3f {
-    return vec3f(scarp_add(scarp_mul(v.x, m.y), scarp_mul(v.y, m.x)), scarp_add(scarp_mul(v.x, m.z),
-            scarp_mul(v.z, m.x)), scarp_add(scarp_mul(v.y, m.z), scarp_mul(v.z, m.y)));
 }
 
 /* `cross` is vi mj + vj mi, `mm` is mi mj. */
@@ -1913,9 +1913,10 @@ fn scarp_chain_affine(a: ScarpSample, scale: f32, offset: f32) -> ScarpSample {
     return s;
 }
 
+/* Where b is NaN, so is the lesser, or the greater, of a and b. */
 fn scarp_chain_min(a: ScarpSample, b: ScarpSample) -> ScarpSample {
     var s: ScarpSample = a;
-    if (b.value < a.value) {
+    if (b.value < a.value || b.value != b.value) {
         s = b;
     }
     return s;
@@ -1923,7 +1924,7 @@ fn scarp_chain_min(a: ScarpSample, b: ScarpSample) -> ScarpSample {
 
 fn scarp_chain_max(a: ScarpSample, b: ScarpSample) -> ScarpSample {
     var s: ScarpSample = a;
-    if (a.value < b.value) {
+    if (a.value < b.value || b.value != b.value) {
         s = b;
     }
     return s;
@@ -1945,6 +1946,29 @@ fn scarp_chain_apply1(a: ScarpSample, f: f32, fa: f32, faa: f32) -> ScarpSample 
     let first: ScarpSample = scarp_scaled(a, 0.0f, fa, fa);
     return scarp_sample_of(f, first.gradient, scarp_add3(first.diagonal, scarp_squares_of(faa,
             a.gradient)), scarp_add3(first.mixed, scarp_products_of(faa, a.gradient)));
+}
+
+/* A function of two samples, and its partial derivatives. */
+struct ScarpPartials {
+    f: f32,
+    a: f32,
+    b: f32,
+    aa: f32,
+    ab: f32,
+    bb: f32,
+}
+
+/* f(a, b), as scarp_apply2 */
+fn scarp_chain_apply2(a: ScarpSample, b: ScarpSample, p: ScarpPartials) -> ScarpSample {
+    let g: vec3f = a.gradient;
+    let h: vec3f = b.gradient;
+    let diagonal: vec3f = scarp_add3(scarp_mul3(p.a, a.diagonal), scarp_mul3(p.b, b.diagonal));
+    let mixed: vec3f = scarp_add3(scarp_mul3(p.a, a.mixed), scarp_mul3(p.b, b.mixed));
+    return scarp_sample_of(p.f, scarp_add3(scarp_mul3(p.a, g), scarp_mul3(p.b, h)),
+            scarp_add3(scarp_add3(diagonal, scarp_add3(scarp_squares_of(p.aa, g),
+            scarp_squares_of(p.bb, h))), scarp_mul3(p.ab, scarp_crossed_diagonal(g, h))),
+            scarp_add3(scarp_add3(mixed, scarp_add3(scarp_products_of(p.aa, g),
+            scarp_products_of(p.bb, h))), scarp_mul3(p.ab, scarp_crossed_mixed(g, h))));
 }
 
 /* f(a) without second derivatives of f */
@@ -1975,23 +1999,24 @@ fn scarp_smooth_of(a: ScarpSample, b: ScarpSample, takes_b: bool, k: vec3f) -> S
 
 /* k: 1 / k, k / 6, -1 / k of the width k */
 fn scarp_chain_smooth_min(a: ScarpSample, b: ScarpSample, k: vec3f) -> ScarpSample {
-    return scarp_smooth_of(a, b, b.value < a.value, k);
+    return scarp_smooth_of(a, b, b.value < a.value || b.value != b.value, k);
 }
 
 /* k: 1 / k, -k / 6, 1 / k of the width k */
 fn scarp_chain_smooth_max(a: ScarpSample, b: ScarpSample, k: vec3f) -> ScarpSample {
-    return scarp_smooth_of(a, b, a.value < b.value, k);
+    return scarp_smooth_of(a, b, a.value < b.value || b.value != b.value, k);
 }
 
 fn scarp_chain_clamp(a: ScarpSample, lo: f32, hi: f32) -> ScarpSample {
     let v: f32 = a.value;
     let f: f32 = scarp_either(v < lo, lo, scarp_either(v > hi, hi, v));
-    return scarp_chain_straight(a, f, scarp_either(v < lo || v > hi, 0.0f, 1.0f));
+    return scarp_chain_straight(a, f, scarp_either(v < lo || v > hi, 0.0f, scarp_add(1.0f,
+            scarp_sub(v, v))));
 }
 
 fn scarp_chain_abs(a: ScarpSample) -> ScarpSample {
     let v: f32 = a.value;
-    let down: f32 = scarp_either(v < 0.0f, -1.0f, 0.0f);
+    let down: f32 = scarp_either(v < 0.0f, -1.0f, scarp_sub(v, v)); /* 0, or NaN */
     return scarp_chain_straight(a, scarp_magnitude(v), scarp_either(v > 0.0f, 1.0f, down));
 }
 
@@ -2033,6 +2058,8 @@ fn scarp_chain_smooth_abs(a: ScarpSample, round: f32, round2: f32) -> ScarpSampl
     return scarp_chain_apply1(a, f, scarp_mul(a.value, by), scarp_mul(scarp_mul(share, share), by));
 }
 
+/* More functions over samples. */
+
 /* The root of a, 0 where that is negative. */
 fn scarp_chain_sqrt(a: ScarpSample) -> ScarpSample {
     let v: f32 = scarp_either(a.value < 0.0f, 0.0f, a.value);
@@ -2050,22 +2077,9 @@ fn scarp_chain_divide(a: ScarpSample, b: ScarpSample) -> ScarpSample {
     let by: f32 = scarp_with_bit(scarp_inverse(scarp_magnitude(b.value)),
             bitcast<u32>(b.value) >> 31u);
     let f: f32 = scarp_quotient(a.value, b.value);
-    let fb: f32 = -scarp_mul(f, by);
-    let fab: f32 = -scarp_mul(by, by);
-    let fbb: f32 = scarp_mul(scarp_mul(2.0f, scarp_mul(f, by)), by);
-    let g: vec3f = a.gradient;
-    let h: vec3f = b.gradient;
-    let diagonal: vec3f = scarp_add3(scarp_mul3(by, a.diagonal), scarp_mul3(fb, b.diagonal));
-    let mixed: vec3f = scarp_add3(scarp_mul3(by, a.mixed), scarp_mul3(fb, b.mixed));
-    let twice: vec3f = vec3f(scarp_add(scarp_mul(g.x, h.x), scarp_mul(g.x, h.x)),
-            scarp_add(scarp_mul(g.y, h.y), scarp_mul(g.y, h.y)), scarp_add(scarp_mul(g.z, h.z),
-            scarp_mul(g.z, h.z)));
-    let both: vec3f = vec3f(scarp_add(scarp_mul(g.x, h.y), scarp_mul(g.y, h.x)),
-            scarp_add(scarp_mul(g.x, h.z), scarp_mul(g.z, h.x)), scarp_add(scarp_mul(g.y, h.z),
-            scarp_mul(g.z, h.y)));
-    return scarp_sample_of(f, scarp_add3(scarp_mul3(by, g), scarp_mul3(fb, h)),
-            scarp_add3(scarp_add3(diagonal, scarp_squares_of(fbb, h)), scarp_mul3(fab, twice)),
-            scarp_add3(scarp_add3(mixed, scarp_products_of(fbb, h)), scarp_mul3(fab, both)));
+    let p: ScarpPartials = ScarpPartials(f, by, -scarp_mul(f, by), 0.0f, -scarp_mul(by, by),
+            scarp_mul(scarp_mul(2.0f, scarp_mul(f, by)), by));
+    return scarp_chain_apply2(a, b, p);
 }
 
 /* a folded to and fro: -1 at even numbers, 1 at odd ones. All floats of 2^24 and more are even. */

@@ -6,7 +6,7 @@
 #define SCARP_GPU_POSITIONS_H
 
 #include "../formulas/lattice.h"
-#include "matrices.h"
+#include "../formulas/matrices.h"
 #include "numbers.h"
 #include "plan.h"
 

@@ -23,9 +23,9 @@ INCLUDE = SRC.parent / "include"
 STRUCTURES = ["gpu/plan"]
 FUNCTIONS = ["gpu/numbers", "gpu/directions", "formulas/sample", "formulas/lattice",
              "formulas/corners", "formulas/gradient", "formulas/value", "formulas/simplex",
-             "formulas/cells", "gpu/basis", "gpu/matrices", "gpu/positions", "gpu/shape",
-             "gpu/bend", "gpu/octaves", "gpu/noise", "gpu/flow", "gpu/chain", "gpu/sine",
-             "formulas/gullies", "gpu/recipe"]
+             "formulas/cells", "gpu/basis", "formulas/matrices", "gpu/positions", "gpu/shape",
+             "gpu/bend", "gpu/octaves", "gpu/noise", "gpu/flow", "formulas/chain", "gpu/chain",
+             "gpu/sine", "formulas/gullies", "gpu/recipe"]
 
 # The functions of the heads: operators of floats, conversions by what comes of what, and ?: .
 HOOKS = {"+": "add", "-": "sub", "*": "mul"}

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The chain rule over samples, a block of points at a time; the reference is scalar/chain.h.
+ * The chain rule over samples, a block of points at a time; the reference is formulas/chain.h.
  *
  * Each output is a line: a loop over one array, or a few, which writes another. Lines of functions
  * that are given by partial derivatives take these from arrays, which are made first (or come from

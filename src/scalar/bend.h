@@ -100,7 +100,7 @@ static void jordan(struct bend *bend, const struct bend_octave *b, float erosion
                    const struct outputs *n, int is_first, int dimensions)
 {
     const float value = n->of[VALUE], square = value * value;
-    const float p = 1.0f / (1.0f + dot(bend->s, bend->s, dimensions));
+    const float p = 1.0f / (1.0f + dot_of(bend->s, bend->s, dimensions));
     const float q = is_first ? 1.0f : 1.0f - erosion * p;
     const float damping = is_first ? 0.0f : 2.0f * erosion * (p * p) * square;
     float by[3];

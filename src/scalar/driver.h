@@ -25,7 +25,7 @@ static struct outputs turning_of(const struct scarp_call_plan *plan, int k,
         return (struct outputs){{0.0f}};
     }
     const struct outputs turning = basis_turning(plan, o, at, dimensions);
-    return scaled(&turning, slope, slope, slope);
+    return scaled_outputs(&turning, slope, slope, slope);
 }
 
 /* Octave k, as it is added to the sum. */
@@ -50,7 +50,7 @@ static struct outputs octave_at(const struct scarp_call_plan *plan, int k, const
         break;
     case SCARP_HYBRID: n = hybrid(&state->weight, &n, plan->sharpness, o->share); break;
     case SCARP_EROSION:
-        basis = scaled(&basis, o->amplitude, o->amplitude, o->amplitude);
+        basis = scaled_outputs(&basis, o->amplitude, o->amplitude, o->amplitude);
         n = erode(&state->slopes, plan->erosion, o, turned, &basis, dimensions);
         n.of[DPHASE] = erode_turning(&state->slopes, state->by_phase, plan->erosion,
                                      basis.of[VALUE], &turning, dimensions);
@@ -59,7 +59,7 @@ static struct outputs octave_at(const struct scarp_call_plan *plan, int k, const
     case SCARP_JORDAN: break; /* bend.h */
     }
     n.of[DPHASE] *= slope;
-    return scaled(&n, o->weight, slope, slope);
+    return scaled_outputs(&n, o->weight, slope, slope);
 }
 
 static struct outputs sum_octaves(const struct scarp_call_plan *plan, const struct point *x,

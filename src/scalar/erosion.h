@@ -17,7 +17,7 @@ struct slopes {
     float d[3], jacobian[3][3];
 };
 
-static inline float dot(const float a[3], const float b[3], int dimensions)
+static inline float dot_of(const float a[3], const float b[3], int dimensions)
 {
     const float d = a[0] * b[0] + a[1] * b[1];
     return dimensions == 3 ? d + a[2] * b[2] : d;
@@ -32,7 +32,7 @@ static inline struct outputs erode(struct slopes *slopes, float erosion,
     for (int i = 0; i < dimensions; i++) {
         d[i] += n->of[DX + i];
     }
-    const float q = 1.0f / (1.0f + erosion * dot(d, d, dimensions));
+    const float q = 1.0f / (1.0f + erosion * dot_of(d, d, dimensions));
     const float damping = 2.0f * erosion * n->of[VALUE] * (q * q);
     struct outputs s = {{[VALUE] = q * n->of[VALUE]}};
     for (int j = 0; j < dimensions; j++) {
@@ -43,7 +43,7 @@ static inline struct outputs erode(struct slopes *slopes, float erosion,
             column[i] = slopes->jacobian[i][j];
         }
         s.of[DX + j] = q * to_input(o, turned, j, &n->of[DX], dimensions) -
-                       damping * dot(column, d, dimensions);
+                       damping * dot_of(column, d, dimensions);
     }
     return s;
 }
@@ -56,9 +56,9 @@ static inline float erode_turning(const struct slopes *slopes, float by_phase[3]
     for (int i = 0; i < dimensions; i++) {
         by_phase[i] += turning->of[DX + i];
     }
-    const float q = 1.0f / (1.0f + erosion * dot(slopes->d, slopes->d, dimensions));
+    const float q = 1.0f / (1.0f + erosion * dot_of(slopes->d, slopes->d, dimensions));
     const float damping = 2.0f * erosion * n * (q * q);
-    return q * turning->of[VALUE] - damping * dot(by_phase, slopes->d, dimensions);
+    return q * turning->of[VALUE] - damping * dot_of(by_phase, slopes->d, dimensions);
 }
 
 #endif

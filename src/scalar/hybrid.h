@@ -31,7 +31,7 @@ static inline struct outputs hybrid_weight(const struct outputs *u, float share)
     if (!(fabsf(t) < 1.0f)) {
         return (struct outputs){{[VALUE] = t < 0.0f ? -1.0f : 1.0f}};
     }
-    struct outputs weight = scaled(u, share, share, share);
+    struct outputs weight = scaled_outputs(u, share, share, share);
     weight.of[DPHASE] *= share;
     return weight;
 }

@@ -31,7 +31,7 @@ static inline struct outputs next_weight(const struct outputs *s)
     if (!(2.0f * s->of[VALUE] < 1.0f)) {
         return (struct outputs){{[VALUE] = 1.0f}};
     }
-    struct outputs weight = scaled(s, 2.0f, 2.0f, 2.0f);
+    struct outputs weight = scaled_outputs(s, 2.0f, 2.0f, 2.0f);
     weight.of[DPHASE] *= 2.0f;
     return weight;
 }

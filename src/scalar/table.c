@@ -12,7 +12,7 @@
 #include "curl.h"
 #include "gullies.h"
 
-static void put(const struct scarp_outputs *out, size_t i, const struct outputs *s)
+static void put_outputs(const struct scarp_outputs *out, size_t i, const struct outputs *s)
 {
     for (int output = 0; output < OUTPUTS; output++) {
         if (out->array[output] != NULL) {
@@ -40,7 +40,7 @@ static void points(const struct scarp_call_plan *plan, size_t count, const void 
     for (size_t i = 0; i < count; i++) {
         const struct point x = point_at(position, i, dimensions, doubles);
         const struct outputs sum = sample_at(plan, &x, dimensions);
-        put(out, i, &sum);
+        put_outputs(out, i, &sum);
     }
 }
 
@@ -82,7 +82,7 @@ static void grid2(const struct scarp_call_plan *plan, const struct scarp_grid *g
         for (size_t i = 0; i < grid->count[0]; i++) {
             x.f64[0] = coordinate(grid, 0, i);
             const struct outputs sum = sample_at(plan, &x, 2);
-            put(out, j * grid->row_stride + i, &sum);
+            put_outputs(out, j * grid->row_stride + i, &sum);
         }
     }
 }
@@ -98,7 +98,7 @@ static void grid3(const struct scarp_call_plan *plan, const struct scarp_grid *g
             for (size_t i = 0; i < grid->count[0]; i++) {
                 x.f64[0] = coordinate(grid, 0, i);
                 const struct outputs sum = sample_at(plan, &x, 3);
-                put(out, k * grid->slice_stride + j * grid->row_stride + i, &sum);
+                put_outputs(out, k * grid->slice_stride + j * grid->row_stride + i, &sum);
             }
         }
     }
@@ -181,7 +181,7 @@ static void components(const struct scarp_call_plan *plan, size_t count,
             of[c] = component_at(plan, &x, dimensions, c);
         }
         for (int c = 0; c < dimensions; c++) {
-            put(out[c], i, &of[c]);
+            put_outputs(out[c], i, &of[c]);
         }
     }
 }

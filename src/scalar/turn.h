@@ -29,8 +29,8 @@ static inline int second(int i, int j)
 }
 
 /* Multiplies the outputs of each order by a factor of their own, but for DPHASE. */
-static inline struct outputs scaled(const struct outputs *n, float value, float gradient,
-                                    float hessian)
+static inline struct outputs scaled_outputs(const struct outputs *n, float value, float gradient,
+                                            float hessian)
 {
     struct outputs s;
     for (int i = 0; i < OUTPUTS; i++) {
@@ -63,7 +63,8 @@ static inline struct outputs turn(const struct scarp_octave *o, const struct out
 static inline struct outputs in_input(const struct scarp_octave *o, int turned,
                                       const struct outputs *n, int dimensions)
 {
-    return turned ? turn(o, n, dimensions) : scaled(n, o->amplitude, o->slope, o->curvature);
+    return turned ? turn(o, n, dimensions)
+                  : scaled_outputs(n, o->amplitude, o->slope, o->curvature);
 }
 
 #endif

@@ -1,11 +1,11 @@
 /* SPDX-License-Identifier: MIT
  *
- * Shaders: arithmetic with vectors and symmetric matrices.
+ * Formulas: arithmetic with vectors and symmetric matrices.
  */
-#ifndef SCARP_GPU_MATRICES_H
-#define SCARP_GPU_MATRICES_H
+#ifndef SCARP_FORMULAS_MATRICES_H
+#define SCARP_FORMULAS_MATRICES_H
 
-#include "../formulas/sample.h"
+#include "sample.h"
 
 static inline float dot(vec3 a, vec3 b, int dimensions)
 {
@@ -63,6 +63,17 @@ static inline struct sample scaled(struct sample n, float value, float gradient,
 {
     return sample_of(value * n.value, mul3(gradient, n.gradient), mul3(hessian, n.diagonal),
                      mul3(hessian, n.mixed));
+}
+
+/* v_i m_j + v_j m_i: the elements of a diagonal, and the others. */
+static inline vec3 crossed_diagonal(vec3 v, vec3 m)
+{
+    return vec3_of(v.x * m.x + v.x * m.x, v.y * m.y + v.y * m.y, v.z * m.z + v.z * m.z);
+}
+
+static inline vec3 crossed_mixed(vec3 v, vec3 m)
+{
+    return vec3_of(v.x * m.y + v.y * m.x, v.x * m.z + v.z * m.x, v.y * m.z + v.z * m.y);
 }
 
 #endif
