@@ -98,10 +98,19 @@ struct ScarpPlan {
     ScarpOctave octave[32];
 };
 
-/* The numbers of enum scarp_basis, but of cellular noise, and of enum scarp_fractal. */
+/* Numbers of bases, fades and fractals. */
+
 #define SCARP_GRADIENT 0u
 #define SCARP_VALUE 1u
 #define SCARP_SIMPLEX 2u
+#define SCARP_CELL_F1 3u
+#define SCARP_CELL_F2 4u
+#define SCARP_CELL_EDGE 5u
+#define SCARP_CELL_SOFT 6u
+#define SCARP_CELL_VALUE 7u
+
+#define SCARP_QUINTIC 0u
+#define SCARP_CUBIC 1u
 
 #define SCARP_FBM 0u
 #define SCARP_TURBULENCE 1u
@@ -527,8 +536,6 @@ struct ScarpLattice {
 };
 
 /* Bases that interpolate between lattice points. */
-
-#define SCARP_QUINTIC 0u
 
 /* A fade with its derivatives. */
 struct ScarpFade {
@@ -1194,13 +1201,6 @@ ScarpSample scarp_cell_value(ScarpFeature f)
     return scarp_sample_of(scarp_add(scarp_lattice_value(f.hash * SCARP_FEATURE_ID), zero), zeros,
             zeros, zeros);
 }
-
-/* The numbers of enum scarp_basis. */
-#define SCARP_CELL_F1 3u
-#define SCARP_CELL_F2 4u
-#define SCARP_CELL_EDGE 5u
-#define SCARP_CELL_SOFT 6u
-#define SCARP_CELL_VALUE 7u
 
 ScarpSample scarp_cells_at(ScarpLattice l, uint basis, ScarpLocation p, int dimensions)
 {

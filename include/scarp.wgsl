@@ -77,10 +77,19 @@ struct ScarpPlan {
     octave: array<ScarpOctave, 32>,
 }
 
-/* The numbers of enum scarp_basis, but of cellular noise, and of enum scarp_fractal. */
+/* Numbers of bases, fades and fractals. */
+
 const SCARP_GRADIENT: u32 = 0u;
 const SCARP_VALUE: u32 = 1u;
 const SCARP_SIMPLEX: u32 = 2u;
+const SCARP_CELL_F1: u32 = 3u;
+const SCARP_CELL_F2: u32 = 4u;
+const SCARP_CELL_EDGE: u32 = 5u;
+const SCARP_CELL_SOFT: u32 = 6u;
+const SCARP_CELL_VALUE: u32 = 7u;
+
+const SCARP_QUINTIC: u32 = 0u;
+const SCARP_CUBIC: u32 = 1u;
 
 const SCARP_FBM: u32 = 0u;
 const SCARP_TURBULENCE: u32 = 1u;
@@ -418,8 +427,6 @@ struct ScarpLattice {
 }
 
 /* Bases that interpolate between lattice points. */
-
-const SCARP_QUINTIC: u32 = 0u;
 
 /* A fade with its derivatives. */
 struct ScarpFade {
@@ -1040,13 +1047,6 @@ fn scarp_cell_value(f: ScarpFeature) -> ScarpSample {
     return scarp_sample_of(scarp_add(scarp_lattice_value(f.hash * SCARP_FEATURE_ID), zero), zeros,
             zeros, zeros);
 }
-
-/* The numbers of enum scarp_basis. */
-const SCARP_CELL_F1: u32 = 3u;
-const SCARP_CELL_F2: u32 = 4u;
-const SCARP_CELL_EDGE: u32 = 5u;
-const SCARP_CELL_SOFT: u32 = 6u;
-const SCARP_CELL_VALUE: u32 = 7u;
 
 fn scarp_cells_at(l: ScarpLattice, basis: u32, p: ScarpLocation, dimensions: i32) -> ScarpSample {
     if (basis == SCARP_CELL_SOFT) {

@@ -19,7 +19,8 @@
  *   makes them calls of functions that compilers of shaders neither fuse nor reorder. inverse()
  *   stands in for division.
  * - ?: chooses one of two numbers. Shaders compute both.
- * - A macro is the name of a number. No name of a variable is a word of a shading language.
+ * - A macro is the name of a number; so are the enumerators of bases, fades and fractals, as uint.
+ *   No name of a variable is a word of a shading language.
  *
  * Some functions are not the same in C and in shaders: magnitude(), floor_of(), either(),
  * inverse(), root() and lattice_value() of numbers.h, direction2(), direction3() and quarter3() of
@@ -31,6 +32,8 @@
 
 #include <stdbool.h>
 #include <stdint.h>
+
+#include "scarp.h"
 
 typedef unsigned int uint; /* so systems that have this type declare it */
 _Static_assert(sizeof(uint) == sizeof(uint32_t), "uint has 32 bits");

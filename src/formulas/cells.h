@@ -208,31 +208,24 @@ static inline struct sample cell_value(struct feature f)
     return sample_of(lattice_value(f.hash * FEATURE_ID) + zero, zeros, zeros, zeros);
 }
 
-/* The numbers of enum scarp_basis. */
-#define CELL_F1 3u
-#define CELL_F2 4u
-#define CELL_EDGE 5u
-#define CELL_SOFT 6u
-#define CELL_VALUE 7u
-
 static inline struct sample cells_at(struct lattice l, uint basis, struct location p,
                                      int dimensions)
 {
-    if (basis == CELL_SOFT) {
+    if (basis == SCARP_CELL_SOFT) {
         struct sample soft = soft_at(l, p, dimensions);
         soft.value += l.middle;
         return soft;
     }
     const struct nearest n = nearest_at(l, p, dimensions);
-    if (basis == CELL_VALUE) {
+    if (basis == SCARP_CELL_VALUE) {
         return cell_value(n.first);
     }
     const struct sample first = distance_to(n.first);
     struct sample s = distance_to(n.second);
-    if (basis == CELL_F1) {
+    if (basis == SCARP_CELL_F1) {
         s = first;
     }
-    if (basis == CELL_EDGE) {
+    if (basis == SCARP_CELL_EDGE) {
         s = difference_of(s, first);
     }
     s.value -= l.middle;

@@ -179,7 +179,7 @@ static inline float within_unit(float t)
 /* The quintic fade may exceed 1 by 2^-23. */
 static inline struct fade step_fade(float t)
 {
-    struct fade s = fade(QUINTIC, t);
+    struct fade s = fade(SCARP_QUINTIC, t);
     s.u = either(s.u > 1.0f, 1.0f, s.u);
     return s;
 }

@@ -21,8 +21,6 @@
 #include "lattice.h"
 #include "sample.h"
 
-#define QUINTIC 0u
-
 /* A fade with its derivatives. */
 struct fade {
     float u, du, ddu;
@@ -41,7 +39,7 @@ static inline struct fade fade(uint kind, float t)
     const float s = t - 1.0f;
     const float ts = t * s;
     struct fade f;
-    if (kind == QUINTIC) {
+    if (kind == SCARP_QUINTIC) {
         f.u = t * t * t * (s * (t * 6.0f - 9.0f) + 1.0f);
         f.du = 30.0f * (ts * ts);
         f.ddu = 60.0f * ts * (t + s);

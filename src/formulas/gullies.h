@@ -211,8 +211,8 @@ static inline struct pair2 blend_slope(struct pair2 by_weights, float t, struct 
 static inline struct pair_jet blend_of(struct lattice l, struct gully_octave o, struct location p,
                                        struct pair_jet t)
 {
-    const struct fade fx = fade(QUINTIC, p.t.x);
-    const struct fade fy = fade(QUINTIC, p.t.y);
+    const struct fade fx = fade(SCARP_QUINTIC, p.t.x);
+    const struct fade fy = fade(SCARP_QUINTIC, p.t.y);
     const struct pair2 q = product2(o.waves, t.value);
     const float waves = q.x * p.t.x + q.y * p.t.y;
     const float waves_y = waves - q.y;

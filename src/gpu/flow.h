@@ -40,7 +40,7 @@ static inline struct cells cells_around(struct octave o, struct location p, floa
 static inline struct cells cells_in(uint plan, vec3 x, int dimensions)
 {
     const struct octave o = octave_of(plan, 0u);
-    const struct location p = location_of(o, CELL_F1, false, x, dimensions);
+    const struct location p = location_of(o, SCARP_CELL_F1, false, x, dimensions);
     return cells_around(o, p, o.inverse, x, dimensions);
 }
 

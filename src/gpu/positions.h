@@ -60,7 +60,7 @@ static inline struct location location_of(struct octave o, uint basis, bool turn
                                           int dimensions)
 {
     vec3 p = position_of(o, turned, x, dimensions);
-    if (basis == SIMPLEX && dimensions == 2) {
+    if (basis == SCARP_SIMPLEX && dimensions == 2) {
         p.y *= o.turn.z;
     }
     const struct split sx = split(p.x, o.last.x);

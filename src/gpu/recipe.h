@@ -157,7 +157,7 @@ static inline struct gully gully_with(struct gully state, struct gully_shape g, 
     own.waves = pair_of(o.turn.z, o.turn.w);
     own.angles = pair_of(o.gradient_x.x, o.gradient_x.y);
     own.cells = pair_of(o.gradient_y.x, o.gradient_y.y);
-    const struct location p = location_of(o, GRADIENT, turned, x, 2);
+    const struct location p = location_of(o, SCARP_GRADIENT, turned, x, 2);
     return gully_octave_at(g, own, lattice_of(o, l), p, state);
 }
 

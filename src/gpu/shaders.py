@@ -16,7 +16,7 @@ import textwrap
 
 sys.dont_write_bytecode = True  # among the sources
 from subset import (BLANK, RANK, Assign, Comment, Declare, Define, For, Function,  # noqa: E402
-                    Known, Refused, Return, Source, Struct)
+                    Known, Refused, Return, Source, Struct, Tree)
 
 SRC = pathlib.Path(__file__).resolve().parent.parent
 INCLUDE = SRC.parent / "include"
@@ -34,9 +34,23 @@ CASTS = {("float", "int"): "float_of_int", ("float", "uint"): "float_of_uint",
 PICKS = {"float": "pick", "int": "pick_int", "uint": "pick_uint"}
 
 
+def enumerators():
+    """The bases, fades and fractals of scarp.h as constants."""
+    text = re.sub(r"/\*.*?\*/", "", (INCLUDE / "scarp.h").read_text(), flags=re.S)
+    found = [Comment("/* Shaders: numbers of bases, fades and fractals. */")]
+    for kind in ("basis", "fade", "fractal"):
+        names = re.search(rf"enum scarp_{kind} {{(.*?)}};", text, re.S)[1]
+        found += [BLANK] + [Define(name, Tree("number", "uint", f"{i}u"))
+                            for i, name in enumerate(re.findall(r"SCARP_(\w+)", names))]
+    return found
+
+
 def known_at_first():
     """What the files named c.h and the heads declare."""
     known = Known()
+    for it in enumerators():
+        if isinstance(it, Define):
+            known.constants["SCARP_" + it.name] = it.value.type
     known.values["scarp_plan"] = "plan[]"
     head = r"static inline (\w+) (\w+)\(([^)]*)\)"
     for room in ("formulas", "gpu"):
@@ -90,7 +104,7 @@ class Glsl:
         if tree.kind == "name":
             return tree.text
         if tree.kind == "constant":
-            return f"SCARP_{tree.text}"
+            return f"SCARP_{tree.text.replace('SCARP_', '')}"
         if tree.kind == "member":
             return f"{self.show(parts[0])}.{tree.text}"
         if tree.kind == "index":
@@ -273,6 +287,7 @@ def main():
     try:
         parts = {name: [Source(SRC / f"{file}.h", known).file() for file in files]
                  for name, files in (("STRUCTURES", STRUCTURES), ("FUNCTIONS", FUNCTIONS))}
+        parts["STRUCTURES"].append(enumerators())
     except Refused as why:
         print(why)
         return 1

@@ -17,11 +17,6 @@
 #include "../formulas/simplex.h"
 #include "../formulas/value.h"
 
-_Static_assert(QUINTIC == SCARP_QUINTIC && CELL_F1 == SCARP_CELL_F1 && CELL_F2 == SCARP_CELL_F2 &&
-                   CELL_EDGE == SCARP_CELL_EDGE && CELL_SOFT == SCARP_CELL_SOFT &&
-                   CELL_VALUE == SCARP_CELL_VALUE,
-               "the formulas have the numbers of scarp.h");
-
 /* A basis, or a sum of octaves, at one point. In 2D the outputs along z are not used. */
 struct outputs {
     float of[OUTPUTS];
