@@ -44,7 +44,7 @@ precision highp int;
 #define SCARP_BINDING 0
 #endif
 
-/* The constants of a noise, member by member as scarp_gpu_plan_make gives them. */
+/* The constants of octaves, and of what they are octaves of. */
 
 /* turn: with a phase the cosine and sine of the angle, then of twice that; of bases that take
    places the jitter, the middle and the stretch. */
@@ -88,6 +88,8 @@ struct ScarpLevel {
     float inverse_weight;
     float spare1;
 };
+
+/* The constants of a noise, as scarp_gpu_plan_make gives them. */
 
 struct ScarpPlan {
     uint depth;
@@ -212,14 +214,9 @@ float scarp_mul(float a, float b)
 #define scarp_rough_inverse(a) (1.0 / (a))
 #define scarp_rough_root(a) sqrt(a)
 
-/* Bits of floats, and the two operations that shading languages only approximate. */
+/* Signs of floats. */
 
 #define SCARP_SIGN 0x80000000u
-
-float scarp_magnitude(float a)
-{
-    return scarp_float_of_bits(scarp_bits_of(a) & 0x7fffffffu);
-}
 
 /* Whether the sign bit is set. */
 bool scarp_is_negative(float a)
@@ -231,6 +228,19 @@ bool scarp_is_negative(float a)
 float scarp_with_bit(float a, uint bit)
 {
     return scarp_float_of_bits(scarp_bits_of(a) ^ (bit << 31u));
+}
+
+/* sign(n) a, and 0 where n is 0. */
+float scarp_with_sign(float a, float n)
+{
+    return scarp_pick(n == 0.0f, 0.0f, scarp_with_bit(a, scarp_bits_of(n) >> 31u));
+}
+
+/* The operations that shading languages only approximate, and others of numbers. */
+
+float scarp_magnitude(float a)
+{
+    return scarp_float_of_bits(scarp_bits_of(a) & 0x7fffffffu);
 }
 
 /* One of two numbers. */
@@ -1227,8 +1237,6 @@ ScarpSample scarp_cells_at(ScarpLattice l, uint basis, ScarpLocation p, int dime
 
 /* One octave of noise with gradient and Hessian, in units of cells. */
 
-/* What the formulas leave to shaders */
-
 ScarpLattice scarp_lattice_of(ScarpOctave o, ScarpLevel l)
 {
     ScarpLattice lattice = ScarpLattice(o.key, o.last, l.flows != 0u, o.turn, o.turn.x, o.turn.y,
@@ -1364,23 +1372,32 @@ ScarpSplit scarp_split(float p, uint last)
     return s;
 }
 
-/* Along each axis p = J x + o, where axes are turned, else p = f x + o. */
-vec3 scarp_position_of(ScarpOctave o, bool turned, vec3 x, int dimensions)
+/* J x where axes are turned, else f x: how many cells of the octave x is along each axis. */
+vec3 scarp_cells_along(ScarpOctave o, bool turned, vec3 x, int dimensions)
 {
     vec3 p = scarp_mul3(o.frequency, x);
     if (turned) {
         p = scarp_times(scarp_rows_of(o.jacobian_x, o.jacobian_y, o.jacobian_z), x, dimensions);
     }
-    return scarp_add3(p, scarp_vec3_of(o.offset_x, o.offset_y, o.offset_z));
+    return p;
 }
 
 /* Along y, triangles of simplex noise count their rows. */
-ScarpLocation scarp_location_of(ScarpOctave o, uint basis, bool turned, vec3 x, int dimensions)
+vec3 scarp_stretched(ScarpOctave o, uint basis, vec3 cells, int dimensions)
 {
-    vec3 p = scarp_position_of(o, turned, x, dimensions);
+    vec3 p = cells;
     if (basis == SCARP_SIMPLEX && dimensions == 2) {
         p.y = scarp_mul(p.y, o.turn.z);
     }
+    return p;
+}
+
+/* Along each axis p = J x + o, where axes are turned, else p = f x + o. */
+ScarpLocation scarp_location_of(ScarpOctave o, uint basis, bool turned, vec3 x, int dimensions)
+{
+    vec3 offset = scarp_vec3_of(o.offset_x, o.offset_y, o.offset_z);
+    vec3 cells = scarp_add3(scarp_cells_along(o, turned, x, dimensions), offset);
+    vec3 p = scarp_stretched(o, basis, cells, dimensions);
     ScarpSplit sx = scarp_split(p.x, o.last.x);
     ScarpSplit sy = scarp_split(p.y, o.last.y);
     ScarpLocation at = ScarpLocation(uvec3(sx.cell, sy.cell, 0u), uvec3(scarp_cell_after(o.last.x,
@@ -1394,7 +1411,7 @@ ScarpLocation scarp_location_of(ScarpOctave o, uint basis, bool turned, vec3 x, 
     return at;
 }
 
-/* What fractals make of an octave, but for those that bend. */
+/* What fractals make of an octave n, but for those that bend. */
 
 ScarpRows scarp_jacobian_of(ScarpOctave o)
 {
@@ -1424,7 +1441,8 @@ ScarpSample scarp_with_hessian(ScarpSample n, ScarpRows a, ScarpRows b, ScarpRow
     return s;
 }
 
-/* The octave times its amplitude, in the axes of the input. */
+/* The octave times its amplitude a, in the axes of the input: the gradient is (a J)^T g, the
+   Hessian (a J)^T (H J). Where axes are not turned J is f, so the factors are a f and a f^2. */
 ScarpSample scarp_in_input(ScarpOctave o, bool turned, ScarpSample n, int dimensions)
 {
     ScarpSample s = scarp_scaled(n, o.amplitude, o.slope, o.curvature);
@@ -1438,25 +1456,21 @@ ScarpSample scarp_in_input(ScarpOctave o, bool turned, ScarpSample n, int dimens
     return s;
 }
 
-/* sign(n) a, and 0 where n is 0. */
-float scarp_with_sign(float a, float n)
-{
-    return scarp_pick(n == 0.0f, 0.0f, scarp_with_bit(a, scarp_bits_of(n) >> 31u));
-}
-
 vec3 scarp_with_sign3(vec3 a, float n)
 {
     return scarp_vec3_of(scarp_with_sign(a.x, n), scarp_with_sign(a.y, n), scarp_with_sign(a.z, n));
 }
 
-/* |n|: turbulence */
+/* Turbulence */
 ScarpSample scarp_magnitude_of(ScarpSample n)
 {
     return scarp_sample_of(scarp_with_sign(n.value, n.value), scarp_with_sign3(n.gradient, n.value),
             scarp_with_sign3(n.diagonal, n.value), scarp_with_sign3(n.mixed, n.value));
 }
 
-/* Ping-pong. The derivatives lack their factor 2 sharpness, which comes with the weight. */
+/* Ping-pong: 1 - 2 |e|, where e = 1 - (t mod 2) rises where t falls. The derivatives lack their
+   factor 2 sharpness, which comes with the weight, and are 0 on creases, where the value is 1 or
+   -1. */
 ScarpSample scarp_pingpong(ScarpSample n, float sharpness)
 {
     float t = scarp_mul(scarp_add(n.value, 1.0f), sharpness);
@@ -1468,7 +1482,9 @@ ScarpSample scarp_pingpong(ScarpSample n, float sharpness)
             slope), scarp_with_sign3(n.mixed, slope));
 }
 
-/* Ridged noise: v r^2 with v = weight and r = 1 - m. */
+/* Ridged noise: v r^2 with v = weight and r = 1 - m, m being |n|. Its derivatives are
+       r^2 v_i - 2 v r m_i
+       r^2 v_ij - 2 r (v_i m_j + v_j m_i) + 2 v m_i m_j - 2 v r m_ij */
 float scarp_ridge_first(float v, float vi, float r, float mi)
 {
     return scarp_sub(scarp_mul(scarp_mul(r, r), vi), scarp_mul(scarp_mul(scarp_mul(2.0f, v), r),
@@ -1518,7 +1534,9 @@ ScarpSample scarp_ridge_weight(ScarpSample s)
     return weight;
 }
 
-/* Hybrid noise: v r with v = weight and r = n + sharpness. */
+/* Hybrid noise: v r with v = weight and r = n + sharpness. Its derivatives are
+       r v_i + v n_i
+       r v_ij + v n_ij + v_i n_j + v_j n_i */
 ScarpSample scarp_hybrid(ScarpSample weight, ScarpSample n, float sharpness)
 {
     float v = weight.value;
@@ -1577,7 +1595,7 @@ ScarpSample scarp_eroded(ScarpSlopes slopes, float erosion, float n, vec3 gradie
     return s;
 }
 
-/* The fractals that bend. */
+/* The fractals that bend, Swiss and Jordan noise. */
 
 /* What goes from octave to octave. `weight`: ridged and hybrid noise; `slopes`: erosion and those
    that bend; `left`: how much of the octaves Swiss noise leaves, with its gradient. */
@@ -1589,8 +1607,8 @@ struct ScarpState {
     vec3 left_by;
 };
 
-/* A gradient by bent positions becomes one by x: A^T g with A = I + reach (Jacobian of the slopes).
- */
+/* A gradient with respect to bent positions becomes one with respect to x: A^T g with A = I + reach
+   (Jacobian of the slopes). */
 vec3 scarp_unbent(ScarpSlopes slopes, float reach, vec3 g, int dimensions)
 {
     return scarp_add3(g, scarp_mul3(reach, scarp_transposed_times(slopes.jacobian, g, dimensions)));
@@ -1619,13 +1637,15 @@ ScarpSlopes scarp_with_slope(ScarpSlopes slopes, ScarpOctave o, ScarpSample n, f
     return s;
 }
 
+/* Swiss noise adds a u v with v = max(0, 1 - |n|), n being bent; S loses (a / a_0) u n g / f, and u
+   is multiplied by the sum over a_0, at most by 1. */
 ScarpState scarp_swiss(ScarpState state, ScarpOctave o, float inverse_weight, ScarpSample n,
         int dimensions)
 {
     float share = scarp_mul(o.weight, inverse_weight);
     float u = state.left;
     float rest = scarp_sub(1.0f, scarp_magnitude(n.value));
-    float v = scarp_pick(rest < 0.0f, 0.0f, rest);
+    float v = scarp_pick(rest < 0.0f, 0.0f, rest); /* NaN stays */
     vec3 nj = scarp_unbent(state.slopes, o.reach, n.gradient, dimensions);
     vec3 none = scarp_vec3_of(0.0f, 0.0f, 0.0f);
     vec3 vj = scarp_with_sign3(nj, n.value);
@@ -1648,6 +1668,8 @@ ScarpState scarp_swiss(ScarpState state, ScarpOctave o, float inverse_weight, Sc
     return s;
 }
 
+/* Jordan noise adds a q n^2 with q = 1 - erosion / (1 + S.S), but 1 in octave 0; S gains n g / f.
+ */
 ScarpState scarp_jordan(ScarpState state, ScarpOctave o, float erosion, bool first, ScarpSample n,
         int dimensions)
 {
@@ -1667,19 +1689,20 @@ ScarpState scarp_jordan(ScarpState state, ScarpOctave o, float erosion, bool fir
     return s;
 }
 
-/* The sum of the octaves at one point. */
+/* The sum of octaves. */
 
-ScarpOctave scarp_octave_of(uint plan, uint k)
+/* What octave 0 adds to. */
+ScarpState scarp_no_octaves()
 {
-    return scarp_plan[plan].octave[k];
-}
-
-ScarpLevel scarp_level_of(uint plan, int i)
-{
-    ScarpLevel l = scarp_plan[plan].level[i];
-    l.basis = scarp_only_basis(l.basis);
-    l.fractal = scarp_only_fractal(l.fractal);
-    return l;
+    vec3 none = scarp_vec3_of(0.0f, 0.0f, 0.0f);
+    ScarpState state;
+    state.sum = scarp_constant(0.0f);
+    state.weight = scarp_constant(1.0f);
+    state.slopes.d = none;
+    state.slopes.jacobian = scarp_rows_of(none, none, none);
+    state.left = 1.0f;
+    state.left_by = none;
+    return state;
 }
 
 /* Where octave k looks, which those before have bent if it is one of a fractal that bends. */
@@ -1741,73 +1764,44 @@ ScarpState scarp_with_erosion(ScarpState state, ScarpOctave o, ScarpLevel l, Sca
     return s;
 }
 
-/* Adds octave k of level l at x. */
-ScarpState scarp_with_octave(ScarpState state, ScarpOctave o, ScarpLevel l, uint k, vec3 x,
-        int dimensions)
+/* Adds an octave n, in the axes of the input, of any fractal but erosion. */
+ScarpState scarp_with_noise(ScarpState state, ScarpOctave o, ScarpLevel l, bool first,
+        ScarpSample n, int dimensions)
 {
-    bool turned = l.rotate != 0u && k > 0u;
-    vec3 y = x;
-    if (l.fractal == SCARP_SWISS || l.fractal == SCARP_JORDAN) {
-        y = scarp_bent(state, o, k, x);
-    }
-    ScarpLocation p = scarp_location_of(o, l.basis, turned, y, dimensions);
-    ScarpSample basis = scarp_basis_at(o, l, p, dimensions);
     ScarpState s;
-    if (l.fractal == SCARP_EROSION) {
-        s = scarp_with_erosion(state, o, l, basis, turned, dimensions);
+    if (l.fractal == SCARP_SWISS) {
+        s = scarp_swiss(state, o, l.inverse_weight, n, dimensions);
+    } else if (l.fractal == SCARP_JORDAN) {
+        s = scarp_jordan(state, o, l.erosion, first, n, dimensions);
+    } else if (l.fractal == SCARP_TURBULENCE) {
+        s = scarp_with_turbulence(state, o, n);
+    } else if (l.fractal == SCARP_RIDGED) {
+        s = scarp_with_ridged(state, o, n);
+    } else if (l.fractal == SCARP_PINGPONG) {
+        s = scarp_with_pingpong(state, o, l, n);
+    } else if (l.fractal == SCARP_HYBRID) {
+        s = scarp_with_hybrid(state, o, l, n);
     } else {
-        ScarpSample n = scarp_in_input(o, turned, basis, dimensions);
-        if (l.fractal == SCARP_SWISS) {
-            s = scarp_swiss(state, o, l.inverse_weight, n, dimensions);
-        } else if (l.fractal == SCARP_JORDAN) {
-            s = scarp_jordan(state, o, l.erosion, k == 0u, n, dimensions);
-        } else if (l.fractal == SCARP_TURBULENCE) {
-            s = scarp_with_turbulence(state, o, n);
-        } else if (l.fractal == SCARP_RIDGED) {
-            s = scarp_with_ridged(state, o, n);
-        } else if (l.fractal == SCARP_PINGPONG) {
-            s = scarp_with_pingpong(state, o, l, n);
-        } else if (l.fractal == SCARP_HYBRID) {
-            s = scarp_with_hybrid(state, o, l, n);
-        } else {
-            s = scarp_with_fbm(state, n);
-        }
+        s = scarp_with_fbm(state, n);
     }
     return s;
 }
 
-/* What octave 0 adds to. */
-ScarpState scarp_no_octaves()
+/* Adds an octave of the basis, in its own axes. */
+ScarpState scarp_with_basis(ScarpState state, ScarpOctave o, ScarpLevel l, bool first, bool turned,
+        ScarpSample basis, int dimensions)
 {
-    vec3 none = scarp_vec3_of(0.0f, 0.0f, 0.0f);
-    ScarpState state;
-    state.sum = scarp_constant(0.0f);
-    state.weight = scarp_constant(1.0f);
-    state.slopes.d = none;
-    state.slopes.jacobian = scarp_rows_of(none, none, none);
-    state.left = 1.0f;
-    state.left_by = none;
-    return state;
-}
-
-/* The noise of a component of a level, without warps; component 0 of a level that has one. */
-ScarpSample scarp_octaves_at(uint plan, ScarpLevel given, uint component, vec3 x, int dimensions)
-{
-    bool shares_lattice = given.basis == SCARP_GRADIENT || given.basis == SCARP_VALUE;
-    ScarpLevel l = given;
-    ScarpState state = scarp_no_octaves();
-    if (shares_lattice) {
-        l.component = component;
+    ScarpState s;
+    if (l.fractal == SCARP_EROSION) {
+        s = scarp_with_erosion(state, o, l, basis, turned, dimensions);
     } else {
-        l.first = given.first + component * given.octaves;
+        s = scarp_with_noise(state, o, l, first, scarp_in_input(o, turned, basis, dimensions),
+                dimensions);
     }
-    for (uint k = 0u; k < l.octaves; k++) {
-        state = scarp_with_octave(state, scarp_octave_of(plan, l.first + k), l, k, x, dimensions);
-    }
-    return state.sum;
+    return s;
 }
 
-/* Noise with warps, as scalar/warp. */
+/* Noise at displaced positions. */
 
 /* The coordinates of displaced positions, with their derivatives: how far they are displaced. */
 struct ScarpDisplaced {
@@ -1816,8 +1810,9 @@ struct ScarpDisplaced {
     ScarpSample z;
 };
 
-/* A sample at y with its derivatives by y becomes one with its derivatives by x: with the Jacobian
-   J of y, the gradient is J^T g, the Hessian J^T (H J) + sum_m g_m (Hessian of y_m). */
+/* A sample with its derivatives with respect to y becomes one with those with respect to x: with
+   the Jacobian J of y, the gradient is J^T g, the Hessian J^T (H J) + sum_m g_m (Hessian of y_m).
+ */
 ScarpSample scarp_composed(ScarpSample s, ScarpDisplaced y, int dimensions)
 {
     ScarpRows j = scarp_transposed(scarp_rows_of(y.x.gradient, y.y.gradient, y.z.gradient));
@@ -1865,6 +1860,92 @@ ScarpDisplaced scarp_displaced_of(ScarpSample x, ScarpSample y, ScarpSample z)
     d.z = z;
     return d;
 }
+
+/* Velocities without divergence. */
+
+/* A velocity without divergence, and the rows of its Jacobian: the derivatives of each component.
+ */
+struct ScarpFlow {
+    vec3 velocity;
+    vec3 x;
+    vec3 y;
+    vec3 z;
+};
+
+/* Of a potential in the plane, v = (psi_y, -psi_x); nothing along z. */
+ScarpFlow scarp_curl_in_plane(ScarpSample psi)
+{
+    ScarpFlow f;
+    f.velocity = scarp_vec3_of(psi.gradient.y, -psi.gradient.x, 0.0f);
+    f.x = scarp_vec3_of(psi.mixed.x, psi.diagonal.y, 0.0f);
+    f.y = scarp_vec3_of(-psi.diagonal.x, -psi.mixed.x, 0.0f);
+    f.z = scarp_vec3_of(0.0f, 0.0f, 0.0f);
+    return f;
+}
+
+/* Of three potentials, with i, j, k = x, y, z in turn, v_i = d_j psi_k - d_k psi_j. */
+ScarpFlow scarp_curl_in_space(ScarpDisplaced psi)
+{
+    ScarpRows a = scarp_hessian_of(psi.x);
+    ScarpRows b = scarp_hessian_of(psi.y);
+    ScarpRows c = scarp_hessian_of(psi.z);
+    ScarpFlow f;
+    f.velocity = scarp_vec3_of(scarp_sub(psi.z.gradient.y, psi.y.gradient.z),
+            scarp_sub(psi.x.gradient.z, psi.z.gradient.x), scarp_sub(psi.y.gradient.x,
+            psi.x.gradient.y));
+    f.x = scarp_sub3(c.y, b.z);
+    f.y = scarp_sub3(a.z, c.x);
+    f.z = scarp_sub3(b.x, a.y);
+    return f;
+}
+
+/* The sum of the octaves at one point. */
+
+ScarpOctave scarp_octave_of(uint plan, uint k)
+{
+    return scarp_plan[plan].octave[k];
+}
+
+ScarpLevel scarp_level_of(uint plan, int i)
+{
+    ScarpLevel l = scarp_plan[plan].level[i];
+    l.basis = scarp_only_basis(l.basis);
+    l.fractal = scarp_only_fractal(l.fractal);
+    return l;
+}
+
+/* Adds octave k of level l at x. */
+ScarpState scarp_with_octave(ScarpState state, ScarpOctave o, ScarpLevel l, uint k, vec3 x,
+        int dimensions)
+{
+    bool turned = l.rotate != 0u && k > 0u;
+    vec3 y = x;
+    if (l.fractal == SCARP_SWISS || l.fractal == SCARP_JORDAN) {
+        y = scarp_bent(state, o, k, x);
+    }
+    ScarpLocation p = scarp_location_of(o, l.basis, turned, y, dimensions);
+    ScarpSample basis = scarp_basis_at(o, l, p, dimensions);
+    return scarp_with_basis(state, o, l, k == 0u, turned, basis, dimensions);
+}
+
+/* The noise of a component of a level, without warps; component 0 of a level that has one. */
+ScarpSample scarp_octaves_at(uint plan, ScarpLevel given, uint component, vec3 x, int dimensions)
+{
+    bool shares_lattice = given.basis == SCARP_GRADIENT || given.basis == SCARP_VALUE;
+    ScarpLevel l = given;
+    ScarpState state = scarp_no_octaves();
+    if (shares_lattice) {
+        l.component = component;
+    } else {
+        l.first = given.first + component * given.octaves;
+    }
+    for (uint k = 0u; k < l.octaves; k++) {
+        state = scarp_with_octave(state, scarp_octave_of(plan, l.first + k), l, k, x, dimensions);
+    }
+    return state.sum;
+}
+
+/* Noise with warps, and the self-test of scarp_gpu_answers. */
 
 /* Components of a level, each at `at`, by x; `y` says how that depends on x, unless the level is
    the deepest. */
@@ -1994,7 +2075,7 @@ uint scarp_answer3(uint plan, uint order, uint i)
     return scarp_hash_with_sample(0u, s, order, 3);
 }
 
-/* Cells and velocities, as scalar/table. */
+/* Cells and velocities of a plan. */
 
 /* What scarp_cells2 and scarp_cells3 give: distances to the nearest feature and to the second,
    their gradients, and the place of the nearest. */
@@ -2044,43 +2125,16 @@ ScarpCells scarp_cells3(uint plan, float x, float y, float z)
     return scarp_cells_in(plan, scarp_vec3_of(x, y, z), 3);
 }
 
-/* A velocity without divergence, and the rows of its Jacobian: the derivatives of each component.
- */
-struct ScarpFlow {
-    vec3 velocity;
-    vec3 x;
-    vec3 y;
-    vec3 z;
-};
-
 /* What scarp_curl2 gives; nothing along z. */
 ScarpFlow scarp_curl2(uint plan, float x, float y)
 {
-    ScarpSample psi = scarp_sample2(plan, x, y);
-    vec3 none = scarp_vec3_of(0.0f, 0.0f, 0.0f);
-    ScarpFlow f;
-    f.velocity = scarp_vec3_of(psi.gradient.y, -psi.gradient.x, 0.0f);
-    f.x = scarp_vec3_of(psi.mixed.x, psi.diagonal.y, 0.0f);
-    f.y = scarp_vec3_of(-psi.diagonal.x, -psi.mixed.x, 0.0f);
-    f.z = none;
-    return f;
+    return scarp_curl_in_plane(scarp_sample2(plan, x, y));
 }
 
 /* What scarp_curl3 gives, of a plan by scarp_gpu_vector_plan_make. */
 ScarpFlow scarp_curl3(uint plan, float x, float y, float z)
 {
-    ScarpDisplaced psi = scarp_vector3(plan, x, y, z);
-    ScarpRows a = scarp_hessian_of(psi.x);
-    ScarpRows b = scarp_hessian_of(psi.y);
-    ScarpRows c = scarp_hessian_of(psi.z);
-    ScarpFlow f;
-    f.velocity = scarp_vec3_of(scarp_sub(psi.z.gradient.y, psi.y.gradient.z),
-            scarp_sub(psi.x.gradient.z, psi.z.gradient.x), scarp_sub(psi.y.gradient.x,
-            psi.x.gradient.y));
-    f.x = scarp_sub3(c.y, b.z);
-    f.y = scarp_sub3(a.z, c.x);
-    f.z = scarp_sub3(b.x, a.y);
-    return f;
+    return scarp_curl_in_space(scarp_vector3(plan, x, y, z));
 }
 
 /* The chain rule over samples. */

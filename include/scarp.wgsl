@@ -23,7 +23,7 @@ override scarp_only_basis: u32 = 0xffffffffu;
 override scarp_only_fractal: u32 = 0xffffffffu;
 override scarp_only_depth: u32 = 0xffffffffu;
 
-/* The constants of a noise, member by member as scarp_gpu_plan_make gives them. */
+/* The constants of octaves, and of what they are octaves of. */
 
 /* turn: with a phase the cosine and sine of the angle, then of twice that; of bases that take
    places the jitter, the middle and the stretch. */
@@ -67,6 +67,8 @@ struct ScarpLevel {
     inverse_weight: f32,
     spare1: f32,
 }
+
+/* The constants of a noise, as scarp_gpu_plan_make gives them. */
 
 struct ScarpPlan {
     depth: u32,
@@ -137,13 +139,9 @@ fn scarp_rough_inverse(a: f32) -> f32 {
     return 1.0f / a;
 }
 
-/* Bits of floats, and the two operations that shading languages only approximate. */
+/* Signs of floats. */
 
 const SCARP_SIGN: u32 = 0x80000000u;
-
-fn scarp_magnitude(a: f32) -> f32 {
-    return bitcast<f32>(bitcast<u32>(a) & 0x7fffffffu);
-}
 
 /* Whether the sign bit is set. */
 fn scarp_is_negative(a: f32) -> bool {
@@ -153,6 +151,17 @@ fn scarp_is_negative(a: f32) -> bool {
 /* -a where `bit` is 1, a where it is 0. */
 fn scarp_with_bit(a: f32, bit: u32) -> f32 {
     return bitcast<f32>(bitcast<u32>(a) ^ (bit << 31u));
+}
+
+/* sign(n) a, and 0 where n is 0. */
+fn scarp_with_sign(a: f32, n: f32) -> f32 {
+    return select(scarp_with_bit(a, bitcast<u32>(n) >> 31u), 0.0f, n == 0.0f);
+}
+
+/* The operations that shading languages only approximate, and others of numbers. */
+
+fn scarp_magnitude(a: f32) -> f32 {
+    return bitcast<f32>(bitcast<u32>(a) & 0x7fffffffu);
 }
 
 /* One of two numbers. */
@@ -1072,8 +1081,6 @@ fn scarp_cells_at(l: ScarpLattice, basis: u32, p: ScarpLocation, dimensions: i32
 
 /* One octave of noise with gradient and Hessian, in units of cells. */
 
-/* What the formulas leave to shaders */
-
 fn scarp_lattice_of(o: ScarpOctave, l: ScarpLevel) -> ScarpLattice {
     let lattice: ScarpLattice = ScarpLattice(o.key, o.last, l.flows != 0u, o.turn, o.turn.x,
             o.turn.y, l.component);
@@ -1194,22 +1201,30 @@ fn scarp_split(p: f32, last: u32) -> ScarpSplit {
     return s;
 }
 
-/* Along each axis p = J x + o, where axes are turned, else p = f x + o. */
-fn scarp_position_of(o: ScarpOctave, turned: bool, x: vec3f, dimensions: i32) -> vec3f {
+/* J x where axes are turned, else f x: how many cells of the octave x is along each axis. */
+fn scarp_cells_along(o: ScarpOctave, turned: bool, x: vec3f, dimensions: i32) -> vec3f {
     var p: vec3f = scarp_mul3(o.frequency, x);
     if (turned) {
         p = scarp_times(scarp_rows_of(o.jacobian_x, o.jacobian_y, o.jacobian_z), x, dimensions);
     }
-    return scarp_add3(p, vec3f(o.offset_x, o.offset_y, o.offset_z));
+    return p;
 }
 
 /* Along y, triangles of simplex noise count their rows. */
-fn scarp_location_of(o: ScarpOctave, basis: u32, turned: bool, x: vec3f,
-        dimensions: i32) -> ScarpLocation {
-    var p: vec3f = scarp_position_of(o, turned, x, dimensions);
+fn scarp_stretched(o: ScarpOctave, basis: u32, cells: vec3f, dimensions: i32) -> vec3f {
+    var p: vec3f = cells;
     if (basis == SCARP_SIMPLEX && dimensions == 2) {
         p.y = scarp_mul(p.y, o.turn.z);
     }
+    return p;
+}
+
+/* Along each axis p = J x + o, where axes are turned, else p = f x + o. */
+fn scarp_location_of(o: ScarpOctave, basis: u32, turned: bool, x: vec3f,
+        dimensions: i32) -> ScarpLocation {
+    let offset: vec3f = vec3f(o.offset_x, o.offset_y, o.offset_z);
+    let cells: vec3f = scarp_add3(scarp_cells_along(o, turned, x, dimensions), offset);
+    let p: vec3f = scarp_stretched(o, basis, cells, dimensions);
     let sx: ScarpSplit = scarp_split(p.x, o.last.x);
     let sy: ScarpSplit = scarp_split(p.y, o.last.y);
     var at: ScarpLocation = ScarpLocation(vec3u(sx.cell, sy.cell, 0u),
@@ -1224,7 +1239,7 @@ fn scarp_location_of(o: ScarpOctave, basis: u32, turned: bool, x: vec3f,
     return at;
 }
 
-/* What fractals make of an octave, but for those that bend. */
+/* What fractals make of an octave n, but for those that bend. */
 
 fn scarp_jacobian_of(o: ScarpOctave) -> ScarpRows {
     return scarp_transposed(scarp_rows_of(o.jacobian_x, o.jacobian_y, o.jacobian_z));
@@ -1252,7 +1267,8 @@ fn scarp_with_hessian(n: ScarpSample, a: ScarpRows, b: ScarpRows, h: ScarpRows,
     return s;
 }
 
-/* The octave times its amplitude, in the axes of the input. */
+/* The octave times its amplitude a, in the axes of the input: the gradient is (a J)^T g, the
+   Hessian (a J)^T (H J). Where axes are not turned J is f, so the factors are a f and a f^2. */
 fn scarp_in_input(o: ScarpOctave, turned: bool, n: ScarpSample, dimensions: i32) -> ScarpSample {
     var s: ScarpSample = scarp_scaled(n, o.amplitude, o.slope, o.curvature);
     if (turned) {
@@ -1265,22 +1281,19 @@ fn scarp_in_input(o: ScarpOctave, turned: bool, n: ScarpSample, dimensions: i32)
     return s;
 }
 
-/* sign(n) a, and 0 where n is 0. */
-fn scarp_with_sign(a: f32, n: f32) -> f32 {
-    return select(scarp_with_bit(a, bitcast<u32>(n) >> 31u), 0.0f, n == 0.0f);
-}
-
 fn scarp_with_sign3(a: vec3f, n: f32) -> vec3f {
     return vec3f(scarp_with_sign(a.x, n), scarp_with_sign(a.y, n), scarp_with_sign(a.z, n));
 }
 
-/* |n|: turbulence */
+/* Turbulence */
 fn scarp_magnitude_of(n: ScarpSample) -> ScarpSample {
     return scarp_sample_of(scarp_with_sign(n.value, n.value), scarp_with_sign3(n.gradient, n.value),
             scarp_with_sign3(n.diagonal, n.value), scarp_with_sign3(n.mixed, n.value));
 }
 
-/* Ping-pong. The derivatives lack their factor 2 sharpness, which comes with the weight. */
+/* Ping-pong: 1 - 2 |e|, where e = 1 - (t mod 2) rises where t falls. The derivatives lack their
+   factor 2 sharpness, which comes with the weight, and are 0 on creases, where the value is 1 or
+   -1. */
 fn scarp_pingpong(n: ScarpSample, sharpness: f32) -> ScarpSample {
     let t: f32 = scarp_mul(scarp_add(n.value, 1.0f), sharpness);
     let e: f32 = scarp_sub(1.0f, scarp_sub(t, scarp_mul(2.0f, floor(scarp_mul(t, 0.5f)))));
@@ -1291,7 +1304,9 @@ fn scarp_pingpong(n: ScarpSample, sharpness: f32) -> ScarpSample {
             slope), scarp_with_sign3(n.mixed, slope));
 }
 
-/* Ridged noise: v r^2 with v = weight and r = 1 - m. */
+/* Ridged noise: v r^2 with v = weight and r = 1 - m, m being |n|. Its derivatives are
+       r^2 v_i - 2 v r m_i
+       r^2 v_ij - 2 r (v_i m_j + v_j m_i) + 2 v m_i m_j - 2 v r m_ij */
 fn scarp_ridge_first(v: f32, vi: f32, r: f32, mi: f32) -> f32 {
     return scarp_sub(scarp_mul(scarp_mul(r, r), vi), scarp_mul(scarp_mul(scarp_mul(2.0f, v), r),
             mi));
@@ -1336,7 +1351,9 @@ fn scarp_ridge_weight(s: ScarpSample) -> ScarpSample {
     return weight;
 }
 
-/* Hybrid noise: v r with v = weight and r = n + sharpness. */
+/* Hybrid noise: v r with v = weight and r = n + sharpness. Its derivatives are
+       r v_i + v n_i
+       r v_ij + v n_ij + v_i n_j + v_j n_i */
 fn scarp_hybrid(weight: ScarpSample, n: ScarpSample, sharpness: f32) -> ScarpSample {
     let v: f32 = weight.value;
     let r: f32 = scarp_add(n.value, sharpness);
@@ -1391,7 +1408,7 @@ fn scarp_eroded(slopes: ScarpSlopes, erosion: f32, n: f32, gradient: vec3f,
     return s;
 }
 
-/* The fractals that bend. */
+/* The fractals that bend, Swiss and Jordan noise. */
 
 /* What goes from octave to octave. `weight`: ridged and hybrid noise; `slopes`: erosion and those
    that bend; `left`: how much of the octaves Swiss noise leaves, with its gradient. */
@@ -1403,8 +1420,8 @@ struct ScarpState {
     left_by: vec3f,
 }
 
-/* A gradient by bent positions becomes one by x: A^T g with A = I + reach (Jacobian of the slopes).
- */
+/* A gradient with respect to bent positions becomes one with respect to x: A^T g with A = I + reach
+   (Jacobian of the slopes). */
 fn scarp_unbent(slopes: ScarpSlopes, reach: f32, g: vec3f, dimensions: i32) -> vec3f {
     return scarp_add3(g, scarp_mul3(reach, scarp_transposed_times(slopes.jacobian, g, dimensions)));
 }
@@ -1430,12 +1447,14 @@ fn scarp_with_slope(slopes: ScarpSlopes, o: ScarpOctave, n: ScarpSample, product
     return s;
 }
 
+/* Swiss noise adds a u v with v = max(0, 1 - |n|), n being bent; S loses (a / a_0) u n g / f, and u
+   is multiplied by the sum over a_0, at most by 1. */
 fn scarp_swiss(state: ScarpState, o: ScarpOctave, inverse_weight: f32, n: ScarpSample,
         dimensions: i32) -> ScarpState {
     let share: f32 = scarp_mul(o.weight, inverse_weight);
     let u: f32 = state.left;
     let rest: f32 = scarp_sub(1.0f, scarp_magnitude(n.value));
-    let v: f32 = select(rest, 0.0f, rest < 0.0f);
+    let v: f32 = select(rest, 0.0f, rest < 0.0f); /* NaN stays */
     let nj: vec3f = scarp_unbent(state.slopes, o.reach, n.gradient, dimensions);
     let none: vec3f = vec3f(0.0f, 0.0f, 0.0f);
     var vj: vec3f = scarp_with_sign3(nj, n.value);
@@ -1460,6 +1479,8 @@ fn scarp_swiss(state: ScarpState, o: ScarpOctave, inverse_weight: f32, n: ScarpS
     return s;
 }
 
+/* Jordan noise adds a q n^2 with q = 1 - erosion / (1 + S.S), but 1 in octave 0; S gains n g / f.
+ */
 fn scarp_jordan(state: ScarpState, o: ScarpOctave, erosion: f32, first: bool, n: ScarpSample,
         dimensions: i32) -> ScarpState {
     let square: f32 = scarp_mul(n.value, n.value);
@@ -1480,17 +1501,19 @@ fn scarp_jordan(state: ScarpState, o: ScarpOctave, erosion: f32, first: bool, n:
     return s;
 }
 
-/* The sum of the octaves at one point. */
+/* The sum of octaves. */
 
-fn scarp_octave_of(plan: u32, k: u32) -> ScarpOctave {
-    return scarp_plan[plan].octave[k];
-}
-
-fn scarp_level_of(plan: u32, i: i32) -> ScarpLevel {
-    var l: ScarpLevel = scarp_plan[plan].level[i];
-    l.basis = scarp_only_basis_of(l.basis);
-    l.fractal = scarp_only_fractal_of(l.fractal);
-    return l;
+/* What octave 0 adds to. */
+fn scarp_no_octaves() -> ScarpState {
+    let none: vec3f = vec3f(0.0f, 0.0f, 0.0f);
+    var state: ScarpState;
+    state.sum = scarp_constant(0.0f);
+    state.weight = scarp_constant(1.0f);
+    state.slopes.d = none;
+    state.slopes.jacobian = scarp_rows_of(none, none, none);
+    state.left = 1.0f;
+    state.left_by = none;
+    return state;
 }
 
 /* Where octave k looks, which those before have bent if it is one of a fractal that bends. */
@@ -1547,71 +1570,42 @@ fn scarp_with_erosion(state: ScarpState, o: ScarpOctave, l: ScarpLevel, n: Scarp
     return s;
 }
 
-/* Adds octave k of level l at x. */
-fn scarp_with_octave(state: ScarpState, o: ScarpOctave, l: ScarpLevel, k: u32, x: vec3f,
+/* Adds an octave n, in the axes of the input, of any fractal but erosion. */
+fn scarp_with_noise(state: ScarpState, o: ScarpOctave, l: ScarpLevel, first: bool, n: ScarpSample,
         dimensions: i32) -> ScarpState {
-    let turned: bool = l.rotate != 0u && k > 0u;
-    var y: vec3f = x;
-    if (l.fractal == SCARP_SWISS || l.fractal == SCARP_JORDAN) {
-        y = scarp_bent(state, o, k, x);
-    }
-    let p: ScarpLocation = scarp_location_of(o, l.basis, turned, y, dimensions);
-    let basis: ScarpSample = scarp_basis_at(o, l, p, dimensions);
     var s: ScarpState;
-    if (l.fractal == SCARP_EROSION) {
-        s = scarp_with_erosion(state, o, l, basis, turned, dimensions);
+    if (l.fractal == SCARP_SWISS) {
+        s = scarp_swiss(state, o, l.inverse_weight, n, dimensions);
+    } else if (l.fractal == SCARP_JORDAN) {
+        s = scarp_jordan(state, o, l.erosion, first, n, dimensions);
+    } else if (l.fractal == SCARP_TURBULENCE) {
+        s = scarp_with_turbulence(state, o, n);
+    } else if (l.fractal == SCARP_RIDGED) {
+        s = scarp_with_ridged(state, o, n);
+    } else if (l.fractal == SCARP_PINGPONG) {
+        s = scarp_with_pingpong(state, o, l, n);
+    } else if (l.fractal == SCARP_HYBRID) {
+        s = scarp_with_hybrid(state, o, l, n);
     } else {
-        let n: ScarpSample = scarp_in_input(o, turned, basis, dimensions);
-        if (l.fractal == SCARP_SWISS) {
-            s = scarp_swiss(state, o, l.inverse_weight, n, dimensions);
-        } else if (l.fractal == SCARP_JORDAN) {
-            s = scarp_jordan(state, o, l.erosion, k == 0u, n, dimensions);
-        } else if (l.fractal == SCARP_TURBULENCE) {
-            s = scarp_with_turbulence(state, o, n);
-        } else if (l.fractal == SCARP_RIDGED) {
-            s = scarp_with_ridged(state, o, n);
-        } else if (l.fractal == SCARP_PINGPONG) {
-            s = scarp_with_pingpong(state, o, l, n);
-        } else if (l.fractal == SCARP_HYBRID) {
-            s = scarp_with_hybrid(state, o, l, n);
-        } else {
-            s = scarp_with_fbm(state, n);
-        }
+        s = scarp_with_fbm(state, n);
     }
     return s;
 }
 
-/* What octave 0 adds to. */
-fn scarp_no_octaves() -> ScarpState {
-    let none: vec3f = vec3f(0.0f, 0.0f, 0.0f);
-    var state: ScarpState;
-    state.sum = scarp_constant(0.0f);
-    state.weight = scarp_constant(1.0f);
-    state.slopes.d = none;
-    state.slopes.jacobian = scarp_rows_of(none, none, none);
-    state.left = 1.0f;
-    state.left_by = none;
-    return state;
-}
-
-/* The noise of a component of a level, without warps; component 0 of a level that has one. */
-fn scarp_octaves_at(plan: u32, given: ScarpLevel, component: u32, x: vec3f,
-        dimensions: i32) -> ScarpSample {
-    let shares_lattice: bool = given.basis == SCARP_GRADIENT || given.basis == SCARP_VALUE;
-    var l: ScarpLevel = given;
-    var state: ScarpState = scarp_no_octaves();
-    if (shares_lattice) {
-        l.component = component;
+/* Adds an octave of the basis, in its own axes. */
+fn scarp_with_basis(state: ScarpState, o: ScarpOctave, l: ScarpLevel, first: bool, turned: bool,
+        basis: ScarpSample, dimensions: i32) -> ScarpState {
+    var s: ScarpState;
+    if (l.fractal == SCARP_EROSION) {
+        s = scarp_with_erosion(state, o, l, basis, turned, dimensions);
     } else {
-        l.first = given.first + component * given.octaves;
+        s = scarp_with_noise(state, o, l, first, scarp_in_input(o, turned, basis, dimensions),
+                dimensions);
     }
-    for (var k: u32 = 0u; k < l.octaves; k++) {
-        state = scarp_with_octave(state, scarp_octave_of(plan, l.first + k), l, k, x, dimensions);
-    }
-    return state.sum;
+    return s;
 }
 
-/* Noise with warps, as scalar/warp. */
+/* Noise at displaced positions. */
 
 /* The coordinates of displaced positions, with their derivatives: how far they are displaced. */
 struct ScarpDisplaced {
@@ -1620,8 +1614,9 @@ struct ScarpDisplaced {
     z: ScarpSample,
 }
 
-/* A sample at y with its derivatives by y becomes one with its derivatives by x: with the Jacobian
-   J of y, the gradient is J^T g, the Hessian J^T (H J) + sum_m g_m (Hessian of y_m). */
+/* A sample with its derivatives with respect to y becomes one with those with respect to x: with
+   the Jacobian J of y, the gradient is J^T g, the Hessian J^T (H J) + sum_m g_m (Hessian of y_m).
+ */
 fn scarp_composed(s: ScarpSample, y: ScarpDisplaced, dimensions: i32) -> ScarpSample {
     let j: ScarpRows = scarp_transposed(scarp_rows_of(y.x.gradient, y.y.gradient, y.z.gradient));
     let diagonal: vec3f = scarp_transposed_times(scarp_rows_of(y.x.diagonal, y.y.diagonal,
@@ -1664,6 +1659,86 @@ fn scarp_displaced_of(x: ScarpSample, y: ScarpSample, z: ScarpSample) -> ScarpDi
     d.z = z;
     return d;
 }
+
+/* Velocities without divergence. */
+
+/* A velocity without divergence, and the rows of its Jacobian: the derivatives of each component.
+ */
+struct ScarpFlow {
+    velocity: vec3f,
+    x: vec3f,
+    y: vec3f,
+    z: vec3f,
+}
+
+/* Of a potential in the plane, v = (psi_y, -psi_x); nothing along z. */
+fn scarp_curl_in_plane(psi: ScarpSample) -> ScarpFlow {
+    var f: ScarpFlow;
+    f.velocity = vec3f(psi.gradient.y, -psi.gradient.x, 0.0f);
+    f.x = vec3f(psi.mixed.x, psi.diagonal.y, 0.0f);
+    f.y = vec3f(-psi.diagonal.x, -psi.mixed.x, 0.0f);
+    f.z = vec3f(0.0f, 0.0f, 0.0f);
+    return f;
+}
+
+/* Of three potentials, with i, j, k = x, y, z in turn, v_i = d_j psi_k - d_k psi_j. */
+fn scarp_curl_in_space(psi: ScarpDisplaced) -> ScarpFlow {
+    let a: ScarpRows = scarp_hessian_of(psi.x);
+    let b: ScarpRows = scarp_hessian_of(psi.y);
+    let c: ScarpRows = scarp_hessian_of(psi.z);
+    var f: ScarpFlow;
+    f.velocity = vec3f(scarp_sub(psi.z.gradient.y, psi.y.gradient.z), scarp_sub(psi.x.gradient.z,
+            psi.z.gradient.x), scarp_sub(psi.y.gradient.x, psi.x.gradient.y));
+    f.x = scarp_sub3(c.y, b.z);
+    f.y = scarp_sub3(a.z, c.x);
+    f.z = scarp_sub3(b.x, a.y);
+    return f;
+}
+
+/* The sum of the octaves at one point. */
+
+fn scarp_octave_of(plan: u32, k: u32) -> ScarpOctave {
+    return scarp_plan[plan].octave[k];
+}
+
+fn scarp_level_of(plan: u32, i: i32) -> ScarpLevel {
+    var l: ScarpLevel = scarp_plan[plan].level[i];
+    l.basis = scarp_only_basis_of(l.basis);
+    l.fractal = scarp_only_fractal_of(l.fractal);
+    return l;
+}
+
+/* Adds octave k of level l at x. */
+fn scarp_with_octave(state: ScarpState, o: ScarpOctave, l: ScarpLevel, k: u32, x: vec3f,
+        dimensions: i32) -> ScarpState {
+    let turned: bool = l.rotate != 0u && k > 0u;
+    var y: vec3f = x;
+    if (l.fractal == SCARP_SWISS || l.fractal == SCARP_JORDAN) {
+        y = scarp_bent(state, o, k, x);
+    }
+    let p: ScarpLocation = scarp_location_of(o, l.basis, turned, y, dimensions);
+    let basis: ScarpSample = scarp_basis_at(o, l, p, dimensions);
+    return scarp_with_basis(state, o, l, k == 0u, turned, basis, dimensions);
+}
+
+/* The noise of a component of a level, without warps; component 0 of a level that has one. */
+fn scarp_octaves_at(plan: u32, given: ScarpLevel, component: u32, x: vec3f,
+        dimensions: i32) -> ScarpSample {
+    let shares_lattice: bool = given.basis == SCARP_GRADIENT || given.basis == SCARP_VALUE;
+    var l: ScarpLevel = given;
+    var state: ScarpState = scarp_no_octaves();
+    if (shares_lattice) {
+        l.component = component;
+    } else {
+        l.first = given.first + component * given.octaves;
+    }
+    for (var k: u32 = 0u; k < l.octaves; k++) {
+        state = scarp_with_octave(state, scarp_octave_of(plan, l.first + k), l, k, x, dimensions);
+    }
+    return state.sum;
+}
+
+/* Noise with warps, and the self-test of scarp_gpu_answers. */
 
 /* Components of a level, each at `at`, by x; `y` says how that depends on x, unless the level is
    the deepest. */
@@ -1782,7 +1857,7 @@ fn scarp_answer3(plan: u32, order: u32, i: u32) -> u32 {
     return scarp_hash_with_sample(0u, s, order, 3);
 }
 
-/* Cells and velocities, as scalar/table. */
+/* Cells and velocities of a plan. */
 
 /* What scarp_cells2 and scarp_cells3 give: distances to the nearest feature and to the second,
    their gradients, and the place of the nearest. */
@@ -1829,40 +1904,14 @@ fn scarp_cells3(plan: u32, x: f32, y: f32, z: f32) -> ScarpCells {
     return scarp_cells_in(plan, vec3f(x, y, z), 3);
 }
 
-/* A velocity without divergence, and the rows of its Jacobian: the derivatives of each component.
- */
-struct ScarpFlow {
-    velocity: vec3f,
-    x: vec3f,
-    y: vec3f,
-    z: vec3f,
-}
-
 /* What scarp_curl2 gives; nothing along z. */
 fn scarp_curl2(plan: u32, x: f32, y: f32) -> ScarpFlow {
-    let psi: ScarpSample = scarp_sample2(plan, x, y);
-    let none: vec3f = vec3f(0.0f, 0.0f, 0.0f);
-    var f: ScarpFlow;
-    f.velocity = vec3f(psi.gradient.y, -psi.gradient.x, 0.0f);
-    f.x = vec3f(psi.mixed.x, psi.diagonal.y, 0.0f);
-    f.y = vec3f(-psi.diagonal.x, -psi.mixed.x, 0.0f);
-    f.z = none;
-    return f;
+    return scarp_curl_in_plane(scarp_sample2(plan, x, y));
 }
 
 /* What scarp_curl3 gives, of a plan by scarp_gpu_vector_plan_make. */
 fn scarp_curl3(plan: u32, x: f32, y: f32, z: f32) -> ScarpFlow {
-    let psi: ScarpDisplaced = scarp_vector3(plan, x, y, z);
-    let a: ScarpRows = scarp_hessian_of(psi.x);
-    let b: ScarpRows = scarp_hessian_of(psi.y);
-    let c: ScarpRows = scarp_hessian_of(psi.z);
-    var f: ScarpFlow;
-    f.velocity = vec3f(scarp_sub(psi.z.gradient.y, psi.y.gradient.z), scarp_sub(psi.x.gradient.z,
-            psi.z.gradient.x), scarp_sub(psi.y.gradient.x, psi.x.gradient.y));
-    f.x = scarp_sub3(c.y, b.z);
-    f.y = scarp_sub3(a.z, c.x);
-    f.z = scarp_sub3(b.x, a.y);
-    return f;
+    return scarp_curl_in_space(scarp_vector3(plan, x, y, z));
 }
 
 /* The chain rule over samples. */

@@ -6,7 +6,9 @@
 #ifndef SCARP_TESTS_HASH_CELLS_H
 #define SCARP_TESTS_HASH_CELLS_H
 
-#include "../src/scalar/basis.h"
+#include "../src/scalar/sample.h"
+
+#include "../src/formulas/basis.h"
 #include "hash_sets.h"
 
 /*

@@ -8,7 +8,9 @@
 #ifndef SCARP_TESTS_HASH_ISOTROPY_H
 #define SCARP_TESTS_HASH_ISOTROPY_H
 
-#include "../src/scalar/basis.h"
+#include "../src/scalar/sample.h"
+
+#include "../src/formulas/basis.h"
 #include "hash_fields.h"
 
 #define UNEVEN 0.01 /* what two variances of 2^20 samples may differ by, relatively; 5 sigma */

@@ -11,7 +11,9 @@
 #ifndef SCARP_TESTS_HASH_LINES_H
 #define SCARP_TESTS_HASH_LINES_H
 
-#include "../src/scalar/basis.h"
+#include "../src/scalar/sample.h"
+
+#include "../src/formulas/basis.h"
 #include "hash_fields.h"
 #include "hash_stats.h"
 

@@ -6,7 +6,9 @@
  * phases.
  */
 #include "../src/plan/phase.h"
-#include "../src/scalar/basis.h"
+#include "../src/scalar/sample.h"
+
+#include "../src/formulas/basis.h"
 #include "check.h"
 
 #define TAU 6.283185307179586476925286766559005768L

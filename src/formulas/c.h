@@ -32,6 +32,7 @@
 
 #include <stdbool.h>
 #include <stdint.h>
+#include <string.h>
 
 #include "scarp.h"
 
@@ -52,6 +53,20 @@ static inline vec3 vec3_of(float x, float y, float z)
 {
     const vec3 v = {x, y, z};
     return v;
+}
+
+static inline float float_of_bits(uint bits)
+{
+    float a;
+    memcpy(&a, &bits, sizeof a);
+    return a;
+}
+
+static inline uint bits_of(float a)
+{
+    uint bits;
+    memcpy(&bits, &a, sizeof bits);
+    return bits;
 }
 
 #endif

@@ -7,7 +7,6 @@
 #define SCARP_GPU_C_H
 
 #include <math.h>
-#include <string.h>
 
 #include "../formulas/c.h"
 #include "plan.h"
@@ -29,20 +28,6 @@ static inline uint only_fractal(uint fractal)
 static inline uint only_depth(uint depth)
 {
     return depth;
-}
-
-static inline float float_of_bits(uint bits)
-{
-    float a;
-    memcpy(&a, &bits, sizeof a);
-    return a;
-}
-
-static inline uint bits_of(float a)
-{
-    uint bits;
-    memcpy(&bits, &a, sizeof bits);
-    return bits;
 }
 
 static inline float floor_of(float a)

@@ -1,11 +1,13 @@
 /* SPDX-License-Identifier: MIT
  *
- * Shaders: cells and velocities, as scalar/table.c and scalar/curl.h.
+ * Shaders: cells and velocities of a plan.
  */
 #ifndef SCARP_GPU_FLOW_H
 #define SCARP_GPU_FLOW_H
 
 #include "noise.h"
+
+#include "../formulas/curl.h"
 
 /* What scarp_cells2 and scarp_cells3 give: distances to the nearest feature and to the second,
    their gradients, and the place of the nearest. */
@@ -55,42 +57,16 @@ static inline struct cells cells3(uint plan, float x, float y, float z)
     return cells_in(plan, vec3_of(x, y, z), 3);
 }
 
-/* A velocity without divergence, and the rows of its Jacobian: the derivatives of each component.
- */
-struct flow {
-    vec3 velocity;
-    vec3 x;
-    vec3 y;
-    vec3 z;
-};
-
 /* What scarp_curl2 gives; nothing along z. */
 static inline struct flow curl2(uint plan, float x, float y)
 {
-    const struct sample psi = sample2(plan, x, y);
-    const vec3 none = vec3_of(0.0f, 0.0f, 0.0f);
-    struct flow f;
-    f.velocity = vec3_of(psi.gradient.y, -psi.gradient.x, 0.0f);
-    f.x = vec3_of(psi.mixed.x, psi.diagonal.y, 0.0f);
-    f.y = vec3_of(-psi.diagonal.x, -psi.mixed.x, 0.0f);
-    f.z = none;
-    return f;
+    return curl_in_plane(sample2(plan, x, y));
 }
 
 /* What scarp_curl3 gives, of a plan by scarp_gpu_vector_plan_make. */
 static inline struct flow curl3(uint plan, float x, float y, float z)
 {
-    const struct displaced psi = vector3(plan, x, y, z);
-    const struct rows a = hessian_of(psi.x);
-    const struct rows b = hessian_of(psi.y);
-    const struct rows c = hessian_of(psi.z);
-    struct flow f;
-    f.velocity = vec3_of(psi.z.gradient.y - psi.y.gradient.z, psi.x.gradient.z - psi.z.gradient.x,
-                         psi.y.gradient.x - psi.x.gradient.y);
-    f.x = sub3(c.y, b.z);
-    f.y = sub3(a.z, c.x);
-    f.z = sub3(b.x, a.y);
-    return f;
+    return curl_in_space(vector3(plan, x, y, z));
 }
 
 #endif

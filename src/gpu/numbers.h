@@ -1,29 +1,17 @@
 /* SPDX-License-Identifier: MIT
  *
- * Shaders: bits of floats, and the two operations that shading languages only approximate.
+ * Shaders: the operations that shading languages only approximate, and others of numbers.
  */
 #ifndef SCARP_GPU_NUMBERS_H
 #define SCARP_GPU_NUMBERS_H
 
 #include "c.h"
 
-#define SIGN 0x80000000u
+#include "../formulas/signs.h"
 
 static inline float magnitude(float a)
 {
     return float_of_bits(bits_of(a) & 0x7fffffffu);
-}
-
-/* Whether the sign bit is set. */
-static inline bool is_negative(float a)
-{
-    return bits_of(a) >= SIGN;
-}
-
-/* -a where `bit` is 1, a where it is 0. */
-static inline float with_bit(float a, uint bit)
-{
-    return float_of_bits(bits_of(a) ^ (bit << 31u));
 }
 
 /* One of two numbers. */

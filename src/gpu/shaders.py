@@ -20,12 +20,13 @@ from subset import (BLANK, RANK, Assign, Comment, Declare, Define, For, Function
 
 SRC = pathlib.Path(__file__).resolve().parent.parent
 INCLUDE = SRC.parent / "include"
-STRUCTURES = ["gpu/plan"]
-FUNCTIONS = ["gpu/numbers", "gpu/directions", "formulas/sample", "formulas/lattice",
-             "formulas/corners", "formulas/gradient", "formulas/value", "formulas/simplex",
-             "formulas/cells", "gpu/basis", "formulas/matrices", "gpu/positions", "gpu/shape",
-             "gpu/bend", "gpu/octaves", "gpu/noise", "gpu/flow", "formulas/chain", "gpu/chain",
-             "gpu/sine", "formulas/gullies", "gpu/recipe"]
+STRUCTURES = ["formulas/octave", "gpu/plan"]
+FUNCTIONS = ["formulas/signs", "gpu/numbers", "gpu/directions", "formulas/sample",
+             "formulas/lattice", "formulas/corners", "formulas/gradient", "formulas/value",
+             "formulas/simplex", "formulas/cells", "formulas/basis", "formulas/matrices",
+             "formulas/positions", "formulas/shape", "formulas/bend", "formulas/octaves",
+             "formulas/warp", "formulas/curl", "gpu/octaves", "gpu/noise", "gpu/flow",
+             "formulas/chain", "gpu/chain", "gpu/sine", "formulas/gullies", "gpu/recipe"]
 
 # The functions of the heads: operators of floats, conversions by what comes of what, and ?: .
 HOOKS = {"+": "add", "-": "sub", "*": "mul"}

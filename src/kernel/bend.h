@@ -3,7 +3,7 @@
  * The fractals that bend, whose octaves look at y = x + w S, where S is what the slopes of the
  * octaves before add up to: Swiss and Jordan noise (de Carpentier 2012). Each octave is computed as
  * noise of its own at the positions of a chunk of points; a pass then adds it up and moves S on.
- * The reference is scalar/bend.h.
+ * The reference is formulas/bend.h.
  */
 #ifndef SCARP_KERNEL_BEND_H
 #define SCARP_KERNEL_BEND_H

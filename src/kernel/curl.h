@@ -2,7 +2,7 @@
  *
  * Velocity from potentials, chunk by chunk: each output is a difference of two derivatives, in the
  * plane one derivative. Outputs may be where coordinates are: those of a chunk are copied before.
- * The reference, and the formulas, are in scalar/curl.h.
+ * The reference is formulas/curl.h.
  */
 #ifndef SCARP_KERNEL_CURL_H
 #define SCARP_KERNEL_CURL_H

@@ -4,7 +4,7 @@
  * looks at the input, to the noise itself, which looks at y(x). The coordinates of y are kept as
  * samples: their values are how far they are displaced, their derivatives those of y by x. Points
  * and grids go the same way, but that the deepest warp of a grid takes the passes of grids.
- * The reference is scalar/warp.h.
+ * The reference is scalar/warp.h, with formulas/warp.h.
  */
 #ifndef SCARP_KERNEL_WARP_H
 #define SCARP_KERNEL_WARP_H

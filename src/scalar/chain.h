@@ -13,9 +13,10 @@
 
 #include "../formulas/chain.h"
 
-static inline struct sample chained(const struct scarp_chain *call, struct sample a,
-                                    struct sample b, struct sample m, struct partials given)
+WHOLE struct sample chained(const struct scarp_chain *call, const struct sample in[CHAIN_INPUTS],
+                            const struct partials *given)
 {
+    const struct sample a = in[CHAIN_A], b = in[CHAIN_B], m = in[CHAIN_M];
     const float *const k = call->number;
     const vec3 of_smooth = {k[CHAIN_INVERSE], k[CHAIN_DEPTH], k[CHAIN_BEND]};
     const vec4 of_terrace = {k[CHAIN_STEPS], k[CHAIN_HEIGHT], k[CHAIN_STEEP], k[CHAIN_STRENGTH]};
@@ -34,8 +35,8 @@ static inline struct sample chained(const struct scarp_chain *call, struct sampl
     case CHAIN_SMOOTH_ABS: s = chain_smooth_abs(a, k[CHAIN_ROUND], k[CHAIN_ROUND2]); break;
     case CHAIN_SMOOTHSTEP: s = chain_smoothstep(a, k[CHAIN_LO], k[CHAIN_INVERSE]); break;
     case CHAIN_TERRACE: s = chain_terrace(a, of_terrace); break;
-    case CHAIN_APPLY1: s = chain_apply1(a, given.f, given.a, given.aa); break;
-    case CHAIN_APPLY2: s = chain_apply2(a, b, given); break;
+    case CHAIN_APPLY1: s = chain_apply1(a, given->f, given->a, given->aa); break;
+    case CHAIN_APPLY2: s = chain_apply2(a, b, *given); break;
     }
     return s;
 }
@@ -46,15 +47,12 @@ static inline float element(const float *array, size_t i)
 }
 
 /* Element i of an input. What the call does not have of it is 0. */
-static inline struct sampled input_at(const float *const of[OUTPUTS], size_t i)
+static inline struct sample input_at(const float *const of[OUTPUTS], size_t i)
 {
-    const struct sampled input = {
-        sample_of(element(of[VALUE], i),
-                  vec3_of(element(of[DX], i), element(of[DY], i), element(of[DZ], i)),
-                  vec3_of(element(of[DXX], i), element(of[DYY], i), element(of[DZZ], i)),
-                  vec3_of(element(of[DXY], i), element(of[DXZ], i), element(of[DYZ], i))),
-        element(of[DPHASE], i)};
-    return input;
+    return sample_of(element(of[VALUE], i),
+                     vec3_of(element(of[DX], i), element(of[DY], i), element(of[DZ], i)),
+                     vec3_of(element(of[DXX], i), element(of[DYY], i), element(of[DZZ], i)),
+                     vec3_of(element(of[DXY], i), element(of[DXZ], i), element(of[DYZ], i)));
 }
 
 /* Reads all that a point needs before anything is written: outputs may be where inputs are. */
@@ -64,14 +62,16 @@ static inline void chain_at(const struct scarp_chain *call, size_t i)
     const struct partials partials = {element(given[PARTIAL_F], i),  element(given[PARTIAL_A], i),
                                       element(given[PARTIAL_B], i),  element(given[PARTIAL_AA], i),
                                       element(given[PARTIAL_AB], i), element(given[PARTIAL_BB], i)};
-    const struct sampled a = input_at(call->in[CHAIN_A], i), b = input_at(call->in[CHAIN_B], i),
-                         m = input_at(call->in[CHAIN_M], i);
-    struct sampled of = {chained(call, a.s, b.s, m.s, partials), 0.0f};
+    struct sample in[CHAIN_INPUTS];
+    for (int input = 0; input < CHAIN_INPUTS; input++) {
+        in[input] = input_at(call->in[input], i);
+    }
+    struct sampled of = {chained(call, in, &partials), 0.0f};
     if (call->out[DPHASE] != NULL) {
-        of.by_phase =
-            chained(call, along_phase(a.s.value, a.by_phase), along_phase(b.s.value, b.by_phase),
-                    along_phase(m.s.value, m.by_phase), partials)
-                .gradient.x;
+        for (int input = 0; input < CHAIN_INPUTS; input++) {
+            in[input] = along_phase(in[input].value, element(call->in[input][DPHASE], i));
+        }
+        of.by_phase = chained(call, in, &partials).gradient.x;
     }
     put(call->out, i, &of);
 }

@@ -5,75 +5,89 @@
 #ifndef SCARP_SCALAR_DRIVER_H
 #define SCARP_SCALAR_DRIVER_H
 
-#include "erosion.h"
+#include "positions.h"
 
-/* What goes from octave to octave. */
-struct state {
-    struct outputs weight; /* ridged, hybrid */
-    struct slopes slopes;  /* erosion */
-    float by_phase[3];     /* erosion: the derivative of the slopes d by the phase */
-};
+#include "../formulas/basis.h"
+#include "../formulas/octaves.h"
 
-/* The derivative of an octave of the basis by the phase, with its gradient in its own axes; 0 where
-   it is not asked for. */
-static struct outputs turning_of(const struct scarp_call_plan *plan, int k,
-                                 const struct location *at, int dimensions)
+WHOLE struct sample basis_at2(const struct scarp_call_plan *plan, int k, const struct location *at)
 {
-    const struct scarp_octave *const o = &plan->octave[k];
-    const float slope = scarpi_phase_slope(o, k);
-    if (!plan->dphase) {
-        return (struct outputs){{0.0f}};
-    }
-    const struct outputs turning = basis_turning(plan, o, at, dimensions);
-    return scaled_outputs(&turning, slope, slope, slope);
+    return basis_at(octave_of(plan, k, 2), level_of(plan), *at, 2);
 }
 
-/* Octave k, as it is added to the sum. */
-static struct outputs octave_at(const struct scarp_call_plan *plan, int k, const struct point *x,
-                                int dimensions, struct state *state)
+WHOLE struct sample basis_at3(const struct scarp_call_plan *plan, int k, const struct location *at)
 {
-    const struct scarp_octave *const o = &plan->octave[k];
-    const int turned = is_turned(plan, k);
-    const struct location at = location_of(plan, k, x, dimensions);
-    const struct outputs turning = turning_of(plan, k, &at, dimensions);
-    struct outputs basis = basis_at(plan, o, &at, dimensions);
-    basis.of[DPHASE] = turning.of[VALUE];
-    struct outputs n = in_input(o, turned, &basis, dimensions);
-    float slope = o->weight;
-    switch (plan->fractal) {
-    case SCARP_FBM: return n;
-    case SCARP_TURBULENCE: n = magnitude_of(&n); break;
-    case SCARP_RIDGED: n = ridge(&state->weight, &n); break;
-    case SCARP_PINGPONG:
-        n = pingpong(&n, plan->sharpness);
-        slope = o->weight * (2.0f * plan->sharpness);
-        break;
-    case SCARP_HYBRID: n = hybrid(&state->weight, &n, plan->sharpness, o->share); break;
-    case SCARP_EROSION:
-        basis = scaled_outputs(&basis, o->amplitude, o->amplitude, o->amplitude);
-        n = erode(&state->slopes, plan->erosion, o, turned, &basis, dimensions);
-        n.of[DPHASE] = erode_turning(&state->slopes, state->by_phase, plan->erosion,
-                                     basis.of[VALUE], &turning, dimensions);
-        break;
-    case SCARP_SWISS:
-    case SCARP_JORDAN: break; /* bend.h */
-    }
-    n.of[DPHASE] *= slope;
-    return scaled_outputs(&n, o->weight, slope, slope);
+    return basis_at(octave_of(plan, k, 3), level_of(plan), *at, 3);
 }
 
-static struct outputs sum_octaves(const struct scarp_call_plan *plan, const struct point *x,
-                                  int dimensions)
+/* The derivative of octave k of the basis with respect to the phase, with its gradient in its own
+   axes: noise is linear in its gradients. */
+static inline struct sample turning_at(const struct scarp_call_plan *plan, int k,
+                                       const struct location *at, int dimensions)
 {
-    struct state state = {.weight = {{[VALUE] = 1.0f}}};
-    struct outputs sum = octave_at(plan, 0, x, dimensions, &state);
-    for (int k = 1; k < plan->octaves; k++) {
-        const struct outputs s = octave_at(plan, k, x, dimensions, &state);
-        for (int i = 0; i < OUTPUTS; i++) {
-            sum.of[i] += s.of[i];
+    const float slope = scarpi_phase_slope(&plan->octave[k], k);
+    struct scarp_octave turned = plan->octave[k];
+    struct scarp_call_plan of = *plan;
+    scarpi_phase_derivative(turned.turn, plan->octave[k].turn);
+    of.octave = &turned;
+    const struct sample s = dimensions == 2 ? basis_at2(&of, 0, at) : basis_at3(&of, 0, at);
+    return scaled(s, slope, slope, slope);
+}
+
+/* Adds what an octave adds to the derivative with respect to the phase, which is a sum of its own,
+   as if that were the derivative along x. */
+static inline struct state with_turning(struct state state, struct octave o, struct level l,
+                                        struct sample basis, struct sample turning, int dimensions)
+{
+    const float value = o.amplitude * basis.value;
+    const struct sample n = along_phase(value, turning.value);
+    struct state s = state;
+    if (l.fractal != SCARP_EROSION) {
+        return with_noise(state, o, l, false, n, dimensions);
+    }
+    s.slopes.d = add3(state.slopes.d, mul3(o.amplitude, basis.gradient));
+    s.slopes.jacobian.x.x += turning.gradient.x;
+    s.slopes.jacobian.y.x += turning.gradient.y;
+    s.slopes.jacobian.z.x += turning.gradient.z;
+    const struct sample term = eroded(s.slopes, l.erosion, value, n.gradient, dimensions);
+    s.sum.gradient.x += o.weight * term.gradient.x;
+    return s;
+}
+
+/* What octave 0 adds to: -0, which leaves the bits of every number as they are. Sums of fractals
+   that bend begin with 0. */
+static inline struct state first_state(const struct scarp_call_plan *plan)
+{
+    const vec3 none = {-0.0f, -0.0f, -0.0f};
+    struct state state = no_octaves();
+    if (!fractal_bends(plan->fractal)) {
+        state.sum = sample_of(-0.0f, none, none, none);
+    }
+    return state;
+}
+
+WHOLE struct sampled sum_octaves(const struct scarp_call_plan *plan, const struct point *x,
+                                 int dimensions)
+{
+    const struct level l = level_of(plan);
+    struct state sum = first_state(plan), by_phase = sum;
+    for (int k = 0; k < plan->octaves; k++) {
+        const struct octave o = octave_of(plan, k, dimensions);
+        struct point y = *x;
+        if (fractal_bends(plan->fractal) && k > 0) {
+            y.f32 = bent(sum, o, (uint)k, x->f32);
+            y.displaced = 1;
+        }
+        const struct location at = location_at(plan, k, &y, dimensions);
+        const struct sample basis =
+            dimensions == 2 ? basis_at2(plan, k, &at) : basis_at3(plan, k, &at);
+        sum = with_basis(sum, o, l, k == 0, is_turned(plan, k), basis, dimensions);
+        if (plan->dphase) {
+            const struct sample turning = turning_at(plan, k, &at, dimensions);
+            by_phase = with_turning(by_phase, o, l, basis, turning, dimensions);
         }
     }
-    return sum;
+    return (struct sampled){sum.sum, by_phase.sum.gradient.x};
 }
 
 #endif

@@ -6,7 +6,7 @@
 #define SCARP_SCALAR_GULLIES_H
 
 #include "../plan/gully.h"
-#include "basis.h"
+#include "driver.h"
 
 #include "../formulas/gullies.h"
 
@@ -49,9 +49,10 @@ static void gullies_at(const struct scarp_gully_call *call, const struct scarp_c
     const struct gully_shape shape = gully_shape_of(g);
     struct gully state = gully_begin(shape, gully_base_at(call, i));
     for (int k = 0; k < plan->octaves; k++) {
-        const struct location at = location_of(plan, k, x, 2);
+        const struct octave o = octave_of(plan, k, 2);
+        const struct location at = location_at(plan, k, x, 2);
         state = gully_octave_at(shape, gully_octave_of(&g->octave[k]),
-                                lattice_of(&plan->octave[k], NULL, 0), at, state);
+                                lattice_of(o, level_of(plan)), at, state);
     }
     const float displacement[3] = {g->of_sum[0] * state.sum.value, g->of_sum[1] * state.sum.d.x,
                                    g->of_sum[1] * state.sum.d.y};

@@ -9,28 +9,30 @@
 #include "../dispatch/exact.h"
 #include "../dispatch/kernels.h"
 #include "chain.h"
-#include "curl.h"
 #include "gullies.h"
+#include "warp.h"
 
-static void put_outputs(const struct scarp_outputs *out, size_t i, const struct outputs *s)
+#include "../formulas/curl.h"
+
+static void put3(float to[3], vec3 v)
 {
-    for (int output = 0; output < OUTPUTS; output++) {
-        if (out->array[output] != NULL) {
-            out->array[output][i] = s->of[output];
-        }
-    }
+    to[0] = v.x;
+    to[1] = v.y;
+    to[2] = v.z;
 }
 
 static struct point point_at(const void *const position[3], size_t i, int dimensions, int doubles)
 {
     struct point x = {.doubles = doubles};
+    float f32[3] = {0.0f};
     for (int d = 0; d < dimensions; d++) {
         if (doubles) {
             x.f64[d] = ((const double *)position[d])[i];
         } else {
-            x.f32[d] = ((const float *)position[d])[i];
+            f32[d] = ((const float *)position[d])[i];
         }
     }
+    x.f32 = vec3_of(f32[0], f32[1], f32[2]);
     return x;
 }
 
@@ -39,8 +41,8 @@ static void points(const struct scarp_call_plan *plan, size_t count, const void 
 {
     for (size_t i = 0; i < count; i++) {
         const struct point x = point_at(position, i, dimensions, doubles);
-        const struct outputs sum = sample_at(plan, &x, dimensions);
-        put_outputs(out, i, &sum);
+        const struct sampled sum = sample_at(plan, &x, dimensions);
+        put(out->array, i, &sum);
     }
 }
 
@@ -81,8 +83,8 @@ static void grid2(const struct scarp_call_plan *plan, const struct scarp_grid *g
         x.f64[1] = coordinate(grid, 1, j);
         for (size_t i = 0; i < grid->count[0]; i++) {
             x.f64[0] = coordinate(grid, 0, i);
-            const struct outputs sum = sample_at(plan, &x, 2);
-            put_outputs(out, j * grid->row_stride + i, &sum);
+            const struct sampled sum = sample_at(plan, &x, 2);
+            put(out->array, j * grid->row_stride + i, &sum);
         }
     }
 }
@@ -97,8 +99,8 @@ static void grid3(const struct scarp_call_plan *plan, const struct scarp_grid *g
             x.f64[1] = coordinate(grid, 1, j);
             for (size_t i = 0; i < grid->count[0]; i++) {
                 x.f64[0] = coordinate(grid, 0, i);
-                const struct outputs sum = sample_at(plan, &x, 3);
-                put_outputs(out, k * grid->slice_stride + j * grid->row_stride + i, &sum);
+                const struct sampled sum = sample_at(plan, &x, 3);
+                put(out->array, k * grid->slice_stride + j * grid->row_stride + i, &sum);
             }
         }
     }
@@ -128,22 +130,23 @@ static void normals(size_t count, const float *const slope[2], float height_scal
 static void cells_near(float of[CELLS_OUTPUTS], const struct scarp_call_plan *plan,
                        const struct point *x, int dimensions)
 {
-    const struct scarp_octave *const o = plan->octave;
-    const struct location at = location_of(plan, 0, x, dimensions);
-    const struct nearest n = nearest_at(lattice_of(o, NULL, 0), at, dimensions);
-    const struct outputs first = outputs_of(distance_to(n.first));
-    const struct outputs second = outputs_of(distance_to(n.second));
-    const float d[3] = {n.first.d.x, n.first.d.y, n.first.d.z};
-    const double unit = 1.0 / o->frequency64;
+    const struct octave o = octave_of(plan, 0, dimensions);
+    const struct location at = location_at(plan, 0, x, dimensions);
+    const struct nearest n = nearest_at(lattice_of(o, level_of(plan)), at, dimensions);
+    const struct sample first = distance_to(n.first), second = distance_to(n.second);
+    const double unit = 1.0 / plan->octave->frequency64;
+    const vec3 d = n.first.d, of_f32 = sub3(x->f32, mul3((float)unit, d));
     const uint32_t id = n.first.s < FAR_AWAY ? n.first.hash * FEATURE_ID : 0; /* 0 of NaN */
+    of[CELLS_F1] = first.value * (float)unit;
+    of[CELLS_F2] = second.value * (float)unit;
     memcpy(&of[CELLS_ID], &id, sizeof id);
-    of[CELLS_F1] = first.of[VALUE] * (float)unit;
-    of[CELLS_F2] = second.of[VALUE] * (float)unit;
-    for (int i = 0; i < dimensions; i++) {
-        of[CELLS_DX1 + i] = first.of[DX + i];
-        of[CELLS_DX2 + i] = second.of[DX + i];
-        of[CELLS_X + i] =
-            x->doubles ? (float)(x->f64[i] - (double)d[i] * unit) : x->f32[i] - d[i] * (float)unit;
+    put3(&of[CELLS_X], of_f32);
+    put3(&of[CELLS_DX1], first.gradient);
+    put3(&of[CELLS_DX2], second.gradient);
+    if (x->doubles) {
+        of[CELLS_X] = (float)(x->f64[0] - (double)d.x * unit);
+        of[CELLS_Y] = (float)(x->f64[1] - (double)d.y * unit);
+        of[CELLS_Z] = (float)(x->f64[2] - (double)d.z * unit);
     }
 }
 
@@ -175,13 +178,13 @@ static void components(const struct scarp_call_plan *plan, size_t count,
 {
     for (size_t i = 0; i < count; i++) {
         const struct point x = point_at(position, i, dimensions, doubles);
-        struct outputs of[3];
+        struct sampled of[3];
         /* All of them come before an output takes the place of a coordinate. */
         for (int c = 0; c < dimensions; c++) {
             of[c] = component_at(plan, &x, dimensions, c);
         }
         for (int c = 0; c < dimensions; c++) {
-            put_outputs(out[c], i, &of[c]);
+            put(out[c]->array, i, &of[c]);
         }
     }
 }
@@ -191,8 +194,18 @@ static void curl(const struct scarp_call_plan *plan, size_t count, const void *c
 {
     for (size_t i = 0; i < count; i++) {
         const struct point x = point_at(position, i, dimensions, doubles);
+        struct displaced psi = not_displaced();
         float of[FLOW_OUTPUTS];
-        curl_at(of, plan, &x, dimensions);
+        psi.x = component_at(plan, &x, dimensions, 0).s;
+        if (dimensions == 3) {
+            psi.y = component_at(plan, &x, dimensions, 1).s;
+            psi.z = component_at(plan, &x, dimensions, 2).s;
+        }
+        const struct flow f = dimensions == 3 ? curl_in_space(psi) : curl_in_plane(psi.x);
+        put3(&of[FLOW_V], f.velocity);
+        put3(&of[FLOW_JACOBIAN], f.x);
+        put3(&of[FLOW_JACOBIAN + 3], f.y);
+        put3(&of[FLOW_JACOBIAN + 6], f.z);
         for (int output = 0; output < FLOW_OUTPUTS; output++) {
             if (out->array[output] != NULL) {
                 out->array[output][i] = of[output];

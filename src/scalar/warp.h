@@ -1,90 +1,56 @@
 /* SPDX-License-Identifier: MIT
  *
- * Reference: noise at displaced positions. The coordinates of y(x) are samples themselves: their
- * values are how far they are displaced, their derivatives those of y by x.
+ * Reference: noise with warps, and vector noise.
  */
 #ifndef SCARP_SCALAR_WARP_H
 #define SCARP_SCALAR_WARP_H
 
-#include "bend.h"
+#include "driver.h"
 
-/* The sum over the coordinates y_m of v_m times an output of y_m. */
-static inline float along(const struct outputs y[3], int output, const float v[3], int dimensions)
-{
-    const float sum = y[0].of[output] * v[0] + y[1].of[output] * v[1];
-    return dimensions == 3 ? sum + y[2].of[output] * v[2] : sum;
-}
-
-/* A sample at y with its derivatives by y becomes one with its derivatives by x: with the Jacobian
-   J of y, the gradient is J^T g, the Hessian J^T (H J) + sum_m g_m (Hessian of y_m). */
-static struct outputs composed(const struct outputs *s, const struct outputs y[3], int dimensions)
-{
-    const float *const g = &s->of[DX];
-    struct outputs r = *s;
-    for (int j = 0; j < dimensions; j++) {
-        float hj[3] = {0.0f, 0.0f, 0.0f}; /* column j of H J */
-        for (int m = 0; m < dimensions; m++) {
-            const float row[3] = {s->of[second(m, 0)], s->of[second(m, 1)], s->of[second(m, 2)]};
-            hj[m] = along(y, DX + j, row, dimensions);
-        }
-        r.of[DX + j] = along(y, DX + j, g, dimensions);
-        for (int i = 0; i <= j; i++) {
-            r.of[second(i, j)] =
-                along(y, DX + i, hj, dimensions) + along(y, second(i, j), g, dimensions);
-        }
-    }
-    return r;
-}
+#include "../formulas/warp.h"
 
 /* Displaces x, which is not displaced yet. */
-static struct point displaced(const struct point *x, const struct outputs y[3], int dimensions)
+static struct point moved(const struct point *x, struct displaced y)
 {
     struct point at = *x;
     at.displaced = 1;
-    for (int i = 0; i < dimensions; i++) {
-        at.f32[i] += y[i].of[VALUE];
-    }
+    at.f32 = add3(at.f32, values_of(y));
     return at;
-}
-
-/* The noise of a plan without its warp. */
-static struct outputs octaves_at(const struct scarp_call_plan *plan, const struct point *x,
-                                 int dimensions)
-{
-    return fractal_bends(plan->fractal) ? bend_octaves(plan, x, dimensions)
-                                        : sum_octaves(plan, x, dimensions);
 }
 
 /* The noise of a plan, or a component of its potentials, with the warps: from the deepest one,
    which looks at x, to the noise. */
-static struct outputs component_at(const struct scarp_call_plan *plan, const struct point *x,
+static struct sampled component_at(const struct scarp_call_plan *plan, const struct point *x,
                                    int dimensions, int component)
 {
     const int depth = plan->warps.depth;
-    struct outputs y[3], moved[3];
+    struct displaced y = not_displaced();
     struct point at = *x;
     struct scarp_call_plan of_level;
     if (depth == 0 && !plan->warps.vector) {
-        return octaves_at(plan, x, dimensions);
+        return sum_octaves(plan, x, dimensions);
     }
     for (int level = depth; level > 0; level--) {
+        struct sample of[3] = {constant(0.0f), constant(0.0f), constant(0.0f)};
         for (int i = 0; i < dimensions; i++) {
             of_level = scarpi_component_plan(plan, level, i);
-            moved[i] = octaves_at(&of_level, &at, dimensions);
+            of[i] = sum_octaves(&of_level, &at, dimensions).s;
             if (level < depth) {
-                moved[i] = composed(&moved[i], y, dimensions);
+                of[i] = composed(of[i], y, dimensions);
             }
-            moved[i].of[DX + i] += 1.0f;
         }
-        memcpy(y, moved, (size_t)dimensions * sizeof *y);
-        at = displaced(x, y, dimensions);
+        y = positions_of(displaced_of(of[0], of[1], of[2]));
+        at = moved(x, y);
     }
     of_level = scarpi_component_plan(plan, 0, component);
-    const struct outputs s = octaves_at(&of_level, &at, dimensions);
-    return depth == 0 ? s : composed(&s, y, dimensions);
+    struct sampled s = sum_octaves(&of_level, &at, dimensions);
+    if (depth > 0) {
+        s.s = composed(s.s, y, dimensions);
+    }
+    return s;
 }
 
-static struct outputs sample_at(const struct scarp_call_plan *plan, const struct point *x,
+static struct sampled sample_at(const struct scarp_call_plan *plan, const struct point *x,
                                 int dimensions)
 {
     return component_at(plan, x, dimensions, 0);

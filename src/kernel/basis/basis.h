@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Stage 2, the basis: one octave of noise at points of the lattice, times its weights, added to
- * sums. The reference is scalar/basis.h.
+ * sums. The reference is formulas/basis.h.
  *
  * A basis that reduces lattice columns to lines (columns.h) is a file with one function,
  * `struct column NAME_column(corners, across, variant)`, and a case in column_inline() and, for

@@ -1,8 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
- * The derivative of shaped octaves by the phase, from that of the noise, which is noise with other
- * gradients. These passes come before those of the octave itself, so they find the state
- * without it, and work for every order. The references are in scalar/.
+ * The derivative of shaped octaves with respect to the phase, from that of the noise, which is
+ * noise with other gradients. These passes come before those of the octave itself, so they
+ * find the state without it, and work for every order. The reference is with_turning() of
+ * scalar/driver.h.
  */
 #ifndef SCARP_KERNEL_FRACTAL_PHASE_H
 #define SCARP_KERNEL_FRACTAL_PHASE_H

@@ -1,14 +1,14 @@
 /* SPDX-License-Identifier: MIT
  *
- * Shaders: where a point lies in the frame of an octave; as scalar/positions.h.
+ * Formulas: where a point lies in the frame of an octave.
  */
-#ifndef SCARP_GPU_POSITIONS_H
-#define SCARP_GPU_POSITIONS_H
+#ifndef SCARP_FORMULAS_POSITIONS_H
+#define SCARP_FORMULAS_POSITIONS_H
 
-#include "../formulas/lattice.h"
-#include "../formulas/matrices.h"
-#include "numbers.h"
-#include "plan.h"
+#include "lattice.h"
+#include "matrices.h"
+#include "octave.h"
+#include "signs.h"
 
 static inline uint within_period(uint last, int cell)
 {
@@ -45,24 +45,33 @@ static inline struct split split(float p, uint last)
     return s;
 }
 
-/* Along each axis p = J x + o, where axes are turned, else p = f x + o. */
-static inline vec3 position_of(struct octave o, bool turned, vec3 x, int dimensions)
+/* J x where axes are turned, else f x: how many cells of the octave x is along each axis. */
+static inline vec3 cells_along(struct octave o, bool turned, vec3 x, int dimensions)
 {
     vec3 p = mul3(o.frequency, x);
     if (turned) {
         p = times(rows_of(o.jacobian_x, o.jacobian_y, o.jacobian_z), x, dimensions);
     }
-    return add3(p, vec3_of(o.offset_x, o.offset_y, o.offset_z));
+    return p;
 }
 
 /* Along y, triangles of simplex noise count their rows. */
-static inline struct location location_of(struct octave o, uint basis, bool turned, vec3 x,
-                                          int dimensions)
+static inline vec3 stretched(struct octave o, uint basis, vec3 cells, int dimensions)
 {
-    vec3 p = position_of(o, turned, x, dimensions);
+    vec3 p = cells;
     if (basis == SCARP_SIMPLEX && dimensions == 2) {
         p.y *= o.turn.z;
     }
+    return p;
+}
+
+/* Along each axis p = J x + o, where axes are turned, else p = f x + o. */
+static inline struct location location_of(struct octave o, uint basis, bool turned, vec3 x,
+                                          int dimensions)
+{
+    const vec3 offset = vec3_of(o.offset_x, o.offset_y, o.offset_z);
+    const vec3 cells = add3(cells_along(o, turned, x, dimensions), offset);
+    const vec3 p = stretched(o, basis, cells, dimensions);
     const struct split sx = split(p.x, o.last.x);
     const struct split sy = split(p.y, o.last.y);
     struct location at = {
