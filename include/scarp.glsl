@@ -1899,6 +1899,24 @@ ScarpFlow scarp_curl_in_space(ScarpDisplaced psi)
     return f;
 }
 
+/* The self-test of shaders. */
+
+/* A coordinate of test point i, in steps of a unit. Every operation is exact. */
+float scarp_test_coordinate(float unit, uint i, uint axis)
+{
+    uvec3 key = uvec3(0u, 0u, 0u);
+    int cells = scarp_int_of(scarp_hash2(key, i, axis) >> 12u) - 524288;
+    return scarp_mul(scarp_float_of_int(cells), unit);
+}
+
+/* The hash h with an output; what is below 2^-120 counts as 0. */
+uint scarp_hash_with(uint h, float a)
+{
+    uint magnitude_bits = scarp_bits_of(a) & 0x7fffffffu;
+    uint bits = scarp_pick_uint(magnitude_bits < 0x03800000u, 0u, scarp_bits_of(a));
+    return (((h << 5u) | (h >> 27u)) ^ bits) * SCARP_HASH_K;
+}
+
 /* The sum of the octaves at one point. */
 
 ScarpOctave scarp_octave_of(uint plan, uint k)
@@ -2012,25 +2030,6 @@ ScarpDisplaced scarp_vector2(uint plan, float x, float y)
 ScarpDisplaced scarp_vector3(uint plan, float x, float y, float z)
 {
     return scarp_components_at(plan, scarp_vec3_of(x, y, z), 3, 3);
-}
-
-/* A coordinate of test point i, in steps of a unit. */
-float scarp_test_coordinate(float unit, uint i, uint axis)
-{
-    uvec3 key;
-    key.x = 0u;
-    key.y = 0u;
-    key.z = 0u;
-    int cells = scarp_int_of(scarp_hash2(key, i, axis) >> 12u) - 524288;
-    return scarp_mul(scarp_float_of_int(cells), unit);
-}
-
-/* The hash h with an output; what is below 2^-120 counts as 0. */
-uint scarp_hash_with(uint h, float a)
-{
-    uint magnitude_bits = scarp_bits_of(a) & 0x7fffffffu;
-    uint bits = scarp_pick_uint(magnitude_bits < 0x03800000u, 0u, scarp_bits_of(a));
-    return (((h << 5u) | (h >> 27u)) ^ bits) * SCARP_HASH_K;
 }
 
 /* The hash h with the outputs of a sample up to an order, in the order of struct scarp_samples. */

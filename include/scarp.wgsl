@@ -1695,6 +1695,22 @@ fn scarp_curl_in_space(psi: ScarpDisplaced) -> ScarpFlow {
     return f;
 }
 
+/* The self-test of shaders. */
+
+/* A coordinate of test point i, in steps of a unit. Every operation is exact. */
+fn scarp_test_coordinate(unit: f32, i: u32, axis: u32) -> f32 {
+    let key: vec3u = vec3u(0u, 0u, 0u);
+    let cells: i32 = bitcast<i32>(scarp_hash2(key, i, axis) >> 12u) - 524288;
+    return scarp_mul(f32(cells), unit);
+}
+
+/* The hash h with an output; what is below 2^-120 counts as 0. */
+fn scarp_hash_with(h: u32, a: f32) -> u32 {
+    let magnitude_bits: u32 = bitcast<u32>(a) & 0x7fffffffu;
+    let bits: u32 = select(bitcast<u32>(a), 0u, magnitude_bits < 0x03800000u);
+    return (((h << 5u) | (h >> 27u)) ^ bits) * SCARP_HASH_K;
+}
+
 /* The sum of the octaves at one point. */
 
 fn scarp_octave_of(plan: u32, k: u32) -> ScarpOctave {
@@ -1799,23 +1815,6 @@ fn scarp_vector2(plan: u32, x: f32, y: f32) -> ScarpDisplaced {
 /* What scarp_vector3 gives. */
 fn scarp_vector3(plan: u32, x: f32, y: f32, z: f32) -> ScarpDisplaced {
     return scarp_components_at(plan, vec3f(x, y, z), 3, 3);
-}
-
-/* A coordinate of test point i, in steps of a unit. */
-fn scarp_test_coordinate(unit: f32, i: u32, axis: u32) -> f32 {
-    var key: vec3u;
-    key.x = 0u;
-    key.y = 0u;
-    key.z = 0u;
-    let cells: i32 = bitcast<i32>(scarp_hash2(key, i, axis) >> 12u) - 524288;
-    return scarp_mul(f32(cells), unit);
-}
-
-/* The hash h with an output; what is below 2^-120 counts as 0. */
-fn scarp_hash_with(h: u32, a: f32) -> u32 {
-    let magnitude_bits: u32 = bitcast<u32>(a) & 0x7fffffffu;
-    let bits: u32 = select(bitcast<u32>(a), 0u, magnitude_bits < 0x03800000u);
-    return (((h << 5u) | (h >> 27u)) ^ bits) * SCARP_HASH_K;
 }
 
 /* The hash h with the outputs of a sample up to an order, in the order of struct scarp_samples. */

@@ -8,8 +8,9 @@
 
 #include "../dispatch/dispatch.h"
 #include "../dispatch/fpmode.h"
-#include "../formulas/lattice.h"
+#include "../formulas/answers.h"
 #include "../plan/check.h"
+#include "../plan/octave.h"
 #include "../plan/outputs.h"
 #include "run.h"
 #include "scarp.h"
@@ -34,66 +35,28 @@ _Static_assert(sizeof((struct scarp_gpu_plan *)0)->level / sizeof(struct scarp_g
                        SCARP_MAX_OCTAVES,
                "there is room for all levels, and for as many octaves as a plan has");
 
-/* What depends on the basis: the turn of gradients that flow, or the numbers of bases that take
-   places. */
-static void set_turn(float turn[4], const struct scarp_call_plan *plan,
-                     const struct scarp_octave *o)
-{
-    if (!blends_corners(plan->basis)) {
-        turn[0] = o->jitter;
-        turn[1] = o->middle;
-        turn[2] = (float)o->stretch;
-    } else if (plan->flows) {
-        memcpy(turn, o->turn, sizeof o->turn);
-    }
-}
+_Static_assert(sizeof(struct scarp_gpu_octave) == sizeof(struct octave) &&
+                   sizeof(struct scarp_gpu_level) == sizeof(struct level),
+               "the formulas have the octaves and levels of scarp.h");
 
 static void set_octave(struct scarp_gpu_octave *to, const struct scarp_call_plan *plan, int k,
                        int dimensions)
 {
-    const struct scarp_octave *const o = &plan->octave[k];
-    memset(to, 0, sizeof *to);
-    memcpy(to->key, o->key, sizeof to->key);
-    to->frequency = o->frequency;
-    to->weight = o->weight;
-    to->amplitude = o->amplitude;
-    to->slope = o->slope;
-    to->curvature = o->curvature;
-    to->last[2] = UINT32_MAX; /* in 2D, too */
-    to->share = o->share;
-    set_turn(to->turn, plan, o);
-    for (int i = 0; i < dimensions; i++) {
-        to->last[i] = o->last[i];
-        to->jacobian[i][3] = (float)o->offset[i];
-        for (int j = 0; plan->rotate && k > 0 && j < dimensions; j++) {
-            to->jacobian[i][j] = o->jacobian[i][j];
-            to->gradient[i][j] = o->gradient[i][j];
-        }
+    struct octave o = octave_of(plan, k, dimensions);
+    if (plan->basis >= SCARP_CELL_F1) {
+        o.inverse = (float)(1.0 / plan->octave[k].frequency64);
     }
-    if (fractal_bends(plan->fractal) || plan->basis >= SCARP_CELL_F1) {
-        to->gradient[0][3] = (float)(1.0 / o->frequency64);
-    }
-    if (fractal_bends(plan->fractal)) {
-        to->gradient[1][3] = bend_octave_of(plan, k).reach;
-    }
+    memcpy(to, &o, sizeof *to);
 }
 
 /* Writes what the components of a level share. */
 static void set_level(struct scarp_gpu_level *to, const struct scarp_call_plan *plan, int first)
 {
-    memset(to, 0, sizeof *to);
-    to->basis = plan->basis;
-    to->fade = plan->fade;
-    to->fractal = plan->fractal;
-    to->octaves = (uint32_t)plan->octaves;
-    to->rotate = plan->rotate != 0;
-    to->flows = plan->flows != 0;
-    to->first = (uint32_t)first;
-    to->erosion = plan->erosion;
-    to->sharpness = plan->sharpness;
-    if (fractal_bends(plan->fractal)) {
-        to->inverse_weight = bend_octave_of(plan, 0).inverse_weight;
-    }
+    struct level l = level_of(plan);
+    l.octaves = (uint32_t)plan->octaves;
+    l.rotate = plan->rotate != 0;
+    l.first = (uint32_t)first;
+    memcpy(to, &l, sizeof *to);
 }
 
 float scarpi_shader_unit(double frequency)
@@ -234,21 +197,6 @@ static NOINLINE enum scarp_status find_unit(float *unit, const struct scarp_nois
     return scarpi_fault_status(fault, NULL);
 }
 
-float scarpi_shader_coordinate(uint32_t point, uint32_t axis, float unit)
-{
-    const uvec3 key = {0, 0, 0};
-    const int32_t c = (int32_t)(hash2(key, point, axis) >> 12) - 524288;
-    return (float)c * unit;
-}
-
-uint32_t scarpi_shader_hash(uint32_t hash, float output)
-{
-    uint32_t bits;
-    memcpy(&bits, &output, sizeof bits);
-    bits = (bits & 0x7fffffffu) < 0x03800000u ? 0 : bits; /* 2^-120 */
-    return ((hash << 5 | hash >> 27) ^ bits) * HASH_K;
-}
-
 /* The arrays of `out` in the order of struct scarp_samples, which samples.c has an assertion for.
  */
 static struct scarp_outputs *list_of(struct scarp_samples *out)
@@ -269,7 +217,7 @@ static NOINLINE enum scarp_status answer_chunk(uint32_t answer[CHUNK],
     struct scarp_samples out = {0};
     for (uint32_t i = 0; i < CHUNK; i++) {
         for (int axis = 0; axis < 3; axis++) {
-            array[axis][i] = scarpi_shader_coordinate(first + i, (uint32_t)axis, unit);
+            array[axis][i] = test_coordinate(unit, first + i, (uint32_t)axis);
         }
     }
     for (int i = 0; i < OUTPUTS_UP_TO(order); i++) {
@@ -281,8 +229,7 @@ static NOINLINE enum scarp_status answer_chunk(uint32_t answer[CHUNK],
     for (int i = 0; status == SCARP_OK && i < CHUNK; i++) {
         answer[i] = 0;
         for (int j = 0; j < OUTPUTS_UP_TO(order); j++) {
-            answer[i] =
-                (absent >> j & 1) == 0 ? scarpi_shader_hash(answer[i], array[j][i]) : answer[i];
+            answer[i] = (absent >> j & 1) == 0 ? hash_with(answer[i], array[j][i]) : answer[i];
         }
     }
     return status;

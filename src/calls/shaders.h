@@ -15,10 +15,4 @@ int scarpi_shader_levels(const struct scarp_call_plan *plan, int dimensions,
 /* The power of two nearest 1 / (256 frequency): test points are multiples of it. */
 float scarpi_shader_unit(double frequency);
 
-/* A coordinate of a test point. Every operation is exact, whatever the floating-point mode. */
-float scarpi_shader_coordinate(uint32_t point, uint32_t axis, float unit);
-
-/* The hash, with one output more. */
-uint32_t scarpi_shader_hash(uint32_t hash, float output);
-
 #endif

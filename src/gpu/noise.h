@@ -7,6 +7,7 @@
 
 #include "octaves.h"
 
+#include "../formulas/answers.h"
 #include "../formulas/warp.h"
 
 /* Components of a level, each at `at`, by x; `y` says how that depends on x, unless the level is
@@ -74,25 +75,6 @@ static inline struct displaced vector2(uint plan, float x, float y)
 static inline struct displaced vector3(uint plan, float x, float y, float z)
 {
     return components_at(plan, vec3_of(x, y, z), 3, 3);
-}
-
-/* A coordinate of test point i, in steps of a unit. */
-static inline float test_coordinate(float unit, uint i, uint axis)
-{
-    uvec3 key;
-    key.x = 0u;
-    key.y = 0u;
-    key.z = 0u;
-    const int cells = (int)(hash2(key, i, axis) >> 12u) - 524288;
-    return (float)cells * unit;
-}
-
-/* The hash h with an output; what is below 2^-120 counts as 0. */
-static inline uint hash_with(uint h, float a)
-{
-    const uint magnitude_bits = bits_of(a) & 0x7fffffffu;
-    const uint bits = magnitude_bits < 0x03800000u ? 0u : bits_of(a);
-    return (((h << 5u) | (h >> 27u)) ^ bits) * HASH_K;
 }
 
 /* The hash h with the outputs of a sample up to an order, in the order of struct scarp_samples. */

@@ -9,6 +9,7 @@
 #include "../calls/run.h"
 #include "../calls/shaders.h"
 #include "../dispatch/fpmode.h"
+#include "../formulas/answers.h"
 #include "evaluate.h"
 #include "graph.h"
 
@@ -148,7 +149,7 @@ static void set_point(const struct answering *a, uint32_t first, float position[
 {
     for (uint32_t i = 0; i < CHUNK; i++) {
         for (uint32_t axis = 0; axis < 3; axis++) {
-            position[axis][i] = scarpi_shader_coordinate(first + i, axis, a->unit);
+            position[axis][i] = test_coordinate(a->unit, first + i, axis);
         }
     }
 }
@@ -191,7 +192,7 @@ static NOINLINE enum scarp_status answer_chunk(const struct answering *a, uint32
             float *member;
             memcpy(&member, (const char *)&samples + (size_t)k * sizeof member, sizeof member);
             for (int i = 0; member != NULL && i < CHUNK; i++) {
-                answer[i] = scarpi_shader_hash(answer[i], member[i]);
+                answer[i] = hash_with(answer[i], member[i]);
             }
         }
     }

@@ -8,7 +8,8 @@
 #include <math.h>
 #include <string.h>
 
-#include "octave.h"
+#include "../plan/octave.h"
+#include "sample.h"
 
 #include "../formulas/positions.h"
 

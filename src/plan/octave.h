@@ -1,14 +1,12 @@
 /* SPDX-License-Identifier: MIT
  *
- * Reference: the constants of a plan as the formulas have them.
+ * The constants of a plan as the formulas have them: for the reference, and for shaders.
  */
-#ifndef SCARP_SCALAR_OCTAVE_H
-#define SCARP_SCALAR_OCTAVE_H
-
-#include "../plan/call.h"
-#include "sample.h"
+#ifndef SCARP_PLAN_OCTAVE_H
+#define SCARP_PLAN_OCTAVE_H
 
 #include "../formulas/octave.h"
+#include "call.h"
 
 /* Whether an octave's axes are turned: then p = J x + o, else p = f x + o. In octave 0 o is 0;
    adding it turns -0 into 0. */
@@ -34,13 +32,13 @@ static inline vec4 turn_of(const struct scarp_call_plan *plan, const struct scar
     return turn;
 }
 
-/* Octave k of a plan. What only fractals that bend need is 0 for others. */
+/* Octave k of a plan. What it does not need is 0. */
 static inline struct octave octave_of(const struct scarp_call_plan *plan, int k, int dimensions)
 {
     const struct scarp_octave *const from = &plan->octave[k];
     struct octave o = {
         .key = {from->key[0], from->key[1], from->key[2]},
-        .last = {from->last[0], from->last[1], from->last[2]},
+        .last = {from->last[0], from->last[1], dimensions == 3 ? from->last[2] : UINT32_MAX},
         .frequency = from->frequency,
         .weight = from->weight,
         .amplitude = from->amplitude,
@@ -70,6 +68,7 @@ static inline struct octave octave_of(const struct scarp_call_plan *plan, int k,
     return o;
 }
 
+/* What octaves share; how many there are, and where, shaders know. */
 static inline struct level level_of(const struct scarp_call_plan *plan)
 {
     const struct level l = {
