@@ -1392,23 +1392,32 @@ vec3 scarp_stretched(ScarpOctave o, uint basis, vec3 cells, int dimensions)
     return p;
 }
 
+/* Where a point lies by its splits along the axes. In 2D all of z is 0. */
+ScarpLocation scarp_location_in(uvec3 last, ScarpSplit x, ScarpSplit y, ScarpSplit z,
+        int dimensions)
+{
+    ScarpLocation at = ScarpLocation(uvec3(x.cell, y.cell, 0u), uvec3(scarp_cell_after(last.x,
+            x.cell), scarp_cell_after(last.y, y.cell), 0u), vec3(x.t, y.t, 0.0f));
+    if (dimensions == 3) {
+        at.t.z = z.t;
+        at.cell.z = z.cell;
+        at.next.z = scarp_cell_after(last.z, z.cell);
+    }
+    return at;
+}
+
 /* Along each axis p = J x + o, where axes are turned, else p = f x + o. */
 ScarpLocation scarp_location_of(ScarpOctave o, uint basis, bool turned, vec3 x, int dimensions)
 {
     vec3 offset = scarp_vec3_of(o.offset_x, o.offset_y, o.offset_z);
     vec3 cells = scarp_add3(scarp_cells_along(o, turned, x, dimensions), offset);
     vec3 p = scarp_stretched(o, basis, cells, dimensions);
-    ScarpSplit sx = scarp_split(p.x, o.last.x);
-    ScarpSplit sy = scarp_split(p.y, o.last.y);
-    ScarpLocation at = ScarpLocation(uvec3(sx.cell, sy.cell, 0u), uvec3(scarp_cell_after(o.last.x,
-            sx.cell), scarp_cell_after(o.last.y, sy.cell), 0u), vec3(sx.t, sy.t, 0.0f));
+    ScarpSplit z = ScarpSplit(0u, 0.0f);
     if (dimensions == 3) {
-        ScarpSplit sz = scarp_split(p.z, o.last.z);
-        at.t.z = sz.t;
-        at.cell.z = sz.cell;
-        at.next.z = scarp_cell_after(o.last.z, sz.cell);
+        z = scarp_split(p.z, o.last.z);
     }
-    return at;
+    return scarp_location_in(o.last, scarp_split(p.x, o.last.x), scarp_split(p.y, o.last.y), z,
+            dimensions);
 }
 
 /* What fractals make of an octave n, but for those that bend. */

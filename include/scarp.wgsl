@@ -1219,24 +1219,31 @@ fn scarp_stretched(o: ScarpOctave, basis: u32, cells: vec3f, dimensions: i32) ->
     return p;
 }
 
+/* Where a point lies by its splits along the axes. In 2D all of z is 0. */
+fn scarp_location_in(last: vec3u, x: ScarpSplit, y: ScarpSplit, z: ScarpSplit,
+        dimensions: i32) -> ScarpLocation {
+    var at: ScarpLocation = ScarpLocation(vec3u(x.cell, y.cell, 0u), vec3u(scarp_cell_after(last.x,
+            x.cell), scarp_cell_after(last.y, y.cell), 0u), vec3f(x.t, y.t, 0.0f));
+    if (dimensions == 3) {
+        at.t.z = z.t;
+        at.cell.z = z.cell;
+        at.next.z = scarp_cell_after(last.z, z.cell);
+    }
+    return at;
+}
+
 /* Along each axis p = J x + o, where axes are turned, else p = f x + o. */
 fn scarp_location_of(o: ScarpOctave, basis: u32, turned: bool, x: vec3f,
         dimensions: i32) -> ScarpLocation {
     let offset: vec3f = vec3f(o.offset_x, o.offset_y, o.offset_z);
     let cells: vec3f = scarp_add3(scarp_cells_along(o, turned, x, dimensions), offset);
     let p: vec3f = scarp_stretched(o, basis, cells, dimensions);
-    let sx: ScarpSplit = scarp_split(p.x, o.last.x);
-    let sy: ScarpSplit = scarp_split(p.y, o.last.y);
-    var at: ScarpLocation = ScarpLocation(vec3u(sx.cell, sy.cell, 0u),
-            vec3u(scarp_cell_after(o.last.x, sx.cell), scarp_cell_after(o.last.y, sy.cell), 0u),
-            vec3f(sx.t, sy.t, 0.0f));
+    var z: ScarpSplit = ScarpSplit(0u, 0.0f);
     if (dimensions == 3) {
-        let sz: ScarpSplit = scarp_split(p.z, o.last.z);
-        at.t.z = sz.t;
-        at.cell.z = sz.cell;
-        at.next.z = scarp_cell_after(o.last.z, sz.cell);
+        z = scarp_split(p.z, o.last.z);
     }
-    return at;
+    return scarp_location_in(o.last, scarp_split(p.x, o.last.x), scarp_split(p.y, o.last.y), z,
+            dimensions);
 }
 
 /* What fractals make of an octave n, but for those that bend. */

@@ -65,6 +65,23 @@ static inline vec3 stretched(struct octave o, uint basis, vec3 cells, int dimens
     return p;
 }
 
+/* Where a point lies by its splits along the axes. In 2D all of z is 0. */
+static inline struct location location_in(uvec3 last, struct split x, struct split y,
+                                          struct split z, int dimensions)
+{
+    struct location at = {
+        .cell = {x.cell, y.cell, 0},
+        .next = {cell_after(last.x, x.cell), cell_after(last.y, y.cell), 0},
+        .t = {x.t, y.t, 0.0f},
+    };
+    if (dimensions == 3) {
+        at.t.z = z.t;
+        at.cell.z = z.cell;
+        at.next.z = cell_after(last.z, z.cell);
+    }
+    return at;
+}
+
 /* Along each axis p = J x + o, where axes are turned, else p = f x + o. */
 static inline struct location location_of(struct octave o, uint basis, bool turned, vec3 x,
                                           int dimensions)
@@ -72,20 +89,11 @@ static inline struct location location_of(struct octave o, uint basis, bool turn
     const vec3 offset = vec3_of(o.offset_x, o.offset_y, o.offset_z);
     const vec3 cells = add3(cells_along(o, turned, x, dimensions), offset);
     const vec3 p = stretched(o, basis, cells, dimensions);
-    const struct split sx = split(p.x, o.last.x);
-    const struct split sy = split(p.y, o.last.y);
-    struct location at = {
-        .cell = {sx.cell, sy.cell, 0},
-        .next = {cell_after(o.last.x, sx.cell), cell_after(o.last.y, sy.cell), 0},
-        .t = {sx.t, sy.t, 0.0f},
-    };
+    struct split z = {0, 0.0f};
     if (dimensions == 3) {
-        const struct split sz = split(p.z, o.last.z);
-        at.t.z = sz.t;
-        at.cell.z = sz.cell;
-        at.next.z = cell_after(o.last.z, sz.cell);
+        z = split(p.z, o.last.z);
     }
-    return at;
+    return location_in(o.last, split(p.x, o.last.x), split(p.y, o.last.y), z, dimensions);
 }
 
 #endif

@@ -73,12 +73,15 @@ WHOLE struct sampled sum_octaves(const struct scarp_call_plan *plan, const struc
     struct state sum = first_state(plan), by_phase = sum;
     for (int k = 0; k < plan->octaves; k++) {
         const struct octave o = octave_of(plan, k, dimensions);
-        struct point y = *x;
+        struct location at;
         if (fractal_bends(plan->fractal) && k > 0) {
+            struct point y = *x;
             y.f32 = bent(sum, o, (uint)k, x->f32);
             y.displaced = 1;
+            at = location_at(plan, k, &y, dimensions);
+        } else {
+            at = location_at(plan, k, x, dimensions);
         }
-        const struct location at = location_at(plan, k, &y, dimensions);
         const struct sample basis =
             dimensions == 2 ? basis_at2(plan, k, &at) : basis_at3(plan, k, &at);
         sum = with_basis(sum, o, l, k == 0, is_turned(plan, k), basis, dimensions);

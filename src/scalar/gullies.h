@@ -42,8 +42,8 @@ static inline struct gully_base gully_base_at(const struct scarp_gully_call *cal
 }
 
 /* Element i of the arrays, which lies at x. */
-static void gullies_at(const struct scarp_gully_call *call, const struct scarp_call_plan *plan,
-                       size_t i, const struct point *x)
+WHOLE void gullies_at(const struct scarp_gully_call *call, const struct scarp_call_plan *plan,
+                      size_t i, const struct point *x)
 {
     const struct scarp_gully_plan *const g = call->gullies;
     const struct gully_shape shape = gully_shape_of(g);

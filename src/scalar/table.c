@@ -24,15 +24,17 @@ static void put3(float to[3], vec3 v)
 static struct point point_at(const void *const position[3], size_t i, int dimensions, int doubles)
 {
     struct point x = {.doubles = doubles};
-    float f32[3] = {0.0f};
-    for (int d = 0; d < dimensions; d++) {
-        if (doubles) {
+    if (doubles) {
+        for (int d = 0; d < dimensions; d++) {
             x.f64[d] = ((const double *)position[d])[i];
-        } else {
-            f32[d] = ((const float *)position[d])[i];
         }
+        return x;
     }
-    x.f32 = vec3_of(f32[0], f32[1], f32[2]);
+    x.f32.x = ((const float *)position[0])[i];
+    x.f32.y = ((const float *)position[1])[i];
+    if (dimensions == 3) {
+        x.f32.z = ((const float *)position[2])[i];
+    }
     return x;
 }
 
@@ -127,8 +129,8 @@ static void normals(size_t count, const float *const slope[2], float height_scal
 }
 
 /* What is near x, by output. The id is there as bits. */
-static void cells_near(float of[CELLS_OUTPUTS], const struct scarp_call_plan *plan,
-                       const struct point *x, int dimensions)
+WHOLE void cells_near(float of[CELLS_OUTPUTS], const struct scarp_call_plan *plan,
+                      const struct point *x, int dimensions)
 {
     const struct octave o = octave_of(plan, 0, dimensions);
     const struct location at = location_at(plan, 0, x, dimensions);
