@@ -795,17 +795,21 @@ SCARP_API enum scarp_status scarp_cells3_f64(const struct scarp_noise *noise, si
  *     SCARP_ERROR_PARAMETER    a number is not finite, or outside its interval
  */
 
-/* scarp_affine - scale a + offset. Derivatives are scale times those of a. */
+/*
+ * scarp_affine - `scale * a + offset`
+ *
+ * Derivatives are scale times those of a.
+ */
 SCARP_API enum scarp_status scarp_affine(size_t count, const struct scarp_samples *a, float scale,
                                          float offset, const struct scarp_samples *out);
 
-/* scarp_add - a + b, in all members */
+/* scarp_add - `a + b`, in all members */
 SCARP_API enum scarp_status scarp_add(size_t count, const struct scarp_samples *a,
                                       const struct scarp_samples *b,
                                       const struct scarp_samples *out);
 
 /*
- * scarp_multiply - a b
+ * scarp_multiply - `a * b`: a product is 0 where a factor is 0, even if the other one is NaN
  *
  * Derivatives are b a_i + a b_i and (b a_ij + a b_ij) + (a_i b_j + a_j b_i). The value and each of
  * these products are 0 where one of their factors is 0: b a_i is 0 where b or a_i is. Where b is 0
@@ -816,10 +820,10 @@ SCARP_API enum scarp_status scarp_multiply(size_t count, const struct scarp_samp
                                            const struct scarp_samples *out);
 
 /*
- * scarp_mix - a + m (b - a), computed from the nearer end
+ * scarp_mix - `a` where `m` is 0, `b` where `m` is 1, and `a + m * (b - a)` between: slopes of `m`
+ * count, too
  *
- * m is samples, too: the slopes of m are part of the slopes of the result. m may leave [0, 1]. Let
- * d = a - b in all members. Where m > 1/2, let e = b and w = m - 1, elsewhere e = a and w = m. Then
+ * It is computed from the nearer end. m may leave [0, 1]. Let d = a - b in all members. Where m > 1/2, let e = b and w = m - 1, elsewhere e = a and w = m. Then
  *
  *     value   e - w d
  *     first   e_i - (w d_i + d m_i)
@@ -838,7 +842,7 @@ SCARP_API enum scarp_status scarp_mix(size_t count, const struct scarp_samples *
                                       const struct scarp_samples *out);
 
 /*
- * scarp_min - the lesser of a and b
+ * scarp_min - the lesser of `a` and `b`, with a crease where both are equal; NaN before any number
  *
  * All outputs are those of the input chosen, to the bit: b where b < a or b is NaN, otherwise a.
  * Where both are equal that is a. C0: the result is continuous, with a crease where a = b.
@@ -847,13 +851,18 @@ SCARP_API enum scarp_status scarp_min(size_t count, const struct scarp_samples *
                                       const struct scarp_samples *b,
                                       const struct scarp_samples *out);
 
-/* scarp_max - the greater of a and b: like scarp_min, but b where b > a or b is NaN */
+/*
+ * scarp_max - the greater of `a` and `b`, with a crease where both are equal; NaN before any number
+ *
+ * Like scarp_min, but b where b > a or b is NaN.
+ */
 SCARP_API enum scarp_status scarp_max(size_t count, const struct scarp_samples *a,
                                       const struct scarp_samples *b,
                                       const struct scarp_samples *out);
 
 /*
- * scarp_smooth_min - the lesser of a and b, without a crease
+ * scarp_smooth_min - the lesser of `a` and `b`, without a crease: less by `k / 6` at most, where they
+ * differ by less than `k`
  *
  * min(a, b) - h^3 k / 6 with h = max(0, 1 - |a - b| / k). Where a and b differ by k or more, that
  * is min(a, b) but for rounding. Where they are nearer, it is less, by k / 6 at most. C2. With f_a
@@ -866,13 +875,18 @@ SCARP_API enum scarp_status scarp_smooth_min(size_t count, const struct scarp_sa
                                              const struct scarp_samples *b, float k,
                                              const struct scarp_samples *out);
 
-/* scarp_smooth_max - max(a, b) + h^3 k / 6: minus scarp_smooth_min of -a and -b */
+/*
+ * scarp_smooth_max - the greater of `a` and `b`, without a crease: more by `k / 6` at most, where they
+ * differ by less than `k`
+ *
+ * max(a, b) + h^3 k / 6: minus scarp_smooth_min of -a and -b.
+ */
 SCARP_API enum scarp_status scarp_smooth_max(size_t count, const struct scarp_samples *a,
                                              const struct scarp_samples *b, float k,
                                              const struct scarp_samples *out);
 
 /*
- * scarp_clamp - a, but lo where a is less and hi where a is more
+ * scarp_clamp - `a`, but `lo` where it is less and `hi` where it is more, with creases there
  *
  * lo <= hi, both finite. Derivatives are those of a for values in [lo, hi], bounds included, and 0
  * outside. C0: creases at the bounds. scarp_smooth_min and scarp_smooth_max have none.
@@ -880,13 +894,16 @@ SCARP_API enum scarp_status scarp_smooth_max(size_t count, const struct scarp_sa
 SCARP_API enum scarp_status scarp_clamp(size_t count, const struct scarp_samples *a, float lo,
                                         float hi, const struct scarp_samples *out);
 
-/* scarp_abs - |a|. Derivatives are sign(a) times those of a, with sign(0) = 0. C0: a crease at 0.
+/*
+ * scarp_abs - `|a|`, with a crease at 0
+ *
+ * Derivatives are sign(a) times those of a, with sign(0) = 0. C0.
  */
 SCARP_API enum scarp_status scarp_abs(size_t count, const struct scarp_samples *a,
                                       const struct scarp_samples *out);
 
 /*
- * scarp_smooth_abs - sqrt(a^2 + round^2): |a| with a round floor
+ * scarp_smooth_abs - `sqrt(a^2 + round^2)`: the magnitude of `a`, with a round floor
  *
  * `round` is the value where a is 0, in [2^-60, 2^60]. Far from there the result is above |a| by
  * round^2 / (2 |a|). Infinitely smooth. It makes valleys of smooth noise, and ridges if
@@ -897,7 +914,8 @@ SCARP_API enum scarp_status scarp_smooth_abs(size_t count, const struct scarp_sa
                                              float round, const struct scarp_samples *out);
 
 /*
- * scarp_smoothstep - from 0 where a is `lo` or beyond, to 1 where a is `hi` or beyond
+ * scarp_smoothstep - from 0 where `a` is `lo` or beyond, to 1 where it is `hi` or beyond: masks for
+ * mixes
  *
  * S(t) = 6t^5 - 15t^4 + 10t^3 with t = (a - lo) / (hi - lo), held within [0, 1]. C2, and values are
  * in [0, 1], rounding included. If lo > hi, the step falls. |hi - lo| is in [2^-60, 2^60]. It makes
@@ -907,7 +925,8 @@ SCARP_API enum scarp_status scarp_smoothstep(size_t count, const struct scarp_sa
                                              float hi, const struct scarp_samples *out);
 
 /*
- * scarp_terrace - steps in a slope
+ * scarp_terrace - steps in a slope: `steps` per unit of value, of which the part `riser`, in
+ * [2^-20, 1], rises. `strength`, in [0, 1], says how level treads are.
  *
  * With t = steps a, u = t - floor(t), S as in scarp_smoothstep, and w = (u - 1/2) / riser + 1/2,
  * held within [0, 1]:
@@ -930,18 +949,17 @@ SCARP_API enum scarp_status scarp_terrace(size_t count, const struct scarp_sampl
                                           const struct scarp_samples *out);
 
 /*
- * scarp_divide - a / b
+ * scarp_divide - `a / b`: infinite or NaN where `b` is 0
  *
  * The value is one division. Derivatives are those of scarp_apply2, with f = a / b and r = 1 / b:
- * fa = r, fb = -(f r), faa = 0, fab = -(r r), fbb = 2 (f r) r. Where b is 0, values are infinite or
- * NaN.
+ * fa = r, fb = -(f r), faa = 0, fab = -(r r), fbb = 2 (f r) r.
  */
 SCARP_API enum scarp_status scarp_divide(size_t count, const struct scarp_samples *a,
                                          const struct scarp_samples *b,
                                          const struct scarp_samples *out);
 
 /*
- * scarp_sqrt - the square root of a, and 0 where a is less than 0
+ * scarp_sqrt - the square root of `a`, and 0 where `a` is less than 0
  *
  * The value is rounded once. f_a = 1 / (2 value) and f_aa = -f_a / (2 a). Both are 0 where a is 0
  * or less. As a falls to 0, slopes grow without bound.
@@ -950,7 +968,7 @@ SCARP_API enum scarp_status scarp_sqrt(size_t count, const struct scarp_samples 
                                        const struct scarp_samples *out);
 
 /*
- * scarp_sine - sin(2 pi a): a counts turns
+ * scarp_sine - `sin(2 pi a)`: `a` counts turns
  *
  * Computed in double and rounded once: within 1 unit in the last place, and exactly 0, 1 or -1 at
  * multiples of a quarter. An infinite a gives NaN.
@@ -959,7 +977,7 @@ SCARP_API enum scarp_status scarp_sine(size_t count, const struct scarp_samples 
                                        const struct scarp_samples *out);
 
 /*
- * scarp_pulse - a folded to and fro between -1 and 1, with the period 2
+ * scarp_pulse - `a` folded to and fro between -1 and 1, with the period 2
  *
  * 1 - 2 |e| with e = 1 - (a - 2 floor(a / 2)): -1 at even numbers, 1 at odd ones, straight between
  * them. f_a is 2 or -2, and 0 at whole numbers. C0: creases at whole numbers. An infinite a gives
@@ -987,7 +1005,7 @@ SCARP_API enum scarp_status scarp_curve(size_t count, const struct scarp_samples
                                         const struct scarp_samples *out);
 
 /*
- * scarp_slope - the length of the gradient of a
+ * scarp_slope - the length of the gradient of `a`. It has first derivatives where `a` has second ones.
  *
  * value = sqrt(dx^2 + dy^2), with dz^2 if a->dz is there. Derivatives are (a_x a_xi + a_y a_yi +
  * a_z a_zi) / value. Where the value is 0, slopes have the tip of a cone, and derivatives are 0.

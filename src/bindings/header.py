@@ -42,6 +42,12 @@ def default(comment):
     return float(said.group(1)) if said else None
 
 
+def titles(text):
+    """What comments say of functions: `scarp_name - this`, up to the first empty line."""
+    found = re.findall(r"(?s)/\*\s+(?:\* )?(\w+) - (.*?)\s*(?:\n \*\n|\*/)", text)
+    return {name: " ".join(re.sub(r"\n \* ?", " ", title).split()) for name, title in found}
+
+
 def declared(declaration):
     """`const float *x, *y` as pairs of a name and a type; an array is (name, type, dimensions)."""
     # A default, as C++ has it: `= 1`, `{1}`, or a macro behind the name.
@@ -84,6 +90,7 @@ class Header:
         self.constants = {name: int(value) for name, value in re.findall(
             r"(?m)^#define (SCARP_\w+) \(?(-?\d+)\)?(?: /\*.*)?$", text)}
         self.enums, self.structures, self.functions = {}, {}, {}
+        self.titles = titles(text)
         bodies = dict(re.findall(r"(?ms)^struct (\w+) \{\n(.*?)^\};", text))
         text = plain(text)
         for name, body in re.findall(r"\benum (\w+) \{([^}]*)\};", text):

@@ -4,7 +4,7 @@
 offsets of their members, and calls. The header is the only source; what is written here is made
 of it.
 
-    interface.py            writes interface.json and the tables of bindings (tables/)
+    interface.py            writes interface.json and the parts of bindings (tables/)
     interface.py --check    says what of that is not current, and which documents of a binding lack
                             a member of a noise
     interface.py --asserts  prints a C file that compiles if the offsets are those of its compiler
@@ -15,7 +15,7 @@ import re
 import sys
 
 from header import Header, both
-from tables import csharp, python, rust, web
+from tables import chain, csharp, python, rust, web
 
 TABLES = (csharp, python, rust, web)
 
@@ -23,6 +23,7 @@ HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))
 HEADER = "include/scarp.h"
 DESCRIPTION = "src/bindings/interface.json"
+CALLS = "tests/bindings/chain.h"
 
 # Where a binding documents the members of a noise: a file, what stands before them and behind them,
 # and whether names are camelCase
@@ -54,11 +55,12 @@ def description(header):
                  for name, (returns, arguments) in header.functions.items()}
     return ('{\n "made_by": "src/bindings/interface.py, of include/scarp.h",\n "version": %s,\n'
             ' "constants": {\n%s\n },\n "enums": {\n%s\n },\n "structures": {\n%s\n },\n'
-            ' "functions": {\n%s\n }\n}\n') % (
+            ' "functions": {\n%s\n },\n "chain": {\n%s\n }\n}\n') % (
                 json.dumps(header.version),
                 lines({k: json.dumps(v) for k, v in header.constants.items()}),
                 lines({k: json.dumps(v) for k, v in header.enums.items()}),
-                lines(structures), lines(functions))
+                lines(structures), lines(functions),
+                lines({k: json.dumps(v) for k, v in chain.described(header).items()}))
 
 
 def asserts(header):
@@ -100,8 +102,9 @@ def undocumented(header):
 
 def main(arguments):
     header = Header(read(HEADER))
-    made = {DESCRIPTION: description(header)}
-    made.update((module.PATH, module.table(header)) for module in TABLES)
+    made = {DESCRIPTION: description(header), CALLS: chain.calls_in_c(header)}
+    for module in TABLES:
+        made.update(module.made(header, read))
     if arguments == ["--asserts"]:
         sys.stdout.write(asserts(header))
     elif arguments == ["--check"]:

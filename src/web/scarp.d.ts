@@ -246,31 +246,44 @@ export interface Scarp {
 
     // The chain rule: each function computes the values and derivatives that `out` has arrays for.
 
-    /** scale a + offset */
+    // <chain> made by src/bindings/interface.py of include/scarp.h: do not change them by hand
+    /** `scale * a + offset`. */
     affine<T extends Samples>(a: Samples, scale: number, offset: number, out: T): T;
-    /** a + b */
+    /** `a + b`, in all members. */
     add<T extends Samples>(a: Samples, b: Samples, out: T): T;
-    /** a b. A product with a factor 0 is 0, also in derivatives, even if the other one is NaN. */
+    /** `a * b`: a product is 0 where a factor is 0, even if the other one is NaN. */
     multiply<T extends Samples>(a: Samples, b: Samples, out: T): T;
-    /** a + m (b - a): exactly a where m is 0, and b where m is 1. */
+    /**
+     * `a` where `m` is 0, `b` where `m` is 1, and `a + m * (b - a)` between: slopes of `m` count,
+     * too.
+     */
     mix<T extends Samples>(a: Samples, b: Samples, m: Samples, out: T): T;
-    /** The lesser of a and b, with a crease where they are equal. */
+    /** The lesser of `a` and `b`, with a crease where both are equal; NaN before any number. */
     min<T extends Samples>(a: Samples, b: Samples, out: T): T;
-    /** The greater of a and b, with a crease where they are equal. */
+    /** The greater of `a` and `b`, with a crease where both are equal; NaN before any number. */
     max<T extends Samples>(a: Samples, b: Samples, out: T): T;
-    /** The lesser of a and b without a crease: up to k / 6 lower where they are nearer than k. */
+    /**
+     * The lesser of `a` and `b`, without a crease: less by `k / 6` at most, where they differ by
+     * less than `k`.
+     */
     smoothMin<T extends Samples>(a: Samples, b: Samples, k: number, out: T): T;
-    /** The greater of a and b without a crease. */
+    /**
+     * The greater of `a` and `b`, without a crease: more by `k / 6` at most, where they differ by
+     * less than `k`.
+     */
     smoothMax<T extends Samples>(a: Samples, b: Samples, k: number, out: T): T;
-    /** a, but lo where a is less and hi where a is more. */
+    /** `a`, but `lo` where it is less and `hi` where it is more, with creases there. */
     clamp<T extends Samples>(a: Samples, lo: number, hi: number, out: T): T;
-    /** |a|, with a crease at 0. */
+    /** `|a|`, with a crease at 0. */
     abs<T extends Samples>(a: Samples, out: T): T;
-    /** sqrt(a^2 + round^2): |a| with a round floor. */
+    /** `sqrt(a^2 + round^2)`: the magnitude of `a`, with a round floor. */
     smoothAbs<T extends Samples>(a: Samples, round: number, out: T): T;
-    /** From 0 where a is lo or beyond, to 1 where a is hi or beyond. */
+    /** From 0 where `a` is `lo` or beyond, to 1 where it is `hi` or beyond: masks for mixes. */
     smoothstep<T extends Samples>(a: Samples, lo: number, hi: number, out: T): T;
-    /** Steps in a slope: `steps` per unit of value, of which the part `riser` rises. */
+    /**
+     * Steps in a slope: `steps` per unit of value, of which the part `riser`, in [2^-20, 1], rises.
+     * `strength`, in [0, 1], says how level treads are.
+     */
     terrace<T extends Samples>(
         a: Samples,
         steps: number,
@@ -278,14 +291,17 @@ export interface Scarp {
         strength: number,
         out: T,
     ): T;
-    /** a / b: infinite or NaN where b is 0. */
+    /** `a / b`: infinite or NaN where `b` is 0. */
     divide<T extends Samples>(a: Samples, b: Samples, out: T): T;
-    /** The square root of a, and 0 where a is less than 0. */
+    /** The square root of `a`, and 0 where `a` is less than 0. */
     sqrt<T extends Samples>(a: Samples, out: T): T;
-    /** sin(2 pi a): a counts turns. */
+    /** `sin(2 pi a)`: `a` counts turns. */
     sine<T extends Samples>(a: Samples, out: T): T;
-    /** a folded to and fro between -1 and 1, with the period 2. */
+    /** `a` folded to and fro between -1 and 1, with the period 2. */
     pulse<T extends Samples>(a: Samples, out: T): T;
+    /** The length of the gradient of `a`. It has first derivatives where `a` has second ones. */
+    slope<T extends Samples>(a: Samples, out: T): T;
+    // </chain>
     /** A smooth curve with values[k] where a is x[k], for 2 to 64 knots, level outside of them. */
     curve<T extends Samples>(
         a: Samples,
@@ -293,8 +309,6 @@ export interface Scarp {
         values: ArrayLike<number>,
         out: T,
     ): T;
-    /** The length of the gradient of a. It has first derivatives, which need a Hessian of a. */
-    slope<T extends Samples>(a: Samples, out: T): T;
     /** Any other function of a: its value and its derivatives are given at each point. */
     apply1<T extends Samples>(a: Samples, f: Partials, out: T): T;
     /** Any other function of a and b. */

@@ -376,15 +376,16 @@ class Scarp {
         return out;
     }
 
-    // A function of samples. `inputs`: [name, samples]...; `names` are the last one's members.
-    #chain(stem, inputs, numbers, out, names = SAMPLES) {
+    // A function of samples. `names` are the members of the last input.
+    #chain(stem, samples, numbers, out, names = SAMPLES) {
+        const inputs = Object.entries(samples);
         Object.entries(numbers).forEach(([name, value]) => checkNumber(name, value));
         const length = Object.values(out ?? {}).find((array) => array)?.length ?? 0;
         const slots = [this.#at.a, this.#at.b, this.#at.m];
-        const uses = inputs.flatMap(([name, samples], i) =>
+        const uses = inputs.flatMap(([name, of], i) =>
             this.#arrays(
                 name,
-                samples,
+                of,
                 i === inputs.length - 1 ? names : SAMPLES,
                 slots[i],
                 false,
@@ -399,125 +400,62 @@ class Scarp {
         return out;
     }
 
+    // <chain> made by src/bindings/interface.py of include/scarp.h: do not change them by hand
     affine(a, scale, offset, out) {
-        return this.#chain('affine', [['a', a]], { scale, offset }, out);
+        return this.#chain('affine', { a }, { scale, offset }, out);
     }
     add(a, b, out) {
-        return this.#chain(
-            'add',
-            [
-                ['a', a],
-                ['b', b],
-            ],
-            {},
-            out,
-        );
+        return this.#chain('add', { a, b }, {}, out);
     }
     multiply(a, b, out) {
-        return this.#chain(
-            'multiply',
-            [
-                ['a', a],
-                ['b', b],
-            ],
-            {},
-            out,
-        );
+        return this.#chain('multiply', { a, b }, {}, out);
     }
     mix(a, b, m, out) {
-        return this.#chain(
-            'mix',
-            [
-                ['a', a],
-                ['b', b],
-                ['m', m],
-            ],
-            {},
-            out,
-        );
+        return this.#chain('mix', { a, b, m }, {}, out);
     }
     min(a, b, out) {
-        return this.#chain(
-            'min',
-            [
-                ['a', a],
-                ['b', b],
-            ],
-            {},
-            out,
-        );
+        return this.#chain('min', { a, b }, {}, out);
     }
     max(a, b, out) {
-        return this.#chain(
-            'max',
-            [
-                ['a', a],
-                ['b', b],
-            ],
-            {},
-            out,
-        );
+        return this.#chain('max', { a, b }, {}, out);
     }
     smoothMin(a, b, k, out) {
-        return this.#chain(
-            'smooth_min',
-            [
-                ['a', a],
-                ['b', b],
-            ],
-            { k },
-            out,
-        );
+        return this.#chain('smooth_min', { a, b }, { k }, out);
     }
     smoothMax(a, b, k, out) {
-        return this.#chain(
-            'smooth_max',
-            [
-                ['a', a],
-                ['b', b],
-            ],
-            { k },
-            out,
-        );
+        return this.#chain('smooth_max', { a, b }, { k }, out);
     }
     clamp(a, lo, hi, out) {
-        return this.#chain('clamp', [['a', a]], { lo, hi }, out);
+        return this.#chain('clamp', { a }, { lo, hi }, out);
     }
     abs(a, out) {
-        return this.#chain('abs', [['a', a]], {}, out);
+        return this.#chain('abs', { a }, {}, out);
     }
     smoothAbs(a, round, out) {
-        return this.#chain('smooth_abs', [['a', a]], { round }, out);
+        return this.#chain('smooth_abs', { a }, { round }, out);
     }
     smoothstep(a, lo, hi, out) {
-        return this.#chain('smoothstep', [['a', a]], { lo, hi }, out);
+        return this.#chain('smoothstep', { a }, { lo, hi }, out);
     }
     terrace(a, steps, riser, strength, out) {
-        return this.#chain('terrace', [['a', a]], { steps, riser, strength }, out);
+        return this.#chain('terrace', { a }, { steps, riser, strength }, out);
     }
     divide(a, b, out) {
-        return this.#chain(
-            'divide',
-            [
-                ['a', a],
-                ['b', b],
-            ],
-            {},
-            out,
-        );
+        return this.#chain('divide', { a, b }, {}, out);
     }
     sqrt(a, out) {
-        return this.#chain('sqrt', [['a', a]], {}, out);
+        return this.#chain('sqrt', { a }, {}, out);
     }
     sine(a, out) {
-        return this.#chain('sine', [['a', a]], {}, out);
+        return this.#chain('sine', { a }, {}, out);
     }
     pulse(a, out) {
-        return this.#chain('pulse', [['a', a]], {}, out);
+        return this.#chain('pulse', { a }, {}, out);
     }
     slope(a, out) {
-        return this.#chain('slope', [['a', a]], {}, out);
+        return this.#chain('slope', { a }, {}, out);
     }
+    // </chain>
     // `x` and `values` are lists of numbers.
     curve(a, x, values, out) {
         const knots = checkKnots(x, values),
@@ -526,35 +464,16 @@ class Scarp {
             const place = new Float32Array(this.#memory.buffer, at, 2 * knots);
             place.set(x);
             place.set(values, knots);
-            return this.#chain('curve', [['a', a]], { knots, at, values: at + 4 * knots }, out);
+            return this.#chain('curve', { a }, { knots, at, values: at + 4 * knots }, out);
         } finally {
             this.#memory.release(at);
         }
     }
     apply1(a, f, out) {
-        return this.#chain(
-            'apply1',
-            [
-                ['a', a],
-                ['f', f],
-            ],
-            {},
-            out,
-            PARTIALS,
-        );
+        return this.#chain('apply1', { a, f }, {}, out, PARTIALS);
     }
     apply2(a, b, f, out) {
-        return this.#chain(
-            'apply2',
-            [
-                ['a', a],
-                ['b', b],
-                ['f', f],
-            ],
-            {},
-            out,
-            PARTIALS,
-        );
+        return this.#chain('apply2', { a, b, f }, {}, out, PARTIALS);
     }
 
     // The functions of recipes, with their arguments

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * What C computes for some calls, as names and hashes of the outputs: the test of the Python module
- * makes the same calls and compares.
+ * What C computes for some calls, as names and hashes of the outputs: the tests of the modules for
+ * Python, C# and Rust make the same calls and compare.
  *
  *     bindings_hashes RECIPE    RECIPE is the file of a recipe with two outputs or more
  */
@@ -170,6 +170,21 @@ static void tell_grids(void)
     tell("recipe_sample", 6, sizeof xf[0]);
 }
 
+#define CHAIN(name, camel, call)                                                                   \
+    check(call, name);                                                                             \
+    tell(name, 6, sizeof xf[0]);
+
+/* Each function of the chain rule */
+static void tell_functions(void)
+{
+    const struct scarp_samples first = plane(6), second = plane(12), third = plane(0);
+    const struct scarp_samples *const a = &first, *const b = &second, *const out = &third;
+    const size_t count = COUNT;
+    check(scarp_sample2(&warp, count, xf[0], xf[1], a), "a");
+    check(scarp_sample2(&warped, count, xf[0], xf[1], b), "b");
+#include "chain.h"
+}
+
 int main(int count, char **arguments)
 {
     static char text[16384];
@@ -189,5 +204,6 @@ int main(int count, char **arguments)
     }
     tell_points();
     tell_grids();
+    tell_functions();
     return EXIT_SUCCESS;
 }

@@ -3,6 +3,7 @@
 
     test_hashes.py SOURCE_DIR LIBRARY PROGRAM
 """
+import json
 import os
 import subprocess
 import unittest
@@ -112,6 +113,21 @@ class Hashes(unittest.TestCase):
         normals = b.normals(20)
         self.assertEqual(normals.shape, SHAPE + (3,))
         self.same("normals", [normals[..., i] for i in range(3)])
+
+    def test_functions(self):
+        """Each function of the chain rule: a method or an operator"""
+        operators = {"add": "__add__", "multiply": "__mul__", "divide": "__truediv__",
+                     "abs": "__abs__"}
+        with open(os.path.join(SOURCE, "src", "bindings", "interface.json"),
+                  encoding="utf-8") as file:
+            functions = json.load(file)["chain"]
+        a = self.warp.at(*self.f[:2], derivatives=2)
+        of = {"a": a, "b": self.warped.at(*self.f[:2], derivatives=2), "m": a}
+        for name, told in functions.items():
+            if name != "slope":
+                operands = [of[which] for which in told["inputs"]]
+                call = getattr(scarp.Samples, operators.get(name, name))
+                self.same(name, members(call(*operands, **told["numbers"]), HESSIAN2))
 
     def test_recipe(self):
         recipe = scarp.preset("alps", seed=8)

@@ -38,7 +38,9 @@ class Interface(unittest.TestCase):
                         os.path.join(SCRATCH, "src", "bindings"),
                         ignore=shutil.ignore_patterns("__pycache__", "target"))
         shutil.copytree(os.path.join(SOURCE, "src", "web"), os.path.join(SCRATCH, "src", "web"),
-                        ignore=shutil.ignore_patterns("playground", "test"))
+                        ignore=shutil.ignore_patterns("playground"))
+        shutil.copytree(os.path.join(SOURCE, "tests", "bindings"),
+                        os.path.join(SCRATCH, "tests", "bindings"))
         os.makedirs(os.path.join(SCRATCH, "include"))
         shutil.copy(os.path.join(SOURCE, HEADER), os.path.join(SCRATCH, HEADER))
         make_writable()
@@ -133,6 +135,40 @@ class Interface(unittest.TestCase):
             "src/bindings/python/scarp/_noise.py does not tell of other_one",
             "src/bindings/csharp/Scarp.cs does not tell of other_one",
             "src/bindings/rust/src/noise.rs does not tell of other_one"])
+
+    def test_one_more_function(self):
+        """A new function of the chain rule is in every binding and in the tests of each, with its
+        comment, once the script has run."""
+        declared = "SCARP_API enum scarp_status scarp_sqrt("
+        new = ("/*\n * scarp_soft_cut - `a` where it is below `b`,\n * else `lo`\n *\n * More.\n */\n"
+               "SCARP_API enum scarp_status scarp_soft_cut(size_t count, const struct scarp_samples *a,"
+               " const struct scarp_samples *b, float lo, const struct scarp_samples *out);\n\n")
+        self.change(HEADER, declared, new + declared)
+        self.assertEqual(run(SCRATCH).returncode, 0)
+        done = run(SCRATCH, "--check")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        for path, line in (
+                ("src/bindings/python/scarp/_chain.py", "def soft_cut(self, other, lo):\n"
+                 '        """`self` where it is below `other`, else `lo`."""'),
+                ("src/bindings/python/scarp/__init__.pyi",
+                 "def soft_cut(self, other: Operand, lo: float) -> Samples: ..."),
+                ("src/bindings/csharp/Scarp.cs", "/// <summary><c>a</c> where it is below <c>b</c>, "
+                 "else <c>lo</c>.</summary>\n        public static void SoftCut("
+                 "int count, in Samples a, in Samples b, float lo, in Samples to)"),
+                ("src/bindings/rust/src/chain.rs", "/// `a` where it is below `b`, else `lo`.\n"
+                 "    soft_cut(b; lo), scarp_soft_cut;"),
+                ("src/web/scarp.mjs", "softCut(a, b, lo, out) {"),
+                ("src/web/scarp.d.ts", "softCut<T extends Samples>(a: Samples, b: Samples, "
+                 "lo: number, out: T): T;"),
+                ("tests/bindings/chain.h", "scarp_soft_cut(count, a, b, 0.3f, out)"),
+                ("tests/bindings/csharp/Chain.cs", "Samples.SoftCut(n, a, b, 0.3f, to)"),
+                ("src/bindings/rust/tests/functions/mod.rs", "chain::soft_cut(a, b, 0.3, out)"),
+                ("src/web/test/chain.mjs", "softCut: [['a', 'b'], [0.3]]")):
+            with open(os.path.join(SCRATCH, path), encoding="utf-8") as file:
+                self.assertIn(line, file.read())
+        self.change(HEADER, "float lo, const struct scarp_samples *out", "float lo, int which, "
+                    "const struct scarp_samples *out")
+        self.assertIn("scarp_soft_cut is no function of samples", run(SCRATCH, "--check").stderr)
 
 
 unittest.main(argv=sys.argv[:1])

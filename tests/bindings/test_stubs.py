@@ -74,7 +74,7 @@ class Stubs(unittest.TestCase):
                    {f.target.id for f in n.body if isinstance(f, ast.AnnAssign)}
                    for n in stub().body if isinstance(n, ast.ClassDef)}
         for name in ("Samples", "Noise", "Gullies", "Recipe"):
-            public = {m for m in vars(getattr(scarp, name)) if not m.startswith("_")}
+            public = {m for m in dir(getattr(scarp, name)) if not m.startswith("_")}
             self.assertLessEqual(public, classes[name], name)
 
     def test_members_of_the_header(self):
@@ -96,8 +96,8 @@ class Stubs(unittest.TestCase):
             thing = getattr(scarp, name)
             if inspect.isclass(thing) or inspect.isfunction(thing):
                 self.assertTrue(inspect.getdoc(thing), name)
-            for method, function in vars(thing).items() if inspect.isclass(thing) else ():
-                if inspect.isfunction(function) and not method.startswith("_"):
+            for method, function in inspect.getmembers(thing, inspect.isfunction):
+                if not method.startswith("_"):
                     self.assertTrue(inspect.getdoc(function), name + "." + method)
 
     def test_syntax_of_python_3_9(self):

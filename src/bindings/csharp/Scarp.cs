@@ -1050,152 +1050,208 @@ namespace Scarp
     // values, too. An output may be the very same array as an input.
     public unsafe ref partial struct Samples
     {
-        /// <summary>a + b.</summary>
-        public static void Add(int count, in Samples a, in Samples b, in Samples to)
-        {
-            Run(Op.Add, "", count, 2, a, b, default(Samples), to, 0, 0, 0);
-        }
-
-        /// <summary>a b; 0 where a factor is 0.</summary>
-        public static void Multiply(int count, in Samples a, in Samples b, in Samples to)
-        {
-            Run(Op.Multiply, "", count, 2, a, b, default(Samples), to, 0, 0, 0);
-        }
-
-        /// <summary>a / b.</summary>
-        public static void Divide(int count, in Samples a, in Samples b, in Samples to)
-        {
-            Run(Op.Divide, "", count, 2, a, b, default(Samples), to, 0, 0, 0);
-        }
-
-        /// <summary>The lesser, with a crease where both are equal.</summary>
-        public static void Min(int count, in Samples a, in Samples b, in Samples to)
-        {
-            Run(Op.Min, "", count, 2, a, b, default(Samples), to, 0, 0, 0);
-        }
-
-        /// <summary>The greater, with a crease where both are equal.</summary>
-        public static void Max(int count, in Samples a, in Samples b, in Samples to)
-        {
-            Run(Op.Max, "", count, 2, a, b, default(Samples), to, 0, 0, 0);
-        }
-
-        /// <summary>The lesser without a crease, where the two differ by less than k.</summary>
-        public static void SmoothMin(int count, in Samples a, in Samples b, float k, in Samples to)
-        {
-            Run(Op.SmoothMin, "k", count, 2, a, b, default(Samples), to, k, 0, 0);
-        }
-
-        /// <summary>The greater without a crease, where the two differ by less than k.</summary>
-        public static void SmoothMax(int count, in Samples a, in Samples b, float k, in Samples to)
-        {
-            Run(Op.SmoothMax, "k", count, 2, a, b, default(Samples), to, k, 0, 0);
-        }
-
-        /// <summary>a where m is 0, b where it is 1, and a blend between. m has slopes,
-        /// too.</summary>
-        public static void Mix(int count, in Samples a, in Samples b, in Samples m, in Samples to)
-        {
-            Run(Op.Mix, "", count, 3, a, b, m, to, 0, 0, 0);
-        }
-
-        /// <summary>scale a + offset.</summary>
+        // <chain> made by src/bindings/interface.py of include/scarp.h: do not change them by hand
+        /// <summary><c>scale * a + offset</c>.</summary>
         public static void Affine(int count, in Samples a, float scale, float offset, in Samples to)
         {
-            Run(Op.Affine, "scale, offset", count, 1, a, default(Samples), default(Samples), to,
-                scale, offset, 0);
+            Run(Function.Affine, "scale, offset", count, 1, a, default(Samples), default(Samples),
+                to, scale, offset);
         }
 
-        /// <summary>a, but lo where it is less and hi where it is more.</summary>
+        /// <summary><c>a + b</c>, in all members.</summary>
+        public static void Add(int count, in Samples a, in Samples b, in Samples to)
+        {
+            Run(Function.Add, "", count, 2, a, b, default(Samples), to);
+        }
+
+        /// <summary><c>a * b</c>: a product is 0 where a factor is 0, even if the other one is
+        /// NaN.</summary>
+        public static void Multiply(int count, in Samples a, in Samples b, in Samples to)
+        {
+            Run(Function.Multiply, "", count, 2, a, b, default(Samples), to);
+        }
+
+        /// <summary><c>a</c> where <c>m</c> is 0, <c>b</c> where <c>m</c> is 1, and
+        /// <c>a + m * (b - a)</c> between: slopes of <c>m</c> count, too.</summary>
+        public static void Mix(int count, in Samples a, in Samples b, in Samples m, in Samples to)
+        {
+            Run(Function.Mix, "", count, 3, a, b, m, to);
+        }
+
+        /// <summary>The lesser of <c>a</c> and <c>b</c>, with a crease where both are equal; NaN
+        /// before any number.</summary>
+        public static void Min(int count, in Samples a, in Samples b, in Samples to)
+        {
+            Run(Function.Min, "", count, 2, a, b, default(Samples), to);
+        }
+
+        /// <summary>The greater of <c>a</c> and <c>b</c>, with a crease where both are equal; NaN
+        /// before any number.</summary>
+        public static void Max(int count, in Samples a, in Samples b, in Samples to)
+        {
+            Run(Function.Max, "", count, 2, a, b, default(Samples), to);
+        }
+
+        /// <summary>The lesser of <c>a</c> and <c>b</c>, without a crease: less by <c>k / 6</c> at
+        /// most, where they differ by less than <c>k</c>.</summary>
+        public static void SmoothMin(int count, in Samples a, in Samples b, float k, in Samples to)
+        {
+            Run(Function.SmoothMin, "k", count, 2, a, b, default(Samples), to, k);
+        }
+
+        /// <summary>The greater of <c>a</c> and <c>b</c>, without a crease: more by <c>k / 6</c> at
+        /// most, where they differ by less than <c>k</c>.</summary>
+        public static void SmoothMax(int count, in Samples a, in Samples b, float k, in Samples to)
+        {
+            Run(Function.SmoothMax, "k", count, 2, a, b, default(Samples), to, k);
+        }
+
+        /// <summary><c>a</c>, but <c>lo</c> where it is less and <c>hi</c> where it is more, with
+        /// creases there.</summary>
         public static void Clamp(int count, in Samples a, float lo, float hi, in Samples to)
         {
-            Run(Op.Clamp, "lo, hi", count, 1, a, default(Samples), default(Samples), to, lo, hi, 0);
+            Run(Function.Clamp, "lo, hi", count, 1, a, default(Samples), default(Samples), to, lo,
+                hi);
         }
 
-        /// <summary>|a|, with a crease at 0.</summary>
+        /// <summary><c>|a|</c>, with a crease at 0.</summary>
         public static void Abs(int count, in Samples a, in Samples to)
         {
-            Run(Op.Abs, "", count, 1, a, default(Samples), default(Samples), to, 0, 0, 0);
+            Run(Function.Abs, "", count, 1, a, default(Samples), default(Samples), to);
         }
 
-        /// <summary>sqrt(a^2 + round^2): |a| with a round floor.</summary>
+        /// <summary><c>sqrt(a^2 + round^2)</c>: the magnitude of <c>a</c>, with a round
+        /// floor.</summary>
         public static void SmoothAbs(int count, in Samples a, float round, in Samples to)
         {
-            Run(Op.SmoothAbs, "round", count, 1, a, default(Samples), default(Samples), to, round,
-                0, 0);
+            Run(Function.SmoothAbs, "round", count, 1, a, default(Samples), default(Samples), to,
+                round);
         }
 
-        /// <summary>From 0 where a is lo or beyond, to 1 where it is hi or beyond.</summary>
+        /// <summary>From 0 where <c>a</c> is <c>lo</c> or beyond, to 1 where it is <c>hi</c> or
+        /// beyond: masks for mixes.</summary>
         public static void Smoothstep(int count, in Samples a, float lo, float hi, in Samples to)
         {
-            Run(Op.Smoothstep, "lo, hi", count, 1, a, default(Samples), default(Samples), to, lo,
-                hi, 0);
+            Run(Function.Smoothstep, "lo, hi", count, 1, a, default(Samples), default(Samples), to,
+                lo, hi);
         }
 
-        /// <summary>Steps: so many per unit of value, of which `riser` rises; strength is in [0,
-        /// 1].</summary>
+        /// <summary>Steps in a slope: <c>steps</c> per unit of value, of which the part
+        /// <c>riser</c>, in [2^-20, 1], rises. <c>strength</c>, in [0, 1], says how level treads
+        /// are.</summary>
         public static void Terrace(int count, in Samples a, float steps, float riser,
-                                    float strength, in Samples to)
+            float strength, in Samples to)
         {
-            Run(Op.Terrace, "steps, riser, strength", count, 1, a, default(Samples),
+            Run(Function.Terrace, "steps, riser, strength", count, 1, a, default(Samples),
                 default(Samples), to, steps, riser, strength);
         }
 
-        /// <summary>The square root of a, and 0 where a is less than 0.</summary>
+        /// <summary><c>a / b</c>: infinite or NaN where <c>b</c> is 0.</summary>
+        public static void Divide(int count, in Samples a, in Samples b, in Samples to)
+        {
+            Run(Function.Divide, "", count, 2, a, b, default(Samples), to);
+        }
+
+        /// <summary>The square root of <c>a</c>, and 0 where <c>a</c> is less than 0.</summary>
         public static void Sqrt(int count, in Samples a, in Samples to)
         {
-            Run(Op.Sqrt, "", count, 1, a, default(Samples), default(Samples), to, 0, 0, 0);
+            Run(Function.Sqrt, "", count, 1, a, default(Samples), default(Samples), to);
         }
 
-        /// <summary>sin(2 pi a): a counts turns.</summary>
+        /// <summary><c>sin(2 pi a)</c>: <c>a</c> counts turns.</summary>
         public static void Sine(int count, in Samples a, in Samples to)
         {
-            Run(Op.Sine, "", count, 1, a, default(Samples), default(Samples), to, 0, 0, 0);
+            Run(Function.Sine, "", count, 1, a, default(Samples), default(Samples), to);
         }
 
-        /// <summary>a folded to and fro between -1 and 1, with the period 2.</summary>
+        /// <summary><c>a</c> folded to and fro between -1 and 1, with the period 2.</summary>
         public static void Pulse(int count, in Samples a, in Samples to)
         {
-            Run(Op.Pulse, "", count, 1, a, default(Samples), default(Samples), to, 0, 0, 0);
+            Run(Function.Pulse, "", count, 1, a, default(Samples), default(Samples), to);
         }
 
-        /// <summary>The length of the gradient of a, which needs Dx and Dy. No second
-        /// derivatives.</summary>
+        /// <summary>The length of the gradient of <c>a</c>. It has first derivatives where <c>a</c>
+        /// has second ones.</summary>
         public static void Slope(int count, in Samples a, in Samples to)
         {
-            Run(Op.Slope, "", count, 1, a, default(Samples), default(Samples), to, 0, 0, 0);
+            Run(Function.Slope, "", count, 1, a, default(Samples), default(Samples), to);
         }
+
+        internal enum Function
+        {
+            Affine, Add, Multiply, Mix, Min, Max, SmoothMin, SmoothMax, Clamp, Abs, SmoothAbs,
+            Smoothstep, Terrace, Divide, Sqrt, Sine, Pulse, Slope
+        }
+
+        internal static Status Call(Function function, UIntPtr count,
+                                    Native.scarp_samples* s, float* x)
+        {
+            switch (function) {
+            case Function.Affine: return Native.scarp_affine(count, s, x[0], x[1], s + 1);
+            case Function.Add: return Native.scarp_add(count, s, s + 1, s + 2);
+            case Function.Multiply: return Native.scarp_multiply(count, s, s + 1, s + 2);
+            case Function.Mix: return Native.scarp_mix(count, s, s + 1, s + 2, s + 3);
+            case Function.Min: return Native.scarp_min(count, s, s + 1, s + 2);
+            case Function.Max: return Native.scarp_max(count, s, s + 1, s + 2);
+            case Function.SmoothMin: return Native.scarp_smooth_min(count, s, s + 1, x[0], s + 2);
+            case Function.SmoothMax: return Native.scarp_smooth_max(count, s, s + 1, x[0], s + 2);
+            case Function.Clamp: return Native.scarp_clamp(count, s, x[0], x[1], s + 1);
+            case Function.Abs: return Native.scarp_abs(count, s, s + 1);
+            case Function.SmoothAbs: return Native.scarp_smooth_abs(count, s, x[0], s + 1);
+            case Function.Smoothstep: return Native.scarp_smoothstep(count, s, x[0], x[1], s + 1);
+            case Function.Terrace: return Native.scarp_terrace(count, s, x[0], x[1], x[2], s + 1);
+            case Function.Divide: return Native.scarp_divide(count, s, s + 1, s + 2);
+            case Function.Sqrt: return Native.scarp_sqrt(count, s, s + 1);
+            case Function.Sine: return Native.scarp_sine(count, s, s + 1);
+            case Function.Pulse: return Native.scarp_pulse(count, s, s + 1);
+            default: return Native.scarp_slope(count, s, s + 1);
+            }
+        }
+        // </chain>
 
         /// <summary>A smooth curve through 2 to 64 knots: value[k] where a is x[k]. x
         /// rises.</summary>
         public static void Curve(int count, in Samples a, ReadOnlySpan<float> x,
-                                        ReadOnlySpan<float> value, in Samples to)
+                                 ReadOnlySpan<float> value, in Samples to)
         {
             Arguments.Same(x.Length, value.Length, "value");
             fixed (float* px = x, pv = value) {
-                Run(Op.Curve, "x, value", count, 1, a, default(Samples), default(Samples), to, 0, 0,
-                    0, px, pv, x.Length);
+                var r = new Request {
+                    op = Op.Curve, x = px, y = pv, knots = (UIntPtr)(uint)x.Length
+                };
+                Run(&r, "x, value", count, 1, a, default(Samples), default(Samples), to);
             }
         }
 
-        static void Run(Op op, string numbers, int count, int inputs, in Samples a, in Samples b,
-                               in Samples m, in Samples to, float first, float second, float third,
-                               float* x = null, float* value = null, int knots = 0)
+        static void Run(Function function, string numbers, int count, int inputs, in Samples a,
+                        in Samples b, in Samples m, in Samples to, float first = 0,
+                        float second = 0, float third = 0, float fourth = 0)
+        {
+            float* given = stackalloc float[4];
+            given[0] = first;
+            given[1] = second;
+            given[2] = third;
+            given[3] = fourth;
+            var r = new Request { op = Op.Chain, function = function, numbers = given };
+            Run(&r, numbers, count, inputs, a, b, m, to);
+        }
+
+        static void Run(Request* r, string numbers, int count, int inputs, in Samples a,
+                        in Samples b, in Samples m, in Samples to)
         {
             if (count < 0) {
                 throw new ArgumentOutOfRangeException("count");
             }
             Library.Check();
-            var r = new Request {
-                op = op, count = (UIntPtr)(uint)count, length = count, reads = inputs,
-                dimensions = 3, a = first,
-                b = second, c = third, x = x, y = value, knots = (UIntPtr)(uint)knots
-            };
+            r->count = (UIntPtr)(uint)count;
+            r->length = count;
+            r->reads = inputs;
+            r->dimensions = 3;
             Native.scarp_samples* into = stackalloc Native.scarp_samples[4];
             Status status = inputs == 1
-                ? Request.Pin(&r, into, 0, 2, a, to, default(Samples), default(Samples))
-                : inputs == 2 ? Request.Pin(&r, into, 0, 3, a, b, to, default(Samples))
-                : Request.Pin(&r, into, 0, 4, a, b, m, to);
+                ? Request.Pin(r, into, 0, 2, a, to, default(Samples), default(Samples))
+                : inputs == 2 ? Request.Pin(r, into, 0, 3, a, b, to, default(Samples))
+                : Request.Pin(r, into, 0, 4, a, b, m, to);
             if (status == Status.Null) {
                 throw new ArgumentException("lacks an array that an output needs", inputs == 1 ? "a"
                                             : inputs == 2 ? "a, b" : "a, b, m");
@@ -2230,12 +2286,12 @@ namespace Scarp
             float* y, float* z, scarp_samples* @out);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern Status scarp_sample2_f64(scarp_noise* noise, UIntPtr count,
-            double* x, double* y, scarp_samples* @out);
+        public static extern Status scarp_sample2_f64(scarp_noise* noise, UIntPtr count, double* x,
+            double* y, scarp_samples* @out);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern Status scarp_sample3_f64(scarp_noise* noise, UIntPtr count,
-            double* x, double* y, double* z, scarp_samples* @out);
+        public static extern Status scarp_sample3_f64(scarp_noise* noise, UIntPtr count, double* x,
+            double* y, double* z, scarp_samples* @out);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern Status scarp_grid2(scarp_noise* noise, scarp_grid* grid,
@@ -2258,8 +2314,8 @@ namespace Scarp
             byte** member);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern byte* scarp_noise_fault(scarp_noise* noise, int dimensions,
-            int order, int dphase, byte** member);
+        public static extern byte* scarp_noise_fault(scarp_noise* noise, int dimensions, int order,
+            int dphase, byte** member);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern byte* scarp_grid_fault(scarp_grid* grid, int dimensions,
@@ -2278,12 +2334,12 @@ namespace Scarp
             float* y, float* z, scarp_samples* @out);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern Status scarp_vector2_f64(scarp_noise* noise, UIntPtr count,
-            double* x, double* y, scarp_samples* @out);
+        public static extern Status scarp_vector2_f64(scarp_noise* noise, UIntPtr count, double* x,
+            double* y, scarp_samples* @out);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern Status scarp_vector3_f64(scarp_noise* noise, UIntPtr count,
-            double* x, double* y, double* z, scarp_samples* @out);
+        public static extern Status scarp_vector3_f64(scarp_noise* noise, UIntPtr count, double* x,
+            double* y, double* z, scarp_samples* @out);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern Status scarp_curl2(scarp_noise* noise, UIntPtr count, float* x,
@@ -2350,8 +2406,8 @@ namespace Scarp
             scarp_samples* b, float k, scarp_samples* @out);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern Status scarp_clamp(UIntPtr count, scarp_samples* a, float lo,
-            float hi, scarp_samples* @out);
+        public static extern Status scarp_clamp(UIntPtr count, scarp_samples* a, float lo, float hi,
+            scarp_samples* @out);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern Status scarp_abs(UIntPtr count, scarp_samples* a, scarp_samples* @out);
@@ -2369,8 +2425,8 @@ namespace Scarp
             float riser, float strength, scarp_samples* @out);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern Status scarp_divide(UIntPtr count, scarp_samples* a,
-            scarp_samples* b, scarp_samples* @out);
+        public static extern Status scarp_divide(UIntPtr count, scarp_samples* a, scarp_samples* b,
+            scarp_samples* @out);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern Status scarp_sqrt(UIntPtr count, scarp_samples* a,
@@ -2397,12 +2453,12 @@ namespace Scarp
             scarp_partials* function, scarp_samples* @out);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern Status scarp_apply2(UIntPtr count, scarp_samples* a,
-            scarp_samples* b, scarp_partials* function, scarp_samples* @out);
+        public static extern Status scarp_apply2(UIntPtr count, scarp_samples* a, scarp_samples* b,
+            scarp_partials* function, scarp_samples* @out);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern Status scarp_gullies2(scarp_gullies* gullies, UIntPtr count,
-            float* x, float* y, scarp_samples* @base, scarp_eroded* @out);
+        public static extern Status scarp_gullies2(scarp_gullies* gullies, UIntPtr count, float* x,
+            float* y, scarp_samples* @base, scarp_eroded* @out);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern Status scarp_gullies2_f64(scarp_gullies* gullies, UIntPtr count,
@@ -2430,8 +2486,8 @@ namespace Scarp
         public static extern Status scarp_recipe_seed(scarp_recipe* recipe, ulong seed);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern Status scarp_recipe_set(scarp_recipe* recipe, byte* name,
-            double value, scarp_recipe_error* error);
+        public static extern Status scarp_recipe_set(scarp_recipe* recipe, byte* name, double value,
+            scarp_recipe_error* error);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern Status scarp_recipe_sample(scarp_recipe* recipe, UIntPtr count,
@@ -2478,8 +2534,8 @@ namespace Scarp
             int vector, byte** member);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
-        public static extern Status scarp_gpu_answers(scarp_noise* noise, int dimensions,
-            int order, uint* answer);
+        public static extern Status scarp_gpu_answers(scarp_noise* noise, int dimensions, int order,
+            uint* answer);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern Status scarp_recipe_shader(scarp_recipe* recipe, scarp_shader* how,
@@ -2660,9 +2716,7 @@ namespace Scarp.Internal
         Sample2, Sample3, Sample2F64, Sample3F64, Vector2, Vector3, Vector2F64, Vector3F64, Grid2,
             Grid3,
         Recipe, RecipeF64, RecipeGrid,
-        Affine, Add, Multiply, Mix, Min, Max, SmoothMin, SmoothMax, Clamp, Abs, SmoothAbs,
-            Smoothstep,
-        Terrace, Divide, Sqrt, Sine, Pulse, Curve, Slope, Apply1
+        Curve, Chain
     }
 
     // A call, but for the arrays of samples: these are pinned one after another by Pin.
@@ -2681,7 +2735,8 @@ namespace Scarp.Internal
         public Native.scarp_recipe* recipe;
         public Native.scarp_recipe_outputs* outputs;
         public Native.scarp_scratch* scratch;
-        public float a, b, c;
+        public Samples.Function function;
+        public float* numbers;
         public UIntPtr knots;
 
         // Points
@@ -2837,7 +2892,12 @@ namespace Scarp.Internal
             if (op <= Op.Grid3) {
                 return RunNoise(s);
             }
-            return op <= Op.RecipeGrid ? RunRecipe(s) : RunChain(s);
+            if (op <= Op.RecipeGrid) {
+                return RunRecipe(s);
+            }
+            return op == Op.Curve
+                ? Native.scarp_curve(count, s, knots, (float*)x, (float*)y, s + 1)
+                : Samples.Call(function, count, s, numbers);
         }
 
         Status RunNoise(Native.scarp_samples* s)
@@ -2875,31 +2935,6 @@ namespace Scarp.Internal
                 return Native.scarp_recipe_sample_f64(recipe, count, (double*)x, (double*)y,
                                                       (double*)z, outputs, scratch);
             default: return Native.scarp_recipe_grid(recipe, grid, outputs, scratch);
-            }
-        }
-
-        Status RunChain(Native.scarp_samples* s)
-        {
-            switch (op) {
-            case Op.Affine: return Native.scarp_affine(count, s, a, b, s + 1);
-            case Op.Add: return Native.scarp_add(count, s, s + 1, s + 2);
-            case Op.Multiply: return Native.scarp_multiply(count, s, s + 1, s + 2);
-            case Op.Mix: return Native.scarp_mix(count, s, s + 1, s + 2, s + 3);
-            case Op.Min: return Native.scarp_min(count, s, s + 1, s + 2);
-            case Op.Max: return Native.scarp_max(count, s, s + 1, s + 2);
-            case Op.SmoothMin: return Native.scarp_smooth_min(count, s, s + 1, a, s + 2);
-            case Op.SmoothMax: return Native.scarp_smooth_max(count, s, s + 1, a, s + 2);
-            case Op.Clamp: return Native.scarp_clamp(count, s, a, b, s + 1);
-            case Op.Abs: return Native.scarp_abs(count, s, s + 1);
-            case Op.SmoothAbs: return Native.scarp_smooth_abs(count, s, a, s + 1);
-            case Op.Smoothstep: return Native.scarp_smoothstep(count, s, a, b, s + 1);
-            case Op.Terrace: return Native.scarp_terrace(count, s, a, b, c, s + 1);
-            case Op.Divide: return Native.scarp_divide(count, s, s + 1, s + 2);
-            case Op.Sqrt: return Native.scarp_sqrt(count, s, s + 1);
-            case Op.Sine: return Native.scarp_sine(count, s, s + 1);
-            case Op.Pulse: return Native.scarp_pulse(count, s, s + 1);
-            case Op.Curve: return Native.scarp_curve(count, s, knots, (float*)x, (float*)y, s + 1);
-            default: return Native.scarp_slope(count, s, s + 1);
             }
         }
     }

@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: MIT
-"""The tables of C#: a part of Scarp.cs, which has to be one file. Enumerators get the names of C#.
-Structures and calls have the names of scarp.h, and no types but those that every runtime passes to
-C as they are."""
-import os
+"""The parts of Scarp.cs, which has to be one file. Enumerators get the names of C#. Structures and
+calls have the names of scarp.h, and no types but those that every runtime passes to C as they
+are."""
 import re
 import sys
 
+from tables import chain
+from tables.text import replaced, wrapped
+
 PATH = "src/bindings/csharp/Scarp.cs"
-ROOT = os.path.dirname(os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__)))))
-FIRST, LAST = "    // <tables>", "    // </tables>\n"
+TESTED = "tests/bindings/csharp/Chain.cs"
 TYPES = {"char": "byte", "unsigned char": "byte", "int": "int", "int32_t": "int",
          "uint32_t": "uint", "float": "float", "int64_t": "long", "uint64_t": "ulong",
          "double": "double", "size_t": "UIntPtr", "void": "void"}
@@ -95,29 +96,80 @@ def structure(name, s):
     return out + ["        }"]
 
 
-def function(name, returns, arguments):
-    pieces = ["%s %s" % (kind_of(kind), identifier(of)) for of, kind in arguments]
-    lines = ["", "        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]",
-             "        public static extern %s %s(" % (kind_of(returns), name)]
-    for i, piece in enumerate(pieces):
-        piece += ", " if i + 1 < len(pieces) else ""
-        if len(lines[-1]) + len(piece.rstrip()) + 2 > WIDTH:
+def about(text, indent):
+    """A summary, with code as C# marks it."""
+    text = text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")
+    return wrapped(indent + "/// ", "<summary>%s</summary>" % text, indent + "/// ", WIDTH,
+                   ("<c>", "</c>"))
+
+
+def broken(first, pieces, last, indent):
+    """A list on lines that are not too long."""
+    lines = [first]
+    for i, piece in enumerate(pieces or [""]):
+        piece += last if i + 1 >= len(pieces) else ", "
+        if len(lines[-1]) + len(piece.rstrip()) > WIDTH:
             lines[-1] = lines[-1].rstrip()
-            lines.append("            ")
+            lines.append(indent)
         lines[-1] += piece
-    lines[-1] += ");"
     return lines
 
 
-def table(header):
-    """Scarp.cs with its part that is made of the header."""
-    with open(os.path.join(ROOT, PATH), encoding="utf-8") as file:
-        text = file.read()
-    before, first, rest = text.partition(FIRST)
-    line, _, rest = rest.partition("\n")
-    _, last, after = rest.partition(LAST)
-    if not first or not last:
-        fail("%s has no part between %s and %s" % (PATH, FIRST.strip(), LAST.strip()))
+def function(name, returns, arguments):
+    pieces = ["%s %s" % (kind_of(kind), identifier(of)) for of, kind in arguments]
+    return ["", "        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]"] + broken(
+        "        public static extern %s %s(" % (kind_of(returns), name), pieces, ");", " " * 12)
+
+
+def method(f):
+    """A method of Samples for a function of the chain rule"""
+    parameters = (["int count"] + ["in Samples " + name for name in f.inputs] +
+                  ["float " + identifier(name) for name in f.numbers] + ["in Samples to"])
+    samples = f.inputs + ["default(Samples)"] * (len(chain.INPUTS) - len(f.inputs))
+    given = (["Function." + f.pascal, '"%s"' % ", ".join(f.numbers), "count",
+              str(len(f.inputs))] + samples + ["to"] + [identifier(name) for name in f.numbers])
+    first, indent = "        public static void %s(" % f.pascal, " " * 12
+    return (about(f.about(), "        ") + broken(first, parameters, ")", indent) + ["        {"] +
+            broken(indent + "Run(", given, ");", indent + "    ") + ["        }", ""])
+
+
+def methods(header):
+    """The part of Samples that the functions of the chain rule are"""
+    all_ = chain.functions(header)
+    out = [line for f in all_ for line in method(f)]
+    out += ["        internal enum Function", "        {"]
+    out += broken(" " * 12, [f.pascal for f in all_], "", " " * 12) + ["        }", ""]
+    out += ["        internal static Status Call(Function function, UIntPtr count,",
+            "                                    Native.scarp_samples* s, float* x)", "        {",
+            "            switch (function) {"]
+    for f in all_:
+        given = ["count", "s"] + ["s + %d" % i for i in range(1, len(f.inputs))]
+        given += ["x[%d]" % i for i in range(len(f.numbers))] + ["s + %d" % len(f.inputs)]
+        label = "default:" if f is all_[-1] else "case Function.%s:" % f.pascal
+        out.append("            %s return Native.%s(%s);" % (label, f.call, ", ".join(given)))
+    return out + ["            }", "        }"]
+
+
+def tested(header):
+    """tests/bindings/csharp/Chain.cs: the calls that tests/bindings/chain.h has in C"""
+    out = ["// SPDX-License-Identifier: MIT", "//",
+           "// The calls of tests/bindings/chain.h. Made by src/bindings/interface.py; do not change it "
+           "by hand.", "using Scarp;", "", "static class Chain", "{",
+           "    public delegate void Call(int count, in Samples a, in Samples b, in Samples to);", "",
+           "    public static readonly string[] Names = {"]
+    all_ = [f for f in chain.functions(header) if f.call != chain.SLOPE]
+    out += broken(" " * 8, ['"%s"' % f.name for f in all_], "", " " * 8)
+    out += ["    };", "    public static readonly Call[] Calls = {"]
+    for f in all_:
+        given = ["n"] + list(("a", "b", "a")[:len(f.inputs)])
+        given += ["%sf" % float(number) for number in f.given.values()] + ["to"]
+        out += ["        (int n, in Samples a, in Samples b, in Samples to) =>",
+                "            Samples.%s(%s)," % (f.pascal, ", ".join(given))]
+    return "\n".join(out + ["    };", "}"]) + "\n"
+
+
+def tables(header):
+    """What of Scarp.cs is made of structures, enumerators and calls"""
     major, minor, patch = header.version.split(".")
     out = enums(header) + [
         "",
@@ -132,4 +184,11 @@ def table(header):
         out += structure(name, s)
     for name, (returns, arguments) in header.functions.items():
         out += function(name, returns, arguments)
-    return before + first + line + "\n" + "\n".join(out[1:] + ["    }"]) + "\n" + last + after
+    return out[1:] + ["    }"]
+
+
+def made(header, read):
+    """Files with what is made of the header: pairs of a path and a text"""
+    text = replaced(PATH, read(PATH), "chain", methods(header))
+    yield PATH, replaced(PATH, text, "tables", tables(header))
+    yield TESTED, tested(header)

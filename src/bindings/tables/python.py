@@ -1,10 +1,17 @@
 # SPDX-License-Identifier: MIT
-"""The tables of the module for Python."""
+"""The tables of the module for Python, and the functions of the chain rule that are methods."""
 import re
+import textwrap
 
 from header import both
+from tables import chain
+from tables.text import replaced, wrapped
 
 PATH = "src/bindings/python/scarp/_interface.py"
+METHODS, STUBS = "src/bindings/python/scarp/_chain.py", "src/bindings/python/scarp/__init__.pyi"
+# Operators, and what has other members than its input: Samples has these itself.
+BY_HAND = ("scarp_add", "scarp_multiply", "scarp_divide", "scarp_abs", chain.SLOPE)
+NAMES = {"a": "self", "b": "other", "m": "mask"}
 CODES = {"char": "i1", "unsigned char": "u1", "int": "i4", "int32_t": "i4", "uint32_t": "u4",
          "float": "f4", "int64_t": "i8", "uint64_t": "u8", "double": "f8", "size_t": "size"}
 
@@ -56,3 +63,44 @@ def table(header):
             line += " %r," % kind
         out += ([line] if line.strip() else []) + ["    )),"]
     return "\n".join(out + ["}"]) + "\n"
+
+
+def methods(header):
+    """Functions of the chain rule, with their operands, and what they take where one is not
+    given."""
+    for f in chain.functions(header):
+        if f.call not in BY_HAND:
+            yield f, [NAMES[name] for name in f.inputs], chain.DEFAULTS.get(f.name, {})
+
+
+def methods_as_code(header):
+    """The content of _chain.py."""
+    out = ["# SPDX-License-Identifier: MIT",
+           '"""Functions of scarp.h that are methods of samples. Made by src/bindings/interface.py; do',
+           'not change them by hand."""', "", "", "class Chain:",
+           '    """Functions of samples, by the chain rule."""',
+           "    __slots__ = ()"]
+    for f, operands, given in methods(header):
+        numbers = [name + ("=" + given[name] if name in given else "") for name in f.numbers]
+        out += ["", "    def %s(%s):" % (f.name, ", ".join(operands + numbers))]
+        out += wrapped('        """', f.about(NAMES) + '"""', "        ")
+        given = ["%s=%s" % (name, name) for name in operands[1:]]
+        scalars = ", ".join('("%s", %s)' % (name, name) for name in f.numbers)
+        line = "        return self._chain(%s)" % ", ".join(
+            ['"%s"' % f.call, "[%s]" % scalars] + given)
+        out += textwrap.wrap(line, 100, subsequent_indent=" " * 27)
+    return "\n".join(out) + "\n"
+
+
+def methods_as_stubs(header):
+    for f, operands, given in methods(header):
+        arguments = operands[:1] + [name + ": Operand" for name in operands[1:]]
+        arguments += [name + ": float" + (" = ..." if name in given else "") for name in f.numbers]
+        yield "    def %s(%s) -> Samples: ..." % (f.name, ", ".join(arguments))
+
+
+def made(header, read):
+    """Files with what is made of the header: pairs of a path and a text"""
+    yield PATH, table(header)
+    yield METHODS, methods_as_code(header)
+    yield STUBS, replaced(STUBS, read(STUBS), "chain", methods_as_stubs(header))

@@ -1,8 +1,25 @@
 # SPDX-License-Identifier: MIT
-"""The declarations of Rust: the module `ffi` of the crate, with a test of its layout."""
+"""The declarations of Rust: the module `ffi` of the crate, with a test of its layout. And the
+functions of the chain rule."""
 import re
 
+from tables import chain
+from tables.text import replaced, wrapped
+
 PATH = "src/bindings/rust/src/ffi.rs"
+FUNCTIONS, TESTED = "src/bindings/rust/src/chain.rs", "src/bindings/rust/tests/functions/mod.rs"
+TESTS = """// SPDX-License-Identifier: MIT
+//! The calls of tests/bindings/chain.h, apart and in place. Made by src/bindings/interface.py; do not
+//! change it by hand.
+use scarp::{chain, Error, Samples, View};
+
+type Apart = fn(&View<'_>, &View<'_>, &mut Samples<'_>) -> Result<(), Error>;
+/// Of `a`, which is written, with a copy of it
+type InPlace = fn(&mut Samples<'_>, &View<'_>, &View<'_>) -> Result<(), Error>;
+
+#[rustfmt::skip]
+pub const FUNCTIONS: &[(&str, Apart, InPlace)] = &[
+"""
 
 TYPES = {"char": "c_char", "unsigned char": "u8", "int": "c_int", "int32_t": "i32",
          "uint32_t": "u32", "float": "f32", "int64_t": "i64", "uint64_t": "u64", "double": "f64",
@@ -143,3 +160,39 @@ def table(header):
         out += ["        %s: %d, %d;" % (name_of(m["name"]), m[4][0], m[8][0])
                 for m in structure["members"]] + ["    }"]
     return "\n".join(out + ["}"]) + "\n"
+
+
+def functions(header):
+    """Those of the chain rule. A slope cannot be in place."""
+    return [f for f in chain.functions(header) if f.call != chain.SLOPE]
+
+
+def listed(header):
+    """What the macro of chain.rs takes"""
+    for f in functions(header):
+        yield from wrapped("    /// ", f.about(), "    /// ")
+        yield "    %s(%s;%s), %s;" % (f.name, " ".join(f.inputs[1:]),
+                                     "".join(" " + name for name in f.numbers), f.call)
+
+
+def tested(header):
+    """The content of tests/functions/mod.rs."""
+    out = [TESTS.rstrip()]
+    for f in functions(header):
+        others = ["b", "a"][:len(f.inputs) - 1]
+        numbers = [str(float(number)) for number in f.given.values()]
+        b = "b" if others else "_"
+        out += ['    ("%s",' % f.name,
+                "     |a, %s, out| chain::%s(%s)," % (
+                    b, f.name, ", ".join(["a"] + others + numbers + ["out"])),
+                "     |a, %s, %s| a.%s(%s))," % (
+                    "copy" if "a" in others else "_", b, f.name,
+                    ", ".join(["b", "copy"][:len(others)] + numbers))]
+    return "\n".join(out + ["];"]) + "\n"
+
+
+def made(header, read):
+    """Files with what is made of the header: pairs of a path and a text"""
+    yield PATH, table(header)
+    yield FUNCTIONS, replaced(FUNCTIONS, read(FUNCTIONS), "chain", listed(header))
+    yield TESTED, tested(header)

@@ -1,9 +1,13 @@
 # SPDX-License-Identifier: MIT
-"""The tables of the npm package, for pointers of 4 bytes."""
+"""The tables of the npm package, for pointers of 4 bytes, and the functions of the chain rule."""
 import re
 import textwrap
 
+from tables import chain
+from tables.text import replaced, wrapped
+
 PATH = "src/web/interface.mjs"
+METHODS, TYPES, TESTED = "src/web/scarp.mjs", "src/web/scarp.d.ts", "src/web/test/chain.mjs"
 TYPED = ("scarp_noise",)  # structures that are written member by member
 
 FIRST = """\
@@ -43,3 +47,46 @@ def table(header):
         if name in TYPED:
             out += [literal(name + "_types", [(m["name"], "'%s'" % kind(m)) for m in members])]
     return "\n".join(out) + "\n"
+
+
+def methods(header):
+    for f in chain.functions(header):
+        numbers = "{ %s }" % ", ".join(f.numbers) if f.numbers else "{}"
+        yield "    %s(%s) {" % (f.camel, ", ".join(f.inputs + f.numbers + ["out"]))
+        yield "        return this.#chain('%s', { %s }, %s, out);" % (
+            f.name, ", ".join(f.inputs), numbers)
+        yield "    }"
+
+
+def types(header):
+    for f in chain.functions(header):
+        comment = wrapped("    /** ", f.about() + " */", "     * ")
+        if len(comment) > 1:
+            comment = ["    /**"] + wrapped("     * ", f.about(), "     * ") + ["     */"]
+        parameters = ([name + ": Samples" for name in f.inputs] +
+                      [name + ": number" for name in f.numbers] + ["out: T"])
+        line = "    %s<T extends Samples>(%s): T;" % (f.camel, ", ".join(parameters))
+        if len(line) > 100:
+            line = "    %s<T extends Samples>(\n%s\n    ): T;" % (
+                f.camel, "\n".join("        %s," % each for each in parameters))
+        yield from comment + [line]
+
+
+def tested(header):
+    """The content of test/chain.mjs."""
+    out = ["// SPDX-License-Identifier: MIT", "//",
+           "// The calls of tests/bindings/chain.h: the names of samples, and numbers. Made by",
+           "// src/bindings/interface.py; do not change it by hand.", "export const CHAIN = {"]
+    out += ["    %s: [[%s], [%s]]," % (
+        f.camel, ", ".join(("'a'", "'b'", "'a'")[:len(f.inputs)]),
+        ", ".join(map(str, f.given.values())))
+        for f in chain.functions(header) if f.call != chain.SLOPE]
+    return "\n".join(out + ["};"]) + "\n"
+
+
+def made(header, read):
+    """Files with what is made of the header: pairs of a path and a text"""
+    yield PATH, table(header)
+    yield METHODS, replaced(METHODS, read(METHODS), "chain", methods(header))
+    yield TYPES, replaced(TYPES, read(TYPES), "chain", types(header))
+    yield TESTED, tested(header)

@@ -2,6 +2,7 @@
 //
 // The cases of expected.c, computed with the package: lines(scarp, copied) gives what that prints.
 // Arrays are copied, or lie in the module's memory.
+import { CHAIN } from './chain.mjs';
 
 const POINTS = 301,
     MOST = 1024,
@@ -197,29 +198,16 @@ export function lines(scarp, copied) {
         scarp.sample3({ basis: 'simplex' }, ...single, b);
         const partials = { f: a.value, fa: a.dx, fb: a.dy, faa: b.dx, fab: b.dy, fbb: b.dz };
         const calls = {
-            affine: [a, 1.7, -0.3],
-            add: [a, b],
-            multiply: [a, b],
-            mix: [a, b, a],
-            min: [a, b],
-            max: [a, b],
-            smoothMin: [a, b, 0.3],
-            smoothMax: [a, b, 0.3],
-            clamp: [a, -0.2, 0.1],
-            abs: [a],
-            smoothAbs: [a, 0.15],
-            smoothstep: [a, 0.25, -0.25],
-            terrace: [a, 7, 0.4, 0.8],
-            divide: [a, b],
-            sqrt: [a],
-            sine: [a],
-            pulse: [a],
             curve: [a, [-0.25, 0.125, 0.5], [0, 1, 0.75]],
             slope: [a],
             apply1: [a, partials],
             apply2: [a, b, partials],
         };
-        for (const [name, args] of Object.entries(calls)) {
+        const simple = Object.entries(CHAIN).map(([name, [samples, numbers]]) => [
+            name,
+            [...samples.map((which) => (which === 'a' ? a : b)), ...numbers],
+        ]);
+        for (const [name, args] of [...simple, ...Object.entries(calls)]) {
             const out = ask(sets[2], 3, name === 'slope' ? 1 : 2, false, points);
             scarp[name](...args, out);
             line(name, '', hashArrays(sets[2]));

@@ -185,6 +185,16 @@ static class Hashes
         Tell("recipe_sample", 6, Count);
     }
 
+    static void Functions()
+    {
+        for (int i = 0; i < Chain.Names.Length; i++) {
+            warp.Sample2(x[0], x[1], Plane(6));
+            warped.Sample2(x[0], x[1], Plane(12));
+            Chain.Calls[i](Count, Plane(6), Plane(12), Plane(0));
+            Tell(Chain.Names[i], 6, Count);
+        }
+    }
+
     public static void Run(string recipe)
     {
         for (int axis = 0; axis < 3; axis++) {
@@ -196,5 +206,6 @@ static class Hashes
         }
         Points();
         Grids(File.ReadAllText(recipe));
+        Functions();
     }
 }

@@ -196,30 +196,6 @@ static class Wrappers
 
     static void Chain()
     {
-        for (int i = 0; i < Count; i++) {
-            f[6][i] = 0.75f;
-            f[7][i] = f[8][i] = 0;
-        }
-        One("affine", (in Samples a, in Samples to) => Samples.Affine(Count, a, 3, 0.5f, to),
-            a => 3 * a + 0.5);
-        One("abs", (in Samples a, in Samples to) => Samples.Abs(Count, a, to), Math.Abs);
-        One("clamp", (in Samples a, in Samples to) => Samples.Clamp(Count, a, -0.6f, 0.7f, to),
-            a => Math.Min(Math.Max(a, -0.6f), 0.7f));
-        One("smooth abs", (in Samples a, in Samples to) => Samples.SmoothAbs(Count, a, 0.3f, to),
-            a => Math.Sqrt(a * a + 0.09));
-        One("smoothstep", (in Samples a, in Samples to) => Samples.Smoothstep(Count, a, -1, 1, to),
-            a => {
-            double t = Math.Min(Math.Max((a + 1) / 2, 0), 1);
-            return t * t * t * (6 * t * t - 15 * t + 10);
-        });
-        One("terrace", (in Samples a, in Samples to) => Samples.Terrace(Count, a, 2, 0.5f, 0, to),
-            a => a);
-        One("sqrt", (in Samples a, in Samples to) => Samples.Sqrt(Count, a, to),
-            a => a > 0 ? Math.Sqrt(a) : 0);
-        One("sine", (in Samples a, in Samples to) => Samples.Sine(Count, a, to),
-            a => Math.Sin(2 * Math.PI * a));
-        One("pulse", (in Samples a, in Samples to) => Samples.Pulse(Count, a, to),
-            a => 1 - 2 * Math.Abs(1 - (a - 2 * Math.Floor(a / 2))));
         One("curve", (in Samples a, in Samples to) => Samples.Curve(
             Count, a, new float[] {-2, 4}, new float[] {1, 2}, to), a => {
             double t = Math.Min(Math.Max((a + 2) / 6, 0), 1);
@@ -227,27 +203,7 @@ static class Wrappers
         });
         One("slope", (in Samples a, in Samples to) => Samples.Slope(
             Count, a, new Samples { Value = to.Value }), a => Math.Sqrt(13));
-        One("add", (in Samples a, in Samples to) => Samples.Add(Count, a, B, to), a => a + 0.75);
-        One("multiply", (in Samples a, in Samples to) => Samples.Multiply(Count, a, B, to),
-            a => a * 0.75);
-        One("divide", (in Samples a, in Samples to) => Samples.Divide(Count, a, B, to),
-            a => a / 0.75);
-        One("min", (in Samples a, in Samples to) => Samples.Min(Count, a, B, to),
-            a => Math.Min(a, 0.75));
-        One("max", (in Samples a, in Samples to) => Samples.Max(Count, a, B, to),
-            a => Math.Max(a, 0.75));
-        One("smooth min", (in Samples a, in Samples to) => Samples.SmoothMin(Count, a, B, 0.5f, to),
-            a => Math.Min(a, 0.75) - Math.Pow(Math.Max(0, 1 - Math.Abs(a - 0.75) / 0.5),
-                                              3) * 0.5 / 6);
-        One("smooth max", (in Samples a, in Samples to) => Samples.SmoothMax(Count, a, B, 0.5f, to),
-            a => Math.Max(a, 0.75) + Math.Pow(Math.Max(0, 1 - Math.Abs(a - 0.75) / 0.5),
-                                              3) * 0.5 / 6);
-        One("mix", (in Samples a, in Samples to) => Samples.Mix(Count, B, a, B, to),
-            a => 0.75 + 0.75 * (a - 0.75));
     }
-
-    // 0.75 everywhere
-    static Samples B { get { return new Samples { Value = f[6], Dx = f[7], Dy = f[8] }; } }
 
     static void Recipes(string hlsl)
     {

@@ -5,6 +5,7 @@ import ctypes
 import numpy as np
 
 from ._arrays import FLOAT, readable, real
+from ._chain import Chain
 from ._library import STRUCTURES, ScarpError, complain, lib
 from ._numbers import is_number, number, single
 
@@ -13,6 +14,7 @@ MEMBERS = ("value", "dx", "dy", "dz", "dxx", "dxy", "dxz", "dyy", "dyz", "dzz", 
 NEEDS = {"dxx": ("dx",), "dxy": ("dx", "dy"), "dxz": ("dx", "dz"), "dyy": ("dy",),
          "dyz": ("dy", "dz"), "dzz": ("dz",)}
 SECOND = tuple(NEEDS)
+LINEAR = ("scarp_affine", "scarp_add")  # whose derivatives need nothing else
 _Samples, _Partials = STRUCTURES["scarp_samples"], STRUCTURES["scarp_partials"]
 
 
@@ -27,7 +29,7 @@ def members_of(dimensions, order, dphase=False):
     return found + (["dphase"] if dphase else [])
 
 
-class Samples:
+class Samples(Chain):
     """Values, and their exact partial derivatives, as float32 arrays of one shape.
 
     value           the value
@@ -122,10 +124,6 @@ class Samples:
             raise ScarpError("was reshaped", name)
         return readable(array, FLOAT)
 
-    def affine(self, scale, offset=0.0):
-        """scale * self + offset, with numbers."""
-        return _call("scarp_affine", [self], [("scale", scale), ("offset", offset)], values=False)
-
     def constant(self, value):
         """Samples that have a number everywhere, with the members of these; derivatives are 0."""
         arrays = {name: np.zeros(self.shape, FLOAT) for name in self._arrays}
@@ -157,14 +155,14 @@ class Samples:
 
     def __add__(self, other):
         if isinstance(other, Samples):
-            return _call("scarp_add", [self, other], values=False)
+            return _call("scarp_add", [self, other])
         return self.affine(1.0, other) if is_number(other) else NotImplemented
 
     __radd__ = __add__
 
     def __sub__(self, other):
         if isinstance(other, Samples):
-            return _call("scarp_add", [self, -other], values=False)
+            return _call("scarp_add", [self, -other])
         # a float: unsigned integers of NumPy wrap
         return self.affine(1.0, -number("other", other)) if is_number(other) else NotImplemented
 
@@ -186,57 +184,11 @@ class Samples:
         other = self._other(other)
         return NotImplemented if other is None else _call("scarp_divide", [other, self])
 
-    def mix(self, other, mask):
-        """self where the mask is 0, other where it is 1, and a blend between. The mask is samples,
-        whose slopes count, or a number. Where it is 0 and level, other is not seen, even NaN."""
-        return _call("scarp_mix", [self, self._needed("other", other),
-                                   self._needed("mask", mask)])
-
-    def min(self, other):
-        """The lesser, with a crease where both are equal; NaN before any number."""
-        return _call("scarp_min", [self, self._needed("other", other)])
-
-    def max(self, other):
-        """The greater, with a crease where both are equal; NaN before any number."""
-        return _call("scarp_max", [self, self._needed("other", other)])
-
-    def smooth_min(self, other, k):
-        """The lesser without a crease, where the two differ by less than k, in units of value."""
-        return _call("scarp_smooth_min", [self, self._needed("other", other)], [("k", k)])
-
-    def smooth_max(self, other, k):
-        """The greater without a crease, where the two differ by less than k, in units of value."""
-        return _call("scarp_smooth_max", [self, self._needed("other", other)], [("k", k)])
-
-    def clamp(self, lo, hi):
-        """self, but lo where it is less and hi where it is more; lo <= hi. Creases there."""
-        return _call("scarp_clamp", [self], [("lo", lo), ("hi", hi)])
-
-    def smooth_abs(self, round):
-        """sqrt(self^2 + round^2): the magnitude, with a round floor of the height `round`."""
-        return _call("scarp_smooth_abs", [self], [("round", round)])
-
-    def smoothstep(self, lo, hi):
-        """From 0 where it is lo or beyond, to 1 where it is hi or beyond: masks for mix()."""
-        return _call("scarp_smoothstep", [self], [("lo", lo), ("hi", hi)])
-
-    def terrace(self, steps, riser=0.5, strength=1.0):
-        """Steps: so many per unit of value, of which `riser` rises, in [2^-20, 1]; strength is in
-        [0, 1]."""
-        return _call("scarp_terrace", [self], [("steps", steps), ("riser", riser),
-                                               ("strength", strength)])
-
-    def sqrt(self):
-        """The square root, and 0 where it is less than 0."""
-        return _call("scarp_sqrt", [self])
-
-    def sine(self):
-        """sin(2 pi self): self counts turns."""
-        return _call("scarp_sine", [self])
-
-    def pulse(self):
-        """self folded to and fro between -1 and 1, with the period 2."""
-        return _call("scarp_pulse", [self])
+    def _chain(self, name, scalars, **others):
+        """A function of the chain rule: operands but the first one by their names, and pairs of a
+        name and a number."""
+        inputs = [self] + [self._needed(what, other) for what, other in others.items()]
+        return _call(name, inputs, scalars)
 
     def curve(self, x, value):
         """A smooth curve through 2 to 64 knots, which has value[k] where self is x[k]. It never
@@ -284,10 +236,10 @@ def _members(inputs, values=True):
     return [name for name in found if not values or all(n in found for n in NEEDS.get(name, ()))]
 
 
-def _call(name, inputs, scalars=(), values=True):
+def _call(name, inputs, scalars=()):
     """A function of the chain rule, with numbers behind the samples."""
     given = [single(what, value) for what, value in scalars]
-    return _run(name, inputs, _members(inputs, values), inputs[0].shape, inputs[0].extent, given,
+    return _run(name, inputs, _members(inputs, name not in LINEAR), inputs[0].shape, inputs[0].extent, given,
                 ", ".join(what for what, _ in scalars) or None)
 
 

@@ -77,42 +77,46 @@ macro_rules! functions {
 }
 
 functions! {
-    /// scale a + offset
+    // <chain> made by src/bindings/interface.py of include/scarp.h: do not change them by hand
+    /// `scale * a + offset`.
     affine(; scale offset), scarp_affine;
-    /// a + b
+    /// `a + b`, in all members.
     add(b;), scarp_add;
-    /// a b. A product is 0 where a factor is 0.
+    /// `a * b`: a product is 0 where a factor is 0, even if the other one is NaN.
     multiply(b;), scarp_multiply;
-    /// a + m (b - a), computed from the nearer end
+    /// `a` where `m` is 0, `b` where `m` is 1, and `a + m * (b - a)` between: slopes of `m` count,
+    /// too.
     mix(b m;), scarp_mix;
-    /// The lesser of a and b, with a crease where both are equal
+    /// The lesser of `a` and `b`, with a crease where both are equal; NaN before any number.
     min(b;), scarp_min;
-    /// The greater of a and b, with a crease where both are equal
+    /// The greater of `a` and `b`, with a crease where both are equal; NaN before any number.
     max(b;), scarp_max;
-    /// The lesser of a and b without a crease: less by k / 6 at most, where they differ by less
-    /// than k
+    /// The lesser of `a` and `b`, without a crease: less by `k / 6` at most, where they differ by
+    /// less than `k`.
     smooth_min(b; k), scarp_smooth_min;
-    /// The greater of a and b without a crease
+    /// The greater of `a` and `b`, without a crease: more by `k / 6` at most, where they differ by
+    /// less than `k`.
     smooth_max(b; k), scarp_smooth_max;
-    /// a, but lo where it is less and hi where it is more
+    /// `a`, but `lo` where it is less and `hi` where it is more, with creases there.
     clamp(; lo hi), scarp_clamp;
-    /// |a|, with a crease at 0
+    /// `|a|`, with a crease at 0.
     abs(;), scarp_abs;
-    /// sqrt(a^2 + round^2): |a| with a round floor
+    /// `sqrt(a^2 + round^2)`: the magnitude of `a`, with a round floor.
     smooth_abs(; round), scarp_smooth_abs;
-    /// From 0 where a is lo or beyond, to 1 where it is hi or beyond. C2
+    /// From 0 where `a` is `lo` or beyond, to 1 where it is `hi` or beyond: masks for mixes.
     smoothstep(; lo hi), scarp_smoothstep;
-    /// Steps in a slope: `steps` per unit of value, of which the part `riser` rises; `strength`, in
-    /// [0, 1], is how level treads are.
+    /// Steps in a slope: `steps` per unit of value, of which the part `riser`, in [2^-20, 1],
+    /// rises. `strength`, in [0, 1], says how level treads are.
     terrace(; steps riser strength), scarp_terrace;
-    /// a / b
+    /// `a / b`: infinite or NaN where `b` is 0.
     divide(b;), scarp_divide;
-    /// The square root of a, and 0 where a is less than 0
+    /// The square root of `a`, and 0 where `a` is less than 0.
     sqrt(;), scarp_sqrt;
-    /// sin(2 pi a): a counts turns
+    /// `sin(2 pi a)`: `a` counts turns.
     sine(;), scarp_sine;
-    /// a folded to and fro between -1 and 1, with the period 2
+    /// `a` folded to and fro between -1 and 1, with the period 2.
     pulse(;), scarp_pulse;
+    // </chain>
 }
 
 /// A smooth curve through knots, which are from 2 to 64: `value[k]` where a is `x[k]`. It never

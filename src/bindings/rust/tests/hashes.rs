@@ -7,6 +7,8 @@ use std::collections::BTreeMap;
 use std::path::Path;
 use std::process::Command;
 
+mod functions;
+
 const COUNT: usize = 1031;
 const ROWS: usize = 37;
 const COLUMNS: usize = 53;
@@ -101,6 +103,7 @@ fn hashes() -> Result {
     grids(&mut told)?;
     chain_rule(&mut told)?;
     recipes(&mut told)?;
+    functions_apart_and_in_place(&mut told)?;
     assert!(told.0.is_empty(), "not compared: {:?}", told.0);
     Ok(())
 }
@@ -247,6 +250,21 @@ fn chain_rule(told: &mut Told) -> Result {
     let [nx, ny, nz, ..] = eight(&mut o);
     normals(&b.dx, &b.dy, 20.0, [nx.unwrap(), ny.unwrap(), nz.unwrap()])?;
     told.same("normals", &[&o[0], &o[1], &o[2]]);
+    Ok(())
+}
+
+fn functions_apart_and_in_place(told: &mut Told) -> Result {
+    let (x, y) = (floats(&axis(0)), floats(&axis(1)));
+    let (mut a, mut b) = (Arrays::plane(COUNT, 2), Arrays::plane(COUNT, 2));
+    WARP.sample2(&x, &y, &mut a.samples())?;
+    WARPED.sample2(&x, &y, &mut b.samples())?;
+    for (name, apart, in_place) in functions::FUNCTIONS {
+        let (mut out, mut changed) = (Arrays::plane(COUNT, 2), a.clone());
+        apart(&a.view(), &b.view(), &mut out.samples())?;
+        told.same(name, &hessian2(&out));
+        in_place(&mut changed.samples(), &a.view(), &b.view())?;
+        assert!(changed == out, "{} in place", name);
+    }
     Ok(())
 }
 

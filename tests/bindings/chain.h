@@ -1,0 +1,20 @@
+/* SPDX-License-Identifier: MIT */
+/* Calls of the functions of the chain rule for samples a and b, as the tests of bindings
+   make them. Made by src/bindings/interface.py; do not change it by hand. */
+CHAIN("affine", "affine", scarp_affine(count, a, 1.7f, -0.3f, out))
+CHAIN("add", "add", scarp_add(count, a, b, out))
+CHAIN("multiply", "multiply", scarp_multiply(count, a, b, out))
+CHAIN("mix", "mix", scarp_mix(count, a, b, a, out))
+CHAIN("min", "min", scarp_min(count, a, b, out))
+CHAIN("max", "max", scarp_max(count, a, b, out))
+CHAIN("smooth_min", "smoothMin", scarp_smooth_min(count, a, b, 0.3f, out))
+CHAIN("smooth_max", "smoothMax", scarp_smooth_max(count, a, b, 0.3f, out))
+CHAIN("clamp", "clamp", scarp_clamp(count, a, -0.2f, 0.1f, out))
+CHAIN("abs", "abs", scarp_abs(count, a, out))
+CHAIN("smooth_abs", "smoothAbs", scarp_smooth_abs(count, a, 0.15f, out))
+CHAIN("smoothstep", "smoothstep", scarp_smoothstep(count, a, 0.25f, -0.25f, out))
+CHAIN("terrace", "terrace", scarp_terrace(count, a, 7.0f, 0.4f, 0.8f, out))
+CHAIN("divide", "divide", scarp_divide(count, a, b, out))
+CHAIN("sqrt", "sqrt", scarp_sqrt(count, a, out))
+CHAIN("sine", "sine", scarp_sine(count, a, out))
+CHAIN("pulse", "pulse", scarp_pulse(count, a, out))
