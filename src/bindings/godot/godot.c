@@ -3,11 +3,8 @@
  * The class ScarpRecipe for Godot 4.2 and later: the entry point, the registration, and how calls
  * come in. What methods do is in recipe.c.
  */
-#include "godot.h"
-
-#include <stdarg.h>
-#include <stdio.h>
-#include <stdlib.h>
+#include "engine.h"
+#include "recipe.h"
 
 #if defined(_WIN32)
 #define EXPORTED __declspec(dllexport)
@@ -18,71 +15,14 @@
 #define CLASS "ScarpRecipe"
 #define PARENT "RefCounted"
 
-/* Of Godot's extension_api.json: PROPERTY_USAGE_DEFAULT; the hash of resize(int) -> int, which all
-   packed arrays have; the size of a Variant, 24 bytes, or 40 with precision=double */
+/* Of Godot's extension_api.json: PROPERTY_USAGE_DEFAULT; the size of a Variant, 24 bytes, or 40 with
+   precision=double */
 #define USAGE_DEFAULT 6
-#define RESIZE_HASH 848867239
 #define VARIANT_DOUBLES 5
-
-#define FIRST_PACKED GDEXTENSION_VARIANT_TYPE_PACKED_BYTE_ARRAY
-#define LAST_PACKED GDEXTENSION_VARIANT_TYPE_PACKED_VECTOR3_ARRAY
-
-struct godot godot;
-static GDExtensionPtrBuiltInMethod resize[LAST_PACKED - FIRST_PACKED + 1];
 
 /* A StringName is one pointer. That of the class lives as long as the class is registered. */
 typedef void *string_name;
 static string_name class_name;
-
-static void new_name(string_name *name, const char *text)
-{
-    godot.string_name_new_with_latin1_chars(name, text, 0);
-}
-
-static void destroy(GDExtensionVariantType type, GDExtensionTypePtr value)
-{
-    int has_destructor = type == GDEXTENSION_VARIANT_TYPE_STRING ||
-                         type == GDEXTENSION_VARIANT_TYPE_STRING_NAME || type >= FIRST_PACKED;
-    if (has_destructor) {
-        godot.variant_get_ptr_destructor(type)(value);
-    }
-}
-
-int godot_resize(GDExtensionVariantType type, GDExtensionTypePtr array, int64_t count)
-{
-    GDExtensionConstTypePtr argument[1] = {&count};
-    int64_t error = 0;
-    resize[type - FIRST_PACKED](array, argument, &error, 1);
-    return error == 0;
-}
-
-char *godot_text(GDExtensionConstTypePtr string, size_t *length)
-{
-    GDExtensionInt bytes = godot.string_to_utf8_chars(string, NULL, 0);
-    char *text = malloc((size_t)bytes + 1);
-    if (text != NULL) {
-        godot.string_to_utf8_chars(string, text, bytes);
-        text[bytes] = 0;
-        *length = (size_t)bytes;
-    }
-    return text;
-}
-
-void godot_set_text(GDExtensionTypePtr string, const char *text)
-{
-    destroy(GDEXTENSION_VARIANT_TYPE_STRING, string);
-    godot.string_new_with_utf8_chars(string, text);
-}
-
-void godot_error(const char *function, const char *text, ...)
-{
-    char message[512];
-    va_list list;
-    va_start(list, text);
-    vsnprintf(message, sizeof message, text, list);
-    va_end(list);
-    godot.print_error(message, function, CLASS, 0, 1);
-}
 
 /* Instances */
 
@@ -95,9 +35,9 @@ static GDExtensionObjectPtr create_instance(void *userdata)
         return NULL;
     }
     string_name parent;
-    new_name(&parent, PARENT);
+    godot_name(&parent, PARENT);
     GDExtensionObjectPtr object = godot.classdb_construct_object(&parent);
-    destroy(GDEXTENSION_VARIANT_TYPE_STRING_NAME, &parent);
+    godot_destroy(GDEXTENSION_VARIANT_TYPE_STRING_NAME, &parent);
     godot.object_set_instance(object, &class_name, self);
     return object;
 }
@@ -175,10 +115,10 @@ static void call_variants(void *userdata, GDExtensionClassInstancePtr self,
         method->body(self, argument, &answer);
         godot.variant_destroy(result);
         godot.get_variant_from_type_constructor(method->result)(result, &answer);
-        destroy(method->result, &answer);
+        godot_destroy(method->result, &answer);
     }
     for (int i = 0; i < method->count; i++) {
-        destroy(method->argument[i].type, &value[i]);
+        godot_destroy(method->argument[i].type, &value[i]);
     }
 }
 
@@ -188,15 +128,15 @@ static void register_method(GDExtensionClassLibraryPtr library, const struct god
 {
     string_name empty, name, names[GODOT_ARGUMENTS];
     void *hint;
-    new_name(&empty, "");
-    new_name(&name, method->name);
+    godot_name(&empty, "");
+    godot_name(&name, method->name);
     godot.string_new_with_utf8_chars(&hint, "");
     GDExtensionPropertyInfo result = {method->result, &empty, &empty, 0, &hint, USAGE_DEFAULT};
     GDExtensionPropertyInfo arguments[GODOT_ARGUMENTS];
     GDExtensionClassMethodArgumentMetadata metadata[GODOT_ARGUMENTS] = {
         GDEXTENSION_METHOD_ARGUMENT_METADATA_NONE};
     for (int i = 0; i < method->count; i++) {
-        new_name(&names[i], method->argument[i].name);
+        godot_name(&names[i], method->argument[i].name);
         arguments[i] = result;
         arguments[i].type = method->argument[i].type;
         arguments[i].name = &names[i];
@@ -227,11 +167,11 @@ static void register_method(GDExtensionClassLibraryPtr library, const struct god
 
     godot.variant_destroy(storage);
     for (int i = 0; i < method->count; i++) {
-        destroy(GDEXTENSION_VARIANT_TYPE_STRING_NAME, &names[i]);
+        godot_destroy(GDEXTENSION_VARIANT_TYPE_STRING_NAME, &names[i]);
     }
-    destroy(GDEXTENSION_VARIANT_TYPE_STRING, &hint);
-    destroy(GDEXTENSION_VARIANT_TYPE_STRING_NAME, &name);
-    destroy(GDEXTENSION_VARIANT_TYPE_STRING_NAME, &empty);
+    godot_destroy(GDEXTENSION_VARIANT_TYPE_STRING, &hint);
+    godot_destroy(GDEXTENSION_VARIANT_TYPE_STRING_NAME, &name);
+    godot_destroy(GDEXTENSION_VARIANT_TYPE_STRING_NAME, &empty);
 }
 
 static void initialize(void *library, GDExtensionInitializationLevel level)
@@ -245,10 +185,10 @@ static void initialize(void *library, GDExtensionInitializationLevel level)
         .free_instance_func = free_instance,
     };
     string_name parent;
-    new_name(&parent, PARENT);
-    new_name(&class_name, CLASS);
+    godot_name(&parent, PARENT);
+    godot_name(&class_name, CLASS);
     godot.classdb_register_extension_class2(library, &class_name, &parent, &info);
-    destroy(GDEXTENSION_VARIANT_TYPE_STRING_NAME, &parent);
+    godot_destroy(GDEXTENSION_VARIANT_TYPE_STRING_NAME, &parent);
     for (size_t i = 0; i < recipe_method_count; i++) {
         register_method(library, &recipe_methods[i]);
     }
@@ -258,7 +198,7 @@ static void deinitialize(void *library, GDExtensionInitializationLevel level)
 {
     if (level == GDEXTENSION_INITIALIZATION_SCENE) {
         godot.classdb_unregister_extension_class(library, &class_name);
-        destroy(GDEXTENSION_VARIANT_TYPE_STRING_NAME, &class_name);
+        godot_destroy(GDEXTENSION_VARIANT_TYPE_STRING_NAME, &class_name);
     }
 }
 
@@ -271,23 +211,7 @@ GDExtensionBool scarp_godot_init(GDExtensionInterfaceGetProcAddress get,
                                  GDExtensionClassLibraryPtr library,
                                  GDExtensionInitialization *initialization)
 {
-    const char *missing = NULL;
-#define GODOT_LOAD(name, type)                                                                     \
-    godot.name = (GDExtensionInterface##type)(void (*)(void))get(#name);                           \
-    missing = godot.name == NULL ? #name : missing;
-    GODOT_FUNCTIONS(GODOT_LOAD)
-#undef GODOT_LOAD
-    if (missing == NULL) {
-        string_name name;
-        new_name(&name, "resize");
-        for (int i = FIRST_PACKED; i <= LAST_PACKED; i++) {
-            GDExtensionPtrBuiltInMethod found =
-                godot.variant_get_ptr_builtin_method((GDExtensionVariantType)i, &name, RESIZE_HASH);
-            resize[i - FIRST_PACKED] = found;
-            missing = found == NULL ? "resize of packed arrays" : missing;
-        }
-        destroy(GDEXTENSION_VARIANT_TYPE_STRING_NAME, &name);
-    }
+    const char *missing = godot_load(get);
     if (missing != NULL) {
         if (godot.print_error != NULL) {
             godot_error("scarp_godot_init", "scarp needs Godot 4.2 or later: there is no %s",

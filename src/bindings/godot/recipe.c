@@ -5,7 +5,9 @@
  * Axes are Godot's: the plane of the recipe, x and y, is the ground, x and z; heights are along y.
  * A recipe in space gives its slice at 0.
  */
-#include "godot.h"
+#include "recipe.h"
+
+#include "engine.h"
 
 #include <math.h>
 #include <scarp.h>

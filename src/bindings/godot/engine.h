@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
- * What godot.c, which talks to the engine, and recipe.c, which talks to scarp, know of each other.
+ * The functions of Godot, and what recipe.c and godot.c do with its values.
  */
-#ifndef SCARP_GODOT_H
-#define SCARP_GODOT_H
+#ifndef SCARP_GODOT_ENGINE_H
+#define SCARP_GODOT_ENGINE_H
 
 #include <gdextension_interface.h>
 #include <stddef.h>
@@ -40,6 +40,13 @@ struct godot {
 };
 extern struct godot godot;
 
+/* Finds the functions. Returns NULL, or what this Godot lacks. */
+const char *godot_load(GDExtensionInterfaceGetProcAddress get);
+
+/* A StringName is one pointer. godot_destroy() ends it, and other values that own memory. */
+void godot_name(GDExtensionTypePtr name, const char *text);
+void godot_destroy(GDExtensionVariantType type, GDExtensionTypePtr value);
+
 /* Elements of a packed array become `count`. Returns 0 if there is no memory for them. */
 int godot_resize(GDExtensionVariantType type, GDExtensionTypePtr array, int64_t count);
 
@@ -54,27 +61,5 @@ void godot_set_text(GDExtensionTypePtr string, const char *text);
 __attribute__((format(printf, 2, 3)))
 #endif
 void godot_error(const char *function, const char *text, ...);
-
-/* A method. `body` gets arguments and result as Godot has them in memory: an int is an int64_t, a
-   float a double. The result is a value already: an empty array, an empty String, 0. */
-#define GODOT_ARGUMENTS 6
-struct godot_method {
-    const char *name;
-    void (*body)(void *self, const GDExtensionConstTypePtr *argument, GDExtensionTypePtr result);
-    GDExtensionVariantType result; /* nil: none */
-    uint32_t flags;
-    int count;    /* of arguments */
-    int optional; /* how many of them, at the end, may be left out: Strings, then empty */
-    struct {
-        const char *name;
-        GDExtensionVariantType type;
-    } argument[GODOT_ARGUMENTS];
-};
-
-/* recipe.c: the class ScarpRecipe */
-extern const struct godot_method recipe_methods[];
-extern const size_t recipe_method_count;
-void *recipe_new(void); /* NULL if there is no memory */
-void recipe_free(void *self);
 
 #endif
