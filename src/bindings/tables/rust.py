@@ -4,10 +4,21 @@ functions of the chain rule."""
 import re
 
 from tables import chain
+from tables.arrays import arrays
 from tables.text import replaced, wrapped
 
 PATH = "src/bindings/rust/src/ffi.rs"
 FUNCTIONS, TESTED = "src/bindings/rust/src/chain.rs", "src/bindings/rust/tests/functions/mod.rs"
+MEMBERS = "src/bindings/rust/src/members.rs"
+LISTS = ("scarp_samples", "scarp_partials", "scarp_cells", "scarp_flow", "scarp_eroded")
+MACRO = """// SPDX-License-Identifier: MIT
+//! The members of structures of arrays. Made by src/bindings/interface.py; do not change them by
+//! hand.
+
+/// Gives another macro what stands there, then the members of a structure of `scarp.h`.
+#[rustfmt::skip]
+macro_rules! members {
+"""
 TESTS = """// SPDX-License-Identifier: MIT
 //! The calls of tests/bindings/chain.h, apart and in place. Made by src/bindings/interface.py; do not
 //! change it by hand.
@@ -191,8 +202,22 @@ def tested(header):
     return "\n".join(out + ["];"]) + "\n"
 
 
+def members(header):
+    """The content of members.rs."""
+    out = [MACRO.rstrip()]
+    for name in LISTS:
+        out += ["    (%s => $then:ident! { $($given:tt)* }) => {" % name,
+                "        $then! { $($given)*"]
+        for array in arrays(header, name):
+            out += wrapped("            /// ", array.about, "            /// ")
+            out.append("            %s: %s," % (array.name, TYPES[array.kind]))
+        out += ["        }", "    };"]
+    return "\n".join(out + ["}"]) + "\n"
+
+
 def made(header, read):
     """Files with what is made of the header: pairs of a path and a text"""
     yield PATH, table(header)
     yield FUNCTIONS, replaced(FUNCTIONS, read(FUNCTIONS), "chain", listed(header))
     yield TESTED, tested(header)
+    yield MEMBERS, members(header)

@@ -89,28 +89,29 @@ impl Sizes {
 
 /// Samples, or a view of them, of the members of another structure
 macro_rules! every {
-    ($name:ident, $of:ident, $($from:tt)+) => {
-        $name {
-            value: $of($($from)+.value),
-            dx: $of($($from)+.dx),
-            dy: $of($($from)+.dy),
-            dz: $of($($from)+.dz),
-            dxx: $of($($from)+.dxx),
-            dxy: $of($($from)+.dxy),
-            dxz: $of($($from)+.dxz),
-            dyy: $of($($from)+.dyy),
-            dyz: $of($($from)+.dyz),
-            dzz: $of($($from)+.dzz),
-            dphase: $of($($from)+.dphase),
-        }
+    ($name:ident, $of:ident, $from:expr; $($(#[$each:meta])* $member:ident: $type:ty,)*) => {
+        $name { $($member: $of(&$from.$member),)* }
+    };
+    (mut $name:ident, $of:ident, $from:expr; $($(#[$each:meta])* $member:ident: $type:ty,)*) => {
+        $name { $($member: $of(&mut $from.$member),)* }
+    };
+}
+
+/// All slices of a structure
+macro_rules! each {
+    ($of:expr; $($(#[$each:meta])* $member:ident: $type:ty,)*) => { [$(&mut $of.$member),*] };
+}
+
+/// The length of the first slice that is there
+macro_rules! first {
+    ($of:expr; $($(#[$each:meta])* $member:ident: $type:ty,)*) => {
+        [$($of.$member),*].into_iter().flatten().next().map_or(0, <[f32]>::len)
     };
 }
 
 /// A structure of slices that a call writes to
 macro_rules! outputs {
-    ($(#[$about:meta])* $name:ident: $c:ident {
-        $($(#[$each:meta])* $member:ident: $type:ty,)*
-    }) => {
+    ($(#[$about:meta])* $name:ident: $c:ident; $($(#[$each:meta])* $member:ident: $type:ty,)*) => {
         $(#[$about])*
         #[derive(Debug, Default)]
         pub struct $name<'a> {
@@ -136,11 +137,11 @@ macro_rules! outputs {
 
 /// A structure of slices that a call reads
 macro_rules! inputs {
-    ($(#[$about:meta])* $name:ident: $c:ident { $($(#[$each:meta])* $member:ident,)* }) => {
+    ($(#[$about:meta])* $name:ident: $c:ident; $($(#[$each:meta])* $member:ident: $type:ty,)*) => {
         $(#[$about])*
         #[derive(Clone, Copy, Debug, Default)]
         pub struct $name<'a> {
-            $($(#[$each])* pub $member: Option<&'a [f32]>,)*
+            $($(#[$each])* pub $member: Option<&'a [$type]>,)*
         }
 
         impl $name<'_> {
@@ -155,7 +156,7 @@ macro_rules! inputs {
     };
 }
 
-outputs! {
+members! { scarp_samples => outputs! {
     /// Where samples go. What is `None` is not computed; a call that asks for no derivative does
     /// not pay for derivatives.
     ///
@@ -169,31 +170,8 @@ outputs! {
     /// Noise::default().sample2(&[0.5, 1.5, 2.5], &[0.25; 3], &mut out)?;
     /// # Ok::<(), scarp::Error>(())
     /// ```
-    Samples: scarp_samples {
-        /// The noise
-        value: f32,
-        /// The gradient, per unit of input
-        dx: f32,
-        /// The gradient along y
-        dy: f32,
-        /// The gradient along z, in space
-        dz: f32,
-        /// The Hessian, per unit of input squared
-        dxx: f32,
-        /// The Hessian: the derivative by x and y
-        dxy: f32,
-        /// The Hessian: the derivative by x and z, in space
-        dxz: f32,
-        /// The Hessian: the second derivative by y
-        dyy: f32,
-        /// The Hessian: the derivative by y and z, in space
-        dyz: f32,
-        /// The Hessian: the second derivative by z, in space
-        dzz: f32,
-        /// The derivative by the phase, per turn
-        dphase: f32,
-    }
-}
+    Samples: scarp_samples;
+} }
 
 impl<'a> Samples<'a> {
     /// To read what is there
@@ -201,23 +179,11 @@ impl<'a> Samples<'a> {
         fn of<'b>(slice: &'b Option<&mut [f32]>) -> Option<&'b [f32]> {
             slice.as_deref()
         }
-        every!(View, of, &self)
+        members!(scarp_samples => every! { View, of, self; })
     }
 
     pub(crate) fn each(&mut self) -> [&mut Option<&'a mut [f32]>; 11] {
-        [
-            &mut self.value,
-            &mut self.dx,
-            &mut self.dy,
-            &mut self.dz,
-            &mut self.dxx,
-            &mut self.dxy,
-            &mut self.dxz,
-            &mut self.dyy,
-            &mut self.dyz,
-            &mut self.dzz,
-            &mut self.dphase,
-        ]
+        members!(scarp_samples => each! { self; })
     }
 
     /// Takes so many elements from the front of each slice, or all that there are.
@@ -234,111 +200,51 @@ impl<'a> Samples<'a> {
     }
 }
 
-inputs! {
+members! { scarp_samples => inputs! {
     /// Samples that a call reads: inputs of the [chain rule](crate::chain), and the base of
     /// [gullies](crate::Gullies). All slices that are there have the same length. Fields are those
     /// of [`Samples`], of which [`Samples::view`] makes it.
-    View: scarp_samples {
-        /// The value
-        value,
-        /// The gradient
-        dx,
-        /// The gradient along y
-        dy,
-        /// The gradient along z
-        dz,
-        /// The Hessian
-        dxx,
-        /// The Hessian: the derivative by x and y
-        dxy,
-        /// The Hessian: the derivative by x and z
-        dxz,
-        /// The Hessian: the second derivative by y
-        dyy,
-        /// The Hessian: the derivative by y and z
-        dyz,
-        /// The Hessian: the second derivative by z
-        dzz,
-        /// The derivative by the phase
-        dphase,
-    }
-}
+    View: scarp_samples;
+} }
 
 impl View<'_> {
     /// The length of the first slice that is there
     pub(crate) fn count(&self) -> usize {
-        let all = [
-            self.value,
-            self.dx,
-            self.dy,
-            self.dz,
-            self.dxx,
-            self.dxy,
-            self.dxz,
-            self.dyy,
-            self.dyz,
-            self.dzz,
-            self.dphase,
-        ];
-        all.into_iter().flatten().next().map_or(0, <[f32]>::len)
+        members!(scarp_samples => first! { self; })
     }
 }
 
-inputs! {
+members! { scarp_partials => inputs! {
     /// A function at each point: its value, and its partial derivatives by one or two arguments.
     /// What [`chain::apply1`](crate::chain::apply1) and `apply2` take.
-    Partials: scarp_partials {
-        /// The value
-        f,
-        /// The derivative by the first argument
-        fa,
-        /// The derivative by the second argument
-        fb,
-        /// The second derivative by the first argument
-        faa,
-        /// The derivative by both
-        fab,
-        /// The second derivative by the second argument
-        fbb,
-    }
+    Partials: scarp_partials;
+} }
+
+/// The structure of vectors
+macro_rules! vectors {
+    ($(#[$about:meta])* $name:ident; $($(#[$each:meta])* $member:ident: $type:ty,)*) => {
+        $(#[$about])*
+        #[derive(Clone, Debug, Default, PartialEq)]
+        pub struct $name {
+            $($(#[$each])* pub $member: Vec<$type>,)*
+        }
+    };
 }
 
-/// Samples that own their memory. A member that is not wanted is an empty vector.
-///
-/// ```
-/// use scarp::{Arrays, Grid, Noise};
-/// let grid = Grid { step: [0.01; 2], count: [64, 48], ..Grid::<2>::default() };
-/// let mut tile = Arrays::plane(64 * 48, 1); // values and gradients
-/// Noise { octaves: 6.0, ..Noise::default() }.grid2(&grid, &mut tile.samples())?;
-/// assert_eq!(tile.dx.len(), 64 * 48);
-/// assert!(tile.dxx.is_empty());
-/// # Ok::<(), scarp::Error>(())
-/// ```
-#[derive(Clone, Debug, Default, PartialEq)]
-pub struct Arrays {
-    /// The value
-    pub value: Vec<f32>,
-    /// The gradient
-    pub dx: Vec<f32>,
-    /// The gradient along y
-    pub dy: Vec<f32>,
-    /// The gradient along z
-    pub dz: Vec<f32>,
-    /// The Hessian
-    pub dxx: Vec<f32>,
-    /// The Hessian: the derivative by x and y
-    pub dxy: Vec<f32>,
-    /// The Hessian: the derivative by x and z
-    pub dxz: Vec<f32>,
-    /// The Hessian: the second derivative by y
-    pub dyy: Vec<f32>,
-    /// The Hessian: the derivative by y and z
-    pub dyz: Vec<f32>,
-    /// The Hessian: the second derivative by z
-    pub dzz: Vec<f32>,
-    /// The derivative by the phase
-    pub dphase: Vec<f32>,
-}
+members! { scarp_samples => vectors! {
+    /// Samples that own their memory. A member that is not wanted is an empty vector.
+    ///
+    /// ```
+    /// use scarp::{Arrays, Grid, Noise};
+    /// let grid = Grid { step: [0.01; 2], count: [64, 48], ..Grid::<2>::default() };
+    /// let mut tile = Arrays::plane(64 * 48, 1); // values and gradients
+    /// Noise { octaves: 6.0, ..Noise::default() }.grid2(&grid, &mut tile.samples())?;
+    /// assert_eq!(tile.dx.len(), 64 * 48);
+    /// assert!(tile.dxx.is_empty());
+    /// # Ok::<(), scarp::Error>(())
+    /// ```
+    Arrays;
+} }
 
 impl Arrays {
     /// For `count` samples of the plane, with derivatives up to `order`: 0 for values, 1 with the
@@ -368,7 +274,7 @@ impl Arrays {
         fn of(vector: &mut [f32]) -> Option<&mut [f32]> {
             Some(vector).filter(|slice| !slice.is_empty())
         }
-        every!(Samples, of, &mut self)
+        members!(scarp_samples => every! { mut Samples, of, self; })
     }
 
     /// To read
@@ -376,85 +282,22 @@ impl Arrays {
         fn of(vector: &[f32]) -> Option<&[f32]> {
             Some(vector).filter(|slice| !slice.is_empty())
         }
-        every!(View, of, &self)
+        members!(scarp_samples => every! { View, of, self; })
     }
 }
 
-outputs! {
+members! { scarp_cells => outputs! {
     /// Where [`Noise::cells2`](crate::Noise::cells2) and `cells3` tell what is near each point.
     /// Distances and positions are in units of input.
-    Cells: scarp_cells {
-        /// The distance to the nearest feature
-        f1: f32,
-        /// The distance to the second nearest
-        f2: f32,
-        /// A number drawn for the cell of the nearest feature
-        id: u32,
-        /// Where the nearest feature is
-        x: f32,
-        /// Where it is along y
-        y: f32,
-        /// Where it is along z, in space
-        z: f32,
-        /// The gradient of `f1`
-        dx1: f32,
-        /// The gradient of `f1` along y
-        dy1: f32,
-        /// The gradient of `f1` along z, in space
-        dz1: f32,
-        /// The gradient of `f2`
-        dx2: f32,
-        /// The gradient of `f2` along y
-        dy2: f32,
-        /// The gradient of `f2` along z, in space
-        dz2: f32,
-    }
-}
+    Cells: scarp_cells;
+} }
 
-outputs! {
+members! { scarp_flow => outputs! {
     /// Where [`Noise::curl2`](crate::Noise::curl2) and `curl3` put velocities and their Jacobian.
-    Flow: scarp_flow {
-        /// The velocity
-        vx: f32,
-        /// The velocity along y
-        vy: f32,
-        /// The velocity along z, in space
-        vz: f32,
-        /// The Jacobian: the derivative of `vx` by x
-        vxx: f32,
-        /// The derivative of `vx` by y
-        vxy: f32,
-        /// The derivative of `vx` by z, in space
-        vxz: f32,
-        /// The derivative of `vy` by x
-        vyx: f32,
-        /// The derivative of `vy` by y
-        vyy: f32,
-        /// The derivative of `vy` by z, in space
-        vyz: f32,
-        /// The derivative of `vz` by x, in space
-        vzx: f32,
-        /// The derivative of `vz` by y, in space
-        vzy: f32,
-        /// The derivative of `vz` by z, in space
-        vzz: f32,
-    }
-}
+    Flow: scarp_flow;
+} }
 
-outputs! {
+members! { scarp_eroded => outputs! {
     /// Where [`Gullies`](crate::Gullies) put the base with gullies, and the displacement.
-    Eroded: scarp_eroded {
-        /// The base plus the displacement
-        value: f32,
-        /// Its gradient
-        dx: f32,
-        /// Its gradient along y
-        dy: f32,
-        /// The displacement: a map of ridges and gullies
-        displacement: f32,
-        /// The gradient of the displacement
-        displacement_dx: f32,
-        /// The gradient of the displacement along y
-        displacement_dy: f32,
-    }
-}
+    Eroded: scarp_eroded;
+} }

@@ -36,6 +36,8 @@
 #![deny(unsafe_op_in_unsafe_fn)]
 #![warn(missing_debug_implementations, rust_2018_idioms)]
 
+#[macro_use]
+mod members;
 mod arrays;
 pub mod chain;
 mod coordinate;
