@@ -210,35 +210,12 @@ namespace Scarp
     /// input, Dxx ... the Hessian, Dphase the derivative by the phase, per turn.</summary>
     public ref partial struct Samples
     {
-        public Span<float> Value, Dx, Dy, Dz, Dxx, Dxy, Dxz, Dyy, Dyz, Dzz, Dphase;
-
         /// <summary>All elements of an array with rows, as TerrainData.SetHeights takes it: element
         /// [j, i] is column i of row j.</summary>
         public static Span<float> Flat(float[,] array)
         {
             return array == null || array.Length == 0 ? default(Span<float>)
                 : MemoryMarshal.CreateSpan(ref array[0, 0], array.Length);
-        }
-
-        internal static readonly string[] Names = {
-            "to.Value", "to.Dx", "to.Dy", "to.Dz", "to.Dxx", "to.Dxy", "to.Dxz", "to.Dyy", "to.Dyz",
-            "to.Dzz", "to.Dphase", "", "", "", "", ""
-        };
-
-        // Throws if an array is too short.
-        internal static void Check(in Samples s, long needed, string name)
-        {
-            Arguments.Room(s.Value, needed, name, "Value");
-            Arguments.Room(s.Dx, needed, name, "Dx");
-            Arguments.Room(s.Dy, needed, name, "Dy");
-            Arguments.Room(s.Dz, needed, name, "Dz");
-            Arguments.Room(s.Dxx, needed, name, "Dxx");
-            Arguments.Room(s.Dxy, needed, name, "Dxy");
-            Arguments.Room(s.Dxz, needed, name, "Dxz");
-            Arguments.Room(s.Dyy, needed, name, "Dyy");
-            Arguments.Room(s.Dyz, needed, name, "Dyz");
-            Arguments.Room(s.Dzz, needed, name, "Dzz");
-            Arguments.Room(s.Dphase, needed, name, "Dphase");
         }
 
         // The order of the derivatives that are asked for
@@ -250,10 +227,38 @@ namespace Scarp
         }
     }
 
+    // <arrays> made by src/bindings/interface.py of include/scarp.h: do not change them by hand
+    public ref partial struct Samples
+    {
+        public Span<float> Value, Dx, Dy, Dz, Dxx, Dxy, Dxz, Dyy, Dyz, Dzz, Dphase;
+
+        internal static readonly string[] Names = {
+            "to.Value", "to.Dx", "to.Dy", "to.Dz", "to.Dxx", "to.Dxy", "to.Dxz", "to.Dyy", "to.Dyz",
+            "to.Dzz", "to.Dphase", "", "", "", "", ""
+        };
+
+        // How many arrays are given. Throws if one is too short.
+        internal static int Check(in Samples s, long needed, string name)
+        {
+            return 0
+                + Arguments.Room(s.Value, needed, name, "Value")
+                + Arguments.Room(s.Dx, needed, name, "Dx")
+                + Arguments.Room(s.Dy, needed, name, "Dy")
+                + Arguments.Room(s.Dz, needed, name, "Dz")
+                + Arguments.Room(s.Dxx, needed, name, "Dxx")
+                + Arguments.Room(s.Dxy, needed, name, "Dxy")
+                + Arguments.Room(s.Dxz, needed, name, "Dxz")
+                + Arguments.Room(s.Dyy, needed, name, "Dyy")
+                + Arguments.Room(s.Dyz, needed, name, "Dyz")
+                + Arguments.Room(s.Dzz, needed, name, "Dzz")
+                + Arguments.Room(s.Dphase, needed, name, "Dphase");
+        }
+    }
+
     /// <summary>What is near a point. F1, F2: distances to the nearest feature and to the second,
     /// in units of input; Id: a number drawn for the nearest one's cell; X, Y, Z: where it is; Dx1
     /// ... and Dx2 ...: the gradients of F1 and F2.</summary>
-    public ref struct Cells
+    public ref partial struct Cells
     {
         public Span<float> F1, F2;
         public Span<uint> Id;
@@ -264,30 +269,39 @@ namespace Scarp
             "to.Dx2", "to.Dy2", "to.Dz2", "", "", "", ""
         };
 
-        internal static void Check(in Cells s, long needed, string name)
+        // How many arrays are given. Throws if one is too short.
+        internal static int Check(in Cells s, long needed, string name)
         {
-            int given = 0;
-            given += Arguments.Room(s.F1, needed, name, "F1");
-            given += Arguments.Room(s.F2, needed, name, "F2");
-            given += Arguments.Room(s.Id, needed, name, "Id");
-            given += Arguments.Room(s.X, needed, name, "X");
-            given += Arguments.Room(s.Y, needed, name, "Y");
-            given += Arguments.Room(s.Z, needed, name, "Z");
-            given += Arguments.Room(s.Dx1, needed, name, "Dx1");
-            given += Arguments.Room(s.Dy1, needed, name, "Dy1");
-            given += Arguments.Room(s.Dz1, needed, name, "Dz1");
-            given += Arguments.Room(s.Dx2, needed, name, "Dx2");
-            given += Arguments.Room(s.Dy2, needed, name, "Dy2");
-            given += Arguments.Room(s.Dz2, needed, name, "Dz2");
-            if (given == 0 && needed > 0) {
-                throw new ArgumentException("has no array", name);
-            }
+            return 0
+                + Arguments.Room(s.F1, needed, name, "F1")
+                + Arguments.Room(s.F2, needed, name, "F2")
+                + Arguments.Room(s.Id, needed, name, "Id")
+                + Arguments.Room(s.X, needed, name, "X")
+                + Arguments.Room(s.Y, needed, name, "Y")
+                + Arguments.Room(s.Z, needed, name, "Z")
+                + Arguments.Room(s.Dx1, needed, name, "Dx1")
+                + Arguments.Room(s.Dy1, needed, name, "Dy1")
+                + Arguments.Room(s.Dz1, needed, name, "Dz1")
+                + Arguments.Room(s.Dx2, needed, name, "Dx2")
+                + Arguments.Room(s.Dy2, needed, name, "Dy2")
+                + Arguments.Room(s.Dz2, needed, name, "Dz2");
+        }
+
+        // The first array for which the plane has nothing, or null
+        internal static string AlongZ(in Cells s)
+        {
+            Span<float> none = default(Span<float>);
+            return
+                s.Z != none ? "to.Z" :
+                s.Dz1 != none ? "to.Dz1" :
+                s.Dz2 != none ? "to.Dz2" :
+                null;
         }
     }
 
-    /// <summary>A velocity without divergence, and its Jacobian: Vxy is the derivative of Vx by y.
-    /// Per unit of input.</summary>
-    public ref struct Flow
+    /// <summary>A velocity without divergence, and its Jacobian: Vxy is the derivative of Vx with
+    /// respect to y. Per unit of input.</summary>
+    public ref partial struct Flow
     {
         public Span<float> Vx, Vy, Vz, Vxx, Vxy, Vxz, Vyx, Vyy, Vyz, Vzx, Vzy, Vzz;
 
@@ -296,31 +310,44 @@ namespace Scarp
             "to.Vzx", "to.Vzy", "to.Vzz", "", "", "", ""
         };
 
-        internal static void Check(in Flow s, long needed, string name)
+        // How many arrays are given. Throws if one is too short.
+        internal static int Check(in Flow s, long needed, string name)
         {
-            int given = 0;
-            given += Arguments.Room(s.Vx, needed, name, "Vx");
-            given += Arguments.Room(s.Vy, needed, name, "Vy");
-            given += Arguments.Room(s.Vz, needed, name, "Vz");
-            given += Arguments.Room(s.Vxx, needed, name, "Vxx");
-            given += Arguments.Room(s.Vxy, needed, name, "Vxy");
-            given += Arguments.Room(s.Vxz, needed, name, "Vxz");
-            given += Arguments.Room(s.Vyx, needed, name, "Vyx");
-            given += Arguments.Room(s.Vyy, needed, name, "Vyy");
-            given += Arguments.Room(s.Vyz, needed, name, "Vyz");
-            given += Arguments.Room(s.Vzx, needed, name, "Vzx");
-            given += Arguments.Room(s.Vzy, needed, name, "Vzy");
-            given += Arguments.Room(s.Vzz, needed, name, "Vzz");
-            if (given == 0 && needed > 0) {
-                throw new ArgumentException("has no array", name);
-            }
+            return 0
+                + Arguments.Room(s.Vx, needed, name, "Vx")
+                + Arguments.Room(s.Vy, needed, name, "Vy")
+                + Arguments.Room(s.Vz, needed, name, "Vz")
+                + Arguments.Room(s.Vxx, needed, name, "Vxx")
+                + Arguments.Room(s.Vxy, needed, name, "Vxy")
+                + Arguments.Room(s.Vxz, needed, name, "Vxz")
+                + Arguments.Room(s.Vyx, needed, name, "Vyx")
+                + Arguments.Room(s.Vyy, needed, name, "Vyy")
+                + Arguments.Room(s.Vyz, needed, name, "Vyz")
+                + Arguments.Room(s.Vzx, needed, name, "Vzx")
+                + Arguments.Room(s.Vzy, needed, name, "Vzy")
+                + Arguments.Room(s.Vzz, needed, name, "Vzz");
+        }
+
+        // The first array for which the plane has nothing, or null
+        internal static string AlongZ(in Flow s)
+        {
+            Span<float> none = default(Span<float>);
+            return
+                s.Vz != none ? "to.Vz" :
+                s.Vxz != none ? "to.Vxz" :
+                s.Vyz != none ? "to.Vyz" :
+                s.Vzx != none ? "to.Vzx" :
+                s.Vzy != none ? "to.Vzy" :
+                s.Vzz != none ? "to.Vzz" :
+                null;
         }
     }
+    // </arrays>
 
     /// <summary>Noise: what to sample. Members are those of struct scarp_noise, and start with its
     /// defaults. Calls copy them, with those of warps, so nothing has to be pinned or disposed of.
     /// </summary>
-    public sealed unsafe class Noise
+    public sealed unsafe partial class Noise
     {
         internal const int MostLinks = 6; // itself, and one warp more than there may be
         Native.scarp_noise data;
@@ -667,9 +694,10 @@ namespace Scarp
             }
         }
 
-        /// <summary>Samples at points (x[i], y[i]). Arrays of `to` have at least as many elements
-        /// as x. Detail fades some 2^23 cells from the origin: doubles are for large worlds. With
-        /// floats an output may be the very same array as a coordinate.</summary>
+        // <points> made by src/bindings/interface.py of include/scarp.h: do not change them by hand
+        /// <summary>Samples at points (x[i], y[i]). Arrays of <c>to</c> have at least as many
+        /// elements as x. Detail fades some 2^23 cells from the origin: doubles are for large
+        /// worlds. With floats an output may be the very same array as a coordinate.</summary>
         public void Sample2(ReadOnlySpan<float> x, ReadOnlySpan<float> y, in Samples to)
         {
             Arguments.Same(x.Length, y.Length, "y");
@@ -679,8 +707,8 @@ namespace Scarp
             }
         }
 
-        /// <summary>Samples at points of doubles, as Sample2 of floats. Outputs cannot be in place.
-        /// </summary>
+        /// <summary>Samples at points of doubles, as Sample2 of floats. Outputs cannot be in
+        /// place.</summary>
         public void Sample2(ReadOnlySpan<double> x, ReadOnlySpan<double> y, in Samples to)
         {
             Arguments.Same(x.Length, y.Length, "y");
@@ -692,7 +720,7 @@ namespace Scarp
 
         /// <summary>Samples at points (x[i], y[i], z[i]) of space.</summary>
         public void Sample3(ReadOnlySpan<float> x, ReadOnlySpan<float> y, ReadOnlySpan<float> z,
-                            in Samples to)
+            in Samples to)
         {
             Arguments.Same(x.Length, y.Length, "y");
             Arguments.Same(x.Length, z.Length, "z");
@@ -704,7 +732,7 @@ namespace Scarp
 
         /// <summary>Samples at points of space of doubles.</summary>
         public void Sample3(ReadOnlySpan<double> x, ReadOnlySpan<double> y, ReadOnlySpan<double> z,
-                            in Samples to)
+            in Samples to)
         {
             Arguments.Same(x.Length, y.Length, "y");
             Arguments.Same(x.Length, z.Length, "z");
@@ -714,10 +742,10 @@ namespace Scarp
             }
         }
 
-        /// <summary>Vector noise: component 0 and 1 at points of the plane, as warps displace them.
-        /// </summary>
+        /// <summary>Vector noise: component 0 and 1 at points of the plane, as warps displace
+        /// them.</summary>
         public void Vector2(ReadOnlySpan<float> x, ReadOnlySpan<float> y, in Samples first,
-                            in Samples second)
+            in Samples second)
         {
             Arguments.Same(x.Length, y.Length, "y");
             fixed (float* px = x, py = y) {
@@ -727,7 +755,7 @@ namespace Scarp
         }
 
         public void Vector2(ReadOnlySpan<double> x, ReadOnlySpan<double> y, in Samples first,
-                            in Samples second)
+            in Samples second)
         {
             Arguments.Same(x.Length, y.Length, "y");
             fixed (double* px = x, py = y) {
@@ -738,7 +766,7 @@ namespace Scarp
 
         /// <summary>Vector noise at points of space: components 0, 1 and 2.</summary>
         public void Vector3(ReadOnlySpan<float> x, ReadOnlySpan<float> y, ReadOnlySpan<float> z,
-                            in Samples first, in Samples second, in Samples third)
+            in Samples first, in Samples second, in Samples third)
         {
             Arguments.Same(x.Length, y.Length, "y");
             Arguments.Same(x.Length, z.Length, "z");
@@ -749,7 +777,7 @@ namespace Scarp
         }
 
         public void Vector3(ReadOnlySpan<double> x, ReadOnlySpan<double> y, ReadOnlySpan<double> z,
-                            in Samples first, in Samples second, in Samples third)
+            in Samples first, in Samples second, in Samples third)
         {
             Arguments.Same(x.Length, y.Length, "y");
             Arguments.Same(x.Length, z.Length, "z");
@@ -758,6 +786,115 @@ namespace Scarp
                 Run(&r, first, second, third);
             }
         }
+
+        /// <summary>The cells around points, of frequency, seed, jitter and period; the basis
+        /// changes nothing.</summary>
+        public void Cells2(ReadOnlySpan<float> x, ReadOnlySpan<float> y, in Cells to)
+        {
+            Arguments.Same(x.Length, y.Length, "y");
+            fixed (float* px = x, py = y) {
+                Fields(2, x.Length, px, py, null, true, to);
+            }
+        }
+
+        public void Cells2(ReadOnlySpan<double> x, ReadOnlySpan<double> y, in Cells to)
+        {
+            Arguments.Same(x.Length, y.Length, "y");
+            fixed (double* px = x, py = y) {
+                Fields(2, x.Length, px, py, null, false, to);
+            }
+        }
+
+        public void Cells3(ReadOnlySpan<float> x, ReadOnlySpan<float> y, ReadOnlySpan<float> z,
+            in Cells to)
+        {
+            Arguments.Same(x.Length, y.Length, "y");
+            Arguments.Same(x.Length, z.Length, "z");
+            fixed (float* px = x, py = y, pz = z) {
+                Fields(3, x.Length, px, py, pz, true, to);
+            }
+        }
+
+        public void Cells3(ReadOnlySpan<double> x, ReadOnlySpan<double> y, ReadOnlySpan<double> z,
+            in Cells to)
+        {
+            Arguments.Same(x.Length, y.Length, "y");
+            Arguments.Same(x.Length, z.Length, "z");
+            fixed (double* px = x, py = y, pz = z) {
+                Fields(3, x.Length, px, py, pz, false, to);
+            }
+        }
+
+        /// <summary>A velocity without divergence at points, of which this noise is the
+        /// potential.</summary>
+        public void Curl2(ReadOnlySpan<float> x, ReadOnlySpan<float> y, in Flow to)
+        {
+            Arguments.Same(x.Length, y.Length, "y");
+            fixed (float* px = x, py = y) {
+                Fields(2, x.Length, px, py, null, true, to);
+            }
+        }
+
+        public void Curl2(ReadOnlySpan<double> x, ReadOnlySpan<double> y, in Flow to)
+        {
+            Arguments.Same(x.Length, y.Length, "y");
+            fixed (double* px = x, py = y) {
+                Fields(2, x.Length, px, py, null, false, to);
+            }
+        }
+
+        public void Curl3(ReadOnlySpan<float> x, ReadOnlySpan<float> y, ReadOnlySpan<float> z,
+            in Flow to)
+        {
+            Arguments.Same(x.Length, y.Length, "y");
+            Arguments.Same(x.Length, z.Length, "z");
+            fixed (float* px = x, py = y, pz = z) {
+                Fields(3, x.Length, px, py, pz, true, to);
+            }
+        }
+
+        public void Curl3(ReadOnlySpan<double> x, ReadOnlySpan<double> y, ReadOnlySpan<double> z,
+            in Flow to)
+        {
+            Arguments.Same(x.Length, y.Length, "y");
+            Arguments.Same(x.Length, z.Length, "z");
+            fixed (double* px = x, py = y, pz = z) {
+                Fields(3, x.Length, px, py, pz, false, to);
+            }
+        }
+
+        void Fields(int dimensions, int count, void* x, void* y, void* z, bool isFloat,
+                    in Cells to)
+        {
+            Arguments.Given(Cells.Check(to, count, "to"), count,
+                            dimensions == 2 ? Cells.AlongZ(to) : null);
+            fixed (float* f1_ = to.F1, f2_ = to.F2, x_ = to.X, y_ = to.Y, z_ = to.Z, dx1_ = to.Dx1,
+                dy1_ = to.Dy1, dz1_ = to.Dz1, dx2_ = to.Dx2, dy2_ = to.Dy2, dz2_ = to.Dz2)
+            fixed (uint* id_ = to.Id) {
+                var into = new Native.scarp_cells {
+                    f1 = f1_, f2 = f2_, id = id_, x = x_, y = y_, z = z_, dx1 = dx1_, dy1 = dy1_,
+                    dz1 = dz1_, dx2 = dx2_, dy2 = dy2_, dz2 = dz2_
+                };
+                Other(dimensions, count, x, y, z, isFloat, &into, null);
+            }
+        }
+
+        void Fields(int dimensions, int count, void* x, void* y, void* z, bool isFloat,
+                    in Flow to)
+        {
+            Arguments.Given(Flow.Check(to, count, "to"), count,
+                            dimensions == 2 ? Flow.AlongZ(to) : null);
+            fixed (float* vx_ = to.Vx, vy_ = to.Vy, vz_ = to.Vz, vxx_ = to.Vxx, vxy_ = to.Vxy,
+                vxz_ = to.Vxz, vyx_ = to.Vyx, vyy_ = to.Vyy, vyz_ = to.Vyz, vzx_ = to.Vzx,
+                vzy_ = to.Vzy, vzz_ = to.Vzz) {
+                var into = new Native.scarp_flow {
+                    vx = vx_, vy = vy_, vz = vz_, vxx = vxx_, vxy = vxy_, vxz = vxz_, vyx = vyx_,
+                    vyy = vyy_, vyz = vyz_, vzx = vzx_, vzy = vzy_, vzz = vzz_
+                };
+                Other(dimensions, count, x, y, z, isFloat, null, &into);
+            }
+        }
+        // </points>
 
         // Grids
 
@@ -783,125 +920,6 @@ namespace Scarp
                 dimensions = dimensions
             };
             Run(&r, to);
-        }
-
-        // Cells and curl
-
-        /// <summary>The cells around points, of frequency, seed, jitter and period; the basis
-        /// changes nothing.</summary>
-        public void Cells2(ReadOnlySpan<float> x, ReadOnlySpan<float> y, in Cells to)
-        {
-            Arguments.Same(x.Length, y.Length, "y");
-            fixed (float* px = x, py = y) {
-                Around(2, x.Length, px, py, null, true, to);
-            }
-        }
-
-        public void Cells2(ReadOnlySpan<double> x, ReadOnlySpan<double> y, in Cells to)
-        {
-            Arguments.Same(x.Length, y.Length, "y");
-            fixed (double* px = x, py = y) {
-                Around(2, x.Length, px, py, null, false, to);
-            }
-        }
-
-        public void Cells3(ReadOnlySpan<float> x, ReadOnlySpan<float> y, ReadOnlySpan<float> z,
-                           in Cells to)
-        {
-            Arguments.Same(x.Length, y.Length, "y");
-            Arguments.Same(x.Length, z.Length, "z");
-            fixed (float* px = x, py = y, pz = z) {
-                Around(3, x.Length, px, py, pz, true, to);
-            }
-        }
-
-        public void Cells3(ReadOnlySpan<double> x, ReadOnlySpan<double> y, ReadOnlySpan<double> z,
-                           in Cells to)
-        {
-            Arguments.Same(x.Length, y.Length, "y");
-            Arguments.Same(x.Length, z.Length, "z");
-            fixed (double* px = x, py = y, pz = z) {
-                Around(3, x.Length, px, py, pz, false, to);
-            }
-        }
-
-        void Around(int dimensions, int count, void* x, void* y, void* z, bool isFloat, in Cells to)
-        {
-            Cells.Check(to, count, "to");
-            if (dimensions == 2 && (to.Z != default(Span<float>) || to.Dz1 != default(Span<float>)
-                                    || to.Dz2 != default(Span<float>))) {
-                throw new ArgumentException("there is nothing along z in the plane",
-                                            to.Z != default(Span<float>) ? "to.Z"
-                                            : to.Dz1 != default(Span<float>) ? "to.Dz1" : "to.Dz2");
-            }
-            fixed (uint* id = to.Id)
-            fixed (float* f1 = to.F1, f2 = to.F2, fx = to.X, fy = to.Y, fz = to.Z, dx1 = to.Dx1,
-                   dy1 = to.Dy1, dz1 = to.Dz1, dx2 = to.Dx2, dy2 = to.Dy2, dz2 = to.Dz2) {
-                var into = new Native.scarp_cells {
-                    f1 = f1, f2 = f2, id = id, x = fx, y = fy, z = fz, dx1 = dx1, dy1 = dy1,
-                    dz1 = dz1, dx2 = dx2, dy2 = dy2, dz2 = dz2
-                };
-                Other(dimensions, count, x, y, z, isFloat, &into, null);
-            }
-        }
-
-        /// <summary>A velocity without divergence at points, of which this noise is the potential.
-        /// </summary>
-        public void Curl2(ReadOnlySpan<float> x, ReadOnlySpan<float> y, in Flow to)
-        {
-            Arguments.Same(x.Length, y.Length, "y");
-            fixed (float* px = x, py = y) {
-                Swirl(2, x.Length, px, py, null, true, to);
-            }
-        }
-
-        public void Curl2(ReadOnlySpan<double> x, ReadOnlySpan<double> y, in Flow to)
-        {
-            Arguments.Same(x.Length, y.Length, "y");
-            fixed (double* px = x, py = y) {
-                Swirl(2, x.Length, px, py, null, false, to);
-            }
-        }
-
-        public void Curl3(ReadOnlySpan<float> x, ReadOnlySpan<float> y, ReadOnlySpan<float> z,
-                          in Flow to)
-        {
-            Arguments.Same(x.Length, y.Length, "y");
-            Arguments.Same(x.Length, z.Length, "z");
-            fixed (float* px = x, py = y, pz = z) {
-                Swirl(3, x.Length, px, py, pz, true, to);
-            }
-        }
-
-        public void Curl3(ReadOnlySpan<double> x, ReadOnlySpan<double> y, ReadOnlySpan<double> z,
-                          in Flow to)
-        {
-            Arguments.Same(x.Length, y.Length, "y");
-            Arguments.Same(x.Length, z.Length, "z");
-            fixed (double* px = x, py = y, pz = z) {
-                Swirl(3, x.Length, px, py, pz, false, to);
-            }
-        }
-
-        void Swirl(int dimensions, int count, void* x, void* y, void* z, bool isFloat, in Flow to)
-        {
-            Flow.Check(to, count, "to");
-            fixed (float* vx = to.Vx, vy = to.Vy, vz = to.Vz, vxx = to.Vxx, vxy = to.Vxy,
-                   vxz = to.Vxz, vyx = to.Vyx, vyy = to.Vyy, vyz = to.Vyz, vzx = to.Vzx,
-                   vzy = to.Vzy, vzz = to.Vzz) {
-                if (dimensions == 2 && (vz != null || vxz != null || vyz != null || vzx != null
-                                        || vzy != null || vzz != null)) {
-                    throw new ArgumentException("there is nothing along z in the plane",
-                                                vz != null ? "to.Vz" : vxz != null ? "to.Vxz"
-                                                : vyz != null ? "to.Vyz" : vzx != null ? "to.Vzx"
-                                                : vzy != null ? "to.Vzy" : "to.Vzz");
-                }
-                var into = new Native.scarp_flow {
-                    vx = vx, vy = vy, vz = vz, vxx = vxx, vxy = vxy, vxz = vxz, vyx = vyx,
-                    vyy = vyy, vyz = vyz, vzx = vzx, vzy = vzy, vzz = vzz
-                };
-                Other(dimensions, count, x, y, z, isFloat, null, &into);
-            }
         }
 
         // Cells, or a flow, whose arrays are pinned
@@ -1582,11 +1600,12 @@ namespace Scarp
 
         // Samples
 
+        // <recipe> made by src/bindings/interface.py of include/scarp.h: do not change them by hand
         /// <summary>Samples an output, or any other field of the text, at points; default: the
-        /// first output. Arrays of `to` have at least as many elements as x, and overlap
+        /// first output. Arrays of <c>to</c> have at least as many elements as x, and overlap
         /// nothing.</summary>
         public void Sample2(ReadOnlySpan<float> x, ReadOnlySpan<float> y, in Samples to,
-                            string output = null)
+            string output = null)
         {
             Arguments.Same(x.Length, y.Length, "y");
             fixed (float* px = x, py = y) {
@@ -1596,7 +1615,7 @@ namespace Scarp
         }
 
         public void Sample2(ReadOnlySpan<double> x, ReadOnlySpan<double> y, in Samples to,
-                            string output = null)
+            string output = null)
         {
             Arguments.Same(x.Length, y.Length, "y");
             fixed (double* px = x, py = y) {
@@ -1606,7 +1625,7 @@ namespace Scarp
         }
 
         public void Sample3(ReadOnlySpan<float> x, ReadOnlySpan<float> y, ReadOnlySpan<float> z,
-                            in Samples to, string output = null)
+            in Samples to, string output = null)
         {
             Arguments.Same(x.Length, y.Length, "y");
             Arguments.Same(x.Length, z.Length, "z");
@@ -1617,7 +1636,7 @@ namespace Scarp
         }
 
         public void Sample3(ReadOnlySpan<double> x, ReadOnlySpan<double> y, ReadOnlySpan<double> z,
-                            in Samples to, string output = null)
+            in Samples to, string output = null)
         {
             Arguments.Same(x.Length, y.Length, "y");
             Arguments.Same(x.Length, z.Length, "z");
@@ -1626,6 +1645,7 @@ namespace Scarp
                 Run(&r, 3, to, output);
             }
         }
+        // </recipe>
 
         /// <summary>Samples an output, or any other field, on a grid: arrays are as Noise.Grid2, or
         /// Grid3 for a recipe of space, has them.</summary>
@@ -2606,6 +2626,17 @@ namespace Scarp.Internal
             }
         }
 
+        // Throws if no array is given, or one for which the plane has nothing.
+        public static void Given(int given, int needed, string alongZ)
+        {
+            if (given == 0 && needed > 0) {
+                throw new ArgumentException("has no array", "to");
+            }
+            if (alongZ != null) {
+                throw new ArgumentException("there is nothing along z in the plane", alongZ);
+            }
+        }
+
         public static void Dimensions(int dimensions)
         {
             if (dimensions != 2 && dimensions != 3) {
@@ -2754,8 +2785,8 @@ namespace Scarp.Internal
                 || op == Op.Vector3F64 ? 3 : 2;
         }
 
-        // Pins the first of the samples, then the others, then calls. The slow check is for the
-        // message.
+        // <pins> made by src/bindings/interface.py of include/scarp.h: do not change them by hand
+        // Pins the first of the samples, then the others, then calls.
         public static Status Pin(Request* r, Native.scarp_samples* into, int filled, int all,
                                  in Samples first, in Samples second, in Samples third,
                                  in Samples fourth)
@@ -2763,23 +2794,29 @@ namespace Scarp.Internal
             if (filled + 1 == all) {
                 return Pin(r, into, all, first);
             }
-            fixed (float* value = &MemoryMarshal.GetReference(first.Value),
-                   dx = &MemoryMarshal.GetReference(first.Dx),
-                   dy = &MemoryMarshal.GetReference(first.Dy),
-                   dz = &MemoryMarshal.GetReference(first.Dz),
-                   dxx = &MemoryMarshal.GetReference(first.Dxx),
-                   dxy = &MemoryMarshal.GetReference(first.Dxy),
-                   dxz = &MemoryMarshal.GetReference(first.Dxz),
-                   dyy = &MemoryMarshal.GetReference(first.Dyy),
-                   dyz = &MemoryMarshal.GetReference(first.Dyz),
-                   dzz = &MemoryMarshal.GetReference(first.Dzz),
-                   dphase = &MemoryMarshal.GetReference(first.Dphase)) {
+            fixed (float*
+                value = &MemoryMarshal.GetReference(first.Value),
+                dx = &MemoryMarshal.GetReference(first.Dx),
+                dy = &MemoryMarshal.GetReference(first.Dy),
+                dz = &MemoryMarshal.GetReference(first.Dz),
+                dxx = &MemoryMarshal.GetReference(first.Dxx),
+                dxy = &MemoryMarshal.GetReference(first.Dxy),
+                dxz = &MemoryMarshal.GetReference(first.Dxz),
+                dyy = &MemoryMarshal.GetReference(first.Dyy),
+                dyz = &MemoryMarshal.GetReference(first.Dyz),
+                dzz = &MemoryMarshal.GetReference(first.Dzz),
+                dphase = &MemoryMarshal.GetReference(first.Dphase)) {
                 long n = r->length;
-                if (first.Value.Length < n && value != null || first.Dx.Length < n && dx != null
-                    || first.Dy.Length < n && dy != null || first.Dz.Length < n && dz != null
-                    || first.Dxx.Length < n && dxx != null || first.Dxy.Length < n && dxy != null
-                    || first.Dxz.Length < n && dxz != null || first.Dyy.Length < n && dyy != null
-                    || first.Dyz.Length < n && dyz != null || first.Dzz.Length < n && dzz != null
+                if (first.Value.Length < n && value != null
+                    || first.Dx.Length < n && dx != null
+                    || first.Dy.Length < n && dy != null
+                    || first.Dz.Length < n && dz != null
+                    || first.Dxx.Length < n && dxx != null
+                    || first.Dxy.Length < n && dxy != null
+                    || first.Dxz.Length < n && dxz != null
+                    || first.Dyy.Length < n && dyy != null
+                    || first.Dyz.Length < n && dyz != null
+                    || first.Dzz.Length < n && dzz != null
                     || first.Dphase.Length < n && dphase != null) {
                     Samples.Check(first, n, r->NameOf(filled));
                 }
@@ -2801,41 +2838,47 @@ namespace Scarp.Internal
         // The last one, which most calls have alone
         public static Status Pin(Request* r, Native.scarp_samples* into, int all, in Samples last)
         {
-            fixed (float* value = &MemoryMarshal.GetReference(last.Value),
-                   dx = &MemoryMarshal.GetReference(last.Dx),
-                   dy = &MemoryMarshal.GetReference(last.Dy),
-                   dz = &MemoryMarshal.GetReference(last.Dz),
-                   dxx = &MemoryMarshal.GetReference(last.Dxx),
-                   dxy = &MemoryMarshal.GetReference(last.Dxy),
-                   dxz = &MemoryMarshal.GetReference(last.Dxz),
-                   dyy = &MemoryMarshal.GetReference(last.Dyy),
-                   dyz = &MemoryMarshal.GetReference(last.Dyz),
-                   dzz = &MemoryMarshal.GetReference(last.Dzz),
-                   dphase = &MemoryMarshal.GetReference(last.Dphase)) {
+            fixed (float*
+                value = &MemoryMarshal.GetReference(last.Value),
+                dx = &MemoryMarshal.GetReference(last.Dx),
+                dy = &MemoryMarshal.GetReference(last.Dy),
+                dz = &MemoryMarshal.GetReference(last.Dz),
+                dxx = &MemoryMarshal.GetReference(last.Dxx),
+                dxy = &MemoryMarshal.GetReference(last.Dxy),
+                dxz = &MemoryMarshal.GetReference(last.Dxz),
+                dyy = &MemoryMarshal.GetReference(last.Dyy),
+                dyz = &MemoryMarshal.GetReference(last.Dyz),
+                dzz = &MemoryMarshal.GetReference(last.Dzz),
+                dphase = &MemoryMarshal.GetReference(last.Dphase)) {
                 long n = r->length;
-                if (last.Value.Length < n && value != null || last.Dx.Length < n && dx != null
-                    || last.Dy.Length < n && dy != null || last.Dz.Length < n && dz != null
-                    || last.Dxx.Length < n && dxx != null || last.Dxy.Length < n && dxy != null
-                    || last.Dxz.Length < n && dxz != null || last.Dyy.Length < n && dyy != null
-                    || last.Dyz.Length < n && dyz != null || last.Dzz.Length < n && dzz != null
+                if (last.Value.Length < n && value != null
+                    || last.Dx.Length < n && dx != null
+                    || last.Dy.Length < n && dy != null
+                    || last.Dz.Length < n && dz != null
+                    || last.Dxx.Length < n && dxx != null
+                    || last.Dxy.Length < n && dxy != null
+                    || last.Dxz.Length < n && dxz != null
+                    || last.Dyy.Length < n && dyy != null
+                    || last.Dyz.Length < n && dyz != null
+                    || last.Dzz.Length < n && dzz != null
                     || last.Dphase.Length < n && dphase != null) {
                     Samples.Check(last, n, r->NameOf(all - 1));
                 }
-                Native.scarp_samples* to = into + all - 1;
-                to->value = value;
-                to->dx = dx;
-                to->dy = dy;
-                to->dz = dz;
-                to->dxx = dxx;
-                to->dxy = dxy;
-                to->dxz = dxz;
-                to->dyy = dyy;
-                to->dyz = dyz;
-                to->dzz = dzz;
-                to->dphase = dphase;
+                into[all - 1].value = value;
+                into[all - 1].dx = dx;
+                into[all - 1].dy = dy;
+                into[all - 1].dz = dz;
+                into[all - 1].dxx = dxx;
+                into[all - 1].dxy = dxy;
+                into[all - 1].dxz = dxz;
+                into[all - 1].dyy = dyy;
+                into[all - 1].dyz = dyz;
+                into[all - 1].dzz = dzz;
+                into[all - 1].dphase = dphase;
                 return r->Run(into, all);
             }
         }
+        // </pins>
 
         // The name of an argument
         string NameOf(int index)

@@ -4,8 +4,10 @@ calls have the names of scarp.h, and no types but those that every runtime passe
 are."""
 import re
 import sys
+from itertools import groupby
 
 from tables import chain
+from tables.arrays import arrays
 from tables.text import replaced, wrapped
 
 PATH = "src/bindings/csharp/Scarp.cs"
@@ -13,6 +15,7 @@ TESTED = "tests/bindings/csharp/Chain.cs"
 TYPES = {"char": "byte", "unsigned char": "byte", "int": "int", "int32_t": "int",
          "uint32_t": "uint", "float": "float", "int64_t": "long", "uint64_t": "ulong",
          "double": "double", "size_t": "UIntPtr", "void": "void"}
+SPANS = (("Samples", "scarp_samples"), ("Cells", "scarp_cells"), ("Flow", "scarp_flow"))
 PREFIXES = {"scarp_status": "SCARP_(ERROR_)?", "scarp_isa": "SCARP_ISA_",
             "scarp_recipe_kind": "SCARP_RECIPE_"}
 WORDS = {"out", "in", "ref", "params", "is", "as", "fixed", "base", "operator"}
@@ -168,6 +171,159 @@ def tested(header):
     return "\n".join(out + ["    };", "}"]) + "\n"
 
 
+def structure_of_spans(name, members):
+    """A structure of arrays, with what its checks need"""
+    out = ["", *about(ABOUT[name], "    ")] if name in ABOUT else [""]
+    out += ["    public ref partial struct %s" % name, "    {"]
+    for kind, of_kind in groupby(members, lambda each: each.kind):
+        out += broken(" " * 8 + "public Span<%s> " % TYPES[kind], [m.camel for m in of_kind], ";",
+                      " " * 12)
+    names = ['"to.%s"' % m.camel for m in members] + ['""'] * (16 - len(members))
+    out += ["", "        internal static readonly string[] Names = {"]
+    out += broken(" " * 12, names, "", " " * 12) + ["        };", ""]
+    out += ["        // How many arrays are given. Throws if one is too short.",
+            "        internal static int Check(in %s s, long needed, string name)" % name,
+            "        {", "            return 0"]
+    out += ['                + Arguments.Room(s.%s, needed, name, "%s")' % (m.camel, m.camel)
+            for m in members]
+    out[-1] += ";"
+    if name != "Samples":
+        out += ["        }", "", "        // The first array for which the plane has nothing, or null",
+                "        internal static string AlongZ(in %s s)" % name, "        {",
+                "            Span<float> none = default(Span<float>);", "            return"]
+        out += ['                s.%s != none ? "to.%s" :' % (m.camel, m.camel)
+                for m in members if m.is_of_space] + ["                null;"]
+    return out + ["        }", "    }"]
+
+
+def pinned(name, structure, members):
+    """A method of Noise that pins the arrays of cells or a flow, and calls"""
+    out = ["", "        void Fields(int dimensions, int count, void* x, void* y, void* z, bool isFloat,",
+           "                    in %s to)" % name, "        {",
+           '            Arguments.Given(%s.Check(to, count, "to"), count,' % name,
+           "                            dimensions == 2 ? %s.AlongZ(to) : null);" % name]
+    for kind, of_kind in groupby(sorted(members, key=lambda m: m.kind), lambda m: m.kind):
+        out += broken("            fixed (%s* " % TYPES[kind],
+                      ["%s_ = to.%s" % (m.name, m.camel) for m in of_kind], ")", " " * 16)
+    out[-1] += " {"
+    out += ["                var into = new Native.%s {" % structure]
+    out += broken(" " * 20, ["%s = %s_" % (m.name, m.name) for m in members], "", " " * 20)
+    return out + ["                };", "                Other(dimensions, count, x, y, z, isFloat, %s);"
+                  % ("&into, null" if name == "Cells" else "null, &into"),
+                  "            }", "        }"]
+
+
+def at_points(stem, dimensions, kind, about_it, results, body):
+    """A method for coordinates of floats, or doubles"""
+    axes = "xyz"[:dimensions]
+    out = about(about_it, "        ") if about_it else []
+    out += broken("        public void %s%d(" % (stem, dimensions),
+                  ["ReadOnlySpan<%s> %s" % (kind, axis) for axis in axes] + results, ")", " " * 12)
+    out += ["        {"]
+    out += ['            Arguments.Same(x.Length, %s.Length, "%s");' % (axis, axis)
+            for axis in axes[1:]]
+    out += ["            fixed (%s* %s) {" % (
+        kind, ", ".join("p%s = %s" % (axis, axis) for axis in axes))]
+    return out + ["                " + line for line in body] + ["            }", "        }"]
+
+
+POINTS = ("Sample", "Vector", "Cells", "Curl")
+ABOUT = {
+    "Cells": "What is near a point. F1, F2: distances to the nearest feature and to the second, in "
+             "units of input; Id: a number drawn for the nearest one's cell; X, Y, Z: where it is; "
+             "Dx1 ... and Dx2 ...: the gradients of F1 and F2.",
+    "Flow": "A velocity without divergence, and its Jacobian: Vxy is the derivative of Vx with "
+            "respect to y. Per unit of input.",
+    "Sample2": "Samples at points (x[i], y[i]). Arrays of `to` have at least as many elements as x. "
+               "Detail fades some 2^23 cells from the origin: doubles are for large worlds. With "
+               "floats an output may be the very same array as a coordinate.",
+    "Sample2F64": "Samples at points of doubles, as Sample2 of floats. Outputs cannot be in place.",
+    "Sample3": "Samples at points (x[i], y[i], z[i]) of space.",
+    "Sample3F64": "Samples at points of space of doubles.",
+    "Vector2": "Vector noise: component 0 and 1 at points of the plane, as warps displace them.",
+    "Vector3": "Vector noise at points of space: components 0, 1 and 2.",
+    "Cells2": "The cells around points, of frequency, seed, jitter and period; the basis changes "
+              "nothing.",
+    "Curl2": "A velocity without divergence at points, of which this noise is the potential."}
+RECIPE = ("Samples an output, or any other field of the text, at points; default: the first output. "
+          "Arrays of `to` have at least as many elements as x, and overlap nothing.")
+
+
+def every_call():
+    """Pairs of dimensions and a type of coordinates, with the end of names, and pointers"""
+    for dimensions in (2, 3):
+        for kind in ("float", "double"):
+            yield (dimensions, kind, "F64" if kind == "double" else "",
+                   "px, py, pz" if dimensions == 3 else "px, py, null")
+
+
+def points(header):
+    """The methods of Noise that differ by the dimension and by the type of coordinates"""
+    out = []
+    for stem in POINTS:
+        for dimensions, kind, end, pointers in every_call():
+            name = "%s%d%s" % (stem, dimensions, end)
+            request = "var r = new Request(Op.%s, x.Length, %s);" % (name, pointers)
+            results, body = ["in Samples to"], [request, "Run(&r, to);"]
+            if stem == "Vector":
+                each = ["first", "second", "third"][:dimensions]
+                results = ["in Samples " + one for one in each]
+                body = [request, "Run(&r, %s);" % ", ".join(
+                    each + ["default(Samples)"] * (3 - dimensions))]
+            elif stem != "Sample":
+                results = ["in %s to" % ("Cells" if stem == "Cells" else "Flow")]
+                body = ["Fields(%d, x.Length, %s, %s, to);" % (
+                    dimensions, pointers, "true" if kind == "float" else "false")]
+            out += ["", *at_points(stem, dimensions, kind, ABOUT.get(name), results, body)]
+    for name, structure in SPANS[1:]:
+        out += pinned(name, structure, arrays(header, structure))
+    return out[1:]
+
+
+def recipe_points():
+    out = []
+    for dimensions, kind, end, pointers in every_call():
+        body = ["var r = new Request(Op.Recipe%s, x.Length, %s);" % (end, pointers),
+                "Run(&r, %d, to, output);" % dimensions]
+        out += ["", *at_points("Sample", dimensions, kind, "" if out else RECIPE,
+                               ["in Samples to", "string output = null"], body)]
+    return out[1:]
+
+
+def pin(members, parameter, place, name, last):
+    """Pins the arrays of samples, then goes on. The slow check is for the message."""
+    out = ["            fixed (float*"]
+    out += ["                %s = &MemoryMarshal.GetReference(%s.%s)," % (m.name, parameter, m.camel)
+            for m in members]
+    out[-1] = out[-1][:-1] + ") {"
+    out.append("                long n = r->length;")
+    for i, m in enumerate(members):
+        out.append("                %s%s.%s.Length < n && %s != null" % (
+            "    || " if i else "if (", parameter, m.camel, m.name))
+    out[-1] += ") {"
+    out += ["                    Samples.Check(%s, n, r->NameOf(%s));" % (parameter, name),
+            "                }"]
+    out += ["                into[%s].%s = %s;" % (place, m.name, m.name) for m in members]
+    return out + ["                return %s;" % last, "            }", "        }"]
+
+
+def pins(header):
+    """How Request pins arrays"""
+    members = arrays(header, "scarp_samples")
+    return [
+        "        // Pins the first of the samples, then the others, then calls.",
+        "        public static Status Pin(Request* r, Native.scarp_samples* into, int filled, int all,",
+        "                                 in Samples first, in Samples second, in Samples third,",
+        "                                 in Samples fourth)", "        {",
+        "            if (filled + 1 == all) {", "                return Pin(r, into, all, first);",
+        "            }"] + pin(
+            members, "first", "filled", "filled",
+            "Pin(r, into, filled + 1, all, second, third, fourth, default(Samples))") + [
+        "", "        // The last one, which most calls have alone",
+        "        public static Status Pin(Request* r, Native.scarp_samples* into, int all, in Samples last)",
+        "        {"] + pin(members, "last", "all - 1", "all - 1", "r->Run(into, all)")
+
+
 def tables(header):
     """What of Scarp.cs is made of structures, enumerators and calls"""
     major, minor, patch = header.version.split(".")
@@ -189,6 +345,12 @@ def tables(header):
 
 def made(header, read):
     """Files with what is made of the header: pairs of a path and a text"""
-    text = replaced(PATH, read(PATH), "chain", methods(header))
-    yield PATH, replaced(PATH, text, "tables", tables(header))
+    text, structures = read(PATH), []
+    for name, structure in SPANS:
+        structures += structure_of_spans(name, arrays(header, structure))
+    for part, lines in (("arrays", structures[1:]), ("points", points(header)),
+                        ("chain", methods(header)), ("recipe", recipe_points()),
+                        ("pins", pins(header)), ("tables", tables(header))):
+        text = replaced(PATH, text, part, lines)
+    yield PATH, text
     yield TESTED, tested(header)
