@@ -90,10 +90,10 @@ mutant(flow.opposite IN kernel TEXT [[turned[i ^ 9] = -turned[i];]]
 mutant(flow.fused IN kernel TEXT [[v.flows ? a * b + c]]
        BECOMES [[v.flows && !MUTANT ? a * b + c]] SEEN_BY bits SETS avx2 avx512 neon)
 mutant(flow.derivative IN kernel TEXT [[scarpi_phase_derivative(derivative, o->turn);]]
-       BECOMES [[scarpi_phase_derivative(derivative, call->plan->octave[MUTANT ? 0 : k].turn);]]
+       BECOMES [[scarpi_phase_derivative(derivative, passes->plan->octave[MUTANT ? 0 : k].turn);]]
        SEEN_BY bits)
-mutant(flow.rows IN kernel TEXT [[tile->row_octave->turn = call->plan->octave[k].turn;]]
-       BECOMES [[tile->row_octave->turn = call->plan->octave[MUTANT ? 0 : k].turn;]] SEEN_BY grid)
+mutant(flow.rows IN kernel TEXT [[tile->row_octave->turn = passes->plan->octave[k].turn;]]
+       BECOMES [[tile->row_octave->turn = passes->plan->octave[MUTANT ? 0 : k].turn;]] SEEN_BY grid)
 mutant(flow.groups IN kernel TEXT [[tile->moving = moving + r * moving_of_row;]]
        BECOMES [[tile->moving = moving + (MUTANT ? 0 : r) * moving_of_row;]] SEEN_BY grid
        SETS generic sse4.1 neon) # others have few tiles with several groups
