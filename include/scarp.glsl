@@ -2440,7 +2440,7 @@ ScarpSample scarp_chain_curve(ScarpSample a, vec4 k, vec4 l, vec4 first, vec4 la
             held)), scarp_either(is_level, 0.0f, slope), scarp_either(is_level, 0.0f, bend));
 }
 
-/* The sine, as calls/shapes. */
+/* The sine, as calls/partials. */
 
 /* (2^32 high + low) / 2^64, or / 2^63 where that is said. */
 struct ScarpWide {

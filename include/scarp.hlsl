@@ -2403,7 +2403,7 @@ ScarpSample scarp_chain_curve(ScarpSample a, float4 k, float4 l, float4 first, f
             held)), scarp_either(is_level, 0.0f, slope), scarp_either(is_level, 0.0f, bend));
 }
 
-/* The sine, as calls/shapes. */
+/* The sine, as calls/partials. */
 
 /* (2^32 high + low) / 2^64, or / 2^63 where that is said. */
 struct ScarpWide {

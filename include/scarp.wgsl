@@ -2189,7 +2189,7 @@ fn scarp_chain_curve(a: ScarpSample, k: vec4f, l: vec4f, first: vec4f, last: vec
             held)), scarp_either(is_level, 0.0f, slope), scarp_either(is_level, 0.0f, bend));
 }
 
-/* The sine, as calls/shapes. */
+/* The sine, as calls/partials. */
 
 /* (2^32 high + low) / 2^64, or / 2^63 where that is said. */
 struct ScarpWide {

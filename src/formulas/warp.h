@@ -6,7 +6,7 @@
 #ifndef SCARP_FORMULAS_WARP_H
 #define SCARP_FORMULAS_WARP_H
 
-#include "shape.h"
+#include "fractal.h"
 
 /* The coordinates of displaced positions, with their derivatives: how far they are displaced. */
 struct displaced {

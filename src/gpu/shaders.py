@@ -24,7 +24,7 @@ STRUCTURES = ["formulas/octave", "gpu/plan"]
 FUNCTIONS = ["formulas/signs", "gpu/numbers", "gpu/directions", "formulas/sample",
              "formulas/lattice", "formulas/corners", "formulas/gradient", "formulas/value",
              "formulas/simplex", "formulas/cells", "formulas/basis", "formulas/matrices",
-             "formulas/positions", "formulas/shape", "formulas/bend", "formulas/octaves",
+             "formulas/positions", "formulas/fractal", "formulas/bend", "formulas/octaves",
              "formulas/warp", "formulas/curl", "formulas/answers", "gpu/octaves", "gpu/noise", "gpu/flow",
              "formulas/chain", "gpu/chain", "gpu/sine", "formulas/gullies", "gpu/recipe"]
 

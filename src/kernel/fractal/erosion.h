@@ -2,7 +2,7 @@
  *
  * Erosion-like noise (Quilez 2008): the sum of a_k q_k n_k with q_k = 1 / (1 + erosion d_k . d_k),
  * d_k being the sum of the gradients up to octave k, each in its own axes. Its state is d with,
- * from order 1 on, its Jacobian with respect to the input. The reference is in formulas/shape.h.
+ * from order 1 on, its Jacobian with respect to the input. The reference is in formulas/fractal.h.
  */
 #ifndef SCARP_KERNEL_FRACTAL_EROSION_H
 #define SCARP_KERNEL_FRACTAL_EROSION_H

@@ -3,7 +3,7 @@
  * Octaves weighted by those before: ridged noise, and hybrid multifractal noise, the sum of a_k u_k
  * with u_k = v_k (n_k + sharpness), v_0 = 1, v_(k+1) = gain^k u_k, clamped to [-1, 1]. One pass
  * serves both. The state is the weight v_k with its derivatives, a stored sample. The references
- * are in formulas/shape.h.
+ * are in formulas/fractal.h.
  */
 #ifndef SCARP_KERNEL_FRACTAL_HYBRID_H
 #define SCARP_KERNEL_FRACTAL_HYBRID_H

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Folded octaves: turbulence, |n|, and ping-pong, t = (n + 1) sharpness folded to [-1, 1] with
- * period 2. One pass serves both. The references are in formulas/shape.h.
+ * period 2. One pass serves both. The references are in formulas/fractal.h.
  */
 #ifndef SCARP_KERNEL_FRACTAL_PINGPONG_H
 #define SCARP_KERNEL_FRACTAL_PINGPONG_H

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Ridged noise: the sum of a_k s_k with s_k = v_k (1 - |n_k|)^2, v_0 = 1, v_{k+1} = min(1, 2 s_k).
- * Its pass is in hybrid.h, which includes this file. The reference is in formulas/shape.h.
+ * Its pass is in hybrid.h, which includes this file. The reference is in formulas/fractal.h.
  */
 #ifndef SCARP_KERNEL_FRACTAL_RIDGED_H
 #define SCARP_KERNEL_FRACTAL_RIDGED_H

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Turbulence: the sum of a_k |n_k|, whose pass is in pingpong.h, which includes this file. The
- * reference is in formulas/shape.h.
+ * reference is in formulas/fractal.h.
  */
 #ifndef SCARP_KERNEL_FRACTAL_TURBULENCE_H
 #define SCARP_KERNEL_FRACTAL_TURBULENCE_H

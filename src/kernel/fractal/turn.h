@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Stage 3 of octaves with turned axes: derivatives of the basis in the octave's own frame, carried
- * through its axes. The reference is in_input() of formulas/shape.h.
+ * through its axes. The reference is in_input() of formulas/fractal.h.
  *
  *     gradient += (a J)^T g      Hessian += (a J)^T (H J)
  */
