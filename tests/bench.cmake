@@ -6,7 +6,7 @@ set(script ${CMAKE_CURRENT_LIST_DIR}/test_bench.py)
 function(scarp_add_bench_test group) # of test_bench.py
   string(TOLOWER ${group} name)
   scarp_add_test(bench.${name} bench ${ARGN} NEEDS scarp-bench python3
-                 COMMAND ${Python3_EXECUTABLE} ${script} ${group} ${program})
+                 COMMAND ${Python3_EXECUTABLE} -B ${script} ${group} ${program})
 endfunction()
 scarp_add_bench_test(Selection NOT sanitized)
 scarp_add_bench_test(Results IN thorough NOT sanitized)

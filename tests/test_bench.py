@@ -16,12 +16,10 @@ import tempfile
 import unittest
 import xml.etree.ElementTree as ElementTree
 
-try:
-    import pty
-except ImportError:  # not a POSIX system
-    pty = None
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "cli"))
+import common
+from common import main, pty
 
-PROGRAM = []
 OPTIONS = ("work", "isa", "peers", "min-time", "repeat", "json", "svg", "markdown", "from", "list",
            "quiet", "help")
 FLAGS = ("peers", "markdown", "list", "quiet", "help")
@@ -39,10 +37,8 @@ SHAPES = {"2": ("17", "33", "65", "129"),
 SVG = "{http://www.w3.org/2000/svg}"
 
 
-def run(*arguments, cwd=None, **more):
-    more.setdefault("stdout", subprocess.PIPE)
-    more.setdefault("stderr", subprocess.PIPE)
-    return subprocess.run(PROGRAM + list(arguments), cwd=cwd, timeout=600, **more)
+def run(*arguments, **more):
+    return common.run(*arguments, timeout=600, **more)
 
 
 def text_of(*arguments):
@@ -79,26 +75,10 @@ def has_peers():
                                           for row in json.loads(result.stdout)["rows"])
 
 
-class Case(unittest.TestCase):
-    def setUp(self):
-        directory = tempfile.TemporaryDirectory(prefix="scarp-bench-")
-        self.addCleanup(directory.cleanup)
-        self.directory = directory.name
-
-    def path(self, name):
-        return os.path.join(self.directory, name)
-
-    def files(self):
-        return sorted(os.listdir(self.directory))
-
-    def check_one_line(self, result, status, *words):
-        """One line on stderr with all the words, nothing on stdout."""
-        error = result.stderr.decode()
-        self.assertEqual(result.returncode, status, error)
-        self.assertEqual(result.stdout, b"")
-        self.assertRegex(error, r"\Ascarp-bench: [^\n]+\n\Z")
-        for word in words:
-            self.assertIn(word, error)
+class Case(common.Case):
+    @classmethod
+    def setUpClass(cls):
+        """The program has no formats to ask for."""
 
     def check_rows(self, rows):
         for row in rows:
@@ -359,25 +339,11 @@ class Results(Case):
 
     @unittest.skipUnless(pty, "needs POSIX")
     def test_progress(self):
-        self.assertEqual(self.on_terminal(*ONE, "--quiet"), "")
-        shown = self.on_terminal(*ONE)
+        self.assertEqual(self.on_terminal(*ONE, "--quiet"), (0, ""))
+        status, shown = self.on_terminal(*ONE)
+        self.assertEqual(status, 0)
         self.assertRegex(shown, r"\rpass 1 of 1: +0 %, \d+ s left")
         self.assertRegex(shown, r"\r {50}\r\Z")
-
-    def on_terminal(self, *arguments):
-        """What a terminal at stderr shows."""
-        master, slave = pty.openpty()
-        result = run(*arguments, stderr=slave)
-        os.close(slave)
-        self.assertEqual(result.returncode, 0)
-        shown = b""
-        try:
-            while part := os.read(master, 4096):
-                shown += part
-        except OSError:  # Linux: the terminal is gone
-            pass
-        os.close(master)
-        return shown.decode()
 
     def test_peers(self):
         if run("--list", "--peers").returncode != 0:
@@ -593,13 +559,4 @@ class Errors(Case):
         self.assertRegex(result.stderr.decode(), r"\Ascarp-bench: standard output: [^\n]+\n\Z")
 
 
-def main():
-    if len(sys.argv) < 3:
-        sys.exit(__doc__)
-    PROGRAM.extend(sys.argv[2:])
-    tests = unittest.defaultTestLoader.loadTestsFromTestCase(globals()[sys.argv[1]])
-    result = unittest.TextTestRunner(stream=sys.stdout, verbosity=2).run(tests)
-    sys.exit(0 if result.wasSuccessful() and result.testsRun > len(result.skipped) else 1)
-
-
-main()
+main(globals())

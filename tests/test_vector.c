@@ -89,12 +89,9 @@ static void test_choices(const struct scarp_noise *noise, enum function f)
 /* The noise that a component is, if it is noise of its own. */
 static int component_is_noise(struct scarp_noise *component, const struct scarp_noise *noise, int i)
 {
-    uint64_t state = noise->seed;
+    const uint64_t number = 33u + (basis_blends(noise->basis) ? 0u : (unsigned)i);
     *component = *noise;
-    state = check_random(&state);
-    for (int k = 0; k < 33 + (basis_blends(noise->basis) ? 0 : i); k++) {
-        component->seed = check_random(&state);
-    }
+    component->seed = check_random_number(check_random_number(noise->seed, 1), number);
     return i == 0 || !basis_blends(noise->basis);
 }
 

@@ -190,7 +190,7 @@ class Case(unittest.TestCase):
         error = result.stderr.decode()
         self.assertEqual(result.returncode, status, error)
         self.assertEqual(result.stdout, stdout)
-        self.assertRegex(error, r"\Ascarp: [^\n]+\n\Z")
+        self.assertRegex(error, r"\Ascarp(-bench)?: [^\n]+\n\Z")
         for word in words:
             self.assertIn(word, error)
         return error
