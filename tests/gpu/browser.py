@@ -9,8 +9,8 @@ top of the repository, with the shaders and src/gpu/README.md, whose sample must
 tells how it went: the exit status is 0, 1, or 77 where the browser lacks WebGPU or WebGL 2. OPTION
 no-barrier lets compilers fuse operations.
 """
-import http.server
 import os
+import pathlib
 import queue
 import re
 import shutil
@@ -18,66 +18,27 @@ import signal
 import subprocess
 import sys
 import tempfile
-import threading
 import time
+
+sys.dont_write_bytecode = True  # among the sources
+HERE = pathlib.Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE.parent / "web"))
+from chromium import Chromium, Handler, serve  # noqa: E402
 
 SKIPPED = 77
 TIME_LIMIT = 300  # seconds without a line of the report
-HERE = os.path.dirname(os.path.abspath(__file__))
-FLAGS = ["--headless=new", "--no-first-run", "--no-default-browser-check", "--disable-sync",
-         "--disable-background-networking", "--disable-component-update", "--disable-extensions",
-         "--disable-breakpad", "--disable-crash-reporter", "--disable-dev-shm-usage",
-         "--disable-gpu-watchdog",  # shaders may take long to compile
-         # Processors do the work of a GPU: every machine has those.
-         "--enable-unsafe-webgpu", "--enable-unsafe-swiftshader", "--use-angle=swiftshader",
-         "--use-webgpu-adapter=swiftshader"]
+messages = queue.Queue()
 
 
-def handler(folders, messages):
-    """Serves files of `folders` (by the first part of the path), and queues what is posted."""
-    class Handler(http.server.BaseHTTPRequestHandler):
-        protocol_version = "HTTP/1.1"
-        disable_nagle_algorithm = True  # which waits between head and body
-        kinds = {".html": "text/html", ".js": "text/javascript", ".json": "application/json"}
-
-        def answer(self, status, kind="text/plain", body=b""):
-            self.send_response(status)
-            self.send_header("Content-Type", kind)
-            self.send_header("Content-Length", str(len(body)))
-            self.end_headers()
-            self.wfile.write(body)
-
-        def do_GET(self):
-            name = self.path.split("?")[0].lstrip("/")
-            folder, _, rest = name.rpartition("/")
-            try:
-                with open(os.path.join(folders[folder], rest), "rb") as file:
-                    body = file.read()
-            except (KeyError, OSError):
-                self.answer(404)
-                return
-            kind = self.kinds.get(os.path.splitext(rest)[1], "application/octet-stream")
-            self.answer(200, kind, body)
-
-        def do_POST(self):
-            text = self.rfile.read(int(self.headers["Content-Length"])).decode()
-            messages.put((self.path, text))
-            self.answer(204)
-
-        def log_message(self, *_):
-            pass
-
-    return Handler
+class Reports(Handler):
+    """Queues what is posted."""
+    def do_POST(self):
+        messages.put((self.path, self.rfile.read(int(self.headers["Content-Length"])).decode()))
+        self.send_response(204)
+        self.end_headers()
 
 
-class Server(http.server.ThreadingHTTPServer):
-    daemon_threads = True
-
-    def handle_error(self, *_):
-        pass  # the browser has gone
-
-
-def follow(messages, browser):
+def follow(browser):
     """Prints the report. Returns the status at its end, or None where there is no end."""
     since = time.monotonic()
     while True:
@@ -97,27 +58,17 @@ def follow(messages, browser):
         print(text, flush=True)
 
 
-def browse(chromium, url, messages, scratch):
+def browse(chromium, url, scratch):
     """Opens the URL in a browser of its own, and ends all its processes."""
-    flags = FLAGS + ["--user-data-dir=" + os.path.join(scratch, "profile")]
-    if hasattr(os, "geteuid") and os.geteuid() == 0:
-        flags.append("--no-sandbox")
-    with open(os.path.join(scratch, "log"), "w+b") as log:
-        # A browser that is killed leaves temporary files behind.
-        browser = subprocess.Popen([chromium, *flags, url], stdin=subprocess.DEVNULL, stdout=log,
-                                   stderr=log, start_new_session=True,
-                                   env=dict(os.environ, TMPDIR=scratch))
-        try:
-            status = follow(messages, browser)
-        finally:
-            try:
-                os.killpg(browser.pid, signal.SIGKILL)
-            except ProcessLookupError:
-                pass
-            browser.wait()
+    page = Chromium(chromium, scratch)
+    try:
+        page.open(url)
+        status = follow(page.browser)
         if status is None:
-            log.seek(0)
-            print("The browser says:", log.read().decode(errors="replace")[-4000:])
+            page.log.seek(0)
+            print("The browser says:", page.log.read().decode(errors="replace")[-4000:])
+    finally:
+        page.close()
     return 1 if status is None else status
 
 
@@ -130,7 +81,6 @@ def main():
     test, chromium, write_cases, source, *options = sys.argv[1:]
     signal.signal(signal.SIGTERM, end)
     begin = time.monotonic()
-    messages = queue.Queue()
     scratch = tempfile.mkdtemp(prefix="scarp-gpu-")
     try:
         cases = os.path.join(scratch, "cases")
@@ -146,12 +96,14 @@ def main():
         with open(os.path.join(source, "src", "gpu", "README.md"), encoding="utf-8") as readme, \
                 open(os.path.join(cases, "example.wgsl"), "w", encoding="utf-8") as example:
             example.write(re.search(r"^```wgsl\n(.*?)^```$", readme.read(), re.M | re.S).group(1))
-        folders = {"": HERE, "shaders": os.path.join(source, "include"), "cases": cases}
-        server = Server(("127.0.0.1", 0), handler(folders, messages))
-        threading.Thread(target=server.serve_forever, daemon=True).start()
+        site = pathlib.Path(scratch, "site")
+        shutil.copytree(HERE, site)
+        (site / "shaders").symlink_to(pathlib.Path(source, "include").resolve())
+        (site / "cases").symlink_to(cases)
+        server = serve(str(site), Reports)
         query = "&".join(["test=" + test, *options])
         url = f"http://127.0.0.1:{server.server_port}/page.html?{query}"
-        status = browse(chromium, url, messages, scratch)
+        status = browse(chromium, url, scratch)
         server.shutdown()
     finally:  # files of the browser may still appear while they are removed
         shutil.rmtree(scratch, ignore_errors=True)

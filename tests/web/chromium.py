@@ -33,10 +33,10 @@ class Handler(http.server.SimpleHTTPRequestHandler):
         super().end_headers()
 
 
-def serve(folder):
+def serve(folder, kind=Handler):
     """Serves a folder on a free port, which is returned."""
     def handler(*args):
-        return Handler(*args, directory=folder)
+        return kind(*args, directory=folder)
     server = http.server.ThreadingHTTPServer(("127.0.0.1", 0), handler)
     server.daemon_threads = True
     threading.Thread(target=server.serve_forever, daemon=True).start()
