@@ -91,28 +91,64 @@ inline void result::check() const
     }
 }
 
+/* <spans> made by src/bindings/interface.py of include/scarp.h: do not change them by hand */
 /* struct scarp_samples with spans: outputs, and inputs of the chain rule and of gullies */
 struct samples {
-    std::span<float> value{}, dx{}, dy{}, dz{}, dxx{}, dxy{}, dxz{}, dyy{}, dyz{}, dzz{}, dphase{};
+    std::span<float> value{};
+    std::span<float> dx{};
+    std::span<float> dy{};
+    std::span<float> dz{};
+    std::span<float> dxx{};
+    std::span<float> dxy{};
+    std::span<float> dxz{};
+    std::span<float> dyy{};
+    std::span<float> dyz{};
+    std::span<float> dzz{};
+    std::span<float> dphase{};
 };
 
 /* struct scarp_cells with spans: the features near each point */
 struct features {
-    std::span<float> f1{}, f2{};
+    std::span<float> f1{};
+    std::span<float> f2{};
     std::span<std::uint32_t> id{};
-    std::span<float> x{}, y{}, z{}, dx1{}, dy1{}, dz1{}, dx2{}, dy2{}, dz2{};
+    std::span<float> x{};
+    std::span<float> y{};
+    std::span<float> z{};
+    std::span<float> dx1{};
+    std::span<float> dy1{};
+    std::span<float> dz1{};
+    std::span<float> dx2{};
+    std::span<float> dy2{};
+    std::span<float> dz2{};
 };
 
 /* struct scarp_flow with spans: velocities and their Jacobians */
 struct flow {
-    std::span<float> vx{}, vy{}, vz{};
-    std::span<float> vxx{}, vxy{}, vxz{}, vyx{}, vyy{}, vyz{}, vzx{}, vzy{}, vzz{};
+    std::span<float> vx{};
+    std::span<float> vy{};
+    std::span<float> vz{};
+    std::span<float> vxx{};
+    std::span<float> vxy{};
+    std::span<float> vxz{};
+    std::span<float> vyx{};
+    std::span<float> vyy{};
+    std::span<float> vyz{};
+    std::span<float> vzx{};
+    std::span<float> vzy{};
+    std::span<float> vzz{};
 };
 
 /* struct scarp_eroded with spans: the base with gullies, and the displacement */
 struct eroded {
-    std::span<float> value{}, dx{}, dy{}, displacement{}, displacement_dx{}, displacement_dy{};
+    std::span<float> value{};
+    std::span<float> dx{};
+    std::span<float> dy{};
+    std::span<float> displacement{};
+    std::span<float> displacement_dx{};
+    std::span<float> displacement_dy{};
 };
+/* </spans> */
 
 /* An interval that values never leave */
 struct interval {
@@ -183,36 +219,69 @@ inline sizes sizes_of(const scarp_grid &grid, int dimensions) noexcept
     return {dimensions == 3 ? sum(plane, n[2] - 1, slice) : plane, true};
 }
 
-/* The structures of C, made of those with spans */
-#define SCARP_OF(name) .name = of(s.name, #name)
+/* The structures of C, made of those with spans. <of> made by src/bindings/interface.py of include/scarp.h: do not change them by hand */
 inline scarp_samples c_of(const samples &s, sizes &of) noexcept
 {
-    return {SCARP_OF(value), SCARP_OF(dx),  SCARP_OF(dy),    SCARP_OF(dz),
-            SCARP_OF(dxx),   SCARP_OF(dxy), SCARP_OF(dxz),   SCARP_OF(dyy),
-            SCARP_OF(dyz),   SCARP_OF(dzz), SCARP_OF(dphase)};
+    scarp_samples c;
+    c.value = of(s.value, "value");
+    c.dx = of(s.dx, "dx");
+    c.dy = of(s.dy, "dy");
+    c.dz = of(s.dz, "dz");
+    c.dxx = of(s.dxx, "dxx");
+    c.dxy = of(s.dxy, "dxy");
+    c.dxz = of(s.dxz, "dxz");
+    c.dyy = of(s.dyy, "dyy");
+    c.dyz = of(s.dyz, "dyz");
+    c.dzz = of(s.dzz, "dzz");
+    c.dphase = of(s.dphase, "dphase");
+    return c;
 }
 inline scarp_cells c_of(const features &s, sizes &of) noexcept
 {
-    return {SCARP_OF(f1),  SCARP_OF(f2),  SCARP_OF(id),  SCARP_OF(x),
-            SCARP_OF(y),   SCARP_OF(z),   SCARP_OF(dx1), SCARP_OF(dy1),
-            SCARP_OF(dz1), SCARP_OF(dx2), SCARP_OF(dy2), SCARP_OF(dz2)};
+    scarp_cells c;
+    c.f1 = of(s.f1, "f1");
+    c.f2 = of(s.f2, "f2");
+    c.id = of(s.id, "id");
+    c.x = of(s.x, "x");
+    c.y = of(s.y, "y");
+    c.z = of(s.z, "z");
+    c.dx1 = of(s.dx1, "dx1");
+    c.dy1 = of(s.dy1, "dy1");
+    c.dz1 = of(s.dz1, "dz1");
+    c.dx2 = of(s.dx2, "dx2");
+    c.dy2 = of(s.dy2, "dy2");
+    c.dz2 = of(s.dz2, "dz2");
+    return c;
 }
 inline scarp_flow c_of(const flow &s, sizes &of) noexcept
 {
-    return {SCARP_OF(vx),  SCARP_OF(vy),  SCARP_OF(vz),  SCARP_OF(vxx),
-            SCARP_OF(vxy), SCARP_OF(vxz), SCARP_OF(vyx), SCARP_OF(vyy),
-            SCARP_OF(vyz), SCARP_OF(vzx), SCARP_OF(vzy), SCARP_OF(vzz)};
+    scarp_flow c;
+    c.vx = of(s.vx, "vx");
+    c.vy = of(s.vy, "vy");
+    c.vz = of(s.vz, "vz");
+    c.vxx = of(s.vxx, "vxx");
+    c.vxy = of(s.vxy, "vxy");
+    c.vxz = of(s.vxz, "vxz");
+    c.vyx = of(s.vyx, "vyx");
+    c.vyy = of(s.vyy, "vyy");
+    c.vyz = of(s.vyz, "vyz");
+    c.vzx = of(s.vzx, "vzx");
+    c.vzy = of(s.vzy, "vzy");
+    c.vzz = of(s.vzz, "vzz");
+    return c;
 }
 inline scarp_eroded c_of(const eroded &s, sizes &of) noexcept
 {
-    return {SCARP_OF(value),
-            SCARP_OF(dx),
-            SCARP_OF(dy),
-            SCARP_OF(displacement),
-            SCARP_OF(displacement_dx),
-            SCARP_OF(displacement_dy)};
+    scarp_eroded c;
+    c.value = of(s.value, "value");
+    c.dx = of(s.dx, "dx");
+    c.dy = of(s.dy, "dy");
+    c.displacement = of(s.displacement, "displacement");
+    c.displacement_dx = of(s.displacement_dx, "displacement_dx");
+    c.displacement_dy = of(s.displacement_dy, "displacement_dy");
+    return c;
 }
-#undef SCARP_OF
+/* The structures of C, made of those with spans. </of> */
 using sixteen = std::array<scarp_samples, 16>;
 inline sixteen c_of(std::span<const samples> s, sizes &of) noexcept
 {

@@ -132,7 +132,8 @@ class Header:
     def structure(self, body):
         """Members, with their offsets for both sizes of pointers; and the sizes."""
         members = [{"name": name, "type": kind, "expressions": dimensions,
-                    "default": default(comment)}
+                    "default": default(comment),
+                    "comment": " ".join(re.sub(r"/\*|\*/", " ", comment).split())}
                    for line, comment in commented(body)
                    for name, kind, dimensions in declared(line)]
         made = {"members": members}

@@ -15,9 +15,9 @@ import re
 import sys
 
 from header import Header, both
-from tables import chain, csharp, python, rust, web
+from tables import chain, cpp, csharp, python, rust, web
 
-TABLES = (csharp, python, rust, web)
+TABLES = (cpp, csharp, python, rust, web)
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 ROOT = os.path.dirname(os.path.dirname(HERE))

@@ -89,68 +89,111 @@ export interface Grid {
     sliceStride?: number;
 }
 
+// <arrays> made by src/bindings/interface.py of include/scarp.h: do not change them by hand
 /** Arrays of values and of their derivatives. Members that are left out are not computed. */
 export interface Samples {
+    /** The value. */
     value?: Float32Array | null;
+    /** The gradient along x, per unit of input. */
     dx?: Float32Array | null;
+    /** The gradient along y, per unit of input. */
     dy?: Float32Array | null;
+    /** The gradient along z, per unit of input, in space. */
     dz?: Float32Array | null;
+    /** The second derivative with respect to x, per unit of input squared. */
     dxx?: Float32Array | null;
+    /** The derivative with respect to x and y, per unit of input squared. */
     dxy?: Float32Array | null;
+    /** The derivative with respect to x and z, per unit of input squared, in space. */
     dxz?: Float32Array | null;
+    /** The second derivative with respect to y, per unit of input squared. */
     dyy?: Float32Array | null;
+    /** The derivative with respect to y and z, per unit of input squared, in space. */
     dyz?: Float32Array | null;
+    /** The second derivative with respect to z, per unit of input squared, in space. */
     dzz?: Float32Array | null;
+    /** The derivative with respect to the phase, per turn. */
     dphase?: Float32Array | null;
 }
 
 /** What is near a point: distances, the cell's number, the feature's position, gradients. */
 export interface Cells {
+    /** The distance to the nearest feature, in units of input. */
     f1?: Float32Array | null;
+    /** The distance to the second nearest feature, in units of input. */
     f2?: Float32Array | null;
+    /** A number drawn for the cell of the nearest feature. */
     id?: Uint32Array | null;
+    /** Where the nearest feature is along x. */
     x?: Float32Array | null;
+    /** Where the nearest feature is along y. */
     y?: Float32Array | null;
+    /** Where the nearest feature is along z, in space. */
     z?: Float32Array | null;
+    /** The gradient of `f1` along x. */
     dx1?: Float32Array | null;
+    /** The gradient of `f1` along y. */
     dy1?: Float32Array | null;
+    /** The gradient of `f1` along z, in space. */
     dz1?: Float32Array | null;
+    /** The gradient of `f2` along x. */
     dx2?: Float32Array | null;
+    /** The gradient of `f2` along y. */
     dy2?: Float32Array | null;
+    /** The gradient of `f2` along z, in space. */
     dz2?: Float32Array | null;
 }
 
-/** A velocity and its Jacobian: vxy is the derivative of vx by y. */
+/** A velocity and its Jacobian: `vxy` is the derivative of `vx` with respect to y. */
 export interface Flow {
+    /** The velocity along x. */
     vx?: Float32Array | null;
+    /** The velocity along y. */
     vy?: Float32Array | null;
+    /** The velocity along z, in space. */
     vz?: Float32Array | null;
+    /** The derivative of `vx` with respect to x. */
     vxx?: Float32Array | null;
+    /** The derivative of `vx` with respect to y. */
     vxy?: Float32Array | null;
+    /** The derivative of `vx` with respect to z, in space. */
     vxz?: Float32Array | null;
+    /** The derivative of `vy` with respect to x. */
     vyx?: Float32Array | null;
+    /** The derivative of `vy` with respect to y. */
     vyy?: Float32Array | null;
+    /** The derivative of `vy` with respect to z, in space. */
     vyz?: Float32Array | null;
+    /** The derivative of `vz` with respect to x, in space. */
     vzx?: Float32Array | null;
+    /** The derivative of `vz` with respect to y, in space. */
     vzy?: Float32Array | null;
+    /** The derivative of `vz` with respect to z, in space. */
     vzz?: Float32Array | null;
 }
+
+/** A function of a, or of a and b, at each point, with its partial derivatives. */
+export interface Partials {
+    /** The value. */
+    f?: Float32Array | null;
+    /** The derivative with respect to a. */
+    fa?: Float32Array | null;
+    /** The derivative with respect to b. */
+    fb?: Float32Array | null;
+    /** The second derivative with respect to a. */
+    faa?: Float32Array | null;
+    /** The derivative with respect to a and b. */
+    fab?: Float32Array | null;
+    /** The second derivative with respect to b. */
+    fbb?: Float32Array | null;
+}
+// </arrays>
 
 /** Components of unit normals. */
 export interface Normals {
     nx?: Float32Array | null;
     ny?: Float32Array | null;
     nz?: Float32Array | null;
-}
-
-/** A function of a, or of a and b, at each point, with its partial derivatives. */
-export interface Partials {
-    f?: Float32Array | null;
-    fa?: Float32Array | null;
-    fb?: Float32Array | null;
-    faa?: Float32Array | null;
-    fab?: Float32Array | null;
-    fbb?: Float32Array | null;
 }
 
 export declare const STATUS: Readonly<{

@@ -41,8 +41,10 @@ class Interface(unittest.TestCase):
                         ignore=shutil.ignore_patterns("playground"))
         shutil.copytree(os.path.join(SOURCE, "tests", "bindings"),
                         os.path.join(SCRATCH, "tests", "bindings"))
+        shutil.copytree(os.path.join(SOURCE, "tests", "cpp"), os.path.join(SCRATCH, "tests", "cpp"))
         os.makedirs(os.path.join(SCRATCH, "include"))
-        shutil.copy(os.path.join(SOURCE, HEADER), os.path.join(SCRATCH, HEADER))
+        for name in (HEADER, HEADER + "pp"):
+            shutil.copy(os.path.join(SOURCE, name), os.path.join(SCRATCH, name))
         make_writable()
 
     def change(self, name, old, new):

@@ -4,6 +4,7 @@
  * size is refused by its name before anything is written.
  */
 #include "check.hpp"
+#include "members.hpp"
 
 namespace
 {
@@ -24,54 +25,22 @@ template <class Spans, class C> struct member {
     bool is_flat;
 };
 
-using s = scarp::samples;
-using sc = scarp_samples;
-constexpr member<s, sc> SAMPLES[] = {{"value", &s::value, &sc::value, true},
-                                     {"dx", &s::dx, &sc::dx, true},
-                                     {"dy", &s::dy, &sc::dy, true},
-                                     {"dz", &s::dz, &sc::dz, false},
-                                     {"dxx", &s::dxx, &sc::dxx, true},
-                                     {"dxy", &s::dxy, &sc::dxy, true},
-                                     {"dxz", &s::dxz, &sc::dxz, false},
-                                     {"dyy", &s::dyy, &sc::dyy, true},
-                                     {"dyz", &s::dyz, &sc::dyz, false},
-                                     {"dzz", &s::dzz, &sc::dzz, false},
-                                     {"dphase", &s::dphase, &sc::dphase, true}};
-
-using f = scarp::features;
-using fc = scarp_cells;
-constexpr member<f, fc> FEATURES[] = {
-    {"f1", &f::f1, &fc::f1, true},    {"f2", &f::f2, &fc::f2, true},
-    {"x", &f::x, &fc::x, true},       {"y", &f::y, &fc::y, true},
-    {"z", &f::z, &fc::z, false},      {"dx1", &f::dx1, &fc::dx1, true},
-    {"dy1", &f::dy1, &fc::dy1, true}, {"dz1", &f::dz1, &fc::dz1, false},
-    {"dx2", &f::dx2, &fc::dx2, true}, {"dy2", &f::dy2, &fc::dy2, true},
-    {"dz2", &f::dz2, &fc::dz2, false}};
-
-using w = scarp::flow;
-using wc = scarp_flow;
-constexpr member<w, wc> FLOW[] = {
-    {"vx", &w::vx, &wc::vx, true},     {"vy", &w::vy, &wc::vy, true},
-    {"vz", &w::vz, &wc::vz, false},    {"vxx", &w::vxx, &wc::vxx, true},
-    {"vxy", &w::vxy, &wc::vxy, true},  {"vxz", &w::vxz, &wc::vxz, false},
-    {"vyx", &w::vyx, &wc::vyx, true},  {"vyy", &w::vyy, &wc::vyy, true},
-    {"vyz", &w::vyz, &wc::vyz, false}, {"vzx", &w::vzx, &wc::vzx, false},
-    {"vzy", &w::vzy, &wc::vzy, false}, {"vzz", &w::vzz, &wc::vzz, false}};
-
-using e = scarp::eroded;
-using ec = scarp_eroded;
-constexpr member<e, ec> ERODED[] = {
-    {"value", &e::value, &ec::value, true},
-    {"dx", &e::dx, &ec::dx, true},
-    {"dy", &e::dy, &ec::dy, true},
-    {"displacement", &e::displacement, &ec::displacement, true},
-    {"displacement_dx", &e::displacement_dx, &ec::displacement_dx, true},
-    {"displacement_dy", &e::displacement_dy, &ec::displacement_dy, true}};
+#define MEMBER(name, is_flat) {#name, &spans::name, &c::name, is_flat},
+#define TABLE(NAME, of_spans, of_c)                                                                \
+    constexpr auto NAME = [] {                                                                     \
+        using spans = of_spans;                                                                    \
+        using c = of_c;                                                                            \
+        return std::to_array<member<spans, c>>({NAME##_MEMBERS(MEMBER)});                          \
+    }();
+TABLE(SAMPLES, scarp::samples, scarp_samples)
+TABLE(FEATURES, scarp::features, scarp_cells)
+TABLE(FLOW, scarp::flow, scarp_flow)
+TABLE(ERODED, scarp::eroded, scarp_eroded)
 
 /* Compares a call with that of C, then gives it each of the spans with other sizes. */
 template <class Spans, class C, std::size_t N, class Call, class CallC>
-void compare(const member<Spans, C> (&members)[N], std::size_t size, bool is_flat, bool is_grid,
-             Call call, CallC call_c)
+void compare(const std::array<member<Spans, C>, N> &members, std::size_t size, bool is_flat,
+             bool is_grid, Call call, CallC call_c)
 {
     arrays found(N, size), expected(N, size);
     Spans out;
@@ -107,8 +76,8 @@ void compare(const member<Spans, C> (&members)[N], std::size_t size, bool is_fla
 
 /* A call for points of either type, in the plane and in space */
 template <class T, class Spans, class C, std::size_t N, class Call, class Two, class Three>
-void check_points(const scarp_noise &noise, const member<Spans, C> (&members)[N], Call call,
-                  Two two, Three three)
+void check_points(const scarp_noise &noise, const std::array<member<Spans, C>, N> &members,
+                  Call call, Two two, Three three)
 {
     const auto x = coordinates<T>(COUNT, 0.71), y = coordinates<T>(COUNT, -0.37),
                z = coordinates<T>(COUNT, 0.53), shorter = coordinates<T>(COUNT - 1, 1);

@@ -3,7 +3,8 @@
 import re
 import sys
 
-# By the names of members. The header has one comment for several of them.
+# By the names of members, since the header has one comment for several of them. For others it is the
+# header's.
 SAYS = (("value", "the value"),
         ("d([xyz])", "the gradient along {0}, per unit of input"),
         (r"d([xyz])\1", "the second derivative with respect to {0}, per unit of input squared"),
@@ -27,19 +28,19 @@ SAYS = (("value", "the value"),
 class Array:
     """A member: its name, and its type in C without the star"""
 
-    def __init__(self, name, kind):
+    def __init__(self, name, kind, comment):
         self.name, self.kind = name, kind
         self.is_of_space = "z" in name  # there is none in the plane
         self.camel = name[0].upper() + re.sub("_(.)", lambda at: at[1].upper(), name[1:])
         found = [say.format(*match.groups()) for pattern, say in SAYS
-                 for match in [re.fullmatch(pattern, name)] if match]
-        if not found:
-            sys.exit("tables/arrays.py does not say what %s is" % name)
+                 for match in [re.fullmatch(pattern, name)] if match] or [comment]
+        if not found[0]:
+            sys.exit("tables/arrays.py: neither SAYS nor the header says what %s is" % name)
         about = found[0] + (", in space" if self.is_of_space else "")
         self.about = about[0].upper() + about[1:]
 
 
 def arrays(header, structure):
     """The arrays of a structure, without reserved ones"""
-    return [Array(m["name"], re.sub(r"^const | \*$", "", m["type"]))
+    return [Array(m["name"], re.sub(r"^const | \*$", "", m["type"]), m["comment"])
             for m in header.structures[structure]["members"] if not m["name"].startswith("spare")]

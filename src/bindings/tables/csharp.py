@@ -168,7 +168,26 @@ def tested(header):
         given += ["%sf" % float(number) for number in f.given.values()] + ["to"]
         out += ["        (int n, in Samples a, in Samples b, in Samples to) =>",
                 "            Samples.%s(%s)," % (f.pascal, ", ".join(given))]
-    return "\n".join(out + ["    };", "}"]) + "\n"
+    return "\n".join(out + ["    };", "}", *tested_spans(header)]) + "\n"
+
+
+def tested_spans(header):
+    """For Lengths.cs: names of members, and structures of which one array is another"""
+    out = ["", "static class Spans", "{"]
+    for name, structure in SPANS:
+        members = arrays(header, structure)
+        out += ["    public static readonly string[] %s = {" % name]
+        out += broken(" " * 8, ['"%s"' % m.camel for m in members], "", " " * 8) + ["    };", ""]
+        out += ["    public static %s %sOf(int i, System.Span<float> a)" % (name, name), "    {",
+                "        return new %s {" % name]
+        for i, m in enumerate(members):
+            given = "Lengths.If(i == %d, a)" % i
+            if m.kind != "float":
+                given = "System.Runtime.InteropServices.MemoryMarshal.Cast<float, %s>(%s)" % (
+                    TYPES[m.kind], given)
+            out.append("            %s = %s," % (m.camel, given))
+        out += ["        };", "    }", ""]
+    return out[:-1] + ["}"]
 
 
 def structure_of_spans(name, members):

@@ -5,6 +5,7 @@ import textwrap
 
 from header import both
 from tables import chain
+from tables.arrays import arrays
 from tables.text import replaced, wrapped
 
 PATH = "src/bindings/python/scarp/_interface.py"
@@ -103,4 +104,12 @@ def made(header, read):
     """Files with what is made of the header: pairs of a path and a text"""
     yield PATH, table(header)
     yield METHODS, methods_as_code(header)
-    yield STUBS, replaced(STUBS, read(STUBS), "chain", methods_as_stubs(header))
+    text = replaced(STUBS, read(STUBS), "chain", methods_as_stubs(header))
+    text = replaced(STUBS, text, "samples", (
+        "    @property\n    def %s(self) -> Array: ..." % array.name
+        for array in arrays(header, "scarp_samples")))
+    for name in ("cells", "flow"):
+        text = replaced(STUBS, text, name, (
+            "    %s: %s" % (array.name, "NDArray[np.uint32]" if array.kind == "uint32_t" else "Array")
+            for array in arrays(header, "scarp_" + name)))
+    yield STUBS, text

@@ -4,10 +4,19 @@ import re
 import textwrap
 
 from tables import chain
+from tables.arrays import arrays
 from tables.text import replaced, wrapped
 
 PATH = "src/web/interface.mjs"
 METHODS, TYPES, TESTED = "src/web/scarp.mjs", "src/web/scarp.d.ts", "src/web/test/chain.mjs"
+ARRAYS = (("Samples", "scarp_samples", "Arrays of values and of their derivatives. Members that are "
+           "left out are not computed."),
+          ("Cells", "scarp_cells", "What is near a point: distances, the cell's number, the "
+           "feature's position, gradients."),
+          ("Flow", "scarp_flow", "A velocity and its Jacobian: `vxy` is the derivative of `vx` with "
+           "respect to y."),
+          ("Partials", "scarp_partials", "A function of a, or of a and b, at each point, with its "
+           "partial derivatives."))
 TYPED = ("scarp_noise",)  # structures that are written member by member
 
 FIRST = """\
@@ -58,18 +67,34 @@ def methods(header):
         yield "    }"
 
 
+def comment(indent, text):
+    lines = wrapped(indent + "/** ", text + " */", indent + " * ")
+    if len(lines) > 1:
+        return [indent + "/**"] + wrapped(indent + " * ", text, indent + " * ") + [indent + " */"]
+    return lines
+
+
+def interfaces(header):
+    """The objects of arrays"""
+    out = []
+    for name, structure, about in ARRAYS:
+        out += ["", *comment("", about), "export interface %s {" % name]
+        for array in arrays(header, structure):
+            kind = "Uint32Array" if array.kind == "uint32_t" else "Float32Array"
+            out += comment("    ", array.about + ".") + ["    %s?: %s | null;" % (array.name, kind)]
+        out.append("}")
+    return out[1:]
+
+
 def types(header):
     for f in chain.functions(header):
-        comment = wrapped("    /** ", f.about() + " */", "     * ")
-        if len(comment) > 1:
-            comment = ["    /**"] + wrapped("     * ", f.about(), "     * ") + ["     */"]
         parameters = ([name + ": Samples" for name in f.inputs] +
                       [name + ": number" for name in f.numbers] + ["out: T"])
         line = "    %s<T extends Samples>(%s): T;" % (f.camel, ", ".join(parameters))
         if len(line) > 100:
             line = "    %s<T extends Samples>(\n%s\n    ): T;" % (
                 f.camel, "\n".join("        %s," % each for each in parameters))
-        yield from comment + [line]
+        yield from comment("    ", f.about()) + [line]
 
 
 def tested(header):
@@ -88,5 +113,6 @@ def made(header, read):
     """Files with what is made of the header: pairs of a path and a text"""
     yield PATH, table(header)
     yield METHODS, replaced(METHODS, read(METHODS), "chain", methods(header))
-    yield TYPES, replaced(TYPES, read(TYPES), "chain", types(header))
+    text = replaced(TYPES, read(TYPES), "arrays", interfaces(header))
+    yield TYPES, replaced(TYPES, text, "chain", types(header))
     yield TESTED, tested(header)

@@ -51,6 +51,7 @@ class Samples:
                  **derivatives: ArrayLike) -> None: ...
     @property
     def members(self) -> Tuple[str, ...]: ...
+    # <samples> made by src/bindings/interface.py of include/scarp.h: do not change them by hand
     @property
     def value(self) -> Array: ...
     @property
@@ -73,6 +74,7 @@ class Samples:
     def dzz(self) -> Array: ...
     @property
     def dphase(self) -> Array: ...
+    # </samples>
     def normals(self, height_scale: float = ...) -> Array: ...
     def constant(self, value: float) -> Samples: ...
     def __neg__(self) -> Samples: ...
@@ -112,6 +114,7 @@ class Samples:
 class Cells:
     shape: Tuple[int, ...]
     members: Tuple[str, ...]
+    # <cells> made by src/bindings/interface.py of include/scarp.h: do not change them by hand
     f1: Array
     f2: Array
     id: NDArray[np.uint32]
@@ -124,10 +127,12 @@ class Cells:
     dx2: Array
     dy2: Array
     dz2: Array
+    # </cells>
 
 class Flow:
     shape: Tuple[int, ...]
     members: Tuple[str, ...]
+    # <flow> made by src/bindings/interface.py of include/scarp.h: do not change them by hand
     vx: Array
     vy: Array
     vz: Array
@@ -140,6 +145,7 @@ class Flow:
     vzx: Array
     vzy: Array
     vzz: Array
+    # </flow>
 
 class Noise:
     basis: str
