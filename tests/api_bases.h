@@ -58,7 +58,7 @@ static inline void test_ignored(const struct bases_test *t)
         const char *const name = basis_name((int)noise.basis);
         struct scarp_noise faded = noise, strayed = noise;
         faded.fade = SCARP_CUBIC;
-        CHECK(bases_alike(t, f, &noise, &faded) == !basis_blends(noise.basis), "%s: fade", name);
+        CHECK(bases_alike(t, f, &noise, &faded) == !blends_corners(noise.basis), "%s: fade", name);
         strayed.jitter = 0.5f;
         CHECK(bases_alike(t, f, &noise, &strayed) == (noise.basis <= SCARP_SIMPLEX), "%s: jitter",
               name);

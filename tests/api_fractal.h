@@ -66,7 +66,7 @@ static inline int fractal_same_bits(const struct fractal_test *t, const struct s
 static inline void test_fractal_parameter(const struct fractal_test *t)
 {
     for (int fractal = SCARP_FBM; fractal < count_names(fractal_name); fractal++) {
-        const int used = fractal == SCARP_EROSION || fractal == SCARP_JORDAN;
+        const int used = fractal_row((enum scarp_fractal)fractal)->most_erosion != 0.0f;
         struct scarp_noise a = {.fractal = (enum scarp_fractal)fractal, .octaves = 3.0f}, b = a;
         b.erosion = 1.0f;
         CHECK(fractal_same_bits(t, &a, &b), "fractal %d: the default is not 1", fractal);
@@ -85,13 +85,11 @@ static inline void test_fractal_parameter(const struct fractal_test *t)
 static inline void test_fractal_sharpness(const struct fractal_test *t)
 {
     for (int fractal = SCARP_FBM; fractal < count_names(fractal_name); fractal++) {
-        const int used = fractal >= SCARP_PINGPONG;
+        const float standard = fractal_row((enum scarp_fractal)fractal)->sharpness;
+        const int used = standard != 0.0f;
         struct scarp_noise a = {.fractal = (enum scarp_fractal)fractal, .octaves = 3.0f}, b = a;
         a.sharpness = -0.0f;
-        b.sharpness = fractal == SCARP_HYBRID   ? 0.7f
-                      : fractal == SCARP_SWISS  ? 0.15f
-                      : fractal == SCARP_JORDAN ? 0.35f
-                                                : 2.0f;
+        b.sharpness = used ? standard : 2.0f;
         CHECK(fractal_same_bits(t, &a, &b), "fractal %d: another default", fractal);
         a.sharpness = 1.5f;
         CHECK(fractal_same_bits(t, &a, &b) == !used, "fractal %d: sharpness 1.5", fractal);

@@ -63,16 +63,12 @@ static inline void test_names_known(void)
 
 static inline void test_names(void)
 {
-    static const char *const bases[] = {"gradient",  "value",      "simplex",
-                                        "cell-f1",   "cell-f2",    "cell-edge",
-                                        "cell-soft", "cell-value", NULL};
+#define NAME(enumerator, name, ...) [SCARP_##enumerator] = name,
+    static const char *const bases[SCARP_BASES + 1] = {SCARP_BASIS_LIST(NAME)};
+    static const char *const fractals[SCARP_FRACTALS + 1] = {SCARP_FRACTAL_LIST(NAME)};
+#undef NAME
     static const char *const fades[] = {
         [SCARP_QUINTIC] = "quintic", [SCARP_CUBIC] = "cubic", [SCARP_CUBIC + 1] = NULL};
-    static const char *const fractals[] = {
-        [SCARP_FBM] = "fbm",         [SCARP_TURBULENCE] = "turbulence", [SCARP_RIDGED] = "ridged",
-        [SCARP_EROSION] = "erosion", [SCARP_PINGPONG] = "pingpong",     [SCARP_HYBRID] = "hybrid",
-        [SCARP_SWISS] = "swiss",     [SCARP_JORDAN] = "jordan",         [SCARP_JORDAN + 1] = NULL,
-    };
     static const char *const isas[] = {"none", "scalar",  "sse4.1",  "avx2", "avx512",
                                        "neon", "generic", "wasm128", NULL};
     expect_names("basis", basis_name, bases);

@@ -209,7 +209,7 @@ static inline void cases_set(struct scarp_noise *noise, enum cases_octaves setti
         noise->gain = 0.625f;
         noise->amplitude = -3.5f;
         noise->jitter = 0.75f; /* of cells */
-        if (noise->fractal > SCARP_EROSION) {
+        if (fractal_row(noise->fractal)->sharpness != 0.0f) {
             noise->sharpness = 1.25f;
             noise->of_octaves = 6.5f;
         }
@@ -249,7 +249,7 @@ static inline int cases_has_order(const struct scarp_noise *noise, int order,
                                   enum cases_octaves setting)
 {
     const int all = noise_order(noise);
-    return basis_blends(noise->basis) || noise->basis == SCARP_SIMPLEX || order == all ||
+    return blends_corners(noise->basis) || noise->basis == SCARP_SIMPLEX || order == all ||
            setting == CASES_OCTAVE || setting == CASES_FIRST ||
            (order == 0 && setting == CASES_PERIODS);
 }
@@ -269,7 +269,7 @@ static inline int cases_has_warped(const struct scarp_noise *noise, enum cases_o
 static inline int cases_has_bends(const struct scarp_noise *noise, enum cases_octaves setting)
 {
     return noise->fade == SCARP_QUINTIC &&
-           (setting == CASES_TURNED ? basis_blends(noise->basis)
+           (setting == CASES_TURNED ? blends_corners(noise->basis)
                                     : noise->basis == SCARP_GRADIENT && setting != CASES_FLOW);
 }
 
@@ -282,14 +282,14 @@ static inline int cases_has(const struct scarp_noise *noise, enum cases_octaves 
                         (setting == CASES_FIRST_TURNED && noise->basis != SCARP_GRADIENT);
     const int flows =
         setting == CASES_FLOW || setting == CASES_FLOW_TURNED || setting == CASES_FIRST_TURNED;
-    const int shaped = fractal_has_bends(noise->fractal)
+    const int shaped = fractal_bends(noise->fractal)
                            ? cases_has_bends(noise, setting)
                            : basis_smooth(noise->basis) || noise->basis == SCARP_CELL_F1;
     if (setting == CASES_WARPED || setting == CASES_WARPED_TWICE || setting == CASES_FIRST_WARPED) {
         return cases_has_warped(noise, setting);
     }
     return (noise->fractal == SCARP_FBM || (!for_fbm && shaped)) &&
-           (noise->fade == SCARP_QUINTIC || (!flows && basis_blends(noise->basis)));
+           (noise->fade == SCARP_QUINTIC || (!flows && blends_corners(noise->basis)));
 }
 
 /* Takes the last digit, base `radix`, off a number. */
@@ -312,8 +312,7 @@ static inline int cases_make_call(struct cases_call *call, enum cases_class clas
     noise->basis = (enum scarp_basis)cases_digit(&number, count_names(basis_name));
     noise->fade = (enum scarp_fade)cases_digit(&number, count_names(fade_name));
     noise->fractal = (enum scarp_fractal)cases_digit(&number, count_names(fractal_name));
-    noise->erosion =
-        noise->fractal == SCARP_EROSION || noise->fractal == SCARP_JORDAN ? 0.75f : 0.0f;
+    noise->erosion = fractal_row(noise->fractal)->most_erosion != 0.0f ? 0.75f : 0.0f;
     call->function = (enum function)function;
     const int dimensions = function_dimensions(call->function);
     call->wanted = outputs_up_to(order, dimensions);

@@ -11,8 +11,6 @@
 
 #define BLOCK 1000
 
-static const char *const fractal_names[] = {"fBm",       "turbulence", "ridged", "erosion",
-                                            "ping-pong", "hybrid",     "Swiss",  "Jordan"};
 static const char *const fractal_fades[] = {"quintic", "cubic"};
 
 /* Points in both precisions, equal where they are drawn as floats, and arrays for the outputs. */

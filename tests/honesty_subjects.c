@@ -5,6 +5,7 @@
  */
 #include "honesty.h"
 
+#include "../src/plan/traits.h"
 #include "check.h"
 #include "oracle_gullies.h"
 #include "oracle_recipe.h"
@@ -77,9 +78,9 @@ static void make_plain(int number, struct subject *subject)
                                  .fractal = (enum scarp_fractal)fractal};
     snprintf(subject->name[0], sizeof subject->name[0], "%s", scarp_fractal_name(noise.fractal));
     snprintf(subject->name[1], sizeof subject->name[1], "%s", scarp_basis_name(noise.basis));
-    subject->kind = fractal == SCARP_EROSION ? HONESTY_EROSION
-                    : fractal >= SCARP_SWISS ? HONESTY_BENT
-                                             : HONESTY_NOISE;
+    subject->kind = fractal_bends(noise.fractal)                 ? HONESTY_BENT
+                    : fractal_has(noise.fractal, FRACTAL_SLOPES) ? HONESTY_EROSION
+                                                                 : HONESTY_NOISE;
     subject->dimensions = 2 + number % 2;
     make_noise(subject);
 }

@@ -1,12 +1,13 @@
 /* SPDX-License-Identifier: MIT
  *
  * What scarp.h defines for the octaves of a noise, in double: seeds, keys, offsets, turns and
- * weights. Nothing of the library comes in. Header only; included by the oracle and by tests that
+ * weights. Of the library only the traits of fractals come in. Header only; included by the oracle and by tests that
  * rebuild noise from single octaves.
  */
 #ifndef SCARP_TESTS_OCTAVES_H
 #define SCARP_TESTS_OCTAVES_H
 
+#include "../src/plan/traits.h"
 #include "check.h"
 
 struct octave {
@@ -58,12 +59,7 @@ static inline void octaves_turn(double axes[3][3], int dimensions)
 /* The sharpness of a noise, with the default of its fractal */
 static inline double octaves_sharpness(const struct scarp_noise *noise)
 {
-    switch (noise->fractal) {
-    case SCARP_PINGPONG: return octaves_or((double)noise->sharpness, 2.0);
-    case SCARP_SWISS: return octaves_or((double)noise->sharpness, (double)0.15f);
-    case SCARP_JORDAN: return octaves_or((double)noise->sharpness, (double)0.35f);
-    default: return octaves_or((double)noise->sharpness, (double)0.7f);
-    }
+    return octaves_or((double)noise->sharpness, (double)fractal_row(noise->fractal)->sharpness);
 }
 
 /* What the amplitude is divided by: w_0 + ... + w_(K-1), where the last one is multiplied by the
@@ -90,8 +86,9 @@ static inline int octaves_make(const struct scarp_noise *noise, int dimensions,
     const double octaves = octaves_or((double)noise->octaves, 1.0);
     const double lacunarity = octaves_or((double)noise->lacunarity, 2.0);
     const double headroom = noise->fractal == SCARP_HYBRID ? 0x1p-16 : 0x1p-17;
+    const int squared = fractal_row(noise->fractal)->range == RANGE_SQUARE;
     const double all = octaves_or((double)noise->amplitude, 1.0) * (1.0 - headroom) /
-                       octaves_sum(noise) * (noise->fractal == SCARP_JORDAN ? 1.0 - 0x1p-17 : 1.0);
+                       octaves_sum(noise) * (squared ? 1.0 - 0x1p-17 : 1.0);
     const int count = (int)ceil(octaves);
     double turns[3][3] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     for (int k = 0; k < count; k++) {

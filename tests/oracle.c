@@ -195,7 +195,7 @@ void oracle_make(struct oracle *oracle, const struct scarp_noise *noise, int dim
 void oracle_make_component(struct oracle *oracle, const struct scarp_noise *noise, int dimensions,
                            int component)
 {
-    const int shares = noise->basis == SCARP_GRADIENT || noise->basis == SCARP_VALUE;
+    const int shares = blends_corners(noise->basis);
     struct scarp_noise of_component = *noise;
     of_component.seed = check_random_number(check_random_number(noise->seed, 1),
                                             33u + (shares ? 0u : (unsigned)component));

@@ -258,7 +258,7 @@ static void sum_octaves(const struct oracle *oracle, enum oracle_rounding roundi
                         struct oracle_creases *creases)
 {
     struct oracle_sample weight = {.value = 1.0}, slope[3] = {{.value = 0.0}};
-    if (oracle->fractal == SCARP_SWISS || oracle->fractal == SCARP_JORDAN) {
+    if (fractal_bends(oracle->fractal)) {
         sum_bent(oracle, rounding, x, frozen, sum, creases);
         return;
     }

@@ -6,6 +6,7 @@
 #ifndef SCARP_TESTS_OUTPUTS_H
 #define SCARP_TESTS_OUTPUTS_H
 
+#include "../src/plan/traits.h"
 #include "check.h"
 
 /* Every output, in the order of struct scarp_samples: its member, how often it is derived, and
@@ -75,18 +76,12 @@ static inline unsigned function_outputs(enum function f)
     return function_dimensions(f) == 2 ? OUTPUTS_ALL2 : OUTPUTS_ALL3;
 }
 
-/* Whether octaves of the fractal look at positions that those before have bent. */
-static inline int fractal_has_bends(enum scarp_fractal fractal)
-{
-    return fractal == SCARP_SWISS || fractal == SCARP_JORDAN;
-}
-
 /* The highest derivative that the noise has: its warps must have it, too. */
 static inline int noise_order(const struct scarp_noise *noise)
 {
     int order = 2;
     for (; noise != NULL; noise = noise->warp) {
-        if (noise->fractal == SCARP_EROSION || fractal_has_bends(noise->fractal)) {
+        if (fractal_has(noise->fractal, FRACTAL_SLOPES)) {
             order = 1;
         }
     }
@@ -97,29 +92,23 @@ static inline int noise_order(const struct scarp_noise *noise)
    of another basis than gradients has no phase, and what bends no derivative by it. */
 static inline unsigned outputs_of(const struct scarp_noise *noise, enum function f)
 {
-    const int flows = noise->basis == SCARP_GRADIENT && !fractal_has_bends(noise->fractal);
+    const int flows = basis_has(noise->basis, BASIS_FLOWS) && !fractal_bends(noise->fractal);
     return outputs_up_to(noise_order(noise), function_dimensions(f)) | (flows ? OUTPUTS_PHASE : 0u);
-}
-
-/* Whether a basis blends what is drawn at the corners of cells: these alone see the fade. */
-static inline int basis_blends(enum scarp_basis basis)
-{
-    return basis == SCARP_GRADIENT || basis == SCARP_VALUE;
 }
 
 /* Whether its derivatives are continuous everywhere. */
 static inline int basis_smooth(enum scarp_basis basis)
 {
-    return basis_blends(basis) || basis == SCARP_SIMPLEX || basis == SCARP_CELL_SOFT;
+    return !basis_has(basis, BASIS_CREASES | BASIS_JUMPS);
 }
 
 /* Takes from a noise what its basis cannot have, so that calls accept it: a phase, and a period
    across the rows of 2D simplex noise. */
 static inline void fit_noise(struct scarp_noise *noise, int dimensions)
 {
-    noise->phase = noise->basis == SCARP_GRADIENT ? noise->phase : 0.0f;
-    if (noise->basis == SCARP_SIMPLEX && dimensions == 2) {
-        noise->period[1] = 0;
+    noise->phase = basis_has(noise->basis, BASIS_FLOWS) ? noise->phase : 0.0f;
+    for (int axis = basis_axes_with_period(noise->basis, dimensions); axis < dimensions; axis++) {
+        noise->period[axis] = 0;
     }
 }
 

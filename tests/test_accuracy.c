@@ -84,7 +84,7 @@ static const struct bounds own_bounds[] = {
 
 static const struct bounds *bounds_of(const struct scarp_noise *noise)
 {
-    return !basis_blends(noise->basis)    ? &own_bounds[noise->basis]
+    return !blends_corners(noise->basis)  ? &own_bounds[noise->basis]
            : noise->fade == SCARP_QUINTIC ? &quintic_bounds
                                           : &cubic_bounds;
 }
@@ -313,7 +313,7 @@ static void check_normalisation(enum scarp_basis basis, enum scarp_fade fade, in
 static void check_noise(enum scarp_basis basis, enum scarp_fade fade, int dimensions, long points)
 {
     /* The oracle's sums over all vertices and cells near a point take their time. */
-    const long compared = basis_blends(basis) ? points : points / 50;
+    const long compared = blends_corners(basis) ? points : points / 50;
     for (size_t i = 0; i < sizeof fractals / sizeof fractals[0]; i++) {
         check_accuracy(i, basis, fade, dimensions, ORACLE_F32, compared);
         check_accuracy(i, basis, fade, dimensions, ORACLE_F64, compared);
@@ -321,7 +321,7 @@ static void check_noise(enum scarp_basis basis, enum scarp_fade fade, int dimens
     if (basis != SCARP_CELL_VALUE) {
         check_continuity(basis, fade, dimensions, points / 10);
     }
-    if (basis_blends(basis)) {
+    if (blends_corners(basis)) {
         check_lattice_points(basis, fade, dimensions);
     }
     check_normalisation(basis, fade, dimensions);

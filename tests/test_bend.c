@@ -23,7 +23,7 @@ static void check_defaults(struct block *x, struct block *y, enum scarp_fractal 
     memcpy(y->f, x->f, sizeof y->f);
     block_sample(y, &given, f, BLOCK);
     CHECK(outputs_equal(&x->out, &y->out, outputs_of(&noise, f), BLOCK, &member, &index),
-          "%s: other defaults", fractal_names[fractal]);
+          "%s: other defaults", fractal_name((int)fractal));
     given.sharpness = 2.0f * sharpness;
     block_sample(y, &given, f, BLOCK);
     CHECK(!outputs_equal(&x->out, &y->out, 1, BLOCK, &member, &index), "sharpness is ignored");
@@ -31,7 +31,7 @@ static void check_defaults(struct block *x, struct block *y, enum scarp_fractal 
     given.erosion = 0.5f;
     block_sample(y, &given, f, BLOCK);
     CHECK(outputs_equal(&x->out, &y->out, 1, BLOCK, &member, &index) == (fractal == SCARP_SWISS),
-          "%s: erosion", fractal_names[fractal]);
+          "%s: erosion", fractal_name((int)fractal));
 }
 
 /* Values lie between 0 and the amplitude, and scarp_range says so; with a phase, those of Jordan
@@ -55,7 +55,7 @@ static void check_range(struct block *block, enum scarp_fractal fractal, int i)
     CHECK(scarp_range(&noise, dimensions, &range[0], &range[1]) == SCARP_OK, "refused");
     const double end = (double)(a < 0.0f ? range[0] : range[1]) / (double)a;
     CHECK((a < 0.0f ? range[1] : range[0]) == 0.0f && fabs(end - square) <= 1e-6,
-          "%s, phase %g: the range is %g to %g", fractal_names[fractal], (double)noise.phase,
+          "%s, phase %g: the range is %g to %g", fractal_name((int)fractal), (double)noise.phase,
           (double)range[0], (double)range[1]);
     block_random(block, &random, 64.0f);
     for (size_t k = 0; k < BLOCK; k += 3) { /* on the lattice */
@@ -66,7 +66,7 @@ static void check_range(struct block *block, enum scarp_fractal fractal, int i)
     block_sample(block, &noise, dimensions == 2 ? SAMPLE2_F64 : SAMPLE3_F64, BLOCK);
     for (size_t k = 0; k < BLOCK; k++) {
         const double v = (double)block->out.array[0][k] / (double)a;
-        CHECK(v >= 0.0 && v <= square, "%s, %s: %.9g of the amplitude", fractal_names[fractal],
+        CHECK(v >= 0.0 && v <= square, "%s, %s: %.9g of the amplitude", fractal_name((int)fractal),
               basis_name((int)noise.basis), v);
     }
 }
@@ -90,7 +90,7 @@ static void check_tiny_weight(struct block *block, enum scarp_fractal fractal)
         for (size_t k = 0; k < BLOCK; k++) {
             const float v = block->out.array[0][k] / amplitude;
             CHECK(v >= 0.0f && v <= 1.0f, "%s, noise %zu: %.9g of the amplitude",
-                  fractal_names[fractal], i, (double)v);
+                  fractal_name((int)fractal), i, (double)v);
         }
     }
 }
@@ -135,7 +135,7 @@ static void check_refused(struct block *block, enum scarp_fractal fractal)
         outputs_poison(&block->out);
         CHECK(function_call(f, &noise, BLOCK, &in, &out) ==
                   (has ? SCARP_OK : SCARP_ERROR_UNSUPPORTED),
-              "%s: %s", fractal_names[fractal], output_names[m]);
+              "%s: %s", fractal_name((int)fractal), output_names[m]);
         CHECK(outputs_untouched(&block->out, has ? ~(1u << m) : ~0u), "%s: written",
               output_names[m]);
     }
@@ -143,7 +143,7 @@ static void check_refused(struct block *block, enum scarp_fractal fractal)
     const enum scarp_status wanted = fractal == SCARP_JORDAN ? SCARP_ERROR_PARAMETER : SCARP_OK;
     CHECK(scarp_noise_check(&noise, dimensions, &member) == wanted &&
               (wanted == SCARP_OK || (member != NULL && strcmp(member, "erosion") == 0)),
-          "%s: erosion above 1", fractal_names[fractal]);
+          "%s: erosion above 1", fractal_name((int)fractal));
     noise.erosion = 1.0f;
     CHECK(scarp_noise_check(&noise, dimensions, NULL) == SCARP_OK, "erosion 1");
 }
@@ -165,7 +165,7 @@ static void check_plan(struct block *x, struct block *y, enum scarp_fractal frac
         block_sample(x, &noise, f, BLOCK);
         block_sample(y, &with, f, BLOCK);
         CHECK(outputs_equal(&x->out, &y->out, outputs_of(&noise, f), BLOCK, &member, &index),
-              "%s: the plan changes %s", fractal_names[fractal], output_names[member]);
+              "%s: the plan changes %s", fractal_name((int)fractal), output_names[member]);
         /* the constants of octave 0 and 1 */
         for (size_t b = sizeof(struct scarp_noise); b < sizeof(struct scarp_noise) + 400; b++) {
             plan.rest[b] ^= 0x10;

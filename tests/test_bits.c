@@ -38,8 +38,8 @@ struct extent {
 static struct extent extent_of(const struct cases_call *call, size_t count)
 {
     const size_t slowness = call->noise.warp != NULL                   ? 8
-                            : fractal_has_bends(call->noise.fractal)   ? 4
-                            : basis_blends(call->noise.basis)          ? 1
+                            : fractal_bends(call->noise.fractal)       ? 4
+                            : blends_corners(call->noise.basis)        ? 1
                             : call->noise.basis == SCARP_SIMPLEX       ? 4
                             : function_dimensions(call->function) == 2 ? 8
                                                                        : 16;

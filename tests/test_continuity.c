@@ -50,17 +50,6 @@ static const struct scarp_noise warps[SETTINGS + 1] = {
                   .amplitude = 0.5f},
 };
 
-/* What the header says under "Jumps" */
-static int jumps(const struct scarp_noise *noise)
-{
-    const int creased = noise->basis == SCARP_CELL_F1 || noise->basis == SCARP_CELL_F2 ||
-                        noise->basis == SCARP_CELL_EDGE;
-    const int by_slopes = noise->fractal == SCARP_EROSION || fractal_has_bends(noise->fractal);
-    return noise->basis == SCARP_CELL_VALUE || (creased && by_slopes && noise->octaves > 1.0f) ||
-           (noise->basis == SCARP_CELL_EDGE && noise->fractal == SCARP_EROSION) ||
-           (noise->warp != NULL && jumps(noise->warp));
-}
-
 /* False where there is no such noise, or none that differs from that of another setting. */
 static int make_noise(enum scarp_basis basis, enum scarp_fractal fractal, enum setting setting,
                       int dimensions, struct scarp_noise *noise)
@@ -69,7 +58,7 @@ static int make_noise(enum scarp_basis basis, enum scarp_fractal fractal, enum s
     noise->octaves = setting == ONE_OCTAVE || setting >= WARP ? 1.0f : 2.5f;
     switch (setting) {
     case OCTAVES: noise->rotate = 1; break;
-    case CUBIC: noise->fade = SCARP_CUBIC; return basis_blends(basis);
+    case CUBIC: noise->fade = SCARP_CUBIC; return blends_corners(basis);
     case PERIOD:
         for (int axis = 0; axis < 3; axis++) {
             noise->period[axis] = (uint32_t)(3 + axis);
@@ -197,7 +186,7 @@ static void test_noise(const struct scarp_noise *noise, enum setting setting, in
     }
     const float most = fabsf(high_value[worst] - low_value[worst]);
     place(0, worst, low[worst]);
-    CHECK((jumping > 0) == jumps(noise),
+    CHECK((jumping > 0) == noise_jumps(noise),
           "%s, %s, %s, %dD: %zu of %zu lines jump, by %g at (%.17g, %.17g, %.17g)",
           scarp_basis_name(noise->basis), scarp_fractal_name(noise->fractal),
           setting_names[setting], dimensions, jumping, lines, (double)most, x[0][0], x[1][0],

@@ -4,6 +4,7 @@
  * member and its text, and members of warps have their paths.
  */
 #include "../src/plan/refusals.h"
+#include "../src/plan/traits.h"
 
 #include "check.h"
 
@@ -78,7 +79,7 @@ static const struct bad_noise bad[] = {
     {{.fractal = SCARP_JORDAN, .erosion = 2.0f},
      SCARP_ERROR_PARAMETER,
      "erosion",
-     "Jordan noise takes 1 at most",
+     "this fractal takes 1 at most",
      0},
     {{.phase = INFINITY}, SCARP_ERROR_PARAMETER, "phase", "not finite", 0},
     {{.jitter = 2.0f}, SCARP_ERROR_PARAMETER, "jitter", "outside (0, 1]", 0},
@@ -213,12 +214,12 @@ static void expect_asked(const struct scarp_noise *noise, int order, int dphase,
 /* What noises do not have; calls that ask for it refuse them. */
 static void test_outputs(void)
 {
-    static const char hessian[] = "erosion, Swiss and Jordan noise have no Hessian";
-    static const char bends[] = "Swiss and Jordan noise have no dphase";
+    static const char hessian[] = "this fractal has no Hessian";
+    static const char bends[] = "this fractal has no dphase";
     static const char basis[] = "only gradient noise has dphase";
     for (int fractal = 0; fractal_name(fractal) != NULL; fractal++) {
-        const int bent = fractal == SCARP_SWISS || fractal == SCARP_JORDAN;
-        const int has = fractal != SCARP_EROSION && !bent;
+        const int bent = fractal_bends((enum scarp_fractal)fractal);
+        const int has = !fractal_has((enum scarp_fractal)fractal, FRACTAL_SLOPES);
         const struct scarp_noise n = {.fractal = (enum scarp_fractal)fractal};
         const struct scarp_noise warped = {.warp = &n}, twice = {.warp = &warped};
         expect_asked(&n, 1, 0, NULL, NULL);

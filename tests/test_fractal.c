@@ -128,7 +128,7 @@ static void check_accuracy(struct block *block, enum scarp_fractal fractal, enum
         noise.basis = basis;
         noise.fade = (enum scarp_fade)(i & 1);
         noise.phase = basis == SCARP_GRADIENT && i / 4 < 2 ? -1.71f : 0.0f;
-        if (!basis_blends(basis) && noise.fade != SCARP_QUINTIC) {
+        if (!blends_corners(basis) && noise.fade != SCARP_QUINTIC) {
             continue; /* which they do not look at */
         }
         if (bends(fractal) && (i & 2) == 0) {
@@ -152,7 +152,7 @@ static void check_accuracy(struct block *block, enum scarp_fractal fractal, enum
         }
     }
     const double share = (double)errors.excluded / (double)(errors.points + errors.excluded);
-    printf("%-10s %-8s %dD %7ld points, %.4f %% excluded", fractal_names[fractal],
+    printf("%-10s %-8s %dD %7ld points, %.4f %% excluded", fractal_name((int)fractal),
            basis_name((int)basis), dimensions, errors.points, 100.0 * share);
     CHECK(share <= EXCLUDED, "%g of the points are excluded", share);
     CHECK(errors.points > 0, "nothing was compared");
@@ -160,7 +160,7 @@ static void check_accuracy(struct block *block, enum scarp_fractal fractal, enum
         const double max = errors.max[order];
         const double rms = sqrt(errors.squares[order] / (double)errors.points);
         printf("  %.2e %.1e", max, rms);
-        const double steep = basis_blends(basis) ? 1.0 : STEEP;
+        const double steep = blends_corners(basis) ? 1.0 : STEEP;
         CHECK(max <= steep * bounds[fractal].max[order], "derivative %d: error %g", order, max);
         CHECK(rms <= steep * bounds[fractal].rms[order], "derivative %d: RMS error %g", order, rms);
     }
@@ -283,7 +283,7 @@ static void check_frozen(struct block *block, enum scarp_fractal fractal, enum s
     actual = sqrt(actual / squares);
     printf("%-10s %-8s %dD RMS error of the gradient, relative: %.1e; without the Hessians: "
            "%.3f\n",
-           fractal_names[fractal], basis_name((int)basis), dimensions, actual, frozen);
+           fractal_name((int)fractal), basis_name((int)basis), dimensions, actual, frozen);
     CHECK(frozen >= (bends(fractal) ? 0.2 : 0.3),
           "without the Hessians the gradient is off by %g only", frozen);
     CHECK(actual * 1000.0 <= frozen, "scarp's is off by %g, without the Hessians %g", actual,
@@ -331,7 +331,7 @@ static void check_fading(struct block *block, enum scarp_fractal fractal, int di
     }
     printf("%-10s %dD fading: 0.0001 of an octave changes values by %.1e, gradients by %.1e; half "
            "of one by %.2f, %.2f\n",
-           fractal_names[fractal], dimensions, pop[0], pop[1], fade[0], fade[1]);
+           fractal_name((int)fractal), dimensions, pop[0], pop[1], fade[0], fade[1]);
     CHECK(pop[0] <= 2.5e-5 && pop[1] <= 4e-4, "values jump by %g, gradients by %g", pop[0], pop[1]);
     CHECK(fade[0] >= 0.01 && fade[1] >= 0.1, "values fade by %g only, gradients by %g", fade[0],
           fade[1]);

@@ -80,7 +80,7 @@ static void begin(struct search *search)
         check_hybrid(&search->noise, (const float[2]){lowest, highest});
     }
     CHECK(is_hybrid || flows || (lowest == expected[0] && highest == expected[1]),
-          "%s, amplitude %g: [%g, %g]", fractal_names[fractal], (double)a, (double)lowest,
+          "%s, amplitude %g: [%g, %g]", fractal_name((int)fractal), (double)a, (double)lowest,
           (double)highest);
     search->bounds[0] = (double)lowest;
     search->bounds[1] = (double)highest;
@@ -187,7 +187,7 @@ static void search_extremes(struct search *search, double reached[2])
 {
     for (int side = 0; side < 2; side++) {
         reached[side] = search->best[side][0].value;
-        const int places = basis_blends(search->noise.basis) ? 2 : 0;
+        const int places = blends_corners(search->noise.basis) ? 2 : 0;
         for (int k = 0; k < search->kept[side] + places; k++) {
             double x[3], value;
             if (k < search->kept[side]) {
@@ -221,9 +221,10 @@ static void check_case(struct block *block, const struct scarp_noise *noise, int
     const double gap[2] = {(reached[0] - search.bounds[0]) / width,
                            (search.bounds[1] - reached[1]) / width};
     printf("%-10s %-8s %-7s %dD %4g octaves in [%g, %g]: gaps below %.1e, above %.1e of it\n",
-           fractal_names[noise->fractal], basis_name((int)noise->basis), fractal_fades[noise->fade],
-           dimensions, (double)noise->octaves, search.bounds[0], search.bounds[1], gap[0], gap[1]);
-    if (noise->octaves <= 1.0f && basis_blends(noise->basis) && noise->sharpness == 0.0f &&
+           fractal_name((int)noise->fractal), basis_name((int)noise->basis),
+           fractal_fades[noise->fade], dimensions, (double)noise->octaves, search.bounds[0],
+           search.bounds[1], gap[0], gap[1]);
+    if (noise->octaves <= 1.0f && blends_corners(noise->basis) && noise->sharpness == 0.0f &&
         noise->phase == 0.0f) {
         CHECK(gap[0] <= 1e-3 && gap[1] <= 1e-3, "an end is not reached: %g, %g", gap[0], gap[1]);
     }

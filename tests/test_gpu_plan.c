@@ -88,9 +88,9 @@ static struct scarp_gpu_octave octave_expected(const struct scarp_noise *noise, 
     if (dimensions == 3) {
         e.last[2] = o->last[2];
     }
-    if (noise->basis == SCARP_GRADIENT && noise->phase != 0.0f) {
+    if (noise->phase != 0.0f) {
         memcpy(e.turn, o->turn, sizeof e.turn);
-    } else if (noise->basis > SCARP_VALUE) {
+    } else if (!blends_corners(noise->basis)) {
         e.turn[0] = o->jitter;
         e.turn[1] = o->middle;
         e.turn[2] = (float)o->stretch;
@@ -103,11 +103,10 @@ static struct scarp_gpu_octave octave_expected(const struct scarp_noise *noise, 
         }
     }
     const double sharpness = parameters_of(noise).sharpness;
-    if (noise->fractal == SCARP_SWISS || noise->fractal == SCARP_JORDAN ||
-        noise->basis >= SCARP_CELL_F1) {
+    if (fractal_bends(noise->fractal) || basis_has(noise->basis, BASIS_CELLS)) {
         e.gradient[0][3] = (float)(1.0 / o->frequency64);
     }
-    if (noise->fractal == SCARP_SWISS || noise->fractal == SCARP_JORDAN) {
+    if (fractal_bends(noise->fractal)) {
         const int swiss = noise->fractal == SCARP_SWISS;
         e.gradient[1][3] = (float)(sharpness / (swiss ? first : o)->frequency64);
     }
@@ -118,8 +117,8 @@ static struct scarp_gpu_level level_expected(const struct scarp_noise *noise, ui
                                              const struct scarp_octave *first)
 {
     const struct parameters p = parameters_of(noise);
-    const int bends = noise->fractal == SCARP_SWISS || noise->fractal == SCARP_JORDAN;
-    const int shaped = bends || noise->fractal == SCARP_PINGPONG || noise->fractal == SCARP_HYBRID;
+    const int bends = fractal_bends(noise->fractal);
+    const int shaped = fractal_row(noise->fractal)->sharpness != 0.0f;
     const struct scarp_gpu_level e = {.basis = (uint32_t)noise->basis,
                                       .fade = (uint32_t)noise->fade,
                                       .fractal = (uint32_t)noise->fractal,
@@ -156,7 +155,7 @@ static void compare_plan(const struct scarp_noise *noise, int dimensions, const 
     int level = 0, count = 0;
     for (const struct scarp_noise *n = noise; n != NULL; n = n->warp, level++) {
         const float o = n->octaves == 0.0f ? 1.0f : n->octaves;
-        const int shares = n->basis == SCARP_GRADIENT || n->basis == SCARP_VALUE;
+        const int shares = blends_corners(n->basis);
         const int octaves = (int)ceilf(o), components = level == 0 || shares ? 1 : dimensions;
         for (int i = 0; i < components; i++) {
             struct scarp_octave space[SCARP_MAX_OCTAVES];

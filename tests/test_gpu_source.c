@@ -5,6 +5,7 @@
  * library is translated wrongly, or its driver is at fault. The inverse and the root, which shaders
  * approximate and correct, are compared over all mantissas.
  */
+#include "../src/plan/traits.h"
 #include "check.h"
 #include "scarp.h"
 
@@ -56,8 +57,9 @@ static struct scarp_noise noise_of(unsigned basis, unsigned fractal, enum varian
         noise.phase = 0.5f + check_random_float(random, 3.0f);
     }
     if (variant >= WARPED) {
-        warps->first = noise_of((unsigned)(check_random(random) % 8),
-                                (unsigned)(check_random(random) % 8), TURNED, NULL, random);
+        warps->first =
+            noise_of((unsigned)(check_random(random) % SCARP_BASES),
+                     (unsigned)(check_random(random) % SCARP_FRACTALS), TURNED, NULL, random);
         warps->first.octaves = variant == WARPED ? 3.0f : 1.5f;
         noise.warp = &warps->first;
     }
@@ -73,7 +75,7 @@ static struct scarp_noise noise_of(unsigned basis, unsigned fractal, enum varian
 static int has_hessian(const struct scarp_noise *noise)
 {
     for (; noise != NULL; noise = noise->warp) {
-        if (noise->fractal == SCARP_EROSION || noise->fractal >= SCARP_SWISS) {
+        if (fractal_has(noise->fractal, FRACTAL_SLOPES)) {
             return 0;
         }
     }

@@ -174,7 +174,7 @@ static void test_octaves(void)
                                             .period = {5, 16, 289},
                                             .offset_first = (uint32_t)fractal % 2};
                 /* Bent positions are rounded: test_bend.c takes these. */
-                for (int axis = 0; axis < 3 && !fractal_has_bends(noise.fractal); axis++) {
+                for (int axis = 0; axis < 3 && !fractal_bends(noise.fractal); axis++) {
                     const double period = (double)noise.period[axis];
                     make_points(100.0);
                     compare_shifted(&noise, SAMPLE3_F64, axis, -3.0 * period, 1, "octaves");

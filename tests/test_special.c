@@ -203,7 +203,7 @@ static void compare_point(enum function f, const struct scarp_noise *noise,
             continue;
         }
         const double e = error[order] * pow(creases.nearest, order);
-        const double bound = basis_blends(noise->basis) ? bounds[order] : steep[order];
+        const double bound = blends_corners(noise->basis) ? bounds[order] : steep[order];
         CHECK(e <= bound * fractal_unit(oracle, order),
               "%s, %s, frequency %a: derivative %d at (%a, %a, %a) is off by %g", function_names[f],
               basis_name((int)noise->basis), noise->frequency, order, x[0], x[1], x[2],

@@ -89,10 +89,10 @@ static void test_choices(const struct scarp_noise *noise, enum function f)
 /* The noise that a component is, if it is noise of its own. */
 static int component_is_noise(struct scarp_noise *component, const struct scarp_noise *noise, int i)
 {
-    const uint64_t number = 33u + (basis_blends(noise->basis) ? 0u : (unsigned)i);
+    const uint64_t number = 33u + (blends_corners(noise->basis) ? 0u : (unsigned)i);
     *component = *noise;
     component->seed = check_random_number(check_random_number(noise->seed, 1), number);
-    return i == 0 || !basis_blends(noise->basis);
+    return i == 0 || !blends_corners(noise->basis);
 }
 
 static void test_samples(const struct scarp_noise *noise, enum function f)

@@ -7,28 +7,20 @@
 #include <stddef.h>
 
 #include "../dispatch/isas.h"
-#include "../plan/call.h"
+#include "../plan/traits.h"
 #include "scarp.h"
 
 #define TEXT(x) #x
 #define VERSION_TEXT(major, minor, patch) TEXT(major) "." TEXT(minor) "." TEXT(patch)
 
-static const char *const bases[SCARP_BASES] = {
-    [SCARP_GRADIENT] = "gradient",   [SCARP_VALUE] = "value",
-    [SCARP_SIMPLEX] = "simplex",     [SCARP_CELL_F1] = "cell-f1",
-    [SCARP_CELL_F2] = "cell-f2",     [SCARP_CELL_EDGE] = "cell-edge",
-    [SCARP_CELL_SOFT] = "cell-soft", [SCARP_CELL_VALUE] = "cell-value",
-};
+#define NAME(enumerator, name, ...) [SCARP_##enumerator] = name,
+static const char *const bases[SCARP_BASES] = {SCARP_BASIS_LIST(NAME)};
+static const char *const fractals[SCARP_FRACTALS] = {SCARP_FRACTAL_LIST(NAME)};
+#undef NAME
 
 static const char *const fades[SCARP_FADES] = {
     [SCARP_QUINTIC] = "quintic",
     [SCARP_CUBIC] = "cubic",
-};
-
-static const char *const fractals[SCARP_FRACTALS] = {
-    [SCARP_FBM] = "fbm",         [SCARP_TURBULENCE] = "turbulence", [SCARP_RIDGED] = "ridged",
-    [SCARP_EROSION] = "erosion", [SCARP_PINGPONG] = "pingpong",     [SCARP_HYBRID] = "hybrid",
-    [SCARP_SWISS] = "swiss",     [SCARP_JORDAN] = "jordan",
 };
 
 #define NAME(ISA, table, name, here) [SCARP_ISA_##ISA] = name,

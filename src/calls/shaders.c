@@ -43,7 +43,7 @@ static void set_octave(struct scarp_gpu_octave *to, const struct scarp_call_plan
                        int dimensions)
 {
     struct octave o = octave_of(plan, k, dimensions);
-    if (plan->basis >= SCARP_CELL_F1) {
+    if (basis_has(plan->basis, BASIS_CELLS)) {
         o.inverse = (float)(1.0 / plan->octave[k].frequency64);
     }
     memcpy(to, &o, sizeof *to);

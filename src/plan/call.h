@@ -12,6 +12,7 @@
 #include <stddef.h>
 
 #include "scarp.h"
+#include "traits.h"
 
 /* The checks are here because every file that computes includes this one. (clang defines none of
    the narrower macros for the options that -ffast-math is made of, so not every mistake can be
@@ -23,12 +24,6 @@
 #if FLT_EVAL_METHOD != 0 && FLT_EVAL_METHOD != 16 /* 16: only _Float16 is evaluated as such */
 #error "scarp needs FLT_EVAL_METHOD 0: x86 -msse2 -mfpmath=sse, s390x -fexcess-precision=fast"
 #endif
-
-/* How many enumerators scarp.h has of each kind. Numbers below have names and pass the checks. New
-   enumerators are appended, so the last one stands here. */
-#define SCARP_BASES (SCARP_CELL_VALUE + 1)
-#define SCARP_FADES (SCARP_CUBIC + 1)
-#define SCARP_FRACTALS (SCARP_JORDAN + 1)
 
 #define SCARP_MAX_OCTAVES 32
 
@@ -87,22 +82,10 @@ static inline void scarpi_phase_derivative(float derivative[4], const float turn
     derivative[3] = 2.0f * turn[2];
 }
 
-/* Whether a basis blends what is drawn at the corners of cells. */
-static inline int blends_corners(enum scarp_basis basis)
-{
-    return basis <= SCARP_VALUE;
-}
-
 /* Whether the components of vector noise draw from one lattice; else each has a seed of its own. */
 static inline int components_share_lattice(enum scarp_basis basis)
 {
     return blends_corners(basis);
-}
-
-/* Whether octaves of the fractal look at positions that those before have bent. */
-static inline int fractal_bends(enum scarp_fractal fractal)
-{
-    return fractal == SCARP_SWISS || fractal == SCARP_JORDAN;
 }
 
 /* What a call asks for. */

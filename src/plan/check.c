@@ -28,24 +28,6 @@ _Static_assert(sizeof((struct scarp_noise *)NULL)->spare >= 8 &&
                    sizeof((struct scarp_noise *)NULL)->spare % 8 == 0,
                "some bytes stay spare, in words that reserved_in_use() reads");
 
-/* While every f_k and the amplitude lie within these bounds, a_k f_k^2 times the largest second
-   derivative (below 2^6 for every basis, per cell squared) stays under 2^127. So no outputs
-   overflow but Hessians of ridged noise, which multiply gradients of octaves, and those of the
-   distances of cellular noise, which are up to 2^40 at features. The constants of the
-   octaves that matter stay normal floats, also in value noise, where they carry 2^-31. */
-#define FREQUENCY_MIN 0x1p-32
-#define FREQUENCY_MAX 0x1p48
-#define RATIO_MIN 0.0625
-#define RATIO_MAX 16.0
-#define AMPLITUDE_MIN 0x1p-24
-#define AMPLITUDE_MAX 0x1p24
-#define EROSION_MIN 0x1p-24
-#define EROSION_MAX 0x1p24
-#define SHARPNESS_MIN 0x1p-24
-#define SHARPNESS_MAX 0x1p24
-#define SHARPNESS_USED_MIN 0x1p-8
-#define SHARPNESS_USED_MAX 0x1p8
-
 /* Compares as unsigned, since a caller may put any number into an enumeration. */
 static enum scarp_refusal refused_word(const struct scarp_noise *noise)
 {
@@ -63,7 +45,7 @@ static __attribute__((noinline)) int last_frequency_valid(double frequency, doub
     for (int k = 1; k < octaves; k++) {
         frequency *= lacunarity;
     }
-    return within(frequency, FREQUENCY_MIN, FREQUENCY_MAX);
+    return within(frequency, noise_bounds.frequency);
 }
 
 /* Whether a period of a noise of `octaves` octaves is at most PERIOD_MAX in each of them. */
@@ -92,37 +74,43 @@ static enum scarp_refusal refused_period(const struct scarp_noise *noise,
         }
     }
     return is_rotated(noise, octaves) ? REFUSED_ROTATE
-           : noise->basis == SCARP_SIMPLEX && dimensions == 2 && noise->period[1] != 0
+           : basis_axes_with_period(noise->basis, dimensions) == 1 && noise->period[1] != 0
                ? REFUSED_PERIOD_SIMPLEX
                : REFUSED_NOT;
 }
 
-/* Jordan noise narrows the interval. */
+/* Some fractals narrow the interval of erosion. */
 static int erosion_valid(const struct scarp_noise *noise, double erosion)
 {
-    return within(erosion, EROSION_MIN, noise->fractal == SCARP_JORDAN ? 1.0 : EROSION_MAX);
+    const int is_share = fractal_row(noise->fractal)->most_erosion == 1.0f;
+    return within(erosion, is_share ? noise_bounds.EROSION_SHARE : noise_bounds.erosion);
 }
 
 static enum scarp_refusal refused_erosion(double erosion)
 {
-    return within(erosion, EROSION_MIN, EROSION_MAX) ? REFUSED_EROSION_JORDAN : REFUSED_EROSION;
+    return within(erosion, noise_bounds.erosion) ? REFUSED_EROSION_SHARE : REFUSED_EROSION;
 }
 
 /* Fractals that have a sharpness narrow its interval. */
 static int sharpness_used(const struct scarp_noise *noise)
 {
-    return noise->fractal >= SCARP_PINGPONG;
+    return fractal_row(noise->fractal)->sharpness != 0.0f;
 }
 
 static int sharpness_valid(const struct scarp_noise *noise, double sharpness)
 {
-    return sharpness_used(noise) ? within(sharpness, SHARPNESS_USED_MIN, SHARPNESS_USED_MAX)
-                                 : within(sharpness, SHARPNESS_MIN, SHARPNESS_MAX);
+    return sharpness_used(noise) ? within(sharpness, noise_bounds.SHARPNESS_USED)
+                                 : sharpness == 0.0 || within(sharpness, noise_bounds.sharpness);
 }
 
 static enum scarp_refusal refused_sharpness(const struct scarp_noise *noise)
 {
     return sharpness_used(noise) ? REFUSED_SHARPNESS_USED : REFUSED_SHARPNESS;
+}
+
+static int of_octaves_valid(const struct parameters *p)
+{
+    return p->of_octaves >= p->octaves && within(p->of_octaves, noise_bounds.of_octaves);
 }
 
 static enum scarp_refusal refused_of_octaves(const struct parameters *p)
@@ -140,18 +128,18 @@ static enum scarp_refusal refused_number(const struct scarp_noise *noise,
                                          const struct parameters *p)
 {
     const double magnitude = p->amplitude < 0.0 ? -p->amplitude : p->amplitude;
-    return !within(p->frequency, FREQUENCY_MIN, FREQUENCY_MAX)     ? REFUSED_FREQUENCY
-           : !within(p->octaves, 0.0, SCARP_MAX_OCTAVES)           ? REFUSED_OCTAVES
-           : !within(p->lacunarity, RATIO_MIN, RATIO_MAX)          ? REFUSED_LACUNARITY
-           : !within(p->gain, RATIO_MIN, RATIO_MAX)                ? REFUSED_GAIN
-           : !within(magnitude, AMPLITUDE_MIN, AMPLITUDE_MAX)      ? REFUSED_AMPLITUDE
-           : !erosion_valid(noise, p->erosion)                     ? refused_erosion(p->erosion)
-           : !within((double)noise->phase, -FLT_MAX, FLT_MAX)      ? REFUSED_PHASE
-           : !within(p->jitter, FLT_TRUE_MIN, 1.0)                 ? REFUSED_JITTER
-           : !sharpness_valid(noise, p->sharpness)                 ? refused_sharpness(noise)
-           : !within(p->of_octaves, p->octaves, SCARP_MAX_OCTAVES) ? refused_of_octaves(p)
-           : !frequencies_valid(p)                                 ? REFUSED_LAST_FREQUENCY
-                                                                   : REFUSED_NOT;
+    return !within(p->frequency, noise_bounds.frequency)     ? REFUSED_FREQUENCY
+           : !within(p->octaves, noise_bounds.octaves)       ? REFUSED_OCTAVES
+           : !within(p->lacunarity, noise_bounds.lacunarity) ? REFUSED_LACUNARITY
+           : !within(p->gain, noise_bounds.gain)             ? REFUSED_GAIN
+           : !within(magnitude, noise_bounds.amplitude)      ? REFUSED_AMPLITUDE
+           : !erosion_valid(noise, p->erosion)               ? refused_erosion(p->erosion)
+           : !within(p->phase, noise_bounds.phase)           ? REFUSED_PHASE
+           : !within(p->jitter, noise_bounds.jitter)         ? REFUSED_JITTER
+           : !sharpness_valid(noise, p->sharpness)           ? refused_sharpness(noise)
+           : !of_octaves_valid(p)                            ? refused_of_octaves(p)
+           : !frequencies_valid(p)                           ? REFUSED_LAST_FREQUENCY
+                                                             : REFUSED_NOT;
 }
 
 /* Whether any reserved member is not zero. Reading wide words without branches takes less time than
@@ -170,15 +158,16 @@ static int reserved_in_use(const struct scarp_noise *noise)
 /* Makes all checks but that of the warp. */
 static enum scarp_refusal refused(const struct scarp_noise *noise, int dimensions)
 {
-    const struct parameters p = parameters_of(noise);
     enum scarp_refusal why = refused_word(noise);
-    if (why == REFUSED_NOT) {
-        why = refused_number(noise, &p);
+    if (why != REFUSED_NOT) {
+        return why;
     }
-    return why != REFUSED_NOT                                       ? why
-           : reserved_in_use(noise)                                 ? REFUSED_SPARE
-           : noise->phase != 0.0f && noise->basis != SCARP_GRADIENT ? REFUSED_PHASE_BASIS
-           : dimensions != 2 && dimensions != 3                     ? REFUSED_DIMENSIONS
+    const struct parameters p = parameters_of(noise);
+    why = refused_number(noise, &p);
+    return why != REFUSED_NOT                                              ? why
+           : reserved_in_use(noise)                                        ? REFUSED_SPARE
+           : noise->phase != 0.0f && !basis_has(noise->basis, BASIS_FLOWS) ? REFUSED_PHASE_BASIS
+           : dimensions != 2 && dimensions != 3                            ? REFUSED_DIMENSIONS
            : repeats(noise, dimensions) ? refused_period(noise, &p, dimensions)
                                         : REFUSED_NOT;
 }

@@ -10,10 +10,4 @@
 /* Makes the checks of scarp_noise_check, for all calls. */
 struct scarp_fault scarpi_plan_check(const struct scarp_noise *noise, int dimensions);
 
-/* A NaN is not within. */
-static inline int within(double value, double lowest, double highest)
-{
-    return value >= lowest && value <= highest;
-}
-
 #endif

@@ -21,48 +21,39 @@ _Static_assert(offsetof(struct scarp_gullies, amplitude) == 16 &&
 #define TWO_PI 6.283185307179586
 
 /* Numbers of gullies, with their defaults filled in. */
+#define DECLARE(X, member, ...) double member;
 struct filled {
-    double frequency, amplitude, depth, cells, slope, slope_low, low, high;
-    double floor, stripes, branch, round, keep;
+    SCARP_GULLIES_MEMBERS(DECLARE, DECLARE, )
 };
+#undef DECLARE
 
 static struct filled filled_of(const struct scarp_gullies *g)
 {
-    const struct filled p = {
-        .frequency = value_or(g->frequency, 1.0),
-        .amplitude = value_or((double)g->amplitude, 1.0),
-        .depth = value_or((double)g->depth, 0.25),
-        .cells = value_or((double)g->cells, 3.0),
-        .slope = value_or((double)g->slope, 1.125),
-        .slope_low = value_or((double)g->slope_low, 1.75),
-        .low = value_or((double)g->low, -1.0),
-        .high = value_or((double)g->high, 1.0),
-        .floor = value_or((double)g->floor, 0.5),
-        .stripes = value_or((double)g->stripes, 1.5),
-        .branch = value_or((double)g->branch, 0.8),
-        .round = value_or((double)g->round, 0.15),
-        .keep = value_or((double)g->keep, 1.0),
-    };
+#define FILL(X, member, refusal, standard, ...) FILL_OTHER(X, member, standard, )
+#define FILL_OTHER(X, member, standard, ...) .member = value_or((double)g->member, standard),
+    const struct filled p = {SCARP_GULLIES_MEMBERS(FILL, FILL_OTHER, )};
+#undef FILL_OTHER
+#undef FILL
     return p;
 }
 
 static enum scarp_refusal refused_number(const struct filled *p)
 {
-    return !within(p->frequency, 0x1p-32, 0x1p48)   ? REFUSED_FREQUENCY
-           : !within(p->amplitude, 0x1p-24, 0x1p24) ? REFUSED_GULLIES_AMPLITUDE
-           : !within(p->depth, 0x1p-24, 0x1p10)     ? REFUSED_DEPTH
-           : !within(p->cells, 0x1p-6, 0x1p6)       ? REFUSED_CELLS
-           : !within(p->slope, 0x1p-5, 0x1p5)       ? REFUSED_SLOPE
-           : !within(p->slope_low, 0x1p-5, 0x1p5)   ? REFUSED_SLOPE_LOW
-           : !within(p->low, -0x1p10, 0x1p10)       ? REFUSED_LOW
-           : !within(p->high, -0x1p10, 0x1p10)      ? REFUSED_HIGH
-           : !(p->high - p->low >= 0x1p-10)         ? REFUSED_HIGH_LOW
-           : !within(p->floor, -1.0, 1.0)           ? REFUSED_FLOOR
-           : !within(p->stripes, 0x1p-10, 8.0)      ? REFUSED_STRIPES
-           : !within(p->branch, 0x1p-24, 8.0)       ? REFUSED_BRANCH
-           : !within(p->round, 0x1p-8, 0x1p8)       ? REFUSED_ROUND
-           : !within(p->keep, 0x1p-24, 1.0)         ? REFUSED_KEEP
-                                                    : REFUSED_NOT;
+    return !within(p->frequency, noise_bounds.frequency)     ? REFUSED_FREQUENCY
+           : !within(p->amplitude, gullies_bounds.amplitude) ? REFUSED_GULLIES_AMPLITUDE
+           : !within(p->depth, gullies_bounds.depth)         ? REFUSED_DEPTH
+           : !within(p->cells, gullies_bounds.cells)         ? REFUSED_CELLS
+           : !within(p->slope, gullies_bounds.slope)         ? REFUSED_SLOPE
+           : !within(p->slope_low, gullies_bounds.slope_low) ? REFUSED_SLOPE_LOW
+           : !within(p->low, gullies_bounds.low)             ? REFUSED_LOW
+           : !within(p->high, gullies_bounds.high)           ? REFUSED_HIGH
+           : !(p->high - p->low >= 0x1p-10)                  ? REFUSED_HIGH_LOW
+           : !within(p->floor, gullies_bounds.floor)         ? REFUSED_FLOOR
+           : !within(p->stripes, gullies_bounds.stripes)     ? REFUSED_STRIPES
+           : !within(p->branch, gullies_bounds.branch)       ? REFUSED_BRANCH
+           : !within(p->round, gullies_bounds.round)         ? REFUSED_ROUND
+           : !within(p->keep, gullies_bounds.keep)           ? REFUSED_KEEP
+                                                             : REFUSED_NOT;
 }
 
 static int reserved_in_use(const struct scarp_gullies *g)
@@ -88,9 +79,9 @@ struct scarp_noise scarpi_gullies_lattice(const struct scarp_gullies *gullies)
         .rotate = gullies->rotate,
         .seed = gullies->seed,
         .frequency = p.frequency * p.cells,
-        .octaves = gullies->octaves == 0.0f ? 5.0f : gullies->octaves,
+        .octaves = (float)p.octaves,
         .lacunarity = gullies->lacunarity,
-        .gain = gullies->gain == 0.0f ? 0.45f : gullies->gain,
+        .gain = (float)p.gain,
         .amplitude = (float)p.depth,
         .period = {period_of(gullies->period[0], p.cells), period_of(gullies->period[1], p.cells)},
         .of_octaves = gullies->of_octaves,

@@ -151,8 +151,9 @@ static double weigh_octaves(double weights[SCARP_MAX_OCTAVES], const struct para
 /* What weights are multiplied by to be amplitudes of 1 in all, `sum` being that of the weights. */
 static double share_of(const struct scarp_noise *noise, const struct parameters *p, double sum)
 {
-    if (noise->fractal != SCARP_HYBRID) {
-        return (noise->fractal == SCARP_JORDAN ? HEADROOM * HEADROOM : HEADROOM) / sum;
+    const enum fractal_range range = fractal_row(noise->fractal)->range;
+    if (range != RANGE_RAISED) {
+        return (range == RANGE_SQUARE ? HEADROOM * HEADROOM : HEADROOM) / sum;
     }
     return SCARP_HYBRID_HEADROOM /
            scarpi_hybrid_interval(p->sharpness, p->gain, p->of_octaves, 1.0).highest;
@@ -174,7 +175,7 @@ void scarpi_octaves_make(struct scarp_octave *octave, const struct scarp_noise *
     double weights[SCARP_MAX_OCTAVES], factors[SCARP_MAX_OCTAVES];
     const double scale = p->amplitude * share_of(noise, p, weigh_octaves(weights, p));
     const double stretch =
-        noise->basis == SCARP_SIMPLEX && dimensions == 2 ? SCARP_TRIANGLE_ROWS : 1.0;
+        dimensions == 2 && basis_has(noise->basis, BASIS_TRIANGLES) ? SCARP_TRIANGLE_ROWS : 1.0;
     const uint64_t mixed = mix64(noise->seed + GOLDEN_GAMMA);
     double frequency = p->frequency, share = 1.0;
     for (int k = 0; k < octaves; k++) {

@@ -7,6 +7,7 @@
 #define SCARP_PARAMETERS_H
 
 #include "call.h"
+#include "members.h"
 #include "refusals.h"
 
 /* The most cells that a period of an octave has. */
@@ -21,7 +22,7 @@ static inline int octave_count(float octaves)
 
 static inline int octaves_in(const struct scarp_noise *noise)
 {
-    return noise->octaves == 0.0f ? 1 : octave_count(noise->octaves);
+    return octave_count((float)value_or((double)noise->octaves, noise_bounds.octaves.standard));
 }
 
 static inline int is_rotated(const struct scarp_noise *noise, int octaves)
@@ -38,23 +39,17 @@ static inline int repeats(const struct scarp_noise *noise, int dimensions)
 /* The sharpness of a noise, which each fractal that has one has a default for. */
 static inline float sharpness_of(const struct scarp_noise *noise)
 {
-    const float standard = noise->fractal == SCARP_PINGPONG ? 2.0f
-                           : noise->fractal == SCARP_HYBRID ? 0.7f
-                           : noise->fractal == SCARP_SWISS  ? 0.15f
-                           : noise->fractal == SCARP_JORDAN ? 0.35f
-                                                            : 1.0f;
-    return noise->sharpness == 0.0f ? standard : noise->sharpness;
+    return noise->sharpness == 0.0f ? fractal_row(noise->fractal)->sharpness : noise->sharpness;
 }
 
 /* Why the noise, without its warp, does not have what is asked for. */
 static inline enum scarp_refusal refused_outputs(const struct scarp_noise *noise,
                                                  struct scarp_request request)
 {
-    const int bends = fractal_bends(noise->fractal);
-    return request.order > 1 && (noise->fractal == SCARP_EROSION || bends) ? REFUSED_HESSIAN
-           : request.dphase && bends                                       ? REFUSED_DPHASE_FRACTAL
-           : request.dphase && noise->basis != SCARP_GRADIENT              ? REFUSED_DPHASE_BASIS
-                                                                           : REFUSED_NOT;
+    return request.order > 1 && fractal_has(noise->fractal, FRACTAL_SLOPES) ? REFUSED_HESSIAN
+           : request.dphase && fractal_bends(noise->fractal)                ? REFUSED_DPHASE_FRACTAL
+           : request.dphase && !basis_has(noise->basis, BASIS_FLOWS)        ? REFUSED_DPHASE_BASIS
+                                                                            : REFUSED_NOT;
 }
 
 static inline int has_outputs(const struct scarp_noise *noise, struct scarp_request request)
@@ -75,29 +70,19 @@ static inline struct scarp_fault outputs_fault(const struct scarp_noise *noise,
     return fault;
 }
 
+#define DECLARE(X, member, ...) double member;
 struct parameters {
-    double frequency, octaves, lacunarity, gain, amplitude, erosion, jitter, sharpness, of_octaves;
+    SCARP_NOISE_MEMBERS(DECLARE, SCARP_NO_MEMBER, )
 };
-
-static inline double value_or(double value, double standard)
-{
-    return value == 0.0 ? standard : value;
-}
+#undef DECLARE
 
 static inline struct parameters parameters_of(const struct scarp_noise *noise)
 {
-    const double octaves = value_or((double)noise->octaves, 1.0);
-    const struct parameters p = {
-        .frequency = value_or(noise->frequency, 1.0),
-        .octaves = octaves,
-        .lacunarity = value_or((double)noise->lacunarity, 2.0),
-        .gain = value_or((double)noise->gain, 0.5),
-        .amplitude = value_or((double)noise->amplitude, 1.0),
-        .erosion = value_or((double)noise->erosion, 1.0),
-        .jitter = value_or((double)noise->jitter, 1.0),
-        .sharpness = (double)sharpness_of(noise),
-        .of_octaves = value_or((double)noise->of_octaves, octaves),
-    };
+#define FILL(X, member, refusal, standard, ...) .member = value_or((double)noise->member, standard),
+    struct parameters p = {SCARP_NOISE_MEMBERS(FILL, SCARP_NO_MEMBER, )};
+#undef FILL
+    p.sharpness = (double)sharpness_of(noise);
+    p.of_octaves = value_or(p.of_octaves, p.octaves);
     return p;
 }
 

@@ -23,8 +23,8 @@ static enum scarp_repeat repeat_of(const struct scarp_noise *noise, int octaves,
     if (!repeats(noise, dimensions)) {
         return SCARP_REPEAT_NEVER;
     }
-    const float lacunarity = noise->lacunarity == 0.0f || octaves == 1 ? 2.0f : noise->lacunarity;
-    int powers = is_power_of_two((uint32_t)lacunarity);
+    const double lacunarity = value_or((double)noise->lacunarity, noise_bounds.lacunarity.standard);
+    int powers = octaves == 1 || is_power_of_two((uint32_t)lacunarity);
     for (int i = 0; i < dimensions; i++) {
         powers = powers && is_power_of_two(noise->period[i]);
     }
@@ -39,8 +39,8 @@ static void plan_describe(struct scarp_call_plan *plan, const struct scarp_noise
     plan->basis = noise->basis;
     plan->fade = noise->fade;
     plan->fractal = noise->fractal;
-    plan->erosion = noise->erosion == 0.0f ? 1.0f : noise->erosion;
-    plan->sharpness = noise->fractal > SCARP_EROSION ? sharpness_of(noise) : 0.0f;
+    plan->erosion = (float)value_or((double)noise->erosion, noise_bounds.erosion.standard);
+    plan->sharpness = fractal_row(noise->fractal)->sharpness != 0.0f ? sharpness_of(noise) : 0.0f;
     plan->octaves = octaves_in(noise);
     plan->rotate = is_rotated(noise, plan->octaves);
     plan->repeat = repeat_of(noise, plan->octaves, dimensions);
@@ -92,7 +92,7 @@ static void make_component(struct scarp_octave *octave, const struct scarp_noise
         noise.seed = scarpi_component_seed(noise.seed, own);
     }
     scarpi_octaves_make(octave, &noise, dimensions);
-    if (noise.basis == SCARP_GRADIENT) {
+    if (basis_has(noise.basis, BASIS_FLOWS)) {
         scarpi_phase_set(octave, octaves_in(&noise), noise.phase);
     }
 }

@@ -32,17 +32,16 @@ struct scarp_interval scarpi_plan_range(const struct scarp_noise *noise, int dim
     const struct parameters p = parameters_of(noise);
     const double reach = reach_of(noise, dimensions);
     struct scarp_interval range = {-reach, reach};
-    switch (noise->fractal) {
-    case SCARP_TURBULENCE: range.lowest = 0.0; break;
-    case SCARP_RIDGED:
-    case SCARP_SWISS: range = (struct scarp_interval){0.0, 1.0}; break;
-    case SCARP_JORDAN: range = (struct scarp_interval){0.0, reach * reach}; break;
-    case SCARP_PINGPONG: range = (struct scarp_interval){-1.0, 1.0}; break;
-    case SCARP_HYBRID:
+    switch (fractal_row(noise->fractal)->range) {
+    case RANGE_SUM: break;
+    case RANGE_MAGNITUDE: range.lowest = 0.0; break;
+    case RANGE_SQUARE: range = (struct scarp_interval){0.0, reach * reach}; break;
+    case RANGE_UNIT: range = (struct scarp_interval){0.0, 1.0}; break;
+    case RANGE_FOLDED: range = (struct scarp_interval){-1.0, 1.0}; break;
+    case RANGE_RAISED:
         range = scarpi_hybrid_range(p.sharpness, p.gain, (const double[2]){p.octaves, p.of_octaves},
                                     reach);
         break;
-    default: break;
     }
     const double magnitude = p.amplitude < 0.0 ? -p.amplitude : p.amplitude;
     range.lowest *= magnitude;

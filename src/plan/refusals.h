@@ -6,7 +6,13 @@
 #ifndef SCARP_REFUSALS_H
 #define SCARP_REFUSALS_H
 
+#include "members.h"
 #include "scarp.h"
+
+#define SCARP_REFUSED_NUMBER(X, member, refusal, standard, lowest, highest, told, ...)             \
+    X(refusal, PARAMETER, #member, told)
+#define SCARP_REFUSED_NARROW(X, member, refusal, lowest, highest, told)                            \
+    X(refusal, PARAMETER, #member, told)
 
 /* X(name, status, member, text). An empty member: no member is at fault. Texts are clauses about
    the member, without a full stop. Rows of the three axes stand together, in their order. */
@@ -15,18 +21,8 @@
     X(BASIS, ENUM, "basis", "there is no such basis")                                              \
     X(FADE, ENUM, "fade", "there is no such fade")                                                 \
     X(FRACTAL, ENUM, "fractal", "there is no such fractal")                                        \
-    X(FREQUENCY, PARAMETER, "frequency", "outside [2^-32, 2^48]")                                  \
-    X(OCTAVES, PARAMETER, "octaves", "outside (0, 32]")                                            \
-    X(LACUNARITY, PARAMETER, "lacunarity", "outside [1/16, 16]")                                   \
-    X(GAIN, PARAMETER, "gain", "outside [1/16, 16]")                                               \
-    X(AMPLITUDE, PARAMETER, "amplitude", "its magnitude is outside [2^-24, 2^24]")                 \
-    X(EROSION, PARAMETER, "erosion", "outside [2^-24, 2^24]")                                      \
-    X(EROSION_JORDAN, PARAMETER, "erosion", "Jordan noise takes 1 at most")                        \
-    X(PHASE, PARAMETER, "phase", "not finite")                                                     \
-    X(JITTER, PARAMETER, "jitter", "outside (0, 1]")                                               \
-    X(SHARPNESS, PARAMETER, "sharpness", "outside [2^-24, 2^24]")                                  \
-    X(SHARPNESS_USED, PARAMETER, "sharpness", "outside [2^-8, 2^8]")                               \
-    X(OF_OCTAVES, PARAMETER, "of_octaves", "outside [octaves, 32]")                                \
+    SCARP_NOISE_MEMBERS(SCARP_REFUSED_NUMBER, SCARP_NO_MEMBER, X)                                  \
+    SCARP_NARROW_MEMBERS(SCARP_REFUSED_NARROW, X)                                                  \
     X(OF_OCTAVES_LOW, PARAMETER, "of_octaves", "below octaves")                                    \
     X(LAST_FREQUENCY, PARAMETER, "octaves",                                                        \
       "the frequency of the last octave is outside [2^-32, 2^48]")                                 \
@@ -43,24 +39,13 @@
       "simplex noise repeats along x only in 2D; a slice of 3D, with periods, repeats along both") \
     X(WARP, UNSUPPORTED, "warp", "there are more than four warps")                                 \
     X(ORDER, PARAMETER, "", "the order of derivatives is not 0, 1 or 2")                           \
-    X(HESSIAN, UNSUPPORTED, "fractal", "erosion, Swiss and Jordan noise have no Hessian")          \
-    X(DPHASE_FRACTAL, UNSUPPORTED, "fractal", "Swiss and Jordan noise have no dphase")             \
+    X(HESSIAN, UNSUPPORTED, "fractal", "this fractal has no Hessian")                              \
+    X(DPHASE_FRACTAL, UNSUPPORTED, "fractal", "this fractal has no dphase")                        \
     X(DPHASE_BASIS, UNSUPPORTED, "basis", "only gradient noise has dphase")                        \
     X(GPU_OCTAVES, UNSUPPORTED, "octaves", "more than 32 in all components")                       \
     X(GPU_WARP, UNSUPPORTED, "warp", "more than 32 octaves in the noise and its warps")            \
-    X(GULLIES_AMPLITUDE, PARAMETER, "amplitude", "outside [2^-24, 2^24]")                          \
-    X(DEPTH, PARAMETER, "depth", "outside [2^-24, 2^10]")                                          \
-    X(CELLS, PARAMETER, "cells", "outside [2^-6, 2^6]")                                            \
-    X(SLOPE, PARAMETER, "slope", "outside [2^-5, 2^5]")                                            \
-    X(SLOPE_LOW, PARAMETER, "slope_low", "outside [2^-5, 2^5]")                                    \
-    X(LOW, PARAMETER, "low", "outside [-2^10, 2^10]")                                              \
-    X(HIGH, PARAMETER, "high", "outside [-2^10, 2^10]")                                            \
+    SCARP_GULLIES_MEMBERS(SCARP_REFUSED_NUMBER, SCARP_NO_MEMBER, X)                                \
     X(HIGH_LOW, PARAMETER, "high", "less than 2^-10 above low")                                    \
-    X(FLOOR, PARAMETER, "floor", "outside [-1, 1]")                                                \
-    X(STRIPES, PARAMETER, "stripes", "outside [2^-10, 8]")                                         \
-    X(BRANCH, PARAMETER, "branch", "outside [2^-24, 8]")                                           \
-    X(ROUND, PARAMETER, "round", "outside [2^-8, 2^8]")                                            \
-    X(KEEP, PARAMETER, "keep", "outside [2^-24, 1]")                                               \
     X(CELLS_X, PARAMETER, "period[0]", "times cells, not a whole number up to 2^30")               \
     X(CELLS_Y, PARAMETER, "period[1]", "times cells, not a whole number up to 2^30")               \
     X(FREQUENCY_CELLS, PARAMETER, "frequency", "times cells, outside [2^-32, 2^48]")               \

@@ -7,6 +7,8 @@
 
 #include <math.h>
 
+#include "members.h"
+
 /*
  * Gradient noise, by [fade], is sum_c W_c(t) g_c . (t - c) over the corners c of a cell, so its
  * supremum is the maximum over t of sum_c W_c(t) max_g g . (t - c).
@@ -32,7 +34,7 @@ static const double simplex3_supremum = 2.0 * 0.013007101282926131;
 
 static double jitter_of(const struct scarp_noise *noise)
 {
-    return noise->jitter == 0.0f ? 1.0 : (double)noise->jitter;
+    return value_or((double)noise->jitter, noise_bounds.jitter.standard);
 }
 
 float scarpi_stray(const struct scarp_noise *noise)
@@ -99,6 +101,6 @@ double scarpi_supremum(const struct scarp_noise *noise, int dimensions)
 
 double scarpi_middle(const struct scarp_noise *noise, int dimensions)
 {
-    const int is_distance = noise->basis >= SCARP_CELL_F1 && noise->basis <= SCARP_CELL_SOFT;
-    return is_distance ? distance_supremum(noise, dimensions) / 2.0 : 0.0;
+    return basis_has(noise->basis, BASIS_DISTANCE) ? distance_supremum(noise, dimensions) / 2.0
+                                                   : 0.0;
 }

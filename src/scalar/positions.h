@@ -78,7 +78,7 @@ static inline struct split split_along(const struct scarp_call_plan *plan, int k
                                        int i, int dimensions)
 {
     const struct scarp_octave *const o = &plan->octave[k];
-    const int counts_rows = plan->basis == SCARP_SIMPLEX && dimensions == 2 && i == 1;
+    const int counts_rows = i == 1 && dimensions == 2 && basis_has(plan->basis, BASIS_TRIANGLES);
     const double stretch = counts_rows ? o->stretch : 1.0;
     if (is_turned(plan, k)) {
         return split_turned_f64(o, x, i, stretch, dimensions);

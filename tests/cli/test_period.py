@@ -125,11 +125,11 @@ class Period(Case):
                  "[2^-32, 2^48]",
                  "--frequency 1e12 --octaves 20"),
                 ("--of-octaves: below octaves", "--of-octaves 2 --octaves 3"),
-                ("--erosion: Jordan noise takes 1 at most", "--fractal jordan --erosion 2"),
+                ("--erosion: this fractal takes 1 at most", "--fractal jordan --erosion 2"),
                 ("--phase: only gradient noise has a phase; ", "--phase 1 --basis value"),
-                ("--hessian: erosion, Swiss and Jordan noise have no Hessian",
+                ("--hessian: this fractal has no Hessian",
                  "--fractal swiss --hessian"),
-                ("--dphase: Swiss and Jordan noise have no dphase", "--fractal swiss --dphase"),
+                ("--dphase: this fractal has no dphase", "--fractal swiss --dphase"),
                 ("--dphase: only gradient noise has dphase; ", "--basis value --dphase")):
             with self.subTest(words=words):
                 self.refused(line, ["sample"] + words.split(), b"1 2\n", end="")

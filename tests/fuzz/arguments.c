@@ -76,20 +76,22 @@ static void draw_level(struct draw *d, int dimensions, int is_warp, struct scarp
 {
     const int wild = draw_rarely(d, 8);
     memset(noise, 0, sizeof *noise);
-    noise->basis = (enum scarp_basis)draw_below(d, wild ? 10 : 8);
-    noise->fractal = (enum scarp_fractal)draw_below(d, wild ? 10 : 8);
+    noise->basis = (enum scarp_basis)draw_below(d, (uint32_t)(SCARP_BASES + 2 * wild));
+    noise->fractal = (enum scarp_fractal)draw_below(d, (uint32_t)(SCARP_FRACTALS + 2 * wild));
     noise->fade = (enum scarp_fade)draw_below(d, wild ? 4 : 2);
     const uint32_t switches = draw_below(d, 4);
     noise->rotate = switches % 2;
     noise->offset_first = switches / 2;
     noise->seed = draw_bits(d, draw_rarely(d, 4) ? 8 : 1);
+    const int is_share = (int)noise->fractal < (int)SCARP_FRACTALS &&
+                         fractal_row(noise->fractal)->most_erosion == 1.0f;
     noise->frequency = member(d, wild, 0x1p-8, 0x1p8);
     noise->octaves = (float)member(d, wild, 0.25, draw_rarely(d, 16) ? 32.0 : 5.0);
     noise->lacunarity = (float)member(d, wild, 0x1p-4, 16.0);
     noise->gain = (float)member(d, wild, 0x1p-4, draw_rarely(d, 8) ? 16.0 : 1.0);
     noise->amplitude = (float)member(d, wild, is_warp ? 0x1p-4 : 0x1p-24, is_warp ? 4.0 : 0x1p24);
     noise->amplitude *= draw_rarely(d, 4) ? -1.0f : 1.0f;
-    noise->erosion = (float)member(d, wild, 0x1p-24, noise->fractal == SCARP_JORDAN ? 1.0 : 0x1p24);
+    noise->erosion = (float)member(d, wild, 0x1p-24, is_share ? 1.0 : 0x1p24);
     noise->jitter = (float)member(d, wild, 0x1p-20, 1.0);
     noise->sharpness = (float)member(d, wild, 0x1p-8, 0x1p8);
     if (draw_rarely(d, 8)) {
@@ -99,7 +101,9 @@ static void draw_level(struct draw *d, int dimensions, int is_warp, struct scarp
         noise->phase = (float)(wild ? draw_wild(d) : draw_between(d, -4.0, 4.0));
     }
     if (draw_rarely(d, 4)) {
-        const int axes = wild || noise->basis != SCARP_SIMPLEX || dimensions == 3 ? 3 : 1;
+        const int axes = wild || dimensions == 3                        ? 3
+                         : basis_axes_with_period(noise->basis, 2) == 1 ? 1
+                                                                        : 3;
         for (int i = 0; i < axes; i++) {
             noise->period[i] = (uint32_t)draw_bits(d, draw_rarely(d, 4) ? 4 : 1);
             noise->period[i] &= wild ? 0xffffffff : 0x3fffffff;

@@ -77,7 +77,7 @@ static int has_finite_values(const struct scarp_noise *noise)
 {
     int promised = 1;
     for (; noise != NULL; noise = noise->warp) {
-        promised &= noise->fractal != SCARP_SWISS && noise->fractal != SCARP_JORDAN;
+        promised &= !fractal_bends(noise->fractal);
     }
     return promised;
 }

@@ -24,7 +24,7 @@ static int octaves_needed(const struct scarp_noise *noise, int dimensions, int i
 {
     int needed = 0;
     for (; noise != NULL; noise = noise->warp) {
-        needed += octaves_of(noise) * (is_vector && !basis_blends(noise->basis) ? dimensions : 1);
+        needed += octaves_of(noise) * (is_vector && !blends_corners(noise->basis) ? dimensions : 1);
         is_vector = 1;
     }
     return needed;

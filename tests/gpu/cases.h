@@ -6,6 +6,7 @@
 #ifndef SCARP_TESTS_GPU_CASES_H
 #define SCARP_TESTS_GPU_CASES_H
 
+#include "../../src/plan/traits.h"
 #include "../check.h"
 
 /* One noise to compare. The seed is made of the name, so new cases leave the others as they are. */
@@ -201,9 +202,7 @@ static inline struct scarp_noise gpu_noise_of(const struct gpu_case *c)
 /* The order of the highest derivatives that the noise and its warps have. */
 static inline int gpu_order_of(const struct scarp_noise *noise)
 {
-    const int without_hessian = noise->fractal == SCARP_EROSION || noise->fractal == SCARP_SWISS ||
-                                noise->fractal == SCARP_JORDAN;
-    const int order = without_hessian ? 1 : 2;
+    const int order = fractal_has(noise->fractal, FRACTAL_SLOPES) ? 1 : 2;
     const int of_warp = noise->warp != NULL ? gpu_order_of(noise->warp) : 2;
     return of_warp < order ? of_warp : order;
 }

@@ -561,7 +561,8 @@ namespace Scarp
                 return fault;
             }
             if (status == Status.Unsupported) {
-                return hasPhase && !(hasSecond && !HasHessian)
+                bool hasHessian = Native.scarp_noise_fault(noise, dimensions, 2, 0, null) == null;
+                return hasPhase && !(hasSecond && !hasHessian)
                     ? new ScarpException(status, "Dphase",
                                          "this noise has no derivative by the phase")
                     : new ScarpException(status, "Dxx",
@@ -569,21 +570,6 @@ namespace Scarp
                                          + "derivatives");
             }
             return new ScarpException(status, null);
-        }
-
-        bool HasHessian
-        {
-            get
-            {
-                Noise noise = this;
-                for (int i = 0; i < MostLinks && noise != null; i++, noise = noise.Warp) {
-                    if (noise.Fractal == Fractal.Erosion || noise.Fractal == Fractal.Swiss
-                        || noise.Fractal == Fractal.Jordan) {
-                        return false;
-                    }
-                }
-                return true;
-            }
         }
 
         // What is wrong with a noise, or a warp of it: "Warp.Octaves". null: nothing.

@@ -111,8 +111,8 @@ static bool check_product(const struct product *product, const struct ground *gr
         return check_field(product, ground);
     }
     if (product->layer == &layers[LAYER_CURVATURE] && !has_curvature(ground)) {
-        cli_error("--curvature: the heights have no second derivatives; erosion, swiss, jordan, "
-                  "gullies, slopes and distances in cells have none");
+        cli_error("--curvature: the heights have no second derivatives; some fractals, gullies, "
+                  "slopes and distances in cells have none");
         return false;
     }
     return true;

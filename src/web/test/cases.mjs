@@ -91,11 +91,20 @@ export function lines(scarp, copied) {
         return { ...grid, rowStride: ROW, ...(d === 3 && { sliceStride: SLICE }) };
     };
 
+    // Whether the noise has that output.
+    const has = (noise, d, name) => {
+        const at = new Float32Array(1);
+        try {
+            scarp[`sample${d}`](noise, ...[at, at, at].slice(0, d), { [name]: new Float32Array(1) });
+            return true;
+        } catch {
+            return false;
+        }
+    };
+
     const visitNoise = (noise, d, more) => {
-        const order = ['erosion', 'swiss', 'jordan'].includes(noise.fractal) ? 1 : 2;
-        const dphase =
-            (noise.basis ?? 'gradient') === 'gradient' &&
-            !['swiss', 'jordan'].includes(noise.fractal);
+        const order = has(noise, d, 'dxx') ? 2 : 1;
+        const dphase = has(noise, d, 'dphase');
         const out = ask(sets[0], d, order, dphase, points);
         scarp[`sample${d}`](noise, ...single.slice(0, d), out);
         line(`sample${d}`, more, hashArrays(sets[0]));

@@ -136,7 +136,7 @@ refuses(
     { status: STATUS.UNSUPPORTED },
 );
 const turned = { rotate: true, octaves: 2, period: [4, 4] };
-const noHessian = 'fractal: erosion, Swiss and Jordan noise have no Hessian';
+const noHessian = 'fractal: this fractal has no Hessian';
 const dxx = new Float32Array(8);
 for (const [message, status, call] of [
     [

@@ -118,9 +118,8 @@ static struct scarp_grid grid_of(int dimensions)
 /* Points in float and double, and a grid, with all derivatives that there are. */
 static void visit_noise(const struct scarp_noise *noise, int dimensions, const char *more)
 {
-    const int no_hessian = noise->fractal == SCARP_EROSION || noise->fractal == SCARP_SWISS ||
-                           noise->fractal == SCARP_JORDAN;
-    const int dphase = noise->basis == SCARP_GRADIENT && noise->fractal < SCARP_SWISS;
+    const int no_hessian = scarp_noise_fault(noise, dimensions, 2, 0, NULL) != NULL;
+    const int dphase = scarp_noise_fault(noise, dimensions, 0, 1, NULL) == NULL;
     const struct scarp_samples *const out = ask(0, dimensions, no_hessian ? 1 : 2, dphase);
     const float *const x = coordinate[0], *const y = coordinate[1], *const z = coordinate[2];
     const double *const xd = coordinate_f64[0], *const yd = coordinate_f64[1],

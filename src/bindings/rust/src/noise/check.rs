@@ -3,7 +3,6 @@
 use super::Noise;
 use crate::error::{ready, text_of, Error, Status};
 use crate::ffi;
-use crate::words::{Basis, Fractal};
 use std::os::raw::c_int;
 
 impl Noise<'_> {
@@ -105,15 +104,15 @@ impl Noise<'_> {
 
     /// Why this noise does not have an output
     fn lack(&self, name: &str, dimensions: usize) -> Option<&'static str> {
-        let bends = |noise: &Noise<'_>| matches!(noise.fractal, Fractal::Swiss | Fractal::Jordan);
-        let mut levels = std::iter::successors(Some(self), |noise| noise.warp).take(5);
         let is_second = matches!(name.as_bytes(), [b'd' | b'v', b'x'..=b'z', b'x'..=b'z']);
         if dimensions == 2 && name.contains('z') {
             Some("the plane has no z")
-        } else if name == "dphase" && (bends(self) || self.basis != Basis::Gradient) {
-            Some("this noise has no derivative by the phase")
-        } else if is_second && levels.any(|it| bends(it) || it.fractal == Fractal::Erosion) {
-            Some("erosion, Swiss and Jordan noise, and what they warp, have no second derivatives")
+        } else if is_second || name == "dphase" {
+            let (order, dphase) = if is_second { (2, 0) } else { (0, 1) };
+            let dimensions = c_int::try_from(dimensions).unwrap_or(0);
+            let member = std::ptr::null_mut();
+            // SAFETY: the noise has the layout of C, and all warps are alive.
+            text_of(unsafe { ffi::scarp_noise_fault(self.c(), dimensions, order, dphase, member) })
         } else {
             None
         }
