@@ -220,7 +220,7 @@ static void check_bent(struct block *block, enum scarp_fractal fractal, enum fun
         struct scarp_noise noise = bent_case(fractal, i);
         struct oracle oracle;
         uint64_t random = noise.seed;
-        if (own == basis_blends(noise.basis)) {
+        if (own == blends_corners(noise.basis)) {
             continue;
         }
         fit_noise(&noise, function_dimensions(f));
