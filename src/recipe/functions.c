@@ -379,8 +379,8 @@ static struct recipe_value gullies(struct recipe_compiler *c, int call, int func
     }
     if (c->recipe->node[base].order < 2) {
         return scarpi_recipe_bad(c, f,
-                                 "gullies need a base with second derivatives, which erosion, "
-                                 "swiss, jordan, slope and gullies do not have",
+                                 "gullies need a base with second derivatives, which some "
+                                 "fractals, slope and gullies do not have",
                                  NULL);
     }
     scarpi_recipe_start_gullies(c, argument, &g);

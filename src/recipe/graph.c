@@ -3,6 +3,7 @@
 
 #include <string.h>
 
+#include "../plan/traits.h"
 #include "interval.h"
 
 _Static_assert(offsetof(struct scarp_noise, warp) == 80 || sizeof(void *) != 8,
@@ -117,8 +118,7 @@ static int order_of_noise(const struct recipe *recipe, int index)
     for (; index >= 0; index = recipe->noise[index].warp) {
         struct scarp_noise noise = {0};
         memcpy(&noise, recipe->noise[index].noise, sizeof recipe->noise[index].noise);
-        if (noise.fractal == SCARP_EROSION || noise.fractal == SCARP_SWISS ||
-            noise.fractal == SCARP_JORDAN) {
+        if (fractal_has(noise.fractal, FRACTAL_SLOPES)) {
             order = 1;
         }
     }

@@ -5,6 +5,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "../plan/members.h"
 #include "compile.h"
 
 static uint64_t splitmix(uint64_t start, uint64_t number)
@@ -44,7 +45,7 @@ bool scarpi_recipe_one_length(struct recipe_compiler *c, int size, int frequency
 
 static bool set_frequency(struct recipe_compiler *c, int e, double frequency, double *to)
 {
-    if (!(frequency >= 0x1p-32 && frequency <= 0x1p48)) {
+    if (!within(frequency, noise_bounds.frequency)) {
         scarpi_recipe_bad(c, e, "a frequency is from 2^-32 to 2^48, a size from 2^-48 to 2^32",
                           NULL);
         return false;

@@ -6,6 +6,7 @@
 #include <math.h>
 #include <string.h>
 
+#include "../plan/gully.h"
 #include "compile.h"
 #include "graph.h"
 
@@ -101,16 +102,6 @@ static int can_repeat(struct recipe_compiler *c, int e, const struct scarp_noise
         tiled.period[axis] = 1;
     }
     const char *const why = scarp_noise_fault(&tiled, dimensions, 0, 0, &member);
-    return !is_period_fault(c, why, member) || (scarpi_recipe_bad(c, e, why, member), 0);
-}
-
-static int gullies_can_repeat(struct recipe_compiler *c, int e, const struct scarp_gullies *gullies)
-{
-    const char *member;
-    struct scarp_gullies tiled = *gullies;
-    tiled.period[0] = tiled.period[1] = 1;
-    tiled.cells = 1.0f;
-    const char *const why = scarp_gullies_fault(&tiled, &member);
     return !is_period_fault(c, why, member) || (scarpi_recipe_bad(c, e, why, member), 0);
 }
 
@@ -285,7 +276,8 @@ struct recipe_value scarpi_recipe_displacement(struct recipe_compiler *c, int ca
     double matrix[3][3];
     const char *member;
     scarpi_recipe_matrix(c->recipe, place, matrix);
-    if (!gullies_can_repeat(c, call, g)) {
+    const struct scarp_noise lattice = scarpi_gullies_lattice(g);
+    if (!can_repeat(c, call, &lattice, 2)) {
         return scarpi_recipe_bad_already();
     }
     for (int axis = 0; c->recipe->is_tiled && axis < 2; axis++) {

@@ -6,6 +6,7 @@
 #include <stdarg.h>
 #include <string.h>
 
+#include "../plan/call.h"
 #include "graph.h"
 #include "shader.h"
 
@@ -164,7 +165,7 @@ static int part_of(uint32_t kind, int shift, uint32_t mask)
 int scarpi_shader_kind(struct shader_writer *w, const struct scarp_noise *noise, int dimensions)
 {
     const uint32_t kind = (uint32_t)noise->basis << BASIS | (uint32_t)noise->fractal << FRACTAL |
-                          (uint32_t)(noise->basis <= SCARP_VALUE ? noise->fade : 0) << FADE |
+                          (uint32_t)(blends_corners(noise->basis) ? noise->fade : 0) << FADE |
                           (uint32_t)(noise->rotate != 0) << ROTATE |
                           (uint32_t)(dimensions == 3) << SPACE;
     int i = 0;
@@ -178,28 +179,25 @@ int scarpi_shader_kind(struct shader_writer *w, const struct scarp_noise *noise,
 }
 
 /* The line that adds octave `n` of the basis. */
-static void put_fractal(struct shader_text *to, int fractal, const char *turned, int dimensions)
+static void put_fractal(struct shader_text *to, enum scarp_fractal fractal, const char *turned,
+                        int dimensions)
 {
-    static const char *const line[] = {[SCARP_FBM] = "scarp_with_fbm(s, n)",
-                                       [SCARP_TURBULENCE] = "scarp_with_turbulence(s, o, n)",
-                                       [SCARP_RIDGED] = "scarp_with_ridged(s, o, n)",
-                                       [SCARP_EROSION] = "scarp_with_erosion(s, o, l, n, ",
-                                       [SCARP_PINGPONG] = "scarp_with_pingpong(s, o, l, n)",
-                                       [SCARP_HYBRID] = "scarp_with_hybrid(s, o, l, n)",
-                                       [SCARP_SWISS] = "scarp_swiss(s, o, l.inverse_weight, n, ",
-                                       [SCARP_JORDAN] =
-                                           "scarp_jordan(s, o, l.erosion, k == 0u, n, "};
-    if (fractal != SCARP_EROSION) {
+#define CALL(enumerator, name, sharpness, most_erosion, range, traits, call)                       \
+    [SCARP_##enumerator] = call,
+    static const char *const calls[SCARP_FRACTALS] = {SCARP_FRACTAL_LIST(CALL)};
+#undef CALL
+    const int takes_turned = fractal_has(fractal, FRACTAL_OWN_SLOPES);
+    if (!takes_turned) {
         scarpi_shader_put(to, "        n = scarp_in_input(o, %s, n, %d);\n", turned, dimensions);
     }
-    scarpi_shader_put(to, "        s = %s", line[fractal]);
-    if (fractal == SCARP_EROSION) {
-        scarpi_shader_put(to, "%s, ", turned);
+    scarpi_shader_put(to, "        s = scarp_%s", calls[fractal]);
+    if (takes_turned) {
+        scarpi_shader_put(to, ", %s", turned);
     }
-    if (fractal == SCARP_EROSION || fractal == SCARP_SWISS || fractal == SCARP_JORDAN) {
-        scarpi_shader_put(to, "%d)", dimensions);
+    if (fractal_has(fractal, FRACTAL_SLOPES)) {
+        scarpi_shader_put(to, ", %d", dimensions);
     }
-    put_text(to, ";\n");
+    put_text(to, ");\n");
 }
 
 static void put_basis(struct shader_text *to, uint32_t kind, const char *turned, int dimensions)
@@ -207,14 +205,15 @@ static void put_basis(struct shader_text *to, uint32_t kind, const char *turned,
     static const char *const call[] = {
         "gradient_at(scarp_lattice_of(o, l), ", "value_at(scarp_lattice_of(o, l), ",
         "simplex_at(scarp_lattice_of(o, l)", "cells_at(scarp_lattice_of(o, l), "};
-    const int basis = part_of(kind, BASIS, 15), fractal = part_of(kind, FRACTAL, 15);
-    const int bends = fractal == SCARP_SWISS || fractal == SCARP_JORDAN;
+    const enum scarp_basis basis = (enum scarp_basis)part_of(kind, BASIS, 15);
+    const enum scarp_fractal fractal = (enum scarp_fractal)part_of(kind, FRACTAL, 15);
     scarpi_shader_put(to, "        %LScarpLocation p = scarp_location_of(o, %du, %s, %s, %d);\n",
-                      basis, turned, bends ? "scarp_bent(s, o, k, x)" : "x", dimensions);
+                      (int)basis, turned, fractal_bends(fractal) ? "scarp_bent(s, o, k, x)" : "x",
+                      dimensions);
     scarpi_shader_put(to, "        %XScarpSample n = scarp_%s",
-                      call[basis < SCARP_CELL_F1 ? basis : SCARP_CELL_F1]);
+                      call[basis_has(basis, BASIS_CELLS) ? SCARP_CELL_F1 : basis]);
     if (basis != SCARP_SIMPLEX) {
-        scarpi_shader_put(to, "%du", basis <= SCARP_VALUE ? part_of(kind, FADE, 3) : basis);
+        scarpi_shader_put(to, "%du", blends_corners(basis) ? part_of(kind, FADE, 3) : (int)basis);
     }
     scarpi_shader_put(to, ", p, %d);\n", dimensions);
     put_fractal(to, fractal, turned, dimensions);
@@ -223,7 +222,7 @@ static void put_basis(struct shader_text *to, uint32_t kind, const char *turned,
 static void put_kind(struct shader_text *to, int number, uint32_t kind)
 {
     const int is_wgsl = to->language == SCARP_WGSL;
-    const int shares_lattice = part_of(kind, BASIS, 15) <= SCARP_VALUE;
+    const int shares_lattice = components_share_lattice((enum scarp_basis)part_of(kind, BASIS, 15));
     const char *const turned = part_of(kind, ROTATE, 1) ? "k > 0u" : "false";
     scarpi_shader_put(to,
                       is_wgsl ? "fn scarp_own_kind%d(index: u32, component: u32, x: vec3f) -> "

@@ -6,6 +6,8 @@
 
 #include <stddef.h>
 
+#include "../plan/members.h"
+#include "../plan/traits.h"
 #include "text.h"
 
 #define NEEDED 1
@@ -60,14 +62,18 @@
         }                                                                                          \
     }
 
-static const char *const bases[] = {"gradient",  "value",     "simplex",    "cell_f1", "cell_f2",
-                                    "cell_edge", "cell_soft", "cell_value", NULL};
-static const char *const fractals[] = {"fbm",    "turbulence", "ridged", "erosion", "pingpong",
-                                       "hybrid", "swiss",      "jordan", NULL};
+#define BASIS(enumerator, name, word, traits) [SCARP_##enumerator] = word,
+#define FRACTAL(enumerator, name, ...) [SCARP_##enumerator] = name,
+static const char *const bases[SCARP_BASES + 1] = {SCARP_BASIS_LIST(BASIS)};
+static const char *const fractals[SCARP_FRACTALS + 1] = {SCARP_FRACTAL_LIST(FRACTAL)};
 static const char *const fades[] = {"quintic", "cubic", NULL};
 static const char *const rotate[] = {"rotate", NULL};
 static const char *const cells[] = {"id", "f1", "f2", NULL};
 static const char *const axes[] = {"x", "y", "z", NULL};
+
+#define MEMBER(X, member, refusal, standard, lowest, highest, told, least, most, text)             \
+    NUMBER(#member, standard, least, most, text),
+#define OTHER(X, member, standard, least, most, text) NUMBER(#member, standard, least, most, text),
 
 static const struct scarp_recipe_argument noise[] = {
     WORD("basis", bases, "the noise of one octave"),
@@ -75,18 +81,8 @@ static const struct scarp_recipe_argument noise[] = {
     WORD("fade", fades, "the blend between lattice points"),
     WORD("rotate", rotate, "turns the axes between octaves"),
     NUMBER("size", 1.0, 1.0, 10000.0, "length of a cell of the first octave; 1 / frequency"),
-    NUMBER("frequency", 1.0, 0.0001, 1.0, "cells of the first octave per unit"),
-    NUMBER("seed", 0.0, 0.0, 1000.0, "a whole number, beside the seed of the world"),
-    NUMBER("octaves", 1.0, 1.0, 12.0, "how many octaves are summed; a fraction fades in"),
-    NUMBER("of_octaves", 0.0, 0.0, 12.0, "amplitudes are those of so many octaves"),
-    NUMBER("lacunarity", 2.0, 1.5, 3.0, "frequency ratio between octaves"),
-    NUMBER("gain", 0.5, 0.1, 0.9, "amplitude ratio between octaves"),
-    NUMBER("amplitude", 1.0, 0.1, 200.0, "scales the noise"),
-    NUMBER("erosion", 1.0, 0.1, 4.0, "how much slopes damp octaves"),
-    NUMBER("phase", 0.0, 0.0, 1.0, "turns of the lattice's gradients"),
-    NUMBER("jitter", 1.0, 0.1, 1.0, "how far features stray"),
-    NUMBER("sharpness", 0.0, 0.1, 4.0, "of ping-pong, hybrid, Swiss and Jordan noise"),
-    NUMBER("period", 0.0, 0.0, 64.0, "cells after which the noise repeats along all axes"),
+    SCARP_NOISE_MEMBERS(MEMBER, OTHER, )
+        NUMBER("period", 0.0, 0.0, 64.0, "cells after which the noise repeats along all axes"),
     NUMBER("period_x", 0.0, 0.0, 64.0, "the same along x"),
     NUMBER("period_y", 0.0, 0.0, 64.0, "the same along y"),
     NUMBER("period_z", 0.0, 0.0, 64.0, "the same along z"),
@@ -95,25 +91,7 @@ static const struct scarp_recipe_argument noise[] = {
 static const struct scarp_recipe_argument gullies[] = {
     FIELD("f", "the base"),
     NUMBER("size", 1.0, 10.0, 10000.0, "length of a cell of the base; 1 / frequency"),
-    NUMBER("frequency", 1.0, 0.0001, 0.1, "cells of the base per unit"),
-    NUMBER("seed", 0.0, 0.0, 1000.0, "a whole number, beside the seed of the world"),
-    NUMBER("amplitude", 1.0, 1.0, 1000.0, "of the base: half its height"),
-    NUMBER("octaves", 5.0, 1.0, 8.0, "how often gullies branch"),
-    NUMBER("of_octaves", 0.0, 0.0, 8.0, "weights are those of so many octaves"),
-    NUMBER("lacunarity", 2.0, 1.5, 3.0, "frequency ratio between octaves"),
-    NUMBER("gain", 0.45, 0.2, 0.7, "weight ratio between octaves"),
-    NUMBER("depth", 0.25, 0.01, 1.0, "how far the base is displaced, in amplitudes"),
-    NUMBER("cells", 3.0, 1.0, 8.0, "cells of the first gullies per cell of the base"),
-    NUMBER("slope", 1.125, 0.25, 4.0, "where gullies of crests have half their depth"),
-    NUMBER("slope_low", 1.75, 0.25, 4.0, "the same of floors"),
-    NUMBER("low", -1.0, -2.0, 2.0, "the height of floors, in amplitudes"),
-    NUMBER("high", 1.0, -2.0, 2.0, "the height of crests, in amplitudes"),
-    NUMBER("floor", 0.5, -1.0, 1.0, "how far floors sink"),
-    NUMBER("stripes", 1.5, 0.5, 4.0, "gullies per cell"),
-    NUMBER("branch", 0.8, 0.1, 2.0, "how far octaves turn those after them"),
-    NUMBER("round", 0.15, 0.02, 1.0, "of crests"),
-    NUMBER("keep", 1.0, 0.1, 1.0, "how much crests and floors are spared"),
-    WORD("rotate", rotate, "turns the axes between octaves"),
+    SCARP_GULLIES_MEMBERS(MEMBER, OTHER, ) WORD("rotate", rotate, "turns the axes between octaves"),
 };
 
 static const struct scarp_recipe_argument cell[] = {
