@@ -1103,12 +1103,14 @@ struct scarp_gullies {
        base, in [2^-5, 2^5]. Default 1.125. Less makes peaks sharper. */
     float slope SCARP_ZERO;
 
-    /* the same slope for floors. Default 1.75. More makes floors wider. */
+    /* the same slope for floors, in [2^-5, 2^5]. Default 1.75. More makes floors wider. */
     float slope_low SCARP_ZERO;
 
-    /* the heights of floors and of crests, in amplitudes, in [-2^10, 2^10], at least 2^-10 apart.
-       Defaults -1 and 1. */
+    /* the height of floors, in amplitudes, in [-2^10, 2^10]. Default -1. */
     float low SCARP_ZERO;
+
+    /* the height of crests, in amplitudes, in [-2^10, 2^10], at least 2^-10 above `low`. Default 1.
+     */
     float high SCARP_ZERO;
 
     /* how far floors sink, in [-1, 1]: 1 as deep as gullies, -1 filled up. Default 0.5. */

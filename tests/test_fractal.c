@@ -229,8 +229,8 @@ static void check_bent(struct block *block, enum scarp_fractal fractal, enum fun
         block_sample(block, &noise, f, BLOCK);
         compare_block(block, own ? BLOCK / 10 : BLOCK, &noise, &oracle, f, &errors);
     }
-    printf("%-10s %-17s %s, %5ld points, %2ld excluded", fractal_names[fractal], function_names[f],
-           own ? "own " : "cube", errors.points, errors.excluded);
+    printf("%-10s %-17s %s, %5ld points, %2ld excluded", fractal_name((int)fractal),
+           function_names[f], own ? "own " : "cube", errors.points, errors.excluded);
     for (int order = 0; order < 2; order++) {
         const double rms = sqrt(errors.squares[order] / (double)errors.points);
         printf("  %.2e %.1e", errors.max[order], rms);

@@ -38,7 +38,7 @@ def commented(body):
 
 def default(comment):
     """What a comment says as `Default 2.`; None if it says nothing of the kind."""
-    said = re.search(r"\bDefault\s+([0-9.]*[0-9])", comment)
+    said = re.search(r"\bDefault\s+(-?[0-9.]*[0-9])", comment)
     return float(said.group(1)) if said else None
 
 
@@ -46,6 +46,22 @@ def titles(text):
     """What comments say of functions: `scarp_name - this`, up to the first empty line."""
     found = re.findall(r"(?s)/\*\s+(?:\* )?(\w+) - (.*?)\s*(?:\n \*\n|\*/)", text)
     return {name: " ".join(re.sub(r"\n \* ?", " ", title).split()) for name, title in found}
+
+
+def number(text):
+    """2^-24, -2^10, 1/16 or 0.5 as a number; None for anything else."""
+    power = re.fullmatch(r"(-?)2\^(-?\d+)", text)
+    if power:
+        return float(power.group(1) + "1") * 2.0 ** int(power.group(2))
+    quotient = re.fullmatch(r"(-?[0-9.]*[0-9])(?:/(\d+))?", text)
+    return float(quotient.group(1)) / float(quotient.group(2) or 1) if quotient else None
+
+
+def intervals(comment):
+    """The intervals of numbers that a comment says, as `[1/16, 16]` or `(0, 32]`, as pairs."""
+    found = [tuple(map(number, pair)) for pair in re.findall(
+        r"[\[(]([-0-9^./]+),\s+([-0-9^./]+)\]", comment)]
+    return [pair for pair in found if None not in pair]
 
 
 def declared(declaration):
@@ -132,7 +148,7 @@ class Header:
     def structure(self, body):
         """Members, with their offsets for both sizes of pointers; and the sizes."""
         members = [{"name": name, "type": kind, "expressions": dimensions,
-                    "default": default(comment),
+                    "default": default(comment), "intervals": intervals(comment),
                     "comment": " ".join(re.sub(r"/\*|\*/", " ", comment).split())}
                    for line, comment in commented(body)
                    for name, kind, dimensions in declared(line)]

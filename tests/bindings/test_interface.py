@@ -42,8 +42,8 @@ class Interface(unittest.TestCase):
         shutil.copytree(os.path.join(SOURCE, "tests", "bindings"),
                         os.path.join(SCRATCH, "tests", "bindings"))
         shutil.copytree(os.path.join(SOURCE, "tests", "cpp"), os.path.join(SCRATCH, "tests", "cpp"))
-        os.makedirs(os.path.join(SCRATCH, "include"))
-        for name in (HEADER, HEADER + "pp"):
+        for name in (HEADER, HEADER + "pp", "src/plan/members.h", "src/cli/shared/members.h"):
+            os.makedirs(os.path.dirname(os.path.join(SCRATCH, name)), exist_ok=True)
             shutil.copy(os.path.join(SOURCE, name), os.path.join(SCRATCH, name))
         make_writable()
 
@@ -103,7 +103,29 @@ class Interface(unittest.TestCase):
                 ("src/bindings/csharp/Scarp.cs", "public float jitter;", "public int jitter;",
                  "Scarp.cs is not current"),
                 ("src/bindings/python/scarp/_interface.py", "'phase'", "'fase'",
-                 "_interface.py is not current")):
+                 "_interface.py is not current"),
+                ("src/cli/shared/members.h", "GAIN_DEFAULT 0.5", "GAIN_DEFAULT 0.6",
+                 "members.h is not current"),
+                ("src/plan/members.h", "2.0, 0x1p-4", "2.5, 0x1p-4",
+                 "scarp.h: the default of noise.lacunarity is 2.5"),
+                ("src/plan/members.h", "0x1p-6, 0x1p6", "0x1p-6, 0x1p7",
+                 "scarp.h: gullies.cells has another interval"),
+                ("src/plan/members.h", '"outside [2^-8, 2^8]"', '"outside [2^-8, 2^9]"',
+                 "members.h: narrow.sharpness: outside [2^-8, 2^9]"),
+                ("src/plan/members.h", "5.0, 1.0, 8.0", "6.0, 1.0, 8.0",
+                 "scarp.h: the default of gullies.octaves is 6"),
+                ("src/web/scarp.d.ts", "0.5 by default", "0.6 by default",
+                 "scarp.d.ts: gain of noise has another default"),
+                ("src/bindings/csharp/Scarp.cs", "in [1/16, 16]. Default 0.5",
+                 "in [1/16, 8]. Default 0.5", "Scarp.cs: Gain of noise has another interval"),
+                ("src/bindings/rust/src/noise.rs", "in [1/16, 16]. By default 2",
+                 "in [1/16, 16]. By default 3", "noise.rs: lacunarity of noise has another"),
+                ("src/bindings/rust/src/gullies.rs", "By default 1.75", "By default 1.7",
+                 "gullies.rs: slope_low of gullies has another default"),
+                ("src/bindings/python/scarp/_noise.py", "Default 0.5", "Default 0.25",
+                 "_noise.py: gain of noise has another default"),
+                ("src/bindings/python/scarp/_gullies.py", "Default 0.15", "Default 0.2",
+                 "_gullies.py: round of gullies has another default")):
             with self.subTest(new):
                 self.setUp()
                 self.assertEqual(run(SCRATCH, "--check").returncode, 0)

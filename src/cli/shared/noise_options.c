@@ -8,9 +8,13 @@
 #include <string.h>
 
 #include "shared/error.h"
+#include "shared/members.h"
 #include "shared/number.h"
 
 #define FIELD(name) offsetof(struct noise_options, name)
+#define TEXT(x) #x
+#define TEXT_OF(x) TEXT(x)
+#define STANDARD(member) TEXT_OF(NOISE_##member##_DEFAULT)
 
 static const char *basis_word(int basis)
 {
@@ -37,31 +41,32 @@ const struct option noise_seed_rows[NOISE_SEED_ROWS] = {
 const struct option noise_option_rows[NOISE_OPTION_COUNT] = {
     {OPTION_CHOICE("--basis", basis, "gradient", basis_word, "the noise of an octave")},
     {OPTION_POSITIVE(
-        "--jitter", jitter, "1", 1,
+        "--jitter", jitter, STANDARD(JITTER), NOISE_JITTER_BOUNDS,
         "with --basis cell-..., how far features, the random points of cells, stray from the "
         "middles of their cells")},
     {OPTION_CHOICE("--fade", fade, "quintic", fade_word, "how lattice points are blended")},
     {OPTION_CHOICE("--fractal", fractal, "fbm", fractal_word,
                    "how octaves are summed (erosion, swiss and jordan of cell-f1, cell-f2 and "
                    "cell-edge have cliffs)")},
-    {OPTION_FLOAT("--erosion", erosion, "1", 0x1p-24, 0x1p24,
+    {OPTION_FLOAT("--erosion", erosion, STANDARD(EROSION), NOISE_EROSION_BOUNDS,
                   "with --fractal erosion, how strongly slopes damp octaves; with jordan, how "
                   "strongly flat ground damps them, at most 1")},
     {OPTION_FLOAT(
-        "--sharpness", sharpness, NULL, 0x1p-8, 0x1p8,
+        "--sharpness", sharpness, NULL, NOISE_SHARPNESS_BOUNDS,
         "with --fractal pingpong, how often octaves are folded [2]; with hybrid, how high they lie "
         "[0.7]; with swiss and jordan, how far slopes bend them [0.15, 0.35]")},
-    {OPTION_DOUBLE("--frequency", frequency, "1", 0x1p-32, 0x1p48,
+    {OPTION_DOUBLE("--frequency", frequency, STANDARD(FREQUENCY), NOISE_FREQUENCY_BOUNDS,
                    "lattice cells of the first octave per unit of the coordinates")},
-    {OPTION_POSITIVE("--octaves", octaves, "1", 32,
+    {OPTION_POSITIVE("--octaves", octaves, STANDARD(OCTAVES), NOISE_OCTAVES_BOUNDS,
                      "octaves that are summed, the last one faded in by a fraction")},
-    {OPTION_POSITIVE("--of-octaves", of_octaves, NULL, 32,
+    {OPTION_POSITIVE("--of-octaves", of_octaves, NULL, NOISE_OCTAVES_BOUNDS,
                      "compute the first --octaves of a sum of so many octaves, with the amplitudes "
                      "that they have in that sum"),
      .otherwise = "--octaves"},
-    {OPTION_FLOAT("--lacunarity", lacunarity, "2", 0.0625, 16,
+    {OPTION_FLOAT("--lacunarity", lacunarity, STANDARD(LACUNARITY), NOISE_LACUNARITY_BOUNDS,
                   "frequency ratio from octave to octave")},
-    {OPTION_FLOAT("--gain", gain, "0.5", 0.0625, 16, "amplitude ratio from octave to octave")},
+    {OPTION_FLOAT("--gain", gain, STANDARD(GAIN), NOISE_GAIN_BOUNDS,
+                  "amplitude ratio from octave to octave")},
     {OPTION_READ(
          option_float, "F", "--phase", phase, "a finite number, at most 2^128 - 2^104 in magnitude",
          "how far the gradients of the lattice are turned, in turns: as it grows, the noise "
@@ -69,7 +74,7 @@ const struct option noise_option_rows[NOISE_OPTION_COUNT] = {
      .otherwise = "it stands still", .lowest = -0x1.fffffep127, .highest = 0x1.fffffep127},
     {OPTION_FLAG("--rotate", rotate,
                  "turn the axes between octaves: hides the lattice's directions")},
-    {OPTION_MAGNITUDE("--amplitude", amplitude, "1", 0x1p-24, 0x1p24,
+    {OPTION_MAGNITUDE("--amplitude", amplitude, STANDARD(AMPLITUDE), NOISE_AMPLITUDE_BOUNDS,
                       "what values are multiplied by; a negative one turns them over")},
 };
 
@@ -181,10 +186,14 @@ void noise_write(const struct noise_options *options, struct text *text)
         const char *name;
         float value, standard;
     } members[] = {
-        {"octaves", o->octaves, 1.0f},       {"of_octaves", o->of_octaves, NOISE_UNSET},
-        {"lacunarity", o->lacunarity, 2.0f}, {"gain", o->gain, 0.5f},
-        {"amplitude", o->amplitude, 1.0f},   {"erosion", o->erosion, 1.0f},
-        {"jitter", o->jitter, 1.0f},         {"sharpness", o->sharpness, NOISE_UNSET},
+        {"octaves", o->octaves, NOISE_OCTAVES_DEFAULT},
+        {"of_octaves", o->of_octaves, NOISE_UNSET},
+        {"lacunarity", o->lacunarity, NOISE_LACUNARITY_DEFAULT},
+        {"gain", o->gain, NOISE_GAIN_DEFAULT},
+        {"amplitude", o->amplitude, NOISE_AMPLITUDE_DEFAULT},
+        {"erosion", o->erosion, NOISE_EROSION_DEFAULT},
+        {"jitter", o->jitter, NOISE_JITTER_DEFAULT},
+        {"sharpness", o->sharpness, NOISE_UNSET},
     };
     bool is_first = true;
     text_add(text, "noise(");

@@ -52,8 +52,7 @@ struct option {
 #define OPTION_COUNT(...) OPTION_BETWEEN(option_count, "N", __VA_ARGS__)
 #define OPTION_SIZE(...) OPTION_BETWEEN(option_size, "WxH", __VA_ARGS__)
 #define OPTION_POINT(...) OPTION_BETWEEN(option_point, "X,Y", __VA_ARGS__)
-#define OPTION_POSITIVE(title, member, default_, most, explanation)                                \
-    OPTION_BETWEEN(option_positive, "F", title, member, default_, 0, most, explanation)
+#define OPTION_POSITIVE(...) OPTION_BETWEEN(option_positive, "F", __VA_ARGS__)
 #define OPTION_CHOICE(title, member, default_, words, explanation)                                 \
     OPTION_ROW(option_choice, "NAME", title, member, default_, explanation), .choice = words
 #define OPTION_ISA(member)                                                                         \

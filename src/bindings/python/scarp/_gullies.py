@@ -18,17 +18,26 @@ NEEDED = (("value", "dx", "dy"), ("value", "dx", "dy", "dxx", "dxy", "dyy"))
 class Gullies:
     """Gullies that run down a base and branch: erosion as a function of the place.
 
-    frequency   of the base: cells per unit of input. Default 1
-    amplitude   of the base: half the height from its floors to its crests. Default 1
-    octaves     in (0, 32]. Default 5
-    depth       how far the base is displaced at most, in amplitudes. Default 0.25
-    seed        an integer in [-2^63, 2^64); a negative one is 2^64 more
-    rotate      turn the axes between octaves
-    offset_first  whether the seed moves octave 0, too
-    period      cells of the base after which gullies repeat along x and y; 0: never
-    and lacunarity (2), gain (0.45), of_octaves, cells (3), slope (1.125), slope_low (1.75),
-    low (-1), high (1), floor (0.5), stripes (1.5), branch (0.8), round (0.15), keep (1): see
-    include/scarp.h.
+    frequency    of the base: cells per unit of input. Default 1
+    amplitude    of the base: half the height from its floors to its crests. Default 1
+    octaves      in (0, 32]. Default 5
+    of_octaves   weights are those of a sum of so many octaves
+    lacunarity   frequency ratio between octaves. Default 2
+    gain         weight ratio between octaves. Default 0.45
+    depth        how far the base is displaced at most, in amplitudes. Default 0.25
+    cells        cells of the first gullies per cell of the base. Default 3
+    slope        where gullies of crests have half their depth. Default 1.125
+    slope_low    the same of floors. Default 1.75
+    low, high    the heights of floors and of crests, in amplitudes: -1 and 1
+    floor        how far floors sink. Default 0.5
+    stripes      gullies per cell. Default 1.5
+    branch       how far octaves turn those after them. Default 0.8
+    round        how round crests are. Default 0.15
+    keep         how far crests and floors are spared. Default 1
+    seed         an integer in [-2^63, 2^64); a negative one is 2^64 more
+    rotate       turn the axes between octaves
+    offset_first whether the seed moves octave 0, too
+    period       cells of the base after which gullies repeat along x and y; 0: never
 
     0 would stand for the default, so it is an error; for an effect that is not wanted give 2^-24.
     Raises ScarpError, a ValueError, that names the member at fault.

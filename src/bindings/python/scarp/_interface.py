@@ -341,6 +341,8 @@ DEFAULTS = {
         'cells': 3.0,
         'slope': 1.125,
         'slope_low': 1.75,
+        'low': -1.0,
+        'high': 1.0,
         'floor': 0.5,
         'stripes': 1.5,
         'branch': 0.8,

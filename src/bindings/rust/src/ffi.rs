@@ -537,6 +537,8 @@ pub mod defaults {
         pub const cells: f32 = 3.0;
         pub const slope: f32 = 1.125;
         pub const slope_low: f32 = 1.75;
+        pub const low: f32 = -1.0;
+        pub const high: f32 = 1.0;
         pub const floor: f32 = 0.5;
         pub const stripes: f32 = 1.5;
         pub const branch: f32 = 0.8;
