@@ -49,7 +49,7 @@ static const struct {
 } classes[HONESTY_CLASSES] = {
     [HONESTY_NOISE] = {"fBm, turbulence, ridged, ping-pong, hybrid", {4e-5, 1.1e-6}},
     [HONESTY_EROSION] = {"erosion", {1e-3, 1.5e-5}},
-    [HONESTY_BENT] = {"Swiss, Jordan", {3e-3, 1.2e-4}},
+    [HONESTY_BENT] = {"bent", {3e-3, 1.2e-4}},
     [HONESTY_WARP] = {"warps", {6e-5, 4e-6}},
     [HONESTY_RECIPE] = {"recipes", {6e-3, 1e-4}},
     [HONESTY_GULLIES] = {"gullies", {1.3e-4, 4.5e-6}},

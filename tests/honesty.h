@@ -11,7 +11,7 @@
 enum honesty_class {
     HONESTY_NOISE,   /* sums of octaves, folded or not, and hybrid noise */
     HONESTY_EROSION, /* slopes damp octaves */
-    HONESTY_BENT,    /* slopes bend octaves: Swiss and Jordan noise */
+    HONESTY_BENT,    /* slopes bend octaves */
     HONESTY_WARP,
     HONESTY_RECIPE,
     HONESTY_GULLIES,

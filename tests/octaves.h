@@ -1,8 +1,8 @@
 /* SPDX-License-Identifier: MIT
  *
  * What scarp.h defines for the octaves of a noise, in double: seeds, keys, offsets, turns and
- * weights. Of the library only the traits of fractals come in. Header only; included by the oracle and by tests that
- * rebuild noise from single octaves.
+ * weights. Of the library only the traits of fractals come in. Header only; included by the oracle
+ * and by tests that rebuild noise from single octaves.
  */
 #ifndef SCARP_TESTS_OCTAVES_H
 #define SCARP_TESTS_OCTAVES_H

@@ -7,6 +7,12 @@ _scarp_options()
     "$1" help "$2" 2>/dev/null | sed -n 's/^  \(--[a-z-]*\).*/\1/p'
 }
 
+# The words of an option, which the program names when it refuses another one.
+_scarp_words()
+{
+    "$1" "$2" "$3" "" 2>&1 >/dev/null | sed -n "s/^scarp: $3: '' is not //; s/,//g; s/ or / /p"
+}
+
 _scarp_presets()
 {
     "$1" help recipe 2>/dev/null | sed -n '/^presets /,/^$/s/^  \([a-z]*\) .*/\1/p'
@@ -28,9 +34,7 @@ _scarp()
         [ "$COMP_CWORD" -eq 2 ] && words="terrain view sheet sample recipe info"
     else
         case $before in
-        --basis) words="gradient value simplex cell-f1 cell-f2 cell-edge cell-soft cell-value" ;;
-        --fade) words="quintic cubic" ;;
-        --fractal) words="fbm turbulence ridged erosion pingpong hybrid swiss jordan" ;;
+        --basis | --fade | --fractal) words=$(_scarp_words "$program" "$command" "$before") ;;
         --preset) words="none $(_scarp_presets "$program")" ;;
         --isa) words="scalar sse4.1 avx2 avx512 neon generic wasm128" ;;
         --normal-y) words="up down" ;;

@@ -45,7 +45,7 @@
            "turns of the lattice's gradients")                                                     \
     NUMBER(X, jitter, JITTER, 1.0, 0.0, 1.0, "outside (0, 1]", 0.1, 1.0, "how far features stray") \
     NUMBER(X, sharpness, SHARPNESS, 0.0, 0x1p-24, 0x1p24, "outside [2^-24, 2^24]", 0.1, 4.0,       \
-           "of ping-pong, hybrid, Swiss and Jordan noise")
+           "of some fractals, which have a default each")
 
 /* NARROW(X, member, refusal, lowest, highest, why it is refused): of fractals whose traits say so */
 #define SCARP_NARROW_MEMBERS(NARROW, X)                                                            \

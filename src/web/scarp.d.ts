@@ -2,6 +2,7 @@
 
 // Types of scarp for JavaScript. scarp.h has the contracts, and at its end the formulas.
 
+// <words> made by src/bindings/interface.py of include/scarp.h: do not change them by hand
 /** Perlin's gradient noise, value noise, simplex noise, and five kinds of cellular noise. */
 export type Basis =
     | 'gradient'
@@ -17,6 +18,7 @@ export type Fade = 'quintic' | 'cubic';
 /** How octaves are summed. */
 export type Fractal =
     'fbm' | 'turbulence' | 'ridged' | 'erosion' | 'pingpong' | 'hybrid' | 'swiss' | 'jordan';
+// </words>
 /** 2: the plane; 3: space. */
 export type Dimensions = 2 | 3;
 
@@ -43,8 +45,8 @@ export interface Noise {
     /** Scales every output; its magnitude in [2^-24, 2^24]; 1 by default. */
     amplitude?: number;
     /**
-     * 'erosion': how strongly slopes damp octaves, in [2^-24, 2^24]; 'jordan': how much flat ground
-     * damps them, at most 1. 1 by default.
+     * Of 'erosion': how strongly slopes damp octaves, in [2^-24, 2^24]; 1 by default. scarp.h says
+     * what it is for other fractals.
      */
     erosion?: number;
     /** How far gradients turn, in turns, so that noise flows; only for the basis 'gradient'. */
@@ -52,8 +54,7 @@ export interface Noise {
     /** Cellular noise: how far features stray from middles of cells, in (0, 1]; 1 by default. */
     jitter?: number;
     /**
-     * 'pingpong': how often octaves are folded, 2 by default; 'hybrid': how high they lie, 0.7;
-     * 'swiss' and 'jordan': how far they are bent, 0.15 and 0.35. In [2^-8, 2^8].
+     * In [2^-8, 2^8], for some fractals. scarp.h says what it is for each, and its default.
      */
     sharpness?: number;
     /** Cells of the first octave after which the noise repeats along x, y and z; 0: never. */

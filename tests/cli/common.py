@@ -9,6 +9,7 @@ accepts and refuses. SCARP_SPEED in the environment is "full", or tells why the 
 and its memory no measure: "slow" with sanitizers or for debugging, "emulated".
 """
 import glob
+import json
 import os
 import re
 import struct
@@ -42,9 +43,9 @@ OPTIONS = ("size", "origin", "step", "tileable", "levels", "band-limit", "crs",
            "frequency", "octaves", "of-octaves", "lacunarity", "gain", "phase", "rotate", "amplitude",
            "height", "sea-level", "plateau", "threads", "isa", "quiet", "help")
 FLAGS = ("tileable", "band-limit", "resume", "verify", "rotate", "print-recipe", "quiet", "help")
-FRACTALS = ("fbm", "turbulence", "ridged", "erosion", "pingpong", "hybrid", "swiss", "jordan")
-FLOWING = FRACTALS[:6]  # those with a derivative by the phase
 ROOT = os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir, os.pardir)
+with open(os.path.join(ROOT, "src", "bindings", "interface.json"), encoding="utf-8") as file:
+    FRACTALS = tuple(name[6:].lower() for name in json.load(file)["enums"]["scarp_fractal"])
 # Cheap to compute, and every option of the noise matters in it
 SMALL = ["--size", "40x30", "--frequency", "0.03"]
 

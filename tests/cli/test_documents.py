@@ -87,7 +87,8 @@ class Completion(Case):
         for command in COMMANDS[:-1]:
             text = re.sub(r"\n {18}", " ", text_of("help", command))
             for option in re.findall(r"(?m)^  (--[a-z-]+) NAME(?!=)", text):
-                if option == "--preset" and len(common.PROGRAM) != 1:
+                if (option in ("--preset", "--basis", "--fade", "--fractal")
+                        and len(common.PROGRAM) != 1):
                     continue  # an emulated program is not there to be asked
                 words = self.complete(command, option, "")
                 told = re.search(r"(?m)^  %s NAME.*$" % option, text).group(0)

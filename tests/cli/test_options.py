@@ -3,7 +3,7 @@
 import re
 
 import common
-from common import FLAGS, OPTIONS, SMALL, Case, run, supported_isas, text_of
+from common import FLAGS, FRACTALS, OPTIONS, SMALL, Case, run, supported_isas, text_of
 from refusals import refusals
 
 
@@ -91,8 +91,8 @@ class Errors(Case):
         text = text_of("terrain", "--help")
         for option, value, allowed in (("--erosion", "0", "from 2^-24 to 2^24"),
                                        ("--compare", "8", "from 1 to 7"),
-                                       ("--fractal", "fBm", "fbm, turbulence, ridged, "
-                                        "erosion, pingpong, hybrid, swiss or jordan"),
+                                       ("--fractal", "fBm", " or ".join(
+                                           (", ".join(FRACTALS[:-1]), FRACTALS[-1]))),
                                        ("--basis", "x", "gradient, value, simplex, cell-f1, cell-f2, "
                                                        "cell-edge, cell-soft or cell-value"),
                                        ("--fade", "x", "quintic or cubic")):

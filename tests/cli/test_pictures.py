@@ -80,16 +80,19 @@ class Pictures(Case):
             self.assertEqual(len(set(map(str, pictures))), different, basis)
 
     def test_erosion_counts(self):
-        """How much it damps matters to --fractal erosion and jordan, and to no other."""
-        for fractal in FRACTALS[:-1]:
+        """How much it damps matters to the fractals that the help names, and to no other."""
+        told = re.search(r"--erosion F(.*?)--sharpness", text_of("terrain", "--help"), re.S).group(1)
+        takers = set(re.findall(r"\w+", told)) & set(FRACTALS)
+        self.assertGreaterEqual(len(takers), 2)
+        for fractal in FRACTALS:
+            strengths = ["0.1", "0.5", "1"]  # all of these take more, but those where 1 is all
+            if run("terrain", "--fractal", fractal, "--erosion", "2", "--print-recipe").returncode == 0:
+                strengths = ["5.9604644775390625e-8", "1", "1.5", "16777216"]
             pictures = [self.terrain(*SMALL, "--fractal", fractal, "--erosion", strength)
-                        for strength in ("5.9604644775390625e-8", "1", "1.5", "16777216")]
+                        for strength in strengths]
             for i in range(3):
-                different = [len({data[i] for data in pictures})]
-                self.assertEqual(different, [4 if fractal == "erosion" else 1], (fractal, i))
-        jordan = [self.terrain(*SMALL, "--fractal", "jordan", "--erosion", strength)
-                  for strength in ("0.1", "0.5", "1")]
-        self.assertEqual([len({data[i] for data in jordan}) for i in range(3)], [3, 3, 3])
+                different = len({data[i] for data in pictures})
+                self.assertEqual(different, len(strengths) if fractal in takers else 1, (fractal, i))
         # Hardly any of it: fBm, but for roundings to 16 bits
         slight = self.pictures(*SMALL, "--fractal", "erosion", "--erosion", "6e-8")[0].flat()
         fbm = self.pictures(*SMALL)[0].flat()
@@ -100,8 +103,15 @@ class Pictures(Case):
 
     def test_sharpness_counts(self):
         """It matters to the fractals that have one, whose defaults are those of the help."""
-        for fractal, standard in (("pingpong", "2"), ("hybrid", "0.7"), ("swiss", "0.15"),
-                                  ("jordan", "0.35"), ("fbm", None)):
+        told = re.search(r"--sharpness F(.*?)--frequency", text_of("terrain", "--help"),
+                         re.S).group(1)
+        standards = {}
+        for clause in told.split(";"):
+            named = [word for word in re.findall(r"\w+", clause) if word in FRACTALS]
+            standards.update(zip(named, re.findall(r"[0-9.]*[0-9]", clause.partition("[")[2])))
+        self.assertGreaterEqual(len(standards), 4)
+        for fractal in FRACTALS:
+            standard = standards.get(fractal)
             other, same = (self.terrain(*SMALL, "--fractal", fractal, "--sharpness", sharpness)
                            for sharpness in ("0.5", standard or "0.75"))
             self.assertEqual(other != same, standard is not None, fractal)

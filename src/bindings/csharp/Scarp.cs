@@ -372,7 +372,7 @@ namespace Scarp
         public Basis Basis { get { return data.basis; } set { data.basis = value; } }
         public Fade Fade { get { return data.fade; } set { data.fade = value; } }
 
-        /// <summary>How octaves are summed. Erosion, Swiss and Jordan have no Hessian.</summary>
+        /// <summary>How octaves are summed. Some fractals have no Hessian: see scarp.h.</summary>
         public Fractal Fractal { get { return data.fractal; } set { data.fractal = value; } }
 
         /// <summary>Turns the axes between octaves, which hides the lattice's directions.</summary>
@@ -422,8 +422,8 @@ namespace Scarp
             set { data.amplitude = NotZero(value, "Amplitude"); }
         }
 
-        /// <summary>Fractal.Erosion: how strongly slopes damp octaves; Jordan: how much of them
-        /// flat ground lacks. Default 1.</summary>
+        /// <summary>Fractal.Erosion: how strongly slopes damp octaves. Default 1. For other
+        /// fractals see scarp.h.</summary>
         public float Erosion
         {
             get { return data.erosion; }
@@ -441,7 +441,7 @@ namespace Scarp
             set { data.jitter = NotZero(value, "Jitter"); }
         }
 
-        /// <summary>Of Pingpong, Hybrid, Swiss and Jordan. 0: the default of the fractal.</summary>
+        /// <summary>Of some fractals, in [2^-8, 2^8]: see scarp.h. 0: the default of the fractal.</summary>
         public float Sharpness { get { return data.sharpness; } set { data.sharpness = value; } }
 
         /// <summary>Cells of octave 0 after which the noise repeats along x; 0: never.</summary>

@@ -17,6 +17,10 @@ ARRAYS = (("Samples", "scarp_samples", "Arrays of values and of their derivative
            "respect to y."),
           ("Partials", "scarp_partials", "A function of a, or of a and b, at each point, with its "
            "partial derivatives."))
+WORDS = (("scarp_basis", "Basis",
+          "Perlin's gradient noise, value noise, simplex noise, and five kinds of cellular noise."),
+         ("scarp_fade", "Fade", "The blend between lattice points of gradient and value noise."),
+         ("scarp_fractal", "Fractal", "How octaves are summed."))
 TYPED = ("scarp_noise",)  # structures that are written member by member
 
 FIRST = """\
@@ -97,6 +101,19 @@ def types(header):
         yield from comment("    ", f.about()) + [line]
 
 
+def words(header):
+    """The unions of words that enumerators have."""
+    for enum, name, comment in WORDS:
+        yield "/** %s */" % comment
+        given = ["'%s'" % text[6:].lower().replace("_", "-") for text in header.enums[enum]]
+        line = "export type %s = %s;" % (name, " | ".join(given))
+        if len(line) > 100:
+            line = "    " + " | ".join(given) + ";"
+            line = "export type %s =\n" % name + (
+                line if len(line) <= 100 else "\n".join("    | " + each for each in given) + ";")
+        yield line
+
+
 def tested(header):
     """The content of test/chain.mjs."""
     out = ["// SPDX-License-Identifier: MIT", "//",
@@ -113,6 +130,7 @@ def made(header, read):
     """Files with what is made of the header: pairs of a path and a text"""
     yield PATH, table(header)
     yield METHODS, replaced(METHODS, read(METHODS), "chain", methods(header))
-    text = replaced(TYPES, read(TYPES), "arrays", interfaces(header))
+    text = replaced(TYPES, read(TYPES), "words", words(header))
+    text = replaced(TYPES, text, "arrays", interfaces(header))
     yield TYPES, replaced(TYPES, text, "chain", types(header))
     yield TESTED, tested(header)

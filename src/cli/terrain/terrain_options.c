@@ -199,7 +199,7 @@ const struct option_table terrain_table = {
         "slope      The angle whose tangent is the length of the gradient.\n"
         "curvature  The mean curvature, which is 1 / R on top of a sphere of radius R. It is\n"
         "           -((1 + dy^2) dxx - 2 dx dy dxy + (1 + dx^2) dyy) / (2 (1 + dx^2 + dy^2)^1.5).\n"
-        "           The sea has none. Erosion, swiss, jordan, gullies, slopes and distances in\n"
+        "           The sea has none. Fractals of slopes, gullies, slopes and distances in\n"
         "           cells have no second derivatives.\n"
         "out        Values are those of the recipe. --scale makes places larger and not the\n"
         "           values, and a height has no sea. 16-bit integers divide the interval that\n"

@@ -141,8 +141,8 @@ class Noise:
 
     basis        "gradient", "value", "simplex", "cell-f1", "cell-f2", "cell-edge", "cell-soft",
                  "cell-value"
-    fractal      how octaves are summed: "fbm", "turbulence", "ridged", "erosion", "pingpong",
-                 "hybrid", "swiss", "jordan". erosion, swiss and jordan have no Hessian.
+    fractal      how octaves are summed: "fbm", "turbulence", "ridged" and others, which are in
+                 scarp.FRACTALS. Some have no Hessian: see include/scarp.h.
     fade         "quintic" or "cubic"
     seed         an integer in [-2^63, 2^64); a negative one is 2^64 more
     frequency    lattice cells per unit of input. Default 1

@@ -83,13 +83,13 @@ pub struct Noise<'a> {
     pub gain: f32,
     /// Scales every output; its magnitude in [2^-24, 2^24]. By default 1
     pub amplitude: f32,
-    /// Erosion: how strongly slopes damp octaves; Jordan noise: how much of them flat ground lacks
+    /// Erosion: how strongly slopes damp octaves. By default 1. For other fractals see `scarp.h`
     pub erosion: f32,
     /// Turns of the gradients, so that noise flows; 1 is a loop. Gradient noise alone
     pub phase: f32,
     /// Cellular noise: how far features stray from the middles of their cells, in (0, 1]
     pub jitter: f32,
-    /// Ping-pong, hybrid, Swiss and Jordan noise: see `scarp.h`. 0: the default of the fractal
+    /// Of some fractals, in [2^-8, 2^8]: see `scarp.h`. 0: the default of the fractal
     pub sharpness: f32,
     /// Cells of octave 0, in [1, 2^30], after which the noise repeats along each axis; 0: never
     pub period: [u32; 3],

@@ -94,8 +94,8 @@ words! {
     /// How octaves are summed
     ///
     /// ```
-    /// let without_hessian = [scarp::Fractal::Erosion, scarp::Fractal::Swiss, scarp::Fractal::Jordan];
-    /// assert_eq!(without_hessian.map(|each| each.name()), ["erosion", "swiss", "jordan"]);
+    /// let fractals = [scarp::Fractal::Fbm, scarp::Fractal::Ridged, scarp::Fractal::Swiss];
+    /// assert_eq!(fractals.map(|each| each.name()), ["fbm", "ridged", "swiss"]);
     /// ```
     Fractal, scarp_fractal_name {
         /// Fractional Brownian motion: the weighted sum
