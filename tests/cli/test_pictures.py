@@ -67,7 +67,7 @@ class Pictures(Case):
             data = self.terrain(*SMALL, *arguments)[0]
             self.assertNotIn(data, heights, (arguments, heights.get(data)))
             heights[data] = arguments
-        self.assertEqual(len(heights), 27)
+        self.assertEqual(len(heights), 20 + len(FRACTALS[1:]))
 
     def test_jitter_counts(self):
         """How far features stray matters to cellular noise, and to no other."""
