@@ -222,7 +222,7 @@ class Chosen(Coordinates):
 
     def test_names_where_there_are_none(self):
         for data in ("7 1 2\n", "id x y\n7 1 2\n", npy([(7, 1, 2)])):
-            self.check_error(data, "--columns: standard input has no names of columns, and so no "
+            self.check_error(data, "--columns: standard input has no column names, and so no "
                              "'x'; choose from 1 to 3", "--columns", "x,y")
         for data in (b"x,y\0\n1,2\n", b"x" * 70000 + b",y\n1,2\n", b"x\0 y\n"):
             self.check_error(data, "--columns: the header row of standard input is longer than "

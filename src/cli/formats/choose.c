@@ -67,7 +67,7 @@ const struct format *format_choose(const struct wanted *wanted, const char *text
     const size_t length = strlen(*path);
     const size_t end = strlen(UNFINISHED_END);
     if (length > end && strcmp(*path + length - end, UNFINISHED_END) == 0) {
-        cli_error("%s: '%.200s' is a name for what is not complete yet", wanted->option, *path);
+        cli_error("%s: '%.200s' is a name for an unfinished file", wanted->option, *path);
         return NULL;
     }
     if (format == NULL || !can_hold(format, wanted) || length == 0) {

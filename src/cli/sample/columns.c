@@ -247,7 +247,7 @@ bool columns_nameless(const struct columns *columns, const char *input, size_t t
     while (read_number(&columns->name[i], &number)) { /* one of them is none */
         i++;
     }
-    cli_error("--columns: %s has no names of columns, and so no '%s'; choose from 1 to %zu", input,
+    cli_error("--columns: %s has no column names, and so no '%s'; choose from 1 to %zu", input,
               field_show(&columns->name[i], shown), total);
     return false;
 }

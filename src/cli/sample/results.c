@@ -279,7 +279,7 @@ int results_begin(struct results *results, const struct points *points)
     choose_marks(results, points);
     if (results->format == POINTS_NPY) {
         if (!is_counted(points) && !can_rewind(&results->file)) {
-            cli_error("--output: %s: the header of .npy tells how many points there are; to write "
+            cli_error("--output: %s: the header of .npy says how many points there are; to write "
                       "that at the end, the output must be a file of its own",
                       file_name(results->path));
             return CLI_USAGE;

@@ -294,7 +294,8 @@ static bool check_recipe(struct sample *sample, const struct source *source,
 static bool check_dimensions(const struct sample *sample, const struct source *source)
 {
     if (sample->is_space && sample->points.dims == 2) {
-        cli_error("%s: %s is of space, and points have no z", source->option, source->name);
+        cli_error("%s: %s is a recipe of space, but the points have no z", source->option,
+                  source->name);
         return false;
     }
     if (!sample->is_space && sample->points.dims == 3) {
@@ -322,7 +323,7 @@ static bool check_delimiter(const struct sample_options *options)
                        options->input_format == POINTS_UNKNOWN ||
                        options->input_format == (is_space ? POINTS_TEXT : POINTS_CSV);
     if (!agree) {
-        cli_error("--delimiter: %s is that of --input-format %s, and not of %s",
+        cli_error("--delimiter: %s is the delimiter of --input-format %s, not of %s",
                   delimiter_word(options->delimiter), is_space ? "text" : "csv",
                   format_word(options->input_format));
     }

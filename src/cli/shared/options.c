@@ -215,7 +215,7 @@ static void refuse_name(const struct option_table *table, const char *word)
 {
     for (const struct option_removed *r = table->removed; r != NULL && r->name != NULL; r++) {
         if (strncmp(word, r->name, strlen(r->name)) == 0) {
-            cli_error("%.60s: is no option any more: %s", word, r->advice);
+            cli_error("%.60s: is not an option any more: %s", word, r->advice);
             return;
         }
     }

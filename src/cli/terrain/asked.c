@@ -86,7 +86,7 @@ static bool check_field(const struct product *product, const struct ground *grou
     if (product->type == SAMPLE_F32 || (isfinite(field->lowest) && isfinite(field->highest))) {
         return true;
     }
-    cli_error("--out: %s grows with x or y, so 16-bit integers have no scale for it; .r32, .pfm, "
+    cli_error("--out: %s grows with x or y, so there is no scale for 16-bit integers; .r32, .pfm, "
               ".img, .tif and .npy hold floats",
               product->content);
     return false;
@@ -125,7 +125,7 @@ static bool check_system(const struct products *products, unsigned epsg)
         const struct format *const format = products->list[i].format;
         has_place |= format == &format_tif || format == &format_img;
         if (format == &format_img && !img_knows(epsg)) {
-            cli_error("--crs: headers of .img know zones of UTM alone, EPSG:32601 to 32660 and "
+            cli_error("--crs: headers of .img can name UTM zones only, EPSG:32601 to 32660 and "
                       "32701 to 32760; .tif knows EPSG:%u",
                       epsg);
             return false;

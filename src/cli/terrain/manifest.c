@@ -133,7 +133,7 @@ static int check(const struct manifest *manifest, const char *there)
         return refuse(manifest, "is no manifest of scarp: \"manifest\" is missing or no version");
     }
     if (number > VERSION) {
-        cli_error("%s: %s is a manifest of version %ld, and this program knows version %d",
+        cli_error("%s: %s is a manifest of version %ld, but this program reads version %d",
                   manifest->option, manifest->path, number, VERSION);
         return CLI_USAGE;
     }
@@ -141,9 +141,8 @@ static int check(const struct manifest *manifest, const char *there)
     compare(ours, our_count, theirs, their_count, &differences);
     const bool same = differences.length == 0 && !differences.failed;
     if (!same) {
-        cli_error("%s: %s tells of another world: %.700s; remove it to begin anew",
-                  manifest->option, manifest->path,
-                  differences.failed ? "no memory" : differences.bytes);
+        cli_error("%s: %s is of another world: %.700s; remove it to begin anew", manifest->option,
+                  manifest->path, differences.failed ? "no memory" : differences.bytes);
     }
     free(differences.bytes);
     return same ? CLI_SUCCESS : CLI_USAGE;

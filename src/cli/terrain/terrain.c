@@ -136,7 +136,7 @@ static bool make_relief(struct job *job)
         return false;
     }
     if (options->masks != NULL && job->palette.in_units) {
-        cli_error("--masks: a --palette of a FILE has colours, and no rock, snow, sand and water");
+        cli_error("--masks: a --palette FILE has only colours, without rock, snow, sand and water");
         return false;
     }
     if ((products_needs(&job->products[0]) & SURFACE_BED) != 0) {
@@ -214,7 +214,7 @@ static bool set_tileable(struct terrain_options *options)
 {
     struct option_size *const period = &options->ground.period;
     if (options->tileable && period->width != 0) {
-        cli_error("--tileable: is --period %zux%zu; leave one of them out", options->size.width,
+        cli_error("--tileable: means --period %zux%zu; leave one of them out", options->size.width,
                   options->size.height);
         return false;
     }

@@ -24,7 +24,7 @@ static bool check_needs(const struct terrain_options *options)
         return false;
     }
     if (options->tiles.x1 != 0 && options->levels > 1) {
-        cli_error("--tiles: tells no tiles of --levels; --share divides those of all of them");
+        cli_error("--tiles: cannot choose tiles of --levels; --share divides those of all levels");
         return false;
     }
     return true;

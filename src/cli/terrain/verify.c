@@ -127,7 +127,7 @@ int verify_files(struct job *job)
     progress_end(&job->progress, is_done && !interrupted());
     sums_free(&verification.list);
     if (interrupted()) {
-        cli_error("interrupted: not all files were looked at");
+        cli_error("interrupted: not all files were checked");
     }
     return is_done && !interrupted() ? tell_result(&verification) : CLI_FAILURE;
 }
