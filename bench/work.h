@@ -36,7 +36,7 @@ enum bench_output {
     BENCH_VALUE,
     BENCH_PLUS_GRADIENT,       /* value and gradient */
     BENCH_PLUS_HESSIAN,        /* value, gradient and Hessian */
-    BENCH_PLUS_PHASE,          /* value and its derivative by the phase */
+    BENCH_PLUS_PHASE,          /* value and its derivative with respect to the phase */
     BENCH_FORWARD_DIFFERENCES, /* value and gradient, from dimensions + 1 values */
     BENCH_CENTRAL_DIFFERENCES, /* value and gradient, from 2 dimensions + 1 values */
     BENCH_OUTPUTS

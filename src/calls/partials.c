@@ -312,7 +312,7 @@ enum scarp_status scarp_curve(size_t count, const struct scarp_samples *a, size_
     return good ? run(&call) : SCARP_ERROR_PARAMETER;
 }
 
-/* The members that are the second derivatives by x, y and z along an axis */
+/* The members that are the second derivatives with respect to x, y and z along an axis */
 static const unsigned char second[3][3] = {{DXX, DXY, DXZ}, {DXY, DYY, DYZ}, {DXZ, DYZ, DZZ}};
 
 struct slope_call {

@@ -17,8 +17,9 @@ struct matrix {
 };
 
 /* The state that goes from octave to octave at a block: the noise, the sum S of slopes with its
-   Jacobian by x, and how much of the octaves is left (Swiss), with derivatives. In memory, the
-   noise comes first, as a stored sample, then the others in this order, without unset members. */
+   Jacobian with respect to x, and how much of the octaves is left (Swiss), with derivatives. In
+   memory, the noise comes first, as a stored sample, then the others in this order, without unset
+   members. */
 struct bend {
     struct sample sum;
     struct vector s;
@@ -268,7 +269,8 @@ VEC_INLINE void bend_run(const struct bending *at, enum scarp_fractal fractal, s
         vf *const stored = numbers.state + i * bend_size(v.dimensions, v.order);
         struct bend b = bend_load(stored, v);
         const struct sample n = sample_at(numbers.noise, i * VEC_LANES, noise);
-        struct vector nx = gradient_of(&n, v.dimensions); /* by x, where it is needed */
+        struct vector nx =
+            gradient_of(&n, v.dimensions); /* with respect to x, where it is needed */
         if (v.order > 0) {
             nx = bent_vector(&b, nx, vf_set(numbers.octave.reach), v.dimensions);
         }

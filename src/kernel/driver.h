@@ -122,7 +122,7 @@ struct tile {
     size_t first;                         /* MOVED: the first block, counted from `at` */
     struct outputs *to;                   /* where octaves are added up */
     const struct outputs *stored;         /* the noise before it is shaped, at `noise` */
-    const struct outputs *turning_stored; /* its derivative by the phase, at `turning` */
+    const struct outputs *turning_stored; /* its phase derivative, at `turning` */
     enum put put;                         /* how the first octave is put */
     int is_far;                           /* DOUBLES with turned axes: far.h, for some octave */
     int is_located;                       /* whether the samples are on the lattice already */
@@ -269,8 +269,8 @@ VEC_INLINE void add_basis(const struct passes *passes, const struct tile *tile, 
     }
 }
 
-/* Adds the derivative of the basis by the phase, after add_basis, which has located the tile.
-   `order` is that of the outputs which `to` takes. */
+/* Adds the derivative of the basis with respect to the phase, after add_basis, which has located
+   the tile. `order` is that of the outputs which `to` takes. */
 static void add_turning(const struct passes *passes, const struct tile *tile, int k, int order,
                         const struct outputs *to, enum put put)
 {
@@ -291,8 +291,8 @@ static void add_turning(const struct passes *passes, const struct tile *tile, in
     basis->points[d][order](&locations, &weights, to, put);
 }
 
-/* Adds the derivative of octave k by the phase, which no fractal changes. This and the next are out
-   of line, so that what they need is not on the stack while other passes run. */
+/* Adds the derivative of octave k with respect to the phase, which no fractal changes. This and the
+   next are out of line, so that what they need is not on the stack while other passes run. */
 static __attribute__((noinline)) void add_phase(const struct passes *passes,
                                                 const struct tile *tile, int k,
                                                 const struct outputs *to, enum put put)
@@ -302,7 +302,7 @@ static __attribute__((noinline)) void add_phase(const struct passes *passes,
     add_turning(passes, tile, k, 0, &phase, put);
 }
 
-/* Adds the derivative by the phase of an octave whose fractal comes next. */
+/* Adds the derivative with respect to the phase of an octave whose fractal comes next. */
 static __attribute__((noinline)) void add_shaped_phase(const struct passes *passes,
                                                        const struct tile *tile, int k,
                                                        const struct shaping *shaping,

@@ -9,7 +9,7 @@
 #include "points.h"
 
 /* Whether components are computed at once. Octaves that bend look at other positions for each
-   component. The derivative by the phase is rare. */
+   component. The derivative with respect to the phase is rare. */
 static int shares_lattice_pass(const struct scarp_call_plan *plan)
 {
     return components_share_lattice(plan->basis) && !fractal_bends(plan->fractal) && !plan->dphase;

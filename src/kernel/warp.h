@@ -2,9 +2,9 @@
  *
  * Noise at displaced positions, chunk by chunk: the warps of a noise, from the deepest one, which
  * looks at the input, to the noise itself, which looks at y(x). The coordinates of y are kept as
- * samples: their values are how far they are displaced, their derivatives those of y by x. Points
- * and grids go the same way, but that the deepest warp of a grid takes the passes of grids.
- * The reference is scalar/warp.h, with formulas/warp.h.
+ * samples: their values are how far they are displaced, their derivatives those of y with respect
+ * to x. Points and grids go the same way, but that the deepest warp of a grid takes the passes of
+ * grids. The reference is scalar/warp.h, with formulas/warp.h.
  */
 #ifndef SCARP_KERNEL_WARP_H
 #define SCARP_KERNEL_WARP_H
@@ -16,7 +16,7 @@
 struct warped {
     struct chunked chunked;
     const struct scarp_call_plan *plan;
-    struct scarp_outputs y[3];     /* the coordinates, by x */
+    struct scarp_outputs y[3];     /* the coordinates, with derivatives with respect to x */
     struct scarp_outputs moved[3]; /* those of the level at work, by its positions; at level 0 the
                                       noise, or its components */
     float *dphase;                 /* of the noise, if it is asked for, component by component */
@@ -80,7 +80,8 @@ VEC_INLINE vf sum_along(vf x, vf y, vf z, struct vector v, int dimensions)
 /* The sum over the coordinates of a component of v times an output of the coordinate. */
 #define ALONG(member, v) sum_along(y->x.member, y->y.member, y->z.member, v, variant.dimensions)
 
-/* Turns a sample at y with derivatives by y into one with derivatives by x. */
+/* Turns a sample at y with derivatives with respect to y into one with derivatives with respect to
+   x. */
 VEC_INLINE struct sample composed(const struct sample *s, const struct coordinates *y,
                                   struct variant variant)
 {
@@ -131,7 +132,8 @@ VEC_INLINE void sample_put(const struct scarp_outputs *arrays, size_t at, const 
 #undef DO
 }
 
-/* Turns some samples of `moved`, with derivatives by y, into samples with derivatives by x. */
+/* Turns some samples of `moved`, with derivatives with respect to y, into samples with derivatives
+   with respect to x. */
 VEC_INLINE void compose(const struct warped *w, int samples, size_t count, struct variant v)
 {
     for (int i = 0; i < samples; i++) {
@@ -319,8 +321,8 @@ static void warp_positions(struct warped *w, const struct chunk *chunk)
     }
 }
 
-/* Computes the noise there, or its components. Values go to `to`, derivatives by x to `moved`,
-   which `to` is then. */
+/* Computes the noise there, or its components. Values go to `to`, derivatives with respect to x to
+   `moved`, which `to` is then. */
 static void warp_noise(const struct warped *w, const struct chunk *chunk,
                        const struct scarp_outputs *to)
 {

@@ -92,7 +92,7 @@ static inline int components_share_lattice(enum scarp_basis basis)
 struct scarp_request {
     int dimensions;
     short order;          /* highest derivative: 0, 1, 2 */
-    unsigned char dphase; /* whether the derivative by the phase */
+    unsigned char dphase; /* whether the derivative with respect to the phase */
     unsigned char vector; /* whether a component for each axis: the potentials of a flow */
 };
 

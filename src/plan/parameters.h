@@ -57,7 +57,7 @@ static inline int has_outputs(const struct scarp_noise *noise, struct scarp_requ
     return refused_outputs(noise, request) == REFUSED_NOT;
 }
 
-/* The same of a noise with its warps, which have no derivative by the phase. */
+/* The same of a noise with its warps, which have no derivative with respect to the phase. */
 static inline struct scarp_fault outputs_fault(const struct scarp_noise *noise,
                                                struct scarp_request request)
 {

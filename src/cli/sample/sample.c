@@ -93,7 +93,8 @@ static const struct option result_rows[] = {
     {OPTION_FLAG("--gradient", gradient, "after the value, its derivatives along x, y (and z)")},
     {OPTION_FLAG("--hessian", hessian, "after these, its second derivatives")},
     {OPTION_FLAG("--dphase", dphase,
-                 "after these, its derivative by the phase, per turn; only with --basis gradient")},
+                 "after these, its derivative with respect to the phase, per turn; only with "
+                 "--basis gradient")},
 };
 
 static const struct option period_rows[] = {
@@ -173,7 +174,7 @@ const struct option_table sample_table = {
 #define BY_PHASE 3
 
 /* The results there are: order 0 is the value, 1 the gradient, 2 the Hessian, BY_PHASE the
-   derivative by the phase. */
+   derivative with respect to the phase. */
 static const struct result {
     const char *name;
     int order, dims; /* dims: from how many dimensions on */

@@ -11,8 +11,9 @@
 #include "erosion.h"
 
 /* An octave to be shaped, whose noise is in shaping.noise, and in `turning` the derivative of that
-   by the phase; for erosion with its gradient in the octave's own axes. `moving` is the derivative
-   of the state: of the weight of ridged and hybrid noise, of the slopes d of erosion. */
+   with respect to the phase; for erosion with its gradient in the octave's own axes. `moving` is
+   the derivative of the state: of the weight of ridged and hybrid noise, of the slopes d of
+   erosion. */
 struct phase_shaping {
     struct shaping shaping;
     size_t noise_size, state_size; /* vectors for each block */
