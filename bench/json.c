@@ -71,7 +71,7 @@ static void skip_space(struct reader *in)
     }
 }
 
-/* Skips one punctuation mark and the space around it; 0 if another character stands there. */
+/* Skips one punctuation mark and the space around it; 0 if there is another character. */
 static int take(struct reader *in, int mark)
 {
     skip_space(in);

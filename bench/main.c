@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The program scarp-bench: selects workloads, measures them and tells the results. Whatever can be
+ * The program scarp-bench: selects workloads, measures them and prints the results. Whatever can be
  * wrong with the command line is found before anything is measured or written.
  */
 #include <errno.h>

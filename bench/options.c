@@ -138,7 +138,7 @@ static const struct option options_known[] = {
      "only these instruction sets, between commas; libraries that do not\n"
      "choose among them count as scalar",
      parse_isas, FIELD(isas), 0, 0},
-    {"--peers", NULL, NULL, "measure other libraries beside scarp", NULL, FIELD(peers), 0, 0},
+    {"--peers", NULL, NULL, "measure other libraries, too", NULL, FIELD(peers), 0, 0},
     {"--min-time", "S", "a time of at most 3600 seconds",
      "seconds for which each row is timed, over all repeats [0.2]", parse_double, FIELD(min_time),
      1e-6, 3600},
@@ -164,7 +164,7 @@ static const struct option options_known[] = {
 static void print_help(void)
 {
     printf("usage: scarp-bench [options]\n\n"
-           "How fast scarp is, with each instruction set, and other libraries beside it.\n\n");
+           "How fast scarp is, with each instruction set, and other libraries next to it.\n\n");
     for (size_t i = 0; i < OPTION_COUNT; i++) {
         const struct option *const option = &options_known[i];
         const char *const argument = option->argument != NULL ? option->argument : "";
@@ -247,7 +247,7 @@ enum bench_outcome bench_options_parse(struct bench_options *options, int argc, 
         return BENCH_BAD;
     }
     if (options->from != NULL && (options->list || options->peers)) {
-        bench_error("--from: measures nothing, so %s makes no sense beside it",
+        bench_error("--from: measures nothing, so %s makes no sense with it",
                     options->list ? "--list" : "--peers");
         return BENCH_BAD;
     }

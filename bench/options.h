@@ -20,7 +20,7 @@ struct bench_options {
 enum bench_outcome {
     BENCH_RUN,
     BENCH_HELP, /* the help was asked for and printed */
-    BENCH_BAD   /* one line on stderr told why */
+    BENCH_BAD   /* one line on stderr says why */
 };
 
 /* Fills *options with the defaults, then with what the command line holds. */

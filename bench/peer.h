@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * What a peer, another library measured beside scarp, has to offer. One file peer_<library>.c or
+ * What a peer, another library measured next to scarp, has to offer. One file peer_<library>.c or
  * .cpp each; peers.c lists those that were found when this was built.
  */
 #ifndef SCARP_BENCH_PEER_H

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * The peer "plain C": gullies, by scarp's own formulas in plain loops, which the compiler turns
- * into vectors, and may reorder as -ffast-math allows. It tells what the kernels gain by being
+ * into vectors, and may reorder as -ffast-math allows. It shows what the kernels gain by being
  * written as vectors. Points are floats, axes are not turned, and all but the octaves has its
  * default.
  */
@@ -105,7 +105,7 @@ static inline uint cell_of(float x)
     return (uint)(int32_t)floorf(x);
 }
 
-/* The passes stand twice: where derivatives are wanted, and where not. */
+/*/* Each pass is there twice: with derivatives, and without. */
 
 static inline void begin(const struct plain_state *p, struct chunk *c, size_t n,
                          const struct scarp_samples *b, int slopes)

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The forms in which results are told, and the reading back of one of them. Included by main.c.
+ * The forms in which results are printed, and the reading back of one of them. Included by main.c.
  */
 #ifndef SCARP_BENCH_REPORT_H
 #define SCARP_BENCH_REPORT_H
@@ -18,7 +18,7 @@ void bench_write_json(FILE *file, const struct bench_report *report);
 int bench_write_chart(FILE *file, const struct bench_report *report);
 
 /* Adds what bench_write_json wrote to *report: rows that it has not yet and, to an empty report,
-   what stands above them. report->rows is reallocated. Returns NULL, or what is wrong. */
+   what is above them. report->rows is reallocated. Returns NULL, or what is wrong. */
 const char *bench_read_json(FILE *file, struct bench_report *report);
 
 /* The row of a workload by a library with an instruction set; NULL if there is none */

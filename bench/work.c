@@ -165,7 +165,7 @@ static const struct product products[] = {
     {{.layout = BENCH_GULLIES, .octaves = 5, .turned = 1, .f64 = 1, .dimensions = 2},
      OF(GRADIENT, UP_TO_GRADIENT),
      .sizes = {product_sizes, NULL}},
-    /* Recipes, beside the same calls by hand. */
+    /* Recipes, next to the same calls by hand. */
     RECIPE_GRID("fade", 2, terrain_steps),
     RECIPE_GRID("alps", 2, terrain_steps),
     RECIPE_GRID("overworld", 2, terrain_steps),
@@ -187,7 +187,7 @@ static const struct product products[] = {
     {{.layout = BENCH_RECIPE, .title = "alps", .dimensions = 2, .f64 = 1},
      OF(GRADIENT, UP_TO_GRADIENT),
      .sizes = {recipe_few, NULL}},
-    /* One noise, as terrains have it: heights alone, or with what lights them. */
+    /* One noise, as terrains have it: only heights, or with what lights them. */
     {TERRAIN("terrain-fbm", .octaves = 9, .gain = 0.4f), OF(GRADIENT, UP_TO_GRADIENT),
      .steps = none_steps},
     {TERRAIN("terrain-ridged", .fractal = SCARP_RIDGED, .octaves = 7, .gain = 0.42f, .turned = 1),
@@ -208,7 +208,7 @@ static const struct product products[] = {
      OF(CELL_F1, UP_TO_GRADIENT), .steps = islands_steps},
     {TERRAIN("terrain-swiss", .fractal = SCARP_SWISS, .octaves = 8, .gain = 0.45f, .turned = 1),
      OF(GRADIENT, UP_TO_GRADIENT), .steps = islands_steps},
-    /* quick-noise 0.3.0 (Rust) tells 0.82 ms for it, 0.78 ns per sample; the frequency is that of
+    /* quick-noise 0.3.0 (Rust) states 0.82 ms for it, 0.78 ns per sample; the frequency is that of
        its examples. */
     {TERRAIN("quick-noise", .octaves = 3), OF(GRADIENT, ONLY_VALUE), .steps = quick_noise_steps},
 };

@@ -52,7 +52,7 @@ static struct scarp_request request_of(const void *out, int dimensions)
     return (struct scarp_request){.dimensions = dimensions};
 }
 
-/* Runs the kernel with a plan of the first octave alone. */
+/* Runs the kernel with a plan of the first octave only. */
 static void run(const struct scarp_call_plan *plan, const void *opaque)
 {
     const struct scarp_arguments *const call = opaque;

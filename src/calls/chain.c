@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * The public functions of the chain rule over samples. They check the arguments, compute what
- * depends on numbers alone and call the active kernel table.
+ * depends only on numbers and call the active kernel table.
  */
 #include <stddef.h>
 #include <stdint.h>

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The public functions that tell and choose the instruction set.
+ * The public functions that name and choose the instruction set.
  */
 #include <stddef.h>
 

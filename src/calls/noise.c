@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The public functions that take a noise alone: its checks, its range, and the plan that it keeps.
+ * The public functions that take only a noise: its checks, its range, and the plan that it keeps.
  */
 #include <stddef.h>
 

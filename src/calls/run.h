@@ -9,7 +9,7 @@
 
 #include "../dispatch/kernels.h"
 
-/* Arithmetic in the default floating-point mode stands in functions of this kind, so that none of
+/* Arithmetic in the default floating-point mode is in functions of this kind, so that none of
    it (comparisons trap too) can be moved across the change of mode in their caller. */
 #define NOINLINE __attribute__((noinline))
 #define ALWAYS_INLINE inline __attribute__((always_inline))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-# Makes the pictures of the gallery again: runs the commands that the documents tell, and copies
+# Makes the pictures of the gallery again: runs the commands that the documents show, and copies
 # what they show of them. `cmake --build build --target gallery` calls this with PROGRAM (scarp),
 # DOCUMENTS (the list of them), SCRATCH (a directory to work in) and GALLERY (where the pictures go).
 #

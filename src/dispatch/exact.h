@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Whether a compiler kept to the operations of the source. No macro tells of -ffp-contract=fast,
+ * Whether a compiler kept to the operations of the source. No macro shows -ffp-contract=fast,
  * which makes one operation of a product and a sum, nor clang's of what -ffast-math is made of. So
  * numbers are computed that such options change, from memory that a compiler may not look into.
  * kernel/exact.h does so with vectors, for each set.

@@ -111,7 +111,7 @@
 
 /* The generic set needs vector extensions with conversions between them (gcc 9). It is left out
    where vectors flush denormals in every floating-point mode: 32-bit Arm with NEON, PowerPC with
-   AltiVec alone. */
+   AltiVec only. */
 #if !SCARP_GENERIC || (defined(__ARM_NEON) && !defined(__aarch64__)) ||                            \
     (defined(__ALTIVEC__) && !defined(__VSX__))
 #define SCARP_HAS_GENERIC 0

@@ -13,7 +13,7 @@
  * - The noise is sampled once per point, and never towards the light. The gradient from that same
  *   call tells how much cloud lies towards the sun, and how far a ray may step.
  * - The cloud is composed with the chain rule (scarp_smooth_max, scarp_add, ...), so the gradient
- *   is that of the cloud, not that of the noise alone.
+ *   is that of the cloud, not that of the noise only.
  * - All is + - * / and square roots, so every machine draws the same bytes, unless the compiler
  *   fuses operations, which -ffp-contract=off forbids.
  *

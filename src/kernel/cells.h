@@ -115,7 +115,7 @@ VEC_INLINE void cells_blocks(const struct cells_call *call, const vf *location, 
 typedef void cells_pass(const struct cells_call *call, const vf *location, size_t first,
                         size_t count, const void *const x[3]);
 
-/* Passes that give F1 alone; all of the nearest feature; all of both. */
+/* Passes that give only F1; all of the nearest feature; all of both. */
 #define CELLS_PASS(name, dimensions, ...)                                                          \
     static void name(const struct cells_call *call, const vf *location, size_t first,              \
                      size_t count, const void *const x[3])                                         \

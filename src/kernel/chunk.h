@@ -71,7 +71,7 @@ static size_t kept_size(const struct chunked *w, int axis)
     return count * (w->f.layout == DOUBLES ? 2 : 1);
 }
 
-/* Decides how large chunks are that have `arrays` floats for each sample beside the coordinates,
+/* Decides how large chunks are that have `arrays` floats for each sample besides the coordinates,
    and takes these. The arrays have somewhat more than half of the space. Returns where the rest of
    it begins. */
 static float *chunked_begin(struct chunked *w, struct workspace work, size_t arrays)

@@ -20,7 +20,7 @@
 enum crossing_form { CROSSING_HASHED, CROSSING_MIXED, CROSSING_UNHASHED, CROSSING_FORMS };
 
 /* The entries of an axis: fractions, and the bits of both lattice coordinates, mixed, or of the
-   cell alone. */
+   cell only. */
 struct crossing_table {
     vf *t, *h0, *h1;
 };
@@ -162,7 +162,7 @@ static size_t crossing_vectors(size_t count)
     return (count + 3 * VEC_LANES - 1) / VEC_LANES;
 }
 
-/* Columns of a table: bases that take unhashed locations have one of cells alone. */
+/* Columns of a table: bases that take unhashed locations have one of cells only. */
 static size_t crossing_columns(int takes_unhashed)
 {
     return takes_unhashed ? 2 : 3;

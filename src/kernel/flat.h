@@ -76,7 +76,7 @@ static void flat_fill_runs(double *to, const struct scarp_grid *grid, int axis, 
     }
 }
 
-/* Vectors that are needed beside those of a chunk. */
+/* Vectors that are needed besides those of a chunk. */
 static size_t flat_repeated_size(const struct flat_positions *p)
 {
     const size_t row = p->repeats[0] ? p->grid->count[0] : 0;
@@ -196,7 +196,7 @@ static struct rows_time rows_time_of(const struct scarp_call_plan *plan, int dim
                                            {{0.5f, 0.66f}, {0.74f, 0.66f}},
                                            {{0.36f, 0.36f}, {0.66f, 0.58f}}};
     static const struct rows_time simplex[2][2] = {
-        /* by [in space][values alone] */
+        /* by [in space][only values] */
         {{0.7f, 4.0f, 1.1f, 12.0f}, {0.6f, 2.0f, 1.4f, 8.0f}},
         {{0.5f, 4.0f, 1.4f, 20.0f}, {0.4f, 1.0f, 1.0f, 20.0f}}};
     static const struct rows_time cells[2][2] = {
@@ -238,7 +238,7 @@ static int crossing_is_faster(const struct scarp_call_plan *plan, const struct s
 #endif
 
 /* How fast the passes along rows are: samples of long rows for one sample at points, and what each
-   strip of a row takes beside its samples, in samples. */
+   strip of a row takes besides its samples, in samples. */
 struct rows_speed {
     float gain, overhead;
 };
@@ -247,10 +247,10 @@ struct rows_speed {
    and steps of 0.05 cells, for rows of 5 to 257 samples. */
 static struct rows_speed turned_speed_of(const struct scarp_call_plan *plan, int dimensions)
 {
-    static const struct rows_speed blends[2][2] = {/* by [16 lanes][values alone] */
+    static const struct rows_speed blends[2][2] = {/* by [16 lanes][only values] */
                                                    {{1.25f, 3.4f}, {1.55f, 5.4f}},
                                                    {{1.2f, 3.4f}, {1.55f, 5.4f}}};
-    static const struct rows_speed simplex[2][2] = {/* by [in space][values alone] */
+    static const struct rows_speed simplex[2][2] = {/* by [in space][only values] */
                                                     {{1.05f, 0.8f}, {1.2f, 1.6f}},
                                                     {{1.2f, 5.6f}, {1.35f, 4.0f}}};
     static const struct rows_speed cells = {1.2f, 1.6f};
@@ -269,7 +269,7 @@ static struct rows_speed turned_speed_of(const struct scarp_call_plan *plan, int
 static struct rows_speed rows_speed_of(const struct scarp_call_plan *plan,
                                        const struct scarp_grid *grid, int dimensions)
 {
-    static const float simplex[2][2][2] = {/* by [one octave][in space][values alone] */
+    static const float simplex[2][2][2] = {/* by [one octave][in space][only values] */
                                            {{0.95f, 1.1f}, {1.05f, 1.2f}},
                                            {{1.0f, 1.5f}, {1.25f, 2.5f}}};
     const int one = plan->octaves == 1, in_space = dimensions == 3, values = plan->order == 0;

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Stage 2 of bases on a lattice: the hashes of the corners of each point's cell. The reference is
- * formulas/lattice.h, which tells why the hash is this one.
+ * formulas/lattice.h, which says why the hash is this one.
  */
 #ifndef SCARP_KERNEL_LATTICE_H
 #define SCARP_KERNEL_LATTICE_H
@@ -80,7 +80,7 @@ VEC_INLINE vu hash_of(vu h)
     return h * (h + vu_set(HASH_K));
 }
 
-/* The hash of a corner: `yz` is y alone in 2D. */
+/* The hash of a corner: `yz` is only y in 2D. */
 VEC_INLINE vu hash_corner(vu x, vu yz)
 {
     return hash_of(x ^ yz);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Computes all components of vector noise at points, from one pass over the lattice for each
- * octave. basis/components.h tells what components draw.
+ * octave. basis/components.h says what components draw.
  */
 #ifndef SCARP_KERNEL_VECTOR_POINTS_H
 #define SCARP_KERNEL_VECTOR_POINTS_H

@@ -136,7 +136,7 @@ struct scarp_levels {
        the component before. A noise may have more octaves in all than the stack has room for: then
        this puts those of a component where the plan of each level has them. */
     void (*fetch)(const struct scarp_warps *warps, int level, int component);
-    /* for `fetch` alone */
+    /* only for `fetch` */
     const struct scarp_noise *noise;
     struct scarp_octave *octave;
     int dimensions;

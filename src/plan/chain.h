@@ -35,7 +35,7 @@ struct __attribute__((may_alias)) scarp_partial_arrays {
     const float *array[PARTIALS];
 };
 
-/* The numbers of a call. Which of them a function has is told there; the others are 0. */
+/* The numbers of a call. Which of them a function has is said there; the others are 0. */
 enum {
     CHAIN_SCALE = 0, /* affine */
     CHAIN_OFFSET,

@@ -18,7 +18,7 @@ struct scarp_interval {
  * of u_k is off by at most 4 k + 2 roundings, and a_k u_k by two more. The sum adds 31, of numbers
  * whose own errors these are. With 32 octaves, 159 roundings of 2^-24 make 9.5e-6 of each part,
  * which is less than 2^-16 = 1.5e-5. (Parts that are subnormal are off by more, but so small
- * beside the first one, of at least 2^-31, that the difference is room for them: weights that have
+ * besides the first one, of at least 2^-31, that the difference is room for them: weights that have
  * become small with shares below 1 stay small.)
  */
 #define SCARP_HYBRID_ROUNDING 0x1p-16

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Tells what stands in the table of refusals, and the path of a member in a warp.
+ * Gives what is in the table of refusals, and the path of a member in a warp.
  */
 #include "refusals.h"
 

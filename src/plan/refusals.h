@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Why descriptions are refused. Checks give a row of the one table, and calls tell what stands
+ * Why descriptions are refused. Checks give a row of the one table, and calls return what is
  * there: a status, the member at fault, and the reason.
  */
 #ifndef SCARP_REFUSALS_H
@@ -15,7 +15,7 @@
     X(refusal, PARAMETER, #member, told)
 
 /* X(name, status, member, text). An empty member: no member is at fault. Texts are clauses about
-   the member, without a full stop. Rows of the three axes stand together, in their order. */
+   the member, without a full stop. Rows of the three axes are together, in their order. */
 #define SCARP_REFUSALS(X)                                                                          \
     X(POINTER, NULL, "", "a required pointer is NULL")                                             \
     X(BASIS, ENUM, "basis", "there is no such basis")                                              \

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * The kernels for AVX2 and FMA, which all but a few processors have together; those few take
- * SSE4.1. The target pragma switches the instructions on for this file alone, so no compiler flag
+ * SSE4.1. The target pragma switches the instructions on for this file only, so no compiler flag
  * is needed; everything but the table is static, so none of this code leaks.
  */
 #include "../dispatch/kernels.h"

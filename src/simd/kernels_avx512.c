@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The kernels for AVX-512. The target pragma switches the instructions on for this file alone, so
+ * The kernels for AVX-512. The target pragma switches the instructions on for this file only, so
  * no compiler flag is needed; everything but the table is static, so none of this code leaks.
  */
 #include "../dispatch/kernels.h"

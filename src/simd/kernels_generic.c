@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The kernels in vector extensions alone, for the processor that the compiler builds for. The
+ * The kernels in vector extensions only, for the processor that the compiler builds for. The
  * compiler finds its instructions, or does without vectors.
  */
 #include "../dispatch/kernels.h"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The kernels for SSE4.1. The target pragma switches the instructions on for this file alone, so no
+ * The kernels for SSE4.1. The target pragma switches the instructions on for this file only, so no
  * compiler flag is needed; everything but the table is static, so none of this code leaks.
  */
 #include "../dispatch/kernels.h"

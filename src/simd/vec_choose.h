@@ -71,7 +71,7 @@ VEC_INLINE vu vu_add_where(vm mask, vu a, vu b)
     return a + (b & mask);
 }
 
-/* a where the mask is set, else b. A set may have an own vm_choose alone. */
+/* a where the mask is set, else b. A set may have only vm_choose of its own. */
 #ifndef VM_CHOOSE_NATIVE
 VEC_INLINE vf vm_choose(vm mask, vf a, vf b)
 {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The operations of vec.h as they stand there, for any processor: 4 lanes, which most processors
+ * The operations of vec.h as they are there, for any processor: 4 lanes, which most processors
  * have registers for.
  */
 #ifndef SCARP_SIMD_VEC_GENERIC_H
@@ -10,7 +10,7 @@
 #define VEC_LANES 4
 #endif
 
-/* On x86 it serves processors from before 2008 alone: all others have a set of their own. */
+/* On x86 it serves processors only from before 2008: all others have a set of their own. */
 #if SCARP_X86 && !defined(VEC_SMALL)
 #define VEC_SMALL 1
 #endif

@@ -8,7 +8,7 @@
 
 /*
  * Tables that are constants in the kernels; lookup.h has their types. The portable forms choose
- * between entries bit by bit: where two entries are alike or differ in the sign alone, the compiler
+ * between entries bit by bit: where two entries are alike or differ only in the sign, the compiler
  * has little left to do.
  */
 

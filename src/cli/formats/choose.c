@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Finds the format by the extension of a file name, or by what stands before it.
+ * Finds the format by the extension of a file name, or by what is before it.
  */
 #include "formats/choose.h"
 

@@ -18,7 +18,7 @@ struct wanted {
 /* The format that goes by this name, in capitals or not; NULL if there is none. */
 const struct format *format_find(const char *name, size_t length);
 
-/* Finds the format of `text`: PATH, whose extension tells it, or FORMAT:PATH. Sets *path to PATH.
+/* Finds the format of `text`: PATH, whose extension names it, or FORMAT:PATH. Sets *path to PATH.
    NULL, with a line on stderr, if no format that can hold what is wanted goes with it. */
 const struct format *format_choose(const struct wanted *wanted, const char *text,
                                    const char **path);

@@ -32,7 +32,7 @@ bool img_knows(unsigned epsg)
 #define SYSTEM_MAX 48
 
 /* ENVI's name of a system of coordinates, and what follows the place. It knows EPSG's numbers only
-   by what they stand for, of which zones of UTM on WGS 84 are told here: 32601 to 32660 in the
+   by what they stand for, of which zones of UTM on WGS 84 are known here: 32601 to 32660 in the
    north, 32701 to 32760 in the south. */
 static const char *describe_system(unsigned epsg, char more[SYSTEM_MAX])
 {
@@ -70,7 +70,7 @@ static void make_header(const struct raster *raster, char header[HEADER_MAX])
 static bool img_open(struct writer *writer)
 {
     if (file_is_special(writer->path)) {
-        errno = ESPIPE; /* a device has no place for a header beside it */
+        errno = ESPIPE; /* a device has no place for a header next to it */
         return false;
     }
     char header[HEADER_MAX];

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The list of formats, in the order in which the program tells them.
+ * The list of formats, in the order in which the program lists them.
  */
 #include "formats/formats.h"
 

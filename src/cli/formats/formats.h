@@ -13,8 +13,8 @@ extern const struct format format_ppm; /* 8-bit red, green, blue */
 extern const struct format format_r16; /* nothing but 16-bit integers */
 extern const struct format format_r32; /* nothing but floats */
 extern const struct format format_pfm; /* floats, bottom row first */
-extern const struct format format_img; /* ENVI: bytes or floats, and a header file beside it */
-bool img_knows(unsigned epsg);         /* whether its header can tell that system */
+extern const struct format format_img; /* ENVI: bytes or floats, and a header file next to it */
+bool img_knows(unsigned epsg);         /* whether its header can name that system */
 extern const struct format format_npy; /* NumPy: bytes or floats */
 extern const struct format format_tif; /* GeoTIFF: bytes, 16-bit integers or floats */
 

@@ -66,7 +66,7 @@ static bool read_string(struct cursor *cursor, char *string, size_t size)
     return read_mark(cursor, quote == '"' ? "\"" : "'");
 }
 
-/* The types of the fields of a record stand in a list, which is only passed over. */
+/* The types of the fields of a record are in a list, which is only passed over. */
 static bool read_descr(struct cursor *cursor, struct npy_array *array)
 {
     if (!read_mark(cursor, "[")) {

@@ -12,7 +12,7 @@
 
 #define NPY_MAGIC "\x93NUMPY"
 #define NPY_MAGIC_SIZE 6
-#define NPY_PREAMBLE_SIZE 12 /* the first bytes, which tell where the header's text lies */
+#define NPY_PREAMBLE_SIZE 12 /* the first bytes, which say where the header's text is */
 #define NPY_HEADER_SIZE 128  /* of a header that is written, for up to three dimensions */
 #define NPY_DIMENSIONS_MAX 4
 
@@ -31,7 +31,7 @@ bool npy_preamble(const char bytes[NPY_PREAMBLE_SIZE], size_t *text, size_t *len
    NumPy would not write is refused, such as a key that comes twice. */
 const char *npy_parse_header(const char *text, size_t length, struct npy_array *array);
 
-/* Writes what stands before the data of an array in C order. For up to three dimensions that takes
+/* Writes what comes before the data of an array in C order. For up to three dimensions that takes
    NPY_HEADER_SIZE bytes whatever the shape is, so it may be written again when the shape is known;
    in any case a multiple of 64, as NumPy aligns it. False if writing fails. */
 bool npy_write_header(FILE *stream, const char *descr, const size_t *shape, int dimensions);

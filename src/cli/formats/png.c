@@ -30,7 +30,7 @@ enum filter { FILTER_LEFT = 1, FILTER_ABOVE = 2, FILTER_MEAN = 3 };
 #define PARTS 8 /* of small rasters, if these are not smaller than PART_LEAST */
 
 #define PIECE 16384    /* bytes that are filtered at once */
-#define CHUNK_FRAME 12 /* bytes of a chunk beside its data: its length, its name, its check */
+#define CHUNK_FRAME 12 /* bytes of a chunk without its data: its length, its name, its check */
 #define CHUNK_DATA 8   /* where the data begin */
 
 struct png_packer {

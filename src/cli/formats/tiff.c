@@ -63,7 +63,7 @@ static size_t type_bytes(enum type type)
     }
 }
 
-/* Whether offsets may not fit into 32 bits. It depends on the raster alone. */
+/* Whether offsets may not fit into 32 bits. It depends only on the raster. */
 static bool is_big(const struct raster *raster)
 {
     return count_tiles(raster) * (tiff_room(raster) + 16) + DIRECTORY_MOST + EXTRA_MOST >

@@ -46,7 +46,7 @@ struct part {
 };
 
 /* How rows are packed before they are written, by several threads at a time. The file depends on
-   the raster alone. */
+   the raster only. */
 struct packing {
     size_t (*part_rows)(const struct raster *raster); /* of every part but the last: 2^n */
     /* And columns; then parts go row by row through the raster. NULL: all of them */
@@ -84,12 +84,12 @@ struct format {
     bool needs_file;                  /* and not a pipe: not all is written in order */
     const char *overview; /* what GDAL adds to the name of a file for that of its next coarser
                              level; NULL: it knows none */
-    /* Writes what stands before the first row. */
+    /* Writes what comes before the first row. */
     bool (*open)(struct writer *writer);
     /* Writes `rows` rows, from `row` of the raster on; calls go from the top to the bottom. */
     bool (*write)(struct writer *writer, const uint8_t *samples, size_t row, size_t rows);
     const struct packing *packing; /* instead of `write`, or NULL */
-    /* Writes what stands after the last row. NULL: nothing does. */
+    /* Writes what comes after the last row. NULL: nothing does. */
     bool (*end)(struct writer *writer);
     char *(*beside)(const char *path); /* the file that goes with it, which the caller frees; NULL:
                                           none does */

@@ -19,7 +19,7 @@ const struct option look_light_rows[LOOK_LIGHT_ROWS] = {
     {OPTION_DOUBLE("--azimuth", azimuth, "315", 0, 360,
                    "where the light comes from, in degrees clockwise from north")},
     {OPTION_DOUBLE("--altitude", altitude, "45", 0, 90,
-                   "how high the light stands above the horizon, in degrees")},
+                   "how high the light is above the horizon, in degrees")},
     {OPTION_FLOAT("--z-factor", z_factor, "1", 0, 0x1p24,
                   "factor of heights, for hillshade and relief only")},
 };

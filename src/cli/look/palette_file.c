@@ -6,7 +6,7 @@
  * fields apart by spaces, tabs, commas or colons. The height may be a percentage. Lines of `nv`,
  * for what has no value, are left out, and so is alpha.
  *
- * GMT's, if the name ends with .cpt or a comment tells a COLOR_MODEL: slices `z0 colour z1 colour`,
+ * GMT's, if the name ends with .cpt or a comment has a COLOR_MODEL: slices `z0 colour z1 colour`,
  * each beginning where the one before ends, with the colour `red green blue`, `red/green/blue` or a
  * name. B and F are the colours below and above; N, for what has no value, is left out, and so are
  * labels and annotations.
@@ -205,7 +205,7 @@ static bool read_end(struct reader *reader)
     return true;
 }
 
-/* Drops what may stand behind the colours: which ends are to be annotated. */
+/* Drops what may follow the colours: which ends are to be annotated. */
 static void drop_annotation(struct reader *reader)
 {
     const char *const last = reader->count > 1 ? reader->fields[reader->count - 1] : "";
@@ -265,7 +265,7 @@ static void cut(struct reader *reader, char *line)
     }
 }
 
-/* GMT tells in a comment what its numbers are. */
+/* GMT says in a comment what its numbers are. */
 static bool read_comment(struct reader *reader, const char *line)
 {
     const char *const model = strstr(line, "COLOR_MODEL");

@@ -6,7 +6,7 @@
 
 cmake_minimum_required(VERSION 3.25)
 
-set(help "presets    are recipes; scarp recipe NAME prints one and tells its parameters")
+set(help "presets    are recipes; scarp recipe NAME prints one and shows its parameters")
 foreach(name IN LISTS PRESETS)
   file(READ ${FROM}/${name}.recipe text HEX)
   string(REGEX REPLACE "(..)" "0x\\1," bytes "${text}")

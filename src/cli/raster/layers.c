@@ -10,7 +10,7 @@
 #include "raster/slope.h"
 #include "shared/bounds.h"
 
-/* Known when this is compiled, though only the preprocessors of some compilers tell it */
+/* Known when this is compiled, though only the preprocessors of some compilers know it */
 static inline bool is_low_byte_first(void)
 {
     const uint16_t one = 1;

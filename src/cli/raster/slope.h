@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * What derivatives tell of a surface z = f(x, y): how steep it is, and how it bends. The same on
+ * What derivatives say about a surface z = f(x, y): how steep it is, and how it bends. The same on
  * every machine, to the bit.
  */
 #ifndef SCARP_CLI_SLOPE_H

@@ -97,7 +97,7 @@ void window_close(struct window *window);
    compare.h adds. */
 void surface_sample(const struct surface *surface, struct window *window);
 
-/* Samples values alone, of the rectangle `right` columns and `up` rows beside the window's. */
+/* Samples only values, of the rectangle `right` columns and `up` rows from the window's. */
 void surface_values(const struct surface *surface, const struct window *window, int right, int up,
                     float *value);
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * `scarp recipe`: prints a recipe, and behind it, as comments, what an artist wants to know of it:
- * so what is printed is a recipe again. A text with errors is not printed; all its errors are told.
+ * so what is printed is a recipe again. Of a text with errors, only the errors are printed.
  */
 #include "recipe/recipe.h"
 
@@ -55,9 +55,9 @@ const struct option_table recipe_table = {
     .command = "recipe",
     .operand = "NAME|FILE",
     .purpose = "Prints a recipe of the program, or of a file (- is standard input), checks it, and "
-               "tells\nits parameters and outputs, what a sample costs, and which values occur.",
+               "shows\nits parameters and outputs, what a sample costs, and which values occur.",
     .notes[0] =
-        "errors     All errors of the text are told on stderr, as FILE:LINE:COLUMN: what is\n"
+        "errors     All errors of the text are printed on stderr, as FILE:LINE:COLUMN: what is\n"
         "           wrong. The exit status is then 2.\n"
         "outputs    Each has an interval that values never leave, and the lowest, the middle and\n"
         "           the highest value of 4096 places, in a square of 64 of the largest cells.\n"

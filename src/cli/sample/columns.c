@@ -13,7 +13,7 @@
 
 #define LIST_SIZE 700 /* bytes of names in a message: it has room for 1024 in all */
 
-/* Reads a number of decimal digits alone. False if it is none. */
+/* Reads a number of decimal digits only. False if it is none. */
 static bool read_number(const struct field *name, size_t *number)
 {
     *number = 0;

@@ -22,7 +22,7 @@
 struct columns {
     size_t count;                    /* 2 or 3; 0: not given */
     bool numbered;                   /* by number, not by name */
-    struct field name[COLUMNS_AXES]; /* as they stand on the command line */
+    struct field name[COLUMNS_AXES]; /* as they are on the command line */
     size_t index[COLUMNS_AXES];      /* if numbered: from 0 on */
 };
 
@@ -35,13 +35,13 @@ struct columns_header {
     field_fn *field; /* how it falls into names */
 };
 
-/* Finds the coordinates in a header row: those that --columns tells, or without it those named x, y
+/* Finds the coordinates in a header row: those that --columns names, or without it those named x, y
    and, unless dims is 2, z. `dims` is what --dims says, 0 without it. Returns how many coordinates
    there are, with their columns, counted from 0, in `index`; or 0, after a line on stderr. */
 int columns_in_header(const struct columns *columns, const struct columns_header *header, int dims,
                       size_t index[COLUMNS_AXES]);
 
-/* Whether a row has fields that hold the names that --columns tells and nothing else; without
+/* Whether a row has fields that hold the names of --columns and nothing else; without
    those, x and y. */
 bool columns_are_named(const struct columns *columns, const struct columns_header *header);
 

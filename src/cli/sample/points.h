@@ -64,7 +64,7 @@ struct points {
     int dims;              /* coordinates of a point, 2 or 3; 0: the reader finds out */
     struct columns chosen; /* what --columns says */
     bool skip_bad;
-    bool keep; /* lines must have equally many columns, since results will stand behind them */
+    bool keep; /* lines must have equally many columns, since results will follow them */
     /* Set after points_begin: fields must be such that blanks can separate them. */
     bool plain;
 
@@ -104,7 +104,7 @@ void points_close(struct points *points);
    `format` is POINTS_CSV or POINTS_UNKNOWN. */
 enum points_delimiter delimiter_of(const char *row, const struct columns *chosen, int format);
 
-/* How lines fall into fields, and what stands between them */
+/* How lines fall into fields, and what is between them */
 field_fn *delimiter_field(int delimiter);
 char delimiter_character(int delimiter);
 

@@ -26,7 +26,7 @@ static int refuse(const struct points *points, const char *what)
     return CLI_USAGE;
 }
 
-/* The input ended, or failed, before what its header tells. */
+/* The input ended, or failed, before what its header says. */
 static int cut_short(const struct points *points)
 {
     if (points->input.error != 0) {

@@ -127,7 +127,7 @@ static bool has_other_delimiter(const struct points *points, const struct field 
 }
 
 /* Where commas separate nothing, they may be decimal marks, but all numbers have the same mark:
-   `1,234` beside `5.6` may be a thousand. *decimal is the mark so far. */
+   `1,234` next to `5.6` may be a thousand. *decimal is the mark so far. */
 static bool read_coordinate(struct points *points, const struct field *field, size_t column,
                             char *decimal, double *value)
 {
@@ -197,7 +197,7 @@ static bool check_columns(struct points *points, size_t columns)
     return true;
 }
 
-/* The axis whose coordinates stand in a column, counted from 0; -1: none of the first `dims` */
+/* The axis whose coordinates are in a column, counted from 0; -1: none of the first `dims` */
 static int axis_of(const struct points *points, size_t column, int dims)
 {
     int axis = dims - 1;

@@ -207,7 +207,7 @@ static void put_npy_rows(struct results *results, const struct points *points,
 static void put_made_names(struct results *results, const struct points *points)
 {
     static const char *const axes[] = {"x", "y", "z"};
-    const bool npy = points->format == POINTS_NPY; /* keeps the coordinates alone, in their order */
+    const bool npy = points->format == POINTS_NPY; /* keeps only the coordinates, in their order */
     const size_t dims = (size_t)points->dims;
     const size_t needed = columns_needed(points->column, points->dims);
     const size_t columns = npy ? dims : points->columns < needed ? needed : points->columns;
@@ -246,7 +246,7 @@ static bool write_npy_header(const struct results *results, const struct points 
     return npy_write_header(results->file.stream, results->keep ? "<f8" : "<f4", shape, 2);
 }
 
-/* Whether the header of .npy can tell at once how many points there will be */
+/* Whether the header of .npy can say at once how many points there will be */
 static bool is_counted(const struct points *points)
 {
     return points->format == POINTS_NPY && !points->skip_bad;

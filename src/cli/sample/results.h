@@ -38,7 +38,7 @@ struct results {
 
 int results_open(struct results *results, const char *path);
 
-/* Writes what stands before the first row. */
+/* Writes what comes before the first row. */
 int results_begin(struct results *results, const struct points *points);
 
 /* Writes a row per point and hands them on at once: someone may be waiting at a pipe's end. */

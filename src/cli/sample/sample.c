@@ -80,7 +80,7 @@ static const struct option point_rows[] = {
         "leave out malformed lines, and rows of .npy, instead of stopping at the first one")},
     {OPTION_FLAG("--keep", keep,
                  "copy the input's columns in front of the results; of .npy and to .npy, which "
-                 "then holds doubles, the coordinates alone")},
+                 "then holds doubles, only the coordinates")},
 };
 
 static const struct option result_rows[] = {
@@ -107,7 +107,7 @@ static const struct option period_rows[] = {
 
 static const struct option running_rows[] = {
     {OPTION_ISA(isa)},
-    {OPTION_FLAG("--quiet", quiet, "do not tell how many points --skip-bad left out")},
+    {OPTION_FLAG("--quiet", quiet, "do not print how many points --skip-bad left out")},
 };
 
 static const struct option_group groups[] = {
@@ -154,7 +154,7 @@ const struct option_table sample_table = {
         "           to capitals. In --columns, write a name with a comma in double quotes. A\n"
         "           header row without x and y needs --columns. If two columns have the name,\n"
         "           give their numbers. All lines have as many columns as the first. Without a\n"
-        "           header row and without --keep, --dims and --columns ignore what stands\n"
+        "           header row and without --keep, --dims and --columns ignore what is\n"
         "           behind the coordinates.\n"
         "recipe     With a recipe, the value is its first output, and there is no dphase. The\n"
         "           seed is 1 unless it is given, as of scarp terrain. If it has `param sea`,\n"
@@ -247,7 +247,7 @@ static enum scarp_status sample_batch(struct sample *sample)
                : scarp_sample2_f64(&sample->noise, batch->count, x, y, &sample->samples);
 }
 
-/* Whether a noise that was checked has what an option asks for. `advice` tells what helps. */
+/* Whether a noise that was checked has what an option asks for. `advice` says what helps. */
 static bool has(const char *option, const struct scarp_noise *noise, int order, int dphase,
                 const char *advice)
 {
@@ -367,7 +367,7 @@ static int open_both(struct sample *sample, const struct source *source,
     if (status != CLI_SUCCESS) {
         return status;
     }
-    /* Some noise is there in space alone. */
+    /* Some noise is there only in space. */
     if (sample->has_recipe
             ? !check_dimensions(sample, source)
             : points->dims == 2 && !noise_make(&options->ground.noise, 2, &sample->noise)) {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Amounts for readers, in the unit that suits their size: no message tells of 0.00 GB.
+ * Amounts for readers, in the unit that suits their size: no message says 0.00 GB.
  */
 #ifndef SCARP_CLI_AMOUNT_H
 #define SCARP_CLI_AMOUNT_H

@@ -37,7 +37,7 @@ size_t crew_next(struct crew *crew);
    the work while the others wait on, and tasks are counted from 0 again. */
 void crew_meet(struct crew *crew, void (*alone)(void *context));
 
-/* Calls `work` with `context` beside what the caller does next, in one more thread, or at once
+/* Calls `work` with `context` while the caller does what comes next, in one more thread, or at once
    where none can be had. Waits for the call before, if that still goes on. `work` must end by
    itself: signals do not reach it. */
 void crew_start_aside(struct crew *crew, void (*work)(void *context), void *context);

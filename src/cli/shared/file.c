@@ -71,7 +71,7 @@ static bool prepare(struct file *file)
 }
 
 /* Whether `path` can take the file: nothing is there yet, or a file that may be changed. Renaming
-   would tell only at the very end, and would replace a write-protected file. */
+   would fail only at the very end, and would replace a write-protected file. */
 static bool is_replaceable(const char *path)
 {
     FILE *const old = fopen(path, "r+b");

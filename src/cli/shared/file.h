@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * Output files that appear only when they are whole. A file is written under a name of its own
- * beside its final one (see unfinished.h), and takes that when all of it is written and has reached
+ * next to its final one (see unfinished.h), and takes that when it is complete and has reached
  * the disk: a run that fails leaves no half files, and older ones as they were. "-" is standard
  * output, and it, devices and named pipes are written as they are.
  */

@@ -11,7 +11,7 @@
 #include "shared/text.h"
 
 /* A member of an object. Key and value point into the text that was read: the key without its
-   quotes, the value as it stands there. */
+   quotes, the value as it is there. */
 struct json_member {
     const char *key, *value;
     size_t key_length, value_length;

@@ -78,7 +78,7 @@ const struct option noise_option_rows[NOISE_OPTION_COUNT] = {
                       "what values are multiplied by; a negative one turns them over")},
 };
 
-/* Where a fault has to do with other options: these, beside that of the member, and what helps */
+/* Where a fault has to do with other options: these, besides that of the member, and what helps */
 static const struct {
     const char *member;
     enum scarp_status status;
@@ -112,7 +112,7 @@ static void refuse(enum scarp_status status, const char *member, const char *rea
     cli_error("%s--%s: %s%s", others, option, reason, advice);
 }
 
-/* What flows reaches further than what stands still, so at 0 the library's range is another one
+/* What flows reaches further than what does not, so at 0 the library's range is another one
    than at all other phases, and 16-bit heights would have another scale. A whole turn later the
    noise has the same bits, and the range of the other frames. */
 static float phase_of(const struct noise_options *options)

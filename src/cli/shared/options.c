@@ -114,7 +114,7 @@ static struct target target_of(const struct option_group *group, size_t i, void 
     return target;
 }
 
-/* The option that `word` names: the whole word, or what stands before '='. */
+/* The option that `word` names: the whole word, or what is before '='. */
 static struct target find_option(const struct option_table *table, const char *word, void *values)
 {
     const size_t length = strcspn(word, "=");

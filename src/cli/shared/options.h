@@ -27,7 +27,7 @@ typedef enum option_result option_parse_fn(const struct option *option, const ch
 struct option {
     const char *name;       /* with its dashes */
     const char *argument;   /* what the help calls the value; NULL: a flag without value */
-    const char *standard;   /* the default, as it would be typed; NULL: leave the field alone */
+    const char *standard;   /* the default, as it would be typed; NULL: leave the field as it is */
     const char *otherwise;  /* in the help in place of a default, where `standard` is NULL */
     const char *allowed;    /* completes the message "--name: 'text' is not ..."; NULL: the words
                                of options_words.c, which the help then has, too */
@@ -67,7 +67,7 @@ struct option {
 #define OPTION_TEXT(title, member, value, takes, explanation)                                      \
     OPTION_READ(option_text, value, title, member, takes, explanation)
 #define OPTION_FILE(title, member, explanation)                                                    \
-    OPTION_TEXT(title, member, "FILE", "a file name, of which the extension tells the format",     \
+    OPTION_TEXT(title, member, "FILE", "a file name, whose extension says which format",           \
                 explanation)
 
 /* Options that a structure holds, itself part of what receives the values */
@@ -99,7 +99,7 @@ struct option_removed {
 
 struct option_table {
     const char *command;
-    const char *operand;  /* what stands before the options; NULL: nothing */
+    const char *operand;  /* what comes before the options; NULL: nothing */
     const char *purpose;  /* the help: before the options */
     const char *notes[3]; /* the help: after the options. C compilers need not take more than 4,095
                              characters in one text. NULL: nothing */
@@ -153,7 +153,7 @@ option_parse_fn option_text;      /* const char *: anything but nothing */
 enum options_outcome {
     OPTIONS_RUN,
     OPTIONS_HELP, /* the help was asked for and printed */
-    OPTIONS_BAD   /* one line on stderr told why */
+    OPTIONS_BAD   /* one line on stderr says why */
 };
 
 /* The words of option_isa */

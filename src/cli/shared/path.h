@@ -20,7 +20,7 @@ char *path_relative(const char *path, const char *from);
 
 /* The path of the file that `path` leads to, without symbolic links in it: two paths of one file
    become the same text. The file need not be there, its directory must. In memory that the caller
-   frees; NULL, with errno, if it cannot be told. */
+   frees; NULL, with errno, if it cannot be found. */
 char *path_resolve(const char *path);
 
 /* Whether two paths without symbolic links are of one file: on Windows, upper and lower case are

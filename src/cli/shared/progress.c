@@ -16,7 +16,7 @@
 #endif
 
 #define TICKS 40
-#define PATIENCE 10.0 /* seconds after which the time left is told */
+#define PATIENCE 10.0 /* seconds after which the time left is printed */
 
 /* How long what is left will take: as long in proportion as what this run did. 0: that is not known
    yet, or there is nothing left */
@@ -39,7 +39,7 @@ static void print_left(double seconds)
     }
 }
 
-/* Prints the ticks up to what is done. The last of them may tell the time. */
+/* Prints the ticks up to what is done. The last of them may come with the time. */
 static void print(struct progress *progress)
 {
     if (!progress->shown) {

@@ -14,7 +14,7 @@ struct space {
 };
 
 /* Looks at the disk where the file `path` would be, whose directory need not be there yet. False if
-   the system does not tell. */
+   the system does not say. */
 bool space_look(const char *path, struct space *space);
 
 #endif

@@ -26,7 +26,7 @@
 #define NUMBER_DIGITS 16 /* own_number, and a count of the files */
 #define TRIES 100
 
-/* The machine's name, of letters, digits and dots alone */
+/* The machine's name, of only letters, digits and dots */
 static void get_host(char host[HOST_MAX + 1])
 {
     memset(host, 0, HOST_MAX + 1);

@@ -245,7 +245,7 @@ static bool is_pipe(const wchar_t *path)
 /* Everybody may open, rename and remove the file meanwhile, as on POSIX systems. */
 int windows_open(const char *path, int flags, ...)
 {
-    /* Who may append alone writes behind the end, wherever others have brought that. */
+    /* Who may only append writes behind the end, wherever others have brought that. */
     const DWORD access = (flags & O_APPEND) != 0   ? GENERIC_READ | FILE_APPEND_DATA
                          : (flags & O_RDWR) != 0   ? GENERIC_READ | GENERIC_WRITE
                          : (flags & O_WRONLY) != 0 ? GENERIC_WRITE

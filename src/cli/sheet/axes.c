@@ -102,7 +102,7 @@ static bool add_numbers(struct axis *axis, double a, double b, size_t count)
     return true;
 }
 
-/* Digits alone, of a number below 2^64. *end is what follows. */
+/* Digits only, of a number below 2^64. *end is what follows. */
 static bool read_integer(const char *text, uint64_t *number, const char **end)
 {
     const size_t length = strspn(text, "0123456789");
@@ -112,7 +112,7 @@ static bool read_integer(const char *text, uint64_t *number, const char **end)
     return length > 0 && errno == 0;
 }
 
-/* The number that stands from `text` to `stop`, and nothing else */
+/* The number from `text` to `stop`, and nothing else */
 static bool read_end(const char *text, const char *stop, double *number)
 {
     char copy[AXIS_VALUE_SIZE];

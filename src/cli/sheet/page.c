@@ -82,7 +82,7 @@ static size_t titles_width(const struct axis *axis)
     return widest;
 }
 
-/* Texts have two pixels per dot if all of a kind fit beside or below a panel then. */
+/* Texts have two pixels per dot if all of them fit next to or below a panel then. */
 static size_t scale_of(const struct page *page, size_t width)
 {
     return 2 * width <= page->panel_width ? 2 : 1;

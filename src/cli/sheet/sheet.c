@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
  * `scarp sheet`: from the options to the file. The parameters that panels differ in are read in
- * axes.c, panels are made and drawn in panel.c, and the page they stand on is that of page.c.
+ * axes.c, panels are made and drawn in panel.c, and page.c has the page they are on.
  */
 #include "sheet/sheet.h"
 

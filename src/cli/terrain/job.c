@@ -52,7 +52,7 @@ static void finish(void *context)
     job->is_finished = is_complete && !job->is_orphan && products_publish(products);
 }
 
-/* No tile takes its name beside the manifest of another world, for which it would be taken. */
+/* No tile takes its name next to the manifest of another world, for which it would be taken. */
 static int finish_orphan(struct job *job)
 {
     progress_end(&job->progress, false);

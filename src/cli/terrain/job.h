@@ -31,7 +31,7 @@ struct job {
     struct products products[2]; /* the same ones: of the tile at hand, and of the one before */
     struct tiling tiling;
     struct manifest manifest;
-    struct sums sums; /* beside the manifest */
+    struct sums sums; /* next to the manifest */
     struct crew *crew;
 
     /* What became of it: */

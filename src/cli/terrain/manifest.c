@@ -214,7 +214,7 @@ static void pause_shortly(void)
 
 /* Compares with what is there, or makes it. An empty file is one that a run reserves where there
    are no hard links: it has its contents soon, unless the run was killed. If several then replace
-   it, or the run was but slow, the last one counts: manifest_is_there tells the others. */
+   it, or the run was but slow, the last one counts: the others notice it by manifest_is_there. */
 static int open_or_make(struct manifest *manifest)
 {
     for (int i = 0; i <= TRIES; i++) {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * What all files of a world have in common, as JSON in a file beside them. The run that comes first
+ * What all files of a world have in common, as JSON in a file next to them. The run that is first
  * makes it, all others compare: files of one world are never mixed with those of another. Runs
  * that share a world also learn from it which tiles the others are at.
  */

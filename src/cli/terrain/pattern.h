@@ -13,7 +13,7 @@
 
 #include "terrain/tiling.h"
 
-/* Whether there is a placeholder in `path`, and whether one tells the level. */
+/* Whether there is a placeholder in `path`, and whether one is for the level. */
 bool pattern_is(const char *path);
 bool pattern_has_level(const char *path);
 

@@ -67,7 +67,7 @@ bool products_begin(struct products *products, const struct surface *surface,
 /* Whether all of them are there, whole and not older than `since` */
 bool products_are_there(const struct products *products, struct file_time since);
 
-/* Removes what killed runs left beside them. */
+/* Removes what killed runs left next to them. */
 void products_sweep(const struct products *products);
 
 /* Each of these returns false if a file fails, whose `failed` is then set. */

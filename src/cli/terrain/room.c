@@ -11,7 +11,7 @@
 #include "shared/interrupt.h"
 #include "shared/space.h"
 
-#define LARGE 1000000000 /* bytes from which a run is told before */
+#define LARGE 1000000000 /* bytes from which a run prints before it starts what it will take */
 
 /* What is to be written, by product */
 struct room {
@@ -81,7 +81,7 @@ static uint64_t sum_of(const struct products *products, const struct room *room,
     return sum;
 }
 
-/* The first product of known size whose disk is too small; the count of products if there is none */
+/* The first product of known size whose disk is too small; the count of products if all fit */
 static size_t find_tight(const struct products *products, const struct room *room,
                          struct disk *disk)
 {

@@ -80,7 +80,7 @@ static bool add_lines(const struct sums *sums, const struct products *products, 
 #define TRIES 40
 
 /* Locks a byte far behind the end, so that runs which share one file add one after the other. Where
-   there are no locks, appending alone must do. The lock ends with the descriptor. */
+   there are no locks, appending must do. The lock ends with the descriptor. */
 static void lock(int descriptor)
 {
     struct flock lock = {

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Checksums of the files of a world, in files beside its manifest, one for each share: NAME.sums
- * beside NAME.json, or NAME.I-N.sums. A line is "HASH  PATH", with the path as seen from there,
+ * Checksums of the files of a world, in files next to its manifest, one for each share: NAME.sums
+ * next to NAME.json, or NAME.I-N.sums. A line is "HASH  PATH", with the path as seen from there,
  * which xxhsum -c reads, too. Runs add lines; of those of one path, each is right.
  */
 #ifndef SCARP_CLI_SUMS_H

@@ -14,7 +14,7 @@
 #include "shared/interrupt.h"
 #include "shared/path.h"
 
-#define TOLD_MOST 20 /* files that are told one by one */
+#define TOLD_MOST 20 /* files that are named one by one */
 
 struct verification {
     struct job *job;

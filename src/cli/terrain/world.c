@@ -15,7 +15,7 @@
 #include "terrain/pattern.h"
 
 /* The files of a product: their pattern as seen from the manifest, after the format and a colon
-   where the extension does not tell it. False without memory. */
+   where the extension does not say it. False without memory. */
 static bool add_files(const struct product *product, bool numbered, const char *manifest,
                       struct text *text)
 {
@@ -83,7 +83,7 @@ static bool add_all_files(const struct products *products, bool numbered, const 
     return add_fields(products, numbered, manifest, text);
 }
 
-/* What the relief depends on beside the ground and the light */
+/* What the relief depends on besides the ground and the light */
 static void add_palette(const struct relief *relief, struct text *text)
 {
     const struct palette *const palette = relief->palette;

@@ -7,7 +7,7 @@
 
 #include "terrain/job.h"
 
-/* Makes the manifest of a job beside the first of its products, or compares this run with it.
+/* Makes the manifest of a job next to the first of its products, or compares this run with it.
    Returns an exit status, after a line on stderr if it is not CLI_SUCCESS. */
 int world_open(struct job *job);
 

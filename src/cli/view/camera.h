@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The camera: where it stands, and the ray of each point of the picture.
+ * The camera: where it is, and the ray of each point of the picture.
  */
 #ifndef SCARP_CLI_VIEW_CAMERA_H
 #define SCARP_CLI_VIEW_CAMERA_H

@@ -59,7 +59,7 @@ struct scene {
 #define LEAST_SIDE 1024.0f
 #define HEIGHTS 4.0f
 
-/* Sets the ground, and what is told of it within the view, which begins at (x, y). */
+/* Sets the ground, and what is known of it within the view, which begins at (x, y). */
 void scene_set_ground(struct scene *scene, const struct ground *ground, double x, double y);
 
 /* Sets the bands of a scene that has its ground and its camera. */

@@ -61,7 +61,7 @@ static const struct option picture_rows[] = {
 static const struct option camera_rows[] = {
     {OPTION_READ(parse_camera, "X,Y,H", "--camera", camera,
                  "three numbers X,Y,H, X and Y from -2^40 to 2^40 and H from -2^24 to 2^24",
-                 "where it stands: H is the height, in the unit of x and y, which must be above "
+                 "where it is: H is the height, in the unit of x and y, which must be above "
                  "the ground"),
      .otherwise = "where it sees most of the view", .lowest = -0x1p24, .highest = 0x1p24},
     {OPTION_READ(
@@ -85,7 +85,7 @@ static const struct option light_rows[] = {
      .otherwise = "that of the preset"},
     {OPTION_READ(parse_direction, "AZ,ALT", "--sun", sun,
                  "two numbers AZ,ALT, AZ from 0 to 360 and ALT from 1 to 90",
-                 "where the sun stands: degrees clockwise from north, from 0 to 360, and above the "
+                 "where the sun is: degrees clockwise from north, from 0 to 360, and above the "
                  "horizon, from 1 to 90"),
      .standard = "225,24", .lowest = 1, .highest = 90},
     {OPTION_READ(option_float, "F", "--haze", haze, "0 or a number from 1 to 2^24",
@@ -108,13 +108,13 @@ const struct option_table view_table = {
         "Shows a terrain from a camera, and writes the picture to a file. The options of the\n"
         "terrain are those of scarp terrain.",
     .notes[0] =
-        "FILE       The extension tells the format. So does a word before the name: ppm:FILE.\n"
+        "FILE       The extension says which format. So does a word before the name: ppm:FILE.\n"
         "           FILE - is standard output, as in ppm:-. .png is there with zlib only.\n"
         "units      One unit of x and y is taken for a metre: so large are trees, and so wide is\n"
         "           the line of the shore. Snow and trees depend on the usual heights of the\n"
-        "           terrain, which scarp help terrain tells under relief. Rock depends on the\n"
+        "           terrain, which scarp help terrain explains under relief. Rock depends on the\n"
         "           slopes in the view.\n"
-        "view       The square that begins at --origin. Without --camera, the camera stands\n"
+        "view       The square that begins at --origin. Without --camera, the camera is\n"
         "           where it sees most of it, looks over it, and has the sun at its side if\n"
         "           there is such a place. The last line that is printed gives the camera as\n"
         "           options.\n"

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Where the camera stands and looks if nobody says so.
+ * Where the camera is and looks by default.
  */
 #ifndef SCARP_CLI_VIEW_VIEWPOINT_H
 #define SCARP_CLI_VIEW_VIEWPOINT_H

@@ -75,7 +75,7 @@ VEC_INLINE struct column basis_column(const struct corners *h, const struct acro
 }
 #endif
 
-/* The corners of both columns of a block that stands on the lattice. */
+/* The corners of both columns of a block that is on the lattice. */
 VEC_INLINE void corners_of(struct corners side[2], const vf *lattice, struct variant v)
 {
     if (corner_form_of(v.basis) == CORNERS_HASHED) {
@@ -122,7 +122,7 @@ VEC_INLINE void basis_columns(struct column c[2], const struct corners side[2],
     }
 }
 
-/* Where a block that stands on the lattice lies across its columns. */
+/* Where a block that is on the lattice lies across its columns. */
 VEC_INLINE void across_of(struct across *p, const vf *lattice, enum scarp_fade kind,
                           const struct directions *directions, struct variant v)
 {

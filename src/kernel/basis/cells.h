@@ -12,7 +12,7 @@
 #include "../sample.h"
 #include "../unhashed.h"
 
-/* What a cell draws beside v_0, which is its hash. */
+/* What a cell draws besides v_0, which is its hash. */
 #define FEATURE_Y 0xe41130e9u
 #define FEATURE_Z 0x6ecea30du
 #define FEATURE_ID 0xc603dc87u

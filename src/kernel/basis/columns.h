@@ -49,7 +49,7 @@ struct corners {
     vu h[2][2];
 };
 
-/* The hash that stands in for h in what a component of vector noise draws: components.h. The
+/* The hash that replaces h in what a component of vector noise draws: components.h. The
    reference is formulas/lattice.h. */
 VEC_INLINE vu component_hash(vu h, int component, struct variant v)
 {

@@ -38,7 +38,7 @@ static __attribute__((noinline)) void next_component3(vf *lattice, size_t blocks
     next_component(lattice, blocks, 3);
 }
 
-/* A block, and what its components have in common beside a struct across. */
+/* A block, and what its components have in common besides a struct across. */
 struct shared_block {
     struct corners side[2];
     vf x;

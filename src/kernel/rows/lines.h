@@ -2,7 +2,7 @@
  *
  * Makes the lines (../basis/columns.h) of the lattice columns that a row of a grid crosses, from
  * the hashes along the axes, and looks them up for the lanes of a block in tables of registers.
- * slide.h and rows.h tell where tables come from.
+ * slide.h and rows.h say where tables come from.
  */
 #ifndef SCARP_KERNEL_ROWS_LINES_H
 #define SCARP_KERNEL_ROWS_LINES_H
@@ -50,7 +50,7 @@ VEC_INLINE struct column row_column(vu h, const struct along_row *r, struct vari
 }
 
 /* The lines of a stretch: tables of them or, if it is in one column, those to its left and right,
-   which all its blocks share. Flat lines have b alone. */
+   which all its blocks share. Flat lines have only b. */
 struct stretch_line {
     vf_table a, b;
     struct line left, right;

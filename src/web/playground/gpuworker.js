@@ -104,7 +104,7 @@ function withRecipe({text, seed}, use) {
 }
 
 // What the GPU needs for a frame: {key, source, order, edge, shader, uniforms}, or {key, why} if it
-// is none for the GPU. The edge is how many rows beside each band are sampled, for differences.
+// is none for the GPU. The edge is how many rows above and below each band are sampled, for differences.
 function planOf({source, isCurved}) {
     const key = `${isCurved} ${source.seed} ${source.text}`;
     return key === wish?.key ? wish : withRecipe(source, recipe => {

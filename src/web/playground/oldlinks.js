@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Links that older pages gave away: they tell the options of one noise, of which a recipe is made
-// as `scarp terrain --print-recipe` does, or values beside a recipe, which become numbers of its
+// as `scarp terrain --print-recipe` does, or values with a recipe, which become numbers of its
 // text.
 import {readDocument} from "./document.js";
 import {numberText, parseNumber} from "./options.js";

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a picture needs beside the text of the recipe, under the names that `scarp terrain` has,
+// What a picture needs besides the text of the recipe, under the names that `scarp terrain` has,
 // with its intervals and defaults: fields, checks, the URL and the command line are made from this
 // table.
 //

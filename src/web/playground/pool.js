@@ -115,7 +115,7 @@ export class Pool {
 
 const KEPT = 500; // pictures
 
-// Small pictures of nodes, and what else is made beside the map
+// Small pictures of nodes, and what else is made apart from the map
 export class Pictures {
     constructor(module) {
         this.wishes = [];

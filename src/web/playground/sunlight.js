@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // How much sun each place of a terrain gets: which share of the disc its horizon leaves, and how
-// far the ground faces it. Both depend on heights and sun alone, not on the camera.
+// far the ground faces it. Both depend only on heights and sun, not on the camera.
 
 const RADIUS = 0.8 * Math.PI / 180; // of the sun: three times the true one, for softer edges
 const STEEPEST = 89.5 * Math.PI / 180; // where the tangent ends

@@ -118,7 +118,7 @@ export class View3d {
             sea: light?.isMirror && numbers.hasSea ? (numbers.floor - mean) * perUnit : NOWHERE};
     }
 
-    // Draws the map with its shadows into a texture. They depend on heights and sun alone, so they
+    // Draws the map with its shadows into a texture. They depend only on heights and sun, so they
     // stay while the camera moves.
     shine() {
         const {gl, textures, scene} = this, {sunlit} = textures, {sun, size, light} = scene;

@@ -12,7 +12,7 @@ const LOOK = 48; // samples along a side that tell which values a node has, abou
 
 let loading = null, terrain = null;
 let latest = -1; // the number of the last job
-let made = {key: null}; // what depends on the recipe alone, and stays while the map moves
+let made = {key: null}; // what depends only on the recipe, and stays while the map moves
 
 const channel = new MessageChannel();
 // Lets messages come in.
@@ -52,7 +52,7 @@ function close() {
 }
 
 // Second derivatives as differences of exact first ones, along rows and down columns. The first
-// and the last row are there for their neighbours alone.
+// and the last row are there only for their neighbours.
 function differences({dx, dy, dxx, dxy, dyy}, count, width, step) {
     const rows = count / width;
     for (let i = 0; i < count; i++) {
@@ -92,7 +92,7 @@ function paint(job, numbers, count, pixels) {
 function groundWork(job) {
     const {raster, view} = job, {width} = raster, numbers = openGround(job);
     const {samples} = job; // of rows from - edge to to + edge, if the GPU has made them
-    const edge = samples?.edge ?? // rows beside a strip
+    const edge = samples?.edge ?? // rows above and below a strip
         (view === "curvature" && !numbers.hasHessian ? 1 : 0);
     terrain.setLook(job.palette, job.azimuth, job.altitude);
     const strip = (row, end, values, pixels, masks) => {

@@ -17,7 +17,7 @@ import {completion, helpAt} from "./language.js";
 const GROUP_MS = 500; // typing without a pause is one step of the history
 const joined = Annotation.define();
 
-// Steps join if an edit says so, or is typed beside the last one at once.
+// Steps join if an edit says so, or is typed next to the last one at once.
 function historyOfAll() {
     let last = 0; // when the text changed
     const timer = EditorView.updateListener.of(({docChanged}) => {

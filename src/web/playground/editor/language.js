@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Completion and help for recipes. Here are tokens alone; what a function or a name is comes from
+// Completion and help for recipes. Here are only tokens; what a function or a name is comes from
 // the module, in the document: see document.js. Formulas are those of src/recipe/README.md.
 import {snippetCompletion} from "@codemirror/autocomplete";
 import formulas from "formulas";

@@ -27,7 +27,7 @@ export class IndentContext {
 
 const PAIRS = "()[]", FAR = 4000; // letters to look through
 
-// The bracket beside `at`, behind it (1) or before it (-1), and its partner:
+// The bracket next to `at`, behind it (1) or before it (-1), and its partner:
 // {start, end: {from, to}, matched}, or null
 export function matchBrackets(state, at, direction) {
     const first = direction > 0 ? at : at - 1;

@@ -9,7 +9,7 @@ import {isNumber, numberText} from "./model.js";
 const WIDTH = 190, HEIGHT = 64, EDGE = 8, STEPS = 48;
 
 // A line through knots that does not overshoot, for the picture: cubic pieces whose slopes at knots
-// are the harmonic means of the slopes beside them.
+// are the harmonic means of the slopes next to them.
 export function through(points, x) {
     const last = points.length - 1;
     if (x <= points[0][0] || last === 0) {
@@ -52,7 +52,7 @@ export class Curve {
         return this.row.part;
     }
 
-    // Knots as numbers; what is a field is drawn at the middle, and moves along x alone.
+    // Knots as numbers; what is a field is drawn at the middle, and moves only along x.
     #points() {
         return knotsOf(this.#call).map(({x, value}) =>
             [x.value, isNumber(value) || value.kind === "number" ? value.value : 0]);
