@@ -2970,8 +2970,8 @@ vec3 scarp_times_each(vec3 a, vec3 b)
     return scarp_vec3_of(scarp_mul(a.x, b.x), scarp_mul(a.y, b.y), scarp_mul(a.z, b.z));
 }
 
-/* A sample with derivatives by u, of so many dimensions, becomes one with derivatives by x: j are
-   the gradients of u by x, `rest` what displaces u. */
+/* A sample with derivatives with respect to u, of so many dimensions, becomes one with derivatives
+   with respect to x: j are the gradients of u with respect to x, `rest` what displaces u. */
 ScarpSample scarp_pulled(ScarpSample s, ScarpRows j, ScarpDisplaced rest, int dimensions)
 {
     ScarpRows h = scarp_hessian_of(s);

@@ -286,7 +286,7 @@ struct scarp_samples {
     float *dyz SCARP_ZERO;
     float *dzz SCARP_ZERO;
 
-    float *dphase SCARP_ZERO;   /* derivative by the phase, per turn */
+    float *dphase SCARP_ZERO;   /* derivative with respect to the phase, per turn */
     float *spare[5] SCARP_ZERO; /* reserved: NULL. 16 pointers in all. */
 };
 
@@ -295,7 +295,7 @@ struct scarp_samples {
  *
  * For each i < count, out->value[i] is the noise at (x[i], y[i]). out->dx[i], dy[i], dxx[i], dxy[i]
  * and dyy[i] are the exact partial derivatives of that value, in closed form. dphase[i] is its
- * derivative by the phase.
+ * derivative with respect to the phase.
  *
  * Which derivatives a noise has:
  *
@@ -491,9 +491,9 @@ SCARP_API enum scarp_status scarp_noise_check(const struct scarp_noise *noise, i
  * scarp_noise_check says. `member` may be NULL.
  *
  * A noise that is not at fault may still lack what a call asks for: derivatives up to `order`,
- * which is 0, 1 or 2, and the derivative by the phase if `dphase` is not 0. (The Jacobian of a
- * velocity needs derivatives of order 2.) Calls return SCARP_ERROR_UNSUPPORTED then. The text says
- * so, and *member becomes "fractal" or "basis", in a warp with its path.
+ * which is 0, 1 or 2, and the derivative with respect to the phase if `dphase` is not 0. (The
+ * Jacobian of a velocity needs derivatives of order 2.) Calls return SCARP_ERROR_UNSUPPORTED then.
+ * The text says so, and *member becomes "fractal" or "basis", in a warp with its path.
  *
  * The text also says if `noise` is NULL, or if `dimensions` or `order` is none of these numbers.
  */
@@ -589,9 +589,9 @@ SCARP_API enum scarp_status scarp_vector3_f64(const struct scarp_noise *noise, s
                                               const double *x, const double *y, const double *z,
                                               const struct scarp_samples out[3]);
 
-/* A velocity and its Jacobian at a point: arrays of `count` floats. vxy is the derivative of vx by
-   y, and so on. A NULL member is skipped. A call that asks for nothing of the Jacobian does not pay
-   for second derivatives. */
+/* A velocity and its Jacobian at a point: arrays of `count` floats. vxy is the derivative of vx
+   with respect to y, and so on. A NULL member is skipped. A call that asks for nothing of the
+   Jacobian does not pay for second derivatives. */
 struct scarp_flow {
     float *vx SCARP_ZERO;
     float *vy SCARP_ZERO;
@@ -823,16 +823,17 @@ SCARP_API enum scarp_status scarp_multiply(size_t count, const struct scarp_samp
  * scarp_mix - `a` where `m` is 0, `b` where `m` is 1, and `a + m * (b - a)` between: slopes of `m`
  * count, too
  *
- * It is computed from the nearer end. m may leave [0, 1]. Let d = a - b in all members. Where m > 1/2, let e = b and w = m - 1, elsewhere e = a and w = m. Then
+ * It is computed from the nearer end. m may leave [0, 1]. Let d = a - b in all members.
+ * Where m > 1/2, let e = b and w = m - 1, elsewhere e = a and w = m. Then
  *
  *     value   e - w d
  *     first   e_i - (w d_i + d m_i)
  *     second  e_ij - ((w d_ij + d m_ij) + (d_i m_j + d_j m_i))
  *
  * and each product is 0 where one of its factors is 0: w d_i where w or d_i is, d m_i where d or
- * m_i is. So where m is 0, the value is that of a, to the bit. The derivative by i is that of a
- * where m_i is 0, too, and the second one by i and j where m_i, m_j and m_ij are 0. Where m is 1,
- * the same holds for b. The other input does not show there, even if it is NaN.
+ * m_i is. So where m is 0, the value is that of a, to the bit. The derivative with respect to i is
+ * that of a where m_i is 0, too, and the second one by i and j where m_i, m_j and m_ij are 0. Where
+ * m is 1, the same holds for b. The other input does not show there, even if it is NaN.
  *
  * With m in [0, 1] and a - b finite, the value never leaves the interval between a and b, rounding
  * included.
@@ -940,9 +941,9 @@ SCARP_API enum scarp_status scarp_smoothstep(size_t count, const struct scarp_sa
  * - `strength`, in [0, 1], is how far a becomes steps: 0 leaves a as it is, but for rounding, 1
  *   makes treads level. Values move by 1 / (2 steps) at most.
  *
- * C2 for every riser and strength. The first derivative by a is at least 1 - strength, so a terrace
- * never turns a slope around. Steps fade out as |t| nears 2^23. Where t overflows, all outputs are
- * NaN. Values near the largest float may become infinite.
+ * C2 for every riser and strength. The first derivative with respect to a is at least 1 - strength,
+ * so a terrace never turns a slope around. Steps fade out as |t| nears 2^23. Where t overflows, all
+ * outputs are NaN. Values near the largest float may become infinite.
  */
 SCARP_API enum scarp_status scarp_terrace(size_t count, const struct scarp_samples *a, float steps,
                                           float riser, float strength,
@@ -1016,7 +1017,8 @@ SCARP_API enum scarp_status scarp_curve(size_t count, const struct scarp_samples
 SCARP_API enum scarp_status scarp_slope(size_t count, const struct scarp_samples *a,
                                         const struct scarp_samples *out);
 
-/* A function at `count` points: its value, and its partial derivatives by one or two arguments. */
+/* A function at `count` points: its value, and its partial derivatives with respect to one or two
+   arguments. */
 struct scarp_partials {
     const float *f SCARP_ZERO;
     const float *fa SCARP_ZERO;
@@ -2182,9 +2184,9 @@ SCARP_API const char *scarp_isa_name(enum scarp_isa isa);
  * Range: with a phase, |n_k| may be more than 1. It is at most 1.0169038 (quintic) and 1.0162356
  * (cubic) in 2D, 1.1100620 and 1.1037150 in 3D. scarp_range counts that in.
  *
- * dphase is the derivative of the value by the phase. It may be asked for beside any other output.
- * For fBm and turbulence, |dphase| is at most 4 pi sum_k 2^k |a_k| times those numbers, for
- * ping-pong that times 2 sharpness.
+ * dphase is the derivative of the value with respect to the phase. It may be asked for with any
+ * other output. For fBm and turbulence, |dphase| is at most 4 pi sum_k 2^k |a_k| times those
+ * numbers, for ping-pong that times 2 sharpness.
  *
  * Value noise has no gradients to turn, and the gradients of simplex noise do not turn: with any
  * basis but SCARP_GRADIENT, a phase, and dphase, is SCARP_ERROR_UNSUPPORTED.
@@ -2226,7 +2228,7 @@ SCARP_API const char *scarp_isa_name(enum scarp_isa isa);
  * Derivatives go through the Jacobian J = I + D: the gradient is J^T g, the Hessian J^T H J + sum_i
  * g_i H_i, where g and H are those of n at y, D and H_i those of d at x. A warp must have
  * derivatives of the order that is asked for, else calls return SCARP_ERROR_UNSUPPORTED. dphase is
- * the derivative by the noise's own phase.
+ * the derivative with respect to the noise's own phase.
  *
  * w may have a warp, too, up to four in all: with e the warp of w, d is w at x + e(x). If warp and
  * noise repeat after the same lengths of input, the whole does. On grids the deepest warp is as

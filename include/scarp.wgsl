@@ -2684,8 +2684,8 @@ fn scarp_times_each(a: vec3f, b: vec3f) -> vec3f {
     return vec3f(scarp_mul(a.x, b.x), scarp_mul(a.y, b.y), scarp_mul(a.z, b.z));
 }
 
-/* A sample with derivatives by u, of so many dimensions, becomes one with derivatives by x: j are
-   the gradients of u by x, `rest` what displaces u. */
+/* A sample with derivatives with respect to u, of so many dimensions, becomes one with derivatives
+   with respect to x: j are the gradients of u with respect to x, `rest` what displaces u. */
 fn scarp_pulled(s: ScarpSample, j: ScarpRows, rest: ScarpDisplaced,
         dimensions: i32) -> ScarpSample {
     let h: ScarpRows = scarp_hessian_of(s);

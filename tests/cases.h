@@ -132,7 +132,7 @@ enum cases_octaves {
     CASES_TURNED,
     CASES_POWERS,  /* periods that are powers of two, and an axis without one */
     CASES_PERIODS, /* any periods, and an axis without one */
-    CASES_FLOW,    /* a phase, and the derivative by it */
+    CASES_FLOW,    /* a phase, and the derivative with respect to it */
     CASES_FLOW_TURNED,
     CASES_WARPED,       /* one warp, and a phase */
     CASES_WARPED_TWICE, /* two, whose octaves are more than one plan has room for */

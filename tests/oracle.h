@@ -23,8 +23,8 @@ enum oracle_rounding {
                   turned, both parts of p_k are rounded to multiples of 2^-24 */
 };
 
-/* Value, gradient and Hessian, the derivative by the phase, and that of the gradient, which only
-   octaves have. In 2D whatever has a z is 0, and so is the Hessian of erosion. */
+/* Value, gradient and Hessian, the derivative with respect to the phase, and that of the gradient,
+   which only octaves have. In 2D whatever has a z is 0, and so is the Hessian of erosion. */
 struct oracle_sample {
     double value, gradient[3], hessian[3][3];
     double phase, gradient_phase[3];

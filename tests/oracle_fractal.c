@@ -1,9 +1,9 @@
 /* SPDX-License-Identifier: MIT
  *
  * The fractals of scarp.h in double precision. Functions of the input are carried with their
- * derivatives, as (value, gradient, Hessian) and the derivative by the phase, and the formulas are
- * then those of the values: the rules for products and quotients of such bundles do the rest. No
- * derivative of a fractal is written down here.
+ * derivatives, as (value, gradient, Hessian) and the derivative with respect to the phase, and the
+ * formulas are then those of the values: the rules for products and quotients of such bundles do
+ * the rest. No derivative of a fractal is written down here.
  */
 #include "oracle.h"
 

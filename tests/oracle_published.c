@@ -99,7 +99,7 @@ static void draw_psrdnoise3(const void *opaque, const uint32_t cell[3], const in
 }
 
 /* The point; the periods, where 0 is none; alpha; the value, the gradient, and in 2D the second
-   derivatives by xx, yy and xy. */
+   derivatives with respect to xx, yy and xy. */
 static const double in_plane[][11] = {
     {0.3, 0.4, 0.0, 0.0, 0.0, 0.11990391218472954, -1.0209270670331263, -3.529715035419175,
      -9.186202228274643, -6.965376761764646, -2.442800588132344},

@@ -18,8 +18,8 @@ struct oracle_warped {
 void oracle_warped_make(struct oracle_warped *warped, const struct scarp_noise *noise,
                         int dimensions);
 
-/* The noise at y(x), with its derivatives by y: the value is that of the whole, the derivatives are
-   not. */
+/* The noise at y(x), with its derivatives with respect to y: the value is that of the whole, the
+   derivatives are not. */
 void oracle_warped_at(const struct oracle_warped *warped, const double x[3],
                       struct oracle_sample *n);
 

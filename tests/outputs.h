@@ -89,7 +89,7 @@ static inline int noise_order(const struct scarp_noise *noise)
 }
 
 /* The outputs that it has for this noise: erosion and what bends have no second derivatives; noise
-   of another basis than gradients has no phase, and what bends no derivative by it. */
+   of another basis than gradients has no phase, and what bends no derivative with respect to it. */
 static inline unsigned outputs_of(const struct scarp_noise *noise, enum function f)
 {
     const int flows = basis_has(noise->basis, BASIS_FLOWS) && !fractal_bends(noise->fractal);

@@ -18,7 +18,7 @@ struct simplex {
     double square;              /* r^2 */
     double supremum;            /* of |n|, for unit vectors in 2D and edges (1, 1, 0) in 3D */
     double at[3];               /* a maximiser in the box of test_suprema_simplex.c */
-    double second;              /* no second derivative by two axes is more times the supremum */
+    double second; /* no second derivative with respect to two axes is more times the supremum */
 };
 
 #define SIMPLEX_SUPREMUM2 0.062366952212268554

@@ -96,7 +96,8 @@ static const struct bounds *bounds_of(const struct scarp_noise *noise)
 #define EXCLUDED 0.0025
 #define FEW 4.0
 
-/* The same of the derivative by the phase, in units of 2 pi sum |a_k| 2^k; it is 0 in value noise.
+/* The same of the derivative with respect to the phase, in units of 2 pi sum |a_k| 2^k; it is 0 in
+ * value noise.
  */
 #define PHASE_BOUND 1.5e-6
 

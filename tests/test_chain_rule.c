@@ -190,7 +190,7 @@ static void test_formula(enum chain f)
 }
 
 /* Makes inputs of one variable: a runs from `from` in equal steps, b is 0. So dx is the derivative
-   by a, and dxx the second one. */
+   with respect to a, and dxx the second one. */
 static void make_sweep(float from, float step)
 {
     memset(in, 0, sizeof in);

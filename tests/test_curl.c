@@ -11,7 +11,7 @@
 
 #define OUTPUTS 10
 
-/* The outputs of samples, with derivatives by axis: first, then second. */
+/* The outputs of samples, with derivatives with respect to axis: first, then second. */
 static const int first_of[3] = {1, 2, 3};
 static const int second_of[3][3] = {{4, 5, 6}, {5, 7, 8}, {6, 8, 9}};
 

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * Flow noise: whole turns change no bit, nothing jumps at phase 0, the derivative by the phase is
- * that of the value, periods stay, seeds are strangers, and what is refused.
+ * Flow noise: whole turns change no bit, nothing jumps at phase 0, the derivative with respect to
+ * the phase is that of the value, periods stay, seeds are strangers, and what is refused.
  *
  *     test_phase ISA
  */
@@ -83,8 +83,8 @@ static void test_whole_turns(void)
     }
 }
 
-/* The derivative of the oracle's value by the phase, by a central difference of octaves: their
-   phases are doubles there. */
+/* The derivative of the oracle's value with respect to the phase, by a central difference of
+   octaves: their phases are doubles there. */
 static double oracle_difference(const struct scarp_noise *noise, int dimensions, const double x[3])
 {
     const float step = 0x1p-18f;
@@ -122,7 +122,7 @@ static void test_oracle_derivative(void)
         oracle_evaluate(&oracle, ORACLE_EXACT, x, &n);
         worst = larger(worst, fabs(n.phase - oracle_difference(&noise, dimensions, x)));
     }
-    printf("the oracle's derivative by the phase, from a difference: %.2e\n", worst);
+    printf("the oracle's derivative with respect to the phase, from a difference: %.2e\n", worst);
     CHECK(worst < 1e-6, "%g", worst);
 }
 

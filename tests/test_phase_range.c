@@ -14,8 +14,8 @@
  * 2D: the gradients of the corners are unit vectors. Which phases bring two corners to given
  * directions does not matter: some phases let all corners of a cell point away from its middle,
  * where the maximum is. So every corner may have any direction, and n_G(t) = sum_c W_c(t) g_c .
- * (t - c) has the supremum S(t) = sum_c W_c(t) |t - c|. Speeds are 1 and -2, so the derivative by
- * the angle of the phase is at most twice that.
+ * (t - c) has the supremum S(t) = sum_c W_c(t) |t - c|. Speeds are 1 and -2, so the derivative with
+ * respect to the angle of the phase is at most twice that.
  *
  * 3D: at a phase, each corner has one of twelve gradients, three on each of four circles. One phase
  * turns all, so boxes have a fourth coordinate: t[3] is the phase in thirds of a turn. That is a
@@ -92,13 +92,13 @@ static double first_order2(const struct proof *proof, const double *m, double h)
 #define GRADIENTS 12
 #define THIRD 2.0943951023931953 /* of a turn */
 
-/* The gradients at a phase, and their derivatives by t[3]. */
+/* The gradients at a phase, and their derivatives with respect to t[3]. */
 struct turned {
     double g[GRADIENTS][3], by_phase[GRADIENTS][3];
 };
 
 /* The table of scarp.h: diagonals, edges in units of half their length here, speeds. With `rates`,
-   the gradients are replaced by their derivatives by the angle of the phase. */
+   the gradients are replaced by their derivatives with respect to the angle of the phase. */
 static struct turned turned_at(double thirds, int rates)
 {
     static const double diagonals[4][3] = {{1, 1, 1}, {1, -1, -1}, {-1, 1, -1}, {-1, -1, 1}};
@@ -196,8 +196,9 @@ static double second_order3(const struct proof *proof, const double *m, double h
 /*
  * Whether S <= limit everywhere. In 2D a quarter of the cell stands for all. In 3D, half a turn
  * around x takes the gradients to themselves at every phase. Half a turn around (0, 1, -1) takes
- * them to those of the opposite phase, and their derivatives by the phase to the opposite of these,
- * so that the cell is mirrored besides. So y <= 1/2 and a sixth of a turn will do.
+ * them to those of the opposite phase, and their derivatives with respect to the phase to the
+ * opposite of these, so that the cell is mirrored besides. So y <= 1/2 and a sixth of a turn will
+ * do.
  */
 static int bounded_in_cell(struct proof *proof)
 {

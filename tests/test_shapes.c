@@ -68,7 +68,7 @@ static void set_knots(void)
     }
 }
 
-/* f and its derivatives by a and b, in double */
+/* f and its derivatives with respect to a and b, in double */
 struct partials {
     double f, fa, fb, faa, fab, fbb;
 };

@@ -22,8 +22,8 @@
  *     H_ij = 48 w^2 q d_i d_j - 8 w^3 (g_i d_j + d_i g_j + q I_ij),    q = g . d,
  * in the box. Along unit vectors that is at most |g| (48 w^2 |d|^3 + 24 w^3 |d|).
  *
- * Second derivatives by two axes are H_ij, with the largest over gradients for each vertex; from m
- * to a point of the box they grow by at most h sqrt(n) times the third derivatives
+ * Second derivatives with respect to two axes are H_ij, with the largest over gradients for each
+ * vertex; from m to a point of the box they grow by at most h sqrt(n) times the third derivatives
  *     -192 w q d_i d_j d_k + 48 w^2 (g_i d_j d_k + g_j d_i d_k + g_k d_i d_j)
  *     + 48 w^2 q (d_i I_jk + d_j I_ik + d_k I_ij) - 8 w^3 (g_i I_jk + g_j I_ik + g_k I_ij),
  * which along unit vectors is at most |g| (192 w |d|^4 + 288 w^2 |d|^2 + 24 w^3). For w the largest

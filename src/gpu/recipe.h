@@ -54,8 +54,8 @@ static inline vec3 times_each(vec3 a, vec3 b)
     return vec3_of(a.x * b.x, a.y * b.y, a.z * b.z);
 }
 
-/* A sample with derivatives by u, of so many dimensions, becomes one with derivatives by x: j are
-   the gradients of u by x, `rest` what displaces u. */
+/* A sample with derivatives with respect to u, of so many dimensions, becomes one with derivatives
+   with respect to x: j are the gradients of u with respect to x, `rest` what displaces u. */
 static inline struct sample pulled(struct sample s, struct rows j, struct displaced rest,
                                    int dimensions)
 {

@@ -37,8 +37,8 @@ static enum scarp_refusal refused_word(const struct scarp_noise *noise)
                                                         : REFUSED_NOT;
 }
 
-/* f_k is monotone in k, so the last one decides. A function of its own keeps this loop in registers:
-   inlined, gcc 12 moves the frequency to an integer register and back in each turn. */
+/* f_k is monotone in k, so the last one decides. As a function of its own, this loop is in
+   registers: inlined, gcc 12 moves the frequency to an integer register and back in each turn. */
 static __attribute__((noinline)) int last_frequency_valid(double frequency, double lacunarity,
                                                           int octaves)
 {

@@ -13,7 +13,8 @@
 
 #define BLOCK 64 /* points */
 
-/* The second derivative by axes i <= j, as members of struct scarp_samples are in order. */
+/* The second derivative with respect to axes i <= j, as members of struct scarp_samples are in
+   order. */
 static float *second(const struct scarp_samples *s, int i, int j)
 {
     float *const all[3][3] = {

@@ -187,7 +187,7 @@ class Flow(Case):
 
     @staticmethod
     def flowing():
-        """The fractals with a derivative by the phase"""
+        """The fractals with a derivative with respect to the phase"""
         return [fractal for fractal in FRACTALS if run(
             "sample", "--fractal", fractal, "--dphase", input=b"0 0\n").returncode == 0]
 

@@ -207,7 +207,7 @@ namespace Scarp
 
     /// <summary>Arrays of values and derivatives; float[], Span, or Samples.Flat of a float[,].
     /// What is not given is not computed, and not paid for. Dx ... is the gradient, per unit of
-    /// input, Dxx ... the Hessian, Dphase the derivative by the phase, per turn.</summary>
+    /// input, Dxx ... the Hessian, Dphase the derivative with respect to the phase, per turn.</summary>
     public ref partial struct Samples
     {
         /// <summary>All elements of an array with rows, as TerrainData.SetHeights takes it: element
@@ -564,7 +564,7 @@ namespace Scarp
                 bool hasHessian = Native.scarp_noise_fault(noise, dimensions, 2, 0, null) == null;
                 return hasPhase && !(hasSecond && !hasHessian)
                     ? new ScarpException(status, "Dphase",
-                                         "this noise has no derivative by the phase")
+                                         "this noise has no derivative with respect to the phase")
                     : new ScarpException(status, "Dxx",
                                          "this noise, or a warp of it, has no second "
                                          + "derivatives");
@@ -1709,7 +1709,7 @@ namespace Scarp
             }
             if (to.Dphase != default(Span<float>) || second.Dphase != default(Span<float>)) {
                 throw new ScarpException(Status.Unsupported, "Dphase",
-                                         "recipes have no derivative by the phase");
+                                         "recipes have no derivative with respect to the phase");
             }
             var asked = new Native.scarp_recipe_outputs { which = which, count = count };
             int size = (int)Native.scarp_recipe_scratch_size(now.Pointer, order,

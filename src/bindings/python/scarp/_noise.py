@@ -132,7 +132,7 @@ class Cells(Record):
 
 class Flow(Record):
     """A velocity without divergence: vx, vy, vz; with derivatives=1 its Jacobian, of which vxy is
-    the derivative of vx by y. float32 arrays, per unit of input."""
+    the derivative of vx with respect to y. float32 arrays, per unit of input."""
     __slots__ = ()
 
 
@@ -249,7 +249,7 @@ class Noise:
                      0; first: integers, the index of the first sample. Tiles of one world have
                      the same origin and step, and a `first` of their own: they fit to the bit.
         derivatives  0, 1 or 2: value; with the gradient; with the Hessian
-        dphase       with the derivative by the phase
+        dphase       with the derivative with respect to the phase
         out          where results go: an array for the value, or a mapping of members to arrays
                      (float32, this shape). Views of rows of a larger map will do.
         threads      how many; each takes a band of rows, or of slices

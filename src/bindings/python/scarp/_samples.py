@@ -35,7 +35,7 @@ class Samples(Chain):
     value           the value
     dx, dy, dz      the gradient, per unit of input
     dxx, dxy, ...   the Hessian, per unit of input squared
-    dphase          the derivative by the phase, per turn
+    dphase          the derivative with respect to the phase, per turn
 
     A member that was not asked for raises AttributeError. members: the names that are there, a
     tuple. shape: their shape. extent: of grids, the edges (left, right, bottom, top) for imshow
