@@ -29,7 +29,7 @@ static void multiply_add(struct integer *n, uint32_t factor, uint32_t add)
     }
 }
 
-static int bits_of(const struct integer *n)
+static int count_bits(const struct integer *n)
 {
     for (int i = WORDS * 32 - 1; i >= 0; i--) {
         if ((n->word[i / 32] >> i % 32 & 1) != 0) {
@@ -78,12 +78,12 @@ static double quotient(const char *digits, int count, int exponent)
         multiply_add(exponent < 0 ? &below : &above, 10, 0);
     }
     /* 2^shift above / below has 59 or 60 bits. */
-    const int shift = 60 - bits_of(&above) + bits_of(&below) - 1;
+    const int shift = 60 - count_bits(&above) + count_bits(&below) - 1;
     for (int i = 0; i < (shift < 0 ? -shift : shift); i++) {
         multiply_add(shift < 0 ? &below : &above, 2, 0);
     }
     uint64_t q = 0;
-    for (int i = bits_of(&above) - 1; i >= 0; i--) {
+    for (int i = count_bits(&above) - 1; i >= 0; i--) {
         multiply_add(&rest, 2, above.word[i / 32] >> i % 32 & 1);
         q *= 2;
         if (!less(&rest, &below)) {
@@ -97,7 +97,7 @@ static double quotient(const char *digits, int count, int exponent)
     }
     const uint64_t cut = q & ((UINT64_C(1) << excess) - 1), half = (UINT64_C(1) << excess) / 2;
     uint64_t mantissa = q >> excess;
-    const bool is_exact = bits_of(&rest) == 0;
+    const bool is_exact = count_bits(&rest) == 0;
     mantissa += cut > half || (cut == half && (!is_exact || (mantissa & 1) != 0));
     return (double)mantissa * power_of_two(excess - shift);
 }
