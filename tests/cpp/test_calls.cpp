@@ -315,12 +315,10 @@ void check_reasons()
     const scarp::flow velocity{.vx = value[0]}, jacobian{.vx = value[0], .vxy = value[1]};
     CHECK(says(scarp::try_sample(turned, {x, y}, out), "rotate: turned axes cannot repeat"));
     CHECK(says(scarp::try_sample(above, {x, y}, out), "warp.rotate: turned axes cannot repeat"));
-    CHECK(says(scarp::try_sample(bent, {x, y}, second),
-               "warp.fractal: this fractal has no Hessian"));
-    CHECK(says(scarp::try_vector(swiss, {x, y}, both),
-               "fractal: this fractal has no Hessian"));
-    CHECK(says(scarp::try_curl(swiss, {x, y}, jacobian),
-               "fractal: this fractal has no Hessian"));
+    CHECK(
+        says(scarp::try_sample(bent, {x, y}, second), "warp.fractal: this fractal has no Hessian"));
+    CHECK(says(scarp::try_vector(swiss, {x, y}, both), "fractal: this fractal has no Hessian"));
+    CHECK(says(scarp::try_curl(swiss, {x, y}, jacobian), "fractal: this fractal has no Hessian"));
     CHECK(scarp::try_curl(swiss, {x, y}, velocity));
     CHECK(says(scarp::try_sample({.basis = SCARP_SIMPLEX}, {x, y}, phase),
                "basis: only gradient noise has dphase"));

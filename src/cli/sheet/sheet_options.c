@@ -47,7 +47,8 @@ static const struct option_group groups[] = {
 
 const struct option_table sheet_table = {
     .command = "sheet",
-    .purpose = "Draws a sheet of panels: small maps of a terrain that differ in one or two parameters.",
+    .purpose =
+        "Draws a sheet of panels: small maps of a terrain that differ in one or two parameters.",
     .notes[0] =
         "NAME       A parameter of the recipe, or any option from --origin to --plateau, without\n"
         "           its dashes: seed, gain, preset, palette, step.\n"
