@@ -21,7 +21,7 @@ static inline vec3 vec3_from(const float v[3], int dimensions)
 }
 
 /* The turn of gradients that flow, or the numbers of bases that take places. */
-static inline vec4 turn_of(const struct scarp_call_plan *plan, const struct scarp_octave *o)
+static inline vec4 turns_of_octave(const struct scarp_call_plan *plan, const struct scarp_octave *o)
 {
     vec4 turn = {0.0f, 0.0f, 0.0f, 0.0f};
     if (!blends_corners(plan->basis)) {
@@ -45,7 +45,7 @@ static inline struct octave octave_of(const struct scarp_call_plan *plan, int k,
         .slope = from->slope,
         .curvature = from->curvature,
         .share = from->share,
-        .turn = turn_of(plan, from),
+        .turn = turns_of_octave(plan, from),
         .offset_x = (float)from->offset[0],
         .offset_y = (float)from->offset[1],
         .offset_z = dimensions == 3 ? (float)from->offset[2] : 0.0f,
