@@ -12,7 +12,7 @@
 
 set(single ${PROJECT_BINARY_DIR}/single)
 file(GLOB_RECURSE single_sources CONFIGURE_DEPENDS
-     ${PROJECT_SOURCE_DIR}/src/*.h ${PROJECT_SOURCE_DIR}/src/*.c)
+     ${PROJECT_SOURCE_DIR}/src/*.h ${PROJECT_SOURCE_DIR}/src/*.c ${PROJECT_SOURCE_DIR}/src/*.def)
 list(FILTER single_sources EXCLUDE REGEX "/src/(cli|gpu|web)/")
 add_custom_command(OUTPUT ${single}/scarp_single.c ${single}/scarp.h
   COMMAND ${CMAKE_COMMAND} -D SOURCE=${PROJECT_SOURCE_DIR} -D OUTPUT=${single}

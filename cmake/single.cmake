@@ -16,12 +16,13 @@ cmake_minimum_required(VERSION 3.25)
 get_filename_component(SOURCE ${SOURCE} ABSOLUTE)
 set(src ${SOURCE}/src)
 
-# Headers that stand at several places, and the parts that they are
+# Headers and tables that stand at several places, and the parts that they are
 set(part_vec_types 1)
 set(part_vec 2)
 set(part_table 3)
 set(part_names 4) # gives the names of the kernels their suffixes
 set(part_end 5)   # takes that, and the macros of the kernels, back
+set(part_functions 6)
 
 # Appends the text of an inclusion of a part to `variable`.
 function(include_part variable part)
@@ -56,7 +57,7 @@ function(expand path variable shared)
     get_filename_component(header ${folder}/${name} ABSOLUTE)
     get_filename_component(stem ${header} NAME_WE)
     get_filename_component(home ${header} DIRECTORY)
-    if(DEFINED part_${stem} AND home STREQUAL "${src}/simd")
+    if(DEFINED part_${stem} AND (home STREQUAL "${src}/simd" OR name MATCHES "[.]def$"))
       include_part(result ${part_${stem}})
       continue()
     endif()
@@ -296,9 +297,11 @@ file(WRITE ${file} "${head}${shared}${once}${each}
 #pragma GCC visibility pop
 #endif
 ")
+read_source(${src}/plan/functions.def functions)
 set(number 0)
 foreach(part "types|the types of vectors" "vec|the operations of vectors" "table|the kernels"
-        "begin|names with the suffix of a set" "end|names as they were")
+        "begin|names with the suffix of a set" "end|names as they were"
+        "functions|the table of functions")
   math(EXPR number "${number} + 1")
   string(REGEX MATCH "(.*)[|](.*)" all "${part}")
   file(APPEND ${file}

@@ -8,7 +8,7 @@
 set(mutants_from ${PROJECT_SOURCE_DIR}/src)
 set(mutants_to ${CMAKE_CURRENT_BINARY_DIR}/mutants)
 file(GLOB_RECURSE mutants_files CONFIGURE_DEPENDS RELATIVE ${mutants_from}
-     ${mutants_from}/*.c ${mutants_from}/*.h)
+     ${mutants_from}/*.c ${mutants_from}/*.h ${mutants_from}/*.def)
 list(FILTER mutants_files EXCLUDE REGEX "^cli/")
 list(TRANSFORM mutants_files PREPEND ${mutants_from}/ OUTPUT_VARIABLE mutants_originals)
 set(mutants_sources ${scarp_sources})

@@ -29,13 +29,15 @@ scarp_add_sized_test(recipe.interval recipe IN wasm SIZES 200000 5000 1000 100
                      COMMAND test_recipe_interval {})
 
 # No output is memory that nobody wrote, and calls inside of recipes that fail are noticed. The linker
-# replaces these calls, those of statuses.h.
+# replaces these calls, those of statuses.h and of functions.def.
 include(CheckLinkerFlag)
 check_linker_flag(C -Wl,--wrap=scarp_add has_wrap)
 if(has_wrap)
   scarp_test_program(test_recipe_status INTERNAL)
   file(STRINGS ${PROJECT_SOURCE_DIR}/src/recipe/statuses.h kept REGEX "^MUST_KEEP")
   list(TRANSFORM kept REPLACE "^MUST_KEEP[(](.*)[)];" "-Wl,--wrap=\\1")
-  target_link_options(test_recipe_status PRIVATE ${kept})
+  file(STRINGS ${PROJECT_SOURCE_DIR}/src/plan/functions.def functions REGEX "^(OPERATOR|FUNCTION)")
+  list(TRANSFORM functions REPLACE "^[A-Z]+[(][A-Z_]+, ([a-z_]+),.*" "-Wl,--wrap=scarp_\\1")
+  target_link_options(test_recipe_status PRIVATE ${kept} ${functions})
   scarp_add_test(recipe.status recipe IN wasm COMMAND test_recipe_status)
 endif()

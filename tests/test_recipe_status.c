@@ -70,35 +70,23 @@ WRAP_STATUS(scarp_gullies2_f64,
             (e, k, x, y, a, to))
 WRAP_STATUS(scarp_gullies_grid2, (GULLIES, GRID, SAMPLES *a, const struct scarp_eroded *to),
             (e, g, a, to))
-#define WRAP_ONE(name) WRAP_STATUS(name, (size_t k, SAMPLES * a, SAMPLES * to), (k, a, to))
-#define WRAP_TWO(name)                                                                             \
-    WRAP_STATUS(name, (size_t k, SAMPLES * a, SAMPLES * b, SAMPLES * to), (k, a, b, to))
-WRAP_TWO(scarp_add)
-WRAP_TWO(scarp_multiply)
-WRAP_TWO(scarp_divide)
-WRAP_TWO(scarp_min)
-WRAP_TWO(scarp_max)
-WRAP_ONE(scarp_abs)
-WRAP_ONE(scarp_sqrt)
-WRAP_ONE(scarp_sine)
-WRAP_ONE(scarp_pulse)
-WRAP_ONE(scarp_slope)
-WRAP_STATUS(scarp_affine, (size_t k, SAMPLES *a, float p, float q, SAMPLES *to), (k, a, p, q, to))
-WRAP_STATUS(scarp_clamp, (size_t k, SAMPLES *a, float p, float q, SAMPLES *to), (k, a, p, q, to))
-WRAP_STATUS(scarp_smoothstep, (size_t k, SAMPLES *a, float p, float q, SAMPLES *to),
-            (k, a, p, q, to))
-WRAP_STATUS(scarp_smooth_abs, (size_t k, SAMPLES *a, float p, SAMPLES *to), (k, a, p, to))
-WRAP_STATUS(scarp_smooth_min, (size_t k, SAMPLES *a, SAMPLES *b, float p, SAMPLES *to),
-            (k, a, b, p, to))
-WRAP_STATUS(scarp_smooth_max, (size_t k, SAMPLES *a, SAMPLES *b, float p, SAMPLES *to),
-            (k, a, b, p, to))
-WRAP_STATUS(scarp_terrace, (size_t k, SAMPLES *a, float p, float q, float r, SAMPLES *to),
-            (k, a, p, q, r, to))
-WRAP_STATUS(scarp_mix, (size_t k, SAMPLES *a, SAMPLES *b, SAMPLES *m, SAMPLES *to),
-            (k, a, b, m, to))
-WRAP_STATUS(scarp_curve,
-            (size_t k, SAMPLES *a, size_t knots, const float *x, const float *y, SAMPLES *to),
-            (k, a, knots, x, y, to))
+#define PARAMETERS_ONE_0 (size_t k, SAMPLES * a, SAMPLES * to), (k, a, to)
+#define PARAMETERS_ONE_1 (size_t k, SAMPLES * a, float p, SAMPLES *to), (k, a, p, to)
+#define PARAMETERS_ONE_2 (size_t k, SAMPLES * a, float p, float q, SAMPLES *to), (k, a, p, q, to)
+#define PARAMETERS_ONE_3                                                                           \
+    (size_t k, SAMPLES * a, float p, float q, float r, SAMPLES *to), (k, a, p, q, r, to)
+#define PARAMETERS_TWO_0 (size_t k, SAMPLES * a, SAMPLES * b, SAMPLES * to), (k, a, b, to)
+#define PARAMETERS_TWO_1                                                                           \
+    (size_t k, SAMPLES * a, SAMPLES * b, float p, SAMPLES *to), (k, a, b, p, to)
+#define PARAMETERS_THREE_0                                                                         \
+    (size_t k, SAMPLES * a, SAMPLES * b, SAMPLES * m, SAMPLES * to), (k, a, b, m, to)
+#define PARAMETERS_CURVE                                                                           \
+    (size_t k, SAMPLES * a, size_t knots, const float *x, const float *y, SAMPLES *to),            \
+        (k, a, knots, x, y, to)
+#define WRAP_FORM(name, ...) WRAP_STATUS(name, __VA_ARGS__)
+#define OPERATOR(NAME, name, FORM, ...) WRAP_FORM(scarp_##name, PARAMETERS_##FORM)
+#define FUNCTION(...) OPERATOR(__VA_ARGS__)
+#include "../src/plan/functions.def"
 WRAP_STATUS(scarp_range, (NOISE, int d, float *from, float *up), (n, d, from, up))
 WRAP_STATUS(scarp_gullies_range, (GULLIES, float p, float q, float *from, float *up),
             (e, p, q, from, up))

@@ -137,22 +137,47 @@ static int is_scale(float number)
     return number >= SCALE_MIN && number <= SCALE_MAX;
 }
 
-static int take_smooth(float to[CHAIN_NUMBERS], float k, int maximum)
+/*
+ * What becomes of the numbers of functions that have some. 0: one is outside of its interval.
+ */
+
+/* Any finite numbers, as they are */
+static int take_finite(float to[CHAIN_NUMBERS], const float given[3])
 {
+    memcpy(to, given, 3 * sizeof *given);
+    return is_finite(given[0]) && is_finite(given[1]) && is_finite(given[2]);
+}
+
+static int take_clamp(float to[CHAIN_NUMBERS], const float given[3])
+{
+    return take_finite(to, given) && given[0] <= given[1];
+}
+
+static int take_smooth_min(float to[CHAIN_NUMBERS], const float given[3])
+{
+    const float k = given[0];
     if (!is_scale(k)) {
         return 0;
     }
     to[CHAIN_INVERSE] = 1.0f / k;
-    to[CHAIN_DEPTH] = maximum ? -(k / 6.0f) : k / 6.0f;
-    to[CHAIN_BEND] = maximum ? to[CHAIN_INVERSE] : -to[CHAIN_INVERSE];
+    to[CHAIN_DEPTH] = k / 6.0f;
+    to[CHAIN_BEND] = -to[CHAIN_INVERSE];
     return 1;
 }
 
-static int take_round(float to[CHAIN_NUMBERS], float round)
+static int take_smooth_max(float to[CHAIN_NUMBERS], const float given[3])
 {
-    to[CHAIN_ROUND] = round;
-    to[CHAIN_ROUND2] = round * round;
-    return is_scale(round);
+    const int good = take_smooth_min(to, given);
+    to[CHAIN_DEPTH] = -to[CHAIN_DEPTH];
+    to[CHAIN_BEND] = -to[CHAIN_BEND];
+    return good;
+}
+
+static int take_smooth_abs(float to[CHAIN_NUMBERS], const float given[3])
+{
+    to[CHAIN_ROUND] = given[0];
+    to[CHAIN_ROUND2] = given[0] * given[0];
+    return is_scale(given[0]);
 }
 
 static int take_terrace(float to[CHAIN_NUMBERS], const float given[3])
@@ -169,9 +194,9 @@ static int take_terrace(float to[CHAIN_NUMBERS], const float given[3])
     return 1;
 }
 
-static int take_step(float to[CHAIN_NUMBERS], float lo, float hi)
+static int take_smoothstep(float to[CHAIN_NUMBERS], const float given[3])
 {
-    const float width = hi - lo;
+    const float lo = given[0], hi = given[1], width = hi - lo;
     if (!is_finite(lo) || !is_finite(hi) || (!is_scale(width) && !is_scale(-width))) {
         return 0;
     }
@@ -184,18 +209,15 @@ static int take_step(float to[CHAIN_NUMBERS], float lo, float hi)
 int scarpi_chain_numbers(enum scarp_chain_function function, const float given[3],
                          float to[CHAIN_NUMBERS])
 {
-    const float first = given[0], second = given[1];
+#define TAKE(NAME, take)                                                                           \
+    case CHAIN_##NAME:                                                                             \
+        return take_##take(to, given);
+#define OPERATOR(NAME, name, FORM, COMPUTED, take, ...) IF_NUMBERS_##FORM(TAKE(NAME, take))
+#define FUNCTION(...) OPERATOR(__VA_ARGS__)
     switch (function) {
-    case CHAIN_SMOOTH_MIN:
-    case CHAIN_SMOOTH_MAX: return take_smooth(to, first, function == CHAIN_SMOOTH_MAX);
-    case CHAIN_TERRACE: return take_terrace(to, given);
-    case CHAIN_SMOOTH_ABS: return take_round(to, first);
-    case CHAIN_SMOOTHSTEP: return take_step(to, first, second);
-    default: break;
+#include "../plan/functions.def"
+    default: return 1;
     }
-    to[CHAIN_LO] = first; /* or the scale, and the offset */
-    to[CHAIN_HI] = second;
-    return is_finite(first) && is_finite(second) && (function != CHAIN_CLAMP || first <= second);
 }
 
 static int asks_for_something(const struct scarp_chain *call)
@@ -249,100 +271,32 @@ static enum scarp_status apply(const struct arguments *arguments, size_t count)
     return status;
 }
 
-enum scarp_status scarp_affine(size_t count, const struct scarp_samples *a, float scale,
-                               float offset, const struct scarp_samples *out)
-{
-    const struct arguments call = {CHAIN_AFFINE, 1, {a}, .out = out, .number = {scale, offset}};
-    return apply(&call, count);
-}
+/* The calls of functions.def that kernels compute, by their forms */
+#define COUNT size_t count
+#define IN(a) const struct scarp_samples *a
+#define OUT const struct scarp_samples *out
+#define DEFINE(NAME, name, parameters, ...)                                                        \
+    enum scarp_status scarp_##name parameters                                                      \
+    {                                                                                              \
+        const struct arguments call = {CHAIN_##NAME, __VA_ARGS__, .out = out};                     \
+        return apply(&call, count);                                                                \
+    }
+#define DEFINE_ONE_0(NAME, name) DEFINE(NAME, name, (COUNT, IN(a), OUT), 1, {a})
+#define DEFINE_ONE_1(NAME, name)                                                                   \
+    DEFINE(NAME, name, (COUNT, IN(a), float p, OUT), 1, {a}, .number = {p})
+#define DEFINE_ONE_2(NAME, name)                                                                   \
+    DEFINE(NAME, name, (COUNT, IN(a), float p, float q, OUT), 1, {a}, .number = {p, q})
+#define DEFINE_ONE_3(NAME, name)                                                                   \
+    DEFINE(NAME, name, (COUNT, IN(a), float p, float q, float r, OUT), 1, {a}, .number = {p, q, r})
+#define DEFINE_TWO_0(NAME, name) DEFINE(NAME, name, (COUNT, IN(a), IN(b), OUT), 2, {a, b})
+#define DEFINE_TWO_1(NAME, name)                                                                   \
+    DEFINE(NAME, name, (COUNT, IN(a), IN(b), float p, OUT), 2, {a, b}, .number = {p})
+#define DEFINE_THREE_0(NAME, name)                                                                 \
+    DEFINE(NAME, name, (COUNT, IN(a), IN(b), IN(m), OUT), 3, {a, b, m})
 
-enum scarp_status scarp_add(size_t count, const struct scarp_samples *a,
-                            const struct scarp_samples *b, const struct scarp_samples *out)
-{
-    const struct arguments call = {CHAIN_ADD, 2, {a, b}, .out = out};
-    return apply(&call, count);
-}
-
-enum scarp_status scarp_multiply(size_t count, const struct scarp_samples *a,
-                                 const struct scarp_samples *b, const struct scarp_samples *out)
-{
-    const struct arguments call = {CHAIN_MULTIPLY, 2, {a, b}, .out = out};
-    return apply(&call, count);
-}
-
-enum scarp_status scarp_mix(size_t count, const struct scarp_samples *a,
-                            const struct scarp_samples *b, const struct scarp_samples *m,
-                            const struct scarp_samples *out)
-{
-    const struct arguments call = {CHAIN_MIX, 3, {a, b, m}, .out = out};
-    return apply(&call, count);
-}
-
-enum scarp_status scarp_min(size_t count, const struct scarp_samples *a,
-                            const struct scarp_samples *b, const struct scarp_samples *out)
-{
-    const struct arguments call = {CHAIN_MIN, 2, {a, b}, .out = out};
-    return apply(&call, count);
-}
-
-enum scarp_status scarp_max(size_t count, const struct scarp_samples *a,
-                            const struct scarp_samples *b, const struct scarp_samples *out)
-{
-    const struct arguments call = {CHAIN_MAX, 2, {a, b}, .out = out};
-    return apply(&call, count);
-}
-
-enum scarp_status scarp_smooth_min(size_t count, const struct scarp_samples *a,
-                                   const struct scarp_samples *b, float k,
-                                   const struct scarp_samples *out)
-{
-    const struct arguments call = {CHAIN_SMOOTH_MIN, 2, {a, b}, .out = out, .number = {k}};
-    return apply(&call, count);
-}
-
-enum scarp_status scarp_smooth_max(size_t count, const struct scarp_samples *a,
-                                   const struct scarp_samples *b, float k,
-                                   const struct scarp_samples *out)
-{
-    const struct arguments call = {CHAIN_SMOOTH_MAX, 2, {a, b}, .out = out, .number = {k}};
-    return apply(&call, count);
-}
-
-enum scarp_status scarp_clamp(size_t count, const struct scarp_samples *a, float lo, float hi,
-                              const struct scarp_samples *out)
-{
-    const struct arguments call = {CHAIN_CLAMP, 1, {a}, .out = out, .number = {lo, hi}};
-    return apply(&call, count);
-}
-
-enum scarp_status scarp_abs(size_t count, const struct scarp_samples *a,
-                            const struct scarp_samples *out)
-{
-    const struct arguments call = {CHAIN_ABS, 1, {a}, .out = out};
-    return apply(&call, count);
-}
-
-enum scarp_status scarp_smooth_abs(size_t count, const struct scarp_samples *a, float round,
-                                   const struct scarp_samples *out)
-{
-    const struct arguments call = {CHAIN_SMOOTH_ABS, 1, {a}, .out = out, .number = {round}};
-    return apply(&call, count);
-}
-
-enum scarp_status scarp_smoothstep(size_t count, const struct scarp_samples *a, float lo, float hi,
-                                   const struct scarp_samples *out)
-{
-    const struct arguments call = {CHAIN_SMOOTHSTEP, 1, {a}, .out = out, .number = {lo, hi}};
-    return apply(&call, count);
-}
-
-enum scarp_status scarp_terrace(size_t count, const struct scarp_samples *a, float steps,
-                                float riser, float strength, const struct scarp_samples *out)
-{
-    const struct arguments call = {
-        CHAIN_TERRACE, 1, {a}, .out = out, .number = {steps, riser, strength}};
-    return apply(&call, count);
-}
+#define OPERATOR(NAME, name, FORM, COMPUTED, ...) IF_KERNEL_##COMPUTED(DEFINE_##FORM(NAME, name))
+#define FUNCTION(...) OPERATOR(__VA_ARGS__)
+#include "../plan/functions.def"
 
 enum scarp_status scarp_apply1(size_t count, const struct scarp_samples *a,
                                const struct scarp_partials *function,

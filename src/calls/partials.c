@@ -10,6 +10,7 @@
 
 #include "../dispatch/dispatch.h"
 #include "../dispatch/fpmode.h"
+#include "../plan/functions.h"
 #include "../plan/outputs.h"
 #include "run.h"
 #include "scarp.h"
@@ -260,33 +261,25 @@ static enum scarp_status run(const struct arguments *call)
     return status;
 }
 
-enum scarp_status scarp_divide(size_t count, const struct scarp_samples *a,
-                               const struct scarp_samples *b, const struct scarp_samples *out)
-{
-    const struct arguments call = {.count = count, .a = a, .b = b, .out = out, .fill = fill_divide};
-    return count > 0 && b == NULL ? SCARP_ERROR_NULL : run(&call);
-}
-
-enum scarp_status scarp_sqrt(size_t count, const struct scarp_samples *a,
-                             const struct scarp_samples *out)
-{
-    const struct arguments call = {.count = count, .a = a, .out = out, .fill = fill_sqrt};
-    return run(&call);
-}
-
-enum scarp_status scarp_sine(size_t count, const struct scarp_samples *a,
-                             const struct scarp_samples *out)
-{
-    const struct arguments call = {.count = count, .a = a, .out = out, .fill = fill_sine};
-    return run(&call);
-}
-
-enum scarp_status scarp_pulse(size_t count, const struct scarp_samples *a,
-                              const struct scarp_samples *out)
-{
-    const struct arguments call = {.count = count, .a = a, .out = out, .fill = fill_pulse};
-    return run(&call);
-}
+/* The calls of functions.def that are plain C, by their forms */
+#define DEFINE_ONE_0(name)                                                                         \
+    enum scarp_status scarp_##name(size_t count, const struct scarp_samples *a,                    \
+                                   const struct scarp_samples *out)                                \
+    {                                                                                              \
+        const struct arguments call = {.count = count, .a = a, .out = out, .fill = fill_##name};   \
+        return run(&call);                                                                         \
+    }
+#define DEFINE_TWO_0(name)                                                                         \
+    enum scarp_status scarp_##name(size_t count, const struct scarp_samples *a,                    \
+                                   const struct scarp_samples *b, const struct scarp_samples *out) \
+    {                                                                                              \
+        const struct arguments call = {                                                            \
+            .count = count, .a = a, .b = b, .out = out, .fill = fill_##name};                      \
+        return count > 0 && b == NULL ? SCARP_ERROR_NULL : run(&call);                             \
+    }
+#define OPERATOR(NAME, name, FORM, COMPUTED, ...) IF_PLAIN_##COMPUTED(DEFINE_##FORM(name))
+#define FUNCTION(...) OPERATOR(__VA_ARGS__)
+#include "../plan/functions.def"
 
 static NOINLINE int make_curve(struct curve *curve)
 {

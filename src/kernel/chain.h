@@ -47,13 +47,13 @@ static const unsigned char chain_lines[][3] = {
     [CHAIN_MIX] = {LINE_MIX_VALUE, LINE_MIX_FIRST, LINE_MIX_SECOND},
     [CHAIN_MIN] = {LINE_LESSER, LINE_LESSER, LINE_LESSER},
     [CHAIN_MAX] = {LINE_GREATER, LINE_GREATER, LINE_GREATER},
-    [CHAIN_SMOOTH_MIN] = {LINE_COPY, LINE_TWO_FIRST, LINE_SMOOTH_SECOND},
-    [CHAIN_SMOOTH_MAX] = {LINE_COPY, LINE_TWO_FIRST, LINE_SMOOTH_SECOND},
-    [CHAIN_CLAMP] = {LINE_COPY, LINE_ONE_FIRST, LINE_ONE_FIRST},
-    [CHAIN_ABS] = {LINE_COPY, LINE_ONE_FIRST, LINE_ONE_FIRST},
-    [CHAIN_SMOOTH_ABS] = {LINE_COPY, LINE_ONE_FIRST, LINE_ONE_SECOND},
-    [CHAIN_SMOOTHSTEP] = {LINE_COPY, LINE_ONE_FIRST, LINE_ONE_SECOND},
-    [CHAIN_TERRACE] = {LINE_COPY, LINE_ONE_FIRST, LINE_ONE_SECOND},
+#define SECOND_BENT LINE_ONE_SECOND
+#define SECOND_STRAIGHT LINE_ONE_FIRST
+#define OPERATOR(NAME, name, FORM, COMPUTED, ...)                                                  \
+    IF_ONE_##COMPUTED([CHAIN_##NAME] = {LINE_COPY, LINE_ONE_FIRST, SECOND_##COMPUTED}, )           \
+        IF_SMOOTH_##COMPUTED([CHAIN_##NAME] = {LINE_COPY, LINE_TWO_FIRST, LINE_SMOOTH_SECOND}, )
+#define FUNCTION(...) OPERATOR(__VA_ARGS__)
+#include "../plan/functions.def"
     [CHAIN_APPLY1] = {LINE_COPY, LINE_ONE_FIRST, LINE_ONE_SECOND},
     [CHAIN_APPLY2] = {LINE_COPY, LINE_TWO_FIRST, LINE_TWO_SECOND},
 };
@@ -126,8 +126,9 @@ VEC_INLINE struct chain_partials chain_clamp(const struct scarp_chain *call, vf 
     return p;
 }
 
-VEC_INLINE struct chain_partials chain_abs(vf v)
+VEC_INLINE struct chain_partials chain_abs(const struct scarp_chain *call, vf v)
 {
+    (void)call;
     const vf one = (vf)(((vu)v & 0x80000000u) | (vu)vf_set(1.0f));
     const vf sign = (vf)((vu)one & (vu)(v != vf_set(0.0f)));
     const struct chain_partials p = {.f = (vf)((vu)v & 0x7fffffffu), .a = chain_nan_of(v, sign)};
@@ -167,17 +168,28 @@ VEC_INLINE struct chain_partials chain_terrace(const struct scarp_chain *call, v
     return p;
 }
 
+VEC_INLINE struct chain_partials chain_smooth_min(const struct scarp_chain *call, vf a, vf b)
+{
+    return chain_smooth(call, a, b, 0);
+}
+
+VEC_INLINE struct chain_partials chain_smooth_max(const struct scarp_chain *call, vf a, vf b)
+{
+    return chain_smooth(call, a, b, 1);
+}
+
 VEC_INLINE struct chain_partials chain_partials_of(const struct scarp_chain *call,
                                                    enum scarp_chain_function function, vf a, vf b)
 {
+#define OPERATOR(NAME, name, FORM, COMPUTED, ...)                                                  \
+    IF_ONE_##COMPUTED(case CHAIN_##NAME                                                            \
+                      : return chain_##name(call, a);)                                             \
+        IF_SMOOTH_##COMPUTED(case CHAIN_##NAME                                                     \
+                             : return chain_##name(call, a, b);)
+#define FUNCTION(...) OPERATOR(__VA_ARGS__)
     switch (function) {
-    case CHAIN_SMOOTH_MIN: return chain_smooth(call, a, b, 0);
-    case CHAIN_SMOOTH_MAX: return chain_smooth(call, a, b, 1);
-    case CHAIN_CLAMP: return chain_clamp(call, a);
-    case CHAIN_ABS: return chain_abs(a);
-    case CHAIN_SMOOTH_ABS: return chain_smooth_abs(call, a);
-    case CHAIN_SMOOTHSTEP: return chain_smoothstep(call, a);
-    default: return chain_terrace(call, a);
+#include "../plan/functions.def"
+    default: return (struct chain_partials){.f = a, .b = b}; /* there is no other */
     }
 }
 
@@ -185,7 +197,7 @@ VEC_INLINE void chain_partials_loop(const struct scarp_chain *call,
                                     enum scarp_chain_function function, size_t first, size_t count,
                                     struct chain_room *room)
 {
-    const int two = function == CHAIN_SMOOTH_MIN || function == CHAIN_SMOOTH_MAX;
+    const int two = chain_lines[function][1] == LINE_TWO_FIRST;
     const float *const a = call->in[CHAIN_A][VALUE] + first;
     const float *const b = two ? call->in[CHAIN_B][VALUE] + first : NULL;
     const struct scarp_chain local = *call;
@@ -198,7 +210,7 @@ VEC_INLINE void chain_partials_loop(const struct scarp_chain *call,
         if (two) {
             vf_store(room->partial[PARTIAL_B] + i, p.b);
         }
-        if (function != CHAIN_CLAMP && function != CHAIN_ABS) {
+        if (chain_lines[function][2] != LINE_ONE_FIRST) {
             vf_store(room->partial[PARTIAL_AA] + i, p.aa);
         }
     }
@@ -214,16 +226,15 @@ VEC_INLINE const float *chain_from(const float *array, size_t first)
 static void chain_take_partials(const float *at[PARTIALS], const struct scarp_chain *call,
                                 size_t first, size_t count, struct chain_room *room)
 {
-#define CHAIN_CASE(FUNCTION)                                                                       \
-    case FUNCTION: chain_partials_loop(call, FUNCTION, first, count, room); break;
+#define CHAIN_CASE(NAME)                                                                           \
+    case CHAIN_##NAME:                                                                             \
+        chain_partials_loop(call, CHAIN_##NAME, first, count, room);                               \
+        break;
+#define OPERATOR(NAME, name, FORM, COMPUTED, ...)                                                  \
+    IF_ONE_##COMPUTED(CHAIN_CASE(NAME)) IF_SMOOTH_##COMPUTED(CHAIN_CASE(NAME))
+#define FUNCTION(...) OPERATOR(__VA_ARGS__)
     switch (call->function) {
-        CHAIN_CASE(CHAIN_SMOOTH_MIN)
-        CHAIN_CASE(CHAIN_SMOOTH_MAX)
-        CHAIN_CASE(CHAIN_CLAMP)
-        CHAIN_CASE(CHAIN_ABS)
-        CHAIN_CASE(CHAIN_SMOOTH_ABS)
-        CHAIN_CASE(CHAIN_SMOOTHSTEP)
-        CHAIN_CASE(CHAIN_TERRACE)
+#include "../plan/functions.def"
     default:
         for (int i = 0; i < PARTIALS; i++) {
             at[i] = chain_from(call->partial[i], first);

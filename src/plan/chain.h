@@ -5,22 +5,14 @@
 #ifndef SCARP_CHAIN_H
 #define SCARP_CHAIN_H
 
+#include "functions.h"
 #include "outputs.h"
 
+/* Those of functions.def that kernels compute, and those that are given by partial derivatives. */
+#define OPERATOR(NAME, name, FORM, COMPUTED, ...) IF_KERNEL_##COMPUTED(CHAIN_##NAME, )
+#define FUNCTION(...) OPERATOR(__VA_ARGS__)
 enum scarp_chain_function {
-    CHAIN_AFFINE,
-    CHAIN_ADD,
-    CHAIN_MULTIPLY,
-    CHAIN_MIX,
-    CHAIN_MIN,
-    CHAIN_MAX,
-    CHAIN_SMOOTH_MIN,
-    CHAIN_SMOOTH_MAX,
-    CHAIN_CLAMP,
-    CHAIN_ABS,
-    CHAIN_SMOOTH_ABS,
-    CHAIN_SMOOTHSTEP,
-    CHAIN_TERRACE,
+#include "functions.def"
     CHAIN_APPLY1,
     CHAIN_APPLY2
 };

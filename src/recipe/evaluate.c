@@ -24,53 +24,6 @@ static size_t arrays_of(int dimensions, int order)
     return count[dimensions - 2][order];
 }
 
-#define MEMBERS 10
-
-static float *member(const struct scarp_samples *samples, int i)
-{
-    float *array;
-    memcpy(&array, (const char *)samples + (size_t)i * sizeof array, sizeof array);
-    return array;
-}
-
-static struct scarp_samples shifted(const struct scarp_samples *samples, size_t by)
-{
-    struct scarp_samples s = {0};
-    for (int i = 0; i < MEMBERS; i++) {
-        float *array = member(samples, i);
-        array = array == NULL ? NULL : array + by;
-        memcpy((char *)&s + (size_t)i * sizeof array, &array, sizeof array);
-    }
-    return s;
-}
-
-struct scarp_samples scarpi_recipe_samples(const struct recipe_machine *m, int node)
-{
-    for (int i = 0; m->directs >> i != 0; i++) {
-        if ((m->directs >> i & 1) != 0 && m->root[i] == node) {
-            return shifted(&m->out[i], m->direct_from);
-        }
-    }
-    const int order = m->order_of[node], is_space = m->recipe->node[node].dimensions == 3;
-    float *const at = m->registers + (size_t)m->schedule->register_of[node] * m->floats * m->room;
-    struct scarp_samples s = {.value = at};
-    float *next = at;
-    if (order >= 1) {
-        s.dx = next += m->room;
-        s.dy = next += m->room;
-        s.dz = is_space ? next += m->room : NULL;
-    }
-    if (order >= 2) {
-        s.dxx = next += m->room;
-        s.dxy = next += m->room;
-        s.dxz = is_space ? next += m->room : NULL;
-        s.dyy = next += m->room;
-        s.dyz = is_space ? next += m->room : NULL;
-        s.dzz = is_space ? next + m->room : NULL;
-    }
-    return s;
-}
-
 int scarpi_recipe_order_of(const struct scarp_samples *out, int dimensions)
 {
     const struct scarp_request kind = scarpi_request_of_samples(dimensions, out);
@@ -99,9 +52,9 @@ void scarpi_recipe_raise_orders(const struct recipe *recipe, const struct recipe
         int16_t reads[RECIPE_READS];
         int slopes;
         const int n = schedule->step[k], count = scarpi_recipe_reads(recipe, n, reads, &slopes);
-        const int operation = recipe->node[n].operation;
+        const int traits = scarpi_recipe_traits(recipe->node[n].operation);
         for (int i = 0; i < count && i < slopes; i++) {
-            const int is_base = (operation == OP_SLOPE || operation == OP_GULLIES) && i == 0;
+            const int is_base = (traits & NEEDS_SLOPES) != 0 && i == 0;
             if (order_of[reads[i]] < order_of[n] + is_base) {
                 order_of[reads[i]] = (uint8_t)(order_of[n] + is_base);
             }
@@ -182,8 +135,8 @@ static int has_all_members(const struct recipe_machine *m, int node,
                            const struct scarp_samples *out)
 {
     const struct scarp_samples s = scarpi_recipe_samples(m, node);
-    for (int i = 0; i < MEMBERS; i++) {
-        if ((member(&s, i) == NULL) != (member(out, i) == NULL)) {
+    for (int i = 0; i < RECIPE_MEMBERS; i++) {
+        if ((recipe_member(&s, i) == NULL) != (recipe_member(out, i) == NULL)) {
             return 0;
         }
     }
@@ -215,9 +168,9 @@ static void copy_outputs(const struct recipe_machine *m, const struct recipe_eva
             continue;
         }
         const struct scarp_samples s = scarpi_recipe_samples(m, call->root[i]);
-        for (int k = 0; k < MEMBERS; k++) {
-            const float *source = member(&s, k);
-            float *const array = member(&call->out[i], k);
+        for (int k = 0; k < RECIPE_MEMBERS; k++) {
+            const float *source = recipe_member(&s, k);
+            float *const array = recipe_member(&call->out[i], k);
             for (size_t row = 0; array != NULL && row < to->rows * to->slices; row++) {
                 memcpy(array + to->from + row % to->rows * to->row_stride +
                            row / to->rows * to->slice_stride,
@@ -254,8 +207,8 @@ static void repeat_columns(const struct recipe_machine *m, size_t points, size_t
 {
     for (int k = 0; k < m->schedule->columns; k++) {
         const struct scarp_samples s = scarpi_recipe_samples(m, m->schedule->step[k]);
-        for (int i = 0; i < MEMBERS; i++) {
-            float *const array = member(&s, i);
+        for (int i = 0; i < RECIPE_MEMBERS; i++) {
+            float *const array = recipe_member(&s, i);
             for (size_t slice = 1; array != NULL && slice < slices; slice++) {
                 memcpy(array + slice * points, array, points * sizeof *array);
             }
@@ -342,8 +295,8 @@ static KEEP_STATUS enum scarp_status run_grid(struct recipe_machine *m,
 static int asks_for_something(const struct recipe_evaluation *call)
 {
     int asked = 0;
-    for (int i = 0; i < call->outputs * MEMBERS; i++) {
-        asked |= member(&call->out[i / MEMBERS], i % MEMBERS) != NULL;
+    for (int i = 0; i < call->outputs * RECIPE_MEMBERS; i++) {
+        asked |= recipe_member(&call->out[i / RECIPE_MEMBERS], i % RECIPE_MEMBERS) != NULL;
     }
     return asked;
 }
@@ -354,8 +307,8 @@ static void spoil(const struct recipe_evaluation *call)
     const struct scarp_grid *const g = call->grid;
     const size_t width = g != NULL ? g->count[0] : call->count, rows = g != NULL ? g->count[1] : 1;
     const size_t slices = g != NULL && call->recipe->dimensions == 3 ? g->count[2] : 1;
-    for (int i = 0; i < call->outputs * MEMBERS; i++) {
-        float *const array = member(&call->out[i / MEMBERS], i % MEMBERS);
+    for (int i = 0; i < call->outputs * RECIPE_MEMBERS; i++) {
+        float *const array = recipe_member(&call->out[i / RECIPE_MEMBERS], i % RECIPE_MEMBERS);
         for (size_t row = 0; array != NULL && row < rows * slices; row++) {
             const size_t from =
                 g != NULL ? row % rows * g->row_stride + row / rows * g->slice_stride : 0;

@@ -5,6 +5,7 @@
 #include <math.h>
 
 #include "../calls/run.h"
+#include "combine.h"
 #include "compile.h"
 #include "graph.h"
 
@@ -146,22 +147,6 @@ static struct recipe_value folded(int function, const struct arguments *g)
     }
 }
 
-/* Whether scarp takes the numbers of a node: a call for no output but a value tells. */
-static enum scarp_status try_numbers(const struct recipe_node *n)
-{
-    float in = 0.0f, out;
-    const struct scarp_samples a = {.value = &in}, to = {.value = &out};
-    switch (n->operation) {
-    case OP_SMOOTH_MIN:
-    case OP_SMOOTH_MAX: return scarp_smooth_min(1, &a, &a, n->k[0], &to);
-    case OP_CLAMP: return scarp_clamp(1, &a, n->k[0], n->k[1], &to);
-    case OP_SMOOTH_ABS: return scarp_smooth_abs(1, &a, n->k[0], &to);
-    case OP_SMOOTHSTEP: return scarp_smoothstep(1, &a, n->k[0], n->k[1], &to);
-    case OP_TERRACE: return scarp_terrace(1, &a, n->k[0], n->k[1], n->k[2], &to);
-    default: return SCARP_OK;
-    }
-}
-
 static struct recipe_value mixed(struct recipe_compiler *c, int e, int a, int b, int m)
 {
     if (a < 0 || b < 0 || m < 0) {
@@ -181,13 +166,10 @@ static struct recipe_value mixed(struct recipe_compiler *c, int e, int a, int b,
 static struct recipe_value simple(struct recipe_compiler *c, int call, int function, int place,
                                   const int16_t argument[RECIPE_ARGUMENTS])
 {
+#define FUNCTION(NAME, ...) [FUNCTION_##NAME] = OP_##NAME,
     static const uint8_t operations[FUNCTION_COUNT] = {
-        [FUNCTION_MIN] = OP_MIN,         [FUNCTION_MAX] = OP_MAX,
-        [FUNCTION_ABS] = OP_ABS,         [FUNCTION_SMOOTH_ABS] = OP_SMOOTH_ABS,
-        [FUNCTION_CLAMP] = OP_CLAMP,     [FUNCTION_SMOOTHSTEP] = OP_SMOOTHSTEP,
-        [FUNCTION_TERRACE] = OP_TERRACE, [FUNCTION_MIX] = OP_MIX,
-        [FUNCTION_SQRT] = OP_SQRT,       [FUNCTION_SINE] = OP_SINE,
-        [FUNCTION_PULSE] = OP_PULSE,     [FUNCTION_SLOPE] = OP_SLOPE};
+#include "../plan/functions.def"
+    };
     struct arguments given;
     int node_of[3] = {-1, -1, -1};
     if (!take_arguments(c, function, place, argument, &given)) {
@@ -212,7 +194,7 @@ static struct recipe_value simple(struct recipe_compiler *c, int call, int funct
     if ((function == FUNCTION_MIN || function == FUNCTION_MAX) && node.k[0] != 0.0f) {
         node.operation = function == FUNCTION_MIN ? OP_SMOOTH_MIN : OP_SMOOTH_MAX;
     }
-    if (try_numbers(&node) != SCARP_OK) {
+    if (scarpi_recipe_try_numbers(&node) != SCARP_OK) {
         return scarpi_recipe_bad(c, call,
                                  "a number is outside the interval that the function takes",
                                  scarpi_recipe_function_number(function)->name);
@@ -311,7 +293,7 @@ static struct recipe_value blend(struct recipe_compiler *c, int call, int place,
         struct recipe_node mask = scarpi_recipe_operation(OP_SMOOTHSTEP, by, -1);
         mask.k[0] = before;
         mask.k[1] = x;
-        if (try_numbers(&mask) != SCARP_OK) {
+        if (scarpi_recipe_try_numbers(&mask) != SCARP_OK) {
             return scarpi_recipe_bad(c, e, "knots must be between 2^-60 and 2^60 apart", NULL);
         }
         result = mixed(c, e, result.node, f, scarpi_recipe_node(c, e, mask).node);

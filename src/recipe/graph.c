@@ -1,103 +1,14 @@
-/* SPDX-License-Identifier: MIT */
+/* SPDX-License-Identifier: MIT
+ *
+ * Adds nodes, places, noises and gullies: equal ones stand there once. What a node promises follows
+ * from those that it reads.
+ */
 #include "graph.h"
 
 #include <string.h>
 
 #include "../plan/traits.h"
 #include "interval.h"
-
-_Static_assert(offsetof(struct scarp_noise, warp) == 80 || sizeof(void *) != 8,
-               "struct recipe_noise has all of a noise but its pointers");
-
-int scarpi_recipe_frame_dimensions(const struct recipe *recipe, int frame)
-{
-    return frame < 0 ? recipe->dimensions : recipe->place[frame].dimensions;
-}
-
-int scarpi_recipe_output_node(const struct recipe *recipe, int output)
-{
-    return recipe->expression[recipe->statement[recipe->output[output]].expression].node;
-}
-
-int scarpi_recipe_is_frame(const struct recipe *recipe, int place)
-{
-    const struct recipe_place *const p = &recipe->place[place];
-    int same = p->dimensions == scarpi_recipe_frame_dimensions(recipe, p->frame);
-    for (int i = 0; i < p->dimensions; i++) {
-        same = same && p->rest[i] < 0;
-        for (int j = 0; j < 3; j++) {
-            same = same && p->m[i][j] == (i == j ? 1.0 : 0.0);
-        }
-    }
-    return same;
-}
-
-void scarpi_recipe_matrix(const struct recipe *recipe, int place, double matrix[3][3])
-{
-    const struct recipe_place *const p = &recipe->place[place];
-    memcpy(matrix, p->m, sizeof p->m);
-    if (p->frame < 0) {
-        return;
-    }
-    double outer[3][3];
-    scarpi_recipe_matrix(recipe, p->frame, outer);
-    for (int i = 0; i < 3; i++) {
-        for (int j = 0; j < 3; j++) {
-            matrix[i][j] =
-                p->m[i][0] * outer[0][j] + p->m[i][1] * outer[1][j] + p->m[i][2] * outer[2][j];
-        }
-    }
-}
-
-/* Whether derivatives of a node depend on those of a rest of its place. */
-static int has_slopes_of(const struct recipe_node *n, int axis)
-{
-    return n->operation != OP_COORDINATE || n->detail == axis;
-}
-
-/* Adds the rests of a place: those that derivatives depend on, or the others. */
-static int add_rests(const struct recipe *recipe, const struct recipe_node *n, int slopes,
-                     int16_t *reads)
-{
-    const struct recipe_place *const p = &recipe->place[n->place];
-    int count = 0;
-    for (int i = 0; i < p->dimensions; i++) {
-        if (p->rest[i] >= 0 && has_slopes_of(n, i) == slopes) {
-            reads[count++] = p->rest[i];
-        }
-    }
-    return count;
-}
-
-int scarpi_recipe_reads(const struct recipe *recipe, int node, int16_t reads[RECIPE_READS],
-                        int *slopes)
-{
-    const struct recipe_node *const n = &recipe->node[node];
-    int count = 0;
-    for (int i = 0; i < 3; i++) {
-        if (n->in[i] >= 0) {
-            reads[count++] = n->in[i];
-        }
-    }
-    if (n->place < 0) {
-        *slopes = count;
-        return count;
-    }
-    count += add_rests(recipe, n, 1, reads + count);
-    *slopes = count;
-    count += add_rests(recipe, n, 0, reads + count);
-    if (n->operation == OP_PULL) { /* positions are no matter, only the Jacobian */
-        return count;
-    }
-    for (int p = recipe->place[n->place].frame; p >= 0; p = recipe->place[p].frame) {
-        for (int i = 0; i < recipe->place[p].dimensions; i++) {
-            if (recipe->place[p].rest[i] >= 0) {
-                reads[count++] = recipe->place[p].rest[i];
-            }
-        }
-    }
-    return count;
-}
 
 /* The axes on which coordinate i of a place depends. */
 static int axes_of_coordinate(const struct recipe *recipe, int place, int i)
@@ -125,6 +36,11 @@ static int order_of_noise(const struct recipe *recipe, int index)
     return order;
 }
 
+static int needs_slopes(const struct recipe_node *n)
+{
+    return (scarpi_recipe_traits(n->operation) & NEEDS_SLOPES) != 0;
+}
+
 /* What the operation says of the order of its derivatives. */
 static int order_of_operation(const struct recipe *recipe, const struct recipe_node *n)
 {
@@ -132,10 +48,9 @@ static int order_of_operation(const struct recipe *recipe, const struct recipe_n
     case OP_NOISE:
     case OP_VECTOR: return order_of_noise(recipe, n->index);
     case OP_CELL: return n->detail == 0 ? 2 : 1;
-    case OP_GULLIES:
-    case OP_SLOPE: return recipe->node[n->in[0]].order - 1;
-    default: return 2;
+    default: break;
     }
+    return needs_slopes(n) ? recipe->node[n->in[0]].order - 1 : 2;
 }
 
 static void fill_in(const struct recipe *recipe, struct recipe_node *n)
@@ -144,7 +59,7 @@ static void fill_in(const struct recipe *recipe, struct recipe_node *n)
     for (int i = 0; i < 3; i++) {
         if (n->in[i] >= 0) {
             const struct recipe_node *const in = &recipe->node[n->in[i]];
-            const int most = n->operation == OP_GULLIES || n->operation == OP_SLOPE ? 2 : in->order;
+            const int most = needs_slopes(n) ? 2 : in->order;
             order = most < order ? most : order;
             axes |= in->axes;
             dimensions = in->dimensions < dimensions ? in->dimensions : dimensions;
@@ -259,14 +174,4 @@ int scarpi_recipe_add_knots(struct recipe *recipe, int count, float (*knots)[2])
     memcpy(recipe->knot[recipe->knots], knots, (size_t)count * sizeof *knots);
     recipe->knots = (int16_t)(recipe->knots + count);
     return recipe->knots - count;
-}
-
-void scarpi_recipe_spell_noise(const struct recipe *recipe, int index, struct scarp_noise noise[5])
-{
-    for (int i = 0; index >= 0 && i < 5; i++, index = recipe->noise[index].warp) {
-        memset(&noise[i], 0, sizeof noise[i]);
-        memcpy(&noise[i], recipe->noise[index].noise, sizeof recipe->noise[index].noise);
-        noise[i].warp = recipe->noise[index].warp >= 0 ? &noise[i + 1] : NULL;
-        noise[i].offset_first = 1; /* else all seeds have the same places at the origin */
-    }
 }

@@ -1,12 +1,25 @@
 /* SPDX-License-Identifier: MIT
  *
- * Nodes, places, noises and gullies of a recipe: equal ones stand there once. What is added to a
- * full list is -1.
+ * Nodes, places, noises and gullies of a recipe. graph.c adds them, equal ones once, and what is
+ * added to a full list is -1; queries.c says what they are.
  */
 #ifndef SCARP_RECIPE_GRAPH_H
 #define SCARP_RECIPE_GRAPH_H
 
 #include "recipe.h"
+
+/* What operations are like, added. */
+enum {
+    NEEDS_SLOPES = 1, /* derivatives are of one order less than those of in[0] */
+    CAN_BE_LEVEL = 2  /* a mask that is made by it can be 0 or 1 everywhere, without slopes */
+};
+int scarpi_recipe_traits(int operation);
+
+/* Whether derivatives of a node depend on those of a rest of its place. */
+static inline int has_slopes_of(const struct recipe_node *n, int axis)
+{
+    return n->operation != OP_COORDINATE || n->detail == axis;
+}
 
 /* Adds a node: its operation, what it reads, and its numbers. The rest follows from these. */
 int scarpi_recipe_add_node(struct recipe *recipe, struct recipe_node node);

@@ -1,12 +1,14 @@
-/* SPDX-License-Identifier: MIT */
+/* SPDX-License-Identifier: MIT
+ *
+ * Intervals of nodes. Functions of plan/functions.def have a rule each, by its name there.
+ */
 #include "interval.h"
 
 #include <math.h>
 #include <string.h>
 
+#include "combine.h"
 #include "graph.h"
-#include "operations.h"
-#include "statuses.h"
 
 typedef struct recipe_interval bounds;
 
@@ -28,34 +30,66 @@ static float less(float a, float b)
     return a < b ? a : b;
 }
 
-static float greater(float a, float b)
+static float more(float a, float b)
 {
     return a > b ? a : b;
 }
 
+/*
+ * Rules of plan/functions.def, of the intervals a and b of the first two inputs: rule_<range>().
+ */
+
+struct operands {
+    const struct recipe *recipe;
+    const struct recipe_node *node;
+    bounds a, b;
+};
+
+/* For functions with values between -1 and 1 */
+static bounds rule_unit(const struct operands *o)
+{
+    (void)o;
+    return (bounds){-1.0f, 1.0f};
+}
+
+/* For functions with any value from 0 on */
+static bounds rule_length(const struct operands *o)
+{
+    (void)o;
+    return (bounds){0.0f, INFINITY};
+}
+
+static bounds rule_sum(const struct operands *o)
+{
+    const bounds r = {o->a.lowest + o->b.lowest, o->a.highest + o->b.highest};
+    return r.lowest <= r.highest ? r : whole();
+}
+
 /* As scarp_multiply has products: 0 where a factor is 0, infinities too. */
-static float product(float a, float b)
+static float times(float a, float b)
 {
     return a == 0.0f || b == 0.0f ? 0.0f : a * b;
 }
 
-static bounds multiply(bounds a, bounds b, int is_square)
+static bounds rule_product(const struct operands *o)
 {
-    const float p[4] = {product(a.lowest, b.lowest), product(a.lowest, b.highest),
-                        product(a.highest, b.lowest), product(a.highest, b.highest)};
+    const bounds a = o->a, b = o->b;
+    const float p[4] = {times(a.lowest, b.lowest), times(a.lowest, b.highest),
+                        times(a.highest, b.lowest), times(a.highest, b.highest)};
     bounds r = {p[0], p[0]};
     for (int i = 1; i < 4; i++) {
         r.lowest = less(r.lowest, p[i]);
-        r.highest = greater(r.highest, p[i]);
+        r.highest = more(r.highest, p[i]);
     }
-    if (is_square) {
+    if (o->node->in[0] == o->node->in[1]) {
         r.lowest = a.lowest <= 0.0f && a.highest >= 0.0f ? 0.0f : less(p[0], p[3]);
     }
     return between(r.lowest, r.highest);
 }
 
-static bounds divide(bounds a, bounds b)
+static bounds rule_quotient(const struct operands *o)
 {
+    const bounds a = o->a, b = o->b;
     if (b.lowest <= 0.0f && b.highest >= 0.0f) {
         return whole();
     }
@@ -67,15 +101,43 @@ static bounds divide(bounds a, bounds b)
             return whole();
         }
         r.lowest = less(r.lowest, p[i]);
-        r.highest = greater(r.highest, p[i]);
+        r.highest = more(r.highest, p[i]);
     }
     return r;
 }
 
-static bounds magnitude(bounds a)
+static bounds rule_affine(const struct operands *o)
 {
+    const float *const k = o->node->k;
+    return between(times(k[0], o->a.lowest) + k[1], times(k[0], o->a.highest) + k[1]);
+}
+
+static bounds rule_lesser(const struct operands *o)
+{
+    return (bounds){less(o->a.lowest, o->b.lowest), less(o->a.highest, o->b.highest)};
+}
+
+static bounds rule_greater(const struct operands *o)
+{
+    return (bounds){more(o->a.lowest, o->b.lowest), more(o->a.highest, o->b.highest)};
+}
+
+static bounds rule_clamped(const struct operands *o)
+{
+    const float lo = o->node->k[0], hi = o->node->k[1];
+    return (bounds){less(more(o->a.lowest, lo), hi), less(more(o->a.highest, lo), hi)};
+}
+
+static bounds rule_root(const struct operands *o)
+{
+    return (bounds){sqrtf(more(o->a.lowest, 0.0f)), sqrtf(more(o->a.highest, 0.0f))};
+}
+
+static bounds rule_magnitude(const struct operands *o)
+{
+    const bounds a = o->a;
     const float lowest = a.lowest > 0.0f ? a.lowest : a.highest < 0.0f ? -a.highest : 0.0f;
-    return (bounds){lowest, greater(-a.lowest, a.highest)};
+    return (bounds){lowest, more(-a.lowest, a.highest)};
 }
 
 static float finite_magnitude(float a)
@@ -91,10 +153,69 @@ static float finite_magnitude(float a)
 static bounds widened(float a, float b)
 {
     bounds r = between(a, b);
-    const float room = greater(finite_magnitude(r.lowest), finite_magnitude(r.highest)) * 0x1p-21f;
+    const float room = more(finite_magnitude(r.lowest), finite_magnitude(r.highest)) * 0x1p-21f;
     r.lowest -= room;
     r.highest += room;
     return r;
+}
+
+static bounds rule_smooth_lesser(const struct operands *o)
+{
+    const bounds r = rule_lesser(o);
+    return widened(r.lowest - o->node->k[0] * 0.16666669f, r.highest);
+}
+
+static bounds rule_smooth_greater(const struct operands *o)
+{
+    const bounds r = rule_greater(o);
+    return widened(r.lowest, r.highest + o->node->k[0] * 0.16666669f);
+}
+
+static bounds rule_smooth_magnitude(const struct operands *o)
+{
+    const bounds a = rule_magnitude(o);
+    const float round = o->node->k[0];
+    return widened(sqrtf(a.lowest * a.lowest + round * round),
+                   sqrtf(a.highest * a.highest + round * round));
+}
+
+/* Of the blend by a mask in [0, 1] */
+static bounds rule_blend(const struct operands *o)
+{
+    return widened(less(o->a.lowest, o->b.lowest), more(o->a.highest, o->b.highest));
+}
+
+/* Values of terraces stay between the multiples of 1 / steps around them. */
+static bounds rule_steps(const struct operands *o)
+{
+    const float count = o->node->k[0];
+    return widened(floorf(o->a.lowest * count) / count, -floorf(-(o->a.highest * count)) / count);
+}
+
+/* Between the values at the ends of an interval, of a function of one input */
+static bounds at_ends(const struct operands *o, bounds a)
+{
+    float value[2] = {a.lowest, a.highest}, out[2];
+    const struct scarp_samples in[3] = {{.value = value}}, to = {.value = out};
+    const enum scarp_status status = scarpi_recipe_combine(o->recipe, o->node, 2, in, &to);
+    return status == SCARP_OK ? between(out[0], out[1]) : whole();
+}
+
+/* For functions that only rise, or only fall, but for rounding */
+static bounds rule_rising(const struct operands *o)
+{
+    const bounds r = at_ends(o, o->a);
+    return widened(r.lowest, r.highest);
+}
+
+/* A step is level beyond its ends, and infinities would be NaN to it. */
+static bounds rule_step(const struct operands *o)
+{
+    struct operands held = *o;
+    held.a.lowest = less(more(o->a.lowest, -0x1p120f), 0x1p120f);
+    held.a.highest = less(more(o->a.highest, -0x1p120f), 0x1p120f);
+    const bounds r = rule_rising(&held);
+    return (bounds){more(r.lowest, 0.0f), less(r.highest, 1.0f)};
 }
 
 /*
@@ -117,63 +238,37 @@ static bounds widened(float a, float b)
 static double room_of_cubic(bounds knots)
 {
     const double rise = (double)knots.highest - (double)knots.lowest;
-    const double most = (double)greater(-knots.lowest, knots.highest);
+    const double most = (double)more(-knots.lowest, knots.highest);
     return (56.0 * rise + 4.0 * most) * 0x1p-24 + 0x1p-64;
 }
 
 /* A level curve beyond its ends, with slopes that never overshoot: between knots it has no value
    that its two knots do not enclose. */
-static bounds curve(const struct recipe *recipe, const struct recipe_node *n, bounds a)
+static bounds rule_curve(const struct operands *o)
 {
-    const float(*const knot)[2] = (const float(*)[2])recipe->knot[n->index];
+    const struct recipe_node *const n = o->node;
+    const float(*const knot)[2] = (const float(*)[2])o->recipe->knot[n->index];
+    const bounds a = o->a;
     bounds r = {INFINITY, -INFINITY};
     for (int i = 0; i < n->knots; i++) {
         const int is_left = i + 1 < n->knots && knot[i + 1][0] <= a.lowest;
         const int is_right = i > 0 && knot[i - 1][0] >= a.highest;
         if (!is_left && !is_right) {
             r.lowest = less(r.lowest, knot[i][1]);
-            r.highest = greater(r.highest, knot[i][1]);
+            r.highest = more(r.highest, knot[i][1]);
         }
     }
-    float ends[2] = {a.lowest, a.highest}; /* tighter, where the curve is monotone between */
-    float values[2];
     int inside = 0;
     for (int i = 0; i < n->knots; i++) {
         inside += knot[i][0] > a.lowest && knot[i][0] < a.highest;
     }
-    if (inside == 0) {
-        if (scarpi_recipe_curve(recipe, n, 2, ends, values) != SCARP_OK) {
-            return whole();
-        }
-        const bounds tight = between(values[0], values[1]);
+    if (inside == 0) { /* tighter, where the curve is monotone between */
+        const bounds tight = at_ends(o, a);
         const double room = room_of_cubic(r);
-        r.lowest = greater(r.lowest, (float)((double)tight.lowest - room));
+        r.lowest = more(r.lowest, (float)((double)tight.lowest - room));
         r.highest = less(r.highest, (float)((double)tight.highest + room));
     }
     return r;
-}
-
-static bounds terrace(const struct recipe_node *n, bounds a)
-{
-    /* Values stay between the multiples of 1 / steps around them. */
-    const float steps = n->k[0];
-    const float lowest = floorf(a.lowest * steps) / steps,
-                highest = -floorf(-(a.highest * steps)) / steps;
-    return widened(lowest, highest);
-}
-
-static bounds smoothstep(const struct recipe_node *n, bounds a)
-{
-    float value[2] = {a.lowest, a.highest}, out[2];
-    for (int i = 0; i < 2; i++) { /* infinities are NaN to the function, and its ends are level */
-        value[i] = less(greater(value[i], -0x1p120f), 0x1p120f);
-    }
-    const struct scarp_samples in = {.value = value}, to = {.value = out};
-    if (scarp_smoothstep(2, &in, n->k[0], n->k[1], &to) != SCARP_OK) {
-        return whole();
-    }
-    const bounds r = widened(out[0], out[1]);
-    return (bounds){greater(r.lowest, 0.0f), less(r.highest, 1.0f)};
 }
 
 static bounds noise(const struct recipe *recipe, const struct recipe_node *n)
@@ -259,56 +354,6 @@ static void coordinate(const struct reader *by, int place, int i, double *lowest
     }
 }
 
-static bounds of_one(const struct recipe *recipe, const struct recipe_node *n, bounds a)
-{
-    float lowest = greater(a.lowest, 0.0f), highest = greater(a.highest, 0.0f);
-    switch (n->operation) {
-    case OP_AFFINE:
-        return between(product(n->k[0], a.lowest) + n->k[1], product(n->k[0], a.highest) + n->k[1]);
-    case OP_CLAMP:
-        return (bounds){less(greater(a.lowest, n->k[0]), n->k[1]),
-                        less(greater(a.highest, n->k[0]), n->k[1])};
-    case OP_ABS: return magnitude(a);
-    case OP_SMOOTH_ABS:
-        a = magnitude(a);
-        lowest = sqrtf(a.lowest * a.lowest + n->k[0] * n->k[0]);
-        highest = sqrtf(a.highest * a.highest + n->k[0] * n->k[0]);
-        return widened(lowest, highest);
-    case OP_SMOOTHSTEP: return smoothstep(n, a);
-    case OP_TERRACE: return terrace(n, a);
-    case OP_CURVE: return curve(recipe, n, a);
-    case OP_SQRT: return (bounds){sqrtf(lowest), sqrtf(highest)};
-    case OP_SINE:
-    case OP_PULSE: return (bounds){-1.0f, 1.0f};
-    case OP_SLOPE: return (bounds){0.0f, INFINITY};
-    default: return a;
-    }
-}
-
-static bounds of_two(const struct recipe_node *n, bounds a, bounds b)
-{
-    switch (n->operation) {
-    case OP_ADD: {
-        const bounds r = {a.lowest + b.lowest, a.highest + b.highest};
-        return r.lowest <= r.highest ? r : whole();
-    }
-    case OP_MULTIPLY: return multiply(a, b, n->in[0] == n->in[1]);
-    case OP_DIVIDE: return divide(a, b);
-    case OP_MIN: return (bounds){less(a.lowest, b.lowest), less(a.highest, b.highest)};
-    case OP_MAX: return (bounds){greater(a.lowest, b.lowest), greater(a.highest, b.highest)};
-    case OP_SMOOTH_MIN: {
-        const float lowest = less(a.lowest, b.lowest), highest = less(a.highest, b.highest);
-        return widened(lowest - n->k[0] * 0.16666669f, highest);
-    }
-    case OP_SMOOTH_MAX: {
-        const float lowest = greater(a.lowest, b.lowest), highest = greater(a.highest, b.highest);
-        return widened(lowest, highest + n->k[0] * 0.16666669f);
-    }
-    default: /* OP_MIX, whose mask is in [0, 1] */
-        return widened(less(a.lowest, b.lowest), greater(a.highest, b.highest));
-    }
-}
-
 struct recipe_interval scarpi_recipe_interval_of(const struct recipe *recipe,
                                                  const struct recipe_node *n,
                                                  const struct recipe_interval *of,
@@ -320,7 +365,13 @@ struct recipe_interval scarpi_recipe_interval_of(const struct recipe *recipe,
             in[i] = of != NULL ? of[n->in[i]] : recipe->node[n->in[i]].interval;
         }
     }
+    const struct operands o = {recipe, n, in[0], in[1]};
+#define OPERATOR(NAME, name, FORM, COMPUTED, take, traits, range, ...)                             \
+    case OP_##NAME:                                                                                \
+        return rule_##range(&o);
+#define FUNCTION(...) OPERATOR(__VA_ARGS__)
     switch (n->operation) {
+#include "../plan/functions.def"
     case OP_CONSTANT: return (bounds){n->k[0], n->k[0]};
     case OP_COORDINATE: {
         const struct reader by = {recipe, of, box};
@@ -332,9 +383,8 @@ struct recipe_interval scarpi_recipe_interval_of(const struct recipe *recipe,
     case OP_VECTOR: return noise(recipe, n);
     case OP_CELL: return cell(recipe, n);
     case OP_GULLIES: return gullies(recipe, n);
-    default: break;
+    default: return in[0]; /* a component, or what is pulled */
     }
-    return n->in[1] >= 0 ? of_two(n, in[0], in[1]) : of_one(recipe, n, in[0]);
 }
 
 struct recipe_interval scarpi_recipe_interval_in(const struct recipe *recipe, int node,
@@ -344,7 +394,7 @@ struct recipe_interval scarpi_recipe_interval_in(const struct recipe *recipe, in
     for (int i = 0; i <= node; i++) {
         const bounds any = recipe->node[i].interval;
         of[i] = scarpi_recipe_interval_of(recipe, &recipe->node[i], of, box);
-        of[i].lowest = greater(of[i].lowest, any.lowest);
+        of[i].lowest = more(of[i].lowest, any.lowest);
         of[i].highest = less(of[i].highest, any.highest);
     }
     return of[node];

@@ -7,9 +7,20 @@
 
 #include <stdbool.h>
 #include <stddef.h>
+#include <string.h>
 
 #include "recipe.h"
 #include "statuses.h"
+
+/* Members of samples, from the value to dzz, in the order of struct scarp_samples */
+#define RECIPE_MEMBERS 10
+
+static inline float *recipe_member(const struct scarp_samples *samples, int i)
+{
+    float *array;
+    memcpy(&array, (const char *)samples + (size_t)i * sizeof array, sizeof array);
+    return array;
+}
 
 /* Points that go through the steps together: of arrays, or of a grid. */
 struct recipe_chunk {
@@ -39,7 +50,7 @@ struct recipe_machine {
 /* Whether what a guard has is left out for this chunk. */
 enum { GUARD_UNKNOWN, GUARD_OPEN, GUARD_LEFT_OUT };
 
-/* Where a node is: the members that are computed of it, others are NULL. */
+/* machine.c: where a node is, the members that are computed of it; others are NULL. */
 struct scarp_samples scarpi_recipe_samples(const struct recipe_machine *m, int node);
 
 /* positions.c: nodes that have a place. */
@@ -48,7 +59,7 @@ KEEP_STATUS enum scarp_status scarpi_recipe_run_placed(struct recipe_machine *m,
 /* operations.c: nodes that combine others. */
 KEEP_STATUS enum scarp_status scarpi_recipe_run_operation(struct recipe_machine *m, int node);
 
-/* Whether a guard's nodes are left out. */
+/* operations.c: whether a guard's nodes are left out. */
 bool scarpi_recipe_is_left_out(struct recipe_machine *m, int guard);
 
 #endif

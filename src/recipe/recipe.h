@@ -10,10 +10,13 @@
  *     parse.c          text -> statements; expressions.c, tokens.c, number.c: what is in these
  *     compile.c        statements -> nodes; values.c: expressions; functions.c: calls; members.c,
  *                      noises.c and places.c: noises and transforms; nodes.c: arithmetic
- *     graph.c          nodes, noises and places, equal ones once; interval.c: what nodes promise
+ *     graph.c          nodes, noises and places, equal ones once; interval.c: what nodes promise;
+ *                      queries.c: what they read
  *     schedule.c       nodes -> steps and registers
- *     evaluate.c       steps over chunks of points; operations.c and positions.c: one step
- *     words.c          the table of functions
+ *     combine.c        the calls of functions that combine fields
+ *     evaluate.c       steps over chunks of points; operations.c and positions.c: one step, whose
+ *                      samples machine.c finds
+ *     words.c          the functions and their arguments, for the compiler and for editors
  *     calls.c          the public functions; describe.c: those that editors ask
  */
 #ifndef SCARP_RECIPE_RECIPE_H
@@ -101,6 +104,8 @@ struct recipe_place {
     uint8_t dimensions; /* of u */
 };
 
+#define OPERATOR(NAME, ...) OP_##NAME,
+#define FUNCTION(NAME, ...) OP_##NAME,
 enum recipe_operation {
     OP_CONSTANT,   /* k[0] */
     OP_COORDINATE, /* number `detail` of the place */
@@ -110,25 +115,9 @@ enum recipe_operation {
     OP_CELL,       /* `detail`: 0 the id, 1 or 2 a distance */
     OP_GULLIES,    /* the displacement; in[0] is the base */
     OP_PULL,       /* in[0] with derivatives by the frame of the place, instead of by its u */
-    OP_ADD,
-    OP_MULTIPLY,
-    OP_DIVIDE,
-    OP_AFFINE, /* k[0] a + k[1] */
-    OP_MIN,
-    OP_MAX,
-    OP_SMOOTH_MIN,
-    OP_SMOOTH_MAX,
-    OP_CLAMP,
-    OP_ABS,
-    OP_SMOOTH_ABS,
-    OP_SMOOTHSTEP,
-    OP_TERRACE,
-    OP_MIX,
-    OP_CURVE,
-    OP_SQRT,
-    OP_SINE,
-    OP_PULSE,
-    OP_SLOPE
+/* These combine in[0] to in[2]. */
+#include "../plan/functions.def"
+    OP_COUNT
 };
 
 /* An interval; every value is inside. */

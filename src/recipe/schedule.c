@@ -49,9 +49,9 @@ static void find_live(struct scheduler *s, const int16_t *roots, int count)
         int slopes;
         slopes = 0;
         const int read = has(&s->live, n) ? scarpi_recipe_reads(s->recipe, n, reads, &slopes) : 0;
-        const uint8_t operation = s->recipe->node[n].operation;
+        const int traits = scarpi_recipe_traits(s->recipe->node[n].operation);
         for (int i = 0; i < read; i++) {
-            const int is_base = (operation == OP_SLOPE || operation == OP_GULLIES) && i == 0;
+            const int is_base = (traits & NEEDS_SLOPES) != 0 && i == 0;
             const int extra = i < slopes ? s->to->extra_of[n] + is_base : 0;
             put(&s->live, reads[i]);
             if (s->to->extra_of[reads[i]] < extra) {
@@ -85,15 +85,10 @@ static int can_be_level(const struct recipe *recipe, int n)
 {
     for (;;) { /* a product is level where its second factor is, say */
         const struct recipe_node *const node = &recipe->node[n];
-        switch (node->operation) {
-        case OP_SMOOTHSTEP:
-        case OP_CURVE:
-        case OP_CLAMP:
-        case OP_CONSTANT: return 1;
-        case OP_AFFINE:
-        case OP_MULTIPLY: n = node->in[0]; break;
-        default: return 0;
+        if (node->operation != OP_AFFINE && node->operation != OP_MULTIPLY) {
+            return (scarpi_recipe_traits(node->operation) & CAN_BE_LEVEL) != 0;
         }
+        n = node->in[0];
     }
 }
 
@@ -258,7 +253,7 @@ static void add_guards(struct scheduler *s, const int16_t *roots, int count)
 /* Functions that may write where they read, as the chain rule of scarp.h may */
 static int is_in_place(int operation)
 {
-    return operation >= OP_ADD && operation != OP_SLOPE;
+    return operation >= OP_ADD && (scarpi_recipe_traits(operation) & NEEDS_SLOPES) == 0;
 }
 
 struct registers {

@@ -4,14 +4,16 @@
  *
  *     shader.c        the public functions
  *     shader_plan.c   the buffer: a head, numbers, and levels and octaves of all noises
- *     shader_text.c   the functions: the octaves of each kind of noise, then a line for each step
- *     shader_steps.c  these lines
+ *     shader_text.c   text of a language; the functions for the octaves of each kind of noise
+ *     shader_steps.c  a line for each step
+ *     shader_functions.c  the declaration of the buffer, and all functions
  *     shader_cut.c    what is left of scarp.glsl and its like when it has what these use
  */
 #ifndef SCARP_RECIPE_SHADER_H
 #define SCARP_RECIPE_SHADER_H
 
 #include <stddef.h>
+#include <string.h>
 
 #include "recipe.h"
 #include "statuses.h"
@@ -53,6 +55,11 @@ struct shader_text {
 void scarpi_shader_put(struct shader_text *to, const char *format, ...);
 void scarpi_shader_put_span(struct shader_text *to, const char *from, size_t length);
 
+static inline void put_text(struct shader_text *to, const char *text)
+{
+    scarpi_shader_put_span(to, text, strlen(text));
+}
+
 /* What is needed to write the functions. */
 struct shader_writer {
     const struct recipe *recipe;
@@ -69,6 +76,9 @@ void scarpi_shader_put_head(const struct shader_writer *w);
 
 /* The functions. */
 void scarpi_shader_put_functions(struct shader_writer *w, int order);
+
+/* Looks which kinds of noise there are, and writes their functions. */
+void scarpi_shader_put_kinds(struct shader_writer *w);
 
 /* The number of the function for the octaves of a noise. */
 int scarpi_shader_kind(struct shader_writer *w, const struct scarp_noise *noise, int dimensions);

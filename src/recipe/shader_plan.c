@@ -57,38 +57,40 @@ static void put_knots(struct filling *f, const struct recipe_node *n)
     }
 }
 
-/* The numbers of a function that combines others. */
+/* The numbers of a function that combines others: those of its call that shaders have. */
 static void put_numbers(struct filling *f, const struct recipe_node *n)
 {
+#define N(number) 1u << CHAIN_##number
+#define OPERATOR(NAME, name, FORM, COMPUTED, take, traits, range, shader, numbers)                 \
+    IF_NUMBERS_##FORM([OP_##NAME] = {CHAIN_##NAME, numbers}, )
+#define FUNCTION(NAME, name, FORM, COMPUTED, take, traits, range, shader, numbers, ...)            \
+    OPERATOR(NAME, name, FORM, COMPUTED, take, traits, range, shader, numbers)
     static const struct {
-        uint8_t operation, function;
-    } chained[] = {{OP_SMOOTH_MIN, CHAIN_SMOOTH_MIN},
-                   {OP_SMOOTH_MAX, CHAIN_SMOOTH_MAX},
-                   {OP_SMOOTH_ABS, CHAIN_SMOOTH_ABS},
-                   {OP_SMOOTHSTEP, CHAIN_SMOOTHSTEP},
-                   {OP_TERRACE, CHAIN_TERRACE}};
-    float k[CHAIN_NUMBERS] = {n->k[0], n->k[1], 0.0f, 0.0f, 0.0f};
-    for (size_t i = 0; i < sizeof chained / sizeof chained[0]; i++) {
-        if (chained[i].operation != n->operation) {
-            continue;
-        }
-        memset(k, 0, sizeof k);
-        if (!scarpi_chain_numbers((enum scarp_chain_function)chained[i].function, n->k, k)) {
-            keep_status(f, SCARP_ERROR_PARAMETER);
+        enum scarp_chain_function function;
+        unsigned numbers;
+    } of[OP_COUNT] = {
+#include "../plan/functions.def"
+    };
+    const unsigned numbers = of[n->operation].numbers;
+    float all[CHAIN_NUMBERS] = {0}, k[4] = {0};
+    int count = 0;
+    if (n->operation == OP_CONSTANT) {
+        put_number(f, n->k[0], 0.0f, 0.0f, 0.0f);
+    } else if (n->operation == OP_CURVE) {
+        put_knots(f, n);
+    }
+    if (numbers == 0) {
+        return;
+    }
+    if (!scarpi_chain_numbers(of[n->operation].function, n->k, all)) {
+        keep_status(f, SCARP_ERROR_PARAMETER);
+    }
+    for (int i = 0; i < CHAIN_NUMBERS; i++) {
+        if ((numbers >> i & 1u) != 0) {
+            k[count++] = all[i];
         }
     }
-    switch (n->operation) {
-    case OP_CURVE: put_knots(f, n); break;
-    case OP_SMOOTH_MIN:
-    case OP_SMOOTH_MAX: put_number(f, k[CHAIN_INVERSE], k[CHAIN_DEPTH], k[CHAIN_BEND], 0.0f); break;
-    case OP_SMOOTHSTEP: put_number(f, k[CHAIN_LO], k[CHAIN_INVERSE], 0.0f, 0.0f); break;
-    case OP_CONSTANT:
-    case OP_AFFINE:
-    case OP_CLAMP:
-    case OP_SMOOTH_ABS:
-    case OP_TERRACE: put_number(f, k[0], k[1], k[2], k[3]); break;
-    default: break;
-    }
+    put_number(f, k[0], k[1], k[2], k[3]);
 }
 
 static void put_place(const struct filling *f, int place)

@@ -308,41 +308,31 @@ static void put_curve(const struct shader_writer *w, int node)
                       n->in[0], node, node, first, last);
 }
 
-/* Functions of one or two samples and some numbers; @ is the vector of numbers. */
+/* Functions of one or two samples and some numbers: the calls of plan/functions.def. */
 static void put_call(const struct shader_writer *w, int node)
 {
-    static const char *const call[] = {[OP_CONSTANT] = "scarp_constant(@.x)",
-                                       [OP_ADD] = "scarp_sum_of(a, b)",
-                                       [OP_MULTIPLY] = "scarp_chain_multiply(a, b)",
-                                       [OP_DIVIDE] = "scarp_chain_divide(a, b)",
-                                       [OP_AFFINE] = "scarp_chain_affine(a, @.x, @.y)",
-                                       [OP_MIN] = "scarp_chain_min(a, b)",
-                                       [OP_MAX] = "scarp_chain_max(a, b)",
-                                       [OP_SMOOTH_MIN] = "scarp_chain_smooth_min(a, b, @.xyz)",
-                                       [OP_SMOOTH_MAX] = "scarp_chain_smooth_max(a, b, @.xyz)",
-                                       [OP_CLAMP] = "scarp_chain_clamp(a, @.x, @.y)",
-                                       [OP_ABS] = "scarp_chain_abs(a)",
-                                       [OP_SMOOTH_ABS] = "scarp_chain_smooth_abs(a, @.x, @.y)",
-                                       [OP_SMOOTHSTEP] = "scarp_chain_smoothstep(a, @.x, @.y)",
-                                       [OP_TERRACE] = "scarp_chain_terrace(a, @)",
-                                       [OP_MIX] = "scarp_chain_mix(a, b, m)",
-                                       [OP_SQRT] = "scarp_chain_sqrt(a)",
-                                       [OP_SINE] = "scarp_chain_sine(a)",
-                                       [OP_PULSE] = "scarp_chain_pulse(a)",
-                                       [OP_SLOPE] = "scarp_chain_slope(a, d)"};
+#define OPERATOR(NAME, name, FORM, COMPUTED, take, traits, range, shader, ...)                     \
+    [OP_##NAME] = "scarp_" #shader,
+#define FUNCTION(...) OPERATOR(__VA_ARGS__)
+    static const char *const call[OP_COUNT] = {
+        [OP_CONSTANT] = "scarp_constant(k.x)",
+#include "../plan/functions.def"
+    };
     const struct recipe_node *const n = &w->recipe->node[node];
     put_variable(w, node, 'r');
     char before = '\0';
     for (const char *c = call[n->operation]; *c != '\0'; before = *c++) {
-        const int is_argument = (before == '(' || before == ' ') && (c[1] == ',' || c[1] == ')');
-        if (*c == '@') {
-            scarpi_shader_put(w->to, "scarp_own_number(%du)", w->slots->number_of[node]);
-        } else if (is_argument && *c == 'd') {
-            scarpi_shader_put(w->to, "%d", w->recipe->node[n->in[0]].dimensions);
-        } else if (is_argument) {
-            scarpi_shader_put(w->to, "r%d", n->in[*c == 'a' ? 0 : *c == 'b' ? 1 : 2]);
-        } else {
+        const int is_argument =
+            (before == '(' || before == ' ') && (c[1] == ',' || c[1] == ')' || c[1] == '.');
+        if (!is_argument) {
             scarpi_shader_put_span(w->to, c, 1);
+        } else if (*c == 'k') {
+            scarpi_shader_put(w->to, "scarp_own_number(%du)", w->slots->number_of[node]);
+            c += strncmp(c + 1, ".xyzw", 5) == 0 ? 5 : 0; /* which is all of it */
+        } else if (*c == 'd') {
+            scarpi_shader_put(w->to, "%d", w->recipe->node[n->in[0]].dimensions);
+        } else {
+            scarpi_shader_put(w->to, "r%d", n->in[*c == 'a' ? 0 : *c == 'b' ? 1 : 2]);
         }
     }
     scarpi_shader_put(w->to, ";\n");

@@ -33,25 +33,9 @@ MUST_KEEP(scarp_cells3_f64);
 MUST_KEEP(scarp_gullies2);
 MUST_KEEP(scarp_gullies2_f64);
 MUST_KEEP(scarp_gullies_grid2);
-MUST_KEEP(scarp_add);
-MUST_KEEP(scarp_multiply);
-MUST_KEEP(scarp_divide);
-MUST_KEEP(scarp_affine);
-MUST_KEEP(scarp_min);
-MUST_KEEP(scarp_max);
-MUST_KEEP(scarp_smooth_min);
-MUST_KEEP(scarp_smooth_max);
-MUST_KEEP(scarp_clamp);
-MUST_KEEP(scarp_abs);
-MUST_KEEP(scarp_smooth_abs);
-MUST_KEEP(scarp_smoothstep);
-MUST_KEEP(scarp_terrace);
-MUST_KEEP(scarp_mix);
-MUST_KEEP(scarp_curve);
-MUST_KEEP(scarp_sqrt);
-MUST_KEEP(scarp_sine);
-MUST_KEEP(scarp_pulse);
-MUST_KEEP(scarp_slope);
+#define OPERATOR(NAME, name, ...) MUST_KEEP(scarp_##name);
+#define FUNCTION(...) OPERATOR(__VA_ARGS__)
+#include "../plan/functions.def"
 MUST_KEEP(scarp_range);
 MUST_KEEP(scarp_gullies_range);
 MUST_KEEP(scarpi_run);

@@ -1,7 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * The functions of recipes, their arguments and their defaults: one list for the compiler and for
- * editors.
+ * The functions of recipes, their arguments and their defaults, for the compiler and for editors:
+ * those of plan/functions.def.
  */
 #ifndef SCARP_RECIPE_WORDS_H
 #define SCARP_RECIPE_WORDS_H
@@ -9,33 +9,10 @@
 #include "recipe.h"
 
 /* In the order of the list. */
+#define FUNCTION(NAME, ...) FUNCTION_##NAME,
+#define WORD(NAME, ...) FUNCTION_##NAME,
 enum recipe_function {
-    FUNCTION_NOISE,
-    FUNCTION_CELL,
-    FUNCTION_FLAT,
-    FUNCTION_MIN,
-    FUNCTION_MAX,
-    FUNCTION_ABS,
-    FUNCTION_SMOOTH_ABS,
-    FUNCTION_CLAMP,
-    FUNCTION_SMOOTHSTEP,
-    FUNCTION_TERRACE,
-    FUNCTION_MIX,
-    FUNCTION_CURVE,
-    FUNCTION_BLEND,
-    FUNCTION_SQRT,
-    FUNCTION_SINE,
-    FUNCTION_PULSE,
-    FUNCTION_SLOPE,
-    FUNCTION_WARP,
-    FUNCTION_TURN,
-    FUNCTION_MOVE,
-    FUNCTION_SCALE,
-    FUNCTION_STRETCH,
-    FUNCTION_WIND,
-    FUNCTION_AT,
-    FUNCTION_GULLIES,
-    FUNCTION_DISPLACEMENT,
+#include "../plan/functions.def"
     FUNCTION_COUNT
 };
 

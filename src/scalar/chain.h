@@ -13,28 +13,48 @@
 
 #include "../formulas/chain.h"
 
+/* The numbers of a call, as its formula has them. */
+union numbers {
+    struct {
+        float x, y, z, w;
+    };
+    vec3 xyz;
+    vec4 xyzw;
+};
+
+/* Those that `which` has, a bit for each. */
+static inline union numbers numbers_of(const struct scarp_chain *call, unsigned which)
+{
+    float k[4] = {0.0f, 0.0f, 0.0f, 0.0f};
+    int count = 0;
+    for (int i = 0; i < CHAIN_NUMBERS; i++) {
+        if ((which >> i & 1u) != 0) {
+            k[count++] = call->number[i];
+        }
+    }
+    return (union numbers){{k[0], k[1], k[2], k[3]}};
+}
+
+/* Each function is the call of its row of functions.def, which shaders have, too. */
 WHOLE struct sample chained(const struct scarp_chain *call, const struct sample in[CHAIN_INPUTS],
                             const struct partials *given)
 {
     const struct sample a = in[CHAIN_A], b = in[CHAIN_B], m = in[CHAIN_M];
-    const float *const k = call->number;
-    const vec3 of_smooth = {k[CHAIN_INVERSE], k[CHAIN_DEPTH], k[CHAIN_BEND]};
-    const vec4 of_terrace = {k[CHAIN_STEPS], k[CHAIN_HEIGHT], k[CHAIN_STEEP], k[CHAIN_STRENGTH]};
+    union numbers k = {{0.0f, 0.0f, 0.0f, 0.0f}};
     struct sample s = a;
+#define N(number) 1u << CHAIN_##number
+#define TAKE(numbers) k = numbers_of(call, numbers);
+#define CASE(NAME, FORM, formula, numbers)                                                         \
+    case CHAIN_##NAME: {                                                                           \
+        IF_NUMBERS_##FORM(TAKE(numbers)) s = formula;                                              \
+        break;                                                                                     \
+    }
+#define OPERATOR(NAME, name, FORM, COMPUTED, take, traits, range, formula, which)                  \
+    IF_KERNEL_##COMPUTED(CASE(NAME, FORM, formula, which))
+#define FUNCTION(NAME, name, FORM, COMPUTED, take, traits, range, formula, which, ...)             \
+    OPERATOR(NAME, name, FORM, COMPUTED, take, traits, range, formula, which)
     switch (call->function) {
-    case CHAIN_AFFINE: s = chain_affine(a, k[CHAIN_SCALE], k[CHAIN_OFFSET]); break;
-    case CHAIN_ADD: s = sum_of(a, b); break;
-    case CHAIN_MULTIPLY: s = chain_multiply(a, b); break;
-    case CHAIN_MIX: s = chain_mix(a, b, m); break;
-    case CHAIN_MIN: s = chain_min(a, b); break;
-    case CHAIN_MAX: s = chain_max(a, b); break;
-    case CHAIN_SMOOTH_MIN: s = chain_smooth_min(a, b, of_smooth); break;
-    case CHAIN_SMOOTH_MAX: s = chain_smooth_max(a, b, of_smooth); break;
-    case CHAIN_CLAMP: s = chain_clamp(a, k[CHAIN_LO], k[CHAIN_HI]); break;
-    case CHAIN_ABS: s = chain_abs(a); break;
-    case CHAIN_SMOOTH_ABS: s = chain_smooth_abs(a, k[CHAIN_ROUND], k[CHAIN_ROUND2]); break;
-    case CHAIN_SMOOTHSTEP: s = chain_smoothstep(a, k[CHAIN_LO], k[CHAIN_INVERSE]); break;
-    case CHAIN_TERRACE: s = chain_terrace(a, of_terrace); break;
+#include "../plan/functions.def"
     case CHAIN_APPLY1: s = chain_apply1(a, given->f, given->a, given->aa); break;
     case CHAIN_APPLY2: s = chain_apply2(a, b, *given); break;
     }

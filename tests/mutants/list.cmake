@@ -319,7 +319,7 @@ mutant(chain.in_place IN kernel/chain.h TEXT [[count, room.result[m]);]]
             if (MUTANT && count == keep) {
                 memcpy(room.result[m], call->out[m] + first, keep * sizeof(float));
             }]] SEEN_BY chain)
-mutant(chain.order IN calls/chain.c TEXT [[: k / 6.0f]] BECOMES [[: MUTANT ? k * (1.0f / 6.0f) : k / 6.0f]]
+mutant(chain.order IN calls/chain.c TEXT [[= k / 6.0f;]] BECOMES [[= MUTANT ? k * (1.0f / 6.0f) : k / 6.0f;]]
        SEEN_BY golden SETS scalar)
 
 # plan, which all kernel sets share
