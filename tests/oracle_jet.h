@@ -108,18 +108,6 @@ static inline jet terraced(jet a, double steps, double riser, double strength)
     return apply(a, f, fa, strength * s.second[0][0] * steps);
 }
 
-static inline jet root(jet a)
-{
-    const double r = a.value > 0.0 ? sqrt(a.value) : 0.0;
-    return r == 0.0 ? constant(0.0) : apply(a, r, 0.5 / r, -0.25 / (r * r * r));
-}
-
-static inline jet pulsed(jet a)
-{
-    const double t = a.value - 2.0 * floor(a.value / 2.0);
-    return apply(a, 1.0 - 2.0 * fabs(1.0 - t), t < 1.0 ? 2.0 : -2.0, 0.0);
-}
-
 /* f by coordinates u, and these by x */
 static inline jet composed(jet f, const struct place *at)
 {

@@ -314,6 +314,26 @@ static jet placed(const struct oracle_recipe *o, int call, const struct frame *i
     return evaluate_in(o, f, &inner);
 }
 
+/* A function of one input by the formulas of functions.def; its numbers come behind the field. */
+static jet derived(const struct oracle_recipe *o, int call, jet in)
+{
+    const uint32_t *const name = o->part[call].name;
+    const double a = in.value;
+    struct scarp_recipe_function f;
+    double k[3] = {0.0, 0.0, 0.0};
+    (void)scarp_recipe_function_at((size_t)o->part[call].function, &f);
+    for (int i = 1; i < f.arguments; i++) {
+        k[i - 1] = oracle_number_or(o, call, f.argument[i].name, i, f.argument[i].otherwise);
+    }
+#define TURN 6.283185307179586
+#define DERIVED(function, value, first, second, ...)                                               \
+    if (oracle_is(o, name, #function)) {                                                           \
+        return apply(in, value, first, second);                                                    \
+    }
+#include "functions.def"
+    return constant(NAN);
+}
+
 static jet called(const struct oracle_recipe *o, int call, const struct frame *in)
 {
     const uint32_t *const name = o->part[call].name;
@@ -352,13 +372,6 @@ static jet called(const struct oracle_recipe *o, int call, const struct frame *i
         return mix(a, evaluate_in(o, second, in),
                    evaluate_in(o, oracle_argument(o, call, "m", 2), in));
     }
-    if (oracle_is(o, name, "abs")) {
-        return scaled(a, a.value > 0.0 ? 1.0 : a.value < 0.0 ? -1.0 : 0.0);
-    }
-    if (oracle_is(o, name, "smooth_abs")) {
-        const double round = o->number(o, oracle_argument(o, call, "round", 1));
-        return root(add(multiply(a, a), constant(round * round), 1.0));
-    }
     if (oracle_is(o, name, "clamp") || oracle_is(o, name, "smoothstep")) {
         const double lo = (double)(float)o->number(o, oracle_argument(o, call, "lo", 1));
         const double hi = (double)(float)o->number(o, oracle_argument(o, call, "hi", 2));
@@ -372,14 +385,7 @@ static jet called(const struct oracle_recipe *o, int call, const struct frame *i
                         oracle_number_or(o, call, "riser", 2, 0.5),
                         oracle_number_or(o, call, "strength", 3, 0.75));
     }
-    if (oracle_is(o, name, "sqrt")) {
-        return root(a);
-    }
-    if (oracle_is(o, name, "sine")) {
-        const double turn = 6.283185307179586, angle = turn * a.value;
-        return apply(a, sin(angle), turn * cos(angle), -turn * turn * sin(angle));
-    }
-    return oracle_is(o, name, "pulse") ? pulsed(a) : constant(NAN);
+    return derived(o, call, a);
 }
 
 static jet evaluate_in(const struct oracle_recipe *o, int part, const struct frame *in)

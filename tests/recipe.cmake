@@ -23,7 +23,7 @@ scarp_add_sized_test(recipe.oracle recipe IN wasm SIZES 10000 400 100 10 COMMAND
 scarp_test_program(test_shapes)
 scarp_add_test(shapes recipe COMMAND test_shapes)
 
-# Values stay in the intervals of recipes: batches of 64 values for each of 18 functions
+# Values stay in the intervals of recipes: batches of 64 values for each function
 scarp_test_program(test_recipe_interval INTERNAL)
 scarp_add_sized_test(recipe.interval recipe IN wasm SIZES 200000 5000 1000 100
                      COMMAND test_recipe_interval {})

@@ -53,6 +53,8 @@ struct recipe_text {
 #define PLANE "recipe 1\nn = noise(octaves=2)\nm = noise(value, size=1.5, seed=1)\n"
 #define SPACE "recipe 1\nspace 3\nn = noise(octaves=2)\nm = noise(value, size=1.5, seed=1)\n"
 
+#define DERIVED(name, value, first, second, expression, is_rough)                                  \
+    {#name, PLANE "u = n\na = " expression, is_rough},
 static const struct recipe_text recipe_texts[] = {
     {"number", PLANE "out a = n + 2^3 / 4 - -1", 0},
     {"seed", PLANE "a = noise(seed=-1) - noise(seed=-64) * cell(noise(seed=-9007199254740991))", 1},
@@ -66,17 +68,12 @@ static const struct recipe_text recipe_texts[] = {
     {"min", PLANE "a = min(n, m)", 1},
     {"max", PLANE "a = max(n, m)", 1},
     {"smooth", PLANE "a = min(n, m, smooth=0.5) + max(n, m, 0.25)", 0},
-    {"abs", PLANE "a = abs(n)", 1},
-    {"smooth_abs", PLANE "a = smooth_abs(n, 0.1)", 0},
     {"clamp", PLANE "a = clamp(n, -0.1, 0.2)", 1},
     {"smoothstep", PLANE "a = smoothstep(n, -0.3, 0.3) - smoothstep(m, 0.3, -0.2)", 0},
     {"terrace", PLANE "a = terrace(n, 4) + terrace(m, 3, riser=0.8, strength=0.5)", 0},
     {"mix", PLANE "a = mix(n, m, smoothstep(n - m, -0.3, 0.3))", 0},
     {"curve", PLANE "a = curve(n, -0.4: 0.2, -0.1: 0.5, 0: 0.7, 0.3: 0.1)", 1},
     {"blend", PLANE "a = blend(n, -0.3: m, -0.05: n * m, 0.2: 0.5, 0.4: m^2)", 0},
-    {"sqrt", PLANE "a = sqrt(1.5 + n)", 0},
-    {"sine", PLANE "a = sine(n + x / 3)", 0},
-    {"pulse", PLANE "a = pulse(3 * n)", 1},
     {"slope", PLANE "a = slope(n + m)", 1},
     {"cell", PLANE "a = cell(noise(seed=5, jitter=0.8))", 1},
     {"cell_f1", PLANE "a = cell(noise(size=2), f1) - cell(n, f2)", 1},
@@ -140,6 +137,7 @@ static const struct recipe_text recipe_texts[] = {
      "recipe 1\ntile 8, 4\nw = noise(size=2, amplitude=0.4)\n"
      "a = warp(noise(octaves=2), w) + stretch(noise(size=2), 2, 1) + move(noise(), 1, 2)",
      0},
+#include "functions.def"
 };
 #define RECIPE_TEXTS (sizeof recipe_texts / sizeof recipe_texts[0])
 

@@ -55,9 +55,9 @@ static enum scarp_status call_at(enum chain f, const struct arguments *a, size_t
 /* Random numbers, and now and then one where functions have seams or numbers end. */
 static void make_sources(void)
 {
-    static const float special[] = {NAN,       -NAN,     INFINITY, -INFINITY, 0.0f,     -0.0f,
-                                    0x1p-149f, -1e-40f,  3e38f,    -3e38f,    1e20f,    -0x1p23f,
-                                    CHAIN_LO,  CHAIN_HI, 0.5f,     -0.25f,    0x1p-24f, 1.0f};
+    static const float special[] = {NAN,       -NAN,    INFINITY, -INFINITY, 0.0f,     -0.0f,
+                                    0x1p-149f, -1e-40f, 3e38f,    -3e38f,    1e20f,    -0x1p23f,
+                                    -0.4f,     0.3f,    0.5f,     -0.25f,    0x1p-24f, 1.0f};
     uint64_t state = 1;
     for (int i = 0; i < ARRAYS; i++) {
         for (int p = 0; p < POINTS; p++) {
@@ -81,11 +81,11 @@ static void compare(enum chain f, unsigned mask, size_t first, size_t count)
         const float *const got = tested.array[m] + first;
         const size_t written = (mask >> m & 1) != 0 ? count : 0;
         const size_t at = first_difference(expected, got, written);
-        CHECK_BITS(at == written, "%s, %zu points: %s[%zu] is %a, not %a", chain_names[f], count,
-                   output_names[m], at, (double)got[at], (double)expected[at]);
+        CHECK_BITS(at == written, "%s, %zu points: %s[%zu] is %a, not %a", chain_kinds[f].name,
+                   count, output_names[m], at, (double)got[at], (double)expected[at]);
         CHECK(all_poison(tested.array[m], first * sizeof(float)) &&
                   all_poison(got + written, (POINTS - first - written) * sizeof(float)),
-              "%s, %zu points: wrote beyond %s", chain_names[f], count, output_names[m]);
+              "%s, %zu points: wrote beyond %s", chain_kinds[f].name, count, output_names[m]);
     }
 }
 
@@ -102,7 +102,7 @@ static void test_bits(enum chain f, enum scarp_isa isa)
     struct scarp_samples out = outputs_subset(&reference, all);
     uint64_t state = (uint64_t)f;
     scarp_isa_select(SCARP_ISA_SCALAR);
-    CHECK(call_at(f, &a, POINTS, &out) == SCARP_OK, "%s", chain_names[f]);
+    CHECK(call_at(f, &a, POINTS, &out) == SCARP_OK, "%s", chain_kinds[f].name);
     scarp_isa_select(isa);
     for (size_t round = 0; round < 300; round++) {
         const size_t count = round == 0       ? POINTS
@@ -113,7 +113,7 @@ static void test_bits(enum chain f, enum scarp_isa isa)
         const struct arguments from = arguments_at(source, first);
         out = outputs_at(&tested, mask, first);
         outputs_poison(&tested);
-        CHECK(call_at(f, &from, count, &out) == SCARP_OK, "%s", chain_names[f]);
+        CHECK(call_at(f, &from, count, &out) == SCARP_OK, "%s", chain_kinds[f].name);
         compare(f, mask, first, count);
     }
 }
@@ -138,10 +138,11 @@ static void test_in_place(enum chain f)
             shared.array[m] = scratch[round % 4 == 0 ? m : drawn[m]];
         }
         const struct scarp_samples out = outputs_subset(&shared, (1u << OUTPUTS) - 1);
-        CHECK(call_at(f, &a, count, &out) == SCARP_OK, "%s", chain_names[f]);
+        CHECK(call_at(f, &a, count, &out) == SCARP_OK, "%s", chain_kinds[f].name);
         for (int m = 0; m < OUTPUTS; m++) {
             const size_t at = first_difference(shared.array[m], reference.array[m], count);
-            CHECK_BITS(at == count, "%s in place: %s[%zu]", chain_names[f], output_names[m], at);
+            CHECK_BITS(at == count, "%s in place: %s[%zu]", chain_kinds[f].name, output_names[m],
+                       at);
         }
     }
 }
@@ -200,7 +201,7 @@ static void test_needed(enum chain f)
             outputs_poison(&tested);
             const enum scarp_status status = call_at(f, &a, POINTS, &out);
             CHECK(status == (missing ? SCARP_ERROR_NULL : SCARP_OK), "%s: %s without %d: %s",
-                  chain_names[f], output_names[m], without, scarp_status_text(status));
+                  chain_kinds[f].name, output_names[m], without, scarp_status_text(status));
             compare(f, missing ? 0 : 1u << m, 0, POINTS);
         }
     }
@@ -221,11 +222,11 @@ static void test_refused(enum chain f)
     struct arguments a = good;
     outputs_poison(&tested);
     for (int i = 0; i < 3; i++) {
-        expect(call_at(f, &good, huge[i], &out), SCARP_ERROR_SIZE, chain_names[f]);
+        expect(call_at(f, &good, huge[i], &out), SCARP_ERROR_SIZE, chain_kinds[f].name);
     }
-    expect(call_at(f, &good, POINTS, NULL), SCARP_ERROR_NULL, chain_names[f]);
-    expect(call_at(f, &good, 0, NULL), SCARP_OK, chain_names[f]);
-    expect(call_at(f, &good, POINTS, &nothing), SCARP_OK, chain_names[f]);
+    expect(call_at(f, &good, POINTS, NULL), SCARP_ERROR_NULL, chain_kinds[f].name);
+    expect(call_at(f, &good, 0, NULL), SCARP_OK, chain_kinds[f].name);
+    expect(call_at(f, &good, POINTS, &nothing), SCARP_OK, chain_kinds[f].name);
     for (int i = 0; i < 5; i++) {
         out.spare[i] = source[0];
         expect(call_at(f, &good, POINTS, &out), SCARP_ERROR_UNSUPPORTED, "spare of out");
@@ -241,91 +242,88 @@ static void test_refused(enum chain f)
         a.partials.spare[i] = source[0];
         expect(call_at(f, &a, POINTS, &out), SCARP_ERROR_UNSUPPORTED, "spare of partials");
     }
-    CHECK(outputs_untouched(&tested, (1u << OUTPUTS) - 1), "%s wrote", chain_names[f]);
+    CHECK(outputs_untouched(&tested, (1u << OUTPUTS) - 1), "%s wrote", chain_kinds[f].name);
 }
 
-static void test_null(void)
+/* An input, or the partial derivatives, that is NULL */
+static void test_null(enum chain f)
 {
     const struct arguments good = arguments_at(source, 0);
-    const struct scarp_samples *const a = &good.in[0], *const b = &good.in[1];
     const struct scarp_samples out = outputs_subset(&tested, 1);
     outputs_poison(&tested);
     for (size_t n = 0; n <= 9; n += 9) {
         const enum scarp_status wanted = n == 0 ? SCARP_OK : SCARP_ERROR_NULL;
-        expect(scarp_affine(n, NULL, 1.0f, 0.0f, &out), wanted, "affine");
-        expect(scarp_add(n, NULL, b, &out), wanted, "add");
-        expect(scarp_add(n, a, NULL, &out), wanted, "add");
-        expect(scarp_multiply(n, NULL, b, &out), wanted, "multiply");
-        expect(scarp_multiply(n, a, NULL, &out), wanted, "multiply");
-        expect(scarp_mix(n, NULL, b, a, &out), wanted, "mix");
-        expect(scarp_mix(n, a, NULL, b, &out), wanted, "mix");
-        expect(scarp_mix(n, a, b, NULL, &out), wanted, "mix");
-        expect(scarp_min(n, a, NULL, &out), wanted, "min");
-        expect(scarp_max(n, NULL, b, &out), wanted, "max");
-        expect(scarp_smooth_min(n, a, NULL, 1.0f, &out), wanted, "smooth_min");
-        expect(scarp_smooth_max(n, NULL, b, 1.0f, &out), wanted, "smooth_max");
-        expect(scarp_clamp(n, NULL, 0.0f, 1.0f, &out), wanted, "clamp");
-        expect(scarp_abs(n, NULL, &out), wanted, "abs");
-        expect(scarp_smooth_abs(n, NULL, 1.0f, &out), wanted, "smooth_abs");
-        expect(scarp_smoothstep(n, NULL, 0.0f, 1.0f, &out), wanted, "smoothstep");
-        expect(scarp_terrace(n, NULL, 1.0f, 1.0f, 1.0f, &out), wanted, "terrace");
-        expect(scarp_apply1(n, NULL, &good.partials, &out), wanted, "apply1");
-        expect(scarp_apply1(n, a, NULL, &out), wanted, "apply1");
-        expect(scarp_apply2(n, a, NULL, &good.partials, &out), wanted, "apply2");
-        expect(scarp_apply2(n, a, b, NULL, &out), wanted, "apply2");
+        for (int without = 0; without < chain_kinds[f].inputs + chain_kinds[f].partials;
+             without++) {
+            const struct scarp_samples *in[CHAIN_INPUTS] = {&good.in[0], &good.in[1], &good.in[2]};
+            const int is_input = without < chain_kinds[f].inputs;
+            if (is_input) {
+                in[without] = NULL;
+            }
+            expect(chain_call_with(f, chain_kinds[f].number, n, in,
+                                   is_input ? &good.partials : NULL, &out),
+                   wanted, chain_kinds[f].name);
+        }
     }
-    CHECK(outputs_untouched(&tested, 1), "outputs were written");
+    CHECK(outputs_untouched(&tested, 1), "%s wrote", chain_kinds[f].name);
+}
+
+/* What each kind of numbers takes and refuses; `other` is for numbers of a kind that goes with it. */
+static const struct {
+    char kind;
+    float other, good[3], bad[4];
+} number_kinds[] = {
+    {'f', 0.0f, {0.0f, -3e38f, 1e-45f}, {NAN, NAN, NAN, NAN}},
+    {'l', -3.4e38f, {0.0f, -3e38f, 1e-45f}, {NAN, NAN, NAN, NAN}},
+    {'h', 3.4e38f, {0.0f, 3e38f, 1e-45f}, {NAN, NAN, NAN, NAN}},
+    {'w', 0.0f, {0x1p-60f, -0x1p60f, -0x1p-60f}, {0.0f, -0.0f, 0x1.fffffep-61f, -0x1.000002p60f}},
+    {'s', 1.0f, {0x1p-60f, 0x1p60f, 1.0f}, {0.0f, -1.0f, 0x1.fffffep-61f, 0x1.000002p60f}},
+    {'r', 1.0f, {0x1p-20f, 1.0f, 0.5f}, {0.0f, -1.0f, 0x1.fffffep-21f, 0x1.000002p0f}},
+    {'u', 1.0f, {0.0f, 1.0f, 1e-45f}, {-1e-45f, -1.0f, 2.0f, 0x1.000002p0f}},
+};
+
+static int number_kind(char kind)
+{
+    int i = 0;
+    while (number_kinds[i].kind != kind) {
+        i++;
+    }
+    return i;
 }
 
 /* A call with a number that is to be tried in each place; the others are valid. */
-static enum scarp_status call_with(int place, float number, const struct scarp_samples *out)
+static void test_numbers(enum chain f)
 {
+    static const float never[] = {NAN, -NAN, INFINITY, -INFINITY};
     const struct arguments good = arguments_at(source, 0);
-    const struct scarp_samples *const a = &good.in[0], *const b = &good.in[1];
-    switch (place) {
-    case 0: return scarp_affine(9, a, number, 0.0f, out);
-    case 1: return scarp_affine(9, a, 1.0f, number, out);
-    case 2: return scarp_clamp(9, a, number, 3.4e38f, out);
-    case 3: return scarp_clamp(9, a, -3.4e38f, number, out);
-    case 4: return scarp_smoothstep(9, a, number, 0.0f, out);
-    case 5: return scarp_smoothstep(9, a, 0.0f, number, out);
-    case 6: return scarp_smooth_min(9, a, b, number, out);
-    case 7: return scarp_smooth_max(9, a, b, number, out);
-    case 8: return scarp_terrace(9, a, number, 1.0f, 1.0f, out);
-    case 9: return scarp_smooth_abs(9, a, number, out);
-    case 10: return scarp_terrace(9, a, 1.0f, number, 1.0f, out);
-    default: return scarp_terrace(9, a, 1.0f, 1.0f, number, out);
+    const struct scarp_samples *const in[CHAIN_INPUTS] = {&good.in[0], &good.in[1], &good.in[2]};
+    const struct scarp_samples out = outputs_subset(&tested, (1u << OUTPUTS) - 1);
+    const char *const kinds = chain_kinds[f].kinds;
+    for (int place = 0; kinds[place] != '\0'; place++) {
+        const int kind = number_kind(kinds[place]);
+        float k[3] = {0.0f, 0.0f, 0.0f};
+        for (int i = 0; kinds[i] != '\0'; i++) {
+            k[i] = number_kinds[number_kind(kinds[i])].other;
+        }
+        for (int n = 0; n < 3; n++) {
+            k[place] = number_kinds[kind].good[n];
+            expect(chain_call_with(f, k, 9, in, NULL, &out), SCARP_OK, "good number");
+        }
+        outputs_poison(&tested);
+        for (int n = 0; n < 4; n++) {
+            k[place] = never[n];
+            expect(chain_call_with(f, k, 9, in, NULL, &out), SCARP_ERROR_PARAMETER, "not finite");
+            k[place] = number_kinds[kind].bad[n];
+            expect(chain_call_with(f, k, 9, in, NULL, &out), SCARP_ERROR_PARAMETER, "bad");
+        }
+        CHECK(outputs_untouched(&tested, (1u << OUTPUTS) - 1), "%s wrote", chain_kinds[f].name);
     }
 }
 
-static void test_numbers(void)
+static void test_intervals(void)
 {
-    static const float never[] = {NAN, -NAN, INFINITY, -INFINITY};
-    static const struct {
-        int first, last;
-        float good[3], bad[4];
-    } intervals[] = {
-        {0, 3, {0.0f, -3e38f, 1e-45f}, {NAN, NAN, NAN, NAN}},
-        {4, 5, {0x1p-60f, -0x1p60f, -0x1p-60f}, {0.0f, -0.0f, 0x1.fffffep-61f, -0x1.000002p60f}},
-        {6, 9, {0x1p-60f, 0x1p60f, 1.0f}, {0.0f, -1.0f, 0x1.fffffep-61f, 0x1.000002p60f}},
-        {10, 10, {0x1p-20f, 1.0f, 0.5f}, {0.0f, -1.0f, 0x1.fffffep-21f, 0x1.000002p0f}},
-        {11, 11, {0.0f, 1.0f, 1e-45f}, {-1e-45f, -1.0f, 2.0f, 0x1.000002p0f}},
-    };
-    const struct scarp_samples out = outputs_subset(&tested, (1u << OUTPUTS) - 1);
-    for (size_t i = 0; i < sizeof intervals / sizeof intervals[0]; i++) {
-        for (int place = intervals[i].first; place <= intervals[i].last; place++) {
-            for (int n = 0; n < 3; n++) {
-                expect(call_with(place, intervals[i].good[n], &out), SCARP_OK, "good number");
-            }
-            outputs_poison(&tested);
-            for (int n = 0; n < 4; n++) {
-                expect(call_with(place, never[n], &out), SCARP_ERROR_PARAMETER, "not finite");
-                expect(call_with(place, intervals[i].bad[n], &out), SCARP_ERROR_PARAMETER, "bad");
-            }
-            CHECK(outputs_untouched(&tested, (1u << OUTPUTS) - 1), "place %d wrote", place);
-        }
-    }
     const struct arguments good = arguments_at(source, 0);
+    const struct scarp_samples out = outputs_subset(&tested, (1u << OUTPUTS) - 1);
     expect(scarp_clamp(9, &good.in[0], 1.0f, 0.5f, &out), SCARP_ERROR_PARAMETER, "lo > hi");
     expect(scarp_clamp(9, &good.in[0], 1.0f, 1.0f, &out), SCARP_OK, "lo == hi");
     expect(scarp_smoothstep(9, &good.in[0], 3e38f, -3e38f, &out), SCARP_ERROR_PARAMETER, "wide");
@@ -348,10 +346,11 @@ int main(int argc, char **argv)
         if (check_aim == CHECK_SAME) {
             test_needed((enum chain)f);
             test_refused((enum chain)f);
+            test_null((enum chain)f);
+            test_numbers((enum chain)f);
         }
     }
-    test_null();
-    test_numbers();
+    test_intervals();
     outputs_free(&reference);
     outputs_free(&tested);
     return check_done();

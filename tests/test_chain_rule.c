@@ -12,6 +12,14 @@
 #define POINTS 1000
 #define AXES 4 /* x, y, z and the phase */
 
+/* Numbers of the cases */
+#define CHAIN_K chain_kinds[CHAIN_smooth_min].number[0]
+#define CHAIN_LO chain_kinds[CHAIN_clamp].number[0]
+#define CHAIN_HI chain_kinds[CHAIN_clamp].number[1]
+#define CHAIN_STEPS chain_kinds[CHAIN_terrace].number[0]
+#define CHAIN_RISER chain_kinds[CHAIN_terrace].number[1]
+#define CHAIN_STRENGTH_WEAK chain_kinds[CHAIN_terrace_weak].number[2]
+
 static float in[CHAIN_INPUTS][OUTPUTS][POINTS];
 static float partials[CHAIN_PARTIALS][POINTS];
 static struct outputs out;
@@ -25,7 +33,7 @@ static void call_all(enum chain f)
     const struct scarp_partials p = {partials[0], partials[1], partials[2], partials[3],
                                      partials[4], partials[5], {NULL}};
     const struct scarp_samples all = outputs_subset(&out, (1u << OUTPUTS) - 1);
-    CHECK(chain_call(f, POINTS, inputs, &p, &all) == SCARP_OK, "%s", chain_names[f]);
+    CHECK(chain_call(f, POINTS, inputs, &p, &all) == SCARP_OK, "%s", chain_kinds[f].name);
 }
 
 static double step_of(double t)
@@ -55,24 +63,12 @@ static double smoothstep(double v, double lo, double hi)
 /* The functions as scarp.h defines them. Those of apply1 and apply2 are chosen here. */
 static double formula(enum chain f, double a, double b, double m)
 {
-    const double lo = (double)CHAIN_LO, hi = (double)CHAIN_HI, k = (double)CHAIN_K;
+    const double k[3] = {(double)chain_kinds[f].number[0], (double)chain_kinds[f].number[1],
+                         (double)chain_kinds[f].number[2]};
+#define CASE(name, function, COMPUTED, FORM, kinds, numbers, value, ...)                           \
+    case CHAIN_##name: return value;
     switch (f) {
-    case CHAIN_affine: return (double)CHAIN_SCALE * a + (double)CHAIN_OFFSET;
-    case CHAIN_add: return a + b;
-    case CHAIN_multiply: return a * b;
-    case CHAIN_mix: return a + m * (b - a);
-    case CHAIN_min: return fmin(a, b);
-    case CHAIN_max: return fmax(a, b);
-    case CHAIN_smooth_min: return smooth_min(a, b, k);
-    case CHAIN_smooth_max: return -smooth_min(-a, -b, k);
-    case CHAIN_clamp: return fmin(fmax(a, lo), hi);
-    case CHAIN_abs: return fabs(a);
-    case CHAIN_smooth_abs: return hypot(a, (double)CHAIN_ROUND);
-    case CHAIN_smoothstep: return smoothstep(a, lo, hi);
-    case CHAIN_smoothstep_falling: return smoothstep(a, hi, lo);
-    case CHAIN_terrace: return terrace(a, (double)CHAIN_STEPS, (double)CHAIN_RISER, 1.0);
-    case CHAIN_terrace_weak:
-        return terrace(a, (double)CHAIN_STEPS_WEAK, 1.0, (double)CHAIN_STRENGTH_WEAK);
+#include CHAIN_TABLE
     case CHAIN_apply1: return a * a * a - 2.0 * a;
     default: return a * a * b + b * b * b;
     }
@@ -135,25 +131,15 @@ static double differences(enum chain f, int p, int i, int j, double step)
 /* Where f is not smooth enough for differences: at creases, and at seams of second derivatives. */
 static int near_seam(enum chain f, int p)
 {
-    const double a = (double)in[0][0][p], b = (double)in[1][0][p], near = 0.01;
-    const double lo = (double)CHAIN_LO, hi = (double)CHAIN_HI;
+    const double a = (double)in[0][0][p], b = (double)in[1][0][p];
+    const double k[3] = {(double)chain_kinds[f].number[0], (double)chain_kinds[f].number[1],
+                         (double)chain_kinds[f].number[2]};
+#define NEAR 0.01
+#define CASE(name, function, COMPUTED, FORM, kinds, numbers, value, seam, ...)                     \
+    case CHAIN_##name: return seam;
+    (void)b;
     switch (f) {
-    case CHAIN_min:
-    case CHAIN_max: return fabs(a - b) < near;
-    case CHAIN_smooth_min:
-    case CHAIN_smooth_max: return fabs(a - b) < near || fabs(fabs(a - b) - (double)CHAIN_K) < near;
-    case CHAIN_clamp:
-    case CHAIN_smoothstep:
-    case CHAIN_smoothstep_falling: return fabs(a - lo) < near || fabs(a - hi) < near;
-    case CHAIN_abs: return fabs(a) < near;
-    case CHAIN_terrace: {
-        const double t = a * (double)CHAIN_STEPS, off = fabs(t - floor(t) - 0.5);
-        return fabs(off - 0.5 * (double)CHAIN_RISER) < 0.05;
-    }
-    case CHAIN_terrace_weak: {
-        const double t = a * (double)CHAIN_STEPS_WEAK;
-        return fabs(t - rint(t)) < 0.05;
-    }
+#include CHAIN_TABLE
     default: return 0;
     }
 }
@@ -179,13 +165,13 @@ static void test_formula(enum chain f)
             const double off = fabs((double)out.array[m][p] - expected[p]);
             const double most = largest * (order == 0 ? 1e-6 : order == 1 ? 3e-5 : 1e-4);
             if (order == 0 || !near_seam(f, p)) {
-                CHECK(off <= most, "%s: %s of a = %a, b = %a is %g, not %g", chain_names[f],
+                CHECK(off <= most, "%s: %s of a = %a, b = %a is %g, not %g", chain_kinds[f].name,
                       output_names[m], (double)in[0][0][p], (double)in[1][0][p],
                       (double)out.array[m][p], expected[p]);
                 compared++;
             }
         }
-        CHECK(compared > POINTS / 2, "%s: %d points compared", chain_names[f], compared);
+        CHECK(compared > POINTS / 2, "%s: %d points compared", chain_kinds[f].name, compared);
     }
 }
 
@@ -215,25 +201,33 @@ static void test_no_jump(enum chain f, float from, double third)
         const double d1 = (double)out.array[OUTPUT_dx][p] - (double)out.array[OUTPUT_dx][p - 1];
         const double d2 = (double)out.array[OUTPUT_dxx][p] - (double)out.array[OUTPUT_dxx][p - 1];
         CHECK(fabs(d1) <= second * 1.001 * (double)step + 1e-5, "%s at %g: dx jumps by %g",
-              chain_names[f], (double)in[0][0][p], d1);
+              chain_kinds[f].name, (double)in[0][0][p], d1);
         CHECK(fabs(d2) <= third * 1.001 * (double)step + 1e-4, "%s at %g: dxx jumps by %g",
-              chain_names[f], (double)in[0][0][p], d2);
+              chain_kinds[f].name, (double)in[0][0][p], d2);
     }
-    CHECK(second > 0.1, "%s is straight", chain_names[f]);
+    CHECK(second > 0.1, "%s is straight", chain_kinds[f].name);
+}
+
+/* The largest third derivative of a function that must not jump; 0 of others */
+static double third_of(enum chain f)
+{
+    const double k[3] = {(double)chain_kinds[f].number[0], (double)chain_kinds[f].number[1],
+                         (double)chain_kinds[f].number[2]};
+#define CASE(name, function, COMPUTED, FORM, kinds, numbers, value, seam, third)                   \
+    case CHAIN_##name: return third;
+    switch (f) {
+#include CHAIN_TABLE
+    default: return 0.0;
+    }
 }
 
 static void test_no_jumps(void)
 {
-    const double k = (double)CHAIN_K, width = (double)(CHAIN_HI - CHAIN_LO);
-    const double steps = (double)CHAIN_STEPS, weak = (double)CHAIN_STEPS_WEAK;
-    const double riser = (double)CHAIN_RISER, strength = (double)CHAIN_STRENGTH_WEAK;
-    test_no_jump(CHAIN_smooth_min, -0.97f, 1.0 / (k * k));
-    test_no_jump(CHAIN_smooth_max, -0.97f, 1.0 / (k * k));
-    test_no_jump(CHAIN_smooth_abs, -0.97f, 1.0 / (double)(CHAIN_ROUND * CHAIN_ROUND));
-    test_no_jump(CHAIN_smoothstep, -0.97f, 60.0 / (width * width * width));
-    test_no_jump(CHAIN_smoothstep_falling, -0.97f, 60.0 / (width * width * width));
-    test_no_jump(CHAIN_terrace, -0.97f, 60.0 * steps * steps / (riser * riser * riser));
-    test_no_jump(CHAIN_terrace_weak, -0.97f, 60.0 * weak * weak * strength);
+    for (int f = 0; f < CHAINS; f++) {
+        if (third_of((enum chain)f) > 0.0) {
+            test_no_jump((enum chain)f, -0.97f, third_of((enum chain)f));
+        }
+    }
 }
 
 static void make_random(float span)
@@ -249,7 +243,7 @@ static void make_random(float span)
 static void expect_input(enum chain f, int p, int which)
 {
     for (int m = 0; m < OUTPUTS && which >= 0; m++) {
-        CHECK(out.array[m][p] == in[which][m][p], "%s: %s of %a and %a is %a", chain_names[f],
+        CHECK(out.array[m][p] == in[which][m][p], "%s: %s of %a and %a is %a", chain_kinds[f].name,
               output_names[m], (double)in[0][0][p], (double)in[1][0][p], (double)out.array[m][p]);
     }
 }
@@ -275,7 +269,7 @@ static void test_chosen(void)
             const int apart = fabs((double)a - (double)b) > (double)CHAIN_K * 1.000001;
             expect_input(f, p, !smooth || apart ? second : -1);
             CHECK(beyond >= 0.0 && beyond <= (double)CHAIN_K / 6.0 + 1e-7, "%s: beyond by %g",
-                  chain_names[f], beyond);
+                  chain_kinds[f].name, beyond);
         }
     }
 }
@@ -373,11 +367,11 @@ static void test_nan(enum chain f)
                   : chosen && m > 0 ? *got == in[input][m][where]
                   : other           ? *got == before[m][where]
                                     : is_nan_bits(got),
-                  "%s: %s where input %d is NaN: %g", chain_names[f], output_names[m], input,
+                  "%s: %s where input %d is NaN: %g", chain_kinds[f].name, output_names[m], input,
                   (double)*got);
             out.array[m][where] = before[m][where];
             CHECK(first_difference(out.array[m], before[m], POINTS) == POINTS,
-                  "%s: a NaN spread in %s", chain_names[f], output_names[m]);
+                  "%s: a NaN spread in %s", chain_kinds[f].name, output_names[m]);
         }
     }
 }

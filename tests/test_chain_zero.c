@@ -20,7 +20,7 @@ static void call_all(enum chain f)
                                                        chain_samples(in[1][0], POINTS),
                                                        chain_samples(in[2][0], POINTS)};
     const struct scarp_samples all = outputs_subset(&out, (1u << OUTPUTS) - 1);
-    CHECK(chain_call(f, POINTS, inputs, NULL, &all) == SCARP_OK, "%s", chain_names[f]);
+    CHECK(chain_call(f, POINTS, inputs, NULL, &all) == SCARP_OK, "%s", chain_kinds[f].name);
 }
 
 /* Numbers that matter to products: zeros, what makes NaN of them, and the halves of masks. */
@@ -94,14 +94,14 @@ static void test_terms(enum chain f)
                 const float got = out.array[m][p];
                 const float wanted =
                     f == CHAIN_multiply ? product(x[0], x[1], m) : blend(x[0], x[1], x[2], m);
-                CHECK(same_bits(got, wanted), "%s: %s of %a, %a, %a is %a, not %a", chain_names[f],
-                      output_names[m], (double)x[0][0], (double)x[1][0], (double)x[2][0],
-                      (double)got, (double)wanted);
+                CHECK(same_bits(got, wanted), "%s: %s of %a, %a, %a is %a, not %a",
+                      chain_kinds[f].name, output_names[m], (double)x[0][0], (double)x[1][0],
+                      (double)x[2][0], (double)got, (double)wanted);
                 zeros += got == 0.0f;
             }
         }
     }
-    CHECK(zeros > 1000, "%s: only %ld results are 0", chain_names[f], zeros);
+    CHECK(zeros > 1000, "%s: only %ld results are 0", chain_kinds[f].name, zeros);
 }
 
 /* A mask of 0 or 1 whose derivatives are 0: all members are those of a or b, to the bit. With

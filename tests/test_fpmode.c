@@ -234,9 +234,9 @@ static void test_results(const struct mode *mode)
         const enum chain f = (enum chain)i;
         const enum scarp_status a = chain_in_mode(&mode_default, f, &expected, &after);
         const enum scarp_status b = chain_in_mode(mode, f, &got, &after);
-        CHECK(a == SCARP_OK && b == SCARP_OK, "%s, %s", mode->name, chain_names[f]);
-        expect_control(mode, &after, chain_names[f]);
-        compare_outputs(mode, chain_names[f], (1u << OUTPUTS) - 1);
+        CHECK(a == SCARP_OK && b == SCARP_OK, "%s, %s", mode->name, chain_kinds[f].name);
+        expect_control(mode, &after, chain_kinds[f].name);
+        compare_outputs(mode, chain_kinds[f].name, (1u << OUTPUTS) - 1);
     }
 }
 

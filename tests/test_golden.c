@@ -105,7 +105,7 @@ static void visit_chain(enum cases_class class, const struct cases_points *point
     const struct scarp_partials partials = chain_any_partials(in);
     const struct scarp_samples out = outputs_subset(&o, mask);
     for (int f = 0; f < CHAINS && !check_enough(); f++) {
-        snprintf(name, sizeof name, "chain/%s/%s", chain_names[f], class_names[class]);
+        snprintf(name, sizeof name, "chain/%s/%s", chain_kinds[f].name, class_names[class]);
         CHECK(chain_call((enum chain)f, POINTS, in, &partials, &out) == SCARP_OK, "%s", name);
         visit(name, outputs_hash(FNV_BASIS, &o, mask, POINTS));
     }

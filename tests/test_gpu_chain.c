@@ -7,8 +7,10 @@
  */
 #include "check.h"
 
+#include "../src/calls/chain.h"
 #include "../src/gpu/flow.h"
 #include "../src/gpu/sine.h"
+#include "../src/plan/functions.h"
 
 enum { POINTS = 64, MEMBERS = 10 };
 
@@ -64,81 +66,121 @@ static void fill(struct arrays *a, uint64_t *random)
     }
 }
 
-static vec3 smooth_numbers(float k, float sign)
+/* The numbers of a shader's call, as vectors of three and of four. */
+union shader_numbers {
+    struct {
+        float x, y, z, w;
+    };
+    vec3 xyz;
+    vec4 xyzw;
+};
+
+/* Those of the first case of a function. */
+static union shader_numbers numbers_of(enum scarp_chain_function function, const float given[3],
+                                       unsigned which)
 {
-    return vec3_of(1.0f / k, sign * (k / 6.0f), -sign * (1.0f / k));
+    float all[CHAIN_NUMBERS] = {0}, chosen[4] = {0};
+    int count = 0;
+    CHECK(scarpi_chain_numbers(function, given, all), "numbers");
+    for (int i = 0; i < CHAIN_NUMBERS; i++) {
+        if ((which >> i & 1u) != 0) {
+            chosen[count++] = all[i];
+        }
+    }
+    return (union shader_numbers){{chosen[0], chosen[1], chosen[2], chosen[3]}};
 }
 
-static void compare_two(uint64_t *random)
+#define NUMBERS_OF(...) __VA_ARGS__
+#define CASE(name, function, COMPUTED, FORM, kinds, numbers, ...) {#function, {NUMBERS_OF numbers}},
+static const struct {
+    const char *function;
+    float number[3];
+} cases[] = {
+#include "functions.def"
+};
+
+static const float *given_to(const char *function)
 {
-    struct arrays a, b, m, to;
-    fill(&a, random);
-    fill(&b, random);
-    fill(&m, random);
+    static const float none[3];
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        if (strcmp(cases[i].function, function) == 0) {
+            return cases[i].number;
+        }
+    }
+    return none;
+}
+
+/* Each function of plan/functions.def, as its row says that shaders call it */
+static void compare_functions(uint64_t *random)
+{
+    struct arrays inputs[3], to;
+    for (int i = 0; i < 3; i++) {
+        fill(&inputs[i], random);
+    }
     for (int i = 0; i < POINTS; i++) {
-        m.of[0][i] = m.of[0][i] < 0.0f ? 0.0f : m.of[0][i] > 1.0f ? 1.0f : m.of[0][i];
-        b.of[0][i] = b.of[0][i] == 0.0f ? 0.5f : b.of[0][i];
+        float *const mask = &inputs[2].of[0][i], *const divisor = &inputs[1].of[0][i];
+        *mask = *mask < 0.0f ? 0.0f : *mask > 1.0f ? 1.0f : *mask;
+        *divisor = *divisor == 0.0f ? 0.5f : *divisor;
     }
-    const struct scarp_samples sa = samples_of(&a), sb = samples_of(&b), sm = samples_of(&m),
-                               out = samples_of(&to);
-    const float k = 0.7f;
-#define TWO(call, shader)                                                                          \
-    CHECK(call == SCARP_OK, #call);                                                                \
-    for (int i = 0; i < POINTS; i++) {                                                             \
-        const struct sample x = sample_at(&a, i), y = sample_at(&b, i), z = sample_at(&m, i);      \
-        (void)z;                                                                                   \
-        compare(#shader, &to, i, shader);                                                          \
+    const struct scarp_samples sa = samples_of(&inputs[0]), sb = samples_of(&inputs[1]),
+                               sm = samples_of(&inputs[2]), out = samples_of(&to);
+    const struct scarp_samples *const in[3] = {&sa, &sb, &sm};
+    const union shader_numbers none = {{0.0f, 0.0f, 0.0f, 0.0f}};
+    const int d = 3;
+#define N(number) 1u << CHAIN_##number
+#define NUMBERS_IF(FORM, NAME, name, numbers)                                                      \
+    const union shader_numbers k =                                                                 \
+        IF_NUMBERS_##FORM(1 ? numbers_of(CHAIN_##NAME, given, numbers) :) none;
+#define COMPARE(NAME, name, FORM, shader, numbers)                                                 \
+    {                                                                                              \
+        const float *const given = given_to(#name);                                                \
+        NUMBERS_IF(FORM, NAME, name, numbers)                                                      \
+        CHECK(FORM_##FORM(scarp_##name, POINTS, in, given, &out) == SCARP_OK, #name);              \
+        for (int i = 0; i < POINTS; i++) {                                                         \
+            const struct sample a = sample_at(&inputs[0], i), b = sample_at(&inputs[1], i),        \
+                                m = sample_at(&inputs[2], i);                                      \
+            compare(#name, &to, i, shader);                                                        \
+            (void)given, (void)k, (void)a, (void)b, (void)m, (void)d;                              \
+        }                                                                                          \
     }
-    TWO(scarp_multiply(POINTS, &sa, &sb, &out), chain_multiply(x, y))
-    TWO(scarp_mix(POINTS, &sa, &sb, &sm, &out), chain_mix(x, y, z))
-    TWO(scarp_add(POINTS, &sa, &sb, &out), sum_of(x, y))
-    TWO(scarp_min(POINTS, &sa, &sb, &out), chain_min(x, y))
-    TWO(scarp_max(POINTS, &sa, &sb, &out), chain_max(x, y))
-    TWO(scarp_divide(POINTS, &sa, &sb, &out), chain_divide(x, y))
-    TWO(scarp_smooth_min(POINTS, &sa, &sb, k, &out),
-        chain_smooth_min(x, y, smooth_numbers(k, 1.0f)))
-    TWO(scarp_smooth_max(POINTS, &sa, &sb, k, &out),
-        chain_smooth_max(x, y, smooth_numbers(k, -1.0f)))
-#undef TWO
+#define COMPARE_LOOPS(...) COMPARE(__VA_ARGS__)
+#define COMPARE_BENT(...) COMPARE(__VA_ARGS__)
+#define COMPARE_STRAIGHT(...) COMPARE(__VA_ARGS__)
+#define COMPARE_SMOOTH(...) COMPARE(__VA_ARGS__)
+#define COMPARE_PLAIN(...) COMPARE(__VA_ARGS__)
+#define COMPARE_OWN(...) /* below */
+#define OPERATOR(NAME, name, FORM, COMPUTED, take, traits, range, shader, numbers)                 \
+    COMPARE_##COMPUTED(NAME, name, FORM, shader, numbers)
+#define FUNCTION(NAME, name, FORM, COMPUTED, take, traits, range, shader, numbers, ...)            \
+    OPERATOR(NAME, name, FORM, COMPUTED, take, traits, range, shader, numbers)
+#include "../src/plan/functions.def"
 }
 
-static void compare_one(uint64_t *random)
+static void compare_curve(uint64_t *random)
 {
     struct arrays a, to;
-    const float x[3] = {-0.5f, 0.0f, 0.6f}, y[3] = {0.25f, 1.0f, -0.5f};
     fill(&a, random);
-    const struct scarp_samples sa = samples_of(&a), out = samples_of(&to);
-#define ONE(call, shader)                                                                          \
-    CHECK(call == SCARP_OK, #call);                                                                \
-    for (int i = 0; i < POINTS; i++) {                                                             \
-        const struct sample s = sample_at(&a, i);                                                  \
-        compare(#shader, &to, i, shader);                                                          \
+    const float x[3] = {-0.5f, 0.0f, 0.6f}, y[3] = {0.25f, 1.0f, -0.5f};
+    const struct scarp_samples in = samples_of(&a), out = samples_of(&to);
+    CHECK(scarp_curve(POINTS, &in, 3, x, y, &out) == SCARP_OK, "curve");
+    for (int i = 0; i < POINTS; i++) {
+        const struct sample s = sample_at(&a, i);
+        const vec4 knot[3] = {{x[0], y[0], 0.0f, 1.0f / (x[1] - x[0])},
+                              {x[1], y[1], 0.0f, 1.0f / (x[2] - x[1])},
+                              {x[2], y[2], 0.0f, 0.0f}};
+        const int k = s.value >= x[1];
+        compare("curve", &to, i, chain_curve(s, knot[k], knot[k + 1], knot[0], knot[2]));
     }
-    ONE(scarp_affine(POINTS, &sa, 1.7f, -0.3f, &out), chain_affine(s, 1.7f, -0.3f))
-    ONE(scarp_clamp(POINTS, &sa, -0.25f, 0.75f, &out), chain_clamp(s, -0.25f, 0.75f))
-    ONE(scarp_abs(POINTS, &sa, &out), chain_abs(s))
-    ONE(scarp_smooth_abs(POINTS, &sa, 0.3f, &out), chain_smooth_abs(s, 0.3f, 0.3f * 0.3f))
-    ONE(scarp_smoothstep(POINTS, &sa, 0.75f, -0.5f, &out),
-        chain_smoothstep(s, 0.75f, 1.0f / (-0.5f - 0.75f)))
-    ONE(scarp_terrace(POINTS, &sa, 3.0f, 0.7f, 0.6f, &out),
-        chain_terrace(s, ((vec4){3.0f, 1.0f / 3.0f, 1.0f / 0.7f, 0.6f})))
-    ONE(scarp_sqrt(POINTS, &sa, &out), chain_sqrt(s))
-    ONE(scarp_sine(POINTS, &sa, &out), chain_sine(s))
-    ONE(scarp_pulse(POINTS, &sa, &out), chain_pulse(s))
-    ONE(scarp_curve(POINTS, &sa, 3, x, y, &out),
-        chain_curve(s,
-                    s.value >= x[1] ? ((vec4){x[1], y[1], 0.0f, 1.0f / (x[2] - x[1])})
-                                    : ((vec4){x[0], y[0], 0.0f, 1.0f / (x[1] - x[0])}),
-                    s.value >= x[1] ? ((vec4){x[2], y[2], 0.0f, 0.0f})
-                                    : ((vec4){x[1], y[1], 0.0f, 1.0f / (x[2] - x[1])}),
-                    ((vec4){x[0], y[0], 0.0f, 0.0f}), ((vec4){x[2], y[2], 0.0f, 0.0f})))
-#undef ONE
+}
+
+static void compare_slope(uint64_t *random)
+{
+    struct arrays a, to = {{{0.0f}}};
+    fill(&a, random);
+    const struct scarp_samples in = samples_of(&a);
     const struct scarp_samples value = {
         .value = to.of[0], .dx = to.of[1], .dy = to.of[2], .dz = to.of[3]};
-    CHECK(scarp_slope(POINTS, &sa, &value) == SCARP_OK, "slope");
-    for (int m = 4; m < MEMBERS; m++) {
-        memset(to.of[m], 0, sizeof to.of[m]);
-    }
+    CHECK(scarp_slope(POINTS, &in, &value) == SCARP_OK, "slope");
     for (int i = 0; i < POINTS; i++) {
         compare("slope", &to, i, chain_slope(sample_at(&a, i), 3));
     }
@@ -328,8 +370,9 @@ int main(int argc, char **argv)
     uint64_t random = 29;
     (void)argv;
     for (int round = 0; round < (few ? 4 : 40); round++) {
-        compare_two(&random);
-        compare_one(&random);
+        compare_functions(&random);
+        compare_curve(&random);
+        compare_slope(&random);
     }
     for (int round = 0; round < (few ? 40 : 400); round++) {
         struct scarp_noise warp;

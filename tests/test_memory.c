@@ -255,7 +255,7 @@ static void test_chain(enum chain f)
     const unsigned mask = (1u << OUTPUTS) - 1;
     const struct scarp_samples all = outputs_subset(&whole, mask);
     float *const x[3] = {x32[0], x32[1], x32[2]};
-    CHECK(chain_call_arrays(f, POINTS, x, &all) == SCARP_OK, "%s", chain_names[f]);
+    CHECK(chain_call_arrays(f, POINTS, x, &all) == SCARP_OK, "%s", chain_kinds[f].name);
     for (size_t c = 0; c < COUNTS; c++) {
         const size_t count = count_at(c);
         for (int p = 0; p < PLACES; p++) {
@@ -267,8 +267,9 @@ static void test_chain(enum chain f)
             float *const placed_x[3] = {(float *)(uintptr_t)points.f[0],
                                         (float *)(uintptr_t)points.f[1],
                                         (float *)(uintptr_t)points.f[2]};
-            CHECK(chain_call_arrays(f, count, placed_x, &out) == SCARP_OK, "%s", chain_names[f]);
-            check_outputs(&o, mask, &whole, first, count, place, chain_names[f]);
+            CHECK(chain_call_arrays(f, count, placed_x, &out) == SCARP_OK, "%s",
+                  chain_kinds[f].name);
+            check_outputs(&o, mask, &whole, first, count, place, chain_kinds[f].name);
         }
     }
 }

@@ -7,6 +7,8 @@
  * intervals, from the widest to single floats, often at places where the function is level, and a
  * batch of arguments for each.
  */
+#include "../src/plan/functions.h"
+#include "../src/recipe/combine.h"
 #include "../src/recipe/interval.h"
 #include "check.h"
 
@@ -18,29 +20,33 @@ struct subject {
     int arguments; /* that are fields */
 };
 
+#define OPERATOR(NAME, name, FORM, ...) {#name, OP_##NAME, INPUTS_OF_##FORM},
+#define FUNCTION(...) OPERATOR(__VA_ARGS__)
 static const struct subject subjects[] = {
-    {"affine", OP_AFFINE, 1},
-    {"add", OP_ADD, 2},
-    {"multiply", OP_MULTIPLY, 2},
-    {"divide", OP_DIVIDE, 2},
-    {"min", OP_MIN, 2},
-    {"max", OP_MAX, 2},
-    {"smooth min", OP_SMOOTH_MIN, 2},
-    {"smooth max", OP_SMOOTH_MAX, 2},
-    {"clamp", OP_CLAMP, 1},
-    {"abs", OP_ABS, 1},
-    {"smooth_abs", OP_SMOOTH_ABS, 1},
-    {"smoothstep", OP_SMOOTHSTEP, 1},
-    {"terrace", OP_TERRACE, 1},
-    {"curve", OP_CURVE, 1},
-    {"sqrt", OP_SQRT, 1},
-    {"sine", OP_SINE, 1},
-    {"pulse", OP_PULSE, 1},
-    {"mix", OP_MIX, 2},
+#include "../src/plan/functions.def"
 };
+
+/* What numbers functions take: see functions.def */
+#define CASE(name, function, COMPUTED, FORM, kinds, ...) {#function, kinds},
+static const struct {
+    const char *function, *kinds;
+} cases[] = {
+#include "functions.def"
+};
+
+static const char *kinds_of(const char *function)
+{
+    for (size_t i = 0; i < sizeof cases / sizeof cases[0]; i++) {
+        if (strcmp(cases[i].function, function) == 0) {
+            return cases[i].kinds;
+        }
+    }
+    return "";
+}
 
 static struct recipe recipe; /* has the knots of the curve */
 static float in[3][BATCH], out[BATCH];
+static float level[BATCH]; /* the gradient of what has one */
 static uint64_t state;
 
 static uint64_t draw(void)
@@ -73,21 +79,28 @@ static float more_than(float number)
     return number + fmaxf(fabsf(any()), 0x1p-20f * fabsf(number));
 }
 
-/* Numbers, and a place where the function bends or is level. */
-static float set_numbers(struct recipe_node *n)
+static float number_of_kind(char kind)
 {
+    switch (kind) {
+    case 's': return fabsf(any());
+    case 'r': return below(2) == 0 ? 1.0f : (float)(0.001 + 0.998 * unit());
+    case 'u': return below(2) == 0 ? 1.0f : (float)unit();
+    default: return any();
+    }
+}
+
+/* Numbers, and a place where the function bends or is level. */
+static float set_numbers(const struct subject *subject, struct recipe_node *n)
+{
+    const char *const kinds = kinds_of(subject->name);
+    for (int i = 0; kinds[i] != '\0'; i++) {
+        n->k[i] = number_of_kind(kinds[i]);
+    }
     switch (n->operation) {
-    case OP_SMOOTH_MIN:
-    case OP_SMOOTH_MAX:
-    case OP_SMOOTH_ABS: n->k[0] = fabsf(any()); return 0.0f;
-    case OP_TERRACE:
-        n->k[0] = fabsf(any());
-        n->k[1] = below(2) == 0 ? 1.0f : (float)(0.001 + 0.998 * unit());
-        n->k[2] = below(2) == 0 ? 1.0f : (float)unit();
-        return (float)below(20) / n->k[0];
+    case OP_AFFINE: n->k[1] = below(2) == 0 ? 0.0f : n->k[1]; return 0.0f;
+    case OP_TERRACE: return (float)below(20) / n->k[0];
     case OP_CLAMP:
     case OP_SMOOTHSTEP:
-        n->k[0] = any();
         n->k[1] = more_than(n->k[0]);
         if (n->operation == OP_SMOOTHSTEP && below(2) == 0) {
             const float lo = n->k[0];
@@ -102,10 +115,7 @@ static float set_numbers(struct recipe_node *n)
             recipe.knot[i][1] = below(4) == 0 ? 0.0f : below(4) == 0 ? 1000.0f : any();
         }
         return recipe.knot[below(n->knots)][0];
-    default:
-        n->k[0] = any();
-        n->k[1] = below(2) == 0 ? 0.0f : any();
-        return 0.0f;
+    default: return 0.0f;
     }
 }
 
@@ -143,41 +153,12 @@ static float argument_in(struct recipe_interval r, int i)
     return a < r.lowest ? r.lowest : a > r.highest ? r.highest : a;
 }
 
-static enum scarp_status curve(const struct recipe_node *n, const struct scarp_samples *a,
-                               const struct scarp_samples *to)
-{
-    float x[8], y[8];
-    for (int i = 0; i < n->knots; i++) {
-        x[i] = recipe.knot[i][0];
-        y[i] = recipe.knot[i][1];
-    }
-    return scarp_curve(BATCH, a, n->knots, x, y, to);
-}
-
 static enum scarp_status run(const struct recipe_node *n)
 {
-    const struct scarp_samples a = {.value = in[0]}, b = {.value = in[1]}, m = {.value = in[2]};
+    const struct scarp_samples samples[3] = {
+        {.value = in[0], .dx = level, .dy = level}, {.value = in[1]}, {.value = in[2]}};
     const struct scarp_samples to = {.value = out};
-    switch (n->operation) {
-    case OP_AFFINE: return scarp_affine(BATCH, &a, n->k[0], n->k[1], &to);
-    case OP_ADD: return scarp_add(BATCH, &a, &b, &to);
-    case OP_MULTIPLY: return scarp_multiply(BATCH, &a, &b, &to);
-    case OP_DIVIDE: return scarp_divide(BATCH, &a, &b, &to);
-    case OP_MIN: return scarp_min(BATCH, &a, &b, &to);
-    case OP_MAX: return scarp_max(BATCH, &a, &b, &to);
-    case OP_SMOOTH_MIN: return scarp_smooth_min(BATCH, &a, &b, n->k[0], &to);
-    case OP_SMOOTH_MAX: return scarp_smooth_max(BATCH, &a, &b, n->k[0], &to);
-    case OP_CLAMP: return scarp_clamp(BATCH, &a, n->k[0], n->k[1], &to);
-    case OP_ABS: return scarp_abs(BATCH, &a, &to);
-    case OP_SMOOTH_ABS: return scarp_smooth_abs(BATCH, &a, n->k[0], &to);
-    case OP_SMOOTHSTEP: return scarp_smoothstep(BATCH, &a, n->k[0], n->k[1], &to);
-    case OP_TERRACE: return scarp_terrace(BATCH, &a, n->k[0], n->k[1], n->k[2], &to);
-    case OP_CURVE: return curve(n, &a, &to);
-    case OP_SQRT: return scarp_sqrt(BATCH, &a, &to);
-    case OP_SINE: return scarp_sine(BATCH, &a, &to);
-    case OP_PULSE: return scarp_pulse(BATCH, &a, &to);
-    default: return scarp_mix(BATCH, &a, &b, &m, &to);
-    }
+    return scarpi_recipe_combine(&recipe, n, BATCH, samples, &to);
 }
 
 /* Whether the values of a batch stay inside; else which one does not. NaN has no interval. */
@@ -196,7 +177,7 @@ static void check_once(const struct subject *subject)
     struct recipe_node n = {.in = {0, (int16_t)(subject->arguments > 1 ? 1 : -1), -1},
                             .place = -1,
                             .operation = (uint8_t)subject->operation};
-    const float place = set_numbers(&n);
+    const float place = set_numbers(subject, &n);
     const int is_square = subject->operation == OP_MULTIPLY && below(3) == 0;
     const struct recipe_interval of[3] = {
         interval_at(place, 0), interval_at(below(2) == 0 ? place : any(), 0), interval_at(0.0f, 1)};

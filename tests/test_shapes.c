@@ -6,67 +6,30 @@
  * derivatives against double, the same bits for any length and in place, NaN, and errors, after
  * which nothing is written.
  */
+#include "../src/plan/functions.h"
 #include "check.h"
 
 #define COUNT 700
 #define ARRAYS 11
 
-enum shape { DIVIDE, ROOT, SINE, PULSE, CURVE, SHAPES };
-static const char *const names[SHAPES] = {"scarp_divide", "scarp_sqrt", "scarp_sine", "scarp_pulse",
-                                          "scarp_curve"};
+/* The functions that are plain C */
+#define OPERATOR(NAME, name, FORM, COMPUTED, ...) IF_PLAIN_##COMPUTED(NAME, )
+#define FUNCTION(...) OPERATOR(__VA_ARGS__)
+enum shape {
+#include "../src/plan/functions.def"
+    CURVE,
+    SHAPES
+};
+
+#define OPERATOR(NAME, name, FORM, COMPUTED, ...) IF_PLAIN_##COMPUTED("scarp_" #name, )
+static const char *const names[SHAPES] = {
+#define FUNCTION(...) OPERATOR(__VA_ARGS__)
+#include "../src/plan/functions.def"
+    "scarp_curve"};
 
 #define KNOTS 5
 static const float knot_x[KNOTS] = {-1.0f, -0.5f, 0.0f, 0.75f, 1.5f};
 static const float knot_value[KNOTS] = {2.0f, -1.0f, -1.5f, 3.0f, 3.5f};
-
-struct arrays {
-    float array[ARRAYS][COUNT];
-};
-static struct arrays a, b, out, other;
-
-static struct scarp_samples samples_of(struct arrays *of, size_t from)
-{
-    float *p[ARRAYS];
-    for (int i = 0; i < ARRAYS; i++) {
-        p[i] = of->array[i] + from;
-    }
-    const struct scarp_samples s = {p[0], p[1], p[2], p[3], p[4],  p[5],
-                                    p[6], p[7], p[8], p[9], p[10], {NULL}};
-    return s;
-}
-
-static enum scarp_status call(enum shape shape, size_t count, const struct scarp_samples *x,
-                              const struct scarp_samples *y, const struct scarp_samples *to)
-{
-    switch (shape) {
-    case DIVIDE: return scarp_divide(count, x, y, to);
-    case ROOT: return scarp_sqrt(count, x, to);
-    case SINE: return scarp_sine(count, x, to);
-    case PULSE: return scarp_pulse(count, x, to);
-    default: return scarp_curve(count, x, KNOTS, knot_x, knot_value, to);
-    }
-}
-
-static void set_inputs(void)
-{
-    uint64_t state = 5;
-    for (int i = 0; i < ARRAYS; i++) {
-        for (int k = 0; k < COUNT; k++) {
-            a.array[i][k] = (float)check_random_double(&state, 2.0);
-            b.array[i][k] = (float)check_random_double(&state, 2.0);
-        }
-    }
-}
-
-/* Points at the knots of the curve, and close to them */
-static void set_knots(void)
-{
-    for (int k = 0; k < KNOTS; k++) {
-        a.array[0][3 * k] = knot_x[k];
-        a.array[0][3 * k + 1] = nextafterf(knot_x[k], -9.0f);
-        a.array[0][3 * k + 2] = nextafterf(knot_x[k], 9.0f);
-    }
-}
 
 /* f and its derivatives with respect to a and b, in double */
 struct partials {
@@ -106,25 +69,72 @@ static struct partials curve_at(double x)
     return p;
 }
 
-static struct partials partials_at(enum shape shape, double x, double y)
+static struct partials partials_at(enum shape shape, double a, double b)
 {
-    const double turn = 6.283185307179586;
-    switch (shape) {
-    case DIVIDE:
-        return (struct partials){x / y, 1.0 / y,        -x / (y * y),
-                                 0.0,   -1.0 / (y * y), 2.0 * x / (y * y * y)};
-    case ROOT:
-        return x <= 0.0 ? (struct partials){0}
-                        : (struct partials){
-                              .f = sqrt(x), .fa = 0.5 / sqrt(x), .faa = -0.25 / (x * sqrt(x))};
-    case SINE:
-        return (struct partials){
-            .f = sin(turn * x), .fa = turn * cos(turn * x), .faa = -turn * turn * sin(turn * x)};
-    case PULSE: {
-        const double t = x - 2.0 * floor(x / 2.0);
-        return (struct partials){.f = 1.0 - 2.0 * fabs(1.0 - t), .fa = t < 1.0 ? 2.0 : -2.0};
+    if (shape == DIVIDE) {
+        return (struct partials){a / b, 1.0 / b,        -a / (b * b),
+                                 0.0,   -1.0 / (b * b), 2.0 * a / (b * b * b)};
     }
-    default: return curve_at(x);
+    const double k[3] = {1.0, 1.0, 1.0};
+    (void)k;
+#define TURN 6.283185307179586
+#define DERIVED(name, value, first, second, ...)                                                   \
+    if (strcmp(names[shape], "scarp_" #name) == 0) {                                               \
+        return (struct partials){.f = value, .fa = first, .faa = second};                          \
+    }
+#include "functions.def"
+    return curve_at(a);
+}
+
+struct arrays {
+    float array[ARRAYS][COUNT];
+};
+static struct arrays a, b, out, other;
+
+static struct scarp_samples samples_of(struct arrays *of, size_t from)
+{
+    float *p[ARRAYS];
+    for (int i = 0; i < ARRAYS; i++) {
+        p[i] = of->array[i] + from;
+    }
+    const struct scarp_samples s = {p[0], p[1], p[2], p[3], p[4],  p[5],
+                                    p[6], p[7], p[8], p[9], p[10], {NULL}};
+    return s;
+}
+
+static enum scarp_status call(enum shape shape, size_t count, const struct scarp_samples *x,
+                              const struct scarp_samples *y, const struct scarp_samples *to)
+{
+    const struct scarp_samples *const in[2] = {x, y};
+#define CALL(NAME, name, FORM)                                                                     \
+    case NAME:                                                                                     \
+        return FORM_##FORM(scarp_##name, count, in, NULL, to);
+#define OPERATOR(NAME, name, FORM, COMPUTED, ...) IF_PLAIN_##COMPUTED(CALL(NAME, name, FORM))
+#define FUNCTION(...) OPERATOR(__VA_ARGS__)
+    switch (shape) {
+#include "../src/plan/functions.def"
+    default: return scarp_curve(count, x, KNOTS, knot_x, knot_value, to);
+    }
+}
+
+static void set_inputs(void)
+{
+    uint64_t state = 5;
+    for (int i = 0; i < ARRAYS; i++) {
+        for (int k = 0; k < COUNT; k++) {
+            a.array[i][k] = (float)check_random_double(&state, 2.0);
+            b.array[i][k] = (float)check_random_double(&state, 2.0);
+        }
+    }
+}
+
+/* Points at the knots of the curve, and close to them */
+static void set_knots(void)
+{
+    for (int k = 0; k < KNOTS; k++) {
+        a.array[0][3 * k] = knot_x[k];
+        a.array[0][3 * k + 1] = nextafterf(knot_x[k], -9.0f);
+        a.array[0][3 * k + 2] = nextafterf(knot_x[k], 9.0f);
     }
 }
 

@@ -478,7 +478,7 @@ int main(int argc, char **argv)
     for (int i = 0; i < 2 * CHAINS; i++) {
         job.chain = (enum chain)(i / 2);
         job.count = i % 2 == 0 ? 7 : MOST_POINTS;
-        measure(&stack, &job, &worst, chain_names[i / 2]);
+        measure(&stack, &job, &worst, chain_kinds[i / 2].name);
     }
     measure_gullies(&stack, &job, &gullies);
     measure_recipes(&stack, &job, &recipes, &alone);

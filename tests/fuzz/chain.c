@@ -2,30 +2,15 @@
  *
  * Functions of samples, with any samples; and normals.
  */
+#include "../../src/plan/functions.h"
 #include "../outputs.h"
 
 #include "arguments.h"
 
+#define OPERATOR(NAME, ...) NAME,
+#define FUNCTION(NAME, ...) NAME,
 enum function_of_samples {
-    AFFINE,
-    ADD,
-    MULTIPLY,
-    MIX,
-    MIN,
-    MAX,
-    SMOOTH_MIN,
-    SMOOTH_MAX,
-    CLAMP,
-    ABS,
-    SMOOTH_ABS,
-    SMOOTHSTEP,
-    TERRACE,
-    DIVIDE,
-    SQRT,
-    SINE,
-    PULSE,
-    CURVE,
-    SLOPE,
+#include "../../src/plan/functions.def"
     APPLY1,
     APPLY2,
     NORMALS,
@@ -64,30 +49,20 @@ static enum scarp_status make(const struct fuzz_call *call, size_t first, size_t
         p[i] = a->partial[i] != NULL ? a->partial[i] + first : NULL;
     }
     const struct scarp_partials partials = {p[0], p[1], p[2], p[3], p[4], p[5], {NULL}};
-    const float *const n = a->number;
+    const struct scarp_samples *const in[3] = {&s, &b, &m};
+#define FORM_CURVE(function, count, in, k, out)                                                    \
+    function(count, (in)[0], a->knots, a->knot[0], a->knot[1], out)
+#define OPERATOR(NAME, name, FORM, ...)                                                            \
+    case NAME:                                                                                     \
+        return FORM_##FORM(scarp_##name, count, in, a->number, out);
+#define FUNCTION(...) OPERATOR(__VA_ARGS__)
     switch (a->function) {
-    case AFFINE: return scarp_affine(count, &s, n[0], n[1], out);
-    case ADD: return scarp_add(count, &s, &b, out);
-    case MULTIPLY: return scarp_multiply(count, &s, &b, out);
-    case MIX: return scarp_mix(count, &s, &b, &m, out);
-    case MIN: return scarp_min(count, &s, &b, out);
-    case MAX: return scarp_max(count, &s, &b, out);
-    case SMOOTH_MIN: return scarp_smooth_min(count, &s, &b, n[0], out);
-    case SMOOTH_MAX: return scarp_smooth_max(count, &s, &b, n[0], out);
-    case CLAMP: return scarp_clamp(count, &s, n[0], n[1], out);
-    case ABS: return scarp_abs(count, &s, out);
-    case SMOOTH_ABS: return scarp_smooth_abs(count, &s, n[0], out);
-    case SMOOTHSTEP: return scarp_smoothstep(count, &s, n[0], n[1], out);
-    case TERRACE: return scarp_terrace(count, &s, n[0], n[1], n[2], out);
-    case DIVIDE: return scarp_divide(count, &s, &b, out);
-    case SQRT: return scarp_sqrt(count, &s, out);
-    case SINE: return scarp_sine(count, &s, out);
-    case PULSE: return scarp_pulse(count, &s, out);
-    case CURVE: return scarp_curve(count, &s, a->knots, a->knot[0], a->knot[1], out);
-    case SLOPE: return scarp_slope(count, &s, out);
+#include "../../src/plan/functions.def"
     case APPLY1: return scarp_apply1(count, &s, &partials, out);
     case APPLY2: return scarp_apply2(count, &s, &b, &partials, out);
-    default: return scarp_normals(count, s.dx, s.dy, n[0], pointers[0], pointers[1], pointers[2]);
+    default:
+        return scarp_normals(count, s.dx, s.dy, a->number[0], pointers[0], pointers[1],
+                             pointers[2]);
     }
 }
 
