@@ -27,3 +27,7 @@ scarp_add_test(readme.sh package IN ${readme_in} NEEDS python3 scarp sh
 # Links, pictures and anchors of all documents; the table of calls
 scarp_add_test(documents package IN nobody without-git NEEDS python3 COMMAND ${Python3_EXECUTABLE}
                ${CMAKE_CURRENT_SOURCE_DIR}/test_links.py ${PROJECT_SOURCE_DIR})
+
+# The table of functions in the page of recipes, which the script writes without --check
+scarp_add_test(documents.functions package NEEDS python3 COMMAND ${Python3_EXECUTABLE}
+               ${PROJECT_SOURCE_DIR}/src/recipe/table.py --check)
