@@ -1368,6 +1368,45 @@ SCARP_API enum scarp_status scarp_recipe_seed(struct scarp_recipe *recipe, uint6
 SCARP_API enum scarp_status scarp_recipe_set(struct scarp_recipe *recipe, const char *name,
                                              double value, struct scarp_recipe_error *error);
 
+/*
+ * scarp_recipe_tile - make a recipe repeat
+ *
+ * The recipe becomes what it is with the line `tile x, y` or, in space, `tile x, y, z` in its text:
+ * it repeats after so many units along each axis, from 1e-60 to 1e60. A line of the text, and an
+ * earlier call, no longer count. With 0 for all sides, the recipe does not repeat. The plane
+ * ignores z. Seeds and parameters that are set later keep the tile.
+ *
+ * Errors. On an error the old tile stays.
+ *
+ *     SCARP_ERROR_NULL         `recipe` is NULL
+ *     SCARP_ERROR_PARAMETER    *recipe is no recipe, or has errors; a side is outside its interval;
+ *                              or the text cannot repeat so. Then *error has the first error that
+ *                              no other size mends, or else the first. `error` may be NULL.
+ *     SCARP_ERROR_SIZE         the text passes a limit of recipes with that tile
+ */
+SCARP_API enum scarp_status scarp_recipe_tile(struct scarp_recipe *recipe, double x, double y,
+                                              double z, struct scarp_recipe_error *error);
+
+/*
+ * scarp_recipe_scale - make a recipe larger
+ *
+ * Each statement becomes what it is inside scale(..., by), and the first output is multiplied by
+ * `heights`, wherever it is not used by another statement. A terrain becomes twice as large with 2
+ * for both, and its slopes stay. Factors are from 2^-40 to 2^40; 1 changes nothing. They take the
+ * place of those of an earlier call. The tile, and "finest", are in units of the scaled recipe.
+ * Seeds and parameters that are set later keep the scale.
+ *
+ * Errors. On an error the old scale stays.
+ *
+ *     SCARP_ERROR_NULL         `recipe` is NULL
+ *     SCARP_ERROR_PARAMETER    *recipe is no recipe, or has errors; a factor is outside its
+ *                              interval; or the text has an error with that scale, which is written
+ *                              to *error. `error` may be NULL.
+ *     SCARP_ERROR_SIZE         the text passes a limit of recipes with that scale
+ */
+SCARP_API enum scarp_status scarp_recipe_scale(struct scarp_recipe *recipe, double by,
+                                               double heights, struct scarp_recipe_error *error);
+
 /* Memory that a call uses while it runs, of any alignment. Its size changes speed, never a bit. */
 struct scarp_scratch {
     void *memory SCARP_ZERO;
@@ -1502,7 +1541,15 @@ struct scarp_recipe_entry {
     /* the same as before an edit if nothing has to be drawn anew */
     uint64_t hash SCARP_ZERO;
 
-    uint32_t spare[8] SCARP_ZERO;
+    /* of fields: the length of the largest and of the smallest cell, in units of x, y and z, among
+       the first and the last octaves of all noises, cells and gullies that the field depends on,
+       warps included. Transforms count, displacements do not. 0: it has none. */
+    double cell[2] SCARP_ZERO;
+
+    uint32_t jumps SCARP_ZERO;      /* of fields: 1 if values may jump, single points aside */
+    uint32_t dimensions SCARP_ZERO; /* of the recipe: 2, or 3 if it is one of space */
+
+    uint32_t spare[2] SCARP_ZERO;
 };
 
 /* A part of an expression. Parts are counted from 0, in an order: a call, and a sign, stands before
@@ -1742,8 +1789,8 @@ struct scarp_shader {
  *
  * When the text changes: scarp_recipe_seed never changes it. scarp_recipe_set changes it if a
  * number becomes one that makes a function simpler, as a factor of 1, or stops being one, or if
- * there are more octaves. Then call scarp_recipe_shader again, and if its text differs, compile the
- * shader again.
+ * there are more octaves; scarp_recipe_tile and scarp_recipe_scale may change it, too. Then call
+ * scarp_recipe_shader again, and if its text differs, compile the shader again.
  *
  * Room: *length becomes the length of the text without the 0 behind it. If there is no room for
  * both, the call writes nothing useful to `text`, and returns SCARP_ERROR_SIZE. A capacity of

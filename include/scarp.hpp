@@ -526,6 +526,22 @@ class recipe
     void set(const char *name, double value) { try_set(name, value).check(); }
     /* All 64 bits count: -1 is 2^64 - 1. */
     void seed(std::uint64_t seed) { result{scarp_recipe_seed(c_.get(), seed)}.check(); }
+    /* Makes it repeat, as the line `tile x, y` of a text does, or with 0 not at all. */
+    result try_tile(double x, double y, double z = 0.0) noexcept
+    {
+        scarp_recipe_error error;
+        const scarp_status status = scarp_recipe_tile(c_.get(), x, y, z, &error);
+        return told(status, error);
+    }
+    void tile(double x, double y, double z = 0.0) { try_tile(x, y, z).check(); }
+    /* Makes it so many times larger, and the values of the first output. */
+    result try_scale(double by, double heights = 1.0) noexcept
+    {
+        scarp_recipe_error error;
+        const scarp_status status = scarp_recipe_scale(c_.get(), by, heights, &error);
+        return told(status, error);
+    }
+    void scale(double by, double heights = 1.0) { try_scale(by, heights).check(); }
     const scarp_recipe *get() const noexcept { return c_.get(); } /* for other calls of scarp.h */
 
     /* The interval that values never leave: of the first output, or of number `which`, a statement
@@ -564,12 +580,10 @@ class recipe
     {
         return status == SCARP_OK ? result{} : result{status, e.member, e.text, e.line, e.column};
     }
-    /* Whether the recipe is of the plane. Only then a box may be out of order along z. */
-    bool is_flat() const noexcept
+    bool is_flat() const noexcept /* Whether the recipe is of the plane */
     {
-        const scarp_box box{.lowest = {0, 0, 1}};
-        float low, high;
-        return scarp_recipe_range(c_.get(), SCARP_RECIPE_OUTPUT, &box, &low, &high) == SCARP_OK;
+        scarp_recipe_entry entry;
+        return scarp_recipe_entry_at(c_.get(), 0, &entry) == SCARP_OK && entry.dimensions == 2;
     }
     /* Makes the scratch memory large enough, and calls. Without it, the call works in small chunks.
      */

@@ -285,6 +285,11 @@ static void check_uniforms(void)
     CHECK(strcmp(text, other) == 0, "the text is that of before again");
     (void)write_shader(2, 1, other);
     CHECK(strcmp(text, other) != 0, "the text depends on the order");
+    CHECK(scarp_recipe_scale(&recipe, 2.0, 3.0, NULL) == SCARP_OK, "scale");
+    (void)write_shader(2, 2, text);
+    CHECK(scarp_recipe_scale(&recipe, 5.0, 7.0, NULL) == SCARP_OK, "scale");
+    (void)write_shader(2, 2, other);
+    CHECK(strcmp(text, other) == 0, "the text is the same with other factors that are not 1");
 }
 
 /* The buffer of each text is as long as it says, and nothing beyond is written. A curve has x,

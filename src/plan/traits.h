@@ -36,7 +36,8 @@ enum {
 enum {
     FRACTAL_SLOPES = 1,     /* gradients of the basis are in its values: it has no Hessian */
     FRACTAL_OWN_SLOPES = 2, /* also those of the octave itself */
-    FRACTAL_BENDS = 4       /* octaves look at positions that those before have bent: no dphase */
+    FRACTAL_BENDS = 4,      /* octaves look at positions that those before have bent: no dphase */
+    FRACTAL_CREASES = 8     /* it folds or cuts values, so its gradients jump */
 };
 
 /* What the values of a fractal are, with an amplitude of 1, where those of octaves are in [-r, r]
@@ -55,13 +56,14 @@ enum fractal_range {
    arguments, which recipe/shader_text.c adds. */
 #define SCARP_FRACTAL_LIST(X)                                                                      \
     X(FBM, "fbm", 0.0f, 0.0f, RANGE_SUM, 0, "with_fbm(s, n")                                       \
-    X(TURBULENCE, "turbulence", 0.0f, 0.0f, RANGE_MAGNITUDE, 0, "with_turbulence(s, o, n")         \
-    X(RIDGED, "ridged", 0.0f, 0.0f, RANGE_UNIT, 0, "with_ridged(s, o, n")                          \
+    X(TURBULENCE, "turbulence", 0.0f, 0.0f, RANGE_MAGNITUDE, FRACTAL_CREASES,                      \
+      "with_turbulence(s, o, n")                                                                   \
+    X(RIDGED, "ridged", 0.0f, 0.0f, RANGE_UNIT, FRACTAL_CREASES, "with_ridged(s, o, n")            \
     X(EROSION, "erosion", 0.0f, 0x1p24f, RANGE_SUM, FRACTAL_SLOPES | FRACTAL_OWN_SLOPES,           \
       "with_erosion(s, o, l, n")                                                                   \
-    X(PINGPONG, "pingpong", 2.0f, 0.0f, RANGE_FOLDED, 0, "with_pingpong(s, o, l, n")               \
-    X(HYBRID, "hybrid", 0.7f, 0.0f, RANGE_RAISED, 0, "with_hybrid(s, o, l, n")                     \
-    X(SWISS, "swiss", 0.15f, 0.0f, RANGE_UNIT, FRACTAL_SLOPES | FRACTAL_BENDS,                     \
+    X(PINGPONG, "pingpong", 2.0f, 0.0f, RANGE_FOLDED, FRACTAL_CREASES, "with_pingpong(s, o, l, n") \
+    X(HYBRID, "hybrid", 0.7f, 0.0f, RANGE_RAISED, FRACTAL_CREASES, "with_hybrid(s, o, l, n")       \
+    X(SWISS, "swiss", 0.15f, 0.0f, RANGE_UNIT, FRACTAL_SLOPES | FRACTAL_BENDS | FRACTAL_CREASES,   \
       "swiss(s, o, l.inverse_weight, n")                                                           \
     X(JORDAN, "jordan", 0.35f, 1.0f, RANGE_SQUARE, FRACTAL_SLOPES | FRACTAL_BENDS,                 \
       "jordan(s, o, l.erosion, k == 0u, n")

@@ -1,6 +1,7 @@
 /* SPDX-License-Identifier: MIT
  *
- * The public functions of recipes that parse, set and sample; describe.c has those that tell.
+ * The public functions of recipes that parse and sample; change.c has those that set, describe.c
+ * those for editors.
  */
 #include <string.h>
 
@@ -22,6 +23,7 @@ static NOINLINE enum scarp_status parse(const char *text, size_t length,
     struct recipe *const r = scarpi_recipe_inside(recipe);
     memset(recipe, 0, sizeof *recipe);
     r->version = RECIPE_VERSION;
+    r->scale[0] = r->scale[1] = 1.0;
     r->length = (int16_t)length;
     memcpy(r->text, text, length);
     scarpi_recipe_read(r, errors);
@@ -54,93 +56,6 @@ enum scarp_status scarp_recipe_parse(const char *text, size_t length, struct sca
     if (found != NULL) {
         *found = to.found;
     }
-    return status;
-}
-
-static int is_recipe(const struct scarp_recipe *recipe)
-{
-    return recipe != NULL && scarpi_recipe_of(recipe)->version == RECIPE_VERSION;
-}
-
-static NOINLINE void compile_again(struct recipe *r, struct recipe_errors *errors)
-{
-    scarpi_recipe_compile(r, errors);
-}
-
-enum scarp_status scarp_recipe_seed(struct scarp_recipe *recipe, uint64_t seed)
-{
-    if (!is_recipe(recipe)) {
-        return recipe == NULL ? SCARP_ERROR_NULL : SCARP_ERROR_PARAMETER;
-    }
-    struct recipe *const r = scarpi_recipe_inside(recipe);
-    struct recipe_errors errors = {.capacity = 0};
-    if (r->is_bad) {
-        return SCARP_ERROR_PARAMETER;
-    }
-    r->seed = seed;
-    const struct fpmode caller = fpmode_enter();
-    compile_again(r, &errors);
-    fpmode_leave(caller);
-    return SCARP_OK;
-}
-
-/* Where the number of a name is: a parameter's, or "finest". NULL: there is none. */
-static double *number_of(struct recipe *r, const char *name)
-{
-    if (strcmp(name, "finest") == 0) {
-        return &r->finest;
-    }
-    for (int i = 0; i < r->statements; i++) {
-        if (r->statement[i].type == STATEMENT_PARAM &&
-            scarpi_recipe_is(r, r->statement[i].name, name)) {
-            return &r->statement[i].value;
-        }
-    }
-    return NULL;
-}
-
-static NOINLINE enum scarp_status set(struct recipe *r, const char *name, double value,
-                                      struct scarp_recipe_error *error)
-{
-    struct recipe_errors errors = {.list = error, .capacity = error != NULL};
-    double *const number = number_of(r, name);
-    double lowest = 0.0, highest = 1e60; /* of "finest" */
-    for (int i = 0; i < r->statements; i++) {
-        if (number == &r->statement[i].value) {
-            lowest = r->statement[i].lowest;
-            highest = r->statement[i].highest;
-        }
-    }
-    if (number == NULL || !(value >= lowest && value <= highest)) {
-        return SCARP_ERROR_PARAMETER;
-    }
-    const double before = *number;
-    *number = value;
-    scarpi_recipe_compile(r, &errors);
-    if (errors.found == 0) {
-        return SCARP_OK;
-    }
-    struct recipe_errors none = {.capacity = 0};
-    *number = before;
-    scarpi_recipe_compile(r, &none);
-    return errors.is_size ? SCARP_ERROR_SIZE : SCARP_ERROR_PARAMETER;
-}
-
-enum scarp_status scarp_recipe_set(struct scarp_recipe *recipe, const char *name, double value,
-                                   struct scarp_recipe_error *error)
-{
-    if (error != NULL) {
-        memset(error, 0, sizeof *error);
-    }
-    if (recipe == NULL || name == NULL) {
-        return SCARP_ERROR_NULL;
-    }
-    if (!is_recipe(recipe) || scarpi_recipe_of(recipe)->is_bad) {
-        return SCARP_ERROR_PARAMETER;
-    }
-    const struct fpmode caller = fpmode_enter();
-    const enum scarp_status status = set(scarpi_recipe_inside(recipe), name, value, error);
-    fpmode_leave(caller);
     return status;
 }
 
@@ -261,7 +176,7 @@ static enum scarp_status sample(const struct scarp_recipe *recipe, const struct 
     if (recipe == NULL || outputs == NULL || outputs->out == NULL) {
         return SCARP_ERROR_NULL;
     }
-    if (!is_recipe(recipe)) {
+    if (!scarpi_is_recipe(recipe)) {
         return SCARP_ERROR_PARAMETER;
     }
     const struct recipe *const r = scarpi_recipe_of(recipe);
@@ -302,7 +217,7 @@ enum scarp_status scarp_recipe_grid(const struct scarp_recipe *recipe,
     if (recipe == NULL || grid == NULL || outputs == NULL || outputs->out == NULL) {
         return SCARP_ERROR_NULL;
     }
-    if (!is_recipe(recipe)) {
+    if (!scarpi_is_recipe(recipe)) {
         return SCARP_ERROR_PARAMETER;
     }
     const struct recipe *const r = scarpi_recipe_of(recipe);
@@ -325,7 +240,7 @@ enum scarp_status scarp_recipe_grid(const struct scarp_recipe *recipe,
 
 size_t scarp_recipe_scratch_size(const struct scarp_recipe *recipe, int order, size_t points)
 {
-    if (!is_recipe(recipe) || order < 0 || order > 2 || points > SIZE_MAX / 65536) {
+    if (!scarpi_is_recipe(recipe) || order < 0 || order > 2 || points > SIZE_MAX / 65536) {
         return 0;
     }
     const struct recipe *const r = scarpi_recipe_of(recipe);
@@ -357,7 +272,7 @@ enum scarp_status scarp_recipe_range(const struct scarp_recipe *recipe, int32_t 
     if (recipe == NULL || lowest == NULL || highest == NULL) {
         return SCARP_ERROR_NULL;
     }
-    if (!is_recipe(recipe)) {
+    if (!scarpi_is_recipe(recipe)) {
         return SCARP_ERROR_PARAMETER;
     }
     const struct recipe *const r = scarpi_recipe_of(recipe);

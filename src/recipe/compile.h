@@ -37,6 +37,7 @@ struct recipe_compiler {
     struct recipe *recipe;
     struct recipe_errors *errors; /* NULL: none are reported */
     int depth;
+    int root; /* the place at which statements are compiled */
     /* By statement, and place: the node, RECIPE_BAD or RECIPE_UNKNOWN, which numbers are, too */
     int16_t node[RECIPE_STATEMENTS][RECIPE_PLACES];
     int16_t noise[RECIPE_STATEMENTS]; /* or RECIPE_NONE, RECIPE_BAD, RECIPE_UNKNOWN */

@@ -5,7 +5,9 @@
 #include <string.h>
 
 #include "../calls/run.h"
+#include "../dispatch/fpmode.h"
 #include "graph.h"
+#include "summary.h"
 #include "text.h"
 #include "words.h"
 
@@ -80,8 +82,24 @@ static void set_span(uint32_t to[2], struct recipe_span span)
 
 static const struct recipe *described(const struct scarp_recipe *recipe)
 {
-    const struct recipe *const r = scarpi_recipe_of(recipe);
-    return r->version == RECIPE_VERSION ? r : NULL;
+    return scarpi_is_recipe(recipe) ? scarpi_recipe_of(recipe) : NULL;
+}
+
+static int is_field(const struct recipe_expression *x)
+{
+    return (x->kind == SCARP_RECIPE_FIELD || x->kind == SCARP_RECIPE_NOISE) && x->node >= 0;
+}
+
+/* What a field is made of */
+static void set_summary(const struct recipe *r, int node, struct scarp_recipe_entry *entry)
+{
+    struct recipe_summary summary;
+    const struct fpmode caller = fpmode_enter();
+    scarpi_recipe_summary(r, node, &summary);
+    fpmode_leave(caller);
+    entry->cell[0] = summary.cell[0];
+    entry->cell[1] = summary.cell[1];
+    entry->jumps = (uint32_t)summary.jumps;
 }
 
 enum scarp_status scarp_recipe_entry_at(const struct scarp_recipe *recipe, size_t index,
@@ -100,6 +118,7 @@ enum scarp_status scarp_recipe_entry_at(const struct scarp_recipe *recipe, size_
     set_span(entry->name, s->name);
     entry->part = s->expression;
     entry->output = -1;
+    entry->dimensions = r->dimensions;
     for (int i = 0; i < r->outputs; i++) {
         entry->output = r->output[i] == (int16_t)index ? i : entry->output;
     }
@@ -121,13 +140,11 @@ enum scarp_status scarp_recipe_entry_at(const struct scarp_recipe *recipe, size_
         entry->axes = part.axes;
         entry->order = part.order;
         entry->hash = part.hash;
+        if (is_field(&r->expression[s->expression])) {
+            set_summary(r, r->expression[s->expression].node, entry);
+        }
     }
     return SCARP_OK;
-}
-
-static int is_field(const struct recipe_expression *x)
-{
-    return (x->kind == SCARP_RECIPE_FIELD || x->kind == SCARP_RECIPE_NOISE) && x->node >= 0;
 }
 
 enum scarp_status scarp_recipe_part_at(const struct scarp_recipe *recipe, size_t index,

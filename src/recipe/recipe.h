@@ -17,7 +17,8 @@
  *     evaluate.c       steps over chunks of points; operations.c and positions.c: one step, whose
  *                      samples machine.c finds
  *     words.c          the functions and their arguments, for the compiler and for editors
- *     calls.c          the public functions; describe.c: those that editors ask
+ *     calls.c          the public functions; change.c: those that set something; describe.c: those
+ *                      that editors ask, for which summary.c looks at nodes
  */
 #ifndef SCARP_RECIPE_RECIPE_H
 #define SCARP_RECIPE_RECIPE_H
@@ -166,7 +167,8 @@ struct __attribute__((may_alias)) recipe {
     uint64_t version; /* of this structure, and whether there is a recipe: RECIPE_VERSION */
     uint64_t seed;
     double finest, tile[3];
-    int16_t length; /* of the text */
+    double scale[2]; /* of all places, and of the values of the first output */
+    int16_t length;  /* of the text */
     int16_t expressions, statements, outputs, nodes, noises, gullies, places, knots;
     int16_t output[RECIPE_OUTPUTS]; /* statements */
     uint8_t dimensions, is_tiled;
@@ -195,6 +197,11 @@ static inline struct recipe *scarpi_recipe_inside(struct scarp_recipe *recipe)
 static inline const struct recipe *scarpi_recipe_of(const struct scarp_recipe *recipe)
 {
     return (const struct recipe *)recipe;
+}
+
+static inline int scarpi_is_recipe(const struct scarp_recipe *recipe)
+{
+    return recipe != NULL && scarpi_recipe_of(recipe)->version == RECIPE_VERSION;
 }
 
 #endif

@@ -113,7 +113,7 @@ struct recipe_value scarpi_recipe_value(struct recipe_compiler *c, int e, int pl
     }
     const struct recipe_value value = value_of(c, e, place);
     c->depth--;
-    if (place == 0 && value.kind != SCARP_RECIPE_BAD) {
+    if (place == c->root && value.kind != SCARP_RECIPE_BAD) {
         x->kind = x->kind == SCARP_RECIPE_NOISE ? x->kind : (uint8_t)value.kind;
         x->node = (int16_t)value.node;
         x->number = value.number;
@@ -123,7 +123,7 @@ struct recipe_value scarpi_recipe_value(struct recipe_compiler *c, int e, int pl
 
 bool scarpi_recipe_take_number(struct recipe_compiler *c, int e, double *number)
 {
-    const struct recipe_value value = scarpi_recipe_value(c, e, 0);
+    const struct recipe_value value = scarpi_recipe_value(c, e, c->root);
     if (value.kind == SCARP_RECIPE_FIELD) {
         scarpi_recipe_bad(c, e, "expected a number, but this depends on the position", NULL);
     }
@@ -332,7 +332,8 @@ static int place_of_warp(struct recipe_compiler *c, int place,
     if (noise >= 0) {
         return scarpi_recipe_warped(c, argument[1], place, noise);
     }
-    if (noise == RECIPE_NONE && scarpi_recipe_value(c, argument[1], 0).kind != SCARP_RECIPE_BAD) {
+    if (noise == RECIPE_NONE &&
+        scarpi_recipe_value(c, argument[1], c->root).kind != SCARP_RECIPE_BAD) {
         scarpi_recipe_bad(c, argument[1], "expected a noise to displace by", NULL);
     }
     return RECIPE_BAD;

@@ -93,7 +93,7 @@ export const scarp_box = { SIZE: 48, lowest: 0, highest: 24 };
 
 export const scarp_recipe_entry = {
     SIZE: 112, span: 0, name: 8, kind: 16, is_param: 20, output: 24, part: 28, value: 32,
-    slider: 40, range: 56, axes: 64, order: 68, hash: 72,
+    slider: 40, range: 56, axes: 64, order: 68, hash: 72, cell: 80, jumps: 96, dimensions: 100,
 };
 
 export const scarp_recipe_part = {

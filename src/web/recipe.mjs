@@ -264,6 +264,12 @@ export class Recipe {
                 axes: view.getUint32(at + ENTRY.axes, true),
                 order: view.getUint32(at + ENTRY.order, true),
                 hash: view.getBigUint64(at + ENTRY.hash, true).toString(16),
+                cell: [
+                    view.getFloat64(at + ENTRY.cell, true),
+                    view.getFloat64(at + ENTRY.cell + 8, true),
+                ],
+                jumps: view.getUint32(at + ENTRY.jumps, true) === 1,
+                dimensions: view.getUint32(at + ENTRY.dimensions, true),
             };
         });
     }
@@ -339,10 +345,30 @@ export class Recipe {
         new Uint8Array(memory.buffer, at, bytes.length).set(bytes);
         const status = exports.scarp_recipe_set(this.#live(), at, value, this.#errors);
         memory.release(at);
+        return this.#changed(status, 'no such parameter, or outside its interval', name);
+    }
+
+    // Makes it repeat, as the line `tile x, y` of a text does, or with 0 not at all.
+    tile(x, y, z = 0) {
+        Object.entries({ x, y, z }).forEach(([name, side]) => checkNumber(name, side));
+        const { exports } = this.#tools;
+        const status = exports.scarp_recipe_tile(this.#live(), x, y, z, this.#errors);
+        return this.#changed(status, 'no length of a tile', 'tile');
+    }
+
+    // Makes it so many times larger, and the values of the first output.
+    scale(by, heights = 1) {
+        Object.entries({ by, heights }).forEach(([name, factor]) => checkNumber(name, factor));
+        const { exports } = this.#tools;
+        const status = exports.scarp_recipe_scale(this.#live(), by, heights, this.#errors);
+        return this.#changed(status, 'a factor from 2^-40 to 2^40 is expected', 'scale');
+    }
+
+    #changed(status, otherwise, name) {
         if (status !== STATUS.OK) {
             const error = this.#error(0);
             throw error.text === null
-                ? new ScarpError(status, 'no such parameter, or outside its interval', name)
+                ? new ScarpError(status, otherwise, name)
                 : new RecipeError(status, '', [error]);
         }
         return this;
@@ -364,21 +390,11 @@ export class Recipe {
 
     // Whether it is of space
     get isSpace() {
-        const { exports, memory } = this.#tools;
-        memory.view.setUint32(this.#outputs + OUTPUTS.which, 0, true);
-        memory.view.setUint32(this.#outputs + OUTPUTS.count, 1, true);
-        new Uint8Array(memory.buffer, this.#samples, ARRAYS_SIZE).fill(0);
-        const at = this.#description; // a double of any value
+        const { exports, memory } = this.#tools,
+            at = this.#description;
         return (
-            exports.scarp_recipe_sample_f64(
-                this.#live(),
-                1,
-                at,
-                at,
-                0,
-                this.#outputs,
-                this.#scratch,
-            ) === STATUS.NULL
+            exports.scarp_recipe_entry_at(this.#live(), 0, at) === STATUS.OK &&
+            memory.view.getUint32(at + ENTRY.dimensions, true) === 3
         );
     }
 

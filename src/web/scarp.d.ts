@@ -435,6 +435,13 @@ export interface RecipeEntry {
     readonly order: number;
     /** The same as before an edit if nothing has to be drawn anew. */
     readonly hash: string;
+    /** Of fields: the lengths of the largest and of the smallest cell, in units of x and y; 0
+     * without a noise. */
+    readonly cell: [largest: number, smallest: number];
+    /** Of fields: whether values may jump. */
+    readonly jumps: boolean;
+    /** Of the recipe: 2, or 3 if it is of space. */
+    readonly dimensions: number;
 }
 
 /**
@@ -513,6 +520,12 @@ export interface Recipe {
     set seed(seed: number | bigint);
     /** Sets a parameter; "finest" leaves out octaves with cells smaller than that. */
     set(name: string, value: number): this;
+    /** Makes it repeat after so many units along each axis, in place of a tile in the text; with 0
+     * for all it does not. */
+    tile(x: number, y: number, z?: number): this;
+    /** Makes it so many times larger, as scale(..., by) does with each statement, and multiplies
+     * the first output by `heights`; both are 1 at first. */
+    scale(by: number, heights?: number): this;
     /** The interval that values of an output, or of `which`, never leave; in a box if given. */
     range(
         output?: number,

@@ -390,6 +390,29 @@ out level = clamp(a, 0, 1)
 
 
 class Recipes(unittest.TestCase):
+    def check_changed(self):
+        """Tile and scale are those of texts."""
+        head, behind = TEXT.split("\n", 1)
+        recipe = scarp.Recipe(TEXT, seed=3)
+        recipe.scale(2, 3)
+        recipe.tile(160, 80)
+        text = (head + "\ntile 160, 80\n" + behind).replace("noise(size=20", "noise(size=40")
+        want = scarp.Recipe(text.replace("high * a", "3 * (high * a)"), seed=3)
+        again = pickle.loads(pickle.dumps(recipe))
+        for one in (recipe, again):
+            for output in ("hill", "level"):
+                equal(one.grid((5, 6), 7.0, output=output).value,
+                      want.grid((5, 6), 7.0, output=output).value)
+        self.assertEqual(recipe.info(), ((40.0, 10.0), False, "xy", 2))
+        self.assertEqual(scarp.Recipe("recipe 1\nspace 3\nout c = z * cell(noise(size=3))").info("c"),
+                         scarp.Info((3.0, 3.0), True, "xyz", 2))
+        with self.assertRaises(scarp.RecipeError) as caught:
+            recipe.tile(161, 80)
+        self.assertEqual((caught.exception.line, caught.exception.nearest), (4, 20.125))
+        self.assertRaises(scarp.ScarpError, recipe.scale, 0)
+        self.assertRaises(TypeError, recipe.scale, "2")
+        equal(recipe.grid((5, 6)).value, again.grid((5, 6)).value)
+
     def test_parameters(self):
         recipe = scarp.Recipe(TEXT, high=20)
         self.assertEqual((recipe.high, recipe.params["high"]), (20.0, (20.0, 1.0, 100.0)))
@@ -416,6 +439,7 @@ class Recipes(unittest.TestCase):
         named = scarp.Recipe(TEXT.replace("high", "seed"))  # as an argument is
         named.set("seed", 30)
         self.assertEqual(pickle.loads(pickle.dumps(named)).params["seed"].value, 30.0)
+        self.check_changed()
         for value in (0.5, 101, math.nan):
             with self.assertRaisesRegex(scarp.ScarpError, r"not in \[1, 100\]") as caught:
                 recipe.high = value

@@ -166,6 +166,24 @@ void check_parameters()
     r.sample({x, y}, {.value = value});
     CHECK(value == expected);
 
+    CHECK(scarp_recipe_scale(c.recipe.get(), 3, 2, nullptr) == SCARP_OK);
+    CHECK(scarp_recipe_sample(c.recipe.get(), 1, x.data(), y.data(), nullptr, &one, nullptr) ==
+          SCARP_OK);
+    r.scale(3, 2);
+    r.sample({x, y}, {.value = value});
+    CHECK(value == expected);
+    CHECK(fails([&] { r.scale(0); }, SCARP_ERROR_PARAMETER, nullptr));
+    CHECK(fails([&] { r.tile(-1, 1); }, SCARP_ERROR_PARAMETER, nullptr));
+    scarp_recipe_error unfit;
+    CHECK(scarp_recipe_tile(c.recipe.get(), 7, 5, 0, &unfit) == SCARP_ERROR_PARAMETER);
+    CHECK(r.try_tile(7, 5).text == unfit.text && r.try_tile(7, 5).line == unfit.line);
+    scarp::recipe squares("recipe 1\nout a = noise(size=4)\n");
+    squares.tile(8, 12);
+    squares.sample({x, y}, {.value = expected});
+    squares.sample({std::vector<float>{33 + 8 * 5}, std::vector<float>{44 + 12 * 3}},
+                   {.value = value});
+    CHECK(value == expected);
+
     float low = 0, high = 0;
     CHECK(scarp_recipe_range(c.recipe.get(), SCARP_RECIPE_OUTPUT, nullptr, &low, &high) ==
           SCARP_OK);

@@ -5,6 +5,7 @@
  */
 #include "recipe.h"
 
+#include <float.h>
 #include <math.h>
 #include <string.h>
 
@@ -81,6 +82,12 @@ static void describe(size_t length)
         MUST(!entry.is_param || entry.slider[0] <= entry.slider[1], "slider %zu", i);
         MUST(entry.part < 512 && entry.output < 16 && entry.order < 3 && entry.axes < 8,
              "numbers of statement %zu", i);
+        MUST(entry.cell[0] >= entry.cell[1] && entry.cell[1] >= 0.0 && entry.cell[0] <= DBL_MAX &&
+                 (entry.cell[0] > 0.0) == (entry.cell[1] > 0.0),
+             "cells of statement %zu from %g to %g", i, entry.cell[0], entry.cell[1]);
+        MUST(entry.jumps <= 1 && (entry.dimensions == 2 || entry.dimensions == 3) &&
+                 entry.spare[0] == 0 && entry.spare[1] == 0,
+             "answers of statement %zu", i);
     }
     for (size_t i = 0; scarp_recipe_part_at(&recipe, i, &part) == SCARP_OK; i++) {
         MUST(i < 512, "parts do not end");
@@ -348,6 +355,45 @@ static void check_settings(const char *text, const uint8_t header[HEADER_SIZE])
     }
 }
 
+/* The hashes of all statements */
+static uint64_t hash_of_all(void)
+{
+    struct scarp_recipe_entry entry;
+    uint64_t hash = 0;
+    for (size_t i = 0; scarp_recipe_entry_at(&recipe, i, &entry) == SCARP_OK; i++) {
+        hash = hash * 31 + entry.hash;
+    }
+    return hash;
+}
+
+/* Cells grow with a scale, and with an error all stays as it was. */
+static void check_changes(size_t length, const uint8_t header[HEADER_SIZE])
+{
+    static const double sides[] = {0.0, 8.0, 12.0, 1.5, 0.25, 1e9, NAN, -1.0};
+    static const double factors[] = {2.0, 0x1p-40, 0x1p40, 0.1, 3.7, 1.0, 0.0, INFINITY};
+    const double side = sides[header[HEADER_STEP] & 7], by = factors[header[HEADER_SETTING] & 7];
+    struct scarp_recipe_error error = {.text = NULL};
+    struct scarp_recipe_entry before, after;
+    const uint64_t hash = hash_of_all();
+    (void)scarp_recipe_entry_at(&recipe, 0, &before);
+    if (scarp_recipe_scale(&recipe, by, factors[header[HEADER_PLACE] & 7], &error) != SCARP_OK) {
+        MUST(hash_of_all() == hash, "another recipe after an error of scale");
+    } else if (before.cell[0] > 1e-9 && before.cell[0] < 1e9) {
+        (void)scarp_recipe_entry_at(&recipe, 0, &after);
+        MUST(fabs(after.cell[0] / before.cell[0] / by - 1.0) < 1e-5, "a cell of %g, and not %g",
+             after.cell[0], by * before.cell[0]);
+    }
+    const uint64_t scaled = hash_of_all();
+    const double other = header[HEADER_ORDER] < 64 ? 4.0 : side;
+    if (scarp_recipe_tile(&recipe, side, other, side, &error) != SCARP_OK) {
+        MUST(hash_of_all() == scaled, "another recipe after an error of tile");
+    }
+    MUST(error.text == NULL || (error.from <= error.to && error.to <= length),
+         "the span of an error");
+    (void)scarp_recipe_seed(&recipe, header[HEADER_WHICH]);
+    check_samples(header);
+}
+
 static enum scarp_status parse(const char *text, size_t length)
 {
     struct scarp_recipe_error errors[3];
@@ -388,6 +434,8 @@ int LLVMFuzzerTestOneInput(const uint8_t *bytes, size_t size)
             }
         }
         check_settings(text, bytes);
+        check_changes(length, bytes);
+        describe(length);
     }
     free(text);
     return 0;

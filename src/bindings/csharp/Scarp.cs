@@ -1348,6 +1348,15 @@ namespace Scarp
         public double Value, Lowest, Highest;
     }
 
+    /// <summary>What an output of a recipe is made of: the lengths of its largest and its smallest
+    /// cell, 0 without a noise; whether values may jump; the highest order of derivatives.</summary>
+    public struct OutputInfo
+    {
+        public double LargestCell, SmallestCell;
+        public bool Jumps;
+        public int Order;
+    }
+
     /// <summary>A box of points; the plane ignores z.</summary>
     public struct Box
     {
@@ -1367,10 +1376,11 @@ namespace Scarp
 
         struct Entry
         {
-            public int index, output;
+            public int index, output, dimensions;
             public uint order;
             public bool isParameter, isField;
             public Parameter parameter;
+            public OutputInfo info;
         }
 
         // What calls read. It is never changed, but replaced.
@@ -1423,7 +1433,7 @@ namespace Scarp
             Describe(made);
             state = made;
             outputs = OutputsOf(made);
-            Dimensions = FindDimensions(made);
+            Dimensions = made.entries[outputs[0]].dimensions;
             if (seed != 0) {
                 Seed = seed;
             }
@@ -1443,13 +1453,19 @@ namespace Scarp
         public IReadOnlyList<string> Outputs { get { return outputs; } }
 
         /// <summary>The seed of the world, which all noises follow.</summary>
-        public ulong Seed { get { return state.seed; } set { Change(null, 0, value); } }
+        public ulong Seed { get { return state.seed; } set { SetSeed(value); } }
 
         /// <summary>The same seed with a sign: -1 is 2^64 - 1.</summary>
         public long SignedSeed
         {
             get { return unchecked((long)state.seed); }
-            set { Change(null, 0, unchecked((ulong)value)); }
+            set { SetSeed(unchecked((ulong)value)); }
+        }
+
+        void SetSeed(ulong seed)
+        {
+            Change((r, error) => Native.scarp_recipe_seed(r, seed), "Seed",
+                   made => made.seed = seed);
         }
 
         /// <summary>Octaves whose cells are smaller than so many units are left out; 0:
@@ -1457,7 +1473,38 @@ namespace Scarp
         public double Finest
         {
             get { return state.finest; }
-            set { Change("finest", value, 0); }
+            set { SetNumber("finest", value); }
+        }
+
+        void SetNumber(string name, double value)
+        {
+            byte[] text = Encoding.UTF8.GetBytes(name + "\0");
+            Change((r, error) => {
+                fixed (byte* p = text) {
+                    return Native.scarp_recipe_set(r, p, value, error);
+                }
+            }, name, made => made.finest = name == "finest" ? value : made.finest);
+        }
+
+        /// <summary>Makes the recipe repeat after so many units along each axis, in place of a tile
+        /// in the text; with 0 for all it does not. The plane ignores z.</summary>
+        public void Tile(double x, double y, double z = 0)
+        {
+            Change((r, error) => Native.scarp_recipe_tile(r, x, y, z, error), "Tile", null);
+        }
+
+        /// <summary>Makes the recipe so many times larger, as scale(..., by) does with each
+        /// statement, and multiplies the first output by `heights`. Both are 1 at first.</summary>
+        public void Scale(double by, double heights = 1)
+        {
+            Change((r, error) => Native.scarp_recipe_scale(r, by, heights, error), "Scale", null);
+        }
+
+        /// <summary>What an output is made of, or any other field of the text; default: the first
+        /// output.</summary>
+        public OutputInfo Info(string output = null)
+        {
+            return Field(state, output, 0, "output").info;
         }
 
         /// <summary>The parameters by name.</summary>
@@ -1487,7 +1534,7 @@ namespace Scarp
                     throw new ScarpException(Status.Parameter, parameter, value + " is not in ["
                                              + old.Lowest + ", " + old.Highest + "]");
                 }
-                Change(parameter, value, 0);
+                SetNumber(parameter, value);
             }
         }
 
@@ -1523,11 +1570,16 @@ namespace Scarp
                 int from = (int)entry.name[0], to = (int)entry.name[1];
                 made.entries[Encoding.UTF8.GetString(bytes, from, to - from)] = new Entry {
                     index = i, output = entry.output, order = entry.order,
+                    dimensions = (int)entry.dimensions,
                     isParameter = entry.is_param != 0,
                     isField = entry.kind == (int)RecipeKind.Field
                         || entry.kind == (int)RecipeKind.Noise,
                     parameter = new Parameter {
                         Value = entry.value, Lowest = entry.slider[0], Highest = entry.slider[1]
+                    },
+                    info = new OutputInfo {
+                        LargestCell = entry.cell[0], SmallestCell = entry.cell[1],
+                        Jumps = entry.jumps != 0, Order = (int)entry.order
                     }
                 };
             }
@@ -1546,38 +1598,26 @@ namespace Scarp
             return found;
         }
 
-        // A recipe of space misses the z that one of the plane does not read.
-        static int FindDimensions(State made)
-        {
-            double x = 0.5;
-            float value;
-            var to = new Native.scarp_samples { value = &value };
-            var asked = new Native.scarp_recipe_outputs { @out = &to, count = 1 };
-            Status status = Native.scarp_recipe_sample_f64(made.Pointer, (UIntPtr)1u, &x, &x, null,
-                                                           &asked, null);
-            return status == Status.Null ? 3 : 2;
-        }
+        delegate Status Call(Native.scarp_recipe* recipe, Native.scarp_recipe_error* error);
 
-        // Changes a copy, and puts it in the place of the old one: a parameter, or the seed.
-        void Change(string name, double value, ulong seed)
+        // Changes a copy, and puts it in the place of the old one.
+        void Change(Call call, string atFault, Action<State> keep)
         {
             lock (gate) {
                 State old = state;
                 var made = new State {
-                    block = new Block(old.block), finest = name == "finest" ? value : old.finest,
-                    seed = name == null ? seed : old.seed
+                    block = new Block(old.block), finest = old.finest, seed = old.seed
                 };
                 var error = new Native.scarp_recipe_error();
-                Status status;
-                fixed (byte* p = Encoding.UTF8.GetBytes(name + "\0")) {
-                    status = name == null ? Native.scarp_recipe_seed(made.Pointer, seed)
-                        : Native.scarp_recipe_set(made.Pointer, p, value, &error);
-                }
+                Status status = call(made.Pointer, &error);
                 if (status != Status.Ok && error.text != null) {
                     throw new RecipeException(status, ErrorsOf(&error, 1));
                 }
                 if (status != Status.Ok) {
-                    throw new ScarpException(status, name ?? "Seed");
+                    throw new ScarpException(status, atFault);
+                }
+                if (keep != null) {
+                    keep(made);
                 }
                 Describe(made);
                 state = made;
@@ -2178,7 +2218,10 @@ namespace Scarp
             public uint axes;
             public uint order;
             public ulong hash;
-            public fixed uint spare[8];
+            public fixed double cell[2];
+            public uint jumps;
+            public uint dimensions;
+            public fixed uint spare[2];
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -2494,6 +2537,14 @@ namespace Scarp
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern Status scarp_recipe_set(scarp_recipe* recipe, byte* name, double value,
             scarp_recipe_error* error);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern Status scarp_recipe_tile(scarp_recipe* recipe, double x, double y,
+            double z, scarp_recipe_error* error);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern Status scarp_recipe_scale(scarp_recipe* recipe, double by,
+            double heights, scarp_recipe_error* error);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern Status scarp_recipe_sample(scarp_recipe* recipe, UIntPtr count,

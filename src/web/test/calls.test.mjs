@@ -161,6 +161,31 @@ test('a recipe has parameters, outputs and an interval', () => {
     space.free();
 });
 
+test('tile and scale of a recipe are those of a text', () => {
+    const recipe = scarp.recipe('recipe 1\nout a = noise(size=2)\nout b = cell(noise(size=4))\n'),
+        text = scarp.recipe(
+            'recipe 1\ntile 16, 32\nout a = 3 * scale(noise(size=2), 2)\n' +
+                'out b = scale(cell(noise(size=4)), 2)\n',
+        );
+    const sample = (of) => {
+        const out = [{ value: new Float32Array(64) }, { value: new Float32Array(64) }];
+        return of.grid({ count: [8, 8], step: [0.7, 3] }, out);
+    };
+    assert.notDeepEqual(sample(recipe), sample(text));
+    assert.equal(recipe.scale(2, 3), recipe);
+    assert.equal(recipe.tile(16, 32), recipe);
+    assert.deepEqual(sample(recipe), sample(text));
+    assert.deepEqual(
+        recipe.entries.map(({ cell, jumps, dimensions }) => [...cell, jumps, dimensions]),
+        [
+            [4, 4, false, 2],
+            [8, 8, true, 2],
+        ],
+    );
+    recipe.free();
+    text.free();
+});
+
 test('grids and points of a recipe agree, with several outputs', () => {
     const recipe = scarp.recipe(LAND),
         count = [37, 5];

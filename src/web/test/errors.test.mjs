@@ -388,6 +388,9 @@ test('parameters of a recipe', () => {
     assert.throws(() => recipe.set('a', 3), { status: STATUS.PARAMETER });
     assert.throws(() => recipe.set('a', '1'), TypeError);
     assert.throws(() => recipe.set('a', NaN), ScarpError);
+    assert.throws(() => recipe.tile(1, -1), { status: STATUS.PARAMETER, member: 'tile' });
+    assert.throws(() => recipe.tile('1', 1), TypeError);
+    assert.throws(() => recipe.scale(0), { status: STATUS.PARAMETER, member: 'scale' });
     assert.throws(() => {
         recipe.seed = -(2n ** 63n) - 1n;
     }, ScarpError);

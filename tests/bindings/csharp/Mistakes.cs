@@ -243,6 +243,10 @@ static class Mistakes
         Expect<ScarpException>("h", () => recipe["h"] = 4, Status.Parameter, "[1, 3]");
         Expect<KeyNotFoundException>(null, () => recipe["a"] = 1, text: "h, k");
         Expect<RecipeException>(null, () => recipe["k"] = 99, Status.Parameter, "line 5");
+        Expect<RecipeException>(null, () => recipe.Tile(5, 5), Status.Parameter, "line 6");
+        Expect<ScarpException>("Tile", () => recipe.Tile(5, -5), Status.Parameter);
+        Expect<ScarpException>("Scale", () => recipe.Scale(0), Status.Parameter);
+        Expect<ArgumentException>("output", () => recipe.Info("h"), text: "a, b");
         Expect<ArgumentException>("output", () =>
             recipe.Grid(new Raster(2, 2), new Samples { Value = four }, "h"), text: "a, b");
         Expect<ScarpException>("to", () =>

@@ -205,6 +205,24 @@ static class Wrappers
             Count, a, new Samples { Value = to.Value }), a => Math.Sqrt(13));
     }
 
+    // Tile and scale are those of texts.
+    static void Scaled()
+    {
+        var recipe = new Recipe("recipe 1\nout a = noise(size=3, octaves=2)", 5);
+        var text = new Recipe("recipe 1\ntile 12, 18\nout a = 4 * scale(noise(size=3, octaves=2), 2)",
+                              5);
+        recipe.Scale(2, 4);
+        recipe.Tile(12, 18);
+        recipe.Sample2(x, y, new Samples { Value = f[0] });
+        text.Sample2(x, y, new Samples { Value = d[0] });
+        Same("a recipe that calls scale", f[0], d[0]);
+        OutputInfo info = recipe.Info();
+        if (info.LargestCell != 6 || info.SmallestCell != 3 || info.Jumps || info.Order != 2
+            || !new Recipe("recipe 1\nout b = cell(noise())").Info("b").Jumps || recipe.Seed != 5) {
+            throw new Exception("a recipe says something else of itself");
+        }
+    }
+
     static void Recipes(string hlsl)
     {
         var recipe = new Recipe("recipe 1\nspace 3\nout a = 2 * noise(size=1, seed=3)\n", 9);
@@ -230,6 +248,7 @@ static class Wrappers
         if (Math.Abs(within.Lowest - 531) > 0.01 || Math.Abs(within.Highest - 642) > 0.01) {
             throw new Exception("values in a box are in " + within);
         }
+        Scaled();
         plane.Seed = 4;
         plane.Sample2(x, y, new Samples { Value = d[0] });
         if (f[0][7] == d[0][7] || plane.Seed != 4) {

@@ -20,9 +20,9 @@ from ._interface import VERSION as __version__
 from ._library import (BASES, FADES, FRACTALS, LibraryError, ScarpError, VERSION_OF_LIBRARY, isa,
                        isas, select_isa)
 from ._noise import Cells, Flow, Noise
-from ._recipe import Param, Place, Recipe, RecipeError, preset, presets
+from ._recipe import Info, Param, Place, Recipe, RecipeError, preset, presets
 from ._samples import Samples
 
 __all__ = ["BASES", "Cells", "FADES", "FRACTALS", "Flow", "Gullies", "LibraryError", "Noise",
-           "Param", "Place", "Recipe", "RecipeError", "Samples", "ScarpError",
+           "Info", "Param", "Place", "Recipe", "RecipeError", "Samples", "ScarpError",
            "VERSION_OF_LIBRARY", "__version__", "isa", "isas", "preset", "presets", "select_isa"]

@@ -44,6 +44,12 @@ class Param(NamedTuple):
     lowest: float
     highest: float
 
+class Info(NamedTuple):
+    cell: Tuple[float, float]
+    jumps: bool
+    axes: str
+    order: int
+
 class Samples:
     shape: Tuple[int, ...]
     extent: Optional[Tuple[float, ...]]
@@ -227,6 +233,9 @@ class Recipe:
     def __getattr__(self, name: str) -> float: ...
     def __setattr__(self, name: str, value: float) -> None: ...
     def set(self, name: str, value: float) -> None: ...
+    def tile(self, x: float, y: float, z: float = ...) -> None: ...
+    def scale(self, by: float, heights: float = ...) -> None: ...
+    def info(self, output: Optional[str] = ...) -> Info: ...
     @overload
     def grid(self, shape: Sequence[int], step: Union[float, Numbers] = ...,
              origin: Optional[Numbers] = ..., first: Optional[Sequence[int]] = ..., *,

@@ -239,7 +239,10 @@ STRUCTURES = {
         ('axes', 'u4', ()),
         ('order', 'u4', ()),
         ('hash', 'u8', ()),
-        ('spare', 'u4', (8,)),
+        ('cell', 'f8', (2,)),
+        ('jumps', 'u4', ()),
+        ('dimensions', 'u4', ()),
+        ('spare', 'u4', (2,)),
     )),
     'scarp_recipe_part': (112, (
         ('span', 'u4', (2,)),
@@ -514,6 +517,12 @@ FUNCTIONS = {
     )),
     'scarp_recipe_set': ('i4', (
         'pointer', 'pointer', 'f8', 'pointer',
+    )),
+    'scarp_recipe_tile': ('i4', (
+        'pointer', 'f8', 'f8', 'f8', 'pointer',
+    )),
+    'scarp_recipe_scale': ('i4', (
+        'pointer', 'f8', 'f8', 'pointer',
     )),
     'scarp_recipe_sample': ('i4', (
         'pointer', 'size', 'pointer', 'pointer', 'pointer', 'pointer', 'pointer',

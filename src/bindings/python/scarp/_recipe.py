@@ -22,6 +22,10 @@ FIELDS = tuple(ENUMS["scarp_recipe_kind"]["SCARP_RECIPE_" + kind] for kind in ("
 
 Param = namedtuple("Param", "value lowest highest")
 Param.__doc__ = "A parameter of a recipe: its value, and the interval that it has."
+Info = namedtuple("Info", "cell jumps axes order")
+Info.__doc__ = """What an output is. cell: (largest, smallest), the lengths of its cells in units of x and
+y, or (0, 0) without a noise. jumps: whether values may jump. axes: those it depends on, such as "xy".
+order: the highest order of its derivatives."""
 Place = namedtuple("Place", "line column text member nearest")
 Place.__doc__ = """An error of a text: line and column, counted from 1 (columns are characters); a
 clause; the member at fault, or None; a number that would do there, or 0."""
@@ -69,8 +73,8 @@ class Recipe:
     Any number of threads may sample a recipe, also while another one changes it: a call uses the
     parameters that it began with.
     """
-    __slots__ = ("_memory", "_text", "_lock", "_seed", "_finest", "_entries", "_outputs",
-                 "dimensions", "__weakref__")
+    __slots__ = ("_memory", "_text", "_lock", "_seed", "_finest", "_tile", "_scale", "_entries",
+                 "_outputs", "dimensions", "__weakref__")
 
     def __init__(self, text, seed=0, finest=0.0, **params):
         if not isinstance(text, str):
@@ -80,6 +84,8 @@ class Recipe:
         put("_lock", threading.Lock())
         put("_seed", 0)
         put("_finest", 0.0)
+        put("_tile", None)
+        put("_scale", None)
         memory = _Words()
         errors, found = (_Error * ERRORS)(), ctypes.c_size_t()
         status = lib.scarp_recipe_parse(self._text, len(self._text), ctypes.addressof(memory),
@@ -91,7 +97,7 @@ class Recipe:
             raise ScarpError("a recipe has at most 16,384 bytes, not %d" % len(self._text), "text",
                              STATUS_NAMES[status])
         self._describe(memory)
-        put("dimensions", self._find_dimensions())
+        put("dimensions", next(iter(self._entries.values()))[1].dimensions)
         if seed != 0:
             self.seed = seed
         if finest != 0:
@@ -114,16 +120,6 @@ class Recipe:
         object.__setattr__(self, "_entries", entries)
         object.__setattr__(self, "_outputs", tuple(name for _, name in outputs))
         object.__setattr__(self, "_memory", memory)
-
-    def _find_dimensions(self):
-        """A recipe of space misses the z that one of the plane does not read."""
-        x, out, value = ctypes.c_double(0.5), _Samples(), ctypes.c_float()
-        out.value = ctypes.addressof(value)
-        outputs = _Outputs(out=ctypes.addressof(out), count=1)
-        status = lib.scarp_recipe_sample_f64(
-            ctypes.addressof(self._memory), 1, ctypes.byref(x), ctypes.byref(x), None,
-            ctypes.addressof(outputs), None)
-        return 3 if status == STATUS["SCARP_ERROR_NULL"] else 2
 
     @property
     def text(self):
@@ -182,6 +178,31 @@ class Recipe:
         if name == "finest":
             object.__setattr__(self, "_finest", value)
 
+    def tile(self, x, y, z=0.0):
+        """Makes the recipe repeat after so many units along each axis, in place of a tile in the
+        text; with 0 for all, it does not repeat."""
+        sides = number("x", x), number("y", y), number("z", z)
+        error = _Error()
+        self._change(lib.scarp_recipe_tile, *sides, ctypes.addressof(error), error=error,
+                     at_fault="tile")
+        object.__setattr__(self, "_tile", sides)
+
+    def scale(self, by, heights=1.0):
+        """Makes the recipe so many times larger, as scale(..., by) does with each statement, and
+        multiplies the first output by `heights`. 1 changes nothing."""
+        factors = number("by", by), number("heights", heights)
+        error = _Error()
+        self._change(lib.scarp_recipe_scale, *factors, ctypes.addressof(error), error=error,
+                     at_fault="scale")
+        object.__setattr__(self, "_scale", factors)
+
+    def info(self, output=None):
+        """What an output is, or any other field of the text; default the first output: an Info."""
+        (name,), _ = self._which([output or self._outputs[0]])
+        entry = self._entries[name][1]
+        axes = "".join(axis for i, axis in enumerate("xyz") if entry.axes >> i & 1)
+        return Info(tuple(entry.cell), bool(entry.jumps), axes, entry.order)
+
     def _change(self, call, *arguments, error=None, at_fault="seed"):
         """Changes a copy and puts it in the place of the recipe: calls under way keep theirs."""
         with self._lock:
@@ -195,7 +216,8 @@ class Recipe:
 
     def __reduce__(self):
         return _recipe_of, (self.text, self._seed, self._finest,
-                            {name: p.value for name, p in self.params.items()})
+                            {name: p.value for name, p in self.params.items()},
+                            self._scale, self._tile)
 
     def __repr__(self):
         return "<scarp.Recipe of %s>" % ", ".join(self._outputs)
@@ -333,10 +355,14 @@ class Recipe:
         return lowest.value, highest.value
 
 
-def _recipe_of(text, seed, finest, params):
+def _recipe_of(text, seed, finest, params, scale=None, tile=None):
     recipe = Recipe(text, seed, finest)
     for name, value in params.items():  # which may have the name of an argument
         recipe.set(name, value)
+    if scale is not None:
+        recipe.scale(*scale)
+    if tile is not None:
+        recipe.tile(*tile)
     return recipe
 
 

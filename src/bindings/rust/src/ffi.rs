@@ -366,7 +366,10 @@ pub struct scarp_recipe_entry {
     pub axes: u32,
     pub order: u32,
     pub hash: u64,
-    pub spare: [u32; 8],
+    pub cell: [f64; 2],
+    pub jumps: u32,
+    pub dimensions: u32,
+    pub spare: [u32; 2],
 }
 
 impl Default for scarp_recipe_entry {
@@ -899,6 +902,19 @@ extern "C" {
         value: f64,
         error: *mut scarp_recipe_error,
     ) -> scarp_status;
+    pub fn scarp_recipe_tile(
+        recipe: *mut scarp_recipe,
+        x: f64,
+        y: f64,
+        z: f64,
+        error: *mut scarp_recipe_error,
+    ) -> scarp_status;
+    pub fn scarp_recipe_scale(
+        recipe: *mut scarp_recipe,
+        by: f64,
+        heights: f64,
+        error: *mut scarp_recipe_error,
+    ) -> scarp_status;
     pub fn scarp_recipe_sample(
         recipe: *const scarp_recipe,
         count: usize,
@@ -1223,7 +1239,10 @@ mod layout {
         axes: 64, 64;
         order: 68, 68;
         hash: 72, 72;
-        spare: 80, 80;
+        cell: 80, 80;
+        jumps: 96, 96;
+        dimensions: 100, 100;
+        spare: 104, 104;
     }
 
     layout! {

@@ -58,7 +58,7 @@ pub use error::{Error, Place, Status};
 pub use grid::{Bands, Grid};
 pub use gullies::Gullies;
 pub use noise::{Noise, Plan};
-pub use recipe::{presets, Param, Recipe, Scratch};
+pub use recipe::{presets, Info, Param, Recipe, Scratch};
 pub use shaders::GpuPlan;
 pub use words::{Basis, Fade, Fractal, Isa, Language};
 

@@ -26,6 +26,22 @@ pub struct Param<'a> {
     pub highest: f64,
 }
 
+/// What an output is made of, or another field of the text
+#[derive(Clone, Debug, PartialEq)]
+#[non_exhaustive]
+pub struct Info {
+    /// The length of the largest cell of all noises, in units of x and y; 0 without any
+    pub largest_cell: f64,
+    /// The length of the smallest cell
+    pub smallest_cell: f64,
+    /// Whether values may jump
+    pub jumps: bool,
+    /// Whether it depends on x, y and z
+    pub axes: [bool; 3],
+    /// The highest order of its derivatives
+    pub order: u32,
+}
+
 /// A statement of the text: what does not change with parameters
 #[derive(Clone, Debug)]
 struct Entry {
@@ -128,7 +144,7 @@ impl Recipe {
         let mut recipe =
             Recipe { c, text: text.to_owned(), entries: Vec::new(), dimensions: 2, seed: 0 };
         recipe.entries = recipe.read_entries();
-        recipe.dimensions = recipe.find_dimensions();
+        recipe.dimensions = recipe.entry_at(0).map_or(2, |entry| entry.dimensions as usize);
         Ok(recipe)
     }
 
@@ -170,22 +186,6 @@ impl Recipe {
                 output: entry.output,
             })
             .collect()
-    }
-
-    /// Whether a box may be out of order along z, as in the plane alone
-    fn find_dimensions(&self) -> usize {
-        let out_of_order = ffi::scarp_box { lowest: [0.0, 0.0, 1.0], highest: [0.0; 3] };
-        let (mut lowest, mut highest) = (0.0, 0.0);
-        // SAFETY: all pointers are valid.
-        let status = unsafe {
-            let which = ffi::SCARP_RECIPE_OUTPUT;
-            ffi::scarp_recipe_range(&*self.c, which, &out_of_order, &mut lowest, &mut highest)
-        };
-        if status == ffi::SCARP_OK {
-            2
-        } else {
-            3
-        }
     }
 
     /// The text
@@ -269,6 +269,52 @@ impl Recipe {
         Ok(())
     }
 
+    /// Makes the recipe repeat after so many units along x, y and z, in place of a tile in the text;
+    /// with 0 for all it does not. The plane ignores the last. On an error the old tile stays.
+    ///
+    /// ```
+    /// let mut recipe = scarp::Recipe::new("recipe 1\nout a = noise(size=50)")?;
+    /// recipe.set_tile([200.0, 100.0, 0.0])?;
+    /// assert_eq!(recipe.set_tile([210.0, 100.0, 0.0]).unwrap_err().places()[0].nearest, Some(52.5));
+    /// # Ok::<(), scarp::Error>(())
+    /// ```
+    pub fn set_tile(&mut self, [x, y, z]: [f64; 3]) -> Result<(), Error> {
+        let mut error = ffi::scarp_recipe_error::default();
+        // SAFETY: both pointers are valid.
+        let status = unsafe { ffi::scarp_recipe_tile(&mut *self.c, x, y, z, &mut error) };
+        changed(status, &error, "tile")
+    }
+
+    /// Makes the recipe `by` times larger, as `scale(..., by)` does with each statement, and
+    /// multiplies the first output by `heights`. On an error the old scale stays.
+    ///
+    /// ```
+    /// let mut alps = scarp::Recipe::preset("alps")?;
+    /// let (cells, top) = (alps.info("alps")?.largest_cell, alps.range("alps")?.1);
+    /// alps.set_scale(2.0, 2.0)?; // a terrain with the same slopes
+    /// assert_eq!(alps.info("alps")?.largest_cell, 2.0 * cells);
+    /// assert!(alps.range("alps")?.1 > 1.99 * top);
+    /// # Ok::<(), scarp::Error>(())
+    /// ```
+    pub fn set_scale(&mut self, by: f64, heights: f64) -> Result<(), Error> {
+        let mut error = ffi::scarp_recipe_error::default();
+        // SAFETY: both pointers are valid.
+        let status = unsafe { ffi::scarp_recipe_scale(&mut *self.c, by, heights, &mut error) };
+        changed(status, &error, "scale")
+    }
+
+    /// What an output is made of, or another field of the text
+    pub fn info(&self, name: &str) -> Result<Info, Error> {
+        let entry = self.entry_at(self.which(name)? as usize).unwrap_or_default();
+        Ok(Info {
+            largest_cell: entry.cell[0],
+            smallest_cell: entry.cell[1],
+            jumps: entry.jumps != 0,
+            axes: [1, 2, 4].map(|axis| entry.axes & axis != 0),
+            order: entry.order,
+        })
+    }
+
     /// The number of a statement that is a field
     fn which(&self, name: &str) -> Result<i32, Error> {
         let at = self.entries.iter().position(|each| each.is_field && each.name == name);
@@ -319,5 +365,18 @@ impl Recipe {
     /// long as the recipe is neither changed nor moved away.
     pub fn as_ptr(&self) -> *const ffi::scarp_recipe {
         &*self.c
+    }
+}
+
+/// The result of a call that changes a recipe
+fn changed(
+    status: ffi::scarp_status,
+    error: &ffi::scarp_recipe_error,
+    at_fault: &'static str,
+) -> Result<(), Error> {
+    match status {
+        ffi::SCARP_OK => Ok(()),
+        _ if !error.text.is_null() => Err(Error::of_places(status, vec![Place::of(error)])),
+        _ => Err(Error::of(status, at_fault)),
     }
 }

@@ -125,6 +125,18 @@ fn gullies_and_recipes() -> Result {
     let [x, y, z] = [0, 1, 2].map(|d| points.iter().map(|p| p[d]).collect::<Vec<f64>>());
     recipe.sample3(&x, &y, &z, &mut [("a", of(&mut b))], scratch)?;
     assert_eq!(a, b);
+
+    let mut recipe = Recipe::new("recipe 1\nspace 3\nout a = noise(size=2)")?;
+    let text = "recipe 1\nspace 3\ntile 8, 12, 4\nout a = 5 * scale(noise(size=2), 2)";
+    recipe.set_scale(2.0, 5.0)?;
+    recipe.set_tile([8.0, 12.0, 4.0])?;
+    recipe.grid3(&grid, &mut [("a", of(&mut a))], scratch)?;
+    Recipe::new(text)?.grid3(&grid, &mut [("a", of(&mut b))], scratch)?;
+    assert_eq!(a, b);
+    let info = recipe.info("a")?;
+    assert_eq!((info.largest_cell, info.smallest_cell, info.order), (4.0, 4.0, 2));
+    assert!(info.axes == [true; 3] && !info.jumps);
+    assert!(Recipe::new("recipe 1\nout a = cell(noise())")?.info("a")?.jumps);
     Ok(())
 }
 

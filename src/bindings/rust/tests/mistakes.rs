@@ -209,6 +209,9 @@ fn recipes() {
 
     let mut recipe =
         Recipe::new("recipe 1\nparam h = 2 [1, 9]\nlow = noise(size=9)\nout a = h * low").unwrap();
+    refused(recipe.set_tile([1.0, -1.0, 0.0]), Status::Parameter, "tile");
+    refused(recipe.set_scale(f64::NAN, 1.0), Status::Parameter, "scale");
+    refused(recipe.info("h").map(|_| ()), Status::Parameter, "h");
     refused(recipe.set("h", 10.0), Status::Parameter, "h");
     refused(recipe.set("h", f64::NAN), Status::Parameter, "h");
     refused(recipe.set("k", 1.0), Status::Parameter, "k");
