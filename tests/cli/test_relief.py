@@ -286,6 +286,35 @@ class Relief(Painted):
             self.assertNotEqual(self.relief(*size, "--preset", preset, "--palette", "grey"), made)
 
 
+class Alike(Case):
+    """Colours follow what the height depends on, however the text says it."""
+    SCALED = "recipe 1\nout h = 100 * scale(noise(octaves=3), 1000)\n"
+    SIZED = "recipe 1\nout h = 100 * noise(size=1000, octaves=3)\n"
+    UNUSED = ("recipe 1\nwide = noise(size=100000)\nrough = noise(cell_value, size=3)\n"
+              + SIZED[9:] + "out other = wide + rough\n")
+
+    def layer(self, text, command, option, *arguments):
+        with open(self.path("r.recipe"), "w", encoding="utf-8") as file:
+            file.write(text)
+        result = run(command, "--recipe", "r.recipe", "--size", "64x48", option, "r.ppm", *arguments,
+                     cwd=self.directory)
+        self.assertEqual((result.returncode, result.stderr), (0, b""))
+        return read_picture(self.path("r.ppm")).flat()
+
+    def test_cells(self):
+        for more in ([], ["--scale", "2"], ["--seed", "5", "--levels", "2"]):
+            made = [self.layer(text, "terrain", "--relief", "--step", "40", *more)
+                    for text in (self.SCALED, self.SIZED, self.UNUSED)]
+            self.assertGreater(len(set(made[0])), 300)
+            self.assertEqual(made[0], made[1])
+            self.assertEqual(made[1], made[2])
+
+    def test_jumps(self):
+        views = [self.layer(text, "view", "--output", "--quiet") for text in
+                 (self.SIZED, self.UNUSED)]
+        self.assertEqual(views[0], views[1])
+
+
 class Palettes(Painted):
     """Palettes from files"""
 

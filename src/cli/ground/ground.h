@@ -28,12 +28,11 @@ struct ground_source {
     const char *text; /* a recipe */
     size_t length;    /* its bytes */
     const struct ground_value *values;
-    size_t count;       /* of values */
-    uint64_t seed;      /* of the world */
-    const char *tile;   /* "512, 256": the terrain repeats after so many units along x and y */
-    const char *digits; /* of `scale` */
-    double scale;       /* makes it so many times larger, places and heights; 0: it does not */
-    bool is_any;        /* any field will do: it may be one of space, and have no bound */
+    size_t count;   /* of values */
+    uint64_t seed;  /* of the world */
+    double tile[2]; /* the terrain repeats after so many units along x and y */
+    double scale;   /* makes it so many times larger, places and heights; 0: it does not */
+    bool is_any;    /* any field will do: it may be one of space, and have no bound */
     const char *const *fields; /* names of outputs that are asked for beside the height */
     size_t field_count;
 };
@@ -50,8 +49,9 @@ struct ground {
     int32_t height;        /* the number of the statement that is the height */
     float lowest, highest; /* heights never leave this interval, the sea aside */
     float floor;           /* the sea, taken into that interval; without one, `lowest` */
-    double cell;           /* units of the largest cells of all noises */
-    bool jumps;            /* heights jump somewhere: the table of scarp.h under "Jumps" */
+    double cell;           /* the largest cell of the height; without a noise, the scale */
+    bool jumps;            /* heights may jump somewhere */
+    bool is_space;         /* of space, and so no terrain: is_any allows that */
     struct ground_field fields[GROUND_FIELDS_MOST]; /* those asked for; the height, if it is one of
                                                        them, is the ground without water */
     size_t field_count;
@@ -76,9 +76,6 @@ static inline bool ground_has_sea(const struct ground *ground)
 {
     return ground->floor > ground->lowest;
 }
-
-/* Whether it is of space, and so no terrain: is_any allows that. */
-bool ground_is_space(const struct ground *ground);
 
 /* Sample heights, and slopes if out->dx and out->dy are there, as scarp_grid2 and
    scarp_sample2_f64 do. The sea is flat. `out` may have second derivatives, too, where the recipe

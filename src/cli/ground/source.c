@@ -209,17 +209,10 @@ int source_open(struct source *source, const struct ground_options *options, dou
     source->ground.length = source->text.length;
     source->ground.values = source->values;
     source->ground.seed = options->noise.seed;
-    if (options->scale != 1.0) {
-        number_write_double(source->scale, options->scale);
-        source->ground.digits = source->scale;
-        source->ground.scale = options->scale;
-    }
-    if (options->period.width != 0 && !source->is_noise) { /* one noise has its tile in its text */
-        char *end = number_write_double(source->tile, step * (double)options->period.width);
-        *end++ = ',';
-        *end++ = ' ';
-        number_write_double(end, step * (double)options->period.height);
-        source->ground.tile = source->tile;
+    source->ground.scale = options->scale != 1.0 ? options->scale : 0.0;
+    if (!source->is_noise) { /* one noise has its tile in its text */
+        source->ground.tile[0] = step * (double)options->period.width;
+        source->ground.tile[1] = step * (double)options->period.height;
     }
     return CLI_SUCCESS;
 }
@@ -239,7 +232,7 @@ void source_print(const struct source *source)
 static bool is_fault_of_tile(const struct source *source)
 {
     struct scarp_recipe recipe;
-    return source->ground.tile != NULL &&
+    return source->ground.tile[0] != 0.0 &&
            scarp_recipe_parse(source->text.bytes, source->text.length, &recipe, NULL, 0, NULL) ==
                SCARP_OK;
 }
@@ -260,7 +253,7 @@ void source_refuse(const struct source *source, const struct scarp_recipe_error 
 /* Lists the parameters of the text, with their intervals. */
 static void list_parameters(const struct source *source, struct text *list)
 {
-    struct scarp_recipe recipe; /* without a tile, so that names are where they are in the text */
+    struct scarp_recipe recipe;
     struct scarp_recipe_entry entry;
     const char *const text = source->text.bytes;
     (void)scarp_recipe_parse(text, source->text.length, &recipe, NULL, 0, NULL);

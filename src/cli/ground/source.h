@@ -11,7 +11,6 @@
 #include "ground/ground.h"
 #include "ground/ground_options.h"
 #include "look/palette.h"
-#include "shared/number.h"
 #include "shared/text.h"
 
 #define SOURCE_PALETTE_SIZE 32
@@ -25,7 +24,6 @@ struct source {
     struct ground_value values[OPTION_LIST_MOST];
     struct ground_source ground;            /* of these */
     const char *fields[GROUND_FIELDS_MOST]; /* names of outputs, which the source does not own */
-    char tile[2 * NUMBER_SIZE + 2], scale[NUMBER_SIZE]; /* numbers of it, as text */
     char palette[SOURCE_PALETTE_SIZE]; /* that of the text's line `#: palette NAME`; "": none */
     double nearest;                    /* the frequency of one noise that repeats; else 0 */
     uint32_t cells[2];                 /* and its cells along the sides of the period */

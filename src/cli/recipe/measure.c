@@ -28,17 +28,18 @@ static double place(int i, double power, double size)
     return (u - floor(u) - 0.5) * size;
 }
 
-void measure_values(const struct ground *ground, int32_t which, struct measure *measure)
+void measure_values(const struct ground *ground, int32_t which, double cell,
+                    struct measure *measure)
 {
     static double x[PLACES], y[PLACES], z[PLACES];
     static float value[PLACES];
-    const double size = CELLS * ground->cell;
+    const double size = CELLS * cell;
     const struct scarp_samples out = {.value = value};
     const struct scarp_recipe_outputs outputs = {.out = &out, .which = &which, .count = 1};
     for (int i = 0; i < PLACES; i++) {
         x[i] = place(i, 0.8191725133961645, size);
         y[i] = place(i, 0.6710436067037893, size);
-        z[i] = place(i, 0.5497004779019703, ground->cell); /* heights are often meant */
+        z[i] = place(i, 0.5497004779019703, cell); /* heights are often meant */
     }
     if (scarp_recipe_sample_f64(&ground->recipe, PLACES, x, y, z, &outputs, ground_scratch()) !=
         SCARP_OK) {
@@ -62,7 +63,7 @@ static enum scarp_status sample(const struct ground *ground, bool has_gradient, 
 
 double measure_cost(const struct ground *ground, bool has_gradient)
 {
-    const int slices = ground_is_space(ground) ? 8 : 1;
+    const int slices = ground->is_space ? 8 : 1;
     double shortest = INFINITY;
     const double begin = running_seconds();
     double now = begin;

@@ -12,9 +12,10 @@ struct measure {
     float lowest, middle, highest;
 };
 
-/* Looks at the statement of that number, in a square of 64 of the largest cells; in space it is one
+/* Looks at the statement of that number, in a square of 64 cells of that size; in space it is one
    cell high. */
-void measure_values(const struct ground *ground, int32_t which, struct measure *measure);
+void measure_values(const struct ground *ground, int32_t which, double cell,
+                    struct measure *measure);
 
 /* Nanoseconds per sample of the first output on a grid, in one thread; 0 for what cannot be
    sampled. */

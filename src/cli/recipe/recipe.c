@@ -60,7 +60,7 @@ const struct option_table recipe_table = {
         "errors     All errors of the text are printed on stderr, as FILE:LINE:COLUMN: what is\n"
         "           wrong. The exit status is then 2.\n"
         "outputs    Each has an interval that values never leave, and the lowest, the middle and\n"
-        "           the highest value of 4096 places, in a square of 64 of the largest cells.\n"
+        "           the highest value of 4096 places, in a square of 64 of its largest cells.\n"
         "shaders    The text has scarp_recipe(x, y), in space (x, y, z), and what it uses of\n"
         "           scarp.glsl, scarp.hlsl or scarp.wgsl. Its numbers, and the seed, are in a\n"
         "           uniform buffer. The self-test has 4096 numbers of 32 bits. Both files are in\n"
@@ -159,7 +159,7 @@ static void print_entries(const struct source *source, const struct ground *grou
     for (size_t i = 0; scarp_recipe_entry_at(&ground->recipe, i, &entry) == SCARP_OK; i++) {
         if (entry.output >= 0 && !entry.is_param) {
             struct measure measure;
-            measure_values(ground, (int32_t)i, &measure);
+            measure_values(ground, (int32_t)i, entry.cell[0] > 0.0 ? entry.cell[0] : 1.0, &measure);
             print_output(text, &entry, &measure);
         }
     }

@@ -282,7 +282,7 @@ static bool check_recipe(struct sample *sample, const struct source *source,
     if (!source_ground(source, ground)) {
         return false;
     }
-    sample->is_space = ground_is_space(ground);
+    sample->is_space = ground->is_space;
     if (options->hessian &&
         sample_recipe(ground, 1, &origin, &origin, &origin, &second) != SCARP_OK) {
         cli_error("--hessian: %s has no second derivatives", source->name);
