@@ -119,7 +119,7 @@ static int is_creased(const struct oracle *oracle, const struct scheme *scheme, 
 /* Those whose value has slopes in it have none. */
 static int has_hessian(enum scarp_fractal fractal)
 {
-    return fractal != SCARP_EROSION && fractal < SCARP_SWISS;
+    return !fractal_has(fractal, FRACTAL_SLOPES);
 }
 
 static void check_scheme(const struct oracle *oracle, const struct scheme *scheme, int near_planes,
@@ -200,13 +200,13 @@ static void check_fractal(enum scarp_fractal fractal, enum scarp_basis basis, in
                                       .gain = 0.6f,
                                       .erosion = 0.7f,
                                       .rotate = 1,
-                                      .sharpness = fractal < SCARP_SWISS ? 1.3f : 0.2f};
+                                      .sharpness = fractal_bends(fractal) ? 0.2f : 1.3f};
     char name[80];
     struct oracle oracle;
     snprintf(name, sizeof name, "%s %dD %s, turned", basis_name((int)basis), dimensions,
              fractal_name((int)fractal));
     oracle_make(&oracle, &noise, dimensions);
-    check_scheme(&oracle, fractal < SCARP_SWISS ? &folds : &bends, 0, name);
+    check_scheme(&oracle, fractal_bends(fractal) ? &bends : &folds, 0, name);
 }
 
 static void check_derivatives(void)

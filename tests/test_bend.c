@@ -11,7 +11,7 @@ static int dimensions;
 static void check_defaults(struct block *x, struct block *y, enum scarp_fractal fractal)
 {
     const enum function f = dimensions == 2 ? SAMPLE2 : SAMPLE3;
-    const float sharpness = fractal == SCARP_SWISS ? 0.15f : 0.35f;
+    const float sharpness = fractal_row(fractal)->sharpness;
     struct scarp_noise noise = {.fractal = fractal, .octaves = 3.0f}, given = noise;
     int member = 0;
     size_t index = 0;
@@ -30,7 +30,8 @@ static void check_defaults(struct block *x, struct block *y, enum scarp_fractal 
     given.sharpness = sharpness;
     given.erosion = 0.5f;
     block_sample(y, &given, f, BLOCK);
-    CHECK(outputs_equal(&x->out, &y->out, 1, BLOCK, &member, &index) == (fractal == SCARP_SWISS),
+    CHECK(outputs_equal(&x->out, &y->out, 1, BLOCK, &member, &index) ==
+              (fractal_row(fractal)->most_erosion == 0.0f),
           "%s: erosion", fractal_name((int)fractal));
 }
 
@@ -49,7 +50,8 @@ static void check_range(struct block *block, enum scarp_fractal fractal, int i)
                                       .sharpness = i % 7 == 0 ? 64.0f : 0.0f,
                                       .phase = i / 2 % 8 == 0 ? 0.37f : 0.0f};
     const double far = reach[dimensions - 2][noise.fade];
-    const double square = noise.phase != 0.0f && fractal == SCARP_JORDAN ? far * far : 1.0;
+    const double square =
+        noise.phase != 0.0f && fractal_row(fractal)->range == RANGE_SQUARE ? far * far : 1.0;
     float range[2] = {7.0f, -7.0f};
     uint64_t random = 1;
     CHECK(scarp_range(&noise, dimensions, &range[0], &range[1]) == SCARP_OK, "refused");
@@ -122,7 +124,7 @@ static void check_periods(struct block *x, struct block *y, enum scarp_fractal f
     }
 }
 
-/* Second derivatives and dphase are not supported, erosion above 1 of Jordan noise is an error. */
+/* Second derivatives and dphase are not supported, erosion above 1 is an error where it is a share. */
 static void check_refused(struct block *block, enum scarp_fractal fractal)
 {
     const enum function f = dimensions == 2 ? SAMPLE2 : SAMPLE3;
@@ -140,7 +142,8 @@ static void check_refused(struct block *block, enum scarp_fractal fractal)
               output_names[m]);
     }
     noise.erosion = nextafterf(1.0f, 2.0f);
-    const enum scarp_status wanted = fractal == SCARP_JORDAN ? SCARP_ERROR_PARAMETER : SCARP_OK;
+    const enum scarp_status wanted =
+        fractal_row(fractal)->most_erosion == 1.0f ? SCARP_ERROR_PARAMETER : SCARP_OK;
     CHECK(scarp_noise_check(&noise, dimensions, &member) == wanted &&
               (wanted == SCARP_OK || (member != NULL && strcmp(member, "erosion") == 0)),
           "%s: erosion above 1", fractal_name((int)fractal));
@@ -183,8 +186,11 @@ int main(int argc, char **argv)
     }
     check_select_isa(argv[1]);
     struct block *const x = block_make(), *const y = block_make();
-    for (int i = 0; i < 4; i++) {
-        const enum scarp_fractal fractal = i / 2 == 0 ? SCARP_SWISS : SCARP_JORDAN;
+    for (int i = 0; i < 2 * SCARP_FRACTALS; i++) {
+        const enum scarp_fractal fractal = (enum scarp_fractal)(i / 2);
+        if (!fractal_bends(fractal)) {
+            continue;
+        }
         dimensions = 2 + i % 2;
         check_defaults(x, y, fractal);
         check_tiny_weight(x, fractal);

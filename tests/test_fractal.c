@@ -68,15 +68,9 @@ static const double phase_bounds[] = {[SCARP_TURBULENCE] = 2e-6,
                                       [SCARP_PINGPONG] = 3e-6,
                                       [SCARP_HYBRID] = 5e-7};
 
-/* Octaves of these look where slopes send them. */
-static int bends(enum scarp_fractal fractal)
-{
-    return fractal == SCARP_SWISS || fractal == SCARP_JORDAN;
-}
-
 static int highest_order(enum scarp_fractal fractal)
 {
-    return fractal == SCARP_EROSION || bends(fractal) ? 1 : 2;
+    return fractal_has(fractal, FRACTAL_SLOPES) ? 1 : 2;
 }
 
 /* The errors of one fractal, basis and dimension, over all settings, fades and precisions. */
@@ -96,7 +90,7 @@ static void compare_block(const struct block *block, size_t count, const struct 
         struct oracle_creases creases;
         block_point(block, i, x);
         oracle_evaluate_creased(oracle, rounding, x, &expected, &creases);
-        if (creases.clearance < (bends(noise->fractal) ? BENT_CREASE : CREASE) ||
+        if (creases.clearance < (fractal_bends(noise->fractal) ? BENT_CREASE : CREASE) ||
             (!basis_smooth(noise->basis) &&
              (creases.border < BORDER || creases.nearest < NEAREST))) {
             errors->excluded++;
@@ -110,7 +104,7 @@ static void compare_block(const struct block *block, size_t count, const struct 
             errors->max[order] = larger(errors->max[order], e);
             errors->squares[order] += e * e;
         }
-        if (noise->basis == SCARP_GRADIENT && !bends(noise->fractal)) {
+        if (noise->basis == SCARP_GRADIENT && !fractal_bends(noise->fractal)) {
             errors->phase =
                 larger(errors->phase, fabs(actual.phase - expected.phase) / phase_unit(oracle));
         }
@@ -131,10 +125,10 @@ static void check_accuracy(struct block *block, enum scarp_fractal fractal, enum
         if (!blends_corners(basis) && noise.fade != SCARP_QUINTIC) {
             continue; /* which they do not look at */
         }
-        if (bends(fractal) && (i & 2) == 0) {
+        if (fractal_bends(fractal) && (i & 2) == 0) {
             continue; /* floats so far from the origin: see check_bent() */
         }
-        if (bends(fractal)) { /* bounds are for octaves that bend little */
+        if (fractal_bends(fractal)) { /* bounds are for octaves that bend little */
             noise.octaves = 4.0f;
             noise.gain = noise.sharpness = 0.0f;
             noise.erosion = 0.9f;
@@ -250,7 +244,7 @@ static void check_bent(struct block *block, enum scarp_fractal fractal, enum fun
 static void check_frozen(struct block *block, enum scarp_fractal fractal, enum scarp_basis basis,
                          int dimensions, long points)
 {
-    const enum oracle_rounding rounding = bends(fractal) ? ORACLE_EXACT : ORACLE_F64;
+    const enum oracle_rounding rounding = fractal_bends(fractal) ? ORACLE_EXACT : ORACLE_F64;
     const struct scarp_noise noise = {.fractal = fractal,
                                       .basis = basis,
                                       .octaves = 8.0f,
@@ -284,7 +278,7 @@ static void check_frozen(struct block *block, enum scarp_fractal fractal, enum s
     printf("%-10s %-8s %dD RMS error of the gradient, relative: %.1e; without the Hessians: "
            "%.3f\n",
            fractal_name((int)fractal), basis_name((int)basis), dimensions, actual, frozen);
-    CHECK(frozen >= (bends(fractal) ? 0.2 : 0.3),
+    CHECK(frozen >= (fractal_bends(fractal) ? 0.2 : 0.3),
           "without the Hessians the gradient is off by %g only", frozen);
     CHECK(actual * 1000.0 <= frozen, "scarp's is off by %g, without the Hessians %g", actual,
           frozen);
@@ -342,7 +336,7 @@ int main(int argc, char **argv)
     const long points = check_argument(argc, argv, 1, BLOCK, "POINTS");
     struct block *const block = block_make();
     printf("error in units of sum |a_k| f_k^order: max, RMS of value; of gradient; of Hessian\n");
-    for (int i = 0; i < 28; i++) {
+    for (int i = 0; i < 4 * (SCARP_FRACTALS - 1); i++) {
         check_accuracy(block, (enum scarp_fractal)(SCARP_TURBULENCE + i / 4),
                        (enum scarp_basis)(i / 2 % 2), 2 + i % 2, points);
     }
@@ -355,9 +349,11 @@ int main(int argc, char **argv)
         check_bent(block, (enum scarp_fractal)(SCARP_SWISS + i / FUNCTIONS % 2),
                    (enum function)(i % FUNCTIONS), i / FUNCTIONS / 2);
     }
-    static const enum scarp_fractal steered[] = {SCARP_EROSION, SCARP_SWISS, SCARP_JORDAN};
-    for (int i = 0; i < 12; i++) {
-        check_frozen(block, steered[i / 4], (enum scarp_basis)(i / 2 % 2), 2 + i % 2, points);
+    for (int i = 0; i < 4 * SCARP_FRACTALS; i++) {
+        const enum scarp_fractal fractal = (enum scarp_fractal)(i / 4);
+        if (fractal_has(fractal, FRACTAL_SLOPES)) {
+            check_frozen(block, fractal, (enum scarp_basis)(i / 2 % 2), 2 + i % 2, points);
+        }
     }
     for (int i = 0; i < 12; i++) {
         check_fading(block, (enum scarp_fractal)(i / 2), 2 + i % 2);
