@@ -56,8 +56,8 @@ mutant(positions.hash_loop IN kernel/lattice.h TEXT [[m.axis[i] = axis_of(lattic
        SEEN_BY bits SETS sse4.1 avx2 neon wasm128 generic)
 mutant(rows.hash IN kernel/lattice.h TEXT [[y.h1 ^ z.h1]]
        BECOMES [[(MUTANT ? y.h1 + z.h1 : y.h1 ^ z.h1)]] SEEN_BY grid)
-mutant(positions.reference IN scalar TEXT [[fabsf(p) < 0x1p31f]]
-       BECOMES [[fabsf(p) < (MUTANT ? 0x1p30f : 0x1p31f)]] SEEN_BY golden SETS scalar)
+mutant(positions.reference IN formulas TEXT [[magnitude(p) < 2147483648.0f]]
+       BECOMES [[magnitude(p) < (MUTANT ? 0x1p30f : 0x1p31f)]] SEEN_BY golden SETS scalar)
 
 # basis
 mutant(basis.fused IN kernel TEXT [[return a + u * (b - a);]]
@@ -341,10 +341,10 @@ mutant(plan.stale_seed IN plan/kept.h TEXT [[differences(a, b, 0, plan)]]
 mutant(plan.stale_spare IN plan/kept.h TEXT [[differences(a, b, plan + sizeof(uintptr_t), sizeof *a)]]
        BECOMES [[differences(a, b, plan + sizeof(uintptr_t), sizeof *a - (MUTANT ? sizeof(uintptr_t) : 0))]]
        SEEN_BY plan SETS scalar)
-mutant(plan.dimensions IN plan/kept.h TEXT [[kept->mark != mark_of(kind.dimensions)]]
-       BECOMES [[(kept->mark ^ mark_of(kind.dimensions)) > (uint64_t)MUTANT]] SEEN_BY plan SETS scalar)
-mutant(plan.kept_dphase IN plan/kept.h TEXT [[plan_ask(plan, kind);]]
-       BECOMES [[plan_ask(plan, kind), plan->flows &= !MUTANT;]]
+mutant(plan.dimensions IN plan/kept.h TEXT [[kept->mark != mark_of(request.dimensions)]]
+       BECOMES [[(kept->mark ^ mark_of(request.dimensions)) > (uint64_t)MUTANT]] SEEN_BY plan SETS scalar)
+mutant(plan.kept_dphase IN plan/kept.h TEXT [[plan_ask(plan, request);]]
+       BECOMES [[plan_ask(plan, request), plan->flows &= !MUTANT;]]
        SEEN_BY plan SETS scalar avx2)
 
 # warps
@@ -354,10 +354,8 @@ mutant(warp.hessian IN kernel TEXT [[r.dyy = ALONG(dy, hy) + ALONG(dyy, g);]]
        BECOMES [[r.dyy = MUTANT ? ALONG(dy, hy) : ALONG(dy, hy) + ALONG(dyy, g);]] SEEN_BY bits)
 mutant(warp.grid_chunk IN kernel TEXT [[grid->first[axis] += (int64_t)chunk->at[axis];]]
        BECOMES [[grid->first[axis] += MUTANT ? 0 : (int64_t)chunk->at[axis];]] SEEN_BY grid)
-mutant(warp.reference IN scalar
-       TEXT [[along(y, DX + i, hj, dimensions) + along(y, second(i, j), g, dimensions)]]
-       BECOMES [[along(y, DX + i, hj, dimensions) + (MUTANT ? 0.0f : along(y, second(i, j), g, dimensions))]]
-       SEEN_BY golden SETS scalar)
+mutant(warp.reference IN formulas TEXT [[add3(r.diagonal, diagonal)]]
+       BECOMES [[MUTANT ? r.diagonal : add3(r.diagonal, diagonal)]] SEEN_BY golden SETS scalar)
 mutant(warp.seeds IN plan/plan.c TEXT [[scarpi_component_seed(noise.seed, own)]]
        BECOMES [[scarpi_component_seed(noise.seed, own - (MUTANT ? SCARP_MAX_OCTAVES : 0))]]
        SEEN_BY golden SETS avx2)
@@ -371,8 +369,8 @@ mutant(moved.row IN kernel/moved.h TEXT [[lane_of(from[0], i == 1 ? row % VEC_LA
        BECOMES [[lane_of(from[0], i == 1 && !MUTANT ? row % VEC_LANES : 0)]] SEEN_BY grid)
 mutant(moved.slice IN kernel/moved.h TEXT [[split_along(split.slice, &m->octave, 2]]
        BECOMES [[split_along(split.slice, &m->octave, 2 - MUTANT]] SEEN_BY grid)
-mutant(moved.reference IN scalar TEXT [[*t = carry ? sum - 1.0f : sum;]]
-       BECOMES [[*t = carry && !MUTANT ? sum - 1.0f : sum;]] SEEN_BY golden SETS scalar)
+mutant(moved.reference IN scalar TEXT [[carry ? sum - 1.0f : sum]]
+       BECOMES [[carry && !MUTANT ? sum - 1.0f : sum]] SEEN_BY golden SETS scalar)
 
 # fractals that bend
 mutant(bend.left_by IN kernel
