@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * Shaders: more functions over samples; calls/shapes.c computes the partial derivatives of each.
+ * Shaders: more functions over samples; calls/partials.c computes the partial derivatives of each.
  */
 #ifndef SCARP_GPU_CHAIN_H
 #define SCARP_GPU_CHAIN_H
