@@ -11,7 +11,9 @@
 /* What operations are like, added. */
 enum {
     NEEDS_SLOPES = 1, /* derivatives are of one order less than those of in[0] */
-    CAN_BE_LEVEL = 2  /* a mask that is made by it can be 0 or 1 everywhere, without slopes */
+    CAN_BE_LEVEL = 2, /* a mask that is made by it can be 0 or 1 everywhere, without slopes */
+    IS_C0 = 4,        /* it has creases, where what it reads has none */
+    IS_C1 = 8         /* its Hessian jumps, where that of what it reads does not */
 };
 int scarpi_recipe_traits(int operation);
 

@@ -15,7 +15,7 @@ int scarpi_recipe_traits(int operation)
 #define FUNCTION(...) OPERATOR(__VA_ARGS__)
     static const uint8_t traits_of[OP_COUNT] = {
         [OP_CONSTANT] = CAN_BE_LEVEL,
-        [OP_GULLIES] = NEEDS_SLOPES,
+        [OP_GULLIES] = NEEDS_SLOPES | IS_C1,
 #include "../plan/functions.def"
     };
     return traits_of[operation];

@@ -179,17 +179,14 @@ static int smoothness_of(const struct recipe *r, const struct recipe_node *n, in
     case OP_NOISE:
     case OP_VECTOR: return lesser(least, smoothness_of_noise(r, n->index));
     case OP_CELL: return n->detail == 0 ? JUMPS : lesser(least, CREASES);
-    case OP_GULLIES: return lesser(least > JUMPS ? least - 1 : JUMPS, HAS_GRADIENT);
-    case OP_SLOPE: return least > JUMPS ? least - 1 : JUMPS; /* it has tips, which are points */
-    case OP_MIN:
-    case OP_MAX:
-    case OP_CLAMP:
-    case OP_ABS:
-    case OP_SQRT:
-    case OP_PULSE: return lesser(least, CREASES);
-    case OP_CURVE: return lesser(least, HAS_GRADIENT);
-    default: return least;
+    default: break;
     }
+    const int traits = scarpi_recipe_traits(n->operation);
+    const int most = (traits & IS_C0) != 0   ? CREASES
+                     : (traits & IS_C1) != 0 ? HAS_GRADIENT
+                                             : HAS_HESSIAN;
+    const int has_slopes = (traits & NEEDS_SLOPES) != 0; /* those of a crease jump */
+    return lesser(has_slopes && least > JUMPS ? least - 1 : least, most);
 }
 
 NOINLINE void scarpi_recipe_summary(const struct recipe *r, int node, struct recipe_summary *to)
