@@ -41,7 +41,10 @@ static void write_noise(struct text *text, const struct ground_options *options,
 {
     const bool has_plateau = options->plateau != INFINITY;
     float lowest, highest;
-    scarp_range(made, 2, &lowest, &highest);
+    if (scarp_range(made, 2, &lowest, &highest) != SCARP_OK) { /* sampling refuses the noise */
+        lowest = -INFINITY;
+        highest = INFINITY;
+    }
     if (options->sea_level != -INFINITY) {
         const float sea = within(options->sea_level, lowest, highest);
         add_number(text, "param sea = ", (double)(options->height * sea), true, "\n");

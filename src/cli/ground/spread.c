@@ -7,6 +7,7 @@
 
 #include <math.h>
 #include <stdlib.h>
+#include <string.h>
 
 #include "shared/bounds.h"
 
@@ -35,8 +36,10 @@ static void sample(const struct ground *ground, float value[PLACES])
             x[i] = (u - floor(u) - 0.5) * size;
             y[i] = (v - floor(v) - 0.5) * size;
         }
-        (void)ground_dry_points(&still, PIECE, x, y,
-                                &(struct scarp_samples){.value = value + first});
+        if (!ground_dry_points(&still, PIECE, x, y,
+                               &(struct scarp_samples){.value = value + first})) {
+            memset(value + first, 0, PIECE * sizeof *value); /* maps are sampled, and fail, later */
+        }
     }
 }
 
