@@ -263,6 +263,40 @@ static void check_together(void)
     check_same_recipes("taken back", &recipe, &copy, 10.0);
 }
 
+/* Outputs that are numbers are scaled once, however often the recipe is compiled. */
+static void check_scaled_numbers(void)
+{
+    static const char *const numbers[] = {"0.29", "-0.29", "(0.29)", "0.1 + 0.19", "k", "-k"};
+    for (size_t i = 0; i < sizeof numbers / sizeof numbers[0]; i++) {
+        char text[ROOM], scaled[ROOM];
+        struct scarp_recipe_part part;
+        sprintf(text, "recipe 1\nparam k = 0.29 [-1, 1]\nn = x\nout h = %s\nout b = h + n",
+                numbers[i]);
+        sprintf(scaled, "recipe 1\nparam k = 0.29 [-1, 1]\nout h = 3.7 * (%s)", numbers[i]);
+        CHECK(parse(text, &recipe) == SCARP_OK && parse(scaled, &by_text) == SCARP_OK, "parse");
+        CHECK(scarp_recipe_scale(&recipe, 1.0, 3.7, NULL) == SCARP_OK, "scale");
+        memcpy(&copy, &recipe, sizeof copy);
+        for (int again = 0; again < 3; again++) {
+            CHECK(scarp_recipe_seed(&recipe, 7) == SCARP_OK &&
+                      scarp_recipe_tile(&recipe, 5.0, 5.0, 0.0, NULL) == SCARP_ERROR_PARAMETER &&
+                      scarp_recipe_set(&recipe, "k", 0.29, NULL) == SCARP_OK,
+                  "again");
+            check_same(numbers[i], &recipe, 2, &by_text, 1, 1.0);
+            check_same_recipes(numbers[i], &recipe, &copy, 1.0);
+        }
+        for (size_t k = 0; scarp_recipe_part_at(&recipe, k, &part) == SCARP_OK; k++) {
+            struct scarp_recipe_part before;
+            CHECK(scarp_recipe_part_at(&copy, k, &before) == SCARP_OK &&
+                      part.value == before.value && part.hash == before.hash,
+                  "%s: part %zu is %g, and was %g", numbers[i], k, part.value, before.value);
+        }
+        CHECK(scarp_recipe_scale(&recipe, 1.0, 1.0, NULL) == SCARP_OK &&
+                  parse(text, &copy) == SCARP_OK,
+              "taken back");
+        check_same_recipes("taken back", &recipe, &copy, 1.0);
+    }
+}
+
 /* A tile of a call takes the place of that of the text, and no sides take it away. */
 static void check_other_tile(void)
 {
@@ -617,6 +651,7 @@ int main(void)
 {
     check_texts();
     check_together();
+    check_scaled_numbers();
     check_other_tile();
     check_bad_numbers(0);
     check_bad_numbers(1);

@@ -95,6 +95,8 @@ void scarpi_recipe_compile(struct recipe *recipe, struct recipe_errors *errors)
         struct recipe_expression *const x =
             &recipe->expression[recipe->statement[recipe->output[i]].expression];
         x->node = roots[i];
-        x->number = output[i].number;
+        if (x->type != EXPRESSION_NUMBER) { /* which keeps what the text has */
+            x->number = output[i].number;
+        }
     }
 }

@@ -67,11 +67,21 @@ static NOINLINE uint64_t hash_of(const struct recipe *r, int node)
     return of[node];
 }
 
+/* A number, as it is sampled: scaled, if it is the first output */
+static double number_of(const struct recipe *r, const struct recipe_expression *x)
+{
+    const int is_scaled = x->type == EXPRESSION_NUMBER && r->outputs > 0 &&
+                          x == &r->expression[r->statement[r->output[0]].expression];
+    return is_scaled ? r->scale[1] * x->number : x->number;
+}
+
 static uint64_t hash_of_value(const struct recipe *r, const struct recipe_expression *x)
 {
-    return x->kind == SCARP_RECIPE_NUMBER ? mixed(1, &x->number, sizeof x->number)
-           : x->node >= 0                 ? hash_of(r, x->node)
-                                          : 0;
+    if (x->kind == SCARP_RECIPE_NUMBER) {
+        const double number = number_of(r, x);
+        return mixed(1, &number, sizeof number);
+    }
+    return x->node >= 0 ? hash_of(r, x->node) : 0;
 }
 
 static void set_span(uint32_t to[2], struct recipe_span span)
@@ -172,7 +182,7 @@ enum scarp_status scarp_recipe_part_at(const struct scarp_recipe *recipe, size_t
     part->entry = x->type == EXPRESSION_NAME && x->kind != SCARP_RECIPE_WORD
                       ? scarpi_recipe_find(r, x->name, r->statements)
                       : -1;
-    part->value = x->kind == SCARP_RECIPE_NUMBER ? x->number : 0.0;
+    part->value = x->kind == SCARP_RECIPE_NUMBER ? number_of(r, x) : 0.0;
     if (is_field(x)) {
         const struct recipe_node *const n = &r->node[x->node];
         part->range[0] = n->interval.lowest;

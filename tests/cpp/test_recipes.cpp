@@ -179,8 +179,8 @@ void check_parameters()
     CHECK(r.try_tile(7, 5).text == unfit.text && r.try_tile(7, 5).line == unfit.line);
     scarp::recipe squares("recipe 1\nout a = noise(size=4)\n");
     squares.tile(8, 12);
-    squares.sample({x, y}, {.value = expected});
-    squares.sample({std::vector<float>{33 + 8 * 5}, std::vector<float>{44 + 12 * 3}},
+    squares.sample({std::vector<double>{33}, std::vector<double>{44}}, {.value = expected});
+    squares.sample({std::vector<double>{33 + 8 * 5}, std::vector<double>{44 + 12 * 3}},
                    {.value = value});
     CHECK(value == expected);
 
