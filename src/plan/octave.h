@@ -36,6 +36,7 @@ static inline vec4 turns_of_octave(const struct scarp_call_plan *plan, const str
 static inline struct octave octave_of(const struct scarp_call_plan *plan, int k, int dimensions)
 {
     const struct scarp_octave *const from = &plan->octave[k];
+    const int turned = is_turned(plan, k);
     struct octave o = {
         .key = {from->key[0], from->key[1], from->key[2]},
         .last = {from->last[0], from->last[1], dimensions == 3 ? from->last[2] : UINT32_MAX},
@@ -50,13 +51,13 @@ static inline struct octave octave_of(const struct scarp_call_plan *plan, int k,
         .offset_y = (float)from->offset[1],
         .offset_z = dimensions == 3 ? (float)from->offset[2] : 0.0f,
     };
-    if (is_turned(plan, k)) {
+    if (turned) {
         o.jacobian_x = vec3_from(from->jacobian[0], dimensions);
         o.jacobian_y = vec3_from(from->jacobian[1], dimensions);
         o.gradient_x = vec3_from(from->gradient[0], dimensions);
         o.gradient_y = vec3_from(from->gradient[1], dimensions);
     }
-    if (is_turned(plan, k) && dimensions == 3) {
+    if (turned && dimensions == 3) {
         o.jacobian_z = vec3_from(from->jacobian[2], dimensions);
         o.gradient_z = vec3_from(from->gradient[2], dimensions);
     }

@@ -66,13 +66,32 @@ static inline struct state first_state(const struct scarp_call_plan *plan)
     return state;
 }
 
+/* The same of fBm without a derivative with respect to the phase, which needs no state. */
+WHOLE struct sampled sum_fbm(const struct scarp_call_plan *plan, const struct point *x,
+                             int dimensions)
+{
+    struct sampled s = {first_state(plan).sum, 0.0f};
+    for (int k = 0; k < plan->octaves; k++) {
+        const struct octave o = octave_of(plan, k, dimensions);
+        const struct location at = location_at(plan, k, x, dimensions);
+        const struct sample basis =
+            dimensions == 2 ? basis_at2(plan, k, &at) : basis_at3(plan, k, &at);
+        s.s = sum_of(s.s, in_input(o, is_turned(plan, k), basis, dimensions));
+    }
+    return s;
+}
+
 WHOLE struct sampled sum_octaves(const struct scarp_call_plan *plan, const struct point *x,
                                  int dimensions)
 {
+    if (plan->fractal == SCARP_FBM && !plan->dphase) {
+        return sum_fbm(plan, x, dimensions);
+    }
     const struct level l = level_of(plan);
     struct state sum = first_state(plan), by_phase = sum;
     for (int k = 0; k < plan->octaves; k++) {
         const struct octave o = octave_of(plan, k, dimensions);
+        const int turned = is_turned(plan, k);
         struct location at;
         if (fractal_bends(plan->fractal) && k > 0) {
             struct point y = *x;
@@ -84,7 +103,7 @@ WHOLE struct sampled sum_octaves(const struct scarp_call_plan *plan, const struc
         }
         const struct sample basis =
             dimensions == 2 ? basis_at2(plan, k, &at) : basis_at3(plan, k, &at);
-        sum = with_basis(sum, o, l, k == 0, is_turned(plan, k), basis, dimensions);
+        sum = with_basis(sum, o, l, k == 0, turned, basis, dimensions);
         if (plan->dphase) {
             const struct sample turning = turning_at(plan, k, &at, dimensions);
             by_phase = with_turning(by_phase, o, l, basis, turning, dimensions);
