@@ -76,12 +76,18 @@ static inline unsigned function_outputs(enum function f)
     return function_dimensions(f) == 2 ? OUTPUTS_ALL2 : OUTPUTS_ALL3;
 }
 
+/* Whether a noise has a basis and a fractal of scarp.h: tests of errors have others, too. */
+static inline int noise_is_known(const struct scarp_noise *noise)
+{
+    return (unsigned)noise->basis < SCARP_BASES && (unsigned)noise->fractal < SCARP_FRACTALS;
+}
+
 /* The highest derivative that the noise has: its warps must have it, too. */
 static inline int noise_order(const struct scarp_noise *noise)
 {
     int order = 2;
     for (; noise != NULL; noise = noise->warp) {
-        if (fractal_has(noise->fractal, FRACTAL_SLOPES)) {
+        if (noise_is_known(noise) && fractal_has(noise->fractal, FRACTAL_SLOPES)) {
             order = 1;
         }
     }
@@ -92,7 +98,8 @@ static inline int noise_order(const struct scarp_noise *noise)
    of another basis than gradients has no phase, and what bends no derivative with respect to it. */
 static inline unsigned outputs_of(const struct scarp_noise *noise, enum function f)
 {
-    const int flows = basis_has(noise->basis, BASIS_FLOWS) && !fractal_bends(noise->fractal);
+    const int flows = noise_is_known(noise) && basis_has(noise->basis, BASIS_FLOWS) &&
+                      !fractal_bends(noise->fractal);
     return outputs_up_to(noise_order(noise), function_dimensions(f)) | (flows ? OUTPUTS_PHASE : 0u);
 }
 

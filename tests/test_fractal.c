@@ -61,12 +61,12 @@ static const struct {
 /* Simplex and cellular noise may have so many times those. */
 #define STEEP 4.0
 
-/* The same of dphase, in units of 2 pi sum |a_k| 2^k. */
-static const double phase_bounds[] = {[SCARP_TURBULENCE] = 2e-6,
-                                      [SCARP_RIDGED] = 2e-5,
-                                      [SCARP_EROSION] = 2e-5,
-                                      [SCARP_PINGPONG] = 3e-6,
-                                      [SCARP_HYBRID] = 5e-7};
+/* The same of dphase, in units of 2 pi sum |a_k| 2^k. Fractals that bend have none. */
+static const double phase_bounds[SCARP_FRACTALS] = {[SCARP_TURBULENCE] = 2e-6,
+                                                    [SCARP_RIDGED] = 2e-5,
+                                                    [SCARP_EROSION] = 2e-5,
+                                                    [SCARP_PINGPONG] = 3e-6,
+                                                    [SCARP_HYBRID] = 5e-7};
 
 static int highest_order(enum scarp_fractal fractal)
 {

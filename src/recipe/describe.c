@@ -70,8 +70,8 @@ static NOINLINE uint64_t hash_of(const struct recipe *r, int node)
 /* A number, as it is sampled: scaled, if it is the first output */
 static double number_of(const struct recipe *r, const struct recipe_expression *x)
 {
-    const int is_scaled = x->type == EXPRESSION_NUMBER && r->outputs > 0 &&
-                          x == &r->expression[r->statement[r->output[0]].expression];
+    const int first = r->outputs > 0 ? r->statement[r->output[0]].expression : -1;
+    const int is_scaled = x->type == EXPRESSION_NUMBER && x - r->expression == first;
     return is_scaled ? r->scale[1] * x->number : x->number;
 }
 

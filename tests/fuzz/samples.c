@@ -77,7 +77,7 @@ static int has_finite_values(const struct scarp_noise *noise)
 {
     int promised = 1;
     for (; noise != NULL; noise = noise->warp) {
-        promised &= !fractal_bends(noise->fractal);
+        promised &= !noise_is_known(noise) || !fractal_bends(noise->fractal);
     }
     return promised;
 }
