@@ -13,7 +13,8 @@
  *     Noise                    struct scarp_noise: what to sample
  *     Samples                  scarp_sample2 and its like: values and derivatives at points
  *     Grids                    scarp_grid2, scarp_grid3; scarp_normals
- *     Range, check, plan       scarp_range, scarp_noise_check, scarp_noise_fault, scarp_plan_make
+ *     Range, check, plan       scarp_range, scarp_noise_check, scarp_noise_fault, scarp_plan_make,
+ *                              scarp_vector_plan_make
  *     More of a noise          scarp_vector2, scarp_curl2, scarp_cells2 and their like
  *     The chain rule           functions of samples: scarp_add, scarp_mix, scarp_smooth_max, ...
  *     Gullies                  erosion as a function of the place
@@ -249,8 +250,8 @@ struct scarp_noise {
        "Warps". */
     const struct scarp_noise *warp SCARP_ZERO;
 
-    /* what scarp_plan_make made of this noise; NULL: none. Results do not depend on it. A noise
-       with a warp does without. */
+    /* what scarp_plan_make made of this noise, or scarp_vector_plan_make of a warp; NULL: none.
+       Results do not depend on it. Each noise brings its own, and so does its warp. */
     const struct scarp_plan *plan SCARP_ZERO;
 
     /* nonzero gives octave 0 an offset that the seed draws, as other octaves have it. Without one,
@@ -522,9 +523,10 @@ struct scarp_plan {
  *
  * To compute the constants of a noise takes about as long as 15 points (one octave) or 10 (eight
  * octaves), and with a phase up to three times as long. With noise->plan = plan, calls take them
- * from *plan, and give the same bits. Those are the sample and grid calls in as many `dimensions`,
- * 2 or 3, as the plan was made for, and scarp_curl2. One plan serves all outputs, floats and
- * doubles, every kernel set, and any number of threads at a time. Calls only read it.
+ * from *plan, and give the same bits. Those are the calls in as many `dimensions`, 2 or 3, as the
+ * plan was made for, but those that take vector noise (scarp_vector_plan_make). One plan serves all
+ * outputs, floats and doubles, every kernel set, and any number of threads at a time. Calls only
+ * read it.
  *
  *     struct scarp_plan plan;
  *     struct scarp_noise noise = {.octaves = 8.0f};
@@ -533,9 +535,13 @@ struct scarp_plan {
  *     }
  *
  * A plan that does not fit does no harm. A call compares the noise that the plan was made of with
- * its own, byte for byte except `plan`. If they differ, or the dimensions or the version of the
- * library do, the call does without the plan. So a plan may stay where it is while the noise is
- * changed.
+ * its own, byte for byte except `warp` and `plan`. If they differ, or the dimensions or the version
+ * of the library do, the call does without the plan. So a plan may stay where it is while the noise
+ * is changed.
+ *
+ * A plan has nothing of the warp of its noise, so it stays good when the warp changes. A warp
+ * brings a plan of its own, of vector noise. Where a noise of the chain brings none that fits, the
+ * call computes the constants of that noise only.
  *
  * Before the plan is first made, *plan may have any bytes: zeros, or what was in memory. But the
  * behaviour is undefined if a good plan was changed in part.
@@ -546,6 +552,33 @@ struct scarp_plan {
  */
 SCARP_API enum scarp_status scarp_plan_make(const struct scarp_noise *noise, int dimensions,
                                             struct scarp_plan *plan);
+
+/*
+ * scarp_vector_plan_make - make the plan of vector noise: of a warp, or for scarp_vector2 and its
+ * like
+ *
+ * As scarp_plan_make, but *plan has the constants of the components that `noise` has as vector
+ * noise, in 2 or 3 `dimensions`. With noise->plan = plan, they serve calls for noises whose warp
+ * this noise is, at any depth, and scarp_vector2, scarp_vector3 and scarp_curl3 of this noise. No
+ * other call uses such a plan, and these use no other.
+ *
+ *     struct scarp_plan plans[2];
+ *     struct scarp_noise bend = {.frequency = 0.01, .amplitude = 20.0f};
+ *     struct scarp_noise noise = {.frequency = 0.02, .octaves = 8.0f, .warp = &bend};
+ *     if (scarp_vector_plan_make(&bend, 2, &plans[0]) == SCARP_OK &&
+ *         scarp_plan_make(&noise, 2, &plans[1]) == SCARP_OK) {
+ *         bend.plan = &plans[0];
+ *         noise.plan = &plans[1];
+ *     }
+ *
+ * A plan has room for 50 octaves. Gradient and value noise have at most 32, which all components
+ * share. With other bases, each component has its own. If these are more than 50 in all, the plan
+ * is made and fits no noise.
+ *
+ * Errors: as scarp_plan_make.
+ */
+SCARP_API enum scarp_status scarp_vector_plan_make(const struct scarp_noise *noise, int dimensions,
+                                                   struct scarp_plan *plan);
 
 /*
  * More of a noise: vectors, velocities, cells
@@ -1410,8 +1443,12 @@ SCARP_API enum scarp_status scarp_recipe_scale(struct scarp_recipe *recipe, doub
 /* Memory that a call uses while it runs, of any alignment. Its size changes speed, never a bit. */
 struct scarp_scratch {
     void *memory SCARP_ZERO;
-    size_t size SCARP_ZERO;        /* in bytes */
-    uint32_t spare[12] SCARP_ZERO; /* reserved: 0 */
+    size_t size SCARP_ZERO; /* in bytes */
+
+    /* what scarp_recipe_plan_make made of the recipe; NULL: none. Results do not depend on it. It
+       serves without `memory`, too. */
+    const void *plan SCARP_ZERO;
+    uint32_t spare[10] SCARP_ZERO; /* reserved: 0 */
 };
 
 /* Which outputs a call computes, and where their samples go. */
@@ -1488,6 +1525,46 @@ SCARP_API enum scarp_status scarp_recipe_grid(const struct scarp_recipe *recipe,
    errors, if the order does not exist, or if so many points do not fit into memory. */
 SCARP_API size_t scarp_recipe_scratch_size(const struct scarp_recipe *recipe, int order,
                                            size_t points);
+
+/*
+ * scarp_recipe_plan_size, scarp_recipe_plan_make - make the plan of a recipe, for many calls with
+ * few points
+ *
+ * A call without a plan computes the constants of each noise anew: that takes most of its time if
+ * it is for a few points. With scratch.plan = memory, calls take them from there, and give the same
+ * bits. A plan has what the outputs of the text need, and serves all calls for the recipe, with
+ * floats and doubles, every kernel set, and any number of threads at a time. Calls only read it.
+ *
+ *     const size_t size = scarp_recipe_plan_size(&recipe);
+ *     void *const plan = malloc(size);
+ *     if (plan != NULL && scarp_recipe_plan_make(&recipe, plan, size) == SCARP_OK) {
+ *         scratch.plan = plan;
+ *     }
+ *
+ * scarp_recipe_plan_size returns the bytes of a plan: about 300 for each noise, and 240 for each of
+ * its octaves. 0 if *recipe is no recipe, or has errors. Seeds do not change the size; parameters,
+ * the tile and the scale may.
+ *
+ * `memory` has `size` bytes, and the alignment of a uint64_t. What it has before does not matter.
+ * The plan may be copied to wherever a uint64_t may stand. It does not refer to the recipe, which
+ * may be copied, too.
+ *
+ * A plan that does not fit does no harm. Calls compare each noise that the plan was made of with
+ * the one of the recipe. Where they differ, or the version of the library does, calls compute the
+ * constants. So a plan may stay where it is while the recipe is changed, and another recipe may
+ * meet it. But the behaviour is undefined if a good plan was changed in part.
+ *
+ * No other thread may use the memory while a plan is made there. On an error it is left as it was.
+ *
+ * Errors:
+ *
+ *     SCARP_ERROR_NULL         `recipe` or `memory` is NULL
+ *     SCARP_ERROR_PARAMETER    *recipe is no recipe, or has errors; `memory` is not aligned
+ *     SCARP_ERROR_SIZE         `size` is less than scarp_recipe_plan_size says
+ */
+SCARP_API size_t scarp_recipe_plan_size(const struct scarp_recipe *recipe);
+SCARP_API enum scarp_status scarp_recipe_plan_make(const struct scarp_recipe *recipe, void *memory,
+                                                   size_t size);
 
 /* A box of points. The plane ignores the elements 2. */
 struct scarp_box {

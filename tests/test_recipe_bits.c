@@ -3,8 +3,8 @@
  *     test_recipe_bits [--must-differ] ISA COUNT FILE
  *     test_recipe_bits --print          hashes for that file, tests/recipes.txt
  *
- * What must not change a bit of a recipe: points or grids, the size of the scratch memory, where
- * the recipe lies, which other outputs are asked for, and the kernel set. All texts of recipes.h,
+ * What must not change a bit of a recipe: points or grids, the size of the scratch memory, a plan,
+ * where the recipe lies, which other outputs are asked for, and the kernel set. All texts of recipes.h,
  * and COUNT random ones, each with all orders of derivatives that it has.
  */
 #include "recipes.h"
@@ -19,6 +19,7 @@ static struct scarp_recipe recipe, copy;
 static double position[3][MOST];
 static float float_position[3][MOST];
 static uint64_t memory[1 << 17];
+static uint64_t plan[1 << 16]; /* of the recipe */
 
 struct result {
     float array[ARRAYS][MOST];
@@ -116,7 +117,8 @@ static void check_order(const char *name, enum scarp_isa isa, int order, int is_
     (void)scarp_isa_select(isa);
     for (int i = 0; i < 4; i++) {
         for (int how = POINTS; how <= GRID; how++) {
-            const struct scarp_scratch scratch = {.memory = (char *)memory + i, .size = sizes[i]};
+            const struct scarp_scratch scratch = {
+                .memory = (char *)memory + i, .size = sizes[i], .plan = i > 1 ? plan : NULL};
             const enum scarp_status s = evaluate(i == 1 ? &copy : &recipe, (enum how)how, order,
                                                  is_space, i == 0 ? NULL : &scratch, &met);
             CHECK(s == SCARP_OK || (i == 0 && s == SCARP_ERROR_SIZE), "%s, order %d, %s: %s", name,
@@ -129,7 +131,7 @@ static void check_order(const char *name, enum scarp_isa isa, int order, int is_
     (void)evaluate(&recipe, FLOATS, order, is_space, &whole, &reference);
     add_to_hash(&reference);
     (void)scarp_isa_select(isa);
-    const struct scarp_scratch small = {.memory = memory, .size = sizes[1]};
+    const struct scarp_scratch small = {.memory = memory, .size = sizes[1], .plan = plan};
     (void)evaluate(&copy, FLOATS, order, is_space, &small, &met);
     CHECK_BITS(same(&reference, &met), "%s, order %d, floats", name, order);
 }
@@ -161,6 +163,7 @@ static void check_text(const char *name, const char *text, enum scarp_isa isa, i
     }
     (void)scarp_recipe_seed(&recipe, fnv_text(name));
     memcpy(&copy, &recipe, sizeof copy);
+    CHECK(scarp_recipe_plan_make(&recipe, plan, sizeof plan) == SCARP_OK, "%s: no plan", name);
     const int is_space = strstr(text, "space 3") != NULL, most = recipe_order(&recipe);
     (void)spread(is_space);
     for (int order = 0; order <= most && !check_enough(); order++) {

@@ -1,6 +1,6 @@
 /* SPDX-License-Identifier: MIT
  *
- * The public functions that take only a noise: its checks, its range, and the plan that it keeps.
+ * The public functions that take only a noise: its checks, its range, and the plans that it keeps.
  */
 #include <stddef.h>
 
@@ -79,13 +79,13 @@ const char *scarp_noise_fault(const struct scarp_noise *noise, int dimensions, i
 }
 
 static NOINLINE enum scarp_status keep(struct scarp_plan *plan, const struct scarp_noise *noise,
-                                       int dimensions)
+                                       int dimensions, int is_vector)
 {
-    return scarpi_plan_keep(plan, noise, dimensions);
+    return scarpi_plan_keep(plan, sizeof *plan, noise, dimensions, is_vector);
 }
 
-enum scarp_status scarp_plan_make(const struct scarp_noise *noise, int dimensions,
-                                  struct scarp_plan *plan)
+static enum scarp_status make(struct scarp_plan *plan, const struct scarp_noise *noise,
+                              int dimensions, int is_vector)
 {
     if (noise == NULL || plan == NULL) {
         return SCARP_ERROR_NULL;
@@ -94,7 +94,19 @@ enum scarp_status scarp_plan_make(const struct scarp_noise *noise, int dimension
         return SCARP_ERROR_UNSUPPORTED;
     }
     const struct fpmode caller = fpmode_enter();
-    const enum scarp_status status = keep(plan, noise, dimensions);
+    const enum scarp_status status = keep(plan, noise, dimensions, is_vector);
     fpmode_leave(caller);
     return status;
+}
+
+enum scarp_status scarp_plan_make(const struct scarp_noise *noise, int dimensions,
+                                  struct scarp_plan *plan)
+{
+    return make(plan, noise, dimensions, 0);
+}
+
+enum scarp_status scarp_vector_plan_make(const struct scarp_noise *noise, int dimensions,
+                                         struct scarp_plan *plan)
+{
+    return make(plan, noise, dimensions, 1);
 }

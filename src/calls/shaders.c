@@ -116,8 +116,8 @@ struct filling {
 static void run(const struct scarp_call_plan *plan, const void *opaque)
 {
     const struct filling *const filling = opaque;
-    *filling->fits =
-        (plan->warps.depth == 0 && !plan->warps.vector) || plan->warps.levels->fetch == NULL;
+    *filling->fits = (plan->warps.depth == 0 && !plan->warps.vector) ||
+                     plan->warps.levels->octaves <= SCARP_MAX_OCTAVES;
     if (*filling->fits && filling->to != NULL) {
         set_plan(filling->to, plan, filling->dimensions);
     }

@@ -132,13 +132,15 @@ struct scarp_call_plan {
 /* The plans of all levels, which have no warps themselves. */
 struct scarp_levels {
     struct scarp_call_plan plan[1 + SCARP_MAX_WARPS]; /* of the first component of each level */
+    int octaves;                                      /* of all levels and components */
     /* NULL: all octaves are there. Those of components that share no lattice are behind those of
        the component before. A noise may have more octaves in all than the stack has room for: then
-       this puts those of a component where the plan of each level has them. */
+       this puts those of a component to `octave`, where the plans of the levels have them that
+       bring none. */
     void (*fetch)(const struct scarp_warps *warps, int level, int component);
+    struct scarp_octave *octave;
     /* only for `fetch` */
     const struct scarp_noise *noise;
-    struct scarp_octave *octave;
     int dimensions;
 };
 
@@ -148,7 +150,7 @@ static inline struct scarp_call_plan scarpi_component_plan(const struct scarp_ca
 {
     const struct scarp_levels *const levels = plan->warps.levels;
     struct scarp_call_plan found = levels->plan[level];
-    if (levels->fetch != NULL) {
+    if (levels->fetch != NULL && found.octave == levels->octave) {
         levels->fetch(&plan->warps, level, component);
     } else if (!components_share_lattice(found.basis)) {
         found.octave += found.octaves * component;

@@ -49,37 +49,10 @@ static void plan_describe(struct scarp_call_plan *plan, const struct scarp_noise
                   blends_corners(noise->basis) && !fractal_bends(noise->fractal);
 }
 
-enum scarp_status scarpi_plan_keep(struct scarp_plan *plan, const struct scarp_noise *noise,
-                                   int dimensions)
+/* How many sets of octaves a noise has, or, with components, vector noise. */
+static int octave_sets(enum scarp_basis basis, int dimensions, int has_components)
 {
-    struct kept *const kept = (struct kept *)plan;
-    const struct scarp_fault fault = scarpi_plan_check(noise, dimensions);
-    if (fault.why != REFUSED_NOT) {
-        return scarpi_fault_status(fault, NULL);
-    }
-    if (noise->warp == NULL) {
-        scarpi_octaves_make(kept->octave, noise, dimensions);
-        if (blends_corners(noise->basis)) {
-            scarpi_phase_set(kept->octave, octaves_in(noise), noise->phase);
-        }
-    }
-    plan_describe(&kept->values, noise, dimensions);
-    kept->mark = noise->warp == NULL ? mark_of(dimensions) : 0;
-    memcpy(&kept->noise, noise, sizeof *noise);
-    return SCARP_OK;
-}
-
-/* Whether a level has a component for each axis. */
-static int has_components(const struct scarp_warps *warps, int level)
-{
-    return level > 0 || warps->vector;
-}
-
-/* How many sets of octaves a level has. */
-static int octave_sets(const struct scarp_warps *warps, int level, enum scarp_basis basis,
-                       int dimensions)
-{
-    return has_components(warps, level) && !components_share_lattice(basis) ? dimensions : 1;
+    return has_components && !components_share_lattice(basis) ? dimensions : 1;
 }
 
 /* Computes the octaves of a component, or of a noise that has none. */
@@ -92,9 +65,42 @@ static void make_component(struct scarp_octave *octave, const struct scarp_noise
         noise.seed = scarpi_component_seed(noise.seed, own);
     }
     scarpi_octaves_make(octave, &noise, dimensions);
-    if (basis_has(noise.basis, BASIS_FLOWS)) {
+    if (blends_corners(noise.basis)) {
         scarpi_phase_set(octave, octaves_in(&noise), noise.phase);
     }
+}
+
+size_t scarpi_plan_bytes(const struct scarp_noise *noise, int dimensions, int is_vector)
+{
+    const int sets = octave_sets(noise->basis, dimensions, is_vector);
+    return sizeof(struct kept) + (size_t)(octaves_in(noise) * sets) * sizeof(struct scarp_octave);
+}
+
+enum scarp_status scarpi_plan_keep(void *memory, size_t size, const struct scarp_noise *noise,
+                                   int dimensions, int is_vector)
+{
+    struct kept *const kept = memory;
+    const struct scarp_fault fault = scarpi_plan_check(noise, dimensions);
+    if (fault.why != REFUSED_NOT) {
+        return scarpi_fault_status(fault, NULL);
+    }
+    const int is_kept = scarpi_plan_bytes(noise, dimensions, is_vector) <= size;
+    const int sets = is_kept ? octave_sets(noise->basis, dimensions, is_vector) : 0;
+    for (int i = 0; i < sets; i++) {
+        make_component(kept->octave + i * octaves_in(noise), noise, dimensions, is_vector, i);
+    }
+    plan_describe(&kept->values, noise, dimensions);
+    kept->mark = is_kept ? mark_of(dimensions, is_vector) : 0;
+    memcpy(&kept->noise, noise, sizeof *noise);
+    kept->noise.warp = NULL;
+    kept->noise.plan = NULL;
+    return SCARP_OK;
+}
+
+/* Whether a level has a component for each axis. */
+static int has_components(const struct scarp_warps *warps, int level)
+{
+    return level > 0 || warps->vector;
 }
 
 /* The function `fetch` of struct scarp_levels. */
@@ -109,6 +115,28 @@ static void fetch_component(const struct scarp_warps *warps, int level, int comp
                    component);
 }
 
+/* Takes the plans that the levels bring, if they fit; the plans of other levels have no octaves.
+   Returns whether all levels have one, and so need no check. */
+static int keep_levels(struct scarp_levels *levels, const struct scarp_noise *noise,
+                       struct scarp_request request)
+{
+    int all = 1;
+    for (int level = 0; noise != NULL; level++, noise = noise->warp) {
+        if (level > SCARP_MAX_WARPS) {
+            return 0;
+        }
+        const struct kept *const kept =
+            kept_of(noise, request.dimensions, level > 0 || request.vector);
+        if (kept != NULL) {
+            plan_of_kept(&levels->plan[level], kept);
+        } else {
+            levels->plan[level].octave = NULL;
+            all = 0;
+        }
+    }
+    return all;
+}
+
 /* Makes the plans of all levels, and the octaves of their components if there is room for them. */
 static void make_levels(struct scarp_levels *levels, const struct scarp_warps *warps,
                         struct scarp_request request)
@@ -116,27 +144,39 @@ static void make_levels(struct scarp_levels *levels, const struct scarp_warps *w
     const struct scarp_request of_warp = {.dimensions = request.dimensions, .order = request.order};
     const struct scarp_noise *noise = levels->noise;
     struct scarp_octave *octave = levels->octave;
-    int count = 0;
+    int made = 0;
+    levels->octaves = 0;
     for (int level = 0; level <= warps->depth; level++, noise = noise->warp) {
         struct scarp_call_plan *const plan = &levels->plan[level];
-        plan_describe(plan, noise, request.dimensions);
+        const int is_made = plan->octave == NULL;
+        if (is_made) {
+            plan_describe(plan, noise, request.dimensions);
+        }
         plan_ask(plan, level == 0 ? request : of_warp);
-        count += plan->octaves * octave_sets(warps, level, plan->basis, request.dimensions);
+        const int count = plan->octaves * octave_sets(plan->basis, request.dimensions,
+                                                      has_components(warps, level));
+        levels->octaves += count;
+        made += is_made ? count : 0;
     }
-    levels->fetch = count > SCARP_MAX_OCTAVES ? fetch_component : NULL;
+    levels->fetch = made > SCARP_MAX_OCTAVES ? fetch_component : NULL;
     noise = levels->noise;
     for (int level = 0; level <= warps->depth; level++, noise = noise->warp) {
+        struct scarp_call_plan *const plan = &levels->plan[level];
         const int has = has_components(warps, level);
-        const int sets = octave_sets(warps, level, noise->basis, request.dimensions);
-        levels->plan[level].octave = octave;
+        const int sets = octave_sets(plan->basis, request.dimensions, has);
+        if (plan->octave != NULL) {
+            continue;
+        }
+        plan->octave = octave;
         for (int i = 0; levels->fetch == NULL && i < sets; i++) {
             make_component(octave, noise, request.dimensions, has, i);
-            octave += levels->plan[level].octaves;
+            octave += plan->octaves;
         }
     }
 }
 
-/* Makes the plan of a checked noise with warps, or of potentials. */
+/* Makes the plan of a checked noise with warps, or of potentials, of the levels that
+   keep_levels() has begun. */
 static void plan_levels(struct scarp_call_plan *plan, struct scarp_octave *octave,
                         struct scarp_levels *levels, const struct scarp_noise *noise,
                         struct scarp_request request)
@@ -159,17 +199,21 @@ enum scarp_status scarpi_plan_call(struct scarp_call_plan *plan, struct scarp_oc
                                    struct scarp_levels *levels, const struct scarp_noise *noise,
                                    struct scarp_request request)
 {
-    if (!request.vector && plan_kept(plan, noise, request)) {
+    const int has_levels = scarpi_has_levels(noise, request);
+    if (!has_levels && plan_kept(plan, noise, request)) {
         return SCARP_OK;
     }
-    struct scarp_fault fault = scarpi_plan_check(noise, request.dimensions);
+    struct scarp_fault fault = {REFUSED_NOT, 0};
+    if (!has_levels || !keep_levels(levels, noise, request)) {
+        fault = scarpi_plan_check(noise, request.dimensions);
+    }
     if (fault.why == REFUSED_NOT) {
         fault = outputs_fault(noise, request);
     }
     if (fault.why != REFUSED_NOT) {
         return scarpi_fault_status(fault, NULL);
     }
-    if (scarpi_has_levels(noise, request)) {
+    if (has_levels) {
         plan_levels(plan, octave, levels, noise, request);
         return SCARP_OK;
     }

@@ -13,6 +13,7 @@
 #include "evaluate.h"
 #include "interval.h"
 #include "parse.h"
+#include "plan.h"
 #include "schedule.h"
 
 #define STACK_BYTES 7168 /* of scratch memory, if the caller has none */
@@ -104,6 +105,7 @@ static NOINLINE enum scarp_status evaluate_on_stack(struct recipe_evaluation *ca
 static enum scarp_status evaluate_in(struct recipe_evaluation *call,
                                      const struct scarp_scratch *scratch)
 {
+    call->plan = scratch != NULL ? scratch->plan : NULL;
     if (scratch == NULL || scratch->memory == NULL) {
         return evaluate_on_stack(call);
     }
@@ -245,6 +247,41 @@ size_t scarp_recipe_scratch_size(const struct scarp_recipe *recipe, int order, s
     }
     const struct recipe *const r = scarpi_recipe_of(recipe);
     return r->is_bad ? 0 : scarpi_recipe_bytes(r, &r->schedule, order, points);
+}
+
+size_t scarp_recipe_plan_size(const struct scarp_recipe *recipe)
+{
+    if (!scarpi_is_recipe(recipe) || scarpi_recipe_of(recipe)->is_bad) {
+        return 0;
+    }
+    return scarpi_recipe_plan_bytes(scarpi_recipe_of(recipe));
+}
+
+static NOINLINE enum scarp_status write_plan(const struct recipe *r, void *memory)
+{
+    return scarpi_recipe_plan_write(r, memory);
+}
+
+enum scarp_status scarp_recipe_plan_make(const struct scarp_recipe *recipe, void *memory,
+                                         size_t size)
+{
+    if (recipe == NULL || memory == NULL) {
+        return SCARP_ERROR_NULL;
+    }
+    const size_t needed = scarp_recipe_plan_size(recipe);
+    if (needed == 0 || (uintptr_t)memory % _Alignof(struct scarp_plan) != 0) {
+        return SCARP_ERROR_PARAMETER;
+    }
+    if (size < needed) {
+        return SCARP_ERROR_SIZE;
+    }
+    if (scarpi_dispatch_refuses()) {
+        return SCARP_ERROR_UNSUPPORTED;
+    }
+    const struct fpmode caller = fpmode_enter();
+    const enum scarp_status status = write_plan(scarpi_recipe_of(recipe), memory);
+    fpmode_leave(caller);
+    return status;
 }
 
 static NOINLINE void find_range(const struct recipe *r, int node, const struct scarp_box *box,

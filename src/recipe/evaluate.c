@@ -7,6 +7,7 @@
 #include "../calls/run.h"
 #include "graph.h"
 #include "machine.h"
+#include "plan.h"
 
 #define ALIGNMENT 64
 #define GRANULE 16       /* registers have room for a multiple of this many points */
@@ -329,6 +330,7 @@ enum scarp_status scarpi_recipe_evaluate(const struct recipe_evaluation *call)
     m->directs = 0;
     m->recipe = call->recipe;
     m->schedule = call->schedule;
+    m->plan = scarpi_recipe_plan_of(call->plan);
     m->has_doubles = call->has_doubles != 0;
     m->out = call->out;
     m->root = call->root;

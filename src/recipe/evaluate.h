@@ -22,6 +22,7 @@ struct recipe_evaluation {
     const struct scarp_grid *grid; /* with strides; NULL: points */
     void *memory;
     size_t size;
+    const void *plan; /* that the caller gives; NULL: none */
 };
 
 /* Checks what is asked for, and the scratch memory, and evaluates. */

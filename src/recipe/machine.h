@@ -32,6 +32,7 @@ struct recipe_chunk {
 struct recipe_machine {
     const struct recipe *recipe;
     const struct recipe_schedule *schedule;
+    const struct recipe_plan *plan; /* constants of noises; NULL: there are none */
     bool has_doubles;
     size_t room;   /* points of a register */
     size_t floats; /* of a register, for each point */

@@ -10,6 +10,7 @@
 
 #include "graph.h"
 #include "machine.h"
+#include "plan.h"
 
 #define BLOCK 64 /* points */
 
@@ -234,12 +235,20 @@ static struct points points_of(const struct recipe_machine *m, int place)
     return p;
 }
 
+/* The noise that a node samples, with its warps, and the plans that there are. */
+static const struct scarp_noise *noise_of(struct recipe_machine *m, const struct recipe_node *n)
+{
+    scarpi_recipe_spell_noise(m->recipe, n->index, m->noise);
+    scarpi_recipe_bring_plans(m->plan, m->recipe, n->index, m->recipe->place[n->place].dimensions,
+                              n->operation == OP_VECTOR, m->noise);
+    return m->noise;
+}
+
 static enum scarp_status run_noise(struct recipe_machine *m, const struct recipe_node *n,
                                    const struct scarp_samples *out)
 {
-    struct scarp_noise *const noise = m->noise;
+    const struct scarp_noise *const noise = noise_of(m, n);
     const int dimensions = m->recipe->place[n->place].dimensions;
-    scarpi_recipe_spell_noise(m->recipe, n->index, noise);
     if (is_points(n->place) && m->chunk->grid != NULL) {
         return dimensions == 2 ? scarp_grid2(noise, m->chunk->grid, out)
                                : scarp_grid3(noise, m->chunk->grid, out);
@@ -270,12 +279,11 @@ static void find_components(const struct recipe_machine *m, int node, int compon
 static enum scarp_status run_vector(struct recipe_machine *m, int node)
 {
     const struct recipe_node *const n = &m->recipe->node[node];
-    struct scarp_noise *const noise = m->noise;
+    const struct scarp_noise *const noise = noise_of(m, n);
     struct scarp_samples out[3] = {{0}}, all[3] = {{0}};
     int component[3];
     const int dimensions = m->recipe->place[n->place].dimensions;
     enum scarp_status status;
-    scarpi_recipe_spell_noise(m->recipe, n->index, noise);
     find_components(m, node, component);
     for (int i = 0; i < dimensions; i++) {
         if (component[i] >= 0) {
@@ -313,11 +321,10 @@ static void set_numbers(size_t count, float *array)
 static enum scarp_status run_cell(struct recipe_machine *m, const struct recipe_node *n,
                                   const struct scarp_samples *out)
 {
-    struct scarp_noise *const noise = m->noise;
+    const struct scarp_noise *const noise = noise_of(m, n);
     const int dimensions = m->recipe->place[n->place].dimensions;
     struct scarp_cells to = {0};
     enum scarp_status status;
-    scarpi_recipe_spell_noise(m->recipe, n->index, noise);
     if (n->detail == 0) {
         to.id = (uint32_t *)(void *)out->value;
     } else if (n->detail == 1) {

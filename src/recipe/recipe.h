@@ -16,6 +16,7 @@
  *     combine.c        the calls of functions that combine fields
  *     evaluate.c       steps over chunks of points; operations.c and positions.c: one step, whose
  *                      samples machine.c finds
+ *     plan.c           constants of noises that callers keep
  *     words.c          the functions and their arguments, for the compiler and for editors
  *     calls.c          the public functions; change.c: those that set something; describe.c: those
  *                      that editors ask, for which summary.c looks at nodes

@@ -2184,7 +2184,8 @@ namespace Scarp
         {
             public void* memory;
             public UIntPtr size;
-            public fixed uint spare[12];
+            public void* plan;
+            public fixed uint spare[10];
         }
 
         [StructLayout(LayoutKind.Sequential)]
@@ -2375,6 +2376,10 @@ namespace Scarp
             scarp_plan* plan);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern Status scarp_vector_plan_make(scarp_noise* noise, int dimensions,
+            scarp_plan* plan);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern Status scarp_vector2(scarp_noise* noise, UIntPtr count, float* x,
             float* y, scarp_samples* @out);
 
@@ -2561,6 +2566,13 @@ namespace Scarp
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern UIntPtr scarp_recipe_scratch_size(scarp_recipe* recipe, int order,
             UIntPtr points);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern UIntPtr scarp_recipe_plan_size(scarp_recipe* recipe);
+
+        [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
+        public static extern Status scarp_recipe_plan_make(scarp_recipe* recipe, void* memory,
+            UIntPtr size);
 
         [DllImport(Library, CallingConvention = CallingConvention.Cdecl)]
         public static extern Status scarp_recipe_range(scarp_recipe* recipe, int which,

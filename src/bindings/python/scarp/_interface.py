@@ -211,10 +211,11 @@ STRUCTURES = {
         ('nearest', 'f8', ()),
         ('spare', 'u4', (6,)),
     )),
-    'scarp_scratch': ((56, 64), (
+    'scarp_scratch': ((52, 64), (
         ('memory', 'pointer', ()),
         ('size', 'size', ()),
-        ('spare', 'u4', (12,)),
+        ('plan', 'pointer', ()),
+        ('spare', 'u4', (10,)),
     )),
     'scarp_recipe_outputs': ((48, 56), (
         ('out', 'pointer', ()),
@@ -392,6 +393,9 @@ FUNCTIONS = {
     'scarp_plan_make': ('i4', (
         'pointer', 'i4', 'pointer',
     )),
+    'scarp_vector_plan_make': ('i4', (
+        'pointer', 'i4', 'pointer',
+    )),
     'scarp_vector2': ('i4', (
         'pointer', 'size', 'pointer', 'pointer', 'pointer',
     )),
@@ -535,6 +539,12 @@ FUNCTIONS = {
     )),
     'scarp_recipe_scratch_size': ('size', (
         'pointer', 'i4', 'size',
+    )),
+    'scarp_recipe_plan_size': ('size', (
+        'pointer',
+    )),
+    'scarp_recipe_plan_make': ('i4', (
+        'pointer', 'pointer', 'size',
     )),
     'scarp_recipe_range': ('i4', (
         'pointer', 'i4', 'pointer', 'pointer', 'pointer',

@@ -311,7 +311,8 @@ impl Default for scarp_recipe_error {
 pub struct scarp_scratch {
     pub memory: *mut c_void,
     pub size: usize,
-    pub spare: [u32; 12],
+    pub plan: *const c_void,
+    pub spare: [u32; 10],
 }
 
 impl Default for scarp_scratch {
@@ -624,6 +625,11 @@ extern "C" {
         member: *mut *const c_char,
     ) -> *const c_char;
     pub fn scarp_plan_make(
+        noise: *const scarp_noise,
+        dimensions: c_int,
+        plan: *mut scarp_plan,
+    ) -> scarp_status;
+    pub fn scarp_vector_plan_make(
         noise: *const scarp_noise,
         dimensions: c_int,
         plan: *mut scarp_plan,
@@ -944,6 +950,12 @@ extern "C" {
         order: c_int,
         points: usize,
     ) -> usize;
+    pub fn scarp_recipe_plan_size(recipe: *const scarp_recipe) -> usize;
+    pub fn scarp_recipe_plan_make(
+        recipe: *const scarp_recipe,
+        memory: *mut c_void,
+        size: usize,
+    ) -> scarp_status;
     pub fn scarp_recipe_range(
         recipe: *const scarp_recipe,
         which: i32,
@@ -1205,10 +1217,11 @@ mod layout {
     }
 
     layout! {
-        scarp_scratch: 56, 64;
+        scarp_scratch: 52, 64;
         memory: 0, 0;
         size: 4, 8;
-        spare: 8, 16;
+        plan: 8, 16;
+        spare: 12, 24;
     }
 
     layout! {
