@@ -229,10 +229,38 @@ static int asks_for_something(const struct scarp_chain *call)
     return bits != 0;
 }
 
+/* Whether nothing is asked for but values, and no reserved member of the outputs is in use. */
+static int asks_for_values(const struct scarp_samples *out)
+{
+    const struct scarp_request kind = scarpi_request_of_samples(3, out);
+    return kind.order == 0 && !kind.dphase && out->value != NULL;
+}
+
+/* take_arrays() for values only: most calls of recipes at few points are such. */
+static int take_values(struct scarp_chain *to, const struct arguments *call)
+{
+    const int is_given = takes_partials(call->function);
+    int missing = is_given && call->partials->f == NULL;
+    for (int k = 0; k < CHAIN_INPUTS; k++) {
+        to->in[k][VALUE] = k < call->inputs && !is_given ? call->in[k]->value : NULL;
+        missing |= k < call->inputs && !is_given && call->in[k]->value == NULL;
+    }
+    memset(to->number, 0, sizeof to->number);
+    to->partial[PARTIAL_F] = is_given ? call->partials->f : NULL;
+    to->out[VALUE] = call->out->value;
+    return !missing;
+}
+
 static NOINLINE enum scarp_status run(const struct arguments *arguments, size_t count)
 {
-    struct scarp_chain call = {.function = arguments->function};
-    if (!take_arrays(&call, arguments)) {
+    struct scarp_chain call;
+    call.function = arguments->function;
+    call.has_values_only = asks_for_values(arguments->out);
+    if (!call.has_values_only) {
+        memset(&call, 0, sizeof call);
+        call.function = arguments->function;
+    }
+    if (!(call.has_values_only ? take_values(&call, arguments) : take_arrays(&call, arguments))) {
         return SCARP_ERROR_NULL;
     }
     if (!scarpi_chain_numbers(arguments->function, arguments->number, call.number)) {
@@ -245,7 +273,7 @@ static NOINLINE enum scarp_status run(const struct arguments *arguments, size_t 
     if (kernels == NULL || reserved_in_use(arguments)) {
         return SCARP_ERROR_UNSUPPORTED;
     }
-    if (asks_for_something(&call)) {
+    if (call.has_values_only || asks_for_something(&call)) {
         kernels->chain(&call, count);
     }
     return SCARP_OK;

@@ -5,7 +5,7 @@
  * Each output is a line: a loop over one array, or a few, which writes another. Lines of functions
  * that are given by partial derivatives take these from arrays, which are made first (or come from
  * the caller). All lines of a block are written before the outputs are, which may be where inputs
- * are.
+ * are. Calls for values only need none of that.
  */
 #ifndef SCARP_KERNEL_CHAIN_H
 #define SCARP_KERNEL_CHAIN_H
@@ -293,23 +293,32 @@ VEC_INLINE vf chain_multiply(const struct chain_sources *from, size_t at, int or
                          chain_load(&from->in[CHAIN_B], at, order), order);
 }
 
-VEC_INLINE vf chain_mix(const struct chain_sources *from, size_t at, int order)
+VEC_INLINE vf chain_mixed(struct chain_terms a, struct chain_terms b, struct chain_terms share,
+                          int order)
 {
-    const struct chain_terms a = chain_load(&from->in[CHAIN_A], at, order);
-    const struct chain_terms b = chain_load(&from->in[CHAIN_B], at, order);
     const struct chain_terms d = {a.value - b.value, a.i - b.i, a.j - b.j, a.member - b.member};
-    struct chain_terms share = chain_load(&from->in[CHAIN_M], at, order);
     const vm nearer_b = vm_less(vf_set(0.5f), share.value);
     share.value = vm_choose(nearer_b, share.value - 1.0f, share.value);
     return vm_choose(nearer_b, b.member, a.member) - chain_product(d, share, order);
 }
 
-VEC_INLINE vf chain_choose(const struct chain_sources *from, size_t at, int greater)
+VEC_INLINE vf chain_mix(const struct chain_sources *from, size_t at, int order)
 {
-    const struct chain_terms a = chain_load(&from->in[CHAIN_A], at, 1);
-    const struct chain_terms b = chain_load(&from->in[CHAIN_B], at, 1);
+    return chain_mixed(chain_load(&from->in[CHAIN_A], at, order),
+                       chain_load(&from->in[CHAIN_B], at, order),
+                       chain_load(&from->in[CHAIN_M], at, order), order);
+}
+
+VEC_INLINE vf chain_chosen(struct chain_terms a, struct chain_terms b, int greater)
+{
     const vu second = chain_takes_b(a.value, b.value, greater);
     return (vf)vu_choose(second, (vu)b.member, (vu)a.member);
+}
+
+VEC_INLINE vf chain_choose(const struct chain_sources *from, size_t at, int greater)
+{
+    return chain_chosen(chain_load(&from->in[CHAIN_A], at, 1),
+                        chain_load(&from->in[CHAIN_B], at, 1), greater);
 }
 
 VEC_INLINE vf chain_two_first(const struct chain_sources *from, size_t at)
@@ -469,8 +478,93 @@ static void chain_tail(const struct scarp_chain *call, size_t first, size_t coun
     chain_block(&filled, 0, VEC_LANES, count);
 }
 
+/*
+ * Values only: a vector at a time, without what is between the stages. The operations are those of
+ * the lines.
+ */
+
+/* Loads and stores are out of line where a vector is not full, for the sake of size. */
+static __attribute__((noinline)) vf chain_load_part(const float *from, size_t count)
+{
+    return vf_load_partial(from, count);
+}
+
+static __attribute__((noinline)) void chain_store_part(float *to, vf v, size_t count)
+{
+    vf_store_partial(to, v, count);
+}
+
+VEC_INLINE vf chain_load_most(const float *from, size_t count)
+{
+    return count >= VEC_LANES ? vf_load(from) : chain_load_part(from, count);
+}
+
+/* The terms of an input that are its value. */
+VEC_INLINE struct chain_terms chain_value(vf value)
+{
+    return (struct chain_terms){value, value, value, value};
+}
+
+VEC_INLINE vf chain_value_of(const struct scarp_chain *call, enum scarp_chain_function function,
+                             vf a, vf b, vf m)
+{
+    switch (function) {
+    case CHAIN_AFFINE: return call->number[CHAIN_SCALE] * a + call->number[CHAIN_OFFSET];
+    case CHAIN_ADD: return a + b;
+    case CHAIN_MULTIPLY: return chain_product(chain_value(a), chain_value(b), 0);
+    case CHAIN_MIX: return chain_mixed(chain_value(a), chain_value(b), chain_value(m), 0);
+    case CHAIN_MIN:
+    case CHAIN_MAX: return chain_chosen(chain_value(a), chain_value(b), function == CHAIN_MAX);
+    case CHAIN_APPLY1:
+    case CHAIN_APPLY2: return a; /* f */
+    default: return chain_partials_of(call, function, a, b).f;
+    }
+}
+
+VEC_INLINE void chain_values_loop(const struct scarp_chain *call,
+                                  enum scarp_chain_function function, int inputs, size_t count)
+{
+    const int is_given = function == CHAIN_APPLY1 || function == CHAIN_APPLY2;
+    const float *const a = is_given ? call->partial[PARTIAL_F] : call->in[CHAIN_A][VALUE];
+    const float *const b = call->in[CHAIN_B][VALUE], *const m = call->in[CHAIN_M][VALUE];
+    float *const to = call->out[VALUE];
+    const struct scarp_chain local = *call;
+    VEC_ROLLED_LOOP
+    for (size_t i = 0; i < count; i += VEC_LANES) {
+        const size_t left = count - i;
+        const vf zero = vf_set(0.0f), at_a = chain_load_most(a + i, left);
+        const vf at_b = inputs > 1 ? chain_load_most(b + i, left) : zero;
+        const vf at_m = inputs > 2 ? chain_load_most(m + i, left) : zero;
+        const vf value = chain_value_of(&local, function, at_a, at_b, at_m);
+        if (left >= VEC_LANES) {
+            vf_store(to + i, value);
+        } else {
+            chain_store_part(to + i, value, left);
+        }
+    }
+}
+
+static void chain_values(const struct scarp_chain *call, size_t count)
+{
+#define CHAIN_CASE(NAME, inputs)                                                                   \
+    case CHAIN_##NAME: chain_values_loop(call, CHAIN_##NAME, inputs, count); break;
+    switch (call->function) {
+#define OPERATOR(NAME, name, FORM, COMPUTED, ...)                                                  \
+    IF_KERNEL_##COMPUTED(CHAIN_CASE(NAME, INPUTS_OF_##FORM))
+#define FUNCTION(...) OPERATOR(__VA_ARGS__)
+#include "../plan/functions.def"
+    case CHAIN_APPLY1:
+    case CHAIN_APPLY2: chain_values_loop(call, CHAIN_APPLY1, 1, count); break;
+    }
+#undef CHAIN_CASE
+}
+
 static void chain(const struct scarp_chain *call, size_t count)
 {
+    if (call->has_values_only) {
+        chain_values(call, count);
+        return;
+    }
     const size_t tail = count % VEC_LANES;
     const size_t whole = count - tail;
     for (size_t first = 0; first < whole; first += CHAIN_POINTS) {

@@ -48,6 +48,9 @@ enum {
 struct scarp_chain {
     enum scarp_chain_function function;
     float number[CHAIN_NUMBERS];
+    /* Whether nothing but values is asked for: then only out[VALUE], in[...][VALUE] and
+       partial[PARTIAL_F] are set. */
+    int has_values_only;
     /* What no output needs is NULL. */
     const float *in[CHAIN_INPUTS][OUTPUTS];
     const float *partial[PARTIALS];
