@@ -94,6 +94,10 @@ WRAP_STATUS(scarpi_run, (NOISE, struct scarp_request kind, scarpi_run_fn *f, con
             (n, kind, f, call))
 WRAP(int, 0, scarpi_chain_numbers,
      (enum scarp_chain_function f, const float given[3], float to[CHAIN_NUMBERS]), (f, given, to))
+WRAP_STATUS(scarpi_chain_values,
+            (enum scarp_chain_function f, size_t k, const float *const in[CHAIN_INPUTS],
+             const float given[3], float *to),
+            (f, k, in, given, to))
 WRAP(int, 0, scarpi_curve_slopes, (size_t k, const float *x, const float *y, float *to),
      (k, x, y, to))
 

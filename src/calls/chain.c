@@ -279,6 +279,30 @@ static NOINLINE enum scarp_status run(const struct arguments *arguments, size_t 
     return SCARP_OK;
 }
 
+enum scarp_status scarpi_chain_values(enum scarp_chain_function function, size_t count,
+                                      const float *const in[CHAIN_INPUTS], const float given[3],
+                                      float *out)
+{
+    const struct scarp_kernels *const kernels = scarpi_dispatch_for(count);
+    struct scarp_chain call;
+    call.function = function;
+    call.has_values_only = 1;
+    for (int k = 0; k < CHAIN_INPUTS; k++) {
+        call.in[k][VALUE] = in[k];
+    }
+    call.partial[PARTIAL_F] = NULL;
+    call.out[VALUE] = out;
+    memset(call.number, 0, sizeof call.number);
+    if (!scarpi_chain_numbers(function, given, call.number)) {
+        return SCARP_ERROR_PARAMETER;
+    }
+    if (kernels == NULL) {
+        return SCARP_ERROR_UNSUPPORTED;
+    }
+    kernels->chain(&call, count);
+    return SCARP_OK;
+}
+
 static enum scarp_status apply(const struct arguments *arguments, size_t count)
 {
     if (count == 0) {

@@ -18,11 +18,30 @@ static enum scarp_status run_curve(const struct recipe *recipe, const struct rec
     return scarp_curve(count, a, node->knots, x, y, out);
 }
 
+/* What kernels compute, by operation; without inputs: something else. */
+static const struct kernel_function {
+    uint8_t function, inputs;
+} kernel_functions[OP_COUNT] = {
+#define OPERATOR(NAME, name, FORM, COMPUTED, ...)                                                  \
+    IF_KERNEL_##COMPUTED([OP_##NAME] = {CHAIN_##NAME, INPUTS_OF_##FORM}, )
+#define FUNCTION(...) OPERATOR(__VA_ARGS__)
+#include "../plan/functions.def"
+};
+
 enum scarp_status scarpi_recipe_combine(const struct recipe *recipe, const struct recipe_node *node,
                                         size_t count, const struct scarp_samples in[3],
                                         const struct scarp_samples *out)
 {
     const struct scarp_samples *const at[3] = {&in[0], &in[1], &in[2]};
+    const struct kernel_function *const f = &kernel_functions[node->operation];
+    if (f->inputs > 0 && out->dx == NULL) { /* values only, as most calls at few points ask for */
+        const float *values[CHAIN_INPUTS] = {NULL};
+        for (int i = 0; i < f->inputs; i++) {
+            values[i] = in[i].value;
+        }
+        return scarpi_chain_values((enum scarp_chain_function)f->function, count, values, node->k,
+                                   out->value);
+    }
 #define FORM_CURVE(function, count, in, k, out) run_curve(recipe, node, count, (in)[0], out)
 #define OPERATOR(NAME, name, FORM, ...)                                                            \
     case OP_##NAME:                                                                                \

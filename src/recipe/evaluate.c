@@ -79,6 +79,10 @@ static int set_orders(struct recipe_machine *m, const struct recipe_evaluation *
         }
         uint8_t *const of = &m->order_of[call->root[i]];
         *of = (uint8_t)(order > *of ? order : *of);
+        highest = order > highest ? order : highest;
+    }
+    if (highest == 0 && m->schedule->extra == 0) { /* values are made of values */
+        return 0;
     }
     scarpi_recipe_raise_orders(r, m->schedule, m->order_of);
     for (int k = 0; k < m->schedule->steps; k++) {

@@ -97,11 +97,11 @@ enum scarp_status scarpi_recipe_run_operation(struct recipe_machine *m, int node
 {
     const struct recipe_node *const n = &m->recipe->node[node];
     const size_t count = m->chunk->count;
-    const struct scarp_samples out = scarpi_recipe_samples(m, node);
-    struct scarp_samples in[3] = {{0}};
+    struct scarp_samples out, in[3]; /* what it does not read stays unset */
+    scarpi_recipe_find_samples(m, node, &out);
     for (int i = 0; i < 3; i++) {
         if (n->in[i] >= 0) {
-            in[i] = scarpi_recipe_samples(m, n->in[i]);
+            scarpi_recipe_find_samples(m, n->in[i], &in[i]);
         }
     }
     switch (n->operation) {

@@ -207,13 +207,12 @@ static void pull(const struct recipe_machine *m, int place, int order,
     }
 }
 
-/* The arrays of a node that a call in so many dimensions may write. */
-static struct scarp_samples in_dimensions(struct scarp_samples s, int dimensions)
+/* Leaves the arrays of a node that a call in so many dimensions may write. */
+static void keep_dimensions(struct scarp_samples *s, int dimensions)
 {
     if (dimensions == 2) {
-        s.dz = s.dxz = s.dyz = s.dzz = NULL;
+        s->dz = s->dxz = s->dyz = s->dzz = NULL;
     }
-    return s;
 }
 
 /* Where the points of a call are: of a place. */
@@ -288,7 +287,8 @@ static enum scarp_status run_vector(struct recipe_machine *m, int node)
     for (int i = 0; i < dimensions; i++) {
         if (component[i] >= 0) {
             all[i] = scarpi_recipe_samples(m, component[i]);
-            out[i] = in_dimensions(all[i], dimensions);
+            out[i] = all[i];
+            keep_dimensions(&out[i], dimensions);
         }
     }
     const struct points p = points_of(m, n->place);
@@ -440,9 +440,16 @@ static void run_coordinate(const struct recipe_machine *m, const struct recipe_n
 enum scarp_status scarpi_recipe_run_placed(struct recipe_machine *m, int node)
 {
     const struct recipe_node *const n = &m->recipe->node[node];
-    const struct scarp_samples all = scarpi_recipe_samples(m, node);
-    const struct scarp_samples out = in_dimensions(all, m->recipe->place[n->place].dimensions);
+    struct scarp_samples all;
     const int order = m->order_of[node];
+    const struct scarp_samples *out = &all;
+    struct scarp_samples of_plane;
+    scarpi_recipe_find_samples(m, node, &all);
+    if (all.dz != NULL && m->recipe->place[n->place].dimensions == 2) {
+        of_plane = all;
+        keep_dimensions(&of_plane, 2);
+        out = &of_plane;
+    }
     enum scarp_status status;
     switch (n->operation) {
     case OP_COORDINATE: run_coordinate(m, n, order, &all); return SCARP_OK;
@@ -454,12 +461,12 @@ enum scarp_status scarpi_recipe_run_placed(struct recipe_machine *m, int node)
         pull(m, n->place, order, &in, &all);
         return SCARP_OK;
     }
-    case OP_CELL: status = run_cell(m, n, n->detail == 0 ? &all : &out); break;
-    default: status = run_noise(m, n, &out); break;
+    case OP_CELL: status = run_cell(m, n, n->detail == 0 ? &all : out); break;
+    default: status = run_noise(m, n, out); break;
     }
-    if (status == SCARP_OK && !scarpi_recipe_is_frame(m->recipe, n->place) &&
+    if (status == SCARP_OK && order > 0 && !scarpi_recipe_is_frame(m->recipe, n->place) &&
         !(n->operation == OP_CELL && n->detail == 0)) {
-        pull(m, n->place, order, &out, &all);
+        pull(m, n->place, order, out, &all);
     }
     return status;
 }

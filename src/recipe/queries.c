@@ -107,10 +107,13 @@ int scarpi_recipe_reads(const struct recipe *recipe, int node, int16_t reads[REC
 
 void scarpi_recipe_spell_noise(const struct recipe *recipe, int index, struct scarp_noise noise[5])
 {
+    /* Without an offset all seeds have the same places at the origin. */
+    static const struct scarp_noise others = {.offset_first = 1};
+    enum { MEMBERS = sizeof recipe->noise[0].noise };
     for (int i = 0; index >= 0 && i < 5; i++, index = recipe->noise[index].warp) {
-        memset(&noise[i], 0, sizeof noise[i]);
-        memcpy(&noise[i], recipe->noise[index].noise, sizeof recipe->noise[index].noise);
+        memcpy(&noise[i], recipe->noise[index].noise, MEMBERS);
+        memcpy((char *)&noise[i] + MEMBERS, (const char *)&others + MEMBERS,
+               sizeof noise[i] - MEMBERS);
         noise[i].warp = recipe->noise[index].warp >= 0 ? &noise[i + 1] : NULL;
-        noise[i].offset_first = 1; /* else all seeds have the same places at the origin */
     }
 }

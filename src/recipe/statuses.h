@@ -40,6 +40,7 @@ MUST_KEEP(scarp_range);
 MUST_KEEP(scarp_gullies_range);
 MUST_KEEP(scarpi_run);
 MUST_KEEP(scarpi_chain_numbers);
+MUST_KEEP(scarpi_chain_values);
 MUST_KEEP(scarpi_curve_slopes);
 
 #undef MUST_KEEP
